@@ -1,0 +1,37 @@
+# Shared by the scripts in this folder; sourced, not run.
+repo="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+jobs="$(nproc)"
+
+say() {
+  printf '\n== %s\n' "$*"
+}
+
+die() {
+  printf '%s: %s\n' "$(basename "$0")" "$*" >&2
+  exit 1
+}
+
+# configure <build folder> <cmake arguments...>: configures when that is needed, with Ninja when it is there.
+configure() {
+  local build="$1"
+  shift
+  local cache="$build/CMakeCache.txt"
+  if [[ -f "$cache" ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$repo" "$cache"; then
+    echo "$build was configured for another folder; starting it afresh"
+    rm -rf -- "$build"
+  fi
+  local stamp="$build/configured_with" wanted="$*"
+  if [[ -f "$stamp" && -f "$cache" && "$(<"$stamp")" == "$wanted" ]]; then
+    return 0 # the build itself configures again when a CMakeLists.txt changed
+  fi
+  local generator=()
+  if [[ ! -f "$cache" ]] && command -v ninja >/dev/null; then
+    generator=(-G Ninja)
+  fi
+  cmake -S "$repo" -B "$build" "${generator[@]}" "$@" || return
+  printf '%s' "$wanted" >"$stamp"
+}
+
+build() {
+  cmake --build "$1" --parallel "$jobs" "${@:2}"
+}

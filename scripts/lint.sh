@@ -1,0 +1,108 @@
+#!/usr/bin/env bash
+# Checks what neither compiler nor formatter does: the rules of the house that a search can find. Prints each
+# violation as file:line: text and ends with 1 if there is one.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+cd "$repo"
+
+maxHeaderLines=300
+maxSourceLines=600
+violations=0
+mapfile -t sources < <(git ls-files --cached --others --exclude-standard -- \
+  'src/*.h' 'src/*.cpp' 'experiments/*.h' 'experiments/*.cpp' 'examples/*.h' 'examples/*.cpp' |
+  while IFS= read -r file; do [[ -f "$file" ]] && echo "$file"; done)
+((${#sources[@]} > 0)) || die "found no sources"
+
+report() { # report <rule> <found lines>
+  [[ -z "$2" ]] && return 0
+  printf '%s\n' "$2" | sed "s|\$|    [$1]|"
+  violations=$((violations + $(printf '%s\n' "$2" | wc -l)))
+}
+
+only() { # only <extended regular expression on paths>: the sources that match
+  printf '%s\n' "${sources[@]}" | grep -E "$1" || true
+}
+
+search() { # search <extended regular expression> <files...>: ignores comments and string literals
+  local pattern="$1"
+  shift
+  (($# > 0)) || return 0
+  awk -v pattern="$pattern" '
+    FNR == 1 { inComment = 0 }
+    {
+      line = $0
+      gsub(/\\./, "", line)
+      gsub(/"[^"]*"/, "\"\"", line)
+      if (inComment) {
+        if (!sub(/^.*\*\//, "", line)) next
+        inComment = 0
+      }
+      gsub(/\/\*([^*]|\*+[^*\/])*\*+\//, "", line)
+      sub(/\/\/.*/, "", line)
+      if (sub(/\/\*.*/, "", line)) inComment = 1
+      if (line ~ pattern) print FILENAME ":" FNR ": " $0
+    }' "$@"
+}
+
+includes() { # includes <regular expression of paths> <forbidden include prefix>
+  local files
+  mapfile -t files < <(only "$1")
+  ((${#files[@]} == 0)) || grep -nHE "#include *[<\"]($2)" "${files[@]}" || true
+}
+
+# The direction of dependencies. The include roots of the build enforce it too; this says it in plain words.
+report "utility knows nothing above it" \
+  "$(includes '^src/core/utility/' 'argos3/(core/(control_interface|simulator|wrappers)|plugins)/')"
+report "the control interface knows utility alone" \
+  "$(includes '^src/core/control_interface/' 'argos3/(core/(simulator|wrappers)|plugins)/')"
+report "the core knows no plug-in" "$(includes '^src/core/' 'argos3/plugins/')"
+report "a control interface knows no simulator" \
+  "$(includes '^src/plugins/robots/[^/]*/control_interface/' 'argos3/(core/simulator|plugins/simulator|plugins/robots/[^/]*/simulator)/')"
+report "a robot knows no engine" "$(includes '^src/plugins/robots/' 'argos3/plugins/simulator/physics_engines/')"
+report "an engine knows no robot" "$(includes '^src/plugins/physics_engines/' 'argos3/plugins/robots/')"
+report "include by the public path, <argos3/...>" \
+  "$(includes '^src/(core|plugins)/' '\.\./')"
+
+mapfile -t ours < <(only '^src/(core|plugins)/')
+report "GetInstance() is for users: take what you need as a parameter" \
+  "$(search 'CSimulator::GetInstance *\(' "${ours[@]}")"
+report "no #pragma once: guards are ARGOS3_<PATH>_H" "$(grep -nH '^ *#pragma once' "${sources[@]}" || true)"
+report "never dlclose" "$(search '(^|[^A-Za-z_])dlclose *\(' "${ours[@]}")"
+
+# Ownership: the factory hands raw pointers to users, everything else owns with unique_ptr.
+mapfile -t owners < <(only '^(src|experiments)/' | grep -vE '^src/core/utility/plugins/factory|^src/testing/support/allocation' || true)
+report "no raw new: std::make_unique" \
+  "$(search '(^|[^A-Za-z0-9_.>])new +[A-Za-z_:(]' "${owners[@]}" | grep -v 'operator new' || true)"
+report "no raw delete: let an owner do it" \
+  "$(search '(^|[^A-Za-z0-9_=.>]|[^= ] +)delete(\[\])? +[A-Za-z_:(*]' "${owners[@]}" | grep -v 'operator delete' || true)"
+
+report "no TODO, FIXME or XXX" "$(grep -nHE '(TODO|FIXME|XXX)' "${sources[@]}" || true)"
+
+guards() {
+  local file guard
+  while IFS= read -r file; do
+    guard="${file#src/}"
+    guard="${guard%.h}"
+    guard="ARGOS3_$(tr 'a-z/-' 'A-Z__' <<<"$guard")_H"
+    grep -q "^#ifndef $guard\$" "$file" && grep -q "^#define $guard\$" "$file" ||
+      echo "$file:1: the guard should be $guard"
+  done < <(only '^src/(core|plugins|testing)/.*\.h$')
+}
+report "include guards are paths" "$(guards)"
+
+lengths() {
+  local file limit lines
+  for file in "${sources[@]}"; do
+    limit=$maxSourceLines
+    [[ "$file" == *.h ]] && limit=$maxHeaderLines
+    lines=$(wc -l <"$file")
+    ((lines <= limit)) || echo "$file:$lines: longer than $limit lines"
+  done
+}
+report "files are short" "$(lengths)"
+
+if ((violations > 0)); then
+  echo "lint: $violations violation(s)"
+  exit 1
+fi
+echo "lint: ${#sources[@]} files are fine"

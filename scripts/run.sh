@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds the simulator and runs an experiment, without a display:
+#   scripts/run.sh [EXPERIMENT [ARGUMENTS OF argos3...]]
+# EXPERIMENT is an .argos file, by default experiments/diffusion_10.argos, sought in the current folder and in the
+# repository. The simulator runs in the repository's folder, so the frames lie under its out/.
+#   scripts/run.sh experiments/diffusion_10.argos --seed 7 --threads 2
+set -euo pipefail
+started_in="$PWD"
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+
+experiment="experiments/diffusion_10.argos"
+if (($# > 0)) && [[ "$1" == -h || "$1" == --help ]]; then
+  sed -n '2,6s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+  exit 0
+fi
+if (($# > 0)) && [[ "$1" != -* ]]; then
+  experiment="$1"
+  shift
+fi
+if [[ -f "$started_in/$experiment" ]]; then
+  experiment="$(cd "$(dirname "$started_in/$experiment")" && pwd)/$(basename "$experiment")"
+elif [[ ! -f "$experiment" ]]; then
+  [[ -f "$repo/$experiment" ]] || die "no file '$experiment', neither in $started_in nor in $repo; there are:" \
+    "$(cd "$repo" && printf '%s ' experiments/*.argos)"
+  experiment="$repo/$experiment"
+fi
+
+say "Packages"
+"$repo/scripts/setup.sh"
+
+say "Build (Release, in build/)"
+configure "$repo/build" -DCMAKE_BUILD_TYPE=Release -DARGOS_BUILD_TESTING=OFF
+build "$repo/build"
+
+say "Run ${experiment#"$repo"/}"
+cd "$repo"
+mkdir -p out
+export ARGOS_PLUGIN_PATH="$repo/build/experiments${ARGOS_PLUGIN_PATH:+:$ARGOS_PLUGIN_PATH}"
+before="$(mktemp)"
+trap 'rm -f "$before"' EXIT
+status=0
+"$repo/build/bin/argos3" -c "$experiment" "$@" || status=$?
+((status == 0)) || die "argos3 ended with exit code $status"
+
+written="$(find out -type f -newer "$before" -printf '%h\n' | sort | uniq -c)"
+if [[ -n "$written" ]]; then
+  say "Written"
+  while read -r count folder; do
+    echo "$count file(s) in $repo/$folder"
+  done <<<"$written"
+fi

@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# Installs the packages of packages.txt that are missing; does nothing, and needs no network, when none is.
+#   scripts/setup.sh          run by run.sh and test.sh
+set -euo pipefail
+
+scripts="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
+list="$scripts/packages.txt"
+mapfile -t wanted < <(sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' "$list")
+
+fail() {
+  printf 'setup: %s\n' "$@" >&2
+  exit 1
+}
+
+is_installed() {
+  [[ "$(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null)" == installed ]]
+}
+
+if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+  for tool in cmake c++ pkg-config; do
+    command -v "$tool" >/dev/null || fail "this is no Debian, and '$tool' is missing;" \
+      "install what corresponds to the packages in $list"
+  done
+  echo "setup: this is no Debian; taking the packages in scripts/packages.txt for granted"
+  exit 0
+fi
+
+missing=()
+for package in "${wanted[@]}"; do
+  is_installed "$package" || missing+=("$package")
+done
+if ((${#missing[@]} == 0)); then
+  echo "setup: all ${#wanted[@]} packages are there"
+  exit 0
+fi
+
+root=()
+if ((EUID != 0)); then
+  command -v sudo >/dev/null || fail "missing packages: ${missing[*]}" \
+    "installing them needs root, and there is no sudo; as root, run: apt-get install ${missing[*]}"
+  root=(sudo)
+fi
+apt_get() {
+  "${root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -y -o Dpkg::Use-Pty=0 "$@"
+}
+
+echo "setup: ${#missing[@]} of ${#wanted[@]} packages are missing: ${missing[*]}"
+echo "setup: fetching the lists of packages"
+apt_get -qq update || echo "setup: that failed (no network?); trying with the lists that are here" >&2
+
+unknown=()
+for package in "${missing[@]}"; do
+  [[ -n "$(apt-cache show --no-all-versions "$package" 2>/dev/null)" ]] || unknown+=("$package")
+done
+((${#unknown[@]} == 0)) || fail "apt knows no package named: ${unknown[*]}" \
+  "is this Debian 12, is there a network, and does /etc/apt/sources.list* name the main archive?"
+
+echo "setup: installing (a few minutes)"
+log="$(mktemp)"
+trap 'rm -f "$log"' EXIT
+if ! apt_get install --no-install-recommends "${missing[@]}" 2>&1 | tee "$log" |
+  awk '/^(Get:|Fetched|Setting up)/ { print "  " $0; fflush() }'; then
+  tail -n 20 "$log" >&2
+  fail "apt-get could not install: ${missing[*]}" "its last lines are above"
+fi
+for package in "${missing[@]}"; do
+  is_installed "$package" || fail "apt-get ended well, but '$package' is not installed"
+done
+echo "setup: done"

@@ -1,0 +1,96 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds everything with warnings as errors, and runs all checks and tests:
+#   scripts/test.sh [--quick]     --quick: only build and tests, neither clang-tidy nor the downstream builds
+# Tests that take many minutes carry the label soak and are left out; run them with: ctest --test-dir build-ci -L soak
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+quick=0
+case "${1:-}" in
+  "") ;;
+  --quick) quick=1 ;;
+  -h | --help) sed -n '2,5s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
+  *) die "unknown argument '$1'; there is only --quick" ;;
+esac
+cd "$repo"
+build_dir="$repo/build-ci"
+work="$(mktemp -d)"
+trap 'rm -rf -- "$work"' EXIT
+
+began() {
+  say "$1 (after ${SECONDS} s)"
+}
+
+check_format() {
+  git ls-files -z --cached --others --exclude-standard -- '*.h' '*.cpp' |
+    while IFS= read -r -d '' file; do [[ ! -f "$file" ]] || printf '%s\0' "$file"; done |
+    xargs -0 -r -n 50 -P "$jobs" clang-format --dry-run --Werror
+}
+
+build_for_robot() {
+  configure "$repo/build-robot" -DCMAKE_BUILD_TYPE=Release -DARGOS_BUILD_TESTING=ON -DARGOS_WERROR=ON \
+    -DARGOS_BUILD_FOR=robot
+  build "$repo/build-robot"
+}
+
+# What is installed is complete, and shows users no third-party header but Eigen's.
+check_installed_headers() { # check_installed_headers <include folder>
+  local included found
+  while IFS= read -r included; do
+    [[ -f "$1/$included" ]] || die "an installed header includes <$included>, which is not installed"
+  done < <(grep -rhoE '^ *# *include *<argos3/[^>]+' "$1" | sed 's/.*<//' | sort -u)
+  found="$(grep -rnE '^ *# *include *[<"](box2d|tinyxml2|FreeImage|gsl|fmt|CLI|GL|EGL)[/.]' "$1" || true)"
+  [[ -z "$found" ]] || die "installed headers include third-party ones: $found"
+  echo "$(find "$1" -name '*.h' | wc -l) headers are installed and complete"
+}
+
+# A user's project against the installed simulator, found in either way; its experiment must run and write its data.
+build_user_project() { # build_user_project <name> <cmake arguments...>
+  local folder="$work/$1" data="$work/$1/paths.csv"
+  mkdir -p "$folder"
+  {
+    cmake -S "$repo/examples/user_project" -B "$folder/build" -DCMAKE_BUILD_TYPE=Release "${@:2}" &&
+      cmake --build "$folder/build" --parallel "$jobs" &&
+      (cd "$folder" && "$work/prefix/bin/argos3" -c "$repo/examples/user_project/obstacle_avoidance.argos")
+  } >"$folder/log" 2>&1 || { cat "$folder/log" >&2; die "the user's project ($1) failed, see above"; }
+  [[ -s "$data" ]] || die "the user's project ($1) ran but wrote no paths.csv"
+  echo "$1: built and ran; its data has $(wc -l <"$data") lines"
+}
+
+began "Packages"
+"$repo/scripts/setup.sh"
+
+began "Layout of the sources (clang-format)"
+check_format
+echo "as .clang-format says"
+
+began "Rules of the house"
+"$repo/scripts/lint.sh"
+
+began "Build (Release, with tests, warnings are errors, in build-ci/)"
+configure "$build_dir" -DCMAKE_BUILD_TYPE=Release -DARGOS_BUILD_TESTING=ON -DARGOS_WERROR=ON
+build "$build_dir"
+
+began "Tests"
+ctest --test-dir "$build_dir" --output-on-failure --parallel "$jobs" --label-exclude soak --no-tests=error \
+  --progress
+
+if ((quick)); then
+  say "The quick checks passed after ${SECONDS} s"
+  exit 0
+fi
+
+began "Controllers without the simulator (ARGOS_BUILD_FOR=robot, in build-robot/)"
+build_for_robot
+
+began "Installation, and a user's own project against it"
+cmake --install "$build_dir" --prefix "$work/installed" >"$work/install.log"
+# moved after the installation: nothing in it may depend on where it was put
+mv "$work/installed" "$work/prefix"
+check_installed_headers "$work/prefix/include"
+build_user_project find_package -DCMAKE_PREFIX_PATH="$work/prefix"
+PKG_CONFIG_PATH="$work/prefix/lib/pkgconfig" build_user_project pkg_config -DUSE_PKG_CONFIG=ON
+
+began "clang-tidy"
+"$repo/scripts/tidy.sh" "$build_dir"
+
+say "All checks passed after ${SECONDS} s"

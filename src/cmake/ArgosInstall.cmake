@@ -1,0 +1,30 @@
+# What users' projects need to find this build: the CMake package ARGoS, a pkg-config file, shell completion.
+include(CMakePackageConfigHelpers)
+set(argosCmakeDir "${CMAKE_INSTALL_DATAROOTDIR}/argos3/cmake")
+set(argosGenerated "${PROJECT_BINARY_DIR}/generated")
+
+configure_package_config_file(src/cmake/install/ARGoSConfig.cmake.in "${argosGenerated}/ARGoSConfig.cmake"
+  INSTALL_DESTINATION "${argosCmakeDir}" PATH_VARS CMAKE_INSTALL_INCLUDEDIR ARGOS_LIBRARY_SUBDIR
+  NO_CHECK_REQUIRED_COMPONENTS_MACRO)
+write_basic_package_version_file("${argosGenerated}/ARGoSConfigVersion.cmake" COMPATIBILITY SameMajorVersion)
+configure_file(src/cmake/install/ARGoSSettings.cmake.in "${argosGenerated}/ARGoSSettings.cmake" @ONLY)
+install(FILES "${argosGenerated}/ARGoSConfig.cmake" "${argosGenerated}/ARGoSConfigVersion.cmake"
+              "${argosGenerated}/ARGoSSettings.cmake" src/cmake/FindFreeImage.cmake
+              src/cmake/install/FindARGoSQTOpenGL.cmake src/cmake/install/ARGoSCheckQTOpenGL.cmake
+        DESTINATION "${argosCmakeDir}")
+install(EXPORT ARGoSTargets FILE ARGoSTargets-${ARGOS_BUILD_FOR}.cmake DESTINATION "${argosCmakeDir}")
+
+install(FILES "${PROJECT_BINARY_DIR}/include/config/argos3/core/config.h"
+        DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/argos3/core")
+
+configure_file(src/cmake/install/argos3.pc.in "${argosGenerated}/argos3_${ARGOS_BUILD_FOR}.pc" @ONLY)
+install(FILES "${argosGenerated}/argos3_${ARGOS_BUILD_FOR}.pc" DESTINATION lib/pkgconfig)
+
+if(ARGOS_BUILD_FOR_SIMULATOR)
+  install(FILES src/cmake/install/argos3_bash_completion.sh DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/argos3")
+  install(FILES src/cmake/install/argos.xml DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/mime/packages")
+endif()
+if(ARGOS_INSTALL_LDSOCONF)
+  file(CONFIGURE OUTPUT "${argosGenerated}/argos3.conf" CONTENT "@CMAKE_INSTALL_PREFIX@/lib/argos3\n" @ONLY)
+  install(FILES "${argosGenerated}/argos3.conf" DESTINATION /etc/ld.so.conf.d)
+endif()

@@ -1,0 +1,42 @@
+# argos_options: what every target of this project is compiled and linked with. It is never exported: users choose
+# their own language level and warnings.
+add_library(argos_options INTERFACE)
+target_compile_features(argos_options INTERFACE cxx_std_20)
+
+# Same input, same bits: a multiplication and an addition fused into one instruction round once instead of twice, and
+# whether they are fused depends on the compiler, its version and the inlining around them. So never fuse.
+target_compile_options(argos_options INTERFACE -ffp-contract=off)
+
+set(argosWarnings -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual)
+# g++ 12 sees overlapping copies where a string is put together with "text" + string: its defect 105329.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  list(APPEND argosWarnings -Wno-restrict)
+endif()
+if(ARGOS_WERROR)
+  list(APPEND argosWarnings -Werror)
+endif()
+target_compile_options(argos_options INTERFACE ${argosWarnings})
+
+if(ARGOS_BUILD_NATIVE)
+  target_compile_options(argos_options INTERFACE -march=native)
+endif()
+if(ARGOS_SANITIZE)
+  target_compile_options(argos_options INTERFACE -fsanitize=${ARGOS_SANITIZE} -fno-omit-frame-pointer -g
+                                                 -fno-sanitize-recover=all)
+  target_link_options(argos_options INTERFACE -fsanitize=${ARGOS_SANITIZE})
+endif()
+
+# A plug-in that only registers itself offers no symbol that anybody asks for; where the linker drops such libraries by
+# default (Ubuntu), a program that links it would run without it.
+if(NOT APPLE)
+  target_link_options(argos_options INTERFACE -Wl,--no-as-needed)
+endif()
+
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+# The build tree has the layout of the install tree, so bin/../lib/argos3 is right in both.
+set(ARGOS_LIBRARY_SUBDIR lib/argos3)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/bin")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/${ARGOS_LIBRARY_SUBDIR}")
+set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/../${ARGOS_LIBRARY_SUBDIR}")

@@ -1,0 +1,180 @@
+# The calls with which this project defines its targets:
+#
+#   argos_add_core_part(utility ...)   an object library, one layer of the core
+#   argos_add_core(PARTS ...)          the parts merged into libargos3core_<build-for>.so, alias argos3::core
+#   argos_add_plugin(media ...)        libargos3plugin_<build-for>_media.so, alias argos3::media
+#   argos_add_module(name ...)         a library of controllers or loop functions, not installed
+#   argos_add_test(name ...)           a Catch2 program whose test cases are known to ctest
+#
+# Each target has an include root of its own, made of links to the source folders, so it sees the headers of the
+# targets that it links and no others: an include against the direction of dependencies does not compile.
+
+set(argosHeaderPrologue "// Generated: compiles one public header alone, as the first include, as C++17.\n")
+
+# Makes <build>/include/<target>/argos3/<prefix> a link to a source folder and stores the root in <rootVariable>.
+function(argos_link_headers rootVariable target prefix folder)
+  set(root "${PROJECT_BINARY_DIR}/include/${target}")
+  get_filename_component(parent "${root}/argos3/${prefix}" DIRECTORY)
+  file(MAKE_DIRECTORY "${parent}")
+  file(CREATE_LINK "${folder}" "${root}/argos3/${prefix}" SYMBOLIC)
+  set(${rootVariable} "${root}" PARENT_SCOPE)
+endfunction()
+
+# Installs public headers under include/argos3/<prefix>, keeping the sub-folders in their names.
+function(argos_install_headers prefix)
+  foreach(header IN LISTS ARGN)
+    get_filename_component(subfolder "${header}" DIRECTORY)
+    install(FILES "${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/argos3/${prefix}/${subfolder}")
+  endforeach()
+endfunction()
+
+# Compiles each public header of a target in a translation unit of its own, at the language level of users.
+function(argos_check_headers target prefix)
+  if(NOT ARGOS_BUILD_TESTING OR NOT ARGN)
+    return()
+  endif()
+  set(sources)
+  foreach(header IN LISTS ARGN)
+    set(source "${PROJECT_BINARY_DIR}/header_checks/${prefix}/${header}.cpp")
+    set(text "${argosHeaderPrologue}#include <argos3/${prefix}/${header}>\n")
+    file(CONFIGURE OUTPUT "${source}" CONTENT "${text}" @ONLY)
+    list(APPEND sources "${source}")
+  endforeach()
+  set(check header_checks_${target})
+  if(NOT TARGET ${check})
+    add_library(${check} OBJECT)
+    target_link_libraries(${check} PRIVATE ${target})
+    target_compile_options(${check} PRIVATE $<TARGET_PROPERTY:argos_options,INTERFACE_COMPILE_OPTIONS> -O0 -g0)
+    set_target_properties(${check} PROPERTIES CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON)
+    if(NOT TARGET header_checks)
+      add_custom_target(header_checks)
+    endif()
+    add_dependencies(header_checks ${check})
+  endif()
+  target_sources(${check} PRIVATE ${sources})
+endfunction()
+
+# argos_add_core_part(<name> INCLUDE_PREFIX <p> PUBLIC_HEADERS ... SOURCES ... [LINK ...] [LINK_PRIVATE ...])
+#   Names of headers and sources are relative to ${CMAKE_CURRENT_SOURCE_DIR}/<name>.
+function(argos_add_core_part name)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "INCLUDE_PREFIX" "PUBLIC_HEADERS;SOURCES;LINK;LINK_PRIVATE")
+  set(folder "${CMAKE_CURRENT_SOURCE_DIR}/${name}")
+  set(target argos3_${name})
+  argos_link_headers(root ${target} ${ARG_INCLUDE_PREFIX} "${folder}")
+
+  list(TRANSFORM ARG_SOURCES PREPEND "${folder}/")
+  if(NOT ARG_SOURCES) # BUILD-UP
+    file(WRITE "${PROJECT_BINARY_DIR}/empty.cpp" "namespace {}\n") # BUILD-UP
+    set(ARG_SOURCES "${PROJECT_BINARY_DIR}/empty.cpp") # BUILD-UP
+  endif() # BUILD-UP
+  add_library(${target} OBJECT ${ARG_SOURCES})
+  target_include_directories(${target} PUBLIC "${root}" "${PROJECT_BINARY_DIR}/include/config")
+  target_link_libraries(${target} PUBLIC ${ARG_LINK} PRIVATE argos_options ${ARG_LINK_PRIVATE})
+  set_target_properties(${target} PROPERTIES ARGOS_INCLUDE_ROOT "${root}")
+
+  argos_check_headers(${target} ${ARG_INCLUDE_PREFIX} ${ARG_PUBLIC_HEADERS})
+  foreach(header IN LISTS ARG_PUBLIC_HEADERS)
+    get_filename_component(subfolder "${header}" DIRECTORY)
+    install(FILES "${folder}/${header}"
+            DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/argos3/${ARG_INCLUDE_PREFIX}/${subfolder}")
+  endforeach()
+endfunction()
+
+# argos_add_core(PARTS ... [LINK ...])
+#   LINK names what the public headers need.
+function(argos_add_core)
+  cmake_parse_arguments(PARSE_ARGV 0 ARG "" "" "PARTS;LINK")
+  set(target argos3core_${ARGOS_BUILD_FOR})
+  add_library(${target} SHARED)
+  add_library(argos3::core ALIAS ${target})
+  foreach(part IN LISTS ARG_PARTS)
+    target_link_libraries(${target} PRIVATE argos3_${part})
+    get_target_property(root argos3_${part} ARGOS_INCLUDE_ROOT)
+    target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${root}>")
+  endforeach()
+  target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include/config>"
+                                              "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
+  target_link_libraries(${target} PUBLIC ${ARG_LINK} PRIVATE argos_options)
+  target_compile_features(${target} INTERFACE cxx_std_17)
+  set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX)
+  install(TARGETS ${target} EXPORT ARGoSTargets LIBRARY DESTINATION ${ARGOS_LIBRARY_SUBDIR})
+endfunction()
+
+# argos_add_plugin(<name> INCLUDE_PREFIX <p> [PUBLIC_HEADERS ...] [SOURCES ...] [LINK ...] [LINK_PRIVATE ...]
+#                  [CONTROL_INTERFACE_HEADERS ...] [CONTROL_INTERFACE_SOURCES ...])
+#   PUBLIC_HEADERS are installed and each compiled alone; LINK names the targets whose headers may be used (the core
+#   always is); LINK_PRIVATE is third party and never leaks. The CONTROL_INTERFACE_ lists, of robots, name what lies in
+#   the folder control_interface/: a build for a robot compiles that alone.
+function(argos_add_plugin name)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "INCLUDE_PREFIX"
+    "PUBLIC_HEADERS;SOURCES;CONTROL_INTERFACE_HEADERS;CONTROL_INTERFACE_SOURCES;LINK;LINK_PRIVATE")
+  list(TRANSFORM ARG_CONTROL_INTERFACE_HEADERS PREPEND control_interface/)
+  list(TRANSFORM ARG_CONTROL_INTERFACE_SOURCES PREPEND control_interface/)
+  set(linkedFolder)
+  if(NOT ARGOS_BUILD_FOR_SIMULATOR)
+    set(ARG_PUBLIC_HEADERS)
+    set(ARG_SOURCES)
+    set(ARG_LINK_PRIVATE)
+    set(linkedFolder /control_interface)
+  endif()
+  set(headers ${ARG_CONTROL_INTERFACE_HEADERS} ${ARG_PUBLIC_HEADERS})
+  set(sources ${ARG_CONTROL_INTERFACE_SOURCES} ${ARG_SOURCES})
+  if(NOT sources)
+    return()
+  endif()
+
+  set(target argos3plugin_${ARGOS_BUILD_FOR}_${name})
+  argos_link_headers(root ${target} ${ARG_INCLUDE_PREFIX}${linkedFolder} "${CMAKE_CURRENT_SOURCE_DIR}${linkedFolder}")
+  add_library(${target} SHARED ${sources})
+  add_library(argos3::${name} ALIAS ${target})
+  target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${root}>")
+  target_link_libraries(${target} PUBLIC argos3core_${ARGOS_BUILD_FOR} PRIVATE argos_options ${ARG_LINK_PRIVATE})
+  foreach(alias IN LISTS ARG_LINK)
+    if(TARGET ${alias})
+      get_target_property(linked ${alias} ALIASED_TARGET)
+      target_link_libraries(${target} PUBLIC ${linked})
+    elseif(ARGOS_BUILD_FOR_SIMULATOR)
+      message(WARNING "argos_add_plugin(${name}): no target ${alias}; define it before")
+    endif()
+  endforeach()
+
+  argos_check_headers(${target} ${ARG_INCLUDE_PREFIX} ${headers})
+  argos_install_headers(${ARG_INCLUDE_PREFIX} ${headers})
+  install(TARGETS ${target} EXPORT ARGoSTargets LIBRARY DESTINATION ${ARGOS_LIBRARY_SUBDIR})
+endfunction()
+
+# argos_add_module(<name> SOURCES ... [LINK ...] [FOLDER <f>])
+#   lib<name>.so in <build>/<f>, by default <build>/experiments: found at run time when that is in ARGOS_PLUGIN_PATH.
+function(argos_add_module name)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "FOLDER" "SOURCES;LINK")
+  if(NOT ARG_FOLDER)
+    set(ARG_FOLDER experiments)
+  endif()
+  add_library(${name} MODULE ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE argos_options argos3::core ${ARG_LINK})
+  set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/${ARG_FOLDER}")
+endfunction()
+
+# argos_add_test(<name> SOURCES ... [LINK ...] [LABEL <l>] [DEPENDS ...] [TIMEOUT <s>] [PROCESSORS <n>])
+#   DEPENDS names targets that the test loads at run time.
+function(argos_add_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "LABEL;TIMEOUT;PROCESSORS" "SOURCES;LINK;DEPENDS")
+  if(NOT ARG_LABEL)
+    set(ARG_LABEL unit)
+  endif()
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 300)
+  endif()
+  if(NOT ARG_PROCESSORS)
+    set(ARG_PROCESSORS 1)
+  endif()
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE argos_options argos3::core ${ARG_LINK} Catch2::Catch2WithMain)
+  target_compile_definitions(${name} PRIVATE ARGOS_TEST_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+                                             ARGOS_TEST_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  if(ARG_DEPENDS)
+    add_dependencies(${name} ${ARG_DEPENDS})
+  endif()
+  catch_discover_tests(${name} WORKING_DIRECTORY "${PROJECT_BINARY_DIR}"
+    PROPERTIES LABELS ${ARG_LABEL} TIMEOUT ${ARG_TIMEOUT} PROCESSORS ${ARG_PROCESSORS})
+endfunction()

@@ -1,0 +1,2 @@
+# For projects that use pkg-config and then include(ARGoSCheckQTOpenGL).
+include("${CMAKE_CURRENT_LIST_DIR}/FindARGoSQTOpenGL.cmake")

@@ -1,0 +1,36 @@
+#ifndef ARGOS3_CORE_CONTROL_INTERFACE_CI_ACTUATOR_H
+#define ARGOS3_CORE_CONTROL_INTERFACE_CI_ACTUATOR_H
+
+#include <argos3/core/config.h>
+#include <argos3/core/utility/configuration/base_configurable_resource.h>
+
+#include <functional>
+#include <map>
+#include <string>
+
+struct lua_State;
+
+namespace argos {
+
+/** What a controller sees of an actuator, on the robot as in the simulator. */
+class CCI_Actuator : public CBaseConfigurableResource {
+ public:
+  /** By type, which is the tag in the experiment file. */
+  typedef std::map<std::string, CCI_Actuator*, std::less<std::string> > TMap;
+
+  ~CCI_Actuator() override;
+
+  void Init(TConfigurationNode& node) override;
+  void Reset() override;
+  void Destroy() override;
+
+  /**
+   * For Lua controllers: adds the actuator's functions to the table "robot", which is on top of the
+   * stack. An actuator without an override is not visible from Lua.
+   */
+  virtual void CreateLuaState(lua_State* state);
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,134 @@
+#ifndef ARGOS3_CORE_CONTROL_INTERFACE_CI_CONTROLLER_H
+#define ARGOS3_CORE_CONTROL_INTERFACE_CI_CONTROLLER_H
+
+#include <argos3/core/config.h>
+#include <argos3/core/control_interface/ci_actuator.h>
+#include <argos3/core/control_interface/ci_sensor.h>
+#include <argos3/core/utility/configuration/argos_configuration.h>
+#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/configuration/base_configurable_resource.h>
+#include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/plugins/factory.h>
+#include <argos3/core/utility/string_utilities.h>
+
+// existing controllers use what these declare, the C functions unqualified
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace argos {
+
+/**
+ * A robot's brain: the base of every controller, on the robot as in the simulator.
+ *
+ * Life: constructor; devices are added; Init(); ControlStep() once a tick, after the sensors were
+ * updated and before the actuators are; Reset() when the experiment starts over, but not before its
+ * first step; Destroy(); destructor. Controllers of different robots step in parallel: what they
+ * share must not be written to in ControlStep().
+ */
+class CCI_Controller : public CBaseConfigurableResource {
+ public:
+  CCI_Controller() = default;
+  CCI_Controller(const CCI_Controller&) = delete;
+  CCI_Controller& operator=(const CCI_Controller&) = delete;
+
+  /** Deletes the devices. */
+  ~CCI_Controller() override;
+
+  /** @param node  the <params> element. */
+  void Init(TConfigurationNode& node) override;
+  virtual void ControlStep();
+  void Reset() override;
+  void Destroy() override;
+
+  /** The id of the robot. */
+  const std::string& GetId() const { return m_strId; }
+  void SetId(const std::string& id) { m_strId = id; }
+
+  /**
+   * The robot's actuator of a type; owned by the controller.
+   * @param type  the tag in the <actuators> section, such as "differential_steering".
+   * @throws CARGoSException if that section has no such tag, or if the actuator is not an
+   * ACTUATOR_IMPL; the text names the robot, and what it has.
+   */
+  template <typename ACTUATOR_IMPL>
+  ACTUATOR_IMPL* GetActuator(const std::string& type) {
+    return GetDevice<ACTUATOR_IMPL>(m_mapActuators, type, "actuator");
+  }
+
+  /** The same for a sensor and the <sensors> section. */
+  template <typename SENSOR_IMPL>
+  SENSOR_IMPL* GetSensor(const std::string& type) {
+    return GetDevice<SENSOR_IMPL>(m_mapSensors, type, "sensor");
+  }
+
+  bool HasActuator(const std::string& type) const { return m_mapActuators.count(type) > 0; }
+  bool HasSensor(const std::string& type) const { return m_mapSensors.count(type) > 0; }
+
+  CCI_Actuator::TMap& GetAllActuators() { return m_mapActuators; }
+  CCI_Sensor::TMap& GetAllSensors() { return m_mapSensors; }
+
+  /** Hands over a device; one that was there under this type is deleted. */
+  void AddActuator(const std::string& type, CCI_Actuator* actuator);
+  void AddSensor(const std::string& type, CCI_Sensor* sensor);
+
+ protected:
+  CCI_Actuator::TMap m_mapActuators;
+  CCI_Sensor::TMap m_mapSensors;
+  std::string m_strId;
+
+ private:
+  template <typename DEVICE_IMPL, typename MAP>
+  DEVICE_IMPL* GetDevice(const MAP& devices, const std::string& type, const char* kind) const {
+    const auto device = devices.find(type);
+    if (device == devices.end()) {
+      std::vector<std::string> types;
+      for (const auto& known : devices) {
+        types.push_back(known.first);
+      }
+      ThrowDeviceMissing(kind, type, types);
+    }
+    auto* found = dynamic_cast<DEVICE_IMPL*>(device->second);
+    if (found == nullptr) {
+      const auto& actual = *device->second;
+      ThrowDeviceOfOtherType(kind, type, typeid(actual), typeid(DEVICE_IMPL));
+    }
+    return found;
+  }
+
+  [[noreturn]] void ThrowDeviceMissing(const std::string& kind, const std::string& type,
+                                       const std::vector<std::string>& types) const;
+  [[noreturn]] void ThrowDeviceOfOtherType(const std::string& kind, const std::string& type,
+                                           const std::type_info& found,
+                                           const std::type_info& expected) const;
+};
+
+}  // namespace argos
+
+/**
+ * Makes a controller known under a label, the tag of its element in <controllers>. Stands once per
+ * controller, in its source file, with or without a semicolon.
+ */
+#ifdef ARGOS_DYNAMIC_LIBRARY_LOADING
+#define REGISTER_CONTROLLER(CLASSNAME, LABEL)                                              \
+  REGISTER_SYMBOL(CCI_Controller, CLASSNAME, LABEL, "undefined", "undefined", "undefined", \
+                  "undefined", "undefined")
+#else
+// without dynamic loading, as on a robot, the program has one controller and asks for it by this
+// function
+#define REGISTER_CONTROLLER(CLASSNAME, LABEL)                                     \
+  extern "C" argos::CCI_Controller* ControllerMaker(const std::string& label) {   \
+    if (label != LABEL) {                                                         \
+      throw argos::CARGoSException("No controller \"" + label +                   \
+                                   "\" in this program, expected \"" LABEL "\""); \
+    }                                                                             \
+    return new CLASSNAME;                                                         \
+  }
+#endif
+
+#endif

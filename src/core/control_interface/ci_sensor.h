@@ -1,0 +1,48 @@
+#ifndef ARGOS3_CORE_CONTROL_INTERFACE_CI_SENSOR_H
+#define ARGOS3_CORE_CONTROL_INTERFACE_CI_SENSOR_H
+
+#include <argos3/core/config.h>
+#include <argos3/core/utility/configuration/base_configurable_resource.h>
+
+#include <functional>
+#include <map>
+#include <string>
+
+struct lua_State;
+
+namespace argos {
+
+/** What a controller sees of a sensor, on the robot as in the simulator. */
+class CCI_Sensor : public CBaseConfigurableResource {
+ public:
+  /** By type, which is the tag in the experiment file. */
+  typedef std::map<std::string, CCI_Sensor*, std::less<std::string> > TMap;
+
+  ~CCI_Sensor() override;
+
+  void Init(TConfigurationNode& node) override;
+  void Reset() override;
+  void Destroy() override;
+
+  /** A disabled sensor is not updated. Sensors start disabled; most enable themselves in Init(). */
+  virtual void Enable();
+  virtual void Disable();
+  bool IsEnabled() const { return m_enabled; }
+  bool IsDisabled() const { return !m_enabled; }
+
+  /**
+   * For Lua controllers: adds the sensor's functions and readings to the table "robot", which is on
+   * top of the stack. A sensor without an override is not visible from Lua.
+   */
+  virtual void CreateLuaState(lua_State* state);
+
+  /** For Lua controllers: copies the readings into the table that CreateLuaState() made. */
+  virtual void ReadingsToLuaState(lua_State* state);
+
+ private:
+  bool m_enabled = false;
+};
+
+}  // namespace argos
+
+#endif

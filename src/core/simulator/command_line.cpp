@@ -1,0 +1,227 @@
+#include <argos3/core/simulator/command_line.h>
+
+#include <argos3/core/simulator/argos_command_line_arg_parser.h>
+#include <argos3/core/simulator/progress.h>
+#include <argos3/core/simulator/query_plugins.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/plugins/dynamic_loading.h>
+#include <argos3/core/utility/plugins/registration.h>
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+
+namespace argos {
+
+namespace {
+
+using SOptions = CARGoSCommandLineArgParser::SOptions;
+
+constexpr int kFailure = 1;
+// the shell's convention: a program that a signal ends has the status 128 + its number
+constexpr int kSignalStatus = 128;
+
+volatile std::sig_atomic_t g_stopSignal = 0;
+
+extern "C" void NoteStopSignal(int signal) { g_stopSignal = signal; }
+
+/* While it lives, SIGINT and SIGTERM are noted instead of killing; each once. */
+class CStopSignals {
+ public:
+  CStopSignals() {
+    g_stopSignal = 0;
+    struct sigaction action {};
+    action.sa_handler = &NoteStopSignal;
+    action.sa_flags = SA_RESETHAND;
+    sigaction(SIGINT, &action, &m_oldInterrupt);
+    sigaction(SIGTERM, &action, &m_oldTerminate);
+  }
+  ~CStopSignals() {
+    sigaction(SIGINT, &m_oldInterrupt, nullptr);
+    sigaction(SIGTERM, &m_oldTerminate, nullptr);
+  }
+  CStopSignals(const CStopSignals&) = delete;
+  CStopSignals& operator=(const CStopSignals&) = delete;
+
+ private:
+  struct sigaction m_oldInterrupt {};
+  struct sigaction m_oldTerminate {};
+};
+
+void FlushLogs() {
+  LOG.Flush();
+  LOGERR.Flush();
+}
+
+void PrintError(const char* what) {
+  LOGERR << what << std::endl;
+  FlushLogs();
+}
+
+/* Calls a step; prints what it throws. @return true if it threw nothing. */
+template <typename STEP>
+bool Try(STEP&& step) {
+  try {
+    step();
+    return true;
+  } catch (const std::exception& ex) {
+    // our own exceptions carry the mark already
+    const std::string what = ex.what();
+    PrintError((what.rfind("[FATAL]", 0) == 0 ? what : "[FATAL] " + what).c_str());
+  } catch (...) {
+    PrintError("[FATAL] something that is no std::exception was thrown");
+  }
+  return false;
+}
+
+void SetUpLogs(const SOptions& options) {
+  if (!options.LogFile.empty()) {
+    LOG.RedirectToFile(options.LogFile);
+  }
+  if (!options.LogErrFile.empty()) {
+    LOGERR.RedirectToFile(options.LogErrFile);
+  }
+}
+
+void ChooseColors(bool noColor) {
+  const bool unwanted = noColor || std::getenv("NO_COLOR") != nullptr;
+  if (unwanted || isatty(STDOUT_FILENO) == 0) {
+    LOG.DisableColoredOutput();
+  }
+  if (unwanted || isatty(STDERR_FILENO) == 0) {
+    LOGERR.DisableColoredOutput();
+  }
+}
+
+void LoadLibraries() {
+  ThrowRegistrationProblems("the libraries that the program is linked with do not fit together");
+  CDynamicLoading::LoadAllLibraries();
+}
+
+void LoadExperiment(CSimulator& simulator, const SOptions& options) {
+  LoadLibraries();
+  simulator.SetExperimentFileName(options.ExperimentFile);
+  if (options.Seed) {
+    simulator.SetRandomSeed(*options.Seed);
+  }
+  if (options.Threads) {
+    simulator.SetNumThreads(*options.Threads);
+  }
+  if (options.Length) {
+    simulator.SetLength(*options.Length);
+  }
+  for (const auto& [path, value] : options.Overrides) {
+    simulator.AddOverride(path, value);
+  }
+  simulator.LoadExperiment(options.NoVisualization);
+  FlushLogs();
+}
+
+/* Runs to the end, or until a signal. @return wall time, s. */
+Real Execute(CSimulator& simulator) {
+  CProgressLine progress(simulator);
+  simulator.SetTickObserver([&progress](CSimulator& running) {
+    progress.Update();
+    if (g_stopSignal != 0) {
+      running.Terminate();
+    }
+  });
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    simulator.Execute();
+  } catch (...) {
+    simulator.SetTickObserver(nullptr);
+    throw;
+  }
+  const std::chrono::duration<Real> wall = std::chrono::steady_clock::now() - start;
+  simulator.SetTickObserver(nullptr);
+  FlushLogs();
+  return wall.count();
+}
+
+void PrintSummary(CSimulator& simulator, Real wallSeconds, bool digest) {
+  CSpace& space = simulator.GetSpace();
+  const Real simulated = space.GetSimulationClock() * simulator.GetTickLength();
+  const size_t robots = space.GetControllableEntities().size();
+  LOG << fmt::format(
+             "[INFO] simulated {:.6g} s in {:.3g} s of wall time (real-time factor {:.3g}, {} "
+             "robot{})",
+             simulated, wallSeconds, wallSeconds > 0.0 ? simulated / wallSeconds : 0.0, robots,
+             robots == 1 ? "" : "s")
+      << std::endl;
+  LOG.Flush();
+  if (digest) {
+    std::cout << fmt::format("digest: {:016x}", space.ComputeDigest()) << std::endl;
+  }
+}
+
+int RunExperiment(const SOptions& options) {
+  CSimulator& simulator = CSimulator::GetInstance();
+  int status = 0;
+  const bool loaded = Try([&] { LoadExperiment(simulator, options); });
+  const bool executed = loaded && Try([&] {
+    const CStopSignals stopSignals;
+    const Real wallSeconds = Execute(simulator);
+    if (g_stopSignal != 0) {
+      status = kSignalStatus + g_stopSignal;
+      LOG << "[INFO] stopped by a signal after tick " << simulator.GetSpace().GetSimulationClock()
+          << std::endl;
+    }
+    PrintSummary(simulator, wallSeconds, options.Digest);
+  });
+  // also after an error: loop functions close their files in Destroy()
+  const bool destroyed = Try([&] { simulator.Destroy(); });
+  return executed && destroyed ? status : kFailure;
+}
+
+int Act(const SOptions& options) {
+  switch (options.Action) {
+    case CARGoSCommandLineArgParser::ACTION_SHOW_HELP:
+      LOG.DisableColoredOutput();
+      LOG << CARGoSCommandLineArgParser::GetUsage();
+      break;
+    case CARGoSCommandLineArgParser::ACTION_SHOW_VERSION:
+      LOG.DisableColoredOutput();
+      LOG << CARGoSCommandLineArgParser::GetVersion();
+      break;
+    case CARGoSCommandLineArgParser::ACTION_QUERY_PLUGINS:
+      LoadLibraries();
+      QueryPlugins(options.Query);
+      break;
+    default:
+      return RunExperiment(options);
+  }
+  return 0;
+}
+
+}  // namespace
+
+int RunCommandLine(int argc, const char* const* argv) noexcept {
+  int status = kFailure;
+  try {
+    ChooseColors(false);
+    Try([&] {
+      CARGoSCommandLineArgParser parser;
+      parser.Parse(argc, argv);
+      ChooseColors(parser.GetOptions().NoColor);
+      SetUpLogs(parser.GetOptions());
+      status = Act(parser.GetOptions());
+    });
+    FlushLogs();
+  } catch (...) {
+    // not even the message could be printed
+    status = kFailure;
+  }
+  return status;
+}
+
+}  // namespace argos

@@ -1,0 +1,197 @@
+#include <argos3/core/simulator/entity/composable_entity.h>
+
+#include <argos3/core/utility/string_utilities.h>
+
+#include <algorithm>
+
+namespace argos {
+
+namespace {
+
+// one step of a component path: "type" or "type[id]"
+struct SStep {
+  std::string Type;
+  std::string Id;  // empty: any
+};
+
+// splits the first step off a path; ids may hold dots
+SStep TakeStep(const std::string& path, std::string& rest) {
+  SStep step;
+  const size_t dot = path.find('.');
+  const size_t open = path.find('[');
+  size_t end = std::min(dot, path.size());
+  if (open < end) {
+    const size_t close = path.find(']', open);
+    if (close == std::string::npos) {
+      THROW_ARGOSEXCEPTION("malformed component path \"" << path << "\": \"]\" is missing");
+    }
+    step.Id = path.substr(open + 1, close - open - 1);
+    end = close + 1;
+  }
+  step.Type = path.substr(0, std::min(open, end));
+  rest = end < path.size() ? path.substr(end + 1) : std::string();
+  return step;
+}
+
+bool Matches(const CEntity& component, const SStep& step) {
+  return (step.Id.empty() || component.GetId() == step.Id) &&
+         component.GetTypeDescription() == step.Type;
+}
+
+}  // namespace
+
+CComposableEntity::CComposableEntity(CComposableEntity* parent) : CEntity(parent) {}
+
+CComposableEntity::CComposableEntity(CComposableEntity* parent, const std::string& id)
+    : CEntity(parent, id) {}
+
+CComposableEntity::~CComposableEntity() {
+  // only of entities that never were in a space: the space removes components itself
+  while (!m_components.empty()) {
+    const std::unique_ptr<CEntity> last(m_components.back());
+    m_components.pop_back();
+  }
+}
+
+void CComposableEntity::Reset() {
+  for (CEntity* component : m_components) {
+    component->Reset();
+  }
+}
+
+void CComposableEntity::Destroy() {
+  for (CEntity* component : m_components) {
+    component->Destroy();
+  }
+}
+
+void CComposableEntity::Update() {
+  if (IsEnabled()) {
+    UpdateComponents();
+  }
+}
+
+void CComposableEntity::UpdateComponents() {
+  for (CEntity* component : m_components) {
+    if (component->IsEnabled()) {
+      component->Update();
+    }
+  }
+}
+
+void CComposableEntity::SetEnabled(bool enabled) {
+  CEntity::SetEnabled(enabled);
+  for (CEntity* component : m_components) {
+    component->SetEnabled(enabled);
+  }
+}
+
+void CComposableEntity::AddComponent(CEntity& component) {
+  component.SetParent(*this);
+  m_components.push_back(&component);
+  m_componentMap.reset();
+}
+
+CEntity& CComposableEntity::RemoveComponent(const std::string& path) {
+  CEntity& component = GetComponent(path);
+  CComposableEntity& parent = component.GetParent();
+  auto& siblings = parent.m_components;
+  siblings.erase(std::find(siblings.begin(), siblings.end(), &component));
+  parent.m_componentMap.reset();
+  return component;
+}
+
+CEntity* CComposableEntity::TryGetComponent(const std::string& path) {
+  MaterializeComponents();
+  std::string rest;
+  const SStep step = TakeStep(path, rest);
+  for (CEntity* component : m_components) {
+    if (!Matches(*component, step)) {
+      continue;
+    }
+    if (rest.empty()) {
+      return component;
+    }
+    auto* composable = dynamic_cast<CComposableEntity*>(component);
+    CEntity* found = composable != nullptr ? composable->TryGetComponent(rest) : nullptr;
+    if (found != nullptr) {
+      return found;
+    }
+  }
+  return nullptr;
+}
+
+CEntity& CComposableEntity::GetComponent(const std::string& path) {
+  CEntity* component = TryGetComponent(path);
+  if (component == nullptr) {
+    std::vector<std::string> known;
+    for (const CEntity* each : m_components) {
+      known.push_back(each->GetTypeDescription());
+    }
+    THROW_ARGOSEXCEPTION("\"" << GetContext() << GetId() << "\" (" << GetTypeDescription()
+                              << ") has no component \"" << path << "\""
+                              << DidYouMean(path, known));
+  }
+  return *component;
+}
+
+bool CComposableEntity::HasComponent(const std::string& path) {
+  return TryGetComponent(path) != nullptr;
+}
+
+CEntity::TMultiMap::iterator CComposableEntity::FindComponent(const std::string& path) {
+  CEntity* component = TryGetComponent(path);
+  TMultiMap& map = component != nullptr ? component->GetParent().GetComponentMap() : GetComponentMap();
+  return std::find_if(map.begin(), map.end(),
+                      [component](const auto& entry) { return entry.second == component; });
+}
+
+CEntity::TMultiMap& CComposableEntity::GetComponentMap() {
+  MaterializeComponents();
+  if (m_componentMap == nullptr) {
+    m_componentMap = std::make_unique<TMultiMap>();
+    for (CEntity* component : m_components) {
+      m_componentMap->emplace(component->GetTypeDescription(), component);
+    }
+  }
+  return *m_componentMap;
+}
+
+CEntity::TVector& CComposableEntity::GetComponentVector() {
+  MaterializeComponents();
+  return m_components;
+}
+
+CEntity* CComposableEntity::DetachLastComponent() {
+  if (m_components.empty()) {
+    return nullptr;
+  }
+  CEntity* last = m_components.back();
+  m_components.pop_back();
+  m_componentMap.reset();
+  return last;
+}
+
+void CComposableEntity::UpdateDigest(CDigest& digest) const {
+  CEntity::UpdateDigest(digest);
+  for (const CEntity* component : m_components) {
+    component->UpdateDigest(digest);
+  }
+}
+
+void AddComponentsToSpace(CSpace& space, CComposableEntity& entity) {
+  const CEntity::TVector components = entity.GetExistingComponents();
+  for (CEntity* component : components) {
+    CallEntityOperation<CSpaceOperationAddEntity, CSpace, void>(space, *component);
+  }
+}
+
+void RemoveComponentsFromSpace(CSpace& space, CComposableEntity& entity) {
+  while (CEntity* component = entity.DetachLastComponent()) {
+    CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(space, *component);
+  }
+}
+
+REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CComposableEntity)
+
+}  // namespace argos

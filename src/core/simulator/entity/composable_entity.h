@@ -1,0 +1,123 @@
+#ifndef ARGOS3_CORE_SIMULATOR_ENTITY_COMPOSABLE_ENTITY_H
+#define ARGOS3_CORE_SIMULATOR_ENTITY_COMPOSABLE_ENTITY_H
+
+#include <argos3/core/simulator/entity/entity.h>
+#include <argos3/core/simulator/space/space.h>
+
+#include <memory>
+
+namespace argos {
+
+/**
+ * An entity made of components, which it owns.
+ *
+ * Components are found by path: a type, optionally an id in brackets, nested with dots:
+ * "leds.led[led_0]". A bare type finds some component of that type: the first that was added.
+ */
+class CComposableEntity : public CEntity {
+ public:
+  ENABLE_VTABLE();
+
+  explicit CComposableEntity(CComposableEntity* parent);
+  CComposableEntity(CComposableEntity* parent, const std::string& id);
+  ~CComposableEntity() override;
+
+  void Reset() override;
+  void Destroy() override;
+  std::string GetTypeDescription() const override { return "composite"; }
+
+  /** Calls UpdateComponents() if the entity is enabled. */
+  void Update() override;
+  /** Updates every enabled component; robots override it to update only those that need it. */
+  virtual void UpdateComponents();
+  void SetEnabled(bool enabled) override;
+
+  /** Takes @p component over: it is deleted with this entity. Its type must not change later. */
+  void AddComponent(CEntity& component);
+  /**
+   * Gives a component back to the caller, who deletes it.
+   * @throws CARGoSException if there is none of that path.
+   */
+  CEntity& RemoveComponent(const std::string& component);
+
+  /** @throws CARGoSException that lists the components there are, if there is none of that path. */
+  CEntity& GetComponent(const std::string& component);
+  /** @throws CARGoSException also if the component is not an E. */
+  template <class E>
+  E& GetComponent(const std::string& component) {
+    E* result = dynamic_cast<E*>(&GetComponent(component));
+    if (result == nullptr) {
+      THROW_ARGOSEXCEPTION("component \"" << component << "\" of \"" << GetContext() << GetId()
+                                          << "\" is not of the type asked for");
+    }
+    return *result;
+  }
+  bool HasComponent(const std::string& component);
+  /** Iterator into GetComponentMap(), which ends it if there is no such component. */
+  CEntity::TMultiMap::iterator FindComponent(const std::string& component);
+
+  /** Direct components by type; built when first asked for. */
+  CEntity::TMultiMap& GetComponentMap();
+  /** Direct components in order of addition. */
+  CEntity::TVector& GetComponentVector();
+
+  /** The components that exist now, without creating those made on demand. */
+  const CEntity::TVector& GetExistingComponents() const { return m_components; }
+  /** Gives the last component to the caller, who deletes it; nullptr if there is none left. */
+  CEntity* DetachLastComponent();
+
+  void UpdateDigest(CDigest& digest) const override;
+
+ protected:
+  /** Creates components that are made only on demand; called before any look-up. */
+  virtual void MaterializeComponents() {}
+
+ private:
+  CEntity* TryGetComponent(const std::string& path);
+
+  CEntity::TVector m_components;                         // owned
+  std::unique_ptr<CEntity::TMultiMap> m_componentMap;    // by type; null until asked for
+};
+
+}  // namespace argos
+
+#define SPACE_OPERATION_ADD_COMPOSABLE_ENTITY(ENTITY)                                         \
+  class CSpaceOperationAdd##ENTITY : public CSpaceOperationAddEntity {                        \
+   public:                                                                                    \
+    void ApplyTo(CSpace& space, ENTITY& entity) {                                             \
+      space.AddEntity(entity);                                                                \
+      AddComponentsToSpace(space, entity);                                                    \
+    }                                                                                         \
+  };
+
+#define SPACE_OPERATION_REMOVE_COMPOSABLE_ENTITY(ENTITY)               \
+  class CSpaceOperationRemove##ENTITY : public CSpaceOperationRemoveEntity { \
+   public:                                                             \
+    void ApplyTo(CSpace& space, ENTITY& entity) {                      \
+      RemoveComponentsFromSpace(space, entity);                        \
+      space.RemoveEntity(entity);                                      \
+    }                                                                  \
+  };
+
+#define REGISTER_STANDARD_SPACE_OPERATION_ADD_COMPOSABLE(ENTITY) \
+  SPACE_OPERATION_ADD_COMPOSABLE_ENTITY(ENTITY)                  \
+  REGISTER_SPACE_OPERATION(CSpaceOperationAddEntity, CSpaceOperationAdd##ENTITY, ENTITY)
+
+#define REGISTER_STANDARD_SPACE_OPERATION_REMOVE_COMPOSABLE(ENTITY) \
+  SPACE_OPERATION_REMOVE_COMPOSABLE_ENTITY(ENTITY)                  \
+  REGISTER_SPACE_OPERATION(CSpaceOperationRemoveEntity, CSpaceOperationRemove##ENTITY, ENTITY)
+
+#define REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(ENTITY) \
+  REGISTER_STANDARD_SPACE_OPERATION_ADD_COMPOSABLE(ENTITY)       \
+  REGISTER_STANDARD_SPACE_OPERATION_REMOVE_COMPOSABLE(ENTITY)
+
+namespace argos {
+
+/** Adds every component that exists to the space, in order, each by its own type's operation. */
+void AddComponentsToSpace(CSpace& space, CComposableEntity& entity);
+/** Detaches and removes components from the space, last to first. */
+void RemoveComponentsFromSpace(CSpace& space, CComposableEntity& entity);
+
+}  // namespace argos
+
+#endif

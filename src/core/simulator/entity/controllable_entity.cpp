@@ -1,0 +1,248 @@
+#include <argos3/core/simulator/entity/controllable_entity.h>
+
+#include <argos3/core/simulator/current.h>
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/load_errors.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/utility/string_utilities.h>
+
+namespace argos {
+
+namespace {
+
+// names of the devices that are registered under "<tag> (...)", for messages
+template <typename BASE>
+std::string KnownImplementations(const std::string& label) {
+  std::vector<std::string> labels;
+  for (const auto& entry : CFactory<BASE>::GetTypeMap()) {
+    labels.push_back(entry.first);
+  }
+  return DidYouMean(label, labels);
+}
+
+// a <sensors> or <actuators> section, or null: it may be left out
+TConfigurationNode* FindSection(TConfigurationNode& controllerNode, const std::string& tag) {
+  return NodeExists(controllerNode, tag) ? &GetNode(controllerNode, tag) : nullptr;
+}
+
+// makes the device of one XML element, as its simulated side and as its interface
+template <typename SIMULATED, typename INTERFACE>
+std::pair<SIMULATED*, std::unique_ptr<INTERFACE>> CreateDevice(TConfigurationNode& node,
+                                                               const char* kind) {
+  std::string implementation;
+  GetNodeAttribute(node, "implementation", implementation);
+  const std::string label = node.Value() + " (" + implementation + ")";
+  if (!CFactory<SIMULATED>::Exists(label)) {
+    THROW_ARGOSEXCEPTION(node.GetLocation() << ": there is no " << kind << " \"" << label << "\""
+                                            << KnownImplementations<SIMULATED>(label));
+  }
+  std::unique_ptr<SIMULATED> simulated(CFactory<SIMULATED>::New(label));
+  auto* interface = dynamic_cast<INTERFACE*>(simulated.get());
+  if (interface == nullptr) {
+    THROW_ARGOSEXCEPTION(kind << " \"" << label
+                              << "\" does not derive from a control interface: controllers cannot "
+                                 "use it");
+  }
+  return {simulated.release(), std::unique_ptr<INTERFACE>(interface)};
+}
+
+}  // namespace
+
+CControllableEntity::CControllableEntity(CComposableEntity* parent)
+    : CControllableEntity(parent, "controller_0") {}
+
+CControllableEntity::CControllableEntity(CComposableEntity* parent, const std::string& id)
+    : CEntity(parent, id), m_simulator(CurrentSimulator()) {}
+
+CControllableEntity::~CControllableEntity() = default;
+
+CSpace& CControllableEntity::GetSpace() const { return m_simulator.GetSpace(); }
+
+void CControllableEntity::Init(TConfigurationNode& tree) {
+  CEntity::Init(tree);
+  std::string controllerId;
+  GetNodeAttribute(tree, "config", controllerId);
+  if (NodeExists(tree, "params")) {
+    SetController(controllerId, GetNode(tree, "params"));
+  } else {
+    SetController(controllerId);
+  }
+}
+
+void CControllableEntity::Reset() {
+  CEntity::Reset();
+  m_vecCheckedRays.clear();
+  m_vecIntersectionPoints.clear();
+  if (m_pcController == nullptr) {
+    return;
+  }
+  for (const auto& entry : m_pcController->GetAllSensors()) {
+    entry.second->Reset();
+  }
+  for (const auto& entry : m_pcController->GetAllActuators()) {
+    entry.second->Reset();
+  }
+  m_pcController->Reset();
+}
+
+void CControllableEntity::Destroy() {
+  if (m_pcController == nullptr) {
+    return;
+  }
+  m_pcController->Destroy();
+  for (const auto& entry : m_pcController->GetAllSensors()) {
+    entry.second->Destroy();
+  }
+  for (const auto& entry : m_pcController->GetAllActuators()) {
+    entry.second->Destroy();
+  }
+}
+
+const CCI_Controller& CControllableEntity::GetController() const {
+  if (m_pcController == nullptr) {
+    THROW_ARGOSEXCEPTION("robot \"" << GetContext() << GetId() << "\" has no controller");
+  }
+  return *m_pcController;
+}
+
+CCI_Controller& CControllableEntity::GetController() {
+  return const_cast<CCI_Controller&>(
+      static_cast<const CControllableEntity*>(this)->GetController());
+}
+
+void CControllableEntity::SetController(const std::string& controllerId) {
+  TConfigurationNode& node = m_simulator.GetConfigForController(controllerId);
+  if (!NodeExists(node, "params")) {
+    // controllers may keep a reference to their parameters: an empty element that stays
+    TConfigurationNode none("params");
+    AddChildNode(node, none);
+  }
+  SetController(controllerId, GetNode(node, "params"));
+}
+
+void CControllableEntity::SetController(const std::string& controllerId,
+                                        TConfigurationNode& params) {
+  TConfigurationNode& node = m_simulator.GetConfigForController(controllerId);
+  if (GetSpace().IsProbing()) {
+    return;
+  }
+  const std::string robot = GetRootEntity().GetId();
+  try {
+    m_controller.reset(CFactory<CCI_Controller>::New(node.Value()));
+    m_pcController = m_controller.get();
+    m_pcController->SetId(robot);
+    CreateActuators(node);
+    CreateSensors(node);
+    ListDevices();
+    m_pcController->Init(params);
+  } catch (const CAlreadyReported&) {
+    throw;
+  } catch (std::exception& error) {
+    m_simulator.MarkBroken(controllerId);
+    THROW_ARGOSEXCEPTION_NESTED("robot \"" << robot << "\": its controller \"" << controllerId
+                                           << "\" (" << node.GetLocation() << ": <" << node.Value()
+                                           << ">) cannot be set up",
+                                error);
+  }
+}
+
+void CControllableEntity::CreateActuators(TConfigurationNode& controllerNode) {
+  TConfigurationNode* section = FindSection(controllerNode, "actuators");
+  if (section == nullptr) {
+    return;
+  }
+  TConfigurationNodeIterator it;
+  for (it = it.begin(section); it != it.end(); ++it) {
+    auto [simulated, interface] = CreateDevice<CSimulatedActuator, CCI_Actuator>(*it, "actuator");
+    simulated->SetRobot(GetParent());
+    interface->Init(*it);
+    m_mapActuators[it->Value()] = simulated;
+    m_pcController->AddActuator(it->Value(), interface.release());
+  }
+}
+
+void CControllableEntity::CreateSensors(TConfigurationNode& controllerNode) {
+  TConfigurationNode* section = FindSection(controllerNode, "sensors");
+  if (section == nullptr) {
+    return;
+  }
+  TConfigurationNodeIterator it;
+  for (it = it.begin(section); it != it.end(); ++it) {
+    auto [simulated, interface] = CreateDevice<CSimulatedSensor, CCI_Sensor>(*it, "sensor");
+    simulated->SetRobot(GetParent());
+    interface->Init(*it);
+    m_mapSensors[it->Value()] = simulated;
+    m_pcController->AddSensor(it->Value(), interface.release());
+  }
+}
+
+// the maps are ordered by tag, and so are the lists
+void CControllableEntity::ListDevices() {
+  m_actuators.reserve(m_mapActuators.size());
+  for (const auto& entry : m_mapActuators) {
+    m_actuators.push_back(entry.second);
+  }
+  m_sensors.reserve(m_mapSensors.size());
+  for (const auto& entry : m_mapSensors) {
+    m_sensors.push_back({entry.second, m_pcController->GetAllSensors().at(entry.first)});
+  }
+}
+
+void CControllableEntity::Act() {
+  for (CSimulatedActuator* actuator : m_actuators) {
+    actuator->Update();
+  }
+}
+
+void CControllableEntity::Sense() {
+  m_vecCheckedRays.clear();
+  m_vecIntersectionPoints.clear();
+  for (const SSensorEntry& sensor : m_sensors) {
+    if (sensor.Interface->IsEnabled()) {
+      sensor.Simulated->Update();
+    }
+  }
+}
+
+void CControllableEntity::ControlStep() {
+  if (m_pcController != nullptr) {
+    m_pcController->ControlStep();
+  }
+}
+
+void CControllableEntity::AddCheckedRay(bool obstructed, const CRay3& ray) {
+  m_vecCheckedRays.emplace_back(obstructed, ray);
+}
+
+void CControllableEntity::AddIntersectionPoint(const CRay3& ray, Real tOnRay) {
+  CVector3 point;
+  ray.GetPoint(point, tOnRay);
+  m_vecIntersectionPoints.push_back(point);
+}
+
+namespace {
+
+class CSpaceOperationAddCControllableEntity : public CSpaceOperationAddEntity {
+ public:
+  void ApplyTo(CSpace& space, CControllableEntity& entity) {
+    space.AddEntity(entity);
+    space.AddControllableEntity(entity);
+  }
+};
+
+class CSpaceOperationRemoveCControllableEntity : public CSpaceOperationRemoveEntity {
+ public:
+  void ApplyTo(CSpace& space, CControllableEntity& entity) {
+    space.RemoveControllableEntity(entity);
+    space.RemoveEntity(entity);
+  }
+};
+
+}  // namespace
+
+REGISTER_SPACE_OPERATION(CSpaceOperationAddEntity, CSpaceOperationAddCControllableEntity,
+                         CControllableEntity)
+REGISTER_SPACE_OPERATION(CSpaceOperationRemoveEntity, CSpaceOperationRemoveCControllableEntity,
+                         CControllableEntity)
+
+}  // namespace argos

@@ -1,0 +1,101 @@
+#ifndef ARGOS3_CORE_SIMULATOR_ENTITY_CONTROLLABLE_ENTITY_H
+#define ARGOS3_CORE_SIMULATOR_ENTITY_CONTROLLABLE_ENTITY_H
+
+#include <argos3/core/control_interface/ci_controller.h>
+#include <argos3/core/simulator/actuator.h>
+#include <argos3/core/simulator/entity/entity.h>
+#include <argos3/core/simulator/sensor.h>
+#include <argos3/core/utility/math/ray3.h>
+
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace argos {
+
+class CSimulator;
+class CSpace;
+
+/**
+ * What makes an entity a robot: its controller, and the sensors and actuators the controller uses.
+ *
+ * Act(), Sense() and ControlStep() of different robots run at the same time on several threads;
+ * each touches only its own robot.
+ */
+class CControllableEntity : public CEntity {
+ public:
+  ENABLE_VTABLE();
+
+  typedef std::vector<CControllableEntity*> TVector;
+  typedef std::map<std::string, CControllableEntity*> TMap;
+
+  explicit CControllableEntity(CComposableEntity* parent);
+  CControllableEntity(CComposableEntity* parent, const std::string& id);
+  ~CControllableEntity() override;
+
+  /** Reads `config` (a controller's id) and the optional `<params>` that replace its own. */
+  void Init(TConfigurationNode& tree) override;
+  void Reset() override;
+  void Destroy() override;
+  std::string GetTypeDescription() const override { return "controller"; }
+
+  /** @throws CARGoSException if the robot has no controller. */
+  const CCI_Controller& GetController() const;
+  CCI_Controller& GetController();
+  /**
+   * Creates the controller with its devices, actuators first, and runs its Init().
+   * @param controllerId  `id` of a child of `<controllers>`.
+   * @throws CARGoSException if the id, a device, or an implementation is unknown, with what exists.
+   */
+  void SetController(const std::string& controllerId);
+  void SetController(const std::string& controllerId, TConfigurationNode& params);
+
+  /** Updates the enabled sensors, in alphabetical order of their XML tags. */
+  virtual void Sense();
+  virtual void ControlStep();
+  /** Applies the actuators, in alphabetical order of their XML tags. */
+  virtual void Act();
+
+  /** Records a ray that a sensor cast, to be drawn. Cleared at each Sense(). */
+  void AddCheckedRay(bool obstructed, const CRay3& ray);
+  /** Records the point at fraction @p tOnRay of @p ray. */
+  void AddIntersectionPoint(const CRay3& ray, Real tOnRay);
+  std::vector<std::pair<bool, CRay3>>& GetCheckedRays() { return m_vecCheckedRays; }
+  std::vector<CVector3>& GetIntersectionPoints() { return m_vecIntersectionPoints; }
+
+  /** The space this robot lives in, for its devices. */
+  CSpace& GetSpace() const;
+  /** The simulator this robot belongs to, for its devices. */
+  CSimulator& GetSimulator() const { return m_simulator; }
+
+  const std::map<std::string, CSimulatedActuator*>& GetActuators() const { return m_mapActuators; }
+  const std::map<std::string, CSimulatedSensor*>& GetSensors() const { return m_mapSensors; }
+
+ protected:
+  CCI_Controller* m_pcController = nullptr;  // owned through m_controller
+  std::map<std::string, CSimulatedActuator*> m_mapActuators;  // owned by the controller
+  std::map<std::string, CSimulatedSensor*> m_mapSensors;      // owned by the controller
+  std::vector<std::pair<bool, CRay3>> m_vecCheckedRays;
+  std::vector<CVector3> m_vecIntersectionPoints;
+
+ private:
+  struct SSensorEntry {
+    CSimulatedSensor* Simulated;
+    CCI_Sensor* Interface;  // the same object
+  };
+
+  void CreateActuators(TConfigurationNode& controllerNode);
+  void CreateSensors(TConfigurationNode& controllerNode);
+  void ListDevices();
+
+  CSimulator& m_simulator;
+  std::unique_ptr<CCI_Controller> m_controller;
+  // what the tick iterates over, in alphabetical order; filled once after creation
+  std::vector<CSimulatedActuator*> m_actuators;
+  std::vector<SSensorEntry> m_sensors;
+};
+
+}  // namespace argos
+
+#endif

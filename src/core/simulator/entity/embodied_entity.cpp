@@ -1,0 +1,255 @@
+#include <argos3/core/simulator/entity/embodied_entity.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/pose_digest.h>
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/simulator/space/body_index.h>
+#include <argos3/core/utility/string_utilities.h>
+
+#include <algorithm>
+
+namespace argos {
+
+CEmbodiedEntity::CEmbodiedEntity(CComposableEntity* parent) : CEmbodiedEntity(parent, "body_0") {}
+
+CEmbodiedEntity::CEmbodiedEntity(CComposableEntity* parent, const std::string& id,
+                                 const CVector3& position, const CQuaternion& orientation,
+                                 bool movable)
+    : CEntity(parent, id),
+      m_bMovable(movable),
+      m_cInitOriginPosition(position),
+      m_cInitOriginOrientation(orientation) {
+  AddAnchor("origin");
+  m_psOriginAnchor = m_anchors.front().get();
+  m_psOriginAnchor->Enable();
+}
+
+CEmbodiedEntity::~CEmbodiedEntity() {
+  if (m_bodyIndex != nullptr) {
+    m_bodyIndex->Remove(m_bodyNumber);
+  }
+}
+
+void CEmbodiedEntity::Init(TConfigurationNode& tree) {
+  CEntity::Init(tree);
+  GetNodeAttributeOrDefault(tree, "position", m_cInitOriginPosition, CVector3());
+  GetNodeAttributeOrDefault(tree, "orientation", m_cInitOriginOrientation, CQuaternion());
+  m_psOriginAnchor->Position = m_cInitOriginPosition;
+  m_psOriginAnchor->Orientation = m_cInitOriginOrientation;
+}
+
+void CEmbodiedEntity::Reset() {
+  CEntity::Reset();
+  // engines restore their own state in their Reset(): here only what entities and sensors see
+  SetOriginPose(m_cInitOriginPosition, m_cInitOriginOrientation);
+  for (CPhysicsModel* model : m_tPhysicsModelVector) {
+    model->CalculateAnchors();
+    model->CalculateBoundingBox();
+  }
+}
+
+SAnchor& CEmbodiedEntity::AddAnchor(const std::string& id, const CVector3& offset,
+                                    const CQuaternion& relativeOrientation) {
+  if (m_mapAnchors.find(id) != m_mapAnchors.end()) {
+    THROW_ARGOSEXCEPTION("body \"" << GetContext() << GetId() << "\" already has an anchor \"" << id
+                                   << "\"");
+  }
+  const CVector3& basePosition =
+      m_anchors.empty() ? m_cInitOriginPosition : m_psOriginAnchor->Position;
+  const CQuaternion& baseOrientation =
+      m_anchors.empty() ? m_cInitOriginOrientation : m_psOriginAnchor->Orientation;
+  CVector3 position = offset;
+  position.Rotate(baseOrientation);
+  position += basePosition;
+  m_anchors.push_back(std::make_unique<SAnchor>(*this, id, static_cast<UInt32>(m_anchors.size()),
+                                                offset, relativeOrientation, position,
+                                                baseOrientation * relativeOrientation));
+  m_mapAnchors[id] = m_anchors.back().get();
+  return *m_anchors.back();
+}
+
+const SAnchor& CEmbodiedEntity::GetAnchor(const std::string& id) const {
+  const auto found = m_mapAnchors.find(id);
+  if (found == m_mapAnchors.end()) {
+    std::vector<std::string> known;
+    for (const auto& anchor : m_anchors) {
+      known.push_back(anchor->Id);
+    }
+    THROW_ARGOSEXCEPTION("body \"" << GetContext() << GetId() << "\" has no anchor \"" << id << "\""
+                                   << DidYouMean(id, known));
+  }
+  return *found->second;
+}
+
+SAnchor& CEmbodiedEntity::GetAnchor(const std::string& id) {
+  return const_cast<SAnchor&>(static_cast<const CEmbodiedEntity*>(this)->GetAnchor(id));
+}
+
+void CEmbodiedEntity::EnableAnchor(const std::string& id) { GetAnchor(id).Enable(); }
+
+void CEmbodiedEntity::DisableAnchor(const std::string& id) { GetAnchor(id).Disable(); }
+
+bool CEmbodiedEntity::IsAnchorEnabled(const std::string& id) {
+  return GetAnchor(id).InUseCount > 0;
+}
+
+const SBoundingBox& CEmbodiedEntity::GetBoundingBox() const {
+  if (m_sBoundingBox == nullptr) {
+    THROW_ARGOSEXCEPTION("body \"" << GetContext() << GetId()
+                                   << "\" is in no physics engine: it has no bounding box");
+  }
+  return *m_sBoundingBox;
+}
+
+void CEmbodiedEntity::CalculateBoundingBox() {
+  if (m_tPhysicsModelVector.empty()) {
+    m_sBoundingBox = nullptr;
+    return;
+  }
+  // all models of a body have the same solids at the same pose
+  m_tPhysicsModelVector.front()->CalculateBoundingBox();
+  m_sBoundingBox = &m_tPhysicsModelVector.front()->GetBoundingBox();
+}
+
+UInt32 CEmbodiedEntity::GetPhysicsModelsNum() const {
+  return static_cast<UInt32>(m_tPhysicsModelVector.size());
+}
+
+void CEmbodiedEntity::AddPhysicsModel(const std::string& engineId, CPhysicsModel& model) {
+  if (m_bMovable && !m_tPhysicsModelVector.empty()) {
+    THROW_ARGOSEXCEPTION("movable body \""
+                         << GetContext() << GetId() << "\" is already in the physics engine \""
+                         << m_tPhysicsModelMap.begin()->first << "\"; it cannot also be in \""
+                         << engineId << "\"");
+  }
+  m_tPhysicsModelMap[engineId] = &model;
+  m_tPhysicsModelVector.push_back(&model);
+  CalculateBoundingBox();
+}
+
+void CEmbodiedEntity::RemovePhysicsModel(const std::string& engineId) {
+  const auto found = m_tPhysicsModelMap.find(engineId);
+  if (found == m_tPhysicsModelMap.end()) {
+    THROW_ARGOSEXCEPTION("body \"" << GetContext() << GetId() << "\" is not in the physics engine \""
+                                   << engineId << "\"");
+  }
+  auto& models = m_tPhysicsModelVector;
+  models.erase(std::find(models.begin(), models.end(), found->second));
+  m_tPhysicsModelMap.erase(found);
+  if (models.empty()) {
+    m_sBoundingBox = nullptr;
+  } else {
+    m_sBoundingBox = &models.front()->GetBoundingBox();
+  }
+}
+
+const CPhysicsModel& CEmbodiedEntity::GetPhysicsModel(size_t index) const {
+  if (index >= m_tPhysicsModelVector.size()) {
+    THROW_ARGOSEXCEPTION("body \"" << GetContext() << GetId() << "\" has "
+                                   << m_tPhysicsModelVector.size() << " physics models; number "
+                                   << index << " does not exist");
+  }
+  return *m_tPhysicsModelVector[index];
+}
+
+CPhysicsModel& CEmbodiedEntity::GetPhysicsModel(size_t index) {
+  return const_cast<CPhysicsModel&>(
+      static_cast<const CEmbodiedEntity*>(this)->GetPhysicsModel(index));
+}
+
+const CPhysicsModel& CEmbodiedEntity::GetPhysicsModel(const std::string& engineId) const {
+  const auto found = m_tPhysicsModelMap.find(engineId);
+  if (found == m_tPhysicsModelMap.end()) {
+    THROW_ARGOSEXCEPTION("body \"" << GetContext() << GetId() << "\" is not in the physics engine \""
+                                   << engineId << "\"");
+  }
+  return *found->second;
+}
+
+CPhysicsModel& CEmbodiedEntity::GetPhysicsModel(const std::string& engineId) {
+  return const_cast<CPhysicsModel&>(
+      static_cast<const CEmbodiedEntity*>(this)->GetPhysicsModel(engineId));
+}
+
+void CEmbodiedEntity::MoveModelsTo(const CVector3& position, const CQuaternion& orientation) {
+  SetOriginPose(position, orientation);
+  for (CPhysicsModel* model : m_tPhysicsModelVector) {
+    model->MoveTo(position, orientation);
+  }
+  if (m_bodyIndex != nullptr) {
+    m_bodyIndex->RefreshNow(m_bodyNumber);
+  }
+}
+
+bool CEmbodiedEntity::MoveTo(const CVector3& position, const CQuaternion& orientation,
+                             bool checkOnly, bool ignoreCollisions) {
+  const CVector3 oldPosition = m_psOriginAnchor->Position;
+  const CQuaternion oldOrientation = m_psOriginAnchor->Orientation;
+  MoveModelsTo(position, orientation);
+  const bool free = !IsCollidingWithSomething();
+  if (checkOnly || (!free && !ignoreCollisions)) {
+    MoveModelsTo(oldPosition, oldOrientation);
+    return free;
+  }
+  // what hangs on the body (LEDs, ...) follows at once
+  GetRootEntity().Update();
+  return free;
+}
+
+bool CEmbodiedEntity::IsCollidingWithSomething() const {
+  return std::any_of(m_tPhysicsModelVector.begin(), m_tPhysicsModelVector.end(),
+                     [](const CPhysicsModel* model) { return model->IsCollidingWithSomething(); });
+}
+
+void CEmbodiedEntity::SetBodyDescription(std::shared_ptr<const SBodyDescription> description) {
+  m_description = std::move(description);
+  if (m_bodyIndex != nullptr) {
+    m_bodyIndex->Redescribe(m_bodyNumber);
+  }
+}
+
+void CEmbodiedEntity::SetOriginPose(const CVector3& position, const CQuaternion& orientation) {
+  m_psOriginAnchor->Position = position;
+  m_psOriginAnchor->Orientation = orientation;
+  if (m_bodyIndex != nullptr) {
+    m_bodyIndex->SetPose(m_bodyNumber, position, orientation);
+  }
+}
+
+void CEmbodiedEntity::AttachToIndex(CBodyIndex* index, UInt32 bodyNumber) {
+  m_bodyIndex = index;
+  m_bodyNumber = bodyNumber;
+}
+
+void CEmbodiedEntity::UpdateDigest(CDigest& digest) const {
+  CEntity::UpdateDigest(digest);
+  AddPose(digest, m_psOriginAnchor->Position, m_psOriginAnchor->Orientation);
+}
+
+namespace {
+
+class CSpaceOperationAddCEmbodiedEntity : public CSpaceOperationAddEntity {
+ public:
+  void ApplyTo(CSpace& space, CEmbodiedEntity& entity) {
+    space.AddEntity(entity);
+    space.AddEntityToPhysicsEngine(entity);
+  }
+};
+
+class CSpaceOperationRemoveCEmbodiedEntity : public CSpaceOperationRemoveEntity {
+ public:
+  void ApplyTo(CSpace& space, CEmbodiedEntity& entity) {
+    space.RemoveEntityFromPhysicsEngines(entity);
+    space.RemoveEntity(entity);
+  }
+};
+
+}  // namespace
+
+REGISTER_SPACE_OPERATION(CSpaceOperationAddEntity, CSpaceOperationAddCEmbodiedEntity,
+                         CEmbodiedEntity)
+REGISTER_SPACE_OPERATION(CSpaceOperationRemoveEntity, CSpaceOperationRemoveCEmbodiedEntity,
+                         CEmbodiedEntity)
+
+}  // namespace argos

@@ -1,0 +1,137 @@
+#ifndef ARGOS3_CORE_SIMULATOR_ENTITY_EMBODIED_ENTITY_H
+#define ARGOS3_CORE_SIMULATOR_ENTITY_EMBODIED_ENTITY_H
+
+#include <argos3/core/simulator/entity/entity.h>
+#include <argos3/core/simulator/physics_engine/physics_model.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/math/quaternion.h>
+#include <argos3/core/utility/math/vector3.h>
+
+#include <map>
+#include <memory>
+#include <vector>
+
+namespace argos {
+
+class CBodyIndex;
+struct SBodyDescription;
+
+/**
+ * A body: a solid thing with a pose, housed by one physics engine (movable) or by several (not).
+ *
+ * The origin anchor is the centre of the body's base. Its pose is written by the engine only.
+ */
+class CEmbodiedEntity : public CEntity {
+ public:
+  ENABLE_VTABLE();
+
+  explicit CEmbodiedEntity(CComposableEntity* parent);
+  CEmbodiedEntity(CComposableEntity* parent, const std::string& id,
+                  const CVector3& position = CVector3(),
+                  const CQuaternion& orientation = CQuaternion(), bool movable = true);
+  ~CEmbodiedEntity() override;
+
+  /** Reads `position` (m) and `orientation` (z,y,x in degrees), both optional. */
+  void Init(TConfigurationNode& tree) override;
+  /** Back to the initial pose; anchors are recomputed. */
+  void Reset() override;
+  std::string GetTypeDescription() const override { return "body"; }
+
+  bool IsMovable() const { return m_bMovable; }
+  void SetMovable(bool movable) { m_bMovable = movable; }
+
+  const SAnchor& GetOriginAnchor() const { return *m_psOriginAnchor; }
+  SAnchor& GetOriginAnchor() { return *m_psOriginAnchor; }
+  const CVector3& GetInitPosition() const { return m_cInitOriginPosition; }
+  const CQuaternion& GetInitOrientation() const { return m_cInitOriginOrientation; }
+
+  /**
+   * Adds a frame fixed to the body.
+   * @param offset, relativeOrientation  in the frame of the origin anchor, m.
+   * @throws CARGoSException if the id is taken.
+   */
+  SAnchor& AddAnchor(const std::string& id, const CVector3& offset = CVector3(),
+                     const CQuaternion& relativeOrientation = CQuaternion());
+  void EnableAnchor(const std::string& id);
+  void DisableAnchor(const std::string& id);
+  bool IsAnchorEnabled(const std::string& id);
+  /** @throws CARGoSException that lists the anchors there are, if the id is unknown. */
+  const SAnchor& GetAnchor(const std::string& id) const;
+  SAnchor& GetAnchor(const std::string& id);
+  std::map<std::string, SAnchor*>& GetAnchors() { return m_mapAnchors; }
+  std::vector<SAnchor*>& GetEnabledAnchors() { return m_vecEnabledAnchors; }
+
+  /** Axis-aligned box around the body, as of its last move, m. @throws if in no engine. */
+  const SBoundingBox& GetBoundingBox() const;
+  void CalculateBoundingBox();
+
+  UInt32 GetPhysicsModelsNum() const;
+  virtual void AddPhysicsModel(const std::string& engineId, CPhysicsModel& model);
+  void RemovePhysicsModel(const std::string& engineId);
+  const CPhysicsModel& GetPhysicsModel(size_t index) const;
+  CPhysicsModel& GetPhysicsModel(size_t index);
+  const CPhysicsModel& GetPhysicsModel(const std::string& engineId) const;
+  CPhysicsModel& GetPhysicsModel(const std::string& engineId);
+
+  /**
+   * Puts the body somewhere else.
+   * @param position, orientation  new pose of the origin anchor, m, world frame.
+   * @param checkOnly  only find out; the pose is always restored.
+   * @param ignoreCollisions  move even if the place is taken.
+   * @return true if the place is free; if not, the old pose is restored (unless collisions are
+   *         ignored, when the body stays there and the result still tells).
+   */
+  virtual bool MoveTo(const CVector3& position, const CQuaternion& orientation,
+                      bool checkOnly = false, bool ignoreCollisions = false);
+  /** True if the body overlaps or touches another one now. */
+  virtual bool IsCollidingWithSomething() const;
+
+  /** What engines build this body from; null for bodies only their own engine understands. */
+  const SBodyDescription* GetBodyDescription() const { return m_description.get(); }
+  const std::shared_ptr<const SBodyDescription>& GetSharedBodyDescription() const {
+    return m_description;
+  }
+  /**
+   * Sets the description. Before the body is added to an engine, or followed by re-adding it.
+   *
+   * Shared ownership: all robots of a type with equal parameters hold one description.
+   */
+  void SetBodyDescription(std::shared_ptr<const SBodyDescription> description);
+
+  /**
+   * Engines only: writes the pose of the origin anchor, and of the body in the space's index.
+   * Anchors that are enabled follow in CPhysicsModel::CalculateAnchors().
+   */
+  void SetOriginPose(const CVector3& position, const CQuaternion& orientation);
+
+  /** Number of this body in the space's index, or CBodyIndex::kNoBody. */
+  UInt32 GetBodyNumber() const { return m_bodyNumber; }
+  /** The space's index only. */
+  void AttachToIndex(CBodyIndex* index, UInt32 bodyNumber);
+
+  void UpdateDigest(CDigest& digest) const override;
+
+ protected:
+  bool m_bMovable;
+  CPhysicsModel::TMap m_tPhysicsModelMap;
+  CPhysicsModel::TVector m_tPhysicsModelVector;
+  SBoundingBox* m_sBoundingBox = nullptr;
+  SAnchor* m_psOriginAnchor = nullptr;
+  std::map<std::string, SAnchor*> m_mapAnchors;
+  std::vector<SAnchor*> m_vecEnabledAnchors;
+  CVector3 m_cInitOriginPosition;
+  CQuaternion m_cInitOriginOrientation;
+
+ private:
+  friend struct SAnchor;
+  void MoveModelsTo(const CVector3& position, const CQuaternion& orientation);
+
+  std::vector<std::unique_ptr<SAnchor>> m_anchors;  // by index; m_anchors[0] is the origin
+  std::shared_ptr<const SBodyDescription> m_description;
+  CBodyIndex* m_bodyIndex = nullptr;
+  UInt32 m_bodyNumber = ~UInt32(0);
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,62 @@
+#include <argos3/core/simulator/entity/entity.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/utility/datatypes/digest.h>
+
+namespace argos {
+
+INIT_VTABLE_FOR(CEntity)
+
+CEntity::CEntity(CComposableEntity* parent) : m_parent(parent) {}
+
+CEntity::CEntity(CComposableEntity* parent, const std::string& id) : m_parent(parent), m_id(id) {}
+
+void CEntity::Init(TConfigurationNode& tree) {
+  m_configurationNode = &tree;
+  if (NodeAttributeExists(tree, "id")) {
+    GetNodeAttribute(tree, "id", m_id);
+    return;
+  }
+  if (!HasParent()) {
+    THROW_ARGOSEXCEPTION(tree.GetLocation() << ": <" << tree.Value()
+                                            << ">: every entity in the arena needs an \"id\"");
+  }
+  // numbered among the components of its type that the parent already has
+  const std::string type = GetTypeDescription();
+  size_t number = 0;
+  for (CEntity* component : m_parent->GetComponentVector()) {
+    number += component != this && component->GetTypeDescription() == type ? 1 : 0;
+  }
+  m_id = type + "_" + std::to_string(number);
+}
+
+std::string CEntity::GetContext() const {
+  return m_parent != nullptr ? m_parent->GetContext() + m_parent->GetId() + "." : std::string();
+}
+
+CComposableEntity& CEntity::GetParent() {
+  if (m_parent == nullptr) {
+    THROW_ARGOSEXCEPTION("entity \"" << m_id << "\" is a root entity: it has no parent");
+  }
+  return *m_parent;
+}
+
+const CComposableEntity& CEntity::GetParent() const {
+  return const_cast<CEntity*>(this)->GetParent();
+}
+
+void CEntity::SetParent(CComposableEntity& parent) { m_parent = &parent; }
+
+CEntity& CEntity::GetRootEntity() {
+  CEntity* entity = this;
+  while (entity->m_parent != nullptr) {
+    entity = entity->m_parent;
+  }
+  return *entity;
+}
+
+const CEntity& CEntity::GetRootEntity() const { return const_cast<CEntity*>(this)->GetRootEntity(); }
+
+void CEntity::UpdateDigest(CDigest& digest) const { digest.Add(m_enabled); }
+
+}  // namespace argos

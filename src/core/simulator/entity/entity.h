@@ -1,0 +1,121 @@
+#ifndef ARGOS3_CORE_SIMULATOR_ENTITY_ENTITY_H
+#define ARGOS3_CORE_SIMULATOR_ENTITY_ENTITY_H
+
+#include <argos3/core/simulator/entity/entity_operation.h>
+#include <argos3/core/utility/configuration/argos_configuration.h>
+#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/configuration/base_configurable_resource.h>
+#include <argos3/core/utility/plugins/factory.h>
+#include <argos3/core/utility/plugins/vtable.h>
+
+#include <sys/types.h>
+
+#include <map>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+// user code written for ARGoS 3 uses the unqualified name after including any entity
+using std::unordered_map;
+
+namespace argos {
+
+class CComposableEntity;
+class CDigest;
+struct SAppearance;
+
+/**
+ * A thing in the arena, or a component of one: a node of the entity tree.
+ *
+ * Every concrete class carries ENABLE_VTABLE() and registers its space operations, so that the core
+ * dispatches on its exact type without knowing it.
+ */
+class CEntity : public CBaseConfigurableResource, public EnableVTableFor<CEntity> {
+ public:
+  ENABLE_VTABLE();
+
+  typedef std::vector<CEntity*> TVector;
+  typedef std::unordered_map<std::string, CEntity*> TMap;
+  typedef std::multimap<std::string, CEntity*> TMultiMap;
+
+  /** @param parent the composite that owns this entity, or nullptr for a root. */
+  explicit CEntity(CComposableEntity* parent);
+  CEntity(CComposableEntity* parent, const std::string& id);
+  ~CEntity() override = default;
+  CEntity(const CEntity&) = delete;
+  CEntity& operator=(const CEntity&) = delete;
+
+  /**
+   * Reads `id`. A component without one is called `<type>_<n>`.
+   * @throws CARGoSException if a root entity has no id.
+   */
+  void Init(TConfigurationNode& tree) override;
+  void Reset() override {}
+  void Destroy() override {}
+
+  const std::string& GetId() const { return m_id; }
+  /** Ids of the parents, each followed by a dot: "fb0.leds_0."; empty for a root. */
+  std::string GetContext() const;
+
+  bool HasParent() const { return m_parent != nullptr; }
+  /** @throws CARGoSException if this is a root entity. */
+  CComposableEntity& GetParent();
+  const CComposableEntity& GetParent() const;
+  void SetParent(CComposableEntity& parent);
+  CEntity& GetRootEntity();
+  const CEntity& GetRootEntity() const;
+
+  /** The name of the type, as in XML: "foot-bot", "body", ... */
+  virtual std::string GetTypeDescription() const { return "entity"; }
+  /** Called after the body this entity belongs to has moved, if the entity is enabled. */
+  virtual void Update() {}
+
+  /** Order of insertion into the space; -1 before. */
+  ssize_t GetIndex() const { return m_index; }
+  void SetIndex(ssize_t index) { m_index = index; }
+  /** How many consecutive indices this entity takes: itself and what it may create later. */
+  virtual size_t GetIndexSpan() const { return 1; }
+
+  bool IsEnabled() const { return m_enabled; }
+  void Enable() { SetEnabled(true); }
+  void Disable() { SetEnabled(false); }
+  virtual void SetEnabled(bool enabled) { m_enabled = enabled; }
+
+  /** The XML this entity was made from, or nullptr; of a distributed entity, the template. */
+  TConfigurationNode* GetConfigurationNode() { return m_configurationNode; }
+
+  /** What the entity looks like, or nullptr if it is not drawn. */
+  virtual const SAppearance* GetAppearance() const { return nullptr; }
+  /** Adds the entity's state to a digest of the world; components are visited by their parent. */
+  virtual void UpdateDigest(CDigest& digest) const;
+
+ private:
+  CComposableEntity* m_parent;
+  TConfigurationNode* m_configurationNode = nullptr;
+  std::string m_id;
+  ssize_t m_index = -1;
+  bool m_enabled = true;
+};
+
+/** Orders entities by index, the order of their insertion into the space. */
+struct SEntityComparator {
+  bool operator()(const CEntity* a, const CEntity* b) const { return a->GetIndex() < b->GetIndex(); }
+  bool operator()(const CEntity& a, const CEntity& b) const { return a.GetIndex() < b.GetIndex(); }
+};
+
+template <typename LABEL, typename PLUGIN, typename RETURN_VALUE>
+RETURN_VALUE CallEntityOperation(PLUGIN& plugin, CEntity& entity) {
+  typedef CEntityOperationInstanceHolder<LABEL, PLUGIN, RETURN_VALUE> THolder;
+  auto& table = GetVTable<LABEL, CEntity, THolder*>();
+  THolder* holder = table[entity.GetTag()];
+  return holder != nullptr ? holder->Call(plugin, entity) : RETURN_VALUE();
+}
+
+}  // namespace argos
+
+#define REGISTER_ENTITY(CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION, LONG_DESCRIPTION, \
+                        STATUS)                                                                 \
+  REGISTER_SYMBOL(CEntity, CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION,                \
+                  LONG_DESCRIPTION, STATUS)
+
+#endif

@@ -1,0 +1,277 @@
+#include <argos3/core/simulator/entity/floor_entity.h>
+
+#include <argos3/core/simulator/current.h>
+#include <argos3/core/simulator/loop_functions.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
+
+#include <FreeImage.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+namespace argos {
+
+namespace {
+
+struct SPixel {
+  UInt8 Red, Green, Blue;
+};
+
+struct SBitmapDeleter {
+  void operator()(FIBITMAP* bitmap) const { FreeImage_Unload(bitmap); }
+};
+using TBitmap = std::unique_ptr<FIBITMAP, SBitmapDeleter>;
+
+std::string DescribePath(const std::string& path) {
+  std::error_code ignored;
+  const std::string resolved = std::filesystem::absolute(path, ignored).lexically_normal().string();
+  return resolved == path ? '"' + path + '"' : '"' + path + "\" (that is, \"" + resolved + "\")";
+}
+
+// the library prints what is wrong with an image through a callback without context
+thread_local std::string t_imageProblem;
+
+void NoteImageProblem(FREE_IMAGE_FORMAT, const char* message) { t_imageProblem = message; }
+
+std::string ImageProblem() { return t_imageProblem.empty() ? "" : ": " + t_imageProblem; }
+
+TBitmap ReadBitmap(const std::string& fileName) {
+  if (!std::ifstream(fileName, std::ios::binary)) {
+    THROW_ARGOSEXCEPTION("cannot open the floor image " << DescribePath(fileName)
+                                                        << "; relative paths start at the working "
+                                                           "directory");
+  }
+  t_imageProblem.clear();
+  FreeImage_SetOutputMessage(&NoteImageProblem);
+  FREE_IMAGE_FORMAT format = FreeImage_GetFileType(fileName.c_str(), 0);
+  if (format == FIF_UNKNOWN) {
+    format = FreeImage_GetFIFFromFilename(fileName.c_str());
+  }
+  if (format == FIF_UNKNOWN || !FreeImage_FIFSupportsReading(format)) {
+    THROW_ARGOSEXCEPTION("the floor image " << DescribePath(fileName)
+                                            << " is in no image format that can be read, such as "
+                                               "PNG, JPEG, BMP or TIFF");
+  }
+  const TBitmap asStored(FreeImage_Load(format, fileName.c_str(), 0));
+  if (!asStored) {
+    THROW_ARGOSEXCEPTION("cannot read the floor image "
+                         << DescribePath(fileName) << " as "
+                         << FreeImage_GetFormatFromFIF(format) << ImageProblem());
+  }
+  TBitmap bitmap(FreeImage_ConvertTo24Bits(asStored.get()));
+  if (!bitmap) {
+    // single-channel images of other depths
+    const TBitmap standard(FreeImage_ConvertToStandardType(asStored.get(), 1));
+    bitmap.reset(standard ? FreeImage_ConvertTo24Bits(standard.get()) : nullptr);
+  }
+  if (!bitmap || FreeImage_GetWidth(bitmap.get()) == 0 || FreeImage_GetHeight(bitmap.get()) == 0) {
+    THROW_ARGOSEXCEPTION("the floor image " << DescribePath(fileName)
+                                            << " has no pixels that can be turned into colours");
+  }
+  return bitmap;
+}
+
+void WriteBitmap(FIBITMAP* bitmap, const std::string& path) {
+  t_imageProblem.clear();
+  FreeImage_SetOutputMessage(&NoteImageProblem);
+  const FREE_IMAGE_FORMAT format = FreeImage_GetFIFFromFilename(path.c_str());
+  if (format == FIF_UNKNOWN || !FreeImage_FIFSupportsWriting(format) ||
+      !FreeImage_FIFSupportsExportBPP(format, 24)) {
+    THROW_ARGOSEXCEPTION("cannot save the floor as "
+                         << DescribePath(path)
+                         << ": the extension must be one of an image format with 24-bit colours, "
+                            "such as .png, .jpg, .bmp or .tif");
+  }
+  if (!FreeImage_Save(format, bitmap, path.c_str(), 0)) {
+    THROW_ARGOSEXCEPTION("cannot write the floor to " << DescribePath(path) << ImageProblem());
+  }
+}
+
+}  // namespace
+
+/* The pixels, packed, so that reading one is safe on any thread and costs one access. */
+class CFloorEntity::CImage {
+ public:
+  CImage(size_t width, size_t height) : m_width(width), m_pixels(width * height) {}
+
+  explicit CImage(FIBITMAP* bitmap)
+      : CImage(FreeImage_GetWidth(bitmap), FreeImage_GetHeight(bitmap)) {
+    // the library, too, counts rows from the bottom
+    for (size_t row = 0; row < GetHeight(); ++row) {
+      const BYTE* line = FreeImage_GetScanLine(bitmap, static_cast<int>(row));
+      for (size_t column = 0; column < m_width; ++column, line += 3) {
+        At(column, row) = {line[FI_RGBA_RED], line[FI_RGBA_GREEN], line[FI_RGBA_BLUE]};
+      }
+    }
+  }
+
+  size_t GetWidth() const { return m_width; }
+  size_t GetHeight() const { return m_pixels.size() / m_width; }
+  SPixel& At(size_t column, size_t row) { return m_pixels[row * m_width + column]; }
+
+  TBitmap ToBitmap() {
+    TBitmap bitmap(FreeImage_Allocate(static_cast<int>(m_width), static_cast<int>(GetHeight()), 24));
+    if (!bitmap) {
+      THROW_ARGOSEXCEPTION("a floor image of " << m_width << " x " << GetHeight()
+                                               << " pixels does not fit in memory");
+    }
+    for (size_t row = 0; row < GetHeight(); ++row) {
+      BYTE* line = FreeImage_GetScanLine(bitmap.get(), static_cast<int>(row));
+      for (size_t column = 0; column < m_width; ++column, line += 3) {
+        const SPixel pixel = At(column, row);
+        line[FI_RGBA_RED] = pixel.Red;
+        line[FI_RGBA_GREEN] = pixel.Green;
+        line[FI_RGBA_BLUE] = pixel.Blue;
+      }
+    }
+    return bitmap;
+  }
+
+ private:
+  size_t m_width;
+  std::vector<SPixel> m_pixels;  // (height, width), lowest row first
+};
+
+CFloorEntity::CFloorEntity() : CEntity(nullptr), m_space(CurrentSpace()) {}
+
+CFloorEntity::CFloorEntity(const std::string& id, UInt32 pixelsPerMeter)
+    : CEntity(nullptr, id),
+      m_source(FROM_LOOP_FUNCTIONS),
+      m_pixelsPerMeter(pixelsPerMeter),
+      m_space(CurrentSpace()) {
+  if (pixelsPerMeter == 0) {
+    THROW_ARGOSEXCEPTION("the floor \"" << id << "\" needs at least one pixel per metre, not 0");
+  }
+}
+
+CFloorEntity::CFloorEntity(const std::string& id, const std::string& fileName)
+    : CEntity(nullptr, id), m_source(FROM_IMAGE), m_space(CurrentSpace()) {
+  LoadImage(fileName);
+}
+
+CFloorEntity::~CFloorEntity() = default;
+
+void CFloorEntity::Init(TConfigurationNode& tree) {
+  CEntity::Init(tree);
+  std::string source;
+  GetNodeAttribute(tree, "source", source);
+  try {
+    if (source == "image") {
+      m_source = FROM_IMAGE;
+      std::string path;
+      GetNodeAttribute(tree, "path", path);
+      LoadImage(ExpandEnvVariables(path));
+    } else if (source == "loop_functions") {
+      m_source = FROM_LOOP_FUNCTIONS;
+      GetNodeAttribute(tree, "pixels_per_meter", m_pixelsPerMeter);
+      if (m_pixelsPerMeter == 0) {
+        THROW_ARGOSEXCEPTION(tree.GetLocation()
+                             << ": <floor>: pixels_per_meter is 0; it must be at least 1");
+      }
+    } else {
+      THROW_ARGOSEXCEPTION(tree.GetLocation()
+                           << ": <floor>: source=\"" << source
+                           << "\" is neither \"image\" nor \"loop_functions\""
+                           << DidYouMean(source, {"image", "loop_functions"}));
+    }
+  } catch (CARGoSException& ex) {
+    THROW_ARGOSEXCEPTION_NESTED(tree.GetLocation() << ": cannot make the floor \"" << GetId() << '"',
+                                ex);
+  }
+}
+
+void CFloorEntity::Reset() { m_changed = true; }
+
+void CFloorEntity::LoadImage(const std::string& fileName) {
+  m_image = std::make_unique<CImage>(ReadBitmap(fileName).get());
+  const CVector3& size = m_space.GetArenaSize();
+  if (size.GetX() > 0.0 && size.GetY() > 0.0) {
+    // drawn as finely as the image is along its finer axis
+    const Real density = std::max(m_image->GetWidth() / size.GetX(),
+                                  m_image->GetHeight() / size.GetY());
+    m_pixelsPerMeter = static_cast<UInt32>(std::clamp(std::ceil(density), 1.0, 1e6));
+  }
+}
+
+CColor CFloorEntity::GetColorAtPoint(Real x, Real y) {
+  if (m_source != FROM_IMAGE) {
+    return m_space.GetSimulator().GetLoopFunctions().GetFloorColor(CVector2(x, y));
+  }
+  const CVector3& size = m_space.GetArenaSize();
+  const CVector3& center = m_space.GetArenaCenter();
+  const auto toPixel = [](Real offset, Real length, size_t pixels) {
+    const Real pixel = (offset + 0.5 * length) * static_cast<Real>(pixels) / length;
+    // compared in floating point: far away is no overflow, and NaN ends in the first pixel
+    if (!(pixel > 0.0)) {
+      return size_t(0);
+    }
+    return pixel < static_cast<Real>(pixels) ? static_cast<size_t>(pixel) : pixels - 1;
+  };
+  const SPixel pixel =
+      m_image->At(toPixel(x - center.GetX(), size.GetX(), m_image->GetWidth()),
+                  toPixel(y - center.GetY(), size.GetY(), m_image->GetHeight()));
+  return CColor(pixel.Red, pixel.Green, pixel.Blue);
+}
+
+void CFloorEntity::SaveAsImage(const std::string& path) {
+  if (m_source == FROM_IMAGE) {
+    WriteBitmap(m_image->ToBitmap().get(), path);
+    return;
+  }
+  const CVector3& size = m_space.GetArenaSize();
+  const CVector3 corner = m_space.GetArenaCenter() - 0.5 * size;
+  const Real density = static_cast<Real>(m_pixelsPerMeter);
+  const auto toPixels = [density](Real length) {
+    return static_cast<size_t>(std::max<Real>(1.0, std::ceil(length * density)));
+  };
+  CImage image(toPixels(size.GetX()), toPixels(size.GetY()));
+  for (size_t row = 0; row < image.GetHeight(); ++row) {
+    for (size_t column = 0; column < image.GetWidth(); ++column) {
+      // at the middle of the pixel
+      const CColor color = GetColorAtPoint(corner.GetX() + (column + 0.5) / density,
+                                           corner.GetY() + (row + 0.5) / density);
+      image.At(column, row) = {color.GetRed(), color.GetGreen(), color.GetBlue()};
+    }
+  }
+  WriteBitmap(image.ToBitmap().get(), path);
+}
+
+REGISTER_ENTITY(CFloorEntity, "floor", "the authors of this project", "1.0", "The colours of the floor.",
+                "The floor has colours, which ground sensors see and pictures show. It has no body.\n"
+                "At most one floor counts: the one declared last.\n\n"
+                "REQUIRED XML CONFIGURATION\n\n"
+                "  <arena ...>\n"
+                "    <floor id=\"floor\" source=\"image\" path=\"floor.png\" />\n"
+                "  </arena>\n\n"
+                "or, coloured by the loop functions' GetFloorColor(),\n\n"
+                "    <floor id=\"floor\" source=\"loop_functions\" pixels_per_meter=\"100\" />\n\n"
+                "Attributes:\n"
+                "  id                string; unique among the entities\n"
+                "  source            image or loop_functions\n"
+                "  path              with source=\"image\": the image file, in any format that\n"
+                "                    FreeImage reads. Relative to the working directory; $NAME is\n"
+                "                    replaced by the value of that environment variable. The image\n"
+                "                    is stretched over the arena, its lowest row at the smallest y;\n"
+                "                    beyond the arena the colour of the nearest edge holds\n"
+                "  pixels_per_meter  with source=\"loop_functions\": integer, at least 1; the\n"
+                "                    resolution in pictures only, sensors see the exact colour\n\n"
+                "OPTIONAL XML CONFIGURATION\n\n"
+                "None.\n",
+                "Usable")
+
+class CSpaceOperationAddCFloorEntity : public CSpaceOperationAddEntity {
+ public:
+  void ApplyTo(CSpace& space, CFloorEntity& floor) {
+    space.AddEntity(floor);
+    space.SetFloorEntity(floor);
+  }
+};
+REGISTER_SPACE_OPERATION(CSpaceOperationAddEntity, CSpaceOperationAddCFloorEntity, CFloorEntity)
+
+REGISTER_STANDARD_SPACE_OPERATION_REMOVE_ENTITY(CFloorEntity)
+
+}  // namespace argos

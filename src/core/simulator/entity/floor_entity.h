@@ -1,0 +1,71 @@
+#ifndef ARGOS3_CORE_SIMULATOR_ENTITY_FLOOR_ENTITY_H
+#define ARGOS3_CORE_SIMULATOR_ENTITY_FLOOR_ENTITY_H
+
+#include <argos3/core/simulator/entity/entity.h>
+#include <argos3/core/utility/datatypes/color.h>
+
+#include <memory>
+
+namespace argos {
+
+class CSpace;
+
+/**
+ * The painted ground. Its colour comes from an image stretched over the arena, or from the loop
+ * functions (CLoopFunctions::GetFloorColor()).
+ */
+class CFloorEntity : public CEntity {
+ public:
+  ENABLE_VTABLE();
+
+  enum EColorSource { UNSET = 0, FROM_IMAGE, FROM_LOOP_FUNCTIONS };
+
+  CFloorEntity();
+  /** A floor coloured by the loop functions. @param pixelsPerMeter resolution when drawn, > 0. */
+  CFloorEntity(const std::string& id, UInt32 pixelsPerMeter);
+  /** A floor from an image file. @throws CARGoSException if it cannot be read. */
+  CFloorEntity(const std::string& id, const std::string& fileName);
+  ~CFloorEntity() override;
+
+  /**
+   * Reads `source` (image or loop_functions), `path` (image; $NAME is expanded; relative to the
+   * working directory), `pixels_per_meter` (loop_functions; for drawing only).
+   */
+  void Init(TConfigurationNode& tree) override;
+  void Reset() override;
+  std::string GetTypeDescription() const override { return "floor"; }
+
+  /**
+   * Colour at a point of the world frame, m. Row 0 of an image is at the lowest y; points outside
+   * the arena take the colour of the nearest edge.
+   *
+   * Safe on any thread for images; with loop functions as safe as the user's GetFloorColor().
+   */
+  CColor GetColorAtPoint(Real x, Real y);
+
+  EColorSource GetColorSource() const { return m_source; }
+  /** Resolution for drawing, pixels per metre. */
+  UInt32 GetPixelsPerMeter() const { return m_pixelsPerMeter; }
+  /** True after SetChanged() until ClearChanged(): viewers redraw their texture. */
+  bool HasChanged() const { return m_changed; }
+  void SetChanged() { m_changed = true; }
+  void ClearChanged() { m_changed = false; }
+
+  /** Writes the floor as an image; the format follows the extension. @throws CARGoSException */
+  void SaveAsImage(const std::string& path);
+
+ private:
+  class CImage;  // pixels read through the imaging library
+
+  void LoadImage(const std::string& fileName);
+
+  EColorSource m_source = UNSET;
+  UInt32 m_pixelsPerMeter = 0;
+  bool m_changed = true;
+  std::unique_ptr<CImage> m_image;
+  CSpace& m_space;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,44 @@
+#include <argos3/core/simulator/entity/positional_entity.h>
+
+#include <argos3/core/simulator/entity/pose_digest.h>
+#include <argos3/core/simulator/space/space.h>
+
+namespace argos {
+
+CPositionalEntity::CPositionalEntity(CComposableEntity* parent) : CEntity(parent) {}
+
+CPositionalEntity::CPositionalEntity(CComposableEntity* parent, const std::string& id,
+                                     const CVector3& position, const CQuaternion& orientation)
+    : CEntity(parent, id),
+      m_cPosition(position),
+      m_cOrientation(orientation),
+      m_cInitPosition(position),
+      m_cInitOrientation(orientation) {}
+
+void CPositionalEntity::Init(TConfigurationNode& tree) {
+  CEntity::Init(tree);
+  GetNodeAttributeOrDefault(tree, "position", m_cInitPosition, CVector3());
+  GetNodeAttributeOrDefault(tree, "orientation", m_cInitOrientation, CQuaternion());
+  m_cPosition = m_cInitPosition;
+  m_cOrientation = m_cInitOrientation;
+}
+
+void CPositionalEntity::Reset() {
+  CEntity::Reset();
+  m_cPosition = m_cInitPosition;
+  m_cOrientation = m_cInitOrientation;
+}
+
+void CPositionalEntity::MoveTo(const CVector3& position, const CQuaternion& orientation) {
+  m_cPosition = position;
+  m_cOrientation = orientation;
+}
+
+void CPositionalEntity::UpdateDigest(CDigest& digest) const {
+  CEntity::UpdateDigest(digest);
+  AddPose(digest, m_cPosition, m_cOrientation);
+}
+
+REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CPositionalEntity)
+
+}  // namespace argos

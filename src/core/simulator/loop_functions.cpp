@@ -1,0 +1,40 @@
+#include <argos3/core/simulator/loop_functions.h>
+
+#include <argos3/core/simulator/current.h>
+#include <argos3/core/simulator/simulator.h>
+
+namespace argos {
+
+// users' classes are made by zero-argument factories: the base picks up the thread's simulator
+CLoopFunctions::CLoopFunctions()
+    : m_cSimulator(CurrentSimulator()), m_cSpace(m_cSimulator.GetSpace()) {}
+
+CColor CLoopFunctions::GetFloorColor(const CVector2&) { return CColor::WHITE; }
+
+void CLoopFunctions::MoveEntity(CPositionalEntity& entity, const CVector3& position,
+                                const CQuaternion& orientation) {
+  entity.MoveTo(position, orientation);
+}
+
+bool CLoopFunctions::MoveEntity(CEmbodiedEntity& entity, const CVector3& position,
+                                const CQuaternion& orientation, bool checkOnly,
+                                bool ignoreCollisions) {
+  return entity.MoveTo(position, orientation, checkOnly, ignoreCollisions);
+}
+
+void CLoopFunctions::AddEntity(CEntity& entity) {
+  CallEntityOperation<CSpaceOperationAddEntity, CSpace, void>(m_cSpace, entity);
+}
+
+void CLoopFunctions::RemoveEntity(const std::string& id) { RemoveEntity(m_cSpace.GetEntity(id)); }
+
+void CLoopFunctions::RemoveEntity(CEntity& entity) {
+  CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(m_cSpace, entity);
+}
+
+void CLoopFunctions::IterateOverControllableEntities(
+    const CSpace::TControllableEntityIterCBType& callback) const {
+  m_cSpace.IterateOverControllableEntities(callback);
+}
+
+}  // namespace argos

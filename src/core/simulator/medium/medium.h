@@ -1,0 +1,53 @@
+#ifndef ARGOS3_CORE_SIMULATOR_MEDIUM_MEDIUM_H
+#define ARGOS3_CORE_SIMULATOR_MEDIUM_MEDIUM_H
+
+#include <argos3/core/utility/configuration/base_configurable_resource.h>
+#include <argos3/core/utility/plugins/factory.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace argos {
+
+class CSimulator;
+class CSpace;
+
+/** Does for messages, lights and marks what an engine does for bodies. Updated after physics. */
+class CMedium : public CBaseConfigurableResource {
+ public:
+  typedef std::vector<CMedium*> TVector;
+  typedef std::map<std::string, CMedium*> TMap;
+
+  CMedium();
+  ~CMedium() override = default;
+
+  /** Reads `id`. @throws CARGoSException if it is missing. */
+  void Init(TConfigurationNode& tree) override;
+  void Reset() override {}
+  void Destroy() override {}
+  /** Called once after the arena is filled. */
+  virtual void PostSpaceInit() {}
+  /** Called once a tick, after physics and before sensing; media of one space run in parallel. */
+  virtual void Update() = 0;
+
+  const std::string& GetId() const { return m_id; }
+  void SetId(const std::string& id) { m_id = id; }
+  CSpace& GetSpace() { return m_cSpace; }
+
+ protected:
+  CSimulator& m_cSimulator;
+  CSpace& m_cSpace;
+
+ private:
+  std::string m_id;
+};
+
+}  // namespace argos
+
+#define REGISTER_MEDIUM(CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION, LONG_DESCRIPTION, \
+                        STATUS)                                                                 \
+  REGISTER_SYMBOL(CMedium, CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION,                \
+                  LONG_DESCRIPTION, STATUS)
+
+#endif

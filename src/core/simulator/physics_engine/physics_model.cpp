@@ -1,0 +1,87 @@
+#include <argos3/core/simulator/physics_engine/physics_model.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+
+#include <algorithm>
+
+namespace argos {
+
+SAnchor::SAnchor(CEmbodiedEntity& body, const std::string& id, UInt32 index,
+                 const CVector3& offsetPosition, const CQuaternion& offsetOrientation,
+                 const CVector3& position, const CQuaternion& orientation)
+    : Body(body),
+      Id(id),
+      Index(index),
+      OffsetPosition(offsetPosition),
+      OffsetOrientation(offsetOrientation),
+      Position(position),
+      Orientation(orientation) {}
+
+void SAnchor::Enable() {
+  if (InUseCount++ == 0) {
+    auto& enabled = Body.m_vecEnabledAnchors;
+    enabled.push_back(this);
+    // in order of index, however they were enabled
+    std::sort(enabled.begin(), enabled.end(),
+              [](const SAnchor* a, const SAnchor* b) { return a->Index < b->Index; });
+  }
+}
+
+void SAnchor::Disable() {
+  if (InUseCount == 0) {
+    return;
+  }
+  if (Index == 0 && InUseCount == 1) {
+    THROW_ARGOSEXCEPTION("the origin anchor of body \"" << Body.GetContext() << Body.GetId()
+                                                        << "\" cannot be disabled");
+  }
+  if (--InUseCount == 0) {
+    auto& enabled = Body.m_vecEnabledAnchors;
+    enabled.erase(std::find(enabled.begin(), enabled.end(), this));
+  }
+}
+
+bool SBoundingBox::Intersects(const SBoundingBox& other) const {
+  return MinCorner <= other.MaxCorner && other.MinCorner <= MaxCorner;
+}
+
+CPhysicsModel::CPhysicsModel(CPhysicsEngine& engine, CEmbodiedEntity& entity)
+    : m_cEngine(engine), m_cEmbodiedEntity(entity) {}
+
+void CPhysicsModel::UpdateEntityStatus() {
+  CalculateAnchors();
+  CalculateBoundingBox();
+  // whoever computed the origin anchor, the index learns of it
+  const SAnchor& origin = m_cEmbodiedEntity.GetOriginAnchor();
+  m_cEmbodiedEntity.SetOriginPose(origin.Position, origin.Orientation);
+  m_cEmbodiedEntity.GetRootEntity().Update();
+  if (m_cEmbodiedEntity.IsMovable() && m_cEngine.IsEntityTransferActive() &&
+      !m_cEngine.IsPointContained(origin.Position)) {
+    m_cEngine.ScheduleEntityForTransfer(m_cEmbodiedEntity);
+  }
+}
+
+void CPhysicsModel::CalculateAnchors() {
+  const SAnchor& origin = m_cEmbodiedEntity.GetOriginAnchor();
+  for (SAnchor* anchor : m_cEmbodiedEntity.GetEnabledAnchors()) {
+    if (anchor->Index < m_anchorMethods.size() && m_anchorMethods[anchor->Index]) {
+      m_anchorMethods[anchor->Index](*anchor);
+    } else if (anchor->Index != 0) {
+      anchor->Position = anchor->OffsetPosition;
+      anchor->Position.Rotate(origin.Orientation);
+      anchor->Position += origin.Position;
+      anchor->Orientation = origin.Orientation * anchor->OffsetOrientation;
+    }
+  }
+}
+
+void CPhysicsModel::RegisterAnchorMethod(UInt32 anchorIndex, std::function<void(SAnchor&)> method) {
+  if (m_anchorMethods.size() <= anchorIndex) {
+    m_anchorMethods.resize(anchorIndex + 1);
+  }
+  m_anchorMethods[anchorIndex] = std::move(method);
+}
+
+}  // namespace argos

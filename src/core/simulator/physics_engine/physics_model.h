@@ -1,0 +1,116 @@
+#ifndef ARGOS3_CORE_SIMULATOR_PHYSICS_ENGINE_PHYSICS_MODEL_H
+#define ARGOS3_CORE_SIMULATOR_PHYSICS_ENGINE_PHYSICS_MODEL_H
+
+#include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/math/quaternion.h>
+#include <argos3/core/utility/math/vector3.h>
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace argos {
+
+class CPhysicsEngine;
+class CEmbodiedEntity;
+
+/**
+ * A named frame that moves with a body.
+ *
+ * Data members are public and addressable: users keep references to them. Position and Orientation
+ * are in the world frame and are written by the engine that owns the body, after its physics;
+ * those of an anchor that is not enabled keep their last value.
+ */
+struct SAnchor {
+  CEmbodiedEntity& Body;
+  std::string Id;
+  UInt32 Index;                   /**< 0 is the origin anchor */
+  CVector3 OffsetPosition;        /**< in the frame of the origin anchor, m */
+  CQuaternion OffsetOrientation;  /**< in the frame of the origin anchor */
+  CVector3 Position;              /**< world frame, m */
+  CQuaternion Orientation;        /**< world frame */
+  UInt32 InUseCount = 0;
+
+  SAnchor(CEmbodiedEntity& body, const std::string& id, UInt32 index, const CVector3& offsetPosition,
+          const CQuaternion& offsetOrientation, const CVector3& position,
+          const CQuaternion& orientation);
+  SAnchor(const SAnchor&) = delete;
+  SAnchor& operator=(const SAnchor&) = delete;
+
+  /** Asks for this anchor's pose to be kept current; calls are counted. */
+  void Enable();
+  /** Takes back one Enable(). @throws CARGoSException for the origin, which is always in use. */
+  void Disable();
+};
+
+/** Axis-aligned box in the world frame, m. */
+struct SBoundingBox {
+  CVector3 MinCorner;
+  CVector3 MaxCorner;
+
+  /** True if the boxes share a point. */
+  bool Intersects(const SBoundingBox& other) const;
+};
+
+/**
+ * A body inside one physics engine.
+ *
+ * Third parties derive from this to give an entity a body that its description cannot express.
+ * In a tick the engine calls UpdateFromEntityStatus() (entity to engine), then UpdatePhysics()
+ * for each substep if it says so, then UpdateEntityStatus() (engine to entity).
+ */
+class CPhysicsModel {
+ public:
+  typedef std::map<std::string, CPhysicsModel*> TMap;
+  typedef std::vector<CPhysicsModel*> TVector;
+
+  CPhysicsModel(CPhysicsEngine& engine, CEmbodiedEntity& entity);
+  virtual ~CPhysicsModel() = default;
+
+  CPhysicsEngine& GetEngine() { return m_cEngine; }
+  const CPhysicsEngine& GetEngine() const { return m_cEngine; }
+  CEmbodiedEntity& GetEmbodiedEntity() { return m_cEmbodiedEntity; }
+  const CEmbodiedEntity& GetEmbodiedEntity() const { return m_cEmbodiedEntity; }
+
+  /**
+   * Engine to entity: anchors, bounding box, the entity's components, and the check whether the
+   * body has left the engine's region.
+   */
+  virtual void UpdateEntityStatus();
+  /** Entity to engine, at the start of every physics phase. */
+  virtual void UpdateFromEntityStatus() = 0;
+  /** Called in every substep by engines that support it; does nothing by default. */
+  virtual void UpdatePhysics() {}
+  /** Puts the body at the pose of the origin anchor: @p position in m, world frame. */
+  virtual void MoveTo(const CVector3& position, const CQuaternion& orientation) = 0;
+
+  const SBoundingBox& GetBoundingBox() const { return m_sBoundingBox; }
+  SBoundingBox& GetBoundingBox() { return m_sBoundingBox; }
+  virtual void CalculateBoundingBox() = 0;
+  /** Recomputes every enabled anchor: by its registered method, else rigidly from the origin. */
+  virtual void CalculateAnchors();
+  virtual bool IsCollidingWithSomething() const = 0;
+
+  /** From now on @p method of the derived model computes the pose of @p anchor. */
+  template <typename MODEL>
+  void RegisterAnchorMethod(const SAnchor& anchor, void (MODEL::*method)(SAnchor&)) {
+    RegisterAnchorMethod(anchor.Index, [this, method](SAnchor& target) {
+      (static_cast<MODEL*>(this)->*method)(target);
+    });
+  }
+
+ protected:
+  CPhysicsEngine& m_cEngine;
+  CEmbodiedEntity& m_cEmbodiedEntity;
+  SBoundingBox m_sBoundingBox;
+
+ private:
+  void RegisterAnchorMethod(UInt32 anchorIndex, std::function<void(SAnchor&)> method);
+
+  std::vector<std::function<void(SAnchor&)>> m_anchorMethods;  // by anchor index; empty = rigid
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,62 @@
+#ifndef ARGOS3_CORE_SIMULATOR_PROGRESS_H
+#define ARGOS3_CORE_SIMULATOR_PROGRESS_H
+
+#include <argos3/core/utility/datatypes/datatypes.h>
+
+#include <chrono>
+#include <memory>
+#include <string>
+
+namespace argos {
+
+class CSimulator;
+
+/** How far a run is. */
+struct SProgress {
+  UInt32 Ticks = 0;
+  UInt32 MaxTicks = 0;       /**< 0 = unlimited */
+  Real TickLength = 0.0;     /**< s */
+  Real WallSeconds = 0.0;    /**< since the run began */
+};
+
+/**
+ * "tick 120/600 (20 %), 12 s simulated, 35.2 x real time, 0:13 left"; without a limit on ticks, no
+ * share and no time left.
+ */
+std::string DescribeProgress(const SProgress& progress);
+
+/**
+ * A line on the terminal that tells how far the run is, for as long as the object lives.
+ *
+ * It is redrawn at most five times a second, and taken away before anything else is written to
+ * std::cout or std::cerr. Nothing at all is shown if the standard error is not a terminal.
+ */
+class CProgressLine {
+ public:
+  /** @param simulator  must outlive this object. */
+  explicit CProgressLine(CSimulator& simulator);
+  /** Takes the line away. */
+  ~CProgressLine();
+  CProgressLine(const CProgressLine&) = delete;
+  CProgressLine& operator=(const CProgressLine&) = delete;
+
+  /** To be called after each tick, by the thread that runs the loop. */
+  void Update();
+
+ private:
+  using TClock = std::chrono::steady_clock;
+  class CScreen;
+  class CGuard;
+
+  CSimulator& m_simulator;
+  TClock::time_point m_start;
+  TClock::time_point m_nextDrawing;
+  UInt32 m_firstTick;
+  std::unique_ptr<CScreen> m_screen;  // null: no terminal
+  std::unique_ptr<CGuard> m_outGuard;
+  std::unique_ptr<CGuard> m_errGuard;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,213 @@
+#ifndef ARGOS3_CORE_SIMULATOR_SIMULATOR_H
+#define ARGOS3_CORE_SIMULATOR_SIMULATOR_H
+
+#include <argos3/core/simulator/medium/medium.h>
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/utility/configuration/argos_configuration.h>
+#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/math/rng.h>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace argos {
+
+class CLoadErrors;
+class CLoopFunctions;
+class CProfiler;
+class CSpace;
+class CThreadPool;
+class CVisualization;
+
+/**
+ * One simulation: everything that hangs together hangs off this.
+ *
+ * Many may live in one process, at most one current per thread: GetInstance() gives the calling
+ * thread's current one. Programs that run several make their own and put a CScope around their use;
+ * the others use GetInstance(), which makes one on first use.
+ */
+class CSimulator {
+ public:
+  CSimulator();
+  ~CSimulator();
+  CSimulator(const CSimulator&) = delete;
+  CSimulator& operator=(const CSimulator&) = delete;
+
+  /** The calling thread's current simulator; the process's default one if none was made current. */
+  static CSimulator& GetInstance();
+
+  /** Makes a simulator the calling thread's current one for as long as the scope lives. */
+  class CScope {
+   public:
+    explicit CScope(CSimulator& simulator);
+    ~CScope();
+    CScope(const CScope&) = delete;
+    CScope& operator=(const CScope&) = delete;
+
+    /** The simulator stays current when the scope ends: for threads that serve one simulator. */
+    void Keep() { m_keep = true; }
+
+   private:
+    bool m_keep = false;
+    CSimulator* m_previous;
+    CRandom::CRegistry* m_previousRegistry;
+  };
+
+  CSpace& GetSpace() const;
+  /** @throws CARGoSException with the nearest ids if there is none. */
+  CPhysicsEngine& GetPhysicsEngine(const std::string& id) const;
+  CPhysicsEngine::TVector& GetPhysicsEngines() { return m_engines; }
+  /** @throws CARGoSException if there is no such medium, or it is not a T. */
+  template <typename T>
+  T& GetMedium(const std::string& id) {
+    T* medium = dynamic_cast<T*>(&GetMediumBase(id));
+    if (medium == nullptr) {
+      THROW_ARGOSEXCEPTION("medium \"" << id << "\" is not of the type that is needed here");
+    }
+    return *medium;
+  }
+  CMedium::TVector& GetMedia() { return m_media; }
+  CVisualization& GetVisualization();
+
+  /** The root element of the experiment file. */
+  TConfigurationNode& GetConfigurationRoot();
+  /** The `<controllers>` child of that id. @throws CARGoSException with the nearest ids. */
+  TConfigurationNode& GetConfigForController(const std::string& id);
+  /**
+   * Remembers, while loading, that the controller or medium @p id is there but cannot work: what
+   * needs it is not reported again.
+   */
+  void MarkBroken(const std::string& id) { m_broken.insert(id); }
+  /** @throws CAlreadyReported if @p id was marked. */
+  void ThrowIfBroken(const std::string& id) const;
+
+  /** @throws CARGoSException if profiling is off. */
+  CProfiler& GetProfiler();
+  bool IsProfiling() const { return m_profiler != nullptr; }
+
+  UInt32 GetRandomSeed() const { return m_randomSeed; }
+  /** Before loading: overrides the seed of the file. */
+  void SetRandomSeed(UInt32 seed);
+  /** First generator of the category "argos". */
+  CRandom::CRNG* GetRNG() { return m_rng; }
+
+  const std::string& GetExperimentFileName() const { return m_experimentFileName; }
+  void SetExperimentFileName(const std::string& fileName) { m_experimentFileName = fileName; }
+  CLoopFunctions& GetLoopFunctions();
+  /** The caller keeps the ownership. */
+  void SetLoopFunctions(CLoopFunctions& loopFunctions);
+  /** Ticks; 0 = unlimited. */
+  UInt32 GetMaxSimulationClock() const { return m_maxSimulationClock; }
+  /** Overrides the length of the file. @param seconds 0 = unlimited. Before or after loading. */
+  void SetLength(Real seconds);
+  /** As in the file or as set: 0 = the main thread does all. */
+  UInt32 GetNumThreads() const { return m_numThreads; }
+  /** Before loading: overrides the threads of the file. */
+  void SetNumThreads(UInt32 threads);
+  bool IsRealTimeClock() const { return m_realTimeClock; }
+  void SetRealTimeClock(bool realTime) { m_realTimeClock = realTime; }
+  /** Length of a tick, s. */
+  Real GetTickLength() const { return m_tickLength; }
+  /** Before loading: an attribute of the file to override, and its value (`--set`). */
+  void AddOverride(const std::string& path, const std::string& value);
+
+  /** Ends the experiment at the next check. */
+  void Terminate() { m_terminated = true; }
+  std::string GetInstallationDirectory() const;
+
+  /** Loads from a tree; the document must outlive the experiment. */
+  void Load(CConfigurationDocument& document, bool forceNoVisualization = false);
+  /**
+   * Loads the experiment file of that name.
+   * @throws CARGoSException that reports every error found without running.
+   */
+  void LoadExperiment(bool forceNoVisualization = false);
+  /** Initialises from the document that was loaded; Load() does it. */
+  void Init();
+  /** Everything back to the start: the run repeats itself exactly. */
+  void Reset();
+  /** The same with another seed. */
+  void Reset(UInt32 newRandomSeed);
+  /** Takes the experiment down; another one may be loaded. */
+  void Destroy();
+  /** Runs the visualization until the experiment ends. */
+  void Execute();
+  /** One tick. */
+  void UpdateSpace();
+  bool IsExperimentFinished() const;
+
+  /** Called after every tick, for progress displays; an empty function stops it. */
+  void SetTickObserver(std::function<void(CSimulator&)> observer) {
+    m_tickObserver = std::move(observer);
+  }
+  /** The threads on which phases run. */
+  CThreadPool& GetThreadPool() { return *m_pool; }
+
+ private:
+  friend class CPhysicsEngine;
+  struct SDefaultTag {};
+  explicit CSimulator(SDefaultTag);
+
+  CMedium& GetMediumBase(const std::string& id);
+  static UInt32 SeedFromClock();
+  void ApplyOverrides(CLoadErrors& errors);
+  void InitFramework(TConfigurationNode& node);
+  void InitSystem(TConfigurationNode& framework);
+  void InitExperiment(TConfigurationNode& framework);
+  void InitProfiling(TConfigurationNode& framework);
+  void InitRandom(TConfigurationNode& experiment);
+  void InitControllers(TConfigurationNode& node, CLoadErrors& errors);
+  void InitController(TConfigurationNode& node);
+  void CreateLoopFunctions(TConfigurationNode& root, CLoadErrors& errors);
+  void InitPhysics(TConfigurationNode& node, CLoadErrors& errors);
+  void InitMedia(TConfigurationNode& node, CLoadErrors& errors);
+  void InitLoopFunctions(TConfigurationNode& root, CLoadErrors& errors);
+  void PostSpaceInit(CLoadErrors& errors);
+  void InitVisualization(TConfigurationNode& root, CLoadErrors& errors);
+  void WarnOfUnreadParts() const;
+
+  std::string m_experimentFileName;
+  std::unique_ptr<CConfigurationDocument> m_ownDocument;
+  CConfigurationDocument* m_document = nullptr;
+  std::vector<std::pair<std::string, std::string>> m_overrides;
+  bool m_forceNoVisualization = false;
+
+  bool m_seedSet = false;       // by the user, before loading
+  bool m_seedFromClock = true;  // neither set nor in the file
+  UInt32 m_randomSeed = 0;
+  CRandom::CRNG* m_rng = nullptr;  // owned by its category
+  std::unique_ptr<CRandom::CRegistry> m_ownRegistry;  // null: the process's default one
+  CRandom::CRegistry* m_registry = nullptr;
+
+  bool m_threadsSet = false;
+  UInt32 m_numThreads = 0;
+  bool m_lengthSet = false;
+  Real m_length = 0.0;      // s
+  Real m_tickLength = 0.1;  // s
+  UInt32 m_maxSimulationClock = 0;
+  bool m_realTimeClock = false;
+  bool m_terminated = false;
+
+  std::map<std::string, TConfigurationNode*> m_controllerNodes;
+  std::set<std::string> m_broken;  // ids of parts that failed to load
+  std::unique_ptr<CThreadPool> m_pool;
+  std::unique_ptr<CSpace> m_space;
+  std::unique_ptr<CLoopFunctions> m_ownLoopFunctions;
+  CLoopFunctions* m_loopFunctions = nullptr;
+  std::unique_ptr<CProfiler> m_profiler;
+  // the vectors for users hold the same objects as the owning ones
+  CPhysicsEngine::TVector m_engines;
+  CMedium::TVector m_media;
+  std::vector<std::unique_ptr<CPhysicsEngine>> m_ownEngines;
+  std::vector<std::unique_ptr<CMedium>> m_ownMedia;
+  std::unique_ptr<CVisualization> m_visualization;
+  std::function<void(CSimulator&)> m_tickObserver;
+};
+
+}  // namespace argos
+
+#endif

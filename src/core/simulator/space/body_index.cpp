@@ -1,0 +1,358 @@
+#include <argos3/core/simulator/space/body_index.h>
+
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/space/shape_overlap.h>
+#include <argos3/core/utility/math/general.h>
+#include <argos3/core/utility/threads/thread_pool.h>
+
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+// bodies of one parallel run: enough work to pay for waking a thread
+constexpr size_t kGrain = 1024;
+// below this many bodies in the overlay it is not worth sorting anew
+constexpr size_t kMinOverlay = 64;
+// m; cells are not made smaller than this however crowded the arena is
+constexpr Real kMinCell = 0.02;
+constexpr Real kUprightTolerance = 1e-9;
+
+template <typename FUNCTION>
+void ForRange(CThreadPool* pool, size_t items, FUNCTION&& function) {
+  if (pool != nullptr) {
+    pool->ParallelFor(items, kGrain,
+                      [&](size_t begin, size_t end, UInt32) { function(begin, end); });
+  } else {
+    function(size_t(0), items);
+  }
+}
+
+}  // namespace
+
+void CBodyIndex::SetArea(const CRange<CVector3>& limits) {
+  m_minX = limits.GetMin().GetX();
+  m_minY = limits.GetMin().GetY();
+  m_maxX = limits.GetMax().GetX();
+  m_maxY = limits.GetMax().GetY();
+  m_cellsChosenFor = 0;
+  Rebuild(nullptr);
+}
+
+CBodyIndex::SPose CBodyIndex::MakePose(const CVector3& position, const CQuaternion& orientation) {
+  const Real w = orientation.GetW();
+  const Real z = orientation.GetZ();
+  return {position.GetX(),
+          position.GetY(),
+          position.GetZ(),
+          w * w - z * z,
+          2.0 * w * z,
+          Abs(orientation.GetX()) < kUprightTolerance && Abs(orientation.GetY()) < kUprightTolerance};
+}
+
+UInt32 CBodyIndex::Add(CEmbodiedEntity& body) {
+  UInt32 number = 0;
+  if (m_free.empty()) {
+    number = static_cast<UInt32>(m_bodies.size());
+    m_bodies.emplace_back();
+    m_poses.emplace_back();
+  } else {
+    number = m_free.back();
+    m_free.pop_back();
+  }
+  m_bodies[number] = {&body, nullptr, 0.0, kNoBody, kNoBody, 0, false, false};
+  ++m_numAlive;
+  body.AttachToIndex(this, number);
+  const SAnchor& origin = body.GetOriginAnchor();
+  SetPose(number, origin.Position, origin.Orientation);
+  Describe(number);
+  PutInOverlay(number);
+  return number;
+}
+
+void CBodyIndex::Describe(UInt32 number) {
+  SBody& body = m_bodies[number];
+  body.Description = body.Entity->GetBodyDescription();
+  body.Radius = body.Description->ComputeBoundingRadius();
+  body.NumShapes = static_cast<UInt16>(body.Description->Shapes.size());
+  body.Small = body.Entity->IsMovable() && body.Radius <= kMaxSmallRadius;
+  if (body.Small) {
+    ++m_numSmall;
+    m_maxSmallRadius = std::max(m_maxSmallRadius, body.Radius);
+  } else {
+    m_wideDirty = true;
+  }
+}
+
+void CBodyIndex::Forget(UInt32 number) {
+  if (m_bodies[number].Small) {
+    --m_numSmall;
+  } else {
+    m_wideDirty = true;
+  }
+}
+
+void CBodyIndex::Remove(UInt32 number) {
+  Forget(number);
+  SBody& body = m_bodies[number];
+  body.Entity->AttachToIndex(nullptr, kNoBody);
+  body.Entity = nullptr;
+  // sorted solids may still name this number: it is used again only after they are sorted anew
+  if (!body.Stale) {
+    body.Stale = true;
+    ++m_numStale;
+  }
+  m_released.push_back(number);
+  --m_numAlive;
+}
+
+void CBodyIndex::SetPose(UInt32 body, const CVector3& position, const CQuaternion& orientation) {
+  m_poses[body] = MakePose(position, orientation);
+}
+
+void CBodyIndex::RefreshNow(UInt32 number) {
+  SBody& body = m_bodies[number];
+  if (!body.Stale) {
+    PutInOverlay(number);
+  } else if (body.Small) {
+    UInt32* link = &m_overlayHead[body.OverlayCell];
+    while (*link != number) {
+      link = &m_bodies[*link].NextInCell;
+    }
+    *link = body.NextInCell;
+    LinkIntoOverlay(number);
+  }
+}
+
+void CBodyIndex::Redescribe(UInt32 body) {
+  Forget(body);
+  Describe(body);
+  Rebuild(nullptr);
+}
+
+void CBodyIndex::PutInOverlay(UInt32 number) {
+  SBody& body = m_bodies[number];
+  body.Stale = true;
+  ++m_numStale;
+  if (m_numStale > kMinOverlay + m_shapes.size() || m_overlayHead.empty()) {
+    Rebuild(nullptr);
+    return;
+  }
+  if (!body.Small) {
+    m_overlayWide.push_back(number);
+    m_wideDirty = true;
+    return;
+  }
+  LinkIntoOverlay(number);
+}
+
+void CBodyIndex::LinkIntoOverlay(UInt32 number) {
+  SBody& body = m_bodies[number];
+  const SPose& pose = m_poses[number];
+  const UInt32 cell = static_cast<UInt32>(CellJ(pose.Y) * m_numI + CellI(pose.X));
+  if (m_overlayHead[cell] == kNoBody) {
+    m_overlayCells.push_back(cell);
+  }
+  body.OverlayCell = cell;
+  body.NextInCell = m_overlayHead[cell];
+  m_overlayHead[cell] = number;
+}
+
+void CBodyIndex::ClearOverlay() {
+  for (SBody& body : m_bodies) {
+    body.Stale = false;
+  }
+  for (const UInt32 cell : m_overlayCells) {
+    m_overlayHead[cell] = kNoBody;
+  }
+  m_overlayCells.clear();
+  m_overlayWide.clear();
+  m_free.insert(m_free.end(), m_released.begin(), m_released.end());
+  m_released.clear();
+  m_numStale = 0;
+}
+
+bool CBodyIndex::ChooseCells() {
+  // hysteresis: cells are chosen anew only when the numbers have changed by a factor of two
+  const bool fits = !m_overlayHead.empty() && m_numAlive <= 2 * m_cellsChosenFor &&
+                    m_cellsChosenFor <= 2 * m_numAlive + 16 &&
+                    m_cellsChosenRadius == m_maxSmallRadius;
+  if (fits) {
+    return false;
+  }
+  const Real width = std::max(m_maxX - m_minX, kMinCell);
+  const Real depth = std::max(m_maxY - m_minY, kMinCell);
+  const Real bodies = static_cast<Real>(std::max<size_t>(1, m_numAlive));
+  // about one body a cell, but no cell smaller than the largest small body
+  m_cell = std::max({kMinCell, 2.0 * m_maxSmallRadius, std::sqrt(width * depth / bodies)});
+  m_inverseCell = 1.0 / m_cell;
+  m_numI = std::max(1, static_cast<int>(std::ceil(width * m_inverseCell)));
+  m_numJ = std::max(1, static_cast<int>(std::ceil(depth * m_inverseCell)));
+  m_cellsChosenFor = m_numAlive;
+  m_cellsChosenRadius = m_maxSmallRadius;
+  const size_t cells = static_cast<size_t>(m_numI) * m_numJ;
+  m_shapeStart.assign(cells + 1, 0);
+  m_wideStart.assign(cells + 1, 0);
+  m_cursor.assign(cells, 0);
+  m_overlayHead.assign(cells, kNoBody);
+  return true;
+}
+
+void CBodyIndex::Rebuild(CThreadPool* pool) {
+  if (m_numStale > 0) {
+    ClearOverlay();
+  }
+  const bool newCells = ChooseCells();
+  SortSmall(pool);
+  // wide bodies that can move are few, and listed anew every tick
+  if (newCells || m_wideDirty) {
+    ListWide();
+  }
+}
+
+void CBodyIndex::SortSmall(CThreadPool* pool) {
+  m_cellOfBody.resize(m_bodies.size());
+  ForRange(pool, m_bodies.size(), [this](size_t begin, size_t end) {
+    for (size_t b = begin; b < end; ++b) {
+      const bool sorted = m_bodies[b].Entity != nullptr && m_bodies[b].Small;
+      m_cellOfBody[b] =
+          sorted ? static_cast<UInt32>(CellJ(m_poses[b].Y) * m_numI + CellI(m_poses[b].X)) : kNoBody;
+    }
+  });
+
+  // counting sort by cell; within a cell by body number, whatever the number of threads
+  std::fill(m_shapeStart.begin(), m_shapeStart.end(), 0);
+  for (size_t b = 0; b < m_bodies.size(); ++b) {
+    if (m_cellOfBody[b] != kNoBody) {
+      m_shapeStart[m_cellOfBody[b] + 1] += m_bodies[b].NumShapes;
+    }
+  }
+  for (size_t cell = 0; cell + 1 < m_shapeStart.size(); ++cell) {
+    m_shapeStart[cell + 1] += m_shapeStart[cell];
+    m_cursor[cell] = m_shapeStart[cell];
+  }
+  m_entries.resize(m_shapeStart.back());
+  m_shapes.resize(m_shapeStart.back());
+  for (size_t b = 0; b < m_bodies.size(); ++b) {
+    if (m_cellOfBody[b] == kNoBody) {
+      continue;
+    }
+    for (UInt16 shape = 0; shape < m_bodies[b].NumShapes; ++shape) {
+      m_entries[m_cursor[m_cellOfBody[b]]++] = {static_cast<UInt32>(b), shape};
+    }
+  }
+  ForRange(pool, m_entries.size(), [this](size_t begin, size_t end) {
+    for (size_t k = begin; k < end; ++k) {
+      m_shapes[k] = Pack(m_entries[k].Body, m_entries[k].Shape);
+    }
+  });
+}
+
+void CBodyIndex::ListWide() {
+  m_wide.clear();
+  bool anyMovable = false;
+  for (size_t b = 0; b < m_bodies.size(); ++b) {
+    const SBody& body = m_bodies[b];
+    if (body.Entity == nullptr || body.Small) {
+      continue;
+    }
+    anyMovable = anyMovable || body.Entity->IsMovable();
+    for (UInt16 shape = 0; shape < body.NumShapes; ++shape) {
+      const SIndexedShape packed = Pack(static_cast<UInt32>(b), shape);
+      const SCellRange cells = CellsOf(packed);
+      m_wide.push_back({packed, cells.MinI, cells.MinJ});
+    }
+  }
+  std::fill(m_wideStart.begin(), m_wideStart.end(), 0);
+  const auto forEachCell = [this](const SWideShape& wide, auto&& visit) {
+    const SCellRange cells = CellsOf(wide.Shape);
+    for (int j = cells.MinJ; j <= cells.MaxJ; ++j) {
+      for (int i = cells.MinI; i <= cells.MaxI; ++i) {
+        visit(static_cast<size_t>(j) * m_numI + i);
+      }
+    }
+  };
+  for (const SWideShape& wide : m_wide) {
+    forEachCell(wide, [this](size_t cell) { ++m_wideStart[cell + 1]; });
+  }
+  for (size_t cell = 0; cell + 1 < m_wideStart.size(); ++cell) {
+    m_wideStart[cell + 1] += m_wideStart[cell];
+    m_cursor[cell] = m_wideStart[cell];
+  }
+  m_wideItems.resize(m_wideStart.back());
+  for (size_t w = 0; w < m_wide.size(); ++w) {
+    forEachCell(m_wide[w], [this, w](size_t cell) {
+      m_wideItems[m_cursor[cell]++] = static_cast<UInt32>(w);
+    });
+  }
+  m_wideDirty = anyMovable;
+}
+
+CBodyIndex::SCellRange CBodyIndex::CellsOf(const SIndexedShape& shape) const {
+  Real reachX = shape.HalfX;
+  Real reachY = shape.HalfX;
+  if (shape.Kind == SIndexedShape::EKind::Box) {
+    reachX = Abs(shape.Cos) * shape.HalfX + Abs(shape.Sin) * shape.HalfY;
+    reachY = Abs(shape.Sin) * shape.HalfX + Abs(shape.Cos) * shape.HalfY;
+  }
+  return {CellI(shape.X - reachX), CellI(shape.X + reachX), CellJ(shape.Y - reachY),
+          CellJ(shape.Y + reachY)};
+}
+
+SIndexedShape CBodyIndex::Pack(UInt32 body, UInt16 shape) const {
+  const SBody& owner = m_bodies[body];
+  SIndexedShape packed = Pack(owner.Description->Shapes[shape], m_poses[body],
+                              owner.Entity->GetOriginAnchor().Orientation);
+  packed.Body = body;
+  packed.Shape = shape;
+  return packed;
+}
+
+SIndexedShape CBodyIndex::Pack(const SShapeDescription& shape, const SPose& pose,
+                               const CQuaternion& orientation) {
+  const bool solidUpright = shape.Kind != SShapeDescription::EKind::Sphere &&
+                            shape.Orientation.GetX() == 0.0 && shape.Orientation.GetY() == 0.0;
+  SIndexedShape packed{};
+  packed.Body = kNoBody;
+  if (!pose.Upright || !solidUpright) {
+    // bounded by a sphere around the centroid
+    const Real height = shape.Size.GetZ();
+    CVector3 centroid(0.0, 0.0, 0.5 * height);
+    centroid.Rotate(shape.Orientation);
+    centroid += shape.Offset;
+    centroid.Rotate(orientation);
+    packed.Radius = std::sqrt(shape.Radius * shape.Radius + 0.25 * height * height);
+    packed.X = pose.X + centroid.GetX();
+    packed.Y = pose.Y + centroid.GetY();
+    packed.Cos = 1.0;
+    packed.HalfX = packed.HalfY = packed.Radius;
+    packed.ZMin = pose.Z + centroid.GetZ() - packed.Radius;
+    packed.ZMax = pose.Z + centroid.GetZ() + packed.Radius;
+    packed.Kind = SIndexedShape::EKind::Tilted;
+    return packed;
+  }
+  packed.X = pose.X + pose.Cos * shape.Offset.GetX() - pose.Sin * shape.Offset.GetY();
+  packed.Y = pose.Y + pose.Sin * shape.Offset.GetX() + pose.Cos * shape.Offset.GetY();
+  packed.ZMin = pose.Z + shape.Offset.GetZ();
+  packed.ZMax = packed.ZMin + shape.Size.GetZ();
+  packed.Radius = shape.Radius;
+  if (shape.Kind == SShapeDescription::EKind::Cylinder) {
+    packed.Cos = 1.0;
+    packed.HalfX = packed.HalfY = shape.Radius;
+    packed.Kind = SIndexedShape::EKind::Disc;
+  } else {
+    const Real w = shape.Orientation.GetW();
+    const Real z = shape.Orientation.GetZ();
+    const Real cosine = w * w - z * z;
+    const Real sine = 2.0 * w * z;
+    packed.Cos = pose.Cos * cosine - pose.Sin * sine;
+    packed.Sin = pose.Sin * cosine + pose.Cos * sine;
+    packed.HalfX = 0.5 * shape.Size.GetX();
+    packed.HalfY = 0.5 * shape.Size.GetY();
+    packed.Kind = SIndexedShape::EKind::Box;
+  }
+  return packed;
+}
+
+}  // namespace argos

@@ -1,0 +1,177 @@
+#ifndef ARGOS3_CORE_SIMULATOR_SPACE_BODY_INDEX_H
+#define ARGOS3_CORE_SIMULATOR_SPACE_BODY_INDEX_H
+
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/physics_engine/ray_queries.h>
+#include <argos3/core/simulator/space/indexed_shape.h>
+#include <argos3/core/utility/math/range.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace argos {
+
+class CEmbodiedEntity;
+class CThreadPool;
+
+/**
+ * Answers "which solids are near here" from packed arrays.
+ *
+ * Engines write poses during physics (SetPose(), one writer per body). Rebuild() then sorts the
+ * solids of small movable bodies by grid cell, by counting; solids of all other bodies are listed
+ * in every cell that they touch. Bodies that are added or moved outside the physics phase are found
+ * through a small overlay until the next Rebuild(), so placing n bodies takes time in proportion to
+ * n. Queries never write: they are safe on any number of threads between rebuilds.
+ *
+ * Answers do not depend on the cells: a hit is decided by the solid and the ray alone.
+ */
+class CBodyIndex {
+ public:
+  static constexpr UInt32 kNoBody = ~UInt32(0);
+  /** m; a movable body up to this radius is small. Robots are; walls and large boxes are not. */
+  static constexpr Real kMaxSmallRadius = 0.3;
+
+  CBodyIndex() = default;
+
+  /** Sets the ground area that the cells divide, m. Bodies outside belong to the border cells. */
+  void SetArea(const CRange<CVector3>& limits);
+
+  /** Adds a body that has a description. @return its number. */
+  UInt32 Add(CEmbodiedEntity& body);
+  void Remove(UInt32 body);
+  /** Writes a pose; engines during physics, one writer per body. Seen by queries after Rebuild(). */
+  void SetPose(UInt32 body, const CVector3& position, const CQuaternion& orientation);
+  /** Makes the pose written last count at once; outside the physics phase, one thread. */
+  void RefreshNow(UInt32 body);
+  /** Takes over a changed description or movability at once. */
+  void Redescribe(UInt32 body);
+  /** Sorts everything anew; once a tick, after physics. */
+  void Rebuild(CThreadPool& pool) { Rebuild(&pool); }
+
+  CEmbodiedEntity& GetBody(UInt32 body) const { return *m_bodies[body].Entity; }
+  size_t GetNumBodies() const { return m_numAlive; }
+
+  /**
+   * Calls visit(const SIndexedShape&) for every solid whose footprint comes within @p reach (m) of
+   * (@p x, @p y), and perhaps for some that do not. Each solid once. Vertical position is ignored.
+   */
+  template <typename VISIT>
+  void ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const;
+
+  /** Where @p ray enters a solid of any kind: fraction in [0,1], 0 if it starts inside; else > 1. */
+  Real Intersect(const SIndexedShape& shape, const CRay3& ray) const;
+  /** First body that @p ray meets, @p ignored aside. @return false if none. */
+  bool FindClosestHit(SEmbodiedEntityIntersectionItem& item, const CRay3& ray,
+                      const CEmbodiedEntity* ignored = nullptr) const;
+  /** Appends every body that @p ray meets, once each. */
+  void FindAllHits(TEmbodiedEntityIntersectionData& data, const CRay3& ray) const;
+  /**
+   * Finds a body that overlaps a solid of @p description at that pose by more than a rounding.
+   * @param ignored number of a body to look through, or kNoBody.
+   * @return the number of the body found with the lowest number, or kNoBody.
+   */
+  UInt32 FindOverlap(const SBodyDescription& description, const CVector3& position,
+                     const CQuaternion& orientation, UInt32 ignored) const;
+
+ private:
+  struct SPose {
+    Real X, Y, Z;   // m, world frame, of the origin anchor
+    Real Cos, Sin;  // of the yaw, if upright
+    bool Upright;
+  };
+  struct SBody {
+    CEmbodiedEntity* Entity;              // null: free slot
+    const SBodyDescription* Description;  // shared by many bodies; kept alive by the entity
+    Real Radius;                          // m, around the origin, seen from above
+    UInt32 OverlayCell, NextInCell;       // overlay chain
+    UInt16 NumShapes;
+    bool Small;
+    bool Stale;  // in the overlay: its sorted solids do not count
+  };
+  struct SEntry {
+    UInt32 Body;
+    UInt16 Shape;
+  };
+  struct SCellRange {
+    int MinI, MaxI, MinJ, MaxJ;
+  };
+  struct SWideShape {
+    SIndexedShape Shape;
+    int MinI, MinJ;  // first cell in which it is listed
+  };
+
+  int CellI(Real x) const { return ClampCell((x - m_minX) * m_inverseCell, m_numI); }
+  int CellJ(Real y) const { return ClampCell((y - m_minY) * m_inverseCell, m_numJ); }
+  static int ClampCell(Real cell, int count) {
+    // the comparison in floating point keeps far-away and NaN positions inside the table
+    return cell > 0.0 ? (cell < count ? static_cast<int>(cell) : count - 1) : 0;
+  }
+  SCellRange CellsAround(Real x, Real y, Real reach) const {
+    return {CellI(x - reach), CellI(x + reach), CellJ(y - reach), CellJ(y + reach)};
+  }
+  SCellRange CellsOf(const SIndexedShape& shape) const;
+  static SPose MakePose(const CVector3& position, const CQuaternion& orientation);
+  static SIndexedShape Pack(const SShapeDescription& shape, const SPose& pose,
+                            const CQuaternion& orientation);
+  SIndexedShape Pack(UInt32 body, UInt16 shape) const;
+  void Describe(UInt32 body);
+  void Forget(UInt32 body);
+  void Rebuild(CThreadPool* pool);
+  bool ChooseCells();
+  void SortSmall(CThreadPool* pool);
+  void ListWide();
+  void ClearOverlay();
+  void PutInOverlay(UInt32 body);
+  void LinkIntoOverlay(UInt32 body);
+
+  bool IsStale(UInt32 body) const { return m_numStale > 0 && m_bodies[body].Stale; }
+  template <typename VISIT>
+  void VisitSmallRow(int j, int minI, int maxI, VISIT&& visit) const;
+  template <typename VISIT>
+  void VisitBody(UInt32 body, VISIT&& visit) const;
+  template <typename VISIT>
+  void VisitOverlayRow(int j, int minI, int maxI, VISIT&& visit) const;
+  template <typename VISIT>
+  void VisitOverlayWide(VISIT&& visit) const;
+  template <typename VISIT>
+  void VisitWide(const SCellRange& cells, VISIT&& visit) const;
+  template <typename VISIT>
+  void ForShapesAlongRay(const CRay3& ray, VISIT&& visit) const;
+
+  // the area and its cells, row by row: cell (i, j) has number j * m_numI + i
+  Real m_minX = 0.0, m_minY = 0.0, m_maxX = 0.0, m_maxY = 0.0;  // m
+  Real m_cell = 1.0, m_inverseCell = 1.0;                       // m, 1/m
+  int m_numI = 1, m_numJ = 1;
+  size_t m_cellsChosenFor = 0;  // number of bodies when cells were chosen
+  Real m_cellsChosenRadius = 0.0;
+
+  std::vector<SBody> m_bodies;  // by body number
+  std::vector<SPose> m_poses;   // by body number; written by engines
+  std::vector<UInt32> m_free;      // numbers to use again
+  std::vector<UInt32> m_released;  // numbers to use again after the next Rebuild()
+  size_t m_numAlive = 0, m_numSmall = 0;
+  Real m_maxSmallRadius = 0.0;  // m
+
+  // written by Rebuild()
+  std::vector<UInt32> m_cellOfBody;     // (bodies); kNoBody if not small
+  std::vector<UInt32> m_shapeStart;     // (cells + 1) into m_shapes
+  std::vector<UInt32> m_cursor;         // (cells) scratch of the counting sort
+  std::vector<SEntry> m_entries;        // (solids of small bodies) in cell order
+  std::vector<SIndexedShape> m_shapes;    // of small bodies, in cell order
+  std::vector<SWideShape> m_wide;         // of all other bodies
+  std::vector<UInt32> m_wideStart;        // (cells + 1) into m_wideItems
+  std::vector<UInt32> m_wideItems;        // numbers into m_wide
+  bool m_wideDirty = true;
+
+  // the overlay
+  std::vector<UInt32> m_overlayHead;      // (cells) first small body of the chain, or kNoBody
+  std::vector<UInt32> m_overlayCells;     // cells with a chain
+  std::vector<UInt32> m_overlayWide;      // bodies that are not small
+  size_t m_numStale = 0;
+};
+
+}  // namespace argos
+
+#include <argos3/core/simulator/space/body_index_impl.h>
+
+#endif

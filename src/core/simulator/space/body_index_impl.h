@@ -1,0 +1,99 @@
+#ifndef ARGOS3_CORE_SIMULATOR_SPACE_BODY_INDEX_IMPL_H
+#define ARGOS3_CORE_SIMULATOR_SPACE_BODY_INDEX_IMPL_H
+
+#include <argos3/core/simulator/space/body_index.h>
+
+// the queries of CBodyIndex, inline because their visitors are
+
+namespace argos {
+
+// a row of cells is one run of the sorted solids
+template <typename VISIT>
+void CBodyIndex::VisitSmallRow(int j, int minI, int maxI, VISIT&& visit) const {
+  const size_t row = static_cast<size_t>(j) * m_numI;
+  const SIndexedShape* shape = m_shapes.data() + m_shapeStart[row + minI];
+  const SIndexedShape* const end = m_shapes.data() + m_shapeStart[row + maxI + 1];
+  for (; shape != end; ++shape) {
+    if (!IsStale(shape->Body)) {
+      visit(*shape);
+    }
+  }
+}
+
+template <typename VISIT>
+void CBodyIndex::VisitBody(UInt32 body, VISIT&& visit) const {
+  if (m_bodies[body].Entity == nullptr) {
+    return;
+  }
+  for (UInt16 shape = 0; shape < m_bodies[body].NumShapes; ++shape) {
+    visit(Pack(body, shape));
+  }
+}
+
+template <typename VISIT>
+void CBodyIndex::VisitOverlayRow(int j, int minI, int maxI, VISIT&& visit) const {
+  const size_t row = static_cast<size_t>(j) * m_numI;
+  for (int i = minI; i <= maxI; ++i) {
+    for (UInt32 body = m_overlayHead[row + i]; body != kNoBody; body = m_bodies[body].NextInCell) {
+      VisitBody(body, visit);
+    }
+  }
+}
+
+template <typename VISIT>
+void CBodyIndex::VisitOverlayWide(VISIT&& visit) const {
+  for (const UInt32 body : m_overlayWide) {
+    VisitBody(body, visit);
+  }
+}
+
+template <typename VISIT>
+void CBodyIndex::VisitWide(const SCellRange& cells, VISIT&& visit) const {
+  for (int j = cells.MinJ; j <= cells.MaxJ; ++j) {
+    const size_t row = static_cast<size_t>(j) * m_numI;
+    for (int i = cells.MinI; i <= cells.MaxI; ++i) {
+      for (UInt32 k = m_wideStart[row + i]; k < m_wideStart[row + i + 1]; ++k) {
+        const SWideShape& wide = m_wide[m_wideItems[k]];
+        // listed in many cells: counts in the first one of the query only
+        const bool first =
+            i == std::max(wide.MinI, cells.MinI) && j == std::max(wide.MinJ, cells.MinJ);
+        if (first && !IsStale(wide.Shape.Body)) {
+          visit(wide.Shape);
+        }
+      }
+    }
+  }
+}
+
+template <typename VISIT>
+void CBodyIndex::ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const {
+  const auto visitIfNear = [&](const SIndexedShape& shape) {
+    const Real dx = shape.X - x;
+    const Real dy = shape.Y - y;
+    const Real far = reach + shape.Radius;
+    if (dx * dx + dy * dy <= far * far) {
+      visit(shape);
+    }
+  };
+  const SCellRange cells = CellsAround(x, y, reach + m_maxSmallRadius);
+  if (!m_shapes.empty()) {
+    for (int j = cells.MinJ; j <= cells.MaxJ; ++j) {
+      VisitSmallRow(j, cells.MinI, cells.MaxI, visitIfNear);
+    }
+  }
+  if (m_numStale > 0) {
+    if (!m_overlayCells.empty()) {
+      for (int j = cells.MinJ; j <= cells.MaxJ; ++j) {
+        VisitOverlayRow(j, cells.MinI, cells.MaxI, visitIfNear);
+      }
+    }
+    VisitOverlayWide(visitIfNear);
+  }
+  if (!m_wide.empty()) {
+    VisitWide(CellsAround(x, y, reach), visitIfNear);
+  }
+}
+
+}  // namespace argos
+
+#endif

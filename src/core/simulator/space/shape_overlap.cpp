@@ -1,0 +1,61 @@
+#include <argos3/core/simulator/space/shape_overlap.h>
+
+namespace argos {
+
+namespace {
+
+// m; poses are rounded to far less than this, and bodies that are put side by side must fit
+constexpr Real kTouch = 1e-9;
+
+bool IsBox(const SIndexedShape& shape) { return shape.Kind == SIndexedShape::EKind::Box; }
+
+bool DiscsOverlap(const SIndexedShape& a, const SIndexedShape& b) {
+  const Real dx = a.X - b.X;
+  const Real dy = a.Y - b.Y;
+  const Real reach = a.HalfX + b.HalfX - kTouch;
+  return reach > 0.0 && dx * dx + dy * dy < reach * reach;
+}
+
+bool DiscOverlapsBox(const SIndexedShape& disc, const SIndexedShape& box) {
+  // the disc's centre in the frame of the box, then the nearest point of the box
+  const Real dx = disc.X - box.X;
+  const Real dy = disc.Y - box.Y;
+  const Real x = std::abs(box.Cos * dx + box.Sin * dy);
+  const Real y = std::abs(box.Cos * dy - box.Sin * dx);
+  const Real outX = std::max(x - box.HalfX, 0.0);
+  const Real outY = std::max(y - box.HalfY, 0.0);
+  const Real reach = disc.HalfX - kTouch;
+  return outX * outX + outY * outY < reach * reach;
+}
+
+// half the width of a box's shadow on a unit direction
+Real Shadow(const SIndexedShape& box, Real x, Real y) {
+  return std::abs(box.Cos * x + box.Sin * y) * box.HalfX +
+         std::abs(box.Cos * y - box.Sin * x) * box.HalfY;
+}
+
+// two rectangles are apart if and only if they are so along one of their four axes
+bool BoxesOverlap(const SIndexedShape& a, const SIndexedShape& b) {
+  const Real axes[4][2] = {{a.Cos, a.Sin}, {-a.Sin, a.Cos}, {b.Cos, b.Sin}, {-b.Sin, b.Cos}};
+  for (const auto& axis : axes) {
+    const Real distance = std::abs((a.X - b.X) * axis[0] + (a.Y - b.Y) * axis[1]);
+    if (distance >= Shadow(a, axis[0], axis[1]) + Shadow(b, axis[0], axis[1]) - kTouch) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+bool ShapesOverlap(const SIndexedShape& a, const SIndexedShape& b) {
+  if (a.ZMin >= b.ZMax - kTouch || b.ZMin >= a.ZMax - kTouch) {
+    return false;
+  }
+  if (IsBox(a)) {
+    return IsBox(b) ? BoxesOverlap(a, b) : DiscOverlapsBox(b, a);
+  }
+  return IsBox(b) ? DiscOverlapsBox(a, b) : DiscsOverlap(a, b);
+}
+
+}  // namespace argos

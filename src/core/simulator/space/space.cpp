@@ -1,0 +1,236 @@
+#include <argos3/core/simulator/space/space.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/entity/floor_entity.h>
+#include <argos3/core/simulator/load_errors.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/body_index.h>
+#include <argos3/core/simulator/space/distribution.h>
+#include <argos3/core/simulator/space/user_views.h>
+#include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/core/utility/string_utilities.h>
+
+#include <algorithm>
+
+namespace argos {
+
+CSpace::CSpace(CSimulator& simulator)
+    : m_cSimulator(simulator), m_bodyIndex(std::make_unique<CBodyIndex>()) {}
+
+CSpace::~CSpace() { Destroy(); }
+
+void CSpace::Init(TConfigurationNode& tree) {
+  CLoadErrors errors;
+  Init(tree, errors);
+  errors.ThrowIfAny();
+}
+
+void CSpace::Init(TConfigurationNode& tree, CLoadErrors& errors) {
+  // the second generator of its category, after the simulator's own
+  m_rng = CRandom::CreateRNG("argos");
+  if (errors.Try("the arena", [&] { InitArena(tree); })) {
+    FillArena(tree, errors);
+  }
+  m_bodyIndex->Rebuild(m_cSimulator.GetThreadPool());
+}
+
+void CSpace::InitArena(TConfigurationNode& tree) {
+  GetNodeAttribute(tree, "size", m_arenaSize);
+  GetNodeAttributeOrDefault(tree, "center", m_arenaCenter, m_arenaCenter);
+  for (UInt32 axis = 0; axis < 3; ++axis) {
+    if (!(m_arenaSize[axis] > 0.0)) {
+      THROW_ARGOSEXCEPTION(tree.GetLocation()
+                           << ": <arena>: \"size\" must be positive along every axis, found \""
+                           << m_arenaSize << "\"");
+    }
+  }
+  // left over from older versions of the file format; files in use have them
+  NodeAttributeExists(tree, "positional_index");
+  NodeAttributeExists(tree, "positional_grid_size");
+  m_arenaLimits.Set(m_arenaCenter - m_arenaSize * 0.5, m_arenaCenter + m_arenaSize * 0.5);
+  m_bodyIndex->SetArea(m_arenaLimits);
+}
+
+void CSpace::FillArena(TConfigurationNode& tree, CLoadErrors& errors) {
+  const std::string distribute = "distribute";
+  TConfigurationNodeIterator it;
+  for (it = it.begin(&tree); it != it.end(); ++it) {
+    if (it->Value() != distribute) {
+      errors.Try("", [&] { CreateEntity(*it); });
+    }
+  }
+  for (it = it.begin(&tree); it != it.end(); ++it) {
+    if (it->Value() == distribute) {
+      errors.Try("", [&] { CDistribution(*this, *it).Place(); });
+    }
+  }
+}
+
+CEntity& CSpace::CreateEntity(TConfigurationNode& node) {
+  std::unique_ptr<CEntity> entity;
+  try {
+    entity.reset(CFactory<CEntity>::New(node.Value()));
+    entity->Init(node);
+    CEntity& added = *entity;
+    try {
+      CallEntityOperation<CSpaceOperationAddEntity, CSpace, void>(*this, added);
+    } catch (...) {
+      // the removal forgives what was not added yet, and deletes
+      CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(*this, *entity.release());
+      throw;
+    }
+    return *entity.release();
+  } catch (const CAlreadyReported&) {
+    throw;
+  } catch (std::exception& error) {
+    THROW_ARGOSEXCEPTION_NESTED(node.GetLocation() << ": <" << node.Value()
+                                                   << "> cannot be put into the arena",
+                                error);
+  }
+}
+
+void CSpace::RememberType(size_t tag, TMakeAny makeAny) {
+  if (m_makeAny.size() <= tag) {
+    m_makeAny.resize(tag + 1, nullptr);
+  }
+  m_makeAny[tag] = makeAny;
+}
+
+void CSpace::InsertEntity(CEntity& entity) {
+  if (!entity.HasParent()) {
+    const auto [found, inserted] = m_rootById.emplace(entity.GetId(), &entity);
+    if (!inserted) {
+      TConfigurationNode* other = found->second->GetConfigurationNode();
+      THROW_ARGOSEXCEPTION("there is already an entity with id \""
+                           << entity.GetId() << "\" (<" << found->second->GetTypeDescription() << ">"
+                           << (other != nullptr ? " at " + other->GetLocation() : std::string())
+                           << "); ids must be unique");
+    }
+    m_roots.push_back(&entity);
+  }
+  entity.SetIndex(m_nextIndex);
+  m_nextIndex += static_cast<ssize_t>(entity.GetIndexSpan());
+  if (m_views != nullptr) {
+    m_views->Pending.push_back(&entity);
+  }
+}
+
+void CSpace::EraseEntity(CEntity& entity) {
+  const std::unique_ptr<CEntity> owned(&entity);
+  if (m_views != nullptr) {
+    m_views->Erase(entity);
+  }
+  if (!entity.HasParent()) {
+    const auto byId = m_rootById.find(entity.GetId());
+    if (byId != m_rootById.end() && byId->second == &entity) {
+      m_rootById.erase(byId);
+      m_roots.erase(std::find(m_roots.begin(), m_roots.end(), &entity));
+    }
+  }
+  if (m_floor == &entity) {
+    m_floor = nullptr;
+  }
+  entity.Destroy();
+}
+
+void CSpace::Reset() {
+  m_simulationClock = 0;
+  for (CEntity* root : m_roots) {
+    root->Reset();
+  }
+  m_bodyIndex->Rebuild(m_cSimulator.GetThreadPool());
+}
+
+void CSpace::Destroy() {
+  while (!m_roots.empty()) {
+    CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(*this, *m_roots.back());
+  }
+  m_views.reset();
+  m_bodyIndex = std::make_unique<CBodyIndex>();
+  m_rng = nullptr;
+  m_nextIndex = 0;
+  m_simulationClock = 0;
+}
+
+void CSpace::AddControllableEntity(CControllableEntity& entity) { m_robots.push_back(&entity); }
+
+void CSpace::RemoveControllableEntity(CControllableEntity& entity) {
+  const auto found = std::find(m_robots.begin(), m_robots.end(), &entity);
+  if (found != m_robots.end()) {
+    m_robots.erase(found);
+  }
+}
+
+void CSpace::AddEntityToPhysicsEngine(CEmbodiedEntity& body) {
+  const CVector3& position = body.GetOriginAnchor().Position;
+  CEntity& root = body.GetRootEntity();
+  bool contained = false;
+  bool added = false;
+  for (CPhysicsEngine* engine : m_cSimulator.GetPhysicsEngines()) {
+    if (!engine->IsPointContained(position)) {
+      continue;
+    }
+    contained = true;
+    added = engine->AddEntity(root) || added;
+    if (added && body.IsMovable()) {
+      break;
+    }
+  }
+  if (!added) {
+    m_cSimulator.ThrowIfBroken("physics_engines");
+    std::string engines;
+    for (const CPhysicsEngine* engine : m_cSimulator.GetPhysicsEngines()) {
+      engines += (engines.empty() ? "\"" : ", \"") + engine->GetId() + "\"";
+    }
+    THROW_ARGOSEXCEPTION("\"" << root.GetId() << "\" at (" << position << ") is "
+                              << (contained ? "in the region of an engine, but none there can house a <"
+                                            : "outside the region of every physics engine; it is a <")
+                              << root.GetTypeDescription() << ">; engines: "
+                              << (engines.empty() ? "none" : engines));
+  }
+  if (body.GetBodyDescription() != nullptr && body.GetBodyNumber() == CBodyIndex::kNoBody) {
+    m_bodyIndex->Add(body);
+  }
+}
+
+void CSpace::RemoveEntityFromPhysicsEngines(CEmbodiedEntity& body) {
+  while (body.GetPhysicsModelsNum() > 0) {
+    CPhysicsEngine& engine = body.GetPhysicsModel(body.GetPhysicsModelsNum() - 1).GetEngine();
+    if (!engine.RemoveEntity(body.GetRootEntity())) {
+      break;
+    }
+  }
+  if (body.GetBodyNumber() != CBodyIndex::kNoBody) {
+    m_bodyIndex->Remove(body.GetBodyNumber());
+  }
+}
+
+CRandom::CRNG& CSpace::GetRNG() {
+  if (m_rng == nullptr) {
+    THROW_ARGOSEXCEPTION("the space has no random generator before the arena is initialised");
+  }
+  return *m_rng;
+}
+
+UInt64 CSpace::ComputeDigest() const {
+  CDigest digest;
+  digest.Add(m_simulationClock);
+  for (const CEntity* root : m_roots) {
+    digest.Add(root->GetId());
+    root->UpdateDigest(digest);
+  }
+  return digest.GetValue();
+}
+
+void CSpace::SetFloorEntity(CFloorEntity& floor) { m_floor = &floor; }
+
+CFloorEntity& CSpace::GetFloorEntity() {
+  if (m_floor == nullptr) {
+    THROW_ARGOSEXCEPTION("the arena has no floor; add a <floor> element to <arena>");
+  }
+  return *m_floor;
+}
+
+}  // namespace argos

@@ -1,0 +1,13 @@
+#ifndef ARGOS3_CORE_SIMULATOR_SPACE_SPACE_MULTI_THREAD_H
+#define ARGOS3_CORE_SIMULATOR_SPACE_SPACE_MULTI_THREAD_H
+
+#include <argos3/core/simulator/space/space.h>
+
+namespace argos {
+
+/** The space of a run with several threads: how they share the work is the pool's schedule. */
+using CSpaceMultiThread = CSpace;
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,13 @@
+#ifndef ARGOS3_CORE_SIMULATOR_SPACE_SPACE_MULTI_THREAD_BALANCE_LENGTH_H
+#define ARGOS3_CORE_SIMULATOR_SPACE_SPACE_MULTI_THREAD_BALANCE_LENGTH_H
+
+#include <argos3/core/simulator/space/space.h>
+
+namespace argos {
+
+/** The space of a run with `method="balance_length"`: the pool's schedule makes the difference. */
+using CSpaceMultiThreadBalanceLength = CSpace;
+
+}  // namespace argos
+
+#endif

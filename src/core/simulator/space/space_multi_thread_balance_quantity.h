@@ -1,0 +1,13 @@
+#ifndef ARGOS3_CORE_SIMULATOR_SPACE_SPACE_MULTI_THREAD_BALANCE_QUANTITY_H
+#define ARGOS3_CORE_SIMULATOR_SPACE_SPACE_MULTI_THREAD_BALANCE_QUANTITY_H
+
+#include <argos3/core/simulator/space/space.h>
+
+namespace argos {
+
+/** The space of a run with `method="balance_quantity"`: the pool's schedule makes the difference. */
+using CSpaceMultiThreadBalanceQuantity = CSpace;
+
+}  // namespace argos
+
+#endif

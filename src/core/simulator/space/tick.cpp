@@ -1,0 +1,164 @@
+// The tick. What is read in a phase is not written in it, and what is written belongs to one robot
+// or one engine: no phase needs a lock, and none depends on the number of threads.
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/loop_functions.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/body_index.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/simulator/space/tick_times.h>
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/threads/thread_pool.h>
+
+#include <chrono>
+#include <mutex>
+
+namespace argos {
+
+namespace {
+
+// robots that one thread handles in a row: enough to pay for fetching the run, and few enough that
+// what sensing brought into the cache is still there for control
+constexpr size_t kRobotGrain = 64;
+
+using TClock = std::chrono::steady_clock;
+
+Real SecondsSince(TClock::time_point start) {
+  return std::chrono::duration<Real>(TClock::now() - start).count();
+}
+
+// adds the time of a phase to a sum, if there is one
+template <typename PHASE>
+void Timed(Real* seconds, PHASE&& phase) {
+  if (seconds == nullptr) {
+    phase();
+    return;
+  }
+  const TClock::time_point start = TClock::now();
+  phase();
+  *seconds += SecondsSince(start);
+}
+
+// calls step for robots [begin, end); a failure names the robot, its phase and the tick
+template <typename STEP>
+void ForRobots(const std::vector<CControllableEntity*>& robots, size_t begin, size_t end,
+               const char* phase, UInt32 tick, STEP&& step) {
+  size_t current = begin;
+  const auto fail = [&](std::exception* error) {
+    std::ostringstream message;
+    message << "robot \"" << robots[current]->GetRootEntity().GetId() << "\" failed to " << phase
+            << " in tick " << tick;
+    throw CARGoSException(message.str(), error);
+  };
+  try {
+    for (; current < end; ++current) {
+      if (robots[current]->IsEnabled()) {
+        CARGoSLog::SetSequence(current + 1);
+        step(*robots[current]);
+      }
+    }
+  } catch (std::exception& error) {
+    fail(&error);
+  } catch (...) {
+    fail(nullptr);
+  }
+}
+
+}  // namespace
+
+void CSpace::Update() {
+  STickTimes* const times = m_tickTimes;
+  CThreadPool& pool = m_cSimulator.GetThreadPool();
+  CLoopFunctions& loopFunctions = m_cSimulator.GetLoopFunctions();
+
+  IncreaseSimulationClock();
+  Timed(times ? &times->Act : nullptr, [&] { Act(pool); });
+  Timed(times ? &times->Physics : nullptr, [&] {
+    UpdatePhysics(pool);
+    TransferBodies();
+  });
+  Timed(times ? &times->Index : nullptr, [&] { m_bodyIndex->Rebuild(pool); });
+  Timed(times ? &times->Media : nullptr, [&] { UpdateMedia(pool); });
+  Timed(times ? &times->LoopFunctions : nullptr, [&] { loopFunctions.PreStep(); });
+  SenseAndControl(pool);
+  Timed(times ? &times->LoopFunctions : nullptr, [&] { loopFunctions.PostStep(); });
+
+  LOG.Flush();
+  LOGERR.Flush();
+  if (times != nullptr) {
+    ++times->Ticks;
+  }
+}
+
+void CSpace::Act(CThreadPool& pool) {
+  pool.ParallelFor(m_robots.size(), kRobotGrain, [this](size_t begin, size_t end, UInt32) {
+    ForRobots(m_robots, begin, end, "act", m_simulationClock,
+              [](CControllableEntity& robot) { robot.Act(); });
+  });
+  CARGoSLog::SetSequence(0);
+}
+
+void CSpace::UpdatePhysics(CThreadPool& pool) {
+  CPhysicsEngine::TVector& engines = m_cSimulator.GetPhysicsEngines();
+  pool.ParallelFor(engines.size(), 1, [&engines](size_t begin, size_t end, UInt32) {
+    for (size_t i = begin; i < end; ++i) {
+      engines[i]->Update();
+    }
+  });
+}
+
+void CSpace::TransferBodies() {
+  for (CPhysicsEngine* engine : m_cSimulator.GetPhysicsEngines()) {
+    if (engine->IsEntityTransferNeeded()) {
+      engine->TransferEntities();
+    }
+  }
+}
+
+void CSpace::UpdateMedia(CThreadPool& pool) {
+  CMedium::TVector& media = m_cSimulator.GetMedia();
+  pool.ParallelFor(media.size(), 1, [&media](size_t begin, size_t end, UInt32) {
+    for (size_t i = begin; i < end; ++i) {
+      media[i]->Update();
+    }
+  });
+}
+
+void CSpace::SenseAndControl(CThreadPool& pool) {
+  // a controller writes only into its own robot's actuators, which nobody senses in this phase: so
+  // robots of one run may all sense before they are controlled
+  std::mutex timesMutex;
+  pool.ParallelFor(m_robots.size(), kRobotGrain, [&](size_t begin, size_t end, UInt32) {
+    for (size_t first = begin; first < end; first += kRobotGrain) {
+      const size_t last = std::min(end, first + kRobotGrain);
+      Real sense = 0.0;
+      Real control = 0.0;
+      Timed(m_tickTimes ? &sense : nullptr, [&] {
+        ForRobots(m_robots, first, last, "sense", m_simulationClock,
+                  [](CControllableEntity& robot) { robot.Sense(); });
+      });
+      Timed(m_tickTimes ? &control : nullptr, [&] {
+        ForRobots(m_robots, first, last, "be controlled", m_simulationClock,
+                  [](CControllableEntity& robot) { robot.ControlStep(); });
+      });
+      if (m_tickTimes != nullptr) {
+        const std::lock_guard<std::mutex> lock(timesMutex);
+        m_tickTimes->Sense += sense;
+        m_tickTimes->Control += control;
+      }
+    }
+  });
+  CARGoSLog::SetSequence(0);
+}
+
+void CSpace::IterateOverControllableEntities(const TControllableEntityIterCBType& callback) {
+  m_cSimulator.GetThreadPool().ParallelFor(
+      m_robots.size(), kRobotGrain, [&](size_t begin, size_t end, UInt32) {
+        for (size_t i = begin; i < end; ++i) {
+          callback(m_robots[i]);
+        }
+      });
+}
+
+}  // namespace argos

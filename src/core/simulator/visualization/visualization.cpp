@@ -1,0 +1,12 @@
+#include <argos3/core/simulator/visualization/visualization.h>
+
+#include <argos3/core/simulator/current.h>
+#include <argos3/core/simulator/simulator.h>
+
+namespace argos {
+
+// made by zero-argument factories: the base picks up the thread's simulator once, here
+CVisualization::CVisualization()
+    : m_cSimulator(CurrentSimulator()), m_cSpace(m_cSimulator.GetSpace()) {}
+
+}  // namespace argos

@@ -1,0 +1,202 @@
+#include <argos3/core/utility/configuration/configuration_document.h>
+
+#include <argos3/core/utility/configuration/configuration_path.h>
+#include <argos3/core/utility/configuration/configuration_store.h>
+
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+namespace argos {
+
+/****************************************/
+// life
+/****************************************/
+
+CConfigurationDocument::CConfigurationDocument()
+    : m_store(std::make_shared<CConfigurationStore>("(empty document)")) {}
+
+CConfigurationDocument::CConfigurationDocument(CConfigurationDocument&&) noexcept = default;
+
+CConfigurationDocument& CConfigurationDocument::operator=(CConfigurationDocument&&) noexcept =
+    default;
+
+CConfigurationDocument::~CConfigurationDocument() = default;
+
+/****************************************/
+// reading and writing
+/****************************************/
+
+namespace {
+
+std::string Describe(tinyxml2::XMLError error) {
+  switch (error) {
+    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
+      return "there is nothing in it, expected an XML document";
+    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
+      return "this closing tag does not match the element that is open";
+    case tinyxml2::XML_ERROR_PARSING_ELEMENT:
+      return "this tag is malformed or not closed, expected <name attribute=\"value\">";
+    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
+      return "an attribute of this element is malformed or given twice, expected name=\"value\"";
+    case tinyxml2::XML_ERROR_PARSING_TEXT:
+      return "this text is not followed by a tag";
+    case tinyxml2::XML_ERROR_PARSING_CDATA:
+      return "this CDATA section is not closed, expected \"]]>\"";
+    case tinyxml2::XML_ERROR_PARSING_COMMENT:
+      return "this comment is not closed, expected \"-->\"";
+    case tinyxml2::XML_ERROR_PARSING_DECLARATION:
+      return "this declaration is misplaced or not closed, expected \"?>\" at the top of the file";
+    case tinyxml2::XML_ERROR_PARSING_UNKNOWN:
+      return "this markup is not closed, expected \">\"";
+    case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
+      return "elements are nested too deeply";
+    default:
+      return std::string("it cannot be parsed as XML (") +
+             tinyxml2::XMLDocument::ErrorIDToName(error) + ")";
+  }
+}
+
+[[noreturn]] void ThrowMalformed(const std::string& name, int line, const std::string& what) {
+  THROW_ARGOSEXCEPTION(LocationText(name, line) << ": not well-formed XML: " << what);
+}
+
+// the parser lets through more than one root element, and text beside it
+void CheckSingleRoot(tinyxml2::XMLDocument& xml, const std::string& name) {
+  const tinyxml2::XMLElement* root = xml.RootElement();
+  if (root == nullptr) {
+    ThrowMalformed(name, 0, "there is no element in it");
+  }
+  for (const auto* node = xml.FirstChild(); node != nullptr; node = node->NextSibling()) {
+    const bool isExtraElement = node->ToElement() != nullptr && node != root;
+    if (isExtraElement || node->ToText() != nullptr) {
+      ThrowMalformed(name, node->GetLineNum(),
+                     (isExtraElement ? '<' + std::string(node->Value()) + "> stands"
+                                     : std::string("text stands")) +
+                         " outside the root element <" + root->Value() + ">");
+    }
+  }
+}
+
+}  // namespace
+
+void CConfigurationDocument::Parse(const std::string& xml, const std::string& name) {
+  auto store = std::make_shared<CConfigurationStore>(name);
+  tinyxml2::XMLDocument& document = store->GetXml();
+  const std::size_t nul = xml.find('\0');
+  if (nul != std::string::npos) {
+    THROW_ARGOSEXCEPTION(name << ": not well-formed XML: there is a zero byte in it, at offset "
+                              << nul << "; is it a text file?");
+  }
+  const tinyxml2::XMLError error = document.Parse(xml.data(), xml.size());
+  if (error != tinyxml2::XML_SUCCESS) {
+    ThrowMalformed(name, document.ErrorLineNum(), Describe(error));
+  }
+  CheckSingleRoot(document, name);
+  m_store = std::move(store);
+}
+
+void CConfigurationDocument::LoadFile(const std::string& path) {
+  struct stat information {};
+  if (stat(path.c_str(), &information) != 0) {
+    THROW_ARGOSEXCEPTION("Cannot read the experiment file \"" << path
+                                                              << "\": " << std::strerror(errno));
+  }
+  if (S_ISDIR(information.st_mode)) {
+    THROW_ARGOSEXCEPTION("Cannot read the experiment file \"" << path << "\": it is a directory");
+  }
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (file) {
+    text << file.rdbuf();
+  }
+  if (!file) {
+    THROW_ARGOSEXCEPTION("Cannot read the experiment file \"" << path
+                                                              << "\": " << std::strerror(errno));
+  }
+  Parse(text.str(), path);
+}
+
+void CConfigurationDocument::SaveFile(const std::string& path) const {
+  if (m_store->GetXml().RootElement() == nullptr) {
+    THROW_ARGOSEXCEPTION("Cannot save to \"" << path << "\": the document is empty");
+  }
+  tinyxml2::XMLPrinter printer;
+  m_store->GetXml().Print(&printer);
+  std::ofstream file(path, std::ios::trunc);
+  file << printer.CStr();
+  file.close();
+  if (!file) {
+    THROW_ARGOSEXCEPTION("Cannot write the file \"" << path << "\": " << std::strerror(errno));
+  }
+}
+
+CConfigurationNode& CConfigurationDocument::GetRoot() {
+  CConfigurationNode* root = m_store->HandleOf(m_store->GetXml().RootElement());
+  if (root == nullptr) {
+    THROW_ARGOSEXCEPTION("The root of a document was asked for before a file was loaded");
+  }
+  return *root;
+}
+
+const std::string& CConfigurationDocument::GetName() const {
+  return *m_store->GetName();
+}
+
+/****************************************/
+// changing, and what nobody read
+/****************************************/
+
+std::string CConfigurationDocument::SetByPath(const std::string& path, const std::string& value) {
+  tinyxml2::XMLElement* root = m_store->GetXml().RootElement();
+  if (root == nullptr) {
+    THROW_ARGOSEXCEPTION("Cannot set \"" << path << "\": the document is empty");
+  }
+  const CConfigurationPath parsed(path);
+  std::string report;
+  for (tinyxml2::XMLElement* element : parsed.Find(*root)) {
+    const char* previous = element->Attribute(parsed.GetAttribute().c_str());
+    const SConfigurationRecord& record = m_store->RecordOf(*element);
+    report += (report.empty() ? "" : "\n") + LocationText(*record.File, record.Line) + ": <" +
+              element->Value() + "> " + parsed.GetAttribute() + "=\"" + value + "\" (" +
+              (previous != nullptr ? "was \"" + std::string(previous) + '"'
+                                   : std::string("was not there")) +
+              ')';
+    element->SetAttribute(parsed.GetAttribute().c_str(), value.c_str());
+  }
+  return report;
+}
+
+void CConfigurationDocument::ForEachUnread(
+    const std::function<void(const CConfigurationNode&, const std::string&)>& report) const {
+  const std::function<void(tinyxml2::XMLElement&)> visit = [&](tinyxml2::XMLElement& element) {
+    const SConfigurationRecord record = m_store->RecordOf(element);
+    CConfigurationNode node;
+    node.m_record = &m_store->RecordOf(element);
+    if (!record.IsVisited) {
+      report(node, "");
+      return;
+    }
+    // as many attributes as the record has bits
+    UInt64 bits = record.ReadAttributes;
+    int tracked = 64;
+    for (const auto* attribute = element.FirstAttribute(); attribute != nullptr && tracked > 0;
+         attribute = attribute->Next(), bits >>= 1, --tracked) {
+      if ((bits & 1) == 0) {
+        report(node, attribute->Name());
+      }
+    }
+    for (auto* child = element.FirstChildElement(); child != nullptr;
+         child = child->NextSiblingElement()) {
+      visit(*child);
+    }
+  };
+  if (m_store->GetXml().RootElement() != nullptr) {
+    visit(*m_store->GetXml().RootElement());
+  }
+}
+
+}  // namespace argos

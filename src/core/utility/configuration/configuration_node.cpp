@@ -1,0 +1,447 @@
+#include <argos3/core/utility/configuration/configuration_node.h>
+
+#include <argos3/core/utility/configuration/configuration_document.h>
+#include <argos3/core/utility/configuration/configuration_iterator.h>
+#include <argos3/core/utility/configuration/configuration_store.h>
+
+#include <cstring>
+#include <iterator>
+
+namespace argos {
+
+namespace {
+
+constexpr const char* kMadeByProgram = "(made by the program)";
+constexpr UInt32 kTrackedAttributes = 64;
+
+// what a read attribute's bit is; none beyond those that are tracked
+UInt64 AttributeBit(UInt32 index) {
+  return index < kTrackedAttributes ? UInt64(1) << index : UInt64(0);
+}
+
+}  // namespace
+
+/****************************************/
+// the handle
+/****************************************/
+
+CConfigurationNode::CConfigurationNode(const std::string& tag) {
+  CheckXmlName(tag);
+  auto store = std::make_shared<CConfigurationStore>(kMadeByProgram);
+  tinyxml2::XMLElement* element = store->GetXml().NewElement(tag.c_str());
+  store->GetXml().InsertEndChild(element);
+  m_record = &store->RecordOf(*element);
+  m_owner = std::move(store);
+}
+
+CConfigurationNode::CConfigurationNode(const CConfigurationNode& other)
+    : m_record(other.m_record),
+      m_owner(other.m_record == nullptr ? nullptr : other.m_record->Store->shared_from_this()) {}
+
+CConfigurationNode& CConfigurationNode::operator=(const CConfigurationNode& other) {
+  if (this == &other) {
+    return *this;
+  }
+  CConfigurationStore* home = m_record != nullptr ? m_record->Store : nullptr;
+  // a handle that the document holds stops being its element's: the next GetNode() makes a new one
+  if (m_record != nullptr && m_record->Handle == this) {
+    m_record->Handle = nullptr;
+  }
+  SConfigurationRecord* record = other.m_record;
+  std::shared_ptr<CConfigurationStore> owner;
+  // the document must not own itself
+  if (record != nullptr && !(m_heldByDocument && record->Store == home)) {
+    owner = record->Store->shared_from_this();
+  }
+  m_record = record;
+  m_owner = std::move(owner);
+  return *this;
+}
+
+CConfigurationNode::~CConfigurationNode() = default;
+
+SConfigurationRecord& CConfigurationNode::Record() const {
+  if (m_record == nullptr) {
+    THROW_ARGOSEXCEPTION("An empty configuration node was used: assign an element to it first");
+  }
+  if (m_record->Element == nullptr) {
+    THROW_ARGOSEXCEPTION(LocationText(*m_record->File, m_record->Line)
+                         << ": a configuration node was used after it was removed from its parent");
+  }
+  return *m_record;
+}
+
+std::string CConfigurationNode::Value() const {
+  return Record().Element->Value();
+}
+
+void CConfigurationNode::SetTag(const std::string& tag) {
+  CheckXmlName(tag);
+  Record().Element->SetValue(tag.c_str());
+}
+
+UInt32 CConfigurationNode::GetLine() const {
+  return static_cast<UInt32>(Record().Line);
+}
+
+const std::string& CConfigurationNode::GetFileName() const {
+  return *Record().File;
+}
+
+std::string CConfigurationNode::GetLocation() const {
+  return LocationText(*Record().File, Record().Line);
+}
+
+/****************************************/
+// errors
+/****************************************/
+
+void CConfigurationNode::ThrowMissingAttribute(const std::string& name) const {
+  THROW_ARGOSEXCEPTION(GetLocation()
+                       << ": <" << Value() << ">: attribute \"" << name << "\" is missing"
+                       << DidYouMean(name, AttributeNames(*Record().Element)));
+}
+
+void CConfigurationNode::ThrowMissingChild(const std::string& tag) const {
+  THROW_ARGOSEXCEPTION(GetLocation()
+                       << ": <" << Value() << ">: element <" << tag << "> is missing inside it"
+                       << DidYouMean(tag, ChildTags(*Record().Element)));
+}
+
+void CConfigurationNode::ThrowUnparsable(const std::string& what, const char* text,
+                                         const std::string& expected,
+                                         const std::string& reason) const {
+  std::string details = reason;
+  // the reason may be an error of its own, with its own mark
+  Replace(details, "[FATAL] ", "");
+  THROW_ARGOSEXCEPTION(GetLocation() << ": <" << Value() << ">: " << what << ": found \"" << text
+                                     << "\", expected " << expected
+                                     << (details.empty() ? "" : " (" + details + ")"));
+}
+
+/****************************************/
+// neighbours
+/****************************************/
+
+CConfigurationNode* CConfigurationNode::Parent(bool throwIfMissing) const {
+  tinyxml2::XMLNode* parent = Record().Element->Parent();
+  tinyxml2::XMLElement* element = parent != nullptr ? parent->ToElement() : nullptr;
+  if (element == nullptr && throwIfMissing) {
+    THROW_ARGOSEXCEPTION(GetLocation() << ": <" << Value() << "> has no parent element");
+  }
+  return m_record->Store->HandleOf(element);
+}
+
+CConfigurationNode* CConfigurationNode::FirstChildElement(bool throwIfMissing) const {
+  tinyxml2::XMLElement* element = Record().Element->FirstChildElement();
+  if (element == nullptr && throwIfMissing) {
+    THROW_ARGOSEXCEPTION(GetLocation() << ": <" << Value() << "> contains no element");
+  }
+  return m_record->Store->HandleOf(element);
+}
+
+CConfigurationNode* CConfigurationNode::FirstChildElement(const char* tag,
+                                                          bool throwIfMissing) const {
+  tinyxml2::XMLElement* element = Record().Element->FirstChildElement(tag);
+  if (element == nullptr && throwIfMissing) {
+    ThrowMissingChild(tag);
+  }
+  return m_record->Store->HandleOf(element);
+}
+
+CConfigurationNode* CConfigurationNode::FirstChildElement(const std::string& tag,
+                                                          bool throwIfMissing) const {
+  return FirstChildElement(tag.c_str(), throwIfMissing);
+}
+
+CConfigurationNode* CConfigurationNode::LastChildElement(bool throwIfMissing) const {
+  tinyxml2::XMLElement* element = Record().Element->LastChildElement();
+  if (element == nullptr && throwIfMissing) {
+    THROW_ARGOSEXCEPTION(GetLocation() << ": <" << Value() << "> contains no element");
+  }
+  return m_record->Store->HandleOf(element);
+}
+
+CConfigurationNode* CConfigurationNode::NextSiblingElement(bool throwIfMissing) const {
+  tinyxml2::XMLElement* element = Record().Element->NextSiblingElement();
+  if (element == nullptr && throwIfMissing) {
+    THROW_ARGOSEXCEPTION(GetLocation() << ": no element follows <" << Value() << ">");
+  }
+  return m_record->Store->HandleOf(element);
+}
+
+CConfigurationNode* CConfigurationNode::NextSiblingElement(const char* tag,
+                                                           bool throwIfMissing) const {
+  tinyxml2::XMLElement* element = Record().Element->NextSiblingElement(tag);
+  if (element == nullptr && throwIfMissing) {
+    THROW_ARGOSEXCEPTION(GetLocation()
+                         << ": no element <" << tag << "> follows <" << Value() << ">");
+  }
+  return m_record->Store->HandleOf(element);
+}
+
+CConfigurationNode* CConfigurationNode::NextSiblingElement(const std::string& tag,
+                                                           bool throwIfMissing) const {
+  return NextSiblingElement(tag.c_str(), throwIfMissing);
+}
+
+CConfigurationNode* CConfigurationNode::PreviousSiblingElement(bool throwIfMissing) const {
+  tinyxml2::XMLElement* element = Record().Element->PreviousSiblingElement();
+  if (element == nullptr && throwIfMissing) {
+    THROW_ARGOSEXCEPTION(GetLocation() << ": no element precedes <" << Value() << ">");
+  }
+  return m_record->Store->HandleOf(element);
+}
+
+bool CConfigurationNode::NoChildren() const {
+  for (const auto* child = Record().Element->FirstChild(); child != nullptr;
+       child = child->NextSibling()) {
+    if (child->ToComment() == nullptr) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/****************************************/
+// changing the tree
+/****************************************/
+
+CConfigurationNode* CConfigurationNode::InsertEndChild(const CConfigurationNode& child) {
+  CConfigurationStore& store = *Record().Store;
+  tinyxml2::XMLElement& copy = store.CopyOf(*child.Record().Element);
+  m_record->Element->InsertEndChild(&copy);
+  return store.HandleOf(&copy);
+}
+
+CConfigurationNode* CConfigurationNode::InsertAfterChild(const CConfigurationNode& before,
+                                                         const CConfigurationNode& child) {
+  tinyxml2::XMLElement* neighbour = before.Record().Element;
+  if (neighbour->Parent() != Record().Element) {
+    THROW_ARGOSEXCEPTION(GetLocation() << ": <" << before.Value() << "> is not a child of <"
+                                       << Value() << ">, so nothing can be inserted after it");
+  }
+  CConfigurationStore& store = *m_record->Store;
+  tinyxml2::XMLElement& copy = store.CopyOf(*child.Record().Element);
+  m_record->Element->InsertAfterChild(neighbour, &copy);
+  return store.HandleOf(&copy);
+}
+
+CConfigurationNode* CConfigurationNode::InsertBeforeChild(const CConfigurationNode& after,
+                                                          const CConfigurationNode& child) {
+  tinyxml2::XMLElement* neighbour = after.Record().Element;
+  if (neighbour->Parent() != Record().Element) {
+    THROW_ARGOSEXCEPTION(GetLocation() << ": <" << after.Value() << "> is not a child of <"
+                                       << Value() << ">, so nothing can be inserted before it");
+  }
+  CConfigurationStore& store = *m_record->Store;
+  tinyxml2::XMLElement& copy = store.CopyOf(*child.Record().Element);
+  if (neighbour->PreviousSibling() != nullptr) {
+    m_record->Element->InsertAfterChild(neighbour->PreviousSibling(), &copy);
+  } else {
+    m_record->Element->InsertFirstChild(&copy);
+  }
+  return store.HandleOf(&copy);
+}
+
+void CConfigurationNode::RemoveChild(CConfigurationNode* child) {
+  tinyxml2::XMLElement* element = child->Record().Element;
+  if (element->Parent() != Record().Element) {
+    THROW_ARGOSEXCEPTION(GetLocation() << ": <" << child->Value() << "> is not a child of <"
+                                       << Value() << ">, so it cannot be removed from it");
+  }
+  m_record->Store->Delete(*element);
+}
+
+void CConfigurationNode::Clear() {
+  while (Record().Element->FirstChild() != nullptr) {
+    m_record->Store->Delete(*m_record->Element->FirstChild());
+  }
+}
+
+std::unique_ptr<CConfigurationNode> CConfigurationNode::Clone() const {
+  auto store = std::make_shared<CConfigurationStore>(GetFileName());
+  tinyxml2::XMLElement& copy = store->CopyOf(*Record().Element);
+  store->GetXml().InsertEndChild(&copy);
+  auto clone = std::make_unique<CConfigurationNode>();
+  clone->m_record = &store->RecordOf(copy);
+  clone->m_owner = std::move(store);
+  return clone;
+}
+
+/****************************************/
+// attributes and texts
+/****************************************/
+
+const char* CConfigurationNode::FindAttribute(const std::string& name) const {
+  SConfigurationRecord& record = Record();
+  UInt32 index = 0;
+  for (const auto* attribute = record.Element->FirstAttribute(); attribute != nullptr;
+       attribute = attribute->Next(), ++index) {
+    if (name == attribute->Name()) {
+      record.ReadAttributes |= AttributeBit(index);
+      return attribute->Value();
+    }
+  }
+  return nullptr;
+}
+
+std::string CConfigurationNode::GetAttribute(const std::string& name) const {
+  const char* text = FindAttribute(name);
+  return text != nullptr ? text : "";
+}
+
+void CConfigurationNode::SetAttributeText(const std::string& name, const std::string& text) {
+  CheckXmlName(name);
+  Record().Element->SetAttribute(name.c_str(), text.c_str());
+  // who writes an attribute knows of it
+  FindAttribute(name);
+}
+
+void CConfigurationNode::RemoveAttribute(const std::string& name) {
+  SConfigurationRecord& record = Record();
+  UInt32 index = 0;
+  for (const auto* attribute = record.Element->FirstAttribute(); attribute != nullptr;
+       attribute = attribute->Next(), ++index) {
+    if (name != attribute->Name()) {
+      continue;
+    }
+    // the bits of the attributes after it move down by one
+    if (index < kTrackedAttributes) {
+      const UInt64 before = AttributeBit(index) - 1;
+      record.ReadAttributes =
+          (record.ReadAttributes & before) | ((record.ReadAttributes >> 1) & ~before);
+    }
+    record.Element->DeleteAttribute(name.c_str());
+    return;
+  }
+}
+
+CConfigurationAttribute* CConfigurationNode::FirstAttribute(bool throwIfMissing) const {
+  const tinyxml2::XMLAttribute* attribute = Record().Element->FirstAttribute();
+  if (attribute == nullptr) {
+    if (throwIfMissing) {
+      THROW_ARGOSEXCEPTION(GetLocation() << ": <" << Value() << "> has no attributes");
+    }
+    return nullptr;
+  }
+  m_record->ReadAttributes |= AttributeBit(0);
+  return m_record->Store->KeepAttribute(CConfigurationAttribute(m_record, attribute));
+}
+
+std::vector<std::string> CConfigurationNode::GetAttributeNames() const {
+  return AttributeNames(*Record().Element);
+}
+
+const char* CConfigurationNode::FindText(bool throwIfMissing) const {
+  const char* text = Record().Element->GetText();
+  if (text == nullptr && throwIfMissing) {
+    THROW_ARGOSEXCEPTION(GetLocation() << ": <" << Value() << "> contains no text");
+  }
+  return text;
+}
+
+std::string CConfigurationNode::GetText(bool throwIfMissing) const {
+  const char* text = FindText(throwIfMissing);
+  return text != nullptr ? text : "";
+}
+
+void CConfigurationNode::SetTextContent(const std::string& text) {
+  Record().Element->SetText(text.c_str());
+}
+
+/****************************************/
+// streams, and reading everything
+/****************************************/
+
+std::ostream& operator<<(std::ostream& stream, const CConfigurationNode& node) {
+  tinyxml2::XMLPrinter printer;
+  node.Record().Element->Accept(&printer);
+  return stream << printer.CStr();
+}
+
+std::istream& operator>>(std::istream& stream, CConfigurationNode& node) {
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  CConfigurationDocument document;
+  document.Parse(text, "(stream)");
+  node = document.GetRoot();
+  return stream;
+}
+
+void MarkSubtreeRead(CConfigurationNode& node) {
+  SConfigurationRecord& record = node.Record();
+  record.IsVisited = true;
+  record.ReadAttributes = ~UInt64(0);
+  for (auto* child = node.FirstChildElement(false); child != nullptr;
+       child = child->NextSiblingElement(false)) {
+    MarkSubtreeRead(*child);
+  }
+}
+
+/****************************************/
+// attributes as objects
+/****************************************/
+
+CConfigurationAttribute::CConfigurationAttribute(SConfigurationRecord* record,
+                                                 const tinyxml2::XMLAttribute* attribute)
+    : m_record(record), m_attribute(attribute) {}
+
+const tinyxml2::XMLAttribute& CConfigurationAttribute::Checked() const {
+  if (m_attribute == nullptr) {
+    THROW_ARGOSEXCEPTION("An attribute was used that does not exist");
+  }
+  return *m_attribute;
+}
+
+std::string CConfigurationAttribute::Name() const {
+  return Checked().Name();
+}
+
+std::string CConfigurationAttribute::Value() const {
+  return Checked().Value();
+}
+
+void CConfigurationAttribute::SetText(const std::string& text) {
+  m_record->Element->SetAttribute(Checked().Name(), text.c_str());
+}
+
+CConfigurationAttribute CConfigurationAttribute::Successor() const {
+  CConfigurationAttribute next(m_record, Checked().Next());
+  if (next.m_attribute != nullptr) {
+    m_record->Store->HandleOf(m_record->Element)->FindAttribute(next.m_attribute->Name());
+  }
+  return next;
+}
+
+CConfigurationAttribute* CConfigurationAttribute::Next(bool throwIfMissing) const {
+  const CConfigurationAttribute next = Successor();
+  if (next.m_attribute == nullptr) {
+    if (throwIfMissing) {
+      THROW_ARGOSEXCEPTION(LocationText(*m_record->File, m_record->Line)
+                           << ": no attribute follows \"" << Name() << "\"");
+    }
+    return nullptr;
+  }
+  return m_record->Store->KeepAttribute(next);
+}
+
+void CConfigurationAttribute::ThrowUnparsable(const std::string& text, const std::string& expected,
+                                              const std::string& reason) const {
+  m_record->Store->HandleOf(m_record->Element)
+      ->ThrowUnparsable("attribute \"" + Name() + '"', text.c_str(), expected, reason);
+}
+
+CConfigurationAttributeIterator CConfigurationAttributeIterator::begin(
+    const CConfigurationNode* node) const {
+  SConfigurationRecord& record = node->Record();
+  record.ReadAttributes |= AttributeBit(0);
+  return CConfigurationAttributeIterator(
+      CConfigurationAttribute(&record, record.Element->FirstAttribute()));
+}
+
+CConfigurationAttributeIterator& CConfigurationAttributeIterator::operator++() {
+  m_attribute = m_attribute.Successor();
+  return *this;
+}
+
+}  // namespace argos

@@ -1,0 +1,51 @@
+#include <argos3/core/utility/configuration/configuration_parsing.h>
+
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cstring>
+
+namespace argos::detail {
+
+CTextReader::CBuffer::CBuffer(const char* text) {
+  // a get area is not written to unless the reader puts back other characters than it took
+  char* begin = const_cast<char*>(text);
+  setg(begin, begin, begin + std::strlen(text));
+}
+
+CTextReader::CTextReader(const char* text) : m_buffer(text), m_stream(&m_buffer) {
+  SetStrictParsing(m_stream, true);
+  m_stream >> std::boolalpha;
+}
+
+CTextReader::~CTextReader() = default;
+
+bool CTextReader::Finish() {
+  if (m_stream.fail()) {
+    return false;
+  }
+  int next = m_buffer.sgetc();
+  while (next != EOF && std::isspace(next) != 0) {
+    next = m_buffer.snextc();
+  }
+  return next == EOF;
+}
+
+namespace {
+template <typename T>
+std::string Shortest(T value) {
+  // 32: the shortest form that reads back as the same double has at most 24 characters
+  std::array<char, 32> text{};
+  const auto result = std::to_chars(text.data(), text.data() + text.size(), value);
+  return std::string(text.data(), result.ptr);
+}
+}  // namespace
+
+std::string FormatReal(float value) {
+  return Shortest(value);
+}
+std::string FormatReal(double value) {
+  return Shortest(value);
+}
+
+}  // namespace argos::detail

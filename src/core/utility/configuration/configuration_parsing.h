@@ -1,0 +1,164 @@
+#ifndef ARGOS3_CORE_UTILITY_CONFIGURATION_CONFIGURATION_PARSING_H
+#define ARGOS3_CORE_UTILITY_CONFIGURATION_CONFIGURATION_PARSING_H
+
+/*
+ * How the text of an attribute or element becomes a value. Users meet this through
+ * argos_configuration.h.
+ *
+ * The whole text must be the value, blanks around it aside. What is accepted:
+ *   numbers          see ParseNumber()
+ *   bool             exactly "true" or "false"
+ *   std::string      the text as it is, blanks included
+ *   any other type   what its operator>> reads; lists of numbers are checked field by field
+ */
+
+#include <argos3/core/utility/string_utilities.h>
+
+#include <istream>
+#include <limits>
+#include <memory>
+#include <string>
+#include <type_traits>
+#include <typeinfo>
+
+namespace argos {
+
+class CColor;
+class CDegrees;
+class CQuaternion;
+class CRadians;
+class CVector2;
+class CVector3;
+template <typename T>
+class CRange;
+
+namespace detail {
+
+/** What a text should have been, for an error message. Overload it for types with a form of their
+ * own. */
+inline std::string ExpectedText(const CColor*) {
+  return "a colour name or four integers from 0 to 255, \"R,G,B,A\"";
+}
+inline std::string ExpectedText(const CDegrees*) {
+  return "an angle in degrees, a real number";
+}
+inline std::string ExpectedText(const CRadians*) {
+  return "an angle in radians, a real number";
+}
+inline std::string ExpectedText(const CVector2*) {
+  return "two real numbers, \"x,y\"";
+}
+inline std::string ExpectedText(const CVector3*) {
+  return "three real numbers, \"x,y,z\"";
+}
+inline std::string ExpectedText(const CQuaternion*) {
+  return "three angles in degrees, about Z, Y and X, \"z,y,x\"";
+}
+template <typename T>
+std::string ExpectedText(const CRange<T>*) {
+  return "a range \"min:max\" with min <= max";
+}
+template <typename T>
+std::string ExpectedText(const T*) {
+  if constexpr (std::is_same_v<T, bool>) {
+    return "\"true\" or \"false\"";
+  } else if constexpr (std::is_floating_point_v<T>) {
+    return "a real number";
+  } else if constexpr (kIsParsableNumber<T>) {
+    return "an integer from " + std::to_string(std::numeric_limits<T>::min()) + " to " +
+           std::to_string(std::numeric_limits<T>::max());
+  } else {
+    return "a value of type " + DemangledName(typeid(T));
+  }
+}
+
+/** Is a value that was read without error a valid one? */
+template <typename T>
+bool IsValidValue(const T&) {
+  return true;
+}
+template <typename T>
+bool IsValidValue(const CRange<T>& range) {
+  return !(range.GetMin() > range.GetMax());
+}
+
+/** A strict stream over a text, which is not copied. */
+class CTextReader {
+ public:
+  explicit CTextReader(const char* text);
+  ~CTextReader();
+  CTextReader(const CTextReader&) = delete;
+  CTextReader& operator=(const CTextReader&) = delete;
+
+  std::istream& Stream() { return m_stream; }
+
+  /** Did reading succeed, and is nothing but blanks left? */
+  bool Finish();
+
+ private:
+  class CBuffer : public std::streambuf {
+   public:
+    explicit CBuffer(const char* text);
+  };
+
+  CBuffer m_buffer;
+  std::istream m_stream;
+};
+
+/**
+ * Turns a text into a value.
+ * @param value   what was read; unspecified if the result is false.
+ * @param reason  if the result is false: more about why, or empty.
+ */
+template <typename T>
+bool ParseText(const char* text, T& value, std::string& reason) {
+  if constexpr (std::is_same_v<T, std::string>) {
+    value = text;
+    return true;
+  } else if constexpr (std::is_same_v<T, bool>) {
+    const std::string_view word(text);
+    value = word == "true";
+    return value || word == "false";
+  } else if constexpr (kIsParsableNumber<T>) {
+    const ENumberParsing outcome = ParseNumber(text, value);
+    if (outcome == ENumberParsing::TrailingText) {
+      reason = "there is text after the number";
+    } else if (outcome == ENumberParsing::OutOfRange) {
+      reason = "the number is out of range";
+    }
+    return outcome == ENumberParsing::Ok;
+  } else {
+    try {
+      CTextReader reader(text);
+      reader.Stream() >> value;
+      return reader.Finish() && IsValidValue(value);
+    } catch (CARGoSException& ex) {
+      reason = ex.what();
+      return false;
+    }
+  }
+}
+
+/**
+ * The text of a value, for writing it: real numbers keep all their digits, 8-bit integers are
+ * numbers, booleans "true" or "false".
+ */
+std::string FormatReal(float value);
+std::string FormatReal(double value);
+
+template <typename T>
+std::string FormatText(const T& value) {
+  if constexpr (std::is_same_v<T, float> || std::is_same_v<T, double>) {
+    return FormatReal(value);
+  } else {
+    std::ostringstream stream;
+    stream.precision(std::numeric_limits<Real>::max_digits10);
+    stream << std::boolalpha << value;
+    return stream.str();
+  }
+}
+
+}  // namespace detail
+}  // namespace argos
+
+#endif

@@ -1,0 +1,23 @@
+#ifndef ARGOS3_CORE_UTILITY_CONFIGURATION_MEMENTO_H
+#define ARGOS3_CORE_UTILITY_CONFIGURATION_MEMENTO_H
+
+#include <argos3/core/utility/datatypes/byte_array.h>
+
+namespace argos {
+
+/** An object whose state can be saved and put back. */
+class CMemento {
+ public:
+  virtual ~CMemento() = default;
+
+  /** Appends the state to the buffer. */
+  virtual void SaveState(CByteArray& buffer) = 0;
+
+  /** Takes the state from the front of the buffer. @throws CARGoSException if it is not all there.
+   */
+  virtual void LoadState(CByteArray& buffer) = 0;
+};
+
+}  // namespace argos
+
+#endif

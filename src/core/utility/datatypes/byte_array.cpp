@@ -1,0 +1,295 @@
+#include <argos3/core/utility/datatypes/byte_array.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+namespace argos {
+
+/****************************************/
+// bytes
+/****************************************/
+
+CByteArray::CByteArray(const CByteArray& other)
+    : m_bytes(other.m_bytes.begin() + static_cast<std::ptrdiff_t>(other.m_front),
+              other.m_bytes.end()) {}
+
+CByteArray::CByteArray(CByteArray&& other) noexcept {
+  Swap(other);
+}
+
+CByteArray::CByteArray(const UInt8* buffer, std::size_t size) {
+  AddBuffer(buffer, size);
+}
+
+CByteArray::CByteArray(std::size_t size, UInt8 value) : m_bytes(size, value) {}
+
+CByteArray& CByteArray::operator=(const CByteArray& other) {
+  if (this != &other) {
+    m_bytes.assign(other.m_bytes.begin() + static_cast<std::ptrdiff_t>(other.m_front),
+                   other.m_bytes.end());
+    m_front = 0;
+  }
+  return *this;
+}
+
+CByteArray& CByteArray::operator=(CByteArray&& other) noexcept {
+  Swap(other);
+  return *this;
+}
+
+void CByteArray::Resize(std::size_t size, UInt8 value) {
+  m_bytes.resize(m_front + size, value);
+}
+
+void CByteArray::Swap(CByteArray& other) noexcept {
+  m_bytes.swap(other.m_bytes);
+  std::swap(m_front, other.m_front);
+}
+
+void CByteArray::Clear() {
+  m_bytes.clear();
+  m_front = 0;
+}
+
+void CByteArray::Zero() {
+  std::fill(m_bytes.begin(), m_bytes.end(), UInt8(0));
+}
+
+void CByteArray::CheckIndex(std::size_t index) const {
+  if (index >= Size()) {
+    THROW_ARGOSEXCEPTION("Byte array: byte number " << index << " was asked for, expected a number"
+                                                    << " below the size, which is " << Size());
+  }
+}
+
+void CByteArray::CheckAvailable(std::size_t bytes) const {
+  if (bytes > Size()) {
+    THROW_ARGOSEXCEPTION("Byte array: " << bytes << " bytes were asked for, but there are only "
+                                        << Size());
+  }
+}
+
+UInt8& CByteArray::operator[](std::size_t index) {
+  CheckIndex(index);
+  return m_bytes[m_front + index];
+}
+
+UInt8 CByteArray::operator[](std::size_t index) const {
+  CheckIndex(index);
+  return m_bytes[m_front + index];
+}
+
+bool CByteArray::operator==(const CByteArray& other) const {
+  return Size() == other.Size() &&
+         std::equal(m_bytes.begin() + static_cast<std::ptrdiff_t>(m_front), m_bytes.end(),
+                    other.m_bytes.begin() + static_cast<std::ptrdiff_t>(other.m_front));
+}
+
+CByteArray& CByteArray::AddBuffer(const UInt8* buffer, std::size_t size) {
+  m_bytes.insert(m_bytes.end(), buffer, buffer + size);
+  return *this;
+}
+
+CByteArray& CByteArray::FetchBuffer(UInt8* buffer, std::size_t size) {
+  CheckAvailable(size);
+  std::copy_n(m_bytes.begin() + static_cast<std::ptrdiff_t>(m_front), size, buffer);
+  RemoveFront(size);
+  return *this;
+}
+
+void CByteArray::RemoveFront(std::size_t bytes) {
+  m_front += bytes;
+  if (m_front == m_bytes.size()) {
+    Clear();
+  } else if (2 * m_front > m_bytes.size()) {
+    // moving the rest costs no more than reading what was before it did
+    m_bytes.erase(m_bytes.begin(), m_bytes.begin() + static_cast<std::ptrdiff_t>(m_front));
+    m_front = 0;
+  }
+}
+
+CByteArray* CByteArray::operator()(std::size_t start, ssize_t end) {
+  const std::size_t last = end < 0 ? Size() : static_cast<std::size_t>(end);
+  if (start > last || last > Size()) {
+    THROW_ARGOSEXCEPTION("Byte array: the part from byte " << start << " to byte " << end
+                                                           << " was asked for, but the size is "
+                                                           << Size());
+  }
+  auto* part = new CByteArray();
+  part->m_bytes.assign(m_bytes.begin() + static_cast<std::ptrdiff_t>(m_front + start),
+                       m_bytes.begin() + static_cast<std::ptrdiff_t>(m_front + last));
+  return part;
+}
+
+/****************************************/
+// integers
+/****************************************/
+
+template <typename T>
+CByteArray& CByteArray::PutInteger(T value) {
+  const auto bits = static_cast<std::make_unsigned_t<T>>(value);
+  for (std::size_t i = sizeof(T); i > 0; --i) {
+    m_bytes.push_back(static_cast<UInt8>((bits >> (8 * (i - 1))) & 0xFFU));
+  }
+  return *this;
+}
+
+template <typename T>
+CByteArray& CByteArray::TakeInteger(T& value) {
+  CheckAvailable(sizeof(T));
+  unsigned long long bits = 0;
+  for (std::size_t i = 0; i < sizeof(T); ++i) {
+    bits = (bits << 8) | m_bytes[m_front + i];
+  }
+  value = static_cast<T>(static_cast<std::make_unsigned_t<T>>(bits));
+  RemoveFront(sizeof(T));
+  return *this;
+}
+
+CByteArray& CByteArray::operator<<(UInt8 value) {
+  return PutInteger(value);
+}
+CByteArray& CByteArray::operator>>(UInt8& value) {
+  return TakeInteger(value);
+}
+CByteArray& CByteArray::operator<<(SInt8 value) {
+  return PutInteger(value);
+}
+CByteArray& CByteArray::operator>>(SInt8& value) {
+  return TakeInteger(value);
+}
+CByteArray& CByteArray::operator<<(UInt16 value) {
+  return PutInteger(value);
+}
+CByteArray& CByteArray::operator>>(UInt16& value) {
+  return TakeInteger(value);
+}
+CByteArray& CByteArray::operator<<(SInt16 value) {
+  return PutInteger(value);
+}
+CByteArray& CByteArray::operator>>(SInt16& value) {
+  return TakeInteger(value);
+}
+CByteArray& CByteArray::operator<<(UInt32 value) {
+  return PutInteger(value);
+}
+CByteArray& CByteArray::operator>>(UInt32& value) {
+  return TakeInteger(value);
+}
+CByteArray& CByteArray::operator<<(SInt32 value) {
+  return PutInteger(value);
+}
+CByteArray& CByteArray::operator>>(SInt32& value) {
+  return TakeInteger(value);
+}
+CByteArray& CByteArray::operator<<(UInt64 value) {
+  return PutInteger(value);
+}
+CByteArray& CByteArray::operator>>(UInt64& value) {
+  return TakeInteger(value);
+}
+CByteArray& CByteArray::operator<<(SInt64 value) {
+  return PutInteger(value);
+}
+CByteArray& CByteArray::operator>>(SInt64& value) {
+  return TakeInteger(value);
+}
+CByteArray& CByteArray::operator<<(unsigned long int value) {
+  return PutInteger(value);
+}
+CByteArray& CByteArray::operator>>(unsigned long int& value) {
+  return TakeInteger(value);
+}
+CByteArray& CByteArray::operator<<(signed long int value) {
+  return PutInteger(value);
+}
+CByteArray& CByteArray::operator>>(signed long int& value) {
+  return TakeInteger(value);
+}
+
+/****************************************/
+// real numbers and strings
+/****************************************/
+
+namespace {
+// 2^63 - 2 as a double, which is 2^63: a power of two, so scaling by it loses nothing
+constexpr double kMantissaScale = 9223372036854775806.0;
+constexpr std::size_t kRealSize = 12;
+}  // namespace
+
+CByteArray& CByteArray::operator<<(double value) {
+  if (!std::isfinite(value)) {
+    THROW_ARGOSEXCEPTION("Byte array: the number " << value
+                                                   << " cannot be stored, expected a finite"
+                                                   << " one");
+  }
+  int exponent = 0;
+  const double fraction = std::frexp(std::fabs(value), &exponent);
+  SInt64 mantissa = 0;
+  if (value != 0.0) {
+    mantissa = static_cast<SInt64>((fraction - 0.5) * 2.0 * kMantissaScale) + 1;
+  }
+  PutInteger<SInt64>(value < 0.0 ? -mantissa : mantissa);
+  return PutInteger<SInt32>(exponent);
+}
+
+CByteArray& CByteArray::operator>>(double& value) {
+  CheckAvailable(kRealSize);
+  SInt64 mantissa = 0;
+  SInt32 exponent = 0;
+  TakeInteger(mantissa);
+  TakeInteger(exponent);
+  if (mantissa == 0) {
+    value = 0.0;
+    return *this;
+  }
+  // unsigned, because the most negative mantissa has no positive counterpart
+  const UInt64 magnitude =
+      mantissa < 0 ? UInt64(0) - static_cast<UInt64>(mantissa) : static_cast<UInt64>(mantissa);
+  const double fraction = static_cast<double>(magnitude - 1) / kMantissaScale / 2.0 + 0.5;
+  value = std::copysign(std::ldexp(fraction, exponent), mantissa < 0 ? -1.0 : 1.0);
+  return *this;
+}
+
+CByteArray& CByteArray::operator<<(float value) {
+  return *this << static_cast<double>(value);
+}
+
+CByteArray& CByteArray::operator>>(float& value) {
+  double wide = 0.0;
+  *this >> wide;
+  value = static_cast<float>(wide);
+  return *this;
+}
+
+CByteArray& CByteArray::operator<<(const std::string& value) {
+  const std::size_t length = std::strlen(value.c_str());
+  m_bytes.insert(m_bytes.end(), value.begin(), value.begin() + static_cast<std::ptrdiff_t>(length));
+  m_bytes.push_back(0);
+  return *this;
+}
+
+CByteArray& CByteArray::operator>>(std::string& value) {
+  const auto begin = m_bytes.begin() + static_cast<std::ptrdiff_t>(m_front);
+  const auto end = std::find(begin, m_bytes.end(), UInt8(0));
+  if (end == m_bytes.end()) {
+    THROW_ARGOSEXCEPTION("Byte array: a string was asked for, but none of the "
+                         << Size() << " bytes ends it");
+  }
+  value.assign(begin, end);
+  RemoveFront(value.size() + 1);
+  return *this;
+}
+
+std::ostream& operator<<(std::ostream& stream, const CByteArray& array) {
+  stream << "CByteArray [ ";
+  for (std::size_t i = 0; i < array.Size(); ++i) {
+    stream << static_cast<int>(array[i]) << ' ';
+  }
+  return stream << "]\n";
+}
+
+}  // namespace argos

@@ -1,0 +1,132 @@
+#ifndef ARGOS3_CORE_UTILITY_DATATYPES_BYTE_ARRAY_H
+#define ARGOS3_CORE_UTILITY_DATATYPES_BYTE_ARRAY_H
+
+#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/datatypes/datatypes.h>
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace argos {
+
+/**
+ * A queue of bytes: << appends at the back, >> removes from the front.
+ *
+ * Values are stored so that any machine reads them:
+ *   integers          network byte order, at the width of their type;
+ *   double and float  12 bytes: a 64-bit signed mantissa, then a 32-bit signed exponent. With
+ *                     |x| = f * 2^e and f in [0.5,1), the mantissa is
+ *                     sign(x) * (int((f - 0.5) * 2 * (2^63 - 2)) + 1), and 0 for x = 0. Values come
+ *                     back exactly;
+ *   strings           their bytes, then a zero.
+ *
+ * Every function that reads throws CARGoSException, and removes nothing, if there are too few
+ * bytes.
+ */
+class CByteArray {
+ public:
+  CByteArray() = default;
+  CByteArray(const CByteArray& other);
+  CByteArray(CByteArray&& other) noexcept;
+  CByteArray(const UInt8* buffer, std::size_t size);
+  CByteArray(std::size_t size, UInt8 value = 0);
+  CByteArray& operator=(const CByteArray& other);
+  CByteArray& operator=(CByteArray&& other) noexcept;
+  ~CByteArray() = default;
+
+  std::size_t Size() const { return m_bytes.size() - m_front; }
+
+  /** @param value  what new bytes contain. */
+  void Resize(std::size_t size, UInt8 value = 0);
+
+  void Swap(CByteArray& other) noexcept;
+  bool Empty() const { return Size() == 0; }
+
+  /** The bytes; null if there are none. Valid until the array is changed. */
+  const UInt8* ToCArray() const { return Empty() ? nullptr : m_bytes.data() + m_front; }
+  UInt8* ToCArray() { return Empty() ? nullptr : m_bytes.data() + m_front; }
+
+  /** Removes all bytes. */
+  void Clear();
+
+  /** Sets all bytes to 0. */
+  void Zero();
+
+  /** @throws CARGoSException if there is no such byte. */
+  UInt8& operator[](std::size_t index);
+  UInt8 operator[](std::size_t index) const;
+
+  bool operator==(const CByteArray& other) const;
+  bool operator!=(const CByteArray& other) const { return !(*this == other); }
+
+  CByteArray& AddBuffer(const UInt8* buffer, std::size_t size);
+  CByteArray& FetchBuffer(UInt8* buffer, std::size_t size);
+
+  template <typename T>
+  T PopFront() {
+    T value;
+    *this >> value;
+    return value;
+  }
+
+  /**
+   * A copy of the bytes in [start,end), on the heap; the caller deletes it.
+   * @param end  negative: up to the last byte.
+   * @throws CARGoSException if there is no such part.
+   */
+  CByteArray* operator()(std::size_t start, ssize_t end = -1);
+
+  CByteArray& operator<<(UInt8 value);
+  CByteArray& operator>>(UInt8& value);
+  CByteArray& operator<<(SInt8 value);
+  CByteArray& operator>>(SInt8& value);
+  CByteArray& operator<<(UInt16 value);
+  CByteArray& operator>>(UInt16& value);
+  CByteArray& operator<<(SInt16 value);
+  CByteArray& operator>>(SInt16& value);
+  CByteArray& operator<<(UInt32 value);
+  CByteArray& operator>>(UInt32& value);
+  CByteArray& operator<<(SInt32 value);
+  CByteArray& operator>>(SInt32& value);
+  CByteArray& operator<<(UInt64 value);
+  CByteArray& operator>>(UInt64& value);
+  CByteArray& operator<<(SInt64 value);
+  CByteArray& operator>>(SInt64& value);
+  /** As wide as the platform's type: 32 or 64 bits. */
+  CByteArray& operator<<(unsigned long int value);
+  CByteArray& operator>>(unsigned long int& value);
+  CByteArray& operator<<(signed long int value);
+  CByteArray& operator>>(signed long int& value);
+  /** @throws CARGoSException on infinity and NaN, which the format cannot hold. */
+  CByteArray& operator<<(double value);
+  CByteArray& operator>>(double& value);
+  CByteArray& operator<<(float value);
+  CByteArray& operator>>(float& value);
+  /** Up to the string's first zero byte. */
+  CByteArray& operator<<(const std::string& value);
+  CByteArray& operator>>(std::string& value);
+
+ private:
+  template <typename T>
+  CByteArray& PutInteger(T value);
+  template <typename T>
+  CByteArray& TakeInteger(T& value);
+  void CheckAvailable(std::size_t bytes) const;
+  void CheckIndex(std::size_t index) const;
+  void RemoveFront(std::size_t bytes);
+
+  std::vector<UInt8> m_bytes;
+  // bytes before this one have been read; removing them one by one would be slow
+  std::size_t m_front = 0;
+};
+
+/** Prints "CByteArray [ b0 b1 ... ]" with decimal numbers, then a line break. */
+std::ostream& operator<<(std::ostream& stream, const CByteArray& array);
+
+}  // namespace argos
+
+#endif

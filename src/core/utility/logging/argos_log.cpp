@@ -1,0 +1,271 @@
+#include <argos3/core/utility/logging/argos_log.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstdarg>
+#include <cstring>
+#include <mutex>
+#include <streambuf>
+#include <vector>
+
+namespace argos {
+
+namespace {
+
+constexpr const char* kColorReset = "\033[0m";
+
+// a run of messages of one thread with one key
+struct SSegment {
+  UInt64 Key;
+  // tells apart runs of one key: a phase that starts after another one gets higher tickets
+  UInt64 Ticket;
+  std::size_t Start;
+};
+
+// a segment on its way to the stream
+struct SPiece {
+  UInt64 Key;
+  UInt64 Ticket;
+  // the index of the text, and the part of it
+  std::size_t Text;
+  std::size_t Start;
+  std::size_t End;
+};
+
+// appends to a string that can be looked at and cut without copying it
+class CStringAppender : public std::streambuf {
+ public:
+  std::string Text;
+
+ protected:
+  int_type overflow(int_type c) override {
+    if (!traits_type::eq_int_type(c, traits_type::eof())) {
+      Text.push_back(traits_type::to_char_type(c));
+    }
+    return traits_type::not_eof(c);
+  }
+  std::streamsize xsputn(const char* text, std::streamsize length) override {
+    Text.append(text, static_cast<std::size_t>(length));
+    return length;
+  }
+};
+
+std::atomic<UInt64> nextLogId{0};
+thread_local UInt64 sequenceKey = 0;
+
+}  // namespace
+
+struct CARGoSLog::SThreadBuffer {
+  // recursive, because printing an item may log too
+  std::recursive_mutex Mutex;
+  CStringAppender Appender;
+  std::ostream Stream{&Appender};
+  std::vector<SSegment> Segments;
+
+  // takes everything out of the buffer
+  void MoveTo(std::vector<std::string>& texts, std::vector<SPiece>& pieces) {
+    const std::lock_guard<std::recursive_mutex> lock(Mutex);
+    if (!Appender.Text.empty()) {
+      for (std::size_t i = 0; i < Segments.size(); ++i) {
+        const bool isLast = i + 1 == Segments.size();
+        pieces.push_back({Segments[i].Key, Segments[i].Ticket, texts.size(), Segments[i].Start,
+                          isLast ? Appender.Text.size() : Segments[i + 1].Start});
+      }
+      texts.push_back(std::move(Appender.Text));
+      Appender.Text.clear();
+    }
+    Segments.clear();
+  }
+};
+
+struct CARGoSLog::SState {
+  const UInt64 Id = nextLogId++;
+  std::atomic<UInt64> NextTicket{0};
+  // guards the list, and writing to the stream
+  std::mutex Mutex;
+  // shared with the threads, because either a thread or the log may end first
+  std::vector<std::shared_ptr<SThreadBuffer>> Buffers;
+  // for what is logged while a thread is being torn down
+  std::shared_ptr<SThreadBuffer> LateBuffer;
+  std::string Prefix;
+  std::ofstream File;
+  std::streambuf* OriginalBuffer = nullptr;
+
+  // the calling thread's buffers, by the id of the log; null if it has none
+  struct SThreadTable {
+    std::vector<std::shared_ptr<SThreadBuffer>> Buffers;
+    ~SThreadTable();
+  };
+  static thread_local SThreadTable ThreadTable;
+  // trivial, so readable also after the table's destructor
+  static thread_local bool ThreadTableIsGone;
+};
+
+thread_local CARGoSLog::SState::SThreadTable CARGoSLog::SState::ThreadTable;
+thread_local bool CARGoSLog::SState::ThreadTableIsGone = false;
+
+CARGoSLog::SState::SThreadTable::~SThreadTable() {
+  ThreadTableIsGone = true;
+}
+
+/****************************************/
+// life
+/****************************************/
+
+CARGoSLog::CARGoSLog(std::ostream& stream, const SLogColor& color, bool colored)
+    : m_stream(stream), m_color(color), m_colored(colored), m_state(std::make_unique<SState>()) {
+  std::ostringstream prefix;
+  prefix << m_color;
+  m_state->Prefix = prefix.str();
+}
+
+CARGoSLog::~CARGoSLog() {
+  try {
+    Flush();
+  } catch (...) {
+    // a stream that throws at the end of the program has nobody left to tell
+  }
+  if (m_state->OriginalBuffer != nullptr) {
+    m_stream.rdbuf(m_state->OriginalBuffer);
+  }
+}
+
+void CARGoSLog::RedirectToFile(const std::string& name) {
+  std::ofstream file(name, std::ios::out | std::ios::trunc);
+  if (!file) {
+    THROW_ARGOSEXCEPTION("Cannot write the log file \"" << name << "\": " << std::strerror(errno));
+  }
+  DisableColoredOutput();
+  const std::lock_guard<std::mutex> lock(m_state->Mutex);
+  m_state->File = std::move(file);
+  std::streambuf* previous = m_stream.rdbuf(m_state->File.rdbuf());
+  if (m_state->OriginalBuffer == nullptr) {
+    m_state->OriginalBuffer = previous;
+  }
+}
+
+/****************************************/
+// order
+/****************************************/
+
+void CARGoSLog::SetSequence(UInt64 key) {
+  sequenceKey = key;
+}
+
+UInt64 CARGoSLog::GetSequence() {
+  return sequenceKey;
+}
+
+CARGoSLog::SThreadBuffer& CARGoSLog::GetThreadBuffer() {
+  if (SState::ThreadTableIsGone) {
+    const std::lock_guard<std::mutex> lock(m_state->Mutex);
+    if (!m_state->LateBuffer) {
+      m_state->LateBuffer = std::make_shared<SThreadBuffer>();
+      m_state->Buffers.push_back(m_state->LateBuffer);
+    }
+    return *m_state->LateBuffer;
+  }
+  auto& table = SState::ThreadTable.Buffers;
+  if (table.size() <= m_state->Id) {
+    table.resize(m_state->Id + 1);
+  }
+  std::shared_ptr<SThreadBuffer>& buffer = table[m_state->Id];
+  if (!buffer) {
+    buffer = std::make_shared<SThreadBuffer>();
+    const std::lock_guard<std::mutex> lock(m_state->Mutex);
+    m_state->Buffers.push_back(buffer);
+  }
+  return *buffer;
+}
+
+void CARGoSLog::AddThreadSafeBuffer() {
+  GetThreadBuffer();
+}
+
+/****************************************/
+// writing
+/****************************************/
+
+CARGoSLog::CEntry::CEntry(CARGoSLog& log) : m_buffer(log.GetThreadBuffer()) {
+  m_buffer.Mutex.lock();
+  std::string& text = m_buffer.Appender.Text;
+  if (m_buffer.Segments.empty() || m_buffer.Segments.back().Key != sequenceKey) {
+    m_buffer.Segments.push_back({sequenceKey, log.m_state->NextTicket++, text.size()});
+  }
+  m_start = text.size();
+  if (log.m_colored) {
+    text += log.m_state->Prefix;
+  }
+  m_prefixLength = text.size() - m_start;
+}
+
+CARGoSLog::CEntry::~CEntry() {
+  std::string& text = m_buffer.Appender.Text;
+  if (m_prefixLength > 0) {
+    // an item that printed nothing, such as std::setw(), needs no colour
+    if (text.size() == m_start + m_prefixLength) {
+      text.resize(m_start);
+    } else {
+      text += kColorReset;
+    }
+  }
+  m_buffer.Mutex.unlock();
+}
+
+std::ostream& CARGoSLog::CEntry::Stream() {
+  return m_buffer.Stream;
+}
+
+CARGoSLog& CARGoSLog::operator<<(std::ostream& (*manipulator)(std::ostream&)) {
+  CEntry entry(*this);
+  manipulator(entry.Stream());
+  return *this;
+}
+
+void CARGoSLog::Flush() {
+  const std::lock_guard<std::mutex> lock(m_state->Mutex);
+  std::vector<std::string> texts;
+  std::vector<SPiece> pieces;
+  auto& buffers = m_state->Buffers;
+  for (std::size_t i = 0; i < buffers.size();) {
+    // nobody else holds the buffer of a thread that has ended, so it gets no more text
+    const bool isOrphan = buffers[i].use_count() == 1;
+    buffers[i]->MoveTo(texts, pieces);
+    if (isOrphan) {
+      buffers.erase(buffers.begin() + static_cast<std::ptrdiff_t>(i));
+    } else {
+      ++i;
+    }
+  }
+  if (pieces.empty()) {
+    return;
+  }
+  std::sort(pieces.begin(), pieces.end(), [](const SPiece& a, const SPiece& b) {
+    return a.Key != b.Key ? a.Key < b.Key : a.Ticket < b.Ticket;
+  });
+  for (const SPiece& piece : pieces) {
+    m_stream.write(texts[piece.Text].data() + piece.Start,
+                   static_cast<std::streamsize>(piece.End - piece.Start));
+  }
+  m_stream.flush();
+}
+
+/****************************************/
+// the two logs, and debugging
+/****************************************/
+
+CARGoSLog LOG(std::cout, SLogColor(ARGOS_LOG_ATTRIBUTE_BRIGHT, ARGOS_LOG_COLOR_GREEN));
+CARGoSLog LOGERR(std::cerr, SLogColor(ARGOS_LOG_ATTRIBUTE_BRIGHT, ARGOS_LOG_COLOR_RED));
+
+std::size_t DEBUG_INDENTATION = 0;
+
+void DebugPrint(const char* format, ...) {
+  std::fprintf(stderr, "%*s", static_cast<int>(DEBUG_INDENTATION), "");
+  va_list arguments;
+  va_start(arguments, format);
+  std::vfprintf(stderr, format, arguments);
+  va_end(arguments);
+}
+
+}  // namespace argos

@@ -1,0 +1,42 @@
+#ifndef ARGOS3_CORE_UTILITY_MATH_EIGEN_BRIDGE_H
+#define ARGOS3_CORE_UTILITY_MATH_EIGEN_BRIDGE_H
+
+#include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/math/quaternion.h>
+#include <argos3/core/utility/math/vector2.h>
+#include <argos3/core/utility/math/vector3.h>
+
+#include <Eigen/Geometry>
+
+namespace argos {
+
+/** Conversions between the public maths types and Eigen's, by value; compilers reduce them to
+ * moves. */
+
+inline Eigen::Matrix<Real, 2, 1> ToEigen(const CVector2& vector) {
+  return {vector.GetX(), vector.GetY()};
+}
+
+inline Eigen::Matrix<Real, 3, 1> ToEigen(const CVector3& vector) {
+  return {vector.GetX(), vector.GetY(), vector.GetZ()};
+}
+
+inline Eigen::Quaternion<Real> ToEigen(const CQuaternion& quaternion) {
+  return {quaternion.GetW(), quaternion.GetX(), quaternion.GetY(), quaternion.GetZ()};
+}
+
+inline CVector2 FromEigen(const Eigen::Matrix<Real, 2, 1>& vector) {
+  return {vector.x(), vector.y()};
+}
+
+inline CVector3 FromEigen(const Eigen::Matrix<Real, 3, 1>& vector) {
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+inline CQuaternion FromEigen(const Eigen::Quaternion<Real>& quaternion) {
+  return {quaternion.w(), quaternion.x(), quaternion.y(), quaternion.z()};
+}
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,16 @@
+#include <argos3/core/utility/math/range.h>
+
+#include <argos3/core/utility/math/text_input.h>
+
+namespace argos {
+
+namespace range_parsing {
+
+void Reject(std::istream& is, std::streampos start, const std::string& reason) {
+  THROW_ARGOSEXCEPTION(QuoteInput(is, start) << " is not a range: " << reason
+                                             << ". A range is written min:max, as in 0:1.");
+}
+
+}  // namespace range_parsing
+
+}  // namespace argos

@@ -1,0 +1,282 @@
+#ifndef ARGOS3_CORE_UTILITY_MATH_RANGE_H
+#define ARGOS3_CORE_UTILITY_MATH_RANGE_H
+
+#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/string_utilities.h>
+
+#include <cctype>
+#include <cmath>
+#include <istream>
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+namespace argos {
+
+/** Wrapping a value into a period, for CRange::WrapValue() and the normalisation of angles. */
+namespace wrapping {
+
+/**
+ * Adds or subtracts span until the value lies in [min,max].
+ *
+ * Values more than a few turns away are first brought near by an exact remainder, so the time is
+ * bounded; an infinite value gives NaN, NaN stays NaN, and a span that is not positive gives min.
+ */
+inline Real WrapReal(Real value, Real min, Real max, Real span) {
+  constexpr Real kTurnsByRepetition = 8.0;
+  if (!(span > 0.0)) {
+    return min;
+  }
+  if (value > max + kTurnsByRepetition * span || value < min - kTurnsByRepetition * span) {
+    value = min + std::fmod(value - min, span);
+  }
+  while (value > max) {
+    value -= span;
+  }
+  while (value < min) {
+    value += span;
+  }
+  return value;
+}
+
+/** The same for integers, in modular arithmetic so that differences cannot overflow. */
+template <typename T>
+constexpr T WrapInteger(T value, T min, T max) {
+  using TUnsigned = std::make_unsigned_t<T>;
+  const TUnsigned span =
+      static_cast<TUnsigned>(static_cast<TUnsigned>(max) - static_cast<TUnsigned>(min));
+  if (span == 0) {
+    return min;
+  }
+  const bool above = value > max;
+  if (!above && !(value < min)) {
+    return value;
+  }
+  const TUnsigned excess =
+      static_cast<TUnsigned>(above ? static_cast<TUnsigned>(value) - static_cast<TUnsigned>(max)
+                                   : static_cast<TUnsigned>(min) - static_cast<TUnsigned>(value));
+  const TUnsigned overshoot = static_cast<TUnsigned>((span - excess % span) % span);
+  return static_cast<T>(above ? static_cast<TUnsigned>(max) - overshoot
+                              : static_cast<TUnsigned>(min) + overshoot);
+}
+
+/** True for angle-like types, which hold one Real behind GetValue() and SetValue(). */
+template <typename T, typename = void>
+struct SHoldsReal : std::false_type {};
+
+template <typename T>
+struct SHoldsReal<
+    T, std::void_t<decltype(std::declval<T&>().SetValue(std::declval<const T&>().GetValue()))> >
+    : std::true_type {};
+
+}  // namespace wrapping
+
+/**
+ * An interval between two values of any type with <=, <, > and -.
+ *
+ * T may be Real, an integer (also unsigned), CRadians, CDegrees or CVector3 (whose order is "in
+ * every component"). A range is inverted when its minimum exceeds its maximum; that is checked when
+ * it is made from two values in builds without NDEBUG, and always when it is read from text.
+ */
+template <typename T>
+class CRange {
+ public:
+  /** @throws CARGoSException if min <= max does not hold, in builds without NDEBUG. */
+  constexpr CRange(const T& min = T(), const T& max = T()) : m_min(min), m_max(max) {
+    if (!(m_min <= m_max)) {
+      RejectInverted();
+    }
+  }
+
+  constexpr T GetMin() const { return m_min; }
+
+  /** Not checked against the maximum, which may be about to follow. */
+  constexpr void SetMin(const T& min) { m_min = min; }
+
+  constexpr T GetMax() const { return m_max; }
+
+  /** Not checked against the minimum, which may be about to follow. */
+  constexpr void SetMax(const T& max) { m_max = max; }
+
+  /** Returns max - min, computed in T. */
+  constexpr T GetSpan() const { return static_cast<T>(m_max - m_min); }
+
+  /** @throws CARGoSException if min <= max does not hold, in builds without NDEBUG. */
+  constexpr void Set(const T& min, const T& max) { *this = CRange(min, max); }
+
+  constexpr bool WithinMinBoundIncludedMaxBoundIncluded(const T& value) const {
+    return m_min <= value && value <= m_max;
+  }
+
+  constexpr bool WithinMinBoundIncludedMaxBoundExcluded(const T& value) const {
+    return m_min <= value && value < m_max;
+  }
+
+  constexpr bool WithinMinBoundExcludedMaxBoundIncluded(const T& value) const {
+    return m_min < value && value <= m_max;
+  }
+
+  constexpr bool WithinMinBoundExcludedMaxBoundExcluded(const T& value) const {
+    return m_min < value && value < m_max;
+  }
+
+  /** Clamps the value in place. */
+  constexpr void TruncValue(T& value) const {
+    if (value > m_max) {
+      value = m_max;
+    }
+    if (value < m_min) {
+      value = m_min;
+    }
+  }
+
+  /** Clamps the value and returns its place in the range, 0 for the minimum and 1 for the maximum;
+   * 0 when the span is 0. */
+  constexpr Real NormalizeValue(const T& value) const {
+    T clamped = value;
+    TruncValue(clamped);
+    if (m_max <= m_min) {
+      return 0.0;
+    }
+    if constexpr (std::is_arithmetic_v<T>) {
+      // in Real, because the span of a signed integer need not fit its type
+      const Real min = static_cast<Real>(m_min);
+      return (static_cast<Real>(clamped) - min) / (static_cast<Real>(m_max) - min);
+    } else {
+      return (clamped - m_min) / (m_max - m_min);
+    }
+  }
+
+  /**
+   * Clamps the input to this range and gives the value at the same place in another range.
+   *
+   * @tparam U  a type for which Real * U is defined; the result is converted to it (integers
+   * truncate).
+   */
+  template <typename U>
+  constexpr void MapValueIntoRange(U& output, const T& input, const CRange<U>& range) const {
+    output = static_cast<U>(NormalizeValue(input) * range.GetSpan() + range.GetMin());
+  }
+
+  /**
+   * Adds or subtracts the span until the value is inside [min,max]; a value on a bound stays.
+   *
+   * Takes bounded time for numbers and angles, however far away: see wrapping::WrapReal(). A span
+   * of 0 gives min.
+   */
+  constexpr void WrapValue(T& value) const {
+    if constexpr (std::is_floating_point_v<T>) {
+      value = static_cast<T>(wrapping::WrapReal(value, m_min, m_max, GetSpan()));
+    } else if constexpr (std::is_integral_v<T>) {
+      value = wrapping::WrapInteger<T>(value, m_min, m_max);
+    } else if constexpr (wrapping::SHoldsReal<T>::value) {
+      value.SetValue(wrapping::WrapReal(value.GetValue(), m_min.GetValue(), m_max.GetValue(),
+                                        m_max.GetValue() - m_min.GetValue()));
+    } else {
+      WrapByRepetition(value);
+    }
+  }
+
+ private:
+  void RejectInverted() const {
+    ARGOS_ASSERT(m_min <= m_max, "Inverted range: the minimum "
+                                     << m_min << " exceeds the maximum " << m_max
+                                     << "; write the smaller value first.");
+  }
+
+  // other types: stops as soon as a step brings no progress
+  constexpr void WrapByRepetition(T& value) const {
+    const T span = m_max - m_min;
+    for (T next = value - span; value > m_max && !(value <= next); next = value - span) {
+      value = next;
+    }
+    for (T next = value + span; value < m_min && !(next <= value); next = value + span) {
+      value = next;
+    }
+  }
+
+  T m_min;
+  T m_max;
+};
+
+/** Reading a range from text. */
+namespace range_parsing {
+
+/** @throws CARGoSException always, quoting the line from the given position on and saying what a
+ * range looks like. */
+[[noreturn]] void Reject(std::istream& is, std::streampos start, const std::string& reason);
+
+/** Reads one bound. Signed text for an unsigned type is refused, and 8-bit integers are read as
+ * numbers. */
+template <typename T>
+bool ReadBound(std::istream& is, T& bound) {
+  is >> std::ws;
+  if constexpr (std::is_unsigned_v<T>) {
+    if (is.peek() == '-') {
+      return false;
+    }
+  }
+  if constexpr (std::is_integral_v<T> && sizeof(T) == 1) {
+    SInt32 number = 0;
+    is >> number;
+    bound = static_cast<T>(number);
+    return !is.fail() && static_cast<SInt32>(bound) == number;
+  } else {
+    return static_cast<bool>(is >> bound);
+  }
+}
+
+}  // namespace range_parsing
+
+/** Writes "min:max". */
+template <typename T>
+std::ostream& operator<<(std::ostream& os, const CRange<T>& range) {
+  return os << range.GetMin() << ":" << range.GetMax();
+}
+
+/**
+ * Reads "min:max"; blanks around the values are allowed.
+ *
+ * @throws CARGoSException if there are not exactly two values, if one of them is not of type T, or
+ * if the minimum exceeds the maximum.
+ */
+template <typename T>
+std::istream& operator>>(std::istream& is, CRange<T>& range) {
+  if (!is) {
+    return is;
+  }
+  const std::streampos start = is.tellg();
+  std::string minText;
+  std::getline(is, minText, ':');
+  if (is.eof() || is.fail()) {
+    range_parsing::Reject(is, start, "there is no ':'");
+  }
+
+  T min = T();
+  T max = T();
+  std::istringstream minStream(minText);
+  if (!range_parsing::ReadBound(minStream, min) || !(minStream >> std::ws).eof()) {
+    range_parsing::Reject(is, start, "the minimum is not valid");
+  }
+  if (!range_parsing::ReadBound(is, max)) {
+    range_parsing::Reject(is, start, "the maximum is not valid");
+  }
+  const int next = is.eof() ? std::istream::traits_type::eof() : is.peek();
+  if (next != std::istream::traits_type::eof() && std::isspace(next) == 0) {
+    range_parsing::Reject(is, start, "there is text after the maximum");
+  }
+
+  if (!(min <= max)) {
+    THROW_ARGOSEXCEPTION("Inverted range: the minimum " << min << " exceeds the maximum " << max
+                                                        << "; write the smaller value first.");
+  }
+  range.Set(min, max);
+  return is;
+}
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,296 @@
+#include <argos3/core/utility/math/rng.h>
+
+#include <argos3/core/utility/configuration/argos_exception.h>
+
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_rng.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace argos {
+
+namespace {
+
+constexpr Real kLargestDraw = 4294967295.0;  // 2^32 - 1
+
+// up to this mean the terms of a Poisson distribution can be summed from 0: exp(-mean) is far from
+// underflow
+constexpr Real kLargestMeanSummed = 500.0;
+
+// beyond, the numbers would leave UInt32
+constexpr Real kLargestPoissonMean = 4e9;
+
+// smallest k with P(X <= k) >= probability, by summing
+UInt32 InvertPoissonBySumming(Real probability, Real mean) {
+  Real term = std::exp(-mean);
+  Real sum = term;
+  UInt32 k = 0;
+  while (sum < probability) {
+    ++k;
+    term *= mean / static_cast<Real>(k);
+    // a probability of 1 is not reached: stop where the sum no longer grows
+    if (static_cast<Real>(k) > mean && sum + term == sum) {
+      break;
+    }
+    sum += term;
+  }
+  return k;
+}
+
+// the same by bisection
+UInt32 InvertPoissonByBisection(Real probability, Real mean) {
+  UInt32 below = 0;
+  // 40 standard deviations are beyond every probability that a 32-bit draw can express
+  Real highest = std::min(mean + 40.0 * std::sqrt(mean), kLargestDraw);
+  UInt32 above = static_cast<UInt32>(highest);
+  while (below < above) {
+    const UInt32 middle = below + (above - below) / 2;
+    if (gsl_cdf_poisson_P(middle, mean) >= probability) {
+      above = middle;
+    } else {
+      below = middle + 1;
+    }
+  }
+  return below;
+}
+
+CRandom::CRegistry& GetProcessRegistry() {
+  static CRandom::CRegistry registry;
+  return registry;
+}
+
+thread_local CRandom::CRegistry* currentRegistry = nullptr;
+
+}  // namespace
+
+/** Owns the state of GSL's generator, whose headers stay out of ours. */
+class CRandom::CRNG::CGenerator {
+ public:
+  explicit CGenerator(UInt32 seed) : m_state(gsl_rng_alloc(gsl_rng_mt19937)) { Seed(seed); }
+
+  CGenerator(const CGenerator& other) : m_state(gsl_rng_clone(other.m_state.get())) {}
+
+  CGenerator& operator=(const CGenerator& other) = delete;
+
+  void Seed(UInt32 seed) {
+    // GSL replaces the seed 0 by its default, 4357, but keeps only the low 32 bits of any other:
+    // 2^32 is the 0 that std::mt19937 knows
+    static_assert(std::numeric_limits<unsigned long>::digits > 32,
+                  "the seed 0 needs a 64-bit unsigned long");
+    gsl_rng_set(m_state.get(), seed == 0 ? (1UL << 32) : seed);
+  }
+
+  UInt32 Draw() { return static_cast<UInt32>(gsl_rng_get(m_state.get())); }
+
+ private:
+  struct SDeleter {
+    void operator()(gsl_rng* state) const { gsl_rng_free(state); }
+  };
+
+  std::unique_ptr<gsl_rng, SDeleter> m_state;
+};
+
+CRandom::CRNG::CRNG(UInt32 seed) : m_seed(seed), m_generator(std::make_unique<CGenerator>(seed)) {}
+
+CRandom::CRNG::CRNG(const CRNG& other)
+    : m_seed(other.m_seed), m_generator(std::make_unique<CGenerator>(*other.m_generator)) {}
+
+CRandom::CRNG& CRandom::CRNG::operator=(const CRNG& other) {
+  if (this != &other) {
+    m_seed = other.m_seed;
+    m_generator = std::make_unique<CGenerator>(*other.m_generator);
+  }
+  return *this;
+}
+
+CRandom::CRNG::~CRNG() = default;
+
+void CRandom::CRNG::Reset() {
+  m_generator->Seed(m_seed);
+}
+
+UInt32 CRandom::CRNG::Draw() {
+  return m_generator->Draw();
+}
+
+Real CRandom::CRNG::DrawUnit() {
+  return static_cast<Real>(Draw()) / kLargestDraw;
+}
+
+bool CRandom::CRNG::Bernoulli(Real probability) {
+  return static_cast<Real>(Draw()) < probability * kLargestDraw;
+}
+
+CRadians CRandom::CRNG::Uniform(const CRange<CRadians>& range) {
+  return range.GetMin() + DrawUnit() * range.GetSpan();
+}
+
+Real CRandom::CRNG::Uniform(const CRange<Real>& range) {
+  return range.GetMin() + DrawUnit() * range.GetSpan();
+}
+
+SInt32 CRandom::CRNG::Uniform(const CRange<SInt32>& range) {
+  // the span is taken in Real: that of the whole range does not fit SInt32
+  const Real min = static_cast<Real>(range.GetMin());
+  return static_cast<SInt32>(min + DrawUnit() * (static_cast<Real>(range.GetMax()) - min));
+}
+
+UInt32 CRandom::CRNG::Uniform(const CRange<UInt32>& range) {
+  return static_cast<UInt32>(static_cast<Real>(range.GetMin()) +
+                             DrawUnit() * static_cast<Real>(range.GetSpan()));
+}
+
+Real CRandom::CRNG::Exponential(Real mean) {
+  const UInt32 draw = Draw();
+  return -std::log((draw == 0 ? 0.5 : static_cast<Real>(draw)) / kLargestDraw) * mean;
+}
+
+UInt32 CRandom::CRNG::Poisson(Real mean) {
+  if (!(mean >= 0.0 && mean <= kLargestPoissonMean)) {
+    THROW_ARGOSEXCEPTION("The mean of a Poisson distribution is " << mean << "; it must be in [0,"
+                                                                  << kLargestPoissonMean << "].");
+  }
+  const Real probability = DrawUnit();
+  return mean <= kLargestMeanSummed ? InvertPoissonBySumming(probability, mean)
+                                    : InvertPoissonByBisection(probability, mean);
+}
+
+Real CRandom::CRNG::Gaussian(Real standardDeviation, Real mean) {
+  const CRange<Real> signedUnit(-1.0, 1.0);
+  Real x = 0.0;
+  Real squareRadius = 0.0;
+  do {
+    x = Uniform(signedUnit);
+    const Real y = Uniform(signedUnit);
+    squareRadius = x * x + y * y;
+  } while (squareRadius >= 1.0 || squareRadius == 0.0);
+  return mean + standardDeviation * x * std::sqrt(-2.0 * std::log(squareRadius) / squareRadius);
+}
+
+Real CRandom::CRNG::Rayleigh(Real sigma) {
+  Real unit = 0.0;
+  do {
+    unit = DrawUnit();
+  } while (unit <= 0.0 || unit >= 1.0);
+  return sigma * std::sqrt(-2.0 * std::log(unit));
+}
+
+Real CRandom::CRNG::Lognormal(Real sigma, Real mu) {
+  return std::exp(mu + sigma * Gaussian(1.0, 0.0));
+}
+
+CRandom::CCategory::CCategory(const std::string& id, UInt32 seed)
+    : m_id(id), m_seed(seed), m_seeder(seed) {}
+
+UInt32 CRandom::CCategory::DrawSeed() {
+  return m_seeder.Uniform(CRange<UInt32>(1, std::numeric_limits<UInt32>::max()));
+}
+
+CRandom::CRNG* CRandom::CCategory::CreateRNG() {
+  m_generators.push_back(std::make_unique<CRNG>(DrawSeed()));
+  return m_generators.back().get();
+}
+
+void CRandom::CCategory::ResetRNGs() {
+  m_seeder.SetSeed(m_seed);
+  m_seeder.Reset();
+  ReseedRNGs();
+  for (const auto& generator : m_generators) {
+    generator->Reset();
+  }
+}
+
+void CRandom::CCategory::ReseedRNGs() {
+  for (const auto& generator : m_generators) {
+    generator->SetSeed(DrawSeed());
+  }
+}
+
+CRandom::CRegistry::CRegistry() = default;
+
+CRandom::CRegistry::~CRegistry() {
+  if (currentRegistry == this) {
+    currentRegistry = nullptr;
+  }
+}
+
+bool CRandom::CRegistry::CreateCategory(const std::string& category, UInt32 seed) {
+  if (ExistsCategory(category)) {
+    return false;
+  }
+  m_categories.emplace(category, std::make_unique<CCategory>(category, seed));
+  return true;
+}
+
+CRandom::CCategory& CRandom::CRegistry::GetCategory(const std::string& category) {
+  const auto found = m_categories.find(category);
+  if (found == m_categories.end()) {
+    std::string known;
+    for (const auto& entry : m_categories) {
+      known += (known.empty() ? "\"" : ", \"") + entry.first + "\"";
+    }
+    THROW_ARGOSEXCEPTION("There is no random number category \""
+                         << category << "\"; known categories: " << (known.empty() ? "none" : known)
+                         << ". Create it with CRandom::CreateCategory().");
+  }
+  return *found->second;
+}
+
+bool CRandom::CRegistry::ExistsCategory(const std::string& category) const {
+  return m_categories.count(category) > 0;
+}
+
+void CRandom::CRegistry::RemoveCategory(const std::string& category) {
+  GetCategory(category);  // throws on an unknown one
+  m_categories.erase(category);
+}
+
+void CRandom::CRegistry::Reset() {
+  for (const auto& entry : m_categories) {
+    entry.second->ResetRNGs();
+  }
+}
+
+bool CRandom::CreateCategory(const std::string& category, UInt32 seed) {
+  return GetCurrentRegistry().CreateCategory(category, seed);
+}
+
+CRandom::CCategory& CRandom::GetCategory(const std::string& category) {
+  return GetCurrentRegistry().GetCategory(category);
+}
+
+bool CRandom::ExistsCategory(const std::string& category) {
+  return GetCurrentRegistry().ExistsCategory(category);
+}
+
+void CRandom::RemoveCategory(const std::string& category) {
+  GetCurrentRegistry().RemoveCategory(category);
+}
+
+CRandom::CRNG* CRandom::CreateRNG(const std::string& category) {
+  return GetCategory(category).CreateRNG();
+}
+
+UInt32 CRandom::GetSeedOf(const std::string& category) {
+  return GetCategory(category).GetSeed();
+}
+
+void CRandom::SetSeedOf(const std::string& category, UInt32 seed) {
+  GetCategory(category).SetSeed(seed);
+}
+
+void CRandom::Reset() {
+  GetCurrentRegistry().Reset();
+}
+
+void CRandom::SetCurrentRegistry(CRegistry* registry) {
+  currentRegistry = registry;
+}
+
+CRandom::CRegistry& CRandom::GetCurrentRegistry() {
+  return currentRegistry != nullptr ? *currentRegistry : GetProcessRegistry();
+}
+
+}  // namespace argos

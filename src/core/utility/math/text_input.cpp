@@ -1,0 +1,77 @@
+#include <argos3/core/utility/math/text_input.h>
+
+#include <argos3/core/utility/configuration/argos_exception.h>
+
+#include <cctype>
+#include <vector>
+
+namespace argos {
+
+namespace {
+
+constexpr int kEndOfInput = std::istream::traits_type::eof();
+
+int PeekOrEnd(std::istream& is) {
+  return is.eof() ? kEndOfInput : is.peek();
+}
+
+int PeekPastBlanks(std::istream& is) {
+  int next = PeekOrEnd(is);
+  while (next != kEndOfInput && std::isspace(next) != 0) {
+    is.get();
+    next = PeekOrEnd(is);
+  }
+  return next;
+}
+
+}  // namespace
+
+std::string QuoteInput(std::istream& is, std::streampos start) {
+  if (start == std::streampos(-1)) {
+    return "The text";
+  }
+  is.clear();
+  is.seekg(start);
+  std::string line;
+  std::getline(is, line);
+  return "\"" + line + "\"";
+}
+
+void ReadNumbers(std::istream& is, Real* buffer, UInt32 count, const std::string& what) {
+  const std::streampos start = is.tellg();
+  const auto reject = [&](const std::string& reason) {
+    THROW_ARGOSEXCEPTION(QuoteInput(is, start)
+                         << " is not " << what << ": " << reason << "; expected " << count
+                         << " numbers separated by ','.");
+  };
+
+  std::vector<Real> numbers(count);
+  for (UInt32 i = 0; i < count; ++i) {
+    if (i > 0) {
+      if (PeekPastBlanks(is) == kEndOfInput) {
+        reject("there are only " + std::to_string(i) + " fields");
+      }
+      if (is.peek() != ',') {
+        reject("there is no ',' after field " + std::to_string(i));
+      }
+      is.get();
+    }
+    if (!(is >> std::ws >> numbers[i])) {
+      reject("field " + std::to_string(i + 1) + " is not a number");
+    }
+  }
+
+  // what follows must be the end, or a blank before something else
+  const int next = PeekOrEnd(is);
+  if (next != kEndOfInput && next != ',' && std::isspace(next) == 0) {
+    reject("field " + std::to_string(count) + " is not a number");
+  }
+  if (PeekPastBlanks(is) == ',') {
+    reject("there are more fields");
+  }
+  for (UInt32 i = 0; i < count; ++i) {
+    buffer[i] = numbers[i];
+  }
+}
+
+}  // namespace argos

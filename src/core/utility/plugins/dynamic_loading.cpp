@@ -1,0 +1,228 @@
+#include <argos3/core/utility/plugins/dynamic_loading.h>
+
+#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/plugins/registration.h>
+#include <argos3/core/utility/string_utilities.h>
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <system_error>
+
+namespace fs = std::filesystem;
+
+namespace argos {
+
+namespace {
+
+struct SLoadedLibrary {
+  CDynamicLoading::TDLHandle Handle = nullptr;
+  // what it was asked for by
+  std::set<std::string> Names;
+};
+
+// by resolved path
+std::map<std::string, SLoadedLibrary>& LoadedLibraries() {
+  static std::map<std::string, SLoadedLibrary> libraries;
+  return libraries;
+}
+
+fs::path Resolved(const fs::path& path) {
+  std::error_code error;
+  const fs::path resolved = fs::canonical(path, error);
+  return error ? path : resolved;
+}
+
+/****************************************/
+// where libraries are
+/****************************************/
+
+// the core library, or the program if the core is part of it
+const fs::path& CoreLibrary() {
+  static const fs::path path =
+      Resolved(GetLibraryOf(reinterpret_cast<const void*>(&GetCoreBuildId)));
+  return path;
+}
+
+std::vector<std::string> UserDirectories() {
+  std::vector<std::string> directories;
+  const char* variable = std::getenv("ARGOS_PLUGIN_PATH");
+  if (variable != nullptr) {
+    Tokenize(variable, directories, ":");
+  }
+  return directories;
+}
+
+// in the order in which they are looked at. The core's own folder is lib/argos3 of its
+// installation, or the folder of all libraries in a build tree
+std::vector<std::string> DefaultDirectories() {
+  std::vector<std::string> directories;
+  directories.push_back(CoreLibrary().parent_path().string());
+  const fs::path besideProgram = CoreLibrary().parent_path().parent_path() / "lib" / "argos3";
+  const fs::path installed = fs::path(ARGOS_INSTALL_PREFIX) / "lib" / "argos3";
+  for (const fs::path& candidate : {besideProgram, installed}) {
+    std::error_code error;
+    const std::string path = Resolved(candidate).string();
+    if (fs::is_directory(candidate, error) &&
+        std::find(directories.begin(), directories.end(), path) == directories.end()) {
+      directories.push_back(path);
+    }
+  }
+  return directories;
+}
+
+bool IsLibraryName(const fs::path& file) {
+  const std::string extension = file.extension().string();
+  return extension == "." ARGOS_SHARED_LIBRARY_EXTENSION ||
+         extension == "." ARGOS_MODULE_LIBRARY_EXTENSION;
+}
+
+std::vector<fs::path> ListLibraries(const std::string& directory, std::error_code& error) {
+  std::vector<fs::path> files;
+  fs::directory_iterator entry(directory, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    std::error_code ignored;
+    if (IsLibraryName(entry->path()) && entry->is_regular_file(ignored)) {
+      files.push_back(entry->path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+// the first default directory that has libraries of ours, so that a build tree does not mix with an
+// installation of another version
+std::string PluginDirectory() {
+  const std::vector<std::string> directories = DefaultDirectories();
+  for (const std::string& directory : directories) {
+    std::error_code error;
+    for (const fs::path& file : ListLibraries(directory, error)) {
+      if (file.filename().string().rfind("libargos3", 0) == 0) {
+        return directory;
+      }
+    }
+  }
+  return directories.front();
+}
+
+/****************************************/
+// loading
+/****************************************/
+
+// the places where a library of that name may be, in order
+std::vector<std::string> Candidates(const std::string& lib) {
+  std::vector<std::string> suffixes = {"", "." ARGOS_SHARED_LIBRARY_EXTENSION};
+  if (std::string(ARGOS_MODULE_LIBRARY_EXTENSION) != ARGOS_SHARED_LIBRARY_EXTENSION) {
+    suffixes.push_back("." ARGOS_MODULE_LIBRARY_EXTENSION);
+  }
+  std::vector<std::string> directories;
+  if (!lib.empty() && lib[0] == '/') {
+    directories.emplace_back("");
+  } else {
+    for (const std::string& directory : GetPluginSearchPaths()) {
+      directories.push_back(directory + '/');
+    }
+  }
+  std::vector<std::string> candidates;
+  for (const std::string& directory : directories) {
+    for (const std::string& suffix : suffixes) {
+      candidates.push_back(directory + lib + suffix);
+    }
+  }
+  return candidates;
+}
+
+// null, and the reason, if it cannot be opened
+CDynamicLoading::TDLHandle TryOpen(const std::string& path, std::string& reason) {
+  std::error_code error;
+  if (!fs::exists(path, error)) {
+    reason = "no such file";
+    return nullptr;
+  }
+  if (fs::is_directory(path, error)) {
+    reason = "it is a directory";
+    return nullptr;
+  }
+  CDynamicLoading::TDLHandle handle = dlopen(path.c_str(), RTLD_LAZY | RTLD_GLOBAL);
+  if (handle == nullptr) {
+    reason = dlerror();
+  }
+  return handle;
+}
+
+}  // namespace
+
+std::vector<std::string> GetPluginSearchPaths() {
+  std::vector<std::string> paths = UserDirectories();
+  paths.emplace_back(".");
+  const std::vector<std::string> defaults = DefaultDirectories();
+  paths.insert(paths.end(), defaults.begin(), defaults.end());
+  return paths;
+}
+
+CDynamicLoading::TDLHandle CDynamicLoading::LoadLibrary(const std::string& lib) {
+  std::string attempts;
+  for (const std::string& candidate : Candidates(lib)) {
+    const std::string path = Resolved(candidate).string();
+    const auto known = LoadedLibraries().find(path);
+    if (known != LoadedLibraries().end()) {
+      known->second.Names.insert(lib);
+      return known->second.Handle;
+    }
+    std::string reason;
+    const TDLHandle handle = TryOpen(candidate, reason);
+    // a library may complain about its registrations even if it failed to load
+    ThrowRegistrationProblems("The library \"" + candidate + "\" cannot be used:");
+    if (handle != nullptr) {
+      LoadedLibraries()[path] = SLoadedLibrary{handle, {lib}};
+      LOG << "[INFO] Loaded library \"" << candidate << "\"" << std::endl;
+      return handle;
+    }
+    attempts += "\n  " + candidate + ": " + reason;
+  }
+  THROW_ARGOSEXCEPTION("The library \"" << lib << "\" cannot be loaded; tried:" << attempts);
+}
+
+void CDynamicLoading::UnloadLibrary(const std::string& lib) {
+  auto& libraries = LoadedLibraries();
+  std::vector<std::string> known;
+  for (auto library = libraries.begin(); library != libraries.end(); ++library) {
+    if (library->first == lib || library->second.Names.count(lib) > 0) {
+      libraries.erase(library);
+      return;
+    }
+    known.push_back(library->first);
+  }
+  THROW_ARGOSEXCEPTION("The library \"" << lib << "\" cannot be unloaded, because it was not loaded"
+                                        << DidYouMean(lib, known));
+}
+
+void CDynamicLoading::LoadAllLibraries() {
+  std::vector<std::string> directories = UserDirectories();
+  directories.push_back(PluginDirectory());
+  std::set<std::string> seen = {CoreLibrary().filename().string()};
+  for (const std::string& directory : directories) {
+    std::error_code error;
+    const std::vector<fs::path> files = ListLibraries(directory, error);
+    if (error) {
+      LOGERR << "[WARNING] The plug-in directory \"" << directory
+             << "\" cannot be read: " << error.message() << std::endl;
+    }
+    for (const fs::path& file : files) {
+      if (seen.insert(file.filename().string()).second) {
+        LoadLibrary(fs::absolute(file).string());
+      }
+    }
+  }
+}
+
+void CDynamicLoading::UnloadAllLibraries() {
+  LoadedLibraries().clear();
+}
+
+}  // namespace argos

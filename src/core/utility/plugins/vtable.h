@@ -1,0 +1,134 @@
+#ifndef ARGOS3_CORE_UTILITY_PLUGINS_VTABLE_H
+#define ARGOS3_CORE_UTILITY_PLUGINS_VTABLE_H
+
+/*
+ * The cooperative visitor: every class of a hierarchy gets an integer tag, every kind of operation
+ * a flat table indexed by tag. Calling an operation is two array look-ups and no dynamic_cast.
+ *
+ * Tags agree across shared libraries: they are kept in variables of templates, of which there is
+ * one per process (default symbol visibility, libraries opened with RTLD_GLOBAL).
+ */
+
+#include <cstddef>
+#include <vector>
+
+namespace argos {
+
+/** How many tags a hierarchy has given out. */
+template <typename BASE>
+struct STagCounter {
+  static std::size_t Count;
+};
+template <typename BASE>
+std::size_t STagCounter<BASE>::Count = 0;
+
+namespace detail {
+/** Increments the counter and returns its new value; one thread at a time. */
+std::size_t NextTag(std::size_t& counter);
+}  // namespace detail
+
+/** The tag of a class in a hierarchy: from 1 up, in the order in which classes are asked for. */
+template <typename DERIVED, typename BASE>
+std::size_t GetTag() {
+  static const std::size_t tag = detail::NextTag(STagCounter<BASE>::Count);
+  return tag;
+}
+
+/** The same tag as an object. */
+template <typename DERIVED, typename BASE>
+struct STagHolder {
+  static std::size_t Tag;
+};
+template <typename DERIVED, typename BASE>
+std::size_t STagHolder<DERIVED, BASE>::Tag = ::argos::GetTag<DERIVED, BASE>();
+
+/** What the root of a hierarchy inherits from, next to saying ENABLE_VTABLE(). */
+template <typename BASE>
+struct EnableVTableFor {
+  template <typename DERIVED>
+  std::size_t GetTagHelper(const DERIVED*) const {
+    return ::argos::GetTag<DERIVED, BASE>();
+  }
+
+  /** The tag of the object's class; defined by ENABLE_VTABLE(). */
+  virtual std::size_t GetTag() = 0;
+
+ protected:
+  ~EnableVTableFor() = default;
+};
+
+/**
+ * A table of functions, one per class of a hierarchy.
+ * @tparam CONTEXT   what the functions are for; only tells tables apart.
+ * @tparam FUNCTION  default-constructible and copyable, such as a pointer to a function.
+ */
+template <typename CONTEXT, typename BASE, typename FUNCTION>
+class CVTable {
+ public:
+  /** Sets the entry of a class. */
+  template <typename DERIVED>
+  void Add(FUNCTION function) {
+    const std::size_t tag = GetTag<DERIVED, BASE>();
+    if (m_entries.size() <= tag) {
+      m_entries.resize(tag + 1);
+    }
+    m_entries[tag] = SEntry{function, true};
+  }
+
+  /** The entry of a tag; if there is none, that of BASE; if that is missing too, FUNCTION(). */
+  FUNCTION operator[](std::size_t index) const {
+    if (index < m_entries.size() && m_entries[index].IsSet) {
+      return m_entries[index].Function;
+    }
+    const std::size_t base = GetTag<BASE, BASE>();
+    return base < m_entries.size() ? m_entries[base].Function : FUNCTION();
+  }
+
+  /** One more than the highest tag that has an entry; 0 if there is none. */
+  std::size_t Size() const { return m_entries.size(); }
+
+ private:
+  struct SEntry {
+    FUNCTION Function{};
+    bool IsSet = false;
+  };
+
+  std::vector<SEntry> m_entries;
+};
+
+/** The table of a context, one per process. */
+template <typename CONTEXT, typename BASE, typename FUNCTION>
+CVTable<CONTEXT, BASE, FUNCTION>& GetVTable() {
+  static CVTable<CONTEXT, BASE, FUNCTION> table;
+  return table;
+}
+
+}  // namespace argos
+
+/**
+ * Gives a class its own tag: stands, public, in every class of the hierarchy. A class without it
+ * counts as its base class.
+ */
+// "virtual" and not "override", because classes of users do not say override elsewhere either, and
+// compilers warn about a class that says it only sometimes
+#ifdef __clang__
+#define ENABLE_VTABLE()                                                                           \
+  _Pragma("clang diagnostic push")                                                                \
+      _Pragma("clang diagnostic ignored \"-Winconsistent-missing-override\"") virtual std::size_t \
+      GetTag() {                                                                                  \
+    return this->GetTagHelper(this);                                                              \
+  }                                                                                               \
+  _Pragma("clang diagnostic pop")
+#else
+#define ENABLE_VTABLE()              \
+  virtual std::size_t GetTag() {     \
+    return this->GetTagHelper(this); \
+  }
+#endif
+
+/** Makes the tag of a hierarchy's root the first one; stands once per hierarchy, in a source file.
+ */
+#define INIT_VTABLE_FOR(BASE) \
+  [[maybe_unused]] static const std::size_t argosRootTagOf##BASE = ::argos::GetTag<BASE, BASE>();
+
+#endif

@@ -1,0 +1,60 @@
+#ifndef ARGOS3_CORE_UTILITY_SIGNAL_PROCESSING_H
+#define ARGOS3_CORE_UTILITY_SIGNAL_PROCESSING_H
+
+#include <argos3/core/utility/datatypes/datatypes.h>
+
+namespace argos {
+
+/**
+ * Mean and variance of a stream of numbers, in constant memory.
+ * Source: Welford, Note on a method for calculating corrected sums of squares and products,
+ *         Technometrics 4 (1962).
+ */
+class CStats {
+ public:
+  CStats() = default;
+
+  /** 0 if there are no numbers. */
+  Real GetMean() const { return m_mean; }
+
+  /** The sample variance, with n - 1 in the denominator; 0 if there are fewer than two numbers. */
+  Real GetVariance() const;
+
+  /** The square root of the variance. */
+  Real GetStdDev() const;
+
+  void Append(Real value);
+
+ private:
+  UInt64 m_count = 0;
+  Real m_mean = 0.0;
+  Real m_sumOfSquares = 0.0;  // of the differences from the mean
+};
+
+/**
+ * The discrete RC low-pass filter: output = x + a * (previous output - x). The first value passes
+ * through.
+ */
+class CRCLowPassFilter {
+ public:
+  /**
+   * @param smoothingFactor  a, in [0,1): 0 changes nothing, near 1 follows slowly. For a time
+   * constant RC and a tick T it is RC / (RC + T).
+   */
+  CRCLowPassFilter(Real smoothingFactor) : m_smoothingFactor(smoothingFactor) {}
+
+  /** @return the output for the next value. */
+  Real Filter(Real value);
+
+  /** Forgets all values. */
+  void Reset() { m_hasOutput = false; }
+
+ private:
+  Real m_smoothingFactor;
+  Real m_output = 0.0;
+  bool m_hasOutput = false;
+};
+
+}  // namespace argos
+
+#endif

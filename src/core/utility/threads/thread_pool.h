@@ -1,0 +1,92 @@
+#ifndef ARGOS3_CORE_UTILITY_THREADS_THREAD_POOL_H
+#define ARGOS3_CORE_UTILITY_THREADS_THREAD_POOL_H
+
+#include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/threads/schedule.h>
+
+#include <atomic>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace argos {
+
+/**
+ * The threads on which every phase of a tick runs.
+ *
+ * P = 0 or 1 means that the calling thread does everything; otherwise the calling thread and P - 1
+ * workers share the items of a phase as the schedule says. A phase ends when all items are done.
+ */
+class CThreadPool {
+ public:
+  /**
+   * @param threads      P; 0 for none besides the caller.
+   * @param schedule     deals items to threads.
+   * @param pinToCores   bind each worker to one core.
+   * @param startWorker  run once in each worker before anything else.
+   */
+  CThreadPool(UInt32 threads, std::unique_ptr<CSchedule> schedule, bool pinToCores = false,
+              std::function<void()> startWorker = {});
+  /** Stops and joins the workers. */
+  ~CThreadPool();
+  CThreadPool(const CThreadPool&) = delete;
+  CThreadPool& operator=(const CThreadPool&) = delete;
+
+  /** Threads that take part in a phase, the caller included; at least 1. */
+  UInt32 GetNumThreads() const { return m_numThreads; }
+
+  /**
+   * Calls function(begin, end, thread) for runs of items that together are 0..items-1.
+   *
+   * Runs on several threads at once. If calls throw, the phase is completed and the exception of the
+   * run with the lowest items is thrown here: the same one for every number of threads. Does not
+   * allocate. Not to be called from inside a phase.
+   * @param grain  items that should stay together, >= 1.
+   */
+  template <typename FUNCTION>
+  void ParallelFor(size_t items, size_t grain, FUNCTION&& function) {
+    if (items == 0) {
+      return;
+    }
+    if (m_numThreads == 1 || items <= grain) {
+      function(size_t(0), items, UInt32(0));
+      return;
+    }
+    const auto call = [](void* context, size_t begin, size_t end, UInt32 thread) {
+      (*static_cast<std::remove_reference_t<FUNCTION>*>(context))(begin, end, thread);
+    };
+    Run(items, grain, call, const_cast<void*>(static_cast<const void*>(&function)));
+  }
+
+ private:
+  using TCall = void (*)(void* context, size_t begin, size_t end, UInt32 thread);
+
+  void Run(size_t items, size_t grain, TCall call, void* context);
+  void WorkerLoop(UInt32 thread, const std::function<void()>& startWorker);
+  void DoShare(UInt32 thread);
+  void Pin(std::thread& worker, UInt32 thread);
+
+  UInt32 m_numThreads;
+  bool m_spin;  // only where every thread has a core of its own
+  std::unique_ptr<CSchedule> m_schedule;
+  std::vector<std::thread> m_workers;
+
+  // written by Run() before the phase number grows, read by the workers after
+  TCall m_call = nullptr;
+  void* m_context = nullptr;
+  std::atomic<UInt32> m_phase{0};
+  std::atomic<UInt32> m_busy{0};
+  std::atomic<bool> m_stop{false};
+
+  // the failure of the lowest items, if any; a lock is fine where a run is about to end
+  std::mutex m_failureMutex;
+  std::exception_ptr m_failure;
+  size_t m_failureBegin = 0;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,104 @@
+#include <argos3/plugins/simulator/entities/box_entity.h>
+
+#include <argos3/plugins/simulator/entities/value_checks.h>
+
+namespace argos {
+
+namespace {
+
+void RequirePositiveSize(const CVector3& size, const std::string& owner, const std::string& what) {
+  for (UInt32 axis = 0; axis < 3; ++axis) {
+    RequirePositive(size[axis], owner, what + ", component " + "xyz"[axis]);
+  }
+}
+
+}  // namespace
+
+CBoxEntity::CBoxEntity() = default;
+
+CBoxEntity::CBoxEntity(const std::string& id, const CVector3& position,
+                       const CQuaternion& orientation, bool movable, const CVector3& size,
+                       Real mass)
+    : CPassiveBodyEntity(id, position, orientation, movable, mass), m_size(size) {
+  const std::string owner = "box \"" + id + "\"";
+  RequirePositiveSize(size, owner, "size (m)");
+  if (movable) {
+    RequirePositive(mass, owner, "mass (kg)");
+  }
+  Describe();
+}
+
+void CBoxEntity::Init(TConfigurationNode& tree) {
+  GetNodeAttribute(tree, "size", m_size);
+  RequirePositiveSize(m_size, OwnerOf(tree), "attribute \"size\" (m)");
+  InitBody(tree);
+  Describe();
+}
+
+void CBoxEntity::Resize(const CVector3& size) {
+  RequirePositiveSize(size, "box \"" + GetId() + "\"", "size (m)");
+  m_size = size;
+  Describe();
+}
+
+SVisualPart CBoxEntity::MakeSolidPart() const {
+  SVisualPart part;
+  part.Kind = SVisualPart::EKind::Box;
+  part.Size = m_size;
+  return part;
+}
+
+REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CBoxEntity)
+
+REGISTER_ENTITY(
+    CBoxEntity, "box", "the ARGoS maintainers", "1.0", "A box, fixed or to be pushed.",
+    R"(A rectangular solid that stands on its base. Fixed boxes are walls and obstacles; movable ones
+are pushed by robots and rub on the ground.
+
+REQUIRED XML
+
+  <arena ...>
+    <box id="wall" size="4,0.1,0.5" movable="false">
+      <body position="0,2,0" orientation="0,0,0" />
+    </box>
+    <box id="crate" size="0.3,0.2,0.2" movable="true" mass="2.5">
+      <body position="0.4,0.3,0" orientation="45,0,0" />
+    </box>
+  </arena>
+
+ATTRIBUTES
+
+  id                text, required: unique among the entities of the arena.
+  size              "x,y,z", m, required, each > 0: extents along the local axes.
+  movable           "true" or "false", required.
+  mass              kg, > 0: required if movable, otherwise without effect.
+  body@position     "x,y,z", m, default "0,0,0": the centre of the base, in the world frame.
+  body@orientation  "z,y,x", degrees, default "0,0,0".
+
+OPTIONAL XML
+
+LEDs on the box, seen by cameras:
+
+  <arena ...>
+    <box id="beacon" size="0.3,0.3,0.2" movable="false">
+      <body position="1,0,0" orientation="0,0,0" />
+      <leds medium="leds">
+        <led offset="0.15,0,0.1" anchor="origin" color="red" />
+      </leds>
+    </box>
+  </arena>
+
+with the LED medium that they name:
+
+  <media>
+    <led id="leds" />
+  </media>
+
+  leds@medium       text, required: the id of an LED medium.
+  leds/led@offset   "x,y,z", m, required: from the centre of the base, in the box's frame.
+  leds/led@anchor   text, required: "origin".
+  leds/led@color    a colour name or "R,G,B,A" with integers 0-255, required.
+)",
+    "Usable")
+
+}  // namespace argos

@@ -1,0 +1,99 @@
+#include <argos3/plugins/simulator/entities/cylinder_entity.h>
+
+#include <argos3/plugins/simulator/entities/value_checks.h>
+
+namespace argos {
+
+CCylinderEntity::CCylinderEntity() = default;
+
+CCylinderEntity::CCylinderEntity(const std::string& id, const CVector3& position,
+                                 const CQuaternion& orientation, bool movable, Real radius,
+                                 Real height, Real mass)
+    : CPassiveBodyEntity(id, position, orientation, movable, mass) {
+  const std::string owner = "cylinder \"" + id + "\"";
+  m_radius = RequirePositive(radius, owner, "radius (m)");
+  m_height = RequirePositive(height, owner, "height (m)");
+  if (movable) {
+    RequirePositive(mass, owner, "mass (kg)");
+  }
+  Describe();
+}
+
+void CCylinderEntity::Init(TConfigurationNode& tree) {
+  ReadPositive(tree, "radius", "m", m_radius);
+  ReadPositive(tree, "height", "m", m_height);
+  InitBody(tree);
+  Describe();
+}
+
+void CCylinderEntity::Resize(Real radius, Real height) {
+  const std::string owner = "cylinder \"" + GetId() + "\"";
+  RequirePositive(radius, owner, "radius (m)");
+  RequirePositive(height, owner, "height (m)");
+  m_radius = radius;
+  m_height = height;
+  Describe();
+}
+
+SVisualPart CCylinderEntity::MakeSolidPart() const {
+  SVisualPart part;
+  part.Kind = SVisualPart::EKind::Cylinder;
+  part.Size = CVector3(2.0 * m_radius, 2.0 * m_radius, m_height);
+  return part;
+}
+
+REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CCylinderEntity)
+
+REGISTER_ENTITY(
+    CCylinderEntity, "cylinder", "the ARGoS maintainers", "1.0",
+    "A cylinder, fixed or to be pushed.",
+    R"(An upright cylinder that stands on its base. Fixed cylinders are obstacles; movable ones are
+pushed by robots and rub on the ground.
+
+REQUIRED XML
+
+  <arena ...>
+    <cylinder id="pillar" radius="0.2" height="0.5" movable="false">
+      <body position="0,2,0" orientation="0,0,0" />
+    </cylinder>
+    <cylinder id="puck" radius="0.1" height="0.1" movable="true" mass="0.5">
+      <body position="0.4,0.3,0" orientation="0,0,0" />
+    </cylinder>
+  </arena>
+
+ATTRIBUTES
+
+  id                text, required: unique among the entities of the arena.
+  radius, height    m, required, > 0; the axis is vertical.
+  movable           "true" or "false", required.
+  mass              kg, > 0: required if movable, otherwise without effect.
+  body@position     "x,y,z", m, default "0,0,0": the centre of the base, in the world frame.
+  body@orientation  "z,y,x", degrees, default "0,0,0".
+
+OPTIONAL XML
+
+LEDs on the cylinder, seen by cameras:
+
+  <arena ...>
+    <cylinder id="beacon" radius="0.1" height="0.2" movable="false">
+      <body position="1,0,0" orientation="0,0,0" />
+      <leds medium="leds">
+        <led offset="0,0,0.2" anchor="origin" color="red" />
+      </leds>
+    </cylinder>
+  </arena>
+
+with the LED medium that they name:
+
+  <media>
+    <led id="leds" />
+  </media>
+
+  leds@medium       text, required: the id of an LED medium.
+  leds/led@offset   "x,y,z", m, required: from the centre of the base, in the cylinder's frame.
+  leds/led@anchor   text, required: "origin".
+  leds/led@color    a colour name or "R,G,B,A" with integers 0-255, required.
+)",
+    "Usable")
+
+}  // namespace argos

@@ -1,0 +1,274 @@
+#include <argos3/plugins/simulator/entities/led_equipped_entity.h>
+
+#include <argos3/core/simulator/current.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/utility/datatypes/digest.h>
+
+#include <algorithm>
+
+namespace argos {
+
+void CLEDEquippedEntity::SLayout::AddLED(const CVector3& offset, const CColor& color,
+                                         UInt32 anchor) {
+  SPlace place;
+  place.Offset = offset;
+  place.Anchor = anchor;
+  place.Color = color;
+  Places.push_back(place);
+}
+
+void CLEDEquippedEntity::SLayout::AddLEDRing(const CVector3& center, Real radius,
+                                             const CRadians& startAngle, UInt32 num,
+                                             const CColor& color, UInt32 anchor) {
+  for (UInt32 i = 0; i < num; ++i) {
+    const CRadians angle = startAngle + CRadians::TWO_PI * i / num;
+    AddLED(center + CVector3(radius * Cos(angle), radius * Sin(angle), 0.0), color, anchor);
+  }
+}
+
+CLEDEquippedEntity::CLEDEquippedEntity(CComposableEntity* parent)
+    : CLEDEquippedEntity(parent, std::string()) {}
+
+CLEDEquippedEntity::CLEDEquippedEntity(CComposableEntity* parent, const std::string& id)
+    : CComposableEntity(parent, id) {
+  static const std::shared_ptr<const SLayout> kEmpty = std::make_shared<SLayout>();
+  m_layout = kEmpty;
+  CEntity::SetEnabled(false);
+}
+
+void CLEDEquippedEntity::Init(TConfigurationNode& tree) {
+  CComposableEntity::Init(tree);
+  std::string medium;
+  GetNodeAttribute(tree, "medium", medium);
+  SetMedium(CurrentSimulator().GetMedium<CLEDEntity::CRegistry>(medium));
+  auto& body = GetParent().GetComponent<CEmbodiedEntity>("body");
+  TConfigurationNodeIterator led("led");
+  for (led = led.begin(&tree); led != led.end(); ++led) {
+    CVector3 offset;
+    std::string anchor;
+    CColor color;
+    GetNodeAttribute(*led, "offset", offset);
+    GetNodeAttribute(*led, "anchor", anchor);
+    GetNodeAttribute(*led, "color", color);
+    AddLED(offset, body.GetAnchor(anchor), color);
+  }
+  Enable();
+  UpdateComponents();
+}
+
+void CLEDEquippedEntity::Reset() {
+  CComposableEntity::Reset();
+  for (size_t i = 0; i < m_colors.size(); ++i) {
+    m_colors[i] = m_layout->Places[i].Color;
+  }
+}
+
+void CLEDEquippedEntity::UpdateComponents() {
+  for (SActuator* actuator : m_actuators) {
+    PlaceLED(*actuator);
+  }
+}
+
+void CLEDEquippedEntity::SetEnabled(bool enabled) {
+  if (enabled == IsEnabled()) {
+    return;
+  }
+  CComposableEntity::SetEnabled(enabled);
+  for (SAnchor* anchor : m_anchors) {
+    // the origin anchor is always in use
+    if (anchor->Index > 0) {
+      enabled ? anchor->Enable() : anchor->Disable();
+    }
+  }
+}
+
+size_t CLEDEquippedEntity::GetIndexSpan() const {
+  return 1 + m_colors.size();
+}
+
+void CLEDEquippedEntity::SetLayout(std::shared_ptr<const SLayout> layout,
+                                   const std::vector<SAnchor*>& anchors) {
+  ARGOS_ASSERT(GetNumLEDs() == 0, "a layout replaces LEDs that exist already");
+  m_layout = std::move(layout);
+  m_anchors.assign(anchors.begin(), anchors.end());
+  m_colors.reserve(m_layout->Places.size());
+  for (const SPlace& place : m_layout->Places) {
+    m_colors.push_back(place.Color);
+  }
+}
+
+void CLEDEquippedEntity::AddLED(const CVector3& offset, SAnchor& anchor, const CColor& color) {
+  SLayout layout = *m_layout;
+  layout.AddLED(offset, color, NumberOfAnchor(anchor));
+  Append(std::move(layout));
+}
+
+void CLEDEquippedEntity::AddLEDRing(const CVector3& center, Real radius, const CRadians& startAngle,
+                                    UInt32 num, SAnchor& anchor, const CColor& color) {
+  SLayout layout = *m_layout;
+  layout.AddLEDRing(center, radius, startAngle, num, color, NumberOfAnchor(anchor));
+  Append(std::move(layout));
+}
+
+UInt32 CLEDEquippedEntity::NumberOfAnchor(SAnchor& anchor) {
+  const auto known = std::find(m_anchors.begin(), m_anchors.end(), &anchor);
+  if (known != m_anchors.end()) {
+    return static_cast<UInt32>(known - m_anchors.begin());
+  }
+  m_anchors.push_back(&anchor);
+  if (IsEnabled() && anchor.Index > 0) {
+    anchor.Enable();
+  }
+  return static_cast<UInt32>(m_anchors.size() - 1);
+}
+
+void CLEDEquippedEntity::Append(SLayout&& layout) {
+  const size_t numBefore = GetNumLEDs();
+  // with a medium or a place in the space there is no way back to bare colours
+  const bool asEntities =
+      m_medium != nullptr || GetIndex() >= 0 || (numBefore > 0 && m_colors.empty());
+  if (asEntities) {
+    Materialize();
+  }
+  m_layout = std::make_shared<const SLayout>(std::move(layout));
+  for (size_t i = numBefore; i < GetNumLEDs(); ++i) {
+    if (!asEntities) {
+      m_colors.push_back(m_layout->Places[i].Color);
+      continue;
+    }
+    CLEDEntity& led = MakeLED(i);
+    if (GetIndex() >= 0) {
+      // the indices after this entity's own are taken by those that came before this LED
+      CallEntityOperation<CSpaceOperationAddEntity, CSpace, void>(CurrentSpace(), led);
+    }
+  }
+}
+
+CLEDEntity& CLEDEquippedEntity::MakeLED(size_t index) {
+  const SPlace& place = m_layout->Places[index];
+  auto owned =
+      std::make_unique<CLEDEntity>(this, "led_" + std::to_string(index), CVector3(), place.Color);
+  CLEDEntity& led = *owned;
+  AddComponent(*owned.release());
+  m_ownActuators.push_back(
+      std::make_unique<SActuator>(led, place.Offset, *m_anchors[place.Anchor]));
+  m_actuators.push_back(m_ownActuators.back().get());
+  PlaceLED(*m_actuators.back());
+  if (m_medium != nullptr) {
+    led.SetMedium(*m_medium);
+  }
+  led.SetEnabled(IsEnabled());
+  return led;
+}
+
+void CLEDEquippedEntity::PlaceLED(SActuator& actuator) const {
+  CVector3 position = actuator.Offset;
+  position.Rotate(actuator.Anchor.Orientation);
+  actuator.LED.MoveTo(position + actuator.Anchor.Position, actuator.Anchor.Orientation);
+}
+
+void CLEDEquippedEntity::Materialize() {
+  if (IsMaterialized()) {
+    return;
+  }
+  // emptied first: adding a component looks at the components that exist
+  const std::vector<CColor> colors = std::move(m_colors);
+  m_colors = {};
+  m_ownActuators.reserve(colors.size());
+  m_actuators.reserve(colors.size());
+  for (size_t i = 0; i < colors.size(); ++i) {
+    CLEDEntity& led = MakeLED(i);
+    led.SetColor(colors[i]);
+    if (GetIndex() >= 0) {
+      led.SetIndex(GetIndex() + 1 + static_cast<ssize_t>(i));
+    }
+  }
+}
+
+const CColor& CLEDEquippedEntity::GetLEDColor(size_t index) const {
+  CheckIndex(index);
+  return IsMaterialized() ? m_actuators[index]->LED.GetColor() : m_colors[index];
+}
+
+CLEDEntity& CLEDEquippedEntity::GetLED(UInt32 index) {
+  CheckIndex(index);
+  Materialize();
+  return m_actuators[index]->LED;
+}
+
+CLEDEquippedEntity::SActuator::TList& CLEDEquippedEntity::GetLEDs() {
+  Materialize();
+  return m_actuators;
+}
+
+const CVector3& CLEDEquippedEntity::GetLEDOffset(size_t index) const {
+  CheckIndex(index);
+  return IsMaterialized() ? m_actuators[index]->Offset : m_layout->Places[index].Offset;
+}
+
+void CLEDEquippedEntity::SetLEDOffset(UInt32 index, const CVector3& offset) {
+  CheckIndex(index);
+  auto layout = std::make_shared<SLayout>(*m_layout);
+  layout->Places[index].Offset = offset;
+  m_layout = std::move(layout);
+  if (IsMaterialized()) {
+    m_actuators[index]->Offset = offset;
+    PlaceLED(*m_actuators[index]);
+  }
+}
+
+void CLEDEquippedEntity::SetLEDColor(UInt32 index, const CColor& color) {
+  CheckIndex(index);
+  if (IsMaterialized()) {
+    m_actuators[index]->LED.SetColor(color);
+  } else {
+    m_colors[index] = color;
+  }
+}
+
+void CLEDEquippedEntity::SetAllLEDsColors(const CColor& color) {
+  for (SActuator* actuator : m_actuators) {
+    actuator->LED.SetColor(color);
+  }
+  std::fill(m_colors.begin(), m_colors.end(), color);
+}
+
+void CLEDEquippedEntity::SetAllLEDsColors(const std::vector<CColor>& colors) {
+  if (colors.size() != GetNumLEDs()) {
+    THROW_ARGOSEXCEPTION("LEDs \"" << GetContext() << GetId() << "\": got " << colors.size()
+                                   << " colors for " << GetNumLEDs() << " LEDs");
+  }
+  for (size_t i = 0; i < colors.size(); ++i) {
+    SetLEDColor(static_cast<UInt32>(i), colors[i]);
+  }
+}
+
+void CLEDEquippedEntity::SetMedium(CLEDEntity::CRegistry& medium) {
+  m_medium = &medium;
+  Materialize();
+  for (SActuator* actuator : m_actuators) {
+    actuator->LED.SetMedium(medium);
+  }
+}
+
+void CLEDEquippedEntity::UpdateDigest(CDigest& digest) const {
+  CEntity::UpdateDigest(digest);
+  for (size_t i = 0; i < GetNumLEDs(); ++i) {
+    const CColor& color = GetLEDColor(i);
+    digest.Add(color.GetRed());
+    digest.Add(color.GetGreen());
+    digest.Add(color.GetBlue());
+    digest.Add(color.GetAlpha());
+  }
+}
+
+void CLEDEquippedEntity::CheckIndex(size_t index) const {
+  if (index >= GetNumLEDs()) {
+    THROW_ARGOSEXCEPTION("LEDs \"" << GetContext() << GetId() << "\": no LED " << index
+                                   << "; there are " << GetNumLEDs() << ", numbered from 0");
+  }
+}
+
+REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CLEDEquippedEntity)
+
+}  // namespace argos

@@ -1,0 +1,96 @@
+#include <argos3/plugins/simulator/entities/light_entity.h>
+
+#include <argos3/core/simulator/current.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/datatypes/digest.h>
+
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+constexpr Real kBulbDiameter = 0.1;  // m; only drawn
+
+}  // namespace
+
+CLightEntity::CLightEntity() : CLEDEntity(nullptr) {
+  MakeAppearance();
+}
+
+CLightEntity::CLightEntity(const std::string& id, const CVector3& position, const CColor& color,
+                           Real intensity)
+    : CLEDEntity(nullptr, id, position, color) {
+  SetIntensity(intensity);
+  MakeAppearance();
+}
+
+void CLightEntity::Init(TConfigurationNode& tree) {
+  CLEDEntity::Init(tree);
+  GetNodeAttribute(tree, "intensity", m_intensity);
+  std::string medium;
+  GetNodeAttribute(tree, "medium", medium);
+  SetMedium(CurrentSimulator().GetMedium<CLEDEntity::CRegistry>(medium));
+  Enable();
+  MakeAppearance();
+}
+
+void CLightEntity::SetIntensity(Real intensity) {
+  if (!std::isfinite(intensity)) {
+    THROW_ARGOSEXCEPTION("light \"" << GetId() << "\": the intensity must be finite, got "
+                                    << intensity);
+  }
+  m_intensity = intensity;
+}
+
+void CLightEntity::SetColor(const CColor& color) {
+  CLEDEntity::SetColor(color);
+  MakeAppearance();
+}
+
+void CLightEntity::MakeAppearance() {
+  m_appearance.Parts.resize(1);
+  SVisualPart& bulb = m_appearance.Parts.front();
+  bulb.Kind = SVisualPart::EKind::Sphere;
+  bulb.Size = CVector3(kBulbDiameter, kBulbDiameter, kBulbDiameter);
+  bulb.Color = GetColor();
+}
+
+void CLightEntity::UpdateDigest(CDigest& digest) const {
+  CLEDEntity::UpdateDigest(digest);
+  digest.Add(m_intensity);
+}
+
+REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CLightEntity)
+
+REGISTER_ENTITY(CLightEntity, "light", "the ARGoS maintainers", "1.0",
+                "A lamp that light sensors and cameras see.",
+                R"(A point of light without a body: nothing collides with it, and it hides nothing.
+Light sensors read it according to its intensity; cameras see it as an LED.
+
+REQUIRED XML
+
+  <arena ...>
+    <light id="lamp" position="0.4,2.3,0.25" color="yellow" intensity="1.0" medium="leds" />
+  </arena>
+
+with the LED medium that it names:
+
+  <media>
+    <led id="leds" />
+  </media>
+
+ATTRIBUTES
+
+  id           text, required: unique among the entities of the arena.
+  position     "x,y,z", m, default "0,0,0": the centre, in the world frame.
+  orientation  "z,y,x", degrees, default "0,0,0": has no effect.
+  color        a colour name or "R,G,B,A" with integers 0-255, required: as cameras see it.
+  intensity    real number, required: the distance, in m, at which the generic light sensor reads 1.
+               Light sensors ignore lamps with 0 or less; cameras do not care.
+  medium       text, required: the id of an LED medium.
+)",
+                "Usable")
+
+}  // namespace argos

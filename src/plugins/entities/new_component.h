@@ -1,0 +1,27 @@
+#ifndef ARGOS3_PLUGINS_ENTITIES_NEW_COMPONENT_H
+#define ARGOS3_PLUGINS_ENTITIES_NEW_COMPONENT_H
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+
+#include <memory>
+#include <utility>
+
+namespace argos {
+
+/**
+ * Makes a component of @p parent, which owns it from then on.
+ *
+ * Not installed: for sources only.
+ * @param arguments  of the constructor of COMPONENT, after the parent.
+ */
+template <typename COMPONENT, typename... ARGUMENTS>
+COMPONENT* NewComponent(CComposableEntity& parent, ARGUMENTS&&... arguments) {
+  auto component = std::make_unique<COMPONENT>(&parent, std::forward<ARGUMENTS>(arguments)...);
+  COMPONENT* borrowed = component.get();
+  parent.AddComponent(*component.release());
+  return borrowed;
+}
+
+}  // namespace argos
+
+#endif

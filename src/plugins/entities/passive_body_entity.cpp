@@ -1,0 +1,106 @@
+#include <argos3/plugins/simulator/entities/passive_body_entity.h>
+
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/plugins/simulator/entities/new_component.h>
+#include <argos3/plugins/simulator/entities/value_checks.h>
+
+namespace argos {
+
+namespace {
+
+// only drawn
+constexpr Real kLEDDiameter = 0.02;  // m
+constexpr CColor kMovableColor(74, 126, 187);
+constexpr CColor kFixedColor(146, 150, 156);
+
+}  // namespace
+
+CPassiveBodyEntity::CPassiveBodyEntity() : CComposableEntity(nullptr) {
+  m_body = NewComponent<CEmbodiedEntity>(*this, "body_0");
+  m_leds = NewComponent<CLEDEquippedEntity>(*this, "leds_0");
+}
+
+CPassiveBodyEntity::CPassiveBodyEntity(const std::string& id, const CVector3& position,
+                                       const CQuaternion& orientation, bool movable, Real mass)
+    : CComposableEntity(nullptr, id), m_mass(mass) {
+  m_body = NewComponent<CEmbodiedEntity>(*this, "body_0", position, orientation, movable);
+  m_leds = NewComponent<CLEDEquippedEntity>(*this, "leds_0");
+}
+
+void CPassiveBodyEntity::InitBody(TConfigurationNode& tree) {
+  CComposableEntity::Init(tree);
+  bool movable = false;
+  GetNodeAttribute(tree, "movable", movable);
+  if (movable) {
+    ReadPositive(tree, "mass", "kg", m_mass);
+  } else {
+    // allowed and without effect: asked for, so that it is not reported as unread
+    NodeAttributeExists(tree, "mass");
+  }
+  m_body->Init(GetNode(tree, "body"));
+  m_body->SetMovable(movable);
+  if (NodeExists(tree, "leds")) {
+    m_leds->Init(GetNode(tree, "leds"));
+  }
+}
+
+void CPassiveBodyEntity::UpdateComponents() {
+  if (m_leds->IsEnabled()) {
+    m_leds->Update();
+  }
+}
+
+void CPassiveBodyEntity::EnableLEDs(CLEDEntity::CRegistry& medium) {
+  m_leds->SetMedium(medium);
+  m_leds->Enable();
+  m_leds->UpdateComponents();
+}
+
+void CPassiveBodyEntity::DisableLEDs() {
+  m_leds->Disable();
+}
+
+void CPassiveBodyEntity::AddLED(const CVector3& offset, const CColor& color) {
+  m_leds->AddLED(offset, m_body->GetOriginAnchor(), color);
+  MakeAppearance();
+}
+
+void CPassiveBodyEntity::SetMass(Real mass) {
+  m_mass = RequirePositive(mass, GetTypeDescription() + " \"" + GetId() + "\"", "mass (kg)");
+  Describe();
+}
+
+void CPassiveBodyEntity::Describe() {
+  auto description = std::make_shared<SBodyDescription>();
+  description->Shapes.push_back(MakeShape());
+  if (m_body->IsMovable()) {
+    description->Mass = m_mass;
+    description->GroundFriction = SGroundFrictionDescription{GetFrictionClass()};
+  }
+  if (m_body->GetPhysicsModelsNum() > 0) {
+    CSpace& space = m_body->GetPhysicsModel(size_t(0)).GetEngine().GetSpace();
+    space.RemoveEntityFromPhysicsEngines(*m_body);
+    m_body->SetBodyDescription(std::move(description));
+    space.AddEntityToPhysicsEngine(*m_body);
+  } else {
+    m_body->SetBodyDescription(std::move(description));
+  }
+  MakeAppearance();
+}
+
+void CPassiveBodyEntity::MakeAppearance() {
+  m_appearance.Parts.clear();
+  SVisualPart solid = MakeSolidPart();
+  solid.Color = m_body->IsMovable() ? kMovableColor : kFixedColor;
+  m_appearance.Parts.push_back(solid);
+  for (size_t i = 0; i < m_leds->GetNumLEDs(); ++i) {
+    SVisualPart led;
+    led.Kind = SVisualPart::EKind::LED;
+    led.Position = m_leds->GetLEDOffset(i);
+    led.Size = CVector3(kLEDDiameter, kLEDDiameter, kLEDDiameter);
+    led.LED = static_cast<UInt32>(i);
+    m_appearance.Parts.push_back(led);
+  }
+}
+
+}  // namespace argos

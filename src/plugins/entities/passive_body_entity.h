@@ -1,0 +1,68 @@
+#ifndef ARGOS3_PLUGINS_ENTITIES_PASSIVE_BODY_ENTITY_H
+#define ARGOS3_PLUGINS_ENTITIES_PASSIVE_BODY_ENTITY_H
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/visualization/appearance.h>
+#include <argos3/plugins/simulator/entities/led_equipped_entity.h>
+
+namespace argos {
+
+/** What boxes and cylinders have in common: one solid without a will, and LEDs on it. */
+class CPassiveBodyEntity : public CComposableEntity {
+ public:
+  void UpdateComponents() override;
+
+  /** Gives the LEDs to a medium, a CLEDMedium, so that cameras see them. */
+  void EnableLEDs(CLEDEntity::CRegistry& medium);
+  void DisableLEDs();
+  /** @param offset from the centre of the base, in the frame of the body, m. */
+  void AddLED(const CVector3& offset, const CColor& color = CColor::BLACK);
+
+  CEmbodiedEntity& GetEmbodiedEntity() { return *m_body; }
+  const CEmbodiedEntity& GetEmbodiedEntity() const { return *m_body; }
+  CLEDEquippedEntity& GetLEDEquippedEntity() { return *m_leds; }
+  const CLEDEquippedEntity& GetLEDEquippedEntity() const { return *m_leds; }
+
+  /** kg; without meaning if the body is not movable. */
+  Real GetMass() const { return m_mass; }
+  /**
+   * Changes the mass; a body that is in an engine is taken out and put back, at rest.
+   * @throws CARGoSException if it is not > 0.
+   */
+  void SetMass(Real mass);
+
+  const SAppearance* GetAppearance() const override { return &m_appearance; }
+
+ protected:
+  CPassiveBodyEntity();
+  CPassiveBodyEntity(const std::string& id, const CVector3& position,
+                     const CQuaternion& orientation, bool movable, Real mass);
+
+  /**
+   * Reads `id`, `movable`, `mass` (if movable), `<body>` and `<leds>`. Derived classes read their
+   * size first, and call Describe() afterwards.
+   */
+  void InitBody(TConfigurationNode& tree);
+  /**
+   * Tells engines and visualizations what the body is like now; if it is in an engine, takes it out
+   * and puts it back.
+   */
+  void Describe();
+  virtual SShapeDescription MakeShape() const = 0;
+  virtual SVisualPart MakeSolidPart() const = 0;
+  virtual SGroundFrictionDescription::EClass GetFrictionClass() const = 0;
+
+ private:
+  void MakeAppearance();
+
+  CEmbodiedEntity* m_body = nullptr;  // a component
+  CLEDEquippedEntity* m_leds = nullptr;  // a component
+  Real m_mass = 1.0;  // kg
+  SAppearance m_appearance;
+};
+
+}  // namespace argos
+
+#endif

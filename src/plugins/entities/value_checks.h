@@ -1,0 +1,56 @@
+#ifndef ARGOS3_PLUGINS_ENTITIES_VALUE_CHECKS_H
+#define ARGOS3_PLUGINS_ENTITIES_VALUE_CHECKS_H
+
+#include <argos3/core/utility/configuration/argos_configuration.h>
+
+#include <cmath>
+#include <string>
+
+namespace argos {
+
+/*
+ * Range checks of what users give to entities and devices. Not installed: for sources only.
+ *
+ * owner: whose value it is, for the message: 'box "b1"'.
+ * what:  which value it is, with its unit: "height (m)".
+ */
+
+/** @throws CARGoSException unless @p value is finite and > 0. */
+inline Real RequirePositive(Real value, const std::string& owner, const std::string& what) {
+  if (!std::isfinite(value) || value <= 0.0) {
+    THROW_ARGOSEXCEPTION(owner << ": " << what << " must be a number > 0, got " << value);
+  }
+  return value;
+}
+
+/** @throws CARGoSException unless @p value is finite and >= 0. */
+inline Real RequireNotNegative(Real value, const std::string& owner, const std::string& what) {
+  if (!std::isfinite(value) || value < 0.0) {
+    THROW_ARGOSEXCEPTION(owner << ": " << what << " must be a number >= 0, got " << value);
+  }
+  return value;
+}
+
+/** 'file:line: <tag>', the owner of an attribute of that element. */
+inline std::string OwnerOf(const TConfigurationNode& node) {
+  return node.GetLocation() + ": <" + node.Value() + ">";
+}
+
+/** Reads a required attribute. @throws CARGoSException if it is missing or not > 0. */
+inline void ReadPositive(TConfigurationNode& node, const std::string& attribute,
+                         const std::string& unit, Real& value) {
+  GetNodeAttribute(node, attribute, value);
+  RequirePositive(value, OwnerOf(node), "attribute \"" + attribute + "\" (" + unit + ")");
+}
+
+/** Reads an optional attribute; without it @p value stays. @throws CARGoSException if not > 0. */
+inline void ReadOptionalPositive(TConfigurationNode& node, const std::string& attribute,
+                                 const std::string& unit, Real& value) {
+  if (NodeAttributeExists(node, attribute)) {
+    ReadPositive(node, attribute, unit, value);
+  }
+}
+
+}  // namespace argos
+
+#endif

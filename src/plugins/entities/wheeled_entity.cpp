@@ -1,0 +1,75 @@
+#include <argos3/plugins/simulator/entities/wheeled_entity.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/plugins/simulator/entities/value_checks.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace argos {
+
+CWheeledEntity::CWheeledEntity(CComposableEntity* parent, size_t numWheels)
+    : CWheeledEntity(parent, std::string(), numWheels) {}
+
+CWheeledEntity::CWheeledEntity(CComposableEntity* parent, const std::string& id, size_t numWheels)
+    : CEntity(parent, id), m_positions(numWheels), m_radii(numWheels), m_velocities(numWheels) {
+  if (numWheels == 0) {
+    THROW_ARGOSEXCEPTION("wheels \"" << GetContext() << id
+                                     << "\": needs one wheel at least, got 0");
+  }
+}
+
+void CWheeledEntity::Reset() {
+  std::fill(m_velocities.begin(), m_velocities.end(), 0.0);
+}
+
+void CWheeledEntity::SetWheel(UInt32 index, const CVector3& position, Real radius) {
+  CheckIndex(index);
+  m_radii[index] =
+      RequirePositive(radius, "wheels \"" + GetContext() + GetId() + "\"", "wheel radius (m)");
+  m_positions[index] = position;
+}
+
+const CVector3& CWheeledEntity::GetWheelPosition(size_t index) const {
+  CheckIndex(index);
+  return m_positions[index];
+}
+
+Real CWheeledEntity::GetWheelRadius(size_t index) const {
+  CheckIndex(index);
+  return m_radii[index];
+}
+
+Real CWheeledEntity::GetWheelVelocity(size_t index) const {
+  CheckIndex(index);
+  return m_velocities[index];
+}
+
+void CWheeledEntity::SetVelocities(const Real* velocities) {
+  for (size_t i = 0; i < m_velocities.size(); ++i) {
+    if (!std::isfinite(velocities[i])) {
+      THROW_ARGOSEXCEPTION("wheels \"" << GetContext() << GetId() << "\": speed of wheel " << i
+                                       << " must be finite, got " << velocities[i]);
+    }
+  }
+  std::copy_n(velocities, m_velocities.size(), m_velocities.begin());
+}
+
+void CWheeledEntity::UpdateDigest(CDigest& digest) const {
+  CEntity::UpdateDigest(digest);
+  for (const Real velocity : m_velocities) {
+    digest.Add(velocity);
+  }
+}
+
+void CWheeledEntity::CheckIndex(size_t index) const {
+  if (index >= m_velocities.size()) {
+    THROW_ARGOSEXCEPTION("wheels \"" << GetContext() << GetId() << "\": no wheel " << index
+                                     << "; they are numbered 0 to " << m_velocities.size() - 1);
+  }
+}
+
+REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CWheeledEntity)
+
+}  // namespace argos

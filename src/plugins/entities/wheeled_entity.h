@@ -1,0 +1,62 @@
+#ifndef ARGOS3_PLUGINS_ENTITIES_WHEELED_ENTITY_H
+#define ARGOS3_PLUGINS_ENTITIES_WHEELED_ENTITY_H
+
+#include <argos3/core/simulator/entity/entity.h>
+#include <argos3/core/utility/math/vector3.h>
+
+#include <vector>
+
+namespace argos {
+
+/** The wheels of a robot, and how fast its controller wants them to turn. */
+class CWheeledEntity : public CEntity {
+ public:
+  ENABLE_VTABLE();
+
+  /** @param numWheels > 0. @throws CARGoSException if it is 0. */
+  CWheeledEntity(CComposableEntity* parent, size_t numWheels);
+  CWheeledEntity(CComposableEntity* parent, const std::string& id, size_t numWheels);
+
+  /** All wheels stop. */
+  void Reset() override;
+  std::string GetTypeDescription() const override { return "wheels"; }
+
+  size_t GetNumWheels() const { return m_velocities.size(); }
+  /**
+   * Says where a wheel is.
+   * @param position  of its centre in the frame of the body's origin, m. @param radius m, > 0.
+   * @throws CARGoSException if there is no such wheel, or the radius is not > 0.
+   */
+  void SetWheel(UInt32 index, const CVector3& position, Real radius);
+
+  /** These throw CARGoSException if there is no such wheel. */
+  const CVector3& GetWheelPosition(size_t index) const;
+  Real GetWheelRadius(size_t index) const;
+  /** Speed of the wheel's rim, m/s, positive ahead. */
+  Real GetWheelVelocity(size_t index) const;
+
+  /** Arrays of GetNumWheels() elements; the pointers stay valid as long as the entity. */
+  const CVector3* GetWheelPositions() const { return m_positions.data(); }
+  const Real* GetWheelRadia() const { return m_radii.data(); }
+  const Real* GetWheelVelocities() const { return m_velocities.data(); }
+
+  /**
+   * Sets the speeds of all wheels, for the next physics phase.
+   * @param velocities  GetNumWheels() speeds of the rims, m/s.
+   * @throws CARGoSException if one is not finite; all speeds are then as before.
+   */
+  void SetVelocities(const Real* velocities);
+
+  void UpdateDigest(CDigest& digest) const override;
+
+ private:
+  void CheckIndex(size_t index) const;
+
+  std::vector<CVector3> m_positions;  // frame of the origin anchor, m, (wheels)
+  std::vector<Real> m_radii;  // m, (wheels)
+  std::vector<Real> m_velocities;  // m/s, (wheels)
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,156 @@
+#include <argos3/plugins/simulator/visualizations/offscreen/camera.h>
+
+#include <argos3/core/utility/configuration/argos_exception.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace argos {
+
+namespace {
+
+constexpr double kHalfPictureHeight = 13.5;  // mm; the reference's 27 mm high picture
+constexpr double kVerticalShare = 1e-9;      // far below what a camera could be aimed at
+constexpr double kFramingFocalLength = 50.0;  // mm; a long lens keeps parallels nearly parallel
+constexpr double kFramingElevation = 52.0;    // degrees above the horizon
+constexpr double kFramingMargin = 1.04;       // the arena fills 1 / 1.04 of the picture
+
+}  // namespace
+
+double SCameraPlacement::ComputeVerticalFieldOfView() const {
+  return 2.0 * std::atan(kHalfPictureHeight / FocalLength);
+}
+
+bool IsVertical(const Eigen::Vector3d& forward) {
+  return forward.head<2>().norm() <= kVerticalShare * forward.norm();
+}
+
+Eigen::Vector3d ComputeDefaultUp(const Eigen::Vector3d& forward) {
+  Eigen::Vector3d left = Eigen::Vector3d::UnitY();
+  if (!IsVertical(forward)) {
+    left = Eigen::Vector3d(-forward.y(), forward.x(), 0.0);
+  }
+  return forward.cross(left).normalized();
+}
+
+std::array<SCameraPlacement, kNumPlacements> MakeDefaultPlacements(const SArenaBox& arena) {
+  std::array<SCameraPlacement, kNumPlacements> placements;
+  for (std::size_t i = 0; i < kNumPlacements; ++i) {
+    const double angle = std::numbers::pi / 6.0 * static_cast<double>(i);
+    const Eigen::Vector3d outward(std::cos(angle), std::sin(angle), 0.0);
+    SCameraPlacement& placement = placements[i];
+    placement.Position = arena.Center + Eigen::Vector3d(0.0, 0.0, arena.Size.z()) +
+                         arena.Size.norm() * outward;
+    placement.LookAt = Eigen::Vector3d(arena.Center.x(), arena.Center.y(), 0.0);
+    placement.Up = Eigen::Vector3d::UnitZ();
+    placement.FocalLength = 57.5 + 7.5 * std::cos(4.0 * angle);
+  }
+  return placements;
+}
+
+SCameraPlacement MakeFramingPlacement(const SArenaBox& arena, double aspectRatio) {
+  const double elevation = kFramingElevation * std::numbers::pi / 180.0;
+  const Eigen::Vector3d toEye(0.0, -std::cos(elevation), std::sin(elevation));
+  SCameraPlacement placement;
+  placement.FocalLength = kFramingFocalLength;
+  placement.LookAt = Eigen::Vector3d(arena.Center.x(), arena.Center.y(), 0.0);
+  placement.Position = placement.LookAt + toEye;
+
+  const CCamera camera(placement, aspectRatio);
+  const Eigen::Vector3d& up = camera.GetUp();
+  const Eigen::Vector3d& forward = camera.GetForward();
+  const Eigen::Vector2d tangents = camera.GetHalfExtentTangents() / kFramingMargin;
+  const Eigen::Vector2d half = 0.5 * arena.Size.head<2>();
+
+  // the target moves along y until the near and the far edge are equally far from the picture's
+  // centre; both depend on the distance, but weakly, so that a fixed-point iteration converges
+  double shift = 0.0;
+  double distance = 0.0;
+  for (int iteration = 0; iteration < 20; ++iteration) {
+    distance = 0.0;
+    for (const double edge : {-half.y() - shift, half.y() - shift}) {
+      const double ahead = forward.y() * edge;
+      distance = std::max({distance, half.x() / tangents.x() - ahead,
+                           std::abs(up.y() * edge) / tangents.y() - ahead});
+    }
+    const double nearEdge = (-half.y() - shift) / (distance + forward.y() * (-half.y() - shift));
+    const double farEdge = (half.y() - shift) / (distance + forward.y() * (half.y() - shift));
+    shift += 0.5 * (nearEdge + farEdge) * distance;
+  }
+  placement.LookAt.y() += shift;
+  placement.Position = placement.LookAt + distance * toEye;
+  return placement;
+}
+
+SCameraPlacement Interpolate(const SCameraPlacement& from, const SCameraPlacement& to,
+                             double share) {
+  SCameraPlacement blend;
+  blend.Position = from.Position + share * (to.Position - from.Position);
+  blend.LookAt = from.LookAt + share * (to.LookAt - from.LookAt);
+  blend.Up = from.Up + share * (to.Up - from.Up);
+  blend.FocalLength = from.FocalLength + share * (to.FocalLength - from.FocalLength);
+  return blend;
+}
+
+CCamera::CCamera(const SCameraPlacement& placement, double aspectRatio)
+    : m_position(placement.Position), m_forward(placement.LookAt - placement.Position) {
+  const double distance = m_forward.norm();
+  if (!(distance > 0.0)) {
+    THROW_ARGOSEXCEPTION("The camera's position and look_at are the same point ("
+                         << m_position.x() << "," << m_position.y() << "," << m_position.z()
+                         << "); they must differ");
+  }
+  if (!(placement.FocalLength > 0.0)) {
+    THROW_ARGOSEXCEPTION("The camera's lens_focal_length is " << placement.FocalLength
+                                                              << " mm; it must be positive");
+  }
+  m_forward /= distance;
+  m_right = m_forward.cross(placement.Up);
+  // an upward direction along the line of sight says nothing: fall back on the derived one
+  if (!(m_right.norm() > kVerticalShare * placement.Up.norm())) {
+    m_right = m_forward.cross(ComputeDefaultUp(m_forward));
+  }
+  m_right.normalize();
+  m_up = m_right.cross(m_forward);
+  const double halfHeight = kHalfPictureHeight / placement.FocalLength;
+  m_tangents = Eigen::Vector2d(halfHeight * aspectRatio, halfHeight);
+}
+
+Eigen::Matrix4d CCamera::ComputeViewMatrix() const {
+  Eigen::Matrix4d view = Eigen::Matrix4d::Identity();
+  view.block<1, 3>(0, 0) = m_right.transpose();
+  view.block<1, 3>(1, 0) = m_up.transpose();
+  view.block<1, 3>(2, 0) = -m_forward.transpose();
+  view.block<3, 1>(0, 3) = -view.block<3, 3>(0, 0) * m_position;
+  return view;
+}
+
+Eigen::Matrix4d CCamera::ComputeProjectionMatrix(double nearPlane, double farPlane) const {
+  Eigen::Matrix4d projection = Eigen::Matrix4d::Zero();
+  projection(0, 0) = 1.0 / m_tangents.x();
+  projection(1, 1) = 1.0 / m_tangents.y();
+  projection(2, 2) = (nearPlane + farPlane) / (nearPlane - farPlane);
+  projection(2, 3) = 2.0 * nearPlane * farPlane / (nearPlane - farPlane);
+  projection(3, 2) = -1.0;
+  return projection;
+}
+
+double CCamera::ComputeDepth(const Eigen::Vector3d& point) const {
+  return m_forward.dot(point - m_position);
+}
+
+Eigen::Vector2d CCamera::Project(const Eigen::Vector3d& point) const {
+  const double depth = ComputeDepth(point);
+  if (!(depth > 0.0)) {
+    return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+  }
+  const Eigen::Vector3d offset = point - m_position;
+  return Eigen::Vector2d(0.5 + 0.5 * m_right.dot(offset) / (depth * m_tangents.x()),
+                         0.5 - 0.5 * m_up.dot(offset) / (depth * m_tangents.y()));
+}
+
+}  // namespace argos

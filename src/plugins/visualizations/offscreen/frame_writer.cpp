@@ -1,0 +1,164 @@
+#include <argos3/plugins/simulator/visualizations/offscreen/frame_writer.h>
+
+#include <argos3/core/utility/configuration/argos_exception.h>
+
+#include <FreeImage.h>
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <iomanip>
+#include <memory>
+#include <sstream>
+#include <system_error>
+
+namespace argos {
+
+namespace {
+
+constexpr int kTickDigits = 10;
+constexpr int kBitsPerPixel = 24;
+constexpr int kBestQuality = 100;
+
+bool CanWrite(FREE_IMAGE_FORMAT format) {
+  return FreeImage_FIFSupportsWriting(format) != 0 &&
+         FreeImage_FIFSupportsExportBPP(format, kBitsPerPixel) != 0;
+}
+
+std::string ListFormats() {
+  std::string names;
+  for (int i = 0; i < FreeImage_GetFIFCount(); ++i) {
+    const auto format = static_cast<FREE_IMAGE_FORMAT>(i);
+    if (CanWrite(format)) {
+      names += (names.empty() ? "" : ", ") + std::string(FreeImage_GetFIFExtensionList(format));
+    }
+  }
+  return names;
+}
+
+// quality is how little the packer may work for PNG, and how little it may drop for the lossy ones
+int ComputeFlags(FREE_IMAGE_FORMAT format, int quality) {
+  if (quality < 0) {
+    return 0;
+  }
+  switch (format) {
+    case FIF_PNG: {
+      const int level = 9 - quality * 9 / kBestQuality;
+      return level == 0 ? PNG_Z_NO_COMPRESSION : level;
+    }
+    case FIF_JPEG:
+    case FIF_WEBP:
+      return quality > 0 ? quality : 1;
+    case FIF_TIFF:
+      return quality == kBestQuality ? TIFF_NONE : TIFF_DEFLATE;
+    default:
+      return 0;
+  }
+}
+
+struct SBitmapDeleter {
+  void operator()(FIBITMAP* bitmap) const { FreeImage_Unload(bitmap); }
+};
+
+std::unique_ptr<FIBITMAP, SBitmapDeleter> MakeBitmap(const SPicture& picture) {
+  std::unique_ptr<FIBITMAP, SBitmapDeleter> bitmap(
+      FreeImage_Allocate(picture.Width, picture.Height, kBitsPerPixel));
+  if (bitmap == nullptr) {
+    THROW_ARGOSEXCEPTION("There is no memory for a picture of " << picture.Width << "x"
+                                                                << picture.Height << " pixels");
+  }
+  for (int row = 0; row < picture.Height; ++row) {
+    BYTE* to = FreeImage_GetScanLine(bitmap.get(), picture.Height - 1 - row);
+    const std::uint8_t* from = picture.At(0, row);
+    for (int column = 0; column < picture.Width; ++column, to += 3, from += 4) {
+      to[FI_RGBA_RED] = from[0];
+      to[FI_RGBA_GREEN] = from[1];
+      to[FI_RGBA_BLUE] = from[2];
+    }
+  }
+  return bitmap;
+}
+
+}  // namespace
+
+CFrameWriter::CFrameWriter(const SFrameFileSettings& settings) : m_settings(settings) {
+  CheckFormat();
+  CheckQuality();
+  CheckDirectory();
+}
+
+void CFrameWriter::CheckFormat() {
+  const FREE_IMAGE_FORMAT format =
+      FreeImage_GetFIFFromFilename(("frame." + m_settings.Format).c_str());
+  if (format == FIF_UNKNOWN || !CanWrite(format)) {
+    THROW_ARGOSEXCEPTION("Frames cannot be written in the format \""
+                         << m_settings.Format << "\"; choose one of " << ListFormats());
+  }
+  m_format = format;
+}
+
+void CFrameWriter::CheckQuality() {
+  if (m_settings.Quality < -1 || m_settings.Quality > kBestQuality) {
+    THROW_ARGOSEXCEPTION("The quality of frames is " << m_settings.Quality
+                                                     << "; it must be from 0 to " << kBestQuality
+                                                     << ", or -1 for the format's own");
+  }
+  m_flags = ComputeFlags(static_cast<FREE_IMAGE_FORMAT>(m_format), m_settings.Quality);
+}
+
+void CFrameWriter::CheckDirectory() {
+  std::string& directory = m_settings.Directory;
+  while (directory.size() > 1 && directory.back() == '/') {
+    directory.pop_back();
+  }
+  if (directory.empty()) {
+    directory = ".";
+  }
+  std::error_code error;
+  if (std::filesystem::is_directory(directory, error)) {
+    return;
+  }
+  if (std::filesystem::exists(directory, error)) {
+    THROW_ARGOSEXCEPTION("Frames cannot go to \"" << directory << "\": it is not a directory");
+  }
+  if (!m_settings.CreateDirectory) {
+    THROW_ARGOSEXCEPTION("Frames cannot go to \""
+                         << directory << "\": there is no such directory; create it first");
+  }
+  std::filesystem::create_directories(directory, error);
+  if (error) {
+    THROW_ARGOSEXCEPTION("The directory \"" << directory << "\" for frames cannot be created: "
+                                            << error.message());
+  }
+}
+
+std::string CFrameWriter::MakeFileName(std::uint32_t tick) const {
+  std::ostringstream name;
+  name << m_settings.Directory << '/' << m_settings.BaseName << std::setfill('0')
+       << std::setw(kTickDigits) << tick << '.' << m_settings.Format;
+  return name.str();
+}
+
+void CFrameWriter::Write(const SPicture& picture, std::uint32_t tick) const {
+  const std::string fileName = MakeFileName(tick);
+  // the process id keeps runs apart that write to one directory
+  const std::string partName = fileName + "." + std::to_string(getpid()) + ".part";
+  const auto bitmap = MakeBitmap(picture);
+  if (FreeImage_Save(static_cast<FREE_IMAGE_FORMAT>(m_format), bitmap.get(), partName.c_str(),
+                     m_flags) == 0) {
+    std::remove(partName.c_str());
+    THROW_ARGOSEXCEPTION("The frame \""
+                         << fileName
+                         << "\" cannot be written; is the directory writable, is the disk full?");
+  }
+  std::error_code error;
+  std::filesystem::rename(partName, fileName, error);
+  if (error) {
+    std::remove(partName.c_str());
+    THROW_ARGOSEXCEPTION("The frame \"" << fileName
+                                        << "\" cannot be written: " << error.message());
+  }
+}
+
+}  // namespace argos

@@ -1,0 +1,57 @@
+#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_WRITER_H
+#define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_WRITER_H
+
+#include <argos3/plugins/simulator/visualizations/offscreen/picture.h>
+
+#include <cstdint>
+#include <string>
+
+namespace argos {
+
+/** Where frames go and in what format. */
+struct SFrameFileSettings {
+  std::string Directory = "."; /**< relative to the working directory; a trailing slash is dropped */
+  std::string BaseName = "frame_";
+  std::string Format = "png"; /**< any that FreeImage writes 24-bit pictures in: png, jpg, bmp, ... */
+  int Quality = -1;           /**< 0 (smallest file) to 100 (best, or least packed); -1 = the format's own */
+  bool CreateDirectory = true;  /**< otherwise a directory that does not exist is an error */
+};
+
+/**
+ * Writes pictures to files that are numbered by tick.
+ *
+ * A file appears under its name only when it is complete: it is written under a temporary name in
+ * the same directory, and renamed.
+ */
+class CFrameWriter {
+ public:
+  /**
+   * Checks the settings and creates the directory if asked to.
+   * @throws CARGoSException if the directory does not exist and is not to be created, or cannot be
+   *         created; if the format is unknown (listing those there are); if the quality is out of
+   *         range.
+   */
+  explicit CFrameWriter(const SFrameFileSettings& settings);
+
+  /** Directory, base name, tick padded with zeros to 10 digits, a dot, format. */
+  std::string MakeFileName(std::uint32_t tick) const;
+
+  /**
+   * Writes one frame, over one of the same tick.
+   * @throws CARGoSException naming the file, if it cannot be written; no part of it stays behind.
+   */
+  void Write(const SPicture& picture, std::uint32_t tick) const;
+
+ private:
+  void CheckFormat();
+  void CheckQuality();
+  void CheckDirectory();
+
+  SFrameFileSettings m_settings;
+  int m_format = -1;  // FreeImage's number
+  int m_flags = 0;    // FreeImage's
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,53 @@
+#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_GL_CONTEXT_H
+#define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_GL_CONTEXT_H
+
+#include <argos3/plugins/simulator/visualizations/offscreen/gl_functions.h>
+
+#include <memory>
+#include <string>
+
+namespace argos {
+
+/**
+ * An OpenGL core context, version 3.3 or later, that needs no display, window or GPU.
+ *
+ * The build compiles exactly one implementation: gl_context_osmesa.cpp (macro
+ * ARGOS_GL_CONTEXT_OSMESA) or gl_context_egl.cpp (macro ARGOS_GL_CONTEXT_EGL). Mesa dropped OSMesa
+ * in its release 25.1; EGL's surfaceless platform does the same from there on.
+ *
+ * A context has no picture of its own worth drawing into: draw into framebuffer objects. Objects
+ * made in a context live exactly as long as it does.
+ */
+class CGlContext {
+ public:
+  virtual ~CGlContext() = default;
+
+  CGlContext(const CGlContext&) = delete;
+  CGlContext& operator=(const CGlContext&) = delete;
+
+  /**
+   * Makes a context and makes it current on the calling thread.
+   * @throws CARGoSException naming the step that failed and what to install.
+   */
+  static std::unique_ptr<CGlContext> Create();
+
+  /**
+   * Makes this context the calling thread's current one; a thread that draws calls it first.
+   * @throws CARGoSException if the library refuses, e.g. because another thread holds it.
+   */
+  virtual void MakeCurrent() = 0;
+
+  /** How the context was made: "OSMesa" or "EGL surfaceless". */
+  virtual std::string GetKind() const = 0;
+
+  const SGlFunctions& GetFunctions() const { return m_functions; }
+
+ protected:
+  CGlContext() = default;
+
+  SGlFunctions m_functions;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,146 @@
+#include <argos3/plugins/simulator/visualizations/offscreen/instance_batches.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+// diameters on the picture, in pixels
+constexpr double kSmallestDrawn = 0.8;  // less than that hardly tints a pixel
+constexpr double kSmallestCaster = 1.5;
+constexpr double kSmallestTranslucent = 8.0;
+// from these on the next finer level is taken: an edge of the coarser polygon would otherwise stray
+// from its circle by about a third of a pixel, d / 2 (1 - cos(pi / n)), or more
+constexpr std::array<double, kNumLevels - 1> kLevelBounds = {6.0, 18.0, 70.0};
+// a shadow is at most about three times as long as its solid is large: the sun stands high
+constexpr double kShadowReach = 4.0;
+
+void Clear(CInstanceBatches::TBatches& batches) {
+  for (auto& levels : batches) {
+    for (std::vector<SMeshInstance>& instances : levels) {
+      instances.clear();
+    }
+  }
+}
+
+std::size_t ChooseLevel(double pixels) {
+  std::size_t level = 0;
+  while (level < kLevelBounds.size() && pixels > kLevelBounds[level]) {
+    ++level;
+  }
+  return level;
+}
+
+}  // namespace
+
+Eigen::Matrix3d MakeSunFrame(const Eigen::Vector3d& toSun) {
+  // the frame's x axis stays horizontal, so that shadows of walls along x are cut without steps
+  Eigen::Vector3d x = Eigen::Vector3d::UnitY().cross(toSun);
+  if (x.norm() < 1e-6) {
+    x = Eigen::Vector3d::UnitX();
+  }
+  Eigen::Matrix3d frame;
+  frame.row(0) = x.normalized();
+  frame.row(1) = toSun.cross(x).normalized();
+  frame.row(2) = toSun;
+  return frame;
+}
+
+SBoundingSphere ComputeBoundingSphere(EMeshKind kind, const SMeshInstance& instance) {
+  const double centerZ = kind == EMeshKind::Box || kind == EMeshKind::Cylinder ? 0.5 : 0.0;
+  SBoundingSphere sphere;
+  double sum = 0.0;
+  for (int row = 0; row < 3; ++row) {
+    const auto& entries = instance.ToWorld[static_cast<std::size_t>(row)];
+    sphere.Center[row] = entries[3] + centerZ * entries[2];
+    for (std::size_t column = 0; column < 3; ++column) {
+      sum += static_cast<double>(entries[column]) * entries[column];
+    }
+  }
+  sphere.Radius = 0.5 * std::sqrt(sum);
+  return sphere;
+}
+
+void CInstanceBatches::Fill(const SScene& scene, const CCamera& camera, int pictureHeight,
+                            const Eigen::Vector3d& toSun) {
+  Clear(m_opaque);
+  Clear(m_casters);
+  m_sortKeys.clear();
+  m_casterBounds.setEmpty();
+  m_depths.setEmpty();
+  m_camera = &camera;
+  m_sunFrame = MakeSunFrame(toSun);
+  const Eigen::Vector2d& tangents = camera.GetHalfExtentTangents();
+  m_pixelsPerTangent = 0.5 * pictureHeight / tangents.y();
+  m_sideNorms = (tangents.array().square() + 1.0).sqrt();
+  for (std::size_t kind = 0; kind < kNumMeshKinds; ++kind) {
+    for (const SMeshInstance& instance : scene.Meshes[kind]) {
+      Add(static_cast<EMeshKind>(kind), instance);
+    }
+  }
+  SortTranslucent();
+}
+
+void CInstanceBatches::SortTranslucent() {
+  std::sort(m_sortKeys.begin(), m_sortKeys.end(), [](const SSortKey& a, const SSortKey& b) {
+    if (a.Depth != b.Depth) {
+      return a.Depth > b.Depth;
+    }
+    return a.Kind != b.Kind ? a.Kind < b.Kind : a.Instance < b.Instance;
+  });
+  m_translucent.clear();
+  m_runs.clear();
+  for (const SSortKey& key : m_sortKeys) {
+    if (m_runs.empty() || m_runs.back().Kind != key.Kind) {
+      m_runs.push_back({key.Kind, m_translucent.size(), 0});
+    }
+    m_translucent.push_back(*key.Instance);
+    ++m_runs.back().Count;
+  }
+}
+
+void CInstanceBatches::Add(EMeshKind kind, const SMeshInstance& instance) {
+  const SBoundingSphere sphere = ComputeBoundingSphere(kind, instance);
+  const Eigen::Vector3d offset = sphere.Center - m_camera->GetPosition();
+  const double depth = m_camera->GetForward().dot(offset);
+  const Eigen::Vector2d across(std::abs(m_camera->GetRight().dot(offset)),
+                               std::abs(m_camera->GetUp().dot(offset)));
+
+  // distance of the centre from the pyramid of view, 0 inside
+  const Eigen::Vector2d toSides =
+      (across - depth * m_camera->GetHalfExtentTangents()).cwiseQuotient(m_sideNorms);
+  const double toView = std::max({toSides.x(), toSides.y(), -depth});
+  if (toView > kShadowReach * sphere.Radius) {
+    return;
+  }
+  const double pixels =
+      2.0 * sphere.Radius * m_pixelsPerTangent / std::max(depth, sphere.Radius);
+  if (pixels < kSmallestDrawn) {
+    return;
+  }
+  const std::size_t kindIndex = static_cast<std::size_t>(kind);
+  const Eigen::Vector3d inSun = m_sunFrame * sphere.Center;
+  const Eigen::Vector3d extent = Eigen::Vector3d::Constant(sphere.Radius);
+  m_casterBounds.extend(inSun - extent);
+  m_casterBounds.extend(inSun + extent);
+  const bool opaque = instance.Color.A == 255 || pixels < kSmallestTranslucent;
+  if (opaque && pixels >= kSmallestCaster) {
+    // one level coarser than on the picture: shadows have soft borders
+    const std::size_t level = ChooseLevel(0.5 * pixels);
+    m_casters[kindIndex][level].push_back(instance);
+  }
+  if (toView > sphere.Radius) {
+    return;
+  }
+  m_depths.extend(Eigen::Matrix<double, 1, 1>(depth - sphere.Radius));
+  m_depths.extend(Eigen::Matrix<double, 1, 1>(depth + sphere.Radius));
+  if (opaque) {
+    m_opaque[kindIndex][ChooseLevel(pixels)].push_back(instance);
+  } else if (instance.Color.A > 0) {
+    m_sortKeys.push_back({depth, kind, &instance});
+  }
+}
+
+}  // namespace argos

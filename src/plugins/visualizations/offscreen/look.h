@@ -1,0 +1,41 @@
+#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_LOOK_H
+#define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_LOOK_H
+
+#include <argos3/plugins/simulator/visualizations/offscreen/scene.h>
+
+#include <string>
+
+namespace argos {
+
+/**
+ * The taste of the pictures: colours and strengths of everything that is not in the scene.
+ *
+ * Intensities are in linear light; a white, lit, upward face comes out at about 1.
+ */
+struct SLook {
+  SRgba Background;
+  SRgba Ground;        /**< of the arena, where the floor has no image */
+  SRgba GroundOutside; /**< around the arena, fading into the background */
+  SRgba GridLine;
+  SRgba Boundary;
+  float SunIntensity = 0.0f;
+  SRgba SkyLight;           /**< what reaches upward faces from everywhere */
+  SRgba BounceLight;        /**< what reaches downward faces from everywhere */
+  float AmbientIntensity = 0.0f;
+  float SpecularIntensity = 0.0f;
+  float EdgeDarkening = 0.0f;  /**< of the lines along the edges of solids, 0 to 1 */
+  float ContactDarkening = 0.0f; /**< of the ground under solids, 0 to 1 */
+  float HaloStrength = 0.0f;   /**< 0 to 1 */
+  /** How much of what is behind a halo it hides: 1 like fog, 0 like light. */
+  float HaloOpacity = 0.0f;
+
+  /**
+   * @param name  "light" (for print) or "dark" (for slides).
+   * @throws CARGoSException listing the names there are.
+   */
+  static SLook FromName(const std::string& name);
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,409 @@
+#include <argos3/plugins/simulator/visualizations/offscreen/renderer.h>
+
+#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/mesh.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/shaders.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <sstream>
+
+namespace argos {
+
+namespace {
+
+constexpr GLint kShadowUnit = 0;
+constexpr GLint kFloorUnit = 1;
+constexpr size_t kTranslucentLevel = 2;
+constexpr double kSmallestNear = 0.002;   // m
+constexpr double kNearOverFar = 2e-5;     // a 32-bit depth buffer still separates millimetres
+constexpr GLfloat kDepthSlope = 1.5f;     // shadow bias, in depth steps per unit of slope
+constexpr GLfloat kDepthUnits = 4.0f;
+
+const void* Offset(size_t bytes) {
+  return reinterpret_cast<const void*>(bytes);
+}
+
+SRenderSettings Normalized(SRenderSettings settings) {
+  settings.ToSun.normalize();
+  return settings;
+}
+
+}  // namespace
+
+CRenderer::CRenderer(const SRenderSettings& settings)
+    : m_settings(Normalized(settings)),
+      m_context(CGlContext::Create()),
+      m_gl(m_context->GetFunctions()),
+      m_target(m_gl, settings.Width, settings.Height, settings.Samples),
+      m_shadowMap(m_gl),
+      m_meshProgram(m_gl, kMeshShader),
+      m_depthProgram(m_gl, kDepthShader),
+      m_groundProgram(m_gl, kGroundShader),
+      m_contactProgram(m_gl, kContactShadowShader),
+      m_glowProgram(m_gl, kGlowShader),
+      m_lineProgram(m_gl, kLineShader),
+      m_toSun(m_settings.ToSun) {
+  CreateMeshes();
+  CreateVertexArrays();
+  m_gl.GenTextures(1, &m_floorTexture);
+  m_gl.DepthFunc(GL_LEQUAL);
+  m_gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  m_gl.PolygonOffset(kDepthSlope, kDepthUnits);
+}
+
+std::string CRenderer::DescribeDriver() const {
+  const auto text = [this](GLenum name) {
+    const GLubyte* value = m_gl.GetString(name);
+    return value != nullptr ? reinterpret_cast<const char*>(value) : "unknown";
+  };
+  std::ostringstream description;
+  description << m_context->GetKind() << ", " << text(GL_RENDERER) << ", OpenGL "
+              << text(GL_VERSION);
+  return description.str();
+}
+
+void CRenderer::CreateMeshes() {
+  SMesh all;
+  for (size_t kind = 0; kind < kNumMeshKinds; ++kind) {
+    for (size_t level = 0; level < kNumLevels; ++level) {
+      const SMesh mesh = MakeMesh(static_cast<EMeshKind>(kind), kSegmentsPerLevel[level]);
+      const auto firstVertex = static_cast<std::uint32_t>(all.Vertices.size());
+      m_meshes[kind][level] = {static_cast<GLsizei>(mesh.Indices.size()), all.Indices.size()};
+      all.Vertices.insert(all.Vertices.end(), mesh.Vertices.begin(), mesh.Vertices.end());
+      for (const std::uint32_t index : mesh.Indices) {
+        all.Indices.push_back(firstVertex + index);
+      }
+    }
+  }
+  m_gl.GenVertexArrays(1, &m_meshArray);
+  m_gl.BindVertexArray(m_meshArray);
+  GLuint buffers[2] = {0, 0};
+  m_gl.GenBuffers(2, buffers);
+  m_gl.BindBuffer(GL_ARRAY_BUFFER, buffers[0]);
+  m_gl.BufferData(GL_ARRAY_BUFFER,
+                  static_cast<GLsizeiptr>(all.Vertices.size() * sizeof(SMeshVertex)),
+                  all.Vertices.data(), GL_STATIC_DRAW);
+  m_gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
+  m_gl.BufferData(GL_ELEMENT_ARRAY_BUFFER,
+                  static_cast<GLsizeiptr>(all.Indices.size() * sizeof(std::uint32_t)),
+                  all.Indices.data(), GL_STATIC_DRAW);
+  const size_t offsets[3] = {offsetof(SMeshVertex, Position), offsetof(SMeshVertex, Normal),
+                             offsetof(SMeshVertex, Edge)};
+  const GLint sizes[3] = {3, 3, 2};
+  for (GLuint attribute = 0; attribute < 3; ++attribute) {
+    m_gl.EnableVertexAttribArray(attribute);
+    m_gl.VertexAttribPointer(attribute, sizes[attribute], GL_FLOAT, GL_FALSE, sizeof(SMeshVertex),
+                             Offset(offsets[attribute]));
+  }
+}
+
+void CRenderer::CreateVertexArrays() {
+  // attributes that advance once per instance
+  GLsizei stride = 0;
+  const auto add = [&](GLuint attribute, GLint size, GLenum type, size_t offset) {
+    m_gl.EnableVertexAttribArray(attribute);
+    const GLboolean isColor = type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE;
+    m_gl.VertexAttribPointer(attribute, size, type, isColor, stride, Offset(offset));
+    m_gl.VertexAttribDivisor(attribute, 1);
+  };
+  const auto begin = [&](GLuint& array, GLuint& buffer, size_t size) {
+    if (array == 0) {
+      m_gl.GenVertexArrays(1, &array);
+    }
+    m_gl.BindVertexArray(array);
+    m_gl.GenBuffers(1, &buffer);
+    m_gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+    stride = static_cast<GLsizei>(size);
+  };
+  begin(m_meshArray, m_meshInstances, sizeof(SMeshInstance));
+  for (GLuint row = 0; row < 3; ++row) {
+    add(3 + row, 4, GL_FLOAT, offsetof(SMeshInstance, ToWorld) + row * 4 * sizeof(float));
+  }
+  add(6, 4, GL_UNSIGNED_BYTE, offsetof(SMeshInstance, Color));
+  add(7, 1, GL_FLOAT, offsetof(SMeshInstance, Param));
+
+  begin(m_contactArray, m_contactInstances, sizeof(SContactShadow));
+  add(0, 2, GL_FLOAT, offsetof(SContactShadow, Center));
+  add(1, 2, GL_FLOAT, offsetof(SContactShadow, AxisX));
+  add(2, 2, GL_FLOAT, offsetof(SContactShadow, HalfExtent));
+  add(3, 2, GL_FLOAT, offsetof(SContactShadow, CornerRadius));
+
+  begin(m_glowArray, m_glowInstances, sizeof(SGlow));
+  add(0, 3, GL_FLOAT, offsetof(SGlow, Position));
+  add(1, 1, GL_FLOAT, offsetof(SGlow, Radius));
+  add(2, 4, GL_UNSIGNED_BYTE, offsetof(SGlow, Color));
+  add(3, 1, GL_FLOAT, offsetof(SGlow, HaloScale));
+
+  begin(m_lineArray, m_lineInstances, sizeof(SLine));
+  add(0, 3, GL_FLOAT, offsetof(SLine, Start));
+  add(1, 3, GL_FLOAT, offsetof(SLine, End));
+  add(2, 4, GL_UNSIGNED_BYTE, offsetof(SLine, Color));
+  add(3, 1, GL_FLOAT, offsetof(SLine, Width));
+
+  m_gl.GenVertexArrays(1, &m_emptyArray);
+}
+
+void CRenderer::Upload(GLuint buffer, const void* data, size_t size) const {
+  m_gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+  m_gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(size), data, GL_STREAM_DRAW);
+}
+
+void CRenderer::UploadFloor(const SFloorImage& floor) {
+  m_gl.ActiveTexture(GL_TEXTURE0 + kFloorUnit);
+  m_gl.BindTexture(GL_TEXTURE_2D, m_floorTexture);
+  const bool wanted = floor.Width > 0 && floor.Height > 0;
+  if (!wanted || (m_hasFloor && floor.Version == m_floorVersion)) {
+    m_hasFloor = wanted;
+    return;
+  }
+  GLint maxSide = 0;
+  m_gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &maxSide);
+  if (std::max(floor.Width, floor.Height) > maxSide) {
+    THROW_ARGOSEXCEPTION("The floor's image has " << floor.Width << "x" << floor.Height
+                                                  << " pixels; the OpenGL driver draws at most "
+                                                  << maxSide << " along each side");
+  }
+  m_gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  m_gl.TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, floor.Width, floor.Height, 0, GL_RGBA,
+                  GL_UNSIGNED_BYTE, floor.Pixels.data());
+  m_gl.GenerateMipmap(GL_TEXTURE_2D);
+  m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  m_floorVersion = floor.Version;
+  m_hasFloor = true;
+}
+
+void CRenderer::ComputeMatrices(const SScene& scene, const CCamera& camera) {
+  m_groundReach = 0.5 * (scene.ArenaMax - scene.ArenaMin).norm();
+  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(m_groundReach);
+  const Eigen::AlignedBox2d ground(scene.ArenaMin - reach, scene.ArenaMax + reach);
+
+  Eigen::AlignedBox<double, 1> depths = m_batches.GetDepths();
+  for (int corner = 0; corner < 4; ++corner) {
+    const Eigen::Vector2d xy = ground.corner(static_cast<Eigen::AlignedBox2d::CornerType>(corner));
+    const double depth = camera.ComputeDepth(Eigen::Vector3d(xy.x(), xy.y(), 0.0));
+    depths.extend(Eigen::Matrix<double, 1, 1>(depth));
+  }
+  const double farPlane = std::max(depths.max().x() * 1.01, 1.0);
+  const double nearPlane =
+      std::max({depths.min().x() * 0.99, kSmallestNear, kNearOverFar * farPlane});
+  const Eigen::Matrix4d view = camera.ComputeViewMatrix();
+  const Eigen::Matrix4d projection = camera.ComputeProjectionMatrix(nearPlane, farPlane);
+  m_near = static_cast<float>(nearPlane);
+  m_eye = camera.GetPosition().cast<float>();
+  m_view = view.cast<float>();
+  m_projection = projection.cast<float>();
+  m_viewProjection = (projection * view).cast<float>();
+  m_pixelsPerTangent =
+      static_cast<float>(0.5 * m_target.GetDrawnHeight() / camera.GetHalfExtentTangents().y());
+}
+
+void CRenderer::Render(const SScene& scene, const SCameraPlacement& placement,
+                       SPicture& picture) {
+  m_context->MakeCurrent();
+  const CCamera camera(placement, static_cast<double>(m_settings.Width) / m_settings.Height);
+  m_batches.Fill(scene, camera, m_target.GetDrawnHeight(), m_toSun);
+  ComputeMatrices(scene, camera);
+  UploadFloor(scene.Floor);
+  DrawShadowMap();
+
+  m_target.Bind();
+  m_gl.Enable(GL_FRAMEBUFFER_SRGB);
+  const SRgba& background = m_settings.Look.Background;
+  m_gl.ClearColor(ToLinearLight(background.R), ToLinearLight(background.G),
+                  ToLinearLight(background.B), 1.0f);
+  m_gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  m_shadowMap.BindTexture(GL_TEXTURE0 + kShadowUnit);
+  m_gl.Enable(GL_DEPTH_TEST);
+  DrawGround(scene);
+  DrawContactShadows(scene);
+  DrawMeshes();
+  DrawLines(scene);
+  DrawGlows(scene);
+  m_target.Read(picture);
+
+  const GLenum error = m_gl.GetError();
+  if (error != GL_NO_ERROR) {
+    THROW_ARGOSEXCEPTION("Drawing a frame failed with OpenGL error "
+                         << error << (error == GL_OUT_OF_MEMORY ? " (out of memory)" : "")
+                         << "; the driver is " << DescribeDriver());
+  }
+}
+
+void CRenderer::SetLighting(const CGlProgram& program) const {
+  const SLook& look = m_settings.Look;
+  program.Set("uToSun", Eigen::Vector3f(m_toSun.cast<float>()));
+  program.Set("uSunIntensity", look.SunIntensity);
+  program.Set("uSkyLight", look.SkyLight);
+  program.Set("uBounceLight", look.BounceLight);
+  program.Set("uAmbientIntensity", look.AmbientIntensity);
+  program.Set("uWorldToShadow", m_shadowMap.GetWorldToMap());
+  program.Set("uShadowTexel", m_shadowMap.GetTexelShare());
+  program.Set("uShadowMap", kShadowUnit);
+  program.Set("uPixelScale", static_cast<float>(m_target.GetScale()));
+}
+
+void CRenderer::DrawShadowMap() {
+  m_shadowMap.Fit(MakeSunFrame(m_toSun), m_batches.GetCasterBounds());
+  m_gl.DepthMask(GL_TRUE);
+  m_shadowMap.Bind();
+  m_gl.Enable(GL_DEPTH_TEST);
+  m_gl.Enable(GL_POLYGON_OFFSET_FILL);
+  m_depthProgram.Use();
+  m_depthProgram.Set("uViewProjection", m_shadowMap.GetViewProjection());
+  DrawBatches(m_batches.GetCasters(), m_depthProgram);
+  m_gl.Disable(GL_POLYGON_OFFSET_FILL);
+}
+
+void CRenderer::DrawGround(const SScene& scene) {
+  const SLook& look = m_settings.Look;
+  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(m_groundReach);
+  m_groundProgram.Use();
+  SetLighting(m_groundProgram);
+  m_groundProgram.Set("uViewProjection", m_viewProjection);
+  m_groundProgram.Set("uMin", Eigen::Vector2f((scene.ArenaMin - reach).cast<float>()));
+  m_groundProgram.Set("uMax", Eigen::Vector2f((scene.ArenaMax + reach).cast<float>()));
+  m_groundProgram.Set("uArenaMin", Eigen::Vector2f(scene.ArenaMin.cast<float>()));
+  m_groundProgram.Set("uArenaMax", Eigen::Vector2f(scene.ArenaMax.cast<float>()));
+  m_groundProgram.Set("uFadeLength", static_cast<float>(m_groundReach));
+  m_groundProgram.Set("uBackground", look.Background);
+  m_groundProgram.Set("uGround", look.Ground);
+  m_groundProgram.Set("uGroundOutside", look.GroundOutside);
+  m_groundProgram.Set("uGridLine", look.GridLine);
+  m_groundProgram.Set("uBoundary", look.Boundary);
+  m_groundProgram.Set("uShowGrid", scene.ShowGrid ? 1 : 0);
+  m_groundProgram.Set("uShowBoundary", scene.ShowBoundary ? 1 : 0);
+  m_groundProgram.Set("uHasFloor", m_hasFloor ? 1 : 0);
+  m_groundProgram.Set("uFloorSize", Eigen::Vector2f(static_cast<float>(scene.Floor.Width),
+                                                    static_cast<float>(scene.Floor.Height)));
+  m_groundProgram.Set("uFloor", kFloorUnit);
+  m_gl.BindVertexArray(m_emptyArray);
+  m_gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, 1);
+}
+
+void CRenderer::DrawContactShadows(const SScene& scene) {
+  if (scene.ContactShadows.empty()) {
+    return;
+  }
+  // they lie in the ground and are drawn right after it: no depth to compare
+  m_gl.Disable(GL_DEPTH_TEST);
+  m_gl.Enable(GL_BLEND);
+  m_contactProgram.Use();
+  m_contactProgram.Set("uViewProjection", m_viewProjection);
+  m_contactProgram.Set("uContactDarkening", m_settings.Look.ContactDarkening);
+  m_gl.BindVertexArray(m_contactArray);
+  Upload(m_contactInstances, scene.ContactShadows.data(),
+         scene.ContactShadows.size() * sizeof(SContactShadow));
+  m_gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4,
+                           static_cast<GLsizei>(scene.ContactShadows.size()));
+  m_gl.Disable(GL_BLEND);
+  m_gl.Enable(GL_DEPTH_TEST);
+}
+
+void CRenderer::DrawMeshes() {
+  const SLook& look = m_settings.Look;
+  m_meshProgram.Use();
+  SetLighting(m_meshProgram);
+  m_meshProgram.Set("uViewProjection", m_viewProjection);
+  m_meshProgram.Set("uEye", m_eye);
+  m_meshProgram.Set("uSpecularIntensity", look.SpecularIntensity);
+  m_meshProgram.Set("uEdgeDarkening", look.EdgeDarkening);
+  m_meshProgram.Set("uShadowOffset", 1.5f * m_shadowMap.GetTexelSize());
+  m_meshProgram.Set("uLeastAlpha", 1.0f);
+  DrawBatches(m_batches.GetOpaque(), m_meshProgram);
+  m_meshProgram.Set("uLeastAlpha", 0.0f);
+  DrawTranslucentMeshes(m_meshProgram);
+}
+
+void CRenderer::DrawTranslucentMeshes(const CGlProgram& program) {
+  m_gl.Enable(GL_BLEND);
+  m_gl.Enable(GL_CULL_FACE);
+  m_gl.DepthMask(GL_FALSE);
+  for (const STranslucentRun& run : m_batches.GetTranslucentRuns()) {
+    program.Set("uKind", static_cast<int>(run.Kind));
+    // far sides of the solids first, then their near sides
+    for (const GLenum hidden : {GLenum{GL_FRONT}, GLenum{GL_BACK}}) {
+      m_gl.CullFace(hidden);
+      DrawInstances(run.Kind, kTranslucentLevel, m_batches.GetTranslucent().data() + run.First,
+                    run.Count);
+    }
+  }
+  m_gl.DepthMask(GL_TRUE);
+  m_gl.Disable(GL_CULL_FACE);
+  m_gl.Disable(GL_BLEND);
+}
+
+void CRenderer::DrawBatches(const CInstanceBatches::TBatches& batches,
+                            const CGlProgram& program) {
+  m_gl.Enable(GL_CULL_FACE);
+  m_gl.CullFace(GL_BACK);
+  for (size_t kind = 0; kind < kNumMeshKinds; ++kind) {
+    program.Set("uKind", static_cast<int>(kind));
+    for (size_t level = 0; level < kNumLevels; ++level) {
+      const std::vector<SMeshInstance>& instances = batches[kind][level];
+      if (!instances.empty()) {
+        DrawInstances(static_cast<EMeshKind>(kind), level, instances.data(), instances.size());
+      }
+    }
+  }
+  m_gl.Disable(GL_CULL_FACE);
+}
+
+void CRenderer::DrawInstances(EMeshKind kind, size_t level, const SMeshInstance* instances,
+                              size_t count) {
+  const SMeshRange& range = m_meshes[static_cast<size_t>(kind)][level];
+  m_gl.BindVertexArray(m_meshArray);
+  Upload(m_meshInstances, instances, count * sizeof(SMeshInstance));
+  m_gl.DrawElementsInstanced(GL_TRIANGLES, range.NumIndices, GL_UNSIGNED_INT,
+                             Offset(range.FirstIndex * sizeof(std::uint32_t)),
+                             static_cast<GLsizei>(count));
+}
+
+void CRenderer::DrawLines(const SScene& scene) {
+  if (scene.Lines.empty()) {
+    return;
+  }
+  m_gl.Enable(GL_BLEND);
+  m_gl.DepthMask(GL_FALSE);
+  m_lineProgram.Use();
+  m_lineProgram.Set("uView", m_view);
+  m_lineProgram.Set("uProjection", m_projection);
+  m_lineProgram.Set("uNear", m_near);
+  m_lineProgram.Set("uPictureSize",
+                    Eigen::Vector2f(static_cast<float>(m_target.GetDrawnWidth()),
+                                    static_cast<float>(m_target.GetDrawnHeight())));
+  m_lineProgram.Set("uPixelScale", static_cast<float>(m_target.GetScale()));
+  m_gl.BindVertexArray(m_lineArray);
+  Upload(m_lineInstances, scene.Lines.data(), scene.Lines.size() * sizeof(SLine));
+  m_gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(scene.Lines.size()));
+  m_gl.DepthMask(GL_TRUE);
+  m_gl.Disable(GL_BLEND);
+}
+
+void CRenderer::DrawGlows(const SScene& scene) {
+  if (scene.Glows.empty()) {
+    return;
+  }
+  const SLook& look = m_settings.Look;
+  const Eigen::Vector3f toSunInView = m_view.block<3, 3>(0, 0) * m_toSun.cast<float>();
+  m_gl.Enable(GL_BLEND);
+  m_gl.DepthMask(GL_FALSE);
+  m_glowProgram.Use();
+  m_glowProgram.Set("uView", m_view);
+  m_glowProgram.Set("uProjection", m_projection);
+  m_glowProgram.Set("uPixelsPerTangent", m_pixelsPerTangent);
+  m_glowProgram.Set("uPixelScale", static_cast<float>(m_target.GetScale()));
+  m_glowProgram.Set("uToSunInView", toSunInView);
+  m_glowProgram.Set("uHaloStrength", look.HaloStrength);
+  m_glowProgram.Set("uHaloOpacity", look.HaloOpacity);
+  m_gl.BindVertexArray(m_glowArray);
+  Upload(m_glowInstances, scene.Glows.data(), scene.Glows.size() * sizeof(SGlow));
+  m_gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(scene.Glows.size()));
+  m_gl.DepthMask(GL_TRUE);
+  m_gl.Disable(GL_BLEND);
+}
+
+}  // namespace argos

@@ -1,0 +1,119 @@
+#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_RENDERER_H
+#define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_RENDERER_H
+
+#include <argos3/plugins/simulator/visualizations/offscreen/camera.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/gl_context.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/gl_program.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/instance_batches.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/look.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/picture.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/render_target.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/scene.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/shadow_map.h>
+
+#include <Eigen/Core>
+
+#include <memory>
+
+namespace argos {
+
+/** What all pictures of a renderer have in common. */
+struct SRenderSettings {
+  int Width = 1280;  /**< pixels, > 0 */
+  int Height = 960;  /**< pixels, > 0 */
+  int Samples = 4;   /**< per pixel: 1, 2, 4, 8 or 16; more than the driver has are emulated */
+  SLook Look = SLook::FromName("light");
+  /** Direction to the sun, world frame, any length, above the horizon. */
+  Eigen::Vector3d ToSun = Eigen::Vector3d(-0.42, -0.38, 0.95);
+};
+
+/**
+ * Draws scenes into pictures, without a display.
+ *
+ * It knows solids, lines and lights, and no robot, entity or simulator. Each frame is a pass for the
+ * shadow map, one for the ground and what lies on it, one for the solids (one draw call per mesh and
+ * level of detail), and one for what is translucent. Buffers are kept from frame to frame.
+ *
+ * One renderer belongs to one thread at a time.
+ */
+class CRenderer {
+ public:
+  /** @throws CARGoSException if no OpenGL context can be made, or the picture is too large. */
+  explicit CRenderer(const SRenderSettings& settings);
+
+  /**
+   * Draws a scene.
+   * @param picture  receives the result; its memory is reused.
+   * @throws CARGoSException if the driver reports an error, e.g. that it ran out of memory.
+   */
+  void Render(const SScene& scene, const SCameraPlacement& placement, SPicture& picture);
+
+  const SRenderSettings& GetSettings() const { return m_settings; }
+  /** How pictures are made, for the log: context, driver and OpenGL version. */
+  std::string DescribeDriver() const;
+
+ private:
+  // where a mesh's levels of detail lie in the shared buffers
+  struct SMeshRange {
+    GLsizei NumIndices = 0;
+    size_t FirstIndex = 0;
+  };
+
+  void CreateMeshes();
+  void CreateVertexArrays();
+  void UploadFloor(const SFloorImage& floor);
+  void Upload(GLuint buffer, const void* data, size_t size) const;
+
+  void DrawShadowMap();
+  void DrawGround(const SScene& scene);
+  void DrawContactShadows(const SScene& scene);
+  void DrawMeshes();
+  void DrawTranslucentMeshes(const CGlProgram& program);
+  void DrawLines(const SScene& scene);
+  void DrawGlows(const SScene& scene);
+  void DrawBatches(const CInstanceBatches::TBatches& batches, const CGlProgram& program);
+  void DrawInstances(EMeshKind kind, size_t level, const SMeshInstance* instances, size_t count);
+  void SetLighting(const CGlProgram& program) const;
+  void ComputeMatrices(const SScene& scene, const CCamera& camera);
+
+  SRenderSettings m_settings;
+  std::unique_ptr<CGlContext> m_context;
+  const SGlFunctions& m_gl;
+  CRenderTarget m_target;
+  CShadowMap m_shadowMap;
+  CGlProgram m_meshProgram;
+  CGlProgram m_depthProgram;
+  CGlProgram m_groundProgram;
+  CGlProgram m_contactProgram;
+  CGlProgram m_glowProgram;
+  CGlProgram m_lineProgram;
+  CInstanceBatches m_batches;
+
+  std::array<std::array<SMeshRange, kNumLevels>, kNumMeshKinds> m_meshes;
+  GLuint m_meshArray = 0;
+  GLuint m_meshInstances = 0;
+  GLuint m_contactArray = 0;
+  GLuint m_contactInstances = 0;
+  GLuint m_glowArray = 0;
+  GLuint m_glowInstances = 0;
+  GLuint m_lineArray = 0;
+  GLuint m_lineInstances = 0;
+  GLuint m_emptyArray = 0;
+  GLuint m_floorTexture = 0;
+  std::uint64_t m_floorVersion = 0;
+  bool m_hasFloor = false;
+
+  // of the frame being drawn; float is enough once the matrices are multiplied in double
+  Eigen::Vector3d m_toSun;
+  Eigen::Vector3f m_eye;
+  Eigen::Matrix4f m_view;
+  Eigen::Matrix4f m_projection;
+  Eigen::Matrix4f m_viewProjection;
+  float m_near = 0.1f;
+  float m_pixelsPerTangent = 1.0f;
+  double m_groundReach = 1.0;  // how far the ground goes on around the arena, m
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,14 @@
+#include <argos3/plugins/simulator/visualizations/offscreen/scene.h>
+
+namespace argos {
+
+void SScene::ClearContents() {
+  for (std::vector<SMeshInstance>& instances : Meshes) {
+    instances.clear();
+  }
+  Glows.clear();
+  Lines.clear();
+  ContactShadows.clear();
+}
+
+}  // namespace argos

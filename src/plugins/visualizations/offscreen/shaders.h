@@ -1,0 +1,25 @@
+#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_SHADERS_H
+#define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_SHADERS_H
+
+namespace argos {
+
+/** The two texts of a shader program, without the preamble. */
+struct SShaderSource {
+  const char* Name;
+  const char* Vertex;
+  const char* Fragment;
+};
+
+/** Goes before every shader: the language version, and functions that several of them use. */
+extern const char* const kShaderPreamble;
+
+extern const SShaderSource kMeshShader;           /**< lit solids, instanced */
+extern const SShaderSource kDepthShader;          /**< solids seen from the sun */
+extern const SShaderSource kGroundShader;         /**< floor, grid, boundary */
+extern const SShaderSource kContactShadowShader;  /**< SContactShadow, instanced */
+extern const SShaderSource kGlowShader;           /**< SGlow, instanced */
+extern const SShaderSource kLineShader;           /**< SLine, instanced */
+
+}  // namespace argos
+
+#endif

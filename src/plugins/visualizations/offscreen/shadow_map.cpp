@@ -1,0 +1,90 @@
+#include <argos3/plugins/simulator/visualizations/offscreen/shadow_map.h>
+
+#include <argos3/core/utility/configuration/argos_exception.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+constexpr int kMapSide = 2048;  // texels; 2 cm each in an arena of 40 m
+// smaller texels would only sharpen the shadows, whose borders are about three texels wide
+constexpr double kSmallestTexel = 0.0018;  // m
+constexpr double kBorderTexels = 4.0;      // the filter reads a few texels around a point
+constexpr double kSmallestSide = 0.05;  // m
+
+}  // namespace
+
+CShadowMap::CShadowMap(const SGlFunctions& gl) : m_gl(gl) {
+  gl.GenTextures(1, &m_texture);
+  gl.BindTexture(GL_TEXTURE_2D, m_texture);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, kMapSide, kMapSide, 0, GL_DEPTH_COMPONENT,
+                GL_FLOAT, nullptr);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
+  const std::array<GLfloat, 4> farthest = {1.0f, 1.0f, 1.0f, 1.0f};
+  gl.TexParameterfv(GL_TEXTURE_2D, GL_TEXTURE_BORDER_COLOR, farthest.data());
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_COMPARE_FUNC, GL_LEQUAL);
+  gl.GenFramebuffers(1, &m_framebuffer);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
+  gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, m_texture, 0);
+  gl.DrawBuffer(GL_NONE);
+  gl.ReadBuffer(GL_NONE);
+  const GLenum status = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
+  if (status != GL_FRAMEBUFFER_COMPLETE) {
+    THROW_ARGOSEXCEPTION("The OpenGL driver cannot make a shadow map of "
+                         << kMapSide << "x" << kMapSide << " texels (status " << status << ")");
+  }
+}
+
+void CShadowMap::Fit(const Eigen::Matrix3d& sunFrame, const Eigen::AlignedBox3d& bounds) {
+  Eigen::AlignedBox3d box = bounds;
+  if (box.isEmpty()) {
+    box.extend(Eigen::Vector3d::Zero());
+  }
+  // the ground below receives shadows beyond the casters' far side: depths past it are clamped
+  const Eigen::Vector2d size =
+      box.sizes().head<2>().cwiseMax(kSmallestSide) * (1.0 + 2.0 * kBorderTexels / kMapSide);
+  const double depth = std::max(box.sizes().z(), kSmallestSide);
+  const double wantedSide = std::ceil(size.maxCoeff() / kSmallestTexel);
+  m_usedSide = static_cast<int>(std::min<double>(wantedSide, kMapSide));
+  m_texelSize = static_cast<float>(size.maxCoeff() / m_usedSide);
+
+  Eigen::Matrix4d toClip = Eigen::Matrix4d::Identity();
+  toClip(0, 0) = 2.0 / size.x();
+  toClip(1, 1) = 2.0 / size.y();
+  toClip(2, 2) = -2.0 / depth;
+  toClip.block<3, 1>(0, 3) = -toClip.diagonal().head<3>().cwiseProduct(box.center());
+  Eigen::Matrix4d rotation = Eigen::Matrix4d::Identity();
+  rotation.block<3, 3>(0, 0) = sunFrame;
+  const Eigen::Matrix4d viewProjection = toClip * rotation;
+  // only the lower left corner of the texture may be in use
+  const double half = 0.5 * m_usedSide / kMapSide;
+  Eigen::Matrix4d toUnit = Eigen::Vector4d(half, half, 0.5, 1.0).asDiagonal();
+  toUnit.col(3) = Eigen::Vector4d(half, half, 0.5, 1.0);
+  m_viewProjection = viewProjection.cast<float>();
+  m_worldToMap = (toUnit * viewProjection).cast<float>();
+}
+
+void CShadowMap::Bind() const {
+  m_gl.BindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
+  m_gl.Viewport(0, 0, m_usedSide, m_usedSide);
+  m_gl.Clear(GL_DEPTH_BUFFER_BIT);
+}
+
+void CShadowMap::BindTexture(GLenum unit) const {
+  m_gl.ActiveTexture(unit);
+  m_gl.BindTexture(GL_TEXTURE_2D, m_texture);
+}
+
+float CShadowMap::GetTexelShare() const {
+  return 1.0f / static_cast<float>(kMapSide);
+}
+
+}  // namespace argos

@@ -1,0 +1,141 @@
+#include <argos3/core/simulator/physics_engine/volume.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+using namespace argos;
+using Catch::Contains;
+
+namespace {
+
+// two 2 m squares side by side, with a common border on the line from (0,-1) to (0,1)
+constexpr char kWest[] =
+    "<boundaries><sides><vertex point=\"-2,-1\"/><vertex point=\"0,-1\"/>"
+    "<vertex point=\"0,1\"/><vertex point=\"-2,1\"/></sides></boundaries>";
+constexpr char kSlab[] =
+    "<boundaries><top height=\"1\"/><bottom height=\"-0.5\"/></boundaries>";
+
+void Read(SVolume& volume, const std::string& xml) {
+  CConfigurationDocument document;
+  document.Parse(xml, "region.xml");
+  volume.Init(document.GetRoot());
+}
+
+std::string ErrorOf(const std::string& xml) {
+  SVolume volume;
+  try {
+    Read(volume, xml);
+  } catch (const CARGoSException& ex) {
+    return ex.what();
+  }
+  return "";
+}
+
+std::string Sides(const std::vector<std::string>& vertices) {
+  std::string xml = "<boundaries><sides>";
+  for (const std::string& vertex : vertices) {
+    xml += "<vertex point=\"" + vertex + "\"/>";
+  }
+  return xml + "</sides></boundaries>";
+}
+
+}  // namespace
+
+TEST_CASE("volume: without faces it is the whole space", "[core][volume]") {
+  const SVolume volume;
+  CHECK_FALSE(volume.IsActive());
+  CHECK(volume.Contains(CVector3(1e6, -1e6, 1e6)));
+}
+
+TEST_CASE("volume: top and bottom limit the height and belong to the region", "[core][volume]") {
+  SVolume volume;
+  Read(volume, kSlab);
+  REQUIRE(volume.IsActive());
+  REQUIRE(volume.TopFace != nullptr);
+  REQUIRE(volume.BottomFace != nullptr);
+  CHECK(volume.TopFace->Height == 1.0);
+  CHECK(volume.BottomFace->Height == -0.5);
+  CHECK(volume.Contains(CVector3(1e6, 1e6, 1.0)));
+  CHECK(volume.Contains(CVector3(0.0, 0.0, -0.5)));
+  CHECK_FALSE(volume.Contains(CVector3(0.0, 0.0, std::nextafter(1.0, 2.0))));
+  CHECK_FALSE(volume.Contains(CVector3(0.0, 0.0, std::nextafter(-0.5, -1.0))));
+}
+
+TEST_CASE("volume: sides limit the plane, the border included", "[core][volume]") {
+  SVolume volume;
+  Read(volume, kWest);
+  REQUIRE(volume.SideFaces.size() == 4);
+  CHECK(volume.TopFace == nullptr);
+  CHECK(volume.SideFaces[1]->BaseSegment.GetStart() == CVector2(0.0, -1.0));
+  CHECK(volume.SideFaces[3]->BaseSegment.GetEnd() == CVector2(-2.0, -1.0));
+  CHECK(volume.Contains(CVector3(-1.0, 0.0, 0.0)));
+  CHECK(volume.Contains(CVector3(0.0, 0.5, 7.0)));
+  CHECK(volume.Contains(CVector3(-2.0, -1.0, 0.0)));
+  CHECK_FALSE(volume.Contains(CVector3(1e-12, 0.5, 0.0)));
+  CHECK_FALSE(volume.Contains(CVector3(-1.0, 1.0 + 1e-12, 0.0)));
+}
+
+TEST_CASE("volume: no point on a slanted common border is lost", "[core][volume]") {
+  SVolume left;
+  SVolume right;
+  Read(left, Sides({"-5,-5", "0.1,-0.3", "0.7,5.9"}));
+  Read(right, Sides({"0.1,-0.3", "9,0", "0.7,5.9"}));
+  for (int i = 0; i <= 1000; ++i) {
+    const Real t = i / 1000.0;
+    CAPTURE(t);
+    const CVector3 onBorder(0.1 + t * 0.6, -0.3 + t * 6.2, 0.0);
+    CHECK((left.Contains(onBorder) || right.Contains(onBorder)));
+  }
+}
+
+TEST_CASE("volume: NaN is outside every limited region", "[core][volume]") {
+  const Real nan = std::numeric_limits<Real>::quiet_NaN();
+  SVolume sides;
+  Read(sides, kWest);
+  CHECK_FALSE(sides.Contains(CVector3(nan, 0.0, 0.0)));
+  SVolume slab;
+  Read(slab, kSlab);
+  CHECK_FALSE(slab.Contains(CVector3(0.0, 0.0, nan)));
+}
+
+TEST_CASE("volume: a triangle may repeat its first vertex", "[core][volume]") {
+  SVolume volume;
+  Read(volume, Sides({"0,0", "1,0", "0,1", "0,0"}));
+  CHECK(volume.SideFaces.size() == 3);
+  CHECK(volume.Contains(CVector3(0.5, 0.5, 0.0)));
+  CHECK_FALSE(volume.Contains(CVector3(0.5, 0.5 + 1e-9, 0.0)));
+}
+
+TEST_CASE("volume: vertices in the middle of a side are legal", "[core][volume]") {
+  SVolume volume;
+  Read(volume, Sides({"0,0", "0.1,0.1", "0.3,0.3", "0,1"}));
+  CHECK(volume.Contains(CVector3(0.1, 0.5, 0.0)));
+}
+
+TEST_CASE("volume: wrong polygons are refused with their geometry", "[core][volume]") {
+  CHECK_THAT(ErrorOf(Sides({"0,0", "1,0"})), Contains("at least 3"));
+  CHECK_THAT(ErrorOf(Sides({"0,0", "0,1", "1,0"})), Contains("clockwise"));
+  CHECK_THAT(ErrorOf(Sides({"0,0", "2,0", "0.5,0.5", "0,2"})),
+             Contains("not convex") && Contains("0.5,0.5"));
+  CHECK_THAT(ErrorOf(Sides({"0,0", "1,0", "1,0", "0,1"})), Contains("twice in a row"));
+  CHECK_THAT(ErrorOf(Sides({"0,0", "1,1", "2,2"})), Contains("one line"));
+  // a pentagram turns left at every vertex
+  CHECK_THAT(ErrorOf(Sides({"1,0", "-0.8,0.6", "0.3,-0.95", "0.3,0.95", "-0.8,-0.6"})),
+             Contains("not convex"));
+  CHECK_THAT(ErrorOf(Sides({"0,0", "1,x", "0,1"})), Contains("region.xml:1") && Contains("1,x"));
+}
+
+TEST_CASE("volume: a bottom above the top is refused", "[core][volume]") {
+  CHECK_THAT(ErrorOf("<boundaries><top height=\"0\"/><bottom height=\"1\"/></boundaries>"),
+             Contains("above the top"));
+}
+
+TEST_CASE("volume: what was wrong leaves the region as it was", "[core][volume]") {
+  SVolume volume;
+  Read(volume, kSlab);
+  CHECK_THROWS_AS(Read(volume, Sides({"0,0", "1,0"})), CARGoSException);
+  CHECK(volume.TopFace != nullptr);
+  CHECK(volume.SideFaces.empty());
+}
