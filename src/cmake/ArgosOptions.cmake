@@ -30,6 +30,9 @@ endif()
 # default (Ubuntu), a program that links it would run without it.
 if(NOT APPLE)
   target_link_options(argos_options INTERFACE -Wl,--no-as-needed)
+  if(NOT ARGOS_SANITIZE)
+    target_link_options(argos_options INTERFACE -Wl,--no-undefined)
+  endif()
 endif()
 
 set(CMAKE_CXX_EXTENSIONS OFF)

@@ -150,6 +150,12 @@ function(argos_add_module name)
   if(NOT ARG_FOLDER)
     set(ARG_FOLDER experiments)
   endif()
+  foreach(l IN LISTS ARG_LINK) # BUILD-UP
+    if(NOT TARGET ${l}) # BUILD-UP
+      message(STATUS "skipping ${name}") # BUILD-UP
+      return() # BUILD-UP
+    endif() # BUILD-UP
+  endforeach() # BUILD-UP
   add_library(${name} MODULE ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE argos_options argos3::core ${ARG_LINK})
   set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/${ARG_FOLDER}")
@@ -168,6 +174,12 @@ function(argos_add_test name)
   if(NOT ARG_PROCESSORS)
     set(ARG_PROCESSORS 1)
   endif()
+  foreach(l IN LISTS ARG_LINK) # BUILD-UP
+    if(NOT TARGET ${l}) # BUILD-UP
+      message(STATUS "skipping ${name}") # BUILD-UP
+      return() # BUILD-UP
+    endif() # BUILD-UP
+  endforeach() # BUILD-UP
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE argos_options argos3::core ${ARG_LINK} Catch2::Catch2WithMain)
   target_compile_definitions(${name} PRIVATE ARGOS_TEST_SOURCE_DIR="${PROJECT_SOURCE_DIR}"

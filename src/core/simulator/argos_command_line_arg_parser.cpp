@@ -64,6 +64,13 @@ class CHelpFormatter : public CLI::Formatter {
   }
 };
 
+// an option with one value; which of several it is to be, nobody knows
+CLI::Option* AddSingle(CLI::App& app, const std::string& names, std::string& value,
+                       const std::string& description) {
+  return app.add_option(names, value, description)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+}
+
 void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOptions& raw) {
   app.set_help_flag();
   app.allow_extras();
@@ -71,10 +78,10 @@ void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOp
   app.formatter(std::make_shared<CHelpFormatter>());
 
   const std::string actions = "Exactly one of";
-  app.add_option("-c,--config-file", options.ExperimentFile, "run the experiment in this file")
+  AddSingle(app, "-c,--config-file", options.ExperimentFile, "run the experiment in this file")
       ->type_name("FILE")
       ->group(actions);
-  app.add_option("-q,--query", options.Query, "list or describe plug-ins, see below")
+  AddSingle(app, "-q,--query", options.Query, "list or describe plug-ins, see below")
       ->type_name("WORD")
       ->group(actions);
   app.add_flag("-h,--help", raw.Help, "print this text")->group(actions);
@@ -83,12 +90,12 @@ void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOp
 
   const std::string output = "Output";
   app.add_flag("-n,--no-color", options.NoColor,
-               "no colours in the logs (there are none anyway if they do not go to a terminal)")
+               "no colours in the logs; only a terminal gets any")
       ->group(output);
-  app.add_option("-l,--log-file", options.LogFile, "write the log to this file; it is truncated")
+  AddSingle(app, "-l,--log-file", options.LogFile, "write the log to this file; it is truncated")
       ->type_name("FILE")
       ->group(output);
-  app.add_option("-e,--logerr-file", options.LogErrFile,
+  AddSingle(app, "-e,--logerr-file", options.LogErrFile,
                  "write the error log to this file; it is truncated")
       ->type_name("FILE")
       ->group(output);
@@ -97,16 +104,15 @@ void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOp
   app.add_flag("-z,--no-visualization", options.NoVisualization,
                "ignore the <visualization> of the file")
       ->group(run);
-  app.add_option("--seed", raw.Seed,
-                 "random seed, 0 to 4294967295, in place of the file's; 0 takes one from the clock")
+  AddSingle(app, "--seed", raw.Seed,
+                 "random seed in place of the file's; 0: from the clock")
       ->type_name("N")
       ->group(run);
-  app.add_option("--threads", raw.Threads,
-                 "number of threads, 0 to 1024, in place of the file's; 0 and 1: no extra threads. "
-                 "Does not change the results")
+  AddSingle(app, "--threads", raw.Threads,
+                 "threads in place of the file's, at most 1024; results stay the same")
       ->type_name("N")
       ->group(run);
-  app.add_option("--length", raw.Length,
+  AddSingle(app, "--length", raw.Length,
                  "simulated seconds to run, in place of the file's; 0: no limit")
       ->type_name("S")
       ->group(run);
@@ -117,7 +123,7 @@ void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOp
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->group(run);
   app.add_flag("--digest", options.Digest,
-               "print a digest of the final state: equal runs give equal digests")
+               "print a digest of the final state; equal runs, equal digests")
       ->group(run);
 }
 
@@ -149,6 +155,18 @@ std::vector<std::string> OptionNames(const CLI::App& app) {
     }
   }
   return names;
+}
+
+void CheckRepetitions(const CLI::App& app, CProblems& problems) {
+  for (const CLI::Option* option : app.get_options()) {
+    const bool takesOneValue =
+        option->get_type_size() > 0 &&
+        option->get_multi_option_policy() == CLI::MultiOptionPolicy::TakeLast;
+    if (takesOneValue && option->count() > 1) {
+      problems.Add("--" + option->get_lnames().front() + " is given " +
+                   std::to_string(option->count()) + " times");
+    }
+  }
 }
 
 void CheckStrayWords(const CLI::App& app, CProblems& problems) {
@@ -278,6 +296,7 @@ void CARGoSCommandLineArgParser::Parse(SInt32 argc, const char* const* argv) {
     problems.ThrowIfAny();
   }
 
+  CheckRepetitions(app, problems);
   CheckStrayWords(app, problems);
   m_options.Action = ChooseAction(app, problems);
   ReadNumber(app, "--seed", raw.Seed, ~UInt32(0), "an integer from 0 to 4294967295", m_options.Seed,
@@ -300,7 +319,9 @@ std::string CARGoSCommandLineArgParser::GetUsage() {
   SRawOptions raw;
   CLI::App app(Title(), "argos3");
   Define(app, options, raw);
-  return app.help();
+  std::string usage = app.help();
+  Replace(usage, "\n\n\n", "\n\n");
+  return usage;
 }
 
 void CARGoSCommandLineArgParser::PrintUsage(CARGoSLog& log) const { log << GetUsage(); }

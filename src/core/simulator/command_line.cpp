@@ -110,7 +110,10 @@ void LoadLibraries() {
 void LoadExperiment(CSimulator& simulator, const SOptions& options) {
   LoadLibraries();
   simulator.SetExperimentFileName(options.ExperimentFile);
-  if (options.Seed) {
+  if (options.Seed == UInt32(0)) {
+    // as in the file: take one from the clock
+    simulator.AddOverride("framework/experiment/@random_seed", "0");
+  } else if (options.Seed) {
     simulator.SetRandomSeed(*options.Seed);
   }
   if (options.Threads) {

@@ -129,6 +129,12 @@ TConfigurationNode& CSimulator::GetConfigForController(const std::string& id) {
   return *found->second;
 }
 
+void CSimulator::MarkBroken(const std::string& id) {
+  if (m_loading) {
+    m_broken.insert(id);
+  }
+}
+
 void CSimulator::ThrowIfBroken(const std::string& id) const {
   if (m_broken.count(id) > 0) {
     throw CAlreadyReported("\"" + id + "\" could not be loaded");
@@ -226,8 +232,10 @@ void CSimulator::Reset(UInt32 newRandomSeed) {
 
 void CSimulator::Destroy() {
   const CScope scope(*this);
-  if (m_loopFunctions != nullptr) {
+  // users' Destroy() may count on their Init()
+  if (m_loopFunctionsReady) {
     m_loopFunctions->Destroy();
+    m_loopFunctionsReady = false;
   }
   if (m_visualization != nullptr) {
     m_visualization->Destroy();
@@ -247,13 +255,18 @@ void CSimulator::Destroy() {
   }
   m_engines.clear();
   m_ownEngines.clear();
-  m_profiler.reset();
+  if (m_profiler != nullptr) {
+    m_profiler->Stop();
+    m_profiler->Flush();
+    m_profiler.reset();
+  }
   if (CRandom::ExistsCategory("argos")) {
     CRandom::RemoveCategory("argos");
   }
   m_rng = nullptr;
   m_controllerNodes.clear();
   m_broken.clear();
+  m_loading = false;
   m_overrides.clear();
   m_document = nullptr;
   m_terminated = false;

@@ -81,7 +81,7 @@ class CSimulator {
    * Remembers, while loading, that the controller or medium @p id is there but cannot work: what
    * needs it is not reported again.
    */
-  void MarkBroken(const std::string& id) { m_broken.insert(id); }
+  void MarkBroken(const std::string& id);
   /** @throws CAlreadyReported if @p id was marked. */
   void ThrowIfBroken(const std::string& id) const;
 
@@ -193,11 +193,13 @@ class CSimulator {
   bool m_terminated = false;
 
   std::map<std::string, TConfigurationNode*> m_controllerNodes;
-  std::set<std::string> m_broken;  // ids of parts that failed to load
+  bool m_loading = false;
+  std::set<std::string> m_broken;  // ids of parts that failed while loading
   std::unique_ptr<CThreadPool> m_pool;
   std::unique_ptr<CSpace> m_space;
   std::unique_ptr<CLoopFunctions> m_ownLoopFunctions;
   CLoopFunctions* m_loopFunctions = nullptr;
+  bool m_loopFunctionsReady = false;  // initialised, and not destroyed yet
   std::unique_ptr<CProfiler> m_profiler;
   // the vectors for users hold the same objects as the owning ones
   CPhysicsEngine::TVector m_engines;

@@ -108,6 +108,7 @@ void CSimulator::Load(CConfigurationDocument& document, bool forceNoVisualizatio
 void CSimulator::Init() {
   const CScope scope(*this);
   CLoadErrors errors;
+  m_loading = true;
   ApplyOverrides(errors);
   TConfigurationNode& root = GetConfigurationRoot();
   // a section that is missing or wrong is one error; the others are still looked at
@@ -130,6 +131,7 @@ void CSimulator::Init() {
   PostSpaceInit(errors);
   InitVisualization(root, errors);
   errors.ThrowIfAny();
+  m_loading = false;
   WarnOfUnreadParts();
   LOG.Flush();
   LOGERR.Flush();
@@ -137,8 +139,10 @@ void CSimulator::Init() {
 
 void CSimulator::ApplyOverrides(CLoadErrors& errors) {
   for (const auto& [path, value] : m_overrides) {
-    errors.Try("--set " + path + "=" + value,
-               [&] { LOG << "[INFO] " << m_document->SetByPath(path, value) << std::endl; });
+    errors.Try("--set " + path + "=" + value, [&] {
+      const std::string done = m_document->SetByPath(path, value);
+      LOG << "[INFO] " << done << std::endl;
+    });
   }
 }
 
@@ -224,6 +228,8 @@ void CSimulator::InitProfiling(TConfigurationNode& node) {
   GetNodeAttribute(node, "format", format);
   GetNodeAttributeOrDefault(node, "truncate_file", truncate, truncate);
   m_profiler = std::make_unique<CProfiler>(file, format, truncate);
+  CSpace::AddProfiledPhases(*m_profiler);
+  m_profiler->Start();
 }
 
 void CSimulator::InitControllers(TConfigurationNode& section, CLoadErrors& errors) {
@@ -297,12 +303,17 @@ void CSimulator::InitMedia(TConfigurationNode& section, CLoadErrors& errors) {
 
 void CSimulator::InitLoopFunctions(TConfigurationNode& root, CLoadErrors& errors) {
   // they may use every entity, and would fail for reasons that are reported already
-  if (!errors.IsEmpty() || !NodeExists(root, "loop_functions")) {
+  if (!errors.IsEmpty()) {
+    return;
+  }
+  if (!NodeExists(root, "loop_functions")) {
+    m_loopFunctionsReady = true;
     return;
   }
   TConfigurationNode& node = GetNode(root, "loop_functions");
-  errors.Try(node.GetLocation() + ": <loop_functions> cannot be initialised",
-             [&] { m_loopFunctions->Init(node); });
+  m_loopFunctionsReady =
+      errors.Try(node.GetLocation() + ": <loop_functions> cannot be initialised",
+                 [&] { m_loopFunctions->Init(node); });
 }
 
 void CSimulator::PostSpaceInit(CLoadErrors& errors) {

@@ -83,6 +83,27 @@ void CLEDEntity::UpdateDigest(CDigest& digest) const {
   digest.Add(m_color.GetAlpha());
 }
 
+bool CLEDEntityGridUpdater::operator()(CLEDEntity& led) {
+  if (led.IsLit()) {
+    SInt32 i = 0;
+    SInt32 j = 0;
+    SInt32 k = 0;
+    m_grid.PositionToCellUnsafe(i, j, k, led.GetPosition());
+    m_grid.UpdateCell(i, j, k, led);
+  }
+  return true;
+}
+
+void CLEDEntitySpaceHashUpdater::operator()(CAbstractSpaceHash<CLEDEntity>& hash, CLEDEntity& led) {
+  if (led.IsLit()) {
+    SInt32 i = 0;
+    SInt32 j = 0;
+    SInt32 k = 0;
+    hash.SpaceToHashTable(i, j, k, led.GetPosition());
+    hash.UpdateCell(i, j, k, led);
+  }
+}
+
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CLEDEntity)
 
 }  // namespace argos

@@ -2,6 +2,8 @@
 #define ARGOS3_PLUGINS_ENTITIES_LED_ENTITY_H
 
 #include <argos3/core/simulator/entity/positional_entity.h>
+#include <argos3/core/simulator/space/positional_indices/grid.h>
+#include <argos3/core/simulator/space/positional_indices/space_hash.h>
 #include <argos3/core/utility/datatypes/color.h>
 #include <argos3/core/utility/datatypes/set.h>
 
@@ -55,6 +57,8 @@ class CLEDEntity : public CPositionalEntity {
   void SetEnabled(bool enabled) override;
 
   const CColor& GetColor() const { return m_color; }
+  /** False if it is black, and opaque: then no camera sees it. */
+  bool IsLit() const { return m_color != CColor(); }
   const CColor& GetInitColor() const { return m_initColor; }
   virtual void SetColor(const CColor& color) { m_color = color; }
   void SetInitColor(const CColor& color) { m_initColor = color; }
@@ -73,6 +77,22 @@ class CLEDEntity : public CPositionalEntity {
   CColor m_color;
   CColor m_initColor;
   CRegistry* m_medium = nullptr;  // it forgets this LED, or this LED it, before either ends
+};
+
+/** Puts an LED into its cell of a grid, unless it is black. */
+class CLEDEntityGridUpdater : public CGrid<CLEDEntity>::COperation {
+ public:
+  explicit CLEDEntityGridUpdater(CGrid<CLEDEntity>& grid) : m_grid(grid) {}
+  bool operator()(CLEDEntity& led) override;
+
+ private:
+  CGrid<CLEDEntity>& m_grid;
+};
+
+/** Puts an LED into its cell of a space hash, unless it is black. */
+class CLEDEntitySpaceHashUpdater : public CSpaceHashUpdater<CLEDEntity> {
+ public:
+  void operator()(CAbstractSpaceHash<CLEDEntity>& hash, CLEDEntity& led) override;
 };
 
 }  // namespace argos

@@ -139,11 +139,22 @@ void CControllableEntity::SetController(const std::string& controllerId,
     throw;
   } catch (std::exception& error) {
     m_simulator.MarkBroken(controllerId);
+    DropController();
     THROW_ARGOSEXCEPTION_NESTED("robot \"" << robot << "\": its controller \"" << controllerId
                                            << "\" (" << node.GetLocation() << ": <" << node.Value()
                                            << ">) cannot be set up",
                                 error);
   }
+}
+
+// a controller whose Init() failed is not to be asked for anything any more
+void CControllableEntity::DropController() {
+  m_actuators.clear();
+  m_sensors.clear();
+  m_mapActuators.clear();
+  m_mapSensors.clear();
+  m_pcController = nullptr;
+  m_controller.reset();
 }
 
 void CControllableEntity::CreateActuators(TConfigurationNode& controllerNode) {

@@ -88,6 +88,7 @@ class CControllableEntity : public CEntity {
   void CreateActuators(TConfigurationNode& controllerNode);
   void CreateSensors(TConfigurationNode& controllerNode);
   void ListDevices();
+  void DropController();
 
   CSimulator& m_simulator;
   std::unique_ptr<CCI_Controller> m_controller;

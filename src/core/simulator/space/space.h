@@ -22,6 +22,7 @@ class CControllableEntity;
 class CEmbodiedEntity;
 class CFloorEntity;
 class CLoadErrors;
+class CProfiler;
 class CSimulator;
 class CThreadPool;
 struct STickTimes;
@@ -121,6 +122,8 @@ class CSpace : public CBaseConfigurableResource {
   void SetTickTimes(STickTimes* times) { m_tickTimes = times; }
   /** Makes the entity that an XML element describes and adds it; nothing stays if that fails. */
   CEntity& CreateEntity(TConfigurationNode& node);
+  /** Tells a profiler the phases of a tick, which Update() then times. */
+  static void AddProfiledPhases(CProfiler& profiler);
   /** 64-bit digest of the state of every entity, in order. */
   UInt64 ComputeDigest() const;
 

@@ -9,6 +9,7 @@
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/space/tick_times.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/profiler/profiler.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 
 #include <chrono>
@@ -23,6 +24,17 @@ namespace {
 constexpr size_t kRobotGrain = 64;
 
 using TClock = std::chrono::steady_clock;
+
+// numbers of the phases in the profile
+enum EPhase : UInt8 {
+  PHASE_ACT,
+  PHASE_PHYSICS,
+  PHASE_INDEX,
+  PHASE_MEDIA,
+  PHASE_PRE_STEP,
+  PHASE_SENSE_AND_CONTROL,
+  PHASE_POST_STEP
+};
 
 Real SecondsSince(TClock::time_point start) {
   return std::chrono::duration<Real>(TClock::now() - start).count();
@@ -68,26 +80,44 @@ void ForRobots(const std::vector<CControllableEntity*>& robots, size_t begin, si
 }  // namespace
 
 void CSpace::Update() {
-  STickTimes* const times = m_tickTimes;
   CThreadPool& pool = m_cSimulator.GetThreadPool();
   CLoopFunctions& loopFunctions = m_cSimulator.GetLoopFunctions();
+  // runs a phase, and adds its time to the times asked for and to the profile
+  const auto phase = [this](Real STickTimes::*time, EPhase profiled, auto&& run) {
+    CProfiler* const profiler = m_cSimulator.IsProfiling() ? &m_cSimulator.GetProfiler() : nullptr;
+    if (profiler != nullptr) {
+      profiler->StartPhase(profiled);
+    }
+    Timed(m_tickTimes != nullptr && time != nullptr ? &(m_tickTimes->*time) : nullptr, run);
+    if (profiler != nullptr) {
+      profiler->StopPhase(profiled);
+    }
+  };
 
   IncreaseSimulationClock();
-  Timed(times ? &times->Act : nullptr, [&] { Act(pool); });
-  Timed(times ? &times->Physics : nullptr, [&] {
+  phase(&STickTimes::Act, PHASE_ACT, [&] { Act(pool); });
+  phase(&STickTimes::Physics, PHASE_PHYSICS, [&] {
     UpdatePhysics(pool);
     TransferBodies();
   });
-  Timed(times ? &times->Index : nullptr, [&] { m_bodyIndex->Rebuild(pool); });
-  Timed(times ? &times->Media : nullptr, [&] { UpdateMedia(pool); });
-  Timed(times ? &times->LoopFunctions : nullptr, [&] { loopFunctions.PreStep(); });
-  SenseAndControl(pool);
-  Timed(times ? &times->LoopFunctions : nullptr, [&] { loopFunctions.PostStep(); });
+  phase(&STickTimes::Index, PHASE_INDEX, [&] { m_bodyIndex->Rebuild(pool); });
+  phase(&STickTimes::Media, PHASE_MEDIA, [&] { UpdateMedia(pool); });
+  phase(&STickTimes::LoopFunctions, PHASE_PRE_STEP, [&] { loopFunctions.PreStep(); });
+  phase(nullptr, PHASE_SENSE_AND_CONTROL, [&] { SenseAndControl(pool); });
+  phase(&STickTimes::LoopFunctions, PHASE_POST_STEP, [&] { loopFunctions.PostStep(); });
 
   LOG.Flush();
   LOGERR.Flush();
-  if (times != nullptr) {
-    ++times->Ticks;
+  if (m_tickTimes != nullptr) {
+    ++m_tickTimes->Ticks;
+  }
+}
+
+void CSpace::AddProfiledPhases(CProfiler& profiler) {
+  // in the order of EPhase
+  for (const char* name : {"act", "physics", "index", "media", "pre-step", "sense+control",
+                           "post-step"}) {
+    profiler.AddPhase(name);
   }
 }
 

@@ -65,13 +65,13 @@ class CAngleBase {
    */
   ANGLE& SignedNormalize() {
     m_value =
-        wrapping::WrapReal(m_value, -ANGLE::kHalfTurn, ANGLE::kHalfTurn, 2.0 * ANGLE::kHalfTurn);
+        math_detail::WrapReal(m_value, -ANGLE::kHalfTurn, ANGLE::kHalfTurn, 2.0 * ANGLE::kHalfTurn);
     return Self();
   }
 
   /** Wraps the angle into [0, one turn] like SignedNormalize(). */
   ANGLE& UnsignedNormalize() {
-    m_value = wrapping::WrapReal(m_value, 0.0, 2.0 * ANGLE::kHalfTurn, 2.0 * ANGLE::kHalfTurn);
+    m_value = math_detail::WrapReal(m_value, 0.0, 2.0 * ANGLE::kHalfTurn, 2.0 * ANGLE::kHalfTurn);
     return Self();
   }
 

@@ -69,10 +69,9 @@ constexpr T Square(const T& value) {
   return value * value;
 }
 
-/**
- * Drops the fractional part. Values outside the range of SInt32 give its nearest bound, NaN gives
- * 0.
- */
+namespace math_detail {
+
+/** Drops the fractional part. Values outside SInt32 give its nearest bound, NaN gives 0. */
 constexpr SInt32 Truncate(Real value) {
   constexpr SInt32 kLowest = std::numeric_limits<SInt32>::min();
   constexpr SInt32 kHighest = std::numeric_limits<SInt32>::max();
@@ -85,6 +84,8 @@ constexpr SInt32 Truncate(Real value) {
   return value == value ? static_cast<SInt32>(value) : 0;
 }
 
+}  // namespace math_detail
+
 /**
  * Truncates values >= 0, and truncates and subtracts one from negative ones.
  *
@@ -93,24 +94,25 @@ constexpr SInt32 Truncate(Real value) {
  * bounds.
  */
 constexpr SInt32 Floor(Real value) {
-  return Truncate(value < 0.0 ? value - 1.0 : value);
+  const SInt32 truncated = math_detail::Truncate(value);
+  return value < 0.0 && truncated > std::numeric_limits<SInt32>::min() ? truncated - 1 : truncated;
 }
 
 /** Returns the smallest integer that is not less than the value, bounded by the range of SInt32. */
 constexpr SInt32 Ceil(Real value) {
-  const SInt32 truncated = Truncate(value);
-  return static_cast<Real>(truncated) < value ? Truncate(value + 1.0) : truncated;
+  const SInt32 truncated = math_detail::Truncate(value);
+  const bool hasNext = truncated < std::numeric_limits<SInt32>::max();
+  return static_cast<Real>(truncated) < value && hasNext ? truncated + 1 : truncated;
 }
 
 /** Returns the nearest integer, halves away from zero, bounded by the range of SInt32. */
 inline SInt32 Round(Real value) {
-  return Truncate(std::round(value));
+  return math_detail::Truncate(std::round(value));
 }
 
-/** Returns the floor of positive values and the ceiling of the others: drops the fractional part.
- */
+/** Drops the fractional part: the floor of positive values and the ceiling of the others. */
 constexpr SInt32 RoundClosestToZero(Real value) {
-  return Truncate(value);
+  return math_detail::Truncate(value);
 }
 
 /** Says whether |a - b| <= epsilon * max(1, |a|, |b|); epsilon must be >= 0. */

@@ -4,13 +4,13 @@
 
 namespace argos {
 
-namespace range_parsing {
+namespace math_detail {
 
-void Reject(std::istream& is, std::streampos start, const std::string& reason) {
+void RejectRange(std::istream& is, std::streampos start, const std::string& reason) {
   THROW_ARGOSEXCEPTION(QuoteInput(is, start) << " is not a range: " << reason
                                              << ". A range is written min:max, as in 0:1.");
 }
 
-}  // namespace range_parsing
+}  // namespace math_detail
 
 }  // namespace argos

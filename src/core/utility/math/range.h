@@ -17,7 +17,7 @@
 namespace argos {
 
 /** Wrapping a value into a period, for CRange::WrapValue() and the normalisation of angles. */
-namespace wrapping {
+namespace math_detail {
 
 /**
  * Adds or subtracts span until the value lies in [min,max].
@@ -31,7 +31,8 @@ inline Real WrapReal(Real value, Real min, Real max, Real span) {
     return min;
   }
   if (value > max + kTurnsByRepetition * span || value < min - kTurnsByRepetition * span) {
-    value = min + std::fmod(value - min, span);
+    // a whole number of spans plus what is left: for angles, exactly what is left
+    value = (min - std::fmod(min, span)) + std::fmod(value, span);
   }
   while (value > max) {
     value -= span;
@@ -72,7 +73,7 @@ struct SHoldsReal<
     T, std::void_t<decltype(std::declval<T&>().SetValue(std::declval<const T&>().GetValue()))> >
     : std::true_type {};
 
-}  // namespace wrapping
+}  // namespace math_detail
 
 /**
  * An interval between two values of any type with <=, <, > and -.
@@ -164,17 +165,17 @@ class CRange {
   /**
    * Adds or subtracts the span until the value is inside [min,max]; a value on a bound stays.
    *
-   * Takes bounded time for numbers and angles, however far away: see wrapping::WrapReal(). A span
-   * of 0 gives min.
+   * Takes bounded time for numbers and angles, however far away: see math_detail::WrapReal(). A
+   * span of 0 gives min.
    */
   constexpr void WrapValue(T& value) const {
     if constexpr (std::is_floating_point_v<T>) {
-      value = static_cast<T>(wrapping::WrapReal(value, m_min, m_max, GetSpan()));
+      value = static_cast<T>(math_detail::WrapReal(value, m_min, m_max, GetSpan()));
     } else if constexpr (std::is_integral_v<T>) {
-      value = wrapping::WrapInteger<T>(value, m_min, m_max);
-    } else if constexpr (wrapping::SHoldsReal<T>::value) {
-      value.SetValue(wrapping::WrapReal(value.GetValue(), m_min.GetValue(), m_max.GetValue(),
-                                        m_max.GetValue() - m_min.GetValue()));
+      value = math_detail::WrapInteger<T>(value, m_min, m_max);
+    } else if constexpr (math_detail::SHoldsReal<T>::value) {
+      value.SetValue(math_detail::WrapReal(value.GetValue(), m_min.GetValue(), m_max.GetValue(),
+                                           m_max.GetValue() - m_min.GetValue()));
     } else {
       WrapByRepetition(value);
     }
@@ -203,16 +204,16 @@ class CRange {
 };
 
 /** Reading a range from text. */
-namespace range_parsing {
+namespace math_detail {
 
 /** @throws CARGoSException always, quoting the line from the given position on and saying what a
  * range looks like. */
-[[noreturn]] void Reject(std::istream& is, std::streampos start, const std::string& reason);
+[[noreturn]] void RejectRange(std::istream& is, std::streampos start, const std::string& reason);
 
 /** Reads one bound. Signed text for an unsigned type is refused, and 8-bit integers are read as
  * numbers. */
 template <typename T>
-bool ReadBound(std::istream& is, T& bound) {
+bool ReadRangeBound(std::istream& is, T& bound) {
   is >> std::ws;
   if constexpr (std::is_unsigned_v<T>) {
     if (is.peek() == '-') {
@@ -229,7 +230,7 @@ bool ReadBound(std::istream& is, T& bound) {
   }
 }
 
-}  // namespace range_parsing
+}  // namespace math_detail
 
 /** Writes "min:max". */
 template <typename T>
@@ -252,21 +253,21 @@ std::istream& operator>>(std::istream& is, CRange<T>& range) {
   std::string minText;
   std::getline(is, minText, ':');
   if (is.eof() || is.fail()) {
-    range_parsing::Reject(is, start, "there is no ':'");
+    math_detail::RejectRange(is, start, "there is no ':'");
   }
 
   T min = T();
   T max = T();
   std::istringstream minStream(minText);
-  if (!range_parsing::ReadBound(minStream, min) || !(minStream >> std::ws).eof()) {
-    range_parsing::Reject(is, start, "the minimum is not valid");
+  if (!math_detail::ReadRangeBound(minStream, min) || !(minStream >> std::ws).eof()) {
+    math_detail::RejectRange(is, start, "the minimum is not valid");
   }
-  if (!range_parsing::ReadBound(is, max)) {
-    range_parsing::Reject(is, start, "the maximum is not valid");
+  if (!math_detail::ReadRangeBound(is, max)) {
+    math_detail::RejectRange(is, start, "the maximum is not valid");
   }
   const int next = is.eof() ? std::istream::traits_type::eof() : is.peek();
   if (next != std::istream::traits_type::eof() && std::isspace(next) == 0) {
-    range_parsing::Reject(is, start, "there is text after the maximum");
+    math_detail::RejectRange(is, start, "there is text after the maximum");
   }
 
   if (!(min <= max)) {

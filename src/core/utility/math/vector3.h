@@ -1,7 +1,6 @@
 #ifndef ARGOS3_CORE_UTILITY_MATH_VECTOR3_H
 #define ARGOS3_CORE_UTILITY_MATH_VECTOR3_H
 
-#include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/core/utility/math/general.h>

@@ -49,17 +49,18 @@ Eigen::Matrix3d MakeSunFrame(const Eigen::Vector3d& toSun) {
 }
 
 SBoundingSphere ComputeBoundingSphere(EMeshKind kind, const SMeshInstance& instance) {
-  const double centerZ = kind == EMeshKind::Box || kind == EMeshKind::Cylinder ? 0.5 : 0.0;
+  const bool standsOnBase = kind == EMeshKind::Box || kind == EMeshKind::Cylinder;
+  const double centerZ = standsOnBase ? 0.5 : 0.0;
   SBoundingSphere sphere;
-  double sum = 0.0;
+  Eigen::Vector3d squares = Eigen::Vector3d::Zero();  // of the solid's extents
   for (int row = 0; row < 3; ++row) {
     const auto& entries = instance.ToWorld[static_cast<std::size_t>(row)];
     sphere.Center[row] = entries[3] + centerZ * entries[2];
-    for (std::size_t column = 0; column < 3; ++column) {
-      sum += static_cast<double>(entries[column]) * entries[column];
-    }
+    const Eigen::Vector3d axes(entries[0], entries[1], entries[2]);
+    squares += axes.cwiseProduct(axes);
   }
-  sphere.Radius = 0.5 * std::sqrt(sum);
+  // a box and a cylinder reach into the corners of the box of those extents, round ones do not
+  sphere.Radius = 0.5 * std::sqrt(standsOnBase ? squares.sum() : squares.maxCoeff());
   return sphere;
 }
 

@@ -126,10 +126,8 @@ TEST_CASE("angles: normalisation of far values ends at once and keeps the direct
       CRadians(value).SignedNormalize()));
   CHECK(CRadians::UNSIGNED_RANGE.WithinMinBoundIncludedMaxBoundIncluded(
       CRadians(value).UnsignedNormalize()));
-  // fmod is exact, so the result differs from value by whole turns of 2 * kPi: only in the last bit
-  // of the wrapping
-  const Real remainder = std::remainder(value, 2.0 * kPi);
-  CHECK_THAT(CRadians(value).SignedNormalize().GetValue(), WithinAbs(remainder, 1e-10));
+  // the C library's exact remainder for a turn of 2 * kPi
+  CHECK(CRadians(value).SignedNormalize().GetValue() == std::remainder(value, 2.0 * kPi));
 }
 
 TEST_CASE("angles: normalisation of values that are no numbers gives no number", "[core][math]") {

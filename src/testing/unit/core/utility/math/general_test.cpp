@@ -56,6 +56,8 @@ TEST_CASE("general maths: rounding functions follow the documented rules", "[cor
     CHECK(Floor(-0.5) == -1);
     CHECK(Floor(-1.5) == -2);
     CHECK(Floor(-2.0) == -3);
+    // adding or subtracting one would round to the next whole number
+    CHECK(Floor(-0.99999999999999989) == -1);
   }
   SECTION("Ceil is the mathematical ceiling") {
     CHECK(Ceil(2.0) == 2);
@@ -63,6 +65,7 @@ TEST_CASE("general maths: rounding functions follow the documented rules", "[cor
     CHECK(Ceil(-2.0) == -2);
     CHECK(Ceil(-2.9) == -2);
     CHECK(Ceil(-0.5) == 0);
+    CHECK(Ceil(0.99999999999999989) == 1);
   }
   SECTION("Round takes halves away from zero") {
     CHECK(Round(2.4) == 2);

@@ -143,7 +143,7 @@ TEST_CASE("range: wrapping moves by whole spans until inside", "[core][math]") {
 }
 
 TEST_CASE("range: wrapping integers equals repeated steps", "[core][math]") {
-  const CRange<SInt32> range(-2, 3);
+  const CRange<SInt32> interval(-2, 3);
   const SInt32 value = GENERATE(range(-30, 30));
   CAPTURE(value);
   SInt32 expected = value;
@@ -153,7 +153,7 @@ TEST_CASE("range: wrapping integers equals repeated steps", "[core][math]") {
   while (expected < -2) {
     expected += 5;
   }
-  CHECK(Wrap(range, value) == expected);
+  CHECK(Wrap(interval, value) == expected);
   const UInt8 small = static_cast<UInt8>(value + 100);
   UInt8 expectedSmall = small;
   while (expectedSmall > 12) {

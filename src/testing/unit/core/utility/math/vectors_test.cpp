@@ -71,7 +71,7 @@ TEST_CASE("2D vector: polar coordinates", "[core][math]") {
   other.FromPolarCoordinates(2.0, CRadians::PI_OVER_TWO);
   CHECK(other == up);
 
-  const Real angle = GENERATE(range(-3.1, 3.2, 0.3));
+  const Real angle = GENERATE(range(-3.1, 3.1, 0.3));
   const CVector2 vector(1.5, CRadians(angle));
   CHECK_THAT(vector.Length(), WithinAbs(1.5, kRounding));
   CHECK_THAT(vector.Angle().GetValue(), WithinAbs(angle, kRounding));

@@ -1,0 +1,221 @@
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
+
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_shapes.h>
+
+#include <algorithm>
+
+namespace argos {
+
+namespace {
+
+// An overlap of the described shapes below this is left alone, Box2D units; the smallest movable body
+// has radius 1, so this is 0.05 % of its radius.
+constexpr float kTolerance = 0.0005F;
+// Pairs up to this far apart can become overlaps when their neighbours are pushed, Box2D units.
+constexpr float kNear = 0.1F;
+// The most a pair is pushed in a sweep, Box2D units: bodies that were put into each other come apart
+// in some ticks instead of being thrown about.
+constexpr float kMaxPush = 0.25F;
+constexpr int kMaxSweeps = 10;
+
+const b2CircleShape* AsCentredDisc(b2Fixture& fixture) {
+  if (fixture.GetType() != b2Shape::e_circle) {
+    return nullptr;
+  }
+  const auto* circle = static_cast<const b2CircleShape*>(fixture.GetShape());
+  return circle->m_p == fixture.GetBody()->GetLocalCenter() ? circle : nullptr;
+}
+
+// signed distance between the described shapes; negative if they overlap
+float ComputeGap(b2Contact& contact) {
+  b2Fixture& fixtureA = *contact.GetFixtureA();
+  b2Fixture& fixtureB = *contact.GetFixtureB();
+  const b2CircleShape* discA = AsCentredDisc(fixtureA);
+  const b2CircleShape* discB = AsCentredDisc(fixtureB);
+  const b2Body& a = *fixtureA.GetBody();
+  const b2Body& b = *fixtureB.GetBody();
+  if (discA != nullptr && discB != nullptr) {
+    return b2Distance(a.GetWorldCenter(), b.GetWorldCenter()) - discA->m_radius - discB->m_radius +
+           2.0F * kShapeMargin;
+  }
+  b2Manifold manifold;
+  contact.Evaluate(&manifold, a.GetTransform(), b.GetTransform());
+  if (manifold.pointCount == 0) {
+    // farther apart than both margins, but perhaps not much: near enough to be looked at again
+    return 2.0F * kShapeMargin;
+  }
+  b2WorldManifold points;
+  points.Initialize(&manifold, a.GetTransform(), fixtureA.GetShape()->m_radius, b.GetTransform(),
+                    fixtureB.GetShape()->m_radius);
+  float separation = points.separations[0];
+  if (manifold.pointCount == 2) {
+    separation = std::min(separation, points.separations[1]);
+  }
+  return separation + 2.0F * kShapeMargin;
+}
+
+}  // namespace
+
+void COverlapSolver::Reserve(size_t pairs) {
+  m_bodies.reserve(pairs);
+  m_pairs.reserve(pairs);
+  m_wallPairs.reserve(pairs);
+  m_indexOf.reserve(pairs);
+}
+
+bool COverlapSolver::Resolve(b2World& world) {
+  if (!Gather(world)) {
+    return false;
+  }
+  bool moved = false;
+  for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
+    bool pushed = false;
+    for (const SPair& pair : m_pairs) {
+      pushed = SolvePair(pair) || pushed;
+    }
+    for (const SPair& pair : m_wallPairs) {
+      pushed = SolvePair(pair) || pushed;
+    }
+    if (!pushed) {
+      break;
+    }
+    moved = true;
+  }
+  for (SBody& body : m_bodies) {
+    if (body.Moved) {
+      body.Body->SetTransform(
+          body.Centre - b2Mul(body.Rotation, body.Body->GetLocalCenter()), body.Angle);
+    }
+  }
+  return moved;
+}
+
+// collects the pairs that are near each other; returns whether any overlaps
+bool COverlapSolver::Gather(b2World& world) {
+  m_bodies.clear();
+  m_pairs.clear();
+  m_wallPairs.clear();
+  bool overlap = false;
+  for (b2Contact* contact = world.GetContactList(); contact != nullptr;
+       contact = contact->GetNext()) {
+    const float gap = ComputeGap(*contact);
+    if (gap < kNear) {
+      AddPair(*contact);
+      overlap = overlap || gap < -kTolerance;
+    }
+  }
+  return overlap;
+}
+
+UInt32 COverlapSolver::IndexOf(b2Body* body) {
+  const UInt32 number = GetBodyNumber(*body);
+  if (number >= m_indexOf.size()) {
+    m_indexOf.resize(number + 1);
+  }
+  UInt32& index = m_indexOf[number];
+  if (index >= m_bodies.size() || m_bodies[index].Body != body) {
+    index = static_cast<UInt32>(m_bodies.size());
+    SBody entry = {body, body->GetWorldCenter(), body->GetAngle(), body->GetTransform().q,
+                   0.0F, 0.0F,                   false};
+    if (body->GetType() == b2_dynamicBody) {
+      const float mass = body->GetMass();
+      entry.InverseMass = 1.0F / mass;
+      entry.InverseInertia =
+          1.0F / (body->GetInertia() - mass * body->GetLocalCenter().LengthSquared());
+    }
+    m_bodies.push_back(entry);
+  }
+  return index;
+}
+
+void COverlapSolver::AddPair(b2Contact& contact) {
+  b2Fixture& fixtureA = *contact.GetFixtureA();
+  b2Fixture& fixtureB = *contact.GetFixtureB();
+  const b2CircleShape* discA = AsCentredDisc(fixtureA);
+  const b2CircleShape* discB = AsCentredDisc(fixtureB);
+  SPair pair = {&contact, IndexOf(fixtureA.GetBody()), IndexOf(fixtureB.GetBody()), -1.0F};
+  if (discA != nullptr && discB != nullptr) {
+    pair.Reach = discA->m_radius + discB->m_radius - 2.0F * kShapeMargin;
+  }
+  const bool wall = m_bodies[pair.A].InverseMass == 0.0F || m_bodies[pair.B].InverseMass == 0.0F;
+  (wall ? m_wallPairs : m_pairs).push_back(pair);
+}
+
+bool COverlapSolver::SolvePair(const SPair& pair) {
+  return pair.Reach > 0.0F ? SolveDiscs(pair) : SolveManifold(pair);
+}
+
+bool COverlapSolver::SolveDiscs(const SPair& pair) {
+  SBody& a = m_bodies[pair.A];
+  SBody& b = m_bodies[pair.B];
+  b2Vec2 normal = b.Centre - a.Centre;
+  const float limit = pair.Reach - kTolerance;
+  if (normal.LengthSquared() >= limit * limit) {
+    return false;
+  }
+  const float distance = normal.Normalize();
+  if (distance < b2_epsilon) {
+    normal.Set(1.0F, 0.0F);  // as Box2D does for discs with one centre
+  }
+  const float depth = std::min(pair.Reach - distance, kMaxPush);
+  const float share = depth / (a.InverseMass + b.InverseMass);
+  a.Centre -= share * a.InverseMass * normal;
+  b.Centre += share * b.InverseMass * normal;
+  a.Moved = a.Moved || a.InverseMass > 0.0F;
+  b.Moved = b.Moved || b.InverseMass > 0.0F;
+  return true;
+}
+
+bool COverlapSolver::SolveManifold(const SPair& pair) {
+  SBody& a = m_bodies[pair.A];
+  SBody& b = m_bodies[pair.B];
+  b2Transform frameA;
+  frameA.q = a.Rotation;
+  frameA.p = a.Centre - b2Mul(a.Rotation, a.Body->GetLocalCenter());
+  b2Transform frameB;
+  frameB.q = b.Rotation;
+  frameB.p = b.Centre - b2Mul(b.Rotation, b.Body->GetLocalCenter());
+  b2Manifold manifold;
+  pair.Contact->Evaluate(&manifold, frameA, frameB);
+  if (manifold.pointCount == 0) {
+    return false;
+  }
+  b2WorldManifold points;
+  points.Initialize(&manifold, frameA, pair.Contact->GetFixtureA()->GetShape()->m_radius, frameB,
+                    pair.Contact->GetFixtureB()->GetShape()->m_radius);
+  bool pushed = false;
+  for (int32 i = 0; i < manifold.pointCount; ++i) {
+    const float depth = -(points.separations[i] + 2.0F * kShapeMargin);
+    if (depth > kTolerance) {
+      // two points share the push: both act on one face
+      Push(a, b, points.normal, points.points[i],
+           std::min(depth, kMaxPush) / static_cast<float>(manifold.pointCount));
+      pushed = true;
+    }
+  }
+  return pushed;
+}
+
+void COverlapSolver::Push(SBody& a, SBody& b, const b2Vec2& normal, const b2Vec2& point,
+                          float depth) {
+  const b2Vec2 armA = point - a.Centre;
+  const b2Vec2 armB = point - b.Centre;
+  const float leverA = b2Cross(armA, normal);
+  const float leverB = b2Cross(armB, normal);
+  const float share = depth / (a.InverseMass + b.InverseMass + a.InverseInertia * leverA * leverA +
+                               b.InverseInertia * leverB * leverB);
+  if (a.InverseMass > 0.0F) {
+    a.Centre -= share * a.InverseMass * normal;
+    a.Angle -= share * a.InverseInertia * leverA;
+    a.Rotation.Set(a.Angle);
+    a.Moved = true;
+  }
+  if (b.InverseMass > 0.0F) {
+    b.Centre += share * b.InverseMass * normal;
+    b.Angle += share * b.InverseInertia * leverB;
+    b.Rotation.Set(b.Angle);
+    b.Moved = true;
+  }
+}
+
+}  // namespace argos

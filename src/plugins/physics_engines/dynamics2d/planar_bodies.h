@@ -1,0 +1,100 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_BODIES_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_BODIES_H
+
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_motion.h>
+
+#include <limits>
+
+class b2Body;
+class b2FrictionJoint;
+class b2MotorJoint;
+
+namespace argos {
+
+class CDynamics2DModel;
+
+/** What kind of body; each kind has its own dense array. */
+enum class EPlanarKind : UInt8 { Immovable, Passive, Driven };
+
+/** Where a body is kept; written by the world whenever that changes. */
+struct SPlanarHandle {
+  static constexpr UInt32 kNowhere = std::numeric_limits<UInt32>::max();
+
+  EPlanarKind Kind = EPlanarKind::Immovable;
+  UInt32 Slot = kNowhere;
+
+  bool IsInWorld() const { return Slot != kNowhere; }
+};
+
+/** What a body is to the outside: whose it is, and where the outside wants to find its number. */
+struct SPlanarOwner {
+  CDynamics2DModel* Model = nullptr;
+  SPlanarHandle* Handle = nullptr;
+};
+
+/** A wall or another thing that never moves by itself. */
+struct SImmovableBody {
+  SPlanarOwner Owner;
+  b2Body* Body = nullptr;
+};
+
+/** A movable thing without a drive. */
+struct SPassiveBody {
+  SPlanarPose Pose;
+  SPlanarOwner Owner;
+  b2Body* Body = nullptr;
+  b2FrictionJoint* GroundFriction = nullptr;  // null: slides for ever
+  float X = 0.0F, Y = 0.0F, Angle = 0.0F;     // of Body when Pose was written, Box2D units, rad
+  float Extent = 0.0F;                        // half of its narrowest side, Box2D units
+  bool Moved = false;                         // in this tick
+};
+
+/**
+ * A robot on two wheels.
+ *
+ * A robot that is a disc and can meet nothing in a tick is not in Box2D's solver at all ("at rest"
+ * for Box2D, although it drives): its exact motion is written by PlanDriven(). The others are "in
+ * play": see CPlanarWorld.
+ */
+struct SDrivenBody {
+  static constexpr UInt32 kNotInPlay = std::numeric_limits<UInt32>::max();
+
+  // state at the last tick's end
+  SPlanarPose Pose;
+  SPlanarVelocity Velocity;
+  // where this tick leads: planned first, corrected by Box2D if in play
+  SPlanarPose NextPose;
+  SPlanarVelocity NextVelocity;
+
+  // fixed
+  const Real* Wheels = nullptr;    // m/s, (left, right), of the robot's wheels; not owned
+  Real InverseInterwheel = 0.0;    // 1/m
+  Real MaxSpeedChange = 0.0;       // m/s in a tick: the drive's force bounds it
+  Real MaxYawRateChange = 0.0;     // rad/s in a tick: the drive's torque bounds it
+  Real MaxSpeed = 0.0;             // m/s: as far as substeps can follow
+  float Radius = 0.0F;             // of a disc: with margin; Box2D units
+  float Extent = 0.0F;             // half of its narrowest side, Box2D units
+  bool IsDisc = false;             // one disc around the origin
+  // while the centre stays in here (Box2D units), nothing can be touched
+  float MinX = 0.0F, MaxX = 0.0F, MinY = 0.0F, MaxY = 0.0F;
+  int Proxy = -1;                  // in the broad phase, of a disc
+  UInt32 InPlay = kNotInPlay;      // number in the list of those in play
+  b2Body* Body = nullptr;
+  SPlanarOwner Owner;
+};
+
+/** What a driven body needs only while it is in play. */
+struct SInPlay {
+  UInt32 Slot = 0;
+  b2MotorJoint* Motor = nullptr;
+  float StepX = 0.0F, StepY = 0.0F;      // where its wheels want it to go in the tick, Box2D units
+  float StepAngle = 0.0F;                // rad in the tick
+  float StartAngle = 0.0F;               // of the Box2D body at the tick's start, rad
+  Real StartYaw = 0.0;                   // rad
+  float SpentImpulse = 0.0F;             // of the drive in this tick, Box2D units
+  float SpentAngularImpulse = 0.0F;
+};
+
+}  // namespace argos
+
+#endif

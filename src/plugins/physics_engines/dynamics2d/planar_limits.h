@@ -1,0 +1,34 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_LIMITS_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_LIMITS_H
+
+#include <argos3/core/utility/datatypes/datatypes.h>
+
+namespace argos {
+
+// The README of this engine says where these come from, with measurements.
+
+/** Radius of the smallest movable body, Box2D units: what the length scale is chosen for. */
+constexpr Real kSmallestRadiusInUnits = 1.0;
+/** Box2D units to a metre in a world where nothing moves. */
+constexpr Real kDefaultUnitsPerMetre = 10.0;
+
+/** Substeps of a tick unless the user says otherwise. */
+constexpr UInt32 kDefaultSubsteps = 2;
+/** Iterations of Box2D's velocity solver in a substep. */
+constexpr int kVelocityIterations = 8;
+/** Iterations of Box2D's position solver in a substep; COverlapSolver does this work. */
+constexpr int kPositionIterations = 1;
+
+/** A robot that leaves its box in the broad phase gets one with room for 4 times this many ticks. */
+constexpr Real kLookAhead = 0.5;
+
+/** A body moves at most this share of half its narrowest side in a substep: none passes another. */
+constexpr Real kMaxStepShare = 0.5;
+/** A body turns at most this much in a substep, rad. */
+constexpr Real kMaxStepTurn = 0.5;
+/** Most substeps that a tick is cut into for the sake of fast bodies. */
+constexpr UInt32 kMaxSubsteps = 64;
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,147 @@
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_shapes.h>
+
+#include <box2d/box2d.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace argos {
+
+const float kShapeMargin = 0.5F * b2_linearSlop;
+
+namespace {
+
+using EKind = SShapeDescription::EKind;
+
+// does the solid stand upright in its body?
+bool IsUpright(const SShapeDescription& shape) {
+  return shape.Kind == EKind::Sphere ||
+         (shape.Orientation.GetX() == 0.0 && shape.Orientation.GetY() == 0.0);
+}
+
+bool IsDisc(const SShapeDescription& shape) {
+  return shape.Kind == EKind::Sphere || (shape.Kind == EKind::Cylinder && IsUpright(shape));
+}
+
+b2Vec2 ToUnits(const CVector3& point, Real unitsPerMetre) {
+  return b2Vec2(static_cast<float>(point.GetX() * unitsPerMetre),
+                static_cast<float>(point.GetY() * unitsPerMetre));
+}
+
+b2CircleShape MakeDisc(const SShapeDescription& shape, Real unitsPerMetre) {
+  b2CircleShape disc;
+  disc.m_p = ToUnits(shape.Offset, unitsPerMetre);
+  disc.m_radius = static_cast<float>(shape.Radius * unitsPerMetre) + kShapeMargin;
+  return disc;
+}
+
+// the shadow of a solid: of its bounding box if it is tilted
+b2PolygonShape MakePolygon(const SShapeDescription& shape, Real unitsPerMetre) {
+  b2PolygonShape polygon;
+  if (IsUpright(shape)) {
+    const Real yaw = 2.0 * std::atan2(shape.Orientation.GetZ(), shape.Orientation.GetW());
+    polygon.SetAsBox(static_cast<float>(0.5 * shape.Size.GetX() * unitsPerMetre),
+                     static_cast<float>(0.5 * shape.Size.GetY() * unitsPerMetre),
+                     ToUnits(shape.Offset, unitsPerMetre), static_cast<float>(yaw));
+  } else {
+    std::array<b2Vec2, 8> corners;
+    for (size_t i = 0; i < corners.size(); ++i) {
+      CVector3 corner((i & 1U ? 0.5 : -0.5) * shape.Size.GetX(),
+                      (i & 2U ? 0.5 : -0.5) * shape.Size.GetY(),
+                      i & 4U ? shape.Size.GetZ() : 0.0);
+      corner.Rotate(shape.Orientation);
+      corners[i] = ToUnits(shape.Offset + corner, unitsPerMetre);
+    }
+    polygon.Set(corners.data(), static_cast<int32>(corners.size()));
+  }
+  // Box2D's own skin would put the surface where the description does not; it serves continuous
+  // collision, which this engine does not use
+  polygon.m_radius = kShapeMargin;
+  return polygon;
+}
+
+Real ComputeVolume(const SShapeDescription& shape) {
+  switch (shape.Kind) {
+    case EKind::Box:
+      return shape.Size.GetX() * shape.Size.GetY() * shape.Size.GetZ();
+    case EKind::Cylinder:
+      return ARGOS_PI * shape.Radius * shape.Radius * shape.Size.GetZ();
+    case EKind::Sphere:
+      break;
+  }
+  return 4.0 / 3.0 * ARGOS_PI * shape.Radius * shape.Radius * shape.Radius;
+}
+
+CVector3 ComputeCentreOfMass(const SBodyDescription& description) {
+  Real volume = 0.0;
+  CVector3 weighted;
+  for (const SShapeDescription& shape : description.Shapes) {
+    const Real shapeVolume = ComputeVolume(shape);
+    CVector3 centroid(0.0, 0.0, 0.5 * shape.Size.GetZ());
+    centroid.Rotate(shape.Orientation);
+    weighted += (shape.Offset + centroid) * shapeVolume;
+    volume += shapeVolume;
+  }
+  return volume > 0.0 ? weighted * (1.0 / volume) : CVector3();
+}
+
+}  // namespace
+
+void AddFixtures(b2Body& body, const SBodyDescription& description, Real unitsPerMetre,
+                 Real friction) {
+  b2FixtureDef definition;
+  // Box2D mixes by the root of the product, this engine's rule is the product
+  definition.friction = static_cast<float>(friction * friction);
+  definition.restitution = 0.0F;
+  for (const SShapeDescription& shape : description.Shapes) {
+    if (IsDisc(shape)) {
+      const b2CircleShape disc = MakeDisc(shape, unitsPerMetre);
+      definition.shape = &disc;
+      body.CreateFixture(&definition);
+    } else {
+      const b2PolygonShape polygon = MakePolygon(shape, unitsPerMetre);
+      definition.shape = &polygon;
+      body.CreateFixture(&definition);
+    }
+  }
+}
+
+void SetMass(b2Body& body, const SBodyDescription& description, Real unitsPerMetre) {
+  const CVector3 centre = ComputeCentreOfMass(description);
+  const Real offsetInertia =
+      description.Mass * (centre.GetX() * centre.GetX() + centre.GetY() * centre.GetY());
+  Real inertia = description.PlanarInertia ? *description.PlanarInertia
+                                           : description.ComputePlanarInertia();
+  // a stated moment that the offset of the centre of mass alone would exceed is of no real body;
+  // Box2D needs what is left to be positive
+  inertia = std::max(inertia, offsetInertia * (1.0 + 1e-3));
+  b2MassData mass;
+  mass.mass = static_cast<float>(description.Mass);
+  mass.center = ToUnits(centre, unitsPerMetre);
+  mass.I = static_cast<float>(inertia * unitsPerMetre * unitsPerMetre);
+  body.SetMassData(&mass);
+}
+
+bool IsCentredDisc(const SBodyDescription& description) {
+  return description.Shapes.size() == 1 && IsDisc(description.Shapes.front()) &&
+         description.Shapes.front().Offset.GetX() == 0.0 &&
+         description.Shapes.front().Offset.GetY() == 0.0;
+}
+
+Real ComputeNarrowestHalf(const SBodyDescription& description) {
+  Real narrowest = HUGE_VAL;
+  for (const SShapeDescription& shape : description.Shapes) {
+    if (IsDisc(shape)) {
+      narrowest = std::min(narrowest, shape.Radius);
+    } else {
+      narrowest = std::min({narrowest, 0.5 * shape.Size.GetX(), 0.5 * shape.Size.GetY()});
+      if (!IsUpright(shape)) {
+        narrowest = std::min(narrowest, 0.5 * shape.Size.GetZ());
+      }
+    }
+  }
+  return narrowest;
+}
+
+}  // namespace argos

@@ -1,0 +1,149 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_WORLD_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_WORLD_H
+
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_bodies.h>
+
+#include <box2d/box2d.h>
+
+#include <vector>
+
+namespace argos {
+
+struct SBodyDescription;
+
+/** Bounds of the friction of passive bodies on the ground. */
+struct SGroundFriction {
+  Real Force = 1.49;   // N
+  Real Torque = 1.49;  // N m
+};
+
+/** What a CPlanarWorld is made with. */
+struct SPlanarSettings {
+  Real Tick = 0.1;            // s
+  UInt32 Substeps = 1;        // of a tick, at least
+  Real UnitsPerMetre = 10.0;  // Box2D's unit of length
+  SGroundFriction BoxFriction;
+  SGroundFriction CylinderFriction;
+};
+
+/** Thrown by CPlanarWorld::Advance() if a wheel speed is not a number; nothing has moved then. */
+struct SBadWheelSpeed {
+  CDynamics2DModel* Owner;
+  Real Left, Right;  // m/s
+};
+
+/**
+ * The bodies of one engine, and their motion, on Box2D.
+ *
+ * Lengths are metres outside; Box2D's units of length are inside.
+ *
+ * A robot that is a disc and can meet nothing during a tick needs no solver: its exact arc is written
+ * in double precision. What it can meet, Box2D's broad phase tells: it keeps a box around each shape
+ * that is larger than the shape, and as long as two boxes are apart and the shapes stay in them, the
+ * shapes cannot meet. So a robot whose box touches no other, and which stays in it, is kept asleep in
+ * Box2D ("not in play"). When its box meets another, it is woken with a motor of bounded force that
+ * drives it along the chord of its arc, and its contacts are solved with everybody else's. If at the
+ * tick's end Box2D has put it where its arc ends, to some roundings, then nothing pushed it, and it
+ * takes the exact pose; else it takes Box2D's.
+ *
+ * Everything is a function of the order of Add(), Remove(), MoveTo() and Advance().
+ */
+class CPlanarWorld {
+ public:
+  explicit CPlanarWorld(const SPlanarSettings& settings);
+  ~CPlanarWorld();
+  CPlanarWorld(const CPlanarWorld&) = delete;
+  CPlanarWorld& operator=(const CPlanarWorld&) = delete;
+
+  /** Adds a body that is at rest. @param wheels speeds of a driven body's wheels; must stay valid. */
+  void AddImmovable(const SPlanarOwner& owner, const SBodyDescription& description,
+                    const SPlanarPose& pose);
+  void AddPassive(const SPlanarOwner& owner, const SBodyDescription& description,
+                  const SPlanarPose& pose);
+  void AddDriven(const SPlanarOwner& owner, const SBodyDescription& description,
+                 const SPlanarPose& pose, const Real* wheels);
+  /** Takes a body out; another one may get its slot. */
+  void Remove(const SPlanarHandle& handle);
+  /** Puts a body somewhere else, at rest; all its contacts are forgotten. */
+  void MoveTo(const SPlanarHandle& handle, const SBodyDescription& description,
+              const SPlanarPose& pose);
+  /** Allocates what a tick of a swarm of the present size needs. */
+  void Reserve();
+
+  /** Moves everything by one tick. @throws SBadWheelSpeed */
+  void Advance();
+
+  /** After Advance(): takes over where driven bodies are, calling visit(const SDrivenBody&) each. */
+  template <typename VISIT>
+  void CommitDriven(VISIT&& visit) {
+    for (SDrivenBody& body : m_driven) {
+      body.Pose = body.NextPose;
+      body.Velocity = body.NextVelocity;
+      visit(static_cast<const SDrivenBody&>(body));
+    }
+  }
+  /** After Advance(): calls visit(const SPassiveBody&) for each passive body; see Moved. */
+  template <typename VISIT>
+  void ForEachPassive(VISIT&& visit) const {
+    for (const SPassiveBody& body : m_passive) {
+      visit(body);
+    }
+  }
+
+ private:
+  struct SBodyReference {
+    EPlanarKind Kind = EPlanarKind::Immovable;
+    UInt32 Slot = 0;
+  };
+
+  b2Body& CreateBody(const SBodyDescription& description, const SPlanarPose& pose, EPlanarKind kind,
+                     UInt32 slot);
+  void DestroyBody(b2Body& body);
+  void SetUpDriven(SDrivenBody& body, UInt32 slot, const SBodyDescription& description);
+  void SetUpPassive(SPassiveBody& body, const SBodyDescription& description);
+  template <typename BODY>
+  void RemoveFrom(std::vector<BODY>& bodies, UInt32 slot);
+
+  // phases of Advance(), in order; see planar_world_tick.cpp
+  void PlanDriven();
+  void Plan(SDrivenBody& body, UInt32 slot);
+  void FollowWithProxies();
+  void ReadSafeRegion(SDrivenBody& body);
+  void FindNewContacts();
+  void BringIntoPlay(Real elapsedShare);
+  void BringIntoPlay(UInt32 slot, Real elapsedShare);
+  void TakeOutOfPlay(UInt32 slot);
+  void StartTickInPlay(SInPlay& play);
+  bool IsAnythingAwake() const;
+  UInt32 ChooseSubsteps() const;
+  void StepBox2D(UInt32 substeps);
+  void SetMotors(UInt32 substep, UInt32 substeps);
+  void AccountMotors();
+  void FinishDriven(UInt32 substeps);
+  void FinishInPlay(SInPlay& play, UInt32 substeps);
+  void FinishPassive();
+
+  b2ContactManager& GetContactManager();
+  float ToUnits(Real metres) const { return static_cast<float>(metres * m_settings.UnitsPerMetre); }
+  Real ToMetres(float units) const { return static_cast<Real>(units) * m_metresPerUnit; }
+
+  SPlanarSettings m_settings;
+  Real m_metresPerUnit;
+  b2World m_world;
+  b2Body* m_ground;  // what motors and ground frictions push against
+  COverlapSolver m_overlaps;
+  bool m_mayHaveNewContacts = false;  // bodies came or were moved since the last search
+
+  std::vector<SImmovableBody> m_immovable;
+  std::vector<SPassiveBody> m_passive;
+  std::vector<SDrivenBody> m_driven;
+  std::vector<SInPlay> m_inPlay;
+  std::vector<UInt32> m_leaving;             // driven bodies that leave their safe region
+  std::vector<SBodyReference> m_references;  // by number of a Box2D body
+  std::vector<UInt32> m_freeNumbers;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,366 @@
+// One tick of a planar world, in the order of Advance().
+
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_world.h>
+
+#include <argos3/core/utility/math/angles.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+/** What the wheels of a robot ask for. */
+struct SWheelMotion {
+  Real Speed;    // m/s, ahead
+  Real YawRate;  // rad/s
+};
+
+SWheelMotion ReadWheels(const SDrivenBody& body, Real tick) {
+  const Real left = body.Wheels[0];
+  const Real right = body.Wheels[1];
+  const Real speed = 0.5 * (left + right);
+  const Real yawRate = (right - left) * body.InverseInterwheel;
+  if (!std::isfinite(speed) || !std::isfinite(yawRate)) {
+    throw SBadWheelSpeed{body.Owner.Model, left, right};
+  }
+  const Real maxYawRate = kMaxSubsteps * kMaxStepTurn / tick;
+  return {std::clamp(speed, -body.MaxSpeed, body.MaxSpeed),
+          std::clamp(yawRate, -maxYawRate, maxYawRate)};
+}
+
+// How far the arc of this length and turn is from its chord at most. A shallow arc bulges by
+// length * turn / 8; no point of any arc is farther than half its length from the nearer end.
+Real BoundBulge(Real length, Real turn) { return length * std::min(0.5, 0.125 * turn); }
+
+bool IsTouching(b2Body& body) {
+  for (const b2ContactEdge* edge = body.GetContactList(); edge != nullptr; edge = edge->next) {
+    if (edge->contact->IsTouching()) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+void CPlanarWorld::Advance() {
+  PlanDriven();
+  FollowWithProxies();
+  if (m_mayHaveNewContacts) {
+    FindNewContacts();
+    BringIntoPlay(0.0);
+  }
+  UInt32 substeps = 0;
+  if (IsAnythingAwake()) {
+    for (SInPlay& play : m_inPlay) {
+      StartTickInPlay(play);
+    }
+    substeps = ChooseSubsteps();
+    StepBox2D(substeps);
+  }
+  FinishDriven(substeps);
+  FinishPassive();
+}
+
+// Decides where each robot would be at the end of the tick if nothing were in its way.
+void CPlanarWorld::PlanDriven() {
+  m_leaving.clear();
+  for (UInt32 slot = 0; slot < m_driven.size(); ++slot) {
+    Plan(m_driven[slot], slot);
+  }
+}
+
+void CPlanarWorld::Plan(SDrivenBody& body, UInt32 slot) {
+  const Real tick = m_settings.Tick;
+  const SWheelMotion wanted = ReadWheels(body, tick);
+
+  // the torque bounds how much the yaw rate changes, the force how much the velocity does
+  const Real yawRate =
+      body.Velocity.W + std::clamp(wanted.YawRate - body.Velocity.W, -body.MaxYawRateChange,
+                                   body.MaxYawRateChange);
+  const SArc arc = FollowArc(body.Pose, wanted.Speed, yawRate, tick);
+  Real velocityX = arc.DX / tick;
+  Real velocityY = arc.DY / tick;
+  body.NextPose = arc.End;
+  const Real changeX = velocityX - body.Velocity.X;
+  const Real changeY = velocityY - body.Velocity.Y;
+  const Real squaredChange = changeX * changeX + changeY * changeY;
+  if (squaredChange > body.MaxSpeedChange * body.MaxSpeedChange) {
+    const Real share = body.MaxSpeedChange / std::sqrt(squaredChange);
+    velocityX = body.Velocity.X + share * changeX;
+    velocityY = body.Velocity.Y + share * changeY;
+    body.NextPose.X = body.Pose.X + velocityX * tick;
+    body.NextPose.Y = body.Pose.Y + velocityY * tick;
+  }
+  body.NextVelocity = {velocityX, velocityY, yawRate};
+
+  if (body.InPlay == SDrivenBody::kNotInPlay) {
+    const Real bulge = BoundBulge(std::abs(wanted.Speed) * tick, std::abs(yawRate) * tick);
+    const auto [minX, maxX] = std::minmax(body.Pose.X, body.NextPose.X);
+    const auto [minY, maxY] = std::minmax(body.Pose.Y, body.NextPose.Y);
+    if (!(ToUnits(minX - bulge) >= body.MinX && ToUnits(maxX + bulge) <= body.MaxX &&
+          ToUnits(minY - bulge) >= body.MinY && ToUnits(maxY + bulge) <= body.MaxY)) {
+      m_leaving.push_back(slot);
+    }
+  }
+}
+
+// Moves the boxes of robots that leave theirs, so that they hold the whole motion of the tick.
+void CPlanarWorld::FollowWithProxies() {
+  b2BroadPhase& broadPhase = GetContactManager().m_broadPhase;
+  for (const UInt32 slot : m_leaving) {
+    SDrivenBody& body = m_driven[slot];
+    const Real length = std::abs(0.5 * (body.Wheels[0] + body.Wheels[1])) * m_settings.Tick;
+    const float margin =
+        body.Radius +
+        ToUnits(BoundBulge(std::min(length, body.MaxSpeed * m_settings.Tick),
+                           std::abs(body.NextVelocity.W) * m_settings.Tick));
+    const b2Vec2 start(ToUnits(body.Pose.X), ToUnits(body.Pose.Y));
+    const b2Vec2 end(ToUnits(body.NextPose.X), ToUnits(body.NextPose.Y));
+    b2AABB box;
+    box.lowerBound = b2Min(start, end) - b2Vec2(margin, margin);
+    box.upperBound = b2Max(start, end) + b2Vec2(margin, margin);
+    // Box2D makes room for some more such motions
+    broadPhase.MoveProxy(body.Proxy, box, static_cast<float>(kLookAhead) * (end - start));
+    ReadSafeRegion(body);
+    m_mayHaveNewContacts = true;
+  }
+}
+
+void CPlanarWorld::ReadSafeRegion(SDrivenBody& body) {
+  const b2AABB& box = GetContactManager().m_broadPhase.GetFatAABB(body.Proxy);
+  body.MinX = box.lowerBound.x + body.Radius;
+  body.MaxX = box.upperBound.x - body.Radius;
+  body.MinY = box.lowerBound.y + body.Radius;
+  body.MaxY = box.upperBound.y - body.Radius;
+}
+
+void CPlanarWorld::FindNewContacts() {
+  GetContactManager().FindNewContacts();
+  m_mayHaveNewContacts = false;
+}
+
+// Brings every robot into play whose box meets another, where it is after this share of the tick.
+void CPlanarWorld::BringIntoPlay(Real elapsedShare) {
+  for (b2Contact* contact = m_world.GetContactList(); contact != nullptr;
+       contact = contact->GetNext()) {
+    for (b2Fixture* fixture : {contact->GetFixtureA(), contact->GetFixtureB()}) {
+      const SBodyReference& reference = m_references[GetBodyNumber(*fixture->GetBody())];
+      if (reference.Kind == EPlanarKind::Driven &&
+          m_driven[reference.Slot].InPlay == SDrivenBody::kNotInPlay) {
+        BringIntoPlay(reference.Slot, elapsedShare);
+      }
+    }
+  }
+}
+
+void CPlanarWorld::BringIntoPlay(UInt32 slot, Real elapsedShare) {
+  SDrivenBody& body = m_driven[slot];
+  b2Body& box2dBody = *body.Body;
+  const Real yaw = body.Pose.ComputeYaw();
+  box2dBody.SetTransform(b2Vec2(ToUnits(body.Pose.X), ToUnits(body.Pose.Y)),
+                         static_cast<float>(yaw));
+  box2dBody.SetAwake(true);
+
+  b2MotorJointDef definition;
+  definition.bodyA = m_ground;
+  definition.bodyB = &box2dBody;
+  definition.collideConnected = true;
+  definition.correctionFactor = 1.0F;  // the target of a substep is reached in it
+  body.InPlay = static_cast<UInt32>(m_inPlay.size());
+  SInPlay& play = m_inPlay.emplace_back();
+  play.Slot = slot;
+  play.Motor = static_cast<b2MotorJoint*>(m_world.CreateJoint(&definition));
+
+  const SPlanarVelocity* velocity = &body.Velocity;
+  if (elapsedShare > 0.0) {
+    StartTickInPlay(play);
+    const Real x = body.Pose.X + elapsedShare * (body.NextPose.X - body.Pose.X);
+    const Real y = body.Pose.Y + elapsedShare * (body.NextPose.Y - body.Pose.Y);
+    box2dBody.SetTransform(
+        b2Vec2(ToUnits(x), ToUnits(y)),
+        static_cast<float>(yaw + elapsedShare * body.NextVelocity.W * m_settings.Tick));
+    // it has had the velocity of this tick from the tick's start
+    velocity = &body.NextVelocity;
+    play.SpentImpulse = box2dBody.GetMass() * ToUnits(std::hypot(velocity->X - body.Velocity.X,
+                                                                 velocity->Y - body.Velocity.Y));
+    play.SpentAngularImpulse =
+        box2dBody.GetInertia() * static_cast<float>(std::abs(velocity->W - body.Velocity.W));
+  }
+  box2dBody.SetLinearVelocity(b2Vec2(ToUnits(velocity->X), ToUnits(velocity->Y)));
+  box2dBody.SetAngularVelocity(static_cast<float>(velocity->W));
+}
+
+void CPlanarWorld::TakeOutOfPlay(UInt32 slot) {
+  SDrivenBody& body = m_driven[slot];
+  const UInt32 number = body.InPlay;
+  m_world.DestroyJoint(m_inPlay[number].Motor);
+  body.Body->SetAwake(false);  // destroying the joint woke it
+  body.InPlay = SDrivenBody::kNotInPlay;
+  if (number + 1 != m_inPlay.size()) {
+    m_inPlay[number] = m_inPlay.back();
+    m_driven[m_inPlay[number].Slot].InPlay = number;
+  }
+  m_inPlay.pop_back();
+}
+
+// What the motor is to do in this tick: take the body from where Box2D has it to the end of its arc.
+void CPlanarWorld::StartTickInPlay(SInPlay& play) {
+  const SDrivenBody& body = m_driven[play.Slot];
+  b2Body& box2dBody = *body.Body;
+  const SWheelMotion wanted = ReadWheels(body, m_settings.Tick);
+  const SArc arc = FollowArc(body.Pose, wanted.Speed, wanted.YawRate, m_settings.Tick);
+
+  if (std::abs(box2dBody.GetAngle()) > 4.0F * b2_pi) {
+    // the angles that Box2D adds up lose digits when they grow
+    box2dBody.SetTransform(box2dBody.GetPosition(), static_cast<float>(body.Pose.ComputeYaw()));
+  }
+  const b2Vec2 position = box2dBody.GetPosition();
+  play.StartAngle = box2dBody.GetAngle();
+  const Real startAngle = play.StartAngle;
+  play.StartYaw =
+      startAngle + std::remainder(body.Pose.ComputeYaw() - startAngle, 2.0 * ARGOS_PI);
+  play.StepX = static_cast<float>(arc.End.X * m_settings.UnitsPerMetre - position.x);
+  play.StepY = static_cast<float>(arc.End.Y * m_settings.UnitsPerMetre - position.y);
+  play.StepAngle =
+      static_cast<float>(play.StartYaw + wanted.YawRate * m_settings.Tick - startAngle);
+  play.SpentImpulse = 0.0F;
+  play.SpentAngularImpulse = 0.0F;
+}
+
+bool CPlanarWorld::IsAnythingAwake() const {
+  return !m_inPlay.empty() ||
+         std::any_of(m_passive.begin(), m_passive.end(),
+                     [](const SPassiveBody& body) { return body.Body->IsAwake(); });
+}
+
+// As many as asked for, and more if a body would move too far in one.
+UInt32 CPlanarWorld::ChooseSubsteps() const {
+  const float tick = static_cast<float>(m_settings.Tick);
+  const float stepShare = static_cast<float>(kMaxStepShare);
+  const float stepTurn = static_cast<float>(kMaxStepTurn);
+  float needed = 0.0F;
+  for (const SInPlay& play : m_inPlay) {
+    const SDrivenBody& body = m_driven[play.Slot];
+    const float planned = b2Vec2(play.StepX, play.StepY).Length();
+    const float coasting = body.Body->GetLinearVelocity().Length() * tick;
+    needed = std::max({needed, std::max(planned, coasting) / (stepShare * body.Extent),
+                       std::abs(play.StepAngle) / stepTurn});
+  }
+  for (const SPassiveBody& body : m_passive) {
+    if (body.Body->IsAwake()) {
+      const float distance = body.Body->GetLinearVelocity().Length() * tick;
+      const float turn = std::abs(body.Body->GetAngularVelocity()) * tick;
+      needed = std::max({needed, distance / (stepShare * body.Extent), turn / stepTurn});
+    }
+  }
+  const UInt32 cap = std::max(kMaxSubsteps, m_settings.Substeps);
+  if (!(needed < static_cast<float>(cap))) {
+    return cap;
+  }
+  return std::max(m_settings.Substeps, static_cast<UInt32>(std::ceil(needed)));
+}
+
+void CPlanarWorld::StepBox2D(UInt32 substeps) {
+  const float duration = static_cast<float>(m_settings.Tick / substeps);
+  for (UInt32 substep = 0; substep < substeps; ++substep) {
+    SetMotors(substep, substeps);
+    m_world.Step(duration, kVelocityIterations, kPositionIterations);
+    AccountMotors();
+    const Real elapsedShare = static_cast<Real>(substep + 1) / substeps;
+    BringIntoPlay(elapsedShare);
+    if (m_overlaps.Resolve(m_world)) {
+      FindNewContacts();
+      BringIntoPlay(elapsedShare);
+    }
+  }
+}
+
+// Sets the target of each motor for a substep, and the most it may push.
+//
+// What counts is the impulse in the tick: a free robot may use all of it in the first substep, which
+// is how it reaches its speed at the tick's start; one that touches something pushes evenly.
+void CPlanarWorld::SetMotors(UInt32 substep, UInt32 substeps) {
+  const float share = 1.0F / static_cast<float>(substeps);
+  const float elapsed = static_cast<float>(substep + 1) * share;
+  const float perSecond = static_cast<float>(substeps / m_settings.Tick);
+  for (SInPlay& play : m_inPlay) {
+    const SDrivenBody& body = m_driven[play.Slot];
+    b2Body& box2dBody = *body.Body;
+    const float available = IsTouching(box2dBody) ? elapsed : 1.0F;
+    const float impulse = available * box2dBody.GetMass() * ToUnits(body.MaxSpeedChange);
+    const float angularImpulse =
+        available * box2dBody.GetInertia() * static_cast<float>(body.MaxYawRateChange);
+    play.Motor->SetMaxForce(std::max(0.0F, impulse - play.SpentImpulse) * perSecond);
+    play.Motor->SetMaxTorque(std::max(0.0F, angularImpulse - play.SpentAngularImpulse) * perSecond);
+    play.Motor->SetLinearOffset(box2dBody.GetPosition() + share * b2Vec2(play.StepX, play.StepY));
+    play.Motor->SetAngularOffset(box2dBody.GetAngle() + share * play.StepAngle);
+  }
+}
+
+void CPlanarWorld::AccountMotors() {
+  for (SInPlay& play : m_inPlay) {
+    play.SpentImpulse += play.Motor->GetReactionForce(1.0F).Length();
+    play.SpentAngularImpulse += std::abs(play.Motor->GetReactionTorque(1.0F));
+  }
+}
+
+void CPlanarWorld::FinishDriven(UInt32 substeps) {
+  // backwards, because the last one takes the place of one that goes
+  for (size_t i = m_inPlay.size(); i-- > 0;) {
+    const UInt32 slot = m_inPlay[i].Slot;
+    SDrivenBody& body = m_driven[slot];
+    FinishInPlay(m_inPlay[i], substeps);
+    if (body.IsDisc && body.Body->GetContactList() == nullptr) {
+      TakeOutOfPlay(slot);
+      ReadSafeRegion(body);
+    }
+  }
+}
+
+// Decides whether Box2D let the robot go where it wanted.
+void CPlanarWorld::FinishInPlay(SInPlay& play, UInt32 substeps) {
+  SDrivenBody& body = m_driven[play.Slot];
+  const b2Vec2 position = body.Body->GetPosition();
+  const float angle = body.Body->GetAngle();
+  const b2Vec2 target(ToUnits(body.NextPose.X), ToUnits(body.NextPose.Y));
+  const Real targetYaw = play.StartYaw + body.NextVelocity.W * m_settings.Tick;
+
+  // each substep rounds once, and so do the target, the step and the difference
+  const float roundings = static_cast<float>(substeps + 3) * b2_epsilon;
+  const float tolerance =
+      roundings * std::max({1.0F, std::abs(position.x), std::abs(position.y)});
+  if (std::abs(position.x - target.x) <= tolerance &&
+      std::abs(position.y - target.y) <= tolerance &&
+      std::abs(angle - static_cast<float>(targetYaw)) <=
+          roundings * std::max(1.0F, std::abs(angle))) {
+    return;
+  }
+  body.NextPose.X = ToMetres(position.x);
+  body.NextPose.Y = ToMetres(position.y);
+  body.NextPose.SetYaw(play.StartYaw + (static_cast<Real>(angle) - play.StartAngle));
+  const b2Vec2 velocity = body.Body->GetLinearVelocityFromLocalPoint(b2Vec2_zero);
+  body.NextVelocity = {ToMetres(velocity.x), ToMetres(velocity.y),
+                       static_cast<Real>(body.Body->GetAngularVelocity())};
+}
+
+void CPlanarWorld::FinishPassive() {
+  for (SPassiveBody& body : m_passive) {
+    const b2Vec2 position = body.Body->GetPosition();
+    const float angle = body.Body->GetAngle();
+    body.Moved = position.x != body.X || position.y != body.Y || angle != body.Angle;
+    if (body.Moved) {
+      body.X = position.x;
+      body.Y = position.y;
+      body.Angle = angle;
+      body.Pose.X = ToMetres(position.x);
+      body.Pose.Y = ToMetres(position.y);
+      body.Pose.SetYaw(angle);
+    }
+  }
+}
+
+}  // namespace argos

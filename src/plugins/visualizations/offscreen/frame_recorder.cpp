@@ -1,0 +1,59 @@
+#include <argos3/plugins/simulator/visualizations/offscreen/frame_recorder.h>
+
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/logging/argos_log.h>
+
+namespace argos {
+
+CFrameRecorder::CFrameRecorder(const SRecordingSettings& settings, const CCameraTimeline& timeline)
+    : m_settings(settings),
+      m_timeline(timeline),
+      m_writer(settings.File),
+      m_builder(settings.ShowRays) {
+  m_scene.ShowGrid = settings.ShowGrid;
+  m_scene.ShowBoundary = settings.ShowBoundary;
+}
+
+void CFrameRecorder::Announce() const {
+  LOG << "[INFO] " << m_settings.Announcement << "drawing frames of " << m_settings.Render.Width
+      << "x" << m_settings.Render.Height << " pixels, one every ";
+  if (m_settings.Every == 1) {
+    LOG << "tick";
+  } else {
+    LOG << m_settings.Every << " ticks";
+  }
+  LOG << ", to " << m_writer.MakeFileName(0) << " and following (" << m_renderer->DescribeDriver()
+      << ")" << std::endl;
+  LOG.Flush();
+}
+
+void CFrameRecorder::Run(CSimulator& simulator) {
+  if (!m_renderer.has_value()) {
+    m_renderer.emplace(m_settings.Render);
+  }
+  Announce();
+  const CSpace& space = simulator.GetSpace();
+  WriteFrame(simulator);
+  UInt32 lastTick = space.GetSimulationClock();
+  while (!simulator.IsExperimentFinished()) {
+    simulator.UpdateSpace();
+    if (space.GetSimulationClock() % m_settings.Every == 0) {
+      WriteFrame(simulator);
+      lastTick = space.GetSimulationClock();
+    }
+  }
+  if (m_settings.KeepLastFrame && space.GetSimulationClock() != lastTick) {
+    WriteFrame(simulator);
+  }
+}
+
+void CFrameRecorder::WriteFrame(CSimulator& simulator) {
+  CSpace& space = simulator.GetSpace();
+  const UInt32 tick = space.GetSimulationClock();
+  m_builder.Build(space, m_scene);
+  m_renderer->Render(m_scene, m_timeline.ComputeAt(tick), m_picture);
+  m_writer.Write(m_picture, tick);
+}
+
+}  // namespace argos

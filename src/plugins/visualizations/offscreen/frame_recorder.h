@@ -1,0 +1,63 @@
+#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_RECORDER_H
+#define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_RECORDER_H
+
+#include <argos3/plugins/simulator/visualizations/offscreen/camera_timeline.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/frame_writer.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/renderer.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/scene.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/scene_builder.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace argos {
+
+class CSimulator;
+
+/** Which frames are drawn, how, and where they go. */
+struct SRecordingSettings {
+  SRenderSettings Render;
+  SFrameFileSettings File;
+  std::uint32_t Every = 1;    /**< ticks from frame to frame, > 0 */
+  bool KeepLastFrame = true;  /**< draw the final state also if its tick is no multiple of Every */
+  bool ShowGrid = true;
+  bool ShowBoundary = true;
+  bool ShowRays = true;
+  std::string Announcement = "The off-screen visualization is "; /**< begins the line in the log */
+};
+
+/**
+ * Runs an experiment and writes pictures of it.
+ *
+ * What can be wrong with the settings is found when it is made; the OpenGL context is made by the
+ * thread that runs the experiment, since it belongs to one.
+ */
+class CFrameRecorder {
+ public:
+  /** @throws CARGoSException as CFrameWriter. */
+  CFrameRecorder(const SRecordingSettings& settings, const CCameraTimeline& timeline);
+
+  /**
+   * Steps the simulator until the experiment is finished, and writes a frame of the state before
+   * the first tick, after every n-th one, and perhaps of the final state.
+   * @throws CARGoSException if a frame cannot be drawn or written.
+   */
+  void Run(CSimulator& simulator);
+
+ private:
+  void Announce() const;
+  void WriteFrame(CSimulator& simulator);
+
+  SRecordingSettings m_settings;
+  CCameraTimeline m_timeline;
+  CFrameWriter m_writer;
+  CSceneBuilder m_builder;
+  std::optional<CRenderer> m_renderer;
+  SScene m_scene;
+  SPicture m_picture;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,110 @@
+#include <argos3/plugins/simulator/visualizations/offscreen/offscreen_visualization.h>
+
+#include <argos3/core/simulator/loop_functions.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/math/eigen_bridge.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/camera_xml.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/frame_recorder.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/recording_xml.h>
+
+namespace argos {
+
+COffscreenVisualization::COffscreenVisualization() = default;
+COffscreenVisualization::~COffscreenVisualization() = default;
+
+void COffscreenVisualization::Init(TConfigurationNode& tree) {
+  const SRecordingSettings settings = ReadOffscreenSettings(tree);
+  const SArenaBox arena{ToEigen(m_cSpace.GetArenaCenter()), ToEigen(m_cSpace.GetArenaSize())};
+  CCameraTimeline timeline(MakeDefaultPlacements(arena));
+  const double aspectRatio = static_cast<double>(settings.Render.Width) / settings.Render.Height;
+  timeline.SetPlacement(0, MakeFramingPlacement(arena, aspectRatio));
+  ReadCamera(tree, timeline);
+  try {
+    m_recorder = std::make_unique<CFrameRecorder>(settings, timeline);
+  } catch (CARGoSException& ex) {
+    THROW_ARGOSEXCEPTION_NESTED(tree.GetLocation() << ": <offscreen> cannot draw frames", ex);
+  }
+}
+
+void COffscreenVisualization::Destroy() {
+  m_recorder.reset();
+}
+
+void COffscreenVisualization::Execute() {
+  m_recorder->Run(m_cSimulator);
+  m_cSimulator.GetLoopFunctions().PostExperiment();
+}
+
+REGISTER_VISUALIZATION(
+    COffscreenVisualization, "offscreen", "the authors of this project", "1.0",
+    "Draws the arena into image files, without a display.",
+    R"(Renders the arena with OpenGL in software, needing neither display nor GPU, and writes
+numbered image files: the state before the first tick, after every n-th tick, and the
+final state. A file is <directory>/<base_name><tick, 10 digits>.<format>; it appears
+under that name only when it is complete. Drawing does not change the experiment.
+
+REQUIRED XML CONFIGURATION
+
+  <visualization>
+    <offscreen />
+  </visualization>
+
+OPTIONAL XML CONFIGURATION
+
+  <visualization>
+    <offscreen directory="out" base_name="frame_" format="png" quality="-1"
+               size="1280x960" every="1" samples="4" look="light"
+               show_grid="true" show_boundary="true" show_rays="true">
+      <camera>
+        <placements>
+          <placement index="0" position="0,-3,3" look_at="0,0,0" />
+          <placement index="1" position="2,2,1" look_at="0,0,0" up="0,0,1"
+                     lens_focal_length="30" />
+        </placements>
+        <timeline loop="200">
+          <keyframe placement="0" step="0" />
+          <interpolate />
+          <keyframe placement="1" step="100" />
+          <interpolate />
+        </timeline>
+      </camera>
+    </offscreen>
+  </visualization>
+
+Attributes of <offscreen>:
+  directory      path; where files go, created if missing. Default: out
+  base_name      string; what their names begin with. Default: frame_
+  format         string; an image format FreeImage writes: png, jpg, bmp, tif, ...
+                 Default: png
+  quality        integer, 0 to 100, or -1 for the format's own. jpg, webp: higher is
+                 better; png, tif: higher is faster and larger. Default: -1
+  size           WxH, pixels, each from 16 to 16384. Default: 1280x960
+  width, height  the same as two attributes, pixels
+  every          integer, at least 1, ticks; draw every n-th tick. Default: 1
+  samples        1, 2, 4, 8 or 16 per pixel, for smooth edges. Default: 4
+  look           light (for print) or dark (for slides). Default: light
+  show_grid      bool; lines on the ground every 0.1, 1 and 10 m, as far as they can be
+                 told apart. Default: true
+  show_boundary  bool; the outline of the arena. Default: true
+  show_rays      bool; the rays of sensors that have show_rays="true", and where they
+                 hit. Default: true
+
+Attributes of <placement>:
+  index              integer, 0 to 11; idx is understood, too
+  position, look_at  x,y,z in m; where the camera is and what it looks at
+  up                 x,y,z; upwards on the picture. Default: as upright as possible
+  lens_focal_length  mm, positive; the picture's height is seen under the angle
+                     2 atan(13.5 mm / lens_focal_length). Default: 20
+
+Placement 0 is in use if there is no timeline; by default it shows the whole arena from
+the side of negative y, obliquely. The others stand in a circle around the arena.
+
+The timeline: from tick "step" on, the camera is at "placement"; steps must not decrease.
+With <interpolate /> between two keyframes, it glides from one to the next. "loop" (ticks,
+0 = none, the default) is the period after which the timeline begins again; no step may
+exceed it, and <interpolate /> after the last keyframe leads back to the first one.
+)",
+    "Usable")
+
+}  // namespace argos

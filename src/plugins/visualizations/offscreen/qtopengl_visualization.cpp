@@ -1,0 +1,98 @@
+#include <argos3/plugins/simulator/visualizations/offscreen/qtopengl_visualization.h>
+
+#include <argos3/core/simulator/loop_functions.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/math/eigen_bridge.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/camera_xml.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/frame_recorder.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/recording_xml.h>
+
+namespace argos {
+
+CQtOpenGlVisualization::CQtOpenGlVisualization() = default;
+CQtOpenGlVisualization::~CQtOpenGlVisualization() = default;
+
+void CQtOpenGlVisualization::Init(TConfigurationNode& tree) {
+  const SQtOpenGlRequest request = ReadQtOpenGlRequest(tree);
+  const SArenaBox arena{ToEigen(m_cSpace.GetArenaCenter()), ToEigen(m_cSpace.GetArenaSize())};
+  CCameraTimeline timeline(MakeDefaultPlacements(arena));
+  ReadCamera(tree, timeline);
+  if (request.HasUserFunctions) {
+    LOGERR << "[WARNING] " << tree.GetLocation() << ": the Qt user functions \""
+           << request.UserFunctions << "\" are not called: there is no window to draw in"
+           << std::endl;
+  }
+  if (!request.WantsFrames) {
+    LOG << "[INFO] <qt-opengl> has no window here and asks for no frames: running headless"
+        << std::endl;
+    return;
+  }
+  try {
+    m_recorder = std::make_unique<CFrameRecorder>(request.Recording, timeline);
+  } catch (CARGoSException& ex) {
+    THROW_ARGOSEXCEPTION_NESTED(tree.GetLocation() << ": <qt-opengl> cannot grab frames", ex);
+  }
+}
+
+void CQtOpenGlVisualization::Destroy() {
+  m_recorder.reset();
+}
+
+void CQtOpenGlVisualization::Execute() {
+  if (m_recorder == nullptr) {
+    CDefaultVisualization::Execute();
+    return;
+  }
+  m_recorder->Run(m_cSimulator);
+  m_cSimulator.GetLoopFunctions().PostExperiment();
+}
+
+REGISTER_VISUALIZATION(
+    CQtOpenGlVisualization, "qt-opengl", "the authors of this project", "1.0",
+    "Runs experiments written for the Qt-OpenGL window: headless, or to frames.",
+    R"(There is no window. An experiment file that asks for it runs headless, at full speed; if
+it has a <frame_grabbing> element whose headless_grabbing is not "false", frames are drawn
+off-screen. One line in the log says which. For new files, use <offscreen>.
+
+REQUIRED XML CONFIGURATION
+
+  <visualization>
+    <qt-opengl />
+  </visualization>
+
+OPTIONAL XML CONFIGURATION
+
+  <visualization>
+    <qt-opengl title="" autoplay="false" lua_editor="false" invert_mouse="false"
+               show_boundary="true">
+      <camera> ... as for <offscreen> ... </camera>
+      <frame_grabbing directory="frames" base_name="frame_" format="png" quality="100"
+                      headless_grabbing="true" headless_frame_size="1600x1200"
+                      headless_frame_rate="10" />
+      <user_functions label="my_functions" library="path/to/library" />
+    </qt-opengl>
+  </visualization>
+
+Attributes of <qt-opengl>:
+  title, autoplay, lua_editor, invert_mouse  of the window; checked, without effect
+  show_boundary        bool; the outline of the arena. Default: true
+
+Attributes of <frame_grabbing>:
+  directory            path; must exist. Default: . (the working directory)
+  base_name            string; what file names begin with. Default: frame_
+  format               string; an image format FreeImage writes. Default: png
+  quality              integer, 0 to 100, or -1 for the format's own. Default: -1
+  headless_grabbing    bool; false: do not draw frames. Default: true
+  headless_frame_size  WxH, pixels, each from 16 to 16384. Default: 1600x1200
+  headless_frame_rate  integer, at least 1, ticks; keep every n-th frame. Default: 1
+
+The camera begins in placement 0, by default at (centre x + |size|, centre y, height), where
+|size| is the length of the arena's diagonal.
+
+<user_functions> are hooks of the window: a warning says that they are not called.
+)",
+    "Usable")
+
+}  // namespace argos

@@ -1,0 +1,33 @@
+#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_RECORDING_XML_H
+#define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_RECORDING_XML_H
+
+#include <argos3/core/utility/configuration/argos_configuration.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/frame_recorder.h>
+
+#include <string>
+
+namespace argos {
+
+/**
+ * Reads the attributes of `<offscreen>`, see the visualization's description.
+ * @throws CARGoSException with file and line, if one does not parse or is out of range.
+ */
+SRecordingSettings ReadOffscreenSettings(TConfigurationNode& node);
+
+/** What the elements and attributes of `<qt-opengl>` ask for. */
+struct SQtOpenGlRequest {
+  bool WantsFrames = false;
+  bool HasUserFunctions = false;
+  std::string UserFunctions; /**< their label */
+  SRecordingSettings Recording;
+};
+
+/**
+ * Reads `<qt-opengl>` but its camera. What only a window has a use for is read, checked and left.
+ * @throws CARGoSException with file and line, if something does not parse or is out of range.
+ */
+SQtOpenGlRequest ReadQtOpenGlRequest(TConfigurationNode& node);
+
+}  // namespace argos
+
+#endif

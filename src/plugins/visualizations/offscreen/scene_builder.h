@@ -1,0 +1,67 @@
+#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_SCENE_BUILDER_H
+#define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_SCENE_BUILDER_H
+
+#include <argos3/plugins/simulator/visualizations/offscreen/scene.h>
+
+#include <Eigen/Core>
+
+namespace argos {
+
+class CComposableEntity;
+class CControllableEntity;
+class CEmbodiedEntity;
+class CEntity;
+class CFloorEntity;
+class CLEDEquippedEntity;
+class CSpace;
+struct SAppearance;
+struct SVisualPart;
+
+/** A rigid pose in the world frame, m. */
+struct SPose {
+  Eigen::Matrix3d Rotation = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d Translation = Eigen::Vector3d::Zero();
+
+  /** A pose given in this pose's frame, in the world frame. */
+  SPose operator*(const SPose& inner) const {
+    return {Rotation * inner.Rotation, Translation + Rotation * inner.Translation};
+  }
+};
+
+/**
+ * Turns what is in the arena into a scene.
+ *
+ * It reads only what every entity states of itself (SAppearance, poses, colours of LEDs, rays noted
+ * by sensors), and knows no robot. It changes nothing in the space but the floor's mark that it has
+ * changed, and creates no entity.
+ */
+class CSceneBuilder {
+ public:
+  /** @param showRays  draw the rays that sensors note because of their show_rays attribute? */
+  explicit CSceneBuilder(bool showRays) : m_showRays(showRays) {}
+
+  /** Refills @p scene; its settings (ShowGrid, ShowBoundary) and its memory are kept. */
+  void Build(CSpace& space, SScene& scene);
+
+ private:
+  // a root entity while it is turned into a part of the scene
+  struct SSubject {
+    SPose Pose;
+    CEmbodiedEntity* Body = nullptr;      // null: the entity has none
+    CLEDEquippedEntity* LEDs = nullptr;   // null: the entity has none
+    bool IsLight = false;                 // its solids glow
+    double FootprintArea = 0.0;           // of ContactShadow, m^2; 0: nothing touches the ground
+    SContactShadow ContactShadow{};
+  };
+
+  void AddEntity(CEntity& entity, SScene& scene) const;
+  void AddPart(const SVisualPart& part, SSubject& subject, SScene& scene) const;
+  void AddFloor(CSpace& space, SFloorImage& image) const;
+  void AddRays(CControllableEntity& robot, SScene& scene) const;
+
+  bool m_showRays;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,167 @@
+// Measures what a robot-tick costs in the arena of rooms, and prints it as CSV. Every line is
+// measured in a process of its own, so that memory is that of one swarm.
+//
+//   argos3_benchmark [--robots 100,1000,10000,100000] [--threads 0] [--ticks 600] [--side M]
+//                    [--engine dynamics2d] [--engine-attributes 'iterations="4"']
+
+#include <argos3/testing/benchmark/bare_box2d.h>
+#include <argos3/testing/support/overlap.h>
+#include <argos3/testing/support/rooms.h>
+
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/tick_times.h>
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/plugins/dynamic_loading.h>
+
+#include <CLI/CLI.hpp>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+using namespace argos;
+using argos::testing::CBareBox2D;
+using argos::testing::MeasureOverlaps;
+using argos::testing::SOverlaps;
+using argos::testing::SRoomsWorld;
+
+namespace {
+
+using TClock = std::chrono::steady_clock;
+
+struct SOptions {
+  std::vector<UInt32> Robots = {100, 1000, 10000, 100000};
+  std::vector<UInt32> Threads = {0};
+  UInt32 Ticks = 600;
+  UInt32 WarmUp = 20;
+  Real Side = 0.0;  // m; 0: the density of 10,000 robots in 40 m x 40 m
+  std::string Engine = "dynamics2d";
+  std::string EngineAttributes;
+};
+
+Real SecondsSince(TClock::time_point start) {
+  return std::chrono::duration<Real>(TClock::now() - start).count();
+}
+
+size_t ResidentBytes() {
+  size_t total = 0;
+  size_t resident = 0;
+  std::ifstream("/proc/self/statm") >> total >> resident;
+  return resident * static_cast<size_t>(sysconf(_SC_PAGESIZE));
+}
+
+SRoomsWorld MakeWorld(const SOptions& options, UInt32 robots, UInt32 threads) {
+  SRoomsWorld world;
+  world.Robots = robots;
+  world.Threads = threads;
+  world.Side = options.Side > 0.0 ? options.Side : SRoomsWorld::SideAtSameDensity(robots);
+  world.RoomsPerSide = std::max(1U, static_cast<UInt32>(std::lround(world.Side / 10.0)));
+  world.Engine = options.Engine;
+  world.EngineAttributes = options.EngineAttributes;
+  return world;
+}
+
+void Report(const SOptions& options, UInt32 robots, UInt32 threads) {
+  const size_t memoryBefore = ResidentBytes();
+  CSimulator& simulator = CSimulator::GetInstance();
+  CConfigurationDocument document;
+  document.Parse(MakeWorld(options, robots, threads).ToXML(), "benchmark");
+  const TClock::time_point loadStart = TClock::now();
+  simulator.Load(document);
+  const Real startUp = SecondsSince(loadStart);
+
+  CSpace& space = simulator.GetSpace();
+  const UInt32 substeps = simulator.GetPhysicsEngines().front()->GetIterations();
+  for (UInt32 tick = 0; tick < options.WarmUp; ++tick) {
+    simulator.UpdateSpace();
+  }
+  const size_t memory = ResidentBytes() - memoryBefore;
+
+  // both worlds take turns, tick by tick, so that a noisy machine disturbs both alike
+  CBareBox2D bare(space, substeps, simulator.GetTickLength());
+  STickTimes times;
+  space.SetTickTimes(&times);
+  SOverlaps overlaps;
+  Real total = 0.0;
+  Real bareTotal = 0.0;
+  for (UInt32 tick = 0; tick < options.Ticks; ++tick) {
+    TClock::time_point start = TClock::now();
+    simulator.UpdateSpace();
+    total += SecondsSince(start);
+    bare.TakeVelocities();
+    start = TClock::now();
+    bare.Tick();
+    bareTotal += SecondsSince(start);
+    if (tick % 20 == 0) {
+      MeasureOverlaps(space, overlaps);
+    }
+  }
+
+  const Real perRobotTick = 1e6 / (static_cast<Real>(robots) * options.Ticks);
+  std::printf(
+      "%s,%u,%u,%u,%u,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.3f,%.0f,%.3f,%.3f,%.3f,%.3f,%.3f\n",
+      options.Engine.c_str(), robots, threads, substeps, options.Ticks, total * perRobotTick,
+      times.Act * perRobotTick, times.Physics * perRobotTick, times.Index * perRobotTick,
+      times.Sense * perRobotTick, times.Control * perRobotTick, bareTotal * perRobotTick,
+      total / bareTotal, static_cast<Real>(memory) / robots, startUp,
+      100.0 * SOverlaps::Quantile(overlaps.WithRobots, 0.5),
+      100.0 * SOverlaps::Quantile(overlaps.WithRobots, 0.99),
+      100.0 * SOverlaps::Quantile(overlaps.WithRobots, 1.0),
+      100.0 * SOverlaps::Quantile(overlaps.WithWalls, 1.0));
+  std::fflush(stdout);
+  simulator.Destroy();
+}
+
+// measures in a child process; a failure there is a failure here
+bool ReportInChild(const SOptions& options, UInt32 robots, UInt32 threads) {
+  std::fflush(stdout);
+  const pid_t child = fork();
+  if (child == 0) {
+    try {
+      CDynamicLoading::LoadAllLibraries();
+      std::ostringstream log;
+      LOG.GetStream().rdbuf(log.rdbuf());
+      Report(options, robots, threads);
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "%s\n", error.what());
+      _exit(1);
+    }
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  SOptions options;
+  CLI::App app("Measures what a robot-tick costs in the arena of rooms; prints CSV.");
+  app.add_option("--robots", options.Robots, "numbers of robots")->delimiter(',');
+  app.add_option("--threads", options.Threads, "numbers of threads")->delimiter(',');
+  app.add_option("--ticks", options.Ticks, "ticks of 0.1 s that are measured");
+  app.add_option("--side", options.Side, "side of the arena in m; 0: always the same density");
+  app.add_option("--engine", options.Engine, "physics engine");
+  app.add_option("--engine-attributes", options.EngineAttributes, "its XML attributes");
+  CLI11_PARSE(app, argc, argv);
+
+  std::printf(
+      "engine,robots,threads,substeps,ticks,total_us,act_us,physics_us,index_us,sense_us,control_"
+      "us,"
+      "bare_box2d_us,ratio_to_bare,bytes_per_robot,startup_s,overlap_median_pct,overlap_p99_pct,"
+      "overlap_max_pct,wall_max_pct\n");
+  bool good = true;
+  for (const UInt32 robots : options.Robots) {
+    for (const UInt32 threads : options.Threads) {
+      good = ReportInChild(options, robots, threads) && good;
+    }
+  }
+  return good ? 0 : 1;
+}

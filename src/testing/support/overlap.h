@@ -1,0 +1,24 @@
+#ifndef ARGOS3_TESTING_SUPPORT_OVERLAP_H
+#define ARGOS3_TESTING_SUPPORT_OVERLAP_H
+
+#include <argos3/core/simulator/space/space.h>
+
+#include <vector>
+
+namespace argos::testing {
+
+/** By how much discs are inside other things, in shares of their radius. */
+struct SOverlaps {
+  std::vector<Real> WithRobots; /**< one entry for each disc: its deepest overlap with a disc */
+  std::vector<Real> WithWalls; /**< one entry for each disc: its deepest overlap with a box */
+
+  /** The q-quantile of a sample, q in [0,1]; sorts it. */
+  static Real Quantile(std::vector<Real>& sample, Real q);
+};
+
+/** Measures every robot of the space, and adds to @p overlaps. */
+void MeasureOverlaps(CSpace& space, SOverlaps& overlaps);
+
+}  // namespace argos::testing
+
+#endif

@@ -1,0 +1,29 @@
+#ifndef ARGOS3_TESTING_SUPPORT_ROOMS_H
+#define ARGOS3_TESTING_SUPPORT_ROOMS_H
+
+#include <argos3/core/utility/datatypes/datatypes.h>
+
+#include <string>
+
+namespace argos::testing {
+
+/** The benchmark's world: e-pucks that diffuse in a square arena of rooms with doors. */
+struct SRoomsWorld {
+  UInt32 Robots = 1000;
+  Real Side = 40.0; /**< of the arena, m */
+  UInt32 RoomsPerSide = 4; /**< 4 x 4 = 16 rooms */
+  UInt32 Threads = 0;
+  std::string Method = "balance_quantity";
+  UInt32 Seed = 1;
+  std::string Engine = "dynamics2d";
+  std::string EngineAttributes; /**< such as `iterations="4"` */
+
+  /** The side at which @p robots are as dense as 10,000 in 40 m x 40 m. */
+  static Real SideAtSameDensity(UInt32 robots);
+  /** The experiment file. */
+  std::string ToXML() const;
+};
+
+}  // namespace argos::testing
+
+#endif

@@ -1,0 +1,73 @@
+#include <argos3/core/simulator/query_plugins.h>
+
+#include <argos3/core/simulator/medium/medium.h>
+
+#include <catch2/catch.hpp>
+
+#include <sstream>
+
+using namespace argos;
+using Catch::Contains;
+using Catch::StartsWith;
+
+namespace {
+
+class CQueryTestMedium : public CMedium {
+ public:
+  void Update() override {}
+};
+REGISTER_MEDIUM(CQueryTestMedium, "query_test_one", "A. Author", "1.5", "The first of two.",
+                "All about the first.\n", "Usable")
+REGISTER_MEDIUM(CQueryTestMedium, "query_test_two", "B. Author", "2.5", "The second of two.",
+                "All about the second.\n", "Experimental")
+
+}  // namespace
+
+TEST_CASE("query: a list has a header, and two lines for each plug-in", "[core][query]") {
+  const std::string text = DescribePlugins("media");
+  CHECK_THAT(text, StartsWith("AVAILABLE MEDIA\n\n"));
+  CHECK_THAT(text, Contains("   [ query_test_one ]\n      The first of two.\n\n"
+                            "   [ query_test_two ]\n      The second of two.\n\n"));
+}
+
+TEST_CASE("query: all prints the six lists in their order", "[core][query]") {
+  const std::string text = DescribePlugins("all");
+  size_t previous = 0;
+  for (const char* header :
+       {"AVAILABLE ACTUATORS\n", "AVAILABLE SENSORS\n", "AVAILABLE PHYSICS ENGINES\n",
+        "AVAILABLE MEDIA\n", "AVAILABLE VISUALIZATIONS\n", "AVAILABLE ENTITIES\n"}) {
+    CAPTURE(header);
+    const size_t position = text.find(header);
+    REQUIRE(position != std::string::npos);
+    CHECK(position >= previous);
+    previous = position;
+  }
+  CHECK(DescribePlugins("sensors") + DescribePlugins("physics_engines") ==
+        text.substr(text.find("AVAILABLE SENSORS"),
+                    text.find("AVAILABLE MEDIA") - text.find("AVAILABLE SENSORS")));
+}
+
+TEST_CASE("query: a word finds every plug-in that contains it", "[core][query]") {
+  const std::string text = DescribePlugins("query_test");
+  CHECK(text ==
+        "Plug-ins whose name contains \"query_test\":\n\n"
+        "[ query_test_one ]\nThe first of two.\nby A. Author\nVersion: 1.5\nStatus: Usable\n\n"
+        "All about the first.\n\n" +
+            std::string(78, '=') +
+            "\n[ query_test_two ]\nThe second of two.\nby B. Author\nVersion: 2.5\n"
+            "Status: Experimental\n\nAll about the second.\n\n");
+}
+
+TEST_CASE("query: the search tells upper from lower case", "[core][query]") {
+  CHECK_THAT(DescribePlugins("Query_test"), StartsWith("Nothing found"));
+}
+
+TEST_CASE("query: nothing found names what is near", "[core][query]") {
+  const std::string text = DescribePlugins("query_tset_one");
+  CHECK_THAT(text, StartsWith("Nothing found") && Contains("query_test_one"));
+  CHECK_THAT(DescribePlugins("sensor_s"), Contains("sensors"));
+}
+
+TEST_CASE("query: the core's own floor is documented", "[core][query]") {
+  CHECK_THAT(DescribePlugins("floor"), Contains("[ floor ]") && Contains("pixels_per_meter"));
+}

@@ -1,0 +1,237 @@
+#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/math/normal_quantile.h>
+#include <argos3/core/utility/math/random_stream.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+using namespace argos;
+
+namespace {
+
+static_assert(sizeof(CRandomStream) <= 48);
+static_assert(std::is_trivially_copyable_v<CRandomStream>);
+
+CRandomStream MakeStream(UInt64 seed = 1) {
+  return CRandomStream(seed, "argos", "fb0", "proximity");
+}
+
+// largest distance of the samples' distribution from the given one, times the root of their number
+// (Kolmogorov). It exceeds 2.2253 with a probability of 1e-4: 2 exp(-2 x^2)
+constexpr Real kKolmogorovLimit = 2.2253;
+
+template <typename DRAW, typename CDF>
+Real ComputeKolmogorov(DRAW draw, CDF cdf) {
+  std::vector<Real> samples(20000);
+  std::generate(samples.begin(), samples.end(), draw);
+  std::sort(samples.begin(), samples.end());
+  const Real count = static_cast<Real>(samples.size());
+  Real distance = 0.0;
+  for (size_t i = 0; i < samples.size(); ++i) {
+    const Real expected = cdf(samples[i]);
+    distance = std::max(distance, std::fabs(static_cast<Real>(i) / count - expected));
+    distance = std::max(distance, std::fabs(static_cast<Real>(i + 1) / count - expected));
+  }
+  return distance * std::sqrt(count);
+}
+
+Real ComputeNormalProbability(Real x) {
+  return 0.5 * std::erfc(-x / std::sqrt(2.0));
+}
+
+}  // namespace
+
+TEST_CASE("random stream: the same name gives the same numbers, whatever else exists",
+          "[core][math]") {
+  CRandomStream one = MakeStream();
+  CRandomStream unrelated(7, "x", "y", "z");
+  unrelated.Next();
+  CRandomStream two = MakeStream();
+  std::vector<UInt64> start;
+  for (int i = 0; i < 100; ++i) {
+    start.push_back(one.Next());
+    REQUIRE(two.Next() == start.back());
+  }
+  one.Reset();
+  for (const UInt64 value : start) {
+    REQUIRE(one.Next() == value);
+  }
+}
+
+TEST_CASE("random stream: every part of the name matters", "[core][math]") {
+  const CRandomStream streams[] = {
+      CRandomStream(1, "argos", "fb0", "noise"), CRandomStream(2, "argos", "fb0", "noise"),
+      CRandomStream(1, "argo", "sfb0", "noise"), CRandomStream(1, "argos", "fb0n", "oise"),
+      CRandomStream(1, "argos", "fb1", "noise"), CRandomStream(1, "argos", "noise", "fb0"),
+      CRandomStream(1, "fb0", "argos", "noise"), CRandomStream(1, "argosfb0noise", "", ""),
+      CRandomStream(1, "", "argosfb0noise", ""), CRandomStream(0, "", "", ""),
+      CRandomStream(1ULL << 32, "", "", ""),     CRandomStream(1, "argos", "fb0", "")};
+  std::set<UInt64> first;
+  for (CRandomStream stream : streams) {
+    first.insert(stream.Next());
+  }
+  CHECK(first.size() == std::size(streams));
+}
+
+TEST_CASE("random stream: streams of numbered owners are not related", "[core][math]") {
+  // first numbers of neighbouring owners: uniform, and without correlation from one to the next
+  std::vector<Real> values;
+  for (int i = 0; i < 20000; ++i) {
+    values.push_back(CRandomStream(1, "argos", "fb" + std::to_string(i), "noise").Uniform01());
+  }
+  Real correlation = 0.0;
+  for (size_t i = 0; i + 1 < values.size(); ++i) {
+    correlation += 12.0 * (values[i] - 0.5) * (values[i + 1] - 0.5);
+  }
+  // a sum of products of standardised values: 4 standard deviations
+  CHECK_THAT(correlation, WithinAbs(0.0, 4.0 * std::sqrt(20000.0)));
+  size_t next = 0;
+  CHECK(ComputeKolmogorov([&] { return values[next++]; }, [](Real x) { return x; }) <
+        kKolmogorovLimit);
+}
+
+TEST_CASE("random stream: xoshiro256** steps as published", "[core][math]") {
+  // the authors' recurrence, run beside ours from the same state: the key comes first, then four
+  // words
+  CRandomStream stream = MakeStream();
+  UInt64 words[5];
+  static_assert(sizeof(words) == sizeof(stream));
+  std::copy_n(reinterpret_cast<const unsigned char*>(&stream), sizeof(words),
+              reinterpret_cast<unsigned char*>(words));
+  UInt64* s = words + 1;
+  const auto rotl = [](UInt64 x, int k) { return (x << k) | (x >> (64 - k)); };
+  for (int i = 0; i < 100; ++i) {
+    const UInt64 result = rotl(s[1] * 5, 7) * 9;
+    const UInt64 t = s[1] << 17;
+    s[2] ^= s[0];
+    s[3] ^= s[1];
+    s[1] ^= s[2];
+    s[0] ^= s[3];
+    s[2] ^= t;
+    s[3] = rotl(s[3], 45);
+    REQUIRE(stream.Next() == result);
+  }
+}
+
+TEST_CASE("random stream: continuous distributions", "[core][math]") {
+  CRandomStream stream = MakeStream(GENERATE(1, 2, 3));
+  CHECK(ComputeKolmogorov([&] { return stream.Uniform01(); }, [](Real x) { return x; }) <
+        kKolmogorovLimit);
+  CHECK(ComputeKolmogorov([&] { return stream.Uniform(-3.0, 1.0); },
+                          [](Real x) { return (x + 3.0) / 4.0; }) < kKolmogorovLimit);
+  CHECK(ComputeKolmogorov([&] { return stream.Gaussian(2.0, 5.0); },
+                          [](Real x) { return ComputeNormalProbability((x - 5.0) / 2.0); }) <
+        kKolmogorovLimit);
+  CHECK(ComputeKolmogorov([&] { return stream.Rayleigh(0.5); },
+                          [](Real x) { return 1.0 - std::exp(-2.0 * x * x); }) < kKolmogorovLimit);
+}
+
+TEST_CASE("random stream: moments of the Gaussian", "[core][math]") {
+  CRandomStream stream = MakeStream(GENERATE(1, 2, 3));
+  constexpr int kCount = 100000;
+  Real sums[4] = {};
+  for (int i = 0; i < kCount; ++i) {
+    const Real value = stream.Gaussian(1.0);
+    Real power = 1.0;
+    for (Real& sum : sums) {
+      power *= value;
+      sum += power;
+    }
+  }
+  // 4 standard deviations: the variances of x, x^2, x^3, x^4 are 1, 2, 15, 96
+  const Real root = std::sqrt(static_cast<Real>(kCount));
+  CHECK_THAT(sums[0] / kCount, WithinAbs(0.0, 4.0 / root));
+  CHECK_THAT(sums[1] / kCount, WithinAbs(1.0, 4.0 * std::sqrt(2.0) / root));
+  CHECK_THAT(sums[2] / kCount, WithinAbs(0.0, 4.0 * std::sqrt(15.0) / root));
+  CHECK_THAT(sums[3] / kCount, WithinAbs(3.0, 4.0 * std::sqrt(96.0) / root));
+}
+
+TEST_CASE("random stream: bounds are kept", "[core][math]") {
+  CRandomStream stream = MakeStream();
+  for (int i = 0; i < 10000; ++i) {
+    const Real unit = stream.Uniform01();
+    REQUIRE(unit >= 0.0);
+    REQUIRE(unit < 1.0);
+    REQUIRE_FALSE(stream.Bernoulli(0.0));
+    REQUIRE(stream.Bernoulli(1.0));
+    REQUIRE(stream.Rayleigh(1.0) >= 0.0);
+    REQUIRE(stream.UniformInteger(1) == 0u);
+    REQUIRE(stream.UniformInteger(UInt64(7)) < 7u);
+    const SInt64 number = stream.UniformInteger(-3, 3);
+    REQUIRE(number >= -3);
+    REQUIRE(number <= 3);
+  }
+  CHECK(stream.Gaussian(0.0, 2.5) == 2.5);
+  CHECK(stream.UniformInteger(5, 5) == 5);
+  // the whole range of the type
+  CHECK_NOTHROW(stream.UniformInteger(std::numeric_limits<SInt64>::min(),
+                                      std::numeric_limits<SInt64>::max()));
+#ifndef NDEBUG
+  CHECK_THROWS_AS(stream.UniformInteger(UInt64(0)), CARGoSException);
+#endif
+}
+
+TEST_CASE("random stream: discrete distributions", "[core][math]") {
+  CRandomStream stream = MakeStream(GENERATE(1, 2, 3));
+  Real chiSquare = 0.0;
+  std::vector<Real> counts(10);
+  Real successes = 0.0;
+  for (int i = 0; i < 20000; ++i) {
+    ++counts[static_cast<size_t>(stream.UniformInteger(1, 10) - 1)];
+    successes += stream.Bernoulli(0.2) ? 1.0 : 0.0;
+  }
+  for (const Real count : counts) {
+    chiSquare += (count - 2000.0) * (count - 2000.0) / 2000.0;
+  }
+  // chi-square with 9 degrees of freedom exceeds 33.72 with a probability of 1e-4
+  CHECK(chiSquare < 33.72);
+  CHECK_THAT(successes, WithinAbs(4000.0, 3.9 * std::sqrt(20000 * 0.2 * 0.8)));
+  // two thirds of 2^64: without rejection the lower half would come up twice as often
+  const UInt64 count = 0xaaaaaaaaaaaaaaaaULL;
+  Real low = 0.0;
+  for (int i = 0; i < 20000; ++i) {
+    low += stream.UniformInteger(count) < count / 2 ? 1.0 : 0.0;
+  }
+  CHECK_THAT(low, WithinAbs(10000.0, 3.9 * std::sqrt(20000 * 0.25)));
+}
+
+TEST_CASE("random stream: a value takes one number of the stream", "[core][math]") {
+  CRandomStream stream = MakeStream();
+  CRandomStream counter = stream;
+  stream.Uniform01();
+  stream.Uniform(1.0, 2.0);
+  stream.Bernoulli();
+  stream.Gaussian(1.0, 0.0);
+  stream.Rayleigh(1.0);
+  for (int i = 0; i < 5; ++i) {
+    counter.Next();
+  }
+  CHECK(stream.Next() == counter.Next());
+}
+
+TEST_CASE("normal quantile: it inverts the error function in the centre and in both tails",
+          "[core][math]") {
+  CHECK(ComputeNormalQuantile(0.0) == 0.0);
+  // tables: 97.5 % and 99.5 % points
+  CHECK_THAT(ComputeNormalQuantile(0.475), WithinAbs(1.959963984540054, 1e-15));
+  CHECK_THAT(ComputeNormalQuantile(0.495), WithinAbs(2.5758293035489004, 2e-15));
+
+  const int power = GENERATE(range(1, 54));
+  const Real probability = std::ldexp(1.0, -power);
+  const Real excess = probability - 0.5;  // exact
+  const Real quantile = ComputeNormalQuantile(excess);
+  CAPTURE(power);
+  CHECK(ComputeNormalQuantile(-excess) == -quantile);
+  // a relative error of 2^-53 in the quantile x changes the probability by x^2 2^-53, 70 * 1e-16 at
+  // most, and the argument of the complementary error function is rounded too
+  CHECK_THAT(ComputeNormalProbability(quantile), WithinRel(probability, 5e-14));
+}

@@ -1,0 +1,327 @@
+#include <argos3/plugins/simulator/visualizations/offscreen/renderer.h>
+
+#include <argos3/core/utility/configuration/argos_exception.h>
+
+#include <catch2/catch.hpp>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+using namespace argos;
+using Catch::Matchers::Contains;
+
+namespace {
+
+constexpr SRgba kRed = {220, 30, 30, 255};
+constexpr SRgba kGreen = {30, 200, 30, 255};
+
+SRenderSettings SmallPicture() {
+  SRenderSettings settings;
+  settings.Width = 160;
+  settings.Height = 120;
+  return settings;
+}
+
+SScene MakeEmptyScene() {
+  SScene scene;
+  scene.ArenaMin = Eigen::Vector2d(-2.0, -2.0);
+  scene.ArenaMax = Eigen::Vector2d(2.0, 2.0);
+  return scene;
+}
+
+SMeshInstance MakeInstance(const Eigen::Vector3d& base, const Eigen::Vector3d& size,
+                           const SRgba& color) {
+  SMeshInstance instance;
+  for (std::size_t row = 0; row < 3; ++row) {
+    instance.ToWorld[row] = {0.0f, 0.0f, 0.0f, static_cast<float>(base[static_cast<int>(row)])};
+    instance.ToWorld[row][row] = static_cast<float>(size[static_cast<int>(row)]);
+  }
+  instance.Color = color;
+  return instance;
+}
+
+// from the side of negative y, a little above
+SCameraPlacement ObliqueView() {
+  SCameraPlacement placement;
+  placement.Position = Eigen::Vector3d(0.0, -3.0, 2.0);
+  placement.LookAt = Eigen::Vector3d::Zero();
+  placement.FocalLength = 25.0;
+  return placement;
+}
+
+SCameraPlacement ViewFromAbove(double height) {
+  SCameraPlacement placement;
+  placement.Position = Eigen::Vector3d(0.0, 0.0, height);
+  placement.LookAt = Eigen::Vector3d::Zero();
+  placement.Up = Eigen::Vector3d::UnitY();
+  placement.FocalLength = 25.0;
+  return placement;
+}
+
+const std::uint8_t* PixelOf(const SPicture& picture, const SCameraPlacement& placement,
+                            const Eigen::Vector3d& point) {
+  const CCamera camera(placement, static_cast<double>(picture.Width) / picture.Height);
+  const Eigen::Vector2d share = camera.Project(point);
+  REQUIRE((share.array() >= 0.0 && share.array() < 1.0).all());
+  return picture.At(static_cast<int>(share.x() * picture.Width),
+                    static_cast<int>(share.y() * picture.Height));
+}
+
+bool IsReddish(const std::uint8_t* pixel) {
+  return pixel[0] > 2 * pixel[1] && pixel[0] > 2 * pixel[2];
+}
+
+bool IsGreenish(const std::uint8_t* pixel) {
+  return pixel[1] > 2 * pixel[0] && pixel[1] > 2 * pixel[2];
+}
+
+// the ground and the background are nearly grey in both looks; skylight makes shadows a little blue
+bool IsGreyish(const std::uint8_t* pixel) {
+  const auto [least, most] = std::minmax({pixel[0], pixel[1], pixel[2]});
+  return most - least < 30;
+}
+
+int Brightness(const std::uint8_t* pixel) {
+  return pixel[0] + pixel[1] + pixel[2];
+}
+
+}  // namespace
+
+TEST_CASE("renderer: a red box is red where the camera projects it, and nowhere else",
+          "[visualizations][offscreen][renderer]") {
+  const std::string look = GENERATE("light", "dark");
+  const Eigen::Vector3d base = GENERATE(Eigen::Vector3d(0.0, 0.0, 0.0),
+                                        Eigen::Vector3d(-0.8, 0.3, 0.0),
+                                        Eigen::Vector3d(0.7, -0.4, 0.5));
+  CAPTURE(look, base);
+  SRenderSettings settings = SmallPicture();
+  settings.Look = SLook::FromName(look);
+  CRenderer renderer(settings);
+  SScene scene = MakeEmptyScene();
+  scene.OfKind(EMeshKind::Box).push_back(MakeInstance(base, {0.4, 0.4, 0.4}, kRed));
+  SPicture picture;
+  renderer.Render(scene, ObliqueView(), picture);
+  REQUIRE(picture.Width == 160);
+  REQUIRE(picture.Height == 120);
+  CHECK(IsReddish(PixelOf(picture, ObliqueView(), base + Eigen::Vector3d(0.0, 0.0, 0.2))));
+  CHECK(IsReddish(PixelOf(picture, ObliqueView(), base + Eigen::Vector3d(0.15, -0.2, 0.1))));
+  const std::uint8_t* t= (PixelOf(picture, ObliqueView(), base + Eigen::Vector3d(-0.15, 0.15, 0.4)));
+  CAPTURE((int)t[0],(int)t[1],(int)t[2]);
+  CHECK(IsReddish(PixelOf(picture, ObliqueView(), base + Eigen::Vector3d(-0.15, 0.15, 0.4))));
+  CHECK(IsGreyish(PixelOf(picture, ObliqueView(), base + Eigen::Vector3d(0.35, -0.2, 0.1))));
+  CHECK(IsGreyish(PixelOf(picture, ObliqueView(), base + Eigen::Vector3d(-0.35, -0.2, 0.3))));
+  // the farthest corners of the picture
+  CHECK(IsGreyish(picture.At(0, 0)));
+  CHECK(IsGreyish(picture.At(159, 119)));
+}
+
+TEST_CASE("renderer: every kind of solid covers its middle",
+          "[visualizations][offscreen][renderer]") {
+  CRenderer renderer(SmallPicture());
+  SPicture picture;
+  const SCameraPlacement above = ViewFromAbove(2.0);
+  SScene scene = MakeEmptyScene();
+  const auto kind = GENERATE(EMeshKind::Box, EMeshKind::Cylinder, EMeshKind::Sphere);
+  CAPTURE(static_cast<int>(kind));
+  scene.OfKind(kind).push_back(MakeInstance({0.3, 0.2, 0.25}, {0.4, 0.4, 0.3}, kRed));
+  renderer.Render(scene, above, picture);
+  CHECK(IsReddish(PixelOf(picture, above, {0.3, 0.2, 0.4})));
+  CHECK(IsGreyish(PixelOf(picture, above, {-0.3, -0.2, 0.0})));
+  // 0.27 m along the diagonal: inside a square of side 0.4 m, outside a circle of that diameter
+  const bool cornerIsCovered = IsReddish(PixelOf(picture, above, {0.49, 0.39, 0.4}));
+  CHECK(cornerIsCovered == (kind == EMeshKind::Box));
+}
+
+TEST_CASE("renderer: a ring has a hole", "[visualizations][offscreen][renderer]") {
+  CRenderer renderer(SmallPicture());
+  SPicture picture;
+  const SCameraPlacement above = ViewFromAbove(2.0);
+  SScene scene = MakeEmptyScene();
+  // outer radius 0.4 m, tube radius 0.1 m: the centre line is at 0.3 m
+  SMeshInstance ring = MakeInstance({0.0, 0.0, 0.1}, {0.8, 0.8, 0.8}, kRed);
+  ring.Param = 0.25f;
+  scene.OfKind(EMeshKind::Ring).push_back(ring);
+  renderer.Render(scene, above, picture);
+  CHECK(IsReddish(PixelOf(picture, above, {0.3, 0.0, 0.2})));
+  CHECK(IsReddish(PixelOf(picture, above, {-0.21, 0.21, 0.2})));
+  CHECK(IsGreyish(PixelOf(picture, above, {0.0, 0.0, 0.0})));
+}
+
+TEST_CASE("renderer: the nearer of two solids hides the other",
+          "[visualizations][offscreen][renderer]") {
+  CRenderer renderer(SmallPicture());
+  SPicture picture;
+  SScene scene = MakeEmptyScene();
+  scene.OfKind(EMeshKind::Box).push_back(MakeInstance({0.0, 0.5, 0.0}, {1.0, 0.2, 0.6}, kGreen));
+  scene.OfKind(EMeshKind::Cylinder).push_back(MakeInstance({0.0, -0.5, 0.0}, {0.3, 0.3, 0.6}, kRed));
+  renderer.Render(scene, ObliqueView(), picture);
+  CHECK(IsReddish(PixelOf(picture, ObliqueView(), {0.0, -0.65, 0.4})));
+  CHECK(IsGreenish(PixelOf(picture, ObliqueView(), {0.4, 0.4, 0.4})));
+}
+
+TEST_CASE("renderer: a scene that is its own mirror image gives such a picture",
+          "[visualizations][offscreen][renderer]") {
+  SRenderSettings settings = SmallPicture();
+  // the sun in the mirror's plane
+  settings.ToSun = Eigen::Vector3d(0.0, -0.4, 1.0);
+  CRenderer renderer(settings);
+  SScene scene = MakeEmptyScene();
+  for (const double side : {-1.0, 1.0}) {
+    scene.OfKind(EMeshKind::Box).push_back(MakeInstance({0.6 * side, 0.1, 0.0}, {0.3, 0.5, 0.4}, kRed));
+    scene.OfKind(EMeshKind::Sphere).push_back(MakeInstance({0.25 * side, -0.6, 0.2}, {0.3, 0.3, 0.3}, kGreen));
+    scene.Glows.push_back({{static_cast<float>(0.9 * side), -0.5f, 0.2f}, 0.05f, kRed, 4.0f});
+    SLine line;
+    line.Start = {static_cast<float>(0.1 * side), 0.5f, 0.3f};
+    line.End = {static_cast<float>(0.9 * side), 0.9f, 0.1f};
+    line.Color = kGreen;
+    scene.Lines.push_back(line);
+  }
+  SPicture picture;
+  renderer.Render(scene, ObliqueView(), picture);
+  int different = 0;
+  for (int y = 0; y < picture.Height; ++y) {
+    for (int x = 0; x < picture.Width / 2; ++x) {
+      const std::uint8_t* left = picture.At(x, y);
+      const std::uint8_t* right = picture.At(picture.Width - 1 - x, y);
+      for (int channel = 0; channel < 3; ++channel) {
+        different += std::abs(left[channel] - right[channel]) > 24 ? 1 : 0;
+      }
+    }
+  }
+  // the sample positions in a pixel and the texels of the shadow map are not mirrored: channels of
+  // border pixels may differ; the solids' outlines have some 500 pixels
+  CHECK(different < picture.Width * picture.Height / 100);
+}
+
+TEST_CASE("renderer: a solid's shadow falls away from the sun",
+          "[visualizations][offscreen][renderer]") {
+  SRenderSettings settings = SmallPicture();
+  settings.ToSun = Eigen::Vector3d(-1.0, 0.0, 1.0);
+  CRenderer renderer(settings);
+  SScene scene = MakeEmptyScene();
+  scene.ShowGrid = false;
+  scene.OfKind(EMeshKind::Box).push_back(MakeInstance({0.0, 0.0, 0.0}, {0.2, 0.2, 0.4}, kRed));
+  const SCameraPlacement above = ViewFromAbove(3.0);
+  SPicture picture;
+  renderer.Render(scene, above, picture);
+  // at 45 degrees the shadow of a box 0.4 m high ends 0.4 m behind it
+  const int shade = Brightness(PixelOf(picture, above, {0.35, 0.0, 0.0}));
+  const int lit = Brightness(PixelOf(picture, above, {-0.35, 0.0, 0.0}));
+  const int beyond = Brightness(PixelOf(picture, above, {0.65, 0.0, 0.0}));
+  CHECK(shade < lit - 100);
+  CHECK(std::abs(beyond - lit) < 6);
+}
+
+TEST_CASE("renderer: the floor's image lies with row 0 at the lowest y",
+          "[visualizations][offscreen][renderer]") {
+  CRenderer renderer(SmallPicture());
+  SScene scene = MakeEmptyScene();
+  scene.ShowGrid = false;
+  scene.Floor.Width = 2;
+  scene.Floor.Height = 2;
+  scene.Floor.Version = 1;
+  // lower left red, lower right green, upper left black, upper right white
+  scene.Floor.Pixels = {220, 30, 30, 255, 30, 200, 30, 255, 0, 0, 0, 255, 255, 255, 255, 255};
+  const SCameraPlacement above = ViewFromAbove(5.0);
+  SPicture picture;
+  renderer.Render(scene, above, picture);
+  CHECK(IsReddish(PixelOf(picture, above, {-0.5, -0.5, 0.0})));
+  CHECK(IsGreenish(PixelOf(picture, above, {0.5, -0.5, 0.0})));
+  CHECK(Brightness(PixelOf(picture, above, {-0.5, 0.5, 0.0})) < 60);
+  CHECK(Brightness(PixelOf(picture, above, {0.5, 0.5, 0.0})) > 700);
+  // full light shows the image's own colours, within the rounding of the two conversions
+  const std::uint8_t* red = PixelOf(picture, above, {-0.5, -0.5, 0.0});
+  CHECK(std::abs(red[0] - 220) <= 3);
+  CHECK(std::abs(red[1] - 30) <= 3);
+
+  // a new version replaces it
+  std::fill(scene.Floor.Pixels.begin(), scene.Floor.Pixels.end(), std::uint8_t{255});
+  ++scene.Floor.Version;
+  renderer.Render(scene, above, picture);
+  CHECK(IsGreyish(PixelOf(picture, above, {-0.5, -0.5, 0.0})));
+}
+
+TEST_CASE("renderer: lights, lines and translucent solids are drawn",
+          "[visualizations][offscreen][renderer]") {
+  CRenderer renderer(SmallPicture());
+  SScene scene = MakeEmptyScene();
+  scene.Glows.push_back({{0.5f, 0.0f, 0.1f}, 0.1f, kRed, 0.0f});
+  SLine line;
+  line.Start = {-0.5f, -0.6f, 0.1f};
+  line.End = {-0.5f, 0.6f, 0.1f};
+  line.Color = kGreen;
+  line.Width = 4.0f;
+  scene.Lines.push_back(line);
+  SRgba glass = kRed;
+  glass.A = 128;
+  scene.OfKind(EMeshKind::Box).push_back(MakeInstance({0.0, 0.6, 0.0}, {0.4, 0.4, 0.1}, glass));
+  scene.OfKind(EMeshKind::Box).push_back(MakeInstance({0.0, -0.6, 0.0}, {0.4, 0.4, 0.1}, kRed));
+  const SCameraPlacement above = ViewFromAbove(2.0);
+  SPicture picture;
+  renderer.Render(scene, above, picture);
+  CHECK(IsReddish(PixelOf(picture, above, {0.5, 0.0, 0.1})));
+  CHECK(IsGreenish(PixelOf(picture, above, {-0.5, 0.3, 0.1})));
+  const std::uint8_t* through = PixelOf(picture, above, {0.0, 0.6, 0.1});
+  const std::uint8_t* solid = PixelOf(picture, above, {0.0, -0.6, 0.1});
+  CHECK(through[0] > through[1] + 20);
+  CHECK(through[1] > solid[1] + 40);
+}
+
+TEST_CASE("renderer: the same scene twice gives the same picture to the bit",
+          "[visualizations][offscreen][renderer]") {
+  SScene scene = MakeEmptyScene();
+  scene.OfKind(EMeshKind::Cylinder).push_back(MakeInstance({0.2, 0.1, 0.0}, {0.5, 0.5, 0.5}, kRed));
+  SPicture first;
+  SPicture second;
+  SPicture third;
+  CRenderer renderer(SmallPicture());
+  renderer.Render(scene, ObliqueView(), first);
+  renderer.Render(MakeEmptyScene(), ObliqueView(), second);
+  renderer.Render(scene, ObliqueView(), second);
+  CRenderer other(SmallPicture());
+  other.Render(scene, ObliqueView(), third);
+  CHECK(first.Pixels == second.Pixels);
+  CHECK(first.Pixels == third.Pixels);
+}
+
+TEST_CASE("renderer: more samples make more shades along an edge",
+          "[visualizations][offscreen][renderer]") {
+  const auto countShades = [](int samples) {
+    SRenderSettings settings = SmallPicture();
+    settings.Samples = samples;
+    settings.Look.EdgeDarkening = 0.0f;
+    CRenderer renderer(settings);
+    SScene scene = MakeEmptyScene();
+    scene.ShowGrid = false;
+    scene.OfKind(EMeshKind::Cylinder).push_back(
+        MakeInstance({0.0, 0.0, 0.0}, {1.0, 1.0, 0.01}, SRgba{10, 10, 10, 255}));
+    SPicture picture;
+    renderer.Render(scene, ViewFromAbove(2.0), picture);
+    std::array<bool, 256> seen{};
+    for (std::size_t i = 0; i < picture.Pixels.size(); i += 4) {
+      seen[picture.Pixels[i]] = true;
+    }
+    return std::count(seen.begin() + 40, seen.begin() + 200, true);
+  };
+  const auto none = countShades(1);
+  const auto four = countShades(4);
+  const auto sixteen = countShades(16);
+  CHECK(none < four);
+  CHECK(four < sixteen);
+}
+
+TEST_CASE("renderer: a picture the driver cannot draw is an error that says what it can",
+          "[visualizations][offscreen][renderer]") {
+  SRenderSettings settings = SmallPicture();
+  settings.Width = 1000000;
+  CHECK_THROWS_WITH(CRenderer(settings), Contains("1000000x120") && Contains("can draw"));
+}
+
+TEST_CASE("look: an unknown name is an error that lists the known ones",
+          "[visualizations][offscreen][look]") {
+  CHECK_THROWS_WITH(SLook::FromName("sepia"),
+                    Contains("\"sepia\"") && Contains("\"light\" or \"dark\""));
+}
