@@ -71,7 +71,7 @@ check_one() {
   local unit="$1" number="$2" command key
   # the unit's own compile command, turned into a preprocessor run
   command="$(grep -B2 -F "\"file\": \"$unit\"" "$build/compile_commands.json" | sed -n 's/^ *"command": "\(.*\)",$/\1/p' |
-    head -n 1 | sed -e 's/\\"/"/g' -e 's/\\\\/\\/g' -e 's/ -o [^ ]*//' -e 's/ -c / -E -P /')"
+    head -n 1 | sed -e 's/\\"/"/g' -e 's/\\\\/\\/g' -e 's/ -o [^ ]*//' -e 's/ -c / -E -P -C /')"
   key="$(cd "$build" && { eval "$command" 2>/dev/null || echo "$RANDOM$RANDOM"; echo "$rules"; } | sha256sum | cut -d' ' -f1)"
   if [[ -f "$stamps/$key" ]]; then
     return 0

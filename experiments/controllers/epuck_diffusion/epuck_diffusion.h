@@ -10,8 +10,8 @@
  * A random walk for e-pucks that avoids obstacles: what the benchmark runs on every robot.
  *
  * The robot drives straight on for a random time and then turns by a random angle. What its eight
- * proximity sensors see ahead makes it turn the other way at once. A step allocates nothing, and the
- * robot's own random generator takes 40 bytes.
+ * proximity sensors see ahead makes it turn the other way at once. A step allocates nothing, and
+ * the robot's own random generator takes 40 bytes.
  */
 class CEPuckDiffusion : public argos::CCI_Controller {
  public:
@@ -28,10 +28,10 @@ class CEPuckDiffusion : public argos::CCI_Controller {
   argos::CCI_DifferentialSteeringActuator* m_wheels = nullptr;
   argos::CCI_EPuckProximitySensor* m_proximity = nullptr;
   argos::CRandomStream m_random;
-  argos::Real m_velocity = 10.0;          // cm/s
+  argos::Real m_velocity = 10.0;  // cm/s
   argos::UInt32 m_meanFreeTicks = 50;
-  argos::UInt32 m_ticksLeft = 0;          // of the present stretch or turn
-  argos::SInt32 m_turnDirection = 0;      // 1 left, -1 right, 0 straight on
+  argos::UInt32 m_ticksLeft = 0;  // of the present stretch or turn
+  argos::SInt32 m_turnDirection = 0;  // 1 left, -1 right, 0 straight on
 };
 
 #endif

@@ -20,9 +20,9 @@ void CEPuckObstacleAvoidance::Init(TConfigurationNode& params) {
   m_wheels = GetActuator<CCI_DifferentialSteeringActuator>("differential_steering");
   m_proximity = GetSensor<CCI_ProximitySensor>("proximity");
   if (m_proximity->GetReadings().size() != kNumRays) {
-    THROW_ARGOSEXCEPTION("this controller is for robots with " << kNumRays
-                                                               << " proximity rays; this one has "
-                                                               << m_proximity->GetReadings().size());
+    THROW_ARGOSEXCEPTION("this controller is for robots with "
+                         << kNumRays << " proximity rays; this one has "
+                         << m_proximity->GetReadings().size());
   }
   GetNodeAttributeOrDefault(params, "velocity", m_velocity, m_velocity);
   Reset();
@@ -50,6 +50,8 @@ void CEPuckObstacleAvoidance::ControlStep() {
   }
 }
 
-void CEPuckObstacleAvoidance::Reset() { m_turnDirection = 0.0; }
+void CEPuckObstacleAvoidance::Reset() {
+  m_turnDirection = 0.0;
+}
 
 REGISTER_CONTROLLER(CEPuckObstacleAvoidance, "epuck_obstacleavoidance_controller")

@@ -22,7 +22,7 @@ class CEPuckObstacleAvoidance : public argos::CCI_Controller {
  private:
   argos::CCI_DifferentialSteeringActuator* m_wheels = nullptr;
   argos::CCI_ProximitySensor* m_proximity = nullptr;
-  argos::Real m_velocity = 5.0;      // cm/s
+  argos::Real m_velocity = 5.0;  // cm/s
   argos::Real m_turnDirection = 0.0;  // 1 left, -1 right, 0 not turning
 };
 

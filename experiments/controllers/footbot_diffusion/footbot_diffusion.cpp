@@ -36,7 +36,9 @@ void CFootBotDiffusion::ControlStep() {
   }
 }
 
-void CFootBotDiffusion::Reset() { EnterState(EState::Free); }
+void CFootBotDiffusion::Reset() {
+  EnterState(EState::Free);
+}
 
 CVector2 CFootBotDiffusion::SumUpProximity() const {
   const CCI_FootBotProximitySensor::TReadings& readings = m_proximity->GetReadings();

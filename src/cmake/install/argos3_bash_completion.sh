@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Completion of argos3's command line in bash: source this file, or link it from /etc/bash_completion.d/.
 _argos3() {
   local current="${COMP_WORDS[COMP_CWORD]}"

@@ -89,14 +89,13 @@ void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOp
       ->group(actions);
 
   const std::string output = "Output";
-  app.add_flag("-n,--no-color", options.NoColor,
-               "no colours in the logs; only a terminal gets any")
+  app.add_flag("-n,--no-color", options.NoColor, "no colours in the logs; only a terminal gets any")
       ->group(output);
   AddSingle(app, "-l,--log-file", options.LogFile, "write the log to this file; it is truncated")
       ->type_name("FILE")
       ->group(output);
   AddSingle(app, "-e,--logerr-file", options.LogErrFile,
-                 "write the error log to this file; it is truncated")
+            "write the error log to this file; it is truncated")
       ->type_name("FILE")
       ->group(output);
 
@@ -104,16 +103,15 @@ void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOp
   app.add_flag("-z,--no-visualization", options.NoVisualization,
                "ignore the <visualization> of the file")
       ->group(run);
-  AddSingle(app, "--seed", raw.Seed,
-                 "random seed in place of the file's; 0: from the clock")
+  AddSingle(app, "--seed", raw.Seed, "random seed in place of the file's; 0: from the clock")
       ->type_name("N")
       ->group(run);
   AddSingle(app, "--threads", raw.Threads,
-                 "threads in place of the file's, at most 1024; results stay the same")
+            "threads in place of the file's, at most 1024; results stay the same")
       ->type_name("N")
       ->group(run);
   AddSingle(app, "--length", raw.Length,
-                 "simulated seconds to run, in place of the file's; 0: no limit")
+            "simulated seconds to run, in place of the file's; 0: no limit")
       ->type_name("S")
       ->group(run);
   app.add_option("--set", raw.Overrides,
@@ -160,7 +158,7 @@ std::vector<std::string> OptionNames(const CLI::App& app) {
 void CheckRepetitions(const CLI::App& app, CProblems& problems) {
   for (const CLI::Option* option : app.get_options()) {
     const bool takesOneValue =
-        option->get_type_size() > 0 &&
+        option->get_expected_min() > 0 &&
         option->get_multi_option_policy() == CLI::MultiOptionPolicy::TakeLast;
     if (takesOneValue && option->count() > 1) {
       problems.Add("--" + option->get_lnames().front() + " is given " +
@@ -179,10 +177,9 @@ void CheckStrayWords(const CLI::App& app, CProblems& problems) {
     } else {
       // it may well be the value of that option
       if (!afterUnknownOption) {
-        problems.Add('"' + word + "\" belongs to no option" +
-                     (word.find(".argos") != std::string::npos
-                          ? "; an experiment file goes after -c"
-                          : ""));
+        problems.Add(
+            '"' + word + "\" belongs to no option" +
+            (word.find(".argos") != std::string::npos ? "; an experiment file goes after -c" : ""));
       }
       afterUnknownOption = false;
     }
@@ -303,8 +300,8 @@ void CARGoSCommandLineArgParser::Parse(SInt32 argc, const char* const* argv) {
              problems);
   ReadNumber(app, "--threads", raw.Threads, kMaxThreads, "an integer from 0 to 1024",
              m_options.Threads, problems);
-  ReadNumber(app, "--length", raw.Length, 1e18, "a number of seconds, at least 0",
-             m_options.Length, problems);
+  ReadNumber(app, "--length", raw.Length, 1e18, "a number of seconds, at least 0", m_options.Length,
+             problems);
   ReadOverrides(raw.Overrides, m_options.Overrides, problems);
   CheckFiles(app, m_options, problems);
   if (m_options.Action == ACTION_QUERY_PLUGINS || m_options.Action == ACTION_SHOW_HELP ||
@@ -324,7 +321,9 @@ std::string CARGoSCommandLineArgParser::GetUsage() {
   return usage;
 }
 
-void CARGoSCommandLineArgParser::PrintUsage(CARGoSLog& log) const { log << GetUsage(); }
+void CARGoSCommandLineArgParser::PrintUsage(CARGoSLog& log) const {
+  log << GetUsage();
+}
 
 std::string CARGoSCommandLineArgParser::GetVersion() {
 #ifdef ARGOS_USE_DOUBLE

@@ -24,17 +24,17 @@ class CARGoSCommandLineArgParser {
 
   struct SOptions {
     EAction Action = ACTION_UNKNOWN;
-    std::string ExperimentFile;  /**< of ACTION_RUN_EXPERIMENT */
-    std::string Query;           /**< of ACTION_QUERY_PLUGINS */
+    std::string ExperimentFile; /**< of ACTION_RUN_EXPERIMENT */
+    std::string Query; /**< of ACTION_QUERY_PLUGINS */
     bool NoColor = false;
     bool NoVisualization = false;
     bool Digest = false;
-    std::string LogFile;     /**< empty: the standard output */
-    std::string LogErrFile;  /**< empty: the standard error */
+    std::string LogFile; /**< empty: the standard output */
+    std::string LogErrFile; /**< empty: the standard error */
     std::optional<UInt32> Seed;
     std::optional<UInt32> Threads;
-    std::optional<Real> Length;                                  /**< s, >= 0; 0 = unlimited */
-    std::vector<std::pair<std::string, std::string>> Overrides;  /**< XPath and value, in order */
+    std::optional<Real> Length; /**< s, >= 0; 0 = unlimited */
+    std::vector<std::pair<std::string, std::string>> Overrides; /**< XPath and value, in order */
   };
 
   /** As many threads as anybody may ask for. Each costs a stack; no machine has more cores. */

@@ -19,6 +19,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <sstream>
 
 namespace argos {
 
@@ -32,7 +33,9 @@ constexpr int kSignalStatus = 128;
 
 volatile std::sig_atomic_t g_stopSignal = 0;
 
-extern "C" void NoteStopSignal(int signal) { g_stopSignal = signal; }
+extern "C" void NoteStopSignal(int signal) {
+  g_stopSignal = signal;
+}
 
 /* While it lives, SIGINT and SIGTERM are noted instead of killing; each once. */
 class CStopSignals {
@@ -102,9 +105,34 @@ void ChooseColors(bool noColor) {
   }
 }
 
+/* Drops what is logged on LOG while it lives. */
+class CSilence {
+ public:
+  CSilence() {
+    LOG.Flush();
+    m_previous = LOG.GetStream().rdbuf(&m_dropped);
+  }
+  ~CSilence() {
+    LOG.Flush();
+    LOG.GetStream().rdbuf(m_previous);
+  }
+  CSilence(const CSilence&) = delete;
+  CSilence& operator=(const CSilence&) = delete;
+
+ private:
+  std::stringbuf m_dropped;
+  std::streambuf* m_previous = nullptr;
+};
+
 void LoadLibraries() {
   ThrowRegistrationProblems("the libraries that the program is linked with do not fit together");
   CDynamicLoading::LoadAllLibraries();
+}
+
+// which libraries were loaded is no part of the answer to a query
+void LoadLibrariesSilently() {
+  const CSilence silence;
+  LoadLibraries();
 }
 
 void LoadExperiment(CSimulator& simulator, const SOptions& options) {
@@ -172,15 +200,16 @@ int RunExperiment(const SOptions& options) {
   int status = 0;
   const bool loaded = Try([&] { LoadExperiment(simulator, options); });
   const bool executed = loaded && Try([&] {
-    const CStopSignals stopSignals;
-    const Real wallSeconds = Execute(simulator);
-    if (g_stopSignal != 0) {
-      status = kSignalStatus + g_stopSignal;
-      LOG << "[INFO] stopped by a signal after tick " << simulator.GetSpace().GetSimulationClock()
-          << std::endl;
-    }
-    PrintSummary(simulator, wallSeconds, options.Digest);
-  });
+                          const CStopSignals stopSignals;
+                          const Real wallSeconds = Execute(simulator);
+                          if (g_stopSignal != 0) {
+                            status = kSignalStatus + g_stopSignal;
+                            LOG << "[INFO] stopped by "
+                                << (g_stopSignal == SIGINT ? "SIGINT" : "SIGTERM") << " after tick "
+                                << simulator.GetSpace().GetSimulationClock() << std::endl;
+                          }
+                          PrintSummary(simulator, wallSeconds, options.Digest);
+                        });
   // also after an error: loop functions close their files in Destroy()
   const bool destroyed = Try([&] { simulator.Destroy(); });
   return executed && destroyed ? status : kFailure;
@@ -197,7 +226,7 @@ int Act(const SOptions& options) {
       LOG << CARGoSCommandLineArgParser::GetVersion();
       break;
     case CARGoSCommandLineArgParser::ACTION_QUERY_PLUGINS:
-      LoadLibraries();
+      LoadLibrariesSilently();
       QueryPlugins(options.Query);
       break;
     default:

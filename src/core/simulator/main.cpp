@@ -1,3 +1,5 @@
 #include <argos3/core/simulator/command_line.h>
 
-int main(int argc, char** argv) { return argos::RunCommandLine(argc, argv); }
+int main(int argc, char** argv) {
+  return argos::RunCommandLine(argc, argv);
+}

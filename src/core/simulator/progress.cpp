@@ -26,9 +26,8 @@ std::string DescribeTimeLeft(Real seconds) {
     return "more than 100 h";
   }
   const auto whole = static_cast<UInt64>(seconds + 0.5);
-  return whole < 3600
-             ? fmt::format("{}:{:02}", whole / 60, whole % 60)
-             : fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+  return whole < 3600 ? fmt::format("{}:{:02}", whole / 60, whole % 60)
+                      : fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
 size_t TerminalWidth() {
@@ -50,29 +49,31 @@ bool GoesToTerminal(const std::ostream& stream, int file) {
 
 std::string DescribeProgress(const SProgress& progress) {
   const Real simulated = progress.Ticks * progress.TickLength;
+  const bool measured = progress.Ticks > 0 && progress.WallSeconds > 0.0;
   std::string text = fmt::format("tick {}", progress.Ticks);
   if (progress.MaxTicks > 0) {
     text += fmt::format("/{} ({} %)", progress.MaxTicks,
                         UInt64(progress.Ticks) * 100 / progress.MaxTicks);
   }
-  text += fmt::format(", {:.6g} s simulated", simulated);
-  if (progress.Ticks == 0 || !(progress.WallSeconds > 0.0)) {
-    return text;
-  }
-  text += fmt::format(", {:.3g} x real time", simulated / progress.WallSeconds);
-  if (progress.MaxTicks > 0) {
+  if (progress.MaxTicks > 0 && measured) {
     const Real ticksLeft =
         progress.MaxTicks > progress.Ticks ? progress.MaxTicks - progress.Ticks : 0;
     text += fmt::format(", {} left",
                         DescribeTimeLeft(ticksLeft * progress.WallSeconds / progress.Ticks));
   }
-  return text;
+  if (measured) {
+    text += fmt::format(", {:.3g} x real time", simulated / progress.WallSeconds);
+  }
+  return text + fmt::format(", {:.6g} s simulated", simulated);
 }
 
 /* The terminal's last line. Written past std::cerr, which may have been redirected to a file. */
 class CProgressLine::CScreen {
  public:
   void Draw(const std::string& text) {
+    if (m_lineIsOpen) {
+      return;
+    }
     // one that wraps around could not be erased
     const size_t width = TerminalWidth();
     Write("\r\x1b[K" + text.substr(0, width > 1 ? width - 1 : 1));
@@ -85,14 +86,39 @@ class CProgressLine::CScreen {
     }
   }
 
+  /* Somebody writes: a line that is not ended yet must not be overwritten. */
+  void NoteText(std::string_view text) {
+    Erase();
+    const size_t lastBreak = text.rfind('\n');
+    const bool ended = lastBreak != std::string_view::npos;
+    const bool more = HasVisibleText(ended ? text.substr(lastBreak + 1) : text);
+    m_lineIsOpen = more || (m_lineIsOpen && !ended);
+  }
+
  private:
+  // escape sequences, such as those of coloured logs, move nothing
+  static bool HasVisibleText(std::string_view text) {
+    for (size_t i = 0; i < text.size(); ++i) {
+      if (text[i] != '\x1b') {
+        return true;
+      }
+      i = text.find('m', i);
+      if (i == std::string_view::npos) {
+        break;
+      }
+    }
+    return false;
+  }
+
   static void Write(const std::string& text) {
     if (::write(STDERR_FILENO, text.data(), text.size()) < 0) {
       return;  // nobody watches any more
     }
   }
 
-  std::atomic<bool> m_visible = false;  // users' code may print on any thread
+  // users' code may print on any thread
+  std::atomic<bool> m_visible = false;
+  std::atomic<bool> m_lineIsOpen = false;
 };
 
 /* Stands before a stream's buffer and erases the line when something is about to be written. */
@@ -111,14 +137,16 @@ class CProgressLine::CGuard : public std::streambuf {
 
  protected:
   int_type overflow(int_type character) override {
-    m_screen.Erase();
-    return traits_type::eq_int_type(character, traits_type::eof())
-               ? traits_type::not_eof(character)
-               : m_target->sputc(traits_type::to_char_type(character));
+    if (traits_type::eq_int_type(character, traits_type::eof())) {
+      return traits_type::not_eof(character);
+    }
+    const char text = traits_type::to_char_type(character);
+    m_screen.NoteText(std::string_view(&text, 1));
+    return m_target->sputc(text);
   }
   std::streamsize xsputn(const char* text, std::streamsize size) override {
     if (size > 0) {
-      m_screen.Erase();
+      m_screen.NoteText(std::string_view(text, static_cast<size_t>(size)));
     }
     return m_target->sputn(text, size);
   }

@@ -14,13 +14,13 @@ class CSimulator;
 /** How far a run is. */
 struct SProgress {
   UInt32 Ticks = 0;
-  UInt32 MaxTicks = 0;       /**< 0 = unlimited */
-  Real TickLength = 0.0;     /**< s */
-  Real WallSeconds = 0.0;    /**< since the run began */
+  UInt32 MaxTicks = 0; /**< 0 = unlimited */
+  Real TickLength = 0.0; /**< s */
+  Real WallSeconds = 0.0; /**< since the run began */
 };
 
 /**
- * "tick 120/600 (20 %), 12 s simulated, 35.2 x real time, 0:13 left"; without a limit on ticks, no
+ * "tick 120/600 (20 %), 0:13 left, 35.2 x real time, 12 s simulated"; without a limit on ticks, no
  * share and no time left.
  */
 std::string DescribeProgress(const SProgress& progress);

@@ -27,7 +27,7 @@ struct SPlugin {
 };
 
 struct SKind {
-  const char* Word;    // as the user asks for it
+  const char* Word;  // as the user asks for it
   const char* Header;
   std::vector<SPlugin> Plugins;  // by label
 };

@@ -57,7 +57,7 @@ are pushed by robots and rub on the ground.
 
 REQUIRED XML
 
-  <arena ...>
+  <arena size="10,10,2">
     <box id="wall" size="4,0.1,0.5" movable="false">
       <body position="0,2,0" orientation="0,0,0" />
     </box>
@@ -79,7 +79,7 @@ OPTIONAL XML
 
 LEDs on the box, seen by cameras:
 
-  <arena ...>
+  <arena size="10,10,2">
     <box id="beacon" size="0.3,0.3,0.2" movable="false">
       <body position="1,0,0" orientation="0,0,0" />
       <leds medium="leds">

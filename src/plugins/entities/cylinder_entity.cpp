@@ -52,7 +52,7 @@ pushed by robots and rub on the ground.
 
 REQUIRED XML
 
-  <arena ...>
+  <arena size="10,10,2">
     <cylinder id="pillar" radius="0.2" height="0.5" movable="false">
       <body position="0,2,0" orientation="0,0,0" />
     </cylinder>
@@ -74,7 +74,7 @@ OPTIONAL XML
 
 LEDs on the cylinder, seen by cameras:
 
-  <arena ...>
+  <arena size="10,10,2">
     <cylinder id="beacon" radius="0.1" height="0.2" movable="false">
       <body position="1,0,0" orientation="0,0,0" />
       <leds medium="leds">

@@ -269,6 +269,21 @@ void CLEDEquippedEntity::CheckIndex(size_t index) const {
   }
 }
 
-REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CLEDEquippedEntity)
+namespace {
+
+class CSpaceOperationAddCLEDEquippedEntity : public CSpaceOperationAddEntity {
+ public:
+  void ApplyTo(CSpace& space, CLEDEquippedEntity& entity) {
+    space.RememberType<CLEDEntity>();
+    space.AddEntity(entity);
+    AddComponentsToSpace(space, entity);
+  }
+};
+
+}  // namespace
+
+REGISTER_SPACE_OPERATION(CSpaceOperationAddEntity, CSpaceOperationAddCLEDEquippedEntity,
+                         CLEDEquippedEntity)
+REGISTER_STANDARD_SPACE_OPERATION_REMOVE_COMPOSABLE(CLEDEquippedEntity)
 
 }  // namespace argos

@@ -71,7 +71,7 @@ Light sensors read it according to its intensity; cameras see it as an LED.
 
 REQUIRED XML
 
-  <arena ...>
+  <arena size="10,10,2">
     <light id="lamp" position="0.4,2.3,0.25" color="yellow" intensity="1.0" medium="leds" />
   </arena>
 

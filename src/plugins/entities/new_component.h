@@ -9,9 +9,8 @@
 namespace argos {
 
 /**
- * Makes a component of @p parent, which owns it from then on.
+ * Makes a component of @p parent, which owns it from then on; for the sources of plug-ins.
  *
- * Not installed: for sources only.
  * @param arguments  of the constructor of COMPONENT, after the parent.
  */
 template <typename COMPONENT, typename... ARGUMENTS>

@@ -9,7 +9,7 @@
 namespace argos {
 
 /*
- * Range checks of what users give to entities and devices. Not installed: for sources only.
+ * Range checks of what users give to entities and devices, for the sources of plug-ins.
  *
  * owner: whose value it is, for the message: 'box "b1"'.
  * what:  which value it is, with its unit: "height (m)".

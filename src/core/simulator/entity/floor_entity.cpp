@@ -35,9 +35,13 @@ std::string DescribePath(const std::string& path) {
 // the library prints what is wrong with an image through a callback without context
 thread_local std::string t_imageProblem;
 
-void NoteImageProblem(FREE_IMAGE_FORMAT, const char* message) { t_imageProblem = message; }
+void NoteImageProblem(FREE_IMAGE_FORMAT, const char* message) {
+  t_imageProblem = message;
+}
 
-std::string ImageProblem() { return t_imageProblem.empty() ? "" : ": " + t_imageProblem; }
+std::string ImageProblem() {
+  return t_imageProblem.empty() ? "" : ": " + t_imageProblem;
+}
 
 TBitmap ReadBitmap(const std::string& fileName) {
   if (!std::ifstream(fileName, std::ios::binary)) {
@@ -58,9 +62,9 @@ TBitmap ReadBitmap(const std::string& fileName) {
   }
   const TBitmap asStored(FreeImage_Load(format, fileName.c_str(), 0));
   if (!asStored) {
-    THROW_ARGOSEXCEPTION("cannot read the floor image "
-                         << DescribePath(fileName) << " as "
-                         << FreeImage_GetFormatFromFIF(format) << ImageProblem());
+    THROW_ARGOSEXCEPTION("cannot read the floor image " << DescribePath(fileName) << " as "
+                                                        << FreeImage_GetFormatFromFIF(format)
+                                                        << ImageProblem());
   }
   TBitmap bitmap(FreeImage_ConvertTo24Bits(asStored.get()));
   if (!bitmap) {
@@ -114,7 +118,8 @@ class CFloorEntity::CImage {
   SPixel& At(size_t column, size_t row) { return m_pixels[row * m_width + column]; }
 
   TBitmap ToBitmap() {
-    TBitmap bitmap(FreeImage_Allocate(static_cast<int>(m_width), static_cast<int>(GetHeight()), 24));
+    TBitmap bitmap(
+        FreeImage_Allocate(static_cast<int>(m_width), static_cast<int>(GetHeight()), 24));
     if (!bitmap) {
       THROW_ARGOSEXCEPTION("a floor image of " << m_width << " x " << GetHeight()
                                                << " pixels does not fit in memory");
@@ -173,26 +178,27 @@ void CFloorEntity::Init(TConfigurationNode& tree) {
                              << ": <floor>: pixels_per_meter is 0; it must be at least 1");
       }
     } else {
-      THROW_ARGOSEXCEPTION(tree.GetLocation()
-                           << ": <floor>: source=\"" << source
-                           << "\" is neither \"image\" nor \"loop_functions\""
-                           << DidYouMean(source, {"image", "loop_functions"}));
+      THROW_ARGOSEXCEPTION(tree.GetLocation() << ": <floor>: source=\"" << source
+                                              << "\" is neither \"image\" nor \"loop_functions\""
+                                              << DidYouMean(source, {"image", "loop_functions"}));
     }
   } catch (CARGoSException& ex) {
-    THROW_ARGOSEXCEPTION_NESTED(tree.GetLocation() << ": cannot make the floor \"" << GetId() << '"',
-                                ex);
+    THROW_ARGOSEXCEPTION_NESTED(
+        tree.GetLocation() << ": cannot make the floor \"" << GetId() << '"', ex);
   }
 }
 
-void CFloorEntity::Reset() { m_changed = true; }
+void CFloorEntity::Reset() {
+  m_changed = true;
+}
 
 void CFloorEntity::LoadImage(const std::string& fileName) {
   m_image = std::make_unique<CImage>(ReadBitmap(fileName).get());
   const CVector3& size = m_space.GetArenaSize();
   if (size.GetX() > 0.0 && size.GetY() > 0.0) {
     // drawn as finely as the image is along its finer axis
-    const Real density = std::max(m_image->GetWidth() / size.GetX(),
-                                  m_image->GetHeight() / size.GetY());
+    const Real density =
+        std::max(m_image->GetWidth() / size.GetX(), m_image->GetHeight() / size.GetY());
     m_pixelsPerMeter = static_cast<UInt32>(std::clamp(std::ceil(density), 1.0, 1e6));
   }
 }
@@ -211,9 +217,8 @@ CColor CFloorEntity::GetColorAtPoint(Real x, Real y) {
     }
     return pixel < static_cast<Real>(pixels) ? static_cast<size_t>(pixel) : pixels - 1;
   };
-  const SPixel pixel =
-      m_image->At(toPixel(x - center.GetX(), size.GetX(), m_image->GetWidth()),
-                  toPixel(y - center.GetY(), size.GetY(), m_image->GetHeight()));
+  const SPixel pixel = m_image->At(toPixel(x - center.GetX(), size.GetX(), m_image->GetWidth()),
+                                   toPixel(y - center.GetY(), size.GetY(), m_image->GetHeight()));
   return CColor(pixel.Red, pixel.Green, pixel.Blue);
 }
 
@@ -240,28 +245,29 @@ void CFloorEntity::SaveAsImage(const std::string& path) {
   WriteBitmap(image.ToBitmap().get(), path);
 }
 
-REGISTER_ENTITY(CFloorEntity, "floor", "the authors of this project", "1.0", "The colours of the floor.",
-                "The floor has colours, which ground sensors see and pictures show. It has no body.\n"
-                "At most one floor counts: the one declared last.\n\n"
-                "REQUIRED XML CONFIGURATION\n\n"
-                "  <arena ...>\n"
-                "    <floor id=\"floor\" source=\"image\" path=\"floor.png\" />\n"
-                "  </arena>\n\n"
-                "or, coloured by the loop functions' GetFloorColor(),\n\n"
-                "    <floor id=\"floor\" source=\"loop_functions\" pixels_per_meter=\"100\" />\n\n"
-                "Attributes:\n"
-                "  id                string; unique among the entities\n"
-                "  source            image or loop_functions\n"
-                "  path              with source=\"image\": the image file, in any format that\n"
-                "                    FreeImage reads. Relative to the working directory; $NAME is\n"
-                "                    replaced by the value of that environment variable. The image\n"
-                "                    is stretched over the arena, its lowest row at the smallest y;\n"
-                "                    beyond the arena the colour of the nearest edge holds\n"
-                "  pixels_per_meter  with source=\"loop_functions\": integer, at least 1; the\n"
-                "                    resolution in pictures only, sensors see the exact colour\n\n"
-                "OPTIONAL XML CONFIGURATION\n\n"
-                "None.\n",
-                "Usable")
+REGISTER_ENTITY(
+    CFloorEntity, "floor", "the authors of this project", "1.0", "The colours of the floor.",
+    "The floor has colours, which ground sensors see and pictures show. It has no body.\n"
+    "At most one floor counts: the one declared last.\n\n"
+    "REQUIRED XML CONFIGURATION\n\n"
+    "  <arena ...>\n"
+    "    <floor id=\"floor\" source=\"image\" path=\"floor.png\" />\n"
+    "  </arena>\n\n"
+    "or, coloured by the loop functions' GetFloorColor(),\n\n"
+    "    <floor id=\"floor\" source=\"loop_functions\" pixels_per_meter=\"100\" />\n\n"
+    "Attributes:\n"
+    "  id                string; unique among the entities\n"
+    "  source            image or loop_functions\n"
+    "  path              with source=\"image\": the image file, in any format that\n"
+    "                    FreeImage reads. Relative to the working directory; $NAME is\n"
+    "                    replaced by the value of that environment variable. The image\n"
+    "                    is stretched over the arena, its lowest row at the smallest y;\n"
+    "                    beyond the arena the colour of the nearest edge holds\n"
+    "  pixels_per_meter  with source=\"loop_functions\": integer, at least 1; the\n"
+    "                    resolution in pictures only, sensors see the exact colour\n\n"
+    "OPTIONAL XML CONFIGURATION\n\n"
+    "None.\n",
+    "Usable")
 
 class CSpaceOperationAddCFloorEntity : public CSpaceOperationAddEntity {
  public:

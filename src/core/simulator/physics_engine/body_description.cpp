@@ -18,9 +18,13 @@ void RequirePositive(Real value, const char* what) {
   }
 }
 
-Real HorizontalDistance(const CVector3& point) { return std::hypot(point.GetX(), point.GetY()); }
+Real HorizontalDistance(const CVector3& point) {
+  return std::hypot(point.GetX(), point.GetY());
+}
 
-CVector3 Rotated(CVector3 vector, const CQuaternion& rotation) { return vector.Rotate(rotation); }
+CVector3 Rotated(CVector3 vector, const CQuaternion& rotation) {
+  return vector.Rotate(rotation);
+}
 
 CVector3 Centroid(const SShapeDescription& shape) {
   return shape.Offset + Rotated(CVector3(0.0, 0.0, 0.5 * shape.Size.GetZ()), shape.Orientation);

@@ -8,11 +8,12 @@ namespace argos {
 namespace {
 
 // Twice the signed area of the triangle (start, end, point): positive on the left of the side.
-// The two regions on either side of a border have it in opposite directions. The ends are put in one
-// order first, so the two results are exactly opposite and no point is lost between the regions.
+// The two regions on either side of a border have it in opposite directions. The ends are put in
+// one order first, so the two results are exactly opposite and no point is lost between the
+// regions.
 Real SideOf(const CVector2& start, const CVector2& end, Real x, Real y) {
-  const bool swapped = end.GetX() < start.GetX() ||
-                       (end.GetX() == start.GetX() && end.GetY() < start.GetY());
+  const bool swapped =
+      end.GetX() < start.GetX() || (end.GetX() == start.GetX() && end.GetY() < start.GetY());
   const CVector2& a = swapped ? end : start;
   const CVector2& b = swapped ? start : end;
   const Real side = (b.GetX() - a.GetX()) * (y - a.GetY()) - (b.GetY() - a.GetY()) * (x - a.GetX());

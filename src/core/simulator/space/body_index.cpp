@@ -5,6 +5,7 @@
 #include <argos3/core/utility/math/general.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 
+#include <atomic>
 #include <cmath>
 
 namespace argos {
@@ -18,6 +19,26 @@ constexpr size_t kMinOverlay = 64;
 // m; cells are not made smaller than this however crowded the arena is
 constexpr Real kMinCell = 0.02;
 constexpr Real kUprightTolerance = 1e-9;
+
+bool StandsUpright(const SShapeDescription& solid) {
+  return solid.Kind != SShapeDescription::EKind::Sphere && solid.Orientation.GetX() == 0.0 &&
+         solid.Orientation.GetY() == 0.0;
+}
+
+CVector3 CentroidInBody(const SShapeDescription& solid) {
+  CVector3 centroid(0.0, 0.0, 0.5 * solid.Size.GetZ());
+  centroid.Rotate(solid.Orientation);
+  return centroid + solid.Offset;
+}
+
+// m, around the centroid
+Real BoundingSphereRadius(const SShapeDescription& solid) {
+  return solid.Kind == SShapeDescription::EKind::Sphere
+             ? solid.Radius
+             : std::hypot(solid.Radius, 0.5 * solid.Size.GetZ());
+}
+
+Real Horizontal(const CVector3& v) { return std::hypot(v.GetX(), v.GetY()); }
 
 template <typename FUNCTION>
 void ForRange(CThreadPool* pool, size_t items, FUNCTION&& function) {
@@ -61,7 +82,7 @@ UInt32 CBodyIndex::Add(CEmbodiedEntity& body) {
     number = m_free.back();
     m_free.pop_back();
   }
-  m_bodies[number] = {&body, nullptr, 0.0, kNoBody, kNoBody, 0, false, false};
+  m_bodies[number] = {&body, nullptr, 0.0, 0.0, kNoBody, kNoBody, 0, false, false};
   ++m_numAlive;
   body.AttachToIndex(this, number);
   const SAnchor& origin = body.GetOriginAnchor();
@@ -74,12 +95,21 @@ UInt32 CBodyIndex::Add(CEmbodiedEntity& body) {
 void CBodyIndex::Describe(UInt32 number) {
   SBody& body = m_bodies[number];
   body.Description = body.Entity->GetBodyDescription();
-  body.Radius = body.Description->ComputeBoundingRadius();
+  body.Reach = body.TiltedReach = 0.0;
+  for (const SShapeDescription& solid : body.Description->Shapes) {
+    // as Pack() bounds them
+    const CVector3 centroid = CentroidInBody(solid);
+    const Real sphere = BoundingSphereRadius(solid);
+    body.Reach = std::max(body.Reach, Horizontal(centroid) +
+                                          (StandsUpright(solid) ? solid.Radius : sphere));
+    body.TiltedReach = std::max(body.TiltedReach, centroid.Length() + sphere);
+  }
   body.NumShapes = static_cast<UInt16>(body.Description->Shapes.size());
-  body.Small = body.Entity->IsMovable() && body.Radius <= kMaxSmallRadius;
+  body.Small = body.Entity->IsMovable() &&
+               body.Description->ComputeBoundingRadius() <= kMaxSmallRadius;
   if (body.Small) {
     ++m_numSmall;
-    m_maxSmallRadius = std::max(m_maxSmallRadius, body.Radius);
+    m_maxSmallReach = std::max(m_maxSmallReach, body.Reach);
   } else {
     m_wideDirty = true;
   }
@@ -109,6 +139,11 @@ void CBodyIndex::Remove(UInt32 number) {
 
 void CBodyIndex::SetPose(UInt32 body, const CVector3& position, const CQuaternion& orientation) {
   m_poses[body] = MakePose(position, orientation);
+  // while wide bodies that can move are listed the flag stays up, so engines only read it; a wall
+  // is moved outside the physics phase
+  if (!m_bodies[body].Small && !m_wideDirty) {
+    m_wideDirty = true;
+  }
 }
 
 void CBodyIndex::RefreshNow(UInt32 number) {
@@ -154,6 +189,9 @@ void CBodyIndex::LinkIntoOverlay(UInt32 number) {
   if (m_overlayHead[cell] == kNoBody) {
     m_overlayCells.push_back(cell);
   }
+  if (!pose.Upright) {
+    m_tiltedReach = std::max(m_tiltedReach, body.TiltedReach);
+  }
   body.OverlayCell = cell;
   body.NextInCell = m_overlayHead[cell];
   m_overlayHead[cell] = number;
@@ -177,7 +215,7 @@ bool CBodyIndex::ChooseCells() {
   // hysteresis: cells are chosen anew only when the numbers have changed by a factor of two
   const bool fits = !m_overlayHead.empty() && m_numAlive <= 2 * m_cellsChosenFor &&
                     m_cellsChosenFor <= 2 * m_numAlive + 16 &&
-                    m_cellsChosenRadius == m_maxSmallRadius;
+                    m_cellsChosenReach == m_maxSmallReach;
   if (fits) {
     return false;
   }
@@ -185,12 +223,12 @@ bool CBodyIndex::ChooseCells() {
   const Real depth = std::max(m_maxY - m_minY, kMinCell);
   const Real bodies = static_cast<Real>(std::max<size_t>(1, m_numAlive));
   // about one body a cell, but no cell smaller than the largest small body
-  m_cell = std::max({kMinCell, 2.0 * m_maxSmallRadius, std::sqrt(width * depth / bodies)});
+  m_cell = std::max({kMinCell, 2.0 * m_maxSmallReach, std::sqrt(width * depth / bodies)});
   m_inverseCell = 1.0 / m_cell;
   m_numI = std::max(1, static_cast<int>(std::ceil(width * m_inverseCell)));
   m_numJ = std::max(1, static_cast<int>(std::ceil(depth * m_inverseCell)));
   m_cellsChosenFor = m_numAlive;
-  m_cellsChosenRadius = m_maxSmallRadius;
+  m_cellsChosenReach = m_maxSmallReach;
   const size_t cells = static_cast<size_t>(m_numI) * m_numJ;
   m_shapeStart.assign(cells + 1, 0);
   m_wideStart.assign(cells + 1, 0);
@@ -213,13 +251,26 @@ void CBodyIndex::Rebuild(CThreadPool* pool) {
 
 void CBodyIndex::SortSmall(CThreadPool* pool) {
   m_cellOfBody.resize(m_bodies.size());
-  ForRange(pool, m_bodies.size(), [this](size_t begin, size_t end) {
+  std::atomic<bool> anyTilted{false};
+  ForRange(pool, m_bodies.size(), [this, &anyTilted](size_t begin, size_t end) {
     for (size_t b = begin; b < end; ++b) {
       const bool sorted = m_bodies[b].Entity != nullptr && m_bodies[b].Small;
+      if (sorted && !m_poses[b].Upright) {
+        anyTilted.store(true, std::memory_order_relaxed);
+      }
       m_cellOfBody[b] =
           sorted ? static_cast<UInt32>(CellJ(m_poses[b].Y) * m_numI + CellI(m_poses[b].X)) : kNoBody;
     }
   });
+
+  m_tiltedReach = 0.0;
+  if (anyTilted) {
+    for (size_t b = 0; b < m_bodies.size(); ++b) {
+      if (m_cellOfBody[b] != kNoBody && !m_poses[b].Upright) {
+        m_tiltedReach = std::max(m_tiltedReach, m_bodies[b].TiltedReach);
+      }
+    }
+  }
 
   // counting sort by cell; within a cell by body number, whatever the number of threads
   std::fill(m_shapeStart.begin(), m_shapeStart.end(), 0);
@@ -311,18 +362,13 @@ SIndexedShape CBodyIndex::Pack(UInt32 body, UInt16 shape) const {
 
 SIndexedShape CBodyIndex::Pack(const SShapeDescription& shape, const SPose& pose,
                                const CQuaternion& orientation) {
-  const bool solidUpright = shape.Kind != SShapeDescription::EKind::Sphere &&
-                            shape.Orientation.GetX() == 0.0 && shape.Orientation.GetY() == 0.0;
   SIndexedShape packed{};
   packed.Body = kNoBody;
-  if (!pose.Upright || !solidUpright) {
+  if (!pose.Upright || !StandsUpright(shape)) {
     // bounded by a sphere around the centroid
-    const Real height = shape.Size.GetZ();
-    CVector3 centroid(0.0, 0.0, 0.5 * height);
-    centroid.Rotate(shape.Orientation);
-    centroid += shape.Offset;
+    CVector3 centroid = CentroidInBody(shape);
     centroid.Rotate(orientation);
-    packed.Radius = std::sqrt(shape.Radius * shape.Radius + 0.25 * height * height);
+    packed.Radius = BoundingSphereRadius(shape);
     packed.X = pose.X + centroid.GetX();
     packed.Y = pose.Y + centroid.GetY();
     packed.Cos = 1.0;

@@ -82,7 +82,8 @@ class CBodyIndex {
   struct SBody {
     CEmbodiedEntity* Entity;              // null: free slot
     const SBodyDescription* Description;  // shared by many bodies; kept alive by the entity
-    Real Radius;                          // m, around the origin, seen from above
+    Real Reach;        // m, of the packed solids around the origin, seen from above, if upright
+    Real TiltedReach;  // m, the same however the body lies
     UInt32 OverlayCell, NextInCell;       // overlay chain
     UInt16 NumShapes;
     bool Small;
@@ -124,6 +125,7 @@ class CBodyIndex {
   void PutInOverlay(UInt32 body);
   void LinkIntoOverlay(UInt32 body);
 
+  Real SmallReach() const { return std::max(m_maxSmallReach, m_tiltedReach); }
   bool IsStale(UInt32 body) const { return m_numStale > 0 && m_bodies[body].Stale; }
   template <typename VISIT>
   void VisitSmallRow(int j, int minI, int maxI, VISIT&& visit) const;
@@ -143,14 +145,16 @@ class CBodyIndex {
   Real m_cell = 1.0, m_inverseCell = 1.0;                       // m, 1/m
   int m_numI = 1, m_numJ = 1;
   size_t m_cellsChosenFor = 0;  // number of bodies when cells were chosen
-  Real m_cellsChosenRadius = 0.0;
+  Real m_cellsChosenReach = 0.0;
 
   std::vector<SBody> m_bodies;  // by body number
   std::vector<SPose> m_poses;   // by body number; written by engines
   std::vector<UInt32> m_free;      // numbers to use again
   std::vector<UInt32> m_released;  // numbers to use again after the next Rebuild()
   size_t m_numAlive = 0, m_numSmall = 0;
-  Real m_maxSmallRadius = 0.0;  // m
+  Real m_maxSmallReach = 0.0;  // m, of all that ever were small; how far solids of an upright small
+                               // body may be from the cell that it is sorted into
+  Real m_tiltedReach = 0.0;    // m, the same for the small bodies that are tilted now
 
   // written by Rebuild()
   std::vector<UInt32> m_cellOfBody;     // (bodies); kNoBody if not small

@@ -75,7 +75,7 @@ void CBodyIndex::ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const 
       visit(shape);
     }
   };
-  const SCellRange cells = CellsAround(x, y, reach + m_maxSmallRadius);
+  const SCellRange cells = CellsAround(x, y, reach + SmallReach());
   if (!m_shapes.empty()) {
     for (int j = cells.MinJ; j <= cells.MaxJ; ++j) {
       VisitSmallRow(j, cells.MinI, cells.MaxI, visitIfNear);

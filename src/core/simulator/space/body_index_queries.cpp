@@ -89,7 +89,7 @@ void CBodyIndex::ForShapesAlongRay(const CRay3& ray, VISIT&& visit) const {
     }
   };
   // a rounding more than the radius, so that a touched border counts
-  const Real margin = m_maxSmallRadius + 1e-9;
+  const Real margin = SmallReach() + 1e-9;
   if (!m_shapes.empty()) {
     forRows(margin, [&](int j, int minI, int maxI) { VisitSmallRow(j, minI, maxI, visit); });
   }

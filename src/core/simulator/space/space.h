@@ -77,6 +77,11 @@ class CSpace : public CBaseConfigurableResource {
     RememberType(entity.GetTag(), &MakeAny<ENTITY>);
     InsertEntity(entity);
   }
+  /** Lists entities of a class that is made on demand under their exact class: before any is made. */
+  template <typename ENTITY>
+  void RememberType() {
+    RememberType(::argos::GetTag<ENTITY, CEntity>(), &MakeAny<ENTITY>);
+  }
   /** Forgets an entity, then calls Destroy() on it and deletes it; used by space operations. */
   template <typename ENTITY>
   void RemoveEntity(ENTITY& entity) {

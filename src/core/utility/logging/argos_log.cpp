@@ -187,14 +187,14 @@ void CARGoSLog::AddThreadSafeBuffer() {
 // writing
 /****************************************/
 
-CARGoSLog::CEntry::CEntry(CARGoSLog& log) : m_buffer(log.GetThreadBuffer()) {
+CARGoSLog::CEntry::CEntry(CARGoSLog& log, bool colored) : m_buffer(log.GetThreadBuffer()) {
   m_buffer.Mutex.lock();
   std::string& text = m_buffer.Appender.Text;
   if (m_buffer.Segments.empty() || m_buffer.Segments.back().Key != sequenceKey) {
     m_buffer.Segments.push_back({sequenceKey, log.m_state->NextTicket++, text.size()});
   }
   m_start = text.size();
-  if (log.m_colored) {
+  if (colored) {
     text += log.m_state->Prefix;
   }
   m_prefixLength = text.size() - m_start;
@@ -218,7 +218,8 @@ std::ostream& CARGoSLog::CEntry::Stream() {
 }
 
 CARGoSLog& CARGoSLog::operator<<(std::ostream& (*manipulator)(std::ostream&)) {
-  CEntry entry(*this);
+  // escape sequences and line ends are no items
+  CEntry entry(*this, false);
   manipulator(entry.Stream());
   return *this;
 }

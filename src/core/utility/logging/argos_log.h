@@ -76,7 +76,7 @@ class CARGoSLog {
   /** Anything that can be printed to a std::ostream. */
   template <typename T>
   CARGoSLog& operator<<(const T msg) {
-    CEntry entry(*this);
+    CEntry entry(*this, m_colored);
     entry.Stream() << msg;
     return *this;
   }
@@ -88,7 +88,7 @@ class CARGoSLog {
   /** One item on its way into the calling thread's buffer, which it locks meanwhile. */
   class CEntry {
    public:
-    explicit CEntry(CARGoSLog& log);
+    CEntry(CARGoSLog& log, bool colored);
     ~CEntry();
     CEntry(const CEntry&) = delete;
     CEntry& operator=(const CEntry&) = delete;

@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_UTILITY_PLUGINS_FACTORY_H
 
 #include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/plugins/process_wide.h>
 #include <argos3/core/utility/plugins/registration.h>
 #include <argos3/core/utility/string_utilities.h>
 
@@ -16,9 +17,8 @@ namespace argos {
 /**
  * Makes objects of classes that the core does not know, by label.
  *
- * There is one table per base class TYPE in the whole process, whichever libraries use it: this
- * needs default symbol visibility and libraries opened with RTLD_GLOBAL. Not thread safe: labels
- * are registered while libraries load, which one thread does.
+ * There is one table per base class TYPE in the whole process, whichever libraries use it. Not
+ * thread safe: labels are registered while libraries load, which one thread does.
  */
 template <typename TYPE>
 class CFactory {
@@ -41,15 +41,7 @@ class CFactory {
   /** By label, in alphabetical order. */
   typedef std::map<std::string, STypeInfo*> TTypeMap;
 
-  static TTypeMap& GetTypeMap() {
-    // the infos die with the map, at the end of the process
-    struct SOwner {
-      TTypeMap Types;
-      ~SOwner() { Clear(Types); }
-    };
-    static SOwner owner;
-    return owner.Types;
-  }
+  static TTypeMap& GetTypeMap() { return detail::GetProcessWide<SOwner>().Types; }
 
   /** Registers a class; a class registered before under this label is forgotten. */
   static void Register(const std::string& label, const std::string& author,
@@ -98,6 +90,15 @@ class CFactory {
   static void Destroy() { Clear(GetTypeMap()); }
 
  private:
+  // the infos die with the map, at the end of the process
+  struct SOwner {
+    TTypeMap Types;
+    SOwner() = default;
+    SOwner(const SOwner&) = delete;
+    SOwner& operator=(const SOwner&) = delete;
+    ~SOwner() { Clear(Types); }
+  };
+
   static void Clear(TTypeMap& types) {
     for (auto& type : types) {
       delete type.second;

@@ -5,11 +5,13 @@
  * The cooperative visitor: every class of a hierarchy gets an integer tag, every kind of operation
  * a flat table indexed by tag. Calling an operation is two array look-ups and no dynamic_cast.
  *
- * Tags agree across shared libraries: they are kept in variables of templates, of which there is
- * one per process (default symbol visibility, libraries opened with RTLD_GLOBAL).
+ * Tags and tables are kept by the core library, so that all shared libraries agree on them.
  */
 
+#include <argos3/core/utility/plugins/process_wide.h>
+
 #include <cstddef>
+#include <typeinfo>
 #include <vector>
 
 namespace argos {
@@ -23,14 +25,17 @@ template <typename BASE>
 std::size_t STagCounter<BASE>::Count = 0;
 
 namespace detail {
-/** Increments the counter and returns its new value; one thread at a time. */
-std::size_t NextTag(std::size_t& counter);
+/** The tag of a pair of classes, a new one if there is none yet; the counter becomes that of the
+ * base. */
+std::size_t GetTagOf(const std::type_info& derived, const std::type_info& base,
+                     std::size_t& counter);
 }  // namespace detail
 
 /** The tag of a class in a hierarchy: from 1 up, in the order in which classes are asked for. */
 template <typename DERIVED, typename BASE>
 std::size_t GetTag() {
-  static const std::size_t tag = detail::NextTag(STagCounter<BASE>::Count);
+  static const std::size_t tag =
+      detail::GetTagOf(typeid(DERIVED), typeid(BASE), STagCounter<BASE>::Count);
   return tag;
 }
 
@@ -99,8 +104,7 @@ class CVTable {
 /** The table of a context, one per process. */
 template <typename CONTEXT, typename BASE, typename FUNCTION>
 CVTable<CONTEXT, BASE, FUNCTION>& GetVTable() {
-  static CVTable<CONTEXT, BASE, FUNCTION> table;
-  return table;
+  return detail::GetProcessWide<CVTable<CONTEXT, BASE, FUNCTION>>();
 }
 
 }  // namespace argos

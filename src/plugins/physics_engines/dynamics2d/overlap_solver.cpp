@@ -63,11 +63,10 @@ void COverlapSolver::Reserve(size_t pairs) {
   m_indexOf.reserve(pairs);
 }
 
-bool COverlapSolver::Resolve(b2World& world) {
+void COverlapSolver::Resolve(b2World& world) {
   if (!Gather(world)) {
-    return false;
+    return;
   }
-  bool moved = false;
   for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
     bool pushed = false;
     for (const SPair& pair : m_pairs) {
@@ -79,7 +78,6 @@ bool COverlapSolver::Resolve(b2World& world) {
     if (!pushed) {
       break;
     }
-    moved = true;
   }
   for (SBody& body : m_bodies) {
     if (body.Moved) {
@@ -87,7 +85,6 @@ bool COverlapSolver::Resolve(b2World& world) {
           body.Centre - b2Mul(body.Rotation, body.Body->GetLocalCenter()), body.Angle);
     }
   }
-  return moved;
 }
 
 // collects the pairs that are near each other; returns whether any overlaps

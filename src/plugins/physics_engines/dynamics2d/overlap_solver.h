@@ -27,8 +27,8 @@ class COverlapSolver {
   /** Makes room for @p pairs pairs, so that no more memory is needed up to there. */
   void Reserve(size_t pairs);
 
-  /** @return true if it moved any body, so that there may be new contacts. */
-  bool Resolve(b2World& world);
+  /** Moves what overlaps. */
+  void Resolve(b2World& world);
 
  private:
   struct SBody {

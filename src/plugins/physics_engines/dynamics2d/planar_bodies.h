@@ -1,12 +1,13 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_BODIES_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_BODIES_H
 
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/encounters.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_motion.h>
 
 #include <limits>
+#include <vector>
 
 class b2Body;
-class b2FrictionJoint;
 class b2MotorJoint;
 
 namespace argos {
@@ -36,6 +37,7 @@ struct SPlanarOwner {
 struct SImmovableBody {
   SPlanarOwner Owner;
   b2Body* Body = nullptr;
+  std::vector<SObstacle> Obstacles;  // its solids, as robots look out for them
 };
 
 /** A movable thing without a drive. */
@@ -43,18 +45,17 @@ struct SPassiveBody {
   SPlanarPose Pose;
   SPlanarOwner Owner;
   b2Body* Body = nullptr;
-  b2FrictionJoint* GroundFriction = nullptr;  // null: slides for ever
-  float X = 0.0F, Y = 0.0F, Angle = 0.0F;     // of Body when Pose was written, Box2D units, rad
-  float Extent = 0.0F;                        // half of its narrowest side, Box2D units
-  bool Moved = false;                         // in this tick
+  float X = 0.0F, Y = 0.0F, Angle = 0.0F;  // of Body when Pose was written, Box2D units, rad
+  float Extent = 0.0F;                     // half of its narrowest side, Box2D units
+  Real BoundingRadius = 0.0;               // around the origin, m
+  bool Moved = false;                      // in this tick
 };
 
 /**
  * A robot on two wheels.
  *
- * A robot that is a disc and can meet nothing in a tick is not in Box2D's solver at all ("at rest"
- * for Box2D, although it drives): its exact motion is written by PlanDriven(). The others are "in
- * play": see CPlanarWorld.
+ * A disc that can meet nothing in a tick has no Box2D body: its exact motion is what was planned. The
+ * others are "in play": see CPlanarWorld.
  */
 struct SDrivenBody {
   static constexpr UInt32 kNotInPlay = std::numeric_limits<UInt32>::max();
@@ -67,25 +68,25 @@ struct SDrivenBody {
   SPlanarVelocity NextVelocity;
 
   // fixed
-  const Real* Wheels = nullptr;    // m/s, (left, right), of the robot's wheels; not owned
-  Real InverseInterwheel = 0.0;    // 1/m
-  Real MaxSpeedChange = 0.0;       // m/s in a tick: the drive's force bounds it
-  Real MaxYawRateChange = 0.0;     // rad/s in a tick: the drive's torque bounds it
-  Real MaxSpeed = 0.0;             // m/s: as far as substeps can follow
-  float Radius = 0.0F;             // of a disc: with margin; Box2D units
-  float Extent = 0.0F;             // half of its narrowest side, Box2D units
-  bool IsDisc = false;             // one disc around the origin
-  // while the centre stays in here (Box2D units), nothing can be touched
-  float MinX = 0.0F, MaxX = 0.0F, MinY = 0.0F, MaxY = 0.0F;
-  int Proxy = -1;                  // in the broad phase, of a disc
-  UInt32 InPlay = kNotInPlay;      // number in the list of those in play
-  b2Body* Body = nullptr;
+  const Real* Wheels = nullptr;  // m/s, (left, right), of the robot's wheels; not owned
+  Real InverseInterwheel = 0.0;  // 1/m
+  Real MaxSpeedChange = 0.0;     // m/s in a tick: the drive's force bounds it
+  Real MaxYawRateChange = 0.0;   // rad/s in a tick: the drive's torque bounds it
+  Real MaxSpeed = 0.0;           // m/s: as far as substeps can follow
+  Real BoundingRadius = 0.0;     // around the origin, m
+  Real NarrowestHalf = 0.0;      // half of its narrowest side, m
+  Real Mass = 0.0;               // kg
+  Real Inertia = 0.0;            // about the origin, kg m^2
+  bool IsDisc = false;           // one disc around the origin
+
+  UInt32 InPlay = kNotInPlay;  // number in the list of those in play
   SPlanarOwner Owner;
 };
 
-/** What a driven body needs only while it is in play. */
+/** What a driven body has only while it is in play. */
 struct SInPlay {
   UInt32 Slot = 0;
+  b2Body* Body = nullptr;
   b2MotorJoint* Motor = nullptr;
   float StepX = 0.0F, StepY = 0.0F;      // where its wheels want it to go in the tick, Box2D units
   float StepAngle = 0.0F;                // rad in the tick

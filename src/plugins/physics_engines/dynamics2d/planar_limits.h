@@ -19,8 +19,13 @@ constexpr int kVelocityIterations = 8;
 /** Iterations of Box2D's position solver in a substep; COverlapSolver does this work. */
 constexpr int kPositionIterations = 1;
 
-/** A robot that leaves its box in the broad phase gets one with room for 4 times this many ticks. */
-constexpr Real kLookAhead = 0.5;
+/**
+ * Robots get into play when they may come this close to something, and stay there until they are
+ * farther from everything by the second length; both in radii of the smallest movable body. The first
+ * covers what roundings and the pushing apart of others add to a path.
+ */
+constexpr Real kEncounterSlack = 0.02;
+constexpr Real kAround = 0.3;
 
 /** A body moves at most this share of half its narrowest side in a substep: none passes another. */
 constexpr Real kMaxStepShare = 0.5;

@@ -24,15 +24,20 @@ bool IsDisc(const SShapeDescription& shape) {
   return shape.Kind == EKind::Sphere || (shape.Kind == EKind::Cylinder && IsUpright(shape));
 }
 
+// of an upright solid in its body, rad
+Real ComputeYaw(const SShapeDescription& shape) {
+  return 2.0 * std::atan2(shape.Orientation.GetZ(), shape.Orientation.GetW());
+}
+
 b2Vec2 ToUnits(const CVector3& point, Real unitsPerMetre) {
   return b2Vec2(static_cast<float>(point.GetX() * unitsPerMetre),
                 static_cast<float>(point.GetY() * unitsPerMetre));
 }
 
-b2CircleShape MakeDisc(const SShapeDescription& shape, Real unitsPerMetre) {
+b2CircleShape MakeDisc(const CVector3& offset, Real radius, Real unitsPerMetre) {
   b2CircleShape disc;
-  disc.m_p = ToUnits(shape.Offset, unitsPerMetre);
-  disc.m_radius = static_cast<float>(shape.Radius * unitsPerMetre) + kShapeMargin;
+  disc.m_p = ToUnits(offset, unitsPerMetre);
+  disc.m_radius = static_cast<float>(radius * unitsPerMetre) + kShapeMargin;
   return disc;
 }
 
@@ -40,7 +45,7 @@ b2CircleShape MakeDisc(const SShapeDescription& shape, Real unitsPerMetre) {
 b2PolygonShape MakePolygon(const SShapeDescription& shape, Real unitsPerMetre) {
   b2PolygonShape polygon;
   if (IsUpright(shape)) {
-    const Real yaw = 2.0 * std::atan2(shape.Orientation.GetZ(), shape.Orientation.GetW());
+    const Real yaw = ComputeYaw(shape);
     polygon.SetAsBox(static_cast<float>(0.5 * shape.Size.GetX() * unitsPerMetre),
                      static_cast<float>(0.5 * shape.Size.GetY() * unitsPerMetre),
                      ToUnits(shape.Offset, unitsPerMetre), static_cast<float>(yaw));
@@ -86,17 +91,29 @@ CVector3 ComputeCentreOfMass(const SBodyDescription& description) {
   return volume > 0.0 ? weighted * (1.0 / volume) : CVector3();
 }
 
-}  // namespace
-
-void AddFixtures(b2Body& body, const SBodyDescription& description, Real unitsPerMetre,
-                 Real friction) {
+b2FixtureDef DefineFixture(Real friction) {
   b2FixtureDef definition;
   // Box2D mixes by the root of the product, this engine's rule is the product
   definition.friction = static_cast<float>(friction * friction);
   definition.restitution = 0.0F;
+  return definition;
+}
+
+}  // namespace
+
+void AddDisc(b2Body& body, Real radius, Real unitsPerMetre, Real friction) {
+  const b2CircleShape disc = MakeDisc(CVector3(), radius, unitsPerMetre);
+  b2FixtureDef definition = DefineFixture(friction);
+  definition.shape = &disc;
+  body.CreateFixture(&definition);
+}
+
+void AddFixtures(b2Body& body, const SBodyDescription& description, Real unitsPerMetre,
+                 Real friction) {
+  b2FixtureDef definition = DefineFixture(friction);
   for (const SShapeDescription& shape : description.Shapes) {
     if (IsDisc(shape)) {
-      const b2CircleShape disc = MakeDisc(shape, unitsPerMetre);
+      const b2CircleShape disc = MakeDisc(shape.Offset, shape.Radius, unitsPerMetre);
       definition.shape = &disc;
       body.CreateFixture(&definition);
     } else {
@@ -121,6 +138,33 @@ void SetMass(b2Body& body, const SBodyDescription& description, Real unitsPerMet
   mass.center = ToUnits(centre, unitsPerMetre);
   mass.I = static_cast<float>(inertia * unitsPerMetre * unitsPerMetre);
   body.SetMassData(&mass);
+}
+
+std::vector<SObstacle> DescribeObstacles(const SBodyDescription& description,
+                                         const SPlanarPose& pose) {
+  const Real bodyYaw = pose.ComputeYaw();
+  const Real cosine = std::cos(bodyYaw);
+  const Real sine = std::sin(bodyYaw);
+  std::vector<SObstacle> obstacles;
+  for (const SShapeDescription& shape : description.Shapes) {
+    const Real x = shape.Offset.GetX();
+    const Real y = shape.Offset.GetY();
+    SObstacle obstacle = {pose.X + cosine * x - sine * y, pose.Y + sine * x + cosine * y,
+                          1.0, 0.0, 0.0, 0.0, 0.0};
+    if (IsDisc(shape)) {
+      obstacle.Radius = shape.Radius;
+    } else if (IsUpright(shape)) {
+      const Real yaw = bodyYaw + ComputeYaw(shape);
+      obstacle.Cos = std::cos(yaw);
+      obstacle.Sin = std::sin(yaw);
+      obstacle.HalfX = 0.5 * shape.Size.GetX();
+      obstacle.HalfY = 0.5 * shape.Size.GetY();
+    } else {
+      obstacle.Radius = shape.Size.Length();
+    }
+    obstacles.push_back(obstacle);
+  }
+  return obstacles;
 }
 
 bool IsCentredDisc(const SBodyDescription& description) {

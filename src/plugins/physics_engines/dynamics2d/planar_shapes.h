@@ -2,6 +2,10 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_SHAPES_H
 
 #include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/encounters.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_motion.h>
+
+#include <vector>
 
 class b2Body;
 
@@ -21,6 +25,13 @@ void AddFixtures(b2Body& body, const SBodyDescription& description, Real unitsPe
 
 /** Gives @p body the mass, centre of mass and moment of inertia of the description. */
 void SetMass(b2Body& body, const SBodyDescription& description, Real unitsPerMetre);
+
+/** Adds a fixture that is a disc around the origin. @param radius m. */
+void AddDisc(b2Body& body, Real radius, Real unitsPerMetre, Real friction);
+
+/** The solids of a body at that pose, seen from above; tilted ones are bounded by discs. */
+std::vector<SObstacle> DescribeObstacles(const SBodyDescription& description,
+                                         const SPlanarPose& pose);
 
 /** Is it one disc around the origin? */
 bool IsCentredDisc(const SBodyDescription& description);

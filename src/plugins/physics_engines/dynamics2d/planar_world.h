@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_WORLD_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_WORLD_H
 
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/encounters.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_bodies.h>
 
@@ -39,15 +40,14 @@ struct SBadWheelSpeed {
  * Lengths are metres outside; Box2D's units of length are inside.
  *
  * A robot that is a disc and can meet nothing during a tick needs no solver: its exact arc is written
- * in double precision. What it can meet, Box2D's broad phase tells: it keeps a box around each shape
- * that is larger than the shape, and as long as two boxes are apart and the shapes stay in them, the
- * shapes cannot meet. So a robot whose box touches no other, and which stays in it, is kept asleep in
- * Box2D ("not in play"). When its box meets another, it is woken with a motor of bounded force that
- * drives it along the chord of its arc, and its contacts are solved with everybody else's. If at the
- * tick's end Box2D has put it where its arc ends, to some roundings, then nothing pushed it, and it
- * takes the exact pose; else it takes Box2D's.
+ * in double precision, and it has no body in Box2D. Each tick finds out which robots these are
+ * (CEncounters). The others are in play: they get a Box2D body with a motor of bounded force that
+ * drives it along the chord of its arc, and their contacts are solved with everybody else's. If at
+ * the tick's end Box2D has put one where its arc ends, to some roundings, then nothing pushed it, and
+ * it takes the exact pose; else it takes Box2D's. A robot stays in play until nothing is around it.
+ * Robots that are not discs are always in play.
  *
- * Everything is a function of the order of Add(), Remove(), MoveTo() and Advance().
+ * Everything is a function of the order of adding, removing and Advance().
  */
 class CPlanarWorld {
  public:
@@ -65,9 +65,6 @@ class CPlanarWorld {
                  const SPlanarPose& pose, const Real* wheels);
   /** Takes a body out; another one may get its slot. */
   void Remove(const SPlanarHandle& handle);
-  /** Puts a body somewhere else, at rest; all its contacts are forgotten. */
-  void MoveTo(const SPlanarHandle& handle, const SBodyDescription& description,
-              const SPlanarPose& pose);
   /** Allocates what a tick of a swarm of the present size needs. */
   void Reserve();
 
@@ -92,39 +89,29 @@ class CPlanarWorld {
   }
 
  private:
-  struct SBodyReference {
-    EPlanarKind Kind = EPlanarKind::Immovable;
-    UInt32 Slot = 0;
-  };
-
-  b2Body& CreateBody(const SBodyDescription& description, const SPlanarPose& pose, EPlanarKind kind,
-                     UInt32 slot);
+  b2Body& CreateBody(const SPlanarPose& pose, EPlanarKind kind);
   void DestroyBody(b2Body& body);
-  void SetUpDriven(SDrivenBody& body, UInt32 slot, const SBodyDescription& description);
-  void SetUpPassive(SPassiveBody& body, const SBodyDescription& description);
+  void AddGroundFriction(b2Body& body, const SBodyDescription& description);
+  void EnterPlay(UInt32 slot, const SBodyDescription* description);
+  void LeavePlay(UInt32 slot);
   template <typename BODY>
-  void RemoveFrom(std::vector<BODY>& bodies, UInt32 slot);
+  void FillSlot(std::vector<BODY>& bodies, UInt32 slot);
 
   // phases of Advance(), in order; see planar_world_tick.cpp
   void PlanDriven();
   void Plan(SDrivenBody& body, UInt32 slot);
-  void FollowWithProxies();
-  void ReadSafeRegion(SDrivenBody& body);
-  void FindNewContacts();
-  void BringIntoPlay(Real elapsedShare);
-  void BringIntoPlay(UInt32 slot, Real elapsedShare);
-  void TakeOutOfPlay(UInt32 slot);
+  void FindEncounters();
+  void UpdateObstacles();
+  void ChooseWhoPlays();
   void StartTickInPlay(SInPlay& play);
   bool IsAnythingAwake() const;
   UInt32 ChooseSubsteps() const;
   void StepBox2D(UInt32 substeps);
   void SetMotors(UInt32 substep, UInt32 substeps);
   void AccountMotors();
-  void FinishDriven(UInt32 substeps);
   void FinishInPlay(SInPlay& play, UInt32 substeps);
   void FinishPassive();
 
-  b2ContactManager& GetContactManager();
   float ToUnits(Real metres) const { return static_cast<float>(metres * m_settings.UnitsPerMetre); }
   Real ToMetres(float units) const { return static_cast<Real>(units) * m_metresPerUnit; }
 
@@ -132,15 +119,17 @@ class CPlanarWorld {
   Real m_metresPerUnit;
   b2World m_world;
   b2Body* m_ground;  // what motors and ground frictions push against
+  CEncounters m_encounters;
   COverlapSolver m_overlaps;
-  bool m_mayHaveNewContacts = false;  // bodies came or were moved since the last search
+  bool m_obstaclesChanged = false;
+  Real m_longestPath = 0.0;  // m, that any movable body may go in this tick
 
   std::vector<SImmovableBody> m_immovable;
   std::vector<SPassiveBody> m_passive;
   std::vector<SDrivenBody> m_driven;
   std::vector<SInPlay> m_inPlay;
-  std::vector<UInt32> m_leaving;             // driven bodies that leave their safe region
-  std::vector<SBodyReference> m_references;  // by number of a Box2D body
+  // numbers of Box2D bodies, for COverlapSolver: all below m_numNumbers that are not free are in use
+  UInt32 m_numNumbers = 0;
   std::vector<UInt32> m_freeNumbers;
 };
 

@@ -31,10 +31,6 @@ SWheelMotion ReadWheels(const SDrivenBody& body, Real tick) {
           std::clamp(yawRate, -maxYawRate, maxYawRate)};
 }
 
-// How far the arc of this length and turn is from its chord at most. A shallow arc bulges by
-// length * turn / 8; no point of any arc is farther than half its length from the nearer end.
-Real BoundBulge(Real length, Real turn) { return length * std::min(0.5, 0.125 * turn); }
-
 bool IsTouching(b2Body& body) {
   for (const b2ContactEdge* edge = body.GetContactList(); edge != nullptr; edge = edge->next) {
     if (edge->contact->IsTouching()) {
@@ -48,26 +44,25 @@ bool IsTouching(b2Body& body) {
 
 void CPlanarWorld::Advance() {
   PlanDriven();
-  FollowWithProxies();
-  if (m_mayHaveNewContacts) {
-    FindNewContacts();
-    BringIntoPlay(0.0);
-  }
-  UInt32 substeps = 0;
+  FindEncounters();
+  ChooseWhoPlays();
   if (IsAnythingAwake()) {
     for (SInPlay& play : m_inPlay) {
       StartTickInPlay(play);
     }
-    substeps = ChooseSubsteps();
+    const UInt32 substeps = ChooseSubsteps();
     StepBox2D(substeps);
+    for (SInPlay& play : m_inPlay) {
+      FinishInPlay(play, substeps);
+    }
   }
-  FinishDriven(substeps);
   FinishPassive();
 }
 
 // Decides where each robot would be at the end of the tick if nothing were in its way.
 void CPlanarWorld::PlanDriven() {
-  m_leaving.clear();
+  m_longestPath = 0.0;
+  m_encounters.Clear(m_driven.size());
   for (UInt32 slot = 0; slot < m_driven.size(); ++slot) {
     Plan(m_driven[slot], slot);
   }
@@ -84,6 +79,7 @@ void CPlanarWorld::Plan(SDrivenBody& body, UInt32 slot) {
   const SArc arc = FollowArc(body.Pose, wanted.Speed, yawRate, tick);
   Real velocityX = arc.DX / tick;
   Real velocityY = arc.DY / tick;
+  Real path = std::abs(wanted.Speed) * tick;
   body.NextPose = arc.End;
   const Real changeX = velocityX - body.Velocity.X;
   const Real changeY = velocityY - body.Velocity.Y;
@@ -92,125 +88,87 @@ void CPlanarWorld::Plan(SDrivenBody& body, UInt32 slot) {
     const Real share = body.MaxSpeedChange / std::sqrt(squaredChange);
     velocityX = body.Velocity.X + share * changeX;
     velocityY = body.Velocity.Y + share * changeY;
+    path = std::sqrt(velocityX * velocityX + velocityY * velocityY) * tick;
     body.NextPose.X = body.Pose.X + velocityX * tick;
     body.NextPose.Y = body.Pose.Y + velocityY * tick;
   }
   body.NextVelocity = {velocityX, velocityY, yawRate};
 
-  if (body.InPlay == SDrivenBody::kNotInPlay) {
-    const Real bulge = BoundBulge(std::abs(wanted.Speed) * tick, std::abs(yawRate) * tick);
-    const auto [minX, maxX] = std::minmax(body.Pose.X, body.NextPose.X);
-    const auto [minY, maxY] = std::minmax(body.Pose.Y, body.NextPose.Y);
-    if (!(ToUnits(minX - bulge) >= body.MinX && ToUnits(maxX + bulge) <= body.MaxX &&
-          ToUnits(minY - bulge) >= body.MinY && ToUnits(maxY + bulge) <= body.MaxY)) {
-      m_leaving.push_back(slot);
+  m_longestPath = std::max(m_longestPath, path);
+  if (body.IsDisc) {
+    m_encounters.Place(slot, body.Pose.X, body.Pose.Y,
+                       body.BoundingRadius + path + kEncounterSlack * m_metresPerUnit);
+  }
+}
+
+// Finds out which robots may meet something. Those in play may be pushed: they reach as far as the
+// fastest body goes.
+void CPlanarWorld::FindEncounters() {
+  if (m_obstaclesChanged) {
+    UpdateObstacles();
+  }
+  const Real slack = kEncounterSlack * m_metresPerUnit;
+  for (const SInPlay& play : m_inPlay) {
+    const SDrivenBody& body = m_driven[play.Slot];
+    const Real speed = std::hypot(body.Velocity.X, body.Velocity.Y) +
+                       (body.IsDisc ? 0.0 : std::abs(body.Velocity.W) * body.BoundingRadius);
+    m_longestPath = std::max(m_longestPath, speed * m_settings.Tick);
+  }
+  for (const SPassiveBody& body : m_passive) {
+    if (body.Body->IsAwake()) {
+      const Real speed = ToMetres(body.Body->GetLinearVelocity().Length()) +
+                         std::abs(body.Body->GetAngularVelocity()) * body.BoundingRadius;
+      m_longestPath = std::max(m_longestPath, speed * m_settings.Tick);
     }
   }
-}
-
-// Moves the boxes of robots that leave theirs, so that they hold the whole motion of the tick.
-void CPlanarWorld::FollowWithProxies() {
-  b2BroadPhase& broadPhase = GetContactManager().m_broadPhase;
-  for (const UInt32 slot : m_leaving) {
-    SDrivenBody& body = m_driven[slot];
-    const Real length = std::abs(0.5 * (body.Wheels[0] + body.Wheels[1])) * m_settings.Tick;
-    const float margin =
-        body.Radius +
-        ToUnits(BoundBulge(std::min(length, body.MaxSpeed * m_settings.Tick),
-                           std::abs(body.NextVelocity.W) * m_settings.Tick));
-    const b2Vec2 start(ToUnits(body.Pose.X), ToUnits(body.Pose.Y));
-    const b2Vec2 end(ToUnits(body.NextPose.X), ToUnits(body.NextPose.Y));
-    b2AABB box;
-    box.lowerBound = b2Min(start, end) - b2Vec2(margin, margin);
-    box.upperBound = b2Max(start, end) + b2Vec2(margin, margin);
-    // Box2D makes room for some more such motions
-    broadPhase.MoveProxy(body.Proxy, box, static_cast<float>(kLookAhead) * (end - start));
-    ReadSafeRegion(body);
-    m_mayHaveNewContacts = true;
-  }
-}
-
-void CPlanarWorld::ReadSafeRegion(SDrivenBody& body) {
-  const b2AABB& box = GetContactManager().m_broadPhase.GetFatAABB(body.Proxy);
-  body.MinX = box.lowerBound.x + body.Radius;
-  body.MaxX = box.upperBound.x - body.Radius;
-  body.MinY = box.lowerBound.y + body.Radius;
-  body.MaxY = box.upperBound.y - body.Radius;
-}
-
-void CPlanarWorld::FindNewContacts() {
-  GetContactManager().FindNewContacts();
-  m_mayHaveNewContacts = false;
-}
-
-// Brings every robot into play whose box meets another, where it is after this share of the tick.
-void CPlanarWorld::BringIntoPlay(Real elapsedShare) {
-  for (b2Contact* contact = m_world.GetContactList(); contact != nullptr;
-       contact = contact->GetNext()) {
-    for (b2Fixture* fixture : {contact->GetFixtureA(), contact->GetFixtureB()}) {
-      const SBodyReference& reference = m_references[GetBodyNumber(*fixture->GetBody())];
-      if (reference.Kind == EPlanarKind::Driven &&
-          m_driven[reference.Slot].InPlay == SDrivenBody::kNotInPlay) {
-        BringIntoPlay(reference.Slot, elapsedShare);
-      }
+  for (const SInPlay& play : m_inPlay) {
+    const SDrivenBody& body = m_driven[play.Slot];
+    if (body.IsDisc) {
+      m_encounters.SetReach(play.Slot, body.BoundingRadius + m_longestPath + slack);
     }
   }
+  m_encounters.MarkAll();
+  for (const SInPlay& play : m_inPlay) {
+    const SDrivenBody& body = m_driven[play.Slot];
+    if (!body.IsDisc) {
+      m_encounters.MarkNear(body.Pose.X, body.Pose.Y,
+                            body.BoundingRadius + m_longestPath + slack);
+    }
+  }
+  for (const SPassiveBody& body : m_passive) {
+    m_encounters.MarkNear(body.Pose.X, body.Pose.Y, body.BoundingRadius + m_longestPath + slack);
+  }
 }
 
-void CPlanarWorld::BringIntoPlay(UInt32 slot, Real elapsedShare) {
-  SDrivenBody& body = m_driven[slot];
-  b2Body& box2dBody = *body.Body;
-  const Real yaw = body.Pose.ComputeYaw();
-  box2dBody.SetTransform(b2Vec2(ToUnits(body.Pose.X), ToUnits(body.Pose.Y)),
-                         static_cast<float>(yaw));
-  box2dBody.SetAwake(true);
-
-  b2MotorJointDef definition;
-  definition.bodyA = m_ground;
-  definition.bodyB = &box2dBody;
-  definition.collideConnected = true;
-  definition.correctionFactor = 1.0F;  // the target of a substep is reached in it
-  body.InPlay = static_cast<UInt32>(m_inPlay.size());
-  SInPlay& play = m_inPlay.emplace_back();
-  play.Slot = slot;
-  play.Motor = static_cast<b2MotorJoint*>(m_world.CreateJoint(&definition));
-
-  const SPlanarVelocity* velocity = &body.Velocity;
-  if (elapsedShare > 0.0) {
-    StartTickInPlay(play);
-    const Real x = body.Pose.X + elapsedShare * (body.NextPose.X - body.Pose.X);
-    const Real y = body.Pose.Y + elapsedShare * (body.NextPose.Y - body.Pose.Y);
-    box2dBody.SetTransform(
-        b2Vec2(ToUnits(x), ToUnits(y)),
-        static_cast<float>(yaw + elapsedShare * body.NextVelocity.W * m_settings.Tick));
-    // it has had the velocity of this tick from the tick's start
-    velocity = &body.NextVelocity;
-    play.SpentImpulse = box2dBody.GetMass() * ToUnits(std::hypot(velocity->X - body.Velocity.X,
-                                                                 velocity->Y - body.Velocity.Y));
-    play.SpentAngularImpulse =
-        box2dBody.GetInertia() * static_cast<float>(std::abs(velocity->W - body.Velocity.W));
+void CPlanarWorld::UpdateObstacles() {
+  std::vector<SObstacle> obstacles;
+  for (const SImmovableBody& body : m_immovable) {
+    obstacles.insert(obstacles.end(), body.Obstacles.begin(), body.Obstacles.end());
   }
-  box2dBody.SetLinearVelocity(b2Vec2(ToUnits(velocity->X), ToUnits(velocity->Y)));
-  box2dBody.SetAngularVelocity(static_cast<float>(velocity->W));
+  m_encounters.SetObstacles(obstacles);
+  m_obstaclesChanged = false;
 }
 
-void CPlanarWorld::TakeOutOfPlay(UInt32 slot) {
-  SDrivenBody& body = m_driven[slot];
-  const UInt32 number = body.InPlay;
-  m_world.DestroyJoint(m_inPlay[number].Motor);
-  body.Body->SetAwake(false);  // destroying the joint woke it
-  body.InPlay = SDrivenBody::kNotInPlay;
-  if (number + 1 != m_inPlay.size()) {
-    m_inPlay[number] = m_inPlay.back();
-    m_driven[m_inPlay[number].Slot].InPlay = number;
+void CPlanarWorld::ChooseWhoPlays() {
+  // backwards, because the last one takes the place of one that leaves
+  for (size_t i = m_inPlay.size(); i-- > 0;) {
+    const UInt32 slot = m_inPlay[i].Slot;
+    if (m_driven[slot].IsDisc && m_encounters.GetMark(slot) == CEncounters::Alone) {
+      LeavePlay(slot);
+    }
   }
-  m_inPlay.pop_back();
+  for (UInt32 slot = 0; slot < m_driven.size(); ++slot) {
+    if (m_encounters.GetMark(slot) == CEncounters::Near &&
+        m_driven[slot].InPlay == SDrivenBody::kNotInPlay) {
+      EnterPlay(slot, nullptr);
+    }
+  }
 }
 
 // What the motor is to do in this tick: take the body from where Box2D has it to the end of its arc.
 void CPlanarWorld::StartTickInPlay(SInPlay& play) {
   const SDrivenBody& body = m_driven[play.Slot];
-  b2Body& box2dBody = *body.Body;
+  b2Body& box2dBody = *play.Body;
   const SWheelMotion wanted = ReadWheels(body, m_settings.Tick);
   const SArc arc = FollowArc(body.Pose, wanted.Speed, wanted.YawRate, m_settings.Tick);
 
@@ -246,8 +204,8 @@ UInt32 CPlanarWorld::ChooseSubsteps() const {
   for (const SInPlay& play : m_inPlay) {
     const SDrivenBody& body = m_driven[play.Slot];
     const float planned = b2Vec2(play.StepX, play.StepY).Length();
-    const float coasting = body.Body->GetLinearVelocity().Length() * tick;
-    needed = std::max({needed, std::max(planned, coasting) / (stepShare * body.Extent),
+    const float coasting = play.Body->GetLinearVelocity().Length() * tick;
+    needed = std::max({needed, std::max(planned, coasting) / (stepShare * ToUnits(body.NarrowestHalf)),
                        std::abs(play.StepAngle) / stepTurn});
   }
   for (const SPassiveBody& body : m_passive) {
@@ -270,12 +228,7 @@ void CPlanarWorld::StepBox2D(UInt32 substeps) {
     SetMotors(substep, substeps);
     m_world.Step(duration, kVelocityIterations, kPositionIterations);
     AccountMotors();
-    const Real elapsedShare = static_cast<Real>(substep + 1) / substeps;
-    BringIntoPlay(elapsedShare);
-    if (m_overlaps.Resolve(m_world)) {
-      FindNewContacts();
-      BringIntoPlay(elapsedShare);
-    }
+    m_overlaps.Resolve(m_world);
   }
 }
 
@@ -289,7 +242,7 @@ void CPlanarWorld::SetMotors(UInt32 substep, UInt32 substeps) {
   const float perSecond = static_cast<float>(substeps / m_settings.Tick);
   for (SInPlay& play : m_inPlay) {
     const SDrivenBody& body = m_driven[play.Slot];
-    b2Body& box2dBody = *body.Body;
+    b2Body& box2dBody = *play.Body;
     const float available = IsTouching(box2dBody) ? elapsed : 1.0F;
     const float impulse = available * box2dBody.GetMass() * ToUnits(body.MaxSpeedChange);
     const float angularImpulse =
@@ -308,24 +261,11 @@ void CPlanarWorld::AccountMotors() {
   }
 }
 
-void CPlanarWorld::FinishDriven(UInt32 substeps) {
-  // backwards, because the last one takes the place of one that goes
-  for (size_t i = m_inPlay.size(); i-- > 0;) {
-    const UInt32 slot = m_inPlay[i].Slot;
-    SDrivenBody& body = m_driven[slot];
-    FinishInPlay(m_inPlay[i], substeps);
-    if (body.IsDisc && body.Body->GetContactList() == nullptr) {
-      TakeOutOfPlay(slot);
-      ReadSafeRegion(body);
-    }
-  }
-}
-
 // Decides whether Box2D let the robot go where it wanted.
 void CPlanarWorld::FinishInPlay(SInPlay& play, UInt32 substeps) {
   SDrivenBody& body = m_driven[play.Slot];
-  const b2Vec2 position = body.Body->GetPosition();
-  const float angle = body.Body->GetAngle();
+  const b2Vec2 position = play.Body->GetPosition();
+  const float angle = play.Body->GetAngle();
   const b2Vec2 target(ToUnits(body.NextPose.X), ToUnits(body.NextPose.Y));
   const Real targetYaw = play.StartYaw + body.NextVelocity.W * m_settings.Tick;
 
@@ -342,9 +282,9 @@ void CPlanarWorld::FinishInPlay(SInPlay& play, UInt32 substeps) {
   body.NextPose.X = ToMetres(position.x);
   body.NextPose.Y = ToMetres(position.y);
   body.NextPose.SetYaw(play.StartYaw + (static_cast<Real>(angle) - play.StartAngle));
-  const b2Vec2 velocity = body.Body->GetLinearVelocityFromLocalPoint(b2Vec2_zero);
+  const b2Vec2 velocity = play.Body->GetLinearVelocityFromLocalPoint(b2Vec2_zero);
   body.NextVelocity = {ToMetres(velocity.x), ToMetres(velocity.y),
-                       static_cast<Real>(body.Body->GetAngularVelocity())};
+                       static_cast<Real>(play.Body->GetAngularVelocity())};
 }
 
 void CPlanarWorld::FinishPassive() {

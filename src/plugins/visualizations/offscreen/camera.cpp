@@ -14,10 +14,10 @@ namespace argos {
 namespace {
 
 constexpr double kHalfPictureHeight = 13.5;  // mm; the reference's 27 mm high picture
-constexpr double kVerticalShare = 1e-9;      // far below what a camera could be aimed at
+constexpr double kVerticalShare = 1e-9;  // far below what a camera could be aimed at
 constexpr double kFramingFocalLength = 50.0;  // mm; a long lens keeps parallels nearly parallel
-constexpr double kFramingElevation = 52.0;    // degrees above the horizon
-constexpr double kFramingMargin = 1.04;       // the arena fills 1 / 1.04 of the picture
+constexpr double kFramingElevation = 52.0;  // degrees above the horizon
+constexpr double kFramingMargin = 1.04;  // the arena fills 1 / 1.04 of the picture
 
 }  // namespace
 
@@ -43,8 +43,8 @@ std::array<SCameraPlacement, kNumPlacements> MakeDefaultPlacements(const SArenaB
     const double angle = std::numbers::pi / 6.0 * static_cast<double>(i);
     const Eigen::Vector3d outward(std::cos(angle), std::sin(angle), 0.0);
     SCameraPlacement& placement = placements[i];
-    placement.Position = arena.Center + Eigen::Vector3d(0.0, 0.0, arena.Size.z()) +
-                         arena.Size.norm() * outward;
+    placement.Position =
+        arena.Center + Eigen::Vector3d(0.0, 0.0, arena.Size.z()) + arena.Size.norm() * outward;
     placement.LookAt = Eigen::Vector3d(arena.Center.x(), arena.Center.y(), 0.0);
     placement.Up = Eigen::Vector3d::UnitZ();
     placement.FocalLength = 57.5 + 7.5 * std::cos(4.0 * angle);

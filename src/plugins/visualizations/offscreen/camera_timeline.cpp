@@ -28,9 +28,9 @@ void CCameraTimeline::AddKeyframe(const SKeyframe& keyframe) {
                          << "; steps must not decrease");
   }
   if (m_loop > 0 && keyframe.Step > m_loop) {
-    THROW_ARGOSEXCEPTION("The camera's keyframe at step " << keyframe.Step
-                                                          << " is after the timeline's loop of "
-                                                          << m_loop << " ticks");
+    THROW_ARGOSEXCEPTION("The camera's keyframe at step "
+                         << keyframe.Step << " is after the timeline's loop of " << m_loop
+                         << " ticks");
   }
   m_keyframes.push_back(keyframe);
 }
@@ -73,8 +73,8 @@ SCameraPlacement CCameraTimeline::ComputeAt(std::uint32_t tick) const {
   const SKeyframe& successor = m_keyframes[next % count];
   const bool wraps = next == 0 || next == count;
   const std::uint64_t end = std::uint64_t{successor.Step} + (wraps ? m_loop : 0);
-  const double share = static_cast<double>(step - current.Step) /
-                       static_cast<double>(end - current.Step);
+  const double share =
+      static_cast<double>(step - current.Step) / static_cast<double>(end - current.Step);
   return Interpolate(m_placements[current.Placement], m_placements[successor.Placement], share);
 }
 

@@ -10,9 +10,9 @@ namespace argos {
 
 /** From tick Step on, the camera is at a placement. */
 struct SKeyframe {
-  std::size_t Placement = 0;  /**< slot, 0 to 11 */
-  std::uint32_t Step = 0;     /**< tick */
-  bool Interpolate = false;   /**< glide to the next keyframe instead of waiting for it */
+  std::size_t Placement = 0; /**< slot, 0 to 11 */
+  std::uint32_t Step = 0; /**< tick */
+  bool Interpolate = false; /**< glide to the next keyframe instead of waiting for it */
 };
 
 /**

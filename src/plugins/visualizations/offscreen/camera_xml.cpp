@@ -91,7 +91,8 @@ void ReadTimeline(TConfigurationNode& node, CCameraTimeline& timeline) {
       ReadTimelineStep(*child, timeline);
     } catch (CARGoSException& ex) {
       THROW_ARGOSEXCEPTION_NESTED(
-          child->GetLocation() << ": <" << child->Value() << "> cannot be part of the timeline", ex);
+          child->GetLocation() << ": <" << child->Value() << "> cannot be part of the timeline",
+          ex);
     }
   }
 }

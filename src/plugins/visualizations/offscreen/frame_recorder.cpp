@@ -4,6 +4,8 @@
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/logging/argos_log.h>
 
+#include <sstream>
+
 namespace argos {
 
 CFrameRecorder::CFrameRecorder(const SRecordingSettings& settings, const CCameraTimeline& timeline)
@@ -16,15 +18,17 @@ CFrameRecorder::CFrameRecorder(const SRecordingSettings& settings, const CCamera
 }
 
 void CFrameRecorder::Announce() const {
-  LOG << "[INFO] " << m_settings.Announcement << "drawing frames of " << m_settings.Render.Width
-      << "x" << m_settings.Render.Height << " pixels, one every ";
+  std::ostringstream text;
+  text << m_settings.Announcement << "drawing frames of " << m_settings.Render.Width << "x"
+       << m_settings.Render.Height << " pixels, one every ";
   if (m_settings.Every == 1) {
-    LOG << "tick";
+    text << "tick";
   } else {
-    LOG << m_settings.Every << " ticks";
+    text << m_settings.Every << " ticks";
   }
-  LOG << ", to " << m_writer.MakeFileName(0) << " and following (" << m_renderer->DescribeDriver()
-      << ")" << std::endl;
+  text << ", to " << m_writer.MakeFileName(0) << " and following (" << m_renderer->DescribeDriver()
+       << ")";
+  LOG << "[INFO] " << text.str() << std::endl;
   LOG.Flush();
 }
 

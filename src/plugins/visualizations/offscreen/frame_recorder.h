@@ -19,8 +19,8 @@ class CSimulator;
 struct SRecordingSettings {
   SRenderSettings Render;
   SFrameFileSettings File;
-  std::uint32_t Every = 1;    /**< ticks from frame to frame, > 0 */
-  bool KeepLastFrame = true;  /**< draw the final state also if its tick is no multiple of Every */
+  std::uint32_t Every = 1; /**< ticks from frame to frame, > 0 */
+  bool KeepLastFrame = true; /**< draw the final state also if its tick is no multiple of Every */
   bool ShowGrid = true;
   bool ShowBoundary = true;
   bool ShowRays = true;

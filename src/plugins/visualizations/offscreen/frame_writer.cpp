@@ -128,8 +128,8 @@ void CFrameWriter::CheckDirectory() {
   }
   std::filesystem::create_directories(directory, error);
   if (error) {
-    THROW_ARGOSEXCEPTION("The directory \"" << directory << "\" for frames cannot be created: "
-                                            << error.message());
+    THROW_ARGOSEXCEPTION("The directory \""
+                         << directory << "\" for frames cannot be created: " << error.message());
   }
 }
 
@@ -156,8 +156,7 @@ void CFrameWriter::Write(const SPicture& picture, std::uint32_t tick) const {
   std::filesystem::rename(partName, fileName, error);
   if (error) {
     std::remove(partName.c_str());
-    THROW_ARGOSEXCEPTION("The frame \"" << fileName
-                                        << "\" cannot be written: " << error.message());
+    THROW_ARGOSEXCEPTION("The frame \"" << fileName << "\" cannot be written: " << error.message());
   }
 }
 

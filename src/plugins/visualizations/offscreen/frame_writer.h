@@ -10,11 +10,13 @@ namespace argos {
 
 /** Where frames go and in what format. */
 struct SFrameFileSettings {
-  std::string Directory = "."; /**< relative to the working directory; a trailing slash is dropped */
+  std::string Directory =
+      "."; /**< relative to the working directory; a trailing slash is dropped */
   std::string BaseName = "frame_";
-  std::string Format = "png"; /**< any that FreeImage writes 24-bit pictures in: png, jpg, bmp, ... */
-  int Quality = -1;           /**< 0 (smallest file) to 100 (best, or least packed); -1 = the format's own */
-  bool CreateDirectory = true;  /**< otherwise a directory that does not exist is an error */
+  std::string Format =
+      "png"; /**< any that FreeImage writes 24-bit pictures in: png, jpg, bmp, ... */
+  int Quality = -1; /**< 0 (smallest file) to 100 (best, or least packed); -1 = the format's own */
+  bool CreateDirectory = true; /**< otherwise a directory that does not exist is an error */
 };
 
 /**
@@ -49,7 +51,7 @@ class CFrameWriter {
 
   SFrameFileSettings m_settings;
   int m_format = -1;  // FreeImage's number
-  int m_flags = 0;    // FreeImage's
+  int m_flags = 0;  // FreeImage's
 };
 
 }  // namespace argos

@@ -55,8 +55,7 @@ class CEglContext : public CGlContext {
                                               EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                               EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                               EGL_NONE};
-    m_context =
-        eglCreateContext(m_display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
+    m_context = eglCreateContext(m_display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
     if (m_context == EGL_NO_CONTEXT) {
       ThrowEglError("eglCreateContext(OpenGL 3.3 core)");
     }

@@ -31,8 +31,8 @@ CGlProgram::CGlProgram(const SGlFunctions& gl, const SShaderSource& source)
   if (linked != GL_TRUE) {
     std::array<char, kMessageSize> message{};
     m_gl.GetProgramInfoLog(m_program, kMessageSize, nullptr, message.data());
-    THROW_ARGOSEXCEPTION("The OpenGL driver cannot link the shaders \"" << source.Name
-                                                                        << "\": " << message.data());
+    THROW_ARGOSEXCEPTION("The OpenGL driver cannot link the shaders \""
+                         << source.Name << "\": " << message.data());
   }
 }
 

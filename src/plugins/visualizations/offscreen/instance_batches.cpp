@@ -116,8 +116,7 @@ void CInstanceBatches::Add(EMeshKind kind, const SMeshInstance& instance) {
   if (toView > kShadowReach * sphere.Radius) {
     return;
   }
-  const double pixels =
-      2.0 * sphere.Radius * m_pixelsPerTangent / std::max(depth, sphere.Radius);
+  const double pixels = 2.0 * sphere.Radius * m_pixelsPerTangent / std::max(depth, sphere.Radius);
   if (pixels < kSmallestDrawn) {
     return;
   }

@@ -37,8 +37,8 @@ struct STranslucentRun {
  * each pair takes one draw call.
  *
  * Left out are solids outside the view and those that would cover less than a pixel; fineness
- * follows the size on the picture, and translucent solids of a few pixels count as opaque. The memory
- * is kept from picture to picture.
+ * follows the size on the picture, and translucent solids of a few pixels count as opaque. The
+ * memory is kept from picture to picture.
  */
 class CInstanceBatches {
  public:
@@ -79,7 +79,8 @@ class CInstanceBatches {
   const CCamera* m_camera = nullptr;
   Eigen::Matrix3d m_sunFrame;
   double m_pixelsPerTangent = 1.0;
-  Eigen::Vector2d m_sideNorms;  // lengths of the normals of the side and the upper planes of the view
+  Eigen::Vector2d
+      m_sideNorms;  // lengths of the normals of the side and the upper planes of the view
 
   TBatches m_opaque;
   TBatches m_casters;

@@ -14,18 +14,18 @@ namespace argos {
  */
 struct SLook {
   SRgba Background;
-  SRgba Ground;        /**< of the arena, where the floor has no image */
+  SRgba Ground; /**< of the arena, where the floor has no image */
   SRgba GroundOutside; /**< around the arena, fading into the background */
   SRgba GridLine;
   SRgba Boundary;
   float SunIntensity = 0.0f;
-  SRgba SkyLight;           /**< what reaches upward faces from everywhere */
-  SRgba BounceLight;        /**< what reaches downward faces from everywhere */
+  SRgba SkyLight; /**< what reaches upward faces from everywhere */
+  SRgba BounceLight; /**< what reaches downward faces from everywhere */
   float AmbientIntensity = 0.0f;
   float SpecularIntensity = 0.0f;
-  float EdgeDarkening = 0.0f;  /**< of the lines along the edges of solids, 0 to 1 */
+  float EdgeDarkening = 0.0f; /**< of the lines along the edges of solids, 0 to 1 */
   float ContactDarkening = 0.0f; /**< of the ground under solids, 0 to 1 */
-  float HaloStrength = 0.0f;   /**< 0 to 1 */
+  float HaloStrength = 0.0f; /**< 0 to 1 */
   /** How much of what is behind a halo it hides: 1 like fog, 0 like light. */
   float HaloOpacity = 0.0f;
 

@@ -119,9 +119,8 @@ SMesh MakeRing(int segments) {
     const auto [outward, up] = UnitCircle(row % rows, rows);
     for (int i = 0; i <= segments; ++i) {
       const auto [x, y] = UnitCircle(i % segments, segments);
-      mesh.Vertices.push_back({{0.5f * x, 0.5f * y, 0.0f},
-                               {outward * x, outward * y, up},
-                               {kNoEdge, kNoEdge}});
+      mesh.Vertices.push_back(
+          {{0.5f * x, 0.5f * y, 0.0f}, {outward * x, outward * y, up}, {kNoEdge, kNoEdge}});
     }
   }
   AddGrid(mesh, rows, segments);

@@ -10,7 +10,8 @@ namespace argos {
 struct SPicture {
   int Width = 0;
   int Height = 0;
-  std::vector<std::uint8_t> Pixels; /**< R, G, B, A, sRGB, rows from top to bottom (Height, Width, 4) */
+  std::vector<std::uint8_t>
+      Pixels; /**< R, G, B, A, sRGB, rows from top to bottom (Height, Width, 4) */
 
   /** The four bytes of a pixel. @param x, y  from the top left corner, inside the picture. */
   const std::uint8_t* At(int x, int y) const {

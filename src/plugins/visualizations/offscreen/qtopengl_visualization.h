@@ -10,8 +10,8 @@ namespace argos {
 class CFrameRecorder;
 
 /**
- * Runs experiments whose file asks for the window `<qt-opengl>`, which this simulator does not have:
- * headless, or with frames drawn off-screen if the file asks for frame grabbing.
+ * Runs experiments whose file asks for the window `<qt-opengl>`, which this simulator does not
+ * have: headless, or with frames drawn off-screen if the file asks for frame grabbing.
  */
 class CQtOpenGlVisualization : public CDefaultVisualization {
  public:

@@ -7,15 +7,15 @@ namespace argos {
 
 namespace {
 
-constexpr UInt32 kSmallestSide = 16;    // pixels
+constexpr UInt32 kSmallestSide = 16;  // pixels
 constexpr UInt32 kLargestSide = 16384;  // pixels; what current drivers draw at most
 constexpr std::array<UInt32, 5> kSampleCounts = {1, 2, 4, 8, 16};
 
 int CheckSide(const TConfigurationNode& node, const std::string& attribute, UInt32 pixels) {
   if (pixels < kSmallestSide || pixels > kLargestSide) {
     THROW_ARGOSEXCEPTION(node.GetLocation()
-                         << ": <" << node.Value() << ">: attribute \"" << attribute << "\": "
-                         << pixels << " pixels are out of range; a side must have from "
+                         << ": <" << node.Value() << ">: attribute \"" << attribute
+                         << "\": " << pixels << " pixels are out of range; a side must have from "
                          << kSmallestSide << " to " << kLargestSide << " pixels");
   }
   return static_cast<int>(pixels);

@@ -15,9 +15,9 @@ namespace {
 constexpr GLint kShadowUnit = 0;
 constexpr GLint kFloorUnit = 1;
 constexpr size_t kTranslucentLevel = 2;
-constexpr double kSmallestNear = 0.002;   // m
-constexpr double kNearOverFar = 2e-5;     // a 32-bit depth buffer still separates millimetres
-constexpr GLfloat kDepthSlope = 1.5f;     // shadow bias, in depth steps per unit of slope
+constexpr double kSmallestNear = 0.002;  // m
+constexpr double kNearOverFar = 2e-5;  // a 32-bit depth buffer still separates millimetres
+constexpr GLfloat kDepthSlope = 1.5f;  // shadow bias, in depth steps per unit of slope
 constexpr GLfloat kDepthUnits = 4.0f;
 
 const void* Offset(size_t bytes) {
@@ -201,8 +201,7 @@ void CRenderer::ComputeMatrices(const SScene& scene, const CCamera& camera) {
       static_cast<float>(0.5 * m_target.GetDrawnHeight() / camera.GetHalfExtentTangents().y());
 }
 
-void CRenderer::Render(const SScene& scene, const SCameraPlacement& placement,
-                       SPicture& picture) {
+void CRenderer::Render(const SScene& scene, const SCameraPlacement& placement, SPicture& picture) {
   m_context->MakeCurrent();
   const CCamera camera(placement, static_cast<double>(m_settings.Width) / m_settings.Height);
   m_batches.Fill(scene, camera, m_target.GetDrawnHeight(), m_toSun);
@@ -336,8 +335,7 @@ void CRenderer::DrawTranslucentMeshes(const CGlProgram& program) {
   m_gl.Disable(GL_BLEND);
 }
 
-void CRenderer::DrawBatches(const CInstanceBatches::TBatches& batches,
-                            const CGlProgram& program) {
+void CRenderer::DrawBatches(const CInstanceBatches::TBatches& batches, const CGlProgram& program) {
   m_gl.Enable(GL_CULL_FACE);
   m_gl.CullFace(GL_BACK);
   for (size_t kind = 0; kind < kNumMeshKinds; ++kind) {
@@ -372,9 +370,8 @@ void CRenderer::DrawLines(const SScene& scene) {
   m_lineProgram.Set("uView", m_view);
   m_lineProgram.Set("uProjection", m_projection);
   m_lineProgram.Set("uNear", m_near);
-  m_lineProgram.Set("uPictureSize",
-                    Eigen::Vector2f(static_cast<float>(m_target.GetDrawnWidth()),
-                                    static_cast<float>(m_target.GetDrawnHeight())));
+  m_lineProgram.Set("uPictureSize", Eigen::Vector2f(static_cast<float>(m_target.GetDrawnWidth()),
+                                                    static_cast<float>(m_target.GetDrawnHeight())));
   m_lineProgram.Set("uPixelScale", static_cast<float>(m_target.GetScale()));
   m_gl.BindVertexArray(m_lineArray);
   Upload(m_lineInstances, scene.Lines.data(), scene.Lines.size() * sizeof(SLine));

@@ -19,9 +19,9 @@ namespace argos {
 
 /** What all pictures of a renderer have in common. */
 struct SRenderSettings {
-  int Width = 1280;  /**< pixels, > 0 */
-  int Height = 960;  /**< pixels, > 0 */
-  int Samples = 4;   /**< per pixel: 1, 2, 4, 8 or 16; more than the driver has are emulated */
+  int Width = 1280; /**< pixels, > 0 */
+  int Height = 960; /**< pixels, > 0 */
+  int Samples = 4; /**< per pixel: 1, 2, 4, 8 or 16; more than the driver has are emulated */
   SLook Look = SLook::FromName("light");
   /** Direction to the sun, world frame, any length, above the horizon. */
   Eigen::Vector3d ToSun = Eigen::Vector3d(-0.42, -0.38, 0.95);
@@ -30,9 +30,9 @@ struct SRenderSettings {
 /**
  * Draws scenes into pictures, without a display.
  *
- * It knows solids, lines and lights, and no robot, entity or simulator. Each frame is a pass for the
- * shadow map, one for the ground and what lies on it, one for the solids (one draw call per mesh and
- * level of detail), and one for what is translucent. Buffers are kept from frame to frame.
+ * It knows solids, lines and lights, and no robot, entity or simulator. Each frame is a pass for
+ * the shadow map, one for the ground and what lies on it, one for the solids (one draw call per
+ * mesh and level of detail), and one for what is translucent. Buffers are kept from frame to frame.
  *
  * One renderer belongs to one thread at a time.
  */

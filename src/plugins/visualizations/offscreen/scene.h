@@ -20,10 +20,11 @@ struct SRgba {
 
 /** The solids the renderer knows, each of unit size in its own frame. */
 enum class EMeshKind : std::uint8_t {
-  Box,      /**< x, y in [-0.5, 0.5], z in [0, 1] */
-  Cylinder, /**< radius 0.5 around z, z in [0, 1]; Param = radius of the top over that of the base */
-  Sphere,   /**< radius 0.5 around the origin */
-  Ring,     /**< torus around z; Param = radius of the tube over the outer radius, which is 0.5 */
+  Box, /**< x, y in [-0.5, 0.5], z in [0, 1] */
+  Cylinder, /**< radius 0.5 around z, z in [0, 1]; Param = radius of the top over that of the base
+             */
+  Sphere, /**< radius 0.5 around the origin */
+  Ring, /**< torus around z; Param = radius of the tube over the outer radius, which is 0.5 */
   Count
 };
 
@@ -37,14 +38,14 @@ constexpr std::size_t kNumMeshKinds = static_cast<std::size_t>(EMeshKind::Count)
 struct SMeshInstance {
   /** Rows of the 3 x 4 matrix from the mesh's frame to the world frame, m; may scale unevenly. */
   std::array<std::array<float, 4>, 3> ToWorld;
-  SRgba Color;        /**< alpha < 255: translucent, drawn after the opaque ones, far to near */
+  SRgba Color; /**< alpha < 255: translucent, drawn after the opaque ones, far to near */
   float Param = 1.0f; /**< see EMeshKind */
 };
 
 /** A luminous point: a disc that always faces the camera, with a soft halo around it. */
 struct SGlow {
   std::array<float, 3> Position; /**< centre, world frame, m */
-  float Radius = 0.0f;           /**< of the disc, m; never drawn smaller than a pixel and a half */
+  float Radius = 0.0f; /**< of the disc, m; never drawn smaller than a pixel and a half */
   SRgba Color;
   float HaloScale = 0.0f; /**< radius of the halo over that of the disc; 0 = no halo */
 };
@@ -52,32 +53,32 @@ struct SGlow {
 /** A straight line, of even width on the picture. */
 struct SLine {
   std::array<float, 3> Start; /**< world frame, m */
-  std::array<float, 3> End;   /**< world frame, m */
+  std::array<float, 3> End; /**< world frame, m */
   SRgba Color;
   float Width = 1.5f; /**< pixels */
 };
 
 /** Soft darkening of the ground where a solid stands: the skylight it keeps away. */
 struct SContactShadow {
-  std::array<float, 2> Center;     /**< on the ground, world frame, m */
-  std::array<float, 2> AxisX;      /**< unit vector along the first half extent */
+  std::array<float, 2> Center; /**< on the ground, world frame, m */
+  std::array<float, 2> AxisX; /**< unit vector along the first half extent */
   std::array<float, 2> HalfExtent; /**< of the footprint, m */
-  float CornerRadius = 0.0f;       /**< of the footprint, m; equal to the half extents: a disc */
-  float Blur = 0.0f;               /**< how far the darkening reaches, m */
+  float CornerRadius = 0.0f; /**< of the footprint, m; equal to the half extents: a disc */
+  float Blur = 0.0f; /**< how far the darkening reaches, m */
 };
 
 /** The image on the floor. Row 0 is at the lowest y, as the ground sensors see it. */
 struct SFloorImage {
-  int Width = 0;  /**< pixels; 0 = no image */
+  int Width = 0; /**< pixels; 0 = no image */
   int Height = 0; /**< pixels */
   std::vector<std::uint8_t> Pixels; /**< R, G, B, A per pixel, sRGB (Height, Width, 4) */
-  std::uint64_t Version = 0;        /**< to be changed when the pixels change */
+  std::uint64_t Version = 0; /**< to be changed when the pixels change */
 };
 
 /** Everything on one picture but the camera. Plain arrays, to be refilled for every frame. */
 struct SScene {
   Eigen::Vector2d ArenaMin = Eigen::Vector2d(-1.0, -1.0); /**< world frame, m */
-  Eigen::Vector2d ArenaMax = Eigen::Vector2d(1.0, 1.0);   /**< world frame, m */
+  Eigen::Vector2d ArenaMax = Eigen::Vector2d(1.0, 1.0); /**< world frame, m */
   bool ShowGrid = true;
   bool ShowBoundary = true;
   SFloorImage Floor;

@@ -19,17 +19,17 @@ namespace argos {
 namespace {
 
 constexpr char kOriginAnchor[] = "origin";
-constexpr float kLEDHaloScale = 3.6f;    // radii
+constexpr float kLEDHaloScale = 3.6f;  // radii
 constexpr float kLightHaloScale = 4.5f;  // radii
 constexpr SRgba kDarkLED = {46, 48, 54, 255};
 constexpr SRgba kFreeRay = {36, 122, 196, 170};
 constexpr SRgba kObstructedRay = {214, 52, 58, 230};
 constexpr SRgba kHitPoint = {120, 16, 24, 255};
-constexpr float kRayWidth = 1.4f;         // pixels
+constexpr float kRayWidth = 1.4f;  // pixels
 constexpr float kHitPointRadius = 0.0025f;  // m
-constexpr double kHighestFoot = 0.03;     // m; what begins above hardly darkens the ground
-constexpr double kUpright = 0.999;        // cosine of the angle between a part's axis and the vertical
-constexpr int kMaxFloorSide = 8192;       // pixels, of the texture
+constexpr double kHighestFoot = 0.045;  // m; what begins above hardly darkens the ground
+constexpr double kUpright = 0.999;  // cosine of the angle between a part's axis and the vertical
+constexpr int kMaxFloorSide = 8192;  // pixels, of the texture
 
 SRgba ToRgba(const CColor& color) {
   return {color.GetRed(), color.GetGreen(), color.GetBlue(), color.GetAlpha()};
@@ -101,8 +101,7 @@ SContactShadow MakeContactShadow(const SVisualPart& part, const SPose& pose) {
                    static_cast<float>(pose.Translation.y())};
   shadow.AxisX = {static_cast<float>(pose.Rotation(0, 0)), static_cast<float>(pose.Rotation(1, 0))};
   shadow.HalfExtent = {static_cast<float>(halfX), static_cast<float>(halfY)};
-  shadow.CornerRadius =
-      part.Kind == SVisualPart::EKind::Box ? 0.0f : static_cast<float>(smaller);
+  shadow.CornerRadius = part.Kind == SVisualPart::EKind::Box ? 0.0f : static_cast<float>(smaller);
   // a solid keeps about as much skylight from the ground as it is high or wide
   shadow.Blur =
       static_cast<float>(std::clamp(0.6 * std::min(part.Size.GetZ(), 2.0 * smaller), 0.01, 0.1));
@@ -170,8 +169,8 @@ void CSceneBuilder::AddEntity(CEntity& entity, SScene& scene) const {
 }
 
 void CSceneBuilder::AddPart(const SVisualPart& part, SSubject& subject, SScene& scene) const {
-  const SPose pose = ComputeAnchorPose(part, subject.Body, subject.Pose) *
-                     ToPose(part.Position, part.Orientation);
+  const SPose pose =
+      ComputeAnchorPose(part, subject.Body, subject.Pose) * ToPose(part.Position, part.Orientation);
   const Eigen::Vector3d size = ToEigen(part.Size);
   if (subject.IsLight) {
     const float radius = static_cast<float>(0.5 * size.x());

@@ -47,10 +47,10 @@ class CSceneBuilder {
   // a root entity while it is turned into a part of the scene
   struct SSubject {
     SPose Pose;
-    CEmbodiedEntity* Body = nullptr;      // null: the entity has none
-    CLEDEquippedEntity* LEDs = nullptr;   // null: the entity has none
-    bool IsLight = false;                 // its solids glow
-    double FootprintArea = 0.0;           // of ContactShadow, m^2; 0: nothing touches the ground
+    CEmbodiedEntity* Body = nullptr;  // null: the entity has none
+    CLEDEquippedEntity* LEDs = nullptr;  // null: the entity has none
+    bool IsLight = false;  // its solids glow
+    double FootprintArea = 0.0;  // of ContactShadow, m^2; 0: nothing touches the ground
     SContactShadow ContactShadow{};
   };
 

@@ -13,12 +13,12 @@ struct SShaderSource {
 /** Goes before every shader: the language version, and functions that several of them use. */
 extern const char* const kShaderPreamble;
 
-extern const SShaderSource kMeshShader;           /**< lit solids, instanced */
-extern const SShaderSource kDepthShader;          /**< solids seen from the sun */
-extern const SShaderSource kGroundShader;         /**< floor, grid, boundary */
-extern const SShaderSource kContactShadowShader;  /**< SContactShadow, instanced */
-extern const SShaderSource kGlowShader;           /**< SGlow, instanced */
-extern const SShaderSource kLineShader;           /**< SLine, instanced */
+extern const SShaderSource kMeshShader; /**< lit solids, instanced */
+extern const SShaderSource kDepthShader; /**< solids seen from the sun */
+extern const SShaderSource kGroundShader; /**< floor, grid, boundary */
+extern const SShaderSource kContactShadowShader; /**< SContactShadow, instanced */
+extern const SShaderSource kGlowShader; /**< SGlow, instanced */
+extern const SShaderSource kLineShader; /**< SLine, instanced */
 
 }  // namespace argos
 

@@ -13,7 +13,7 @@ namespace {
 constexpr int kMapSide = 2048;  // texels; 2 cm each in an arena of 40 m
 // smaller texels would only sharpen the shadows, whose borders are about three texels wide
 constexpr double kSmallestTexel = 0.0018;  // m
-constexpr double kBorderTexels = 4.0;      // the filter reads a few texels around a point
+constexpr double kBorderTexels = 4.0;  // the filter reads a few texels around a point
 constexpr double kSmallestSide = 0.05;  // m
 
 }  // namespace

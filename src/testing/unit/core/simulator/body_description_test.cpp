@@ -25,7 +25,8 @@ SBodyDescription Body(std::vector<SShapeDescription> shapes, Real mass = 1.0) {
 
 }  // namespace
 
-TEST_CASE("shape description: a box knows its size and the circle around its base", "[core][body]") {
+TEST_CASE("shape description: a box knows its size and the circle around its base",
+          "[core][body]") {
   const auto box = SShapeDescription::Box(CVector3(0.6, 0.8, 0.2), CVector3(1.0, 2.0, 3.0));
   CHECK(box.Kind == SShapeDescription::EKind::Box);
   CHECK(box.Size == CVector3(0.6, 0.8, 0.2));
@@ -94,8 +95,7 @@ TEST_CASE("body description: two halves of a box have the inertia of the box", "
   const auto halves = Body({SShapeDescription::Box(CVector3(1.0, 1.0, 0.5), CVector3(-0.5, 0, 0)),
                             SShapeDescription::Box(CVector3(1.0, 1.0, 0.5), CVector3(0.5, 0, 0))},
                            3.0);
-  CHECK_THAT(halves.ComputePlanarInertia(),
-             WithinRel(whole.ComputePlanarInertia(), kRounding));
+  CHECK_THAT(halves.ComputePlanarInertia(), WithinRel(whole.ComputePlanarInertia(), kRounding));
 }
 
 TEST_CASE("body description: a tilted solid has the moment about the body's vertical",

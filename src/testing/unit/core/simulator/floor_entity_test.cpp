@@ -57,7 +57,8 @@ class CWorld {
   explicit CWorld(const std::string& floor, const std::string& more = "") : m_scope(m_simulator) {
     m_document.Parse(
         "<argos-configuration>\n"
-        "<framework><experiment ticks_per_second=\"10\" length=\"1\" random_seed=\"1\"/></framework>\n"
+        "<framework><experiment ticks_per_second=\"10\" length=\"1\" "
+        "random_seed=\"1\"/></framework>\n"
         "<controllers/><physics_engines/><media/>" +
             more + "<arena size=\"4,2,1\" center=\"10,20,0\">\n" + floor +
             "\n</arena></argos-configuration>",
@@ -150,8 +151,7 @@ TEST_CASE("floor: wrong attributes are refused", "[core][floor]") {
 }
 
 TEST_CASE("floor: loop functions colour it, by default in white", "[core][floor]") {
-  const std::string floor =
-      "<floor id=\"f\" source=\"loop_functions\" pixels_per_meter=\"10\"/>";
+  const std::string floor = "<floor id=\"f\" source=\"loop_functions\" pixels_per_meter=\"10\"/>";
   CWorld plain(floor);
   CHECK(plain.Floor().GetColorAtPoint(-1.0, 0.0) == CColor::WHITE);
   CWorld halves(floor, "<loop_functions label=\"floor_test_loop_functions\"/>");

@@ -14,8 +14,7 @@ namespace {
 constexpr char kWest[] =
     "<boundaries><sides><vertex point=\"-2,-1\"/><vertex point=\"0,-1\"/>"
     "<vertex point=\"0,1\"/><vertex point=\"-2,1\"/></sides></boundaries>";
-constexpr char kSlab[] =
-    "<boundaries><top height=\"1\"/><bottom height=\"-0.5\"/></boundaries>";
+constexpr char kSlab[] = "<boundaries><top height=\"1\"/><bottom height=\"-0.5\"/></boundaries>";
 
 void Read(SVolume& volume, const std::string& xml) {
   CConfigurationDocument document;

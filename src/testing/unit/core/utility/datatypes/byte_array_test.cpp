@@ -102,13 +102,14 @@ TEST_CASE("byte array: reading the front changes nothing else", "[core][byte_arr
   CHECK(array != copy);
 }
 
-TEST_CASE("byte array: integers are in network byte order at their own width", "[core][byte_array]") {
+TEST_CASE("byte array: integers are in network byte order at their own width",
+          "[core][byte_array]") {
   CByteArray array;
   array << UInt8(0x01) << SInt8(-1) << UInt16(0x0203) << SInt16(-2) << UInt32(0x04050607U)
         << SInt32(-3) << UInt64(0x08090A0B0C0D0E0FULL) << SInt64(-4);
-  CHECK(Bytes(array) == std::vector<int>{1,    255,  2,    3,    255, 254, 4,   5,   6,   7,
-                                         255,  255,  255,  253,  8,   9,   10,  11,  12,  13,
-                                         14,   15,   255,  255,  255, 255, 255, 255, 255, 252});
+  CHECK(Bytes(array) == std::vector<int>{1,   255, 2,   3,   255, 254, 4,   5,   6,   7,
+                                         255, 255, 255, 253, 8,   9,   10,  11,  12,  13,
+                                         14,  15,  255, 255, 255, 255, 255, 255, 255, 252});
   CHECK(array.PopFront<UInt8>() == 1);
   CHECK(array.PopFront<SInt8>() == -1);
   CHECK(array.PopFront<UInt16>() == 0x0203);
@@ -153,8 +154,10 @@ TEST_CASE("byte array: the wire format of real numbers", "[core][byte_array]") {
 
 TEST_CASE("byte array: infinity and NaN are refused", "[core][byte_array]") {
   CByteArray array;
-  CHECK_THROWS_WITH(array << std::numeric_limits<double>::infinity(), Contains("expected a finite"));
-  CHECK_THROWS_WITH(array << std::numeric_limits<double>::quiet_NaN(), Contains("expected a finite"));
+  CHECK_THROWS_WITH(array << std::numeric_limits<double>::infinity(),
+                    Contains("expected a finite"));
+  CHECK_THROWS_WITH(array << std::numeric_limits<double>::quiet_NaN(),
+                    Contains("expected a finite"));
   CHECK(array.Empty());
 }
 
@@ -179,7 +182,8 @@ TEST_CASE("byte array: too few bytes are an error and nothing is removed", "[cor
   UInt8 buffer[4];
   CHECK_THROWS_WITH(array >> word, Contains("4 bytes were asked for, but there are only 3"));
   CHECK_THROWS_WITH(array >> real, Contains("12 bytes were asked for, but there are only 3"));
-  CHECK_THROWS_WITH(array >> text, Contains("a string was asked for, but none of the 3 bytes ends it"));
+  CHECK_THROWS_WITH(array >> text,
+                    Contains("a string was asked for, but none of the 3 bytes ends it"));
   CHECK_THROWS_AS(array.FetchBuffer(buffer, 4), CARGoSException);
   CHECK(array.Size() == 3);
 }

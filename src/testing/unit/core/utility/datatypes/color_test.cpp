@@ -39,26 +39,16 @@ TEST_CASE("color: constants are ready before main", "[core][color]") {
 
 TEST_CASE("color: named values are those of the file format", "[core][color]") {
   const std::vector<SExpectedColor> expected = {
-      {"black", CColor::BLACK, 0, 0, 0},
-      {"white", CColor::WHITE, 255, 255, 255},
-      {"red", CColor::RED, 255, 0, 0},
-      {"green", CColor::GREEN, 0, 255, 0},
-      {"blue", CColor::BLUE, 0, 0, 255},
-      {"magenta", CColor::MAGENTA, 255, 0, 255},
-      {"cyan", CColor::CYAN, 0, 255, 255},
-      {"yellow", CColor::YELLOW, 255, 255, 0},
-      {"orange", CColor::ORANGE, 255, 140, 0},
-      {"brown", CColor::BROWN, 165, 42, 42},
-      {"purple", CColor::PURPLE, 160, 32, 240},
-      {"gray10", CColor::GRAY10, 26, 26, 26},
-      {"gray20", CColor::GRAY20, 51, 51, 51},
-      {"gray30", CColor::GRAY30, 77, 77, 77},
-      {"gray40", CColor::GRAY40, 102, 102, 102},
-      {"gray50", CColor::GRAY50, 127, 127, 127},
-      {"gray60", CColor::GRAY60, 153, 153, 153},
-      {"gray70", CColor::GRAY70, 179, 179, 179},
-      {"gray80", CColor::GRAY80, 204, 204, 204},
-      {"gray90", CColor::GRAY90, 229, 229, 229},
+      {"black", CColor::BLACK, 0, 0, 0},         {"white", CColor::WHITE, 255, 255, 255},
+      {"red", CColor::RED, 255, 0, 0},           {"green", CColor::GREEN, 0, 255, 0},
+      {"blue", CColor::BLUE, 0, 0, 255},         {"magenta", CColor::MAGENTA, 255, 0, 255},
+      {"cyan", CColor::CYAN, 0, 255, 255},       {"yellow", CColor::YELLOW, 255, 255, 0},
+      {"orange", CColor::ORANGE, 255, 140, 0},   {"brown", CColor::BROWN, 165, 42, 42},
+      {"purple", CColor::PURPLE, 160, 32, 240},  {"gray10", CColor::GRAY10, 26, 26, 26},
+      {"gray20", CColor::GRAY20, 51, 51, 51},    {"gray30", CColor::GRAY30, 77, 77, 77},
+      {"gray40", CColor::GRAY40, 102, 102, 102}, {"gray50", CColor::GRAY50, 127, 127, 127},
+      {"gray60", CColor::GRAY60, 153, 153, 153}, {"gray70", CColor::GRAY70, 179, 179, 179},
+      {"gray80", CColor::GRAY80, 204, 204, 204}, {"gray90", CColor::GRAY90, 229, 229, 229},
   };
   for (const SExpectedColor& color : expected) {
     CAPTURE(color.Name);
@@ -106,8 +96,8 @@ TEST_CASE("color: a colour without a name prints its four numbers", "[core][colo
 }
 
 TEST_CASE("color: wrong texts are refused and leave the colour as it was", "[core][color]") {
-  const std::string text =
-      GENERATE("255,0,0", "256,0,0,255", "-1,0,0,255", "1,2,3,4,5", "a,b,c,d", "Red", "", "red green");
+  const std::string text = GENERATE("255,0,0", "256,0,0,255", "-1,0,0,255", "1,2,3,4,5", "a,b,c,d",
+                                    "Red", "", "red green");
   CAPTURE(text);
   CColor color(1, 2, 3, 4);
   CHECK_THROWS_WITH(color.Set(text), Contains("is not a colour: expected a name or four integers"));

@@ -68,8 +68,7 @@ TEST_CASE("any: gives back exactly what was put in", "[core][any]") {
 TEST_CASE("any: another type is an error that names both", "[core][any]") {
   CAny any = 3;
   const CAny& constant = any;
-  CHECK_THROWS_WITH(any_cast<double>(any),
-                    Contains("found a value of type int, expected double"));
+  CHECK_THROWS_WITH(any_cast<double>(any), Contains("found a value of type int, expected double"));
   CHECK_THROWS_AS(any_cast<double>(constant), CARGoSException);
   CAny empty;
   CHECK_THROWS_AS(any_cast<int>(empty), CARGoSException);

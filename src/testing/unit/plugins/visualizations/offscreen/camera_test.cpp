@@ -10,8 +10,8 @@
 #include <numbers>
 
 using namespace argos;
-using Catch::Matchers::Contains;
 using Catch::WithinAbs;
+using Catch::Matchers::Contains;
 
 namespace {
 
@@ -80,9 +80,9 @@ TEST_CASE("camera: a point behind the eye has no place on the picture",
 TEST_CASE("camera: matrices agree with the projection of points",
           "[visualizations][offscreen][camera]") {
   const CCamera camera(Make({1.0, -2.0, 1.5}, {0.2, 0.1, 0.0}, 35.0), 4.0 / 3.0);
-  const Eigen::Vector3d point = GENERATE(Eigen::Vector3d(0.0, 0.0, 0.0),
-                                         Eigen::Vector3d(0.5, 0.4, 0.2),
-                                         Eigen::Vector3d(-0.3, 1.0, 0.0));
+  const Eigen::Vector3d point =
+      GENERATE(Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(0.5, 0.4, 0.2),
+               Eigen::Vector3d(-0.3, 1.0, 0.0));
   const Eigen::Matrix4d matrix =
       camera.ComputeProjectionMatrix(0.1, 10.0) * camera.ComputeViewMatrix();
   const Eigen::Vector4d clip = matrix * point.homogeneous();
@@ -156,8 +156,7 @@ TEST_CASE("camera: the framing placement holds the arena, tightly and in the mid
   Eigen::AlignedBox2d frame;
   for (const double signX : {-0.5, 0.5}) {
     for (const double signY : {-0.5, 0.5}) {
-      frame.extend(camera.Project(
-          {1.5 + signX * size.x(), -2.0 + signY * size.y(), 0.0}));
+      frame.extend(camera.Project({1.5 + signX * size.x(), -2.0 + signY * size.y(), 0.0}));
     }
   }
   CHECK(frame.min().minCoeff() > 0.0);

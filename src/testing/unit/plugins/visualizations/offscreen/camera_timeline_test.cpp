@@ -5,8 +5,8 @@
 #include <catch2/catch.hpp>
 
 using namespace argos;
-using Catch::Matchers::Contains;
 using Catch::WithinAbs;
+using Catch::Matchers::Contains;
 
 namespace {
 

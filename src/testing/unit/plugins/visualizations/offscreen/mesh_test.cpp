@@ -57,8 +57,8 @@ TEST_CASE("mesh: solids have the volume of their shapes and face outwards",
 
 TEST_CASE("mesh: normals have length 1 and agree with the triangles' winding",
           "[visualizations][offscreen][mesh]") {
-  const auto kind = GENERATE(EMeshKind::Box, EMeshKind::Cylinder, EMeshKind::Sphere,
-                             EMeshKind::Ring);
+  const auto kind =
+      GENERATE(EMeshKind::Box, EMeshKind::Cylinder, EMeshKind::Sphere, EMeshKind::Ring);
   const int segments = GENERATE(6, 12, 64);
   CAPTURE(static_cast<int>(kind), segments);
   SMesh mesh = MakeMesh(kind, segments);

@@ -1,0 +1,53 @@
+#include <argos3/core/utility/plugins/process_wide.h>
+
+#include <map>
+#include <mutex>
+#include <typeindex>
+
+namespace argos::detail {
+
+namespace {
+
+// not thread-safe to destroy, which happens once, at the end of the process
+class CObjects {
+ public:
+  CObjects() = default;
+  CObjects(const CObjects&) = delete;
+  CObjects& operator=(const CObjects&) = delete;
+  ~CObjects() {
+    for (auto& object : m_objects) {
+      object.second.Destroy(object.second.Pointer);
+    }
+  }
+
+  void* Get(const std::type_info& type, void* (*create)(), void (*destroy)(void*)) {
+    // recursive, because making an object may ask for another one
+    const std::lock_guard<std::recursive_mutex> lock(m_mutex);
+    const auto known = m_objects.find(type);
+    if (known != m_objects.end()) {
+      return known->second.Pointer;
+    }
+    void* pointer = create();
+    m_objects.emplace(type, SObject{pointer, destroy});
+    return pointer;
+  }
+
+ private:
+  struct SObject {
+    void* Pointer;
+    void (*Destroy)(void*);
+  };
+
+  std::recursive_mutex m_mutex;
+  std::map<std::type_index, SObject> m_objects;
+};
+
+}  // namespace
+
+void* GetProcessWideObject(const std::type_info& type, void* (*create)(),
+                           void (*destroy)(void* object)) {
+  static CObjects objects;
+  return objects.Get(type, create, destroy);
+}
+
+}  // namespace argos::detail

@@ -1,0 +1,23 @@
+#include <argos3/plugins/robots/e-puck/control_interface/ci_epuck_proximity_sensor.h>
+
+namespace argos {
+
+CRadians CCI_EPuckProximitySensor::GetAngle(UInt32 index) {
+  // PI divided by these is the angle, in [0, 2 PI)
+  constexpr Real kDivisors[kNumSensors] = {10.5884, 3.5999, 2.0,    1.2,
+                                           0.8571,  0.6667, 0.5806, 0.5247};
+  return CRadians(CRadians::PI / kDivisors[index]).SignedNormalize();
+}
+
+CCI_EPuckProximitySensor::CCI_EPuckProximitySensor() {
+  m_tReadings.reserve(kNumSensors);
+  for (UInt32 i = 0; i < kNumSensors; ++i) {
+    m_tReadings.emplace_back(0.0, GetAngle(i));
+  }
+}
+
+const CCI_EPuckProximitySensor::TReadings& CCI_EPuckProximitySensor::GetReadings() const {
+  return m_tReadings;
+}
+
+}  // namespace argos

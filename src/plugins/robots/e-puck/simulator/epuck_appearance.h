@@ -1,0 +1,13 @@
+#ifndef ARGOS3_PLUGINS_ROBOTS_E_PUCK_SIMULATOR_EPUCK_APPEARANCE_H
+#define ARGOS3_PLUGINS_ROBOTS_E_PUCK_SIMULATOR_EPUCK_APPEARANCE_H
+
+#include <argos3/core/simulator/visualization/appearance.h>
+
+namespace argos {
+
+/** What an e-puck looks like. */
+SAppearance MakeEPuckAppearance();
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,113 @@
+#include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
+
+#include <argos3/plugins/robots/e-puck/control_interface/ci_epuck_proximity_sensor.h>
+#include <argos3/plugins/robots/e-puck/simulator/epuck_appearance.h>
+#include <argos3/plugins/robots/e-puck/simulator/epuck_measures.h>
+#include <argos3/plugins/robots/generic/simulator/device_parameters.h>
+
+namespace argos {
+
+namespace {
+
+SBodyDescription MakeBody() {
+  SBodyDescription body;
+  body.Shapes.push_back(SShapeDescription::Cylinder(epuck::kBodyRadius, epuck::kBodyHeight));
+  body.Mass = epuck::kMass;
+  body.PlanarInertia = epuck::kPlanarInertia;
+  body.Drive = SDifferentialDriveDescription{epuck::kInterwheelDistance, epuck::kWheelRadius,
+                                             epuck::kMaxDriveForce, epuck::kMaxDriveTorque};
+  return body;
+}
+
+std::shared_ptr<const CLEDEquippedEntity::SLayout> MakeLEDs() {
+  auto leds = std::make_shared<CLEDEquippedEntity::SLayout>();
+  leds->AddLEDRing(CVector3(0.0, 0.0, epuck::kLEDRingElevation), epuck::kLEDRingRadius,
+                   ToRadians(CDegrees(epuck::kLEDRingStartAngle)), epuck::kNumLEDs);
+  return leds;
+}
+
+std::shared_ptr<const CProximitySensorEquippedEntity::SLayout> MakeProximity() {
+  auto sensors = std::make_shared<CProximitySensorEquippedEntity::SLayout>();
+  for (UInt32 i = 0; i < CCI_EPuckProximitySensor::kNumSensors; ++i) {
+    const CRadians angle = CCI_EPuckProximitySensor::GetAngle(i);
+    const CVector3 outward(Cos(angle), Sin(angle), 0.0);
+    sensors->AddSensor(
+        outward * epuck::kProximityRadius + CVector3(0.0, 0.0, epuck::kProximityElevation), outward,
+        epuck::kProximityRange);
+  }
+  return sensors;
+}
+
+const SDifferentialDriveRobotType& EPuckType() {
+  static const SDifferentialDriveRobotType type{CSharedBodies(MakeBody()), "", MakeLEDs(),
+                                                MakeProximity(), MakeEPuckAppearance()};
+  return type;
+}
+
+}  // namespace
+
+CEPuckEntity::CEPuckEntity()
+    : CDifferentialDriveRobotEntity(EPuckType(), "", CVector3(), CQuaternion()) {}
+
+CEPuckEntity::CEPuckEntity(const std::string& id, const std::string& controllerId,
+                           const CVector3& position, const CQuaternion& orientation, Real rabRange,
+                           size_t rabDataSize, const std::string&)
+    : CDifferentialDriveRobotEntity(EPuckType(), id, position, orientation) {
+  SRABParameters{rabRange, rabDataSize}.Check("e-puck \"" + id + "\"");
+  InitController(controllerId);
+}
+
+void CEPuckEntity::Init(TConfigurationNode& tree) {
+  InitParts(tree);
+  SRABParameters{0.8, 2}.Read(tree);
+  InitController(tree);
+}
+
+REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CEPuckEntity)
+
+REGISTER_ENTITY(
+    CEPuckEntity, "e-puck", "the ARGoS maintainers", "1.0",
+    "The e-puck, a small robot for education.",
+    R"(A round robot, 7 cm across, with differential steering, eight proximity sensors, and eight LEDs in a
+ring, counter-clockwise from 11.25 degrees in steps of 45.
+
+REQUIRED XML
+
+  <arena size="10,10,2">
+    <e-puck id="ep0">
+      <body position="0.4,2.3,0" orientation="45,0,0" />
+      <controller config="c1" />
+    </e-puck>
+  </arena>
+
+ATTRIBUTES
+
+  id                 text, required: unique among the entities of the arena.
+  body@position      "x,y,z", m, default "0,0,0": the centre of the base, in the world frame.
+  body@orientation   "z,y,x", degrees, default "0,0,0": the robot looks along its x axis.
+  controller@config  text, required: the id of a child of <controllers>.
+
+OPTIONAL XML
+
+  <arena size="10,10,2">
+    <e-puck id="ep0" rab_range="0.8" rab_data_size="2">
+      <body position="0.4,2.3,0" />
+      <controller config="c1">
+        <params speed="10" />
+      </controller>
+      <dynamics2d>
+        <differential_steering max_force="1.5" max_torque="1.5" />
+      </dynamics2d>
+    </e-puck>
+  </arena>
+
+  controller/params                 replaces the <params> of the controller for this robot.
+  differential_steering@max_force   N, > 0, default 1.5: the most the wheels push; of the dynamics2d
+                                    engine.
+  differential_steering@max_torque  N m, > 0, default 1.5: the most they turn the robot.
+  rab_range                         m, >= 0, default 0.8: how far messages of this robot reach.
+  rab_data_size                     integer >= 0, default 2: bytes of a message.
+)",
+    "Usable")
+
+}  // namespace argos

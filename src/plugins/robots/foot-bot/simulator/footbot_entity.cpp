@@ -1,0 +1,125 @@
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
+
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_appearance.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_measures.h>
+#include <argos3/plugins/robots/generic/simulator/device_parameters.h>
+
+namespace argos {
+
+namespace {
+
+SBodyDescription MakeBody() {
+  SBodyDescription body;
+  body.Shapes.push_back(SShapeDescription::Cylinder(footbot::kBodyRadius, footbot::kBodyHeight));
+  body.Mass = footbot::kMass;
+  body.PlanarInertia = footbot::kPlanarInertia;
+  body.Drive = SDifferentialDriveDescription{footbot::kInterwheelDistance, footbot::kWheelRadius,
+                                             footbot::kMaxDriveForce, footbot::kMaxDriveTorque};
+  return body;
+}
+
+std::shared_ptr<const CLEDEquippedEntity::SLayout> MakeLEDs() {
+  auto leds = std::make_shared<CLEDEquippedEntity::SLayout>();
+  leds->AddLEDRing(CVector3(0.0, 0.0, footbot::kLEDRingElevation), footbot::kLEDRingRadius,
+                   ToRadians(CDegrees(footbot::kLEDRingStartAngle)), footbot::kNumRingLEDs);
+  leds->AddLED(CVector3(0.0, 0.0, footbot::kBeaconElevation));
+  return leds;
+}
+
+std::shared_ptr<const CProximitySensorEquippedEntity::SLayout> MakeProximity() {
+  auto sensors = std::make_shared<CProximitySensorEquippedEntity::SLayout>();
+  const CRadians start = ToRadians(CDegrees(footbot::kProximityStartAngle));
+  sensors->AddSensorFan(CVector3(0.0, 0.0, footbot::kProximityRingElevation),
+                        footbot::kProximityRingRadius, start, start + CRadians::TWO_PI,
+                        footbot::kProximityRange, footbot::kNumProximitySensors);
+  return sensors;
+}
+
+const SDifferentialDriveRobotType& FootBotType() {
+  static const SDifferentialDriveRobotType type{CSharedBodies(MakeBody()), "turret", MakeLEDs(),
+                                                MakeProximity(), MakeFootBotAppearance()};
+  return type;
+}
+
+}  // namespace
+
+CFootBotEntity::CFootBotEntity()
+    : CDifferentialDriveRobotEntity(FootBotType(), "", CVector3(), CQuaternion()) {}
+
+CFootBotEntity::CFootBotEntity(const std::string& id, const std::string& controllerId,
+                               const CVector3& position, const CQuaternion& orientation,
+                               Real rabRange, size_t rabDataSize, const std::string&,
+                               const CRadians& omnicamAperture, bool perspcamFront,
+                               const CRadians& perspcamAperture, Real perspcamFocalLength,
+                               Real perspcamRange)
+    : CDifferentialDriveRobotEntity(FootBotType(), id, position, orientation) {
+  const std::string owner = "foot-bot \"" + id + "\"";
+  SRABParameters{rabRange, rabDataSize}.Check(owner);
+  SOmnidirectionalCameraParameters{omnicamAperture}.Check(owner);
+  SPerspectiveCameraParameters{perspcamFront, perspcamAperture, perspcamFocalLength, perspcamRange}
+      .Check(owner);
+  InitController(controllerId);
+}
+
+void CFootBotEntity::Init(TConfigurationNode& tree) {
+  InitParts(tree);
+  SRABParameters{3.0, 10}.Read(tree);
+  SOmnidirectionalCameraParameters{ToRadians(CDegrees(70.0))}.Read(tree);
+  SPerspectiveCameraParameters{true, ToRadians(CDegrees(30.0)), 0.035, 2.0}.Read(tree);
+  InitController(tree);
+}
+
+REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CFootBotEntity)
+
+REGISTER_ENTITY(
+    CFootBotEntity, "foot-bot", "the ARGoS maintainers", "1.0",
+    "The foot-bot of the Swarmanoid project.",
+    R"(A round robot, 17 cm across, with differential steering, 24 proximity sensors, and 13 LEDs: 12 in a
+ring (0 to 11, counter-clockwise from 15 degrees) and a beacon on top (12).
+
+REQUIRED XML
+
+  <arena size="10,10,2">
+    <foot-bot id="fb0">
+      <body position="0.4,2.3,0" orientation="45,0,0" />
+      <controller config="c1" />
+    </foot-bot>
+  </arena>
+
+ATTRIBUTES
+
+  id                 text, required: unique among the entities of the arena.
+  body@position      "x,y,z", m, default "0,0,0": the centre of the base, in the world frame.
+  body@orientation   "z,y,x", degrees, default "0,0,0": the robot looks along its x axis.
+  controller@config  text, required: the id of a child of <controllers>.
+
+OPTIONAL XML
+
+  <arena size="10,10,2">
+    <foot-bot id="fb0" rab_range="3" rab_data_size="10" omnidirectional_camera_aperture="70">
+      <body position="0.4,2.3,0" />
+      <controller config="c1">
+        <params speed="10" />
+      </controller>
+      <dynamics2d>
+        <differential_steering max_force="15" max_torque="150" />
+      </dynamics2d>
+    </foot-bot>
+  </arena>
+
+  controller/params                replaces the <params> of the controller for this robot.
+  differential_steering@max_force  N, > 0, default 15: the most the wheels push; of the dynamics2d
+                                   engine.
+  differential_steering@max_torque N m, > 0, default 150: the most they turn the robot.
+  rab_range                        m, >= 0, default 3: how far messages of this robot reach.
+  rab_data_size                    integer >= 0, default 10: bytes of a message.
+  omnidirectional_camera_aperture  degrees in (0,90), default 70: half angle from the downward
+                                   vertical.
+  perspective_camera_front         "true" (default) looks ahead, "false" up.
+  perspective_camera_aperture      degrees in (0,90), default 30: half angle of the view.
+  perspective_camera_focal_length  m, > 0, default 0.035.
+  perspective_camera_range         m, > 0, default 2: how far the camera sees.
+)",
+    "Usable")
+
+}  // namespace argos

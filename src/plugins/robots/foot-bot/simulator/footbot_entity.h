@@ -1,0 +1,53 @@
+#ifndef ARGOS3_PLUGINS_ROBOTS_FOOT_BOT_SIMULATOR_FOOTBOT_ENTITY_H
+#define ARGOS3_PLUGINS_ROBOTS_FOOT_BOT_SIMULATOR_FOOTBOT_ENTITY_H
+
+#include <argos3/core/utility/math/angles.h>
+#include <argos3/plugins/robots/generic/simulator/differential_drive_robot_entity.h>
+
+namespace argos {
+
+/**
+ * The foot-bot of the Swarmanoid project: 17 cm across, with wheels and tracks, 24 proximity
+ * sensors, 12 LEDs and a beacon on a turret.
+ *
+ * Source: M. Bonani et al., "The marXbot, a miniature mobile robot opening new perspectives for the
+ * collective-robotic research", IROS 2010; numbers in footbot_measures.h.
+ */
+class CFootBotEntity : public CDifferentialDriveRobotEntity {
+ public:
+  ENABLE_VTABLE();
+
+  CFootBotEntity();
+  /**
+   * Makes a robot with its controller, whose Init() runs at once.
+   *
+   * The parameters of range and bearing, battery and cameras are checked, and used by those
+   * devices.
+   * @param controllerId           `id` of a child of `<controllers>`; empty for none.
+   * @param position, orientation  m, world frame.
+   * @param rabRange               how far messages reach, m, >= 0.
+   * @param rabDataSize            bytes of a message.
+   * @param batteryModel           how the battery runs down.
+   * @param omnicamAperture        half angle of the view from the downward vertical, in (0, 90)
+   * deg.
+   * @param perspcamFront          true: looks ahead; false: looks up.
+   * @param perspcamAperture       half angle of the view, in (0, 90) degrees.
+   * @param perspcamFocalLength, perspcamRange  m, > 0.
+   * @throws CARGoSException if a parameter is out of range, or the controller cannot be made.
+   */
+  CFootBotEntity(const std::string& id, const std::string& controllerId,
+                 const CVector3& position = CVector3(),
+                 const CQuaternion& orientation = CQuaternion(), Real rabRange = 3.0,
+                 size_t rabDataSize = 10, const std::string& batteryModel = "",
+                 const CRadians& omnicamAperture = ToRadians(CDegrees(70.0)),
+                 bool perspcamFront = true,
+                 const CRadians& perspcamAperture = ToRadians(CDegrees(30.0)),
+                 Real perspcamFocalLength = 0.035, Real perspcamRange = 2.0);
+
+  void Init(TConfigurationNode& tree) override;
+  std::string GetTypeDescription() const override { return "foot-bot"; }
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,48 @@
+#ifndef ARGOS3_PLUGINS_ROBOTS_FOOT_BOT_SIMULATOR_FOOTBOT_MEASURES_H
+#define ARGOS3_PLUGINS_ROBOTS_FOOT_BOT_SIMULATOR_FOOTBOT_MEASURES_H
+
+#include <argos3/core/utility/datatypes/datatypes.h>
+
+/*
+ * The measures of the foot-bot, as published with ARGoS 3. Lengths in m from the centre of the
+ * base; x ahead, y left, z up; angles in degrees, counter-clockwise from straight ahead.
+ */
+
+namespace argos {
+namespace footbot {
+
+// body
+constexpr Real kBodyRadius = 0.085036758;
+constexpr Real kBodyHeight = 0.146899733;
+constexpr Real kMass = 1.6;  // kg
+// kg m^2: m (2R)^2 / 2, four times that of an even disc, as published
+constexpr Real kPlanarInertia = 0.5 * kMass * (2.0 * kBodyRadius) * (2.0 * kBodyRadius);
+
+// wheels
+constexpr Real kInterwheelDistance = 0.14;
+constexpr Real kWheelRadius = 0.029112741;
+constexpr Real kMaxDriveForce = 15.0;  // N
+constexpr Real kMaxDriveTorque = 150.0;  // N m
+
+// ring of proximity sensors
+constexpr UInt32 kNumProximitySensors = 24;
+constexpr Real kProximityRingElevation = 0.06;
+constexpr Real kProximityRingRadius = kBodyRadius;
+constexpr Real kProximityRange = 0.1;
+constexpr Real kProximityStartAngle = 7.5;
+constexpr Real kProximityAngleStep = 360.0 / kNumProximitySensors;
+
+// ring of LEDs, and the beacon above it, on the turret
+constexpr UInt32 kNumRingLEDs = 12;
+constexpr Real kLEDRingElevation = 0.085;
+constexpr Real kLEDRingRadius = kBodyRadius + 0.005;
+constexpr Real kLEDRingStartAngle = 15.0;
+constexpr Real kBeaconElevation = 0.174249733;
+
+// the omnidirectional camera; here only drawn
+constexpr Real kOmnidirectionalCameraElevation = 0.288699733;
+
+}  // namespace footbot
+}  // namespace argos
+
+#endif

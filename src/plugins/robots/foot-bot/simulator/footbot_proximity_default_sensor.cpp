@@ -1,0 +1,71 @@
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_proximity_default_sensor.h>
+
+namespace argos {
+
+namespace {
+
+// response curve as published with ARGoS 3: kScale / (D + kShift), saturated below kNear
+constexpr Real kNear = 0.009889556;  // m
+constexpr Real kScale = 0.0100527;  // m
+constexpr Real kShift = 0.000163144;  // m
+
+}  // namespace
+
+void CFootBotProximityDefaultSensor::SetRobot(CComposableEntity& robot) {
+  m_rays.SetRobot(robot);
+  m_rays.RequireNumRays(m_tReadings.size(), "footbot_proximity");
+}
+
+void CFootBotProximityDefaultSensor::Init(TConfigurationNode& tree) {
+  CCI_FootBotProximitySensor::Init(tree);
+  m_rays.Init(tree);
+  Enable();
+}
+
+void CFootBotProximityDefaultSensor::Update() {
+  m_rays.Read([this](Real distance) { return CalculateReading(distance); },
+              [this](size_t ray, Real reading) { m_tReadings[ray].Value = reading; });
+}
+
+void CFootBotProximityDefaultSensor::Reset() {
+  for (SReading& reading : m_tReadings) {
+    reading.Value = 0.0;
+  }
+  m_rays.Reset();
+}
+
+Real CFootBotProximityDefaultSensor::CalculateReading(Real distance) {
+  return distance < kNear ? 1.0 : kScale / (distance + kShift);
+}
+
+REGISTER_SENSOR(
+    CFootBotProximityDefaultSensor, "footbot_proximity", "default", "the ARGoS maintainers", "1.0",
+    "The proximity sensors of the foot-bot.",
+    R"(A ring of 24 sensors at a height of 6 cm, counter-clockwise from 7.5 degrees in steps of 15, each with
+a ray of 10 cm from the surface of the body. If the ray meets a body other than the robot's own at the distance D (m)
+from its start, the sensor reads 1 for D < 0.009889556, otherwise 0.0100527 / (D + 0.000163144): 0.1 at the end of its
+range. A ray that meets nothing reads 0.
+
+REQUIRED XML
+
+  <controllers>
+    <my_controller id="c1">
+      <actuators />
+      <sensors>
+        <footbot_proximity implementation="default" />
+      </sensors>
+      <params />
+    </my_controller>
+  </controllers>
+
+OPTIONAL XML
+
+  <footbot_proximity implementation="default" show_rays="true" noise_level="0.1" />
+
+  show_rays    "true" or "false", default "false": rays are shown by visualizations that can.
+  noise_level  real number n >= 0, default 0: a number drawn evenly from [-n,n] is added to each
+               reading in each tick, and the sum is clamped to [0,1].
+)",
+    "Usable")
+
+}  // namespace argos

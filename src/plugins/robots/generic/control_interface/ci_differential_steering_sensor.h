@@ -1,0 +1,37 @@
+#ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_DIFFERENTIAL_STEERING_SENSOR_H
+#define ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_DIFFERENTIAL_STEERING_SENSOR_H
+
+#include <argos3/core/control_interface/ci_sensor.h>
+#include <argos3/core/utility/datatypes/datatypes.h>
+
+namespace argos {
+
+/** The encoders of two wheels on one axis. */
+class CCI_DifferentialSteeringSensor : public CCI_Sensor {
+ public:
+  struct SReading {
+    Real VelocityLeftWheel = 0.0; /**< cm/s, positive ahead */
+    Real VelocityRightWheel = 0.0; /**< cm/s, positive ahead */
+    Real CoveredDistanceLeftWheel = 0.0; /**< since the previous step, cm */
+    Real CoveredDistanceRightWheel = 0.0; /**< since the previous step, cm */
+    Real WheelAxisLength = 0.0; /**< distance between the wheels, cm */
+
+    SReading() = default;
+    SReading(Real velocityLeft, Real velocityRight, Real distanceLeft, Real distanceRight,
+             Real axisLength)
+        : VelocityLeftWheel(velocityLeft),
+          VelocityRightWheel(velocityRight),
+          CoveredDistanceLeftWheel(distanceLeft),
+          CoveredDistanceRightWheel(distanceRight),
+          WheelAxisLength(axisLength) {}
+  };
+
+  const SReading& GetReading() const;
+
+ protected:
+  SReading m_sReading;
+};
+
+}  // namespace argos
+
+#endif

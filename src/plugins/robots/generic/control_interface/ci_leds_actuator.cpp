@@ -1,0 +1,49 @@
+#include <argos3/plugins/robots/generic/control_interface/ci_leds_actuator.h>
+
+#include <argos3/core/utility/configuration/argos_exception.h>
+
+#include <algorithm>
+
+namespace argos {
+
+size_t CCI_LEDsActuator::GetNumLEDs() const {
+  return m_tSettings.size();
+}
+
+void CCI_LEDsActuator::SetSingleColor(UInt32 led, const CColor& color) {
+  CheckLED(led);
+  m_tSettings[led] = color;
+}
+
+void CCI_LEDsActuator::SetAllColors(const CColor& color) {
+  std::fill(m_tSettings.begin(), m_tSettings.end(), color);
+}
+
+void CCI_LEDsActuator::SetAllColors(const TSettings& colors) {
+  if (colors.size() != m_tSettings.size()) {
+    THROW_ARGOSEXCEPTION("LEDs actuator: got " << colors.size() << " colors for "
+                                               << m_tSettings.size() << " LEDs");
+  }
+  m_tSettings = colors;
+}
+
+void CCI_LEDsActuator::SetSingleIntensity(UInt32 led, UInt8 intensity) {
+  CheckLED(led);
+  m_tSettings[led].SetAlpha(intensity);
+}
+
+void CCI_LEDsActuator::SetAllIntensities(UInt8 intensity) {
+  for (CColor& color : m_tSettings) {
+    color.SetAlpha(intensity);
+  }
+}
+
+void CCI_LEDsActuator::CheckLED(UInt32 led) const {
+  if (led >= m_tSettings.size()) {
+    THROW_ARGOSEXCEPTION("LEDs actuator: there is no LED " << led << "; the robot has "
+                                                           << m_tSettings.size()
+                                                           << " LEDs, numbered from 0");
+  }
+}
+
+}  // namespace argos

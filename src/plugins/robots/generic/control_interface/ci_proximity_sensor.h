@@ -1,0 +1,23 @@
+#ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_PROXIMITY_SENSOR_H
+#define ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_PROXIMITY_SENSOR_H
+
+#include <argos3/core/control_interface/ci_sensor.h>
+#include <argos3/core/utility/datatypes/datatypes.h>
+
+#include <vector>
+
+namespace argos {
+
+/** The proximity sensors of any robot. */
+class CCI_ProximitySensor : public CCI_Sensor {
+ public:
+  /** One reading in [0,1] for each sensor of the robot: 0 sees nothing, larger is nearer. */
+  const std::vector<Real>& GetReadings() const;
+
+ protected:
+  std::vector<Real> m_tReadings;
+};
+
+}  // namespace argos
+
+#endif

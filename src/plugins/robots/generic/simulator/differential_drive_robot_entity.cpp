@@ -1,0 +1,96 @@
+#include <argos3/plugins/robots/generic/simulator/differential_drive_robot_entity.h>
+
+#include <argos3/plugins/simulator/entities/new_component.h>
+#include <argos3/plugins/simulator/entities/value_checks.h>
+
+#include <algorithm>
+
+namespace argos {
+
+CSharedBodies::CSharedBodies(const SBodyDescription& body)
+    : m_usual(std::make_shared<const SBodyDescription>(body)) {}
+
+std::shared_ptr<const SBodyDescription> CSharedBodies::Get(
+    const SDifferentialDriveDescription& drive) const {
+  const auto hasDrive = [&drive](const SBodyDescription& body) {
+    return body.Drive->InterwheelDistance == drive.InterwheelDistance &&
+           body.Drive->WheelRadius == drive.WheelRadius && body.Drive->MaxForce == drive.MaxForce &&
+           body.Drive->MaxTorque == drive.MaxTorque;
+  };
+  if (hasDrive(*m_usual)) {
+    return m_usual;
+  }
+  const std::lock_guard<std::mutex> lock(m_mutex);
+  m_others.erase(std::remove_if(m_others.begin(), m_others.end(),
+                                [](const auto& other) { return other.expired(); }),
+                 m_others.end());
+  for (const auto& other : m_others) {
+    std::shared_ptr<const SBodyDescription> known = other.lock();
+    if (known != nullptr && hasDrive(*known)) {
+      return known;
+    }
+  }
+  auto body = std::make_shared<SBodyDescription>(*m_usual);
+  body->Drive = drive;
+  m_others.push_back(body);
+  return body;
+}
+
+CDifferentialDriveRobotEntity::CDifferentialDriveRobotEntity(
+    const SDifferentialDriveRobotType& type, const std::string& id, const CVector3& position,
+    const CQuaternion& orientation)
+    : CComposableEntity(nullptr, id), m_type(type) {
+  m_body = NewComponent<CEmbodiedEntity>(*this, "body_0", position, orientation);
+  m_body->SetBodyDescription(m_type.Bodies.Get(*m_type.Bodies.GetUsual().Drive));
+  SAnchor& origin = m_body->GetOriginAnchor();
+  SAnchor& ledAnchor = m_type.LEDAnchor.empty() ? origin : m_body->AddAnchor(m_type.LEDAnchor);
+  m_wheels = NewComponent<CWheeledEntity>(*this, "wheels_0", size_t(2));
+  MakeWheels();
+  m_leds = NewComponent<CLEDEquippedEntity>(*this, "leds_0");
+  m_leds->SetLayout(m_type.LEDs, {&ledAnchor});
+  m_proximity = NewComponent<CProximitySensorEquippedEntity>(*this, "proximity_0");
+  m_proximity->SetLayout(m_type.Proximity, {&origin});
+  m_controllable = NewComponent<CControllableEntity>(*this, "controller_0");
+}
+
+void CDifferentialDriveRobotEntity::MakeWheels() {
+  const SDifferentialDriveDescription& drive = *m_type.Bodies.GetUsual().Drive;
+  const Real y = 0.5 * drive.InterwheelDistance;
+  m_wheels->SetWheel(0, CVector3(0.0, y, 0.0), drive.WheelRadius);
+  m_wheels->SetWheel(1, CVector3(0.0, -y, 0.0), drive.WheelRadius);
+}
+
+void CDifferentialDriveRobotEntity::InitParts(TConfigurationNode& tree) {
+  CComposableEntity::Init(tree);
+  m_body->Init(GetNode(tree, "body"));
+  if (!NodeExists(tree, "dynamics2d")) {
+    return;
+  }
+  TConfigurationNode& engine = GetNode(tree, "dynamics2d");
+  if (!NodeExists(engine, "differential_steering")) {
+    return;
+  }
+  TConfigurationNode& limits = GetNode(engine, "differential_steering");
+  SDifferentialDriveDescription drive = *m_type.Bodies.GetUsual().Drive;
+  ReadOptionalPositive(limits, "max_force", "N", drive.MaxForce);
+  ReadOptionalPositive(limits, "max_torque", "N m", drive.MaxTorque);
+  m_body->SetBodyDescription(m_type.Bodies.Get(drive));
+}
+
+void CDifferentialDriveRobotEntity::InitController(TConfigurationNode& tree) {
+  m_controllable->Init(GetNode(tree, "controller"));
+}
+
+void CDifferentialDriveRobotEntity::InitController(const std::string& controllerId) {
+  if (!controllerId.empty()) {
+    m_controllable->SetController(controllerId);
+  }
+}
+
+void CDifferentialDriveRobotEntity::UpdateComponents() {
+  if (m_leds->IsEnabled()) {
+    m_leds->Update();
+  }
+}
+
+}  // namespace argos

@@ -1,0 +1,71 @@
+#include <argos3/plugins/robots/generic/simulator/leds_default_actuator.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/plugins/simulator/entities/led_equipped_entity.h>
+#include <argos3/plugins/simulator/media/led_medium.h>
+
+namespace argos {
+
+void CLEDsDefaultActuator::SetRobot(CComposableEntity& robot) {
+  m_robot = &robot;
+  m_leds = &robot.GetComponent<CLEDEquippedEntity>("leds");
+  m_tSettings.assign(m_leds->GetNumLEDs(), CColor());
+}
+
+void CLEDsDefaultActuator::Init(TConfigurationNode& tree) {
+  CCI_LEDsActuator::Init(tree);
+  std::string medium;
+  GetNodeAttribute(tree, "medium", medium);
+  CSimulator& simulator = m_robot->GetComponent<CControllableEntity>("controller").GetSimulator();
+  try {
+    m_leds->SetMedium(simulator.GetMedium<CLEDMedium>(medium));
+  } catch (std::exception& error) {
+    THROW_ARGOSEXCEPTION_NESTED(tree.GetLocation()
+                                    << ": <" << tree.Value()
+                                    << ">: attribute \"medium\" must be the id of an "
+                                       "LED medium, got \""
+                                    << medium << "\"",
+                                error);
+  }
+  m_leds->Enable();
+}
+
+void CLEDsDefaultActuator::Update() {
+  m_leds->SetAllLEDsColors(m_tSettings);
+}
+
+void CLEDsDefaultActuator::Reset() {
+  SetAllColors(CColor());
+}
+
+REGISTER_ACTUATOR(
+    CLEDsDefaultActuator, "leds", "default", "the ARGoS maintainers", "1.0",
+    "The coloured LEDs of a robot.",
+    R"(The controller sets the colour of each LED, or of all. Cameras that look at the same medium see the
+LEDs that are not black. All LEDs are black at the start and after a reset.
+
+REQUIRED XML
+
+  <controllers>
+    <my_controller id="c1">
+      <actuators>
+        <leds implementation="default" medium="leds" />
+      </actuators>
+      <sensors />
+      <params />
+    </my_controller>
+  </controllers>
+
+with the LED medium that it names:
+
+  <media>
+    <led id="leds" />
+  </media>
+
+  medium  text, required: the id of an LED medium.
+)",
+    "Usable")
+
+}  // namespace argos

@@ -1,0 +1,109 @@
+// Libraries that do not fit, and controllers that misbehave.
+
+#include "experiment_text.h"
+
+#include <catch2/catch.hpp>
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+using namespace argos;
+using Catch::Contains;
+
+namespace {
+
+std::string Controllers(const std::string& controller) {
+  return "<controllers>" + controller + "</controllers>";
+}
+
+std::string FromLibrary(const std::string& label, const std::string& library) {
+  return "<controllers><" + label + " id=\"c\" library=\"" + library +
+         "\"><actuators/><sensors/><params/></" + label + "></controllers>";
+}
+
+}  // namespace
+
+TEST_CASE("bad input: a library that is not there", "[bad_input]") {
+  SExperimentText experiment;
+  experiment.Controllers = FromLibrary("test_idle", "no/such/library");
+  const std::string error = LoadError(experiment);
+  CHECK_THAT(error, Contains(At(SExperimentText::kControllersLine)) && Contains("no/such/library"));
+  // that the robot has no controller only follows from it
+  CHECK_THAT(error, !Contains(At(SExperimentText::kArenaLine)));
+}
+
+TEST_CASE("bad input: a library that is no library", "[bad_input]") {
+  SExperimentText experiment;
+  experiment.Controllers = FromLibrary("test_idle", ARGOS_TEST_SOURCE_DIR "/CMakeLists.txt");
+  CHECK_THAT(LoadError(experiment), Contains("CMakeLists.txt"));
+}
+
+TEST_CASE("bad input: a library without the controller that is asked of it", "[bad_input]") {
+  SExperimentText experiment;
+  experiment.Controllers = FromLibrary("test_idel", BadControllersLibrary());
+  CHECK_THAT(LoadError(experiment), Contains("test_idel") && Contains("test_idle"));
+}
+
+TEST_CASE("bad input: a library that was built against another version", "[bad_input]") {
+  SExperimentText experiment;
+  experiment.Controllers = FromLibrary("test_wrong_build_controller", OtherVersionLibrary());
+  CHECK_THAT(LoadError(experiment), Contains(At(SExperimentText::kControllersLine)) &&
+                                        Contains("argos3_test_wrong_build") && Contains("api"));
+}
+
+TEST_CASE("bad input: a controller that throws in Init", "[bad_input]") {
+  SExperimentText experiment;
+  experiment.Controllers = Controllers(SExperimentText::Controller("test_throws_in_init"));
+  CHECK_THAT(LoadError(experiment), Contains("ep") && Contains("no good beginning") &&
+                                        Contains(At(SExperimentText::kArenaLine)));
+}
+
+TEST_CASE("bad input: a controller that throws in its step", "[bad_input]") {
+  SExperimentText experiment;
+  experiment.Controllers = Controllers(SExperimentText::Controller("test_throws_in_step"));
+  CHECK_THAT(RunError(experiment),
+             Contains("\"ep\"") && Contains("tired after two steps") && Contains("tick 3"));
+}
+
+TEST_CASE("bad input: a controller that throws what is no exception", "[bad_input]") {
+  SExperimentText experiment;
+  experiment.Controllers = Controllers(
+      SExperimentText::Controller("test_throws_in_step", "<params no_exception=\"true\"/>"));
+  CHECK_THAT(RunError(experiment), Contains("\"ep\"") && Contains("tick 3"));
+}
+
+TEST_CASE("bad input: what was written before a controller threw is intact", "[bad_input]") {
+  const std::string file = ARGOS_TEST_BINARY_DIR "/bad_input_steps.txt";
+  std::remove(file.c_str());
+  SExperimentText experiment;
+  experiment.Controllers = Controllers(
+      SExperimentText::Controller("test_throws_in_step", "<params file=\"" + file + "\"/>"));
+  REQUIRE(RunError(experiment) != "");
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  CHECK(text.str() == "step 0\nstep 1\nstep 2\n");
+  std::remove(file.c_str());
+}
+
+TEST_CASE("bad input: wheel speeds that are not numbers", "[bad_input]") {
+  SExperimentText experiment;
+  experiment.Controllers = Controllers(SExperimentText::Controller("test_not_a_number"));
+  CHECK_THAT(RunError(experiment), Contains("\"ep\"") && Contains("nan"));
+}
+
+TEST_CASE("bad input: everything that is wrong is reported in one go", "[bad_input]") {
+  SExperimentText experiment;
+  experiment.Controllers = Controllers(SExperimentText::Controller("test_idel"));
+  experiment.Media = "<media><no_medium id=\"m\"/></media>";
+  experiment.Box =
+      "<box id=\"b\" size=\"0,1,1\" movable=\"false\"><body/></box><no_entity id=\"n\"/>";
+  experiment.Rest = "<loop_functions label=\"no_loop_functions\"/>";
+  const std::string error = LoadError(experiment);
+  CHECK_THAT(error, Contains("5 errors"));
+  CHECK_THAT(error, Contains("test_idel"));
+  CHECK_THAT(error, Contains("no_medium"));
+  CHECK_THAT(error, Contains("<box"));
+  CHECK_THAT(error, Contains("no_entity"));
+  CHECK_THAT(error, Contains("no_loop_functions"));
+}

@@ -1,0 +1,66 @@
+// A library of controllers that misbehave in one way each.
+
+#include <argos3/core/control_interface/ci_controller.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
+
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+
+using namespace argos;
+
+namespace {
+
+class CIdle : public CCI_Controller {};
+
+class CThrowsInInit : public CCI_Controller {
+ public:
+  void Init(TConfigurationNode&) override { throw std::runtime_error("no good beginning"); }
+};
+
+/* Works for two steps and writes what it does to the file that the parameter says. */
+class CThrowsInStep : public CCI_Controller {
+ public:
+  void Init(TConfigurationNode& params) override {
+    std::string file;
+    GetNodeAttributeOrDefault(params, "file", file, file);
+    GetNodeAttributeOrDefault(params, "no_exception", m_throwsInteger, m_throwsInteger);
+    if (!file.empty()) {
+      m_file.open(file);
+    }
+  }
+  void ControlStep() override {
+    m_file << "step " << m_step << '\n';
+    if (m_step++ == 2 && m_throwsInteger) {
+      throw 42;
+    }
+    if (m_step == 3) {
+      throw std::runtime_error("tired after two steps");
+    }
+  }
+
+ private:
+  int m_step = 0;
+  bool m_throwsInteger = false;
+  std::ofstream m_file;
+};
+
+class CNotANumber : public CCI_Controller {
+ public:
+  void Init(TConfigurationNode&) override {
+    m_wheels = GetActuator<CCI_DifferentialSteeringActuator>("differential_steering");
+  }
+  void ControlStep() override {
+    m_wheels->SetLinearVelocity(std::numeric_limits<Real>::quiet_NaN(), 0.0);
+  }
+
+ private:
+  CCI_DifferentialSteeringActuator* m_wheels = nullptr;
+};
+
+}  // namespace
+
+REGISTER_CONTROLLER(CIdle, "test_idle")
+REGISTER_CONTROLLER(CThrowsInInit, "test_throws_in_init")
+REGISTER_CONTROLLER(CThrowsInStep, "test_throws_in_step")
+REGISTER_CONTROLLER(CNotANumber, "test_not_a_number")

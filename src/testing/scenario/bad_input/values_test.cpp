@@ -1,0 +1,134 @@
+// Values that do not parse, or that cannot be.
+
+#include "experiment_text.h"
+
+#include <catch2/catch.hpp>
+
+using namespace argos;
+using Catch::Contains;
+
+namespace {
+
+std::string Framework(const std::string& experimentAttributes, const std::string& more = "") {
+  return "<framework><experiment " + experimentAttributes + "/>" + more + "</framework>";
+}
+
+}  // namespace
+
+TEST_CASE("bad input: text that is not well-formed XML", "[bad_input]") {
+  const std::string error =
+      LoadErrorOfXml("<argos-configuration>\n<framework>\n</argos-configuration>\n");
+  CHECK_THAT(error, Contains("test.argos") && Contains("framework"));
+  CHECK_THAT(LoadErrorOfXml(""), Contains("test.argos"));
+  CHECK_THAT(LoadErrorOfXml("not xml at all"), Contains("test.argos"));
+}
+
+TEST_CASE("bad input: a section that is missing", "[bad_input]") {
+  SExperimentText experiment;
+  experiment.Engines.clear();
+  CHECK_THAT(LoadError(experiment), Contains("physics_engines"));
+  CHECK_THAT(LoadErrorOfXml("<argos-configuration/>"), Contains("framework"));
+}
+
+TEST_CASE("bad input: values in <framework>", "[bad_input]") {
+  const std::string wrong =
+      GENERATE(as<std::string>{}, "ticks_per_second=\"0\"", "ticks_per_second=\"-1\"",
+               "ticks_per_second=\"10.5\"", "ticks_per_second=\"ten\"", "ticks_per_second=\"\"",
+               "ticks_per_second=\"99999999999\"");
+  CAPTURE(wrong);
+  SExperimentText experiment;
+  experiment.Framework = Framework(wrong);
+  CHECK_THAT(LoadError(experiment),
+             Contains(At(SExperimentText::kFrameworkLine)) && Contains("ticks_per_second"));
+}
+
+TEST_CASE("bad input: the length of an experiment", "[bad_input]") {
+  const std::string wrong = GENERATE(as<std::string>{}, "-1", "nan", "inf", "1e30", "1s", "1,5");
+  CAPTURE(wrong);
+  SExperimentText experiment;
+  experiment.Framework = Framework("ticks_per_second=\"10\" length=\"" + wrong + "\"");
+  CHECK_THAT(LoadError(experiment), Contains("length"));
+}
+
+TEST_CASE("bad input: threads and their method", "[bad_input]") {
+  SExperimentText experiment;
+  const std::string good = "ticks_per_second=\"10\"";
+  experiment.Framework = Framework(good, "<system threads=\"-1\"/>");
+  CHECK_THAT(LoadError(experiment), Contains("threads"));
+  experiment.Framework = Framework(good, "<system threads=\"4000000000\"/>");
+  CHECK_THAT(LoadError(experiment), Contains("threads") && Contains("4000000000"));
+  experiment.Framework = Framework(good, "<system threads=\"2\" method=\"balance_quantiti\"/>");
+  CHECK_THAT(LoadError(experiment), Contains("balance_quantiti") && Contains("balance_quantity"));
+}
+
+TEST_CASE("bad input: the size of the arena", "[bad_input]") {
+  const std::string wrong =
+      GENERATE(as<std::string>{}, "0,4,1", "4,-4,1", "4,4", "4,4,1,1", "4,4,high", "");
+  CAPTURE(wrong);
+  SExperimentText experiment;
+  experiment.ArenaAttributes = "size=\"" + wrong + "\"";
+  CHECK_THAT(LoadError(experiment), Contains(At(SExperimentText::kArenaLine)) && Contains("size"));
+}
+
+TEST_CASE("bad input: zero and negative sizes and masses", "[bad_input]") {
+  const std::string wrong =
+      GENERATE(as<std::string>{}, "<box id=\"b\" size=\"0,1,1\" movable=\"false\"><body/></box>",
+               "<box id=\"b\" size=\"1,1,-1\" movable=\"false\"><body/></box>",
+               "<box id=\"b\" size=\"1,1,1\" movable=\"true\" mass=\"0\"><body/></box>",
+               "<box id=\"b\" size=\"1,1,1\" movable=\"true\"><body/></box>",
+               "<cylinder id=\"b\" radius=\"0\" height=\"1\" movable=\"false\"><body/></cylinder>",
+               "<cylinder id=\"b\" radius=\"1\" height=\"-1\" movable=\"false\"><body/></cylinder>",
+               "<cylinder id=\"b\" radius=\"1\" height=\"1\" movable=\"true\" "
+               "mass=\"-2\"><body/></cylinder>");
+  CAPTURE(wrong);
+  SExperimentText experiment;
+  experiment.Box = wrong;
+  experiment.Robot.clear();
+  CHECK_THAT(LoadError(experiment), Contains(At(SExperimentText::kArenaLine)));
+}
+
+TEST_CASE("bad input: values that do not parse name attribute, text and what is right",
+          "[bad_input]") {
+  SExperimentText experiment;
+  experiment.Box = "<box id=\"b\" size=\"1,1,1\" movable=\"yes\"><body position=\"1,0,0\"/></box>";
+  CHECK_THAT(LoadError(experiment), Contains(At(SExperimentText::kArenaLine)) &&
+                                        Contains("movable") && Contains("yes") &&
+                                        Contains("\"true\" or \"false\""));
+  experiment.Box =
+      "<box id=\"b\" size=\"1,1,1\" movable=\"false\"><body position=\"1;0;0\"/></box>";
+  CHECK_THAT(LoadError(experiment), Contains("position") && Contains("1;0;0") && Contains("x,y,z"));
+}
+
+TEST_CASE("bad input: robots outside every engine", "[bad_input]") {
+  SExperimentText experiment;
+  experiment.Engines =
+      "<physics_engines><dynamics2d id=\"west\"><boundaries><sides><vertex point=\"-2,-2\"/>"
+      "<vertex point=\"2,-2\"/><vertex point=\"2,2\"/><vertex point=\"-2,2\"/></sides></boundaries>"
+      "</dynamics2d></physics_engines>";
+  experiment.Robot = SExperimentText::RobotAt("lost", "3,0,0");
+  CHECK_THAT(LoadError(experiment), Contains(At(SExperimentText::kArenaLine)) &&
+                                        Contains("\"lost\"") && Contains("3,0,0") &&
+                                        Contains("\"west\""));
+  experiment.Robot = SExperimentText::RobotAt("flying", "0,0,0.5");
+  CHECK_THAT(LoadError(experiment), Contains("\"flying\""));
+}
+
+TEST_CASE("bad input: more robots than there is room for", "[bad_input]") {
+  SExperimentText experiment;
+  experiment.Robot =
+      "<distribute><position method=\"uniform\" min=\"0,0,0\" max=\"0.1,0.1,0\"/>"
+      "<orientation method=\"constant\" values=\"0,0,0\"/>"
+      "<entity quantity=\"50\" max_trials=\"20\"><e-puck id=\"ep\"><controller config=\"c\"/>"
+      "</e-puck></entity></distribute>";
+  CHECK_THAT(LoadError(experiment), Contains("ep") && Contains("21"));
+}
+
+TEST_CASE("bad input: a region that is no convex polygon", "[bad_input]") {
+  SExperimentText experiment;
+  experiment.Engines =
+      "<physics_engines><dynamics2d id=\"d\"><boundaries><sides><vertex point=\"0,0\"/>"
+      "<vertex point=\"0,1\"/><vertex point=\"1,0\"/></sides></boundaries></dynamics2d>"
+      "</physics_engines>";
+  CHECK_THAT(LoadError(experiment),
+             Contains(At(SExperimentText::kEnginesLine)) && Contains("clockwise"));
+}

@@ -1,0 +1,232 @@
+// What the parser of the command line makes of its arguments.
+
+#include <argos3/core/simulator/argos_command_line_arg_parser.h>
+#include <argos3/core/simulator/progress.h>
+
+#include <argos3/core/config.h>
+
+#include <catch2/catch.hpp>
+
+using namespace argos;
+using Catch::Contains;
+
+namespace {
+
+using TParser = CARGoSCommandLineArgParser;
+
+TParser::SOptions Parse(const std::vector<const char*>& arguments) {
+  std::vector<const char*> argv{"argos3"};
+  argv.insert(argv.end(), arguments.begin(), arguments.end());
+  TParser parser;
+  parser.Parse(static_cast<SInt32>(argv.size()), argv.data());
+  return parser.GetOptions();
+}
+
+std::string ErrorOf(const std::vector<const char*>& arguments) {
+  try {
+    Parse(arguments);
+  } catch (const CARGoSException& ex) {
+    return ex.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("command line: the four actions", "[command_line]") {
+  CHECK(Parse({"-c", "a.argos"}).Action == TParser::ACTION_RUN_EXPERIMENT);
+  CHECK(Parse({"--config-file", "a.argos"}).ExperimentFile == "a.argos");
+  CHECK(Parse({"-q", "all"}).Action == TParser::ACTION_QUERY_PLUGINS);
+  CHECK(Parse({"--query", "led"}).Query == "led");
+  CHECK(Parse({"-h"}).Action == TParser::ACTION_SHOW_HELP);
+  CHECK(Parse({"--help"}).Action == TParser::ACTION_SHOW_HELP);
+  CHECK(Parse({"-v"}).Action == TParser::ACTION_SHOW_VERSION);
+  CHECK(Parse({"--version"}).Action == TParser::ACTION_SHOW_VERSION);
+}
+
+TEST_CASE("command line: nothing is set that was not given", "[command_line]") {
+  const TParser::SOptions options = Parse({"-c", "a.argos"});
+  CHECK_FALSE(options.NoColor);
+  CHECK_FALSE(options.NoVisualization);
+  CHECK_FALSE(options.Digest);
+  CHECK(options.LogFile.empty());
+  CHECK(options.LogErrFile.empty());
+  CHECK_FALSE(options.Seed.has_value());
+  CHECK_FALSE(options.Threads.has_value());
+  CHECK_FALSE(options.Length.has_value());
+  CHECK(options.Overrides.empty());
+}
+
+TEST_CASE("command line: every other option", "[command_line]") {
+  const TParser::SOptions options =
+      Parse({"-c", "a.argos", "-n", "-z", "-l", "log", "-e", "err", "--seed", "4294967295",
+             "--threads", "4", "--length", "2.5", "--digest"});
+  CHECK(options.NoColor);
+  CHECK(options.NoVisualization);
+  CHECK(options.LogFile == "log");
+  CHECK(options.LogErrFile == "err");
+  CHECK(options.Seed == 4294967295u);
+  CHECK(options.Threads == 4u);
+  CHECK(options.Length == 2.5);
+  CHECK(options.Digest);
+  CHECK(Parse({"-c", "a", "--no-color"}).NoColor);
+  CHECK(Parse({"-c", "a", "--no-visualization"}).NoVisualization);
+  CHECK(Parse({"-c", "a", "--log-file", "x"}).LogFile == "x");
+  CHECK(Parse({"-c", "a", "--logerr-file", "x"}).LogErrFile == "x");
+}
+
+TEST_CASE("command line: short flags may be glued, the last may take a value", "[command_line]") {
+  CHECK(Parse({"-zn", "-c", "a"}).NoColor);
+  CHECK(Parse({"-zn", "-c", "a"}).NoVisualization);
+  const TParser::SOptions options = Parse({"-nzc", "a"});
+  CHECK(options.NoColor);
+  CHECK(options.NoVisualization);
+  CHECK(options.ExperimentFile == "a");
+}
+
+TEST_CASE("command line: --set splits at the first '=' outside brackets", "[command_line]") {
+  const auto overrides =
+      Parse({"-c", "a", "--set", "framework/experiment/@length=5", "--set",
+             "//foot-bot[@id='fb0']/body/@position=1,2,0", "--set", "x/@y=", "--set", "x/@y=a=b"})
+          .Overrides;
+  REQUIRE(overrides.size() == 4);
+  CHECK(overrides[0].first == "framework/experiment/@length");
+  CHECK(overrides[0].second == "5");
+  CHECK(overrides[1].first == "//foot-bot[@id='fb0']/body/@position");
+  CHECK(overrides[1].second == "1,2,0");
+  CHECK(overrides[2].second.empty());
+  CHECK(overrides[3].second == "a=b");
+}
+
+TEST_CASE("command line: exactly one action", "[command_line]") {
+  CHECK_THAT(ErrorOf({}), Contains("one of -c FILE, -q WORD, -h, -v must be given"));
+  CHECK_THAT(ErrorOf({"-n"}), Contains("must be given"));
+  CHECK_THAT(ErrorOf({"-c", "a", "-q", "b"}), Contains("only one of") && Contains("--query"));
+  CHECK_THAT(ErrorOf({"-h", "-v"}), Contains("only one of"));
+}
+
+TEST_CASE("command line: unknown options name the nearest", "[command_line]") {
+  CHECK_THAT(ErrorOf({"-c", "a", "--thread", "2"}),
+             Contains("--thread;") && Contains("\"--threads\"") && !Contains("\"2\""));
+  CHECK_THAT(ErrorOf({"-c", "a", "--sed=3"}), Contains("--sed") && Contains("--seed"));
+  CHECK_THAT(ErrorOf({"-c", "a", "-x"}), Contains("-x"));
+  CHECK_THAT(ErrorOf({"-znx", "-c", "a"}), Contains("-x"));
+}
+
+TEST_CASE("command line: stray words", "[command_line]") {
+  CHECK_THAT(ErrorOf({"a.argos"}), Contains("\"a.argos\"") && Contains("after -c"));
+  CHECK_THAT(ErrorOf({"-c", "a.argos", "7"}), Contains("\"7\""));
+  CHECK_THAT(ErrorOf({"-c", "a.argos", "--", "b"}), Contains("\"b\""));
+}
+
+TEST_CASE("command line: values that are missing or wrong", "[command_line]") {
+  CHECK_THAT(ErrorOf({"-c"}), Contains("--config-file"));
+  CHECK_THAT(ErrorOf({"-c", ""}), Contains("--config-file"));
+  CHECK_THAT(ErrorOf({"-c", "a", "--seed"}), Contains("--seed"));
+  CHECK_THAT(ErrorOf({"-c", "a", "-l", ""}), Contains("--log-file"));
+  const auto [option, value] =
+      GENERATE(table<const char*, const char*>({{"--seed", "-1"},
+                                                {"--seed", "4294967296"},
+                                                {"--seed", "1.5"},
+                                                {"--seed", "0x10"},
+                                                {"--seed", "one"},
+                                                {"--seed", ""},
+                                                {"--threads", "-2"},
+                                                {"--threads", "1025"},
+                                                {"--threads", "many"},
+                                                {"--length", "-1"},
+                                                {"--length", "nan"},
+                                                {"--length", "inf"},
+                                                {"--length", "10s"},
+                                                {"--set", "no_equals_sign"},
+                                                {"--set", "=value"}}));
+  CAPTURE(option, value);
+  CHECK_THAT(ErrorOf({"-c", "a", option, value}), Contains(option) && Contains("expected"));
+}
+
+TEST_CASE("command line: an option with one value is given once", "[command_line]") {
+  CHECK_THAT(ErrorOf({"-c", "a", "-c", "b"}), Contains("--config-file is given 2 times"));
+  CHECK_THAT(ErrorOf({"-c", "a", "--seed", "1", "--seed", "2"}),
+             Contains("--seed is given 2 times"));
+  CHECK(ErrorOf({"-c", "a", "-z", "-z"}).empty());
+}
+
+TEST_CASE("command line: one file does not serve two purposes", "[command_line]") {
+  CHECK_THAT(ErrorOf({"-c", "a", "-l", "x", "-e", "x"}), Contains("same file"));
+  CHECK_THAT(ErrorOf({"-c", "a", "-l", "a"}), Contains("same file"));
+}
+
+TEST_CASE("command line: options of a run make no sense without one", "[command_line]") {
+  CHECK_THAT(ErrorOf({"-q", "all", "--seed", "3"}), Contains("--seed") && Contains("-c"));
+  CHECK_THAT(ErrorOf({"-v", "--digest"}), Contains("--digest"));
+}
+
+TEST_CASE("command line: all that is wrong is reported together", "[command_line]") {
+  const std::string error = ErrorOf({"--seed", "x", "--threads", "y", "--colour", "z"});
+  CHECK_THAT(error, Contains("--seed x"));
+  CHECK_THAT(error, Contains("--threads y"));
+  CHECK_THAT(error, Contains("--colour"));
+  CHECK_THAT(error, Contains("must be given"));
+}
+
+TEST_CASE("command line: the help names every option and query word", "[command_line]") {
+  const std::string usage = TParser::GetUsage();
+  for (const char* word : {"-c,--config-file",
+                           "-q,--query",
+                           "-h,--help",
+                           "-v,--version",
+                           "-n,--no-color",
+                           "-z,--no-visualization",
+                           "-l,--log-file",
+                           "-e,--logerr-file",
+                           "--seed",
+                           "--threads",
+                           "--length",
+                           "--set",
+                           "--digest",
+                           "actuators",
+                           "sensors",
+                           "physics_engines",
+                           "media",
+                           "visualizations",
+                           "entities",
+                           "all",
+                           "Examples",
+                           "ARGOS_PLUGIN_PATH",
+                           ARGOS_VERSION}) {
+    CAPTURE(word);
+    CHECK_THAT(usage, Contains(word));
+  }
+}
+
+TEST_CASE("command line: the version is told in lines KEY=value", "[command_line]") {
+  const std::string version = TParser::GetVersion();
+  CHECK_THAT(version, Contains("ARGOS_VERSION=" ARGOS_VERSION "-" ARGOS_RELEASE "\n"));
+  CHECK_THAT(version, Contains("\nARGOS_INSTALL_PREFIX="));
+  CHECK_THAT(version, Contains("\nARGOS_USE_DOUBLE=ON\n"));
+  CHECK_THAT(version, Contains("\nARGOS_WITH_LUA=O"));
+  CHECK_THAT(version, Contains("\nARGOS_BUILD_FLAGS="));
+}
+
+TEST_CASE("progress: ticks, simulated time, real-time factor and time left", "[command_line]") {
+  SProgress progress;
+  progress.Ticks = 150;
+  progress.MaxTicks = 600;
+  progress.TickLength = 0.1;
+  progress.WallSeconds = 30.0;
+  // 15 s in 30 s; 450 ticks more at 5 a second
+  CHECK(DescribeProgress(progress) ==
+        "tick 150/600 (25 %), 1:30 left, 0.5 x real time, 15 s simulated");
+  progress.WallSeconds = 3000.0;
+  CHECK_THAT(DescribeProgress(progress), Contains("2:30:00 left"));
+}
+
+TEST_CASE("progress: without a limit there is no time left", "[command_line]") {
+  SProgress progress;
+  progress.Ticks = 10;
+  progress.TickLength = 0.1;
+  progress.WallSeconds = 0.5;
+  CHECK(DescribeProgress(progress) == "tick 10, 2 x real time, 1 s simulated");
+  progress.Ticks = 0;
+  CHECK(DescribeProgress(progress) == "tick 0, 0 s simulated");
+}

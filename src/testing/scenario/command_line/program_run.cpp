@@ -1,0 +1,96 @@
+#include "program_run.h"
+
+#include <catch2/catch.hpp>
+
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+namespace argos {
+
+namespace {
+
+constexpr char kProgram[] = ARGOS_TEST_BINARY_DIR "/bin/argos3";
+// far more than any test takes, far less than the test driver's limit
+constexpr std::chrono::seconds kPatience(120);
+
+void RedirectTo(int file, const std::string& path) {
+  const int target = open(path.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600);
+  dup2(target, file);
+  close(target);
+}
+
+[[noreturn]] void Execute(const std::vector<std::string>& arguments, const std::string& folder,
+                          const std::string& out, const std::string& err) {
+  std::vector<char*> argv{const_cast<char*>(kProgram)};
+  for (const std::string& argument : arguments) {
+    argv.push_back(const_cast<char*>(argument.c_str()));
+  }
+  argv.push_back(nullptr);
+  RedirectTo(STDOUT_FILENO, out);
+  RedirectTo(STDERR_FILENO, err);
+  if (chdir(folder.c_str()) == 0) {
+    execv(kProgram, argv.data());
+  }
+  _exit(127);
+}
+
+}  // namespace
+
+CTestFolder::CTestFolder() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "argos_test_XXXXXX").string();
+  REQUIRE(mkdtemp(pattern.data()) != nullptr);
+  m_path = pattern;
+}
+
+CTestFolder::~CTestFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(m_path, ignored);
+}
+
+std::string CTestFolder::Write(const std::string& name, const std::string& content) const {
+  std::ofstream(Path(name)) << content;
+  return Path(name);
+}
+
+std::string CTestFolder::Read(const std::string& name) const {
+  std::ostringstream text;
+  text << std::ifstream(Path(name)).rdbuf();
+  return text.str();
+}
+
+SProgramRun CTestFolder::Run(const std::vector<std::string>& arguments, int signal,
+                             const std::string& trigger) const {
+  const pid_t child = fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    Execute(arguments, m_path.string(), Path("stdout.txt"), Path("stderr.txt"));
+  }
+
+  const auto deadline = std::chrono::steady_clock::now() + kPatience;
+  bool signalled = signal == 0;
+  int status = 0;
+  while (waitpid(child, &status, WNOHANG) == 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    if (!signalled && Read("stdout.txt").find(trigger) != std::string::npos) {
+      kill(child, signal);
+      signalled = true;
+    }
+    if (std::chrono::steady_clock::now() > deadline) {
+      kill(child, SIGKILL);
+    }
+  }
+  SProgramRun run;
+  run.Status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  run.Out = Read("stdout.txt");
+  run.Err = Read("stderr.txt");
+  return run;
+}
+
+}  // namespace argos

@@ -1,0 +1,43 @@
+#ifndef ARGOS3_TESTING_SCENARIO_COMMAND_LINE_PROGRAM_RUN_H
+#define ARGOS3_TESTING_SCENARIO_COMMAND_LINE_PROGRAM_RUN_H
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace argos {
+
+/** How a run of the program argos3 ended. */
+struct SProgramRun {
+  int Status = -1; /**< exit status; 128 + number if a signal killed it */
+  std::string Out;
+  std::string Err;
+};
+
+/** A folder of its own for a test; goes away with its content. */
+class CTestFolder {
+ public:
+  CTestFolder();
+  ~CTestFolder();
+  CTestFolder(const CTestFolder&) = delete;
+  CTestFolder& operator=(const CTestFolder&) = delete;
+
+  std::string Path(const std::string& name) const { return (m_path / name).string(); }
+  /** Writes a file. @return its path. */
+  std::string Write(const std::string& name, const std::string& content) const;
+  std::string Read(const std::string& name) const;
+
+  /**
+   * Runs argos3 in this folder and waits for its end.
+   * @param signal  if not 0, sent once as soon as the standard output holds @p trigger.
+   */
+  SProgramRun Run(const std::vector<std::string>& arguments, int signal = 0,
+                  const std::string& trigger = "") const;
+
+ private:
+  std::filesystem::path m_path;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,190 @@
+// The program as a user meets it: exit status, output, files.
+
+#include "program_run.h"
+
+#include <catch2/catch.hpp>
+
+#include <csignal>
+#include <regex>
+
+using namespace argos;
+using Catch::Contains;
+
+namespace {
+
+constexpr char kBadControllers[] =
+    ARGOS_TEST_BINARY_DIR "/testing/plugins/libargos3_test_bad_controllers.so";
+
+// three e-pucks that stand where chance put them, for one second
+std::string Experiment(const std::string& controller = "test_idle",
+                       const std::string& rest = "<visualization/>") {
+  return "<argos-configuration>\n"
+         "<framework><experiment ticks_per_second=\"10\" length=\"1\" "
+         "random_seed=\"1\"/></framework>\n"
+         "<controllers><" +
+         controller + " id=\"c\" library=\"" + kBadControllers +
+         "\"><actuators>"
+         "<differential_steering implementation=\"default\"/></actuators><sensors/><params/></" +
+         controller +
+         "></controllers>\n"
+         "<physics_engines><dynamics2d id=\"d\"/></physics_engines>\n<media/>\n"
+         "<arena size=\"4,4,1\"><distribute><position method=\"uniform\" min=\"-1,-1,0\" "
+         "max=\"1,1,0\"/><orientation method=\"uniform\" min=\"0,0,0\" max=\"360,0,0\"/>"
+         "<entity quantity=\"3\" max_trials=\"100\"><e-puck id=\"ep\"><controller config=\"c\"/>"
+         "</e-puck></entity></distribute></arena>\n" +
+         rest + "\n</argos-configuration>\n";
+}
+
+std::string DigestIn(const std::string& text) {
+  std::smatch match;
+  return std::regex_search(text, match, std::regex("digest: ([0-9a-f]{16})\n")) ? match[1].str()
+                                                                                : "";
+}
+
+}  // namespace
+
+TEST_CASE("argos3: a run ends with a summary and status 0", "[command_line]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", Experiment());
+  const SProgramRun run = folder.Run({"-c", "e.argos"});
+  CHECK(run.Status == 0);
+  CHECK(run.Err == "");
+  CHECK(
+      std::regex_search(run.Out, std::regex("\\[INFO\\] simulated 1 s in [0-9.e+-]+ s of wall time "
+                                            "\\(real-time factor [0-9.e+-]+, 3 robots\\)\n")));
+  CHECK_THAT(run.Out, Contains("[INFO] Using random seed = 1\n") &&
+                          Contains("[INFO] Total experiment length in clock ticks = 10\n"));
+}
+
+TEST_CASE("argos3: no colours and no progress line if the output is no terminal",
+          "[command_line]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", Experiment());
+  const SProgramRun run = folder.Run({"-c", "e.argos", "--length", "5000"});
+  CHECK(run.Status == 0);
+  CHECK_THAT(run.Out, !Contains("\x1b"));
+  CHECK(run.Err == "");
+}
+
+TEST_CASE("argos3: the digest repeats itself and tells seeds apart", "[command_line]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", Experiment());
+  const std::string digest = DigestIn(folder.Run({"-c", "e.argos", "--digest"}).Out);
+  REQUIRE(digest.size() == 16);
+  CHECK(DigestIn(folder.Run({"-zc", "e.argos", "--digest"}).Out) == digest);
+  CHECK(DigestIn(folder.Run({"-c", "e.argos", "--digest", "--threads", "2"}).Out) == digest);
+  CHECK(DigestIn(folder.Run({"-c", "e.argos", "--digest", "--seed", "1"}).Out) == digest);
+  CHECK(DigestIn(folder.Run({"-c", "e.argos", "--digest", "--seed", "2"}).Out) != digest);
+  CHECK(DigestIn(folder.Run({"-c", "e.argos"}).Out).empty());
+}
+
+TEST_CASE("argos3: --length, --threads, --seed and --set change the run", "[command_line]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", Experiment());
+  const SProgramRun run =
+      folder.Run({"-c", "e.argos", "--length", "2", "--threads", "2", "--seed", "77", "--set",
+                  "arena/distribute/entity/@quantity=5", "--set", "//e-puck/@id=robot"});
+  CHECK(run.Status == 0);
+  CHECK_THAT(run.Out, Contains("simulated 2 s") && Contains("5 robots") &&
+                          Contains("Using random seed = 77") && Contains("Using 2 threads"));
+}
+
+TEST_CASE("argos3: --set of what is not there is an error", "[command_line]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", Experiment());
+  const SProgramRun run = folder.Run({"-c", "e.argos", "--set", "framwork/experiment/@length=5"});
+  CHECK(run.Status == 1);
+  CHECK_THAT(run.Err, Contains("framwork") && Contains("framework"));
+}
+
+TEST_CASE("argos3: logs go to files", "[command_line]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", Experiment("test_idle", "<nobody_reads_me/>"));
+  folder.Write("log.txt", "old content");
+  const SProgramRun run =
+      folder.Run({"-c", "e.argos", "-l", "log.txt", "-e", "err.txt", "--digest"});
+  CHECK(run.Status == 0);
+  CHECK(run.Out == "");
+  CHECK(run.Err == "");
+  CHECK_THAT(folder.Read("log.txt"), Contains("simulated 1 s") && Contains("digest: ") &&
+                                         !Contains("old content") && !Contains("\x1b"));
+  CHECK_THAT(folder.Read("err.txt"), Contains("[WARNING]") && Contains("nobody_reads_me"));
+}
+
+TEST_CASE("argos3: a log file that cannot be written stops it before anything runs",
+          "[command_line]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", Experiment());
+  const std::string option = GENERATE(as<std::string>{}, "-l", "-e");
+  CAPTURE(option);
+  const SProgramRun run = folder.Run({"-c", "e.argos", option, "no/such/folder/log.txt"});
+  CHECK(run.Status == 1);
+  CHECK_THAT(run.Err, Contains("no/such/folder/log.txt"));
+  CHECK_THAT(run.Out, !Contains("simulated"));
+}
+
+TEST_CASE("argos3: help, version and queries", "[command_line]") {
+  const CTestFolder folder;
+  const SProgramRun help = folder.Run({"-h"});
+  CHECK(help.Status == 0);
+  CHECK_THAT(help.Out, Contains("Usage: argos3"));
+  const SProgramRun version = folder.Run({"-v"});
+  CHECK(version.Status == 0);
+  CHECK_THAT(version.Out, Contains("ARGOS_VERSION="));
+  const SProgramRun entities = folder.Run({"-q", "entities"});
+  CHECK(entities.Status == 0);
+  CHECK_THAT(entities.Out, Contains("AVAILABLE ENTITIES\n\n") && Contains("   [ box ]\n      ") &&
+                               Contains("   [ e-puck ]\n      ") && Contains("   [ foot-bot ]\n"));
+  const SProgramRun device = folder.Run({"-q", "footbot_proximity"});
+  CHECK_THAT(device.Out, Contains("[ footbot_proximity (default) ]\n"));
+  const SProgramRun nothing = folder.Run({"-q", "no_such_word"});
+  CHECK(nothing.Status == 0);
+  CHECK_THAT(nothing.Out, Contains("Nothing found"));
+}
+
+TEST_CASE("argos3: a wrong command line is an error with status 1", "[command_line]") {
+  const CTestFolder folder;
+  const SProgramRun run = folder.Run({"--configfile", "e.argos"});
+  CHECK(run.Status == 1);
+  CHECK(run.Out == "");
+  CHECK_THAT(run.Err, Contains("[FATAL]") && Contains("--config-file"));
+}
+
+TEST_CASE("argos3: a missing file, a folder, and text that is no XML",
+          "[command_line][bad_input]") {
+  const CTestFolder folder;
+  const SProgramRun missing = folder.Run({"-c", "nothing.argos"});
+  CHECK(missing.Status == 1);
+  CHECK_THAT(missing.Err, Contains("[FATAL]") && Contains("nothing.argos"));
+  const SProgramRun directory = folder.Run({"-c", "."});
+  CHECK(directory.Status == 1);
+  CHECK_THAT(directory.Err, Contains("directory"));
+  folder.Write("broken.argos", "<argos-configuration>\n<framework>\n</argos-configuration>\n");
+  const SProgramRun broken = folder.Run({"-c", "broken.argos"});
+  CHECK(broken.Status == 1);
+  CHECK_THAT(broken.Err, Contains("broken.argos:"));
+}
+
+TEST_CASE("argos3: a controller that throws ends the run with status 1",
+          "[command_line][bad_input]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", Experiment("test_throws_in_step"));
+  const SProgramRun run = folder.Run({"-c", "e.argos"});
+  CHECK(run.Status == 1);
+  CHECK_THAT(run.Err, Contains("\"ep0\"") && Contains("tired after two steps"));
+  CHECK_THAT(run.Out, !Contains("simulated"));
+  // what was logged before is not lost
+  CHECK_THAT(run.Out, Contains("Using random seed = 1"));
+}
+
+TEST_CASE("argos3: a signal ends the run normally, with its own status", "[command_line]") {
+  const auto [signal, status] = GENERATE(table<int, int>({{SIGINT, 130}, {SIGTERM, 143}}));
+  CAPTURE(signal);
+  const CTestFolder folder;
+  folder.Write("e.argos", Experiment());
+  const SProgramRun run = folder.Run({"-c", "e.argos", "--length", "0", "--digest", "--set",
+                                      "framework/experiment/@real_time=true"},
+                                     signal, "Total experiment length");
+  CHECK(run.Status == status);
+  CHECK_THAT(run.Out, Contains("stopped by SIG") && Contains("simulated ") && Contains("digest: "));
+}

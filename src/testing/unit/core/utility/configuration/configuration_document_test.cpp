@@ -1,0 +1,279 @@
+#include <argos3/core/utility/configuration/argos_configuration.h>
+
+#include <catch2/catch.hpp>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+using namespace argos;
+using Catch::Contains;
+
+namespace {
+
+constexpr const char* kExperiment = R"(<?xml version="1.0" ?>
+<argos-configuration>
+  <framework>
+    <experiment length="10" random_seed="1" />
+  </framework>
+  <arena size="1,1,1">
+    <distribute><entity quantity="1"/></distribute>
+    <distribute><entity quantity="2"/></distribute>
+    <foot-bot id="fb0"><body position="0,0,0"/></foot-bot>
+    <foot-bot id="fb1"><body position="1,0,0"/></foot-bot>
+  </arena>
+</argos-configuration>
+)";
+
+CConfigurationDocument Experiment() {
+  CConfigurationDocument document;
+  document.Parse(kExperiment, "e.argos");
+  return document;
+}
+
+// what is unread, as "<tag>" or "<tag>@attribute", one after the other
+std::string Unread(const CConfigurationDocument& document) {
+  std::string unread;
+  document.ForEachUnread([&unread](const CConfigurationNode& node, const std::string& attribute) {
+    unread += '<' + node.Value() + '>' + (attribute.empty() ? "" : '@' + attribute) + ' ';
+  });
+  return unread;
+}
+
+std::string ErrorOfParsing(const std::string& xml) {
+  CConfigurationDocument document;
+  try {
+    document.Parse(xml, "x.argos");
+  } catch (CARGoSException& ex) {
+    return ex.what();
+  }
+  return "accepted";
+}
+
+// a file name of this process that is removed in the end
+class CTemporaryFile {
+ public:
+  explicit CTemporaryFile(const std::string& content) {
+    m_name = "configuration_document_test." + std::to_string(getpid()) + ".xml";
+    std::ofstream(m_name) << content;
+  }
+  ~CTemporaryFile() { std::remove(m_name.c_str()); }
+  const std::string& GetName() const { return m_name; }
+
+ private:
+  std::string m_name;
+};
+
+}  // namespace
+
+/****************************************/
+// loading
+/****************************************/
+
+TEST_CASE("document: a file is loaded and saved", "[core][configuration]") {
+  const CTemporaryFile file(kExperiment);
+  CConfigurationDocument document;
+  document.LoadFile(file.GetName());
+  CHECK(document.GetName() == file.GetName());
+  CHECK(document.GetRoot().Value() == "argos-configuration");
+  CHECK(GetNode(document.GetRoot(), "arena").GetLocation() == file.GetName() + ":6");
+  document.SetByPath("arena/@size", "2,2,2");
+  document.SaveFile(file.GetName());
+  CConfigurationDocument again;
+  again.LoadFile(file.GetName());
+  CHECK(GetNode(again.GetRoot(), "arena").GetAttribute("size") == "2,2,2");
+}
+
+TEST_CASE("document: files that cannot be read", "[core][configuration]") {
+  CConfigurationDocument document = Experiment();
+  CHECK_THROWS_WITH(document.LoadFile("/no/such/file.argos"),
+                    Contains("\"/no/such/file.argos\": No such file or directory"));
+  CHECK_THROWS_WITH(document.LoadFile("/"), Contains("it is a directory"));
+  // the document is as before
+  CHECK(document.GetName() == "e.argos");
+  CHECK_THROWS_WITH(document.SaveFile("/no/such/folder/file"), Contains("Cannot write the file"));
+}
+
+TEST_CASE("document: an empty one has no root", "[core][configuration]") {
+  CConfigurationDocument document;
+  CHECK_THROWS_WITH(document.GetRoot(), Contains("before a file was loaded"));
+  CHECK_THROWS_WITH(document.SaveFile("x"), Contains("the document is empty"));
+  CHECK_THROWS_WITH(document.SetByPath("@a", "1"), Contains("the document is empty"));
+  CHECK(Unread(document).empty());
+}
+
+TEST_CASE("document: malformed XML is refused with its line", "[core][configuration]") {
+  CHECK_THAT(ErrorOfParsing(""), Contains("x.argos: not well-formed XML: there is nothing in it"));
+  CHECK_THAT(ErrorOfParsing("<a>\n<b>\n</a>"), Contains("x.argos:2: not well-formed XML: this "
+                                                        "closing tag does not match"));
+  CHECK_THAT(ErrorOfParsing("<a>\n<b x=1/></a>"),
+             Contains("x.argos:2: not well-formed XML: an "
+                      "attribute of this element is malformed"));
+  CHECK_THAT(ErrorOfParsing("<a b='1' b='2'/>"), Contains("given twice"));
+  CHECK_THAT(ErrorOfParsing("<a>\n<!-- \n</a>"),
+             Contains("x.argos:2: not well-formed XML: this comment"));
+  CHECK_THAT(ErrorOfParsing("<a/>\n<b/>"),
+             Contains("x.argos:2: not well-formed XML: <b> stands outside "
+                      "the root element <a>"));
+  CHECK_THAT(ErrorOfParsing("<a/>\ntext"),
+             Contains("x.argos:2: not well-formed XML: this text is not"));
+  CHECK_THAT(ErrorOfParsing("<!-- only -->"), Contains("there is no element in it"));
+  CHECK_THAT(ErrorOfParsing("just text"), Contains("not well-formed XML"));
+  CHECK_THAT(ErrorOfParsing("<a"), Contains("not well-formed XML"));
+  CHECK_THAT(ErrorOfParsing(std::string("<a/>\0", 5)), Contains("a zero byte in it, at offset 4"));
+}
+
+/****************************************/
+// what nobody read
+/****************************************/
+
+TEST_CASE("document: everything is unread at first", "[core][configuration]") {
+  CConfigurationDocument document = Experiment();
+  CHECK(Unread(document) == "<argos-configuration> ");
+  document.GetRoot();
+  CHECK(Unread(document) == "<framework> <arena> ");
+}
+
+TEST_CASE("document: every way of reading is noticed", "[core][configuration]") {
+  CConfigurationDocument document = Experiment();
+  TConfigurationNode& framework = GetNode(document.GetRoot(), "framework");
+  CHECK(NodeExists(framework, "experiment"));
+  CHECK(Unread(document) == "<experiment>@length <experiment>@random_seed <arena> ");
+  TConfigurationNode& experiment = GetNode(framework, "experiment");
+  SECTION("a value") {
+    UInt32 seed = 0;
+    GetNodeAttribute(experiment, "random_seed", seed);
+    CHECK(Unread(document) == "<experiment>@length <arena> ");
+  }
+  SECTION("existence") {
+    CHECK(NodeAttributeExists(experiment, "length"));
+    CHECK(Unread(document) == "<experiment>@random_seed <arena> ");
+  }
+  SECTION("a default") {
+    Real length = 0;
+    GetNodeAttributeOrDefault(experiment, "length", length, 0.0);
+    CHECK(Unread(document) == "<experiment>@random_seed <arena> ");
+  }
+  SECTION("a copy of the handle") {
+    const TConfigurationNode copy = experiment;
+    CHECK(copy.GetAttribute("length") == "10");
+    CHECK(Unread(document) == "<experiment>@random_seed <arena> ");
+  }
+  SECTION("iteration over attributes") {
+    TConfigurationAttributeIterator it;
+    for (it = it.begin(&experiment); it != it.end(); ++it) {
+    }
+    CHECK(Unread(document) == "<arena> ");
+  }
+  SECTION("attributes that are removed") {
+    CHECK(experiment.GetAttribute("random_seed") == "1");
+    experiment.RemoveAttribute("length");
+    CHECK(Unread(document) == "<arena> ");
+  }
+  SECTION("iteration over elements") {
+    MarkSubtreeRead(framework);
+    TConfigurationNodeIterator it("foot-bot");
+    for (it = it.begin(&GetNode(document.GetRoot(), "arena")); it != it.end(); ++it) {
+      MarkSubtreeRead(*it);
+    }
+    CHECK(Unread(document) == "<arena>@size <distribute> <distribute> ");
+  }
+  SECTION("a whole part") {
+    MarkSubtreeRead(document.GetRoot());
+    CHECK(Unread(document).empty());
+  }
+}
+
+TEST_CASE("document: an attribute that was set from outside must still be read",
+          "[core][configuration]") {
+  CConfigurationDocument document = Experiment();
+  MarkSubtreeRead(document.GetRoot());
+  document.Parse("<a><b/></a>");
+  GetNode(document.GetRoot(), "b");
+  document.SetByPath("b/@typo", "1");
+  CHECK(Unread(document) == "<b>@typo ");
+}
+
+/****************************************/
+// paths
+/****************************************/
+
+TEST_CASE("document: paths reach attributes", "[core][configuration]") {
+  CConfigurationDocument document = Experiment();
+  const auto value = [&document](const std::string& tag, const std::string& attribute) {
+    return GetNode(GetNode(document.GetRoot(), "framework"), tag).GetAttribute(attribute);
+  };
+  CHECK(document.SetByPath("/argos-configuration/framework/experiment/@length", "1") ==
+        "e.argos:4: <experiment> length=\"1\" (was \"10\")");
+  CHECK(value("experiment", "length") == "1");
+  document.SetByPath("framework/experiment/@length", "2");
+  CHECK(value("experiment", "length") == "2");
+  document.SetByPath("/framework/experiment/@length", "3");
+  CHECK(value("experiment", "length") == "3");
+  document.SetByPath("//experiment/@length", "4");
+  CHECK(value("experiment", "length") == "4");
+  document.SetByPath("*/experiment/@length", "5");
+  CHECK(value("experiment", "length") == "5");
+  CHECK(document.SetByPath("framework/experiment/@new", "6") ==
+        "e.argos:4: <experiment> new=\"6\" (was not there)");
+  CHECK(value("experiment", "new") == "6");
+  document.SetByPath("@version", "7");
+  CHECK(document.GetRoot().GetAttribute("version") == "7");
+  document.SetByPath("//argos-configuration/@version", "8");
+  CHECK(document.GetRoot().GetAttribute("version") == "8");
+}
+
+TEST_CASE("document: predicates pick among siblings", "[core][configuration]") {
+  CConfigurationDocument document = Experiment();
+  CHECK_THAT(document.SetByPath("arena/distribute[2]/entity/@quantity", "9"),
+             Contains("e.argos:8: <entity> quantity=\"9\" (was \"2\")"));
+  CHECK_THAT(document.SetByPath("//foot-bot[@id='fb1']/body/@position", "5,5,5"),
+             Contains("(was \"1,0,0\")"));
+  CHECK_THAT(document.SetByPath("arena/foot-bot[@id=\"fb0\"]/@id", "x"), Contains("(was \"fb0\")"));
+  CHECK_THAT(document.SetByPath("arena/*[3]/@id", "y"), Contains("(was \"x\")"));
+}
+
+TEST_CASE("document: a double slash changes all that match", "[core][configuration]") {
+  CConfigurationDocument document = Experiment();
+  CHECK(document.SetByPath("//entity/@quantity", "7") ==
+        "e.argos:7: <entity> quantity=\"7\" (was \"1\")\n"
+        "e.argos:8: <entity> quantity=\"7\" (was \"2\")");
+  CHECK_THAT(document.SetByPath("//*//body/@position", "0"), Contains("e.argos:10"));
+}
+
+TEST_CASE("document: a path that leads nowhere names step and nearest", "[core][configuration]") {
+  CConfigurationDocument document = Experiment();
+  CHECK_THROWS_WITH(
+      document.SetByPath("framework/experimet/@length", "1"),
+      "[FATAL] \"framework/experimet/@length\": nothing matches the step \"experimet\" "
+      "inside <framework> (line 3); did you mean \"experiment\"?");
+  CHECK_THROWS_WITH(document.SetByPath("//footbot/@id", "1"),
+                    Contains("did you mean \"foot-bot\"?"));
+  CHECK_THROWS_WITH(document.SetByPath("arena/distribute[3]/@x", "1"),
+                    Contains("elements <distribute> there: 2"));
+  CHECK_THROWS_WITH(document.SetByPath("zzz/@x", "1"), Contains("known: framework, arena"));
+}
+
+TEST_CASE("document: a path that leads to several elements lists their lines",
+          "[core][configuration]") {
+  CConfigurationDocument document = Experiment();
+  CHECK_THROWS_WITH(document.SetByPath("arena/distribute/entity/@quantity", "1"),
+                    Contains("leads to 2 elements, in the lines 7, 8"));
+  // nothing was changed
+  CHECK(GetNode(GetNode(GetNode(document.GetRoot(), "arena"), "distribute"), "entity")
+            .GetAttribute("quantity") == "1");
+}
+
+TEST_CASE("document: malformed paths", "[core][configuration]") {
+  CConfigurationDocument document = Experiment();
+  for (const char* path : {"", "/", "framework", "framework/experiment", "a//@b", "@a/b", "a[/@b",
+                           "a[0]/@b", "a[x]/@b", "a[@id]/@b", "a[@id='x]/@b", "[1]/@b", "a///@b"}) {
+    CAPTURE(path);
+    CHECK_THROWS_WITH(document.SetByPath(path, "1"), Contains("is not a path to an attribute"));
+  }
+  CHECK_THROWS_WITH(document.SetByPath("a b/@c", "1"), Contains("cannot be the name"));
+  CHECK_THROWS_WITH(document.SetByPath("framework/@a b", "1"), Contains("cannot be the name"));
+}

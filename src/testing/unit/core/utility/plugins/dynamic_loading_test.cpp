@@ -1,0 +1,196 @@
+// Needs the libraries of src/testing/support/plugins in <build>/testing/plugins. Each test case
+// loads what it needs, so that it can run in a process of its own or after the others.
+
+#include <argos3/core/utility/plugins/dynamic_loading.h>
+
+#include <argos3/core/control_interface/ci_controller.h>
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/plugins/registration.h>
+
+#include <catch2/catch.hpp>
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+using namespace argos;
+using Catch::Contains;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::string kFolder = ARGOS_TEST_BINARY_DIR "/testing/plugins";
+const std::string kGood = kFolder + "/libargos3_test_good.so";
+
+void SetPluginPath(const std::string& path) {
+  setenv("ARGOS_PLUGIN_PATH", path.c_str(), 1);
+}
+
+// an empty folder of this process, removed in the end
+class CTemporaryFolder {
+ public:
+  explicit CTemporaryFolder(const std::string& name)
+      : m_path(fs::temp_directory_path() / (name + "." + std::to_string(getpid()))) {
+    fs::remove_all(m_path);
+    fs::create_directories(m_path);
+  }
+  ~CTemporaryFolder() { fs::remove_all(m_path); }
+  std::string Path() const { return m_path.string(); }
+
+ private:
+  fs::path m_path;
+};
+
+// what is logged to the standard logs meanwhile
+class CCapturedLogs {
+ public:
+  CCapturedLogs() {
+    LOG.Flush();
+    LOGERR.Flush();
+    LOG.DisableColoredOutput();
+    LOGERR.DisableColoredOutput();
+    m_out = LOG.GetStream().rdbuf(m_text.rdbuf());
+    m_err = LOGERR.GetStream().rdbuf(m_text.rdbuf());
+  }
+  ~CCapturedLogs() {
+    LOG.Flush();
+    LOGERR.Flush();
+    LOG.GetStream().rdbuf(m_out);
+    LOGERR.GetStream().rdbuf(m_err);
+  }
+  std::string Text() {
+    LOG.Flush();
+    LOGERR.Flush();
+    return m_text.str();
+  }
+
+ private:
+  std::ostringstream m_text;
+  std::streambuf* m_out;
+  std::streambuf* m_err;
+};
+
+}  // namespace
+
+TEST_CASE("dynamic loading: a library registers what it has", "[core][plugins]") {
+  CCapturedLogs logs;
+  const CDynamicLoading::TDLHandle handle = CDynamicLoading::LoadLibrary(kGood);
+  CHECK(handle != nullptr);
+  REQUIRE(CFactory<CCI_Controller>::Exists("test_good_controller"));
+  const std::unique_ptr<CCI_Controller> controller(
+      CFactory<CCI_Controller>::New("test_good_controller"));
+  controller->SetId("r");
+  controller->ControlStep();
+  CHECK(controller->GetId() == "r+");
+  const auto& info = *CFactory<CCI_Controller>::GetTypeMap().at("test_good_controller");
+  CHECK_THAT(info.Library, Catch::EndsWith("libargos3_test_good.so"));
+  CHECK(info.Author == "undefined");
+  // under whatever name, a library is loaded once
+  CHECK(CDynamicLoading::LoadLibrary(kFolder + "/../plugins/libargos3_test_good") == handle);
+  SetPluginPath(kFolder);
+  CHECK(CDynamicLoading::LoadLibrary("libargos3_test_good") == handle);
+}
+
+TEST_CASE("dynamic loading: names are looked for in the plug-in path, suffix added",
+          "[core][plugins]") {
+  CCapturedLogs logs;
+  SetPluginPath("/no/such/folder:" + fs::path(kFolder).parent_path().string());
+  CHECK_NOTHROW(CDynamicLoading::LoadLibrary("plugins/libargos3_test_good"));
+  CHECK_NOTHROW(CDynamicLoading::UnloadLibrary("plugins/libargos3_test_good"));
+  CHECK_THROWS_WITH(
+      CDynamicLoading::UnloadLibrary("plugins/libargos3_test_good"),
+      Contains("\"plugins/libargos3_test_good\" cannot be unloaded, because it was not loaded"));
+  CHECK_NOTHROW(CDynamicLoading::LoadLibrary("plugins/libargos3_test_good"));
+  CDynamicLoading::UnloadAllLibraries();
+  CHECK_THROWS_AS(CDynamicLoading::UnloadLibrary(kGood), CARGoSException);
+}
+
+TEST_CASE("dynamic loading: a library that is nowhere lists every attempt", "[core][plugins]") {
+  SetPluginPath("/a:/b");
+  CHECK_THROWS_WITH(
+      CDynamicLoading::LoadLibrary("libnone"),
+      Contains("The library \"libnone\" cannot be loaded; tried:\n  /a/libnone: no such "
+               "file\n  /a/libnone.so: no such file\n  /b/libnone: no such file") &&
+          Contains("\n  ./libnone: no such file"));
+  // an absolute name is looked for nowhere else
+  CHECK_THROWS_WITH(CDynamicLoading::LoadLibrary("/x/libnone"),
+                    "[FATAL] The library \"/x/libnone\" cannot be loaded; tried:\n  /x/libnone: no "
+                    "such file\n  /x/libnone.so: no such file");
+  CHECK_THROWS_WITH(CDynamicLoading::LoadLibrary(kFolder),
+                    Contains(kFolder + ": it is a directory"));
+}
+
+TEST_CASE("dynamic loading: a library that does not load gives the reason", "[core][plugins]") {
+  CHECK_THROWS_WITH(CDynamicLoading::LoadLibrary(kFolder + "/libargos3_test_unresolved"),
+                    Contains("argosTestVariableThatNobodyDefines"));
+  const CTemporaryFolder folder("argos_dynamic_loading_text");
+  std::ofstream(folder.Path() + "/libtext.so") << "this is no library";
+  CHECK_THROWS_WITH(CDynamicLoading::LoadLibrary(folder.Path() + "/libtext.so"),
+                    Contains("libtext.so: ") && Contains("cannot be loaded; tried:"));
+}
+
+TEST_CASE("dynamic loading: a library of another build is refused", "[core][plugins]") {
+  CHECK_THROWS_WITH(
+      CDynamicLoading::LoadLibrary(kFolder + "/libargos3_test_wrong_build"),
+      Contains("libargos3_test_wrong_build.so\" cannot be used:") &&
+          Contains("was built against another version or with other options: it has api=0, "
+                   "real=float, the core has api=1, real=double; rebuild it"));
+  CHECK_FALSE(CFactory<CCI_Controller>::Exists("test_wrong_build_controller"));
+}
+
+TEST_CASE("dynamic loading: a label in two libraries names both", "[core][plugins]") {
+  CCapturedLogs logs;
+  CDynamicLoading::LoadLibrary(kGood);
+  CHECK_THROWS_WITH(CDynamicLoading::LoadLibrary(kFolder + "/libargos3_test_duplicate"),
+                    Contains("label \"test_good_controller\" of CCI_Controller is registered by") &&
+                        Contains("libargos3_test_good.so\" and by ") &&
+                        Contains("libargos3_test_duplicate.so\""));
+  // the first one stays
+  CHECK_THAT(CFactory<CCI_Controller>::GetTypeMap().at("test_good_controller")->Library,
+             Catch::EndsWith("libargos3_test_good.so"));
+}
+
+TEST_CASE("dynamic loading: all libraries of the plug-in path are loaded, each name once",
+          "[core][plugins]") {
+  const std::string library = kFolder + "/libargos3_test_one_of_all.so";
+  const CTemporaryFolder first("argos_dynamic_loading_a");
+  const CTemporaryFolder second("argos_dynamic_loading_b");
+  fs::copy(library, first.Path() + "/libargos3_test_one_of_all.so");
+  fs::copy(library, second.Path() + "/libargos3_test_one_of_all.so");
+  std::ofstream(first.Path() + "/notes.txt") << "not a library";
+  SetPluginPath("/no/such/folder:" + first.Path() + ":" + second.Path());
+  CCapturedLogs logs;
+  CHECK_NOTHROW(CDynamicLoading::LoadAllLibraries());
+  const std::string text = logs.Text();
+  CHECK_THAT(text, Contains("[WARNING] The plug-in directory \"/no/such/folder\" cannot be read"));
+  CHECK_THAT(text, Contains("[INFO] Loaded library \"" + first.Path()));
+  CHECK_THAT(text, !Contains("[INFO] Loaded library \"" + second.Path()));
+  // the core itself is no plug-in
+  CHECK_THAT(text, !Contains("libargos3core"));
+  CHECK(CFactory<CCI_Controller>::Exists("test_one_of_all_controller"));
+}
+
+TEST_CASE("dynamic loading: a library in the plug-in path that does not load is fatal",
+          "[core][plugins]") {
+  const CTemporaryFolder folder("argos_dynamic_loading_bad");
+  std::ofstream(folder.Path() + "/libbroken.so") << "this is no library";
+  SetPluginPath(folder.Path());
+  CCapturedLogs logs;
+  CHECK_THROWS_WITH(CDynamicLoading::LoadAllLibraries(), Contains("libbroken.so"));
+}
+
+TEST_CASE("dynamic loading: the search path is told", "[core][plugins]") {
+  SetPluginPath("/a::/b");
+  const std::vector<std::string> paths = GetPluginSearchPaths();
+  REQUIRE(paths.size() >= 4);
+  CHECK(paths[0] == "/a");
+  CHECK(paths[1] == "/b");
+  CHECK(paths[2] == ".");
+  // the folder of the core library
+  CHECK(paths[3] ==
+        fs::canonical(GetLibraryOf(reinterpret_cast<const void*>(&GetCoreBuildId))).parent_path());
+}

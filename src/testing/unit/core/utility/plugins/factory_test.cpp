@@ -1,0 +1,225 @@
+#include <argos3/core/utility/plugins/factory.h>
+#include <argos3/core/utility/plugins/factory_impl.h>
+#include <argos3/core/utility/plugins/vtable.h>
+
+#include <catch2/catch.hpp>
+
+#include <memory>
+#include <sstream>
+
+using Catch::Contains;
+
+/****************************************/
+// classes registered in every way that the macros must allow
+/****************************************/
+
+namespace argos {
+
+class CTestShape {
+ public:
+  virtual ~CTestShape() = default;
+  virtual std::string GetName() const = 0;
+};
+
+class CTestDisc : public CTestShape {
+ public:
+  std::string GetName() const override { return "disc"; }
+};
+
+// inside the namespace, without and with a semicolon
+REGISTER_SYMBOL(CTestShape, CTestDisc, "disc", "An Author", "1.0", "A round shape", "Very round.",
+                "Usable")
+REGISTER_SYMBOL(CTestShape, CTestDisc,
+                "di"
+                "sk",
+                "a", "v", "b", "l", "s");
+
+}  // namespace argos
+
+// at global scope, without "using namespace", a global class and one of the namespace
+class CTestSquare : public argos::CTestShape {
+ public:
+  std::string GetName() const override { return "square"; }
+};
+REGISTER_SYMBOL(CTestShape, CTestSquare, "square", "a", "v", "b", "l", "s")
+REGISTER_SYMBOL(CTestShape, CTestDisc, "global disc", "a", "v", "b", "l", "s");
+
+// a base of the user
+class CTestMine {
+ public:
+  virtual ~CTestMine() = default;
+};
+REGISTER_SYMBOL(CTestMine, CTestMine, "mine", "a", "v", "b", "l", "s");
+
+using namespace argos;
+
+typedef CFactory<CTestShape> TShapes;
+
+/****************************************/
+// factory
+/****************************************/
+
+TEST_CASE("factory: macros register at program start", "[core][factory]") {
+  for (const std::string label : {"disc", "disk", "global disc"}) {
+    CAPTURE(label);
+    REQUIRE(TShapes::Exists(label));
+    const std::unique_ptr<CTestShape> shape(TShapes::New(label));
+    CHECK(shape->GetName() == "disc");
+  }
+  const std::unique_ptr<CTestShape> square(TShapes::New("square"));
+  CHECK(square->GetName() == "square");
+  CHECK(CFactory<CTestMine>::Exists("mine"));
+  CHECK_FALSE(CFactory<CTestMine>::Exists("disc"));
+  CHECK_NOTHROW(ThrowRegistrationProblems("nothing is wrong"));
+}
+
+TEST_CASE("factory: what is known of a class", "[core][factory]") {
+  const TShapes::TTypeMap& types = TShapes::GetTypeMap();
+  REQUIRE(types.count("disc") == 1);
+  const auto& info = *types.find("disc")->second;
+  CHECK(info.Author == "An Author");
+  CHECK(info.Version == "1.0");
+  CHECK(info.BriefDescription == "A round shape");
+  CHECK(info.LongDescription == "Very round.");
+  CHECK(info.Status == "Usable");
+  CHECK(info.Library == GetLibraryOf(reinterpret_cast<const void*>(info.Creator)));
+  CHECK_FALSE(info.Library.empty());
+}
+
+TEST_CASE("factory: an unknown label lists nearest, known and searched", "[core][factory]") {
+  CHECK_THROWS_WITH(TShapes::New("discc"),
+                    Contains("No CTestShape is registered under the label \"discc\"; did you mean "
+                             "\"disc\"") &&
+                        Contains("; registered: disc, disk, global disc, square") &&
+                        Contains("; libraries are looked for in: "));
+}
+
+TEST_CASE("factory: registering at run time replaces silently", "[core][factory]") {
+  class CLocal {
+   public:
+    virtual ~CLocal() = default;
+    int Value = 0;
+  };
+  typedef CFactory<CLocal> TLocals;
+  CHECK_THROWS_WITH(TLocals::New("x"), Contains("registered: none"));
+  TLocals::Register("b", "a", "v", "second", "l", "s", [] { return new CLocal; });
+  TLocals::Register("a", "a", "v", "old", "l", "s", [] { return new CLocal; });
+  TLocals::Register("a", "a", "v", "first", "l", "s", [] {
+    auto* object = new CLocal;
+    object->Value = 7;
+    return object;
+  });
+  const std::unique_ptr<CLocal> object(TLocals::New("a"));
+  CHECK(object->Value == 7);
+  std::ostringstream stream;
+  TLocals::Print(stream);
+  CHECK(stream.str() == "   [ a ]\n      first\n\n   [ b ]\n      second\n\n");
+  TLocals::Destroy();
+  CHECK_FALSE(TLocals::Exists("a"));
+  CHECK(TLocals::GetTypeMap().empty());
+}
+
+TEST_CASE("registration: the same label twice keeps the first and is a problem",
+          "[core][factory]") {
+  class COther {
+   public:
+    virtual ~COther() = default;
+  };
+  const auto create = []() -> COther* { return new COther; };
+  RegisterSymbol<COther>(ARGOS_BUILD_ID, "x", "a", "v", "first", "l", "s", create);
+  RegisterSymbol<COther>(ARGOS_BUILD_ID, "x", "a", "v", "second", "l", "s", create);
+  CHECK(CFactory<COther>::GetTypeMap()["x"]->BriefDescription == "first");
+  CHECK_THROWS_WITH(ThrowRegistrationProblems("context:"),
+                    Contains("context:\n  label \"x\" of ") && Contains("is registered twice by"));
+  // once thrown, a problem is forgotten
+  CHECK_NOTHROW(ThrowRegistrationProblems("context:"));
+}
+
+TEST_CASE("registration: another build is refused and the difference named", "[core][factory]") {
+  class COther2 {
+   public:
+    virtual ~COther2() = default;
+  };
+  const std::string core = GetCoreBuildId();
+  CHECK(core == ARGOS_BUILD_ID);
+  std::string other = core;
+  Replace(other, "real=double", "real=float");
+  RegisterSymbol<COther2>(other.c_str(), "x", "a", "v", "b", "l", "s",
+                          []() -> COther2* { return new COther2; });
+  CHECK_FALSE(CFactory<COther2>::Exists("x"));
+  CHECK_THROWS_WITH(ThrowRegistrationProblems("context:"),
+                    Contains("was built against another version or with other options: it has "
+                             "real=float, the core has real=double; rebuild it"));
+}
+
+/****************************************/
+// tags
+/****************************************/
+
+namespace {
+
+struct STestRoot : public EnableVTableFor<STestRoot> {
+  virtual ~STestRoot() = default;
+  virtual int Answer() { return 0; }
+  ENABLE_VTABLE();
+};
+struct STestChild : public STestRoot {
+  ENABLE_VTABLE()
+  int Answer() override { return 1; }
+};
+struct STestGrandchild : public STestChild {
+  ENABLE_VTABLE();
+};
+struct STestUntagged : public STestChild {};
+
+struct STestContext {};
+typedef int (*TTestFunction)(STestRoot&);
+typedef CVTable<STestContext, STestRoot, TTestFunction> TTestTable;
+
+INIT_VTABLE_FOR(STestRoot);
+
+}  // namespace
+
+TEST_CASE("tags: each class has its own, from 1 up, the root the first", "[core][vtable]") {
+  STestRoot root;
+  STestChild child;
+  STestGrandchild grandchild;
+  STestUntagged untagged;
+  STestRoot& asRoot = grandchild;
+  CHECK(root.GetTag() == 1);
+  CHECK(child.GetTag() != root.GetTag());
+  CHECK(asRoot.GetTag() != child.GetTag());
+  // a class without its own tag counts as its base
+  CHECK(untagged.GetTag() == child.GetTag());
+  CHECK(GetTag<STestChild, STestRoot>() == child.GetTag());
+  CHECK(root.GetTagHelper(&child) == child.GetTag());
+  const std::size_t grandchildTag = STagHolder<STestGrandchild, STestRoot>::Tag;
+  CHECK(grandchildTag == asRoot.GetTag());
+  CHECK(STagCounter<STestRoot>::Count == 3);
+}
+
+TEST_CASE("tables: a missing entry falls back to the root's", "[core][vtable]") {
+  TTestTable table;
+  CHECK(table.Size() == 0);
+  CHECK(table[1] == nullptr);
+  table.Add<STestChild>([](STestRoot& object) { return 10 + object.Answer(); });
+  STestChild child;
+  STestGrandchild grandchild;
+  REQUIRE(table[child.GetTag()] != nullptr);
+  CHECK(table[child.GetTag()](child) == 11);
+  CHECK(table[grandchild.GetTag()] == nullptr);
+  table.Add<STestRoot>([](STestRoot&) { return -1; });
+  CHECK(table[grandchild.GetTag()](grandchild) == -1);
+  CHECK(table[1000](child) == -1);
+  CHECK(table.Size() == child.GetTag() + 1);
+}
+
+TEST_CASE("tables: one per context", "[core][vtable]") {
+  struct SOtherContext {};
+  GetVTable<STestContext, STestRoot, TTestFunction>().Add<STestRoot>([](STestRoot&) { return 5; });
+  STestRoot root;
+  auto& table = GetVTable<STestContext, STestRoot, TTestFunction>();
+  CHECK(table[root.GetTag()](root) == 5);
+  auto& other = GetVTable<SOtherContext, STestRoot, TTestFunction>();
+  CHECK(other[root.GetTag()] == nullptr);
+}

@@ -1,0 +1,86 @@
+#include <argos3/core/utility/threads/thread_pool.h>
+#include <argos3/testing/support/allocation_count.h>
+
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <memory>
+#include <vector>
+
+using namespace argos;
+
+TEST_CASE("allocation count: sees what operator new and the C functions take", "[testing]") {
+  if (!CAllocationCount::IsAvailable()) {
+    return;
+  }
+  // checks allocate too, so they wait until the end
+  const CAllocationCount count;
+  const size_t before = count.GetCount();
+  // volatile: an allocation that nobody looks at may be optimised away
+  void* volatile fromC = std::malloc(10);
+  auto fromNew = std::make_unique<std::vector<int>>(1000);
+  void* volatile raw = fromNew.get();
+  const size_t counted = count.GetCount();
+  const std::string first = count.DescribeFirst();
+  std::free(fromC);
+  CHECK(before == 0);
+  // one for malloc, one for the vector, one for its elements
+  CHECK(counted == 3);
+  CHECK(raw != nullptr);
+  CHECK_FALSE(first.empty());
+}
+
+TEST_CASE("allocation count: sees other threads", "[testing][threads]") {
+  if (!CAllocationCount::IsAvailable()) {
+    return;
+  }
+  CThreadPool pool(2, CreateSchedule("balance_quantity"));
+  std::vector<void*> memory(2, nullptr);
+  const auto allocate = [&](size_t begin, size_t end, UInt32) {
+    for (size_t i = begin; i < end; ++i) {
+      memory[i] = std::malloc(100);
+    }
+  };
+  // a worker that starts makes its log buffers
+  pool.ParallelFor(2, 1, [](size_t, size_t, UInt32) {});
+  size_t counted = 0;
+  {
+    const CAllocationCount count;
+    pool.ParallelFor(2, 1, allocate);
+    counted = count.GetCount();
+  }
+  CHECK(counted == 2);
+  for (void* block : memory) {
+    std::free(block);
+  }
+}
+
+TEST_CASE("thread pool: a phase allocates nothing", "[core][threads]") {
+  const UInt32 threads = GENERATE(0U, 1U, 2U, 4U, 15U);
+  const std::string method = GENERATE("balance_quantity", "balance_length");
+  CAPTURE(threads, method);
+  if (!CAllocationCount::IsAvailable()) {
+    return;
+  }
+  CThreadPool pool(threads, CreateSchedule(method));
+  std::vector<int> items(1000, 0);
+  const auto phase = [&](size_t begin, size_t end, UInt32) {
+    for (size_t i = begin; i < end; ++i) {
+      ++items[i];
+    }
+  };
+  pool.ParallelFor(items.size(), 1, phase);
+  size_t counted = 0;
+  std::string first;
+  {
+    const CAllocationCount count;
+    for (int repetition = 0; repetition < 100; ++repetition) {
+      pool.ParallelFor(items.size(), 1, phase);
+    }
+    counted = count.GetCount();
+    first = count.DescribeFirst();
+  }
+  INFO(first);
+  CHECK(counted == 0);
+  CHECK(items == std::vector<int>(1000, 101));
+}

@@ -1,0 +1,224 @@
+#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/threads/thread_pool.h>
+
+#include <catch2/catch.hpp>
+
+#include <atomic>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+using namespace argos;
+using Catch::Contains;
+
+namespace {
+
+const std::vector<UInt32> kThreads = {0, 1, 2, 4, 15};
+const std::vector<std::string> kMethods = {"balance_quantity", "balance_length"};
+
+// how often each item was handed out
+std::vector<int> CountVisits(CThreadPool& pool, size_t items, size_t grain) {
+  std::vector<std::atomic<int>> visits(items);
+  pool.ParallelFor(items, grain, [&](size_t begin, size_t end, UInt32) {
+    for (size_t i = begin; i < end; ++i) {
+      ++visits[i];
+    }
+  });
+  return std::vector<int>(visits.begin(), visits.end());
+}
+
+// deals everything out to threads that take turns
+std::vector<int> Deal(CSchedule& schedule, size_t items, size_t grain, UInt32 threads) {
+  std::vector<int> visits(items, 0);
+  schedule.Start(items, grain, threads);
+  std::vector<bool> done(threads, false);
+  for (bool any = true; any;) {
+    any = false;
+    for (UInt32 thread = 0; thread < threads; ++thread) {
+      size_t begin = 0;
+      size_t end = 0;
+      if (done[thread] || !schedule.Next(thread, begin, end)) {
+        done[thread] = true;
+        continue;
+      }
+      any = true;
+      REQUIRE(begin < end);
+      REQUIRE(end <= items);
+      for (size_t i = begin; i < end; ++i) {
+        ++visits[i];
+      }
+    }
+  }
+  return visits;
+}
+
+}  // namespace
+
+TEST_CASE("schedule: every item is dealt out exactly once", "[core][threads]") {
+  const std::string method = GENERATE(from_range(kMethods));
+  const UInt32 threads = GENERATE(1U, 2U, 3U, 4U, 15U);
+  const size_t items = GENERATE(1U, 2U, 15U, 16U, 17U, 1000U);
+  const size_t grain = GENERATE(1U, 7U, 64U);
+  CAPTURE(method, threads, items, grain);
+  const auto schedule = CreateSchedule(method);
+  CHECK(Deal(*schedule, items, grain, threads) == std::vector<int>(items, 1));
+  // and again: a schedule serves many phases
+  CHECK(Deal(*schedule, items, grain, threads) == std::vector<int>(items, 1));
+}
+
+TEST_CASE("schedule: balance_quantity gives each thread one run of at most an equal share",
+          "[core][threads]") {
+  CBalanceQuantitySchedule schedule;
+  schedule.Start(1000, 10, 4);
+  for (UInt32 thread = 0; thread < 4; ++thread) {
+    size_t begin = 0;
+    size_t end = 0;
+    REQUIRE(schedule.Next(thread, begin, end));
+    // 100 grains for 4 threads: 25 grains each
+    CHECK(begin == thread * 250);
+    CHECK(end == begin + 250);
+    CHECK_FALSE(schedule.Next(thread, begin, end));
+  }
+}
+
+TEST_CASE("schedule: balance_length hands out chunks of the grain, lowest items first",
+          "[core][threads]") {
+  CBalanceLengthSchedule schedule;
+  schedule.Start(25, 10, 2);
+  size_t begin = 0;
+  size_t end = 0;
+  REQUIRE(schedule.Next(1, begin, end));
+  CHECK(begin == 0);
+  CHECK(end == 10);
+  REQUIRE(schedule.Next(1, begin, end));
+  CHECK(begin == 10);
+  REQUIRE(schedule.Next(0, begin, end));
+  CHECK(begin == 20);
+  CHECK(end == 25);
+  CHECK_FALSE(schedule.Next(0, begin, end));
+  CHECK_FALSE(schedule.Next(1, begin, end));
+}
+
+TEST_CASE("schedule: an unknown method is an error with the nearest name", "[core][threads]") {
+  CHECK_THROWS_WITH(CreateSchedule("balance_lenght"),
+                    Contains("balance_lenght") && Contains("balance_length"));
+}
+
+TEST_CASE("thread pool: every item is done exactly once", "[core][threads]") {
+  const UInt32 threads = GENERATE(from_range(kThreads));
+  const std::string method = GENERATE(from_range(kMethods));
+  CAPTURE(threads, method);
+  CThreadPool pool(threads, CreateSchedule(method));
+  for (const size_t items : {1U, 2U, 63U, 64U, 65U, 1000U}) {
+    for (const size_t grain : {1U, 64U}) {
+      CAPTURE(items, grain);
+      CHECK(CountVisits(pool, items, grain) == std::vector<int>(items, 1));
+    }
+  }
+}
+
+TEST_CASE("thread pool: no items, no call", "[core][threads]") {
+  const UInt32 threads = GENERATE(0U, 4U);
+  CThreadPool pool(threads, CreateSchedule("balance_quantity"));
+  int calls = 0;
+  pool.ParallelFor(0, 1, [&](size_t, size_t, UInt32) { ++calls; });
+  CHECK(calls == 0);
+}
+
+TEST_CASE("thread pool: the caller takes part, so P threads are P - 1 workers", "[core][threads]") {
+  const UInt32 threads = GENERATE(from_range(kThreads));
+  CAPTURE(threads);
+  std::atomic<UInt32> started{0};
+  {
+    CThreadPool pool(threads, CreateSchedule("balance_quantity"), false, [&] { ++started; });
+    CHECK(pool.GetNumThreads() == std::max<UInt32>(1, threads));
+    std::vector<std::thread::id> ids(pool.GetNumThreads());
+    pool.ParallelFor(ids.size(), 1, [&](size_t begin, size_t end, UInt32 thread) {
+      CHECK(begin == thread);
+      CHECK(end == begin + 1);
+      ids[begin] = std::this_thread::get_id();
+    });
+    CHECK(ids[0] == std::this_thread::get_id());
+    CHECK(std::set<std::thread::id>(ids.begin(), ids.end()).size() == ids.size());
+  }
+  // workers that had nothing to do have started too when they are joined
+  CHECK(started == std::max<UInt32>(1, threads) - 1);
+}
+
+TEST_CASE("thread pool: few items stay on the calling thread", "[core][threads]") {
+  CThreadPool pool(4, CreateSchedule("balance_length"));
+  pool.ParallelFor(64, 64, [&](size_t begin, size_t end, UInt32 thread) {
+    CHECK(begin == 0);
+    CHECK(end == 64);
+    CHECK(thread == 0);
+  });
+}
+
+TEST_CASE("thread pool: the exception of the lowest item wins", "[core][threads]") {
+  const UInt32 threads = GENERATE(from_range(kThreads));
+  const std::string method = GENERATE(from_range(kMethods));
+  CAPTURE(threads, method);
+  CThreadPool pool(threads, CreateSchedule(method));
+  for (int repetition = 0; repetition < 50; ++repetition) {
+    CHECK_THROWS_WITH(pool.ParallelFor(1000, 8,
+                                       [](size_t begin, size_t end, UInt32) {
+                                         for (size_t i = begin; i < end; ++i) {
+                                           if (i % 100 == 37) {
+                                             throw std::runtime_error("item " + std::to_string(i));
+                                           }
+                                         }
+                                       }),
+                      "item 37");
+    // the pool is as good as new
+    REQUIRE(CountVisits(pool, 100, 8) == std::vector<int>(100, 1));
+  }
+}
+
+TEST_CASE("thread pool: something that is no std::exception comes through", "[core][threads]") {
+  const UInt32 threads = GENERATE(0U, 4U);
+  CThreadPool pool(threads, CreateSchedule("balance_length"));
+  CHECK_THROWS_AS(pool.ParallelFor(100, 1, [](size_t, size_t, UInt32) { throw 42; }), int);
+}
+
+TEST_CASE("thread pool: what a phase wrote is seen by the next one", "[core][threads]") {
+  const UInt32 threads = GENERATE(from_range(kThreads));
+  const std::string method = GENERATE(from_range(kMethods));
+  CAPTURE(threads, method);
+  CThreadPool pool(threads, CreateSchedule(method));
+  constexpr size_t kItems = 500;
+  constexpr int kPhases = 200;
+  std::vector<UInt64> even(kItems, 1);
+  std::vector<UInt64> odd(kItems, 0);
+  for (int phase = 0; phase < kPhases; ++phase) {
+    auto& from = phase % 2 == 0 ? even : odd;
+    auto& to = phase % 2 == 0 ? odd : even;
+    // each item reads what other threads wrote in the phase before
+    pool.ParallelFor(kItems, 3, [&](size_t begin, size_t end, UInt32) {
+      for (size_t i = begin; i < end; ++i) {
+        to[i] = (from[i] + from[kItems - 1 - i]) % 1000003;
+      }
+    });
+  }
+  // all items are equal from the start, so each phase doubles them
+  UInt64 expected = 1;
+  for (int phase = 0; phase < kPhases; ++phase) {
+    expected = 2 * expected % 1000003;
+  }
+  CHECK(even == std::vector<UInt64>(kItems, expected));
+}
+
+TEST_CASE("thread pool: pinned workers do the same work", "[core][threads]") {
+  CThreadPool pool(3, CreateSchedule("balance_quantity"), true);
+  CHECK(CountVisits(pool, 1000, 1) == std::vector<int>(1000, 1));
+}
+
+TEST_CASE("thread pool: pools come and go", "[core][threads]") {
+  for (int repetition = 0; repetition < 50; ++repetition) {
+    CThreadPool pool(4, CreateSchedule("balance_length"));
+    if (repetition % 2 == 0) {
+      REQUIRE(CountVisits(pool, 100, 1) == std::vector<int>(100, 1));
+    }
+  }
+}

@@ -1,0 +1,188 @@
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/simulator/visualization/visualization.h>
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/plugins/factory.h>
+
+#include <catch2/catch.hpp>
+
+#include <FreeImage.h>
+
+#include <stdlib.h>
+
+#include <filesystem>
+#include <set>
+#include <sstream>
+#include <string>
+
+using namespace argos;
+using Catch::Matchers::Contains;
+
+namespace {
+
+// a folder that is gone when the test ends
+class CTemporaryFolder {
+ public:
+  CTemporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "offscreen_XXXXXX").string();
+    REQUIRE(mkdtemp(pattern.data()) != nullptr);
+    m_path = pattern;
+  }
+  ~CTemporaryFolder() { std::filesystem::remove_all(m_path); }
+
+  const std::string& GetPath() const { return m_path; }
+
+  std::set<std::string> ListFiles(const std::string& subfolder = "") const {
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(m_path + "/" + subfolder)) {
+      names.insert(entry.path().filename().string());
+    }
+    return names;
+  }
+
+ private:
+  std::string m_path;
+};
+
+// collects what is logged while it lives
+class CLogCapture {
+ public:
+  CLogCapture() : m_previous(LOG.GetStream().rdbuf(m_text.rdbuf())) { LOG.DisableColoredOutput(); }
+  ~CLogCapture() {
+    LOG.Flush();
+    LOG.GetStream().rdbuf(m_previous);
+    LOG.EnableColoredOutput();
+  }
+  std::string GetText() {
+    LOG.Flush();
+    return m_text.str();
+  }
+
+ private:
+  std::ostringstream m_text;
+  std::streambuf* m_previous;
+};
+
+// ten ticks in an empty arena
+class CExperiment {
+ public:
+  explicit CExperiment(const std::string& visualization) : m_scope(m_simulator) {
+    m_document.Parse(R"(<argos-configuration>
+      <framework><experiment length="1" ticks_per_second="10" random_seed="1"/></framework>
+      <controllers/><arena size="2,2,1"/><physics_engines/>
+      <media/>
+      <visualization>)" + visualization +
+                         "</visualization></argos-configuration>",
+                     "test.argos");
+    m_simulator.Load(m_document);
+  }
+
+  CSimulator& GetSimulator() { return m_simulator; }
+
+ private:
+  CConfigurationDocument m_document;
+  CSimulator m_simulator;
+  CSimulator::CScope m_scope;
+};
+
+std::string Frame(const std::string& tick) {
+  return "frame_" + std::string(10 - tick.size(), '0') + tick + ".png";
+}
+
+}  // namespace
+
+TEST_CASE("offscreen: frames show the first state, every n-th tick, and the last state",
+          "[visualizations][offscreen]") {
+  const CTemporaryFolder folder;
+  CLogCapture log;
+  CExperiment experiment("<offscreen directory='" + folder.GetPath() +
+                         "/new' size='64x48' every='4'/>");
+  experiment.GetSimulator().Execute();
+  CHECK(experiment.GetSimulator().GetSpace().GetSimulationClock() == 10);
+  CHECK(folder.ListFiles("new") ==
+        std::set<std::string>{Frame("0"), Frame("4"), Frame("8"), Frame("10")});
+  CHECK_THAT(log.GetText(), Contains("64x48") && Contains("every 4 ticks"));
+}
+
+TEST_CASE("offscreen: a frame has the size asked for", "[visualizations][offscreen]") {
+  const CTemporaryFolder folder;
+  CExperiment experiment("<offscreen directory='" + folder.GetPath() +
+                         "' size='100x60' every='100' samples='1'/>");
+  experiment.GetSimulator().Execute();
+  FIBITMAP* bitmap = FreeImage_Load(FIF_PNG, (folder.GetPath() + "/" + Frame("10")).c_str());
+  REQUIRE(bitmap != nullptr);
+  CHECK(FreeImage_GetWidth(bitmap) == 100);
+  CHECK(FreeImage_GetHeight(bitmap) == 60);
+  FreeImage_Unload(bitmap);
+}
+
+TEST_CASE("offscreen: after a reset the run writes the same frames",
+          "[visualizations][offscreen]") {
+  const CTemporaryFolder folder;
+  CExperiment experiment("<offscreen directory='" + folder.GetPath() +
+                         "' size='64x48' every='5'/>");
+  experiment.GetSimulator().Execute();
+  std::filesystem::remove(folder.GetPath() + "/" + Frame("5"));
+  experiment.GetSimulator().Reset();
+  experiment.GetSimulator().Execute();
+  CHECK(folder.ListFiles() == std::set<std::string>{Frame("0"), Frame("5"), Frame("10")});
+}
+
+TEST_CASE("offscreen: drawing does not change the run", "[visualizations][offscreen]") {
+  const CTemporaryFolder folder;
+  CExperiment drawn("<offscreen directory='" + folder.GetPath() + "' size='64x48'/>");
+  drawn.GetSimulator().Execute();
+  const UInt64 digest = drawn.GetSimulator().GetSpace().ComputeDigest();
+  CExperiment headless("");
+  headless.GetSimulator().Execute();
+  CHECK(headless.GetSimulator().GetSpace().ComputeDigest() == digest);
+}
+
+TEST_CASE("offscreen: mistakes are found while loading, with their place",
+          "[visualizations][offscreen]") {
+  CHECK_THROWS_WITH(CExperiment("<offscreen format='mpg'/>"),
+                    Contains("test.argos:") && Contains("\"mpg\"") && Contains("png"));
+  CHECK_THROWS_WITH(CExperiment("<offscreen directory='/dev/null'/>"),
+                    Contains("\"/dev/null\": it is not a directory"));
+  CHECK_THROWS_WITH(CExperiment("<offscreen size='1x1'/>"), Contains("out of range"));
+}
+
+TEST_CASE("qt-opengl: a file without frame grabbing runs headless, and one line says so",
+          "[visualizations][offscreen]") {
+  CLogCapture log;
+  CExperiment experiment(
+      "<qt-opengl><camera><placement idx='0' position='0,0,1' look_at='0,1,0'/>"
+      "</camera></qt-opengl>");
+  experiment.GetSimulator().Execute();
+  CHECK(experiment.GetSimulator().GetSpace().GetSimulationClock() == 10);
+  CHECK_THAT(log.GetText(), Contains("<qt-opengl>") && Contains("headless"));
+}
+
+TEST_CASE("qt-opengl: a file with frame grabbing gets every n-th frame",
+          "[visualizations][offscreen]") {
+  const CTemporaryFolder folder;
+  CLogCapture log;
+  CExperiment experiment("<qt-opengl><frame_grabbing directory='" + folder.GetPath() +
+                         "/' headless_grabbing='true' headless_frame_size='64x48'"
+                         " headless_frame_rate='4'/></qt-opengl>");
+  experiment.GetSimulator().Execute();
+  CHECK(folder.ListFiles() == std::set<std::string>{Frame("0"), Frame("4"), Frame("8")});
+  CHECK_THAT(log.GetText(), Contains("<qt-opengl>") && Contains("asks for frames"));
+}
+
+TEST_CASE("qt-opengl: the directory for frames must exist", "[visualizations][offscreen]") {
+  CHECK_THROWS_WITH(
+      CExperiment("<qt-opengl><frame_grabbing directory='/no/such/place'/></qt-opengl>"),
+      Contains("\"/no/such/place\": there is no such directory"));
+}
+
+TEST_CASE("offscreen: both visualizations are registered and describe their XML",
+          "[visualizations][offscreen]") {
+  for (const std::string label : {"offscreen", "qt-opengl"}) {
+    CAPTURE(label);
+    REQUIRE(CFactory<CVisualization>::Exists(label));
+    const auto& info = *CFactory<CVisualization>::GetTypeMap().find(label)->second;
+    CHECK_THAT(info.LongDescription, Contains("<" + label));
+    CHECK_FALSE(info.BriefDescription.empty());
+  }
+}

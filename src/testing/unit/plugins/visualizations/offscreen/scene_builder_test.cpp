@@ -1,0 +1,171 @@
+#include <argos3/plugins/simulator/visualizations/offscreen/scene_builder.h>
+
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/floor_entity.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/plugins/simulator/entities/box_entity.h>
+#include <argos3/plugins/simulator/entities/cylinder_entity.h>
+#include <argos3/plugins/simulator/entities/led_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/light_entity.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace argos;
+using Catch::WithinAbs;
+
+namespace {
+
+// scene coordinates are single precision
+constexpr double kFloatRounding = 1e-6;
+
+// an experiment without physics: bodies stay where they are put
+class CWorld {
+ public:
+  CWorld() : m_scope(m_simulator) {
+    m_document.Parse(R"(<argos-configuration>
+      <framework><experiment length="1" ticks_per_second="10" random_seed="1"/></framework>
+      <controllers/><arena size="4,2,1" center="1,0,0.5"/><physics_engines/><media/>
+      </argos-configuration>)");
+    m_simulator.Load(m_document);
+  }
+
+  CSpace& GetSpace() { return m_simulator.GetSpace(); }
+
+  template <typename ENTITY>
+  ENTITY& Add(ENTITY* entity) {
+    GetSpace().AddEntity(*entity);
+    return *entity;
+  }
+
+  SScene& Build(bool showRays = true) {
+    CSceneBuilder(showRays).Build(GetSpace(), m_scene);
+    return m_scene;
+  }
+
+ private:
+  CConfigurationDocument m_document;
+  CSimulator m_simulator;
+  CSimulator::CScope m_scope;
+  SScene m_scene;
+};
+
+void CheckRow(const std::array<float, 4>& row, const std::array<double, 4>& expected) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK_THAT(static_cast<double>(row[i]), WithinAbs(expected[i], kFloatRounding));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("scene builder: the arena is where the file says", "[visualizations][offscreen][scene]") {
+  CWorld world;
+  const SScene& scene = world.Build();
+  CHECK(scene.ArenaMin == Eigen::Vector2d(-1.0, -1.0));
+  CHECK(scene.ArenaMax == Eigen::Vector2d(3.0, 1.0));
+  CHECK(scene.Floor.Width == 0);
+}
+
+TEST_CASE("scene builder: a box stands on its base, turned and scaled",
+          "[visualizations][offscreen][scene]") {
+  CWorld world;
+  // a quarter turn about z: the box's x axis is the world's y axis
+  world.Add(new CBoxEntity("box", CVector3(0.5, -0.3, 0.2),
+                           CQuaternion(CRadians::PI_OVER_TWO, CVector3::Z), false,
+                           CVector3(0.4, 0.2, 0.1)));
+  SScene& scene = world.Build();
+  REQUIRE(scene.OfKind(EMeshKind::Box).size() == 1);
+  const SMeshInstance& box = scene.OfKind(EMeshKind::Box).front();
+  CheckRow(box.ToWorld[0], {0.0, -0.2, 0.0, 0.5});
+  CheckRow(box.ToWorld[1], {0.4, 0.0, 0.0, -0.3});
+  CheckRow(box.ToWorld[2], {0.0, 0.0, 0.1, 0.2});
+  // 0.2 m above the ground it darkens nothing
+  CHECK(scene.ContactShadows.empty());
+}
+
+TEST_CASE("scene builder: what stands on the ground darkens it",
+          "[visualizations][offscreen][scene]") {
+  CWorld world;
+  world.Add(
+      new CCylinderEntity("cylinder", CVector3(0.5, 0.25, 0.0), CQuaternion(), false, 0.15, 0.3));
+  SScene& scene = world.Build();
+  CHECK(scene.OfKind(EMeshKind::Cylinder).size() == 1);
+  REQUIRE(scene.ContactShadows.size() == 1);
+  const SContactShadow& shadow = scene.ContactShadows.front();
+  CHECK(shadow.Center == std::array<float, 2>{0.5f, 0.25f});
+  CHECK_THAT(static_cast<double>(shadow.HalfExtent[0]), WithinAbs(0.15, kFloatRounding));
+  CHECK_THAT(static_cast<double>(shadow.CornerRadius), WithinAbs(0.15, kFloatRounding));
+}
+
+TEST_CASE("scene builder: LEDs have the colours of the component, black ones are dark",
+          "[visualizations][offscreen][scene]") {
+  CWorld world;
+  auto& box = world.Add(new CBoxEntity("box", CVector3(0.5, 0.0, 0.0), CQuaternion(), false,
+                                       CVector3(0.4, 0.2, 0.1)));
+  box.AddLED(CVector3(0.2, 0.0, 0.1), CColor::GREEN);
+  box.AddLED(CVector3(-0.2, 0.0, 0.1), CColor::BLACK);
+  SScene& scene = world.Build();
+  REQUIRE(scene.Glows.size() == 2);
+  CHECK(scene.Glows[0].Color.R == 0);
+  CHECK(scene.Glows[0].Color.G == 255);
+  CHECK(scene.Glows[0].HaloScale > 1.0f);
+  CHECK_THAT(static_cast<double>(scene.Glows[0].Position[0]), WithinAbs(0.7, kFloatRounding));
+  CHECK(scene.Glows[1].HaloScale == 0.0f);
+
+  box.GetLEDEquippedEntity().SetLEDColor(1, CColor::BLUE);
+  world.Build();
+  REQUIRE(scene.Glows.size() == 2);
+  CHECK(scene.Glows[1].Color.B == 255);
+  CHECK(scene.Glows[1].HaloScale > 1.0f);
+}
+
+TEST_CASE("scene builder: a light glows where it is", "[visualizations][offscreen][scene]") {
+  CWorld world;
+  world.Add(new CLightEntity("lamp", CVector3(0.25, -0.5, 0.75), CColor::YELLOW, 1.0));
+  SScene& scene = world.Build();
+  REQUIRE(scene.Glows.size() == 1);
+  CHECK(scene.Glows[0].Position == std::array<float, 3>{0.25f, -0.5f, 0.75f});
+  CHECK(scene.Glows[0].Color.R == 255);
+  CHECK(scene.Glows[0].Color.B == 0);
+  CHECK(scene.Glows[0].HaloScale > 1.0f);
+  for (const auto& instances : scene.Meshes) {
+    CHECK(instances.empty());
+  }
+}
+
+TEST_CASE("scene builder: the floor is sampled at its resolution, and again when it has changed",
+          "[visualizations][offscreen][scene]") {
+  CWorld world;
+  auto* floor = new CFloorEntity("floor", 10);
+  world.Add(floor);
+  world.GetSpace().SetFloorEntity(*floor);
+  SScene& scene = world.Build();
+  CHECK(scene.Floor.Width == 40);
+  CHECK(scene.Floor.Height == 20);
+  REQUIRE(scene.Floor.Pixels.size() == 4 * 40 * 20);
+  // loop functions that say nothing colour the floor white
+  CHECK(scene.Floor.Pixels[0] == 255);
+  const auto version = scene.Floor.Version;
+  world.Build();
+  CHECK(scene.Floor.Version == version);
+  floor->SetChanged();
+  world.Build();
+  CHECK(scene.Floor.Version != version);
+}
+
+TEST_CASE("scene builder: building changes nothing and leaves nothing of the last picture",
+          "[visualizations][offscreen][scene]") {
+  CWorld world;
+  auto& box = world.Add(new CBoxEntity("box", CVector3(0.5, 0.0, 0.0), CQuaternion(), false,
+                                       CVector3(0.4, 0.2, 0.1)));
+  box.AddLED(CVector3(0.2, 0.0, 0.1), CColor::GREEN);
+  const UInt64 digest = world.GetSpace().ComputeDigest();
+  world.Build();
+  SScene& scene = world.Build();
+  CHECK(scene.OfKind(EMeshKind::Box).size() == 1);
+  CHECK(scene.Glows.size() == 1);
+  CHECK(scene.ContactShadows.size() == 1);
+  CHECK(world.GetSpace().ComputeDigest() == digest);
+}
