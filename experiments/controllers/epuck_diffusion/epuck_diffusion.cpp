@@ -57,7 +57,7 @@ void CEPuckDiffusion::Reset() {
 
 void CEPuckDiffusion::PlanStretch() {
   m_turnDirection = 0;
-  m_ticksLeft = static_cast<UInt32>(m_random.UniformInteger(UInt64(2 * m_meanFreeTicks)));
+  m_ticksLeft = static_cast<UInt32>(m_random.UniformInteger(UInt64(2) * m_meanFreeTicks));
 }
 
 void CEPuckDiffusion::Drive() {

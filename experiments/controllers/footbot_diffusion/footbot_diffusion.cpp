@@ -28,7 +28,9 @@ void CFootBotDiffusion::Init(TConfigurationNode& params) {
 
 void CFootBotDiffusion::ControlStep() {
   const CVector2 crowd = SumUpProximity();
-  if (crowd.Length() < m_delta && Abs(crowd.Angle()) <= m_alpha) {
+  const bool negligible = crowd.Length() < m_delta && Abs(crowd.Angle()) <= m_alpha;
+  const bool behind = Abs(crowd.Angle()) > CRadians::PI_OVER_TWO;
+  if (negligible || behind) {
     EnterState(EState::Free);
   } else if (m_state == EState::Free) {
     // once begun, a turn goes on in its direction: otherwise corners are traps

@@ -13,9 +13,9 @@
  * swarm spreads over the arena.
  *
  * Each of the 24 readings is a vector: its direction that of the sensor, its length the reading.
- * Their mean points at where it is crowded. The way is free if that vector is shorter than delta
- * and no more than alpha off the heading; otherwise the robot spins away from it until the way is
- * free.
+ * Their mean points at where it is crowded. The way is free if that is behind, or if the vector is
+ * shorter than delta and no more than alpha off the heading; otherwise the robot spins away from it
+ * until the way is free.
  *
  * If the robot has the actuator "leds", they are green while the way is free and orange while it
  * turns.

@@ -23,12 +23,17 @@ bool CLoopFunctions::MoveEntity(CEmbodiedEntity& entity, const CVector3& positio
 }
 
 void CLoopFunctions::AddEntity(CEntity& entity) {
-  CallEntityOperation<CSpaceOperationAddEntity, CSpace, void>(m_cSpace, entity);
+  m_cSpace.TakeOver(std::unique_ptr<CEntity>(&entity));
 }
 
 void CLoopFunctions::RemoveEntity(const std::string& id) { RemoveEntity(m_cSpace.GetEntity(id)); }
 
 void CLoopFunctions::RemoveEntity(CEntity& entity) {
+  if (entity.HasParent()) {
+    THROW_ARGOSEXCEPTION("\"" << entity.GetContext() << entity.GetId()
+                              << "\" is a component of \"" << entity.GetRootEntity().GetId()
+                              << "\": only whole entities can be removed");
+  }
   CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(m_cSpace, entity);
 }
 

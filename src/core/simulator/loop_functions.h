@@ -66,11 +66,12 @@ class CLoopFunctions : public CBaseConfigurableResource {
                           const CQuaternion& orientation, bool checkOnly = false,
                           bool ignoreCollisions = false);
   /**
-   * Adds a root entity made with new; the space owns it from now on. A body is put at the pose it
-   * was made with, without a check for collisions.
+   * Adds a root entity made with new; the space owns it from now on, and deletes it if it cannot
+   * be added. A body is put at the pose it was made with, without a check for collisions.
+   * @throws CARGoSException if the id is taken, or if no physics engine can house the body.
    */
   virtual void AddEntity(CEntity& entity);
-  /** Removes and deletes an entity. @throws CARGoSException if the id is unknown. */
+  /** Removes and deletes a root entity. @throws CARGoSException if the id is unknown. */
   virtual void RemoveEntity(const std::string& id);
   virtual void RemoveEntity(CEntity& entity);
 

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
@@ -25,7 +26,7 @@ std::string DescribeTimeLeft(Real seconds) {
   if (!(seconds < 100.0 * 3600.0)) {
     return "more than 100 h";
   }
-  const auto whole = static_cast<UInt64>(seconds + 0.5);
+  const auto whole = static_cast<UInt64>(std::lround(seconds));
   return whole < 3600 ? fmt::format("{}:{:02}", whole / 60, whole % 60)
                       : fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }

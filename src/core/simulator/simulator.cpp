@@ -270,6 +270,7 @@ void CSimulator::Destroy() {
   m_overrides.clear();
   m_document = nullptr;
   m_terminated = false;
+  m_realTimeClock = false;
   m_seedSet = m_threadsSet = m_lengthSet = false;
   m_seedFromClock = true;
   LOG.Flush();

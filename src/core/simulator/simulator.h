@@ -7,6 +7,7 @@
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/math/rng.h>
 
+#include <atomic>
 #include <functional>
 #include <map>
 #include <memory>
@@ -153,6 +154,7 @@ class CSimulator {
   explicit CSimulator(SDefaultTag);
 
   CMedium& GetMediumBase(const std::string& id);
+  void ThrowIfLoaded() const;
   static UInt32 SeedFromClock();
   void ApplyOverrides(CLoadErrors& errors);
   void InitFramework(TConfigurationNode& node);
@@ -190,7 +192,7 @@ class CSimulator {
   Real m_tickLength = 0.1;  // s
   UInt32 m_maxSimulationClock = 0;
   bool m_realTimeClock = false;
-  bool m_terminated = false;
+  std::atomic<bool> m_terminated{false};  // controllers may end the experiment, several at once
 
   std::map<std::string, TConfigurationNode*> m_controllerNodes;
   bool m_loading = false;

@@ -84,16 +84,22 @@ void CreateParts(TConfigurationNode& section, const char* kind, CLoadErrors& err
 }  // namespace
 
 void CSimulator::LoadExperiment(bool forceNoVisualization) {
+  // before the document that an experiment uses is replaced
+  ThrowIfLoaded();
   auto document = std::make_unique<CConfigurationDocument>();
   document->LoadFile(m_experimentFileName);
   m_ownDocument = std::move(document);
   Load(*m_ownDocument, forceNoVisualization);
 }
 
-void CSimulator::Load(CConfigurationDocument& document, bool forceNoVisualization) {
+void CSimulator::ThrowIfLoaded() const {
   if (m_rng != nullptr) {
     THROW_ARGOSEXCEPTION("an experiment is loaded already: call Destroy() before loading another");
   }
+}
+
+void CSimulator::Load(CConfigurationDocument& document, bool forceNoVisualization) {
+  ThrowIfLoaded();
   m_document = &document;
   m_forceNoVisualization = forceNoVisualization;
   try {
@@ -139,7 +145,7 @@ void CSimulator::Init() {
 
 void CSimulator::ApplyOverrides(CLoadErrors& errors) {
   for (const auto& [path, value] : m_overrides) {
-    errors.Try("--set " + path + "=" + value, [&] {
+    errors.Try("--set " + path + "=" + value, [&, &path = path, &value = value] {
       const std::string done = m_document->SetByPath(path, value);
       LOG << "[INFO] " << done << std::endl;
     });

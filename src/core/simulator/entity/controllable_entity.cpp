@@ -127,6 +127,8 @@ void CControllableEntity::SetController(const std::string& controllerId,
     return;
   }
   const std::string robot = GetRootEntity().GetId();
+  Destroy();
+  DropController();
   try {
     m_controller.reset(CFactory<CCI_Controller>::New(node.Value()));
     m_pcController = m_controller.get();
@@ -147,7 +149,7 @@ void CControllableEntity::SetController(const std::string& controllerId,
   }
 }
 
-// a controller whose Init() failed is not to be asked for anything any more
+// a controller that was replaced, or whose Init() failed, is not to be asked for anything any more
 void CControllableEntity::DropController() {
   m_actuators.clear();
   m_sensors.clear();

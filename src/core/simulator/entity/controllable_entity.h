@@ -44,7 +44,8 @@ class CControllableEntity : public CEntity {
   const CCI_Controller& GetController() const;
   CCI_Controller& GetController();
   /**
-   * Creates the controller with its devices, actuators first, and runs its Init().
+   * Creates the controller with its devices, actuators first, and runs its Init(). A controller
+   * that the robot has is destroyed before.
    * @param controllerId  `id` of a child of `<controllers>`.
    * @throws CARGoSException if the id, a device, or an implementation is unknown, with what exists.
    */

@@ -38,7 +38,7 @@ void CSpace::Init(TConfigurationNode& tree, CLoadErrors& errors) {
 
 void CSpace::InitArena(TConfigurationNode& tree) {
   GetNodeAttribute(tree, "size", m_arenaSize);
-  GetNodeAttributeOrDefault(tree, "center", m_arenaCenter, m_arenaCenter);
+  GetNodeAttributeOrDefault(tree, "center", m_arenaCenter, CVector3());
   for (UInt32 axis = 0; axis < 3; ++axis) {
     if (!(m_arenaSize[axis] > 0.0)) {
       THROW_ARGOSEXCEPTION(tree.GetLocation()
@@ -68,20 +68,31 @@ void CSpace::FillArena(TConfigurationNode& tree, CLoadErrors& errors) {
   }
 }
 
+void CSpace::TakeOver(std::unique_ptr<CEntity> entity) {
+  try {
+    CallEntityOperation<CSpaceOperationAddEntity, CSpace, void>(*this, *entity);
+  } catch (...) {
+    // the removal forgives what was not added yet, and deletes
+    CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(*this, *entity.release());
+    throw;
+  }
+  if (entity->GetIndex() < 0) {
+    THROW_ARGOSEXCEPTION("the class of \"" << entity->GetId() << "\" (<"
+                                           << entity->GetTypeDescription()
+                                           << ">) has no space operations; its source needs a "
+                                              "REGISTER_STANDARD_SPACE_OPERATIONS_ON_... line");
+  }
+  entity.release();
+}
+
 CEntity& CSpace::CreateEntity(TConfigurationNode& node) {
   std::unique_ptr<CEntity> entity;
   try {
     entity.reset(CFactory<CEntity>::New(node.Value()));
     entity->Init(node);
     CEntity& added = *entity;
-    try {
-      CallEntityOperation<CSpaceOperationAddEntity, CSpace, void>(*this, added);
-    } catch (...) {
-      // the removal forgives what was not added yet, and deletes
-      CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(*this, *entity.release());
-      throw;
-    }
-    return *entity.release();
+    TakeOver(std::move(entity));
+    return added;
   } catch (const CAlreadyReported&) {
     throw;
   } catch (std::exception& error) {
@@ -126,7 +137,8 @@ void CSpace::EraseEntity(CEntity& entity) {
     const auto byId = m_rootById.find(entity.GetId());
     if (byId != m_rootById.end() && byId->second == &entity) {
       m_rootById.erase(byId);
-      m_roots.erase(std::find(m_roots.begin(), m_roots.end(), &entity));
+      // the last ones go first when everything goes
+      m_roots.erase(std::prev(std::find(m_roots.rbegin(), m_roots.rend(), &entity).base()));
     }
   }
   if (m_floor == &entity) {
@@ -145,7 +157,12 @@ void CSpace::Reset() {
 
 void CSpace::Destroy() {
   while (!m_roots.empty()) {
+    const size_t before = m_roots.size();
     CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(*this, *m_roots.back());
+    if (m_roots.size() == before) {
+      // of a class that can be added but not removed
+      EraseEntity(*m_roots.back());
+    }
   }
   m_views.reset();
   m_bodyIndex = std::make_unique<CBodyIndex>();
@@ -157,9 +174,9 @@ void CSpace::Destroy() {
 void CSpace::AddControllableEntity(CControllableEntity& entity) { m_robots.push_back(&entity); }
 
 void CSpace::RemoveControllableEntity(CControllableEntity& entity) {
-  const auto found = std::find(m_robots.begin(), m_robots.end(), &entity);
-  if (found != m_robots.end()) {
-    m_robots.erase(found);
+  const auto found = std::find(m_robots.rbegin(), m_robots.rend(), &entity);
+  if (found != m_robots.rend()) {
+    m_robots.erase(std::prev(found.base()));
   }
 }
 

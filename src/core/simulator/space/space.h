@@ -11,6 +11,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -45,7 +46,7 @@ class CSpace : public CBaseConfigurableResource {
   CSpace& operator=(const CSpace&) = delete;
 
   /** Components included. */
-  UInt32 GetNumberEntities();
+  UInt32 GetNumberEntities() const;
   CEntity::TVector& GetEntityVector();
   CEntity::TVector& GetRootEntityVector() { return m_roots; }
   /** By qualified id ("fb0", "fb0.leds_0.led_3"). @throws with the nearest ids if unknown. */
@@ -125,6 +126,8 @@ class CSpace : public CBaseConfigurableResource {
   void SetProbing(bool probing) { m_probing = probing; }
   /** Starts to add up the time of each phase in @p times (not owned); nullptr stops. */
   void SetTickTimes(STickTimes* times) { m_tickTimes = times; }
+  /** Adds a root entity; if that fails, nothing of it stays. @throws CARGoSException */
+  void TakeOver(std::unique_ptr<CEntity> entity);
   /** Makes the entity that an XML element describes and adds it; nothing stays if that fails. */
   CEntity& CreateEntity(TConfigurationNode& node);
   /** Tells a profiler the phases of a tick, which Update() then times. */
@@ -172,6 +175,7 @@ class CSpace : public CBaseConfigurableResource {
   bool m_probing = false;
   std::vector<TMakeAny> m_makeAny;                       // by entity tag
   std::unique_ptr<SUserViews> m_views;
+  std::mutex m_viewsMutex;  // controllers may ask for them, several at once
   std::unique_ptr<CBodyIndex> m_bodyIndex;
 };
 

@@ -52,10 +52,19 @@ void Timed(Real* seconds, PHASE&& phase) {
   *seconds += SecondsSince(start);
 }
 
+// runs a phase whose items have the places firstPlace, firstPlace + 1, ... in the log: after what
+// was logged before, and in their order whatever thread they run on
+template <typename PHASE>
+void InLogOrder(size_t items, PHASE&& phase) {
+  const UInt64 firstPlace = CARGoSLog::GetSequence() + 1;
+  phase(firstPlace);
+  CARGoSLog::SetSequence(firstPlace + items);
+}
+
 // calls step for robots [begin, end); a failure names the robot, its phase and the tick
 template <typename STEP>
 void ForRobots(const std::vector<CControllableEntity*>& robots, size_t begin, size_t end,
-               const char* phase, UInt32 tick, STEP&& step) {
+               UInt64 firstPlace, const char* phase, UInt32 tick, STEP&& step) {
   size_t current = begin;
   const auto fail = [&](std::exception* error) {
     std::ostringstream message;
@@ -66,7 +75,7 @@ void ForRobots(const std::vector<CControllableEntity*>& robots, size_t begin, si
   try {
     for (; current < end; ++current) {
       if (robots[current]->IsEnabled()) {
-        CARGoSLog::SetSequence(current + 1);
+        CARGoSLog::SetSequence(firstPlace + current);
         step(*robots[current]);
       }
     }
@@ -94,6 +103,7 @@ void CSpace::Update() {
     }
   };
 
+  CARGoSLog::SetSequence(0);
   IncreaseSimulationClock();
   phase(&STickTimes::Act, PHASE_ACT, [&] { Act(pool); });
   phase(&STickTimes::Physics, PHASE_PHYSICS, [&] {
@@ -108,6 +118,7 @@ void CSpace::Update() {
 
   LOG.Flush();
   LOGERR.Flush();
+  CARGoSLog::SetSequence(0);
   if (m_tickTimes != nullptr) {
     ++m_tickTimes->Ticks;
   }
@@ -122,19 +133,23 @@ void CSpace::AddProfiledPhases(CProfiler& profiler) {
 }
 
 void CSpace::Act(CThreadPool& pool) {
-  pool.ParallelFor(m_robots.size(), kRobotGrain, [this](size_t begin, size_t end, UInt32) {
-    ForRobots(m_robots, begin, end, "act", m_simulationClock,
-              [](CControllableEntity& robot) { robot.Act(); });
+  InLogOrder(m_robots.size(), [&](UInt64 firstPlace) {
+    pool.ParallelFor(m_robots.size(), kRobotGrain, [&](size_t begin, size_t end, UInt32) {
+      ForRobots(m_robots, begin, end, firstPlace, "act", m_simulationClock,
+                [](CControllableEntity& robot) { robot.Act(); });
+    });
   });
-  CARGoSLog::SetSequence(0);
 }
 
 void CSpace::UpdatePhysics(CThreadPool& pool) {
   CPhysicsEngine::TVector& engines = m_cSimulator.GetPhysicsEngines();
-  pool.ParallelFor(engines.size(), 1, [&engines](size_t begin, size_t end, UInt32) {
-    for (size_t i = begin; i < end; ++i) {
-      engines[i]->Update();
-    }
+  InLogOrder(engines.size(), [&](UInt64 firstPlace) {
+    pool.ParallelFor(engines.size(), 1, [&](size_t begin, size_t end, UInt32) {
+      for (size_t i = begin; i < end; ++i) {
+        CARGoSLog::SetSequence(firstPlace + i);
+        engines[i]->Update();
+      }
+    });
   });
 }
 
@@ -148,10 +163,13 @@ void CSpace::TransferBodies() {
 
 void CSpace::UpdateMedia(CThreadPool& pool) {
   CMedium::TVector& media = m_cSimulator.GetMedia();
-  pool.ParallelFor(media.size(), 1, [&media](size_t begin, size_t end, UInt32) {
-    for (size_t i = begin; i < end; ++i) {
-      media[i]->Update();
-    }
+  InLogOrder(media.size(), [&](UInt64 firstPlace) {
+    pool.ParallelFor(media.size(), 1, [&](size_t begin, size_t end, UInt32) {
+      for (size_t i = begin; i < end; ++i) {
+        CARGoSLog::SetSequence(firstPlace + i);
+        media[i]->Update();
+      }
+    });
   });
 }
 
@@ -159,36 +177,42 @@ void CSpace::SenseAndControl(CThreadPool& pool) {
   // a controller writes only into its own robot's actuators, which nobody senses in this phase: so
   // robots of one run may all sense before they are controlled
   std::mutex timesMutex;
-  pool.ParallelFor(m_robots.size(), kRobotGrain, [&](size_t begin, size_t end, UInt32) {
-    for (size_t first = begin; first < end; first += kRobotGrain) {
-      const size_t last = std::min(end, first + kRobotGrain);
-      Real sense = 0.0;
-      Real control = 0.0;
-      Timed(m_tickTimes ? &sense : nullptr, [&] {
-        ForRobots(m_robots, first, last, "sense", m_simulationClock,
-                  [](CControllableEntity& robot) { robot.Sense(); });
-      });
-      Timed(m_tickTimes ? &control : nullptr, [&] {
-        ForRobots(m_robots, first, last, "be controlled", m_simulationClock,
-                  [](CControllableEntity& robot) { robot.ControlStep(); });
-      });
-      if (m_tickTimes != nullptr) {
-        const std::lock_guard<std::mutex> lock(timesMutex);
-        m_tickTimes->Sense += sense;
-        m_tickTimes->Control += control;
-      }
+  const auto senseAndControl = [&](size_t first, size_t last, UInt64 firstPlace) {
+    Real sense = 0.0;
+    Real control = 0.0;
+    Timed(m_tickTimes ? &sense : nullptr, [&] {
+      ForRobots(m_robots, first, last, firstPlace, "sense", m_simulationClock,
+                [](CControllableEntity& robot) { robot.Sense(); });
+    });
+    Timed(m_tickTimes ? &control : nullptr, [&] {
+      ForRobots(m_robots, first, last, firstPlace, "be controlled", m_simulationClock,
+                [](CControllableEntity& robot) { robot.ControlStep(); });
+    });
+    if (m_tickTimes != nullptr) {
+      const std::lock_guard<std::mutex> lock(timesMutex);
+      m_tickTimes->Sense += sense;
+      m_tickTimes->Control += control;
     }
+  };
+  InLogOrder(m_robots.size(), [&](UInt64 firstPlace) {
+    pool.ParallelFor(m_robots.size(), kRobotGrain, [&](size_t begin, size_t end, UInt32) {
+      for (size_t first = begin; first < end; first += kRobotGrain) {
+        senseAndControl(first, std::min(end, first + kRobotGrain), firstPlace);
+      }
+    });
   });
-  CARGoSLog::SetSequence(0);
 }
 
 void CSpace::IterateOverControllableEntities(const TControllableEntityIterCBType& callback) {
-  m_cSimulator.GetThreadPool().ParallelFor(
-      m_robots.size(), kRobotGrain, [&](size_t begin, size_t end, UInt32) {
-        for (size_t i = begin; i < end; ++i) {
-          callback(m_robots[i]);
-        }
-      });
+  InLogOrder(m_robots.size(), [&](UInt64 firstPlace) {
+    m_cSimulator.GetThreadPool().ParallelFor(
+        m_robots.size(), kRobotGrain, [&](size_t begin, size_t end, UInt32) {
+          for (size_t i = begin; i < end; ++i) {
+            CARGoSLog::SetSequence(firstPlace + i);
+            callback(m_robots[i]);
+          }
+        });
+  });
 }
 
 }  // namespace argos

@@ -63,6 +63,7 @@ void CSpace::AddToUserViews(CEntity& entity) {
 }
 
 CSpace::SUserViews& CSpace::GetUserViews() {
+  const std::lock_guard<std::mutex> lock(m_viewsMutex);
   if (m_views == nullptr) {
     m_views = std::make_unique<SUserViews>();
     m_views->Pending = m_roots;
@@ -87,7 +88,9 @@ CSpace::SUserViews& CSpace::GetUserViews() {
   return views;
 }
 
-UInt32 CSpace::GetNumberEntities() { return static_cast<UInt32>(GetUserViews().All.size()); }
+UInt32 CSpace::GetNumberEntities() const {
+  return static_cast<UInt32>(const_cast<CSpace*>(this)->GetUserViews().All.size());
+}
 
 CEntity::TVector& CSpace::GetEntityVector() { return GetUserViews().All; }
 

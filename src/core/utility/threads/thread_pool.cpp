@@ -45,7 +45,7 @@ void WaitForChange(std::atomic<T>& value, T old, bool spin) {
 }  // namespace
 
 CThreadPool::CThreadPool(UInt32 threads, std::unique_ptr<CSchedule> schedule, bool pinToCores,
-                         std::function<void()> startWorker)
+                         const std::function<void()>& startWorker)
     : m_numThreads(std::max<UInt32>(1, threads)),
       m_spin(m_numThreads <= std::thread::hardware_concurrency()),
       m_schedule(std::move(schedule)) {

@@ -29,7 +29,7 @@ class CThreadPool {
    * @param startWorker  run once in each worker before anything else.
    */
   CThreadPool(UInt32 threads, std::unique_ptr<CSchedule> schedule, bool pinToCores = false,
-              std::function<void()> startWorker = {});
+              const std::function<void()>& startWorker = {});
   /** Stops and joins the workers. */
   ~CThreadPool();
   CThreadPool(const CThreadPool&) = delete;
@@ -41,9 +41,9 @@ class CThreadPool {
   /**
    * Calls function(begin, end, thread) for runs of items that together are 0..items-1.
    *
-   * Runs on several threads at once. If calls throw, the phase is completed and the exception of the
-   * run with the lowest items is thrown here: the same one for every number of threads. Does not
-   * allocate. Not to be called from inside a phase.
+   * Runs on several threads at once. If calls throw, the phase is completed and the exception of
+   * the run with the lowest items is thrown here: the same one for every number of threads. Does
+   * not allocate. Not to be called from inside a phase.
    * @param grain  items that should stay together, >= 1.
    */
   template <typename FUNCTION>

@@ -244,7 +244,8 @@ void CPlanarWorld::Reserve() {
   std::vector<b2Body*> extras;
   for (size_t i = 0; i < numExtras; ++i) {
     // outside everything, and each cluster apart from the others
-    const float cluster = static_cast<float>(i / kClusterSize);
+    const size_t numClustersBefore = i / kClusterSize;
+    const auto cluster = static_cast<float>(numClustersBefore);
     definition.position.Set(everything.upperBound.x + 10.0F,
                             everything.lowerBound.y + 10.0F * cluster);
     b2Body* extra = m_world.CreateBody(&definition);

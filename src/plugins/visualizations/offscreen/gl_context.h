@@ -11,9 +11,9 @@ namespace argos {
 /**
  * An OpenGL core context, version 3.3 or later, that needs no display, window or GPU.
  *
- * The build compiles exactly one implementation: gl_context_osmesa.cpp (macro
- * ARGOS_GL_CONTEXT_OSMESA) or gl_context_egl.cpp (macro ARGOS_GL_CONTEXT_EGL). Mesa dropped OSMesa
- * in its release 25.1; EGL's surfaceless platform does the same from there on.
+ * The build compiles exactly one implementation, as its option ARGOS_GL_CONTEXT says:
+ * gl_context_osmesa.cpp or gl_context_egl.cpp. Mesa dropped OSMesa in its release 25.1; EGL's
+ * surfaceless platform does the same from there on.
  *
  * A context has no picture of its own worth drawing into: draw into framebuffer objects. Objects
  * made in a context live exactly as long as it does.

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* kRemedy =
     "; install Mesa's EGL library and software renderer (Debian: apt-get install libegl-mesa0 "
-    "libgl1-mesa-dri), or build with -DARGOS_GL_CONTEXT=OSMESA";
+    "libgl1-mesa-dri), or build with -DARGOS_GL_CONTEXT=osmesa";
 
 [[noreturn]] void ThrowEglError(const char* what) {
   std::ostringstream text;

@@ -33,7 +33,7 @@ class COSMesaContext : public CGlContext {
       THROW_ARGOSEXCEPTION(
           "OSMesaCreateContextAttribs made no OpenGL 3.3 core context; install Mesa's off-screen "
           "renderer 12 to 25.0 (Debian: apt-get install libosmesa6), or build with "
-          "-DARGOS_GL_CONTEXT=EGL");
+          "-DARGOS_GL_CONTEXT=egl");
     }
     MakeCurrent();
     m_functions.Load([](const char* name) { return OSMesaGetProcAddress(name); });

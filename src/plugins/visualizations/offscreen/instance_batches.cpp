@@ -9,6 +9,7 @@ namespace {
 
 // diameters on the picture, in pixels
 constexpr double kSmallestDrawn = 0.8;  // less than that hardly tints a pixel
+constexpr double kSmallestDetail = 3.5;
 constexpr double kSmallestCaster = 1.5;
 constexpr double kSmallestTranslucent = 8.0;
 // from these on the next finer level is taken: an edge of the coarser polygon would otherwise stray
@@ -117,7 +118,7 @@ void CInstanceBatches::Add(EMeshKind kind, const SMeshInstance& instance) {
     return;
   }
   const double pixels = 2.0 * sphere.Radius * m_pixelsPerTangent / std::max(depth, sphere.Radius);
-  if (pixels < kSmallestDrawn) {
+  if (pixels < (instance.IsDetail > 0.0f ? kSmallestDetail : kSmallestDrawn)) {
     return;
   }
   const std::size_t kindIndex = static_cast<std::size_t>(kind);

@@ -36,9 +36,9 @@ struct STranslucentRun {
  * The solids of a scene that matter for one picture, sorted by mesh and level of detail, so that
  * each pair takes one draw call.
  *
- * Left out are solids outside the view and those that would cover less than a pixel; fineness
- * follows the size on the picture, and translucent solids of a few pixels count as opaque. The
- * memory is kept from picture to picture.
+ * Left out are solids outside the view, those that would cover less than a pixel, and details of
+ * less than a few pixels; fineness follows the size on the picture, and translucent solids of a few
+ * pixels count as opaque. The memory is kept from picture to picture.
  */
 class CInstanceBatches {
  public:

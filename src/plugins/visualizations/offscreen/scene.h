@@ -40,6 +40,9 @@ struct SMeshInstance {
   std::array<std::array<float, 4>, 3> ToWorld;
   SRgba Color; /**< alpha < 255: translucent, drawn after the opaque ones, far to near */
   float Param = 1.0f; /**< see EMeshKind */
+  /** 1: a small part of something larger, left out already where it would cover a few pixels only.
+   */
+  float IsDetail = 0.0f;
 };
 
 /** A luminous point: a disc that always faces the camera, with a soft halo around it. */

@@ -24,10 +24,11 @@ constexpr float kLightHaloScale = 4.5f;  // radii
 constexpr SRgba kDarkLED = {46, 48, 54, 255};
 constexpr SRgba kFreeRay = {36, 122, 196, 170};
 constexpr SRgba kObstructedRay = {214, 52, 58, 230};
-constexpr SRgba kHitPoint = {120, 16, 24, 255};
+constexpr SRgba kHitPoint = {232, 40, 34, 255};
 constexpr float kRayWidth = 1.4f;  // pixels
-constexpr float kHitPointRadius = 0.0025f;  // m
+constexpr float kHitPointRadius = 0.004f;  // m
 constexpr double kHighestFoot = 0.045;  // m; what begins above hardly darkens the ground
+constexpr double kDetailShare = 0.35;  // of the volume of an entity's largest part
 constexpr double kUpright = 0.999;  // cosine of the angle between a part's axis and the vertical
 constexpr int kMaxFloorSide = 8192;  // pixels, of the texture
 
@@ -60,8 +61,16 @@ SPose ComputeAnchorPose(const SVisualPart& part, CEmbodiedEntity* body, const SP
   return origin * ToPose(anchor.OffsetPosition, anchor.OffsetOrientation);
 }
 
+// of the box around a part, m^3; LEDs are no solids
+double ComputeVolume(const SVisualPart& part) {
+  if (part.Kind == SVisualPart::EKind::LED) {
+    return 0.0;
+  }
+  return part.Size.GetX() * part.Size.GetY() * part.Size.GetZ();
+}
+
 void AddSolid(EMeshKind kind, const SPose& pose, const Eigen::Vector3d& scale, float param,
-              const CColor& color, SScene& scene) {
+              const CColor& color, bool isDetail, SScene& scene) {
   SMeshInstance instance;
   for (int row = 0; row < 3; ++row) {
     std::array<float, 4>& entries = instance.ToWorld[static_cast<std::size_t>(row)];
@@ -73,6 +82,7 @@ void AddSolid(EMeshKind kind, const SPose& pose, const Eigen::Vector3d& scale, f
   }
   instance.Color = ToRgba(color);
   instance.Param = param;
+  instance.IsDetail = isDetail ? 1.0f : 0.0f;
   scene.OfKind(kind).push_back(instance);
 }
 
@@ -161,6 +171,9 @@ void CSceneBuilder::AddEntity(CEntity& entity, SScene& scene) const {
     subject.IsLight = dynamic_cast<CLightEntity*>(&entity) != nullptr;
   }
   for (const SVisualPart& part : appearance->Parts) {
+    subject.LargestVolume = std::max(subject.LargestVolume, ComputeVolume(part));
+  }
+  for (const SVisualPart& part : appearance->Parts) {
     AddPart(part, subject, scene);
   }
   if (subject.FootprintArea > 0.0) {
@@ -178,22 +191,23 @@ void CSceneBuilder::AddPart(const SVisualPart& part, SSubject& subject, SScene& 
         {ToFloats(pose.Translation), radius, ToRgba(part.Color), kLightHaloScale});
     return;
   }
+  const bool isDetail = ComputeVolume(part) < kDetailShare * subject.LargestVolume;
   switch (part.Kind) {
     case SVisualPart::EKind::Box:
-      AddSolid(EMeshKind::Box, pose, size, 1.0f, part.Color, scene);
+      AddSolid(EMeshKind::Box, pose, size, 1.0f, part.Color, isDetail, scene);
       break;
     case SVisualPart::EKind::Cylinder:
-      AddSolid(EMeshKind::Cylinder, pose, size, 1.0f, part.Color, scene);
+      AddSolid(EMeshKind::Cylinder, pose, size, 1.0f, part.Color, isDetail, scene);
       break;
     case SVisualPart::EKind::Cone:
-      AddSolid(EMeshKind::Cylinder, pose, size, 0.0f, part.Color, scene);
+      AddSolid(EMeshKind::Cylinder, pose, size, 0.0f, part.Color, isDetail, scene);
       break;
     case SVisualPart::EKind::Sphere:
-      AddSolid(EMeshKind::Sphere, pose, size, 1.0f, part.Color, scene);
+      AddSolid(EMeshKind::Sphere, pose, size, 1.0f, part.Color, isDetail, scene);
       break;
     case SVisualPart::EKind::Ring:
       AddSolid(EMeshKind::Ring, pose, Eigen::Vector3d(size.x(), size.y(), size.x()),
-               static_cast<float>(size.z() / size.x()), part.Color, scene);
+               static_cast<float>(size.z() / size.x()), part.Color, isDetail, scene);
       break;
     case SVisualPart::EKind::LED:
       AddLED(part, pose, subject.LEDs, scene);

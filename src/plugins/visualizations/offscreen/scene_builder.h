@@ -50,6 +50,7 @@ class CSceneBuilder {
     CEmbodiedEntity* Body = nullptr;  // null: the entity has none
     CLEDEquippedEntity* LEDs = nullptr;  // null: the entity has none
     bool IsLight = false;  // its solids glow
+    double LargestVolume = 0.0;  // of the boxes around its parts, m^3
     double FootprintArea = 0.0;  // of ContactShadow, m^2; 0: nothing touches the ground
     SContactShadow ContactShadow{};
   };

@@ -67,6 +67,28 @@ TEST_CASE("instance batches: solids smaller than a pixel are left out",
   CHECK(CountOpaque({1.0, 0.0, 0.0}, 0.0005, 100000) == 1);
 }
 
+TEST_CASE("instance batches: details of a few pixels are left out, others of that size are not",
+          "[visualizations][offscreen][batches]") {
+  // two pixels, and twenty
+  SScene scene;
+  for (const double size : {0.004, 0.04}) {
+    SMeshInstance instance = MakeInstance({1.0, 0.0, 0.0}, size);
+    scene.OfKind(EMeshKind::Sphere).push_back(instance);
+    instance.IsDetail = 1.0f;
+    scene.OfKind(EMeshKind::Box).push_back(instance);
+  }
+  CInstanceBatches batches;
+  batches.Fill(scene, MakeCamera(), 1000, Eigen::Vector3d::UnitZ());
+  std::size_t spheres = 0;
+  std::size_t boxes = 0;
+  for (std::size_t level = 0; level < kNumLevels; ++level) {
+    spheres += batches.GetOpaque()[static_cast<std::size_t>(EMeshKind::Sphere)][level].size();
+    boxes += batches.GetOpaque()[static_cast<std::size_t>(EMeshKind::Box)][level].size();
+  }
+  CHECK(spheres == 2);
+  CHECK(boxes == 1);
+}
+
 TEST_CASE("instance batches: fineness grows with the size on the picture",
           "[visualizations][offscreen][batches]") {
   SScene scene;

@@ -2,8 +2,10 @@
 
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/floor_entity.h>
+#include <argos3/core/simulator/entity/positional_entity.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/core/simulator/visualization/appearance.h>
 #include <argos3/plugins/simulator/entities/box_entity.h>
 #include <argos3/plugins/simulator/entities/cylinder_entity.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
@@ -153,6 +155,56 @@ TEST_CASE("scene builder: the floor is sampled at its resolution, and again when
   floor->SetChanged();
   world.Build();
   CHECK(scene.Floor.Version != version);
+}
+
+TEST_CASE("scene builder: noted rays are drawn on request, hits in another colour",
+          "[visualizations][offscreen][scene]") {
+  CWorld world;
+  CControllableEntity robot(nullptr, "robot");
+  world.GetSpace().AddControllableEntity(robot);
+  const CRay3 free(CVector3(0.0, 0.0, 0.5), CVector3(0.25, 0.0, 0.5));
+  const CRay3 blocked(CVector3(0.0, 0.0, 0.5), CVector3(0.0, 0.5, 0.5));
+  robot.AddCheckedRay(false, free);
+  robot.AddCheckedRay(true, blocked);
+  robot.AddIntersectionPoint(blocked, 0.5);
+  SScene& scene = world.Build();
+  REQUIRE(scene.Lines.size() == 2);
+  CHECK(scene.Lines[0].Start == std::array<float, 3>{0.0f, 0.0f, 0.5f});
+  CHECK(scene.Lines[0].End == std::array<float, 3>{0.25f, 0.0f, 0.5f});
+  CHECK(scene.Lines[1].Color.R > 2 * scene.Lines[1].Color.B);
+  CHECK(scene.Lines[0].Color.B > 2 * scene.Lines[0].Color.R);
+  REQUIRE(scene.Glows.size() == 1);
+  CHECK(scene.Glows[0].Position == std::array<float, 3>{0.0f, 0.25f, 0.5f});
+  world.Build(false);
+  CHECK(scene.Lines.empty());
+  CHECK(scene.Glows.empty());
+  world.GetSpace().RemoveControllableEntity(robot);
+}
+
+TEST_CASE("scene builder: small parts of an entity are marked as details",
+          "[visualizations][offscreen][scene]") {
+  class CKnobbedBody : public CPositionalEntity {
+   public:
+    CKnobbedBody() : CPositionalEntity(nullptr, "knobbed") {
+      SVisualPart part;
+      part.Size = CVector3(1.0, 1.0, 1.0);
+      m_appearance.Parts.push_back(part);
+      part.Size = CVector3(0.5, 0.5, 0.5);
+      m_appearance.Parts.push_back(part);
+    }
+    const SAppearance* GetAppearance() const override { return &m_appearance; }
+
+   private:
+    SAppearance m_appearance;
+  };
+  CWorld world;
+  CKnobbedBody body;
+  world.GetSpace().GetRootEntityVector().push_back(&body);
+  SScene& scene = world.Build();
+  REQUIRE(scene.OfKind(EMeshKind::Box).size() == 2);
+  CHECK(scene.OfKind(EMeshKind::Box)[0].IsDetail == 0.0f);
+  CHECK(scene.OfKind(EMeshKind::Box)[1].IsDetail == 1.0f);
+  world.GetSpace().GetRootEntityVector().pop_back();
 }
 
 TEST_CASE("scene builder: building changes nothing and leaves nothing of the last picture",

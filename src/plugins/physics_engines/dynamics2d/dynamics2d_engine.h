@@ -1,0 +1,64 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_DYNAMICS2D_ENGINE_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_DYNAMICS2D_ENGINE_H
+
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+
+#include <memory>
+#include <vector>
+
+namespace argos {
+
+class CDynamics2DModel;
+class CEmbodiedEntity;
+class CPlanarWorld;
+struct SPlanarSettings;
+
+/**
+ * Rigid bodies on a horizontal plane, on Box2D: robots push, slide along walls, stall and slip.
+ *
+ * The README beside this file gives model, integrator, limits and measured accuracy; `argos3 -q
+ * dynamics2d` every XML parameter. Third-party models that drive a physics library directly have no
+ * place here: bodies are built from SBodyDescription.
+ */
+class CDynamics2DEngine : public CPhysicsEngine {
+ public:
+  CDynamics2DEngine();
+  ~CDynamics2DEngine() override;
+
+  void Init(TConfigurationNode& tree) override;
+  void Reset() override;
+  void Destroy() override;
+  void Update() override;
+  void PostSpaceInit() override;
+
+  bool IsPointContained(const CVector3& point) override;
+  size_t GetNumPhysicsModels() override { return m_models.size(); }
+  bool AddEntity(CEntity& entity) override;
+  bool RemoveEntity(CEntity& entity) override;
+  /** Nothing: all bodies are in the space's index. */
+  void CheckIntersectionWithRay(TEmbodiedEntityIntersectionData&, const CRay3&) const override {}
+
+  /** Height of the plane, m. */
+  Real GetElevation() const { return m_elevation; }
+  /** Stiffness of grippers, N/m. */
+  Real GetGrippingRigidity() const { return m_grippingRigidity; }
+
+  /** Puts a body at rest where its origin anchor is now; its contacts are forgotten. */
+  void Replace(CDynamics2DModel& model);
+
+ private:
+  void Build();
+  Real ChooseScale() const;
+  void AddToWorld(CDynamics2DModel& model);
+  void WriteBack(CDynamics2DModel& model, Real x, Real y, Real halfCos, Real halfSin);
+
+  Real m_elevation = 0.0;           // m
+  Real m_grippingRigidity = 10000;  // N/m
+  std::unique_ptr<SPlanarSettings> m_settings;
+  std::unique_ptr<CPlanarWorld> m_world;  // null: to be built from the models in the next tick
+  std::vector<std::unique_ptr<CDynamics2DModel>> m_models;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,85 @@
+#include <argos3/testing/support/captured_logs.h>
+
+#include <argos3/core/utility/logging/argos_log.h>
+
+// listeners are only declared on demand
+#define CATCH_CONFIG_EXTERNAL_INTERFACES
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <iostream>
+#include <sstream>
+
+namespace argos {
+
+namespace {
+
+constexpr int kUnexpectedErrors = 4;  // exit status
+
+/** Stands in for the buffer of a log's stream. */
+class CCapture {
+ public:
+  explicit CCapture(CARGoSLog& log) : m_log(log) {}
+
+  void Start() {
+    m_log.DisableColoredOutput();
+    m_log.Flush();
+    m_text.str("");
+    m_original = m_log.GetStream().rdbuf(&m_text);
+  }
+  void Stop() {
+    m_log.Flush();
+    m_log.GetStream().rdbuf(m_original);
+  }
+  std::string Take() {
+    m_log.Flush();
+    std::string text = m_text.str();
+    m_text.str("");
+    return text;
+  }
+
+ private:
+  CARGoSLog& m_log;
+  std::stringbuf m_text;
+  std::streambuf* m_original = nullptr;
+};
+
+CCapture& Log() {
+  static CCapture capture(LOG);
+  return capture;
+}
+
+CCapture& LogErr() {
+  static CCapture capture(LOGERR);
+  return capture;
+}
+
+class CListener : public Catch::TestEventListenerBase {
+ public:
+  using TestEventListenerBase::TestEventListenerBase;
+
+  void testCaseStarting(const Catch::TestCaseInfo&) override {
+    Log().Start();
+    LogErr().Start();
+  }
+  void testCaseEnded(const Catch::TestCaseStats& stats) override {
+    const std::string errors = TakeLogErr();
+    Log().Stop();
+    LogErr().Stop();
+    if (!errors.empty()) {
+      std::cerr << "unexpected in the error log of \"" << stats.testInfo.name << "\":\n" << errors;
+      static const int registered = std::atexit([] { std::_Exit(kUnexpectedErrors); });
+      static_cast<void>(registered);
+    }
+  }
+};
+
+}  // namespace
+
+std::string TakeLog() { return Log().Take(); }
+
+std::string TakeLogErr() { return LogErr().Take(); }
+
+CATCH_REGISTER_LISTENER(CListener)
+
+}  // namespace argos

@@ -1,0 +1,50 @@
+#include <argos3/testing/support/robot_world.h>
+
+#include <iomanip>
+#include <limits>
+#include <sstream>
+
+namespace argos {
+
+SExperiment SRobotExperiment::ToExperiment() const {
+  SExperiment experiment;
+  experiment.Seed = Seed;
+  experiment.Controllers = "<robot_world_controller id=\"c\"><actuators>" + Actuators +
+                           "</actuators><sensors>" + Sensors +
+                           "</sensors><params/></robot_world_controller>";
+  experiment.Engines = Engine;
+  experiment.Media = Media;
+  experiment.Arena = Arena;
+  return experiment;
+}
+
+CRobotWorld::CRobotWorld(const SRobotExperiment& experiment)
+    : CTestWorld(experiment.ToExperiment()), m_scope(GetSimulator()) {}
+
+CControllableEntity& CRobotWorld::GetRobot(const std::string& id) {
+  return Get<CComposableEntity>(id).GetComponent<CControllableEntity>("controller");
+}
+
+std::string Robot(const std::string& tag, const std::string& id, const std::string& pose) {
+  return "<" + tag + " id=\"" + id + "\"><body " + pose + "/><controller config=\"c\"/></" + tag +
+         ">";
+}
+
+std::string LoadError(const SRobotExperiment& experiment) {
+  return LoadError(experiment.ToExperiment());
+}
+
+std::string ToText(Real value) {
+  std::ostringstream stream;
+  stream << std::setprecision(std::numeric_limits<Real>::max_digits10) << value;
+  return stream.str();
+}
+
+std::string ToText(const CVector3& vector) {
+  return ToText(vector.GetX()) + "," + ToText(vector.GetY()) + "," + ToText(vector.GetZ());
+}
+
+}  // namespace argos
+
+using argos::CRobotWorldController;
+REGISTER_CONTROLLER(CRobotWorldController, "robot_world_controller")

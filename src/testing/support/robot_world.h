@@ -1,0 +1,73 @@
+#ifndef ARGOS3_TESTING_SUPPORT_ROBOT_WORLD_H
+#define ARGOS3_TESTING_SUPPORT_ROBOT_WORLD_H
+
+#include <argos3/core/control_interface/ci_controller.h>
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/testing/support/experiment.h>
+
+#include <functional>
+#include <string>
+
+namespace argos {
+
+/**
+ * An experiment for tests of robots and objects: by default in an engine in which nothing moves, so
+ * that what sensors read can be told from geometry alone, and with a medium "leds".
+ */
+struct SRobotExperiment {
+  std::string Actuators; /**< XML elements of the controller "c" */
+  std::string Sensors; /**< XML elements of the controller "c" */
+  std::string Arena; /**< XML elements */
+  std::string Engine = "<toy_engine id=\"engine\"/>";
+  std::string Media = "<led id=\"leds\"/>";
+  UInt32 Seed = 1;
+
+  SExperiment ToExperiment() const;
+};
+
+/** Runs such an experiment, and makes it current for the calling thread while it lives. */
+class CRobotWorld : public CTestWorld {
+ public:
+  /** @throws CARGoSException whatever loading throws. */
+  explicit CRobotWorld(const SRobotExperiment& experiment);
+
+  /** @throws CARGoSException if there is no such robot. */
+  CControllableEntity& GetRobot(const std::string& id);
+  template <typename SENSOR>
+  SENSOR& GetSensor(const std::string& robot, const std::string& type) {
+    return *GetRobot(robot).GetController().GetSensor<SENSOR>(type);
+  }
+  template <typename ACTUATOR>
+  ACTUATOR& GetActuator(const std::string& robot, const std::string& type) {
+    return *GetRobot(robot).GetController().GetActuator<ACTUATOR>(type);
+  }
+
+ private:
+  CSimulator::CScope m_scope;
+};
+
+/** "robot_world_controller": does in each step what a test tells it to. */
+class CRobotWorldController : public CCI_Controller {
+ public:
+  void ControlStep() override {
+    if (OnStep) {
+      OnStep();
+    }
+  }
+
+  std::function<void()> OnStep;
+};
+
+/** XML of a robot of type @p tag with the controller "c". @param pose attributes of `<body>`. */
+std::string Robot(const std::string& tag, const std::string& id, const std::string& pose);
+/** What loading that experiment throws; empty if it loads. */
+std::string LoadError(const SRobotExperiment& experiment);
+/** "x,y,z" with all digits. */
+std::string ToText(const CVector3& vector);
+/** All digits. */
+std::string ToText(Real value);
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,202 @@
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/testing/support/captured_logs.h>
+#include <argos3/testing/support/experiment.h>
+#include <argos3/testing/support/toy_world.h>
+
+#include <catch2/catch.hpp>
+
+#include <mutex>
+#include <set>
+#include <thread>
+
+using namespace argos;
+using Catch::Contains;
+using Catch::WithinAbs;
+
+namespace {
+
+SExperiment Recorded() {
+  return SExperiment{.Controllers = R"(<toy_controller id='c'>
+      <actuators> <toy_drive implementation='default' /> </actuators>
+      <sensors> <toy_range implementation='default' /> </sensors>
+      <params velocity='1,0,0' /> </toy_controller>)",
+                     .LoopFunctions = "<loop_functions label='toy_loop_functions' record='true' />",
+                     .Engines = "<toy_engine id='toy' iterations='1' />",
+                     .Media = "<toy_medium id='air' />",
+                     .Arena = R"(
+      <toy-robot id='r1'> <body position='0,0,0' /> <controller config='c' /> </toy-robot>
+      <toy-robot id='r2'> <body position='0,1,0' /> <controller config='c' /> </toy-robot>
+      <toy-block id='b' size='0.2,4,1' movable='false'> <body position='2,0,0' /> </toy-block>)"};
+}
+
+SExperiment ManyRobots(UInt32 threads, const std::string& method) {
+  SExperiment experiment = Recorded();
+  experiment.Threads = threads;
+  experiment.Method = method;
+  experiment.LoopFunctions = "<loop_functions label='toy_loop_functions' />";
+  experiment.Arena = R"(<distribute> <position method='grid' center='0,0,0' distances='0.2,0.2,1' layout='20,20,1' />
+      <orientation method='constant' values='0,0,0' />
+      <entity quantity='400' max_trials='1'> <toy-robot id='r'> <controller config='c' /> </toy-robot> </entity>
+    </distribute>)";
+  return experiment;
+}
+
+CToyController& ControllerOf(CTestWorld& world, const std::string& robot) {
+  return dynamic_cast<CToyController&>(
+      world.Get<CToyRobotEntity>(robot).GetControllableEntity().GetController());
+}
+
+Real X(CTestWorld& world, const std::string& robot) {
+  return world.Get<CToyRobotEntity>(robot).GetEmbodiedEntity().GetOriginAnchor().Position.GetX();
+}
+
+}  // namespace
+
+TEST_CASE("tick: physics, media, PreStep, control, PostStep, in this order", "[core][tick]") {
+  CTestWorld world(Recorded());
+  auto& functions = world.GetLoopFunctions<CToyLoopFunctions>();
+  functions.IsRecording = true;
+  functions.Events.clear();
+  world.Step();
+  CHECK(functions.Events == std::vector<std::string>{"physics toy", "medium air", "pre step",
+                                                     "control r1", "control r2", "post step"});
+}
+
+TEST_CASE("tick: a command of step k acts in tick k + 1", "[core][tick]") {
+  CTestWorld world(Recorded());
+  // one step of 0.1 s at 1 m/s is a single addition of 0.1
+  world.Step();
+  CHECK(X(world, "r1") == 0.0);
+  world.Step();
+  CHECK(X(world, "r1") == 0.1);
+  ControllerOf(world, "r1").Velocity = CVector3(-2.0, 0.0, 0.0);
+  world.Step();
+  CHECK(X(world, "r1") == 0.2);
+  world.Step();
+  CHECK_THAT(X(world, "r1"), WithinAbs(0.0, 1e-15));
+}
+
+TEST_CASE("tick: sensors see the poses after this tick's physics, and PreStep's changes",
+          "[core][tick]") {
+  CTestWorld world(Recorded());
+  // from the rim at x + 0.05 to the face at 1.9
+  world.Step();
+  CHECK(ControllerOf(world, "r1").LastRange == 1.0);
+  world.Step(11);
+  CHECK_THAT(X(world, "r1"), WithinAbs(1.1, 1e-14));
+  CHECK_THAT(ControllerOf(world, "r1").LastRange, WithinAbs(0.75, 1e-14));
+  world.GetLoopFunctions<CToyLoopFunctions>().OnPreStep = [&] {
+    world.Get<CToyRobotEntity>("r1").GetEmbodiedEntity().MoveTo(CVector3(1.35, 0.0, 0.0), CQuaternion());
+  };
+  world.Step();
+  CHECK_THAT(ControllerOf(world, "r1").LastRange, WithinAbs(0.5, 1e-14));
+}
+
+TEST_CASE("tick: hooks may add and remove what is sensed in the same tick", "[core][tick]") {
+  CTestWorld world(Recorded());
+  const CSimulator::CScope scope(world.GetSimulator());
+  auto& functions = world.GetLoopFunctions<CToyLoopFunctions>();
+  functions.OnPreStep = [&] {
+    if (world.GetSpace().GetSimulationClock() == 1) {
+      functions.AddEntity(*std::make_unique<CToyBlockEntity>("near", CVector3(0.6, 0.0, 0.0),
+                                                             CVector3(0.2, 0.2, 1.0))
+                               .release());
+    } else if (world.GetSpace().GetSimulationClock() == 3) {
+      functions.RemoveEntity("near");
+    }
+  };
+  world.Step();
+  CHECK_THAT(ControllerOf(world, "r1").LastRange, WithinAbs(0.45, 1e-14));
+  world.Step();
+  CHECK_THAT(ControllerOf(world, "r1").LastRange, WithinAbs(0.35, 1e-14));
+  world.Step();
+  CHECK(ControllerOf(world, "r1").LastRange == 1.0);
+}
+
+TEST_CASE("tick: every robot steps once a tick, on any number of threads", "[core][tick][threads]") {
+  const UInt32 threads = GENERATE(0U, 1U, 2U, 4U, 15U);
+  const std::string method = GENERATE("balance_quantity", "balance_length");
+  CAPTURE(threads, method);
+  CTestWorld world(ManyRobots(threads, method));
+  CHECK(world.GetSimulator().GetNumThreads() == threads);
+  world.Step(5);
+  for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
+    REQUIRE(dynamic_cast<CToyController&>(robot->GetController()).Steps == 5);
+  }
+}
+
+TEST_CASE("tick: controllers know their simulator on every thread", "[core][tick][threads]") {
+  CTestWorld world(ManyRobots(4, "balance_length"));
+  std::atomic<int> wrong{0};
+  for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
+    dynamic_cast<CToyController&>(robot->GetController()).OnStep = [&](CToyController&) {
+      wrong += &CSimulator::GetInstance() == &world.GetSimulator() ? 0 : 1;
+    };
+  }
+  world.Step(3);
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("tick: controllers may all look at the space at once", "[core][tick][threads]") {
+  CTestWorld world(ManyRobots(4, "balance_length"));
+  std::atomic<int> wrong{0};
+  for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
+    dynamic_cast<CToyController&>(robot->GetController()).OnStep = [&](CToyController& controller) {
+      CSpace& space = CSimulator::GetInstance().GetSpace();
+      wrong += space.GetEntitiesByType("toy-robot").size() == 400 ? 0 : 1;
+      wrong += &space.GetEntity(controller.GetId() + ".body_0").GetRootEntity() ==
+                       &space.GetEntity(controller.GetId())
+                   ? 0
+                   : 1;
+    };
+  }
+  world.Step(3);
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("tick: a controller that throws is named, with the tick; the same on any number of threads",
+          "[core][tick][threads]") {
+  const UInt32 threads = GENERATE(0U, 2U, 4U);
+  const std::string method = GENERATE("balance_quantity", "balance_length");
+  CAPTURE(threads, method);
+  CTestWorld world(ManyRobots(threads, method));
+  for (const std::string robot : {"r77", "r123", "r399"}) {
+    ControllerOf(world, robot).OnStep = [](CToyController& controller) {
+      if (controller.Steps == 3) {
+        throw std::runtime_error("out of ideas");
+      }
+    };
+  }
+  world.Step(2);
+  CHECK_THROWS_WITH(world.Step(), Contains("\"r77\"") && Contains("tick 3") && Contains("out of ideas"));
+}
+
+TEST_CASE("tick: also something that is no exception is named", "[core][tick]") {
+  CTestWorld world(Recorded());
+  ControllerOf(world, "r2").OnStep = [](CToyController&) { throw 42; };
+  CHECK_THROWS_WITH(world.Step(), Contains("\"r2\"") && Contains("tick 1"));
+}
+
+TEST_CASE("tick: what is logged comes in the order of the phases, robots in their order",
+          "[core][tick][logging]") {
+  const UInt32 threads = GENERATE(0U, 4U);
+  const std::string method = GENERATE("balance_quantity", "balance_length");
+  CAPTURE(threads, method);
+  CTestWorld world(ManyRobots(threads, method));
+  auto& functions = world.GetLoopFunctions<CToyLoopFunctions>();
+  functions.OnPreStep = [] { LOG << "pre" << std::endl; };
+  functions.OnPostStep = [] { LOG << "post" << std::endl; };
+  std::string expected = "pre\n";
+  for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
+    dynamic_cast<CToyController&>(robot->GetController()).OnStep = [](CToyController& controller) {
+      LOG << "step " << controller.GetId() << std::endl;
+    };
+    expected += "step " + robot->GetRootEntity().GetId() + "\n";
+  }
+  expected += "post\n";
+  TakeLog();
+  world.Step();
+  CHECK((TakeLog() == expected));
+  world.Step();
+  CHECK((TakeLog() == expected));
+}
