@@ -35,7 +35,11 @@ build "$repo/build"
 say "Run ${experiment#"$repo"/}"
 cd "$repo"
 mkdir -p out
-export ARGOS_PLUGIN_PATH="$repo/build/experiments${ARGOS_PLUGIN_PATH:+:$ARGOS_PLUGIN_PATH}"
+# argos3 loads every library in these folders, so ours are offered to our own experiments alone: the labels in others'
+# libraries may be the same
+if [[ "$experiment" == experiments/* || "$experiment" == "$repo"/experiments/* ]]; then
+  export ARGOS_PLUGIN_PATH="$repo/build/experiments${ARGOS_PLUGIN_PATH:+:$ARGOS_PLUGIN_PATH}"
+fi
 before="$(mktemp)"
 trap 'rm -f "$before"' EXIT
 status=0

@@ -5,6 +5,13 @@
 
 using namespace argos;
 
+namespace {
+
+// more than a right angle: a robot leaves a wall rather than following it
+const CRadians kBehind = ToRadians(CDegrees(120.0));
+
+}  // namespace
+
 void CFootBotDiffusion::Init(TConfigurationNode& params) {
   m_wheels = GetActuator<CCI_DifferentialSteeringActuator>("differential_steering");
   m_proximity = GetSensor<CCI_FootBotProximitySensor>("footbot_proximity");
@@ -29,7 +36,7 @@ void CFootBotDiffusion::Init(TConfigurationNode& params) {
 void CFootBotDiffusion::ControlStep() {
   const CVector2 crowd = SumUpProximity();
   const bool negligible = crowd.Length() < m_delta && Abs(crowd.Angle()) <= m_alpha;
-  const bool behind = Abs(crowd.Angle()) > CRadians::PI_OVER_TWO;
+  const bool behind = Abs(crowd.Angle()) > kBehind;
   if (negligible || behind) {
     EnterState(EState::Free);
   } else if (m_state == EState::Free) {

@@ -25,9 +25,9 @@ class CSimulatedActuator {
 
 }  // namespace argos
 
-#define REGISTER_ACTUATOR(CLASSNAME, LABEL, IMPLEMENTATION, AUTHOR, VERSION, BRIEF_DESCRIPTION, \
-                          LONG_DESCRIPTION, STATUS)                                             \
-  REGISTER_SYMBOL(CSimulatedActuator, CLASSNAME, LABEL " (" IMPLEMENTATION ")", AUTHOR,         \
-                  VERSION, BRIEF_DESCRIPTION, LONG_DESCRIPTION, STATUS)
+#define REGISTER_ACTUATOR(CLASSNAME, LABEL, IMPLEMENTATION, AUTHOR, VERSION, BRIEF_DESCRIPTION,  \
+                          LONG_DESCRIPTION, STATUS)                                              \
+  REGISTER_SYMBOL(CSimulatedActuator, CLASSNAME, LABEL " (" IMPLEMENTATION ")", AUTHOR, VERSION, \
+                  BRIEF_DESCRIPTION, LONG_DESCRIPTION, STATUS)
 
 #endif

@@ -9,7 +9,9 @@ namespace argos {
 CLoopFunctions::CLoopFunctions()
     : m_cSimulator(CurrentSimulator()), m_cSpace(m_cSimulator.GetSpace()) {}
 
-CColor CLoopFunctions::GetFloorColor(const CVector2&) { return CColor::WHITE; }
+CColor CLoopFunctions::GetFloorColor(const CVector2&) {
+  return CColor::WHITE;
+}
 
 void CLoopFunctions::MoveEntity(CPositionalEntity& entity, const CVector3& position,
                                 const CQuaternion& orientation) {
@@ -26,12 +28,14 @@ void CLoopFunctions::AddEntity(CEntity& entity) {
   m_cSpace.TakeOver(std::unique_ptr<CEntity>(&entity));
 }
 
-void CLoopFunctions::RemoveEntity(const std::string& id) { RemoveEntity(m_cSpace.GetEntity(id)); }
+void CLoopFunctions::RemoveEntity(const std::string& id) {
+  RemoveEntity(m_cSpace.GetEntity(id));
+}
 
 void CLoopFunctions::RemoveEntity(CEntity& entity) {
   if (entity.HasParent()) {
-    THROW_ARGOSEXCEPTION("\"" << entity.GetContext() << entity.GetId()
-                              << "\" is a component of \"" << entity.GetRootEntity().GetId()
+    THROW_ARGOSEXCEPTION("\"" << entity.GetContext() << entity.GetId() << "\" is a component of \""
+                              << entity.GetRootEntity().GetId()
                               << "\": only whole entities can be removed");
   }
   CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(m_cSpace, entity);

@@ -85,7 +85,7 @@ class CLoopFunctions : public CBaseConfigurableResource {
 
 }  // namespace argos
 
-#define REGISTER_LOOP_FUNCTIONS(CLASSNAME, LABEL)                                       \
+#define REGISTER_LOOP_FUNCTIONS(CLASSNAME, LABEL)                                          \
   REGISTER_SYMBOL(CLoopFunctions, CLASSNAME, LABEL, "undefined", "undefined", "undefined", \
                   "undefined", "undefined")
 

@@ -25,8 +25,8 @@ class CSimulatedSensor {
 
 }  // namespace argos
 
-#define REGISTER_SENSOR(CLASSNAME, LABEL, IMPLEMENTATION, AUTHOR, VERSION, BRIEF_DESCRIPTION, \
-                        LONG_DESCRIPTION, STATUS)                                             \
+#define REGISTER_SENSOR(CLASSNAME, LABEL, IMPLEMENTATION, AUTHOR, VERSION, BRIEF_DESCRIPTION,  \
+                        LONG_DESCRIPTION, STATUS)                                              \
   REGISTER_SYMBOL(CSimulatedSensor, CLASSNAME, LABEL " (" IMPLEMENTATION ")", AUTHOR, VERSION, \
                   BRIEF_DESCRIPTION, LONG_DESCRIPTION, STATUS)
 

@@ -54,20 +54,27 @@ CSimulator::CSimulator()
       m_pool(std::make_unique<CThreadPool>(0, CreateSchedule("balance_quantity"))),
       m_space(std::make_unique<CSpace>(*this)) {}
 
-CSimulator::~CSimulator() { Destroy(); }
+CSimulator::~CSimulator() {
+  Destroy();
+}
 
 CSimulator& CSimulator::GetInstance() {
   if (currentSimulator != nullptr) {
     return *currentSimulator;
   }
   // never deleted: at the end of the process the code of plug-ins that it would call may be gone
-  static CSimulator* const instance = std::unique_ptr<CSimulator>(new CSimulator(SDefaultTag{})).release();
+  static CSimulator* const instance =
+      std::unique_ptr<CSimulator>(new CSimulator(SDefaultTag{})).release();
   return *instance;
 }
 
-CSimulator& CurrentSimulator() { return CSimulator::GetInstance(); }
+CSimulator& CurrentSimulator() {
+  return CSimulator::GetInstance();
+}
 
-CSpace& CurrentSpace() { return CSimulator::GetInstance().GetSpace(); }
+CSpace& CurrentSpace() {
+  return CSimulator::GetInstance().GetSpace();
+}
 
 CSimulator::CScope::CScope(CSimulator& simulator)
     : m_previous(currentSimulator), m_previousRegistry(&CRandom::GetCurrentRegistry()) {
@@ -83,7 +90,9 @@ CSimulator::CScope::~CScope() {
   CRandom::SetCurrentRegistry(m_previousRegistry);
 }
 
-CSpace& CSimulator::GetSpace() const { return *m_space; }
+CSpace& CSimulator::GetSpace() const {
+  return *m_space;
+}
 
 CPhysicsEngine& CSimulator::GetPhysicsEngine(const std::string& id) const {
   for (CPhysicsEngine* engine : m_engines) {

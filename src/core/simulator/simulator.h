@@ -157,7 +157,7 @@ class CSimulator {
   void ThrowIfLoaded() const;
   static UInt32 SeedFromClock();
   void ApplyOverrides(CLoadErrors& errors);
-  void InitFramework(TConfigurationNode& node);
+  void InitFramework(TConfigurationNode& node, CLoadErrors& errors);
   void InitSystem(TConfigurationNode& framework);
   void InitExperiment(TConfigurationNode& framework);
   void InitProfiling(TConfigurationNode& framework);
@@ -178,7 +178,7 @@ class CSimulator {
   std::vector<std::pair<std::string, std::string>> m_overrides;
   bool m_forceNoVisualization = false;
 
-  bool m_seedSet = false;       // by the user, before loading
+  bool m_seedSet = false;  // by the user, before loading
   bool m_seedFromClock = true;  // neither set nor in the file
   UInt32 m_randomSeed = 0;
   CRandom::CRNG* m_rng = nullptr;  // owned by its category
@@ -188,7 +188,7 @@ class CSimulator {
   bool m_threadsSet = false;
   UInt32 m_numThreads = 0;
   bool m_lengthSet = false;
-  Real m_length = 0.0;      // s
+  Real m_length = 0.0;  // s
   Real m_tickLength = 0.1;  // s
   UInt32 m_maxSimulationClock = 0;
   bool m_realTimeClock = false;

@@ -67,9 +67,9 @@ void CreateParts(TConfigurationNode& section, const char* kind, CLoadErrors& err
       std::unique_ptr<BASE> part = CreatePart<BASE>(*it, kind);
       const auto [other, inserted] = locations.emplace(part->GetId(), it->GetLocation());
       if (!inserted) {
-        THROW_ARGOSEXCEPTION(it->GetLocation() << ": there is already a " << kind << " with id \""
-                                               << part->GetId() << "\" at " << other->second
-                                               << "; ids must be unique");
+        THROW_ARGOSEXCEPTION(it->GetLocation()
+                             << ": there is already a " << kind << " with id \"" << part->GetId()
+                             << "\" at " << other->second << "; ids must be unique");
       }
       take(std::move(part));
     });
@@ -121,7 +121,7 @@ void CSimulator::Init() {
   const auto section = [&](const std::string& tag, auto&& init) {
     return errors.Try("", [&] { init(GetNode(root, tag)); });
   };
-  section("framework", [this](TConfigurationNode& node) { InitFramework(node); });
+  section("framework", [&](TConfigurationNode& node) { InitFramework(node, errors); });
   if (m_rng == nullptr) {
     // without tick length and seed nothing else can be tried
     errors.ThrowIfAny();
@@ -152,11 +152,11 @@ void CSimulator::ApplyOverrides(CLoadErrors& errors) {
   }
 }
 
-void CSimulator::InitFramework(TConfigurationNode& node) {
-  InitSystem(node);
-  InitExperiment(node);
+void CSimulator::InitFramework(TConfigurationNode& node, CLoadErrors& errors) {
+  errors.Try(node.GetLocation() + ": <framework>", [&] { InitSystem(node); });
+  errors.Try("", [&] { InitExperiment(node); });
   if (NodeExists(node, "profiling")) {
-    InitProfiling(GetNode(node, "profiling"));
+    errors.Try("", [&] { InitProfiling(GetNode(node, "profiling")); });
   }
 }
 
@@ -250,9 +250,9 @@ void CSimulator::InitController(TConfigurationNode& node) {
   GetNodeAttribute(node, "id", id);
   const auto [other, inserted] = m_controllerNodes.emplace(id, &node);
   if (!inserted) {
-    THROW_ARGOSEXCEPTION(node.GetLocation() << ": there is already a controller with id \"" << id
-                                            << "\" at " << other->second->GetLocation()
-                                            << "; ids must be unique");
+    THROW_ARGOSEXCEPTION(node.GetLocation()
+                         << ": there is already a controller with id \"" << id << "\" at "
+                         << other->second->GetLocation() << "; ids must be unique");
   }
   try {
     LoadLibraryOf(node);
@@ -289,8 +289,8 @@ void CSimulator::InitPhysics(TConfigurationNode& section, CLoadErrors& errors) {
       section, "physics engine", errors,
       [this](std::unique_ptr<CPhysicsEngine> engine) {
         LOG << "[INFO] The physics engine \"" << engine->GetId() << "\" will perform "
-            << engine->GetIterations() << " iterations per tick (dt = "
-            << engine->GetPhysicsClockTick() << " s)" << std::endl;
+            << engine->GetIterations()
+            << " iterations per tick (dt = " << engine->GetPhysicsClockTick() << " s)" << std::endl;
         m_engines.push_back(engine.get());
         m_ownEngines.push_back(std::move(engine));
       },
@@ -317,9 +317,8 @@ void CSimulator::InitLoopFunctions(TConfigurationNode& root, CLoadErrors& errors
     return;
   }
   TConfigurationNode& node = GetNode(root, "loop_functions");
-  m_loopFunctionsReady =
-      errors.Try(node.GetLocation() + ": <loop_functions> cannot be initialised",
-                 [&] { m_loopFunctions->Init(node); });
+  m_loopFunctionsReady = errors.Try(node.GetLocation() + ": <loop_functions> cannot be initialised",
+                                    [&] { m_loopFunctions->Init(node); });
 }
 
 void CSimulator::PostSpaceInit(CLoadErrors& errors) {

@@ -19,10 +19,11 @@ CEmbodiedEntity::CEmbodiedEntity(CComposableEntity* parent, const std::string& i
     : CEntity(parent, id),
       m_bMovable(movable),
       m_cInitOriginPosition(position),
-      m_cInitOriginOrientation(orientation) {
-  AddAnchor("origin");
-  m_psOriginAnchor = m_anchors.front().get();
-  m_psOriginAnchor->Enable();
+      m_cInitOriginOrientation(orientation),
+      m_origin(*this, "origin", 0, CVector3(), CQuaternion(), position, orientation) {
+  m_psOriginAnchor = &m_origin;
+  m_mapAnchors[m_origin.Id] = &m_origin;
+  m_origin.Enable();
 }
 
 CEmbodiedEntity::~CEmbodiedEntity() {
@@ -55,26 +56,21 @@ SAnchor& CEmbodiedEntity::AddAnchor(const std::string& id, const CVector3& offse
     THROW_ARGOSEXCEPTION("body \"" << GetContext() << GetId() << "\" already has an anchor \"" << id
                                    << "\"");
   }
-  const CVector3& basePosition =
-      m_anchors.empty() ? m_cInitOriginPosition : m_psOriginAnchor->Position;
-  const CQuaternion& baseOrientation =
-      m_anchors.empty() ? m_cInitOriginOrientation : m_psOriginAnchor->Orientation;
-  CVector3 position = offset;
-  position.Rotate(baseOrientation);
-  position += basePosition;
-  m_anchors.push_back(std::make_unique<SAnchor>(*this, id, static_cast<UInt32>(m_anchors.size()),
-                                                offset, relativeOrientation, position,
-                                                baseOrientation * relativeOrientation));
-  m_mapAnchors[id] = m_anchors.back().get();
-  return *m_anchors.back();
+  m_otherAnchors.push_back(
+      std::make_unique<SAnchor>(*this, id, static_cast<UInt32>(m_otherAnchors.size() + 1), offset,
+                                relativeOrientation, CVector3(), CQuaternion()));
+  SAnchor& anchor = *m_otherAnchors.back();
+  anchor.FollowOrigin();
+  m_mapAnchors[id] = &anchor;
+  return anchor;
 }
 
 const SAnchor& CEmbodiedEntity::GetAnchor(const std::string& id) const {
   const auto found = m_mapAnchors.find(id);
   if (found == m_mapAnchors.end()) {
     std::vector<std::string> known;
-    for (const auto& anchor : m_anchors) {
-      known.push_back(anchor->Id);
+    for (const auto& entry : m_mapAnchors) {
+      known.push_back(entry.first);
     }
     THROW_ARGOSEXCEPTION("body \"" << GetContext() << GetId() << "\" has no anchor \"" << id << "\""
                                    << DidYouMean(id, known));
@@ -86,9 +82,13 @@ SAnchor& CEmbodiedEntity::GetAnchor(const std::string& id) {
   return const_cast<SAnchor&>(static_cast<const CEmbodiedEntity*>(this)->GetAnchor(id));
 }
 
-void CEmbodiedEntity::EnableAnchor(const std::string& id) { GetAnchor(id).Enable(); }
+void CEmbodiedEntity::EnableAnchor(const std::string& id) {
+  GetAnchor(id).Enable();
+}
 
-void CEmbodiedEntity::DisableAnchor(const std::string& id) { GetAnchor(id).Disable(); }
+void CEmbodiedEntity::DisableAnchor(const std::string& id) {
+  GetAnchor(id).Disable();
+}
 
 bool CEmbodiedEntity::IsAnchorEnabled(const std::string& id) {
   return GetAnchor(id).InUseCount > 0;
@@ -126,13 +126,15 @@ void CEmbodiedEntity::AddPhysicsModel(const std::string& engineId, CPhysicsModel
   m_tPhysicsModelMap[engineId] = &model;
   m_tPhysicsModelVector.push_back(&model);
   CalculateBoundingBox();
+  // the body may have been placed after its anchors were made
+  model.CalculateAnchors();
 }
 
 void CEmbodiedEntity::RemovePhysicsModel(const std::string& engineId) {
   const auto found = m_tPhysicsModelMap.find(engineId);
   if (found == m_tPhysicsModelMap.end()) {
-    THROW_ARGOSEXCEPTION("body \"" << GetContext() << GetId() << "\" is not in the physics engine \""
-                                   << engineId << "\"");
+    THROW_ARGOSEXCEPTION("body \"" << GetContext() << GetId()
+                                   << "\" is not in the physics engine \"" << engineId << "\"");
   }
   auto& models = m_tPhysicsModelVector;
   models.erase(std::find(models.begin(), models.end(), found->second));
@@ -161,8 +163,8 @@ CPhysicsModel& CEmbodiedEntity::GetPhysicsModel(size_t index) {
 const CPhysicsModel& CEmbodiedEntity::GetPhysicsModel(const std::string& engineId) const {
   const auto found = m_tPhysicsModelMap.find(engineId);
   if (found == m_tPhysicsModelMap.end()) {
-    THROW_ARGOSEXCEPTION("body \"" << GetContext() << GetId() << "\" is not in the physics engine \""
-                                   << engineId << "\"");
+    THROW_ARGOSEXCEPTION("body \"" << GetContext() << GetId()
+                                   << "\" is not in the physics engine \"" << engineId << "\"");
   }
   return *found->second;
 }

@@ -126,7 +126,8 @@ class CEmbodiedEntity : public CEntity {
   friend struct SAnchor;
   void MoveModelsTo(const CVector3& position, const CQuaternion& orientation);
 
-  std::vector<std::unique_ptr<SAnchor>> m_anchors;  // by index; m_anchors[0] is the origin
+  SAnchor m_origin;
+  std::vector<std::unique_ptr<SAnchor>> m_otherAnchors;  // by index - 1
   std::shared_ptr<const SBodyDescription> m_description;
   CBodyIndex* m_bodyIndex = nullptr;
   UInt32 m_bodyNumber = ~UInt32(0);

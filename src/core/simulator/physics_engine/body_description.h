@@ -17,16 +17,16 @@ namespace argos {
  */
 struct SShapeDescription {
   enum class EKind : UInt8 {
-    Box,       /**< extents Size along the local axes */
-    Cylinder,  /**< Radius and Size.Z = height, axis along local z */
-    Sphere     /**< Radius; Offset is the lowest point */
+    Box, /**< extents Size along the local axes */
+    Cylinder, /**< Radius and Size.Z = height, axis along local z */
+    Sphere /**< Radius; Offset is the lowest point */
   };
 
   EKind Kind = EKind::Cylinder;
-  CVector3 Offset;           /**< centre of the base in the body frame, m */
-  CQuaternion Orientation;   /**< of the solid in the body frame */
-  CVector3 Size;             /**< m; full extents of a box; for cylinder and sphere (2R, 2R, height) */
-  Real Radius = 0.0;         /**< m; of a cylinder or sphere; of a box: of the circle around its base */
+  CVector3 Offset; /**< centre of the base in the body frame, m */
+  CQuaternion Orientation; /**< of the solid in the body frame */
+  CVector3 Size; /**< m; full extents of a box; for cylinder and sphere (2R, 2R, height) */
+  Real Radius = 0.0; /**< m; of a cylinder or sphere; of a box: of the circle around its base */
 
   /** A box with its base centre at @p offset. @param size full extents, m, all > 0. */
   static SShapeDescription Box(const CVector3& size, const CVector3& offset = CVector3());
@@ -38,17 +38,17 @@ struct SShapeDescription {
 
 /** Two driven wheels on one axis through the body's origin; y is the axis, x points ahead. */
 struct SDifferentialDriveDescription {
-  Real InterwheelDistance = 0.0;  /**< m, > 0 */
-  Real WheelRadius = 0.0;         /**< m, > 0 */
-  Real MaxForce = 0.0;            /**< N, > 0: the most the drive pushes along or across its heading */
-  Real MaxTorque = 0.0;           /**< N m, > 0: the most it turns about z */
+  Real InterwheelDistance = 0.0; /**< m, > 0 */
+  Real WheelRadius = 0.0; /**< m, > 0 */
+  Real MaxForce = 0.0; /**< N, > 0: the most the drive pushes along or across its heading */
+  Real MaxTorque = 0.0; /**< N m, > 0: the most it turns about z */
 };
 
 /** How a movable passive body rubs on the ground: bounds of a velocity-matching friction. */
 struct SGroundFrictionDescription {
   enum class EClass : UInt8 {
-    Box,      /**< engines take their box_* friction parameters */
-    Cylinder  /**< engines take their cylinder_* friction parameters */
+    Box, /**< engines take their box_* friction parameters */
+    Cylinder /**< engines take their cylinder_* friction parameters */
   };
   EClass Class = EClass::Box;
 };
@@ -61,12 +61,12 @@ struct SGroundFrictionDescription {
  * equal parameters share one description; it never changes while it is shared.
  */
 struct SBodyDescription {
-  std::vector<SShapeDescription> Shapes;  /**< solids, rigidly joined; at least one */
-  Real Mass = 0.0;                        /**< kg, > 0 if movable; ignored if not */
+  std::vector<SShapeDescription> Shapes; /**< solids, rigidly joined; at least one */
+  Real Mass = 0.0; /**< kg, > 0 if movable; ignored if not */
   /** Moment of inertia about the vertical through the origin, kg m^2; unset: that of the solids. */
   std::optional<Real> PlanarInertia;
-  std::optional<SDifferentialDriveDescription> Drive;          /**< needs a "wheels" component */
-  std::optional<SGroundFrictionDescription> GroundFriction;    /**< of passive movable bodies */
+  std::optional<SDifferentialDriveDescription> Drive; /**< needs a "wheels" component */
+  std::optional<SGroundFrictionDescription> GroundFriction; /**< of passive movable bodies */
 
   /** Radius of the vertical cylinder around the origin that holds every solid, m. */
   Real ComputeBoundingRadius() const;

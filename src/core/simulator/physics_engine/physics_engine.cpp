@@ -21,8 +21,7 @@ void CPhysicsEngine::Init(TConfigurationNode& tree) {
   UInt32 iterations = m_iterations;
   GetNodeAttributeOrDefault(tree, "iterations", iterations, m_iterations);
   if (iterations == 0) {
-    THROW_ARGOSEXCEPTION(tree.GetLocation() << ": <" << tree.Value()
-                                            << " id=\"" << m_id
+    THROW_ARGOSEXCEPTION(tree.GetLocation() << ": <" << tree.Value() << " id=\"" << m_id
                                             << "\">: \"iterations\" must be at least 1, found 0");
   }
   SetIterations(iterations);
@@ -36,7 +35,9 @@ void CPhysicsEngine::SetIterations(UInt32 iterations) {
   m_physicsClockTick = m_cSimulator.GetTickLength() / m_iterations;
 }
 
-bool CPhysicsEngine::IsPointContained(const CVector3& point) { return m_volume.Contains(point); }
+bool CPhysicsEngine::IsPointContained(const CVector3& point) {
+  return m_volume.Contains(point);
+}
 
 void CPhysicsEngine::ScheduleEntityForTransfer(CEmbodiedEntity& entity) {
   m_transfers.push_back(&entity);
@@ -51,9 +52,13 @@ void CPhysicsEngine::TransferEntities() {
   m_transfers.clear();
 }
 
-Real CPhysicsEngine::GetSimulationClockTick() { return CurrentSimulator().GetTickLength(); }
+Real CPhysicsEngine::GetSimulationClockTick() {
+  return CurrentSimulator().GetTickLength();
+}
 
-Real CPhysicsEngine::GetInverseSimulationClockTick() { return 1.0 / GetSimulationClockTick(); }
+Real CPhysicsEngine::GetInverseSimulationClockTick() {
+  return 1.0 / GetSimulationClockTick();
+}
 
 void CPhysicsEngine::SetSimulationClockTick(Real seconds) {
   if (!(seconds > 0.0)) {

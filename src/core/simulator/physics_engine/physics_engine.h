@@ -109,8 +109,8 @@ class CPhysicsEngine : public CBaseConfigurableResource {
 
 }  // namespace argos
 
-#define REGISTER_PHYSICS_ENGINE(CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION, \
-                                LONG_DESCRIPTION, STATUS)                             \
+#define REGISTER_PHYSICS_ENGINE(CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION,   \
+                                LONG_DESCRIPTION, STATUS)                               \
   REGISTER_SYMBOL(CPhysicsEngine, CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION, \
                   LONG_DESCRIPTION, STATUS)
 

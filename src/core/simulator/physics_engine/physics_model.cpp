@@ -26,6 +26,10 @@ void SAnchor::Enable() {
     // in order of index, however they were enabled
     std::sort(enabled.begin(), enabled.end(),
               [](const SAnchor* a, const SAnchor* b) { return a->Index < b->Index; });
+    // nobody kept it current so far
+    if (Index != 0) {
+      FollowOrigin();
+    }
   }
 }
 
@@ -41,6 +45,14 @@ void SAnchor::Disable() {
     auto& enabled = Body.m_vecEnabledAnchors;
     enabled.erase(std::find(enabled.begin(), enabled.end(), this));
   }
+}
+
+void SAnchor::FollowOrigin() {
+  const SAnchor& origin = Body.GetOriginAnchor();
+  Position = OffsetPosition;
+  Position.Rotate(origin.Orientation);
+  Position += origin.Position;
+  Orientation = origin.Orientation * OffsetOrientation;
 }
 
 bool SBoundingBox::Intersects(const SBoundingBox& other) const {
@@ -64,24 +76,24 @@ void CPhysicsModel::UpdateEntityStatus() {
 }
 
 void CPhysicsModel::CalculateAnchors() {
-  const SAnchor& origin = m_cEmbodiedEntity.GetOriginAnchor();
   for (SAnchor* anchor : m_cEmbodiedEntity.GetEnabledAnchors()) {
-    if (anchor->Index < m_anchorMethods.size() && m_anchorMethods[anchor->Index]) {
-      m_anchorMethods[anchor->Index](*anchor);
+    if (m_anchorMethods != nullptr && anchor->Index < m_anchorMethods->size() &&
+        (*m_anchorMethods)[anchor->Index]) {
+      (*m_anchorMethods)[anchor->Index](*anchor);
     } else if (anchor->Index != 0) {
-      anchor->Position = anchor->OffsetPosition;
-      anchor->Position.Rotate(origin.Orientation);
-      anchor->Position += origin.Position;
-      anchor->Orientation = origin.Orientation * anchor->OffsetOrientation;
+      anchor->FollowOrigin();
     }
   }
 }
 
 void CPhysicsModel::RegisterAnchorMethod(UInt32 anchorIndex, std::function<void(SAnchor&)> method) {
-  if (m_anchorMethods.size() <= anchorIndex) {
-    m_anchorMethods.resize(anchorIndex + 1);
+  if (m_anchorMethods == nullptr) {
+    m_anchorMethods = std::make_unique<std::vector<std::function<void(SAnchor&)>>>();
   }
-  m_anchorMethods[anchorIndex] = std::move(method);
+  if (m_anchorMethods->size() <= anchorIndex) {
+    m_anchorMethods->resize(anchorIndex + 1);
+  }
+  (*m_anchorMethods)[anchorIndex] = std::move(method);
 }
 
 }  // namespace argos

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -25,16 +26,16 @@ class CEmbodiedEntity;
 struct SAnchor {
   CEmbodiedEntity& Body;
   std::string Id;
-  UInt32 Index;                   /**< 0 is the origin anchor */
-  CVector3 OffsetPosition;        /**< in the frame of the origin anchor, m */
-  CQuaternion OffsetOrientation;  /**< in the frame of the origin anchor */
-  CVector3 Position;              /**< world frame, m */
-  CQuaternion Orientation;        /**< world frame */
+  UInt32 Index; /**< 0 is the origin anchor */
+  CVector3 OffsetPosition; /**< in the frame of the origin anchor, m */
+  CQuaternion OffsetOrientation; /**< in the frame of the origin anchor */
+  CVector3 Position; /**< world frame, m */
+  CQuaternion Orientation; /**< world frame */
   UInt32 InUseCount = 0;
 
-  SAnchor(CEmbodiedEntity& body, const std::string& id, UInt32 index, const CVector3& offsetPosition,
-          const CQuaternion& offsetOrientation, const CVector3& position,
-          const CQuaternion& orientation);
+  SAnchor(CEmbodiedEntity& body, const std::string& id, UInt32 index,
+          const CVector3& offsetPosition, const CQuaternion& offsetOrientation,
+          const CVector3& position, const CQuaternion& orientation);
   SAnchor(const SAnchor&) = delete;
   SAnchor& operator=(const SAnchor&) = delete;
 
@@ -42,6 +43,8 @@ struct SAnchor {
   void Enable();
   /** Takes back one Enable(). @throws CARGoSException for the origin, which is always in use. */
   void Disable();
+  /** Takes the pose that it has as a rigid part of the body. Not for the origin itself. */
+  void FollowOrigin();
 };
 
 /** Axis-aligned box in the world frame, m. */
@@ -108,7 +111,8 @@ class CPhysicsModel {
  private:
   void RegisterAnchorMethod(UInt32 anchorIndex, std::function<void(SAnchor&)> method);
 
-  std::vector<std::function<void(SAnchor&)>> m_anchorMethods;  // by anchor index; empty = rigid
+  // by anchor index, an empty function = rigid; null if no method was registered
+  std::unique_ptr<std::vector<std::function<void(SAnchor&)>>> m_anchorMethods;
 };
 
 }  // namespace argos

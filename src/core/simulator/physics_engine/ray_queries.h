@@ -11,13 +11,15 @@ class CEmbodiedEntity;
 
 /** One body crossed by a ray. */
 struct SEmbodiedEntityIntersectionItem {
-  CEmbodiedEntity* IntersectedEntity;  /**< not owned; null if nothing was hit */
-  Real TOnRay;                         /**< fraction of the ray's length, [0,1]; 0 = start inside */
+  CEmbodiedEntity* IntersectedEntity; /**< not owned; null if nothing was hit */
+  Real TOnRay; /**< fraction of the ray's length, [0,1]; 0 = start inside */
 
   SEmbodiedEntityIntersectionItem() : IntersectedEntity(nullptr), TOnRay(1.0) {}
   SEmbodiedEntityIntersectionItem(CEmbodiedEntity* entity, Real tOnRay)
       : IntersectedEntity(entity), TOnRay(tOnRay) {}
-  bool operator<(const SEmbodiedEntityIntersectionItem& other) const { return TOnRay < other.TOnRay; }
+  bool operator<(const SEmbodiedEntityIntersectionItem& other) const {
+    return TOnRay < other.TOnRay;
+  }
 };
 
 typedef std::vector<SEmbodiedEntityIntersectionItem> TEmbodiedEntityIntersectionData;

@@ -33,11 +33,14 @@ struct SVolume {
   /**
    * Reads a `<boundaries>` element: `<top height>`, `<bottom height>`, `<sides><vertex point>`
    * (counter-clockwise, convex, at least three vertices).
-   * @throws CARGoSException with the geometry if the polygon is not convex or not counter-clockwise.
+   * @throws CARGoSException with the geometry if the polygon is not convex or not
+   * counter-clockwise.
    */
   void Init(TConfigurationNode& node);
   /** True if any face limits the region. */
-  bool IsActive() const { return TopFace != nullptr || BottomFace != nullptr || !SideFaces.empty(); }
+  bool IsActive() const {
+    return TopFace != nullptr || BottomFace != nullptr || !SideFaces.empty();
+  }
   /** True if @p point (m, world frame) is inside or on a face. */
   bool Contains(const CVector3& point) const;
 

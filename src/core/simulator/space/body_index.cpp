@@ -38,7 +38,9 @@ Real BoundingSphereRadius(const SShapeDescription& solid) {
              : std::hypot(solid.Radius, 0.5 * solid.Size.GetZ());
 }
 
-Real Horizontal(const CVector3& v) { return std::hypot(v.GetX(), v.GetY()); }
+Real Horizontal(const CVector3& v) {
+  return std::hypot(v.GetX(), v.GetY());
+}
 
 template <typename FUNCTION>
 void ForRange(CThreadPool* pool, size_t items, FUNCTION&& function) {
@@ -64,12 +66,13 @@ void CBodyIndex::SetArea(const CRange<CVector3>& limits) {
 CBodyIndex::SPose CBodyIndex::MakePose(const CVector3& position, const CQuaternion& orientation) {
   const Real w = orientation.GetW();
   const Real z = orientation.GetZ();
-  return {position.GetX(),
-          position.GetY(),
-          position.GetZ(),
-          w * w - z * z,
-          2.0 * w * z,
-          Abs(orientation.GetX()) < kUprightTolerance && Abs(orientation.GetY()) < kUprightTolerance};
+  return {
+      position.GetX(),
+      position.GetY(),
+      position.GetZ(),
+      w * w - z * z,
+      2.0 * w * z,
+      Abs(orientation.GetX()) < kUprightTolerance && Abs(orientation.GetY()) < kUprightTolerance};
 }
 
 UInt32 CBodyIndex::Add(CEmbodiedEntity& body) {
@@ -100,13 +103,13 @@ void CBodyIndex::Describe(UInt32 number) {
     // as Pack() bounds them
     const CVector3 centroid = CentroidInBody(solid);
     const Real sphere = BoundingSphereRadius(solid);
-    body.Reach = std::max(body.Reach, Horizontal(centroid) +
-                                          (StandsUpright(solid) ? solid.Radius : sphere));
+    body.Reach =
+        std::max(body.Reach, Horizontal(centroid) + (StandsUpright(solid) ? solid.Radius : sphere));
     body.TiltedReach = std::max(body.TiltedReach, centroid.Length() + sphere);
   }
   body.NumShapes = static_cast<UInt16>(body.Description->Shapes.size());
-  body.Small = body.Entity->IsMovable() &&
-               body.Description->ComputeBoundingRadius() <= kMaxSmallRadius;
+  body.Small =
+      body.Entity->IsMovable() && body.Description->ComputeBoundingRadius() <= kMaxSmallRadius;
   if (body.Small) {
     ++m_numSmall;
     m_maxSmallReach = std::max(m_maxSmallReach, body.Reach);
@@ -259,7 +262,8 @@ void CBodyIndex::SortSmall(CThreadPool* pool) {
         anyTilted.store(true, std::memory_order_relaxed);
       }
       m_cellOfBody[b] =
-          sorted ? static_cast<UInt32>(CellJ(m_poses[b].Y) * m_numI + CellI(m_poses[b].X)) : kNoBody;
+          sorted ? static_cast<UInt32>(CellJ(m_poses[b].Y) * m_numI + CellI(m_poses[b].X))
+                 : kNoBody;
     }
   });
 
@@ -333,9 +337,8 @@ void CBodyIndex::ListWide() {
   }
   m_wideItems.resize(m_wideStart.back());
   for (size_t w = 0; w < m_wide.size(); ++w) {
-    forEachCell(m_wide[w], [this, w](size_t cell) {
-      m_wideItems[m_cursor[cell]++] = static_cast<UInt32>(w);
-    });
+    forEachCell(m_wide[w],
+                [this, w](size_t cell) { m_wideItems[m_cursor[cell]++] = static_cast<UInt32>(w); });
   }
   m_wideDirty = anyMovable;
 }

@@ -39,7 +39,8 @@ class CBodyIndex {
   /** Adds a body that has a description. @return its number. */
   UInt32 Add(CEmbodiedEntity& body);
   void Remove(UInt32 body);
-  /** Writes a pose; engines during physics, one writer per body. Seen by queries after Rebuild(). */
+  /** Writes a pose; engines during physics, one writer per body. Seen by queries after Rebuild().
+   */
   void SetPose(UInt32 body, const CVector3& position, const CQuaternion& orientation);
   /** Makes the pose written last count at once; outside the physics phase, one thread. */
   void RefreshNow(UInt32 body);
@@ -58,7 +59,8 @@ class CBodyIndex {
   template <typename VISIT>
   void ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const;
 
-  /** Where @p ray enters a solid of any kind: fraction in [0,1], 0 if it starts inside; else > 1. */
+  /** Where @p ray enters a solid of any kind: fraction in [0,1], 0 if it starts inside; else > 1.
+   */
   Real Intersect(const SIndexedShape& shape, const CRay3& ray) const;
   /** First body that @p ray meets, @p ignored aside. @return false if none. */
   bool FindClosestHit(SEmbodiedEntityIntersectionItem& item, const CRay3& ray,
@@ -75,16 +77,16 @@ class CBodyIndex {
 
  private:
   struct SPose {
-    Real X, Y, Z;   // m, world frame, of the origin anchor
+    Real X, Y, Z;  // m, world frame, of the origin anchor
     Real Cos, Sin;  // of the yaw, if upright
     bool Upright;
   };
   struct SBody {
-    CEmbodiedEntity* Entity;              // null: free slot
+    CEmbodiedEntity* Entity;  // null: free slot
     const SBodyDescription* Description;  // shared by many bodies; kept alive by the entity
-    Real Reach;        // m, of the packed solids around the origin, seen from above, if upright
+    Real Reach;  // m, of the packed solids around the origin, seen from above, if upright
     Real TiltedReach;  // m, the same however the body lies
-    UInt32 OverlayCell, NextInCell;       // overlay chain
+    UInt32 OverlayCell, NextInCell;  // overlay chain
     UInt16 NumShapes;
     bool Small;
     bool Stale;  // in the overlay: its sorted solids do not count
@@ -142,35 +144,35 @@ class CBodyIndex {
 
   // the area and its cells, row by row: cell (i, j) has number j * m_numI + i
   Real m_minX = 0.0, m_minY = 0.0, m_maxX = 0.0, m_maxY = 0.0;  // m
-  Real m_cell = 1.0, m_inverseCell = 1.0;                       // m, 1/m
+  Real m_cell = 1.0, m_inverseCell = 1.0;  // m, 1/m
   int m_numI = 1, m_numJ = 1;
   size_t m_cellsChosenFor = 0;  // number of bodies when cells were chosen
   Real m_cellsChosenReach = 0.0;
 
   std::vector<SBody> m_bodies;  // by body number
-  std::vector<SPose> m_poses;   // by body number; written by engines
-  std::vector<UInt32> m_free;      // numbers to use again
+  std::vector<SPose> m_poses;  // by body number; written by engines
+  std::vector<UInt32> m_free;  // numbers to use again
   std::vector<UInt32> m_released;  // numbers to use again after the next Rebuild()
   size_t m_numAlive = 0, m_numSmall = 0;
   Real m_maxSmallReach = 0.0;  // m, of all that ever were small; how far solids of an upright small
                                // body may be from the cell that it is sorted into
-  Real m_tiltedReach = 0.0;    // m, the same for the small bodies that are tilted now
+  Real m_tiltedReach = 0.0;  // m, the same for the small bodies that are tilted now
 
   // written by Rebuild()
-  std::vector<UInt32> m_cellOfBody;     // (bodies); kNoBody if not small
-  std::vector<UInt32> m_shapeStart;     // (cells + 1) into m_shapes
-  std::vector<UInt32> m_cursor;         // (cells) scratch of the counting sort
-  std::vector<SEntry> m_entries;        // (solids of small bodies) in cell order
-  std::vector<SIndexedShape> m_shapes;    // of small bodies, in cell order
-  std::vector<SWideShape> m_wide;         // of all other bodies
-  std::vector<UInt32> m_wideStart;        // (cells + 1) into m_wideItems
-  std::vector<UInt32> m_wideItems;        // numbers into m_wide
+  std::vector<UInt32> m_cellOfBody;  // (bodies); kNoBody if not small
+  std::vector<UInt32> m_shapeStart;  // (cells + 1) into m_shapes
+  std::vector<UInt32> m_cursor;  // (cells) scratch of the counting sort
+  std::vector<SEntry> m_entries;  // (solids of small bodies) in cell order
+  std::vector<SIndexedShape> m_shapes;  // of small bodies, in cell order
+  std::vector<SWideShape> m_wide;  // of all other bodies
+  std::vector<UInt32> m_wideStart;  // (cells + 1) into m_wideItems
+  std::vector<UInt32> m_wideItems;  // numbers into m_wide
   bool m_wideDirty = true;
 
   // the overlay
-  std::vector<UInt32> m_overlayHead;      // (cells) first small body of the chain, or kNoBody
-  std::vector<UInt32> m_overlayCells;     // cells with a chain
-  std::vector<UInt32> m_overlayWide;      // bodies that are not small
+  std::vector<UInt32> m_overlayHead;  // (cells) first small body of the chain, or kNoBody
+  std::vector<UInt32> m_overlayCells;  // cells with a chain
+  std::vector<UInt32> m_overlayWide;  // bodies that are not small
   size_t m_numStale = 0;
 };
 

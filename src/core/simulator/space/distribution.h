@@ -41,7 +41,7 @@ class CDistribution {
   TConfigurationNode& m_node;
   TConfigurationNode* m_template = nullptr;  // the entity's own element
   TConfigurationNode* m_poseNode = nullptr;  // where its position and orientation are written
-  std::unique_ptr<CVectorGenerator> m_positions;     // m
+  std::unique_ptr<CVectorGenerator> m_positions;  // m
   std::unique_ptr<CVectorGenerator> m_orientations;  // degrees: z, y, x
   std::string m_baseId;
   UInt64 m_baseNumber = 0;

@@ -18,13 +18,13 @@ namespace argos {
 struct SIndexedShape {
   enum class EKind : UInt16 { Disc, Box, Tilted };
 
-  Real X, Y;          /**< centre of the footprint, m, world frame */
-  Real Cos, Sin;      /**< of the yaw of a box */
-  Real HalfX, HalfY;  /**< half extents of a box, m; of a disc: its radius */
-  Real Radius;        /**< of the circle around the footprint, m */
-  Real ZMin, ZMax;    /**< height span, m, world frame */
-  UInt32 Body;        /**< number of the body in the index */
-  UInt16 Shape;       /**< which solid of the body's description */
+  Real X, Y; /**< centre of the footprint, m, world frame */
+  Real Cos, Sin; /**< of the yaw of a box */
+  Real HalfX, HalfY; /**< half extents of a box, m; of a disc: its radius */
+  Real Radius; /**< of the circle around the footprint, m */
+  Real ZMin, ZMax; /**< height span, m, world frame */
+  UInt32 Body; /**< number of the body in the index */
+  UInt16 Shape; /**< which solid of the body's description */
   EKind Kind;
 };
 

@@ -7,7 +7,9 @@ namespace {
 // m; poses are rounded to far less than this, and bodies that are put side by side must fit
 constexpr Real kTouch = 1e-9;
 
-bool IsBox(const SIndexedShape& shape) { return shape.Kind == SIndexedShape::EKind::Box; }
+bool IsBox(const SIndexedShape& shape) {
+  return shape.Kind == SIndexedShape::EKind::Box;
+}
 
 bool DiscsOverlap(const SIndexedShape& a, const SIndexedShape& b) {
   const Real dx = a.X - b.X;

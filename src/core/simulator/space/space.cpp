@@ -19,7 +19,9 @@ namespace argos {
 CSpace::CSpace(CSimulator& simulator)
     : m_cSimulator(simulator), m_bodyIndex(std::make_unique<CBodyIndex>()) {}
 
-CSpace::~CSpace() { Destroy(); }
+CSpace::~CSpace() {
+  Destroy();
+}
 
 void CSpace::Init(TConfigurationNode& tree) {
   CLoadErrors errors;
@@ -96,9 +98,8 @@ CEntity& CSpace::CreateEntity(TConfigurationNode& node) {
   } catch (const CAlreadyReported&) {
     throw;
   } catch (std::exception& error) {
-    THROW_ARGOSEXCEPTION_NESTED(node.GetLocation() << ": <" << node.Value()
-                                                   << "> cannot be put into the arena",
-                                error);
+    THROW_ARGOSEXCEPTION_NESTED(
+        node.GetLocation() << ": <" << node.Value() << "> cannot be put into the arena", error);
   }
 }
 
@@ -115,7 +116,8 @@ void CSpace::InsertEntity(CEntity& entity) {
     if (!inserted) {
       TConfigurationNode* other = found->second->GetConfigurationNode();
       THROW_ARGOSEXCEPTION("there is already an entity with id \""
-                           << entity.GetId() << "\" (<" << found->second->GetTypeDescription() << ">"
+                           << entity.GetId() << "\" (<" << found->second->GetTypeDescription()
+                           << ">"
                            << (other != nullptr ? " at " + other->GetLocation() : std::string())
                            << "); ids must be unique");
     }
@@ -171,7 +173,9 @@ void CSpace::Destroy() {
   m_simulationClock = 0;
 }
 
-void CSpace::AddControllableEntity(CControllableEntity& entity) { m_robots.push_back(&entity); }
+void CSpace::AddControllableEntity(CControllableEntity& entity) {
+  m_robots.push_back(&entity);
+}
 
 void CSpace::RemoveControllableEntity(CControllableEntity& entity) {
   const auto found = std::find(m_robots.rbegin(), m_robots.rend(), &entity);
@@ -202,10 +206,11 @@ void CSpace::AddEntityToPhysicsEngine(CEmbodiedEntity& body) {
       engines += (engines.empty() ? "\"" : ", \"") + engine->GetId() + "\"";
     }
     THROW_ARGOSEXCEPTION("\"" << root.GetId() << "\" at (" << position << ") is "
-                              << (contained ? "in the region of an engine, but none there can house a <"
-                                            : "outside the region of every physics engine; it is a <")
-                              << root.GetTypeDescription() << ">; engines: "
-                              << (engines.empty() ? "none" : engines));
+                              << (contained
+                                      ? "in the region of an engine, but none there can house a <"
+                                      : "outside the region of every physics engine; it is a <")
+                              << root.GetTypeDescription()
+                              << ">; engines: " << (engines.empty() ? "none" : engines));
   }
   if (body.GetBodyDescription() != nullptr && body.GetBodyNumber() == CBodyIndex::kNoBody) {
     m_bodyIndex->Add(body);
@@ -241,7 +246,9 @@ UInt64 CSpace::ComputeDigest() const {
   return digest.GetValue();
 }
 
-void CSpace::SetFloorEntity(CFloorEntity& floor) { m_floor = &floor; }
+void CSpace::SetFloorEntity(CFloorEntity& floor) {
+  m_floor = &floor;
+}
 
 CFloorEntity& CSpace::GetFloorEntity() {
   if (m_floor == nullptr) {

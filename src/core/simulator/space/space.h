@@ -55,7 +55,8 @@ class CSpace : public CBaseConfigurableResource {
   void GetEntitiesMatching(CEntity::TVector& buffer, const std::string& pattern);
   CEntity::TMap& GetEntityMapPerId();
   TMapPerTypePerId& GetEntityMapPerTypePerId();
-  /** Values hold a pointer to the exact class. @throws if there never was an entity of that type. */
+  /** Values hold a pointer to the exact class. @throws if there never was an entity of that type.
+   */
   TMapPerType& GetEntitiesByType(const std::string& type);
   const TMapPerType& GetEntitiesByType(const std::string& type) const;
   /** @throws CARGoSException if there is no floor. */
@@ -78,7 +79,8 @@ class CSpace : public CBaseConfigurableResource {
     RememberType(entity.GetTag(), &MakeAny<ENTITY>);
     InsertEntity(entity);
   }
-  /** Lists entities of a class that is made on demand under their exact class: before any is made. */
+  /** Lists entities of a class that is made on demand under their exact class: before any is made.
+   */
   template <typename ENTITY>
   void RememberType() {
     RememberType(::argos::GetTag<ENTITY, CEntity>(), &MakeAny<ENTITY>);
@@ -168,12 +170,12 @@ class CSpace : public CBaseConfigurableResource {
   CRandom::CRNG* m_rng = nullptr;  // owned by its category
   STickTimes* m_tickTimes = nullptr;
 
-  CEntity::TVector m_roots;                              // owned, in order of addition
+  CEntity::TVector m_roots;  // owned, in order of addition
   std::unordered_map<std::string, CEntity*> m_rootById;  // look-up only, never iterated
-  std::vector<CControllableEntity*> m_robots;            // in order of addition
+  std::vector<CControllableEntity*> m_robots;  // in order of addition
   ssize_t m_nextIndex = 0;
   bool m_probing = false;
-  std::vector<TMakeAny> m_makeAny;                       // by entity tag
+  std::vector<TMakeAny> m_makeAny;  // by entity tag
   std::unique_ptr<SUserViews> m_views;
   std::mutex m_viewsMutex;  // controllers may ask for them, several at once
   std::unique_ptr<CBodyIndex> m_bodyIndex;

@@ -5,7 +5,8 @@
 
 namespace argos {
 
-/** The space of a run with `method="balance_quantity"`: the pool's schedule makes the difference. */
+/** The space of a run with `method="balance_quantity"`: the pool's schedule makes the difference.
+ */
 using CSpaceMultiThreadBalanceQuantity = CSpace;
 
 }  // namespace argos

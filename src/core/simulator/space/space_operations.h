@@ -16,16 +16,16 @@ class CSpaceOperationRemoveEntity
 #define REGISTER_SPACE_OPERATION(ACTION, OPERATION, ENTITY) \
   REGISTER_ENTITY_OPERATION(ACTION, CSpace, OPERATION, void, ENTITY)
 
-#define SPACE_OPERATION_ADD_ENTITY(ENTITY)                                       \
-  class CSpaceOperationAdd##ENTITY : public CSpaceOperationAddEntity {           \
-   public:                                                                       \
-    void ApplyTo(CSpace& space, ENTITY& entity) { space.AddEntity(entity); }     \
+#define SPACE_OPERATION_ADD_ENTITY(ENTITY)                                   \
+  class CSpaceOperationAdd##ENTITY : public CSpaceOperationAddEntity {       \
+   public:                                                                   \
+    void ApplyTo(CSpace& space, ENTITY& entity) { space.AddEntity(entity); } \
   };
 
-#define SPACE_OPERATION_REMOVE_ENTITY(ENTITY)                                    \
-  class CSpaceOperationRemove##ENTITY : public CSpaceOperationRemoveEntity {     \
-   public:                                                                       \
-    void ApplyTo(CSpace& space, ENTITY& entity) { space.RemoveEntity(entity); }  \
+#define SPACE_OPERATION_REMOVE_ENTITY(ENTITY)                                   \
+  class CSpaceOperationRemove##ENTITY : public CSpaceOperationRemoveEntity {    \
+   public:                                                                      \
+    void ApplyTo(CSpace& space, ENTITY& entity) { space.RemoveEntity(entity); } \
   };
 
 #define REGISTER_STANDARD_SPACE_OPERATION_ADD_ENTITY(ENTITY) \

@@ -126,8 +126,8 @@ void CSpace::Update() {
 
 void CSpace::AddProfiledPhases(CProfiler& profiler) {
   // in the order of EPhase
-  for (const char* name : {"act", "physics", "index", "media", "pre-step", "sense+control",
-                           "post-step"}) {
+  for (const char* name :
+       {"act", "physics", "index", "media", "pre-step", "sense+control", "post-step"}) {
     profiler.AddPhase(name);
   }
 }
@@ -205,13 +205,13 @@ void CSpace::SenseAndControl(CThreadPool& pool) {
 
 void CSpace::IterateOverControllableEntities(const TControllableEntityIterCBType& callback) {
   InLogOrder(m_robots.size(), [&](UInt64 firstPlace) {
-    m_cSimulator.GetThreadPool().ParallelFor(
-        m_robots.size(), kRobotGrain, [&](size_t begin, size_t end, UInt32) {
-          for (size_t i = begin; i < end; ++i) {
-            CARGoSLog::SetSequence(firstPlace + i);
-            callback(m_robots[i]);
-          }
-        });
+    m_cSimulator.GetThreadPool().ParallelFor(m_robots.size(), kRobotGrain,
+                                             [&](size_t begin, size_t end, UInt32) {
+                                               for (size_t i = begin; i < end; ++i) {
+                                                 CARGoSLog::SetSequence(firstPlace + i);
+                                                 callback(m_robots[i]);
+                                               }
+                                             });
   });
 }
 

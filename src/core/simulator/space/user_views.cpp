@@ -53,7 +53,8 @@ void CSpace::AddToUserViews(CEntity& entity) {
     m_views->All.push_back(&entity);
     const size_t tag = entity.GetTag();
     const bool known = tag < m_makeAny.size() && m_makeAny[tag] != nullptr;
-    m_views->PerType[entity.GetTypeDescription()][id] = known ? m_makeAny[tag](entity) : CAny(&entity);
+    m_views->PerType[entity.GetTypeDescription()][id] =
+        known ? m_makeAny[tag](entity) : CAny(&entity);
   }
   if (auto* composable = dynamic_cast<CComposableEntity*>(&entity)) {
     for (CEntity* component : composable->GetComponentVector()) {
@@ -92,11 +93,17 @@ UInt32 CSpace::GetNumberEntities() const {
   return static_cast<UInt32>(const_cast<CSpace*>(this)->GetUserViews().All.size());
 }
 
-CEntity::TVector& CSpace::GetEntityVector() { return GetUserViews().All; }
+CEntity::TVector& CSpace::GetEntityVector() {
+  return GetUserViews().All;
+}
 
-CEntity::TMap& CSpace::GetEntityMapPerId() { return GetUserViews().PerId; }
+CEntity::TMap& CSpace::GetEntityMapPerId() {
+  return GetUserViews().PerId;
+}
 
-CSpace::TMapPerTypePerId& CSpace::GetEntityMapPerTypePerId() { return GetUserViews().PerType; }
+CSpace::TMapPerTypePerId& CSpace::GetEntityMapPerTypePerId() {
+  return GetUserViews().PerType;
+}
 
 CEntity* CSpace::TryGetEntity(const std::string& id) {
   const auto root = m_rootById.find(id);

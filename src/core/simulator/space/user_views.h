@@ -11,11 +11,11 @@ namespace argos {
  * Not kept for nothing: they exist from the first question on. The tick never looks at them.
  */
 struct CSpace::SUserViews {
-  CEntity::TVector All;      // in order of index
-  CEntity::TMap PerId;       // by qualified id
+  CEntity::TVector All;  // in order of index
+  CEntity::TMap PerId;  // by qualified id
   TMapPerTypePerId PerType;  // by type, then by qualified id
   CEntity::TVector Pending;  // added to the space, not yet to the views
-  bool AllIsStale = false;   // All holds entities that are gone
+  bool AllIsStale = false;  // All holds entities that are gone
 
   void Erase(CEntity& entity);
 };

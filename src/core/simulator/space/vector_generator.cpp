@@ -22,7 +22,8 @@ class CUniformGenerator : public CVectorGenerator {
     for (UInt32 axis = 0; axis < 3; ++axis) {
       if (m_min[axis] > m_max[axis]) {
         THROW_ARGOSEXCEPTION(node.GetLocation()
-                             << ": <" << node.Value() << ">: \"min\" must not exceed \"max\" in any "
+                             << ": <" << node.Value()
+                             << ">: \"min\" must not exceed \"max\" in any "
                              << "component, found " << Text(m_min) << " and " << Text(m_max));
       }
     }
@@ -74,7 +75,9 @@ class CGaussianGenerator : public CVectorGenerator {
 
 class CConstantGenerator : public CVectorGenerator {
  public:
-  explicit CConstantGenerator(TConfigurationNode& node) { GetNodeAttribute(node, "values", m_values); }
+  explicit CConstantGenerator(TConfigurationNode& node) {
+    GetNodeAttribute(node, "values", m_values);
+  }
 
   CVector3 Next(bool) override { return m_values; }
   bool CanRetry() const override { return false; }

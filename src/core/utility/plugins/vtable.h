@@ -47,16 +47,17 @@ struct STagHolder {
 template <typename DERIVED, typename BASE>
 std::size_t STagHolder<DERIVED, BASE>::Tag = ::argos::GetTag<DERIVED, BASE>();
 
-/** What the root of a hierarchy inherits from, next to saying ENABLE_VTABLE(). */
+/**
+ * What the root of a hierarchy inherits from, next to saying ENABLE_VTABLE(), which makes the
+ * virtual GetTag(). Not polymorphic itself: a second table pointer in every entity would be for
+ * nothing.
+ */
 template <typename BASE>
 struct EnableVTableFor {
   template <typename DERIVED>
   std::size_t GetTagHelper(const DERIVED*) const {
     return ::argos::GetTag<DERIVED, BASE>();
   }
-
-  /** The tag of the object's class; defined by ENABLE_VTABLE(). */
-  virtual std::size_t GetTag() = 0;
 
  protected:
   ~EnableVTableFor() = default;

@@ -67,10 +67,14 @@ void CDynamics2DEngine::Init(TConfigurationNode& tree) {
   m_settings->Substeps = GetIterations();
 }
 
-void CDynamics2DEngine::PostSpaceInit() { Build(); }
+void CDynamics2DEngine::PostSpaceInit() {
+  Build();
+}
 
 // the world is made anew, from the entities: nothing of the run so far is left in it
-void CDynamics2DEngine::Reset() { m_world.reset(); }
+void CDynamics2DEngine::Reset() {
+  m_world.reset();
+}
 
 void CDynamics2DEngine::Destroy() {
   m_world.reset();
@@ -105,7 +109,7 @@ bool CDynamics2DEngine::RemoveEntity(CEntity& entity) {
     }
     auto& model = static_cast<CDynamics2DModel&>(body->GetPhysicsModel(i));
     if (m_world != nullptr) {
-      m_world->Remove(*model.m_handle);
+      m_world->Remove(model.m_handle);
     }
     body->RemovePhysicsModel(GetId());
     const size_t number = model.m_number;
@@ -119,7 +123,7 @@ bool CDynamics2DEngine::RemoveEntity(CEntity& entity) {
 
 void CDynamics2DEngine::Replace(CDynamics2DModel& model) {
   if (m_world != nullptr) {
-    m_world->Remove(*model.m_handle);
+    m_world->Remove(model.m_handle);
     AddToWorld(model);
   }
 }
@@ -146,8 +150,7 @@ Real CDynamics2DEngine::ChooseScale() const {
   Real smallest = 0.0;
   for (const auto& model : m_models) {
     if (model->GetEmbodiedEntity().IsMovable()) {
-      const Real radius =
-          model->GetEmbodiedEntity().GetBodyDescription()->ComputeBoundingRadius();
+      const Real radius = model->GetEmbodiedEntity().GetBodyDescription()->ComputeBoundingRadius();
       smallest = smallest > 0.0 ? std::min(smallest, radius) : radius;
     }
   }
@@ -164,7 +167,7 @@ void CDynamics2DEngine::AddToWorld(CDynamics2DModel& model) {
   const Real length = std::hypot(w, z);
   const SPlanarPose pose{origin.Position.GetX(), origin.Position.GetY(),
                          length > 0.0 ? w / length : 1.0, length > 0.0 ? z / length : 0.0};
-  const SPlanarOwner owner{&model, model.m_handle.get()};
+  const SPlanarOwner owner{&model, &model.m_handle};
   if (!body.IsMovable()) {
     m_world->AddImmovable(owner, description, pose);
   } else if (description.Drive) {
@@ -211,9 +214,10 @@ void CDynamics2DEngine::WriteBack(CDynamics2DModel& model, Real x, Real y, Real 
   }
 }
 
-REGISTER_PHYSICS_ENGINE(CDynamics2DEngine, "dynamics2d", "the ARGoS maintainers", "1.0",
-                        "Rigid bodies on a plane, on Box2D.",
-                        R"(Robots and objects on a horizontal plane: they push, slide, stall and slip. Only the yaw of a body is
+REGISTER_PHYSICS_ENGINE(
+    CDynamics2DEngine, "dynamics2d", "the ARGoS maintainers", "1.0",
+    "Rigid bodies on a plane, on Box2D.",
+    R"(Robots and objects on a horizontal plane: they push, slide, stall and slip. Only the yaw of a body is
 kept. Robots that touch nothing follow the exact arc of their wheel speeds.
 
 REQUIRED XML
@@ -250,6 +254,6 @@ ATTRIBUTES
                              least three, counter-clockwise, convex.
   spatial_hash               accepted and ignored.
 )",
-                        "Usable")
+    "Usable")
 
 }  // namespace argos

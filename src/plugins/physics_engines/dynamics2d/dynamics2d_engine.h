@@ -52,7 +52,7 @@ class CDynamics2DEngine : public CPhysicsEngine {
   void AddToWorld(CDynamics2DModel& model);
   void WriteBack(CDynamics2DModel& model, Real x, Real y, Real halfCos, Real halfSin);
 
-  Real m_elevation = 0.0;           // m
+  Real m_elevation = 0.0;  // m
   Real m_grippingRigidity = 10000;  // N/m
   std::unique_ptr<SPlanarSettings> m_settings;
   std::unique_ptr<CPlanarWorld> m_world;  // null: to be built from the models in the next tick

@@ -12,11 +12,9 @@
 namespace argos {
 
 CDynamics2DModel::CDynamics2DModel(CDynamics2DEngine& engine, CEmbodiedEntity& entity)
-    : CPhysicsModel(engine, entity), m_engine(engine), m_handle(std::make_unique<SPlanarHandle>()) {
+    : CPhysicsModel(engine, entity), m_engine(engine) {
   CalculateBoundingBox();
 }
-
-CDynamics2DModel::~CDynamics2DModel() = default;
 
 void CDynamics2DModel::MoveTo(const CVector3&, const CQuaternion&) {
   // the origin anchor has the new pose already

@@ -2,19 +2,16 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_DYNAMICS2D_MODEL_H
 
 #include <argos3/core/simulator/physics_engine/physics_model.h>
-
-#include <memory>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_handle.h>
 
 namespace argos {
 
 class CDynamics2DEngine;
-struct SPlanarHandle;
 
 /** One body of a dynamics2d engine, for the public API: its state is in the engine's arrays. */
 class CDynamics2DModel : public CPhysicsModel {
  public:
   CDynamics2DModel(CDynamics2DEngine& engine, CEmbodiedEntity& entity);
-  ~CDynamics2DModel() override;
 
   /** Does nothing: the engine reads wheel speeds where the wheels keep them. */
   void UpdateFromEntityStatus() override {}
@@ -27,8 +24,8 @@ class CDynamics2DModel : public CPhysicsModel {
   friend class CDynamics2DEngine;
 
   CDynamics2DEngine& m_engine;
-  std::unique_ptr<SPlanarHandle> m_handle;  // where the body is in the engine's arrays
-  size_t m_number = 0;                      // in the engine's list of models
+  SPlanarHandle m_handle;  // where the body is in the engine's arrays
+  size_t m_number = 0;  // in the engine's list of models
 };
 
 }  // namespace argos

@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_BODIES_H
 
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/encounters.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_handle.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_motion.h>
 
 #include <limits>
@@ -13,19 +14,6 @@ class b2MotorJoint;
 namespace argos {
 
 class CDynamics2DModel;
-
-/** What kind of body; each kind has its own dense array. */
-enum class EPlanarKind : UInt8 { Immovable, Passive, Driven };
-
-/** Where a body is kept; written by the world whenever that changes. */
-struct SPlanarHandle {
-  static constexpr UInt32 kNowhere = std::numeric_limits<UInt32>::max();
-
-  EPlanarKind Kind = EPlanarKind::Immovable;
-  UInt32 Slot = kNowhere;
-
-  bool IsInWorld() const { return Slot != kNowhere; }
-};
 
 /** What a body is to the outside: whose it is, and where the outside wants to find its number. */
 struct SPlanarOwner {

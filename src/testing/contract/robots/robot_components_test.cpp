@@ -1,0 +1,217 @@
+// What the robots are made of: numbers published with ARGoS 3, written here a second time.
+
+#include <argos3/core/simulator/loop_functions.h>
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
+#include <argos3/testing/support/robot_world.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace argos;
+using Catch::Matchers::Contains;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+struct SExpected {
+  const char* Tag;
+  Real Radius, Height, Mass, Inertia;  // m, kg, kg m^2
+  Real Axis, WheelRadius, MaxForce, MaxTorque;  // m, N, N m
+  size_t NumLEDs, NumProximity;
+};
+
+const SExpected kRobots[] = {
+    {"foot-bot", 0.085036758, 0.146899733, 1.6, 0.02314, 0.14, 0.029112741, 15.0, 150.0, 13, 24},
+    {"e-puck", 0.035, 0.086, 0.4, 0.00098, 0.053, 0.0205, 1.5, 1.5, 8, 8}};
+
+CDifferentialDriveRobotEntity& RobotOf(CRobotWorld& world, const std::string& id = "r") {
+  return world.Get<CDifferentialDriveRobotEntity>(id);
+}
+
+std::string WithDrive(const std::string& id, const std::string& attributes) {
+  return "<e-puck id=\"" + id +
+         "\"><body position=\"0,0,0\"/><controller config=\"c\"/><dynamics2d>"
+         "<differential_steering " +
+         attributes + "/></dynamics2d></e-puck>";
+}
+
+}  // namespace
+
+TEST_CASE("robots: bodies and wheels have the published measures", "[contract][robots]") {
+  const SExpected expected = GENERATE(kRobots[0], kRobots[1]);
+  CAPTURE(expected.Tag);
+  SRobotExperiment experiment;
+  experiment.Arena = Robot(expected.Tag, "r", "position=\"1,2,0\" orientation=\"90,0,0\"");
+  CRobotWorld world(experiment);
+  CDifferentialDriveRobotEntity& robot = RobotOf(world);
+  CHECK(robot.GetTypeDescription() == expected.Tag);
+  const SBodyDescription& body = *robot.GetEmbodiedEntity().GetBodyDescription();
+  REQUIRE(body.Shapes.size() == 1);
+  CHECK(body.Shapes[0].Kind == SShapeDescription::EKind::Cylinder);
+  CHECK(body.Shapes[0].Radius == expected.Radius);
+  CHECK(body.Shapes[0].Size.GetZ() == expected.Height);
+  CHECK(body.Mass == expected.Mass);
+  REQUIRE(body.PlanarInertia.has_value());
+  // published with four digits
+  CHECK_THAT(*body.PlanarInertia, WithinRel(expected.Inertia, 2e-4));
+  REQUIRE(body.Drive.has_value());
+  CHECK(body.Drive->InterwheelDistance == expected.Axis);
+  CHECK(body.Drive->WheelRadius == expected.WheelRadius);
+  CHECK(body.Drive->MaxForce == expected.MaxForce);
+  CHECK(body.Drive->MaxTorque == expected.MaxTorque);
+  CHECK(robot.GetWheeledEntity().GetNumWheels() == 2);
+  CHECK(robot.GetWheeledEntity().GetWheelPosition(0) == CVector3(0.0, expected.Axis / 2.0, 0.0));
+  CHECK(robot.GetWheeledEntity().GetWheelPosition(1) == CVector3(0.0, -expected.Axis / 2.0, 0.0));
+  CHECK(robot.GetWheeledEntity().GetWheelRadius(0) == expected.WheelRadius);
+  CHECK(robot.GetLEDEquippedEntity().GetNumLEDs() == expected.NumLEDs);
+  CHECK(robot.GetProximitySensorEquippedEntity().GetNumSensors() == expected.NumProximity);
+  CHECK(robot.GetEmbodiedEntity().GetOriginAnchor().Position == CVector3(1.0, 2.0, 0.0));
+  CHECK(robot.GetEmbodiedEntity().IsMovable());
+}
+
+TEST_CASE("robots: LEDs sit where the robots' makers put them", "[contract][robots]") {
+  SRobotExperiment experiment;
+  experiment.Arena =
+      Robot("foot-bot", "fb", "position=\"0,0,0\"") + Robot("e-puck", "ep", "position=\"1,0,0\"");
+  CRobotWorld world(experiment);
+  const CLEDEquippedEntity& footBot = RobotOf(world, "fb").GetLEDEquippedEntity();
+  for (int i = 0; i < 12; ++i) {
+    const Real angle = (15.0 + 30.0 * i) * M_PI / 180.0;
+    const CVector3 expected(0.090036758 * std::cos(angle), 0.090036758 * std::sin(angle), 0.085);
+    CHECK_THAT(Distance(footBot.GetLEDOffset(i), expected), WithinAbs(0.0, 1e-16));
+  }
+  CHECK(footBot.GetLEDOffset(12) == CVector3(0.0, 0.0, 0.174249733));
+  const CLEDEquippedEntity& ePuck = RobotOf(world, "ep").GetLEDEquippedEntity();
+  for (int i = 0; i < 8; ++i) {
+    const Real angle = (11.25 + 45.0 * i) * M_PI / 180.0;
+    const CVector3 expected(0.042 * std::cos(angle), 0.042 * std::sin(angle), 0.086);
+    CHECK_THAT(Distance(ePuck.GetLEDOffset(i), expected), WithinAbs(0.0, 1e-16));
+  }
+}
+
+TEST_CASE("robots: those with equal parameters share one description", "[contract][robots]") {
+  SRobotExperiment experiment;
+  experiment.Arena =
+      Robot("e-puck", "a", "position=\"0,0,0\"") + Robot("e-puck", "b", "position=\"1,0,0\"") +
+      WithDrive("c", "max_force=\"3\"") + WithDrive("d", "max_force=\"3\" max_torque=\"1.5\"") +
+      WithDrive("e", "max_torque=\"0.5\"");
+  CRobotWorld world(experiment);
+  const auto description = [&world](const std::string& id) {
+    return RobotOf(world, id).GetEmbodiedEntity().GetBodyDescription();
+  };
+  CHECK(description("a") == description("b"));
+  CHECK(description("c") == description("d"));
+  CHECK(description("a") != description("c"));
+  CHECK(description("c")->Drive->MaxForce == 3.0);
+  CHECK(description("c")->Drive->MaxTorque == 1.5);
+  CHECK(description("e")->Drive->MaxForce == 1.5);
+  CHECK(description("e")->Drive->MaxTorque == 0.5);
+}
+
+TEST_CASE("robots: programs make them with one call", "[contract][robots]") {
+  SRobotExperiment experiment;
+  experiment.Sensors = "<proximity implementation=\"default\"/>";
+  CRobotWorld world(experiment);
+  const CQuaternion quarterTurn(CRadians::PI_OVER_TWO, CVector3::Z);
+  auto* footBot = new CFootBotEntity("fb", "c", CVector3(1.0, 2.0, 0.0), quarterTurn);
+  // there is a controller before the robot is in the space
+  CHECK(footBot->GetControllableEntity().GetController().GetId() == "fb");
+  world.GetSimulator().GetLoopFunctions().AddEntity(*footBot);
+  world.GetSimulator().GetLoopFunctions().AddEntity(*new CEPuckEntity("ep", "c"));
+  world.Step();
+  CHECK(&world.Get<CFootBotEntity>("fb") == footBot);
+  CHECK(footBot->GetEmbodiedEntity().GetOriginAnchor().Position == CVector3(1.0, 2.0, 0.0));
+  CHECK(world.GetSpace().GetControllableEntities().size() == 2);
+  world.GetSimulator().GetLoopFunctions().RemoveEntity("fb");
+  CHECK(world.GetSpace().GetControllableEntities().size() == 1);
+  world.Step();
+}
+
+TEST_CASE("robots: every getter gives the component of its name", "[contract][robots]") {
+  SRobotExperiment experiment;
+  experiment.Arena = Robot("foot-bot", "r", "position=\"0,0,0\"");
+  CRobotWorld world(experiment);
+  auto& robot = world.Get<CFootBotEntity>("r");
+  CHECK(&robot.GetComponent("body") == &robot.GetEmbodiedEntity());
+  CHECK(&robot.GetComponent("wheels") == &robot.GetWheeledEntity());
+  CHECK(&robot.GetComponent("leds") == &robot.GetLEDEquippedEntity());
+  CHECK(&robot.GetComponent("proximity_sensors") == &robot.GetProximitySensorEquippedEntity());
+  CHECK(&robot.GetComponent("controller") == &robot.GetControllableEntity());
+  CHECK(robot.GetEmbodiedEntity().GetAnchor("turret").OffsetPosition == CVector3());
+  CHECK_THROWS_WITH(robot.GetComponent("turret"), Contains("no component \"turret\""));
+}
+
+TEST_CASE("robots: visualizations learn what they look like, and which way they face",
+          "[contract][robots]") {
+  const SExpected expected = GENERATE(kRobots[0], kRobots[1]);
+  SRobotExperiment experiment;
+  experiment.Arena = Robot(expected.Tag, "r", "position=\"0,0,0\"");
+  CRobotWorld world(experiment);
+  const SAppearance* appearance = RobotOf(world).GetAppearance();
+  REQUIRE(appearance != nullptr);
+  size_t numLEDs = 0;
+  Real ahead = 0.0;
+  for (const SVisualPart& part : appearance->Parts) {
+    numLEDs += part.Kind == SVisualPart::EKind::LED ? 1 : 0;
+    CHECK(part.LED < expected.NumLEDs);
+    CHECK(part.Size.GetX() > 0.0);
+    CHECK(RobotOf(world).GetEmbodiedEntity().GetAnchors().count(part.Anchor) == 1);
+    if (part.Kind == SVisualPart::EKind::Box) {
+      ahead += part.Position.GetX();
+    }
+  }
+  CHECK(numLEDs == expected.NumLEDs);
+  CHECK(ahead > 0.0);
+}
+
+TEST_CASE("robots: wrong experiments are refused with place and reason",
+          "[contract][robots][errors]") {
+  struct SCase {
+    const char* Attributes;
+    const char* Reason;
+  };
+  SRobotExperiment experiment;
+  SECTION("attributes of the foot-bot") {
+    const SCase c = GENERATE(
+        SCase{"rab_range=\"-1\"", "rab_range"}, SCase{"rab_data_size=\"-1\"", "rab_data_size"},
+        SCase{"omnidirectional_camera_aperture=\"90\"", "90 degrees"},
+        SCase{"perspective_camera_aperture=\"0\"", "perspective_camera_aperture"},
+        SCase{"perspective_camera_focal_length=\"0\"", "focal_length"},
+        SCase{"perspective_camera_range=\"-2\"", "perspective_camera_range"},
+        SCase{"perspective_camera_front=\"yes\"", "perspective_camera_front"});
+    CAPTURE(c.Attributes);
+    experiment.Arena = std::string("<foot-bot id=\"r\" ") + c.Attributes +
+                       "><body position=\"0,0,0\"/><controller config=\"c\"/></foot-bot>";
+    CHECK_THAT(LoadError(experiment),
+               Contains(c.Reason) && Contains("test.argos:") && Contains("<foot-bot>"));
+  }
+  SECTION("limits of the drive") {
+    experiment.Arena = WithDrive("r", "max_force=\"0\"");
+    CHECK_THAT(LoadError(experiment),
+               Contains("max_force") && Contains("> 0") && Contains("got 0"));
+    experiment.Arena = WithDrive("r", "max_torque=\"-3\"");
+    CHECK_THAT(LoadError(experiment), Contains("max_torque") && Contains("got -3"));
+  }
+  SECTION("no body") {
+    experiment.Arena = "<e-puck id=\"r\"><controller config=\"c\"/></e-puck>";
+    CHECK_THAT(LoadError(experiment), Contains("body"));
+  }
+  SECTION("an unknown controller") {
+    experiment.Arena =
+        "<e-puck id=\"r\"><body position=\"0,0,0\"/><controller config=\"d\"/></e-puck>";
+    CHECK_THAT(LoadError(experiment), Contains("\"d\"") && Contains("c"));
+  }
+}
+
+TEST_CASE("robots: constructors refuse parameters out of range", "[contract][robots][errors]") {
+  CRobotWorld world(SRobotExperiment{});
+  CHECK_THROWS_WITH(CEPuckEntity("e", "", CVector3(), CQuaternion(), -0.5),
+                    Contains("e-puck \"e\"") && Contains("rab_range"));
+  CHECK_THROWS_WITH(
+      CFootBotEntity("f", "", CVector3(), CQuaternion(), 3.0, 10, "", CRadians::PI_OVER_TWO),
+      Contains("foot-bot \"f\"") && Contains("omnidirectional_camera_aperture"));
+}

@@ -1,0 +1,148 @@
+#include <argos3/testing/support/experiment.h>
+#include <argos3/testing/support/toy_world.h>
+
+#include <catch2/catch.hpp>
+
+#include <thread>
+
+using namespace argos;
+
+namespace {
+
+constexpr int kTicks = 40;
+
+SExperiment Experiment(UInt32 seed, UInt32 threads = 0) {
+  return SExperiment{.Threads = threads,
+                     .Method = "balance_length",
+                     .Seed = seed,
+                     .Controllers = R"(<toy_controller id='c'>
+      <actuators> <toy_drive implementation='default' /> </actuators>
+      <sensors> <toy_range implementation='default' noise='0.1' /> </sensors> </toy_controller>)",
+                     .LoopFunctions = "<loop_functions label='toy_loop_functions' />",
+                     .Engines = "<toy_engine id='toy' />",
+                     .Arena = R"(<distribute> <position method='uniform' min='-3,-3,0' max='3,3,0' />
+      <orientation method='uniform' min='-180,0,0' max='180,0,0' />
+      <entity quantity='100' max_trials='100'> <toy-robot id='r'> <controller config='c' /> </toy-robot> </entity>
+    </distribute>)"};
+}
+
+// robots whose way depends on what they sense, and on the random numbers of their simulator
+void LetWander(CTestWorld& world) {
+  const CSimulator::CScope scope(world.GetSimulator());
+  for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
+    CRandom::CRNG* const rng = CRandom::CreateRNG("argos");
+    dynamic_cast<CToyController&>(robot->GetController()).OnStep = [rng](CToyController& controller) {
+      controller.Velocity = CVector3(controller.LastRange - 0.5,
+                                     rng->Uniform(CRange<Real>(-0.5, 0.5)) * controller.LastRange, 0.0);
+    };
+  }
+}
+
+std::vector<UInt64> Run(const SExperiment& experiment) {
+  CTestWorld world(experiment);
+  LetWander(world);
+  std::vector<UInt64> digests;
+  for (int i = 0; i < kTicks; ++i) {
+    world.Step();
+    digests.push_back(world.ComputeDigest());
+  }
+  return digests;
+}
+
+}  // namespace
+
+TEST_CASE("many simulators: two that take turns in one thread do as each alone", "[core][simulator][many]") {
+  const std::vector<UInt64> first = Run(Experiment(1));
+  const std::vector<UInt64> second = Run(Experiment(2));
+  REQUIRE(first != second);
+  CTestWorld one(Experiment(1));
+  CTestWorld two(Experiment(2));
+  LetWander(two);
+  LetWander(one);
+  std::vector<UInt64> firstAgain;
+  std::vector<UInt64> secondAgain;
+  for (int i = 0; i < kTicks; ++i) {
+    one.Step();
+    firstAgain.push_back(one.ComputeDigest());
+    two.Step();
+    secondAgain.push_back(two.ComputeDigest());
+  }
+  CHECK(firstAgain == first);
+  CHECK(secondAgain == second);
+}
+
+TEST_CASE("many simulators: one that is destroyed does not touch the other", "[core][simulator][many]") {
+  const std::vector<UInt64> alone = Run(Experiment(1));
+  CTestWorld one(Experiment(1));
+  LetWander(one);
+  std::vector<UInt64> digests;
+  for (int i = 0; i < kTicks; ++i) {
+    if (i % 10 == 5) {
+      CTestWorld passing(Experiment(3));
+      passing.Step();
+    }
+    one.Step();
+    digests.push_back(one.ComputeDigest());
+  }
+  CHECK(digests == alone);
+}
+
+TEST_CASE("many simulators: several in several threads do as each alone", "[core][simulator][many][threads]") {
+  // also with threads of their own
+  const UInt32 threads = GENERATE(0U, 2U);
+  CAPTURE(threads);
+  std::vector<std::vector<UInt64>> alone;
+  for (UInt32 seed = 1; seed <= 4; ++seed) {
+    alone.push_back(Run(Experiment(seed)));
+  }
+  std::vector<std::vector<UInt64>> together(alone.size());
+  std::vector<std::thread> runners;
+  for (UInt32 i = 0; i < together.size(); ++i) {
+    runners.emplace_back([i, threads, &together] {
+      for (int repetition = 0; repetition < 3; ++repetition) {
+        together[i] = Run(Experiment(i + 1, threads));
+      }
+    });
+  }
+  for (std::thread& runner : runners) {
+    runner.join();
+  }
+  CHECK(together == alone);
+}
+
+TEST_CASE("current simulator: each thread has its own, and scopes nest", "[core][simulator][many]") {
+  CSimulator& byDefault = CSimulator::GetInstance();
+  CSimulator one;
+  CSimulator two;
+  {
+    const CSimulator::CScope outer(one);
+    CHECK(&CSimulator::GetInstance() == &one);
+    {
+      const CSimulator::CScope inner(two);
+      CHECK(&CSimulator::GetInstance() == &two);
+    }
+    CHECK(&CSimulator::GetInstance() == &one);
+    CSimulator* other = nullptr;
+    std::thread([&] { other = &CSimulator::GetInstance(); }).join();
+    CHECK(other == &byDefault);
+  }
+  CHECK(&CSimulator::GetInstance() == &byDefault);
+}
+
+TEST_CASE("current simulator: each has its own random categories", "[core][simulator][many]") {
+  CSimulator one;
+  CSimulator two;
+  {
+    const CSimulator::CScope scope(one);
+    CHECK(CRandom::CreateCategory("mine", 1));
+  }
+  {
+    const CSimulator::CScope scope(two);
+    CHECK_FALSE(CRandom::ExistsCategory("mine"));
+    CHECK(CRandom::CreateCategory("mine", 2));
+  }
+  const CSimulator::CScope scope(one);
+  CHECK(CRandom::GetSeedOf("mine") == 1);
+  // outside any simulator there are others still
+  std::thread([] { CHECK_FALSE(CRandom::ExistsCategory("mine")); }).join();
+}

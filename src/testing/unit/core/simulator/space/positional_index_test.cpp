@@ -1,0 +1,387 @@
+#include <argos3/core/simulator/entity/positional_entity.h>
+#include <argos3/core/simulator/space/positional_indices/grid.h>
+#include <argos3/core/simulator/space/positional_indices/hash_index.h>
+#include <argos3/core/utility/math/random_stream.h>
+#include <argos3/testing/support/allocation_count.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <set>
+#include <sstream>
+
+using namespace argos;
+using Catch::Matchers::Contains;
+
+namespace {
+
+using TIndex = CPositionalIndex<CPositionalEntity>;
+using TGrid = CGrid<CPositionalEntity>;
+
+class CGridUpdater : public TGrid::COperation {
+ public:
+  explicit CGridUpdater(TGrid& grid) : m_grid(grid) {}
+  bool operator()(CPositionalEntity& entity) override {
+    SInt32 i = 0;
+    SInt32 j = 0;
+    SInt32 k = 0;
+    m_grid.PositionToCellUnsafe(i, j, k, entity.GetPosition());
+    m_grid.UpdateCell(i, j, k, entity);
+    return true;
+  }
+
+ private:
+  TGrid& m_grid;
+};
+
+class CHashUpdater : public CSpaceHashUpdater<CPositionalEntity> {
+ public:
+  void operator()(CAbstractSpaceHash<CPositionalEntity>& hash, CPositionalEntity& entity) override {
+    SInt32 i = 0;
+    SInt32 j = 0;
+    SInt32 k = 0;
+    hash.SpaceToHashTable(i, j, k, entity.GetPosition());
+    hash.UpdateCell(i, j, k, entity);
+  }
+};
+
+class CCollect : public TIndex::COperation {
+ public:
+  bool operator()(CPositionalEntity& entity) override {
+    Found.push_back(&entity);
+    return true;
+  }
+  bool Has(const CPositionalEntity& entity) const {
+    return std::find(Found.begin(), Found.end(), &entity) != Found.end();
+  }
+  std::vector<CPositionalEntity*> Found;
+};
+
+class CStopAt : public TIndex::COperation {
+ public:
+  explicit CStopAt(const CPositionalEntity* match) : m_match(match) {}
+  bool operator()(CPositionalEntity& entity) override {
+    Found.push_back(&entity);
+    return &entity != m_match;
+  }
+  std::vector<CPositionalEntity*> Found;
+
+ private:
+  const CPositionalEntity* m_match;
+};
+
+// an index of some kind over a box of 10 x 10 x 2 m around the origin, and points in and around it
+struct SIndexed {
+  explicit SIndexed(const std::string& kind, int numEntities = 0) {
+    if (kind == "grid") {
+      auto grid =
+          std::make_unique<TGrid>(CVector3(-5.0, -5.0, -1.0), CVector3(5.0, 5.0, 1.0), 7, 10, 2);
+      Updater = std::make_unique<CGridUpdater>(*grid);
+      grid->SetUpdateEntityOperation(Updater.get());
+      Index = std::move(grid);
+    } else {
+      Index =
+          std::make_unique<CHashIndex<CPositionalEntity, CHashUpdater>>(CVector3(1.4, 1.0, 1.0));
+    }
+    for (int i = 0; i < numEntities; ++i) {
+      Add(RandomPoint());
+    }
+    Index->Update();
+  }
+
+  CVector3 RandomPoint() {
+    return CVector3(Random.Uniform(-8.0, 8.0), Random.Uniform(-8.0, 8.0),
+                    Random.Uniform(-2.0, 2.0));
+  }
+  CPositionalEntity& Add(const CVector3& position) {
+    Entities.push_back(std::make_unique<CPositionalEntity>(
+        nullptr, "e" + std::to_string(Entities.size()), position));
+    Entities.back()->SetIndex(static_cast<ssize_t>(Entities.size()));
+    Index->AddEntity(*Entities.back());
+    return *Entities.back();
+  }
+
+  CRandomStream Random{1, "test", "positional index", "points"};
+  std::unique_ptr<CGridUpdater> Updater;
+  std::unique_ptr<TIndex> Index;
+  std::vector<std::unique_ptr<CPositionalEntity>> Entities;
+};
+
+}  // namespace
+
+TEST_CASE("positional index: range queries find all that brute force finds", "[core][space]") {
+  const std::string kind = GENERATE("grid", "hash");
+  CAPTURE(kind);
+  SIndexed world(kind, 500);
+  for (int trial = 0; trial < 100; ++trial) {
+    const CVector3 center = world.RandomPoint();
+    const CVector3 half(world.Random.Uniform(0.0, 3.0), world.Random.Uniform(0.0, 3.0),
+                        world.Random.Uniform(0.0, 1.0));
+    const Real radius = world.Random.Uniform(0.0, 3.0);
+    CCollect inBox;
+    CCollect inSphere;
+    world.Index->ForEntitiesInBoxRange(center, half, inBox);
+    world.Index->ForEntitiesInSphereRange(center, radius, inSphere);
+    for (const auto& entity : world.Entities) {
+      const CVector3 offset = entity->GetPosition() - center;
+      if (std::abs(offset.GetX()) <= half.GetX() && std::abs(offset.GetY()) <= half.GetY() &&
+          std::abs(offset.GetZ()) <= half.GetZ()) {
+        CHECK(inBox.Has(*entity));
+      }
+      if (offset.Length() <= radius) {
+        CHECK(inSphere.Has(*entity));
+      }
+    }
+  }
+}
+
+TEST_CASE("positional index: flat ranges find what lies in their plane", "[core][space]") {
+  const std::string kind = GENERATE("grid", "hash");
+  CAPTURE(kind);
+  SIndexed world(kind);
+  for (int i = 0; i < 300; ++i) {
+    CVector3 position = world.RandomPoint();
+    position.SetZ(0.3);
+    world.Add(position);
+  }
+  world.Index->Update();
+  for (int trial = 0; trial < 50; ++trial) {
+    CVector3 center = world.RandomPoint();
+    center.SetZ(0.3);
+    const CVector2 half(world.Random.Uniform(0.0, 3.0), world.Random.Uniform(0.0, 3.0));
+    const Real radius = world.Random.Uniform(0.0, 3.0);
+    CCollect inCircle;
+    CCollect inRectangle;
+    world.Index->ForEntitiesInCircleRange(center, radius, inCircle);
+    world.Index->ForEntitiesInRectangleRange(center, half, inRectangle);
+    for (const auto& entity : world.Entities) {
+      const CVector3 offset = entity->GetPosition() - center;
+      if (offset.Length() <= radius) {
+        CHECK(inCircle.Has(*entity));
+      }
+      if (std::abs(offset.GetX()) <= half.GetX() && std::abs(offset.GetY()) <= half.GetY()) {
+        CHECK(inRectangle.Has(*entity));
+      }
+    }
+  }
+}
+
+TEST_CASE("positional index: rays find all points that lie on them", "[core][space]") {
+  const std::string kind = GENERATE("grid", "hash");
+  CAPTURE(kind);
+  for (int trial = 0; trial < 50; ++trial) {
+    SIndexed world(kind, 400);
+    const CRay3 ray(world.RandomPoint(), world.RandomPoint());
+    std::vector<CPositionalEntity*> onRay;
+    for (int i = 0; i <= 20; ++i) {
+      CVector3 point;
+      ray.GetPoint(point, i / 20.0);
+      onRay.push_back(&world.Add(point));
+    }
+    world.Index->Update();
+    CCollect collect;
+    world.Index->ForEntitiesAlongRay(ray, collect);
+    for (const CPositionalEntity* entity : onRay) {
+      CHECK(collect.Has(*entity));
+    }
+    // in a grid, far fewer than all, in order of cells: the start comes first
+    CHECK(collect.Found.size() < world.Entities.size());
+  }
+}
+
+TEST_CASE("positional index: a ray stops at once, or after the cell of the match",
+          "[core][space]") {
+  const std::string kind = GENERATE("grid", "hash");
+  CAPTURE(kind);
+  SIndexed world(kind);
+  // two in the first cell, the match among them, and one far along
+  CPositionalEntity& match = world.Add(CVector3(0.1, 0.1, 0.1));
+  CPositionalEntity& besides = world.Add(CVector3(0.2, 0.1, 0.1));
+  world.Add(CVector3(3.9, 0.1, 0.1));
+  // more entities than cells, or the hash would rather visit all
+  for (int i = 0; i < 50; ++i) {
+    world.Add(CVector3(-4.0, -4.0, -0.5));
+  }
+  world.Index->Update();
+  const CRay3 ray(CVector3(0.05, 0.1, 0.1), CVector3(4.0, 0.1, 0.1));
+  CStopAt once(&match);
+  world.Index->ForEntitiesAlongRay(ray, once);
+  CHECK(once.Found == std::vector<CPositionalEntity*>{&match});
+  CStopAt afterCell(&match);
+  world.Index->ForEntitiesAlongRay(ray, afterCell, true);
+  CHECK(afterCell.Found == std::vector<CPositionalEntity*>{&match, &besides});
+}
+
+TEST_CASE("positional index: what is removed is never visited again", "[core][space]") {
+  const std::string kind = GENERATE("grid", "hash");
+  CAPTURE(kind);
+  SIndexed world(kind, 100);
+  std::set<CPositionalEntity*> alive;
+  for (const auto& entity : world.Entities) {
+    alive.insert(entity.get());
+  }
+  const auto visited = [&world] {
+    CCollect all;
+    world.Index->ForEntitiesInBoxRange(CVector3(), CVector3(20.0, 20.0, 20.0), all);
+    return std::set<CPositionalEntity*>(all.Found.begin(), all.Found.end());
+  };
+  CHECK(visited() == alive);
+  for (int i = 0; i < 90; ++i) {
+    CPositionalEntity* entity = world.Entities[(i * 37) % 100].get();
+    world.Index->RemoveEntity(*entity);
+    world.Index->RemoveEntity(*entity);
+    alive.erase(entity);
+    if (i % 7 == 0) {
+      world.Index->Update();
+    }
+    CHECK(visited() == alive);
+  }
+}
+
+TEST_CASE("positional index: all entities are visited in order of addition", "[core][space]") {
+  const std::string kind = GENERATE("grid", "hash");
+  SIndexed world(kind, 20);
+  world.Index->RemoveEntity(*world.Entities[5]);
+  world.Index->AddEntity(*world.Entities[5]);
+  world.Index->AddEntity(*world.Entities[6]);  // there already
+  CCollect all;
+  world.Index->ForAllEntities(all);
+  std::vector<CPositionalEntity*> expected;
+  for (size_t i = 0; i < 20; ++i) {
+    if (i != 5) {
+      expected.push_back(world.Entities[i].get());
+    }
+  }
+  expected.push_back(world.Entities[5].get());
+  CHECK(all.Found == expected);
+}
+
+TEST_CASE("positional index: entities at a place come as a set", "[core][space]") {
+  const std::string kind = GENERATE("grid", "hash");
+  SIndexed world(kind);
+  CPositionalEntity& far = world.Add(CVector3(1e12, -1e300, 0.0));
+  CPositionalEntity& lost = world.Add(CVector3(std::numeric_limits<Real>::quiet_NaN(), 0.0, 0.0));
+  CPositionalEntity& here = world.Add(CVector3(1.0, 1.0, 0.5));
+  world.Index->Update();
+  CSet<CPositionalEntity*, SEntityComparator> found;
+  world.Index->GetEntitiesAt(found, CVector3(1.0, 1.0, 0.5));
+  CHECK(found.size() == 1);
+  CHECK(found.exists(&here));
+  world.Index->GetEntitiesAt(found, CVector3(1e12, -1e300, 0.0));
+  CHECK(found.exists(&far));
+  CHECK_FALSE(found.exists(&here));
+  CCollect all;
+  world.Index->ForAllEntities(all);
+  CHECK(all.Has(lost));
+}
+
+TEST_CASE("positional index: a settled update allocates nothing", "[core][space]") {
+  const std::string kind = GENERATE("grid", "hash");
+  CAPTURE(kind);
+  SIndexed world(kind, 200);
+  // everything moves between two places: after one round, all cells have had their share
+  const auto moveTo = [&world](Real shift) {
+    for (const auto& entity : world.Entities) {
+      entity->SetPosition(entity->GetPosition() + CVector3(shift, 0.0, 0.0));
+    }
+    world.Index->Update();
+  };
+  for (int i = 0; i < 3; ++i) {
+    moveTo(1.0);
+    moveTo(-1.0);
+  }
+  const CAllocationCount count;
+  moveTo(1.0);
+  moveTo(-1.0);
+  CAPTURE(count.DescribeFirst());
+  CHECK(count.GetCount() == 0);
+}
+
+TEST_CASE("grid: cells and positions correspond", "[core][space]") {
+  TGrid grid(CVector3(-1.0, 0.0, 2.0), CVector3(1.0, 3.0, 3.0), 4, 3, 2);
+  CHECK(grid.GetSizeI() == 4);
+  CHECK(grid.GetSizeJ() == 3);
+  CHECK(grid.GetSizeK() == 2);
+  SInt32 i = 0;
+  SInt32 j = 0;
+  SInt32 k = 0;
+  grid.PositionToCell(i, j, k, CVector3(0.6, 2.9, 2.4));
+  CHECK((i == 3 && j == 2 && k == 0));
+  // the upper edge belongs to the last cell
+  grid.PositionToCell(i, j, k, CVector3(1.0, 3.0, 3.0));
+  CHECK((i == 3 && j == 2 && k == 1));
+  CHECK_THROWS_WITH(grid.PositionToCell(i, j, k, CVector3(0.0, 3.1, 2.5)),
+                    Contains("outside the grid") && Contains("component y"));
+  grid.PositionToCellUnsafe(i, j, k, CVector3(-100.0, 100.0, 2.9));
+  CHECK((i == 0 && j == 2 && k == 1));
+  i = -3;
+  j = 9;
+  k = 1;
+  grid.ClampCoordinates(i, j, k);
+  CHECK((i == 0 && j == 2 && k == 1));
+}
+
+TEST_CASE("grid: cells are visited in order, and those of a ray along it", "[core][space]") {
+  TGrid grid(CVector3(0.0, 0.0, 0.0), CVector3(3.0, 3.0, 1.0), 3, 3, 1);
+  class CCells : public TGrid::CCellOperation {
+   public:
+    bool operator()(SInt32 i, SInt32 j, SInt32, TGrid::SCell&) override {
+      Numbers.push_back(10 * i + j);
+      return true;
+    }
+    std::vector<int> Numbers;
+  };
+  CCells all;
+  grid.ForAllCells(all);
+  CHECK(all.Numbers == std::vector<int>{0, 10, 20, 1, 11, 21, 2, 12, 22});
+  CCells ray;
+  grid.ForCellsAlongRay(CRay3(CVector3(0.5, 0.2, 0.5), CVector3(2.5, 1.4, 0.5)), ray);
+  // through (1, 0.5), (2, 1.1), and over y = 1 at x = 11/6
+  CHECK(ray.Numbers == std::vector<int>{0, 10, 11, 21});
+  CCells back;
+  grid.ForCellsAlongRay(CRay3(CVector3(2.5, 1.4, 0.5), CVector3(0.5, 0.2, 0.5)), back);
+  CHECK(back.Numbers == std::vector<int>{21, 11, 10, 0});
+  CCells circle;
+  grid.ForCellsInCircleRange(CVector3(0.5, 0.5, 0.5), 0.6, circle);
+  CHECK(circle.Numbers == std::vector<int>{0, 10, 1, 11});
+}
+
+TEST_CASE("grid: refuses what cannot be", "[core][space][errors]") {
+  const CVector3 min;
+  const CVector3 max(1.0, 1.0, 1.0);
+  CHECK_THROWS_WITH(TGrid(min, max, 0, 1, 1), Contains("0,1,1"));
+  CHECK_THROWS_WITH(TGrid(max, min, 1, 1, 1), Contains("volume"));
+  TGrid grid(min, max, 1, 1, 1);
+  CPositionalEntity entity(nullptr, "e");
+  grid.AddEntity(entity);
+  CHECK_THROWS_WITH(grid.Update(), Contains("SetUpdateEntityOperation"));
+}
+
+TEST_CASE("space hash: cells have no bounds, and a dump lists them", "[core][space]") {
+  CSpaceHash<CPositionalEntity, CHashUpdater> hash;
+  hash.SetCellSize(CVector3(0.5, 1.0, 2.0));
+  hash.SetSize(3);
+  CPositionalEntity a(nullptr, "a", CVector3(-0.1, 7.5, 0.0));
+  CPositionalEntity b(nullptr, "b", CVector3(-0.4, 7.0, 1.9));
+  CPositionalEntity c(nullptr, "c", CVector3(1000.2, -3000.0, 0.0));
+  hash.AddElement(a);
+  hash.AddElement(c);
+  hash.AddElement(b);
+  hash.Update();
+  std::vector<CPositionalEntity*> found;
+  CHECK(hash.CheckCell(-1, 7, 0, found));
+  CHECK(found == std::vector<CPositionalEntity*>{&a, &b});
+  found.clear();
+  CHECK_FALSE(hash.CheckCell(0, 7, 0, found));
+  CHECK(hash.SpaceToHashTable(1000.2, 0) == 2000);
+  CVector3 corner;
+  hash.HashTableToSpace(corner, 2000, -3000, 0);
+  CHECK(corner == CVector3(1000.0, -3000.0, 0.0));
+  std::ostringstream dump;
+  hash.Dump(dump);
+  CHECK(dump.str() == "(-1,7,0): a b\n(2000,-3000,0): c\n");
+  CHECK_THROWS_WITH(hash.SetCellSize(CVector3(1.0, 0.0, 1.0)), Contains("> 0"));
+}

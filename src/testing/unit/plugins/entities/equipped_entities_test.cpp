@@ -1,0 +1,140 @@
+// Wheels and proximity sensors as components of any robot.
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/plugins/simulator/entities/proximity_sensor_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/wheeled_entity.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+using namespace argos;
+using Catch::Matchers::Contains;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+UInt64 DigestOf(const CEntity& entity) {
+  CDigest digest;
+  entity.UpdateDigest(digest);
+  return digest.GetValue();
+}
+
+// a body with its sensors, outside any space
+struct SEquippedBody {
+  CComposableEntity Robot{nullptr, "robot"};
+  CEmbodiedEntity Body{&Robot, "body_0"};
+  CProximitySensorEquippedEntity Sensors{&Robot, "proximity_0"};
+};
+
+}  // namespace
+
+TEST_CASE("wheels: keep what they are given, in place", "[entities]") {
+  CWheeledEntity wheels(nullptr, "wheels_0", 3);
+  CHECK(wheels.GetTypeDescription() == "wheels");
+  const Real* const velocities = wheels.GetWheelVelocities();
+  wheels.SetWheel(1, CVector3(0.1, 0.2, 0.0), 0.05);
+  const Real speeds[3] = {0.1, -0.2, 0.3};
+  wheels.SetVelocities(speeds);
+  CHECK(wheels.GetNumWheels() == 3);
+  CHECK(wheels.GetWheelPosition(1) == CVector3(0.1, 0.2, 0.0));
+  CHECK(wheels.GetWheelPositions()[1] == CVector3(0.1, 0.2, 0.0));
+  CHECK(wheels.GetWheelRadius(1) == 0.05);
+  CHECK(wheels.GetWheelRadia()[1] == 0.05);
+  CHECK(wheels.GetWheelVelocity(2) == 0.3);
+  CHECK(wheels.GetWheelVelocities() == velocities);
+  CHECK(velocities[1] == -0.2);
+  wheels.Reset();
+  CHECK(velocities[1] == 0.0);
+  CHECK(wheels.GetWheelRadius(1) == 0.05);
+}
+
+TEST_CASE("wheels: the speed of each is part of the digest", "[entities]") {
+  CWheeledEntity wheels(nullptr, "wheels_0", 2);
+  const UInt64 still = DigestOf(wheels);
+  Real speeds[2] = {0.0, 1e-300};
+  wheels.SetVelocities(speeds);
+  CHECK(DigestOf(wheels) != still);
+}
+
+TEST_CASE("wheels: refuse what cannot be", "[entities][errors]") {
+  CWheeledEntity wheels(nullptr, "wheels_0", 2);
+  CHECK_THROWS_WITH(wheels.SetWheel(2, CVector3(), 0.1),
+                    Contains("no wheel 2") && Contains("0 to 1"));
+  CHECK_THROWS_WITH(wheels.SetWheel(0, CVector3(), 0.0), Contains("radius") && Contains("> 0"));
+  CHECK_THROWS_AS(wheels.GetWheelVelocity(2), CARGoSException);
+  CHECK_THROWS_AS(wheels.GetWheelPosition(2), CARGoSException);
+  CHECK_THROWS_AS(wheels.GetWheelRadius(2), CARGoSException);
+  const Real good[2] = {1.0, 2.0};
+  wheels.SetVelocities(good);
+  const Real bad[2] = {3.0, std::numeric_limits<Real>::quiet_NaN()};
+  CHECK_THROWS_WITH(wheels.SetVelocities(bad), Contains("wheel 1") && Contains("finite"));
+  CHECK(wheels.GetWheelVelocity(0) == 1.0);
+  CHECK_THROWS_AS(CWheeledEntity(nullptr, 0), CARGoSException);
+}
+
+TEST_CASE("proximity component: rings and fans lie as documented", "[entities]") {
+  SEquippedBody robot;
+  SAnchor& origin = robot.Body.GetOriginAnchor();
+  robot.Sensors.AddSensorRing(CVector3(0.1, 0.2, 0.3), 0.05, ToRadians(CDegrees(30.0)), 0.4, 4,
+                              origin);
+  robot.Sensors.AddSensorFan(CVector3(), 1.0, CRadians::ZERO, CRadians::PI_OVER_TWO, 2.0, 3,
+                             origin);
+  REQUIRE(robot.Sensors.GetNumSensors() == 7);
+  for (int i = 0; i < 4; ++i) {
+    const Real angle = (30.0 + 90.0 * i) * M_PI / 180.0;
+    const CVector3 outward(std::cos(angle), std::sin(angle), 0.0);
+    const auto& sensor = robot.Sensors.GetSensor(i);
+    CHECK_THAT(Distance(sensor.Offset, CVector3(0.1, 0.2, 0.3) + outward * 0.05),
+               WithinAbs(0.0, 1e-16));
+    CHECK_THAT(Distance(sensor.Direction, outward * 0.4), WithinAbs(0.0, 1e-15));
+    CHECK(&sensor.Anchor == &origin);
+  }
+  // 0, 30 and 60 degrees
+  CHECK_THAT(robot.Sensors.GetSensor(6).Direction.GetX(), WithinAbs(1.0, 1e-15));
+}
+
+TEST_CASE("proximity component: the circle of a layout holds all rays", "[entities]") {
+  CProximitySensorEquippedEntity::SLayout layout;
+  layout.AddSensor(CVector3(0.1, 0.0, 0.2), CVector3(1.0, 0.0, 0.0), 0.5);
+  CHECK(layout.Planar);
+  layout.AddSensor(CVector3(-0.3, 0.2, 0.1), CVector3(-3.0, 4.0, 0.0), 0.5);
+  CHECK(layout.Planar);
+  for (const auto& ray : layout.Rays) {
+    const CVector3 end = ray.Offset + ray.Direction;
+    for (const CVector3& point : {ray.Offset, end}) {
+      const Real distance =
+          std::hypot(point.GetX() - layout.CenterX, point.GetY() - layout.CenterY);
+      CHECK(distance <= layout.Reach * (1.0 + 1e-15));
+    }
+    CHECK_THAT(ray.Direction.Length(), WithinAbs(0.5, 1e-15));
+  }
+  layout.AddSensor(CVector3(), CVector3(1.0, 0.0, 0.1), 0.5);
+  CHECK_FALSE(layout.Planar);
+}
+
+TEST_CASE("proximity component: enabling it keeps its anchors current", "[entities]") {
+  SEquippedBody robot;
+  SAnchor& arm = robot.Body.AddAnchor("arm", CVector3(0.1, 0.0, 0.0));
+  robot.Sensors.AddSensor(CVector3(), CVector3::X, 1.0, arm);
+  CHECK_FALSE(robot.Sensors.IsEnabled());
+  CHECK(arm.InUseCount == 0);
+  robot.Sensors.Enable();
+  robot.Sensors.Enable();
+  CHECK(arm.InUseCount == 1);
+  robot.Sensors.Disable();
+  CHECK(arm.InUseCount == 0);
+}
+
+TEST_CASE("proximity component: refuses what cannot be", "[entities][errors]") {
+  SEquippedBody robot;
+  SAnchor& origin = robot.Body.GetOriginAnchor();
+  CHECK_THROWS_WITH(robot.Sensors.AddSensor(CVector3(), CVector3::X, 0.0, origin),
+                    Contains("range") && Contains("> 0"));
+  CHECK_THROWS_WITH(robot.Sensors.AddSensor(CVector3(), CVector3(), 1.0, origin),
+                    Contains("direction"));
+  CHECK(robot.Sensors.GetNumSensors() == 0);
+  CHECK_THROWS_WITH(robot.Sensors.GetSensor(0), Contains("no sensor 0"));
+}
