@@ -31,33 +31,59 @@ constexpr int kFailure = 1;
 // the shell's convention: a program that a signal ends has the status 128 + its number
 constexpr int kSignalStatus = 128;
 
+// s; a tick that takes longer than that after a signal does not end by itself any more
+constexpr unsigned kPatience = 10;
+
 volatile std::sig_atomic_t g_stopSignal = 0;
+
+extern "C" void KillAfterPatience(int) {
+  // the signal that was noted has its deadly effect again
+  raise(g_stopSignal);
+}
 
 extern "C" void NoteStopSignal(int signal) {
   g_stopSignal = signal;
+  alarm(kPatience);
 }
 
-/* While it lives, SIGINT and SIGTERM are noted instead of killing; each once. */
+/* While it lives, the first SIGINT or SIGTERM is noted; it kills only if the tick does not end. */
 class CStopSignals {
  public:
   CStopSignals() {
     g_stopSignal = 0;
-    struct sigaction action {};
-    action.sa_handler = &NoteStopSignal;
-    action.sa_flags = SA_RESETHAND;
-    sigaction(SIGINT, &action, &m_oldInterrupt);
-    sigaction(SIGTERM, &action, &m_oldTerminate);
+    Catch(SIGINT, &NoteStopSignal, m_oldInterrupt);
+    Catch(SIGTERM, &NoteStopSignal, m_oldTerminate);
+    Catch(SIGALRM, &KillAfterPatience, m_oldAlarm);
   }
   ~CStopSignals() {
+    alarm(0);
     sigaction(SIGINT, &m_oldInterrupt, nullptr);
     sigaction(SIGTERM, &m_oldTerminate, nullptr);
+    sigaction(SIGALRM, &m_oldAlarm, nullptr);
   }
   CStopSignals(const CStopSignals&) = delete;
   CStopSignals& operator=(const CStopSignals&) = delete;
 
+  /** Asked after each tick. @return true if a signal came. */
+  static bool WasStopped() {
+    if (g_stopSignal == 0) {
+      return false;
+    }
+    alarm(0);
+    return true;
+  }
+
  private:
+  static void Catch(int signal, void (*handler)(int), struct sigaction& old) {
+    struct sigaction action {};
+    action.sa_handler = handler;
+    action.sa_flags = SA_RESETHAND;
+    sigaction(signal, &action, &old);
+  }
+
   struct sigaction m_oldInterrupt {};
   struct sigaction m_oldTerminate {};
+  struct sigaction m_oldAlarm {};
 };
 
 void FlushLogs() {
@@ -162,7 +188,7 @@ Real Execute(CSimulator& simulator) {
   CProgressLine progress(simulator);
   simulator.SetTickObserver([&progress](CSimulator& running) {
     progress.Update();
-    if (g_stopSignal != 0) {
+    if (CStopSignals::WasStopped()) {
       running.Terminate();
     }
   });

@@ -10,7 +10,8 @@ namespace argos {
  *
  * @param argc, argv  as main() got them.
  * @return the exit status: 0 after a normal end, 1 after an error; 130 or 143 if SIGINT or SIGTERM
- *         stopped the run, which then ends normally after the current tick. A second signal kills.
+ *         stopped the run, which then ends normally after the current tick. If that takes more than
+ *         ten seconds, or another signal comes, the signal kills.
  */
 int RunCommandLine(int argc, const char* const* argv) noexcept;
 

@@ -173,15 +173,23 @@ void CSimulator::InitSystem(TConfigurationNode& framework) {
   if (!m_threadsSet) {
     m_numThreads = threads;
   }
-  constexpr UInt32 kMostThreads = 4096;
-  if (m_numThreads > kMostThreads) {
-    THROW_ARGOSEXCEPTION("at most " << kMostThreads << " threads are possible, found "
-                                    << m_numThreads);
+  try {
+    constexpr UInt32 kMostThreads = 4096;
+    if (m_numThreads > kMostThreads) {
+      THROW_ARGOSEXCEPTION("at most " << kMostThreads << " threads are possible, found "
+                                      << m_numThreads);
+    }
+    m_pool = std::make_unique<CThreadPool>(m_numThreads, CreateSchedule(method), pinToCores, [this] {
+      // workers serve this simulator for as long as they live
+      CScope(*this).Keep();
+    });
+  } catch (std::exception& error) {
+    const bool hasNode = NodeExists(framework, "system");
+    THROW_ARGOSEXCEPTION_NESTED((hasNode ? GetNode(framework, "system") : framework).GetLocation()
+                                    << ": <" << (hasNode ? "system" : "framework")
+                                    << ">: the threads cannot be made",
+                                error);
   }
-  m_pool = std::make_unique<CThreadPool>(m_numThreads, CreateSchedule(method), pinToCores, [this] {
-    // workers serve this simulator for as long as they live
-    CScope(*this).Keep();
-  });
   if (m_numThreads > 0) {
     LOG << "[INFO] Using " << m_numThreads << " threads (" << method << ")" << std::endl;
   } else {
@@ -200,7 +208,16 @@ void CSimulator::InitExperiment(TConfigurationNode& framework) {
   m_tickLength = 1.0 / ticksPerSecond;
   Real length = 0.0;
   GetNodeAttributeOrDefault(experiment, "length", length, length);
-  SetLength(m_lengthSet ? m_length : length);
+  try {
+    SetLength(m_lengthSet ? m_length : length);
+    if (m_length > 0.0 && m_maxSimulationClock == 0) {
+      THROW_ARGOSEXCEPTION("a length of " << m_length << " s is less than one tick, " << m_tickLength
+                                          << " s; 0 means unlimited");
+    }
+  } catch (std::exception& error) {
+    THROW_ARGOSEXCEPTION_NESTED(experiment.GetLocation() << ": <experiment>: wrong \"length\"",
+                                error);
+  }
   GetNodeAttributeOrDefault(experiment, "real_time", m_realTimeClock, m_realTimeClock);
   InitRandom(experiment);
   LOG << "[INFO] Total experiment length in clock ticks = "

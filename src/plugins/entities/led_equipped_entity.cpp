@@ -33,7 +33,7 @@ CLEDEquippedEntity::CLEDEquippedEntity(CComposableEntity* parent, const std::str
     : CComposableEntity(parent, id) {
   static const std::shared_ptr<const SLayout> kEmpty = std::make_shared<SLayout>();
   m_layout = kEmpty;
-  CEntity::SetEnabled(false);
+  CComposableEntity::SetEnabled(false);
 }
 
 void CLEDEquippedEntity::Init(TConfigurationNode& tree) {
@@ -64,8 +64,10 @@ void CLEDEquippedEntity::Reset() {
 }
 
 void CLEDEquippedEntity::UpdateComponents() {
-  for (SActuator* actuator : m_actuators) {
-    PlaceLED(*actuator);
+  if (m_entities != nullptr) {
+    for (SActuator* actuator : m_entities->List) {
+      PlaceLED(*actuator);
+    }
   }
 }
 
@@ -124,9 +126,8 @@ UInt32 CLEDEquippedEntity::NumberOfAnchor(SAnchor& anchor) {
 
 void CLEDEquippedEntity::Append(SLayout&& layout) {
   const size_t numBefore = GetNumLEDs();
-  // with a medium or a place in the space there is no way back to bare colours
-  const bool asEntities =
-      m_medium != nullptr || GetIndex() >= 0 || (numBefore > 0 && m_colors.empty());
+  // what has a medium or a place in the space is an entity
+  const bool asEntities = m_medium != nullptr || GetIndex() >= 0 || m_entities != nullptr;
   if (asEntities) {
     Materialize();
   }
@@ -150,10 +151,10 @@ CLEDEntity& CLEDEquippedEntity::MakeLED(size_t index) {
       std::make_unique<CLEDEntity>(this, "led_" + std::to_string(index), CVector3(), place.Color);
   CLEDEntity& led = *owned;
   AddComponent(*owned.release());
-  m_ownActuators.push_back(
+  m_entities->Owned.push_back(
       std::make_unique<SActuator>(led, place.Offset, *m_anchors[place.Anchor]));
-  m_actuators.push_back(m_ownActuators.back().get());
-  PlaceLED(*m_actuators.back());
+  m_entities->List.push_back(m_entities->Owned.back().get());
+  PlaceLED(*m_entities->List.back());
   if (m_medium != nullptr) {
     led.SetMedium(*m_medium);
   }
@@ -168,14 +169,12 @@ void CLEDEquippedEntity::PlaceLED(SActuator& actuator) const {
 }
 
 void CLEDEquippedEntity::Materialize() {
-  if (IsMaterialized()) {
+  if (m_entities != nullptr) {
     return;
   }
-  // emptied first: adding a component looks at the components that exist
   const std::vector<CColor> colors = std::move(m_colors);
   m_colors = {};
-  m_ownActuators.reserve(colors.size());
-  m_actuators.reserve(colors.size());
+  m_entities = std::make_unique<SEntities>();
   for (size_t i = 0; i < colors.size(); ++i) {
     CLEDEntity& led = MakeLED(i);
     led.SetColor(colors[i]);
@@ -187,23 +186,23 @@ void CLEDEquippedEntity::Materialize() {
 
 const CColor& CLEDEquippedEntity::GetLEDColor(size_t index) const {
   CheckIndex(index);
-  return IsMaterialized() ? m_actuators[index]->LED.GetColor() : m_colors[index];
+  return m_entities != nullptr ? m_entities->List[index]->LED.GetColor() : m_colors[index];
 }
 
 CLEDEntity& CLEDEquippedEntity::GetLED(UInt32 index) {
   CheckIndex(index);
   Materialize();
-  return m_actuators[index]->LED;
+  return m_entities->List[index]->LED;
 }
 
 CLEDEquippedEntity::SActuator::TList& CLEDEquippedEntity::GetLEDs() {
   Materialize();
-  return m_actuators;
+  return m_entities->List;
 }
 
 const CVector3& CLEDEquippedEntity::GetLEDOffset(size_t index) const {
   CheckIndex(index);
-  return IsMaterialized() ? m_actuators[index]->Offset : m_layout->Places[index].Offset;
+  return m_entities != nullptr ? m_entities->List[index]->Offset : m_layout->Places[index].Offset;
 }
 
 void CLEDEquippedEntity::SetLEDOffset(UInt32 index, const CVector3& offset) {
@@ -211,26 +210,25 @@ void CLEDEquippedEntity::SetLEDOffset(UInt32 index, const CVector3& offset) {
   auto layout = std::make_shared<SLayout>(*m_layout);
   layout->Places[index].Offset = offset;
   m_layout = std::move(layout);
-  if (IsMaterialized()) {
-    m_actuators[index]->Offset = offset;
-    PlaceLED(*m_actuators[index]);
+  if (m_entities != nullptr) {
+    m_entities->List[index]->Offset = offset;
+    PlaceLED(*m_entities->List[index]);
   }
 }
 
 void CLEDEquippedEntity::SetLEDColor(UInt32 index, const CColor& color) {
   CheckIndex(index);
-  if (IsMaterialized()) {
-    m_actuators[index]->LED.SetColor(color);
+  if (m_entities != nullptr) {
+    m_entities->List[index]->LED.SetColor(color);
   } else {
     m_colors[index] = color;
   }
 }
 
 void CLEDEquippedEntity::SetAllLEDsColors(const CColor& color) {
-  for (SActuator* actuator : m_actuators) {
-    actuator->LED.SetColor(color);
+  for (size_t i = 0; i < GetNumLEDs(); ++i) {
+    SetLEDColor(static_cast<UInt32>(i), color);
   }
-  std::fill(m_colors.begin(), m_colors.end(), color);
 }
 
 void CLEDEquippedEntity::SetAllLEDsColors(const std::vector<CColor>& colors) {
@@ -246,13 +244,13 @@ void CLEDEquippedEntity::SetAllLEDsColors(const std::vector<CColor>& colors) {
 void CLEDEquippedEntity::SetMedium(CLEDEntity::CRegistry& medium) {
   m_medium = &medium;
   Materialize();
-  for (SActuator* actuator : m_actuators) {
+  for (SActuator* actuator : m_entities->List) {
     actuator->LED.SetMedium(medium);
   }
 }
 
 void CLEDEquippedEntity::UpdateDigest(CDigest& digest) const {
-  CEntity::UpdateDigest(digest);
+  digest.Add(IsEnabled());
   for (size_t i = 0; i < GetNumLEDs(); ++i) {
     const CColor& color = GetLEDColor(i);
     digest.Add(color.GetRed());

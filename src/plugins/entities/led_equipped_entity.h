@@ -113,14 +113,17 @@ class CLEDEquippedEntity : public CComposableEntity {
   void Append(SLayout&& layout);
   CLEDEntity& MakeLED(size_t index);
   void PlaceLED(SActuator& actuator) const;
-  bool IsMaterialized() const { return m_colors.empty(); }
+  // the LEDs as entities
+  struct SEntities {
+    std::vector<std::unique_ptr<SActuator>> Owned;  // (LEDs)
+    SActuator::TList List;  // the same, for users
+  };
 
   // shared by all robots of a type, and replaced, never changed, when LEDs are added
   std::shared_ptr<const SLayout> m_layout;
   std::vector<SAnchor*> m_anchors;  // those the layout numbers; not owned
   std::vector<CColor> m_colors;  // (LEDs); empty if they are entities, which then hold them
-  std::vector<std::unique_ptr<SActuator>> m_ownActuators;  // (LEDs) or empty
-  SActuator::TList m_actuators;  // the same, for users
+  std::unique_ptr<SEntities> m_entities;  // null until someone needs them
   CLEDEntity::CRegistry* m_medium = nullptr;
 };
 

@@ -13,7 +13,7 @@ CWheeledEntity::CWheeledEntity(CComposableEntity* parent, size_t numWheels)
     : CWheeledEntity(parent, std::string(), numWheels) {}
 
 CWheeledEntity::CWheeledEntity(CComposableEntity* parent, const std::string& id, size_t numWheels)
-    : CEntity(parent, id), m_positions(numWheels), m_radii(numWheels), m_velocities(numWheels) {
+    : CEntity(parent, id), m_positions(numWheels), m_radiiAndVelocities(2 * numWheels) {
   if (numWheels == 0) {
     THROW_ARGOSEXCEPTION("wheels \"" << GetContext() << id
                                      << "\": needs one wheel at least, got 0");
@@ -21,12 +21,12 @@ CWheeledEntity::CWheeledEntity(CComposableEntity* parent, const std::string& id,
 }
 
 void CWheeledEntity::Reset() {
-  std::fill(m_velocities.begin(), m_velocities.end(), 0.0);
+  std::fill_n(GetVelocities(), GetNumWheels(), 0.0);
 }
 
 void CWheeledEntity::SetWheel(UInt32 index, const CVector3& position, Real radius) {
   CheckIndex(index);
-  m_radii[index] =
+  m_radiiAndVelocities[index] =
       RequirePositive(radius, "wheels \"" + GetContext() + GetId() + "\"", "wheel radius (m)");
   m_positions[index] = position;
 }
@@ -38,35 +38,35 @@ const CVector3& CWheeledEntity::GetWheelPosition(size_t index) const {
 
 Real CWheeledEntity::GetWheelRadius(size_t index) const {
   CheckIndex(index);
-  return m_radii[index];
+  return m_radiiAndVelocities[index];
 }
 
 Real CWheeledEntity::GetWheelVelocity(size_t index) const {
   CheckIndex(index);
-  return m_velocities[index];
+  return GetWheelVelocities()[index];
 }
 
 void CWheeledEntity::SetVelocities(const Real* velocities) {
-  for (size_t i = 0; i < m_velocities.size(); ++i) {
+  for (size_t i = 0; i < GetNumWheels(); ++i) {
     if (!std::isfinite(velocities[i])) {
       THROW_ARGOSEXCEPTION("wheels \"" << GetContext() << GetId() << "\": speed of wheel " << i
                                        << " must be finite, got " << velocities[i]);
     }
   }
-  std::copy_n(velocities, m_velocities.size(), m_velocities.begin());
+  std::copy_n(velocities, GetNumWheels(), GetVelocities());
 }
 
 void CWheeledEntity::UpdateDigest(CDigest& digest) const {
   CEntity::UpdateDigest(digest);
-  for (const Real velocity : m_velocities) {
-    digest.Add(velocity);
+  for (size_t i = 0; i < GetNumWheels(); ++i) {
+    digest.Add(GetWheelVelocities()[i]);
   }
 }
 
 void CWheeledEntity::CheckIndex(size_t index) const {
-  if (index >= m_velocities.size()) {
+  if (index >= GetNumWheels()) {
     THROW_ARGOSEXCEPTION("wheels \"" << GetContext() << GetId() << "\": no wheel " << index
-                                     << "; they are numbered 0 to " << m_velocities.size() - 1);
+                                     << "; they are numbered 0 to " << GetNumWheels() - 1);
   }
 }
 

@@ -21,7 +21,7 @@ class CWheeledEntity : public CEntity {
   void Reset() override;
   std::string GetTypeDescription() const override { return "wheels"; }
 
-  size_t GetNumWheels() const { return m_velocities.size(); }
+  size_t GetNumWheels() const { return m_positions.size(); }
   /**
    * Says where a wheel is.
    * @param position  of its centre in the frame of the body's origin, m. @param radius m, > 0.
@@ -37,8 +37,8 @@ class CWheeledEntity : public CEntity {
 
   /** Arrays of GetNumWheels() elements; the pointers stay valid as long as the entity. */
   const CVector3* GetWheelPositions() const { return m_positions.data(); }
-  const Real* GetWheelRadia() const { return m_radii.data(); }
-  const Real* GetWheelVelocities() const { return m_velocities.data(); }
+  const Real* GetWheelRadia() const { return m_radiiAndVelocities.data(); }
+  const Real* GetWheelVelocities() const { return m_radiiAndVelocities.data() + GetNumWheels(); }
 
   /**
    * Sets the speeds of all wheels, for the next physics phase.
@@ -50,11 +50,12 @@ class CWheeledEntity : public CEntity {
   void UpdateDigest(CDigest& digest) const override;
 
  private:
+  Real* GetVelocities() { return m_radiiAndVelocities.data() + GetNumWheels(); }
   void CheckIndex(size_t index) const;
 
   std::vector<CVector3> m_positions;  // frame of the origin anchor, m, (wheels)
-  std::vector<Real> m_radii;  // m, (wheels)
-  std::vector<Real> m_velocities;  // m/s, (wheels)
+  // m, (wheels), then m/s, (wheels): one block, because there are many robots
+  std::vector<Real> m_radiiAndVelocities;
 };
 
 }  // namespace argos

@@ -58,11 +58,17 @@ CAllocationCount::CAllocationCount() {
   g_counting = true;
 }
 
-CAllocationCount::~CAllocationCount() { g_counting = false; }
+CAllocationCount::~CAllocationCount() {
+  g_counting = false;
+}
 
-bool CAllocationCount::IsAvailable() { return ARGOS_TEST_COUNTS_ALLOCATIONS != 0; }
+bool CAllocationCount::IsAvailable() {
+  return ARGOS_TEST_COUNTS_ALLOCATIONS != 0;
+}
 
-std::size_t CAllocationCount::GetCount() const { return g_count; }
+std::size_t CAllocationCount::GetCount() const {
+  return g_count;
+}
 
 std::string CAllocationCount::DescribeFirst() const {
   const bool counting = g_counting.exchange(false);

@@ -76,9 +76,13 @@ class CListener : public Catch::TestEventListenerBase {
 
 }  // namespace
 
-std::string TakeLog() { return Log().Take(); }
+std::string TakeLog() {
+  return Log().Take();
+}
 
-std::string TakeLogErr() { return LogErr().Take(); }
+std::string TakeLogErr() {
+  return LogErr().Take();
+}
 
 CATCH_REGISTER_LISTENER(CListener)
 

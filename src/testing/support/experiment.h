@@ -19,14 +19,14 @@ struct SExperiment {
   UInt32 Threads = 0;
   std::string Method = "balance_quantity";
   UInt32 TicksPerSecond = 10;
-  Real Length = 0.0;               /**< s; 0 = unlimited */
+  Real Length = 0.0; /**< s; 0 = unlimited */
   UInt32 Seed = 1;
-  std::string Controllers = "";         /**< children of <controllers> */
-  std::string LoopFunctions = "";       /**< the whole element, or nothing */
-  std::string Engines = "";             /**< children of <physics_engines> */
-  std::string Media = "";               /**< children of <media> */
+  std::string Controllers = ""; /**< children of <controllers> */
+  std::string LoopFunctions = ""; /**< the whole element, or nothing */
+  std::string Engines = ""; /**< children of <physics_engines> */
+  std::string Media = ""; /**< children of <media> */
   std::string ArenaSize = "10,10,2";
-  std::string Arena = "";               /**< children of <arena> */
+  std::string Arena = ""; /**< children of <arena> */
 
   std::string ToXml() const;
 };

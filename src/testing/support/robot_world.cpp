@@ -9,9 +9,14 @@ namespace argos {
 SExperiment SRobotExperiment::ToExperiment() const {
   SExperiment experiment;
   experiment.Seed = Seed;
-  experiment.Controllers = "<robot_world_controller id=\"c\"><actuators>" + Actuators +
-                           "</actuators><sensors>" + Sensors +
-                           "</sensors><params/></robot_world_controller>";
+  // a controller without a robot would be reported as unused
+  const bool isUsed = Arena.find("config=\"c\"") != std::string::npos;
+  const bool hasDevices = !Sensors.empty() || !Actuators.empty();
+  if (isUsed || hasDevices) {
+    experiment.Controllers = "<robot_world_controller id=\"c\"><actuators>" + Actuators +
+                             "</actuators><sensors>" + Sensors +
+                             "</sensors><params/></robot_world_controller>";
+  }
   experiment.Engines = Engine;
   experiment.Media = Media;
   experiment.Arena = Arena;

@@ -4,9 +4,11 @@
 #include <argos3/core/control_interface/ci_controller.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/loop_functions.h>
 #include <argos3/testing/support/experiment.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace argos {
@@ -41,6 +43,13 @@ class CRobotWorld : public CTestWorld {
   template <typename ACTUATOR>
   ACTUATOR& GetActuator(const std::string& robot, const std::string& type) {
     return *GetRobot(robot).GetController().GetActuator<ACTUATOR>(type);
+  }
+  /** Gives an entity to the space while the experiment runs. */
+  template <typename ENTITY>
+  ENTITY& Add(std::unique_ptr<ENTITY> entity) {
+    ENTITY& added = *entity;
+    GetSimulator().GetLoopFunctions().AddEntity(*entity.release());
+    return added;
   }
 
  private:

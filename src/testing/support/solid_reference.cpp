@@ -23,7 +23,9 @@ struct SSpan {
   void Empty() { Last = -1.0; }
 };
 
-TVector ToEigen(const CVector3& v) { return TVector(v.GetX(), v.GetY(), v.GetZ()); }
+TVector ToEigen(const CVector3& v) {
+  return TVector(v.GetX(), v.GetY(), v.GetZ());
+}
 
 TFrame Frame(const CVector3& position, const CQuaternion& q) {
   TFrame frame = TFrame::Identity();
@@ -58,7 +60,8 @@ void ClipToRound(SSpan& span, const TVector& p, const TVector& d, int components
   } else if (discriminant < 0.0) {
     span.Empty();
   } else {
-    span.Clip((-b - std::sqrt(discriminant)) / (2.0 * a), (-b + std::sqrt(discriminant)) / (2.0 * a));
+    span.Clip((-b - std::sqrt(discriminant)) / (2.0 * a),
+              (-b + std::sqrt(discriminant)) / (2.0 * a));
   }
 }
 

@@ -12,8 +12,8 @@ namespace argos {
 /** A body as the reference sees it: nothing but its solids and its pose. */
 struct SReferenceBody {
   const SBodyDescription* Description;
-  CVector3 Position;        /**< m, world frame */
-  CQuaternion Orientation;  /**< world frame */
+  CVector3 Position; /**< m, world frame */
+  CQuaternion Orientation; /**< world frame */
 };
 
 /**

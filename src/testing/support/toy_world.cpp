@@ -172,9 +172,13 @@ REGISTER_SENSOR(CToyRangeSensor, "toy_range", "default", "", "", "", "", "")
 std::atomic<int> CToyController::NumInits{0};
 std::atomic<int> CToyController::NumAlive{0};
 
-CToyController::CToyController() { ++NumAlive; }
+CToyController::CToyController() {
+  ++NumAlive;
+}
 
-CToyController::~CToyController() { --NumAlive; }
+CToyController::~CToyController() {
+  --NumAlive;
+}
 
 void CToyController::Init(TConfigurationNode& params) {
   ++NumInits;
@@ -212,7 +216,9 @@ void CToyController::Reset() {
   Record("controller reset");
 }
 
-void CToyController::Destroy() { Record("controller destroy"); }
+void CToyController::Destroy() {
+  Record("controller destroy");
+}
 
 void CToyController::Record(const std::string& event) {
   RecordIn(CSimulator::GetInstance(), event + " " + GetId());
@@ -266,7 +272,8 @@ class CToyEngine::CModel : public CPhysicsModel {
   void Step(Real seconds) {
     if (m_motor != nullptr) {
       SAnchor& origin = m_cEmbodiedEntity.GetOriginAnchor();
-      m_cEmbodiedEntity.SetOriginPose(origin.Position + m_motor->Velocity * seconds, origin.Orientation);
+      m_cEmbodiedEntity.SetOriginPose(origin.Position + m_motor->Velocity * seconds,
+                                      origin.Orientation);
     }
   }
   void MoveTo(const CVector3& position, const CQuaternion& orientation) override {
@@ -320,16 +327,17 @@ void CToyEngine::Update() {
   }
 }
 
-size_t CToyEngine::GetNumPhysicsModels() { return m_models.size(); }
+size_t CToyEngine::GetNumPhysicsModels() {
+  return m_models.size();
+}
 
 bool CToyEngine::AddEntity(CEntity& entity) {
   if (entity.GetTypeDescription() == m_refuses) {
     return false;
   }
   auto& root = dynamic_cast<CComposableEntity&>(entity);
-  CToyMotorEntity* const motor = root.HasComponent("toy_motor")
-                                     ? &root.GetComponent<CToyMotorEntity>("toy_motor")
-                                     : nullptr;
+  CToyMotorEntity* const motor =
+      root.HasComponent("toy_motor") ? &root.GetComponent<CToyMotorEntity>("toy_motor") : nullptr;
   auto& body = root.GetComponent<CEmbodiedEntity>("body");
   m_models.push_back(std::make_unique<CModel>(*this, body, motor));
   body.AddPhysicsModel(GetId(), *m_models.back());
@@ -347,7 +355,9 @@ bool CToyEngine::RemoveEntity(CEntity& entity) {
   return false;
 }
 
-void CToyMedium::Update() { RecordIn(m_cSimulator, "medium " + GetId()); }
+void CToyMedium::Update() {
+  RecordIn(m_cSimulator, "medium " + GetId());
+}
 
 REGISTER_PHYSICS_ENGINE(CToyEngine, "toy_engine", "", "", "An engine for tests.", "", "")
 REGISTER_MEDIUM(CToyMedium, "toy_medium", "", "", "A medium for tests.", "", "")

@@ -141,7 +141,7 @@ class CToyController : public CCI_Controller {
   void Destroy() override;
 
   CVector3 Velocity;  // m/s
-  UInt32 Steps = 0;   // since the start or the last Reset()
+  UInt32 Steps = 0;  // since the start or the last Reset()
   Real LastRange = -1.0;
   std::function<void(CToyController&)> OnStep;
 

@@ -162,14 +162,12 @@ CEntity::TVector& CComposableEntity::GetComponentVector() {
   return m_components;
 }
 
-CEntity* CComposableEntity::DetachLastComponent() {
-  if (m_components.empty()) {
-    return nullptr;
+void CComposableEntity::ForgetComponent(const CEntity& component) {
+  const auto found = std::find(m_components.rbegin(), m_components.rend(), &component);
+  if (found != m_components.rend()) {
+    m_components.erase(std::next(found).base());
+    m_componentMap.reset();
   }
-  CEntity* last = m_components.back();
-  m_components.pop_back();
-  m_componentMap.reset();
-  return last;
 }
 
 void CComposableEntity::UpdateDigest(CDigest& digest) const {
@@ -187,8 +185,15 @@ void AddComponentsToSpace(CSpace& space, CComposableEntity& entity) {
 }
 
 void RemoveComponentsFromSpace(CSpace& space, CComposableEntity& entity) {
-  while (CEntity* component = entity.DetachLastComponent()) {
-    CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(space, *component);
+  while (!entity.GetExistingComponents().empty()) {
+    CEntity* const last = entity.GetExistingComponents().back();
+    // the space makes the entity forget it; one of a type without operations goes here
+    CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(space, *last);
+    const CEntity::TVector& left = entity.GetExistingComponents();
+    if (!left.empty() && left.back() == last) {
+      const std::unique_ptr<CEntity> owned(last);
+      entity.ForgetComponent(*last);
+    }
   }
 }
 

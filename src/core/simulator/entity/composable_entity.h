@@ -63,8 +63,8 @@ class CComposableEntity : public CEntity {
 
   /** The components that exist now, without creating those made on demand. */
   const CEntity::TVector& GetExistingComponents() const { return m_components; }
-  /** Gives the last component to the caller, who deletes it; nullptr if there is none left. */
-  CEntity* DetachLastComponent();
+  /** Gives a component up without deleting it; nothing happens if it is none of this entity's. */
+  void ForgetComponent(const CEntity& component);
 
   void UpdateDigest(CDigest& digest) const override;
 

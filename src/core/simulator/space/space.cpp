@@ -135,7 +135,9 @@ void CSpace::EraseEntity(CEntity& entity) {
   if (m_views != nullptr) {
     m_views->Erase(entity);
   }
-  if (!entity.HasParent()) {
+  if (entity.HasParent()) {
+    entity.GetParent().ForgetComponent(entity);
+  } else {
     const auto byId = m_rootById.find(entity.GetId());
     if (byId != m_rootById.end() && byId->second == &entity) {
       m_rootById.erase(byId);

@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/physics_engine/body_description.h>
 #include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
+#include <argos3/testing/support/captured_logs.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
@@ -116,15 +117,17 @@ TEST_CASE("robots: programs make them with one call", "[contract][robots]") {
   SRobotExperiment experiment;
   experiment.Sensors = "<proximity implementation=\"default\"/>";
   CRobotWorld world(experiment);
+  // no robot of the file uses the controller
+  CHECK_THAT(TakeLogErr(), Contains("is not used"));
   const CQuaternion quarterTurn(CRadians::PI_OVER_TWO, CVector3::Z);
-  auto* footBot = new CFootBotEntity("fb", "c", CVector3(1.0, 2.0, 0.0), quarterTurn);
+  auto made = std::make_unique<CFootBotEntity>("fb", "c", CVector3(1.0, 2.0, 0.0), quarterTurn);
   // there is a controller before the robot is in the space
-  CHECK(footBot->GetControllableEntity().GetController().GetId() == "fb");
-  world.GetSimulator().GetLoopFunctions().AddEntity(*footBot);
-  world.GetSimulator().GetLoopFunctions().AddEntity(*new CEPuckEntity("ep", "c"));
+  CHECK(made->GetControllableEntity().GetController().GetId() == "fb");
+  CFootBotEntity& footBot = world.Add(std::move(made));
+  world.Add(std::make_unique<CEPuckEntity>("ep", "c"));
   world.Step();
-  CHECK(&world.Get<CFootBotEntity>("fb") == footBot);
-  CHECK(footBot->GetEmbodiedEntity().GetOriginAnchor().Position == CVector3(1.0, 2.0, 0.0));
+  CHECK(&world.Get<CFootBotEntity>("fb") == &footBot);
+  CHECK(footBot.GetEmbodiedEntity().GetOriginAnchor().Position == CVector3(1.0, 2.0, 0.0));
   CHECK(world.GetSpace().GetControllableEntities().size() == 2);
   world.GetSimulator().GetLoopFunctions().RemoveEntity("fb");
   CHECK(world.GetSpace().GetControllableEntities().size() == 1);

@@ -18,7 +18,7 @@ std::string Framework(const std::string& experimentAttributes, const std::string
 TEST_CASE("bad input: text that is not well-formed XML", "[bad_input]") {
   const std::string error =
       LoadErrorOfXml("<argos-configuration>\n<framework>\n</argos-configuration>\n");
-  CHECK_THAT(error, Contains("test.argos") && Contains("framework"));
+  CHECK_THAT(error, Contains("test.argos:2") && Contains("closing tag"));
   CHECK_THAT(LoadErrorOfXml(""), Contains("test.argos"));
   CHECK_THAT(LoadErrorOfXml("not xml at all"), Contains("test.argos"));
 }
@@ -43,22 +43,28 @@ TEST_CASE("bad input: values in <framework>", "[bad_input]") {
 }
 
 TEST_CASE("bad input: the length of an experiment", "[bad_input]") {
-  const std::string wrong = GENERATE(as<std::string>{}, "-1", "nan", "inf", "1e30", "1s", "1,5");
+  const std::string wrong =
+      GENERATE(as<std::string>{}, "-1", "nan", "inf", "1e30", "0.05", "1s", "1,5");
   CAPTURE(wrong);
   SExperimentText experiment;
   experiment.Framework = Framework("ticks_per_second=\"10\" length=\"" + wrong + "\"");
-  CHECK_THAT(LoadError(experiment), Contains("length"));
+  CHECK_THAT(LoadError(experiment),
+             Contains(At(SExperimentText::kFrameworkLine)) && Contains("\"length\""));
 }
 
 TEST_CASE("bad input: threads and their method", "[bad_input]") {
   SExperimentText experiment;
   const std::string good = "ticks_per_second=\"10\"";
   experiment.Framework = Framework(good, "<system threads=\"-1\"/>");
-  CHECK_THAT(LoadError(experiment), Contains("threads"));
+  CHECK_THAT(LoadError(experiment),
+             Contains(At(SExperimentText::kFrameworkLine)) && Contains("threads"));
   experiment.Framework = Framework(good, "<system threads=\"4000000000\"/>");
-  CHECK_THAT(LoadError(experiment), Contains("threads") && Contains("4000000000"));
+  CHECK_THAT(LoadError(experiment), Contains(At(SExperimentText::kFrameworkLine)) &&
+                                        Contains("threads") && Contains("4000000000"));
   experiment.Framework = Framework(good, "<system threads=\"2\" method=\"balance_quantiti\"/>");
-  CHECK_THAT(LoadError(experiment), Contains("balance_quantiti") && Contains("balance_quantity"));
+  CHECK_THAT(LoadError(experiment), Contains(At(SExperimentText::kFrameworkLine)) &&
+                                        Contains("balance_quantiti") &&
+                                        Contains("balance_quantity"));
 }
 
 TEST_CASE("bad input: the size of the arena", "[bad_input]") {

@@ -12,15 +12,16 @@ namespace {
 constexpr int kTicks = 40;
 
 SExperiment Experiment(UInt32 seed, UInt32 threads = 0) {
-  return SExperiment{.Threads = threads,
-                     .Method = "balance_length",
-                     .Seed = seed,
-                     .Controllers = R"(<toy_controller id='c'>
+  return SExperiment{
+      .Threads = threads,
+      .Method = "balance_length",
+      .Seed = seed,
+      .Controllers = R"(<toy_controller id='c'>
       <actuators> <toy_drive implementation='default' /> </actuators>
       <sensors> <toy_range implementation='default' noise='0.1' /> </sensors> </toy_controller>)",
-                     .LoopFunctions = "<loop_functions label='toy_loop_functions' />",
-                     .Engines = "<toy_engine id='toy' />",
-                     .Arena = R"(<distribute> <position method='uniform' min='-3,-3,0' max='3,3,0' />
+      .LoopFunctions = "<loop_functions label='toy_loop_functions' />",
+      .Engines = "<toy_engine id='toy' />",
+      .Arena = R"(<distribute> <position method='uniform' min='-3,-3,0' max='3,3,0' />
       <orientation method='uniform' min='-180,0,0' max='180,0,0' />
       <entity quantity='100' max_trials='100'> <toy-robot id='r'> <controller config='c' /> </toy-robot> </entity>
     </distribute>)"};
@@ -31,10 +32,12 @@ void LetWander(CTestWorld& world) {
   const CSimulator::CScope scope(world.GetSimulator());
   for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
     CRandom::CRNG* const rng = CRandom::CreateRNG("argos");
-    dynamic_cast<CToyController&>(robot->GetController()).OnStep = [rng](CToyController& controller) {
-      controller.Velocity = CVector3(controller.LastRange - 0.5,
-                                     rng->Uniform(CRange<Real>(-0.5, 0.5)) * controller.LastRange, 0.0);
-    };
+    dynamic_cast<CToyController&>(robot->GetController()).OnStep =
+        [rng](CToyController& controller) {
+          controller.Velocity =
+              CVector3(controller.LastRange - 0.5,
+                       rng->Uniform(CRange<Real>(-0.5, 0.5)) * controller.LastRange, 0.0);
+        };
   }
 }
 
@@ -51,7 +54,8 @@ std::vector<UInt64> Run(const SExperiment& experiment) {
 
 }  // namespace
 
-TEST_CASE("many simulators: two that take turns in one thread do as each alone", "[core][simulator][many]") {
+TEST_CASE("many simulators: two that take turns in one thread do as each alone",
+          "[core][simulator][many]") {
   const std::vector<UInt64> first = Run(Experiment(1));
   const std::vector<UInt64> second = Run(Experiment(2));
   REQUIRE(first != second);
@@ -71,7 +75,8 @@ TEST_CASE("many simulators: two that take turns in one thread do as each alone",
   CHECK(secondAgain == second);
 }
 
-TEST_CASE("many simulators: one that is destroyed does not touch the other", "[core][simulator][many]") {
+TEST_CASE("many simulators: one that is destroyed does not touch the other",
+          "[core][simulator][many]") {
   const std::vector<UInt64> alone = Run(Experiment(1));
   CTestWorld one(Experiment(1));
   LetWander(one);
@@ -87,7 +92,8 @@ TEST_CASE("many simulators: one that is destroyed does not touch the other", "[c
   CHECK(digests == alone);
 }
 
-TEST_CASE("many simulators: several in several threads do as each alone", "[core][simulator][many][threads]") {
+TEST_CASE("many simulators: several in several threads do as each alone",
+          "[core][simulator][many][threads]") {
   // also with threads of their own
   const UInt32 threads = GENERATE(0U, 2U);
   CAPTURE(threads);
@@ -110,7 +116,8 @@ TEST_CASE("many simulators: several in several threads do as each alone", "[core
   CHECK(together == alone);
 }
 
-TEST_CASE("current simulator: each thread has its own, and scopes nest", "[core][simulator][many]") {
+TEST_CASE("current simulator: each thread has its own, and scopes nest",
+          "[core][simulator][many]") {
   CSimulator& byDefault = CSimulator::GetInstance();
   CSimulator one;
   CSimulator two;

@@ -77,7 +77,8 @@ TEST_CASE("simulator: parts are initialised in the documented order", "[core][si
   CHECK(functions.Events == std::vector<std::string>{"loop functions init"});
   functions.Events.clear();
   world.GetSimulator().Reset();
-  CHECK(functions.Events == std::vector<std::string>{"controller reset r1", "controller reset r2", "reset"});
+  CHECK(functions.Events ==
+        std::vector<std::string>{"controller reset r1", "controller reset r2", "reset"});
   CHECK(world.GetSimulator().GetMedium<CToyMedium>("air").WasPostSpaceInit);
 }
 
@@ -103,7 +104,8 @@ TEST_CASE("simulator: destroy goes through the loop functions, then the entities
   CHECK_THROWS_AS(world.GetSimulator().GetLoopFunctions(), CARGoSException);
 }
 
-TEST_CASE("simulator: runs as many ticks as the length says, then PostExperiment", "[core][simulator]") {
+TEST_CASE("simulator: runs as many ticks as the length says, then PostExperiment",
+          "[core][simulator]") {
   SExperiment experiment = Experiment();
   // 0.3 / 0.1 is a little less than 3 in floating point
   experiment.Length = GENERATE(0.3, 0.35, 0.39999);
@@ -124,7 +126,8 @@ TEST_CASE("simulator: runs as many ticks as the length says, then PostExperiment
   CHECK(world.GetSpace().GetSimulationClock() == 3);
 }
 
-TEST_CASE("simulator: length, seed, threads and attributes can be overridden", "[core][simulator]") {
+TEST_CASE("simulator: length, seed, threads and attributes can be overridden",
+          "[core][simulator]") {
   SExperiment experiment = Experiment();
   experiment.Length = 100.0;
   CTestWorld world(experiment, [](CSimulator& simulator) {
@@ -148,7 +151,8 @@ TEST_CASE("simulator: length, seed, threads and attributes can be overridden", "
 
 TEST_CASE("simulator: an override that finds nothing is an error", "[core][simulator]") {
   CHECK_THROWS_WITH(
-      CTestWorld(Experiment(), [](CSimulator& simulator) { simulator.AddOverride("framwork/@x", "1"); }),
+      CTestWorld(Experiment(),
+                 [](CSimulator& simulator) { simulator.AddOverride("framwork/@x", "1"); }),
       Contains("framwork/@x") && Contains("framework"));
 }
 
@@ -193,7 +197,8 @@ TEST_CASE("simulator: after a reset the run repeats itself to the bit", "[core][
   CHECK(first.front() != first.back());
 }
 
-TEST_CASE("simulator: a reset with another seed is like loading with that seed", "[core][simulator]") {
+TEST_CASE("simulator: a reset with another seed is like loading with that seed",
+          "[core][simulator]") {
   CTestWorld world(Experiment());
   LetWander(world.GetSimulator());
   const std::vector<UInt64> first = Digests(world, 30);
@@ -221,7 +226,8 @@ TEST_CASE("simulator: users' generators replay after a reset", "[core][simulator
   // the first generator of the category "argos" is the simulator's
   CRandom::CreateCategory("same", 42);
   world.GetSimulator().Reset();
-  CHECK(CRandom::CreateRNG("same")->Uniform(range) == world.GetSimulator().GetRNG()->Uniform(range));
+  CHECK(CRandom::CreateRNG("same")->Uniform(range) ==
+        world.GetSimulator().GetRNG()->Uniform(range));
 }
 
 TEST_CASE("simulator: without a seed the clock gives one, which is logged", "[core][simulator]") {
@@ -284,11 +290,13 @@ TEST_CASE("simulator: nothing of one experiment leaks into the next", "[core][si
   CHECK(simulator.GetRandomSeed() == 42);
 }
 
-TEST_CASE("simulator: an experiment that fails to load leaves it as good as new", "[core][simulator]") {
+TEST_CASE("simulator: an experiment that fails to load leaves it as good as new",
+          "[core][simulator]") {
   CConfigurationDocument document;
   CSimulator simulator;
   SExperiment bad = Experiment();
-  bad.Arena += "<toy-robot id='r3'> <body position='0,0,0' /> <controller config='nobody' /> </toy-robot>";
+  bad.Arena +=
+      "<toy-robot id='r3'> <body position='0,0,0' /> <controller config='nobody' /> </toy-robot>";
   const int alive = CToyController::NumAlive;
   document.Parse(bad.ToXml());
   CHECK_THROWS_WITH(simulator.Load(document), Contains("nobody"));
@@ -302,7 +310,8 @@ TEST_CASE("simulator: an experiment that fails to load leaves it as good as new"
 TEST_CASE("simulator: all errors of a file come in one go", "[core][simulator]") {
   SExperiment experiment = Experiment();
   experiment.Controllers += "<toy_controller id='c' />";
-  experiment.Engines += "<toy_engine id='toy' /> <toy_engin id='x' /> <toy_engine id='none' iterations='0' />";
+  experiment.Engines +=
+      "<toy_engine id='toy' /> <toy_engin id='x' /> <toy_engine id='none' iterations='0' />";
   experiment.Media += "<toy_medium /> <toy_medium id='air' />";
   experiment.Arena += R"(
     <toy-robto id='r3' />
@@ -321,7 +330,8 @@ TEST_CASE("simulator: all errors of a file come in one go", "[core][simulator]")
   CHECK_THAT(error, Contains("already an entity with id \"r1\""));
 }
 
-TEST_CASE("simulator: a value of <framework> that is wrong does not hide the others", "[core][simulator]") {
+TEST_CASE("simulator: a value of <framework> that is wrong does not hide the others",
+          "[core][simulator]") {
   SExperiment experiment = Experiment();
   experiment.Method = "balance_lenght";
   experiment.TicksPerSecond = 0;
@@ -333,7 +343,8 @@ TEST_CASE("simulator: a value of <framework> that is wrong does not hide the oth
 
 TEST_CASE("simulator: missing sections are errors", "[core][simulator]") {
   const std::string xml = Experiment().ToXml();
-  const std::string section = GENERATE("framework", "controllers", "physics_engines", "media", "arena");
+  const std::string section =
+      GENERATE("framework", "controllers", "physics_engines", "media", "arena");
   CAPTURE(section);
   std::string without = xml;
   without.replace(without.find("<" + section) + 1, section.size(), "other");
@@ -350,9 +361,11 @@ TEST_CASE("simulator: what nobody reads is a warning with its line", "[core][sim
   CHECK_THAT(warnings, Contains("<shade> is not used"));
 }
 
-TEST_CASE("simulator: an unknown visualization is a warning and a headless run", "[core][simulator]") {
+TEST_CASE("simulator: an unknown visualization is a warning and a headless run",
+          "[core][simulator]") {
   std::string xml = Experiment().ToXml();
-  xml.insert(xml.find("</argos-configuration>"), "<visualization> <webviz port='3000' /> </visualization>");
+  xml.insert(xml.find("</argos-configuration>"),
+             "<visualization> <webviz port='3000' /> </visualization>");
   CConfigurationDocument document;
   document.Parse(xml, "test.argos");
   CSimulator simulator;
@@ -370,8 +383,10 @@ TEST_CASE("simulator: asking for what is not there is an error", "[core][simulat
   CHECK_THROWS_AS(simulator.GetConfigurationRoot(), CARGoSException);
   CHECK_THROWS_AS(simulator.Reset(), CARGoSException);
   CTestWorld world(Experiment());
-  CHECK_THROWS_WITH(world.GetSimulator().GetPhysicsEngine("toi"), Contains("toi") && Contains("toy"));
-  CHECK_THROWS_WITH(world.GetSimulator().GetMedium<CToyMedium>("fire"), Contains("fire") && Contains("air"));
+  CHECK_THROWS_WITH(world.GetSimulator().GetPhysicsEngine("toi"),
+                    Contains("toi") && Contains("toy"));
+  CHECK_THROWS_WITH(world.GetSimulator().GetMedium<CToyMedium>("fire"),
+                    Contains("fire") && Contains("air"));
   CHECK_THROWS_WITH(world.GetSimulator().GetConfigForController("d"), Contains("\"d\""));
   CHECK_THROWS_AS(world.GetSimulator().GetProfiler(), CARGoSException);
   CHECK_FALSE(world.GetSimulator().IsProfiling());

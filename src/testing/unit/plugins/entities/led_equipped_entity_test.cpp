@@ -131,9 +131,10 @@ TEST_CASE("leds: of a box are where the file says, in the colours it says", "[en
 
 TEST_CASE("leds: of a box can be added and switched by a program", "[entities]") {
   CRobotWorld world(With(""));
-  auto* box = new CBoxEntity("b", CVector3(), CQuaternion(), false, CVector3(1.0, 1.0, 1.0));
-  box->AddLED(CVector3(0.0, 0.0, 1.0), CColor::RED);
-  world.GetSimulator().GetLoopFunctions().AddEntity(*box);
+  auto made =
+      std::make_unique<CBoxEntity>("b", CVector3(), CQuaternion(), false, CVector3(1.0, 1.0, 1.0));
+  made->AddLED(CVector3(0.0, 0.0, 1.0), CColor::RED);
+  CBoxEntity& box = world.Add(std::move(made));
   auto& medium = world.GetSimulator().GetMedium<CLEDMedium>("leds");
   const auto count = [&medium] {
     class CCount : public CPositionalIndex<CLEDEntity>::COperation {
@@ -149,11 +150,11 @@ TEST_CASE("leds: of a box can be added and switched by a program", "[entities]")
   };
   world.Step();
   CHECK(count() == 0);
-  box->EnableLEDs(medium);
+  box.EnableLEDs(medium);
   CHECK(count() == 1);
-  box->AddLED(CVector3(0.5, 0.0, 1.0), CColor::BLUE);
+  box.AddLED(CVector3(0.5, 0.0, 1.0), CColor::BLUE);
   CHECK(count() == 2);
-  box->DisableLEDs();
+  box.DisableLEDs();
   CHECK(count() == 0);
   world.Step();
 }

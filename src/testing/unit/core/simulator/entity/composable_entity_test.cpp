@@ -14,7 +14,8 @@ using Catch::Contains;
 
 namespace {
 
-/** root: part[a] (position x = 1), part[b] (x = 2), box[inner]: part[a] (x = 3), part[x.y] (x = 4) */
+/** root: part[a] (position x = 1), part[b] (x = 2), box[inner]: part[a] (x = 3), part[x.y] (x = 4)
+ */
 class CTree {
  public:
   CTree() : Root(nullptr, "root") {
@@ -43,12 +44,9 @@ class CTree {
   };
 
   static void Add(CComposableEntity& parent, const std::string& id, Real x) {
-    parent.AddComponent(
-        *std::make_unique<CPart>(&parent, id, CVector3(x, 0.0, 0.0)).release());
+    parent.AddComponent(*std::make_unique<CPart>(&parent, id, CVector3(x, 0.0, 0.0)).release());
   }
-  Real Find(const std::string& path) {
-    return Root.GetComponent<CPart>(path).GetPosition().GetX();
-  }
+  Real Find(const std::string& path) { return Root.GetComponent<CPart>(path).GetPosition().GetX(); }
 
   CComposableEntity Root;
   CInner* Inner = nullptr;

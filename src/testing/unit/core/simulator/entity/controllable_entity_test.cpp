@@ -22,9 +22,8 @@ std::string Robot(const std::string& controller) {
 }
 
 SExperiment Experiment(const std::string& controllers, const std::string& arena) {
-  return SExperiment{.Controllers = controllers,
-                     .Engines = "<toy_engine id='toy' />",
-                     .Arena = arena};
+  return SExperiment{
+      .Controllers = controllers, .Engines = "<toy_engine id='toy' />", .Arena = arena};
 }
 
 CToyController& ControllerOf(CTestWorld& world) {
@@ -36,9 +35,9 @@ CToyController& ControllerOf(CTestWorld& world) {
 
 TEST_CASE("controllable entity: makes the controller with its devices, then its Init",
           "[core][entity][controller]") {
-  CTestWorld world(Experiment(
-      Controller("c", std::string(kDevices) + "<params velocity='1,2,3' />"),
-      Robot("<controller config='c' />")));
+  CTestWorld world(
+      Experiment(Controller("c", std::string(kDevices) + "<params velocity='1,2,3' />"),
+                 Robot("<controller config='c' />")));
   CToyController& controller = ControllerOf(world);
   CHECK(controller.GetId() == "r");
   CHECK(controller.Velocity == CVector3(1.0, 2.0, 3.0));
@@ -52,9 +51,9 @@ TEST_CASE("controllable entity: makes the controller with its devices, then its 
 
 TEST_CASE("controllable entity: the robot's own params replace the controller's",
           "[core][entity][controller]") {
-  CTestWorld world(Experiment(
-      Controller("c", std::string(kDevices) + "<params velocity='1,2,3' />"),
-      Robot("<controller config='c'> <params /> </controller>")));
+  CTestWorld world(
+      Experiment(Controller("c", std::string(kDevices) + "<params velocity='1,2,3' />"),
+                 Robot("<controller config='c'> <params /> </controller>")));
   CHECK(ControllerOf(world).Velocity == CVector3());
   CHECK_THAT(TakeLogErr(), Contains("<params> is not used"));
 }
@@ -72,12 +71,14 @@ TEST_CASE("controllable entity: what is unknown is named, with the line and the 
              Contains("\"d\"") && Contains("known: c") && Contains("test.argos:"));
   CHECK_THAT(LoadError(Experiment("<toy_controler id='c' />", good)),
              Contains("toy_controler") && Contains("toy_controller"));
-  CHECK_THAT(LoadError(Experiment(
-                 Controller("c", "<actuators> <toy_driv implementation='default' /> </actuators>"), good)),
-             Contains("toy_driv (default)") && Contains("toy_drive (default)"));
-  CHECK_THAT(LoadError(Experiment(
-                 Controller("c", "<sensors> <toy_range implementation='defualt' /> </sensors>"), good)),
-             Contains("toy_range (defualt)") && Contains("toy_range (default)"));
+  CHECK_THAT(
+      LoadError(Experiment(
+          Controller("c", "<actuators> <toy_driv implementation='default' /> </actuators>"), good)),
+      Contains("toy_driv (default)") && Contains("toy_drive (default)"));
+  CHECK_THAT(
+      LoadError(Experiment(
+          Controller("c", "<sensors> <toy_range implementation='defualt' /> </sensors>"), good)),
+      Contains("toy_range (defualt)") && Contains("toy_range (default)"));
   CHECK_THAT(LoadError(Experiment(Controller("c", "<sensors> <toy_range /> </sensors>"), good)),
              Contains("implementation") && Contains("test.argos:"));
   CHECK_THAT(LoadError(Experiment(Controller("c", "<params fails='true' />"), good)),
@@ -88,9 +89,9 @@ TEST_CASE("controllable entity: what is unknown is named, with the line and the 
 
 TEST_CASE("controllable entity: a broken controller is reported once, not for each robot",
           "[core][entity][controller]") {
-  const std::string error = LoadError(Experiment(
-      Controller("c", "<params fails='true' />"),
-      R"(<toy-robot id='r1'> <body /> <controller config='c' /> </toy-robot>
+  const std::string error =
+      LoadError(Experiment(Controller("c", "<params fails='true' />"),
+                           R"(<toy-robot id='r1'> <body /> <controller config='c' /> </toy-robot>
          <toy-robot id='r2'> <body position='1,0,0' /> <controller config='c' /> </toy-robot>)"));
   CHECK_THAT(error, Contains("r1") && !Contains("r2"));
 }
@@ -108,8 +109,9 @@ TEST_CASE("controllable entity: without a controller there is an error, and noth
 }
 
 TEST_CASE("controllable entity: a disabled robot does nothing", "[core][entity][controller]") {
-  CTestWorld world(Experiment(Controller("c", std::string(kDevices) + "<params velocity='1,0,0' />"),
-                              Robot("<controller config='c' />")));
+  CTestWorld world(
+      Experiment(Controller("c", std::string(kDevices) + "<params velocity='1,0,0' />"),
+                 Robot("<controller config='c' />")));
   auto& entity = world.Get<CControllableEntity>("r.controller_0");
   world.Step();
   entity.Disable();
@@ -120,11 +122,12 @@ TEST_CASE("controllable entity: a disabled robot does nothing", "[core][entity][
   CHECK(ControllerOf(world).Steps == 2);
 }
 
-TEST_CASE("controllable entity: a disabled sensor keeps its reading", "[core][entity][controller]") {
+TEST_CASE("controllable entity: a disabled sensor keeps its reading",
+          "[core][entity][controller]") {
   CTestWorld world(Experiment(
       Controller("c", std::string(kDevices) + "<params velocity='1,0,0' />"),
-      Robot("<controller config='c' />") +
-          "<toy-block id='b' size='0.1,1,1' movable='false'> <body position='1,0,0' /> </toy-block>"));
+      Robot("<controller config='c' />") + "<toy-block id='b' size='0.1,1,1' movable='false'> "
+                                           "<body position='1,0,0' /> </toy-block>"));
   CToyController& controller = ControllerOf(world);
   world.Step();
   // from the rim at 0.05 m to the face at 0.95 m
@@ -142,9 +145,10 @@ TEST_CASE("controllable entity: a second controller takes the place of the first
           "[core][entity][controller]") {
   const int alive = CToyController::NumAlive;
   {
-    CTestWorld world(Experiment(Controller("c", std::string(kDevices) + "<params velocity='1,0,0' />") +
-                                    Controller("d", std::string(kDevices) + "<params velocity='0,2,0' />"),
-                                Robot("<controller config='c' />")));
+    CTestWorld world(
+        Experiment(Controller("c", std::string(kDevices) + "<params velocity='1,0,0' />") +
+                       Controller("d", std::string(kDevices) + "<params velocity='0,2,0' />"),
+                   Robot("<controller config='c' />")));
     // about the second controller, which nobody uses yet
     CHECK_THAT(TakeLogErr(), Contains("<actuators> is not used"));
     const CSimulator::CScope scope(world.GetSimulator());
@@ -154,7 +158,8 @@ TEST_CASE("controllable entity: a second controller takes the place of the first
     CHECK(CToyController::NumAlive == alive + 1);
     CHECK(ControllerOf(world).Velocity == CVector3(0.0, 2.0, 0.0));
     CHECK(entity.GetActuators().size() == 1);
-    const CVector3 before = world.Get<CToyRobotEntity>("r").GetEmbodiedEntity().GetOriginAnchor().Position;
+    const CVector3 before =
+        world.Get<CToyRobotEntity>("r").GetEmbodiedEntity().GetOriginAnchor().Position;
     world.Step(3);
     const CVector3 moved =
         world.Get<CToyRobotEntity>("r").GetEmbodiedEntity().GetOriginAnchor().Position - before;

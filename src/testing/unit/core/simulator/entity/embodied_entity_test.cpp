@@ -200,7 +200,8 @@ TEST_CASE("MoveTo: rays see the body in its new place at once", "[core][entity][
   CHECK_FALSE(GetClosestEmbodiedEntityIntersectedByRay(item, old));
   CHECK_FALSE(GetClosestEmbodiedEntityIntersectedByRay(item, ray, body));
   TEmbodiedEntityIntersectionData all;
-  REQUIRE(GetEmbodiedEntitiesIntersectedByRay(all, CRay3(CVector3(0.5, 0.0, 0.05), CVector3(2.5, 0.0, 0.05))));
+  REQUIRE(GetEmbodiedEntitiesIntersectedByRay(
+      all, CRay3(CVector3(0.5, 0.0, 0.05), CVector3(2.5, 0.0, 0.05))));
   std::sort(all.begin(), all.end());
   REQUIRE(all.size() == 2);
   CHECK(all[0].IntersectedEntity == &world.Get<CToyRobotEntity>("b").GetEmbodiedEntity());
@@ -209,7 +210,8 @@ TEST_CASE("MoveTo: rays see the body in its new place at once", "[core][entity][
   CHECK_THAT(all[1].TOnRay, WithinAbs(0.7, kRounding));
 }
 
-TEST_CASE("MoveTo: a wall that was moved is back after a reset, for rays too", "[core][entity][move]") {
+TEST_CASE("MoveTo: a wall that was moved is back after a reset, for rays too",
+          "[core][entity][move]") {
   CTestWorld world = MakeWorld();
   const CSimulator::CScope scope(world.GetSimulator());
   CEmbodiedEntity& wall = world.Get<CToyBlockEntity>("wall").GetEmbodiedEntity();

@@ -46,5 +46,6 @@ TEST_CASE("positional entity: a pose that is no pose is an error with its line",
   CConfigurationDocument document;
   document.Parse("<lamp id='l' position='1,2' />", "file.argos");
   CPositionalEntity entity(nullptr);
-  CHECK_THROWS_WITH(entity.Init(document.GetRoot()), Contains("file.argos:1") && Contains("position"));
+  CHECK_THROWS_WITH(entity.Init(document.GetRoot()),
+                    Contains("file.argos:1") && Contains("position"));
 }

@@ -27,7 +27,9 @@ class CRandomNumbers {
   explicit CRandomNumbers(unsigned seed) : m_generator(seed) {}
   Real Real01() { return std::uniform_real_distribution<Real>(0.0, 1.0)(m_generator); }
   Real In(Real min, Real max) { return min + (max - min) * Real01(); }
-  size_t Below(size_t count) { return std::min(count - 1, static_cast<size_t>(In(0.0, Real(count)))); }
+  size_t Below(size_t count) {
+    return std::min(count - 1, static_cast<size_t>(In(0.0, Real(count))));
+  }
   CVector3 Point(Real halfSize) {
     return CVector3(In(-halfSize, halfSize), In(-halfSize, halfSize), In(-0.2, 0.4));
   }
@@ -55,7 +57,9 @@ std::shared_ptr<const SBodyDescription> Describe(std::vector<SShapeDescription> 
 }
 
 SKind RandomKind(CRandomNumbers& random) {
-  const auto upright = [&] { return SShapeDescription::Cylinder(random.In(0.02, 0.15), random.In(0.05, 0.3)); };
+  const auto upright = [&] {
+    return SShapeDescription::Cylinder(random.In(0.02, 0.15), random.In(0.05, 0.3));
+  };
   switch (random.Below(8)) {
     case 0:
     case 1:
@@ -69,11 +73,13 @@ SKind RandomKind(CRandomNumbers& random) {
                   CVector3(random.In(0.5, 8.0), random.In(0.02, 0.3), random.In(0.1, 0.5)))}),
               false, false};
     case 4:  // lies about: taller than wide
-      return {Describe({SShapeDescription::Cylinder(random.In(0.02, 0.1), random.In(0.1, 0.6))}), true, true};
+      return {Describe({SShapeDescription::Cylinder(random.In(0.02, 0.1), random.In(0.1, 0.6))}),
+              true, true};
     case 5:
       return {Describe({SShapeDescription::Sphere(random.In(0.02, 0.2))}), true, true};
     case 6:  // larger than the small ones
-      return {Describe({SShapeDescription::Cylinder(random.In(0.4, 1.0), random.In(0.1, 0.5))}), true, false};
+      return {Describe({SShapeDescription::Cylinder(random.In(0.4, 1.0), random.In(0.1, 0.5))}),
+              true, false};
     default: {
       SShapeDescription arm = SShapeDescription::Box(
           CVector3(random.In(0.05, 0.2), random.In(0.02, 0.1), random.In(0.02, 0.2)),
@@ -169,7 +175,8 @@ class CBodies {
     const Real angle = m_random.In(-4.0, 4.0);
     const Real length = m_random.Below(4) == 0 ? m_random.In(0.0, 20.0) : m_random.In(0.0, 1.0);
     const Real climb = m_random.Below(2) == 0 ? 0.0 : m_random.In(-1.0, 1.0);
-    return CRay3(start, start + CVector3(length * std::cos(angle), length * std::sin(angle), length * climb));
+    return CRay3(start, start + CVector3(length * std::cos(angle), length * std::sin(angle),
+                                         length * climb));
   }
 
   void CheckRay(const CRay3& ray) {
@@ -216,9 +223,11 @@ class CBodies {
         }
         Real nearest = HUGE_VAL;
         for (const CVector3& point : SurfacePoints(Reference(*body), solid)) {
-          nearest = std::min(nearest, std::hypot(point.GetX() - centre.GetX(), point.GetY() - centre.GetY()));
+          nearest = std::min(
+              nearest, std::hypot(point.GetX() - centre.GetX(), point.GetY() - centre.GetY()));
         }
-        if (nearest <= reach && visited.count({body->GetBodyNumber(), static_cast<UInt16>(solid)}) == 0) {
+        if (nearest <= reach &&
+            visited.count({body->GetBodyNumber(), static_cast<UInt16>(solid)}) == 0) {
           CAPTURE(centre, reach, nearest, body->GetOriginAnchor().Position);
           FAIL("a solid within reach was not visited");
         }
@@ -230,8 +239,9 @@ class CBodies {
     const SKind kind = RandomKind(m_random);
     const CVector3 position = m_random.Point(m_spread);
     const CQuaternion orientation = kind.Tilts ? m_random.Rotation() : m_random.Yaw();
-    const UInt32 ignored = m_bodies.empty() ? CBodyIndex::kNoBody
-                                            : m_bodies[m_random.Below(m_bodies.size())]->GetBodyNumber();
+    const UInt32 ignored = m_bodies.empty()
+                               ? CBodyIndex::kNoBody
+                               : m_bodies[m_random.Below(m_bodies.size())]->GetBodyNumber();
     // how the index sees the body that asks
     CBodyIndex alone;
     CEmbodiedEntity asking(nullptr, "asking", position, orientation, true);

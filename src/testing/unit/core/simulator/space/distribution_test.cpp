@@ -21,8 +21,8 @@ const char* const kRobot = "<toy-robot id='fb'> <controller config='c' /> </toy-
 
 std::string Distribute(const std::string& position, const std::string& orientation,
                        const std::string& entityAttributes, const std::string& entity) {
-  return "<distribute>\n" + position + "\n" + orientation + "\n<entity " + entityAttributes + ">\n" +
-         entity + "\n</entity>\n</distribute>\n";
+  return "<distribute>\n" + position + "\n" + orientation + "\n<entity " + entityAttributes +
+         ">\n" + entity + "\n</entity>\n</distribute>\n";
 }
 
 SExperiment Experiment(const std::string& arena, UInt32 seed = 1) {
@@ -35,22 +35,26 @@ SExperiment Experiment(const std::string& arena, UInt32 seed = 1) {
 std::vector<CVector3> Positions(CTestWorld& world) {
   std::vector<CVector3> positions;
   for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
-    positions.push_back(
-        dynamic_cast<CToyRobotEntity&>(robot->GetRootEntity()).GetEmbodiedEntity().GetOriginAnchor().Position);
+    positions.push_back(dynamic_cast<CToyRobotEntity&>(robot->GetRootEntity())
+                            .GetEmbodiedEntity()
+                            .GetOriginAnchor()
+                            .Position);
   }
   return positions;
 }
 
 }  // namespace
 
-TEST_CASE("distribute: as many as asked, numbered from base_num, inside the limits, none overlapping",
-          "[core][space][distribute]") {
+TEST_CASE(
+    "distribute: as many as asked, numbered from base_num, inside the limits, none overlapping",
+    "[core][space][distribute]") {
   CTestWorld world(Experiment(
       Distribute(kUniform, kAnyYaw, "quantity='200' max_trials='1000' base_num='7'", kRobot)));
   const std::vector<CVector3> positions = Positions(world);
   REQUIRE(positions.size() == 200);
   for (int i = 0; i < 200; ++i) {
-    CHECK(world.GetSpace().GetEntity("fb" + std::to_string(7 + i)).GetTypeDescription() == "toy-robot");
+    CHECK(world.GetSpace().GetEntity("fb" + std::to_string(7 + i)).GetTypeDescription() ==
+          "toy-robot");
   }
   Real nearest = HUGE_VAL;
   for (size_t i = 0; i < positions.size(); ++i) {
@@ -68,7 +72,8 @@ TEST_CASE("distribute: as many as asked, numbered from base_num, inside the limi
 TEST_CASE("distribute: places around what is there already, also from another block",
           "[core][space][distribute]") {
   CTestWorld world(Experiment(
-      "<toy-block id='b' size='3,3,1' movable='false'> <body position='0,0,0' orientation='30,0,0' /> </toy-block>" +
+      "<toy-block id='b' size='3,3,1' movable='false'> <body position='0,0,0' orientation='30,0,0' "
+      "/> </toy-block>" +
       Distribute(kUniform, kAnyYaw, "quantity='40' max_trials='1000'", kRobot) +
       Distribute(kUniform, kAnyYaw, "quantity='40' max_trials='1000' base_num='40'", kRobot)));
   for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
@@ -92,7 +97,8 @@ TEST_CASE("distribute: what is not distributed goes first, wherever it stands in
 
 TEST_CASE("distribute: the same seed gives the same places to the bit, another one others",
           "[core][space][distribute]") {
-  const std::string arena = Distribute(kUniform, kAnyYaw, "quantity='50' max_trials='1000'", kRobot);
+  const std::string arena =
+      Distribute(kUniform, kAnyYaw, "quantity='50' max_trials='1000'", kRobot);
   CTestWorld first(Experiment(arena, 5));
   CTestWorld second(Experiment(arena, 5));
   CTestWorld other(Experiment(arena, 6));
@@ -107,9 +113,10 @@ TEST_CASE("distribute: the same seed gives the same places to the bit, another o
 
 TEST_CASE("distribute: positions and orientations are exact, not rounded to six digits",
           "[core][space][distribute]") {
-  CTestWorld world(Experiment(Distribute("<position method='constant' values='0.123456789012345,1e-9,0' />",
-                                         "<orientation method='constant' values='33.3333333333333,0,0' />",
-                                         "quantity='1' max_trials='0'", kRobot)));
+  CTestWorld world(
+      Experiment(Distribute("<position method='constant' values='0.123456789012345,1e-9,0' />",
+                            "<orientation method='constant' values='33.3333333333333,0,0' />",
+                            "quantity='1' max_trials='0'", kRobot)));
   const SAnchor& origin = world.Get<CToyRobotEntity>("fb0").GetEmbodiedEntity().GetOriginAnchor();
   CHECK(origin.Position == CVector3(0.123456789012345, 1e-9, 0.0));
   CRadians z;
@@ -130,8 +137,8 @@ TEST_CASE("distribute: orientation triples are z, y, x in degrees", "[core][spac
 
 TEST_CASE("distribute: a grid has the documented order", "[core][space][distribute]") {
   CTestWorld world(Experiment(
-      Distribute("<position method='grid' center='1,0,0' distances='0.5,1,1' layout='3,2,1' />", kNoYaw,
-                 "quantity='5' max_trials='0'", kRobot)));
+      Distribute("<position method='grid' center='1,0,0' distances='0.5,1,1' layout='3,2,1' />",
+                 kNoYaw, "quantity='5' max_trials='0'", kRobot)));
   CHECK(Positions(world) == std::vector<CVector3>{CVector3(1.5, 0.5, 0.0), CVector3(1.0, 0.5, 0.0),
                                                   CVector3(0.5, 0.5, 0.0), CVector3(1.5, -0.5, 0.0),
                                                   CVector3(1.0, -0.5, 0.0)});
@@ -139,21 +146,24 @@ TEST_CASE("distribute: a grid has the documented order", "[core][space][distribu
 
 TEST_CASE("distribute: grids that collide or overflow are errors", "[core][space][distribute]") {
   const auto grid = [](const std::string& layout, const std::string& distances) {
-    return "<position method='grid' center='0,0,0' distances='" + distances + "' layout='" + layout + "' />";
+    return "<position method='grid' center='0,0,0' distances='" + distances + "' layout='" +
+           layout + "' />";
   };
-  CHECK_THAT(LoadError(Experiment(
-                 Distribute(grid("3,1,1", "0.5,1,1"), kNoYaw, "quantity='4' max_trials='9'", kRobot))),
+  CHECK_THAT(LoadError(Experiment(Distribute(grid("3,1,1", "0.5,1,1"), kNoYaw,
+                                             "quantity='4' max_trials='9'", kRobot))),
              Contains("3 x 1 x 1") && Contains("item number 4") && Contains("test.argos:"));
-  CHECK_THAT(LoadError(Experiment(
-                 Distribute(grid("3,1,1", "0.09,1,1"), kNoYaw, "quantity='3' max_trials='9'", kRobot))),
+  CHECK_THAT(LoadError(Experiment(Distribute(grid("3,1,1", "0.09,1,1"), kNoYaw,
+                                             "quantity='3' max_trials='9'", kRobot))),
              Contains("\"fb1\"") && Contains("after 1 trial;") && Contains("\"fb0\""));
 }
 
-TEST_CASE("distribute: when there is no place left the error says of whom, where, and after how many trials",
-          "[core][space][distribute]") {
-  const std::string error = LoadError(Experiment(
-      Distribute("<position method='uniform' min='0,0,0' max='0.15,0.15,0' />", kNoYaw,
-                 "quantity='50' max_trials='20'", kRobot)));
+TEST_CASE(
+    "distribute: when there is no place left the error says of whom, where, and after how many "
+    "trials",
+    "[core][space][distribute]") {
+  const std::string error =
+      LoadError(Experiment(Distribute("<position method='uniform' min='0,0,0' max='0.15,0.15,0' />",
+                                      kNoYaw, "quantity='50' max_trials='20'", kRobot)));
   CAPTURE(error);
   // max_trials failures are tolerated: 21 trials in all
   CHECK_THAT(error, Contains("after 21 trials") && Contains("(0,0,0) to (0.15,0.15,0)") &&
@@ -161,23 +171,27 @@ TEST_CASE("distribute: when there is no place left the error says of whom, where
 }
 
 TEST_CASE("distribute: max_trials = 0 is one trial", "[core][space][distribute]") {
-  CHECK(LoadError(Experiment(Distribute(kUniform, kNoYaw, "quantity='1' max_trials='0'", kRobot))).empty());
-  CHECK_THAT(LoadError(Experiment(
-                 "<toy-block id='b' size='5,5,1' movable='false'> <body position='0,0,0' /> </toy-block>" +
-                 Distribute(kUniform, kNoYaw, "quantity='1' max_trials='0'", kRobot))),
-             Contains("after 1 trial;") && Contains("\"b\""));
+  CHECK(LoadError(Experiment(Distribute(kUniform, kNoYaw, "quantity='1' max_trials='0'", kRobot)))
+            .empty());
+  CHECK_THAT(
+      LoadError(Experiment(
+          "<toy-block id='b' size='5,5,1' movable='false'> <body position='0,0,0' /> </toy-block>" +
+          Distribute(kUniform, kNoYaw, "quantity='1' max_trials='0'", kRobot))),
+      Contains("after 1 trial;") && Contains("\"b\""));
 }
 
-TEST_CASE("distribute: a controller is initialised once for each robot, however many trials it took",
-          "[core][space][distribute]") {
+TEST_CASE(
+    "distribute: a controller is initialised once for each robot, however many trials it took",
+    "[core][space][distribute]") {
   const int before = CToyController::NumInits;
-  CTestWorld world(Experiment(Distribute("<position method='uniform' min='0,0,0' max='1,1,0' />", kNoYaw,
-                                         "quantity='40' max_trials='10000'", kRobot)));
+  CTestWorld world(Experiment(Distribute("<position method='uniform' min='0,0,0' max='1,1,0' />",
+                                         kNoYaw, "quantity='40' max_trials='10000'", kRobot)));
   CHECK(CToyController::NumInits == before + 40);
   CHECK(CToyController::NumAlive == 40);
 }
 
-TEST_CASE("distribute: things without a body are placed without a test", "[core][space][distribute]") {
+TEST_CASE("distribute: things without a body are placed without a test",
+          "[core][space][distribute]") {
   CTestWorld world(Experiment(
       "<toy-block id='b' size='5,5,1' movable='false'> <body position='0,0,0' /> </toy-block>" +
       Distribute("<position method='constant' values='0.5,0.25,0.5' />", kNoYaw,
@@ -186,10 +200,12 @@ TEST_CASE("distribute: things without a body are placed without a test", "[core]
   CHECK(world.GetSpace().GetEntitiesByType("toy-lamp").size() == 3);
 }
 
-TEST_CASE("distribute: what the template says of its pose is overwritten", "[core][space][distribute]") {
-  CTestWorld world(Experiment(
-      Distribute("<position method='constant' values='1,1,0' />", kNoYaw, "quantity='1' max_trials='0'",
-                 "<toy-robot id='fb'> <body position='7,7,7' orientation='1,2,3' /> <controller config='c' /> </toy-robot>")));
+TEST_CASE("distribute: what the template says of its pose is overwritten",
+          "[core][space][distribute]") {
+  CTestWorld world(Experiment(Distribute(
+      "<position method='constant' values='1,1,0' />", kNoYaw, "quantity='1' max_trials='0'",
+      "<toy-robot id='fb'> <body position='7,7,7' orientation='1,2,3' /> <controller config='c' /> "
+      "</toy-robot>")));
   CHECK(Positions(world).front() == CVector3(1.0, 1.0, 0.0));
 }
 
@@ -201,23 +217,32 @@ TEST_CASE("distribute: nothing is asked for, nothing is made", "[core][space][di
 
 TEST_CASE("distribute: mistakes are errors", "[core][space][distribute]") {
   const std::string attributes = "quantity='1' max_trials='1'";
-  CHECK_THAT(LoadError(Experiment(Distribute("", kNoYaw, attributes, kRobot))), Contains("position"));
-  CHECK_THAT(LoadError(Experiment(Distribute(kUniform, "", attributes, kRobot))), Contains("orientation"));
-  CHECK_THAT(LoadError(Experiment(Distribute(kUniform, kNoYaw, "max_trials='1'", kRobot))), Contains("quantity"));
-  CHECK_THAT(LoadError(Experiment(Distribute(kUniform, kNoYaw, "quantity='1'", kRobot))), Contains("max_trials"));
-  CHECK_THAT(LoadError(Experiment(Distribute(kUniform, kNoYaw, "quantity='-1' max_trials='1'", kRobot))),
-             Contains("quantity") && Contains("-1"));
-  CHECK_THAT(LoadError(Experiment(Distribute(kUniform, kNoYaw, attributes, ""))), Contains("<entity>"));
-  CHECK_THAT(LoadError(Experiment(Distribute(kUniform, kNoYaw, attributes, "<toy-robto id='r' />"))),
-             Contains("toy-robto") && Contains("toy-robot"));
-  CHECK_THAT(LoadError(Experiment(Distribute(kUniform, kNoYaw, attributes,
-                                             "<toy-robot> <controller config='c' /> </toy-robot>"))),
-             Contains("id"));
-  CHECK_THAT(LoadError(Experiment(Distribute(kUniform, kNoYaw, attributes,
-                                             "<toy-robot id='r'> <controller config='d' /> </toy-robot>"))),
+  CHECK_THAT(LoadError(Experiment(Distribute("", kNoYaw, attributes, kRobot))),
+             Contains("position"));
+  CHECK_THAT(LoadError(Experiment(Distribute(kUniform, "", attributes, kRobot))),
+             Contains("orientation"));
+  CHECK_THAT(LoadError(Experiment(Distribute(kUniform, kNoYaw, "max_trials='1'", kRobot))),
+             Contains("quantity"));
+  CHECK_THAT(LoadError(Experiment(Distribute(kUniform, kNoYaw, "quantity='1'", kRobot))),
+             Contains("max_trials"));
+  CHECK_THAT(
+      LoadError(Experiment(Distribute(kUniform, kNoYaw, "quantity='-1' max_trials='1'", kRobot))),
+      Contains("quantity") && Contains("-1"));
+  CHECK_THAT(LoadError(Experiment(Distribute(kUniform, kNoYaw, attributes, ""))),
+             Contains("<entity>"));
+  CHECK_THAT(
+      LoadError(Experiment(Distribute(kUniform, kNoYaw, attributes, "<toy-robto id='r' />"))),
+      Contains("toy-robto") && Contains("toy-robot"));
+  CHECK_THAT(
+      LoadError(Experiment(Distribute(kUniform, kNoYaw, attributes,
+                                      "<toy-robot> <controller config='c' /> </toy-robot>"))),
+      Contains("id"));
+  CHECK_THAT(LoadError(Experiment(
+                 Distribute(kUniform, kNoYaw, attributes,
+                            "<toy-robot id='r'> <controller config='d' /> </toy-robot>"))),
              Contains("\"d\"") && Contains("known: c"));
-  CHECK_THAT(LoadError(Experiment(Distribute("<position method='constant' values='0,0,0' />", kNoYaw, attributes,
-                                             kRobot) +
+  CHECK_THAT(LoadError(Experiment(Distribute("<position method='constant' values='0,0,0' />",
+                                             kNoYaw, attributes, kRobot) +
                                   "<toy-lamp id='fb0' />")),
              Contains("\"fb0\"") && Contains("unique"));
 }

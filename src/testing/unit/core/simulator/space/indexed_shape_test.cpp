@@ -28,7 +28,8 @@ SIndexedShape Disc(Real x, Real y, Real radius, Real zMin = 0.0, Real zMax = 1.0
   return shape;
 }
 
-SIndexedShape Box(Real x, Real y, Real yaw, Real halfX, Real halfY, Real zMin = 0.0, Real zMax = 1.0) {
+SIndexedShape Box(Real x, Real y, Real yaw, Real halfX, Real halfY, Real zMin = 0.0,
+                  Real zMax = 1.0) {
   SIndexedShape shape{};
   shape.X = x;
   shape.Y = y;
@@ -48,8 +49,8 @@ Real Hit(const SIndexedShape& shape, const CVector3& start, const CVector3& end)
   const CVector3 d = end - start;
   const Real general = IntersectRay(shape, CRay3(start, end));
   if (d.GetZ() == 0.0) {
-    const Real horizontal = IntersectHorizontalRay(shape, start.GetX(), start.GetY(), start.GetZ(),
-                                                   d.GetX(), d.GetY());
+    const Real horizontal =
+        IntersectHorizontalRay(shape, start.GetX(), start.GetY(), start.GetZ(), d.GetX(), d.GetY());
     CHECK(horizontal == general);
   }
   return general;
@@ -75,7 +76,8 @@ bool IsInside(const std::array<Real, 2>& point, const SIndexedShape& box) {
          std::abs(box.Cos * dy - box.Sin * dx) < box.HalfY;
 }
 
-Real Side(const std::array<Real, 2>& a, const std::array<Real, 2>& b, const std::array<Real, 2>& p) {
+Real Side(const std::array<Real, 2>& a, const std::array<Real, 2>& b,
+          const std::array<Real, 2>& p) {
   return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
 }
 
@@ -129,7 +131,8 @@ TEST_CASE("ray and disc: misses beside, behind, beyond, above and below", "[core
   CHECK(Hit(disc, CVector3(-1.0, 0.0, 0.3), CVector3(1.0, 0.0, 0.3)) < 1.0);
 }
 
-TEST_CASE("ray and box: the distance is that of the closed form at any yaw", "[core][space][rays]") {
+TEST_CASE("ray and box: the distance is that of the closed form at any yaw",
+          "[core][space][rays]") {
   const Real yaw = GENERATE(0.0, 0.5235987755982988, -1.0, 2.5);
   CAPTURE(yaw);
   const Real halfX = 0.3;
@@ -162,13 +165,18 @@ TEST_CASE("ray and solid: a ray that starts inside meets it at once", "[core][sp
   CHECK(Hit(shape, CVector3(0.9, 0.05, 0.5), CVector3(0.9, 0.05, 0.5)) > 1.0);
 }
 
-TEST_CASE("ray and solid: slanting rays enter through the top and the bottom", "[core][space][rays]") {
-  const SIndexedShape shape = GENERATE(Disc(0.0, 0.0, 0.2, 0.1, 0.4), Box(0.0, 0.0, 0.7, 0.2, 0.3, 0.1, 0.4));
+TEST_CASE("ray and solid: slanting rays enter through the top and the bottom",
+          "[core][space][rays]") {
+  const SIndexedShape shape =
+      GENERATE(Disc(0.0, 0.0, 0.2, 0.1, 0.4), Box(0.0, 0.0, 0.7, 0.2, 0.3, 0.1, 0.4));
   // straight down and up
-  CHECK_THAT(Hit(shape, CVector3(0.05, 0.0, 1.4), CVector3(0.05, 0.0, 0.0)), WithinAbs(1.0 / 1.4, kRounding));
-  CHECK_THAT(Hit(shape, CVector3(0.05, 0.0, -0.4), CVector3(0.05, 0.0, 0.6)), WithinAbs(0.5, kRounding));
+  CHECK_THAT(Hit(shape, CVector3(0.05, 0.0, 1.4), CVector3(0.05, 0.0, 0.0)),
+             WithinAbs(1.0 / 1.4, kRounding));
+  CHECK_THAT(Hit(shape, CVector3(0.05, 0.0, -0.4), CVector3(0.05, 0.0, 0.6)),
+             WithinAbs(0.5, kRounding));
   // at 45 degrees over the edge of the top: 0.6 above it, so over (-0.1, 0) when it gets there
-  CHECK_THAT(Hit(shape, CVector3(-0.7, 0.0, 1.0), CVector3(0.3, 0.0, 0.0)), WithinAbs(0.6, kRounding));
+  CHECK_THAT(Hit(shape, CVector3(-0.7, 0.0, 1.0), CVector3(0.3, 0.0, 0.0)),
+             WithinAbs(0.6, kRounding));
   // and one that passes the edge too high
   CHECK(Hit(shape, CVector3(-0.7, 0.0, 1.5), CVector3(0.8, 0.0, 0.5)) > 1.0);
 }
@@ -177,8 +185,8 @@ TEST_CASE("overlap of discs: touching is none, more is one", "[core][space][over
   const Real angle = GENERATE(0.0, 1.0, 2.0, 3.0, 4.0);
   CAPTURE(angle);
   const auto at = [&](Real distance) {
-    return ShapesOverlap(Disc(1.0, 2.0, 0.1),
-                         Disc(1.0 + distance * std::cos(angle), 2.0 + distance * std::sin(angle), 0.2));
+    return ShapesOverlap(Disc(1.0, 2.0, 0.1), Disc(1.0 + distance * std::cos(angle),
+                                                   2.0 + distance * std::sin(angle), 0.2));
   };
   CHECK(at(0.0));
   CHECK(at(0.299));
@@ -215,8 +223,10 @@ TEST_CASE("overlap of boxes: agrees with crossing edges", "[core][space][overlap
   };
   int overlaps = 0;
   for (int i = 0; i < 5000; ++i) {
-    const SIndexedShape a = Box(in(-1.0, 1.0), in(-1.0, 1.0), in(-4.0, 4.0), in(0.01, 0.8), in(0.01, 0.8));
-    const SIndexedShape b = Box(in(-1.0, 1.0), in(-1.0, 1.0), in(-4.0, 4.0), in(0.01, 0.8), in(0.01, 0.8));
+    const SIndexedShape a =
+        Box(in(-1.0, 1.0), in(-1.0, 1.0), in(-4.0, 4.0), in(0.01, 0.8), in(0.01, 0.8));
+    const SIndexedShape b =
+        Box(in(-1.0, 1.0), in(-1.0, 1.0), in(-4.0, 4.0), in(0.01, 0.8), in(0.01, 0.8));
     const bool expected = MeetByEdges(a, b);
     overlaps += expected ? 1 : 0;
     CAPTURE(i);

@@ -13,12 +13,11 @@ using Catch::Contains;
 namespace {
 
 const char* const kController =
-    "<toy_controller id='c'> <actuators> <toy_drive implementation='default' /> </actuators> </toy_controller>";
+    "<toy_controller id='c'> <actuators> <toy_drive implementation='default' /> </actuators> "
+    "</toy_controller>";
 
 SExperiment TwoRobots() {
-  return SExperiment{.Controllers = kController,
-                     .Engines = "<toy_engine id='toy' />",
-                     .Arena = R"(
+  return SExperiment{.Controllers = kController, .Engines = "<toy_engine id='toy' />", .Arena = R"(
     <toy-robot id='r1'> <body position='0,0,0' /> <controller config='c' /> </toy-robot>
     <toy-lamp id='lamp' position='0,0,1' />
     <toy-robot id='r2'> <body position='1,0,0' /> <controller config='c' /> </toy-robot>)"};
@@ -86,17 +85,20 @@ TEST_CASE("space: ids may have dots", "[core][space]") {
     <toy-robot id='a'> <body position='0,0,0' /> <controller config='c' /> </toy-robot>
     <toy-robot id='a.b'> <body position='1,0,0' /> <controller config='c' /> </toy-robot>)";
   CTestWorld world(experiment);
-  CHECK(&world.GetSpace().GetEntity("a.b.body_0").GetRootEntity() == &world.GetSpace().GetEntity("a.b"));
-  CHECK(&world.GetSpace().GetEntity("a.body_0").GetRootEntity() == &world.GetSpace().GetEntity("a"));
+  CHECK(&world.GetSpace().GetEntity("a.b.body_0").GetRootEntity() ==
+        &world.GetSpace().GetEntity("a.b"));
+  CHECK(&world.GetSpace().GetEntity("a.body_0").GetRootEntity() ==
+        &world.GetSpace().GetEntity("a"));
   CheckViews(world.GetSpace());
 }
 
 TEST_CASE("space: lists are in order of addition, components after their parent", "[core][space]") {
   CTestWorld world(TwoRobots());
-  CHECK(Ids(world.GetSpace().GetRootEntityVector()) == std::vector<std::string>{"r1", "lamp", "r2"});
+  CHECK(Ids(world.GetSpace().GetRootEntityVector()) ==
+        std::vector<std::string>{"r1", "lamp", "r2"});
   CHECK(Ids(world.GetSpace().GetEntityVector()) ==
-        std::vector<std::string>{"r1", "r1.body_0", "r1.toy_motor_0", "r1.controller_0", "lamp", "r2",
-                                 "r2.body_0", "r2.toy_motor_0", "r2.controller_0"});
+        std::vector<std::string>{"r1", "r1.body_0", "r1.toy_motor_0", "r1.controller_0", "lamp",
+                                 "r2", "r2.body_0", "r2.toy_motor_0", "r2.controller_0"});
   CheckViews(world.GetSpace());
   const auto& robots = world.GetSpace().GetControllableEntities();
   REQUIRE(robots.size() == 2);
@@ -114,7 +116,9 @@ TEST_CASE("space: by type the values hold pointers to the exact class", "[core][
   CHECK(any_cast<CEmbodiedEntity*>(bodies["r1.body_0"])->GetId() == "body_0");
   const CSpace& constant = world.GetSpace();
   CHECK(constant.GetEntitiesByType("toy-lamp").size() == 1);
-  CHECK(any_cast<CToyLampEntity*>(constant.GetEntitiesByType("toy-lamp").begin()->second)->GetId() == "lamp");
+  CHECK(
+      any_cast<CToyLampEntity*>(constant.GetEntitiesByType("toy-lamp").begin()->second)->GetId() ==
+      "lamp");
   CHECK(constant.GetNumberEntities() == 9);
   CHECK_THROWS_WITH(world.GetSpace().GetEntitiesByType("toy-robto"),
                     Contains("toy-robto") && Contains("toy-robot"));
@@ -138,9 +142,11 @@ TEST_CASE("space: adding and removing while running keeps every view", "[core][s
     CheckViews(world.GetSpace());
   }
   world.Step();
-  functions.AddEntity(*std::make_unique<CToyRobotEntity>("r3", "c", CVector3(2.0, 0.0, 0.0)).release());
   functions.AddEntity(
-      *std::make_unique<CToyBlockEntity>("block", CVector3(3.0, 0.0, 0.0), CVector3(1.0, 1.0, 1.0)).release());
+      *std::make_unique<CToyRobotEntity>("r3", "c", CVector3(2.0, 0.0, 0.0)).release());
+  functions.AddEntity(
+      *std::make_unique<CToyBlockEntity>("block", CVector3(3.0, 0.0, 0.0), CVector3(1.0, 1.0, 1.0))
+           .release());
   CheckViews(world.GetSpace());
   CHECK(Ids(world.GetSpace().GetRootEntityVector()) ==
         std::vector<std::string>{"r1", "lamp", "r2", "r3", "block"});
@@ -159,12 +165,14 @@ TEST_CASE("space: adding and removing while running keeps every view", "[core][s
   CheckViews(world.GetSpace());
 }
 
-TEST_CASE("space: an entity that is removed before the views saw it is forgotten", "[core][space]") {
+TEST_CASE("space: an entity that is removed before the views saw it is forgotten",
+          "[core][space]") {
   CTestWorld world(TwoRobots());
   const CSimulator::CScope scope(world.GetSimulator());
   CheckViews(world.GetSpace());
   CLoopFunctions& functions = world.GetSimulator().GetLoopFunctions();
-  functions.AddEntity(*std::make_unique<CToyRobotEntity>("r3", "c", CVector3(2.0, 0.0, 0.0)).release());
+  functions.AddEntity(
+      *std::make_unique<CToyRobotEntity>("r3", "c", CVector3(2.0, 0.0, 0.0)).release());
   functions.RemoveEntity("r3");
   CheckViews(world.GetSpace());
 }
@@ -180,9 +188,10 @@ TEST_CASE("space: duplicate ids are an error that names the other one, and nothi
   const CSimulator::CScope scope(world.GetSimulator());
   CheckViews(world.GetSpace());
   const int alive = CToyController::NumAlive;
-  CHECK_THROWS_WITH(world.GetSimulator().GetLoopFunctions().AddEntity(
-                        *std::make_unique<CToyRobotEntity>("r2", "c", CVector3(2.0, 0.0, 0.0)).release()),
-                    Contains("r2"));
+  CHECK_THROWS_WITH(
+      world.GetSimulator().GetLoopFunctions().AddEntity(
+          *std::make_unique<CToyRobotEntity>("r2", "c", CVector3(2.0, 0.0, 0.0)).release()),
+      Contains("r2"));
   // the space owns what it is given, also when it refuses it
   CHECK(CToyController::NumAlive == alive);
   CheckViews(world.GetSpace());
@@ -199,15 +208,17 @@ TEST_CASE("space: a robot that no engine takes is an error, and nothing stays", 
   CTestWorld world(experiment);
   const CSimulator::CScope scope(world.GetSimulator());
   const int alive = CToyController::NumAlive;
-  CHECK_THROWS_WITH(world.GetSimulator().GetLoopFunctions().AddEntity(
-                        *std::make_unique<CToyRobotEntity>("far", "c", CVector3(6.0, 0.0, 0.0)).release()),
-                    Contains("far") && Contains("6,0,0") && Contains("left"));
+  CHECK_THROWS_WITH(
+      world.GetSimulator().GetLoopFunctions().AddEntity(
+          *std::make_unique<CToyRobotEntity>("far", "c", CVector3(6.0, 0.0, 0.0)).release()),
+      Contains("far") && Contains("6,0,0") && Contains("left"));
   CHECK(CToyController::NumAlive == alive);
   CheckViews(world.GetSpace());
   CHECK_THROWS_AS(world.GetSpace().GetEntity("far"), CARGoSException);
   world.Step();
 
-  experiment.Arena = "\n<toy-robot id='r'> <body position='0,7,0' /> <controller config='c' /> </toy-robot>";
+  experiment.Arena =
+      "\n<toy-robot id='r'> <body position='0,7,0' /> <controller config='c' /> </toy-robot>";
   CHECK_THAT(LoadError(experiment), Contains("\"r\"") && Contains("0,7,0") && Contains("outside"));
   experiment.Engines = "<toy_engine id='toy' refuses='toy-robot' />";
   CHECK_THAT(LoadError(experiment), Contains("none there can house a <toy-robot>"));
@@ -236,18 +247,20 @@ TEST_CASE("space: immovable bodies are in every engine around, movable ones in t
         &world.GetSimulator().GetPhysicsEngine("one"));
 }
 
-TEST_CASE("space: a body that leaves its engine's region moves to the next engine", "[core][space]") {
+TEST_CASE("space: a body that leaves its engine's region moves to the next engine",
+          "[core][space]") {
   const auto half = [](const std::string& id, const std::string& from, const std::string& to) {
     return "<toy_engine id='" + id + "'> <boundaries> <sides> <vertex point='" + from +
-           ",-5' /> <vertex point='" + to + ",-5' /> <vertex point='" + to + ",5' /> <vertex point='" +
-           from + ",5' /> </sides> </boundaries> </toy_engine>";
+           ",-5' /> <vertex point='" + to + ",-5' /> <vertex point='" + to +
+           ",5' /> <vertex point='" + from + ",5' /> </sides> </boundaries> </toy_engine>";
   };
   SExperiment experiment;
   experiment.Controllers =
       "<toy_controller id='c'> <actuators> <toy_drive implementation='default' /> </actuators>"
       "<params velocity='1,0,0' /> </toy_controller>";
   experiment.Engines = half("left", "-5", "0") + half("right", "0", "5");
-  experiment.Arena = "<toy-robot id='r'> <body position='-0.25,0,0' /> <controller config='c' /> </toy-robot>";
+  experiment.Arena =
+      "<toy-robot id='r'> <body position='-0.25,0,0' /> <controller config='c' /> </toy-robot>";
   CTestWorld world(experiment);
   CEmbodiedEntity& body = world.Get<CToyRobotEntity>("r").GetEmbodiedEntity();
   CPhysicsEngine& left = world.GetSimulator().GetPhysicsEngine("left");
@@ -277,7 +290,8 @@ TEST_CASE("space: the arena's limits are centre -+ size / 2", "[core][space]") {
   CHECK(world.GetSpace().GetArenaLimits().GetMax() == CVector3(3.0, 2.0, 1.5));
   CHECK_THROWS_WITH(world.GetSpace().GetFloorEntity(), Contains("floor"));
   experiment.ArenaSize = "4,0,2";
-  CHECK_THAT(LoadError(experiment), Contains("size") && Contains("4,0,2") && Contains("test.argos:"));
+  CHECK_THAT(LoadError(experiment),
+             Contains("size") && Contains("4,0,2") && Contains("test.argos:"));
 }
 
 TEST_CASE("space: the clock can be set", "[core][space]") {
@@ -292,12 +306,14 @@ TEST_CASE("space: the clock can be set", "[core][space]") {
   CHECK(world.GetSpace().GetSimulationClock() == 2);
 }
 
-TEST_CASE("space: every robot is visited once, on any number of threads", "[core][space][threads]") {
+TEST_CASE("space: every robot is visited once, on any number of threads",
+          "[core][space][threads]") {
   const UInt32 threads = GENERATE(0U, 2U, 4U);
   CAPTURE(threads);
   SExperiment experiment = TwoRobots();
   experiment.Threads = threads;
-  experiment.Arena = R"(<distribute> <position method='grid' center='0,0,0' distances='0.2,0.2,1' layout='20,20,1' />
+  experiment.Arena =
+      R"(<distribute> <position method='grid' center='0,0,0' distances='0.2,0.2,1' layout='20,20,1' />
       <orientation method='constant' values='0,0,0' />
       <entity quantity='400' max_trials='1'> <toy-robot id='r'> <controller config='c' /> </toy-robot> </entity>
     </distribute>)";
@@ -309,7 +325,8 @@ TEST_CASE("space: every robot is visited once, on any number of threads", "[core
   REQUIRE(visits.size() == 400);
   world.GetSimulator().GetLoopFunctions().IterateOverControllableEntities(
       [&](CControllableEntity* robot) { ++visits.at(robot); });
-  CHECK(std::all_of(visits.begin(), visits.end(), [](const auto& visit) { return visit.second == 1; }));
+  CHECK(std::all_of(visits.begin(), visits.end(),
+                    [](const auto& visit) { return visit.second == 1; }));
 }
 
 namespace {

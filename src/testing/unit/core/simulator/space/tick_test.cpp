@@ -34,7 +34,8 @@ SExperiment ManyRobots(UInt32 threads, const std::string& method) {
   experiment.Threads = threads;
   experiment.Method = method;
   experiment.LoopFunctions = "<loop_functions label='toy_loop_functions' />";
-  experiment.Arena = R"(<distribute> <position method='grid' center='0,0,0' distances='0.2,0.2,1' layout='20,20,1' />
+  experiment.Arena =
+      R"(<distribute> <position method='grid' center='0,0,0' distances='0.2,0.2,1' layout='20,20,1' />
       <orientation method='constant' values='0,0,0' />
       <entity quantity='400' max_trials='1'> <toy-robot id='r'> <controller config='c' /> </toy-robot> </entity>
     </distribute>)";
@@ -86,7 +87,8 @@ TEST_CASE("tick: sensors see the poses after this tick's physics, and PreStep's 
   CHECK_THAT(X(world, "r1"), WithinAbs(1.1, 1e-14));
   CHECK_THAT(ControllerOf(world, "r1").LastRange, WithinAbs(0.75, 1e-14));
   world.GetLoopFunctions<CToyLoopFunctions>().OnPreStep = [&] {
-    world.Get<CToyRobotEntity>("r1").GetEmbodiedEntity().MoveTo(CVector3(1.35, 0.0, 0.0), CQuaternion());
+    world.Get<CToyRobotEntity>("r1").GetEmbodiedEntity().MoveTo(CVector3(1.35, 0.0, 0.0),
+                                                                CQuaternion());
   };
   world.Step();
   CHECK_THAT(ControllerOf(world, "r1").LastRange, WithinAbs(0.5, 1e-14));
@@ -113,7 +115,8 @@ TEST_CASE("tick: hooks may add and remove what is sensed in the same tick", "[co
   CHECK(ControllerOf(world, "r1").LastRange == 1.0);
 }
 
-TEST_CASE("tick: every robot steps once a tick, on any number of threads", "[core][tick][threads]") {
+TEST_CASE("tick: every robot steps once a tick, on any number of threads",
+          "[core][tick][threads]") {
   const UInt32 threads = GENERATE(0U, 1U, 2U, 4U, 15U);
   const std::string method = GENERATE("balance_quantity", "balance_length");
   CAPTURE(threads, method);
@@ -154,8 +157,9 @@ TEST_CASE("tick: controllers may all look at the space at once", "[core][tick][t
   CHECK(wrong == 0);
 }
 
-TEST_CASE("tick: a controller that throws is named, with the tick; the same on any number of threads",
-          "[core][tick][threads]") {
+TEST_CASE(
+    "tick: a controller that throws is named, with the tick; the same on any number of threads",
+    "[core][tick][threads]") {
   const UInt32 threads = GENERATE(0U, 2U, 4U);
   const std::string method = GENERATE("balance_quantity", "balance_length");
   CAPTURE(threads, method);
@@ -168,7 +172,8 @@ TEST_CASE("tick: a controller that throws is named, with the tick; the same on a
     };
   }
   world.Step(2);
-  CHECK_THROWS_WITH(world.Step(), Contains("\"r77\"") && Contains("tick 3") && Contains("out of ideas"));
+  CHECK_THROWS_WITH(world.Step(),
+                    Contains("\"r77\"") && Contains("tick 3") && Contains("out of ideas"));
 }
 
 TEST_CASE("tick: also something that is no exception is named", "[core][tick]") {

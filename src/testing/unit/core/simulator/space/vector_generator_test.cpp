@@ -33,7 +33,8 @@ void CheckFails(const std::string& xml, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("vector generator: constant gives the same triple for ever", "[core][space][distribute]") {
+TEST_CASE("vector generator: constant gives the same triple for ever",
+          "[core][space][distribute]") {
   CGenerator constant("<position method='constant' values='1,-2,0.5' />");
   CHECK(constant->Next(false) == CVector3(1.0, -2.0, 0.5));
   CHECK(constant->Next(true) == CVector3(1.0, -2.0, 0.5));
@@ -67,10 +68,11 @@ TEST_CASE("vector generator: uniform has the moments of independent uniform comp
     const Real width = max[axis] - min[axis];
     // standard errors for U(0,1): sqrt(1/12/n) of the mean, sqrt(1/180/n) of the second moment;
     // 5 of them are exceeded once in 1.7 million runs with other seeds
-    CHECK_THAT(sum[axis] / kDraws,
-               WithinAbs(0.5 * (min[axis] + max[axis]), 5.0 * width * std::sqrt(1.0 / 12.0 / kDraws) + 1e-9));
-    CHECK_THAT(squares[axis] / kDraws,
-               WithinAbs(width * width / 12.0, 5.0 * width * width * std::sqrt(1.0 / 180.0 / kDraws)));
+    CHECK_THAT(sum[axis] / kDraws, WithinAbs(0.5 * (min[axis] + max[axis]),
+                                             5.0 * width * std::sqrt(1.0 / 12.0 / kDraws) + 1e-9));
+    CHECK_THAT(
+        squares[axis] / kDraws,
+        WithinAbs(width * width / 12.0, 5.0 * width * width * std::sqrt(1.0 / 180.0 / kDraws)));
   }
   // uncorrelated: the standard error of the mean product is sigma_x sigma_y / sqrt(n)
   CHECK_THAT(product / kDraws, WithinAbs(0.0, 5.0 * 4.0 * 0.5 / 12.0 / std::sqrt(kDraws)));
@@ -109,7 +111,8 @@ TEST_CASE("vector generator: gaussian has the moments of independent normal comp
 
 TEST_CASE("vector generator: a grid starts at its highest corner and goes down, x fastest",
           "[core][space][distribute]") {
-  CGenerator grid("<position method='grid' center='1,2,3' distances='0.5,2,0.25' layout='3,2,2' />");
+  CGenerator grid(
+      "<position method='grid' center='1,2,3' distances='0.5,2,0.25' layout='3,2,2' />");
   CHECK_FALSE(grid->CanRetry());
   for (int n = 0; n < 12; ++n) {
     CAPTURE(n);
@@ -120,7 +123,8 @@ TEST_CASE("vector generator: a grid starts at its highest corner and goes down, 
     const CVector3 place = grid->Next(false);
     for (UInt32 axis = 0; axis < 3; ++axis) {
       // exact: all numbers are multiples of 1/8
-      CHECK(place[axis] == centre[axis] + (layout[axis] - 1) * distance[axis] / 2.0 - i[axis] * distance[axis]);
+      CHECK(place[axis] ==
+            centre[axis] + (layout[axis] - 1) * distance[axis] / 2.0 - i[axis] * distance[axis]);
     }
   }
   CHECK_THROWS_WITH(grid->Next(false), Contains("3 x 2 x 2") && Contains("13"));
@@ -142,6 +146,8 @@ TEST_CASE("vector generator: mistakes are errors with the line", "[core][space][
   CheckFails("<position method='constant' />", "values");
   CheckFails("<position method='grid' center='0,0,0' distances='1,1,1' layout='3,0,1' />", "3,0,1");
   CheckFails("<position method='grid' center='0,0,0' distances='1,1,1' layout='3,1' />", "layout");
-  CheckFails("<position method='grid' center='0,0,0' distances='1,1,1' layout='3,1,1.5' />", "layout");
-  CheckFails("<position method='grid' center='0,0,0' distances='1,1,1' layout='3,-1,1' />", "layout");
+  CheckFails("<position method='grid' center='0,0,0' distances='1,1,1' layout='3,1,1.5' />",
+             "layout");
+  CheckFails("<position method='grid' center='0,0,0' distances='1,1,1' layout='3,-1,1' />",
+             "layout");
 }

@@ -1,0 +1,63 @@
+#include <argos3/testing/contract/physics_engines/drive_world.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+
+#include <iomanip>
+#include <sstream>
+
+namespace argos {
+
+namespace {
+
+SExperiment MakeExperiment(const std::string& engine, const std::string& arena) {
+  SExperiment experiment;
+  experiment.Controllers =
+      "<contract_driver id='driver'><actuators><differential_steering implementation='default'/>"
+      "</actuators><sensors/></contract_driver>";
+  experiment.Engines = engine;
+  experiment.ArenaSize = "80,80,2";
+  experiment.Arena = arena;
+  return experiment;
+}
+
+}  // namespace
+
+void CContractDriver::Init(TConfigurationNode& params) {
+  m_wheels = GetActuator<CCI_DifferentialSteeringActuator>("differential_steering");
+  GetNodeAttributeOrDefault(params, "left", Left, Left);
+  GetNodeAttributeOrDefault(params, "right", Right, Right);
+}
+
+std::string DriverXml(const std::string& tag, const std::string& id, Real x, Real y, Real yaw,
+                      Real left, Real right) {
+  std::ostringstream xml;
+  xml << std::setprecision(17) << "<" << tag << " id='" << id << "'><body position='" << x << ","
+      << y << ",0' orientation='" << yaw << ",0,0'/><controller config='driver'><params left='"
+      << left << "' right='" << right << "'/></controller></" << tag << ">\n";
+  return xml.str();
+}
+
+CDriveWorld::CDriveWorld(const std::string& engine, const std::string& arena)
+    : CTestWorld(MakeExperiment(engine, arena)), m_scope(GetSimulator()) {}
+
+CEmbodiedEntity& CDriveWorld::Body(const std::string& id) {
+  return Get<CComposableEntity>(id).GetComponent<CEmbodiedEntity>("body");
+}
+
+Real CDriveWorld::Yaw(const std::string& id) {
+  CRadians z;
+  CRadians y;
+  CRadians x;
+  Body(id).GetOriginAnchor().Orientation.ToEulerAngles(z, y, x);
+  return z.GetValue();
+}
+
+CContractDriver& CDriveWorld::Driver(const std::string& id) {
+  auto& controllable = Get<CComposableEntity>(id).GetComponent<CControllableEntity>("controller");
+  return dynamic_cast<CContractDriver&>(controllable.GetController());
+}
+
+REGISTER_CONTROLLER(CContractDriver, "contract_driver")
+
+}  // namespace argos

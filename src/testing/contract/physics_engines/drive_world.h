@@ -1,0 +1,48 @@
+#ifndef ARGOS3_TESTING_CONTRACT_PHYSICS_ENGINES_DRIVE_WORLD_H
+#define ARGOS3_TESTING_CONTRACT_PHYSICS_ENGINES_DRIVE_WORLD_H
+
+#include <argos3/core/control_interface/ci_controller.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
+#include <argos3/testing/support/experiment.h>
+
+#include <string>
+
+namespace argos {
+
+/** "contract_driver": turns its wheels at constant speeds, which a test may change. */
+class CContractDriver : public CCI_Controller {
+ public:
+  /** Reads left and right, cm/s, default 0. */
+  void Init(TConfigurationNode& params) override;
+  void ControlStep() override { m_wheels->SetLinearVelocity(Left, Right); }
+
+  Real Left = 0.0, Right = 0.0;  // cm/s
+
+ private:
+  CCI_DifferentialSteeringActuator* m_wheels = nullptr;
+};
+
+/** XML of a robot. @param tag "foot-bot" or "e-puck". @param yaw degrees. @param left cm/s. */
+std::string DriverXml(const std::string& tag, const std::string& id, Real x, Real y, Real yaw,
+                      Real left, Real right);
+
+/** A world of such robots and of objects, in one engine, of which it can be asked for anything. */
+class CDriveWorld : public CTestWorld {
+ public:
+  /** @param engine XML of the engine. @param arena XML of what is in it. */
+  CDriveWorld(const std::string& engine, const std::string& arena);
+
+  CEmbodiedEntity& Body(const std::string& id);
+  CVector3 Position(const std::string& id) { return Body(id).GetOriginAnchor().Position; }
+  /** rad. */
+  Real Yaw(const std::string& id);
+  CContractDriver& Driver(const std::string& id);
+
+ private:
+  CSimulator::CScope m_scope;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,79 @@
+// A robot that touches nothing follows the arc of its wheel speeds, in every engine.
+
+#include <argos3/testing/contract/physics_engines/drive_world.h>
+#include <argos3/testing/support/closed_form/differential_drive.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+
+namespace argos {
+
+using testing::IntegrateDifferentialDrive;
+using testing::SPose;
+
+namespace {
+
+struct SRobotType {
+  std::string Tag;
+  Real InterwheelDistance;  // m
+};
+
+// m; the axes of foot-bot and e-puck
+const SRobotType kFootBot{"foot-bot", 0.14};
+const SRobotType kEPuck{"e-puck", 0.053};
+
+}  // namespace
+
+TEST_CASE("free motion: a robot follows the closed-form arc for 60 s", "[contract][engine]") {
+  const std::string engine =
+      GENERATE(as<std::string>(), "<dynamics2d id='e'/>", "<dynamics2d id='e' iterations='1'/>",
+               "<dynamics2d id='e' iterations='10'/>");
+  const SRobotType robot = GENERATE(kFootBot, kEPuck);
+  using TSpeeds = std::pair<Real, Real>;  // cm/s
+  const auto [left, right] = GENERATE(TSpeeds(10, 10), TSpeeds(10, 9), TSpeeds(3, 12),
+                                      TSpeeds(-5, 7.5), TSpeeds(-8, -8), TSpeeds(4, -4));
+  const SPose start = GENERATE(SPose{0, 0, 0}, SPose{19.3, -17.1, 2.0});
+  CAPTURE(engine, robot.Tag, left, right, start.X);
+
+  CDriveWorld world(engine, DriverXml(robot.Tag, "r", start.X, start.Y,
+                                      start.Yaw * 180.0 / std::numbers::pi, left, right));
+  // what is ordered in the first tick moves the robot from the second on
+  world.Step();
+  Real worst = 0.0;
+  for (int tick = 1; tick <= 600; ++tick) {
+    world.Step();
+    const SPose exact = IntegrateDifferentialDrive(start, 0.01 * left, 0.01 * right,
+                                                   robot.InterwheelDistance, 0.1 * tick);
+    const CVector3 position = world.Position("r");
+    worst = std::max(worst, std::hypot(position.GetX() - exact.X, position.GetY() - exact.Y));
+  }
+  // the promise of the engines in the plane is 1e-4 m; this one integrates arcs exactly, so only
+  // 600 roundings of numbers around 20 are left, 4e-15 each, and the yaw's
+  CHECK(worst <= 1e-9);
+}
+
+TEST_CASE("free motion: a robot whose wheels stand still stays where it is", "[contract][engine]") {
+  CDriveWorld world("<dynamics2d id='e'/>", DriverXml("foot-bot", "r", 1.25, -2.5, 30, 0, 0));
+  world.Step(100);
+  CHECK(world.Position("r") == CVector3(1.25, -2.5, 0.0));
+}
+
+TEST_CASE("free motion: wheel speeds beyond the drive's force are reached tick by tick",
+          "[contract][engine]") {
+  // 1.5 N on 0.4 kg are 3.75 m/s^2: 0.375 m/s more in each tick of 0.1 s
+  CDriveWorld world("<dynamics2d id='e'/>", DriverXml("e-puck", "r", 0, 0, 0, 100, 100));
+  world.Step();
+  Real last = 0.0;
+  for (const Real speed : {0.375, 0.75, 1.0, 1.0}) {
+    world.Step();
+    const Real x = world.Position("r").GetX();
+    // the mean speed of a tick lies between those at its ends
+    CHECK(x - last <= 0.1 * speed + 1e-6);
+    CHECK(x - last >= 0.1 * (speed - 0.376));
+    last = x;
+  }
+}
+
+}  // namespace argos

@@ -1,0 +1,94 @@
+// Adding, moving, removing and resetting while an engine runs.
+
+#include <argos3/testing/contract/physics_engines/drive_world.h>
+
+#include <argos3/core/simulator/loop_functions.h>
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+namespace argos {
+
+using Catch::Matchers::Contains;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+const std::string kEngine = "<dynamics2d id='e'/>";
+
+std::string Square() {
+  return DriverXml("e-puck", "a", 0, 0, 0, 10, 10) + DriverXml("e-puck", "b", 1, 0, 180, 10, 10) +
+         DriverXml("foot-bot", "c", 0.5, 0.6, 270, 8, 10) +
+         "<box id='box' size='0.2,0.2,0.1' movable='true' mass='0.5'><body "
+         "position='0.5,0.2,0'/></box>";
+}
+
+}  // namespace
+
+TEST_CASE("lifecycle: a robot added in a run drives, and is gone when removed",
+          "[contract][engine]") {
+  CDriveWorld world(kEngine, Square());
+  world.Step(5);
+  CLoopFunctions& functions = world.GetSimulator().GetLoopFunctions();
+  functions.AddEntity(
+      *std::make_unique<CEPuckEntity>("new", "driver", CVector3(3, 3, 0)).release());
+  world.Driver("new").Left = world.Driver("new").Right = 10.0;
+  world.Step(11);
+  CHECK_THAT(world.Position("new").GetX(), WithinAbs(3.1, 1e-6));
+  CHECK(world.GetSimulator().GetPhysicsEngines().front()->GetNumPhysicsModels() == 5);
+
+  functions.RemoveEntity("new");
+  CHECK(world.GetSimulator().GetPhysicsEngines().front()->GetNumPhysicsModels() == 4);
+  CHECK_THROWS_WITH(world.GetSpace().GetEntity("new"), Contains("\"new\""));
+  world.Step(5);
+}
+
+TEST_CASE("lifecycle: a robot put into another's way is pushed out or stops it",
+          "[contract][engine]") {
+  CDriveWorld world(
+      kEngine, DriverXml("e-puck", "a", 0, 0, 0, 10, 10) + DriverXml("e-puck", "b", 5, 5, 0, 0, 0));
+  world.Step(3);
+  // a free place is taken, an occupied one refused
+  CHECK(world.Body("b").MoveTo(CVector3(0.3, 0, 0), CQuaternion()));
+  CHECK_FALSE(world.Body("b").MoveTo(world.Position("a"), CQuaternion()));
+  CHECK(world.Position("b") == CVector3(0.3, 0, 0));
+  CHECK_FALSE(world.Body("b").IsCollidingWithSomething());
+  world.Step(40);
+  // a pushes b with half its force against b's brakes: they stay apart
+  CHECK(world.Position("b").GetX() - world.Position("a").GetX() >= 0.07 * 0.98);
+}
+
+TEST_CASE("lifecycle: after a reset the run repeats to the bit", "[contract][engine]") {
+  CDriveWorld world(kEngine, Square());
+  std::vector<UInt64> first;
+  for (int tick = 0; tick < 120; ++tick) {
+    world.Step();
+    first.push_back(world.ComputeDigest());
+  }
+  world.GetSimulator().Reset();
+  for (int tick = 0; tick < 120; ++tick) {
+    world.Step();
+    REQUIRE(world.ComputeDigest() == first[tick]);
+  }
+}
+
+TEST_CASE("lifecycle: a body that leaves its engine's region is taken over by the next",
+          "[contract][engine]") {
+  const std::string halves =
+      "<dynamics2d id='west'><boundaries><sides><vertex point='-10,-10'/><vertex point='0,-10'/>"
+      "<vertex point='0,10'/><vertex point='-10,10'/></sides></boundaries></dynamics2d>"
+      "<dynamics2d id='east'><boundaries><sides><vertex point='0,-10'/><vertex point='10,-10'/>"
+      "<vertex point='10,10'/><vertex point='0,10'/></sides></boundaries></dynamics2d>";
+  CDriveWorld world(halves, DriverXml("foot-bot", "r", -0.5, 0, 0, 10, 10));
+  CHECK(world.Body("r").GetPhysicsModel(0).GetEngine().GetId() == "west");
+  world.Step(101);
+  CHECK(world.Body("r").GetPhysicsModel(0).GetEngine().GetId() == "east");
+  CHECK(world.Body("r").GetPhysicsModelsNum() == 1);
+  // the border does not disturb its path
+  CHECK_THAT(world.Position("r").GetX(), WithinAbs(0.5, 1e-6));
+}
+
+}  // namespace argos

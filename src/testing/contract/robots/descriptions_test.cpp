@@ -1,0 +1,136 @@
+// What `argos3 -q` tells of robots, objects, devices and media: the examples in it load and run.
+
+#include <argos3/core/simulator/loop_functions.h>
+#include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
+#include <argos3/plugins/simulator/entities/box_entity.h>
+#include <argos3/plugins/simulator/media/led_medium.h>
+#include <argos3/testing/support/captured_logs.h>
+#include <argos3/testing/support/robot_world.h>
+
+#include <catch2/catch.hpp>
+
+#include <sstream>
+#include <vector>
+
+using namespace argos;
+
+namespace {
+
+// the XML in a description: runs of lines that begin with two blanks and a tag
+std::vector<std::string> ExamplesIn(const std::string& description) {
+  std::vector<std::string> examples;
+  std::istringstream lines(description);
+  std::string line;
+  bool inExample = false;
+  while (std::getline(lines, line)) {
+    const bool begins = !inExample && line.compare(0, 3, "  <") == 0;
+    if (begins) {
+      examples.emplace_back();
+    }
+    inExample = !line.empty() && (inExample || begins);
+    if (inExample) {
+      examples.back() += line + "\n";
+    }
+  }
+  return examples;
+}
+
+std::string Replaced(std::string text, const std::string& from, const std::string& to) {
+  for (size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+// content of an element: between the end of its first tag and its last one
+std::string Inside(const std::string& element) {
+  const size_t begin = element.find('>') + 1;
+  return element.substr(begin, element.rfind("</") - begin);
+}
+
+void RunInArena(const std::string& arena) {
+  SExperiment experiment;
+  experiment.Engines = "<toy_engine id=\"engine\"/>";
+  experiment.Media = "<led id=\"leds\"/>";
+  experiment.Controllers =
+      "<robot_world_controller id=\"c1\"><actuators/><sensors/><params/></robot_world_controller>";
+  experiment.Arena = arena;
+  CTestWorld world(experiment);
+  world.Step(2);
+  // of the controller, if there is no robot
+  TakeLogErr();
+}
+
+void RunWithControllers(const std::string& controllers, const std::string& robot) {
+  SExperiment experiment;
+  experiment.Engines = "<toy_engine id=\"engine\"/>";
+  experiment.Media = "<led id=\"leds\"/>";
+  experiment.Controllers = Replaced(controllers, "my_controller", "robot_world_controller");
+  experiment.Arena = "<" + robot +
+                     " id=\"r\"><body position=\"0,0,0\"/><controller config=\"c1\"/></" + robot +
+                     ">";
+  CTestWorld world(experiment);
+  world.Step(2);
+  CHECK(TakeLogErr() == "");
+}
+
+void RunWithDevice(const std::string& section, const std::string& device,
+                   const std::string& robot) {
+  const auto in = [&](const std::string& tag) {
+    return "<" + tag + ">" + (tag == section ? device : "") + "</" + tag + ">";
+  };
+  RunWithControllers(
+      "<my_controller id=\"c1\">" + in("actuators") + in("sensors") + "<params/></my_controller>",
+      robot);
+}
+
+void RunWithMedia(const std::string& media) {
+  SExperiment experiment;
+  experiment.Media = media;
+  CTestWorld world(experiment);
+  world.Step(2);
+}
+
+// runs every example of a description; gives their number
+template <typename BASE>
+size_t RunExamples(const std::string& label, const std::string& section = "",
+                   const std::string& robot = "") {
+  const auto found = CFactory<BASE>::GetTypeMap().find(label);
+  REQUIRE(found != CFactory<BASE>::GetTypeMap().end());
+  const std::vector<std::string> examples = ExamplesIn(found->second->LongDescription);
+  for (const std::string& example : examples) {
+    CAPTURE(label, example);
+    if (example.find("<arena") != std::string::npos) {
+      CHECK_NOTHROW(RunInArena(Inside(example)));
+    } else if (example.find("<controllers>") != std::string::npos) {
+      CHECK_NOTHROW(RunWithControllers(Inside(example), robot));
+    } else if (example.find("<media>") != std::string::npos) {
+      CHECK_NOTHROW(RunWithMedia(Inside(example)));
+    } else {
+      CHECK_NOTHROW(RunWithDevice(section, example, robot));
+    }
+  }
+  return examples.size();
+}
+
+}  // namespace
+
+TEST_CASE("descriptions: examples of entities and media load and run", "[contract][robots]") {
+  CHECK(RunExamples<CEntity>("box") == 3);
+  CHECK(RunExamples<CEntity>("cylinder") == 3);
+  CHECK(RunExamples<CEntity>("light") == 2);
+  CHECK(RunExamples<CEntity>("foot-bot") == 2);
+  CHECK(RunExamples<CEntity>("e-puck") == 2);
+  CHECK(RunExamples<CMedium>("led") == 2);
+}
+
+TEST_CASE("descriptions: examples of devices load and run", "[contract][robots]") {
+  CHECK(RunExamples<CSimulatedActuator>("differential_steering (default)", "actuators",
+                                        "foot-bot") == 3);
+  CHECK(RunExamples<CSimulatedActuator>("leds (default)", "actuators", "e-puck") == 2);
+  CHECK(RunExamples<CSimulatedSensor>("differential_steering (default)", "sensors", "e-puck") == 2);
+  CHECK(RunExamples<CSimulatedSensor>("proximity (default)", "sensors", "foot-bot") == 2);
+  CHECK(RunExamples<CSimulatedSensor>("footbot_proximity (default)", "sensors", "foot-bot") == 2);
+  CHECK(RunExamples<CSimulatedSensor>("epuck_proximity (default)", "sensors", "e-puck") == 2);
+}

@@ -1,0 +1,157 @@
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/testing/determinism/swarm.h>
+
+#include <catch2/catch.hpp>
+
+#include <map>
+#include <set>
+#include <thread>
+
+using namespace argos;
+
+namespace {
+
+struct SSize {
+  UInt32 Robots;
+  UInt32 EnginesPerSide;
+  UInt32 Ticks;
+};
+
+// ten robots for long, a thousand for short, and the same over four engines
+const std::vector<SSize> kSizes = {{10, 1, 200}, {1000, 1, 50}, {10, 2, 200}, {1000, 2, 50}};
+
+std::vector<UInt64> Run(CTestWorld& world, UInt32 ticks) {
+  std::vector<UInt64> digests = {world.ComputeDigest()};
+  for (UInt32 tick = 0; tick < ticks; ++tick) {
+    world.Step();
+    digests.push_back(world.ComputeDigest());
+  }
+  return digests;
+}
+
+// computed once for each size: the main thread does all
+const std::vector<UInt64>& Reference(const SSize& size) {
+  static std::map<std::pair<UInt32, UInt32>, std::vector<UInt64>> references;
+  std::vector<UInt64>& reference = references[{size.Robots, size.EnginesPerSide}];
+  if (reference.empty()) {
+    CTestWorld world(Swarm(size.Robots, size.EnginesPerSide));
+    reference = Run(world, size.Ticks);
+  }
+  return reference;
+}
+
+// the first tick in which two runs differ; the number of digests if they never do
+size_t FirstDifference(const std::vector<UInt64>& a, const std::vector<UInt64>& b) {
+  REQUIRE(a.size() == b.size());
+  size_t tick = 0;
+  while (tick < a.size() && a[tick] == b[tick]) {
+    ++tick;
+  }
+  return tick;
+}
+
+void CheckSame(const std::vector<UInt64>& digests, const SSize& size) {
+  CHECK(FirstDifference(digests, Reference(size)) == digests.size());
+}
+
+}  // namespace
+
+TEST_CASE("determinism: every tick is the same to the bit for every number of threads and schedule",
+          "[determinism][threads]") {
+  const SSize size = GENERATE(from_range(kSizes));
+  const UInt32 threads = GENERATE(0U, 1U, 2U, 4U, 15U);
+  const std::string method = GENERATE("balance_quantity", "balance_length");
+  CAPTURE(size.Robots, size.EnginesPerSide, threads, method);
+  SExperiment experiment = Swarm(size.Robots, size.EnginesPerSide);
+  experiment.Threads = threads;
+  experiment.Method = method;
+  CTestWorld world(experiment);
+  CheckSame(Run(world, size.Ticks), size);
+}
+
+TEST_CASE("determinism: after a reset the run repeats itself", "[determinism]") {
+  const SSize size = GENERATE(from_range(kSizes));
+  const UInt32 threads = GENERATE(0U, 4U);
+  CAPTURE(size.Robots, size.EnginesPerSide, threads);
+  SExperiment experiment = Swarm(size.Robots, size.EnginesPerSide);
+  experiment.Threads = threads;
+  CTestWorld world(experiment);
+  // also from the middle of a run, and twice
+  world.Step(size.Ticks / 3);
+  world.GetSimulator().Reset();
+  CheckSame(Run(world, size.Ticks), size);
+  world.GetSimulator().Reset();
+  CheckSame(Run(world, size.Ticks), size);
+}
+
+TEST_CASE("determinism: the runs that are compared are worth it", "[determinism]") {
+  for (const SSize& size : kSizes) {
+    CAPTURE(size.Robots, size.EnginesPerSide);
+    // something changes in every tick
+    const std::vector<UInt64>& reference = Reference(size);
+    CHECK(std::set<UInt64>(reference.begin(), reference.end()).size() == reference.size());
+    // and with another seed everything is different
+    SExperiment experiment = Swarm(size.Robots, size.EnginesPerSide);
+    experiment.Seed = 2;
+    CTestWorld world(experiment);
+    CHECK(world.ComputeDigest() != reference.front());
+  }
+  // robots cross from engine to engine
+  CTestWorld world(Swarm(1000, 2));
+  const auto engines = [&] {
+    std::vector<const CPhysicsEngine*> found;
+    for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
+      auto& root = dynamic_cast<CComposableEntity&>(robot->GetRootEntity());
+      found.push_back(&root.GetComponent<CEmbodiedEntity>("body").GetPhysicsModel(0).GetEngine());
+    }
+    return found;
+  };
+  const auto before = engines();
+  world.Step(50);
+  const auto after = engines();
+  int crossed = 0;
+  for (size_t i = 0; i < before.size(); ++i) {
+    crossed += before[i] != after[i] ? 1 : 0;
+  }
+  CHECK(crossed >= 5);
+  CHECK(std::set<const CPhysicsEngine*>(after.begin(), after.end()).size() == 4);
+}
+
+TEST_CASE("determinism: looking at a run does not change it", "[determinism]") {
+  const SSize size = kSizes[0];
+  CTestWorld world(Swarm(size.Robots, size.EnginesPerSide));
+  std::vector<UInt64> digests = {world.ComputeDigest()};
+  for (UInt32 tick = 0; tick < size.Ticks; ++tick) {
+    world.Step();
+    // builds the users' lists, and makes the LED entities
+    REQUIRE(world.GetSpace().GetEntitiesByType("led").size() >= 5 * 13 + 5 * 8);
+    REQUIRE(world.GetSpace().GetNumberEntities() > 100);
+    digests.push_back(world.ComputeDigest());
+  }
+  CheckSame(digests, size);
+}
+
+TEST_CASE("determinism: simulators that run at the same time do not disturb each other",
+          "[determinism][threads]") {
+  const SSize size = kSizes[0];
+  Reference(size);
+  std::vector<std::vector<UInt64>> digests(4);
+  std::vector<std::thread> threads;
+  for (size_t i = 0; i < digests.size(); ++i) {
+    threads.emplace_back([&, i] {
+      SExperiment experiment = Swarm(size.Robots, size.EnginesPerSide);
+      experiment.Threads = static_cast<UInt32>(i);
+      CTestWorld world(experiment);
+      digests[i] = Run(world, size.Ticks);
+    });
+  }
+  for (std::thread& thread : threads) {
+    thread.join();
+  }
+  for (const std::vector<UInt64>& run : digests) {
+    CheckSame(run, size);
+  }
+}

@@ -1,0 +1,52 @@
+// The benchmark's arena, for a minute of simulated time: nobody is pushed into a wall.
+
+#include <argos3/testing/support/experiment.h>
+#include <argos3/testing/support/overlap.h>
+#include <argos3/testing/support/rooms.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace argos::testing {
+
+TEST_CASE("rooms: 10,000 e-pucks stay out of the walls for 600 ticks", "[scenario][dynamics2d]") {
+  SRoomsWorld rooms;
+  rooms.Robots = 10000;
+  rooms.Side = 40.0;
+  rooms.RoomsPerSide = 4;
+  rooms.Threads = 2;
+  CTestWorld world(rooms.ToXML());
+  REQUIRE(world.GetSpace().GetControllableEntities().size() == 10000);
+
+  SOverlaps overlaps;
+  Real deepestInWall = 0.0;
+  for (int tick = 0; tick < 600; ++tick) {
+    world.Step();
+    SOverlaps now;
+    MeasureOverlaps(world.GetSpace(), now);
+    deepestInWall = std::max(deepestInWall, SOverlaps::Quantile(now.WithWalls, 1.0));
+    if (tick % 50 == 49) {
+      overlaps.WithRobots.insert(overlaps.WithRobots.end(), now.WithRobots.begin(),
+                                 now.WithRobots.end());
+    }
+  }
+  // the accuracy that the engine promises at its default settings: 2 % of the radius
+  CHECK(deepestInWall <= 0.02);
+  CHECK(SOverlaps::Quantile(overlaps.WithRobots, 0.99) <= 0.02);
+
+  // and so nobody has left the arena, whose outer walls are closed
+  for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
+    const auto& body = robot->GetParent().GetComponent<CEmbodiedEntity>("body");
+    const CVector3& position = body.GetOriginAnchor().Position;
+    REQUIRE(std::abs(position.GetX()) < 20.0);
+    REQUIRE(std::abs(position.GetY()) < 20.0);
+  }
+}
+
+}  // namespace argos::testing
