@@ -19,6 +19,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <sstream>
 
 namespace argos {
@@ -32,7 +33,7 @@ constexpr int kFailure = 1;
 constexpr int kSignalStatus = 128;
 
 // s; a tick that takes longer than that after a signal does not end by itself any more
-constexpr unsigned kPatience = 10;
+constexpr unsigned kPatience = 30;
 
 volatile std::sig_atomic_t g_stopSignal = 0;
 
@@ -91,6 +92,17 @@ void FlushLogs() {
   LOGERR.Flush();
 }
 
+/* Nothing that was logged may be lost without a word: a full disk, a closed output. */
+void CheckLogs() {
+  FlushLogs();
+  std::cout.flush();
+  const bool outLost = !std::cout || !LOG.GetStream();
+  std::cout.clear();
+  if (outLost) {
+    THROW_ARGOSEXCEPTION("the log could not be written completely; is the disk full?");
+  }
+}
+
 void PrintError(const char* what) {
   LOGERR << what << std::endl;
   FlushLogs();
@@ -102,6 +114,8 @@ bool Try(STEP&& step) {
   try {
     step();
     return true;
+  } catch (const std::bad_alloc&) {
+    PrintError("[FATAL] there is not enough memory");
   } catch (const std::exception& ex) {
     // our own exceptions carry the mark already
     const std::string what = ex.what();
@@ -274,7 +288,7 @@ int RunCommandLine(int argc, const char* const* argv) noexcept {
       SetUpLogs(parser.GetOptions());
       status = Act(parser.GetOptions());
     });
-    FlushLogs();
+    status = Try(&CheckLogs) ? status : kFailure;
   } catch (...) {
     // not even the message could be printed
     status = kFailure;

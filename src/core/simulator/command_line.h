@@ -11,7 +11,7 @@ namespace argos {
  * @param argc, argv  as main() got them.
  * @return the exit status: 0 after a normal end, 1 after an error; 130 or 143 if SIGINT or SIGTERM
  *         stopped the run, which then ends normally after the current tick. If that takes more than
- *         ten seconds, or another signal comes, the signal kills.
+ *         30 s, or another signal comes, the signal kills.
  */
 int RunCommandLine(int argc, const char* const* argv) noexcept;
 

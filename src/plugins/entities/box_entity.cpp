@@ -51,7 +51,7 @@ SVisualPart CBoxEntity::MakeSolidPart() const {
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CBoxEntity)
 
 REGISTER_ENTITY(
-    CBoxEntity, "box", "the ARGoS maintainers", "1.0", "A box, fixed or to be pushed.",
+    CBoxEntity, "box", "the authors of this project", "1.0", "A box, fixed or to be pushed.",
     R"(A rectangular solid that stands on its base. Fixed boxes are walls and obstacles; movable ones
 are pushed by robots and rub on the ground.
 

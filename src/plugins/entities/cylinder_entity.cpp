@@ -45,7 +45,7 @@ SVisualPart CCylinderEntity::MakeSolidPart() const {
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CCylinderEntity)
 
 REGISTER_ENTITY(
-    CCylinderEntity, "cylinder", "the ARGoS maintainers", "1.0",
+    CCylinderEntity, "cylinder", "the authors of this project", "1.0",
     "A cylinder, fixed or to be pushed.",
     R"(An upright cylinder that stands on its base. Fixed cylinders are obstacles; movable ones are
 pushed by robots and rub on the ground.

@@ -64,7 +64,7 @@ void CLightEntity::UpdateDigest(CDigest& digest) const {
 
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CLightEntity)
 
-REGISTER_ENTITY(CLightEntity, "light", "the ARGoS maintainers", "1.0",
+REGISTER_ENTITY(CLightEntity, "light", "the authors of this project", "1.0",
                 "A lamp that light sensors and cameras see.",
                 R"(A point of light without a body: nothing collides with it, and it hides nothing.
 Light sensors read it according to its intensity; cameras see it as an LED.

@@ -150,7 +150,7 @@ void CLEDMedium::MakeIndex() {
 }
 
 REGISTER_MEDIUM(
-    CLEDMedium, "led", "the ARGoS maintainers", "1.0",
+    CLEDMedium, "led", "the authors of this project", "1.0",
     "Knows where LEDs and lights are, for cameras.",
     R"(Every LED and light that cameras shall see belongs to an LED medium; cameras name the medium
 they look at. LEDs outside the arena count like all others.

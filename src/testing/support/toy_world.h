@@ -167,6 +167,7 @@ class CToyEngine : public CPhysicsEngine {
   bool AddEntity(CEntity& entity) override;
   bool RemoveEntity(CEntity& entity) override;
   void CheckIntersectionWithRay(TEmbodiedEntityIntersectionData&, const CRay3&) const override {}
+  bool HasBodiesOutsideIndex() const override { return false; }
 
  private:
   class CModel;

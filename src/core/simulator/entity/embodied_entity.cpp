@@ -44,8 +44,13 @@ void CEmbodiedEntity::Reset() {
   CEntity::Reset();
   // engines restore their own state in their Reset(): here only what entities and sensors see
   SetOriginPose(m_cInitOriginPosition, m_cInitOriginOrientation);
+  // not by CalculateAnchors(): a model may still think that it is where it was
+  for (SAnchor* anchor : m_vecEnabledAnchors) {
+    if (anchor->Index != 0) {
+      anchor->FollowOrigin();
+    }
+  }
   for (CPhysicsModel* model : m_tPhysicsModelVector) {
-    model->CalculateAnchors();
     model->CalculateBoundingBox();
   }
 }

@@ -71,11 +71,24 @@ namespace {
 
 // bodies that only their engine knows, if any engine has such
 void AppendHitsOutsideIndex(TEmbodiedEntityIntersectionData& data, const CRay3& ray) {
+  size_t numKept = data.size();
   for (const CPhysicsEngine* engine : CurrentSimulator().GetPhysicsEngines()) {
     if (engine->HasBodiesOutsideIndex()) {
       engine->CheckIntersectionWithRay(data, ray);
     }
   }
+  // an engine may also report what the index has found, or a body that several engines house
+  for (size_t i = numKept; i < data.size(); ++i) {
+    const CEmbodiedEntity* const body = data[i].IntersectedEntity;
+    const bool isKnown =
+        body->GetBodyNumber() != CBodyIndex::kNoBody ||
+        std::any_of(data.begin(), data.begin() + static_cast<std::ptrdiff_t>(numKept),
+                    [body](const auto& hit) { return hit.IntersectedEntity == body; });
+    if (!isKnown) {
+      data[numKept++] = data[i];
+    }
+  }
+  data.resize(numKept);
 }
 
 bool FindClosest(SEmbodiedEntityIntersectionItem& item, const CRay3& ray,

@@ -74,8 +74,11 @@ class CPhysicsEngine : public CBaseConfigurableResource {
    */
   virtual void CheckIntersectionWithRay(TEmbodiedEntityIntersectionData& data,
                                         const CRay3& ray) const = 0;
-  /** True if CheckIntersectionWithRay() may report something. */
-  virtual bool HasBodiesOutsideIndex() const { return false; }
+  /**
+   * False if CheckIntersectionWithRay() never reports a body that the space's index does not know:
+   * rays are then faster.
+   */
+  virtual bool HasBodiesOutsideIndex() const { return true; }
 
   /** Length of a tick of the calling thread's simulator, s. */
   static Real GetSimulationClockTick();

@@ -37,6 +37,7 @@ class CDynamics2DEngine : public CPhysicsEngine {
   bool RemoveEntity(CEntity& entity) override;
   /** Nothing: all bodies are in the space's index. */
   void CheckIntersectionWithRay(TEmbodiedEntityIntersectionData&, const CRay3&) const override {}
+  bool HasBodiesOutsideIndex() const override { return false; }
 
   /** Height of the plane, m. */
   Real GetElevation() const { return m_elevation; }

@@ -160,6 +160,24 @@ TEST_CASE("proximity: distances to a wall are its distance over the cosine of th
   CheckDistances(Distances(world, "r"), expected);
 }
 
+TEST_CASE("proximity: sees the same in every engine", "[contract][sensors]") {
+  const std::string engine = GENERATE("toy_engine", "dynamics2d");
+  const SRing ring = GENERATE(FootBotRing(), EPuckRing());
+  CAPTURE(engine, ring.Tag);
+  const Real gap = 0.03;
+  const Real distance = ring.Radius + gap + 0.2;
+  const Real bearing = ring.Angles[1] + 0.5;  // of ray 1 of a robot turned by half a radian
+  SRobotExperiment experiment =
+      WithGenericSensor(Robot(ring.Tag, "r", Pose(2.0, 1.0, 0.0, 0.5 * 180.0 / M_PI)) +
+                        Cylinder("c", 2.0 + distance * std::cos(bearing),
+                                 1.0 + distance * std::sin(bearing), 0.2, true));
+  experiment.Engine = "<" + engine + " id=\"engine\"/>";
+  CRobotWorld world(experiment);
+  world.Step(10);
+  // engines may keep poses in single precision: 2 m to 1e-7
+  CHECK_THAT(Distances(world, "r")[1], WithinAbs(gap, 1e-6));
+}
+
 TEST_CASE("proximity: robots see each other", "[contract][sensors]") {
   // an e-puck straight ahead of ray 0 of a foot-bot, 5 cm from body to body, whose ray 3 looks back
   const SRing ring = FootBotRing();

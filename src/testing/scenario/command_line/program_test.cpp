@@ -123,6 +123,14 @@ TEST_CASE("argos3: a log file that cannot be written stops it before anything ru
   CHECK_THAT(run.Out, !Contains("simulated"));
 }
 
+TEST_CASE("argos3: a log that the disk has no room for is an error", "[command_line]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", Experiment());
+  const SProgramRun run = folder.Run({"-c", "e.argos", "-l", "/dev/full"});
+  CHECK(run.Status == 1);
+  CHECK_THAT(run.Err, Contains("log could not be written"));
+}
+
 TEST_CASE("argos3: help, version and queries", "[command_line]") {
   const CTestFolder folder;
   const SProgramRun help = folder.Run({"-h"});

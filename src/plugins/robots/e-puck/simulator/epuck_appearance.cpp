@@ -49,6 +49,26 @@ void AddWheel(SAppearance& robot, Real side) {
   addDisc(0.4 * epuck::kWheelRadius, 0.006, kHub);
 }
 
+// a ring on four struts that carries the LEDs
+void AddLightGuide(SAppearance& robot) {
+  constexpr Real kRingThickness = 0.006;
+  constexpr Real kRingElevation = epuck::kLEDRingElevation - 0.002;
+  constexpr Real kBoardElevation = 0.07;
+  const Real diameter = 2.0 * epuck::kLEDRingRadius + kRingThickness;
+  robot.Parts.push_back(Part(SVisualPart::EKind::Ring, CVector3(0.0, 0.0, kRingElevation),
+                             CVector3(diameter, diameter, kRingThickness), kTranslucentBody));
+  for (int i = 0; i < 4; ++i) {
+    const CRadians angle = ToRadians(CDegrees(45.0 + 90.0 * i));
+    constexpr Real kRadius = 0.0375;
+    SVisualPart strut =
+        Part(SVisualPart::EKind::Box,
+             CVector3(kRadius * Cos(angle), kRadius * Sin(angle), kBoardElevation),
+             CVector3(0.01, 0.004, kRingElevation - kBoardElevation), kTranslucentBody);
+    strut.Orientation.FromAngleAxis(angle, CVector3::Z);
+    robot.Parts.push_back(strut);
+  }
+}
+
 void AddLEDs(SAppearance& robot) {
   for (UInt32 i = 0; i < epuck::kNumLEDs; ++i) {
     const CRadians angle =
@@ -81,9 +101,7 @@ SAppearance MakeEPuckAppearance() {
   robot.Parts.push_back(Disc(0.022, 0.0475, 0.068, kBattery));
   robot.Parts.push_back(Disc(kBodyRadius - 0.001, 0.068, 0.072, kTopBoard));
   robot.Parts.push_back(Disc(0.014, 0.072, 0.08, kSpeaker));
-  // light guide that carries the LEDs
-  robot.Parts.push_back(Part(SVisualPart::EKind::Ring, CVector3(0.0, 0.0, 0.08),
-                             CVector3(0.082, 0.082, 0.006), kTranslucentBody));
+  AddLightGuide(robot);
   // which way it looks
   robot.Parts.push_back(Part(SVisualPart::EKind::Box, CVector3(0.0225, 0.0, 0.072),
                              CVector3(0.021, 0.009, 0.003), kHeadingMark));

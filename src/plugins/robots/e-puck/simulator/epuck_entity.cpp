@@ -66,7 +66,7 @@ void CEPuckEntity::Init(TConfigurationNode& tree) {
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CEPuckEntity)
 
 REGISTER_ENTITY(
-    CEPuckEntity, "e-puck", "the ARGoS maintainers", "1.0",
+    CEPuckEntity, "e-puck", "the authors of this project", "1.0",
     "The e-puck, a small robot for education.",
     R"(A round robot, 7 cm across, with differential steering, eight proximity sensors, and eight LEDs in a
 ring, counter-clockwise from 11.25 degrees in steps of 45.

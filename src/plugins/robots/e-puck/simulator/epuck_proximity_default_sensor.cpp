@@ -45,8 +45,8 @@ Real CEPuckProximityDefaultSensor::CalculateReading(Real distance) {
 }
 
 REGISTER_SENSOR(
-    CEPuckProximityDefaultSensor, "epuck_proximity", "default", "the ARGoS maintainers", "1.0",
-    "The proximity sensors of the e-puck.",
+    CEPuckProximityDefaultSensor, "epuck_proximity", "default", "the authors of this project",
+    "1.0", "The proximity sensors of the e-puck.",
     R"(Eight sensors at a height of 6 cm, at about 17, 50, 90, 150, -150, -90, -50 and -17 degrees, each with a
 ray of 10 cm from the surface of the body. If the ray meets a body other than the robot's own at the distance D (m)
 from its start, the sensor reads 298.701 D^2 - 36.8961 D + 1.08212, clamped to [0,1], for D <= 0.05; otherwise 0. A ray

@@ -72,7 +72,7 @@ void CFootBotEntity::Init(TConfigurationNode& tree) {
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CFootBotEntity)
 
 REGISTER_ENTITY(
-    CFootBotEntity, "foot-bot", "the ARGoS maintainers", "1.0",
+    CFootBotEntity, "foot-bot", "the authors of this project", "1.0",
     "The foot-bot of the Swarmanoid project.",
     R"(A round robot, 17 cm across, with differential steering, 24 proximity sensors, and 13 LEDs: 12 in a
 ring (0 to 11, counter-clockwise from 15 degrees) and a beacon on top (12).

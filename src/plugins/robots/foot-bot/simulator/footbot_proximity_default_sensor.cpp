@@ -39,8 +39,8 @@ Real CFootBotProximityDefaultSensor::CalculateReading(Real distance) {
 }
 
 REGISTER_SENSOR(
-    CFootBotProximityDefaultSensor, "footbot_proximity", "default", "the ARGoS maintainers", "1.0",
-    "The proximity sensors of the foot-bot.",
+    CFootBotProximityDefaultSensor, "footbot_proximity", "default", "the authors of this project",
+    "1.0", "The proximity sensors of the foot-bot.",
     R"(A ring of 24 sensors at a height of 6 cm, counter-clockwise from 7.5 degrees in steps of 15, each with
 a ray of 10 cm from the surface of the body. If the ray meets a body other than the robot's own at the distance D (m)
 from its start, the sensor reads 1 for D < 0.009889556, otherwise 0.0100527 / (D + 0.000163144): 0.1 at the end of its

@@ -107,7 +107,7 @@ void CDifferentialSteeringDefaultActuator::Reset() {
 
 REGISTER_ACTUATOR(
     CDifferentialSteeringDefaultActuator, "differential_steering", "default",
-    "the ARGoS maintainers", "1.0", "Drives the two wheels of a robot.",
+    "the authors of this project", "1.0", "Drives the two wheels of a robot.",
     R"(The controller orders the ground speed of each wheel, in cm/s. The order holds from the next tick on
 until it is changed; wheels stand still at the start and after a reset. There is no speed limit.
 

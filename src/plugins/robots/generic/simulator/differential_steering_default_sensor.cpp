@@ -71,8 +71,8 @@ void CDifferentialSteeringDefaultSensor::Reset() {
 }
 
 REGISTER_SENSOR(
-    CDifferentialSteeringDefaultSensor, "differential_steering", "default", "the ARGoS maintainers",
-    "1.0", "The encoders of the two wheels of a robot.",
+    CDifferentialSteeringDefaultSensor, "differential_steering", "default",
+    "the authors of this project", "1.0", "The encoders of the two wheels of a robot.",
     R"(Reads the speed of each wheel, in cm/s, and how far it rolled in the last tick, in cm: as ordered
 by the actuator, its noise included, whether or not the robot moved so far. Also the distance between the wheels, in cm.
 

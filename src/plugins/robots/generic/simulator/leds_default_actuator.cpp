@@ -41,7 +41,7 @@ void CLEDsDefaultActuator::Reset() {
 }
 
 REGISTER_ACTUATOR(
-    CLEDsDefaultActuator, "leds", "default", "the ARGoS maintainers", "1.0",
+    CLEDsDefaultActuator, "leds", "default", "the authors of this project", "1.0",
     "The coloured LEDs of a robot.",
     R"(The controller sets the colour of each LED, or of all. Cameras that look at the same medium see the
 LEDs that are not black. All LEDs are black at the start and after a reset.

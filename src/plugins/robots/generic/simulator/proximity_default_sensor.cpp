@@ -31,7 +31,7 @@ Real CProximityDefaultSensor::CalculateReading(Real distance) {
 }
 
 REGISTER_SENSOR(
-    CProximityDefaultSensor, "proximity", "default", "the ARGoS maintainers", "1.0",
+    CProximityDefaultSensor, "proximity", "default", "the authors of this project", "1.0",
     "The proximity sensors of any robot.",
     R"(Every proximity sensor of the robot casts a ray from its place on the body. If the ray meets a
 body other than the robot's own at the distance D (m) from its start, the sensor reads exp(-D), and 1 if it starts

@@ -1,0 +1,190 @@
+// The control interface as controllers, and those who write devices, see it.
+
+#include "user_controller.h"
+
+#include <argos3/core/control_interface/ci_actuator.h>
+#include <argos3/core/control_interface/ci_controller.h>
+#include <argos3/core/control_interface/ci_sensor.h>
+#include <argos3/plugins/robots/generic/simulator/proximity_default_sensor.h>
+
+#include <catch2/catch.hpp>
+
+using namespace argos;
+
+class CTestActuator : public CCI_Actuator {
+public:
+  virtual void Init(TConfigurationNode& t_node) { CCI_Actuator::Init(t_node); }
+  virtual void Reset() { CCI_Actuator::Reset(); }
+  virtual void Destroy() { CCI_Actuator::Destroy(); }
+#ifdef ARGOS_WITH_LUA
+  virtual void CreateLuaState(lua_State*) {}
+#endif
+};
+
+class CTestSensor : public CCI_Sensor {
+public:
+  virtual void Init(TConfigurationNode& t_node) { CCI_Sensor::Init(t_node); }
+  virtual void Reset() { CCI_Sensor::Reset(); }
+  virtual void Destroy() { CCI_Sensor::Destroy(); }
+  virtual void Enable() { CCI_Sensor::Enable(); }
+  virtual void Disable() { CCI_Sensor::Disable(); }
+#ifdef ARGOS_WITH_LUA
+  virtual void CreateLuaState(lua_State*) {}
+  virtual void ReadingsToLuaState(lua_State*) {}
+#endif
+};
+
+class CTestController : public CCI_Controller {
+public:
+  /* only a transitive include brings these in */
+  CTestController() { ::memset(m_pfWeights, 0, sizeof(m_pfWeights)); ::memcpy(m_pfCopy, m_pfWeights, sizeof(m_pfCopy)); }
+  std::string ProtectedId() { return m_strId; }
+  size_t ProtectedDevices() { return m_mapActuators.size() + m_mapSensors.size(); }
+  Real m_pfWeights[3], m_pfCopy[3];
+};
+
+#ifndef ARGOS_WITH_LUA
+#error "users' devices override the Lua functions where this is defined, and it always is"
+#endif
+
+TEST_CASE("compat: base classes of the control interface", "[compat]") {
+  CConfigurationDocument cDocument;
+  cDocument.Parse("<params />");
+  CTestController cController;
+  CCI_Controller& cBase = cController;
+  cBase.SetId("fb7");
+  CHECK(cBase.GetId() == "fb7");
+  CHECK(cController.ProtectedId() == "fb7");
+  CTestActuator* pcActuator = new CTestActuator;
+  CTestSensor* pcSensor = new CTestSensor;
+  cBase.AddActuator("act", pcActuator);
+  cBase.AddSensor("sens", pcSensor);
+  CHECK(cController.ProtectedDevices() == 2);
+  const CCI_Controller& cConst = cBase;
+  CHECK(cConst.HasActuator("act"));
+  CHECK_FALSE(cConst.HasActuator("sens"));
+  CHECK(cConst.HasSensor("sens"));
+  CHECK(cBase.GetActuator<CTestActuator>("act") == pcActuator);
+  CHECK(cBase.GetSensor<CTestSensor>("sens") == pcSensor);
+  CHECK_THROWS_AS(cBase.GetActuator<CTestActuator>("none"), CARGoSException);
+  CHECK_THROWS_AS(cBase.GetSensor<CCI_ProximitySensor>("sens"), CARGoSException);
+  CCI_Actuator::TMap& tActuators = cBase.GetAllActuators();
+  for(CCI_Actuator::TMap::iterator it = tActuators.begin(); it != tActuators.end(); ++it) CHECK(it->second == pcActuator);
+  CCI_Sensor::TMap& tSensors = cBase.GetAllSensors();
+  CHECK(tSensors["sens"] == pcSensor);
+  CHECK(pcSensor->IsDisabled());
+  pcSensor->Enable();
+  CHECK(pcSensor->IsEnabled());
+  pcSensor->Disable();
+  CHECK_FALSE(pcSensor->IsEnabled());
+  cBase.Init(cDocument.GetRoot());
+  cBase.ControlStep();
+  cBase.Reset();
+  cBase.Destroy();
+  pcActuator->Init(cDocument.GetRoot());
+  pcActuator->Reset();
+  pcActuator->Destroy();
+  pcSensor->Init(cDocument.GetRoot());
+  pcSensor->Reset();
+  pcSensor->Destroy();
+  pcActuator->CreateLuaState(NULL);
+  pcSensor->CreateLuaState(NULL);
+  pcSensor->ReadingsToLuaState(NULL);
+}
+
+/****************************************/
+/* interfaces, derived from as plug-ins do */
+/****************************************/
+
+class CMySteering : public CCI_DifferentialSteeringActuator {
+public:
+  virtual void SetLinearVelocity(Real f_left_velocity, Real f_right_velocity) {
+    m_fCurrentVelocity[0] = f_left_velocity * 0.01;
+    m_fCurrentVelocity[1] = f_right_velocity * 0.01;
+  }
+  Real Left() const { return m_fCurrentVelocity[0]; }
+};
+
+class CMyLEDs : public CCI_LEDsActuator {
+public:
+  CMyLEDs() { m_tSettings.resize(3); }
+  virtual void SetSingleColor(UInt32 un_led_number, const CColor& c_color) { CCI_LEDsActuator::SetSingleColor(un_led_number, c_color); }
+  virtual void SetAllColors(const CColor& c_color) { CCI_LEDsActuator::SetAllColors(c_color); }
+  virtual void SetAllColors(const TSettings& c_colors) { CCI_LEDsActuator::SetAllColors(c_colors); }
+  virtual void SetSingleIntensity(UInt32 un_led_number, UInt8 un_intensity) { CCI_LEDsActuator::SetSingleIntensity(un_led_number, un_intensity); }
+  virtual void SetAllIntensities(UInt8 un_intensity) { CCI_LEDsActuator::SetAllIntensities(un_intensity); }
+  const CColor& Color(size_t un_led) const { return m_tSettings[un_led]; }
+};
+
+class CMyProximity : public CCI_ProximitySensor {
+public:
+  CMyProximity() { m_tReadings.resize(8, 0.5); }
+};
+
+class CMyFootBotProximity : public CCI_FootBotProximitySensor {
+public:
+  CMyFootBotProximity() { m_tReadings[0].Value = 0.25; }
+};
+
+class CMyEPuckProximity : public CCI_EPuckProximitySensor {
+public:
+  CMyEPuckProximity() { m_tReadings[0].Value = 0.25; }
+};
+
+/* overrides the documented hook */
+class CStepProximity : public CProximityDefaultSensor {
+public:
+  virtual Real CalculateReading(Real f_distance) { return f_distance < 0.05 ? 1.0 : 0.0; }
+};
+
+TEST_CASE("compat: device interfaces", "[compat]") {
+  CMySteering cSteering;
+  CCI_DifferentialSteeringActuator& cWheels = cSteering;
+  cWheels.SetLinearVelocity(5.0, 10.0f);
+  CHECK_THAT(cSteering.Left(), Catch::WithinAbs(0.05, 1e-15));
+
+  CCI_DifferentialSteeringSensor::SReading sReading(1.0, 2.0, 3.0, 4.0, 5.0), sDefault;
+  CHECK((sReading.VelocityLeftWheel == 1.0 && sReading.VelocityRightWheel == 2.0 && sReading.CoveredDistanceLeftWheel == 3.0 &&
+         sReading.CoveredDistanceRightWheel == 4.0 && sReading.WheelAxisLength == 5.0));
+  CHECK(sDefault.WheelAxisLength == 0.0);
+
+  CMyLEDs cMyLEDs;
+  CCI_LEDsActuator& cLEDs = cMyLEDs;
+  CHECK(cLEDs.GetNumLEDs() == 3);
+  cLEDs.SetSingleColor(1, CColor::RED);
+  CHECK(cMyLEDs.Color(1) == CColor::RED);
+  cLEDs.SetAllColors(CColor::GREEN);
+  CCI_LEDsActuator::TSettings tSettings(3, CColor::BLUE);
+  cLEDs.SetAllColors(tSettings);
+  cLEDs.SetSingleIntensity(0, 100);
+  cLEDs.SetAllIntensities(50);
+  CHECK(cMyLEDs.Color(2) == CColor(0, 0, 255, 50));
+
+  CMyProximity cProximity;
+  const std::vector<Real>& vecReadings = cProximity.GetReadings();
+  CHECK(vecReadings.size() == 8);
+
+  CMyFootBotProximity cFootBot;
+  const CCI_FootBotProximitySensor::TReadings& tReadings = cFootBot.GetReadings();
+  REQUIRE(tReadings.size() == 24);
+  CHECK(tReadings[0].Value == 0.25);
+  CCI_FootBotProximitySensor::SReading sProximity(0.5, CRadians::PI), sNone;
+  CHECK((sProximity.Value == 0.5 && sProximity.Angle == CRadians::PI && sNone.Value == 0.0));
+  for(UInt32 i = 0; i < 24; ++i) {
+    // 7.5 degrees + 15 each, signed
+    const Real fExpected = i < 12 ? 7.5 + 15.0 * i : 7.5 + 15.0 * i - 360.0;
+    CHECK_THAT(ToDegrees(tReadings[i].Angle).GetValue(), Catch::WithinAbs(fExpected, 1e-10));
+  }
+
+  CMyEPuckProximity cEPuck;
+  REQUIRE(cEPuck.GetReadings().size() == 8);
+  CHECK(cEPuck.GetReadings()[0].Value == 0.25);
+  CHECK_THAT(cEPuck.GetReadings()[0].Angle.GetValue(), Catch::WithinAbs(ARGOS_PI / 10.5884, 1e-10));
+  CHECK_THAT(cEPuck.GetReadings()[7].Angle.GetValue(), Catch::WithinAbs(ARGOS_PI / 0.5247 - 2.0 * ARGOS_PI, 1e-10));
+  CCI_EPuckProximitySensor::SReading sEPuck(0.5, CRadians::PI);
+  CCI_EPuckProximitySensor::TReadings tEPuck(1, sEPuck);
+  CHECK(tEPuck[0].Angle == CRadians::PI);
+
+  CStepProximity cStep;
+  CHECK(cStep.CalculateReading(0.01) == 1.0);
+}
