@@ -123,7 +123,7 @@ UInt32 CProximitySensorEquippedEntity::NumberOfAnchor(SAnchor& anchor) {
 }
 
 void CProximitySensorEquippedEntity::Append(SLayout&& layout) {
-  const bool listed = !m_sensors.empty();
+  const bool listed = m_sensors != nullptr;
   m_layout = std::make_shared<const SLayout>(std::move(layout));
   if (listed) {
     GetSensors();
@@ -140,21 +140,25 @@ CProximitySensorEquippedEntity::SSensor& CProximitySensorEquippedEntity::GetSens
 }
 
 CProximitySensorEquippedEntity::SSensor::TList& CProximitySensorEquippedEntity::GetSensors() {
-  for (size_t i = m_sensors.size(); i < GetNumSensors(); ++i) {
-    const SRay& ray = m_layout->Rays[i];
-    m_ownSensors.push_back(std::make_unique<SSensor>(
-        ray.Offset, ray.Direction, ray.Direction.Length(), *m_anchors[ray.Anchor]));
-    // exactly the ray: the constructor rounds
-    m_ownSensors.back()->Direction = ray.Direction;
-    m_sensors.push_back(m_ownSensors.back().get());
+  if (m_sensors == nullptr) {
+    m_sensors = std::make_unique<SSensors>();
   }
-  return m_sensors;
+  for (size_t i = m_sensors->List.size(); i < GetNumSensors(); ++i) {
+    const SRay& ray = m_layout->Rays[i];
+    auto sensor = std::make_unique<SSensor>(ray.Offset, ray.Direction, ray.Direction.Length(),
+                                            *m_anchors[ray.Anchor]);
+    // exactly the ray: the constructor rounds
+    sensor->Direction = ray.Direction;
+    m_sensors->List.push_back(sensor.get());
+    m_sensors->Owned.push_back(std::move(sensor));
+  }
+  return m_sensors->List;
 }
 
 void CProximitySensorEquippedEntity::TakeOverChanges() {
   std::shared_ptr<SLayout> changed;
-  for (size_t i = 0; i < m_sensors.size(); ++i) {
-    const SSensor& sensor = *m_sensors[i];
+  for (size_t i = 0; i < m_sensors->List.size(); ++i) {
+    const SSensor& sensor = *m_sensors->List[i];
     const SRay& ray = m_layout->Rays[i];
     if (sensor.Offset == ray.Offset && sensor.Direction == ray.Direction) {
       continue;

@@ -91,7 +91,7 @@ class CProximitySensorEquippedEntity : public CEntity {
 
   /** The rays as they are now. */
   const SLayout& GetLayout() {
-    if (!m_sensors.empty()) {
+    if (m_sensors != nullptr) {
       TakeOverChanges();
     }
     return *m_layout;
@@ -104,11 +104,17 @@ class CProximitySensorEquippedEntity : public CEntity {
   void Append(SLayout&& layout);
   void TakeOverChanges();
 
+  // the rays for users
+  struct SSensors {
+    std::vector<std::unique_ptr<SSensor>> Owned;  // (rays)
+    SSensor::TList List;  // the same
+  };
+
+  // these two side by side: sensing looks at both for every robot in every tick. The layout is
   // shared by all robots of a type, and replaced, never changed, when sensors are added
   std::shared_ptr<const SLayout> m_layout;
+  std::unique_ptr<SSensors> m_sensors;  // null until asked for
   std::vector<SAnchor*> m_anchors;  // those the layout numbers; not owned
-  std::vector<std::unique_ptr<SSensor>> m_ownSensors;  // (rays), or empty until asked for
-  SSensor::TList m_sensors;  // the same, for users
 };
 
 }  // namespace argos

@@ -63,8 +63,6 @@ void CControllableEntity::Init(TConfigurationNode& tree) {
   std::string controllerId;
   GetNodeAttribute(tree, "config", controllerId);
   if (NodeExists(tree, "params")) {
-    // they replace the controller's own, which nobody will read then
-    NodeExists(m_simulator.GetConfigForController(controllerId), "params");
     SetController(controllerId, GetNode(tree, "params"));
   } else {
     SetController(controllerId);

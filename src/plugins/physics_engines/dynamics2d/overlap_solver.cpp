@@ -16,7 +16,7 @@ constexpr float kNear = 0.1F;
 // The most a pair is pushed in a sweep, Box2D units: bodies that were put into each other come apart
 // in some ticks instead of being thrown about.
 constexpr float kMaxPush = 0.25F;
-constexpr int kMaxSweeps = 10;
+constexpr int kMaxSweeps = 40;
 
 const b2CircleShape* AsCentredDisc(b2Fixture& fixture) {
   if (fixture.GetType() != b2Shape::e_circle) {
@@ -63,19 +63,20 @@ void COverlapSolver::Reserve(size_t pairs) {
   m_indexOf.reserve(pairs);
 }
 
-void COverlapSolver::Resolve(b2World& world) {
+float COverlapSolver::Resolve(b2World& world) {
   if (!Gather(world)) {
-    return;
+    return 0.0F;
   }
+  float deepest = 0.0F;
   for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
-    bool pushed = false;
+    deepest = 0.0F;
     for (const SPair& pair : m_pairs) {
-      pushed = SolvePair(pair) || pushed;
+      deepest = std::max(deepest, SolvePair(pair));
     }
     for (const SPair& pair : m_wallPairs) {
-      pushed = SolvePair(pair) || pushed;
+      deepest = std::max(deepest, SolvePair(pair));
     }
-    if (!pushed) {
+    if (deepest == 0.0F) {
       break;
     }
   }
@@ -85,6 +86,7 @@ void COverlapSolver::Resolve(b2World& world) {
           body.Centre - b2Mul(body.Rotation, body.Body->GetLocalCenter()), body.Angle);
     }
   }
+  return deepest;
 }
 
 // collects the pairs that are near each other; returns whether any overlaps
@@ -138,32 +140,33 @@ void COverlapSolver::AddPair(b2Contact& contact) {
   (wall ? m_wallPairs : m_pairs).push_back(pair);
 }
 
-bool COverlapSolver::SolvePair(const SPair& pair) {
+// The Solve functions return how deep the pair overlapped; 0 if they left it alone.
+float COverlapSolver::SolvePair(const SPair& pair) {
   return pair.Reach > 0.0F ? SolveDiscs(pair) : SolveManifold(pair);
 }
 
-bool COverlapSolver::SolveDiscs(const SPair& pair) {
+float COverlapSolver::SolveDiscs(const SPair& pair) {
   SBody& a = m_bodies[pair.A];
   SBody& b = m_bodies[pair.B];
   b2Vec2 normal = b.Centre - a.Centre;
   const float limit = pair.Reach - kTolerance;
   if (normal.LengthSquared() >= limit * limit) {
-    return false;
+    return 0.0F;
   }
   const float distance = normal.Normalize();
   if (distance < b2_epsilon) {
     normal.Set(1.0F, 0.0F);  // as Box2D does for discs with one centre
   }
-  const float depth = std::min(pair.Reach - distance, kMaxPush);
-  const float share = depth / (a.InverseMass + b.InverseMass);
+  const float depth = pair.Reach - distance;
+  const float share = std::min(depth, kMaxPush) / (a.InverseMass + b.InverseMass);
   a.Centre -= share * a.InverseMass * normal;
   b.Centre += share * b.InverseMass * normal;
   a.Moved = a.Moved || a.InverseMass > 0.0F;
   b.Moved = b.Moved || b.InverseMass > 0.0F;
-  return true;
+  return depth;
 }
 
-bool COverlapSolver::SolveManifold(const SPair& pair) {
+float COverlapSolver::SolveManifold(const SPair& pair) {
   SBody& a = m_bodies[pair.A];
   SBody& b = m_bodies[pair.B];
   b2Transform frameA;
@@ -175,22 +178,22 @@ bool COverlapSolver::SolveManifold(const SPair& pair) {
   b2Manifold manifold;
   pair.Contact->Evaluate(&manifold, frameA, frameB);
   if (manifold.pointCount == 0) {
-    return false;
+    return 0.0F;
   }
   b2WorldManifold points;
   points.Initialize(&manifold, frameA, pair.Contact->GetFixtureA()->GetShape()->m_radius, frameB,
                     pair.Contact->GetFixtureB()->GetShape()->m_radius);
-  bool pushed = false;
+  float deepest = 0.0F;
   for (int32 i = 0; i < manifold.pointCount; ++i) {
     const float depth = -(points.separations[i] + 2.0F * kShapeMargin);
     if (depth > kTolerance) {
       // two points share the push: both act on one face
       Push(a, b, points.normal, points.points[i],
            std::min(depth, kMaxPush) / static_cast<float>(manifold.pointCount));
-      pushed = true;
+      deepest = std::max(deepest, depth);
     }
   }
-  return pushed;
+  return deepest;
 }
 
 void COverlapSolver::Push(SBody& a, SBody& b, const b2Vec2& normal, const b2Vec2& point,

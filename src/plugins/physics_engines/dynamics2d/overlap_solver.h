@@ -27,8 +27,8 @@ class COverlapSolver {
   /** Makes room for @p pairs pairs, so that no more memory is needed up to there. */
   void Reserve(size_t pairs);
 
-  /** Moves what overlaps. */
-  void Resolve(b2World& world);
+  /** Moves what overlaps. @return the deepest overlap that may be left, Box2D units. */
+  float Resolve(b2World& world);
 
  private:
   struct SBody {
@@ -49,9 +49,9 @@ class COverlapSolver {
   bool Gather(b2World& world);
   UInt32 IndexOf(b2Body* body);
   void AddPair(b2Contact& contact);
-  bool SolvePair(const SPair& pair);
-  bool SolveDiscs(const SPair& pair);
-  bool SolveManifold(const SPair& pair);
+  float SolvePair(const SPair& pair);
+  float SolveDiscs(const SPair& pair);
+  float SolveManifold(const SPair& pair);
   void Push(SBody& a, SBody& b, const b2Vec2& normal, const b2Vec2& point, float depth);
 
   std::vector<SBody> m_bodies;

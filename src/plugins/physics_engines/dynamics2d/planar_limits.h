@@ -14,6 +14,15 @@ constexpr Real kDefaultUnitsPerMetre = 10.0;
 
 /** Substeps of a tick unless the user says otherwise. */
 constexpr UInt32 kDefaultSubsteps = 2;
+/**
+ * Where a crowd is so dense that overlaps are left, a tick is cut finer: by one substep more after
+ * each tick that left more than the first depth (Box2D units), up to the most, and by one less after
+ * that many ticks that left less than the second.
+ */
+constexpr float kTooDeep = 0.01F;
+constexpr float kShallow = 0.002F;
+constexpr UInt32 kMaxExtraSubsteps = 4;
+constexpr UInt32 kCalmTicks = 20;
 /** Iterations of Box2D's velocity solver in a substep. */
 constexpr int kVelocityIterations = 8;
 /** Iterations of Box2D's position solver in a substep; COverlapSolver does this work. */

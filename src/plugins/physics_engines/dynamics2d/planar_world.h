@@ -22,7 +22,8 @@ struct SGroundFriction {
 /** What a CPlanarWorld is made with. */
 struct SPlanarSettings {
   Real Tick = 0.1;            // s
-  UInt32 Substeps = 1;        // of a tick, at least
+  UInt32 Substeps = 1;        // of a tick; more if something moves very fast
+  bool RefineInCrowds = true; // more substeps also where overlaps are left
   Real UnitsPerMetre = 10.0;  // Box2D's unit of length
   SGroundFriction BoxFriction;
   SGroundFriction CylinderFriction;
@@ -107,6 +108,7 @@ class CPlanarWorld {
   bool IsAnythingAwake() const;
   UInt32 ChooseSubsteps() const;
   void StepBox2D(UInt32 substeps);
+  void Refine(float deepestOverlap);
   void SetMotors(UInt32 substep, UInt32 substeps);
   void AccountMotors();
   void FinishInPlay(SInPlay& play, UInt32 substeps);
@@ -122,6 +124,8 @@ class CPlanarWorld {
   CEncounters m_encounters;
   COverlapSolver m_overlaps;
   bool m_obstaclesChanged = false;
+  UInt32 m_extraSubsteps = 0;  // see planar_limits.h
+  UInt32 m_calmTicks = 0;
   Real m_longestPath = 0.0;  // m, that any movable body may go in this tick
 
   std::vector<SImmovableBody> m_immovable;

@@ -219,16 +219,33 @@ UInt32 CPlanarWorld::ChooseSubsteps() const {
   if (!(needed < static_cast<float>(cap))) {
     return cap;
   }
-  return std::max(m_settings.Substeps, static_cast<UInt32>(std::ceil(needed)));
+  return std::max(m_settings.Substeps + m_extraSubsteps, static_cast<UInt32>(std::ceil(needed)));
 }
 
 void CPlanarWorld::StepBox2D(UInt32 substeps) {
   const float duration = static_cast<float>(m_settings.Tick / substeps);
+  float deepestOverlap = 0.0F;
   for (UInt32 substep = 0; substep < substeps; ++substep) {
     SetMotors(substep, substeps);
     m_world.Step(duration, kVelocityIterations, kPositionIterations);
     AccountMotors();
-    m_overlaps.Resolve(m_world);
+    deepestOverlap = std::max(deepestOverlap, m_overlaps.Resolve(m_world));
+  }
+  if (m_settings.RefineInCrowds) {
+    Refine(deepestOverlap);
+  }
+}
+
+// Cuts the next ticks finer or coarser.
+void CPlanarWorld::Refine(float deepestOverlap) {
+  if (deepestOverlap > kTooDeep) {
+    m_extraSubsteps = std::min(m_extraSubsteps + 1, kMaxExtraSubsteps);
+    m_calmTicks = 0;
+  } else if (deepestOverlap > kShallow) {
+    m_calmTicks = 0;
+  } else if (m_extraSubsteps > 0 && ++m_calmTicks >= kCalmTicks) {
+    --m_extraSubsteps;
+    m_calmTicks = 0;
   }
 }
 

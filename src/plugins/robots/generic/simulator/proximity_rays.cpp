@@ -19,6 +19,7 @@ void CProximityRays::SetRobot(CComposableEntity& robot) {
   m_sensors = &robot.GetComponent<CProximitySensorEquippedEntity>("proximity_sensors");
   m_body = &robot.GetComponent<CEmbodiedEntity>("body");
   m_robot = &robot.GetComponent<CControllableEntity>("controller");
+  m_space = &m_robot->GetSpace();
   m_sensors->Enable();
 }
 
@@ -50,8 +51,12 @@ void CProximityRays::RequireNumRays(size_t num, const std::string& device) const
 
 void CProximityRays::Cast(size_t first, size_t count, Real* distances) {
   const TLayout& layout = m_sensors->GetLayout();
+  if (&layout != m_layout) {
+    m_layout = &layout;
+    m_anchor = &m_sensors->GetAnchor(layout.Rays.front().Anchor);
+  }
   std::fill_n(distances, count, kMiss);
-  const CQuaternion& orientation = m_sensors->GetAnchor(layout.Rays[first].Anchor).Orientation;
+  const CQuaternion& orientation = m_anchor->Orientation;
   const bool upright = orientation.GetX() == 0.0 && orientation.GetY() == 0.0;
   if (layout.Planar && upright && !AreBodiesOutsideIndex()) {
     CastUpright(layout, first, count, distances);
@@ -69,14 +74,13 @@ void CProximityRays::Cast(size_t first, size_t count, Real* distances) {
 
 void CProximityRays::CastUpright(const TLayout& layout, size_t first, size_t count,
                                  Real* fractions) const {
-  const SAnchor& anchor = m_sensors->GetAnchor(layout.Rays[first].Anchor);
-  const CVector3& position = anchor.Position;
+  const CVector3& position = m_anchor->Position;
   // of the yaw: the quaternion is (cos(yaw/2), 0, 0, sin(yaw/2))
-  const Real w = anchor.Orientation.GetW();
-  const Real z = anchor.Orientation.GetZ();
+  const Real w = m_anchor->Orientation.GetW();
+  const Real z = m_anchor->Orientation.GetZ();
   const Real cosine = w * w - z * z;
   const Real sine = 2.0 * w * z;
-  const CBodyIndex& index = m_robot->GetSpace().GetBodyIndex();
+  const CBodyIndex& index = m_space->GetBodyIndex();
   const UInt32 ownBody = m_body->GetBodyNumber();
 
   // world frame, m; computed when the first solid shows up
@@ -130,7 +134,7 @@ void CProximityRays::CastOneByOne(const TLayout& layout, size_t first, size_t co
 }
 
 bool CProximityRays::AreBodiesOutsideIndex() const {
-  for (const CPhysicsEngine* engine : m_robot->GetSimulator().GetPhysicsEngines()) {
+  for (const CPhysicsEngine* engine : m_space->GetSimulator().GetPhysicsEngines()) {
     if (engine->HasBodiesOutsideIndex()) {
       return true;
     }

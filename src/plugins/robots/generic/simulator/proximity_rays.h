@@ -13,6 +13,7 @@ namespace argos {
 
 class CComposableEntity;
 class CControllableEntity;
+class CSpace;
 
 /**
  * Casts the rays of a robot's proximity sensors: what all proximity sensors have in common.
@@ -72,8 +73,11 @@ class CProximityRays {
   void MakeNoise();
 
   CProximitySensorEquippedEntity* m_sensors = nullptr;  // of the robot
+  const TLayout* m_layout = nullptr;  // the one for which m_anchor holds
+  const SAnchor* m_anchor = nullptr;  // of the first ray
   CEmbodiedEntity* m_body = nullptr;  // of the robot
   CControllableEntity* m_robot = nullptr;
+  CSpace* m_space = nullptr;
   bool m_showRays = false;
   Real m_noiseLevel = 0.0;
   std::unique_ptr<CRandomStream> m_noise;  // only with noise
