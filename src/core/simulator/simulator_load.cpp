@@ -179,10 +179,11 @@ void CSimulator::InitSystem(TConfigurationNode& framework) {
       THROW_ARGOSEXCEPTION("at most " << kMostThreads << " threads are possible, found "
                                       << m_numThreads);
     }
-    m_pool = std::make_unique<CThreadPool>(m_numThreads, CreateSchedule(method), pinToCores, [this] {
-      // workers serve this simulator for as long as they live
-      CScope(*this).Keep();
-    });
+    m_pool =
+        std::make_unique<CThreadPool>(m_numThreads, CreateSchedule(method), pinToCores, [this] {
+          // workers serve this simulator for as long as they live
+          CScope(*this).Keep();
+        });
   } catch (std::exception& error) {
     const bool hasNode = NodeExists(framework, "system");
     THROW_ARGOSEXCEPTION_NESTED((hasNode ? GetNode(framework, "system") : framework).GetLocation()
@@ -211,8 +212,8 @@ void CSimulator::InitExperiment(TConfigurationNode& framework) {
   try {
     SetLength(m_lengthSet ? m_length : length);
     if (m_length > 0.0 && m_maxSimulationClock == 0) {
-      THROW_ARGOSEXCEPTION("a length of " << m_length << " s is less than one tick, " << m_tickLength
-                                          << " s; 0 means unlimited");
+      THROW_ARGOSEXCEPTION("a length of " << m_length << " s is less than one tick, "
+                                          << m_tickLength << " s; 0 means unlimited");
     }
   } catch (std::exception& error) {
     THROW_ARGOSEXCEPTION_NESTED(experiment.GetLocation() << ": <experiment>: wrong \"length\"",

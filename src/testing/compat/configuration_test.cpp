@@ -14,9 +14,12 @@
 using namespace argos;
 
 class CResource : public CBaseConfigurableResource {
-public:
+ public:
   virtual ~CResource() {}
-  virtual void Init(TConfigurationNode& t_tree) { GetNodeAttribute(t_tree, "value", m_fValue); m_ptNode = &t_tree; }
+  virtual void Init(TConfigurationNode& t_tree) {
+    GetNodeAttribute(t_tree, "value", m_fValue);
+    m_ptNode = &t_tree;
+  }
   virtual void Reset() {}
   virtual void Destroy() {}
   Real m_fValue = 0.0;
@@ -24,9 +27,11 @@ public:
 };
 
 static const char* XML =
-  "<root name='a b' value='2.5' yes='true' no='false' n='200' s='-100' size='12' v2='1,2' v3='1, 2, 3' q='90,0,0'"
-  " rad='1.5' deg='45' range='-1:2.5' drange='-10:10' color='red' rgba='1,2,3,4' bad='x'>\n"
-  "  <child id='1'>text</child>\n  <child id='2' />\n  <other>3.5</other>\n  <child id='3' />\n</root>";
+    "<root name='a b' value='2.5' yes='true' no='false' n='200' s='-100' size='12' v2='1,2' v3='1, "
+    "2, 3' q='90,0,0'"
+    " rad='1.5' deg='45' range='-1:2.5' drange='-10:10' color='red' rgba='1,2,3,4' bad='x'>\n"
+    "  <child id='1'>text</child>\n  <child id='2' />\n  <other>3.5</other>\n  <child id='3' "
+    "/>\n</root>";
 
 TEST_CASE("compat: attributes of every type", "[compat]") {
   CConfigurationDocument cDocument;
@@ -51,7 +56,12 @@ TEST_CASE("compat: attributes of every type", "[compat]") {
   size_t unSize;
   GetNodeAttribute(tNode, "size", unSize);
   CHECK(unSize == 12);
-  UInt16 un16; UInt32 un32; UInt64 un64; SInt16 n16; SInt32 n32; SInt64 n64;
+  UInt16 un16;
+  UInt32 un32;
+  UInt64 un64;
+  SInt16 n16;
+  SInt32 n32;
+  SInt64 n64;
   GetNodeAttribute(tNode, "size", un16);
   GetNodeAttribute(tNode, "size", un32);
   GetNodeAttribute(tNode, "size", un64);
@@ -155,13 +165,13 @@ TEST_CASE("compat: iterating over elements and attributes", "[compat]") {
   TConfigurationNode& tNode = cDocument.GetRoot();
   std::string strTags;
   TConfigurationNodeIterator it;
-  for(it = it.begin(&tNode); it != it.end(); ++it) {
+  for (it = it.begin(&tNode); it != it.end(); ++it) {
     strTags += it->Value() + " ";
   }
   CHECK(strTags == "child child other child ");
   UInt32 unSum = 0;
   TConfigurationNodeIterator itChild("child");
-  for(itChild = itChild.begin(&tNode); itChild != itChild.end(); ++itChild) {
+  for (itChild = itChild.begin(&tNode); itChild != itChild.end(); ++itChild) {
     UInt32 unId;
     GetNodeAttribute(*itChild, "id", unId);
     unSum = unSum * 10 + unId;
@@ -169,7 +179,7 @@ TEST_CASE("compat: iterating over elements and attributes", "[compat]") {
   CHECK(unSum == 123);
   size_t unAttributes = 0;
   TConfigurationAttributeIterator itAttribute;
-  for(itAttribute = itAttribute.begin(&tNode); itAttribute != itAttribute.end(); itAttribute++) {
+  for (itAttribute = itAttribute.begin(&tNode); itAttribute != itAttribute.end(); itAttribute++) {
     std::string strName = itAttribute->Name(), strValue = itAttribute->Value();
     CHECK_FALSE(strName.empty());
     ++unAttributes;

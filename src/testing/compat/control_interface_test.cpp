@@ -12,7 +12,7 @@
 using namespace argos;
 
 class CTestActuator : public CCI_Actuator {
-public:
+ public:
   virtual void Init(TConfigurationNode& t_node) { CCI_Actuator::Init(t_node); }
   virtual void Reset() { CCI_Actuator::Reset(); }
   virtual void Destroy() { CCI_Actuator::Destroy(); }
@@ -22,7 +22,7 @@ public:
 };
 
 class CTestSensor : public CCI_Sensor {
-public:
+ public:
   virtual void Init(TConfigurationNode& t_node) { CCI_Sensor::Init(t_node); }
   virtual void Reset() { CCI_Sensor::Reset(); }
   virtual void Destroy() { CCI_Sensor::Destroy(); }
@@ -35,9 +35,12 @@ public:
 };
 
 class CTestController : public CCI_Controller {
-public:
+ public:
   /* only a transitive include brings these in */
-  CTestController() { ::memset(m_pfWeights, 0, sizeof(m_pfWeights)); ::memcpy(m_pfCopy, m_pfWeights, sizeof(m_pfCopy)); }
+  CTestController() {
+    ::memset(m_pfWeights, 0, sizeof(m_pfWeights));
+    ::memcpy(m_pfCopy, m_pfWeights, sizeof(m_pfCopy));
+  }
   std::string ProtectedId() { return m_strId; }
   size_t ProtectedDevices() { return m_mapActuators.size() + m_mapSensors.size(); }
   Real m_pfWeights[3], m_pfCopy[3];
@@ -69,7 +72,8 @@ TEST_CASE("compat: base classes of the control interface", "[compat]") {
   CHECK_THROWS_AS(cBase.GetActuator<CTestActuator>("none"), CARGoSException);
   CHECK_THROWS_AS(cBase.GetSensor<CCI_ProximitySensor>("sens"), CARGoSException);
   CCI_Actuator::TMap& tActuators = cBase.GetAllActuators();
-  for(CCI_Actuator::TMap::iterator it = tActuators.begin(); it != tActuators.end(); ++it) CHECK(it->second == pcActuator);
+  for (CCI_Actuator::TMap::iterator it = tActuators.begin(); it != tActuators.end(); ++it)
+    CHECK(it->second == pcActuator);
   CCI_Sensor::TMap& tSensors = cBase.GetAllSensors();
   CHECK(tSensors["sens"] == pcSensor);
   CHECK(pcSensor->IsDisabled());
@@ -97,7 +101,7 @@ TEST_CASE("compat: base classes of the control interface", "[compat]") {
 /****************************************/
 
 class CMySteering : public CCI_DifferentialSteeringActuator {
-public:
+ public:
   virtual void SetLinearVelocity(Real f_left_velocity, Real f_right_velocity) {
     m_fCurrentVelocity[0] = f_left_velocity * 0.01;
     m_fCurrentVelocity[1] = f_right_velocity * 0.01;
@@ -106,34 +110,40 @@ public:
 };
 
 class CMyLEDs : public CCI_LEDsActuator {
-public:
+ public:
   CMyLEDs() { m_tSettings.resize(3); }
-  virtual void SetSingleColor(UInt32 un_led_number, const CColor& c_color) { CCI_LEDsActuator::SetSingleColor(un_led_number, c_color); }
+  virtual void SetSingleColor(UInt32 un_led_number, const CColor& c_color) {
+    CCI_LEDsActuator::SetSingleColor(un_led_number, c_color);
+  }
   virtual void SetAllColors(const CColor& c_color) { CCI_LEDsActuator::SetAllColors(c_color); }
   virtual void SetAllColors(const TSettings& c_colors) { CCI_LEDsActuator::SetAllColors(c_colors); }
-  virtual void SetSingleIntensity(UInt32 un_led_number, UInt8 un_intensity) { CCI_LEDsActuator::SetSingleIntensity(un_led_number, un_intensity); }
-  virtual void SetAllIntensities(UInt8 un_intensity) { CCI_LEDsActuator::SetAllIntensities(un_intensity); }
+  virtual void SetSingleIntensity(UInt32 un_led_number, UInt8 un_intensity) {
+    CCI_LEDsActuator::SetSingleIntensity(un_led_number, un_intensity);
+  }
+  virtual void SetAllIntensities(UInt8 un_intensity) {
+    CCI_LEDsActuator::SetAllIntensities(un_intensity);
+  }
   const CColor& Color(size_t un_led) const { return m_tSettings[un_led]; }
 };
 
 class CMyProximity : public CCI_ProximitySensor {
-public:
+ public:
   CMyProximity() { m_tReadings.resize(8, 0.5); }
 };
 
 class CMyFootBotProximity : public CCI_FootBotProximitySensor {
-public:
+ public:
   CMyFootBotProximity() { m_tReadings[0].Value = 0.25; }
 };
 
 class CMyEPuckProximity : public CCI_EPuckProximitySensor {
-public:
+ public:
   CMyEPuckProximity() { m_tReadings[0].Value = 0.25; }
 };
 
 /* overrides the documented hook */
 class CStepProximity : public CProximityDefaultSensor {
-public:
+ public:
   virtual Real CalculateReading(Real f_distance) { return f_distance < 0.05 ? 1.0 : 0.0; }
 };
 
@@ -144,8 +154,9 @@ TEST_CASE("compat: device interfaces", "[compat]") {
   CHECK_THAT(cSteering.Left(), Catch::WithinAbs(0.05, 1e-15));
 
   CCI_DifferentialSteeringSensor::SReading sReading(1.0, 2.0, 3.0, 4.0, 5.0), sDefault;
-  CHECK((sReading.VelocityLeftWheel == 1.0 && sReading.VelocityRightWheel == 2.0 && sReading.CoveredDistanceLeftWheel == 3.0 &&
-         sReading.CoveredDistanceRightWheel == 4.0 && sReading.WheelAxisLength == 5.0));
+  CHECK((sReading.VelocityLeftWheel == 1.0 && sReading.VelocityRightWheel == 2.0 &&
+         sReading.CoveredDistanceLeftWheel == 3.0 && sReading.CoveredDistanceRightWheel == 4.0 &&
+         sReading.WheelAxisLength == 5.0));
   CHECK(sDefault.WheelAxisLength == 0.0);
 
   CMyLEDs cMyLEDs;
@@ -170,7 +181,7 @@ TEST_CASE("compat: device interfaces", "[compat]") {
   CHECK(tReadings[0].Value == 0.25);
   CCI_FootBotProximitySensor::SReading sProximity(0.5, CRadians::PI), sNone;
   CHECK((sProximity.Value == 0.5 && sProximity.Angle == CRadians::PI && sNone.Value == 0.0));
-  for(UInt32 i = 0; i < 24; ++i) {
+  for (UInt32 i = 0; i < 24; ++i) {
     // 7.5 degrees + 15 each, signed
     const Real fExpected = i < 12 ? 7.5 + 15.0 * i : 7.5 + 15.0 * i - 360.0;
     CHECK_THAT(ToDegrees(tReadings[i].Angle).GetValue(), Catch::WithinAbs(fExpected, 1e-10));
@@ -180,7 +191,8 @@ TEST_CASE("compat: device interfaces", "[compat]") {
   REQUIRE(cEPuck.GetReadings().size() == 8);
   CHECK(cEPuck.GetReadings()[0].Value == 0.25);
   CHECK_THAT(cEPuck.GetReadings()[0].Angle.GetValue(), Catch::WithinAbs(ARGOS_PI / 10.5884, 1e-10));
-  CHECK_THAT(cEPuck.GetReadings()[7].Angle.GetValue(), Catch::WithinAbs(ARGOS_PI / 0.5247 - 2.0 * ARGOS_PI, 1e-10));
+  CHECK_THAT(cEPuck.GetReadings()[7].Angle.GetValue(),
+             Catch::WithinAbs(ARGOS_PI / 0.5247 - 2.0 * ARGOS_PI, 1e-10));
   CCI_EPuckProximitySensor::SReading sEPuck(0.5, CRadians::PI);
   CCI_EPuckProximitySensor::TReadings tEPuck(1, sEPuck);
   CHECK(tEPuck[0].Angle == CRadians::PI);

@@ -40,13 +40,15 @@ static const CVector3 STATIC_VECTOR = CVector3::Z * 2.0;
 static const CRadians STATIC_ANGLE = CRadians::PI_OVER_TWO;
 static CRange<Real> STATIC_REALS(-1.0, 1.0);
 
-template <typename T> static std::string Print(const T& t_value) {
+template <typename T>
+static std::string Print(const T& t_value) {
   std::ostringstream cStream;
   cStream << t_value;
   return cStream.str();
 }
 
-template <typename T> static T Read(const std::string& str_text) {
+template <typename T>
+static T Read(const std::string& str_text) {
   std::istringstream cStream(str_text);
   T tValue;
   cStream >> tValue;
@@ -68,7 +70,8 @@ TEST_CASE("compat: constants can be used in static initialisers", "[compat]") {
 static_assert(!std::is_convertible<Real, CRadians>::value, "explicit");
 static_assert(!std::is_convertible<Real, CDegrees>::value, "explicit");
 
-template <typename ANGLE> static void CheckAngleAlgebra() {
+template <typename ANGLE>
+static void CheckAngleAlgebra() {
   ANGLE cA(1.0), cB(0.25);
   CHECK(cA + cB == ANGLE(1.25));
   CHECK(cA - cB == ANGLE(0.75));
@@ -118,14 +121,18 @@ TEST_CASE("compat: angles", "[compat]") {
   CRadians cLarge(7.0);
   CHECK(&cLarge.SignedNormalize() == &cLarge);
   CHECK_THAT(cLarge.GetValue(), WithinAbs(7.0 - 2.0 * ARGOS_PI, ROUNDING));
-  CHECK_THAT(CRadians(-1.0).UnsignedNormalize().GetValue(), WithinAbs(2.0 * ARGOS_PI - 1.0, ROUNDING));
+  CHECK_THAT(CRadians(-1.0).UnsignedNormalize().GetValue(),
+             WithinAbs(2.0 * ARGOS_PI - 1.0, ROUNDING));
   CHECK_THAT(CDegrees(270.0).SignedNormalize().GetValue(), WithinAbs(-90.0, 1e-12));
   CHECK_THAT(CDegrees(-90.0).UnsignedNormalize().GetValue(), WithinAbs(270.0, 1e-12));
-  CHECK_THAT(CVector2(0.0, -1.0).Angle().SignedNormalize().GetValue(), WithinAbs(-ARGOS_PI / 2.0, ROUNDING));
+  CHECK_THAT(CVector2(0.0, -1.0).Angle().SignedNormalize().GetValue(),
+             WithinAbs(-ARGOS_PI / 2.0, ROUNDING));
   CHECK_THAT(ToDegrees(CRadians::PI).GetValue(), WithinAbs(180.0, 1e-12));
   CHECK_THAT(ToRadians(CDegrees(90.0f)).GetValue(), WithinAbs(ARGOS_PI / 2.0, ROUNDING));
-  CHECK_THAT(NormalizedDifference(CRadians(0.1), CRadians(6.2)).GetValue(), WithinAbs(0.1 - 6.2 + 2.0 * ARGOS_PI, ROUNDING));
-  CHECK_THAT(NormalizedDifference(CDegrees(10.0), CDegrees(350.0)).GetValue(), WithinAbs(20.0, 1e-12));
+  CHECK_THAT(NormalizedDifference(CRadians(0.1), CRadians(6.2)).GetValue(),
+             WithinAbs(0.1 - 6.2 + 2.0 * ARGOS_PI, ROUNDING));
+  CHECK_THAT(NormalizedDifference(CDegrees(10.0), CDegrees(350.0)).GetValue(),
+             WithinAbs(20.0, 1e-12));
   Real fSin, fCos;
   SinCos(CRadians::PI_OVER_SIX, fSin, fCos);
   CHECK_THAT(fSin, WithinAbs(0.5, ROUNDING));
@@ -179,7 +186,8 @@ TEST_CASE("compat: ranges", "[compat]") {
   CHECK(Read<CRange<CDegrees> >("-10:10").GetMin() == CDegrees(-10.0));
   CRange<UInt32> cUnsigned(1, 3);
   CHECK(cUnsigned.GetSpan() == 2);
-  CHECK(CRange<CRadians>(CRadians(0.0), CRadians(1.0)).WithinMinBoundIncludedMaxBoundIncluded(CRadians(0.5)));
+  CHECK(CRange<CRadians>(CRadians(0.0), CRadians(1.0))
+            .WithinMinBoundIncludedMaxBoundIncluded(CRadians(0.5)));
   CRange<CVector3> cBox(CVector3(0, 0, 0), CVector3(1, 1, 1));
   CHECK(cBox.WithinMinBoundIncludedMaxBoundIncluded(CVector3(0.5, 1.0, 0.0)));
   CHECK_FALSE(cBox.WithinMinBoundIncludedMaxBoundIncluded(CVector3(0.5, 1.5, 0.0)));
@@ -244,7 +252,8 @@ TEST_CASE("compat: three-dimensional vectors", "[compat]") {
   CHECK(cV.SquareLength() == 9.0);
   CVector3 cS(2.0, CRadians::PI_OVER_TWO, CRadians::PI_OVER_TWO);
   CHECK_THAT(cS.GetY(), WithinAbs(2.0, ROUNDING));
-  CHECK_THAT(cS.FromSphericalCoords(1.0, CRadians::ZERO, CRadians::ZERO).GetZ(), WithinAbs(1.0, ROUNDING));
+  CHECK_THAT(cS.FromSphericalCoords(1.0, CRadians::ZERO, CRadians::ZERO).GetZ(),
+             WithinAbs(1.0, ROUNDING));
   Real fRadius;
   CRadians cInclination, cAzimuth;
   CVector3(0.0, 2.0, 0.0).ToSphericalCoords(fRadius, cInclination, cAzimuth);
@@ -261,7 +270,8 @@ TEST_CASE("compat: three-dimensional vectors", "[compat]") {
   CHECK_THAT(CVector3(CVector3::Z).RotateY(CRadians::PI_OVER_TWO).GetX(), WithinAbs(1.0, ROUNDING));
   CHECK_THAT(CVector3(CVector3::X).RotateZ(CRadians::PI_OVER_TWO).GetY(), WithinAbs(1.0, ROUNDING));
   CHECK(CVector3(CVector3::X).RotateZ(CVector2(0.0, 1.0)) == CVector3::Y);
-  CHECK_THAT(CVector3(CVector3::X).Rotate(CQuaternion(CRadians::PI_OVER_TWO, CVector3::Z)).GetY(), WithinAbs(1.0, ROUNDING));
+  CHECK_THAT(CVector3(CVector3::X).Rotate(CQuaternion(CRadians::PI_OVER_TWO, CVector3::Z)).GetY(),
+             WithinAbs(1.0, ROUNDING));
   CVector3 cX = CVector3::X;
   CHECK_THAT(cX.GetAngleWith(CVector3::Y).GetValue(), WithinAbs(ARGOS_PI / 2.0, ROUNDING));
   CHECK_THAT(CVector3(0.0, 1.0, 1.0).GetXAngle().GetValue(), WithinAbs(ARGOS_PI / 4.0, ROUNDING));
@@ -343,7 +353,8 @@ TEST_CASE("compat: quaternions", "[compat]") {
   CHECK_THAT(cY.GetValue(), WithinAbs(0.2, ROUNDING));
   CHECK_THAT(cX.GetValue(), WithinAbs(0.1, ROUNDING));
   // about z first, then y, then x
-  CQuaternion cSteps = CQuaternion(CRadians(0.1), CVector3::X) * CQuaternion(CRadians(0.2), CVector3::Y) *
+  CQuaternion cSteps = CQuaternion(CRadians(0.1), CVector3::X) *
+                       CQuaternion(CRadians(0.2), CVector3::Y) *
                        CQuaternion(CRadians(0.3), CVector3::Z);
   CHECK_THAT(cSteps.GetW(), WithinAbs(cQ.GetW(), ROUNDING));
   CHECK_THAT(cSteps.GetY(), WithinAbs(cQ.GetY(), ROUNDING));
@@ -359,7 +370,8 @@ TEST_CASE("compat: quaternions", "[compat]") {
   CHECK(cSum == CQuaternion(2.0, 0.0, 1.0, 1.0));
   CRotationMatrix3 cMatrix = cTurn;
   CHECK_THAT((cMatrix * CVector3::X).GetY(), WithinAbs(1.0, ROUNDING));
-  CHECK_THAT(CVector3(CVector3::X).Rotate(Read<CQuaternion>("90,0,0")).GetY(), WithinAbs(1.0, ROUNDING));
+  CHECK_THAT(CVector3(CVector3::X).Rotate(Read<CQuaternion>("90,0,0")).GetY(),
+             WithinAbs(1.0, ROUNDING));
   CHECK(Print(CQuaternion()) == "0,0,0");
 }
 
@@ -460,7 +472,8 @@ TEST_CASE("compat: planes, solids, hulls and poses", "[compat]") {
   CHECK(cBox.GetOrientation().GetW() < 1e-15);
   CHECK_FALSE(cBox.Intersects(fT, cDown));
 
-  std::vector<CVector3> vecPoints = {CVector3(0, 0, 0), CVector3(1, 0, 0), CVector3(0, 1, 0), CVector3(0, 0, 1)};
+  std::vector<CVector3> vecPoints = {CVector3(0, 0, 0), CVector3(1, 0, 0), CVector3(0, 1, 0),
+                                     CVector3(0, 0, 1)};
   CConvexHull cHull(vecPoints);
   const std::vector<CConvexHull::SFace>& vecFaces = cHull.GetFaces();
   REQUIRE(vecFaces.size() == 4);
@@ -485,9 +498,11 @@ TEST_CASE("compat: planes, solids, hulls and poses", "[compat]") {
   cPose.Rotate(-CRadians::PI_OVER_TWO);
   CHECK_THAT(cPose.GetOrientation().GetValue(), WithinAbs(0.0, ROUNDING));
 
-  CVector3 cGlobal = LocalToGlobal(CVector3::X, CVector3(1.0, 0.0, 0.0), CQuaternion(CRadians::PI_OVER_TWO, CVector3::Z));
+  CVector3 cGlobal = LocalToGlobal(CVector3::X, CVector3(1.0, 0.0, 0.0),
+                                   CQuaternion(CRadians::PI_OVER_TWO, CVector3::Z));
   CHECK_THAT(cGlobal.GetY(), WithinAbs(1.0, ROUNDING));
-  CVector3 cLocal = GlobalToLocal(cGlobal, CVector3(1.0, 0.0, 0.0), CQuaternion(CRadians::PI_OVER_TWO, CVector3::Z));
+  CVector3 cLocal = GlobalToLocal(cGlobal, CVector3(1.0, 0.0, 0.0),
+                                  CQuaternion(CRadians::PI_OVER_TWO, CVector3::Z));
   CHECK_THAT(cLocal.GetX(), WithinAbs(1.0, ROUNDING));
 }
 
@@ -508,7 +523,8 @@ TEST_CASE("compat: random numbers", "[compat]") {
   CHECK(pcRNG->GetSeed() == unSeed);
   std::mt19937 cStandard(unSeed);
   CHECK(pcRNG->Uniform(CRange<Real>(2.0, 5.0)) == 2.0 + (cStandard() / 4294967295.0) * 3.0);
-  CHECK(pcRNG->Uniform(CRange<UInt32>(0, 100)) == static_cast<UInt32>((cStandard() / 4294967295.0) * 100.0));
+  CHECK(pcRNG->Uniform(CRange<UInt32>(0, 100)) ==
+        static_cast<UInt32>((cStandard() / 4294967295.0) * 100.0));
   CHECK(pcRNG->Bernoulli(0.3) == (cStandard() < 0.3 * 4294967295.0));
   CRandom::CRNG cCopy(*pcRNG);
   CHECK(cCopy.Uniform(CRange<SInt32>(-50, 50)) == pcRNG->Uniform(CRange<SInt32>(-50, 50)));
@@ -553,7 +569,7 @@ TEST_CASE("compat: random numbers", "[compat]") {
 /****************************************/
 
 class COpenMatrix : public CMatrix<2, 2> {
-public:
+ public:
   Real First() const { return m_pfValues[0]; }
 };
 
@@ -608,19 +624,22 @@ TEST_CASE("compat: matrices", "[compat]") {
   CHECK(cR2c == cR2d);
 
   CRotationMatrix3 cR3(CRadians(0.3), CRadians(0.2), CRadians(0.1));
-  CQuaternion cOther = CQuaternion(CRadians(0.3), CVector3::Z) * CQuaternion(CRadians(0.2), CVector3::Y) *
+  CQuaternion cOther = CQuaternion(CRadians(0.3), CVector3::Z) *
+                       CQuaternion(CRadians(0.2), CVector3::Y) *
                        CQuaternion(CRadians(0.1), CVector3::X);
   CQuaternion cBack = cR3;
   CHECK_THAT(cBack.GetX(), WithinAbs(cOther.GetX(), ROUNDING));
   CHECK_THAT(cBack.GetZ(), WithinAbs(cOther.GetZ(), ROUNDING));
-  CRotationMatrix3 cR3b(1, 0, 0, 0, 1, 0, 0, 0, 1), cR3c(static_cast<const CMatrix<3, 3>&>(cR3b)), cR3d;
+  CRotationMatrix3 cR3b(1, 0, 0, 0, 1, 0, 0, 0, 1), cR3c(static_cast<const CMatrix<3, 3>&>(cR3b)),
+      cR3d;
   cR3d.SetFromMatrix(cR3);
   cR3d.SetFromAngles(CRadians::ZERO, CRadians::ZERO, CRadians::ZERO);
   cR3d.SetFromValues(1, 0, 0, 0, 1, 0, 0, 0, 1);
   CHECK(cR3d * CVector3(1, 2, 3) == CVector3(1, 2, 3));
   CHECK(cR3c == cR3d);
 
-  CTransformationMatrix2 cT2(cR2, CVector2(1.0, 2.0)), cT2b(static_cast<const CMatrix<3, 3>&>(cT2)), cT2c;
+  CTransformationMatrix2 cT2(cR2, CVector2(1.0, 2.0)), cT2b(static_cast<const CMatrix<3, 3>&>(cT2)),
+      cT2c;
   CTransformationMatrix2 cT2d(1, 0, 5, 0, 1, 6, 0, 0, 1);
   CHECK(cT2d.GetTranslationVector() == CVector2(5.0, 6.0));
   cT2c.SetFromMatrix(cT2b);
@@ -631,10 +650,12 @@ TEST_CASE("compat: matrices", "[compat]") {
   cT2c.SetTranslationVector(CVector2(7.0, 8.0));
   CHECK_THAT((cT2c.GetRotationMatrix() * CVector2::X).GetY(), WithinAbs(1.0, ROUNDING));
 
-  CTransformationMatrix3 cT3(CQuaternion(CRadians::PI_OVER_TWO, CVector3::Z), CVector3(1.0, 0.0, 0.0));
+  CTransformationMatrix3 cT3(CQuaternion(CRadians::PI_OVER_TWO, CVector3::Z),
+                             CVector3(1.0, 0.0, 0.0));
   CHECK_THAT((cT3 * CVector3::X).GetY(), WithinAbs(1.0, ROUNDING));
   CHECK_THAT(((cT3 * cT3) * CVector3()).GetY(), WithinAbs(1.0, ROUNDING));
-  CTransformationMatrix3 cT3b(static_cast<const CMatrix<4, 4>&>(cT3)), cT3c(1, 0, 0, 2, 0, 1, 0, 3, 0, 0, 1, 4, 0, 0, 0, 1), cT3d;
+  CTransformationMatrix3 cT3b(static_cast<const CMatrix<4, 4>&>(cT3)),
+      cT3c(1, 0, 0, 2, 0, 1, 0, 3, 0, 0, 1, 4, 0, 0, 0, 1), cT3d;
   CHECK(cT3c.GetTranslationVector() == CVector3(2, 3, 4));
   cT3d.SetFromMatrix(cT3b);
   cT3d.SetFromComponents(cR3b, CVector3(1, 1, 1));

@@ -18,16 +18,16 @@ using namespace argos;
 /****************************************/
 
 class CAnimal {
-public:
+ public:
   virtual ~CAnimal() {}
   virtual int GetLegs() = 0;
 };
 class CDog : public CAnimal {
-public:
+ public:
   virtual int GetLegs() { return 4; }
 };
 class CBird : public CAnimal {
-public:
+ public:
   virtual int GetLegs() { return 2; }
 };
 
@@ -35,7 +35,9 @@ public:
 REGISTER_SYMBOL(CAnimal, CDog, "dog", "author", "1.0", "brief", "long", "status")
 REGISTER_SYMBOL(CAnimal, CBird, "bird", "author", "1.0", "a bird", "long", "status");
 
-static CAnimal* MakeDog() { return new CDog; }
+static CAnimal* MakeDog() {
+  return new CDog;
+}
 
 TEST_CASE("compat: factory", "[compat]") {
   CHECK(CFactory<CAnimal>::Exists("dog"));
@@ -47,7 +49,7 @@ TEST_CASE("compat: factory", "[compat]") {
   CFactory<CAnimal>::TCreator* ptCreator = &MakeDog;
   CFactory<CAnimal>::Register("wolf", "me", "2.0", "a wolf", "a long wolf", "wild", ptCreator);
   CFactory<CAnimal>::TTypeMap& tMap = CFactory<CAnimal>::GetTypeMap();
-  for(CFactory<CAnimal>::TTypeMap::iterator it = tMap.begin(); it != tMap.end(); ++it) {
+  for (CFactory<CAnimal>::TTypeMap::iterator it = tMap.begin(); it != tMap.end(); ++it) {
     CHECK_FALSE(it->first.empty());
   }
   CHECK(tMap["wolf"]->Author == "me");
@@ -79,16 +81,16 @@ TEST_CASE("compat: dynamic loading", "[compat]") {
 /****************************************/
 
 class CShape : public EnableVTableFor<CShape> {
-public:
+ public:
   ENABLE_VTABLE();
   virtual ~CShape() {}
 };
 class CRound : public CShape {
-public:
+ public:
   ENABLE_VTABLE();
 };
 class CEdgy : public CShape {
-public:
+ public:
   ENABLE_VTABLE()
 };
 class CForgotten : public CRound {};
@@ -97,9 +99,15 @@ INIT_VTABLE_FOR(CShape)
 
 struct SCornersContext {};
 typedef int (*TCorners)();
-static int NoCorners() { return 0; }
-static int ManyCorners() { return 9; }
-static int UnknownCorners() { return -1; }
+static int NoCorners() {
+  return 0;
+}
+static int ManyCorners() {
+  return 9;
+}
+static int UnknownCorners() {
+  return -1;
+}
 
 TEST_CASE("compat: tags and virtual tables", "[compat]") {
   CRound cRound;
@@ -112,7 +120,8 @@ TEST_CASE("compat: tags and virtual tables", "[compat]") {
   CHECK(cForgotten.GetTag() == cRound.GetTag());
   CHECK(STagCounter<CShape>::Count >= 3);
   CHECK((STagHolder<CRound, CShape>::Tag) == cRound.GetTag());
-  CVTable<SCornersContext, CShape, TCorners>& cTable = GetVTable<SCornersContext, CShape, TCorners>();
+  CVTable<SCornersContext, CShape, TCorners>& cTable =
+      GetVTable<SCornersContext, CShape, TCorners>();
   cTable.Add<CShape>(&UnknownCorners);
   cTable.Add<CRound>(&NoCorners);
   CHECK(cTable[cRound.GetTag()]() == 0);
@@ -128,49 +137,51 @@ TEST_CASE("compat: tags and virtual tables", "[compat]") {
 /****************************************/
 
 class CPainter {
-public:
+ public:
   std::string Painted;
 };
 
 namespace argos {
 
 class CPaintedEntity : public CPositionalEntity {
-public:
+ public:
   ENABLE_VTABLE();
   CPaintedEntity(const std::string& str_id) : CPositionalEntity(NULL, str_id) {}
   virtual std::string GetTypeDescription() const { return "painted"; }
 };
 class CDerivedEntity : public CPaintedEntity {
-public:
+ public:
   ENABLE_VTABLE();
   CDerivedEntity(const std::string& str_id) : CPaintedEntity(str_id) {}
 };
 class CPaintedGroupEntity : public CComposableEntity {
-public:
+ public:
   ENABLE_VTABLE();
   CPaintedGroupEntity(const std::string& str_id) : CComposableEntity(NULL, str_id) {}
   virtual std::string GetTypeDescription() const { return "painted_group"; }
 };
 
 class COperationPaint : public CEntityOperation<COperationPaint, CPainter, SOperationOutcome> {
-public:
+ public:
   virtual ~COperationPaint() {}
 };
 class COperationPaintPaintedEntity : public COperationPaint {
-public:
+ public:
   SOperationOutcome ApplyTo(CPainter& c_painter, CPaintedEntity& c_entity) {
     c_painter.Painted += c_entity.GetId();
     return SOperationOutcome(true);
   }
 };
-REGISTER_ENTITY_OPERATION(COperationPaint, CPainter, COperationPaintPaintedEntity, SOperationOutcome, CPaintedEntity)
+REGISTER_ENTITY_OPERATION(COperationPaint, CPainter, COperationPaintPaintedEntity,
+                          SOperationOutcome, CPaintedEntity)
 
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CPaintedEntity)
 
 SPACE_OPERATION_ADD_ENTITY(CDerivedEntity)
 SPACE_OPERATION_REMOVE_ENTITY(CDerivedEntity)
 REGISTER_SPACE_OPERATION(CSpaceOperationAddEntity, CSpaceOperationAddCDerivedEntity, CDerivedEntity)
-REGISTER_SPACE_OPERATION(CSpaceOperationRemoveEntity, CSpaceOperationRemoveCDerivedEntity, CDerivedEntity);
+REGISTER_SPACE_OPERATION(CSpaceOperationRemoveEntity, CSpaceOperationRemoveCDerivedEntity,
+                         CDerivedEntity);
 
 REGISTER_STANDARD_SPACE_OPERATION_ADD_COMPOSABLE(CPaintedGroupEntity)
 REGISTER_STANDARD_SPACE_OPERATION_REMOVE_COMPOSABLE(CPaintedGroupEntity)
@@ -181,10 +192,12 @@ TEST_CASE("compat: entity operations", "[compat]") {
   CPainter cPainter;
   CPaintedEntity cPainted("p");
   CDerivedEntity cDerived("d");
-  CHECK(CallEntityOperation<COperationPaint, CPainter, SOperationOutcome>(cPainter, cPainted).Value);
+  CHECK(
+      CallEntityOperation<COperationPaint, CPainter, SOperationOutcome>(cPainter, cPainted).Value);
   CHECK(cPainter.Painted == "p");
   // no fallback to the base class
-  SOperationOutcome cOutcome = CallEntityOperation<COperationPaint, CPainter, SOperationOutcome>(cPainter, cDerived);
+  SOperationOutcome cOutcome =
+      CallEntityOperation<COperationPaint, CPainter, SOperationOutcome>(cPainter, cDerived);
   CHECK_FALSE(cOutcome());
   CHECK(cPainter.Painted == "p");
   SOperationOutcome cImplicit = true;

@@ -48,10 +48,12 @@ static std::string Experiment() {
     <experiment length="100" ticks_per_second="10" random_seed="124" />
   </framework>
   <controllers>
-    <user_controller id="fdc">)") + DEVICES + R"( <footbot_proximity implementation="default" show_rays="true" /> </sensors>
+    <user_controller id="fdc">)") +
+         DEVICES + R"( <footbot_proximity implementation="default" show_rays="true" /> </sensors>
       <params alpha="7.5" delta="0.1" velocity="5" />
     </user_controller>
-    <user_controller id="epc">)" + DEVICES + R"( <epuck_proximity implementation="default" /> </sensors>
+    <user_controller id="epc">)" +
+         DEVICES + R"( <epuck_proximity implementation="default" /> </sensors>
       <params />
     </user_controller>
   </controllers>
@@ -76,8 +78,9 @@ static std::string Experiment() {
 
 /* What an embedding program does: one simulator, got from the singleton, loaded from a file. */
 class CEmbedding {
-public:
-  CEmbedding(const std::string& str_xml = Experiment()) : m_strFile("compat_test_" + ToString(::getpid()) + ".argos") {
+ public:
+  CEmbedding(const std::string& str_xml = Experiment())
+      : m_strFile("compat_test_" + ToString(::getpid()) + ".argos") {
     std::ofstream(m_strFile) << str_xml;
     LOG.DisableColoredOutput();
     CSimulator& cSimulator = CSimulator::GetInstance();
@@ -90,7 +93,8 @@ public:
   }
   CSimulator& operator*() { return CSimulator::GetInstance(); }
   CSimulator* operator->() { return &CSimulator::GetInstance(); }
-private:
+
+ private:
   std::string m_strFile;
 };
 
@@ -101,8 +105,9 @@ private:
 TEST_CASE("compat: an embedding program", "[compat]") {
   CEmbedding cEmbedding;
   CSimulator& cSimulator = CSimulator::GetInstance();
-  CUserLoopFunctions& cLoopFunctions = dynamic_cast<CUserLoopFunctions&>(cSimulator.GetLoopFunctions());
-  for(size_t i = 0; i < 2; ++i) {
+  CUserLoopFunctions& cLoopFunctions =
+      dynamic_cast<CUserLoopFunctions&>(cSimulator.GetLoopFunctions());
+  for (size_t i = 0; i < 2; ++i) {
     cSimulator.Reset();
     cSimulator.Execute();
     CHECK(cSimulator.GetSpace().GetSimulationClock() == 5);
@@ -211,9 +216,11 @@ TEST_CASE("compat: every function of the space", "[compat]") {
   const CLoopFunctions& cFunctions = CSimulator::GetInstance().GetLoopFunctions();
   cFunctions.IterateOverControllableEntities(tCallback);
   CHECK(vecRobots.size() == 6);
-  static_assert(std::is_base_of<CSpace, CSpaceNoThreads>::value && std::is_base_of<CSpace, CSpaceMultiThread>::value &&
-                std::is_base_of<CSpace, CSpaceMultiThreadBalanceLength>::value &&
-                std::is_base_of<CSpace, CSpaceMultiThreadBalanceQuantity>::value, "");
+  static_assert(std::is_base_of<CSpace, CSpaceNoThreads>::value &&
+                    std::is_base_of<CSpace, CSpaceMultiThread>::value &&
+                    std::is_base_of<CSpace, CSpaceMultiThreadBalanceLength>::value &&
+                    std::is_base_of<CSpace, CSpaceMultiThreadBalanceQuantity>::value,
+                "");
 }
 
 TEST_CASE("compat: loop functions move, add and remove", "[compat]") {
@@ -221,18 +228,23 @@ TEST_CASE("compat: loop functions move, add and remove", "[compat]") {
   CLoopFunctions& cFunctions = CSimulator::GetInstance().GetLoopFunctions();
   CFootBotEntity& cFootBot = dynamic_cast<CFootBotEntity&>(cFunctions.GetSpace().GetEntity("fb0"));
   CVector3& cPosition = cFootBot.GetEmbodiedEntity().GetOriginAnchor().Position;
-  CHECK(cFunctions.MoveEntity(cFootBot.GetEmbodiedEntity(), CVector3(-2.0, -2.0, 0.0), CQuaternion()));
+  CHECK(cFunctions.MoveEntity(cFootBot.GetEmbodiedEntity(), CVector3(-2.0, -2.0, 0.0),
+                              CQuaternion()));
   CHECK(cPosition == CVector3(-2.0, -2.0, 0.0));
-  CHECK_FALSE(cFunctions.MoveEntity(cFootBot.GetEmbodiedEntity(), CVector3(2.0, 0.0, 0.0), CQuaternion(), false));
+  CHECK_FALSE(cFunctions.MoveEntity(cFootBot.GetEmbodiedEntity(), CVector3(2.0, 0.0, 0.0),
+                                    CQuaternion(), false));
   CHECK(cPosition == CVector3(-2.0, -2.0, 0.0));
-  CHECK(cFunctions.MoveEntity(cFootBot.GetEmbodiedEntity(), CVector3(-3.0, 0.0, 0.0), CQuaternion(), true));
+  CHECK(cFunctions.MoveEntity(cFootBot.GetEmbodiedEntity(), CVector3(-3.0, 0.0, 0.0), CQuaternion(),
+                              true));
   CHECK(cPosition == CVector3(-2.0, -2.0, 0.0));
-  CHECK_FALSE(cFunctions.MoveEntity(cFootBot.GetEmbodiedEntity(), CVector3(2.0, 0.0, 0.0), CQuaternion(), false, true));
+  CHECK_FALSE(cFunctions.MoveEntity(cFootBot.GetEmbodiedEntity(), CVector3(2.0, 0.0, 0.0),
+                                    CQuaternion(), false, true));
   CLightEntity& cLight = dynamic_cast<CLightEntity&>(cFunctions.GetSpace().GetEntity("light"));
   cFunctions.MoveEntity(cLight, CVector3(2.0, 2.0, 2.0), CQuaternion());
   CHECK(cLight.GetPosition() == CVector3(2.0, 2.0, 2.0));
   CFootBotEntity* pcFootBot = new CFootBotEntity("fb9", "fdc", CVector3(-3.0, -3.0, 0.0));
-  CHECK(dynamic_cast<CUserController*>(&pcFootBot->GetControllableEntity().GetController()) != NULL);
+  CHECK(dynamic_cast<CUserController*>(&pcFootBot->GetControllableEntity().GetController()) !=
+        NULL);
   cFunctions.AddEntity(*pcFootBot);
   CHECK(cFunctions.GetSpace().GetEntitiesByType("foot-bot").size() == 3);
   cFunctions.RemoveEntity("fb9");
@@ -268,7 +280,8 @@ TEST_CASE("compat: every function of the core entities", "[compat]") {
   CHECK(&cComponent.GetParent() == &cFootBot);
   CHECK(&cComponent.GetRootEntity() == &cFootBot);
   const CEntity& cConstComponent = cComponent;
-  CHECK((&cConstComponent.GetParent() == &cFootBot && &cConstComponent.GetRootEntity() == &cFootBot));
+  CHECK(
+      (&cConstComponent.GetParent() == &cFootBot && &cConstComponent.GetRootEntity() == &cFootBot));
   cComponent.SetParent(cFootBot);
   CHECK(cComponent.GetContext() == "fb0.");
   CEntity::TMultiMap::iterator itComponent = cComposable.FindComponent("wheels");
@@ -284,8 +297,10 @@ TEST_CASE("compat: every function of the core entities", "[compat]") {
   cBody.SetMovable(true);
   CHECK(&cConstBody.GetOriginAnchor() == &cBody.GetOriginAnchor());
   SAnchor& sAnchor = cBody.AddAnchor("user", CVector3(0.1, 0.0, 0.2), CQuaternion());
-  CHECK((&sAnchor.Body == &cBody && sAnchor.Id == "user" && sAnchor.Index >= 1 && sAnchor.InUseCount == 0));
-  CHECK((sAnchor.OffsetPosition == CVector3(0.1, 0.0, 0.2) && sAnchor.OffsetOrientation.GetW() == 1.0));
+  CHECK((&sAnchor.Body == &cBody && sAnchor.Id == "user" && sAnchor.Index >= 1 &&
+         sAnchor.InUseCount == 0));
+  CHECK((sAnchor.OffsetPosition == CVector3(0.1, 0.0, 0.2) &&
+         sAnchor.OffsetOrientation.GetW() == 1.0));
   sAnchor.Enable();
   CHECK(cBody.IsAnchorEnabled("user"));
   cBody.DisableAnchor("user");
@@ -307,9 +322,11 @@ TEST_CASE("compat: every function of the core entities", "[compat]") {
   CHECK(cBody.MoveTo(CVector3(-2.0, 2.0, 0.0), CQuaternion()));
 
   CControllableEntity& cControllable = cFootBot.GetControllableEntity();
-  const CControllableEntity& cConstControllable = const_cast<const CFootBotEntity&>(cFootBot).GetControllableEntity();
+  const CControllableEntity& cConstControllable =
+      const_cast<const CFootBotEntity&>(cFootBot).GetControllableEntity();
   CHECK(&cConstControllable.GetController() == &cControllable.GetController());
-  const std::map<std::string, CSimulatedActuator*>& mapActuators = cConstControllable.GetActuators();
+  const std::map<std::string, CSimulatedActuator*>& mapActuators =
+      cConstControllable.GetActuators();
   CHECK(mapActuators.size() == 2);
   CHECK(cConstControllable.GetSensors().size() == 3);
   CRay3 cRay(CVector3(), CVector3::X);
@@ -338,7 +355,8 @@ TEST_CASE("compat: every function of the core entities", "[compat]") {
   const CPositionalEntity& cConstPositional = cPositional;
   CHECK(cConstPositional.GetPosition() == CVector3::X);
   CHECK(cConstPositional.GetInitPosition() == CVector3::Z);
-  CHECK((cConstPositional.GetOrientation().GetW() == 1.0 && cConstPositional.GetInitOrientation().GetW() == 1.0));
+  CHECK((cConstPositional.GetOrientation().GetW() == 1.0 &&
+         cConstPositional.GetInitOrientation().GetW() == 1.0));
   CHECK(CPositionalEntity(NULL, "q").GetTypeDescription() == "position");
 
   CFloorEntity& cFloor = cSpace.GetFloorEntity();
@@ -355,10 +373,11 @@ TEST_CASE("compat: every function of the core entities", "[compat]") {
 
 /* plug-ins use protected members of entities */
 class COpenControllable : public CControllableEntity {
-public:
+ public:
   COpenControllable() : CControllableEntity(NULL, "controller_0") {}
   bool IsEmpty() {
-    return m_pcController == NULL && m_mapActuators.empty() && m_mapSensors.empty() && m_vecCheckedRays.empty() && m_vecIntersectionPoints.empty();
+    return m_pcController == NULL && m_mapActuators.empty() && m_mapSensors.empty() &&
+           m_vecCheckedRays.empty() && m_vecIntersectionPoints.empty();
   }
   virtual void Sense() { CControllableEntity::Sense(); }
   virtual void ControlStep() { CControllableEntity::ControlStep(); }
@@ -366,18 +385,24 @@ public:
 };
 
 class COpenBody : public CEmbodiedEntity {
-public:
+ public:
   COpenBody() : CEmbodiedEntity(NULL, "body_0", CVector3::X) {}
   bool IsUsual() {
-    return m_bMovable && m_tPhysicsModelMap.empty() && m_tPhysicsModelVector.empty() && m_sBoundingBox == NULL &&
-      m_psOriginAnchor == m_mapAnchors["origin"] && m_vecEnabledAnchors.size() == 1 && m_cInitOriginPosition == CVector3::X &&
-      m_cInitOriginOrientation.GetW() == 1.0;
+    return m_bMovable && m_tPhysicsModelMap.empty() && m_tPhysicsModelVector.empty() &&
+           m_sBoundingBox == NULL && m_psOriginAnchor == m_mapAnchors["origin"] &&
+           m_vecEnabledAnchors.size() == 1 && m_cInitOriginPosition == CVector3::X &&
+           m_cInitOriginOrientation.GetW() == 1.0;
   }
-  virtual void AddPhysicsModel(const std::string& str_engine_id, CPhysicsModel& c_model) { CEmbodiedEntity::AddPhysicsModel(str_engine_id, c_model); }
-  virtual bool MoveTo(const CVector3& c_position, const CQuaternion& c_orientation, bool b_check_only = false, bool b_ignore_collisions = false) {
+  virtual void AddPhysicsModel(const std::string& str_engine_id, CPhysicsModel& c_model) {
+    CEmbodiedEntity::AddPhysicsModel(str_engine_id, c_model);
+  }
+  virtual bool MoveTo(const CVector3& c_position, const CQuaternion& c_orientation,
+                      bool b_check_only = false, bool b_ignore_collisions = false) {
     return CEmbodiedEntity::MoveTo(c_position, c_orientation, b_check_only, b_ignore_collisions);
   }
-  virtual bool IsCollidingWithSomething() const { return CEmbodiedEntity::IsCollidingWithSomething(); }
+  virtual bool IsCollidingWithSomething() const {
+    return CEmbodiedEntity::IsCollidingWithSomething();
+  }
 };
 
 TEST_CASE("compat: protected members of entities", "[compat]") {
@@ -393,7 +418,8 @@ TEST_CASE("compat: stock entities", "[compat]") {
   CEmbedding cEmbedding;
   CLEDMedium& cMedium = CSimulator::GetInstance().GetMedium<CLEDMedium>("leds");
   CLoopFunctions& cFunctions = CSimulator::GetInstance().GetLoopFunctions();
-  CBoxEntity* pcBox = new CBoxEntity("b", CVector3(-3, 3, 0), CQuaternion(), true, CVector3(0.1, 0.2, 0.3), 2.0f);
+  CBoxEntity* pcBox =
+      new CBoxEntity("b", CVector3(-3, 3, 0), CQuaternion(), true, CVector3(0.1, 0.2, 0.3), 2.0f);
   pcBox->AddLED(CVector3(0, 0, 0.3));
   pcBox->AddLED(CVector3(0, 0, 0.3), CColor::RED);
   cFunctions.AddEntity(*pcBox);
@@ -408,7 +434,8 @@ TEST_CASE("compat: stock entities", "[compat]") {
   CHECK(&cConstBox.GetLEDEquippedEntity() == &pcBox->GetLEDEquippedEntity());
   CHECK(CBoxEntity().GetTypeDescription() == "box");
 
-  CCylinderEntity* pcCylinder = new CCylinderEntity("c", CVector3(-3, -3, 0), CQuaternion(), false, 0.1, 0.2);
+  CCylinderEntity* pcCylinder =
+      new CCylinderEntity("c", CVector3(-3, -3, 0), CQuaternion(), false, 0.1, 0.2);
   cFunctions.AddEntity(*pcCylinder);
   CHECK((pcCylinder->GetRadius() == 0.1 && pcCylinder->GetHeight() == 0.2));
   pcCylinder->Resize(0.2, 0.3);
@@ -419,7 +446,8 @@ TEST_CASE("compat: stock entities", "[compat]") {
   CHECK_FALSE(pcCylinder->GetEmbodiedEntity().IsMovable());
 
   CLEDEntity cLED(NULL, "led", CVector3::X, CColor::GREEN);
-  CHECK((cLED.GetColor() == CColor::GREEN && cLED.GetInitColor() == CColor::GREEN && !cLED.HasMedium()));
+  CHECK((cLED.GetColor() == CColor::GREEN && cLED.GetInitColor() == CColor::GREEN &&
+         !cLED.HasMedium()));
   CHECK_THROWS_AS(cLED.GetMedium(), CARGoSException);
   cLED.SetColor(CColor::RED);
   cLED.SetInitColor(CColor::RED);
@@ -441,7 +469,8 @@ TEST_CASE("compat: stock entities", "[compat]") {
   CLEDEquippedEntity& cLEDs = cFootBot.GetLEDEquippedEntity();
   CLEDEquippedEntity::SActuator::TList& tLEDs = cLEDs.GetLEDs();
   REQUIRE(tLEDs.size() == 13);
-  CHECK((&tLEDs[0]->LED == &cLEDs.GetLED(0) && tLEDs[0]->Offset == cLEDs.GetLEDOffset(0) && tLEDs[0]->Anchor.Id.size() > 0));
+  CHECK((&tLEDs[0]->LED == &cLEDs.GetLED(0) && tLEDs[0]->Offset == cLEDs.GetLEDOffset(0) &&
+         tLEDs[0]->Anchor.Id.size() > 0));
   cLEDs.SetLEDColor(3, CColor::RED);
   cLEDs.SetAllLEDsColors(CColor::GREEN);
   cLEDs.SetAllLEDsColors(std::vector<CColor>(13, CColor::YELLOW));
@@ -452,7 +481,8 @@ TEST_CASE("compat: stock entities", "[compat]") {
   cLEDs.Enable();
   CLEDEquippedEntity cRing(&cFootBot, "own_leds");
   cRing.AddLED(CVector3(0, 0, 0.1), cFootBot.GetEmbodiedEntity().GetOriginAnchor());
-  cRing.AddLEDRing(CVector3(0, 0, 0.1), 0.1, CRadians::ZERO, 4, cFootBot.GetEmbodiedEntity().GetOriginAnchor(), CColor::RED);
+  cRing.AddLEDRing(CVector3(0, 0, 0.1), 0.1, CRadians::ZERO, 4,
+                   cFootBot.GetEmbodiedEntity().GetOriginAnchor(), CColor::RED);
   CHECK(cRing.GetLEDs().size() == 5);
   // at start + i * 2 PI / num, counter-clockwise
   CHECK_THAT(cRing.GetLEDOffset(2).GetY(), WithinAbs(0.1, 1e-15));
@@ -492,8 +522,8 @@ TEST_CASE("compat: stock entities", "[compat]") {
 
 TEST_CASE("compat: robot entities", "[compat]") {
   CEmbedding cEmbedding;
-  CFootBotEntity cFootBot("f", "fdc", CVector3(1, 2, 0), CQuaternion(), 3.0f, 10, "", ToRadians(CDegrees(70.0f)), true,
-                          ToRadians(CDegrees(30.0f)), 0.035, 2.0);
+  CFootBotEntity cFootBot("f", "fdc", CVector3(1, 2, 0), CQuaternion(), 3.0f, 10, "",
+                          ToRadians(CDegrees(70.0f)), true, ToRadians(CDegrees(30.0f)), 0.035, 2.0);
   CHECK(cFootBot.GetEmbodiedEntity().GetOriginAnchor().Position == CVector3(1, 2, 0));
   CHECK(cFootBot.GetControllableEntity().GetController().GetId() == "f");
   CHECK(CFootBotEntity().GetTypeDescription() == "foot-bot");
@@ -534,7 +564,7 @@ static std::string UserExperiment() {
 }
 
 class CRobotController : public CCI_Controller {
-public:
+ public:
   virtual void Init(TConfigurationNode&) {
     m_pcHorn = GetActuator<CCI_UserHornActuator>("user_horn");
     m_pcEar = GetSensor<CCI_UserEarSensor>("user_ear");
@@ -544,7 +574,8 @@ public:
     m_pcHorn->Blow(m_vecHeard.size());
   }
   std::vector<Real> m_vecHeard;
-private:
+
+ private:
   CCI_UserHornActuator* m_pcHorn = NULL;
   CCI_UserEarSensor* m_pcEar = NULL;
 };
@@ -555,17 +586,21 @@ TEST_CASE("compat: plug-ins of users run", "[compat]") {
   CEmbedding cEmbedding(UserExperiment());
   CSimulator& cSimulator = CSimulator::GetInstance();
   CUserMedium& cMedium = cSimulator.GetMedium<CUserMedium>("air");
-  CHECK((cMedium.m_bReady && cMedium.GetId() == "air" && &cMedium.GetSpace() == &cSimulator.GetSpace()));
-  CUserRobotEntity& cRobot = *any_cast<CUserRobotEntity*>(cSimulator.GetSpace().GetEntitiesByType("user-robot")["u0"]);
+  CHECK((cMedium.m_bReady && cMedium.GetId() == "air" &&
+         &cMedium.GetSpace() == &cSimulator.GetSpace()));
+  CUserRobotEntity& cRobot =
+      *any_cast<CUserRobotEntity*>(cSimulator.GetSpace().GetEntitiesByType("user-robot")["u0"]);
   CHECK(cSimulator.GetSpace().GetEntity("u0.body_0").GetTypeDescription() == "body");
-  CHECK(any_cast<CUserHornEntity*>(cSimulator.GetSpace().GetEntitiesByType("horn")["u0.horn_0"])->GetVolume() == 0.0);
+  CHECK(any_cast<CUserHornEntity*>(cSimulator.GetSpace().GetEntitiesByType("horn")["u0.horn_0"])
+            ->GetVolume() == 0.0);
   const UInt32 unUpdates = cRobot.GetHorn().GetUpdates();
   cSimulator.Execute();
   CHECK(dynamic_cast<CUserVisualization&>(cSimulator.GetVisualization()).m_unFrames == 10);
   CHECK(cMedium.m_unUpdates == 10);
   CHECK(cRobot.GetHorn().GetUpdates() == unUpdates + 10);
   // what is blown in a step is heard in the next
-  CRobotController& cController = dynamic_cast<CRobotController&>(cRobot.GetControllableEntity().GetController());
+  CRobotController& cController =
+      dynamic_cast<CRobotController&>(cRobot.GetControllableEntity().GetController());
   CHECK(cController.m_vecHeard == std::vector<Real>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
   CHECK(cRobot.GetControllableEntity().GetCheckedRays().size() == 1);
   // 0.1 m/s for 1 s, in 50 additions
@@ -593,7 +628,8 @@ TEST_CASE("compat: every function of engines and models", "[compat]") {
   SVolume& sVolume = cEngine.GetVolume();
   const SVolume& sConstVolume = cConst.GetVolume();
   CHECK((&sVolume == &sConstVolume && sVolume.IsActive()));
-  CHECK((sVolume.TopFace->Height == 1.0 && sVolume.BottomFace->Height == -1.0 && sVolume.SideFaces.size() == 4));
+  CHECK((sVolume.TopFace->Height == 1.0 && sVolume.BottomFace->Height == -1.0 &&
+         sVolume.SideFaces.size() == 4));
   CHECK(sVolume.SideFaces[0]->BaseSegment.GetStart() == CVector2(-5, -5));
   SVolume sOwn;
   CConfigurationDocument cDocument;
@@ -604,10 +640,12 @@ TEST_CASE("compat: every function of engines and models", "[compat]") {
   CPhysicsEngine::TMap tEngines;
   tEngines["user"] = &cEngine;
 
-  CEmbodiedEntity& cBody = dynamic_cast<CUserRobotEntity&>(cSimulator.GetSpace().GetEntity("u0")).GetEmbodiedEntity();
+  CEmbodiedEntity& cBody =
+      dynamic_cast<CUserRobotEntity&>(cSimulator.GetSpace().GetEntity("u0")).GetEmbodiedEntity();
   CPhysicsModel& cModel = cBody.GetPhysicsModel(0);
   const CPhysicsModel& cConstModel = cModel;
-  CHECK((&cModel.GetEngine() == &cEngine && &cModel.GetEmbodiedEntity() == &cBody && &cConstModel.GetEmbodiedEntity() == &cBody));
+  CHECK((&cModel.GetEngine() == &cEngine && &cModel.GetEmbodiedEntity() == &cBody &&
+         &cConstModel.GetEmbodiedEntity() == &cBody));
   CHECK(&cConstModel.GetBoundingBox() == &cModel.GetBoundingBox());
   CPhysicsModel::TVector tModels(1, &cModel);
   CHECK(tModels.size() == 1);
@@ -620,7 +658,9 @@ TEST_CASE("compat: every function of engines and models", "[compat]") {
 
 TEST_CASE("compat: rays meet bodies that only a user's engine knows", "[compat]") {
   CEmbedding cEmbedding(UserExperiment());
-  CEmbodiedEntity& cBody = dynamic_cast<CUserRobotEntity&>(CSimulator::GetInstance().GetSpace().GetEntity("u0")).GetEmbodiedEntity();
+  CEmbodiedEntity& cBody =
+      dynamic_cast<CUserRobotEntity&>(CSimulator::GetInstance().GetSpace().GetEntity("u0"))
+          .GetEmbodiedEntity();
   const CRay3 cRay(CVector3(-1, 0, 0.1), CVector3(1, 0, 0.1));
   TEmbodiedEntityIntersectionData tData(3);
   CHECK(GetEmbodiedEntitiesIntersectedByRay(tData, cRay));
@@ -632,7 +672,8 @@ TEST_CASE("compat: rays meet bodies that only a user's engine knows", "[compat]"
   CHECK(GetClosestEmbodiedEntityIntersectedByRay(sItem, cRay));
   CHECK(sItem.IntersectedEntity == &cBody);
   CHECK_FALSE(GetClosestEmbodiedEntityIntersectedByRay(sItem, cRay, cBody));
-  CHECK(SEmbodiedEntityIntersectionItem(&cBody, 0.1) < SEmbodiedEntityIntersectionItem(&cBody, 0.2));
+  CHECK(SEmbodiedEntityIntersectionItem(&cBody, 0.1) <
+        SEmbodiedEntityIntersectionItem(&cBody, 0.2));
 }
 
 /****************************************/
@@ -640,13 +681,14 @@ TEST_CASE("compat: rays meet bodies that only a user's engine knows", "[compat]"
 /****************************************/
 
 class CUserLamp : public CPositionalEntity {
-public:
+ public:
   ENABLE_VTABLE();
-  CUserLamp(const std::string& str_id, const CVector3& c_position) : CPositionalEntity(NULL, str_id, c_position) {}
+  CUserLamp(const std::string& str_id, const CVector3& c_position)
+      : CPositionalEntity(NULL, str_id, c_position) {}
 };
 
 class CLampGridUpdater : public CGrid<CUserLamp>::COperation {
-public:
+ public:
   CLampGridUpdater(CGrid<CUserLamp>& c_grid) : m_cGrid(c_grid) {}
   virtual bool operator()(CUserLamp& c_entity) {
     SInt32 i, j, k;
@@ -654,12 +696,13 @@ public:
     m_cGrid.UpdateCell(i, j, k, c_entity);
     return true;
   }
-private:
+
+ private:
   CGrid<CUserLamp>& m_cGrid;
 };
 
 class CLampHashUpdater : public CSpaceHashUpdater<CUserLamp> {
-public:
+ public:
   virtual void operator()(CAbstractSpaceHash<CUserLamp>& c_hash, CUserLamp& c_entity) {
     SInt32 i, j, k;
     c_hash.SpaceToHashTable(i, j, k, c_entity.GetPosition());
@@ -668,13 +711,16 @@ public:
 };
 
 class CLampCollector : public CPositionalIndex<CUserLamp>::COperation {
-public:
-  virtual bool operator()(CUserLamp& c_entity) { m_strIds += c_entity.GetId(); return true; }
+ public:
+  virtual bool operator()(CUserLamp& c_entity) {
+    m_strIds += c_entity.GetId();
+    return true;
+  }
   std::string m_strIds;
 };
 
 class CCellCounter : public CGrid<CUserLamp>::CCellOperation {
-public:
+ public:
   virtual bool operator()(SInt32, SInt32, SInt32, CGrid<CUserLamp>::SCell& s_cell) {
     ++m_unCells;
     m_unEntities += s_cell.Entities.size();

@@ -16,9 +16,7 @@
 using namespace argos;
 
 class CUserController : public CCI_Controller {
-
-public:
-
+ public:
   CUserController();
   virtual ~CUserController() {}
 
@@ -31,8 +29,7 @@ public:
   const CVector2& GetCrowd() const { return m_cCrowd; }
   CCI_DifferentialSteeringActuator* GetWheels() { return m_pcWheels; }
 
-private:
-
+ private:
   CCI_DifferentialSteeringActuator* m_pcWheels;
   CCI_DifferentialSteeringSensor* m_pcEncoder;
   CCI_LEDsActuator* m_pcLEDs;
@@ -46,7 +43,6 @@ private:
   CRange<CRadians> m_cGoStraightAngleRange;
   CVector2 m_cCrowd;
   UInt32 m_unSteps;
-
 };
 
 #endif

@@ -11,9 +11,7 @@
 using namespace argos;
 
 class CUserLoopFunctions : public CLoopFunctions {
-
-public:
-
+ public:
   CUserLoopFunctions();
   virtual ~CUserLoopFunctions() {}
 
@@ -27,9 +25,11 @@ public:
   virtual void PostExperiment();
 
   /* these can be overridden too */
-  virtual void MoveEntity(CPositionalEntity& c_entity, const CVector3& c_position, const CQuaternion& c_orientation);
-  virtual bool MoveEntity(CEmbodiedEntity& c_entity, const CVector3& c_position, const CQuaternion& c_orientation,
-                          bool b_check_only = false, bool b_ignore_collisions = false);
+  virtual void MoveEntity(CPositionalEntity& c_entity, const CVector3& c_position,
+                          const CQuaternion& c_orientation);
+  virtual bool MoveEntity(CEmbodiedEntity& c_entity, const CVector3& c_position,
+                          const CQuaternion& c_orientation, bool b_check_only = false,
+                          bool b_ignore_collisions = false);
   virtual void AddEntity(CEntity& c_entity);
   virtual void RemoveEntity(const std::string& str_entity_id);
   virtual void RemoveEntity(CEntity& c_entity);
@@ -39,8 +39,7 @@ public:
   UInt32 GetVisited() const { return m_unVisited; }
   bool WasPostExperiment() const { return m_bPostExperiment; }
 
-private:
-
+ private:
   CRange<Real> m_cArenaSideX, m_cArenaSideY;
   std::vector<CVector2> m_cItems;
   CFloorEntity* m_pcFloor;
@@ -51,7 +50,6 @@ private:
   UInt32 m_unTotalSteps;
   UInt32 m_unVisited;
   bool m_bPostExperiment;
-
 };
 
 #endif

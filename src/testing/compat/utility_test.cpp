@@ -32,10 +32,14 @@ using Catch::WithinAbs;
 /****************************************/
 
 static_assert(std::is_same<Real, double>::value, "");
-static_assert(std::is_same<SInt8, signed char>::value && std::is_same<UInt8, unsigned char>::value, "");
-static_assert(std::is_same<SInt16, short>::value && std::is_same<UInt16, unsigned short>::value, "");
+static_assert(std::is_same<SInt8, signed char>::value && std::is_same<UInt8, unsigned char>::value,
+              "");
+static_assert(std::is_same<SInt16, short>::value && std::is_same<UInt16, unsigned short>::value,
+              "");
 static_assert(std::is_same<SInt32, int>::value && std::is_same<UInt32, unsigned int>::value, "");
-static_assert(std::is_same<SInt64, long long>::value && std::is_same<UInt64, unsigned long long>::value, "");
+static_assert(std::is_same<SInt64, long long>::value &&
+                  std::is_same<UInt64, unsigned long long>::value,
+              "");
 
 TEST_CASE("compat: 8-bit integers are printed as numbers", "[compat]") {
   std::ostringstream cStream;
@@ -48,21 +52,21 @@ TEST_CASE("compat: 8-bit integers are printed as numbers", "[compat]") {
 /****************************************/
 
 static int Classify(int n_value) {
-  if(n_value > 0) return 1;
-  else THROW_ARGOSEXCEPTION("not positive: " << n_value << "!")
+  if (n_value > 0)
+    return 1;
+  else
+    THROW_ARGOSEXCEPTION("not positive: " << n_value << "!")
 }
 
 TEST_CASE("compat: exceptions and their macros", "[compat]") {
   CHECK(Classify(3) == 1);
   try {
     Classify(-2);
-  }
-  catch(CARGoSException& ex) {
+  } catch (CARGoSException& ex) {
     CHECK(std::string(ex.what()) == "[FATAL] not positive: -2!");
     try {
       THROW_ARGOSEXCEPTION_NESTED("outer " << 1, ex);
-    }
-    catch(CARGoSException& ex2) {
+    } catch (CARGoSException& ex2) {
       CHECK(std::string(ex2.what()) == "[FATAL] outer 1\n[FATAL] not positive: -2!");
     }
   }
@@ -172,7 +176,7 @@ TEST_CASE("compat: strings", "[compat]") {
 /****************************************/
 
 class CLogUser {
-public:
+ public:
   std::string GetId() const { return "fb0"; }
   void Say() {
     RLOG << "hello" << std::endl;
@@ -216,10 +220,15 @@ TEST_CASE("compat: logs", "[compat]") {
 }
 
 TEST_CASE("compat: coloured text", "[compat]") {
-  static_assert(ARGOS_LOG_ATTRIBUTE_RESET == 0 && ARGOS_LOG_ATTRIBUTE_DIM == 2 && ARGOS_LOG_ATTRIBUTE_UNDERSCORE == 3 &&
-                ARGOS_LOG_ATTRIBUTE_BLINK == 5 && ARGOS_LOG_ATTRIBUTE_REVERSE == 7 && ARGOS_LOG_ATTRIBUTE_HIDDEN == 8, "");
-  static_assert(ARGOS_LOG_COLOR_BLACK == 0 && ARGOS_LOG_COLOR_RED == 1 && ARGOS_LOG_COLOR_YELLOW == 3 && ARGOS_LOG_COLOR_BLUE == 4 &&
-                ARGOS_LOG_COLOR_MAGENTA == 5 && ARGOS_LOG_COLOR_CYAN == 6 && ARGOS_LOG_COLOR_WHITE == 7, "");
+  static_assert(ARGOS_LOG_ATTRIBUTE_RESET == 0 && ARGOS_LOG_ATTRIBUTE_DIM == 2 &&
+                    ARGOS_LOG_ATTRIBUTE_UNDERSCORE == 3 && ARGOS_LOG_ATTRIBUTE_BLINK == 5 &&
+                    ARGOS_LOG_ATTRIBUTE_REVERSE == 7 && ARGOS_LOG_ATTRIBUTE_HIDDEN == 8,
+                "");
+  static_assert(ARGOS_LOG_COLOR_BLACK == 0 && ARGOS_LOG_COLOR_RED == 1 &&
+                    ARGOS_LOG_COLOR_YELLOW == 3 && ARGOS_LOG_COLOR_BLUE == 4 &&
+                    ARGOS_LOG_COLOR_MAGENTA == 5 && ARGOS_LOG_COLOR_CYAN == 6 &&
+                    ARGOS_LOG_COLOR_WHITE == 7,
+                "");
   SLogColor sColor(ARGOS_LOG_ATTRIBUTE_BLINK, ARGOS_LOG_COLOR_CYAN);
   EARGoSLogAttributes eAttribute = ARGOS_LOG_ATTRIBUTE_BLINK;
   EARGoSLogColors eColor = ARGOS_LOG_COLOR_CYAN;
@@ -230,7 +239,8 @@ TEST_CASE("compat: coloured text", "[compat]") {
   std::ostringstream cStream;
   cStream << sDefault;
   CHECK(cStream.str() == "\033[5;36m");
-  cStream << argos::red << argos::green << argos::yellow << argos::blue << argos::magenta << argos::cyan << argos::white << argos::reset;
+  cStream << argos::red << argos::green << argos::yellow << argos::blue << argos::magenta
+          << argos::cyan << argos::white << argos::reset;
   std::ostream& (*pcManipulator)(std::ostream&) = &argos::red;
   cStream << pcManipulator;
   CHECK(cStream.good());
@@ -276,10 +286,11 @@ TEST_CASE("compat: colours", "[compat]") {
   std::istringstream cIn("brown");
   cIn >> cColor;
   CHECK(cColor == CColor(165, 42, 42));
-  const CColor* ppcAll[] = {&CColor::BLACK, &CColor::WHITE, &CColor::RED, &CColor::GREEN, &CColor::BLUE, &CColor::MAGENTA,
-                            &CColor::CYAN, &CColor::YELLOW, &CColor::ORANGE, &CColor::BROWN, &CColor::PURPLE, &CColor::GRAY10,
-                            &CColor::GRAY20, &CColor::GRAY30, &CColor::GRAY40, &CColor::GRAY50, &CColor::GRAY60, &CColor::GRAY70,
-                            &CColor::GRAY80, &CColor::GRAY90};
+  const CColor* ppcAll[] = {&CColor::BLACK,  &CColor::WHITE,   &CColor::RED,    &CColor::GREEN,
+                            &CColor::BLUE,   &CColor::MAGENTA, &CColor::CYAN,   &CColor::YELLOW,
+                            &CColor::ORANGE, &CColor::BROWN,   &CColor::PURPLE, &CColor::GRAY10,
+                            &CColor::GRAY20, &CColor::GRAY30,  &CColor::GRAY40, &CColor::GRAY50,
+                            &CColor::GRAY60, &CColor::GRAY70,  &CColor::GRAY80, &CColor::GRAY90};
   CHECK(ppcAll[11]->GetRed() == 26);
   CHECK(ppcAll[19]->GetBlue() == 229);
   // the constants are no constants, and user code counts on it
@@ -291,9 +302,12 @@ TEST_CASE("compat: colours", "[compat]") {
 /* 2.7 byte arrays                      */
 /****************************************/
 
-static size_t SizeOf(const CByteArray& c_array) { return c_array.Size(); }
+static size_t SizeOf(const CByteArray& c_array) {
+  return c_array.Size();
+}
 
-template <typename T> static void CheckRoundTrip(const T& t_value, size_t un_size) {
+template <typename T>
+static void CheckRoundTrip(const T& t_value, size_t un_size) {
   CByteArray cArray;
   cArray << t_value;
   CHECK(cArray.Size() == un_size);
@@ -401,7 +415,7 @@ TEST_CASE("compat: any", "[compat]") {
 }
 
 class CState : public CMemento {
-public:
+ public:
   virtual void SaveState(CByteArray& c_buffer) { c_buffer << m_unState; }
   virtual void LoadState(CByteArray& c_buffer) { c_buffer >> m_unState; }
   UInt32 m_unState = 0;
@@ -438,7 +452,8 @@ TEST_CASE("compat: set", "[compat]") {
   CHECK(cSet.exists(&pn[0]));
   int nSum = 0;
   // the iterator's type does not depend on the comparison
-  for(CSet<int*>::iterator it = cSet.begin(); it != cSet.end(); ++it) nSum = 10 * nSum + **it;
+  for (CSet<int*>::iterator it = cSet.begin(); it != cSet.end(); ++it)
+    nSum = 10 * nSum + **it;
   CHECK(nSum == 321);
   CSet<int*>::const_iterator itConst = cSet.begin();
   CHECK(*itConst == &pn[2]);
@@ -490,9 +505,11 @@ TEST_CASE("compat: sockets", "[compat]") {
 }
 
 class CParser : public CCommandLineArgParser {
-public:
+ public:
   virtual void PrintUsage(CARGoSLog& c_log) { CCommandLineArgParser::PrintUsage(c_log); }
-  virtual void Parse(SInt32 n_argc, char** ppch_argv) { CCommandLineArgParser::Parse(n_argc, ppch_argv); }
+  virtual void Parse(SInt32 n_argc, char** ppch_argv) {
+    CCommandLineArgParser::Parse(n_argc, ppch_argv);
+  }
 };
 
 TEST_CASE("compat: command lines", "[compat]") {
@@ -503,7 +520,8 @@ TEST_CASE("compat: command lines", "[compat]") {
   cParser.AddFlag('f', "flag", "a flag", bFlag);
   cParser.AddArgument<std::string>('c', "file", "a file", strFile);
   cParser.AddArgument('n', "number", "a number", unNumber);
-  char pchName[] = "program", pchFlag[] = "-f", pchFile[] = "--file", pchValue[] = "x.argos", pchN[] = "-n", pchFive[] = "5";
+  char pchName[] = "program", pchFlag[] = "-f", pchFile[] = "--file", pchValue[] = "x.argos",
+       pchN[] = "-n", pchFive[] = "5";
   char* ppchArgv[] = {pchName, pchFlag, pchFile, pchValue, pchN, pchFive};
   cParser.Parse(6, ppchArgv);
   CHECK(bFlag);

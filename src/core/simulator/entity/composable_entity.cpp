@@ -141,7 +141,8 @@ bool CComposableEntity::HasComponent(const std::string& path) {
 
 CEntity::TMultiMap::iterator CComposableEntity::FindComponent(const std::string& path) {
   CEntity* component = TryGetComponent(path);
-  TMultiMap& map = component != nullptr ? component->GetParent().GetComponentMap() : GetComponentMap();
+  TMultiMap& map =
+      component != nullptr ? component->GetParent().GetComponentMap() : GetComponentMap();
   return std::find_if(map.begin(), map.end(),
                       [component](const auto& entry) { return entry.second == component; });
 }

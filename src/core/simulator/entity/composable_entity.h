@@ -75,28 +75,28 @@ class CComposableEntity : public CEntity {
  private:
   CEntity* TryGetComponent(const std::string& path);
 
-  CEntity::TVector m_components;                         // owned
-  std::unique_ptr<CEntity::TMultiMap> m_componentMap;    // by type; null until asked for
+  CEntity::TVector m_components;  // owned
+  std::unique_ptr<CEntity::TMultiMap> m_componentMap;  // by type; null until asked for
 };
 
 }  // namespace argos
 
-#define SPACE_OPERATION_ADD_COMPOSABLE_ENTITY(ENTITY)                                         \
-  class CSpaceOperationAdd##ENTITY : public CSpaceOperationAddEntity {                        \
-   public:                                                                                    \
-    void ApplyTo(CSpace& space, ENTITY& entity) {                                             \
-      space.AddEntity(entity);                                                                \
-      AddComponentsToSpace(space, entity);                                                    \
-    }                                                                                         \
-  };
-
-#define SPACE_OPERATION_REMOVE_COMPOSABLE_ENTITY(ENTITY)               \
-  class CSpaceOperationRemove##ENTITY : public CSpaceOperationRemoveEntity { \
+#define SPACE_OPERATION_ADD_COMPOSABLE_ENTITY(ENTITY)                  \
+  class CSpaceOperationAdd##ENTITY : public CSpaceOperationAddEntity { \
    public:                                                             \
     void ApplyTo(CSpace& space, ENTITY& entity) {                      \
-      RemoveComponentsFromSpace(space, entity);                        \
-      space.RemoveEntity(entity);                                      \
+      space.AddEntity(entity);                                         \
+      AddComponentsToSpace(space, entity);                             \
     }                                                                  \
+  };
+
+#define SPACE_OPERATION_REMOVE_COMPOSABLE_ENTITY(ENTITY)                     \
+  class CSpaceOperationRemove##ENTITY : public CSpaceOperationRemoveEntity { \
+   public:                                                                   \
+    void ApplyTo(CSpace& space, ENTITY& entity) {                            \
+      RemoveComponentsFromSpace(space, entity);                              \
+      space.RemoveEntity(entity);                                            \
+    }                                                                        \
   };
 
 #define REGISTER_STANDARD_SPACE_OPERATION_ADD_COMPOSABLE(ENTITY) \

@@ -56,7 +56,9 @@ CControllableEntity::CControllableEntity(CComposableEntity* parent, const std::s
 
 CControllableEntity::~CControllableEntity() = default;
 
-CSpace& CControllableEntity::GetSpace() const { return m_simulator.GetSpace(); }
+CSpace& CControllableEntity::GetSpace() const {
+  return m_simulator.GetSpace();
+}
 
 void CControllableEntity::Init(TConfigurationNode& tree) {
   CEntity::Init(tree);

@@ -45,7 +45,9 @@ const CComposableEntity& CEntity::GetParent() const {
   return const_cast<CEntity*>(this)->GetParent();
 }
 
-void CEntity::SetParent(CComposableEntity& parent) { m_parent = &parent; }
+void CEntity::SetParent(CComposableEntity& parent) {
+  m_parent = &parent;
+}
 
 CEntity& CEntity::GetRootEntity() {
   CEntity* entity = this;
@@ -55,8 +57,12 @@ CEntity& CEntity::GetRootEntity() {
   return *entity;
 }
 
-const CEntity& CEntity::GetRootEntity() const { return const_cast<CEntity*>(this)->GetRootEntity(); }
+const CEntity& CEntity::GetRootEntity() const {
+  return const_cast<CEntity*>(this)->GetRootEntity();
+}
 
-void CEntity::UpdateDigest(CDigest& digest) const { digest.Add(m_enabled); }
+void CEntity::UpdateDigest(CDigest& digest) const {
+  digest.Add(m_enabled);
+}
 
 }  // namespace argos

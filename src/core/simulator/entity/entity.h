@@ -99,7 +99,9 @@ class CEntity : public CBaseConfigurableResource, public EnableVTableFor<CEntity
 
 /** Orders entities by index, the order of their insertion into the space. */
 struct SEntityComparator {
-  bool operator()(const CEntity* a, const CEntity* b) const { return a->GetIndex() < b->GetIndex(); }
+  bool operator()(const CEntity* a, const CEntity* b) const {
+    return a->GetIndex() < b->GetIndex();
+  }
   bool operator()(const CEntity& a, const CEntity& b) const { return a.GetIndex() < b.GetIndex(); }
 };
 
@@ -113,9 +115,9 @@ RETURN_VALUE CallEntityOperation(PLUGIN& plugin, CEntity& entity) {
 
 }  // namespace argos
 
-#define REGISTER_ENTITY(CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION, LONG_DESCRIPTION, \
-                        STATUS)                                                                 \
-  REGISTER_SYMBOL(CEntity, CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION,                \
-                  LONG_DESCRIPTION, STATUS)
+#define REGISTER_ENTITY(CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION, LONG_DESCRIPTION,    \
+                        STATUS)                                                                    \
+  REGISTER_SYMBOL(CEntity, CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION, LONG_DESCRIPTION, \
+                  STATUS)
 
 #endif

@@ -8,9 +8,10 @@ namespace argos {
 
 // media are made by zero-argument factories and by users' own code, so the base picks up the
 // thread's simulator here, once, and derived classes use the members
-CMedium::CMedium()
-    : m_cSimulator(CurrentSimulator()), m_cSpace(m_cSimulator.GetSpace()) {}
+CMedium::CMedium() : m_cSimulator(CurrentSimulator()), m_cSpace(m_cSimulator.GetSpace()) {}
 
-void CMedium::Init(TConfigurationNode& tree) { GetNodeAttribute(tree, "id", m_id); }
+void CMedium::Init(TConfigurationNode& tree) {
+  GetNodeAttribute(tree, "id", m_id);
+}
 
 }  // namespace argos

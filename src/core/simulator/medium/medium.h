@@ -45,9 +45,9 @@ class CMedium : public CBaseConfigurableResource {
 
 }  // namespace argos
 
-#define REGISTER_MEDIUM(CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION, LONG_DESCRIPTION, \
-                        STATUS)                                                                 \
-  REGISTER_SYMBOL(CMedium, CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION,                \
-                  LONG_DESCRIPTION, STATUS)
+#define REGISTER_MEDIUM(CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION, LONG_DESCRIPTION,    \
+                        STATUS)                                                                    \
+  REGISTER_SYMBOL(CMedium, CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION, LONG_DESCRIPTION, \
+                  STATUS)
 
 #endif

@@ -36,8 +36,8 @@ class CVisualization : public CBaseConfigurableResource {
 
 }  // namespace argos
 
-#define REGISTER_VISUALIZATION(CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION, \
-                               LONG_DESCRIPTION, STATUS)                             \
+#define REGISTER_VISUALIZATION(CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION,    \
+                               LONG_DESCRIPTION, STATUS)                                \
   REGISTER_SYMBOL(CVisualization, CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION, \
                   LONG_DESCRIPTION, STATUS)
 

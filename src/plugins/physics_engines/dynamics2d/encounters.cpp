@@ -11,10 +11,14 @@ namespace {
 constexpr Real kMinObstacleCell = 0.25;
 
 // about as many cells as this
-Real AimedCells(size_t numDiscs) { return 64.0 + 2.0 * static_cast<Real>(numDiscs); }
+Real AimedCells(size_t numDiscs) {
+  return 64.0 + 2.0 * static_cast<Real>(numDiscs);
+}
 
 // a square has this many; a long strip has one row or column more for each cell
-size_t MaxCells(size_t numDiscs) { return 3 * static_cast<size_t>(AimedCells(numDiscs)); }
+size_t MaxCells(size_t numDiscs) {
+  return 3 * static_cast<size_t>(AimedCells(numDiscs));
+}
 
 /** Half the size of the axis-aligned box around an obstacle, m. */
 void ComputeHalfExtents(const SObstacle& obstacle, Real& halfX, Real& halfY) {
@@ -87,8 +91,7 @@ void CEncounters::SetObstacles(const std::vector<SObstacle>& obstacles) {
   m_obstacleItems.resize(m_obstacleStart.back());
   std::vector<UInt32> next(m_obstacleStart.begin(), m_obstacleStart.end() - 1);
   for (UInt32 number = 0; number < m_obstacles.size(); ++number) {
-    forCells(m_obstacles[number],
-             [&](size_t cell) { m_obstacleItems[next[cell]++] = number; });
+    forCells(m_obstacles[number], [&](size_t cell) { m_obstacleItems[next[cell]++] = number; });
   }
 }
 
@@ -131,14 +134,13 @@ void CEncounters::Sort() {
   if (m_discs.empty()) {
     minX = minY = maxX = maxY = 0.0;
   }
-  m_grid.Cover(minX, minY, maxX, maxY, 2.0 * m_maxReach + m_margin,
-               AimedCells(m_discs.size()));
+  m_grid.Cover(minX, minY, maxX, maxY, 2.0 * m_maxReach + m_margin, AimedCells(m_discs.size()));
 
   m_cellOf.resize(m_discs.size());
   m_start.assign(m_grid.NumCells() + 1, 0);
   for (size_t i = 0; i < m_discs.size(); ++i) {
-    const UInt32 cell = static_cast<UInt32>(m_grid.CellJ(m_discs[i].Y) * m_grid.NumI +
-                                            m_grid.CellI(m_discs[i].X));
+    const UInt32 cell =
+        static_cast<UInt32>(m_grid.CellJ(m_discs[i].Y) * m_grid.NumI + m_grid.CellI(m_discs[i].X));
     m_cellOf[i] = cell;
     ++m_start[cell];
   }
@@ -153,7 +155,8 @@ void CEncounters::Sort() {
   }
 }
 
-// Each pair once: a disc, and those after it in its row's cells or in the three cells of the next row.
+// Each pair once: a disc, and those after it in its row's cells or in the three cells of the next
+// row.
 void CEncounters::MarkPairs() {
   const int lastI = m_grid.NumI - 1;
   for (int j = 0; j < m_grid.NumJ; ++j) {

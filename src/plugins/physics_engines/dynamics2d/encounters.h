@@ -10,9 +10,9 @@ namespace argos {
 /** The footprint of an immovable solid: a disc or an oriented rectangle; m, world frame. */
 struct SObstacle {
   Real X, Y;
-  Real Cos, Sin;      // of the yaw of a rectangle
+  Real Cos, Sin;  // of the yaw of a rectangle
   Real HalfX, HalfY;  // of a rectangle; both 0 for a disc
-  Real Radius;        // of a disc; 0 for a rectangle
+  Real Radius;  // of a disc; 0 for a rectangle
 };
 
 /**
@@ -21,8 +21,8 @@ struct SObstacle {
  * A disc's reach is the radius of a circle, around its centre at the tick's start, that it does not
  * leave in the tick. Discs whose circles are apart cannot meet.
  *
- * Pairs are found in a grid that is filled anew each tick by counting sort; its cells are as many as
- * there are discs, about, and at least so wide that whatever can be met is in an adjoining cell.
+ * Pairs are found in a grid that is filled anew each tick by counting sort; its cells are as many
+ * as there are discs, about, and at least so wide that whatever can be met is in an adjoining cell.
  */
 class CEncounters {
  public:
@@ -79,15 +79,15 @@ class CEncounters {
     }
   }
 
-  Real m_margin = 0.0;            // m
-  Real m_maxReach = 0.0;          // m, of the discs
-  std::vector<SDisc> m_discs;     // as placed
+  Real m_margin = 0.0;  // m
+  Real m_maxReach = 0.0;  // m, of the discs
+  std::vector<SDisc> m_discs;  // as placed
   std::vector<UInt32> m_placeOf;  // in m_discs, by number
-  std::vector<UInt8> m_marks;     // EMark, by number
+  std::vector<UInt8> m_marks;  // EMark, by number
   SGrid m_grid;
-  std::vector<UInt32> m_cellOf;   // (discs) as placed
-  std::vector<UInt32> m_start;    // (cells + 1) into m_sorted
-  std::vector<SDisc> m_sorted;    // in order of cells
+  std::vector<UInt32> m_cellOf;  // (discs) as placed
+  std::vector<UInt32> m_start;  // (cells + 1) into m_sorted
+  std::vector<SDisc> m_sorted;  // in order of cells
 
   std::vector<SObstacle> m_obstacles;
   SGrid m_obstacleGrid;

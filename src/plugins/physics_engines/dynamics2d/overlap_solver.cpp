@@ -8,13 +8,13 @@ namespace argos {
 
 namespace {
 
-// An overlap of the described shapes below this is left alone, Box2D units; the smallest movable body
-// has radius 1, so this is 0.05 % of its radius.
+// An overlap of the described shapes below this is left alone, Box2D units; the smallest movable
+// body has radius 1, so this is 0.05 % of its radius.
 constexpr float kTolerance = 0.0005F;
 // Pairs up to this far apart can become overlaps when their neighbours are pushed, Box2D units.
 constexpr float kNear = 0.1F;
-// The most a pair is pushed in a sweep, Box2D units: bodies that were put into each other come apart
-// in some ticks instead of being thrown about.
+// The most a pair is pushed in a sweep, Box2D units: bodies that were put into each other come
+// apart in some ticks instead of being thrown about.
 constexpr float kMaxPush = 0.25F;
 constexpr int kMaxSweeps = 40;
 
@@ -82,8 +82,8 @@ float COverlapSolver::Resolve(b2World& world) {
   }
   for (SBody& body : m_bodies) {
     if (body.Moved) {
-      body.Body->SetTransform(
-          body.Centre - b2Mul(body.Rotation, body.Body->GetLocalCenter()), body.Angle);
+      body.Body->SetTransform(body.Centre - b2Mul(body.Rotation, body.Body->GetLocalCenter()),
+                              body.Angle);
     }
   }
   return deepest;
@@ -114,8 +114,8 @@ UInt32 COverlapSolver::IndexOf(b2Body* body) {
   UInt32& index = m_indexOf[number];
   if (index >= m_bodies.size() || m_bodies[index].Body != body) {
     index = static_cast<UInt32>(m_bodies.size());
-    SBody entry = {body, body->GetWorldCenter(), body->GetAngle(), body->GetTransform().q,
-                   0.0F, 0.0F,                   false};
+    SBody entry = {
+        body, body->GetWorldCenter(), body->GetAngle(), body->GetTransform().q, 0.0F, 0.0F, false};
     if (body->GetType() == b2_dynamicBody) {
       const float mass = body->GetMass();
       entry.InverseMass = 1.0F / mass;

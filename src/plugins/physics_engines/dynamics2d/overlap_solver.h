@@ -12,12 +12,12 @@ namespace argos {
 /**
  * Pushes overlapping bodies apart, after a substep.
  *
- * Box2D 2.4 learns of a contact when shapes overlap already: two e-pucks that meet head-on at 10 cm/s
- * each are up to 1 cm into each other at the end of the substep in which they meet, and its own
- * position solver removes a fifth of an overlap per iteration, in the next substep. This solver takes
- * out what is left, positions only, in sweeps over the pairs (Gauss-Seidel; J. Bender, M. Müller,
- * M. Macklin, A Survey on Position Based Dynamics, 2017, section 5.1). Walls come last in each sweep,
- * so that what cannot be solved in a crowd is left between robots, never in a wall.
+ * Box2D 2.4 learns of a contact when shapes overlap already: two e-pucks that meet head-on at 10
+ * cm/s each are up to 1 cm into each other at the end of the substep in which they meet, and its
+ * own position solver removes a fifth of an overlap per iteration, in the next substep. This solver
+ * takes out what is left, positions only, in sweeps over the pairs (Gauss-Seidel; J. Bender, M.
+ * Müller, M. Macklin, A Survey on Position Based Dynamics, 2017, section 5.1). Walls come last in
+ * each sweep, so that what cannot be solved in a crowd is left between robots, never in a wall.
  *
  * It moves two bodies in inverse proportion to their masses, so it keeps their centre of mass; it
  * does not touch velocities, which Box2D's solver makes right in the next substep.
@@ -36,7 +36,7 @@ class COverlapSolver {
     b2Vec2 Centre;  // of mass
     float Angle;
     b2Rot Rotation;
-    float InverseMass;     // 0 if it does not move
+    float InverseMass;  // 0 if it does not move
     float InverseInertia;  // about the centre of mass
     bool Moved;
   };
@@ -57,7 +57,7 @@ class COverlapSolver {
   std::vector<SBody> m_bodies;
   std::vector<SPair> m_pairs;
   std::vector<SPair> m_wallPairs;  // with an immovable body
-  std::vector<UInt32> m_indexOf;   // by number of body: index in m_bodies, valid if it is that body
+  std::vector<UInt32> m_indexOf;  // by number of body: index in m_bodies, valid if it is that body
 };
 
 /** The number that a body carries; dense, given by its world. */

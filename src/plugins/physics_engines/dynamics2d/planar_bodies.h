@@ -34,16 +34,16 @@ struct SPassiveBody {
   SPlanarOwner Owner;
   b2Body* Body = nullptr;
   float X = 0.0F, Y = 0.0F, Angle = 0.0F;  // of Body when Pose was written, Box2D units, rad
-  float Extent = 0.0F;                     // half of its narrowest side, Box2D units
-  Real BoundingRadius = 0.0;               // around the origin, m
-  bool Moved = false;                      // in this tick
+  float Extent = 0.0F;  // half of its narrowest side, Box2D units
+  Real BoundingRadius = 0.0;  // around the origin, m
+  bool Moved = false;  // in this tick
 };
 
 /**
  * A robot on two wheels.
  *
- * A disc that can meet nothing in a tick has no Box2D body: its exact motion is what was planned. The
- * others are "in play": see CPlanarWorld.
+ * A disc that can meet nothing in a tick has no Box2D body: its exact motion is what was planned.
+ * The others are "in play": see CPlanarWorld.
  */
 struct SDrivenBody {
   static constexpr UInt32 kNotInPlay = std::numeric_limits<UInt32>::max();
@@ -58,14 +58,14 @@ struct SDrivenBody {
   // fixed
   const Real* Wheels = nullptr;  // m/s, (left, right), of the robot's wheels; not owned
   Real InverseInterwheel = 0.0;  // 1/m
-  Real MaxSpeedChange = 0.0;     // m/s in a tick: the drive's force bounds it
-  Real MaxYawRateChange = 0.0;   // rad/s in a tick: the drive's torque bounds it
-  Real MaxSpeed = 0.0;           // m/s: as far as substeps can follow
-  Real BoundingRadius = 0.0;     // around the origin, m
-  Real NarrowestHalf = 0.0;      // half of its narrowest side, m
-  Real Mass = 0.0;               // kg
-  Real Inertia = 0.0;            // about the origin, kg m^2
-  bool IsDisc = false;           // one disc around the origin
+  Real MaxSpeedChange = 0.0;  // m/s in a tick: the drive's force bounds it
+  Real MaxYawRateChange = 0.0;  // rad/s in a tick: the drive's torque bounds it
+  Real MaxSpeed = 0.0;  // m/s: as far as substeps can follow
+  Real BoundingRadius = 0.0;  // around the origin, m
+  Real NarrowestHalf = 0.0;  // half of its narrowest side, m
+  Real Mass = 0.0;  // kg
+  Real Inertia = 0.0;  // about the origin, kg m^2
+  bool IsDisc = false;  // one disc around the origin
 
   UInt32 InPlay = kNotInPlay;  // number in the list of those in play
   SPlanarOwner Owner;
@@ -76,11 +76,11 @@ struct SInPlay {
   UInt32 Slot = 0;
   b2Body* Body = nullptr;
   b2MotorJoint* Motor = nullptr;
-  float StepX = 0.0F, StepY = 0.0F;      // where its wheels want it to go in the tick, Box2D units
-  float StepAngle = 0.0F;                // rad in the tick
-  float StartAngle = 0.0F;               // of the Box2D body at the tick's start, rad
-  Real StartYaw = 0.0;                   // rad
-  float SpentImpulse = 0.0F;             // of the drive in this tick, Box2D units
+  float StepX = 0.0F, StepY = 0.0F;  // where its wheels want it to go in the tick, Box2D units
+  float StepAngle = 0.0F;  // rad in the tick
+  float StartAngle = 0.0F;  // of the Box2D body at the tick's start, rad
+  Real StartYaw = 0.0;  // rad
+  float SpentImpulse = 0.0F;  // of the drive in this tick, Box2D units
   float SpentAngularImpulse = 0.0F;
 };
 

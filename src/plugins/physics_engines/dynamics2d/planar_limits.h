@@ -16,8 +16,8 @@ constexpr Real kDefaultUnitsPerMetre = 10.0;
 constexpr UInt32 kDefaultSubsteps = 2;
 /**
  * Where a crowd is so dense that overlaps are left, a tick is cut finer: by one substep more after
- * each tick that left more than the first depth (Box2D units), up to the most, and by one less after
- * that many ticks that left less than the second.
+ * each tick that left more than the first depth (Box2D units), up to the most, and by one less
+ * after that many ticks that left less than the second.
  */
 constexpr float kTooDeep = 0.01F;
 constexpr float kShallow = 0.002F;
@@ -30,8 +30,8 @@ constexpr int kPositionIterations = 1;
 
 /**
  * Robots get into play when they may come this close to something, and stay there until they are
- * farther from everything by the second length; both in radii of the smallest movable body. The first
- * covers what roundings and the pushing apart of others add to a path.
+ * farther from everything by the second length; both in radii of the smallest movable body. The
+ * first covers what roundings and the pushing apart of others add to a path.
  */
 constexpr Real kEncounterSlack = 0.02;
 constexpr Real kAround = 0.3;

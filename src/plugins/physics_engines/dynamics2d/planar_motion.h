@@ -14,8 +14,8 @@ namespace argos {
  * robot turns by two multiplications, and needs no trigonometric function to report its pose.
  */
 struct SPlanarPose {
-  Real X = 0.0;        // m
-  Real Y = 0.0;        // m
+  Real X = 0.0;  // m
+  Real Y = 0.0;  // m
   Real HalfCos = 1.0;  // of half the heading
   Real HalfSin = 0.0;
 

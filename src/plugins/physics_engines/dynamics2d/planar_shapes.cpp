@@ -53,8 +53,7 @@ b2PolygonShape MakePolygon(const SShapeDescription& shape, Real unitsPerMetre) {
     std::array<b2Vec2, 8> corners;
     for (size_t i = 0; i < corners.size(); ++i) {
       CVector3 corner((i & 1U ? 0.5 : -0.5) * shape.Size.GetX(),
-                      (i & 2U ? 0.5 : -0.5) * shape.Size.GetY(),
-                      i & 4U ? shape.Size.GetZ() : 0.0);
+                      (i & 2U ? 0.5 : -0.5) * shape.Size.GetY(), i & 4U ? shape.Size.GetZ() : 0.0);
       corner.Rotate(shape.Orientation);
       corners[i] = ToUnits(shape.Offset + corner, unitsPerMetre);
     }
@@ -128,8 +127,8 @@ void SetMass(b2Body& body, const SBodyDescription& description, Real unitsPerMet
   const CVector3 centre = ComputeCentreOfMass(description);
   const Real offsetInertia =
       description.Mass * (centre.GetX() * centre.GetX() + centre.GetY() * centre.GetY());
-  Real inertia = description.PlanarInertia ? *description.PlanarInertia
-                                           : description.ComputePlanarInertia();
+  Real inertia =
+      description.PlanarInertia ? *description.PlanarInertia : description.ComputePlanarInertia();
   // a stated moment that the offset of the centre of mass alone would exceed is of no real body;
   // Box2D needs what is left to be positive
   inertia = std::max(inertia, offsetInertia * (1.0 + 1e-3));
@@ -149,8 +148,8 @@ std::vector<SObstacle> DescribeObstacles(const SBodyDescription& description,
   for (const SShapeDescription& shape : description.Shapes) {
     const Real x = shape.Offset.GetX();
     const Real y = shape.Offset.GetY();
-    SObstacle obstacle = {pose.X + cosine * x - sine * y, pose.Y + sine * x + cosine * y,
-                          1.0, 0.0, 0.0, 0.0, 0.0};
+    SObstacle obstacle = {
+        pose.X + cosine * x - sine * y, pose.Y + sine * x + cosine * y, 1.0, 0.0, 0.0, 0.0, 0.0};
     if (IsDisc(shape)) {
       obstacle.Radius = shape.Radius;
     } else if (IsUpright(shape)) {

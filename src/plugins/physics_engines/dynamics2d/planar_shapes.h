@@ -14,8 +14,8 @@ namespace argos {
 /**
  * Shapes are larger than described by this on each side, Box2D units.
  *
- * Box2D lets shapes at rest overlap by its slop. Two shapes grown by half a slop each do so when the
- * described ones touch.
+ * Box2D lets shapes at rest overlap by its slop. Two shapes grown by half a slop each do so when
+ * the described ones touch.
  */
 extern const float kShapeMargin;
 

@@ -130,8 +130,8 @@ void CPlanarWorld::AddDriven(const SPlanarOwner& owner, const SBodyDescription& 
   body.Pose = body.NextPose = pose;
   body.Wheels = wheels;
   body.Mass = description.Mass;
-  body.Inertia = description.PlanarInertia ? *description.PlanarInertia
-                                           : description.ComputePlanarInertia();
+  body.Inertia =
+      description.PlanarInertia ? *description.PlanarInertia : description.ComputePlanarInertia();
   body.InverseInterwheel = 1.0 / drive.InterwheelDistance;
   body.MaxSpeedChange = drive.MaxForce * m_settings.Tick / body.Mass;
   body.MaxYawRateChange = drive.MaxTorque * m_settings.Tick / body.Inertia;

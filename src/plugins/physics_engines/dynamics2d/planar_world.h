@@ -15,15 +15,15 @@ struct SBodyDescription;
 
 /** Bounds of the friction of passive bodies on the ground. */
 struct SGroundFriction {
-  Real Force = 1.49;   // N
+  Real Force = 1.49;  // N
   Real Torque = 1.49;  // N m
 };
 
 /** What a CPlanarWorld is made with. */
 struct SPlanarSettings {
-  Real Tick = 0.1;            // s
-  UInt32 Substeps = 1;        // of a tick; more if something moves very fast
-  bool RefineInCrowds = true; // more substeps also where overlaps are left
+  Real Tick = 0.1;  // s
+  UInt32 Substeps = 1;  // of a tick; more if something moves very fast
+  bool RefineInCrowds = true;  // more substeps also where overlaps are left
   Real UnitsPerMetre = 10.0;  // Box2D's unit of length
   SGroundFriction BoxFriction;
   SGroundFriction CylinderFriction;
@@ -40,13 +40,13 @@ struct SBadWheelSpeed {
  *
  * Lengths are metres outside; Box2D's units of length are inside.
  *
- * A robot that is a disc and can meet nothing during a tick needs no solver: its exact arc is written
- * in double precision, and it has no body in Box2D. Each tick finds out which robots these are
- * (CEncounters). The others are in play: they get a Box2D body with a motor of bounded force that
- * drives it along the chord of its arc, and their contacts are solved with everybody else's. If at
- * the tick's end Box2D has put one where its arc ends, to some roundings, then nothing pushed it, and
- * it takes the exact pose; else it takes Box2D's. A robot stays in play until nothing is around it.
- * Robots that are not discs are always in play.
+ * A robot that is a disc and can meet nothing during a tick needs no solver: its exact arc is
+ * written in double precision, and it has no body in Box2D. Each tick finds out which robots these
+ * are (CEncounters). The others are in play: they get a Box2D body with a motor of bounded force
+ * that drives it along the chord of its arc, and their contacts are solved with everybody else's.
+ * If at the tick's end Box2D has put one where its arc ends, to some roundings, then nothing pushed
+ * it, and it takes the exact pose; else it takes Box2D's. A robot stays in play until nothing is
+ * around it. Robots that are not discs are always in play.
  *
  * Everything is a function of the order of adding, removing and Advance().
  */
@@ -57,7 +57,8 @@ class CPlanarWorld {
   CPlanarWorld(const CPlanarWorld&) = delete;
   CPlanarWorld& operator=(const CPlanarWorld&) = delete;
 
-  /** Adds a body that is at rest. @param wheels speeds of a driven body's wheels; must stay valid. */
+  /** Adds a body that is at rest. @param wheels speeds of a driven body's wheels; must stay valid.
+   */
   void AddImmovable(const SPlanarOwner& owner, const SBodyDescription& description,
                     const SPlanarPose& pose);
   void AddPassive(const SPlanarOwner& owner, const SBodyDescription& description,
@@ -72,7 +73,8 @@ class CPlanarWorld {
   /** Moves everything by one tick. @throws SBadWheelSpeed */
   void Advance();
 
-  /** After Advance(): takes over where driven bodies are, calling visit(const SDrivenBody&) each. */
+  /** After Advance(): takes over where driven bodies are, calling visit(const SDrivenBody&) each.
+   */
   template <typename VISIT>
   void CommitDriven(VISIT&& visit) {
     for (SDrivenBody& body : m_driven) {
@@ -132,7 +134,8 @@ class CPlanarWorld {
   std::vector<SPassiveBody> m_passive;
   std::vector<SDrivenBody> m_driven;
   std::vector<SInPlay> m_inPlay;
-  // numbers of Box2D bodies, for COverlapSolver: all below m_numNumbers that are not free are in use
+  // numbers of Box2D bodies, for COverlapSolver: all below m_numNumbers that are not free are in
+  // use
   UInt32 m_numNumbers = 0;
   std::vector<UInt32> m_freeNumbers;
 };

@@ -14,7 +14,7 @@ namespace {
 
 /** What the wheels of a robot ask for. */
 struct SWheelMotion {
-  Real Speed;    // m/s, ahead
+  Real Speed;  // m/s, ahead
   Real YawRate;  // rad/s
 };
 
@@ -73,9 +73,8 @@ void CPlanarWorld::Plan(SDrivenBody& body, UInt32 slot) {
   const SWheelMotion wanted = ReadWheels(body, tick);
 
   // the torque bounds how much the yaw rate changes, the force how much the velocity does
-  const Real yawRate =
-      body.Velocity.W + std::clamp(wanted.YawRate - body.Velocity.W, -body.MaxYawRateChange,
-                                   body.MaxYawRateChange);
+  const Real yawRate = body.Velocity.W + std::clamp(wanted.YawRate - body.Velocity.W,
+                                                    -body.MaxYawRateChange, body.MaxYawRateChange);
   const SArc arc = FollowArc(body.Pose, wanted.Speed, yawRate, tick);
   Real velocityX = arc.DX / tick;
   Real velocityY = arc.DY / tick;
@@ -131,8 +130,7 @@ void CPlanarWorld::FindEncounters() {
   for (const SInPlay& play : m_inPlay) {
     const SDrivenBody& body = m_driven[play.Slot];
     if (!body.IsDisc) {
-      m_encounters.MarkNear(body.Pose.X, body.Pose.Y,
-                            body.BoundingRadius + m_longestPath + slack);
+      m_encounters.MarkNear(body.Pose.X, body.Pose.Y, body.BoundingRadius + m_longestPath + slack);
     }
   }
   for (const SPassiveBody& body : m_passive) {
@@ -165,7 +163,8 @@ void CPlanarWorld::ChooseWhoPlays() {
   }
 }
 
-// What the motor is to do in this tick: take the body from where Box2D has it to the end of its arc.
+// What the motor is to do in this tick: take the body from where Box2D has it to the end of its
+// arc.
 void CPlanarWorld::StartTickInPlay(SInPlay& play) {
   const SDrivenBody& body = m_driven[play.Slot];
   b2Body& box2dBody = *play.Body;
@@ -179,8 +178,7 @@ void CPlanarWorld::StartTickInPlay(SInPlay& play) {
   const b2Vec2 position = box2dBody.GetPosition();
   play.StartAngle = box2dBody.GetAngle();
   const Real startAngle = play.StartAngle;
-  play.StartYaw =
-      startAngle + std::remainder(body.Pose.ComputeYaw() - startAngle, 2.0 * ARGOS_PI);
+  play.StartYaw = startAngle + std::remainder(body.Pose.ComputeYaw() - startAngle, 2.0 * ARGOS_PI);
   play.StepX = static_cast<float>(arc.End.X * m_settings.UnitsPerMetre - position.x);
   play.StepY = static_cast<float>(arc.End.Y * m_settings.UnitsPerMetre - position.y);
   play.StepAngle =
@@ -205,8 +203,9 @@ UInt32 CPlanarWorld::ChooseSubsteps() const {
     const SDrivenBody& body = m_driven[play.Slot];
     const float planned = b2Vec2(play.StepX, play.StepY).Length();
     const float coasting = play.Body->GetLinearVelocity().Length() * tick;
-    needed = std::max({needed, std::max(planned, coasting) / (stepShare * ToUnits(body.NarrowestHalf)),
-                       std::abs(play.StepAngle) / stepTurn});
+    needed =
+        std::max({needed, std::max(planned, coasting) / (stepShare * ToUnits(body.NarrowestHalf)),
+                  std::abs(play.StepAngle) / stepTurn});
   }
   for (const SPassiveBody& body : m_passive) {
     if (body.Body->IsAwake()) {
@@ -251,8 +250,8 @@ void CPlanarWorld::Refine(float deepestOverlap) {
 
 // Sets the target of each motor for a substep, and the most it may push.
 //
-// What counts is the impulse in the tick: a free robot may use all of it in the first substep, which
-// is how it reaches its speed at the tick's start; one that touches something pushes evenly.
+// What counts is the impulse in the tick: a free robot may use all of it in the first substep,
+// which is how it reaches its speed at the tick's start; one that touches something pushes evenly.
 void CPlanarWorld::SetMotors(UInt32 substep, UInt32 substeps) {
   const float share = 1.0F / static_cast<float>(substeps);
   const float elapsed = static_cast<float>(substep + 1) * share;
@@ -288,8 +287,7 @@ void CPlanarWorld::FinishInPlay(SInPlay& play, UInt32 substeps) {
 
   // each substep rounds once, and so do the target, the step and the difference
   const float roundings = static_cast<float>(substeps + 3) * b2_epsilon;
-  const float tolerance =
-      roundings * std::max({1.0F, std::abs(position.x), std::abs(position.y)});
+  const float tolerance = roundings * std::max({1.0F, std::abs(position.x), std::abs(position.y)});
   if (std::abs(position.x - target.x) <= tolerance &&
       std::abs(position.y - target.y) <= tolerance &&
       std::abs(angle - static_cast<float>(targetYaw)) <=
