@@ -63,10 +63,6 @@ function(argos_add_core_part name)
   argos_link_headers(root ${target} ${ARG_INCLUDE_PREFIX} "${folder}")
 
   list(TRANSFORM ARG_SOURCES PREPEND "${folder}/")
-  if(NOT ARG_SOURCES) # BUILD-UP
-    file(WRITE "${PROJECT_BINARY_DIR}/empty.cpp" "namespace {}\n") # BUILD-UP
-    set(ARG_SOURCES "${PROJECT_BINARY_DIR}/empty.cpp") # BUILD-UP
-  endif() # BUILD-UP
   add_library(${target} OBJECT ${ARG_SOURCES})
   target_include_directories(${target} PUBLIC "${root}" "${PROJECT_BINARY_DIR}/include/config")
   target_link_libraries(${target} PUBLIC ${ARG_LINK} PRIVATE argos_options ${ARG_LINK_PRIVATE})
@@ -134,7 +130,7 @@ function(argos_add_plugin name)
       get_target_property(linked ${alias} ALIASED_TARGET)
       target_link_libraries(${target} PUBLIC ${linked})
     elseif(ARGOS_BUILD_FOR_SIMULATOR)
-      message(WARNING "argos_add_plugin(${name}): no target ${alias}; define it before")
+      message(FATAL_ERROR "argos_add_plugin(${name}): no target ${alias}; define it before")
     endif()
   endforeach()
 
@@ -150,12 +146,6 @@ function(argos_add_module name)
   if(NOT ARG_FOLDER)
     set(ARG_FOLDER experiments)
   endif()
-  foreach(l IN LISTS ARG_LINK) # BUILD-UP
-    if(NOT TARGET ${l}) # BUILD-UP
-      message(STATUS "skipping ${name}") # BUILD-UP
-      return() # BUILD-UP
-    endif() # BUILD-UP
-  endforeach() # BUILD-UP
   add_library(${name} MODULE ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE argos_options argos3::core ${ARG_LINK})
   set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/${ARG_FOLDER}")
@@ -174,12 +164,6 @@ function(argos_add_test name)
   if(NOT ARG_PROCESSORS)
     set(ARG_PROCESSORS 1)
   endif()
-  foreach(l IN LISTS ARG_LINK) # BUILD-UP
-    if(NOT TARGET ${l}) # BUILD-UP
-      message(STATUS "skipping ${name}") # BUILD-UP
-      return() # BUILD-UP
-    endif() # BUILD-UP
-  endforeach() # BUILD-UP
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE argos_options argos3::core ${ARG_LINK} Catch2::Catch2WithMain)
   target_compile_definitions(${name} PRIVATE ARGOS_TEST_SOURCE_DIR="${PROJECT_SOURCE_DIR}"

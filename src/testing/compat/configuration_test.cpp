@@ -256,4 +256,24 @@ TEST_CASE("compat: members of an element that users touch", "[compat]") {
   std::ostringstream cStream;
   cStream << tNode;
   CHECK(cStream.str().find("<renamed") != std::string::npos);
+  CHECK(ptChild->Parent()->Value() == "root");
+  TConfigurationNode tFirst("first"), tLast("last", 2.5);
+  tNode.InsertBeforeChild(*ptChild, tFirst);
+  tNode.InsertAfterChild(*ptChild, TConfigurationNode("second"));
+  tNode.InsertEndChild(tLast);
+  CHECK(tNode.FirstChildElement()->Value() == "first");
+  CHECK(ptChild->NextSiblingElement()->Value() == "second");
+  CHECK(tNode.FirstChildElement("last")->GetText() == "2.5");
+  tNode.RemoveChild(tNode.FirstChildElement("first"));
+  CHECK(tNode.FirstChildElement()->Value() == "renamed");
+  CHECK(tNode.Clone()->Value() == "root");
+  std::string strName, strValue;
+  ptChild->FirstAttribute()->GetName(&strName);
+  ptChild->FirstAttribute()->GetValue(&strValue);
+  CHECK((strName == "id" && strValue == "1"));
+  ptChild->FirstAttribute()->SetValue(7);
+  CHECK(ptChild->GetAttribute("id") == "7");
+  CHECK(ptChild->FirstAttribute()->Next(false) == NULL);
+  tNode.Clear();
+  CHECK(tNode.NoChildren());
 }

@@ -144,6 +144,10 @@ TEST_CASE("determinism: simulators that run at the same time do not disturb each
     threads.emplace_back([&, i] {
       SExperiment experiment = Swarm(size.Robots, size.EnginesPerSide);
       experiment.Threads = static_cast<UInt32>(i);
+      // all of them load a library, though only one can be the first
+      experiment.Controllers +=
+          "<epuck_diffusion_controller id='unused' library='" ARGOS_TEST_BINARY_DIR
+          "/experiments/libepuck_diffusion' />";
       CTestWorld world(experiment);
       digests[i] = Run(world, size.Ticks);
     });

@@ -171,7 +171,6 @@ void CControllableEntity::CreateActuators(TConfigurationNode& controllerNode) {
     auto [simulated, interface] = CreateDevice<CSimulatedActuator, CCI_Actuator>(*it, "actuator");
     simulated->SetRobot(GetParent());
     interface->Init(*it);
-    m_mapActuators[it->Value()] = simulated;
     m_pcController->AddActuator(it->Value(), interface.release());
   }
 }
@@ -186,21 +185,40 @@ void CControllableEntity::CreateSensors(TConfigurationNode& controllerNode) {
     auto [simulated, interface] = CreateDevice<CSimulatedSensor, CCI_Sensor>(*it, "sensor");
     simulated->SetRobot(GetParent());
     interface->Init(*it);
-    m_mapSensors[it->Value()] = simulated;
     m_pcController->AddSensor(it->Value(), interface.release());
   }
 }
 
-// the maps are ordered by tag, and so are the lists
+// the controller's maps are ordered by tag, and so are the lists
 void CControllableEntity::ListDevices() {
-  m_actuators.reserve(m_mapActuators.size());
-  for (const auto& entry : m_mapActuators) {
-    m_actuators.push_back(entry.second);
+  m_actuators.reserve(m_pcController->GetAllActuators().size());
+  for (const auto& entry : m_pcController->GetAllActuators()) {
+    m_actuators.push_back(&dynamic_cast<CSimulatedActuator&>(*entry.second));
   }
-  m_sensors.reserve(m_mapSensors.size());
-  for (const auto& entry : m_mapSensors) {
-    m_sensors.push_back({entry.second, m_pcController->GetAllSensors().at(entry.first)});
+  m_sensors.reserve(m_pcController->GetAllSensors().size());
+  for (const auto& entry : m_pcController->GetAllSensors()) {
+    m_sensors.push_back({&dynamic_cast<CSimulatedSensor&>(*entry.second), entry.second});
   }
+}
+
+const std::map<std::string, CSimulatedActuator*>& CControllableEntity::GetActuators() const {
+  if (m_mapActuators.empty() && !m_actuators.empty()) {
+    size_t number = 0;
+    for (const auto& entry : m_pcController->GetAllActuators()) {
+      m_mapActuators[entry.first] = m_actuators[number++];
+    }
+  }
+  return m_mapActuators;
+}
+
+const std::map<std::string, CSimulatedSensor*>& CControllableEntity::GetSensors() const {
+  if (m_mapSensors.empty() && !m_sensors.empty()) {
+    size_t number = 0;
+    for (const auto& entry : m_pcController->GetAllSensors()) {
+      m_mapSensors[entry.first] = m_sensors[number++].Simulated;
+    }
+  }
+  return m_mapSensors;
 }
 
 void CControllableEntity::Act() {

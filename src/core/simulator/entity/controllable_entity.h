@@ -70,8 +70,9 @@ class CControllableEntity : public CEntity {
   /** The simulator this robot belongs to, for its devices. */
   CSimulator& GetSimulator() const { return m_simulator; }
 
-  const std::map<std::string, CSimulatedActuator*>& GetActuators() const { return m_mapActuators; }
-  const std::map<std::string, CSimulatedSensor*>& GetSensors() const { return m_mapSensors; }
+  /** The devices by XML tag; the maps are made when first asked for. */
+  const std::map<std::string, CSimulatedActuator*>& GetActuators() const;
+  const std::map<std::string, CSimulatedSensor*>& GetSensors() const;
 
  protected:
   CCI_Controller* m_pcController = nullptr;  // owned through m_controller

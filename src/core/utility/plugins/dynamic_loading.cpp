@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <mutex>
 #include <set>
 #include <system_error>
 
@@ -30,6 +31,13 @@ struct SLoadedLibrary {
 std::map<std::string, SLoadedLibrary>& LoadedLibraries() {
   static std::map<std::string, SLoadedLibrary> libraries;
   return libraries;
+}
+
+// simulators in several threads may load their experiments at the same time; a library may load
+// others when it is opened
+std::recursive_mutex& LoadingMutex() {
+  static std::recursive_mutex mutex;
+  return mutex;
 }
 
 fs::path Resolved(const fs::path& path) {
@@ -166,6 +174,7 @@ std::vector<std::string> GetPluginSearchPaths() {
 }
 
 CDynamicLoading::TDLHandle CDynamicLoading::LoadLibrary(const std::string& lib) {
+  const std::lock_guard<std::recursive_mutex> lock(LoadingMutex());
   std::string attempts;
   for (const std::string& candidate : Candidates(lib)) {
     const std::string path = Resolved(candidate).string();
@@ -189,6 +198,7 @@ CDynamicLoading::TDLHandle CDynamicLoading::LoadLibrary(const std::string& lib) 
 }
 
 void CDynamicLoading::UnloadLibrary(const std::string& lib) {
+  const std::lock_guard<std::recursive_mutex> lock(LoadingMutex());
   auto& libraries = LoadedLibraries();
   std::vector<std::string> known;
   for (auto library = libraries.begin(); library != libraries.end(); ++library) {
@@ -222,6 +232,7 @@ void CDynamicLoading::LoadAllLibraries() {
 }
 
 void CDynamicLoading::UnloadAllLibraries() {
+  const std::lock_guard<std::recursive_mutex> lock(LoadingMutex());
   LoadedLibraries().clear();
 }
 

@@ -215,7 +215,7 @@ void CDynamics2DEngine::WriteBack(CDynamics2DModel& model, Real x, Real y, Real 
 }
 
 REGISTER_PHYSICS_ENGINE(
-    CDynamics2DEngine, "dynamics2d", "the ARGoS maintainers", "1.0",
+    CDynamics2DEngine, "dynamics2d", "the authors of this project", "1.0",
     "Rigid bodies on a plane, on Box2D.",
     R"(Robots and objects on a horizontal plane: they push, slide, stall and slip. Only the yaw of a body is
 kept. Robots that touch nothing follow the exact arc of their wheel speeds.
