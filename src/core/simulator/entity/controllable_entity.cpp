@@ -189,33 +189,40 @@ void CControllableEntity::CreateSensors(TConfigurationNode& controllerNode) {
   }
 }
 
-// the controller's maps are ordered by tag, and so are the lists
+// the controller's maps are ordered by tag, and so are the lists; what a controller added itself
+// and is not simulated is its own business
 void CControllableEntity::ListDevices() {
   m_actuators.reserve(m_pcController->GetAllActuators().size());
   for (const auto& entry : m_pcController->GetAllActuators()) {
-    m_actuators.push_back(&dynamic_cast<CSimulatedActuator&>(*entry.second));
+    if (auto* simulated = dynamic_cast<CSimulatedActuator*>(entry.second)) {
+      m_actuators.push_back(simulated);
+    }
   }
   m_sensors.reserve(m_pcController->GetAllSensors().size());
   for (const auto& entry : m_pcController->GetAllSensors()) {
-    m_sensors.push_back({&dynamic_cast<CSimulatedSensor&>(*entry.second), entry.second});
+    if (auto* simulated = dynamic_cast<CSimulatedSensor*>(entry.second)) {
+      m_sensors.push_back({simulated, entry.second});
+    }
   }
 }
 
 const std::map<std::string, CSimulatedActuator*>& CControllableEntity::GetActuators() const {
-  if (m_mapActuators.empty() && !m_actuators.empty()) {
-    size_t number = 0;
+  if (m_mapActuators.empty() && m_pcController != nullptr) {
     for (const auto& entry : m_pcController->GetAllActuators()) {
-      m_mapActuators[entry.first] = m_actuators[number++];
+      if (auto* simulated = dynamic_cast<CSimulatedActuator*>(entry.second)) {
+        m_mapActuators[entry.first] = simulated;
+      }
     }
   }
   return m_mapActuators;
 }
 
 const std::map<std::string, CSimulatedSensor*>& CControllableEntity::GetSensors() const {
-  if (m_mapSensors.empty() && !m_sensors.empty()) {
-    size_t number = 0;
+  if (m_mapSensors.empty() && m_pcController != nullptr) {
     for (const auto& entry : m_pcController->GetAllSensors()) {
-      m_mapSensors[entry.first] = m_sensors[number++].Simulated;
+      if (auto* simulated = dynamic_cast<CSimulatedSensor*>(entry.second)) {
+        m_mapSensors[entry.first] = simulated;
+      }
     }
   }
   return m_mapSensors;

@@ -76,8 +76,9 @@ class CControllableEntity : public CEntity {
 
  protected:
   CCI_Controller* m_pcController = nullptr;  // owned through m_controller
-  std::map<std::string, CSimulatedActuator*> m_mapActuators;  // owned by the controller
-  std::map<std::string, CSimulatedSensor*> m_mapSensors;  // owned by the controller
+  // filled by GetActuators() and GetSensors(); the controller owns the devices
+  mutable std::map<std::string, CSimulatedActuator*> m_mapActuators;
+  mutable std::map<std::string, CSimulatedSensor*> m_mapSensors;
   std::vector<std::pair<bool, CRay3>> m_vecCheckedRays;
   std::vector<CVector3> m_vecIntersectionPoints;
 
