@@ -179,6 +179,8 @@ void CComposableEntity::UpdateDigest(CDigest& digest) const {
 }
 
 void AddComponentsToSpace(CSpace& space, CComposableEntity& entity) {
+  // a copy: what is added may make further components
+  // NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
   const CEntity::TVector components = entity.GetExistingComponents();
   for (CEntity* component : components) {
     CallEntityOperation<CSpaceOperationAddEntity, CSpace, void>(space, *component);

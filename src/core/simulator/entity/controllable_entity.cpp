@@ -137,8 +137,9 @@ void CControllableEntity::SetController(const std::string& controllerId,
     m_pcController->SetId(robot);
     CreateActuators(node);
     CreateSensors(node);
-    ListDevices();
     m_pcController->Init(params);
+    // afterwards, because controllers may add devices of their own, or replace some
+    ListDevices();
   } catch (const CAlreadyReported&) {
     throw;
   } catch (std::exception& error) {

@@ -84,7 +84,7 @@ void CSpace::TakeOver(std::unique_ptr<CEntity> entity) {
                                            << ">) has no space operations; its source needs a "
                                               "REGISTER_STANDARD_SPACE_OPERATIONS_ON_... line");
   }
-  entity.release();
+  static_cast<void>(entity.release());
 }
 
 CEntity& CSpace::CreateEntity(TConfigurationNode& node) {

@@ -7,6 +7,7 @@
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/dynamics2d_model.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_shapes.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_world.h>
 
 #include <algorithm>
@@ -28,16 +29,52 @@ void ReadNotNegative(TConfigurationNode& node, const std::string& attribute, Rea
   }
 }
 
-// the body of a root entity, if it is one that this engine can build
+// the body of a root entity, if it says what it is
 CEmbodiedEntity* FindBody(CEntity& root) {
-  auto* composable = dynamic_cast<CComposableEntity*>(&root);
+  auto* const composable = dynamic_cast<CComposableEntity*>(&root);
   if (composable == nullptr || !composable->HasComponent("body")) {
     return nullptr;
   }
   auto& body = composable->GetComponent<CEmbodiedEntity>("body");
-  const SBodyDescription* description = body.GetBodyDescription();
-  const bool upright = description != nullptr && !description->Shapes.empty();
-  return upright ? &body : nullptr;
+  const SBodyDescription* const description = body.GetBodyDescription();
+  return description != nullptr && !description->Shapes.empty() ? &body : nullptr;
+}
+
+void RequirePositive(const CEmbodiedEntity& body, const char* what, Real value) {
+  if (!(value > 0.0) || std::isinf(value)) {
+    THROW_ARGOSEXCEPTION("the " << what << " of \"" << body.GetRootEntity().GetId()
+                                << "\" must be a number > 0, found " << value);
+  }
+}
+
+void CheckDescription(const CEmbodiedEntity& body) {
+  const SBodyDescription& description = *body.GetBodyDescription();
+  if (!body.IsMovable()) {
+    return;
+  }
+  RequirePositive(body, "mass (kg)", description.Mass);
+  if (description.PlanarInertia) {
+    RequirePositive(body, "moment of inertia (kg m^2)", *description.PlanarInertia);
+  }
+  if (description.Drive) {
+    RequirePositive(body, "distance between the wheels (m)", description.Drive->InterwheelDistance);
+    RequirePositive(body, "greatest force of the drive (N)", description.Drive->MaxForce);
+    RequirePositive(body, "greatest torque of the drive (N m)", description.Drive->MaxTorque);
+  }
+}
+
+// speeds of the left and the right wheel of a body with a drive; null for others
+const Real* FindWheels(CEmbodiedEntity& body) {
+  if (!body.IsMovable() || !body.GetBodyDescription()->Drive) {
+    return nullptr;
+  }
+  auto& root = static_cast<CComposableEntity&>(body.GetRootEntity());
+  const auto& wheels = root.GetComponent<CWheeledEntity>("wheels");
+  if (wheels.GetNumWheels() < 2) {
+    THROW_ARGOSEXCEPTION("robot \"" << root.GetId() << "\" has a differential drive, but "
+                                    << wheels.GetNumWheels() << " wheel instead of 2");
+  }
+  return wheels.GetWheelVelocities();
 }
 
 }  // namespace
@@ -51,6 +88,13 @@ CDynamics2DEngine::~CDynamics2DEngine() = default;
 void CDynamics2DEngine::Init(TConfigurationNode& tree) {
   CPhysicsEngine::Init(tree);
   GetNodeAttributeOrDefault(tree, "elevation", m_elevation, m_elevation);
+  if (!std::isfinite(m_elevation)) {
+    THROW_ARGOSEXCEPTION(tree.GetLocation()
+                         << ": <" << tree.Value()
+                         << ">: \"elevation\" must be a finite number of metres, "
+                            "found "
+                         << m_elevation);
+  }
   ReadNotNegative(tree, "gripping_rigidity", m_grippingRigidity);
   if (NodeExists(tree, "friction")) {
     TConfigurationNode& node = GetNode(tree, "friction");
@@ -65,33 +109,48 @@ void CDynamics2DEngine::Init(TConfigurationNode& tree) {
   }
   m_settings->Tick = m_cSimulator.GetTickLength();
   m_settings->Substeps = GetIterations();
+  // whoever asks for a number of substeps gets it
+  m_settings->RefineInCrowds = !NodeAttributeExists(tree, "iterations");
 }
 
-void CDynamics2DEngine::PostSpaceInit() {
-  Build();
-}
-
-// the world is made anew, from the entities: nothing of the run so far is left in it
+// The world is made anew from the entities, in the next tick: nothing of the run so far is left in
+// it, nor of where bodies were put before that tick.
 void CDynamics2DEngine::Reset() {
   m_world.reset();
+  m_leaving.clear();
 }
 
 void CDynamics2DEngine::Destroy() {
   m_world.reset();
   m_models.clear();
+  m_leaving.clear();
 }
 
-bool CDynamics2DEngine::IsPointContained(const CVector3& point) {
-  return std::abs(point.GetZ() - m_elevation) <= kElevationTolerance &&
-         CPhysicsEngine::IsPointContained(point);
+bool CDynamics2DEngine::IsAtHeight(CEmbodiedEntity& body) const {
+  const Real z = body.GetOriginAnchor().Position.GetZ();
+  if (std::abs(z - m_elevation) <= kElevationTolerance) {
+    return true;
+  }
+  const CPhysicsEngine::TVector& engines = m_cSimulator.GetPhysicsEngines();
+  const bool othersMayTakeIt =
+      body.GetPhysicsModelsNum() > 0 || engines.empty() || engines.back() != this;
+  if (!othersMayTakeIt) {
+    THROW_ARGOSEXCEPTION("the base of \""
+                         << body.GetRootEntity().GetId() << "\" is at z = " << z
+                         << " m, but the plane of the physics engine \"" << GetId()
+                         << "\" is at z = " << m_elevation
+                         << " m: change one of them (\"elevation\" of <dynamics2d>)");
+  }
+  return false;
 }
 
 bool CDynamics2DEngine::AddEntity(CEntity& entity) {
   CEmbodiedEntity* const body = FindBody(entity);
-  if (body == nullptr) {
+  if (body == nullptr || !IsAtHeight(*body)) {
     return false;
   }
-  auto model = std::make_unique<CDynamics2DModel>(*this, *body);
+  CheckDescription(*body);
+  auto model = std::make_unique<CDynamics2DModel>(*this, *body, FindWheels(*body));
   model->m_number = m_models.size();
   body->AddPhysicsModel(GetId(), *model);
   m_models.push_back(std::move(model));
@@ -121,6 +180,19 @@ bool CDynamics2DEngine::RemoveEntity(CEntity& entity) {
   return false;
 }
 
+void CDynamics2DEngine::TransferEntities() {
+  CPhysicsEngine::TransferEntities();
+  for (const SLeaving& leaving : m_leaving) {
+    auto& model = leaving.Body->GetPhysicsModel(size_t(0));
+    auto* const engine = dynamic_cast<CDynamics2DEngine*>(&model.GetEngine());
+    if (engine != nullptr && engine->m_world != nullptr) {
+      engine->m_world->SetVelocity(static_cast<CDynamics2DModel&>(model).m_handle,
+                                   leaving.Velocity);
+    }
+  }
+  m_leaving.clear();
+}
+
 void CDynamics2DEngine::Replace(CDynamics2DModel& model) {
   if (m_world != nullptr) {
     m_world->Remove(model.m_handle);
@@ -140,40 +212,41 @@ void CDynamics2DEngine::Build() {
   });
   m_settings->UnitsPerMetre = ChooseScale();
   m_world = std::make_unique<CPlanarWorld>(*m_settings);
+  const auto count = [&models](bool movable, bool driven) {
+    return std::count_if(models.begin(), models.end(), [=](const CDynamics2DModel* model) {
+      return model->GetEmbodiedEntity().IsMovable() == movable &&
+             (model->m_wheels != nullptr) == driven;
+    });
+  };
+  m_world->MakeRoom(count(false, false), count(true, false), count(true, true));
   for (CDynamics2DModel* model : models) {
     AddToWorld(*model);
   }
   m_world->Reserve();
 }
 
+// Box2D is tuned for bodies of about its unit of length
 Real CDynamics2DEngine::ChooseScale() const {
   Real smallest = 0.0;
   for (const auto& model : m_models) {
     if (model->GetEmbodiedEntity().IsMovable()) {
-      const Real radius = model->GetEmbodiedEntity().GetBodyDescription()->ComputeBoundingRadius();
-      smallest = smallest > 0.0 ? std::min(smallest, radius) : radius;
+      const Real half = ComputeNarrowestHalf(*model->GetEmbodiedEntity().GetBodyDescription());
+      smallest = smallest > 0.0 ? std::min(smallest, half) : half;
     }
   }
   return smallest > 0.0 ? kSmallestRadiusInUnits / smallest : kDefaultUnitsPerMetre;
 }
 
 void CDynamics2DEngine::AddToWorld(CDynamics2DModel& model) {
-  CEmbodiedEntity& body = model.GetEmbodiedEntity();
+  const CEmbodiedEntity& body = model.GetEmbodiedEntity();
   const SBodyDescription& description = *body.GetBodyDescription();
   const SAnchor& origin = body.GetOriginAnchor();
-  // of the orientation only the yaw is kept
-  const Real w = origin.Orientation.GetW();
-  const Real z = origin.Orientation.GetZ();
-  const Real length = std::hypot(w, z);
-  const SPlanarPose pose{origin.Position.GetX(), origin.Position.GetY(),
-                         length > 0.0 ? w / length : 1.0, length > 0.0 ? z / length : 0.0};
+  const SPlanarPose pose = MakePlanarPose(origin.Position, origin.Orientation);
   const SPlanarOwner owner{&model, &model.m_handle};
   if (!body.IsMovable()) {
     m_world->AddImmovable(owner, description, pose);
-  } else if (description.Drive) {
-    auto& root = static_cast<CComposableEntity&>(body.GetRootEntity());
-    const auto& wheels = root.GetComponent<CWheeledEntity>("wheels");
-    m_world->AddDriven(owner, description, pose, wheels.GetWheelVelocities());
+  } else if (model.m_wheels != nullptr) {
+    m_world->AddDriven(owner, description, pose, model.m_wheels);
   } else {
     m_world->AddPassive(owner, description, pose);
   }
@@ -190,27 +263,28 @@ void CDynamics2DEngine::Update() {
                                     << "\": wheel speeds must be finite numbers, found left = "
                                     << bad.Left << " m/s, right = " << bad.Right << " m/s");
   }
-  m_world->CommitDriven([this](const SDrivenBody& body) {
-    WriteBack(*body.Owner.Model, body.Pose.X, body.Pose.Y, body.Pose.HalfCos, body.Pose.HalfSin);
-  });
+  m_world->CommitDriven(
+      [this](const SDrivenBody& body) { WriteBack(*body.Owner.Model, body.Pose, body.Velocity); });
   m_world->ForEachPassive([this](const SPassiveBody& body) {
     if (body.Moved) {
-      WriteBack(*body.Owner.Model, body.Pose.X, body.Pose.Y, body.Pose.HalfCos, body.Pose.HalfSin);
+      WriteBack(*body.Owner.Model, body.Pose, body.Velocity);
     }
   });
 }
 
-void CDynamics2DEngine::WriteBack(CDynamics2DModel& model, Real x, Real y, Real halfCos,
-                                  Real halfSin) {
+void CDynamics2DEngine::WriteBack(CDynamics2DModel& model, const SPlanarPose& pose,
+                                  const SPlanarVelocity& velocity) {
   CEmbodiedEntity& body = model.m_cEmbodiedEntity;
-  body.SetOriginPose(CVector3(x, y, m_elevation), CQuaternion(halfCos, 0.0, 0.0, halfSin));
+  body.SetOriginPose(CVector3(pose.X, pose.Y, m_elevation),
+                     CQuaternion(pose.HalfCos, 0.0, 0.0, pose.HalfSin));
   if (body.GetEnabledAnchors().size() > 1) {
     model.CalculateAnchors();
   }
   model.CalculateBoundingBox();
   body.GetRootEntity().Update();
-  if (GetVolume().IsActive() && !IsPointContained(body.GetOriginAnchor().Position)) {
+  if (IsEntityTransferActive() && !IsPointContained(body.GetOriginAnchor().Position)) {
     ScheduleEntityForTransfer(body);
+    m_leaving.push_back({&body, velocity});
   }
 }
 
@@ -243,8 +317,11 @@ OPTIONAL XML
 ATTRIBUTES
 
   id                         text, required: unique among the engines.
-  iterations                 integer >= 1, default 2: substeps of a tick.
-  elevation                  m, default 0: height of the plane; only bodies at this height live here.
+  iterations                 integer >= 1: substeps of a tick. Not given: 2, and up to 6 where a crowd is
+                             so dense that robots would overlap. In any case more, up to 64, while
+                             something moves by more than half its radius in a substep. 64 substeps are
+                             also what bounds speeds: a robot goes at most 32 radii in a tick.
+  elevation                  m, default 0: height of the plane; bodies must stand on it, to 1e-4 m.
   gripping_rigidity          N/m, >= 0, default 10000: stiffness of what holds a gripped object.
   box_linear_friction        N, >= 0, default 1.49: most the ground brakes a movable box.
   box_angular_friction       N m, >= 0, default 1.49: most the ground brakes its turning.

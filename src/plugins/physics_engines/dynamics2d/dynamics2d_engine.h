@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_DYNAMICS2D_ENGINE_H
 
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_handle.h>
 
 #include <memory>
 #include <vector>
@@ -11,6 +12,7 @@ namespace argos {
 class CDynamics2DModel;
 class CEmbodiedEntity;
 class CPlanarWorld;
+struct SPlanarPose;
 struct SPlanarSettings;
 
 /**
@@ -29,12 +31,19 @@ class CDynamics2DEngine : public CPhysicsEngine {
   void Reset() override;
   void Destroy() override;
   void Update() override;
-  void PostSpaceInit() override;
 
-  bool IsPointContained(const CVector3& point) override;
   size_t GetNumPhysicsModels() override { return m_models.size(); }
+  /**
+   * Adds the body of a root entity, if it has a description.
+   * @return false if it has none, or if another engine may take it because it is not at the height
+   *         of this plane.
+   * @throws CARGoSException if no other engine is left and it is not at that height; if the
+   *         description is of no possible body; if a robot has a drive but no wheels.
+   */
   bool AddEntity(CEntity& entity) override;
   bool RemoveEntity(CEntity& entity) override;
+  /** Bodies that change from one engine of this type to another keep their velocity. */
+  void TransferEntities() override;
   /** Nothing: all bodies are in the space's index. */
   void CheckIntersectionWithRay(TEmbodiedEntityIntersectionData&, const CRay3&) const override {}
   bool HasBodiesOutsideIndex() const override { return false; }
@@ -44,20 +53,27 @@ class CDynamics2DEngine : public CPhysicsEngine {
   /** Stiffness of grippers, N/m. */
   Real GetGrippingRigidity() const { return m_grippingRigidity; }
 
-  /** Puts a body at rest where its origin anchor is now; its contacts are forgotten. */
+  /** For models: puts a body, at rest, where its origin anchor is; its contacts are forgotten. */
   void Replace(CDynamics2DModel& model);
 
  private:
+  struct SLeaving {
+    CEmbodiedEntity* Body;
+    SPlanarVelocity Velocity;
+  };
+
+  bool IsAtHeight(CEmbodiedEntity& body) const;
   void Build();
   Real ChooseScale() const;
   void AddToWorld(CDynamics2DModel& model);
-  void WriteBack(CDynamics2DModel& model, Real x, Real y, Real halfCos, Real halfSin);
+  void WriteBack(CDynamics2DModel& model, const SPlanarPose& pose, const SPlanarVelocity& velocity);
 
   Real m_elevation = 0.0;  // m
-  Real m_grippingRigidity = 10000;  // N/m
+  Real m_grippingRigidity = 10000.0;  // N/m
   std::unique_ptr<SPlanarSettings> m_settings;
   std::unique_ptr<CPlanarWorld> m_world;  // null: to be built from the models in the next tick
   std::vector<std::unique_ptr<CDynamics2DModel>> m_models;
+  std::vector<SLeaving> m_leaving;  // for TransferEntities()
 };
 
 }  // namespace argos

@@ -5,46 +5,69 @@
 #include <argos3/core/simulator/space/body_index.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/dynamics2d_engine.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_bodies.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_motion.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace argos {
 
-CDynamics2DModel::CDynamics2DModel(CDynamics2DEngine& engine, CEmbodiedEntity& entity)
-    : CPhysicsModel(engine, entity), m_engine(engine) {
-  CalculateBoundingBox();
+namespace {
+
+// half the size of the box, with sides along the world's axes, around a solid that is turned, m
+CVector2 ComputeHalfExtents(const SShapeDescription& shape, const SPlanarPose& pose) {
+  const CQuaternion& turn = shape.Orientation;
+  if (turn.GetX() != 0.0 || turn.GetY() != 0.0) {
+    // it does not stand upright: no point of it is farther from its base's centre
+    const Real reach = shape.Size.Length();
+    return CVector2(reach, reach);
+  }
+  if (shape.Kind != SShapeDescription::EKind::Box) {
+    return CVector2(shape.Radius, shape.Radius);
+  }
+  const Real yaw = pose.ComputeYaw() + 2.0 * std::atan2(turn.GetZ(), turn.GetW());
+  const Real cosine = std::abs(std::cos(yaw));
+  const Real sine = std::abs(std::sin(yaw));
+  return CVector2(0.5 * (cosine * shape.Size.GetX() + sine * shape.Size.GetY()),
+                  0.5 * (sine * shape.Size.GetX() + cosine * shape.Size.GetY()));
 }
 
-void CDynamics2DModel::MoveTo(const CVector3&, const CQuaternion&) {
+}  // namespace
+
+CDynamics2DModel::CDynamics2DModel(CDynamics2DEngine& engine, CEmbodiedEntity& entity,
+                                   const Real* wheels)
+    : CPhysicsModel(engine, entity), m_wheels(wheels) {}
+
+CDynamics2DEngine& CDynamics2DModel::GetDynamics2DEngine() const {
+  return static_cast<CDynamics2DEngine&>(m_cEngine);
+}
+
+void CDynamics2DModel::MoveTo(const CVector3& position, const CQuaternion& orientation) {
+  if (!std::isfinite(position.Length()) || !std::isfinite(orientation.SquareLength())) {
+    THROW_ARGOSEXCEPTION("\"" << m_cEmbodiedEntity.GetRootEntity().GetId()
+                              << "\" cannot be moved to (" << position << "), turned by ("
+                              << orientation << "): all numbers must be finite");
+  }
   // the origin anchor has the new pose already
-  m_engine.Replace(*this);
+  GetDynamics2DEngine().Replace(*this);
   CalculateAnchors();
   CalculateBoundingBox();
 }
 
 void CDynamics2DModel::CalculateBoundingBox() {
   const SAnchor& origin = m_cEmbodiedEntity.GetOriginAnchor();
-  const SBodyDescription& description = *m_cEmbodiedEntity.GetBodyDescription();
-  const Real w = origin.Orientation.GetW();
-  const Real z = origin.Orientation.GetZ();
-  const Real cosine = w * w - z * z;
-  const Real sine = 2.0 * w * z;
+  const SPlanarPose pose = MakePlanarPose(origin.Position, origin.Orientation);
+  const Real cosine = pose.HalfCos * pose.HalfCos - pose.HalfSin * pose.HalfSin;
+  const Real sine = 2.0 * pose.HalfSin * pose.HalfCos;
   bool first = true;
-  for (const SShapeDescription& shape : description.Shapes) {
-    Real reachX = shape.Radius;
-    Real reachY = shape.Radius;
-    if (shape.Kind == SShapeDescription::EKind::Box) {
-      const Real c = std::abs(cosine);
-      const Real s = std::abs(sine);
-      reachX = 0.5 * (c * shape.Size.GetX() + s * shape.Size.GetY());
-      reachY = 0.5 * (s * shape.Size.GetX() + c * shape.Size.GetY());
-    }
-    const CVector3 base(cosine * shape.Offset.GetX() - sine * shape.Offset.GetY(),
-                        sine * shape.Offset.GetX() + cosine * shape.Offset.GetY(),
-                        shape.Offset.GetZ());
-    const CVector3 low = origin.Position + base - CVector3(reachX, reachY, 0.0);
-    const CVector3 high = origin.Position + base + CVector3(reachX, reachY, shape.Size.GetZ());
+  for (const SShapeDescription& shape : m_cEmbodiedEntity.GetBodyDescription()->Shapes) {
+    const CVector2 half = ComputeHalfExtents(shape, pose);
+    const CVector3 base(
+        origin.Position.GetX() + cosine * shape.Offset.GetX() - sine * shape.Offset.GetY(),
+        origin.Position.GetY() + sine * shape.Offset.GetX() + cosine * shape.Offset.GetY(),
+        origin.Position.GetZ() + shape.Offset.GetZ());
+    const CVector3 low = base - CVector3(half.GetX(), half.GetY(), 0.0);
+    const CVector3 high = base + CVector3(half.GetX(), half.GetY(), shape.Size.GetZ());
     if (first) {
       m_sBoundingBox.MinCorner = low;
       m_sBoundingBox.MaxCorner = high;
@@ -60,7 +83,7 @@ void CDynamics2DModel::CalculateBoundingBox() {
 
 bool CDynamics2DModel::IsCollidingWithSomething() const {
   const SAnchor& origin = m_cEmbodiedEntity.GetOriginAnchor();
-  return m_engine.GetSpace().GetBodyIndex().FindOverlap(
+  return m_cEngine.GetSpace().GetBodyIndex().FindOverlap(
              *m_cEmbodiedEntity.GetBodyDescription(), origin.Position, origin.Orientation,
              m_cEmbodiedEntity.GetBodyNumber()) != CBodyIndex::kNoBody;
 }

@@ -11,10 +11,12 @@ class CDynamics2DEngine;
 /** One body of a dynamics2d engine, for the public API: its state is in the engine's arrays. */
 class CDynamics2DModel : public CPhysicsModel {
  public:
-  CDynamics2DModel(CDynamics2DEngine& engine, CEmbodiedEntity& entity);
+  /** @param wheels  speeds of the left and the right wheel, m/s, if the body has a drive. */
+  CDynamics2DModel(CDynamics2DEngine& engine, CEmbodiedEntity& entity, const Real* wheels);
 
   /** Does nothing: the engine reads wheel speeds where the wheels keep them. */
   void UpdateFromEntityStatus() override {}
+  /** @throws CARGoSException if the position is not finite; nothing has moved then. */
   void MoveTo(const CVector3& position, const CQuaternion& orientation) override;
   void CalculateBoundingBox() override;
   /** True if a solid of this body overlaps one of another body by more than a rounding. */
@@ -23,7 +25,9 @@ class CDynamics2DModel : public CPhysicsModel {
  private:
   friend class CDynamics2DEngine;
 
-  CDynamics2DEngine& m_engine;
+  CDynamics2DEngine& GetDynamics2DEngine() const;
+
+  const Real* m_wheels;  // m/s, (left, right); null unless the body has a drive; not owned
   SPlanarHandle m_handle;  // where the body is in the engine's arrays
   size_t m_number = 0;  // in the engine's list of models
 };

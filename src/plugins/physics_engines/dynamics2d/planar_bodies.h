@@ -31,6 +31,7 @@ struct SImmovableBody {
 /** A movable thing without a drive. */
 struct SPassiveBody {
   SPlanarPose Pose;
+  SPlanarVelocity Velocity;
   SPlanarOwner Owner;
   b2Body* Body = nullptr;
   float X = 0.0F, Y = 0.0F, Angle = 0.0F;  // of Body when Pose was written, Box2D units, rad

@@ -2,6 +2,8 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_MOTION_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/math/quaternion.h>
+#include <argos3/core/utility/math/vector3.h>
 
 #include <cmath>
 
@@ -29,12 +31,18 @@ struct SPlanarPose {
   }
 };
 
-/** How fast a body moves, world frame. */
-struct SPlanarVelocity {
-  Real X = 0.0;  // m/s
-  Real Y = 0.0;  // m/s
-  Real W = 0.0;  // rad/s, counter-clockwise
-};
+/** A pose in space seen from above: of the orientation, its turn about the vertical is kept. */
+inline SPlanarPose MakePlanarPose(const CVector3& position, const CQuaternion& orientation) {
+  const Real length = std::hypot(orientation.GetW(), orientation.GetZ());
+  SPlanarPose pose;
+  pose.X = position.GetX();
+  pose.Y = position.GetY();
+  if (length > 0.0) {
+    pose.HalfCos = orientation.GetW() / length;
+    pose.HalfSin = orientation.GetZ() / length;
+  }
+  return pose;
+}
 
 /** Turns @p pose on the spot by the angle whose half has this cosine and sine. */
 inline void Turn(SPlanarPose& pose, Real halfCos, Real halfSin) {

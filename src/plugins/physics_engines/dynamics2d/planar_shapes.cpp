@@ -3,7 +3,6 @@
 #include <box2d/box2d.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace argos {
@@ -41,7 +40,6 @@ b2CircleShape MakeDisc(const CVector3& offset, Real radius, Real unitsPerMetre) 
   return disc;
 }
 
-// the shadow of a solid: of its bounding box if it is tilted
 b2PolygonShape MakePolygon(const SShapeDescription& shape, Real unitsPerMetre) {
   b2PolygonShape polygon;
   if (IsUpright(shape)) {
@@ -50,14 +48,21 @@ b2PolygonShape MakePolygon(const SShapeDescription& shape, Real unitsPerMetre) {
                      static_cast<float>(0.5 * shape.Size.GetY() * unitsPerMetre),
                      ToUnits(shape.Offset, unitsPerMetre), static_cast<float>(yaw));
   } else {
-    std::array<b2Vec2, 8> corners;
-    for (size_t i = 0; i < corners.size(); ++i) {
+    // the rectangle around the shadow of its bounding box
+    Real minX = HUGE_VAL, minY = HUGE_VAL, maxX = -HUGE_VAL, maxY = -HUGE_VAL;
+    for (UInt32 i = 0; i < 8; ++i) {
       CVector3 corner((i & 1U ? 0.5 : -0.5) * shape.Size.GetX(),
                       (i & 2U ? 0.5 : -0.5) * shape.Size.GetY(), i & 4U ? shape.Size.GetZ() : 0.0);
       corner.Rotate(shape.Orientation);
-      corners[i] = ToUnits(shape.Offset + corner, unitsPerMetre);
+      minX = std::min(minX, corner.GetX());
+      maxX = std::max(maxX, corner.GetX());
+      minY = std::min(minY, corner.GetY());
+      maxY = std::max(maxY, corner.GetY());
     }
-    polygon.Set(corners.data(), static_cast<int32>(corners.size()));
+    const CVector3 centre(0.5 * (minX + maxX), 0.5 * (minY + maxY), 0.0);
+    polygon.SetAsBox(static_cast<float>(0.5 * (maxX - minX) * unitsPerMetre),
+                     static_cast<float>(0.5 * (maxY - minY) * unitsPerMetre),
+                     ToUnits(shape.Offset + centre, unitsPerMetre), 0.0F);
   }
   // Box2D's own skin would put the surface where the description does not; it serves continuous
   // collision, which this engine does not use

@@ -50,6 +50,12 @@ CPlanarWorld::CPlanarWorld(const SPlanarSettings& settings)
 
 CPlanarWorld::~CPlanarWorld() = default;
 
+void CPlanarWorld::MakeRoom(size_t immovable, size_t passive, size_t driven) {
+  m_immovable.reserve(immovable);
+  m_passive.reserve(passive);
+  m_driven.reserve(driven);
+}
+
 b2Body& CPlanarWorld::CreateBody(const SPlanarPose& pose, EPlanarKind kind) {
   UInt32 number = m_numNumbers;
   if (m_freeNumbers.empty()) {
@@ -220,13 +226,32 @@ void CPlanarWorld::Remove(const SPlanarHandle& handle) {
   }
 }
 
+void CPlanarWorld::SetVelocity(const SPlanarHandle& handle, const SPlanarVelocity& velocity) {
+  b2Body* box2dBody = nullptr;
+  if (handle.Kind == EPlanarKind::Passive) {
+    box2dBody = m_passive[handle.Slot].Body;
+  } else if (handle.Kind == EPlanarKind::Driven) {
+    SDrivenBody& body = m_driven[handle.Slot];
+    body.Velocity = velocity;
+    if (body.InPlay != SDrivenBody::kNotInPlay) {
+      box2dBody = m_inPlay[body.InPlay].Body;
+    }
+  }
+  if (box2dBody != nullptr) {
+    box2dBody->SetLinearVelocity(b2Vec2(ToUnits(velocity.X), ToUnits(velocity.Y)));
+    box2dBody->SetAngularVelocity(static_cast<float>(velocity.W));
+  }
+}
+
 // Box2D takes memory for bodies, contacts and joints in blocks that it keeps. Making as many as a
 // swarm of this size is likely to need, and taking them away again, leaves the blocks to be used in
 // ticks; so do the vectors here.
 void CPlanarWorld::Reserve() {
-  constexpr size_t kClusterSize = 8;  // discs, of which each touches each
-  const size_t movable = m_driven.size() + m_passive.size();
-  const size_t numExtras = (movable / 4 / kClusterSize + 8) * kClusterSize;
+  constexpr size_t kClusterSize = 4;  // discs, of which each touches each
+  // an eighth in play is what a swarm at the benchmark's density comes to; a denser one takes more
+  // memory while it condenses
+  const size_t inPlay = m_driven.size() / 8 + 64;
+  const size_t numExtras = inPlay / kClusterSize * kClusterSize;
 
   b2AABB everything;
   everything.lowerBound.SetZero();
@@ -260,9 +285,9 @@ void CPlanarWorld::Reserve() {
   for (b2Body* extra : extras) {
     m_world.DestroyBody(extra);
   }
-  m_overlaps.Reserve(2 * movable + 64);
-  m_inPlay.reserve(m_driven.size());
-  m_freeNumbers.reserve(movable + m_immovable.size());
+  m_overlaps.Reserve(2 * (inPlay + m_passive.size()) + m_immovable.size());
+  m_inPlay.reserve(inPlay);
+  m_freeNumbers.reserve(inPlay);
   m_encounters.Reserve(m_driven.size());
 }
 

@@ -57,6 +57,8 @@ class CPlanarWorld {
   CPlanarWorld(const CPlanarWorld&) = delete;
   CPlanarWorld& operator=(const CPlanarWorld&) = delete;
 
+  /** Allocates the arrays for so many bodies. */
+  void MakeRoom(size_t immovable, size_t passive, size_t driven);
   /** Adds a body that is at rest. @param wheels speeds of a driven body's wheels; must stay valid.
    */
   void AddImmovable(const SPlanarOwner& owner, const SBodyDescription& description,
@@ -67,6 +69,8 @@ class CPlanarWorld {
                  const SPlanarPose& pose, const Real* wheels);
   /** Takes a body out; another one may get its slot. */
   void Remove(const SPlanarHandle& handle);
+  /** Gives a body another velocity; an immovable one stays where it is. */
+  void SetVelocity(const SPlanarHandle& handle, const SPlanarVelocity& velocity);
   /** Allocates what a tick of a swarm of the present size needs. */
   void Reserve();
 

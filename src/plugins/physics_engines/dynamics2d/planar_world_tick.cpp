@@ -314,6 +314,9 @@ void CPlanarWorld::FinishPassive() {
       body.Pose.X = ToMetres(position.x);
       body.Pose.Y = ToMetres(position.y);
       body.Pose.SetYaw(angle);
+      const b2Vec2 velocity = body.Body->GetLinearVelocityFromLocalPoint(b2Vec2_zero);
+      body.Velocity = {ToMetres(velocity.x), ToMetres(velocity.y),
+                       static_cast<Real>(body.Body->GetAngularVelocity())};
     }
   }
 }

@@ -4,6 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <memory>
+
 using namespace argos;
 using Catch::Contains;
 
@@ -168,6 +170,32 @@ TEST_CASE("controllable entity: a second controller takes the place of the first
     CHECK_THAT(moved.GetY(), Catch::WithinAbs(0.4, 1e-14));
   }
   CHECK(CToyController::NumAlive == alive);
+}
+
+namespace {
+
+/** Throws a device of the simulator away and puts one of its own in its place. */
+class CSelfEquippingController : public CCI_Controller {
+ public:
+  void Init(TConfigurationNode&) override {
+    AddActuator("toy_drive", std::make_unique<CCI_Actuator>().release());
+  }
+};
+
+}  // namespace
+
+REGISTER_CONTROLLER(CSelfEquippingController, "self_equipping_controller")
+
+TEST_CASE("controllable entity: a controller may replace its devices",
+          "[core][entity][controller]") {
+  CTestWorld world(Experiment(
+      "<self_equipping_controller id='c'>" + std::string(kDevices) + "</self_equipping_controller>",
+      Robot("<controller config='c' />")));
+  // the drive that was deleted is not asked to act any more
+  world.Step(2);
+  auto& entity = world.Get<CControllableEntity>("r.controller_0");
+  CHECK(entity.GetActuators().empty());
+  CHECK(entity.GetSensors().size() == 1);
 }
 
 TEST_CASE("controllable entity: rays to be drawn live until the next sensing",
