@@ -20,6 +20,11 @@ namespace {
 // m; positions in files are rounded, robots stand on the plane
 constexpr Real kElevationTolerance = 1e-4;
 
+// m; beyond this the single precision of Box2D is coarser than a robot
+constexpr Real kMaxExtent = 1e5;
+// substeps of a tick; more would never end
+constexpr UInt32 kMaxIterations = 10000;
+
 // reads a number that must not be negative
 void ReadNotNegative(TConfigurationNode& node, const std::string& attribute, Real& value) {
   GetNodeAttributeOrDefault(node, attribute, value, value);
@@ -87,6 +92,11 @@ CDynamics2DEngine::~CDynamics2DEngine() = default;
 
 void CDynamics2DEngine::Init(TConfigurationNode& tree) {
   CPhysicsEngine::Init(tree);
+  if (GetIterations() > kMaxIterations) {
+    THROW_ARGOSEXCEPTION(tree.GetLocation() << ": <" << tree.Value() << " id=\"" << GetId()
+                                            << "\">: \"iterations\" must be at most "
+                                            << kMaxIterations << ", found " << GetIterations());
+  }
   GetNodeAttributeOrDefault(tree, "elevation", m_elevation, m_elevation);
   if (!std::isfinite(m_elevation)) {
     THROW_ARGOSEXCEPTION(tree.GetLocation()

@@ -250,21 +250,37 @@ void CPlanarWorld::Refine(float deepestOverlap) {
 
 // Sets the target of each motor for a substep, and the most it may push.
 //
-// What counts is the impulse in the tick: a free robot may use all of it in the first substep,
-// which is how it reaches its speed at the tick's start; one that touches something pushes evenly.
+// What is bounded is the impulse in the tick. A motor pushes evenly, its share in each substep. But
+// a robot that touches nothing may use more of it at once, as much as it takes to reach its speed
+// at the start of the tick: that is what makes its tick an exact arc.
 void CPlanarWorld::SetMotors(UInt32 substep, UInt32 substeps) {
   const float share = 1.0F / static_cast<float>(substeps);
   const float elapsed = static_cast<float>(substep + 1) * share;
-  const float perSecond = static_cast<float>(substeps / m_settings.Tick);
+  const float perTick = static_cast<float>(1.0 / m_settings.Tick);
+  const float perSubstep = perTick * static_cast<float>(substeps);
   for (SInPlay& play : m_inPlay) {
     const SDrivenBody& body = m_driven[play.Slot];
     b2Body& box2dBody = *play.Body;
-    const float available = IsTouching(box2dBody) ? elapsed : 1.0F;
-    const float impulse = available * box2dBody.GetMass() * ToUnits(body.MaxSpeedChange);
-    const float angularImpulse =
-        available * box2dBody.GetInertia() * static_cast<float>(body.MaxYawRateChange);
-    play.Motor->SetMaxForce(std::max(0.0F, impulse - play.SpentImpulse) * perSecond);
-    play.Motor->SetMaxTorque(std::max(0.0F, angularImpulse - play.SpentAngularImpulse) * perSecond);
+    const float mass = box2dBody.GetMass();
+    const float inertia = box2dBody.GetInertia();
+    const float inTick = mass * ToUnits(body.MaxSpeedChange);
+    const float angularInTick = inertia * static_cast<float>(body.MaxYawRateChange);
+    float impulse = elapsed * inTick - play.SpentImpulse;
+    float angularImpulse = elapsed * angularInTick - play.SpentAngularImpulse;
+    if (!IsTouching(box2dBody)) {
+      // a little more than the change of velocity takes, for the solver's roundings
+      constexpr float kAmple = 1.01F;
+      const b2Vec2 step(play.StepX, play.StepY);
+      const float change = (perTick * step - box2dBody.GetLinearVelocity()).Length();
+      const float turn = std::abs(perTick * play.StepAngle - box2dBody.GetAngularVelocity());
+      impulse = std::clamp(kAmple * mass * change, impulse,
+                           std::max(impulse, inTick - play.SpentImpulse));
+      angularImpulse =
+          std::clamp(kAmple * inertia * turn, angularImpulse,
+                     std::max(angularImpulse, angularInTick - play.SpentAngularImpulse));
+    }
+    play.Motor->SetMaxForce(std::max(0.0F, impulse) * perSubstep);
+    play.Motor->SetMaxTorque(std::max(0.0F, angularImpulse) * perSubstep);
     play.Motor->SetLinearOffset(box2dBody.GetPosition() + share * b2Vec2(play.StepX, play.StepY));
     play.Motor->SetAngularOffset(box2dBody.GetAngle() + share * play.StepAngle);
   }

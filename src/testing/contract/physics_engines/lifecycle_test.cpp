@@ -91,4 +91,15 @@ TEST_CASE("lifecycle: a body that leaves its engine's region is taken over by th
   CHECK_THAT(world.Position("r").GetX(), WithinAbs(0.5, 1e-6));
 }
 
+TEST_CASE("limits: what an engine cannot house, or finish, is refused with a reason",
+          "[contract][engine]") {
+  CHECK_THROWS_WITH(CDriveWorld(kEngine, DriverXml("e-puck", "r", 1e8, 0, 0, 0, 0)),
+                    Contains("\"r\" is too large or too far away"));
+  CHECK_THROWS_WITH(
+      CDriveWorld(kEngine, "<box id='b' size='1e30,1,1' movable='false'><body/></box>"),
+      Contains("\"b\" is too large or too far away"));
+  CHECK_THROWS_WITH(CDriveWorld("<dynamics2d id='e' iterations='4294967295'/>", ""),
+                    Contains("\"iterations\" must be at most 10000, found 4294967295"));
+}
+
 }  // namespace argos

@@ -57,7 +57,7 @@ TEST_CASE("controllable entity: the robot's own params replace the controller's"
       Experiment(Controller("c", std::string(kDevices) + "<params velocity='1,2,3' />"),
                  Robot("<controller config='c'> <params /> </controller>")));
   CHECK(ControllerOf(world).Velocity == CVector3());
-  CHECK_THAT(TakeLogErr(), Contains("\"velocity\" is not used"));
+  CHECK_THAT(TakeLogErr(), Contains("is not used by anything"));
 }
 
 TEST_CASE("controllable entity: devices and params may be left out", "[core][entity][controller]") {

@@ -1,0 +1,178 @@
+// Many bodies in little room: nobody ends up in a wall or in somebody else.
+
+#include <argos3/testing/contract/physics_engines/drive_world.h>
+#include <argos3/testing/support/overlap.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace argos {
+
+using Catch::Matchers::WithinAbs;
+using testing::MeasureOverlaps;
+using testing::SOverlaps;
+
+namespace {
+
+constexpr Real kEPuckRadius = 0.035;  // m
+constexpr Real kFootBotRadius = 0.085036758;  // m
+
+std::string WallXml(const std::string& id, const std::string& size, Real x, Real y,
+                    Real yaw = 0.0) {
+  std::ostringstream xml;
+  xml << "<box id='" << id << "' size='" << size << "' movable='false'><body position='" << x << ","
+      << y << ",0' orientation='" << yaw << ",0,0'/></box>";
+  return xml.str();
+}
+
+bool IsFinite(const CVector3& v) {
+  return std::isfinite(v.GetX()) && std::isfinite(v.GetY()) && std::isfinite(v.GetZ());
+}
+
+}  // namespace
+
+TEST_CASE("crowd: robots that press against a wall stay out of it and of each other",
+          "[contract][engine]") {
+  // columns of 12 e-pucks, 8 deep, all driving at the wall; side walls keep them in
+  const Real wallYaw = GENERATE(0.0, 37.0);
+  CAPTURE(wallYaw);
+  const Real yaw = wallYaw / 180.0 * ARGOS_PI;
+  const auto turned = [yaw](Real x, Real y) {
+    return std::pair<Real, Real>(x * std::cos(yaw) - y * std::sin(yaw),
+                                 x * std::sin(yaw) + y * std::cos(yaw));
+  };
+  std::string arena;
+  const auto addWall = [&](const std::string& id, const std::string& size, Real x, Real y) {
+    const auto [wx, wy] = turned(x, y);
+    arena += WallXml(id, size, wx, wy, wallYaw);
+  };
+  addWall("front", "0.1,2,0.5", 1.05, 0.0);
+  addWall("left", "3,0.1,0.5", 0.0, 0.55);
+  addWall("right", "3,0.1,0.5", 0.0, -0.55);
+  int count = 0;
+  for (int column = 0; column < 8; ++column) {
+    for (int row = 0; row < 12; ++row) {
+      const auto [x, y] = turned(0.8 - 0.1 * column, -0.44 + 0.08 * row);
+      arena += DriverXml("e-puck", "r" + std::to_string(count++), x, y, wallYaw, 10, 10);
+    }
+  }
+  CDriveWorld world("<dynamics2d id='e'/>", arena);
+  SOverlaps overlaps;
+  for (int tick = 0; tick < 150; ++tick) {
+    world.Step();
+    MeasureOverlaps(world.GetSpace(), overlaps);
+  }
+  // the promise of the engine: 2 % of the radius
+  CHECK(SOverlaps::Quantile(overlaps.WithRobots, 0.99) <= 0.02);
+  CHECK(SOverlaps::Quantile(overlaps.WithWalls, 1.0) <= 0.02);
+  // they do press: the front row is at the wall
+  Real foremost = 0.0;
+  for (int i = 0; i < count; ++i) {
+    const CVector3 position = world.Position("r" + std::to_string(i));
+    foremost =
+        std::max(foremost, position.GetX() * std::cos(yaw) + position.GetY() * std::sin(yaw));
+  }
+  CHECK_THAT(foremost, WithinAbs(1.0 - kEPuckRadius, 0.02 * kEPuckRadius));
+}
+
+TEST_CASE("crowd: robots put into each other come apart, and nothing becomes NaN",
+          "[contract][engine]") {
+  // 5 cm into each other, or at one and the same place
+  const Real distance = GENERATE(2.0 * kFootBotRadius - 0.05, 0.0);
+  CAPTURE(distance);
+  CDriveWorld world("<dynamics2d id='e'/>", DriverXml("foot-bot", "a", 0, 0, 0, 0, 0) +
+                                                DriverXml("foot-bot", "b", 5, 0, 0, 0, 0));
+  world.Body("b").MoveTo(CVector3(distance, 0, 0), CQuaternion(), false, true);
+  world.Step(20);
+  const CVector3 a = world.Position("a");
+  const CVector3 b = world.Position("b");
+  REQUIRE(IsFinite(a));
+  REQUIRE(IsFinite(b));
+  CHECK(Distance(a, b) >= 2.0 * kFootBotRadius * 0.98);
+  // two robots of one mass are pushed equally far
+  CHECK_THAT(0.5 * (a.GetX() + b.GetX()), WithinAbs(0.5 * distance, 1e-3));
+}
+
+TEST_CASE("crowd: a robot wedged in a gap that is too narrow stays finite and near",
+          "[contract][engine]") {
+  // walls whose gap narrows to nothing, and a crowd that pushes into it
+  std::string arena = WallXml("upper", "2,0.1,0.5", 1.0, 0.25, -12.0) +
+                      WallXml("lower", "2,0.1,0.5", 1.0, -0.25, 12.0);
+  for (int i = 0; i < 30; ++i) {
+    arena += DriverXml("e-puck", "r" + std::to_string(i), -0.1 - 0.08 * (i / 3),
+                       -0.08 + 0.08 * (i % 3), 0, 15, 15);
+  }
+  CDriveWorld world("<dynamics2d id='e'/>", arena);
+  SOverlaps overlaps;
+  for (int tick = 0; tick < 200; ++tick) {
+    world.Step();
+    MeasureOverlaps(world.GetSpace(), overlaps);
+  }
+  CHECK(SOverlaps::Quantile(overlaps.WithWalls, 1.0) <= 0.02);
+  for (int i = 0; i < 30; ++i) {
+    const CVector3 position = world.Position("r" + std::to_string(i));
+    REQUIRE(IsFinite(position));
+    // before the walls meet, and not beyond
+    CHECK(position.GetX() < 1.6);
+    CHECK(std::abs(position.GetY()) < 1.0);
+  }
+}
+
+TEST_CASE("crowd: a robot among objects in a pen leaves them and itself inside",
+          "[contract][engine]") {
+  // light and heavy objects of every shape, and foot-bots that push them about
+  std::string arena = WallXml("n", "2.2,0.1,0.5", 0, 1.05) + WallXml("s", "2.2,0.1,0.5", 0, -1.05) +
+                      WallXml("e", "0.1,2.2,0.5", 1.05, 0) + WallXml("w", "0.1,2.2,0.5", -1.05, 0);
+  std::ostringstream objects;
+  for (int i = 0; i < 12; ++i) {
+    const Real x = -0.75 + 0.5 * (i % 4);
+    const Real y = -0.6 + 0.6 * (i / 4);
+    if (i % 2 == 0) {
+      objects << "<box id='o" << i << "' size='0.2,0.12,0.2' movable='true' mass='"
+              << (i % 4 == 0 ? 0.1 : 3.0) << "'><body position='" << x << "," << y
+              << ",0' orientation='" << 15 * i << ",0,0'/></box>";
+    } else {
+      objects << "<cylinder id='o" << i << "' radius='0.08' height='0.2' movable='true' mass='"
+              << (i % 4 == 1 ? 0.1 : 3.0) << "'><body position='" << x << "," << y
+              << ",0'/></cylinder>";
+    }
+  }
+  arena += objects.str();
+  for (int i = 0; i < 4; ++i) {
+    arena += DriverXml("foot-bot", "r" + std::to_string(i), -0.75 + 0.5 * i, 0.28, 90.0 * i, 10,
+                       8.0 + i);
+  }
+  CDriveWorld world("<dynamics2d id='e'/>", arena);
+  SOverlaps overlaps;
+  for (int tick = 0; tick < 600; ++tick) {
+    world.Step();
+    MeasureOverlaps(world.GetSpace(), overlaps);
+    for (int i = 0; i < 12; ++i) {
+      const CVector3 position = world.Position("o" + std::to_string(i));
+      REQUIRE(IsFinite(position));
+      // half of the narrowest side keeps every centre this far from the walls
+      REQUIRE(std::max(std::abs(position.GetX()), std::abs(position.GetY())) < 1.0 - 0.06 * 0.98);
+    }
+  }
+  CHECK(SOverlaps::Quantile(overlaps.WithRobots, 1.0) <= 0.02);
+}
+
+TEST_CASE("speed: a robot does not pass a thin wall, however fast it drives",
+          "[contract][engine]") {
+  const Real speed = GENERATE(50.0, 500.0, 5000.0);  // cm/s
+  const std::string iterations = GENERATE(as<std::string>(), "", "iterations='1'");
+  CAPTURE(speed, iterations);
+  CDriveWorld world(
+      "<dynamics2d id='e' " + iterations + "/>",
+      WallXml("wall", "0.01,2,0.5", 3.0, 0) + DriverXml("foot-bot", "r", 0, 0.3, 0, speed, speed));
+  for (int tick = 0; tick < 100; ++tick) {
+    world.Step();
+    REQUIRE(world.Position("r").GetX() + kFootBotRadius <= 2.995 + 0.02 * kFootBotRadius);
+  }
+  CHECK_THAT(world.Position("r").GetX() + kFootBotRadius, WithinAbs(2.995, 0.02 * kFootBotRadius));
+}
+
+}  // namespace argos
