@@ -54,6 +54,15 @@ void RequirePositive(const CEmbodiedEntity& body, const char* what, Real value) 
 
 void CheckDescription(const CEmbodiedEntity& body) {
   const SBodyDescription& description = *body.GetBodyDescription();
+  const CVector3& position = body.GetOriginAnchor().Position;
+  const Real reach = std::max(std::abs(position.GetX()), std::abs(position.GetY())) +
+                     description.ComputeBoundingRadius();
+  if (!(reach <= kMaxExtent)) {
+    THROW_ARGOSEXCEPTION(
+        "\"" << body.GetRootEntity().GetId() << "\" is too large or too far away: it reaches "
+             << reach << " m from the origin, but physics in the plane is accurate only up to "
+             << kMaxExtent << " m");
+  }
   if (!body.IsMovable()) {
     return;
   }

@@ -99,6 +99,7 @@ TEST_CASE("crowd: robots put into each other come apart, and nothing becomes NaN
 TEST_CASE("crowd: a robot wedged in a gap that is too narrow stays finite and near",
           "[contract][engine]") {
   // walls whose gap narrows to nothing, and a crowd that pushes into it
+  constexpr Real kSlant = 12.0 / 180.0 * ARGOS_PI;
   std::string arena = WallXml("upper", "2,0.1,0.5", 1.0, 0.25, -12.0) +
                       WallXml("lower", "2,0.1,0.5", 1.0, -0.25, 12.0);
   for (int i = 0; i < 30; ++i) {
@@ -112,13 +113,19 @@ TEST_CASE("crowd: a robot wedged in a gap that is too narrow stays finite and ne
     MeasureOverlaps(world.GetSpace(), overlaps);
   }
   CHECK(SOverlaps::Quantile(overlaps.WithWalls, 1.0) <= 0.02);
+  // a disc fits until its centre is as far from both walls' axes as half a wall and its radius
+  const Real depth = 0.02 * kEPuckRadius;
+  const Real deepest =
+      1.0 + (0.25 - (0.05 + kEPuckRadius - depth) / std::cos(kSlant)) / std::tan(kSlant);
+  Real foremost = -1.0;
   for (int i = 0; i < 30; ++i) {
     const CVector3 position = world.Position("r" + std::to_string(i));
     REQUIRE(IsFinite(position));
-    // before the walls meet, and not beyond
-    CHECK(position.GetX() < 1.6);
-    CHECK(std::abs(position.GetY()) < 1.0);
+    REQUIRE(std::abs(position.GetY()) < 1.0);
+    foremost = std::max(foremost, position.GetX());
   }
+  CHECK(foremost <= deepest);
+  CHECK(foremost >= 1.0);
 }
 
 TEST_CASE("crowd: a robot among objects in a pen leaves them and itself inside",

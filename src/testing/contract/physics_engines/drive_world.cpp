@@ -12,9 +12,12 @@ namespace {
 
 SExperiment MakeExperiment(const std::string& engine, const std::string& arena) {
   SExperiment experiment;
-  experiment.Controllers =
-      "<contract_driver id='driver'><actuators><differential_steering implementation='default'/>"
-      "</actuators><sensors/></contract_driver>";
+  // a controller without a robot would be reported as unused
+  if (arena.find("config='driver'") != std::string::npos) {
+    experiment.Controllers =
+        "<contract_driver id='driver'><actuators><differential_steering implementation='default'/>"
+        "</actuators><sensors/></contract_driver>";
+  }
   experiment.Engines = engine;
   experiment.ArenaSize = "80,80,2";
   experiment.Arena = arena;

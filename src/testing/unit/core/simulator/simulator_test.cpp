@@ -14,7 +14,6 @@
 
 using namespace argos;
 using Catch::Contains;
-using Catch::WithinAbs;
 
 namespace {
 

@@ -293,7 +293,7 @@ TEST_CASE("random numbers: every order of a shuffle is equally likely", "[core][
   for (int i = 0; i < 12000; ++i) {
     std::vector<int> elements{0, 1, 2};
     rng.Shuffle(elements);
-    ++counts[static_cast<size_t>(elements[0] * 2 + (elements[1] > elements[2] ? 1 : 0))];
+    ++counts[2 * static_cast<size_t>(elements[0]) + (elements[1] > elements[2] ? 1 : 0)];
   }
   // chi-square with 5 degrees of freedom exceeds 25.74 with a probability of 1e-4
   CHECK(ComputeChiSquare(counts, std::vector<Real>(6, 1.0 / 6.0)) < 25.74);
