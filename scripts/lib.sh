@@ -3,6 +3,11 @@
 repo="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 jobs="$(nproc)"
 
+# git, also for root in a clone that belongs to somebody else
+git() {
+  command git -c safe.directory="$repo" "$@"
+}
+
 say() {
   printf '\n== %s\n' "$*"
 }

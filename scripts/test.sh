@@ -27,7 +27,7 @@ check_format() {
 }
 
 build_for_robot() {
-  configure "$repo/build-robot" -DCMAKE_BUILD_TYPE=Release -DARGOS_BUILD_TESTING=ON -DARGOS_WERROR=ON \
+  configure "$repo/build-robot" -DCMAKE_BUILD_TYPE=Release -DARGOS_BUILD_TESTING=OFF -DARGOS_WERROR=ON \
     -DARGOS_BUILD_FOR=robot
   build "$repo/build-robot"
 }

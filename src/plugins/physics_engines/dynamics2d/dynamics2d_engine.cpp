@@ -283,7 +283,11 @@ void CDynamics2DEngine::Update() {
                                     << bad.Left << " m/s, right = " << bad.Right << " m/s");
   }
   m_world->CommitDriven(
-      [this](const SDrivenBody& body) { WriteBack(*body.Owner.Model, body.Pose, body.Velocity); });
+      [this](const SDrivenBody& body) { WriteBack(*body.Owner.Model, body.Pose, body.Velocity); },
+      [](const CDynamics2DModel& model) {
+        Prefetch(&model.m_cEmbodiedEntity, sizeof(CEmbodiedEntity));
+        Prefetch(&model.m_root, 64);
+      });
   m_world->ForEachPassive([this](const SPassiveBody& body) {
     if (body.Moved) {
       WriteBack(*body.Owner.Model, body.Pose, body.Velocity);
@@ -300,7 +304,7 @@ void CDynamics2DEngine::WriteBack(CDynamics2DModel& model, const SPlanarPose& po
     model.CalculateAnchors();
   }
   model.CalculateBoundingBox();
-  body.GetRootEntity().Update();
+  model.m_root.Update();
   if (IsEntityTransferActive() && !IsPointContained(body.GetOriginAnchor().Position)) {
     ScheduleEntityForTransfer(body);
     m_leaving.push_back({&body, velocity});
@@ -336,7 +340,7 @@ OPTIONAL XML
 ATTRIBUTES
 
   id                         text, required: unique among the engines.
-  iterations                 integer >= 1: substeps of a tick. Not given: 2, and up to 6 where a crowd is
+  iterations                 integer >= 1: substeps of a tick. Not given: 2, and up to 10 where a crowd is
                              so dense that robots would overlap. In any case more, up to 64, while
                              something moves by more than half its radius in a substep. 64 substeps are
                              also what bounds speeds: a robot goes at most 32 radii in a tick.

@@ -36,7 +36,7 @@ CVector2 ComputeHalfExtents(const SShapeDescription& shape, const SPlanarPose& p
 
 CDynamics2DModel::CDynamics2DModel(CDynamics2DEngine& engine, CEmbodiedEntity& entity,
                                    const Real* wheels)
-    : CPhysicsModel(engine, entity), m_wheels(wheels) {}
+    : CPhysicsModel(engine, entity), m_root(entity.GetRootEntity()), m_wheels(wheels) {}
 
 CDynamics2DEngine& CDynamics2DModel::GetDynamics2DEngine() const {
   return static_cast<CDynamics2DEngine&>(m_cEngine);

@@ -7,6 +7,7 @@
 namespace argos {
 
 class CDynamics2DEngine;
+class CEntity;
 
 /** One body of a dynamics2d engine, for the public API: its state is in the engine's arrays. */
 class CDynamics2DModel : public CPhysicsModel {
@@ -27,6 +28,7 @@ class CDynamics2DModel : public CPhysicsModel {
 
   CDynamics2DEngine& GetDynamics2DEngine() const;
 
+  CEntity& m_root;  // of the body
   const Real* m_wheels;  // m/s, (left, right); null unless the body has a drive; not owned
   SPlanarHandle m_handle;  // where the body is in the engine's arrays
   size_t m_number = 0;  // in the engine's list of models

@@ -21,7 +21,7 @@ constexpr UInt32 kDefaultSubsteps = 2;
  */
 constexpr float kTooDeep = 0.01F;
 constexpr float kShallow = 0.002F;
-constexpr UInt32 kMaxExtraSubsteps = 4;
+constexpr UInt32 kMaxExtraSubsteps = 8;
 constexpr UInt32 kCalmTicks = 20;
 /** Iterations of Box2D's velocity solver in a substep. */
 constexpr int kVelocityIterations = 8;

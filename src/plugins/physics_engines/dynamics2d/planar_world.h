@@ -4,6 +4,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/encounters.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_bodies.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/prefetch.h>
 
 #include <box2d/box2d.h>
 
@@ -77,11 +78,19 @@ class CPlanarWorld {
   /** Moves everything by one tick. @throws SBadWheelSpeed */
   void Advance();
 
-  /** After Advance(): takes over where driven bodies are, calling visit(const SDrivenBody&) each.
+  /**
+   * After Advance(): takes over where driven bodies are, calling visit(const SDrivenBody&) for
+   * each.
+   * @param prepare  called with each owner's model, some bodies before its visit.
    */
-  template <typename VISIT>
-  void CommitDriven(VISIT&& visit) {
-    for (SDrivenBody& body : m_driven) {
+  template <typename VISIT, typename PREPARE>
+  void CommitDriven(VISIT&& visit, PREPARE&& prepare) {
+    for (size_t i = 0; i < m_driven.size(); ++i) {
+      if (i + 2 * kBodiesAhead < m_driven.size()) {
+        Prefetch(m_driven[i + 2 * kBodiesAhead].Owner.Model, kModelBytes);
+        prepare(*m_driven[i + kBodiesAhead].Owner.Model);
+      }
+      SDrivenBody& body = m_driven[i];
       body.Pose = body.NextPose;
       body.Velocity = body.NextVelocity;
       visit(static_cast<const SDrivenBody&>(body));

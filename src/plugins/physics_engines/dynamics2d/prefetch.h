@@ -1,0 +1,28 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PREFETCH_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PREFETCH_H
+
+#include <cstddef>
+
+namespace argos {
+
+/**
+ * Loops over robots follow pointers to objects that lie some kilobytes apart, which the processor
+ * does not foresee. So they ask for the memory of the robot that comes this much later.
+ */
+constexpr size_t kBodiesAhead = 8;
+
+/** Size of a CDynamics2DModel, about. */
+constexpr size_t kModelBytes = 128;
+
+/** Asks for @p bytes from @p start to be brought into the cache; changes nothing else. */
+inline void Prefetch(const void* start, size_t bytes) {
+  constexpr size_t kLine = 64;
+  const char* const first = static_cast<const char*>(start);
+  for (size_t offset = 0; offset < bytes; offset += kLine) {
+    __builtin_prefetch(first + offset);
+  }
+}
+
+}  // namespace argos
+
+#endif
