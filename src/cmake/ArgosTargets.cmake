@@ -169,8 +169,8 @@ function(argos_add_test name)
   endif()
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE argos_options argos3::core ${ARG_LINK} Catch2::Catch2WithMain)
-  target_compile_definitions(${name} PRIVATE ARGOS_TEST_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-                                             ARGOS_TEST_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  # what is tested lies in the libraries; the tests themselves need not be fast, but soon compiled
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   if(ARG_DEPENDS)
     add_dependencies(${name} ${ARG_DEPENDS})
   endif()

@@ -4,6 +4,7 @@
 #include <argos3/testing/support/rooms.h>
 
 #include <argos3/core/utility/plugins/dynamic_loading.h>
+#include <argos3/testing/support/paths.h>
 
 #include <catch2/catch.hpp>
 
@@ -39,7 +40,7 @@ TEST_CASE("no allocation: a settled tick of the benchmark allocates nothing",
   const UInt32 threads = GENERATE(0U, 2U);
   const std::string method = GENERATE("balance_quantity", "balance_length");
   CAPTURE(threads, method);
-  CDynamicLoading::LoadLibrary(ARGOS_TEST_BINARY_DIR "/experiments/libepuck_diffusion");
+  CDynamicLoading::LoadLibrary(InBuildTree("experiments/libepuck_diffusion"));
   testing::SRoomsWorld rooms;
   rooms.Robots = 1000;
   rooms.Side = testing::SRoomsWorld::SideAtSameDensity(rooms.Robots);

@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/testing/determinism/swarm.h>
+#include <argos3/testing/support/paths.h>
 
 #include <catch2/catch.hpp>
 
@@ -145,9 +146,8 @@ TEST_CASE("determinism: simulators that run at the same time do not disturb each
       SExperiment experiment = Swarm(size.Robots, size.EnginesPerSide);
       experiment.Threads = static_cast<UInt32>(i);
       // all of them load a library, though only one can be the first
-      experiment.Controllers +=
-          "<epuck_diffusion_controller id='unused' library='" ARGOS_TEST_BINARY_DIR
-          "/experiments/libepuck_diffusion' />";
+      experiment.Controllers += "<epuck_diffusion_controller id='unused' library='" +
+                                InBuildTree("experiments/libepuck_diffusion") + "' />";
       CTestWorld world(experiment);
       digests[i] = Run(world, size.Ticks);
     });

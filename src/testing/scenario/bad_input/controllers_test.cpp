@@ -2,6 +2,8 @@
 
 #include "experiment_text.h"
 
+#include <argos3/testing/support/paths.h>
+
 #include <catch2/catch.hpp>
 
 #include <cstdio>
@@ -35,7 +37,7 @@ TEST_CASE("bad input: a library that is not there", "[bad_input]") {
 
 TEST_CASE("bad input: a library that is no library", "[bad_input]") {
   SExperimentText experiment;
-  experiment.Controllers = FromLibrary("test_idle", ARGOS_TEST_SOURCE_DIR "/CMakeLists.txt");
+  experiment.Controllers = FromLibrary("test_idle", InSourceTree("CMakeLists.txt"));
   CHECK_THAT(LoadError(experiment), Contains("CMakeLists.txt"));
 }
 
@@ -74,7 +76,7 @@ TEST_CASE("bad input: a controller that throws what is no exception", "[bad_inpu
 }
 
 TEST_CASE("bad input: what was written before a controller threw is intact", "[bad_input]") {
-  const std::string file = ARGOS_TEST_BINARY_DIR "/bad_input_steps.txt";
+  const std::string file = InBuildTree("bad_input_steps.txt");
   std::remove(file.c_str());
   SExperimentText experiment;
   experiment.Controllers = Controllers(

@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/testing/support/paths.h>
 
 #include <sstream>
 
@@ -84,11 +85,11 @@ std::string SExperimentText::ToXml() const {
 }
 
 std::string BadControllersLibrary() {
-  return ARGOS_TEST_BINARY_DIR "/testing/plugins/libargos3_test_bad_controllers.so";
+  return InBuildTree("testing/plugins/libargos3_test_bad_controllers.so");
 }
 
 std::string OtherVersionLibrary() {
-  return ARGOS_TEST_BINARY_DIR "/testing/plugins/libargos3_test_wrong_build.so";
+  return InBuildTree("testing/plugins/libargos3_test_wrong_build.so");
 }
 
 std::string LoadError(const SExperimentText& experiment) {

@@ -1,5 +1,7 @@
 #include "program_run.h"
 
+#include <argos3/testing/support/paths.h>
+
 #include <catch2/catch.hpp>
 
 #include <fcntl.h>
@@ -16,7 +18,7 @@ namespace argos {
 
 namespace {
 
-constexpr char kProgram[] = ARGOS_TEST_BINARY_DIR "/bin/argos3";
+const std::string kProgram = InBuildTree("bin/argos3");
 // far more than any test takes, far less than the test driver's limit
 constexpr std::chrono::seconds kPatience(120);
 
@@ -28,7 +30,7 @@ void RedirectTo(int file, const std::string& path) {
 
 [[noreturn]] void Execute(const std::vector<std::string>& arguments, const std::string& folder,
                           const std::string& out, const std::string& err) {
-  std::vector<char*> argv{const_cast<char*>(kProgram)};
+  std::vector<char*> argv{const_cast<char*>(kProgram.c_str())};
   for (const std::string& argument : arguments) {
     argv.push_back(const_cast<char*>(argument.c_str()));
   }
@@ -36,7 +38,7 @@ void RedirectTo(int file, const std::string& path) {
   RedirectTo(STDOUT_FILENO, out);
   RedirectTo(STDERR_FILENO, err);
   if (chdir(folder.c_str()) == 0) {
-    execv(kProgram, argv.data());
+    execv(kProgram.c_str(), argv.data());
   }
   _exit(127);
 }

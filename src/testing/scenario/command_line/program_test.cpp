@@ -2,6 +2,8 @@
 
 #include "program_run.h"
 
+#include <argos3/testing/support/paths.h>
+
 #include <catch2/catch.hpp>
 
 #include <csignal>
@@ -12,8 +14,8 @@ using Catch::Contains;
 
 namespace {
 
-constexpr char kBadControllers[] =
-    ARGOS_TEST_BINARY_DIR "/testing/plugins/libargos3_test_bad_controllers.so";
+const std::string kBadControllers =
+    InBuildTree("testing/plugins/libargos3_test_bad_controllers.so");
 
 // three e-pucks that stand where chance put them, for one second
 std::string Experiment(const std::string& controller = "test_idle",

@@ -6,6 +6,7 @@
 #include <argos3/core/control_interface/ci_controller.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/registration.h>
+#include <argos3/testing/support/paths.h>
 
 #include <catch2/catch.hpp>
 
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::string kFolder = ARGOS_TEST_BINARY_DIR "/testing/plugins";
+const std::string kFolder = InBuildTree("testing/plugins");
 const std::string kGood = kFolder + "/libargos3_test_good.so";
 
 void SetPluginPath(const std::string& path) {
