@@ -105,7 +105,7 @@ class CLEDEquippedEntity : public CComposableEntity {
   void UpdateDigest(CDigest& digest) const override;
 
  protected:
-  void MaterializeComponents() override { Materialize(); }
+  void MaterializeComponents(const std::string&) override { Materialize(); }
 
  private:
   void CheckIndex(size_t index) const;

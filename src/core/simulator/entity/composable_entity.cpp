@@ -92,6 +92,12 @@ void CComposableEntity::AddComponent(CEntity& component) {
   m_componentMap.reset();
 }
 
+void CComposableEntity::InsertComponent(CEntity& component, const CEntity& next) {
+  component.SetParent(*this);
+  m_components.insert(std::find(m_components.begin(), m_components.end(), &next), &component);
+  m_componentMap.reset();
+}
+
 CEntity& CComposableEntity::RemoveComponent(const std::string& path) {
   CEntity& component = GetComponent(path);
   CComposableEntity& parent = component.GetParent();
@@ -102,9 +108,9 @@ CEntity& CComposableEntity::RemoveComponent(const std::string& path) {
 }
 
 CEntity* CComposableEntity::TryGetComponent(const std::string& path) {
-  MaterializeComponents();
   std::string rest;
   const SStep step = TakeStep(path, rest);
+  MaterializeComponents(step.Type);
   for (CEntity* component : m_components) {
     if (!Matches(*component, step)) {
       continue;
@@ -125,7 +131,7 @@ CEntity& CComposableEntity::GetComponent(const std::string& path) {
   CEntity* component = TryGetComponent(path);
   if (component == nullptr) {
     std::vector<std::string> known;
-    for (const CEntity* each : m_components) {
+    for (const CEntity* each : GetComponentVector()) {
       known.push_back(each->GetTypeDescription());
     }
     THROW_ARGOSEXCEPTION("\"" << GetContext() << GetId() << "\" (" << GetTypeDescription()
@@ -148,7 +154,7 @@ CEntity::TMultiMap::iterator CComposableEntity::FindComponent(const std::string&
 }
 
 CEntity::TMultiMap& CComposableEntity::GetComponentMap() {
-  MaterializeComponents();
+  MaterializeComponents(std::string());
   if (m_componentMap == nullptr) {
     m_componentMap = std::make_unique<TMultiMap>();
     for (CEntity* component : m_components) {
@@ -159,7 +165,7 @@ CEntity::TMultiMap& CComposableEntity::GetComponentMap() {
 }
 
 CEntity::TVector& CComposableEntity::GetComponentVector() {
-  MaterializeComponents();
+  MaterializeComponents(std::string());
   return m_components;
 }
 

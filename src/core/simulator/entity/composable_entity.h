@@ -34,6 +34,8 @@ class CComposableEntity : public CEntity {
 
   /** Takes @p component over: it is deleted with this entity. Its type must not change later. */
   void AddComponent(CEntity& component);
+  /** The same, in front of the component @p next: it then outlives that one. */
+  void InsertComponent(CEntity& component, const CEntity& next);
   /**
    * Gives a component back to the caller, who deletes it.
    * @throws CARGoSException if there is none of that path.
@@ -69,8 +71,11 @@ class CComposableEntity : public CEntity {
   void UpdateDigest(CDigest& digest) const override;
 
  protected:
-  /** Creates components that are made only on demand; called before any look-up. */
-  virtual void MaterializeComponents() {}
+  /**
+   * Makes the components of that type that are made only on demand, if they do not exist yet;
+   * called before any look-up. @param type  empty: of all types.
+   */
+  virtual void MaterializeComponents(const std::string& /*type*/) {}
 
  private:
   CEntity* TryGetComponent(const std::string& path);

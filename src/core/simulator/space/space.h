@@ -150,7 +150,11 @@ class CSpace : public CBaseConfigurableResource {
   void EraseEntity(CEntity& entity);
   CEntity* TryGetEntity(const std::string& id);
   SUserViews& GetUserViews();
-  void AddToUserViews(CEntity& entity);
+  SUserViews& GetUserViewsOf(const std::string& type);
+  void OpenUserViews();
+  void AddPendingToUserViews();
+  void AddToUserViews(CEntity& entity, const std::string& type);
+  void ListInUserViews(CEntity& entity);
   void FillArena(TConfigurationNode& tree, CLoadErrors& errors);
   void InitArena(TConfigurationNode& tree);
 

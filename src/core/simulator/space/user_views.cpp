@@ -47,29 +47,78 @@ void CSpace::SUserViews::Erase(CEntity& entity) {
   AllIsStale = true;
 }
 
-void CSpace::AddToUserViews(CEntity& entity) {
+void CSpace::ListInUserViews(CEntity& entity) {
   const std::string id = entity.GetContext() + entity.GetId();
   if (m_views->PerId.emplace(id, &entity).second) {
     m_views->All.push_back(&entity);
+    if (!entity.HasParent()) {
+      m_views->RootTypes.insert(entity.GetTypeDescription());
+    }
     const size_t tag = entity.GetTag();
     const bool known = tag < m_makeAny.size() && m_makeAny[tag] != nullptr;
     m_views->PerType[entity.GetTypeDescription()][id] =
         known ? m_makeAny[tag](entity) : CAny(&entity);
   }
+}
+
+// lists the entity, and its components after making those of that type; of all types if it is empty
+void CSpace::AddToUserViews(CEntity& entity, const std::string& type) {
+  ListInUserViews(entity);
   if (auto* composable = dynamic_cast<CComposableEntity*>(&entity)) {
-    for (CEntity* component : composable->GetComponentVector()) {
-      AddToUserViews(*component);
+    if (type.empty()) {
+      composable->GetComponentVector();
+    } else {
+      composable->HasComponent(type);
     }
+    // a copy: making components further down may add to the list
+    // NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
+    const CEntity::TVector components = composable->GetExistingComponents();
+    for (CEntity* component : components) {
+      AddToUserViews(*component, type);
+    }
+  }
+}
+
+void CSpace::OpenUserViews() {
+  if (m_views == nullptr) {
+    m_views = std::make_unique<SUserViews>();
+    for (CEntity* root : m_roots) {
+      ListInUserViews(*root);
+    }
+  }
+}
+
+void CSpace::AddPendingToUserViews() {
+  SUserViews& views = *m_views;
+  while (!views.Pending.empty()) {
+    const CEntity::TVector pending = std::move(views.Pending);
+    views.Pending.clear();
+    for (CEntity* entity : pending) {
+      ListInUserViews(*entity);
+      if (views.Complete) {
+        AddToUserViews(*entity, std::string());
+        continue;
+      }
+      for (const std::string& type : views.CompleteTypes) {
+        AddToUserViews(*entity, type);
+      }
+    }
+    views.AllIsStale = true;
   }
 }
 
 CSpace::SUserViews& CSpace::GetUserViews() {
   const std::lock_guard<std::mutex> lock(m_viewsMutex);
-  if (m_views == nullptr) {
-    m_views = std::make_unique<SUserViews>();
-    m_views->Pending = m_roots;
-  }
+  OpenUserViews();
   SUserViews& views = *m_views;
+  if (!views.Complete) {
+    for (CEntity* root : m_roots) {
+      AddToUserViews(*root, std::string());
+    }
+    views.Complete = true;
+    views.AllIsStale = true;
+  }
+  AddPendingToUserViews();
   if (views.AllIsStale) {
     views.All.clear();
     for (const auto& entry : views.PerId) {
@@ -78,13 +127,20 @@ CSpace::SUserViews& CSpace::GetUserViews() {
     views.AllIsStale = false;
     std::sort(views.All.begin(), views.All.end(), SEntityComparator());
   }
-  if (!views.Pending.empty()) {
-    const CEntity::TVector pending = std::move(views.Pending);
-    views.Pending.clear();
-    for (CEntity* entity : pending) {
-      AddToUserViews(*entity);
+  return views;
+}
+
+CSpace::SUserViews& CSpace::GetUserViewsOf(const std::string& type) {
+  const std::lock_guard<std::mutex> lock(m_viewsMutex);
+  OpenUserViews();
+  SUserViews& views = *m_views;
+  AddPendingToUserViews();
+  if (!views.Complete && views.RootTypes.count(type) == 0 &&
+      views.CompleteTypes.insert(type).second) {
+    for (CEntity* root : m_roots) {
+      AddToUserViews(*root, type);
     }
-    std::sort(views.All.begin(), views.All.end(), SEntityComparator());
+    AddPendingToUserViews();
   }
   return views;
 }
@@ -143,11 +199,11 @@ void CSpace::GetEntitiesMatching(CEntity::TVector& buffer, const std::string& pa
 }
 
 CSpace::TMapPerType& CSpace::GetEntitiesByType(const std::string& type) {
-  TMapPerTypePerId& perType = GetUserViews().PerType;
+  TMapPerTypePerId& perType = GetUserViewsOf(type).PerType;
   const auto found = perType.find(type);
   if (found == perType.end()) {
     std::vector<std::string> known;
-    for (const auto& entry : perType) {
+    for (const auto& entry : GetUserViews().PerType) {
       known.push_back(entry.first);
     }
     THROW_ARGOSEXCEPTION("no entity of type \"" << type << "\" has been added to the space"

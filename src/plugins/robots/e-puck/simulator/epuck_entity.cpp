@@ -38,9 +38,17 @@ std::shared_ptr<const CProximitySensorEquippedEntity::SLayout> MakeProximity() {
   return sensors;
 }
 
+SRobotType MakeType() {
+  SRobotType type;
+  type.LEDs = MakeLEDs();
+  type.Proximity = MakeProximity();
+  type.Appearance = MakeEPuckAppearance();
+  type.Parameters.RAB = {epuck::kRABRange, epuck::kRABDataSize};
+  return type;
+}
+
 const SDifferentialDriveRobotType& EPuckType() {
-  static const SDifferentialDriveRobotType type{CSharedBodies(MakeBody()), "", MakeLEDs(),
-                                                MakeProximity(), MakeEPuckAppearance()};
+  static const SDifferentialDriveRobotType type(MakeType(), MakeBody());
   return type;
 }
 
@@ -51,15 +59,22 @@ CEPuckEntity::CEPuckEntity()
 
 CEPuckEntity::CEPuckEntity(const std::string& id, const std::string& controllerId,
                            const CVector3& position, const CQuaternion& orientation, Real rabRange,
-                           size_t rabDataSize, const std::string&)
+                           size_t rabDataSize, const std::string& batteryModel)
     : CDifferentialDriveRobotEntity(EPuckType(), id, position, orientation) {
-  SRABParameters{rabRange, rabDataSize}.Check("e-puck \"" + id + "\"");
+  SDeviceParameters parameters = EPuckType().Parameters;
+  parameters.RAB = {rabRange, rabDataSize};
+  parameters.RAB.Check("e-puck \"" + id + "\"");
+  parameters.Battery.Model = batteryModel;
+  SetDeviceParameters(parameters);
   InitController(controllerId);
 }
 
 void CEPuckEntity::Init(TConfigurationNode& tree) {
   InitParts(tree);
-  SRABParameters{0.8, 2}.Read(tree);
+  SDeviceParameters parameters = EPuckType().Parameters;
+  parameters.RAB.Read(tree);
+  parameters.Battery.Read(tree);
+  SetDeviceParameters(parameters);
   InitController(tree);
 }
 

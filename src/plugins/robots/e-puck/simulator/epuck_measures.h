@@ -35,6 +35,11 @@ constexpr Real kLEDRingElevation = kBodyHeight;
 constexpr Real kLEDRingRadius = 0.042;
 constexpr Real kLEDRingStartAngle = 11.25;  // degrees
 
+// range and bearing
+constexpr Real kRABRange = 0.8;
+constexpr UInt32 kRABDataSize = 2;  // bytes
+constexpr Real kRABElevation = 0.086;
+
 }  // namespace epuck
 }  // namespace argos
 

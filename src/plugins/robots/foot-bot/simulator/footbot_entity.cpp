@@ -35,9 +35,17 @@ std::shared_ptr<const CProximitySensorEquippedEntity::SLayout> MakeProximity() {
   return sensors;
 }
 
+SRobotType MakeType() {
+  SRobotType type;
+  type.LEDAnchor = "turret";
+  type.LEDs = MakeLEDs();
+  type.Proximity = MakeProximity();
+  type.Appearance = MakeFootBotAppearance();
+  return type;
+}
+
 const SDifferentialDriveRobotType& FootBotType() {
-  static const SDifferentialDriveRobotType type{CSharedBodies(MakeBody()), "turret", MakeLEDs(),
-                                                MakeProximity(), MakeFootBotAppearance()};
+  static const SDifferentialDriveRobotType type(MakeType(), MakeBody());
   return type;
 }
 
@@ -48,24 +56,33 @@ CFootBotEntity::CFootBotEntity()
 
 CFootBotEntity::CFootBotEntity(const std::string& id, const std::string& controllerId,
                                const CVector3& position, const CQuaternion& orientation,
-                               Real rabRange, size_t rabDataSize, const std::string&,
+                               Real rabRange, size_t rabDataSize, const std::string& batteryModel,
                                const CRadians& omnicamAperture, bool perspcamFront,
                                const CRadians& perspcamAperture, Real perspcamFocalLength,
                                Real perspcamRange)
     : CDifferentialDriveRobotEntity(FootBotType(), id, position, orientation) {
   const std::string owner = "foot-bot \"" + id + "\"";
-  SRABParameters{rabRange, rabDataSize}.Check(owner);
-  SOmnidirectionalCameraParameters{omnicamAperture}.Check(owner);
-  SPerspectiveCameraParameters{perspcamFront, perspcamAperture, perspcamFocalLength, perspcamRange}
-      .Check(owner);
+  SDeviceParameters parameters;
+  parameters.RAB = {rabRange, rabDataSize};
+  parameters.RAB.Check(owner);
+  parameters.OmnidirectionalCamera = {omnicamAperture};
+  parameters.OmnidirectionalCamera.Check(owner);
+  parameters.PerspectiveCamera = {perspcamFront, perspcamAperture, perspcamFocalLength,
+                                  perspcamRange};
+  parameters.PerspectiveCamera.Check(owner);
+  parameters.Battery.Model = batteryModel;
+  SetDeviceParameters(parameters);
   InitController(controllerId);
 }
 
 void CFootBotEntity::Init(TConfigurationNode& tree) {
   InitParts(tree);
-  SRABParameters{3.0, 10}.Read(tree);
-  SOmnidirectionalCameraParameters{ToRadians(CDegrees(70.0))}.Read(tree);
-  SPerspectiveCameraParameters{true, ToRadians(CDegrees(30.0)), 0.035, 2.0}.Read(tree);
+  SDeviceParameters parameters;
+  parameters.RAB.Read(tree);
+  parameters.OmnidirectionalCamera.Read(tree);
+  parameters.PerspectiveCamera.Read(tree);
+  parameters.Battery.Read(tree);
+  SetDeviceParameters(parameters);
   InitController(tree);
 }
 

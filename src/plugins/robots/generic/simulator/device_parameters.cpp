@@ -42,18 +42,52 @@ void SOmnidirectionalCameraParameters::Check(const std::string& owner) const {
   RequireAperture(Aperture, owner, "omnidirectional_camera_aperture");
 }
 
-void SPerspectiveCameraParameters::Read(TConfigurationNode& robot) {
-  GetNodeAttributeOrDefault(robot, "perspective_camera_front", Front, Front);
-  ReadAperture(robot, "perspective_camera_aperture", Aperture);
-  GetNodeAttributeOrDefault(robot, "perspective_camera_focal_length", FocalLength, FocalLength);
-  GetNodeAttributeOrDefault(robot, "perspective_camera_range", Range, Range);
-  Check(OwnerOf(robot));
+void SPerspectiveCameraParameters::Read(TConfigurationNode& robot, const std::string& prefix) {
+  GetNodeAttributeOrDefault(robot, prefix + "front", Front, Front);
+  ReadAperture(robot, prefix + "aperture", Aperture);
+  GetNodeAttributeOrDefault(robot, prefix + "focal_length", FocalLength, FocalLength);
+  GetNodeAttributeOrDefault(robot, prefix + "range", Range, Range);
+  Check(OwnerOf(robot), prefix);
 }
 
-void SPerspectiveCameraParameters::Check(const std::string& owner) const {
-  RequireAperture(Aperture, owner, "perspective_camera_aperture");
-  RequirePositive(FocalLength, owner, "perspective_camera_focal_length (m)");
-  RequirePositive(Range, owner, "perspective_camera_range (m)");
+void SPerspectiveCameraParameters::Check(const std::string& owner,
+                                         const std::string& prefix) const {
+  RequireAperture(Aperture, owner, prefix + "aperture");
+  RequirePositive(FocalLength, owner, prefix + "focal_length (m)");
+  RequirePositive(Range, owner, prefix + "range (m)");
 }
+
+void SBatteryParameters::Read(TConfigurationNode& robot) {
+  if (!NodeExists(robot, "battery")) {
+    return;
+  }
+  TConfigurationNode& battery = GetNode(robot, "battery");
+  const std::string owner = OwnerOf(battery);
+  GetNodeAttributeOrDefault<std::string>(battery, "discharge_model", Model, "time");
+  GetNodeAttributeOrDefault(battery, "start_charge", StartCharge, StartCharge);
+  GetNodeAttributeOrDefault(battery, "full_charge", FullCharge, FullCharge);
+  RequirePositive(FullCharge, owner, "full_charge");
+  RequireNotNegative(StartCharge, owner, "start_charge");
+  if (StartCharge > FullCharge) {
+    THROW_ARGOSEXCEPTION(owner << ": start_charge must be at most full_charge (" << FullCharge
+                               << "), got " << StartCharge);
+  }
+  // the model that uses both names its factors otherwise
+  const bool both = Model == "time_motion";
+  for (const auto& [attribute, value] :
+       {std::pair<const char*, Real*>{both ? "time_factor" : "delta", &Delta},
+        {both ? "pos_factor" : "pos_delta", &PositionDelta},
+        {both ? "orient_factor" : "orient_delta", &OrientationDelta}}) {
+    GetNodeAttributeOrDefault(battery, attribute, *value, *value);
+    RequireNotNegative(*value, owner, attribute);
+  }
+}
+
+bool SRABParameters::operator==(const SRABParameters&) const = default;
+bool SOmnidirectionalCameraParameters::operator==(const SOmnidirectionalCameraParameters&) const =
+    default;
+bool SPerspectiveCameraParameters::operator==(const SPerspectiveCameraParameters&) const = default;
+bool SBatteryParameters::operator==(const SBatteryParameters&) const = default;
+bool SDeviceParameters::operator==(const SDeviceParameters&) const = default;
 
 }  // namespace argos

@@ -15,32 +15,62 @@ namespace argos {
 
 /** Range and bearing: `rab_range`, `rab_data_size`. */
 struct SRABParameters {
-  Real Range = 0.0;  // m, >= 0
-  size_t DataSize = 0;  // bytes
+  Real Range = 3.0;  // m, >= 0
+  size_t DataSize = 10;  // bytes
 
   /** Reads the attributes that are there. @throws CARGoSException if one is out of range. */
   void Read(TConfigurationNode& robot);
   /** @param owner whose they are, for messages. @throws CARGoSException if one is out of range. */
   void Check(const std::string& owner) const;
+  bool operator==(const SRABParameters&) const;
 };
 
 /** An omnidirectional camera: `omnidirectional_camera_aperture`. */
 struct SOmnidirectionalCameraParameters {
-  CRadians Aperture;  // half angle from the downward vertical, in (0, PI/2)
+  CRadians Aperture = ToRadians(CDegrees(70.0));  // half angle from the downward vertical,
+                                                  // in (0, PI/2)
 
   void Read(TConfigurationNode& robot);
   void Check(const std::string& owner) const;
+  bool operator==(const SOmnidirectionalCameraParameters&) const;
 };
 
-/** A perspective camera: `perspective_camera_{front,aperture,focal_length,range}`. */
+/** A perspective camera: `<prefix>{front,aperture,focal_length,range}`. */
 struct SPerspectiveCameraParameters {
   bool Front = true;  // looks ahead, otherwise up
-  CRadians Aperture;  // half angle, in (0, PI/2)
-  Real FocalLength = 0.0;  // m, > 0
-  Real Range = 0.0;  // m, > 0
+  CRadians Aperture = ToRadians(CDegrees(30.0));  // half angle, in (0, PI/2)
+  Real FocalLength = 0.035;  // m, > 0
+  Real Range = 2.0;  // m, > 0
 
+  /** @param prefix  of the attributes: "perspective_camera_", or "camera_" of an eye-bot. */
+  void Read(TConfigurationNode& robot, const std::string& prefix = "perspective_camera_");
+  void Check(const std::string& owner, const std::string& prefix = "perspective_camera_") const;
+  bool operator==(const SPerspectiveCameraParameters&) const;
+};
+
+/** A battery: the child `<battery>`, and how it runs down. */
+struct SBatteryParameters {
+  std::string Model;  // label of a discharge model; empty: the charge never falls
+  Real StartCharge = 1.0;  // >= 0, at most FullCharge
+  Real FullCharge = 1.0;  // > 0
+  Real Delta = 1e-5;  // per tick, of the model "time", and of "time_motion"
+  Real PositionDelta = 1e-3;  // per m, of the models "motion" and "time_motion"
+  Real OrientationDelta = 1e-3;  // per rad, of the same
+
+  /** Reads the child, if it is there. @throws CARGoSException if a value is out of range. */
   void Read(TConfigurationNode& robot);
-  void Check(const std::string& owner) const;
+  bool operator==(const SBatteryParameters&) const;
+};
+
+/** What the devices of a robot are like; each type of robot looks at its own. */
+struct SDeviceParameters {
+  SRABParameters RAB;
+  SOmnidirectionalCameraParameters OmnidirectionalCamera;
+  SPerspectiveCameraParameters PerspectiveCamera;
+  SBatteryParameters Battery;
+
+  bool operator==(const SDeviceParameters&) const;
+  bool operator!=(const SDeviceParameters& other) const { return !(*this == other); }
 };
 
 }  // namespace argos

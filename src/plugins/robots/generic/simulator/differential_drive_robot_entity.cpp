@@ -39,30 +39,22 @@ std::shared_ptr<const SBodyDescription> CSharedBodies::Get(
 CDifferentialDriveRobotEntity::CDifferentialDriveRobotEntity(
     const SDifferentialDriveRobotType& type, const std::string& id, const CVector3& position,
     const CQuaternion& orientation)
-    : CComposableEntity(nullptr, id), m_type(type) {
-  m_body = NewComponent<CEmbodiedEntity>(*this, "body_0", position, orientation);
-  m_body->SetBodyDescription(m_type.Bodies.Get(*m_type.Bodies.GetUsual().Drive));
-  SAnchor& origin = m_body->GetOriginAnchor();
-  SAnchor& ledAnchor = m_type.LEDAnchor.empty() ? origin : m_body->AddAnchor(m_type.LEDAnchor);
+    : CRobotEntity(type, id, position, orientation), m_bodies(type.Bodies) {
+  GetEmbodiedEntity().SetBodyDescription(m_bodies.Get(*m_bodies.GetUsual().Drive));
   m_wheels = NewComponent<CWheeledEntity>(*this, "wheels_0", size_t(2));
   MakeWheels();
-  m_leds = NewComponent<CLEDEquippedEntity>(*this, "leds_0");
-  m_leds->SetLayout(m_type.LEDs, {&ledAnchor});
-  m_proximity = NewComponent<CProximitySensorEquippedEntity>(*this, "proximity_0");
-  m_proximity->SetLayout(m_type.Proximity, {&origin});
-  m_controllable = NewComponent<CControllableEntity>(*this, "controller_0");
+  AddController();
 }
 
 void CDifferentialDriveRobotEntity::MakeWheels() {
-  const SDifferentialDriveDescription& drive = *m_type.Bodies.GetUsual().Drive;
+  const SDifferentialDriveDescription& drive = *m_bodies.GetUsual().Drive;
   const Real y = 0.5 * drive.InterwheelDistance;
   m_wheels->SetWheel(0, CVector3(0.0, y, 0.0), drive.WheelRadius);
   m_wheels->SetWheel(1, CVector3(0.0, -y, 0.0), drive.WheelRadius);
 }
 
 void CDifferentialDriveRobotEntity::InitParts(TConfigurationNode& tree) {
-  CComposableEntity::Init(tree);
-  m_body->Init(GetNode(tree, "body"));
+  CRobotEntity::InitParts(tree);
   if (!NodeExists(tree, "dynamics2d")) {
     return;
   }
@@ -71,26 +63,10 @@ void CDifferentialDriveRobotEntity::InitParts(TConfigurationNode& tree) {
     return;
   }
   TConfigurationNode& limits = GetNode(engine, "differential_steering");
-  SDifferentialDriveDescription drive = *m_type.Bodies.GetUsual().Drive;
+  SDifferentialDriveDescription drive = *m_bodies.GetUsual().Drive;
   ReadOptionalPositive(limits, "max_force", "N", drive.MaxForce);
   ReadOptionalPositive(limits, "max_torque", "N m", drive.MaxTorque);
-  m_body->SetBodyDescription(m_type.Bodies.Get(drive));
-}
-
-void CDifferentialDriveRobotEntity::InitController(TConfigurationNode& tree) {
-  m_controllable->Init(GetNode(tree, "controller"));
-}
-
-void CDifferentialDriveRobotEntity::InitController(const std::string& controllerId) {
-  if (!controllerId.empty()) {
-    m_controllable->SetController(controllerId);
-  }
-}
-
-void CDifferentialDriveRobotEntity::UpdateComponents() {
-  if (m_leds->IsEnabled()) {
-    m_leds->Update();
-  }
+  GetEmbodiedEntity().SetBodyDescription(m_bodies.Get(drive));
 }
 
 }  // namespace argos

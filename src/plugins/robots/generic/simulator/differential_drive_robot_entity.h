@@ -1,19 +1,15 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_DIFFERENTIAL_DRIVE_ROBOT_ENTITY_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_DIFFERENTIAL_DRIVE_ROBOT_ENTITY_H
 
-#include <argos3/core/simulator/entity/composable_entity.h>
-#include <argos3/core/simulator/entity/controllable_entity.h>
-#include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/physics_engine/body_description.h>
 #include <argos3/core/simulator/space/space.h>
-#include <argos3/core/simulator/visualization/appearance.h>
-#include <argos3/plugins/simulator/entities/led_equipped_entity.h>
-#include <argos3/plugins/simulator/entities/proximity_sensor_equipped_entity.h>
+#include <argos3/plugins/robots/generic/simulator/robot_entity.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
 
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace argos {
@@ -40,37 +36,18 @@ class CSharedBodies {
 };
 
 /** What all robots of a type with two driven wheels have in common. */
-struct SDifferentialDriveRobotType {
+struct SDifferentialDriveRobotType : SRobotType {
   CSharedBodies Bodies;
-  /** A frame besides "origin" that carries the LEDs, at the origin; empty: the origin does. */
-  std::string LEDAnchor;
-  std::shared_ptr<const CLEDEquippedEntity::SLayout> LEDs;
-  std::shared_ptr<const CProximitySensorEquippedEntity::SLayout> Proximity;
-  SAppearance Appearance;
+
+  SDifferentialDriveRobotType(SRobotType&& type, const SBodyDescription& body)
+      : SRobotType(std::move(type)), Bodies(body) {}
 };
 
-/**
- * A robot with two driven wheels, LEDs, and proximity sensors: what such robots have in common.
- */
-class CDifferentialDriveRobotEntity : public CComposableEntity {
+/** A robot with two driven wheels: what such robots have in common. */
+class CDifferentialDriveRobotEntity : public CRobotEntity {
  public:
-  /** Moves the LEDs, if they are in use, to where the body is. */
-  void UpdateComponents() override;
-
-  CControllableEntity& GetControllableEntity() { return *m_controllable; }
-  const CControllableEntity& GetControllableEntity() const { return *m_controllable; }
-  CEmbodiedEntity& GetEmbodiedEntity() { return *m_body; }
-  const CEmbodiedEntity& GetEmbodiedEntity() const { return *m_body; }
   CWheeledEntity& GetWheeledEntity() { return *m_wheels; }
   const CWheeledEntity& GetWheeledEntity() const { return *m_wheels; }
-  CLEDEquippedEntity& GetLEDEquippedEntity() { return *m_leds; }
-  const CLEDEquippedEntity& GetLEDEquippedEntity() const { return *m_leds; }
-  CProximitySensorEquippedEntity& GetProximitySensorEquippedEntity() { return *m_proximity; }
-  const CProximitySensorEquippedEntity& GetProximitySensorEquippedEntity() const {
-    return *m_proximity;
-  }
-
-  const SAppearance* GetAppearance() const override { return &m_type.Appearance; }
 
  protected:
   /**
@@ -87,21 +64,12 @@ class CDifferentialDriveRobotEntity : public CComposableEntity {
    * InitController().
    */
   void InitParts(TConfigurationNode& tree);
-  /** Makes the controller, with its devices, that `<controller>` asks for. */
-  void InitController(TConfigurationNode& tree);
-  /** Makes the controller of that id, if it is not empty. */
-  void InitController(const std::string& controllerId);
 
  private:
   void MakeWheels();
 
-  const SDifferentialDriveRobotType& m_type;
-  // components
-  CEmbodiedEntity* m_body = nullptr;
-  CWheeledEntity* m_wheels = nullptr;
-  CLEDEquippedEntity* m_leds = nullptr;
-  CProximitySensorEquippedEntity* m_proximity = nullptr;
-  CControllableEntity* m_controllable = nullptr;
+  const CSharedBodies& m_bodies;  // of the type
+  CWheeledEntity* m_wheels = nullptr;  // a component
 };
 
 }  // namespace argos

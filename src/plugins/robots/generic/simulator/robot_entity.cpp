@@ -1,0 +1,95 @@
+#include <argos3/plugins/robots/generic/simulator/robot_entity.h>
+
+#include <argos3/plugins/simulator/entities/new_component.h>
+
+#include <cstring>
+
+namespace argos {
+
+CRobotEntity::CRobotEntity(const SRobotType& type, const std::string& id, const CVector3& position,
+                           const CQuaternion& orientation)
+    : CComposableEntity(nullptr, id), m_type(type) {
+  m_body = NewComponent<CEmbodiedEntity>(*this, "body_0", position, orientation);
+  SAnchor& origin = m_body->GetOriginAnchor();
+  SAnchor& ledAnchor = m_type.LEDAnchor.empty() ? origin : m_body->AddAnchor(m_type.LEDAnchor);
+  m_leds = NewComponent<CLEDEquippedEntity>(*this, "leds_0");
+  m_leds->SetLayout(m_type.LEDs, {&ledAnchor});
+  m_proximity = NewComponent<CProximitySensorEquippedEntity>(*this, "proximity_0");
+  m_proximity->SetLayout(m_type.Proximity, {&origin});
+}
+
+void CRobotEntity::AddController() {
+  m_controllable = NewComponent<CControllableEntity>(*this, "controller_0");
+}
+
+void CRobotEntity::InitParts(TConfigurationNode& tree) {
+  CComposableEntity::Init(tree);
+  m_body->Init(GetNode(tree, "body"));
+}
+
+void CRobotEntity::SetDeviceParameters(const SDeviceParameters& parameters) {
+  if (parameters != m_type.Parameters) {
+    m_parameters = std::make_unique<const SDeviceParameters>(parameters);
+  }
+}
+
+void CRobotEntity::InitController(TConfigurationNode& tree) {
+  m_controllable->Init(GetNode(tree, "controller"));
+}
+
+void CRobotEntity::InitController(const std::string& controllerId) {
+  if (!controllerId.empty()) {
+    m_controllable->SetController(controllerId);
+  }
+}
+
+void CRobotEntity::UpdateComponents() {
+  if (m_leds->IsEnabled()) {
+    m_leds->Update();
+  }
+  if (m_onDemand == nullptr) {
+    return;
+  }
+  for (size_t i = 0; i < m_type.OnDemand.size(); ++i) {
+    CEntity* const component = m_onDemand[i];
+    if (component != nullptr && component->IsEnabled()) {
+      component->Update();
+    }
+  }
+}
+
+void CRobotEntity::MaterializeComponents(const std::string& type) {
+  for (size_t i = 0; i < m_type.OnDemand.size(); ++i) {
+    if (type.empty() || type == m_type.OnDemand[i].Type) {
+      MakeComponent(i);
+    }
+  }
+}
+
+CEntity& CRobotEntity::DemandComponent(const char* type) {
+  for (size_t i = 0; i < m_type.OnDemand.size(); ++i) {
+    if (std::strcmp(type, m_type.OnDemand[i].Type) == 0) {
+      MakeComponent(i);
+      return *m_onDemand[i];
+    }
+  }
+  THROW_ARGOSEXCEPTION("robot \"" << GetId() << "\" (" << GetTypeDescription()
+                                  << ") has no component \"" << type << "\"");
+}
+
+void CRobotEntity::MakeComponent(size_t number) {
+  if (m_onDemand == nullptr) {
+    m_onDemand = std::make_unique<CEntity*[]>(m_type.OnDemand.size());
+  }
+  if (m_onDemand[number] != nullptr) {
+    return;
+  }
+  CEntity& component = m_type.OnDemand[number].Make(*this);
+  m_onDemand[number] = &component;
+  if (GetIndex() >= 0) {
+    CallEntityOperation<CSpaceOperationAddEntity, CSpace, void>(m_controllable->GetSpace(),
+                                                                component);
+  }
+}
+
+}  // namespace argos
