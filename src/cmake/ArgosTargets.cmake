@@ -54,11 +54,15 @@ function(argos_check_headers target prefix)
   target_sources(${check} PRIVATE ${sources})
 endfunction()
 
-# argos_add_core_part(<name> INCLUDE_PREFIX <p> PUBLIC_HEADERS ... SOURCES ... [LINK ...] [LINK_PRIVATE ...])
-#   Names of headers and sources are relative to ${CMAKE_CURRENT_SOURCE_DIR}/<name>.
+# argos_add_core_part(<name> [FOLDER <f>] INCLUDE_PREFIX <p> PUBLIC_HEADERS ... SOURCES ... [LINK ...]
+#                     [LINK_PRIVATE ...])
+#   Names of headers and sources are relative to ${CMAKE_CURRENT_SOURCE_DIR}/<f>, by default <name>.
 function(argos_add_core_part name)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "INCLUDE_PREFIX" "PUBLIC_HEADERS;SOURCES;LINK;LINK_PRIVATE")
-  set(folder "${CMAKE_CURRENT_SOURCE_DIR}/${name}")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "FOLDER;INCLUDE_PREFIX" "PUBLIC_HEADERS;SOURCES;LINK;LINK_PRIVATE")
+  if(NOT ARG_FOLDER)
+    set(ARG_FOLDER ${name})
+  endif()
+  set(folder "${CMAKE_CURRENT_SOURCE_DIR}/${ARG_FOLDER}")
   set(target argos3_${name})
   argos_link_headers(root ${target} ${ARG_INCLUDE_PREFIX} "${folder}")
 

@@ -31,6 +31,10 @@ class CCI_EPuckProximitySensor : public CCI_Sensor {
 
   const TReadings& GetReadings() const;
 
+  /** robot.proximity[i] = { angle, value } */
+  void CreateLuaState(lua_State* state) override;
+  void ReadingsToLuaState(lua_State* state) override;
+
  protected:
   TReadings m_tReadings;
 };

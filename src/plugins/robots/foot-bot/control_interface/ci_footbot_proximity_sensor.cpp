@@ -1,5 +1,7 @@
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_proximity_sensor.h>
 
+#include <argos3/core/wrappers/lua/lua_table.h>
+
 namespace argos {
 
 namespace {
@@ -8,6 +10,16 @@ namespace {
 constexpr int kNumReadings = 24;
 constexpr Real kStartAngle = 7.5;  // degrees
 constexpr Real kAngleStep = 360.0 / kNumReadings;  // degrees
+
+void Write(CLuaTable& proximity, const CCI_FootBotProximitySensor::TReadings& readings) {
+  proximity.SetRecords(readings,
+                       [](CLuaTable& record, const CCI_FootBotProximitySensor::SReading& reading) {
+                         record.Set("value", reading.Value);
+                         if (record.IsNew()) {
+                           record.Set("angle", reading.Angle);
+                         }
+                       });
+}
 
 }  // namespace
 
@@ -21,6 +33,16 @@ CCI_FootBotProximitySensor::CCI_FootBotProximitySensor() {
 
 const CCI_FootBotProximitySensor::TReadings& CCI_FootBotProximitySensor::GetReadings() const {
   return m_tReadings;
+}
+
+void CCI_FootBotProximitySensor::CreateLuaState(lua_State* state) {
+  CLuaTable proximity(state, *this, "proximity");
+  Write(proximity, m_tReadings);
+}
+
+void CCI_FootBotProximitySensor::ReadingsToLuaState(lua_State* state) {
+  CLuaTable proximity(state, *this);
+  Write(proximity, m_tReadings);
 }
 
 }  // namespace argos

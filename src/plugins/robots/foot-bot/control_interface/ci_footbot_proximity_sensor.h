@@ -27,6 +27,10 @@ class CCI_FootBotProximitySensor : public CCI_Sensor {
 
   const TReadings& GetReadings() const;
 
+  /** robot.proximity[i] = { angle, value } */
+  void CreateLuaState(lua_State* state) override;
+  void ReadingsToLuaState(lua_State* state) override;
+
  protected:
   TReadings m_tReadings;
 };

@@ -18,6 +18,9 @@ class CCI_DifferentialSteeringActuator : public CCI_Actuator {
    */
   virtual void SetLinearVelocity(Real left, Real right) = 0;
 
+  /** robot.wheels.set_velocity(left, right) */
+  void CreateLuaState(lua_State* state) override;
+
  protected:
   Real m_fCurrentVelocity[2];  // m/s: left, right
 };

@@ -28,6 +28,10 @@ class CCI_DifferentialSteeringSensor : public CCI_Sensor {
 
   const SReading& GetReading() const;
 
+  /** robot.wheels.velocity_left, velocity_right, distance_left, distance_right, axis_length */
+  void CreateLuaState(lua_State* state) override;
+  void ReadingsToLuaState(lua_State* state) override;
+
  protected:
   SReading m_sReading;
 };

@@ -1,6 +1,7 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_leds_actuator.h>
 
 #include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/wrappers/lua/lua_table.h>
 
 #include <algorithm>
 
@@ -36,6 +37,18 @@ void CCI_LEDsActuator::SetAllIntensities(UInt8 intensity) {
   for (CColor& color : m_tSettings) {
     color.SetAlpha(intensity);
   }
+}
+
+void CCI_LEDsActuator::CreateLuaState(lua_State* state) {
+  CLuaTable leds(state, *this, "leds");
+  leds.AddFunction("set_single_color", *this, [](CCI_LEDsActuator& self, CLuaArguments& arguments) {
+    const auto led = static_cast<UInt32>(arguments.NextIndex(self.GetNumLEDs()));
+    const auto color = arguments.Next<CColor>();
+    arguments.Finish();
+    self.SetSingleColor(led, color);
+  });
+  leds.AddFunction("set_all_colors", *this,
+                   [](CCI_LEDsActuator& self, const CColor& color) { self.SetAllColors(color); });
 }
 
 void CCI_LEDsActuator::CheckLED(UInt32 led) const {

@@ -30,6 +30,9 @@ class CCI_LEDsActuator : public CCI_Actuator {
   virtual void SetSingleIntensity(UInt32 led, UInt8 intensity);
   virtual void SetAllIntensities(UInt8 intensity);
 
+  /** robot.leds.set_single_color(i, color), set_all_colors(color); LEDs count from 1 */
+  void CreateLuaState(lua_State* state) override;
+
  protected:
   TSettings m_tSettings;
 

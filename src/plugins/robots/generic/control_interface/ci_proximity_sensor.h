@@ -14,6 +14,10 @@ class CCI_ProximitySensor : public CCI_Sensor {
   /** One reading in [0,1] for each sensor of the robot: 0 sees nothing, larger is nearer. */
   const std::vector<Real>& GetReadings() const;
 
+  /** robot.proximity[i], numbers */
+  void CreateLuaState(lua_State* state) override;
+  void ReadingsToLuaState(lua_State* state) override;
+
  protected:
   std::vector<Real> m_tReadings;
 };

@@ -1,0 +1,113 @@
+#include <argos3/core/wrappers/lua/lua_random.h>
+
+#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/wrappers/lua/lua_closure.h>
+#include <argos3/core/wrappers/lua/lua_utility.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace argos {
+
+namespace {
+
+constexpr const char* kPath = "robot.random.";
+
+// whole numbers up to this are exact in a float
+constexpr SInt64 kLargestWhole = SInt64{1} << 53;
+
+template <auto METHOD>
+void AddMethod(lua_State* state, const char* name, CLuaRandom& random) {
+  CLuaClosure::PushMethod<METHOD>(state, std::string(kPath) + name, random);
+  lua_setfield(state, -2, name);
+}
+
+template <typename T>
+void CheckOrder(T min, T max) {
+  if (!(min <= max)) {
+    THROW_ARGOSEXCEPTION("the minimum, " << min << ", is above the maximum, " << max);
+  }
+}
+
+}  // namespace
+
+void CLuaRandom::Register(lua_State* state) {
+  AddMethod<&CLuaRandom::Bernoulli>(state, "bernoulli", *this);
+  AddMethod<&CLuaRandom::Uniform>(state, "uniform", *this);
+  AddMethod<&CLuaRandom::UniformInt>(state, "uniform_int", *this);
+  AddMethod<&CLuaRandom::Exponential>(state, "exponential", *this);
+  AddMethod<&CLuaRandom::Poisson>(state, "poisson", *this);
+  AddMethod<&CLuaRandom::Gaussian>(state, "gaussian", *this);
+}
+
+void CLuaRandom::Reset() {
+  if (m_generator != nullptr) {
+    m_generator->Reset();
+  }
+}
+
+CRandom::CRNG& CLuaRandom::GetGenerator() {
+  if (m_generator == nullptr) {
+    m_own = std::make_unique<CRandom::CRNG>(m_seed);
+    m_generator = m_own.get();
+  }
+  return *m_generator;
+}
+
+bool CLuaRandom::Bernoulli(CLuaArguments& arguments) {
+  const Real probability = arguments.HasNext() ? arguments.Next<Real>() : 0.5;
+  arguments.Finish();
+  if (!(probability >= 0.0 && probability <= 1.0)) {
+    THROW_ARGOSEXCEPTION("a probability must be in [0,1], got " << probability);
+  }
+  return GetGenerator().Bernoulli(probability);
+}
+
+Real CLuaRandom::Uniform(CLuaArguments& arguments) {
+  Real min = 0.0;
+  Real max = 1.0;
+  if (arguments.HasNext()) {
+    max = arguments.Next<Real>();
+    if (arguments.HasNext()) {
+      min = max;
+      max = arguments.Next<Real>();
+    }
+  }
+  arguments.Finish();
+  CheckOrder(min, max);
+  return min + GetGenerator().Uniform(CRange<Real>(0.0, 1.0)) * (max - min);
+}
+
+Real CLuaRandom::UniformInt(CLuaArguments& arguments) {
+  SInt64 min = 0;
+  SInt64 max = arguments.NextInteger(-kLargestWhole, kLargestWhole);
+  if (arguments.HasNext()) {
+    min = max;
+    max = arguments.NextInteger(-kLargestWhole, kLargestWhole);
+  }
+  arguments.Finish();
+  CheckOrder(min, max);
+  // the maximum is excluded, but for an empty range
+  const Real draw = GetGenerator().Uniform(CRange<Real>(0.0, 1.0));
+  const Real highest = static_cast<Real>(std::max(min, max - 1));
+  const Real span = static_cast<Real>(max) - static_cast<Real>(min);
+  return std::min(static_cast<Real>(min) + std::floor(draw * span), highest);
+}
+
+Real CLuaRandom::Exponential(Real mean) {
+  return GetGenerator().Exponential(mean);
+}
+
+UInt32 CLuaRandom::Poisson(Real mean) {
+  return GetGenerator().Poisson(mean);
+}
+
+Real CLuaRandom::Gaussian(CLuaArguments& arguments) {
+  const Real deviation = arguments.Next<Real>();
+  const Real mean = arguments.HasNext() ? arguments.Next<Real>() : 0.0;
+  arguments.Finish();
+  return GetGenerator().Gaussian(deviation, mean);
+}
+
+}  // namespace argos

@@ -1,0 +1,45 @@
+#ifndef ARGOS3_CORE_WRAPPERS_LUA_LUA_RANDOM_H
+#define ARGOS3_CORE_WRAPPERS_LUA_LUA_RANDOM_H
+
+#include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/math/rng.h>
+#include <argos3/core/wrappers/lua/lua_arguments.h>
+
+#include <memory>
+
+struct lua_State;
+
+namespace argos {
+
+/** What the functions of robot.random do; its methods are those functions. */
+class CLuaRandom {
+ public:
+  /** The generator, large as a Mersenne Twister is, is made when a script first draws a number. */
+  explicit CLuaRandom(UInt32 seed) : m_seed(seed) {}
+  /** Draws from a generator of somebody else's. */
+  explicit CLuaRandom(CRandom::CRNG& generator) : m_generator(&generator) {}
+
+  /** Adds the functions to the table on top of the stack. */
+  void Register(lua_State* state);
+
+  /** Goes back to the start of the seed's stream. */
+  void Reset();
+
+  bool Bernoulli(CLuaArguments& arguments);
+  Real Uniform(CLuaArguments& arguments);
+  Real UniformInt(CLuaArguments& arguments);
+  Real Exponential(Real mean);
+  UInt32 Poisson(Real mean);
+  Real Gaussian(CLuaArguments& arguments);
+
+ private:
+  CRandom::CRNG& GetGenerator();
+
+  UInt32 m_seed = 0;
+  CRandom::CRNG* m_generator = nullptr;
+  std::unique_ptr<CRandom::CRNG> m_own;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,21 @@
+#ifndef ARGOS3_CORE_WRAPPERS_LUA_LUA_REGISTRY_H
+#define ARGOS3_CORE_WRAPPERS_LUA_LUA_REGISTRY_H
+
+#include <string>
+
+namespace argos {
+
+/** Keys, by address, of what we keep in a state's registry. */
+inline constexpr char kLuaRobotKey = 0;  // the table "robot"
+inline constexpr char kLuaDeviceKey = 0;  // SLuaDevice*: whose CreateLuaState() is running
+inline constexpr char kLuaClaimsKey = 0;  // table: "actuator wheels" -> the label of that actuator
+
+/** The device whose CreateLuaState() is running. */
+struct SLuaDevice {
+  const char* Kind;  // "actuator" or "sensor"
+  const std::string& Label;
+};
+
+}  // namespace argos
+
+#endif

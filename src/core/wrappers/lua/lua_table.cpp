@@ -1,0 +1,97 @@
+#include <argos3/core/wrappers/lua/lua_table.h>
+
+#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/wrappers/lua/lua_utility.h>
+
+#include <utility>
+
+namespace argos {
+
+namespace {
+
+constexpr int kStackNeeded = 8;  // slots, by one open table and what is written into it
+constexpr int kSmallestTable = 2;  // fields
+
+}  // namespace
+
+CLuaTable::CLuaTable(lua_State* state) : m_state(state) {
+  luaL_checkstack(state, kStackNeeded, "too many nested tables");
+}
+
+CLuaTable::CLuaTable(lua_State* state, bool isNew, std::string path)
+    : m_state(state), m_index(lua_gettop(state)), m_isNew(isNew), m_path(std::move(path)) {
+  luaL_checkstack(state, kStackNeeded, "too many nested tables");
+}
+
+CLuaTable::~CLuaTable() {
+  lua_settop(m_state, m_index - 1);
+}
+
+void CLuaTable::OpenRobotTable(const void* device, const char* name) {
+  lua_getfield(m_state, -1, name);
+  m_isNew = !lua_istable(m_state, -1);
+  lua_pop(m_state, 1);
+  CLuaUtility::OpenRobotStateTable(m_state, name);
+  lua_pushvalue(m_state, -1);
+  lua_rawsetp(m_state, LUA_REGISTRYINDEX, device);
+  CLuaUtility::CloseRobotStateTable(m_state);
+  lua_rawgetp(m_state, LUA_REGISTRYINDEX, device);
+  m_index = lua_gettop(m_state);
+  m_path = "robot." + std::string(name);
+}
+
+void CLuaTable::FindRobotTable(const void* device) {
+  if (lua_rawgetp(m_state, LUA_REGISTRYINDEX, device) != LUA_TTABLE) {
+    lua_pop(m_state, 1);
+    THROW_ARGOSEXCEPTION("this device has made no Lua table in CreateLuaState()");
+  }
+  m_index = lua_gettop(m_state);
+}
+
+CLuaTable CLuaTable::GetTable(const char* key) {
+  std::string path = m_path.empty() ? std::string() : GetFunctionName(key);
+  const bool isNew = lua_getfield(m_state, m_index, key) != LUA_TTABLE;
+  if (isNew) {
+    lua_pop(m_state, 1);
+    lua_createtable(m_state, 0, kSmallestTable);
+    lua_pushvalue(m_state, -1);
+    SetField(key);
+  }
+  return CLuaTable(m_state, isNew, std::move(path));
+}
+
+CLuaTable CLuaTable::GetTable(std::size_t index) {
+  if (lua_rawgeti(m_state, m_index, static_cast<lua_Integer>(index)) == LUA_TTABLE) {
+    return CLuaTable(m_state, false, std::string());
+  }
+  lua_pop(m_state, 1);
+  return MakeTable(index, kSmallestTable);
+}
+
+CLuaTable CLuaTable::MakeTable(std::size_t index, int sizeHint) {
+  lua_createtable(m_state, 0, sizeHint);
+  lua_pushvalue(m_state, -1);
+  SetIndex(index);
+  return CLuaTable(m_state, true, std::string());
+}
+
+void CLuaTable::Truncate(std::size_t count) {
+  for (std::size_t i = lua_rawlen(m_state, m_index); i > count; --i) {
+    lua_pushnil(m_state);
+    SetIndex(i);
+  }
+}
+
+std::string CLuaTable::GetFunctionName(const char* name) const {
+  return m_path + "." + name;
+}
+
+void CLuaTable::SetField(const char* key) {
+  lua_setfield(m_state, m_index, key);
+}
+
+void CLuaTable::SetIndex(std::size_t index) {
+  lua_rawseti(m_state, m_index, static_cast<lua_Integer>(index));
+}
+
+}  // namespace argos

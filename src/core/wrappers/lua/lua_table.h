@@ -1,0 +1,186 @@
+#ifndef ARGOS3_CORE_WRAPPERS_LUA_LUA_TABLE_H
+#define ARGOS3_CORE_WRAPPERS_LUA_LUA_TABLE_H
+
+#include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/wrappers/lua/lua_arguments.h>
+#include <argos3/core/wrappers/lua/lua_closure.h>
+#include <argos3/core/wrappers/lua/lua_value.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+struct lua_State;
+
+/**
+ * @file How a device appears in Lua.
+ *
+ * An actuator:
+ *
+ *     void CCI_XActuator::CreateLuaState(lua_State* state) {
+ *       CLuaTable wheels(state, *this, "wheels");                          // robot.wheels
+ *       wheels.AddMethod<&CCI_XActuator::SetLinearVelocity>("set_velocity", *this);
+ *     }
+ *
+ * What a method's signature cannot say goes into a function without captures, whose parameters
+ * after the device are checked as those of a method are; CLuaArguments& stands for "all of them":
+ *
+ *       leds.AddFunction("set_single_color", *this, [](CCI_X& device, CLuaArguments& arguments) {
+ *         const auto led = static_cast<UInt32>(arguments.NextIndex(device.GetNumLEDs()));
+ *         device.SetSingleColor(led, arguments.Next<CColor>());
+ *       });
+ *
+ * A sensor makes its table with start values, and refreshes it before each step of the script:
+ *
+ *     void CCI_XSensor::CreateLuaState(lua_State* state) {
+ *       CLuaTable table(state, *this, "proximity");
+ *       WriteReadings(table);
+ *     }
+ *     void CCI_XSensor::ReadingsToLuaState(lua_State* state) {
+ *       CLuaTable table(state, *this);                                     // the one made above
+ *       WriteReadings(table);
+ *     }
+ *     void CCI_XSensor::WriteReadings(CLuaTable& table) const {
+ *       table.SetRecords(m_tReadings, [](CLuaTable& record, const SReading& reading) {
+ *         record.Set("value", reading.Value);
+ *         if (record.IsNew()) record.Set("angle", reading.Angle);          // never changes
+ *       });
+ *     }
+ *
+ * These functions may raise Lua errors (when memory runs out): call them only from CreateLuaState()
+ * and ReadingsToLuaState(), which run protected. Tables are popped in the reverse order of their
+ * making, as C++ destroys them.
+ */
+namespace argos {
+
+/** A Lua table while C++ works on it; keeps its place on the stack. */
+class CLuaTable {
+ public:
+  /**
+   * In CreateLuaState(): robot.<name>, made if it is not there.
+   * @throws CARGoSException as CLuaUtility::OpenRobotStateTable() does.
+   */
+  template <typename DEVICE>
+  CLuaTable(lua_State* state, const DEVICE& device, const char* name) : CLuaTable(state) {
+    OpenRobotTable(&device, name);
+  }
+
+  /**
+   * In ReadingsToLuaState(): the table that the device opened in CreateLuaState(), whatever the
+   * script has done to the global "robot".
+   */
+  template <typename DEVICE>
+  CLuaTable(lua_State* state, const DEVICE& device) : CLuaTable(state) {
+    FindRobotTable(&device);
+  }
+
+  CLuaTable(const CLuaTable&) = delete;
+  CLuaTable& operator=(const CLuaTable&) = delete;
+  ~CLuaTable();
+
+  /** Was it made by the constructor or the call that gave it? */
+  bool IsNew() const { return m_isNew; }
+  lua_State* GetState() const { return m_state; }
+
+  /** The table under a key; made if there is none. */
+  CLuaTable GetTable(const char* key);
+  /** @param index  from 1. */
+  CLuaTable GetTable(std::size_t index);
+
+  /**
+   * Adds a function that calls a method of the device.
+   * @tparam METHOD  its parameters are of types that CLuaArguments::Next() reads; what it returns
+   * is nothing or of a type that Set() takes. Exceptions become Lua errors.
+   * @param device  must live as long as the state.
+   */
+  template <auto METHOD, typename DEVICE>
+  void AddMethod(const char* name, DEVICE& device) {
+    CLuaClosure::PushMethod<METHOD>(m_state, GetFunctionName(name), device);
+    SetField(name);
+  }
+
+  /**
+   * Adds a function that calls function(device, arguments...); see the top of this file.
+   * @param function  a lambda without captures, or a function; its first parameter is a reference
+   * to the device.
+   */
+  template <typename DEVICE, typename FUNCTION>
+  void AddFunction(const char* name, DEVICE& device, FUNCTION function) {
+    CLuaClosure::PushFunction(m_state, GetFunctionName(name), device, +function);
+    SetField(name);
+  }
+
+  /** table[key] = value. Numbers become floats, colours tables { red, green, blue }. */
+  template <typename T>
+  void Set(const char* key, const T& value) {
+    CLuaValue::Push(m_state, value);
+    SetField(key);
+  }
+  /** @param index  from 1. */
+  template <typename T>
+  void Set(std::size_t index, const T& value) {
+    CLuaValue::Push(m_state, value);
+    SetIndex(index);
+  }
+
+  /** Makes it the list of some numbers. */
+  template <typename T>
+  void SetNumbers(const std::vector<T>& numbers) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      Set(i + 1, static_cast<Real>(numbers[i]));
+    }
+    Truncate(numbers.size());
+  }
+
+  /**
+   * Makes it a list of tables, one for each record; tables that are there are used again.
+   * @param write  called with the record's CLuaTable& and the record.
+   */
+  template <typename RECORDS, typename WRITE>
+  void SetRecords(const RECORDS& records, WRITE write) {
+    std::size_t index = 0;
+    for (const auto& record : records) {
+      CLuaTable table = GetTable(++index);
+      write(table, record);
+    }
+    Truncate(index);
+  }
+
+  /** The same with a new table for each record, so that a script may keep the old ones. */
+  template <typename RECORDS, typename WRITE>
+  void SetNewRecords(const RECORDS& records, WRITE write) {
+    std::size_t index = 0;
+    for (const auto& record : records) {
+      CLuaTable table = MakeTable(++index, kRecordSizeHint);
+      write(table, record);
+    }
+    Truncate(index);
+  }
+
+  /** Removes the entries after the first @p count, so that #table is count. */
+  void Truncate(std::size_t count);
+
+ private:
+  static constexpr int kRecordSizeHint =
+      4;  // fields, so that filling a new table seldom enlarges it
+
+  explicit CLuaTable(lua_State* state);
+  /** Takes the table on top of the stack. */
+  CLuaTable(lua_State* state, bool isNew, std::string path);
+
+  CLuaTable MakeTable(std::size_t index, int sizeHint);
+  void OpenRobotTable(const void* device, const char* name);
+  void FindRobotTable(const void* device);
+  std::string GetFunctionName(const char* name) const;
+  void SetField(const char* key);
+  void SetIndex(std::size_t index);
+
+  lua_State* m_state;
+  int m_index = 0;  // on the stack, from its bottom
+  bool m_isNew = false;
+  std::string m_path;  // "robot.wheels"; only in CreateLuaState()
+};
+
+}  // namespace argos
+
+#endif

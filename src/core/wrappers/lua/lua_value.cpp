@@ -1,0 +1,50 @@
+#include <argos3/core/wrappers/lua/lua_value.h>
+
+#include <argos3/core/wrappers/lua/lua_types.h>
+#include <argos3/core/wrappers/lua/lua_utility.h>
+
+namespace argos {
+
+void CLuaValue::Push(lua_State* state, bool value) {
+  lua_pushboolean(state, value ? 1 : 0);
+}
+
+void CLuaValue::Push(lua_State* state, Real value) {
+  lua_pushnumber(state, value);
+}
+
+void CLuaValue::Push(lua_State* state, const char* value) {
+  lua_pushstring(state, value);
+}
+
+void CLuaValue::Push(lua_State* state, const std::string& value) {
+  lua_pushlstring(state, value.data(), value.size());
+}
+
+void CLuaValue::Push(lua_State* state, const CRadians& value) {
+  lua_pushnumber(state, value.GetValue());
+}
+
+void CLuaValue::Push(lua_State* state, const CVector2& value) {
+  CLuaType<CVector2>::Push(state, value);
+}
+
+void CLuaValue::Push(lua_State* state, const CVector3& value) {
+  CLuaType<CVector3>::Push(state, value);
+}
+
+void CLuaValue::Push(lua_State* state, const CQuaternion& value) {
+  CLuaType<CQuaternion>::Push(state, value);
+}
+
+void CLuaValue::Push(lua_State* state, const CColor& value) {
+  lua_createtable(state, 0, 3);
+  lua_pushnumber(state, value.GetRed());
+  lua_setfield(state, -2, "red");
+  lua_pushnumber(state, value.GetGreen());
+  lua_setfield(state, -2, "green");
+  lua_pushnumber(state, value.GetBlue());
+  lua_setfield(state, -2, "blue");
+}
+
+}  // namespace argos
