@@ -18,6 +18,12 @@ void CCI_Sensor::Disable() {
   m_enabled = false;
 }
 
+void CCI_Sensor::ReturnToStart() {
+  if (m_enabled != m_enabledAtStart) {
+    m_enabledAtStart ? Enable() : Disable();
+  }
+}
+
 void CCI_Sensor::CreateLuaState(lua_State*) {}
 
 void CCI_Sensor::ReadingsToLuaState(lua_State*) {}

@@ -29,6 +29,9 @@ class CCI_Sensor : public CBaseConfigurableResource {
   virtual void Disable();
   bool IsEnabled() const { return m_enabled; }
   bool IsDisabled() const { return !m_enabled; }
+  /** Called when the run starts, and before Reset() to be enabled as it was then. */
+  void MarkStart() { m_enabledAtStart = m_enabled; }
+  void ReturnToStart();
 
   /**
    * For Lua controllers: adds the sensor's functions and readings to the table "robot", which is on
@@ -41,6 +44,7 @@ class CCI_Sensor : public CBaseConfigurableResource {
 
  private:
   bool m_enabled = false;
+  bool m_enabledAtStart = false;
 };
 
 }  // namespace argos

@@ -222,11 +222,12 @@ void CSimulator::Reset() {
   CRandom::GetCategory("argos").SetSeed(m_randomSeed);
   CRandom::GetCategory("argos").ResetRNGs();
   m_space->Reset();
-  for (CMedium* medium : m_media) {
-    medium->Reset();
-  }
   for (CPhysicsEngine* engine : m_engines) {
     engine->Reset();
+  }
+  // after the engines: media look where bodies are
+  for (CMedium* medium : m_media) {
+    medium->Reset();
   }
   m_loopFunctions->Reset();
   m_space->GetBodyIndex().Rebuild(*m_pool);

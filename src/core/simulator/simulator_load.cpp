@@ -138,6 +138,7 @@ void CSimulator::Init() {
   InitVisualization(root, errors);
   errors.ThrowIfAny();
   m_loading = false;
+  m_space->MarkStart();
   WarnOfUnreadParts();
   LOG.Flush();
   LOGERR.Flush();

@@ -58,6 +58,8 @@ void CLEDEquippedEntity::Init(TConfigurationNode& tree) {
 
 void CLEDEquippedEntity::Reset() {
   CComposableEntity::Reset();
+  // the LEDs are where the body starts, also those of bodies that no engine ever moves
+  UpdateComponents();
   for (size_t i = 0; i < m_colors.size(); ++i) {
     m_colors[i] = m_layout->Places[i].Color;
   }
@@ -81,6 +83,10 @@ void CLEDEquippedEntity::SetEnabled(bool enabled) {
     if (anchor->Index > 0) {
       enabled ? anchor->Enable() : anchor->Disable();
     }
+  }
+  if (enabled) {
+    // nobody moved them, nor perhaps their anchors, while they were off
+    UpdateComponents();
   }
 }
 
@@ -121,6 +127,10 @@ UInt32 CLEDEquippedEntity::NumberOfAnchor(SAnchor& anchor) {
   if (IsEnabled() && anchor.Index > 0) {
     anchor.Enable();
   }
+  // this use of the anchor stays after a Reset()
+  if (IsEnabledAtStart() && anchor.Index > 0) {
+    ++anchor.InUseCountAtStart;
+  }
   return static_cast<UInt32>(m_anchors.size() - 1);
 }
 
@@ -159,6 +169,7 @@ CLEDEntity& CLEDEquippedEntity::MakeLED(size_t index) {
     led.SetMedium(*m_medium);
   }
   led.SetEnabled(IsEnabled());
+  led.SetEnabledAtStart(IsEnabledAtStart());
   return led;
 }
 

@@ -65,7 +65,7 @@ class CLEDEquippedEntity : public CComposableEntity {
   std::string GetTypeDescription() const override { return "leds"; }
   /** Puts the LED entities where their anchors are now. */
   void UpdateComponents() override;
-  /** Also of the anchors that carry LEDs. */
+  /** Also of the anchors that carry LEDs; LEDs that are enabled go where their anchors are. */
   void SetEnabled(bool enabled) override;
   virtual void Enable() { CComposableEntity::Enable(); }
   virtual void Disable() { CComposableEntity::Disable(); }

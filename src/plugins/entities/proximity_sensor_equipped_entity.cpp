@@ -119,6 +119,10 @@ UInt32 CProximitySensorEquippedEntity::NumberOfAnchor(SAnchor& anchor) {
   if (IsEnabled() && anchor.Index > 0) {
     anchor.Enable();
   }
+  // this use of the anchor stays after a Reset()
+  if (IsEnabledAtStart() && anchor.Index > 0) {
+    ++anchor.InUseCountAtStart;
+  }
   return static_cast<UInt32>(m_anchors.size() - 1);
 }
 

@@ -62,6 +62,7 @@ void CLEDMedium::ReadGridSize(TConfigurationNode& tree) {
 }
 
 void CLEDMedium::Reset() {
+  SortByEntityIndex();
   Update();
 }
 
@@ -83,7 +84,30 @@ void CLEDMedium::Destroy() {
 }
 
 void CLEDMedium::PostSpaceInit() {
+  SortByEntityIndex();
   Update();
+}
+
+// LEDs that a run switched off and on have moved to the end of the list; with this the list is at
+// the start of every run the same
+void CLEDMedium::SortByEntityIndex() {
+  class CCollect : public CPositionalIndex<CLEDEntity>::COperation {
+   public:
+    bool operator()(CLEDEntity& led) override {
+      LEDs.push_back(&led);
+      return true;
+    }
+    std::vector<CLEDEntity*> LEDs;
+  } all;
+  GetIndex().ForAllEntities(all);
+  if (std::is_sorted(all.LEDs.begin(), all.LEDs.end(), SEntityComparator())) {
+    return;
+  }
+  std::stable_sort(all.LEDs.begin(), all.LEDs.end(), SEntityComparator());
+  for (CLEDEntity* led : all.LEDs) {
+    m_index->RemoveEntity(*led);
+    m_index->AddEntity(*led);
+  }
 }
 
 void CLEDMedium::Update() {

@@ -26,6 +26,7 @@ class CLEDMedium : public CMedium, public CLEDEntity::CRegistry {
    * @throws CARGoSException if a value is unknown or out of range.
    */
   void Init(TConfigurationNode& tree) override;
+  /** The LEDs enabled at the start are listed in the order they had then. */
   void Reset() override;
   /** Lets go of all LEDs. */
   void Destroy() override;
@@ -45,6 +46,7 @@ class CLEDMedium : public CMedium, public CLEDEntity::CRegistry {
 
   void ReadGridSize(TConfigurationNode& tree);
   void MakeIndex();
+  void SortByEntityIndex();
 
   EIndex m_kind = EIndex::Grid;
   SInt32 m_gridSize[3] = {0, 0, 0};  // cells along x, y, z; 0: chosen from the arena

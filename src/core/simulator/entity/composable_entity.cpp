@@ -86,6 +86,20 @@ void CComposableEntity::SetEnabled(bool enabled) {
   }
 }
 
+void CComposableEntity::MarkStart() {
+  CEntity::MarkStart();
+  for (CEntity* component : m_components) {
+    component->MarkStart();
+  }
+}
+
+void CComposableEntity::ReturnToStart() {
+  CEntity::ReturnToStart();
+  for (CEntity* component : m_components) {
+    component->ReturnToStart();
+  }
+}
+
 void CComposableEntity::AddComponent(CEntity& component) {
   component.SetParent(*this);
   m_components.push_back(&component);

@@ -31,6 +31,8 @@ class CComposableEntity : public CEntity {
   /** Updates every enabled component; robots override it to update only those that need it. */
   virtual void UpdateComponents();
   void SetEnabled(bool enabled) override;
+  void MarkStart() override;
+  void ReturnToStart() override;
 
   /** Takes @p component over: it is deleted with this entity. Its type must not change later. */
   void AddComponent(CEntity& component);

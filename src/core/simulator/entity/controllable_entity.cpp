@@ -71,6 +71,24 @@ void CControllableEntity::Init(TConfigurationNode& tree) {
   }
 }
 
+void CControllableEntity::MarkStart() {
+  CEntity::MarkStart();
+  if (m_pcController != nullptr) {
+    for (const auto& entry : m_pcController->GetAllSensors()) {
+      entry.second->MarkStart();
+    }
+  }
+}
+
+void CControllableEntity::ReturnToStart() {
+  CEntity::ReturnToStart();
+  if (m_pcController != nullptr) {
+    for (const auto& entry : m_pcController->GetAllSensors()) {
+      entry.second->ReturnToStart();
+    }
+  }
+}
+
 void CControllableEntity::Reset() {
   CEntity::Reset();
   m_vecCheckedRays.clear();
@@ -140,6 +158,9 @@ void CControllableEntity::SetController(const std::string& controllerId,
     m_pcController->Init(params);
     // afterwards, because controllers may add devices of their own, or replace some
     ListDevices();
+    if (GetIndex() >= 0) {
+      GetRootEntity().MarkStart();
+    }
   } catch (const CAlreadyReported&) {
     throw;
   } catch (std::exception& error) {

@@ -39,13 +39,17 @@ class CControllableEntity : public CEntity {
   void Reset() override;
   void Destroy() override;
   std::string GetTypeDescription() const override { return "controller"; }
+  /** Also of the controller's sensors. */
+  void MarkStart() override;
+  void ReturnToStart() override;
 
   /** @throws CARGoSException if the robot has no controller. */
   const CCI_Controller& GetController() const;
   CCI_Controller& GetController();
   /**
    * Creates the controller with its devices, actuators first, and runs its Init(). A controller
-   * that the robot has is destroyed before.
+   * that the robot has is destroyed before. In a run, Reset() keeps the new one: what is enabled
+   * now of the robot is then also its state at the start.
    * @param controllerId  `id` of a child of `<controllers>`.
    * @throws CARGoSException if the id, a device, or an implementation is unknown, with what exists.
    */

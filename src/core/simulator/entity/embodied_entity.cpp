@@ -55,6 +55,22 @@ void CEmbodiedEntity::Reset() {
   }
 }
 
+void CEmbodiedEntity::MarkStart() {
+  CEntity::MarkStart();
+  m_origin.InUseCountAtStart = m_origin.InUseCount;
+  for (const auto& anchor : m_otherAnchors) {
+    anchor->InUseCountAtStart = anchor->InUseCount;
+  }
+}
+
+void CEmbodiedEntity::ReturnToStart() {
+  CEntity::ReturnToStart();
+  m_origin.ReturnToStart();
+  for (const auto& anchor : m_otherAnchors) {
+    anchor->ReturnToStart();
+  }
+}
+
 SAnchor& CEmbodiedEntity::AddAnchor(const std::string& id, const CVector3& offset,
                                     const CQuaternion& relativeOrientation) {
   if (m_mapAnchors.find(id) != m_mapAnchors.end()) {

@@ -36,6 +36,9 @@ class CEmbodiedEntity : public CEntity {
   /** Back to the initial pose; anchors are recomputed. */
   void Reset() override;
   std::string GetTypeDescription() const override { return "body"; }
+  /** Also of the anchors: how often each is in use. */
+  void MarkStart() override;
+  void ReturnToStart() override;
 
   bool IsMovable() const { return m_bMovable; }
   void SetMovable(bool movable) { m_bMovable = movable; }

@@ -61,6 +61,19 @@ const CEntity& CEntity::GetRootEntity() const {
   return const_cast<CEntity*>(this)->GetRootEntity();
 }
 
+void CEntity::SetEnabled(bool enabled) {
+  m_enabled = enabled;
+  if (m_index < 0) {
+    m_enabledAtStart = enabled;
+  }
+}
+
+void CEntity::ReturnToStart() {
+  if (m_enabled != m_enabledAtStart) {
+    SetEnabled(m_enabledAtStart);
+  }
+}
+
 void CEntity::UpdateDigest(CDigest& digest) const {
   digest.Add(m_enabled);
 }

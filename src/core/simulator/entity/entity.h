@@ -79,7 +79,24 @@ class CEntity : public CBaseConfigurableResource, public EnableVTableFor<CEntity
   bool IsEnabled() const { return m_enabled; }
   void Enable() { SetEnabled(true); }
   void Disable() { SetEnabled(false); }
-  virtual void SetEnabled(bool enabled) { m_enabled = enabled; }
+  virtual void SetEnabled(bool enabled);
+
+  /**
+   * Takes what is enabled now, of this entity and its parts, for its state at the start of the run.
+   *
+   * Called for roots when they join the space, and again when everything is loaded. An entity that
+   * has never been in the space starts as it was made.
+   */
+  virtual void MarkStart() { m_enabledAtStart = m_enabled; }
+  /**
+   * Enables and disables this entity and its parts as they were at the start.
+   *
+   * Called before Reset(), twice: what is enabled or disabled may count itself in or out of parts
+   * that were brought back before.
+   */
+  virtual void ReturnToStart();
+  bool IsEnabledAtStart() const { return m_enabledAtStart; }
+  void SetEnabledAtStart(bool enabled) { m_enabledAtStart = enabled; }
 
   /** The XML this entity was made from, or nullptr; of a distributed entity, the template. */
   TConfigurationNode* GetConfigurationNode() { return m_configurationNode; }
@@ -95,6 +112,7 @@ class CEntity : public CBaseConfigurableResource, public EnableVTableFor<CEntity
   std::string m_id;
   ssize_t m_index = -1;
   bool m_enabled = true;
+  bool m_enabledAtStart = true;
 };
 
 /** Orders entities by index, the order of their insertion into the space. */

@@ -47,6 +47,17 @@ void SAnchor::Disable() {
   }
 }
 
+void SAnchor::ReturnToStart() {
+  while (InUseCount < InUseCountAtStart) {
+    Enable();
+  }
+  // the origin keeps the use that its body makes of it
+  const UInt32 least = Index == 0 ? std::max<UInt32>(InUseCountAtStart, 1) : InUseCountAtStart;
+  while (InUseCount > least) {
+    Disable();
+  }
+}
+
 void SAnchor::FollowOrigin() {
   const SAnchor& origin = Body.GetOriginAnchor();
   Position = OffsetPosition;

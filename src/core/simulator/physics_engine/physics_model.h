@@ -32,6 +32,7 @@ struct SAnchor {
   CVector3 Position; /**< world frame, m */
   CQuaternion Orientation; /**< world frame */
   UInt32 InUseCount = 0;
+  UInt32 InUseCountAtStart = 0; /**< what ReturnToStart() brings back */
 
   SAnchor(CEmbodiedEntity& body, const std::string& id, UInt32 index,
           const CVector3& offsetPosition, const CQuaternion& offsetOrientation,
@@ -43,6 +44,8 @@ struct SAnchor {
   void Enable();
   /** Takes back one Enable(). @throws CARGoSException for the origin, which is always in use. */
   void Disable();
+  /** As often in use as at the start of the run. */
+  void ReturnToStart();
   /** Takes the pose that it has as a rigid part of the body. Not for the origin itself. */
   void FollowOrigin();
 };

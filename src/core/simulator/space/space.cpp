@@ -122,6 +122,7 @@ void CSpace::InsertEntity(CEntity& entity) {
                            << "); ids must be unique");
     }
     m_roots.push_back(&entity);
+    entity.MarkStart();
   }
   entity.SetIndex(m_nextIndex);
   m_nextIndex += static_cast<ssize_t>(entity.GetIndexSpan());
@@ -151,8 +152,20 @@ void CSpace::EraseEntity(CEntity& entity) {
   entity.Destroy();
 }
 
+void CSpace::MarkStart() {
+  for (CEntity* root : m_roots) {
+    root->MarkStart();
+  }
+}
+
 void CSpace::Reset() {
   m_simulationClock = 0;
+  // see CEntity::ReturnToStart()
+  for (int pass = 0; pass < 2; ++pass) {
+    for (CEntity* root : m_roots) {
+      root->ReturnToStart();
+    }
+  }
   for (CEntity* root : m_roots) {
     root->Reset();
   }

@@ -68,6 +68,8 @@ class CSpace : public CBaseConfigurableResource {
   void Init(TConfigurationNode& tree) override;
   /** The same, collecting every error that can be found in one go. */
   void Init(TConfigurationNode& tree, CLoadErrors& errors);
+  /** When everything is loaded: what is enabled now is so again after Reset(). */
+  void MarkStart();
   void Reset() override;
   void Destroy() override;
   /** One tick. See tick.cpp. */

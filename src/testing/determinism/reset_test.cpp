@@ -1,0 +1,206 @@
+// A run that switches things on and off, and is reset.
+
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/loop_functions.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
+#include <argos3/plugins/simulator/entities/box_entity.h>
+#include <argos3/plugins/simulator/media/led_medium.h>
+#include <argos3/testing/determinism/swarm.h>
+#include <argos3/testing/support/robot_world.h>
+
+#include <catch2/catch.hpp>
+
+using namespace argos;
+
+namespace {
+
+constexpr UInt32 kTicks = 120;
+
+CFootBotEntity& FootBot(CTestWorld& world, int number) {
+  return world.Get<CFootBotEntity>("fb" + std::to_string(number));
+}
+
+CCI_Sensor& Eyes(CTestWorld& world, int number) {
+  CCI_Controller& controller =
+      FootBot(world, number).GetComponent<CControllableEntity>("controller").GetController();
+  return *controller.GetAllSensors().at("footbot_proximity");
+}
+
+// what loop functions and controllers may switch, at different times
+void Meddle(CTestWorld& world, UInt32 tick) {
+  if (tick == 20) {
+    FootBot(world, 0).Disable();
+    FootBot(world, 1).GetComponent<CControllableEntity>("controller").Disable();
+    FootBot(world, 2).GetComponent("proximity_sensors").Disable();
+    FootBot(world, 3).GetLEDEquippedEntity().Disable();
+    Eyes(world, 4).Disable();
+    FootBot(world, 4).GetLEDEquippedEntity().GetLED(2).Disable();
+    FootBot(world, 4).GetEmbodiedEntity().EnableAnchor("turret");
+  } else if (tick == 40) {
+    FootBot(world, 3).GetLEDEquippedEntity().Enable();
+    FootBot(world, 0).GetComponent("wheels").Enable();
+  } else if (tick == 60) {
+    FootBot(world, 0).Enable();
+  }
+}
+
+std::vector<UInt64> Run(CTestWorld& world, bool meddle) {
+  std::vector<UInt64> digests = {world.ComputeDigest()};
+  for (UInt32 tick = 0; tick < kTicks; ++tick) {
+    if (meddle) {
+      Meddle(world, tick);
+    }
+    world.Step();
+    digests.push_back(world.ComputeDigest());
+  }
+  return digests;
+}
+
+// the LEDs of the medium in the order in which cameras are shown them, and where they are
+std::vector<std::pair<std::string, CVector3>> ListLEDs(CTestWorld& world) {
+  class CList : public CPositionalIndex<CLEDEntity>::COperation {
+   public:
+    bool operator()(CLEDEntity& led) override {
+      LEDs.emplace_back(led.GetContext() + led.GetId(), led.GetPosition());
+      return true;
+    }
+    std::vector<std::pair<std::string, CVector3>> LEDs;
+  } list;
+  world.GetSimulator().GetMedium<CLEDMedium>("leds").GetIndex().ForAllEntities(list);
+  return list.LEDs;
+}
+
+// whether each entity of the space is enabled, in order
+std::vector<bool> ListEnabled(CTestWorld& world) {
+  std::vector<bool> enabled;
+  for (const CEntity* entity : world.GetSpace().GetEntityVector()) {
+    enabled.push_back(entity->IsEnabled());
+  }
+  return enabled;
+}
+
+}  // namespace
+
+TEST_CASE("reset: a run that switches things on and off repeats itself", "[determinism][reset]") {
+  const UInt32 threads = GENERATE(0U, 4U);
+  SExperiment experiment = Swarm(10);
+  experiment.Threads = threads;
+  CTestWorld untouched(experiment);
+  const auto leds = ListLEDs(untouched);
+  const auto enabled = ListEnabled(untouched);
+  REQUIRE(leds.size() == 5 * 13 + 5 * 8);
+  const std::vector<UInt64> plain = Run(untouched, false);
+
+  CTestWorld world(experiment);
+  const std::vector<UInt64> meddled = Run(world, true);
+  CHECK(std::equal(plain.begin(), plain.begin() + 21, meddled.begin()));
+  CHECK(meddled[22] != plain[22]);
+  CHECK(ListEnabled(world) != enabled);
+  CHECK(ListLEDs(world) != leds);
+  CHECK_FALSE(Eyes(world, 4).IsEnabled());
+  for (int repetition = 0; repetition < 2; ++repetition) {
+    world.GetSimulator().Reset();
+    CHECK(ListEnabled(world) == enabled);
+    CHECK(ListLEDs(world) == leds);
+    CHECK(Eyes(world, 4).IsEnabled());
+    // its LEDs use it, the run used it once more
+    CHECK(FootBot(world, 4).GetEmbodiedEntity().GetAnchor("turret").InUseCount == 1);
+    CHECK(Run(world, true) == meddled);
+  }
+  world.GetSimulator().Reset();
+  CHECK(Run(world, false) == plain);
+}
+
+TEST_CASE("reset: anchors are in use as often as at the start", "[determinism][reset]") {
+  CTestWorld world(Swarm(10, 1, false));
+  CEmbodiedEntity& body = FootBot(world, 0).GetEmbodiedEntity();
+  SAnchor& turret = body.GetAnchor("turret");
+  SAnchor& origin = body.GetOriginAnchor();
+  const UInt32 uses = origin.InUseCount;
+  REQUIRE(turret.InUseCount == 0);
+  body.EnableAnchor("turret");
+  body.EnableAnchor("turret");
+  body.EnableAnchor("origin");
+  world.GetSimulator().Reset();
+  CHECK(turret.InUseCount == 0);
+  CHECK(origin.InUseCount == uses);
+  CHECK(body.GetEnabledAnchors() == std::vector<SAnchor*>{&origin});
+  // an anchor that was added in the run was not in use at the start
+  body.AddAnchor("late").Enable();
+  world.GetSimulator().Reset();
+  CHECK_FALSE(body.IsAnchorEnabled("late"));
+}
+
+TEST_CASE("reset: what was disabled when the run started is disabled again",
+          "[determinism][reset]") {
+  SRobotExperiment experiment;
+  experiment.Arena =
+      "<box id='dark' size='1,1,1' movable='false'><body position='3,0,0'/></box>"
+      "<box id='lit' size='1,1,1' movable='false'><body position='1,2,0'/><leds medium='leds'>"
+      "<led offset='0.5,0,0.2' anchor='origin' color='red'/></leds></box>";
+  CRobotWorld world(experiment);
+  auto& dark = world.Get<CBoxEntity>("dark");
+  auto& lit = world.Get<CBoxEntity>("lit");
+  dark.AddLED(CVector3(0.0, 0.5, 1.0), CColor::BLUE);
+  const auto leds = ListLEDs(world);
+  REQUIRE(leds.size() == 1);
+  // half a metre ahead of the box's centre, and 0.2 m above its base
+  CHECK(leds[0].second == CVector3(1.5, 2.0, 0.2));
+
+  dark.EnableLEDs(world.GetSimulator().GetMedium<CLEDMedium>("leds"));
+  lit.DisableLEDs();
+  world.Step();
+  CHECK(ListLEDs(world).size() == 1);
+  CHECK(ListLEDs(world) != leds);
+  world.GetSimulator().Reset();
+  CHECK(ListLEDs(world) == leds);
+  CHECK_FALSE(dark.GetLEDEquippedEntity().IsEnabled());
+  CHECK_FALSE(dark.GetLEDEquippedEntity().GetLED(0).IsEnabled());
+}
+
+TEST_CASE("reset: LEDs that become entities while they are off are on again",
+          "[determinism][reset]") {
+  SExperiment experiment = Swarm(10, 1, false);
+  CTestWorld world(experiment);
+  CLEDEquippedEntity& leds = FootBot(world, 0).GetLEDEquippedEntity();
+  leds.Enable();
+  world.GetSpace().MarkStart();
+  leds.Disable();
+  CHECK_FALSE(leds.GetLED(3).IsEnabled());
+  world.GetSimulator().Reset();
+  CHECK(leds.GetLED(3).IsEnabled());
+}
+
+TEST_CASE("reset: a robot added in the run starts as it was added", "[determinism][reset]") {
+  SRobotExperiment experiment;
+  experiment.Sensors = "<footbot_proximity implementation='default'/>";
+  experiment.Arena = Robot("foot-bot", "a", "position='0,0,0'");
+  CRobotWorld world(experiment);
+  world.Step();
+  auto& added = world.Add(std::make_unique<CFootBotEntity>("b", "c", CVector3(1.0, 0.0, 0.0)));
+  auto& eyes = *added.GetComponent<CControllableEntity>("controller")
+                    .GetController()
+                    .GetAllSensors()
+                    .at("footbot_proximity");
+  added.Disable();
+  eyes.Disable();
+  world.GetSimulator().Reset();
+  CHECK(added.IsEnabled());
+  CHECK(added.GetComponent("wheels").IsEnabled());
+  // nobody asked for them: they start disabled
+  CHECK_FALSE(added.GetLEDEquippedEntity().IsEnabled());
+  CHECK(eyes.IsEnabled());
+
+  // a new controller stays, with what it enabled
+  eyes.Disable();
+  added.GetComponent<CControllableEntity>("controller").SetController("c");
+  added.Disable();
+  world.GetSimulator().Reset();
+  CHECK(added.IsEnabled());
+  CHECK(added.GetComponent<CControllableEntity>("controller")
+            .GetController()
+            .GetAllSensors()
+            .at("footbot_proximity")
+            ->IsEnabled());
+}
