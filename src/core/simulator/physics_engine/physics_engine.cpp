@@ -39,6 +39,10 @@ bool CPhysicsEngine::IsPointContained(const CVector3& point) {
   return m_volume.Contains(point);
 }
 
+std::string CPhysicsEngine::ExplainRefusal(CEntity& entity) const {
+  return "cannot house a <" + entity.GetTypeDescription() + ">";
+}
+
 void CPhysicsEngine::ScheduleEntityForTransfer(CEmbodiedEntity& entity) {
   m_transfers.push_back(&entity);
 }

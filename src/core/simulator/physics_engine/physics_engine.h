@@ -56,6 +56,11 @@ class CPhysicsEngine : public CBaseConfigurableResource {
   virtual size_t GetNumPhysicsModels() = 0;
   /** Adds the body of a root entity. @return false if this engine cannot house it. */
   virtual bool AddEntity(CEntity& entity) = 0;
+  /**
+   * Why AddEntity() has returned false, and what to change, for the message: a phrase whose subject
+   * is the engine.
+   */
+  virtual std::string ExplainRefusal(CEntity& entity) const;
   /** Removes the body of a root entity. @return false if it is not here. */
   virtual bool RemoveEntity(CEntity& entity) = 0;
 

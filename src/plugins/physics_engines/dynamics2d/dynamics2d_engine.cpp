@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace argos {
 
@@ -145,22 +146,21 @@ void CDynamics2DEngine::Destroy() {
   m_leaving.clear();
 }
 
-bool CDynamics2DEngine::IsAtHeight(CEmbodiedEntity& body) const {
-  const Real z = body.GetOriginAnchor().Position.GetZ();
-  if (std::abs(z - m_elevation) <= kElevationTolerance) {
-    return true;
+bool CDynamics2DEngine::IsAtHeight(const CEmbodiedEntity& body) const {
+  return std::abs(body.GetOriginAnchor().Position.GetZ() - m_elevation) <= kElevationTolerance;
+}
+
+std::string CDynamics2DEngine::ExplainRefusal(CEntity& entity) const {
+  CEmbodiedEntity* const body = FindBody(entity);
+  if (body == nullptr) {
+    return "houses only bodies that are described (SBodyDescription), and <" +
+           entity.GetTypeDescription() + "> describes none";
   }
-  const CPhysicsEngine::TVector& engines = m_cSimulator.GetPhysicsEngines();
-  const bool othersMayTakeIt =
-      body.GetPhysicsModelsNum() > 0 || engines.empty() || engines.back() != this;
-  if (!othersMayTakeIt) {
-    THROW_ARGOSEXCEPTION("the base of \""
-                         << body.GetRootEntity().GetId() << "\" is at z = " << z
-                         << " m, but the plane of the physics engine \"" << GetId()
-                         << "\" is at z = " << m_elevation
-                         << " m: change one of them (\"elevation\" of <dynamics2d>)");
-  }
-  return false;
+  std::ostringstream reason;
+  const Real z = body->GetOriginAnchor().Position.GetZ();
+  reason << "has its plane at z = " << m_elevation << " m, but the base of the body is at z = " << z
+         << " m: put the body there, or set elevation=\"" << z << "\" of an engine";
+  return reason.str();
 }
 
 bool CDynamics2DEngine::AddEntity(CEntity& entity) {

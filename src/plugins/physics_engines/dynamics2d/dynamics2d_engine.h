@@ -35,12 +35,13 @@ class CDynamics2DEngine : public CPhysicsEngine {
   size_t GetNumPhysicsModels() override { return m_models.size(); }
   /**
    * Adds the body of a root entity, if it has a description.
-   * @return false if it has none, or if another engine may take it because it is not at the height
-   *         of this plane.
-   * @throws CARGoSException if no other engine is left and it is not at that height; if the
-   *         description is of no possible body; if a robot has a drive but no wheels.
+   * @return false if it has none, or is not at the height of this plane: another engine may take
+   * it.
+   * @throws CARGoSException if the description is of no possible body; if a robot has a drive but
+   * no wheels.
    */
   bool AddEntity(CEntity& entity) override;
+  std::string ExplainRefusal(CEntity& entity) const override;
   bool RemoveEntity(CEntity& entity) override;
   /** Bodies that change from one engine of this type to another keep their velocity. */
   void TransferEntities() override;
@@ -62,7 +63,7 @@ class CDynamics2DEngine : public CPhysicsEngine {
     SPlanarVelocity Velocity;
   };
 
-  bool IsAtHeight(CEmbodiedEntity& body) const;
+  bool IsAtHeight(const CEmbodiedEntity& body) const;
   void Build();
   Real ChooseScale() const;
   void AddToWorld(CDynamics2DModel& model);

@@ -219,9 +219,12 @@ TEST_CASE("space: a robot that no engine takes is an error, and nothing stays", 
 
   experiment.Arena =
       "\n<toy-robot id='r'> <body position='0,7,0' /> <controller config='c' /> </toy-robot>";
-  CHECK_THAT(LoadError(experiment), Contains("\"r\"") && Contains("0,7,0") && Contains("outside"));
+  CHECK_THAT(LoadError(experiment), Contains("\"r\"") && Contains("0,7,0") &&
+                                        Contains("outside the region (<boundaries>) of \"left\""));
   experiment.Engines = "<toy_engine id='toy' refuses='toy-robot' />";
-  CHECK_THAT(LoadError(experiment), Contains("none there can house a <toy-robot>"));
+  CHECK_THAT(LoadError(experiment), Contains("\"toy\" cannot house a <toy-robot>"));
+  experiment.Engines = "";
+  CHECK_THAT(LoadError(experiment), Contains("there is none in <physics_engines>"));
 }
 
 TEST_CASE("space: only whole entities can be removed", "[core][space]") {
