@@ -70,6 +70,12 @@ class CPhysicsEngine : public CBaseConfigurableResource {
   /** Moves the scheduled bodies, in order of entity index, to the engines that contain them. */
   virtual void TransferEntities();
 
+  /**
+   * Moves one body of this engine to the engine that contains it, for TransferEntities(); does
+   * nothing if it is not here any more.
+   */
+  virtual void TransferEntity(CEmbodiedEntity& body);
+
   SVolume& GetVolume() { return m_volume; }
   const SVolume& GetVolume() const { return m_volume; }
 

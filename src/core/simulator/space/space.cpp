@@ -169,7 +169,31 @@ void CSpace::Reset() {
   for (CEntity* root : m_roots) {
     root->Reset();
   }
+  ReturnBodiesToEngines();
   m_bodyIndex->Rebuild(m_cSimulator.GetThreadPool());
+}
+
+// after a Reset() of the entities: as when they were added, each movable body belongs to the first
+// engine whose region contains it
+void CSpace::ReturnBodiesToEngines() {
+  CPhysicsEngine::TVector& engines = m_cSimulator.GetPhysicsEngines();
+  if (engines.size() < 2) {
+    return;
+  }
+  m_bodyIndex->ForEachBody([&engines](CEmbodiedEntity& body) {
+    if (!body.IsMovable() || body.GetPhysicsModelsNum() == 0) {
+      return;
+    }
+    CPhysicsEngine& now = body.GetPhysicsModel(size_t(0)).GetEngine();
+    const CVector3& position = body.GetOriginAnchor().Position;
+    const auto first = std::find_if(
+        engines.begin(), engines.end(),
+        [&position](CPhysicsEngine* engine) { return engine->IsPointContained(position); });
+    if (first != engines.end() && *first != &now) {
+      now.ScheduleEntityForTransfer(body);
+    }
+  });
+  TransferBodies();
 }
 
 void CSpace::Destroy() {

@@ -162,6 +162,7 @@ class CSpace : public CBaseConfigurableResource {
   void Act(CThreadPool& pool);
   void UpdatePhysics(CThreadPool& pool);
   void TransferBodies();
+  void ReturnBodiesToEngines();
   void UpdateMedia(CThreadPool& pool);
   void SenseAndControl(CThreadPool& pool);
 

@@ -279,6 +279,7 @@ TEST_CASE("space: a body that leaves its engine's region moves to the next engin
   CHECK_THAT(body.GetOriginAnchor().Position.GetX(), Catch::WithinAbs(0.05, 1e-15));
   world.GetSimulator().Reset();
   CHECK_THAT(body.GetOriginAnchor().Position.GetX(), Catch::WithinAbs(-0.25, 1e-15));
+  CHECK(&body.GetPhysicsModel(0).GetEngine() == &left);
   // and beyond the last one the run ends with an error
   CHECK_THROWS_WITH(world.Step(100), Contains("\"r\"") && Contains("outside"));
 }
