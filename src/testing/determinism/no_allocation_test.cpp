@@ -2,6 +2,7 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
 #include <argos3/testing/determinism/swarm.h>
 #include <argos3/testing/support/allocation_count.h>
 #include <argos3/testing/support/experiment.h>
@@ -100,4 +101,43 @@ TEST_CASE("no allocation: neither do robots that cross between engines",
   }
   // several in each engine
   CHECK(crossings > 40);
+}
+
+TEST_CASE("no allocation: neither do moving robots with LEDs in a medium",
+          "[determinism][allocation]") {
+  const std::string index = GENERATE("grid", "hash");
+  CAPTURE(index);
+  // 1,000 foot-bots that change their colours, and a few obstacles
+  SExperiment experiment = Swarm(1000, 1, true);
+  experiment.Controllers.erase(experiment.Controllers.find("<walker id='e-puck'>"));
+  std::string& arena = experiment.Arena;
+  for (size_t at = arena.find("<e-puck id='ep'>"); at != std::string::npos;
+       at = arena.find("<e-puck id='ep'>")) {
+    const size_t end = arena.find("</e-puck>", at) + 9;
+    arena.replace(at, end - at, "<foot-bot id='fc'> <controller config='foot-bot' /> </foot-bot>");
+  }
+  experiment.Media = "<led id='leds' index='" + index + "' />";
+  CTestWorld world(experiment);
+  REQUIRE(world.GetSpace().GetEntitiesByType("foot-bot").size() == 1000);
+  world.Step(kWarmUpTicks);
+  // all are somewhere else when the counted ticks are over, and some LEDs are lit
+  const auto places = [&world] {
+    std::vector<CVector3> positions;
+    for (const auto& [id, robot] : world.GetSpace().GetEntitiesByType("foot-bot")) {
+      const SAnchor& origin =
+          any_cast<CFootBotEntity*>(robot)->GetEmbodiedEntity().GetOriginAnchor();
+      positions.push_back(origin.Position);
+    }
+    return positions;
+  };
+  const auto before = places();
+  if (CAllocationCount::IsAvailable()) {
+    CheckTicks(world, kCountedTicks);
+  }
+  const auto after = places();
+  size_t moved = 0;
+  for (size_t i = 0; i < before.size(); ++i) {
+    moved += Distance(before[i], after[i]) > 0.01 ? 1 : 0;
+  }
+  CHECK(moved > 900);
 }
