@@ -267,6 +267,13 @@ void CSimulator::InitControllers(TConfigurationNode& section, CLoadErrors& error
 void CSimulator::InitController(TConfigurationNode& node) {
   std::string id;
   GetNodeAttribute(node, "id", id);
+  if (id.empty()) {
+    THROW_ARGOSEXCEPTION(
+        node.GetLocation()
+        << ": <" << node.Value()
+        << ">: attribute \"id\" is empty; robots name their controller by it, as in "
+           "<controller config=\"...\" />");
+  }
   const auto [other, inserted] = m_controllerNodes.emplace(id, &node);
   if (!inserted) {
     THROW_ARGOSEXCEPTION(node.GetLocation()

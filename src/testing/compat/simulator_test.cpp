@@ -25,6 +25,7 @@
 #include <argos3/plugins/simulator/entities/proximity_sensor_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
 #include <argos3/plugins/simulator/media/led_medium.h>
+#include <argos3/testing/support/paths.h>
 
 #include <catch2/catch.hpp>
 
@@ -366,6 +367,15 @@ TEST_CASE("compat: every function of the core entities", "[compat]") {
   cFloor.ClearChanged();
   CHECK_FALSE(cFloor.HasChanged());
   CFloorEntity cOwn("own", 10);
+  /* the arena is 10 m x 10 m: what is saved of it has ten pixels on a metre */
+  const std::string strFloor = InBuildTree("compat_floor.png");
+  cOwn.SaveAsImage(strFloor);
+  CFloorEntity cImage("image", strFloor);
+  CHECK(cImage.GetColorAtPoint(-2.0, 0.05) == cOwn.GetColorAtPoint(-2.0, 0.05));
+  CHECK(cImage.GetColorAtPoint(2.0, 0.05) == cOwn.GetColorAtPoint(2.0, 0.05));
+  CHECK(cImage.GetColorAtPoint(-2.0, 0.05) != cImage.GetColorAtPoint(2.0, 0.05));
+  cImage.SaveAsImage(strFloor);
+  std::remove(strFloor.c_str());
   CHECK(CFloorEntity::UNSET != CFloorEntity::FROM_IMAGE);
   CFloorEntity::EColorSource eSource = CFloorEntity::FROM_LOOP_FUNCTIONS;
   CHECK(eSource == CFloorEntity::FROM_LOOP_FUNCTIONS);

@@ -1,3 +1,8 @@
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
 #include <argos3/testing/determinism/swarm.h>
 #include <argos3/testing/support/allocation_count.h>
 #include <argos3/testing/support/experiment.h>
@@ -15,22 +20,37 @@ namespace {
 constexpr UInt32 kWarmUpTicks = 200;
 constexpr UInt32 kCountedTicks = 100;
 
+// what a world allocates in its next ticks
+void CheckTicks(CTestWorld& world, UInt32 ticks) {
+  size_t counted = 0;
+  std::string first;
+  {
+    const CAllocationCount count;
+    world.Step(ticks);
+    counted = count.GetCount();
+    first = count.DescribeFirst();
+  }
+  INFO("the first allocation was made by\n" << first);
+  CHECK(counted == 0);
+}
+
 void CheckSettledTicks(const std::string& xml, UInt32 warmUpTicks) {
   if (!CAllocationCount::IsAvailable()) {
     return;
   }
   CTestWorld world(xml);
   world.Step(warmUpTicks);
-  size_t counted = 0;
-  std::string first;
-  {
-    const CAllocationCount count;
-    world.Step(kCountedTicks);
-    counted = count.GetCount();
-    first = count.DescribeFirst();
+  CheckTicks(world, kCountedTicks);
+}
+
+// the engine in which each robot's body is
+std::vector<const CPhysicsEngine*> ListEngines(CTestWorld& world) {
+  std::vector<const CPhysicsEngine*> engines;
+  for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
+    auto& root = dynamic_cast<CComposableEntity&>(robot->GetRootEntity());
+    engines.push_back(&root.GetComponent<CEmbodiedEntity>("body").GetPhysicsModel(0).GetEngine());
   }
-  INFO("the first allocation was made by\n" << first);
-  CHECK(counted == 0);
+  return engines;
 }
 
 }  // namespace
@@ -56,4 +76,68 @@ TEST_CASE("no allocation: neither does one of noisy robots that push things",
   SExperiment experiment = Swarm(200, 1, false);
   experiment.Threads = threads;
   CheckSettledTicks(experiment.ToXml(), 500);
+}
+
+TEST_CASE("no allocation: neither do robots that cross between engines",
+          "[determinism][allocation]") {
+  const UInt32 threads = GENERATE(0U, 2U);
+  CAPTURE(threads);
+  // crowded enough for contacts, so that robots with and without a Box2D body cross, and crates
+  SExperiment experiment = Swarm(200, 2, false);
+  experiment.Threads = threads;
+  CTestWorld world(experiment);
+  world.Step(500);
+  if (!CAllocationCount::IsAvailable()) {
+    return;
+  }
+  size_t crossings = 0;
+  for (int part = 0; part < 50; ++part) {
+    const auto before = ListEngines(world);
+    CheckTicks(world, 10);
+    const auto after = ListEngines(world);
+    for (size_t i = 0; i < before.size(); ++i) {
+      crossings += before[i] != after[i] ? 1 : 0;
+    }
+  }
+  // several in each engine
+  CHECK(crossings > 40);
+}
+
+TEST_CASE("no allocation: neither do moving robots with LEDs in a medium",
+          "[determinism][allocation]") {
+  const std::string index = GENERATE("grid", "hash");
+  CAPTURE(index);
+  // 1,000 foot-bots that change their colours, and a few obstacles
+  SExperiment experiment = Swarm(1000, 1, true);
+  experiment.Controllers.erase(experiment.Controllers.find("<walker id='e-puck'>"));
+  std::string& arena = experiment.Arena;
+  for (size_t at = arena.find("<e-puck id='ep'>"); at != std::string::npos;
+       at = arena.find("<e-puck id='ep'>")) {
+    const size_t end = arena.find("</e-puck>", at) + 9;
+    arena.replace(at, end - at, "<foot-bot id='fc'> <controller config='foot-bot' /> </foot-bot>");
+  }
+  experiment.Media = "<led id='leds' index='" + index + "' />";
+  CTestWorld world(experiment);
+  REQUIRE(world.GetSpace().GetEntitiesByType("foot-bot").size() == 1000);
+  world.Step(kWarmUpTicks);
+  // all are somewhere else when the counted ticks are over, and some LEDs are lit
+  const auto places = [&world] {
+    std::vector<CVector3> positions;
+    for (const auto& [id, robot] : world.GetSpace().GetEntitiesByType("foot-bot")) {
+      const SAnchor& origin =
+          any_cast<CFootBotEntity*>(robot)->GetEmbodiedEntity().GetOriginAnchor();
+      positions.push_back(origin.Position);
+    }
+    return positions;
+  };
+  const auto before = places();
+  if (CAllocationCount::IsAvailable()) {
+    CheckTicks(world, kCountedTicks);
+  }
+  const auto after = places();
+  size_t moved = 0;
+  for (size_t i = 0; i < before.size(); ++i) {
+    moved += Distance(before[i], after[i]) > 0.01 ? 1 : 0;
+  }
+  CHECK(moved > 900);
 }

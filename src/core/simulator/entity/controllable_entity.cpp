@@ -64,6 +64,13 @@ void CControllableEntity::Init(TConfigurationNode& tree) {
   CEntity::Init(tree);
   std::string controllerId;
   GetNodeAttribute(tree, "config", controllerId);
+  if (controllerId.empty()) {
+    THROW_ARGOSEXCEPTION(
+        tree.GetLocation()
+        << ": <" << tree.Value()
+        << ">: attribute \"config\" is empty; it must be the \"id\" of a controller "
+           "in <controllers>");
+  }
   if (NodeExists(tree, "params")) {
     SetController(controllerId, GetNode(tree, "params"));
   } else {

@@ -167,6 +167,19 @@ void CEmbodiedEntity::RemovePhysicsModel(const std::string& engineId) {
   }
 }
 
+void CEmbodiedEntity::MovePhysicsModel(const std::string& from, const std::string& to,
+                                       CPhysicsModel& model) {
+  auto entry = m_tPhysicsModelMap.extract(from);
+  ARGOS_ASSERT(!entry.empty(), "a model is moved out of an engine that has none");
+  auto& models = m_tPhysicsModelVector;
+  models.erase(std::find(models.begin(), models.end(), entry.mapped()));
+  // the entry stays in the map, so that AddPhysicsModel() finds it there
+  entry.key() = to;
+  entry.mapped() = &model;
+  m_tPhysicsModelMap.insert(std::move(entry));
+  AddPhysicsModel(to, model);
+}
+
 const CPhysicsModel& CEmbodiedEntity::GetPhysicsModel(size_t index) const {
   if (index >= m_tPhysicsModelVector.size()) {
     THROW_ARGOSEXCEPTION("body \"" << GetContext() << GetId() << "\" has "

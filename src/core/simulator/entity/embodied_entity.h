@@ -71,6 +71,11 @@ class CEmbodiedEntity : public CEntity {
   UInt32 GetPhysicsModelsNum() const;
   virtual void AddPhysicsModel(const std::string& engineId, CPhysicsModel& model);
   void RemovePhysicsModel(const std::string& engineId);
+  /**
+   * The same as RemovePhysicsModel(@p from) and AddPhysicsModel(@p to, @p model), but asks for no
+   * memory: for bodies that change engines in a tick.
+   */
+  void MovePhysicsModel(const std::string& from, const std::string& to, CPhysicsModel& model);
   const CPhysicsModel& GetPhysicsModel(size_t index) const;
   CPhysicsModel& GetPhysicsModel(size_t index);
   const CPhysicsModel& GetPhysicsModel(const std::string& engineId) const;

@@ -39,17 +39,30 @@ bool CPhysicsEngine::IsPointContained(const CVector3& point) {
   return m_volume.Contains(point);
 }
 
+std::string CPhysicsEngine::ExplainRefusal(CEntity& entity) const {
+  return "cannot house a <" + entity.GetTypeDescription() + ">";
+}
+
 void CPhysicsEngine::ScheduleEntityForTransfer(CEmbodiedEntity& entity) {
+  if (m_transfers.capacity() == 0) {
+    // more than that in one tick are rare
+    m_transfers.reserve(64 + GetNumPhysicsModels() / 4);
+  }
   m_transfers.push_back(&entity);
 }
 
 void CPhysicsEngine::TransferEntities() {
   std::sort(m_transfers.begin(), m_transfers.end(), SEntityComparator());
   for (CEmbodiedEntity* body : m_transfers) {
-    RemoveEntity(body->GetRootEntity());
-    m_cSpace.AddEntityToPhysicsEngine(*body);
+    TransferEntity(*body);
   }
   m_transfers.clear();
+}
+
+void CPhysicsEngine::TransferEntity(CEmbodiedEntity& body) {
+  if (RemoveEntity(body.GetRootEntity())) {
+    m_cSpace.AddEntityToPhysicsEngine(body);
+  }
 }
 
 Real CPhysicsEngine::GetSimulationClockTick() {

@@ -56,6 +56,11 @@ class CPhysicsEngine : public CBaseConfigurableResource {
   virtual size_t GetNumPhysicsModels() = 0;
   /** Adds the body of a root entity. @return false if this engine cannot house it. */
   virtual bool AddEntity(CEntity& entity) = 0;
+  /**
+   * Why AddEntity() has returned false, and what to change, for the message: a phrase whose subject
+   * is the engine.
+   */
+  virtual std::string ExplainRefusal(CEntity& entity) const;
   /** Removes the body of a root entity. @return false if it is not here. */
   virtual bool RemoveEntity(CEntity& entity) = 0;
 
@@ -64,6 +69,12 @@ class CPhysicsEngine : public CBaseConfigurableResource {
   virtual void ScheduleEntityForTransfer(CEmbodiedEntity& entity);
   /** Moves the scheduled bodies, in order of entity index, to the engines that contain them. */
   virtual void TransferEntities();
+
+  /**
+   * Moves one body of this engine to the engine that contains it, for TransferEntities(); does
+   * nothing if it is not here any more.
+   */
+  virtual void TransferEntity(CEmbodiedEntity& body);
 
   SVolume& GetVolume() { return m_volume; }
   const SVolume& GetVolume() const { return m_volume; }

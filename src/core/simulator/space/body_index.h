@@ -50,6 +50,15 @@ class CBodyIndex {
   void Rebuild(CThreadPool& pool) { Rebuild(&pool); }
 
   CEmbodiedEntity& GetBody(UInt32 body) const { return *m_bodies[body].Entity; }
+  /** Calls visit(CEmbodiedEntity&) for every body, by number. */
+  template <typename VISIT>
+  void ForEachBody(VISIT&& visit) const {
+    for (const SBody& body : m_bodies) {
+      if (body.Entity != nullptr) {
+        visit(*body.Entity);
+      }
+    }
+  }
   size_t GetNumBodies() const { return m_numAlive; }
 
   /**

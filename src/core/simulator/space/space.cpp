@@ -169,7 +169,31 @@ void CSpace::Reset() {
   for (CEntity* root : m_roots) {
     root->Reset();
   }
+  ReturnBodiesToEngines();
   m_bodyIndex->Rebuild(m_cSimulator.GetThreadPool());
+}
+
+// after a Reset() of the entities: as when they were added, each movable body belongs to the first
+// engine whose region contains it
+void CSpace::ReturnBodiesToEngines() {
+  CPhysicsEngine::TVector& engines = m_cSimulator.GetPhysicsEngines();
+  if (engines.size() < 2) {
+    return;
+  }
+  m_bodyIndex->ForEachBody([&engines](CEmbodiedEntity& body) {
+    if (!body.IsMovable() || body.GetPhysicsModelsNum() == 0) {
+      return;
+    }
+    CPhysicsEngine& now = body.GetPhysicsModel(size_t(0)).GetEngine();
+    const CVector3& position = body.GetOriginAnchor().Position;
+    const auto first = std::find_if(
+        engines.begin(), engines.end(),
+        [&position](CPhysicsEngine* engine) { return engine->IsPointContained(position); });
+    if (first != engines.end() && *first != &now) {
+      now.ScheduleEntityForTransfer(body);
+    }
+  });
+  TransferBodies();
 }
 
 void CSpace::Destroy() {
@@ -202,34 +226,45 @@ void CSpace::RemoveControllableEntity(CControllableEntity& entity) {
 void CSpace::AddEntityToPhysicsEngine(CEmbodiedEntity& body) {
   const CVector3& position = body.GetOriginAnchor().Position;
   CEntity& root = body.GetRootEntity();
-  bool contained = false;
   bool added = false;
   for (CPhysicsEngine* engine : m_cSimulator.GetPhysicsEngines()) {
     if (!engine->IsPointContained(position)) {
       continue;
     }
-    contained = true;
     added = engine->AddEntity(root) || added;
     if (added && body.IsMovable()) {
       break;
     }
   }
   if (!added) {
-    m_cSimulator.ThrowIfBroken("physics_engines");
-    std::string engines;
-    for (const CPhysicsEngine* engine : m_cSimulator.GetPhysicsEngines()) {
-      engines += (engines.empty() ? "\"" : ", \"") + engine->GetId() + "\"";
-    }
-    THROW_ARGOSEXCEPTION("\"" << root.GetId() << "\" at (" << position << ") is "
-                              << (contained
-                                      ? "in the region of an engine, but none there can house a <"
-                                      : "outside the region of every physics engine; it is a <")
-                              << root.GetTypeDescription()
-                              << ">; engines: " << (engines.empty() ? "none" : engines));
+    ThrowNoEngine(body);
   }
   if (body.GetBodyDescription() != nullptr && body.GetBodyNumber() == CBodyIndex::kNoBody) {
     m_bodyIndex->Add(body);
   }
+}
+
+void CSpace::ThrowNoEngine(CEmbodiedEntity& body) {
+  m_cSimulator.ThrowIfBroken("physics_engines");
+  const CVector3& position = body.GetOriginAnchor().Position;
+  CEntity& root = body.GetRootEntity();
+  std::string reasons;
+  std::string elsewhere;
+  for (CPhysicsEngine* engine : m_cSimulator.GetPhysicsEngines()) {
+    const std::string id = "\"" + engine->GetId() + "\"";
+    if (engine->IsPointContained(position)) {
+      reasons += "; " + id + " " + engine->ExplainRefusal(root);
+    } else {
+      elsewhere += (elsewhere.empty() ? "" : ", ") + id;
+    }
+  }
+  if (!elsewhere.empty()) {
+    reasons += "; it is outside the region (<boundaries>) of " + elsewhere;
+  }
+  THROW_ARGOSEXCEPTION("no physics engine takes \""
+                       << root.GetId() << "\" (<" << root.GetTypeDescription() << ">) at ("
+                       << position << ")"
+                       << (reasons.empty() ? "; there is none in <physics_engines>" : reasons));
 }
 
 void CSpace::RemoveEntityFromPhysicsEngines(CEmbodiedEntity& body) {

@@ -109,7 +109,8 @@ class CSpace : public CBaseConfigurableResource {
   virtual void RemoveControllableEntity(CControllableEntity& entity);
   /**
    * Gives the body to every engine whose region contains its origin (immovable) or to the first of
-   * them that accepts (movable). @throws with the position and the regions if there is none.
+   * them that accepts (movable). @throws CARGoSException that says of each engine why not, if none
+   * takes it.
    */
   virtual void AddEntityToPhysicsEngine(CEmbodiedEntity& entity);
   /** Takes the body out of its engines and out of the index. */
@@ -157,6 +158,7 @@ class CSpace : public CBaseConfigurableResource {
   void AddPendingToUserViews();
   void AddToUserViews(CEntity& entity, const std::string& type);
   void ListInUserViews(CEntity& entity);
+  [[noreturn]] void ThrowNoEngine(CEmbodiedEntity& body);
   void FillArena(TConfigurationNode& tree, CLoadErrors& errors);
   void InitArena(TConfigurationNode& tree);
 
@@ -164,6 +166,7 @@ class CSpace : public CBaseConfigurableResource {
   void Act(CThreadPool& pool);
   void UpdatePhysics(CThreadPool& pool);
   void TransferBodies();
+  void ReturnBodiesToEngines();
   void UpdateMedia(CThreadPool& pool);
   void SenseAndControl(CThreadPool& pool);
 

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace argos {
 
@@ -22,6 +23,8 @@ constexpr Real kElevationTolerance = 1e-4;
 
 // m; beyond this the single precision of Box2D is coarser than a robot
 constexpr Real kMaxExtent = 1e5;
+// bodies for which an engine with borders has room beyond half as many again as it starts with
+constexpr size_t kRoomForComers = 64;
 // substeps of a tick; more would never end
 constexpr UInt32 kMaxIterations = 10000;
 
@@ -136,31 +139,28 @@ void CDynamics2DEngine::Init(TConfigurationNode& tree) {
 // it, nor of where bodies were put before that tick.
 void CDynamics2DEngine::Reset() {
   m_world.reset();
-  m_leaving.clear();
 }
 
 void CDynamics2DEngine::Destroy() {
   m_world.reset();
   m_models.clear();
-  m_leaving.clear();
 }
 
-bool CDynamics2DEngine::IsAtHeight(CEmbodiedEntity& body) const {
-  const Real z = body.GetOriginAnchor().Position.GetZ();
-  if (std::abs(z - m_elevation) <= kElevationTolerance) {
-    return true;
+bool CDynamics2DEngine::IsAtHeight(const CEmbodiedEntity& body) const {
+  return std::abs(body.GetOriginAnchor().Position.GetZ() - m_elevation) <= kElevationTolerance;
+}
+
+std::string CDynamics2DEngine::ExplainRefusal(CEntity& entity) const {
+  CEmbodiedEntity* const body = FindBody(entity);
+  if (body == nullptr) {
+    return "houses only bodies that are described (SBodyDescription), and <" +
+           entity.GetTypeDescription() + "> describes none";
   }
-  const CPhysicsEngine::TVector& engines = m_cSimulator.GetPhysicsEngines();
-  const bool othersMayTakeIt =
-      body.GetPhysicsModelsNum() > 0 || engines.empty() || engines.back() != this;
-  if (!othersMayTakeIt) {
-    THROW_ARGOSEXCEPTION("the base of \""
-                         << body.GetRootEntity().GetId() << "\" is at z = " << z
-                         << " m, but the plane of the physics engine \"" << GetId()
-                         << "\" is at z = " << m_elevation
-                         << " m: change one of them (\"elevation\" of <dynamics2d>)");
-  }
-  return false;
+  std::ostringstream reason;
+  const Real z = body->GetOriginAnchor().Position.GetZ();
+  reason << "has its plane at z = " << m_elevation << " m, but the base of the body is at z = " << z
+         << " m: put the body there, or set elevation=\"" << z << "\" of an engine";
+  return reason.str();
 }
 
 bool CDynamics2DEngine::AddEntity(CEntity& entity) {
@@ -170,13 +170,17 @@ bool CDynamics2DEngine::AddEntity(CEntity& entity) {
   }
   CheckDescription(*body);
   auto model = std::make_unique<CDynamics2DModel>(*this, *body, FindWheels(*body));
-  model->m_number = m_models.size();
   body->AddPhysicsModel(GetId(), *model);
+  AddModel(std::move(model));
+  return true;
+}
+
+void CDynamics2DEngine::AddModel(std::unique_ptr<CDynamics2DModel> model) {
+  model->m_number = m_models.size();
   m_models.push_back(std::move(model));
   if (m_world != nullptr) {
     AddToWorld(*m_models.back());
   }
-  return true;
 }
 
 bool CDynamics2DEngine::RemoveEntity(CEntity& entity) {
@@ -185,31 +189,69 @@ bool CDynamics2DEngine::RemoveEntity(CEntity& entity) {
     if (&body->GetPhysicsModel(i).GetEngine() != this) {
       continue;
     }
-    auto& model = static_cast<CDynamics2DModel&>(body->GetPhysicsModel(i));
-    if (m_world != nullptr) {
-      m_world->Remove(model.m_handle);
-    }
+    const auto model = TakeOut(static_cast<CDynamics2DModel&>(body->GetPhysicsModel(i)));
     body->RemovePhysicsModel(GetId());
-    const size_t number = model.m_number;
-    std::swap(m_models[number], m_models.back());
-    m_models[number]->m_number = number;
-    m_models.pop_back();
     return true;
   }
   return false;
 }
 
-void CDynamics2DEngine::TransferEntities() {
-  CPhysicsEngine::TransferEntities();
-  for (const SLeaving& leaving : m_leaving) {
-    auto& model = leaving.Body->GetPhysicsModel(size_t(0));
-    auto* const engine = dynamic_cast<CDynamics2DEngine*>(&model.GetEngine());
-    if (engine != nullptr && engine->m_world != nullptr) {
-      engine->m_world->SetVelocity(static_cast<CDynamics2DModel&>(model).m_handle,
-                                   leaving.Velocity);
+// the last model takes the number of the one that goes
+std::unique_ptr<CDynamics2DModel> CDynamics2DEngine::TakeOut(CDynamics2DModel& model) {
+  if (m_world != nullptr) {
+    m_world->Remove(model.m_handle);
+  }
+  const size_t number = model.m_number;
+  std::swap(m_models[number], m_models.back());
+  m_models[number]->m_number = number;
+  std::unique_ptr<CDynamics2DModel> taken = std::move(m_models.back());
+  m_models.pop_back();
+  return taken;
+}
+
+void CDynamics2DEngine::TransferEntity(CEmbodiedEntity& body) {
+  if (&body.GetPhysicsModel(size_t(0)).GetEngine() != this) {
+    return;
+  }
+  auto& model = static_cast<CDynamics2DModel&>(body.GetPhysicsModel(size_t(0)));
+  const SPlanarVelocity velocity =
+      m_world != nullptr ? m_world->GetVelocity(model.m_handle) : SPlanarVelocity();
+  CDynamics2DEngine* next = FindNext(body);
+  if (next != nullptr) {
+    CheckDescription(body);
+    next->TakeOver(model);
+  } else {
+    CPhysicsEngine::TransferEntity(body);
+    next = dynamic_cast<CDynamics2DEngine*>(&body.GetPhysicsModel(size_t(0)).GetEngine());
+  }
+  if (next != nullptr && next->m_world != nullptr) {
+    auto& moved = static_cast<CDynamics2DModel&>(body.GetPhysicsModel(size_t(0)));
+    next->m_world->SetVelocity(moved.m_handle, velocity);
+  }
+}
+
+// the engine that would take the body, if it is of this type and certain to
+CDynamics2DEngine* CDynamics2DEngine::FindNext(CEmbodiedEntity& body) const {
+  for (CPhysicsEngine* engine : m_cSimulator.GetPhysicsEngines()) {
+    if (engine->IsPointContained(body.GetOriginAnchor().Position)) {
+      auto* const next = dynamic_cast<CDynamics2DEngine*>(engine);
+      return next != nullptr && next != this && next->IsAtHeight(body) ? next : nullptr;
     }
   }
-  m_leaving.clear();
+  return nullptr;
+}
+
+// Takes a movable body over from another engine of this type. Its model is made anew where it is,
+// because models refer to their engine for ever, and a tick must not ask for memory.
+void CDynamics2DEngine::TakeOver(CDynamics2DModel& model) {
+  CDynamics2DEngine& from = model.GetDynamics2DEngine();
+  std::unique_ptr<CDynamics2DModel> taken = from.TakeOut(model);
+  CEmbodiedEntity& body = model.m_cEmbodiedEntity;
+  const Real* const wheels = model.m_wheels;
+  std::destroy_at(taken.get());
+  std::construct_at(taken.get(), *this, body, wheels);
+  body.MovePhysicsModel(from.GetId(), GetId(), *taken);
+  AddModel(std::move(taken));
 }
 
 void CDynamics2DEngine::Replace(CDynamics2DModel& model) {
@@ -232,12 +274,19 @@ void CDynamics2DEngine::Build() {
   m_settings->UnitsPerMetre = ChooseScale();
   m_world = std::make_unique<CPlanarWorld>(*m_settings);
   const auto count = [&models](bool movable, bool driven) {
-    return std::count_if(models.begin(), models.end(), [=](const CDynamics2DModel* model) {
-      return model->GetEmbodiedEntity().IsMovable() == movable &&
-             (model->m_wheels != nullptr) == driven;
-    });
+    return static_cast<size_t>(
+        std::count_if(models.begin(), models.end(), [=](const CDynamics2DModel* model) {
+          return model->GetEmbodiedEntity().IsMovable() == movable &&
+                 (model->m_wheels != nullptr) == driven;
+        }));
   };
-  m_world->MakeRoom(count(false, false), count(true, false), count(true, true));
+  // movable bodies may also come from other engines; room that is not used costs no memory
+  const auto withComers = [this](size_t bodies) {
+    return IsEntityTransferActive() ? bodies + bodies / 2 + kRoomForComers : bodies;
+  };
+  m_models.reserve(withComers(m_models.size()));
+  m_world->MakeRoom(count(false, false), withComers(count(true, false)),
+                    withComers(count(true, true)));
   for (CDynamics2DModel* model : models) {
     AddToWorld(*model);
   }
@@ -283,20 +332,19 @@ void CDynamics2DEngine::Update() {
                                     << bad.Left << " m/s, right = " << bad.Right << " m/s");
   }
   m_world->CommitDriven(
-      [this](const SDrivenBody& body) { WriteBack(*body.Owner.Model, body.Pose, body.Velocity); },
+      [this](const SDrivenBody& body) { WriteBack(*body.Owner.Model, body.Pose); },
       [](const CDynamics2DModel& model) {
         Prefetch(&model.m_cEmbodiedEntity, sizeof(CEmbodiedEntity));
         Prefetch(&model.m_root, 64);
       });
   m_world->ForEachPassive([this](const SPassiveBody& body) {
     if (body.Moved) {
-      WriteBack(*body.Owner.Model, body.Pose, body.Velocity);
+      WriteBack(*body.Owner.Model, body.Pose);
     }
   });
 }
 
-void CDynamics2DEngine::WriteBack(CDynamics2DModel& model, const SPlanarPose& pose,
-                                  const SPlanarVelocity& velocity) {
+void CDynamics2DEngine::WriteBack(CDynamics2DModel& model, const SPlanarPose& pose) {
   CEmbodiedEntity& body = model.m_cEmbodiedEntity;
   body.SetOriginPose(CVector3(pose.X, pose.Y, m_elevation),
                      CQuaternion(pose.HalfCos, 0.0, 0.0, pose.HalfSin));
@@ -307,7 +355,6 @@ void CDynamics2DEngine::WriteBack(CDynamics2DModel& model, const SPlanarPose& po
   model.m_root.Update();
   if (IsEntityTransferActive() && !IsPointContained(body.GetOriginAnchor().Position)) {
     ScheduleEntityForTransfer(body);
-    m_leaving.push_back({&body, velocity});
   }
 }
 

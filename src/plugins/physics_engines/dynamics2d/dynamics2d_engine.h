@@ -35,15 +35,16 @@ class CDynamics2DEngine : public CPhysicsEngine {
   size_t GetNumPhysicsModels() override { return m_models.size(); }
   /**
    * Adds the body of a root entity, if it has a description.
-   * @return false if it has none, or if another engine may take it because it is not at the height
-   *         of this plane.
-   * @throws CARGoSException if no other engine is left and it is not at that height; if the
-   *         description is of no possible body; if a robot has a drive but no wheels.
+   * @return false if it has none, or is not at the height of this plane: another engine may take
+   * it.
+   * @throws CARGoSException if the description is of no possible body; if a robot has a drive but
+   * no wheels.
    */
   bool AddEntity(CEntity& entity) override;
+  std::string ExplainRefusal(CEntity& entity) const override;
   bool RemoveEntity(CEntity& entity) override;
-  /** Bodies that change from one engine of this type to another keep their velocity. */
-  void TransferEntities() override;
+  /** A body that changes from one engine of this type to another keeps its velocity. */
+  void TransferEntity(CEmbodiedEntity& body) override;
   /** Nothing: all bodies are in the space's index. */
   void CheckIntersectionWithRay(TEmbodiedEntityIntersectionData&, const CRay3&) const override {}
   bool HasBodiesOutsideIndex() const override { return false; }
@@ -57,23 +58,21 @@ class CDynamics2DEngine : public CPhysicsEngine {
   void Replace(CDynamics2DModel& model);
 
  private:
-  struct SLeaving {
-    CEmbodiedEntity* Body;
-    SPlanarVelocity Velocity;
-  };
-
-  bool IsAtHeight(CEmbodiedEntity& body) const;
+  bool IsAtHeight(const CEmbodiedEntity& body) const;
   void Build();
   Real ChooseScale() const;
   void AddToWorld(CDynamics2DModel& model);
-  void WriteBack(CDynamics2DModel& model, const SPlanarPose& pose, const SPlanarVelocity& velocity);
+  void WriteBack(CDynamics2DModel& model, const SPlanarPose& pose);
+  CDynamics2DEngine* FindNext(CEmbodiedEntity& body) const;
+  void TakeOver(CDynamics2DModel& model);
+  void AddModel(std::unique_ptr<CDynamics2DModel> model);
+  std::unique_ptr<CDynamics2DModel> TakeOut(CDynamics2DModel& model);
 
   Real m_elevation = 0.0;  // m
   Real m_grippingRigidity = 10000.0;  // N/m
   std::unique_ptr<SPlanarSettings> m_settings;
   std::unique_ptr<CPlanarWorld> m_world;  // null: to be built from the models in the next tick
   std::vector<std::unique_ptr<CDynamics2DModel>> m_models;
-  std::vector<SLeaving> m_leaving;  // for TransferEntities()
 };
 
 }  // namespace argos

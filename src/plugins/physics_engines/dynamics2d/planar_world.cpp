@@ -226,6 +226,17 @@ void CPlanarWorld::Remove(const SPlanarHandle& handle) {
   }
 }
 
+SPlanarVelocity CPlanarWorld::GetVelocity(const SPlanarHandle& handle) const {
+  switch (handle.Kind) {
+    case EPlanarKind::Passive:
+      return m_passive[handle.Slot].Velocity;
+    case EPlanarKind::Driven:
+      return m_driven[handle.Slot].Velocity;
+    default:
+      return SPlanarVelocity();
+  }
+}
+
 void CPlanarWorld::SetVelocity(const SPlanarHandle& handle, const SPlanarVelocity& velocity) {
   b2Body* box2dBody = nullptr;
   if (handle.Kind == EPlanarKind::Passive) {
@@ -285,10 +296,10 @@ void CPlanarWorld::Reserve() {
   for (b2Body* extra : extras) {
     m_world.DestroyBody(extra);
   }
-  m_overlaps.Reserve(2 * (inPlay + m_passive.size()) + m_immovable.size());
+  m_overlaps.Reserve(2 * (inPlay + m_passive.capacity()) + m_immovable.size());
   m_inPlay.reserve(inPlay);
   m_freeNumbers.reserve(inPlay);
-  m_encounters.Reserve(m_driven.size());
+  m_encounters.Reserve(m_driven.capacity());
 }
 
 }  // namespace argos

@@ -70,6 +70,8 @@ class CPlanarWorld {
                  const SPlanarPose& pose, const Real* wheels);
   /** Takes a body out; another one may get its slot. */
   void Remove(const SPlanarHandle& handle);
+  /** At the last tick's end; 0 of an immovable body. */
+  SPlanarVelocity GetVelocity(const SPlanarHandle& handle) const;
   /** Gives a body another velocity; an immovable one stays where it is. */
   void SetVelocity(const SPlanarHandle& handle, const SPlanarVelocity& velocity);
   /** Allocates what a tick of a swarm of the present size needs. */

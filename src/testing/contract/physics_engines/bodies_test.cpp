@@ -3,8 +3,10 @@
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/support/closed_form/differential_drive.h>
 
+#include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/body_description.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/plugins/simulator/entities/box_entity.h>
 
 #include <catch2/catch.hpp>
 
@@ -154,9 +156,10 @@ TEST_CASE("heights: a body must stand on the plane of the engine", "[contract][e
   const std::string box =
       "<box id='b' size='1,1,1' movable='false'><body position='0,0,0.5'/></box>";
   CHECK_NOTHROW(CDriveWorld("<dynamics2d id='e' elevation='0.5'/>", box));
-  CHECK_THROWS_WITH(
-      CDriveWorld("<dynamics2d id='ground'/>", box),
-      Contains("\"b\" is at z = 0.5") && Contains("\"ground\"") && Contains("is at z = 0 m"));
+  CHECK_THROWS_WITH(CDriveWorld("<dynamics2d id='ground'/>", box),
+                    Contains("takes \"b\" (<box>) at (0,0,0.5)") &&
+                        Contains("\"ground\" has its plane at z = 0 m") &&
+                        Contains("body is at z = 0.5 m") && Contains("elevation=\"0.5\""));
   // each takes what is on its own floor
   CDriveWorld world("<dynamics2d id='ground'/><dynamics2d id='upstairs' elevation='0.5'/>",
                     box + DriverXml("e-puck", "r", 0, 0, 0, 10, 10));
@@ -166,6 +169,43 @@ TEST_CASE("heights: a body must stand on the plane of the engine", "[contract][e
   // and the box upstairs is in nobody's way on the ground
   world.Step(21);
   CHECK_THAT(world.Position("r").GetX(), WithinAbs(0.2, 1e-9));
+}
+
+TEST_CASE("heights: of a body that no engine takes, every engine says why not",
+          "[contract][engine][errors]") {
+  const std::string robot = DriverXml("e-puck", "r", 0, 0, 0, 0, 0);
+  const std::string region =
+      "<boundaries><sides><vertex point='5,5'/><vertex point='6,5'/><vertex point='6,6'/></sides>"
+      "</boundaries>";
+  const std::string ground = "<dynamics2d id='ground'/>";
+  const std::string upstairs = "<dynamics2d id='upstairs' elevation='2.5'/>";
+  const std::string picky = "<toy_engine id='picky' refuses='box'/>";
+  const std::string far = "<toy_engine id='far'>" + region + "</toy_engine>";
+  const std::string box =
+      "<box id='b' size='1,1,1' movable='true' mass='1'><body position='0,2,1.25'/></box>";
+  // whatever their order
+  const std::string engines =
+      GENERATE_COPY(ground + upstairs + picky + far, far + picky + upstairs + ground,
+                    picky + ground + far + upstairs);
+  CHECK_THROWS_WITH(
+      CDriveWorld(engines, robot + box),
+      Contains("<box>") && Contains("\"b\" (<box>) at (0,2,1.25)") &&
+          Contains(
+              "\"ground\" has its plane at z = 0 m, but the base of the body is at z = 1.25 m") &&
+          Contains("\"upstairs\" has its plane at z = 2.5 m") &&
+          Contains("set elevation=\"1.25\" of an engine") &&
+          Contains("\"picky\" cannot house a <box>") &&
+          Contains("outside the region (<boundaries>) of \"far\""));
+  // also in a run, and nothing of the box stays
+  CDriveWorld world(engines, robot);
+  CHECK_THROWS_WITH(
+      world.GetSimulator().GetLoopFunctions().AddEntity(
+          *std::make_unique<CBoxEntity>("b", CVector3(0, 2, -0.75), CQuaternion(), false,
+                                        CVector3(1, 1, 1))
+               .release()),
+      Contains("\"ground\" has its plane at z = 0 m, but the base of the body is at z = -0.75 m"));
+  CHECK_THROWS_WITH(world.GetSpace().GetEntity("b"), Contains("\"b\""));
+  world.Step();
 }
 
 TEST_CASE("parameters: what is out of range is refused", "[contract][engine]") {

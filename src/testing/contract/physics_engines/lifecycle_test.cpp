@@ -91,6 +91,53 @@ TEST_CASE("lifecycle: a body that leaves its engine's region is taken over by th
   CHECK_THAT(world.Position("r").GetX(), WithinAbs(0.5, 1e-6));
 }
 
+TEST_CASE("lifecycle: a reset gives each body back to the engine that had it first",
+          "[contract][engine]") {
+  // both engines contain the strip -1 < x < 1, and only the first one the post
+  const auto part = [](const std::string& id, const std::string& from, const std::string& to) {
+    return "<dynamics2d id='" + id + "'><boundaries><sides><vertex point='" + from +
+           ",-10'/><vertex point='" + to + ",-10'/><vertex point='" + to + ",10'/><vertex point='" +
+           from + ",10'/></sides></boundaries></dynamics2d>";
+  };
+  CDriveWorld world(part("west", "-10", "1") + part("east", "-1", "10"),
+                    DriverXml("e-puck", "r", 0.5, 0, 0, 12, 12) +
+                        DriverXml("e-puck", "s", 0.5, 0.5, 180, 12, 12) +
+                        "<box id='post' size='2,0.2,0.2' movable='false'><body "
+                        "position='-1.5,0.5,0'/></box>");
+  const auto engineOf = [&world](const std::string& id) {
+    return world.Body(id).GetPhysicsModel(0).GetEngine().GetId();
+  };
+  std::vector<UInt64> first = {world.ComputeDigest()};
+  const auto engineCount = [&world](const std::string& id) {
+    return world.GetSimulator().GetPhysicsEngine(id).GetNumPhysicsModels();
+  };
+  for (int tick = 0; tick < 100; ++tick) {
+    world.Step();
+    first.push_back(world.ComputeDigest());
+  }
+  CHECK(engineOf("r") == "east");
+  CHECK(engineOf("s") == "west");
+  // the post's face is at x = -0.5; the robot at full speed stands against it
+  CHECK_THAT(world.Position("s").GetX(), WithinAbs(-0.5 + 0.035, 1e-3));
+  for (int repetition = 0; repetition < 2; ++repetition) {
+    world.GetSimulator().Reset();
+    CHECK(engineOf("r") == "west");
+    CHECK(engineCount("west") == 3);
+    CHECK(engineCount("east") == 0);
+    CHECK(world.ComputeDigest() == first[0]);
+    for (int tick = 0; tick < 100; ++tick) {
+      world.Step();
+      REQUIRE(world.ComputeDigest() == first[tick + 1]);
+    }
+  }
+  // also one that a test has put elsewhere since
+  CHECK(world.Body("s").MoveTo(CVector3(5, 5, 0), CQuaternion()));
+  world.Step();
+  CHECK(engineOf("s") == "east");
+  world.GetSimulator().Reset();
+  CHECK(engineOf("s") == "west");
+}
+
 TEST_CASE("limits: what an engine cannot house, or finish, is refused with a reason",
           "[contract][engine]") {
   CHECK_THROWS_WITH(CDriveWorld(kEngine, DriverXml("e-puck", "r", 1e8, 0, 0, 0, 0)),

@@ -54,6 +54,32 @@ TEST_CASE("bad input: a library that was built against another version", "[bad_i
                                         Contains("argos3_test_wrong_build") && Contains("api"));
 }
 
+TEST_CASE("bad input: a controller without a name", "[bad_input]") {
+  SExperimentText experiment;
+  experiment.Controllers =
+      Controllers("<test_idle id=\"\" library=\"" + BadControllersLibrary() + "\"/>");
+  const std::string error = LoadError(experiment);
+  CHECK_THAT(error, Contains(At(SExperimentText::kControllersLine)) && Contains("<test_idle>") &&
+                        Contains("attribute \"id\" is empty"));
+}
+
+TEST_CASE("bad input: a robot that asks for a controller without a name", "[bad_input]") {
+  SExperimentText experiment;
+  experiment.Robot = "<e-puck id=\"ep\"><body/><controller config=\"\"/></e-puck>";
+  CHECK_THAT(LoadError(experiment), Contains(At(SExperimentText::kArenaLine)) &&
+                                        Contains("attribute \"config\" is empty") &&
+                                        Contains("<controllers>"));
+  // also where many robots are made from one element, and only once
+  experiment.Robot =
+      "<distribute><position method=\"uniform\" min=\"-1,-1,0\" max=\"1,1,0\"/><orientation "
+      "method=\"constant\" values=\"0,0,0\"/><entity quantity=\"5\" max_trials=\"9\">" +
+      experiment.Robot + "</entity></distribute>";
+  const std::string error = LoadError(experiment);
+  const std::string found = "attribute \"config\" is empty";
+  REQUIRE_THAT(error, Contains(found));
+  CHECK(error.find(found) == error.rfind(found));
+}
+
 TEST_CASE("bad input: a controller that throws in Init", "[bad_input]") {
   SExperimentText experiment;
   experiment.Controllers = Controllers(SExperimentText::Controller("test_throws_in_init"));

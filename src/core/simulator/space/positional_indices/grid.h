@@ -5,6 +5,8 @@
 #include <argos3/core/simulator/space/positional_indices/lattice_walk.h>
 #include <argos3/core/simulator/space/positional_indices/positional_index.h>
 
+#include <cstddef>
+#include <iterator>
 #include <vector>
 
 namespace argos {
@@ -14,15 +16,45 @@ namespace argos {
  *
  * Nothing is out of bounds: entities and queries beyond the box belong to its border cells.
  * Update() asks an operation of the user's to put each entity into its cells with UpdateCell().
+ *
+ * The lists of all cells are chains through one array, so that an Update() asks for no memory
+ * however entities have moved, and takes time in proportion to them, not to the cells.
  */
 template <class ENTITY>
 class CGrid : public CPositionalIndex<ENTITY> {
+  struct SPool;  // what the cells list
+  static constexpr UInt32 kNone = CEntityList<ENTITY>::kNone;
+
  public:
   typedef typename CPositionalIndex<ENTITY>::COperation COperation;
 
+  /** The entities of a cell, in order of addition: a list to read, with elements ENTITY*. */
+  class CEntities {
+   public:
+    class const_iterator;
+    typedef const_iterator iterator;
+    typedef ENTITY* value_type;
+
+    const_iterator begin() const { return const_iterator(m_pool, IsCurrent() ? m_first : kNone); }
+    const_iterator end() const { return const_iterator(m_pool, kNone); }
+    size_t size() const { return IsCurrent() ? m_size : 0; }
+    bool empty() const { return size() == 0; }
+    bool exists(const ENTITY* entity) const;
+
+   private:
+    friend class CGrid;
+    // what an earlier Update() has listed is not here any more
+    bool IsCurrent() const { return m_pool != nullptr && m_stamp == m_pool->Stamp; }
+
+    const SPool* m_pool = nullptr;  // of the grid; null: never filled
+    UInt32 m_stamp = 0;  // SPool::Stamp when it was filled
+    UInt32 m_first = kNone, m_last = kNone;  // into the pool
+    UInt32 m_size = 0;  // without those removed since
+  };
+
   struct SCell {
     UInt64 Timestamp = 0; /**< of the Update() that filled it */
-    std::vector<ENTITY*> Entities; /**< out of date unless Timestamp is the last Update()'s */
+    CEntities Entities; /**< as of the last Update(), without those removed since */
   };
 
   /** What a query for cells does with one. */
@@ -40,6 +72,8 @@ class CGrid : public CPositionalIndex<ENTITY> {
    */
   CGrid(const CVector3& minCorner, const CVector3& maxCorner, SInt32 sizeI, SInt32 sizeJ,
         SInt32 sizeK);
+  CGrid(const CGrid&) = delete;
+  CGrid& operator=(const CGrid&) = delete;
 
   /** What puts an entity into its cells; not owned. */
   void SetUpdateEntityOperation(COperation* operation) { m_updateOperation = operation; }
@@ -90,17 +124,23 @@ class CGrid : public CPositionalIndex<ENTITY> {
   void ForCellsAlongRay(const CRay3& ray, CCellOperation& operation);
 
  private:
-  // a cell that lists an entity
+  // an entity in a cell
   struct SListing {
-    size_t Cell;
-    UInt32 Next;  // of the same entity, or kNone
+    ENTITY* Entity;  // null: removed since
+    UInt32 Cell;
+    UInt32 NextInCell;  // or kNone
+    UInt32 NextOfEntity;  // or kNone
   };
-  static constexpr UInt32 kNone = CEntityList<ENTITY>::kNone;
+  struct SPool {
+    std::vector<SListing> Listings;  // in the order of UpdateCell()
+    UInt32 Stamp = 1;  // low bits of the timestamp
+  };
 
   size_t CellIndex(SInt32 i, SInt32 j, SInt32 k) const {
     return (static_cast<size_t>(k) * GetSizeJ() + j) * GetSizeI() + i;
   }
   bool VisitEntities(const SCell& cell, COperation& operation) const;
+  void StartUpdate();
   template <typename VISIT>
   void VisitCells(const CVector3& minCorner, const CVector3& maxCorner, VISIT&& visit);
 
@@ -111,9 +151,52 @@ class CGrid : public CPositionalIndex<ENTITY> {
   CEntityList<ENTITY> m_entities;
   UInt32 m_updatingSlot = kNone;
 
+  SPool m_pool;
   // where each entity is listed, so that it can be removed between updates
-  std::vector<SListing> m_listings;
-  std::vector<UInt32> m_firstListing;  // by slot; kNone: not listed
+  std::vector<UInt32> m_firstListing;  // by slot: into the pool; kNone: not listed
+};
+
+/** Goes through the entities of a cell. */
+template <class ENTITY>
+class CGrid<ENTITY>::CEntities::const_iterator {
+ public:
+  typedef std::forward_iterator_tag iterator_category;
+  typedef ENTITY* value_type;
+  typedef std::ptrdiff_t difference_type;
+  typedef ENTITY* const* pointer;
+  typedef ENTITY* const& reference;
+
+  const_iterator() = default;
+  reference operator*() const { return m_pool->Listings[m_listing].Entity; }
+  pointer operator->() const { return &m_pool->Listings[m_listing].Entity; }
+  const_iterator& operator++() {
+    m_listing = m_pool->Listings[m_listing].NextInCell;
+    SkipRemoved();
+    return *this;
+  }
+  const_iterator operator++(int) {
+    const const_iterator before = *this;
+    ++*this;
+    return before;
+  }
+  friend bool operator==(const const_iterator& a, const const_iterator& b) {
+    return a.m_listing == b.m_listing;
+  }
+  friend bool operator!=(const const_iterator& a, const const_iterator& b) { return !(a == b); }
+
+ private:
+  friend class CEntities;
+  const_iterator(const SPool* pool, UInt32 listing) : m_pool(pool), m_listing(listing) {
+    SkipRemoved();
+  }
+  void SkipRemoved() {
+    while (m_listing != kNone && m_pool->Listings[m_listing].Entity == nullptr) {
+      m_listing = m_pool->Listings[m_listing].NextInCell;
+    }
+  }
+
+  const SPool* m_pool = nullptr;
+  UInt32 m_listing = kNone;
 };
 
 }  // namespace argos

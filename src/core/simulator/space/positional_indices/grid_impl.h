@@ -38,20 +38,31 @@ void CGrid<ENTITY>::RemoveEntity(ENTITY& entity) {
   if (slot == kNone || slot >= m_firstListing.size()) {
     return;
   }
-  for (UInt32 listing = m_firstListing[slot]; listing != kNone;
-       listing = m_listings[listing].Next) {
-    auto& entities = m_cells[m_listings[listing].Cell].Entities;
-    entities.erase(std::remove(entities.begin(), entities.end(), &entity), entities.end());
+  for (UInt32 number = m_firstListing[slot]; number != kNone;) {
+    SListing& listing = m_pool.Listings[number];
+    listing.Entity = nullptr;
+    --m_cells[listing.Cell].Entities.m_size;
+    number = listing.NextOfEntity;
   }
   m_firstListing[slot] = kNone;
+}
+
+// all cells are empty from then on, and there is room to list every entity once
+template <class ENTITY>
+void CGrid<ENTITY>::StartUpdate() {
+  ++m_timestamp;
+  m_pool.Stamp = static_cast<UInt32>(m_timestamp);
+  m_pool.Listings.clear();
+  if (m_pool.Listings.capacity() < m_entities.GetNumEntities()) {
+    m_pool.Listings.reserve(std::max(m_entities.GetNumEntities(), 2 * m_pool.Listings.capacity()));
+  }
+  m_firstListing.assign(m_entities.GetNumSlots(), kNone);
 }
 
 template <class ENTITY>
 void CGrid<ENTITY>::Update() {
   m_entities.Compact();
-  ++m_timestamp;
-  m_listings.clear();
-  m_firstListing.assign(m_entities.GetNumSlots(), kNone);
+  StartUpdate();
   if (m_updateOperation == nullptr && m_entities.GetNumEntities() > 0) {
     THROW_ARGOSEXCEPTION("a grid with entities needs SetUpdateEntityOperation() before Update()");
   }
@@ -78,18 +89,33 @@ void CGrid<ENTITY>::UpdateCell(SInt32 i, SInt32 j, SInt32 k, ENTITY& entity) {
   if (slot == kNone) {
     return;
   }
-  const size_t index = CellIndex(i, j, k);
-  SCell& cell = m_cells[index];
-  if (cell.Timestamp != m_timestamp) {
-    cell.Timestamp = m_timestamp;
-    cell.Entities.clear();
-  }
-  cell.Entities.push_back(&entity);
   if (slot >= m_firstListing.size()) {
     m_firstListing.resize(m_entities.GetNumSlots(), kNone);
   }
-  m_listings.push_back({index, m_firstListing[slot]});
-  m_firstListing[slot] = static_cast<UInt32>(m_listings.size() - 1);
+  const UInt32 listing = static_cast<UInt32>(m_pool.Listings.size());
+  const size_t index = CellIndex(i, j, k);
+  m_pool.Listings.push_back({&entity, static_cast<UInt32>(index), kNone, m_firstListing[slot]});
+  m_firstListing[slot] = listing;
+
+  SCell& cell = m_cells[index];
+  CEntities& entities = cell.Entities;
+  if (!entities.IsCurrent()) {
+    cell.Timestamp = m_timestamp;
+    entities.m_pool = &m_pool;
+    entities.m_stamp = m_pool.Stamp;
+    entities.m_first = listing;
+    entities.m_size = 0;
+  } else {
+    // at the end: entities of a cell stay in order
+    m_pool.Listings[entities.m_last].NextInCell = listing;
+  }
+  entities.m_last = listing;
+  ++entities.m_size;
+}
+
+template <class ENTITY>
+bool CGrid<ENTITY>::CEntities::exists(const ENTITY* entity) const {
+  return std::find(begin(), end(), entity) != end();
 }
 
 template <class ENTITY>
@@ -125,9 +151,6 @@ void CGrid<ENTITY>::ClampCoordinates(SInt32& i, SInt32& j, SInt32& k) const {
 
 template <class ENTITY>
 bool CGrid<ENTITY>::VisitEntities(const SCell& cell, COperation& operation) const {
-  if (cell.Timestamp != m_timestamp) {
-    return true;
-  }
   for (ENTITY* entity : cell.Entities) {
     if (!operation(*entity)) {
       return false;
@@ -159,10 +182,8 @@ void CGrid<ENTITY>::GetEntitiesAt(CSet<ENTITY*, SEntityComparator>& entities,
   entities.clear();
   const SCellNumber number = m_lattice.CellOf(position);
   const SCell& cell = GetCellAt(number.Axis[0], number.Axis[1], number.Axis[2]);
-  if (cell.Timestamp == m_timestamp) {
-    for (ENTITY* entity : cell.Entities) {
-      entities.insert(entity);
-    }
+  for (ENTITY* entity : cell.Entities) {
+    entities.insert(entity);
   }
 }
 
@@ -209,8 +230,8 @@ void CGrid<ENTITY>::ForEntitiesAlongRay(const CRay3& ray, COperation& operation,
       return VisitEntities(cell, operation);
     }
     bool goOn = true;
-    for (size_t e = 0; cell.Timestamp == m_timestamp && e < cell.Entities.size(); ++e) {
-      goOn = operation(*cell.Entities[e]) && goOn;
+    for (ENTITY* entity : cell.Entities) {
+      goOn = operation(*entity) && goOn;
     }
     return goOn;
   });

@@ -87,6 +87,10 @@ template <typename PUT>
 void CAbstractSpaceHash<ENTITY>::PutAll(PUT&& put) {
   m_elements.Compact();
   SetSize(std::max(GetSize(), m_elements.GetNumEntities()));
+  if (m_listings.capacity() < m_elements.GetNumEntities()) {
+    // room to list every element once, also those that are not listed now
+    m_listings.reserve(std::max(m_elements.GetNumEntities(), 2 * m_listings.capacity()));
+  }
   m_firstOfElement.assign(m_elements.GetNumSlots(), kNone);
   for (UInt32 slot = 0; slot < m_elements.GetNumSlots(); ++slot) {
     if (m_elements[slot] != nullptr) {

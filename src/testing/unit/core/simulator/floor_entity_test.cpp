@@ -6,10 +6,12 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <sstream>
 
 using namespace argos;
 using Catch::Contains;
@@ -78,6 +80,98 @@ std::string ImageFloor(const std::string& path) {
   return "<floor id=\"f\" source=\"image\" path=\"" + path + "\"/>";
 }
 
+// 5 x 3 colours, no two alike, lowest row first; grey ones if so
+constexpr size_t kWidth = 5, kHeight = 3;
+
+CColor ColorOf(size_t column, size_t row, bool grey = false) {
+  const auto level = static_cast<UInt8>(7 + 40 * row + 11 * column);
+  return grey ? CColor(level, level, level)
+              : CColor(level, static_cast<UInt8>(250 - 50 * column),
+                       static_cast<UInt8>(3 + 100 * row));
+}
+
+enum class EOrder { RGB, BGR, BGRA, Grey };
+
+// the pixels as bytes; each row is filled up to a multiple of that many bytes
+std::string Bytes(EOrder order, bool topRowFirst, size_t multiple = 1) {
+  std::string bytes;
+  for (size_t i = 0; i < kHeight; ++i) {
+    const size_t row = topRowFirst ? kHeight - 1 - i : i;
+    for (size_t column = 0; column < kWidth; ++column) {
+      const CColor color = ColorOf(column, row, order == EOrder::Grey);
+      std::string pixel = {static_cast<char>(color.GetBlue()), static_cast<char>(color.GetGreen()),
+                           static_cast<char>(color.GetRed())};
+      if (order == EOrder::RGB) {
+        std::reverse(pixel.begin(), pixel.end());
+      } else if (order == EOrder::Grey) {
+        pixel.resize(1);
+      } else if (order == EOrder::BGRA) {
+        // half transparent: of no meaning on a floor
+        pixel += static_cast<char>(128);
+      }
+      bytes += pixel;
+    }
+    while (bytes.size() % multiple != 0) {
+      bytes += '\0';
+    }
+  }
+  return bytes;
+}
+
+// a number in the given count of bytes, least significant first
+std::string Number(SInt32 value, int bytes) {
+  std::string text;
+  for (int i = 0; i < bytes; ++i) {
+    text += static_cast<char>((static_cast<UInt32>(value) >> (8 * i)) & 0xff);
+  }
+  return text;
+}
+
+// BMP: BITMAPFILEHEADER and BITMAPINFOHEADER, rows from the bottom unless the height is negative
+std::string Bmp(bool topRowFirst) {
+  const std::string pixels = Bytes(EOrder::BGR, topRowFirst, 4);
+  return "BM" + Number(static_cast<SInt32>(54 + pixels.size()), 4) + Number(0, 4) + Number(54, 4) +
+         Number(40, 4) + Number(kWidth, 4) +
+         Number(topRowFirst ? -static_cast<SInt32>(kHeight) : SInt32(kHeight), 4) + Number(1, 2) +
+         Number(24, 2) + std::string(24, '\0') + pixels;
+}
+
+// TGA, not compressed; bit 5 of its last byte: the top row comes first
+std::string Tga(EOrder order, bool topRowFirst) {
+  const bool grey = order == EOrder::Grey;
+  const int bits = grey ? 8 : (order == EOrder::BGR ? 24 : 32);
+  return Number(0, 2) + Number(grey ? 3 : 2, 1) + Number(0, 9) + Number(kWidth, 2) +
+         Number(kHeight, 2) + Number(bits, 1) +
+         Number((topRowFirst ? 32 : 0) + (bits == 32 ? 8 : 0), 1) + Bytes(order, topRowFirst);
+}
+
+// PPM and PGM always have the top row first
+std::string Pnm(bool grey) {
+  return std::string(grey ? "P5" : "P6") + "\n5 3\n255\n" +
+         Bytes(grey ? EOrder::Grey : EOrder::RGB, true);
+}
+
+void WriteFile(const std::string& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+// every pixel, at its middle and just inside its four corners; the arena is 4 m x 2 m around (10,
+// 20)
+void CheckEveryPixel(CFloorEntity& floor, bool grey = false) {
+  for (size_t row = 0; row < kHeight; ++row) {
+    for (size_t column = 0; column < kWidth; ++column) {
+      for (const Real x : {1e-6, 0.5, 1.0 - 1e-6}) {
+        for (const Real y : {1e-6, 0.5, 1.0 - 1e-6}) {
+          CAPTURE(row, column, x, y);
+          CHECK(floor.GetColorAtPoint(8.0 + (column + x) * 4.0 / kWidth,
+                                      19.0 + (row + y) * 2.0 / kHeight) ==
+                ColorOf(column, row, grey));
+        }
+      }
+    }
+  }
+}
+
 std::string ErrorOf(const std::string& floor) {
   try {
     CWorld world(floor);
@@ -104,6 +198,67 @@ TEST_CASE("floor: an image is stretched over the arena, its lowest row at the sm
   CHECK(floor.GetColorAtPoint(10.5, 20.5) == CColor::BLUE);
   // the border between two pixels belongs to the upper one
   CHECK(floor.GetColorAtPoint(10.0, 20.0) == CColor::BLUE);
+}
+
+TEST_CASE("floor: every pixel of an image is where it belongs, in whatever order a format has rows",
+          "[core][floor]") {
+  const CFolder folder;
+  CWorld world("");
+  const auto check = [&](const std::string& name, const std::string& bytes, bool grey = false) {
+    CAPTURE(name);
+    WriteFile(folder.File(name), bytes);
+    CFloorEntity floor("f", folder.File(name));
+    CHECK(floor.GetColorSource() == CFloorEntity::FROM_IMAGE);
+    // 5 pixels on 4 m, 3 on 2 m: the finer is 1.5 pixels on a metre
+    CHECK(floor.GetPixelsPerMeter() == 2);
+    CheckEveryPixel(floor, grey);
+  };
+  check("image.ppm", Pnm(false));
+  check("grey.pgm", Pnm(true), true);
+  check("from_bottom.bmp", Bmp(false));
+  check("from_top.bmp", Bmp(true));
+  check("from_bottom.tga", Tga(EOrder::BGR, false));
+  check("from_top.tga", Tga(EOrder::BGR, true));
+  check("transparent.tga", Tga(EOrder::BGRA, true));
+  check("grey.tga", Tga(EOrder::Grey, false), true);
+}
+
+TEST_CASE("floor: what is saved has its top row at the greatest y", "[core][floor]") {
+  const CFolder folder;
+  WriteFile(folder.File("image.bmp"), Bmp(false));
+  CWorld world("", "<loop_functions label=\"floor_test_loop_functions\"/>");
+  CFloorEntity floor("f", folder.File("image.bmp"));
+  // a format that can be read by eye, and one that loses nothing either
+  floor.SaveAsImage(folder.File("copy.ppm"));
+  std::ostringstream saved;
+  saved << std::ifstream(folder.File("copy.ppm"), std::ios::binary).rdbuf();
+  CHECK_THAT(saved.str(), Catch::EndsWith(Bytes(EOrder::RGB, true)));
+  for (const char* const name : {"copy.png", "copy.bmp", "copy.tga"}) {
+    CAPTURE(name);
+    floor.SaveAsImage(folder.File(name));
+    CFloorEntity copy("copy", folder.File(name));
+    CheckEveryPixel(copy);
+  }
+
+  // of loop functions: black where x < 0, and everything here is beyond it, so move the arena
+  world.Space().SetArenaCenter(CVector3(0.5, 0.0, 0.0));
+  CFloorEntity painted("painted", 2);
+  painted.SaveAsImage(folder.File("painted.ppm"));
+  std::ostringstream pixels;
+  pixels << std::ifstream(folder.File("painted.ppm"), std::ios::binary).rdbuf();
+  // x from -1.5 to 2.5 in 8 pixels, y in 4: three of each row are black
+  std::string expected;
+  for (int row = 0; row < 4; ++row) {
+    expected += std::string(size_t(3) * 3, '\0') + std::string(size_t(5) * 3, '\xff');
+  }
+  CHECK_THAT(pixels.str(), Catch::Contains("8 4") && Catch::EndsWith(expected));
+}
+
+TEST_CASE("floor: made by a program, it is refused with the reason", "[core][floor]") {
+  CWorld world("");
+  CHECK_THROWS_WITH(CFloorEntity("f", "no/such/image.png"), Contains("no/such/image.png"));
+  CHECK_THROWS_WITH(CFloorEntity("f", UInt32(0)), Contains("at least one pixel"));
+  CHECK_THROWS_AS(world.Space().GetFloorEntity(), CARGoSException);
 }
 
 TEST_CASE("floor: outside the arena the colour of the nearest edge holds", "[core][floor]") {

@@ -278,29 +278,83 @@ TEST_CASE("positional index: entities at a place come as a set", "[core][space]"
   CHECK(all.Has(lost));
 }
 
-TEST_CASE("positional index: a settled update allocates nothing", "[core][space]") {
+TEST_CASE("positional index: an update allocates nothing, wherever entities have gone",
+          "[core][space]") {
   const std::string kind = GENERATE("grid", "hash");
   CAPTURE(kind);
   SIndexed world(kind, 200);
-  // everything moves between two places: after one round, all cells have had their share
-  const auto moveTo = [&world](Real shift) {
-    for (const auto& entity : world.Entities) {
-      entity->SetPosition(entity->GetPosition() + CVector3(shift, 0.0, 0.0));
-    }
-    world.Index->Update();
-  };
-  for (int i = 0; i < 3; ++i) {
-    moveTo(1.0);
-    moveTo(-1.0);
+  std::vector<CVector3> places;
+  for (int i = 0; i < 10; ++i) {
+    // all in one cell, now and then
+    places.push_back(world.RandomPoint());
   }
   std::size_t numAllocations = 0;
   {
     const CAllocationCount count;
-    moveTo(1.0);
-    moveTo(-1.0);
+    for (int update = 0; update < 20; ++update) {
+      for (const auto& entity : world.Entities) {
+        entity->SetPosition(update % 2 == 0 ? places[update / 2] : world.RandomPoint());
+      }
+      world.Index->Update();
+    }
     numAllocations = count.GetCount();
   }
   CHECK(numAllocations == 0);
+}
+
+TEST_CASE("grid: a cell lists its entities in order, as of the last update", "[core][space]") {
+  SIndexed world("grid");
+  auto& grid = dynamic_cast<TGrid&>(*world.Index);
+  const CVector3 here(0.0, 0.5, 0.5);
+  SInt32 i = 0;
+  SInt32 j = 0;
+  SInt32 k = 0;
+  grid.PositionToCell(i, j, k, here);
+  TGrid::SCell& cell = grid.GetCellAt(i, j, k);
+  // never filled
+  CHECK(cell.Entities.empty());
+  CHECK(cell.Entities.begin() == cell.Entities.end());
+  CPositionalEntity& a = world.Add(here);
+  CPositionalEntity& b = world.Add(here);
+  CPositionalEntity& c = world.Add(here);
+  world.Index->Update();
+  const auto list = [&cell] {
+    return std::vector<CPositionalEntity*>(cell.Entities.begin(), cell.Entities.end());
+  };
+  CHECK(list() == std::vector<CPositionalEntity*>{&a, &b, &c});
+  CHECK(cell.Entities.size() == 3);
+  CHECK((*cell.Entities.begin())->GetId() == "e0");
+  CHECK(cell.Entities.exists(&b));
+  const UInt64 timestamp = cell.Timestamp;
+
+  // what is removed is gone at once: the first, one in between, the last
+  const auto removed = GENERATE(0, 1, 2);
+  std::vector<CPositionalEntity*> left = {&a, &b, &c};
+  world.Index->RemoveEntity(*left[removed]);
+  left.erase(left.begin() + removed);
+  CHECK(list() == left);
+  CHECK(cell.Entities.size() == 2);
+  // listed by hand between updates, in two cells
+  CPositionalEntity& d = world.Add(here);
+  grid.UpdateCell(i, j, k, d);
+  grid.UpdateCell(i + 1, j, k, d);
+  left.push_back(&d);
+  CHECK(list() == left);
+  CHECK(grid.GetCellAt(i + 1, j, k).Entities.exists(&d));
+  world.Index->RemoveEntity(d);
+  left.pop_back();
+  CHECK(list() == left);
+  CHECK(grid.GetCellAt(i + 1, j, k).Entities.empty());
+
+  // and what has moved away is not listed after the next update
+  for (CPositionalEntity* entity : left) {
+    entity->SetPosition(CVector3(-4.0, -4.0, -0.5));
+  }
+  world.Index->Update();
+  CHECK(cell.Entities.empty());
+  CHECK(cell.Entities.begin() == cell.Entities.end());
+  CHECK_FALSE(cell.Entities.exists(left[0]));
+  CHECK(cell.Timestamp == timestamp);
 }
 
 TEST_CASE("grid: cells and positions correspond", "[core][space]") {

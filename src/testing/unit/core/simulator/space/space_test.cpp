@@ -219,9 +219,12 @@ TEST_CASE("space: a robot that no engine takes is an error, and nothing stays", 
 
   experiment.Arena =
       "\n<toy-robot id='r'> <body position='0,7,0' /> <controller config='c' /> </toy-robot>";
-  CHECK_THAT(LoadError(experiment), Contains("\"r\"") && Contains("0,7,0") && Contains("outside"));
+  CHECK_THAT(LoadError(experiment), Contains("\"r\"") && Contains("0,7,0") &&
+                                        Contains("outside the region (<boundaries>) of \"left\""));
   experiment.Engines = "<toy_engine id='toy' refuses='toy-robot' />";
-  CHECK_THAT(LoadError(experiment), Contains("none there can house a <toy-robot>"));
+  CHECK_THAT(LoadError(experiment), Contains("\"toy\" cannot house a <toy-robot>"));
+  experiment.Engines = "";
+  CHECK_THAT(LoadError(experiment), Contains("there is none in <physics_engines>"));
 }
 
 TEST_CASE("space: only whole entities can be removed", "[core][space]") {
@@ -276,6 +279,7 @@ TEST_CASE("space: a body that leaves its engine's region moves to the next engin
   CHECK_THAT(body.GetOriginAnchor().Position.GetX(), Catch::WithinAbs(0.05, 1e-15));
   world.GetSimulator().Reset();
   CHECK_THAT(body.GetOriginAnchor().Position.GetX(), Catch::WithinAbs(-0.25, 1e-15));
+  CHECK(&body.GetPhysicsModel(0).GetEngine() == &left);
   // and beyond the last one the run ends with an error
   CHECK_THROWS_WITH(world.Step(100), Contains("\"r\"") && Contains("outside"));
 }
