@@ -41,8 +41,10 @@ void CLuaRandom::Register(lua_State* state) {
   AddMethod<&CLuaRandom::Gaussian>(state, "gaussian", *this);
 }
 
-void CLuaRandom::Reset() {
+void CLuaRandom::Seed(UInt32 seed) {
+  m_seed = seed;
   if (m_generator != nullptr) {
+    m_generator->SetSeed(seed);
     m_generator->Reset();
   }
 }

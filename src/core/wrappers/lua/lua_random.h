@@ -22,8 +22,8 @@ class CLuaRandom {
   /** Adds the functions to the table on top of the stack. */
   void Register(lua_State* state);
 
-  /** Goes back to the start of the seed's stream. */
-  void Reset();
+  /** Goes to the start of the stream of a seed. */
+  void Seed(UInt32 seed);
 
   bool Bernoulli(CLuaArguments& arguments);
   Real Uniform(CLuaArguments& arguments);
