@@ -80,11 +80,21 @@ int Pairs(lua_State* state) {
   return 2;
 }
 
-void SetUp(lua_State* state) {
+int FinishXpcall(lua_State* state, int, lua_KContext) {
+  return lua_gettop(state);
+}
+
+/** Puts a function in the place of a global one, which becomes its upvalue. */
+void Wrap(lua_State* state, const char* name, const char* original, lua_CFunction wrapper) {
+  lua_getglobal(state, original);
+  lua_pushcclosure(state, wrapper, 1);
+  lua_setglobal(state, name);
+}
+
+void SetUp(lua_State* state, lua_CFunction xpcall) {
   luaL_openlibs(state);
-  lua_getglobal(state, "next");
-  lua_pushcclosure(state, Pairs, 1);
-  lua_setglobal(state, "pairs");
+  Wrap(state, "pairs", "next", Pairs);
+  Wrap(state, "xpcall", "xpcall", xpcall);
   CLuaUtility::RegisterLoggerWrapper(state);
   CLuaUtility::RegisterTypes(state);
 }
@@ -106,7 +116,7 @@ CLuaState::CLuaState(UInt64 maxInstructions)
   *static_cast<CLuaState**>(lua_getextraspace(m_state)) = this;
   SetHook(m_state, static_cast<int>(std::min(kPeriod, m_maxInstructions)));
   try {
-    Run([](lua_State* state) { SetUp(state); });
+    Run([](lua_State* state) { SetUp(state, Xpcall); });
   } catch (...) {
     lua_close(m_state);
     throw;
@@ -169,13 +179,16 @@ void CLuaState::RunBody(TCall call, const void* body) {
   lua_pushcfunction(m_state, CallBody);
   lua_pushlightuserdata(m_state, &callAndBody);
   const int status = lua_pcall(m_state, 1, 0, 1);
+  std::string message;
+  if (status != LUA_OK) {
+    const char* const text = lua_tostring(m_state, -1);
+    message = text != nullptr ? text : "(an error without a message)";
+  }
+  lua_settop(m_state, 0);
   if (callAndBody.Exception != nullptr) {
     std::rethrow_exception(callAndBody.Exception);
   }
   if (status != LUA_OK) {
-    const char* const text = lua_tostring(m_state, -1);
-    const std::string message = text != nullptr ? text : "(an error without a message)";
-    lua_settop(m_state, 0);
     throw CLuaError(message);
   }
 }
@@ -198,8 +211,37 @@ void CLuaState::SetHook(lua_State* state, int period) {
   }
 }
 
+CLuaState& CLuaState::Of(lua_State* state) {
+  return **static_cast<CLuaState**>(lua_getextraspace(state));
+}
+
+// in a handler that an interruption calls nothing is counted: its loops would be endless
+int CLuaState::HandleError(lua_State* state) {
+  lua_settop(state, 1);
+  if (Of(state).m_wasInterrupted) {
+    return 1;
+  }
+  lua_pushvalue(state, lua_upvalueindex(1));
+  lua_insert(state, 1);
+  lua_call(state, 1, 1);
+  return 1;
+}
+
+/** xpcall(); its upvalue is Lua's own. */
+int CLuaState::Xpcall(lua_State* state) {
+  luaL_checktype(state, 2, LUA_TFUNCTION);
+  lua_pushvalue(state, 2);
+  lua_pushcclosure(state, HandleError, 1);
+  lua_replace(state, 2);
+  lua_pushvalue(state, lua_upvalueindex(1));
+  lua_insert(state, 1);
+  // what it calls may yield
+  lua_callk(state, lua_gettop(state) - 1, LUA_MULTRET, 0, FinishXpcall);
+  return FinishXpcall(state, LUA_OK, 0);
+}
+
 void CLuaState::CountInstructions(lua_State* state, lua_Debug*) {
-  CLuaState& self = **static_cast<CLuaState**>(lua_getextraspace(state));
+  CLuaState& self = Of(state);
   if (self.m_instructionsLeft > kPeriod) {
     self.m_instructionsLeft -= kPeriod;
     return;

@@ -77,6 +77,10 @@ class CLuaState {
 
   void RunBody(TCall call, const void* body);
   static int CallBody(lua_State* state);
+  /** Whose Lua state, or coroutine, it is. */
+  static CLuaState& Of(lua_State* state);
+  static int HandleError(lua_State* state);
+  static int Xpcall(lua_State* state);
   static void CountInstructions(lua_State* state, lua_Debug* activation);
   void SetHook(lua_State* state, int period);
 
