@@ -5,6 +5,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -17,10 +19,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// tests of this file run at the same time, each in a process of its own
+const std::string kFolder = "lua_script_test_" + std::to_string(getpid());
+const std::string kSubfolder = "scripts_" + std::to_string(getpid());
+
 /** A folder with scripts, and a folder of an experiment inside it; go away with the test. */
 class CFolder {
  public:
-  CFolder() { fs::create_directories(m_path / "experiment" / "lua_script_test_scripts"); }
+  CFolder() { fs::create_directories(m_path / "experiment" / kSubfolder); }
   ~CFolder() {
     std::error_code ignored;
     fs::remove_all(m_path, ignored);
@@ -38,7 +44,7 @@ class CFolder {
   }
 
  private:
-  const fs::path m_path = InBuildTree("lua_script_test");
+  const fs::path m_path = InBuildTree(kFolder);
 };
 
 }  // namespace
@@ -47,17 +53,17 @@ TEST_CASE("lua script: is found from the working directory, then beside the expe
           "[lua][script]") {
   const CFolder folder;
   const std::string path =
-      folder.Write("experiment/lua_script_test_scripts/a.lua", "where = 'experiment'");
-  CHECK(SLuaScript::Load("lua_script_test_scripts/a.lua", folder.Experiment())->Path == path);
+      folder.Write("experiment/" + kSubfolder + "/a.lua", "where = 'experiment'");
+  CHECK(SLuaScript::Load(kSubfolder + "/a.lua", folder.Experiment())->Path == path);
   CHECK(SLuaScript::Load(path, "")->Path == path);
   CHECK(SLuaScript::Load(path, folder.Experiment())->Folder == fs::path(path).parent_path());
   // the test runs in the build folder
-  const fs::path here = fs::current_path() / "lua_script_test_scripts";
+  const fs::path here = fs::current_path() / kSubfolder;
   REQUIRE(fs::create_directory(here));
   std::ofstream(here / "a.lua") << "where = 'here'";
-  CHECK(SLuaScript::Load("lua_script_test_scripts/a.lua", folder.Experiment())->Path ==
-        "lua_script_test_scripts/a.lua");
-  CHECK(SLuaScript::Load("lua_script_test_scripts/a.lua", "")->Folder == "lua_script_test_scripts");
+  CHECK(SLuaScript::Load(kSubfolder + "/a.lua", folder.Experiment())->Path ==
+        kSubfolder + "/a.lua");
+  CHECK(SLuaScript::Load(kSubfolder + "/a.lua", "")->Folder == kSubfolder);
   fs::remove(here / "a.lua");
   fs::remove(here);
 }
@@ -67,13 +73,12 @@ TEST_CASE("lua script: one that is nowhere is an error with the places", "[lua][
   CHECK_THROWS_WITH(SLuaScript::Load("none.lua", folder.Experiment()),
                     Contains("there is no Lua script \"none.lua\"") &&
                         Contains((fs::current_path() / "none.lua").string()) &&
-                        Contains("lua_script_test/experiment/none.lua"));
+                        Contains(kFolder + "/experiment/none.lua"));
   CHECK_THROWS_WITH(SLuaScript::Load("none.lua", ""), Contains("none.lua"));
   CHECK_THROWS_WITH(SLuaScript::Load("/none.lua", folder.Experiment()),
                     Contains("looked for \"/none.lua\"") && !Contains("experiment"));
   // a folder is no script
-  CHECK_THROWS_WITH(SLuaScript::Load("lua_script_test_scripts", folder.Experiment()),
-                    Contains("no Lua script"));
+  CHECK_THROWS_WITH(SLuaScript::Load(kSubfolder, folder.Experiment()), Contains("no Lua script"));
 }
 
 TEST_CASE("lua script: a syntax error has Lua's message with file and line", "[lua][script]") {
@@ -108,7 +113,7 @@ TEST_CASE("lua script: the mark of UTF-8 and a line for the shell are skipped", 
 TEST_CASE("lua script: require finds modules beside the script", "[lua][script]") {
   const CFolder folder;
   folder.Write("experiment/helper.lua", "return { name = 'helper' }");
-  fs::create_directories(InBuildTree("lua_script_test/experiment/package"));
+  fs::create_directories(InBuildTree(kFolder + "/experiment/package"));
   folder.Write("experiment/package/init.lua", "return { name = 'package' }");
   const std::string path = folder.Write(
       "experiment/main.lua", "names = require('helper').name .. require('package').name");

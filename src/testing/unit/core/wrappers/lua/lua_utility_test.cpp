@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <unistd.h>
+
 #include <cstdio>
 #include <fstream>
 #include <limits>
@@ -75,7 +77,7 @@ class CUserTester : public CLuaTester {
   CUserDevice Device;
 };
 
-/** A file that goes away with the test. */
+/** A file that goes away with the test; tests run at the same time, each in its own process. */
 class CScriptFile {
  public:
   explicit CScriptFile(const std::string& text) { std::ofstream(Path) << text; }
@@ -83,7 +85,7 @@ class CScriptFile {
   CScriptFile(const CScriptFile&) = delete;
   CScriptFile& operator=(const CScriptFile&) = delete;
 
-  const std::string Path = InBuildTree("lua_utility_test.lua");
+  const std::string Path = InBuildTree("lua_utility_test_" + std::to_string(getpid()) + ".lua");
 };
 
 }  // namespace
@@ -162,7 +164,7 @@ TEST_CASE("lua utility: what fails leaves Lua's message on the stack", "[lua][ut
   };
   const CScriptFile script("x = 1\nfunction broken() error('no good') end\nx = = 2\n");
   CHECK_FALSE(CLuaUtility::LoadScript(lua.Get(), script.Path));
-  CHECK_THAT(message(), Contains("lua_utility_test.lua:3:"));
+  CHECK_THAT(message(), Contains(".lua:3:"));
   CHECK_FALSE(CLuaUtility::LoadScript(lua.Get(), "no_such_file.lua"));
   CHECK_THAT(message(), Contains("no_such_file.lua"));
   CHECK_FALSE(CLuaUtility::CallLuaFunction(lua.Get(), "nothing"));
