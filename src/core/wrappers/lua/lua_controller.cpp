@@ -157,9 +157,6 @@ void CLuaController::ControlStep() {
 }
 
 void CLuaController::Reset() {
-  if (m_state == nullptr) {
-    return;
-  }
   if (!IsOK()) {
     try {
       Load();
@@ -169,6 +166,9 @@ void CLuaController::Reset() {
       }
       LOGERR << "[FATAL] " << m_error << std::endl;
     }
+    return;
+  }
+  if (m_state == nullptr) {
     return;
   }
   // the same numbers again, or those of another seed
