@@ -5,7 +5,8 @@ _argos3() {
   local previous="${COMP_WORDS[COMP_CWORD - 1]}"
   local options="--config-file --query --help --version --no-color --no-visualization --log-file --logerr-file
     --seed --threads --length --set --digest"
-  local queries="actuators sensors physics_engines media visualizations entities all"
+  local queries="actuators sensors physics_engines media visualizations entities controllers
+    loop_functions all"
   COMPREPLY=()
   case "$previous" in
     -c | --config-file)

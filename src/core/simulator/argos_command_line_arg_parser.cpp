@@ -27,7 +27,8 @@ Examples:
   argos3 -q footbot_proximity                 describe every plug-in whose name contains that
 
 Words for --query:
-  actuators, sensors, physics_engines, media, visualizations, entities: lists of that kind
+  actuators, sensors, physics_engines, media, visualizations, entities, controllers,
+  loop_functions: lists of that kind
   all: all the lists
   anything else: the full documentation of the plug-ins whose name contains the word
 

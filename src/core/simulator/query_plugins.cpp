@@ -1,7 +1,9 @@
 #include <argos3/core/simulator/query_plugins.h>
 
+#include <argos3/core/control_interface/ci_controller.h>
 #include <argos3/core/simulator/actuator.h>
 #include <argos3/core/simulator/entity/entity.h>
+#include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/medium/medium.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/sensor.h>
@@ -48,7 +50,9 @@ std::vector<SKind> ListAll() {
           {"physics_engines", "AVAILABLE PHYSICS ENGINES", List<CPhysicsEngine>()},
           {"media", "AVAILABLE MEDIA", List<CMedium>()},
           {"visualizations", "AVAILABLE VISUALIZATIONS", List<CVisualization>()},
-          {"entities", "AVAILABLE ENTITIES", List<CEntity>()}};
+          {"entities", "AVAILABLE ENTITIES", List<CEntity>()},
+          {"controllers", "AVAILABLE CONTROLLERS", List<CCI_Controller>()},
+          {"loop_functions", "AVAILABLE LOOP FUNCTIONS", List<CLoopFunctions>()}};
 }
 
 void PrintList(std::ostream& stream, const SKind& kind) {

@@ -7,9 +7,10 @@ namespace argos {
 
 /**
  * Describes registered plug-ins, for `argos3 -q`.
- * @param query  "actuators", "sensors", "physics_engines", "media", "visualizations" or "entities":
- *               a list of that kind; "all": the six lists; anything else: the documentation of
- * every plug-in whose label contains it, case counting.
+ * @param query  "actuators", "sensors", "physics_engines", "media", "visualizations", "entities",
+ *               "controllers" or "loop_functions": a list of that kind; "all": all the lists;
+ *               anything else: the documentation of every plug-in whose label contains it, case
+ *               counting.
  */
 std::string DescribePlugins(const std::string& query);
 

@@ -55,7 +55,13 @@ CSimulator::CSimulator()
       m_space(std::make_unique<CSpace>(*this)) {}
 
 CSimulator::~CSimulator() {
-  Destroy();
+  try {
+    Destroy();
+  } catch (const std::exception& error) {
+    // users' Destroy() may fail, and nobody can catch that here
+    LOGERR << error.what() << std::endl;
+    LOGERR.Flush();
+  }
 }
 
 CSimulator& CSimulator::GetInstance() {

@@ -94,21 +94,28 @@ class CLuaClosure {
     }
   }
 
+  /** @param arguments  those that the function reads itself; null if it does not. */
   template <typename FUNCTION>
   static int PushResult(lua_State* state, FUNCTION function, const CLuaArguments* arguments) {
-    if constexpr (std::is_void_v<decltype(function())>) {
-      function();
+    const auto finish = [arguments] {
       if (arguments != nullptr) {
         arguments->Finish();
       }
+    };
+    using TResult = decltype(function());
+    if constexpr (std::is_void_v<TResult>) {
+      function();
+      finish();
       return 0;
     } else {
-      const auto result = function();
-      if (arguments != nullptr) {
-        arguments->Finish();
+      const std::decay_t<TResult> result = function();
+      finish();
+      if constexpr (std::is_same_v<TResult, SLuaResults>) {
+        return result.Count;
+      } else {
+        CLuaValue::Push(state, result);
+        return 1;
       }
-      CLuaValue::Push(state, result);
-      return 1;
     }
   }
 

@@ -6,20 +6,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace argos {
 
 namespace {
 
-constexpr const char* kPath = "robot.random.";
-
 // whole numbers up to this are exact in a float
 constexpr SInt64 kLargestWhole = SInt64{1} << 53;
 
 template <auto METHOD>
-void AddMethod(lua_State* state, const char* name, CLuaRandom& random) {
-  CLuaClosure::PushMethod<METHOD>(state, std::string(kPath) + name, random);
+void AddMethod(lua_State* state, const std::string& path, const char* name, CLuaRandom& random) {
+  CLuaClosure::PushMethod<METHOD>(state, path + name, random);
   lua_setfield(state, -2, name);
 }
 
@@ -32,17 +29,19 @@ void CheckOrder(T min, T max) {
 
 }  // namespace
 
-void CLuaRandom::Register(lua_State* state) {
-  AddMethod<&CLuaRandom::Bernoulli>(state, "bernoulli", *this);
-  AddMethod<&CLuaRandom::Uniform>(state, "uniform", *this);
-  AddMethod<&CLuaRandom::UniformInt>(state, "uniform_int", *this);
-  AddMethod<&CLuaRandom::Exponential>(state, "exponential", *this);
-  AddMethod<&CLuaRandom::Poisson>(state, "poisson", *this);
-  AddMethod<&CLuaRandom::Gaussian>(state, "gaussian", *this);
+void CLuaRandom::Register(lua_State* state, const std::string& path) {
+  AddMethod<&CLuaRandom::Bernoulli>(state, path, "bernoulli", *this);
+  AddMethod<&CLuaRandom::Uniform>(state, path, "uniform", *this);
+  AddMethod<&CLuaRandom::UniformInt>(state, path, "uniform_int", *this);
+  AddMethod<&CLuaRandom::Exponential>(state, path, "exponential", *this);
+  AddMethod<&CLuaRandom::Poisson>(state, path, "poisson", *this);
+  AddMethod<&CLuaRandom::Gaussian>(state, path, "gaussian", *this);
 }
 
-void CLuaRandom::Reset() {
+void CLuaRandom::Seed(UInt32 seed) {
+  m_seed = seed;
   if (m_generator != nullptr) {
+    m_generator->SetSeed(seed);
     m_generator->Reset();
   }
 }

@@ -6,6 +6,7 @@
 #include <argos3/core/wrappers/lua/lua_arguments.h>
 
 #include <memory>
+#include <string>
 
 struct lua_State;
 
@@ -19,11 +20,14 @@ class CLuaRandom {
   /** Draws from a generator of somebody else's. */
   explicit CLuaRandom(CRandom::CRNG& generator) : m_generator(&generator) {}
 
-  /** Adds the functions to the table on top of the stack. */
-  void Register(lua_State* state);
+  /**
+   * Adds the functions to the table on top of the stack.
+   * @param path  what precedes their names in messages.
+   */
+  void Register(lua_State* state, const std::string& path = "robot.random.");
 
-  /** Goes back to the start of the seed's stream. */
-  void Reset();
+  /** Goes to the start of the stream of a seed. */
+  void Seed(UInt32 seed);
 
   bool Bernoulli(CLuaArguments& arguments);
   Real Uniform(CLuaArguments& arguments);

@@ -13,6 +13,10 @@ void CLuaValue::Push(lua_State* state, Real value) {
   lua_pushnumber(state, value);
 }
 
+void CLuaValue::Push(lua_State* state, SLuaInteger value) {
+  lua_pushinteger(state, value.Value);
+}
+
 void CLuaValue::Push(lua_State* state, const char* value) {
   lua_pushstring(state, value);
 }

@@ -15,11 +15,22 @@ struct lua_State;
 
 namespace argos {
 
+/** A number that Lua shall have as an integer: "5", where other numbers are "5.0". */
+struct SLuaInteger {
+  SInt64 Value;
+};
+
+/** Returned by a function that has pushed its results itself: how many. */
+struct SLuaResults {
+  int Count;
+};
+
 /** How C++ values become Lua values. */
 class CLuaValue {
  public:
   static void Push(lua_State* state, bool value);
   static void Push(lua_State* state, Real value);
+  static void Push(lua_State* state, SLuaInteger value);
   static void Push(lua_State* state, const char* value);
   static void Push(lua_State* state, const std::string& value);
   /** A number, rad. */

@@ -30,12 +30,13 @@ TEST_CASE("query: a list has a header, and two lines for each plug-in", "[core][
                             "   [ query_test_two ]\n      The second of two.\n\n"));
 }
 
-TEST_CASE("query: all prints the six lists in their order", "[core][query]") {
+TEST_CASE("query: all prints the lists in their order", "[core][query]") {
   const std::string text = DescribePlugins("all");
   size_t previous = 0;
   for (const char* header :
        {"AVAILABLE ACTUATORS\n", "AVAILABLE SENSORS\n", "AVAILABLE PHYSICS ENGINES\n",
-        "AVAILABLE MEDIA\n", "AVAILABLE VISUALIZATIONS\n", "AVAILABLE ENTITIES\n"}) {
+        "AVAILABLE MEDIA\n", "AVAILABLE VISUALIZATIONS\n", "AVAILABLE ENTITIES\n",
+        "AVAILABLE CONTROLLERS\n", "AVAILABLE LOOP FUNCTIONS\n"}) {
     CAPTURE(header);
     const size_t position = text.find(header);
     REQUIRE(position != std::string::npos);
@@ -66,6 +67,13 @@ TEST_CASE("query: nothing found names what is near", "[core][query]") {
   const std::string text = DescribePlugins("query_tset_one");
   CHECK_THAT(text, StartsWith("Nothing found") && Contains("query_test_one"));
   CHECK_THAT(DescribePlugins("sensor_s"), Contains("sensors"));
+}
+
+TEST_CASE("query: controllers in Lua are documented", "[core][query]") {
+  CHECK_THAT(DescribePlugins("controllers"),
+             Contains("[ lua_controller ]\n      A controller written in Lua."));
+  CHECK_THAT(DescribePlugins("lua_controller"),
+             Contains("script") && Contains("on_error") && Contains("max_instructions"));
 }
 
 TEST_CASE("query: the core's own floor is documented", "[core][query]") {

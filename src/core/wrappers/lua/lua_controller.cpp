@@ -1,0 +1,254 @@
+#include <argos3/core/wrappers/lua/lua_controller.h>
+
+#include <argos3/core/utility/math/random_stream.h>
+#include <argos3/core/utility/math/rng.h>
+#include <argos3/core/wrappers/lua/lua_registry.h>
+#include <argos3/core/wrappers/lua/lua_script.h>
+#include <argos3/core/wrappers/lua/lua_state.h>
+#include <argos3/core/wrappers/lua/lua_utility.h>
+#include <argos3/core/wrappers/lua/lua_value.h>
+
+#include <utility>
+
+namespace argos {
+
+namespace {
+
+constexpr const char* kCategory = "argos";
+
+bool ReadsEndRun(TConfigurationNode& params) {
+  std::string onError = "stop_robot";
+  GetNodeAttributeOrDefault(params, "on_error", onError, onError);
+  if (onError != "stop_robot" && onError != "end_run") {
+    THROW_ARGOSEXCEPTION(params.GetLocation()
+                         << ": <params>: \"on_error\" must be \"stop_robot\" or \"end_run\", got \""
+                         << onError << '"');
+  }
+  return onError == "end_run";
+}
+
+}  // namespace
+
+CLuaController::CLuaController() = default;
+
+CLuaController::~CLuaController() = default;
+
+void CLuaController::Init(TConfigurationNode& params) {
+  m_params = params;
+  GetNodeAttributeOrDefault(params, "script", m_scriptName, std::string());
+  GetNodeAttributeOrDefault(params, "max_instructions", m_maxInstructions,
+                            CLuaState::kDefaultMaxInstructions);
+  m_endRunOnError = ReadsEndRun(params);
+  Load();
+}
+
+void CLuaController::SetLuaScript(const std::string& script) {
+  m_scriptName = script;
+  Load();
+}
+
+void CLuaController::Load() {
+  m_error.clear();
+  m_state.reset();
+  if (m_scriptName.empty()) {
+    LOGERR << "[WARNING] " << m_params.GetLocation() << ": <params>: no \"script\": robot \""
+           << GetId() << "\" does nothing" << std::endl;
+    return;
+  }
+  const char* running = "its top level";
+  try {
+    m_script = SLuaScript::Load(m_scriptName, m_params.GetFileName());
+    m_state = std::make_unique<CLuaState>(m_maxInstructions);
+    m_state->SeedMath(DrawSeed("math.random"));
+    m_state->Run([this](lua_State* state) { FillRobotTable(state); });
+    m_state->Execute(*m_script);
+    running = "init()";
+    m_state->Run([](lua_State* state) { CLuaState::CallGlobal(state, "init"); });
+  } catch (const CLuaError& error) {
+    m_error = DescribeFailure(running, error.GetMessage());
+    throw CARGoSException(m_error);
+  } catch (const std::exception& error) {
+    m_error = "robot \"" + GetId() + "\": its Lua script cannot be run\n" + error.what();
+    throw CARGoSException(m_error);
+  }
+}
+
+void CLuaController::FillRobotTable(lua_State* state) {
+  lua_newtable(state);
+  lua_pushvalue(state, -1);
+  lua_rawsetp(state, LUA_REGISTRYINDEX, &kLuaRobotKey);
+  CLuaUtility::AddToTable(state, "id", GetId());
+  AddParameters(state);
+  AddRandom(state);
+  AddDevices(state);
+  lua_setglobal(state, "robot");
+}
+
+void CLuaController::AddParameters(lua_State* state) const {
+  CLuaUtility::StartTable(state, "params");
+  for (const std::string& name : m_params.GetAttributeNames()) {
+    CLuaUtility::AddToTable(state, name, m_params.GetAttribute(name));
+  }
+  // SetLuaScript() may have replaced it
+  CLuaUtility::AddToTable(state, "script", m_scriptName);
+  CLuaUtility::EndTable(state);
+}
+
+void CLuaController::AddRandom(lua_State* state) {
+  m_random.emplace(static_cast<UInt32>(DrawSeed("robot.random")));
+  CLuaUtility::StartTable(state, "random");
+  m_random->Register(state);
+  CLuaUtility::EndTable(state);
+}
+
+void CLuaController::AddDevices(lua_State* state) {
+  const auto add = [state](const char* kind, const std::string& label, auto& device) {
+    const SLuaDevice current{kind, label};
+    lua_pushlightuserdata(state, const_cast<SLuaDevice*>(&current));
+    lua_rawsetp(state, LUA_REGISTRYINDEX, &kLuaDeviceKey);
+    const int top = lua_gettop(state);
+    device.CreateLuaState(state);
+    lua_settop(state, top);
+  };
+  for (const auto& [label, actuator] : m_mapActuators) {
+    add("actuator", label, *actuator);
+  }
+  m_sensors.clear();
+  for (const auto& [label, sensor] : m_mapSensors) {
+    add("sensor", label, *sensor);
+    m_sensors.push_back(sensor);
+  }
+  // no device is being set up any more, and who owns which table is of no interest
+  for (const char* const key : {&kLuaDeviceKey, &kLuaClaimsKey}) {
+    lua_pushnil(state);
+    lua_rawsetp(state, LUA_REGISTRYINDEX, key);
+  }
+}
+
+UInt64 CLuaController::DrawSeed(const char* purpose) const {
+  const UInt32 seed = CRandom::ExistsCategory(kCategory) ? CRandom::GetSeedOf(kCategory) : 0;
+  return CRandomStream(seed, kCategory, GetId(), purpose).Next();
+}
+
+void CLuaController::ReadSensors(lua_State* state) const {
+  lua_rawgetp(state, LUA_REGISTRYINDEX, &kLuaRobotKey);
+  const int robot = lua_gettop(state);
+  for (CCI_Sensor* const sensor : m_sensors) {
+    if (sensor->IsEnabled()) {
+      sensor->ReadingsToLuaState(state);
+      lua_settop(state, robot);
+    }
+  }
+  lua_settop(state, robot - 1);
+}
+
+void CLuaController::ControlStep() {
+  if (m_state == nullptr || !IsOK()) {
+    return;
+  }
+  try {
+    m_state->Run([this](lua_State* state) {
+      ReadSensors(state);
+      CLuaState::CallGlobal(state, "step");
+    });
+  } catch (const CLuaError& error) {
+    Fail("step()", error.GetMessage());
+  }
+}
+
+void CLuaController::Reset() {
+  if (!IsOK()) {
+    try {
+      Load();
+    } catch (const CARGoSException&) {
+      if (m_endRunOnError) {
+        throw;
+      }
+      LOGERR << "[FATAL] " << m_error << std::endl;
+    }
+    return;
+  }
+  if (m_state == nullptr) {
+    return;
+  }
+  // the same numbers again, or those of another seed
+  m_state->SeedMath(DrawSeed("math.random"));
+  m_random->Seed(static_cast<UInt32>(DrawSeed("robot.random")));
+  try {
+    m_state->Run([this](lua_State* state) {
+      ReadSensors(state);
+      CLuaState::CallGlobal(state, "reset");
+    });
+  } catch (const CLuaError& error) {
+    Fail("reset()", error.GetMessage());
+  }
+}
+
+void CLuaController::Destroy() {
+  if (m_state != nullptr && IsOK()) {
+    try {
+      m_state->Run([](lua_State* state) { CLuaState::CallGlobal(state, "destroy"); });
+    } catch (const CLuaError& error) {
+      m_error = DescribeFailure("destroy()", error.GetMessage());
+      LOGERR << "[FATAL] " << m_error << std::endl;
+    }
+  }
+  m_state.reset();
+}
+
+lua_State* CLuaController::GetLuaState() const {
+  return m_state != nullptr ? m_state->Get() : nullptr;
+}
+
+void CLuaController::Fail(const char* function, const std::string& message) {
+  m_error = DescribeFailure(function, message);
+  if (m_endRunOnError) {
+    throw CARGoSException(m_error);
+  }
+  LOGERR << "[FATAL] " + m_error << std::endl;
+}
+
+std::string CLuaController::DescribeFailure(const char* function,
+                                            const std::string& message) const {
+  return "robot \"" + GetId() + "\": the Lua script \"" + m_script->Path + "\" failed in " +
+         function + "\n[FATAL] " + message;
+}
+
+#ifdef ARGOS_DYNAMIC_LIBRARY_LOADING
+REGISTER_SYMBOL(
+    CCI_Controller, CLuaController, "lua_controller", "the authors of this project", "1.0",
+    "A controller written in Lua.",
+    R"(Each robot runs the functions init(), step(), reset() and destroy() of a script in a Lua 5.4
+state of its own. What scripts see is described in doc/lua.md.
+
+REQUIRED XML
+
+  <controllers>
+    <lua_controller id="c1">
+      <actuators>
+        <differential_steering implementation="default" />
+      </actuators>
+      <sensors />
+      <params script="wander.lua" />
+    </lua_controller>
+  </controllers>
+
+  script  file. A relative path starts at the working directory or, if there is no such file, at the
+          folder of the experiment file. Left out: the robot does nothing, and a warning says so.
+
+OPTIONAL XML
+
+  <params script="wander.lua" on_error="end_run" max_instructions="1000000" speed="12" />
+
+  on_error          "stop_robot" (the default): a script that fails in step() or reset() is not called any
+                    more, the robot goes on as it was told last, and the run goes on. "end_run": the run
+                    ends with an error.
+  max_instructions  whole number, default 100000000: how many instructions of Lua's virtual machine the
+                    script may execute in one call before it is interrupted with an error. 0: no
+                    limit, which makes scripts faster.
+  any other         a string in robot.params: robot.params.speed is "12".
+)",
+    "Usable")
+#endif
+
+}  // namespace argos

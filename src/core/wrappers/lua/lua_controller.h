@@ -1,0 +1,77 @@
+#ifndef ARGOS3_CORE_WRAPPERS_LUA_LUA_CONTROLLER_H
+#define ARGOS3_CORE_WRAPPERS_LUA_LUA_CONTROLLER_H
+
+#include <argos3/core/control_interface/ci_controller.h>
+#include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/wrappers/lua/lua_random.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+struct lua_State;
+
+namespace argos {
+
+class CLuaState;
+struct SLuaScript;
+
+/**
+ * A controller written in Lua, "lua_controller": runs the functions init(), step(), reset() and
+ * destroy() of a script, in a Lua state of the robot's own. doc/lua.md says what scripts see.
+ */
+class CLuaController : public CCI_Controller {
+ public:
+  CLuaController();
+  ~CLuaController() override;
+
+  /**
+   * Reads `script` (a file; none: the robot does nothing), `on_error` (stop_robot: a script that
+   * fails is stopped, and the run goes on; end_run) and `max_instructions` (0 = no limit); every
+   * attribute is a string in robot.params. Runs the script and its init().
+   * @throws CARGoSException if there is no such script, or if it fails: with file, line, traceback.
+   */
+  void Init(TConfigurationNode& params) override;
+  /** @throws CARGoSException if the script fails and on_error is end_run. */
+  void ControlStep() override;
+  /** After an error, loads the script again. @throws CARGoSException as ControlStep() */
+  void Reset() override;
+  void Destroy() override;
+
+  /** Gives the robot another script and runs it with its init(). @throws CARGoSException as Init()
+   */
+  void SetLuaScript(const std::string& script);
+
+  /** Null before Init(), after Destroy(), and without a script. */
+  lua_State* GetLuaState() const;
+  /** Has the script not failed? */
+  bool IsOK() const { return m_error.empty(); }
+  /** What failed and why; empty if nothing did. */
+  const std::string& GetErrorMessage() const { return m_error; }
+
+ private:
+  void Load();
+  void FillRobotTable(lua_State* state);
+  void AddParameters(lua_State* state) const;
+  void AddRandom(lua_State* state);
+  void AddDevices(lua_State* state);
+  void ReadSensors(lua_State* state) const;
+  UInt64 DrawSeed(const char* purpose) const;
+  void Fail(const char* function, const std::string& message);
+  std::string DescribeFailure(const char* function, const std::string& message) const;
+
+  TConfigurationNode m_params;
+  std::shared_ptr<const SLuaScript> m_script;  // shared by all robots that run it
+  std::unique_ptr<CLuaState> m_state;
+  std::optional<CLuaRandom> m_random;
+  std::vector<CCI_Sensor*> m_sensors;
+  std::string m_scriptName;
+  UInt64 m_maxInstructions = 0;
+  bool m_endRunOnError = false;
+  std::string m_error;
+};
+
+}  // namespace argos
+
+#endif

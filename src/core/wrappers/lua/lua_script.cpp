@@ -1,0 +1,136 @@
+#include <argos3/core/wrappers/lua/lua_script.h>
+
+#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/wrappers/lua/lua_utility.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <mutex>
+
+namespace argos {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SStateCloser {
+  void operator()(lua_State* state) const { lua_close(state); }
+};
+
+/** What tells one version of a file from another. */
+struct SVersion {
+  fs::file_time_type Written;
+  std::uintmax_t Size = 0;
+
+  bool operator==(const SVersion& other) const {
+    return Written == other.Written && Size == other.Size;
+  }
+};
+
+struct SCached {
+  SVersion Version;
+  std::weak_ptr<const SLuaScript> Script;  // those who run it keep it, not this cache
+};
+
+// of the whole process: many simulators may run the same script
+std::mutex g_cacheMutex;
+std::map<std::string, SCached>& GetCache() {
+  static std::map<std::string, SCached> cache;
+  return cache;
+}
+
+std::string Absolute(const fs::path& path) {
+  std::error_code ignored;
+  return fs::absolute(path, ignored).lexically_normal().string();
+}
+
+bool IsFile(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(path, ignored) && !fs::is_directory(path, ignored);
+}
+
+std::string Find(const std::string& name, const std::string& experimentFile) {
+  if (IsFile(name)) {
+    return name;
+  }
+  std::string places = '"' + Absolute(name) + '"';
+  if (!experimentFile.empty() && fs::path(name).is_relative()) {
+    const fs::path beside = fs::path(experimentFile).parent_path() / name;
+    if (IsFile(beside)) {
+      return beside.string();
+    }
+    if (Absolute(beside) != Absolute(name)) {
+      places += " and for \"" + Absolute(beside) + '"';
+    }
+  }
+  THROW_ARGOSEXCEPTION("there is no Lua script \"" << name << "\"; looked for " << places);
+}
+
+std::string Read(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  if (!file) {
+    THROW_ARGOSEXCEPTION("cannot read the Lua script \"" << path << '"');
+  }
+  // as the program lua does: skip the mark of UTF-8, and a first line that is for the shell
+  if (text.rfind("\xEF\xBB\xBF", 0) == 0) {
+    text.erase(0, 3);
+  }
+  if (text.rfind('#', 0) == 0) {
+    text.erase(0, std::min(text.find('\n'), text.size()));
+  }
+  return text;
+}
+
+int AppendBytes(lua_State*, const void* bytes, std::size_t size, void* bytecode) {
+  static_cast<std::string*>(bytecode)->append(static_cast<const char*>(bytes), size);
+  return 0;
+}
+
+std::string Compile(const std::string& text, const std::string& path) {
+  const std::unique_ptr<lua_State, SStateCloser> state(luaL_newstate());
+  if (state == nullptr) {
+    THROW_ARGOSEXCEPTION("not enough memory to compile the Lua script \"" << path << '"');
+  }
+  const std::string name = '@' + path;
+  if (luaL_loadbufferx(state.get(), text.data(), text.size(), name.c_str(), nullptr) != LUA_OK) {
+    THROW_ARGOSEXCEPTION("the Lua script \"" << path << "\" cannot be compiled\n"
+                                             << lua_tostring(state.get(), -1));
+  }
+  std::string bytecode;
+  constexpr int kKeepLineNumbers = 0;
+  lua_dump(state.get(), AppendBytes, &bytecode, kKeepLineNumbers);
+  return bytecode;
+}
+
+}  // namespace
+
+std::shared_ptr<const SLuaScript> SLuaScript::Load(const std::string& name,
+                                                   const std::string& experimentFile) {
+  const std::string path = Find(name, experimentFile);
+  // the path as the user wrote it is part of the bytecode, for messages
+  const std::string key = path + '\n' + Absolute(path);
+  std::error_code ignored;
+  const SVersion version{fs::last_write_time(path, ignored), fs::file_size(path, ignored)};
+
+  const std::lock_guard<std::mutex> lock(g_cacheMutex);
+  std::map<std::string, SCached>& cache = GetCache();
+  if (const auto found = cache.find(key);
+      found != cache.end() && found->second.Version == version) {
+    if (std::shared_ptr<const SLuaScript> script = found->second.Script.lock()) {
+      return script;
+    }
+  }
+  const std::string folder = fs::path(path).parent_path().string();
+  const auto script = std::make_shared<const SLuaScript>(
+      SLuaScript{path, folder.empty() ? "." : folder, Compile(Read(path), path)});
+  for (auto entry = cache.begin(); entry != cache.end();) {
+    entry = entry->second.Script.expired() ? cache.erase(entry) : std::next(entry);
+  }
+  cache[key] = {version, script};
+  return script;
+}
+
+}  // namespace argos

@@ -1,0 +1,253 @@
+#include <argos3/plugins/simulator/loop_functions/lua/lua_loop_functions.h>
+
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/wrappers/lua/lua_script.h>
+#include <argos3/core/wrappers/lua/lua_state.h>
+#include <argos3/core/wrappers/lua/lua_utility.h>
+#include <argos3/plugins/simulator/loop_functions/lua/lua_simulation.h>
+
+namespace argos {
+
+namespace {
+
+constexpr const char* kHooks[] = {"init",
+                                  "reset",
+                                  "destroy",
+                                  "pre_step",
+                                  "post_step",
+                                  "post_experiment",
+                                  "is_experiment_finished",
+                                  "floor_color"};
+
+/** Sets a flag for as long as it lives. */
+class CFlag {
+ public:
+  explicit CFlag(bool& flag) : m_flag(flag) { m_flag = true; }
+  ~CFlag() { m_flag = false; }
+  CFlag(const CFlag&) = delete;
+  CFlag& operator=(const CFlag&) = delete;
+
+ private:
+  bool& m_flag;
+};
+
+/** Pushes a hook. @return false, and pushes nothing, if the script does not define it. */
+bool PushHook(lua_State* state, const char* hook) {
+  const int type = lua_getglobal(state, hook);
+  if (type == LUA_TNIL) {
+    lua_pop(state, 1);
+    return false;
+  }
+  if (type != LUA_TFUNCTION) {
+    luaL_error(state, "the global \"%s\" must be a function, got %s", hook,
+               luaL_typename(state, -1));
+  }
+  return true;
+}
+
+/** The color that a function has returned; its results are all that is on the stack. */
+CColor ToColor(lua_State* state) {
+  try {
+    CLuaArguments results(state);
+    const auto color = results.Next<CColor>();
+    results.Finish();
+    return color;
+  } catch (std::exception& error) {
+    THROW_ARGOSEXCEPTION_NESTED(
+        "floor_color(x, y) must return a color: its name, \"r,g,b,a\", or three numbers from 0 to "
+        "255. What it returned, taken as arguments:",
+        error);
+  }
+}
+
+}  // namespace
+
+CLuaLoopFunctions::CLuaLoopFunctions() = default;
+
+CLuaLoopFunctions::~CLuaLoopFunctions() = default;
+
+void CLuaLoopFunctions::Init(TConfigurationNode& tree) {
+  m_params = GetNode(tree, "params");
+  Load();
+}
+
+void CLuaLoopFunctions::Load() {
+  std::string name;
+  UInt64 maxInstructions = 0;
+  GetNodeAttribute(m_params, "script", name);
+  GetNodeAttributeOrDefault(m_params, "max_instructions", maxInstructions,
+                            CLuaState::kDefaultMaxInstructions);
+  m_state.reset();
+  m_script = SLuaScript::Load(name, m_params.GetFileName());
+  m_simulation = std::make_unique<CLuaSimulation>(*this);
+  m_state = std::make_unique<CLuaState>(maxInstructions);
+  m_state->SeedMath(m_simulation->DrawSeed("math.random"));
+  m_hasFailed = false;
+  try {
+    m_state->Run([this](lua_State* state) { m_simulation->Register(state, m_params); });
+    const CFlag running(m_isRunning);
+    m_state->Execute(*m_script);
+  } catch (const CLuaError& error) {
+    THROW_ARGOSEXCEPTION("the Lua loop functions \"" << m_script->Path << "\" failed\n[FATAL] "
+                                                     << error.GetMessage());
+  }
+  ThrowIfNoHooks();
+  CallHook("init");
+}
+
+void CLuaLoopFunctions::ThrowIfNoHooks() {
+  bool hasOne = false;
+  std::string all;
+  m_state->Run([&](lua_State* state) {
+    for (const char* const hook : kHooks) {
+      hasOne = hasOne || PushHook(state, hook);
+    }
+  });
+  for (const char* const hook : kHooks) {
+    all += (all.empty() ? "" : ", ") + std::string(hook);
+  }
+  if (!hasOne) {
+    THROW_ARGOSEXCEPTION("the Lua loop functions \""
+                         << m_script->Path
+                         << "\" define none of the functions that are called: " << all);
+  }
+}
+
+template <typename BODY>
+void CLuaLoopFunctions::Run(const char* hook, const BODY& body) {
+  try {
+    m_state->Run(body);
+  } catch (const CLuaError& error) {
+    m_hasFailed = true;
+    THROW_ARGOSEXCEPTION("the Lua loop functions \"" << m_script->Path << "\" failed in " << hook
+                                                     << "()\n[FATAL] " << error.GetMessage());
+  }
+}
+
+void CLuaLoopFunctions::CallHook(const char* hook) {
+  if (m_state == nullptr || m_hasFailed) {
+    return;
+  }
+  const CSimulator::CScope scope(GetSimulator());
+  const CFlag running(m_isRunning);
+  Run(hook, [hook](lua_State* state) {
+    if (PushHook(state, hook)) {
+      lua_call(state, 0, 0);
+    }
+  });
+}
+
+void CLuaLoopFunctions::Reset() {
+  if (m_hasFailed) {
+    Load();
+    return;
+  }
+  if (m_state != nullptr) {
+    m_state->SeedMath(m_simulation->DrawSeed("math.random"));
+    m_simulation->Reset();
+  }
+  CallHook("reset");
+}
+
+void CLuaLoopFunctions::Destroy() {
+  // whatever destroy() does, the state is closed, and with it the files that the script has open
+  struct SClose {
+    std::unique_ptr<CLuaState>& State;
+    ~SClose() { State.reset(); }
+  } const close{m_state};
+  CallHook("destroy");
+}
+
+void CLuaLoopFunctions::PreStep() {
+  CallHook("pre_step");
+}
+
+void CLuaLoopFunctions::PostStep() {
+  CallHook("post_step");
+}
+
+bool CLuaLoopFunctions::IsExperimentFinished() {
+  if (m_state == nullptr || m_hasFailed) {
+    return false;
+  }
+  bool finished = false;
+  const CSimulator::CScope scope(GetSimulator());
+  const CFlag running(m_isRunning);
+  Run("is_experiment_finished", [&finished](lua_State* state) {
+    if (PushHook(state, "is_experiment_finished")) {
+      lua_call(state, 0, 1);
+      if (!lua_isboolean(state, -1)) {
+        luaL_error(state, "is_experiment_finished() must return true or false, got %s",
+                   luaL_typename(state, -1));
+      }
+      finished = lua_toboolean(state, -1) != 0;
+    }
+  });
+  return finished;
+}
+
+void CLuaLoopFunctions::PostExperiment() {
+  CallHook("post_experiment");
+}
+
+CColor CLuaLoopFunctions::GetFloorColor(const CVector2& positionOnFloor) {
+  if (m_isRunning) {
+    // hooks run while nobody senses: this is the same thread
+    THROW_ARGOSEXCEPTION(
+        "the color of the floor was asked for by the Lua loop functions that give it");
+  }
+  CColor color = CColor::WHITE;
+  const std::lock_guard<std::mutex> lock(m_floorMutex);
+  if (m_state == nullptr || m_hasFailed) {
+    return color;
+  }
+  Run("floor_color", [&](lua_State* state) {
+    if (PushHook(state, "floor_color")) {
+      lua_pushnumber(state, positionOnFloor.GetX());
+      lua_pushnumber(state, positionOnFloor.GetY());
+      lua_call(state, 2, LUA_MULTRET);
+      color = ToColor(state);
+    }
+  });
+  return color;
+}
+
+REGISTER_SYMBOL(
+    CLoopFunctions, CLuaLoopFunctions, "lua", "the authors of this project", "1.0",
+    "Loop functions written in Lua.",
+    R"(The script defines those of these global functions that it needs; they are called without
+arguments, on the main thread, in a Lua 5.4 state of their own:
+
+  init()                    when the arena is filled
+  reset()                   when the experiment starts over
+  pre_step(), post_step()   in each tick: before the robots sense, and at its end
+  is_experiment_finished()  before each tick: true ends the experiment
+  post_experiment()         after the last tick
+  destroy()                 at the end of everything
+  floor_color(x, y)         the color of the floor at a place, m, if <floor source="loop_functions"/>:
+                            a name, "r,g,b,a", or three numbers from 0 to 255
+
+The table "simulation" reads the clock, finds, moves, adds and removes entities, sets colors and
+lights, and ends the experiment; doc/lua.md describes it. An error in the script ends the run.
+
+REQUIRED XML
+
+  <loop_functions label="lua">
+    <params script="foraging.lua" />
+  </loop_functions>
+
+  script  file. A relative path starts at the working directory or, if there is no such file, at the
+          folder of the experiment file.
+
+OPTIONAL XML
+
+  <params script="foraging.lua" max_instructions="0" items="20" />
+
+  max_instructions  whole number, default 100000000: how many instructions of Lua's virtual machine the
+                    script may execute in one call before it is interrupted with an error. 0: no
+                    limit, which makes scripts faster.
+  any other         a string in simulation.params: simulation.params.items is "20".
+)",
+    "Usable")
+
+}  // namespace argos

@@ -1,0 +1,77 @@
+#ifndef ARGOS3_PLUGINS_LOOP_FUNCTIONS_LUA_LUA_SIMULATION_H
+#define ARGOS3_PLUGINS_LOOP_FUNCTIONS_LUA_LUA_SIMULATION_H
+
+#include <argos3/core/utility/configuration/argos_configuration.h>
+#include <argos3/core/utility/datatypes/color.h>
+#include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/wrappers/lua/lua_arguments.h>
+#include <argos3/core/wrappers/lua/lua_random.h>
+#include <argos3/core/wrappers/lua/lua_value.h>
+
+#include <map>
+#include <string>
+
+struct lua_State;
+
+namespace argos {
+
+class CEntity;
+class CLoopFunctions;
+class CSimulator;
+
+/**
+ * What Lua loop functions can do with the experiment: the functions of the table "simulation",
+ * which doc/lua.md describes. What a script does wrong throws, and so becomes a Lua error.
+ *
+ * For the main thread, between the phases of a tick.
+ */
+class CLuaSimulation {
+ public:
+  explicit CLuaSimulation(CLoopFunctions& loopFunctions);
+  ~CLuaSimulation();
+
+  /** Makes the global table. @param params  the <params> of the loop functions. */
+  void Register(lua_State* state, const TConfigurationNode& params);
+  /** Restarts simulation.random with the experiment's seed. */
+  void Reset();
+  /** A number for a purpose of the script's, from the experiment's seed. */
+  UInt64 DrawSeed(const char* purpose) const;
+
+  SLuaInteger GetClock();
+  Real GetTime();
+  SLuaInteger GetSeed();
+  SLuaResults GetIds(CLuaArguments& arguments);
+  SLuaResults GetEntities(CLuaArguments& arguments);
+  SLuaResults GetEntity(CLuaArguments& arguments);
+  SLuaResults GetPosition(CLuaArguments& arguments);
+  Real GetYaw(const std::string& id);
+  bool Move(CLuaArguments& arguments);
+  bool IsFree(CLuaArguments& arguments);
+  SLuaResults Add(CLuaArguments& arguments);
+  void Remove(const std::string& id);
+  void SetLEDColor(CLuaArguments& arguments);
+  void SetAllLEDColors(const std::string& id, const CColor& color);
+  void SetLightColor(const std::string& id, const CColor& color);
+  void SetLightIntensity(const std::string& id, Real intensity);
+  Real GetLightIntensity(const std::string& id);
+  SLuaResults GetVariable(CLuaArguments& arguments);
+  void SetVariable(CLuaArguments& arguments);
+  void FloorChanged();
+  void Finish();
+
+ private:
+  void AddFunctions(lua_State* state);
+  void AddConstants(lua_State* state) const;
+  CEntity& GetRoot(const std::string& id);
+  bool MoveOrCheck(CLuaArguments& arguments, bool checkOnly);
+
+  CLoopFunctions& m_loopFunctions;
+  CSimulator& m_simulator;
+  CLuaRandom m_random;
+  // entities keep a reference to the element that they were made from
+  std::map<std::string, TConfigurationNode> m_elements;  // by id
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,448 @@
+// The life cycle of Lua controllers, and what happens to their errors.
+
+#include "lua_world.h"
+
+#include <argos3/core/simulator/loop_functions.h>
+#include <argos3/testing/support/captured_logs.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace argos;
+using Catch::Contains;
+using Catch::StartsWith;
+using Catch::WithinAbs;
+
+namespace {
+
+// notes what is called; each function can be replaced
+struct SFunctions {
+  std::string Chunk = "";
+  std::string Init = "log('init')";
+  std::string Step = "log('step')";
+  std::string Reset = "log('reset')";
+  std::string Destroy = "log('destroy')";
+
+  std::string ToScript() const {
+    // one function a line: the chunk is line 1, destroy() line 5
+    return Chunk + "\nfunction init() " + Init + " end\nfunction step() " + Step +
+           " end\nfunction reset() " + Reset + " end\nfunction destroy() " + Destroy + " end\n";
+  }
+};
+
+SLuaExperiment Running(const SFunctions& functions, const std::string& params = "") {
+  SLuaExperiment experiment;
+  experiment.Script = functions.ToScript();
+  experiment.Params = params;
+  return experiment;
+}
+
+/** What was logged but for the program's own notes. */
+std::string TakeScriptLog() {
+  std::istringstream lines(TakeLog());
+  std::string rest;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("[INFO]", 0) != 0) {
+      rest += line + ' ';
+    }
+  }
+  return rest;
+}
+
+// what the functions of a Lua script must look like, so that nothing is printed at the end
+const SFunctions kQuiet{"", "", "", "", ""};
+
+}  // namespace
+
+TEST_CASE("lua controller: chunk, init, a step each tick, reset, destroy", "[lua][controller]") {
+  SFunctions functions;
+  functions.Chunk = "log('chunk ', robot.id)";
+  CLuaWorld world(Running(functions));
+  CHECK(TakeScriptLog() == "chunk fb init ");
+  world.Step(3);
+  CHECK(TakeScriptLog() == "step step step ");
+  world.GetSimulator().Reset();
+  CHECK(TakeScriptLog() == "reset ");
+  world.Step();
+  CHECK(TakeScriptLog() == "step ");
+  world.Destroy();
+  CHECK(TakeScriptLog() == "destroy ");
+}
+
+TEST_CASE("lua controller: globals survive a reset", "[lua][controller]") {
+  SFunctions functions = kQuiet;
+  functions.Init = "count = 0";
+  functions.Step = "count = count + 1";
+  CLuaWorld world(Running(functions));
+  world.Step(5);
+  world.GetSimulator().Reset();
+  CHECK(world.Get("count") == "5");
+  world.Step();
+  CHECK(world.Get("count") == "6");
+}
+
+TEST_CASE("lua controller: robot.id, robot.params as strings, and no devices but those of the XML",
+          "[lua][controller]") {
+  CLuaWorld world(Running(kQuiet, "speed='12' mode='fast'"));
+  CHECK(world.Get("robot.id") == "fb");
+  CHECK(world.Get("robot.params.speed") == "12");
+  CHECK(world.Get("type(robot.params.speed)") == "string");
+  CHECK(world.Get("robot.params.mode") == "fast");
+  CHECK(world.Get("robot.params.script") == world.Folder().GetPath("robot.lua"));
+  world.Do("names = {} for name in pairs(robot) do names[#names + 1] = name end");
+  CHECK(world.Get("table.concat(names, ' ')") == "id params random wheels");
+}
+
+TEST_CASE("lua controller: a robot's own params replace those of the controller",
+          "[lua][controller]") {
+  SLuaExperiment experiment = Running(kQuiet, "speed='12'");
+  CScriptFolder folder;
+  const std::string script = folder.Write("own.lua", kQuiet.ToScript());
+  experiment.Robots +=
+      "<foot-bot id='own'><body position='1,0,0'/><controller config='c'><params script='" +
+      script + "' color='red'/></controller></foot-bot>";
+  CLuaWorld world(experiment);
+  CHECK(world.Get("robot.params.speed") == "12");
+  CHECK(world.Get("robot.params.color", "own") == "red");
+  CHECK(world.Get("robot.params.speed", "own") == "nil");
+  CHECK(world.Get("robot.id", "own") == "own");
+}
+
+TEST_CASE("lua controller: the example of the reference drives as the kinematics says",
+          "[lua][controller]") {
+  SFunctions functions = kQuiet;
+  functions.Init = "t = 0";
+  functions.Step = "t = t + 1 robot.wheels.set_velocity(10, 10)";
+  CLuaWorld world(Running(functions));
+  // a command given in tick k moves the robot from tick k + 1 on; 10 cm/s for 0.1 s are 0.01 m.
+  // ARGoS 3 loses 1.1 mm in the first of these ticks, while its bodies gain speed; ours do not.
+  const Real perTick = 0.01;
+  // a thousand roundings of a number near 1
+  const Real tolerance = 1e-9;
+  UInt32 tick = 0;
+  for (const UInt32 t : {1U, 2U, 3U, 100U}) {
+    world.Step(t - tick);
+    tick = t;
+    CAPTURE(t);
+    CHECK(world.Get("t") == std::to_string(t));
+    CHECK_THAT(world.GetAnchor().Position.GetX(), WithinAbs((t - 1) * perTick, tolerance));
+    CHECK_THAT(world.GetAnchor().Position.GetY(), WithinAbs(0.0, tolerance));
+  }
+  // and this is within what ARGoS 3 loses of the positions that the reference gives
+  CHECK_THAT(world.GetAnchor().Position.GetX(), WithinAbs(0.98889, 0.0012));
+}
+
+TEST_CASE("lua controller: scripts of different robots do not see each other",
+          "[lua][controller]") {
+  SLuaExperiment experiment = Running(kQuiet);
+  experiment.Robots +=
+      "<foot-bot id='b'><body position='1,0,0'/><controller config='c'/></foot-bot>";
+  CLuaWorld world(experiment);
+  world.Do("x = 1 string.format = nil");
+  CHECK(world.Get("x", "b") == "nil");
+  CHECK(world.Get("string.format('%d', 3)", "b") == "3");
+}
+
+TEST_CASE("lua controller: random numbers differ between robots, and repeat with the seed",
+          "[lua][controller][random]") {
+  SLuaExperiment experiment = Running(kQuiet);
+  experiment.Robots +=
+      "<foot-bot id='b'><body position='1,0,0'/><controller config='c'/></foot-bot>";
+  const std::string draw = "robot.random.uniform() .. ' ' .. math.random()";
+  CLuaWorld world(experiment);
+  const std::string a = world.Get(draw);
+  const std::string b = world.Get(draw, "b");
+  CHECK(a != b);
+  CHECK(world.Get(draw) != a);
+  // after a reset the same again, with another seed others
+  world.GetSimulator().Reset();
+  CHECK(world.Get(draw) == a);
+  CHECK(world.Get(draw, "b") == b);
+  world.GetSimulator().Reset(2);
+  CHECK(world.Get(draw) != a);
+  // they do not depend on what other robots there are
+  CLuaWorld alone(Running(kQuiet));
+  CHECK(alone.Get(draw) == a);
+  experiment.Seed = 2;
+  CLuaWorld other(experiment);
+  CHECK(other.Get(draw) != a);
+}
+
+TEST_CASE("lua controller: without a script the robot does nothing, and a warning says so",
+          "[lua][controller]") {
+  SLuaExperiment experiment = Running(kQuiet);
+  const auto [params, isWarned] =
+      GENERATE(table<std::string, bool>({{"<params/>", true}, {"<params script=''/>", true}}));
+  CAPTURE(params, isWarned);
+  experiment.Robots = "<foot-bot id='fb'><body position='0,0,0'/><controller config='c'>" + params +
+                      "</controller></foot-bot>";
+  CLuaWorld world(experiment);
+  CHECK_THAT(TakeLogErr(), Contains("[WARNING]") && Contains("no \"script\": robot \"fb\""));
+  world.Step(2);
+  world.GetSimulator().Reset();
+  CHECK(world.GetAnchor().Position.GetX() == 0.0);
+  CHECK(world.GetController().GetLuaState() == nullptr);
+  CHECK(world.GetController().IsOK());
+}
+
+TEST_CASE("lua controller: a script that is not there, or wrong, is fatal",
+          "[lua][controller][error]") {
+  SLuaExperiment experiment;
+  experiment.Script = "x = 1\ny = = 2\n";
+  CHECK_THAT(LoadError(experiment), Contains("robot \"fb\"") && Contains("robot.lua:2:") &&
+                                        Contains("unexpected symbol near '='"));
+  experiment.Robots =
+      "<foot-bot id='fb'><body position='0,0,0'/><controller config='c'><params script='no.lua'/>"
+      "</controller></foot-bot>";
+  CHECK_THAT(LoadError(experiment),
+             Contains("robot \"fb\"") && Contains("there is no Lua script \"no.lua\""));
+}
+
+TEST_CASE("lua controller: an error in the chunk or in init() is fatal, with a traceback",
+          "[lua][controller][error]") {
+  SFunctions functions;
+  functions.Chunk = "error('bad chunk')";
+  CHECK_THAT(LoadError(Running(functions)),
+             Contains("robot \"fb\": the Lua script \"") && Contains("failed in its top level") &&
+                 Contains("robot.lua:1: bad chunk") && Contains("stack traceback:"));
+  functions.Chunk = "";
+  functions.Init = "local function inner() error('bad init') end inner()";
+  CHECK_THAT(LoadError(Running(functions)), Contains("failed in init()") &&
+                                                    Contains("robot.lua:2: bad init") &&
+                                                    Contains("in upvalue 'inner'") ||
+                                                Contains("in local 'inner'"));
+  functions.Init = "init = nil";
+  functions.Chunk = "";
+  SLuaExperiment experiment;
+  experiment.Script = "function step() end";
+  CHECK_THAT(LoadError(experiment),
+             Contains("failed in init()") &&
+                 Contains("must define a global function \"init\", found nil"));
+  CHECK_THAT(TakeLog(), !Contains("step"));
+}
+
+TEST_CASE("lua controller: an error in step() stops the script, not the run nor the robot",
+          "[lua][controller][error]") {
+  SFunctions functions = kQuiet;
+  functions.Init = "t = 0";
+  functions.Step = "t = t + 1 robot.wheels.set_velocity(10, 10) if t == 3 then error('tired') end";
+  functions.Destroy = "log('destroyed')";
+  SLuaExperiment experiment = Running(functions);
+  experiment.Robots +=
+      "<foot-bot id='b'><body position='0,1,0'/><controller config='c'><params script='";
+  CScriptFolder folder;
+  experiment.Robots +=
+      folder.Write("b.lua", SFunctions{"", "t = 0", "t = t + 1", "", ""}.ToScript()) +
+      "'/></controller></foot-bot>";
+  CLuaWorld world(experiment);
+  world.Step(2);
+  CHECK(TakeLogErr() == "");
+  world.Step();
+  const std::string error = TakeLogErr();
+  CHECK_THAT(error, StartsWith("[FATAL] robot \"fb\": the Lua script \"") &&
+                        Contains("failed in step()\n[FATAL] ") &&
+                        Contains("robot.lua:3: tired\nstack traceback:\n"));
+  CHECK(world.GetController().IsOK() == false);
+  CHECK_THAT(world.GetController().GetErrorMessage(), Contains("tired"));
+  world.Step(7);
+  // told once, not called again, and the wheels still turn: 9 ticks after the first command
+  CHECK(TakeLogErr() == "");
+  CHECK(world.Get("t") == "3");
+  CHECK_THAT(world.GetAnchor().Position.GetX(), WithinAbs(0.09, 1e-9));
+  // the other robot has not noticed
+  CHECK(world.Get("t", "b") == "10");
+  TakeLog();
+  world.Destroy();
+  CHECK_THAT(TakeLog(), !Contains("destroyed"));
+}
+
+TEST_CASE("lua controller: step() that is missing stops the script", "[lua][controller][error]") {
+  SLuaExperiment experiment;
+  experiment.Script = "function init() end";
+  CLuaWorld world(experiment);
+  world.Step(2);
+  CHECK_THAT(TakeLogErr(), Contains("must define a global function \"step\", found nil"));
+}
+
+TEST_CASE("lua controller: on_error=\"end_run\" ends the run", "[lua][controller][error]") {
+  SFunctions functions = kQuiet;
+  functions.Step = "error('enough')";
+  CLuaWorld world(Running(functions, "on_error='end_run'"));
+  CHECK_THROWS_WITH(world.Step(), Contains("robot \"fb\" failed to be controlled in tick 1") &&
+                                      Contains("robot.lua:3: enough"));
+  CHECK_THAT(LoadError(Running(functions, "on_error='ignore'")),
+             Contains("\"on_error\" must be \"stop_robot\" or \"end_run\", got \"ignore\""));
+}
+
+TEST_CASE("lua controller: after an error a reset loads the script again",
+          "[lua][controller][error]") {
+  SFunctions functions = kQuiet;
+  functions.Init = "t = 0 log('init ', robot.params.mode)";
+  functions.Step = "t = t + 1 if t == 2 then error('tired') end";
+  functions.Reset = "log('reset')";
+  CLuaWorld world(Running(functions, "mode='fast'"));
+  world.Step(2);
+  CHECK_THAT(TakeLogErr(), Contains("tired"));
+  TakeScriptLog();
+  world.GetSimulator().Reset();
+  CHECK(TakeScriptLog() == "init fast ");
+  CHECK(world.GetController().IsOK());
+  CHECK(world.Get("t") == "0");
+  world.Step();
+  CHECK(world.Get("t") == "1");
+  world.Step();
+  CHECK_THAT(TakeLogErr(), Contains("tired"));
+  // from the file as it is now
+  functions.Step = "t = 100";
+  world.Folder().Write("robot.lua", functions.ToScript());
+  world.GetSimulator().Reset();
+  world.Step();
+  CHECK(world.Get("t") == "100");
+}
+
+TEST_CASE("lua controller: a script that cannot be loaded again stays stopped",
+          "[lua][controller][error]") {
+  SFunctions functions = kQuiet;
+  functions.Step = "error('tired')";
+  CLuaWorld world(Running(functions));
+  world.Step();
+  CHECK_THAT(TakeLogErr(), Contains("tired"));
+  world.Folder().Write("robot.lua", "no Lua at all");
+  world.GetSimulator().Reset();
+  CHECK_THAT(TakeLogErr(), StartsWith("[FATAL] robot \"fb\"") && Contains("robot.lua:1:"));
+  CHECK_FALSE(world.GetController().IsOK());
+  world.Step(3);
+  CHECK(TakeLogErr() == "");
+  world.Folder().Write("robot.lua", kQuiet.ToScript());
+  world.GetSimulator().Reset();
+  CHECK(world.GetController().IsOK());
+}
+
+TEST_CASE("lua controller: errors in reset() and destroy() are told", "[lua][controller][error]") {
+  SFunctions functions = kQuiet;
+  functions.Step = "log('step')";
+  functions.Reset = "error('bad reset')";
+  functions.Destroy = "error('bad destroy')";
+  CLuaWorld world(Running(functions));
+  SECTION("reset() stops the script") {
+    world.GetSimulator().Reset();
+    CHECK_THAT(TakeLogErr(), Contains("failed in reset()") && Contains("robot.lua:4: bad reset"));
+    TakeLog();
+    world.Step();
+    CHECK(TakeLog() == "");
+    world.Destroy();
+    CHECK(TakeLogErr() == "");
+  }
+  SECTION("destroy()") {
+    world.Destroy();
+    CHECK_THAT(TakeLogErr(),
+               Contains("failed in destroy()") && Contains("robot.lua:5: bad destroy"));
+  }
+}
+
+TEST_CASE("lua controller: functions that are missing are told when they are called",
+          "[lua][controller][error]") {
+  SLuaExperiment experiment;
+  experiment.Script = "function init() end function step() end";
+  CLuaWorld world(experiment);
+  world.Step();
+  CHECK(TakeLogErr() == "");
+  SECTION("reset") {
+    world.GetSimulator().Reset();
+    CHECK_THAT(TakeLogErr(), Contains("global function \"reset\", found nil"));
+  }
+  SECTION("destroy") {
+    world.Destroy();
+    CHECK_THAT(TakeLogErr(), Contains("global function \"destroy\", found nil"));
+  }
+}
+
+TEST_CASE("lua controller: endless loops are interrupted wherever they are",
+          "[lua][controller][error]") {
+  const std::string params = "max_instructions='100000'";
+  const std::string loop = "while true do end";
+  const std::string message = "interrupted after 100000 instructions";
+  SFunctions functions = kQuiet;
+  SECTION("chunk") {
+    functions.Chunk = loop;
+    CHECK_THAT(LoadError(Running(functions, params)),
+               Contains(message) && Contains("robot.lua:1:"));
+  }
+  SECTION("init") {
+    functions.Init = loop;
+    CHECK_THAT(LoadError(Running(functions, params)), Contains(message) && Contains("init()"));
+  }
+  SECTION("step") {
+    functions.Step = loop;
+    CLuaWorld world(Running(functions, params));
+    world.Step(3);
+    CHECK_THAT(TakeLogErr(), Contains(message) && Contains("robot.lua:3:"));
+  }
+  SECTION("reset") {
+    functions.Reset = loop;
+    CLuaWorld world(Running(functions, params));
+    world.GetSimulator().Reset();
+    CHECK_THAT(TakeLogErr(), Contains(message) && Contains("robot.lua:4:"));
+  }
+  SECTION("destroy") {
+    functions.Destroy = loop;
+    CLuaWorld world(Running(functions, params));
+    world.Destroy();
+    CHECK_THAT(TakeLogErr(), Contains(message) && Contains("robot.lua:5:"));
+  }
+  SECTION("a limit that is no number") {
+    CHECK_THAT(LoadError(Running(functions, "max_instructions='many'")),
+               Contains("max_instructions") && Contains("many"));
+  }
+}
+
+TEST_CASE("lua controller: errors that a script catches are its own business",
+          "[lua][controller][error]") {
+  SFunctions functions = kQuiet;
+  functions.Step = "ok, message = pcall(robot.wheels.set_velocity, 1, nil) n = (n or 0) + 1";
+  CLuaWorld world(Running(functions));
+  world.Step(3);
+  CHECK(TakeLogErr() == "");
+  CHECK(world.Get("ok") == "false");
+  CHECK_THAT(world.Get("message"),
+             Contains("robot.wheels.set_velocity: argument 2 must be a number, got nil"));
+  CHECK(world.Get("n") == "3");
+}
+
+TEST_CASE("lua controller: another script can be given at run time", "[lua][controller]") {
+  SFunctions functions = kQuiet;
+  functions.Step = "which = 'first'";
+  CLuaWorld world(Running(functions, "mode='fast'"));
+  world.Step();
+  functions.Init = "mode = robot.params.mode";
+  functions.Step = "which = 'second'";
+  const std::string second = world.Folder().Write("second.lua", functions.ToScript());
+  world.GetController().SetLuaScript(second);
+  world.Step();
+  CHECK(world.Get("which") == "second");
+  CHECK(world.Get("mode") == "fast");
+  CHECK(world.Get("robot.params.script") == second);
+}
+
+TEST_CASE("lua controller: a robot that is removed runs destroy()", "[lua][controller]") {
+  SFunctions functions = kQuiet;
+  functions.Destroy = "log('bye ', robot.id)";
+  CLuaWorld world(Running(functions));
+  world.Step();
+  TakeLog();
+  {
+    const CSimulator::CScope scope(world.GetSimulator());
+    world.GetSimulator().GetLoopFunctions().RemoveEntity("fb");
+  }
+  CHECK(TakeScriptLog() == "bye fb ");
+}
+
+TEST_CASE("lua controller: the speed that is not a number is the device's error",
+          "[lua][controller][error]") {
+  SFunctions functions = kQuiet;
+  functions.Step = "robot.wheels.set_velocity(0/0, 1)";
+  CLuaWorld world(Running(functions));
+  world.Step();
+  CHECK_THAT(TakeLogErr(), Contains("robot.lua:3: robot.wheels.set_velocity: "));
+}

@@ -1,0 +1,438 @@
+// Loop functions written in Lua.
+
+#include "lua_world.h"
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/floor_entity.h>
+#include <argos3/core/simulator/loop_functions.h>
+#include <argos3/core/utility/math/angles.h>
+#include <argos3/plugins/simulator/entities/led_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/light_entity.h>
+#include <argos3/testing/support/captured_logs.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <sstream>
+#include <thread>
+#include <vector>
+
+using namespace argos;
+using Catch::Contains;
+using Catch::WithinAbs;
+
+namespace {
+
+// a few roundings of numbers of about 1
+constexpr Real kRounding = 1e-12;
+
+const std::string kIdleRobot =
+    "function init() end function step() end function reset() end function destroy() end";
+
+/** An experiment with a foot-bot, and loop functions. */
+SLuaExperiment With(const std::string& loopScript, const std::string& arena = "") {
+  SLuaExperiment experiment;
+  experiment.Script = kIdleRobot;
+  experiment.LoopScript = loopScript;
+  experiment.Arena = arena;
+  return experiment;
+}
+
+std::string TakeScriptLog() {
+  std::istringstream lines(TakeLog());
+  std::string rest;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind("[INFO]", 0) != 0) {
+      rest += line + ' ';
+    }
+  }
+  return rest;
+}
+
+/** What init() logs if it is this code. */
+std::string LogOf(const std::string& code, const std::string& arena = "") {
+  TakeLog();
+  CLuaWorld world(With("function init() " + code + " end", arena));
+  return TakeScriptLog();
+}
+
+/** The message with which init() fails if it is this code. */
+std::string ErrorOf(const std::string& code, const std::string& arena = "") {
+  return LoadError(With("function init() " + code + " end", arena));
+}
+
+const std::string kBox =
+    "<box id='box' size='0.2,0.2,0.2' movable='true' mass='1'><body position='2,0,0'/></box>";
+const std::string kLight =
+    "<light id='lamp' position='1,2,3' orientation='0,0,0' color='red' "
+    "intensity='2.5' medium='leds'/>";
+
+}  // namespace
+
+TEST_CASE("lua loop functions: hooks are called in their order", "[lua][loop_functions]") {
+  CLuaWorld world(With(
+      "log('chunk')\n"
+      "function init() log('init') end\n"
+      "function pre_step() log('pre_step ', simulation.clock()) end\n"
+      "function post_step() log('post_step ', simulation.clock()) end\n"
+      "function reset() log('reset ', simulation.clock()) end\n"
+      "function destroy() log('destroy') end\n"
+      "function post_experiment() log('post_experiment') end\n"
+      "function is_experiment_finished() log('finished?') return simulation.clock() == 2 end\n"));
+  CHECK(TakeScriptLog() == "chunk init ");
+  world.Step();
+  CHECK(TakeScriptLog() == "pre_step 1 post_step 1 ");
+  world.GetSimulator().Reset();
+  CHECK(TakeScriptLog() == "reset 0 ");
+  world.GetSimulator().Execute();
+  CHECK(TakeScriptLog() ==
+        "finished? pre_step 1 post_step 1 finished? pre_step 2 post_step 2 finished? "
+        "post_experiment ");
+  world.Destroy();
+  CHECK(TakeScriptLog() == "destroy ");
+}
+
+TEST_CASE("lua loop functions: every hook may be left out, but not all", "[lua][loop_functions]") {
+  {
+    CLuaWorld world(With("function pre_step() n = (n or 0) + 1 end"));
+    world.Step(3);
+    world.GetSimulator().Reset();
+    CHECK_FALSE(world.GetSimulator().IsExperimentFinished());
+    const CSimulator::CScope scope(world.GetSimulator());
+    CHECK(world.GetSimulator().GetLoopFunctions().GetFloorColor(CVector2()) == CColor::WHITE);
+  }
+  CHECK_THAT(
+      LoadError(With("function prestep() end")),
+      Contains("define none of the functions that are called: init, reset, destroy, pre_step"));
+}
+
+TEST_CASE("lua loop functions: the clock, the experiment and the arena", "[lua][loop_functions]") {
+  SLuaExperiment experiment = With(
+      "function init()\n"
+      "  log(simulation.tick_length, ' ', simulation.length, ' ', simulation.seed())\n"
+      "  local a = simulation.arena\n"
+      "  log(tostring(a.size), ' ', tostring(a.center), ' ', tostring(a.min), ' ', "
+      "tostring(a.max))\n"
+      "  log(simulation.params.items, ' ', type(simulation.params.items))\n"
+      "end\n"
+      "function post_step() log(simulation.clock(), ' ', simulation.time(), ' ',\n"
+      "                         math.type(simulation.clock())) end");
+  experiment.LoopParams = "items='20'";
+  experiment.Seed = 17;
+  CLuaWorld world(experiment);
+  CHECK(TakeScriptLog() == "0.1 0 17 10,10,2 0,0,0 -5,-5,-1 5,5,1 20 string ");
+  world.Step(3);
+  CHECK(TakeScriptLog() == "1 0.1 integer 2 0.2 integer 3 0.3 integer ");
+}
+
+TEST_CASE("lua loop functions: entities by type and by id", "[lua][loop_functions]") {
+  CHECK(LogOf("log(table.concat(simulation.ids(), ' '))", kBox + kLight) == "fb box lamp ");
+  CHECK(LogOf("log(table.concat(simulation.ids('box'), ' '))", kBox + kLight) == "box ");
+  CHECK(LogOf("log(#simulation.ids('cylinder'), #simulation.entities('foot-bot'))") == "01 ");
+  CHECK(
+      LogOf("for _, e in ipairs(simulation.entities()) do\n"
+            "  log(e.id, ' ', e.type, ' ', tostring(e.position), ' ', tostring(e.orientation)) end",
+            kBox + kLight) ==
+      "fb foot-bot 0,0,0 0,0,0 box box 2,0,0 0,0,0 lamp light 1,2,3 0,0,0 ");
+  // a floor is nowhere
+  CHECK(LogOf("local e = simulation.entity('f') log(e.id, ' ', e.type, ' ', e.position)",
+              "<floor id='f' source='loop_functions' pixels_per_meter='10'/>") == "f floor nil ");
+  CHECK(LogOf("log(simulation.entity('nobody'), ' ', simulation.entity('box').id)", kBox) ==
+        "nil box ");
+  CHECK(LogOf("log(simulation.entity('fb.wheels_0'))") == "nil ");
+  CHECK(LogOf("log(simulation.position('box'))", kBox) == "200 ");
+  CHECK_THAT(
+      ErrorOf("simulation.ids('footbot')"),
+      Contains("simulation.ids: there is no type of entity \"footbot\"") && Contains("foot-bot"));
+  CHECK_THAT(ErrorOf("simulation.position('bax')", kBox), Contains("bax") && Contains("box"));
+  CHECK_THAT(ErrorOf("simulation.position('fb.wheels_0')"), Contains("is a component"));
+  CHECK_THAT(ErrorOf("simulation.ids(1)"),
+             Contains("simulation.ids: argument 1 must be a string, got 1"));
+}
+
+TEST_CASE("lua loop functions: move puts things where there is room", "[lua][loop_functions]") {
+  CLuaWorld world(
+      With("function init()\n"
+           "  log(simulation.move('fb', 1, -1, 0, math.pi / 2))\n"
+           "  log(simulation.move('fb', 2, 0.1, 0, 0))\n"
+           "  log(simulation.is_free('fb', 2, 0.1, 0), simulation.is_free('fb', 3, 3, 0))\n"
+           "  log(simulation.move('lamp', vector3(0, 0, 1)))\n"
+           "end",
+           kBox + kLight));
+  // the second place is where the box is: the robot stays where it was put first
+  CHECK(TakeScriptLog() == "1 0 01 1 ");
+  CHECK(world.GetAnchor().Position == CVector3(1.0, -1.0, 0.0));
+  CRadians z;
+  CRadians y;
+  CRadians x;
+  world.GetAnchor().Orientation.ToEulerAngles(z, y, x);
+  CHECK_THAT(z.GetValue(), WithinAbs(CRadians::PI_OVER_TWO.GetValue(), kRounding));
+  CHECK(world.World().Get<CLightEntity>("lamp").GetPosition() == CVector3(0.0, 0.0, 1.0));
+}
+
+TEST_CASE("lua loop functions: what move leaves out stays as it is", "[lua][loop_functions]") {
+  CLuaWorld world(
+      With("function init()\n"
+           "  simulation.move('fb', 1, 0, 0, 0.5)\n"
+           "  simulation.move('fb', 1, 1, 0)\n"
+           "  log(simulation.yaw('fb'))\n"
+           "  simulation.move('fb', vector3(1, 2, 0), quaternion(0.25, vector3(0, 0, 1)))\n"
+           "  log(simulation.yaw('fb'))\n"
+           "  simulation.move('fb', vector3(2, 2, 0))\n"
+           "  log(simulation.yaw('fb'))\n"
+           "end"));
+  CHECK(TakeScriptLog() == "0.5 0.25 0.25 ");
+  CHECK(world.GetAnchor().Position == CVector3(2.0, 2.0, 0.0));
+  CHECK_THAT(ErrorOf("simulation.move('fb', 0/0, 0, 0)"), Contains("must be finite"));
+  CHECK_THAT(ErrorOf("simulation.move('fb', 1, 2)"),
+             Contains("simulation.move: argument 4 must be a number, got nothing"));
+  CHECK_THAT(ErrorOf("simulation.move('fb', vector2(1, 2))"), Contains("must be a vector3"));
+  CHECK_THAT(ErrorOf("simulation.move('f', 0, 0, 0)",
+                     "<floor id='f' source='loop_functions' pixels_per_meter='10'/>"),
+             Contains("has no position"));
+}
+
+TEST_CASE("lua loop functions: entities are added and removed while the experiment runs",
+          "[lua][loop_functions]") {
+  CLuaWorld world(
+      With("function pre_step()\n"
+           "  if simulation.clock() == 1 then\n"
+           "    log(simulation.add([[<foot-bot id='new'><body position='1,1,0'/>"
+           "<controller config='c'/></foot-bot>]]))\n"
+           "    log(simulation.add([[<cylinder id='on' radius='0.1' height='0.1' movable='true' "
+           "mass='1'>"
+           "<body position='1,1,0'/></cylinder>]]))\n"
+           "    log(simulation.add([[<light id='l' position='0,0,1' color='red' intensity='1' "
+           "medium='leds'/>]]))\n"
+           "  elseif simulation.clock() == 3 then\n"
+           "    simulation.remove('new') simulation.remove('on') simulation.remove('l')\n"
+           "  end\n"
+           "  log(table.concat(simulation.ids(), ' '))\n"
+           "end"));
+  world.Step();
+  // a cylinder in the robot's place is added, and the script is told
+  CHECK(TakeScriptLog() == "new1 on0 l1 fb new on l ");
+  CHECK(world.Get("robot.id", "new") == "new");
+  world.Step(2);
+  CHECK(TakeScriptLog() == "fb new on l fb ");
+  world.Step();
+  // the same id is free again
+  TakeLog();
+  CHECK(LogOf("local box = [[<box id='b' size='0.1,0.1,0.1' movable='false'><body "
+              "position='1,1,0'/></box>]]\n"
+              "for i = 1, 3 do simulation.add(box) simulation.remove('b') end "
+              "log(#simulation.ids())") == "1 ");
+}
+
+TEST_CASE("lua loop functions: what cannot be added is an error", "[lua][loop_functions]") {
+  CHECK_THAT(ErrorOf("simulation.add('<foot-bott id=\"x\"/>')"),
+             Contains("simulation.add") && Contains("foot-bott") && Contains("foot-bot"));
+  CHECK_THAT(ErrorOf("simulation.add('<foot-bot')"), Contains("simulation.add"));
+  CHECK_THAT(ErrorOf("simulation.add([[<box id='fb' size='1,1,1' movable='false'>"
+                     "<body position='3,3,0'/></box>]])"),
+             Contains("already an entity with id"));
+  CHECK_THAT(ErrorOf("simulation.remove('nobody')"), Contains("nobody"));
+  CHECK(LogOf("log(pcall(simulation.add, '<box/>'))").substr(0, 1) == "0");
+  // an attribute that nothing reads is told
+  CHECK(LogOf("simulation.add([[<box id='b' size='1,1,1' movable='false' colour='red'>"
+              "<body position='3,3,0'/></box>]])") == "");
+  CHECK_THAT(TakeLogErr(), Contains("[WARNING] simulation.add:1: <box>: attribute \"colour\""));
+}
+
+TEST_CASE("lua loop functions: LEDs and lights", "[lua][loop_functions]") {
+  CLuaWorld world(
+      With("function init()\n"
+           "  simulation.set_all_led_colors('fb', 'green')\n"
+           "  simulation.set_led_color('fb', 13, 1, 2, 3)\n"
+           "  log(simulation.light_intensity('lamp'))\n"
+           "  simulation.set_light_intensity('lamp', 7)\n"
+           "  simulation.set_light_color('lamp', 'blue')\n"
+           "end",
+           kLight + kBox));
+  CHECK(TakeScriptLog() == "2.5 ");
+  auto& leds = world.World().Get<CComposableEntity>("fb").GetComponent<CLEDEquippedEntity>("leds");
+  CHECK(leds.GetLEDColor(0) == CColor::GREEN);
+  CHECK(leds.GetLEDColor(12) == CColor(1, 2, 3));
+  CHECK(world.World().Get<CLightEntity>("lamp").GetIntensity() == 7.0);
+  CHECK(world.World().Get<CLightEntity>("lamp").GetColor() == CColor::BLUE);
+  CHECK_THAT(ErrorOf("simulation.set_led_color('fb', 14, 'red')"),
+             Contains("from 1 to 13, got 14"));
+  CHECK_THAT(ErrorOf("simulation.set_led_color('box', 1, 'red')", kBox),
+             Contains("\"box\" (<box>) has no LEDs"));
+  CHECK_THAT(ErrorOf("simulation.set_light_intensity('fb', 1)"),
+             Contains("is a <foot-bot>, no <light>"));
+}
+
+TEST_CASE("lua loop functions: the floor has the color that floor_color gives",
+          "[lua][loop_functions]") {
+  CLuaWorld world(With(
+      "black = false\n"
+      "function floor_color(x, y)\n"
+      "  if black then return 'black' end\n"
+      "  if x < 0 then return 'red' elseif y < 0 then return 10, 20, 30 else return '1,2,3,4' end\n"
+      "end\n"
+      "function post_step() black = true simulation.floor_changed() end",
+      "<floor id='f' source='loop_functions' pixels_per_meter='10'/>"));
+  const CSimulator::CScope scope(world.GetSimulator());
+  CFloorEntity& floor = world.World().GetSpace().GetFloorEntity();
+  CHECK(floor.GetColorAtPoint(-1.0, 0.0) == CColor::RED);
+  CHECK(floor.GetColorAtPoint(1.0, -1.0) == CColor(10, 20, 30));
+  CHECK(floor.GetColorAtPoint(1.0, 1.0) == CColor(1, 2, 3, 4));
+  floor.ClearChanged();
+  world.Step();
+  CHECK(floor.HasChanged());
+  CHECK(floor.GetColorAtPoint(-1.0, 0.0) == CColor::BLACK);
+}
+
+TEST_CASE("lua loop functions: many threads may ask for the floor's color",
+          "[lua][loop_functions][threads]") {
+  CLuaWorld world(With("function floor_color(x, y) return x, y, 0 end",
+                       "<floor id='f' source='loop_functions' pixels_per_meter='10'/>"));
+  CFloorEntity& floor = world.World().GetSpace().GetFloorEntity();
+  std::vector<std::thread> threads;
+  std::atomic<int> wrong{0};
+  for (int t = 0; t < 4; ++t) {
+    threads.emplace_back([&, t] {
+      const CSimulator::CScope scope(world.GetSimulator());
+      for (int i = 0; i < 200; ++i) {
+        wrong +=
+            floor.GetColorAtPoint(t, i) == CColor(static_cast<UInt8>(t), static_cast<UInt8>(i), 0)
+                ? 0
+                : 1;
+      }
+    });
+  }
+  for (std::thread& thread : threads) {
+    thread.join();
+  }
+  CHECK(wrong == 0);
+}
+
+TEST_CASE("lua loop functions: wrong colors and loops of colors are errors",
+          "[lua][loop_functions][error]") {
+  const std::string floor = "<floor id='f' source='loop_functions' pixels_per_meter='10'/>";
+  const auto ask = [](CLuaWorld& world) {
+    const CSimulator::CScope scope(world.GetSimulator());
+    return world.World().GetSpace().GetFloorEntity().GetColorAtPoint(0.0, 0.0);
+  };
+  CLuaWorld nothing(With("function floor_color(x, y) end", floor));
+  CHECK_THROWS_WITH(ask(nothing), Contains("floor_color(x, y) must return a color"));
+  CLuaWorld broken(With("function floor_color(x, y) error('no paint') end", floor));
+  CHECK_THROWS_WITH(ask(broken),
+                    Contains("failed in floor_color()") && Contains("loop.lua:1: no paint"));
+}
+
+TEST_CASE("lua loop functions: the script ends the experiment", "[lua][loop_functions]") {
+  CLuaWorld world(
+      With("function post_step() if simulation.clock() == 5 then simulation.finish() end end"));
+  world.GetSimulator().Execute();
+  CHECK(world.World().GetSpace().GetSimulationClock() == 5);
+  CLuaWorld wrong(With("function is_experiment_finished() return 1 end"));
+  CHECK_THROWS_WITH(wrong.GetSimulator().Execute(),
+                    Contains("is_experiment_finished() must return true or false, got number"));
+}
+
+TEST_CASE("lua loop functions: data is written with the standard io", "[lua][loop_functions]") {
+  CScriptFolder folder;
+  SLuaExperiment experiment = With(
+      "function init() file = io.open(simulation.params.data, 'w') end\n"
+      "function post_step()\n"
+      "  local x = simulation.position('fb')\n"
+      "  file:write(simulation.clock(), ',', string.format('%.3f', x), '\\n')\n"
+      "end\n"
+      "function destroy() file:close() end");
+  experiment.Script =
+      "function init() end function reset() end function destroy() end\n"
+      "function step() robot.wheels.set_velocity(10, 10) end";
+  experiment.LoopParams = "data='" + folder.GetPath("data.csv") + "'";
+  CLuaWorld world(experiment);
+  world.Step(3);
+  world.Destroy();
+  CHECK(folder.Read("data.csv") == "1,0.000\n2,0.010\n3,0.020\n");
+}
+
+TEST_CASE("lua loop functions: variables of robots are read and written", "[lua][loop_functions]") {
+  SLuaExperiment experiment = With(
+      "function post_step()\n"
+      "  local items = simulation.get_variable('fb', 'items')\n"
+      "  log(items.count, ' ', tostring(items.where), ' ', simulation.get_variable('fb', "
+      "'nothing'),\n"
+      "      ' ', simulation.get_variable('fb', 'step'))\n"
+      "  simulation.set_variable('fb', 'goal', { vector2(1, 2), name = 'nest' })\n"
+      "  simulation.set_variable('fb', 'old', nil)\n"
+      "end");
+  experiment.Script =
+      "items = { count = 3, where = vector3(1, 2, 3) } old = 1\n"
+      "function init() end function step() end function reset() end function destroy() end";
+  CLuaWorld world(experiment);
+  world.Step();
+  CHECK(TakeScriptLog() == "3 1,2,3 nil nil ");
+  CHECK(world.Get("tostring(goal[1]) .. goal.name") == "1,2nest");
+  CHECK(world.Get("old") == "nil");
+  // a copy, not the same table
+  world.Do("items.count = 4");
+  world.Step();
+  CHECK(TakeScriptLog() == "4 1,2,3 nil nil ");
+  CHECK_THAT(ErrorOf("simulation.get_variable('box', 'x')", kBox),
+             Contains("\"box\" (<box>) runs no Lua script"));
+  CHECK_THAT(ErrorOf("simulation.set_variable('fb', 'x')"), Contains("got 2 arguments"));
+}
+
+TEST_CASE("lua loop functions: random numbers repeat with the seed and after a reset",
+          "[lua][loop_functions][random]") {
+  SLuaExperiment experiment =
+      With("function post_step() log(simulation.random.uniform(), ' ', math.random()) end");
+  CLuaWorld world(experiment);
+  TakeLog();
+  world.Step(2);
+  const std::string first = TakeScriptLog();
+  world.GetSimulator().Reset();
+  world.Step(2);
+  CHECK(TakeScriptLog() == first);
+  experiment.Seed = 2;
+  CLuaWorld other(experiment);
+  TakeLog();
+  other.Step(2);
+  CHECK(TakeScriptLog() != first);
+  CHECK_THAT(ErrorOf("simulation.random.uniform('a')"),
+             Contains("simulation.random.uniform: argument 1"));
+}
+
+TEST_CASE("lua loop functions: an error names script and line, and ends the run",
+          "[lua][loop_functions][error]") {
+  CHECK_THAT(LoadError(With("error('bad chunk')")), Contains("<loop_functions>") &&
+                                                        Contains("loop.lua:1: bad chunk") &&
+                                                        Contains("stack traceback:"));
+  CHECK_THAT(LoadError(With("\nfunction init() error('bad init') end")),
+             Contains("failed in init()") && Contains("loop.lua:2: bad init"));
+  CHECK_THAT(LoadError(With("x = = 1")), Contains("loop.lua:1:"));
+  CHECK_THAT(LoadError(With("init = 5")),
+             Contains("the global \"init\" must be a function, got number"));
+  {
+    CLuaWorld world(With("function pre_step() simulation.move('fb') end"));
+    CHECK_THROWS_WITH(world.Step(), Contains("failed in pre_step()") &&
+                                        Contains("loop.lua:1: simulation.move: argument 2"));
+    // the same script again after a reset
+    world.GetSimulator().Reset();
+    CHECK_THROWS_WITH(world.Step(), Contains("failed in pre_step()"));
+  }
+  {
+    CLuaWorld world(With("function destroy() error('bad end') end"));
+    CHECK_THROWS_WITH(world.Destroy(), Contains("failed in destroy()") && Contains("bad end"));
+  }
+  SLuaExperiment endless = With("function post_step() while true do end end");
+  endless.LoopParams = "max_instructions='50000'";
+  CLuaWorld world(endless);
+  CHECK_THROWS_WITH(world.Step(), Contains("interrupted after 50000 instructions"));
+}
+
+TEST_CASE("lua loop functions: without a script they cannot be", "[lua][loop_functions][error]") {
+  SExperiment experiment;
+  experiment.LoopFunctions = "<loop_functions label='lua'><params/></loop_functions>";
+  CHECK_THAT(LoadError(experiment), Contains("script"));
+  experiment.LoopFunctions = "<loop_functions label='lua'/>";
+  CHECK_THAT(LoadError(experiment), Contains("params"));
+  experiment.LoopFunctions =
+      "<loop_functions label='lua'><params script='no_such.lua'/></loop_functions>";
+  CHECK_THAT(LoadError(experiment), Contains("there is no Lua script \"no_such.lua\""));
+}

@@ -1,0 +1,99 @@
+#include "lua_world.h"
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/wrappers/lua/lua_utility.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace argos {
+
+CScriptFolder::CScriptFolder() {
+  std::string pattern = (std::filesystem::temp_directory_path() / "argos_lua_XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr) {
+    throw std::runtime_error("cannot make " + pattern);
+  }
+  m_path = pattern;
+}
+
+CScriptFolder::~CScriptFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(m_path, ignored);
+}
+
+std::string CScriptFolder::Write(const std::string& name, const std::string& text) const {
+  std::ofstream(GetPath(name)) << text;
+  return GetPath(name);
+}
+
+std::string CScriptFolder::Read(const std::string& name) const {
+  std::ostringstream text;
+  text << std::ifstream(GetPath(name)).rdbuf();
+  return text.str();
+}
+
+std::string ToXml(const SLuaExperiment& lua, const CScriptFolder& folder) {
+  SExperiment experiment;
+  experiment.Seed = lua.Seed;
+  experiment.Threads = lua.Threads;
+  experiment.Controllers = "<lua_controller id='c'><actuators>" + lua.Actuators +
+                           "</actuators><sensors>" + lua.Sensors + "</sensors><params script='" +
+                           folder.Write("robot.lua", lua.Script) + "' " + lua.Params +
+                           "/></lua_controller>";
+  if (!lua.LoopScript.empty()) {
+    experiment.LoopFunctions = "<loop_functions label='lua'><params script='" +
+                               folder.Write("loop.lua", lua.LoopScript) + "' " + lua.LoopParams +
+                               "/></loop_functions>";
+  }
+  experiment.Engines = "<dynamics2d id='dyn2d'/>";
+  experiment.Media = "<led id='leds'/>";
+  experiment.Arena = lua.Robots + lua.Arena;
+  return experiment.ToXml();
+}
+
+CLuaWorld::CLuaWorld(const SLuaExperiment& experiment) {
+  m_world.emplace(ToXml(experiment, m_folder));
+}
+
+CLuaController& CLuaWorld::GetController(const std::string& robot) {
+  auto& entity = m_world->Get<CComposableEntity>(robot);
+  return dynamic_cast<CLuaController&>(
+      entity.GetComponent<CControllableEntity>("controller").GetController());
+}
+
+const SAnchor& CLuaWorld::GetAnchor(const std::string& id) {
+  auto& entity = m_world->Get<CComposableEntity>(id);
+  return entity.GetComponent<CEmbodiedEntity>("body").GetOriginAnchor();
+}
+
+std::string CLuaWorld::Get(const std::string& expression, const std::string& robot) {
+  lua_State* const state = GetController(robot).GetLuaState();
+  if (luaL_dostring(state, ("return tostring(" + expression + ")").c_str()) != LUA_OK) {
+    throw std::runtime_error(lua_tostring(state, -1));
+  }
+  const std::string value = lua_tostring(state, -1);
+  lua_settop(state, 0);
+  return value;
+}
+
+void CLuaWorld::Do(const std::string& code, const std::string& robot) {
+  lua_State* const state = GetController(robot).GetLuaState();
+  if (luaL_dostring(state, code.c_str()) != LUA_OK) {
+    throw std::runtime_error(lua_tostring(state, -1));
+  }
+}
+
+std::string LoadError(const SLuaExperiment& experiment) {
+  try {
+    CLuaWorld world(experiment);
+  } catch (const CARGoSException& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace argos

@@ -1,0 +1,77 @@
+#ifndef ARGOS3_TESTING_SCENARIO_LUA_LUA_WORLD_H
+#define ARGOS3_TESTING_SCENARIO_LUA_LUA_WORLD_H
+
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/wrappers/lua/lua_controller.h>
+#include <argos3/testing/support/experiment.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace argos {
+
+/** An experiment of one foot-bot, "fb", at the origin, that runs a script. */
+struct SLuaExperiment {
+  std::string Script; /**< text of robot.lua */
+  std::string LoopScript = ""; /**< text of loop.lua; without it there are no loop functions */
+  std::string Params = ""; /**< more attributes of the robot's <params> */
+  std::string LoopParams = ""; /**< more attributes of the loop functions' <params> */
+  std::string Actuators = "<differential_steering implementation='default'/>";
+  std::string Sensors = "";
+  std::string Robots =
+      "<foot-bot id='fb'><body position='0,0,0'/><controller config='c'/></foot-bot>";
+  std::string Arena = ""; /**< children of <arena> besides the robots */
+  UInt32 Seed = 1;
+  UInt32 Threads = 0;
+};
+
+/** A folder of its own, in which tests write scripts; it goes away with its content. */
+class CScriptFolder {
+ public:
+  CScriptFolder();
+  ~CScriptFolder();
+  CScriptFolder(const CScriptFolder&) = delete;
+  CScriptFolder& operator=(const CScriptFolder&) = delete;
+
+  std::string GetPath(const std::string& name) const { return m_path + "/" + name; }
+  std::string Write(const std::string& name, const std::string& text) const;
+  std::string Read(const std::string& name) const;
+
+ private:
+  std::string m_path;
+};
+
+/** Runs such an experiment. */
+class CLuaWorld {
+ public:
+  /** @throws CARGoSException whatever loading throws. */
+  explicit CLuaWorld(const SLuaExperiment& experiment);
+
+  CTestWorld& World() { return *m_world; }
+  const CScriptFolder& Folder() const { return m_folder; }
+  void Step(UInt32 ticks = 1) { m_world->Step(ticks); }
+  CSimulator& GetSimulator() { return m_world->GetSimulator(); }
+  CLuaController& GetController(const std::string& robot = "fb");
+  const SAnchor& GetAnchor(const std::string& id = "fb");
+  /** tostring() of an expression in the robot's script. */
+  std::string Get(const std::string& expression, const std::string& robot = "fb");
+  /** Runs statements in the robot's script. */
+  void Do(const std::string& code, const std::string& robot = "fb");
+  /** Takes the experiment down, so that destroy() runs. */
+  void Destroy() { GetSimulator().Destroy(); }
+
+ private:
+  CScriptFolder m_folder;
+  std::optional<CTestWorld> m_world;
+};
+
+/** The XML of such an experiment, with scripts in a folder. */
+std::string ToXml(const SLuaExperiment& experiment, const CScriptFolder& folder);
+
+/** What loading throws; empty if it loads. */
+std::string LoadError(const SLuaExperiment& experiment);
+
+}  // namespace argos
+
+#endif

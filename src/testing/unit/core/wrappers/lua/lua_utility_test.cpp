@@ -1,0 +1,307 @@
+#include "lua_tester.h"
+
+#include <argos3/core/wrappers/lua/lua_registry.h>
+#include <argos3/core/wrappers/lua/lua_utility.h>
+#include <argos3/testing/support/captured_logs.h>
+#include <argos3/testing/support/paths.h>
+
+#include <catch2/catch.hpp>
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
+#include <limits>
+
+using namespace argos;
+using Catch::Contains;
+using Catch::StartsWith;
+
+namespace {
+
+// as a plug-in written for ARGoS 3 does it
+class CUserDevice {
+ public:
+  void CreateLuaState(lua_State* state) {
+    CLuaUtility::OpenRobotStateTable(state, "user");
+    CLuaUtility::AddToTable(state, "_instance", this);
+    CLuaUtility::AddToTable(state, "set", &Set);
+    CLuaUtility::AddToTable(state, "text", std::string("abc"));
+    CLuaUtility::AddToTable(state, "number", 2.5);
+    CLuaUtility::AddToTable(state, "angle", CRadians(0.5));
+    CLuaUtility::AddToTable(state, "v2", CVector2(1.0, 2.0));
+    CLuaUtility::AddToTable(state, "v3", CVector3(1.0, 2.0, 3.0));
+    CLuaUtility::AddToTable(state, "q", CQuaternion(0.0, 1.0, 0.0, 0.0));
+    CLuaUtility::AddToTable(state, "color", CColor(1, 2, 3));
+    CLuaUtility::AddToTable(state, 1, std::string("one"));
+    CLuaUtility::AddToTable(state, 2, 2.5);
+    CLuaUtility::AddToTable(state, 3, CRadians(0.5));
+    CLuaUtility::AddToTable(state, 4, CVector2(1.0, 2.0));
+    CLuaUtility::AddToTable(state, 5, CVector3(1.0, 2.0, 3.0));
+    CLuaUtility::AddToTable(state, 6, CQuaternion());
+    CLuaUtility::AddToTable(state, 7, CColor(4, 5, 6));
+    CLuaUtility::StartTable(state, "inner");
+    CLuaUtility::AddToTable(state, "deep", 1.0);
+    CLuaUtility::StartTable(state, 1);
+    CLuaUtility::AddToTable(state, "deeper", 2.0);
+    CLuaUtility::EndTable(state);
+    CLuaUtility::EndTable(state);
+    CLuaUtility::CloseRobotStateTable(state);
+  }
+
+  static int Set(lua_State* state) {
+    auto* const self = CLuaUtility::GetDeviceInstance<CUserDevice>(state, "user");
+    if (self == nullptr) {
+      return luaL_error(state, "no instance");
+    }
+    self->Value = luaL_checknumber(state, 1);
+    return 0;
+  }
+
+  Real Value = 0.0;
+};
+
+class CUserTester : public CLuaTester {
+ public:
+  CUserTester() {
+    Run([this](lua_State* state) {
+      lua_newtable(state);
+      lua_pushvalue(state, -1);
+      lua_rawsetp(state, LUA_REGISTRYINDEX, &kLuaRobotKey);
+      Device.CreateLuaState(state);
+      CHECK(lua_gettop(state) == 1);
+      lua_setglobal(state, "robot");
+    });
+  }
+
+  CUserDevice Device;
+};
+
+/** A file that goes away with the test; tests run at the same time, each in its own process. */
+class CScriptFile {
+ public:
+  explicit CScriptFile(const std::string& text) { std::ofstream(Path) << text; }
+  ~CScriptFile() { std::remove(Path.c_str()); }
+  CScriptFile(const CScriptFile&) = delete;
+  CScriptFile& operator=(const CScriptFile&) = delete;
+
+  const std::string Path = InBuildTree("lua_utility_test_" + std::to_string(getpid()) + ".lua");
+};
+
+}  // namespace
+
+TEST_CASE("lua utility: a device that uses the API of ARGoS 3 has all its values in its table",
+          "[lua][utility]") {
+  CUserTester lua;
+  CHECK(lua.Get("robot.user.text") == "abc");
+  CHECK(lua.Get("robot.user.number") == "2.5");
+  CHECK(lua.Get("robot.user.angle") == "0.5");
+  CHECK(lua.Get("robot.user.v2") == "1,2");
+  CHECK(lua.Get("robot.user.v3") == "1,2,3");
+  CHECK(lua.Get("robot.user.q.x") == "1.0");
+  CHECK(lua.Get("robot.user.color.red .. robot.user.color.green .. robot.user.color.blue") ==
+        "1.02.03.0");
+  CHECK(lua.Get("#robot.user") == "7");
+  CHECK(lua.Get("robot.user[1]") == "one");
+  CHECK(lua.Get("robot.user[2] + robot.user[3]") == "3.0");
+  CHECK(lua.Get("robot.user[4]") == "1,2");
+  CHECK(lua.Get("robot.user[5]") == "1,2,3");
+  CHECK(lua.Get("robot.user[6].w") == "1.0");
+  CHECK(lua.Get("robot.user[7].green") == "5.0");
+  CHECK(lua.Get("robot.user.inner.deep") == "1.0");
+  CHECK(lua.Get("robot.user.inner[1].deeper") == "2.0");
+}
+
+TEST_CASE("lua utility: a table that is there is opened again", "[lua][utility]") {
+  CUserTester lua;
+  lua.Run([](lua_State* state) {
+    lua_getglobal(state, "robot");
+    CLuaUtility::OpenRobotStateTable(state, "user");
+    CLuaUtility::AddToTable(state, "more", 1.0);
+    CLuaUtility::CloseRobotStateTable(state);
+    CHECK(lua_gettop(state) == 1);
+  });
+  CHECK(lua.Get("robot.user.more") == "1.0");
+  CHECK(lua.Get("robot.user.text") == "abc");
+}
+
+TEST_CASE("lua utility: functions find the instance even if the script overwrites robot",
+          "[lua][utility]") {
+  CUserTester lua;
+  lua.Do("robot.user.set(4)");
+  CHECK(lua.Device.Value == 4.0);
+  lua.Do("set = robot.user.set robot = nil set(5)");
+  CHECK(lua.Device.Value == 5.0);
+}
+
+TEST_CASE("lua utility: an instance that is not there is null", "[lua][utility]") {
+  CUserTester lua;
+  lua.Run([](lua_State* state) {
+    CHECK(CLuaUtility::GetDeviceInstance<CUserDevice>(state, "nothing") == nullptr);
+    CHECK(CLuaUtility::GetDeviceInstance<CUserDevice>(state, "user.inner") == nullptr);
+    CHECK(CLuaUtility::GetDeviceInstance<CUserDevice>(state, "user.text.more") == nullptr);
+    CHECK(CLuaUtility::GetDeviceInstance<CUserDevice>(state, "user") != nullptr);
+    CHECK(lua_gettop(state) == 0);
+  });
+}
+
+TEST_CASE("lua utility: LoadScript runs a file", "[lua][utility]") {
+  CLuaTester lua;
+  const CScriptFile script("answer = 42\nfunction init() ready = true end\n");
+  REQUIRE(CLuaUtility::LoadScript(lua.Get(), script.Path));
+  CHECK(lua.Get("answer") == "42");
+  REQUIRE(CLuaUtility::CallLuaFunction(lua.Get(), "init"));
+  CHECK(lua.Get("ready") == "true");
+  CHECK(lua_gettop(lua.Get()) == 0);
+}
+
+TEST_CASE("lua utility: what fails leaves Lua's message on the stack", "[lua][utility]") {
+  CLuaTester lua;
+  const auto message = [&lua] {
+    const std::string text = lua_tostring(lua.Get(), -1);
+    lua_settop(lua.Get(), 0);
+    return text;
+  };
+  const CScriptFile script("x = 1\nfunction broken() error('no good') end\nx = = 2\n");
+  CHECK_FALSE(CLuaUtility::LoadScript(lua.Get(), script.Path));
+  CHECK_THAT(message(), Contains(".lua:3:"));
+  CHECK_FALSE(CLuaUtility::LoadScript(lua.Get(), "no_such_file.lua"));
+  CHECK_THAT(message(), Contains("no_such_file.lua"));
+  CHECK_FALSE(CLuaUtility::CallLuaFunction(lua.Get(), "nothing"));
+  CHECK_THAT(message(), Contains("\"nothing\" must be a function, got nil"));
+  lua.Do("function broken() error('no good') end");
+  CHECK_FALSE(CLuaUtility::CallLuaFunction(lua.Get(), "broken"));
+  CHECK_THAT(message(), Contains("no good"));
+}
+
+TEST_CASE("lua utility: globals and the stack can be printed", "[lua][utility]") {
+  CLuaTester lua;
+  lua.Do("zebra = { b = 2, a = 'text' } apple = 1");
+  lua.Run([](lua_State* state) {
+    CLuaUtility::PrintGlobals(LOG, state);
+    CHECK(lua_gettop(state) == 0);
+  });
+  const std::string text = TakeLog();
+  CHECK_THAT(text, Contains("apple = 1\n") && Contains("  a = \"text\"\n  b = 2\n"));
+  CHECK(text.find("apple = 1") < text.find("zebra = table"));
+  lua.Run([](lua_State* state) {
+    lua_pushinteger(state, 5);
+    lua_pushstring(state, "top");
+    CLuaUtility::PrintStack(LOG, state);
+    CHECK(lua_gettop(state) == 2);
+  });
+  CHECK(TakeLog() == "#1 number 5\n#2 string \"top\"\n");
+}
+
+TEST_CASE("lua utility: a metatable is given by its name", "[lua][utility]") {
+  CLuaTester lua;
+  lua.Run([](lua_State* state) {
+    luaL_newmetatable(state, "of_test");
+    lua_pushstring(state, "from the metatable");
+    lua_setfield(state, -2, "__name");
+    lua_newtable(state);
+    CLuaUtility::SetMetatable(state, "of_test");
+    lua_setglobal(state, "t");
+  });
+  CHECK(lua.Get("getmetatable(t).__name") == "from the metatable");
+}
+
+TEST_CASE("lua utility: tables survive being bytes", "[lua][utility]") {
+  CLuaTester lua;
+  lua.Do(
+      "t = { 1, 2.5, 'text', true, false, huge = math.huge, min = math.mininteger, [-1] = "
+      "'minus',\n"
+      "      [2.5] = 'half', [true] = 'yes', inner = { deep = { 'deepest' } }, empty = {},\n"
+      "      zero = 'a\\0b', v2 = vector2(1, 2), v3 = vector3(1, 2, 3),\n"
+      "      q = quaternion(1, 2, 3, 4), f = print, [print] = 1 }");
+  CByteArray data;
+  data << UInt8(7);
+  lua.Run([&data](lua_State* state) {
+    lua_getglobal(state, "t");
+    CLuaUtility::LuaSerializeTable(state, data);
+    CHECK(lua_gettop(state) == 1);
+  });
+  data << UInt8(9);
+  CHECK(data.PopFront<UInt8>() == 7);
+  lua.Run([&data](lua_State* state) {
+    REQUIRE(CLuaUtility::LuaDeserializeTable(state, data));
+    CHECK(lua_gettop(state) == 1);
+    lua_setglobal(state, "u");
+  });
+  // nothing but the table was taken
+  CHECK(data.Size() == 1);
+  CHECK(data.PopFront<UInt8>() == 9);
+  CHECK(lua.Get("u[1] .. u[2] .. u[3]") == "12.5text");
+  CHECK(lua.Get("math.type(u[1]) .. math.type(u[2])") == "integerfloat");
+  CHECK(lua.Get("u[4]") == "true");
+  CHECK(lua.Get("u[5]") == "false");
+  CHECK(lua.Get("u.huge") == "inf");
+  CHECK(lua.Get("u.min == math.mininteger") == "true");
+  CHECK(lua.Get("u[-1] .. u[2.5] .. u[true]") == "minushalfyes");
+  CHECK(lua.Get("u.inner.deep[1]") == "deepest");
+  CHECK(lua.Get("next(u.empty)") == "nil");
+  CHECK(lua.Get("#u.zero") == "3");
+  CHECK(lua.Get("u.v2") == "1,2");
+  CHECK(lua.Get("u.v3") == "1,2,3");
+  CHECK(lua.Get("u.q == t.q") == "true");
+  CHECK(lua.Get("u.f") == "nil");
+}
+
+TEST_CASE("lua utility: the same table becomes the same bytes in any state", "[lua][utility]") {
+  const auto serialize = [] {
+    CLuaTester lua;
+    lua.Do("t = {} for i = 1, 50 do t['key' .. i] = i end");
+    CByteArray data;
+    lua.Run([&data](lua_State* state) {
+      lua_getglobal(state, "t");
+      CLuaUtility::LuaSerializeTable(state, data);
+    });
+    return data;
+  };
+  const CByteArray first = serialize();
+  for (int i = 0; i < 5; ++i) {
+    CHECK(serialize() == first);
+  }
+}
+
+TEST_CASE("lua utility: a table that contains itself cannot become bytes", "[lua][utility]") {
+  CLuaTester lua;
+  lua.Do("t = {} t.me = t");
+  CByteArray data;
+  CHECK_THROWS_WITH(lua.Run([&data](lua_State* state) {
+    lua_getglobal(state, "t");
+    CLuaUtility::LuaSerializeTable(state, data);
+  }),
+                    Contains("does it contain itself?"));
+  CHECK(data.Empty());
+}
+
+TEST_CASE("lua utility: bytes that are no table give no table", "[lua][utility]") {
+  CLuaTester lua;
+  lua.Do("t = { 1, 'text', { vector3(1, 2, 3) } }");
+  CByteArray good;
+  lua.Run([&good](lua_State* state) {
+    lua_getglobal(state, "t");
+    CLuaUtility::LuaSerializeTable(state, good);
+  });
+  // every beginning of the right bytes is too short
+  for (std::size_t size = 0; size < good.Size(); ++size) {
+    CByteArray data(good.ToCArray(), size);
+    lua.Run([&](lua_State* state) {
+      CHECK_FALSE(CLuaUtility::LuaDeserializeTable(state, data));
+      CHECK(lua_gettop(state) == 0);
+    });
+    CHECK(data.Size() == size);
+  }
+  // and every other byte in its place does no harm
+  for (std::size_t i = 0; i < good.Size(); ++i) {
+    for (const int byte : {0, 1, 6, 10, 255}) {
+      CByteArray data = good;
+      data[i] = static_cast<UInt8>(byte);
+      lua.Run([&](lua_State* state) {
+        const bool worked = CLuaUtility::LuaDeserializeTable(state, data);
+        CHECK(lua_gettop(state) == (worked ? 1 : 0));
+      });
+    }
+  }
+}
