@@ -21,8 +21,6 @@ struct SRayBounds {
   bool Planar = true;
   /** A circle in the anchor's xy plane that holds all rays, m. */
   Real CenterX = 0.0, CenterY = 0.0, Reach = 0.0;
-  /** Radius of the circle around the same centre that holds the starts of the rays, m. */
-  Real StartReach = 0.0;
 };
 
 /** The sensors of a type of robot that look along rays. */

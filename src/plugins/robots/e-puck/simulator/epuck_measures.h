@@ -29,6 +29,10 @@ constexpr Real kProximityElevation = 0.06;
 constexpr Real kProximityRadius = kBodyRadius;
 constexpr Real kProximityRange = 0.1;
 
+// ring of light sensors, as wide and high as the proximity sensors
+constexpr UInt32 kNumLightSensors = 8;
+constexpr Real kLightRingStartAngle = 22.5;  // degrees
+
 // ring of LEDs
 constexpr UInt32 kNumLEDs = 8;
 constexpr Real kLEDRingElevation = kBodyHeight;

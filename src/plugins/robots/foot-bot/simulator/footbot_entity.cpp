@@ -3,6 +3,7 @@
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_appearance.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_measures.h>
 #include <argos3/plugins/robots/generic/simulator/device_parameters.h>
+#include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
 
 namespace argos {
 
@@ -35,12 +36,21 @@ std::shared_ptr<const CProximitySensorEquippedEntity::SLayout> MakeProximity() {
   return sensors;
 }
 
+CEntity& MakeLightSensors(CRobotEntity& robot) {
+  // at the places of the proximity sensors
+  static const std::shared_ptr<const SRayLayout> layout = MakeProximity();
+  auto& sensors = robot.MakeOnDemand<CLightSensorEquippedEntity>("light_0");
+  sensors.SetLayout(layout, {&robot.GetEmbodiedEntity().GetOriginAnchor()});
+  return sensors;
+}
+
 SRobotType MakeType() {
   SRobotType type;
   type.LEDAnchor = "turret";
   type.LEDs = MakeLEDs();
   type.Proximity = MakeProximity();
   type.Appearance = MakeFootBotAppearance();
+  type.OnDemand.push_back({"light_sensors", &MakeLightSensors});
   return type;
 }
 
@@ -84,6 +94,10 @@ void CFootBotEntity::Init(TConfigurationNode& tree) {
   parameters.Battery.Read(tree);
   SetDeviceParameters(parameters);
   InitController(tree);
+}
+
+CLightSensorEquippedEntity& CFootBotEntity::GetLightSensorEquippedEntity() {
+  return Demand<CLightSensorEquippedEntity>("light_sensors");
 }
 
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CFootBotEntity)

@@ -6,6 +6,8 @@
 
 namespace argos {
 
+class CLightSensorEquippedEntity;
+
 /**
  * The foot-bot of the Swarmanoid project: 17 cm across, with wheels and tracks, 24 proximity
  * sensors, 12 LEDs and a beacon on a turret.
@@ -46,6 +48,9 @@ class CFootBotEntity : public CDifferentialDriveRobotEntity {
 
   void Init(TConfigurationNode& tree) override;
   std::string GetTypeDescription() const override { return "foot-bot"; }
+
+  /** Components that are made when first asked for; see CRobotEntity. */
+  CLightSensorEquippedEntity& GetLightSensorEquippedEntity();
 };
 
 }  // namespace argos

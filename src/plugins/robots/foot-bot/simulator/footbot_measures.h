@@ -24,7 +24,7 @@ constexpr Real kWheelRadius = 0.029112741;
 constexpr Real kMaxDriveForce = 15.0;  // N
 constexpr Real kMaxDriveTorque = 150.0;  // N m
 
-// ring of proximity sensors
+// ring of proximity sensors, and of light sensors
 constexpr UInt32 kNumProximitySensors = 24;
 constexpr Real kProximityRingElevation = 0.06;
 constexpr Real kProximityRingRadius = kBodyRadius;
