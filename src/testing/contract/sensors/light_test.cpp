@@ -10,8 +10,6 @@
 #include <argos3/plugins/simulator/entities/light_entity.h>
 #include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
 #include <argos3/testing/contract/sensors/scene.h>
-#include <argos3/testing/support/distribution_test.h>
-#include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
 
@@ -105,8 +103,8 @@ TEST_CASE("light: sensors in front read the squared ratio of intensity and dista
                                             random.Uniform(0.0, 1.0));
     const Real intensity = random.Uniform(0.05, 0.3);
     CAPTURE(ring.Tag, trial, robot, yaw, light, intensity);
-    CRobotWorld world(WithGenericSensor(Robot(ring.Tag, "r", Pose(robot, yaw * 180.0 / M_PI)) +
-                                        Light("l", light, intensity)));
+    CRobotWorld world(WithGenericSensor(Robot(ring.Tag, "r", PoseText(robot, yaw * 180.0 / M_PI)) +
+                                        LampText("l", light, intensity)));
     world.Step();
     const std::vector<Real>& readings = Readings(world);
     REQUIRE(readings.size() == ring.Angles.size());
@@ -132,9 +130,9 @@ TEST_CASE("light: a light on the tangent of a sensor is seen, on either side of 
                     -0.3 + x * std::sin(turn) + y * std::cos(turn), kHeight);
   };
   CRobotWorld world(WithGenericSensor(
-      Robot("e-puck", "r", Pose(CVector3(0.7, -0.3, 0.0), yaw)) +
+      Robot("e-puck", "r", PoseText(CVector3(0.7, -0.3, 0.0), yaw)) +
       // ahead of the sensors at 90 and -90 degrees that are added below
-      Light("left", toWorld(1.0, 0.035), 0.2) + Light("right", toWorld(1.0, -0.035), 0.3)));
+      LampText("left", toWorld(1.0, 0.035), 0.2) + LampText("right", toWorld(1.0, -0.035), 0.3)));
   auto& robot = world.Get<CEPuckEntity>("r");
   SAnchor& origin = robot.GetEmbodiedEntity().GetOriginAnchor();
   CLightSensorEquippedEntity& sensors = robot.GetLightSensorEquippedEntity();
@@ -154,9 +152,9 @@ TEST_CASE("light: lights add up, those without intensity do not count, and 1 is 
   const CVector3 a(1.5, 0.3, 0.2);
   const CVector3 b(0.4, 2.0, 0.1);
   CRobotWorld world(
-      WithGenericSensor(Robot("foot-bot", "r", Pose(CVector3())) + Light("a", a, 0.2) +
-                        Light("off", CVector3(0.2, 0.0, 0.0), 0.0) + Light("b", b, 0.3) +
-                        Light("negative", CVector3(0.0, 0.2, 0.0), -1.0)));
+      WithGenericSensor(Robot("foot-bot", "r", PoseText(CVector3())) + LampText("a", a, 0.2) +
+                        LampText("off", CVector3(0.2, 0.0, 0.0), 0.0) + LampText("b", b, 0.3) +
+                        LampText("negative", CVector3(0.0, 0.2, 0.0), -1.0)));
   world.Step();
   const auto contribution = [&](size_t i, const CVector3& light, Real intensity) {
     const Real ratio = intensity / Distance(light, SensorAt(ring, i, CVector3(), 0.0));
@@ -174,8 +172,8 @@ TEST_CASE("light: lights add up, those without intensity do not count, and 1 is 
 
 TEST_CASE("light: a sensor under a light, at no distance, reads 1", "[contract][sensors]") {
   const SRing ring = EPuckRing();
-  CRobotWorld world(WithGenericSensor(Robot("e-puck", "r", Pose(CVector3())) +
-                                      Light("l", SensorAt(ring, 2, CVector3(), 0.0), 1e-3)));
+  CRobotWorld world(WithGenericSensor(Robot("e-puck", "r", PoseText(CVector3())) +
+                                      LampText("l", SensorAt(ring, 2, CVector3(), 0.0), 1e-3)));
   world.Step();
   CHECK(Readings(world)[2] == 1.0);
 }
@@ -187,8 +185,9 @@ TEST_CASE("light: a body between hides the light from the sensors behind it alon
   CAPTURE(ring.Tag, radius);
   const CVector3 light(1.5, 0.0, kHeight);
   const CVector3 pole(0.5, 0.01, 0.0);
-  CRobotWorld world(WithGenericSensor(Robot(ring.Tag, "r", Pose(CVector3())) +
-                                      Light("l", light, 0.3) + Cylinder("pole", pole, radius)));
+  CRobotWorld world(WithGenericSensor(Robot(ring.Tag, "r", PoseText(CVector3())) +
+                                      LampText("l", light, 0.3) +
+                                      PillarText("pole", pole.GetX(), pole.GetY(), radius, 0.5)));
   world.Step();
   int hidden = 0;
   int seen = 0;
@@ -217,13 +216,14 @@ TEST_CASE("light: a body between hides the light from the sensors behind it alon
 TEST_CASE("light: bodies below, beside, behind and beyond hide nothing", "[contract][sensors]") {
   const CVector3 light(1.0, 0.0, 0.46);
   // at x = 0.5 the lines from the sensors to the light are higher than 0.2
-  const std::string harmless = Box("low", CVector3(0.2, 1.0, 0.19), CVector3(0.5, 0.0, 0.0)) +
-                               Box("beside", CVector3(2.0, 0.2, 1.0), CVector3(0.5, 0.4, 0.0)) +
-                               Box("behind", CVector3(0.2, 2.0, 1.0), CVector3(-0.4, 0.0, 0.0)) +
-                               Box("beyond", CVector3(0.2, 2.0, 1.0), CVector3(1.4, 0.0, 0.0));
-  const std::string robot = Robot("foot-bot", "r", Pose(CVector3()));
-  CRobotWorld open(WithGenericSensor(robot + Light("l", light, 0.5)));
-  CRobotWorld furnished(WithGenericSensor(robot + harmless + Light("l", light, 0.5)));
+  const std::string harmless =
+      BoxText("low", CVector3(0.2, 1.0, 0.19), CVector3(0.5, 0.0, 0.0)) +
+      BoxText("beside", CVector3(2.0, 0.2, 1.0), CVector3(0.5, 0.4, 0.0)) +
+      BoxText("behind", CVector3(0.2, 2.0, 1.0), CVector3(-0.4, 0.0, 0.0)) +
+      BoxText("beyond", CVector3(0.2, 2.0, 1.0), CVector3(1.4, 0.0, 0.0));
+  const std::string robot = Robot("foot-bot", "r", PoseText(CVector3()));
+  CRobotWorld open(WithGenericSensor(robot + LampText("l", light, 0.5)));
+  CRobotWorld furnished(WithGenericSensor(robot + harmless + LampText("l", light, 0.5)));
   open.Step();
   furnished.Step();
   CHECK(Readings(open)[0] > 0.0);
@@ -232,24 +232,24 @@ TEST_CASE("light: bodies below, beside, behind and beyond hide nothing", "[contr
 
 TEST_CASE("light: robots hide lights from each other", "[contract][sensors]") {
   // the e-puck in the shade of a foot-bot, and the foot-bot of nobody
-  CRobotWorld world(WithGenericSensor(Robot("foot-bot", "fb", Pose(CVector3(0.5, 0.0, 0.0))) +
-                                      Robot("e-puck", "ep", Pose(CVector3(0.2, 0.0, 0.0))) +
-                                      Light("l", CVector3(2.0, 0.0, kHeight), 0.5)));
+  CRobotWorld world(WithGenericSensor(Robot("foot-bot", "fb", PoseText(CVector3(0.5, 0.0, 0.0))) +
+                                      Robot("e-puck", "ep", PoseText(CVector3(0.2, 0.0, 0.0))) +
+                                      LampText("l", CVector3(2.0, 0.0, kHeight), 0.5)));
   world.Step();
   CHECK(Readings(world, "ep") == std::vector<Real>(8, 0.0));
   CHECK(Readings(world, "fb")[0] > 0.0);
 }
 
 TEST_CASE("light: a light inside a body is not seen", "[contract][sensors]") {
-  CRobotWorld world(WithGenericSensor(Robot("e-puck", "r", Pose(CVector3())) +
-                                      Cylinder("c", CVector3(0.5, 0.0, 0.0), 0.1) +
-                                      Light("l", CVector3(0.5, 0.0, 0.1), 0.5)));
+  CRobotWorld world(WithGenericSensor(Robot("e-puck", "r", PoseText(CVector3())) +
+                                      PillarText("c", 0.5, 0.0, 0.1, 0.5) +
+                                      LampText("l", CVector3(0.5, 0.0, 0.1), 0.5)));
   world.Step();
   CHECK(Readings(world) == std::vector<Real>(8, 0.0));
 }
 
 TEST_CASE("light: sensors see the lights that there are now", "[contract][sensors]") {
-  SRobotExperiment experiment = WithGenericSensor(Robot("e-puck", "r", Pose(CVector3())));
+  SRobotExperiment experiment = WithGenericSensor(Robot("e-puck", "r", PoseText(CVector3())));
   CRobotWorld world(experiment);
   world.Step();
   CHECK(Readings(world) == std::vector<Real>(8, 0.0));
@@ -271,8 +271,8 @@ TEST_CASE("light: sensors see the lights that there are now", "[contract][sensor
 }
 
 TEST_CASE("light: worlds do not share their lights", "[contract][sensors]") {
-  const std::string robot = Robot("e-puck", "r", Pose(CVector3()));
-  CRobotWorld lit(WithGenericSensor(robot + Light("l", CVector3(1.0, 0.0, kHeight), 0.5)));
+  const std::string robot = Robot("e-puck", "r", PoseText(CVector3()));
+  CRobotWorld lit(WithGenericSensor(robot + LampText("l", CVector3(1.0, 0.0, kHeight), 0.5)));
   CRobotWorld dark(WithGenericSensor(robot));
   lit.Step();
   dark.Step();
@@ -285,7 +285,7 @@ TEST_CASE("light: a tilted robot's sensors look where they are turned", "[contra
   CRobotWorld world(WithGenericSensor(
       "<e-puck id=\"r\"><body position=\"0,0,2\" orientation=\"0,-90,0\"/><controller "
       "config=\"c\"/></e-puck>" +
-      Light("l", CVector3(0.0, 0.0, 3.5), 0.5)));
+      LampText("l", CVector3(0.0, 0.0, 3.5), 0.5)));
   world.Step();
   const SRing ring = EPuckRing();
   for (size_t i = 0; i < 8; ++i) {
@@ -310,8 +310,9 @@ TEST_CASE("footbot_light: readings fall with distance and angle as published",
                           random.Uniform(0.0, 1.0));
     const Real intensity = random.Uniform(0.3, 3.0);
     CAPTURE(trial, robot, yaw, offset, intensity);
-    CRobotWorld world(WithFootBotSensor(Robot("foot-bot", "r", Pose(robot, yaw * 180.0 / M_PI)) +
-                                        Light("l", robot + offset, intensity)));
+    CRobotWorld world(
+        WithFootBotSensor(Robot("foot-bot", "r", PoseText(robot, yaw * 180.0 / M_PI)) +
+                          LampText("l", robot + offset, intensity)));
     world.Step();
     const Real distance = offset.Length() / intensity;
     const Real strength = distance <= 2.5 ? std::exp(-2.0 * distance) : 0.0;
@@ -331,8 +332,8 @@ TEST_CASE("footbot_light: readings fall with distance and angle as published",
 }
 
 TEST_CASE("footbot_light: the published example", "[contract][sensors]") {
-  CRobotWorld world(WithFootBotSensor(Robot("foot-bot", "r", Pose(CVector3())) +
-                                      Light("l", CVector3(1.0, 0.0, 0.0), 1.0)));
+  CRobotWorld world(WithFootBotSensor(Robot("foot-bot", "r", PoseText(CVector3())) +
+                                      LampText("l", CVector3(1.0, 0.0, 0.0), 1.0)));
   world.Step();
   // published with four digits
   CHECK_THAT(FootBotReadings(world)[0].Value, WithinAbs(0.1241, 5e-5));
@@ -343,16 +344,17 @@ TEST_CASE("footbot_light: the reach grows with the intensity, and ends at 2.5",
   const Real intensity = GENERATE(0.5, 1.0, 1.7);
   const Real excess = GENERATE(-1e-9, 1e-9);
   CRobotWorld world(
-      WithFootBotSensor(Robot("foot-bot", "r", Pose(CVector3())) +
-                        Light("l", CVector3(2.5 * intensity + excess, 0.0, 0.0), intensity)));
+      WithFootBotSensor(Robot("foot-bot", "r", PoseText(CVector3())) +
+                        LampText("l", CVector3(2.5 * intensity + excess, 0.0, 0.0), intensity)));
   world.Step();
   CHECK((FootBotReadings(world)[0].Value > 0.0) == (excess < 0.0));
 }
 
 TEST_CASE("footbot_light: a light straight above shines on all sensors alike",
           "[contract][sensors]") {
-  CRobotWorld world(WithFootBotSensor(Robot("foot-bot", "r", Pose(CVector3(0.3, 0.7, 0.0), 20.0)) +
-                                      Light("l", CVector3(0.3, 0.7, 0.5), 1.0)));
+  CRobotWorld world(
+      WithFootBotSensor(Robot("foot-bot", "r", PoseText(CVector3(0.3, 0.7, 0.0), 20.0)) +
+                        LampText("l", CVector3(0.3, 0.7, 0.5), 1.0)));
   world.Step();
   for (const auto& reading : FootBotReadings(world)) {
     CHECK_THAT(reading.Value, WithinAbs(std::exp(-1.0) / 4.0, kRounding));
@@ -362,14 +364,14 @@ TEST_CASE("footbot_light: a light straight above shines on all sensors alike",
 TEST_CASE("footbot_light: another body on the line to the light hides it, the robot's own does not",
           "[contract][sensors]") {
   // the light is inside the robot's own body, 3 cm ahead of its centre
-  CRobotWorld own(WithFootBotSensor(Robot("foot-bot", "r", Pose(CVector3())) +
-                                    Light("l", CVector3(0.03, 0.0, 0.05), 1.0)));
+  CRobotWorld own(WithFootBotSensor(Robot("foot-bot", "r", PoseText(CVector3())) +
+                                    LampText("l", CVector3(0.03, 0.0, 0.05), 1.0)));
   own.Step();
   CHECK(FootBotReadings(own)[0].Value > 0.0);
   const Real side = GENERATE(0.0, 0.0999, 0.1001);  // m, of the pole's axis from the line
-  CRobotWorld world(WithFootBotSensor(Robot("foot-bot", "r", Pose(CVector3())) +
-                                      Cylinder("c", CVector3(0.6, side, 0.0), 0.1) +
-                                      Light("l", CVector3(1.2, 0.0, 0.0), 1.0)));
+  CRobotWorld world(WithFootBotSensor(Robot("foot-bot", "r", PoseText(CVector3())) +
+                                      PillarText("c", 0.6, side, 0.1, 0.5) +
+                                      LampText("l", CVector3(1.2, 0.0, 0.0), 1.0)));
   world.Step();
   CHECK((FootBotReadings(world)[0].Value > 0.0) == (side > 0.1));
 }
@@ -380,12 +382,12 @@ TEST_CASE("light sensors: noise is even in [-n,n], or as the <noise> child says"
   struct SCase {
     const char* Attributes;
     const char* Child;
-    std::function<Real(Real)> Cdf;  // of the deviation
+    std::function<Real(Real)> Distribution;  // of the deviation
   };
   const SCase cases[] = {
-      {"noise_level=\"0.05\"", "", [](Real x) { return testing::UniformCdf(x, -0.05, 0.05); }},
+      {"noise_level=\"0.05\"", "", [](Real x) { return UniformDistribution(x, -0.05, 0.05); }},
       {"", "<noise on=\"reading\" model=\"gaussian\" std_dev=\"0.02\" bias=\"0.01\"/>",
-       [](Real x) { return testing::GaussianCdf(x, 0.01, 0.02); }},
+       [](Real x) { return NormalDistribution(x - 0.01, 0.02); }},
   };
   const size_t which = GENERATE(0U, 1U);
   const SCase& noise = cases[which];
@@ -395,8 +397,8 @@ TEST_CASE("light sensors: noise is even in [-n,n], or as the <noise> child says"
   CAPTURE(device, noise.Attributes, noise.Child);
   SRobotExperiment experiment;
   experiment.Sensors = "<" + device + " " + noise.Attributes + ">" + noise.Child + "</" + tag + ">";
-  experiment.Arena = Robot("foot-bot", "r", Pose(CVector3())) +
-                     Light("l", CVector3(1.0, 0.0, 0.0), tag == "light" ? 0.6 : 3.0);
+  experiment.Arena = Robot("foot-bot", "r", PoseText(CVector3())) +
+                     LampText("l", CVector3(1.0, 0.0, 0.0), tag == "light" ? 0.6 : 3.0);
   SRobotExperiment exact = experiment;
   exact.Sensors = "<" + device + "/>";
   const auto first = [&tag](CRobotWorld& world) {
@@ -412,7 +414,7 @@ TEST_CASE("light sensors: noise is even in [-n,n], or as the <noise> child says"
   for (int i = 0; i < kDraws; ++i) {
     deviations.push_back(first(world) - truth);
   }
-  CHECK(testing::ComputeKolmogorovSmirnov(deviations, noise.Cdf) < testing::kOneInAMillion);
+  CHECK(KolmogorovSmirnovExcess(deviations, noise.Distribution) <= 1.0);
 }
 
 TEST_CASE("light sensors: rays are recorded only if asked for", "[contract][sensors]") {
@@ -420,9 +422,10 @@ TEST_CASE("light sensors: rays are recorded only if asked for", "[contract][sens
   const std::string device =
       GENERATE("light implementation=\"default\"", "footbot_light implementation=\"rot_z_only\"");
   CAPTURE(show, device);
-  SRobotExperiment experiment = WithSensor(
-      device + " show_rays=\"" + (show ? "true" : "false") + "\"",
-      Robot("foot-bot", "r", Pose(CVector3())) + Light("l", CVector3(2.0, 0.0, kHeight), 1.0));
+  SRobotExperiment experiment =
+      WithSensor(device + " show_rays=\"" + (show ? "true" : "false") + "\"",
+                 Robot("foot-bot", "r", PoseText(CVector3())) +
+                     LampText("l", CVector3(2.0, 0.0, kHeight), 1.0));
   CRobotWorld world(experiment);
   world.Step(2);
   size_t expected = 1;
@@ -451,8 +454,8 @@ TEST_CASE("light: derived sensors read lights in their own way", "[contract][sen
   const Real angle = 22.5 * M_PI / 180.0;
   CRobotWorld world(WithSensor(
       "light implementation=\"inverse_for_tests\"",
-      Robot("e-puck", "r", Pose(CVector3())) +
-          Light("l", CVector3(0.535 * std::cos(angle), 0.535 * std::sin(angle), kHeight), 2.0)));
+      Robot("e-puck", "r", PoseText(CVector3())) +
+          LampText("l", CVector3(0.535 * std::cos(angle), 0.535 * std::sin(angle), kHeight), 2.0)));
   world.Step();
   CHECK_THAT(Readings(world)[0], WithinAbs(0.4, kRounding));
 }
@@ -460,11 +463,11 @@ TEST_CASE("light: derived sensors read lights in their own way", "[contract][sen
 TEST_CASE("light sensors: wrong experiments are refused with the reason",
           "[contract][sensors][errors]") {
   SECTION("a robot without light sensors") {
-    SRobotExperiment experiment = WithGenericSensor(Robot("toy-robot", "t0", Pose(CVector3())));
+    SRobotExperiment experiment = WithGenericSensor(Robot("toy-robot", "t0", PoseText(CVector3())));
     CHECK_THAT(LoadError(experiment), Contains("\"t0\"") && Contains("light_sensors"));
   }
   SECTION("the sensor of another robot") {
-    CHECK_THAT(LoadError(WithFootBotSensor(Robot("e-puck", "ep0", Pose(CVector3())))),
+    CHECK_THAT(LoadError(WithFootBotSensor(Robot("e-puck", "ep0", PoseText(CVector3())))),
                Contains("footbot_light") && Contains("needs a robot with 24") &&
                    Contains("\"ep0\" has 8"));
   }
@@ -472,11 +475,11 @@ TEST_CASE("light sensors: wrong experiments are refused with the reason",
     const std::string device =
         GENERATE("light implementation=\"default\"", "footbot_light implementation=\"rot_z_only\"");
     CHECK_THAT(LoadError(WithSensor(device + " noise_level=\"-0.1\"",
-                                    Robot("foot-bot", "fb0", Pose(CVector3())))),
+                                    Robot("foot-bot", "fb0", PoseText(CVector3())))),
                Contains("noise_level") && Contains(">= 0") && Contains("-0.1"));
   }
   SECTION("noise on something else") {
-    SRobotExperiment experiment = WithGenericSensor(Robot("foot-bot", "fb0", Pose(CVector3())));
+    SRobotExperiment experiment = WithGenericSensor(Robot("foot-bot", "fb0", PoseText(CVector3())));
     experiment.Sensors =
         "<light implementation=\"default\"><noise on=\"readin\" model=\"uniform\" "
         "level=\"1\"/></light>";

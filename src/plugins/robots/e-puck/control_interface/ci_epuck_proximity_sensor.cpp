@@ -1,6 +1,6 @@
 #include <argos3/plugins/robots/e-puck/control_interface/ci_epuck_proximity_sensor.h>
 
-#include <argos3/plugins/robots/generic/control_interface/angular_readings.h>
+#include <argos3/plugins/robots/generic/control_interface/placed_readings.h>
 
 namespace argos {
 

@@ -5,6 +5,7 @@
 
 namespace argos {
 
+class CGroundSensorEquippedEntity;
 class CLightSensorEquippedEntity;
 
 /**
@@ -38,6 +39,7 @@ class CEPuckEntity : public CDifferentialDriveRobotEntity {
   std::string GetTypeDescription() const override { return "e-puck"; }
 
   /** Components that are made when first asked for; see CRobotEntity. */
+  CGroundSensorEquippedEntity& GetGroundSensorEquippedEntity();
   CLightSensorEquippedEntity& GetLightSensorEquippedEntity();
 };
 

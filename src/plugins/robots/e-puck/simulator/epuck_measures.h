@@ -33,6 +33,10 @@ constexpr Real kProximityRange = 0.1;
 constexpr UInt32 kNumLightSensors = 8;
 constexpr Real kLightRingStartAngle = 22.5;  // degrees
 
+// ground sensors, from right to left
+constexpr Real kGroundSensorX = 0.03;
+constexpr Real kGroundSensorYs[] = {-0.009, 0.0, 0.009};
+
 // ring of LEDs
 constexpr UInt32 kNumLEDs = 8;
 constexpr Real kLEDRingElevation = kBodyHeight;

@@ -1,6 +1,6 @@
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_light_sensor.h>
 
-#include <argos3/plugins/robots/generic/control_interface/angular_readings.h>
+#include <argos3/plugins/robots/generic/control_interface/placed_readings.h>
 
 namespace argos {
 

@@ -6,6 +6,7 @@
 
 namespace argos {
 
+class CGroundSensorEquippedEntity;
 class CLightSensorEquippedEntity;
 
 /**
@@ -50,6 +51,7 @@ class CFootBotEntity : public CDifferentialDriveRobotEntity {
   std::string GetTypeDescription() const override { return "foot-bot"; }
 
   /** Components that are made when first asked for; see CRobotEntity. */
+  CGroundSensorEquippedEntity& GetGroundSensorEquippedEntity();
   CLightSensorEquippedEntity& GetLightSensorEquippedEntity();
 };
 

@@ -32,6 +32,11 @@ constexpr Real kProximityRange = 0.1;
 constexpr Real kProximityStartAngle = 7.5;
 constexpr Real kProximityAngleStep = 360.0 / kNumProximitySensors;
 
+// ground sensors; where they are is in ci_footbot_{motor,base}_ground_sensor.h
+constexpr UInt32 kFirstMotorGroundSensor = 0;
+constexpr UInt32 kFirstBaseGroundSensor = 4;
+constexpr UInt32 kNumGroundSensors = 12;
+
 // ring of LEDs, and the beacon above it, on the turret
 constexpr UInt32 kNumRingLEDs = 12;
 constexpr Real kLEDRingElevation = 0.085;

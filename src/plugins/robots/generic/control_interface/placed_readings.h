@@ -1,5 +1,5 @@
-#ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_ANGULAR_READINGS_H
-#define ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_ANGULAR_READINGS_H
+#ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_PLACED_READINGS_H
+#define ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_PLACED_READINGS_H
 
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/core/wrappers/lua/lua_table.h>
@@ -7,8 +7,8 @@
 #include <vector>
 
 /*
- * Rings of sensors around a robot, for the sources of control interfaces. A READING has a Value and
- * an Angle, and is made from the two.
+ * Readings that say where their sensors are, for the sources of control interfaces: a READING has a
+ * Value and an Angle, or a Value and an Offset, and is made from the two.
  */
 
 namespace argos {
@@ -34,6 +34,17 @@ void WriteAngularReadings(CLuaTable& table, const std::vector<READING>& readings
     record.Set("value", reading.Value);
     if (record.IsNew()) {
       record.Set("angle", reading.Angle);
+    }
+  });
+}
+
+/** Writes the list of { offset, value }; offsets never change. */
+template <typename READING>
+void WriteOffsetReadings(CLuaTable& table, const std::vector<READING>& readings) {
+  table.SetRecords(readings, [](CLuaTable& record, const READING& reading) {
+    record.Set("value", reading.Value);
+    if (record.IsNew()) {
+      record.Set("offset", reading.Offset);
     }
   });
 }
