@@ -282,6 +282,7 @@ void CSimulator::Destroy() {
   m_rng = nullptr;
   m_controllerNodes.clear();
   m_broken.clear();
+  m_checks.clear();
   m_loading = false;
   m_overrides.clear();
   m_document = nullptr;

@@ -86,6 +86,13 @@ class CSimulator {
   /** @throws CAlreadyReported if @p id was marked. */
   void ThrowIfBroken(const std::string& id) const;
 
+  /**
+   * Calls @p check when loading is over and everything that the file and the loop functions make
+   * exists; at once if nothing is being loaded. What it throws is reported with the other errors of
+   * loading, equal texts once; if there are others, it is not called.
+   */
+  void CheckWhenLoaded(std::function<void()> check);
+
   /** @throws CARGoSException if profiling is off. */
   CProfiler& GetProfiler();
   bool IsProfiling() const { return m_profiler != nullptr; }
@@ -197,6 +204,7 @@ class CSimulator {
   std::map<std::string, TConfigurationNode*> m_controllerNodes;
   bool m_loading = false;
   std::set<std::string> m_broken;  // ids of parts that failed while loading
+  std::vector<std::function<void()>> m_checks;  // to do when loading is over
   std::unique_ptr<CThreadPool> m_pool;
   std::unique_ptr<CSpace> m_space;
   std::unique_ptr<CLoopFunctions> m_ownLoopFunctions;

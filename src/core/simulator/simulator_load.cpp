@@ -357,6 +357,18 @@ void CSimulator::PostSpaceInit(CLoadErrors& errors) {
   for (CMedium* medium : m_media) {
     errors.Try("medium \"" + medium->GetId() + "\"", [&] { medium->PostSpaceInit(); });
   }
+  for (const std::function<void()>& check : m_checks) {
+    errors.Try("", check);
+  }
+  m_checks.clear();
+}
+
+void CSimulator::CheckWhenLoaded(std::function<void()> check) {
+  if (m_loading) {
+    m_checks.push_back(std::move(check));
+  } else {
+    check();
+  }
 }
 
 void CSimulator::InitVisualization(TConfigurationNode& root, CLoadErrors& errors) {

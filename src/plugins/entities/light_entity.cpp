@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/plugins/simulator/entities/lights.h>
 
 #include <cmath>
 
@@ -62,7 +63,29 @@ void CLightEntity::UpdateDigest(CDigest& digest) const {
   digest.Add(m_intensity);
 }
 
-REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CLightEntity)
+namespace {
+
+class CSpaceOperationAddCLightEntity : public CSpaceOperationAddEntity {
+ public:
+  void ApplyTo(CSpace& space, CLightEntity& light) {
+    space.AddEntity(light);
+    space.GetExtension<CLights>().Add(light);
+  }
+};
+
+class CSpaceOperationRemoveCLightEntity : public CSpaceOperationRemoveEntity {
+ public:
+  void ApplyTo(CSpace& space, CLightEntity& light) {
+    space.GetExtension<CLights>().Remove(light);
+    space.RemoveEntity(light);
+  }
+};
+
+}  // namespace
+
+REGISTER_SPACE_OPERATION(CSpaceOperationAddEntity, CSpaceOperationAddCLightEntity, CLightEntity)
+REGISTER_SPACE_OPERATION(CSpaceOperationRemoveEntity, CSpaceOperationRemoveCLightEntity,
+                         CLightEntity)
 
 REGISTER_ENTITY(CLightEntity, "light", "the authors of this project", "1.0",
                 "A lamp that light sensors and cameras see.",

@@ -19,6 +19,7 @@ SExperiment SRobotExperiment::ToExperiment() const {
   }
   experiment.Engines = Engine;
   experiment.Media = Media;
+  experiment.LoopFunctions = LoopFunctions;
   experiment.Arena = Arena;
   return experiment;
 }

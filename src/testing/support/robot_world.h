@@ -23,6 +23,7 @@ struct SRobotExperiment {
   std::string Arena; /**< XML elements */
   std::string Engine = "<toy_engine id=\"engine\"/>";
   std::string Media = "<led id=\"leds\"/>";
+  std::string LoopFunctions = ""; /**< the whole element, or nothing */
   UInt32 Seed = 1;
 
   SExperiment ToExperiment() const;

@@ -67,6 +67,12 @@ class CBodyIndex {
    */
   template <typename VISIT>
   void ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const;
+  /**
+   * Calls visit(const SIndexedShape&) for every solid whose footprint comes within @p reach (m) of
+   * @p ray as seen from above, and for some that do not; wide solids perhaps repeatedly.
+   */
+  template <typename VISIT>
+  void ForShapesAlongRay(const CRay3& ray, Real reach, VISIT&& visit) const;
 
   /** Where @p ray enters a solid of any kind: fraction in [0,1], 0 if it starts inside; else > 1.
    */
@@ -148,9 +154,6 @@ class CBodyIndex {
   void VisitOverlayWide(VISIT&& visit) const;
   template <typename VISIT>
   void VisitWide(const SCellRange& cells, VISIT&& visit) const;
-  template <typename VISIT>
-  void ForShapesAlongRay(const CRay3& ray, VISIT&& visit) const;
-
   // the area and its cells, row by row: cell (i, j) has number j * m_numI + i
   Real m_minX = 0.0, m_minY = 0.0, m_maxX = 0.0, m_maxY = 0.0;  // m
   Real m_cell = 1.0, m_inverseCell = 1.0;  // m, 1/m

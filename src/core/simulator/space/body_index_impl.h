@@ -94,6 +94,50 @@ void CBodyIndex::ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const 
   }
 }
 
+template <typename VISIT>
+void CBodyIndex::ForShapesAlongRay(const CRay3& ray, Real reach, VISIT&& visit) const {
+  const Real x0 = ray.GetStart().GetX();
+  const Real y0 = ray.GetStart().GetY();
+  const Real dx = ray.GetEnd().GetX() - x0;
+  const Real dy = ray.GetEnd().GetY() - y0;
+  const auto forRows = [&](Real margin, auto&& visitRow) {
+    const int minJ = CellJ(std::min(y0, y0 + dy) - margin);
+    const int maxJ = CellJ(std::max(y0, y0 + dy) + margin);
+    for (int j = minJ; j <= maxJ; ++j) {
+      // the part of the ray over this row, widened by the margin; border rows have no outer edge
+      Real t0 = 0.0;
+      Real t1 = 1.0;
+      if (dy != 0.0) {
+        const Real low = j == 0 ? -HUGE_VAL : m_minY + j * m_cell - margin;
+        const Real high = j == m_numJ - 1 ? HUGE_VAL : m_minY + (j + 1) * m_cell + margin;
+        const Real ta = (low - y0) / dy;
+        const Real tb = (high - y0) / dy;
+        t0 = std::max(t0, std::min(ta, tb));
+        t1 = std::min(t1, std::max(ta, tb));
+      }
+      if (t0 > t1) {
+        continue;
+      }
+      const Real xa = x0 + t0 * dx;
+      const Real xb = x0 + t1 * dx;
+      visitRow(j, CellI(std::min(xa, xb) - margin), CellI(std::max(xa, xb) + margin));
+    }
+  };
+  // a rounding more than the radius, so that a touched border counts
+  const Real rounded = reach + 1e-9;
+  const Real margin = SmallReach() + rounded;
+  if (!m_shapes.empty()) {
+    forRows(margin, [&](int j, int minI, int maxI) { VisitSmallRow(j, minI, maxI, visit); });
+  }
+  if (!m_overlayCells.empty()) {
+    forRows(margin, [&](int j, int minI, int maxI) { VisitOverlayRow(j, minI, maxI, visit); });
+  }
+  VisitOverlayWide(visit);
+  if (!m_wide.empty()) {
+    forRows(rounded, [&](int j, int minI, int maxI) { VisitWide({minI, maxI, j, j}, visit); });
+  }
+}
+
 }  // namespace argos
 
 #endif

@@ -207,6 +207,7 @@ void CSpace::Destroy() {
   }
   m_views.reset();
   m_bodyIndex = std::make_unique<CBodyIndex>();
+  m_extensions.clear();
   m_rng = nullptr;
   m_nextIndex = 0;
   m_simulationClock = 0;

@@ -13,6 +13,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <typeindex>
 #include <unordered_map>
 #include <vector>
 
@@ -27,6 +28,12 @@ class CProfiler;
 class CSimulator;
 class CThreadPool;
 struct STickTimes;
+
+/** What a plug-in keeps for a whole space; see CSpace::GetExtension(). */
+class CSpaceExtension {
+ public:
+  virtual ~CSpaceExtension() = default;
+};
 
 /**
  * Holds every entity, and runs the tick (tick.cpp).
@@ -140,6 +147,23 @@ class CSpace : public CBaseConfigurableResource {
   /** 64-bit digest of the state of every entity, in order. */
   UInt64 ComputeDigest() const;
 
+  /**
+   * The EXTENSION of this space, made when first asked for: what the entities and devices of a
+   * plug-in share, without the core knowing it. Lives until Destroy(), after all entities.
+   *
+   * Takes a look-up and may allocate: ask once, while nothing acts or senses in parallel, and keep
+   * the reference.
+   * @tparam EXTENSION  derives from CSpaceExtension; has a constructor without arguments.
+   */
+  template <typename EXTENSION>
+  EXTENSION& GetExtension() {
+    std::unique_ptr<CSpaceExtension>& extension = m_extensions[typeid(EXTENSION)];
+    if (extension == nullptr) {
+      extension = std::make_unique<EXTENSION>();
+    }
+    return static_cast<EXTENSION&>(*extension);
+  }
+
  private:
   using TMakeAny = CAny (*)(CEntity&);
   struct SUserViews;  // the maps and lists for users
@@ -188,6 +212,8 @@ class CSpace : public CBaseConfigurableResource {
   std::unique_ptr<SUserViews> m_views;
   std::mutex m_viewsMutex;  // controllers may ask for them, several at once
   std::unique_ptr<CBodyIndex> m_bodyIndex;
+  std::unordered_map<std::type_index, std::unique_ptr<CSpaceExtension>>
+      m_extensions;  // look-up only, never iterated
 };
 
 }  // namespace argos

@@ -1,22 +1,8 @@
 #include <argos3/plugins/robots/e-puck/control_interface/ci_epuck_proximity_sensor.h>
 
-#include <argos3/core/wrappers/lua/lua_table.h>
+#include <argos3/plugins/robots/generic/control_interface/placed_readings.h>
 
 namespace argos {
-
-namespace {
-
-void Write(CLuaTable& proximity, const CCI_EPuckProximitySensor::TReadings& readings) {
-  proximity.SetRecords(readings,
-                       [](CLuaTable& record, const CCI_EPuckProximitySensor::SReading& reading) {
-                         record.Set("value", reading.Value);
-                         if (record.IsNew()) {
-                           record.Set("angle", reading.Angle);
-                         }
-                       });
-}
-
-}  // namespace
 
 CRadians CCI_EPuckProximitySensor::GetAngle(UInt32 index) {
   // PI divided by these is the angle, in [0, 2 PI)
@@ -38,12 +24,12 @@ const CCI_EPuckProximitySensor::TReadings& CCI_EPuckProximitySensor::GetReadings
 
 void CCI_EPuckProximitySensor::CreateLuaState(lua_State* state) {
   CLuaTable proximity(state, *this, "proximity");
-  Write(proximity, m_tReadings);
+  WriteAngularReadings(proximity, m_tReadings);
 }
 
 void CCI_EPuckProximitySensor::ReadingsToLuaState(lua_State* state) {
   CLuaTable proximity(state, *this);
-  Write(proximity, m_tReadings);
+  WriteAngularReadings(proximity, m_tReadings);
 }
 
 }  // namespace argos

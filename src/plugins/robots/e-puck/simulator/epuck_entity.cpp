@@ -4,6 +4,8 @@
 #include <argos3/plugins/robots/e-puck/simulator/epuck_appearance.h>
 #include <argos3/plugins/robots/e-puck/simulator/epuck_measures.h>
 #include <argos3/plugins/robots/generic/simulator/device_parameters.h>
+#include <argos3/plugins/simulator/entities/ground_sensor_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
 
 namespace argos {
 
@@ -38,11 +40,44 @@ std::shared_ptr<const CProximitySensorEquippedEntity::SLayout> MakeProximity() {
   return sensors;
 }
 
+std::shared_ptr<const SRayLayout> MakeLightLayout() {
+  auto sensors = std::make_shared<SRayLayout>();
+  const CRadians start = ToRadians(CDegrees(epuck::kLightRingStartAngle));
+  sensors->AddSensorFan(CVector3(0.0, 0.0, epuck::kProximityElevation), epuck::kProximityRadius,
+                        start, start + CRadians::TWO_PI, epuck::kProximityRange,
+                        epuck::kNumLightSensors);
+  return sensors;
+}
+
+CEntity& MakeLightSensors(CRobotEntity& robot) {
+  static const std::shared_ptr<const SRayLayout> layout = MakeLightLayout();
+  auto& sensors = robot.MakeOnDemand<CLightSensorEquippedEntity>("light_0");
+  sensors.SetLayout(layout, {&robot.GetEmbodiedEntity().GetOriginAnchor()});
+  return sensors;
+}
+
+std::shared_ptr<const SGroundSensorLayout> MakeGroundLayout() {
+  auto sensors = std::make_shared<SGroundSensorLayout>();
+  for (const Real y : epuck::kGroundSensorYs) {
+    sensors->AddSensor(CVector2(epuck::kGroundSensorX, y), SGroundSensorPlace::TYPE_GRAYSCALE);
+  }
+  return sensors;
+}
+
+CEntity& MakeGroundSensors(CRobotEntity& robot) {
+  static const std::shared_ptr<const SGroundSensorLayout> layout = MakeGroundLayout();
+  auto& sensors = robot.MakeOnDemand<CGroundSensorEquippedEntity>("ground_0");
+  sensors.SetLayout(layout, {&robot.GetEmbodiedEntity().GetOriginAnchor()});
+  return sensors;
+}
+
 SRobotType MakeType() {
   SRobotType type;
   type.LEDs = MakeLEDs();
   type.Proximity = MakeProximity();
   type.Appearance = MakeEPuckAppearance();
+  type.OnDemand.push_back({"ground_sensors", &MakeGroundSensors});
+  type.OnDemand.push_back({"light_sensors", &MakeLightSensors});
   type.Parameters.RAB = {epuck::kRABRange, epuck::kRABDataSize};
   return type;
 }
@@ -76,6 +111,14 @@ void CEPuckEntity::Init(TConfigurationNode& tree) {
   parameters.Battery.Read(tree);
   SetDeviceParameters(parameters);
   InitController(tree);
+}
+
+CGroundSensorEquippedEntity& CEPuckEntity::GetGroundSensorEquippedEntity() {
+  return Demand<CGroundSensorEquippedEntity>("ground_sensors");
+}
+
+CLightSensorEquippedEntity& CEPuckEntity::GetLightSensorEquippedEntity() {
+  return Demand<CLightSensorEquippedEntity>("light_sensors");
 }
 
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CEPuckEntity)

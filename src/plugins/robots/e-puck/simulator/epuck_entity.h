@@ -5,6 +5,9 @@
 
 namespace argos {
 
+class CGroundSensorEquippedEntity;
+class CLightSensorEquippedEntity;
+
 /**
  * The e-puck: 7 cm across, with two wheels, eight proximity sensors, and eight LEDs.
  *
@@ -34,6 +37,10 @@ class CEPuckEntity : public CDifferentialDriveRobotEntity {
 
   void Init(TConfigurationNode& tree) override;
   std::string GetTypeDescription() const override { return "e-puck"; }
+
+  /** Components that are made when first asked for; see CRobotEntity. */
+  CGroundSensorEquippedEntity& GetGroundSensorEquippedEntity();
+  CLightSensorEquippedEntity& GetLightSensorEquippedEntity();
 };
 
 }  // namespace argos

@@ -29,6 +29,14 @@ constexpr Real kProximityElevation = 0.06;
 constexpr Real kProximityRadius = kBodyRadius;
 constexpr Real kProximityRange = 0.1;
 
+// ring of light sensors, as wide and high as the proximity sensors
+constexpr UInt32 kNumLightSensors = 8;
+constexpr Real kLightRingStartAngle = 22.5;  // degrees
+
+// ground sensors, from right to left
+constexpr Real kGroundSensorX = 0.03;
+constexpr Real kGroundSensorYs[] = {-0.009, 0.0, 0.009};
+
 // ring of LEDs
 constexpr UInt32 kNumLEDs = 8;
 constexpr Real kLEDRingElevation = kBodyHeight;

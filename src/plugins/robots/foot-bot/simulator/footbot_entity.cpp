@@ -1,8 +1,12 @@
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
 
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_base_ground_sensor.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_motor_ground_sensor.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_appearance.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_measures.h>
 #include <argos3/plugins/robots/generic/simulator/device_parameters.h>
+#include <argos3/plugins/simulator/entities/ground_sensor_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
 
 namespace argos {
 
@@ -35,12 +39,43 @@ std::shared_ptr<const CProximitySensorEquippedEntity::SLayout> MakeProximity() {
   return sensors;
 }
 
+CEntity& MakeLightSensors(CRobotEntity& robot) {
+  // at the places of the proximity sensors
+  static const std::shared_ptr<const SRayLayout> layout = MakeProximity();
+  auto& sensors = robot.MakeOnDemand<CLightSensorEquippedEntity>("light_0");
+  sensors.SetLayout(layout, {&robot.GetEmbodiedEntity().GetOriginAnchor()});
+  return sensors;
+}
+
+std::shared_ptr<const SGroundSensorLayout> MakeGroundLayout() {
+  constexpr Real kMetersPerCentimeter = 0.01;
+  auto sensors = std::make_shared<SGroundSensorLayout>();
+  for (UInt32 i = 0; i < CCI_FootBotMotorGroundSensor::kNumSensors; ++i) {
+    sensors->AddSensor(CCI_FootBotMotorGroundSensor::GetOffset(i) * kMetersPerCentimeter,
+                       SGroundSensorPlace::TYPE_GRAYSCALE);
+  }
+  for (UInt32 i = 0; i < CCI_FootBotBaseGroundSensor::kNumSensors; ++i) {
+    sensors->AddSensor(CCI_FootBotBaseGroundSensor::GetOffset(i) * kMetersPerCentimeter,
+                       SGroundSensorPlace::TYPE_BLACK_WHITE);
+  }
+  return sensors;
+}
+
+CEntity& MakeGroundSensors(CRobotEntity& robot) {
+  static const std::shared_ptr<const SGroundSensorLayout> layout = MakeGroundLayout();
+  auto& sensors = robot.MakeOnDemand<CGroundSensorEquippedEntity>("ground_0");
+  sensors.SetLayout(layout, {&robot.GetEmbodiedEntity().GetOriginAnchor()});
+  return sensors;
+}
+
 SRobotType MakeType() {
   SRobotType type;
   type.LEDAnchor = "turret";
   type.LEDs = MakeLEDs();
   type.Proximity = MakeProximity();
   type.Appearance = MakeFootBotAppearance();
+  type.OnDemand.push_back({"ground_sensors", &MakeGroundSensors});
+  type.OnDemand.push_back({"light_sensors", &MakeLightSensors});
   return type;
 }
 
@@ -84,6 +119,14 @@ void CFootBotEntity::Init(TConfigurationNode& tree) {
   parameters.Battery.Read(tree);
   SetDeviceParameters(parameters);
   InitController(tree);
+}
+
+CGroundSensorEquippedEntity& CFootBotEntity::GetGroundSensorEquippedEntity() {
+  return Demand<CGroundSensorEquippedEntity>("ground_sensors");
+}
+
+CLightSensorEquippedEntity& CFootBotEntity::GetLightSensorEquippedEntity() {
+  return Demand<CLightSensorEquippedEntity>("light_sensors");
 }
 
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CFootBotEntity)

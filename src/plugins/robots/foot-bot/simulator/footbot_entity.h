@@ -6,6 +6,9 @@
 
 namespace argos {
 
+class CGroundSensorEquippedEntity;
+class CLightSensorEquippedEntity;
+
 /**
  * The foot-bot of the Swarmanoid project: 17 cm across, with wheels and tracks, 24 proximity
  * sensors, 12 LEDs and a beacon on a turret.
@@ -46,6 +49,10 @@ class CFootBotEntity : public CDifferentialDriveRobotEntity {
 
   void Init(TConfigurationNode& tree) override;
   std::string GetTypeDescription() const override { return "foot-bot"; }
+
+  /** Components that are made when first asked for; see CRobotEntity. */
+  CGroundSensorEquippedEntity& GetGroundSensorEquippedEntity();
+  CLightSensorEquippedEntity& GetLightSensorEquippedEntity();
 };
 
 }  // namespace argos

@@ -24,13 +24,18 @@ constexpr Real kWheelRadius = 0.029112741;
 constexpr Real kMaxDriveForce = 15.0;  // N
 constexpr Real kMaxDriveTorque = 150.0;  // N m
 
-// ring of proximity sensors
+// ring of proximity sensors, and of light sensors
 constexpr UInt32 kNumProximitySensors = 24;
 constexpr Real kProximityRingElevation = 0.06;
 constexpr Real kProximityRingRadius = kBodyRadius;
 constexpr Real kProximityRange = 0.1;
 constexpr Real kProximityStartAngle = 7.5;
 constexpr Real kProximityAngleStep = 360.0 / kNumProximitySensors;
+
+// ground sensors; where they are is in ci_footbot_{motor,base}_ground_sensor.h
+constexpr UInt32 kFirstMotorGroundSensor = 0;
+constexpr UInt32 kFirstBaseGroundSensor = 4;
+constexpr UInt32 kNumGroundSensors = 12;
 
 // ring of LEDs, and the beacon above it, on the turret
 constexpr UInt32 kNumRingLEDs = 12;

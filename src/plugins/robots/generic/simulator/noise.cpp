@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/core/utility/math/random_stream.h>
 #include <argos3/core/utility/string_utilities.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 
@@ -44,6 +45,17 @@ STerm ReadTerm(TConfigurationNode& node) {
   return term;
 }
 
+bool IsNoise(const CRange<Real>& range) {
+  return range.GetMin() != 0.0 || range.GetMax() != 0.0;
+}
+
+STerm EvenTerm(const CRange<Real>& range) {
+  STerm term;
+  term.Spread = 0.5 * range.GetSpan();
+  term.Bias = range.GetMin() + term.Spread;
+  return term;
+}
+
 Real Draw(const STerm& term, CRandomStream& stream) {
   switch (term.Model) {
     case EModel::Uniform:
@@ -59,8 +71,19 @@ Real Draw(const STerm& term, CRandomStream& stream) {
 }  // namespace
 
 struct CDeviceNoise::SState {
+  const CControllableEntity& Robot;
+  std::string Purpose;
   std::vector<std::vector<STerm>> Terms;  // by quantity
   CRandomStream Stream;
+
+  SState(const CControllableEntity& robot, const std::string& purpose, size_t numQuantities)
+      : Robot(robot), Purpose(purpose), Terms(numQuantities), Stream(MakeStream()) {}
+
+  // with the seed as it is now
+  CRandomStream MakeStream() const {
+    return CRandomStream(Robot.GetSimulator().GetRandomSeed(), "argos",
+                         Robot.GetRootEntity().GetId(), Purpose);
+  }
 };
 
 CDeviceNoise::CDeviceNoise() = default;
@@ -69,15 +92,19 @@ CDeviceNoise::CDeviceNoise(CDeviceNoise&&) noexcept = default;
 CDeviceNoise& CDeviceNoise::operator=(CDeviceNoise&&) noexcept = default;
 
 void CDeviceNoise::Init(TConfigurationNode& device, const CControllableEntity& robot,
-                        const std::vector<std::string>& quantities) {
+                        const std::vector<std::string>& quantities,
+                        const std::vector<CRange<Real>>& evenly) {
   m_state.reset();
-  if (!NodeExists(device, "noise")) {
+  const bool isAnyEven = std::any_of(evenly.begin(), evenly.end(), IsNoise);
+  if (!isAnyEven && !NodeExists(device, "noise")) {
     return;
   }
-  m_state = std::make_unique<SState>(
-      SState{std::vector<std::vector<STerm>>(quantities.size()),
-             CRandomStream(robot.GetSimulator().GetRandomSeed(), "argos",
-                           robot.GetRootEntity().GetId(), device.Value() + " noise")});
+  m_state = std::make_unique<SState>(robot, device.Value() + " noise", quantities.size());
+  for (size_t i = 0; i < evenly.size(); ++i) {
+    if (IsNoise(evenly[i])) {
+      m_state->Terms[i].push_back(EvenTerm(evenly[i]));
+    }
+  }
   TConfigurationNodeIterator noise("noise");
   for (noise = noise.begin(&device); noise != noise.end(); ++noise) {
     const STerm term = ReadTerm(*noise);
@@ -98,7 +125,7 @@ void CDeviceNoise::Init(TConfigurationNode& device, const CControllableEntity& r
 
 void CDeviceNoise::Reset() {
   if (m_state != nullptr) {
-    m_state->Stream.Reset();
+    m_state->Stream = m_state->MakeStream();
   }
 }
 
@@ -109,6 +136,19 @@ Real CDeviceNoise::ApplyState(size_t number, Real value) {
     noisy += term.Relative ? value * change : change;
   }
   return noisy;
+}
+
+CRange<Real> ReadNoiseLevel(TConfigurationNode& device) {
+  Real level = 0.0;
+  GetNodeAttributeOrDefault(device, "noise_level", level, level);
+  RequireNotNegative(level, OwnerOf(device), "attribute \"noise_level\"");
+  return CRange<Real>(-level, level);
+}
+
+CRange<Real> ReadNoiseRange(TConfigurationNode& device, const std::string& attribute) {
+  CRange<Real> range(0.0, 0.0);
+  GetNodeAttributeOrDefault(device, attribute, range, range);
+  return range;
 }
 
 }  // namespace argos

@@ -2,7 +2,7 @@
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_NOISE_H
 
 #include <argos3/core/utility/configuration/argos_configuration.h>
-#include <argos3/core/utility/math/random_stream.h>
+#include <argos3/core/utility/math/range.h>
 
 #include <memory>
 #include <string>
@@ -34,12 +34,15 @@ class CDeviceNoise {
   /**
    * Reads the children of a device's element.
    * @param quantities  their names, in the order of their numbers.
+   * @param evenly      what attributes of the device ask for, by quantity: a number drawn evenly
+   *                    from the range is added; from "0:0", none. May be shorter.
    * @throws CARGoSException with the names there are, or the range that is right, if a value is
    * not.
    */
   void Init(TConfigurationNode& device, const CControllableEntity& robot,
-            const std::vector<std::string>& quantities);
-  /** The stream starts over. */
+            const std::vector<std::string>& quantities,
+            const std::vector<CRange<Real>>& evenly = {});
+  /** The stream starts over, from the experiment's seed as it is now. */
   void Reset();
 
   bool IsOn() const { return m_state != nullptr; }
@@ -55,6 +58,15 @@ class CDeviceNoise {
 
   std::unique_ptr<SState> m_state;  // null without noise
 };
+
+/**
+ * Reads the attribute `noise_level`.
+ * @return [-level, level]; [0, 0] without it.
+ * @throws CARGoSException if it is < 0.
+ */
+CRange<Real> ReadNoiseLevel(TConfigurationNode& device);
+/** Reads a range "min:max"; "0:0" if there is no such attribute. */
+CRange<Real> ReadNoiseRange(TConfigurationNode& device, const std::string& attribute);
 
 }  // namespace argos
 

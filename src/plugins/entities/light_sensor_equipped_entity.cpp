@@ -1,0 +1,48 @@
+#include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+
+namespace argos {
+
+SLightSensor::SLightSensor(const CVector3& position, const CVector3& direction, Real range,
+                           SAnchor& anchor)
+    : Position(position), Direction(direction), Anchor(anchor) {
+  Direction.Normalize();
+  Direction *= range;
+}
+
+bool SLightSensor::WriteTo(SSensorRay& ray) const {
+  if (Position == ray.Offset && Direction == ray.Direction) {
+    return false;
+  }
+  ray.Offset = Position;
+  ray.Direction = Direction;
+  return true;
+}
+
+CLightSensorEquippedEntity::CLightSensorEquippedEntity(CComposableEntity* parent)
+    : CLightSensorEquippedEntity(parent, std::string()) {}
+
+CLightSensorEquippedEntity::CLightSensorEquippedEntity(CComposableEntity* parent,
+                                                       const std::string& id)
+    : CSensorEquippedEntity(parent, id) {}
+
+void CLightSensorEquippedEntity::AddSensor(const CVector3& position, const CVector3& direction,
+                                           Real range, SAnchor& anchor) {
+  Append(anchor, [&](SRayLayout& layout, UInt32 number) {
+    layout.AddSensor(position, direction, range, number);
+  });
+}
+
+void CLightSensorEquippedEntity::AddSensorRing(const CVector3& center, Real radius,
+                                               const CRadians& startAngle, Real range, UInt32 num,
+                                               SAnchor& anchor) {
+  Append(anchor, [&](SRayLayout& layout, UInt32 number) {
+    layout.AddSensorFan(center, radius, startAngle, startAngle + CRadians::TWO_PI, range, num,
+                        number);
+  });
+}
+
+REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CLightSensorEquippedEntity)
+
+}  // namespace argos

@@ -1,0 +1,57 @@
+#ifndef ARGOS3_PLUGINS_ENTITIES_LIGHT_SENSOR_EQUIPPED_ENTITY_H
+#define ARGOS3_PLUGINS_ENTITIES_LIGHT_SENSOR_EQUIPPED_ENTITY_H
+
+#include <argos3/plugins/simulator/entities/ray_layout.h>
+#include <argos3/plugins/simulator/entities/sensor_equipped_entity.h>
+
+#include <vector>
+
+namespace argos {
+
+/** A light sensor, for users; see CLightSensorEquippedEntity::GetSensors(). */
+struct SLightSensor {
+  CVector3 Position; /**< in the anchor's frame, m */
+  CVector3 Direction; /**< away from the body, in the anchor's frame; as long as the range, m */
+  SAnchor& Anchor;
+
+  typedef std::vector<SLightSensor*> TList;
+
+  /** @param direction of any length. @param range m. */
+  SLightSensor(const CVector3& position, const CVector3& direction, Real range, SAnchor& anchor);
+  SLightSensor(const SSensorRay& ray, SAnchor& anchor)
+      : Position(ray.Offset), Direction(ray.Direction), Anchor(anchor) {}
+
+  /** @return true if it differs from the ray, which then takes it over. */
+  bool WriteTo(SSensorRay& ray) const;
+};
+
+/**
+ * The light sensors on a body. Each has a place and looks away from the body; how far it sees is up
+ * to the sensor that uses this component, and its range has no effect.
+ */
+class CLightSensorEquippedEntity : public CSensorEquippedEntity<SRayLayout, SLightSensor> {
+ public:
+  ENABLE_VTABLE();
+
+  typedef SLightSensor SSensor;
+
+  explicit CLightSensorEquippedEntity(CComposableEntity* parent);
+  CLightSensorEquippedEntity(CComposableEntity* parent, const std::string& id);
+
+  std::string GetTypeDescription() const override { return "light_sensors"; }
+
+  /**
+   * @param position   in the anchor's frame, m.
+   * @param direction  away from the body, in the anchor's frame, of any length but 0.
+   * @param range      m, > 0.
+   * @throws CARGoSException if the direction is zero, or the range not > 0.
+   */
+  void AddSensor(const CVector3& position, const CVector3& direction, Real range, SAnchor& anchor);
+  /** Adds sensors on a horizontal circle, counter-clockwise: i at startAngle + i * 2 PI / num. */
+  void AddSensorRing(const CVector3& center, Real radius, const CRadians& startAngle, Real range,
+                     UInt32 num, SAnchor& anchor);
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,54 @@
+#ifndef ARGOS3_PLUGINS_ENTITIES_RAY_LAYOUT_H
+#define ARGOS3_PLUGINS_ENTITIES_RAY_LAYOUT_H
+
+#include <argos3/core/utility/math/angles.h>
+#include <argos3/core/utility/math/vector3.h>
+
+#include <vector>
+
+namespace argos {
+
+/** A ray that is fixed in the frame of an anchor. */
+struct SSensorRay {
+  CVector3 Offset; /**< start in the anchor's frame, m */
+  CVector3 Direction; /**< from start to end in the anchor's frame, m */
+  UInt32 Anchor = 0; /**< which of the anchors given with the layout */
+};
+
+/** Where several rays are, roughly: what casting them together needs. */
+struct SRayBounds {
+  /** True if all rays are horizontal and on one anchor: what follows then holds. */
+  bool Planar = true;
+  /** A circle in the anchor's xy plane that holds all rays, m. */
+  Real CenterX = 0.0, CenterY = 0.0, Reach = 0.0;
+};
+
+/** The sensors of a type of robot that look along rays. */
+struct SRayLayout : SRayBounds {
+  typedef SSensorRay TPlace;
+
+  std::vector<SSensorRay> Rays;
+
+  std::vector<SSensorRay>& GetPlaces() { return Rays; }
+  const std::vector<SSensorRay>& GetPlaces() const { return Rays; }
+
+  /**
+   * @param offset     start of the ray in the anchor's frame, m.
+   * @param direction  in the anchor's frame, of any length but 0.
+   * @param range      length of the ray, m, > 0.
+   * @throws CARGoSException if the direction is zero, or the range not > 0.
+   */
+  void AddSensor(const CVector3& offset, const CVector3& direction, Real range, UInt32 anchor = 0);
+  /**
+   * Adds rays that start on a horizontal arc and point outward, counter-clockwise: ray i at
+   * startAngle + i (endAngle - startAngle) / num.
+   */
+  void AddSensorFan(const CVector3& center, Real radius, const CRadians& startAngle,
+                    const CRadians& endAngle, Real range, UInt32 num, UInt32 anchor = 0);
+  /** Recomputes all but the rays. */
+  void ComputeBounds();
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,134 @@
+#include <argos3/plugins/robots/generic/simulator/ray_caster.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/body_index.h>
+
+#include <algorithm>
+
+namespace argos {
+
+namespace {
+
+constexpr Real kMiss = 2.0;  // any fraction above 1
+
+}  // namespace
+
+void CRayCaster::SetRobot(CComposableEntity& robot) {
+  m_body = &robot.GetComponent<CEmbodiedEntity>("body");
+  m_robot = &robot.GetComponent<CControllableEntity>("controller");
+  m_space = &m_robot->GetSpace();
+}
+
+void CRayCaster::Cast(const SRayBundle& bundle, Real* fractions) const {
+  std::fill_n(fractions, bundle.Count, kMiss);
+  const CQuaternion& orientation = bundle.FirstAnchor.Orientation;
+  const bool upright = orientation.GetX() == 0.0 && orientation.GetY() == 0.0;
+  if (bundle.Bounds.Planar && upright && !AreBodiesOutsideIndex()) {
+    CastUpright(bundle, fractions);
+  } else {
+    CastOneByOne(bundle, fractions);
+  }
+}
+
+void CRayCaster::CastUpright(const SRayBundle& bundle, Real* fractions) const {
+  const SAnchor& anchor = bundle.FirstAnchor;
+  const CVector3& position = anchor.Position;
+  // of the yaw: the quaternion is (cos(yaw/2), 0, 0, sin(yaw/2))
+  const Real w = anchor.Orientation.GetW();
+  const Real z = anchor.Orientation.GetZ();
+  const Real cosine = w * w - z * z;
+  const Real sine = 2.0 * w * z;
+  const CBodyIndex& index = m_space->GetBodyIndex();
+  const UInt32 ownBody = m_body->GetBodyNumber();
+
+  // world frame, m; computed when the first solid shows up
+  struct SWorldRay {
+    Real X, Y, Z, DX, DY;
+  };
+  SWorldRay rays[kMaxRays];
+  bool raysAreReady = false;
+  const auto makeRays = [&] {
+    for (size_t i = 0; i < bundle.Count; ++i) {
+      const CVector3& offset = bundle.Rays[i].Offset;
+      const CVector3& direction = bundle.Rays[i].Direction;
+      rays[i].X = position.GetX() + cosine * offset.GetX() - sine * offset.GetY();
+      rays[i].Y = position.GetY() + sine * offset.GetX() + cosine * offset.GetY();
+      rays[i].Z = position.GetZ() + offset.GetZ();
+      rays[i].DX = cosine * direction.GetX() - sine * direction.GetY();
+      rays[i].DY = sine * direction.GetX() + cosine * direction.GetY();
+    }
+    raysAreReady = true;
+  };
+  const auto test = [&](const SIndexedShape& shape) {
+    if (shape.Body == ownBody) {
+      return;
+    }
+    if (!raysAreReady) {
+      makeRays();
+    }
+    for (size_t i = 0; i < bundle.Count; ++i) {
+      const SWorldRay& ray = rays[i];
+      const Real fraction =
+          shape.Kind == SIndexedShape::EKind::Tilted
+              ? index.Intersect(shape, CRay3(CVector3(ray.X, ray.Y, ray.Z),
+                                             CVector3(ray.X + ray.DX, ray.Y + ray.DY, ray.Z)))
+              : IntersectHorizontalRay(shape, ray.X, ray.Y, ray.Z, ray.DX, ray.DY);
+      fractions[i] = std::min(fractions[i], fraction);
+    }
+  };
+  const SRayBounds& bounds = bundle.Bounds;
+  index.ForShapesNear(position.GetX() + cosine * bounds.CenterX - sine * bounds.CenterY,
+                      position.GetY() + sine * bounds.CenterX + cosine * bounds.CenterY,
+                      bounds.Reach, test);
+}
+
+void CRayCaster::CastOneByOne(const SRayBundle& bundle, Real* fractions) const {
+  SEmbodiedEntityIntersectionItem hit;
+  for (size_t i = 0; i < bundle.Count; ++i) {
+    if (GetClosestEmbodiedEntityIntersectedByRay(hit, MakeWorldRay(bundle, i), *m_body)) {
+      fractions[i] = hit.TOnRay;
+    }
+  }
+}
+
+bool CRayCaster::IsBlocked(const CRay3& ray) const {
+  SEmbodiedEntityIntersectionItem hit;
+  return AreBodiesOutsideIndex() ? GetClosestEmbodiedEntityIntersectedByRay(hit, ray, *m_body)
+                                 : m_space->GetBodyIndex().FindClosestHit(hit, ray, m_body);
+}
+
+bool CRayCaster::AreBodiesOutsideIndex() const {
+  for (const CPhysicsEngine* engine : m_space->GetSimulator().GetPhysicsEngines()) {
+    if (engine->HasBodiesOutsideIndex()) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void CRayCaster::Show(const SRayBundle& bundle, const Real* fractions) const {
+  for (size_t i = 0; i < bundle.Count; ++i) {
+    const CRay3 ray = MakeWorldRay(bundle, i);
+    const bool hit = fractions[i] <= 1.0;
+    m_robot->AddCheckedRay(hit, ray);
+    if (hit) {
+      m_robot->AddIntersectionPoint(ray, fractions[i]);
+    }
+  }
+}
+
+CRay3 MakeWorldRay(const SRayBundle& bundle, size_t ray) {
+  const SAnchor& anchor = *bundle.Anchors[bundle.Rays[ray].Anchor];
+  CVector3 start = bundle.Rays[ray].Offset;
+  start.Rotate(anchor.Orientation);
+  start += anchor.Position;
+  CVector3 direction = bundle.Rays[ray].Direction;
+  direction.Rotate(anchor.Orientation);
+  return CRay3(start, start + direction);
+}
+
+}  // namespace argos

@@ -1,0 +1,158 @@
+// What plug-ins hang on a space, and what they check when it is filled.
+
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/space/body_index.h>
+#include <argos3/core/utility/math/random_stream.h>
+#include <argos3/core/utility/threads/thread_pool.h>
+#include <argos3/testing/support/experiment.h>
+#include <argos3/testing/support/toy_world.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <memory>
+#include <set>
+#include <vector>
+
+using namespace argos;
+using Catch::Matchers::Contains;
+
+namespace {
+
+class CCounter : public CSpaceExtension {
+ public:
+  CCounter() { ++NumAlive; }
+  ~CCounter() override { --NumAlive; }
+  int Count = 0;
+  static int NumAlive;
+};
+int CCounter::NumAlive = 0;
+
+class COther : public CSpaceExtension {};
+
+// registers checks while an experiment is loaded
+class CCheckingLoopFunctions : public CLoopFunctions {
+ public:
+  void Init(TConfigurationNode&) override {
+    for (int i = 0; i < 2; ++i) {
+      GetSimulator().CheckWhenLoaded([this] {
+        ++NumChecks;
+        if (GetSpace().GetRootEntityVector().size() != 1) {
+          THROW_ARGOSEXCEPTION("the arena needs one robot, neither more nor less");
+        }
+      });
+    }
+    // nothing is checked before everything is there
+    NumChecksInInit = NumChecks;
+  }
+  int NumChecks = 0;
+  int NumChecksInInit = -1;
+};
+
+SExperiment WithRobots(int num) {
+  SExperiment experiment{.LoopFunctions = "<loop_functions label='checking_loop_functions' />",
+                         .Engines = "<toy_engine id='toy' />"};
+  if (num > 0) {
+    experiment.Controllers = "<toy_controller id='c'/>";
+  }
+  for (int i = 0; i < num; ++i) {
+    experiment.Arena += "<toy-robot id='r" + std::to_string(i) +
+                        "'> <body position='0,0,0' /> <controller config='c' /> </toy-robot>";
+  }
+  return experiment;
+}
+
+}  // namespace
+
+REGISTER_LOOP_FUNCTIONS(CCheckingLoopFunctions, "checking_loop_functions")
+
+TEST_CASE("space: an extension is made once in each space, and ends with what is in it",
+          "[core][space]") {
+  REQUIRE(CCounter::NumAlive == 0);
+  {
+    CTestWorld a(SExperiment{});
+    CTestWorld b(SExperiment{});
+    CCounter& inA = a.GetSpace().GetExtension<CCounter>();
+    inA.Count = 3;
+    CHECK(&a.GetSpace().GetExtension<CCounter>() == &inA);
+    CHECK(a.GetSpace().GetExtension<CCounter>().Count == 3);
+    CHECK(b.GetSpace().GetExtension<CCounter>().Count == 0);
+    COther& other = a.GetSpace().GetExtension<COther>();
+    CHECK(static_cast<CSpaceExtension*>(&other) != &inA);
+    CHECK(CCounter::NumAlive == 2);
+    // it lives through a reset
+    a.GetSimulator().Reset();
+    CHECK(a.GetSpace().GetExtension<CCounter>().Count == 3);
+    a.GetSimulator().Destroy();
+    CHECK(CCounter::NumAlive == 1);
+  }
+  CHECK(CCounter::NumAlive == 0);
+}
+
+TEST_CASE("simulator: checks of devices run when everything is loaded, or at once after that",
+          "[core][simulator]") {
+  CTestWorld world(WithRobots(1));
+  auto& functions = world.GetLoopFunctions<CCheckingLoopFunctions>();
+  CHECK(functions.NumChecksInInit == 0);
+  CHECK(functions.NumChecks == 2);
+  bool called = false;
+  world.GetSimulator().CheckWhenLoaded([&called] { called = true; });
+  CHECK(called);
+}
+
+TEST_CASE("simulator: what a check throws is an error of loading, said once",
+          "[core][simulator][errors]") {
+  const std::string error = LoadError(WithRobots(2));
+  CHECK_THAT(error, Contains("one robot"));
+  CHECK(error.find("one robot") == error.rfind("one robot"));
+}
+
+TEST_CASE("body index: solids along a ray are those that come within reach of it, seen from above",
+          "[core][space]") {
+  CRandomStream random(1, "test", "body index", "corridors");
+  CBodyIndex index;
+  index.SetArea(CRange<CVector3>(CVector3(-3.0, -3.0, 0.0), CVector3(3.0, 3.0, 1.0)));
+  CThreadPool pool(0, CreateSchedule("balance_quantity"));
+  std::vector<std::unique_ptr<CEmbodiedEntity>> bodies;
+  std::vector<Real> radii;
+  for (int i = 0; i < 200; ++i) {
+    auto description = std::make_shared<SBodyDescription>();
+    // some larger than what counts as small
+    radii.push_back(random.Uniform(0.02, 0.5));
+    description->Shapes = {SShapeDescription::Cylinder(radii.back(), 0.1)};
+    description->Mass = 1.0;
+    // some outside the area
+    const CVector3 position(random.Uniform(-4.0, 4.0), random.Uniform(-4.0, 4.0), 0.0);
+    bodies.push_back(std::make_unique<CEmbodiedEntity>(nullptr, "b", position, CQuaternion(),
+                                                       random.Bernoulli(0.8)));
+    bodies.back()->SetBodyDescription(description);
+    index.Add(*bodies.back());
+    if (i == 150) {
+      // the others are found through the overlay
+      index.Rebuild(pool);
+    }
+  }
+  for (int trial = 0; trial < 200; ++trial) {
+    const CRay3 ray(CVector3(random.Uniform(-4.0, 4.0), random.Uniform(-4.0, 4.0), 0.05),
+                    CVector3(random.Uniform(-4.0, 4.0), random.Uniform(-4.0, 4.0), 0.05));
+    const Real reach = random.Uniform(0.0, 0.6);
+    std::set<UInt32> visited;
+    index.ForShapesAlongRay(ray, reach,
+                            [&](const SIndexedShape& shape) { visited.insert(shape.Body); });
+    for (size_t i = 0; i < bodies.size(); ++i) {
+      CVector3 along;
+      ray.ToVector(along);
+      const CVector3 aside = bodies[i]->GetOriginAnchor().Position - ray.GetStart();
+      const Real t =
+          std::min(1.0, std::max(0.0, (along.GetX() * aside.GetX() + along.GetY() * aside.GetY()) /
+                                          along.SquareLength()));
+      const Real apart =
+          std::hypot(aside.GetX() - t * along.GetX(), aside.GetY() - t * along.GetY());
+      if (apart <= reach + radii[i]) {
+        CAPTURE(trial, i, apart, reach, radii[i]);
+        REQUIRE(visited.count(bodies[i]->GetBodyNumber()) == 1);
+      }
+    }
+  }
+}

@@ -1,0 +1,111 @@
+// Light and ground sensors as components of any robot.
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/plugins/simulator/entities/ground_sensor_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace argos;
+using Catch::Matchers::Contains;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+// a body with its sensors, outside any space
+struct SEquippedBody {
+  CComposableEntity Robot{nullptr, "robot"};
+  CEmbodiedEntity Body{&Robot, "body_0"};
+  CLightSensorEquippedEntity Lights{&Robot, "light_0"};
+  CGroundSensorEquippedEntity Ground{&Robot, "ground_0"};
+};
+
+}  // namespace
+
+TEST_CASE("light sensor component: rings lie as documented", "[entities]") {
+  SEquippedBody robot;
+  SAnchor& origin = robot.Body.GetOriginAnchor();
+  robot.Lights.AddSensorRing(CVector3(0.1, 0.2, 0.3), 0.05, ToRadians(CDegrees(30.0)), 0.4, 4,
+                             origin);
+  robot.Lights.AddSensor(CVector3(0.0, 0.0, 1.0), CVector3(0.0, 0.0, 5.0), 2.0, origin);
+  REQUIRE(robot.Lights.GetNumSensors() == 5);
+  CHECK(robot.Lights.GetTypeDescription() == "light_sensors");
+  for (int i = 0; i < 4; ++i) {
+    const Real angle = (30.0 + 90.0 * i) * M_PI / 180.0;
+    const CVector3 outward(std::cos(angle), std::sin(angle), 0.0);
+    const CLightSensorEquippedEntity::SSensor& sensor = robot.Lights.GetSensor(i);
+    CHECK_THAT(Distance(sensor.Position, CVector3(0.1, 0.2, 0.3) + outward * 0.05),
+               WithinAbs(0.0, 1e-15));
+    CHECK_THAT(Distance(sensor.Direction, outward * 0.4), WithinAbs(0.0, 1e-15));
+    CHECK(&sensor.Anchor == &origin);
+  }
+  CHECK(robot.Lights.GetSensor(4).Direction == CVector3(0.0, 0.0, 2.0));
+}
+
+TEST_CASE("ground sensor component: rings lie as documented", "[entities]") {
+  SEquippedBody robot;
+  SAnchor& origin = robot.Body.GetOriginAnchor();
+  robot.Ground.AddSensor(CVector2(0.1, 0.2), CGroundSensorEquippedEntity::TYPE_BLACK_WHITE, origin);
+  robot.Ground.AddSensorRing(CVector2(0.1, 0.2), 0.05, ToRadians(CDegrees(30.0)),
+                             CGroundSensorEquippedEntity::TYPE_GRAYSCALE, 4, origin);
+  REQUIRE(robot.Ground.GetNumSensors() == 5);
+  CHECK(robot.Ground.GetTypeDescription() == "ground_sensors");
+  CHECK(robot.Ground.GetSensors().size() == 5);
+  CHECK(robot.Ground.GetSensor(0).Type == CGroundSensorEquippedEntity::TYPE_BLACK_WHITE);
+  for (int i = 0; i < 4; ++i) {
+    const Real angle = (30.0 + 90.0 * i) * M_PI / 180.0;
+    const CGroundSensorEquippedEntity::SSensor& sensor = robot.Ground.GetSensor(1 + i);
+    CHECK_THAT(sensor.Offset.GetX(), WithinAbs(0.1 + 0.05 * std::cos(angle), 1e-15));
+    CHECK_THAT(sensor.Offset.GetY(), WithinAbs(0.2 + 0.05 * std::sin(angle), 1e-15));
+    CHECK(sensor.Type == CGroundSensorEquippedEntity::TYPE_GRAYSCALE);
+  }
+}
+
+TEST_CASE("sensor components: those of a type share a layout until one is changed", "[entities]") {
+  SEquippedBody a;
+  SEquippedBody b;
+  auto layout = std::make_shared<SGroundSensorLayout>();
+  layout->AddSensor(CVector2(1.0, 2.0), SGroundSensorPlace::TYPE_GRAYSCALE);
+  a.Ground.SetLayout(layout, {&a.Body.GetOriginAnchor()});
+  b.Ground.SetLayout(layout, {&b.Body.GetOriginAnchor()});
+  CHECK(&a.Ground.GetLayout() == layout.get());
+  // to look at a sensor changes nothing
+  CHECK(a.Ground.GetSensor(0).Offset == CVector2(1.0, 2.0));
+  CHECK(&a.Ground.GetLayout() == layout.get());
+  a.Ground.GetSensor(0).Type = CGroundSensorEquippedEntity::TYPE_BLACK_WHITE;
+  CHECK(a.Ground.GetLayout().Places[0].Type == CGroundSensorEquippedEntity::TYPE_BLACK_WHITE);
+  CHECK(&b.Ground.GetLayout() == layout.get());
+  CHECK(layout->Places[0].Type == CGroundSensorEquippedEntity::TYPE_GRAYSCALE);
+}
+
+TEST_CASE("sensor components: enabling one keeps its anchors current", "[entities]") {
+  SEquippedBody robot;
+  SAnchor& arm = robot.Body.AddAnchor("arm", CVector3(0.1, 0.0, 0.0));
+  robot.Lights.AddSensor(CVector3(), CVector3::X, 1.0, arm);
+  robot.Ground.AddSensor(CVector2(), CGroundSensorEquippedEntity::TYPE_GRAYSCALE, arm);
+  CHECK_FALSE(robot.Lights.IsEnabled());
+  CHECK_FALSE(robot.Ground.IsEnabled());
+  robot.Lights.Enable();
+  robot.Ground.Enable();
+  robot.Ground.Enable();
+  CHECK(arm.InUseCount == 2);
+  robot.Lights.Disable();
+  robot.Ground.Disable();
+  CHECK(arm.InUseCount == 0);
+}
+
+TEST_CASE("sensor components: refuse what cannot be", "[entities][errors]") {
+  SEquippedBody robot;
+  SAnchor& origin = robot.Body.GetOriginAnchor();
+  CHECK_THROWS_WITH(robot.Lights.AddSensor(CVector3(), CVector3::X, 0.0, origin),
+                    Contains("range") && Contains("> 0"));
+  CHECK_THROWS_WITH(robot.Lights.AddSensor(CVector3(), CVector3(), 1.0, origin),
+                    Contains("direction"));
+  CHECK(robot.Lights.GetNumSensors() == 0);
+  CHECK_THROWS_WITH(robot.Lights.GetSensor(0),
+                    Contains("light_sensors") && Contains("no sensor 0"));
+  CHECK_THROWS_WITH(robot.Ground.GetSensor(2),
+                    Contains("ground_sensors") && Contains("no sensor 2"));
+}
