@@ -59,8 +59,18 @@ Real Draw(const STerm& term, CRandomStream& stream) {
 }  // namespace
 
 struct CDeviceNoise::SState {
+  const CControllableEntity& Robot;
+  std::string Purpose;  // of the stream
   std::vector<std::vector<STerm>> Terms;  // by quantity
   CRandomStream Stream;
+
+  SState(const CControllableEntity& robot, const std::string& purpose, size_t numQuantities)
+      : Robot(robot), Purpose(purpose), Terms(numQuantities), Stream(MakeStream()) {}
+
+  CRandomStream MakeStream() const {
+    return CRandomStream(Robot.GetSimulator().GetRandomSeed(), "argos",
+                         Robot.GetRootEntity().GetId(), Purpose);
+  }
 };
 
 CDeviceNoise::CDeviceNoise() = default;
@@ -69,15 +79,12 @@ CDeviceNoise::CDeviceNoise(CDeviceNoise&&) noexcept = default;
 CDeviceNoise& CDeviceNoise::operator=(CDeviceNoise&&) noexcept = default;
 
 void CDeviceNoise::Init(TConfigurationNode& device, const CControllableEntity& robot,
-                        const std::vector<std::string>& quantities) {
+                        const std::vector<std::string>& quantities, const std::string& part) {
   m_state.reset();
   if (!NodeExists(device, "noise")) {
     return;
   }
-  m_state = std::make_unique<SState>(
-      SState{std::vector<std::vector<STerm>>(quantities.size()),
-             CRandomStream(robot.GetSimulator().GetRandomSeed(), "argos",
-                           robot.GetRootEntity().GetId(), device.Value() + " noise")});
+  m_state = std::make_unique<SState>(robot, device.Value() + " noise" + part, quantities.size());
   TConfigurationNodeIterator noise("noise");
   for (noise = noise.begin(&device); noise != noise.end(); ++noise) {
     const STerm term = ReadTerm(*noise);
@@ -98,7 +105,7 @@ void CDeviceNoise::Init(TConfigurationNode& device, const CControllableEntity& r
 
 void CDeviceNoise::Reset() {
   if (m_state != nullptr) {
-    m_state->Stream.Reset();
+    m_state->Stream = m_state->MakeStream();
   }
 }
 
