@@ -2,7 +2,9 @@
 
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_appearance.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_measures.h>
+#include <argos3/plugins/robots/generic/simulator/camera_mounts.h>
 #include <argos3/plugins/robots/generic/simulator/device_parameters.h>
+#include <argos3/plugins/simulator/entities/omnidirectional_camera_equipped_entity.h>
 
 namespace argos {
 
@@ -41,6 +43,11 @@ SRobotType MakeType() {
   type.LEDs = MakeLEDs();
   type.Proximity = MakeProximity();
   type.Appearance = MakeFootBotAppearance();
+  type.OnDemand.push_back({"omnidirectional_camera", [](CRobotEntity& robot) -> CEntity& {
+                             return MakeOmnidirectionalCamera(
+                                 robot,
+                                 CVector3(0.0, 0.0, footbot::kOmnidirectionalCameraElevation));
+                           }});
   return type;
 }
 
@@ -84,6 +91,10 @@ void CFootBotEntity::Init(TConfigurationNode& tree) {
   parameters.Battery.Read(tree);
   SetDeviceParameters(parameters);
   InitController(tree);
+}
+
+COmnidirectionalCameraEquippedEntity& CFootBotEntity::GetOmnidirectionalCameraEquippedEntity() {
+  return Demand<COmnidirectionalCameraEquippedEntity>("omnidirectional_camera");
 }
 
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CFootBotEntity)

@@ -6,6 +6,8 @@
 
 namespace argos {
 
+class COmnidirectionalCameraEquippedEntity;
+
 /**
  * The foot-bot of the Swarmanoid project: 17 cm across, with wheels and tracks, 24 proximity
  * sensors, 12 LEDs and a beacon on a turret.
@@ -46,6 +48,8 @@ class CFootBotEntity : public CDifferentialDriveRobotEntity {
 
   void Init(TConfigurationNode& tree) override;
   std::string GetTypeDescription() const override { return "foot-bot"; }
+
+  COmnidirectionalCameraEquippedEntity& GetOmnidirectionalCameraEquippedEntity();
 };
 
 }  // namespace argos
