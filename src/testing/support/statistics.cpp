@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace argos {
 
@@ -21,6 +22,21 @@ Real KolmogorovSmirnovExcess(std::vector<Real> sample,
     distance = std::max({distance, expected - below / n, (below + 1.0) / n - expected});
   }
   return distance / std::sqrt(std::log(2.0 / kProbability) / (2.0 * n));
+}
+
+Real ChiSquareExcess(const std::vector<size_t>& counts, const std::vector<Real>& probabilities) {
+  constexpr Real kNormalQuantile = 4.753424;  // exceeded with probability 1e-6
+  const auto total = static_cast<Real>(std::accumulate(counts.begin(), counts.end(), size_t(0)));
+  Real statistic = 0.0;
+  for (size_t i = 0; i < counts.size(); ++i) {
+    const Real expected = total * probabilities[i];
+    const Real difference = static_cast<Real>(counts[i]) - expected;
+    statistic += difference * difference / expected;
+  }
+  const auto freedom = static_cast<Real>(counts.size() - 1);
+  const Real spread = 2.0 / (9.0 * freedom);
+  const Real root = 1.0 - spread + kNormalQuantile * std::sqrt(spread);
+  return statistic / (freedom * root * root * root);
 }
 
 }  // namespace argos

@@ -21,6 +21,17 @@ Real NormalDistribution(Real value, Real standardDeviation);
  */
 Real KolmogorovSmirnovExcess(std::vector<Real> sample,
                              const std::function<Real(Real)>& distribution);
+/**
+ * Pearson's statistic of some counts, as a multiple of the value that it exceeds with a probability
+ * of 1e-6 if the probabilities are true: at most 1 if they are.
+ *
+ * @param probabilities  of each count, all > 0; they add up to 1, and 5 is expected of each at
+ * least.
+ *
+ * The quantile is that of E. B. Wilson and M. M. Hilferty, "The Distribution of Chi-square", PNAS
+ * 17 (1931).
+ */
+Real ChiSquareExcess(const std::vector<size_t>& counts, const std::vector<Real>& probabilities);
 
 }  // namespace argos
 

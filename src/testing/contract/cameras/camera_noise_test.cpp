@@ -2,13 +2,17 @@
 
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_colored_blob_omnidirectional_camera_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_colored_blob_perspective_camera_sensor.h>
+#include <argos3/plugins/simulator/entities/led_entity.h>
 #include <argos3/testing/support/arena_text.h>
 #include <argos3/testing/support/robot_world.h>
 #include <argos3/testing/support/statistics.h>
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 using namespace argos;
 
@@ -108,6 +112,97 @@ TEST_CASE("omnidirectional camera noise: readings stay in their ranges",
     CHECK(blobs.Distances[i] >= 0.0);
     CHECK((blobs.Angles[i] >= -M_PI && blobs.Angles[i] < M_PI));
   }
+}
+
+namespace {
+
+// a foot-bot with a light 1 m ahead of its camera, 10 cm to the left and 5 cm up: seen at pixel
+// (250.72, 205.36)
+SRobotExperiment WithPerspectiveCamera(const std::string& attributes, const std::string& noise) {
+  SRobotExperiment experiment;
+  experiment.Sensors =
+      "<colored_blob_perspective_camera implementation=\"default\" medium=\"leds\" " + attributes +
+      ">" + noise + "</colored_blob_perspective_camera>";
+  experiment.Arena = Robot("foot-bot", "r", PoseText(CVector3())) +
+                     LightText("l", CVector3(1.085036758, 0.1, 0.224249733));
+  return experiment;
+}
+
+// how often each pixel was drawn; the first and the last bin take those below and above
+struct SHistogram {
+  explicit SHistogram(SInt32 first) : First(first), Counts(12) {}
+  void Add(SInt32 pixel) { ++Counts[std::clamp(pixel - First, 0, 11)]; }
+  // against a distribution function of the coordinate before decimals are cut off
+  Real ComputeExcess(const std::function<Real(Real)>& distribution) const {
+    std::vector<Real> probabilities;
+    for (SInt32 i = 0; i < 12; ++i) {
+      const Real below = i == 0 ? 0.0 : distribution(First + i);
+      probabilities.push_back((i == 11 ? 1.0 : distribution(First + i + 1)) - below);
+    }
+    return ChiSquareExcess(Counts, probabilities);
+  }
+
+  SInt32 First;
+  std::vector<size_t> Counts;
+};
+
+}  // namespace
+
+TEST_CASE("perspective camera noise: pixels are shifted as stated", "[contract][cameras][noise]") {
+  const bool asAttribute = GENERATE(true, false);
+  CRobotWorld world(
+      WithPerspectiveCamera(asAttribute ? "noise_std_dev=\"2\"" : "",
+                            asAttribute ? "" : "<noise model=\"gaussian\" std_dev=\"2\"/>"));
+  auto& camera = world.GetSensor<CCI_ColoredBlobPerspectiveCameraSensor>(
+      "r", "colored_blob_perspective_camera");
+  camera.Enable();
+  SHistogram xs(245);
+  SHistogram ys(200);
+  Real product = 0.0;
+  for (int i = 0; i < kDraws; ++i) {
+    world.Step();
+    REQUIRE(camera.GetReadings().BlobList.size() == 1);
+    const auto& blob = *camera.GetReadings().BlobList[0];
+    xs.Add(blob.X);
+    ys.Add(blob.Y);
+    product += (blob.X + 0.5 - 250.718) * (blob.Y + 0.5 - 205.359);
+  }
+  const Real height = 2.0 * std::tan(M_PI / 6.0) / (5.0 / 3.0);  // of the image at 1 m, m
+  const auto around = [](Real middle, Real deviation) {
+    return [middle, deviation](Real x) { return NormalDistribution(x - middle, deviation); };
+  };
+  const Real x = 320.0 - 0.1 * 480.0 / height;
+  const Real y = 240.0 - 0.05 * 480.0 / height;
+  CHECK(xs.ComputeExcess(around(x, 2.0)) < 1.0);
+  CHECK(ys.ComputeExcess(around(y, 2.0)) < 1.0);
+  CHECK(xs.ComputeExcess(around(x, 2.2)) > 1.0);
+  CHECK(ys.ComputeExcess(around(y + 0.2, 2.0)) > 1.0);
+  // the two are independent: the mean of the product has a standard deviation of 4 / sqrt(n)
+  CHECK(std::abs(product / kDraws) < 5.0 * 4.1 / std::sqrt(kDraws));
+}
+
+TEST_CASE("perspective camera noise: a blob that leaves the image is lost, none comes in",
+          "[contract][cameras][noise]") {
+  // on the left edge, every second is lost; the one outside stays outside
+  CRobotWorld world(WithPerspectiveCamera("", "<noise model=\"gaussian\" std_dev=\"20\"/>"));
+  const Real width = 2.0 * std::tan(M_PI / 6.0) * 0.8;  // of the image at 1 m, m
+  auto& light = world.Get<CLEDEntity>("l");
+  auto& camera = world.GetSensor<CCI_ColoredBlobPerspectiveCameraSensor>(
+      "r", "colored_blob_perspective_camera");
+  camera.Enable();
+  const auto count = [&](Real y) {
+    light.SetPosition(CVector3(1.085036758, y, 0.174249733));
+    int seen = 0;
+    for (int i = 0; i < 2000; ++i) {
+      world.Step();
+      seen += static_cast<int>(camera.GetReadings().BlobList.size());
+    }
+    return seen;
+  };
+  // the pixel is kept if the noise is above -1 pixel, 1/20 of its deviation: P = 0.51994
+  const int inside = count(0.5 * width - 1e-6);
+  CHECK(std::abs(inside - 2000 * 0.51994) < 5.0 * std::sqrt(2000 * 0.25));
+  CHECK(count(0.5 * width * (1.0 + 4.0 / 640.0)) == 0);
 }
 
 TEST_CASE("camera noise: differs between robots, and repeats after a reset with the same seed",

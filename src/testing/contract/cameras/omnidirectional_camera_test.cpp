@@ -4,6 +4,7 @@
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_colored_blob_omnidirectional_camera_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_leds_actuator.h>
 #include <argos3/plugins/simulator/entities/led_entity.h>
 #include <argos3/plugins/simulator/entities/omnidirectional_camera_equipped_entity.h>
@@ -426,6 +427,51 @@ TEST_CASE("omnidirectional camera: robots in line see each other alike", "[contr
   // the outer ones see each other over the dark one in the middle, 80 cm away: the beacon of one is
   // out of the square of the other, and so is the far half of the ring
   CHECK(Blobs(world, "left").size() == Blobs(world, "right").size());
+}
+
+TEST_CASE("omnidirectional camera: LEDs are where this tick's physics put them",
+          "[contract][cameras]") {
+  SRobotExperiment experiment =
+      WithCamera(FootBot("r", CVector3(), 10.0) + FootBot("other", CVector3(0.4, 0.2, 0.0), 120.0));
+  experiment.Engine = "<dynamics2d id=\"engine\"/>";
+  experiment.Actuators =
+      "<leds implementation=\"default\" medium=\"leds\"/>"
+      "<differential_steering implementation=\"default\"/>";
+  CRobotWorld world(experiment);
+  const char* const kWheels = "differential_steering";
+  world.GetActuator<CCI_LEDsActuator>("other", "leds").SetAllColors(CColor::RED);
+  world.GetActuator<CCI_DifferentialSteeringActuator>("other", kWheels)
+      .SetLinearVelocity(30.0, 10.0);
+  world.GetActuator<CCI_DifferentialSteeringActuator>("r", kWheels).SetLinearVelocity(-5.0, 5.0);
+  Camera(world).Enable();
+  auto& body = world.Get<CFootBotEntity>("r").GetEmbodiedEntity();
+  auto& otherBody = world.Get<CFootBotEntity>("other").GetEmbodiedEntity();
+  for (int tick = 0; tick < 20; ++tick) {
+    world.Step();
+    CAPTURE(tick);
+    const CVector3& place = body.GetOriginAnchor().Position;
+    CRadians yaw;
+    CRadians pitch;
+    CRadians roll;
+    body.GetOriginAnchor().Orientation.ToEulerAngles(yaw, pitch, roll);
+    // from the pose of the body, not from what the entities of the LEDs say
+    const SAnchor& other = otherBody.GetOriginAnchor();
+    std::vector<CVector3> seen;
+    for (int i = 0; i < 13; ++i) {
+      const CRadians angle = ToRadians(CDegrees(15.0 + 30.0 * i));
+      CVector3 led = i == 12 ? CVector3(0.0, 0.0, 0.174249733)
+                             : CVector3(0.090036758 * Cos(angle), 0.090036758 * Sin(angle), 0.085);
+      led.Rotate(other.Orientation);
+      led += other.Position;
+      if (ReferenceInSight(world.GetSpace(), place + CVector3(0.0, 0.0, kHeight), led, "r")) {
+        seen.push_back(led);
+      }
+    }
+    CHECK(seen.size() >= 7);
+    CheckBlobs(Blobs(world), seen, place.GetX(), place.GetY(), ToDegrees(yaw).GetValue());
+  }
+  // something moved
+  CHECK(Distance(otherBody.GetOriginAnchor().Position, CVector3(0.4, 0.2, 0.0)) > 0.1);
 }
 
 TEST_CASE("omnidirectional camera: lines of sight are recorded only if asked for",

@@ -5,6 +5,7 @@
 #include <argos3/plugins/robots/generic/simulator/camera_mounts.h>
 #include <argos3/plugins/robots/generic/simulator/device_parameters.h>
 #include <argos3/plugins/simulator/entities/omnidirectional_camera_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
 
 namespace argos {
 
@@ -37,17 +38,28 @@ std::shared_ptr<const CProximitySensorEquippedEntity::SLayout> MakeProximity() {
   return sensors;
 }
 
+CEntity& MakeFrontCamera(CRobotEntity& robot) {
+  // straight up, what is behind the robot is up in the image
+  const CQuaternion up(-CRadians::PI_OVER_TWO, CVector3::Y);
+  const bool front = robot.GetDeviceParameters().PerspectiveCamera.Front;
+  return MakePerspectiveCamera(
+      robot, CVector3(footbot::kPerspectiveCameraReach, 0.0, footbot::kPerspectiveCameraElevation),
+      front ? CQuaternion() : up);
+}
+
+CEntity& MakeTopCamera(CRobotEntity& robot) {
+  return MakeOmnidirectionalCamera(robot,
+                                   CVector3(0.0, 0.0, footbot::kOmnidirectionalCameraElevation));
+}
+
 SRobotType MakeType() {
   SRobotType type;
   type.LEDAnchor = "turret";
   type.LEDs = MakeLEDs();
   type.Proximity = MakeProximity();
   type.Appearance = MakeFootBotAppearance();
-  type.OnDemand.push_back({"omnidirectional_camera", [](CRobotEntity& robot) -> CEntity& {
-                             return MakeOmnidirectionalCamera(
-                                 robot,
-                                 CVector3(0.0, 0.0, footbot::kOmnidirectionalCameraElevation));
-                           }});
+  type.OnDemand.push_back({"omnidirectional_camera", MakeTopCamera});
+  type.OnDemand.push_back({"perspective_camera", MakeFrontCamera});
   return type;
 }
 
@@ -95,6 +107,10 @@ void CFootBotEntity::Init(TConfigurationNode& tree) {
 
 COmnidirectionalCameraEquippedEntity& CFootBotEntity::GetOmnidirectionalCameraEquippedEntity() {
   return Demand<COmnidirectionalCameraEquippedEntity>("omnidirectional_camera");
+}
+
+CPerspectiveCameraEquippedEntity& CFootBotEntity::GetPerspectiveCameraEquippedEntity() {
+  return Demand<CPerspectiveCameraEquippedEntity>("perspective_camera");
 }
 
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CFootBotEntity)

@@ -7,6 +7,7 @@
 namespace argos {
 
 class COmnidirectionalCameraEquippedEntity;
+class CPerspectiveCameraEquippedEntity;
 
 /**
  * The foot-bot of the Swarmanoid project: 17 cm across, with wheels and tracks, 24 proximity
@@ -50,6 +51,7 @@ class CFootBotEntity : public CDifferentialDriveRobotEntity {
   std::string GetTypeDescription() const override { return "foot-bot"; }
 
   COmnidirectionalCameraEquippedEntity& GetOmnidirectionalCameraEquippedEntity();
+  CPerspectiveCameraEquippedEntity& GetPerspectiveCameraEquippedEntity();
 };
 
 }  // namespace argos

@@ -41,6 +41,8 @@ constexpr Real kBeaconElevation = 0.174249733;
 
 // cameras
 constexpr Real kOmnidirectionalCameraElevation = 0.288699733;
+constexpr Real kPerspectiveCameraReach = kBodyRadius;  // ahead of the centre
+constexpr Real kPerspectiveCameraElevation = 0.174249733;
 
 }  // namespace footbot
 }  // namespace argos

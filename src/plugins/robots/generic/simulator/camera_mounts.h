@@ -15,6 +15,17 @@ namespace argos {
  * @param offset  from the origin of the body, m.
  */
 CEntity& MakeOmnidirectionalCamera(CRobotEntity& robot, const CVector3& offset);
+/**
+ * Makes the robot's "perspective_camera", with the numbers of its parameters and an image of 640 x
+ * 480 pixels.
+ * @param offset       in the frame of the anchor, m.
+ * @param orientation  in the frame of the anchor: it turns the x axis to where the camera looks,
+ *                     and the z axis to what is up in its image.
+ * @param anchor       the body's, which the camera moves with.
+ */
+CEntity& MakePerspectiveCamera(CRobotEntity& robot, const CVector3& offset,
+                               const CQuaternion& orientation,
+                               const std::string& anchor = "origin");
 
 }  // namespace argos
 
