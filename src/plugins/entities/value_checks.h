@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_ENTITIES_VALUE_CHECKS_H
 
 #include <argos3/core/utility/configuration/argos_configuration.h>
+#include <argos3/core/utility/math/angles.h>
 
 #include <cmath>
 #include <string>
@@ -29,6 +30,17 @@ inline Real RequireNotNegative(Real value, const std::string& owner, const std::
     THROW_ARGOSEXCEPTION(owner << ": " << what << " must be a number >= 0, got " << value);
   }
   return value;
+}
+
+/** @throws CARGoSException unless the half angle @p aperture is in (0, PI/2). */
+inline CRadians RequireAperture(const CRadians& aperture, const std::string& owner,
+                                const std::string& what) {
+  const Real degrees = ToDegrees(aperture).GetValue();
+  if (!(degrees > 0.0 && degrees < 90.0)) {
+    THROW_ARGOSEXCEPTION(owner << ": " << what << " must be between 0 and 90 degrees, got "
+                               << degrees);
+  }
+  return aperture;
 }
 
 /** 'file:line: <tag>', the owner of an attribute of that element. */

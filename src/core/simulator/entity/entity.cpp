@@ -24,7 +24,7 @@ void CEntity::Init(TConfigurationNode& tree) {
   // numbered among the components of its type that the parent already has
   const std::string type = GetTypeDescription();
   size_t number = 0;
-  for (CEntity* component : m_parent->GetComponentVector()) {
+  for (CEntity* component : m_parent->GetExistingComponents()) {
     number += component != this && component->GetTypeDescription() == type ? 1 : 0;
   }
   m_id = type + "_" + std::to_string(number);

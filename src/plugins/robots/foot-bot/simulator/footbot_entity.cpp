@@ -4,9 +4,12 @@
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_motor_ground_sensor.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_appearance.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_measures.h>
+#include <argos3/plugins/robots/generic/simulator/camera_mounts.h>
 #include <argos3/plugins/robots/generic/simulator/device_parameters.h>
 #include <argos3/plugins/simulator/entities/ground_sensor_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/omnidirectional_camera_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
 
 namespace argos {
 
@@ -68,6 +71,20 @@ CEntity& MakeGroundSensors(CRobotEntity& robot) {
   return sensors;
 }
 
+CEntity& MakeFrontCamera(CRobotEntity& robot) {
+  // straight up, what is behind the robot is up in the image
+  const CQuaternion up(-CRadians::PI_OVER_TWO, CVector3::Y);
+  const bool front = robot.GetDeviceParameters().PerspectiveCamera.Front;
+  return MakePerspectiveCamera(
+      robot, CVector3(footbot::kPerspectiveCameraReach, 0.0, footbot::kPerspectiveCameraElevation),
+      front ? CQuaternion() : up);
+}
+
+CEntity& MakeTopCamera(CRobotEntity& robot) {
+  return MakeOmnidirectionalCamera(robot,
+                                   CVector3(0.0, 0.0, footbot::kOmnidirectionalCameraElevation));
+}
+
 SRobotType MakeType() {
   SRobotType type;
   type.LEDAnchor = "turret";
@@ -76,6 +93,8 @@ SRobotType MakeType() {
   type.Appearance = MakeFootBotAppearance();
   type.OnDemand.push_back({"ground_sensors", &MakeGroundSensors});
   type.OnDemand.push_back({"light_sensors", &MakeLightSensors});
+  type.OnDemand.push_back({"omnidirectional_camera", MakeTopCamera});
+  type.OnDemand.push_back({"perspective_camera", MakeFrontCamera});
   return type;
 }
 
@@ -127,6 +146,14 @@ CGroundSensorEquippedEntity& CFootBotEntity::GetGroundSensorEquippedEntity() {
 
 CLightSensorEquippedEntity& CFootBotEntity::GetLightSensorEquippedEntity() {
   return Demand<CLightSensorEquippedEntity>("light_sensors");
+}
+
+COmnidirectionalCameraEquippedEntity& CFootBotEntity::GetOmnidirectionalCameraEquippedEntity() {
+  return Demand<COmnidirectionalCameraEquippedEntity>("omnidirectional_camera");
+}
+
+CPerspectiveCameraEquippedEntity& CFootBotEntity::GetPerspectiveCameraEquippedEntity() {
+  return Demand<CPerspectiveCameraEquippedEntity>("perspective_camera");
 }
 
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CFootBotEntity)

@@ -8,6 +8,8 @@ namespace argos {
 
 class CGroundSensorEquippedEntity;
 class CLightSensorEquippedEntity;
+class COmnidirectionalCameraEquippedEntity;
+class CPerspectiveCameraEquippedEntity;
 
 /**
  * The foot-bot of the Swarmanoid project: 17 cm across, with wheels and tracks, 24 proximity
@@ -53,6 +55,10 @@ class CFootBotEntity : public CDifferentialDriveRobotEntity {
   /** Components that are made when first asked for; see CRobotEntity. */
   CGroundSensorEquippedEntity& GetGroundSensorEquippedEntity();
   CLightSensorEquippedEntity& GetLightSensorEquippedEntity();
+};
+
+  COmnidirectionalCameraEquippedEntity& GetOmnidirectionalCameraEquippedEntity();
+  CPerspectiveCameraEquippedEntity& GetPerspectiveCameraEquippedEntity();
 };
 
 }  // namespace argos

@@ -44,8 +44,10 @@ constexpr Real kLEDRingRadius = kBodyRadius + 0.005;
 constexpr Real kLEDRingStartAngle = 15.0;
 constexpr Real kBeaconElevation = 0.174249733;
 
-// the omnidirectional camera; here only drawn
+// cameras
 constexpr Real kOmnidirectionalCameraElevation = 0.288699733;
+constexpr Real kPerspectiveCameraReach = kBodyRadius;  // ahead of the centre
+constexpr Real kPerspectiveCameraElevation = 0.174249733;
 
 }  // namespace footbot
 }  // namespace argos

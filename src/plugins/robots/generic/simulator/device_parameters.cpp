@@ -6,14 +6,6 @@ namespace argos {
 
 namespace {
 
-void RequireAperture(const CRadians& aperture, const std::string& owner, const std::string& what) {
-  const CDegrees degrees = ToDegrees(aperture);
-  if (!(degrees > CDegrees(0.0) && degrees < CDegrees(90.0))) {
-    THROW_ARGOSEXCEPTION(owner << ": " << what << " must be between 0 and 90 degrees, got "
-                               << degrees.GetValue());
-  }
-}
-
 // experiment files have degrees
 void ReadAperture(TConfigurationNode& robot, const std::string& attribute, CRadians& aperture) {
   CDegrees degrees = ToDegrees(aperture);

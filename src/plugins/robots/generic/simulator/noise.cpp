@@ -72,7 +72,7 @@ Real Draw(const STerm& term, CRandomStream& stream) {
 
 struct CDeviceNoise::SState {
   const CControllableEntity& Robot;
-  std::string Purpose;
+  std::string Purpose;  // of the stream
   std::vector<std::vector<STerm>> Terms;  // by quantity
   CRandomStream Stream;
 
@@ -93,13 +93,13 @@ CDeviceNoise& CDeviceNoise::operator=(CDeviceNoise&&) noexcept = default;
 
 void CDeviceNoise::Init(TConfigurationNode& device, const CControllableEntity& robot,
                         const std::vector<std::string>& quantities,
-                        const std::vector<CRange<Real>>& evenly) {
+                        const std::vector<CRange<Real>>& evenly, const std::string& part) {
   m_state.reset();
   const bool isAnyEven = std::any_of(evenly.begin(), evenly.end(), IsNoise);
   if (!isAnyEven && !NodeExists(device, "noise")) {
     return;
   }
-  m_state = std::make_unique<SState>(robot, device.Value() + " noise", quantities.size());
+  m_state = std::make_unique<SState>(robot, device.Value() + " noise" + part, quantities.size());
   for (size_t i = 0; i < evenly.size(); ++i) {
     if (IsNoise(evenly[i])) {
       m_state->Terms[i].push_back(EvenTerm(evenly[i]));

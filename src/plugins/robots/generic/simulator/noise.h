@@ -33,16 +33,18 @@ class CDeviceNoise {
 
   /**
    * Reads the children of a device's element.
+   * @param robot       must outlive the noise.
    * @param quantities  their names, in the order of their numbers.
    * @param evenly      what attributes of the device ask for, by quantity: a number drawn evenly
    *                    from the range is added; from "0:0", none. May be shorter.
+   * @param part        tells parts of one device apart, which then have streams of their own.
    * @throws CARGoSException with the names there are, or the range that is right, if a value is
    * not.
    */
   void Init(TConfigurationNode& device, const CControllableEntity& robot,
             const std::vector<std::string>& quantities,
-            const std::vector<CRange<Real>>& evenly = {});
-  /** The stream starts over, from the experiment's seed as it is now. */
+            const std::vector<CRange<Real>>& evenly = {}, const std::string& part = "");
+  /** The stream starts over, with the seed that the experiment has now. */
   void Reset();
 
   bool IsOn() const { return m_state != nullptr; }

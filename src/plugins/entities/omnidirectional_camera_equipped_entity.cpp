@@ -1,0 +1,33 @@
+#include <argos3/plugins/simulator/entities/omnidirectional_camera_equipped_entity.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/plugins/simulator/entities/value_checks.h>
+
+namespace argos {
+
+namespace {
+
+constexpr Real kDefaultAperture = 70.0;  // degrees, as in ARGoS 3
+
+}  // namespace
+
+COmnidirectionalCameraEquippedEntity::COmnidirectionalCameraEquippedEntity(
+    CComposableEntity* parent)
+    : COmnidirectionalCameraEquippedEntity(parent, std::string(),
+                                           ToRadians(CDegrees(kDefaultAperture)), CVector3()) {}
+
+COmnidirectionalCameraEquippedEntity::COmnidirectionalCameraEquippedEntity(
+    CComposableEntity* parent, const std::string& id, const CRadians& aperture,
+    const CVector3& offset)
+    : CEntity(parent, id), m_offset(offset) {
+  SetAperture(aperture);
+  CEntity::SetEnabled(false);
+}
+
+void COmnidirectionalCameraEquippedEntity::SetAperture(const CRadians& aperture) {
+  m_aperture = RequireAperture(aperture, "camera \"" + GetContext() + GetId() + "\"", "aperture");
+}
+
+REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(COmnidirectionalCameraEquippedEntity)
+
+}  // namespace argos

@@ -1,0 +1,193 @@
+#include <argos3/plugins/robots/generic/simulator/colored_blob_omnidirectional_camera_rotzonly_sensor.h>
+
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/plugins/robots/generic/simulator/medium_attribute.h>
+#include <argos3/plugins/simulator/entities/led_entity.h>
+#include <argos3/plugins/simulator/entities/omnidirectional_camera_equipped_entity.h>
+#include <argos3/plugins/simulator/media/led_medium.h>
+
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+constexpr Real kCmPerM = 100.0;
+// numbers of the quantities that <noise> may be on
+enum EQuantity : size_t { QUANTITY_DISTANCE, QUANTITY_ANGLE };
+
+// to [-PI,PI)
+CRadians Wrap(CRadians angle) {
+  angle.SignedNormalize();
+  return angle >= CRadians::PI ? -CRadians::PI : angle;
+}
+
+}  // namespace
+
+// the camera at one moment
+struct CColoredBlobOmnidirectionalCameraRotZOnlySensor::SEye {
+  CVector3 Position;  // m, world frame
+  Real Cos, Sin;  // of the robot's yaw
+  Real HalfSide;  // of the square that the camera sees on the ground, m
+};
+
+void CColoredBlobOmnidirectionalCameraRotZOnlySensor::SetRobot(CComposableEntity& robot) {
+  m_camera = &robot.GetComponent<COmnidirectionalCameraEquippedEntity>("omnidirectional_camera");
+  m_body = &robot.GetComponent<CEmbodiedEntity>("body");
+  m_robot = &robot.GetComponent<CControllableEntity>("controller");
+  m_sight.SetRobot(robot);
+}
+
+void CColoredBlobOmnidirectionalCameraRotZOnlySensor::Init(TConfigurationNode& tree) {
+  CCI_ColoredBlobOmnidirectionalCameraSensor::Init(tree);
+  m_medium = &ReadMedium<CLEDMedium>(tree, m_robot->GetSimulator(), "an LED medium");
+  GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, false);
+  GetNodeAttributeOrDefault(tree, "noise_std_dev", m_noiseStdDev, 0.0);
+  RequireNotNegative(m_noiseStdDev, OwnerOf(tree), "attribute \"noise_std_dev\"");
+  m_noise.Init(tree, *m_robot, {"distance", "angle"});
+  MakeNoise();
+}
+
+void CColoredBlobOmnidirectionalCameraRotZOnlySensor::Enable() {
+  CCI_ColoredBlobOmnidirectionalCameraSensor::Enable();
+  m_camera->Enable();
+}
+
+void CColoredBlobOmnidirectionalCameraRotZOnlySensor::Disable() {
+  CCI_ColoredBlobOmnidirectionalCameraSensor::Disable();
+  m_camera->Disable();
+}
+
+void CColoredBlobOmnidirectionalCameraRotZOnlySensor::Reset() {
+  m_sReadings.BlobList.clear();
+  m_sReadings.Counter = 0;
+  m_noise.Reset();
+  MakeNoise();
+}
+
+void CColoredBlobOmnidirectionalCameraRotZOnlySensor::MakeNoise() {
+  if (m_noiseStdDev > 0.0) {
+    m_shifts = std::make_unique<CRandomStream>(m_robot->GetSimulator().GetRandomSeed(), "argos",
+                                               m_robot->GetRootEntity().GetId(),
+                                               "omnidirectional camera: shifts of LEDs");
+  }
+}
+
+void CColoredBlobOmnidirectionalCameraRotZOnlySensor::Update() {
+  ++m_sReadings.Counter;
+  m_blobs.clear();
+  const SEye eye = ComputeEye();
+  const CVector3& c = eye.Position;
+  const SBoundingBox field = {CVector3(c.GetX() - eye.HalfSide, c.GetY() - eye.HalfSide, -c.GetZ()),
+                              CVector3(c.GetX() + eye.HalfSide, c.GetY() + eye.HalfSide, c.GetZ())};
+  if (eye.HalfSide > 0.0) {
+    m_sight.Look(
+        m_medium->GetIndex(), c, field,
+        [&eye, &c](const CLEDEntity& led, CVector3* point) {
+          const CVector3 toLED = led.GetPosition() - c;
+          *point = led.GetPosition();
+          return led.IsLit() && std::abs(toLED.GetX()) < eye.HalfSide &&
+                 std::abs(toLED.GetY()) < eye.HalfSide && std::abs(point->GetZ()) <= c.GetZ();
+        },
+        [&](const CLEDEntity& led) { AddBlob(eye, led); }, m_showRays);
+  }
+  ListBlobs();
+}
+
+CColoredBlobOmnidirectionalCameraRotZOnlySensor::SEye
+CColoredBlobOmnidirectionalCameraRotZOnlySensor::ComputeEye() const {
+  const SAnchor& origin = m_body->GetOriginAnchor();
+  CRadians yaw;
+  CRadians pitch;
+  CRadians roll;
+  origin.Orientation.ToEulerAngles(yaw, pitch, roll);
+  SEye eye;
+  SinCos(yaw, eye.Sin, eye.Cos);
+  eye.Position = m_camera->GetOffset();
+  eye.Position.RotateZ(CVector2(eye.Cos, eye.Sin));
+  eye.Position += origin.Position;
+  eye.HalfSide = eye.Position.GetZ() * Tan(m_camera->GetAperture());
+  return eye;
+}
+
+void CColoredBlobOmnidirectionalCameraRotZOnlySensor::AddBlob(const SEye& eye,
+                                                              const CLEDEntity& led) {
+  const CVector3 toLED = led.GetPosition() - eye.Position;
+  // in the robot's frame
+  CVector2 seen(eye.Cos * toLED.GetX() + eye.Sin * toLED.GetY(),
+                eye.Cos * toLED.GetY() - eye.Sin * toLED.GetX());
+  if (m_shifts != nullptr) {
+    const Real length = seen.Length() * m_shifts->Gaussian(m_noiseStdDev);
+    seen += CVector2(length, CRadians(m_shifts->Uniform(-M_PI, M_PI)));
+  }
+  const Real distance = m_noise.Apply(QUANTITY_DISTANCE, kCmPerM * seen.Length());
+  const CRadians angle(m_noise.Apply(QUANTITY_ANGLE, seen.Angle().GetValue()));
+  m_blobs.emplace_back(led.GetColor(), Wrap(angle), std::max(distance, 0.0));
+}
+
+// only now, when the blobs do not move any more
+void CColoredBlobOmnidirectionalCameraRotZOnlySensor::ListBlobs() {
+  m_sReadings.BlobList.clear();
+  for (SBlob& blob : m_blobs) {
+    m_sReadings.BlobList.push_back(&blob);
+  }
+}
+
+REGISTER_SENSOR(
+    CColoredBlobOmnidirectionalCameraRotZOnlySensor, "colored_blob_omnidirectional_camera",
+    "rot_z_only", "the authors of this project", "1.0",
+    "A camera that sees coloured lights all around a robot that stays upright.",
+    R"(The camera sits above the robot and looks down all around it. In each tick, every LED and light that
+it sees gives one blob: its colour, its angle from straight ahead (rad, in [-PI,PI), counter-clockwise) and its
+distance on the ground from under the camera (cm). LEDs that are close together stay blobs of their own. Blobs
+come in the order in which the LEDs' entities were created.
+
+With the camera at C (m, world frame; on the foot-bot 0.288699733 m above the base) and the aperture a of the robot,
+an LED at P is seen if
+- it is enabled in the medium, and not black;
+- it belongs to another robot or object;
+- |Px - Cx| and |Py - Cy| are less than Cz tan(a): a square of the world, whichever way the robot faces;
+- it is not higher than the camera, nor deeper than Cz below the ground;
+- no body but the robot's own is between it and the camera. An LED on the surface of a body is not hidden by it from
+  its own side.
+
+The sensor is disabled until the controller calls Enable(); it then takes one picture in each tick, and counts them.
+After Disable() the last blobs stay.
+
+REQUIRED XML
+
+  <controllers>
+    <my_controller id="c1">
+      <actuators />
+      <sensors>
+        <colored_blob_omnidirectional_camera implementation="rot_z_only" medium="leds" />
+      </sensors>
+      <params />
+    </my_controller>
+  </controllers>
+
+with the LED medium that it names:
+
+  <media>
+    <led id="leds" />
+  </media>
+
+  medium  text, required: the id of an LED medium.
+
+OPTIONAL XML
+
+  <colored_blob_omnidirectional_camera implementation="rot_z_only" medium="leds" show_rays="true"
+                                       noise_std_dev="0.05">
+    <noise on="distance" model="gaussian" std_dev="1" />
+  </colored_blob_omnidirectional_camera>
+
+  show_rays      "true" or "false", default "false": lines of sight are shown by visualizations that can.
+  noise_std_dev  real number s >= 0, default 0: each blob is shifted on the ground by its distance times a
+                 number drawn from N(0,s), in a direction drawn evenly.
+  noise          any number of children, on "distance" (cm) or "angle" (rad), or without "on" on both: model "uniform"
+                 (level), "gaussian" (std_dev) or "rayleigh" (sigma), with bias and relative="true" if need be.
+)",
+    "Usable")
+
+}  // namespace argos

@@ -1,0 +1,222 @@
+#include <argos3/plugins/robots/generic/simulator/colored_blob_perspective_camera_default_sensor.h>
+
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/plugins/robots/generic/simulator/medium_attribute.h>
+#include <argos3/plugins/simulator/entities/led_entity.h>
+#include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
+#include <argos3/plugins/simulator/media/led_medium.h>
+
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+// numbers of the quantities that <noise> may be on
+enum EQuantity : size_t { QUANTITY_X, QUANTITY_Y };
+
+// whether a pixel's coordinate, cut off towards 0, lies in an image of that size
+bool IsInImage(Real coordinate, SInt32 size) {
+  return coordinate > -1.0 && coordinate < size;
+}
+
+}  // namespace
+
+// the camera at one moment
+class CColoredBlobPerspectiveCameraDefaultSensor::CEye {
+ public:
+  explicit CEye(const CPerspectiveCameraEquippedEntity& camera)
+      : m_position(camera.ComputePosition()),
+        m_view(camera.ComputeView()),
+        m_toCamera(m_view.Inverse()),
+        m_range(camera.GetRange()),
+        m_tanAperture(Tan(camera.GetAperture())),
+        m_focalLength(camera.GetFocalLength()),
+        m_mtWidth(camera.GetImageMtWidth()),
+        m_mtHeight(camera.GetImageMtHeight()),
+        m_pxWidth(camera.GetImagePxWidth()),
+        m_pxHeight(camera.GetImagePxHeight()) {}
+
+  const CVector3& GetPosition() const { return m_position; }
+
+  // around the cone of view, world frame
+  SBoundingBox GetField() const {
+    CVector3 direction = CVector3::X;
+    direction.Rotate(m_view);
+    const CVector3 end = m_position + direction * m_range;
+    SBoundingBox field;
+    for (UInt32 axis = 0; axis < 3; ++axis) {
+      // of the disc at the end of the cone, whose normal is the direction
+      const Real extent = m_range * m_tanAperture *
+                          std::sqrt(std::max(0.0, 1.0 - direction[axis] * direction[axis]));
+      field.MinCorner[axis] = std::min(m_position[axis], end[axis] - extent);
+      field.MaxCorner[axis] = std::max(m_position[axis], end[axis] + extent);
+    }
+    return field;
+  }
+
+  // false if the point, world frame, is not in the picture; writes its pixel
+  bool Project(CVector3 point, Real& x, Real& y) const {
+    point -= m_position;
+    point.Rotate(m_toCamera);
+    const Real ahead = point.GetX();
+    const Real aside = std::hypot(point.GetY(), point.GetZ());
+    if (ahead <= 0.0 || ahead >= m_range || aside >= ahead * m_tanAperture) {
+      return false;
+    }
+    x = -(m_pxWidth / m_mtWidth) * (m_focalLength * point.GetY() / ahead - 0.5 * m_mtWidth);
+    y = -(m_pxHeight / m_mtHeight) * (m_focalLength * point.GetZ() / ahead - 0.5 * m_mtHeight);
+    return Contains(x, y);
+  }
+
+  bool Contains(Real x, Real y) const {
+    return IsInImage(x, m_pxWidth) && IsInImage(y, m_pxHeight);
+  }
+
+ private:
+  CVector3 m_position;  // m, world frame
+  CQuaternion m_view;  // world frame
+  CQuaternion m_toCamera;  // its inverse
+  Real m_range;  // m
+  Real m_tanAperture;
+  Real m_focalLength;  // m
+  Real m_mtWidth, m_mtHeight;  // m
+  SInt32 m_pxWidth, m_pxHeight;  // pixels
+};
+
+void CColoredBlobPerspectiveCameraDefaultSensor::SetRobot(CComposableEntity& robot) {
+  m_camera = &robot.GetComponent<CPerspectiveCameraEquippedEntity>("perspective_camera");
+  m_robot = &robot.GetComponent<CControllableEntity>("controller");
+  m_sight.SetRobot(robot);
+}
+
+void CColoredBlobPerspectiveCameraDefaultSensor::Init(TConfigurationNode& tree) {
+  CCI_ColoredBlobPerspectiveCameraSensor::Init(tree);
+  m_medium = &ReadMedium<CLEDMedium>(tree, m_robot->GetSimulator(), "an LED medium");
+  GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, false);
+  GetNodeAttributeOrDefault(tree, "noise_std_dev", m_noiseStdDev, 0.0);
+  RequireNotNegative(m_noiseStdDev, OwnerOf(tree), "attribute \"noise_std_dev\"");
+  m_noise.Init(tree, *m_robot, {"x", "y"});
+  MakeNoise();
+}
+
+void CColoredBlobPerspectiveCameraDefaultSensor::Enable() {
+  CCI_ColoredBlobPerspectiveCameraSensor::Enable();
+  m_camera->Enable();
+}
+
+void CColoredBlobPerspectiveCameraDefaultSensor::Disable() {
+  CCI_ColoredBlobPerspectiveCameraSensor::Disable();
+  m_camera->Disable();
+}
+
+void CColoredBlobPerspectiveCameraDefaultSensor::Reset() {
+  m_sReadings.BlobList.clear();
+  m_sReadings.Counter = 0;
+  m_noise.Reset();
+  MakeNoise();
+}
+
+void CColoredBlobPerspectiveCameraDefaultSensor::MakeNoise() {
+  if (m_noiseStdDev > 0.0) {
+    m_shifts = std::make_unique<CRandomStream>(m_robot->GetSimulator().GetRandomSeed(), "argos",
+                                               m_robot->GetRootEntity().GetId(),
+                                               "perspective camera: shifts of pixels");
+  }
+}
+
+void CColoredBlobPerspectiveCameraDefaultSensor::Update() {
+  ++m_sReadings.Counter;
+  m_blobs.clear();
+  const CEye eye(*m_camera);
+  m_sight.Look(
+      m_medium->GetIndex(), eye.GetPosition(), eye.GetField(),
+      [&eye](const CLEDEntity& led, CVector3* point) {
+        Real x = 0.0;
+        Real y = 0.0;
+        *point = led.GetPosition();
+        return led.IsLit() && eye.Project(led.GetPosition(), x, y);
+      },
+      [&](const CLEDEntity& led) { AddBlob(eye, led); }, m_showRays);
+  ListBlobs();
+}
+
+void CColoredBlobPerspectiveCameraDefaultSensor::AddBlob(const CEye& eye, const CLEDEntity& led) {
+  Real x = 0.0;
+  Real y = 0.0;
+  eye.Project(led.GetPosition(), x, y);
+  if (m_shifts != nullptr) {
+    x += m_shifts->Gaussian(m_noiseStdDev);
+    y += m_shifts->Gaussian(m_noiseStdDev);
+  }
+  x = m_noise.Apply(QUANTITY_X, x);
+  y = m_noise.Apply(QUANTITY_Y, y);
+  if (eye.Contains(x, y)) {
+    m_blobs.emplace_back(led.GetColor(), static_cast<SInt32>(x), static_cast<SInt32>(y));
+  }
+}
+
+// only now, when the blobs do not move any more
+void CColoredBlobPerspectiveCameraDefaultSensor::ListBlobs() {
+  m_sReadings.BlobList.clear();
+  for (SBlob& blob : m_blobs) {
+    m_sReadings.BlobList.push_back(&blob);
+  }
+}
+
+REGISTER_SENSOR(
+    CColoredBlobPerspectiveCameraDefaultSensor, "colored_blob_perspective_camera", "default",
+    "the authors of this project", "1.0", "A camera that sees coloured lights in one direction.",
+    R"(In each tick, every LED and light that the camera sees gives one blob: its colour and its pixel (x,y) in
+an image of 640 x 480 pixels, where (0,0) is the upper left one. LEDs that share a pixel stay blobs of their own.
+Blobs come in the order in which the LEDs' entities were created.
+
+The camera is fixed to its robot: the foot-bot's at its front, 0.174249733 m above the base, looks ahead, or straight
+up with perspective_camera_front="false"; an eye-bot's looks down. With the focal length f, the aperture a and the
+range of the robot, and an LED at p in the frame of the camera (x along the view, y left, z up; m), the LED is seen if
+- it is enabled in the medium, and not black;
+- it belongs to another robot or object;
+- px is less than the range, and the angle between p and the view less than a;
+- its pixel is in the image: with the height H = 2 f tan(a) / sqrt(1 + (640/480)^2) and the width W = H 640/480,
+  x = -(640/W) (f py/px - W/2) and y = -(480/H) (f pz/px - H/2), decimals cut off;
+- no body but the robot's own is between it and the camera. An LED on the surface of a body is not hidden by it from
+  its own side.
+
+The sensor is disabled until the controller calls Enable(); it then takes one picture in each tick, and counts them.
+After Disable() the last blobs stay.
+
+REQUIRED XML
+
+  <controllers>
+    <my_controller id="c1">
+      <actuators />
+      <sensors>
+        <colored_blob_perspective_camera implementation="default" medium="leds" />
+      </sensors>
+      <params />
+    </my_controller>
+  </controllers>
+
+with the LED medium that it names:
+
+  <media>
+    <led id="leds" />
+  </media>
+
+  medium  text, required: the id of an LED medium.
+
+OPTIONAL XML
+
+  <colored_blob_perspective_camera implementation="default" medium="leds" show_rays="true" noise_std_dev="2">
+    <noise on="x" model="uniform" level="1.5" />
+  </colored_blob_perspective_camera>
+
+  show_rays      "true" or "false", default "false": lines of sight are shown by visualizations that can.
+  noise_std_dev  real number s >= 0, pixels, default 0: x and y, before decimals are cut off, are shifted by numbers
+                 drawn from N(0,s). A blob that leaves the image is lost.
+  noise          any number of children, on "x" or "y" (pixels), or without "on" on both: model "uniform" (level),
+                 "gaussian" (std_dev) or "rayleigh" (sigma), with bias and relative="true" if need be.
+)",
+    "Usable")
+
+}  // namespace argos

@@ -1,0 +1,93 @@
+// Robots with cameras: what they see decides what they do.
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/testing/determinism/watchers.h>
+#include <argos3/testing/support/allocation_count.h>
+
+#include <catch2/catch.hpp>
+
+using namespace argos;
+
+namespace {
+
+constexpr UInt32 kRobots = 130;  // more than two runs of robots that one thread handles in a row
+constexpr UInt32 kTicks = 60;
+
+std::vector<UInt64> Run(CTestWorld& world) {
+  std::vector<UInt64> digests = {world.ComputeDigest()};
+  for (UInt32 tick = 0; tick < kTicks; ++tick) {
+    world.Step();
+    digests.push_back(world.ComputeDigest());
+  }
+  return digests;
+}
+
+const std::vector<UInt64>& Reference() {
+  static const std::vector<UInt64> reference = [] {
+    CTestWorld world(Watchers(kRobots, true, true));
+    return Run(world);
+  }();
+  return reference;
+}
+
+size_t CountBlobs(CTestWorld& world) {
+  size_t count = 0;
+  for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
+    count += robot->GetController()
+                 .GetSensor<CCI_ColoredBlobOmnidirectionalCameraSensor>(
+                     "colored_blob_omnidirectional_camera")
+                 ->GetReadings()
+                 .BlobList.size();
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("watchers: every tick is the same for every number of threads and schedule",
+          "[determinism][cameras]") {
+  const UInt32 threads = GENERATE(1U, 4U);
+  const std::string method = GENERATE("balance_quantity", "balance_length");
+  CAPTURE(threads, method);
+  SExperiment experiment = Watchers(kRobots, true, true);
+  experiment.Threads = threads;
+  experiment.Method = method;
+  CTestWorld world(experiment);
+  CHECK(Run(world) == Reference());
+  CHECK(CountBlobs(world) > 10 * kRobots);
+  world.GetSimulator().Reset();
+  CHECK(Run(world) == Reference());
+}
+
+TEST_CASE("watchers: what cameras see decides", "[determinism][cameras]") {
+  // without noise the run is another one from the moment on in which readings differ
+  CTestWorld world(Watchers(kRobots, true, false));
+  const std::vector<UInt64> digests = Run(world);
+  CHECK(digests.front() == Reference().front());
+  CHECK(digests.back() != Reference().back());
+}
+
+TEST_CASE("watchers: a settled tick allocates nothing", "[determinism][cameras][allocation]") {
+  if (!CAllocationCount::IsAvailable()) {
+    return;
+  }
+  const UInt32 threads = GENERATE(0U, 2U);
+  CAPTURE(threads);
+  SExperiment experiment = Watchers(30, false, true);
+  experiment.Threads = threads;
+  CTestWorld world(experiment);
+  // more than two turns on the spot: all has been seen
+  world.Step(300);
+  CHECK(CountBlobs(world) > 300);
+  size_t counted = 0;
+  std::string first;
+  {
+    const CAllocationCount count;
+    world.Step(100);
+    counted = count.GetCount();
+    first = count.DescribeFirst();
+  }
+  INFO("the first allocation was made by\n" << first);
+  CHECK(counted == 0);
+}
