@@ -1,5 +1,6 @@
 #include <argos3/core/simulator/physics_engine/body_description.h>
 
+#include <argos3/core/simulator/physics_engine/physics_model.h>
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/math/angles.h>
 
@@ -84,6 +85,31 @@ Real HorizontalReach(const SShapeDescription& shape) {
   return reach;
 }
 
+// half the size of the box, with sides along the axes of the frame, around a solid turned like this
+CVector3 ComputeHalfExtents(const SShapeDescription& shape, const CQuaternion& orientation) {
+  using EKind = SShapeDescription::EKind;
+  if (shape.Kind == EKind::Sphere) {
+    return CVector3(shape.Radius, shape.Radius, shape.Radius);
+  }
+  const CVector3 alongZ = Rotated(CVector3(0.0, 0.0, 0.5 * shape.Size.GetZ()), orientation);
+  CVector3 half;
+  if (shape.Kind == EKind::Cylinder) {
+    // the shadow of a disc on an axis at an angle a to its normal has the length 2 r sin a
+    const CVector3 axis = Rotated(CVector3(0.0, 0.0, 1.0), orientation);
+    for (UInt32 i = 0; i < 3; ++i) {
+      half[i] =
+          std::abs(alongZ[i]) + shape.Radius * std::sqrt(std::max(0.0, 1.0 - axis[i] * axis[i]));
+    }
+    return half;
+  }
+  const CVector3 alongX = Rotated(CVector3(0.5 * shape.Size.GetX(), 0.0, 0.0), orientation);
+  const CVector3 alongY = Rotated(CVector3(0.0, 0.5 * shape.Size.GetY(), 0.0), orientation);
+  for (UInt32 i = 0; i < 3; ++i) {
+    half[i] = std::abs(alongX[i]) + std::abs(alongY[i]) + std::abs(alongZ[i]);
+  }
+  return half;
+}
+
 }  // namespace
 
 SShapeDescription SShapeDescription::Box(const CVector3& size, const CVector3& offset) {
@@ -145,6 +171,22 @@ Real SBodyDescription::ComputePlanarInertia() const {
     momentPerDensity += shapeVolume * (moment + distance * distance);
   }
   return volume > 0.0 ? Mass * momentPerDensity / volume : 0.0;
+}
+
+SBoundingBox SBodyDescription::ComputeBoundingBox(const CVector3& position,
+                                                  const CQuaternion& orientation) const {
+  SBoundingBox box;
+  for (size_t i = 0; i < Shapes.size(); ++i) {
+    const CVector3 centre = position + Rotated(Centroid(Shapes[i]), orientation);
+    const CVector3 half = ComputeHalfExtents(Shapes[i], orientation * Shapes[i].Orientation);
+    for (UInt32 axis = 0; axis < 3; ++axis) {
+      const Real low = centre[axis] - half[axis];
+      const Real high = centre[axis] + half[axis];
+      box.MinCorner[axis] = i == 0 ? low : std::min(box.MinCorner[axis], low);
+      box.MaxCorner[axis] = i == 0 ? high : std::max(box.MaxCorner[axis], high);
+    }
+  }
+  return box;
 }
 
 }  // namespace argos

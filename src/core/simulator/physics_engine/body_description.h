@@ -10,6 +10,8 @@
 
 namespace argos {
 
+struct SBoundingBox;
+
 /**
  * One convex solid of a body, in the frame of the body's origin anchor.
  *
@@ -44,6 +46,28 @@ struct SDifferentialDriveDescription {
   Real MaxTorque = 0.0; /**< N m, > 0: the most it turns about z */
 };
 
+/** A controller that answers an error with Proportional * error + Derivative * d(error)/dt. */
+struct SControlGains {
+  Real Proportional = 0.0;
+  Real Derivative = 0.0;
+};
+
+/**
+ * Propellers that carry a body and turn it about the vertical, and the controllers of their thrust.
+ *
+ * A body with propellers flies: its "quadrotor" component says whether position and yaw are
+ * controlled, or velocity and yaw rate. Horizontal thrust is meant as that of a robot that tilts;
+ * engines may leave out the tilt. The yaw moves the body's PlanarInertia, the rest its Mass.
+ */
+struct SPropellersDescription {
+  SControlGains Position; /**< N/m and N s/m, both > 0; of each axis, world frame */
+  SControlGains Yaw; /**< N m/rad and N m s/rad, both > 0 */
+  SControlGains Velocity; /**< N s/m, > 0, and kg, >= 0; of each axis, world frame */
+  SControlGains YawRate; /**< N m s/rad, > 0, and kg m^2, >= 0 */
+  Real MaxForce = 0.0; /**< N, > 0: the most that a controller asks for along each axis */
+  Real MaxTorque = 0.0; /**< N m, > 0: the most that one asks for about the vertical */
+};
+
 /** How a movable passive body rubs on the ground: bounds of a velocity-matching friction. */
 struct SGroundFrictionDescription {
   enum class EClass : UInt8 {
@@ -66,12 +90,20 @@ struct SBodyDescription {
   /** Moment of inertia about the vertical through the origin, kg m^2; unset: that of the solids. */
   std::optional<Real> PlanarInertia;
   std::optional<SDifferentialDriveDescription> Drive; /**< needs a "wheels" component */
+  std::optional<SPropellersDescription> Propellers; /**< needs a "quadrotor" component */
   std::optional<SGroundFrictionDescription> GroundFriction; /**< of passive movable bodies */
 
   /** Radius of the vertical cylinder around the origin that holds every solid, m. */
   Real ComputeBoundingRadius() const;
   /** Moment of inertia about the vertical through the origin, kg m^2, for Mass spread evenly. */
   Real ComputePlanarInertia() const;
+  /** PlanarInertia, or what ComputePlanarInertia() gives if that is unset; kg m^2. */
+  Real GetPlanarInertia() const { return PlanarInertia ? *PlanarInertia : ComputePlanarInertia(); }
+  /**
+   * The smallest box, with sides along the world's axes, around all solids.
+   * @param position, orientation  of the origin anchor, m, world frame.
+   */
+  SBoundingBox ComputeBoundingBox(const CVector3& position, const CQuaternion& orientation) const;
 };
 
 }  // namespace argos

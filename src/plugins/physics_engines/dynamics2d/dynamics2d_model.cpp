@@ -2,10 +2,8 @@
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/physics_engine/body_description.h>
-#include <argos3/core/simulator/space/body_index.h>
-#include <argos3/core/simulator/space/space.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/dynamics2d_engine.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_motion.h>
+#include <argos3/core/simulator/physics_engine/planar_motion.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,22 +34,10 @@ CVector2 ComputeHalfExtents(const SShapeDescription& shape, const SPlanarPose& p
 
 CDynamics2DModel::CDynamics2DModel(CDynamics2DEngine& engine, CEmbodiedEntity& entity,
                                    const Real* wheels)
-    : CPhysicsModel(engine, entity), m_root(entity.GetRootEntity()), m_wheels(wheels) {}
+    : CDescribedBodyModel(engine, entity), m_root(entity.GetRootEntity()), m_wheels(wheels) {}
 
-CDynamics2DEngine& CDynamics2DModel::GetDynamics2DEngine() const {
-  return static_cast<CDynamics2DEngine&>(m_cEngine);
-}
-
-void CDynamics2DModel::MoveTo(const CVector3& position, const CQuaternion& orientation) {
-  if (!std::isfinite(position.Length()) || !std::isfinite(orientation.SquareLength())) {
-    THROW_ARGOSEXCEPTION("\"" << m_cEmbodiedEntity.GetRootEntity().GetId()
-                              << "\" cannot be moved to (" << position << "), turned by ("
-                              << orientation << "): all numbers must be finite");
-  }
-  // the origin anchor has the new pose already
-  GetDynamics2DEngine().Replace(*this);
-  CalculateAnchors();
-  CalculateBoundingBox();
+void CDynamics2DModel::Replace() {
+  static_cast<CDynamics2DEngine&>(m_cEngine).Replace(*this);
 }
 
 void CDynamics2DModel::CalculateBoundingBox() {
@@ -79,13 +65,6 @@ void CDynamics2DModel::CalculateBoundingBox() {
       m_sBoundingBox.MaxCorner[axis] = std::max(m_sBoundingBox.MaxCorner[axis], high[axis]);
     }
   }
-}
-
-bool CDynamics2DModel::IsCollidingWithSomething() const {
-  const SAnchor& origin = m_cEmbodiedEntity.GetOriginAnchor();
-  return m_cEngine.GetSpace().GetBodyIndex().FindOverlap(
-             *m_cEmbodiedEntity.GetBodyDescription(), origin.Position, origin.Orientation,
-             m_cEmbodiedEntity.GetBodyNumber()) != CBodyIndex::kNoBody;
 }
 
 }  // namespace argos

@@ -1,7 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_DYNAMICS2D_MODEL_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_DYNAMICS2D_MODEL_H
 
-#include <argos3/core/simulator/physics_engine/physics_model.h>
+#include <argos3/core/simulator/physics_engine/described_body_model.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_handle.h>
 
 namespace argos {
@@ -10,23 +10,19 @@ class CDynamics2DEngine;
 class CEntity;
 
 /** One body of a dynamics2d engine, for the public API: its state is in the engine's arrays. */
-class CDynamics2DModel : public CPhysicsModel {
+class CDynamics2DModel : public CDescribedBodyModel {
  public:
   /** @param wheels  speeds of the left and the right wheel, m/s, if the body has a drive. */
   CDynamics2DModel(CDynamics2DEngine& engine, CEmbodiedEntity& entity, const Real* wheels);
 
-  /** Does nothing: the engine reads wheel speeds where the wheels keep them. */
-  void UpdateFromEntityStatus() override {}
-  /** @throws CARGoSException if the position is not finite; nothing has moved then. */
-  void MoveTo(const CVector3& position, const CQuaternion& orientation) override;
+  /** Of bodies that only turn about the vertical: faster than that of any orientation. */
   void CalculateBoundingBox() override;
-  /** True if a solid of this body overlaps one of another body by more than a rounding. */
-  bool IsCollidingWithSomething() const override;
+
+ protected:
+  void Replace() override;
 
  private:
   friend class CDynamics2DEngine;
-
-  CDynamics2DEngine& GetDynamics2DEngine() const;
 
   CEntity& m_root;  // of the body
   const Real* m_wheels;  // m/s, (left, right); null unless the body has a drive; not owned

@@ -3,7 +3,7 @@
 
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/encounters.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_handle.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_motion.h>
+#include <argos3/core/simulator/physics_engine/planar_motion.h>
 
 #include <limits>
 #include <vector>

@@ -1,7 +1,10 @@
 #include <argos3/core/simulator/physics_engine/body_description.h>
 
+#include <argos3/core/simulator/physics_engine/physics_model.h>
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/math/angles.h>
+#include <argos3/core/utility/math/random_stream.h>
+#include <argos3/testing/support/solid_reference.h>
 
 #include <catch2/catch.hpp>
 
@@ -9,6 +12,7 @@
 #include <limits>
 
 using namespace argos;
+using Catch::WithinAbs;
 using Catch::WithinRel;
 
 namespace {
@@ -110,4 +114,68 @@ TEST_CASE("body description: a tilted solid has the moment about the body's vert
 TEST_CASE("body description: no solids, no inertia and no radius", "[core][body]") {
   CHECK(SBodyDescription().ComputePlanarInertia() == 0.0);
   CHECK(SBodyDescription().ComputeBoundingRadius() == 0.0);
+}
+
+TEST_CASE("body description: the bounding box of upright solids", "[core][body]") {
+  const CVector3 position(1.0, 2.0, 3.0);
+  // a quarter turn swaps x and y
+  const CQuaternion quarter(CRadians::PI_OVER_TWO, CVector3::Z);
+  const SBodyDescription body = Body({SShapeDescription::Box(CVector3(0.6, 0.2, 0.4)),
+                                      SShapeDescription::Cylinder(0.1, 0.1, CVector3(0, 0, 0.4)),
+                                      SShapeDescription::Sphere(0.2, CVector3(0.5, 0, -0.1))});
+  const SBoundingBox box = body.ComputeBoundingBox(position, quarter);
+  // sums of numbers below 4
+  CHECK_THAT(Distance(box.MinCorner, CVector3(0.8, 1.7, 2.9)), WithinAbs(0.0, 4 * kRounding));
+  CHECK_THAT(Distance(box.MaxCorner, CVector3(1.2, 2.7, 3.5)), WithinAbs(0.0, 4 * kRounding));
+}
+
+TEST_CASE("body description: the bounding box of tilted solids", "[core][body]") {
+  const CRadians tilt = ToRadians(CDegrees(30.0));
+  const Real sine = 0.5;
+  const Real cosine = std::sqrt(0.75);
+  const CQuaternion aboutY(tilt, CVector3::Y);
+  const auto extents = [&](const SShapeDescription& shape) {
+    const SBoundingBox box = Body({shape}).ComputeBoundingBox(CVector3(), aboutY);
+    return box.MaxCorner - box.MinCorner;
+  };
+  CHECK_THAT(Distance(extents(SShapeDescription::Cylinder(0.1, 1.0)),
+                      CVector3(sine + 0.2 * cosine, 0.2, cosine + 0.2 * sine)),
+             WithinAbs(0.0, kRounding));
+  CHECK_THAT(Distance(extents(SShapeDescription::Box(CVector3(0.4, 0.6, 1.0))),
+                      CVector3(sine + 0.4 * cosine, 0.6, cosine + 0.4 * sine)),
+             WithinAbs(0.0, kRounding));
+  CHECK_THAT(Distance(extents(SShapeDescription::Sphere(0.3)), CVector3(0.6, 0.6, 0.6)),
+             WithinAbs(0.0, kRounding));
+  // a solid tilted in its body as the body is tilted in the world
+  auto leaning = SShapeDescription::Cylinder(0.1, 1.0);
+  leaning.Orientation = aboutY;
+  const SBoundingBox box = Body({leaning}).ComputeBoundingBox(CVector3(), CQuaternion());
+  CHECK_THAT(Distance(box.MinCorner, CVector3(-0.1 * cosine, -0.1, -0.1 * sine)),
+             WithinAbs(0.0, kRounding));
+}
+
+TEST_CASE("body description: the bounding box holds every point of the surface", "[core][body]") {
+  CRandomStream random(7, "test", "bounding boxes", "");
+  SBodyDescription body = Body({SShapeDescription::Box(CVector3(0.6, 0.2, 0.4)),
+                                SShapeDescription::Cylinder(0.1, 0.5, CVector3(0.2, 0, 0.4)),
+                                SShapeDescription::Sphere(0.2, CVector3(0.5, 0, -0.1))});
+  for (int i = 0; i < 100; ++i) {
+    const auto turn = [&random] {
+      CVector3 axis(random.Gaussian(1.0), random.Gaussian(1.0), random.Gaussian(1.0));
+      return CQuaternion(CRadians(random.Uniform(-3.0, 3.0)), axis.Normalize());
+    };
+    const CVector3 position(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1));
+    const CQuaternion orientation = turn();
+    body.Shapes[0].Orientation = turn();
+    body.Shapes[1].Orientation = turn();
+    const SBoundingBox box = body.ComputeBoundingBox(position, orientation);
+    for (size_t solid = 0; solid < body.Shapes.size(); ++solid) {
+      for (const CVector3& point : SurfacePoints({&body, position, orientation}, solid)) {
+        for (UInt32 axis = 0; axis < 3; ++axis) {
+          REQUIRE(point[axis] >= box.MinCorner[axis] - kRounding);
+          REQUIRE(point[axis] <= box.MaxCorner[axis] + kRounding);
+        }
+      }
+    }
+  }
 }

@@ -1,14 +1,17 @@
-// Wheels and proximity sensors as components of any robot.
+// Wheels, propellers and proximity sensors as components of any robot.
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/plugins/simulator/entities/proximity_sensor_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/quadrotor_entity.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 using namespace argos;
 using Catch::Matchers::Contains;
@@ -73,6 +76,64 @@ TEST_CASE("wheels: refuse what cannot be", "[entities][errors]") {
   CHECK_THROWS_WITH(wheels.SetVelocities(bad), Contains("wheel 1") && Contains("finite"));
   CHECK(wheels.GetWheelVelocity(0) == 1.0);
   CHECK_THROWS_AS(CWheeledEntity(nullptr, 0), CARGoSException);
+}
+
+TEST_CASE("quadrotor: keeps its targets and how it is controlled", "[entities]") {
+  CQuadRotorEntity quadrotor(nullptr, "quadrotor_0");
+  CHECK(quadrotor.GetTypeDescription() == "quadrotor");
+  CHECK(quadrotor.GetControlMethod() == CQuadRotorEntity::NO_CONTROL);
+  quadrotor.SetPositionControlData({CVector3(1, 2, 3), CRadians(0.5)});
+  quadrotor.SetSpeedControlData({CVector3(-1, -2, -3), CRadians(-7.0)});
+  CHECK(quadrotor.GetPositionControlData().Position == CVector3(1, 2, 3));
+  CHECK(quadrotor.GetPositionControlData().Yaw == CRadians(0.5));
+  CHECK(quadrotor.GetSpeedControlData().Velocity == CVector3(-1, -2, -3));
+  CHECK(quadrotor.GetSpeedControlData().RotSpeed == CRadians(-7.0));
+  quadrotor.Reset();
+  CHECK(quadrotor.GetPositionControlData().Position == CVector3());
+  CHECK(quadrotor.GetPositionControlData().Yaw == CRadians());
+  CHECK(quadrotor.GetSpeedControlData().Velocity == CVector3());
+  CHECK(quadrotor.GetSpeedControlData().RotSpeed == CRadians());
+}
+
+TEST_CASE("quadrotor: is controlled again as at the start of the run", "[entities]") {
+  CQuadRotorEntity quadrotor(nullptr, "quadrotor_0");
+  quadrotor.SetControlMethod(CQuadRotorEntity::POSITION_CONTROL);
+  quadrotor.MarkStart();
+  quadrotor.SetControlMethod(CQuadRotorEntity::SPEED_CONTROL);
+  quadrotor.ReturnToStart();
+  CHECK(quadrotor.GetControlMethod() == CQuadRotorEntity::POSITION_CONTROL);
+}
+
+TEST_CASE("quadrotor: targets and method are part of the digest", "[entities]") {
+  CQuadRotorEntity quadrotor(nullptr, "quadrotor_0");
+  std::vector<UInt64> digests = {DigestOf(quadrotor)};
+  quadrotor.SetControlMethod(CQuadRotorEntity::SPEED_CONTROL);
+  digests.push_back(DigestOf(quadrotor));
+  quadrotor.SetPositionControlData({CVector3(0, 0, 1e-300), CRadians()});
+  digests.push_back(DigestOf(quadrotor));
+  quadrotor.SetPositionControlData({CVector3(), CRadians(1e-300)});
+  digests.push_back(DigestOf(quadrotor));
+  quadrotor.SetSpeedControlData({CVector3(), CRadians(1e-300)});
+  digests.push_back(DigestOf(quadrotor));
+  std::sort(digests.begin(), digests.end());
+  CHECK(std::unique(digests.begin(), digests.end()) == digests.end());
+}
+
+TEST_CASE("quadrotor: refuses targets that are no numbers, or absurd", "[entities]") {
+  CQuadRotorEntity quadrotor(nullptr, "quadrotor_0");
+  quadrotor.SetPositionControlData({CVector3(1, 2, 3), CRadians(0.5)});
+  const Real bad = GENERATE(std::numeric_limits<Real>::quiet_NaN(),
+                            -std::numeric_limits<Real>::infinity(), 1.1e9);
+  CHECK_THROWS_WITH(quadrotor.SetPositionControlData({CVector3(0, bad, 0), CRadians()}),
+                    Contains("\"quadrotor_0\": a target position (m) and yaw must be finite"));
+  CHECK_THROWS_WITH(quadrotor.SetPositionControlData({CVector3(), CRadians(bad)}),
+                    Contains("must be finite"));
+  CHECK_THROWS_WITH(quadrotor.SetSpeedControlData({CVector3(0, 0, bad), CRadians()}),
+                    Contains("a target velocity (m/s) and yaw rate"));
+  CHECK_THROWS_WITH(quadrotor.SetSpeedControlData({CVector3(), CRadians(bad)}),
+                    Contains("must be finite"));
+  CHECK(quadrotor.GetPositionControlData().Position == CVector3(1, 2, 3));
+  CHECK(quadrotor.GetSpeedControlData().Velocity == CVector3());
 }
 
 TEST_CASE("proximity component: rings and fans lie as documented", "[entities]") {

@@ -1,0 +1,37 @@
+#include <argos3/core/simulator/physics_engine/described_body_model.h>
+
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/simulator/space/body_index.h>
+#include <argos3/core/simulator/space/space.h>
+
+#include <cmath>
+
+namespace argos {
+
+void CDescribedBodyModel::MoveTo(const CVector3& position, const CQuaternion& orientation) {
+  if (!std::isfinite(position.Length()) || !std::isfinite(orientation.SquareLength())) {
+    THROW_ARGOSEXCEPTION("\"" << m_cEmbodiedEntity.GetRootEntity().GetId()
+                              << "\" cannot be moved to (" << position << "), turned by ("
+                              << orientation << "): all numbers must be finite");
+  }
+  Replace();
+  CalculateAnchors();
+  CalculateBoundingBox();
+}
+
+void CDescribedBodyModel::CalculateBoundingBox() {
+  const SAnchor& origin = m_cEmbodiedEntity.GetOriginAnchor();
+  m_sBoundingBox = m_cEmbodiedEntity.GetBodyDescription()->ComputeBoundingBox(origin.Position,
+                                                                              origin.Orientation);
+}
+
+bool CDescribedBodyModel::IsCollidingWithSomething() const {
+  const SAnchor& origin = m_cEmbodiedEntity.GetOriginAnchor();
+  return m_cEngine.GetSpace().GetBodyIndex().FindOverlap(
+             *m_cEmbodiedEntity.GetBodyDescription(), origin.Position, origin.Orientation,
+             m_cEmbodiedEntity.GetBodyNumber()) != CBodyIndex::kNoBody;
+}
+
+}  // namespace argos

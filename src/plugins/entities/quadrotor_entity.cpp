@@ -1,0 +1,76 @@
+#include <argos3/plugins/simulator/entities/quadrotor_entity.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/utility/datatypes/digest.h>
+
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+// m, m/s, rad, rad/s; beyond any arena, and its square times any gain is still a number
+constexpr Real kFarthest = 1e9;
+
+void Check(const CEntity& entity, const char* what, const CVector3& vector, const CRadians& angle) {
+  // written so that NaN fails too
+  const Real largest = std::abs(vector.GetX()) + std::abs(vector.GetY()) + std::abs(vector.GetZ()) +
+                       angle.GetAbsoluteValue();
+  if (!(largest <= kFarthest)) {
+    THROW_ARGOSEXCEPTION("quadrotor \"" << entity.GetContext() << entity.GetId() << "\": a target "
+                                        << what << " must be finite and below " << kFarthest
+                                        << ", got (" << vector << ") and " << angle.GetValue()
+                                        << " rad");
+  }
+}
+
+void Add(CDigest& digest, const CVector3& vector, const CRadians& angle) {
+  for (UInt32 axis = 0; axis < 3; ++axis) {
+    digest.Add(vector[axis]);
+  }
+  digest.Add(angle.GetValue());
+}
+
+}  // namespace
+
+CQuadRotorEntity::CQuadRotorEntity(CComposableEntity* parent)
+    : CQuadRotorEntity(parent, std::string()) {}
+
+CQuadRotorEntity::CQuadRotorEntity(CComposableEntity* parent, const std::string& id)
+    : CEntity(parent, id) {}
+
+void CQuadRotorEntity::Reset() {
+  m_position = SPositionControlData();
+  m_speed = SSpeedControlData();
+}
+
+void CQuadRotorEntity::MarkStart() {
+  CEntity::MarkStart();
+  m_methodAtStart = m_method;
+}
+
+void CQuadRotorEntity::ReturnToStart() {
+  CEntity::ReturnToStart();
+  m_method = m_methodAtStart;
+}
+
+void CQuadRotorEntity::SetPositionControlData(const SPositionControlData& data) {
+  Check(*this, "position (m) and yaw", data.Position, data.Yaw);
+  m_position = data;
+}
+
+void CQuadRotorEntity::SetSpeedControlData(const SSpeedControlData& data) {
+  Check(*this, "velocity (m/s) and yaw rate (per s)", data.Velocity, data.RotSpeed);
+  m_speed = data;
+}
+
+void CQuadRotorEntity::UpdateDigest(CDigest& digest) const {
+  CEntity::UpdateDigest(digest);
+  digest.Add(m_method);
+  Add(digest, m_position.Position, m_position.Yaw);
+  Add(digest, m_speed.Velocity, m_speed.RotSpeed);
+}
+
+REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CQuadRotorEntity)
+
+}  // namespace argos
