@@ -1,0 +1,28 @@
+#ifndef STEERING_H
+#define STEERING_H
+
+#include <argos3/core/utility/math/vector2.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
+
+/**
+ * Drives a robot with two wheels along a vector.
+ *
+ * The outer wheel goes at the wanted speed. The inner one is the slower the farther the vector is
+ * off the heading, down to turning on the spot when it is at a right angle or behind.
+ */
+class CSteering {
+ public:
+  /** @param maxSpeed  of a wheel, cm/s, > 0. @throws CARGoSException if it is not. */
+  CSteering(argos::CCI_DifferentialSteeringActuator& wheels, argos::Real maxSpeed);
+
+  argos::Real GetMaxSpeed() const { return m_maxSpeed; }
+  /** @param velocity  in the robot's frame, cm/s; as long as the speed, which is limited. */
+  void Follow(const argos::CVector2& velocity);
+  void Stop();
+
+ private:
+  argos::CCI_DifferentialSteeringActuator& m_wheels;
+  argos::Real m_maxSpeed;  // cm/s
+};
+
+#endif

@@ -1,0 +1,39 @@
+#ifndef FOOTBOT_SYNCHRONIZATION_H
+#define FOOTBOT_SYNCHRONIZATION_H
+
+#include <argos3/core/control_interface/ci_controller.h>
+#include <argos3/core/utility/math/rng.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_colored_blob_omnidirectional_camera_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_leds_actuator.h>
+
+/**
+ * Robots that stand still and flash like fireflies, out of step at first and in step in the end.
+ *
+ * A robot's phase grows from 0 to 1 within a period; then it flashes all its LEDs for one tick and
+ * starts again. A flash that it sees moves its phase ahead by a share of the phase, perhaps to the
+ * end, unless it has flashed itself just before.
+ *
+ * Source: R. E. Mirollo and S. H. Strogatz, "Synchronization of pulse-coupled biological
+ * oscillators", SIAM Journal on Applied Mathematics 50 (1990).
+ */
+class CFootBotSynchronization : public argos::CCI_Controller {
+ public:
+  /** Reads the optional attributes period (ticks, > 2) and coupling (share of the phase, > 0). */
+  void Init(argos::TConfigurationNode& params) override;
+  void ControlStep() override;
+  void Reset() override;
+
+ private:
+  bool SeesFlash() const;
+
+  argos::CCI_LEDsActuator* m_leds = nullptr;
+  argos::CCI_ColoredBlobOmnidirectionalCameraSensor* m_camera = nullptr;
+  argos::CRandom::CRNG* m_rng = nullptr;
+
+  argos::UInt32 m_period = 50;  // ticks
+  argos::Real m_coupling = 0.1;
+  argos::Real m_phase = 0.0;  // [0,1]
+  argos::UInt32 m_ticksSinceFlash = 0;
+};
+
+#endif
