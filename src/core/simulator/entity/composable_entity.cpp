@@ -118,6 +118,7 @@ CEntity& CComposableEntity::RemoveComponent(const std::string& path) {
   auto& siblings = parent.m_components;
   siblings.erase(std::find(siblings.begin(), siblings.end(), &component));
   parent.m_componentMap.reset();
+  parent.NoticeRemoval(component);
   return component;
 }
 
@@ -188,6 +189,7 @@ void CComposableEntity::ForgetComponent(const CEntity& component) {
   if (found != m_components.rend()) {
     m_components.erase(std::next(found).base());
     m_componentMap.reset();
+    NoticeRemoval(component);
   }
 }
 

@@ -78,6 +78,8 @@ class CComposableEntity : public CEntity {
    * called before any look-up. @param type  empty: of all types.
    */
   virtual void MaterializeComponents(const std::string& /*type*/) {}
+  /** Called when a component has left this entity, by whatever way. */
+  virtual void NoticeRemoval(const CEntity& /*component*/) {}
 
  private:
   CEntity* TryGetComponent(const std::string& path);

@@ -244,7 +244,7 @@ CDynamics2DEngine* CDynamics2DEngine::FindNext(CEmbodiedEntity& body) const {
 // Takes a movable body over from another engine of this type. Its model is made anew where it is,
 // because models refer to their engine for ever, and a tick must not ask for memory.
 void CDynamics2DEngine::TakeOver(CDynamics2DModel& model) {
-  CDynamics2DEngine& from = model.GetDynamics2DEngine();
+  CDynamics2DEngine& from = static_cast<CDynamics2DEngine&>(model.GetEngine());
   std::unique_ptr<CDynamics2DModel> taken = from.TakeOut(model);
   CEmbodiedEntity& body = model.m_cEmbodiedEntity;
   const Real* const wheels = model.m_wheels;

@@ -58,6 +58,30 @@ void CRobotEntity::UpdateComponents() {
   }
 }
 
+void CRobotEntity::UpdateDigest(CDigest& digest) const {
+  CEntity::UpdateDigest(digest);
+  for (const CEntity* component : GetExistingComponents()) {
+    if (component->IsEnabled() || FindOnDemand(*component) == m_type.OnDemand.size()) {
+      component->UpdateDigest(digest);
+    }
+  }
+}
+
+size_t CRobotEntity::FindOnDemand(const CEntity& component) const {
+  size_t number = m_onDemand != nullptr ? 0 : m_type.OnDemand.size();
+  while (number < m_type.OnDemand.size() && m_onDemand[number] != &component) {
+    ++number;
+  }
+  return number;
+}
+
+void CRobotEntity::NoticeRemoval(const CEntity& component) {
+  const size_t number = FindOnDemand(component);
+  if (number < m_type.OnDemand.size()) {
+    m_onDemand[number] = nullptr;
+  }
+}
+
 void CRobotEntity::MaterializeComponents(const std::string& type) {
   for (size_t i = 0; i < m_type.OnDemand.size(); ++i) {
     if (type.empty() || type == m_type.OnDemand[i].Type) {

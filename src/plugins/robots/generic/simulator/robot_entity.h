@@ -59,6 +59,9 @@ class CRobotEntity : public CComposableEntity {
     return *m_proximity;
   }
 
+  /** A component made on demand counts while it is in use: who only looks at it changes nothing. */
+  void UpdateDigest(CDigest& digest) const override;
+
   const SAppearance* GetAppearance() const override { return &m_type.Appearance; }
   /** What this robot's devices are like. */
   const SDeviceParameters& GetDeviceParameters() const {
@@ -102,10 +105,13 @@ class CRobotEntity : public CComposableEntity {
     return static_cast<COMPONENT&>(DemandComponent(type));
   }
   void MaterializeComponents(const std::string& type) override;
+  void NoticeRemoval(const CEntity& component) override;
 
  private:
   CEntity& DemandComponent(const char* type);
   void MakeComponent(size_t number);
+  /** Number of a component in m_type.OnDemand, or their number if it is none of them. */
+  size_t FindOnDemand(const CEntity& component) const;
 
   const SRobotType& m_type;
   std::unique_ptr<const SDeviceParameters> m_parameters;  // null: as usual for the type
