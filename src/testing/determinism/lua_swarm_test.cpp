@@ -33,10 +33,12 @@ function reset() turn, ticks = 0, 0 end
 function step()
   local left, right = 0, 0
   for i, reading in ipairs(robot.proximity) do
-    if reading.angle > 0 then left = left + reading.value else right = right + reading.value end
+    -- more than noise
+    local seen = reading.value > 0.06 and reading.value or 0
+    if reading.angle > 0 then left = left + seen else right = right + seen end
   end
   ticks = ticks - 1
-  if left + right > 0.1 then
+  if left + right > 0 then
     turn, ticks = left > right and 1 or -1, 3
   elseif ticks <= 0 then
     local sum = 0
