@@ -16,6 +16,11 @@ namespace {
 
 constexpr const char* kCategory = "argos";
 
+// what a script draws when it starts has a stream of its own: so its steps draw the same numbers
+// after init() as after reset(), though only init() has filled what lives through a reset
+constexpr const char* kStart = "start";
+constexpr const char* kSteps = "steps";
+
 bool ReadsEndRun(TConfigurationNode& params) {
   std::string onError = "stop_robot";
   GetNodeAttributeOrDefault(params, "on_error", onError, onError);
@@ -59,11 +64,12 @@ void CLuaController::Load() {
   try {
     m_script = SLuaScript::Load(m_scriptName, m_params.GetFileName());
     m_state = std::make_unique<CLuaState>(m_maxInstructions);
-    m_state->SeedMath(DrawSeed("math.random"));
     m_state->Run([this](lua_State* state) { FillRobotTable(state); });
+    Seed(kStart);
     m_state->Execute(*m_script);
     running = "init()";
     m_state->Run([](lua_State* state) { CLuaState::CallGlobal(state, "init"); });
+    Seed(kSteps);
   } catch (const CLuaError& error) {
     m_error = DescribeFailure(running, error.GetMessage());
     throw CARGoSException(m_error);
@@ -95,7 +101,7 @@ void CLuaController::AddParameters(lua_State* state) const {
 }
 
 void CLuaController::AddRandom(lua_State* state) {
-  m_random.emplace(static_cast<UInt32>(DrawSeed("robot.random")));
+  m_random.emplace(0);
   CLuaUtility::StartTable(state, "random");
   m_random->Register(state);
   CLuaUtility::EndTable(state);
@@ -125,9 +131,12 @@ void CLuaController::AddDevices(lua_State* state) {
   }
 }
 
-UInt64 CLuaController::DrawSeed(const char* purpose) const {
+void CLuaController::Seed(const char* phase) {
+  // a robot without a simulator may have no category
   const UInt32 seed = CRandom::ExistsCategory(kCategory) ? CRandom::GetSeedOf(kCategory) : 0;
-  return CRandomStream(seed, kCategory, GetId(), purpose).Next();
+  CRandomStream seeds(seed, kCategory, GetId(), std::string("Lua ") + phase);
+  m_random->Seed(static_cast<UInt32>(seeds.Next()));
+  m_state->SeedMath(seeds.Next());
 }
 
 void CLuaController::ReadSensors(lua_State* state) const {
@@ -171,14 +180,13 @@ void CLuaController::Reset() {
   if (m_state == nullptr) {
     return;
   }
-  // the same numbers again, or those of another seed
-  m_state->SeedMath(DrawSeed("math.random"));
-  m_random->Seed(static_cast<UInt32>(DrawSeed("robot.random")));
+  Seed(kStart);
   try {
     m_state->Run([this](lua_State* state) {
       ReadSensors(state);
       CLuaState::CallGlobal(state, "reset");
     });
+    Seed(kSteps);
   } catch (const CLuaError& error) {
     Fail("reset()", error.GetMessage());
   }

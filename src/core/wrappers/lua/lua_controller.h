@@ -57,7 +57,7 @@ class CLuaController : public CCI_Controller {
   void AddRandom(lua_State* state);
   void AddDevices(lua_State* state);
   void ReadSensors(lua_State* state) const;
-  UInt64 DrawSeed(const char* purpose) const;
+  void Seed(const char* phase);
   void Fail(const char* function, const std::string& message);
   std::string DescribeFailure(const char* function, const std::string& message) const;
 

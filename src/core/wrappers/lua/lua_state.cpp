@@ -14,6 +14,15 @@ namespace {
 // instructions between two looks at how many are left
 constexpr UInt64 kPeriod = 1000;
 
+/** Called for an error outside Run(): nothing here makes one. */
+int Panic(lua_State* state) {
+  const char* const message = lua_tostring(state, -1);
+  LOGERR << "[FATAL] Lua error that nobody catches: " << (message != nullptr ? message : "?")
+         << std::endl;
+  LOGERR.Flush();
+  return 0;  // Lua aborts
+}
+
 /** Turns an error object into a message with a traceback. */
 int AddTraceback(lua_State* state) {
   const char* message = lua_tostring(state, 1);
@@ -108,10 +117,12 @@ struct CLuaState::SCall {
 };
 
 CLuaState::CLuaState(UInt64 maxInstructions)
-    : m_state(luaL_newstate()), m_maxInstructions(maxInstructions) {
+    : m_state(lua_newstate(&CLuaMemory::Reallocate, &m_memory)),
+      m_maxInstructions(maxInstructions) {
   if (m_state == nullptr) {
     THROW_ARGOSEXCEPTION("not enough memory for a Lua state");
   }
+  lua_atpanic(m_state, Panic);
   // coroutines inherit both
   *static_cast<CLuaState**>(lua_getextraspace(m_state)) = this;
   SetHook(m_state, static_cast<int>(std::min(kPeriod, m_maxInstructions)));

@@ -3,6 +3,7 @@
 
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/wrappers/lua/lua_memory.h>
 
 #include <string>
 
@@ -84,6 +85,7 @@ class CLuaState {
   static void CountInstructions(lua_State* state, lua_Debug* activation);
   void SetHook(lua_State* state, int period);
 
+  CLuaMemory m_memory;  // of the state
   lua_State* m_state;
   UInt64 m_maxInstructions;
   UInt64 m_instructionsLeft = 0;  // of the current Run()

@@ -10,6 +10,10 @@ namespace argos {
 
 namespace {
 
+// as for the scripts of robots: ticks draw the same numbers after init() as after reset()
+constexpr const char* kStart = "start";
+constexpr const char* kSteps = "steps";
+
 constexpr const char* kHooks[] = {"init",
                                   "reset",
                                   "destroy",
@@ -81,10 +85,10 @@ void CLuaLoopFunctions::Load() {
   m_script = SLuaScript::Load(name, m_params.GetFileName());
   m_simulation = std::make_unique<CLuaSimulation>(*this);
   m_state = std::make_unique<CLuaState>(maxInstructions);
-  m_state->SeedMath(m_simulation->DrawSeed("math.random"));
   m_hasFailed = false;
   try {
     m_state->Run([this](lua_State* state) { m_simulation->Register(state, m_params); });
+    Seed(kStart);
     const CFlag running(m_isRunning);
     m_state->Execute(*m_script);
   } catch (const CLuaError& error) {
@@ -93,6 +97,11 @@ void CLuaLoopFunctions::Load() {
   }
   ThrowIfNoHooks();
   CallHook("init");
+  Seed(kSteps);
+}
+
+void CLuaLoopFunctions::Seed(const char* phase) {
+  m_state->SeedMath(m_simulation->Seed(phase));
 }
 
 void CLuaLoopFunctions::ThrowIfNoHooks() {
@@ -143,10 +152,10 @@ void CLuaLoopFunctions::Reset() {
     return;
   }
   if (m_state != nullptr) {
-    m_state->SeedMath(m_simulation->DrawSeed("math.random"));
-    m_simulation->Reset();
+    Seed(kStart);
+    CallHook("reset");
+    Seed(kSteps);
   }
-  CallHook("reset");
 }
 
 void CLuaLoopFunctions::Destroy() {

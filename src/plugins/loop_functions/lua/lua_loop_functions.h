@@ -45,6 +45,7 @@ class CLuaLoopFunctions : public CLoopFunctions {
   template <typename BODY>
   void Run(const char* hook, const BODY& body);
   void ThrowIfNoHooks();
+  void Seed(const char* phase);
 
   TConfigurationNode m_params;
   std::shared_ptr<const SLuaScript> m_script;

@@ -199,18 +199,15 @@ CLightEntity& GetLight(CEntity& entity) {
 }  // namespace
 
 CLuaSimulation::CLuaSimulation(CLoopFunctions& loopFunctions)
-    : m_loopFunctions(loopFunctions),
-      m_simulator(loopFunctions.GetSimulator()),
-      m_random(static_cast<UInt32>(DrawSeed("simulation.random"))) {}
+    : m_loopFunctions(loopFunctions), m_simulator(loopFunctions.GetSimulator()), m_random(0) {}
 
 CLuaSimulation::~CLuaSimulation() = default;
 
-UInt64 CLuaSimulation::DrawSeed(const char* purpose) const {
-  return CRandomStream(m_simulator.GetRandomSeed(), "argos", "loop_functions", purpose).Next();
-}
-
-void CLuaSimulation::Reset() {
-  m_random.Seed(static_cast<UInt32>(DrawSeed("simulation.random")));
+UInt64 CLuaSimulation::Seed(const char* phase) {
+  CRandomStream seeds(m_simulator.GetRandomSeed(), "argos", "loop_functions",
+                      std::string("Lua ") + phase);
+  m_random.Seed(static_cast<UInt32>(seeds.Next()));
+  return seeds.Next();
 }
 
 void CLuaSimulation::Register(lua_State* state, const TConfigurationNode& params) {

@@ -32,10 +32,12 @@ class CLuaSimulation {
 
   /** Makes the global table. @param params  the <params> of the loop functions. */
   void Register(lua_State* state, const TConfigurationNode& params);
-  /** Restarts simulation.random with the experiment's seed. */
-  void Reset();
-  /** A number for a purpose of the script's, from the experiment's seed. */
-  UInt64 DrawSeed(const char* purpose) const;
+  /**
+   * Starts simulation.random with the experiment's seed.
+   * @param phase  each has a stream of its own.
+   * @return a seed for math.random.
+   */
+  UInt64 Seed(const char* phase);
 
   SLuaInteger GetClock();
   Real GetTime();

@@ -1,0 +1,156 @@
+// Lua scripts as a user of the program meets them: exit status, messages, the experiments of this
+// project.
+
+#include "../command_line/program_run.h"
+
+#include <argos3/testing/support/paths.h>
+
+#include <catch2/catch.hpp>
+
+#include <regex>
+
+using namespace argos;
+using Catch::Contains;
+
+namespace {
+
+const std::string kGood =
+    "function init() end\nfunction step() robot.wheels.set_velocity(10, 10) end\n"
+    "function reset() end\nfunction destroy() end\n";
+
+std::string Experiment(const std::string& params, const std::string& loopFunctions = "") {
+  return "<argos-configuration>\n"
+         "<framework><experiment ticks_per_second='10' length='1' random_seed='1'/></framework>\n"
+         "<controllers><lua_controller id='c'><actuators>"
+         "<differential_steering implementation='default'/></actuators><sensors/>\n"
+         "<params " +
+         params +
+         "/></lua_controller></controllers>\n"
+         "<physics_engines><dynamics2d id='d'/></physics_engines>\n<media/>\n"
+         "<arena size='4,4,1'><foot-bot id='fb'><body position='0,0,0'/><controller config='c'/>"
+         "</foot-bot></arena>\n" +
+         loopFunctions + "\n</argos-configuration>\n";
+}
+
+std::string DigestIn(const std::string& text) {
+  std::smatch match;
+  return std::regex_search(text, match, std::regex("digest: ([0-9a-f]{16})\n")) ? match[1].str()
+                                                                                : "";
+}
+
+}  // namespace
+
+TEST_CASE("lua program: a good script runs, wherever the program is started", "[lua][program]") {
+  const CTestFolder folder;
+  folder.Write("good.lua", kGood);
+  folder.Write("e.argos", Experiment("script='good.lua'"));
+  const SProgramRun run = folder.Run({"-c", "e.argos", "--digest"});
+  CHECK(run.Status == 0);
+  CHECK(run.Err == "");
+  // from another folder the script is found beside the experiment
+  const CTestFolder elsewhere;
+  const SProgramRun other = elsewhere.Run({"-c", folder.Path("e.argos"), "--digest"});
+  CHECK(other.Status == 0);
+  CHECK(other.Err == "");
+  CHECK(DigestIn(other.Out) == DigestIn(run.Out));
+  CHECK(DigestIn(run.Out) != "");
+}
+
+TEST_CASE("lua program: what is wrong before the first tick ends the program with status 1",
+          "[lua][program]") {
+  const CTestFolder folder;
+  const auto [text, message] = GENERATE(table<std::string, std::string>(
+      {{"x = = 1\n", "bad.lua:1: unexpected symbol near '='"},
+       {"error('no good')\n", "bad.lua:1: no good"},
+       {"\nfunction init() undefined() end\n",
+        "bad.lua:2: attempt to call a nil value (global 'undefined')"},
+       {"function init() robot.wheels.set_velocity('fast') end\n",
+        "robot.wheels.set_velocity: argument 1 must be a number, got string \"fast\""},
+       {"-- nothing\n", "must define a global function \"init\", found nil"},
+       {"while true do end\n", "bad.lua:1: interrupted after 1000000 instructions"}}));
+  CAPTURE(text);
+  folder.Write("bad.lua", text);
+  folder.Write("e.argos", Experiment("script='bad.lua' max_instructions='1000000'"));
+  const SProgramRun run = folder.Run({"-c", "e.argos"});
+  CHECK(run.Status == 1);
+  CHECK_THAT(run.Err, Contains("[FATAL]") && Contains("robot \"fb\"") && Contains(message) &&
+                          Contains("e.argos:3"));
+}
+
+TEST_CASE("lua program: a script that is not there ends the program with status 1",
+          "[lua][program]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", Experiment("script='none.lua'"));
+  const SProgramRun run = folder.Run({"-c", "e.argos"});
+  CHECK(run.Status == 1);
+  CHECK_THAT(run.Err, Contains("there is no Lua script \"none.lua\"; looked for \"" +
+                               folder.Path("none.lua") + "\""));
+}
+
+TEST_CASE("lua program: a script that fails in a step ends the run only if it shall",
+          "[lua][program]") {
+  const CTestFolder folder;
+  folder.Write("bad.lua",
+               "function init() end\nfunction step() robot.wheels.set_velocity(1, nil) end\n"
+               "function reset() end\nfunction destroy() end\n");
+  folder.Write("e.argos", Experiment("script='bad.lua'"));
+  const SProgramRun goesOn = folder.Run({"-c", "e.argos"});
+  CHECK(goesOn.Status == 0);
+  CHECK(goesOn.Err ==
+        "[FATAL] robot \"fb\": the Lua script \"bad.lua\" failed in step()\n"
+        "[FATAL] bad.lua:2: robot.wheels.set_velocity: argument 2 must be a number, got nil\n"
+        "stack traceback:\n"
+        "\t[C]: in field 'set_velocity'\n"
+        "\tbad.lua:2: in function 'step'\n"
+        "\t[C]: in ?\n");
+  CHECK_THAT(goesOn.Out, Contains("simulated 1 s"));
+  folder.Write("e.argos", Experiment("script='bad.lua' on_error='end_run'"));
+  const SProgramRun ends = folder.Run({"-c", "e.argos"});
+  CHECK(ends.Status == 1);
+  CHECK_THAT(ends.Err,
+             Contains("robot \"fb\" failed to be controlled in tick 1") && Contains("bad.lua:2:"));
+  CHECK_THAT(ends.Out, !Contains("simulated"));
+}
+
+TEST_CASE("lua program: loop functions that fail end the run with status 1, wherever they do",
+          "[lua][program]") {
+  const CTestFolder folder;
+  folder.Write("good.lua", kGood);
+  const std::string hook = GENERATE("init", "pre_step", "post_step", "is_experiment_finished",
+                                    "post_experiment", "destroy");
+  CAPTURE(hook);
+  folder.Write("loop.lua", "\nfunction " + hook + "() error('no good') end\n");
+  folder.Write(
+      "e.argos",
+      Experiment("script='good.lua'",
+                 "<loop_functions label='lua'><params script='loop.lua'/></loop_functions>"));
+  const SProgramRun run = folder.Run({"-c", "e.argos"});
+  CHECK(run.Status == 1);
+  CHECK_THAT(run.Err, Contains("failed in " + hook + "()") && Contains("loop.lua:2: no good") &&
+                          Contains("stack traceback:"));
+}
+
+TEST_CASE("lua program: queries describe controllers and loop functions in Lua", "[lua][program]") {
+  const CTestFolder folder;
+  CHECK_THAT(folder.Run({"-q", "loop_functions"}).Out,
+             Contains("[ lua ]\n      Loop functions written in Lua."));
+  CHECK_THAT(folder.Run({"-q", "lua"}).Out, Contains("[ lua_controller ]") && Contains("[ lua ]") &&
+                                                Contains("floor_color") && Contains("on_error"));
+}
+
+TEST_CASE("lua program: the diffusion in Lua drives as that in C++, to the bit", "[lua][program]") {
+  const std::string name = GENERATE("diffusion_1", "diffusion_10");
+  CAPTURE(name);
+  const std::string path = InSourceTree("experiments/" + name);
+  const std::string library = InBuildTree("experiments/libfootbot_diffusion");
+  const CTestFolder folder;
+  const SProgramRun cpp =
+      folder.Run({"-zc", path + ".argos", "--digest", "--set",
+                  "controllers/footbot_diffusion_controller/@library=" + library});
+  const SProgramRun lua = folder.Run({"-zc", path + "_lua.argos", "--digest"});
+  REQUIRE(cpp.Status == 0);
+  REQUIRE(lua.Status == 0);
+  CHECK(lua.Err == "");
+  CHECK(DigestIn(cpp.Out) != "");
+  CHECK(DigestIn(lua.Out) == DigestIn(cpp.Out));
+}
