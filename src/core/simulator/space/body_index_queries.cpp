@@ -96,7 +96,9 @@ void CBodyIndex::ForShapesAlongRay(const CRay3& ray, VISIT&& visit) const {
   if (!m_overlayCells.empty()) {
     forRows(margin, [&](int j, int minI, int maxI) { VisitOverlayRow(j, minI, maxI, visit); });
   }
-  VisitOverlayWide(visit);
+  if (!m_overlayWide.empty()) {
+    forRows(1e-9, [&](int j, int minI, int maxI) { VisitOverlayWide({minI, maxI, j, j}, visit); });
+  }
   if (!m_wide.empty()) {
     forRows(1e-9, [&](int j, int minI, int maxI) { VisitWide({minI, maxI, j, j}, visit); });
   }
