@@ -16,6 +16,8 @@ namespace {
 constexpr size_t kGrain = 1024;
 // below this many bodies in the overlay it is not worth sorting anew
 constexpr size_t kMinOverlay = 64;
+// nor below this many cells that wide solids of the overlay touch
+constexpr size_t kMinOverlayLinks = 1024;
 // m; cells are not made smaller than this however crowded the arena is
 constexpr Real kMinCell = 0.02;
 constexpr Real kUprightTolerance = 1e-9;
@@ -154,12 +156,18 @@ void CBodyIndex::RefreshNow(UInt32 number) {
   if (!body.Stale) {
     PutInOverlay(number);
   } else if (body.Small) {
-    UInt32* link = &m_overlayHead[body.OverlayCell];
+    UInt32* link = &m_overlayHead[body.OverlayPlace];
     while (*link != number) {
       link = &m_bodies[*link].NextInCell;
     }
     *link = body.NextInCell;
     LinkIntoOverlay(number);
+  } else {
+    // where it was, it is not any more
+    for (UInt16 shape = 0; shape < body.NumShapes; ++shape) {
+      m_overlayWide[body.OverlayPlace + shape].Shape.Body = kNoBody;
+    }
+    LinkWideIntoOverlay(number);
   }
 }
 
@@ -173,16 +181,42 @@ void CBodyIndex::PutInOverlay(UInt32 number) {
   SBody& body = m_bodies[number];
   body.Stale = true;
   ++m_numStale;
-  if (m_numStale > kMinOverlay + m_shapes.size() || m_overlayHead.empty()) {
+  if (m_numStale > kMinOverlay + m_shapes.size() + m_wide.size() || m_overlayHead.empty()) {
+    Rebuild(nullptr);
+  } else if (body.Small) {
+    LinkIntoOverlay(number);
+  } else {
+    LinkWideIntoOverlay(number);
+  }
+}
+
+void CBodyIndex::LinkWideIntoOverlay(UInt32 number) {
+  m_wideDirty = true;
+  // sorting anew costs as much as these links have cost
+  const size_t cells = m_overlayHead.size();
+  if (m_overlayLinks.size() > kMinOverlayLinks + cells + m_wideItems.size()) {
     Rebuild(nullptr);
     return;
   }
-  if (!body.Small) {
-    m_overlayWide.push_back(number);
-    m_wideDirty = true;
-    return;
+  if (m_overlayWideHead.empty()) {
+    m_overlayWideHead.assign(cells, kNoBody);
   }
-  LinkIntoOverlay(number);
+  SBody& body = m_bodies[number];
+  body.OverlayPlace = static_cast<UInt32>(m_overlayWide.size());
+  for (UInt16 shape = 0; shape < body.NumShapes; ++shape) {
+    const SIndexedShape packed = Pack(number, shape);
+    const SCellRange touched = CellsOf(packed);
+    const auto wide = static_cast<UInt32>(m_overlayWide.size());
+    m_overlayWide.push_back({packed, touched.MinI, touched.MinJ});
+    ForCells(touched, [this, wide](size_t cell) {
+      UInt32& head = m_overlayWideHead[cell];
+      if (head == kNoBody) {
+        m_overlayWideCells.push_back(static_cast<UInt32>(cell));
+      }
+      m_overlayLinks.push_back({wide, head});
+      head = static_cast<UInt32>(m_overlayLinks.size() - 1);
+    });
+  }
 }
 
 void CBodyIndex::LinkIntoOverlay(UInt32 number) {
@@ -195,7 +229,7 @@ void CBodyIndex::LinkIntoOverlay(UInt32 number) {
   if (!pose.Upright) {
     m_tiltedReach = std::max(m_tiltedReach, body.TiltedReach);
   }
-  body.OverlayCell = cell;
+  body.OverlayPlace = cell;
   body.NextInCell = m_overlayHead[cell];
   m_overlayHead[cell] = number;
 }
@@ -208,7 +242,12 @@ void CBodyIndex::ClearOverlay() {
     m_overlayHead[cell] = kNoBody;
   }
   m_overlayCells.clear();
+  for (const UInt32 cell : m_overlayWideCells) {
+    m_overlayWideHead[cell] = kNoBody;
+  }
+  m_overlayWideCells.clear();
   m_overlayWide.clear();
+  m_overlayLinks.clear();
   m_free.insert(m_free.end(), m_released.begin(), m_released.end());
   m_released.clear();
   m_numStale = 0;
@@ -237,6 +276,9 @@ bool CBodyIndex::ChooseCells() {
   m_wideStart.assign(cells + 1, 0);
   m_cursor.assign(cells, 0);
   m_overlayHead.assign(cells, kNoBody);
+  if (!m_overlayWideHead.empty()) {
+    m_overlayWideHead.assign(cells, kNoBody);
+  }
   return true;
 }
 
@@ -320,16 +362,8 @@ void CBodyIndex::ListWide() {
     }
   }
   std::fill(m_wideStart.begin(), m_wideStart.end(), 0);
-  const auto forEachCell = [this](const SWideShape& wide, auto&& visit) {
-    const SCellRange cells = CellsOf(wide.Shape);
-    for (int j = cells.MinJ; j <= cells.MaxJ; ++j) {
-      for (int i = cells.MinI; i <= cells.MaxI; ++i) {
-        visit(static_cast<size_t>(j) * m_numI + i);
-      }
-    }
-  };
   for (const SWideShape& wide : m_wide) {
-    forEachCell(wide, [this](size_t cell) { ++m_wideStart[cell + 1]; });
+    ForCells(CellsOf(wide.Shape), [this](size_t cell) { ++m_wideStart[cell + 1]; });
   }
   for (size_t cell = 0; cell + 1 < m_wideStart.size(); ++cell) {
     m_wideStart[cell + 1] += m_wideStart[cell];
@@ -337,8 +371,8 @@ void CBodyIndex::ListWide() {
   }
   m_wideItems.resize(m_wideStart.back());
   for (size_t w = 0; w < m_wide.size(); ++w) {
-    forEachCell(m_wide[w],
-                [this, w](size_t cell) { m_wideItems[m_cursor[cell]++] = static_cast<UInt32>(w); });
+    ForCells(CellsOf(m_wide[w].Shape),
+             [this, w](size_t cell) { m_wideItems[m_cursor[cell]++] = static_cast<UInt32>(w); });
   }
   m_wideDirty = anyMovable;
 }

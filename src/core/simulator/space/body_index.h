@@ -20,8 +20,8 @@ class CThreadPool;
  * Engines write poses during physics (SetPose(), one writer per body). Rebuild() then sorts the
  * solids of small movable bodies by grid cell, by counting; solids of all other bodies are listed
  * in every cell that they touch. Bodies that are added or moved outside the physics phase are found
- * through a small overlay until the next Rebuild(), so placing n bodies takes time in proportion to
- * n. Queries never write: they are safe on any number of threads between rebuilds.
+ * through an overlay of the same cells until the next Rebuild(), so placing n bodies takes time in
+ * proportion to n. Queries never write: they are safe on any number of threads between rebuilds.
  *
  * Answers do not depend on the cells: a hit is decided by the solid and the ray alone.
  */
@@ -101,7 +101,8 @@ class CBodyIndex {
     const SBodyDescription* Description;  // shared by many bodies; kept alive by the entity
     Real Reach;  // m, of the packed solids around the origin, seen from above, if upright
     Real TiltedReach;  // m, the same however the body lies
-    UInt32 OverlayCell, NextInCell;  // overlay chain
+    UInt32 OverlayPlace;  // cell of a small body, number of a wide one's first solid in the overlay
+    UInt32 NextInCell;  // overlay chain of small bodies
     UInt16 NumShapes;
     bool Small;
     bool Stale;  // in the overlay: its sorted solids do not count
@@ -117,6 +118,11 @@ class CBodyIndex {
     SIndexedShape Shape;
     int MinI, MinJ;  // first cell in which it is listed
   };
+  // a cell that a wide solid of the overlay touches
+  struct SOverlayLink {
+    UInt32 Wide;  // into m_overlayWide
+    UInt32 Next;  // of the same cell, or kNoBody
+  };
 
   int CellI(Real x) const { return ClampCell((x - m_minX) * m_inverseCell, m_numI); }
   int CellJ(Real y) const { return ClampCell((y - m_minY) * m_inverseCell, m_numJ); }
@@ -128,6 +134,18 @@ class CBodyIndex {
     return {CellI(x - reach), CellI(x + reach), CellJ(y - reach), CellJ(y + reach)};
   }
   SCellRange CellsOf(const SIndexedShape& shape) const;
+  template <typename VISIT>
+  void ForCells(const SCellRange& cells, VISIT&& visit) const {
+    for (int j = cells.MinJ; j <= cells.MaxJ; ++j) {
+      for (int i = cells.MinI; i <= cells.MaxI; ++i) {
+        visit(static_cast<size_t>(j) * m_numI + i);
+      }
+    }
+  }
+  // a shape that several cells list counts in the first of those that a query looks at
+  static bool IsFirst(int i, int j, const SWideShape& wide, const SCellRange& cells) {
+    return i == std::max(wide.MinI, cells.MinI) && j == std::max(wide.MinJ, cells.MinJ);
+  }
   static SPose MakePose(const CVector3& position, const CQuaternion& orientation);
   static SIndexedShape Pack(const SShapeDescription& shape, const SPose& pose,
                             const CQuaternion& orientation);
@@ -141,6 +159,7 @@ class CBodyIndex {
   void ClearOverlay();
   void PutInOverlay(UInt32 body);
   void LinkIntoOverlay(UInt32 body);
+  void LinkWideIntoOverlay(UInt32 body);
 
   Real SmallReach() const { return std::max(m_maxSmallReach, m_tiltedReach); }
   bool IsStale(UInt32 body) const { return m_numStale > 0 && m_bodies[body].Stale; }
@@ -151,7 +170,7 @@ class CBodyIndex {
   template <typename VISIT>
   void VisitOverlayRow(int j, int minI, int maxI, VISIT&& visit) const;
   template <typename VISIT>
-  void VisitOverlayWide(VISIT&& visit) const;
+  void VisitOverlayWide(const SCellRange& cells, VISIT&& visit) const;
   template <typename VISIT>
   void VisitWide(const SCellRange& cells, VISIT&& visit) const;
   // the area and its cells, row by row: cell (i, j) has number j * m_numI + i
@@ -184,7 +203,10 @@ class CBodyIndex {
   // the overlay
   std::vector<UInt32> m_overlayHead;  // (cells) first small body of the chain, or kNoBody
   std::vector<UInt32> m_overlayCells;  // cells with a chain
-  std::vector<UInt32> m_overlayWide;  // bodies that are not small
+  std::vector<SWideShape> m_overlayWide;  // of bodies that are not small; those of one in a row
+  std::vector<UInt32> m_overlayWideHead;  // (cells) into m_overlayLinks, or kNoBody; perhaps empty
+  std::vector<UInt32> m_overlayWideCells;  // cells with a chain of such solids
+  std::vector<SOverlayLink> m_overlayLinks;
   size_t m_numStale = 0;
 };
 

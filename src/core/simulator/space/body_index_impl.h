@@ -41,9 +41,21 @@ void CBodyIndex::VisitOverlayRow(int j, int minI, int maxI, VISIT&& visit) const
 }
 
 template <typename VISIT>
-void CBodyIndex::VisitOverlayWide(VISIT&& visit) const {
-  for (const UInt32 body : m_overlayWide) {
-    VisitBody(body, visit);
+void CBodyIndex::VisitOverlayWide(const SCellRange& cells, VISIT&& visit) const {
+  for (int j = cells.MinJ; j <= cells.MaxJ; ++j) {
+    const size_t row = static_cast<size_t>(j) * m_numI;
+    for (int i = cells.MinI; i <= cells.MaxI; ++i) {
+      UInt32 next = m_overlayWideHead[row + i];
+      while (next != kNoBody) {
+        const SWideShape& wide = m_overlayWide[m_overlayLinks[next].Wide];
+        next = m_overlayLinks[next].Next;
+        const bool counts = IsFirst(i, j, wide, cells) && wide.Shape.Body != kNoBody &&
+                            m_bodies[wide.Shape.Body].Entity != nullptr;
+        if (counts) {
+          visit(wide.Shape);
+        }
+      }
+    }
   }
 }
 
@@ -54,10 +66,7 @@ void CBodyIndex::VisitWide(const SCellRange& cells, VISIT&& visit) const {
     for (int i = cells.MinI; i <= cells.MaxI; ++i) {
       for (UInt32 k = m_wideStart[row + i]; k < m_wideStart[row + i + 1]; ++k) {
         const SWideShape& wide = m_wide[m_wideItems[k]];
-        // listed in many cells: counts in the first one of the query only
-        const bool first =
-            i == std::max(wide.MinI, cells.MinI) && j == std::max(wide.MinJ, cells.MinJ);
-        if (first && !IsStale(wide.Shape.Body)) {
+        if (IsFirst(i, j, wide, cells) && !IsStale(wide.Shape.Body)) {
           visit(wide.Shape);
         }
       }
@@ -81,13 +90,13 @@ void CBodyIndex::ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const 
       VisitSmallRow(j, cells.MinI, cells.MaxI, visitIfNear);
     }
   }
-  if (m_numStale > 0) {
-    if (!m_overlayCells.empty()) {
-      for (int j = cells.MinJ; j <= cells.MaxJ; ++j) {
-        VisitOverlayRow(j, cells.MinI, cells.MaxI, visitIfNear);
-      }
+  if (!m_overlayCells.empty()) {
+    for (int j = cells.MinJ; j <= cells.MaxJ; ++j) {
+      VisitOverlayRow(j, cells.MinI, cells.MaxI, visitIfNear);
     }
-    VisitOverlayWide(visitIfNear);
+  }
+  if (!m_overlayWide.empty()) {
+    VisitOverlayWide(CellsAround(x, y, reach), visitIfNear);
   }
   if (!m_wide.empty()) {
     VisitWide(CellsAround(x, y, reach), visitIfNear);
@@ -132,7 +141,10 @@ void CBodyIndex::ForShapesAlongRay(const CRay3& ray, Real reach, VISIT&& visit) 
   if (!m_overlayCells.empty()) {
     forRows(margin, [&](int j, int minI, int maxI) { VisitOverlayRow(j, minI, maxI, visit); });
   }
-  VisitOverlayWide(visit);
+  if (!m_overlayWide.empty()) {
+    forRows(rounded,
+            [&](int j, int minI, int maxI) { VisitOverlayWide({minI, maxI, j, j}, visit); });
+  }
   if (!m_wide.empty()) {
     forRows(rounded, [&](int j, int minI, int maxI) { VisitWide({minI, maxI, j, j}, visit); });
   }

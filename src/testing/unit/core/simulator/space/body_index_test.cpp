@@ -124,13 +124,14 @@ class CBodies {
   void Rebuild() { m_index.Rebuild(m_pool); }
 
   // one random change; the index is up to date afterwards
-  void Change() {
+  // @param kinds  6: any; 3: only those that are made between ticks
+  void Change(size_t kinds = 6) {
     if (m_bodies.empty()) {
       Add();
       return;
     }
     const size_t i = m_random.Below(m_bodies.size());
-    switch (m_random.Below(6)) {
+    switch (m_random.Below(kinds)) {
       case 0:
         Add();
         break;
@@ -316,6 +317,26 @@ TEST_CASE("body index: answers as brute force does, whatever the area and after 
   for (int change = 0; change < 150; ++change) {
     CAPTURE(change);
     bodies.Change();
+    bodies.CheckAll();
+  }
+}
+
+TEST_CASE("body index: any number of bodies may come, go and move between two ticks",
+          "[core][space][index]") {
+  const Real area = GENERATE(5.0, 1.0, 200.0);
+  // changes between rebuilds: what was put aside grows beyond what is sorted, or stays small
+  const int changes = GENERATE(40, 3000);
+  CAPTURE(area, changes);
+  CBodies bodies(3, area, 4.0);
+  for (int tick = 0; tick < 6000 / changes; ++tick) {
+    CAPTURE(tick);
+    for (int change = 0; change < changes; ++change) {
+      bodies.Change(3);
+      if (change % 29 == 0) {
+        bodies.CheckAll();
+      }
+    }
+    bodies.Rebuild();
     bodies.CheckAll();
   }
 }
