@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <vector>
 
 namespace argos {
 
@@ -12,21 +14,22 @@ namespace {
 
 // more cells than that make a grid no faster
 constexpr Real kMaxCells = 1 << 18;
+const char* const kNames[] = {"grid", "hash", "dummy"};  // in the order of EKind
 
 }  // namespace
 
-void SIndexChoice::Read(TConfigurationNode& medium) {
+void SIndexChoice::Read(TConfigurationNode& medium, bool withDummy) {
+  const std::vector<std::string> names(std::begin(kNames), std::end(kNames) - (withDummy ? 0 : 1));
   std::string index;
-  GetNodeAttributeOrDefault<std::string>(medium, "index", index, "grid");
-  if (index == "grid") {
-    Kind = EKind::Grid;
-  } else if (index == "hash") {
-    Kind = EKind::Hash;
-  } else {
+  GetNodeAttributeOrDefault<std::string>(medium, "index", index, kNames[0]);
+  const auto found = std::find(names.begin(), names.end(), index);
+  if (found == names.end()) {
     THROW_ARGOSEXCEPTION(OwnerOf(medium)
-                         << ": attribute \"index\" must be \"grid\" or \"hash\", got \"" << index
-                         << "\"" << DidYouMean(index, {"grid", "hash"}));
+                         << ": attribute \"index\" must be "
+                         << (withDummy ? "\"grid\", \"hash\" or \"dummy\"" : "\"grid\" or \"hash\"")
+                         << ", got \"" << index << "\"" << DidYouMean(index, names));
   }
+  Kind = static_cast<EKind>(found - names.begin());
   if (!NodeAttributeExists(medium, "grid_size")) {
     return;
   }
@@ -46,6 +49,10 @@ void SIndexChoice::Read(TConfigurationNode& medium) {
                                     << text << "\"",
                                 error);
   }
+}
+
+const char* SIndexChoice::GetName() const {
+  return kNames[static_cast<size_t>(Kind)];
 }
 
 SIndexChoice::SCells SIndexChoice::MakeCells(const CVector3& extent) const {

@@ -10,6 +10,7 @@ class CGroundSensorEquippedEntity;
 class CLightSensorEquippedEntity;
 class COmnidirectionalCameraEquippedEntity;
 class CPerspectiveCameraEquippedEntity;
+class CRABEquippedEntity;
 
 /**
  * The foot-bot of the Swarmanoid project: 17 cm across, with wheels and tracks, 24 proximity
@@ -55,10 +56,9 @@ class CFootBotEntity : public CDifferentialDriveRobotEntity {
   /** Components that are made when first asked for; see CRobotEntity. */
   CGroundSensorEquippedEntity& GetGroundSensorEquippedEntity();
   CLightSensorEquippedEntity& GetLightSensorEquippedEntity();
-};
-
   COmnidirectionalCameraEquippedEntity& GetOmnidirectionalCameraEquippedEntity();
   CPerspectiveCameraEquippedEntity& GetPerspectiveCameraEquippedEntity();
+  CRABEquippedEntity& GetRABEquippedEntity();
 };
 
 }  // namespace argos

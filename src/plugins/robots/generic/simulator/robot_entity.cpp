@@ -5,6 +5,7 @@
 #include <argos3/plugins/simulator/entities/new_component.h>
 #include <argos3/plugins/simulator/entities/tag_equipped_entity.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace argos {
@@ -80,6 +81,22 @@ void CRobotEntity::UpdateComponents() {
       component->Update();
     }
   }
+}
+
+void CRobotEntity::UpdateDigest(CDigest& digest) const {
+  CEntity::UpdateDigest(digest);
+  for (const CEntity* component : GetExistingComponents()) {
+    if (IsUsed(*component)) {
+      component->UpdateDigest(digest);
+    }
+  }
+}
+
+// a component on demand that is disabled serves nobody
+bool CRobotEntity::IsUsed(const CEntity& component) const {
+  return component.IsEnabled() || m_onDemand == nullptr ||
+         std::find(m_onDemand.get(), m_onDemand.get() + m_type.OnDemand.size(), &component) ==
+             m_onDemand.get() + m_type.OnDemand.size();
 }
 
 void CRobotEntity::MaterializeComponents(const std::string& type) {

@@ -60,6 +60,8 @@ class CRobotEntity : public CComposableEntity {
   }
 
   const SAppearance* GetAppearance() const override { return &m_type.Appearance; }
+  /** Without the components on demand that nobody uses: the same whether or not they are made. */
+  void UpdateDigest(CDigest& digest) const override;
   /** What this robot's devices are like. */
   const SDeviceParameters& GetDeviceParameters() const {
     return m_parameters != nullptr ? *m_parameters : m_type.Parameters;
@@ -111,6 +113,7 @@ class CRobotEntity : public CComposableEntity {
   template <typename COMPONENT>
   void MountFromXML(TConfigurationNode& tree, const char* tag);
   void MakeComponent(size_t number);
+  bool IsUsed(const CEntity& component) const;
 
   const SRobotType& m_type;
   std::unique_ptr<const SDeviceParameters> m_parameters;  // null: as usual for the type
