@@ -5,20 +5,14 @@
 
 namespace argos {
 
-CLEDEntity::CLEDEntity(CComposableEntity* parent) : CPositionalEntity(parent) {
-  CPositionalEntity::SetEnabled(false);
-}
+CLEDEntity::CLEDEntity(CComposableEntity* parent) : CMediumMember(parent) {}
 
 CLEDEntity::CLEDEntity(CComposableEntity* parent, const std::string& id, const CVector3& position,
                        const CColor& color)
-    : CPositionalEntity(parent, id, position), m_color(color), m_initColor(color) {
-  CPositionalEntity::SetEnabled(false);
-}
+    : CMediumMember(parent, id, position), m_color(color), m_initColor(color) {}
 
 CLEDEntity::~CLEDEntity() {
-  if (m_medium != nullptr && IsEnabled()) {
-    m_medium->RemoveEntity(*this);
-  }
+  ClearMedium();
 }
 
 void CLEDEntity::Init(TConfigurationNode& tree) {
@@ -30,49 +24,6 @@ void CLEDEntity::Init(TConfigurationNode& tree) {
 void CLEDEntity::Reset() {
   CPositionalEntity::Reset();
   SetColor(m_initColor);
-}
-
-void CLEDEntity::Destroy() {
-  CPositionalEntity::Destroy();
-  ClearMedium();
-}
-
-void CLEDEntity::SetEnabled(bool enabled) {
-  const bool changed = enabled != IsEnabled();
-  CPositionalEntity::SetEnabled(enabled);
-  if (!changed || m_medium == nullptr) {
-    return;
-  }
-  if (enabled) {
-    m_medium->AddEntity(*this);
-  } else {
-    m_medium->RemoveEntity(*this);
-  }
-}
-
-CLEDMedium& CLEDEntity::GetMedium() const {
-  if (m_medium == nullptr) {
-    THROW_ARGOSEXCEPTION("LED \"" << GetContext() << GetId() << "\" has no medium");
-  }
-  return m_medium->AsMedium();
-}
-
-void CLEDEntity::SetMedium(CRegistry& medium) {
-  if (m_medium == &medium) {
-    return;
-  }
-  ClearMedium();
-  m_medium = &medium;
-  if (IsEnabled()) {
-    m_medium->AddEntity(*this);
-  }
-}
-
-void CLEDEntity::ClearMedium() {
-  if (m_medium != nullptr && IsEnabled()) {
-    m_medium->RemoveEntity(*this);
-  }
-  m_medium = nullptr;
 }
 
 void CLEDEntity::UpdateDigest(CDigest& digest) const {

@@ -62,8 +62,9 @@ std::string SRoomsWorld::ToXML() const {
   xml << "<argos-configuration><framework><system threads=\"" << Threads << "\" method=\"" << Method
       << "\"/><experiment length=\"0\" ticks_per_second=\"10\" random_seed=\"" << Seed
       << "\"/></framework>\n<controllers><epuck_diffusion_controller id=\"diffusion\">"
-      << "<actuators><differential_steering implementation=\"default\"/></actuators>"
-      << "<sensors><epuck_proximity implementation=\"default\"/></sensors><params/>"
+      << "<actuators><differential_steering implementation=\"default\"/>" << Actuators
+      << "</actuators><sensors><epuck_proximity implementation=\"default\"/>" << Sensors
+      << "</sensors><params/>"
       << "</epuck_diffusion_controller></controllers>\n<arena size=\"" << Side + 1.0 << ","
       << Side + 1.0 << ",1\">\n";
   AddRooms(xml, Side, RoomsPerSide);
@@ -73,7 +74,7 @@ std::string SRoomsWorld::ToXML() const {
       << "<entity quantity=\"" << Robots << "\" max_trials=\"100\"><e-puck id=\"ep\">"
       << "<controller config=\"diffusion\"/></e-puck></entity></distribute>\n</arena>\n"
       << "<physics_engines><" << Engine << " id=\"engine\" " << EngineAttributes
-      << "/></physics_engines>\n<media/></argos-configuration>\n";
+      << "/></physics_engines>\n<media>" << Media << "</media></argos-configuration>\n";
   return xml.str();
 }
 

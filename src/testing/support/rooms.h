@@ -17,6 +17,8 @@ struct SRoomsWorld {
   UInt32 Seed = 1;
   std::string Engine = "dynamics2d";
   std::string EngineAttributes; /**< such as `iterations="4"` */
+  std::string Actuators, Sensors; /**< XML elements, besides wheels and proximity sensors */
+  std::string Media; /**< XML elements */
 
   /** The side at which @p robots are as dense as 10,000 in 40 m x 40 m. */
   static Real SideAtSameDensity(UInt32 robots);

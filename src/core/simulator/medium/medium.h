@@ -28,8 +28,16 @@ class CMedium : public CBaseConfigurableResource {
   void Destroy() override {}
   /** Called once after the arena is filled. */
   virtual void PostSpaceInit() {}
-  /** Called once a tick, after physics and before sensing; media of one space run in parallel. */
+  /**
+   * Called once a tick, after physics and before sensing; media of one space run in parallel, those
+   * that use the thread pool themselves one after the other.
+   */
   virtual void Update() = 0;
+  /**
+   * True of a medium whose Update() spreads its work over the simulator's thread pool: it is then
+   * not called from inside a phase. Must not change while a run lasts.
+   */
+  virtual bool UsesThreadPool() const { return false; }
 
   const std::string& GetId() const { return m_id; }
   void SetId(const std::string& id) { m_id = id; }

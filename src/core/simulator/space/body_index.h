@@ -70,9 +70,14 @@ class CBodyIndex {
   /**
    * Calls visit(const SIndexedShape&) for every solid whose footprint comes within @p reach (m) of
    * @p ray as seen from above, and for some that do not; wide solids perhaps repeatedly.
+   * @param isDone  bool(): asked now and then; true if no more solids are of interest.
    */
+  template <typename VISIT, typename DONE>
+  void ForShapesAlongRay(const CRay3& ray, Real reach, VISIT&& visit, DONE&& isDone) const;
   template <typename VISIT>
-  void ForShapesAlongRay(const CRay3& ray, Real reach, VISIT&& visit) const;
+  void ForShapesAlongRay(const CRay3& ray, Real reach, VISIT&& visit) const {
+    ForShapesAlongRay(ray, reach, visit, [] { return false; });
+  }
 
   /** Where @p ray enters a solid of any kind: fraction in [0,1], 0 if it starts inside; else > 1.
    */
@@ -80,6 +85,13 @@ class CBodyIndex {
   /** First body that @p ray meets, @p ignored aside. @return false if none. */
   bool FindClosestHit(SEmbodiedEntityIntersectionItem& item, const CRay3& ray,
                       const CEmbodiedEntity* ignored = nullptr) const;
+  /**
+   * True if a third body stands between two bodies: if it meets the part of @p segment that is
+   * outside both of them. Exchanging the ends changes nothing but rounding.
+   * @param segment  from a point of the body @p start to one of the body @p end, which are numbers
+   *                 or kNoBody.
+   */
+  bool IsBlocked(const CRay3& segment, UInt32 start, UInt32 end) const;
   /** Appends every body that @p ray meets, once each. */
   void FindAllHits(TEmbodiedEntityIntersectionData& data, const CRay3& ray) const;
   /**
@@ -173,6 +185,9 @@ class CBodyIndex {
   void VisitOverlayWide(const SCellRange& cells, VISIT&& visit) const;
   template <typename VISIT>
   void VisitWide(const SCellRange& cells, VISIT&& visit) const;
+  bool FindThird(SIndexedShape& found, const CRay3& segment, UInt32 start, UInt32 end) const;
+  Real IntersectBody(UInt32 body, const CRay3& ray) const;
+
   // the area and its cells, row by row: cell (i, j) has number j * m_numI + i
   Real m_minX = 0.0, m_minY = 0.0, m_maxX = 0.0, m_maxY = 0.0;  // m
   Real m_cell = 1.0, m_inverseCell = 1.0;  // m, 1/m

@@ -103,8 +103,9 @@ void CBodyIndex::ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const 
   }
 }
 
-template <typename VISIT>
-void CBodyIndex::ForShapesAlongRay(const CRay3& ray, Real reach, VISIT&& visit) const {
+template <typename VISIT, typename DONE>
+void CBodyIndex::ForShapesAlongRay(const CRay3& ray, Real reach, VISIT&& visit,
+                                   DONE&& isDone) const {
   const Real x0 = ray.GetStart().GetX();
   const Real y0 = ray.GetStart().GetY();
   const Real dx = ray.GetEnd().GetX() - x0;
@@ -112,7 +113,7 @@ void CBodyIndex::ForShapesAlongRay(const CRay3& ray, Real reach, VISIT&& visit) 
   const auto forRows = [&](Real margin, auto&& visitRow) {
     const int minJ = CellJ(std::min(y0, y0 + dy) - margin);
     const int maxJ = CellJ(std::max(y0, y0 + dy) + margin);
-    for (int j = minJ; j <= maxJ; ++j) {
+    for (int j = minJ; j <= maxJ && !isDone(); ++j) {
       // the part of the ray over this row, widened by the margin; border rows have no outer edge
       Real t0 = 0.0;
       Real t1 = 1.0;

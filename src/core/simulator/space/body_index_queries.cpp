@@ -97,6 +97,61 @@ void CBodyIndex::FindAllHits(TEmbodiedEntityIntersectionData& data, const CRay3&
   });
 }
 
+// a solid that the segment meets and that belongs to neither body; which one is not said
+bool CBodyIndex::FindThird(SIndexedShape& found, const CRay3& segment, UInt32 start,
+                           UInt32 end) const {
+  const Real x = segment.GetStart().GetX();
+  const Real y = segment.GetStart().GetY();
+  const Real dx = segment.GetEnd().GetX() - x;
+  const Real dy = segment.GetEnd().GetY() - y;
+  // a solid that is farther than its radius from the line, seen from above, is missed; slightly
+  // wide, so that the exact test alone decides
+  const Real squareLength = (dx * dx + dy * dy) * (1.0 + 1e-9);
+  bool isFound = false;
+  ForShapesAlongRay(
+      segment, 0.0,
+      [&](const SIndexedShape& shape) {
+        const Real cross = (shape.X - x) * dy - (shape.Y - y) * dx;
+        if (isFound || cross * cross > shape.Radius * shape.Radius * squareLength ||
+            shape.Body == start || shape.Body == end || Intersect(shape, segment) > 1.0) {
+          return;
+        }
+        found = shape;
+        isFound = true;
+      },
+      [&isFound] { return isFound; });
+  return isFound;
+}
+
+// fraction at which the ray enters a body, more than 1 if it misses
+Real CBodyIndex::IntersectBody(UInt32 body, const CRay3& ray) const {
+  Real first = 2.0;
+  if (body != kNoBody) {
+    VisitBody(body,
+              [&](const SIndexedShape& shape) { first = std::min(first, Intersect(shape, ray)); });
+  }
+  return first;
+}
+
+bool CBodyIndex::IsBlocked(const CRay3& segment, UInt32 start, UInt32 end) const {
+  SIndexedShape third{};
+  if (!FindThird(third, segment, start, end)) {
+    return false;
+  }
+  // robots that touch overlap a little: what lies inside the two bodies hides nothing
+  const Real enter = IntersectBody(end, segment);
+  const Real leave = IntersectBody(start, CRay3(segment.GetEnd(), segment.GetStart()));
+  const Real first = leave > 1.0 ? 0.0 : 1.0 - leave;
+  const Real last = std::min(enter, 1.0);
+  if (first >= last) {
+    return false;
+  }
+  const CVector3 from = segment.GetStart();
+  const CVector3 way = segment.GetEnd() - from;
+  const CRay3 between(from + first * way, from + last * way);
+  return Intersect(third, between) <= 1.0 || FindThird(third, between, start, end);
+}
+
 UInt32 CBodyIndex::FindOverlap(const SBodyDescription& description, const CVector3& position,
                                const CQuaternion& orientation, UInt32 ignored) const {
   UInt32 found = kNoBody;

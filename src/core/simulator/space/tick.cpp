@@ -164,12 +164,17 @@ void CSpace::TransferBodies() {
 void CSpace::UpdateMedia(CThreadPool& pool) {
   CMedium::TVector& media = m_cSimulator.GetMedia();
   InLogOrder(media.size(), [&](UInt64 firstPlace) {
-    pool.ParallelFor(media.size(), 1, [&](size_t begin, size_t end, UInt32) {
+    const auto update = [&](size_t begin, size_t end, bool onPool) {
       for (size_t i = begin; i < end; ++i) {
-        CARGoSLog::SetSequence(firstPlace + i);
-        media[i]->Update();
+        if (media[i]->UsesThreadPool() == onPool) {
+          CARGoSLog::SetSequence(firstPlace + i);
+          media[i]->Update();
+        }
       }
-    });
+    };
+    update(0, media.size(), true);
+    pool.ParallelFor(media.size(), 1,
+                     [&](size_t begin, size_t end, UInt32) { update(begin, end, false); });
   });
 }
 

@@ -17,6 +17,9 @@ using namespace argos;
 
 namespace {
 
+// those that examples name
+const char* const kMedia = "<led id=\"leds\"/><range_and_bearing id=\"rab\"/>";
+
 // the XML in a description: runs of lines that begin with two blanks and a tag
 std::vector<std::string> ExamplesIn(const std::string& description) {
   std::vector<std::string> examples;
@@ -52,7 +55,7 @@ std::string Inside(const std::string& element) {
 void RunInArena(const std::string& arena) {
   SExperiment experiment;
   experiment.Engines = "<toy_engine id=\"engine\"/>";
-  experiment.Media = "<led id=\"leds\"/>";
+  experiment.Media = kMedia;
   experiment.Controllers =
       "<robot_world_controller id=\"c1\"><actuators/><sensors/><params/></robot_world_controller>";
   experiment.Arena = arena;
@@ -65,7 +68,7 @@ void RunInArena(const std::string& arena) {
 void RunWithControllers(const std::string& controllers, const std::string& robot) {
   SExperiment experiment;
   experiment.Engines = "<toy_engine id=\"engine\"/>";
-  experiment.Media = "<led id=\"leds\"/>";
+  experiment.Media = kMedia;
   experiment.Controllers = Replaced(controllers, "my_controller", "robot_world_controller");
   experiment.Arena = "<" + robot +
                      " id=\"r\"><body position=\"0,0,0\"/><controller config=\"c1\"/></" + robot +
@@ -123,14 +126,18 @@ TEST_CASE("descriptions: examples of entities and media load and run", "[contrac
   CHECK(RunExamples<CEntity>("foot-bot") == 2);
   CHECK(RunExamples<CEntity>("e-puck") == 2);
   CHECK(RunExamples<CMedium>("led") == 2);
+  CHECK(RunExamples<CMedium>("range_and_bearing") == 2);
 }
 
 TEST_CASE("descriptions: examples of devices load and run", "[contract][robots]") {
   CHECK(RunExamples<CSimulatedActuator>("differential_steering (default)", "actuators",
                                         "foot-bot") == 3);
   CHECK(RunExamples<CSimulatedActuator>("leds (default)", "actuators", "e-puck") == 2);
+  CHECK(RunExamples<CSimulatedActuator>("range_and_bearing (default)", "actuators", "foot-bot") ==
+        3);
   CHECK(RunExamples<CSimulatedSensor>("differential_steering (default)", "sensors", "e-puck") == 2);
   CHECK(RunExamples<CSimulatedSensor>("proximity (default)", "sensors", "foot-bot") == 2);
   CHECK(RunExamples<CSimulatedSensor>("footbot_proximity (default)", "sensors", "foot-bot") == 2);
   CHECK(RunExamples<CSimulatedSensor>("epuck_proximity (default)", "sensors", "e-puck") == 2);
+  CHECK(RunExamples<CSimulatedSensor>("range_and_bearing (medium)", "sensors", "e-puck") == 3);
 }

@@ -4,8 +4,10 @@
 #include <argos3/plugins/robots/e-puck/simulator/epuck_appearance.h>
 #include <argos3/plugins/robots/e-puck/simulator/epuck_measures.h>
 #include <argos3/plugins/robots/generic/simulator/device_parameters.h>
+#include <argos3/plugins/robots/generic/simulator/rab_component.h>
 #include <argos3/plugins/simulator/entities/ground_sensor_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
 
 namespace argos {
 
@@ -71,6 +73,10 @@ CEntity& MakeGroundSensors(CRobotEntity& robot) {
   return sensors;
 }
 
+CEntity& MakeRAB(CRobotEntity& robot) {
+  return MakeRABComponent(robot, CVector3(0.0, 0.0, epuck::kRABElevation));
+}
+
 SRobotType MakeType() {
   SRobotType type;
   type.LEDs = MakeLEDs();
@@ -79,6 +85,7 @@ SRobotType MakeType() {
   type.OnDemand.push_back({"ground_sensors", &MakeGroundSensors});
   type.OnDemand.push_back({"light_sensors", &MakeLightSensors});
   type.Parameters.RAB = {epuck::kRABRange, epuck::kRABDataSize};
+  type.OnDemand.push_back({"rab", &MakeRAB});
   return type;
 }
 
@@ -102,6 +109,10 @@ CEPuckEntity::CEPuckEntity(const std::string& id, const std::string& controllerI
   parameters.Battery.Model = batteryModel;
   SetDeviceParameters(parameters);
   InitController(controllerId);
+}
+
+CRABEquippedEntity& CEPuckEntity::GetRABEquippedEntity() {
+  return Demand<CRABEquippedEntity>("rab");
 }
 
 void CEPuckEntity::Init(TConfigurationNode& tree) {

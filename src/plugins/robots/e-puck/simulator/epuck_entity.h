@@ -7,6 +7,7 @@ namespace argos {
 
 class CGroundSensorEquippedEntity;
 class CLightSensorEquippedEntity;
+class CRABEquippedEntity;
 
 /**
  * The e-puck: 7 cm across, with two wheels, eight proximity sensors, and eight LEDs.
@@ -41,6 +42,7 @@ class CEPuckEntity : public CDifferentialDriveRobotEntity {
   /** Components that are made when first asked for; see CRobotEntity. */
   CGroundSensorEquippedEntity& GetGroundSensorEquippedEntity();
   CLightSensorEquippedEntity& GetLightSensorEquippedEntity();
+  CRABEquippedEntity& GetRABEquippedEntity();
 };
 
 }  // namespace argos

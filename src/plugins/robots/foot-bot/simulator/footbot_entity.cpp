@@ -6,10 +6,12 @@
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_measures.h>
 #include <argos3/plugins/robots/generic/simulator/camera_mounts.h>
 #include <argos3/plugins/robots/generic/simulator/device_parameters.h>
+#include <argos3/plugins/robots/generic/simulator/rab_component.h>
 #include <argos3/plugins/simulator/entities/ground_sensor_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/omnidirectional_camera_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
 
 namespace argos {
 
@@ -85,6 +87,10 @@ CEntity& MakeTopCamera(CRobotEntity& robot) {
                                    CVector3(0.0, 0.0, footbot::kOmnidirectionalCameraElevation));
 }
 
+CEntity& MakeRAB(CRobotEntity& robot) {
+  return MakeRABComponent(robot, CVector3(0.0, 0.0, footbot::kRABElevation));
+}
+
 SRobotType MakeType() {
   SRobotType type;
   type.LEDAnchor = "turret";
@@ -95,6 +101,7 @@ SRobotType MakeType() {
   type.OnDemand.push_back({"light_sensors", &MakeLightSensors});
   type.OnDemand.push_back({"omnidirectional_camera", MakeTopCamera});
   type.OnDemand.push_back({"perspective_camera", MakeFrontCamera});
+  type.OnDemand.push_back({"rab", &MakeRAB});
   return type;
 }
 
@@ -127,6 +134,10 @@ CFootBotEntity::CFootBotEntity(const std::string& id, const std::string& control
   parameters.Battery.Model = batteryModel;
   SetDeviceParameters(parameters);
   InitController(controllerId);
+}
+
+CRABEquippedEntity& CFootBotEntity::GetRABEquippedEntity() {
+  return Demand<CRABEquippedEntity>("rab");
 }
 
 void CFootBotEntity::Init(TConfigurationNode& tree) {

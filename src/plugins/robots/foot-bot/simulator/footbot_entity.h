@@ -10,6 +10,7 @@ class CGroundSensorEquippedEntity;
 class CLightSensorEquippedEntity;
 class COmnidirectionalCameraEquippedEntity;
 class CPerspectiveCameraEquippedEntity;
+class CRABEquippedEntity;
 
 /**
  * The foot-bot of the Swarmanoid project: 17 cm across, with wheels and tracks, 24 proximity
@@ -57,6 +58,7 @@ class CFootBotEntity : public CDifferentialDriveRobotEntity {
   CLightSensorEquippedEntity& GetLightSensorEquippedEntity();
   COmnidirectionalCameraEquippedEntity& GetOmnidirectionalCameraEquippedEntity();
   CPerspectiveCameraEquippedEntity& GetPerspectiveCameraEquippedEntity();
+  CRABEquippedEntity& GetRABEquippedEntity();
 };
 
 }  // namespace argos

@@ -44,6 +44,9 @@ constexpr Real kLEDRingRadius = kBodyRadius + 0.005;
 constexpr Real kLEDRingStartAngle = 15.0;
 constexpr Real kBeaconElevation = 0.174249733;
 
+// range and bearing
+constexpr Real kRABElevation = 0.1;
+
 // cameras
 constexpr Real kOmnidirectionalCameraElevation = 0.288699733;
 constexpr Real kPerspectiveCameraReach = kBodyRadius;  // ahead of the centre

@@ -1,7 +1,11 @@
 #include <argos3/plugins/robots/generic/simulator/robot_entity.h>
 
+#include <argos3/plugins/simulator/entities/directional_led_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/magnet_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/new_component.h>
+#include <argos3/plugins/simulator/entities/tag_equipped_entity.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace argos {
@@ -25,6 +29,22 @@ void CRobotEntity::AddController() {
 void CRobotEntity::InitParts(TConfigurationNode& tree) {
   CComposableEntity::Init(tree);
   m_body->Init(GetNode(tree, "body"));
+  MountFromXML<CDirectionalLEDEquippedEntity>(tree, "directional_leds");
+  MountFromXML<CTagEquippedEntity>(tree, "tags");
+  MountFromXML<CMagnetEquippedEntity>(tree, "magnets");
+}
+
+template <typename COMPONENT>
+void CRobotEntity::MountFromXML(TConfigurationNode& tree, const char* tag) {
+  if (!NodeExists(tree, tag)) {
+    return;
+  }
+  auto& component = MakeOnDemand<COMPONENT>();
+  component.Init(GetNode(tree, tag));
+  if (m_mounted == nullptr) {
+    m_mounted = std::make_unique<CEntity::TVector>();
+  }
+  m_mounted->push_back(&component);
 }
 
 void CRobotEntity::SetDeviceParameters(const SDeviceParameters& parameters) {
@@ -46,6 +66,11 @@ void CRobotEntity::InitController(const std::string& controllerId) {
 void CRobotEntity::UpdateComponents() {
   if (m_leds->IsEnabled()) {
     m_leds->Update();
+  }
+  if (m_mounted != nullptr) {
+    for (CEntity* component : *m_mounted) {
+      component->Update();
+    }
   }
   if (m_onDemand == nullptr) {
     return;

@@ -90,7 +90,10 @@ class CRobotEntity : public CComposableEntity {
 
   /** Makes the component that holds the controller, the last one of the robot. */
   void AddController();
-  /** Reads `id` and `<body>`. */
+  /**
+   * Reads `id` and `<body>`, and makes what `<directional_leds>`, `<tags>` and `<magnets>` mount on
+   * this robot. The controller's component must be there already.
+   */
   void InitParts(TConfigurationNode& tree);
   /** Before the controller is made. */
   void SetDeviceParameters(const SDeviceParameters& parameters);
@@ -109,6 +112,8 @@ class CRobotEntity : public CComposableEntity {
 
  private:
   CEntity& DemandComponent(const char* type);
+  template <typename COMPONENT>
+  void MountFromXML(TConfigurationNode& tree, const char* tag);
   void MakeComponent(size_t number);
   /** Number of a component in m_type.OnDemand, or their number if it is none of them. */
   size_t FindOnDemand(const CEntity& component) const;
@@ -116,6 +121,7 @@ class CRobotEntity : public CComposableEntity {
   const SRobotType& m_type;
   std::unique_ptr<const SDeviceParameters> m_parameters;  // null: as usual for the type
   std::unique_ptr<CEntity*[]> m_onDemand;  // (m_type.OnDemand), null until made; not owned
+  std::unique_ptr<CEntity::TVector> m_mounted;  // from the file; null if nothing is; not owned
   // components
   CEmbodiedEntity* m_body = nullptr;
   CLEDEquippedEntity* m_leds = nullptr;

@@ -1,10 +1,12 @@
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/testing/support/captured_logs.h>
 #include <argos3/testing/support/experiment.h>
 #include <argos3/testing/support/toy_world.h>
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -204,4 +206,52 @@ TEST_CASE("tick: what is logged comes in the order of the phases, robots in thei
   CHECK((TakeLog() == expected));
   world.Step();
   CHECK((TakeLog() == expected));
+}
+
+namespace {
+
+// spreads its work over the pool, which must not happen inside a phase
+class CPoolMedium : public CMedium {
+ public:
+  void Update() override {
+    m_cSimulator.GetThreadPool().ParallelFor(100, 1, [this](size_t begin, size_t end, UInt32) {
+      for (size_t i = begin; i < end; ++i) {
+        ++Counts[i];
+      }
+    });
+    LOG << "medium " << GetId() << std::endl;
+  }
+  bool UsesThreadPool() const override { return true; }
+
+  std::array<int, 100> Counts{};
+};
+
+// works alone
+class CAloneMedium : public CMedium {
+ public:
+  void Update() override { LOG << "medium " << GetId() << std::endl; }
+};
+
+REGISTER_MEDIUM(CPoolMedium, "pool_medium", "", "", "A medium for tests.", "", "")
+REGISTER_MEDIUM(CAloneMedium, "alone_medium", "", "", "A medium for tests.", "", "")
+
+}  // namespace
+
+TEST_CASE("tick: media may use the thread pool themselves, beside others that do not",
+          "[core][tick][threads]") {
+  const UInt32 threads = GENERATE(0U, 1U, 4U);
+  SExperiment experiment = ManyRobots(threads, "balance_length");
+  experiment.Media =
+      "<alone_medium id='a'/><pool_medium id='b'/><alone_medium id='c'/><pool_medium id='d'/>";
+  CTestWorld world(experiment);
+  TakeLog();
+  world.Step();
+  // what they log comes in the order of the file
+  CHECK(TakeLog() == "medium a\nmedium b\nmedium c\nmedium d\n");
+  world.Step(2);
+  for (const char* id : {"b", "d"}) {
+    for (const int count : world.GetSimulator().GetMedium<CPoolMedium>(id).Counts) {
+      CHECK(count == 3);
+    }
+  }
 }

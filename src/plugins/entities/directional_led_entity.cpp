@@ -1,0 +1,76 @@
+#include <argos3/plugins/simulator/entities/directional_led_entity.h>
+
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/plugins/simulator/entities/observable.h>
+
+namespace argos {
+
+CDirectionalLEDEntity::CDirectionalLEDEntity(CComposableEntity* parent) : CMediumMember(parent) {}
+
+CDirectionalLEDEntity::CDirectionalLEDEntity(CComposableEntity* parent, const std::string& id,
+                                             const CVector3& position,
+                                             const CQuaternion& orientation,
+                                             const CRadians& observableAngle, const CColor& color)
+    : CMediumMember(parent, id, position, orientation), m_color(color), m_initColor(color) {
+  SetObservableAngle(observableAngle);
+}
+
+CDirectionalLEDEntity::~CDirectionalLEDEntity() {
+  ClearMedium();
+}
+
+void CDirectionalLEDEntity::Init(TConfigurationNode& tree) {
+  CMediumMember::Init(tree);
+  m_observableAngle = ReadObservableAngle(tree);
+  GetNodeAttributeOrDefault(tree, "color", m_initColor, CColor());
+  m_color = m_initColor;
+}
+
+void CDirectionalLEDEntity::Reset() {
+  CMediumMember::Reset();
+  m_color = m_initColor;
+}
+
+void CDirectionalLEDEntity::SetObservableAngle(const CRadians& angle) {
+  m_observableAngle =
+      RequireObservableAngle(angle, "directional LED \"" + GetContext() + GetId() + "\"");
+}
+
+bool CDirectionalLEDEntity::ShinesOn(const CVector3& point) const {
+  return IsObservableFrom(*this, m_observableAngle, point);
+}
+
+void CDirectionalLEDEntity::UpdateDigest(CDigest& digest) const {
+  CMediumMember::UpdateDigest(digest);
+  digest.Add(m_color.GetRed());
+  digest.Add(m_color.GetGreen());
+  digest.Add(m_color.GetBlue());
+  digest.Add(m_color.GetAlpha());
+}
+
+bool CDirectionalLEDEntityGridUpdater::operator()(CDirectionalLEDEntity& led) {
+  if (led.IsLit()) {
+    SInt32 i = 0;
+    SInt32 j = 0;
+    SInt32 k = 0;
+    m_grid.PositionToCellUnsafe(i, j, k, led.GetPosition());
+    m_grid.UpdateCell(i, j, k, led);
+  }
+  return true;
+}
+
+void CDirectionalLEDEntitySpaceHashUpdater::operator()(
+    CAbstractSpaceHash<CDirectionalLEDEntity>& hash, CDirectionalLEDEntity& led) {
+  if (led.IsLit()) {
+    SInt32 i = 0;
+    SInt32 j = 0;
+    SInt32 k = 0;
+    hash.SpaceToHashTable(i, j, k, led.GetPosition());
+    hash.UpdateCell(i, j, k, led);
+  }
+}
+
+REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CDirectionalLEDEntity)
+
+}  // namespace argos

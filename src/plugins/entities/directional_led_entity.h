@@ -1,0 +1,87 @@
+#ifndef ARGOS3_PLUGINS_ENTITIES_DIRECTIONAL_LED_ENTITY_H
+#define ARGOS3_PLUGINS_ENTITIES_DIRECTIONAL_LED_ENTITY_H
+
+#include <argos3/core/simulator/space/positional_indices/grid.h>
+#include <argos3/core/simulator/space/positional_indices/space_hash.h>
+#include <argos3/core/utility/datatypes/color.h>
+#include <argos3/core/utility/math/angles.h>
+#include <argos3/plugins/simulator/entities/medium_member.h>
+
+#include <vector>
+
+namespace argos {
+
+class CDirectionalLEDMedium;
+
+/**
+ * A point of light that shines along its z axis, and is seen from within an angle around it.
+ *
+ * Starts disabled. The medium knows it exactly while it is enabled.
+ */
+class CDirectionalLEDEntity : public CMediumMember<CDirectionalLEDEntity, CDirectionalLEDMedium> {
+ public:
+  ENABLE_VTABLE();
+
+  typedef std::vector<CDirectionalLEDEntity*> TList;
+
+  /** Black, seen from all sides. */
+  explicit CDirectionalLEDEntity(CComposableEntity* parent);
+  /**
+   * @param position, orientation  m, world frame.
+   * @param observableAngle        see SetObservableAngle().
+   */
+  CDirectionalLEDEntity(CComposableEntity* parent, const std::string& id, const CVector3& position,
+                        const CQuaternion& orientation, const CRadians& observableAngle,
+                        const CColor& color);
+  ~CDirectionalLEDEntity() override;
+
+  /** Reads `observable_angle`, `color` (default black), and the pose. */
+  void Init(TConfigurationNode& tree) override;
+  /** Back to the initial colour and pose. */
+  void Reset() override;
+  std::string GetTypeDescription() const override { return "directional_led"; }
+
+  const CColor& GetColor() const { return m_color; }
+  void SetColor(const CColor& color) { m_color = color; }
+  const CColor& GetInitColor() const { return m_initColor; }
+  void SetInitColor(const CColor& color) { m_initColor = color; }
+  /** False if it is black, and opaque: then no camera sees it. */
+  bool IsLit() const { return m_color != CColor(); }
+
+  const CRadians& GetObservableAngle() const { return m_observableAngle; }
+  /**
+   * @param angle  half angle of the cone around the z axis from which the LED is seen, in (0, PI].
+   * @throws CARGoSException if it is not.
+   */
+  void SetObservableAngle(const CRadians& angle);
+  /** Whether it shines towards a point, m, world frame. */
+  bool ShinesOn(const CVector3& point) const;
+
+  void UpdateDigest(CDigest& digest) const override;
+
+ private:
+  CColor m_color;
+  CColor m_initColor;
+  CRadians m_observableAngle = CRadians::PI;
+};
+
+/** Puts a directional LED into its cell of a grid, unless it is black. */
+class CDirectionalLEDEntityGridUpdater : public CGrid<CDirectionalLEDEntity>::COperation {
+ public:
+  explicit CDirectionalLEDEntityGridUpdater(CGrid<CDirectionalLEDEntity>& grid) : m_grid(grid) {}
+  bool operator()(CDirectionalLEDEntity& led) override;
+
+ private:
+  CGrid<CDirectionalLEDEntity>& m_grid;
+};
+
+/** Puts a directional LED into its cell of a space hash, unless it is black. */
+class CDirectionalLEDEntitySpaceHashUpdater : public CSpaceHashUpdater<CDirectionalLEDEntity> {
+ public:
+  void operator()(CAbstractSpaceHash<CDirectionalLEDEntity>& hash,
+                  CDirectionalLEDEntity& led) override;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,47 @@
+#ifndef ARGOS3_PLUGINS_ENTITIES_DIRECTIONAL_LED_EQUIPPED_ENTITY_H
+#define ARGOS3_PLUGINS_ENTITIES_DIRECTIONAL_LED_EQUIPPED_ENTITY_H
+
+#include <argos3/plugins/simulator/entities/directional_led_entity.h>
+#include <argos3/plugins/simulator/entities/mounted_entities.h>
+
+#include <vector>
+
+namespace argos {
+
+/** The directional LEDs on a body. Starts disabled. */
+class CDirectionalLEDEquippedEntity : public CMountedEntities<CDirectionalLEDEntity> {
+ public:
+  ENABLE_VTABLE();
+
+  explicit CDirectionalLEDEquippedEntity(CComposableEntity* parent);
+  CDirectionalLEDEquippedEntity(CComposableEntity* parent, const std::string& id);
+
+  /**
+   * Reads `medium` and the children `<directional_led position="x,y,z" orientation="z,y,x"
+   * anchor="..." observable_angle="..." color="..." />`, and enables the LEDs. The parent must have
+   * a "body" with the anchors named.
+   * @throws CARGoSException with the known names if a medium or an anchor is unknown.
+   */
+  void Init(TConfigurationNode& tree) override;
+  std::string GetTypeDescription() const override { return "directional_leds"; }
+
+  /**
+   * Adds an LED that shines along the z axis of its frame.
+   * @param position, orientation  of its frame, in the anchor's, m.
+   * @param observableAngle        half angle of the cone from which it is seen, in (0, PI].
+   */
+  void AddLED(const CVector3& position, const CQuaternion& orientation, SAnchor& anchor,
+              const CRadians& observableAngle, const CColor& color = CColor::BLACK);
+
+  size_t GetNumLEDs() const { return GetInstances().size(); }
+  /** These throw CARGoSException if there is no LED of that number. */
+  CDirectionalLEDEntity& GetLED(UInt32 index);
+  void SetLEDColor(UInt32 index, const CColor& color);
+  void SetAllLEDsColors(const CColor& color);
+  /** @throws CARGoSException if the numbers of colours and of LEDs differ. */
+  void SetAllLEDsColors(const std::vector<CColor>& colors);
+};
+
+}  // namespace argos
+
+#endif

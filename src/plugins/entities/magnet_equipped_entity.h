@@ -1,0 +1,59 @@
+#ifndef ARGOS3_PLUGINS_ENTITIES_MAGNET_EQUIPPED_ENTITY_H
+#define ARGOS3_PLUGINS_ENTITIES_MAGNET_EQUIPPED_ENTITY_H
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/plugins/simulator/entities/magnet_entity.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace argos {
+
+/** The magnets on a body. */
+class CMagnetEquippedEntity : public CComposableEntity {
+ public:
+  ENABLE_VTABLE();
+
+  /** A magnet and where it sits. */
+  struct SInstance {
+    CMagnetEntity& Magnet;
+    CVector3 Offset; /**< in the anchor's frame, m */
+    SAnchor& Anchor;
+
+    typedef std::vector<SInstance> TVector;
+  };
+
+  explicit CMagnetEquippedEntity(CComposableEntity* parent);
+  CMagnetEquippedEntity(CComposableEntity* parent, const std::string& id);
+
+  /**
+   * Reads the children `<magnet id="..." offset="x,y,z" anchor="..." passive_field="x,y,z"
+   * active_field="x,y,z" />`. The parent must have a "body" with the anchors named.
+   * @throws CARGoSException with the known names if an anchor is unknown.
+   */
+  void Init(TConfigurationNode& tree) override;
+  std::string GetTypeDescription() const override { return "magnets"; }
+  /** Also of the anchors that carry magnets. */
+  void SetEnabled(bool enabled) override;
+
+  /** @param offset in the anchor's frame, m. @param id empty: "magnet_<number>". */
+  void AddMagnet(const std::string& id, const CVector3& offset, SAnchor& anchor,
+                 const CVector3& passiveField, const CVector3& activeField = CVector3());
+
+  size_t GetNumMagnets() const { return m_instances.size(); }
+  /** @throws CARGoSException if there is no magnet of that number. */
+  CMagnetEntity& GetMagnet(UInt32 index);
+  /** In order of addition. */
+  SInstance::TVector& GetInstances() { return m_instances; }
+
+ private:
+  void Mount(std::unique_ptr<CMagnetEntity> magnet, const CVector3& offset, SAnchor& anchor);
+
+  SInstance::TVector m_instances;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,151 @@
+#ifndef ARGOS3_PLUGINS_ENTITIES_MOUNTED_ENTITIES_H
+#define ARGOS3_PLUGINS_ENTITIES_MOUNTED_ENTITIES_H
+
+#include <argos3/core/simulator/current.h>
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace argos {
+
+/**
+ * Entities with a pose of their own, mounted on a body, that go into a medium: what directional
+ * LEDs and tags have in common.
+ *
+ * Starts disabled: then cameras see none of them.
+ * @tparam ENTITY  a CMediumMember.
+ */
+template <class ENTITY>
+class CMountedEntities : public CComposableEntity {
+ public:
+  /** One of them, and where it sits. */
+  struct SInstance {
+    ENTITY& Entity;
+    CVector3 PositionOffset; /**< in the anchor's frame, m */
+    CQuaternion OrientationOffset; /**< in the anchor's frame */
+    SAnchor& Anchor;
+
+    typedef std::vector<SInstance> TVector;
+  };
+
+  CMountedEntities(CComposableEntity* parent, const std::string& id)
+      : CComposableEntity(parent, id) {
+    CComposableEntity::SetEnabled(false);
+  }
+
+  /** Back to what they were, and where the body is now. */
+  void Reset() override {
+    CComposableEntity::Reset();
+    UpdateComponents();
+  }
+  /** Puts the entities where their anchors are now. */
+  void UpdateComponents() override {
+    for (const SInstance& instance : m_instances) {
+      Place(instance);
+    }
+  }
+  /** Also of the anchors; entities that are enabled go where their anchors are. */
+  void SetEnabled(bool enabled) override {
+    if (enabled == IsEnabled()) {
+      return;
+    }
+    CComposableEntity::SetEnabled(enabled);
+    for (const SInstance& instance : m_instances) {
+      // the origin anchor is always in use
+      if (instance.Anchor.Index > 0) {
+        enabled ? instance.Anchor.Enable() : instance.Anchor.Disable();
+      }
+    }
+    if (enabled) {
+      UpdateComponents();
+    }
+  }
+  virtual void Enable() { CComposableEntity::Enable(); }
+  virtual void Disable() { CComposableEntity::Disable(); }
+
+  /** In order of addition. Changes to the offsets count from the next tick on. */
+  typename SInstance::TVector& GetInstances() { return m_instances; }
+  const typename SInstance::TVector& GetInstances() const { return m_instances; }
+
+  /** Gives all entities, also those added later, to a medium. */
+  void SetMedium(typename ENTITY::CRegistry& medium) {
+    m_medium = &medium;
+    for (const SInstance& instance : m_instances) {
+      instance.Entity.SetMedium(medium);
+    }
+  }
+
+ protected:
+  /** Takes an entity over, and puts it in its place. */
+  ENTITY& Mount(std::unique_ptr<ENTITY> entity, const CVector3& positionOffset,
+                const CQuaternion& orientationOffset, SAnchor& anchor) {
+    ENTITY& mounted = *entity;
+    AddComponent(*entity.release());
+    m_instances.push_back({mounted, positionOffset, orientationOffset, anchor});
+    if (anchor.Index > 0) {
+      if (IsEnabled()) {
+        anchor.Enable();
+      }
+      // this use of the anchor stays after a Reset()
+      anchor.InUseCountAtStart += IsEnabledAtStart() ? 1 : 0;
+    }
+    Place(m_instances.back());
+    if (m_medium != nullptr) {
+      mounted.SetMedium(*m_medium);
+    }
+    mounted.SetEnabled(IsEnabled());
+    mounted.SetEnabledAtStart(IsEnabledAtStart());
+    if (GetIndex() >= 0) {
+      CallEntityOperation<CSpaceOperationAddEntity, CSpace, void>(CurrentSpace(), mounted);
+    }
+    return mounted;
+  }
+
+  /**
+   * Mounts an entity for each child @p tag: its pose, in the frame of the body's `anchor`, and what
+   * ENTITY::Init() reads. The parent must have a "body".
+   */
+  void InitInstances(TConfigurationNode& tree, const std::string& tag) {
+    auto& body = GetParent().GetComponent<CEmbodiedEntity>("body");
+    TConfigurationNodeIterator child(tag);
+    for (child = child.begin(&tree); child != child.end(); ++child) {
+      std::string anchor;
+      GetNodeAttribute(*child, "anchor", anchor);
+      auto entity = std::make_unique<ENTITY>(this);
+      entity->Init(*child);
+      // what the file gives as the pose is the mount
+      const CVector3 position = entity->GetPosition();
+      const CQuaternion orientation = entity->GetOrientation();
+      Mount(std::move(entity), position, orientation, body.GetAnchor(anchor));
+    }
+  }
+
+  /** @throws CARGoSException if there is none of that number. @param what "LED", for the message.
+   */
+  ENTITY& GetEntity(size_t index, const char* what) const {
+    if (index >= m_instances.size()) {
+      THROW_ARGOSEXCEPTION("\"" << GetContext() << GetId() << "\": no " << what << " " << index
+                                << "; there are " << m_instances.size() << ", numbered from 0");
+    }
+    return m_instances[index].Entity;
+  }
+
+ private:
+  static void Place(const SInstance& instance) {
+    CVector3 position = instance.PositionOffset;
+    position.Rotate(instance.Anchor.Orientation);
+    instance.Entity.MoveTo(position + instance.Anchor.Position,
+                           instance.Anchor.Orientation * instance.OrientationOffset);
+  }
+
+  typename SInstance::TVector m_instances;
+  typename ENTITY::CRegistry* m_medium = nullptr;
+};
+
+}  // namespace argos
+
+#endif

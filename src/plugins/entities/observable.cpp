@@ -1,0 +1,31 @@
+#include <argos3/plugins/simulator/entities/observable.h>
+
+#include <argos3/plugins/simulator/entities/value_checks.h>
+
+namespace argos {
+
+CRadians RequireObservableAngle(const CRadians& angle, const std::string& owner) {
+  const Real degrees = ToDegrees(angle).GetValue();
+  if (!(degrees > 0.0 && degrees <= 180.0)) {
+    THROW_ARGOSEXCEPTION(owner << ": observable_angle must be above 0 and at most 180 degrees, got "
+                               << degrees);
+  }
+  return angle;
+}
+
+CRadians ReadObservableAngle(TConfigurationNode& tree) {
+  CDegrees degrees;
+  GetNodeAttribute(tree, "observable_angle", degrees);
+  return RequireObservableAngle(ToRadians(degrees), OwnerOf(tree));
+}
+
+bool IsObservableFrom(const CPositionalEntity& entity, const CRadians& angle,
+                      const CVector3& point) {
+  CVector3 normal = CVector3::Z;
+  normal.Rotate(entity.GetOrientation());
+  const CVector3 toPoint = point - entity.GetPosition();
+  // all around, also where a rounding would say otherwise
+  return angle >= CRadians::PI || normal.DotProduct(toPoint) >= Cos(angle) * toPoint.Length();
+}
+
+}  // namespace argos

@@ -1,0 +1,26 @@
+#ifndef ARGOS3_PLUGINS_ENTITIES_OBSERVABLE_H
+#define ARGOS3_PLUGINS_ENTITIES_OBSERVABLE_H
+
+#include <argos3/core/simulator/entity/positional_entity.h>
+#include <argos3/core/utility/configuration/argos_configuration.h>
+#include <argos3/core/utility/math/angles.h>
+
+#include <string>
+
+namespace argos {
+
+/*
+ * What is seen from one side only, for the sources of entities.
+ */
+
+/** @throws CARGoSException unless @p angle is in (0, PI]. @param owner for the message. */
+CRadians RequireObservableAngle(const CRadians& angle, const std::string& owner);
+/** Reads the required attribute `observable_angle`, degrees. @throws CARGoSException */
+CRadians ReadObservableAngle(TConfigurationNode& tree);
+/** Whether the direction to a point (m, world frame) is within that angle of the z axis. */
+bool IsObservableFrom(const CPositionalEntity& entity, const CRadians& angle,
+                      const CVector3& point);
+
+}  // namespace argos
+
+#endif

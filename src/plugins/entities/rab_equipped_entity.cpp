@@ -1,0 +1,112 @@
+#include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/plugins/simulator/entities/value_checks.h>
+
+#include <cmath>
+
+namespace argos {
+
+CRABEquippedEntity::CRABEquippedEntity(CComposableEntity* parent) : CMediumMember(parent) {}
+
+CRABEquippedEntity::CRABEquippedEntity(CComposableEntity* parent, const std::string& id,
+                                       size_t messageSize, Real range, SAnchor& anchor,
+                                       CEmbodiedEntity& body, const CVector3& offset,
+                                       const CQuaternion& rotation)
+    : CMediumMember(parent, id, CVector3()),
+      m_messageSize(messageSize),
+      m_anchor(&anchor),
+      m_body(&body),
+      m_offset(offset),
+      m_rotation(rotation),
+      m_data(messageSize) {
+  SetRange(range);
+  CRABEquippedEntity::Update();
+}
+
+CRABEquippedEntity::~CRABEquippedEntity() {
+  ClearMedium();
+}
+
+void CRABEquippedEntity::Init(TConfigurationNode& tree) {
+  CMediumMember::Init(tree);
+  m_offset = GetInitPosition();
+  m_rotation = GetInitOrientation();
+  m_body = &GetParent().GetComponent<CEmbodiedEntity>("body");
+  std::string anchor;
+  GetNodeAttribute(tree, "anchor", anchor);
+  m_anchor = &m_body->GetAnchor(anchor);
+  GetNodeAttribute(tree, "msg_size", m_messageSize);
+  m_data = CByteArray(m_messageSize);
+  Real range = 0.0;
+  GetNodeAttribute(tree, "range", range);
+  SetRange(range);
+  Update();
+}
+
+void CRABEquippedEntity::Reset() {
+  ClearData();
+  Update();
+}
+
+void CRABEquippedEntity::Update() {
+  if (m_anchor == nullptr) {
+    return;
+  }
+  const CQuaternion& orientation = m_anchor->Orientation;
+  CVector3 position = m_offset;
+  if (orientation.GetX() == 0.0 && orientation.GetY() == 0.0) {
+    // heights stay exact: whether a robot hides another one whose device is just as high as its top
+    // must not hang on roundings
+    const Real w = orientation.GetW();
+    const Real z = orientation.GetZ();
+    position.RotateZ(CVector2(w * w - z * z, 2.0 * w * z));
+  } else {
+    position.Rotate(orientation);
+  }
+  MoveTo(m_anchor->Position + position, orientation * m_rotation);
+}
+
+void CRABEquippedEntity::SetEnabled(bool enabled) {
+  if (enabled != IsEnabled() && m_anchor != nullptr && m_anchor->Index > 0) {
+    // the origin anchor is always in use
+    enabled ? m_anchor->Enable() : m_anchor->Disable();
+  }
+  if (enabled) {
+    // it was not moved along while it was off
+    Update();
+  }
+  CMediumMember::SetEnabled(enabled);
+}
+
+void CRABEquippedEntity::SetData(const CByteArray& data) {
+  if (data.Size() != m_messageSize) {
+    THROW_ARGOSEXCEPTION(Describe()
+                         << ": messages have " << m_messageSize << " bytes, got " << data.Size());
+  }
+  m_data = data;
+}
+
+void CRABEquippedEntity::SetRange(Real range) {
+  if (!(range >= 0.0 && range < HUGE_VAL)) {
+    RequireNotNegative(range, Describe(), "range (m)");
+  }
+  m_range = range;
+}
+
+void CRABEquippedEntity::UpdateDigest(CDigest& digest) const {
+  CMediumMember::UpdateDigest(digest);
+  digest.Add(m_range);
+  for (size_t i = 0; i < m_data.Size(); ++i) {
+    digest.Add(m_data.ToCArray()[i]);
+  }
+}
+
+std::string CRABEquippedEntity::Describe() const {
+  return "range and bearing \"" + GetContext() + GetId() + "\"";
+}
+
+REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CRABEquippedEntity)
+
+}  // namespace argos

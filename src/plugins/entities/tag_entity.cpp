@@ -1,0 +1,85 @@
+#include <argos3/plugins/simulator/entities/tag_entity.h>
+
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/plugins/simulator/entities/observable.h>
+#include <argos3/plugins/simulator/entities/value_checks.h>
+
+namespace argos {
+
+CTagEntity::CTagEntity(CComposableEntity* parent) : CMediumMember(parent) {}
+
+CTagEntity::CTagEntity(CComposableEntity* parent, const std::string& id, const CVector3& position,
+                       const CQuaternion& orientation, const CRadians& observableAngle,
+                       Real sideLength, const std::string& payload)
+    : CMediumMember(parent, id, position, orientation), m_payload(payload), m_initPayload(payload) {
+  SetObservableAngle(observableAngle);
+  SetSideLength(sideLength);
+}
+
+CTagEntity::~CTagEntity() {
+  ClearMedium();
+}
+
+void CTagEntity::Init(TConfigurationNode& tree) {
+  CMediumMember::Init(tree);
+  m_observableAngle = ReadObservableAngle(tree);
+  ReadPositive(tree, "side_length", "m", m_sideLength);
+  GetNodeAttributeOrDefault(tree, "payload", m_initPayload, std::string());
+  m_payload = m_initPayload;
+}
+
+void CTagEntity::Reset() {
+  CMediumMember::Reset();
+  m_payload = m_initPayload;
+}
+
+void CTagEntity::SetSideLength(Real sideLength) {
+  m_sideLength =
+      RequirePositive(sideLength, "tag \"" + GetContext() + GetId() + "\"", "side length (m)");
+}
+
+std::array<CVector3, 4> CTagEntity::ComputeCorners() const {
+  const Real half = 0.5 * m_sideLength;
+  std::array<CVector3, 4> corners = {CVector3(half, half, 0.0), CVector3(-half, half, 0.0),
+                                     CVector3(-half, -half, 0.0), CVector3(half, -half, 0.0)};
+  for (CVector3& corner : corners) {
+    corner.Rotate(GetOrientation());
+    corner += GetPosition();
+  }
+  return corners;
+}
+
+void CTagEntity::SetObservableAngle(const CRadians& angle) {
+  m_observableAngle = RequireObservableAngle(angle, "tag \"" + GetContext() + GetId() + "\"");
+}
+
+bool CTagEntity::Faces(const CVector3& point) const {
+  return IsObservableFrom(*this, m_observableAngle, point);
+}
+
+void CTagEntity::UpdateDigest(CDigest& digest) const {
+  CMediumMember::UpdateDigest(digest);
+  digest.Add(m_payload);
+}
+
+bool CTagEntityGridUpdater::operator()(CTagEntity& tag) {
+  SInt32 i = 0;
+  SInt32 j = 0;
+  SInt32 k = 0;
+  m_grid.PositionToCellUnsafe(i, j, k, tag.GetPosition());
+  m_grid.UpdateCell(i, j, k, tag);
+  return true;
+}
+
+void CTagEntitySpaceHashUpdater::operator()(CAbstractSpaceHash<CTagEntity>& hash, CTagEntity& tag) {
+  SInt32 i = 0;
+  SInt32 j = 0;
+  SInt32 k = 0;
+  hash.SpaceToHashTable(i, j, k, tag.GetPosition());
+  hash.UpdateCell(i, j, k, tag);
+}
+
+REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CTagEntity)
+
+}  // namespace argos

@@ -1,0 +1,98 @@
+#ifndef ARGOS3_PLUGINS_ENTITIES_TAG_ENTITY_H
+#define ARGOS3_PLUGINS_ENTITIES_TAG_ENTITY_H
+
+#include <argos3/core/simulator/space/positional_indices/grid.h>
+#include <argos3/core/simulator/space/positional_indices/space_hash.h>
+#include <argos3/core/utility/math/angles.h>
+#include <argos3/plugins/simulator/entities/medium_member.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace argos {
+
+class CTagMedium;
+
+/**
+ * A square that carries a text, as a printed bar code does. It lies in the xy plane of its frame,
+ * around the origin, and is read from within an angle around the z axis.
+ *
+ * Starts disabled. The medium knows it exactly while it is enabled.
+ */
+class CTagEntity : public CMediumMember<CTagEntity, CTagMedium> {
+ public:
+  ENABLE_VTABLE();
+
+  typedef std::vector<CTagEntity*> TList;
+
+  /** A tag of 10 cm without a text, seen from all sides. */
+  explicit CTagEntity(CComposableEntity* parent);
+  /**
+   * @param position, orientation  m, world frame.
+   * @param observableAngle        see SetObservableAngle().
+   * @param sideLength             see SetSideLength().
+   */
+  CTagEntity(CComposableEntity* parent, const std::string& id, const CVector3& position,
+             const CQuaternion& orientation, const CRadians& observableAngle, Real sideLength,
+             const std::string& payload);
+  ~CTagEntity() override;
+
+  /** Reads `observable_angle`, `side_length`, `payload` (default empty), and the pose. */
+  void Init(TConfigurationNode& tree) override;
+  /** Back to the initial payload and pose. */
+  void Reset() override;
+  std::string GetTypeDescription() const override { return "tag"; }
+
+  const std::string& GetPayload() const { return m_payload; }
+  void SetPayload(const std::string& payload) { m_payload = payload; }
+  const std::string& GetInitPayload() const { return m_initPayload; }
+  void SetInitPayload(const std::string& payload) { m_initPayload = payload; }
+
+  /** m. */
+  Real GetSideLength() const { return m_sideLength; }
+  /** @param sideLength m, > 0. @throws CARGoSException if it is not. */
+  void SetSideLength(Real sideLength);
+  /**
+   * The corners, m, world frame: that at (+,+) of the tag's frame first, then counter-clockwise as
+   * seen from where its z axis points.
+   */
+  std::array<CVector3, 4> ComputeCorners() const;
+
+  const CRadians& GetObservableAngle() const { return m_observableAngle; }
+  /**
+   * @param angle  half angle of the cone around the z axis from which the tag is read, in (0, PI].
+   * @throws CARGoSException if it is not.
+   */
+  void SetObservableAngle(const CRadians& angle);
+  /** Whether a point, m, world frame, is in that cone. */
+  bool Faces(const CVector3& point) const;
+
+  void UpdateDigest(CDigest& digest) const override;
+
+ private:
+  CRadians m_observableAngle = CRadians::PI;
+  Real m_sideLength = 0.1;  // m
+  std::string m_payload;
+  std::string m_initPayload;
+};
+
+/** Puts a tag into its cell of a grid. */
+class CTagEntityGridUpdater : public CGrid<CTagEntity>::COperation {
+ public:
+  explicit CTagEntityGridUpdater(CGrid<CTagEntity>& grid) : m_grid(grid) {}
+  bool operator()(CTagEntity& tag) override;
+
+ private:
+  CGrid<CTagEntity>& m_grid;
+};
+
+/** Puts a tag into its cell of a space hash. */
+class CTagEntitySpaceHashUpdater : public CSpaceHashUpdater<CTagEntity> {
+ public:
+  void operator()(CAbstractSpaceHash<CTagEntity>& hash, CTagEntity& tag) override;
+};
+
+}  // namespace argos
+
+#endif

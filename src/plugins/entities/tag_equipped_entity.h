@@ -1,0 +1,49 @@
+#ifndef ARGOS3_PLUGINS_ENTITIES_TAG_EQUIPPED_ENTITY_H
+#define ARGOS3_PLUGINS_ENTITIES_TAG_EQUIPPED_ENTITY_H
+
+#include <argos3/plugins/simulator/entities/mounted_entities.h>
+#include <argos3/plugins/simulator/entities/tag_entity.h>
+
+#include <string>
+#include <vector>
+
+namespace argos {
+
+/** The tags on a body. Starts disabled. */
+class CTagEquippedEntity : public CMountedEntities<CTagEntity> {
+ public:
+  ENABLE_VTABLE();
+
+  explicit CTagEquippedEntity(CComposableEntity* parent);
+  CTagEquippedEntity(CComposableEntity* parent, const std::string& id);
+
+  /**
+   * Reads `medium` and the children `<tag position="x,y,z" orientation="z,y,x" anchor="..."
+   * observable_angle="..." side_length="..." payload="..." />`, and enables the tags. The parent
+   * must have a "body" with the anchors named.
+   * @throws CARGoSException with the known names if a medium or an anchor is unknown.
+   */
+  void Init(TConfigurationNode& tree) override;
+  std::string GetTypeDescription() const override { return "tags"; }
+
+  /**
+   * Adds a tag in the xy plane of its frame, read from where the z axis points.
+   * @param position, orientation  of its frame, in the anchor's, m.
+   * @param observableAngle        half angle of the cone from which it is read, in (0, PI].
+   * @param sideLength             m, > 0.
+   */
+  void AddTag(const CVector3& position, const CQuaternion& orientation, SAnchor& anchor,
+              const CRadians& observableAngle, Real sideLength, const std::string& payload = "");
+
+  size_t GetNumTags() const { return GetInstances().size(); }
+  /** These throw CARGoSException if there is no tag of that number. */
+  CTagEntity& GetTag(UInt32 index);
+  void SetTagPayload(UInt32 index, const std::string& payload);
+  void SetAllTagPayloads(const std::string& payload);
+  /** @throws CARGoSException if the numbers of payloads and of tags differ. */
+  void SetAllTagPayloads(const std::vector<std::string>& payloads);
+};
+
+}  // namespace argos
+
+#endif

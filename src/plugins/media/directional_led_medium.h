@@ -1,0 +1,19 @@
+#ifndef ARGOS3_PLUGINS_MEDIA_DIRECTIONAL_LED_MEDIUM_H
+#define ARGOS3_PLUGINS_MEDIA_DIRECTIONAL_LED_MEDIUM_H
+
+#include <argos3/plugins/simulator/entities/directional_led_entity.h>
+#include <argos3/plugins/simulator/media/positional_medium.h>
+
+namespace argos {
+
+/** Knows where the directional LEDs are; its index has those lit at the last Update(). */
+class CDirectionalLEDMedium
+    : public CPositionalMedium<CDirectionalLEDEntity, CDirectionalLEDEntityGridUpdater,
+                               CDirectionalLEDEntitySpaceHashUpdater> {
+ public:
+  CDirectionalLEDMedium& AsMedium() override { return *this; }
+};
+
+}  // namespace argos
+
+#endif

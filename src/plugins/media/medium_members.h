@@ -1,0 +1,83 @@
+#ifndef ARGOS3_PLUGINS_MEDIA_MEDIUM_MEMBERS_H
+#define ARGOS3_PLUGINS_MEDIA_MEDIUM_MEMBERS_H
+
+#include <argos3/core/simulator/entity/entity.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace argos {
+
+/**
+ * The entities that a medium takes care of, numbered in the order of their insertion into the
+ * space; for the sources of media.
+ *
+ * Entities come and go at any time outside the phases of a tick; numbers change in Update() only.
+ * An entity that is not in the space yet waits. ENTITY has GetNumberInMedium() and
+ * SetNumberInMedium().
+ */
+template <typename ENTITY>
+class CMediumMembers {
+ public:
+  static constexpr UInt32 kWaiting = ~UInt32(0);  // the number of an entity that has none yet
+
+  void Add(ENTITY& entity) {
+    entity.SetNumberInMedium(kWaiting);
+    m_waiting.push_back(&entity);
+  }
+  void Remove(ENTITY& entity) {
+    if (entity.GetNumberInMedium() == kWaiting) {
+      m_waiting.erase(std::remove(m_waiting.begin(), m_waiting.end(), &entity), m_waiting.end());
+    } else {
+      m_members[entity.GetNumberInMedium()] = nullptr;
+      m_anyRemoved = true;
+    }
+  }
+
+  /** Numbers anew, if entities have come or gone. @return true if so. */
+  bool Update() {
+    const auto waiting =
+        std::partition(m_waiting.begin(), m_waiting.end(),
+                       [](const ENTITY* entity) { return entity->GetIndex() < 0; });
+    if (waiting == m_waiting.end() && !m_anyRemoved) {
+      return false;
+    }
+    m_members.erase(std::remove(m_members.begin(), m_members.end(), nullptr), m_members.end());
+    m_members.insert(m_members.end(), waiting, m_waiting.end());
+    m_waiting.erase(waiting, m_waiting.end());
+    std::sort(m_members.begin(), m_members.end(), SEntityComparator());
+    for (size_t i = 0; i < m_members.size(); ++i) {
+      m_members[i]->SetNumberInMedium(static_cast<UInt32>(i));
+    }
+    m_anyRemoved = false;
+    return true;
+  }
+
+  /** How many numbers there are. */
+  size_t GetSize() const { return m_members.size(); }
+  /** Null: the entity has gone since the last Update(). */
+  ENTITY* Get(size_t number) const { return m_members[number]; }
+  bool Has(const ENTITY& entity) const {
+    const UInt32 number = entity.GetNumberInMedium();
+    return number == kWaiting
+               ? std::find(m_waiting.begin(), m_waiting.end(), &entity) != m_waiting.end()
+               : number < m_members.size() && m_members[number] == &entity;
+  }
+
+  /** Every entity, those that wait included. */
+  std::vector<ENTITY*> ListAll() const {
+    std::vector<ENTITY*> all = m_waiting;
+    std::copy_if(m_members.begin(), m_members.end(), std::back_inserter(all),
+                 [](const ENTITY* entity) { return entity != nullptr; });
+    return all;
+  }
+
+ private:
+  std::vector<ENTITY*> m_members;  // by number; not owned
+  std::vector<ENTITY*> m_waiting;  // not owned
+  bool m_anyRemoved = false;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,148 @@
+#include <argos3/plugins/simulator/media/rab_medium.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/threads/thread_pool.h>
+#include <argos3/plugins/simulator/media/medium_members.h>
+#include <argos3/plugins/simulator/media/rab_routing.h>
+
+namespace argos {
+
+namespace {
+
+// devices of one parallel run
+constexpr size_t kGrain = 256;
+
+}  // namespace
+
+struct CRABMedium::SState {
+  CMediumMembers<CRABEquippedEntity> Members;
+  SIndexChoice Index;
+  CRABRouting Routing;
+};
+
+CRABMedium::CRABMedium() : m_state(std::make_unique<SState>()) {}
+
+CRABMedium::~CRABMedium() {
+  CRABMedium::Destroy();
+}
+
+void CRABMedium::Init(TConfigurationNode& tree) {
+  CMedium::Init(tree);
+  m_state->Index.Read(tree, true);
+  GetNodeAttributeOrDefault(tree, "check_occlusions", m_checkOcclusions, m_checkOcclusions);
+  LOG << "[INFO] The range and bearing medium \"" << GetId() << "\" uses the index \""
+      << m_state->Index.GetName() << "\"" << std::endl;
+}
+
+void CRABMedium::Reset() {
+  m_state->Routing.Clear();
+  m_sets.clear();
+}
+
+void CRABMedium::Destroy() {
+  for (CRABEquippedEntity* entity : m_state->Members.ListAll()) {
+    entity->ClearMedium();
+  }
+}
+
+void CRABMedium::AddEntity(CRABEquippedEntity& entity) {
+  m_state->Members.Add(entity);
+}
+
+void CRABMedium::RemoveEntity(CRABEquippedEntity& entity) {
+  m_state->Members.Remove(entity);
+  // users may have sets that hold it
+  m_sets.clear();
+}
+
+void CRABMedium::Update() {
+  m_sets.clear();
+  m_state->Members.Update();
+  TakePositions();
+  m_state->Routing.SetOptions(m_state->Index, GetSpace().GetArenaLimits());
+  const CLineOfSight sight(GetSpace());
+  m_state->Routing.Route(m_cSimulator.GetThreadPool(), m_checkOcclusions ? &sight : nullptr);
+}
+
+void CRABMedium::TakePositions() {
+  const CMediumMembers<CRABEquippedEntity>& members = m_state->Members;
+  CRABRouting::SDevices& devices = m_state->Routing.GetDevices();
+  devices.Resize(members.GetSize());
+  m_cSimulator.GetThreadPool().ParallelFor(
+      members.GetSize(), kGrain, [&](size_t begin, size_t end, UInt32) {
+        for (size_t i = begin; i < end; ++i) {
+          const CRABEquippedEntity& device = *members.Get(i);
+          const CVector3& position = device.GetPosition();
+          devices.X[i] = position.GetX();
+          devices.Y[i] = position.GetY();
+          devices.Z[i] = position.GetZ();
+          devices.Range[i] = device.GetRange();
+          devices.MessageSize[i] = static_cast<UInt32>(device.GetMsgSize());
+          devices.Bodies[i] = CLineOfSight::MakeEnd(device.GetEntityBody());
+        }
+      });
+}
+
+CRABMedium::SNumbers CRABMedium::GetSenders(const CRABEquippedEntity& entity) const {
+  const CRABRouting::SNumbers senders = m_state->Routing.GetSenders(entity.GetNumberInMedium());
+  return {senders.First, senders.Last};
+}
+
+const CRABEquippedEntity* CRABMedium::GetDevice(UInt32 number) const {
+  return m_state->Members.Get(number);
+}
+
+const CRABMedium::TDevices& CRABMedium::GetRABsCommunicatingWith(CRABEquippedEntity& entity) const {
+  if (!m_state->Members.Has(entity)) {
+    THROW_ARGOSEXCEPTION("range and bearing \"" << entity.GetContext() << entity.GetId()
+                                                << "\" is not in the medium \"" << GetId() << "\"");
+  }
+  const std::lock_guard<std::mutex> lock(m_setsMutex);
+  const auto [found, inserted] = m_sets.try_emplace(&entity);
+  if (inserted) {
+    for (const UInt32 number : GetSenders(entity)) {
+      if (CRABEquippedEntity* const sender = m_state->Members.Get(number)) {
+        found->second.insert(sender);
+      }
+    }
+  }
+  return found->second;
+}
+
+REGISTER_MEDIUM(
+    CRABMedium, "range_and_bearing", "the authors of this project", "1.0",
+    "Routes the messages of range-and-bearing devices.",
+    R"(Robots with a range-and-bearing device send a short message all around in every tick; whoever hears
+it also learns how far away and in which direction the sender is. In each tick, after the robots have
+moved, robot B hears robot A if their messages have the same size, A is nearer than the range of A, and
+nothing stands between them. The robots' own bodies hide nothing; neither do bodies that only meet the
+line between them where it runs inside one of the two.
+
+REQUIRED XML
+
+  <media>
+    <range_and_bearing id="rab" />
+  </media>
+
+OPTIONAL XML
+
+  <media>
+    <range_and_bearing id="rab" check_occlusions="false" index="grid" grid_size="20,20,1" />
+  </media>
+
+ATTRIBUTES
+
+  id                text, required: unique among the media.
+  check_occlusions  "true" (default) or "false": whether bodies hide robots from each other.
+  index             "grid" (default), "hash" or "dummy": how robots near each other are found. It has
+                    no effect on results; "hash" is for few robots far apart, "dummy" looks at all
+                    pairs.
+  grid_size         "x,y,z", integers >= 1: into how many cells the arena is divided; by default cells
+                    suit the ranges and the number of robots. It has no effect on results.
+)",
+    "Usable")
+
+}  // namespace argos

@@ -1,0 +1,77 @@
+#ifndef ARGOS3_PLUGINS_MEDIA_RAB_MEDIUM_H
+#define ARGOS3_PLUGINS_MEDIA_RAB_MEDIUM_H
+
+#include <argos3/core/simulator/medium/medium.h>
+#include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
+
+#include <memory>
+#include <mutex>
+#include <unordered_map>
+
+namespace argos {
+
+/**
+ * Routes the messages of range-and-bearing devices, once a tick after physics.
+ *
+ * Device B hears device A if both are enabled, their messages have equal size, |AB| < range of A,
+ * and, unless `check_occlusions` is off, no third body meets the straight line between them outside
+ * their own bodies.
+ */
+class CRABMedium : public CMedium, public CRABEquippedEntity::CRegistry {
+ public:
+  typedef CSet<CRABEquippedEntity*, SEntityComparator> TDevices;
+
+  CRABMedium();
+  ~CRABMedium() override;
+
+  /**
+   * Reads `id`, `index` ("grid", "hash" or "dummy"), `grid_size` and `check_occlusions`.
+   * @throws CARGoSException if a value is unknown or out of range.
+   */
+  void Init(TConfigurationNode& tree) override;
+  /** Nobody hears anybody until the next Update(). */
+  void Reset() override;
+  /** Lets go of all devices. */
+  void Destroy() override;
+  void Update() override;
+  bool UsesThreadPool() const override { return true; }
+
+  /** Called by the device when it is enabled and disabled. */
+  void AddEntity(CRABEquippedEntity& entity) override;
+  void RemoveEntity(CRABEquippedEntity& entity) override;
+  CRABMedium& AsMedium() override { return *this; }
+
+  /**
+   * The devices that @p entity hears, as of the last Update(), in order of their insertion into the
+   * space. Made when asked for, and valid until the next Update(); safe on several threads at once.
+   * @throws CARGoSException if @p entity is not in this medium.
+   */
+  const TDevices& GetRABsCommunicatingWith(CRABEquippedEntity& entity) const;
+
+  /** Numbers of devices, ascending. */
+  struct SNumbers {
+    const UInt32* First;
+    const UInt32* Last; /**< one after the last */
+    const UInt32* begin() const { return First; }
+    const UInt32* end() const { return Last; }
+  };
+  /** For sensors: the numbers of the devices that @p entity hears; see GetDevice(). */
+  SNumbers GetSenders(const CRABEquippedEntity& entity) const;
+  /** Null if the device has left the medium since the last Update(). */
+  const CRABEquippedEntity* GetDevice(UInt32 number) const;
+
+ private:
+  struct SState;  // devices and routes
+
+  void TakePositions();
+
+  bool m_checkOcclusions = true;
+  std::unique_ptr<SState> m_state;
+  // for users; by receiver, look-up only
+  mutable std::mutex m_setsMutex;
+  mutable std::unordered_map<const CRABEquippedEntity*, TDevices> m_sets;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,98 @@
+#ifndef ARGOS3_PLUGINS_MEDIA_RAB_ROUTING_H
+#define ARGOS3_PLUGINS_MEDIA_RAB_ROUTING_H
+
+#include <argos3/core/simulator/space/line_of_sight.h>
+#include <argos3/plugins/simulator/media/point_cells.h>
+
+#include <vector>
+
+namespace argos {
+
+class CThreadPool;
+
+/**
+ * Finds out who hears whom, on packed arrays; for the sources of media.
+ *
+ * Device B hears device A if A's messages are as long as B's, |AB| < range of A, and nothing stands
+ * between their bodies. Every pair of devices that one of them could reach is examined once. The
+ * result does not depend on the cells nor on the number of threads, and a call allocates only if
+ * there are more devices, or more pairs, than ever before.
+ */
+class CRABRouting {
+ public:
+  /** The devices, in the order of their numbers. One array for each property, (devices). */
+  struct SDevices {
+    std::vector<Real> X, Y, Z; /**< m, world frame; a device elsewhere than in finite space is
+                                  neither heard nor hears */
+    std::vector<Real> Range; /**< m, >= 0 */
+    std::vector<UInt32> MessageSize; /**< bytes */
+    std::vector<CLineOfSight::SEnd> Bodies;
+
+    size_t GetSize() const { return X.size(); }
+    void Resize(size_t size);
+  };
+
+  /** Numbers of devices, ascending. */
+  struct SNumbers {
+    const UInt32* First;
+    const UInt32* Last; /**< one after the last */
+
+    const UInt32* begin() const { return First; }
+    const UInt32* end() const { return Last; }
+    size_t size() const { return static_cast<size_t>(Last - First); }
+  };
+
+  void SetOptions(const SIndexChoice& options, const CRange<CVector3>& arena) {
+    m_cells.SetOptions(options, arena);
+  }
+  /** To be filled before Route(). */
+  SDevices& GetDevices() { return m_devices; }
+  /** @param sight  null: everything is transparent. */
+  void Route(CThreadPool& pool, const CLineOfSight* sight);
+  /** Forgets all devices. */
+  void Clear();
+
+  /** Whom a device hears; nobody if it came after the last Route(). */
+  SNumbers GetSenders(UInt32 device) const {
+    if (device + size_t(1) >= m_senderStart.size()) {
+      return {nullptr, nullptr};
+    }
+    return {m_senders.data() + m_senderStart[device], m_senders.data() + m_senderStart[device + 1]};
+  }
+
+ private:
+  // a device where its cell puts it
+  struct SPlaced {
+    Real X, Y, Z;
+    Real Range;
+    CLineOfSight::SEnd Body;
+    UInt32 Device;
+    UInt32 MessageSize;
+  };
+  struct SHearing {
+    UInt32 Receiver, Sender;
+  };
+
+  void SortByCell();
+  template <typename VISIT>
+  void ForPairsOf(const SPlaced& device, VISIT&& visit) const;
+  void CountPairs(CThreadPool& pool);
+  void ExaminePairs(CThreadPool& pool, const CLineOfSight* sight);
+  void CollectByReceiver(CThreadPool& pool);
+
+  SDevices m_devices;
+  CPointCells m_cells;
+  std::vector<Real> m_x, m_y;  // (placed devices), m; for m_cells
+  std::vector<UInt32> m_finite;  // (placed devices), numbers
+  std::vector<SPlaced> m_placed;  // in cell order
+  std::vector<size_t> m_pairStart;  // (placed devices + 1): where its hearings lie in m_hearings
+  std::vector<UInt32> m_numHearings;  // (placed devices)
+  std::vector<SHearing> m_hearings;  // two for each pair at most
+  std::vector<UInt32> m_senderStart;  // (devices + 1) into m_senders
+  std::vector<UInt32> m_cursor;  // (devices), scratch
+  std::vector<UInt32> m_senders;  // by receiver, ascending
+};
+
+}  // namespace argos
+
+#endif

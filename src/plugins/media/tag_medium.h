@@ -1,0 +1,18 @@
+#ifndef ARGOS3_PLUGINS_MEDIA_TAG_MEDIUM_H
+#define ARGOS3_PLUGINS_MEDIA_TAG_MEDIUM_H
+
+#include <argos3/plugins/simulator/entities/tag_entity.h>
+#include <argos3/plugins/simulator/media/positional_medium.h>
+
+namespace argos {
+
+/** Knows where the tags are. */
+class CTagMedium
+    : public CPositionalMedium<CTagEntity, CTagEntityGridUpdater, CTagEntitySpaceHashUpdater> {
+ public:
+  CTagMedium& AsMedium() override { return *this; }
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,7 @@
+#ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_CAMERA_SENSOR_ALGORITHMS_CI_CAMERA_SENSOR_TAG_DETECTOR_ALGORITHM_H
+#define ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_CAMERA_SENSOR_ALGORITHMS_CI_CAMERA_SENSOR_TAG_DETECTOR_ALGORITHM_H
+
+// ARGoS 3 has this header in two places
+#include <argos3/plugins/robots/generic/control_interface/ci_camera_sensor_tag_detector_algorithm.h>
+
+#endif

@@ -1,0 +1,41 @@
+#ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_CAMERA_SENSOR_TAG_DETECTOR_ALGORITHM_H
+#define ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_CAMERA_SENSOR_TAG_DETECTOR_ALGORITHM_H
+
+#include <argos3/core/utility/math/vector2.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_camera_sensor_algorithm.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace argos {
+
+/** Finds tags in the pictures of a camera: "tag_detector". */
+class CCI_CameraSensorTagDetectorAlgorithm : virtual public CCI_CameraSensorAlgorithm {
+ public:
+  /** One tag. */
+  struct SReading {
+    std::string Payload;
+    CVector2 Center; /**< pixels, as the camera's focal length and principal point define them */
+    /** pixels: that at (+,+) of the tag's frame first, then counter-clockwise as seen on the tag */
+    std::array<CVector2, 4> Corners;
+
+    SReading();
+    SReading(const std::string& payload, const CVector2& center,
+             const std::array<CVector2, 4>& corners);
+  };
+
+  /** In the order in which their entities were created. */
+  const std::vector<SReading>& GetReadings() const;
+
+  const char* GetLabel() const override { return "tag_detector"; }
+  /** [i] = { payload, center, corners = { 4 vectors } } */
+  void WriteReadings(CLuaTable& table) const override;
+
+ protected:
+  std::vector<SReading> m_tReadings;
+};
+
+}  // namespace argos
+
+#endif

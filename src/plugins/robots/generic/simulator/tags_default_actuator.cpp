@@ -1,0 +1,58 @@
+#include <argos3/plugins/robots/generic/simulator/tags_default_actuator.h>
+
+#include <argos3/plugins/simulator/entities/tag_equipped_entity.h>
+
+namespace argos {
+
+void CTagsDefaultActuator::SetRobot(CComposableEntity& robot) {
+  m_tags = &robot.GetComponent<CTagEquippedEntity>("tags");
+  for (const auto& instance : m_tags->GetInstances()) {
+    m_initSettings.push_back(instance.Entity.GetInitPayload());
+  }
+  m_tSettings = m_initSettings;
+  m_tags->Enable();
+}
+
+void CTagsDefaultActuator::Update() {
+  m_tags->SetAllTagPayloads(m_tSettings);
+}
+
+void CTagsDefaultActuator::Reset() {
+  m_tSettings = m_initSettings;
+}
+
+REGISTER_ACTUATOR(
+    CTagsDefaultActuator, "tags", "default", "the authors of this project", "1.0",
+    "The tags of a robot, whose text changes.",
+    R"(The controller sets the text of each tag, or of all, as on an electronic label. The algorithm tag_detector of
+the sensor "cameras" reads it. At the start and after a reset the tags have the payloads that the robot's element gives
+them.
+
+REQUIRED XML
+
+  <controllers>
+    <my_controller id="c1">
+      <actuators>
+        <tags implementation="default" />
+      </actuators>
+      <sensors />
+      <params />
+    </my_controller>
+  </controllers>
+
+on a robot that carries tags:
+
+  <foot-bot id="fb0">
+    <body position="0,0,0" />
+    <controller config="c1" />
+    <tags medium="tags">
+      <tag position="-0.09,0,0.05" orientation="0,-90,0" anchor="origin" observable_angle="75" side_length="0.03"
+           payload="fb0" />
+    </tags>
+  </foot-bot>
+
+The medium "tag" explains these attributes.
+)",
+    "Usable")
+
+}  // namespace argos

@@ -1,0 +1,150 @@
+// Measures what media cost a robot-tick, with the devices that use them, and prints it as CSV. The
+// world is the arena of rooms of benchmark.cpp; every line is measured in a process of its own.
+//
+//   argos3_media_benchmark [--robots 10000] [--threads 0,2] [--ticks 100]
+//                          [--media none,range_and_bearing]
+
+#include <argos3/testing/support/rooms.h>
+
+#include <argos3/core/control_interface/ci_controller.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/simulator/space/tick_times.h>
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/plugins/dynamic_loading.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_sensor.h>
+
+#include <CLI/CLI.hpp>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <sstream>
+
+using namespace argos;
+using argos::testing::SRoomsWorld;
+
+namespace {
+
+using TClock = std::chrono::steady_clock;
+
+// a medium with its devices
+struct SSubject {
+  std::string Actuators, Sensors, Media;  // XML elements
+  // what there was to do in the last tick, per robot: packets heard, ...
+  std::function<Real(CControllableEntity&)> CountWork;
+};
+
+const std::map<std::string, SSubject>& Subjects() {
+  static const std::map<std::string, SSubject> subjects = {
+      {"none", {"", "", "", [](CControllableEntity&) { return 0.0; }}},
+      {"range_and_bearing",
+       {"<range_and_bearing implementation=\"default\"/>",
+        "<range_and_bearing implementation=\"medium\" medium=\"rab\"/>",
+        "<range_and_bearing id=\"rab\"/>", [](CControllableEntity& robot) {
+          const auto& sensor =
+              *robot.GetController().GetSensor<CCI_RangeAndBearingSensor>("range_and_bearing");
+          return static_cast<Real>(sensor.GetReadings().size());
+        }}}};
+  return subjects;
+}
+
+struct SOptions {
+  std::vector<UInt32> Robots = {10000};
+  std::vector<UInt32> Threads = {0, 2};
+  UInt32 Ticks = 100;
+  UInt32 WarmUp = 20;
+  std::vector<std::string> Media;
+};
+
+void Report(const SOptions& options, const std::string& name, UInt32 robots, UInt32 threads) {
+  const SSubject& subject = Subjects().at(name);
+  SRoomsWorld world;
+  world.Robots = robots;
+  world.Threads = threads;
+  world.Side = SRoomsWorld::SideAtSameDensity(robots);
+  world.Actuators = subject.Actuators;
+  world.Sensors = subject.Sensors;
+  world.Media = subject.Media;
+  CSimulator& simulator = CSimulator::GetInstance();
+  CConfigurationDocument document;
+  document.Parse(world.ToXML(), "benchmark");
+  simulator.Load(document);
+  for (UInt32 tick = 0; tick < options.WarmUp; ++tick) {
+    simulator.UpdateSpace();
+  }
+  STickTimes times;
+  simulator.GetSpace().SetTickTimes(&times);
+  const TClock::time_point start = TClock::now();
+  for (UInt32 tick = 0; tick < options.Ticks; ++tick) {
+    simulator.UpdateSpace();
+  }
+  const Real total = std::chrono::duration<Real>(TClock::now() - start).count();
+  Real work = 0.0;
+  for (CControllableEntity* robot : simulator.GetSpace().GetControllableEntities()) {
+    work += subject.CountWork(*robot) / robots;
+  }
+  const Real perRobotTick = 1e6 / (static_cast<Real>(robots) * options.Ticks);
+  std::printf("%s,%u,%u,%u,%.4f,%.4f,%.4f,%.4f,%.2f\n", name.c_str(), robots, threads,
+              options.Ticks, total * perRobotTick, times.Act * perRobotTick,
+              times.Media * perRobotTick, times.Sense * perRobotTick, work);
+  std::fflush(stdout);
+  simulator.Destroy();
+}
+
+// measures in a child process; a failure there is a failure here
+bool ReportInChild(const SOptions& options, const std::string& name, UInt32 robots,
+                   UInt32 threads) {
+  std::fflush(stdout);
+  const pid_t child = fork();
+  if (child == 0) {
+    try {
+      CDynamicLoading::LoadAllLibraries();
+      std::ostringstream log;
+      LOG.GetStream().rdbuf(log.rdbuf());
+      Report(options, name, robots, threads);
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "%s\n", error.what());
+      _exit(1);
+    }
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  SOptions options;
+  std::vector<std::string> known;
+  for (const auto& subject : Subjects()) {
+    known.push_back(subject.first);
+  }
+  options.Media = known;
+  CLI::App app("Measures what media cost a robot-tick; prints CSV.");
+  app.add_option("--robots", options.Robots, "numbers of robots")->delimiter(',');
+  app.add_option("--threads", options.Threads, "numbers of threads")->delimiter(',');
+  app.add_option("--ticks", options.Ticks, "ticks of 0.1 s that are measured");
+  app.add_option("--media", options.Media, "which media")
+      ->delimiter(',')
+      ->check(CLI::IsMember(known));
+  CLI11_PARSE(app, argc, argv);
+
+  std::printf("medium,robots,threads,ticks,total_us,act_us,media_us,sense_us,work_per_robot\n");
+  bool good = true;
+  for (const std::string& name : options.Media) {
+    for (const UInt32 robots : options.Robots) {
+      for (const UInt32 threads : options.Threads) {
+        good = ReportInChild(options, name, robots, threads) && good;
+      }
+    }
+  }
+  return good ? 0 : 1;
+}

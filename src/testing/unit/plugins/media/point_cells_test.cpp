@@ -1,0 +1,112 @@
+#include <argos3/core/utility/math/random_stream.h>
+#include <argos3/plugins/simulator/media/point_cells.h>
+#include <argos3/testing/support/allocation_count.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+using namespace argos;
+
+namespace {
+
+struct SPoints {
+  std::vector<Real> X, Y;  // m
+};
+
+// half of them outside the arena of 10 m x 10 m; some very far
+SPoints MakePoints(size_t num, UInt64 seed) {
+  CRandomStream random(seed, "test", "point cells", "places");
+  SPoints points;
+  for (size_t i = 0; i < num; ++i) {
+    const Real scale = i % 50 == 0 ? 1e12 : (i % 2 == 0 ? 5.0 : 20.0);
+    points.X.push_back(random.Uniform(-scale, scale));
+    points.Y.push_back(random.Uniform(-scale, scale));
+  }
+  return points;
+}
+
+SIndexChoice MakeOptions(SIndexChoice::EKind kind, SInt32 gridSize) {
+  SIndexChoice options;
+  options.Kind = kind;
+  std::fill(options.GridSize, options.GridSize + 3, gridSize);
+  return options;
+}
+
+const CRange<CVector3> kArena(CVector3(-5.0, -5.0, 0.0), CVector3(5.0, 5.0, 2.0));
+
+}  // namespace
+
+TEST_CASE("point cells: visit every point in reach, and none twice", "[media]") {
+  const auto kind =
+      GENERATE(SIndexChoice::EKind::Grid, SIndexChoice::EKind::Hash, SIndexChoice::EKind::Dummy);
+  const SInt32 gridSize = GENERATE(0, 1, 7, 2000);
+  const size_t num = GENERATE(0, 1, 2, 300);
+  const Real typicalReach = GENERATE(0.0, 0.3, 50.0, 1e15);
+  CAPTURE(static_cast<int>(kind), gridSize, num, typicalReach);
+  const SPoints points = MakePoints(num, 1);
+  CPointCells cells;
+  cells.SetOptions(MakeOptions(kind, gridSize), kArena);
+  cells.Sort(points.X.data(), points.Y.data(), num, typicalReach);
+  REQUIRE(cells.GetNumPoints() == num);
+  CRandomStream random(2, "test", "point cells", "queries");
+  for (int query = 0; query < 30; ++query) {
+    const Real x = random.Uniform(-8.0, 8.0);
+    const Real y = random.Uniform(-8.0, 8.0);
+    const Real reach = query == 0 ? 1e13 : random.Uniform(0.0, 4.0);
+    std::vector<int> visits(num, 0);
+    cells.ForPlacesNear(x, y, reach, [&](size_t place) { ++visits[cells.GetPoint(place)]; });
+    for (size_t i = 0; i < num; ++i) {
+      CHECK(visits[i] <= 1);
+      if (std::hypot(points.X[i] - x, points.Y[i] - y) <= reach) {
+        CHECK(visits[i] == 1);
+      }
+    }
+  }
+}
+
+TEST_CASE("point cells: look at few points besides those in reach", "[media]") {
+  const auto kind = GENERATE(SIndexChoice::EKind::Grid, SIndexChoice::EKind::Hash);
+  CRandomStream random(3, "test", "point cells", "crowd");
+  constexpr size_t kNum = 10000;
+  constexpr Real kReach = 0.2;
+  SPoints points;
+  for (size_t i = 0; i < kNum; ++i) {
+    points.X.push_back(random.Uniform(-5.0, 5.0));
+    points.Y.push_back(random.Uniform(-5.0, 5.0));
+  }
+  CPointCells cells;
+  cells.SetOptions(MakeOptions(kind, 0), kArena);
+  cells.Sort(points.X.data(), points.Y.data(), kNum, kReach);
+  size_t visited = 0;
+  for (size_t i = 0; i < kNum; ++i) {
+    cells.ForPlacesNear(points.X[i], points.Y[i], kReach, [&](size_t) { ++visited; });
+  }
+  // on average pi r^2 = 0.126 m^2 of the 100 m^2 are in reach; cells of side r/2 make a square of
+  // at most 3 r, 2.9 times as much
+  CHECK(static_cast<Real>(visited) / kNum < 3.0 * 0.126 * kNum / 100.0);
+}
+
+TEST_CASE("point cells: sorting as many points again allocates nothing", "[media][allocation]") {
+  if (!CAllocationCount::IsAvailable()) {
+    return;
+  }
+  const auto kind =
+      GENERATE(SIndexChoice::EKind::Grid, SIndexChoice::EKind::Hash, SIndexChoice::EKind::Dummy);
+  CPointCells cells;
+  cells.SetOptions(MakeOptions(kind, 0), kArena);
+  const SPoints first = MakePoints(1000, 1);
+  cells.Sort(first.X.data(), first.Y.data(), 1000, 0.5);
+  const SPoints second = MakePoints(1000, 2);
+  const SPoints third = MakePoints(900, 3);
+  size_t counted = 0;
+  {
+    const CAllocationCount count;
+    cells.Sort(second.X.data(), second.Y.data(), 1000, 0.1);
+    cells.Sort(third.X.data(), third.Y.data(), 900, 2.0);
+    counted = count.GetCount();
+  }
+  CHECK(counted == 0);
+}
