@@ -37,15 +37,10 @@ void ReadNotNegative(TConfigurationNode& node, const std::string& attribute, Rea
   }
 }
 
-// the body of a root entity, if it says what it is
+// the body of a root entity, if it says what it is and does not fly
 CEmbodiedEntity* FindBody(CEntity& root) {
-  auto* const composable = dynamic_cast<CComposableEntity*>(&root);
-  if (composable == nullptr || !composable->HasComponent("body")) {
-    return nullptr;
-  }
-  auto& body = composable->GetComponent<CEmbodiedEntity>("body");
-  const SBodyDescription* const description = body.GetBodyDescription();
-  return description != nullptr && !description->Shapes.empty() ? &body : nullptr;
+  CEmbodiedEntity* const body = FindDescribedBody(root);
+  return body != nullptr && !body->GetBodyDescription()->Propellers ? body : nullptr;
 }
 
 void RequirePositive(const CEmbodiedEntity& body, const char* what, Real value) {
