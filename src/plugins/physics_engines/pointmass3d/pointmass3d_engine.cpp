@@ -93,11 +93,6 @@ UInt32 CountSubsteps(Real tick, Real bound) {
 
 }  // namespace
 
-struct CPointMass3DEngine::SLeaving {
-  CEmbodiedEntity* Body;
-  SFlightState State;
-};
-
 CPointMass3DEngine::CPointMass3DEngine()
     : m_flyers(std::make_unique<CFlyers>()), m_drivers(std::make_unique<CDrivers>()) {}
 
@@ -117,46 +112,17 @@ void CPointMass3DEngine::Destroy() {
   m_drivers->Clear();
   m_bodies.clear();
   m_userModels.clear();
-  m_leaving.clear();
   m_numOutsideIndex = 0;
   m_substeps = 0;
 }
 
 // The entities have their initial poses already.
 void CPointMass3DEngine::Reset() {
-  m_leaving.clear();
-  SendHome();
   for (const auto& body : m_bodies) {
     Replace(*body);
   }
   for (const SUserModel& user : m_userModels) {
     user.Model->Reset();
-  }
-}
-
-// Is this the engine that would be offered the body first?
-bool CPointMass3DEngine::IsAtHome(const CEmbodiedEntity& body) const {
-  const CVector3& position = body.GetOriginAnchor().Position;
-  for (CPhysicsEngine* engine : m_cSimulator.GetPhysicsEngines()) {
-    if (engine->IsPointContained(position)) {
-      return engine == this;
-    }
-  }
-  return false;
-}
-
-// Bodies that came from another engine during the run go to where they started.
-void CPointMass3DEngine::SendHome() {
-  std::vector<CEmbodiedEntity*> guests;
-  for (const auto& body : m_bodies) {
-    if (body->m_kind != EKind::Still && !IsAtHome(body->GetEmbodiedEntity())) {
-      guests.push_back(&body->GetEmbodiedEntity());
-    }
-  }
-  std::sort(guests.begin(), guests.end(), SEntityComparator());
-  for (CEmbodiedEntity* guest : guests) {
-    RemoveEntity(guest->GetRootEntity());
-    m_cSpace.AddEntityToPhysicsEngine(*guest);
   }
 }
 
@@ -172,15 +138,27 @@ bool CPointMass3DEngine::AddEntity(CEntity& entity) {
   const EKind kind = GetKind(*body);
   CheckDescription(*body, kind);
   auto model = std::make_unique<CPointMass3DBody>(*this, *body, kind);
-  if (kind == EKind::Flyer) {
-    AddFlyer(*model);
-  } else if (kind == EKind::Driver) {
-    AddDriver(*model);
-  }
-  model->m_number = m_bodies.size();
-  body->AddPhysicsModel(GetId(), *model);
-  m_bodies.push_back(std::move(model));
+  CPhysicsModel& added = *model;
+  AddBody(std::move(model));
+  body->AddPhysicsModel(GetId(), added);
   return true;
+}
+
+std::string CPointMass3DEngine::ExplainRefusal(CEntity& entity) const {
+  return "houses only bodies that are described (SBodyDescription) or have a model of a user's, "
+         "and "
+         "<" +
+         entity.GetTypeDescription() + "> has neither";
+}
+
+void CPointMass3DEngine::AddBody(std::unique_ptr<CPointMass3DBody> body) {
+  if (body->m_kind == EKind::Flyer) {
+    AddFlyer(*body);
+  } else if (body->m_kind == EKind::Driver) {
+    AddDriver(*body);
+  }
+  body->m_number = m_bodies.size();
+  m_bodies.push_back(std::move(body));
 }
 
 void CPointMass3DEngine::AddFlyer(CPointMass3DBody& model) {
@@ -246,18 +224,15 @@ bool CPointMass3DEngine::RemoveEntity(CEntity& entity) {
       return CallEntityOperation<CPointMass3DOperationRemoveEntity, CPointMass3DEngine,
                                  SOperationOutcome>(*this, entity)();
     }
-    TakeOut(*described);
+    const auto taken = TakeOut(*described);
     body.RemovePhysicsModel(GetId());
-    const size_t number = described->m_number;
-    std::swap(m_bodies[number], m_bodies.back());
-    m_bodies[number]->m_number = number;
-    m_bodies.pop_back();
     return true;
   }
   return false;
 }
 
-void CPointMass3DEngine::TakeOut(CPointMass3DBody& body) {
+// the last bodies take the numbers of the one that goes
+std::unique_ptr<CPointMass3DBody> CPointMass3DEngine::TakeOut(CPointMass3DBody& body) {
   CPointMass3DBody* moved = nullptr;
   if (body.m_kind == EKind::Flyer) {
     moved = m_flyers->Remove(body.m_slot);
@@ -268,6 +243,12 @@ void CPointMass3DEngine::TakeOut(CPointMass3DBody& body) {
   if (moved != nullptr) {
     moved->m_slot = body.m_slot;
   }
+  const size_t number = body.m_number;
+  std::swap(m_bodies[number], m_bodies.back());
+  m_bodies[number]->m_number = number;
+  std::unique_ptr<CPointMass3DBody> taken = std::move(m_bodies.back());
+  m_bodies.pop_back();
+  return taken;
 }
 
 void CPointMass3DEngine::Replace(CPointMass3DBody& body) {
@@ -279,16 +260,48 @@ void CPointMass3DEngine::Replace(CPointMass3DBody& body) {
   }
 }
 
-void CPointMass3DEngine::TransferEntities() {
-  CPhysicsEngine::TransferEntities();
-  for (const SLeaving& leaving : m_leaving) {
-    auto& model = leaving.Body->GetPhysicsModel(size_t(0));
-    auto* const engine = dynamic_cast<CPointMass3DEngine*>(&model.GetEngine());
-    if (engine != nullptr) {
-      engine->m_flyers->SetState(static_cast<CPointMass3DBody&>(model).m_slot, leaving.State);
+void CPointMass3DEngine::TransferEntity(CEmbodiedEntity& body) {
+  auto* const model = dynamic_cast<CPointMass3DBody*>(&body.GetPhysicsModel(size_t(0)));
+  if (model == nullptr || &model->GetEngine() != this) {
+    CPhysicsEngine::TransferEntity(body);
+    return;
+  }
+  const bool flies = model->m_kind == EKind::Flyer;
+  const SFlightState state = flies ? m_flyers->GetState(model->m_slot) : SFlightState();
+  CPointMass3DEngine* next = FindNext(body);
+  if (next != nullptr) {
+    next->TakeOver(*model);
+  } else {
+    CPhysicsEngine::TransferEntity(body);
+    next = dynamic_cast<CPointMass3DEngine*>(&body.GetPhysicsModel(size_t(0)).GetEngine());
+  }
+  if (flies && next != nullptr) {
+    const auto& moved = static_cast<CPointMass3DBody&>(body.GetPhysicsModel(size_t(0)));
+    next->m_flyers->SetState(moved.m_slot, state);
+  }
+}
+
+// the engine that would take the body, if it is of this type
+CPointMass3DEngine* CPointMass3DEngine::FindNext(const CEmbodiedEntity& body) const {
+  for (CPhysicsEngine* engine : m_cSimulator.GetPhysicsEngines()) {
+    if (engine->IsPointContained(body.GetOriginAnchor().Position)) {
+      return dynamic_cast<CPointMass3DEngine*>(engine);
     }
   }
-  m_leaving.clear();
+  return nullptr;
+}
+
+// Takes a body over from another engine of this type. Its model is made anew where it is, because
+// models refer to their engine for ever, and a tick must not ask for memory.
+void CPointMass3DEngine::TakeOver(CPointMass3DBody& model) {
+  CEmbodiedEntity& body = model.m_cEmbodiedEntity;
+  auto& from = static_cast<CPointMass3DEngine&>(model.m_cEngine);
+  const EKind kind = model.m_kind;
+  std::unique_ptr<CPointMass3DBody> taken = from.TakeOut(model);
+  std::destroy_at(taken.get());
+  std::construct_at(taken.get(), *this, body, kind);
+  body.MovePhysicsModel(from.GetId(), GetId(), *taken);
+  AddBody(std::move(taken));
 }
 
 UInt32 CPointMass3DEngine::GetSubsteps() {
@@ -329,9 +342,6 @@ void CPointMass3DEngine::WriteBack(CPointMass3DBody& model, const CVector3& posi
   model.m_root.Update();
   if (IsEntityTransferActive() && !IsPointContained(position)) {
     ScheduleEntityForTransfer(body);
-    if (model.m_kind == EKind::Flyer) {
-      m_leaving.push_back({&body, m_flyers->GetState(model.m_slot)});
-    }
   }
 }
 

@@ -44,9 +44,10 @@ class CPointMass3DEngine : public CPhysicsEngine {
    *         that it needs, or if the arena is too small for a flying body.
    */
   bool AddEntity(CEntity& entity) override;
+  std::string ExplainRefusal(CEntity& entity) const override;
   bool RemoveEntity(CEntity& entity) override;
   /** Bodies that change from one engine of this type to another keep how they move. */
-  void TransferEntities() override;
+  void TransferEntity(CEmbodiedEntity& body) override;
   /** Only users' models: all other bodies are in the space's index. */
   void CheckIntersectionWithRay(TEmbodiedEntityIntersectionData& data,
                                 const CRay3& ray) const override;
@@ -71,7 +72,6 @@ class CPointMass3DEngine : public CPhysicsEngine {
   bool HasOverlap(const CPhysicsModel& model) const;
 
  private:
-  struct SLeaving;
   struct SUserModel {
     std::string Id;
     std::unique_ptr<CPointMass3DModel> Model;
@@ -79,9 +79,10 @@ class CPointMass3DEngine : public CPhysicsEngine {
 
   void AddFlyer(CPointMass3DBody& body);
   void AddDriver(CPointMass3DBody& body);
-  void TakeOut(CPointMass3DBody& body);
-  bool IsAtHome(const CEmbodiedEntity& body) const;
-  void SendHome();
+  void AddBody(std::unique_ptr<CPointMass3DBody> body);
+  std::unique_ptr<CPointMass3DBody> TakeOut(CPointMass3DBody& body);
+  CPointMass3DEngine* FindNext(const CEmbodiedEntity& body) const;
+  void TakeOver(CPointMass3DBody& body);
   void CountBodiesOutsideIndex();
   void UpdateUserModels();
   void WriteBack(CPointMass3DBody& body, const CVector3& position, Real halfCos, Real halfSin);
@@ -93,7 +94,6 @@ class CPointMass3DEngine : public CPhysicsEngine {
   std::vector<SUserModel> m_userModels;
   size_t m_numOutsideIndex = 0;  // of users' models
   UInt32 m_substeps = 0;  // 0: to be found out from the flying bodies
-  std::vector<SLeaving> m_leaving;  // for TransferEntities()
 };
 
 /** Kind of operation: gives an entity a model in this engine. */

@@ -192,7 +192,9 @@ TEST_CASE("flight limits: what cannot fly is refused with a reason", "[contract]
   experiment.ArenaSize = "10,10,10";
 
   experiment.Engines = "<dynamics2d id='e'/>";
-  CHECK_THAT(error(), Contains("\"r\"") && Contains("eye-bot"));
+  CHECK_THAT(error(), Contains("takes \"r\" (<eye-bot>)") &&
+                          Contains("\"e\" is a plane, and a <eye-bot> flies") &&
+                          Contains("<pointmass3d>"));
   experiment.Engines = "<pointmass3d id='e' gravity='inf'/>";
   CHECK_THAT(error(), Contains("attribute \"gravity\": found \"inf\", expected a real number"));
 }

@@ -157,4 +157,5 @@ TEST_CASE("descriptions: examples of devices load and run", "[contract][robots]"
   CHECK(RunExamples<CSimulatedSensor>("footbot_proximity (default)", "sensors", "foot-bot") == 2);
   CHECK(RunExamples<CSimulatedSensor>("epuck_proximity (default)", "sensors", "e-puck") == 2);
   CHECK(RunExamples<CSimulatedSensor>("eyebot_proximity (default)", "sensors", "eye-bot") == 2);
+  CHECK(RunExamples<CSimulatedSensor>("eyebot_light (rot_z_only)", "sensors", "eye-bot") == 2);
 }

@@ -27,6 +27,7 @@ class CCI_EyeBotProximitySensor : public CCI_Sensor {
 
   const TReadings& GetReadings() const;
 
+  /** robot.proximity[i] = { angle, value } */
   void CreateLuaState(lua_State* state) override;
   void ReadingsToLuaState(lua_State* state) override;
 

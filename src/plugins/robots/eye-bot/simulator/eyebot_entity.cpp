@@ -3,8 +3,11 @@
 #include <argos3/core/simulator/physics_engine/body_description.h>
 #include <argos3/plugins/robots/eye-bot/simulator/eyebot_appearance.h>
 #include <argos3/plugins/robots/eye-bot/simulator/eyebot_measures.h>
+#include <argos3/plugins/robots/generic/simulator/camera_mounts.h>
 #include <argos3/plugins/robots/generic/simulator/device_parameters.h>
+#include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/new_component.h>
+#include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
 
 namespace argos {
 
@@ -51,6 +54,20 @@ std::shared_ptr<const CProximitySensorEquippedEntity::SLayout> MakeProximity() {
   return sensors;
 }
 
+CEntity& MakeLightSensors(CRobotEntity& robot) {
+  // at the places of the proximity sensors
+  static const std::shared_ptr<const SRayLayout> layout = MakeProximity();
+  auto& sensors = robot.MakeOnDemand<CLightSensorEquippedEntity>("light_0");
+  sensors.SetLayout(layout, {&robot.GetEmbodiedEntity().GetOriginAnchor()});
+  return sensors;
+}
+
+CEntity& MakeCamera(CRobotEntity& robot) {
+  // straight down, what is ahead of the robot is up in the image
+  const CQuaternion down(CRadians::PI_OVER_TWO, CVector3::Y);
+  return MakePerspectiveCamera(robot, CVector3(), down);
+}
+
 struct SEyeBotType : SRobotType {
   std::shared_ptr<const SBodyDescription> Body;
 };
@@ -61,6 +78,8 @@ SEyeBotType MakeType() {
   type.LEDs = MakeLEDs();
   type.Proximity = MakeProximity();
   type.Appearance = MakeEyeBotAppearance();
+  type.OnDemand.push_back({"light_sensors", &MakeLightSensors});
+  type.OnDemand.push_back({"perspective_camera", &MakeCamera});
   return type;
 }
 
@@ -108,6 +127,14 @@ void CEyeBotEntity::Init(TConfigurationNode& tree) {
   parameters.Battery.Read(tree);
   SetDeviceParameters(parameters);
   InitController(tree);
+}
+
+CLightSensorEquippedEntity& CEyeBotEntity::GetLightSensorEquippedEntity() {
+  return Demand<CLightSensorEquippedEntity>("light_sensors");
+}
+
+CPerspectiveCameraEquippedEntity& CEyeBotEntity::GetPerspectiveCameraEquippedEntity() {
+  return Demand<CPerspectiveCameraEquippedEntity>("perspective_camera");
 }
 
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CEyeBotEntity)

@@ -8,6 +8,9 @@
 
 namespace argos {
 
+class CLightSensorEquippedEntity;
+class CPerspectiveCameraEquippedEntity;
+
 /**
  * The eye-bot of the Swarmanoid project: a flying robot, 50 cm across, with 24 proximity sensors,
  * two rings of 16 LEDs, and one LED under an arm. Needs a physics engine in which robots fly.
@@ -45,6 +48,10 @@ class CEyeBotEntity : public CRobotEntity {
 
   CQuadRotorEntity& GetQuadRotorEntity() { return *m_quadrotor; }
   const CQuadRotorEntity& GetQuadRotorEntity() const { return *m_quadrotor; }
+
+  /** Components that are made when first asked for; see CRobotEntity. */
+  CLightSensorEquippedEntity& GetLightSensorEquippedEntity();
+  CPerspectiveCameraEquippedEntity& GetPerspectiveCameraEquippedEntity();
 
  private:
   CEyeBotEntity(const std::string& id, const CVector3& position, const CQuaternion& orientation);

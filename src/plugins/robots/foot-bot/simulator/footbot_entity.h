@@ -55,8 +55,6 @@ class CFootBotEntity : public CDifferentialDriveRobotEntity {
   /** Components that are made when first asked for; see CRobotEntity. */
   CGroundSensorEquippedEntity& GetGroundSensorEquippedEntity();
   CLightSensorEquippedEntity& GetLightSensorEquippedEntity();
-};
-
   COmnidirectionalCameraEquippedEntity& GetOmnidirectionalCameraEquippedEntity();
   CPerspectiveCameraEquippedEntity& GetPerspectiveCameraEquippedEntity();
 };
