@@ -12,18 +12,6 @@ namespace {
 // m, m/s, rad, rad/s; beyond any arena, and its square times any gain is still a number
 constexpr Real kFarthest = 1e9;
 
-void Check(const CEntity& entity, const char* what, const CVector3& vector, const CRadians& angle) {
-  // written so that NaN fails too
-  const Real largest = std::abs(vector.GetX()) + std::abs(vector.GetY()) + std::abs(vector.GetZ()) +
-                       angle.GetAbsoluteValue();
-  if (!(largest <= kFarthest)) {
-    THROW_ARGOSEXCEPTION("quadrotor \"" << entity.GetContext() << entity.GetId() << "\": a target "
-                                        << what << " must be finite and below " << kFarthest
-                                        << ", got (" << vector << ") and " << angle.GetValue()
-                                        << " rad");
-  }
-}
-
 void Add(CDigest& digest, const CVector3& vector, const CRadians& angle) {
   for (UInt32 axis = 0; axis < 3; ++axis) {
     digest.Add(vector[axis]);
@@ -55,13 +43,33 @@ void CQuadRotorEntity::ReturnToStart() {
 }
 
 void CQuadRotorEntity::SetPositionControlData(const SPositionControlData& data) {
-  Check(*this, "position (m) and yaw", data.Position, data.Yaw);
+  Check(data);
   m_position = data;
 }
 
 void CQuadRotorEntity::SetSpeedControlData(const SSpeedControlData& data) {
-  Check(*this, "velocity (m/s) and yaw rate (per s)", data.Velocity, data.RotSpeed);
+  Check(data);
   m_speed = data;
+}
+
+void CQuadRotorEntity::Check(const SPositionControlData& data) const {
+  Check("position (m) and yaw", data.Position, data.Yaw);
+}
+
+void CQuadRotorEntity::Check(const SSpeedControlData& data) const {
+  Check("velocity (m/s) and yaw rate (per s)", data.Velocity, data.RotSpeed);
+}
+
+void CQuadRotorEntity::Check(const char* what, const CVector3& vector,
+                             const CRadians& angle) const {
+  // written so that NaN fails too
+  const Real largest = std::abs(vector.GetX()) + std::abs(vector.GetY()) + std::abs(vector.GetZ()) +
+                       angle.GetAbsoluteValue();
+  if (!(largest <= kFarthest)) {
+    THROW_ARGOSEXCEPTION("quadrotor \"" << GetContext() << GetId() << "\": a target " << what
+                                        << " must be finite and below " << kFarthest << ", got ("
+                                        << vector << ") and " << angle.GetValue() << " rad");
+  }
 }
 
 void CQuadRotorEntity::UpdateDigest(CDigest& digest) const {

@@ -48,16 +48,22 @@ class CQuadRotorEntity : public CEntity {
 
   /**
    * Setters: for the next physics phase, and used only while the method is the one they are for.
-   * @throws CARGoSException if a number is not finite or beyond 1e9; the target is then as before.
+   * @throws CARGoSException as Check() does; the target is then as before.
    */
   const SPositionControlData& GetPositionControlData() const { return m_position; }
   void SetPositionControlData(const SPositionControlData& data);
   const SSpeedControlData& GetSpeedControlData() const { return m_speed; }
   void SetSpeedControlData(const SSpeedControlData& data);
 
+  /** @throws CARGoSException that names the robot if a number is not finite or beyond 1e9. */
+  void Check(const SPositionControlData& data) const;
+  void Check(const SSpeedControlData& data) const;
+
   void UpdateDigest(CDigest& digest) const override;
 
  private:
+  void Check(const char* what, const CVector3& vector, const CRadians& angle) const;
+
   EControlMethod m_method = NO_CONTROL;
   EControlMethod m_methodAtStart = NO_CONTROL;
   SPositionControlData m_position;

@@ -1,5 +1,6 @@
 #include <argos3/core/simulator/physics_engine/described_body_model.h>
 
+#include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/physics_engine/body_description.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
@@ -9,6 +10,16 @@
 #include <cmath>
 
 namespace argos {
+
+CEmbodiedEntity* FindDescribedBody(CEntity& root) {
+  auto* const composable = dynamic_cast<CComposableEntity*>(&root);
+  if (composable == nullptr || !composable->HasComponent("body")) {
+    return nullptr;
+  }
+  auto& body = composable->GetComponent<CEmbodiedEntity>("body");
+  const SBodyDescription* const description = body.GetBodyDescription();
+  return description != nullptr && !description->Shapes.empty() ? &body : nullptr;
+}
 
 void CDescribedBodyModel::MoveTo(const CVector3& position, const CQuaternion& orientation) {
   if (!std::isfinite(position.Length()) || !std::isfinite(orientation.SquareLength())) {

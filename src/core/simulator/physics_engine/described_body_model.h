@@ -5,6 +5,11 @@
 
 namespace argos {
 
+class CEntity;
+
+/** The body of a root entity, if it says what it is (SBodyDescription); else null. */
+CEmbodiedEntity* FindDescribedBody(CEntity& root);
+
 /**
  * A body that an engine builds from its SBodyDescription: what such models have in common.
  *

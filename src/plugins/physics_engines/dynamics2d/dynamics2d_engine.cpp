@@ -37,15 +37,10 @@ void ReadNotNegative(TConfigurationNode& node, const std::string& attribute, Rea
   }
 }
 
-// the body of a root entity, if it says what it is
+// the body of a root entity, if it says what it is and does not fly
 CEmbodiedEntity* FindBody(CEntity& root) {
-  auto* const composable = dynamic_cast<CComposableEntity*>(&root);
-  if (composable == nullptr || !composable->HasComponent("body")) {
-    return nullptr;
-  }
-  auto& body = composable->GetComponent<CEmbodiedEntity>("body");
-  const SBodyDescription* const description = body.GetBodyDescription();
-  return description != nullptr && !description->Shapes.empty() ? &body : nullptr;
+  CEmbodiedEntity* const body = FindDescribedBody(root);
+  return body != nullptr && !body->GetBodyDescription()->Propellers ? body : nullptr;
 }
 
 void RequirePositive(const CEmbodiedEntity& body, const char* what, Real value) {
@@ -151,10 +146,14 @@ bool CDynamics2DEngine::IsAtHeight(const CEmbodiedEntity& body) const {
 }
 
 std::string CDynamics2DEngine::ExplainRefusal(CEntity& entity) const {
-  CEmbodiedEntity* const body = FindBody(entity);
+  CEmbodiedEntity* const body = FindDescribedBody(entity);
   if (body == nullptr) {
     return "houses only bodies that are described (SBodyDescription), and <" +
            entity.GetTypeDescription() + "> describes none";
+  }
+  if (body->GetBodyDescription()->Propellers) {
+    return "is a plane, and a <" + entity.GetTypeDescription() +
+           "> flies: add an engine for that, such as <pointmass3d>";
   }
   std::ostringstream reason;
   const Real z = body->GetOriginAnchor().Position.GetZ();
@@ -244,7 +243,7 @@ CDynamics2DEngine* CDynamics2DEngine::FindNext(CEmbodiedEntity& body) const {
 // Takes a movable body over from another engine of this type. Its model is made anew where it is,
 // because models refer to their engine for ever, and a tick must not ask for memory.
 void CDynamics2DEngine::TakeOver(CDynamics2DModel& model) {
-  CDynamics2DEngine& from = static_cast<CDynamics2DEngine&>(model.GetEngine());
+  auto& from = static_cast<CDynamics2DEngine&>(model.GetEngine());
   std::unique_ptr<CDynamics2DModel> taken = from.TakeOut(model);
   CEmbodiedEntity& body = model.m_cEmbodiedEntity;
   const Real* const wheels = model.m_wheels;

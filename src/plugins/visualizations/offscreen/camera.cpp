@@ -52,7 +52,7 @@ std::array<SCameraPlacement, kNumPlacements> MakeDefaultPlacements(const SArenaB
   return placements;
 }
 
-SCameraPlacement MakeFramingPlacement(const SArenaBox& arena, double aspectRatio) {
+SCameraPlacement MakeFramingPlacement(const SArenaBox& arena, double aspectRatio, double top) {
   const double elevation = kFramingElevation * std::numbers::pi / 180.0;
   const Eigen::Vector3d toEye(0.0, -std::cos(elevation), std::sin(elevation));
   SCameraPlacement placement;
@@ -66,20 +66,31 @@ SCameraPlacement MakeFramingPlacement(const SArenaBox& arena, double aspectRatio
   const Eigen::Vector2d tangents = camera.GetHalfExtentTangents() / kFramingMargin;
   const Eigen::Vector2d half = 0.5 * arena.Size.head<2>();
 
-  // the target moves along y until the near and the far edge are equally far from the picture's
-  // centre; both depend on the distance, but weakly, so that a fixed-point iteration converges
+  // the target moves along y until the lowest and the highest corner are equally far from the
+  // picture's centre; both depend on the distance, but weakly, so that a fixed-point iteration
+  // converges
   double shift = 0.0;
   double distance = 0.0;
   for (int iteration = 0; iteration < 20; ++iteration) {
-    distance = 0.0;
-    for (const double edge : {-half.y() - shift, half.y() - shift}) {
-      const double ahead = forward.y() * edge;
-      distance = std::max({distance, half.x() / tangents.x() - ahead,
-                           std::abs(up.y() * edge) / tangents.y() - ahead});
+    std::array<Eigen::Vector2d, 4> corners;  // along the line of sight, and up
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const double edge = (i % 2 == 0 ? -half.y() : half.y()) - shift;
+      const double z = i < 2 ? 0.0 : top;
+      corners[i] = {forward.y() * edge + forward.z() * z, up.y() * edge + up.z() * z};
     }
-    const double nearEdge = (-half.y() - shift) / (distance + forward.y() * (-half.y() - shift));
-    const double farEdge = (half.y() - shift) / (distance + forward.y() * (half.y() - shift));
-    shift += 0.5 * (nearEdge + farEdge) * distance;
+    distance = 0.0;
+    for (const Eigen::Vector2d& corner : corners) {
+      distance = std::max({distance, half.x() / tangents.x() - corner.x(),
+                           std::abs(corner.y()) / tangents.y() - corner.x()});
+    }
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -lowest;
+    for (const Eigen::Vector2d& corner : corners) {
+      const double tangent = corner.y() / (distance + corner.x());
+      lowest = std::min(lowest, tangent);
+      highest = std::max(highest, tangent);
+    }
+    shift += 0.5 * (lowest + highest) * distance;
   }
   placement.LookAt.y() += shift;
   placement.Position = placement.LookAt + distance * toEye;

@@ -48,8 +48,9 @@ std::array<SCameraPlacement, kNumPlacements> MakeDefaultPlacements(const SArenaB
  * An oblique view from the side of negative y that just holds the whole arena: x grows to the
  * right of the picture, y away from the viewer.
  * @param aspectRatio  width of the picture over its height, > 0.
+ * @param top          up to which height above the ground, m, >= 0.
  */
-SCameraPlacement MakeFramingPlacement(const SArenaBox& arena, double aspectRatio);
+SCameraPlacement MakeFramingPlacement(const SArenaBox& arena, double aspectRatio, double top = 0.0);
 
 /** Blends eye, target, up and focal length linearly. @param share 0 gives @p from, 1 @p to. */
 SCameraPlacement Interpolate(const SCameraPlacement& from, const SCameraPlacement& to,

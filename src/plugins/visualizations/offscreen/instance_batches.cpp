@@ -15,8 +15,8 @@ constexpr double kSmallestTranslucent = 8.0;
 // from these on the next finer level is taken: an edge of the coarser polygon would otherwise stray
 // from its circle by about a third of a pixel, d / 2 (1 - cos(pi / n)), or more
 constexpr std::array<double, kNumLevels - 1> kLevelBounds = {6.0, 18.0, 70.0};
-// a shadow is at most about three times as long as its solid is large: the sun stands high
-constexpr double kShadowReach = 4.0;
+// of the height of the sun, as a sine: a lower one would cast endless shadows
+constexpr double kLowestSun = 0.05;
 
 void Clear(CInstanceBatches::TBatches& batches) {
   for (auto& levels : batches) {
@@ -114,7 +114,10 @@ void CInstanceBatches::Add(EMeshKind kind, const SMeshInstance& instance) {
   const Eigen::Vector2d toSides =
       (across - depth * m_camera->GetHalfExtentTangents()).cwiseQuotient(m_sideNorms);
   const double toView = std::max({toSides.x(), toSides.y(), -depth});
-  if (toView > kShadowReach * sphere.Radius) {
+  // from the solid to where the last of its shadow meets the ground
+  const double toGround =
+      std::max(0.0, sphere.Center.z() + sphere.Radius) / std::max(m_sunFrame(2, 2), kLowestSun);
+  if (toView > sphere.Radius + toGround) {
     return;
   }
   const double pixels = 2.0 * sphere.Radius * m_pixelsPerTangent / std::max(depth, sphere.Radius);

@@ -1,6 +1,9 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/offscreen_visualization.h>
 
+#include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/loop_functions.h>
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/physics_engine/described_body_model.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/math/eigen_bridge.h>
@@ -8,7 +11,24 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/frame_recorder.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/recording_xml.h>
 
+#include <algorithm>
+
 namespace argos {
+
+namespace {
+
+// up to where the picture has to reach, m above the ground: the whole arena if something flies
+double ComputeTop(CSpace& space) {
+  for (CEntity* root : space.GetRootEntityVector()) {
+    const CEmbodiedEntity* const body = FindDescribedBody(*root);
+    if (body != nullptr && body->GetBodyDescription()->Propellers) {
+      return std::max(0.0, space.GetArenaLimits().GetMax().GetZ());
+    }
+  }
+  return 0.0;
+}
+
+}  // namespace
 
 COffscreenVisualization::COffscreenVisualization() = default;
 COffscreenVisualization::~COffscreenVisualization() = default;
@@ -18,7 +38,7 @@ void COffscreenVisualization::Init(TConfigurationNode& tree) {
   const SArenaBox arena{ToEigen(m_cSpace.GetArenaCenter()), ToEigen(m_cSpace.GetArenaSize())};
   CCameraTimeline timeline(MakeDefaultPlacements(arena));
   const double aspectRatio = static_cast<double>(settings.Render.Width) / settings.Render.Height;
-  timeline.SetPlacement(0, MakeFramingPlacement(arena, aspectRatio));
+  timeline.SetPlacement(0, MakeFramingPlacement(arena, aspectRatio, ComputeTop(m_cSpace)));
   ReadCamera(tree, timeline);
   try {
     m_recorder = std::make_unique<CFrameRecorder>(settings, timeline);
@@ -98,7 +118,7 @@ Attributes of <placement>:
                      2 atan(13.5 mm / lens_focal_length). Default: 20
 
 Placement 0 is in use if there is no timeline; by default it shows the whole arena from
-the side of negative y, obliquely. The others stand in a circle around the arena.
+the side of negative y, obliquely: its ground, and if a robot flies, all of its height. The others stand in a circle around the arena.
 
 The timeline: from tick "step" on, the camera is at "placement"; steps must not decrease.
 With <interpolate /> between two keyframes, it glides from one to the next. "loop" (ticks,

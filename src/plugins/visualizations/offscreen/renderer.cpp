@@ -24,6 +24,10 @@ const void* Offset(size_t bytes) {
   return reinterpret_cast<const void*>(bytes);
 }
 
+Eigen::Vector3d ToVector(const std::array<float, 3>& point) {
+  return {point[0], point[1], point[2]};
+}
+
 SRenderSettings Normalized(SRenderSettings settings) {
   settings.ToSun.normalize();
   return settings;
@@ -186,6 +190,17 @@ void CRenderer::ComputeMatrices(const SScene& scene, const CCamera& camera) {
     const Eigen::Vector2d xy = ground.corner(static_cast<Eigen::AlignedBox2d::CornerType>(corner));
     const double depth = camera.ComputeDepth(Eigen::Vector3d(xy.x(), xy.y(), 0.0));
     depths.extend(Eigen::Matrix<double, 1, 1>(depth));
+  }
+  // rays and lights in the air may be nearer than any solid
+  for (const SLine& line : scene.Lines) {
+    for (const std::array<float, 3>& end : {line.Start, line.End}) {
+      depths.extend(Eigen::Matrix<double, 1, 1>(camera.ComputeDepth(ToVector(end))));
+    }
+  }
+  for (const SGlow& glow : scene.Glows) {
+    const double depth = camera.ComputeDepth(ToVector(glow.Position));
+    depths.extend(Eigen::Matrix<double, 1, 1>(depth - glow.Radius));
+    depths.extend(Eigen::Matrix<double, 1, 1>(depth + glow.Radius));
   }
   const double farPlane = std::max(depths.max().x() * 1.01, 1.0);
   const double nearPlane =

@@ -252,13 +252,4 @@ TEST_CASE("borders: an object that slides from one engine into another keeps its
   CHECK_THAT(meanSpeed(), WithinAbs(inWest, 1e-5));
 }
 
-TEST_CASE("spinning: the heading is exact after many turns", "[contract][engine]") {
-  CDriveWorld world(kEngine, DriverXml("e-puck", "r", 2, 1, 10, -20, 20));
-  world.Step(601);
-  // 0.4 m/s over 0.053 m for 60 s: 72 turns; each of 600 ticks rounds twice
-  const Real yaw = 10.0 / 180.0 * ARGOS_PI + 0.4 / 0.053 * 60.0;
-  CHECK_THAT(std::remainder(world.Yaw("r") - yaw, 2.0 * ARGOS_PI), WithinAbs(0.0, 1e-11));
-  CHECK(world.Position("r") == CVector3(2, 1, 0));
-}
-
 }  // namespace argos

@@ -1,6 +1,7 @@
 // A robot that touches nothing follows the arc of its wheel speeds, in every engine.
 
 #include <argos3/testing/contract/physics_engines/drive_world.h>
+#include <argos3/testing/contract/physics_engines/engines.h>
 #include <argos3/testing/support/closed_form/differential_drive.h>
 
 #include <catch2/catch.hpp>
@@ -28,8 +29,8 @@ const SRobotType kEPuck{"e-puck", 0.053};
 
 TEST_CASE("free motion: a robot follows the closed-form arc for 60 s", "[contract][engine]") {
   const std::string engine =
-      GENERATE(as<std::string>(), "<dynamics2d id='e'/>", "<dynamics2d id='e' iterations='1'/>",
-               "<dynamics2d id='e' iterations='10'/>");
+      GENERATE(kDynamics2D, kPointMass3D)
+          .ToXml("e", GENERATE(as<std::string>(), "", "iterations='1'", "iterations='10'"));
   const SRobotType robot = GENERATE(kFootBot, kEPuck);
   using TSpeeds = std::pair<Real, Real>;  // cm/s
   const auto [left, right] = GENERATE(TSpeeds(10, 10), TSpeeds(10, 9), TSpeeds(3, 12),
@@ -49,21 +50,51 @@ TEST_CASE("free motion: a robot follows the closed-form arc for 60 s", "[contrac
     const CVector3 position = world.Position("r");
     worst = std::max(worst, std::hypot(position.GetX() - exact.X, position.GetY() - exact.Y));
   }
-  // the promise of the engines in the plane is 1e-4 m; this one integrates arcs exactly, so only
-  // 600 roundings of numbers around 20 are left, 4e-15 each, and the yaw's
+  // arcs are integrated exactly, so only 600 roundings of numbers around 20 are left, 4e-15 each,
+  // and the yaw's
   CHECK(worst <= 1e-9);
 }
 
 TEST_CASE("free motion: a robot whose wheels stand still stays where it is", "[contract][engine]") {
-  CDriveWorld world("<dynamics2d id='e'/>", DriverXml("foot-bot", "r", 1.25, -2.5, 30, 0, 0));
+  const SEngineType engine = GENERATE(kDynamics2D, kPointMass3D);
+  CAPTURE(engine);
+  CDriveWorld world(engine.ToXml(), DriverXml("foot-bot", "r", 1.25, -2.5, 30, 0, 0));
   world.Step(100);
   CHECK(world.Position("r") == CVector3(1.25, -2.5, 0.0));
 }
 
+TEST_CASE("free motion: a robot that spins keeps its place and an exact heading",
+          "[contract][engine]") {
+  const SEngineType engine = GENERATE(kDynamics2D, kPointMass3D);
+  CAPTURE(engine);
+  CDriveWorld world(engine.ToXml(), DriverXml("e-puck", "r", 2, 1, 10, -20, 20));
+  world.Step(601);
+  // 0.4 m/s over 0.053 m for 60 s: 72 turns; each of 600 ticks rounds twice
+  const Real yaw = 10.0 / 180.0 * std::numbers::pi + 0.4 / 0.053 * 60.0;
+  CHECK(std::abs(std::remainder(world.Yaw("r") - yaw, 2.0 * std::numbers::pi)) <= 1e-11);
+  CHECK(world.Position("r") == CVector3(2, 1, 0));
+}
+
+TEST_CASE("free motion: an object that nobody touches stays where it is", "[contract][engine]") {
+  const SEngineType engine = GENERATE(kDynamics2D, kPointMass3D);
+  CAPTURE(engine);
+  CDriveWorld world(engine.ToXml(),
+                    "<box id='b' size='0.2,0.3,0.1' movable='true' mass='1'><body "
+                    "position='1,2,0' orientation='30,0,0'/></box>");
+  const CQuaternion orientation = world.Body("b").GetOriginAnchor().Orientation;
+  world.Step(20);
+  CHECK(world.Position("b") == CVector3(1, 2, 0));
+  CHECK(world.Body("b").GetOriginAnchor().Orientation == orientation);
+}
+
 TEST_CASE("free motion: wheel speeds beyond the drive's force are reached tick by tick",
           "[contract][engine]") {
+  const SEngineType engine = GENERATE(kDynamics2D, kPointMass3D);
+  if (IsSkipped(engine, engine.HasDriveLimits, "limits of the wheels' force")) {
+    return;
+  }
   // 1.5 N on 0.4 kg are 3.75 m/s^2: 0.375 m/s more in each tick of 0.1 s
-  CDriveWorld world("<dynamics2d id='e'/>", DriverXml("e-puck", "r", 0, 0, 0, 100, 100));
+  CDriveWorld world(engine.ToXml(), DriverXml("e-puck", "r", 0, 0, 0, 100, 100));
   world.Step();
   Real last = 0.0;
   for (const Real speed : {0.375, 0.75, 1.0, 1.0}) {

@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
+#include <argos3/plugins/robots/eye-bot/simulator/eyebot_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
 #include <argos3/plugins/simulator/entities/box_entity.h>
 #include <argos3/plugins/simulator/media/led_medium.h>
@@ -95,6 +96,17 @@ void RunWithMedia(const std::string& media) {
   world.Step(2);
 }
 
+void RunWithEngines(const std::string& engines) {
+  SExperiment experiment;
+  experiment.Engines = engines;
+  // in the regions of the examples
+  experiment.Arena =
+      "<box id=\"b\" size=\"1,1,1\" movable=\"false\"><body position=\"2,2,0\"/></box>";
+  CTestWorld world(experiment);
+  world.Step(2);
+  CHECK(TakeLogErr() == "");
+}
+
 // runs every example of a description; gives their number
 template <typename BASE>
 size_t RunExamples(const std::string& label, const std::string& section = "",
@@ -108,6 +120,8 @@ size_t RunExamples(const std::string& label, const std::string& section = "",
       CHECK_NOTHROW(RunInArena(Inside(example)));
     } else if (example.find("<controllers>") != std::string::npos) {
       CHECK_NOTHROW(RunWithControllers(Inside(example), robot));
+    } else if (example.find("<physics_engines>") != std::string::npos) {
+      CHECK_NOTHROW(RunWithEngines(Inside(example)));
     } else if (example.find("<media>") != std::string::npos) {
       CHECK_NOTHROW(RunWithMedia(Inside(example)));
     } else {
@@ -125,8 +139,14 @@ TEST_CASE("descriptions: examples of entities and media load and run", "[contrac
   CHECK(RunExamples<CEntity>("light") == 2);
   CHECK(RunExamples<CEntity>("foot-bot") == 2);
   CHECK(RunExamples<CEntity>("e-puck") == 2);
+  CHECK(RunExamples<CEntity>("eye-bot") == 2);
   CHECK(RunExamples<CMedium>("led") == 2);
   CHECK(RunExamples<CMedium>("range_and_bearing") == 2);
+}
+
+TEST_CASE("descriptions: examples of physics engines load and run", "[contract][robots]") {
+  CHECK(RunExamples<CPhysicsEngine>("dynamics2d") == 2);
+  CHECK(RunExamples<CPhysicsEngine>("pointmass3d") == 2);
 }
 
 TEST_CASE("descriptions: examples of devices load and run", "[contract][robots]") {
@@ -135,9 +155,14 @@ TEST_CASE("descriptions: examples of devices load and run", "[contract][robots]"
   CHECK(RunExamples<CSimulatedActuator>("leds (default)", "actuators", "e-puck") == 2);
   CHECK(RunExamples<CSimulatedActuator>("range_and_bearing (default)", "actuators", "foot-bot") ==
         3);
+  CHECK(RunExamples<CSimulatedActuator>("quadrotor_position (default)", "actuators", "eye-bot") ==
+        2);
+  CHECK(RunExamples<CSimulatedActuator>("quadrotor_speed (default)", "actuators", "eye-bot") == 2);
   CHECK(RunExamples<CSimulatedSensor>("differential_steering (default)", "sensors", "e-puck") == 2);
   CHECK(RunExamples<CSimulatedSensor>("proximity (default)", "sensors", "foot-bot") == 2);
   CHECK(RunExamples<CSimulatedSensor>("footbot_proximity (default)", "sensors", "foot-bot") == 2);
   CHECK(RunExamples<CSimulatedSensor>("epuck_proximity (default)", "sensors", "e-puck") == 2);
   CHECK(RunExamples<CSimulatedSensor>("range_and_bearing (medium)", "sensors", "e-puck") == 3);
+  CHECK(RunExamples<CSimulatedSensor>("eyebot_proximity (default)", "sensors", "eye-bot") == 2);
+  CHECK(RunExamples<CSimulatedSensor>("eyebot_light (rot_z_only)", "sensors", "eye-bot") == 2);
 }

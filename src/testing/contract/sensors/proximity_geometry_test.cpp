@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/plugins/robots/e-puck/control_interface/ci_epuck_proximity_sensor.h>
+#include <argos3/plugins/robots/eye-bot/control_interface/ci_eyebot_proximity_sensor.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_proximity_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_proximity_sensor.h>
 #include <argos3/testing/support/robot_world.h>
@@ -41,6 +42,15 @@ SRing EPuckRing() {
   for (const Real divisor : {10.5884, 3.5999, 2.0, 1.2, 0.8571, 0.6667, 0.5806, 0.5247}) {
     ring.Angles.push_back(M_PI / divisor);
   }
+  return ring;
+}
+
+SRing EyeBotRing() {
+  SRing ring = FootBotRing();
+  ring.Tag = "eye-bot";
+  ring.Radius = 0.255;
+  ring.Height = 0.1635;
+  ring.Range = 3.0;
   return ring;
 }
 
@@ -104,7 +114,7 @@ void CheckDistances(const std::vector<Real>& seen, const std::vector<Real>& expe
 }  // namespace
 
 TEST_CASE("proximity: a robot alone reads nothing, not even itself", "[contract][sensors]") {
-  const SRing ring = GENERATE(FootBotRing(), EPuckRing());
+  const SRing ring = GENERATE(FootBotRing(), EPuckRing(), EyeBotRing());
   CAPTURE(ring.Tag);
   CRobotWorld world(WithGenericSensor(Robot(ring.Tag, "r", Pose(0.3, -0.2, 0.0, 30.0))));
   world.Step();
@@ -112,7 +122,7 @@ TEST_CASE("proximity: a robot alone reads nothing, not even itself", "[contract]
 }
 
 TEST_CASE("proximity: distances to a disc follow the law of cosines", "[contract][sensors]") {
-  const SRing ring = GENERATE(FootBotRing(), EPuckRing());
+  const SRing ring = GENERATE(FootBotRing(), EPuckRing(), EyeBotRing());
   const bool movable = GENERATE(false, true);
   CRandomStream random(1, "test", ring.Tag, "poses");
   for (int trial = 0; trial < 25; ++trial) {
@@ -138,17 +148,17 @@ TEST_CASE("proximity: distances to a disc follow the law of cosines", "[contract
 
 TEST_CASE("proximity: distances to a wall are its distance over the cosine of the angle",
           "[contract][sensors]") {
-  const SRing ring = GENERATE(FootBotRing(), EPuckRing());
+  const SRing ring = GENERATE(FootBotRing(), EPuckRing(), EyeBotRing());
   const Real facing = GENERATE(0.0, 20.0, 45.0, 137.0, -90.0);  // degrees, towards the wall
   const Real yaw = GENERATE(0.0, 33.0, 180.0);  // degrees, of the robot
   const Real gap = 0.03;  // m, from the body to the wall
   CAPTURE(ring.Tag, facing, yaw);
-  // a wall one metre thick and four long, turned to face the robot
+  // a wall one metre thick and eight long, turned to face the robot
   const Real center = ring.Radius + gap + 0.5;
   const Real towards = facing * M_PI / 180.0;
   CRobotWorld world(WithGenericSensor(
       Robot(ring.Tag, "r", Pose(1.0, -2.0, 0.0, yaw)) +
-      Box("wall", CVector3(1.0, 4.0, 1.0),
+      Box("wall", CVector3(1.0, 8.0, 1.0),
           Pose(1.0 + center * std::cos(towards), -2.0 + center * std::sin(towards), 0.0, facing))));
   world.Step();
   std::vector<Real> expected;
@@ -161,9 +171,13 @@ TEST_CASE("proximity: distances to a wall are its distance over the cosine of th
 }
 
 TEST_CASE("proximity: sees the same in every engine", "[contract][sensors]") {
-  const std::string engine = GENERATE("toy_engine", "dynamics2d");
-  const SRing ring = GENERATE(FootBotRing(), EPuckRing());
+  const std::string engine = GENERATE("toy_engine", "dynamics2d", "pointmass3d");
+  const SRing ring = GENERATE(FootBotRing(), EPuckRing(), EyeBotRing());
   CAPTURE(engine, ring.Tag);
+  if (engine == "dynamics2d" && ring.Tag == "eye-bot") {
+    SUCCEED("skipped: robots do not fly in dynamics2d");
+    return;
+  }
   const Real gap = 0.03;
   const Real distance = ring.Radius + gap + 0.2;
   const Real bearing = ring.Angles[1] + 0.5;  // of ray 1 of a robot turned by half a radian
@@ -195,7 +209,7 @@ TEST_CASE("proximity: robots see each other", "[contract][sensors]") {
 }
 
 TEST_CASE("proximity: rays end at their range", "[contract][sensors]") {
-  const SRing ring = GENERATE(FootBotRing(), EPuckRing());
+  const SRing ring = GENERATE(FootBotRing(), EPuckRing(), EyeBotRing());
   const Real excess = GENERATE(-1e-6, 1e-6);  // m, beyond the range
   CAPTURE(ring.Tag, excess);
   const Real distance = ring.Radius + ring.Range + excess + 0.2;
@@ -338,6 +352,11 @@ TEST_CASE("proximity: the response curves are the robots'", "[contract][sensors]
                  .GetReadings()[2]
                  .Value,
              WithinAbs(expectedFootBot, kTolerance));
+  CRobotWorld eyeBot(experiment(EyeBotRing(), "eyebot_proximity"));
+  eyeBot.Step();
+  CHECK_THAT(
+      eyeBot.GetSensor<CCI_EyeBotProximitySensor>("r", "eyebot_proximity").GetReadings()[2].Value,
+      WithinAbs(expectedFootBot, kTolerance));
   CRobotWorld ePuck(experiment(EPuckRing(), "epuck_proximity"));
   ePuck.Step();
   CHECK_THAT(

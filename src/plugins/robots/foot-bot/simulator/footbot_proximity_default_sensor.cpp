@@ -1,15 +1,8 @@
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_proximity_default_sensor.h>
 
+#include <argos3/plugins/robots/generic/simulator/swarmanoid_proximity.h>
+
 namespace argos {
-
-namespace {
-
-// response curve as published with ARGoS 3: kScale / (D + kShift), saturated below kNear
-constexpr Real kNear = 0.009889556;  // m
-constexpr Real kScale = 0.0100527;  // m
-constexpr Real kShift = 0.000163144;  // m
-
-}  // namespace
 
 void CFootBotProximityDefaultSensor::SetRobot(CComposableEntity& robot) {
   m_rays.SetRobot(robot);
@@ -35,7 +28,7 @@ void CFootBotProximityDefaultSensor::Reset() {
 }
 
 Real CFootBotProximityDefaultSensor::CalculateReading(Real distance) {
-  return distance < kNear ? 1.0 : kScale / (distance + kShift);
+  return ComputeSwarmanoidProximity(distance);
 }
 
 REGISTER_SENSOR(

@@ -150,13 +150,16 @@ TEST_CASE("camera: the framing placement holds the arena, tightly and in the mid
   const Eigen::Vector3d size =
       GENERATE(Eigen::Vector3d(5.0, 5.0, 1.0), Eigen::Vector3d(40.0, 10.0, 2.0),
                Eigen::Vector3d(0.5, 8.0, 1.0));
-  CAPTURE(aspectRatio, size);
+  const double top = GENERATE(0.0, 1.0, 6.0);  // m above the ground
+  CAPTURE(aspectRatio, size, top);
   const SArenaBox arena{{1.5, -2.0, 0.5}, size};
-  const CCamera camera(MakeFramingPlacement(arena, aspectRatio), aspectRatio);
+  const CCamera camera(MakeFramingPlacement(arena, aspectRatio, top), aspectRatio);
   Eigen::AlignedBox2d frame;
   for (const double signX : {-0.5, 0.5}) {
     for (const double signY : {-0.5, 0.5}) {
-      frame.extend(camera.Project({1.5 + signX * size.x(), -2.0 + signY * size.y(), 0.0}));
+      for (const double z : {0.0, top}) {
+        frame.extend(camera.Project({1.5 + signX * size.x(), -2.0 + signY * size.y(), z}));
+      }
     }
   }
   CHECK(frame.min().minCoeff() > 0.0);

@@ -135,6 +135,25 @@ TEST_CASE("instance batches: a solid just out of view still casts its shadow int
   CHECK_FALSE(batches.GetCasterBounds().isEmpty());
 }
 
+TEST_CASE("instance batches: what flies out of view casts its shadow as far as the sun throws it",
+          "[visualizations][offscreen][batches]") {
+  // the eye is at the ground and sees it between y = -x and y = x; with the sun at 45 degrees in
+  // the direction of +y, a shadow falls as far towards -y as its solid is high
+  const auto countCasters = [](double y, double height) {
+    SScene scene;
+    scene.OfKind(EMeshKind::Sphere).push_back(MakeInstance({2.0, y, height}, 0.2));
+    CInstanceBatches batches;
+    batches.Fill(scene, MakeCamera(), 1000, Eigen::Vector3d(0.0, 1.0, 1.0).normalized());
+    return Count(batches.GetCasters());
+  };
+  CHECK(countCasters(4.5, 3.0) == 1);
+  CHECK(countCasters(3.0, 1.2) == 1);
+  // 3.2 m from the view, and a shadow of 0.28 m at most
+  CHECK(countCasters(6.5, 0.1) == 0);
+  // below the ground there is none to throw it on
+  CHECK(countCasters(3.0, -5.0) == 0);
+}
+
 TEST_CASE("instance batches: bounding spheres hold the solids and depths the spheres",
           "[visualizations][offscreen][batches]") {
   // a cube of side 2 standing on (5, 1, 3): centre one higher, half diagonal sqrt(3)

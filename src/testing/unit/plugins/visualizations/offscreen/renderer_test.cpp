@@ -216,6 +216,49 @@ TEST_CASE("renderer: a solid's shadow falls away from the sun",
   CHECK(std::abs(beyond - lit) < 6);
 }
 
+TEST_CASE("renderer: what flies casts its shadow on the ground, be it in the picture or not",
+          "[visualizations][offscreen][renderer]") {
+  SRenderSettings settings = SmallPicture();
+  settings.ToSun = Eigen::Vector3d(-1.0, 0.0, 1.0);
+  CRenderer renderer(settings);
+  SScene scene = MakeEmptyScene();
+  scene.ShowGrid = false;
+  // the picture from 3 m above is 4.3 m wide: the second box is outside, at x = -3.2
+  const double height = 1.5;
+  scene.OfKind(EMeshKind::Box).push_back(MakeInstance({-1.0, 0.5, height}, {0.3, 0.3, 0.1}, kRed));
+  scene.OfKind(EMeshKind::Box)
+      .push_back(MakeInstance({-1.7 - height, -0.5, height}, {0.3, 0.3, 0.1}, kRed));
+  const SCameraPlacement above = ViewFromAbove(3.0);
+  SPicture picture;
+  renderer.Render(scene, above, picture);
+  // at 45 degrees a shadow falls as far away as its solid is high: 1.55 m for the middle of it
+  const int lit = Brightness(PixelOf(picture, above, {1.2, 0.0, 0.0}));
+  CHECK(Brightness(PixelOf(picture, above, {0.55, 0.5, 0.0})) < lit - 100);
+  CHECK(Brightness(PixelOf(picture, above, {-1.65, -0.5, 0.0})) < lit - 100);
+  // below them it is not dark, and no skylight is kept away
+  CHECK(std::abs(Brightness(PixelOf(picture, above, {0.1, 0.5, 0.0})) - lit) < 6);
+  CHECK(std::abs(Brightness(PixelOf(picture, above, {1.0, 0.5, 0.0})) - lit) < 6);
+}
+
+TEST_CASE("renderer: lights and lines in the air are drawn, however near the eye",
+          "[visualizations][offscreen][renderer]") {
+  // nothing solid is nearer than the ground, 20 m below
+  CRenderer renderer(SmallPicture());
+  SScene scene = MakeEmptyScene();
+  scene.Glows.push_back({{0.2f, 0.0f, 19.0f}, 0.1f, kRed, 0.0f});
+  SLine line;
+  line.Start = {-0.2f, -0.3f, 19.2f};
+  line.End = {-0.2f, 0.3f, 18.8f};
+  line.Color = kGreen;
+  line.Width = 4.0f;
+  scene.Lines.push_back(line);
+  const SCameraPlacement above = ViewFromAbove(20.0);
+  SPicture picture;
+  renderer.Render(scene, above, picture);
+  CHECK(IsReddish(PixelOf(picture, above, {0.2, 0.0, 19.0})));
+  CHECK(IsGreenish(PixelOf(picture, above, {-0.2, 0.0, 19.0})));
+}
+
 TEST_CASE("renderer: the floor's image lies with row 0 at the lowest y",
           "[visualizations][offscreen][renderer]") {
   CRenderer renderer(SmallPicture());

@@ -1,0 +1,68 @@
+#include <argos3/plugins/simulator/physics_engines/pointmass3d/drivers.h>
+
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/plugins/simulator/physics_engines/pointmass3d/pointmass3d_body.h>
+
+namespace argos {
+
+namespace {
+
+// puts the last element into the place of one that goes
+template <typename T>
+void FillPlace(std::vector<T>& values, UInt32 number) {
+  values[number] = values.back();
+  values.pop_back();
+}
+
+}  // namespace
+
+UInt32 CDrivers::Add(CPointMass3DBody& owner, const Real* wheels, Real interwheelDistance,
+                     const SPlanarPose& pose, Real height) {
+  m_poses.push_back(pose);
+  m_heights.push_back(height);
+  m_perInterwheel.push_back(1.0 / interwheelDistance);
+  m_wheels.push_back(wheels);
+  m_owners.push_back(&owner);
+  return static_cast<UInt32>(m_poses.size() - 1);
+}
+
+CPointMass3DBody* CDrivers::Remove(UInt32 number) {
+  FillPlace(m_poses, number);
+  FillPlace(m_heights, number);
+  FillPlace(m_perInterwheel, number);
+  FillPlace(m_wheels, number);
+  FillPlace(m_owners, number);
+  return number < m_owners.size() ? m_owners[number] : nullptr;
+}
+
+void CDrivers::Clear() {
+  m_poses.clear();
+  m_heights.clear();
+  m_perInterwheel.clear();
+  m_wheels.clear();
+  m_owners.clear();
+}
+
+void CDrivers::Place(UInt32 number, const SPlanarPose& pose, Real height) {
+  m_poses[number] = pose;
+  m_heights[number] = height;
+}
+
+void CDrivers::Advance(Real tick) {
+  for (size_t i = 0; i < m_poses.size(); ++i) {
+    const Real left = m_wheels[i][0];
+    const Real right = m_wheels[i][1];
+    const SArc arc =
+        FollowArc(m_poses[i], 0.5 * (left + right), (right - left) * m_perInterwheel[i], tick);
+    // written so that NaN fails too
+    if (!(std::abs(arc.End.X) + std::abs(arc.End.Y) + std::abs(arc.End.HalfCos) <= kFarthest)) {
+      THROW_ARGOSEXCEPTION("robot \"" << m_owners[i]->GetEmbodiedEntity().GetRootEntity().GetId()
+                                      << "\": wheel speeds of left = " << left << " m/s, right = "
+                                      << right << " m/s lead beyond " << kFarthest << " m");
+    }
+    m_poses[i] = arc.End;
+  }
+}
+
+}  // namespace argos

@@ -1,0 +1,57 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_POINTMASS3D_DRIVERS_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_POINTMASS3D_DRIVERS_H
+
+#include <argos3/core/simulator/physics_engine/planar_motion.h>
+
+#include <vector>
+
+namespace argos {
+
+class CPointMass3DBody;
+
+/**
+ * The bodies of an engine that roll on two wheels, and their motion: the exact arc of their wheel
+ * speeds, at the height where they were put, through everything.
+ *
+ * Numbers of bodies are dense; removing one moves the last one into its place.
+ */
+class CDrivers {
+ public:
+  size_t GetCount() const { return m_poses.size(); }
+  /**
+   * Adds a body.
+   * @param wheels             speeds of the left and the right wheel, m/s; read in every tick.
+   * @param interwheelDistance m, > 0.
+   * @return its number: GetCount() before the call.
+   */
+  UInt32 Add(CPointMass3DBody& owner, const Real* wheels, Real interwheelDistance,
+             const SPlanarPose& pose, Real height);
+  /** Takes a body out. @return whose number is now @p number, if any. */
+  CPointMass3DBody* Remove(UInt32 number);
+  void Clear();
+
+  void Place(UInt32 number, const SPlanarPose& pose, Real height);
+  const SPlanarPose& GetPose(UInt32 number) const { return m_poses[number]; }
+  /** m. */
+  Real GetHeight(UInt32 number) const { return m_heights[number]; }
+  CPointMass3DBody& GetOwner(UInt32 number) const { return *m_owners[number]; }
+
+  /**
+   * Moves everything by a tick.
+   * @param tick  s.
+   * @throws CARGoSException that names the robot if its wheel speeds lead nowhere.
+   */
+  void Advance(Real tick);
+
+ private:
+  // all (bodies)
+  std::vector<SPlanarPose> m_poses;  // world frame; written by Advance()
+  std::vector<Real> m_heights;  // m
+  std::vector<Real> m_perInterwheel;  // 1/m
+  std::vector<const Real*> m_wheels;  // m/s: left, right; not owned
+  std::vector<CPointMass3DBody*> m_owners;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,232 @@
+#include <argos3/plugins/simulator/physics_engines/pointmass3d/flyers.h>
+
+#include <argos3/core/utility/math/angles.h>
+#include <argos3/plugins/simulator/entities/quadrotor_entity.h>
+#include <argos3/plugins/simulator/physics_engines/pointmass3d/flight_loop.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace argos {
+
+namespace {
+
+constexpr size_t kYaw = 3;
+constexpr Real kTurn = 2.0 * ARGOS_PI;
+
+// an angle in [0, 2 pi)
+Real WrapTurn(Real angle) {
+  const Real wrapped = CRadians(angle).UnsignedNormalize().GetValue();
+  return wrapped < kTurn ? wrapped : 0.0;
+}
+
+// of a difference of two such angles, the same in (-pi, pi]
+Real WrapDifference(Real angle) {
+  const Real upper = angle > ARGOS_PI ? angle - kTurn : angle;
+  return upper <= -ARGOS_PI ? upper + kTurn : upper;
+}
+
+}  // namespace
+
+UInt32 CFlyers::Add(const SSettings& settings, const SFlightPose& pose) {
+  const UInt32 number = static_cast<UInt32>(m_robots.size());
+  if (number % kLanes == 0) {
+    m_blocks.emplace_back();
+  }
+  const SBodyDescription& body = *settings.Body;
+  const SPropellersDescription& propellers = *body.Propellers;
+  const Real yawInertia = body.GetPlanarInertia();
+
+  SRobot& robot = m_robots.emplace_back();
+  robot.Owner = settings.Owner;
+  robot.Quadrotor = settings.Quadrotor;
+  robot.Position = propellers.Position;
+  robot.Yaw = propellers.Yaw;
+  robot.Velocity = ComputeSpeedGain(propellers.Velocity, body.Mass);
+  robot.YawRate = ComputeSpeedGain(propellers.YawRate, yawInertia);
+  robot.Bound = ComputeFlightBound(body);
+
+  const size_t lane = number % kLanes;
+  for (size_t i = 0; i < kYaw; ++i) {
+    SAxis& axis = GetAxis(number, i);
+    axis.Lowest[lane] = settings.Lowest[i];
+    axis.Highest[lane] = settings.Highest[i];
+    axis.PerInertia[lane] = 1.0 / body.Mass;
+    axis.MaxThrust[lane] = propellers.MaxForce;
+    axis.Weight[lane] = i == 2 ? body.Mass * settings.Gravity : 0.0;
+  }
+  SAxis& yaw = GetAxis(number, kYaw);
+  yaw.PerInertia[lane] = 1.0 / yawInertia;
+  yaw.MaxThrust[lane] = propellers.MaxTorque;
+  yaw.Weight[lane] = 0.0;
+  Place(number, pose);
+  return number;
+}
+
+CPointMass3DBody* CFlyers::Remove(UInt32 number) {
+  const UInt32 last = static_cast<UInt32>(m_robots.size() - 1);
+  CPointMass3DBody* moved = nullptr;
+  if (number != last) {
+    Copy(last, number);
+    moved = m_robots[number].Owner;
+  }
+  // what stays in an unused lane is computed with, and read by nobody
+  m_robots.pop_back();
+  if (last % kLanes == 0) {
+    m_blocks.pop_back();
+  }
+  return moved;
+}
+
+void CFlyers::Copy(UInt32 from, UInt32 to) {
+  m_robots[to] = m_robots[from];
+  for (size_t i = 0; i <= kYaw; ++i) {
+    const SAxis& source = GetAxis(from, i);
+    SAxis& target = GetAxis(to, i);
+    for (const auto lanes :
+         {&SAxis::Place, &SAxis::Speed, &SAxis::Thrust, &SAxis::LastError, &SAxis::Lowest,
+          &SAxis::Highest, &SAxis::PerInertia, &SAxis::MaxThrust, &SAxis::Weight}) {
+      (target.*lanes)[to % kLanes] = (source.*lanes)[from % kLanes];
+    }
+  }
+}
+
+void CFlyers::Clear() {
+  m_blocks.clear();
+  m_robots.clear();
+}
+
+void CFlyers::Place(UInt32 number, const SFlightPose& pose) {
+  SFlightState state;
+  for (size_t i = 0; i < kYaw; ++i) {
+    state[i].Place = pose.Position[i];
+  }
+  state[kYaw].Place = WrapTurn(pose.Yaw);
+  SetState(number, state);
+}
+
+SFlightPose CFlyers::GetPose(UInt32 number) const {
+  const size_t lane = number % kLanes;
+  const auto& axes = m_blocks[number / kLanes].Axes;
+  return {CVector3(axes[0].Place[lane], axes[1].Place[lane], axes[2].Place[lane]),
+          axes[kYaw].Place[lane]};
+}
+
+SFlightState CFlyers::GetState(UInt32 number) const {
+  const size_t lane = number % kLanes;
+  SFlightState state;
+  for (size_t i = 0; i <= kYaw; ++i) {
+    const SAxis& axis = GetAxis(number, i);
+    state[i] = {axis.Place[lane], axis.Speed[lane], axis.Thrust[lane], axis.LastError[lane]};
+  }
+  return state;
+}
+
+void CFlyers::SetState(UInt32 number, const SFlightState& state) {
+  const size_t lane = number % kLanes;
+  for (size_t i = 0; i <= kYaw; ++i) {
+    SAxis& axis = GetAxis(number, i);
+    axis.Place[lane] = state[i].Place;
+    axis.Speed[lane] = state[i].Speed;
+    axis.Thrust[lane] = state[i].Thrust;
+    axis.LastError[lane] = state[i].LastError;
+  }
+}
+
+Real CFlyers::ComputeStableSubstep() const {
+  Real bound = std::numeric_limits<Real>::infinity();
+  for (const SRobot& robot : m_robots) {
+    bound = std::min(bound, robot.Bound);
+  }
+  return bound;
+}
+
+// Takes over what the robot is told to do in this tick.
+void CFlyers::Order(UInt32 number, Real perSubstep) {
+  const SRobot& robot = m_robots[number];
+  const size_t lane = number % kLanes;
+  const auto order = [&](size_t i, Real target, bool onPlace, Real proportional, Real derivative) {
+    SAxis& axis = GetAxis(number, i);
+    axis.Target[lane] = target;
+    axis.IsOnPlace[lane] = onPlace ? 1.0 : 0.0;
+    axis.Proportional[lane] = proportional;
+    axis.Derivative[lane] = derivative * perSubstep;
+  };
+  if (robot.Quadrotor->GetControlMethod() == CQuadRotorEntity::POSITION_CONTROL) {
+    const auto& data = robot.Quadrotor->GetPositionControlData();
+    for (size_t i = 0; i < kYaw; ++i) {
+      order(i, data.Position[i], true, robot.Position.Proportional, robot.Position.Derivative);
+    }
+    order(kYaw, WrapTurn(data.Yaw.GetValue()), true, robot.Yaw.Proportional, robot.Yaw.Derivative);
+  } else {
+    const auto& data = robot.Quadrotor->GetSpeedControlData();
+    for (size_t i = 0; i < kYaw; ++i) {
+      order(i, data.Velocity[i], false, robot.Velocity, 0.0);
+    }
+    order(kYaw, data.RotSpeed.GetValue(), false, robot.YawRate, 0.0);
+  }
+}
+
+void CFlyers::Advance(Real tick, UInt32 substeps) {
+  const Real substep = tick / substeps;
+  const UInt32 count = static_cast<UInt32>(m_robots.size());
+  for (UInt32 first = 0; first < count; first += kLanes) {
+    for (UInt32 number = first; number < std::min<UInt32>(first + kLanes, count); ++number) {
+      Order(number, 1.0 / substep);
+    }
+    SBlock& block = m_blocks[first / kLanes];
+    for (size_t i = 0; i < kYaw; ++i) {
+      AdvanceAxis<false>(block.Axes[i], substep, substeps);
+    }
+    AdvanceAxis<true>(block.Axes[kYaw], substep, substeps);
+  }
+}
+
+// A substep: the place moves by the speed, the speed by the thrust of the substep before, and the
+// controller answers what comes out with the thrust of the next.
+template <bool IS_ANGLE>
+void CFlyers::AdvanceAxis(SAxis& axis, Real substep, UInt32 substeps) {
+  for (UInt32 i = 0; i < substeps; ++i) {
+    for (size_t lane = 0; lane < kLanes; ++lane) {
+      Real place = axis.Place[lane] + axis.Speed[lane] * substep;
+      Real speed = axis.Speed[lane];
+      if constexpr (!IS_ANGLE) {
+        const Real held = std::min(std::max(place, axis.Lowest[lane]), axis.Highest[lane]);
+        // a wall stops what moves into it
+        speed = held == place ? speed : 0.0;
+        place = held;
+      }
+      axis.Place[lane] = place;
+      axis.Speed[lane] = speed + axis.Thrust[lane] * substep * axis.PerInertia[lane];
+    }
+    if constexpr (IS_ANGLE) {
+      WrapPlaces(axis);
+    }
+    for (size_t lane = 0; lane < kLanes; ++lane) {
+      const bool onPlace = axis.IsOnPlace[lane] != 0.0;
+      Real error = axis.Target[lane] - (onPlace ? axis.Place[lane] : axis.Speed[lane]);
+      if constexpr (IS_ANGLE) {
+        error = onPlace ? WrapDifference(error) : error;
+      }
+      Real change = error - axis.LastError[lane];
+      if constexpr (IS_ANGLE) {
+        change = WrapDifference(change);
+      }
+      const Real weight = axis.Weight[lane];
+      const Real wanted = axis.Proportional[lane] * error + axis.Derivative[lane] * change - weight;
+      const Real max = axis.MaxThrust[lane];
+      axis.Thrust[lane] = std::min(std::max(wanted, -max), max) + weight;
+      axis.LastError[lane] = onPlace ? error : 0.0;
+    }
+  }
+}
+
+void CFlyers::WrapPlaces(SAxis& axis) {
+  for (Real& place : axis.Place) {
+    if (!(place >= 0.0 && place < kTurn)) {
+      place = WrapTurn(place);
+    }
+  }
+}
+
+}  // namespace argos

@@ -1,0 +1,118 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_POINTMASS3D_FLYERS_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_POINTMASS3D_FLYERS_H
+
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/utility/math/range.h>
+
+#include <array>
+#include <vector>
+
+namespace argos {
+
+class CPointMass3DBody;
+class CQuadRotorEntity;
+
+/** Where a flying body is, world frame. */
+struct SFlightPose {
+  CVector3 Position; /**< m */
+  Real Yaw = 0.0; /**< rad, in [0, 2 pi) */
+};
+
+/** How one axis of a flying body moves: x, y, z (m, N) or yaw (rad, N m). */
+struct SAxisState {
+  Real Place = 0.0; /**< m or rad */
+  Real Speed = 0.0; /**< per s */
+  Real Thrust = 0.0; /**< N or N m, weight included: what acts in the next substep */
+  Real LastError = 0.0; /**< of the loop on position, in the last substep; else 0 */
+};
+/** x, y, z, yaw. */
+using SFlightState = std::array<SAxisState, 4>;
+
+/**
+ * The flying bodies of an engine, and their motion.
+ *
+ * Bodies do not meet each other, so each is advanced by all substeps of a tick at once. They are
+ * kept in blocks of kLanes, and a block as a structure of arrays: the arithmetic of a block is the
+ * same for all its bodies and runs in vector registers. What a body is controlled by makes no
+ * difference to it, but in numbers: gains, targets, and which number the target is of.
+ *
+ * Numbers of bodies are dense; removing one moves the last one into its place.
+ */
+class CFlyers {
+ public:
+  /** What does not change of a body while it is here. */
+  struct SSettings {
+    CPointMass3DBody* Owner = nullptr;
+    const CQuadRotorEntity* Quadrotor = nullptr; /**< what tells it where to go; not owned */
+    const SBodyDescription* Body = nullptr; /**< with propellers */
+    CVector3 Lowest; /**< positions are kept in the box from here, m */
+    CVector3 Highest; /**< to here, m */
+    Real Gravity = 0.0; /**< m/s^2, along z */
+  };
+
+  size_t GetCount() const { return m_robots.size(); }
+  /** Adds a body at rest. @return its number: GetCount() before the call. */
+  UInt32 Add(const SSettings& settings, const SFlightPose& pose);
+  /** Takes a body out. @return whose number is now @p number, if any. */
+  CPointMass3DBody* Remove(UInt32 number);
+  void Clear();
+
+  /** Puts a body somewhere, at rest, with nothing pending. */
+  void Place(UInt32 number, const SFlightPose& pose);
+  SFlightPose GetPose(UInt32 number) const;
+  SFlightState GetState(UInt32 number) const;
+  void SetState(UInt32 number, const SFlightState& state);
+
+  CPointMass3DBody& GetOwner(UInt32 number) const { return *m_robots[number].Owner; }
+  /** The smallest bound of any loop of any body, s; infinite without bodies. */
+  Real ComputeStableSubstep() const;
+
+  /** Moves everything by a tick of @p substeps substeps. @param tick s. */
+  void Advance(Real tick, UInt32 substeps);
+
+ private:
+  static constexpr size_t kLanes = 8;
+  using TLanes = std::array<Real, kLanes>;
+
+  // one axis of the bodies of a block; all arrays (lanes)
+  struct SAxis {
+    // state, see SAxisState
+    TLanes Place{}, Speed{}, Thrust{}, LastError{};
+    // the bodies: m or unused, per kg or kg m^2, N or N m
+    TLanes Lowest{}, Highest{}, PerInertia{}, MaxThrust{};
+    TLanes Weight{};  // N, along the axis: what the controller counters
+    // of the tick, written by Order(): m or rad, or per s
+    TLanes Target{};
+    TLanes IsOnPlace{};  // 1: Target is one of the place; 0: of the speed
+    TLanes Proportional{};  // thrust for an error
+    TLanes Derivative{};  // thrust for a change of the error in a substep
+  };
+  struct SBlock {
+    std::array<SAxis, 4> Axes;  // x, y, z, yaw
+  };
+  // what a body is apart from its axes
+  struct SRobot {
+    CPointMass3DBody* Owner = nullptr;
+    const CQuadRotorEntity* Quadrotor = nullptr;
+    SControlGains Position, Yaw;
+    Real Velocity = 0.0, YawRate = 0.0;  // gains on speeds, see ComputeSpeedGain()
+    Real Bound = 0.0;  // s
+  };
+
+  SAxis& GetAxis(UInt32 number, size_t axis) { return m_blocks[number / kLanes].Axes[axis]; }
+  const SAxis& GetAxis(UInt32 number, size_t axis) const {
+    return m_blocks[number / kLanes].Axes[axis];
+  }
+  void Order(UInt32 number, Real perSubstep);
+  void Copy(UInt32 from, UInt32 to);
+  template <bool IS_ANGLE>
+  static void AdvanceAxis(SAxis& axis, Real substep, UInt32 substeps);
+  static void WrapPlaces(SAxis& axis);
+
+  std::vector<SBlock> m_blocks;
+  std::vector<SRobot> m_robots;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,445 @@
+#include <argos3/plugins/simulator/physics_engines/pointmass3d/pointmass3d_engine.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/body_index.h>
+#include <argos3/plugins/simulator/entities/quadrotor_entity.h>
+#include <argos3/plugins/simulator/entities/value_checks.h>
+#include <argos3/plugins/simulator/entities/wheeled_entity.h>
+#include <argos3/plugins/simulator/physics_engines/pointmass3d/drivers.h>
+#include <argos3/plugins/simulator/physics_engines/pointmass3d/flight_loop.h>
+#include <argos3/plugins/simulator/physics_engines/pointmass3d/flyers.h>
+#include <argos3/plugins/simulator/physics_engines/pointmass3d/pointmass3d_body.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+using EKind = CPointMass3DBody::EKind;
+
+// substeps of a tick; more would never end
+constexpr UInt32 kMaxIterations = 10000;
+// control loops run at this share of the substep at which they would no longer be stable, or less:
+// there they settle about as fast as with the shortest substeps
+constexpr Real kStableShare = 0.5;
+
+std::string NameOf(const CEmbodiedEntity& body) {
+  return "\"" + body.GetRootEntity().GetId() + "\"";
+}
+
+EKind GetKind(const CEmbodiedEntity& body) {
+  const SBodyDescription& description = *body.GetBodyDescription();
+  if (body.IsMovable() && description.Propellers) {
+    return EKind::Flyer;
+  }
+  return body.IsMovable() && description.Drive ? EKind::Driver : EKind::Still;
+}
+
+void CheckGains(const std::string& owner, const std::string& loop, const SControlGains& gains,
+                bool needsDerivative) {
+  RequirePositive(gains.Proportional, owner, "proportional gain on " + loop);
+  if (needsDerivative) {
+    RequirePositive(gains.Derivative, owner, "derivative gain on " + loop);
+  } else {
+    RequireNotNegative(gains.Derivative, owner, "derivative gain on " + loop);
+  }
+}
+
+void CheckDescription(const CEmbodiedEntity& body, EKind kind) {
+  const std::string owner = NameOf(body);
+  const CVector3& position = body.GetOriginAnchor().Position;
+  // written so that NaN fails too
+  if (!(std::abs(position.GetX()) + std::abs(position.GetY()) + std::abs(position.GetZ()) <=
+        kFarthest)) {
+    THROW_ARGOSEXCEPTION(owner << " at (" << position << ") is farther than " << kFarthest
+                               << " m from the origin: positions would no longer be accurate");
+  }
+  const SBodyDescription& description = *body.GetBodyDescription();
+  if (kind == EKind::Driver) {
+    RequirePositive(description.Drive->InterwheelDistance, owner,
+                    "distance between the wheels (m)");
+  } else if (kind == EKind::Flyer) {
+    const SPropellersDescription& propellers = *description.Propellers;
+    RequirePositive(description.Mass, owner, "mass (kg)");
+    RequirePositive(description.GetPlanarInertia(), owner, "moment of inertia (kg m^2)");
+    // without a derivative, nothing would damp a loop on position
+    CheckGains(owner, "position", propellers.Position, true);
+    CheckGains(owner, "yaw", propellers.Yaw, true);
+    CheckGains(owner, "velocity", propellers.Velocity, false);
+    CheckGains(owner, "yaw rate", propellers.YawRate, false);
+    RequirePositive(propellers.MaxForce, owner, "greatest force of the propellers (N)");
+    RequirePositive(propellers.MaxTorque, owner, "greatest torque of the propellers (N m)");
+  }
+}
+
+SPlanarPose GetPlanarPose(const CEmbodiedEntity& body) {
+  const SAnchor& origin = body.GetOriginAnchor();
+  return MakePlanarPose(origin.Position, origin.Orientation);
+}
+
+SFlightPose GetFlightPose(const CEmbodiedEntity& body) {
+  return {body.GetOriginAnchor().Position, GetPlanarPose(body).ComputeYaw()};
+}
+
+UInt32 CountSubsteps(Real tick, Real bound) {
+  // a whole number is not to become the next one by a rounding
+  const Real needed = std::ceil(tick / (kStableShare * bound) - 1e-9);
+  return static_cast<UInt32>(std::clamp<Real>(needed, 1.0, kMaxIterations + 1.0));
+}
+
+}  // namespace
+
+CPointMass3DEngine::CPointMass3DEngine()
+    : m_flyers(std::make_unique<CFlyers>()), m_drivers(std::make_unique<CDrivers>()) {}
+
+CPointMass3DEngine::~CPointMass3DEngine() = default;
+
+void CPointMass3DEngine::Init(TConfigurationNode& tree) {
+  CPhysicsEngine::Init(tree);
+  if (GetIterations() > kMaxIterations) {
+    THROW_ARGOSEXCEPTION(OwnerOf(tree) << ": \"iterations\" must be at most " << kMaxIterations
+                                       << ", found " << GetIterations());
+  }
+  GetNodeAttributeOrDefault(tree, "gravity", m_gravity, m_gravity);
+}
+
+void CPointMass3DEngine::Destroy() {
+  m_flyers->Clear();
+  m_drivers->Clear();
+  m_bodies.clear();
+  m_userModels.clear();
+  m_numOutsideIndex = 0;
+  m_substeps = 0;
+}
+
+// The entities have their initial poses already.
+void CPointMass3DEngine::Reset() {
+  for (const auto& body : m_bodies) {
+    Replace(*body);
+  }
+  for (const SUserModel& user : m_userModels) {
+    user.Model->Reset();
+  }
+}
+
+bool CPointMass3DEngine::AddEntity(CEntity& entity) {
+  if (CallEntityOperation<CPointMass3DOperationAddEntity, CPointMass3DEngine, SOperationOutcome>(
+          *this, entity)()) {
+    return true;
+  }
+  CEmbodiedEntity* const body = FindDescribedBody(entity);
+  if (body == nullptr) {
+    return false;
+  }
+  const EKind kind = GetKind(*body);
+  CheckDescription(*body, kind);
+  auto model = std::make_unique<CPointMass3DBody>(*this, *body, kind);
+  CPhysicsModel& added = *model;
+  AddBody(std::move(model));
+  body->AddPhysicsModel(GetId(), added);
+  return true;
+}
+
+std::string CPointMass3DEngine::ExplainRefusal(CEntity& entity) const {
+  return "houses only bodies that are described (SBodyDescription) or have a model of a user's, "
+         "and "
+         "<" +
+         entity.GetTypeDescription() + "> has neither";
+}
+
+void CPointMass3DEngine::AddBody(std::unique_ptr<CPointMass3DBody> body) {
+  if (body->m_kind == EKind::Flyer) {
+    AddFlyer(*body);
+  } else if (body->m_kind == EKind::Driver) {
+    AddDriver(*body);
+  }
+  body->m_number = m_bodies.size();
+  m_bodies.push_back(std::move(body));
+}
+
+void CPointMass3DEngine::AddFlyer(CPointMass3DBody& model) {
+  CEmbodiedEntity& body = model.GetEmbodiedEntity();
+  const SBodyDescription& description = *body.GetBodyDescription();
+  const Real bound = ComputeFlightBound(description);
+  if (CountSubsteps(m_cSimulator.GetTickLength(), bound) > kMaxIterations) {
+    THROW_ARGOSEXCEPTION("the controllers of " << NameOf(body) << " are stable in substeps of less "
+                                               << "than " << bound << " s only: a tick of "
+                                               << m_cSimulator.GetTickLength()
+                                               << " s would take more than " << kMaxIterations
+                                               << "; raise \"ticks_per_second\"");
+  }
+  const Real radius = description.ComputeBoundingRadius();
+  const SBoundingBox box = description.ComputeBoundingBox(CVector3(), CQuaternion());
+  CFlyers::SSettings settings;
+  settings.Owner = &model;
+  settings.Quadrotor =
+      &static_cast<CComposableEntity&>(model.m_root).GetComponent<CQuadRotorEntity>("quadrotor");
+  settings.Body = &description;
+  settings.Gravity = m_gravity;
+  settings.Lowest =
+      m_cSpace.GetArenaLimits().GetMin() + CVector3(radius, radius, -box.MinCorner.GetZ());
+  settings.Highest =
+      m_cSpace.GetArenaLimits().GetMax() - CVector3(radius, radius, box.MaxCorner.GetZ());
+  if (!(settings.Lowest <= settings.Highest)) {
+    THROW_ARGOSEXCEPTION("the arena, of the size \""
+                         << m_cSpace.GetArenaSize() << "\" m, is too small for " << NameOf(body)
+                         << ", which is kept inside: it needs " << 2.0 * radius << " m along x and "
+                         << "y, and " << box.MaxCorner.GetZ() - box.MinCorner.GetZ()
+                         << " m of height");
+  }
+  model.m_slot = m_flyers->Add(settings, GetFlightPose(body));
+  m_substeps = 0;
+}
+
+void CPointMass3DEngine::AddDriver(CPointMass3DBody& model) {
+  CEmbodiedEntity& body = model.GetEmbodiedEntity();
+  const auto& wheels =
+      static_cast<CComposableEntity&>(model.m_root).GetComponent<CWheeledEntity>("wheels");
+  if (wheels.GetNumWheels() < 2) {
+    THROW_ARGOSEXCEPTION("robot " << NameOf(body) << " has a differential drive, but "
+                                  << wheels.GetNumWheels() << " wheel instead of 2");
+  }
+  model.m_slot = m_drivers->Add(model, wheels.GetWheelVelocities(),
+                                body.GetBodyDescription()->Drive->InterwheelDistance,
+                                GetPlanarPose(body), body.GetOriginAnchor().Position.GetZ());
+}
+
+bool CPointMass3DEngine::RemoveEntity(CEntity& entity) {
+  auto* const composable = dynamic_cast<CComposableEntity*>(&entity);
+  if (composable == nullptr || !composable->HasComponent("body")) {
+    return false;
+  }
+  auto& body = composable->GetComponent<CEmbodiedEntity>("body");
+  for (UInt32 i = 0; i < body.GetPhysicsModelsNum(); ++i) {
+    CPhysicsModel& model = body.GetPhysicsModel(i);
+    if (&model.GetEngine() != this) {
+      continue;
+    }
+    auto* const described = dynamic_cast<CPointMass3DBody*>(&model);
+    if (described == nullptr) {
+      return CallEntityOperation<CPointMass3DOperationRemoveEntity, CPointMass3DEngine,
+                                 SOperationOutcome>(*this, entity)();
+    }
+    const auto taken = TakeOut(*described);
+    body.RemovePhysicsModel(GetId());
+    return true;
+  }
+  return false;
+}
+
+// the last bodies take the numbers of the one that goes
+std::unique_ptr<CPointMass3DBody> CPointMass3DEngine::TakeOut(CPointMass3DBody& body) {
+  CPointMass3DBody* moved = nullptr;
+  if (body.m_kind == EKind::Flyer) {
+    moved = m_flyers->Remove(body.m_slot);
+    m_substeps = 0;
+  } else if (body.m_kind == EKind::Driver) {
+    moved = m_drivers->Remove(body.m_slot);
+  }
+  if (moved != nullptr) {
+    moved->m_slot = body.m_slot;
+  }
+  const size_t number = body.m_number;
+  std::swap(m_bodies[number], m_bodies.back());
+  m_bodies[number]->m_number = number;
+  std::unique_ptr<CPointMass3DBody> taken = std::move(m_bodies.back());
+  m_bodies.pop_back();
+  return taken;
+}
+
+void CPointMass3DEngine::Replace(CPointMass3DBody& body) {
+  const CEmbodiedEntity& entity = body.GetEmbodiedEntity();
+  if (body.m_kind == EKind::Flyer) {
+    m_flyers->Place(body.m_slot, GetFlightPose(entity));
+  } else if (body.m_kind == EKind::Driver) {
+    m_drivers->Place(body.m_slot, GetPlanarPose(entity), entity.GetOriginAnchor().Position.GetZ());
+  }
+}
+
+void CPointMass3DEngine::TransferEntity(CEmbodiedEntity& body) {
+  auto* const model = dynamic_cast<CPointMass3DBody*>(&body.GetPhysicsModel(size_t(0)));
+  if (model == nullptr || &model->GetEngine() != this) {
+    CPhysicsEngine::TransferEntity(body);
+    return;
+  }
+  const bool flies = model->m_kind == EKind::Flyer;
+  const SFlightState state = flies ? m_flyers->GetState(model->m_slot) : SFlightState();
+  CPointMass3DEngine* next = FindNext(body);
+  if (next != nullptr) {
+    next->TakeOver(*model);
+  } else {
+    CPhysicsEngine::TransferEntity(body);
+    next = dynamic_cast<CPointMass3DEngine*>(&body.GetPhysicsModel(size_t(0)).GetEngine());
+  }
+  if (flies && next != nullptr) {
+    const auto& moved = static_cast<CPointMass3DBody&>(body.GetPhysicsModel(size_t(0)));
+    next->m_flyers->SetState(moved.m_slot, state);
+  }
+}
+
+// the engine that would take the body, if it is of this type
+CPointMass3DEngine* CPointMass3DEngine::FindNext(const CEmbodiedEntity& body) const {
+  for (CPhysicsEngine* engine : m_cSimulator.GetPhysicsEngines()) {
+    if (engine->IsPointContained(body.GetOriginAnchor().Position)) {
+      return dynamic_cast<CPointMass3DEngine*>(engine);
+    }
+  }
+  return nullptr;
+}
+
+// Takes a body over from another engine of this type. Its model is made anew where it is, because
+// models refer to their engine for ever, and a tick must not ask for memory.
+void CPointMass3DEngine::TakeOver(CPointMass3DBody& model) {
+  CEmbodiedEntity& body = model.m_cEmbodiedEntity;
+  auto& from = static_cast<CPointMass3DEngine&>(model.m_cEngine);
+  const EKind kind = model.m_kind;
+  std::unique_ptr<CPointMass3DBody> taken = from.TakeOut(model);
+  std::destroy_at(taken.get());
+  std::construct_at(taken.get(), *this, body, kind);
+  body.MovePhysicsModel(from.GetId(), GetId(), *taken);
+  AddBody(std::move(taken));
+}
+
+UInt32 CPointMass3DEngine::GetSubsteps() {
+  if (m_substeps == 0) {
+    m_substeps = std::max(GetIterations(), CountSubsteps(m_cSimulator.GetTickLength(),
+                                                         m_flyers->ComputeStableSubstep()));
+  }
+  return m_substeps;
+}
+
+void CPointMass3DEngine::Update() {
+  const Real tick = m_cSimulator.GetTickLength();
+  m_drivers->Advance(tick);
+  m_flyers->Advance(tick, GetSubsteps());
+  for (UInt32 i = 0; i < m_drivers->GetCount(); ++i) {
+    const SPlanarPose& pose = m_drivers->GetPose(i);
+    WriteBack(m_drivers->GetOwner(i), CVector3(pose.X, pose.Y, m_drivers->GetHeight(i)),
+              pose.HalfCos, pose.HalfSin);
+  }
+  for (UInt32 i = 0; i < m_flyers->GetCount(); ++i) {
+    const SFlightPose pose = m_flyers->GetPose(i);
+    const Real yaw = pose.Yaw > ARGOS_PI ? pose.Yaw - 2.0 * ARGOS_PI : pose.Yaw;
+    WriteBack(m_flyers->GetOwner(i), pose.Position, std::cos(0.5 * yaw), std::sin(0.5 * yaw));
+  }
+  if (!m_userModels.empty()) {
+    UpdateUserModels();
+  }
+}
+
+void CPointMass3DEngine::WriteBack(CPointMass3DBody& model, const CVector3& position, Real halfCos,
+                                   Real halfSin) {
+  CEmbodiedEntity& body = model.m_cEmbodiedEntity;
+  body.SetOriginPose(position, CQuaternion(halfCos, 0.0, 0.0, halfSin));
+  if (body.GetEnabledAnchors().size() > 1) {
+    model.CalculateAnchors();
+  }
+  model.CalculateBoundingBox();
+  model.m_root.Update();
+  if (IsEntityTransferActive() && !IsPointContained(position)) {
+    ScheduleEntityForTransfer(body);
+  }
+}
+
+void CPointMass3DEngine::UpdateUserModels() {
+  for (const SUserModel& user : m_userModels) {
+    user.Model->UpdateFromEntityStatus();
+    for (UInt32 i = 0; i < GetIterations(); ++i) {
+      user.Model->Step();
+    }
+    user.Model->UpdateEntityStatus();
+  }
+}
+
+void CPointMass3DEngine::AddPhysicsModel(const std::string& id, CPointMass3DModel& model) {
+  m_userModels.push_back({id, std::unique_ptr<CPointMass3DModel>(&model)});
+  CountBodiesOutsideIndex();
+}
+
+void CPointMass3DEngine::RemovePhysicsModel(const std::string& id) {
+  const auto found = std::find_if(m_userModels.begin(), m_userModels.end(),
+                                  [&id](const SUserModel& user) { return user.Id == id; });
+  if (found == m_userModels.end()) {
+    THROW_ARGOSEXCEPTION("the physics engine \"" << GetId() << "\" has no model of \"" << id
+                                                 << "\"");
+  }
+  m_userModels.erase(found);
+  CountBodiesOutsideIndex();
+}
+
+void CPointMass3DEngine::CountBodiesOutsideIndex() {
+  m_numOutsideIndex = static_cast<size_t>(
+      std::count_if(m_userModels.begin(), m_userModels.end(), [](const SUserModel& user) {
+        return user.Model->GetEmbodiedEntity().GetBodyDescription() == nullptr;
+      }));
+}
+
+void CPointMass3DEngine::CheckIntersectionWithRay(TEmbodiedEntityIntersectionData& data,
+                                                  const CRay3& ray) const {
+  for (const SUserModel& user : m_userModels) {
+    Real tOnRay = 0.0;
+    if (user.Model->CheckIntersectionWithRay(tOnRay, ray)) {
+      data.emplace_back(&user.Model->GetEmbodiedEntity(), tOnRay);
+    }
+  }
+}
+
+bool CPointMass3DEngine::HasOverlap(const CPhysicsModel& model) const {
+  const auto overlaps = [&model](const CPhysicsModel& other) {
+    return &other != &model && model.GetBoundingBox().Intersects(other.GetBoundingBox());
+  };
+  return std::any_of(m_bodies.begin(), m_bodies.end(),
+                     [&](const auto& body) { return overlaps(*body); }) ||
+         std::any_of(m_userModels.begin(), m_userModels.end(),
+                     [&](const SUserModel& user) { return overlaps(*user.Model); });
+}
+
+REGISTER_PHYSICS_ENGINE(
+    CPointMass3DEngine, "pointmass3d", "the authors of this project", "1.0",
+    "Point masses in space, for flying robots.",
+    R"(Bodies pass through each other: there are no contacts, so this engine is for robots that fly, and for those
+whose way is free.
+
+A robot with propellers is a mass under gravity that its own controllers push along x, y and z and turn about the
+vertical; only its yaw is kept. It stays within the limits of the arena, whose borders stop it. A robot on two wheels
+follows the exact arc of its wheel speeds, at the height where it was put. Objects, movable or not, stand where they
+are put; sensors see all of them. Two bodies are not put into each other when they are placed.
+
+REQUIRED XML
+
+  <physics_engines>
+    <pointmass3d id="pm3d" />
+  </physics_engines>
+
+OPTIONAL XML
+
+  <physics_engines>
+    <pointmass3d id="pm3d" iterations="10" gravity="-9.81">
+      <boundaries>
+        <top height="5" />
+        <bottom height="0" />
+        <sides>
+          <vertex point="0,0" /> <vertex point="5,0" /> <vertex point="5,5" /> <vertex point="0,5" />
+        </sides>
+      </boundaries>
+    </pointmass3d>
+  </physics_engines>
+
+ATTRIBUTES
+
+  id          text, required: unique among the engines.
+  iterations  integer in [1,10000], default 10: least number of substeps of a tick; in each, the controllers of
+              flying robots run once. There are more if the controllers of a robot would not be stable by a factor
+              of two: an eye-bot takes substeps of at most 1/30 s, so 3 in a tick of 0.1 s.
+  gravity     m/s^2, default -9.81: acceleration along z, negative is down.
+  boundaries  the region of the engine, default everything: top@height and bottom@height, in m, and
+              sides/vertex@point, in m, at least three, counter-clockwise, convex. A body that leaves it moves on to
+              the engine whose region it enters.
+)",
+    "Usable")
+
+}  // namespace argos

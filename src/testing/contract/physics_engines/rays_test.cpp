@@ -1,0 +1,114 @@
+// Rays meet the bodies of every engine where these are now.
+
+#include <argos3/testing/contract/physics_engines/drive_world.h>
+#include <argos3/testing/contract/physics_engines/engines.h>
+
+#include <argos3/core/simulator/loop_functions.h>
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+
+#include <catch2/catch.hpp>
+
+namespace argos {
+
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+// a few roundings of numbers below 10
+constexpr Real kRounding = 1e-14;
+constexpr Real kFootBotRadius = 0.085036758;  // m
+constexpr Real kFootBotHeight = 0.146899733;  // m
+
+// the body that a ray of 8 m along x at this height meets first, and at what distance, m
+struct SHit {
+  std::string Id;  // empty: nothing
+  Real Distance = -1.0;
+};
+
+SHit Look(Real y, Real z) {
+  SEmbodiedEntityIntersectionItem item;
+  if (!GetClosestEmbodiedEntityIntersectedByRay(item,
+                                                CRay3(CVector3(0, y, z), CVector3(8, y, z)))) {
+    return {};
+  }
+  return {item.IntersectedEntity->GetRootEntity().GetId(), 8.0 * item.TOnRay};
+}
+
+}  // namespace
+
+TEST_CASE("rays: meet objects, fixed and movable, and robots", "[contract][engine]") {
+  const SEngineType engine = GENERATE(kDynamics2D, kPointMass3D);
+  CAPTURE(engine);
+  CDriveWorld world(
+      engine.ToXml(),
+      "<box id='wall' size='0.2,4,0.5' movable='false'><body position='5,0,0'/></box>"
+      "<box id='box' size='0.4,0.4,0.3' movable='true' mass='1'><body position='3,1,0'/></box>"
+      "<cylinder id='disc' radius='0.5' height='0.3' movable='true' mass='1'><body "
+      "position='3,-1,0'/></cylinder>" +
+          DriverXml("foot-bot", "robot", 2, 0, 0, 0, 0));
+  for (int tick = 0; tick < 2; ++tick) {
+    CHECK(Look(0.0, 0.1).Id == "robot");
+    CHECK_THAT(Look(0.0, 0.1).Distance, WithinAbs(2 - kFootBotRadius, kRounding));
+    CHECK(Look(0.0, kFootBotHeight + 0.001).Id == "wall");
+    CHECK_THAT(Look(0.0, 0.2).Distance, WithinAbs(4.9, kRounding));
+    CHECK(Look(1.1, 0.1).Id == "box");
+    CHECK_THAT(Look(1.1, 0.1).Distance, WithinAbs(2.8, kRounding));
+    CHECK(Look(-0.6, 0.1).Id == "disc");
+    // 0.4 off the centre: a triangle of 3, 4, 5
+    CHECK_THAT(Look(-0.6, 0.1).Distance, WithinAbs(2.7, kRounding));
+    CHECK(Look(0.0, 0.6).Id.empty());
+    world.Step();
+  }
+}
+
+TEST_CASE("rays: follow a robot that drives", "[contract][engine]") {
+  const SEngineType engine = GENERATE(kDynamics2D, kPointMass3D);
+  CAPTURE(engine);
+  CDriveWorld world(engine.ToXml(), DriverXml("foot-bot", "robot", 2, 0, 180, 10, 10));
+  world.Step();
+  for (int tick = 1; tick <= 20; ++tick) {
+    world.Step();
+    // each tick rounds once
+    CHECK_THAT(Look(0.0, 0.1).Distance,
+               WithinAbs(2 - 0.01 * tick - kFootBotRadius, 20 * kRounding));
+  }
+  world.GetSimulator().Reset();
+  CHECK_THAT(Look(0.0, 0.1).Distance, WithinAbs(2 - kFootBotRadius, kRounding));
+}
+
+TEST_CASE("rays: find at once what is moved, and no longer what is removed", "[contract][engine]") {
+  const SEngineType engine = GENERATE(kDynamics2D, kPointMass3D);
+  const bool movable = GENERATE(true, false);
+  CAPTURE(engine, movable);
+  CDriveWorld world(engine.ToXml(), std::string("<box id='box' size='0.4,0.2,0.3' movable='") +
+                                        (movable ? "true" : "false") +
+                                        "' mass='1'><body position='3,0,0'/></box>");
+  world.Step();
+  REQUIRE_THAT(Look(0.0, 0.1).Distance, WithinAbs(2.8, kRounding));
+  REQUIRE(
+      world.Body("box").MoveTo(CVector3(4, 0, 0), CQuaternion(CRadians::PI_OVER_TWO, CVector3::Z)));
+  CHECK_THAT(Look(0.0, 0.1).Distance, WithinAbs(3.9, kRounding));
+  world.Step();
+  CHECK_THAT(Look(0.0, 0.1).Distance, WithinAbs(3.9, kRounding));
+  world.GetSimulator().GetLoopFunctions().RemoveEntity("box");
+  CHECK(Look(0.0, 0.1).Id.empty());
+  world.Step();
+  CHECK(Look(0.0, 0.1).Id.empty());
+}
+
+TEST_CASE("rays: see what stands in two engines once", "[contract][engine]") {
+  const SEngineType engine = GENERATE(kDynamics2D, kPointMass3D);
+  CAPTURE(engine);
+  CDriveWorld world(
+      engine.ToTwoXml(1.0) + engine.ToXml("all"),
+      "<box id='wall' size='4,0.2,0.5' movable='false'><body position='1,0,0'/></box>");
+  // its origin is on the border, and everywhere in the third
+  REQUIRE(world.Body("wall").GetPhysicsModelsNum() == 3);
+  TEmbodiedEntityIntersectionData hits;
+  CHECK(
+      GetEmbodiedEntitiesIntersectedByRay(hits, CRay3(CVector3(-5, 0, 0.1), CVector3(5, 0, 0.1))));
+  REQUIRE(hits.size() == 1);
+  CHECK_THAT(hits[0].TOnRay, WithinAbs(0.4, kRounding));
+}
+
+}  // namespace argos

@@ -1,0 +1,299 @@
+// What the eye-bot is made of, and what it sees: numbers published with ARGoS 3, written here a
+// second time.
+
+#include <argos3/core/simulator/loop_functions.h>
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/plugins/robots/eye-bot/control_interface/ci_eyebot_light_sensor.h>
+#include <argos3/plugins/robots/eye-bot/control_interface/ci_eyebot_proximity_sensor.h>
+#include <argos3/plugins/robots/eye-bot/simulator/eyebot_entity.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_light_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_colored_blob_perspective_camera_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_proximity_sensor.h>
+#include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
+#include <argos3/testing/contract/sensors/scene.h>
+#include <argos3/testing/support/captured_logs.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace argos;
+using Catch::Matchers::Contains;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+// a few roundings of numbers below 10
+constexpr Real kRounding = 1e-14;
+
+CEyeBotEntity& EyeBot(CRobotWorld& world, const std::string& id = "r") {
+  return world.Get<CEyeBotEntity>(id);
+}
+
+SRobotExperiment OneEyeBot(const std::string& sensors = "") {
+  SRobotExperiment experiment;
+  experiment.Engine = "<pointmass3d id=\"engine\"/>";
+  experiment.Sensors = sensors;
+  experiment.Arena = Robot("eye-bot", "r", PoseText(CVector3(0, 0, 0.25)));
+  return experiment;
+}
+
+}  // namespace
+
+TEST_CASE("eye-bot: its body has the published measures", "[contract][robots]") {
+  SRobotExperiment experiment;
+  experiment.Arena = Robot("eye-bot", "r", PoseText(CVector3(1, 2, 0.3), 90.0)) +
+                     Robot("eye-bot", "s", PoseText(CVector3(-1, 2, 0.3)));
+  CRobotWorld world(experiment);
+  CEyeBotEntity& robot = EyeBot(world);
+  CHECK(robot.GetTypeDescription() == "eye-bot");
+  const SBodyDescription& body = *robot.GetEmbodiedEntity().GetBodyDescription();
+  CHECK(&body == EyeBot(world, "s").GetEmbodiedEntity().GetBodyDescription());
+  REQUIRE(body.Shapes.size() == 1);
+  CHECK(body.Shapes[0].Kind == SShapeDescription::EKind::Cylinder);
+  CHECK(body.Shapes[0].Radius == 0.25);
+  CHECK(body.Shapes[0].Size.GetZ() == 0.566);
+  CHECK(body.Mass == 1.0);
+  CHECK(body.GetPlanarInertia() == 0.01);
+  CHECK_FALSE(body.Drive.has_value());
+  REQUIRE(body.Propellers.has_value());
+  const SPropellersDescription& propellers = *body.Propellers;
+  CHECK(propellers.Position.Proportional == 20.0);
+  CHECK(propellers.Position.Derivative == 10.0);
+  CHECK(propellers.Yaw.Proportional == 0.5);
+  CHECK(propellers.Yaw.Derivative == 0.1);
+  CHECK(propellers.Velocity.Proportional == 20.0);
+  CHECK(propellers.Velocity.Derivative == 0.0);
+  CHECK(propellers.YawRate.Proportional == 0.5);
+  CHECK(propellers.YawRate.Derivative == 0.1);
+  CHECK(propellers.MaxForce == 1000.0);
+  CHECK(propellers.MaxTorque == 1000.0);
+  CHECK(robot.GetEmbodiedEntity().GetOriginAnchor().Position == CVector3(1, 2, 0.3));
+  CHECK(robot.GetEmbodiedEntity().IsMovable());
+}
+
+TEST_CASE("eye-bot: its LEDs and sensors sit where they were published", "[contract][robots]") {
+  CRobotWorld world(OneEyeBot());
+  CEyeBotEntity& robot = EyeBot(world);
+  const CLEDEquippedEntity& leds = robot.GetLEDEquippedEntity();
+  REQUIRE(leds.GetNumLEDs() == 33);
+  for (int i = 0; i < 32; ++i) {
+    const Real angle = (11.25 + 22.5 * (i % 16)) * M_PI / 180.0;
+    const CVector3 expected(0.255 * std::cos(angle), 0.255 * std::sin(angle),
+                            i < 16 ? 0.1535 : 0.1635);
+    CHECK_THAT(Distance(leds.GetLEDOffset(i), expected), WithinAbs(0.0, kRounding));
+  }
+  const Real diagonal = 0.1785 * std::sqrt(0.5);
+  CHECK_THAT(Distance(leds.GetLEDOffset(32), CVector3(-diagonal, diagonal, 0.1435)),
+             WithinAbs(0.0, kRounding));
+
+  auto& proximity = robot.GetProximitySensorEquippedEntity();
+  auto& light = robot.GetLightSensorEquippedEntity();
+  REQUIRE(proximity.GetNumSensors() == 24);
+  REQUIRE(light.GetNumSensors() == 24);
+  for (int i = 0; i < 24; ++i) {
+    const Real angle = (7.5 + 15.0 * i) * M_PI / 180.0;
+    const CVector3 outward(std::cos(angle), std::sin(angle), 0.0);
+    const CVector3 place = outward * 0.255 + CVector3(0, 0, 0.1635);
+    CHECK_THAT(Distance(proximity.GetSensor(i).Offset, place), WithinAbs(0.0, kRounding));
+    CHECK_THAT(Distance(proximity.GetSensor(i).Direction, outward * 3.0),
+               WithinAbs(0.0, kRounding));
+    CHECK_THAT(Distance(light.GetSensor(i).Position, place), WithinAbs(0.0, kRounding));
+  }
+}
+
+TEST_CASE("eye-bot: every getter gives the component of its name", "[contract][robots]") {
+  CRobotWorld world(OneEyeBot());
+  CEyeBotEntity& robot = EyeBot(world);
+  CHECK(&robot.GetComponent("body") == &robot.GetEmbodiedEntity());
+  CHECK(&robot.GetComponent("leds") == &robot.GetLEDEquippedEntity());
+  CHECK(&robot.GetComponent("proximity_sensors") == &robot.GetProximitySensorEquippedEntity());
+  CHECK(&robot.GetComponent("quadrotor") == &robot.GetQuadRotorEntity());
+  CHECK(&robot.GetComponent("controller") == &robot.GetControllableEntity());
+  CHECK(&robot.GetComponent("light_sensors") == &robot.GetLightSensorEquippedEntity());
+  CHECK(&robot.GetComponent("perspective_camera") == &robot.GetPerspectiveCameraEquippedEntity());
+  CHECK_THROWS_WITH(robot.GetComponent("wheels"), Contains("no component \"wheels\""));
+}
+
+TEST_CASE("eye-bot: visualizations learn what it looks like", "[contract][robots]") {
+  CRobotWorld world(OneEyeBot());
+  const SAppearance* appearance = EyeBot(world).GetAppearance();
+  REQUIRE(appearance != nullptr);
+  std::vector<int> leds(33, 0);
+  int numTranslucent = 0;
+  for (const SVisualPart& part : appearance->Parts) {
+    CHECK(part.Size.GetX() > 0.0);
+    CHECK(part.Anchor == "origin");
+    if (part.Kind == SVisualPart::EKind::LED) {
+      REQUIRE(part.LED < 33);
+      ++leds[part.LED];
+      CHECK_THAT(
+          Distance(part.Position, EyeBot(world).GetLEDEquippedEntity().GetLEDOffset(part.LED)),
+          WithinAbs(0.0, kRounding));
+    } else {
+      // nothing is drawn where rays do not meet the body
+      const SBoundingBox box = [&part] {
+        SBodyDescription solid;
+        solid.Shapes.push_back(SShapeDescription::Box(part.Size));
+        solid.Shapes[0].Orientation = part.Orientation;
+        return solid.ComputeBoundingBox(part.Position, CQuaternion());
+      }();
+      CHECK(box.MaxCorner.GetZ() <= 0.566 + kRounding);
+      numTranslucent += part.Color.GetAlpha() < 255 ? 1 : 0;
+    }
+  }
+  CHECK(leds == std::vector<int>(33, 1));
+  // the discs that four pairs of propellers sweep
+  CHECK(numTranslucent == 8);
+}
+
+TEST_CASE("eye-bot: its proximity sensors look at its own height", "[contract][sensors]") {
+  // a high wall ahead, and behind it one that ends 3.5 mm below the rays
+  SRobotExperiment experiment = OneEyeBot(
+      "<eyebot_proximity implementation=\"default\"/><proximity implementation=\"default\"/>");
+  const Real angle = 7.5 * M_PI / 180.0;  // of sensor 0
+  experiment.Arena += BoxText("wall", CVector3(0.2, 8, 5), CVector3(2, 0, 0)) +
+                      BoxText("low", CVector3(0.2, 8, 0.41), CVector3(-1, 0, 0));
+  CRobotWorld world(experiment);
+  world.Step();
+  const Real distance = 1.9 / std::cos(angle) - 0.255;
+  const auto& readings =
+      world.GetSensor<CCI_EyeBotProximitySensor>("r", "eyebot_proximity").GetReadings();
+  REQUIRE(readings.size() == 24);
+  CHECK_THAT(readings[0].Value, WithinAbs(0.0100527 / (distance + 0.000163144), kRounding));
+  CHECK_THAT(readings[23].Value, WithinAbs(readings[0].Value, kRounding));
+  CHECK_THAT(readings[23].Angle.GetValue(), WithinAbs(-angle, kRounding));
+  // 0.25 m + 0.1635 m
+  CHECK(readings[11].Value == 0.0);
+  CHECK_THAT(world.GetSensor<CCI_ProximitySensor>("r", "proximity").GetReadings()[0],
+             WithinAbs(std::exp(-distance), kRounding));
+}
+
+TEST_CASE("eye-bot: its light sensors read as those of the foot-bot in its place",
+          "[contract][sensors]") {
+  const std::string lamps =
+      LampText("a", CVector3(1.5, 0.7, 0.8), 1.2) + LampText("b", CVector3(-0.4, 0.3, 0.9), 0.6);
+  SRobotExperiment experiment = OneEyeBot("<eyebot_light implementation=\"rot_z_only\"/>");
+  experiment.Arena = Robot("eye-bot", "r", PoseText(CVector3(0.2, -0.1, 0.0), 40.0)) + lamps;
+  CRobotWorld eyeBot(experiment);
+  experiment.Sensors = "<footbot_light implementation=\"rot_z_only\"/>";
+  experiment.Arena = Robot("foot-bot", "r", PoseText(CVector3(0.2, -0.1, 0.0), 40.0)) + lamps;
+  CRobotWorld footBot(experiment);
+  eyeBot.Step();
+  footBot.Step();
+  const auto& seen = eyeBot.GetSensor<CCI_EyeBotLightSensor>("r", "eyebot_light").GetReadings();
+  const auto& expected =
+      footBot.GetSensor<CCI_FootBotLightSensor>("r", "footbot_light").GetReadings();
+  REQUIRE(seen.size() == expected.size());
+  Real sum = 0.0;
+  for (size_t i = 0; i < seen.size(); ++i) {
+    CAPTURE(i);
+    CHECK_THAT(seen[i].Value, WithinAbs(expected[i].Value, kRounding));
+    CHECK(seen[i].Angle == expected[i].Angle);
+    sum += seen[i].Value;
+  }
+  // the lamps are in sight
+  CHECK(sum > 0.3);
+}
+
+TEST_CASE("eye-bot: without a light, its light sensors read zeros", "[contract][sensors]") {
+  CRobotWorld world(OneEyeBot("<eyebot_light implementation=\"rot_z_only\"/>"));
+  world.Step();
+  for (const auto& reading :
+       world.GetSensor<CCI_EyeBotLightSensor>("r", "eyebot_light").GetReadings()) {
+    CHECK(reading.Value == 0.0);
+  }
+}
+
+TEST_CASE("eye-bot: its camera looks straight down and turns with it", "[contract][sensors]") {
+  // at 1.5 m; what is ahead of the robot is up in the image, what is on its left is left
+  const Real yaw = GENERATE(0.0, 90.0, -135.0);  // degrees
+  CAPTURE(yaw);
+  SRobotExperiment experiment =
+      OneEyeBot("<colored_blob_perspective_camera implementation=\"default\" medium=\"leds\"/>");
+  const CQuaternion turn(ToRadians(CDegrees(yaw)), CVector3::Z);
+  CVector3 ahead(0.2, 0.1, 0.0);
+  ahead.Rotate(turn);
+  experiment.Arena = "<eye-bot id=\"r\" camera_aperture=\"40\" camera_range=\"3\"><body " +
+                     PoseText(CVector3(0, 0, 1.5), yaw) + "/><controller config=\"c\"/></eye-bot>" +
+                     LightText("l", ahead);
+  experiment.Engine = "<toy_engine id=\"engine\"/>";
+  CRobotWorld world(experiment);
+  auto& camera = world.GetSensor<CCI_ColoredBlobPerspectiveCameraSensor>(
+      "r", "colored_blob_perspective_camera");
+  camera.Enable();
+  world.Step(2);
+  REQUIRE(camera.GetReadings().BlobList.size() == 1);
+  // the image is as high as 2 f tan(40 degrees) 3/5; a pixel is 1/480 of that
+  const Real pixelsPerTangent = 480.0 / (2.0 * std::tan(40.0 * M_PI / 180.0) * 0.6);
+  CHECK(camera.GetReadings().BlobList[0]->X ==
+        static_cast<SInt32>(320.0 - pixelsPerTangent * 0.1 / 1.5));
+  CHECK(camera.GetReadings().BlobList[0]->Y ==
+        static_cast<SInt32>(240.0 - pixelsPerTangent * 0.2 / 1.5));
+}
+
+TEST_CASE("eye-bot: programs make it with one call", "[contract][robots]") {
+  SRobotExperiment experiment;
+  experiment.Engine = "<pointmass3d id=\"engine\"/>";
+  experiment.Actuators = "<quadrotor_position implementation=\"default\"/>";
+  CRobotWorld world(experiment);
+  // no robot of the file uses the controller
+  CHECK_THAT(TakeLogErr(), Contains("is not used"));
+  world.Add(std::make_unique<CEyeBotEntity>("eb", "c", CVector3(1, 2, 0.25), CQuaternion(), 2.5, 7,
+                                            "", CRadians::PI_OVER_FOUR, 0.05, 1.5));
+  world.Step(10);
+  CEyeBotEntity& robot = EyeBot(world, "eb");
+  CHECK(robot.GetEmbodiedEntity().GetOriginAnchor().Position == CVector3(1, 2, 0.25));
+  CHECK(robot.GetDeviceParameters().RAB.Range == 2.5);
+  CHECK(robot.GetDeviceParameters().RAB.DataSize == 7);
+  CHECK(robot.GetDeviceParameters().PerspectiveCamera.Aperture == CRadians::PI_OVER_FOUR);
+  CHECK(robot.GetDeviceParameters().PerspectiveCamera.FocalLength == 0.05);
+  CHECK(robot.GetDeviceParameters().PerspectiveCamera.Range == 1.5);
+  CHECK_THROWS_WITH(CEyeBotEntity("e", "", CVector3(), CQuaternion(), -1.0),
+                    Contains("eye-bot \"e\"") && Contains("rab_range"));
+  CHECK_THROWS_WITH(
+      CEyeBotEntity("e", "", CVector3(), CQuaternion(), 3.0, 10, "", CRadians::PI_OVER_TWO),
+      Contains("eye-bot \"e\"") && Contains("camera_aperture"));
+}
+
+TEST_CASE("eye-bot: attributes are read, checked, and have their defaults",
+          "[contract][robots][errors]") {
+  const auto withAttributes = [](const std::string& attributes) {
+    SRobotExperiment experiment;
+    experiment.Arena = "<eye-bot id=\"r\" " + attributes +
+                       "><body position=\"0,0,0\"/><controller config=\"c\"/></eye-bot>";
+    return experiment;
+  };
+  {
+    CRobotWorld world(withAttributes(""));
+    const SDeviceParameters& parameters = EyeBot(world).GetDeviceParameters();
+    CHECK(parameters.RAB.Range == 3.0);
+    CHECK(parameters.RAB.DataSize == 10);
+    CHECK_THAT(ToDegrees(parameters.PerspectiveCamera.Aperture).GetValue(),
+               WithinAbs(30.0, kRounding));
+    CHECK(parameters.PerspectiveCamera.FocalLength == 0.035);
+    CHECK(parameters.PerspectiveCamera.Range == 2.0);
+  }
+  {
+    CRobotWorld world(withAttributes(
+        "rab_range=\"5\" rab_data_size=\"2\" camera_aperture=\"20\" camera_focal_length=\"0.1\" "
+        "camera_range=\"4\" camera_front=\"false\""));
+    const SDeviceParameters& parameters = EyeBot(world).GetDeviceParameters();
+    CHECK(parameters.RAB.Range == 5.0);
+    CHECK(parameters.RAB.DataSize == 2);
+    CHECK_THAT(ToDegrees(parameters.PerspectiveCamera.Aperture).GetValue(),
+               WithinAbs(20.0, kRounding));
+    CHECK(parameters.PerspectiveCamera.FocalLength == 0.1);
+    CHECK(parameters.PerspectiveCamera.Range == 4.0);
+    // everything was read
+    CHECK(TakeLogErr() == "");
+  }
+  for (const std::string attribute :
+       {"rab_range=\"-1\"", "camera_aperture=\"90\"", "camera_focal_length=\"0\"",
+        "camera_range=\"-2\"", "camera_front=\"maybe\""}) {
+    CAPTURE(attribute);
+    CHECK_THAT(LoadError(withAttributes(attribute)),
+               Contains(attribute.substr(0, attribute.find('='))) && Contains("<eye-bot>"));
+  }
+}
