@@ -99,7 +99,7 @@ void CFootBotForaging::Return() {
     m_mouth->SetData(0, static_cast<UInt8>(news));
     return;
   }
-  const CVector2 direction = VectorToLight() + VectorOffObstacles();
+  CVector2 direction = VectorToLight() + VectorOffObstacles();
   m_steering->Follow(direction.Length() > 0.0 ? direction.Normalize() * m_steering->GetMaxSpeed()
                                               : CVector2(m_steering->GetMaxSpeed(), 0.0));
 }
