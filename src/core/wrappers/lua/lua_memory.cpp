@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
 #include <new>
 
 namespace argos {
@@ -38,7 +39,7 @@ void CLuaMemory::Free(void* block, std::size_t size) {
     return;
   }
   SFree*& first = m_free[ClassOf(size)];
-  first = new (block) SFree{first};
+  first = std::construct_at(static_cast<SFree*>(block), SFree{first});
 }
 
 void* CLuaMemory::AllocateSmall(std::size_t sizeClass) {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <new>
+#include <memory>
 #include <string>
 #include <type_traits>
 
@@ -476,7 +476,7 @@ template <typename VALUE>
 void CLuaType<VALUE>::Push(lua_State* state, const VALUE& value) {
   static_assert(std::is_trivially_destructible_v<VALUE>, "there is no __gc");
   const VALUE copy = value;  // it may lie in a userdata, and allocating may collect garbage
-  new (lua_newuserdatauv(state, sizeof(VALUE), 0)) VALUE(copy);
+  std::construct_at(static_cast<VALUE*>(lua_newuserdatauv(state, sizeof(VALUE), 0)), copy);
   PushMetatable<VALUE>(state);
   lua_setmetatable(state, -2);
 }

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <new>
+#include <memory>
 #include <string_view>
 
 namespace argos {
@@ -162,7 +162,8 @@ void CLuaUtility::RegisterLoggerWrapper(lua_State* state) {
 }
 
 void CLuaUtility::RegisterRNG(lua_State* state, CRandom::CRNG* rng) {
-  auto* const random = new (lua_newuserdatauv(state, sizeof(CLuaRandom), 0)) CLuaRandom(*rng);
+  auto* const random = std::construct_at(
+      static_cast<CLuaRandom*>(lua_newuserdatauv(state, sizeof(CLuaRandom), 0)), *rng);
   lua_createtable(state, 0, 1);
   lua_pushcfunction(state, CollectRandom);
   lua_setfield(state, -2, "__gc");

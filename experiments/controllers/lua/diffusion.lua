@@ -1,4 +1,5 @@
--- Goes straight on until something is near, then turns away from it: footbot_diffusion.cpp in Lua.
+-- Goes straight on until something is near, then turns away from it.
+-- See controllers/footbot_diffusion for the same in C++: a test holds the two against each other, to the bit.
 --
 -- <params>: alpha (degrees) and delta say what is negligible, velocity (cm/s) how fast to go.
 
