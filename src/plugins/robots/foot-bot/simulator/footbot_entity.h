@@ -6,6 +6,7 @@
 
 namespace argos {
 
+class CBatteryEquippedEntity;
 class CGroundSensorEquippedEntity;
 class CLightSensorEquippedEntity;
 class COmnidirectionalCameraEquippedEntity;
@@ -54,6 +55,7 @@ class CFootBotEntity : public CDifferentialDriveRobotEntity {
   std::string GetTypeDescription() const override { return "foot-bot"; }
 
   /** Components that are made when first asked for; see CRobotEntity. */
+  CBatteryEquippedEntity& GetBatterySensorEquippedEntity();
   CGroundSensorEquippedEntity& GetGroundSensorEquippedEntity();
   CLightSensorEquippedEntity& GetLightSensorEquippedEntity();
   COmnidirectionalCameraEquippedEntity& GetOmnidirectionalCameraEquippedEntity();
