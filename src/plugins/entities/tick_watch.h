@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_ENTITIES_TICK_WATCH_H
 
 #include <argos3/core/simulator/current.h>
+#include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 
 namespace argos {
@@ -21,11 +22,13 @@ class CTickWatch {
     m_tick = tick;
     return isNew;
   }
+  /** s. */
+  Real GetTickLength() const { return m_space.GetSimulator().GetTickLength(); }
   /** The clock starts over. */
   void Reset() { m_tick = 0; }
 
  private:
-  const CSpace& m_space;
+  CSpace& m_space;
   UInt32 m_tick;
 };
 

@@ -3,6 +3,7 @@
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_base_ground_sensor.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_motor_ground_sensor.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_appearance.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_distance_scanner_equipped_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_measures.h>
 #include <argos3/plugins/robots/generic/simulator/battery_mount.h>
 #include <argos3/plugins/robots/generic/simulator/camera_mounts.h>
@@ -98,6 +99,10 @@ CEntity& MakeOdometer(CRobotEntity& robot) {
   return robot.MakeOnDemand<COdometerEntity>("odometer_0");
 }
 
+CEntity& MakeDistanceScanner(CRobotEntity& robot) {
+  return robot.MakeOnDemand<CFootBotDistanceScannerEquippedEntity>("distance_scanner_0");
+}
+
 SRobotType MakeType() {
   SRobotType type;
   type.LEDAnchor = "turret";
@@ -105,6 +110,7 @@ SRobotType MakeType() {
   type.Proximity = MakeProximity();
   type.Appearance = MakeFootBotAppearance();
   type.OnDemand.push_back({"battery", &MakeBattery});
+  type.OnDemand.push_back({"distance_scanner", &MakeDistanceScanner});
   type.OnDemand.push_back({"ground_sensors", &MakeGroundSensors});
   type.OnDemand.push_back({"light_sensors", &MakeLightSensors});
   type.OnDemand.push_back({"omnidirectional_camera", MakeTopCamera});
@@ -163,6 +169,10 @@ void CFootBotEntity::Init(TConfigurationNode& tree) {
 
 CBatteryEquippedEntity& CFootBotEntity::GetBatterySensorEquippedEntity() {
   return Demand<CBatteryEquippedEntity>("battery");
+}
+
+CFootBotDistanceScannerEquippedEntity& CFootBotEntity::GetDistanceScannerEquippedEntity() {
+  return Demand<CFootBotDistanceScannerEquippedEntity>("distance_scanner");
 }
 
 CGroundSensorEquippedEntity& CFootBotEntity::GetGroundSensorEquippedEntity() {

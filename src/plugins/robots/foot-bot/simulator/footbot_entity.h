@@ -7,6 +7,7 @@
 namespace argos {
 
 class CBatteryEquippedEntity;
+class CFootBotDistanceScannerEquippedEntity;
 class CGroundSensorEquippedEntity;
 class CLightSensorEquippedEntity;
 class COmnidirectionalCameraEquippedEntity;
@@ -56,6 +57,7 @@ class CFootBotEntity : public CDifferentialDriveRobotEntity {
 
   /** Components that are made when first asked for; see CRobotEntity. */
   CBatteryEquippedEntity& GetBatterySensorEquippedEntity();
+  CFootBotDistanceScannerEquippedEntity& GetDistanceScannerEquippedEntity();
   CGroundSensorEquippedEntity& GetGroundSensorEquippedEntity();
   CLightSensorEquippedEntity& GetLightSensorEquippedEntity();
   COmnidirectionalCameraEquippedEntity& GetOmnidirectionalCameraEquippedEntity();
