@@ -3,8 +3,10 @@
 #include <argos3/plugins/robots/e-puck/control_interface/ci_epuck_proximity_sensor.h>
 #include <argos3/plugins/robots/e-puck/simulator/epuck_appearance.h>
 #include <argos3/plugins/robots/e-puck/simulator/epuck_measures.h>
+#include <argos3/plugins/robots/generic/simulator/battery_mount.h>
 #include <argos3/plugins/robots/generic/simulator/device_parameters.h>
 #include <argos3/plugins/robots/generic/simulator/rab_component.h>
+#include <argos3/plugins/simulator/entities/battery_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/ground_sensor_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
@@ -82,6 +84,7 @@ SRobotType MakeType() {
   type.LEDs = MakeLEDs();
   type.Proximity = MakeProximity();
   type.Appearance = MakeEPuckAppearance();
+  type.OnDemand.push_back({"battery", &MakeBattery});
   type.OnDemand.push_back({"ground_sensors", &MakeGroundSensors});
   type.OnDemand.push_back({"light_sensors", &MakeLightSensors});
   type.Parameters.RAB = {epuck::kRABRange, epuck::kRABDataSize};
@@ -107,6 +110,7 @@ CEPuckEntity::CEPuckEntity(const std::string& id, const std::string& controllerI
   parameters.RAB = {rabRange, rabDataSize};
   parameters.RAB.Check("e-puck \"" + id + "\"");
   parameters.Battery.Model = batteryModel;
+  parameters.Battery.Check("e-puck \"" + id + "\"");
   SetDeviceParameters(parameters);
   InitController(controllerId);
 }
@@ -122,6 +126,10 @@ void CEPuckEntity::Init(TConfigurationNode& tree) {
   parameters.Battery.Read(tree);
   SetDeviceParameters(parameters);
   InitController(tree);
+}
+
+CBatteryEquippedEntity& CEPuckEntity::GetBatterySensorEquippedEntity() {
+  return Demand<CBatteryEquippedEntity>("battery");
 }
 
 CGroundSensorEquippedEntity& CEPuckEntity::GetGroundSensorEquippedEntity() {
@@ -167,6 +175,7 @@ OPTIONAL XML
       <dynamics2d>
         <differential_steering max_force="1.5" max_torque="1.5" />
       </dynamics2d>
+      <battery discharge_model="time" delta="1e-5" start_charge="1" full_charge="1" />
     </e-puck>
   </arena>
 
@@ -176,6 +185,16 @@ OPTIONAL XML
   differential_steering@max_torque  N m, > 0, default 1.5: the most they turn the robot.
   rab_range                         m, >= 0, default 0.8: how far messages of this robot reach.
   rab_data_size                     integer >= 0, default 2: bytes of a message.
+  battery                           the robot's battery; without it the charge never falls. It runs down only
+                                    if the controller has the sensor "battery".
+  battery@discharge_model           "time" (default), "motion" or "time_motion", or a model of a user.
+  battery@start_charge              in [0, full_charge], default 1: also after a reset.
+  battery@full_charge               > 0, default 1.
+  battery@delta                     of "time": >= 0, default 1e-5: charge taken in each tick.
+  battery@pos_delta                 of "motion": >= 0, default 1e-3: per m that the robot moves.
+  battery@orient_delta              of "motion": >= 0, default 1e-3: per rad that it turns.
+  battery@time_factor, battery@pos_factor, battery@orient_factor
+                                    the same three of "time_motion", which takes their sum.
 )",
     "Usable")
 

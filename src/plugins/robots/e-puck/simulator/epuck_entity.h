@@ -5,6 +5,7 @@
 
 namespace argos {
 
+class CBatteryEquippedEntity;
 class CGroundSensorEquippedEntity;
 class CLightSensorEquippedEntity;
 class CRABEquippedEntity;
@@ -40,6 +41,7 @@ class CEPuckEntity : public CDifferentialDriveRobotEntity {
   std::string GetTypeDescription() const override { return "e-puck"; }
 
   /** Components that are made when first asked for; see CRobotEntity. */
+  CBatteryEquippedEntity& GetBatterySensorEquippedEntity();
   CGroundSensorEquippedEntity& GetGroundSensorEquippedEntity();
   CLightSensorEquippedEntity& GetLightSensorEquippedEntity();
   CRABEquippedEntity& GetRABEquippedEntity();

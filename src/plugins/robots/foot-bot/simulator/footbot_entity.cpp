@@ -3,12 +3,16 @@
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_base_ground_sensor.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_motor_ground_sensor.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_appearance.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_distance_scanner_equipped_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_measures.h>
+#include <argos3/plugins/robots/generic/simulator/battery_mount.h>
 #include <argos3/plugins/robots/generic/simulator/camera_mounts.h>
 #include <argos3/plugins/robots/generic/simulator/device_parameters.h>
 #include <argos3/plugins/robots/generic/simulator/rab_component.h>
+#include <argos3/plugins/simulator/entities/battery_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/ground_sensor_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/odometer_entity.h>
 #include <argos3/plugins/simulator/entities/omnidirectional_camera_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
@@ -91,17 +95,28 @@ CEntity& MakeRAB(CRobotEntity& robot) {
   return MakeRABComponent(robot, CVector3(0.0, 0.0, footbot::kRABElevation));
 }
 
+CEntity& MakeOdometer(CRobotEntity& robot) {
+  return robot.MakeOnDemand<COdometerEntity>("odometer_0");
+}
+
+CEntity& MakeDistanceScanner(CRobotEntity& robot) {
+  return robot.MakeOnDemand<CFootBotDistanceScannerEquippedEntity>("distance_scanner_0");
+}
+
 SRobotType MakeType() {
   SRobotType type;
   type.LEDAnchor = "turret";
   type.LEDs = MakeLEDs();
   type.Proximity = MakeProximity();
   type.Appearance = MakeFootBotAppearance();
+  type.OnDemand.push_back({"battery", &MakeBattery});
+  type.OnDemand.push_back({"distance_scanner", &MakeDistanceScanner});
   type.OnDemand.push_back({"ground_sensors", &MakeGroundSensors});
   type.OnDemand.push_back({"light_sensors", &MakeLightSensors});
   type.OnDemand.push_back({"omnidirectional_camera", MakeTopCamera});
   type.OnDemand.push_back({"perspective_camera", MakeFrontCamera});
   type.OnDemand.push_back({"rab", &MakeRAB});
+  type.OnDemand.push_back({"odometer", &MakeOdometer});
   return type;
 }
 
@@ -132,6 +147,7 @@ CFootBotEntity::CFootBotEntity(const std::string& id, const std::string& control
                                   perspcamRange};
   parameters.PerspectiveCamera.Check(owner);
   parameters.Battery.Model = batteryModel;
+  parameters.Battery.Check(owner);
   SetDeviceParameters(parameters);
   InitController(controllerId);
 }
@@ -149,6 +165,14 @@ void CFootBotEntity::Init(TConfigurationNode& tree) {
   parameters.Battery.Read(tree);
   SetDeviceParameters(parameters);
   InitController(tree);
+}
+
+CBatteryEquippedEntity& CFootBotEntity::GetBatterySensorEquippedEntity() {
+  return Demand<CBatteryEquippedEntity>("battery");
+}
+
+CFootBotDistanceScannerEquippedEntity& CFootBotEntity::GetDistanceScannerEquippedEntity() {
+  return Demand<CFootBotDistanceScannerEquippedEntity>("distance_scanner");
 }
 
 CGroundSensorEquippedEntity& CFootBotEntity::GetGroundSensorEquippedEntity() {
@@ -202,6 +226,7 @@ OPTIONAL XML
       <dynamics2d>
         <differential_steering max_force="15" max_torque="150" />
       </dynamics2d>
+      <battery discharge_model="time" delta="1e-5" start_charge="1" full_charge="1" />
     </foot-bot>
   </arena>
 
@@ -217,6 +242,16 @@ OPTIONAL XML
   perspective_camera_aperture      degrees in (0,90), default 30: half angle of the view.
   perspective_camera_focal_length  m, > 0, default 0.035.
   perspective_camera_range         m, > 0, default 2: how far the camera sees.
+  battery                          the robot's battery; without it the charge never falls. It runs down only
+                                   if the controller has the sensor "battery".
+  battery@discharge_model          "time" (default), "motion" or "time_motion", or a model of a user.
+  battery@start_charge             in [0, full_charge], default 1: also after a reset.
+  battery@full_charge              > 0, default 1.
+  battery@delta                    of "time": >= 0, default 1e-5: charge taken in each tick.
+  battery@pos_delta                of "motion": >= 0, default 1e-3: per m that the robot moves.
+  battery@orient_delta             of "motion": >= 0, default 1e-3: per rad that it turns.
+  battery@time_factor, battery@pos_factor, battery@orient_factor
+                                   the same three of "time_motion", which takes their sum.
 )",
     "Usable")
 

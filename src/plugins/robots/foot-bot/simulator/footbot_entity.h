@@ -6,6 +6,8 @@
 
 namespace argos {
 
+class CBatteryEquippedEntity;
+class CFootBotDistanceScannerEquippedEntity;
 class CGroundSensorEquippedEntity;
 class CLightSensorEquippedEntity;
 class COmnidirectionalCameraEquippedEntity;
@@ -54,6 +56,8 @@ class CFootBotEntity : public CDifferentialDriveRobotEntity {
   std::string GetTypeDescription() const override { return "foot-bot"; }
 
   /** Components that are made when first asked for; see CRobotEntity. */
+  CBatteryEquippedEntity& GetBatterySensorEquippedEntity();
+  CFootBotDistanceScannerEquippedEntity& GetDistanceScannerEquippedEntity();
   CGroundSensorEquippedEntity& GetGroundSensorEquippedEntity();
   CLightSensorEquippedEntity& GetLightSensorEquippedEntity();
   COmnidirectionalCameraEquippedEntity& GetOmnidirectionalCameraEquippedEntity();

@@ -37,6 +37,13 @@ constexpr UInt32 kFirstMotorGroundSensor = 0;
 constexpr UInt32 kFirstBaseGroundSensor = 4;
 constexpr UInt32 kNumGroundSensors = 12;
 
+// distance scanner: how far its heads see from the surface of the body
+constexpr Real kDistanceScannerElevation = 0.123199866;
+constexpr Real kDistanceScannerShortMin = 0.0;
+constexpr Real kDistanceScannerShortMax = 0.26;
+constexpr Real kDistanceScannerLongMin = 0.12;
+constexpr Real kDistanceScannerLongMax = 1.42;
+
 // ring of LEDs, and the beacon above it, on the turret
 constexpr UInt32 kNumRingLEDs = 12;
 constexpr Real kLEDRingElevation = 0.085;

@@ -56,7 +56,8 @@ bool CAngularLight::Look(size_t light, SBeam& beam) {
     return false;
   }
   const CRay3 ray(origin.Position, lamp.GetPosition());
-  const bool blocked = m_caster.IsBlocked(ray);
+  Real fraction = 1.0;
+  const bool blocked = m_caster.FindHit(ray, fraction);
   if (m_showRays) {
     m_caster.GetRobot().AddCheckedRay(blocked, ray);
   }

@@ -1,6 +1,8 @@
 #include <argos3/plugins/robots/generic/simulator/device_parameters.h>
 
+#include <argos3/plugins/simulator/entities/battery_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
+#include <argos3/plugins/simulator/entities/warn_once.h>
 
 namespace argos {
 
@@ -54,24 +56,26 @@ void SBatteryParameters::Read(TConfigurationNode& robot) {
     return;
   }
   TConfigurationNode& battery = GetNode(robot, "battery");
-  const std::string owner = OwnerOf(battery);
-  GetNodeAttributeOrDefault<std::string>(battery, "discharge_model", Model, "time");
-  GetNodeAttributeOrDefault(battery, "start_charge", StartCharge, StartCharge);
-  GetNodeAttributeOrDefault(battery, "full_charge", FullCharge, FullCharge);
-  RequirePositive(FullCharge, owner, "full_charge");
-  RequireNotNegative(StartCharge, owner, "start_charge");
-  if (StartCharge > FullCharge) {
-    THROW_ARGOSEXCEPTION(owner << ": start_charge must be at most full_charge (" << FullCharge
-                               << "), got " << StartCharge);
+  // shown by the help of the original, which does not read them either
+  for (const auto& [attribute, right] :
+       {std::pair<const char*, const char*>{"model", "\"discharge_model\""},
+        {"factor", "one of the model, such as \"delta\" of \"time\""}}) {
+    if (NodeAttributeExists(battery, attribute)) {
+      WarnOnce(OwnerOf(battery) + ": attribute \"" + attribute +
+               "\" has no effect; the attribute that counts is " + right);
+    }
   }
-  // the model that uses both names its factors otherwise
-  const bool both = Model == "time_motion";
-  for (const auto& [attribute, value] :
-       {std::pair<const char*, Real*>{both ? "time_factor" : "delta", &Delta},
-        {both ? "pos_factor" : "pos_delta", &PositionDelta},
-        {both ? "orient_factor" : "orient_delta", &OrientationDelta}}) {
-    GetNodeAttributeOrDefault(battery, attribute, *value, *value);
-    RequireNotNegative(*value, owner, attribute);
+  CBatteryEquippedEntity(nullptr).Configure(battery);
+}
+
+void SBatteryParameters::Check(const std::string& owner) const {
+  if (Model.empty()) {
+    return;
+  }
+  try {
+    CBatteryEquippedEntity(nullptr).SetDischargeModel(Model);
+  } catch (std::exception& error) {
+    THROW_ARGOSEXCEPTION_NESTED(owner << ": wrong battery", error);
   }
 }
 

@@ -48,17 +48,17 @@ struct SPerspectiveCameraParameters {
   bool operator==(const SPerspectiveCameraParameters&) const;
 };
 
-/** A battery: the child `<battery>`, and how it runs down. */
+/** A battery, of a robot without a child `<battery>`. */
 struct SBatteryParameters {
   std::string Model;  // label of a discharge model; empty: the charge never falls
-  Real StartCharge = 1.0;  // >= 0, at most FullCharge
-  Real FullCharge = 1.0;  // > 0
-  Real Delta = 1e-5;  // per tick, of the model "time", and of "time_motion"
-  Real PositionDelta = 1e-3;  // per m, of the models "motion" and "time_motion"
-  Real OrientationDelta = 1e-3;  // per rad, of the same
 
-  /** Reads the child, if it is there. @throws CARGoSException if a value is out of range. */
+  /**
+   * Checks the child `<battery>`, if it is there, from which the component is made later.
+   * @throws CARGoSException if the model is unknown, or a value out of range.
+   */
   void Read(TConfigurationNode& robot);
+  /** @throws CARGoSException if there is no such model. */
+  void Check(const std::string& owner) const;
   bool operator==(const SBatteryParameters&) const;
 };
 

@@ -139,9 +139,10 @@ void CLightDefaultSensor::FindFacing(const CLightEntity& light, SEyes& eyes) con
 // looks once for the solids on the way to the light, and tests all segments against them
 void CLightDefaultSensor::FindBlocked(const CVector3& light, SEyes& eyes) const {
   if (m_caster.AreBodiesOutsideIndex()) {
+    Real fraction = 1.0;
     for (size_t i = 0; i < eyes.Count; ++i) {
       if (eyes.Sights[i] == SEyes::ESight::Clear &&
-          m_caster.IsBlocked(CRay3(eyes.Positions[i], light))) {
+          m_caster.FindHit(CRay3(eyes.Positions[i], light), fraction)) {
         eyes.Sights[i] = SEyes::ESight::Blocked;
       }
     }

@@ -129,6 +129,10 @@ void CDeviceNoise::Reset() {
   }
 }
 
+bool CDeviceNoise::IsOn(size_t number) const {
+  return m_state != nullptr && !m_state->Terms[number].empty();
+}
+
 Real CDeviceNoise::ApplyState(size_t number, Real value) {
   Real noisy = value;
   for (const STerm& term : m_state->Terms[number]) {

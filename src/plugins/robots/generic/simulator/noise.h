@@ -48,6 +48,8 @@ class CDeviceNoise {
   void Reset();
 
   bool IsOn() const { return m_state != nullptr; }
+  /** On quantity @p number. */
+  bool IsOn(size_t number) const;
   /** @return @p value with the noise on quantity @p number. */
   Real Apply(size_t number, Real value) {
     return m_state == nullptr ? value : ApplyState(number, value);

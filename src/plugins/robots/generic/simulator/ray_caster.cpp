@@ -95,10 +95,15 @@ void CRayCaster::CastOneByOne(const SRayBundle& bundle, Real* fractions) const {
   }
 }
 
-bool CRayCaster::IsBlocked(const CRay3& ray) const {
+bool CRayCaster::FindHit(const CRay3& ray, Real& fraction) const {
   SEmbodiedEntityIntersectionItem hit;
-  return AreBodiesOutsideIndex() ? GetClosestEmbodiedEntityIntersectedByRay(hit, ray, *m_body)
-                                 : m_space->GetBodyIndex().FindClosestHit(hit, ray, m_body);
+  const bool found = AreBodiesOutsideIndex()
+                         ? GetClosestEmbodiedEntityIntersectedByRay(hit, ray, *m_body)
+                         : m_space->GetBodyIndex().FindClosestHit(hit, ray, m_body);
+  if (found) {
+    fraction = hit.TOnRay;
+  }
+  return found;
 }
 
 bool CRayCaster::AreBodiesOutsideIndex() const {

@@ -44,8 +44,8 @@ class CRayCaster {
   void Cast(const SRayBundle& bundle, Real* fractions) const;
   /** Tells visualizations of rays that were cast. */
   void Show(const SRayBundle& bundle, const Real* fractions) const;
-  /** True if @p ray meets another body. */
-  bool IsBlocked(const CRay3& ray) const;
+  /** True if @p ray meets another body; @p fraction of its length is then where, in [0,1]. */
+  bool FindHit(const CRay3& ray, Real& fraction) const;
   /** True if an engine has bodies that the space's index does not know. */
   bool AreBodiesOutsideIndex() const;
 

@@ -1,0 +1,53 @@
+#ifndef ARGOS3_PLUGINS_ENTITIES_BATTERY_DISCHARGE_MODELS_H
+#define ARGOS3_PLUGINS_ENTITIES_BATTERY_DISCHARGE_MODELS_H
+
+#include <argos3/plugins/simulator/entities/battery_equipped_entity.h>
+
+namespace argos {
+
+/** "time": so much in every tick. */
+class CBatteryDischargeModelTime : public CBatteryDischargeModel {
+ public:
+  /** Reads `delta`, charge per tick, default 1e-5. @throws CARGoSException if it is < 0. */
+  void Init(TConfigurationNode& battery) override;
+  void operator()() override;
+
+ private:
+  Real m_delta = 1e-5;
+};
+
+/** "motion": so much for every metre that the robot moves, and for every radian that it turns. */
+class CBatteryDischargeModelMotion : public CBatteryDischargeModel {
+ public:
+  /**
+   * Reads `pos_delta`, charge per m, and `orient_delta`, charge per rad, default 1e-3 each.
+   * @throws CARGoSException if one is < 0.
+   */
+  void Init(TConfigurationNode& battery) override;
+  void operator()() override;
+
+ private:
+  Real m_positionDelta = 1e-3;
+  Real m_orientationDelta = 1e-3;
+};
+
+/** "time_motion": the sum of both. */
+class CBatteryDischargeModelTimeMotion : public CBatteryDischargeModel {
+ public:
+  /**
+   * Reads `time_factor`, charge per tick, default 1e-5, and `pos_factor`, charge per m, and
+   * `orient_factor`, charge per rad, default 1e-3 each.
+   * @throws CARGoSException if one is < 0.
+   */
+  void Init(TConfigurationNode& battery) override;
+  void operator()() override;
+
+ private:
+  Real m_timeFactor = 1e-5;
+  Real m_positionFactor = 1e-3;
+  Real m_orientationFactor = 1e-3;
+};
+
+}  // namespace argos
+
+#endif

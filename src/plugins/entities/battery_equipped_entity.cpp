@@ -1,0 +1,163 @@
+#include <argos3/plugins/simulator/entities/battery_equipped_entity.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/core/utility/string_utilities.h>
+#include <argos3/plugins/simulator/entities/value_checks.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace argos {
+
+namespace {
+
+std::vector<std::string> KnownModels() {
+  std::vector<std::string> labels;
+  for (const auto& entry : CFactory<CBatteryDischargeModel>::GetTypeMap()) {
+    labels.push_back(entry.first);
+  }
+  return labels;
+}
+
+}  // namespace
+
+CBatteryEquippedEntity::CBatteryEquippedEntity(CComposableEntity* parent)
+    : CBatteryEquippedEntity(parent, std::string()) {}
+
+CBatteryEquippedEntity::CBatteryEquippedEntity(CComposableEntity* parent, const std::string& id,
+                                               CBatteryDischargeModel* model, Real startCharge,
+                                               Real fullCharge)
+    : CEntity(parent, id), m_model(model) {
+  SetFullCharge(fullCharge);
+  SetAvailableCharge(startCharge);
+  m_startCharge = startCharge;
+  if (parent != nullptr && parent->HasComponent("body")) {
+    m_motion.SetBody(parent->GetComponent<CEmbodiedEntity>("body"));
+  }
+  if (m_model != nullptr) {
+    m_model->SetBattery(this);
+  }
+  CEntity::SetEnabled(false);
+}
+
+CBatteryEquippedEntity::CBatteryEquippedEntity(CComposableEntity* parent, const std::string& id,
+                                               const std::string& model, Real startCharge,
+                                               Real fullCharge)
+    : CBatteryEquippedEntity(parent, id, nullptr, startCharge, fullCharge) {
+  SetDischargeModel(model);
+}
+
+CBatteryEquippedEntity::~CBatteryEquippedEntity() = default;
+
+void CBatteryEquippedEntity::Init(TConfigurationNode& tree) {
+  CEntity::Init(tree);
+  Configure(tree);
+}
+
+void CBatteryEquippedEntity::Configure(TConfigurationNode& battery) {
+  const std::string owner = OwnerOf(battery);
+  GetNodeAttributeOrDefault(battery, "start_charge", m_startCharge, m_startCharge);
+  GetNodeAttributeOrDefault(battery, "full_charge", m_fullCharge, m_fullCharge);
+  RequirePositive(m_fullCharge, owner, "full_charge");
+  RequireNotNegative(m_startCharge, owner, "start_charge");
+  if (m_startCharge > m_fullCharge) {
+    THROW_ARGOSEXCEPTION(owner << ": start_charge must be at most full_charge (" << m_fullCharge
+                               << "), got " << m_startCharge);
+  }
+  m_availableCharge = m_startCharge;
+  std::string model = "time";
+  GetNodeAttributeOrDefault(battery, "discharge_model", model, model);
+  try {
+    SetDischargeModel(model);
+  } catch (std::exception& error) {
+    THROW_ARGOSEXCEPTION_NESTED(owner << ": wrong \"discharge_model\"", error);
+  }
+  if (m_model != nullptr) {
+    m_model->Init(battery);
+  }
+}
+
+void CBatteryEquippedEntity::Reset() {
+  CEntity::Reset();
+  m_availableCharge = m_startCharge;
+  m_tick.Reset();
+  if (m_motion.HasBody()) {
+    m_motion.RememberStart();
+  }
+  if (m_model != nullptr) {
+    m_model->Reset();
+  }
+}
+
+void CBatteryEquippedEntity::Update() {
+  if (m_tick.IsNewTick() && m_model != nullptr) {
+    (*m_model)();
+  }
+  if (m_motion.HasBody()) {
+    m_motion.Remember();
+  }
+}
+
+void CBatteryEquippedEntity::SetFullCharge(Real charge) {
+  m_fullCharge =
+      RequirePositive(charge, "battery \"" + GetContext() + GetId() + "\"", "full charge");
+}
+
+void CBatteryEquippedEntity::SetAvailableCharge(Real charge) {
+  m_availableCharge =
+      RequireNotNegative(charge, "battery \"" + GetContext() + GetId() + "\"", "charge");
+}
+
+void CBatteryEquippedEntity::Discharge(Real amount) {
+  m_availableCharge = std::max(0.0, m_availableCharge - amount);
+}
+
+void CBatteryEquippedEntity::SetDischargeModel(CBatteryDischargeModel* model) {
+  m_model.reset(model);
+  if (m_model != nullptr) {
+    m_model->SetBattery(this);
+  }
+}
+
+void CBatteryEquippedEntity::SetDischargeModel(const std::string& label) {
+  if (label.empty()) {
+    m_model.reset();
+    return;
+  }
+  if (!CFactory<CBatteryDischargeModel>::Exists(label)) {
+    THROW_ARGOSEXCEPTION("there is no battery discharge model \""
+                         << label << "\"" << DidYouMean(label, KnownModels()));
+  }
+  std::unique_ptr<CBatteryDischargeModel> model(CFactory<CBatteryDischargeModel>::New(label));
+  SetDischargeModel(model.release());
+}
+
+void CBatteryEquippedEntity::RequireBody() const {
+  if (!m_motion.HasBody()) {
+    THROW_ARGOSEXCEPTION("battery \"" << GetContext() << GetId()
+                                      << "\": its discharge model needs a robot with a body");
+  }
+}
+
+Real CBatteryEquippedEntity::ComputeDistanceMoved() const {
+  RequireBody();
+  return m_motion.ComputeDistance();
+}
+
+CRadians CBatteryEquippedEntity::ComputeAngleTurned() const {
+  RequireBody();
+  const CQuaternion turn = m_motion.ComputeTurn();
+  const Real sine = std::hypot(turn.GetX(), turn.GetY(), turn.GetZ());
+  return CRadians(2.0 * std::atan2(sine, std::abs(turn.GetW())));
+}
+
+void CBatteryEquippedEntity::UpdateDigest(CDigest& digest) const {
+  CEntity::UpdateDigest(digest);
+  digest.Add(m_availableCharge);
+}
+
+REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CBatteryEquippedEntity)
+
+}  // namespace argos

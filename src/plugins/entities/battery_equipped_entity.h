@@ -1,0 +1,119 @@
+#ifndef ARGOS3_PLUGINS_ENTITIES_BATTERY_EQUIPPED_ENTITY_H
+#define ARGOS3_PLUGINS_ENTITIES_BATTERY_EQUIPPED_ENTITY_H
+
+#include <argos3/core/simulator/entity/entity.h>
+#include <argos3/core/utility/configuration/base_configurable_resource.h>
+#include <argos3/core/utility/math/angles.h>
+#include <argos3/core/utility/plugins/factory.h>
+#include <argos3/plugins/simulator/entities/body_motion.h>
+#include <argos3/plugins/simulator/entities/tick_watch.h>
+
+#include <memory>
+#include <string>
+
+namespace argos {
+
+class CBatteryEquippedEntity;
+
+/**
+ * How a battery runs down. Users derive from this, and register their class with
+ * REGISTER_BATTERY_DISCHARGE_MODEL() under the label that `<battery discharge_model="..." />`
+ * names.
+ */
+class CBatteryDischargeModel : public CBaseConfigurableResource {
+ public:
+  /** Reads the model's attributes of the `<battery>` element, all optional. */
+  void Init(TConfigurationNode& /*battery*/) override {}
+  void Reset() override {}
+  void Destroy() override {}
+
+  /** Called once; the battery outlives the model. */
+  virtual void SetBattery(CBatteryEquippedEntity* battery) { m_pcBattery = battery; }
+  /** Called once a tick, after the robot has moved: takes charge from the battery. */
+  virtual void operator()() = 0;
+
+ protected:
+  CBatteryEquippedEntity* m_pcBattery = nullptr;  // not owned
+};
+
+/**
+ * The battery of a robot. It only counts: the robot goes on when it is empty.
+ *
+ * Starts disabled, and runs down only while it is enabled; the sensor that reads it enables it.
+ */
+class CBatteryEquippedEntity : public CEntity {
+ public:
+  ENABLE_VTABLE();
+
+  explicit CBatteryEquippedEntity(CComposableEntity* parent);
+  /**
+   * @param parent       has a "body", for models that need one.
+   * @param model        taken over; null: the charge never falls.
+   * @param startCharge  what there is at the start and after a reset, in [0, fullCharge].
+   * @param fullCharge   > 0.
+   * @throws CARGoSException if a charge is out of range.
+   */
+  CBatteryEquippedEntity(CComposableEntity* parent, const std::string& id,
+                         CBatteryDischargeModel* model = nullptr, Real startCharge = 1.0,
+                         Real fullCharge = 1.0);
+  /** @param model the label of a model; empty: the charge never falls. @throws as above, and if
+   * there is no such model. */
+  CBatteryEquippedEntity(CComposableEntity* parent, const std::string& id, const std::string& model,
+                         Real startCharge = 1.0, Real fullCharge = 1.0);
+  ~CBatteryEquippedEntity() override;
+
+  /** What Configure() reads, and `id`. */
+  void Init(TConfigurationNode& tree) override;
+  /**
+   * Reads `discharge_model` ("time"), `start_charge` (1), `full_charge` (1), and what the model
+   * reads.
+   * @throws CARGoSException if the model is unknown, or a value out of range.
+   */
+  void Configure(TConfigurationNode& battery);
+  /** Back to the charge at the start. */
+  void Reset() override;
+  /** Runs down, once a tick. */
+  void Update() override;
+  std::string GetTypeDescription() const override { return "battery"; }
+
+  Real GetFullCharge() const { return m_fullCharge; }
+  /** @throws CARGoSException if it is not > 0. */
+  void SetFullCharge(Real charge);
+  Real GetAvailableCharge() const { return m_availableCharge; }
+  /** @throws CARGoSException if it is not >= 0. */
+  void SetAvailableCharge(Real charge);
+  /** Takes @p amount away, but no more than there is. */
+  void Discharge(Real amount);
+  /** Takes the model over; null: the charge never falls. */
+  void SetDischargeModel(CBatteryDischargeModel* model);
+  /** @param label empty: the charge never falls. @throws CARGoSException if it is unknown. */
+  void SetDischargeModel(const std::string& label);
+
+  /**
+   * How the body's origin moved in this tick, for models: m, and rad in [0, PI] about whichever
+   * axis. Moves by command do not count.
+   * @throws CARGoSException if the robot has no body.
+   */
+  Real ComputeDistanceMoved() const;
+  CRadians ComputeAngleTurned() const;
+
+  void UpdateDigest(CDigest& digest) const override;
+
+ private:
+  void RequireBody() const;
+
+  std::unique_ptr<CBatteryDischargeModel> m_model;
+  Real m_startCharge = 1.0;
+  Real m_fullCharge = 1.0;
+  Real m_availableCharge = 1.0;
+  CTickWatch m_tick;
+  CBodyMotion m_motion;  // since the end of the previous tick
+};
+
+}  // namespace argos
+
+#define REGISTER_BATTERY_DISCHARGE_MODEL(CLASSNAME, LABEL)                                         \
+  REGISTER_SYMBOL(CBatteryDischargeModel, CLASSNAME, LABEL, "undefined", "undefined", "undefined", \
+                  "undefined", "undefined")
+
+#endif

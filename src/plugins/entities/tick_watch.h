@@ -1,0 +1,37 @@
+#ifndef ARGOS3_PLUGINS_ENTITIES_TICK_WATCH_H
+#define ARGOS3_PLUGINS_ENTITIES_TICK_WATCH_H
+
+#include <argos3/core/simulator/current.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
+
+namespace argos {
+
+/**
+ * Tells a component whether its Update() is the one after physics, once a tick, or comes from a
+ * move by command. For the sources of components.
+ */
+class CTickWatch {
+ public:
+  CTickWatch() : m_space(CurrentSpace()), m_tick(m_space.GetSimulationClock()) {}
+
+  /** True when first asked in a tick. */
+  bool IsNewTick() {
+    const UInt32 tick = m_space.GetSimulationClock();
+    const bool isNew = tick != m_tick;
+    m_tick = tick;
+    return isNew;
+  }
+  /** s. */
+  Real GetTickLength() const { return m_space.GetSimulator().GetTickLength(); }
+  /** The clock starts over. */
+  void Reset() { m_tick = 0; }
+
+ private:
+  CSpace& m_space;
+  UInt32 m_tick;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,77 @@
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_distance_scanner_sensor.h>
+
+#include <argos3/core/wrappers/lua/lua_table.h>
+
+namespace argos {
+
+namespace {
+
+// both ranges while it turns, once in the map of their range and once in that of all
+constexpr size_t kMostNodes = 48;
+
+void WriteRange(CLuaTable list, const CCI_FootBotDistanceScannerSensor::TReadingsMap& readings) {
+  list.SetNewRecords(readings, [](CLuaTable& record, const auto& reading) {
+    record.Set("angle", reading.first);
+    record.Set("distance", reading.second);
+  });
+}
+
+}  // namespace
+
+CCI_FootBotDistanceScannerSensor::CCI_FootBotDistanceScannerSensor() {
+  m_spares.reserve(kMostNodes);
+}
+
+void CCI_FootBotDistanceScannerSensor::SetReadings(const TReadings& shortRange,
+                                                   const TReadings& longRange) {
+  Empty(m_tReadingsMap);
+  Empty(m_tShortReadingsMap);
+  Empty(m_tLongReadingsMap);
+  for (const SReading& reading : shortRange) {
+    Put(m_tShortReadingsMap, reading);
+    Put(m_tReadingsMap, reading);
+  }
+  for (const SReading& reading : longRange) {
+    Put(m_tLongReadingsMap, reading);
+    Put(m_tReadingsMap, reading);
+  }
+}
+
+void CCI_FootBotDistanceScannerSensor::Empty(TReadingsMap& map) {
+  while (!map.empty()) {
+    m_spares.push_back(map.extract(map.begin()));
+  }
+}
+
+void CCI_FootBotDistanceScannerSensor::Put(TReadingsMap& map, const SReading& reading) {
+  if (m_spares.empty()) {
+    TReadingsMap made;
+    made.emplace(reading.Angle, reading.Distance);
+    m_spares.push_back(made.extract(made.begin()));
+  }
+  TReadingsMap::node_type node = std::move(m_spares.back());
+  m_spares.pop_back();
+  node.key() = reading.Angle;
+  node.mapped() = reading.Distance;
+  auto outcome = map.insert(std::move(node));
+  if (!outcome.inserted) {
+    if (outcome.position->second < 0.0) {
+      outcome.position->second = reading.Distance;
+    }
+    m_spares.push_back(std::move(outcome.node));
+  }
+}
+
+void CCI_FootBotDistanceScannerSensor::CreateLuaState(lua_State* state) {
+  CLuaTable scanner(state, *this, "distance_scanner");
+  WriteRange(scanner.GetTable("short_range"), m_tShortReadingsMap);
+  WriteRange(scanner.GetTable("long_range"), m_tLongReadingsMap);
+}
+
+void CCI_FootBotDistanceScannerSensor::ReadingsToLuaState(lua_State* state) {
+  CLuaTable scanner(state, *this);
+  WriteRange(scanner.GetTable("short_range"), m_tShortReadingsMap);
+  WriteRange(scanner.GetTable("long_range"), m_tLongReadingsMap);
+}
+
+}  // namespace argos

@@ -1,0 +1,105 @@
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_distance_scanner_default_actuator.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+enum EQuantity : size_t { ANGLE, SPEED };
+constexpr Real kRadiansPerSecondPerRPM = ARGOS_PI / 30.0;
+
+}  // namespace
+
+void CFootBotDistanceScannerDefaultActuator::SetRobot(CComposableEntity& robot) {
+  m_scanner = &robot.GetComponent<TScanner>("distance_scanner");
+  m_robot = &robot.GetComponent<CControllableEntity>("controller");
+  m_scanner->Enable();
+}
+
+void CFootBotDistanceScannerDefaultActuator::Init(TConfigurationNode& tree) {
+  CCI_FootBotDistanceScannerActuator::Init(tree);
+  m_noise.Init(tree, *m_robot, {"angle", "rpm"});
+}
+
+void CFootBotDistanceScannerDefaultActuator::RequireFinite(Real value, const char* what) const {
+  if (!std::isfinite(value)) {
+    THROW_ARGOSEXCEPTION("robot \"" << m_robot->GetRootEntity().GetId()
+                                    << "\": the distance scanner's " << what
+                                    << " must be finite, got " << value);
+  }
+}
+
+void CFootBotDistanceScannerDefaultActuator::SetAngle(const CRadians& angle) {
+  RequireFinite(angle.GetValue(), "angle (rad)");
+  m_mode = TScanner::MODE_POSITION_CONTROL;
+  m_angle = CRadians(m_noise.Apply(ANGLE, angle.GetValue()));
+}
+
+void CFootBotDistanceScannerDefaultActuator::SetRPM(Real rpm) {
+  RequireFinite(rpm, "speed (rpm)");
+  m_mode = TScanner::MODE_SPEED_CONTROL;
+  m_angle.reset();
+  m_speed = kRadiansPerSecondPerRPM * m_noise.Apply(SPEED, rpm);
+}
+
+void CFootBotDistanceScannerDefaultActuator::Enable() {
+  m_mode = TScanner::MODE_POSITION_CONTROL;
+}
+
+void CFootBotDistanceScannerDefaultActuator::Disable() {
+  m_mode = TScanner::MODE_OFF;
+}
+
+void CFootBotDistanceScannerDefaultActuator::Update() {
+  m_scanner->SetMode(m_mode);
+  m_scanner->SetRotationSpeed(m_speed);
+  if (m_angle.has_value()) {
+    m_scanner->SetRotation(*m_angle);
+    m_angle.reset();
+  }
+}
+
+void CFootBotDistanceScannerDefaultActuator::Reset() {
+  m_mode = TScanner::MODE_OFF;
+  m_angle.reset();
+  m_speed = 0.0;
+  m_noise.Reset();
+}
+
+REGISTER_ACTUATOR(
+    CFootBotDistanceScannerDefaultActuator, "footbot_distance_scanner", "default",
+    "the authors of this project", "1.0", "The motor of the foot-bot's distance scanner.",
+    R"(The scanner is off at the start and after a reset. The controller turns it to an angle, where it jumps at once
+and stays; or sets a speed, in turns per minute, at which it goes on turning; or switches it on, which holds it where it
+is, or off. What is ordered in a step holds from the next tick on.
+
+REQUIRED XML
+
+  <controllers>
+    <my_controller id="c1">
+      <actuators>
+        <footbot_distance_scanner implementation="default" />
+      </actuators>
+      <sensors>
+        <footbot_distance_scanner implementation="rot_z_only" />
+      </sensors>
+      <params />
+    </my_controller>
+  </controllers>
+
+OPTIONAL XML
+
+  <footbot_distance_scanner implementation="default">
+    <noise on="angle" model="gaussian" std_dev="0.01" />
+  </footbot_distance_scanner>
+
+Children <noise on="angle|rpm" model="uniform|gaussian|rayleigh" level|std_dev|sigma="..." bias="0" relative="false" />
+add noise to each angle (rad) and each speed (turns per minute) that the controller orders.
+)",
+    "Usable")
+
+}  // namespace argos

@@ -1,0 +1,55 @@
+#ifndef ARGOS3_PLUGINS_ROBOTS_FOOT_BOT_SIMULATOR_FOOTBOT_DISTANCE_SCANNER_EQUIPPED_ENTITY_H
+#define ARGOS3_PLUGINS_ROBOTS_FOOT_BOT_SIMULATOR_FOOTBOT_DISTANCE_SCANNER_EQUIPPED_ENTITY_H
+
+#include <argos3/core/simulator/entity/entity.h>
+#include <argos3/core/utility/math/angles.h>
+#include <argos3/plugins/simulator/entities/tick_watch.h>
+
+namespace argos {
+
+/**
+ * The distance scanner of a foot-bot: how it is turned on the body.
+ *
+ * Starts disabled, off, and at the angle 0. The devices that use it enable it.
+ */
+class CFootBotDistanceScannerEquippedEntity : public CEntity {
+ public:
+  ENABLE_VTABLE();
+
+  enum EMode { MODE_OFF, MODE_POSITION_CONTROL, MODE_SPEED_CONTROL };
+
+  explicit CFootBotDistanceScannerEquippedEntity(CComposableEntity* parent);
+  CFootBotDistanceScannerEquippedEntity(CComposableEntity* parent, const std::string& id);
+
+  void Reset() override;
+  /** Turns on, once a tick, in speed control. */
+  void Update() override;
+  std::string GetTypeDescription() const override { return "distance_scanner"; }
+
+  EMode GetMode() const { return m_mode; }
+  void SetMode(EMode mode) { m_mode = mode; }
+  /** Angle of the first short-range head in the robot's frame, in [0, 2 PI). */
+  const CRadians& GetRotation() const { return m_rotation; }
+  /** Turns it there at once. @throws CARGoSException if it is not finite. */
+  void SetRotation(const CRadians& rotation);
+  /** rad/s, positive counter-clockwise. */
+  Real GetRotationSpeed() const { return m_speed; }
+  /** For speed control. @throws CARGoSException if it is not finite. */
+  void SetRotationSpeed(Real radiansPerSecond);
+  /** The angle at the end of the tick before the last one, in [0, 2 PI). */
+  const CRadians& GetPreviousRotation() const { return m_previous; }
+
+  void UpdateDigest(CDigest& digest) const override;
+
+ private:
+  EMode m_mode = MODE_OFF;
+  CRadians m_rotation;
+  CRadians m_current;  // at the end of the last tick
+  CRadians m_previous;  // at the end of the one before
+  Real m_speed = 0.0;  // rad/s
+  CTickWatch m_tick;
+};
+
+}  // namespace argos
+
+#endif

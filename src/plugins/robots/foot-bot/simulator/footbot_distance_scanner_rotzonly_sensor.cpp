@@ -1,0 +1,177 @@
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_distance_scanner_rotzonly_sensor.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_distance_scanner_equipped_entity.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_measures.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+constexpr Real kCentimetersPerMeter = 100.0;
+constexpr int kHeadsOfARange = 2;
+constexpr int kSamplesOfATick = 6;  // while it turns
+constexpr size_t kMostBeams = 2 * kHeadsOfARange * kSamplesOfATick;
+static_assert(kMostBeams <= CRayCaster::kMaxRays, "all beams are cast with one query");
+
+// in [0, 2 PI)
+Real WrapTurn(Real angle) {
+  const Real wrapped = std::fmod(angle, 2.0 * ARGOS_PI);
+  return wrapped < 0.0 ? wrapped + 2.0 * ARGOS_PI : wrapped;
+}
+
+// from the previous angle to the current one, in the direction in which the scanner turns
+Real ComputeSweep(const CFootBotDistanceScannerEquippedEntity& scanner) {
+  const Real difference = (scanner.GetRotation() - scanner.GetPreviousRotation()).GetValue();
+  return scanner.GetRotationSpeed() < 0.0 ? -WrapTurn(-difference) : WrapTurn(difference);
+}
+
+SSensorRay MakeBeam(const CRadians& angle, Real range) {
+  const CVector3 outward(Cos(angle), Sin(angle), 0.0);
+  SSensorRay beam;
+  beam.Offset =
+      outward * footbot::kBodyRadius + CVector3(0.0, 0.0, footbot::kDistanceScannerElevation);
+  beam.Direction = outward * range;
+  return beam;
+}
+
+}  // namespace
+
+void CFootBotDistanceScannerRotZOnlySensor::SetRobot(CComposableEntity& robot) {
+  m_caster.SetRobot(robot);
+  m_scanner = &robot.GetComponent<CFootBotDistanceScannerEquippedEntity>("distance_scanner");
+  m_scanner->Enable();
+}
+
+void CFootBotDistanceScannerRotZOnlySensor::Init(TConfigurationNode& tree) {
+  CCI_FootBotDistanceScannerSensor::Init(tree);
+  GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, false);
+  m_noise.Init(tree, m_caster.GetRobot(), {"distance"}, {ReadNoiseRange(tree, "noise_range")});
+  m_shortReadings.reserve(kHeadsOfARange * kSamplesOfATick);
+  m_longReadings.reserve(kHeadsOfARange * kSamplesOfATick);
+  Enable();
+}
+
+void CFootBotDistanceScannerRotZOnlySensor::Update() {
+  m_shortReadings.clear();
+  m_longReadings.clear();
+  switch (m_scanner->GetMode()) {
+    case CFootBotDistanceScannerEquippedEntity::MODE_OFF:
+      break;
+    case CFootBotDistanceScannerEquippedEntity::MODE_POSITION_CONTROL:
+      AddBeams(m_scanner->GetRotation());
+      break;
+    case CFootBotDistanceScannerEquippedEntity::MODE_SPEED_CONTROL: {
+      const Real sweep = ComputeSweep(*m_scanner);
+      for (int sample = 0; sample < kSamplesOfATick; ++sample) {
+        AddBeams(m_scanner->GetPreviousRotation() + CRadians(sweep * sample / kSamplesOfATick));
+      }
+      break;
+    }
+  }
+  Cast();
+  SetReadings(m_shortReadings, m_longReadings);
+}
+
+void CFootBotDistanceScannerRotZOnlySensor::AddBeams(const CRadians& scanner) {
+  for (int head = 0; head < kHeadsOfARange; ++head) {
+    const CRadians angle = scanner + CRadians::PI * head;
+    m_shortReadings.push_back({CRadians(angle).SignedNormalize(), kNothing});
+    m_longReadings.push_back({(angle + CRadians::PI_OVER_TWO).SignedNormalize(), kNothing});
+  }
+}
+
+void CFootBotDistanceScannerRotZOnlySensor::Cast() {
+  if (m_shortReadings.empty()) {
+    return;
+  }
+  SSensorRay beams[kMostBeams];
+  size_t count = 0;
+  for (const SReading& reading : m_shortReadings) {
+    beams[count++] = MakeBeam(reading.Angle, footbot::kDistanceScannerShortMax);
+  }
+  for (const SReading& reading : m_longReadings) {
+    beams[count++] = MakeBeam(reading.Angle, footbot::kDistanceScannerLongMax);
+  }
+  SRayBounds bounds;
+  bounds.Reach = footbot::kBodyRadius + footbot::kDistanceScannerLongMax;
+  const SAnchor* const origin = &m_caster.GetBody().GetOriginAnchor();
+  const SRayBundle bundle{beams, count, bounds, &origin, *origin};
+  Real fractions[kMostBeams];
+  m_caster.Cast(bundle, fractions);
+  if (m_showRays) {
+    m_caster.Show(bundle, fractions);
+  }
+  const Real* fraction = fractions;
+  for (SReading& reading : m_shortReadings) {
+    reading.Distance = ToReading(*fraction++, footbot::kDistanceScannerShortMin,
+                                 footbot::kDistanceScannerShortMax);
+  }
+  for (SReading& reading : m_longReadings) {
+    reading.Distance =
+        ToReading(*fraction++, footbot::kDistanceScannerLongMin, footbot::kDistanceScannerLongMax);
+  }
+}
+
+Real CFootBotDistanceScannerRotZOnlySensor::ToReading(Real fraction, Real minimum, Real maximum) {
+  if (fraction > 1.0) {
+    return kNothing;
+  }
+  const Real distance = fraction * maximum;
+  if (distance <= minimum) {
+    return kTooClose;
+  }
+  return std::max(0.0, m_noise.Apply(0, kCentimetersPerMeter * distance));
+}
+
+void CFootBotDistanceScannerRotZOnlySensor::Reset() {
+  SetReadings({}, {});
+  m_noise.Reset();
+}
+
+REGISTER_SENSOR(
+    CFootBotDistanceScannerRotZOnlySensor, "footbot_distance_scanner", "rot_z_only",
+    "the authors of this project", "1.0", "The distance scanner of the foot-bot.",
+    R"(Four heads turn on the robot at a height of 12.32 cm and look horizontally from the surface of its body: two for
+short range at the scanner's angle and opposite, which see up to 26 cm, and two for long range at right angles to them,
+which see from 12 to 142 cm. A reading is the distance to the first body on the beam, in cm from the surface of the robot's
+own; -2 if there is none in range; -1 if it is too close (long range: up to 12 cm; short range: 0). Readings are listed by
+the angle of their beam in the robot's frame, in (-pi,pi].
+
+The scanner must be switched on with the actuator footbot_distance_scanner. Off, there are no readings; held at an angle,
+2 of each range; turning, 12 of each: the way that the scanner turned in the last tick is cut into six, and each head reads
+at the beginning of each part.
+
+REQUIRED XML
+
+  <controllers>
+    <my_controller id="c1">
+      <actuators>
+        <footbot_distance_scanner implementation="default" />
+      </actuators>
+      <sensors>
+        <footbot_distance_scanner implementation="rot_z_only" />
+      </sensors>
+      <params />
+    </my_controller>
+  </controllers>
+
+OPTIONAL XML
+
+  <footbot_distance_scanner implementation="rot_z_only" show_rays="true" noise_range="-0.5:0.5" />
+
+  show_rays    "true" or "false", default "false": beams are shown by visualizations that can.
+  noise_range  "min:max", cm, default "0:0": a number drawn evenly from it is added to each distance
+               (not to -1 and -2), which is never less than 0.
+
+Children <noise on="distance" model="uniform|gaussian|rayleigh" level|std_dev|sigma="..." bias="0" relative="false" />
+add noise to each distance (cm) in the same way.
+)",
+    "Usable")
+
+}  // namespace argos

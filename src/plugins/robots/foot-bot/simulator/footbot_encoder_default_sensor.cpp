@@ -1,0 +1,78 @@
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_encoder_default_sensor.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/plugins/simulator/entities/odometer_entity.h>
+#include <argos3/plugins/simulator/entities/wheeled_entity.h>
+
+namespace argos {
+
+namespace {
+
+constexpr Real kCentimetersPerMeter = 100.0;
+enum EWheel : size_t { LEFT, RIGHT };
+
+}  // namespace
+
+void CFootBotEncoderDefaultSensor::SetRobot(CComposableEntity& robot) {
+  m_robot = &robot.GetComponent<CControllableEntity>("controller");
+  auto& odometer = robot.GetComponent<COdometerEntity>("odometer");
+  odometer.Enable();
+  m_odometer = &odometer;
+  const auto& wheels = robot.GetComponent<CWheeledEntity>("wheels");
+  m_sReading.WheelAxisLength = kCentimetersPerMeter * Distance(wheels.GetWheelPosition(LEFT),
+                                                               wheels.GetWheelPosition(RIGHT));
+}
+
+void CFootBotEncoderDefaultSensor::Init(TConfigurationNode& tree) {
+  CCI_FootBotEncoderSensor::Init(tree);
+  m_noise.Init(tree, *m_robot, {"distance_left", "distance_right"});
+  Enable();
+}
+
+void CFootBotEncoderDefaultSensor::Update() {
+  const auto read = [this](EWheel wheel) {
+    return m_noise.Apply(wheel, kCentimetersPerMeter * m_odometer->GetRolledDistance(wheel));
+  };
+  m_sReading.CoveredDistanceLeftWheel = read(LEFT);
+  m_sReading.CoveredDistanceRightWheel = read(RIGHT);
+}
+
+void CFootBotEncoderDefaultSensor::Reset() {
+  m_sReading = SReading(0.0, 0.0, m_sReading.WheelAxisLength);
+  m_noise.Reset();
+}
+
+REGISTER_SENSOR(
+    CFootBotEncoderDefaultSensor, "footbot_encoder", "default", "the authors of this project",
+    "1.0", "How far the wheels of the foot-bot really rolled.",
+    R"(Reads how far each wheel rolled over the ground in the last tick, in cm, positive ahead, as the body really
+moved: a robot that pushes against a wall, or is pushed, reads something else than what its controller ordered (that is
+what differential_steering reads). In each tick the body is taken to move at constant speeds along its heading, sideways
+and about the vertical; what it slides sideways turns no wheel, and neither does a move by command. That is exact on the
+arcs of the drive, for less than half a turn in a tick. Also reads the distance between the wheels, in cm.
+
+REQUIRED XML
+
+  <controllers>
+    <my_controller id="c1">
+      <actuators />
+      <sensors>
+        <footbot_encoder implementation="default" />
+      </sensors>
+      <params />
+    </my_controller>
+  </controllers>
+
+OPTIONAL XML
+
+  <footbot_encoder implementation="default">
+    <noise on="distance_left" model="gaussian" std_dev="0.01" relative="true" />
+  </footbot_encoder>
+
+Children <noise on="distance_left|distance_right" model="uniform|gaussian|rayleigh" level|std_dev|sigma="..." bias="0" relative="false" />
+add noise to the distance (cm) that the wheel reads in a tick.
+)",
+    "Usable")
+
+}  // namespace argos

@@ -1,0 +1,59 @@
+#include <argos3/plugins/robots/generic/simulator/clock_default_sensor.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
+
+namespace argos {
+
+void CClockDefaultSensor::SetRobot(CComposableEntity& robot) {
+  m_robot = &robot.GetComponent<CControllableEntity>("controller");
+}
+
+void CClockDefaultSensor::Init(TConfigurationNode& tree) {
+  CCI_ClockSensor::Init(tree);
+  m_noise.Init(tree, *m_robot, {"time"});
+  Enable();
+}
+
+void CClockDefaultSensor::Update() {
+  m_sReading.Tick = m_robot->GetSpace().GetSimulationClock();
+  m_sReading.Time = m_noise.Apply(0, m_sReading.Tick * m_robot->GetSimulator().GetTickLength());
+}
+
+void CClockDefaultSensor::Reset() {
+  m_sReading = SReading();
+  m_noise.Reset();
+}
+
+REGISTER_SENSOR(
+    CClockDefaultSensor, "clock", "default", "the authors of this project", "1.0",
+    "The time of the experiment.",
+    R"(Reads the number of the tick, which is 1 when the controller makes its first step, and the simulated time
+in seconds: the number of the tick times the length of a tick.
+
+REQUIRED XML
+
+  <controllers>
+    <my_controller id="c1">
+      <actuators />
+      <sensors>
+        <clock implementation="default" />
+      </sensors>
+      <params />
+    </my_controller>
+  </controllers>
+
+OPTIONAL XML
+
+  <clock implementation="default">
+    <noise on="time" model="gaussian" std_dev="0" bias="0.001" relative="true" />
+  </clock>
+
+Children <noise on="time" model="uniform|gaussian|rayleigh" level|std_dev|sigma="..." bias="0" relative="false" />
+add noise to the time (s), not to the tick; the one above makes a clock that gains 1 ms a second.
+)",
+    "Usable")
+
+}  // namespace argos
