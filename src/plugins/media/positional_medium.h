@@ -73,6 +73,9 @@ class CPositionalMedium : public CMedium, public ENTITY::CRegistry {
     return *m_index;
   }
 
+ protected:
+  const SIndexChoice& GetIndexChoice() const { return m_choice; }
+
  private:
   // all entities, in the order of their addition
   std::vector<ENTITY*> ListAll() {

@@ -29,6 +29,12 @@ class CMedium : public CBaseConfigurableResource {
   /** Called once after the arena is filled. */
   virtual void PostSpaceInit() {}
   /**
+   * Called once a tick, after the actuators and before physics: takes over what actuators ordered
+   * while robots are still where they ordered it. Media come one after the other, and may use the
+   * thread pool.
+   */
+  virtual void TakeActs() {}
+  /**
    * Called once a tick, after physics and before sensing; media of one space run in parallel, those
    * that use the thread pool themselves one after the other.
    */

@@ -139,6 +139,9 @@ void CSpace::Act(CThreadPool& pool) {
                 [](CControllableEntity& robot) { robot.Act(); });
     });
   });
+  for (CMedium* medium : m_cSimulator.GetMedia()) {
+    medium->TakeActs();
+  }
 }
 
 void CSpace::UpdatePhysics(CThreadPool& pool) {

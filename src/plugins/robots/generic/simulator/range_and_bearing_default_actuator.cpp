@@ -3,7 +3,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/simulator.h>
-#include <argos3/plugins/robots/generic/simulator/device_medium.h>
+#include <argos3/plugins/robots/generic/simulator/medium_attribute.h>
 #include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
 #include <argos3/plugins/simulator/media/rab_medium.h>
 
@@ -24,7 +24,7 @@ void CRangeAndBearingDefaultActuator::Init(TConfigurationNode& tree) {
 void CRangeAndBearingDefaultActuator::ChooseMedium(TConfigurationNode& tree) {
   if (NodeAttributeExists(tree, "medium")) {
     m_rab->SetMedium(
-        GetDeviceMedium<CRABMedium>(m_robot->GetSimulator(), tree, "range and bearing"));
+        ReadMedium<CRABMedium>(tree, m_robot->GetSimulator(), "a range and bearing medium"));
     return;
   }
   // a sensor of the same controller is set up after this, and chooses then
@@ -32,7 +32,7 @@ void CRangeAndBearingDefaultActuator::ChooseMedium(TConfigurationNode& tree) {
     return;
   }
   // without any medium nobody can hear
-  if (CRABMedium* const medium = FindOnlyMedium<CRABMedium>(m_robot->GetSimulator(), tree)) {
+  if (CRABMedium* const medium = FindOnlyMedium<CRABMedium>(tree, m_robot->GetSimulator())) {
     m_rab->SetMedium(*medium);
   }
 }

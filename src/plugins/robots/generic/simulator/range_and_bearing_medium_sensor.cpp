@@ -3,7 +3,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/simulator.h>
-#include <argos3/plugins/robots/generic/simulator/device_medium.h>
+#include <argos3/plugins/robots/generic/simulator/medium_attribute.h>
 #include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
 #include <argos3/plugins/simulator/media/rab_medium.h>
 
@@ -15,7 +15,6 @@ namespace argos {
 namespace {
 
 constexpr Real kCentimetersPerMeter = 100.0;
-constexpr size_t kFirstPackets = 8;  // room for so many at first, then twice as many
 
 }  // namespace
 
@@ -27,7 +26,8 @@ void CRangeAndBearingMediumSensor::SetRobot(CComposableEntity& robot) {
 void CRangeAndBearingMediumSensor::Init(TConfigurationNode& tree) {
   CCI_RangeAndBearingSensor::Init(tree);
   const CSimulator& simulator = m_robot->GetSimulator();
-  m_medium = &GetDeviceMedium<CRABMedium>(m_robot->GetSimulator(), tree, "range and bearing");
+  m_medium =
+      &ReadMedium<CRABMedium>(tree, m_robot->GetSimulator(), "a range and bearing medium");
   GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, m_showRays);
   GetNodeAttributeOrDefault(tree, "noise_std_dev", m_noiseDeviation, m_noiseDeviation);
   RequireNotNegative(m_noiseDeviation, OwnerOf(tree), "attribute \"noise_std_dev\" (m)");
@@ -64,11 +64,12 @@ void CRangeAndBearingMediumSensor::Update() {
       continue;
     }
     if (numPackets == m_tReadings.size()) {
-      AddPacket();
+      m_spare.Append(m_tReadings,
+                     [this](SPacket& packet) { packet.Data.Resize(m_rab->GetMsgSize()); });
     }
     ReadFrom(*sender, m_tReadings[numPackets++]);
   }
-  DropPackets(numPackets);
+  m_spare.Shrink(m_tReadings, numPackets);
 }
 
 void CRangeAndBearingMediumSensor::ReadFrom(const CRABEquippedEntity& sender, SPacket& packet) {
@@ -110,34 +111,8 @@ void CRangeAndBearingMediumSensor::AddNoise(SPacket& packet) {
   packet.VerticalBearing = CRadians(std::clamp(elevation, -0.5 * ARGOS_PI, 0.5 * ARGOS_PI));
 }
 
-// one that was used before, if there is one
-void CRangeAndBearingMediumSensor::AddPacket() {
-  if (m_spare.empty()) {
-    MakeRoom();
-  }
-  m_tReadings.push_back(std::move(m_spare.back()));
-  m_spare.pop_back();
-}
-
-void CRangeAndBearingMediumSensor::MakeRoom() {
-  const size_t room = std::max(kFirstPackets, 2 * m_tReadings.size());
-  m_spare.reserve(room);
-  while (m_tReadings.size() + m_spare.size() < room) {
-    m_spare.emplace_back();
-    m_spare.back().Data.Resize(m_rab->GetMsgSize());
-  }
-  m_tReadings.reserve(room);
-}
-
-void CRangeAndBearingMediumSensor::DropPackets(size_t numKept) {
-  while (m_tReadings.size() > numKept) {
-    m_spare.push_back(std::move(m_tReadings.back()));
-    m_tReadings.pop_back();
-  }
-}
-
 void CRangeAndBearingMediumSensor::Reset() {
-  DropPackets(0);
+  m_spare.Shrink(m_tReadings, 0);
   m_noise.Reset();
   if (m_stream != nullptr) {
     m_stream = std::make_unique<CRandomStream>(m_robot->GetSimulator().GetRandomSeed(), "argos",

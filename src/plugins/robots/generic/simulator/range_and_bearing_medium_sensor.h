@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_RANGE_AND_BEARING_MEDIUM_SENSOR_H
 
 #include <argos3/core/simulator/sensor.h>
+#include <argos3/core/utility/datatypes/spare_elements.h>
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/core/utility/math/vector3.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_sensor.h>
@@ -33,9 +34,6 @@ class CRangeAndBearingMediumSensor : public CSimulatedSensor, public CCI_RangeAn
   enum EQuantity : UInt8 { RANGE, HORIZONTAL_BEARING, VERTICAL_BEARING };
 
   void ReadFrom(const CRABEquippedEntity& sender, SPacket& packet);
-  void AddPacket();
-  void MakeRoom();
-  void DropPackets(size_t numKept);
   void AddNoise(SPacket& packet);
   CVector3 DrawError();
 
@@ -47,7 +45,7 @@ class CRangeAndBearingMediumSensor : public CSimulatedSensor, public CCI_RangeAn
   Real m_dropProbability = 0.0;
   std::unique_ptr<CRandomStream> m_stream;  // only with noise or loss
   CDeviceNoise m_noise;  // on EQuantity
-  TReadings m_spare;  // packets for later, so that their bytes stay allocated
+  CSpareElements<SPacket> m_spare;
 };
 
 }  // namespace argos

@@ -3,6 +3,7 @@
 #include <argos3/plugins/simulator/entities/directional_led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/magnet_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/new_component.h>
+#include <argos3/plugins/simulator/entities/simple_radio_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/tag_equipped_entity.h>
 
 #include <algorithm>
@@ -32,6 +33,7 @@ void CRobotEntity::InitParts(TConfigurationNode& tree) {
   MountFromXML<CDirectionalLEDEquippedEntity>(tree, "directional_leds");
   MountFromXML<CTagEquippedEntity>(tree, "tags");
   MountFromXML<CMagnetEquippedEntity>(tree, "magnets");
+  MountFromXML<CSimpleRadioEquippedEntity>(tree, "simple_radios");
 }
 
 template <typename COMPONENT>

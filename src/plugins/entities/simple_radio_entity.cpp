@@ -1,0 +1,118 @@
+#include <argos3/plugins/simulator/entities/simple_radio_entity.h>
+
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/plugins/simulator/entities/value_checks.h>
+
+#include <algorithm>
+
+namespace argos {
+
+namespace {
+
+void AddMessages(CDigest& digest, const std::vector<CByteArray>& messages) {
+  digest.Add(messages.size());
+  for (const CByteArray& message : messages) {
+    digest.Add(message.Size());
+    for (size_t i = 0; i < message.Size(); ++i) {
+      digest.Add(message.ToCArray()[i]);
+    }
+  }
+}
+
+}  // namespace
+
+CSimpleRadioEntity::CSimpleRadioEntity(CComposableEntity* parent) : CMediumMember(parent) {}
+
+CSimpleRadioEntity::CSimpleRadioEntity(CComposableEntity* parent, const std::string& id,
+                                       Real range)
+    : CMediumMember(parent, id, CVector3()) {
+  SetRange(range);
+}
+
+CSimpleRadioEntity::~CSimpleRadioEntity() {
+  ClearMedium();
+}
+
+void CSimpleRadioEntity::Init(TConfigurationNode& tree) {
+  CMediumMember::Init(tree);
+  GetNodeAttribute(tree, "range", m_range);
+  RequireNotNegative(m_range, OwnerOf(tree), "attribute \"range\" (m)");
+}
+
+void CSimpleRadioEntity::Reset() {
+  CMediumMember::Reset();
+  m_spare.Shrink(m_messages, 0);
+  m_numOld = 0;
+  m_outbox.clear();
+  m_origins.clear();
+}
+
+void CSimpleRadioEntity::SetRange(Real range) {
+  m_range = RequireNotNegative(range, "radio \"" + GetContext() + GetId() + "\"", "range (m)");
+}
+
+void CSimpleRadioEntity::ReceiveMessage(const CByteArray& message) {
+  m_spare.Append(m_messages) = message;
+}
+
+void CSimpleRadioEntity::Send(std::vector<CByteArray>& outbox) {
+  if (m_outbox.empty()) {
+    m_outbox.swap(outbox);
+  } else {
+    std::move(outbox.begin(), outbox.end(), std::back_inserter(m_outbox));
+  }
+  outbox.clear();
+}
+
+void CSimpleRadioEntity::Read(std::vector<CByteArray>& read) {
+  m_spare.Shrink(read, 0);
+  read.swap(m_messages);
+  m_numOld = 0;
+  m_origins.clear();
+}
+
+void CSimpleRadioEntity::DropOldMessages() {
+  if (m_numOld > 0) {
+    std::rotate(m_messages.begin(), m_messages.begin() + static_cast<std::ptrdiff_t>(m_numOld),
+                m_messages.end());
+    m_spare.Shrink(m_messages, m_messages.size() - m_numOld);
+    m_origins.clear();
+  }
+  m_numOld = m_messages.size();
+}
+
+void CSimpleRadioEntity::NoteOrigin(const CVector3& position) {
+  if (m_remembersOrigins) {
+    m_origins.push_back(position);
+  }
+}
+
+void CSimpleRadioEntity::UpdateDigest(CDigest& digest) const {
+  CMediumMember::UpdateDigest(digest);
+  digest.Add(m_range);
+  AddMessages(digest, m_messages);
+  AddMessages(digest, m_outbox);
+}
+
+bool CSimpleRadioEntityGridUpdater::operator()(CSimpleRadioEntity& radio) {
+  SInt32 i = 0;
+  SInt32 j = 0;
+  SInt32 k = 0;
+  m_grid.PositionToCellUnsafe(i, j, k, radio.GetPosition());
+  m_grid.UpdateCell(i, j, k, radio);
+  return true;
+}
+
+void CSimpleRadioEntitySpaceHashUpdater::operator()(CAbstractSpaceHash<CSimpleRadioEntity>& hash,
+                                                    CSimpleRadioEntity& radio) {
+  SInt32 i = 0;
+  SInt32 j = 0;
+  SInt32 k = 0;
+  hash.SpaceToHashTable(i, j, k, radio.GetPosition());
+  hash.UpdateCell(i, j, k, radio);
+}
+
+REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CSimpleRadioEntity)
+
+}  // namespace argos

@@ -1,0 +1,42 @@
+#ifndef ARGOS3_PLUGINS_ENTITIES_SIMPLE_RADIO_EQUIPPED_ENTITY_H
+#define ARGOS3_PLUGINS_ENTITIES_SIMPLE_RADIO_EQUIPPED_ENTITY_H
+
+#include <argos3/plugins/simulator/entities/mounted_entities.h>
+#include <argos3/plugins/simulator/entities/simple_radio_entity.h>
+
+#include <string>
+
+namespace argos {
+
+/** The radios on a body. Starts disabled. */
+class CSimpleRadioEquippedEntity : public CMountedEntities<CSimpleRadioEntity> {
+ public:
+  ENABLE_VTABLE();
+
+  explicit CSimpleRadioEquippedEntity(CComposableEntity* parent);
+  CSimpleRadioEquippedEntity(CComposableEntity* parent, const std::string& id);
+
+  /**
+   * Reads the children `<simple_radio id="..." medium="..." range="..." position="x,y,z"
+   * anchor="origin" />`, and enables the radios. The parent must have a "body" with the anchors
+   * named.
+   * @throws CARGoSException with the known names if a medium or an anchor is unknown, or if two
+   * radios have one id.
+   */
+  void Init(TConfigurationNode& tree) override;
+  std::string GetTypeDescription() const override { return "simple_radios"; }
+
+  /** @param position in the anchor's frame, m. @param range m, >= 0. @throws CARGoSException. */
+  void AddRadio(const std::string& id, const CVector3& position, SAnchor& anchor, Real range);
+
+  size_t GetNumRadios() const { return GetInstances().size(); }
+  /** @throws CARGoSException if there is no radio of that number. */
+  CSimpleRadioEntity& GetRadio(UInt32 index) { return GetEntity(index, "radio"); }
+
+ private:
+  void RequireNewId(const std::string& id) const;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,140 @@
+#include <argos3/plugins/simulator/media/simple_radio_medium.h>
+
+#include <argos3/plugins/simulator/media/medium_members.h>
+#include <argos3/plugins/simulator/media/point_cells.h>
+
+#include <cmath>
+
+namespace argos {
+
+struct CSimpleRadioMedium::SState {
+  CMediumMembers<CSimpleRadioEntity> Members;
+  std::vector<CSimpleRadioEntity*> Senders;  // of this tick, in order
+  std::vector<UInt32> Finite;  // numbers of radios that are somewhere
+  std::vector<Real> X, Y;  // of these, m, world frame
+  CPointCells Cells;
+};
+
+CSimpleRadioMedium::CSimpleRadioMedium() : m_state(std::make_unique<SState>()) {}
+
+CSimpleRadioMedium::~CSimpleRadioMedium() {
+  // radios ask to be removed: while there is something to remove them from
+  CSimpleRadioMedium::Destroy();
+}
+
+void CSimpleRadioMedium::AddEntity(CSimpleRadioEntity& radio) {
+  CPositionalMedium::AddEntity(radio);
+  m_state->Members.Add(radio);
+}
+
+void CSimpleRadioMedium::RemoveEntity(CSimpleRadioEntity& radio) {
+  CPositionalMedium::RemoveEntity(radio);
+  m_state->Members.Remove(radio);
+}
+
+void CSimpleRadioMedium::TakeActs() {
+  CMediumMembers<CSimpleRadioEntity>& members = m_state->Members;
+  members.Update();
+  m_state->Senders.clear();
+  for (size_t number = 0; number < members.GetSize(); ++number) {
+    CSimpleRadioEntity& radio = *members.Get(number);
+    radio.DropOldMessages();
+    if (!radio.GetOutbox().empty()) {
+      m_state->Senders.push_back(&radio);
+    }
+  }
+  if (m_state->Senders.empty()) {
+    return;
+  }
+  SortByCell();
+  for (CSimpleRadioEntity* sender : m_state->Senders) {
+    Deliver(*sender);
+    sender->ClearOutbox();
+  }
+}
+
+void CSimpleRadioMedium::SortByCell() {
+  SState& state = *m_state;
+  state.Finite.clear();
+  state.X.clear();
+  state.Y.clear();
+  for (size_t number = 0; number < state.Members.GetSize(); ++number) {
+    const CVector3& position = state.Members.Get(number)->GetPosition();
+    if (std::isfinite(position.GetX()) && std::isfinite(position.GetY()) &&
+        std::isfinite(position.GetZ())) {
+      state.Finite.push_back(static_cast<UInt32>(number));
+      state.X.push_back(position.GetX());
+      state.Y.push_back(position.GetY());
+    }
+  }
+  Real reach = 0.0;
+  for (const CSimpleRadioEntity* sender : state.Senders) {
+    reach += sender->GetRange() / static_cast<Real>(state.Senders.size());
+  }
+  state.Cells.SetOptions(GetIndexChoice(), GetSpace().GetArenaLimits());
+  state.Cells.Sort(state.X.data(), state.Y.data(), state.Finite.size(), reach);
+}
+
+void CSimpleRadioMedium::Deliver(CSimpleRadioEntity& sender) {
+  const CVector3& place = sender.GetPosition();
+  const Real squareRange = sender.GetRange() * sender.GetRange();
+  m_state->Cells.ForPlacesNear(
+      place.GetX(), place.GetY(), sender.GetRange(), [&](size_t cellPlace) {
+        const UInt32 number = m_state->Finite[m_state->Cells.GetPoint(cellPlace)];
+        CSimpleRadioEntity& receiver = *m_state->Members.Get(number);
+        if (&receiver == &sender || !(SquareDistance(receiver.GetPosition(), place) < squareRange)) {
+          return;
+        }
+        for (const CByteArray& message : sender.GetOutbox()) {
+          receiver.ReceiveMessage(message);
+        }
+        receiver.NoteOrigin(place);
+      });
+}
+
+REGISTER_MEDIUM(
+    CSimpleRadioMedium, "simple_radio", "the authors of this project", "1.0",
+    "Carries messages from radio to radio.",
+    R"(Radios send messages of any size, any number in a tick. A message reaches every other radio of the medium that
+is nearer than the sender's range, whatever stands between, in the same tick, before anything has moved. A radio gets
+messages in the order in which their senders were put into the arena, and keeps them until its robot's sensor reads
+them, but for one tick at most.
+
+A robot carries radios if its element says so:
+
+  <foot-bot id="fb0">
+    <body position="0,0,0" />
+    <controller config="c1" />
+    <simple_radios>
+      <simple_radio id="wifi" medium="radios" range="5" position="0,0,0.1" />
+    </simple_radios>
+  </foot-bot>
+
+  simple_radio@id           text, default radio_0, radio_1, ...: the radio's name for the controller.
+  simple_radio@medium       text, required: the id of a medium for simple radios.
+  simple_radio@range        m, >= 0, required: how far its messages reach.
+  simple_radio@position     "x,y,z", m, default "0,0,0": in the frame of the anchor.
+  simple_radio@orientation  "z,y,x", degrees, default "0,0,0": has no effect.
+  simple_radio@anchor       text, default "origin": a frame of the body.
+
+REQUIRED XML
+
+  <media>
+    <simple_radio id="radios" />
+  </media>
+
+OPTIONAL XML
+
+  <media>
+    <simple_radio id="radios" index="grid" grid_size="20,20,1" />
+  </media>
+
+ATTRIBUTES
+
+  id         text, required: unique among the media.
+  index      "grid" (default) or "hash": how radios near each other are found. It has no effect on results.
+  grid_size  "x,y,z", integers >= 1: into how many cells the arena is divided. It has no effect on results.
+)",
+    "Usable")
+
+}  // namespace argos

@@ -1,0 +1,41 @@
+#ifndef ARGOS3_PLUGINS_MEDIA_SIMPLE_RADIO_MEDIUM_H
+#define ARGOS3_PLUGINS_MEDIA_SIMPLE_RADIO_MEDIUM_H
+
+#include <argos3/plugins/simulator/entities/simple_radio_entity.h>
+#include <argos3/plugins/simulator/media/positional_medium.h>
+
+#include <memory>
+
+namespace argos {
+
+/**
+ * Carries messages from radio to radio, whatever stands between.
+ *
+ * A message reaches every other radio that is nearer than the sender's range, right after the
+ * actuators, before anything has moved. Receivers get messages in the order of their senders'
+ * insertion into the space. The index has all radios, as of the last Update().
+ */
+class CSimpleRadioMedium
+    : public CPositionalMedium<CSimpleRadioEntity, CSimpleRadioEntityGridUpdater,
+                               CSimpleRadioEntitySpaceHashUpdater> {
+ public:
+  CSimpleRadioMedium();
+  ~CSimpleRadioMedium() override;
+
+  void TakeActs() override;
+  void AddEntity(CSimpleRadioEntity& radio) override;
+  void RemoveEntity(CSimpleRadioEntity& radio) override;
+  CSimpleRadioMedium& AsMedium() override { return *this; }
+
+ private:
+  struct SState;  // radios and their cells
+
+  void SortByCell();
+  void Deliver(CSimpleRadioEntity& sender);
+
+  std::unique_ptr<SState> m_state;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,81 @@
+#include <argos3/plugins/robots/generic/simulator/simple_radios_default_sensor.h>
+
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/plugins/simulator/entities/simple_radio_equipped_entity.h>
+
+namespace argos {
+
+void CSimpleRadiosDefaultSensor::SetRobot(CComposableEntity& robot) {
+  m_robot = &robot.GetComponent<CControllableEntity>("controller");
+  m_radios = &robot.GetComponent<CSimpleRadioEquippedEntity>("simple_radios");
+  for (const auto& instance : m_radios->GetInstances()) {
+    m_vecInterfaces.emplace_back(instance.Entity.GetId());
+  }
+  m_radios->Enable();
+}
+
+void CSimpleRadiosDefaultSensor::Init(TConfigurationNode& tree) {
+  CCI_SimpleRadiosSensor::Init(tree);
+  bool showRays = false;
+  GetNodeAttributeOrDefault(tree, "show_rays", showRays, showRays);
+  for (const auto& instance : m_radios->GetInstances()) {
+    instance.Entity.SetRememberingOrigins(showRays);
+  }
+  Enable();
+}
+
+void CSimpleRadiosDefaultSensor::Update() {
+  for (size_t i = 0; i < m_vecInterfaces.size(); ++i) {
+    CSimpleRadioEntity& radio = m_radios->GetInstances()[i].Entity;
+    for (const CVector3& origin : radio.GetOrigins()) {
+      m_robot->AddCheckedRay(false, CRay3(origin, radio.GetPosition()));
+    }
+    radio.Read(m_vecInterfaces[i].Messages);
+  }
+}
+
+void CSimpleRadiosDefaultSensor::Reset() {
+  for (SInterface& interface : m_vecInterfaces) {
+    interface.Messages.clear();
+  }
+}
+
+REGISTER_SENSOR(
+    CSimpleRadiosDefaultSensor, "simple_radios", "default", "the authors of this project", "1.0",
+    "Receives messages of any size with the robot's radios.",
+    R"(Each radio of the robot gives the messages, arrays of bytes of any size, that other radios sent to it in this
+tick, in the order in which their robots were put into the arena.
+
+REQUIRED XML
+
+  <controllers>
+    <my_controller id="c1">
+      <actuators />
+      <sensors>
+        <simple_radios implementation="default" />
+      </sensors>
+      <params />
+    </my_controller>
+  </controllers>
+
+on a robot that carries radios:
+
+  <foot-bot id="fb0">
+    <body position="0,0,0" />
+    <controller config="c1" />
+    <simple_radios>
+      <simple_radio id="wifi" medium="radios" range="5" position="0,0,0.1" />
+    </simple_radios>
+  </foot-bot>
+
+The medium "simple_radio" explains these attributes.
+
+OPTIONAL XML
+
+  <simple_radios implementation="default" show_rays="true" />
+
+  show_rays  "true" or "false", default "false": lines from the senders are shown by visualizations that can.
+)",
+    "Usable")
+
+}  // namespace argos
