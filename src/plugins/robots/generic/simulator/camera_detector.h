@@ -31,7 +31,7 @@ class CCameraDetector : public CCameraSensorSimulatedAlgorithm {
   void Init(TConfigurationNode& tree) override {
     m_medium = &ReadMedium<MEDIUM>(tree, m_robot->GetSimulator(), GetMediumKind());
     GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, false);
-    m_noise.Init(tree, *m_robot, {"x", "y"}, " of camera " + m_camera);
+    m_noise.Init(tree, *m_robot, {"x", "y"}, {}, " of camera " + m_camera);
   }
   void Reset() override { m_noise.Reset(); }
 

@@ -1,22 +1,15 @@
 #include <argos3/plugins/robots/generic/simulator/sight_lines.h>
 
-#include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
-#include <argos3/core/simulator/physics_engine/physics_engine.h>
-#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/physics_engine/ray_queries.h>
 #include <argos3/core/simulator/space/body_index.h>
+#include <argos3/core/simulator/space/space.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace argos {
-
-void CSightLines::SetRobot(CComposableEntity& robot) {
-  m_body = &robot.GetComponent<CEmbodiedEntity>("body");
-  m_robot = &robot.GetComponent<CControllableEntity>("controller");
-  m_space = &m_robot->GetSpace();
-}
 
 void CSightLines::Start(const CVector3& eye) {
   m_eye = eye;
@@ -40,7 +33,7 @@ void CSightLines::Trace() {
   if (m_lines.empty()) {
     return;
   }
-  if (AreBodiesOutsideIndex()) {
+  if (m_robot.AreBodiesOutsideIndex()) {
     TraceOneByOne();
     return;
   }
@@ -56,8 +49,8 @@ void CSightLines::Trace() {
     maxY = std::max(maxY, line.End.GetY());
   }
   const Real reach = 0.5 * std::hypot(maxX - minX, maxY - minY);
-  const CBodyIndex& index = m_space->GetBodyIndex();
-  const UInt32 ownBody = m_body->GetBodyNumber();
+  const CBodyIndex& index = m_robot.GetSpace().GetBodyIndex();
+  const UInt32 ownBody = m_robot.GetBody().GetBodyNumber();
   index.ForShapesNear(0.5 * (minX + maxX), 0.5 * (minY + maxY), reach,
                       [&](const SIndexedShape& shape) {
                         if (shape.Body == ownBody) {
@@ -98,24 +91,18 @@ bool CSightLines::MayMeet(const SLine& line, const SIndexedShape& shape) const {
 void CSightLines::TraceOneByOne() {
   SEmbodiedEntityIntersectionItem hit;
   for (SLine& line : m_lines) {
-    if (GetClosestEmbodiedEntityIntersectedByRay(hit, CRay3(m_eye, line.End), *m_body)) {
+    if (GetClosestEmbodiedEntityIntersectedByRay(hit, CRay3(m_eye, line.End), m_robot.GetBody())) {
       line.Hit = hit.TOnRay;
     }
   }
 }
 
-bool CSightLines::AreBodiesOutsideIndex() const {
-  const CPhysicsEngine::TVector& engines = m_space->GetSimulator().GetPhysicsEngines();
-  return std::any_of(engines.begin(), engines.end(),
-                     [](const CPhysicsEngine* engine) { return engine->HasBodiesOutsideIndex(); });
-}
-
 void CSightLines::Show(size_t number) const {
   const CRay3 ray(m_eye, m_lines[number].End);
   const bool clear = IsClear(number);
-  m_robot->AddCheckedRay(!clear, ray);
+  m_robot.GetRobot().AddCheckedRay(!clear, ray);
   if (!clear) {
-    m_robot->AddIntersectionPoint(ray, m_lines[number].Hit);
+    m_robot.GetRobot().AddIntersectionPoint(ray, m_lines[number].Hit);
   }
 }
 
