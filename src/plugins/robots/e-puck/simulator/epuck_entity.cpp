@@ -176,6 +176,9 @@ OPTIONAL XML
   differential_steering@max_torque  N m, > 0, default 1.5: the most they turn the robot.
   rab_range                         m, >= 0, default 0.8: how far messages of this robot reach.
   rab_data_size                     integer >= 0, default 2: bytes of a message.
+  directional_leds, tags, magnets   children: what else the robot carries. The media
+                                    "directional_led" and "tag" and the actuator "magnets" explain
+                                    them.
 )",
     "Usable")
 

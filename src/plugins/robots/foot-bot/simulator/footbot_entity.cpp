@@ -217,6 +217,8 @@ OPTIONAL XML
   perspective_camera_aperture      degrees in (0,90), default 30: half angle of the view.
   perspective_camera_focal_length  m, > 0, default 0.035.
   perspective_camera_range         m, > 0, default 2: how far the camera sees.
+  directional_leds, tags, magnets  children: what else the robot carries. The media "directional_led"
+                                   and "tag" and the actuator "magnets" explain them.
 )",
     "Usable")
 

@@ -168,7 +168,7 @@ TEST_CASE("directional led: is seen from within an angle around its z axis", "[e
 }
 
 TEST_CASE("tags: are where the file says, with their corners", "[entities]") {
-  const std::string robot = GENERATE("foot-bot", "e-puck");
+  const std::string robot = GENERATE("foot-bot", "e-puck", "eye-bot");
   CRobotWorld world(With(kTags, robot));
   REQUIRE(Tags(world).GetNumTags() == 2);
   CTagEntity& tag = Tags(world).GetTag(0);
