@@ -53,39 +53,48 @@ void CSightLines::Trace() {
   const UInt32 ownBody = m_robot.GetBody().GetBodyNumber();
   index.ForShapesNear(0.5 * (minX + maxX), 0.5 * (minY + maxY), reach,
                       [&](const SIndexedShape& shape) {
-                        if (shape.Body == ownBody) {
-                          return;
-                        }
-                        for (SLine& line : m_lines) {
-                          if (MayMeet(line, shape)) {
-                            const Real hit = index.Intersect(shape, CRay3(m_eye, line.End));
-                            line.Hit = std::min(line.Hit, hit);
-                          }
+                        if (shape.Body != ownBody) {
+                          TraceShape(index, shape);
                         }
                       });
 }
 
-// false only if the line misses the upright cylinder around the solid
-bool CSightLines::MayMeet(const SLine& line, const SIndexedShape& shape) const {
-  const Real low = std::min(m_eye.GetZ(), line.End.GetZ());
-  const Real high = std::max(m_eye.GetZ(), line.End.GetZ());
-  if (low > shape.ZMax || high < shape.ZMin) {
-    return false;
+// the upright cylinder around a solid, seen from the eye
+struct CSightLines::SDisc {
+  Real X, Y;  // from the eye to its axis, m
+  Real SquareRadius;  // m^2
+  Real ZMin, ZMax;  // m, world frame
+
+  // whether it meets the line, prolonged to both sides, as seen from above
+  bool IsNear(const SLine& line) const {
+    const Real aside = line.DX * Y - line.DY * X;
+    return aside * aside <= SquareRadius * line.SquareLengthXY;
   }
-  const Real x = shape.X - m_eye.GetX();
-  const Real y = shape.Y - m_eye.GetY();
-  const Real squareRadius = shape.Radius * shape.Radius;
-  const Real along = x * line.DX + y * line.DY;
-  if (along <= 0.0) {
-    return x * x + y * y <= squareRadius;
+  // the same for the line with its ends, and in height
+  bool IsMet(const SLine& line, Real eyeZ) const {
+    const Real endZ = line.End.GetZ();
+    if (std::min(eyeZ, endZ) > ZMax || std::max(eyeZ, endZ) < ZMin) {
+      return false;
+    }
+    const Real along = X * line.DX + Y * line.DY;
+    if (along <= 0.0) {
+      return X * X + Y * Y <= SquareRadius;
+    }
+    const Real toEndX = X - line.DX;
+    const Real toEndY = Y - line.DY;
+    return along < line.SquareLengthXY || toEndX * toEndX + toEndY * toEndY <= SquareRadius;
   }
-  if (along >= line.SquareLengthXY) {
-    const Real fromEndX = x - line.DX;
-    const Real fromEndY = y - line.DY;
-    return fromEndX * fromEndX + fromEndY * fromEndY <= squareRadius;
+};
+
+void CSightLines::TraceShape(const CBodyIndex& index, const SIndexedShape& shape) {
+  const SDisc disc = {shape.X - m_eye.GetX(), shape.Y - m_eye.GetY(), shape.Radius * shape.Radius,
+                      shape.ZMin, shape.ZMax};
+  for (SLine& line : m_lines) {
+    // almost all lines end here
+    if (disc.IsNear(line) && disc.IsMet(line, m_eye.GetZ())) {
+      line.Hit = std::min(line.Hit, index.Intersect(shape, CRay3(m_eye, line.End)));
+    }
   }
-  const Real aside = line.DX * y - line.DY * x;
-  return aside * aside <= squareRadius * line.SquareLengthXY;
 }
 
 void CSightLines::TraceOneByOne() {

@@ -8,6 +8,7 @@
 
 namespace argos {
 
+class CBodyIndex;
 class CComposableEntity;
 struct SIndexedShape;
 
@@ -51,8 +52,10 @@ class CSightLines {
     Real Hit;  // fraction at which the line meets the first body; 1 if none
   };
 
+  struct SDisc;
+
+  void TraceShape(const CBodyIndex& index, const SIndexedShape& shape);
   void TraceOneByOne();
-  bool MayMeet(const SLine& line, const SIndexedShape& shape) const;
 
   CRayCaster m_robot;  // for its body and its space
   CVector3 m_eye;  // m, world frame
