@@ -3,9 +3,14 @@
 
 #include <argos3/core/control_interface/ci_controller.h>
 #include <argos3/core/utility/math/vector2.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_camera_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_colored_blob_omnidirectional_camera_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_colored_blob_perspective_camera_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_directional_leds_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_leds_actuator.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_pan_tilt_camera_actuator.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_tags_actuator.h>
 #include <argos3/testing/support/experiment.h>
 
 namespace argos {
@@ -16,18 +21,31 @@ class CWatcher : public CCI_Controller {
   /** Reads `moving`: false turns on the spot at a speed that does not depend on what it sees. */
   void Init(TConfigurationNode& params) override;
   void ControlStep() override;
+  /** How much it sees of each kind. */
+  struct SSights {
+    size_t LEDs = 0;
+    size_t Signals = 0;  // directional LEDs
+    size_t Tags = 0;
+  };
+  SSights CountSights() const;
 
  private:
   CVector2 SumUpSights() const;
+  void Show(const CVector2& sum);
 
   CCI_DifferentialSteeringActuator* m_wheels = nullptr;
   CCI_LEDsActuator* m_leds = nullptr;
+  CCI_DirectionalLEDsActuator* m_signals = nullptr;
+  CCI_TagsActuator* m_tags = nullptr;
+  CCI_PanTiltCameraActuator* m_head = nullptr;
   CCI_ColoredBlobOmnidirectionalCameraSensor* m_allAround = nullptr;
+  CCI_ColoredBlobPerspectiveCameraSensor* m_ahead = nullptr;
+  CCI_CameraSensor* m_cameras = nullptr;
   bool m_moving = true;
 };
 
 /**
- * Foot-bots in rows, with all cameras and LEDs, noisy if @p noisy.
+ * Foot-bots in rows, with all cameras, LEDs and tags, noisy if @p noisy.
  * @param moving  see CWatcher::Init().
  */
 SExperiment Watchers(UInt32 robots, bool moving, bool noisy);

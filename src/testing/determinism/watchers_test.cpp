@@ -31,16 +31,16 @@ const std::vector<UInt64>& Reference() {
   return reference;
 }
 
-size_t CountBlobs(CTestWorld& world) {
-  size_t count = 0;
+// of all robots
+CWatcher::SSights CountSights(CTestWorld& world) {
+  CWatcher::SSights sights;
   for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
-    count += robot->GetController()
-                 .GetSensor<CCI_ColoredBlobOmnidirectionalCameraSensor>(
-                     "colored_blob_omnidirectional_camera")
-                 ->GetReadings()
-                 .BlobList.size();
+    const CWatcher::SSights seen = dynamic_cast<CWatcher&>(robot->GetController()).CountSights();
+    sights.LEDs += seen.LEDs;
+    sights.Signals += seen.Signals;
+    sights.Tags += seen.Tags;
   }
-  return count;
+  return sights;
 }
 
 }  // namespace
@@ -55,7 +55,10 @@ TEST_CASE("watchers: every tick is the same for every number of threads and sche
   experiment.Method = method;
   CTestWorld world(experiment);
   CHECK(Run(world) == Reference());
-  CHECK(CountBlobs(world) > 10 * kRobots);
+  const CWatcher::SSights sights = CountSights(world);
+  CHECK(sights.LEDs > 10 * kRobots);
+  CHECK(sights.Signals > kRobots);
+  CHECK(sights.Tags > kRobots / 2);
   world.GetSimulator().Reset();
   CHECK(Run(world) == Reference());
 }
@@ -79,7 +82,8 @@ TEST_CASE("watchers: a settled tick allocates nothing", "[determinism][cameras][
   CTestWorld world(experiment);
   // more than two turns on the spot: all has been seen
   world.Step(300);
-  CHECK(CountBlobs(world) > 300);
+  CHECK(CountSights(world).LEDs > 300);
+  CHECK(CountSights(world).Tags > 15);
   size_t counted = 0;
   std::string first;
   {

@@ -50,7 +50,7 @@ std::string ToXml(const SLuaExperiment& lua, const CScriptFolder& folder) {
                                "/></loop_functions>";
   }
   experiment.Engines = "<dynamics2d id='dyn2d'/>";
-  experiment.Media = "<led id='leds'/>";
+  experiment.Media = lua.Media;
   experiment.Arena = lua.Robots + lua.Arena;
   return experiment.ToXml();
 }

@@ -21,6 +21,7 @@ struct SLuaExperiment {
   std::string Sensors = "";
   std::string Robots =
       "<foot-bot id='fb'><body position='0,0,0'/><controller config='c'/></foot-bot>";
+  std::string Media = "<led id='leds'/>";
   std::string Arena = ""; /**< children of <arena> besides the robots */
   UInt32 Seed = 1;
   UInt32 Threads = 0;

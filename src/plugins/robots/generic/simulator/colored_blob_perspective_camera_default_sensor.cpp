@@ -60,8 +60,9 @@ class CColoredBlobPerspectiveCameraDefaultSensor::CEye {
     point -= m_position;
     point.Rotate(m_toCamera);
     const Real ahead = point.GetX();
-    const Real aside = std::hypot(point.GetY(), point.GetZ());
-    if (ahead <= 0.0 || ahead >= m_range || aside >= ahead * m_tanAperture) {
+    const Real squareAside = point.GetY() * point.GetY() + point.GetZ() * point.GetZ();
+    const Real radius = ahead * m_tanAperture;  // of the cone, there
+    if (ahead <= 0.0 || ahead >= m_range || squareAside >= radius * radius) {
       return false;
     }
     x = -(m_pxWidth / m_mtWidth) * (m_focalLength * point.GetY() / ahead - 0.5 * m_mtWidth);

@@ -7,6 +7,7 @@
 #include <argos3/plugins/robots/generic/simulator/sight_lines.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace argos {
@@ -39,59 +40,71 @@ class CEntitiesInSight {
   template <typename LOCATE, typename SEE>
   void Look(CPositionalIndex<ENTITY>& index, const CVector3& eye, const SBoundingBox& field,
             LOCATE&& locate, SEE&& see, bool show = false) {
-    Collect(index, field);
+    Collect(index, field, locate);
     m_lines.Start(eye);
-    size_t numLocated = 0;
-    for (ENTITY* entity : m_found) {
-      CVector3 points[NUM_POINTS];
-      if (&entity->GetRootEntity() != m_robot && locate(*entity, points)) {
-        m_found[numLocated++] = entity;
-        for (const CVector3& point : points) {
-          m_lines.Add(point);
-        }
+    for (const SCandidate& candidate : m_candidates) {
+      for (const CVector3& point : candidate.Points) {
+        m_lines.Add(point);
       }
     }
-    m_found.resize(numLocated);
     m_lines.Trace();
     for (size_t i = 0; show && i < m_lines.GetNumPoints(); ++i) {
       m_lines.Show(i);
     }
-    for (size_t i = 0; i < m_found.size(); ++i) {
+    for (size_t i = 0; i < m_candidates.size(); ++i) {
       bool clear = true;
       for (size_t point = 0; point < NUM_POINTS; ++point) {
         clear = clear && m_lines.IsClear(i * NUM_POINTS + point);
       }
       if (clear) {
-        see(*m_found[i]);
+        see(*m_candidates[i].Entity);
       }
     }
   }
 
  private:
-  // the index visits in an order of its own, and some perhaps twice
-  void Collect(CPositionalIndex<ENTITY>& index, const SBoundingBox& field) {
+  // an entity in the field of view
+  struct SCandidate {
+    ssize_t Index;  // of the entity
+    ENTITY* Entity;
+    std::array<CVector3, NUM_POINTS> Points;  // m, world frame
+  };
+
+  // those in the field of view, in order of creation: the index visits in an order of its own, and
+  // some perhaps twice
+  template <typename LOCATE>
+  void Collect(CPositionalIndex<ENTITY>& index, const SBoundingBox& field, LOCATE&& locate) {
     class CCollect : public CPositionalIndex<ENTITY>::COperation {
      public:
-      explicit CCollect(std::vector<ENTITY*>& found) : m_found(found) {}
+      CCollect(CEntitiesInSight& sight, LOCATE& locate) : m_sight(sight), m_locate(locate) {}
       bool operator()(ENTITY& entity) override {
-        m_found.push_back(&entity);
+        SCandidate candidate{entity.GetIndex(), &entity, {}};
+        if (m_locate(entity, candidate.Points.data()) &&
+            &entity.GetRootEntity() != m_sight.m_robot) {
+          m_sight.m_candidates.push_back(candidate);
+        }
         return true;
       }
 
      private:
-      std::vector<ENTITY*>& m_found;
+      CEntitiesInSight& m_sight;
+      LOCATE& m_locate;
     };
-    m_found.clear();
-    CCollect collect(m_found);
+    m_candidates.clear();
+    CCollect collect(*this, locate);
     index.ForEntitiesInBoxRange((field.MinCorner + field.MaxCorner) * 0.5,
                                 (field.MaxCorner - field.MinCorner) * 0.5, collect);
-    std::sort(m_found.begin(), m_found.end(), SEntityComparator());
-    m_found.erase(std::unique(m_found.begin(), m_found.end()), m_found.end());
+    std::sort(m_candidates.begin(), m_candidates.end(),
+              [](const SCandidate& a, const SCandidate& b) { return a.Index < b.Index; });
+    m_candidates.erase(
+        std::unique(m_candidates.begin(), m_candidates.end(),
+                    [](const SCandidate& a, const SCandidate& b) { return a.Entity == b.Entity; }),
+        m_candidates.end());
   }
 
   const CEntity* m_robot = nullptr;  // the root
   CSightLines m_lines;
-  std::vector<ENTITY*> m_found;  // not owned; only valid within Look()
+  std::vector<SCandidate> m_candidates;  // entities are not owned; only valid within Look()
 };
 
 }  // namespace argos

@@ -1,22 +1,15 @@
 #include <argos3/plugins/robots/generic/simulator/sight_lines.h>
 
-#include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
-#include <argos3/core/simulator/physics_engine/physics_engine.h>
-#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/physics_engine/ray_queries.h>
 #include <argos3/core/simulator/space/body_index.h>
+#include <argos3/core/simulator/space/space.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace argos {
-
-void CSightLines::SetRobot(CComposableEntity& robot) {
-  m_body = &robot.GetComponent<CEmbodiedEntity>("body");
-  m_robot = &robot.GetComponent<CControllableEntity>("controller");
-  m_space = &m_robot->GetSpace();
-}
 
 void CSightLines::Start(const CVector3& eye) {
   m_eye = eye;
@@ -40,7 +33,7 @@ void CSightLines::Trace() {
   if (m_lines.empty()) {
     return;
   }
-  if (AreBodiesOutsideIndex()) {
+  if (m_robot.AreBodiesOutsideIndex()) {
     TraceOneByOne();
     return;
   }
@@ -56,66 +49,69 @@ void CSightLines::Trace() {
     maxY = std::max(maxY, line.End.GetY());
   }
   const Real reach = 0.5 * std::hypot(maxX - minX, maxY - minY);
-  const CBodyIndex& index = m_space->GetBodyIndex();
-  const UInt32 ownBody = m_body->GetBodyNumber();
+  const CBodyIndex& index = m_robot.GetSpace().GetBodyIndex();
+  const UInt32 ownBody = m_robot.GetBody().GetBodyNumber();
   index.ForShapesNear(0.5 * (minX + maxX), 0.5 * (minY + maxY), reach,
                       [&](const SIndexedShape& shape) {
-                        if (shape.Body == ownBody) {
-                          return;
-                        }
-                        for (SLine& line : m_lines) {
-                          if (MayMeet(line, shape)) {
-                            const Real hit = index.Intersect(shape, CRay3(m_eye, line.End));
-                            line.Hit = std::min(line.Hit, hit);
-                          }
+                        if (shape.Body != ownBody) {
+                          TraceShape(index, shape);
                         }
                       });
 }
 
-// false only if the line misses the upright cylinder around the solid
-bool CSightLines::MayMeet(const SLine& line, const SIndexedShape& shape) const {
-  const Real low = std::min(m_eye.GetZ(), line.End.GetZ());
-  const Real high = std::max(m_eye.GetZ(), line.End.GetZ());
-  if (low > shape.ZMax || high < shape.ZMin) {
-    return false;
+// the upright cylinder around a solid, seen from the eye
+struct CSightLines::SDisc {
+  Real X, Y;  // from the eye to its axis, m
+  Real SquareRadius;  // m^2
+  Real ZMin, ZMax;  // m, world frame
+
+  // whether it meets the line, prolonged to both sides, as seen from above
+  bool IsNear(const SLine& line) const {
+    const Real aside = line.DX * Y - line.DY * X;
+    return aside * aside <= SquareRadius * line.SquareLengthXY;
   }
-  const Real x = shape.X - m_eye.GetX();
-  const Real y = shape.Y - m_eye.GetY();
-  const Real squareRadius = shape.Radius * shape.Radius;
-  const Real along = x * line.DX + y * line.DY;
-  if (along <= 0.0) {
-    return x * x + y * y <= squareRadius;
+  // the same for the line with its ends, and in height
+  bool IsMet(const SLine& line, Real eyeZ) const {
+    const Real endZ = line.End.GetZ();
+    if (std::min(eyeZ, endZ) > ZMax || std::max(eyeZ, endZ) < ZMin) {
+      return false;
+    }
+    const Real along = X * line.DX + Y * line.DY;
+    if (along <= 0.0) {
+      return X * X + Y * Y <= SquareRadius;
+    }
+    const Real toEndX = X - line.DX;
+    const Real toEndY = Y - line.DY;
+    return along < line.SquareLengthXY || toEndX * toEndX + toEndY * toEndY <= SquareRadius;
   }
-  if (along >= line.SquareLengthXY) {
-    const Real fromEndX = x - line.DX;
-    const Real fromEndY = y - line.DY;
-    return fromEndX * fromEndX + fromEndY * fromEndY <= squareRadius;
+};
+
+void CSightLines::TraceShape(const CBodyIndex& index, const SIndexedShape& shape) {
+  const SDisc disc = {shape.X - m_eye.GetX(), shape.Y - m_eye.GetY(), shape.Radius * shape.Radius,
+                      shape.ZMin, shape.ZMax};
+  for (SLine& line : m_lines) {
+    // almost all lines end here
+    if (disc.IsNear(line) && disc.IsMet(line, m_eye.GetZ())) {
+      line.Hit = std::min(line.Hit, index.Intersect(shape, CRay3(m_eye, line.End)));
+    }
   }
-  const Real aside = line.DX * y - line.DY * x;
-  return aside * aside <= squareRadius * line.SquareLengthXY;
 }
 
 void CSightLines::TraceOneByOne() {
   SEmbodiedEntityIntersectionItem hit;
   for (SLine& line : m_lines) {
-    if (GetClosestEmbodiedEntityIntersectedByRay(hit, CRay3(m_eye, line.End), *m_body)) {
+    if (GetClosestEmbodiedEntityIntersectedByRay(hit, CRay3(m_eye, line.End), m_robot.GetBody())) {
       line.Hit = hit.TOnRay;
     }
   }
 }
 
-bool CSightLines::AreBodiesOutsideIndex() const {
-  const CPhysicsEngine::TVector& engines = m_space->GetSimulator().GetPhysicsEngines();
-  return std::any_of(engines.begin(), engines.end(),
-                     [](const CPhysicsEngine* engine) { return engine->HasBodiesOutsideIndex(); });
-}
-
 void CSightLines::Show(size_t number) const {
   const CRay3 ray(m_eye, m_lines[number].End);
   const bool clear = IsClear(number);
-  m_robot->AddCheckedRay(!clear, ray);
+  m_robot.GetRobot().AddCheckedRay(!clear, ray);
   if (!clear) {
-    m_robot->AddIntersectionPoint(ray, m_lines[number].Hit);
+    m_robot.GetRobot().AddIntersectionPoint(ray, m_lines[number].Hit);
   }
 }
 

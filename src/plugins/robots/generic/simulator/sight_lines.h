@@ -2,15 +2,14 @@
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_SIGHT_LINES_H
 
 #include <argos3/core/utility/math/vector3.h>
+#include <argos3/plugins/robots/generic/simulator/ray_caster.h>
 
 #include <vector>
 
 namespace argos {
 
+class CBodyIndex;
 class CComposableEntity;
-class CControllableEntity;
-class CEmbodiedEntity;
-class CSpace;
 struct SIndexedShape;
 
 /**
@@ -27,7 +26,7 @@ class CSightLines {
   static constexpr Real kTouch = 1e-9;  // m; far above roundings, far below any body
 
   /** @throws CARGoSException if the robot has no "body" or "controller". */
-  void SetRobot(CComposableEntity& robot);
+  void SetRobot(CComposableEntity& robot) { m_robot.SetRobot(robot); }
 
   /** Starts a new look, without points. @param eye m, world frame. */
   void Start(const CVector3& eye);
@@ -53,13 +52,12 @@ class CSightLines {
     Real Hit;  // fraction at which the line meets the first body; 1 if none
   };
 
-  void TraceOneByOne();
-  bool MayMeet(const SLine& line, const SIndexedShape& shape) const;
-  bool AreBodiesOutsideIndex() const;
+  struct SDisc;
 
-  CEmbodiedEntity* m_body = nullptr;  // of the robot
-  CControllableEntity* m_robot = nullptr;
-  CSpace* m_space = nullptr;
+  void TraceShape(const CBodyIndex& index, const SIndexedShape& shape);
+  void TraceOneByOne();
+
+  CRayCaster m_robot;  // for its body and its space
   CVector3 m_eye;  // m, world frame
   std::vector<SLine> m_lines;
 };
