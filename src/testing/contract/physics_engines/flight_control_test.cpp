@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 namespace argos {
@@ -92,6 +93,47 @@ TEST_CASE("flight: the number of substeps changes the answer as the recurrence s
     // powers of a matrix whose eigenvalues are nearly 1 lose digits as the square of their number
     CHECK_THAT(world.Position().GetX(),
                WithinAbs(0.09 * share, kRounding * std::max(1.0, 0.01 * substeps * substeps)));
+  }
+}
+
+TEST_CASE("flight: with finer substeps the answer becomes that of continuous time",
+          "[contract][flight]") {
+  // of the loop m x'' = Kp (r - x) + Kd (r' - x'), to a step of r; from the partial fractions of
+  // (Kd s + Kp) / (m s^2 + Kd s + Kp) / s
+  const auto respond = [](Real kp, Real kd, Real inertia, Real time) {
+    using TComplex = std::complex<Real>;
+    const TComplex root = std::sqrt(TComplex(kd * kd - 4.0 * inertia * kp));
+    const TComplex poles[2] = {(-kd + root) / (2.0 * inertia), (-kd - root) / (2.0 * inertia)};
+    TComplex response = 1.0;
+    for (int i = 0; i < 2; ++i) {
+      response += (kd * poles[i] + kp) / (poles[i] * inertia * (poles[i] - poles[1 - i])) *
+                  std::exp(poles[i] * time);
+    }
+    return response.real();
+  };
+  const auto worst = [&](UInt32 substeps, bool isYaw, UInt32 firstTick) {
+    SFlightExperiment experiment = OneRobot("quadrotor_position");
+    experiment.Engines = "<pointmass3d id='e' iterations='" + std::to_string(substeps) + "'/>";
+    CFlightWorld world(experiment);
+    // so small a step that thrust is not limited
+    constexpr Real kStep = 0.01;
+    world.Places().SetAbsolutePosition(CVector3(kStep, 0, 0));
+    world.Places().SetAbsoluteYaw(CRadians(kStep));
+    Real distance = 0.0;
+    for (UInt32 tick = 1; tick <= 60; ++tick) {
+      world.Step();
+      const Real expected =
+          isYaw ? respond(0.5, 0.1, 0.01, 0.1 * tick) : respond(20.0, 10.0, 1.0, 0.1 * tick);
+      const Real seen = (isYaw ? world.Yaw() : world.Position().GetX()) / kStep;
+      distance = tick < firstTick ? distance : std::max(distance, std::abs(seen - expected));
+    }
+    return distance;
+  };
+  for (const bool isYaw : {false, true}) {
+    CAPTURE(isYaw);
+    // the figures of the engine's README, and an error of first order
+    CHECK(worst(10, isYaw, 6) <= (isYaw ? 0.015 : 0.005));
+    CHECK_THAT(worst(40, isYaw, 1) / worst(80, isYaw, 1), WithinAbs(2.0, 0.1));
   }
 }
 

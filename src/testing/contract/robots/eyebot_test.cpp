@@ -11,6 +11,7 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_proximity_sensor.h>
 #include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
 #include <argos3/testing/contract/sensors/scene.h>
 #include <argos3/testing/support/captured_logs.h>
 
@@ -113,6 +114,12 @@ TEST_CASE("eye-bot: every getter gives the component of its name", "[contract][r
   CHECK(&robot.GetComponent("controller") == &robot.GetControllableEntity());
   CHECK(&robot.GetComponent("light_sensors") == &robot.GetLightSensorEquippedEntity());
   CHECK(&robot.GetComponent("perspective_camera") == &robot.GetPerspectiveCameraEquippedEntity());
+  CHECK(&robot.GetComponent("rab") == &robot.GetRABEquippedEntity());
+  CHECK(robot.GetRABEquippedEntity().GetMsgSize() == 10);
+  CHECK(robot.GetRABEquippedEntity().GetRange() == 3.0);
+  // its device is at the origin
+  CHECK(robot.GetRABEquippedEntity().GetPosition() ==
+        robot.GetEmbodiedEntity().GetOriginAnchor().Position);
   CHECK_THROWS_WITH(robot.GetComponent("wheels"), Contains("no component \"wheels\""));
 }
 

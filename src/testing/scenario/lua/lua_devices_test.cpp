@@ -197,3 +197,70 @@ TEST_CASE("lua devices: a script that destroys its tables gets an error at most"
   world.Step(3);
   CHECK_THAT(world.GetAnchor().Position.GetX(), WithinAbs(0.004, 1e-9));
 }
+
+TEST_CASE("lua devices: propellers are ordered in metres, and yaws in degrees", "[lua][devices]") {
+  const auto eyeBot = [](const std::string& actuator, const std::string& sensors) {
+    SLuaExperiment experiment = WithDevices("", Device(actuator), sensors);
+    experiment.Robots =
+        "<eye-bot id='fb'><body position='0,0,0' orientation='90,0,0'/><controller config='c'/>"
+        "</eye-bot>";
+    experiment.Engines = "<pointmass3d id='air'/>";
+    return experiment;
+  };
+  CLuaWorld places(eyeBot("quadrotor_position", ""));
+  places.Do("robot.quadrotor.set_absolute_position(0.5, -0.25, 0.1)");
+  places.Do("robot.quadrotor.set_absolute_yaw(45)");
+  // the loops leave e^-16 of the way, and e^-30 of the turn
+  places.Step(60);
+  CHECK_THAT(Distance(places.GetAnchor().Position, CVector3(0.5, -0.25, 0.1)),
+             WithinAbs(0.0, 1e-5));
+  const CQuaternion turned(CRadians::PI_OVER_FOUR, CVector3::Z);
+  CHECK_THAT(places.GetAnchor().Orientation.GetZ(), WithinAbs(turned.GetZ(), 1e-9));
+  // ahead, as it looks now
+  places.Do("robot.quadrotor.set_relative_position(0.2, 0, 0)");
+  places.Do("robot.quadrotor.set_relative_yaw(-45)");
+  places.Step(60);
+  const Real diagonal = 0.2 * std::sqrt(0.5);
+  CHECK_THAT(Distance(places.GetAnchor().Position, CVector3(0.5 + diagonal, -0.25 + diagonal, 0.1)),
+             WithinAbs(0.0, 2e-5));
+  CHECK_THAT(places.GetAnchor().Orientation.GetZ(), WithinAbs(0.0, 1e-9));
+  CHECK(places.Get("robot.quadrotor.set_linear_velocity") == "nil");
+  CHECK_THROWS_WITH(places.Do("robot.quadrotor.set_absolute_position(1, 2)"),
+                    Contains("robot.quadrotor.set_absolute_position: argument 3 must be a number"));
+
+  CLuaWorld speeds(eyeBot("quadrotor_speed", ""));
+  speeds.Do("robot.quadrotor.set_linear_velocity(0.2, -0.1, 0.05)");
+  speeds.Do("robot.quadrotor.set_rotational_speed(0.3)");
+  speeds.Step(60);
+  const CVector3 before = speeds.GetAnchor().Position;
+  const Real half = std::asin(speeds.GetAnchor().Orientation.GetZ());
+  speeds.Step(1);
+  // along the axes of the world, although it looks along y
+  CHECK_THAT(Distance(speeds.GetAnchor().Position, before + CVector3(0.02, -0.01, 0.005)),
+             WithinAbs(0.0, kRounding));
+  CHECK_THAT(2.0 * (std::asin(speeds.GetAnchor().Orientation.GetZ()) - half),
+             WithinAbs(0.03, 1e-9));
+}
+
+TEST_CASE("lua devices: the rings of an eye-bot, angle and value", "[lua][devices]") {
+  SLuaExperiment experiment = WithDevices(
+      "", "", Device("eyebot_proximity") + "<eyebot_light implementation='rot_z_only'/>");
+  experiment.Robots = "<eye-bot id='fb'><body position='0,0,0'/><controller config='c'/></eye-bot>";
+  experiment.Engines = "<pointmass3d id='air'/>";
+  experiment.Arena =
+      "<box id='wall' size='0.2,8,1' movable='false'><body position='2,0,0'/></box>"
+      "<light id='l' position='0,1,0' intensity='1' color='yellow' medium='leds'/>";
+  CLuaWorld world(experiment);
+  world.Step();
+  CHECK(world.Get("#robot.proximity") == "24");
+  CHECK(world.Get("#robot.light") == "24");
+  const Real angle = 7.5 / 180.0 * ARGOS_PI;
+  CHECK_THAT(GetNumber(world, "robot.proximity[1].angle"), WithinAbs(angle, kRounding));
+  CHECK_THAT(GetNumber(world, "robot.light[24].angle"), WithinAbs(-angle, kRounding));
+  const Real distance = 1.9 / std::cos(angle) - 0.255;
+  CHECK_THAT(GetNumber(world, "robot.proximity[1].value"),
+             WithinAbs(0.0100527 / (distance + 0.000163144), kRounding));
+  // sensor 6 is at 82.5 degrees, 7.5 off the light, which is 1 m away: e^-2 (1 - 2 * 7.5 / 180)
+  CHECK_THAT(GetNumber(world, "robot.light[6].value"),
+             WithinAbs(std::exp(-2.0) * (1.0 - 15.0 / 180.0), kRounding));
+}

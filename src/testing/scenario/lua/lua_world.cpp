@@ -49,7 +49,7 @@ std::string ToXml(const SLuaExperiment& lua, const CScriptFolder& folder) {
                                folder.Write("loop.lua", lua.LoopScript) + "' " + lua.LoopParams +
                                "/></loop_functions>";
   }
-  experiment.Engines = "<dynamics2d id='dyn2d'/>";
+  experiment.Engines = lua.Engines;
   experiment.Media = lua.Media;
   experiment.Arena = lua.Robots + lua.Arena;
   return experiment.ToXml();

@@ -23,6 +23,7 @@ struct SLuaExperiment {
       "<foot-bot id='fb'><body position='0,0,0'/><controller config='c'/></foot-bot>";
   std::string Media = "<led id='leds'/>";
   std::string Arena = ""; /**< children of <arena> besides the robots */
+  std::string Engines = "<dynamics2d id='dyn2d'/>";
   UInt32 Seed = 1;
   UInt32 Threads = 0;
 };

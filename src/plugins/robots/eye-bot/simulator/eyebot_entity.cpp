@@ -5,9 +5,11 @@
 #include <argos3/plugins/robots/eye-bot/simulator/eyebot_measures.h>
 #include <argos3/plugins/robots/generic/simulator/camera_mounts.h>
 #include <argos3/plugins/robots/generic/simulator/device_parameters.h>
+#include <argos3/plugins/robots/generic/simulator/rab_component.h>
 #include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/new_component.h>
 #include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
 
 namespace argos {
 
@@ -68,6 +70,10 @@ CEntity& MakeCamera(CRobotEntity& robot) {
   return MakePerspectiveCamera(robot, CVector3(), down);
 }
 
+CEntity& MakeRAB(CRobotEntity& robot) {
+  return MakeRABComponent(robot, CVector3());
+}
+
 struct SEyeBotType : SRobotType {
   std::shared_ptr<const SBodyDescription> Body;
 };
@@ -80,6 +86,7 @@ SEyeBotType MakeType() {
   type.Appearance = MakeEyeBotAppearance();
   type.OnDemand.push_back({"light_sensors", &MakeLightSensors});
   type.OnDemand.push_back({"perspective_camera", &MakeCamera});
+  type.OnDemand.push_back({"rab", &MakeRAB});
   return type;
 }
 
@@ -135,6 +142,10 @@ CLightSensorEquippedEntity& CEyeBotEntity::GetLightSensorEquippedEntity() {
 
 CPerspectiveCameraEquippedEntity& CEyeBotEntity::GetPerspectiveCameraEquippedEntity() {
   return Demand<CPerspectiveCameraEquippedEntity>("perspective_camera");
+}
+
+CRABEquippedEntity& CEyeBotEntity::GetRABEquippedEntity() {
+  return Demand<CRABEquippedEntity>("rab");
 }
 
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CEyeBotEntity)

@@ -10,6 +10,7 @@ namespace argos {
 
 class CLightSensorEquippedEntity;
 class CPerspectiveCameraEquippedEntity;
+class CRABEquippedEntity;
 
 /**
  * The eye-bot of the Swarmanoid project: a flying robot, 50 cm across, with 24 proximity sensors,
@@ -52,6 +53,7 @@ class CEyeBotEntity : public CRobotEntity {
   /** Components that are made when first asked for; see CRobotEntity. */
   CLightSensorEquippedEntity& GetLightSensorEquippedEntity();
   CPerspectiveCameraEquippedEntity& GetPerspectiveCameraEquippedEntity();
+  CRABEquippedEntity& GetRABEquippedEntity();
 
  private:
   CEyeBotEntity(const std::string& id, const CVector3& position, const CQuaternion& orientation);
