@@ -37,9 +37,9 @@ struct SKind {
 template <typename TYPE>
 std::vector<SPlugin> List() {
   std::vector<SPlugin> plugins;
-  for (const auto& [label, info] : CFactory<TYPE>::GetTypeMap()) {
-    plugins.push_back({label, info->Author, info->Version, info->BriefDescription,
-                       info->LongDescription, info->Status});
+  for (const auto& [label, info] : CFactory<TYPE>::GetTypes()) {
+    plugins.push_back({label, info.Author, info.Version, info.BriefDescription,
+                       info.LongDescription, info.Status});
   }
   return plugins;
 }

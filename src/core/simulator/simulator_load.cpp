@@ -18,16 +18,6 @@ namespace argos {
 
 namespace {
 
-// the labels of a factory, for messages
-template <typename BASE>
-std::vector<std::string> Labels() {
-  std::vector<std::string> labels;
-  for (const auto& entry : CFactory<BASE>::GetTypeMap()) {
-    labels.push_back(entry.first);
-  }
-  return labels;
-}
-
 void LoadLibraryOf(TConfigurationNode& node) {
   if (NodeAttributeExists(node, "library")) {
     std::string library;
@@ -42,7 +32,7 @@ std::unique_ptr<BASE> CreatePart(TConfigurationNode& node, const char* kind) {
   if (!CFactory<BASE>::Exists(node.Value())) {
     THROW_ARGOSEXCEPTION(node.GetLocation()
                          << ": there is no " << kind << " of type <" << node.Value() << ">"
-                         << DidYouMean(node.Value(), Labels<BASE>()));
+                         << DidYouMean(node.Value(), CFactory<BASE>::GetLabels()));
   }
   try {
     std::unique_ptr<BASE> part(CFactory<BASE>::New(node.Value()));
@@ -383,8 +373,8 @@ void CSimulator::InitVisualization(TConfigurationNode& root, CLoadErrors& errors
   }
   if (it != it.end() && !CFactory<CVisualization>::Exists(it->Value())) {
     LOGERR << "[WARNING] " << it->GetLocation() << ": there is no visualization <" << it->Value()
-           << ">" << DidYouMean(it->Value(), Labels<CVisualization>()) << "; running without one"
-           << std::endl;
+           << ">" << DidYouMean(it->Value(), CFactory<CVisualization>::GetLabels())
+           << "; running without one" << std::endl;
     MarkSubtreeRead(*it);
   } else if (it != it.end()) {
     errors.Try("", [&] { m_visualization = CreatePart<CVisualization>(*it, "visualization"); });

@@ -7,18 +7,29 @@
 #include <cerrno>
 #include <cstdlib>
 
+// a sanitizer that brings its own allocator tells who asks it to
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define ARGOS_TEST_COUNTS_ALLOCATIONS 0
+#define ARGOS_TEST_SANITIZER_ALLOCATES 1
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || \
     __has_feature(memory_sanitizer)
-#define ARGOS_TEST_COUNTS_ALLOCATIONS 0
+#define ARGOS_TEST_SANITIZER_ALLOCATES 1
 #endif
 #endif
-#if !defined(ARGOS_TEST_COUNTS_ALLOCATIONS) && defined(__GLIBC__)
+#ifndef ARGOS_TEST_SANITIZER_ALLOCATES
+#define ARGOS_TEST_SANITIZER_ALLOCATES 0
+#endif
+#if ARGOS_TEST_SANITIZER_ALLOCATES || defined(__GLIBC__)
 #define ARGOS_TEST_COUNTS_ALLOCATIONS 1
-#elif !defined(ARGOS_TEST_COUNTS_ALLOCATIONS)
+#else
 #define ARGOS_TEST_COUNTS_ALLOCATIONS 0
+#endif
+
+#if ARGOS_TEST_SANITIZER_ALLOCATES
+// of every sanitizer's library; GCC installs no header that has it
+extern "C" int __sanitizer_install_malloc_and_free_hooks(
+    void (*onAllocation)(const volatile void* memory, std::size_t size),
+    void (*onRelease)(const volatile void* memory));
 #endif
 
 namespace argos {
@@ -48,9 +59,22 @@ std::string Readable(const std::string& symbol) {
   return result + "  " + symbol.substr(0, open);
 }
 
+#if ARGOS_TEST_COUNTS_ALLOCATIONS
+void NoteAllocation() {
+  if (g_counting.load(std::memory_order_relaxed) && g_count.fetch_add(1) == 0) {
+    g_numFrames = backtrace(g_frames, kMaxFrames);
+  }
+}
+#endif
+
 }  // namespace
 
 CAllocationCount::CAllocationCount() {
+#if ARGOS_TEST_SANITIZER_ALLOCATES
+  static const int installed = __sanitizer_install_malloc_and_free_hooks(
+      [](const volatile void*, std::size_t) { NoteAllocation(); }, [](const volatile void*) {});
+  static_cast<void>(installed);
+#endif
   // the first call loads a library, and allocates
   g_numFrames = backtrace(g_frames, kMaxFrames);
   g_numFrames = 0;
@@ -82,21 +106,9 @@ std::string CAllocationCount::DescribeFirst() const {
   return text;
 }
 
-#if ARGOS_TEST_COUNTS_ALLOCATIONS
-namespace {
-
-void NoteAllocation() {
-  if (g_counting.load(std::memory_order_relaxed) && g_count.fetch_add(1) == 0) {
-    g_numFrames = backtrace(g_frames, kMaxFrames);
-  }
-}
-
-}  // namespace
-#endif
-
 }  // namespace argos
 
-#if ARGOS_TEST_COUNTS_ALLOCATIONS
+#if ARGOS_TEST_COUNTS_ALLOCATIONS && !ARGOS_TEST_SANITIZER_ALLOCATES
 // these names come before the C library's, in which each allocator has a second name; operator new
 // of the C++ library calls malloc
 extern "C" {

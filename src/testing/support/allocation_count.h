@@ -9,7 +9,8 @@ namespace argos {
 /**
  * Counts the heap allocations of the whole process, of every thread and library, while it lives.
  *
- * allocation_count.cpp, linked into the test program, puts itself before the C library's allocator.
+ * allocation_count.cpp, linked into the test program, puts itself before the C library's allocator,
+ * or asks the allocator of a sanitizer.
  * One object at a time. Releasing memory is not counted.
  */
 class CAllocationCount {
@@ -19,7 +20,10 @@ class CAllocationCount {
   CAllocationCount(const CAllocationCount&) = delete;
   CAllocationCount& operator=(const CAllocationCount&) = delete;
 
-  /** False where it cannot count: sanitizers bring their own allocator. Then the count is 0. */
+  /**
+   * False where it cannot count, which is with neither glibc's allocator nor a sanitizer's. Then
+   * the count is 0.
+   */
   static bool IsAvailable();
 
   /** Allocations since construction. */

@@ -10,16 +10,6 @@ namespace argos {
 
 namespace {
 
-// names of the devices that are registered under "<tag> (...)", for messages
-template <typename BASE>
-std::string KnownImplementations(const std::string& label) {
-  std::vector<std::string> labels;
-  for (const auto& entry : CFactory<BASE>::GetTypeMap()) {
-    labels.push_back(entry.first);
-  }
-  return DidYouMean(label, labels);
-}
-
 // a <sensors> or <actuators> section, or null: it may be left out
 TConfigurationNode* FindSection(TConfigurationNode& controllerNode, const std::string& tag) {
   return NodeExists(controllerNode, tag) ? &GetNode(controllerNode, tag) : nullptr;
@@ -34,7 +24,7 @@ std::pair<SIMULATED*, std::unique_ptr<INTERFACE>> CreateDevice(TConfigurationNod
   const std::string label = node.Value() + " (" + implementation + ")";
   if (!CFactory<SIMULATED>::Exists(label)) {
     THROW_ARGOSEXCEPTION(node.GetLocation() << ": there is no " << kind << " \"" << label << "\""
-                                            << KnownImplementations<SIMULATED>(label));
+                                            << DidYouMean(label, CFactory<SIMULATED>::GetLabels()));
   }
   std::unique_ptr<SIMULATED> simulated(CFactory<SIMULATED>::New(label));
   auto* interface = dynamic_cast<INTERFACE*>(simulated.get());

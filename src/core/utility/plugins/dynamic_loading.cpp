@@ -2,6 +2,7 @@
 
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/plugins/process_wide.h>
 #include <argos3/core/utility/plugins/registration.h>
 #include <argos3/core/utility/string_utilities.h>
 
@@ -11,7 +12,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
-#include <mutex>
 #include <set>
 #include <system_error>
 
@@ -31,13 +31,6 @@ struct SLoadedLibrary {
 std::map<std::string, SLoadedLibrary>& LoadedLibraries() {
   static std::map<std::string, SLoadedLibrary> libraries;
   return libraries;
-}
-
-// simulators in several threads may load their experiments at the same time; a library may load
-// others when it is opened
-std::recursive_mutex& LoadingMutex() {
-  static std::recursive_mutex mutex;
-  return mutex;
 }
 
 fs::path Resolved(const fs::path& path) {
@@ -166,6 +159,8 @@ CDynamicLoading::TDLHandle TryOpen(const std::string& path, std::string& reason)
 }  // namespace
 
 std::vector<std::string> GetPluginSearchPaths() {
+  // the first call asks the dynamic linker
+  const std::lock_guard<std::recursive_mutex> lock(detail::GetLoadingMutex());
   std::vector<std::string> paths = UserDirectories();
   paths.emplace_back(".");
   const std::vector<std::string> defaults = DefaultDirectories();
@@ -174,7 +169,7 @@ std::vector<std::string> GetPluginSearchPaths() {
 }
 
 CDynamicLoading::TDLHandle CDynamicLoading::LoadLibrary(const std::string& lib) {
-  const std::lock_guard<std::recursive_mutex> lock(LoadingMutex());
+  const std::lock_guard<std::recursive_mutex> lock(detail::GetLoadingMutex());
   std::string attempts;
   for (const std::string& candidate : Candidates(lib)) {
     const std::string path = Resolved(candidate).string();
@@ -198,7 +193,7 @@ CDynamicLoading::TDLHandle CDynamicLoading::LoadLibrary(const std::string& lib) 
 }
 
 void CDynamicLoading::UnloadLibrary(const std::string& lib) {
-  const std::lock_guard<std::recursive_mutex> lock(LoadingMutex());
+  const std::lock_guard<std::recursive_mutex> lock(detail::GetLoadingMutex());
   auto& libraries = LoadedLibraries();
   std::vector<std::string> known;
   for (auto library = libraries.begin(); library != libraries.end(); ++library) {
@@ -213,6 +208,7 @@ void CDynamicLoading::UnloadLibrary(const std::string& lib) {
 }
 
 void CDynamicLoading::LoadAllLibraries() {
+  const std::lock_guard<std::recursive_mutex> lock(detail::GetLoadingMutex());
   std::vector<std::string> directories = UserDirectories();
   directories.push_back(PluginDirectory());
   std::set<std::string> seen = {CoreLibrary().filename().string()};
@@ -232,7 +228,7 @@ void CDynamicLoading::LoadAllLibraries() {
 }
 
 void CDynamicLoading::UnloadAllLibraries() {
-  const std::lock_guard<std::recursive_mutex> lock(LoadingMutex());
+  const std::lock_guard<std::recursive_mutex> lock(detail::GetLoadingMutex());
   LoadedLibraries().clear();
 }
 

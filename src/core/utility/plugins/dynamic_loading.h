@@ -19,7 +19,7 @@ namespace argos {
  * ".so" (the suffixes of config.h). Symbols are bound lazily and are visible to libraries loaded
  * later. A library that was loaded once stays in the process until its end.
  *
- * Not thread safe.
+ * Thread safe; a thread waits while another one loads a library.
  */
 class CDynamicLoading {
  public:

@@ -8,6 +8,7 @@
 
 #include <iostream>
 #include <map>
+#include <mutex>
 #include <string>
 #include <typeinfo>
 #include <vector>
@@ -17,8 +18,10 @@ namespace argos {
 /**
  * Makes objects of classes that the core does not know, by label.
  *
- * There is one table per base class TYPE in the whole process, whichever libraries use it. Not
- * thread safe: labels are registered while libraries load, which one thread does.
+ * There is one table per base class TYPE in the whole process, whichever libraries use it.
+ *
+ * Several threads may register, look up and make objects at the same time, and load libraries
+ * meanwhile. Only the table itself, GetTypeMap(), is for a time when nothing is registered.
  */
 template <typename TYPE>
 class CFactory {
@@ -41,6 +44,7 @@ class CFactory {
   /** By label, in alphabetical order. */
   typedef std::map<std::string, STypeInfo*> TTypeMap;
 
+  /** The table. Not thread safe; GetTypes() is. */
   static TTypeMap& GetTypeMap() { return detail::GetProcessWide<SOwner>().Types; }
 
   /** Registers a class; a class registered before under this label is forgotten. */
@@ -48,15 +52,27 @@ class CFactory {
                        const std::string& version, const std::string& briefDescription,
                        const std::string& longDescription, const std::string& status,
                        TCreator* creator) {
+    // before the lock: it asks the dynamic linker
+    const std::string library = GetLibraryOf(reinterpret_cast<const void*>(creator));
+    const std::lock_guard<std::recursive_mutex> lock(detail::GetRegistrationMutex());
     STypeInfo*& info = GetTypeMap()[label];
     delete info;
-    info = new STypeInfo{creator,
-                         author,
-                         version,
-                         briefDescription,
-                         longDescription,
-                         status,
-                         GetLibraryOf(reinterpret_cast<const void*>(creator))};
+    info =
+        new STypeInfo{creator, author, version, briefDescription, longDescription, status, library};
+  }
+
+  /**
+   * Registers a class unless the label is taken.
+   * @return the library that has the label already, or "" if the class was registered.
+   */
+  static std::string RegisterIfFree(const std::string& label, const STypeInfo& info) {
+    const std::lock_guard<std::recursive_mutex> lock(detail::GetRegistrationMutex());
+    STypeInfo*& known = GetTypeMap()[label];
+    if (known != nullptr) {
+      return known->Library;
+    }
+    known = new STypeInfo(info);
+    return "";
   }
 
   /**
@@ -65,29 +81,47 @@ class CFactory {
    *         labels, or all, and where libraries are looked for.
    */
   static TYPE* New(const std::string& label) {
-    TTypeMap& types = GetTypeMap();
-    const auto type = types.find(label);
-    if (type == types.end()) {
-      std::vector<std::string> labels;
-      for (const auto& known : types) {
-        labels.push_back(known.first);
-      }
-      detail::ThrowUnknownLabel(DemangledName(typeid(TYPE)), label, labels);
+    TCreator* const creator = FindCreator(label);
+    if (creator == nullptr) {
+      detail::ThrowUnknownLabel(DemangledName(typeid(TYPE)), label, GetLabels());
     }
-    return type->second->Creator();
+    return creator();
   }
 
-  static bool Exists(const std::string& label) { return GetTypeMap().count(label) > 0; }
+  static bool Exists(const std::string& label) { return FindCreator(label) != nullptr; }
+
+  /** All labels, in alphabetical order. */
+  static std::vector<std::string> GetLabels() {
+    const detail::CLookUpLock lock;
+    std::vector<std::string> labels;
+    for (const auto& type : GetTypeMap()) {
+      labels.push_back(type.first);
+    }
+    return labels;
+  }
+
+  /** What is registered now, by label: a copy. */
+  static std::map<std::string, STypeInfo> GetTypes() {
+    const detail::CLookUpLock lock;
+    std::map<std::string, STypeInfo> types;
+    for (const auto& type : GetTypeMap()) {
+      types.emplace(type.first, *type.second);
+    }
+    return types;
+  }
 
   /** Lists labels and brief descriptions. */
   static void Print(std::ostream& stream) {
-    for (const auto& type : GetTypeMap()) {
-      stream << "   [ " << type.first << " ]\n      " << type.second->BriefDescription << "\n\n";
+    for (const auto& type : GetTypes()) {
+      stream << "   [ " << type.first << " ]\n      " << type.second.BriefDescription << "\n\n";
     }
   }
 
   /** Forgets every registration. Loading a library again does not bring its labels back. */
-  static void Destroy() { Clear(GetTypeMap()); }
+  static void Destroy() {
+    const detail::CLookUpLock lock;
+    Clear(GetTypeMap());
+  }
 
  private:
   // the infos die with the map, at the end of the process
@@ -98,6 +132,14 @@ class CFactory {
     SOwner& operator=(const SOwner&) = delete;
     ~SOwner() { Clear(Types); }
   };
+
+  // null if there is none
+  static TCreator* FindCreator(const std::string& label) {
+    const detail::CLookUpLock lock;
+    const TTypeMap& types = GetTypeMap();
+    const auto type = types.find(label);
+    return type == types.end() ? nullptr : type->second->Creator;
+  }
 
   static void Clear(TTypeMap& types) {
     for (auto& type : types) {
@@ -124,14 +166,11 @@ void RegisterSymbol(const char* buildId, const std::string& label, const std::st
   if (RecordIfBuildDiffers(buildId, library)) {
     return;
   }
-  const auto& types = CFactory<TYPE>::GetTypeMap();
-  const auto previous = types.find(label);
-  if (previous != types.end()) {
-    RecordDuplicateLabel(label, DemangledName(typeid(TYPE)), previous->second->Library, library);
-    return;
+  const std::string holder = CFactory<TYPE>::RegisterIfFree(
+      label, {creator, author, version, briefDescription, longDescription, status, library});
+  if (!holder.empty()) {
+    RecordDuplicateLabel(label, DemangledName(typeid(TYPE)), holder, library);
   }
-  CFactory<TYPE>::Register(label, author, version, briefDescription, longDescription, status,
-                           creator);
 }
 
 /** Runs a registration when it is constructed: what a REGISTER_* macro makes one of. */

@@ -1,7 +1,6 @@
 #include <argos3/core/utility/plugins/process_wide.h>
 
 #include <map>
-#include <mutex>
 #include <typeindex>
 
 namespace argos::detail {
@@ -22,7 +21,7 @@ class CObjects {
 
   void* Get(const std::type_info& type, void* (*create)(), void (*destroy)(void*)) {
     // recursive, because making an object may ask for another one
-    const std::lock_guard<std::recursive_mutex> lock(m_mutex);
+    const std::lock_guard<std::recursive_mutex> lock(GetRegistrationMutex());
     const auto known = m_objects.find(type);
     if (known != m_objects.end()) {
       return known->second.Pointer;
@@ -38,11 +37,23 @@ class CObjects {
     void (*Destroy)(void*);
   };
 
-  std::recursive_mutex m_mutex;
   std::map<std::type_index, SObject> m_objects;
 };
 
 }  // namespace
+
+std::recursive_mutex& GetLoadingMutex() {
+  // recursive, because a library may load others, or look up labels, when it is opened
+  static std::recursive_mutex mutex;
+  return mutex;
+}
+
+std::recursive_mutex& GetRegistrationMutex() {
+  static std::recursive_mutex mutex;
+  return mutex;
+}
+
+CLookUpLock::CLookUpLock() : m_loading(GetLoadingMutex()), m_registration(GetRegistrationMutex()) {}
 
 void* GetProcessWideObject(const std::type_info& type, void* (*create)(),
                            void (*destroy)(void* object)) {

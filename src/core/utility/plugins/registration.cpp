@@ -1,6 +1,7 @@
 #include <argos3/core/utility/plugins/registration.h>
 
 #include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/plugins/process_wide.h>
 #include <argos3/core/utility/string_utilities.h>
 
 #include <dlfcn.h>
@@ -18,6 +19,7 @@ std::vector<std::string>& Problems() {
 }
 
 void RecordOnce(const std::string& problem) {
+  const std::lock_guard<std::recursive_mutex> lock(detail::GetRegistrationMutex());
   std::vector<std::string>& problems = Problems();
   if (std::find(problems.begin(), problems.end(), problem) == problems.end()) {
     problems.push_back(problem);
@@ -77,7 +79,10 @@ void RecordDuplicateLabel(const std::string& label, const std::string& kind,
 
 void ThrowRegistrationProblems(const std::string& context) {
   std::vector<std::string> problems;
-  problems.swap(Problems());
+  {
+    const std::lock_guard<std::recursive_mutex> lock(detail::GetRegistrationMutex());
+    problems.swap(Problems());
+  }
   if (problems.empty()) {
     return;
   }

@@ -10,8 +10,12 @@
 
 #include <argos3/core/utility/plugins/process_wide.h>
 
+#include <atomic>
 #include <cstddef>
+#include <memory>
+#include <mutex>
 #include <typeinfo>
+#include <utility>
 #include <vector>
 
 namespace argos {
@@ -65,6 +69,11 @@ struct EnableVTableFor {
 
 /**
  * A table of functions, one per class of a hierarchy.
+ *
+ * Thread safe, and reading it takes no lock: an entry that is added makes a new table, and those
+ * before stay for who reads them. There are as many entries as classes, and they are added while
+ * libraries load.
+ *
  * @tparam CONTEXT   what the functions are for; only tells tables apart.
  * @tparam FUNCTION  default-constructible and copyable, such as a pointer to a function.
  */
@@ -75,23 +84,35 @@ class CVTable {
   template <typename DERIVED>
   void Add(FUNCTION function) {
     const std::size_t tag = GetTag<DERIVED, BASE>();
-    if (m_entries.size() <= tag) {
-      m_entries.resize(tag + 1);
+    const std::lock_guard<std::recursive_mutex> lock(detail::GetRegistrationMutex());
+    auto entries = m_generations.empty() ? std::make_unique<TEntries>()
+                                         : std::make_unique<TEntries>(*m_generations.back());
+    if (entries->size() <= tag) {
+      entries->resize(tag + 1);
     }
-    m_entries[tag] = SEntry{function, true};
+    (*entries)[tag] = SEntry{function, true};
+    m_generations.push_back(std::move(entries));
+    m_entries.store(m_generations.back().get(), std::memory_order_release);
   }
 
   /** The entry of a tag; if there is none, that of BASE; if that is missing too, FUNCTION(). */
   FUNCTION operator[](std::size_t index) const {
-    if (index < m_entries.size() && m_entries[index].IsSet) {
-      return m_entries[index].Function;
+    const TEntries* const entries = m_entries.load(std::memory_order_acquire);
+    if (entries == nullptr) {
+      return FUNCTION();
+    }
+    if (index < entries->size() && (*entries)[index].IsSet) {
+      return (*entries)[index].Function;
     }
     const std::size_t base = GetTag<BASE, BASE>();
-    return base < m_entries.size() ? m_entries[base].Function : FUNCTION();
+    return base < entries->size() ? (*entries)[base].Function : FUNCTION();
   }
 
   /** One more than the highest tag that has an entry; 0 if there is none. */
-  std::size_t Size() const { return m_entries.size(); }
+  std::size_t Size() const {
+    const TEntries* const entries = m_entries.load(std::memory_order_acquire);
+    return entries == nullptr ? 0 : entries->size();
+  }
 
  private:
   struct SEntry {
@@ -99,7 +120,10 @@ class CVTable {
     bool IsSet = false;
   };
 
-  std::vector<SEntry> m_entries;
+  typedef std::vector<SEntry> TEntries;
+
+  std::vector<std::unique_ptr<const TEntries>> m_generations;
+  std::atomic<const TEntries*> m_entries{nullptr};  // the last generation
 };
 
 /** The table of a context, one per process. */

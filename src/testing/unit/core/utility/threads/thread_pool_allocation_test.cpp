@@ -11,6 +11,7 @@ using namespace argos;
 
 TEST_CASE("allocation count: sees what operator new and the C functions take", "[testing]") {
   if (!CAllocationCount::IsAvailable()) {
+    WARN("skipped: allocations cannot be counted with this C library");
     return;
   }
   // checks allocate too, so they wait until the end
@@ -32,6 +33,7 @@ TEST_CASE("allocation count: sees what operator new and the C functions take", "
 
 TEST_CASE("allocation count: sees other threads", "[testing][threads]") {
   if (!CAllocationCount::IsAvailable()) {
+    WARN("skipped: allocations cannot be counted with this C library");
     return;
   }
   CThreadPool pool(2, CreateSchedule("balance_quantity"));
@@ -60,6 +62,7 @@ TEST_CASE("thread pool: a phase allocates nothing", "[core][threads]") {
   const std::string method = GENERATE("balance_quantity", "balance_length");
   CAPTURE(threads, method);
   if (!CAllocationCount::IsAvailable()) {
+    WARN("skipped: allocations cannot be counted with this C library");
     return;
   }
   CThreadPool pool(threads, CreateSchedule(method));

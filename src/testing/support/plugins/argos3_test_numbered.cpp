@@ -1,0 +1,56 @@
+// Built several times, each as a library of its own with its own labels: ARGOS_TEST_NUMBER says
+// which one it is. The classes have the same names in all of them, but are others.
+
+#include <argos3/core/control_interface/ci_controller.h>
+#include <argos3/core/simulator/entity/positional_entity.h>
+#include <argos3/core/simulator/space/space_operations.h>
+#include <argos3/testing/support/toy_world.h>
+
+#include <chrono>
+#include <thread>
+
+#define ARGOS_TEST_TEXT_EXPANDED(NUMBER) #NUMBER
+#define ARGOS_TEST_TEXT(NUMBER) ARGOS_TEST_TEXT_EXPANDED(NUMBER)
+#define ARGOS_TEST_LABEL(NAME) NAME ARGOS_TEST_TEXT(ARGOS_TEST_NUMBER)
+
+namespace argos {
+
+namespace {
+
+/* Drives a toy robot at as many cm/s as the number of the library, along x. */
+class CNumberedController : public CCI_Controller {
+ public:
+  void Init(TConfigurationNode&) override {
+    m_drive = GetActuator<CCI_ToyDriveActuator>("toy_drive");
+  }
+  void ControlStep() override {
+    m_drive->SetVelocity(CVector3(0.01 * ARGOS_TEST_NUMBER, 0.0, 0.0));
+  }
+
+ private:
+  CCI_ToyDriveActuator* m_drive = nullptr;
+};
+
+class CNumberedMarker : public CPositionalEntity {
+ public:
+  ENABLE_VTABLE()
+  CNumberedMarker() : CPositionalEntity(nullptr) {}
+  std::string GetTypeDescription() const override { return ARGOS_TEST_LABEL("test-marker-"); }
+};
+
+REGISTER_CONTROLLER(CNumberedController, ARGOS_TEST_LABEL("test_numbered_controller_"))
+
+// the second registration comes long after the first: who finds one label and not the other sees
+// half a library
+[[maybe_unused]] const bool g_hasSlept = [] {
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  return true;
+}();
+
+REGISTER_ENTITY(CNumberedMarker, ARGOS_TEST_LABEL("test-marker-"), "", "", "A place for tests.", "",
+                "")
+REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CNumberedMarker)
+
+}  // namespace
+
+}  // namespace argos
