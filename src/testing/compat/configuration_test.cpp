@@ -222,6 +222,52 @@ TEST_CASE("compat: writing, copying and keeping elements", "[compat]") {
   CHECK(cResource.m_ptNode->Value() == "root");
 }
 
+TEST_CASE("compat: going through nodes", "[compat]") {
+  CConfigurationDocument cDocument;
+  cDocument.Parse(XML);
+  TConfigurationNode& tNode = cDocument.GetRoot();
+  TConfigurationNode* ptFirst = tNode.FirstChild();
+  CHECK(ptFirst->ToElement()->GetAttribute("id") == "1");
+  CHECK(tNode.FirstChild("other")->Value() == "other");
+  CHECK(tNode.FirstChild(std::string("other"))->NextSibling()->GetAttribute("id") == "3");
+  CHECK(tNode.LastChild()->GetAttribute("id") == "3");
+  CHECK(tNode.LastChild("other")->Value() == "other");
+  CHECK(tNode.LastChild("child")->PreviousSibling()->Value() == "other");
+  CHECK(tNode.LastChild("child")->PreviousSibling("child")->GetAttribute("id") == "2");
+  CHECK(tNode.LastChild("nobody", false) == NULL);
+  CHECK_THROWS_WITH(tNode.LastChild("nobody"), Catch::Contains("<nobody>"));
+  CHECK(ptFirst->PreviousSibling(false) == NULL);
+  CHECK(ptFirst->PreviousSibling("child", false) == NULL);
+  CHECK_THROWS_WITH(ptFirst->PreviousSibling("child"), Catch::Contains("precedes"));
+  CHECK(ptFirst->NextSibling("other")->Value() == "other");
+  CHECK(ptFirst->NextSibling("nobody", false) == NULL);
+  std::string strIds;
+  TConfigurationNode* ptChild = NULL;
+  while ((ptChild = tNode.IterateChildren("child", ptChild)) != NULL) {
+    strIds += ptChild->GetAttribute("id");
+  }
+  CHECK(strIds == "123");
+  UInt32 unChildren = 0;
+  for (ptChild = tNode.IterateChildren(NULL); ptChild; ptChild = tNode.IterateChildren(ptChild)) {
+    ++unChildren;
+  }
+  CHECK(unChildren == 4);
+  CHECK(tNode.GetAttributeOrDefault("value", "none") == "2.5");
+  CHECK(tNode.GetAttributeOrDefault("missing", "none") == "none");
+  CHECK(ptFirst->GetTextOrDefault("none") == "text");
+  CHECK(ptFirst->NextSibling()->GetTextOrDefault("none") == "none");
+  /* what is linked stays the caller's to change */
+  TConfigurationNode* ptNew = new TConfigurationNode("new");
+  tNode.LinkEndChild(ptNew);
+  ptNew->SetAttribute("id", 4);
+  CHECK(tNode.LastChild()->GetAttribute("id") == "4");
+  delete ptNew;
+  TConfigurationNode tOther("replacement");
+  tNode.ReplaceChild(tNode.FirstChild("other"), tOther);
+  CHECK(tNode.FirstChild("other", false) == NULL);
+  CHECK(tNode.FirstChild("replacement")->NextSibling()->GetAttribute("id") == "3");
+}
+
 TEST_CASE("compat: members of an element that users touch", "[compat]") {
   CConfigurationDocument cDocument;
   cDocument.Parse(XML);

@@ -162,6 +162,15 @@ CConfigurationNode* CConfigurationNode::LastChildElement(bool throwIfMissing) co
   return m_record->Store->HandleOf(element);
 }
 
+CConfigurationNode* CConfigurationNode::LastChildElement(const std::string& tag,
+                                                         bool throwIfMissing) const {
+  tinyxml2::XMLElement* element = Record().Element->LastChildElement(tag.c_str());
+  if (element == nullptr && throwIfMissing) {
+    ThrowMissingChild(tag);
+  }
+  return m_record->Store->HandleOf(element);
+}
+
 CConfigurationNode* CConfigurationNode::NextSiblingElement(bool throwIfMissing) const {
   tinyxml2::XMLElement* element = Record().Element->NextSiblingElement();
   if (element == nullptr && throwIfMissing) {
@@ -191,6 +200,26 @@ CConfigurationNode* CConfigurationNode::PreviousSiblingElement(bool throwIfMissi
     THROW_ARGOSEXCEPTION(GetLocation() << ": no element precedes <" << Value() << ">");
   }
   return m_record->Store->HandleOf(element);
+}
+
+CConfigurationNode* CConfigurationNode::PreviousSiblingElement(const std::string& tag,
+                                                               bool throwIfMissing) const {
+  tinyxml2::XMLElement* element = Record().Element->PreviousSiblingElement(tag.c_str());
+  if (element == nullptr && throwIfMissing) {
+    THROW_ARGOSEXCEPTION(GetLocation()
+                         << ": no element <" << tag << "> precedes <" << Value() << ">");
+  }
+  return m_record->Store->HandleOf(element);
+}
+
+CConfigurationNode* CConfigurationNode::IterateChildren(CConfigurationNode* previous) const {
+  return previous != nullptr ? previous->NextSiblingElement(false) : FirstChildElement(false);
+}
+
+CConfigurationNode* CConfigurationNode::IterateChildren(const std::string& tag,
+                                                        CConfigurationNode* previous) const {
+  return previous != nullptr ? previous->NextSiblingElement(tag, false)
+                             : FirstChildElement(tag, false);
 }
 
 bool CConfigurationNode::NoChildren() const {
@@ -242,6 +271,19 @@ CConfigurationNode* CConfigurationNode::InsertBeforeChild(const CConfigurationNo
     m_record->Element->InsertFirstChild(&copy);
   }
   return store.HandleOf(&copy);
+}
+
+CConfigurationNode* CConfigurationNode::LinkEndChild(CConfigurationNode* child) {
+  CConfigurationNode* const linked = InsertEndChild(*child);
+  *child = *linked;
+  return linked;
+}
+
+CConfigurationNode* CConfigurationNode::ReplaceChild(CConfigurationNode* child,
+                                                     const CConfigurationNode& with) {
+  CConfigurationNode* const replacement = InsertAfterChild(*child, with);
+  RemoveChild(child);
+  return replacement;
 }
 
 void CConfigurationNode::RemoveChild(CConfigurationNode* child) {

@@ -74,10 +74,54 @@ class CConfigurationNode {
   CConfigurationNode* FirstChildElement(const char* tag, bool throwIfMissing = true) const;
   CConfigurationNode* FirstChildElement(const std::string& tag, bool throwIfMissing = true) const;
   CConfigurationNode* LastChildElement(bool throwIfMissing = true) const;
+  CConfigurationNode* LastChildElement(const std::string& tag, bool throwIfMissing = true) const;
+  CConfigurationNode* LastChildElement(const char* tag, bool throwIfMissing = true) const {
+    return LastChildElement(std::string(tag), throwIfMissing);
+  }
   CConfigurationNode* NextSiblingElement(bool throwIfMissing = true) const;
   CConfigurationNode* NextSiblingElement(const char* tag, bool throwIfMissing = true) const;
   CConfigurationNode* NextSiblingElement(const std::string& tag, bool throwIfMissing = true) const;
   CConfigurationNode* PreviousSiblingElement(bool throwIfMissing = true) const;
+  CConfigurationNode* PreviousSiblingElement(const std::string& tag,
+                                             bool throwIfMissing = true) const;
+  CConfigurationNode* PreviousSiblingElement(const char* tag, bool throwIfMissing = true) const {
+    return PreviousSiblingElement(std::string(tag), throwIfMissing);
+  }
+
+  /** The same under other names: a node is an element; texts and comments are passed over. */
+  CConfigurationNode* FirstChild(bool throwIfMissing = true) const {
+    return FirstChildElement(throwIfMissing);
+  }
+  template <typename TAG>
+  CConfigurationNode* FirstChild(const TAG& tag, bool throwIfMissing = true) const {
+    return FirstChildElement(tag, throwIfMissing);
+  }
+  CConfigurationNode* LastChild(bool throwIfMissing = true) const {
+    return LastChildElement(throwIfMissing);
+  }
+  template <typename TAG>
+  CConfigurationNode* LastChild(const TAG& tag, bool throwIfMissing = true) const {
+    return LastChildElement(tag, throwIfMissing);
+  }
+  CConfigurationNode* NextSibling(bool throwIfMissing = true) const {
+    return NextSiblingElement(throwIfMissing);
+  }
+  template <typename TAG>
+  CConfigurationNode* NextSibling(const TAG& tag, bool throwIfMissing = true) const {
+    return NextSiblingElement(tag, throwIfMissing);
+  }
+  CConfigurationNode* PreviousSibling(bool throwIfMissing = true) const {
+    return PreviousSiblingElement(throwIfMissing);
+  }
+  template <typename TAG>
+  CConfigurationNode* PreviousSibling(const TAG& tag, bool throwIfMissing = true) const {
+    return PreviousSiblingElement(tag, throwIfMissing);
+  }
+  /** The child after @p previous, or the first one if that is null; null after the last. */
+  CConfigurationNode* IterateChildren(CConfigurationNode* previous) const;
+  CConfigurationNode* IterateChildren(const std::string& tag, CConfigurationNode* previous) const;
+  /** Itself. */
+  CConfigurationNode* ToElement() const { return const_cast<CConfigurationNode*>(this); }
 
   /** Has the element no child elements and no text? */
   bool NoChildren() const;
@@ -93,6 +137,10 @@ class CConfigurationNode {
   CConfigurationNode* InsertBeforeChild(const CConfigurationNode& after,
                                         const CConfigurationNode& child);
 
+  /** Appends a copy of what @p child refers to, which from then on refers to the copy. */
+  CConfigurationNode* LinkEndChild(CConfigurationNode* child);
+  /** Puts a copy of an element in the place of a child, which is removed. @return the copy. */
+  CConfigurationNode* ReplaceChild(CConfigurationNode* child, const CConfigurationNode& with);
   /** @throws CARGoSException if it is not a child of this element. */
   void RemoveChild(CConfigurationNode* child);
   /** Removes all children, texts included. */
@@ -103,6 +151,10 @@ class CConfigurationNode {
 
   /** The value, or an empty text if there is no such attribute. */
   std::string GetAttribute(const std::string& name) const;
+  std::string GetAttributeOrDefault(const std::string& name, const std::string& dflt) const {
+    const char* text = FindAttribute(name);
+    return text != nullptr ? text : dflt;
+  }
 
   /**
    * Reads an attribute; see configuration_parsing.h for what is accepted.
@@ -162,6 +214,10 @@ class CConfigurationNode {
     if (!GetText(value, false)) {
       *value = dflt;
     }
+  }
+  std::string GetTextOrDefault(const std::string& dflt) const {
+    const char* text = FindText(false);
+    return text != nullptr ? text : dflt;
   }
   template <typename T>
   void SetText(const T& value) {
