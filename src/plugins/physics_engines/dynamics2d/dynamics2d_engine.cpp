@@ -386,8 +386,8 @@ OPTIONAL XML
 ATTRIBUTES
 
   id                         text, required: unique among the engines.
-  iterations                 integer >= 1: substeps of a tick. Not given: 2, and up to 10 where a crowd is
-                             so dense that robots would overlap. In any case more, up to 64, while
+  iterations                 integer >= 1: substeps of a tick. Not given: 2, and up to 64 where a crowd is
+                             so deep that robots would overlap. In any case more, up to 64, while
                              something moves by more than half its radius in a substep. 64 substeps are
                              also what bounds speeds: a robot goes at most 32 radii in a tick.
   elevation                  m, default 0: height of the plane; bodies must stand on it, to 1e-4 m.

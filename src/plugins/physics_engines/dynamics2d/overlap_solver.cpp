@@ -12,11 +12,17 @@ namespace {
 // body has radius 1, so this is 0.05 % of its radius.
 constexpr float kTolerance = 0.0005F;
 // Pairs up to this far apart can become overlaps when their neighbours are pushed, Box2D units.
-constexpr float kNear = 0.1F;
+constexpr float kNear = 0.3F;
 // The most a pair is pushed in a sweep, Box2D units: bodies that were put into each other come
 // apart in some ticks instead of being thrown about.
 constexpr float kMaxPush = 0.25F;
 constexpr int kMaxSweeps = 40;
+// How often the pairs of a substep are collected, if bodies are pushed into others that were not
+// near.
+constexpr int kMaxRounds = 4;
+// Bodies that were pushed farther than this in a substep, Box2D units, may overlap with something
+// that Box2D does not know to be near: its boxes have a margin, but it may be used up on one side.
+constexpr float kFar = 0.01F;
 
 const b2CircleShape* AsCentredDisc(b2Fixture& fixture) {
   if (fixture.GetType() != b2Shape::e_circle) {
@@ -54,6 +60,50 @@ float ComputeGap(b2Contact& contact) {
   return separation + 2.0F * kShapeMargin;
 }
 
+float ComputeImpulse(b2Contact& contact) {
+  const b2Manifold& manifold = *contact.GetManifold();
+  float impulse = 0.0F;
+  for (int32 i = 0; i < manifold.pointCount; ++i) {
+    impulse += manifold.points[i].normalImpulse;
+  }
+  return impulse;
+}
+
+bool HaveContact(b2Body& body, b2Body& other) {
+  for (const b2ContactEdge* edge = body.GetContactList(); edge != nullptr; edge = edge->next) {
+    if (edge->other == &other) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/** Looks for a body that overlaps with another, and that Box2D does not know to be near it. */
+class CUnknownOverlap : public b2QueryCallback {
+ public:
+  explicit CUnknownOverlap(b2Body& body) : m_body(body) {}
+
+  bool IsIn(b2World& world) {
+    for (m_fixture = m_body.GetFixtureList(); m_fixture != nullptr && !m_found;
+         m_fixture = m_fixture->GetNext()) {
+      world.QueryAABB(this, m_fixture->GetAABB(0));
+    }
+    return m_found;
+  }
+  bool ReportFixture(b2Fixture* other) override {
+    b2Body& body = *other->GetBody();
+    m_found = &body != &m_body && !HaveContact(m_body, body) &&
+              b2TestOverlap(m_fixture->GetShape(), 0, other->GetShape(), 0, m_body.GetTransform(),
+                            body.GetTransform());
+    return !m_found;
+  }
+
+ private:
+  b2Body& m_body;
+  b2Fixture* m_fixture = nullptr;
+  bool m_found = false;
+};
+
 }  // namespace
 
 void COverlapSolver::Reserve(size_t pairs) {
@@ -64,9 +114,20 @@ void COverlapSolver::Reserve(size_t pairs) {
 }
 
 float COverlapSolver::Resolve(b2World& world) {
-  if (!Gather(world)) {
-    return 0.0F;
+  float deepest = 0.0F;
+  m_greatestImpulse = 0.0F;
+  for (int round = 0; round < kMaxRounds && Gather(world); ++round) {
+    deepest = Solve();
+    if (!PutBodies(world)) {
+      break;
+    }
+    world.Step(0.0F, 0, 0);  // finds contacts, moves nothing
   }
+  return deepest;
+}
+
+// takes overlaps out of the gathered pairs; returns the deepest that may be left
+float COverlapSolver::Solve() {
   float deepest = 0.0F;
   for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
     deepest = 0.0F;
@@ -80,13 +141,21 @@ float COverlapSolver::Resolve(b2World& world) {
       break;
     }
   }
-  for (SBody& body : m_bodies) {
+  return deepest;
+}
+
+// returns whether one was pushed so far that it overlaps with something that was not gathered
+bool COverlapSolver::PutBodies(b2World& world) {
+  for (const SBody& body : m_bodies) {
     if (body.Moved) {
       body.Body->SetTransform(body.Centre - b2Mul(body.Rotation, body.Body->GetLocalCenter()),
                               body.Angle);
     }
   }
-  return deepest;
+  return std::any_of(m_bodies.begin(), m_bodies.end(), [&world](const SBody& body) {
+    return body.Moved && b2DistanceSquared(body.Centre, body.Start) > kFar * kFar &&
+           CUnknownOverlap(*body.Body).IsIn(world);
+  });
 }
 
 // collects the pairs that are near each other; returns whether any overlaps
@@ -97,6 +166,7 @@ bool COverlapSolver::Gather(b2World& world) {
   bool overlap = false;
   for (b2Contact* contact = world.GetContactList(); contact != nullptr;
        contact = contact->GetNext()) {
+    m_greatestImpulse = std::max(m_greatestImpulse, ComputeImpulse(*contact));
     const float gap = ComputeGap(*contact);
     if (gap < kNear) {
       AddPair(*contact);
@@ -114,8 +184,9 @@ UInt32 COverlapSolver::IndexOf(b2Body* body) {
   UInt32& index = m_indexOf[number];
   if (index >= m_bodies.size() || m_bodies[index].Body != body) {
     index = static_cast<UInt32>(m_bodies.size());
-    SBody entry = {
-        body, body->GetWorldCenter(), body->GetAngle(), body->GetTransform().q, 0.0F, 0.0F, false};
+    const b2Vec2 centre = body->GetWorldCenter();
+    SBody entry = {body, centre, body->GetAngle(), body->GetTransform().q,
+                   0.0F, 0.0F,   centre,           false};
     if (body->GetType() == b2_dynamicBody) {
       const float mass = body->GetMass();
       entry.InverseMass = 1.0F / mass;

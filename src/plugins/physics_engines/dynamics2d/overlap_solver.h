@@ -29,6 +29,9 @@ class COverlapSolver {
 
   /** Moves what overlaps. @return the deepest overlap that may be left, Box2D units. */
   float Resolve(b2World& world);
+  /** The greatest impulse, kg units / s, that Box2D exchanged in a contact in the substep before.
+   */
+  float GetGreatestImpulse() const { return m_greatestImpulse; }
 
  private:
   struct SBody {
@@ -38,6 +41,7 @@ class COverlapSolver {
     b2Rot Rotation;
     float InverseMass;  // 0 if it does not move
     float InverseInertia;  // about the centre of mass
+    b2Vec2 Start;  // Centre before the substep's pushes
     bool Moved;
   };
   struct SPair {
@@ -46,7 +50,9 @@ class COverlapSolver {
     float Reach;  // sum of radii if both are discs around their centres of mass; else negative
   };
 
+  float Solve();
   bool Gather(b2World& world);
+  bool PutBodies(b2World& world);
   UInt32 IndexOf(b2Body* body);
   void AddPair(b2Contact& contact);
   float SolvePair(const SPair& pair);
@@ -58,6 +64,7 @@ class COverlapSolver {
   std::vector<SPair> m_pairs;
   std::vector<SPair> m_wallPairs;  // with an immovable body
   std::vector<UInt32> m_indexOf;  // by number of body: index in m_bodies, valid if it is that body
+  float m_greatestImpulse = 0.0F;
 };
 
 /** The number that a body carries; dense, given by its world. */

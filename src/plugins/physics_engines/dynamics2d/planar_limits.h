@@ -23,8 +23,17 @@ constexpr float kTooDeep = 0.01F;
 constexpr float kShallow = 0.002F;
 constexpr UInt32 kMaxExtraSubsteps = 8;
 constexpr UInt32 kCalmTicks = 20;
-/** Iterations of Box2D's velocity solver in a substep. */
+/**
+ * In a crowd the forces of drives add up along chains of robots, and the solver passes them on by
+ * about one contact per iteration. If the greatest force in a contact was that of n drives in the
+ * last tick, a tick gets this times n substeps per sqrt(radius * mass / force of one drive).
+ */
+constexpr float kSubstepsPerDrive = 0.5F;
+/** Iterations of Box2D's velocity solver in a substep; of one in a tick cut finer for a crowd. */
 constexpr int kVelocityIterations = 8;
+constexpr int kCrowdVelocityIterations = 4;
+/** More substeps than this are for a crowd. */
+constexpr UInt32 kFewSubsteps = 4;
 /** Iterations of Box2D's position solver in a substep; COverlapSolver does this work. */
 constexpr int kPositionIterations = 1;
 

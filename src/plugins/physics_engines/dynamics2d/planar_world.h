@@ -124,6 +124,7 @@ class CPlanarWorld {
   void StartTickInPlay(SInPlay& play);
   bool IsAnythingAwake() const;
   UInt32 ChooseSubsteps() const;
+  UInt32 ComputeSubstepsForCrowds() const;
   void StepBox2D(UInt32 substeps);
   void Refine(float deepestOverlap);
   void SetMotors(UInt32 substep, UInt32 substeps);
@@ -143,6 +144,7 @@ class CPlanarWorld {
   bool m_obstaclesChanged = false;
   UInt32 m_extraSubsteps = 0;  // see planar_limits.h
   UInt32 m_calmTicks = 0;
+  float m_greatestForce = 0.0F;  // kg units / s^2, in a contact, in the last tick
   Real m_longestPath = 0.0;  // m, that any movable body may go in this tick
 
   std::vector<SImmovableBody> m_immovable;

@@ -221,18 +221,45 @@ UInt32 CPlanarWorld::ChooseSubsteps() const {
   if (!(needed < static_cast<float>(cap))) {
     return cap;
   }
-  return std::max(m_settings.Substeps + m_extraSubsteps, static_cast<UInt32>(std::ceil(needed)));
+  UInt32 substeps =
+      std::max(m_settings.Substeps + m_extraSubsteps, static_cast<UInt32>(std::ceil(needed)));
+  if (m_settings.RefineInCrowds) {
+    substeps = std::max(substeps, ComputeSubstepsForCrowds());
+  }
+  return substeps;
+}
+
+// See kSubstepsPerDrive. Of all robots, the one that needs most decides.
+UInt32 CPlanarWorld::ComputeSubstepsForCrowds() const {
+  if (m_greatestForce == 0.0F) {
+    return 0;
+  }
+  const Real perTick = 1.0 / m_settings.Tick;
+  Real weakest = HUGE_VAL;  // of force * radius * mass, (N s)^2
+  for (const SInPlay& play : m_inPlay) {
+    const SDrivenBody& body = m_driven[play.Slot];
+    const Real force = body.Mass * body.MaxSpeedChange * perTick;
+    weakest = std::min(weakest, force * body.NarrowestHalf * body.Mass);
+  }
+  const float impulse = static_cast<float>(m_settings.Tick) * m_greatestForce;
+  const float substeps = kSubstepsPerDrive * impulse / ToUnits(std::sqrt(weakest));
+  return static_cast<UInt32>(std::min(substeps, static_cast<float>(kMaxSubsteps)));
 }
 
 void CPlanarWorld::StepBox2D(UInt32 substeps) {
   const float duration = static_cast<float>(m_settings.Tick / substeps);
+  const bool isCrowd = m_settings.RefineInCrowds && substeps > kFewSubsteps;
+  const int iterations = isCrowd ? kCrowdVelocityIterations : kVelocityIterations;
   float deepestOverlap = 0.0F;
+  float greatestImpulse = 0.0F;
   for (UInt32 substep = 0; substep < substeps; ++substep) {
     SetMotors(substep, substeps);
-    m_world.Step(duration, kVelocityIterations, kPositionIterations);
+    m_world.Step(duration, iterations, kPositionIterations);
     AccountMotors();
     deepestOverlap = std::max(deepestOverlap, m_overlaps.Resolve(m_world));
+    greatestImpulse = std::max(greatestImpulse, m_overlaps.GetGreatestImpulse());
   }
+  m_greatestForce = greatestImpulse / duration;
   if (m_settings.RefineInCrowds) {
     Refine(deepestOverlap);
   }
