@@ -124,7 +124,7 @@ std::shared_ptr<const SLuaScript> SLuaScript::Load(const std::string& name,
     }
   }
   const std::string folder = fs::path(path).parent_path().string();
-  const auto script = std::make_shared<const SLuaScript>(
+  auto script = std::make_shared<const SLuaScript>(
       SLuaScript{path, folder.empty() ? "." : folder, Compile(Read(path), path)});
   for (auto entry = cache.begin(); entry != cache.end();) {
     entry = entry->second.Script.expired() ? cache.erase(entry) : std::next(entry);

@@ -15,7 +15,6 @@
 
 using namespace argos;
 using Catch::Contains;
-using Catch::StartsWith;
 
 namespace {
 
