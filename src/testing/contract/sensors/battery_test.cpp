@@ -85,11 +85,14 @@ REGISTER_BATTERY_DISCHARGE_MODEL(CIdleModel, "idle_for_tests")
 
 TEST_CASE("battery: the model \"time\" takes delta in every tick, but no more than there is",
           "[contract][sensors]") {
-  const std::string tag = GENERATE("foot-bot", "e-puck");
-  CRobotWorld world(WithBattery(
+  const std::string tag = GENERATE("foot-bot", "e-puck", "eye-bot");
+  CAPTURE(tag);
+  SRobotExperiment experiment = WithBattery(
       "<battery discharge_model=\"time\" delta=\"0.3\" start_charge=\"2\" full_charge=\"4\"/>",
-      tag));
-  Drive(world, 10.0, 10.0);
+      tag);
+  experiment.Actuators = "";
+  experiment.Engine = "<toy_engine id=\"toy\"/>";
+  CRobotWorld world(experiment);
   CHECK(Reading(world).AvailableCharge == 0.5);
   Real charge = 2.0;
   for (int tick = 0; tick < 8; ++tick) {

@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
+#include <argos3/plugins/robots/eye-bot/control_interface/ci_eyebot_light_sensor.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_light_sensor.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_light_sensor.h>
@@ -27,17 +28,17 @@ namespace {
 // some ten roundings of numbers of the order of 1
 constexpr Real kRounding = 1e-13;
 
-// what the tests know of a robot's light sensors; all at a height of 6 cm
+// what the tests know of a robot's light sensors
 struct SRing {
   std::string Tag;
-  Real Radius;  // m
+  Real Radius, Height;  // m
   std::vector<Real> Angles;  // rad
 };
 
-constexpr Real kHeight = 0.06;  // m
+constexpr Real kHeight = 0.06;  // m, of the light sensors of robots on wheels
 
 SRing FootBotRing() {
-  SRing ring{"foot-bot", 0.085036758, {}};
+  SRing ring{"foot-bot", 0.085036758, kHeight, {}};
   for (int i = 0; i < 24; ++i) {
     ring.Angles.push_back((7.5 + 15.0 * i) * M_PI / 180.0);
   }
@@ -45,16 +46,25 @@ SRing FootBotRing() {
 }
 
 SRing EPuckRing() {
-  SRing ring{"e-puck", 0.035, {}};
+  SRing ring{"e-puck", 0.035, kHeight, {}};
   for (int i = 0; i < 8; ++i) {
     ring.Angles.push_back((22.5 + 45.0 * i) * M_PI / 180.0);
   }
   return ring;
 }
 
+SRing EyeBotRing() {
+  SRing ring = FootBotRing();
+  ring.Tag = "eye-bot";
+  ring.Radius = 0.255;
+  ring.Height = 0.1635;
+  return ring;
+}
+
 CVector3 SensorAt(const SRing& ring, size_t i, const CVector3& robot, Real yaw) {
   const Real angle = ring.Angles[i] + yaw;
-  return robot + CVector3(ring.Radius * std::cos(angle), ring.Radius * std::sin(angle), kHeight);
+  return robot +
+         CVector3(ring.Radius * std::cos(angle), ring.Radius * std::sin(angle), ring.Height);
 }
 
 bool IsInFront(const SRing& ring, size_t i, const CVector3& robot, Real yaw,
@@ -92,7 +102,7 @@ const CCI_FootBotLightSensor::TReadings& FootBotReadings(CRobotWorld& world,
 
 TEST_CASE("light: sensors in front read the squared ratio of intensity and distance",
           "[contract][sensors]") {
-  const SRing ring = GENERATE(FootBotRing(), EPuckRing());
+  const SRing ring = GENERATE(FootBotRing(), EPuckRing(), EyeBotRing());
   CRandomStream random(1, "test", ring.Tag, "light");
   int lit = 0;
   int dark = 0;
@@ -300,23 +310,37 @@ TEST_CASE("light: a tilted robot's sensors look where they are turned", "[contra
   }
 }
 
-TEST_CASE("footbot_light: readings fall with distance and angle as published",
+TEST_CASE("footbot_light and eyebot_light: readings fall with distance and angle as published",
           "[contract][sensors]") {
-  CRandomStream random(2, "test", "foot-bot", "light");
+  const bool flies = GENERATE(false, true);
+  CRandomStream random(2, "test", flies ? "eye-bot" : "foot-bot", "light");
   for (int trial = 0; trial < 25; ++trial) {
-    const CVector3 robot(random.Uniform(-3.0, 3.0), random.Uniform(-3.0, 3.0), 0.0);
+    const CVector3 robot(random.Uniform(-3.0, 3.0), random.Uniform(-3.0, 3.0),
+                         flies ? random.Uniform(0.0, 2.0) : 0.0);
     const Real yaw = random.Uniform(-M_PI, M_PI);
     const CVector3 offset(random.Uniform(-2.0, 2.0), random.Uniform(-2.0, 2.0),
                           random.Uniform(0.0, 1.0));
     const Real intensity = random.Uniform(0.3, 3.0);
     CAPTURE(trial, robot, yaw, offset, intensity);
-    CRobotWorld world(
-        WithFootBotSensor(Robot("foot-bot", "r", PoseText(robot, yaw * 180.0 / M_PI)) +
-                          LampText("l", robot + offset, intensity)));
+    const std::string pose = PoseText(robot, yaw * 180.0 / M_PI);
+    const std::string lamp = LampText("l", robot + offset, intensity);
+    CRobotWorld world(flies ? WithSensor("eyebot_light implementation=\"rot_z_only\"",
+                                         Robot("eye-bot", "r", pose) + lamp)
+                            : WithFootBotSensor(Robot("foot-bot", "r", pose) + lamp));
     world.Step();
+    std::vector<std::pair<CRadians, Real>> readings;
+    if (flies) {
+      for (const auto& reading :
+           world.GetSensor<CCI_EyeBotLightSensor>("r", "eyebot_light").GetReadings()) {
+        readings.emplace_back(reading.Angle, reading.Value);
+      }
+    } else {
+      for (const auto& reading : FootBotReadings(world)) {
+        readings.emplace_back(reading.Angle, reading.Value);
+      }
+    }
     const Real distance = offset.Length() / intensity;
     const Real strength = distance <= 2.5 ? std::exp(-2.0 * distance) : 0.0;
-    const auto& readings = FootBotReadings(world);
     REQUIRE(readings.size() == 24);
     for (size_t i = 0; i < 24; ++i) {
       CAPTURE(i);
@@ -324,10 +348,20 @@ TEST_CASE("footbot_light: readings fall with distance and angle as published",
       const Real apart = std::abs(
           std::remainder(std::atan2(offset.GetY(), offset.GetX()) - yaw - angle, 2.0 * M_PI));
       const Real expected = strength * std::max(0.0, 1.0 - 2.0 * apart / M_PI);
-      CHECK_THAT(readings[i].Value, WithinAbs(std::min(1.0, expected), kRounding));
-      CHECK_THAT(std::remainder(readings[i].Angle.GetValue() - angle, 2.0 * M_PI),
+      CHECK_THAT(readings[i].second, WithinAbs(std::min(1.0, expected), kRounding));
+      CHECK_THAT(std::remainder(readings[i].first.GetValue() - angle, 2.0 * M_PI),
                  WithinAbs(0.0, kRounding));
     }
+  }
+}
+
+TEST_CASE("eyebot_light: an arena that never had a light reads 0", "[contract][sensors]") {
+  CRobotWorld world(WithSensor("eyebot_light implementation=\"rot_z_only\"",
+                               Robot("eye-bot", "r", PoseText(CVector3(0.0, 0.0, 1.0)))));
+  world.Step();
+  for (const auto& reading :
+       world.GetSensor<CCI_EyeBotLightSensor>("r", "eyebot_light").GetReadings()) {
+    CHECK(reading.Value == 0.0);
   }
 }
 

@@ -41,7 +41,7 @@ const CCI_ClockSensor::SReading& Clock(CRobotWorld& world) {
 }  // namespace
 
 TEST_CASE("positioning: reads the exact pose", "[contract][sensors]") {
-  const std::string tag = GENERATE("foot-bot", "e-puck");
+  const std::string tag = GENERATE("foot-bot", "e-puck", "eye-bot");
   CRobotWorld world(
       WithSensor("<positioning implementation=\"default\"/>",
                  Robot(tag, "r", "position=\"1.25,-2.5,0.75\" orientation=\"30,20,10\"")));

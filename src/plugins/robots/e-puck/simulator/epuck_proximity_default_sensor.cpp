@@ -71,6 +71,9 @@ OPTIONAL XML
   show_rays    "true" or "false", default "false": rays are shown by visualizations that can.
   noise_level  real number n >= 0, default 0: a number drawn evenly from [-n,n] is added to each
                reading in each tick, and the sum is clamped to [0,1].
+
+Children <noise on="reading" model="uniform|gaussian|rayleigh" level|std_dev|sigma="..." bias="0" relative="false" />
+add noise to every reading, before it is clamped.
 )",
     "Usable")
 

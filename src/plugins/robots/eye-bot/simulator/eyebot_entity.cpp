@@ -3,9 +3,11 @@
 #include <argos3/core/simulator/physics_engine/body_description.h>
 #include <argos3/plugins/robots/eye-bot/simulator/eyebot_appearance.h>
 #include <argos3/plugins/robots/eye-bot/simulator/eyebot_measures.h>
+#include <argos3/plugins/robots/generic/simulator/battery_mount.h>
 #include <argos3/plugins/robots/generic/simulator/camera_mounts.h>
 #include <argos3/plugins/robots/generic/simulator/device_parameters.h>
 #include <argos3/plugins/robots/generic/simulator/rab_component.h>
+#include <argos3/plugins/simulator/entities/battery_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/new_component.h>
 #include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
@@ -84,6 +86,7 @@ SEyeBotType MakeType() {
   type.LEDs = MakeLEDs();
   type.Proximity = MakeProximity();
   type.Appearance = MakeEyeBotAppearance();
+  type.OnDemand.push_back({"battery", &MakeBattery});
   type.OnDemand.push_back({"light_sensors", &MakeLightSensors});
   type.OnDemand.push_back({"perspective_camera", &MakeCamera});
   type.OnDemand.push_back({"rab", &MakeRAB});
@@ -122,6 +125,7 @@ CEyeBotEntity::CEyeBotEntity(const std::string& id, const std::string& controlle
   parameters.PerspectiveCamera.Range = perspcamRange;
   parameters.PerspectiveCamera.Check(owner, kCameraPrefix);
   parameters.Battery.Model = batteryModel;
+  parameters.Battery.Check(owner);
   SetDeviceParameters(parameters);
   InitController(controllerId);
 }
@@ -134,6 +138,10 @@ void CEyeBotEntity::Init(TConfigurationNode& tree) {
   parameters.Battery.Read(tree);
   SetDeviceParameters(parameters);
   InitController(tree);
+}
+
+CBatteryEquippedEntity& CEyeBotEntity::GetBatterySensorEquippedEntity() {
+  return Demand<CBatteryEquippedEntity>("battery");
 }
 
 CLightSensorEquippedEntity& CEyeBotEntity::GetLightSensorEquippedEntity() {
@@ -183,6 +191,7 @@ OPTIONAL XML
       <controller config="c1">
         <params speed="10" />
       </controller>
+      <battery discharge_model="time" delta="1e-5" start_charge="1" full_charge="1" />
     </eye-bot>
   </arena>
 
@@ -196,6 +205,16 @@ OPTIONAL XML
   camera_front         "true" (default) or "false": accepted, without effect.
   directional_leds, tags, magnets  children: what else the robot carries. The media "directional_led"
                        and "tag" and the actuator "magnets" explain them.
+  battery              the robot's battery; without it the charge never falls. It runs down only if the
+                       controller has the sensor "battery".
+  battery@discharge_model  "time" (default), "motion" or "time_motion", or a model of a user.
+  battery@start_charge     in [0, full_charge], default 1: also after a reset.
+  battery@full_charge      > 0, default 1.
+  battery@delta            of "time": >= 0, default 1e-5: charge taken in each tick.
+  battery@pos_delta        of "motion": >= 0, default 1e-3: per m that the robot moves.
+  battery@orient_delta     of "motion": >= 0, default 1e-3: per rad that it turns.
+  battery@time_factor, battery@pos_factor, battery@orient_factor
+                           the same three of "time_motion", which takes their sum.
 )",
     "Usable")
 

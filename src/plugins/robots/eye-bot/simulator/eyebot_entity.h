@@ -8,6 +8,7 @@
 
 namespace argos {
 
+class CBatteryEquippedEntity;
 class CLightSensorEquippedEntity;
 class CPerspectiveCameraEquippedEntity;
 class CRABEquippedEntity;
@@ -51,6 +52,7 @@ class CEyeBotEntity : public CRobotEntity {
   const CQuadRotorEntity& GetQuadRotorEntity() const { return *m_quadrotor; }
 
   /** Components that are made when first asked for; see CRobotEntity. */
+  CBatteryEquippedEntity& GetBatterySensorEquippedEntity();
   CLightSensorEquippedEntity& GetLightSensorEquippedEntity();
   CPerspectiveCameraEquippedEntity& GetPerspectiveCameraEquippedEntity();
   CRABEquippedEntity& GetRABEquippedEntity();

@@ -45,6 +45,7 @@ void CDifferentialSteeringDefaultActuator::SetRobot(CComposableEntity& robot) {
 
 void CDifferentialSteeringDefaultActuator::Init(TConfigurationNode& tree) {
   CCI_DifferentialSteeringActuator::Init(tree);
+  m_noise.Init(tree, *m_robot, {"left", "right"});
   SWheelNoise left;
   SWheelNoise right;
   bool noisy = ReadForWheels(tree, "bias_avg", left.BiasAverage, right.BiasAverage);
@@ -59,7 +60,7 @@ void CDifferentialSteeringDefaultActuator::Init(TConfigurationNode& tree) {
     RequireNotNegative(wheel.BiasDeviation, OwnerOf(tree), "attribute \"bias_stddev\" (m/s)");
     RequireNotNegative(wheel.FactorDeviation, OwnerOf(tree), "attribute \"factor_stddev\"");
   }
-  m_noise = std::make_unique<SNoise>(SNoise{{left, right}, MakeStream()});
+  m_wheelNoise = std::make_unique<SNoise>(SNoise{{left, right}, MakeStream()});
   DrawBiases();
 }
 
@@ -69,8 +70,8 @@ CRandomStream CDifferentialSteeringDefaultActuator::MakeStream() const {
 }
 
 void CDifferentialSteeringDefaultActuator::DrawBiases() {
-  for (SWheelNoise& wheel : m_noise->Wheels) {
-    wheel.Bias = m_noise->Stream.Gaussian(wheel.BiasDeviation, wheel.BiasAverage);
+  for (SWheelNoise& wheel : m_wheelNoise->Wheels) {
+    wheel.Bias = m_wheelNoise->Stream.Gaussian(wheel.BiasDeviation, wheel.BiasAverage);
   }
 }
 
@@ -82,13 +83,16 @@ void CDifferentialSteeringDefaultActuator::SetLinearVelocity(Real left, Real rig
   }
   m_fCurrentVelocity[0] = left * kMetersPerCentimeter;
   m_fCurrentVelocity[1] = right * kMetersPerCentimeter;
-  if (m_noise == nullptr || (left == 0.0 && right == 0.0)) {
+  if (left == 0.0 && right == 0.0) {
     return;
   }
-  for (int i = 0; i < 2; ++i) {
-    const SWheelNoise& wheel = m_noise->Wheels[i];
-    const Real factor = m_noise->Stream.Gaussian(wheel.FactorDeviation, wheel.FactorAverage);
-    m_fCurrentVelocity[i] = factor * (m_fCurrentVelocity[i] + wheel.Bias);
+  for (size_t i = 0; i < 2; ++i) {
+    if (m_wheelNoise != nullptr) {
+      const SWheelNoise& wheel = m_wheelNoise->Wheels[i];
+      const Real factor = m_wheelNoise->Stream.Gaussian(wheel.FactorDeviation, wheel.FactorAverage);
+      m_fCurrentVelocity[i] = factor * (m_fCurrentVelocity[i] + wheel.Bias);
+    }
+    m_fCurrentVelocity[i] = m_noise.Apply(i, m_fCurrentVelocity[i]);
   }
 }
 
@@ -99,10 +103,11 @@ void CDifferentialSteeringDefaultActuator::Update() {
 void CDifferentialSteeringDefaultActuator::Reset() {
   m_fCurrentVelocity[0] = 0.0;
   m_fCurrentVelocity[1] = 0.0;
-  if (m_noise != nullptr) {
-    m_noise->Stream = MakeStream();
+  if (m_wheelNoise != nullptr) {
+    m_wheelNoise->Stream = MakeStream();
     DrawBiases();
   }
+  m_noise.Reset();
 }
 
 REGISTER_ACTUATOR(
@@ -140,6 +145,9 @@ is drawn from a Gaussian each time the controller gives an order, the bias b onc
 Each of the four also with the suffix _left or _right, which wins for that wheel:
 
   <differential_steering implementation="default" bias_avg_left="0.003" factor_stddev_right="0.1" />
+
+Children <noise on="left|right" model="uniform|gaussian|rayleigh" level|std_dev|sigma="..." bias="0" relative="false" />
+add noise to the speed of a wheel (m/s) each time the controller gives an order, unless both are ordered to stand still.
 )",
     "Usable")
 

@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/actuator.h>
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
+#include <argos3/plugins/robots/generic/simulator/noise.h>
 
 #include <memory>
 
@@ -23,12 +24,19 @@ class CDifferentialSteeringDefaultActuator : public CSimulatedActuator,
  public:
   /** @throws CARGoSException unless the robot has "wheels", two of them. */
   void SetRobot(CComposableEntity& robot) override;
-  /** Reads the parameters of the noise. @throws CARGoSException if a deviation is negative. */
+  /**
+   * Reads the parameters of the noise, and `<noise>` children.
+   * @throws CARGoSException if a deviation is negative.
+   */
   void Init(TConfigurationNode& tree) override;
   /** @throws CARGoSException that names the robot if a speed is not finite. */
   void SetLinearVelocity(Real left, Real right) override;
   void Update() override;
   void Reset() override;
+
+ protected:
+  CWheeledEntity& GetWheels() const { return *m_wheels; }
+  const CControllableEntity& GetRobot() const { return *m_robot; }
 
  private:
   struct SWheelNoise {
@@ -46,7 +54,8 @@ class CDifferentialSteeringDefaultActuator : public CSimulatedActuator,
 
   CWheeledEntity* m_wheels = nullptr;  // of the robot
   CControllableEntity* m_robot = nullptr;
-  std::unique_ptr<SNoise> m_noise;  // only with noise
+  std::unique_ptr<SNoise> m_wheelNoise;  // only with noise of that kind
+  CDeviceNoise m_noise;
 };
 
 }  // namespace argos

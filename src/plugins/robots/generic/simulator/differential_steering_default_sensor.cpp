@@ -10,6 +10,7 @@ namespace argos {
 namespace {
 
 constexpr Real kCentimetersPerMeter = 100.0;
+enum EQuantity : size_t { VELOCITY_LEFT, VELOCITY_RIGHT, DISTANCE_LEFT, DISTANCE_RIGHT };
 
 }  // namespace
 
@@ -26,48 +27,28 @@ void CDifferentialSteeringDefaultSensor::SetRobot(CComposableEntity& robot) {
 
 void CDifferentialSteeringDefaultSensor::Init(TConfigurationNode& tree) {
   CCI_DifferentialSteeringSensor::Init(tree);
-  CRange<Real> velocity(0.0, 0.0);
-  CRange<Real> distance(0.0, 0.0);
-  GetNodeAttributeOrDefault(tree, "vel_noise_range", velocity, velocity);
-  GetNodeAttributeOrDefault(tree, "dist_noise_range", distance, distance);
-  if (velocity.GetSpan() > 0.0 || distance.GetSpan() > 0.0) {
-    m_noise = std::make_unique<SNoise>(SNoise{velocity, distance, MakeStream()});
-  }
+  const CRange<Real> velocity = ReadNoiseRange(tree, "vel_noise_range");
+  const CRange<Real> distance = ReadNoiseRange(tree, "dist_noise_range");
+  m_noise.Init(tree, *m_robot,
+               {"velocity_left", "velocity_right", "distance_left", "distance_right"},
+               {velocity, velocity, distance, distance});
   Enable();
-}
-
-CRandomStream CDifferentialSteeringDefaultSensor::MakeStream() const {
-  return CRandomStream(m_robot->GetSimulator().GetRandomSeed(), "argos",
-                       m_robot->GetRootEntity().GetId(), "differential steering sensor noise");
 }
 
 void CDifferentialSteeringDefaultSensor::Update() {
   const Real tick = m_robot->GetSimulator().GetTickLength();
   const Real* const velocities = m_wheels->GetWheelVelocities();
-  m_sReading.VelocityLeftWheel = kCentimetersPerMeter * velocities[0];
-  m_sReading.VelocityRightWheel = kCentimetersPerMeter * velocities[1];
-  m_sReading.CoveredDistanceLeftWheel = m_sReading.VelocityLeftWheel * tick;
-  m_sReading.CoveredDistanceRightWheel = m_sReading.VelocityRightWheel * tick;
-  if (m_noise != nullptr) {
-    AddNoise();
-  }
-}
-
-void CDifferentialSteeringDefaultSensor::AddNoise() {
-  const auto draw = [this](const CRange<Real>& range) {
-    return m_noise->Stream.Uniform(range.GetMin(), range.GetMax());
-  };
-  m_sReading.VelocityLeftWheel += draw(m_noise->Velocity);
-  m_sReading.VelocityRightWheel += draw(m_noise->Velocity);
-  m_sReading.CoveredDistanceLeftWheel += draw(m_noise->Distance);
-  m_sReading.CoveredDistanceRightWheel += draw(m_noise->Distance);
+  const Real left = kCentimetersPerMeter * velocities[0];
+  const Real right = kCentimetersPerMeter * velocities[1];
+  m_sReading.VelocityLeftWheel = m_noise.Apply(VELOCITY_LEFT, left);
+  m_sReading.VelocityRightWheel = m_noise.Apply(VELOCITY_RIGHT, right);
+  m_sReading.CoveredDistanceLeftWheel = m_noise.Apply(DISTANCE_LEFT, left * tick);
+  m_sReading.CoveredDistanceRightWheel = m_noise.Apply(DISTANCE_RIGHT, right * tick);
 }
 
 void CDifferentialSteeringDefaultSensor::Reset() {
   m_sReading = SReading(0.0, 0.0, 0.0, 0.0, m_sReading.WheelAxisLength);
-  if (m_noise != nullptr) {
-    m_noise->Stream = MakeStream();
-  }
+  m_noise.Reset();
 }
 
 REGISTER_SENSOR(
@@ -95,6 +76,9 @@ OPTIONAL XML
   vel_noise_range   "min:max", cm/s, default "0:0": a number drawn evenly from it is added to each
                     speed in each tick.
   dist_noise_range  "min:max", cm, default "0:0": the same for the distances.
+
+Children <noise on="velocity_left|velocity_right|distance_left|distance_right" model="uniform|gaussian|rayleigh"
+level|std_dev|sigma="..." bias="0" relative="false" /> add noise to a speed (cm/s) or a distance (cm) in each tick.
 )",
     "Usable")
 

@@ -2,11 +2,8 @@
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_DIFFERENTIAL_STEERING_DEFAULT_SENSOR_H
 
 #include <argos3/core/simulator/sensor.h>
-#include <argos3/core/utility/math/random_stream.h>
-#include <argos3/core/utility/math/range.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_sensor.h>
-
-#include <memory>
+#include <argos3/plugins/robots/generic/simulator/noise.h>
 
 namespace argos {
 
@@ -19,24 +16,15 @@ class CDifferentialSteeringDefaultSensor : public CSimulatedSensor,
  public:
   /** @throws CARGoSException unless the robot has "wheels", two of them. */
   void SetRobot(CComposableEntity& robot) override;
-  /** Reads `vel_noise_range` (cm/s) and `dist_noise_range` (cm). */
+  /** Reads `vel_noise_range` (cm/s), `dist_noise_range` (cm), and `<noise>` children. */
   void Init(TConfigurationNode& tree) override;
   void Update() override;
   void Reset() override;
 
  private:
-  struct SNoise {
-    CRange<Real> Velocity;  // cm/s
-    CRange<Real> Distance;  // cm
-    CRandomStream Stream;
-  };
-
-  CRandomStream MakeStream() const;
-  void AddNoise();
-
   const CWheeledEntity* m_wheels = nullptr;  // of the robot
   CControllableEntity* m_robot = nullptr;
-  std::unique_ptr<SNoise> m_noise;  // only with noise
+  CDeviceNoise m_noise;
 };
 
 }  // namespace argos

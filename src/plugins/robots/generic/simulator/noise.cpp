@@ -99,7 +99,11 @@ void CDeviceNoise::Init(TConfigurationNode& device, const CControllableEntity& r
   if (!isAnyEven && !NodeExists(device, "noise")) {
     return;
   }
-  m_state = std::make_unique<SState>(robot, device.Value() + " noise" + part, quantities.size());
+  // an actuator and a sensor may have one name: the section that they stand in keeps them apart
+  const TConfigurationNode* const section = device.Parent(false);
+  const std::string purpose = (section != nullptr ? section->Value() + " " : std::string()) +
+                              device.Value() + " noise" + part;
+  m_state = std::make_unique<SState>(robot, purpose, quantities.size());
   for (size_t i = 0; i < evenly.size(); ++i) {
     if (IsNoise(evenly[i])) {
       m_state->Terms[i].push_back(EvenTerm(evenly[i]));

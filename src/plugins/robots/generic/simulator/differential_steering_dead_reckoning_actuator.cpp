@@ -1,0 +1,84 @@
+#include <argos3/plugins/robots/generic/simulator/differential_steering_dead_reckoning_actuator.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/plugins/simulator/entities/value_checks.h>
+#include <argos3/plugins/simulator/entities/wheeled_entity.h>
+
+namespace argos {
+
+namespace {
+
+enum EWheel : size_t { LEFT, RIGHT };
+
+}  // namespace
+
+void CDifferentialSteeringDeadReckoningActuator::Init(TConfigurationNode& tree) {
+  CDifferentialSteeringDefaultActuator::Init(tree);
+  GetNodeAttributeOrDefault(tree, "sigma", m_sigma, m_sigma);
+  RequireNotNegative(m_sigma, OwnerOf(tree), "attribute \"sigma\"");
+  StartOver();
+}
+
+void CDifferentialSteeringDeadReckoningActuator::StartOver() {
+  m_stream.emplace(GetRobot().GetSimulator().GetRandomSeed(), "argos",
+                   GetRobot().GetRootEntity().GetId(), "differential steering dead reckoning");
+  m_deviation = m_stream->Rayleigh(m_sigma);
+  m_wasHolding = false;
+}
+
+void CDifferentialSteeringDeadReckoningActuator::Update() {
+  const bool isHolding = IsHolding();
+  if (isHolding && !m_wasHolding) {
+    m_deviation = m_stream->Rayleigh(m_sigma);
+  }
+  m_wasHolding = isHolding;
+  Real velocities[2] = {m_fCurrentVelocity[LEFT], m_fCurrentVelocity[RIGHT]};
+  const Real drift = m_deviation * 0.5 * (velocities[LEFT] + velocities[RIGHT]);
+  if (drift > 0.0) {
+    velocities[RIGHT] += drift;
+  } else {
+    velocities[LEFT] -= drift;
+  }
+  GetWheels().SetVelocities(velocities);
+}
+
+void CDifferentialSteeringDeadReckoningActuator::Reset() {
+  CDifferentialSteeringDefaultActuator::Reset();
+  StartOver();
+}
+
+REGISTER_ACTUATOR(
+    CDifferentialSteeringDeadReckoningActuator, "differential_steering", "dead_reckoning",
+    "the authors of this project", "1.0",
+    "Drives the two wheels of a robot, which drifts to its left.",
+    R"(Like differential_steering (default), all of whose attributes it takes, but the robot drifts, as robots do that
+find their way by dead reckoning. With v = the mean of the two speeds ordered, the right wheel rolls mu |v| faster while
+v > 0, and the left wheel mu |v| slower while v < 0. Ordered straight on, a robot with the distance d between its wheels
+follows a circle of radius d (2 + mu) / (2 mu) ahead and d (2 - mu) / (2 mu) back, around a point on its left. mu is drawn
+from a Rayleigh distribution at the start, and anew whenever the robot begins to hold something with its gripper.
+
+REQUIRED XML
+
+  <controllers>
+    <my_controller id="c1">
+      <actuators>
+        <differential_steering implementation="dead_reckoning" />
+      </actuators>
+      <sensors />
+      <params />
+    </my_controller>
+  </controllers>
+
+OPTIONAL XML
+
+  <differential_steering implementation="dead_reckoning" sigma="0.00134" />
+
+  sigma  real number >= 0, default 0.00134: of the Rayleigh distribution; the mean of mu is 1.2533 sigma.
+
+All attributes and <noise> children of differential_steering (default) come before the drift.
+)",
+    "Usable")
+
+}  // namespace argos

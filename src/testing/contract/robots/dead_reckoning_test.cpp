@@ -1,0 +1,194 @@
+// Wheels whose right one is a little faster: the drift of robots that navigate by dead reckoning.
+
+#include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
+#include <argos3/plugins/robots/generic/simulator/differential_steering_dead_reckoning_actuator.h>
+#include <argos3/plugins/simulator/entities/wheeled_entity.h>
+#include <argos3/testing/contract/sensors/scene.h>
+#include <argos3/testing/support/closed_form/differential_drive.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace argos;
+using Catch::Matchers::Contains;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+constexpr Real kTick = 0.1;  // s
+
+SRobotExperiment Drifting(const std::string& attributes = "", const std::string& tag = "foot-bot",
+                          const std::string& implementation = "dead_reckoning") {
+  SRobotExperiment experiment;
+  experiment.Actuators =
+      "<differential_steering implementation=\"" + implementation + "\" " + attributes + "/>";
+  experiment.Engine = "<dynamics2d id=\"dyn2d\"/>";
+  experiment.Arena = Robot(tag, "r", PoseText(CVector3()));
+  return experiment;
+}
+
+CDifferentialSteeringDeadReckoningActuator& Actuator(CRobotWorld& world,
+                                                     const std::string& robot = "r") {
+  return world.GetActuator<CDifferentialSteeringDeadReckoningActuator>(robot,
+                                                                       "differential_steering");
+}
+
+// m/s: left, right
+std::pair<Real, Real> WheelsFor(CRobotWorld& world, Real left, Real right) {
+  Actuator(world).SetLinearVelocity(left, right);
+  world.GetRobot("r").Act();
+  const auto& wheels = world.Get<CComposableEntity>("r").GetComponent<CWheeledEntity>("wheels");
+  return {wheels.GetWheelVelocity(0), wheels.GetWheelVelocity(1)};
+}
+
+// holds something when a test says so
+class CHoldingActuator : public CDifferentialSteeringDeadReckoningActuator {
+ public:
+  bool IsHolding() const override { return Holds; }
+  bool Holds = false;
+};
+
+}  // namespace
+
+REGISTER_ACTUATOR(CHoldingActuator, "differential_steering", "holding_for_tests", "", "", "", "",
+                  "")
+
+TEST_CASE("dead reckoning: mu is from a Rayleigh distribution", "[contract][robots][noise]") {
+  constexpr int kRobots = 2000;
+  const bool isDefault = GENERATE(true, false);
+  SRobotExperiment experiment = Drifting(isDefault ? "" : "sigma=\"0.05\"");
+  experiment.Engine = "<toy_engine id=\"toy\"/>";
+  experiment.Arena.clear();
+  for (int i = 0; i < kRobots; ++i) {
+    experiment.Arena += Robot("e-puck", "r" + std::to_string(i), PoseText(CVector3()));
+  }
+  CRobotWorld world(experiment);
+  std::vector<Real> deviations;
+  for (int i = 0; i < kRobots; ++i) {
+    deviations.push_back(Actuator(world, "r" + std::to_string(i)).GetDeviation());
+  }
+  CHECK(KolmogorovSmirnovExcess(deviations, [isDefault](Real x) {
+          return RayleighDistribution(x, isDefault ? 0.00134 : 0.05);
+        }) <= 1.0);
+}
+
+TEST_CASE("dead reckoning: the right wheel is the faster one, ahead and back",
+          "[contract][robots]") {
+  CRobotWorld world(Drifting("sigma=\"0.1\""));
+  const Real mu = Actuator(world).GetDeviation();
+  REQUIRE(mu > 0.0);
+  const auto [left, right] = WheelsFor(world, 10.0, 10.0);
+  CHECK(left == 0.1);
+  CHECK_THAT(right, WithinAbs(0.1 * (1.0 + mu), 1e-16));
+  const auto [leftBack, rightBack] = WheelsFor(world, -10.0, -10.0);
+  CHECK_THAT(leftBack, WithinAbs(-0.1 * (1.0 - mu), 1e-16));
+  CHECK(rightBack == -0.1);
+  // on a curve, the term is of the mean speed
+  const auto [leftTurn, rightTurn] = WheelsFor(world, 4.0, 12.0);
+  CHECK(leftTurn == 0.04);
+  CHECK_THAT(rightTurn, WithinAbs(0.12 + 0.08 * mu, 1e-16));
+  // neither on the spot nor at rest
+  CHECK(WheelsFor(world, 5.0, -5.0) == std::pair<Real, Real>(0.05, -0.05));
+  CHECK(WheelsFor(world, 0.0, 0.0) == std::pair<Real, Real>(0.0, 0.0));
+}
+
+TEST_CASE("dead reckoning: a robot ordered straight on follows the circle of its mu",
+          "[contract][robots]") {
+  struct SType {
+    const char* Tag;
+    Real Axis;  // m
+  };
+  const SType type = GENERATE(SType{"foot-bot", 0.14}, SType{"e-puck", 0.053});
+  const bool ahead = GENERATE(true, false);
+  CAPTURE(type.Tag, ahead);
+  CRobotWorld world(Drifting("sigma=\"0.02\"", type.Tag));
+  const Real mu = Actuator(world).GetDeviation();
+  CAPTURE(mu);
+  const Real speed = ahead ? 10.0 : -10.0;  // cm/s
+  Actuator(world).SetLinearVelocity(speed, speed);
+  constexpr int kTicks = 100;
+  world.Step(kTicks);
+  const auto& origin =
+      world.Get<CComposableEntity>("r").GetComponent<CEmbodiedEntity>("body").GetOriginAnchor();
+  // around a point to the left, (0, radius)
+  const Real radius = type.Axis * (ahead ? 2.0 + mu : 2.0 - mu) / (2.0 * mu);
+  CHECK_THAT(std::hypot(origin.Position.GetX(), origin.Position.GetY() - radius),
+             WithinAbs(radius, 1e-12 * radius));
+  // and as far along it as the wheels' mean speed goes
+  const Real way = 0.01 * speed * (ahead ? 1.0 + 0.5 * mu : 1.0 - 0.5 * mu) * kTicks * kTick;
+  const auto arc = testing::IntegrateDifferentialDrive({}, ahead ? 0.1 : -0.1 * (1.0 - mu),
+                                                       ahead ? 0.1 * (1.0 + mu) : -0.1, type.Axis,
+                                                       kTicks * kTick);
+  CHECK_THAT(origin.Position.GetX(), WithinAbs(radius * std::sin(way / radius), 1e-12));
+  CHECK_THAT(origin.Position.GetX(), WithinAbs(arc.X, 1e-12));
+  CHECK_THAT(origin.Position.GetY(), WithinAbs(arc.Y, 1e-12));
+  CHECK((origin.Position.GetY() > 0.0));
+}
+
+TEST_CASE("dead reckoning: mu is drawn anew when the robot begins to hold something",
+          "[contract][robots]") {
+  constexpr int kGrips = 2000;
+  CRobotWorld world(Drifting("sigma=\"0.01\"", "foot-bot", "holding_for_tests"));
+  auto& actuator = world.GetActuator<CHoldingActuator>("r", "differential_steering");
+  world.Step(3);
+  const Real first = actuator.GetDeviation();
+  actuator.Holds = true;
+  world.Step();
+  const Real second = actuator.GetDeviation();
+  CHECK(second != first);
+  // neither while it goes on holding nor when it lets go
+  world.Step(3);
+  CHECK(actuator.GetDeviation() == second);
+  actuator.Holds = false;
+  world.Step(3);
+  CHECK(actuator.GetDeviation() == second);
+  std::vector<Real> drawn;
+  for (int i = 0; i < kGrips; ++i) {
+    actuator.Holds = true;
+    world.GetRobot("r").Act();
+    drawn.push_back(actuator.GetDeviation());
+    actuator.Holds = false;
+    world.GetRobot("r").Act();
+  }
+  CHECK(KolmogorovSmirnovExcess(drawn, [](Real x) { return RayleighDistribution(x, 0.01); }) <=
+        1.0);
+  world.GetSimulator().Reset();
+  CHECK(actuator.GetDeviation() == first);
+}
+
+TEST_CASE("dead reckoning: a speed that is held drifts by the new mu at once",
+          "[contract][robots]") {
+  CRobotWorld world(Drifting("sigma=\"0.1\"", "foot-bot", "holding_for_tests"));
+  auto& actuator = world.GetActuator<CHoldingActuator>("r", "differential_steering");
+  actuator.SetLinearVelocity(10.0, 10.0);
+  actuator.Holds = true;
+  world.GetRobot("r").Act();
+  const auto& wheels = world.Get<CComposableEntity>("r").GetComponent<CWheeledEntity>("wheels");
+  CHECK_THAT(wheels.GetWheelVelocity(1), WithinAbs(0.1 * (1.0 + actuator.GetDeviation()), 1e-16));
+}
+
+TEST_CASE("dead reckoning: differs between robots and seeds, and repeats after a reset",
+          "[contract][robots]") {
+  SRobotExperiment experiment = Drifting();
+  experiment.Arena += Robot("foot-bot", "s", PoseText(CVector3(1.0, 0.0, 0.0)));
+  CRobotWorld world(experiment);
+  const Real mu = Actuator(world).GetDeviation();
+  CHECK(Actuator(world, "s").GetDeviation() != mu);
+  world.GetSimulator().Reset();
+  CHECK(Actuator(world).GetDeviation() == mu);
+  world.GetSimulator().Reset(2);
+  CHECK(Actuator(world).GetDeviation() != mu);
+}
+
+TEST_CASE("dead reckoning: sigma 0 is no drift, and less is refused",
+          "[contract][robots][errors]") {
+  CRobotWorld world(Drifting("sigma=\"0\""));
+  CHECK(WheelsFor(world, 10.0, 10.0) == std::pair<Real, Real>(0.1, 0.1));
+  CHECK_THAT(LoadError(Drifting("sigma=\"-0.1\"")),
+             Contains("sigma") && Contains(">= 0") && Contains("-0.1"));
+  CHECK_THAT(LoadError(Drifting("", "toy-robot")), Contains("wheels"));
+}

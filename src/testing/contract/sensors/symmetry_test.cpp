@@ -1,0 +1,401 @@
+// Worlds that are moved, turned or mirrored: robots sense in them what they sense in the original,
+// left and right exchanged in the mirror.
+//
+// Each probe is one sensor of one robot; another one is one more entry of MakeProbes().
+
+#include <argos3/core/simulator/loop_functions.h>
+#include <argos3/plugins/robots/e-puck/control_interface/ci_epuck_proximity_sensor.h>
+#include <argos3/plugins/robots/eye-bot/control_interface/ci_eyebot_light_sensor.h>
+#include <argos3/plugins/robots/eye-bot/control_interface/ci_eyebot_proximity_sensor.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_base_ground_sensor.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_distance_scanner_actuator.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_distance_scanner_sensor.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_encoder_sensor.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_light_sensor.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_motor_ground_sensor.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_proximity_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_altitude_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_battery_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_clock_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_ground_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_light_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_positioning_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_proximity_sensor.h>
+#include <argos3/testing/contract/sensors/scene.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+using namespace argos;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+// some thousand roundings: poses are turned there and back, and arcs are driven for a second
+constexpr Real kRoundings = 1e-11;
+// the e-puck's proximity sensors are published as fractions of PI, symmetric to 0.1 degrees: that
+// moves a ray's end by 0.1 mm where it strikes a body, on curves that fall by 37 a metre
+constexpr Real kEPuckAngles = 5e-3;
+
+// first mirrored at the x axis, or not, then turned about the origin, then shifted
+struct SMap {
+  bool IsMirror = false;
+  Real Turn = 0.0;  // degrees
+  Real ShiftX = 0.0, ShiftY = 0.0;  // m
+
+  CVector3 Apply(const CVector3& point) const {
+    const Real turn = Turn * M_PI / 180.0;
+    const Real y = IsMirror ? -point.GetY() : point.GetY();
+    return CVector3(std::cos(turn) * point.GetX() - std::sin(turn) * y + ShiftX,
+                    std::sin(turn) * point.GetX() + std::cos(turn) * y + ShiftY, point.GetZ());
+  }
+  Real ApplyToYaw(Real degrees) const { return (IsMirror ? -degrees : degrees) + Turn; }
+  CVector2 Revert(const CVector2& point) const {
+    const Real turn = -Turn * M_PI / 180.0;
+    const Real x = point.GetX() - ShiftX;
+    const Real y = point.GetY() - ShiftY;
+    const Real turned = std::sin(turn) * x + std::cos(turn) * y;
+    return CVector2(std::cos(turn) * x - std::sin(turn) * y, IsMirror ? -turned : turned);
+  }
+};
+
+const SMap kMaps[] = {{false, 90.0, 0.0, 0.0},   {false, 180.0, 0.0, 0.0}, {false, 37.0, 0.4, -0.7},
+                      {false, -119.0, 1.1, 0.6}, {true, 0.0, 0.0, 0.0},    {true, 37.0, -0.5, 0.3},
+                      {true, 180.0, 0.0, 0.9}};
+
+// a floor that is painted all over, and moves with the rest of the world
+class CMappedFloor : public CLoopFunctions {
+ public:
+  CColor GetFloorColor(const CVector2& point) override {
+    const CVector2 original = Map.Revert(point);
+    // broad steps, so that roundings of the place change no colour under the sensors here
+    const auto step = [](Real phase) {
+      return static_cast<UInt8>(40 * (1 + static_cast<int>(std::floor(phase)) % 5));
+    };
+    return CColor(step(20.0 + 61.3 * original.GetX()), step(20.0 + 83.7 * original.GetY()), 77);
+  }
+  SMap Map;
+};
+
+// a robot, and what there is around it, m
+struct SScene {
+  std::string Robot = "foot-bot";
+  Real Radius = 0.085036758;  // of its body
+  Real Height = 0.0;  // of its base
+};
+
+const CVector3 kRobotAt(0.2, 0.1, 0.0);
+constexpr Real kRobotYaw = 25.0;  // degrees
+
+std::string BuildArena(const SScene& scene, const SMap& map) {
+  const auto around = [&](Real bearing, Real distance) {
+    const Real angle = bearing * M_PI / 180.0;
+    return map.Apply(kRobotAt +
+                     CVector3(distance * std::cos(angle), distance * std::sin(angle), 0.0));
+  };
+  const auto pillar = [&](const std::string& id, Real bearing, Real gap, Real radius) {
+    const CVector3 place = around(bearing, scene.Radius + gap + radius);
+    return PillarText(id, place.GetX(), place.GetY(), radius, 0.6);
+  };
+  const CVector3 robot = map.Apply(kRobotAt) + CVector3(0.0, 0.0, scene.Height);
+  const auto lamp = [&](const std::string& id, Real bearing, Real distance, Real height,
+                        Real intensity) {
+    return LampText(id, around(bearing, distance) + CVector3(0.0, 0.0, height), intensity);
+  };
+  return "<floor id=\"floor\" source=\"loop_functions\" pixels_per_meter=\"10\"/><" + scene.Robot +
+         " id=\"r\"><body " + PoseText(robot, map.ApplyToYaw(kRobotYaw)) +
+         "/><controller config=\"c\"/><battery discharge_model=\"motion\"/></" + scene.Robot + ">" +
+         // near: proximity sensors; farther: the scanner and, from above, the altitude sensor
+         pillar("p0", 70.0, 0.02, 0.05) + pillar("p1", 160.0, 0.035, 0.03) +
+         pillar("p2", -100.0, 0.01, 0.02) + pillar("p3", -30.0, 0.6, 0.1) +
+         BoxText("b0", CVector3(0.1, 0.5, 0.4), around(20.0, scene.Radius + 0.25),
+                 map.ApplyToYaw(40.0)) +
+         lamp("l0", 120.0, 1.5, 0.3, 0.4) + lamp("l1", -45.0, 1.2, 0.1, 0.5) +
+         lamp("l2", -150.0, 0.9, 0.7, 0.3);
+}
+
+typedef std::vector<Real> TReadings;
+
+struct SProbe {
+  std::string Name;
+  SScene Scene;
+  std::string Sensors;
+  // the readings, in an order of the probe's own
+  std::function<TReadings(CRobotWorld&, const SMap&)> Read;
+  // those that the mirrored robot should have
+  std::function<TReadings(TReadings)> Mirror;
+  std::string Actuators = "";
+  std::string Engine = "<toy_engine id=\"toy\"/>";
+  // gives orders before the first tick
+  std::function<void(CRobotWorld&, const SMap&)> Prepare = {};
+  Real MirrorTolerance = kRoundings;
+};
+
+// what lies symmetrically about the robot's x axis, counted round, is read backwards
+TReadings Reverse(TReadings readings) {
+  std::reverse(readings.begin(), readings.end());
+  return readings;
+}
+
+// the first one lies on the axis
+TReadings ReverseRest(TReadings readings) {
+  std::reverse(readings.begin() + 1, readings.end());
+  return readings;
+}
+
+TReadings Keep(TReadings readings) {
+  return readings;
+}
+
+// the robot's motor ground sensors, then its base ground sensors
+TReadings MirrorGround(const TReadings& readings) {
+  TReadings motor = Reverse(TReadings(readings.begin(), readings.begin() + 4));
+  const TReadings base = ReverseRest(TReadings(readings.begin() + 4, readings.end()));
+  motor.insert(motor.end(), base.begin(), base.end());
+  return motor;
+}
+
+template <typename SENSOR>
+SENSOR& SensorOf(CRobotWorld& world, const std::string& tag) {
+  return world.GetSensor<SENSOR>("r", tag);
+}
+
+// of a sensor whose readings have a Value each
+template <typename SENSOR>
+std::function<TReadings(CRobotWorld&, const SMap&)> Values(const std::string& tag) {
+  return [tag](CRobotWorld& world, const SMap&) {
+    TReadings values;
+    for (const auto& reading : SensorOf<SENSOR>(world, tag).GetReadings()) {
+      values.push_back(reading.Value);
+    }
+    return values;
+  };
+}
+
+// of a sensor whose readings are numbers
+template <typename SENSOR>
+std::function<TReadings(CRobotWorld&, const SMap&)> Numbers(const std::string& tag) {
+  return
+      [tag](CRobotWorld& world, const SMap&) { return SensorOf<SENSOR>(world, tag).GetReadings(); };
+}
+
+std::string Default(const std::string& tag) {
+  return "<" + tag + " implementation=\"default\"/>";
+}
+
+std::string RotZOnly(const std::string& tag) {
+  return "<" + tag + " implementation=\"rot_z_only\"/>";
+}
+
+const SScene kFootBot;
+const SScene kEPuck{"e-puck", 0.035, 0.0};
+const SScene kEyeBot{"eye-bot", 0.255, 0.0};
+
+void AddRings(std::vector<SProbe>& probes) {
+  probes.push_back({"proximity of a foot-bot", kFootBot, Default("proximity"),
+                    Numbers<CCI_ProximitySensor>("proximity"), Reverse});
+  probes.push_back({"proximity of an e-puck", kEPuck, Default("proximity"),
+                    Numbers<CCI_ProximitySensor>("proximity"), Reverse});
+  probes.back().MirrorTolerance = kEPuckAngles;
+  probes.push_back({"footbot_proximity", kFootBot, Default("footbot_proximity"),
+                    Values<CCI_FootBotProximitySensor>("footbot_proximity"), Reverse});
+  probes.push_back({"epuck_proximity", kEPuck, Default("epuck_proximity"),
+                    Values<CCI_EPuckProximitySensor>("epuck_proximity"), Reverse});
+  probes.back().MirrorTolerance = kEPuckAngles;
+  probes.push_back({"eyebot_proximity", kEyeBot, Default("eyebot_proximity"),
+                    Values<CCI_EyeBotProximitySensor>("eyebot_proximity"), Reverse});
+  probes.push_back({"light of a foot-bot", kFootBot, Default("light"),
+                    Numbers<CCI_LightSensor>("light"), Reverse});
+  probes.push_back(
+      {"light of an e-puck", kEPuck, Default("light"), Numbers<CCI_LightSensor>("light"), Reverse});
+  probes.push_back({"light of an eye-bot", kEyeBot, Default("light"),
+                    Numbers<CCI_LightSensor>("light"), Reverse});
+  probes.push_back({"footbot_light", kFootBot, RotZOnly("footbot_light"),
+                    Values<CCI_FootBotLightSensor>("footbot_light"), Reverse});
+  probes.push_back({"eyebot_light", kEyeBot, RotZOnly("eyebot_light"),
+                    Values<CCI_EyeBotLightSensor>("eyebot_light"), Reverse});
+}
+
+void AddGround(std::vector<SProbe>& probes) {
+  probes.push_back({"ground of a foot-bot", kFootBot, RotZOnly("ground"),
+                    Numbers<CCI_GroundSensor>("ground"), MirrorGround});
+  probes.push_back({"ground of an e-puck", kEPuck, RotZOnly("ground"),
+                    Numbers<CCI_GroundSensor>("ground"), Reverse});
+  probes.push_back({"footbot_motor_ground", kFootBot, RotZOnly("footbot_motor_ground"),
+                    Values<CCI_FootBotMotorGroundSensor>("footbot_motor_ground"), Reverse});
+  probes.push_back({"footbot_base_ground", kFootBot, RotZOnly("footbot_base_ground"),
+                    Values<CCI_FootBotBaseGroundSensor>("footbot_base_ground"), ReverseRest});
+}
+
+void AddPoseSensors(std::vector<SProbe>& probes) {
+  probes.push_back({"positioning", kFootBot, Default("positioning"),
+                    [](CRobotWorld& world, const SMap& map) {
+                      const auto& reading =
+                          SensorOf<CCI_PositioningSensor>(world, "positioning").GetReading();
+                      const CVector2 place =
+                          map.Revert(CVector2(reading.Position.GetX(), reading.Position.GetY()));
+                      CRadians z, y, x;
+                      reading.Orientation.ToEulerAngles(z, y, x);
+                      const Real yaw = (z - ToRadians(CDegrees(map.Turn))).GetValue();
+                      return TReadings{place.GetX(), place.GetY(), reading.Position.GetZ(),
+                                       std::sin(yaw), std::cos(yaw)};
+                    },
+                    [](TReadings readings) {
+                      readings[3] = -readings[3];
+                      return readings;
+                    }});
+  SScene above = kEyeBot;
+  // over the pillar p1
+  above.Height = 1.0;
+  probes.push_back(
+      {"altitude", above, Default("altitude"),
+       [](CRobotWorld& world, const SMap& map) {
+         TReadings heights;
+         for (const Real bearing : {70.0, 160.0, 40.0}) {
+           const Real angle = bearing * M_PI / 180.0;
+           auto& body = world.Get<CComposableEntity>("r").GetComponent<CEmbodiedEntity>("body");
+           body.MoveTo(
+               map.Apply(kRobotAt + CVector3(0.32 * std::cos(angle), 0.32 * std::sin(angle), 1.0)),
+               CQuaternion(), false, true);
+           world.Step();
+           heights.push_back(SensorOf<CCI_AltitudeSensor>(world, "altitude").GetReading());
+         }
+         return heights;
+       },
+       Keep});
+  probes.push_back({"clock", kFootBot, Default("clock"),
+                    [](CRobotWorld& world, const SMap&) {
+                      const auto& reading = SensorOf<CCI_ClockSensor>(world, "clock").GetReading();
+                      return TReadings{static_cast<Real>(reading.Tick), reading.Time};
+                    },
+                    Keep});
+}
+
+// cm/s in the original world; mirrored robots have left and right exchanged
+void Drive(CRobotWorld& world, const SMap& map) {
+  auto& wheels = world.GetActuator<CCI_DifferentialSteeringActuator>("r", "differential_steering");
+  map.IsMirror ? wheels.SetLinearVelocity(0.5, 0.2) : wheels.SetLinearVelocity(0.2, 0.5);
+}
+
+void AddMotion(std::vector<SProbe>& probes) {
+  const std::string wheels = Default("differential_steering");
+  const std::string engine = "<dynamics2d id=\"dyn2d\"/>";
+  probes.push_back(
+      {"differential_steering", kFootBot, wheels,
+       [](CRobotWorld& world, const SMap&) {
+         const auto& reading =
+             SensorOf<CCI_DifferentialSteeringSensor>(world, "differential_steering").GetReading();
+         return TReadings{reading.VelocityLeftWheel, reading.CoveredDistanceLeftWheel,
+                          reading.CoveredDistanceRightWheel, reading.VelocityRightWheel};
+       },
+       Reverse, wheels, engine, Drive});
+  probes.push_back(
+      {"footbot_encoder", kFootBot, Default("footbot_encoder"),
+       [](CRobotWorld& world, const SMap&) {
+         const auto& reading =
+             SensorOf<CCI_FootBotEncoderSensor>(world, "footbot_encoder").GetReading();
+         return TReadings{reading.CoveredDistanceLeftWheel, reading.CoveredDistanceRightWheel};
+       },
+       Reverse, wheels, engine, Drive});
+  probes.push_back({"battery", kFootBot, Default("battery"),
+                    [](CRobotWorld& world, const SMap&) {
+                      const auto& reading =
+                          SensorOf<CCI_BatterySensor>(world, "battery").GetReading();
+                      return TReadings{reading.AvailableCharge};
+                    },
+                    Keep, wheels, engine, Drive});
+  for (const Real rpm : {0.0, 50.0}) {
+    probes.push_back(
+        {rpm == 0.0 ? "distance scanner, held" : "distance scanner, turning", kFootBot,
+         RotZOnly("footbot_distance_scanner"),
+         [](CRobotWorld& world, const SMap& map) {
+           // by angle in the original robot's frame
+           TReadings readings;
+           for (const auto& [angle, distance] :
+                SensorOf<CCI_FootBotDistanceScannerSensor>(world, "footbot_distance_scanner")
+                    .GetReadingsMap()) {
+             readings.push_back(angle.GetValue());
+             readings.push_back(distance);
+           }
+           if (map.IsMirror) {
+             std::reverse(readings.begin(), readings.end());
+             for (size_t i = 0; i < readings.size(); i += 2) {
+               std::swap(readings[i], readings[i + 1]);
+               readings[i] = -readings[i];
+             }
+           }
+           return readings;
+         },
+         Keep, Default("footbot_distance_scanner"), "<toy_engine id=\"toy\"/>",
+         [rpm](CRobotWorld& world, const SMap& map) {
+           auto& motor = world.GetActuator<CCI_FootBotDistanceScannerActuator>(
+               "r", "footbot_distance_scanner");
+           const Real sign = map.IsMirror ? -1.0 : 1.0;
+           // off the axes, where a beam would change its place in the list
+           motor.SetAngle(CRadians(sign * 0.3));
+           world.GetRobot("r").Act();
+           if (rpm != 0.0) {
+             motor.SetRPM(sign * rpm);
+           }
+         }});
+  }
+}
+
+std::vector<SProbe> MakeProbes() {
+  std::vector<SProbe> probes;
+  AddRings(probes);
+  AddGround(probes);
+  AddPoseSensors(probes);
+  AddMotion(probes);
+  return probes;
+}
+
+TReadings Run(const SProbe& probe, const SMap& map) {
+  SRobotExperiment experiment;
+  experiment.Actuators = probe.Actuators;
+  experiment.Sensors = probe.Sensors;
+  experiment.Engine = probe.Engine;
+  experiment.Arena = BuildArena(probe.Scene, map);
+  experiment.LoopFunctions = "<loop_functions label=\"mapped_floor\"/>";
+  CRobotWorld world(experiment);
+  dynamic_cast<CMappedFloor&>(world.GetSimulator().GetLoopFunctions()).Map = map;
+  if (probe.Prepare) {
+    probe.Prepare(world, map);
+  }
+  world.Step(3);
+  return probe.Read(world, map);
+}
+
+}  // namespace
+
+REGISTER_LOOP_FUNCTIONS(CMappedFloor, "mapped_floor")
+
+TEST_CASE("symmetry: moved, turned and mirrored worlds give moved, turned and mirrored readings",
+          "[contract][sensors]") {
+  for (const SProbe& probe : MakeProbes()) {
+    CAPTURE(probe.Name);
+    const TReadings original = Run(probe, SMap());
+    REQUIRE_FALSE(original.empty());
+    // there is something to see, and not the same everywhere
+    CHECK((original.size() == 1 || *std::max_element(original.begin(), original.end()) >
+                                       *std::min_element(original.begin(), original.end())));
+    for (const SMap& map : kMaps) {
+      CAPTURE(map.IsMirror, map.Turn, map.ShiftX, map.ShiftY);
+      const TReadings expected = map.IsMirror ? probe.Mirror(original) : original;
+      const TReadings seen = Run(probe, map);
+      REQUIRE(seen.size() == expected.size());
+      for (size_t i = 0; i < seen.size(); ++i) {
+        CAPTURE(i);
+        CHECK_THAT(seen[i],
+                   WithinAbs(expected[i], map.IsMirror ? probe.MirrorTolerance : kRoundings));
+      }
+    }
+  }
+}

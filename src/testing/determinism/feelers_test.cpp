@@ -1,0 +1,84 @@
+// Robots that feel all they can: what they feel decides what they do.
+
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/testing/determinism/feelers.h>
+#include <argos3/testing/support/allocation_count.h>
+
+#include <catch2/catch.hpp>
+
+#include <vector>
+
+using namespace argos;
+
+namespace {
+
+constexpr UInt32 kRobots = 130;  // more than two runs of robots that one thread handles in a row
+constexpr UInt32 kTicks = 40;
+
+// of the world after each tick, and in the end of all that each robot felt
+std::vector<UInt64> Run(CTestWorld& world) {
+  std::vector<UInt64> digests = {world.ComputeDigest()};
+  for (UInt32 tick = 0; tick < kTicks; ++tick) {
+    world.Step();
+    digests.push_back(world.ComputeDigest());
+  }
+  for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
+    digests.push_back(dynamic_cast<CFeeler&>(robot->GetController()).GetFelt());
+  }
+  return digests;
+}
+
+const std::vector<UInt64>& Reference() {
+  static const std::vector<UInt64> reference = [] {
+    CTestWorld world(Feelers(kRobots, true));
+    return Run(world);
+  }();
+  return reference;
+}
+
+}  // namespace
+
+TEST_CASE("feelers: every tick is the same for every number of threads and schedule",
+          "[determinism][sensors]") {
+  const UInt32 threads = GENERATE(1U, 4U);
+  const std::string method = GENERATE("balance_quantity", "balance_length");
+  CAPTURE(threads, method);
+  SExperiment experiment = Feelers(kRobots, true);
+  experiment.Threads = threads;
+  experiment.Method = method;
+  CTestWorld world(experiment);
+  CHECK(Run(world) == Reference());
+  world.GetSimulator().Reset();
+  CHECK(Run(world) == Reference());
+}
+
+TEST_CASE("feelers: what they feel decides, and differs between them", "[determinism][sensors]") {
+  CTestWorld world(Feelers(kRobots, false));
+  const std::vector<UInt64> digests = Run(world);
+  CHECK(digests.front() == Reference().front());
+  CHECK(digests[kTicks] != Reference()[kTicks]);
+  CHECK(digests[kTicks + 1] != digests[kTicks + 2]);
+}
+
+TEST_CASE("feelers: a settled tick allocates nothing", "[determinism][sensors][allocation]") {
+  if (!CAllocationCount::IsAvailable()) {
+    return;
+  }
+  const UInt32 threads = GENERATE(0U, 2U);
+  const bool noisy = GENERATE(true, false);
+  CAPTURE(threads, noisy);
+  SExperiment experiment = Feelers(60, noisy);
+  experiment.Threads = threads;
+  CTestWorld world(experiment);
+  world.Step(200);
+  size_t counted = 0;
+  std::string first;
+  {
+    const CAllocationCount count;
+    world.Step(100);
+    counted = count.GetCount();
+    first = count.DescribeFirst();
+  }
+  INFO("the first allocation was made by\n" << first);
+  CHECK(counted == 0);
+}
