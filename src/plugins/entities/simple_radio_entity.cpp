@@ -24,8 +24,7 @@ void AddMessages(CDigest& digest, const std::vector<CByteArray>& messages) {
 
 CSimpleRadioEntity::CSimpleRadioEntity(CComposableEntity* parent) : CMediumMember(parent) {}
 
-CSimpleRadioEntity::CSimpleRadioEntity(CComposableEntity* parent, const std::string& id,
-                                       Real range)
+CSimpleRadioEntity::CSimpleRadioEntity(CComposableEntity* parent, const std::string& id, Real range)
     : CMediumMember(parent, id, CVector3()) {
   SetRange(range);
 }
@@ -78,6 +77,13 @@ void CSimpleRadioEntity::DropOldMessages() {
                 m_messages.end());
     m_spare.Shrink(m_messages, m_messages.size() - m_numOld);
     m_origins.clear();
+  }
+  m_numOld = m_messages.size();
+}
+
+void CSimpleRadioEntity::Deliver(const std::vector<CByteArray>& messages) {
+  for (const CByteArray& message : messages) {
+    ReceiveMessage(message);
   }
   m_numOld = m_messages.size();
 }

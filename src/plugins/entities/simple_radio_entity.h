@@ -58,8 +58,10 @@ class CSimpleRadioEntity : public CMediumMember<CSimpleRadioEntity, CSimpleRadio
 
   /** Exchanges the messages received for those of @p read, which are used again; for sensors. */
   void Read(std::vector<CByteArray>& read);
-  /** Drops messages that nobody has read in a whole tick; for the medium, once a tick. */
+  /** Drops messages that a sensor could have read; for the medium, once a tick. */
   void DropOldMessages();
+  /** For the medium: takes over messages, which are old in the next tick. */
+  void Deliver(const std::vector<CByteArray>& messages);
 
   /** For sensors that show whom they hear: whether to remember where messages come from. */
   void SetRememberingOrigins(bool remember) { m_remembersOrigins = remember; }
@@ -77,7 +79,7 @@ class CSimpleRadioEntity : public CMediumMember<CSimpleRadioEntity, CSimpleRadio
  private:
   Real m_range = 0.0;  // m
   std::vector<CByteArray> m_messages;  // received
-  size_t m_numOld = 0;  // of them, there already at the last DropOldMessages()
+  size_t m_numOld = 0;  // of them, for the next DropOldMessages()
   std::vector<CByteArray> m_outbox;
   CSpareElements<CByteArray> m_spare;
   bool m_remembersOrigins = false;

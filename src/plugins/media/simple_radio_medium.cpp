@@ -82,12 +82,11 @@ void CSimpleRadioMedium::Deliver(CSimpleRadioEntity& sender) {
       place.GetX(), place.GetY(), sender.GetRange(), [&](size_t cellPlace) {
         const UInt32 number = m_state->Finite[m_state->Cells.GetPoint(cellPlace)];
         CSimpleRadioEntity& receiver = *m_state->Members.Get(number);
-        if (&receiver == &sender || !(SquareDistance(receiver.GetPosition(), place) < squareRange)) {
+        if (&receiver == &sender ||
+            !(SquareDistance(receiver.GetPosition(), place) < squareRange)) {
           return;
         }
-        for (const CByteArray& message : sender.GetOutbox()) {
-          receiver.ReceiveMessage(message);
-        }
+        receiver.Deliver(sender.GetOutbox());
         receiver.NoteOrigin(place);
       });
 }

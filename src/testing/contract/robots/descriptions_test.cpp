@@ -19,7 +19,11 @@ using namespace argos;
 namespace {
 
 // those that examples name
-const char* const kMedia = "<led id=\"leds\"/><range_and_bearing id=\"rab\"/>";
+const char* const kMedia =
+    "<led id=\"leds\"/><range_and_bearing id=\"rab\"/><simple_radio id=\"radios\"/>";
+// what devices need that are mounted by the robot's element
+const char* const kRadios =
+    "<simple_radios><simple_radio id=\"wifi\" medium=\"radios\" range=\"1\"/></simple_radios>";
 
 // the XML in a description: runs of lines that begin with two blanks and a tag
 std::vector<std::string> ExamplesIn(const std::string& description) {
@@ -66,27 +70,28 @@ void RunInArena(const std::string& arena) {
   TakeLogErr();
 }
 
-void RunWithControllers(const std::string& controllers, const std::string& robot) {
+void RunWithControllers(const std::string& controllers, const std::string& robot,
+                        const std::string& parts) {
   SExperiment experiment;
   experiment.Engines = "<toy_engine id=\"engine\"/>";
   experiment.Media = kMedia;
   experiment.Controllers = Replaced(controllers, "my_controller", "robot_world_controller");
   experiment.Arena = "<" + robot +
-                     " id=\"r\"><body position=\"0,0,0\"/><controller config=\"c1\"/></" + robot +
-                     ">";
+                     " id=\"r\"><body position=\"0,0,0\"/><controller config=\"c1\"/>" + parts +
+                     "</" + robot + ">";
   CTestWorld world(experiment);
   world.Step(2);
   CHECK(TakeLogErr() == "");
 }
 
-void RunWithDevice(const std::string& section, const std::string& device,
-                   const std::string& robot) {
+void RunWithDevice(const std::string& section, const std::string& device, const std::string& robot,
+                   const std::string& parts) {
   const auto in = [&](const std::string& tag) {
     return "<" + tag + ">" + (tag == section ? device : "") + "</" + tag + ">";
   };
   RunWithControllers(
       "<my_controller id=\"c1\">" + in("actuators") + in("sensors") + "<params/></my_controller>",
-      robot);
+      robot, parts);
 }
 
 void RunWithMedia(const std::string& media) {
@@ -110,7 +115,7 @@ void RunWithEngines(const std::string& engines) {
 // runs every example of a description; gives their number
 template <typename BASE>
 size_t RunExamples(const std::string& label, const std::string& section = "",
-                   const std::string& robot = "") {
+                   const std::string& robot = "", const std::string& parts = "") {
   const auto found = CFactory<BASE>::GetTypeMap().find(label);
   REQUIRE(found != CFactory<BASE>::GetTypeMap().end());
   const std::vector<std::string> examples = ExamplesIn(found->second->LongDescription);
@@ -118,14 +123,16 @@ size_t RunExamples(const std::string& label, const std::string& section = "",
     CAPTURE(label, example);
     if (example.find("<arena") != std::string::npos) {
       CHECK_NOTHROW(RunInArena(Inside(example)));
+    } else if (example.find("  <foot-bot") == 0) {
+      CHECK_NOTHROW(RunInArena(example));
     } else if (example.find("<controllers>") != std::string::npos) {
-      CHECK_NOTHROW(RunWithControllers(Inside(example), robot));
+      CHECK_NOTHROW(RunWithControllers(Inside(example), robot, parts));
     } else if (example.find("<physics_engines>") != std::string::npos) {
       CHECK_NOTHROW(RunWithEngines(Inside(example)));
     } else if (example.find("<media>") != std::string::npos) {
       CHECK_NOTHROW(RunWithMedia(Inside(example)));
     } else {
-      CHECK_NOTHROW(RunWithDevice(section, example, robot));
+      CHECK_NOTHROW(RunWithDevice(section, example, robot, parts));
     }
   }
   return examples.size();
@@ -142,6 +149,7 @@ TEST_CASE("descriptions: examples of entities and media load and run", "[contrac
   CHECK(RunExamples<CEntity>("eye-bot") == 2);
   CHECK(RunExamples<CMedium>("led") == 2);
   CHECK(RunExamples<CMedium>("range_and_bearing") == 2);
+  CHECK(RunExamples<CMedium>("simple_radio") == 3);
 }
 
 TEST_CASE("descriptions: examples of physics engines load and run", "[contract][robots]") {
@@ -163,6 +171,10 @@ TEST_CASE("descriptions: examples of devices load and run", "[contract][robots]"
   CHECK(RunExamples<CSimulatedSensor>("footbot_proximity (default)", "sensors", "foot-bot") == 2);
   CHECK(RunExamples<CSimulatedSensor>("epuck_proximity (default)", "sensors", "e-puck") == 2);
   CHECK(RunExamples<CSimulatedSensor>("range_and_bearing (medium)", "sensors", "e-puck") == 3);
+  CHECK(RunExamples<CSimulatedActuator>("simple_radios (default)", "actuators", "e-puck",
+                                        kRadios) == 2);
+  CHECK(RunExamples<CSimulatedSensor>("simple_radios (default)", "sensors", "foot-bot", kRadios) ==
+        3);
   CHECK(RunExamples<CSimulatedSensor>("eyebot_proximity (default)", "sensors", "eye-bot") == 2);
   CHECK(RunExamples<CSimulatedSensor>("eyebot_light (rot_z_only)", "sensors", "eye-bot") == 2);
 }

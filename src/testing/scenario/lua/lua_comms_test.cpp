@@ -1,0 +1,108 @@
+// What scripts see of devices that communicate.
+
+#include "lua_world.h"
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/testing/support/captured_logs.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace argos;
+using Catch::Contains;
+using Catch::WithinAbs;
+
+namespace {
+
+constexpr Real kRounding = 1e-12;
+
+// two foot-bots 1 m apart that run the same script: "fb" looks at "other", which looks left
+SLuaExperiment PairOf(const std::string& script, const std::string& actuators,
+                      const std::string& sensors, const std::string& media,
+                      const std::string& parts = "") {
+  SLuaExperiment experiment;
+  experiment.Script = "function init() end function reset() end function destroy() end\n" + script;
+  experiment.Actuators = actuators;
+  experiment.Sensors = sensors;
+  experiment.Media = media;
+  experiment.Robots =
+      "<foot-bot id='fb' rab_data_size='3'><body position='0,0,0'/><controller config='c'/>" +
+      parts +
+      "</foot-bot><foot-bot id='other' rab_data_size='3'><body position='1,0,0' "
+      "orientation='90,0,0'/><controller config='c'/>" +
+      parts + "</foot-bot>";
+  return experiment;
+}
+
+Real GetNumber(CLuaWorld& world, const std::string& expression, const std::string& robot = "fb") {
+  return std::stod(world.Get("string.format('%.17g', " + expression + ")", robot));
+}
+
+std::string ErrorOf(CLuaWorld& world, const std::string& call) {
+  return world.Get("select(2, pcall(function() " + call + " end))");
+}
+
+}  // namespace
+
+TEST_CASE("lua devices: range and bearing, messages of bytes", "[lua][devices]") {
+  CLuaWorld world(PairOf("function step() robot.range_and_bearing.set_data(2, 7)\n"
+                         "if robot.id == 'other' then robot.range_and_bearing.set_data({1, 2, 255})"
+                         " end end",
+                         "<range_and_bearing implementation='default'/>",
+                         "<range_and_bearing implementation='medium' medium='rab'/>",
+                         "<range_and_bearing id='rab'/>"));
+  CHECK(world.Get("#robot.range_and_bearing") == "0");
+  world.Step(2);
+  CHECK(TakeLogErr() == "");
+  REQUIRE(world.Get("#robot.range_and_bearing") == "1");
+  CHECK_THAT(GetNumber(world, "robot.range_and_bearing[1].range"), WithinAbs(100.0, kRounding));
+  CHECK(GetNumber(world, "robot.range_and_bearing[1].horizontal_bearing") == 0.0);
+  CHECK(GetNumber(world, "robot.range_and_bearing[1].vertical_bearing") == 0.0);
+  CHECK(world.Get("table.concat(robot.range_and_bearing[1].data, ' ')") == "1.0 2.0 255.0");
+  // "other" looks along y: "fb" is to its left, at 90 degrees
+  CHECK_THAT(GetNumber(world, "robot.range_and_bearing[1].horizontal_bearing", "other"),
+             WithinAbs(M_PI / 2.0, kRounding));
+  CHECK(world.Get("table.concat(robot.range_and_bearing[1].data, ' ')", "other") == "0.0 7.0 0.0");
+  world.Do("robot.range_and_bearing.clear_data() function step() end");
+  world.Step();
+  CHECK(world.Get("table.concat(robot.range_and_bearing[1].data, ' ')", "other") == "0.0 0.0 0.0");
+
+  const auto error = [&world](const std::string& call) {
+    return ErrorOf(world, "robot.range_and_bearing." + call);
+  };
+  CHECK_THAT(error("set_data(0, 1)"), Contains("from 1 to 3, got 0"));
+  CHECK_THAT(error("set_data(4, 1)"), Contains("from 1 to 3, got 4"));
+  CHECK_THAT(error("set_data(1, 256)"), Contains("argument 2"));
+  CHECK_THAT(error("set_data({1, 2})"), Contains("3"));
+  CHECK_THAT(error("set_data({1, 2, 300})"), Contains("255"));
+  CHECK_THAT(error("set_data(1)"), Contains("argument 2"));
+}
+
+TEST_CASE("lua devices: simple radios send tables", "[lua][devices]") {
+  CLuaWorld world(PairOf(
+      "function step() if robot.id == 'fb' then\n"
+      "robot.simple_radios.wifi.send({ 'hello', from = robot.id, nested = { 1.5, true } })\n"
+      "robot.simple_radios.wifi.send({ second = vector2(1, 2) }) end end",
+      "<simple_radios implementation='default'/>", "<simple_radios implementation='default'/>",
+      "<simple_radio id='radios'/>",
+      "<simple_radios><simple_radio id='wifi' medium='radios' range='3'/></simple_radios>"));
+  CHECK(world.Get("#robot.simple_radios.wifi.recv") == "0");
+  world.Step(2);
+  CHECK(TakeLogErr() == "");
+  CHECK(world.Get("#robot.simple_radios.wifi.recv") == "0");
+  REQUIRE(world.Get("#robot.simple_radios.wifi.recv", "other") == "2");
+  const std::string first = "robot.simple_radios.wifi.recv[1]";
+  CHECK(world.Get(first + "[1]", "other") == "hello");
+  CHECK(world.Get(first + ".from", "other") == "fb");
+  CHECK(world.Get(first + ".nested[1]", "other") == "1.5");
+  CHECK(world.Get(first + ".nested[2]", "other") == "true");
+  CHECK(world.Get("robot.simple_radios.wifi.recv[2].second.y", "other") == "2.0");
+  world.Do("function step() end");
+  world.Step(2);
+  CHECK(world.Get("#robot.simple_radios.wifi.recv", "other") == "0");
+  CHECK_THAT(ErrorOf(world, "robot.simple_radios.wifi.send('text')"),
+             Contains("must be a table, got"));
+  CHECK_THAT(ErrorOf(world, "robot.simple_radios.wifi.send({}, {})"),
+             Contains("too many arguments"));
+}
