@@ -25,6 +25,8 @@ class CEntitiesInSight {
   void SetRobot(CComposableEntity& robot) {
     m_robot = &robot.GetRootEntity();
     m_lines.SetRobot(robot);
+    m_lines.Reserve(kUsual * NUM_POINTS);
+    m_candidates.reserve(kUsual);
   }
 
   /**
@@ -63,6 +65,8 @@ class CEntitiesInSight {
   }
 
  private:
+  static constexpr size_t kUsual = 64;  // entities in the field of view: room for more is made
+
   // an entity in the field of view
   struct SCandidate {
     ssize_t Index;  // of the entity

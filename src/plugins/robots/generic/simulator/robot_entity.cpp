@@ -85,6 +85,23 @@ void CRobotEntity::UpdateComponents() {
   }
 }
 
+void CRobotEntity::SetEnabled(bool enabled) {
+  const size_t num = m_onDemand != nullptr ? m_type.OnDemand.size() : 0;
+  ARGOS_ASSERT(num <= 32, "a type of robots has at most 32 components on demand");
+  if (IsEnabled()) {
+    m_inUse = 0;
+    for (size_t i = 0; i < num; ++i) {
+      m_inUse |= (m_onDemand[i] != nullptr && m_onDemand[i]->IsEnabled() ? 1U : 0U) << i;
+    }
+  }
+  CComposableEntity::SetEnabled(enabled);
+  for (size_t i = 0; enabled && i < num; ++i) {
+    if (m_onDemand[i] != nullptr && (m_inUse >> i & 1U) == 0) {
+      m_onDemand[i]->SetEnabled(false);
+    }
+  }
+}
+
 void CRobotEntity::UpdateDigest(CDigest& digest) const {
   CEntity::UpdateDigest(digest);
   for (const CEntity* component : GetExistingComponents()) {

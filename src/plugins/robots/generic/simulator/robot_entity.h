@@ -59,6 +59,8 @@ class CRobotEntity : public CComposableEntity {
     return *m_proximity;
   }
 
+  /** A robot that is enabled again uses the components on demand that it used before. */
+  void SetEnabled(bool enabled) override;
   /** A component made on demand counts while it is in use: who only looks at it changes nothing. */
   void UpdateDigest(CDigest& digest) const override;
 
@@ -121,6 +123,7 @@ class CRobotEntity : public CComposableEntity {
   const SRobotType& m_type;
   std::unique_ptr<const SDeviceParameters> m_parameters;  // null: as usual for the type
   std::unique_ptr<CEntity*[]> m_onDemand;  // (m_type.OnDemand), null until made; not owned
+  UInt32 m_inUse = 0;  // bit i: m_onDemand[i] was enabled when the robot was disabled
   std::unique_ptr<CEntity::TVector> m_mounted;  // from the file; null if nothing is; not owned
   // components
   CEmbodiedEntity* m_body = nullptr;

@@ -30,6 +30,8 @@ class CSightLines {
 
   /** Starts a new look, without points. @param eye m, world frame. */
   void Start(const CVector3& eye);
+  /** Makes room for so many lines. */
+  void Reserve(size_t num) { m_lines.reserve(num); }
   /** @param point m, world frame. */
   void Add(const CVector3& point);
   /** Finds out which points are hidden. */
