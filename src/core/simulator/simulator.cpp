@@ -14,6 +14,7 @@
 #include <dlfcn.h>
 
 #include <cmath>
+#include <exception>
 #include <limits>
 
 namespace argos {
@@ -249,8 +250,14 @@ void CSimulator::Reset(UInt32 newRandomSeed) {
 void CSimulator::Destroy() {
   const CScope scope(*this);
   // users' Destroy() may count on their Init()
+  std::exception_ptr failure;
   if (m_loopFunctionsReady) {
-    m_loopFunctions->Destroy();
+    try {
+      m_loopFunctions->Destroy();
+    } catch (...) {
+      // everything else goes all the same
+      failure = std::current_exception();
+    }
     m_loopFunctionsReady = false;
   }
   if (m_visualization != nullptr) {
@@ -292,6 +299,9 @@ void CSimulator::Destroy() {
   m_seedFromClock = true;
   LOG.Flush();
   LOGERR.Flush();
+  if (failure != nullptr) {
+    std::rethrow_exception(failure);
+  }
 }
 
 void CSimulator::Execute() {

@@ -140,7 +140,10 @@ class CSimulator {
   void Reset();
   /** The same with another seed. */
   void Reset(UInt32 newRandomSeed);
-  /** Takes the experiment down; another one may be loaded. */
+  /**
+   * Takes the experiment down; another one may be loaded.
+   * @throws whatever the loop functions' Destroy() throws, when everything is down.
+   */
   void Destroy();
   /** Runs the visualization until the experiment ends. */
   void Execute();

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <string_view>
 
 namespace argos {
 
@@ -123,6 +124,7 @@ CLuaState::CLuaState(UInt64 maxInstructions)
     THROW_ARGOSEXCEPTION("not enough memory for a Lua state");
   }
   lua_atpanic(m_state, Panic);
+  lua_setwarnf(m_state, Warn, this);
   // coroutines inherit both
   *static_cast<CLuaState**>(lua_getextraspace(m_state)) = this;
   SetHook(m_state, static_cast<int>(std::min(kPeriod, m_maxInstructions)));
@@ -224,6 +226,23 @@ void CLuaState::SetHook(lua_State* state, int period) {
 
 CLuaState& CLuaState::Of(lua_State* state) {
   return **static_cast<CLuaState**>(lua_getextraspace(state));
+}
+
+// warn(), as in the program lua: off until warn("@on")
+void CLuaState::Warn(void* self, const char* message, int toBeContinued) {
+  auto& state = *static_cast<CLuaState*>(self);
+  if (state.m_warning.empty() && toBeContinued == 0 && message[0] == '@') {
+    const std::string_view control = message;
+    state.m_isWarning = control == "@on" || (control != "@off" && state.m_isWarning);
+    return;
+  }
+  state.m_warning += message;
+  if (toBeContinued == 0) {
+    if (state.m_isWarning) {
+      LOGERR << "Lua warning: " + state.m_warning + "\n";
+    }
+    state.m_warning.clear();
+  }
 }
 
 // in a handler that an interruption calls nothing is counted: its loops would be endless

@@ -80,6 +80,7 @@ class CLuaState {
   static int CallBody(lua_State* state);
   /** Whose Lua state, or coroutine, it is. */
   static CLuaState& Of(lua_State* state);
+  static void Warn(void* self, const char* message, int toBeContinued);
   static int HandleError(lua_State* state);
   static int Xpcall(lua_State* state);
   static void CountInstructions(lua_State* state, lua_Debug* activation);
@@ -90,6 +91,8 @@ class CLuaState {
   UInt64 m_maxInstructions;
   UInt64 m_instructionsLeft = 0;  // of the current Run()
   bool m_wasInterrupted = false;
+  bool m_isWarning = false;  // has the script switched warn() on?
+  std::string m_warning;  // its parts so far
 };
 
 }  // namespace argos

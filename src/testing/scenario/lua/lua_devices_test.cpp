@@ -3,7 +3,9 @@
 #include "lua_world.h"
 
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/sensor.h>
 #include <argos3/core/utility/math/angles.h>
+#include <argos3/core/wrappers/lua/lua_utility.h>
 #include <argos3/plugins/robots/e-puck/control_interface/ci_epuck_proximity_sensor.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
 #include <argos3/testing/support/captured_logs.h>
@@ -20,6 +22,38 @@ namespace {
 
 // a few roundings of numbers of about 10
 constexpr Real kRounding = 1e-12;
+
+/** A sensor as plug-ins written for ARGoS 3 have it: counts its updates, off until it is enabled.
+ */
+class CUserCounter : public CSimulatedSensor, public CCI_Sensor {
+ public:
+  void SetRobot(CComposableEntity&) override {}
+  void Update() override { ++m_count; }
+
+  void CreateLuaState(lua_State* state) override {
+    CLuaUtility::OpenRobotStateTable(state, "counter");
+    CLuaUtility::AddToTable(state, "_instance", this);
+    CLuaUtility::AddToTable(state, "enable", &EnableFromLua);
+    CLuaUtility::AddToTable(state, "count", Real(m_count));
+    CLuaUtility::CloseRobotStateTable(state);
+  }
+  void ReadingsToLuaState(lua_State* state) override {
+    lua_getfield(state, -1, "counter");
+    lua_pushnumber(state, m_count);
+    lua_setfield(state, -2, "count");
+    lua_pop(state, 1);
+  }
+  static int EnableFromLua(lua_State* state) {
+    CLuaUtility::GetDeviceInstance<CUserCounter>(state, "counter")->Enable();
+    return 0;
+  }
+
+ private:
+  int m_count = 0;
+};
+
+REGISTER_SENSOR(CUserCounter, "user_counter", "default", "a user", "1.0", "Counts its updates.",
+                "Has no attributes.", "Usable")
 
 SLuaExperiment WithDevices(const std::string& step, const std::string& actuators,
                            const std::string& sensors) {
@@ -180,6 +214,18 @@ TEST_CASE("lua devices: an e-puck has eight LEDs", "[lua][devices]") {
   world.Do("robot.leds.set_single_color(8, 'red')");
   CHECK_THAT(world.Get("select(2, pcall(robot.leds.set_single_color, 9, 'red'))"),
              Contains("from 1 to 8, got 9"));
+}
+
+TEST_CASE("lua devices: a user's sensor that uses Lua's own functions", "[lua][devices][compat]") {
+  CLuaWorld world(WithDevices("robot.counter.enable() seen = robot.counter.count", "",
+                              Device("user_counter") + Device("footbot_proximity")));
+  CHECK(world.Get("robot.counter.count") == "0.0");
+  // enabled by the first step, so updated from the second tick on
+  world.Step();
+  CHECK(world.Get("seen") == "0.0");
+  world.Step(3);
+  CHECK(TakeLogErr() == "");
+  CHECK(world.Get("seen") == "3.0");
 }
 
 TEST_CASE("lua devices: two sensors that would write into one table are fatal", "[lua][devices]") {

@@ -420,6 +420,11 @@ TEST_CASE("lua loop functions: an error names script and line, and ends the run"
     CLuaWorld world(With("function destroy() error('bad end') end"));
     CHECK_THROWS_WITH(world.Destroy(), Contains("failed in destroy()") && Contains("bad end"));
   }
+  {
+    // nobody has called Destroy(): the destructor can only print
+    CLuaWorld world(With("function destroy() error('bad end') end"));
+  }
+  CHECK_THAT(TakeLogErr(), Contains("failed in destroy()") && Contains("loop.lua:1: bad end"));
   SLuaExperiment endless = With("function post_step() while true do end end");
   endless.LoopParams = "max_instructions='50000'";
   CLuaWorld world(endless);

@@ -138,6 +138,15 @@ TEST_CASE("lua program: queries describe controllers and loop functions in Lua",
                                                 Contains("floor_color") && Contains("on_error"));
 }
 
+TEST_CASE("lua program: the crowd of the documentation runs", "[lua][program]") {
+  const CTestFolder folder;
+  const SProgramRun run = folder.Run({"-zc", InSourceTree("experiments/crowd_lua.argos"),
+                                      "--length", "2", "--set", "//entity/@quantity=100"});
+  CHECK(run.Status == 0);
+  CHECK(run.Err == "");
+  CHECK_THAT(run.Out, Contains("100 robots"));
+}
+
 TEST_CASE("lua program: the diffusion in Lua drives as that in C++, to the bit", "[lua][program]") {
   const std::string name = GENERATE("diffusion_1", "diffusion_10");
   CAPTURE(name);

@@ -196,6 +196,14 @@ TEST_CASE("lua state: math.random repeats itself for the same seed", "[lua][stat
   CHECK(draw(1) != draw(2));
 }
 
+TEST_CASE("lua state: warn writes to the error log once it is on", "[lua][state]") {
+  CLuaTester lua;
+  lua.Do("warn('nobody hears this')");
+  CHECK(TakeLogErr() == "");
+  lua.Do("warn('@on') warn('something ', 'odd') warn('@off') warn('no more')");
+  CHECK(TakeLogErr() == "Lua warning: something odd\n");
+}
+
 TEST_CASE("lua state: log writes arguments without separators, then a newline", "[lua][state]") {
   CLuaTester lua;
   lua.Do("log('a', 1, ' ', 1.0, ' ', 1/3, ' ', 1e10, ' ', true, false)");
