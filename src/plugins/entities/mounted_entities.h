@@ -110,7 +110,8 @@ class CMountedEntities : public CComposableEntity {
    * ENTITY::Init() reads. The parent must have a "body".
    */
   void InitInstances(TConfigurationNode& tree, const std::string& tag) {
-    auto& body = GetParent().GetComponent<CEmbodiedEntity>("body");
+    CComposableEntity& parent = GetParent();
+    auto& body = parent.GetComponent<CEmbodiedEntity>("body");
     TConfigurationNodeIterator child(tag);
     for (child = child.begin(&tree); child != child.end(); ++child) {
       std::string anchor;
