@@ -143,8 +143,9 @@ void CBodyIndex::ForShapesAlongRay(const CRay3& ray, Real reach, VISIT&& visit,
     forRows(margin, [&](int j, int minI, int maxI) { VisitOverlayRow(j, minI, maxI, visit); });
   }
   if (!m_overlayWide.empty()) {
-    forRows(rounded,
-            [&](int j, int minI, int maxI) { VisitOverlayWide({minI, maxI, j, j}, visit); });
+    forRows(rounded, [&](int j, int minI, int maxI) {
+      VisitOverlayWide({minI, maxI, j, j}, visit);
+    });
   }
   if (!m_wide.empty()) {
     forRows(rounded, [&](int j, int minI, int maxI) { VisitWide({minI, maxI, j, j}, visit); });

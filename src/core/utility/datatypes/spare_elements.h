@@ -10,7 +10,8 @@ namespace argos {
 
 /**
  * Keeps the elements that a list does not need now, with the memory that they own: lists of
- * messages that grow and shrink from tick to tick allocate nothing unless they are longer than ever.
+ * messages that grow and shrink from tick to tick allocate nothing unless they are longer than
+ * ever.
  */
 template <typename T>
 class CSpareElements {

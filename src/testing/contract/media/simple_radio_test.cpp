@@ -40,8 +40,7 @@ std::string RobotAt(const std::string& tag, const std::string& id, const CVector
          ">";
 }
 
-void Send(CRobotWorld& world, const std::string& robot, const std::string& text,
-          size_t radio = 0) {
+void Send(CRobotWorld& world, const std::string& robot, const std::string& text, size_t radio = 0) {
   CByteArray message;
   message << text;
   world.GetActuator<CCI_SimpleRadiosActuator>(robot, "simple_radios")
@@ -50,8 +49,7 @@ void Send(CRobotWorld& world, const std::string& robot, const std::string& text,
       .Messages.push_back(message);
 }
 
-std::vector<std::string> Received(CRobotWorld& world, const std::string& robot,
-                                  size_t radio = 0) {
+std::vector<std::string> Received(CRobotWorld& world, const std::string& robot, size_t radio = 0) {
   std::vector<std::string> texts;
   for (CByteArray message : world.GetSensor<CCI_SimpleRadiosSensor>(robot, "simple_radios")
                                 .GetInterfaces()
@@ -101,13 +99,13 @@ TEST_CASE("simple radio: a message is received once, in the tick after the order
 TEST_CASE("simple radio: the sender's range counts, exactly, and bodies do not",
           "[contract][media]") {
   const std::string index = GENERATE("", "index=\"hash\"", "grid_size=\"1,70,2\"");
-  SRobotExperiment experiment = WithRadios(
-      RobotAt("foot-bot", "short", CVector3(0.0, 0.0, 0.0), Radio("r", 1.0)) +
-          RobotAt("foot-bot", "middle", CVector3(1.0, 0.0, 0.0), Radio("r", 1.5)) +
-          RobotAt("foot-bot", "long", CVector3(2.0, 0.0, 0.0), Radio("r", 2.5)) +
-          "<box id=\"wall\" size=\"0.1,5,1\" movable=\"false\"><body "
-          "position=\"1.5,0,0\"/></box>",
-      index);
+  SRobotExperiment experiment =
+      WithRadios(RobotAt("foot-bot", "short", CVector3(0.0, 0.0, 0.0), Radio("r", 1.0)) +
+                     RobotAt("foot-bot", "middle", CVector3(1.0, 0.0, 0.0), Radio("r", 1.5)) +
+                     RobotAt("foot-bot", "long", CVector3(2.0, 0.0, 0.0), Radio("r", 2.5)) +
+                     "<box id=\"wall\" size=\"0.1,5,1\" movable=\"false\"><body "
+                     "position=\"1.5,0,0\"/></box>",
+                 index);
   CRobotWorld world(experiment);
   for (const char* robot : {"short", "middle", "long"}) {
     Send(world, robot, robot);
@@ -143,7 +141,8 @@ TEST_CASE("simple radio: radios of a robot are apart, and hear each other", "[co
   SRobotExperiment experiment = WithRadios(
       RobotAt("foot-bot", "a", CVector3(),
               Radio("near", 0.3, "position=\"0.05,0,0.1\"") +
-                  "<simple_radio id=\"far\" medium=\"other\" range=\"5\"/>" + Radio("second", 1.0)) +
+                  "<simple_radio id=\"far\" medium=\"other\" range=\"5\"/>" +
+                  Radio("second", 1.0)) +
       RobotAt("foot-bot", "b", CVector3(0.5, 0.0, 0.0),
               Radio("near", 0.3) + "<simple_radio id=\"far\" medium=\"other\" range=\"5\"/>"));
   experiment.Media += "<simple_radio id=\"other\"/>";
@@ -221,8 +220,7 @@ TEST_CASE("simple radio: the medium's index has all radios", "[contract][media]"
   CHECK(collect.Robots == std::set<std::string>{"a", "b", "c"});
 }
 
-TEST_CASE("simple radio: robots come and go, and a reset empties everything",
-          "[contract][media]") {
+TEST_CASE("simple radio: robots come and go, and a reset empties everything", "[contract][media]") {
   CRobotWorld world(WithRadios(Row(10.0)));
   Send(world, "a", "one");
   world.GetSimulator().GetLoopFunctions().RemoveEntity("b");
@@ -272,8 +270,7 @@ TEST_CASE("simple radio: wrong experiments are refused with the reason",
       SCase{Radio("r", 1.0, "anchor=\"mast\""), "mast"},
       SCase{Radio("r", 1.0) + Radio("r", 2.0), "already a radio with id \"r\""});
   CAPTURE(c.Radios);
-  SRobotExperiment experiment =
-      WithRadios(RobotAt("foot-bot", "a", CVector3(), c.Radios));
+  SRobotExperiment experiment = WithRadios(RobotAt("foot-bot", "a", CVector3(), c.Radios));
   experiment.Media += "<led id=\"leds\"/>";
   CHECK_THAT(LoadError(experiment), Contains(c.Reason) && Contains("test.argos:"));
 }

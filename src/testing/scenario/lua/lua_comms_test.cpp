@@ -46,12 +46,13 @@ std::string ErrorOf(CLuaWorld& world, const std::string& call) {
 }  // namespace
 
 TEST_CASE("lua devices: range and bearing, messages of bytes", "[lua][devices]") {
-  CLuaWorld world(PairOf("function step() robot.range_and_bearing.set_data(2, 7)\n"
-                         "if robot.id == 'other' then robot.range_and_bearing.set_data({1, 2, 255})"
-                         " end end",
-                         "<range_and_bearing implementation='default'/>",
-                         "<range_and_bearing implementation='medium' medium='rab'/>",
-                         "<range_and_bearing id='rab'/>"));
+  CLuaWorld world(
+      PairOf("function step() robot.range_and_bearing.set_data(2, 7)\n"
+             "if robot.id == 'other' then robot.range_and_bearing.set_data({1, 2, 255})"
+             " end end",
+             "<range_and_bearing implementation='default'/>",
+             "<range_and_bearing implementation='medium' medium='rab'/>",
+             "<range_and_bearing id='rab'/>"));
   CHECK(world.Get("#robot.range_and_bearing") == "0");
   world.Step(2);
   CHECK(TakeLogErr() == "");
@@ -80,13 +81,13 @@ TEST_CASE("lua devices: range and bearing, messages of bytes", "[lua][devices]")
 }
 
 TEST_CASE("lua devices: simple radios send tables", "[lua][devices]") {
-  CLuaWorld world(PairOf(
-      "function step() if robot.id == 'fb' then\n"
-      "robot.simple_radios.wifi.send({ 'hello', from = robot.id, nested = { 1.5, true } })\n"
-      "robot.simple_radios.wifi.send({ second = vector2(1, 2) }) end end",
-      "<simple_radios implementation='default'/>", "<simple_radios implementation='default'/>",
-      "<simple_radio id='radios'/>",
-      "<simple_radios><simple_radio id='wifi' medium='radios' range='3'/></simple_radios>"));
+  CLuaWorld world(
+      PairOf("function step() if robot.id == 'fb' then\n"
+             "robot.simple_radios.wifi.send({ 'hello', from = robot.id, nested = { 1.5, true } })\n"
+             "robot.simple_radios.wifi.send({ second = vector2(1, 2) }) end end",
+             "<simple_radios implementation='default'/>",
+             "<simple_radios implementation='default'/>", "<simple_radio id='radios'/>",
+             "<simple_radios><simple_radio id='wifi' medium='radios' range='3'/></simple_radios>"));
   CHECK(world.Get("#robot.simple_radios.wifi.recv") == "0");
   world.Step(2);
   CHECK(TakeLogErr() == "");

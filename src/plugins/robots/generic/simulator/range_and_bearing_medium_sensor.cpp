@@ -26,8 +26,7 @@ void CRangeAndBearingMediumSensor::SetRobot(CComposableEntity& robot) {
 void CRangeAndBearingMediumSensor::Init(TConfigurationNode& tree) {
   CCI_RangeAndBearingSensor::Init(tree);
   const CSimulator& simulator = m_robot->GetSimulator();
-  m_medium =
-      &ReadMedium<CRABMedium>(tree, m_robot->GetSimulator(), "a range and bearing medium");
+  m_medium = &ReadMedium<CRABMedium>(tree, m_robot->GetSimulator(), "a range and bearing medium");
   GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, m_showRays);
   GetNodeAttributeOrDefault(tree, "noise_std_dev", m_noiseDeviation, m_noiseDeviation);
   RequireNotNegative(m_noiseDeviation, OwnerOf(tree), "attribute \"noise_std_dev\" (m)");
