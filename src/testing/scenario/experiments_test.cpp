@@ -1,0 +1,93 @@
+// The experiments that come with the simulator run, and show what they say.
+
+#include "command_line/program_run.h"
+
+#include <argos3/testing/support/paths.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <regex>
+#include <sstream>
+
+using namespace argos;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<std::string> Experiments() {
+  std::vector<std::string> files;
+  for (const auto& entry : fs::directory_iterator(InSourceTree("experiments"))) {
+    if (entry.path().extension() == ".argos") {
+      files.push_back("experiments/" + entry.path().filename().string());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+// as from the root of the source tree, but writing elsewhere
+void Prepare(const CTestFolder& folder) {
+  fs::create_directory_symlink(InSourceTree("experiments"), folder.Path("experiments"));
+  setenv("ARGOS_PLUGIN_PATH", InBuildTree("experiments").c_str(), 1);
+}
+
+SProgramRun RunFor(const CTestFolder& folder, const std::string& file, const std::string& seconds,
+                   const std::string& threads) {
+  return folder.Run({"-z", "-c", file, "--length", seconds, "--threads", threads, "--digest"});
+}
+
+std::string DigestIn(const std::string& text) {
+  std::smatch match;
+  return std::regex_search(text, match, std::regex("digest: ([0-9a-f]{16})\n")) ? match[1].str()
+                                                                                : "";
+}
+
+}  // namespace
+
+TEST_CASE("experiments: each runs, without a warning, the same with any number of threads",
+          "[experiments]") {
+  const std::vector<std::string> files = Experiments();
+  REQUIRE(files.size() > 10);
+  for (const std::string& file : files) {
+    CAPTURE(file);
+    const CTestFolder folder;
+    Prepare(folder);
+    const SProgramRun alone = RunFor(folder, file, "3", "0");
+    CHECK(alone.Status == 0);
+    CHECK(alone.Err == "");
+    const SProgramRun shared = RunFor(folder, file, "3", "2");
+    CHECK(DigestIn(alone.Out).size() == 16);
+    CHECK(DigestIn(alone.Out) == DigestIn(shared.Out));
+  }
+}
+
+TEST_CASE("experiments: foraging robots deliver food, and the data tell", "[experiments]") {
+  const CTestFolder folder;
+  Prepare(folder);
+  REQUIRE(RunFor(folder, "experiments/foraging.argos", "120", "0").Status == 0);
+  std::istringstream data(folder.Read("foraging.csv"));
+  std::string line;
+  REQUIRE(std::getline(data, line));
+  CHECK(line == "tick,out,resting,delivered");
+  int tick = 0;
+  int delivered = 0;
+  while (std::getline(data, line)) {
+    int now = 0;
+    int out = 0;
+    int resting = 0;
+    int total = 0;
+    char comma = 0;
+    std::istringstream(line) >> now >> comma >> out >> comma >> resting >> comma >> total;
+    REQUIRE(now == tick + 1);
+    REQUIRE(out + resting == 12);
+    REQUIRE(total >= delivered);
+    tick = now;
+    delivered = total;
+  }
+  CHECK(tick == 1200);
+  // twelve robots find at least a disc each in two minutes, on average every other brings it home
+  CHECK(delivered >= 5);
+}
