@@ -76,6 +76,7 @@ void CPassiveBodyEntity::Describe() {
   if (m_body->IsMovable()) {
     description->Mass = m_mass;
     description->GroundFriction = SGroundFrictionDescription{GetFrictionClass()};
+    description->Grippable = true;
   }
   if (m_body->GetPhysicsModelsNum() > 0) {
     CSpace& space = m_body->GetPhysicsModel(size_t(0)).GetEngine().GetSpace();

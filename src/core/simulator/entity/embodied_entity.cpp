@@ -228,6 +228,9 @@ bool CEmbodiedEntity::MoveTo(const CVector3& position, const CQuaternion& orient
     MoveModelsTo(oldPosition, oldOrientation);
     return free;
   }
+  for (CPhysicsModel* model : m_tPhysicsModelVector) {
+    model->ConfirmMove();
+  }
   // what hangs on the body (LEDs, ...) follows at once
   GetRootEntity().Update();
   return free;

@@ -78,6 +78,31 @@ struct SGroundFrictionDescription {
 };
 
 /**
+ * A part of the body that turns about the vertical through the origin: the frame of the anchor
+ * "turret", which the component "turret" (CTurretEntity) turns.
+ *
+ * It has no solids of its own. While nothing is gripped, only its frame turns.
+ */
+struct STurretDescription {
+  Real Mass = 0.0; /**< kg, > 0; a part of the body's Mass, so below it */
+  Real PlanarInertia = 0.0; /**< about the vertical, kg m^2, > 0; besides that of the body */
+  Real MaxTorque = 0.0; /**< N m, > 0: the most its motor turns it with, against the body */
+  Real FreeTorque = 0.0; /**< N m, >= 0: the most it rubs with when the motor lets it turn */
+};
+
+/**
+ * A gripper, which the component "gripper" (CGripperEquippedEntity) locks: then it takes hold of
+ * the first body that can be gripped and reaches into its sensing disc.
+ */
+struct SGripperDescription {
+  CVector3 Offset; /**< centre of the disc, m, in the frame of the turret, or without one of the
+                      origin anchor; off the vertical through the origin */
+  CVector3 Direction = CVector3::X; /**< of unit length, same frame: where it opens */
+  Real SensorRadius = 0.01; /**< of the disc, m, > 0 */
+  Real MaxForce = 10000.0; /**< N, > 0: what is pulled with more slips out of the grip */
+};
+
+/**
  * What a physics engine has to know of a body, in no engine's terms.
  *
  * A robot or object states this once; every engine builds its own representation from it, so a new
@@ -92,6 +117,9 @@ struct SBodyDescription {
   std::optional<SDifferentialDriveDescription> Drive; /**< needs a "wheels" component */
   std::optional<SPropellersDescription> Propellers; /**< needs a "quadrotor" component */
   std::optional<SGroundFrictionDescription> GroundFriction; /**< of passive movable bodies */
+  std::optional<STurretDescription> Turret; /**< turns if there is a "turret" component */
+  std::optional<SGripperDescription> Gripper; /**< grips if there is a "gripper" component */
+  bool Grippable = false; /**< can grippers hold it? Movable bodies only */
 
   /** Radius of the vertical cylinder around the origin that holds every solid, m. */
   Real ComputeBoundingRadius() const;

@@ -13,6 +13,7 @@
 
 namespace argos {
 
+class CEntity;
 class CPhysicsEngine;
 class CEmbodiedEntity;
 
@@ -97,6 +98,19 @@ class CPhysicsModel {
   /** Recomputes every enabled anchor: by its registered method, else rigidly from the origin. */
   virtual void CalculateAnchors();
   virtual bool IsCollidingWithSomething() const = 0;
+
+  /**
+   * The body stays where it has been moved to with MoveTo(). Called after the last MoveTo() of a
+   * command, also if the place is where the body was; not after one that only finds out whether a
+   * place is free, or that restores the old pose.
+   */
+  virtual void ConfirmMove() {}
+  /**
+   * A component that engines may want to know has joined the robot, or is about to leave it, while
+   * the body is in the engine: for components that are made on demand.
+   */
+  virtual void ComponentAdded(CEntity& /*component*/) {}
+  virtual void ComponentRemoved(CEntity& /*component*/) {}
 
   /** From now on @p method of the derived model computes the pose of @p anchor. */
   template <typename MODEL>

@@ -126,6 +126,7 @@ void CDynamics2DEngine::Init(TConfigurationNode& tree) {
   }
   m_settings->Tick = m_cSimulator.GetTickLength();
   m_settings->Substeps = GetIterations();
+  m_settings->GrippingRigidity = m_grippingRigidity;
   // whoever asks for a number of substeps gets it
   m_settings->RefineInCrowds = !NodeAttributeExists(tree, "iterations");
 }
@@ -134,11 +135,15 @@ void CDynamics2DEngine::Init(TConfigurationNode& tree) {
 // it, nor of where bodies were put before that tick.
 void CDynamics2DEngine::Reset() {
   m_world.reset();
+  while (!m_displaced.empty()) {
+    ForgetDisplaced(*m_displaced.back());
+  }
 }
 
 void CDynamics2DEngine::Destroy() {
   m_world.reset();
   m_models.clear();
+  m_displaced.clear();
 }
 
 bool CDynamics2DEngine::IsAtHeight(const CEmbodiedEntity& body) const {
@@ -197,6 +202,7 @@ bool CDynamics2DEngine::RemoveEntity(CEntity& entity) {
 
 // the last model takes the number of the one that goes
 std::unique_ptr<CDynamics2DModel> CDynamics2DEngine::TakeOut(CDynamics2DModel& model) {
+  ForgetDisplaced(model);
   if (m_world != nullptr) {
     m_world->Remove(model.m_handle);
   }
@@ -216,6 +222,10 @@ void CDynamics2DEngine::TransferEntity(CEmbodiedEntity& body) {
   const SPlanarVelocity velocity =
       m_world != nullptr ? m_world->GetVelocity(model.m_handle) : SPlanarVelocity();
   CDynamics2DEngine* next = FindNext(body);
+  if (next != nullptr && m_world != nullptr && m_world->IsInGrip(model.m_handle)) {
+    TransferCluster(model, *next);
+    return;
+  }
   if (next != nullptr) {
     CheckDescription(body);
     next->TakeOver(model);
@@ -226,6 +236,35 @@ void CDynamics2DEngine::TransferEntity(CEmbodiedEntity& body) {
   if (next != nullptr && next->m_world != nullptr) {
     auto& moved = static_cast<CDynamics2DModel&>(body.GetPhysicsModel(size_t(0)));
     next->m_world->SetVelocity(moved.m_handle, velocity);
+  }
+}
+
+// Of all that hangs together with a body in grips, does it have the lowest index?
+bool CDynamics2DEngine::LeadsItsCluster(const CDynamics2DModel& model) {
+  m_world->FindCluster(model.m_handle, m_cluster);
+  return std::none_of(m_cluster.begin(), m_cluster.end(), [&model](const SPlanarOwner& each) {
+    return each.Model->m_cEmbodiedEntity.GetIndex() < model.m_cEmbodiedEntity.GetIndex();
+  });
+}
+
+void CDynamics2DEngine::TransferCluster(CDynamics2DModel& model, CDynamics2DEngine& next) {
+  m_world->FindCluster(model.m_handle, m_cluster);
+  m_world->CopyGrips(m_cluster, m_grips);
+  for (const SPlanarOwner& each : m_cluster) {
+    CheckDescription(each.Model->m_cEmbodiedEntity);
+  }
+  for (const SPlanarOwner& each : m_cluster) {
+    const SPlanarVelocity velocity = m_world->GetVelocity(*each.Handle);
+    // the model is made anew at the same place in memory
+    next.TakeOver(*each.Model);
+    if (next.m_world != nullptr) {
+      next.m_world->SetVelocity(*each.Handle, velocity);
+    }
+  }
+  for (const SGripToMove& grip : m_grips) {
+    if (next.m_world != nullptr) {
+      next.m_world->RestoreGrip(grip);
+    }
   }
 }
 
@@ -254,9 +293,45 @@ void CDynamics2DEngine::TakeOver(CDynamics2DModel& model) {
 }
 
 void CDynamics2DEngine::Replace(CDynamics2DModel& model) {
+  ForgetDisplaced(model);
   if (m_world != nullptr) {
     m_world->Remove(model.m_handle);
     AddToWorld(model);
+  }
+}
+
+void CDynamics2DEngine::MarkDisplaced(CDynamics2DModel& model) {
+  if (m_world != nullptr && !model.m_isDisplaced) {
+    model.m_isDisplaced = true;
+    m_displaced.push_back(&model);
+  }
+}
+
+void CDynamics2DEngine::ForgetDisplaced(CDynamics2DModel& model) {
+  if (model.m_isDisplaced) {
+    model.m_isDisplaced = false;
+    // from the end, where it mostly is
+    m_displaced.erase(std::find(m_displaced.rbegin(), m_displaced.rend(), &model).base() - 1);
+  }
+}
+
+// Most have been put back by those who only wanted to know whether a place is free.
+void CDynamics2DEngine::ReplaceDisplaced() {
+  for (CDynamics2DModel* model : m_displaced) {
+    model->m_isDisplaced = false;
+    const SAnchor& origin = model->m_cEmbodiedEntity.GetOriginAnchor();
+    if (!m_world->IsAt(model->m_handle, MakePlanarPose(origin.Position, origin.Orientation))) {
+      Replace(*model);
+    }
+  }
+  m_displaced.clear();
+}
+
+void CDynamics2DEngine::UpdateManipulator(CDynamics2DModel& model) {
+  if (m_world != nullptr) {
+    m_world->SetManipulator({&model, &model.m_handle},
+                            *model.m_cEmbodiedEntity.GetBodyDescription(), model.m_gripper,
+                            model.m_turret);
   }
 }
 
@@ -314,6 +389,7 @@ void CDynamics2DEngine::AddToWorld(CDynamics2DModel& model) {
     m_world->AddImmovable(owner, description, pose);
   } else if (model.m_wheels != nullptr) {
     m_world->AddDriven(owner, description, pose, model.m_wheels);
+    m_world->SetManipulator(owner, description, model.m_gripper, model.m_turret);
   } else {
     m_world->AddPassive(owner, description, pose);
   }
@@ -323,6 +399,7 @@ void CDynamics2DEngine::Update() {
   if (m_world == nullptr) {
     Build();
   }
+  ReplaceDisplaced();
   try {
     m_world->Advance();
   } catch (const SBadWheelSpeed& bad) {
@@ -352,7 +429,8 @@ void CDynamics2DEngine::WriteBack(CDynamics2DModel& model, const SPlanarPose& po
   }
   model.CalculateBoundingBox();
   model.m_root.Update();
-  if (IsEntityTransferActive() && !IsPointContained(body.GetOriginAnchor().Position)) {
+  if (IsEntityTransferActive() && !IsPointContained(body.GetOriginAnchor().Position) &&
+      (!m_world->IsInGrip(model.m_handle) || LeadsItsCluster(model))) {
     ScheduleEntityForTransfer(body);
   }
 }
@@ -391,7 +469,8 @@ ATTRIBUTES
                              something moves by more than half its radius in a substep. 64 substeps are
                              also what bounds speeds: a robot goes at most 32 radii in a tick.
   elevation                  m, default 0: height of the plane; bodies must stand on it, to 1e-4 m.
-  gripping_rigidity          N/m, >= 0, default 10000: stiffness of what holds a gripped object.
+  gripping_rigidity          N/m, >= 0, default 10000: stiffness of grips, along the arm from the robot's
+                             centre to the point that is gripped; 0: grippers hold nothing.
   box_linear_friction        N, >= 0, default 1.49: most the ground brakes a movable box.
   box_angular_friction       N m, >= 0, default 1.49: most the ground brakes its turning.
   cylinder_linear_friction   N, >= 0, default 1.49: the same for a movable cylinder.

@@ -12,6 +12,8 @@ namespace argos {
 class CDynamics2DModel;
 class CEmbodiedEntity;
 class CPlanarWorld;
+struct SGripToMove;
+struct SPlanarOwner;
 struct SPlanarPose;
 struct SPlanarSettings;
 
@@ -43,7 +45,10 @@ class CDynamics2DEngine : public CPhysicsEngine {
   bool AddEntity(CEntity& entity) override;
   std::string ExplainRefusal(CEntity& entity) const override;
   bool RemoveEntity(CEntity& entity) override;
-  /** A body that changes from one engine of this type to another keeps its velocity. */
+  /**
+   * A body that changes from one engine of this type to another keeps its velocity. What hangs
+   * together in grips changes together, when the one with the lowest index of entity leaves.
+   */
   void TransferEntity(CEmbodiedEntity& body) override;
   /** Nothing: all bodies are in the space's index. */
   void CheckIntersectionWithRay(TEmbodiedEntityIntersectionData&, const CRay3&) const override {}
@@ -54,8 +59,12 @@ class CDynamics2DEngine : public CPhysicsEngine {
   /** Stiffness of grippers, N/m. */
   Real GetGrippingRigidity() const { return m_grippingRigidity; }
 
-  /** For models: puts a body, at rest, where its origin anchor is; its contacts are forgotten. */
+  /** For models: puts a body, at rest, where its origin anchor is; contacts and grips are lost. */
   void Replace(CDynamics2DModel& model);
+  /** For models: the same at the start of the next tick, if the anchor is elsewhere by then. */
+  void MarkDisplaced(CDynamics2DModel& model);
+  /** For models: their robot has got, or lost, a gripper or turret. */
+  void UpdateManipulator(CDynamics2DModel& model);
 
  private:
   bool IsAtHeight(const CEmbodiedEntity& body) const;
@@ -64,6 +73,10 @@ class CDynamics2DEngine : public CPhysicsEngine {
   void AddToWorld(CDynamics2DModel& model);
   void WriteBack(CDynamics2DModel& model, const SPlanarPose& pose);
   CDynamics2DEngine* FindNext(CEmbodiedEntity& body) const;
+  void ReplaceDisplaced();
+  void ForgetDisplaced(CDynamics2DModel& model);
+  bool LeadsItsCluster(const CDynamics2DModel& model);
+  void TransferCluster(CDynamics2DModel& model, CDynamics2DEngine& next);
   void TakeOver(CDynamics2DModel& model);
   void AddModel(std::unique_ptr<CDynamics2DModel> model);
   std::unique_ptr<CDynamics2DModel> TakeOut(CDynamics2DModel& model);
@@ -73,6 +86,10 @@ class CDynamics2DEngine : public CPhysicsEngine {
   std::unique_ptr<SPlanarSettings> m_settings;
   std::unique_ptr<CPlanarWorld> m_world;  // null: to be built from the models in the next tick
   std::vector<std::unique_ptr<CDynamics2DModel>> m_models;
+  std::vector<CDynamics2DModel*> m_displaced;
+  // while bodies in grips change engines
+  std::vector<SPlanarOwner> m_cluster;
+  std::vector<SGripToMove> m_grips;
 };
 
 }  // namespace argos

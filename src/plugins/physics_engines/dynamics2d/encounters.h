@@ -44,6 +44,8 @@ class CEncounters {
   }
   /** Changes the reach of a disc that was placed; before MarkAll(). */
   void SetReach(UInt32 number, Real reach) { m_discs[m_placeOf[number]].Reach = reach; }
+  /** Adds to the reach of a disc that was placed; before MarkAll(). */
+  void Extend(UInt32 number, Real reach) { m_discs[m_placeOf[number]].Reach += reach; }
   /** Marks every disc that may meet a disc or an obstacle. */
   void MarkAll();
   /** Then: marks every disc that may meet another body, a circle that is not among the discs. */

@@ -38,6 +38,8 @@ struct SPassiveBody {
   float Extent = 0.0F;  // half of its narrowest side, Box2D units
   Real BoundingRadius = 0.0;  // around the origin, m
   bool Moved = false;  // in this tick
+  bool WasLetGo = false;  // by a gripper, in this tick
+  UInt8 NumGrips = 0;  // that hold it
 };
 
 /**
@@ -67,6 +69,9 @@ struct SDrivenBody {
   Real Mass = 0.0;  // kg
   Real Inertia = 0.0;  // about the origin, kg m^2
   bool IsDisc = false;  // one disc around the origin
+  bool IsGrippable = false;
+  bool HasManipulator = false;
+  UInt8 NumGrips = 0;  // that it holds with, or is held by
 
   UInt32 InPlay = kNotInPlay;  // number in the list of those in play
   SPlanarOwner Owner;

@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_LIMITS_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/math/angles.h>
 
 namespace argos {
 
@@ -44,6 +45,19 @@ constexpr int kPositionIterations = 1;
  */
 constexpr Real kEncounterSlack = 0.02;
 constexpr Real kAround = 0.3;
+
+/**
+ * While something is held, substeps are not longer than this, s, unless the user says otherwise,
+ * and the velocity solver has so many iterations per second of a substep, from the usual number up
+ * to the most. A heavy load on a light robot is what a sequential solver is slowest with; what it
+ * has not solved lives on as an oscillation of the spring.
+ */
+constexpr Real kMaxGripSubstep = 0.01;
+constexpr float kGripIterationsPerSecond = 800.0F;
+constexpr int kMaxGripIterations = 40;
+
+/** The angles that Box2D adds up lose digits when they grow: beyond this they are wrapped, rad. */
+constexpr Real kMaxAngle = 4.0 * ARGOS_PI;
 
 /** A body moves at most this share of half its narrowest side in a substep: none passes another. */
 constexpr Real kMaxStepShare = 0.5;

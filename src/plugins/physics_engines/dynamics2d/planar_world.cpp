@@ -56,7 +56,8 @@ void CPlanarWorld::MakeRoom(size_t immovable, size_t passive, size_t driven) {
   m_driven.reserve(driven);
 }
 
-b2Body& CPlanarWorld::CreateBody(const SPlanarPose& pose, EPlanarKind kind) {
+b2Body& CPlanarWorld::CreateBody(const SPlanarPose& pose, EPlanarKind kind,
+                                 const SPlanarOwner& owner, bool grippable) {
   UInt32 number = m_numNumbers;
   if (m_freeNumbers.empty()) {
     ++m_numNumbers;
@@ -64,6 +65,10 @@ b2Body& CPlanarWorld::CreateBody(const SPlanarPose& pose, EPlanarKind kind) {
     number = m_freeNumbers.back();
     m_freeNumbers.pop_back();
   }
+  if (number >= m_grippable.size()) {
+    m_grippable.resize(number + 1);
+  }
+  m_grippable[number] = grippable ? owner : SPlanarOwner();
   b2BodyDef definition;
   definition.type = kind == EPlanarKind::Immovable ? b2_staticBody : b2_dynamicBody;
   definition.position.Set(ToUnits(pose.X), ToUnits(pose.Y));
@@ -84,7 +89,7 @@ void CPlanarWorld::AddImmovable(const SPlanarOwner& owner, const SBodyDescriptio
   *owner.Handle = {EPlanarKind::Immovable, static_cast<UInt32>(m_immovable.size())};
   SImmovableBody& body = m_immovable.emplace_back();
   body.Owner = owner;
-  body.Body = &CreateBody(pose, EPlanarKind::Immovable);
+  body.Body = &CreateBody(pose, EPlanarKind::Immovable, owner, false);
   AddFixtures(*body.Body, description, m_settings.UnitsPerMetre, kImmovableFriction);
   body.Obstacles = DescribeObstacles(description, pose);
   m_obstaclesChanged = true;
@@ -96,7 +101,7 @@ void CPlanarWorld::AddPassive(const SPlanarOwner& owner, const SBodyDescription&
   SPassiveBody& body = m_passive.emplace_back();
   body.Owner = owner;
   body.Pose = pose;
-  body.Body = &CreateBody(pose, EPlanarKind::Passive);
+  body.Body = &CreateBody(pose, EPlanarKind::Passive, owner, description.Grippable);
   AddFixtures(*body.Body, description, m_settings.UnitsPerMetre, kMovableFriction);
   SetMass(*body.Body, description, m_settings.UnitsPerMetre);
   body.X = body.Body->GetPosition().x;
@@ -145,6 +150,7 @@ void CPlanarWorld::AddDriven(const SPlanarOwner& owner, const SBodyDescription& 
   body.NarrowestHalf = ComputeNarrowestHalf(description);
   body.MaxSpeed = kMaxSubsteps * kMaxStepShare * body.NarrowestHalf / m_settings.Tick;
   body.IsDisc = IsCentredDisc(description);
+  body.IsGrippable = description.Grippable;
   if (!body.IsDisc) {
     EnterPlay(slot, &description);
   }
@@ -153,7 +159,7 @@ void CPlanarWorld::AddDriven(const SPlanarOwner& owner, const SBodyDescription& 
 // Gives a robot a body in Box2D. The description is needed only of one that is not a disc.
 void CPlanarWorld::EnterPlay(UInt32 slot, const SBodyDescription* description) {
   SDrivenBody& body = m_driven[slot];
-  b2Body& box2dBody = CreateBody(body.Pose, EPlanarKind::Driven);
+  b2Body& box2dBody = CreateBody(body.Pose, EPlanarKind::Driven, body.Owner, body.IsGrippable);
   if (body.IsDisc) {
     AddDisc(box2dBody, body.BoundingRadius, m_settings.UnitsPerMetre, kMovableFriction);
     b2MassData mass;
@@ -204,6 +210,9 @@ void CPlanarWorld::FillSlot(std::vector<BODY>& bodies, UInt32 slot) {
 
 void CPlanarWorld::Remove(const SPlanarHandle& handle) {
   const UInt32 slot = handle.Slot;
+  if (IsInGrip(handle)) {
+    ReleaseAllOf(handle);
+  }
   switch (handle.Kind) {
     case EPlanarKind::Immovable:
       DestroyBody(*m_immovable[slot].Body);
@@ -215,6 +224,9 @@ void CPlanarWorld::Remove(const SPlanarHandle& handle) {
       FillSlot(m_passive, slot);
       break;
     case EPlanarKind::Driven:
+      if (m_driven[slot].HasManipulator) {
+        RemoveManipulator(handle);
+      }
       if (m_driven[slot].InPlay != SDrivenBody::kNotInPlay) {
         LeavePlay(slot);
       }
@@ -235,6 +247,20 @@ SPlanarVelocity CPlanarWorld::GetVelocity(const SPlanarHandle& handle) const {
     default:
       return SPlanarVelocity();
   }
+}
+
+bool CPlanarWorld::IsAt(const SPlanarHandle& handle, const SPlanarPose& pose) const {
+  if (handle.Kind == EPlanarKind::Immovable) {
+    return false;
+  }
+  constexpr Real kRounding = 1e-12;  // of sines and cosines
+  const SPlanarPose& mine =
+      handle.Kind == EPlanarKind::Driven ? m_driven[handle.Slot].Pose : m_passive[handle.Slot].Pose;
+  // half angles that differ by pi are one heading
+  const Real cosine = mine.HalfCos * pose.HalfCos + mine.HalfSin * pose.HalfSin;
+  const Real sine = mine.HalfSin * pose.HalfCos - mine.HalfCos * pose.HalfSin;
+  return mine.X == pose.X && mine.Y == pose.Y && std::abs(sine) < kRounding &&
+         std::abs(cosine) > 0.5;
 }
 
 void CPlanarWorld::SetVelocity(const SPlanarHandle& handle, const SPlanarVelocity& velocity) {
@@ -292,13 +318,18 @@ void CPlanarWorld::Reserve() {
     m_world.CreateJoint(&motor);
     extras.push_back(extra);
   }
+  ReserveGrips(extras);
   m_world.Step(0.0F, 0, 0);  // finds contacts, moves nothing
   for (b2Body* extra : extras) {
     m_world.DestroyBody(extra);
   }
+  if (!m_manipulators.empty()) {
+    m_manipulators.reserve(m_driven.capacity());
+  }
   m_overlaps.Reserve(2 * (inPlay + m_passive.capacity()) + m_immovable.size());
   m_inPlay.reserve(inPlay);
   m_freeNumbers.reserve(inPlay);
+  m_grippable.reserve(m_numNumbers + inPlay);
   m_encounters.Reserve(m_driven.capacity());
 }
 

@@ -4,6 +4,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/encounters.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_bodies.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_grips.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/prefetch.h>
 
 #include <box2d/box2d.h>
@@ -28,6 +29,7 @@ struct SPlanarSettings {
   Real UnitsPerMetre = 10.0;  // Box2D's unit of length
   SGroundFriction BoxFriction;
   SGroundFriction CylinderFriction;
+  Real GrippingRigidity = 10000.0;  // N/m; 0: nothing can be held
 };
 
 /** Thrown by CPlanarWorld::Advance() if a wheel speed is not a number; nothing has moved then. */
@@ -74,6 +76,24 @@ class CPlanarWorld {
   SPlanarVelocity GetVelocity(const SPlanarHandle& handle) const;
   /** Gives a body another velocity; an immovable one stays where it is. */
   void SetVelocity(const SPlanarHandle& handle, const SPlanarVelocity& velocity);
+  /** Was it at that pose, but for roundings, at the last tick's end? Never of an immovable body. */
+  bool IsAt(const SPlanarHandle& handle, const SPlanarPose& pose) const;
+
+  /**
+   * Gives a driven body a gripper and a turret, or takes them away (null), as far as the
+   * description has them; other bodies have none.
+   */
+  void SetManipulator(const SPlanarOwner& owner, const SBodyDescription& description,
+                      CGripperEquippedEntity* gripper, CTurretEntity* turret);
+  /** Does it hold something, or is it held? */
+  bool IsInGrip(const SPlanarHandle& handle) const;
+  /** Fills @p cluster with all that hangs together with a body in grips, itself included. */
+  void FindCluster(const SPlanarHandle& handle, std::vector<SPlanarOwner>& cluster) const;
+  /** Fills @p grips with those of the bodies of a cluster. */
+  void CopyGrips(const std::vector<SPlanarOwner>& cluster, std::vector<SGripToMove>& grips) const;
+  /** After its bodies have come from another world. */
+  void RestoreGrip(const SGripToMove& grip);
+
   /** Allocates what a tick of a swarm of the present size needs. */
   void Reserve();
 
@@ -107,7 +127,8 @@ class CPlanarWorld {
   }
 
  private:
-  b2Body& CreateBody(const SPlanarPose& pose, EPlanarKind kind);
+  b2Body& CreateBody(const SPlanarPose& pose, EPlanarKind kind, const SPlanarOwner& owner,
+                     bool grippable);
   void DestroyBody(b2Body& body);
   void AddGroundFriction(b2Body& body, const SBodyDescription& description);
   void EnterPlay(UInt32 slot, const SBodyDescription* description);
@@ -125,12 +146,37 @@ class CPlanarWorld {
   bool IsAnythingAwake() const;
   UInt32 ChooseSubsteps() const;
   UInt32 ComputeSubstepsForCrowds() const;
+  int ChooseIterations(UInt32 substeps) const;
   void StepBox2D(UInt32 substeps);
   void Refine(float deepestOverlap);
   void SetMotors(UInt32 substep, UInt32 substeps);
   void AccountMotors();
   void FinishInPlay(SInPlay& play, UInt32 substeps);
   void FinishPassive();
+
+  // grippers and turrets; see planar_world_grips.cpp
+  SManipulator* FindManipulator(const SPlanarHandle& handle);
+  void RemoveManipulator(const SPlanarHandle& handle);
+  void ReserveGrips(std::vector<b2Body*>& extras);
+  void ReleaseAllOf(const SPlanarHandle& handle);
+  UInt8& NumGrips(const SPlanarHandle& handle);
+  b2Body& GetBox2DBody(const SPlanarHandle& handle);
+  void StartTickOfManipulators();
+  bool IsAnythingHeld() const;
+  bool IsSeeking(const SManipulator& manipulator) const;
+  Real ComputeSeekReach(const SManipulator& manipulator) const;
+  void ExtendSeekers();
+  void Grip();
+  void Attach(SManipulator& manipulator, const SPlanarOwner& held, const SGripPoints& points);
+  void MakeTurretBody(SManipulator& manipulator);
+  static void ChangeMass(b2Body& body, float change);
+  void Release(SManipulator& manipulator);
+  Real ComputeSwing(const SManipulator& manipulator) const;
+  float ComputeSubstepsForSwings() const;
+  void SetTurretMotors(UInt32 substep, UInt32 substeps);
+  void PutTurretsOnRobots();
+  float ComputeGreatestGripImpulse() const;
+  void FinishManipulators(float substepDuration);
 
   float ToUnits(Real metres) const { return static_cast<float>(metres * m_settings.UnitsPerMetre); }
   Real ToMetres(float units) const { return static_cast<Real>(units) * m_metresPerUnit; }
@@ -144,13 +190,16 @@ class CPlanarWorld {
   bool m_obstaclesChanged = false;
   UInt32 m_extraSubsteps = 0;  // see planar_limits.h
   UInt32 m_calmTicks = 0;
-  float m_greatestForce = 0.0F;  // kg units / s^2, in a contact, in the last tick
+  float m_greatestForce = 0.0F;  // kg units / s^2, in a contact or grip, in the last tick
   Real m_longestPath = 0.0;  // m, that any movable body may go in this tick
 
   std::vector<SImmovableBody> m_immovable;
   std::vector<SPassiveBody> m_passive;
   std::vector<SDrivenBody> m_driven;
   std::vector<SInPlay> m_inPlay;
+  std::vector<SManipulator> m_manipulators;  // in the order in which they came
+  Real m_seekReach = 0.0;  // m, of the sensing disc that reaches farthest out of its robot
+  std::vector<SPlanarOwner> m_grippable;  // by number of body; nobody: it cannot be gripped
   // numbers of Box2D bodies, for COverlapSolver: all below m_numNumbers that are not free are in
   // use
   UInt32 m_numNumbers = 0;

@@ -43,9 +43,11 @@ bool IsTouching(b2Body& body) {
 }  // namespace
 
 void CPlanarWorld::Advance() {
+  StartTickOfManipulators();
   PlanDriven();
   FindEncounters();
   ChooseWhoPlays();
+  Grip();
   if (IsAnythingAwake()) {
     for (SInPlay& play : m_inPlay) {
       StartTickInPlay(play);
@@ -55,6 +57,9 @@ void CPlanarWorld::Advance() {
     for (SInPlay& play : m_inPlay) {
       FinishInPlay(play, substeps);
     }
+    FinishManipulators(static_cast<float>(m_settings.Tick / substeps));
+  } else {
+    FinishManipulators(static_cast<float>(m_settings.Tick));
   }
   FinishPassive();
 }
@@ -123,17 +128,23 @@ void CPlanarWorld::FindEncounters() {
       m_longestPath = std::max(m_longestPath, speed * m_settings.Tick);
     }
   }
+  for (const SManipulator& each : m_manipulators) {
+    m_longestPath = std::max(m_longestPath, ComputeSwing(each));
+  }
   for (const SInPlay& play : m_inPlay) {
     const SDrivenBody& body = m_driven[play.Slot];
     if (body.IsDisc) {
       m_encounters.SetReach(play.Slot, body.BoundingRadius + m_longestPath + slack);
     }
   }
+  ExtendSeekers();
   m_encounters.MarkAll();
   for (const SInPlay& play : m_inPlay) {
     const SDrivenBody& body = m_driven[play.Slot];
     if (!body.IsDisc) {
-      m_encounters.MarkNear(body.Pose.X, body.Pose.Y, body.BoundingRadius + m_longestPath + slack);
+      const Real seek = body.HasManipulator ? m_seekReach : 0.0;
+      m_encounters.MarkNear(body.Pose.X, body.Pose.Y,
+                            body.BoundingRadius + m_longestPath + slack + seek);
     }
   }
   for (const SPassiveBody& body : m_passive) {
@@ -154,7 +165,8 @@ void CPlanarWorld::ChooseWhoPlays() {
   // backwards, because the last one takes the place of one that leaves
   for (size_t i = m_inPlay.size(); i-- > 0;) {
     const UInt32 slot = m_inPlay[i].Slot;
-    if (m_driven[slot].IsDisc && m_encounters.GetMark(slot) == CEncounters::Alone) {
+    const SDrivenBody& body = m_driven[slot];
+    if (body.IsDisc && body.NumGrips == 0 && m_encounters.GetMark(slot) == CEncounters::Alone) {
       LeavePlay(slot);
     }
   }
@@ -174,8 +186,7 @@ void CPlanarWorld::StartTickInPlay(SInPlay& play) {
   const SWheelMotion wanted = ReadWheels(body, m_settings.Tick);
   const SArc arc = FollowArc(body.Pose, wanted.Speed, wanted.YawRate, m_settings.Tick);
 
-  if (std::abs(box2dBody.GetAngle()) > 4.0F * b2_pi) {
-    // the angles that Box2D adds up lose digits when they grow
+  if (std::abs(box2dBody.GetAngle()) > kMaxAngle) {
     box2dBody.SetTransform(box2dBody.GetPosition(), static_cast<float>(body.Pose.ComputeYaw()));
   }
   const b2Vec2 position = box2dBody.GetPosition();
@@ -217,6 +228,7 @@ UInt32 CPlanarWorld::ChooseSubsteps() const {
       needed = std::max({needed, distance / (stepShare * body.Extent), turn / stepTurn});
     }
   }
+  needed = std::max(needed, ComputeSubstepsForSwings());
   const UInt32 cap = std::max(kMaxSubsteps, m_settings.Substeps);
   if (!(needed < static_cast<float>(cap))) {
     return cap;
@@ -225,6 +237,10 @@ UInt32 CPlanarWorld::ChooseSubsteps() const {
       std::max(m_settings.Substeps + m_extraSubsteps, static_cast<UInt32>(std::ceil(needed)));
   if (m_settings.RefineInCrowds) {
     substeps = std::max(substeps, ComputeSubstepsForCrowds());
+    if (IsAnythingHeld()) {
+      substeps = std::max(substeps,
+                          static_cast<UInt32>(std::ceil(m_settings.Tick / kMaxGripSubstep - 1e-6)));
+    }
   }
   return substeps;
 }
@@ -246,18 +262,31 @@ UInt32 CPlanarWorld::ComputeSubstepsForCrowds() const {
   return static_cast<UInt32>(std::min(substeps, static_cast<float>(kMaxSubsteps)));
 }
 
+// Of Box2D's velocity solver, in a substep.
+int CPlanarWorld::ChooseIterations(UInt32 substeps) const {
+  if (IsAnythingHeld()) {
+    const float duration = static_cast<float>(m_settings.Tick / substeps);
+    return std::clamp(static_cast<int>(std::ceil(duration * kGripIterationsPerSecond)),
+                      kVelocityIterations, kMaxGripIterations);
+  }
+  const bool isCrowd = m_settings.RefineInCrowds && substeps > kFewSubsteps;
+  return isCrowd ? kCrowdVelocityIterations : kVelocityIterations;
+}
+
 void CPlanarWorld::StepBox2D(UInt32 substeps) {
   const float duration = static_cast<float>(m_settings.Tick / substeps);
-  const bool isCrowd = m_settings.RefineInCrowds && substeps > kFewSubsteps;
-  const int iterations = isCrowd ? kCrowdVelocityIterations : kVelocityIterations;
+  const int iterations = ChooseIterations(substeps);
   float deepestOverlap = 0.0F;
   float greatestImpulse = 0.0F;
   for (UInt32 substep = 0; substep < substeps; ++substep) {
     SetMotors(substep, substeps);
+    SetTurretMotors(substep, substeps);
     m_world.Step(duration, iterations, kPositionIterations);
     AccountMotors();
     deepestOverlap = std::max(deepestOverlap, m_overlaps.Resolve(m_world));
-    greatestImpulse = std::max(greatestImpulse, m_overlaps.GetGreatestImpulse());
+    PutTurretsOnRobots();
+    greatestImpulse =
+        std::max({greatestImpulse, m_overlaps.GetGreatestImpulse(), ComputeGreatestGripImpulse()});
   }
   m_greatestForce = greatestImpulse / duration;
   if (m_settings.RefineInCrowds) {
@@ -291,13 +320,13 @@ void CPlanarWorld::SetMotors(UInt32 substep, UInt32 substeps) {
   for (SInPlay& play : m_inPlay) {
     const SDrivenBody& body = m_driven[play.Slot];
     b2Body& box2dBody = *play.Body;
-    const float mass = box2dBody.GetMass();
+    const float mass = static_cast<float>(body.Mass);  // also of what its turret has taken over
     const float inertia = box2dBody.GetInertia();
     const float inTick = mass * ToUnits(body.MaxSpeedChange);
     const float angularInTick = inertia * static_cast<float>(body.MaxYawRateChange);
     float impulse = elapsed * inTick - play.SpentImpulse;
     float angularImpulse = elapsed * angularInTick - play.SpentAngularImpulse;
-    if (!IsTouching(box2dBody)) {
+    if (body.NumGrips == 0 && !IsTouching(box2dBody)) {
       // a little more than the change of velocity takes, for the solver's roundings
       constexpr float kAmple = 1.01F;
       const b2Vec2 step(play.StepX, play.StepY);
@@ -352,8 +381,11 @@ void CPlanarWorld::FinishPassive() {
   for (SPassiveBody& body : m_passive) {
     const b2Vec2 position = body.Body->GetPosition();
     const float angle = body.Body->GetAngle();
-    body.Moved = position.x != body.X || position.y != body.Y || angle != body.Angle;
-    if (body.Moved) {
+    const bool moved = position.x != body.X || position.y != body.Y || angle != body.Angle;
+    // what was let go may be in another engine's region
+    body.Moved = moved || body.WasLetGo;
+    body.WasLetGo = false;
+    if (moved) {
       body.X = position.x;
       body.Y = position.y;
       body.Angle = angle;

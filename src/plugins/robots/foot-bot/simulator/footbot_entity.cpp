@@ -5,11 +5,13 @@
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_appearance.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_distance_scanner_equipped_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_measures.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_turret_entity.h>
 #include <argos3/plugins/robots/generic/simulator/battery_mount.h>
 #include <argos3/plugins/robots/generic/simulator/camera_mounts.h>
 #include <argos3/plugins/robots/generic/simulator/device_parameters.h>
 #include <argos3/plugins/robots/generic/simulator/rab_component.h>
 #include <argos3/plugins/simulator/entities/battery_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/ground_sensor_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/odometer_entity.h>
@@ -28,6 +30,12 @@ SBodyDescription MakeBody() {
   body.PlanarInertia = footbot::kPlanarInertia;
   body.Drive = SDifferentialDriveDescription{footbot::kInterwheelDistance, footbot::kWheelRadius,
                                              footbot::kMaxDriveForce, footbot::kMaxDriveTorque};
+  body.Turret = STurretDescription{footbot::kTurretMass, footbot::kTurretInertia,
+                                   footbot::kMaxTurretTorque, footbot::kFreeTurretTorque};
+  SGripperDescription gripper;
+  gripper.Offset.Set(footbot::kGripperReach, 0.0, footbot::kGripperElevation);
+  body.Gripper = gripper;
+  body.Grippable = true;
   return body;
 }
 
@@ -103,6 +111,18 @@ CEntity& MakeDistanceScanner(CRobotEntity& robot) {
   return robot.MakeOnDemand<CFootBotDistanceScannerEquippedEntity>("distance_scanner_0");
 }
 
+CEntity& MakeTurret(CRobotEntity& robot) {
+  return robot.MakeOnDemand<CFootBotTurretEntity>("turret_0",
+                                                  robot.GetEmbodiedEntity().GetAnchor("turret"));
+}
+
+CEntity& MakeGripper(CRobotEntity& robot) {
+  // it sits on the turret, which turns when something is held
+  robot.GetComponent("turret");
+  const SGripperDescription& gripper = *robot.GetEmbodiedEntity().GetBodyDescription()->Gripper;
+  return robot.MakeOnDemand<CGripperEquippedEntity>("gripper_0", gripper.Offset, gripper.Direction);
+}
+
 SRobotType MakeType() {
   SRobotType type;
   type.LEDAnchor = "turret";
@@ -111,12 +131,14 @@ SRobotType MakeType() {
   type.Appearance = MakeFootBotAppearance();
   type.OnDemand.push_back({"battery", &MakeBattery});
   type.OnDemand.push_back({"distance_scanner", &MakeDistanceScanner});
+  type.OnDemand.push_back({"gripper", &MakeGripper});
   type.OnDemand.push_back({"ground_sensors", &MakeGroundSensors});
   type.OnDemand.push_back({"light_sensors", &MakeLightSensors});
   type.OnDemand.push_back({"omnidirectional_camera", MakeTopCamera});
   type.OnDemand.push_back({"perspective_camera", MakeFrontCamera});
   type.OnDemand.push_back({"rab", &MakeRAB});
   type.OnDemand.push_back({"odometer", &MakeOdometer});
+  type.OnDemand.push_back({"turret", &MakeTurret});
   return type;
 }
 
@@ -173,6 +195,14 @@ CBatteryEquippedEntity& CFootBotEntity::GetBatterySensorEquippedEntity() {
 
 CFootBotDistanceScannerEquippedEntity& CFootBotEntity::GetDistanceScannerEquippedEntity() {
   return Demand<CFootBotDistanceScannerEquippedEntity>("distance_scanner");
+}
+
+CGripperEquippedEntity& CFootBotEntity::GetGripperEquippedEntity() {
+  return Demand<CGripperEquippedEntity>("gripper");
+}
+
+CFootBotTurretEntity& CFootBotEntity::GetTurretEntity() {
+  return Demand<CFootBotTurretEntity>("turret");
 }
 
 CGroundSensorEquippedEntity& CFootBotEntity::GetGroundSensorEquippedEntity() {

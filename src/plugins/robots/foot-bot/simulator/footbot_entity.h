@@ -8,6 +8,8 @@ namespace argos {
 
 class CBatteryEquippedEntity;
 class CFootBotDistanceScannerEquippedEntity;
+class CFootBotTurretEntity;
+class CGripperEquippedEntity;
 class CGroundSensorEquippedEntity;
 class CLightSensorEquippedEntity;
 class COmnidirectionalCameraEquippedEntity;
@@ -58,6 +60,8 @@ class CFootBotEntity : public CDifferentialDriveRobotEntity {
   /** Components that are made when first asked for; see CRobotEntity. */
   CBatteryEquippedEntity& GetBatterySensorEquippedEntity();
   CFootBotDistanceScannerEquippedEntity& GetDistanceScannerEquippedEntity();
+  CGripperEquippedEntity& GetGripperEquippedEntity();
+  CFootBotTurretEntity& GetTurretEntity();
   CGroundSensorEquippedEntity& GetGroundSensorEquippedEntity();
   CLightSensorEquippedEntity& GetLightSensorEquippedEntity();
   COmnidirectionalCameraEquippedEntity& GetOmnidirectionalCameraEquippedEntity();

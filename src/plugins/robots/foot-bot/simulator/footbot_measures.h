@@ -24,6 +24,18 @@ constexpr Real kWheelRadius = 0.029112741;
 constexpr Real kMaxDriveForce = 15.0;  // N
 constexpr Real kMaxDriveTorque = 150.0;  // N m
 
+// turret
+constexpr Real kTurretMass = kMass / 20.0;  // kg
+constexpr Real kTurretInertia = kPlanarInertia;  // kg m^2, as published
+constexpr Real kMaxTurretTorque = 150.0;  // N m
+constexpr Real kFreeTurretTorque = 1e-4;  // N m, while it turns freely
+constexpr Real kTurretProportionalGain = 0.4;  // 1/s
+constexpr Real kTurretDerivativeGain = 0.2;
+
+// gripper, in the frame of the turret
+constexpr Real kGripperReach = kBodyRadius;  // ahead
+constexpr Real kGripperElevation = 0.085;
+
 // ring of proximity sensors, and of light sensors
 constexpr UInt32 kNumProximitySensors = 24;
 constexpr Real kProximityRingElevation = 0.06;

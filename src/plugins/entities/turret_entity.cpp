@@ -1,0 +1,89 @@
+#include <argos3/plugins/simulator/entities/turret_entity.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/physics_engine/physics_model.h>
+#include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/plugins/simulator/entities/component_operations.h>
+
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+void RequireFinite(const CEntity& turret, const char* what, const CRadians& value) {
+  if (!std::isfinite(value.GetValue())) {
+    THROW_ARGOSEXCEPTION("turret \"" << turret.GetContext() << turret.GetId() << "\": the " << what
+                                     << " must be a finite number, got " << value.GetValue());
+  }
+}
+
+CRadians Normalized(CRadians angle) {
+  angle.SignedNormalize();
+  return angle;
+}
+
+}  // namespace
+
+CTurretEntity::CTurretEntity(CComposableEntity* parent, const std::string& id, SAnchor& anchor,
+                             const SControlGains& gains)
+    : CEntity(parent, id), m_anchor(anchor), m_gains(gains) {
+  CEntity::SetEnabled(false);  // nothing to update: engines turn it
+}
+
+void CTurretEntity::Reset() {
+  SetMode(MODE_OFF);
+  m_desiredRotation = CRadians::ZERO;
+  m_desiredSpeed = CRadians::ZERO;
+  SetRotation(CRadians::ZERO);
+  m_anchor.FollowOrigin();
+}
+
+void CTurretEntity::SetMode(EMode mode) {
+  m_mode = mode;
+  m_hasLastError = m_hasLastError && mode == MODE_POSITION_CONTROL;
+}
+
+void CTurretEntity::SetDesiredRotation(const CRadians& rotation) {
+  RequireFinite(*this, "desired rotation (rad)", rotation);
+  m_desiredRotation = Normalized(rotation);
+}
+
+void CTurretEntity::SetDesiredRotationSpeed(const CRadians& speed) {
+  RequireFinite(*this, "desired speed (rad/s)", speed);
+  m_desiredSpeed = speed;
+}
+
+void CTurretEntity::SetRotation(const CRadians& rotation) {
+  m_rotation = Normalized(rotation);
+  m_anchor.OffsetOrientation = CQuaternion(m_rotation, CVector3::Z);
+}
+
+Real CTurretEntity::AdvanceControl(Real tickLength) {
+  switch (m_mode) {
+    case MODE_SPEED_CONTROL:
+      return m_desiredSpeed.GetValue();
+    case MODE_POSITION_CONTROL: {
+      const CRadians error = Normalized(m_desiredRotation - m_rotation);
+      const CRadians change = m_hasLastError ? Normalized(error - m_lastError) : CRadians::ZERO;
+      m_lastError = error;
+      m_hasLastError = true;
+      return m_gains.Proportional * error.GetValue() +
+             m_gains.Derivative * change.GetValue() / tickLength;
+    }
+    default:
+      return 0.0;
+  }
+}
+
+void CTurretEntity::UpdateDigest(CDigest& digest) const {
+  CEntity::UpdateDigest(digest);
+  digest.Add(m_mode);
+  digest.Add(m_rotation.GetValue());
+  digest.Add(m_desiredRotation.GetValue());
+  digest.Add(m_desiredSpeed.GetValue());
+}
+
+REGISTER_SPACE_OPERATIONS_TOLD_TO_ENGINES(CTurretEntity)
+
+}  // namespace argos

@@ -1,0 +1,47 @@
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_gripper_default_actuator.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
+
+namespace argos {
+
+void CFootBotGripperDefaultActuator::SetRobot(CComposableEntity& robot) {
+  m_gripper = &robot.GetComponent<CGripperEquippedEntity>("gripper");
+}
+
+void CFootBotGripperDefaultActuator::Update() {
+  m_gripper->SetLockState(Abs(m_cAperture) / CRadians::PI_OVER_TWO);
+}
+
+void CFootBotGripperDefaultActuator::Reset() {
+  Unlock();
+}
+
+REGISTER_ACTUATOR(
+    CFootBotGripperDefaultActuator, "footbot_gripper", "default", "the authors of this project",
+    "1.0", "The gripper of the foot-bot.",
+    R"(The controller sets the aperture of the claw, an angle in [-pi/2,pi/2]; the gripper is locked while that is
+beyond pi/4 to either side. lock_positive and lock_negative set pi/2 and -pi/2, which do the same, and unlock sets 0. A
+locked gripper takes hold of movable boxes, movable cylinders and foot-bots within 1 cm of its point, which is on the rim
+of the robot, straight ahead of the turret: see the actuator "gripper". While it holds something and the turret is off or
+passive, the turret turns freely under the load.
+
+REQUIRED XML
+
+  <controllers>
+    <my_controller id="c1">
+      <actuators>
+        <footbot_gripper implementation="default" />
+      </actuators>
+      <sensors />
+      <params />
+    </my_controller>
+  </controllers>
+
+OPTIONAL XML
+
+  None.
+)",
+    "Usable")
+
+}  // namespace argos

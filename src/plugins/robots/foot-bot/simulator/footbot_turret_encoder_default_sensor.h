@@ -1,0 +1,27 @@
+#ifndef ARGOS3_PLUGINS_ROBOTS_FOOT_BOT_SIMULATOR_FOOTBOT_TURRET_ENCODER_DEFAULT_SENSOR_H
+#define ARGOS3_PLUGINS_ROBOTS_FOOT_BOT_SIMULATOR_FOOTBOT_TURRET_ENCODER_DEFAULT_SENSOR_H
+
+#include <argos3/core/simulator/sensor.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_turret_encoder_sensor.h>
+
+namespace argos {
+
+class CTurretEntity;
+
+/** Reads where the turret of a foot-bot points, in every mode. */
+class CFootBotTurretEncoderDefaultSensor : public CSimulatedSensor,
+                                           public CCI_FootBotTurretEncoderSensor {
+ public:
+  /** @throws CARGoSException unless the robot has a "turret". */
+  void SetRobot(CComposableEntity& robot) override;
+  void Init(TConfigurationNode& tree) override;
+  void Update() override;
+  void Reset() override;
+
+ private:
+  const CTurretEntity* m_turret = nullptr;  // of the robot
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,26 @@
+#ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_GRIPPER_DEFAULT_ACTUATOR_H
+#define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_GRIPPER_DEFAULT_ACTUATOR_H
+
+#include <argos3/core/simulator/actuator.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_gripper_actuator.h>
+
+namespace argos {
+
+class CGripperEquippedEntity;
+
+/** Locks and unlocks the gripper of a robot; see its long description. */
+class CGripperDefaultActuator : public CSimulatedActuator, public CCI_GripperActuator {
+ public:
+  /** @throws CARGoSException unless the robot has a "gripper". */
+  void SetRobot(CComposableEntity& robot) override;
+  void Update() override;
+  /** Unlocks it. */
+  void Reset() override;
+
+ private:
+  CGripperEquippedEntity* m_gripper = nullptr;  // of the robot
+};
+
+}  // namespace argos
+
+#endif
