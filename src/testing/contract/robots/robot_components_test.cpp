@@ -145,7 +145,7 @@ TEST_CASE("robots: every getter gives the component of its name", "[contract][ro
   CHECK(&robot.GetComponent("proximity_sensors") == &robot.GetProximitySensorEquippedEntity());
   CHECK(&robot.GetComponent("controller") == &robot.GetControllableEntity());
   CHECK(robot.GetEmbodiedEntity().GetAnchor("turret").OffsetPosition == CVector3());
-  CHECK_THROWS_WITH(robot.GetComponent("turret"), Contains("no component \"turret\""));
+  CHECK_THROWS_WITH(robot.GetComponent("quadrotor"), Contains("no component \"quadrotor\""));
 }
 
 TEST_CASE("robots: visualizations learn what they look like, and which way they face",

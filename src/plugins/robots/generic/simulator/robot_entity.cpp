@@ -103,7 +103,8 @@ void CRobotEntity::SetEnabled(bool enabled) {
 }
 
 void CRobotEntity::UpdateDigest(CDigest& digest) const {
-  CEntity::UpdateDigest(digest);
+  // not what the parent does: it adds all components, used or not
+  CEntity::UpdateDigest(digest);  // NOLINT(bugprone-parent-virtual-call)
   for (const CEntity* component : GetExistingComponents()) {
     if (component->IsEnabled() || FindOnDemand(*component) == m_type.OnDemand.size()) {
       component->UpdateDigest(digest);
