@@ -3,6 +3,7 @@
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/entity.h>
+#include <argos3/core/utility/prefetch.h>
 
 #include <algorithm>
 #include <memory>
@@ -82,6 +83,10 @@ class CSensorEquippedEntity : public CEntity {
       TakeOverChanges();
     }
     return *m_layout;
+  }
+  /** Asks for the memory that GetLayout() and GetAnchors() need. */
+  void PrefetchLayout() const {
+    Prefetch(&m_layout, sizeof(m_layout) + sizeof(m_sensors) + sizeof(m_anchors));
   }
   /** Those that the layout numbers. */
   const SAnchor* const* GetAnchors() const { return m_anchors.data(); }

@@ -13,7 +13,9 @@ CWheeledEntity::CWheeledEntity(CComposableEntity* parent, size_t numWheels)
     : CWheeledEntity(parent, std::string(), numWheels) {}
 
 CWheeledEntity::CWheeledEntity(CComposableEntity* parent, const std::string& id, size_t numWheels)
-    : CEntity(parent, id), m_positions(numWheels), m_radiiAndVelocities(2 * numWheels) {
+    : CEntity(parent, id),
+      m_positions(std::make_unique<CVector3[]>(numWheels)),
+      m_radiiAndVelocities(2 * numWheels) {
   if (numWheels == 0) {
     THROW_ARGOSEXCEPTION("wheels \"" << GetContext() << id
                                      << "\": needs one wheel at least, got 0");

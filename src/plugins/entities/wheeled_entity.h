@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/entity/entity.h>
 #include <argos3/core/utility/math/vector3.h>
 
+#include <memory>
 #include <vector>
 
 namespace argos {
@@ -21,7 +22,7 @@ class CWheeledEntity : public CEntity {
   void Reset() override;
   std::string GetTypeDescription() const override { return "wheels"; }
 
-  size_t GetNumWheels() const { return m_positions.size(); }
+  size_t GetNumWheels() const { return m_radiiAndVelocities.size() / 2; }
   /**
    * Says where a wheel is.
    * @param position  of its centre in the frame of the body's origin, m. @param radius m, > 0.
@@ -36,7 +37,7 @@ class CWheeledEntity : public CEntity {
   Real GetWheelVelocity(size_t index) const;
 
   /** Arrays of GetNumWheels() elements; the pointers stay valid as long as the entity. */
-  const CVector3* GetWheelPositions() const { return m_positions.data(); }
+  const CVector3* GetWheelPositions() const { return m_positions.get(); }
   const Real* GetWheelRadia() const { return m_radiiAndVelocities.data(); }
   const Real* GetWheelVelocities() const { return m_radiiAndVelocities.data() + GetNumWheels(); }
 
@@ -53,7 +54,7 @@ class CWheeledEntity : public CEntity {
   Real* GetVelocities() { return m_radiiAndVelocities.data() + GetNumWheels(); }
   void CheckIndex(size_t index) const;
 
-  std::vector<CVector3> m_positions;  // frame of the origin anchor, m, (wheels)
+  std::unique_ptr<CVector3[]> m_positions;  // frame of the origin anchor, m, (wheels)
   // m, (wheels), then m/s, (wheels): one block, because there are many robots
   std::vector<Real> m_radiiAndVelocities;
 };

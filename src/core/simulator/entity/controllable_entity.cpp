@@ -4,11 +4,17 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/load_errors.h>
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/core/utility/prefetch.h>
 #include <argos3/core/utility/string_utilities.h>
 
 namespace argos {
 
 namespace {
+
+// what is needed in every tick, about, from the beginning of an object
+constexpr size_t kActuatorBytes = 64;
+constexpr size_t kSensorBytes = 128;
+constexpr size_t kControllerBytes = 128;
 
 // a <sensors> or <actuators> section, or null: it may be left out
 TConfigurationNode* FindSection(TConfigurationNode& controllerNode, const std::string& tag) {
@@ -245,6 +251,44 @@ const std::map<std::string, CSimulatedSensor*>& CControllableEntity::GetSensors(
     }
   }
   return m_mapSensors;
+}
+
+void CControllableEntity::PrefetchForAct(UInt32 stage) const {
+  if (stage == 0) {
+    Prefetch(this, sizeof(CEntity) + sizeof(m_actuators));
+  } else if (stage == 1) {
+    Prefetch(m_actuators.data(), 1);
+  } else if (stage == 2) {
+    for (const CSimulatedActuator* actuator : m_actuators) {
+      Prefetch(actuator, kActuatorBytes);
+    }
+  } else {
+    for (const CSimulatedActuator* actuator : m_actuators) {
+      actuator->PrefetchUpdate();
+    }
+  }
+}
+
+void CControllableEntity::PrefetchForSense(UInt32 stage) const {
+  if (stage == 0) {
+    Prefetch(this, sizeof(CEntity) + 4 * sizeof(m_sensors));
+  } else if (stage == 1) {
+    Prefetch(m_sensors.data(), 1);
+    // the robot is controlled soon after
+    Prefetch(m_actuators.data(), 1);
+    Prefetch(m_pcController, kControllerBytes);
+  } else if (stage == 2) {
+    for (const SSensorEntry& sensor : m_sensors) {
+      Prefetch(sensor.Simulated, kSensorBytes);
+    }
+    for (const CSimulatedActuator* actuator : m_actuators) {
+      Prefetch(actuator, kActuatorBytes);
+    }
+  } else {
+    for (const SSensorEntry& sensor : m_sensors) {
+      sensor.Simulated->PrefetchUpdate();
+    }
+  }
 }
 
 void CControllableEntity::Act() {

@@ -61,6 +61,13 @@ class CControllableEntity : public CEntity {
   virtual void ControlStep();
   /** Applies the actuators, in alphabetical order of their XML tags. */
   virtual void Act();
+  /**
+   * Ask for the memory that Act(), or Sense() and ControlStep(), will need: in stages 0 to 3, each
+   * of which looks into what the one before has asked for. Safe while other robots have their turn
+   * on other threads.
+   */
+  void PrefetchForAct(UInt32 stage) const;
+  void PrefetchForSense(UInt32 stage) const;
 
   /** Records a ray that a sensor cast, to be drawn. Cleared at each Sense(). */
   void AddCheckedRay(bool obstructed, const CRay3& ray);
@@ -80,11 +87,6 @@ class CControllableEntity : public CEntity {
 
  protected:
   CCI_Controller* m_pcController = nullptr;  // owned through m_controller
-  // filled by GetActuators() and GetSensors(); the controller owns the devices
-  mutable std::map<std::string, CSimulatedActuator*> m_mapActuators;
-  mutable std::map<std::string, CSimulatedSensor*> m_mapSensors;
-  std::vector<std::pair<bool, CRay3>> m_vecCheckedRays;
-  std::vector<CVector3> m_vecIntersectionPoints;
 
  private:
   struct SSensorEntry {
@@ -97,11 +99,21 @@ class CControllableEntity : public CEntity {
   void ListDevices();
   void DropController();
 
-  CSimulator& m_simulator;
-  std::unique_ptr<CCI_Controller> m_controller;
-  // what the tick iterates over, in alphabetical order; filled once after creation
+  // what the tick iterates over, in alphabetical order; filled once after creation. With the
+  // controller and CEntity's own state they share a line or two of the cache.
   std::vector<CSimulatedActuator*> m_actuators;
   std::vector<SSensorEntry> m_sensors;
+
+ protected:
+  std::vector<std::pair<bool, CRay3>> m_vecCheckedRays;
+  std::vector<CVector3> m_vecIntersectionPoints;
+  // filled by GetActuators() and GetSensors(); the controller owns the devices
+  mutable std::map<std::string, CSimulatedActuator*> m_mapActuators;
+  mutable std::map<std::string, CSimulatedSensor*> m_mapSensors;
+
+ private:
+  CSimulator& m_simulator;
+  std::unique_ptr<CCI_Controller> m_controller;
 };
 
 }  // namespace argos

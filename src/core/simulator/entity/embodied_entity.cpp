@@ -17,10 +17,10 @@ CEmbodiedEntity::CEmbodiedEntity(CComposableEntity* parent, const std::string& i
                                  const CVector3& position, const CQuaternion& orientation,
                                  bool movable)
     : CEntity(parent, id),
-      m_bMovable(movable),
       m_cInitOriginPosition(position),
       m_cInitOriginOrientation(orientation),
-      m_origin(*this, "origin", 0, CVector3(), CQuaternion(), position, orientation) {
+      m_origin(*this, "origin", 0, CVector3(), CQuaternion(), position, orientation),
+      m_bMovable(movable) {
   m_psOriginAnchor = &m_origin;
   m_mapAnchors[m_origin.Id] = &m_origin;
   m_origin.Enable();

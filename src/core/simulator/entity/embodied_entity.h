@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/math/quaternion.h>
 #include <argos3/core/utility/math/vector3.h>
+#include <argos3/core/utility/prefetch.h>
 
 #include <map>
 #include <memory>
@@ -112,6 +113,12 @@ class CEmbodiedEntity : public CEntity {
    */
   void SetOriginPose(const CVector3& position, const CQuaternion& orientation);
 
+  /** Asks for the memory that SetOriginPose(), and sensors that look around, need. */
+  void PrefetchPose() const {
+    const char* const from = reinterpret_cast<const char*>(&m_origin.Position);
+    Prefetch(from, reinterpret_cast<const char*>(&m_vecEnabledAnchors + 1) - from);
+  }
+
   /** Number of this body in the space's index, or CBodyIndex::kNoBody. */
   UInt32 GetBodyNumber() const { return m_bodyNumber; }
   /** The space's index only. */
@@ -120,13 +127,10 @@ class CEmbodiedEntity : public CEntity {
   void UpdateDigest(CDigest& digest) const override;
 
  protected:
-  bool m_bMovable;
   CPhysicsModel::TMap m_tPhysicsModelMap;
   CPhysicsModel::TVector m_tPhysicsModelVector;
   SBoundingBox* m_sBoundingBox = nullptr;
-  SAnchor* m_psOriginAnchor = nullptr;
   std::map<std::string, SAnchor*> m_mapAnchors;
-  std::vector<SAnchor*> m_vecEnabledAnchors;
   CVector3 m_cInitOriginPosition;
   CQuaternion m_cInitOriginOrientation;
 
@@ -134,11 +138,19 @@ class CEmbodiedEntity : public CEntity {
   friend struct SAnchor;
   void MoveModelsTo(const CVector3& position, const CQuaternion& orientation);
 
+  // from the pose at the end of the origin on, what engines and sensors need in every tick
   SAnchor m_origin;
-  std::vector<std::unique_ptr<SAnchor>> m_otherAnchors;  // by index - 1
   std::shared_ptr<const SBodyDescription> m_description;
   CBodyIndex* m_bodyIndex = nullptr;
   UInt32 m_bodyNumber = ~UInt32(0);
+
+ protected:
+  bool m_bMovable;
+  SAnchor* m_psOriginAnchor = nullptr;
+  std::vector<SAnchor*> m_vecEnabledAnchors;
+
+ private:
+  std::vector<std::unique_ptr<SAnchor>> m_otherAnchors;  // by index - 1
 };
 
 }  // namespace argos

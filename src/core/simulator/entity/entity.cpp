@@ -7,9 +7,10 @@ namespace argos {
 
 INIT_VTABLE_FOR(CEntity)
 
-CEntity::CEntity(CComposableEntity* parent) : m_parent(parent) {}
+CEntity::CEntity(CComposableEntity* parent) : CEntity(parent, std::string()) {}
 
-CEntity::CEntity(CComposableEntity* parent, const std::string& id) : m_parent(parent), m_id(id) {}
+CEntity::CEntity(CComposableEntity* parent, const std::string& id)
+    : m_parent(parent), m_id(id), m_index(-1) {}
 
 void CEntity::Init(TConfigurationNode& tree) {
   m_configurationNode = &tree;

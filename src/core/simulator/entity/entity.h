@@ -7,6 +7,7 @@
 #include <argos3/core/utility/configuration/base_configurable_resource.h>
 #include <argos3/core/utility/plugins/factory.h>
 #include <argos3/core/utility/plugins/vtable.h>
+#include <argos3/core/utility/prefetch.h>
 
 #include <sys/types.h>
 
@@ -69,14 +70,21 @@ class CEntity : public CBaseConfigurableResource, public EnableVTableFor<CEntity
   virtual std::string GetTypeDescription() const { return "entity"; }
   /** Called after the body this entity belongs to has moved, if the entity is enabled. */
   virtual void Update() {}
+  /**
+   * Engines may call it shortly before Update(): asks for the memory, apart from this object, that
+   * Update() is going to need, with Prefetch().
+   */
+  virtual void PrefetchUpdate() const {}
 
   /** Order of insertion into the space; -1 before. */
   ssize_t GetIndex() const { return m_index; }
-  void SetIndex(ssize_t index) { m_index = index; }
+  void SetIndex(ssize_t index) { m_index = static_cast<SInt64>(index); }
   /** How many consecutive indices this entity takes: itself and what it may create later. */
   virtual size_t GetIndexSpan() const { return 1; }
 
   bool IsEnabled() const { return m_enabled; }
+  /** Asks for the memory that IsEnabled() needs. */
+  void PrefetchEnabled() const { Prefetch(&m_enabled, 1); }
   void Enable() { SetEnabled(true); }
   void Disable() { SetEnabled(false); }
   virtual void SetEnabled(bool enabled);
@@ -110,7 +118,7 @@ class CEntity : public CBaseConfigurableResource, public EnableVTableFor<CEntity
   CComposableEntity* m_parent;
   TConfigurationNode* m_configurationNode = nullptr;
   std::string m_id;
-  ssize_t m_index = -1;
+  SInt64 m_index : 48;  // shares its word with the two below
   bool m_enabled = true;
   bool m_enabledAtStart = true;
 };

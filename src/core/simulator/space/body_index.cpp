@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/space/shape_overlap.h>
 #include <argos3/core/utility/math/general.h>
+#include <argos3/core/utility/prefetch.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 
 #include <atomic>
@@ -341,6 +342,11 @@ void CBodyIndex::SortSmall(CThreadPool* pool) {
   }
   ForRange(pool, m_entries.size(), [this](size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) {
+      if (k + kBodiesAhead < end) {
+        const UInt32 later = m_entries[k + kBodiesAhead].Body;
+        Prefetch(&m_poses[later], sizeof(SPose));
+        Prefetch(&m_bodies[later], sizeof(SBody));
+      }
       m_shapes[k] = Pack(m_entries[k].Body, m_entries[k].Shape);
     }
   });
@@ -390,8 +396,12 @@ CBodyIndex::SCellRange CBodyIndex::CellsOf(const SIndexedShape& shape) const {
 
 SIndexedShape CBodyIndex::Pack(UInt32 body, UInt16 shape) const {
   const SBody& owner = m_bodies[body];
-  SIndexedShape packed = Pack(owner.Description->Shapes[shape], m_poses[body],
-                              owner.Entity->GetOriginAnchor().Orientation);
+  const SShapeDescription& solid = owner.Description->Shapes[shape];
+  const SPose& pose = m_poses[body];
+  // what stands upright is packed without a look at its entity, which is far away in memory
+  const bool upright = pose.Upright && StandsUpright(solid);
+  SIndexedShape packed =
+      Pack(solid, pose, upright ? CQuaternion() : owner.Entity->GetOriginAnchor().Orientation);
   packed.Body = body;
   packed.Shape = shape;
   return packed;

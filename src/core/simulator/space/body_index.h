@@ -79,6 +79,12 @@ class CBodyIndex {
     ForShapesAlongRay(ray, reach, visit, [] { return false; });
   }
 
+  /**
+   * Asks for the memory that ForShapesNear() will need around bodies with numbers somewhat above
+   * @p body: robots, whose bodies are mostly numbered in their order, call it when they sense.
+   */
+  void PrefetchAhead(UInt32 body, Real reach) const;
+
   /** Where @p ray enters a solid of any kind: fraction in [0,1], 0 if it starts inside; else > 1.
    */
   Real Intersect(const SIndexedShape& shape, const CRay3& ray) const;

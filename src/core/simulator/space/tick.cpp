@@ -9,6 +9,7 @@
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/space/tick_times.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/prefetch.h>
 #include <argos3/core/utility/profiler/profiler.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 
@@ -22,6 +23,9 @@ namespace {
 // robots that one thread handles in a row: enough to pay for fetching the run, and few enough that
 // what sensing brought into the cache is still there for control
 constexpr size_t kRobotGrain = 64;
+
+// of CControllableEntity::PrefetchForAct() and its like
+constexpr UInt32 kStages = 4;
 
 using TClock = std::chrono::steady_clock;
 
@@ -62,9 +66,11 @@ void InLogOrder(size_t items, PHASE&& phase) {
 }
 
 // calls step for robots [begin, end); a failure names the robot, its phase and the tick
-template <typename STEP>
+// @param prefetch  void(const CControllableEntity&, UInt32 stage): see its PrefetchForAct()
+template <typename STEP, typename PREFETCH>
 void ForRobots(const std::vector<CControllableEntity*>& robots, size_t begin, size_t end,
-               UInt64 firstPlace, const char* phase, UInt32 tick, STEP&& step) {
+               UInt64 firstPlace, const char* phase, UInt32 tick, STEP&& step,
+               PREFETCH&& prefetch) {
   size_t current = begin;
   const auto fail = [&](std::exception* error) {
     std::ostringstream message;
@@ -74,6 +80,12 @@ void ForRobots(const std::vector<CControllableEntity*>& robots, size_t begin, si
   };
   try {
     for (; current < end; ++current) {
+      for (UInt32 stage = 0; stage < kStages; ++stage) {
+        const size_t later = current + (kStages - stage) * kBodiesAhead;
+        if (later < robots.size()) {
+          prefetch(*robots[later], stage);
+        }
+      }
       if (robots[current]->IsEnabled()) {
         CARGoSLog::SetSequence(firstPlace + current);
         step(*robots[current]);
@@ -135,8 +147,10 @@ void CSpace::AddProfiledPhases(CProfiler& profiler) {
 void CSpace::Act(CThreadPool& pool) {
   InLogOrder(m_robots.size(), [&](UInt64 firstPlace) {
     pool.ParallelFor(m_robots.size(), kRobotGrain, [&](size_t begin, size_t end, UInt32) {
-      ForRobots(m_robots, begin, end, firstPlace, "act", m_simulationClock,
-                [](CControllableEntity& robot) { robot.Act(); });
+      ForRobots(
+          m_robots, begin, end, firstPlace, "act", m_simulationClock,
+          [](CControllableEntity& robot) { robot.Act(); },
+          [](const CControllableEntity& robot, UInt32 stage) { robot.PrefetchForAct(stage); });
     });
   });
   for (CMedium* medium : m_cSimulator.GetMedia()) {
@@ -189,12 +203,16 @@ void CSpace::SenseAndControl(CThreadPool& pool) {
     Real sense = 0.0;
     Real control = 0.0;
     Timed(m_tickTimes ? &sense : nullptr, [&] {
-      ForRobots(m_robots, first, last, firstPlace, "sense", m_simulationClock,
-                [](CControllableEntity& robot) { robot.Sense(); });
+      ForRobots(
+          m_robots, first, last, firstPlace, "sense", m_simulationClock,
+          [](CControllableEntity& robot) { robot.Sense(); },
+          [](const CControllableEntity& robot, UInt32 stage) { robot.PrefetchForSense(stage); });
     });
     Timed(m_tickTimes ? &control : nullptr, [&] {
-      ForRobots(m_robots, first, last, firstPlace, "be controlled", m_simulationClock,
-                [](CControllableEntity& robot) { robot.ControlStep(); });
+      ForRobots(
+          m_robots, first, last, firstPlace, "be controlled", m_simulationClock,
+          [](CControllableEntity& robot) { robot.ControlStep(); },
+          [](const CControllableEntity&, UInt32) {});
     });
     if (m_tickTimes != nullptr) {
       const std::lock_guard<std::mutex> lock(timesMutex);

@@ -25,6 +25,8 @@ constexpr Real kElevationTolerance = 1e-4;
 constexpr Real kMaxExtent = 1e5;
 // bodies for which an engine with borders has room beyond half as many again as it starts with
 constexpr size_t kRoomForComers = 64;
+// of a root entity that are needed in every tick, about
+constexpr size_t kRootBytes = 192;
 // substeps of a tick; more would never end
 constexpr UInt32 kMaxIterations = 10000;
 
@@ -409,9 +411,13 @@ void CDynamics2DEngine::Update() {
   }
   m_world->CommitDriven(
       [this](const SDrivenBody& body) { WriteBack(*body.Owner.Model, body.Pose); },
-      [](const CDynamics2DModel& model) {
-        Prefetch(&model.m_cEmbodiedEntity, sizeof(CEmbodiedEntity));
-        Prefetch(&model.m_root, 64);
+      [](const CDynamics2DModel& model, int stage) {
+        if (stage == 0) {
+          model.m_cEmbodiedEntity.PrefetchPose();
+          Prefetch(&model.m_root, kRootBytes);
+        } else {
+          model.m_root.PrefetchUpdate();
+        }
       });
   m_world->ForEachPassive([this](const SPassiveBody& body) {
     if (body.Moved) {

@@ -1,11 +1,11 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_WORLD_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_WORLD_H
 
+#include <argos3/core/utility/prefetch.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/encounters.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_bodies.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_grips.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/prefetch.h>
 
 #include <box2d/box2d.h>
 
@@ -14,6 +14,9 @@
 namespace argos {
 
 struct SBodyDescription;
+
+/** Size of a CDynamics2DModel, about. */
+constexpr size_t kModelBytes = 128;
 
 /** Bounds of the friction of passive bodies on the ground. */
 struct SGroundFriction {
@@ -103,14 +106,16 @@ class CPlanarWorld {
   /**
    * After Advance(): takes over where driven bodies are, calling visit(const SDrivenBody&) for
    * each.
-   * @param prepare  called with each owner's model, some bodies before its visit.
+   * @param prepare  called as prepare(model, 0) and prepare(model, 1) with each owner's model, some
+   *                 bodies before its visit, and some between the calls.
    */
   template <typename VISIT, typename PREPARE>
   void CommitDriven(VISIT&& visit, PREPARE&& prepare) {
     for (size_t i = 0; i < m_driven.size(); ++i) {
-      if (i + 2 * kBodiesAhead < m_driven.size()) {
-        Prefetch(m_driven[i + 2 * kBodiesAhead].Owner.Model, kModelBytes);
-        prepare(*m_driven[i + kBodiesAhead].Owner.Model);
+      if (i + 3 * kBodiesAhead < m_driven.size()) {
+        Prefetch(m_driven[i + 3 * kBodiesAhead].Owner.Model, kModelBytes);
+        prepare(*m_driven[i + 2 * kBodiesAhead].Owner.Model, 0);
+        prepare(*m_driven[i + kBodiesAhead].Owner.Model, 1);
       }
       SDrivenBody& body = m_driven[i];
       body.Pose = body.NextPose;

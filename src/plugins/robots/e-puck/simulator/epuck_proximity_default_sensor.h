@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_ROBOTS_E_PUCK_SIMULATOR_EPUCK_PROXIMITY_DEFAULT_SENSOR_H
 
 #include <argos3/core/simulator/sensor.h>
+#include <argos3/core/utility/prefetch.h>
 #include <argos3/plugins/robots/e-puck/control_interface/ci_epuck_proximity_sensor.h>
 #include <argos3/plugins/robots/generic/simulator/proximity_rays.h>
 
@@ -15,6 +16,10 @@ class CEPuckProximityDefaultSensor : public CSimulatedSensor, public CCI_EPuckPr
   /** See CProximityRays::Init(). */
   void Init(TConfigurationNode& tree) override;
   void Update() override;
+  void PrefetchUpdate() const override {
+    m_rays.PrefetchRead();
+    PrefetchElements(m_tReadings);
+  }
   void Reset() override;
 
   /**

@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_ROBOTS_FOOT_BOT_SIMULATOR_FOOTBOT_PROXIMITY_DEFAULT_SENSOR_H
 
 #include <argos3/core/simulator/sensor.h>
+#include <argos3/core/utility/prefetch.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_proximity_sensor.h>
 #include <argos3/plugins/robots/generic/simulator/proximity_rays.h>
 
@@ -15,6 +16,10 @@ class CFootBotProximityDefaultSensor : public CSimulatedSensor, public CCI_FootB
   /** See CProximityRays::Init(). */
   void Init(TConfigurationNode& tree) override;
   void Update() override;
+  void PrefetchUpdate() const override {
+    m_rays.PrefetchRead();
+    PrefetchElements(m_tReadings);
+  }
   void Reset() override;
 
   /**

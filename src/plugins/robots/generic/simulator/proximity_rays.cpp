@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
 
 namespace argos {
 
@@ -22,6 +23,11 @@ void CProximityRays::RequireNumRays(size_t num, const std::string& device) const
         "sensor \"" << device << "\" needs a robot with " << num << " proximity sensors; robot \""
                     << m_caster.GetRobot().GetRootEntity().GetId() << "\" has " << GetNumRays());
   }
+}
+
+void CProximityRays::PrefetchRead() const {
+  m_sensors->PrefetchLayout();
+  m_caster.GetBody().PrefetchPose();
 }
 
 void CProximityRays::Cast(size_t first, size_t count, Real* distances) {

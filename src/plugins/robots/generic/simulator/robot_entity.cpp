@@ -102,6 +102,10 @@ void CRobotEntity::SetEnabled(bool enabled) {
   }
 }
 
+void CRobotEntity::PrefetchUpdate() const {
+  m_leds->PrefetchEnabled();
+}
+
 void CRobotEntity::UpdateDigest(CDigest& digest) const {
   // not what the parent does: it adds all components, used or not
   CEntity::UpdateDigest(digest);  // NOLINT(bugprone-parent-virtual-call)

@@ -47,6 +47,7 @@ class CRobotEntity : public CComposableEntity {
  public:
   /** Moves what hangs on the body, if it is in use, to where the body is. */
   void UpdateComponents() override;
+  void PrefetchUpdate() const override;
 
   CControllableEntity& GetControllableEntity() { return *m_controllable; }
   const CControllableEntity& GetControllableEntity() const { return *m_controllable; }

@@ -1,5 +1,5 @@
-#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PREFETCH_H
-#define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PREFETCH_H
+#ifndef ARGOS3_CORE_UTILITY_PREFETCH_H
+#define ARGOS3_CORE_UTILITY_PREFETCH_H
 
 #include <cstddef>
 
@@ -11,9 +11,6 @@ namespace argos {
  */
 constexpr size_t kBodiesAhead = 8;
 
-/** Size of a CDynamics2DModel, about. */
-constexpr size_t kModelBytes = 128;
-
 /** Asks for @p bytes from @p start to be brought into the cache; changes nothing else. */
 inline void Prefetch(const void* start, size_t bytes) {
   constexpr size_t kLine = 64;
@@ -21,6 +18,12 @@ inline void Prefetch(const void* start, size_t bytes) {
   for (size_t offset = 0; offset < bytes; offset += kLine) {
     __builtin_prefetch(first + offset);
   }
+}
+
+/** The same for what a std::vector or the like holds. */
+template <typename CONTAINER>
+void PrefetchElements(const CONTAINER& container) {
+  Prefetch(container.data(), container.size() * sizeof(*container.data()));
 }
 
 }  // namespace argos
