@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
 
@@ -26,6 +27,19 @@ void CDifferentialSteeringDeadReckoningActuator::StartOver() {
                    GetRobot().GetRootEntity().GetId(), "differential steering dead reckoning");
   m_deviation = m_stream->Rayleigh(m_sigma);
   m_wasHolding = false;
+}
+
+bool CDifferentialSteeringDeadReckoningActuator::IsHolding() {
+  const CEntity::TVector& components = GetRobot().GetParent().GetExistingComponents();
+  if (components.size() != m_numComponents) {
+    m_numComponents = components.size();
+    m_gripper = nullptr;
+    for (const CEntity* component : components) {
+      const auto* gripper = dynamic_cast<const CGripperEquippedEntity*>(component);
+      m_gripper = gripper != nullptr ? gripper : m_gripper;
+    }
+  }
+  return m_gripper != nullptr && m_gripper->IsGripping();
 }
 
 void CDifferentialSteeringDeadReckoningActuator::Update() {
