@@ -1,0 +1,197 @@
+// The foot-bot's gripper and turret as controllers see them.
+
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_gripper_actuator.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_turret_actuator.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_turret_encoder_sensor.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_turret_entity.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_gripper_actuator.h>
+#include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
+#include <argos3/testing/support/robot_world.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+using namespace argos;
+using Catch::Matchers::Contains;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+using TTurret = CCI_FootBotTurretActuator;
+
+constexpr Real kNaN = std::numeric_limits<Real>::quiet_NaN();
+
+SRobotExperiment With(const std::string& actuators, const std::string& sensors = "") {
+  SRobotExperiment experiment;
+  experiment.Actuators = actuators;
+  experiment.Sensors = sensors;
+  experiment.Engine = "<dynamics2d id=\"dyn2d\"/>";
+  experiment.Arena = Robot("foot-bot", "r", "");
+  return experiment;
+}
+
+SRobotExperiment WithTurret(const std::string& engine = "dynamics2d") {
+  SRobotExperiment experiment = With("<footbot_turret implementation=\"default\"/>",
+                                     "<footbot_turret_encoder implementation=\"default\"/>");
+  experiment.Engine = "<" + engine + " id=\"e\"/>";
+  return experiment;
+}
+
+}  // namespace
+
+TEST_CASE("gripper actuator: it is locked above a half, from the next tick on",
+          "[contract][robots]") {
+  CRobotWorld world(With("<gripper implementation=\"default\"/>"));
+  auto& actuator = world.GetActuator<CCI_GripperActuator>("r", "gripper");
+  CGripperEquippedEntity& gripper = world.Get<CFootBotEntity>("r").GetGripperEquippedEntity();
+  const auto lockStateFor = [&](auto&& order) {
+    order();
+    world.Step();
+    return gripper.GetLockState();
+  };
+  CHECK(gripper.GetLockState() == 0.0);
+  CHECK(lockStateFor([&] { actuator.Lock(); }) == 1.0);
+  CHECK(gripper.IsLocked());
+  CHECK(lockStateFor([&] { actuator.SetLockState(0.5); }) == 0.5);
+  CHECK_FALSE(gripper.IsLocked());
+  CHECK(lockStateFor([&] { actuator.SetLockState(7.0); }) == 1.0);
+  CHECK(lockStateFor([&] { actuator.SetLockState(-7.0); }) == 0.0);
+  CHECK(lockStateFor([&] { actuator.Lock(); }) == 1.0);
+  CHECK(lockStateFor([&] { actuator.Unlock(); }) == 0.0);
+  actuator.Lock();
+  world.Step();
+  world.GetSimulator().Reset();
+  CHECK(gripper.GetLockState() == 0.0);
+  world.Step();
+  CHECK(gripper.GetLockState() == 0.0);
+}
+
+TEST_CASE("footbot_gripper: it is locked beyond 45 degrees to either side", "[contract][robots]") {
+  CRobotWorld world(With("<footbot_gripper implementation=\"default\"/>"));
+  auto& actuator = world.GetActuator<CCI_FootBotGripperActuator>("r", "footbot_gripper");
+  CGripperEquippedEntity& gripper = world.Get<CFootBotEntity>("r").GetGripperEquippedEntity();
+  const auto lockStateAt = [&](Real degrees) {
+    actuator.SetAperture(ToRadians(CDegrees(degrees)));
+    world.Step();
+    return gripper.GetLockState();
+  };
+  CHECK_THAT(lockStateAt(30.0), WithinAbs(1.0 / 3.0, 1e-12));
+  CHECK_FALSE(gripper.IsLocked());
+  CHECK_THAT(lockStateAt(-60.0), WithinAbs(2.0 / 3.0, 1e-12));
+  CHECK(gripper.IsLocked());
+  // cut to 90 degrees, after a full turn is taken off
+  CHECK(lockStateAt(170.0) == 1.0);
+  CHECK_THAT(lockStateAt(360.0 + 9.0), WithinAbs(0.1, 1e-12));
+  actuator.LockPositive();
+  world.Step();
+  CHECK(gripper.IsLocked());
+  actuator.Unlock();
+  world.Step();
+  CHECK(gripper.GetLockState() == 0.0);
+  actuator.LockNegative();
+  world.Step();
+  CHECK(gripper.IsLocked());
+  CHECK_THROWS_WITH(actuator.SetAperture(CRadians(kNaN)), Contains("must be a finite angle"));
+  actuator.EnableCheckForObjectGrippedRoutine();
+  actuator.DisableCheckForObjectGrippedRoutine();
+  world.Step();
+  CHECK(gripper.IsLocked());
+  world.GetSimulator().Reset();
+  world.Step();
+  CHECK_FALSE(gripper.IsLocked());
+}
+
+TEST_CASE("gripper: it is where the foot-bot's measures say", "[contract][robots]") {
+  CRobotWorld world(With("<gripper implementation=\"default\"/>"));
+  CGripperEquippedEntity& gripper = world.Get<CFootBotEntity>("r").GetGripperEquippedEntity();
+  CHECK(gripper.GetOffset() == CVector3(0.085036758, 0.0, 0.085));
+  CHECK(gripper.GetDirection() == CVector3::X);
+  gripper.SetOffset(CVector3(0.1, 0.0, 0.1));
+  world.GetSimulator().Reset();
+  CHECK(gripper.GetOffset() == CVector3(0.085036758, 0.0, 0.085));
+}
+
+TEST_CASE("gripper entity: what it is given must be a number, what it holds must be there",
+          "[contract][robots]") {
+  CGripperEquippedEntity gripper(nullptr, "g", CVector3(1, 0, 0), CVector3::Y, 0.3);
+  CHECK(gripper.GetTypeDescription() == "gripper");
+  CHECK(gripper.GetDirection() == CVector3::Y);
+  gripper.SetLockState(0.4);
+  CHECK(gripper.IsLocked());
+  gripper.SetLockThreshold(0.4);
+  CHECK_FALSE(gripper.IsLocked());
+  CHECK_THROWS_WITH(gripper.SetLockState(kNaN), Contains("\"g\"") && Contains("lock state"));
+  CHECK_THROWS_WITH(gripper.SetLockThreshold(kNaN), Contains("lock threshold"));
+  CHECK_FALSE(gripper.IsGripping());
+  CHECK_THROWS_WITH(gripper.GetGrippedEntity(), Contains("holds nothing"));
+}
+
+TEST_CASE("footbot_turret: the encoder reads where orders have turned it", "[contract][robots]") {
+  // in an engine that knows turrets with loads, and in one that only turns them
+  const std::string engine = GENERATE(as<std::string>(), "dynamics2d", "pointmass3d");
+  CAPTURE(engine);
+  CRobotWorld world(WithTurret(engine));
+  auto& actuator = world.GetActuator<TTurret>("r", "footbot_turret");
+  auto& encoder = world.GetSensor<CCI_FootBotTurretEncoderSensor>("r", "footbot_turret_encoder");
+  // targets are kept in every mode
+  actuator.SetRotation(CRadians(1.0));
+  actuator.SetRotationSpeed(-3);
+  world.Step(5);
+  CHECK(encoder.GetRotation() == CRadians::ZERO);
+  actuator.SetSpeedControlMode();
+  world.Step(20);
+  // -3 turns a minute for 2 s: a turn of 36 degrees
+  CHECK_THAT(encoder.GetRotation().GetValue(), WithinAbs(-0.2 * ARGOS_PI, 1e-12));
+  actuator.SetPassiveMode();
+  world.Step(20);
+  CHECK_THAT(encoder.GetRotation().GetValue(), WithinAbs(-0.2 * ARGOS_PI, 1e-12));
+  actuator.SetPositionControlMode();
+  world.Step(400);
+  CHECK_THAT(encoder.GetRotation().GetValue(), WithinAbs(1.0, 1e-4));
+  actuator.SetActiveWithRotation(CRadians(-2.0));
+  world.Step(400);
+  CHECK_THAT(encoder.GetRotation().GetValue(), WithinAbs(-2.0, 1e-4));
+  // all the way round, within (-pi,pi]
+  actuator.SetMode(TTurret::MODE_SPEED_CONTROL);
+  actuator.SetRotationSpeed(60);
+  for (int tick = 0; tick < 50; ++tick) {
+    world.Step();
+    REQUIRE(TTurret::NORMALIZED_SPEED_RANGE.WithinMinBoundIncludedMaxBoundIncluded(1.0));
+    REQUIRE(CCI_FootBotTurretEncoderSensor::ANGULAR_RANGE.WithinMinBoundIncludedMaxBoundIncluded(
+        encoder.GetRotation()));
+  }
+  world.GetSimulator().Reset();
+  CHECK(encoder.GetRotation() == CRadians::ZERO);
+  world.Step(10);
+  CHECK(encoder.GetRotation() == CRadians::ZERO);
+}
+
+TEST_CASE("footbot_turret: constants and errors", "[contract][robots]") {
+  CHECK(TTurret::SPEED_RANGE.GetMin() == -4);
+  CHECK(TTurret::SPEED_RANGE.GetMax() == 4);
+  CHECK(CCI_FootBotGripperActuator::UNLOCKED == CRadians::ZERO);
+  CHECK(CCI_FootBotGripperActuator::LOCKED_POSITIVE == CRadians::PI_OVER_TWO);
+  CHECK(CCI_FootBotGripperActuator::LOCKED_NEGATIVE == -CRadians::PI_OVER_TWO);
+  CRobotWorld world(WithTurret());
+  auto& actuator = world.GetActuator<TTurret>("r", "footbot_turret");
+  CHECK_THROWS_WITH(actuator.SetRotation(CRadians(kNaN)), Contains("must be a finite angle"));
+  auto& turret = world.Get<CFootBotEntity>("r").GetTurretEntity();
+  CHECK_THROWS_WITH(turret.SetDesiredRotation(CRadians(kNaN)), Contains("desired rotation"));
+  CHECK_THROWS_WITH(turret.SetDesiredRotationSpeed(CRadians(kNaN)), Contains("desired speed"));
+}
+
+TEST_CASE("gripper and turret: robots without them cannot have the devices",
+          "[contract][robots][errors]") {
+  const std::string device = GENERATE(as<std::string>(), "gripper", "footbot_turret");
+  CAPTURE(device);
+  SRobotExperiment experiment = With("<" + device + " implementation=\"default\"/>");
+  experiment.Arena = Robot("e-puck", "e", "");
+  CHECK_THAT(
+      LoadError(experiment),
+      Contains("robot \"e\"") && Contains(device == "gripper" ? "has no component \"gripper\""
+                                                              : "has no component \"turret\""));
+}
