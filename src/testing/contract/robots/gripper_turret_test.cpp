@@ -6,6 +6,7 @@
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_turret_encoder_sensor.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_turret_entity.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_gripper_actuator.h>
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 #include <argos3/testing/support/robot_world.h>
@@ -23,6 +24,9 @@ namespace {
 
 using TTurret = CCI_FootBotTurretActuator;
 
+constexpr Real kRadius = 0.085036758;  // m, of a foot-bot
+constexpr Real kHalf = 0.1;  // m, of a thing to be gripped
+constexpr Real kReach = 0.01;  // m, around the gripper's point
 constexpr Real kNaN = std::numeric_limits<Real>::quiet_NaN();
 
 SRobotExperiment With(const std::string& actuators, const std::string& sensors = "") {
@@ -32,6 +36,32 @@ SRobotExperiment With(const std::string& actuators, const std::string& sensors =
   experiment.Engine = "<dynamics2d id=\"dyn2d\"/>";
   experiment.Arena = Robot("foot-bot", "r", "");
   return experiment;
+}
+
+// a movable thing near a foot-bot at the origin that looks along x; (x, y) is its nearest point
+std::string Thing(const std::string& kind, Real x, Real y) {
+  if (kind == "foot-bot") {
+    return Robot("foot-bot", "thing", "position=\"" + ToText(CVector3(x + kRadius, y, 0)) + "\"");
+  }
+  const bool isBox = kind == "box";
+  return "<" + kind + " id=\"thing\" " +
+         (isBox ? "size=\"0.2,0.2,0.1\"" : "radius=\"0.1\" height=\"0.1\"") +
+         " movable=\"true\" mass=\"1\"><body position=\"" +
+         ToText(CVector3(x + kHalf, isBox && y != 0.0 ? y + kHalf : y, 0)) + "\"/></" + kind + ">";
+}
+
+bool Grips(CRobotWorld& world) {
+  world.GetActuator<CCI_FootBotGripperActuator>("r", "footbot_gripper").LockPositive();
+  // orders are followed in the tick after them
+  world.Step();
+  return world.Get<CFootBotEntity>("r").GetGripperEquippedEntity().IsGripping();
+}
+
+CVector3 PositionOf(CRobotWorld& world, const std::string& id) {
+  return world.Get<CComposableEntity>(id)
+      .GetComponent<CEmbodiedEntity>("body")
+      .GetOriginAnchor()
+      .Position;
 }
 
 SRobotExperiment WithTurret(const std::string& engine = "dynamics2d") {
@@ -113,6 +143,96 @@ TEST_CASE("gripper: it is where the foot-bot's measures say", "[contract][robots
   gripper.SetOffset(CVector3(0.1, 0.0, 0.1));
   world.GetSimulator().Reset();
   CHECK(gripper.GetOffset() == CVector3(0.085036758, 0.0, 0.085));
+}
+
+TEST_CASE("footbot_gripper: reaches as far as a disc of 1 cm around its point",
+          "[contract][robots]") {
+  const std::string kind = GENERATE(as<std::string>(), "box", "cylinder", "foot-bot");
+  CAPTURE(kind);
+  const auto isHeld = [&kind](Real gap, Real side) {
+    SRobotExperiment experiment = With("<footbot_gripper implementation=\"default\"/>");
+    experiment.Arena += Thing(kind, kRadius + gap, side);
+    CRobotWorld world(experiment);
+    return Grips(world);
+  };
+  // the engine counts in single precision
+  CHECK(isHeld(0.001, 0.0));
+  CHECK(isHeld(kReach - 1e-5, 0.0));
+  CHECK_FALSE(isHeld(kReach + 1e-5, 0.0));
+  if (kind == "box") {
+    // its corner, on a diagonal
+    const Real diagonal = kReach * std::sqrt(0.5);
+    CHECK(isHeld(diagonal - 1e-5, diagonal - 1e-5));
+    CHECK_FALSE(isHeld(diagonal + 1e-5, diagonal + 1e-5));
+  }
+}
+
+TEST_CASE("footbot_gripper: the disc turns with the robot and with its turret",
+          "[contract][robots]") {
+  // what is beside the robot is gripped when it, or its turret, looks there
+  SRobotExperiment experiment = With(
+      "<footbot_gripper implementation=\"default\"/><footbot_turret implementation=\"default\"/>");
+  experiment.Arena +=
+      "<cylinder id=\"thing\" radius=\"0.1\" height=\"0.1\" movable=\"true\" mass=\"1\"><body "
+      "position=\"0,0.19,0\"/></cylinder>";
+  CRobotWorld ahead(experiment);
+  CHECK_FALSE(Grips(ahead));
+  ahead.GetActuator<TTurret>("r", "footbot_turret").SetActiveWithRotation(CRadians::PI_OVER_TWO);
+  ahead.Step(150);
+  CHECK(ahead.Get<CFootBotEntity>("r").GetGripperEquippedEntity().IsGripping());
+  const size_t robot = experiment.Arena.find("<body ");
+  experiment.Arena.insert(robot + 6, "orientation=\"90,0,0\" ");
+  CRobotWorld turned(experiment);
+  CHECK(Grips(turned));
+}
+
+TEST_CASE("footbot_gripper: what it holds comes along until it is let go", "[contract][robots]") {
+  const std::string kind = GENERATE(as<std::string>(), "box", "cylinder", "foot-bot");
+  CAPTURE(kind);
+  SRobotExperiment experiment = With(
+      "<footbot_gripper implementation=\"default\"/>"
+      "<differential_steering implementation=\"default\"/>");
+  experiment.Arena += Thing(kind, kRadius + 0.005, 0.0);
+  CRobotWorld world(experiment);
+  REQUIRE(Grips(world));
+  const CVector3 arm = PositionOf(world, "thing") - PositionOf(world, "r");
+  auto& wheels = world.GetActuator<CCI_DifferentialSteeringActuator>("r", "differential_steering");
+  // the gripped foot-bot rolls along: its drive would brake with 15 N
+  if (kind == "foot-bot") {
+    world.GetActuator<CCI_DifferentialSteeringActuator>("thing", "differential_steering")
+        .SetLinearVelocity(-5.0, -5.0);
+  }
+  wheels.SetLinearVelocity(-5.0, -5.0);
+  world.Step(40);
+  CHECK_THAT(PositionOf(world, "r").GetX(), WithinAbs(-0.2, 1e-3));
+  // 1.49 N of friction stretch the grip by 0.15 mm
+  CHECK_THAT(Distance(PositionOf(world, "thing") - PositionOf(world, "r"), arm),
+             WithinAbs(0.0, 5e-4));
+  world.GetActuator<CCI_FootBotGripperActuator>("r", "footbot_gripper").Unlock();
+  if (kind == "foot-bot") {
+    world.GetActuator<CCI_DifferentialSteeringActuator>("thing", "differential_steering")
+        .SetLinearVelocity(0.0, 0.0);
+  }
+  // 5 cm/s are gone after 0.034 s of 1.49 m/s^2
+  world.Step(3);
+  const CVector3 left = PositionOf(world, "thing");
+  world.Step(20);
+  CHECK_THAT(Distance(PositionOf(world, "thing"), left), WithinAbs(0.0, 1e-6));
+  CHECK_THAT(PositionOf(world, "r").GetX(), WithinAbs(-0.2 - 0.05 * 2.3, 1e-3));
+}
+
+TEST_CASE("footbot_gripper: closing on nothing is no mistake, and nothing is moved by it",
+          "[contract][robots]") {
+  SRobotExperiment experiment = With(
+      "<footbot_gripper implementation=\"default\"/>"
+      "<differential_steering implementation=\"default\"/>");
+  CRobotWorld world(experiment);
+  CHECK_FALSE(Grips(world));
+  world.GetActuator<CCI_DifferentialSteeringActuator>("r", "differential_steering")
+      .SetLinearVelocity(10.0, 10.0);
+  world.Step(11);
+  CHECK_THAT(PositionOf(world, "r").GetX(), WithinAbs(0.11, 1e-9));
+  CHECK_FALSE(world.Get<CFootBotEntity>("r").GetGripperEquippedEntity().IsGripping());
 }
 
 TEST_CASE("gripper entity: what it is given must be a number, what it holds must be there",

@@ -31,15 +31,23 @@ void CDifferentialSteeringDeadReckoningActuator::StartOver() {
 
 bool CDifferentialSteeringDeadReckoningActuator::IsHolding() {
   const CEntity::TVector& components = GetRobot().GetParent().GetExistingComponents();
-  if (components.size() != m_numComponents) {
-    m_numComponents = components.size();
-    m_gripper = nullptr;
-    for (const CEntity* component : components) {
-      const auto* gripper = dynamic_cast<const CGripperEquippedEntity*>(component);
-      m_gripper = gripper != nullptr ? gripper : m_gripper;
-    }
+  const bool isCurrent = components.size() == m_numComponents &&
+                         (m_gripper == nullptr || components[m_gripperPlace] == m_gripper);
+  if (!isCurrent) {
+    FindGripper(components);
   }
   return m_gripper != nullptr && m_gripper->IsGripping();
+}
+
+void CDifferentialSteeringDeadReckoningActuator::FindGripper(const CEntity::TVector& components) {
+  m_numComponents = components.size();
+  m_gripper = nullptr;
+  for (size_t i = 0; i < components.size(); ++i) {
+    if (const auto* gripper = dynamic_cast<const CGripperEquippedEntity*>(components[i])) {
+      m_gripper = gripper;
+      m_gripperPlace = i;
+    }
+  }
 }
 
 void CDifferentialSteeringDeadReckoningActuator::Update() {

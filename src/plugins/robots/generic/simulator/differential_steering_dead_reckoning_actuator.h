@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_DIFFERENTIAL_STEERING_DEAD_RECKONING_ACTUATOR_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_DIFFERENTIAL_STEERING_DEAD_RECKONING_ACTUATOR_H
 
+#include <argos3/core/simulator/entity/entity.h>
 #include <argos3/plugins/robots/generic/simulator/differential_steering_default_actuator.h>
 
 #include <optional>
@@ -36,13 +37,15 @@ class CDifferentialSteeringDeadReckoningActuator : public CDifferentialSteeringD
  private:
   void StartOver();
   bool IsHolding();
+  void FindGripper(const CEntity::TVector& components);
 
   Real m_sigma = 0.00134;
   Real m_deviation = 0.0;  // mu
   bool m_wasHolding = false;
-  // of the robot, or null: found anew when the number of its components has changed, because it is
-  // made when first asked for, and this actuator does not ask
+  // of the robot, or null: found anew when the robot's components have changed, because it is made
+  // when first asked for, and this actuator does not ask
   const CGripperEquippedEntity* m_gripper = nullptr;
+  size_t m_gripperPlace = 0;  // among the components
   size_t m_numComponents = 0;
   std::optional<CRandomStream> m_stream;
 };
