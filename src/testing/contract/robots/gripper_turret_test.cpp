@@ -9,10 +9,12 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_gripper_actuator.h>
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
+#include <argos3/testing/contract/sensors/scene.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -314,4 +316,130 @@ TEST_CASE("gripper and turret: robots without them cannot have the devices",
       LoadError(experiment),
       Contains("robot \"e\"") && Contains(device == "gripper" ? "has no component \"gripper\""
                                                               : "has no component \"turret\""));
+}
+
+namespace {
+
+constexpr int kDraws = 4000;
+const std::string kNoise = "model=\"gaussian\" std_dev=\"0.1\" bias=\"0.05\"";
+
+// what a <noise> of kNoise adds
+Real NoiseDistribution(Real deviation) {
+  return NormalDistribution(deviation - 0.05, 0.1);
+}
+
+}  // namespace
+
+TEST_CASE("gripper noise: it is on the aperture, and on the lock state, of each new order",
+          "[contract][robots][noise]") {
+  const bool isFootBots = GENERATE(true, false);
+  const std::string tag = isFootBots ? "footbot_gripper" : "gripper";
+  CAPTURE(tag);
+  SRobotExperiment experiment =
+      With(WithNoise(tag + " implementation=\"default\"",
+                     (isFootBots ? "on=\"aperture\" " : "on=\"lock_state\" ") + kNoise));
+  experiment.Engine = "<toy_engine id=\"toy\"/>";
+  CRobotWorld world(experiment);
+  const auto& gripper = world.Get<CFootBotEntity>("r").GetGripperEquippedEntity();
+  const auto order = [&](Real value) {
+    if (isFootBots) {
+      world.GetActuator<CCI_FootBotGripperActuator>("r", tag).SetAperture(CRadians(value));
+    } else {
+      world.GetActuator<CCI_GripperActuator>("r", tag).SetLockState(value);
+    }
+    world.GetRobot("r").Act();
+    return gripper.GetLockState() * (isFootBots ? 0.5 * ARGOS_PI : 1.0);
+  };
+  // nothing is ordered: nothing is drawn
+  CHECK(order(0.0) == 0.0);
+  // so far from the ends that the noise is not cut: 4.5 standard deviations are passed 7 times in a
+  // million
+  const Real middle = isFootBots ? 0.7 : 0.45;
+  std::vector<Real> deviations;
+  for (int i = 0; i < kDraws; ++i) {
+    // two orders, which take turns
+    const Real value = i % 2 == 0 ? middle : middle + 0.01;
+    const Real followed = order(value);
+    deviations.push_back(followed - value);
+    // the same order again is no new one
+    CHECK(order(value) == followed);
+  }
+  CHECK(KolmogorovSmirnovExcess(deviations, &NoiseDistribution) <= 1.0);
+  // what is beyond the ends is cut
+  const Real end = isFootBots ? 0.5 * ARGOS_PI : 1.0;
+  bool isCut = false;
+  for (int i = 0; i < 20; ++i) {
+    const Real followed = order(i % 2 == 0 ? end : end - 0.01);
+    REQUIRE(followed <= end + 1e-15);
+    isCut = isCut || followed == end;
+  }
+  CHECK(isCut);
+  const Real first = [&] {
+    world.GetSimulator().Reset();
+    return order(middle);
+  }();
+  world.GetSimulator().Reset();
+  CHECK(order(middle) == first);
+}
+
+TEST_CASE("footbot_turret noise: it is on each order", "[contract][robots][noise]") {
+  const bool isRotation = GENERATE(true, false);
+  CAPTURE(isRotation);
+  SRobotExperiment experiment =
+      With(WithNoise("footbot_turret implementation=\"default\"",
+                     (isRotation ? "on=\"rotation\" " : "on=\"rotation_speed\" ") + kNoise));
+  experiment.Engine = "<toy_engine id=\"toy\"/>";
+  CRobotWorld world(experiment);
+  auto& actuator = world.GetActuator<TTurret>("r", "footbot_turret");
+  const auto& turret = world.Get<CFootBotEntity>("r").GetTurretEntity();
+  std::vector<Real> deviations;
+  for (int i = 0; i < kDraws; ++i) {
+    actuator.SetRotation(CRadians(1.0));
+    actuator.SetRotationSpeed(3);
+    world.GetRobot("r").Act();
+    const Real rotation = turret.GetDesiredRotation().GetValue() - 1.0;
+    const Real speed = turret.GetDesiredRotationSpeed().GetValue() * 30.0 / ARGOS_PI - 3.0;
+    deviations.push_back(isRotation ? rotation : speed);
+    // the other one is exact, but for roundings of 3
+    REQUIRE_THAT(isRotation ? speed : rotation, WithinAbs(0.0, 1e-15));
+  }
+  CHECK(KolmogorovSmirnovExcess(deviations, &NoiseDistribution) <= 1.0);
+  // an order that holds is not drawn again
+  const CRadians rotation = turret.GetDesiredRotation();
+  world.GetRobot("r").Act();
+  CHECK(turret.GetDesiredRotation() == rotation);
+}
+
+TEST_CASE("footbot_turret_encoder noise: it is on each reading, which stays in its range",
+          "[contract][robots][noise]") {
+  const Real rotation = GENERATE(0.5, -3.1);
+  CAPTURE(rotation);
+  SRobotExperiment experiment =
+      With("", WithNoise("footbot_turret_encoder implementation=\"default\"", kNoise));
+  experiment.Engine = "<toy_engine id=\"toy\"/>";
+  CRobotWorld world(experiment);
+  const auto& encoder =
+      world.GetSensor<CCI_FootBotTurretEncoderSensor>("r", "footbot_turret_encoder");
+  world.Get<CFootBotEntity>("r").GetTurretEntity().SetRotation(CRadians(rotation));
+  std::vector<Real> deviations;
+  Real greatest = 0.0;
+  for (int i = 0; i < kDraws; ++i) {
+    world.Step();
+    const Real reading = encoder.GetRotation().GetValue();
+    greatest = std::max(greatest, std::abs(reading));
+    deviations.push_back(std::remainder(reading - rotation, 2.0 * ARGOS_PI));
+  }
+  CHECK(KolmogorovSmirnovExcess(deviations, &NoiseDistribution) <= 1.0);
+  CHECK(greatest <= ARGOS_PI);
+}
+
+TEST_CASE("gripper and turret noise: what is wrong is refused with the names that are right",
+          "[contract][robots][errors]") {
+  const auto [tag, known] =
+      GENERATE(table<std::string, std::string>({{"gripper", "lock_state"},
+                                                {"footbot_gripper", "aperture"},
+                                                {"footbot_turret", "rotation"}}));
+  CAPTURE(tag);
+  CHECK_THAT(LoadError(With(WithNoise(tag + " implementation=\"default\"", "on=\"x\" " + kNoise))),
+             Contains("test.argos:4: <noise>: <" + tag + "> has no \"x\"") && Contains(known));
 }
