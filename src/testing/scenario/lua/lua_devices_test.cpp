@@ -216,6 +216,16 @@ TEST_CASE("lua devices: an e-puck has eight LEDs", "[lua][devices]") {
              Contains("from 1 to 8, got 9"));
 }
 
+TEST_CASE("lua devices: an eye-bot has 33 LEDs", "[lua][devices]") {
+  SLuaExperiment experiment = WithDevices("", Device("leds", "medium='leds'"), "");
+  experiment.Robots = "<eye-bot id='fb'><body position='0,0,0'/><controller config='c'/></eye-bot>";
+  experiment.Engines = "<pointmass3d id='air'/>";
+  CLuaWorld world(experiment);
+  world.Do("robot.leds.set_single_color(33, 'red')");
+  CHECK_THAT(world.Get("select(2, pcall(robot.leds.set_single_color, 34, 'red'))"),
+             Contains("from 1 to 33, got 34"));
+}
+
 TEST_CASE("lua devices: a user's sensor that uses Lua's own functions", "[lua][devices][compat]") {
   CLuaWorld world(WithDevices("robot.counter.enable() seen = robot.counter.count", "",
                               Device("user_counter") + Device("footbot_proximity")));
