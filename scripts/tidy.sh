@@ -38,7 +38,8 @@ unit_of() { # unit_of <file>: the translation unit through which a file is check
       ;;
     *) return 0 ;;
   esac
-  if printf '%s\n' "${compiled[@]}" | grep -qxF -- "$candidate"; then
+  # not grep -q, which would leave printf with a broken pipe
+  if printf '%s\n' "${compiled[@]}" | grep -xF -- "$candidate" >/dev/null; then
     units+=("$candidate")
   fi
 }

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/entities/directional_led_equipped_entity.h>
 
-#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/current.h>
+#include <argos3/plugins/simulator/entities/read_medium.h>
 
 namespace argos {
 
@@ -13,9 +14,8 @@ CDirectionalLEDEquippedEntity::CDirectionalLEDEquippedEntity(CComposableEntity* 
 
 void CDirectionalLEDEquippedEntity::Init(TConfigurationNode& tree) {
   CMountedEntities::Init(tree);
-  std::string medium;
-  GetNodeAttribute(tree, "medium", medium);
-  SetMedium(CurrentSimulator().GetMedium<CDirectionalLEDEntity::CRegistry>(medium));
+  SetMedium(ReadMedium<CDirectionalLEDEntity::CRegistry>(tree, CurrentSimulator(),
+                                                         "a medium of directional LEDs"));
   InitInstances(tree, "directional_led");
   Enable();
 }

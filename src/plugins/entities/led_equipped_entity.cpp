@@ -1,8 +1,8 @@
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
 
 #include <argos3/core/simulator/current.h>
-#include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/plugins/simulator/entities/read_medium.h>
 
 #include <algorithm>
 
@@ -38,9 +38,7 @@ CLEDEquippedEntity::CLEDEquippedEntity(CComposableEntity* parent, const std::str
 
 void CLEDEquippedEntity::Init(TConfigurationNode& tree) {
   CComposableEntity::Init(tree);
-  std::string medium;
-  GetNodeAttribute(tree, "medium", medium);
-  SetMedium(CurrentSimulator().GetMedium<CLEDEntity::CRegistry>(medium));
+  SetMedium(ReadMedium<CLEDEntity::CRegistry>(tree, CurrentSimulator(), "an LED medium"));
   auto& body = GetParent().GetComponent<CEmbodiedEntity>("body");
   TConfigurationNodeIterator led("led");
   for (led = led.begin(&tree); led != led.end(); ++led) {

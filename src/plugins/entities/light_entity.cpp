@@ -1,10 +1,10 @@
 #include <argos3/plugins/simulator/entities/light_entity.h>
 
 #include <argos3/core/simulator/current.h>
-#include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/plugins/simulator/entities/lights.h>
+#include <argos3/plugins/simulator/entities/read_medium.h>
 
 #include <cmath>
 
@@ -30,9 +30,7 @@ CLightEntity::CLightEntity(const std::string& id, const CVector3& position, cons
 void CLightEntity::Init(TConfigurationNode& tree) {
   CLEDEntity::Init(tree);
   GetNodeAttribute(tree, "intensity", m_intensity);
-  std::string medium;
-  GetNodeAttribute(tree, "medium", medium);
-  SetMedium(CurrentSimulator().GetMedium<CLEDEntity::CRegistry>(medium));
+  SetMedium(ReadMedium<CLEDEntity::CRegistry>(tree, CurrentSimulator(), "an LED medium"));
   Enable();
   MakeAppearance();
 }

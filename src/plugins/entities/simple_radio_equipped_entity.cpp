@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/entities/simple_radio_equipped_entity.h>
 
-#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/current.h>
+#include <argos3/plugins/simulator/entities/read_medium.h>
 
 namespace argos {
 
@@ -21,9 +22,8 @@ void CSimpleRadioEquippedEntity::Init(TConfigurationNode& tree) {
     RequireNewId(radio->GetId());
     std::string anchor;
     GetNodeAttributeOrDefault<std::string>(*child, "anchor", anchor, "origin");
-    std::string medium;
-    GetNodeAttribute(*child, "medium", medium);
-    radio->SetMedium(CurrentSimulator().GetMedium<CSimpleRadioEntity::CRegistry>(medium));
+    radio->SetMedium(ReadMedium<CSimpleRadioEntity::CRegistry>(*child, CurrentSimulator(),
+                                                               "a simple radio medium"));
     // what the file gives as the pose is the mount
     const CVector3 position = radio->GetPosition();
     const CQuaternion orientation = radio->GetOrientation();

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/entities/tag_equipped_entity.h>
 
-#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/current.h>
+#include <argos3/plugins/simulator/entities/read_medium.h>
 
 namespace argos {
 
@@ -12,9 +13,7 @@ CTagEquippedEntity::CTagEquippedEntity(CComposableEntity* parent, const std::str
 
 void CTagEquippedEntity::Init(TConfigurationNode& tree) {
   CMountedEntities::Init(tree);
-  std::string medium;
-  GetNodeAttribute(tree, "medium", medium);
-  SetMedium(CurrentSimulator().GetMedium<CTagEntity::CRegistry>(medium));
+  SetMedium(ReadMedium<CTagEntity::CRegistry>(tree, CurrentSimulator(), "a tag medium"));
   InitInstances(tree, "tag");
   Enable();
 }

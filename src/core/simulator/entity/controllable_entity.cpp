@@ -42,6 +42,22 @@ std::pair<SIMULATED*, std::unique_ptr<INTERFACE>> CreateDevice(TConfigurationNod
   return {simulated.release(), std::unique_ptr<INTERFACE>(interface)};
 }
 
+// hands the robot to a device of it
+template <typename SIMULATED>
+void Fit(SIMULATED& device, CComposableEntity& robot, const TConfigurationNode& node,
+         const char* kind) {
+  try {
+    device.SetRobot(robot);
+  } catch (const CAlreadyReported&) {
+    throw;
+  } catch (std::exception& error) {
+    THROW_ARGOSEXCEPTION_NESTED(node.GetLocation()
+                                    << ": the " << kind << " <" << node.Value() << "> does not fit "
+                                    << robot.GetTypeDescription() << " \"" << robot.GetId() << '"',
+                                error);
+  }
+}
+
 }  // namespace
 
 CControllableEntity::CControllableEntity(CComposableEntity* parent)
@@ -194,7 +210,7 @@ void CControllableEntity::CreateActuators(TConfigurationNode& controllerNode) {
   TConfigurationNodeIterator it;
   for (it = it.begin(section); it != it.end(); ++it) {
     auto [simulated, interface] = CreateDevice<CSimulatedActuator, CCI_Actuator>(*it, "actuator");
-    simulated->SetRobot(GetParent());
+    Fit(*simulated, GetParent(), *it, "actuator");
     interface->Init(*it);
     m_pcController->AddActuator(it->Value(), interface.release());
   }
@@ -208,7 +224,7 @@ void CControllableEntity::CreateSensors(TConfigurationNode& controllerNode) {
   TConfigurationNodeIterator it;
   for (it = it.begin(section); it != it.end(); ++it) {
     auto [simulated, interface] = CreateDevice<CSimulatedSensor, CCI_Sensor>(*it, "sensor");
-    simulated->SetRobot(GetParent());
+    Fit(*simulated, GetParent(), *it, "sensor");
     interface->Init(*it);
     m_pcController->AddSensor(it->Value(), interface.release());
   }

@@ -68,6 +68,13 @@ CLuaTable CLuaTable::GetTable(std::size_t index) {
   return MakeTable(index, kSmallestTable);
 }
 
+CLuaTable CLuaTable::MakeTable(const char* key) {
+  lua_createtable(m_state, 0, kSmallestTable);
+  lua_pushvalue(m_state, -1);
+  SetField(key);
+  return CLuaTable(m_state, true, std::string());
+}
+
 CLuaTable CLuaTable::MakeTable(std::size_t index, int sizeHint) {
   lua_createtable(m_state, 0, sizeHint);
   lua_pushvalue(m_state, -1);

@@ -86,6 +86,8 @@ class CLuaTable {
   CLuaTable GetTable(const char* key);
   /** @param index  from 1. */
   CLuaTable GetTable(std::size_t index);
+  /** A new table under a key, in place of what is there, which a script may keep. */
+  CLuaTable MakeTable(const char* key);
 
   /**
    * Adds a function that calls a method of the device.

@@ -7,6 +7,7 @@ namespace argos {
 
 class CEntity;
 class CPointMass3DEngine;
+class CTurretEntity;
 
 /** m; no body may be farther from the world's origin: positions are good to 1e-7 m there. */
 constexpr Real kFarthest = 1e9;
@@ -19,6 +20,10 @@ class CPointMass3DBody final : public CDescribedBodyModel {
 
   CPointMass3DBody(CPointMass3DEngine& engine, CEmbodiedEntity& entity, EKind kind);
 
+  /** Turrets of robots. */
+  void ComponentAdded(CEntity& component) override;
+  void ComponentRemoved(CEntity& component) override;
+
  protected:
   void Replace() override;
 
@@ -26,6 +31,7 @@ class CPointMass3DBody final : public CDescribedBodyModel {
   friend class CPointMass3DEngine;
 
   CEntity& m_root;  // of the body
+  CTurretEntity* m_turret = nullptr;  // of the robot; null if it has none
   EKind m_kind;
   UInt32 m_slot = 0;  // in the arrays of its kind; unused if it is still
   size_t m_number = 0;  // in the engine's list of bodies

@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/body_index.h>
 #include <argos3/plugins/simulator/entities/quadrotor_entity.h>
+#include <argos3/plugins/simulator/entities/turret_entity.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/drivers.h>
@@ -318,6 +319,10 @@ void CPointMass3DEngine::Update() {
   m_flyers->Advance(tick, GetSubsteps());
   for (UInt32 i = 0; i < m_drivers->GetCount(); ++i) {
     const SPlanarPose& pose = m_drivers->GetPose(i);
+    CTurretEntity* const turret = m_drivers->GetOwner(i).m_turret;
+    if (turret != nullptr) {
+      turret->Advance(tick);
+    }
     WriteBack(m_drivers->GetOwner(i), CVector3(pose.X, pose.Y, m_drivers->GetHeight(i)),
               pose.HalfCos, pose.HalfSin);
   }

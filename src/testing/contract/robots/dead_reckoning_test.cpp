@@ -1,7 +1,10 @@
 // Wheels whose right one is a little faster: the drift of robots that navigate by dead reckoning.
 
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_gripper_actuator.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
 #include <argos3/plugins/robots/generic/simulator/differential_steering_dead_reckoning_actuator.h>
+#include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
 #include <argos3/testing/contract/sensors/scene.h>
 #include <argos3/testing/support/closed_form/differential_drive.h>
@@ -21,11 +24,10 @@ namespace {
 
 constexpr Real kTick = 0.1;  // s
 
-SRobotExperiment Drifting(const std::string& attributes = "", const std::string& tag = "foot-bot",
-                          const std::string& implementation = "dead_reckoning") {
+SRobotExperiment Drifting(const std::string& attributes = "", const std::string& tag = "foot-bot") {
   SRobotExperiment experiment;
   experiment.Actuators =
-      "<differential_steering implementation=\"" + implementation + "\" " + attributes + "/>";
+      "<differential_steering implementation=\"dead_reckoning\" " + attributes + "/>";
   experiment.Engine = "<dynamics2d id=\"dyn2d\"/>";
   experiment.Arena = Robot(tag, "r", PoseText(CVector3()));
   return experiment;
@@ -45,17 +47,22 @@ std::pair<Real, Real> WheelsFor(CRobotWorld& world, Real left, Real right) {
   return {wheels.GetWheelVelocity(0), wheels.GetWheelVelocity(1)};
 }
 
-// holds something when a test says so
-class CHoldingActuator : public CDifferentialSteeringDeadReckoningActuator {
- public:
-  bool IsHolding() const override { return Holds; }
-  bool Holds = false;
-};
+// what engines do when the gripper of "r" closes around the body of "s", and when it opens
+void Grip(CRobotWorld& world, bool holds) {
+  CGripperEquippedEntity& gripper = world.Get<CFootBotEntity>("r").GetGripperEquippedEntity();
+  holds ? gripper.SetGrippedEntity(world.Get<CFootBotEntity>("s").GetEmbodiedEntity())
+        : gripper.ClearGrippedEntity();
+  world.GetRobot("r").Act();
+}
+
+SRobotExperiment DriftingPair(const std::string& attributes) {
+  SRobotExperiment experiment = Drifting(attributes);
+  experiment.Engine = "<toy_engine id=\"toy\"/>";
+  experiment.Arena += Robot("foot-bot", "s", PoseText(CVector3(1.0, 0.0, 0.0)));
+  return experiment;
+}
 
 }  // namespace
-
-REGISTER_ACTUATOR(CHoldingActuator, "differential_steering", "holding_for_tests", "", "", "", "",
-                  "")
 
 TEST_CASE("dead reckoning: mu is from a Rayleigh distribution", "[contract][robots][noise]") {
   constexpr int kRobots = 2000;
@@ -132,43 +139,69 @@ TEST_CASE("dead reckoning: a robot ordered straight on follows the circle of its
 TEST_CASE("dead reckoning: mu is drawn anew when the robot begins to hold something",
           "[contract][robots]") {
   constexpr int kGrips = 2000;
-  CRobotWorld world(Drifting("sigma=\"0.01\"", "foot-bot", "holding_for_tests"));
-  auto& actuator = world.GetActuator<CHoldingActuator>("r", "differential_steering");
+  const bool isDefault = GENERATE(true, false);
+  CRobotWorld world(DriftingPair(isDefault ? "" : "sigma=\"0.01\""));
   world.Step(3);
-  const Real first = actuator.GetDeviation();
-  actuator.Holds = true;
-  world.Step();
-  const Real second = actuator.GetDeviation();
+  const Real first = Actuator(world).GetDeviation();
+  Grip(world, true);
+  const Real second = Actuator(world).GetDeviation();
   CHECK(second != first);
   // neither while it goes on holding nor when it lets go
-  world.Step(3);
-  CHECK(actuator.GetDeviation() == second);
-  actuator.Holds = false;
-  world.Step(3);
-  CHECK(actuator.GetDeviation() == second);
+  world.GetRobot("r").Act();
+  CHECK(Actuator(world).GetDeviation() == second);
+  Grip(world, false);
+  CHECK(Actuator(world).GetDeviation() == second);
   std::vector<Real> drawn;
   for (int i = 0; i < kGrips; ++i) {
-    actuator.Holds = true;
-    world.GetRobot("r").Act();
-    drawn.push_back(actuator.GetDeviation());
-    actuator.Holds = false;
-    world.GetRobot("r").Act();
+    Grip(world, true);
+    drawn.push_back(Actuator(world).GetDeviation());
+    Grip(world, false);
   }
-  CHECK(KolmogorovSmirnovExcess(drawn, [](Real x) { return RayleighDistribution(x, 0.01); }) <=
-        1.0);
+  CHECK(KolmogorovSmirnovExcess(drawn, [isDefault](Real x) {
+          return RayleighDistribution(x, isDefault ? 0.00134 : 0.01);
+        }) <= 1.0);
   world.GetSimulator().Reset();
-  CHECK(actuator.GetDeviation() == first);
+  CHECK(Actuator(world).GetDeviation() == first);
 }
 
 TEST_CASE("dead reckoning: a speed that is held drifts by the new mu at once",
           "[contract][robots]") {
-  CRobotWorld world(Drifting("sigma=\"0.1\"", "foot-bot", "holding_for_tests"));
-  auto& actuator = world.GetActuator<CHoldingActuator>("r", "differential_steering");
-  actuator.SetLinearVelocity(10.0, 10.0);
-  actuator.Holds = true;
-  world.GetRobot("r").Act();
+  CRobotWorld world(DriftingPair("sigma=\"0.1\""));
+  Actuator(world).SetLinearVelocity(10.0, 10.0);
+  Grip(world, true);
   const auto& wheels = world.Get<CComposableEntity>("r").GetComponent<CWheeledEntity>("wheels");
-  CHECK_THAT(wheels.GetWheelVelocity(1), WithinAbs(0.1 * (1.0 + actuator.GetDeviation()), 1e-16));
+  CHECK_THAT(wheels.GetWheelVelocity(1),
+             WithinAbs(0.1 * (1.0 + Actuator(world).GetDeviation()), 1e-16));
+}
+
+TEST_CASE("dead reckoning: a robot that really grips drifts otherwise", "[contract][robots]") {
+  SRobotExperiment experiment = Drifting("sigma=\"0.01\"");
+  experiment.Actuators += "<footbot_gripper implementation=\"default\"/>";
+  // a box that it drives into
+  experiment.Arena +=
+      "<box id=\"load\" size=\"0.2,0.2,0.2\" movable=\"true\" mass=\"1\"><body "
+      "position=\"0.25,0,0\"/></box>";
+  CRobotWorld world(experiment);
+  const Real first = Actuator(world).GetDeviation();
+  const CGripperEquippedEntity& gripper = world.Get<CFootBotEntity>("r").GetGripperEquippedEntity();
+  world.GetActuator<CCI_FootBotGripperActuator>("r", "footbot_gripper").LockPositive();
+  Actuator(world).SetLinearVelocity(5.0, 5.0);
+  for (int tick = 0; tick < 50 && !gripper.IsGripping(); ++tick) {
+    CHECK(Actuator(world).GetDeviation() == first);
+    world.Step();
+  }
+  REQUIRE(gripper.IsGripping());
+  world.Step();
+  CHECK(Actuator(world).GetDeviation() != first);
+}
+
+TEST_CASE("dead reckoning: a robot without a gripper gets none", "[contract][robots]") {
+  CRobotWorld world(Drifting());
+  world.Step(2);
+  for (const CEntity* component : world.Get<CFootBotEntity>("r").GetExistingComponents()) {
+    CHECK(component->GetTypeDescription() != "gripper");
+    CHECK(component->GetTypeDescription() != "turret");
+  }
 }
 
 TEST_CASE("dead reckoning: differs between robots and seeds, and repeats after a reset",

@@ -7,6 +7,7 @@
 #include <argos3/plugins/simulator/entities/box_entity.h>
 #include <argos3/plugins/simulator/media/led_medium.h>
 #include <argos3/testing/support/captured_logs.h>
+#include <argos3/testing/support/device_list.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
@@ -19,11 +20,7 @@ using namespace argos;
 namespace {
 
 // those that examples name
-const char* const kMedia =
-    "<led id=\"leds\"/><range_and_bearing id=\"rab\"/><simple_radio id=\"radios\"/>";
-// what devices need that are mounted by the robot's element
-const char* const kRadios =
-    "<simple_radios><simple_radio id=\"wifi\" medium=\"radios\" range=\"1\"/></simple_radios>";
+const std::string kMedia = MediaForDevices();
 
 // the XML in a description: runs of lines that begin with two blanks and a tag
 std::vector<std::string> ExamplesIn(const std::string& description) {
@@ -70,28 +67,26 @@ void RunInArena(const std::string& arena) {
   TakeLogErr();
 }
 
-void RunWithControllers(const std::string& controllers, const std::string& robot,
-                        const std::string& parts) {
+void RunWithControllers(const std::string& controllers, const std::string& robot) {
   SExperiment experiment;
   experiment.Engines = "<toy_engine id=\"engine\"/>";
   experiment.Media = kMedia;
   experiment.Controllers = Replaced(controllers, "my_controller", "robot_world_controller");
-  experiment.Arena = "<" + robot +
-                     " id=\"r\"><body position=\"0,0,0\"/><controller config=\"c1\"/>" + parts +
-                     "</" + robot + ">";
+  experiment.Arena = RobotForDevices(robot, "r", "0,0,0", "c1") +
+                     "<floor id=\"floor\" source=\"loop_functions\" pixels_per_meter=\"1\"/>";
   CTestWorld world(experiment);
   world.Step(2);
   CHECK(TakeLogErr() == "");
 }
 
-void RunWithDevice(const std::string& section, const std::string& device, const std::string& robot,
-                   const std::string& parts) {
+void RunWithDevice(const std::string& section, const std::string& device,
+                   const std::string& robot) {
   const auto in = [&](const std::string& tag) {
     return "<" + tag + ">" + (tag == section ? device : "") + "</" + tag + ">";
   };
   RunWithControllers(
       "<my_controller id=\"c1\">" + in("actuators") + in("sensors") + "<params/></my_controller>",
-      robot, parts);
+      robot);
 }
 
 void RunWithMedia(const std::string& media) {
@@ -115,24 +110,26 @@ void RunWithEngines(const std::string& engines) {
 // runs every example of a description; gives their number
 template <typename BASE>
 size_t RunExamples(const std::string& label, const std::string& section = "",
-                   const std::string& robot = "", const std::string& parts = "") {
+                   const std::string& robot = "") {
   const auto found = CFactory<BASE>::GetTypeMap().find(label);
   REQUIRE(found != CFactory<BASE>::GetTypeMap().end());
   const std::vector<std::string> examples = ExamplesIn(found->second->LongDescription);
   for (const std::string& example : examples) {
     CAPTURE(label, example);
     if (example.find("<arena") != std::string::npos) {
-      CHECK_NOTHROW(RunInArena(Inside(example)));
+      // there is no such image here
+      CHECK_NOTHROW(RunInArena(Replaced(Inside(example), "source=\"image\" path=\"floor.png\"",
+                                        "source=\"loop_functions\" pixels_per_meter=\"1\"")));
     } else if (example.find("  <foot-bot") == 0) {
       CHECK_NOTHROW(RunInArena(example));
     } else if (example.find("<controllers>") != std::string::npos) {
-      CHECK_NOTHROW(RunWithControllers(Inside(example), robot, parts));
+      CHECK_NOTHROW(RunWithControllers(Inside(example), robot));
     } else if (example.find("<physics_engines>") != std::string::npos) {
       CHECK_NOTHROW(RunWithEngines(Inside(example)));
     } else if (example.find("<media>") != std::string::npos) {
       CHECK_NOTHROW(RunWithMedia(Inside(example)));
     } else {
-      CHECK_NOTHROW(RunWithDevice(section, example, robot, parts));
+      CHECK_NOTHROW(RunWithDevice(section, example, robot));
     }
   }
   return examples.size();
@@ -157,7 +154,20 @@ TEST_CASE("descriptions: examples of physics engines load and run", "[contract][
   CHECK(RunExamples<CPhysicsEngine>("pointmass3d") == 2);
 }
 
-TEST_CASE("descriptions: examples of devices load and run", "[contract][robots]") {
+TEST_CASE("descriptions: examples of every device load and run, on a robot that has it",
+          "[contract][robots]") {
+  for (const SListedDevice& device : ListedDevices()) {
+    const std::string robot = device.Robots.substr(0, device.Robots.find(' '));
+    // the required XML, at least
+    if (device.Section == "sensors") {
+      CHECK(RunExamples<CSimulatedSensor>(device.Label(), device.Section, robot) >= 1);
+    } else {
+      CHECK(RunExamples<CSimulatedActuator>(device.Label(), device.Section, robot) >= 1);
+    }
+  }
+}
+
+TEST_CASE("descriptions: no example of a device is overlooked", "[contract][robots]") {
   CHECK(RunExamples<CSimulatedActuator>("differential_steering (default)", "actuators",
                                         "foot-bot") == 3);
   CHECK(RunExamples<CSimulatedActuator>("leds (default)", "actuators", "e-puck") == 2);
@@ -171,10 +181,8 @@ TEST_CASE("descriptions: examples of devices load and run", "[contract][robots]"
   CHECK(RunExamples<CSimulatedSensor>("footbot_proximity (default)", "sensors", "foot-bot") == 2);
   CHECK(RunExamples<CSimulatedSensor>("epuck_proximity (default)", "sensors", "e-puck") == 2);
   CHECK(RunExamples<CSimulatedSensor>("range_and_bearing (medium)", "sensors", "e-puck") == 3);
-  CHECK(RunExamples<CSimulatedActuator>("simple_radios (default)", "actuators", "e-puck",
-                                        kRadios) == 2);
-  CHECK(RunExamples<CSimulatedSensor>("simple_radios (default)", "sensors", "foot-bot", kRadios) ==
-        3);
+  CHECK(RunExamples<CSimulatedActuator>("simple_radios (default)", "actuators", "e-puck") == 2);
+  CHECK(RunExamples<CSimulatedSensor>("simple_radios (default)", "sensors", "foot-bot") == 3);
   CHECK(RunExamples<CSimulatedSensor>("eyebot_proximity (default)", "sensors", "eye-bot") == 2);
   CHECK(RunExamples<CSimulatedSensor>("eyebot_light (rot_z_only)", "sensors", "eye-bot") == 2);
 }

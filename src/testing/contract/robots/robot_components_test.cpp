@@ -3,7 +3,16 @@
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/body_description.h>
 #include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_distance_scanner_equipped_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_turret_entity.h>
+#include <argos3/plugins/simulator/entities/battery_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/ground_sensor_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/omnidirectional_camera_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
 #include <argos3/testing/support/captured_logs.h>
 #include <argos3/testing/support/robot_world.h>
 
@@ -136,16 +145,37 @@ TEST_CASE("robots: programs make them with one call", "[contract][robots]") {
 
 TEST_CASE("robots: every getter gives the component of its name", "[contract][robots]") {
   SRobotExperiment experiment;
-  experiment.Arena = Robot("foot-bot", "r", "position=\"0,0,0\"");
+  experiment.Arena =
+      Robot("foot-bot", "r", "position=\"0,0,0\"") + Robot("e-puck", "e", "position=\"1,0,0\"");
   CRobotWorld world(experiment);
   auto& robot = world.Get<CFootBotEntity>("r");
   CHECK(&robot.GetComponent("body") == &robot.GetEmbodiedEntity());
   CHECK(&robot.GetComponent("wheels") == &robot.GetWheeledEntity());
   CHECK(&robot.GetComponent("leds") == &robot.GetLEDEquippedEntity());
   CHECK(&robot.GetComponent("proximity_sensors") == &robot.GetProximitySensorEquippedEntity());
+  CHECK(&robot.GetComponent("light_sensors") == &robot.GetLightSensorEquippedEntity());
+  CHECK(&robot.GetComponent("ground_sensors") == &robot.GetGroundSensorEquippedEntity());
+  CHECK(&robot.GetComponent("rab") == &robot.GetRABEquippedEntity());
+  CHECK(&robot.GetComponent("gripper") == &robot.GetGripperEquippedEntity());
+  CHECK(&robot.GetComponent("turret") == &robot.GetTurretEntity());
+  CHECK(&robot.GetComponent("distance_scanner") == &robot.GetDistanceScannerEquippedEntity());
+  CHECK(&robot.GetComponent("omnidirectional_camera") ==
+        &robot.GetOmnidirectionalCameraEquippedEntity());
+  CHECK(&robot.GetComponent("perspective_camera") == &robot.GetPerspectiveCameraEquippedEntity());
+  CHECK(&robot.GetComponent("battery") == &robot.GetBatterySensorEquippedEntity());
   CHECK(&robot.GetComponent("controller") == &robot.GetControllableEntity());
   CHECK(robot.GetEmbodiedEntity().GetAnchor("turret").OffsetPosition == CVector3());
   CHECK_THROWS_WITH(robot.GetComponent("quadrotor"), Contains("no component \"quadrotor\""));
+  auto& ePuck = world.Get<CEPuckEntity>("e");
+  CHECK(&ePuck.GetComponent("body") == &ePuck.GetEmbodiedEntity());
+  CHECK(&ePuck.GetComponent("wheels") == &ePuck.GetWheeledEntity());
+  CHECK(&ePuck.GetComponent("leds") == &ePuck.GetLEDEquippedEntity());
+  CHECK(&ePuck.GetComponent("proximity_sensors") == &ePuck.GetProximitySensorEquippedEntity());
+  CHECK(&ePuck.GetComponent("light_sensors") == &ePuck.GetLightSensorEquippedEntity());
+  CHECK(&ePuck.GetComponent("ground_sensors") == &ePuck.GetGroundSensorEquippedEntity());
+  CHECK(&ePuck.GetComponent("rab") == &ePuck.GetRABEquippedEntity());
+  CHECK(&ePuck.GetComponent("battery") == &ePuck.GetBatterySensorEquippedEntity());
+  CHECK(&ePuck.GetComponent("controller") == &ePuck.GetControllableEntity());
 }
 
 TEST_CASE("robots: visualizations learn what they look like, and which way they face",

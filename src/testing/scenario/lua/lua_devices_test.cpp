@@ -216,6 +216,16 @@ TEST_CASE("lua devices: an e-puck has eight LEDs", "[lua][devices]") {
              Contains("from 1 to 8, got 9"));
 }
 
+TEST_CASE("lua devices: an eye-bot has 33 LEDs", "[lua][devices]") {
+  SLuaExperiment experiment = WithDevices("", Device("leds", "medium='leds'"), "");
+  experiment.Robots = "<eye-bot id='fb'><body position='0,0,0'/><controller config='c'/></eye-bot>";
+  experiment.Engines = "<pointmass3d id='air'/>";
+  CLuaWorld world(experiment);
+  world.Do("robot.leds.set_single_color(33, 'red')");
+  CHECK_THAT(world.Get("select(2, pcall(robot.leds.set_single_color, 34, 'red'))"),
+             Contains("from 1 to 33, got 34"));
+}
+
 TEST_CASE("lua devices: a user's sensor that uses Lua's own functions", "[lua][devices][compat]") {
   CLuaWorld world(WithDevices("robot.counter.enable() seen = robot.counter.count", "",
                               Device("user_counter") + Device("footbot_proximity")));
@@ -309,4 +319,49 @@ TEST_CASE("lua devices: the rings of an eye-bot, angle and value", "[lua][device
   // sensor 6 is at 82.5 degrees, 7.5 off the light, which is 1 m away: e^-2 (1 - 2 * 7.5 / 180)
   CHECK_THAT(GetNumber(world, "robot.light[6].value"),
              WithinAbs(std::exp(-2.0) * (1.0 - 15.0 / 180.0), kRounding));
+}
+
+TEST_CASE("lua devices: the gripper holds, and the turret turns by whole turns a minute",
+          "[lua][devices]") {
+  SLuaExperiment experiment = WithDevices(
+      "", Device("footbot_gripper") + Device("footbot_turret") + Device("differential_steering"),
+      Device("footbot_turret_encoder"));
+  experiment.Arena =
+      "<cylinder id='load' radius='0.1' height='0.1' movable='true' mass='1'>"
+      "<body position='0.19,0,0'/></cylinder>";
+  CLuaWorld world(experiment);
+  CHECK(world.Get("robot.turret.rotation") == "0.0");
+  // without a load the turret is where its motor turned it: 2 turns a minute, 12 degrees a second
+  world.Do("robot.turret.set_speed_control_mode() robot.turret.set_rotation_speed(2.9)");
+  world.Step(10);
+  CHECK_THAT(GetNumber(world, "robot.turret.rotation"), WithinAbs(ARGOS_PI / 15.0, 1e-12));
+  world.Do("robot.turret.set_rotation_speed(-2.9)");
+  world.Step(10);
+  CHECK_THAT(GetNumber(world, "robot.turret.rotation"), WithinAbs(0.0, 1e-12));
+  world.Do("robot.turret.set_passive_mode() robot.turret.set_rotation(1)");
+  world.Step(10);
+  CHECK_THAT(GetNumber(world, "robot.turret.rotation"), WithinAbs(0.0, 1e-12));
+  // locked to either side, it takes the load along
+  const std::string lock = GENERATE(as<std::string>(), "lock_positive", "lock_negative");
+  world.Do("robot.gripper." + lock + "() robot.wheels.set_velocity(-10, -10)");
+  world.Step(11);
+  const auto load = [&world] {
+    return world.World()
+        .Get<CComposableEntity>("load")
+        .GetComponent<CEmbodiedEntity>("body")
+        .GetOriginAnchor()
+        .Position.GetX();
+  };
+  // its friction, 1.49 N, stretches the grip by 0.15 mm
+  CHECK_THAT(world.GetAnchor().Position.GetX(), WithinAbs(-0.11, 1e-3));
+  CHECK_THAT(load(), WithinAbs(0.19 - 0.11, 2e-3));
+  world.Do("robot.gripper.unlock()");
+  world.Step(3);
+  const Real there = load();
+  world.Step(5);
+  CHECK_THAT(load(), WithinAbs(there, 1e-6));
+  world.Do("robot.turret.set_position_control_mode()");
+  world.Step(400);
+  CHECK_THAT(GetNumber(world, "robot.turret.rotation"), WithinAbs(1.0, 1e-4));
+  CHECK(TakeLogErr() == "");
 }

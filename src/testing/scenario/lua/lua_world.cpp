@@ -43,7 +43,7 @@ std::string ToXml(const SLuaExperiment& lua, const CScriptFolder& folder) {
   experiment.Controllers = "<lua_controller id='c'><actuators>" + lua.Actuators +
                            "</actuators><sensors>" + lua.Sensors + "</sensors><params script='" +
                            folder.Write("robot.lua", lua.Script) + "' " + lua.Params +
-                           "/></lua_controller>";
+                           "/></lua_controller>" + lua.Controllers;
   if (!lua.LoopScript.empty()) {
     experiment.LoopFunctions = "<loop_functions label='lua'><params script='" +
                                folder.Write("loop.lua", lua.LoopScript) + "' " + lua.LoopParams +

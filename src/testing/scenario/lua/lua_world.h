@@ -19,6 +19,7 @@ struct SLuaExperiment {
   std::string LoopParams = ""; /**< more attributes of the loop functions' <params> */
   std::string Actuators = "<differential_steering implementation='default'/>";
   std::string Sensors = "";
+  std::string Controllers = ""; /**< children of <controllers> besides the one of the script */
   std::string Robots =
       "<foot-bot id='fb'><body position='0,0,0'/><controller config='c'/></foot-bot>";
   std::string Media = "<led id='leds'/>";

@@ -64,14 +64,14 @@ void CCI_FootBotDistanceScannerSensor::Put(TReadingsMap& map, const SReading& re
 
 void CCI_FootBotDistanceScannerSensor::CreateLuaState(lua_State* state) {
   CLuaTable scanner(state, *this, "distance_scanner");
-  WriteRange(scanner.GetTable("short_range"), m_tShortReadingsMap);
-  WriteRange(scanner.GetTable("long_range"), m_tLongReadingsMap);
+  WriteRange(scanner.MakeTable("short_range"), m_tShortReadingsMap);
+  WriteRange(scanner.MakeTable("long_range"), m_tLongReadingsMap);
 }
 
 void CCI_FootBotDistanceScannerSensor::ReadingsToLuaState(lua_State* state) {
   CLuaTable scanner(state, *this);
-  WriteRange(scanner.GetTable("short_range"), m_tShortReadingsMap);
-  WriteRange(scanner.GetTable("long_range"), m_tLongReadingsMap);
+  WriteRange(scanner.MakeTable("short_range"), m_tShortReadingsMap);
+  WriteRange(scanner.MakeTable("long_range"), m_tLongReadingsMap);
 }
 
 }  // namespace argos

@@ -1,6 +1,7 @@
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_turret_default_actuator.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/plugins/simulator/entities/turret_entity.h>
 
 #include <cmath>
@@ -11,6 +12,9 @@ namespace {
 
 // rad/s of one turn per minute
 constexpr Real kRadiansPerSecond = ARGOS_PI / 30.0;
+
+// numbers of the quantities that <noise> may be on
+enum EQuantity : size_t { QUANTITY_ROTATION, QUANTITY_ROTATION_SPEED };
 
 CTurretEntity::EMode ToEntityMode(CCI_FootBotTurretActuator::ETurretModes mode) {
   switch (mode) {
@@ -29,6 +33,12 @@ CTurretEntity::EMode ToEntityMode(CCI_FootBotTurretActuator::ETurretModes mode) 
 
 void CFootBotTurretDefaultActuator::SetRobot(CComposableEntity& robot) {
   m_turret = &robot.GetComponent<CTurretEntity>("turret");
+  m_robot = &robot.GetComponent<CControllableEntity>("controller");
+}
+
+void CFootBotTurretDefaultActuator::Init(TConfigurationNode& tree) {
+  CCI_FootBotTurretActuator::Init(tree);
+  m_noise.Init(tree, *m_robot, {"rotation", "rotation_speed"});
 }
 
 void CFootBotTurretDefaultActuator::SetRotation(const CRadians& angle) {
@@ -36,11 +46,11 @@ void CFootBotTurretDefaultActuator::SetRotation(const CRadians& angle) {
     THROW_ARGOSEXCEPTION("footbot_turret: the rotation must be a finite angle, got "
                          << angle.GetValue() << " rad");
   }
-  m_rotation = angle;
+  m_rotation = CRadians(m_noise.Apply(QUANTITY_ROTATION, angle.GetValue()));
 }
 
 void CFootBotTurretDefaultActuator::SetRotationSpeed(SInt32 pulses) {
-  m_speed = CRadians(kRadiansPerSecond * pulses);
+  m_speed = CRadians(kRadiansPerSecond * m_noise.Apply(QUANTITY_ROTATION_SPEED, pulses));
 }
 
 void CFootBotTurretDefaultActuator::SetMode(ETurretModes mode) {
@@ -57,6 +67,7 @@ void CFootBotTurretDefaultActuator::Reset() {
   m_mode = MODE_OFF;
   m_rotation = CRadians::ZERO;
   m_speed = CRadians::ZERO;
+  m_noise.Reset();
 }
 
 REGISTER_ACTUATOR(
@@ -91,7 +102,14 @@ REQUIRED XML
 
 OPTIONAL XML
 
-  None.
+Noise on the targets "rotation" (rad) and "rotation_speed" (turns per minute), drawn once for each order:
+
+  <footbot_turret implementation="default">
+    <noise on="rotation" model="gaussian" std_dev="0.02" />
+  </footbot_turret>
+
+  noise@on     "rotation" or "rotation_speed"; without it, both.
+  noise@model  "uniform" (level), "gaussian" (std_dev) or "rayleigh" (sigma); also bias and relative.
 )",
     "Usable")
 

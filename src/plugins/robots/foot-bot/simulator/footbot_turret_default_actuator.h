@@ -3,16 +3,20 @@
 
 #include <argos3/core/simulator/actuator.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_turret_actuator.h>
+#include <argos3/plugins/robots/generic/simulator/noise.h>
 
 namespace argos {
 
+class CControllableEntity;
 class CTurretEntity;
 
 /** Turns the turret of a foot-bot; see its long description. */
 class CFootBotTurretDefaultActuator : public CSimulatedActuator, public CCI_FootBotTurretActuator {
  public:
-  /** @throws CARGoSException unless the robot has a "turret". */
+  /** @throws CARGoSException unless the robot has a "turret" and a "controller". */
   void SetRobot(CComposableEntity& robot) override;
+  /** Reads `<noise>`. */
+  void Init(TConfigurationNode& tree) override;
   /** @throws CARGoSException if it is not finite. */
   void SetRotation(const CRadians& angle) override;
   void SetRotationSpeed(SInt32 pulses) override;
@@ -23,9 +27,11 @@ class CFootBotTurretDefaultActuator : public CSimulatedActuator, public CCI_Foot
 
  private:
   CTurretEntity* m_turret = nullptr;  // of the robot
+  const CControllableEntity* m_robot = nullptr;
   ETurretModes m_mode = MODE_OFF;
-  CRadians m_rotation;
-  CRadians m_speed;  // per s
+  CRadians m_rotation;  // with noise
+  CRadians m_speed;  // per s, with noise
+  CDeviceNoise m_noise;
 };
 
 }  // namespace argos

@@ -1,32 +1,39 @@
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_turret_encoder_default_sensor.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/plugins/simulator/entities/turret_entity.h>
 
 namespace argos {
 
 void CFootBotTurretEncoderDefaultSensor::SetRobot(CComposableEntity& robot) {
   m_turret = &robot.GetComponent<CTurretEntity>("turret");
+  m_robot = &robot.GetComponent<CControllableEntity>("controller");
 }
 
 void CFootBotTurretEncoderDefaultSensor::Init(TConfigurationNode& tree) {
   CCI_FootBotTurretEncoderSensor::Init(tree);
+  m_noise.Init(tree, *m_robot, {"rotation"});
   Enable();
 }
 
 void CFootBotTurretEncoderDefaultSensor::Update() {
-  m_cRotation = m_turret->GetRotation();
+  m_cRotation = CRadians(m_noise.Apply(0, m_turret->GetRotation().GetValue()));
+  if (m_noise.IsOn()) {
+    m_cRotation.SignedNormalize();
+  }
 }
 
 void CFootBotTurretEncoderDefaultSensor::Reset() {
   m_cRotation = CRadians::ZERO;
+  m_noise.Reset();
 }
 
 REGISTER_SENSOR(
     CFootBotTurretEncoderDefaultSensor, "footbot_turret_encoder", "default",
     "the authors of this project", "1.0", "Where the turret of the foot-bot points.",
     R"(Reads the rotation of the turret on the base, in rad, in (-pi,pi], counter-clockwise from straight ahead;
-exactly, and in every mode of the turret.
+in every mode of the turret, and exactly if there is no noise.
 
 REQUIRED XML
 
@@ -42,7 +49,12 @@ REQUIRED XML
 
 OPTIONAL XML
 
-  None.
+  <footbot_turret_encoder implementation="default">
+    <noise on="rotation" model="gaussian" std_dev="0.01" />
+  </footbot_turret_encoder>
+
+Children <noise on="rotation" model="uniform|gaussian|rayleigh" level|std_dev|sigma="..." bias="0" relative="false" />
+add noise to the rotation (rad) in each tick; what is read stays in (-pi,pi].
 )",
     "Usable")
 

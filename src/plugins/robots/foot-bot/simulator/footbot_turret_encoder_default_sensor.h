@@ -3,23 +3,28 @@
 
 #include <argos3/core/simulator/sensor.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_turret_encoder_sensor.h>
+#include <argos3/plugins/robots/generic/simulator/noise.h>
 
 namespace argos {
 
+class CControllableEntity;
 class CTurretEntity;
 
 /** Reads where the turret of a foot-bot points, in every mode. */
 class CFootBotTurretEncoderDefaultSensor : public CSimulatedSensor,
                                            public CCI_FootBotTurretEncoderSensor {
  public:
-  /** @throws CARGoSException unless the robot has a "turret". */
+  /** @throws CARGoSException unless the robot has a "turret" and a "controller". */
   void SetRobot(CComposableEntity& robot) override;
+  /** Reads `<noise>`. */
   void Init(TConfigurationNode& tree) override;
   void Update() override;
   void Reset() override;
 
  private:
   const CTurretEntity* m_turret = nullptr;  // of the robot
+  const CControllableEntity* m_robot = nullptr;
+  CDeviceNoise m_noise;
 };
 
 }  // namespace argos

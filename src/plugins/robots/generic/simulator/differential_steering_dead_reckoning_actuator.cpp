@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
 
@@ -26,6 +27,27 @@ void CDifferentialSteeringDeadReckoningActuator::StartOver() {
                    GetRobot().GetRootEntity().GetId(), "differential steering dead reckoning");
   m_deviation = m_stream->Rayleigh(m_sigma);
   m_wasHolding = false;
+}
+
+bool CDifferentialSteeringDeadReckoningActuator::IsHolding() {
+  const CEntity::TVector& components = GetRobot().GetParent().GetExistingComponents();
+  const bool isCurrent = components.size() == m_numComponents &&
+                         (m_gripper == nullptr || components[m_gripperPlace] == m_gripper);
+  if (!isCurrent) {
+    FindGripper(components);
+  }
+  return m_gripper != nullptr && m_gripper->IsGripping();
+}
+
+void CDifferentialSteeringDeadReckoningActuator::FindGripper(const CEntity::TVector& components) {
+  m_numComponents = components.size();
+  m_gripper = nullptr;
+  for (size_t i = 0; i < components.size(); ++i) {
+    if (const auto* gripper = dynamic_cast<const CGripperEquippedEntity*>(components[i])) {
+      m_gripper = gripper;
+      m_gripperPlace = i;
+    }
+  }
 }
 
 void CDifferentialSteeringDeadReckoningActuator::Update() {

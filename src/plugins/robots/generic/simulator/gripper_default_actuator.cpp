@@ -1,20 +1,36 @@
 #include <argos3/plugins/robots/generic/simulator/gripper_default_actuator.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
+
+#include <algorithm>
 
 namespace argos {
 
 void CGripperDefaultActuator::SetRobot(CComposableEntity& robot) {
   m_gripper = &robot.GetComponent<CGripperEquippedEntity>("gripper");
+  m_robot = &robot.GetComponent<CControllableEntity>("controller");
+}
+
+void CGripperDefaultActuator::Init(TConfigurationNode& tree) {
+  CCI_GripperActuator::Init(tree);
+  m_noise.Init(tree, *m_robot, {"lock_state"});
 }
 
 void CGripperDefaultActuator::Update() {
-  m_gripper->SetLockState(m_fLockState);
+  if (m_fLockState != m_ordered) {
+    m_ordered = m_fLockState;
+    m_lockState = m_noise.IsOn() ? std::clamp(m_noise.Apply(0, m_ordered), 0.0, 1.0) : m_ordered;
+  }
+  m_gripper->SetLockState(m_lockState);
 }
 
 void CGripperDefaultActuator::Reset() {
   Unlock();
+  m_ordered = m_fLockState;
+  m_lockState = m_fLockState;
+  m_noise.Reset();
 }
 
 REGISTER_ACTUATOR(
@@ -40,7 +56,12 @@ REQUIRED XML
 
 OPTIONAL XML
 
-  None.
+  <gripper implementation="default">
+    <noise on="lock_state" model="gaussian" std_dev="0.1" />
+  </gripper>
+
+Children <noise on="lock_state" model="uniform|gaussian|rayleigh" level|std_dev|sigma="..." bias="0" relative="false" />
+add noise to the lock state whenever the controller sets another one; it stays in [0,1], and locks above 0.5.
 )",
     "Usable")
 

@@ -2,8 +2,8 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
-#include <argos3/core/simulator/simulator.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/read_medium.h>
 #include <argos3/plugins/simulator/media/led_medium.h>
 
 namespace argos {
@@ -16,19 +16,8 @@ void CLEDsDefaultActuator::SetRobot(CComposableEntity& robot) {
 
 void CLEDsDefaultActuator::Init(TConfigurationNode& tree) {
   CCI_LEDsActuator::Init(tree);
-  std::string medium;
-  GetNodeAttribute(tree, "medium", medium);
   CSimulator& simulator = m_robot->GetComponent<CControllableEntity>("controller").GetSimulator();
-  try {
-    m_leds->SetMedium(simulator.GetMedium<CLEDMedium>(medium));
-  } catch (std::exception& error) {
-    THROW_ARGOSEXCEPTION_NESTED(tree.GetLocation()
-                                    << ": <" << tree.Value()
-                                    << ">: attribute \"medium\" must be the id of an "
-                                       "LED medium, got \""
-                                    << medium << "\"",
-                                error);
-  }
+  m_leds->SetMedium(ReadMedium<CLEDMedium>(tree, simulator, "an LED medium"));
   m_leds->Enable();
 }
 

@@ -2,6 +2,8 @@
 
 #include <argos3/core/control_interface/ci_controller.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_proximity_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_actuator.h>
 
 #include <fstream>
 #include <limits>
@@ -58,9 +60,42 @@ class CNotANumber : public CCI_Controller {
   CCI_DifferentialSteeringActuator* m_wheels = nullptr;
 };
 
+/* Asks for the devices that its parameters name, the sensor as if it were one for proximity. */
+class CAsksForDevice : public CCI_Controller {
+ public:
+  void Init(TConfigurationNode& params) override {
+    std::string sensor;
+    std::string actuator;
+    GetNodeAttributeOrDefault(params, "sensor", sensor, sensor);
+    GetNodeAttributeOrDefault(params, "actuator", actuator, actuator);
+    if (!sensor.empty()) {
+      GetSensor<CCI_ProximitySensor>(sensor);
+    }
+    if (!actuator.empty()) {
+      GetActuator<CCI_Actuator>(actuator);
+    }
+  }
+};
+
+/* Sends messages of as many bytes as its parameters say. */
+class CSendsMessage : public CCI_Controller {
+ public:
+  void Init(TConfigurationNode& params) override {
+    GetNodeAttribute(params, "bytes", m_bytes);
+    m_messages = GetActuator<CCI_RangeAndBearingActuator>("range_and_bearing");
+  }
+  void ControlStep() override { m_messages->SetData(CByteArray(m_bytes)); }
+
+ private:
+  UInt32 m_bytes = 0;
+  CCI_RangeAndBearingActuator* m_messages = nullptr;
+};
+
 }  // namespace
 
 REGISTER_CONTROLLER(CIdle, "test_idle")
 REGISTER_CONTROLLER(CThrowsInInit, "test_throws_in_init")
 REGISTER_CONTROLLER(CThrowsInStep, "test_throws_in_step")
 REGISTER_CONTROLLER(CNotANumber, "test_not_a_number")
+REGISTER_CONTROLLER(CAsksForDevice, "test_asks_for_device")
+REGISTER_CONTROLLER(CSendsMessage, "test_sends_message")

@@ -1,0 +1,36 @@
+#ifndef ARGOS3_PLUGINS_ENTITIES_READ_MEDIUM_H
+#define ARGOS3_PLUGINS_ENTITIES_READ_MEDIUM_H
+
+#include <argos3/core/simulator/load_errors.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/plugins/simulator/entities/value_checks.h>
+
+#include <string>
+
+namespace argos {
+
+/**
+ * The medium that the required attribute `medium` of an element names; for the sources of entities
+ * and devices.
+ * @tparam MEDIUM  a medium, or what a kind of media implements.
+ * @param kind  what it must be, for the message: "an LED medium".
+ * @throws CARGoSException if the attribute is missing, or names no medium of that kind.
+ */
+template <class MEDIUM>
+MEDIUM& ReadMedium(TConfigurationNode& node, CSimulator& simulator, const std::string& kind) {
+  std::string id;
+  GetNodeAttribute(node, "medium", id);
+  try {
+    return simulator.GetMedium<MEDIUM>(id);
+  } catch (const CAlreadyReported&) {
+    throw;
+  } catch (std::exception& error) {
+    THROW_ARGOSEXCEPTION_NESTED(OwnerOf(node) << ": attribute \"medium\" must be the id of " << kind
+                                              << ", got \"" << id << "\"",
+                                error);
+  }
+}
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,445 @@
+// The foot-bot's gripper and turret as controllers see them.
+
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_gripper_actuator.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_turret_actuator.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_turret_encoder_sensor.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_turret_entity.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_gripper_actuator.h>
+#include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
+#include <argos3/testing/contract/sensors/scene.h>
+#include <argos3/testing/support/robot_world.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+using namespace argos;
+using Catch::Matchers::Contains;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+using TTurret = CCI_FootBotTurretActuator;
+
+constexpr Real kRadius = 0.085036758;  // m, of a foot-bot
+constexpr Real kHalf = 0.1;  // m, of a thing to be gripped
+constexpr Real kReach = 0.01;  // m, around the gripper's point
+constexpr Real kNaN = std::numeric_limits<Real>::quiet_NaN();
+
+SRobotExperiment With(const std::string& actuators, const std::string& sensors = "") {
+  SRobotExperiment experiment;
+  experiment.Actuators = actuators;
+  experiment.Sensors = sensors;
+  experiment.Engine = "<dynamics2d id=\"dyn2d\"/>";
+  experiment.Arena = Robot("foot-bot", "r", "");
+  return experiment;
+}
+
+// a movable thing near a foot-bot at the origin that looks along x; (x, y) is its nearest point
+std::string Thing(const std::string& kind, Real x, Real y) {
+  if (kind == "foot-bot") {
+    return Robot("foot-bot", "thing", "position=\"" + ToText(CVector3(x + kRadius, y, 0)) + "\"");
+  }
+  const bool isBox = kind == "box";
+  return "<" + kind + " id=\"thing\" " +
+         (isBox ? "size=\"0.2,0.2,0.1\"" : "radius=\"0.1\" height=\"0.1\"") +
+         " movable=\"true\" mass=\"1\"><body position=\"" +
+         ToText(CVector3(x + kHalf, isBox && y != 0.0 ? y + kHalf : y, 0)) + "\"/></" + kind + ">";
+}
+
+bool Grips(CRobotWorld& world) {
+  world.GetActuator<CCI_FootBotGripperActuator>("r", "footbot_gripper").LockPositive();
+  // orders are followed in the tick after them
+  world.Step();
+  return world.Get<CFootBotEntity>("r").GetGripperEquippedEntity().IsGripping();
+}
+
+CVector3 PositionOf(CRobotWorld& world, const std::string& id) {
+  return world.Get<CComposableEntity>(id)
+      .GetComponent<CEmbodiedEntity>("body")
+      .GetOriginAnchor()
+      .Position;
+}
+
+SRobotExperiment WithTurret(const std::string& engine = "dynamics2d") {
+  SRobotExperiment experiment = With("<footbot_turret implementation=\"default\"/>",
+                                     "<footbot_turret_encoder implementation=\"default\"/>");
+  experiment.Engine = "<" + engine + " id=\"e\"/>";
+  return experiment;
+}
+
+}  // namespace
+
+TEST_CASE("gripper actuator: it is locked above a half, from the next tick on",
+          "[contract][robots]") {
+  CRobotWorld world(With("<gripper implementation=\"default\"/>"));
+  auto& actuator = world.GetActuator<CCI_GripperActuator>("r", "gripper");
+  CGripperEquippedEntity& gripper = world.Get<CFootBotEntity>("r").GetGripperEquippedEntity();
+  const auto lockStateFor = [&](auto&& order) {
+    order();
+    world.Step();
+    return gripper.GetLockState();
+  };
+  CHECK(gripper.GetLockState() == 0.0);
+  CHECK(lockStateFor([&] { actuator.Lock(); }) == 1.0);
+  CHECK(gripper.IsLocked());
+  CHECK(lockStateFor([&] { actuator.SetLockState(0.5); }) == 0.5);
+  CHECK_FALSE(gripper.IsLocked());
+  CHECK(lockStateFor([&] { actuator.SetLockState(7.0); }) == 1.0);
+  CHECK(lockStateFor([&] { actuator.SetLockState(-7.0); }) == 0.0);
+  CHECK(lockStateFor([&] { actuator.Lock(); }) == 1.0);
+  CHECK(lockStateFor([&] { actuator.Unlock(); }) == 0.0);
+  actuator.Lock();
+  world.Step();
+  world.GetSimulator().Reset();
+  CHECK(gripper.GetLockState() == 0.0);
+  world.Step();
+  CHECK(gripper.GetLockState() == 0.0);
+}
+
+TEST_CASE("footbot_gripper: it is locked beyond 45 degrees to either side", "[contract][robots]") {
+  CRobotWorld world(With("<footbot_gripper implementation=\"default\"/>"));
+  auto& actuator = world.GetActuator<CCI_FootBotGripperActuator>("r", "footbot_gripper");
+  CGripperEquippedEntity& gripper = world.Get<CFootBotEntity>("r").GetGripperEquippedEntity();
+  const auto lockStateAt = [&](Real degrees) {
+    actuator.SetAperture(ToRadians(CDegrees(degrees)));
+    world.Step();
+    return gripper.GetLockState();
+  };
+  CHECK_THAT(lockStateAt(30.0), WithinAbs(1.0 / 3.0, 1e-12));
+  CHECK_FALSE(gripper.IsLocked());
+  CHECK_THAT(lockStateAt(-60.0), WithinAbs(2.0 / 3.0, 1e-12));
+  CHECK(gripper.IsLocked());
+  // cut to 90 degrees, after a full turn is taken off
+  CHECK(lockStateAt(170.0) == 1.0);
+  CHECK_THAT(lockStateAt(360.0 + 9.0), WithinAbs(0.1, 1e-12));
+  actuator.LockPositive();
+  world.Step();
+  CHECK(gripper.IsLocked());
+  actuator.Unlock();
+  world.Step();
+  CHECK(gripper.GetLockState() == 0.0);
+  actuator.LockNegative();
+  world.Step();
+  CHECK(gripper.IsLocked());
+  CHECK_THROWS_WITH(actuator.SetAperture(CRadians(kNaN)), Contains("must be a finite angle"));
+  actuator.EnableCheckForObjectGrippedRoutine();
+  actuator.DisableCheckForObjectGrippedRoutine();
+  world.Step();
+  CHECK(gripper.IsLocked());
+  world.GetSimulator().Reset();
+  world.Step();
+  CHECK_FALSE(gripper.IsLocked());
+}
+
+TEST_CASE("gripper: it is where the foot-bot's measures say", "[contract][robots]") {
+  CRobotWorld world(With("<gripper implementation=\"default\"/>"));
+  CGripperEquippedEntity& gripper = world.Get<CFootBotEntity>("r").GetGripperEquippedEntity();
+  CHECK(gripper.GetOffset() == CVector3(0.085036758, 0.0, 0.085));
+  CHECK(gripper.GetDirection() == CVector3::X);
+  gripper.SetOffset(CVector3(0.1, 0.0, 0.1));
+  world.GetSimulator().Reset();
+  CHECK(gripper.GetOffset() == CVector3(0.085036758, 0.0, 0.085));
+}
+
+TEST_CASE("footbot_gripper: reaches as far as a disc of 1 cm around its point",
+          "[contract][robots]") {
+  const std::string kind = GENERATE(as<std::string>(), "box", "cylinder", "foot-bot");
+  CAPTURE(kind);
+  const auto isHeld = [&kind](Real gap, Real side) {
+    SRobotExperiment experiment = With("<footbot_gripper implementation=\"default\"/>");
+    experiment.Arena += Thing(kind, kRadius + gap, side);
+    CRobotWorld world(experiment);
+    return Grips(world);
+  };
+  // the engine counts in single precision
+  CHECK(isHeld(0.001, 0.0));
+  CHECK(isHeld(kReach - 1e-5, 0.0));
+  CHECK_FALSE(isHeld(kReach + 1e-5, 0.0));
+  if (kind == "box") {
+    // its corner, on a diagonal
+    const Real diagonal = kReach * std::sqrt(0.5);
+    CHECK(isHeld(diagonal - 1e-5, diagonal - 1e-5));
+    CHECK_FALSE(isHeld(diagonal + 1e-5, diagonal + 1e-5));
+  }
+}
+
+TEST_CASE("footbot_gripper: the disc turns with the robot and with its turret",
+          "[contract][robots]") {
+  // what is beside the robot is gripped when it, or its turret, looks there
+  SRobotExperiment experiment = With(
+      "<footbot_gripper implementation=\"default\"/><footbot_turret implementation=\"default\"/>");
+  experiment.Arena +=
+      "<cylinder id=\"thing\" radius=\"0.1\" height=\"0.1\" movable=\"true\" mass=\"1\"><body "
+      "position=\"0,0.19,0\"/></cylinder>";
+  CRobotWorld ahead(experiment);
+  CHECK_FALSE(Grips(ahead));
+  ahead.GetActuator<TTurret>("r", "footbot_turret").SetActiveWithRotation(CRadians::PI_OVER_TWO);
+  ahead.Step(150);
+  CHECK(ahead.Get<CFootBotEntity>("r").GetGripperEquippedEntity().IsGripping());
+  const size_t robot = experiment.Arena.find("<body ");
+  experiment.Arena.insert(robot + 6, "orientation=\"90,0,0\" ");
+  CRobotWorld turned(experiment);
+  CHECK(Grips(turned));
+}
+
+TEST_CASE("footbot_gripper: what it holds comes along until it is let go", "[contract][robots]") {
+  const std::string kind = GENERATE(as<std::string>(), "box", "cylinder", "foot-bot");
+  CAPTURE(kind);
+  SRobotExperiment experiment = With(
+      "<footbot_gripper implementation=\"default\"/>"
+      "<differential_steering implementation=\"default\"/>");
+  experiment.Arena += Thing(kind, kRadius + 0.005, 0.0);
+  CRobotWorld world(experiment);
+  REQUIRE(Grips(world));
+  const CVector3 arm = PositionOf(world, "thing") - PositionOf(world, "r");
+  auto& wheels = world.GetActuator<CCI_DifferentialSteeringActuator>("r", "differential_steering");
+  // the gripped foot-bot rolls along: its drive would brake with 15 N
+  if (kind == "foot-bot") {
+    world.GetActuator<CCI_DifferentialSteeringActuator>("thing", "differential_steering")
+        .SetLinearVelocity(-5.0, -5.0);
+  }
+  wheels.SetLinearVelocity(-5.0, -5.0);
+  world.Step(40);
+  CHECK_THAT(PositionOf(world, "r").GetX(), WithinAbs(-0.2, 1e-3));
+  // 1.49 N of friction stretch the grip by 0.15 mm
+  CHECK_THAT(Distance(PositionOf(world, "thing") - PositionOf(world, "r"), arm),
+             WithinAbs(0.0, 5e-4));
+  world.GetActuator<CCI_FootBotGripperActuator>("r", "footbot_gripper").Unlock();
+  if (kind == "foot-bot") {
+    world.GetActuator<CCI_DifferentialSteeringActuator>("thing", "differential_steering")
+        .SetLinearVelocity(0.0, 0.0);
+  }
+  // 5 cm/s are gone after 0.034 s of 1.49 m/s^2
+  world.Step(3);
+  const CVector3 left = PositionOf(world, "thing");
+  world.Step(20);
+  CHECK_THAT(Distance(PositionOf(world, "thing"), left), WithinAbs(0.0, 1e-6));
+  CHECK_THAT(PositionOf(world, "r").GetX(), WithinAbs(-0.2 - 0.05 * 2.3, 1e-3));
+}
+
+TEST_CASE("footbot_gripper: closing on nothing is no mistake, and nothing is moved by it",
+          "[contract][robots]") {
+  SRobotExperiment experiment = With(
+      "<footbot_gripper implementation=\"default\"/>"
+      "<differential_steering implementation=\"default\"/>");
+  CRobotWorld world(experiment);
+  CHECK_FALSE(Grips(world));
+  world.GetActuator<CCI_DifferentialSteeringActuator>("r", "differential_steering")
+      .SetLinearVelocity(10.0, 10.0);
+  world.Step(11);
+  CHECK_THAT(PositionOf(world, "r").GetX(), WithinAbs(0.11, 1e-9));
+  CHECK_FALSE(world.Get<CFootBotEntity>("r").GetGripperEquippedEntity().IsGripping());
+}
+
+TEST_CASE("gripper entity: what it is given must be a number, what it holds must be there",
+          "[contract][robots]") {
+  CGripperEquippedEntity gripper(nullptr, "g", CVector3(1, 0, 0), CVector3::Y, 0.3);
+  CHECK(gripper.GetTypeDescription() == "gripper");
+  CHECK(gripper.GetDirection() == CVector3::Y);
+  gripper.SetLockState(0.4);
+  CHECK(gripper.IsLocked());
+  gripper.SetLockThreshold(0.4);
+  CHECK_FALSE(gripper.IsLocked());
+  CHECK_THROWS_WITH(gripper.SetLockState(kNaN), Contains("\"g\"") && Contains("lock state"));
+  CHECK_THROWS_WITH(gripper.SetLockThreshold(kNaN), Contains("lock threshold"));
+  CHECK_FALSE(gripper.IsGripping());
+  CHECK_THROWS_WITH(gripper.GetGrippedEntity(), Contains("holds nothing"));
+}
+
+TEST_CASE("footbot_turret: the encoder reads where orders have turned it", "[contract][robots]") {
+  // in an engine that knows turrets with loads, and in one that only turns them
+  const std::string engine = GENERATE(as<std::string>(), "dynamics2d", "pointmass3d");
+  CAPTURE(engine);
+  CRobotWorld world(WithTurret(engine));
+  auto& actuator = world.GetActuator<TTurret>("r", "footbot_turret");
+  auto& encoder = world.GetSensor<CCI_FootBotTurretEncoderSensor>("r", "footbot_turret_encoder");
+  // targets are kept in every mode
+  actuator.SetRotation(CRadians(1.0));
+  actuator.SetRotationSpeed(-3);
+  world.Step(5);
+  CHECK(encoder.GetRotation() == CRadians::ZERO);
+  actuator.SetSpeedControlMode();
+  world.Step(20);
+  // -3 turns a minute for 2 s: a turn of 36 degrees
+  CHECK_THAT(encoder.GetRotation().GetValue(), WithinAbs(-0.2 * ARGOS_PI, 1e-12));
+  actuator.SetPassiveMode();
+  world.Step(20);
+  CHECK_THAT(encoder.GetRotation().GetValue(), WithinAbs(-0.2 * ARGOS_PI, 1e-12));
+  actuator.SetPositionControlMode();
+  world.Step(400);
+  CHECK_THAT(encoder.GetRotation().GetValue(), WithinAbs(1.0, 1e-4));
+  actuator.SetActiveWithRotation(CRadians(-2.0));
+  world.Step(400);
+  CHECK_THAT(encoder.GetRotation().GetValue(), WithinAbs(-2.0, 1e-4));
+  // all the way round, within (-pi,pi]
+  actuator.SetMode(TTurret::MODE_SPEED_CONTROL);
+  actuator.SetRotationSpeed(60);
+  for (int tick = 0; tick < 50; ++tick) {
+    world.Step();
+    REQUIRE(TTurret::NORMALIZED_SPEED_RANGE.WithinMinBoundIncludedMaxBoundIncluded(1.0));
+    REQUIRE(CCI_FootBotTurretEncoderSensor::ANGULAR_RANGE.WithinMinBoundIncludedMaxBoundIncluded(
+        encoder.GetRotation()));
+  }
+  world.GetSimulator().Reset();
+  CHECK(encoder.GetRotation() == CRadians::ZERO);
+  world.Step(10);
+  CHECK(encoder.GetRotation() == CRadians::ZERO);
+}
+
+TEST_CASE("footbot_turret: constants and errors", "[contract][robots]") {
+  CHECK(TTurret::SPEED_RANGE.GetMin() == -4);
+  CHECK(TTurret::SPEED_RANGE.GetMax() == 4);
+  CHECK(CCI_FootBotGripperActuator::UNLOCKED == CRadians::ZERO);
+  CHECK(CCI_FootBotGripperActuator::LOCKED_POSITIVE == CRadians::PI_OVER_TWO);
+  CHECK(CCI_FootBotGripperActuator::LOCKED_NEGATIVE == -CRadians::PI_OVER_TWO);
+  CRobotWorld world(WithTurret());
+  auto& actuator = world.GetActuator<TTurret>("r", "footbot_turret");
+  CHECK_THROWS_WITH(actuator.SetRotation(CRadians(kNaN)), Contains("must be a finite angle"));
+  auto& turret = world.Get<CFootBotEntity>("r").GetTurretEntity();
+  CHECK_THROWS_WITH(turret.SetDesiredRotation(CRadians(kNaN)), Contains("desired rotation"));
+  CHECK_THROWS_WITH(turret.SetDesiredRotationSpeed(CRadians(kNaN)), Contains("desired speed"));
+}
+
+TEST_CASE("gripper and turret: robots without them cannot have the devices",
+          "[contract][robots][errors]") {
+  const std::string device = GENERATE(as<std::string>(), "gripper", "footbot_turret");
+  CAPTURE(device);
+  SRobotExperiment experiment = With("<" + device + " implementation=\"default\"/>");
+  experiment.Arena = Robot("e-puck", "e", "");
+  CHECK_THAT(
+      LoadError(experiment),
+      Contains("robot \"e\"") && Contains(device == "gripper" ? "has no component \"gripper\""
+                                                              : "has no component \"turret\""));
+}
+
+namespace {
+
+constexpr int kDraws = 4000;
+const std::string kNoise = "model=\"gaussian\" std_dev=\"0.1\" bias=\"0.05\"";
+
+// what a <noise> of kNoise adds
+Real NoiseDistribution(Real deviation) {
+  return NormalDistribution(deviation - 0.05, 0.1);
+}
+
+}  // namespace
+
+TEST_CASE("gripper noise: it is on the aperture, and on the lock state, of each new order",
+          "[contract][robots][noise]") {
+  const bool isFootBots = GENERATE(true, false);
+  const std::string tag = isFootBots ? "footbot_gripper" : "gripper";
+  CAPTURE(tag);
+  SRobotExperiment experiment =
+      With(WithNoise(tag + " implementation=\"default\"",
+                     (isFootBots ? "on=\"aperture\" " : "on=\"lock_state\" ") + kNoise));
+  experiment.Engine = "<toy_engine id=\"toy\"/>";
+  CRobotWorld world(experiment);
+  const auto& gripper = world.Get<CFootBotEntity>("r").GetGripperEquippedEntity();
+  const auto order = [&](Real value) {
+    if (isFootBots) {
+      world.GetActuator<CCI_FootBotGripperActuator>("r", tag).SetAperture(CRadians(value));
+    } else {
+      world.GetActuator<CCI_GripperActuator>("r", tag).SetLockState(value);
+    }
+    world.GetRobot("r").Act();
+    return gripper.GetLockState() * (isFootBots ? 0.5 * ARGOS_PI : 1.0);
+  };
+  // nothing is ordered: nothing is drawn
+  CHECK(order(0.0) == 0.0);
+  // so far from the ends that the noise is not cut: 4.5 standard deviations are passed 7 times in a
+  // million
+  const Real middle = isFootBots ? 0.7 : 0.45;
+  std::vector<Real> deviations;
+  for (int i = 0; i < kDraws; ++i) {
+    // two orders, which take turns
+    const Real value = i % 2 == 0 ? middle : middle + 0.01;
+    const Real followed = order(value);
+    deviations.push_back(followed - value);
+    // the same order again is no new one
+    CHECK(order(value) == followed);
+  }
+  CHECK(KolmogorovSmirnovExcess(deviations, &NoiseDistribution) <= 1.0);
+  // what is beyond the ends is cut
+  const Real end = isFootBots ? 0.5 * ARGOS_PI : 1.0;
+  bool isCut = false;
+  for (int i = 0; i < 20; ++i) {
+    const Real followed = order(i % 2 == 0 ? end : end - 0.01);
+    REQUIRE(followed <= end + 1e-15);
+    isCut = isCut || followed == end;
+  }
+  CHECK(isCut);
+  const Real first = [&] {
+    world.GetSimulator().Reset();
+    return order(middle);
+  }();
+  world.GetSimulator().Reset();
+  CHECK(order(middle) == first);
+}
+
+TEST_CASE("footbot_turret noise: it is on each order", "[contract][robots][noise]") {
+  const bool isRotation = GENERATE(true, false);
+  CAPTURE(isRotation);
+  SRobotExperiment experiment =
+      With(WithNoise("footbot_turret implementation=\"default\"",
+                     (isRotation ? "on=\"rotation\" " : "on=\"rotation_speed\" ") + kNoise));
+  experiment.Engine = "<toy_engine id=\"toy\"/>";
+  CRobotWorld world(experiment);
+  auto& actuator = world.GetActuator<TTurret>("r", "footbot_turret");
+  const auto& turret = world.Get<CFootBotEntity>("r").GetTurretEntity();
+  std::vector<Real> deviations;
+  for (int i = 0; i < kDraws; ++i) {
+    actuator.SetRotation(CRadians(1.0));
+    actuator.SetRotationSpeed(3);
+    world.GetRobot("r").Act();
+    const Real rotation = turret.GetDesiredRotation().GetValue() - 1.0;
+    const Real speed = turret.GetDesiredRotationSpeed().GetValue() * 30.0 / ARGOS_PI - 3.0;
+    deviations.push_back(isRotation ? rotation : speed);
+    // the other one is exact, but for roundings of 3
+    REQUIRE_THAT(isRotation ? speed : rotation, WithinAbs(0.0, 1e-15));
+  }
+  CHECK(KolmogorovSmirnovExcess(deviations, &NoiseDistribution) <= 1.0);
+  // an order that holds is not drawn again
+  const CRadians rotation = turret.GetDesiredRotation();
+  world.GetRobot("r").Act();
+  CHECK(turret.GetDesiredRotation() == rotation);
+}
+
+TEST_CASE("footbot_turret_encoder noise: it is on each reading, which stays in its range",
+          "[contract][robots][noise]") {
+  const Real rotation = GENERATE(0.5, -3.1);
+  CAPTURE(rotation);
+  SRobotExperiment experiment =
+      With("", WithNoise("footbot_turret_encoder implementation=\"default\"", kNoise));
+  experiment.Engine = "<toy_engine id=\"toy\"/>";
+  CRobotWorld world(experiment);
+  const auto& encoder =
+      world.GetSensor<CCI_FootBotTurretEncoderSensor>("r", "footbot_turret_encoder");
+  world.Get<CFootBotEntity>("r").GetTurretEntity().SetRotation(CRadians(rotation));
+  std::vector<Real> deviations;
+  Real greatest = 0.0;
+  for (int i = 0; i < kDraws; ++i) {
+    world.Step();
+    const Real reading = encoder.GetRotation().GetValue();
+    greatest = std::max(greatest, std::abs(reading));
+    deviations.push_back(std::remainder(reading - rotation, 2.0 * ARGOS_PI));
+  }
+  CHECK(KolmogorovSmirnovExcess(deviations, &NoiseDistribution) <= 1.0);
+  CHECK(greatest <= ARGOS_PI);
+}
+
+TEST_CASE("gripper and turret noise: what is wrong is refused with the names that are right",
+          "[contract][robots][errors]") {
+  const auto [tag, known] =
+      GENERATE(table<std::string, std::string>({{"gripper", "lock_state"},
+                                                {"footbot_gripper", "aperture"},
+                                                {"footbot_turret", "rotation"}}));
+  CAPTURE(tag);
+  CHECK_THAT(LoadError(With(WithNoise(tag + " implementation=\"default\"", "on=\"x\" " + kNoise))),
+             Contains("test.argos:4: <noise>: <" + tag + "> has no \"x\"") && Contains(known));
+}

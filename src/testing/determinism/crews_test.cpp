@@ -1,0 +1,117 @@
+// Robots that hold things, and robots that fly: what they read decides what they do.
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
+#include <argos3/testing/determinism/crews.h>
+#include <argos3/testing/support/allocation_count.h>
+
+#include <catch2/catch.hpp>
+
+#include <vector>
+
+using namespace argos;
+
+namespace {
+
+constexpr UInt32 kTicks = 100;
+
+SExperiment Crew(bool flies, bool noisy) {
+  // more robots than one thread handles in a row
+  return flies ? Flyers(70, noisy) : Holders(35, noisy);
+}
+
+// of the world after each tick, and in the end of all that each robot read
+std::vector<UInt64> Run(CTestWorld& world) {
+  std::vector<UInt64> digests = {world.ComputeDigest()};
+  for (UInt32 tick = 0; tick < kTicks; ++tick) {
+    world.Step();
+    digests.push_back(world.ComputeDigest());
+  }
+  for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
+    digests.push_back(dynamic_cast<CRecorder&>(robot->GetController()).GetRead());
+  }
+  return digests;
+}
+
+const std::vector<UInt64>& Reference(bool flies) {
+  static const std::vector<UInt64> holders = [] {
+    CTestWorld world(Crew(false, true));
+    return Run(world);
+  }();
+  static const std::vector<UInt64> flyers = [] {
+    CTestWorld world(Crew(true, true));
+    return Run(world);
+  }();
+  return flies ? flyers : holders;
+}
+
+}  // namespace
+
+TEST_CASE("crews: every tick is the same for every number of threads, also after a reset",
+          "[determinism][sensors]") {
+  const bool flies = GENERATE(false, true);
+  const UInt32 threads = GENERATE(0U, 1U, 4U);
+  CAPTURE(flies, threads);
+  SExperiment experiment = Crew(flies, true);
+  experiment.Threads = threads;
+  CTestWorld world(experiment);
+  CHECK(Run(world) == Reference(flies));
+  world.GetSimulator().Reset();
+  CHECK(Run(world) == Reference(flies));
+}
+
+TEST_CASE("crews: what they read decides, and differs between them", "[determinism][sensors]") {
+  const bool flies = GENERATE(false, true);
+  CAPTURE(flies);
+  CTestWorld world(Crew(flies, false));
+  const std::vector<UInt64> digests = Run(world);
+  CHECK(digests.front() == Reference(flies).front());
+  CHECK(digests[kTicks] != Reference(flies)[kTicks]);
+  CHECK(Reference(flies)[kTicks + 1] != Reference(flies)[kTicks + 2]);
+}
+
+TEST_CASE("crews: loads are held and let go", "[determinism][sensors]") {
+  CTestWorld world(Holders(35, true));
+  size_t held = 0;
+  size_t changes = 0;
+  std::vector<bool> before;
+  for (UInt32 tick = 0; tick < kTicks; ++tick) {
+    world.Step();
+    std::vector<bool> now;
+    for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
+      auto& root = dynamic_cast<CComposableEntity&>(robot->GetRootEntity());
+      now.push_back(root.GetComponent<CGripperEquippedEntity>("gripper").IsGripping());
+      held += now.back() ? 1 : 0;
+      changes += !before.empty() && before[now.size() - 1] != now.back() ? 1 : 0;
+    }
+    before = now;
+  }
+  // the 70 robots hold something a third of the time, and each takes and lets go once
+  CHECK(held > 70 * kTicks / 3);
+  CHECK(changes > 70 * 2);
+}
+
+TEST_CASE("crews: a settled tick allocates nothing", "[determinism][sensors][allocation]") {
+  if (!CAllocationCount::IsAvailable()) {
+    return;
+  }
+  const bool flies = GENERATE(false, true);
+  const UInt32 threads = GENERATE(0U, 2U);
+  const bool noisy = GENERATE(true, false);
+  CAPTURE(flies, threads, noisy);
+  SExperiment experiment = flies ? Flyers(30, noisy) : Holders(15, noisy);
+  experiment.Threads = threads;
+  CTestWorld world(experiment);
+  world.Step(300);
+  size_t counted = 0;
+  std::string first;
+  {
+    const CAllocationCount count;
+    world.Step(100);
+    counted = count.GetCount();
+    first = count.DescribeFirst();
+  }
+  INFO("the first allocation was made by\n" << first);
+  CHECK(counted == 0);
+}

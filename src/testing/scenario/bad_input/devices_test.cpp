@@ -1,0 +1,239 @@
+// Devices and media that are asked for but not there, and what controllers do wrong with theirs.
+
+#include "../command_line/program_run.h"
+#include "experiment_text.h"
+
+#include <catch2/catch.hpp>
+
+using namespace argos;
+using Catch::Contains;
+
+namespace {
+
+std::string WithSensors(const std::string& sensors, const std::string& label = "test_idle",
+                        const std::string& params = "<params/>") {
+  return "<controllers>" +
+         SExperimentText::Controller(label, params, "<sensors>" + sensors + "</sensors>") +
+         "</controllers>";
+}
+
+/** An experiment of one robot that runs a script. */
+struct SScriptedRun {
+  std::string Script;
+  std::string Actuators = "<differential_steering implementation='default'/>";
+  std::string Media = "";
+  std::string Params = "";
+
+  /** Runs the program on it; the experiment is "e.argos", the script "s.lua". */
+  SProgramRun Run() const {
+    const CTestFolder folder;
+    folder.Write("s.lua", Script);
+    folder.Write("e.argos",
+                 "<argos-configuration>\n"
+                 "<framework><experiment ticks_per_second='10' length='1' random_seed='1'/>"
+                 "</framework>\n"
+                 "<controllers><lua_controller id='c'><actuators>\n" +
+                     Actuators + "\n</actuators><sensors/><params script='s.lua' " + Params +
+                     "/></lua_controller></controllers>\n"
+                     "<physics_engines><dynamics2d id='d'/></physics_engines>\n<media>" +
+                     Media +
+                     "</media>\n"
+                     "<arena size='4,4,1'><foot-bot id='fb' rab_data_size='3'><body "
+                     "position='0,0,0'/><controller config='c'/></foot-bot></arena>\n"
+                     "</argos-configuration>\n");
+    return folder.Run({"-c", "e.argos"});
+  }
+};
+
+const std::string kActuatorLine = "e.argos:4: ";
+
+}  // namespace
+
+TEST_CASE("bad input: a device that the robot does not have", "[bad_input]") {
+  SExperimentText experiment;
+  experiment.Controllers = WithSensors("<footbot_turret_encoder implementation=\"default\"/>");
+  const std::string error = LoadError(experiment);
+  CHECK_THAT(error, Contains(At(SExperimentText::kControllersLine) +
+                             " the sensor <footbot_turret_encoder> does not fit e-puck \"ep\""));
+  CHECK_THAT(error, Contains("has no component \"turret\"; known: body, "));
+  CHECK_THAT(error, Contains(At(SExperimentText::kArenaLine)));
+}
+
+TEST_CASE("bad input: a medium that is named but absent, or of another kind", "[bad_input]") {
+  SExperimentText experiment;
+  const auto [named, media, known] = GENERATE(table<std::string, std::string, std::string>(
+      {{"rab", "", "there is no medium \"rab\"; known: none"},
+       {"rba", "<range_and_bearing id=\"rab\"/>",
+        "there is no medium \"rba\"; did you mean \"rab\"?"},
+       {"leds", "<led id=\"leds\"/>", "medium \"leds\" is not of the type that is needed here"}}));
+  CAPTURE(named, media);
+  experiment.Media = "<media>" + media + "</media>";
+  SECTION("by a sensor") {
+    experiment.Controllers =
+        WithSensors("<range_and_bearing implementation=\"medium\" medium=\"" + named + "\"/>");
+    CHECK_THAT(LoadError(experiment),
+               Contains(At(SExperimentText::kControllersLine) +
+                        " <range_and_bearing>: attribute \"medium\" must be the id of a range and "
+                        "bearing medium, got \"" +
+                        named + "\"") &&
+                   Contains(known));
+  }
+  SECTION("by what a robot carries") {
+    experiment.Robot =
+        "<e-puck id=\"ep\"><body/><controller config=\"c\"/><simple_radios><simple_radio "
+        "id=\"wifi\" medium=\"" +
+        named + "\" range=\"1\"/></simple_radios></e-puck>";
+    CHECK_THAT(LoadError(experiment),
+               Contains(At(SExperimentText::kArenaLine) +
+                        " <simple_radio>: attribute \"medium\" must be the id of a simple radio "
+                        "medium, got \"" +
+                        named + "\"") &&
+                   Contains(known));
+  }
+}
+
+TEST_CASE("bad input: lights and mounted lights whose medium is absent", "[bad_input]") {
+  SExperimentText experiment;
+  const auto [element, message] = GENERATE(table<std::string, std::string>(
+      {{"<light id=\"l\" position=\"0,1,0.5\" intensity=\"1\" color=\"red\" medium=\"ledz\"/>",
+        "<light>: attribute \"medium\" must be the id of an LED medium, got \"ledz\""},
+       {"<e-puck id=\"l\"><body position=\"0,1,0\"/><controller config=\"c\"/><tags "
+        "medium=\"ledz\"/></e-puck>",
+        "<tags>: attribute \"medium\" must be the id of a tag medium, got \"ledz\""},
+       {"<e-puck id=\"l\"><body position=\"0,1,0\"/><controller config=\"c\"/><directional_leds "
+        "medium=\"ledz\"/></e-puck>",
+        "<directional_leds>: attribute \"medium\" must be the id of a medium of directional LEDs, "
+        "got \"ledz\""}}));
+  CAPTURE(element);
+  experiment.Media = "<media><led id=\"leds\"/></media>";
+  experiment.Box = element;
+  CHECK_THAT(LoadError(experiment), Contains(At(SExperimentText::kArenaLine) + " " + message) &&
+                                        Contains("did you mean \"leds\"?"));
+}
+
+TEST_CASE("bad input: what needs a medium that is broken itself is not reported again",
+          "[bad_input]") {
+  SExperimentText experiment;
+  experiment.Media = "<media><led id=\"leds\" index=\"nonsense\"/></media>";
+  experiment.Box =
+      "<light id=\"l\" position=\"0,1,0.5\" intensity=\"1\" color=\"red\" medium=\"leds\"/>";
+  const std::string error = LoadError(experiment);
+  CHECK_THAT(error, Contains(At(SExperimentText::kMediaLine)) && Contains("nonsense"));
+  CHECK_THAT(error, !Contains("<light>"));
+}
+
+TEST_CASE("bad input: a controller that asks for a sensor that its XML does not list",
+          "[bad_input]") {
+  SExperimentText experiment;
+  experiment.Controllers = WithSensors("<proximity implementation=\"default\"/>",
+                                       "test_asks_for_device", "<params sensor=\"proximitty\"/>");
+  const std::string error = LoadError(experiment);
+  CHECK_THAT(error, Contains("Robot \"ep\": its controller asks for the sensor \"proximitty\", "
+                             "which is not in the <sensors> section"));
+  CHECK_THAT(error,
+             Contains("did you mean \"proximity\"?") && Contains("that section has: proximity"));
+  CHECK_THAT(error, Contains(At(SExperimentText::kControllersLine)) &&
+                        Contains(At(SExperimentText::kArenaLine)));
+  // an actuator, and a device of another type than the controller thinks
+  experiment.Controllers = WithSensors("", "test_asks_for_device", "<params actuator=\"leds\"/>");
+  CHECK_THAT(LoadError(experiment),
+             Contains("the actuator \"leds\", which is not in the <actuators> section") &&
+                 Contains("that section has: differential_steering"));
+  experiment.Controllers = WithSensors("<positioning implementation=\"default\"/>",
+                                       "test_asks_for_device", "<params sensor=\"positioning\"/>");
+  CHECK_THAT(LoadError(experiment), Contains("the sensor \"positioning\" as a ") &&
+                                        Contains("CCI_ProximitySensor") &&
+                                        Contains("CPositioningDefaultSensor"));
+}
+
+TEST_CASE("bad input: a message that is longer or shorter than the robot's messages",
+          "[bad_input]") {
+  SExperimentText experiment;
+  experiment.Media = "<media><range_and_bearing id=\"rab\"/></media>";
+  const std::string bytes = GENERATE(as<std::string>(), "1", "3");
+  experiment.Robot =
+      "<e-puck id=\"ep\" rab_data_size=\"2\"><body/><controller config=\"c\"/></e-puck>";
+  experiment.Controllers =
+      "<controllers><test_sends_message id=\"c\" library=\"" + BadControllersLibrary() +
+      "\"><actuators><range_and_bearing implementation=\"default\"/></actuators><sensors/>"
+      "<params bytes=\"" +
+      bytes + "\"/></test_sends_message></controllers>";
+  CHECK_THAT(RunError(experiment), Contains("robot \"ep\" failed to be controlled in tick 1") &&
+                                       Contains("messages have 2 bytes, got " + bytes));
+}
+
+TEST_CASE("bad input: what scripts do wrong ends the program with status 1", "[bad_input]") {
+  const std::string rest = "function reset() end function destroy() end\n";
+  SScriptedRun experiment;
+  SECTION("a syntax error") {
+    experiment.Script = "function init() end\nfunction step( end\n" + rest;
+    const SProgramRun run = experiment.Run();
+    CHECK(run.Status == 1);
+    CHECK_THAT(run.Err, Contains("e.argos:3") && Contains("robot \"fb\"") &&
+                            Contains("the Lua script \"s.lua\" cannot be compiled") &&
+                            Contains("s.lua:2: <name> or '...' expected near 'end'"));
+  }
+  SECTION("an endless loop in init()") {
+    experiment.Script = "function init()\n  while true do end\nend\nfunction step() end " + rest;
+    experiment.Params = "max_instructions='100000'";
+    const SProgramRun run = experiment.Run();
+    CHECK(run.Status == 1);
+    CHECK_THAT(run.Err,
+               Contains("robot \"fb\": the Lua script \"s.lua\" failed in init()") &&
+                   Contains("s.lua:2: interrupted after 100000 instructions; is there an endless "
+                            "loop? If not, raise \"max_instructions\" in <params>"));
+  }
+  SECTION("an argument of the wrong type") {
+    experiment.Script =
+        "function init() end\nfunction step() robot.wheels.set_velocity(1, '2') end " + rest;
+    experiment.Params = "on_error='end_run'";
+    const SProgramRun run = experiment.Run();
+    CHECK(run.Status == 1);
+    CHECK_THAT(run.Err, Contains("robot \"fb\": the Lua script \"s.lua\" failed in step()") &&
+                            Contains("s.lua:2: robot.wheels.set_velocity: argument 2 must be a "
+                                     "number, got string \"2\""));
+  }
+  SECTION("a message that is too long") {
+    experiment.Actuators = "<range_and_bearing implementation='default'/>";
+    experiment.Media = "<range_and_bearing id='rab'/>";
+    experiment.Script =
+        "function init() end\nfunction step() robot.range_and_bearing.set_data({ 1, 2, 3, 4 }) "
+        "end " +
+        rest;
+    experiment.Params = "on_error='end_run'";
+    const SProgramRun run = experiment.Run();
+    CHECK(run.Status == 1);
+    CHECK_THAT(run.Err, Contains("s.lua:2: robot.range_and_bearing.set_data: argument 1 must be a "
+                                 "table of 3 whole numbers from 0 to 255, got a table of 4"));
+  }
+  SECTION("a device that is not in the XML") {
+    experiment.Script =
+        "function init() end\nfunction step() robot.gripper.lock_positive() end " + rest;
+    experiment.Params = "on_error='end_run'";
+    const SProgramRun run = experiment.Run();
+    CHECK(run.Status == 1);
+    CHECK_THAT(run.Err, Contains("robot \"fb\"") &&
+                            Contains("s.lua:2: attempt to index a nil value (field 'gripper')"));
+  }
+  SECTION("an actuator that nobody knows") {
+    experiment.Script = "function init() end function step() end " + rest;
+    experiment.Actuators = "<footbot_griper implementation='default'/>";
+    const SProgramRun run = experiment.Run();
+    CHECK(run.Status == 1);
+    CHECK_THAT(run.Err, Contains(kActuatorLine +
+                                 "there is no actuator \"footbot_griper (default)\"; did you mean "
+                                 "\"footbot_gripper (default)\""));
+  }
+}
+
+TEST_CASE("bad input: gripping where there is nothing is no mistake", "[bad_input]") {
+  SScriptedRun experiment;
+  experiment.Actuators += "<footbot_gripper implementation='default'/>";
+  experiment.Script =
+      "function init() robot.gripper.lock_positive() end\n"
+      "function step() robot.wheels.set_velocity(5, -5) end\n"
+      "function reset() end function destroy() end\n";
+  const SProgramRun run = experiment.Run();
+  CHECK(run.Status == 0);
+  CHECK(run.Err == "");
+}

@@ -1,0 +1,107 @@
+#include <argos3/testing/support/device_list.h>
+
+namespace argos {
+
+namespace {
+
+const char* const kAll = "foot-bot e-puck eye-bot";
+const char* const kWheeled = "foot-bot e-puck";
+const char* const kFootBot = "foot-bot";
+const char* const kEyeBot = "eye-bot";
+// the rings of both have 24 sensors at the same angles: the sensors of one serve the other
+const char* const kSwarmanoid = "foot-bot eye-bot";
+
+const char* const kCamera =
+    ">"
+    "<camera id='front' anchor='origin' position='0,0,0.3' orientation='-90,90,0' range='0.05:2' "
+    "focal_length='500,500' principal_point='320,240' resolution='640,480'>"
+    "<led_detector medium='leds'/><directional_led_detector medium='directional_leds'/>"
+    "<tag_detector medium='tags'/></camera>";
+
+}  // namespace
+
+std::string SListedDevice::ToXml() const {
+  const size_t children = More.find('>');
+  const std::string head = "<" + Tag + " implementation='" + Implementation + "' ";
+  if (children == std::string::npos) {
+    return head + More + "/>";
+  }
+  return head + More + "</" + Tag + ">";
+}
+
+const std::vector<SListedDevice>& ListedDevices() {
+  static const std::vector<SListedDevice> devices = {
+      {"actuators", "differential_steering", "default", kWheeled},
+      {"actuators", "leds", "default", kAll, "medium='leds'"},
+      {"actuators", "range_and_bearing", "default", kAll},
+      {"actuators", "footbot_gripper", "default", kFootBot},
+      {"actuators", "gripper", "default", kFootBot},
+      {"actuators", "footbot_turret", "default", kFootBot},
+      {"actuators", "footbot_distance_scanner", "default", kFootBot},
+      {"actuators", "quadrotor_position", "default", kEyeBot},
+      {"actuators", "quadrotor_speed", "default", kEyeBot},
+      {"actuators", "directional_leds", "default", kAll},
+      {"actuators", "tags", "default", kAll},
+      {"actuators", "simple_radios", "default", kAll},
+      {"actuators", "magnets", "default", kAll},
+      {"sensors", "differential_steering", "default", kWheeled},
+      {"sensors", "proximity", "default", kAll},
+      {"sensors", "footbot_proximity", "default", kSwarmanoid},
+      {"sensors", "eyebot_proximity", "default", kSwarmanoid},
+      {"sensors", "epuck_proximity", "default", "e-puck"},
+      {"sensors", "light", "default", kAll},
+      {"sensors", "footbot_light", "rot_z_only", kSwarmanoid},
+      {"sensors", "eyebot_light", "rot_z_only", kSwarmanoid},
+      {"sensors", "ground", "rot_z_only", kWheeled},
+      {"sensors", "footbot_base_ground", "rot_z_only", kFootBot},
+      {"sensors", "footbot_motor_ground", "rot_z_only", kFootBot},
+      {"sensors", "footbot_distance_scanner", "rot_z_only", kFootBot},
+      {"sensors", "footbot_turret_encoder", "default", kFootBot},
+      {"sensors", "colored_blob_omnidirectional_camera", "rot_z_only", kFootBot, "medium='leds'"},
+      {"sensors", "colored_blob_perspective_camera", "default", kSwarmanoid, "medium='leds'"},
+      {"sensors", "range_and_bearing", "medium", kAll, "medium='rab'"},
+      {"sensors", "battery", "default", kAll},
+      {"sensors", "positioning", "default", kAll},
+      {"sensors", "simple_radios", "default", kAll},
+      {"sensors", "cameras", "default", kAll, kCamera},
+      // declared, or not known, in ARGoS 3
+      {"actuators", "differential_steering", "dead_reckoning", kWheeled},
+      {"actuators", "pan_tilt_camera", "default", kSwarmanoid},
+      {"sensors", "altitude", "default", kAll},
+      {"sensors", "clock", "default", kAll},
+      {"sensors", "footbot_encoder", "default", kFootBot}};
+  return devices;
+}
+
+const std::vector<std::string>& ListedRobots() {
+  static const std::vector<std::string> robots = {"foot-bot", "e-puck", "eye-bot"};
+  return robots;
+}
+
+std::string MediaForDevices() {
+  return "<led id='leds'/><range_and_bearing id='rab'/><simple_radio id='radios'/>"
+         "<directional_led id='directional_leds'/><tag id='tags'/>";
+}
+
+std::string RobotForDevices(const std::string& type, const std::string& id,
+                            const std::string& position, const std::string& config) {
+  return "<" + type + " id='" + id + "' rab_range='3' rab_data_size='3'><body position='" +
+         position + "'/><controller config='" + config +
+         "'/><battery delta='0.25'/>"
+         "<simple_radios><simple_radio id='wifi' medium='radios' range='3'/></simple_radios>"
+         "<magnets><magnet id='front' anchor='origin' offset='0,0,0' passive_field='1,0,0' "
+         "active_field='0,2,0'/></magnets>"
+         "<directional_leds medium='directional_leds'>"
+         "<directional_led anchor='origin' position='0,0,0.3' orientation='0,-90,0' "
+         "observable_angle='60' color='red'/>"
+         "<directional_led anchor='origin' position='0,0,0.7' orientation='0,-90,0' "
+         "observable_angle='60' color='red'/></directional_leds>"
+         "<tags medium='tags'>"
+         "<tag anchor='origin' position='0,0,0.3' orientation='0,-90,0' observable_angle='60' "
+         "side_length='0.1' payload='low'/>"
+         "<tag anchor='origin' position='0,0,0.7' orientation='0,-90,0' observable_angle='60' "
+         "side_length='0.1' payload='high'/></tags></" +
+         type + ">";
+}
+
+}  // namespace argos
