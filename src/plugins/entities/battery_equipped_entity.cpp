@@ -7,21 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace argos {
-
-namespace {
-
-std::vector<std::string> KnownModels() {
-  std::vector<std::string> labels;
-  for (const auto& entry : CFactory<CBatteryDischargeModel>::GetTypeMap()) {
-    labels.push_back(entry.first);
-  }
-  return labels;
-}
-
-}  // namespace
 
 CBatteryEquippedEntity::CBatteryEquippedEntity(CComposableEntity* parent)
     : CBatteryEquippedEntity(parent, std::string()) {}
@@ -128,7 +115,8 @@ void CBatteryEquippedEntity::SetDischargeModel(const std::string& label) {
   }
   if (!CFactory<CBatteryDischargeModel>::Exists(label)) {
     THROW_ARGOSEXCEPTION("there is no battery discharge model \""
-                         << label << "\"" << DidYouMean(label, KnownModels()));
+                         << label << "\""
+                         << DidYouMean(label, CFactory<CBatteryDischargeModel>::GetLabels()));
   }
   std::unique_ptr<CBatteryDischargeModel> model(CFactory<CBatteryDischargeModel>::New(label));
   SetDischargeModel(model.release());

@@ -129,11 +129,8 @@ SLuaResults PushList(CSpace& space, CLuaArguments& arguments, PUSH push) {
     }
   }
   if (count == 0 && !all && !CFactory<CEntity>::Exists(type)) {
-    std::vector<std::string> types;
-    for (const auto& known : CFactory<CEntity>::GetTypeMap()) {
-      types.push_back(known.first);
-    }
-    THROW_ARGOSEXCEPTION("there is no type of entity \"" << type << '"' << DidYouMean(type, types));
+    THROW_ARGOSEXCEPTION("there is no type of entity \""
+                         << type << '"' << DidYouMean(type, CFactory<CEntity>::GetLabels()));
   }
   return {1};
 }

@@ -46,12 +46,8 @@ std::unique_ptr<CCameraSensorSimulatedAlgorithm> CCameraDefaultSensor::MakeAlgor
     TConfigurationNode& tree, const std::string& camera) {
   typedef CFactory<CCameraSensorSimulatedAlgorithm> TFactory;
   if (!TFactory::Exists(tree.Value())) {
-    std::vector<std::string> known;
-    for (const auto& type : TFactory::GetTypeMap()) {
-      known.push_back(type.first);
-    }
     THROW_ARGOSEXCEPTION(OwnerOf(tree) << ": there is no such algorithm for cameras"
-                                       << DidYouMean(tree.Value(), known));
+                                       << DidYouMean(tree.Value(), TFactory::GetLabels()));
   }
   std::unique_ptr<CCameraSensorSimulatedAlgorithm> algorithm(TFactory::New(tree.Value()));
   algorithm->SetCamera(*m_robot, camera);
