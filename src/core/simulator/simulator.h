@@ -106,7 +106,7 @@ class CSimulator {
   const std::string& GetExperimentFileName() const { return m_experimentFileName; }
   void SetExperimentFileName(const std::string& fileName) { m_experimentFileName = fileName; }
   CLoopFunctions& GetLoopFunctions();
-  /** The caller keeps the ownership. */
+  /** The caller keeps the ownership; they must live until Destroy() or other ones are set. */
   void SetLoopFunctions(CLoopFunctions& loopFunctions);
   /** Ticks; 0 = unlimited. */
   UInt32 GetMaxSimulationClock() const { return m_maxSimulationClock; }

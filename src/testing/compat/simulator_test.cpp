@@ -104,6 +104,7 @@ class CEmbedding {
 /****************************************/
 
 TEST_CASE("compat: an embedding program", "[compat]") {
+  CUserLoopFunctions cOther;
   CEmbedding cEmbedding;
   CSimulator& cSimulator = CSimulator::GetInstance();
   CUserLoopFunctions& cLoopFunctions =
@@ -159,7 +160,6 @@ TEST_CASE("compat: every function of the simulator", "[compat]") {
   CHECK_FALSE(cConst.IsExperimentFinished());
   CProfiler& (CSimulator::*pfnProfiler)() = &CSimulator::GetProfiler;
   CHECK(pfnProfiler != nullptr);
-  CUserLoopFunctions cOther;
   cSimulator.SetLoopFunctions(cOther);
   CHECK(&cSimulator.GetLoopFunctions() == &cOther);
 }

@@ -121,8 +121,10 @@ std::string Bytes(EOrder order, bool topRowFirst, size_t multiple = 1) {
 // a number in the given count of bytes, least significant first
 std::string Number(SInt32 value, int bytes) {
   std::string text;
+  UInt32 rest = static_cast<UInt32>(value);
   for (int i = 0; i < bytes; ++i) {
-    text += static_cast<char>((static_cast<UInt32>(value) >> (8 * i)) & 0xff);
+    text += static_cast<char>(rest & 0xff);
+    rest >>= 8;
   }
   return text;
 }
