@@ -107,3 +107,29 @@ TEST_CASE("lua devices: simple radios send tables", "[lua][devices]") {
   CHECK_THAT(ErrorOf(world, "robot.simple_radios.wifi.send({}, {})"),
              Contains("too many arguments"));
 }
+
+TEST_CASE("lua devices: RFID tags are read and written", "[lua][devices]") {
+  SLuaExperiment experiment =
+      PairOf("function step() if robot.id == 'other' then robot.rfid.write({ 3, 4 }, 2) end end",
+             "<rfid implementation='medium' medium='rfid'/>",
+             "<rfid implementation='medium' medium='rfid' range='0.2'/>", "<rfid id='rfid'/>");
+  experiment.Arena =
+      "<rfid_tag id='t' position='1,0.05,0' medium='rfid' memory='3' data='9'/>"
+      "<rfid_tag id='far' position='1,0.15,0' medium='rfid' memory='1'/>";
+  CLuaWorld world(experiment);
+  CHECK(world.Get("#robot.rfid") == "0");
+  world.Step(2);
+  CHECK(TakeLogErr() == "");
+  CHECK(world.Get("#robot.rfid") == "0");
+  CHECK(world.Get("robot.rfid.written()") == "");
+  REQUIRE(world.Get("#robot.rfid", "other") == "2");
+  CHECK(world.Get("robot.rfid[1].id", "other") == "t");
+  CHECK(world.Get("table.concat(robot.rfid[1].data, ' ')", "other") == "9.0 3.0 4.0");
+  CHECK(world.Get("robot.rfid.written()", "other") == "t");
+  // "other" looks along y
+  CHECK_THAT(GetNumber(world, "robot.rfid[1].distance", "other"), WithinAbs(5.0, kRounding));
+  CHECK_THAT(GetNumber(world, "robot.rfid[1].angle", "other"), WithinAbs(0.0, kRounding));
+  CHECK_THAT(ErrorOf(world, "robot.rfid.write({ 1 }, 0)"), Contains("from 1 on, got 0"));
+  CHECK_THAT(ErrorOf(world, "robot.rfid.write({ 256 })"), Contains("from 0 to 255"));
+  CHECK_THAT(ErrorOf(world, "robot.rfid.write('text')"), Contains("a table"));
+}
