@@ -8,14 +8,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace argos {
 
 struct CRFIDMedium::SState {
   CMediumMembers<CRFIDTagEntity> Tags;
-  std::vector<CUser*> Users;  // not owned; in order of registration
-  std::vector<std::pair<ssize_t, UInt32>> Writers;  // of this tick: robot, number in Users
+  CMediumUsers Users;  // all are CUsers
   std::vector<SFound> Found;  // scratch
 
   SIndexChoice Index;
@@ -27,20 +25,7 @@ struct CRFIDMedium::SState {
 };
 
 CRFIDMedium::CUser::CUser(CRFIDMedium& medium, const CControllableEntity& robot, Real reach)
-    : m_medium(&medium), m_robot(robot), m_reach(reach) {
-  m_medium->m_state->Users.push_back(this);
-}
-
-CRFIDMedium::CUser::~CUser() {
-  if (m_medium != nullptr) {
-    std::vector<CUser*>& users = m_medium->m_state->Users;
-    users.erase(std::find(users.begin(), users.end(), this));
-  }
-}
-
-ssize_t CRFIDMedium::CUser::GetIndex() const {
-  return m_robot.GetIndex();
-}
+    : CMediumUser(medium.m_state->Users, robot), m_reach(reach) {}
 
 CRFIDMedium::CRFIDMedium() : m_state(std::make_unique<SState>()) {}
 
@@ -54,9 +39,9 @@ void CRFIDMedium::Init(TConfigurationNode& tree) {
 }
 
 void CRFIDMedium::Reset() {
-  for (CUser* user : m_state->Users) {
+  for (CMediumUser* user : m_state->Users.Get()) {
     user->HasOrder = false;
-    user->WrittenTag.clear();
+    static_cast<CUser*>(user)->WrittenTag.clear();
   }
 }
 
@@ -64,10 +49,7 @@ void CRFIDMedium::Destroy() {
   for (CRFIDTagEntity* tag : m_state->Tags.ListAll()) {
     tag->ClearMedium();
   }
-  for (CUser* user : m_state->Users) {
-    user->m_medium = nullptr;
-  }
-  m_state->Users.clear();
+  m_state->Users.LetGo();
 }
 
 void CRFIDMedium::AddEntity(CRFIDTagEntity& tag) {
@@ -80,7 +62,7 @@ void CRFIDMedium::RemoveEntity(CRFIDTagEntity& tag) {
 
 void CRFIDMedium::Update() {
   // without devices nobody asks
-  if (!m_state->Users.empty()) {
+  if (!m_state->Users.Get().empty()) {
     Refresh();
   }
 }
@@ -89,8 +71,8 @@ void CRFIDMedium::Update() {
 void CRFIDMedium::Refresh() {
   SState& state = *m_state;
   Real reach = 0.0;
-  for (const CUser* user : state.Users) {
-    reach = std::max(reach, user->m_reach);
+  for (const CMediumUser* user : state.Users.Get()) {
+    reach = std::max(reach, static_cast<const CUser*>(user)->GetReach());
   }
   bool changed = state.Tags.Update() || reach != state.Reach;
   state.Places.resize(state.Tags.GetSize());
@@ -140,30 +122,22 @@ void CRFIDMedium::FindTags(std::vector<SFound>& found, const CVector3& place, Re
 }
 
 void CRFIDMedium::TakeActs() {
-  SState& state = *m_state;
-  state.Writers.clear();
-  for (size_t number = 0; number < state.Users.size(); ++number) {
-    CUser& user = *state.Users[number];
-    user.WrittenTag.clear();
-    // a robot that is not in the space is not near anything
-    if (user.HasOrder && user.GetIndex() >= 0) {
-      state.Writers.emplace_back(user.GetIndex(), static_cast<UInt32>(number));
-    }
-    user.HasOrder = false;
+  for (CMediumUser* user : m_state->Users.Get()) {
+    static_cast<CUser*>(user)->WrittenTag.clear();
   }
-  if (state.Writers.empty()) {
+  const std::vector<CMediumUser*>& writers = m_state->Users.TakeOrders();
+  if (writers.empty()) {
     return;
   }
   Refresh();
-  std::sort(state.Writers.begin(), state.Writers.end());
-  for (const auto& writer : state.Writers) {
-    Write(*state.Users[writer.second]);
+  for (CMediumUser* writer : writers) {
+    Write(static_cast<CUser&>(*writer));
   }
 }
 
 void CRFIDMedium::Write(CUser& user) {
   std::vector<SFound>& found = m_state->Found;
-  FindTags(found, user.Place, user.m_reach, user.m_robot.GetRootEntity());
+  FindTags(found, user.Place, user.GetReach(), user.GetRobot().GetRootEntity());
   // of tags equally near, the one that was created first
   const auto nearest = std::min_element(
       found.begin(), found.end(),

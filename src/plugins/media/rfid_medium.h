@@ -3,14 +3,13 @@
 
 #include <argos3/core/simulator/medium/medium.h>
 #include <argos3/plugins/simulator/entities/rfid_tag_entity.h>
+#include <argos3/plugins/simulator/media/medium_users.h>
 
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace argos {
-
-class CControllableEntity;
 
 /**
  * Knows where RFID tags are, for the robots that read and write them.
@@ -22,22 +21,14 @@ class CControllableEntity;
  */
 class CRFIDMedium : public CMedium, public CRFIDTagEntity::CRegistry {
  public:
-  /**
-   * A device that uses the medium: it is known to the medium as long as it lives, or as long as the
-   * medium does. One that writes puts its order here.
-   */
-  class CUser {
+  /** A device that uses the medium; one that writes leaves its order here. */
+  class CUser : public CMediumUser {
    public:
     /** @param reach how far from its place it looks for tags, m. */
     CUser(CRFIDMedium& medium, const CControllableEntity& robot, Real reach);
-    ~CUser();
-    CUser(const CUser&) = delete;
-    CUser& operator=(const CUser&) = delete;
 
-    /** Of the robot, in the space. */
-    ssize_t GetIndex() const;
+    Real GetReach() const { return m_reach; }
 
-    bool HasOrder = false; /**< to be carried out once, by TakeActs() */
     CVector3 Place; /**< of the order: from where, m, world frame */
     size_t Offset = 0; /**< first byte to write */
     CByteArray Bytes; /**< to write */
@@ -45,9 +36,6 @@ class CRFIDMedium : public CMedium, public CRFIDTagEntity::CRegistry {
     std::string WrittenTag;
 
    private:
-    friend class CRFIDMedium;
-    CRFIDMedium* m_medium;  // null: it is gone
-    const CControllableEntity& m_robot;
     Real m_reach;  // m
   };
 

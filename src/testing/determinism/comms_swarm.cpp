@@ -20,6 +20,7 @@ std::string Controller(bool noisy, bool withRadio) {
       <range_and_bearing implementation='default' />
       <simple_radios implementation='default' />
       <rfid implementation='medium' medium='rfid' range='0.3' />
+      <pheromone implementation='medium' medium='scents' />
     </actuators>
     <sensors>
       <range_and_bearing implementation='medium' medium='rab' )") +
@@ -31,6 +32,10 @@ std::string Controller(bool noisy, bool withRadio) {
       <simple_radios implementation='default' />
       <rfid implementation='medium' medium='rfid' range='0.4' )" +
          (noisy ? "miss_prob='0.1'" : "") + R"(/>
+      <pheromone implementation='medium' medium='scents' layers='trail'>
+        <point offset='0.05,0.03' /><point offset='0.05,-0.03' />)" +
+         (noisy ? "<noise on='value' model='gaussian' std_dev='0.1' relative='true' />" : "") + R"(
+      </pheromone>
     </sensors>
     <params radio=')" +
          (withRadio ? "true" : "false") + R"(' />
@@ -75,6 +80,8 @@ void CChatter::Init(TConfigurationNode& params) {
   m_radioSensor = GetSensor<CCI_SimpleRadiosSensor>("simple_radios");
   m_tagActuator = GetActuator<CCI_RFIDActuator>("rfid");
   m_tagSensor = GetSensor<CCI_RFIDSensor>("rfid");
+  m_scentActuator = GetActuator<CCI_PheromoneActuator>("pheromone");
+  m_scents = &GetSensor<CCI_PheromoneSensor>("pheromone")->GetReadings("trail");
   m_message = CByteArray(2);
 }
 
@@ -101,6 +108,9 @@ UInt32 CChatter::Listen(CVector2& way) const {
     way += CVector2(0.01 * (tag.Data[0] % 3), tag.Angle);
     sum = sum * 31 + tag.Data[1] + static_cast<UInt32>(tag.Distance * 1000.0);
   }
+  const Real left = (*m_scents)[0].Value;
+  const Real right = (*m_scents)[1].Value;
+  way += CVector2(0.0, 0.3 * (left - right) / (left + right + 1.0));
   return sum;
 }
 
@@ -114,6 +124,9 @@ void CChatter::Speak(UInt32 sum) {
     m_radioActuator->GetInterfaces()[0].Messages.push_back(m_message);
   }
   m_tagActuator->Write(m_message, sum % 3);
+  for (CCI_PheromoneActuator::SInterface& layer : m_scentActuator->GetInterfaces()) {
+    layer.Rate = 0.01 * (sum % 7);
+  }
 }
 
 REGISTER_CONTROLLER(CChatter, "chatter")
@@ -124,9 +137,11 @@ SExperiment CommsSwarm(UInt32 robots, bool noisy, const std::string& mediaAttrib
   SExperiment experiment;
   experiment.Controllers = Controller(noisy, withRadio);
   experiment.Engines = "<dynamics2d id='engine'/>";
-  experiment.Media = "<range_and_bearing id='rab' " + mediaAttributes +
-                     "/><simple_radio id='radios' " + mediaAttributes + "/><rfid id='rfid' " +
-                     mediaAttributes + "/>";
+  experiment.Media =
+      "<range_and_bearing id='rab' " + mediaAttributes + "/><simple_radio id='radios' " +
+      mediaAttributes + "/><rfid id='rfid' " + mediaAttributes +
+      "/><pheromone id='scents'><layer id='trail' evaporation='0.2' "
+      "diffusion='0.002'/><layer id='haze' diffusion='0.5' maximum='2'/></pheromone>";
   std::ostringstream size;
   size << side + 2.0 << "," << side + 2.0 << ",1";
   experiment.ArenaSize = size.str();

@@ -71,7 +71,9 @@ const std::vector<SListedDevice>& ListedDevices() {
       {"sensors", "clock", "default", kAll},
       {"sensors", "footbot_encoder", "default", kFootBot},
       {"actuators", "rfid", "medium", kAll, "medium='rfid' range='0.5'"},
-      {"sensors", "rfid", "medium", kAll, "medium='rfid' range='0.5'"}};
+      {"sensors", "rfid", "medium", kAll, "medium='rfid' range='0.5'"},
+      {"actuators", "pheromone", "medium", kAll, "medium='pheromone'"},
+      {"sensors", "pheromone", "medium", kAll, "medium='pheromone'"}};
   return devices;
 }
 
@@ -82,7 +84,8 @@ const std::vector<std::string>& ListedRobots() {
 
 std::string MediaForDevices() {
   return "<led id='leds'/><range_and_bearing id='rab'/><simple_radio id='radios'/>"
-         "<directional_led id='directional_leds'/><tag id='tags'/><rfid id='rfid'/>";
+         "<directional_led id='directional_leds'/><tag id='tags'/><rfid id='rfid'/>"
+         "<pheromone id='pheromone'><layer id='trail'/></pheromone>";
 }
 
 std::string RobotForDevices(const std::string& type, const std::string& id,

@@ -185,6 +185,8 @@ TEST_CASE("descriptions: no example of a device is overlooked", "[contract][robo
   CHECK(RunExamples<CSimulatedSensor>("range_and_bearing (medium)", "sensors", "e-puck") == 3);
   CHECK(RunExamples<CSimulatedActuator>("simple_radios (default)", "actuators", "e-puck") == 2);
   CHECK(RunExamples<CSimulatedSensor>("simple_radios (default)", "sensors", "foot-bot") == 3);
+  CHECK(RunExamples<CSimulatedActuator>("pheromone (medium)", "actuators", "e-puck") == 3);
+  CHECK(RunExamples<CSimulatedSensor>("pheromone (medium)", "sensors", "foot-bot") == 3);
   CHECK(RunExamples<CSimulatedActuator>("rfid (medium)", "actuators", "foot-bot") == 3);
   CHECK(RunExamples<CSimulatedSensor>("rfid (medium)", "sensors", "e-puck") == 3);
   CHECK(RunExamples<CSimulatedSensor>("eyebot_proximity (default)", "sensors", "eye-bot") == 2);

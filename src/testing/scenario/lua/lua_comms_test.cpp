@@ -133,3 +133,33 @@ TEST_CASE("lua devices: RFID tags are read and written", "[lua][devices]") {
   CHECK_THAT(ErrorOf(world, "robot.rfid.write({ 256 })"), Contains("from 0 to 255"));
   CHECK_THAT(ErrorOf(world, "robot.rfid.write('text')"), Contains("a table"));
 }
+
+TEST_CASE("lua devices: pheromones are laid and smelled", "[lua][devices]") {
+  CLuaWorld world(
+      PairOf("function step() robot.pheromone.food.set_rate(robot.id == 'fb' and 2 or 0) end",
+             "<pheromone implementation='medium' medium='p'/>",
+             "<pheromone implementation='medium' medium='p' layers='food'><point offset='0,0'/>"
+             "<point offset='0.05,0.02'/></pheromone>",
+             "<pheromone id='p' cell_size='0.1' size='3,3' center='0.05,0.05'><layer id='food'/>"
+             "<layer id='home'/></pheromone>"));
+  // offsets are there from the start
+  CHECK(world.Get("#robot.pheromone.food") == "2");
+  CHECK_THAT(GetNumber(world, "robot.pheromone.food[2].offset.x"), WithinAbs(5.0, kRounding));
+  CHECK_THAT(GetNumber(world, "robot.pheromone.food[2].offset.y"), WithinAbs(2.0, kRounding));
+  world.Step(3);
+  CHECK(TakeLogErr() == "");
+  // "fb" is in the centre of a cell of 0.01 m^2, and has laid 2/s for two ticks of 0.1 s
+  CHECK_THAT(GetNumber(world, "robot.pheromone.food[1].value"), WithinAbs(40.0, 1e-10));
+  // half a cell ahead, and a fifth of one to the left
+  CHECK_THAT(GetNumber(world, "robot.pheromone.food[2].value"), WithinAbs(40.0 * 0.5 * 0.8, 1e-10));
+  CHECK(GetNumber(world, "robot.pheromone.food[1].value", "other") == 0.0);
+  // a layer that is only laid has no readings
+  CHECK(world.Get("#robot.pheromone.home") == "0");
+  world.Do("robot.pheromone.home.set_rate(1) function step() end");
+  world.Step(2);
+  CHECK_THAT(GetNumber(world, "robot.pheromone.food[1].value"), WithinAbs(80.0, 1e-10));
+  CHECK_THAT(ErrorOf(world, "robot.pheromone.food.set_rate(-1)"),
+             Contains("\"food\" must be a number >= 0") && Contains("got -1"));
+  CHECK_THAT(ErrorOf(world, "robot.pheromone.food.set_rate('a lot')"), Contains("number"));
+  CHECK_THAT(ErrorOf(world, "robot.pheromone.food.set_rate(0 / 0)"), Contains(">= 0"));
+}

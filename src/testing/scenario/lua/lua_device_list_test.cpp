@@ -197,6 +197,15 @@ std::vector<SLuaDevice> LuaActuators() {
        "pan_tilt_camera",
        "{set_pan() set_tilt()}",
        {TakesNumber("set_pan"), TakesNumber("set_tilt")}},
+      {"actuators",
+       "pheromone",
+       "pheromone",
+       "{trail{set_rate()}}",
+       {{"trail.set_rate",
+         {"1.5", "0"},
+         {{"'1'", "argument 1 must be a number, got string \"1\""},
+          {"-1", "must be a number >= 0 (amount per second), got -1"},
+          {"1, 2", "too many arguments"}}}}},
       {"actuators", "rfid", "rfid", "{write() written()}",
        Plus(WithoutArguments({"written"}),
             {"write",
@@ -260,6 +269,7 @@ std::vector<SLuaDevice> LuaSensors() {
            "{front{directional_led_detector[1]{center:vector2 color" + kBlobs +
                "} led_detector[1]{center:vector2 color" + kBlobs +
                "} tag_detector[1]{center:vector2 corners[4]:vector2 payload:string}}}"},
+          {"sensors", "pheromone", "pheromone", "{trail[1]{offset:vector2 value}}"},
           {"sensors", "rfid", "rfid", "[1]{angle data[2] distance id:string}"},
           {"sensors", "altitude", "altitude", "{height}"},
           {"sensors", "clock", "clock", "{tick time}"},
