@@ -93,6 +93,7 @@ with the LED medium that they name:
   leds/led@offset   "x,y,z", m, required: from the centre of the base, in the cylinder's frame.
   leds/led@anchor   text, required: "origin".
   leds/led@color    a colour name or "R,G,B,A" with integers 0-255, required.
+  rfid_tags         RFID tags that it carries; the entity "rfid_tag" explains them.
 )",
     "Usable")
 

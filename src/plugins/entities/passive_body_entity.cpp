@@ -1,7 +1,9 @@
 #include <argos3/plugins/simulator/entities/passive_body_entity.h>
 
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/simulator/current.h>
 #include <argos3/plugins/simulator/entities/new_component.h>
+#include <argos3/plugins/simulator/entities/rfid_tag_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 
 namespace argos {
@@ -42,12 +44,28 @@ void CPassiveBodyEntity::InitBody(TConfigurationNode& tree) {
   if (NodeExists(tree, "leds")) {
     m_leds->Init(GetNode(tree, "leds"));
   }
+  if (NodeExists(tree, "rfid_tags")) {
+    GetRFIDTagEquippedEntity().Init(GetNode(tree, "rfid_tags"));
+  }
 }
 
 void CPassiveBodyEntity::UpdateComponents() {
   if (m_leds->IsEnabled()) {
     m_leds->Update();
   }
+  if (m_rfidTags != nullptr && m_rfidTags->IsEnabled()) {
+    m_rfidTags->Update();
+  }
+}
+
+CRFIDTagEquippedEntity& CPassiveBodyEntity::GetRFIDTagEquippedEntity() {
+  if (m_rfidTags == nullptr) {
+    m_rfidTags = NewComponent<CRFIDTagEquippedEntity>(*this, "rfid_tags_0");
+    if (GetIndex() >= 0) {
+      CallEntityOperation<CSpaceOperationAddEntity, CSpace, void>(CurrentSpace(), *m_rfidTags);
+    }
+  }
+  return *m_rfidTags;
 }
 
 void CPassiveBodyEntity::EnableLEDs(CLEDEntity::CRegistry& medium) {
@@ -101,6 +119,9 @@ void CPassiveBodyEntity::MakeAppearance() {
     led.Size = CVector3(kLEDDiameter, kLEDDiameter, kLEDDiameter);
     led.LED = static_cast<UInt32>(i);
     m_appearance.Parts.push_back(led);
+  }
+  for (size_t i = 0; m_rfidTags != nullptr && i < m_rfidTags->GetNumTags(); ++i) {
+    m_appearance.Parts.push_back(MakeRFIDTagPart(m_rfidTags->GetInstances()[i].PositionOffset));
   }
 }
 

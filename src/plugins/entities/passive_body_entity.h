@@ -9,6 +9,8 @@
 
 namespace argos {
 
+class CRFIDTagEquippedEntity;
+
 /** What boxes and cylinders have in common: one solid without a will, and LEDs on it. */
 class CPassiveBodyEntity : public CComposableEntity {
  public:
@@ -24,6 +26,9 @@ class CPassiveBodyEntity : public CComposableEntity {
   const CEmbodiedEntity& GetEmbodiedEntity() const { return *m_body; }
   CLEDEquippedEntity& GetLEDEquippedEntity() { return *m_leds; }
   const CLEDEquippedEntity& GetLEDEquippedEntity() const { return *m_leds; }
+
+  /** The RFID tags on the body; made when first asked for. */
+  CRFIDTagEquippedEntity& GetRFIDTagEquippedEntity();
 
   /** kg; without meaning if the body is not movable. */
   Real GetMass() const { return m_mass; }
@@ -41,8 +46,8 @@ class CPassiveBodyEntity : public CComposableEntity {
                      const CQuaternion& orientation, bool movable, Real mass);
 
   /**
-   * Reads `id`, `movable`, `mass` (if movable), `<body>` and `<leds>`. Derived classes read their
-   * size first, and call Describe() afterwards.
+   * Reads `id`, `movable`, `mass` (if movable), `<body>`, `<leds>` and `<rfid_tags>`. Derived
+   * classes read their size first, and call Describe() afterwards.
    */
   void InitBody(TConfigurationNode& tree);
   /**
@@ -59,6 +64,7 @@ class CPassiveBodyEntity : public CComposableEntity {
 
   CEmbodiedEntity* m_body = nullptr;  // a component
   CLEDEquippedEntity* m_leds = nullptr;  // a component
+  CRFIDTagEquippedEntity* m_rfidTags = nullptr;  // a component; null until asked for
   Real m_mass = 1.0;  // kg
   SAppearance m_appearance;
 };

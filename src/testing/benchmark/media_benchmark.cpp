@@ -2,7 +2,7 @@
 // world is the arena of rooms of benchmark.cpp; every line is measured in a process of its own.
 //
 //   argos3_media_benchmark [--robots 10000] [--threads 0,2] [--ticks 100]
-//                          [--media none,range_and_bearing]
+//                          [--media none,pheromone,range_and_bearing]
 
 #include <argos3/testing/support/rooms.h>
 
@@ -13,6 +13,7 @@
 #include <argos3/core/simulator/space/tick_times.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/dynamic_loading.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_pheromone_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_sensor.h>
 
 #include <CLI/CLI.hpp>
@@ -33,20 +34,36 @@ namespace {
 
 using TClock = std::chrono::steady_clock;
 
+constexpr Real kTick = 0.1;  // s, as SRoomsWorld has it
+
 // a medium with its devices
 struct SSubject {
   std::string Actuators, Sensors, Media;  // XML elements
+  // before the first tick, for each robot
+  std::function<void(CControllableEntity&)> Prepare;
   // what there was to do in the last tick, per robot: packets heard, ...
   std::function<Real(CControllableEntity&)> CountWork;
 };
 
 const std::map<std::string, SSubject>& Subjects() {
   static const std::map<std::string, SSubject> subjects = {
-      {"none", {"", "", "", [](CControllableEntity&) { return 0.0; }}},
+      {"none", {"", "", "", [](CControllableEntity&) {}, [](CControllableEntity&) { return 0.0; }}},
+      // every robot lays; the work is nothing that robots differ in
+      {"pheromone",
+       {"<pheromone implementation=\"medium\" medium=\"scents\"/>",
+        "<pheromone implementation=\"medium\" medium=\"scents\"><point offset=\"0.05,0.03\"/>"
+        "<point offset=\"0.05,-0.03\"/></pheromone>",
+        "<pheromone id=\"scents\"><layer id=\"trail\" evaporation=\"0.01\" "
+        "diffusion=\"1e-4\"/></pheromone>",
+        [](CControllableEntity& robot) {
+          robot.GetController().GetActuator<CCI_PheromoneActuator>("pheromone")->SetRate(1.0);
+        },
+        [](CControllableEntity&) { return 1.0; }}},
       {"range_and_bearing",
        {"<range_and_bearing implementation=\"default\"/>",
         "<range_and_bearing implementation=\"medium\" medium=\"rab\"/>",
-        "<range_and_bearing id=\"rab\"/>", [](CControllableEntity& robot) {
+        "<range_and_bearing id=\"rab\"/>", [](CControllableEntity&) {},
+        [](CControllableEntity& robot) {
           const auto& sensor =
               *robot.GetController().GetSensor<CCI_RangeAndBearingSensor>("range_and_bearing");
           return static_cast<Real>(sensor.GetReadings().size());
@@ -75,6 +92,9 @@ void Report(const SOptions& options, const std::string& name, UInt32 robots, UIn
   CConfigurationDocument document;
   document.Parse(world.ToXML(), "benchmark");
   simulator.Load(document);
+  for (CControllableEntity* robot : simulator.GetSpace().GetControllableEntities()) {
+    subject.Prepare(*robot);
+  }
   for (UInt32 tick = 0; tick < options.WarmUp; ++tick) {
     simulator.UpdateSpace();
   }
@@ -90,9 +110,10 @@ void Report(const SOptions& options, const std::string& name, UInt32 robots, UIn
     work += subject.CountWork(*robot) / robots;
   }
   const Real perRobotTick = 1e6 / (static_cast<Real>(robots) * options.Ticks);
-  std::printf("%s,%u,%u,%u,%.4f,%.4f,%.4f,%.4f,%.2f\n", name.c_str(), robots, threads,
+  std::printf("%s,%u,%u,%u,%.4f,%.4f,%.4f,%.4f,%.2f,%.2f\n", name.c_str(), robots, threads,
               options.Ticks, total * perRobotTick, times.Act * perRobotTick,
-              times.Media * perRobotTick, times.Sense * perRobotTick, work);
+              times.Media * perRobotTick, times.Sense * perRobotTick, work,
+              kTick * options.Ticks / total);
   std::fflush(stdout);
   simulator.Destroy();
 }
@@ -137,7 +158,9 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember(known));
   CLI11_PARSE(app, argc, argv);
 
-  std::printf("medium,robots,threads,ticks,total_us,act_us,media_us,sense_us,work_per_robot\n");
+  std::printf(
+      "medium,robots,threads,ticks,total_us,act_us,media_us,sense_us,work_per_robot,real_time_"
+      "factor\n");
   bool good = true;
   for (const std::string& name : options.Media) {
     for (const UInt32 robots : options.Robots) {

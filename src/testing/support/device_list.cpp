@@ -69,7 +69,11 @@ const std::vector<SListedDevice>& ListedDevices() {
       {"actuators", "pan_tilt_camera", "default", kSwarmanoid},
       {"sensors", "altitude", "default", kAll},
       {"sensors", "clock", "default", kAll},
-      {"sensors", "footbot_encoder", "default", kFootBot}};
+      {"sensors", "footbot_encoder", "default", kFootBot},
+      {"actuators", "rfid", "medium", kAll, "medium='rfid' range='0.5'"},
+      {"sensors", "rfid", "medium", kAll, "medium='rfid' range='0.5'"},
+      {"actuators", "pheromone", "medium", kAll, "medium='pheromone'"},
+      {"sensors", "pheromone", "medium", kAll, "medium='pheromone'"}};
   return devices;
 }
 
@@ -80,7 +84,8 @@ const std::vector<std::string>& ListedRobots() {
 
 std::string MediaForDevices() {
   return "<led id='leds'/><range_and_bearing id='rab'/><simple_radio id='radios'/>"
-         "<directional_led id='directional_leds'/><tag id='tags'/>";
+         "<directional_led id='directional_leds'/><tag id='tags'/><rfid id='rfid'/>"
+         "<pheromone id='pheromone'><layer id='trail'/></pheromone>";
 }
 
 std::string RobotForDevices(const std::string& type, const std::string& id,

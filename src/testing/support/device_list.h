@@ -34,7 +34,7 @@ const std::vector<std::string>& ListedRobots();
 
 /**
  * XML of what the experiments of these devices need: the media "leds", "rab", "radios",
- * "directional_leds" and "tags".
+ * "directional_leds", "tags", "rfid" and "pheromone" with the layer "trail".
  */
 std::string MediaForDevices();
 

@@ -10,6 +10,7 @@
 
 namespace argos {
 
+class CDigest;
 class CSimulator;
 class CSpace;
 
@@ -44,6 +45,9 @@ class CMedium : public CBaseConfigurableResource {
    * not called from inside a phase. Must not change while a run lasts.
    */
   virtual bool UsesThreadPool() const { return false; }
+
+  /** Adds what the medium itself holds, besides entities, to a digest of the world. */
+  virtual void UpdateDigest(CDigest& /*digest*/) const {}
 
   const std::string& GetId() const { return m_id; }
   void SetId(const std::string& id) { m_id = id; }

@@ -294,6 +294,9 @@ UInt64 CSpace::ComputeDigest() const {
     digest.Add(root->GetId());
     root->UpdateDigest(digest);
   }
+  for (const CMedium* medium : m_cSimulator.GetMedia()) {
+    medium->UpdateDigest(digest);
+  }
   return digest.GetValue();
 }
 

@@ -144,7 +144,7 @@ class CSpace : public CBaseConfigurableResource {
   CEntity& CreateEntity(TConfigurationNode& node);
   /** Tells a profiler the phases of a tick, which Update() then times. */
   static void AddProfiledPhases(CProfiler& profiler);
-  /** 64-bit digest of the state of every entity, in order. */
+  /** 64-bit digest of the state of every entity and medium, in order. */
   UInt64 ComputeDigest() const;
 
   /**

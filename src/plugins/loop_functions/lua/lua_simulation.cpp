@@ -16,6 +16,7 @@
 #include <argos3/core/wrappers/lua/lua_utility.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/light_entity.h>
+#include <argos3/plugins/simulator/media/pheromone_medium.h>
 
 #include <cmath>
 
@@ -193,6 +194,20 @@ CLightEntity& GetLight(CEntity& entity) {
   return *light;
 }
 
+struct SPlaceOfPheromone {
+  CPheromoneMedium& Medium;
+  size_t Layer;
+  CVector3 Point;  // m
+};
+
+/** medium, layer, x, y */
+SPlaceOfPheromone NextPlaceOfPheromone(CLuaArguments& arguments, CSimulator& simulator) {
+  auto& medium = simulator.GetMedium<CPheromoneMedium>(arguments.Next<std::string>());
+  const size_t layer = medium.GetLayerNumber(arguments.Next<std::string>());
+  const Real x = arguments.Next<Real>();
+  return {medium, layer, CVector3(x, arguments.Next<Real>(), 0.0)};
+}
+
 }  // namespace
 
 CLuaSimulation::CLuaSimulation(CLoopFunctions& loopFunctions)
@@ -242,6 +257,9 @@ void CLuaSimulation::AddFunctions(lua_State* state) {
   AddMethod<&CLuaSimulation::GetLightIntensity>(state, "light_intensity", *this);
   AddMethod<&CLuaSimulation::GetVariable>(state, "get_variable", *this);
   AddMethod<&CLuaSimulation::SetVariable>(state, "set_variable", *this);
+  AddMethod<&CLuaSimulation::GetPheromone>(state, "pheromone", *this);
+  AddMethod<&CLuaSimulation::GetTotalPheromone>(state, "total_pheromone", *this);
+  AddMethod<&CLuaSimulation::LayPheromone>(state, "lay_pheromone", *this);
   AddMethod<&CLuaSimulation::FloorChanged>(state, "floor_changed", *this);
   AddMethod<&CLuaSimulation::Finish>(state, "finish", *this);
 }
@@ -421,6 +439,24 @@ void CLuaSimulation::SetVariable(CLuaArguments& arguments) {
   lua_pushvalue(script, 3);
   CopyValue(script, robot);
   lua_rawset(robot, -3);
+}
+
+Real CLuaSimulation::GetPheromone(CLuaArguments& arguments) {
+  const SPlaceOfPheromone place = NextPlaceOfPheromone(arguments, m_simulator);
+  arguments.Finish();
+  return place.Medium.GetConcentration(place.Layer, place.Point);
+}
+
+Real CLuaSimulation::GetTotalPheromone(const std::string& medium, const std::string& layer) {
+  auto& pheromone = m_simulator.GetMedium<CPheromoneMedium>(medium);
+  return pheromone.GetField(pheromone.GetLayerNumber(layer)).ComputeTotal();
+}
+
+void CLuaSimulation::LayPheromone(CLuaArguments& arguments) {
+  const SPlaceOfPheromone place = NextPlaceOfPheromone(arguments, m_simulator);
+  const Real amount = arguments.Next<Real>();
+  arguments.Finish();
+  place.Medium.Deposit(place.Layer, place.Point, amount);
 }
 
 void CLuaSimulation::FloorChanged() {

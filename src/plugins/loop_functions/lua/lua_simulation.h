@@ -58,6 +58,9 @@ class CLuaSimulation {
   Real GetLightIntensity(const std::string& id);
   SLuaResults GetVariable(CLuaArguments& arguments);
   void SetVariable(CLuaArguments& arguments);
+  Real GetPheromone(CLuaArguments& arguments);
+  Real GetTotalPheromone(const std::string& medium, const std::string& layer);
+  void LayPheromone(CLuaArguments& arguments);
   void FloorChanged();
   void Finish();
 

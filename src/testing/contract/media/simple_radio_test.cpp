@@ -7,6 +7,7 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_simple_radios_sensor.h>
 #include <argos3/plugins/simulator/entities/simple_radio_equipped_entity.h>
 #include <argos3/plugins/simulator/media/simple_radio_medium.h>
+#include <argos3/testing/support/allocation_count.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
@@ -253,6 +254,28 @@ TEST_CASE("simple radio: lines from the senders are recorded only if asked for",
     CHECK(rays[0].second.GetEnd() == CVector3(1.0, 0.0, 0.0));
   }
   CHECK(world.GetRobot("c").GetCheckedRays().empty());
+}
+
+TEST_CASE("simple radio: sending and receiving allocate nothing once settled",
+          "[contract][media][allocation]") {
+  if (!CAllocationCount::IsAvailable()) {
+    return;
+  }
+  CRobotWorld world(WithRadios(Row(10.0)));
+  size_t counted = 0;
+  std::string first;
+  for (int tick = 0; tick < 10; ++tick) {
+    // what the controller makes is its own business
+    Send(world, "a", "a message that is longer than a string is without memory of its own");
+    Send(world, "c", "another one");
+    const CAllocationCount count;
+    world.Step();
+    counted += tick < 3 ? 0 : count.GetCount();
+    first = count.DescribeFirst();
+  }
+  INFO(first);
+  CHECK(counted == 0);
+  CHECK(Received(world, "b").size() == 2);
 }
 
 TEST_CASE("simple radio: wrong experiments are refused with the reason",

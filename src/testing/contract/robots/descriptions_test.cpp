@@ -147,6 +147,8 @@ TEST_CASE("descriptions: examples of entities and media load and run", "[contrac
   CHECK(RunExamples<CMedium>("led") == 2);
   CHECK(RunExamples<CMedium>("range_and_bearing") == 2);
   CHECK(RunExamples<CMedium>("simple_radio") == 3);
+  CHECK(RunExamples<CEntity>("rfid_tag") == 4);
+  CHECK(RunExamples<CMedium>("rfid") == 2);
 }
 
 TEST_CASE("descriptions: examples of physics engines load and run", "[contract][robots]") {
@@ -183,6 +185,10 @@ TEST_CASE("descriptions: no example of a device is overlooked", "[contract][robo
   CHECK(RunExamples<CSimulatedSensor>("range_and_bearing (medium)", "sensors", "e-puck") == 3);
   CHECK(RunExamples<CSimulatedActuator>("simple_radios (default)", "actuators", "e-puck") == 2);
   CHECK(RunExamples<CSimulatedSensor>("simple_radios (default)", "sensors", "foot-bot") == 3);
+  CHECK(RunExamples<CSimulatedActuator>("pheromone (medium)", "actuators", "e-puck") == 3);
+  CHECK(RunExamples<CSimulatedSensor>("pheromone (medium)", "sensors", "foot-bot") == 3);
+  CHECK(RunExamples<CSimulatedActuator>("rfid (medium)", "actuators", "foot-bot") == 3);
+  CHECK(RunExamples<CSimulatedSensor>("rfid (medium)", "sensors", "e-puck") == 3);
   CHECK(RunExamples<CSimulatedSensor>("eyebot_proximity (default)", "sensors", "eye-bot") == 2);
   CHECK(RunExamples<CSimulatedSensor>("eyebot_light (rot_z_only)", "sensors", "eye-bot") == 2);
 }

@@ -107,3 +107,59 @@ TEST_CASE("lua devices: simple radios send tables", "[lua][devices]") {
   CHECK_THAT(ErrorOf(world, "robot.simple_radios.wifi.send({}, {})"),
              Contains("too many arguments"));
 }
+
+TEST_CASE("lua devices: RFID tags are read and written", "[lua][devices]") {
+  SLuaExperiment experiment =
+      PairOf("function step() if robot.id == 'other' then robot.rfid.write({ 3, 4 }, 2) end end",
+             "<rfid implementation='medium' medium='rfid'/>",
+             "<rfid implementation='medium' medium='rfid' range='0.2'/>", "<rfid id='rfid'/>");
+  experiment.Arena =
+      "<rfid_tag id='t' position='1,0.05,0' medium='rfid' memory='3' data='9'/>"
+      "<rfid_tag id='far' position='1,0.15,0' medium='rfid' memory='1'/>";
+  CLuaWorld world(experiment);
+  CHECK(world.Get("#robot.rfid") == "0");
+  world.Step(2);
+  CHECK(TakeLogErr() == "");
+  CHECK(world.Get("#robot.rfid") == "0");
+  CHECK(world.Get("robot.rfid.written()") == "");
+  REQUIRE(world.Get("#robot.rfid", "other") == "2");
+  CHECK(world.Get("robot.rfid[1].id", "other") == "t");
+  CHECK(world.Get("table.concat(robot.rfid[1].data, ' ')", "other") == "9.0 3.0 4.0");
+  CHECK(world.Get("robot.rfid.written()", "other") == "t");
+  // "other" looks along y
+  CHECK_THAT(GetNumber(world, "robot.rfid[1].distance", "other"), WithinAbs(5.0, kRounding));
+  CHECK_THAT(GetNumber(world, "robot.rfid[1].angle", "other"), WithinAbs(0.0, kRounding));
+  CHECK_THAT(ErrorOf(world, "robot.rfid.write({ 1 }, 0)"), Contains("from 1 on, got 0"));
+  CHECK_THAT(ErrorOf(world, "robot.rfid.write({ 256 })"), Contains("from 0 to 255"));
+  CHECK_THAT(ErrorOf(world, "robot.rfid.write('text')"), Contains("a table"));
+}
+
+TEST_CASE("lua devices: pheromones are laid and smelled", "[lua][devices]") {
+  CLuaWorld world(
+      PairOf("function step() robot.pheromone.food.set_rate(robot.id == 'fb' and 2 or 0) end",
+             "<pheromone implementation='medium' medium='p'/>",
+             "<pheromone implementation='medium' medium='p' layers='food'><point offset='0,0'/>"
+             "<point offset='0.05,0.02'/></pheromone>",
+             "<pheromone id='p' cell_size='0.1' size='3,3' center='0.05,0.05'><layer id='food'/>"
+             "<layer id='home'/></pheromone>"));
+  // offsets are there from the start
+  CHECK(world.Get("#robot.pheromone.food") == "2");
+  CHECK_THAT(GetNumber(world, "robot.pheromone.food[2].offset.x"), WithinAbs(5.0, kRounding));
+  CHECK_THAT(GetNumber(world, "robot.pheromone.food[2].offset.y"), WithinAbs(2.0, kRounding));
+  world.Step(3);
+  CHECK(TakeLogErr() == "");
+  // "fb" is in the centre of a cell of 0.01 m^2, and has laid 2/s for two ticks of 0.1 s
+  CHECK_THAT(GetNumber(world, "robot.pheromone.food[1].value"), WithinAbs(40.0, 1e-10));
+  // half a cell ahead, and a fifth of one to the left
+  CHECK_THAT(GetNumber(world, "robot.pheromone.food[2].value"), WithinAbs(40.0 * 0.5 * 0.8, 1e-10));
+  CHECK(GetNumber(world, "robot.pheromone.food[1].value", "other") == 0.0);
+  // a layer that is only laid has no readings
+  CHECK(world.Get("#robot.pheromone.home") == "0");
+  world.Do("robot.pheromone.home.set_rate(1) function step() end");
+  world.Step(2);
+  CHECK_THAT(GetNumber(world, "robot.pheromone.food[1].value"), WithinAbs(80.0, 1e-10));
+  CHECK_THAT(ErrorOf(world, "robot.pheromone.food.set_rate(-1)"),
+             Contains("\"food\" must be a number >= 0") && Contains("got -1"));
+  CHECK_THAT(ErrorOf(world, "robot.pheromone.food.set_rate('a lot')"), Contains("number"));
+  CHECK_THAT(ErrorOf(world, "robot.pheromone.food.set_rate(0 / 0)"), Contains(">= 0"));
+}

@@ -196,7 +196,24 @@ std::vector<SLuaDevice> LuaActuators() {
        "pan_tilt_camera",
        "pan_tilt_camera",
        "{set_pan() set_tilt()}",
-       {TakesNumber("set_pan"), TakesNumber("set_tilt")}}};
+       {TakesNumber("set_pan"), TakesNumber("set_tilt")}},
+      {"actuators",
+       "pheromone",
+       "pheromone",
+       "{trail{set_rate()}}",
+       {{"trail.set_rate",
+         {"1.5", "0"},
+         {{"'1'", "argument 1 must be a number, got string \"1\""},
+          {"-1", "must be a number >= 0 (amount per second), got -1"},
+          {"1, 2", "too many arguments"}}}}},
+      {"actuators", "rfid", "rfid", "{write() written()}",
+       Plus(WithoutArguments({"written"}),
+            {"write",
+             {"{1, 2}", "{255}, 2", "{}"},
+             {{"'text'", "argument 1 must be a table of"},
+              {"{256}", "argument 1 must be a table of 1 whole numbers from 0 to 255"},
+              {"{1}, 0", "argument 2 must be a whole number from 1 on, got 0"},
+              {"{1}, 1, 1", "too many arguments"}}})}};
 }
 
 std::vector<SLuaDevice> LuaSensors() {
@@ -252,6 +269,8 @@ std::vector<SLuaDevice> LuaSensors() {
            "{front{directional_led_detector[1]{center:vector2 color" + kBlobs +
                "} led_detector[1]{center:vector2 color" + kBlobs +
                "} tag_detector[1]{center:vector2 corners[4]:vector2 payload:string}}}"},
+          {"sensors", "pheromone", "pheromone", "{trail[1]{offset:vector2 value}}"},
+          {"sensors", "rfid", "rfid", "[1]{angle data[2] distance id:string}"},
           {"sensors", "altitude", "altitude", "{height}"},
           {"sensors", "clock", "clock", "{tick time}"},
           {"sensors", "footbot_encoder", "encoder", "{axis_length distance_left distance_right}"}};
@@ -292,6 +311,7 @@ class CDeviceWorld {
         RobotForDevices("foot-bot", "other", "0.6,0.1,0", "other");
     experiment.Arena = Lamp("near", "0.4,0.1,0.1") + Lamp("ahead", "1,0.1,0.174249733") +
                        Lamp("below", "0.1,0.05,0.05") + Lamp("high", "0.5,0.05,0.7") +
+                       "<rfid_tag id='tag' position='0.2,0,0.2' medium='rfid' memory='2'/>"
                        "<floor id='floor' source='loop_functions' pixels_per_meter='1'/>";
     experiment.Controllers =
         "<lua_controller id='other'><actuators><range_and_bearing implementation='default'/>"

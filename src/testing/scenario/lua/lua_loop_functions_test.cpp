@@ -284,6 +284,53 @@ TEST_CASE("lua loop functions: the floor has the color that floor_color gives",
   CHECK(floor.GetColorAtPoint(-1.0, 0.0) == CColor::BLACK);
 }
 
+TEST_CASE("lua loop functions: pheromones are read and laid", "[lua][loop_functions]") {
+  // one layer on cells of 0.01 m^2, with centres at odd multiples of 0.05 m
+  const auto with = [](const std::string& code) {
+    SLuaExperiment experiment = With(code);
+    experiment.Media =
+        "<led id='leds'/><pheromone id='p' cell_size='0.1'><layer id='trail' "
+        "evaporation='2'/></pheromone>";
+    return experiment;
+  };
+  TakeLog();
+  {
+    CLuaWorld world(
+        with("function init() simulation.lay_pheromone('p', 'trail', 0.05, 0.15, 0.03)\n"
+             "log(simulation.pheromone('p', 'trail', 0.05, 0.15), ' ',\n"
+             "simulation.pheromone('p', 'trail', 0.1, 0.15), ' ',\n"
+             "simulation.total_pheromone('p', 'trail')) end\n"
+             "function post_step() total = simulation.total_pheromone('p', 'trail')\n"
+             "log(tostring(math.abs(total - 0.03 * math.exp(-0.2)) < 1e-15)) end"));
+    const std::string start = TakeScriptLog();
+    std::istringstream numbers(start);
+    Real here = 0.0;
+    Real between = 0.0;
+    Real total = 0.0;
+    numbers >> here >> between >> total;
+    CHECK_THAT(here, WithinAbs(3.0, 1e-5));
+    CHECK_THAT(between, WithinAbs(1.5, 1e-5));
+    CHECK_THAT(total, WithinAbs(0.03, 1e-7));
+    world.Step();
+    CHECK_THAT(TakeScriptLog(), Contains("true"));
+  }
+  const auto error = [&](const std::string& call) {
+    try {
+      CLuaWorld world(with("function init() simulation." + call + " end"));
+    } catch (const std::exception& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  CHECK_THAT(error("pheromone('p', 'trial', 0, 0)"),
+             Contains("no layer \"trial\"") && Contains("trail"));
+  CHECK_THAT(error("pheromone('q', 'trail', 0, 0)"), Contains("q"));
+  CHECK_THAT(error("pheromone('leds', 'trail', 0, 0)"), Contains("leds"));
+  CHECK_THAT(error("pheromone('p', 'trail', 0)"), Contains("argument 4 must be a number"));
+  CHECK_THAT(error("lay_pheromone('p', 'trail', 0, 0, -1)"), Contains(">= 0, got -1"));
+  CHECK_THAT(error("lay_pheromone('p', 'trail', 0, 0)"), Contains("argument 5"));
+}
+
 TEST_CASE("lua loop functions: many threads may ask for the floor's color",
           "[lua][loop_functions][threads]") {
   CLuaWorld world(With("function floor_color(x, y) return x, y, 0 end",

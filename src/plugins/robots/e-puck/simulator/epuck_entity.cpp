@@ -195,10 +195,10 @@ OPTIONAL XML
   battery@orient_delta              of "motion": >= 0, default 1e-3: per rad that it turns.
   battery@time_factor, battery@pos_factor, battery@orient_factor
                                     the same three of "time_motion", which takes their sum.
-  directional_leds, tags, magnets, simple_radios
+  directional_leds, tags, magnets, simple_radios, rfid_tags
                                     children: what else the robot carries. The media
-                                    "directional_led", "tag" and "simple_radio" and the
-                                    actuator "magnets" explain them.
+                                    "directional_led", "tag" and "simple_radio", the actuator
+                                    "magnets" and the entity "rfid_tag" explain them.
 )",
     "Usable")
 

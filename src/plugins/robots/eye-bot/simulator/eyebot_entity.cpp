@@ -203,10 +203,10 @@ OPTIONAL XML
   camera_focal_length  m, > 0, default 0.035.
   camera_range         m, > 0, default 2: how far the camera sees.
   camera_front         "true" (default) or "false": accepted, without effect.
-  directional_leds, tags, magnets, simple_radios
+  directional_leds, tags, magnets, simple_radios, rfid_tags
                        children: what else the robot carries. The media
-                       "directional_led", "tag" and "simple_radio" and the
-                       actuator "magnets" explain them.
+                       "directional_led", "tag" and "simple_radio", the actuator
+                       "magnets" and the entity "rfid_tag" explain them.
   battery              the robot's battery; without it the charge never falls. It runs down only if the
                        controller has the sensor "battery".
   battery@discharge_model  "time" (default), "motion" or "time_motion", or a model of a user.

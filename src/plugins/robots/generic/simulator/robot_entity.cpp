@@ -3,6 +3,7 @@
 #include <argos3/plugins/simulator/entities/directional_led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/magnet_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/new_component.h>
+#include <argos3/plugins/simulator/entities/rfid_tag_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/simple_radio_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/tag_equipped_entity.h>
 
@@ -34,6 +35,7 @@ void CRobotEntity::InitParts(TConfigurationNode& tree) {
   MountFromXML<CTagEquippedEntity>(tree, "tags");
   MountFromXML<CMagnetEquippedEntity>(tree, "magnets");
   MountFromXML<CSimpleRadioEquippedEntity>(tree, "simple_radios");
+  MountFromXML<CRFIDTagEquippedEntity>(tree, "rfid_tags");
 }
 
 template <typename COMPONENT>

@@ -94,8 +94,9 @@ class CRobotEntity : public CComposableEntity {
   /** Makes the component that holds the controller, the last one of the robot. */
   void AddController();
   /**
-   * Reads `id` and `<body>`, and makes what `<directional_leds>`, `<tags>`, `<magnets>` and
-   * `<simple_radios>` mount on this robot. The controller's component must be there already.
+   * Reads `id` and `<body>`, and makes what `<directional_leds>`, `<tags>`, `<magnets>`,
+   * `<simple_radios>` and `<rfid_tags>` mount on this robot. The controller's component must be
+   * there already.
    */
   void InitParts(TConfigurationNode& tree);
   /** Before the controller is made. */

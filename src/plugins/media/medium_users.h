@@ -1,0 +1,67 @@
+#ifndef ARGOS3_PLUGINS_MEDIA_MEDIUM_USERS_H
+#define ARGOS3_PLUGINS_MEDIA_MEDIUM_USERS_H
+
+#include <argos3/core/utility/datatypes/datatypes.h>
+
+#include <sys/types.h>
+
+#include <utility>
+#include <vector>
+
+namespace argos {
+
+class CControllableEntity;
+class CMediumUsers;
+
+/**
+ * A device that uses a medium: the medium knows it as long as both live. Actuators leave orders
+ * with it, which the medium carries out in its TakeActs().
+ */
+class CMediumUser {
+ public:
+  CMediumUser(CMediumUsers& users, const CControllableEntity& robot);
+  virtual ~CMediumUser();
+  CMediumUser(const CMediumUser&) = delete;
+  CMediumUser& operator=(const CMediumUser&) = delete;
+
+  const CControllableEntity& GetRobot() const { return m_robot; }
+
+  bool HasOrder = false; /**< to be carried out once */
+
+ private:
+  friend class CMediumUsers;
+  CMediumUsers* m_users;  // null: the medium is gone
+  const CControllableEntity& m_robot;
+};
+
+/** The devices that use a medium; for the sources of media. */
+class CMediumUsers {
+ public:
+  CMediumUsers() = default;
+  /** Lets go of all devices. */
+  ~CMediumUsers() { LetGo(); }
+  CMediumUsers(const CMediumUsers&) = delete;
+  CMediumUsers& operator=(const CMediumUsers&) = delete;
+
+  /** In order of registration; not owned. */
+  const std::vector<CMediumUser*>& Get() const { return m_users; }
+  void LetGo();
+
+  /**
+   * Takes the orders that there are: those of robots in the space, in the order of the robots'
+   * insertion into it, whatever the order in which devices were made. All orders are then gone.
+   * @return not owned; valid until the next call.
+   */
+  const std::vector<CMediumUser*>& TakeOrders();
+
+ private:
+  friend class CMediumUser;
+
+  std::vector<CMediumUser*> m_users;
+  std::vector<std::pair<ssize_t, size_t>> m_ordering;  // scratch: robot, place in m_users
+  std::vector<CMediumUser*> m_withOrders;
+};
+
+}  // namespace argos
+
+#endif

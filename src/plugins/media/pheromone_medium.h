@@ -1,0 +1,105 @@
+#ifndef ARGOS3_PLUGINS_MEDIA_PHEROMONE_MEDIUM_H
+#define ARGOS3_PLUGINS_MEDIA_PHEROMONE_MEDIUM_H
+
+#include <argos3/core/simulator/medium/medium.h>
+#include <argos3/core/utility/math/vector2.h>
+#include <argos3/core/utility/math/vector3.h>
+#include <argos3/plugins/simulator/media/medium_users.h>
+#include <argos3/plugins/simulator/media/pheromone_field.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace argos {
+
+/**
+ * Substances on the ground that robots lay and smell: they evaporate and spread.
+ *
+ * Each layer is one substance, a concentration (amount per m^2) on a rectangle of the ground, by
+ * default the arena's, with closed borders. Deposits are made where robots are when they act, in
+ * the order of the robots' insertion into the space; then, after physics, substances evaporate and
+ * spread for one tick, and sensors read. Heights do not matter.
+ */
+class CPheromoneMedium : public CMedium {
+ public:
+  /** An actuator: while it has an order, it lays substances at a place. */
+  class CUser : public CMediumUser {
+   public:
+    CUser(CPheromoneMedium& medium, const CControllableEntity& robot);
+
+    CVector3 Place; /**< m, world frame */
+    std::vector<Real> Rates; /**< (layers), amount per second, >= 0 */
+  };
+
+  CPheromoneMedium();
+  ~CPheromoneMedium() override;
+
+  /**
+   * Reads `id`, `cell_size`, `size` and `center`, and for each child `<layer>` its `id`,
+   * `evaporation`, `diffusion` and `maximum`.
+   * @throws CARGoSException if a value is out of range, two layers have one id, or there is none.
+   */
+  void Init(TConfigurationNode& tree) override;
+  /** Nothing anywhere. */
+  void Reset() override;
+  void Destroy() override;
+  /** @throws CARGoSException if the region has too many cells. */
+  void PostSpaceInit() override;
+  void TakeActs() override;
+  void Update() override;
+  bool UsesThreadPool() const override { return true; }
+  void UpdateDigest(CDigest& digest) const override;
+
+  size_t GetNumLayers() const { return m_layers.size(); }
+  /** @param layer below GetNumLayers(), here and below. */
+  const std::string& GetLayerId(size_t layer) const { return m_layers[layer].Id; }
+  /** @throws CARGoSException with the layers there are, if there is none of that id. */
+  size_t GetLayerNumber(const std::string& id) const;
+  /**
+   * For devices: the layers that their attribute `layers` names, with commas between; without it
+   * all. @throws CARGoSException if one is not there, or named twice.
+   */
+  std::vector<size_t> ReadLayers(TConfigurationNode& device) const;
+
+  /**
+   * Amount per m^2 at a point of the floor, m, world frame: bilinear between the centres of cells;
+   * 0 outside the region. Safe on several threads at once.
+   */
+  Real GetConcentration(size_t layer, const CVector3& point) const;
+  /**
+   * Adds an amount at a point of the floor, shared among the cells around it; what would be outside
+   * the region is lost. Not while sensors read.
+   * @param amount >= 0. @throws CARGoSException if it is not.
+   */
+  void Deposit(size_t layer, const CVector3& point, Real amount);
+  /**
+   * A layer, cell by cell, for loop functions to read and to change; cells are those of all layers.
+   * From loop functions' Init() on. Not to be changed while sensors read.
+   * @throws CARGoSException if the region would have too many cells.
+   */
+  CPheromoneField& GetField(size_t layer);
+
+ private:
+  struct SLayer {
+    std::string Id;
+    Real Evaporation = 0.0;  // 1/s
+    Real Diffusion = 0.0;  // m^2/s
+    Real Maximum = 0.0;  // 1/m^2
+  };
+  struct SState;  // fields, users
+
+  void ReadLayer(TConfigurationNode& node);
+  void MakeFields();
+
+  std::string m_owner;  // for messages: the element in the file
+  Real m_cellSize = 0.05;  // m
+  bool m_hasSize = false, m_hasCenter = false;  // else those of the arena
+  CVector2 m_size, m_center;  // of the region, m
+  std::vector<SLayer> m_layers;
+  std::unique_ptr<SState> m_state;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,179 @@
+#include <argos3/plugins/simulator/media/rfid_medium.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/plugins/simulator/media/medium_members.h>
+#include <argos3/plugins/simulator/media/point_cells.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace argos {
+
+struct CRFIDMedium::SState {
+  CMediumMembers<CRFIDTagEntity> Tags;
+  CMediumUsers Users;  // all are CUsers
+  std::vector<SFound> Found;  // scratch
+
+  SIndexChoice Index;
+  CPointCells Cells;
+  std::vector<CVector3> Places;  // of the tags when they were sorted, m, world frame, by number
+  std::vector<UInt32> Finite;  // numbers of tags that are somewhere
+  std::vector<Real> X, Y;  // of these, m
+  Real Reach = 0.0;  // m, for which cells were chosen
+};
+
+CRFIDMedium::CUser::CUser(CRFIDMedium& medium, const CControllableEntity& robot, Real reach)
+    : CMediumUser(medium.m_state->Users, robot), m_reach(reach) {}
+
+CRFIDMedium::CRFIDMedium() : m_state(std::make_unique<SState>()) {}
+
+CRFIDMedium::~CRFIDMedium() {
+  CRFIDMedium::Destroy();
+}
+
+void CRFIDMedium::Init(TConfigurationNode& tree) {
+  CMedium::Init(tree);
+  m_state->Index.Read(tree);
+}
+
+void CRFIDMedium::Reset() {
+  for (CMediumUser* user : m_state->Users.Get()) {
+    user->HasOrder = false;
+    static_cast<CUser*>(user)->WrittenTag.clear();
+  }
+}
+
+void CRFIDMedium::Destroy() {
+  for (CRFIDTagEntity* tag : m_state->Tags.ListAll()) {
+    tag->ClearMedium();
+  }
+  m_state->Users.LetGo();
+}
+
+void CRFIDMedium::AddEntity(CRFIDTagEntity& tag) {
+  m_state->Tags.Add(tag);
+}
+
+void CRFIDMedium::RemoveEntity(CRFIDTagEntity& tag) {
+  m_state->Tags.Remove(tag);
+}
+
+void CRFIDMedium::Update() {
+  // without devices nobody asks
+  if (!m_state->Users.Get().empty()) {
+    Refresh();
+  }
+}
+
+// sorts the tags anew if any has come, gone or moved: most of them lie where they are
+void CRFIDMedium::Refresh() {
+  SState& state = *m_state;
+  Real reach = 0.0;
+  for (const CMediumUser* user : state.Users.Get()) {
+    reach = std::max(reach, static_cast<const CUser*>(user)->GetReach());
+  }
+  bool changed = state.Tags.Update() || reach != state.Reach;
+  state.Places.resize(state.Tags.GetSize());
+  for (size_t number = 0; number < state.Places.size(); ++number) {
+    const CVector3& place = state.Tags.Get(number)->GetPosition();
+    changed = changed || place != state.Places[number];
+    state.Places[number] = place;
+  }
+  if (!changed) {
+    return;
+  }
+  state.Finite.clear();
+  state.X.clear();
+  state.Y.clear();
+  for (size_t number = 0; number < state.Places.size(); ++number) {
+    const CVector3& place = state.Places[number];
+    if (std::isfinite(place.GetX()) && std::isfinite(place.GetY()) && std::isfinite(place.GetZ())) {
+      state.Finite.push_back(static_cast<UInt32>(number));
+      state.X.push_back(place.GetX());
+      state.Y.push_back(place.GetY());
+    }
+  }
+  state.Reach = reach;
+  state.Cells.SetOptions(state.Index, GetSpace().GetArenaLimits());
+  state.Cells.Sort(state.X.data(), state.Y.data(), state.Finite.size(), reach);
+}
+
+void CRFIDMedium::FindTags(std::vector<SFound>& found, const CVector3& place, Real reach,
+                           const CEntity& ownRoot) const {
+  const SState& state = *m_state;
+  found.clear();
+  state.Cells.ForPlacesNear(place.GetX(), place.GetY(), reach, [&](size_t cellPlace) {
+    const UInt32 number = state.Finite[state.Cells.GetPoint(cellPlace)];
+    const Real squareDistance = SquareDistance(state.Places[number], place);
+    if (squareDistance > reach * reach) {
+      return;
+    }
+    // null: it has gone since
+    CRFIDTagEntity* const tag = state.Tags.Get(number);
+    if (tag != nullptr && &tag->GetRootEntity() != &ownRoot) {
+      found.push_back({tag, squareDistance});
+    }
+  });
+  std::sort(found.begin(), found.end(), [](const SFound& a, const SFound& b) {
+    return a.Tag->GetNumberInMedium() < b.Tag->GetNumberInMedium();
+  });
+}
+
+void CRFIDMedium::TakeActs() {
+  for (CMediumUser* user : m_state->Users.Get()) {
+    static_cast<CUser*>(user)->WrittenTag.clear();
+  }
+  const std::vector<CMediumUser*>& writers = m_state->Users.TakeOrders();
+  if (writers.empty()) {
+    return;
+  }
+  Refresh();
+  for (CMediumUser* writer : writers) {
+    Write(static_cast<CUser&>(*writer));
+  }
+}
+
+void CRFIDMedium::Write(CUser& user) {
+  std::vector<SFound>& found = m_state->Found;
+  FindTags(found, user.Place, user.GetReach(), user.GetRobot().GetRootEntity());
+  // of tags equally near, the one that was created first
+  const auto nearest = std::min_element(
+      found.begin(), found.end(),
+      [](const SFound& a, const SFound& b) { return a.SquareDistance < b.SquareDistance; });
+  if (nearest != found.end() && nearest->Tag->TryWrite(user.Offset, user.Bytes)) {
+    user.WrittenTag = nearest->Tag->GetTagId();
+  }
+}
+
+REGISTER_MEDIUM(
+    CRFIDMedium, "rfid", "the authors of this project", "1.0",
+    "Knows where RFID tags are, for robots that read and write them.",
+    R"(RFID tags lie in the arena, or are carried by bodies; see the entity "rfid_tag". Robots read them with the
+sensor "rfid" and write them with the actuator "rfid", through whatever is between, but not their own tags. Robots
+that write in the same tick do so in the order in which they were put into the arena: if two write to the same bytes
+of a tag, those of the robot that was created last stay.
+
+REQUIRED XML
+
+  <media>
+    <rfid id="rfid" />
+  </media>
+
+OPTIONAL XML
+
+  <media>
+    <rfid id="rfid" index="hash" grid_size="20,20,1" />
+  </media>
+
+ATTRIBUTES
+
+  id         text, required: unique among the media.
+  index      "grid" (default) or "hash": how tags near a robot are found. It has no effect on results.
+  grid_size  "x,y,z", integers >= 1: into how many cells the arena is divided; by default cells suit the
+             reach of the robots' devices. It has no effect on results.
+)",
+    "Usable")
+
+}  // namespace argos

@@ -1,0 +1,39 @@
+#ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_RFID_ACTUATOR_H
+#define ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_RFID_ACTUATOR_H
+
+#include <argos3/core/control_interface/ci_actuator.h>
+#include <argos3/core/utility/datatypes/byte_array.h>
+
+#include <string>
+
+namespace argos {
+
+/** Writes to the RFID tag nearest to the robot. */
+class CCI_RFIDActuator : public CCI_Actuator {
+ public:
+  /**
+   * Orders to write bytes to the tag that is nearest when the robot acts next, once. An order that
+   * was not carried out yet is replaced.
+   * @param offset  where in the tag's memory the first byte goes. If the bytes do not fit into it,
+   *                nothing is written.
+   */
+  void Write(const CByteArray& data, size_t offset = 0);
+  /** Takes an order back that was not carried out yet. */
+  void Cancel() { m_isOrdered = false; }
+
+  /** Id of the tag that was written in this step; empty if none was in reach, or it was too small.
+   */
+  virtual const std::string& GetWrittenTag() const = 0;
+
+  /** robot.rfid.write({b1, ...} [, first]), first counts from 1; robot.rfid.written() */
+  void CreateLuaState(lua_State* state) override;
+
+ protected:
+  bool m_isOrdered = false;
+  size_t m_offset = 0;
+  CByteArray m_data;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,116 @@
+#include <argos3/plugins/robots/generic/simulator/pheromone_medium_sensor.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/plugins/robots/generic/simulator/medium_attribute.h>
+#include <argos3/plugins/simulator/media/pheromone_medium.h>
+
+#include <algorithm>
+
+namespace argos {
+
+namespace {
+
+constexpr Real kCentimetersPerMeter = 100.0;
+
+}  // namespace
+
+void CPheromoneMediumSensor::SetRobot(CComposableEntity& robot) {
+  m_robot = &robot.GetComponent<CControllableEntity>("controller");
+  m_body = &robot.GetComponent<CEmbodiedEntity>("body");
+}
+
+void CPheromoneMediumSensor::Init(TConfigurationNode& tree) {
+  CCI_PheromoneSensor::Init(tree);
+  m_medium = &ReadMedium<CPheromoneMedium>(tree, m_robot->GetSimulator(), "a pheromone medium");
+  m_layers = m_medium->ReadLayers(tree);
+  TReadings readings;
+  const auto addPoint = [&](const CVector2& offset) {
+    m_points.emplace_back(offset.GetX(), offset.GetY(), 0.0);
+    readings.push_back({0.0, offset * kCentimetersPerMeter});
+  };
+  TConfigurationNodeIterator child("point");
+  for (child = child.begin(&tree); child != child.end(); ++child) {
+    CVector2 offset;
+    GetNodeAttribute(*child, "offset", offset);
+    addPoint(offset);
+  }
+  if (m_points.empty()) {
+    addPoint(CVector2());
+  }
+  for (const size_t layer : m_layers) {
+    m_vecInterfaces.push_back({m_medium->GetLayerId(layer), readings});
+  }
+  m_noise.Init(tree, *m_robot, {"value"});
+  Enable();
+}
+
+void CPheromoneMediumSensor::Update() {
+  const SAnchor& origin = m_body->GetOriginAnchor();
+  for (size_t point = 0; point < m_points.size(); ++point) {
+    CVector3 place = m_points[point];
+    place.Rotate(origin.Orientation);
+    place += origin.Position;
+    for (size_t i = 0; i < m_layers.size(); ++i) {
+      const Real concentration = m_medium->GetConcentration(m_layers[i], place);
+      m_vecInterfaces[i].Readings[point].Value = std::max(0.0, m_noise.Apply(0, concentration));
+    }
+  }
+}
+
+void CPheromoneMediumSensor::Reset() {
+  for (SInterface& interface : m_vecInterfaces) {
+    for (SReading& reading : interface.Readings) {
+      reading.Value = 0.0;
+    }
+  }
+  m_noise.Reset();
+}
+
+REGISTER_SENSOR(
+    CPheromoneMediumSensor, "pheromone", "medium", "the authors of this project", "1.0",
+    "Smells substances on the ground.",
+    R"(Reads the concentration of each layer of a pheromone medium, an amount per m^2, under points of the robot: after
+the robots have moved, and after what they laid in this tick has spread. Between the centres of cells it is interpolated.
+Works on any robot with a body, whatever its height; outside the medium's region it reads 0.
+
+REQUIRED XML
+
+  <controllers>
+    <my_controller id="c1">
+      <actuators />
+      <sensors>
+        <pheromone implementation="medium" medium="pheromone" />
+      </sensors>
+      <params />
+    </my_controller>
+  </controllers>
+
+with the medium that it names:
+
+  <media>
+    <pheromone id="pheromone">
+      <layer id="trail" />
+    </pheromone>
+  </media>
+
+  medium  text, required: the id of a pheromone medium.
+
+OPTIONAL XML
+
+  <pheromone implementation="medium" medium="pheromone" layers="trail">
+    <point offset="0.04,0.02" />
+    <point offset="0.04,-0.02" />
+    <noise on="value" model="gaussian" std_dev="0.05" relative="true" />
+  </pheromone>
+
+  layers        ids of layers, with commas between; default all of the medium.
+  point         any number of children, default one at the robot's centre.
+  point@offset  "x,y", m, required: in the robot's frame.
+  noise         on="value", the concentration; model="uniform" level, "gaussian" std_dev or "rayleigh" sigma; bias,
+                relative="true". Readings stay >= 0.
+)",
+    "Usable")
+
+}  // namespace argos
