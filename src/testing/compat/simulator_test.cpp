@@ -104,7 +104,6 @@ class CEmbedding {
 /****************************************/
 
 TEST_CASE("compat: an embedding program", "[compat]") {
-  CUserLoopFunctions cOther;
   CEmbedding cEmbedding;
   CSimulator& cSimulator = CSimulator::GetInstance();
   CUserLoopFunctions& cLoopFunctions =
@@ -125,6 +124,7 @@ TEST_CASE("compat: an embedding program", "[compat]") {
 
 TEST_CASE("compat: every function of the simulator", "[compat]") {
   CSimulator::GetInstance().SetRandomSeed(77);
+  CUserLoopFunctions cOther;  // outlives the simulation
   CEmbedding cEmbedding;
   CSimulator& cSimulator = CSimulator::GetInstance();
   const CSimulator& cConst = cSimulator;
