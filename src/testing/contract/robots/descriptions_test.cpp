@@ -149,6 +149,7 @@ TEST_CASE("descriptions: examples of entities and media load and run", "[contrac
   CHECK(RunExamples<CMedium>("simple_radio") == 3);
   CHECK(RunExamples<CEntity>("rfid_tag") == 4);
   CHECK(RunExamples<CMedium>("rfid") == 2);
+  CHECK(RunExamples<CMedium>("pheromone") == 2);
 }
 
 TEST_CASE("descriptions: examples of physics engines load and run", "[contract][robots]") {
