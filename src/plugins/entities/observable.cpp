@@ -21,11 +21,19 @@ CRadians ReadObservableAngle(TConfigurationNode& tree) {
 
 bool IsObservableFrom(const CPositionalEntity& entity, const CRadians& angle,
                       const CVector3& point) {
+  // all around, also where a rounding would say otherwise
+  if (angle >= CRadians::PI) {
+    return true;
+  }
   CVector3 normal = CVector3::Z;
   normal.Rotate(entity.GetOrientation());
   const CVector3 toPoint = point - entity.GetPosition();
-  // all around, also where a rounding would say otherwise
-  return angle >= CRadians::PI || normal.DotProduct(toPoint) >= Cos(angle) * toPoint.Length();
+  const Real ahead = normal.DotProduct(toPoint);
+  // most are turned away: no cosine for them
+  if (ahead < 0.0 && angle <= CRadians::PI_OVER_TWO) {
+    return false;
+  }
+  return ahead >= Cos(angle) * toPoint.Length();
 }
 
 }  // namespace argos

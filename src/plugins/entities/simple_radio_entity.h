@@ -58,6 +58,8 @@ class CSimpleRadioEntity : public CMediumMember<CSimpleRadioEntity, CSimpleRadio
 
   /** Exchanges the messages received for those of @p read, which are used again; for sensors. */
   void Read(std::vector<CByteArray>& read);
+  /** Takes back what Read() gave, for its memory; for sensors that are reset. */
+  void TakeBack(std::vector<CByteArray>& read) { m_spare.Shrink(read, 0); }
   /** Drops messages that a sensor could have read; for the medium, once a tick. */
   void DropOldMessages();
   /** For the medium: takes over messages, which are old in the next tick. */

@@ -5,35 +5,32 @@
 //                    [--engine dynamics2d] [--engine-attributes 'iterations="4"']
 
 #include <argos3/testing/benchmark/bare_box2d.h>
+#include <argos3/testing/benchmark/in_child.h>
 #include <argos3/testing/support/overlap.h>
 #include <argos3/testing/support/rooms.h>
 
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/tick_times.h>
-#include <argos3/core/utility/logging/argos_log.h>
-#include <argos3/core/utility/plugins/dynamic_loading.h>
 
 #include <CLI/CLI.hpp>
 
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <sstream>
 
 using namespace argos;
 using argos::testing::CBareBox2D;
 using argos::testing::MeasureOverlaps;
+using argos::testing::RunInChild;
+using argos::testing::SecondsSince;
 using argos::testing::SOverlaps;
 using argos::testing::SRoomsWorld;
+using argos::testing::TBenchmarkClock;
 
 namespace {
-
-using TClock = std::chrono::steady_clock;
 
 struct SOptions {
   std::vector<UInt32> Robots = {100, 1000, 10000, 100000};
@@ -44,10 +41,6 @@ struct SOptions {
   std::string Engine = "dynamics2d";
   std::string EngineAttributes;
 };
-
-Real SecondsSince(TClock::time_point start) {
-  return std::chrono::duration<Real>(TClock::now() - start).count();
-}
 
 size_t ResidentBytes() {
   size_t total = 0;
@@ -72,7 +65,7 @@ void Report(const SOptions& options, UInt32 robots, UInt32 threads) {
   CSimulator& simulator = CSimulator::GetInstance();
   CConfigurationDocument document;
   document.Parse(MakeWorld(options, robots, threads).ToXML(), "benchmark");
-  const TClock::time_point loadStart = TClock::now();
+  const TBenchmarkClock::time_point loadStart = TBenchmarkClock::now();
   simulator.Load(document);
   const Real startUp = SecondsSince(loadStart);
 
@@ -91,11 +84,11 @@ void Report(const SOptions& options, UInt32 robots, UInt32 threads) {
   Real total = 0.0;
   Real bareTotal = 0.0;
   for (UInt32 tick = 0; tick < options.Ticks; ++tick) {
-    TClock::time_point start = TClock::now();
+    TBenchmarkClock::time_point start = TBenchmarkClock::now();
     simulator.UpdateSpace();
     total += SecondsSince(start);
     bare.TakeVelocities();
-    start = TClock::now();
+    start = TBenchmarkClock::now();
     bare.Tick();
     bareTotal += SecondsSince(start);
     if (tick % 20 == 0) {
@@ -116,27 +109,6 @@ void Report(const SOptions& options, UInt32 robots, UInt32 threads) {
       100.0 * SOverlaps::Quantile(overlaps.WithWalls, 1.0));
   std::fflush(stdout);
   simulator.Destroy();
-}
-
-// measures in a child process; a failure there is a failure here
-bool ReportInChild(const SOptions& options, UInt32 robots, UInt32 threads) {
-  std::fflush(stdout);
-  const pid_t child = fork();
-  if (child == 0) {
-    try {
-      CDynamicLoading::LoadAllLibraries();
-      std::ostringstream log;
-      LOG.GetStream().rdbuf(log.rdbuf());
-      Report(options, robots, threads);
-    } catch (const std::exception& error) {
-      std::fprintf(stderr, "%s\n", error.what());
-      _exit(1);
-    }
-    _exit(0);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
 }  // namespace
@@ -160,7 +132,7 @@ int main(int argc, char** argv) {
   bool good = true;
   for (const UInt32 robots : options.Robots) {
     for (const UInt32 threads : options.Threads) {
-      good = ReportInChild(options, robots, threads) && good;
+      good = RunInChild([&] { Report(options, robots, threads); }) && good;
     }
   }
   return good ? 0 : 1;

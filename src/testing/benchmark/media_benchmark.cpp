@@ -4,6 +4,7 @@
 //   argos3_media_benchmark [--robots 10000] [--threads 0,2] [--ticks 100]
 //                          [--media none,pheromone,range_and_bearing]
 
+#include <argos3/testing/benchmark/in_child.h>
 #include <argos3/testing/support/rooms.h>
 
 #include <argos3/core/control_interface/ci_controller.h>
@@ -11,28 +12,22 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/space/tick_times.h>
-#include <argos3/core/utility/logging/argos_log.h>
-#include <argos3/core/utility/plugins/dynamic_loading.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_pheromone_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_sensor.h>
 
 #include <CLI/CLI.hpp>
 
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <chrono>
 #include <cstdio>
 #include <functional>
 #include <map>
-#include <sstream>
 
 using namespace argos;
+using argos::testing::RunInChild;
+using argos::testing::SecondsSince;
 using argos::testing::SRoomsWorld;
+using argos::testing::TBenchmarkClock;
 
 namespace {
-
-using TClock = std::chrono::steady_clock;
 
 constexpr Real kTick = 0.1;  // s, as SRoomsWorld has it
 
@@ -100,11 +95,11 @@ void Report(const SOptions& options, const std::string& name, UInt32 robots, UIn
   }
   STickTimes times;
   simulator.GetSpace().SetTickTimes(&times);
-  const TClock::time_point start = TClock::now();
+  const TBenchmarkClock::time_point start = TBenchmarkClock::now();
   for (UInt32 tick = 0; tick < options.Ticks; ++tick) {
     simulator.UpdateSpace();
   }
-  const Real total = std::chrono::duration<Real>(TClock::now() - start).count();
+  const Real total = SecondsSince(start);
   Real work = 0.0;
   for (CControllableEntity* robot : simulator.GetSpace().GetControllableEntities()) {
     work += subject.CountWork(*robot) / robots;
@@ -116,28 +111,6 @@ void Report(const SOptions& options, const std::string& name, UInt32 robots, UIn
               kTick * options.Ticks / total);
   std::fflush(stdout);
   simulator.Destroy();
-}
-
-// measures in a child process; a failure there is a failure here
-bool ReportInChild(const SOptions& options, const std::string& name, UInt32 robots,
-                   UInt32 threads) {
-  std::fflush(stdout);
-  const pid_t child = fork();
-  if (child == 0) {
-    try {
-      CDynamicLoading::LoadAllLibraries();
-      std::ostringstream log;
-      LOG.GetStream().rdbuf(log.rdbuf());
-      Report(options, name, robots, threads);
-    } catch (const std::exception& error) {
-      std::fprintf(stderr, "%s\n", error.what());
-      _exit(1);
-    }
-    _exit(0);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
 }  // namespace
@@ -165,7 +138,7 @@ int main(int argc, char** argv) {
   for (const std::string& name : options.Media) {
     for (const UInt32 robots : options.Robots) {
       for (const UInt32 threads : options.Threads) {
-        good = ReportInChild(options, name, robots, threads) && good;
+        good = RunInChild([&] { Report(options, name, robots, threads); }) && good;
       }
     }
   }

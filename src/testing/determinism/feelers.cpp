@@ -1,6 +1,5 @@
 #include <argos3/testing/determinism/feelers.h>
 
-#include <argos3/core/simulator/loop_functions.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_base_ground_sensor.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_distance_scanner_actuator.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_distance_scanner_sensor.h>
@@ -27,15 +26,6 @@ namespace {
 
 constexpr Real kSpeed = 10.0;  // cm/s
 constexpr Real kSpacing = 0.4;  // m, between robots
-
-// stripes
-class CStripedFloor : public CLoopFunctions {
- public:
-  CColor GetFloorColor(const CVector2& point) override {
-    return CColor(static_cast<UInt8>(127.5 + 127.0 * std::sin(9.0 * point.GetX())),
-                  static_cast<UInt8>(127.5 + 127.0 * std::sin(7.0 * point.GetY())), 99);
-  }
-};
 
 std::string Device(const std::string& tag, const std::string& implementation,
                    const std::string& noise) {
@@ -165,6 +155,3 @@ SExperiment Feelers(UInt32 robots, bool noisy) {
 
 using argos::CFeeler;
 REGISTER_CONTROLLER(CFeeler, "feeler")
-namespace argos {
-REGISTER_LOOP_FUNCTIONS(CStripedFloor, "striped_floor")
-}

@@ -23,7 +23,10 @@ class CSpareElements {
   template <typename PREPARE>
   T& Append(std::vector<T>& list, PREPARE&& prepare) {
     if (m_spare.empty()) {
-      MakeRoom(list, prepare);
+      MakeElements(list, prepare);
+    }
+    if (list.size() == list.capacity()) {
+      list.reserve(m_numMade);
     }
     list.push_back(std::move(m_spare.back()));
     m_spare.pop_back();
@@ -31,6 +34,12 @@ class CSpareElements {
   }
   T& Append(std::vector<T>& list) {
     return Append(list, [](T&) {});
+  }
+
+  /** Calls use(T&) for each element that is kept. */
+  template <typename USE>
+  void ForEach(USE&& use) {
+    std::for_each(m_spare.begin(), m_spare.end(), use);
   }
 
   /** Takes the last elements of @p list, so that @p size are left. */
@@ -45,17 +54,19 @@ class CSpareElements {
   static constexpr std::size_t kFirstRoom = 8;  // then twice as many
 
   template <typename PREPARE>
-  void MakeRoom(std::vector<T>& list, PREPARE&& prepare) {
-    const std::size_t room = std::max(kFirstRoom, 2 * list.size());
-    list.reserve(room);
-    m_spare.reserve(room);
-    while (list.size() + m_spare.size() < room) {
+  void MakeElements(const std::vector<T>& list, PREPARE&& prepare) {
+    const std::size_t more = std::max(kFirstRoom, 2 * list.size()) - list.size();
+    m_numMade += more;
+    // some day all lists may be empty
+    m_spare.reserve(m_numMade);
+    for (std::size_t i = 0; i < more; ++i) {
       m_spare.emplace_back();
       prepare(m_spare.back());
     }
   }
 
   std::vector<T> m_spare;
+  std::size_t m_numMade = 0;
 };
 
 }  // namespace argos

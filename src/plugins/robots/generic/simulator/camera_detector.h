@@ -40,8 +40,10 @@ class CCameraDetector : public CCameraSensorSimulatedAlgorithm {
   virtual std::string GetMediumKind() const = 0;
 
   /**
+   * The entity's position is the first of its points.
    * @param locate  bool(const ENTITY&, CVector3* points): false if the entity shows nothing to this
-   *                camera; else writes its points, m, world frame.
+   *                camera; else writes its other points, m, world frame. Only called if the first
+   *                one is in the picture.
    * @param see     void(const ENTITY&, const CVector2* pixels): called for every entity in sight,
    *                in order of creation, with the pixels of its points, noise included.
    */
@@ -50,17 +52,16 @@ class CCameraDetector : public CCameraSensorSimulatedAlgorithm {
     m_sight.Look(
         m_medium->GetIndex(), camera.GetPosition(), camera.ComputeField(),
         [&](const ENTITY& entity, CVector3* points) {
+          points[0] = entity.GetPosition();
           CVector2 pixel;
-          bool inPicture = locate(entity, points);
-          for (size_t i = 0; inPicture && i < NUM_POINTS; ++i) {
+          bool inPicture = camera.Project(points[0], pixel) && locate(entity, points + 1);
+          for (size_t i = 1; inPicture && i < NUM_POINTS; ++i) {
             inPicture = camera.Project(points[i], pixel);
           }
           return inPicture;
         },
-        [&](const ENTITY& entity) {
-          CVector3 points[NUM_POINTS];
+        [&](const ENTITY& entity, const CVector3* points) {
           CVector2 pixels[NUM_POINTS];
-          locate(entity, points);
           for (size_t i = 0; i < NUM_POINTS; ++i) {
             camera.Project(points[i], pixels[i]);
             pixels[i].SetX(m_noise.Apply(0, pixels[i].GetX()));

@@ -14,8 +14,7 @@ void CCameraDirectionalLEDDetector::Update(const CPinholeCamera& camera) {
   m_tReadings.clear();
   Detect(
       camera,
-      [&camera](const CDirectionalLEDEntity& led, CVector3* point) {
-        *point = led.GetPosition();
+      [&camera](const CDirectionalLEDEntity& led, CVector3*) {
         return led.IsLit() && led.ShinesOn(camera.GetPosition());
       },
       [this](const CDirectionalLEDEntity& led, const CVector2* pixel) {

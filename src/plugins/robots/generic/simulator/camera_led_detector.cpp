@@ -13,11 +13,7 @@ void CCameraLEDDetector::Reset() {
 void CCameraLEDDetector::Update(const CPinholeCamera& camera) {
   m_tReadings.clear();
   Detect(
-      camera,
-      [](const CLEDEntity& led, CVector3* point) {
-        *point = led.GetPosition();
-        return led.IsLit();
-      },
+      camera, [](const CLEDEntity& led, CVector3*) { return led.IsLit(); },
       [this](const CLEDEntity& led, const CVector2* pixel) {
         m_tReadings.emplace_back(led.GetColor(), *pixel);
       });

@@ -4,29 +4,28 @@
 #include <argos3/plugins/simulator/media/tag_medium.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace argos {
 
 void CCameraTagDetector::Reset() {
   CCameraDetector::Reset();
-  m_tReadings.clear();
+  m_spare.Shrink(m_tReadings, 0);
 }
 
 void CCameraTagDetector::Update(const CPinholeCamera& camera) {
-  for (SReading& reading : m_tReadings) {
-    m_spare.push_back(std::move(reading));
-  }
-  m_tReadings.clear();
+  m_spare.Shrink(m_tReadings, 0);
   Detect(
       camera,
-      [&camera](const CTagEntity& tag, CVector3* points) {
-        points[0] = tag.GetPosition();
-        const std::array<CVector3, 4> corners = tag.ComputeCorners();
-        std::copy(corners.begin(), corners.end(), points + 1);
-        return tag.Faces(camera.GetPosition());
+      [&camera](const CTagEntity& tag, CVector3* corners) {
+        if (!tag.Faces(camera.GetPosition())) {
+          return false;
+        }
+        const std::array<CVector3, 4> all = tag.ComputeCorners();
+        std::copy(all.begin(), all.end(), corners);
+        return true;
       },
       [this](const CTagEntity& tag, const CVector2* pixels) {
+        MakeRoomFor(tag.GetPayload());
         SReading& reading = NextReading();
         reading.Payload = tag.GetPayload();
         reading.Center = pixels[0];
@@ -35,12 +34,18 @@ void CCameraTagDetector::Update(const CPinholeCamera& camera) {
 }
 
 CCameraTagDetector::SReading& CCameraTagDetector::NextReading() {
-  if (m_spare.empty()) {
-    return m_tReadings.emplace_back();
+  return m_spare.Append(m_tReadings,
+                        [this](SReading& reading) { reading.Payload.reserve(m_longest); });
+}
+
+// all at once: which reading gets which tag differs from tick to tick
+void CCameraTagDetector::MakeRoomFor(const std::string& payload) {
+  if (payload.size() > m_longest) {
+    m_longest = payload.size();
+    const auto makeRoom = [this](SReading& reading) { reading.Payload.reserve(m_longest); };
+    m_spare.ForEach(makeRoom);
+    std::for_each(m_tReadings.begin(), m_tReadings.end(), makeRoom);
   }
-  m_tReadings.push_back(std::move(m_spare.back()));
-  m_spare.pop_back();
-  return m_tReadings.back();
 }
 
 REGISTER_CAMERA_SENSOR_ALGORITHM(CCameraTagDetector, "tag_detector", "the authors of this project",

@@ -1,10 +1,11 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_CAMERA_TAG_DETECTOR_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_CAMERA_TAG_DETECTOR_H
 
+#include <argos3/core/utility/datatypes/spare_elements.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_camera_sensor_tag_detector_algorithm.h>
 #include <argos3/plugins/robots/generic/simulator/camera_detector.h>
 
-#include <vector>
+#include <string>
 
 namespace argos {
 
@@ -23,10 +24,12 @@ class CCameraTagDetector : public CCameraDetector<CTagEntity, CTagMedium, 5>,
   std::string GetMediumKind() const override { return "a tag medium"; }
 
  private:
+  /** Has room for the longest payload ever. */
   SReading& NextReading();
+  void MakeRoomFor(const std::string& payload);
 
-  std::vector<SReading>
-      m_spare;  // readings that were not needed last time, for their texts' memory
+  CSpareElements<SReading> m_spare;
+  size_t m_longest = 0;  // bytes of a payload so far
 };
 
 }  // namespace argos

@@ -90,7 +90,7 @@ void CColoredBlobOmnidirectionalCameraRotZOnlySensor::Update() {
           return led.IsLit() && std::abs(toLED.GetX()) < eye.HalfSide &&
                  std::abs(toLED.GetY()) < eye.HalfSide && std::abs(point->GetZ()) <= c.GetZ();
         },
-        [&](const CLEDEntity& led) { AddBlob(eye, led); }, m_showRays);
+        [&](const CLEDEntity& led, const CVector3*) { AddBlob(eye, led); }, m_showRays);
   }
   ListBlobs();
 }

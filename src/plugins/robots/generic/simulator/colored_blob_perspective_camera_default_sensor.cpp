@@ -138,7 +138,7 @@ void CColoredBlobPerspectiveCameraDefaultSensor::Update() {
         *point = led.GetPosition();
         return led.IsLit() && eye.Project(led.GetPosition(), x, y);
       },
-      [&](const CLEDEntity& led) { AddBlob(eye, led); }, m_showRays);
+      [&](const CLEDEntity& led, const CVector3*) { AddBlob(eye, led); }, m_showRays);
   ListBlobs();
 }
 

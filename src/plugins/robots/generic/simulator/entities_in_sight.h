@@ -36,7 +36,8 @@ class CEntitiesInSight {
    * @param field  a box around all that the camera could see, m, world frame.
    * @param locate bool(ENTITY&, CVector3* points): false if the entity is not in the field of view;
    *               else writes its NUM_POINTS points, m, world frame.
-   * @param see    void(ENTITY&): called for every entity in sight, in order of creation.
+   * @param see    void(ENTITY&, const CVector3* points): called for every entity in sight, in order
+   *               of creation.
    * @param show   records the lines of sight, to be drawn.
    */
   template <typename LOCATE, typename SEE>
@@ -59,7 +60,7 @@ class CEntitiesInSight {
         clear = clear && m_lines.IsClear(i * NUM_POINTS + point);
       }
       if (clear) {
-        see(*m_candidates[i].Entity);
+        see(*m_candidates[i].Entity, m_candidates[i].Points.data());
       }
     }
   }

@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/space/body_index.h>
+#include <argos3/plugins/robots/generic/simulator/planar_rays.h>
 #include <argos3/plugins/simulator/entities/light_entity.h>
 #include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/lights.h>
@@ -20,19 +21,48 @@ constexpr size_t kBatch = CRayCaster::kMaxRays;
 // roundings of a robot's pose, so that mirrored sensors decide alike, far below what matters
 constexpr Real kGrazing = 1e-9;
 
-// whether the footprint of the solid comes within reach (m) of the segment, seen from above
-bool IsNear(const SIndexedShape& shape, const CVector3& start, const CVector3& end, Real reach) {
-  const Real dx = end.GetX() - start.GetX();
-  const Real dy = end.GetY() - start.GetY();
-  const Real px = shape.X - start.GetX();
-  const Real py = shape.Y - start.GetY();
-  const Real square = dx * dx + dy * dy;
-  const Real t = square > 0.0 ? std::clamp((px * dx + py * dy) / square, 0.0, 1.0) : 0.0;
-  const Real far = reach + shape.Radius;
-  const Real apartX = px - t * dx;
-  const Real apartY = py - t * dy;
-  return apartX * apartX + apartY * apartY <= far * far;
-}
+// segments from some places to one point: around the segment from their centre, at each fraction of
+// the length they are as far apart as the places times what is left of the length
+struct SBeam {
+  CVector3 Start, End;  // m, world frame; starts at the centre of the places
+  Real Reach;  // m, of the places around the centre, seen from above
+  Real MinZ, MaxZ;  // m, of the places
+
+  // false if no segment can meet the solid
+  bool ComesNear(const SIndexedShape& shape) const {
+    const Real dx = End.GetX() - Start.GetX();
+    const Real dy = End.GetY() - Start.GetY();
+    const Real px = shape.X - Start.GetX();
+    const Real py = shape.Y - Start.GetY();
+    const Real square = dx * dx + dy * dy;
+    const Real far = Reach + shape.Radius + kRoundings;
+    // almost all solids are beside the line
+    const Real aside = px * dy - py * dx;
+    if (aside * aside > far * far * square) {
+      return false;
+    }
+    if (square == 0.0) {
+      return px * px + py * py <= far * far;
+    }
+    const Real along = (px * dx + py * dy) / square;
+    const Real beyond = along - std::clamp(along, 0.0, 1.0);
+    if (aside * aside / square + beyond * beyond * square > far * far) {
+      return false;
+    }
+    // the part over the circle around the solid, and its heights
+    const Real half = far / std::sqrt(square);
+    const Real first = std::clamp(along - half, 0.0, 1.0);
+    const Real last = std::clamp(along + half, 0.0, 1.0);
+    const Real lowest = std::min(HeightAt(MinZ, first), HeightAt(MinZ, last));
+    const Real highest = std::max(HeightAt(MaxZ, first), HeightAt(MaxZ, last));
+    return lowest <= shape.ZMax + kRoundings && highest >= shape.ZMin - kRoundings;
+  }
+
+ private:
+  static constexpr Real kRoundings = 1e-9;  // m
+
+  Real HeightAt(Real start, Real fraction) const { return start + fraction * (End.GetZ() - start); }
+};
 
 }  // namespace
 
@@ -44,8 +74,10 @@ struct CLightDefaultSensor::SEyes {
   CVector3 Directions[kBatch];  // world frame, of length 1
   CVector3 Center;  // world frame, m
   Real Reach = 0.0;  // m, of the positions around the centre, seen from above
+  Real MinZ = HUGE_VAL, MaxZ = -HUGE_VAL;  // m, of the positions
   Real Distances[kBatch];  // to the light, m
   ESight Sights[kBatch];  // of the light
+  SPlanarRays<kBatch> Lines;  // to the light
   Real Readings[kBatch];
 
   SEyes(const SRayLayout& layout, const SAnchor* const* anchors, size_t first, size_t count);
@@ -72,6 +104,8 @@ CLightDefaultSensor::SEyes::SEyes(const SRayLayout& layout, const SAnchor* const
   for (size_t i = 0; i < Count; ++i) {
     Reach = std::max(Reach, std::hypot(Positions[i].GetX() - Center.GetX(),
                                        Positions[i].GetY() - Center.GetY()));
+    MinZ = std::min(MinZ, Positions[i].GetZ());
+    MaxZ = std::max(MaxZ, Positions[i].GetZ());
   }
 }
 
@@ -131,6 +165,8 @@ void CLightDefaultSensor::FindFacing(const CLightEntity& light, SEyes& eyes) con
   for (size_t i = 0; i < eyes.Count; ++i) {
     const CVector3 towards = light.GetPosition() - eyes.Positions[i];
     eyes.Distances[i] = towards.Length();
+    eyes.Lines.Set(i, eyes.Positions[i].GetX(), eyes.Positions[i].GetY(), towards.GetX(),
+                   towards.GetY());
     const bool behind = towards.DotProduct(eyes.Directions[i]) < -kGrazing * eyes.Distances[i];
     eyes.Sights[i] = behind ? SEyes::ESight::Behind : SEyes::ESight::Clear;
   }
@@ -150,12 +186,15 @@ void CLightDefaultSensor::FindBlocked(const CVector3& light, SEyes& eyes) const 
   }
   const CBodyIndex& index = m_caster.GetSpace().GetBodyIndex();
   const UInt32 ownBody = m_caster.GetBody().GetBodyNumber();
+  const SBeam beam = {eyes.Center, light, eyes.Reach, eyes.MinZ, eyes.MaxZ};
   index.ForShapesAlongRay(CRay3(eyes.Center, light), eyes.Reach, [&](const SIndexedShape& shape) {
-    if (shape.Body == ownBody || !IsNear(shape, eyes.Center, light, eyes.Reach)) {
+    if (shape.Body == ownBody || !beam.ComesNear(shape)) {
       return;
     }
+    Real near[kBatch];
+    eyes.Lines.FindNear(shape, eyes.Count, near);
     for (size_t i = 0; i < eyes.Count; ++i) {
-      if (eyes.Sights[i] == SEyes::ESight::Clear &&
+      if (eyes.Sights[i] == SEyes::ESight::Clear && !(near[i] < 0.0) &&
           index.Intersect(shape, CRay3(eyes.Positions[i], light)) <= 1.0) {
         eyes.Sights[i] = SEyes::ESight::Blocked;
       }

@@ -6,8 +6,11 @@
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/body_index.h>
+#include <argos3/plugins/robots/generic/simulator/planar_rays.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace argos {
 
@@ -34,6 +37,30 @@ void CRayCaster::Cast(const SRayBundle& bundle, Real* fractions) const {
   }
 }
 
+// horizontal rays, m, world frame
+struct CRayCaster::SWorldRays : SPlanarRays<kMaxRays> {
+  Real Z[kMaxRays];
+  Real MinZ = HUGE_VAL, MaxZ = -HUGE_VAL;
+
+  SWorldRays(const SRayBundle& bundle, const CVector3& position, Real cosine, Real sine) {
+    for (size_t i = 0; i < bundle.Count; ++i) {
+      const CVector3& offset = bundle.Rays[i].Offset;
+      const CVector3& direction = bundle.Rays[i].Direction;
+      Set(i, position.GetX() + cosine * offset.GetX() - sine * offset.GetY(),
+          position.GetY() + sine * offset.GetX() + cosine * offset.GetY(),
+          cosine * direction.GetX() - sine * direction.GetY(),
+          sine * direction.GetX() + cosine * direction.GetY());
+      Z[i] = position.GetZ() + offset.GetZ();
+      MinZ = std::min(MinZ, Z[i]);
+      MaxZ = std::max(MaxZ, Z[i]);
+    }
+  }
+
+  bool ReachHeightOf(const SIndexedShape& shape) const {
+    return shape.ZMin <= MaxZ && shape.ZMax >= MinZ;
+  }
+};
+
 void CRayCaster::CastUpright(const SRayBundle& bundle, Real* fractions) const {
   const SAnchor& anchor = bundle.FirstAnchor;
   const CVector3& position = anchor.Position;
@@ -44,39 +71,32 @@ void CRayCaster::CastUpright(const SRayBundle& bundle, Real* fractions) const {
   const Real sine = 2.0 * w * z;
   const CBodyIndex& index = m_space->GetBodyIndex();
   const UInt32 ownBody = m_body->GetBodyNumber();
-
-  // world frame, m; computed when the first solid shows up
-  struct SWorldRay {
-    Real X, Y, Z, DX, DY;
-  };
-  SWorldRay rays[kMaxRays];
-  bool raysAreReady = false;
-  const auto makeRays = [&] {
-    for (size_t i = 0; i < bundle.Count; ++i) {
-      const CVector3& offset = bundle.Rays[i].Offset;
-      const CVector3& direction = bundle.Rays[i].Direction;
-      rays[i].X = position.GetX() + cosine * offset.GetX() - sine * offset.GetY();
-      rays[i].Y = position.GetY() + sine * offset.GetX() + cosine * offset.GetY();
-      rays[i].Z = position.GetZ() + offset.GetZ();
-      rays[i].DX = cosine * direction.GetX() - sine * direction.GetY();
-      rays[i].DY = sine * direction.GetX() + cosine * direction.GetY();
-    }
-    raysAreReady = true;
-  };
+  // computed when the first solid shows up
+  std::optional<SWorldRays> worldRays;
   const auto test = [&](const SIndexedShape& shape) {
     if (shape.Body == ownBody) {
       return;
     }
-    if (!raysAreReady) {
-      makeRays();
+    if (!worldRays.has_value()) {
+      worldRays.emplace(bundle, position, cosine, sine);
     }
+    const SWorldRays& rays = *worldRays;
+    if (!rays.ReachHeightOf(shape)) {
+      return;
+    }
+    Real near[kMaxRays];
+    rays.FindNear(shape, bundle.Count, near);
     for (size_t i = 0; i < bundle.Count; ++i) {
-      const SWorldRay& ray = rays[i];
+      if (near[i] < 0.0) {
+        continue;
+      }
       const Real fraction =
           shape.Kind == SIndexedShape::EKind::Tilted
-              ? index.Intersect(shape, CRay3(CVector3(ray.X, ray.Y, ray.Z),
-                                             CVector3(ray.X + ray.DX, ray.Y + ray.DY, ray.Z)))
-              : IntersectHorizontalRay(shape, ray.X, ray.Y, ray.Z, ray.DX, ray.DY);
+              ? index.Intersect(shape, CRay3(CVector3(rays.X[i], rays.Y[i], rays.Z[i]),
+                                             CVector3(rays.X[i] + rays.DX[i],
+                                                      rays.Y[i] + rays.DY[i], rays.Z[i])))
+              : IntersectHorizontalRay(shape, rays.X[i], rays.Y[i], rays.Z[i], rays.DX[i],
+                                       rays.DY[i]);
       fractions[i] = std::min(fractions[i], fraction);
     }
   };

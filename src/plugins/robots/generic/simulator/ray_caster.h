@@ -50,6 +50,8 @@ class CRayCaster {
   bool AreBodiesOutsideIndex() const;
 
  private:
+  struct SWorldRays;
+
   void CastUpright(const SRayBundle& bundle, Real* fractions) const;
   void CastOneByOne(const SRayBundle& bundle, Real* fractions) const;
 

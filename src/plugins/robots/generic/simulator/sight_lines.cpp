@@ -14,6 +14,8 @@ namespace argos {
 void CSightLines::Start(const CVector3& eye) {
   m_eye = eye;
   m_lines.clear();
+  m_minZ = eye.GetZ();
+  m_maxZ = eye.GetZ();
 }
 
 void CSightLines::Add(const CVector3& point) {
@@ -26,6 +28,8 @@ void CSightLines::Add(const CVector3& point) {
   line.SquareLengthXY = line.DX * line.DX + line.DY * line.DY;
   line.Limit = length > kTouch ? 1.0 - kTouch / length : 0.0;
   line.Hit = 1.0;
+  m_minZ = std::min(m_minZ, point.GetZ());
+  m_maxZ = std::max(m_maxZ, point.GetZ());
   m_lines.push_back(line);
 }
 
@@ -53,7 +57,7 @@ void CSightLines::Trace() {
   const UInt32 ownBody = m_robot.GetBody().GetBodyNumber();
   index.ForShapesNear(0.5 * (minX + maxX), 0.5 * (minY + maxY), reach,
                       [&](const SIndexedShape& shape) {
-                        if (shape.Body != ownBody) {
+                        if (shape.Body != ownBody && shape.ZMax >= m_minZ && shape.ZMin <= m_maxZ) {
                           TraceShape(index, shape);
                         }
                       });

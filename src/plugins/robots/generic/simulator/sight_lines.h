@@ -61,6 +61,7 @@ class CSightLines {
 
   CRayCaster m_robot;  // for its body and its space
   CVector3 m_eye;  // m, world frame
+  Real m_minZ = 0.0, m_maxZ = 0.0;  // m, world frame, of the eye and all points
   std::vector<SLine> m_lines;
 };
 

@@ -35,8 +35,8 @@ void CSimpleRadiosDefaultSensor::Update() {
 }
 
 void CSimpleRadiosDefaultSensor::Reset() {
-  for (SInterface& interface : m_vecInterfaces) {
-    interface.Messages.clear();
+  for (size_t i = 0; i < m_vecInterfaces.size(); ++i) {
+    m_radios->GetInstances()[i].Entity.TakeBack(m_vecInterfaces[i].Messages);
   }
 }
 

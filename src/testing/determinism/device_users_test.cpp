@@ -1,0 +1,134 @@
+// Foot-bots, e-pucks and eye-bots with every device that they can have, all of them in use: what
+// they sense decides what they do.
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
+#include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
+#include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/device_user.h>
+#include <argos3/testing/support/device_world.h>
+
+#include <catch2/catch.hpp>
+
+#include <map>
+#include <set>
+
+using namespace argos;
+
+namespace {
+
+constexpr UInt32 kRobots = 150;  // more than two runs of robots that one thread handles in a row
+constexpr UInt32 kTicks = 60;
+
+SExperiment Experiment(bool noisy = true) {
+  SDeviceWorld world;
+  world.Robots = kRobots;
+  world.IsNoisy = noisy;
+  return world.ToExperiment();
+}
+
+CDeviceUser& UserOf(CControllableEntity& robot) {
+  return dynamic_cast<CDeviceUser&>(robot.GetController());
+}
+
+// of the world after each tick, and in the end of all that each robot felt
+std::vector<UInt64> Run(CTestWorld& world) {
+  std::vector<UInt64> digests = {world.ComputeDigest()};
+  for (UInt32 tick = 0; tick < kTicks; ++tick) {
+    world.Step();
+    digests.push_back(world.ComputeDigest());
+  }
+  for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
+    digests.push_back(UserOf(*robot).GetFelt());
+  }
+  return digests;
+}
+
+const std::vector<UInt64>& Reference() {
+  static const std::vector<UInt64> reference = [] {
+    CTestWorld world(Experiment());
+    return Run(world);
+  }();
+  return reference;
+}
+
+}  // namespace
+
+TEST_CASE("all devices: every tick is the same for every number of threads and schedule",
+          "[determinism][threads][devices]") {
+  const UInt32 threads = GENERATE(0U, 1U, 2U, 4U);
+  const std::string method = GENERATE("balance_quantity", "balance_length");
+  CAPTURE(threads, method);
+  SExperiment experiment = Experiment();
+  experiment.Threads = threads;
+  experiment.Method = method;
+  CTestWorld world(experiment);
+  // also from the middle of a run
+  world.Step(13);
+  world.GetSimulator().Reset();
+  CHECK(Run(world) == Reference());
+  world.GetSimulator().Reset();
+  CHECK(Run(world) == Reference());
+}
+
+TEST_CASE("all devices: the runs that are compared are worth it", "[determinism][devices]") {
+  const std::vector<UInt64>& reference = Reference();
+  CHECK(std::set<UInt64>(reference.begin(), reference.end()).size() == reference.size());
+  // noise changes what is felt in the first tick, and from the next one on what is done
+  CTestWorld quiet(Experiment(false));
+  const std::vector<UInt64> digests = Run(quiet);
+  CHECK(digests.front() == reference.front());
+  CHECK(digests[2] != reference[2]);
+  CHECK(digests.back() != reference.back());
+
+  // there was something to see for each type, and something was gripped
+  CTestWorld world(Experiment());
+  std::map<std::string, size_t> seen;
+  size_t held = 0;
+  for (UInt32 tick = 0; tick < kTicks; ++tick) {
+    world.Step();
+    for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
+      seen[robot->GetRootEntity().GetTypeDescription()] += UserOf(*robot).CountSeen();
+      if (auto* footBot = dynamic_cast<CFootBotEntity*>(&robot->GetRootEntity())) {
+        held += footBot->GetGripperEquippedEntity().IsGripping() ? 1 : 0;
+      }
+    }
+  }
+  for (const char* type : {"foot-bot", "e-puck", "eye-bot"}) {
+    CAPTURE(type);
+    CHECK(seen[type] > 3 * kRobots / 3 * kTicks);
+  }
+  CHECK(held > kTicks);
+}
+
+TEST_CASE("all devices: no tick allocates that repeats a settled one",
+          "[determinism][allocation][devices]") {
+  if (!CAllocationCount::IsAvailable()) {
+    return;
+  }
+  const UInt32 threads = GENERATE(0U, 2U);
+  const bool noisy = GENERATE(true, false);
+  CAPTURE(threads, noisy);
+  SDeviceWorld devices;
+  devices.IsNoisy = noisy;
+  // a message that has bytes brings memory with it
+  devices.Parameters = "radio_bytes='0'";
+  SExperiment experiment = devices.ToExperiment();
+  experiment.Threads = threads;
+  CTestWorld world(experiment);
+  // lists grow with what has ever been in view at once: the run is repeated, so all has been seen
+  world.Step(150);
+  world.GetSimulator().Reset();
+  world.Step(50);
+  size_t counted = 0;
+  std::string first;
+  {
+    const CAllocationCount count;
+    world.Step(100);
+    counted = count.GetCount();
+    first = count.DescribeFirst();
+  }
+  INFO("the first allocation was made by\n" << first);
+  CHECK(counted == 0);
+}

@@ -1,0 +1,204 @@
+#include <argos3/testing/support/device_world.h>
+
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/utility/math/angles.h>
+#include <argos3/testing/support/arena_text.h>
+#include <argos3/testing/support/robot_world.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace argos {
+
+const char* const kDeviceMedia =
+    "<led id='leds'/><directional_led id='directional_leds'/><tag id='tags'/>"
+    "<range_and_bearing id='rab'/><simple_radio id='radios'/>";
+
+namespace {
+
+constexpr Real kSpacing = 0.35;  // m, between robots on the ground
+constexpr Real kFlightSpacing = 0.6;  // m, between robots in the air
+constexpr Real kHeight = 0.8;  // m, of robots in the air
+constexpr Real kLoadRadius = 0.05;  // m
+constexpr Real kFootBotRadius = 0.085036758;  // m
+
+const std::map<std::string, std::string>& CarriedThings() {
+  static const std::map<std::string, std::string> things = {
+      {"battery", "<battery discharge_model='time_motion'/>"},
+      {"directional_leds",
+       "<directional_leds medium='directional_leds'><directional_led position='0.09,0,0.2' "
+       "orientation='0,90,0' anchor='origin' observable_angle='70' color='red'/><directional_led "
+       "position='-0.09,0,0.2' orientation='0,-90,0' anchor='origin' observable_angle='70'/>"
+       "</directional_leds>"},
+      {"magnets",
+       "<magnets><magnet id='front' anchor='origin' offset='0,0,0' passive_field='1,0,0' "
+       "active_field='0,2,0'/></magnets>"},
+      {"simple_radios",
+       "<simple_radios><simple_radio id='wifi' medium='radios' range='0.7' position='0,0,0.1'/>"
+       "</simple_radios>"},
+      {"tags",
+       "<tags medium='tags'><tag position='0.1,0,0.2' orientation='90,90,0' anchor='origin' "
+       "observable_angle='60' side_length='0.03'/></tags>"}};
+  return things;
+}
+
+std::string Noise(bool noisy, const std::string& attributes) {
+  return noisy ? "<noise model='gaussian' " + attributes + "/>" : "";
+}
+
+// a camera behind robots on the ground that looks back, or below robots in the air that looks down
+std::string Camera(const std::string& robot, bool noisy) {
+  const std::string noise = Noise(noisy, "std_dev='1'");
+  const std::string pose = robot == "eye-bot" ? "position='0,0,-0.01' orientation='0,180,0'"
+                                              : "position='-0.09,0,0.17' orientation='90,-90,0'";
+  return "<camera id='camera' anchor='origin' " + pose +
+         " range='0.05:2' focal_length='300,300' principal_point='320,240' resolution='640,480'>"
+         "<led_detector medium='leds'>" +
+         noise + "</led_detector><directional_led_detector medium='directional_leds'>" + noise +
+         "</directional_led_detector><tag_detector medium='tags'>" + noise +
+         "</tag_detector></camera>";
+}
+
+// what the element of a device must have
+std::string RequiredAttributes(const SFittingDevice& device) {
+  static const std::set<std::string> cameras = {"colored_blob_omnidirectional_camera",
+                                                "colored_blob_perspective_camera", "leds"};
+  if (cameras.count(device.GetTag()) > 0) {
+    return " medium='leds'";
+  }
+  return device.Label == "range_and_bearing (medium)" ? " medium='rab'" : "";
+}
+
+// noise that is not a <noise> child
+std::string NoiseAttributes(const SFittingDevice& device) {
+  static const std::map<std::string, std::string> attributes = {
+      {"colored_blob_omnidirectional_camera", "noise_std_dev='0.05'"},
+      {"colored_blob_perspective_camera", "noise_std_dev='0.05'"},
+      {"range_and_bearing (medium)", "noise_std_dev='0.01' packet_drop_prob='0.1'"}};
+  for (const std::string& key : {device.GetTag(), device.Label}) {
+    const auto found = attributes.find(key);
+    if (found != attributes.end()) {
+      return " " + found->second;
+    }
+  }
+  return "";
+}
+
+bool TakesNoise(const SFittingDevice& device) {
+  static const std::set<std::string> without = {"directional_leds", "footbot_gripper",
+                                                "footbot_turret",   "footbot_turret_encoder",
+                                                "gripper",          "leds",
+                                                "simple_radios",    "tags"};
+  return without.count(device.GetTag()) == 0 && device.Label != "range_and_bearing (default)";
+}
+
+std::string IdOf(const std::string& robot, UInt32 number) {
+  static const std::map<std::string, std::string> prefixes = {
+      {"foot-bot", "fb"}, {"e-puck", "ep"}, {"eye-bot", "eb"}};
+  return prefixes.at(robot) + std::to_string(number);
+}
+
+// the n-th of a square of places
+CVector3 PlaceOf(UInt32 n, UInt32 total, Real spacing, Real height) {
+  const auto perRow = static_cast<UInt32>(std::ceil(std::sqrt(static_cast<Real>(total))));
+  const Real middle = 0.5 * spacing * (perRow - 1);
+  return CVector3(spacing * (n % perRow) - middle,
+                  spacing * static_cast<UInt32>(n / perRow) - middle, height);
+}
+
+std::string LoadText(const std::string& id, const CVector3& robot, Real yaw) {
+  const Real angle = ToRadians(CDegrees(yaw)).GetValue();
+  const Real distance = kFootBotRadius + kLoadRadius + 0.002;
+  const CVector3 place =
+      robot + CVector3(distance * std::cos(angle), distance * std::sin(angle), 0);
+  return "<cylinder id='" + id + "' radius='" + ToText(kLoadRadius) +
+         "' height='0.15' movable='true' mass='0.5'><body " + PoseText(place) + "/></cylinder>";
+}
+
+}  // namespace
+
+std::vector<SFittingDevice> UsableDevices(const std::string& robot) {
+  std::vector<SFittingDevice> devices = FittingDevices(robot);
+  for (const char* actuator : {"directional_leds", "magnets", "simple_radios", "tags"}) {
+    devices.push_back({std::string(actuator) + " (default)", "actuator", "", ""});
+  }
+  devices.push_back({"simple_radios (default)", "sensor", "", ""});
+  return devices;
+}
+
+std::string CarriedText(const std::string& deviceTag) {
+  const auto found = CarriedThings().find(deviceTag);
+  return found != CarriedThings().end() ? found->second : "";
+}
+
+std::string DeviceText(const std::string& robot, const SFittingDevice& device, bool noisy) {
+  std::string text = "<" + device.GetTag() + " implementation='" + device.GetImplementation() +
+                     "'" + RequiredAttributes(device) + (noisy ? NoiseAttributes(device) : "") +
+                     ">";
+  if (device.GetTag() == "cameras") {
+    text += Camera(robot, noisy);
+  } else if (TakesNoise(device)) {
+    text += Noise(noisy, "std_dev='0.02'");
+  }
+  return text + "</" + device.GetTag() + ">\n";
+}
+
+std::string DeviceUserText(const std::string& id, const std::string& robot, bool noisy,
+                           const std::string& parameters) {
+  CSimulator simulator;
+  const CSimulator::CScope scope(simulator);
+  std::map<std::string, std::string> byKind;
+  std::set<std::string> listed;
+  for (const SFittingDevice& device : UsableDevices(robot)) {
+    if (device.GetTag() != "quadrotor_speed" &&
+        listed.insert(device.Kind + device.GetTag()).second) {
+      byKind[device.Kind] += DeviceText(robot, device, noisy);
+    }
+  }
+  return "<device_user id='" + id + "'><actuators>" + byKind["actuator"] + "</actuators><sensors>" +
+         byKind["sensor"] + "</sensors><params " + parameters + "/></device_user>";
+}
+
+std::string DeviceUserRobotText(const std::string& robot, const std::string& id,
+                                const CVector3& position, Real yaw, const std::string& attributes) {
+  std::string text = "<" + robot + " id='" + id + "' rab_data_size='4' " + attributes + "><body " +
+                     PoseText(position, yaw) + "/><controller config='user_" + robot + "'/>";
+  for (const auto& thing : CarriedThings()) {
+    text += thing.second;
+  }
+  return text + "</" + robot + ">\n";
+}
+
+SExperiment SDeviceWorld::ToExperiment() const {
+  const std::string types[] = {"foot-bot", "e-puck", "eye-bot"};
+  SExperiment experiment;
+  for (const std::string& robot : types) {
+    experiment.Controllers += DeviceUserText("user_" + robot, robot, IsNoisy, Parameters);
+  }
+  experiment.LoopFunctions = "<loop_functions label='striped_floor' />";
+  experiment.Engines = "<dynamics2d id='ground' /><pointmass3d id='air' />";
+  experiment.Media = kDeviceMedia;
+  experiment.Arena = "<floor id='floor' source='loop_functions' pixels_per_meter='10' />";
+  const UInt32 flying = Robots / 3;
+  for (UInt32 i = 0; i < Robots; ++i) {
+    const std::string& robot = types[i % 3];
+    const bool flies = i % 3 == 2;
+    const CVector3 place =
+        flies ? PlaceOf(i / 3, flying, kFlightSpacing, kHeight)
+              : PlaceOf(i - i / 3 - (i % 3 == 2 ? 1 : 0), Robots - flying, kSpacing, 0.0);
+    const Real yaw = 37.0 * i;
+    experiment.Arena += DeviceUserRobotText(robot, IdOf(robot, i), place, yaw);
+    if (i % 9 == 0) {
+      experiment.Arena += LoadText("load" + std::to_string(i), place, yaw);
+    }
+  }
+  const Real edge = PlaceOf(0, Robots - flying, kSpacing, 0.0).Length();
+  experiment.Arena += LightText("lamp0", CVector3(edge, 0.0, 0.5), "yellow") +
+                      LightText("lamp1", CVector3(-0.5 * edge, edge, 2.0), "white") +
+                      BoxText("wall", CVector3(0.05, 1.0, 0.3), CVector3(edge, 0.3, 0.0)) +
+                      PillarText("pillar", 0.5 * kSpacing, 0.5 * kSpacing, 0.03, 0.3);
+  return experiment;
+}
+
+}  // namespace argos

@@ -1,0 +1,55 @@
+#include <argos3/testing/support/fitting_devices.h>
+
+#include <argos3/core/simulator/actuator.h>
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/sensor.h>
+
+#include <memory>
+
+namespace argos {
+
+namespace {
+
+// one device after the other on a robot of its own: some exclude each other
+template <typename DEVICE>
+bool Fits(const std::string& device, const std::string& robotLabel) {
+  const std::unique_ptr<CEntity> robot(CFactory<CEntity>::New(robotLabel));
+  const std::unique_ptr<DEVICE> simulated(CFactory<DEVICE>::New(device));
+  try {
+    simulated->SetRobot(dynamic_cast<CComposableEntity&>(*robot));
+  } catch (const CARGoSException&) {
+    return false;
+  }
+  return true;
+}
+
+template <typename DEVICE>
+void AppendDevices(std::vector<SFittingDevice>& devices, const std::string& kind,
+                   const std::string& robot) {
+  for (const auto& [label, info] : CFactory<DEVICE>::GetTypeMap()) {
+    // tests register devices of their own
+    if (info->Author == "the authors of this project" && Fits<DEVICE>(label, robot)) {
+      devices.push_back({label, kind, info->BriefDescription, info->LongDescription});
+    }
+  }
+}
+
+}  // namespace
+
+std::string SFittingDevice::GetTag() const {
+  return Label.substr(0, Label.find(' '));
+}
+
+std::string SFittingDevice::GetImplementation() const {
+  const size_t open = Label.find('(');
+  return Label.substr(open + 1, Label.find(')') - open - 1);
+}
+
+std::vector<SFittingDevice> FittingDevices(const std::string& robot) {
+  std::vector<SFittingDevice> devices;
+  AppendDevices<CSimulatedActuator>(devices, "actuator", robot);
+  AppendDevices<CSimulatedSensor>(devices, "sensor", robot);
+  return devices;
+}
+
+}  // namespace argos
