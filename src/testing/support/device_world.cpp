@@ -5,6 +5,7 @@
 #include <argos3/testing/support/arena_text.h>
 #include <argos3/testing/support/robot_world.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -93,15 +94,13 @@ bool TakesNoise(const SFittingDevice& device) {
   return without.count(device.GetTag()) == 0 && device.Label != "range_and_bearing (default)";
 }
 
-std::string IdOf(const std::string& robot, UInt32 number) {
-  static const std::map<std::string, std::string> prefixes = {
-      {"foot-bot", "fb"}, {"e-puck", "ep"}, {"eye-bot", "eb"}};
-  return prefixes.at(robot) + std::to_string(number);
-}
+const std::map<std::string, std::string> kPrefixes = {
+    {"foot-bot", "fb"}, {"e-puck", "ep"}, {"eye-bot", "eb"}};
 
 // the n-th of a square of places
 CVector3 PlaceOf(UInt32 n, UInt32 total, Real spacing, Real height) {
-  const auto perRow = static_cast<UInt32>(std::ceil(std::sqrt(static_cast<Real>(total))));
+  const auto perRow =
+      std::max(1U, static_cast<UInt32>(std::ceil(std::sqrt(static_cast<Real>(total)))));
   const Real middle = 0.5 * spacing * (perRow - 1);
   return CVector3(spacing * (n % perRow) - middle,
                   spacing * static_cast<UInt32>(n / perRow) - middle, height);
@@ -144,13 +143,12 @@ std::string DeviceText(const std::string& robot, const SFittingDevice& device, b
   return text + "</" + device.GetTag() + ">\n";
 }
 
-std::string DeviceUserText(const std::string& id, const std::string& robot, bool noisy,
+std::string DeviceUserText(const std::string& id, const std::string& robot,
+                           const std::vector<SFittingDevice>& devices, bool noisy,
                            const std::string& parameters) {
-  CSimulator simulator;
-  const CSimulator::CScope scope(simulator);
   std::map<std::string, std::string> byKind;
   std::set<std::string> listed;
-  for (const SFittingDevice& device : UsableDevices(robot)) {
+  for (const SFittingDevice& device : devices) {
     if (device.GetTag() != "quadrotor_speed" &&
         listed.insert(device.Kind + device.GetTag()).second) {
       byKind[device.Kind] += DeviceText(robot, device, noisy);
@@ -173,8 +171,17 @@ std::string DeviceUserRobotText(const std::string& robot, const std::string& id,
 SExperiment SDeviceWorld::ToExperiment() const {
   const std::string types[] = {"foot-bot", "e-puck", "eye-bot"};
   SExperiment experiment;
-  for (const std::string& robot : types) {
-    experiment.Controllers += DeviceUserText("user_" + robot, robot, IsNoisy, Parameters);
+  {
+    CSimulator simulator;
+    const CSimulator::CScope scope(simulator);
+    for (const std::string& robot : types) {
+      experiment.Controllers +=
+          DeviceUserText("user_" + robot, robot, UsableDevices(robot), IsNoisy, Parameters);
+      if (HasBareControllers) {
+        experiment.Controllers +=
+            DeviceUserText("bare_" + robot, robot, FittingDevices(robot), IsNoisy, Parameters);
+      }
+    }
   }
   experiment.LoopFunctions = "<loop_functions label='striped_floor' />";
   experiment.Engines = "<dynamics2d id='ground' /><pointmass3d id='air' />";
@@ -188,9 +195,17 @@ SExperiment SDeviceWorld::ToExperiment() const {
         flies ? PlaceOf(i / 3, flying, kFlightSpacing, kHeight)
               : PlaceOf(i - i / 3 - (i % 3 == 2 ? 1 : 0), Robots - flying, kSpacing, 0.0);
     const Real yaw = 37.0 * i;
-    experiment.Arena += DeviceUserRobotText(robot, IdOf(robot, i), place, yaw);
+    experiment.Arena += DeviceUserRobotText(robot, kPrefixes.at(robot) + std::to_string(i), place, yaw);
     if (i % 9 == 0) {
       experiment.Arena += LoadText("load" + std::to_string(i), place, yaw);
+    }
+  }
+  for (const std::string& robot : types) {
+    if (HasBareControllers) {
+      const CVector3 place(robot == "e-puck" ? 4.6 : 4.3, 4.3, robot == "eye-bot" ? kHeight : 0.0);
+      experiment.Arena += "<" + robot + " id='" + kPrefixes.at(robot) +
+                          "_bare' rab_data_size='4' rab_range='0.8'><body " + PoseText(place) +
+                          "/><controller config='bare_" + robot + "'/></" + robot + ">";
     }
   }
   const Real edge = PlaceOf(0, Robots - flying, kSpacing, 0.0).Length();

@@ -29,12 +29,13 @@ extern const char* const kDeviceMedia;
 std::string CarriedText(const std::string& deviceTag);
 
 /**
- * A controller "device_user" for a robot with all its devices. Of those that exclude each other it
- * has one: drift is preferred to an exact drive, and positions in the air to speeds.
+ * A controller "device_user" for a robot with the given devices. Of those that exclude each other
+ * it has one: drift is preferred to an exact drive, and positions in the air to speeds.
  * @param id          of the controller.
  * @param parameters  attributes of <params>.
  */
-std::string DeviceUserText(const std::string& id, const std::string& robot, bool noisy,
+std::string DeviceUserText(const std::string& id, const std::string& robot,
+                           const std::vector<SFittingDevice>& devices, bool noisy,
                            const std::string& parameters = "");
 /**
  * A robot that carries all that it can and has the controller "user_<robot>"; messages are of 4
@@ -51,9 +52,14 @@ struct SDeviceWorld {
   UInt32 Robots = 90; /**< taking turns: "fb0", "ep1", "eb2", "fb3", ... */
   bool IsNoisy = true;
   std::string Parameters = ""; /**< attributes of <params> */
+  /**
+   * Also controllers "bare_<robot>" for robots that carry nothing, such as programs make, and one
+   * such robot of each type: "fb_bare", "ep_bare", "eb_bare".
+   */
+  bool HasBareControllers = false;
 
   /**
-   * All three robots with all their devices, in rows, eye-bots above the others; every third
+   * All three robots with UsableDevices() in rows, eye-bots above the others; every third
    * foot-bot has something to grip in front of it. There are walls, lights, and a striped floor.
    */
   SExperiment ToExperiment() const;

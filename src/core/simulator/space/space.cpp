@@ -135,6 +135,8 @@ void CSpace::EraseEntity(CEntity& entity) {
   const std::unique_ptr<CEntity> owned(&entity);
   if (m_views != nullptr) {
     m_views->Erase(entity);
+  } else {
+    GetExtension<SGoneTypes>().Types.insert(entity.GetTypeDescription());
   }
   if (entity.HasParent()) {
     entity.GetParent().ForgetComponent(entity);

@@ -82,6 +82,10 @@ void CSpace::AddToUserViews(CEntity& entity, const std::string& type) {
 void CSpace::OpenUserViews() {
   if (m_views == nullptr) {
     m_views = std::make_unique<SUserViews>();
+    // there are none now, but there have been some
+    for (const std::string& type : GetExtension<SGoneTypes>().Types) {
+      m_views->PerType[type];
+    }
     for (CEntity* root : m_roots) {
       ListInUserViews(*root);
     }

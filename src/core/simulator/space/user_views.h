@@ -28,6 +28,11 @@ struct CSpace::SUserViews {
   void Erase(CEntity& entity);
 };
 
+/** Types of entities that were removed before there were views. */
+struct SGoneTypes : CSpaceExtension {
+  std::set<std::string> Types;
+};
+
 }  // namespace argos
 
 #endif
