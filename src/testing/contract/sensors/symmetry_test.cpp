@@ -1,7 +1,8 @@
 // Worlds that are moved, turned or mirrored: robots sense in them what they sense in the original,
 // left and right exchanged in the mirror.
 //
-// Each probe is one sensor of one robot; another one is one more entry of MakeProbes().
+// Each probe is one sensor of one robot; another one is one more entry of MakeProbes(), or of
+// AppendSignalProbes().
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/plugins/robots/e-puck/control_interface/ci_epuck_proximity_sensor.h>
@@ -14,6 +15,8 @@
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_light_sensor.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_motor_ground_sensor.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_proximity_sensor.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_turret_actuator.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_turret_encoder_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_altitude_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_battery_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_clock_sensor.h>
@@ -23,7 +26,7 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_light_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_positioning_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_proximity_sensor.h>
-#include <argos3/testing/contract/sensors/scene.h>
+#include <argos3/testing/contract/sensors/symmetry_probe.h>
 
 #include <catch2/catch.hpp>
 
@@ -38,33 +41,14 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-// some thousand roundings: poses are turned there and back, and arcs are driven for a second
-constexpr Real kRoundings = 1e-11;
+using SMap = SSymmetryMap;
+using SScene = SSymmetryScene;
+using SProbe = SSymmetryProbe;
+using TReadings = TSymmetryReadings;
+
 // the e-puck's proximity sensors are published as fractions of PI, symmetric to 0.1 degrees: that
 // moves a ray's end by 0.1 mm where it strikes a body, on curves that fall by 37 a metre
 constexpr Real kEPuckAngles = 5e-3;
-
-// first mirrored at the x axis, or not, then turned about the origin, then shifted
-struct SMap {
-  bool IsMirror = false;
-  Real Turn = 0.0;  // degrees
-  Real ShiftX = 0.0, ShiftY = 0.0;  // m
-
-  CVector3 Apply(const CVector3& point) const {
-    const Real turn = Turn * M_PI / 180.0;
-    const Real y = IsMirror ? -point.GetY() : point.GetY();
-    return CVector3(std::cos(turn) * point.GetX() - std::sin(turn) * y + ShiftX,
-                    std::sin(turn) * point.GetX() + std::cos(turn) * y + ShiftY, point.GetZ());
-  }
-  Real ApplyToYaw(Real degrees) const { return (IsMirror ? -degrees : degrees) + Turn; }
-  CVector2 Revert(const CVector2& point) const {
-    const Real turn = -Turn * M_PI / 180.0;
-    const Real x = point.GetX() - ShiftX;
-    const Real y = point.GetY() - ShiftY;
-    const Real turned = std::sin(turn) * x + std::cos(turn) * y;
-    return CVector2(std::cos(turn) * x - std::sin(turn) * y, IsMirror ? -turned : turned);
-  }
-};
 
 const SMap kMaps[] = {{false, 90.0, 0.0, 0.0},   {false, 180.0, 0.0, 0.0}, {false, 37.0, 0.4, -0.7},
                       {false, -119.0, 1.1, 0.6}, {true, 0.0, 0.0, 0.0},    {true, 37.0, -0.5, 0.3},
@@ -84,33 +68,21 @@ class CMappedFloor : public CLoopFunctions {
   SMap Map;
 };
 
-// a robot, and what there is around it, m
-struct SScene {
-  std::string Robot = "foot-bot";
-  Real Radius = 0.085036758;  // of its body
-  Real Height = 0.0;  // of its base
-};
-
-const CVector3 kRobotAt(0.2, 0.1, 0.0);
-constexpr Real kRobotYaw = 25.0;  // degrees
-
 std::string BuildArena(const SScene& scene, const SMap& map) {
   const auto around = [&](Real bearing, Real distance) {
-    const Real angle = bearing * M_PI / 180.0;
-    return map.Apply(kRobotAt +
-                     CVector3(distance * std::cos(angle), distance * std::sin(angle), 0.0));
+    return AroundRobot(map, bearing, distance, 0.0);
   };
   const auto pillar = [&](const std::string& id, Real bearing, Real gap, Real radius) {
     const CVector3 place = around(bearing, scene.Radius + gap + radius);
     return PillarText(id, place.GetX(), place.GetY(), radius, 0.6);
   };
-  const CVector3 robot = map.Apply(kRobotAt) + CVector3(0.0, 0.0, scene.Height);
+  const CVector3 robot = map.Apply(kSymmetryRobotAt) + CVector3(0.0, 0.0, scene.Height);
   const auto lamp = [&](const std::string& id, Real bearing, Real distance, Real height,
                         Real intensity) {
     return LampText(id, around(bearing, distance) + CVector3(0.0, 0.0, height), intensity);
   };
   return "<floor id=\"floor\" source=\"loop_functions\" pixels_per_meter=\"10\"/><" + scene.Robot +
-         " id=\"r\"><body " + PoseText(robot, map.ApplyToYaw(kRobotYaw)) +
+         " id=\"r\"><body " + PoseText(robot, map.ApplyToYaw(kSymmetryRobotYaw)) +
          "/><controller config=\"c\"/><battery discharge_model=\"motion\"/></" + scene.Robot + ">" +
          // near: proximity sensors; farther: the scanner and, from above, the altitude sensor
          pillar("p0", 70.0, 0.02, 0.05) + pillar("p1", 160.0, 0.035, 0.03) +
@@ -121,23 +93,6 @@ std::string BuildArena(const SScene& scene, const SMap& map) {
          lamp("l2", -150.0, 0.9, 0.7, 0.3);
 }
 
-typedef std::vector<Real> TReadings;
-
-struct SProbe {
-  std::string Name;
-  SScene Scene;
-  std::string Sensors;
-  // the readings, in an order of the probe's own
-  std::function<TReadings(CRobotWorld&, const SMap&)> Read;
-  // those that the mirrored robot should have
-  std::function<TReadings(TReadings)> Mirror;
-  std::string Actuators = "";
-  std::string Engine = "<toy_engine id=\"toy\"/>";
-  // gives orders before the first tick
-  std::function<void(CRobotWorld&, const SMap&)> Prepare = {};
-  Real MirrorTolerance = kRoundings;
-};
-
 // what lies symmetrically about the robot's x axis, counted round, is read backwards
 TReadings Reverse(TReadings readings) {
   std::reverse(readings.begin(), readings.end());
@@ -147,10 +102,6 @@ TReadings Reverse(TReadings readings) {
 // the first one lies on the axis
 TReadings ReverseRest(TReadings readings) {
   std::reverse(readings.begin() + 1, readings.end());
-  return readings;
-}
-
-TReadings Keep(TReadings readings) {
   return readings;
 }
 
@@ -194,88 +145,96 @@ std::string RotZOnly(const std::string& tag) {
   return "<" + tag + " implementation=\"rot_z_only\"/>";
 }
 
-const SScene kFootBot;
-const SScene kEPuck{"e-puck", 0.035, 0.0};
-const SScene kEyeBot{"eye-bot", 0.255, 0.0};
-
 void AddRings(std::vector<SProbe>& probes) {
-  probes.push_back({"proximity of a foot-bot", kFootBot, Default("proximity"),
+  probes.push_back({"proximity of a foot-bot", kFootBotScene, Default("proximity"),
                     Numbers<CCI_ProximitySensor>("proximity"), Reverse});
-  probes.push_back({"proximity of an e-puck", kEPuck, Default("proximity"),
+  probes.push_back({"proximity of an e-puck", kEPuckScene, Default("proximity"),
                     Numbers<CCI_ProximitySensor>("proximity"), Reverse});
   probes.back().MirrorTolerance = kEPuckAngles;
-  probes.push_back({"footbot_proximity", kFootBot, Default("footbot_proximity"),
+  probes.push_back({"footbot_proximity", kFootBotScene, Default("footbot_proximity"),
                     Values<CCI_FootBotProximitySensor>("footbot_proximity"), Reverse});
-  probes.push_back({"epuck_proximity", kEPuck, Default("epuck_proximity"),
+  probes.push_back({"epuck_proximity", kEPuckScene, Default("epuck_proximity"),
                     Values<CCI_EPuckProximitySensor>("epuck_proximity"), Reverse});
   probes.back().MirrorTolerance = kEPuckAngles;
-  probes.push_back({"eyebot_proximity", kEyeBot, Default("eyebot_proximity"),
+  probes.push_back({"eyebot_proximity", kEyeBotScene, Default("eyebot_proximity"),
                     Values<CCI_EyeBotProximitySensor>("eyebot_proximity"), Reverse});
-  probes.push_back({"light of a foot-bot", kFootBot, Default("light"),
+  probes.push_back({"light of a foot-bot", kFootBotScene, Default("light"),
                     Numbers<CCI_LightSensor>("light"), Reverse});
-  probes.push_back(
-      {"light of an e-puck", kEPuck, Default("light"), Numbers<CCI_LightSensor>("light"), Reverse});
-  probes.push_back({"light of an eye-bot", kEyeBot, Default("light"),
+  probes.push_back({"light of an e-puck", kEPuckScene, Default("light"),
                     Numbers<CCI_LightSensor>("light"), Reverse});
-  probes.push_back({"footbot_light", kFootBot, RotZOnly("footbot_light"),
+  probes.push_back({"light of an eye-bot", kEyeBotScene, Default("light"),
+                    Numbers<CCI_LightSensor>("light"), Reverse});
+  probes.push_back({"proximity of an eye-bot", kEyeBotScene, Default("proximity"),
+                    Numbers<CCI_ProximitySensor>("proximity"), Reverse});
+  probes.push_back({"footbot_proximity of an eye-bot", kEyeBotScene, Default("footbot_proximity"),
+                    Values<CCI_FootBotProximitySensor>("footbot_proximity"), Reverse});
+  probes.push_back({"eyebot_proximity of a foot-bot", kFootBotScene, Default("eyebot_proximity"),
+                    Values<CCI_EyeBotProximitySensor>("eyebot_proximity"), Reverse});
+  probes.push_back({"footbot_light of an eye-bot", kEyeBotScene, RotZOnly("footbot_light"),
                     Values<CCI_FootBotLightSensor>("footbot_light"), Reverse});
-  probes.push_back({"eyebot_light", kEyeBot, RotZOnly("eyebot_light"),
+  probes.push_back({"eyebot_light of a foot-bot", kFootBotScene, RotZOnly("eyebot_light"),
+                    Values<CCI_EyeBotLightSensor>("eyebot_light"), Reverse});
+  probes.push_back({"footbot_light", kFootBotScene, RotZOnly("footbot_light"),
+                    Values<CCI_FootBotLightSensor>("footbot_light"), Reverse});
+  probes.push_back({"eyebot_light", kEyeBotScene, RotZOnly("eyebot_light"),
                     Values<CCI_EyeBotLightSensor>("eyebot_light"), Reverse});
 }
 
 void AddGround(std::vector<SProbe>& probes) {
-  probes.push_back({"ground of a foot-bot", kFootBot, RotZOnly("ground"),
+  probes.push_back({"ground of a foot-bot", kFootBotScene, RotZOnly("ground"),
                     Numbers<CCI_GroundSensor>("ground"), MirrorGround});
-  probes.push_back({"ground of an e-puck", kEPuck, RotZOnly("ground"),
+  probes.push_back({"ground of an e-puck", kEPuckScene, RotZOnly("ground"),
                     Numbers<CCI_GroundSensor>("ground"), Reverse});
-  probes.push_back({"footbot_motor_ground", kFootBot, RotZOnly("footbot_motor_ground"),
+  probes.push_back({"footbot_motor_ground", kFootBotScene, RotZOnly("footbot_motor_ground"),
                     Values<CCI_FootBotMotorGroundSensor>("footbot_motor_ground"), Reverse});
-  probes.push_back({"footbot_base_ground", kFootBot, RotZOnly("footbot_base_ground"),
+  probes.push_back({"footbot_base_ground", kFootBotScene, RotZOnly("footbot_base_ground"),
                     Values<CCI_FootBotBaseGroundSensor>("footbot_base_ground"), ReverseRest});
 }
 
+TReadings ReadPose(CRobotWorld& world, const SMap& map) {
+  const auto& reading = SensorOf<CCI_PositioningSensor>(world, "positioning").GetReading();
+  const CVector2 place = map.Revert(CVector2(reading.Position.GetX(), reading.Position.GetY()));
+  CRadians z, y, x;
+  reading.Orientation.ToEulerAngles(z, y, x);
+  const Real yaw = (z - ToRadians(CDegrees(map.Turn))).GetValue();
+  return {place.GetX(), place.GetY(), reading.Position.GetZ(), std::sin(yaw), std::cos(yaw)};
+}
+
+// above a pillar, and beside
+TReadings ReadAltitudes(CRobotWorld& world, const SMap& map) {
+  TReadings heights;
+  for (const Real bearing : {70.0, 160.0, 40.0}) {
+    const Real angle = bearing * M_PI / 180.0;
+    auto& body = world.Get<CComposableEntity>("r").GetComponent<CEmbodiedEntity>("body");
+    body.MoveTo(
+        map.Apply(kSymmetryRobotAt + CVector3(0.32 * std::cos(angle), 0.32 * std::sin(angle), 1.0)),
+        CQuaternion(), false, true);
+    world.Step();
+    heights.push_back(SensorOf<CCI_AltitudeSensor>(world, "altitude").GetReading());
+  }
+  return heights;
+}
+
 void AddPoseSensors(std::vector<SProbe>& probes) {
-  probes.push_back({"positioning", kFootBot, Default("positioning"),
-                    [](CRobotWorld& world, const SMap& map) {
-                      const auto& reading =
-                          SensorOf<CCI_PositioningSensor>(world, "positioning").GetReading();
-                      const CVector2 place =
-                          map.Revert(CVector2(reading.Position.GetX(), reading.Position.GetY()));
-                      CRadians z, y, x;
-                      reading.Orientation.ToEulerAngles(z, y, x);
-                      const Real yaw = (z - ToRadians(CDegrees(map.Turn))).GetValue();
-                      return TReadings{place.GetX(), place.GetY(), reading.Position.GetZ(),
-                                       std::sin(yaw), std::cos(yaw)};
-                    },
-                    [](TReadings readings) {
-                      readings[3] = -readings[3];
-                      return readings;
-                    }});
-  SScene above = kEyeBot;
-  // over the pillar p1
-  above.Height = 1.0;
-  probes.push_back(
-      {"altitude", above, Default("altitude"),
-       [](CRobotWorld& world, const SMap& map) {
-         TReadings heights;
-         for (const Real bearing : {70.0, 160.0, 40.0}) {
-           const Real angle = bearing * M_PI / 180.0;
-           auto& body = world.Get<CComposableEntity>("r").GetComponent<CEmbodiedEntity>("body");
-           body.MoveTo(
-               map.Apply(kRobotAt + CVector3(0.32 * std::cos(angle), 0.32 * std::sin(angle), 1.0)),
-               CQuaternion(), false, true);
-           world.Step();
-           heights.push_back(SensorOf<CCI_AltitudeSensor>(world, "altitude").GetReading());
-         }
-         return heights;
-       },
-       Keep});
-  probes.push_back({"clock", kFootBot, Default("clock"),
-                    [](CRobotWorld& world, const SMap&) {
-                      const auto& reading = SensorOf<CCI_ClockSensor>(world, "clock").GetReading();
-                      return TReadings{static_cast<Real>(reading.Tick), reading.Time};
-                    },
-                    Keep});
+  for (SScene scene : {kFootBotScene, kEPuckScene, kEyeBotScene}) {
+    probes.push_back({"positioning of the " + scene.Robot, scene, Default("positioning"), ReadPose,
+                      [](TReadings readings) {
+                        readings[3] = -readings[3];
+                        return readings;
+                      }});
+    // the pillar p1 is there for a robot of the eye-bot's size
+    scene.Radius = kEyeBotScene.Radius;
+    scene.Height = 1.0;
+    probes.push_back({"altitude of the " + scene.Robot, scene, Default("altitude"), ReadAltitudes,
+                      KeepReadings});
+    probes.push_back({"clock of the " + scene.Robot, scene, Default("clock"),
+                      [](CRobotWorld& world, const SMap&) {
+                        const auto& reading =
+                            SensorOf<CCI_ClockSensor>(world, "clock").GetReading();
+                        return TReadings{static_cast<Real>(reading.Tick), reading.Time};
+                      },
+                      KeepReadings});
+  }
 }
 
 // cm/s in the original world; mirrored robots have left and right exchanged
@@ -287,33 +246,52 @@ void Drive(CRobotWorld& world, const SMap& map) {
 void AddMotion(std::vector<SProbe>& probes) {
   const std::string wheels = Default("differential_steering");
   const std::string engine = "<dynamics2d id=\"dyn2d\"/>";
+  for (const SScene& scene : {kFootBotScene, kEPuckScene}) {
+    probes.push_back({"differential_steering of the " + scene.Robot, scene, wheels,
+                      [](CRobotWorld& world, const SMap&) {
+                        const auto& reading =
+                            SensorOf<CCI_DifferentialSteeringSensor>(world, "differential_steering")
+                                .GetReading();
+                        return TReadings{
+                            reading.VelocityLeftWheel, reading.CoveredDistanceLeftWheel,
+                            reading.CoveredDistanceRightWheel, reading.VelocityRightWheel};
+                      },
+                      Reverse, wheels, engine, Drive});
+    probes.push_back({"battery of the " + scene.Robot, scene, Default("battery"),
+                      [](CRobotWorld& world, const SMap&) {
+                        const auto& reading =
+                            SensorOf<CCI_BatterySensor>(world, "battery").GetReading();
+                        return TReadings{reading.AvailableCharge};
+                      },
+                      KeepReadings, wheels, engine, Drive});
+  }
   probes.push_back(
-      {"differential_steering", kFootBot, wheels,
-       [](CRobotWorld& world, const SMap&) {
-         const auto& reading =
-             SensorOf<CCI_DifferentialSteeringSensor>(world, "differential_steering").GetReading();
-         return TReadings{reading.VelocityLeftWheel, reading.CoveredDistanceLeftWheel,
-                          reading.CoveredDistanceRightWheel, reading.VelocityRightWheel};
-       },
-       Reverse, wheels, engine, Drive});
-  probes.push_back(
-      {"footbot_encoder", kFootBot, Default("footbot_encoder"),
+      {"footbot_encoder", kFootBotScene, Default("footbot_encoder"),
        [](CRobotWorld& world, const SMap&) {
          const auto& reading =
              SensorOf<CCI_FootBotEncoderSensor>(world, "footbot_encoder").GetReading();
          return TReadings{reading.CoveredDistanceLeftWheel, reading.CoveredDistanceRightWheel};
        },
        Reverse, wheels, engine, Drive});
-  probes.push_back({"battery", kFootBot, Default("battery"),
+  probes.push_back({"footbot_turret_encoder", kFootBotScene, Default("footbot_turret_encoder"),
                     [](CRobotWorld& world, const SMap&) {
-                      const auto& reading =
-                          SensorOf<CCI_BatterySensor>(world, "battery").GetReading();
-                      return TReadings{reading.AvailableCharge};
+                      return TReadings{
+                          SensorOf<CCI_FootBotTurretEncoderSensor>(world, "footbot_turret_encoder")
+                              .GetRotation()
+                              .GetValue()};
                     },
-                    Keep, wheels, engine, Drive});
+                    [](TReadings readings) {
+                      readings[0] = -readings[0];
+                      return readings;
+                    },
+                    Default("footbot_turret"), engine,
+                    [](CRobotWorld& world, const SMap& map) {
+                      world.GetActuator<CCI_FootBotTurretActuator>("r", "footbot_turret")
+                          .SetActiveWithRotation(CRadians(map.IsMirror ? -0.7 : 0.7));
+                    }});
   for (const Real rpm : {0.0, 50.0}) {
     probes.push_back(
-        {rpm == 0.0 ? "distance scanner, held" : "distance scanner, turning", kFootBot,
+        {rpm == 0.0 ? "distance scanner, held" : "distance scanner, turning", kFootBotScene,
          RotZOnly("footbot_distance_scanner"),
          [](CRobotWorld& world, const SMap& map) {
            // by angle in the original robot's frame
@@ -333,7 +311,7 @@ void AddMotion(std::vector<SProbe>& probes) {
            }
            return readings;
          },
-         Keep, Default("footbot_distance_scanner"), "<toy_engine id=\"toy\"/>",
+         KeepReadings, Default("footbot_distance_scanner"), "<toy_engine id=\"toy\"/>",
          [rpm](CRobotWorld& world, const SMap& map) {
            auto& motor = world.GetActuator<CCI_FootBotDistanceScannerActuator>(
                "r", "footbot_distance_scanner");
@@ -354,6 +332,7 @@ std::vector<SProbe> MakeProbes() {
   AddGround(probes);
   AddPoseSensors(probes);
   AddMotion(probes);
+  AppendSignalProbes(probes);
   return probes;
 }
 
@@ -362,7 +341,8 @@ TReadings Run(const SProbe& probe, const SMap& map) {
   experiment.Actuators = probe.Actuators;
   experiment.Sensors = probe.Sensors;
   experiment.Engine = probe.Engine;
-  experiment.Arena = BuildArena(probe.Scene, map);
+  experiment.Media = probe.Media;
+  experiment.Arena = probe.Arena ? probe.Arena(probe.Scene, map) : BuildArena(probe.Scene, map);
   experiment.LoopFunctions = "<loop_functions label=\"mapped_floor\"/>";
   CRobotWorld world(experiment);
   dynamic_cast<CMappedFloor&>(world.GetSimulator().GetLoopFunctions()).Map = map;
@@ -393,8 +373,8 @@ TEST_CASE("symmetry: moved, turned and mirrored worlds give moved, turned and mi
       REQUIRE(seen.size() == expected.size());
       for (size_t i = 0; i < seen.size(); ++i) {
         CAPTURE(i);
-        CHECK_THAT(seen[i],
-                   WithinAbs(expected[i], map.IsMirror ? probe.MirrorTolerance : kRoundings));
+        CHECK_THAT(seen[i], WithinAbs(expected[i],
+                                      map.IsMirror ? probe.MirrorTolerance : kSymmetryRoundings));
       }
     }
   }

@@ -1,0 +1,90 @@
+#ifndef ARGOS3_TESTING_CONTRACT_SENSORS_SYMMETRY_PROBE_H
+#define ARGOS3_TESTING_CONTRACT_SENSORS_SYMMETRY_PROBE_H
+
+#include <argos3/testing/contract/sensors/scene.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace argos {
+
+// some thousand roundings: poses are turned there and back, and arcs are driven for a second
+constexpr Real kSymmetryRoundings = 1e-11;
+
+/** How a world is changed: mirrored at the x axis, or not, then turned about z, then shifted. */
+struct SSymmetryMap {
+  bool IsMirror = false;
+  Real Turn = 0.0; /**< degrees */
+  Real ShiftX = 0.0, ShiftY = 0.0; /**< m */
+
+  CVector3 Apply(const CVector3& point) const {
+    const Real turn = Turn * M_PI / 180.0;
+    const Real y = IsMirror ? -point.GetY() : point.GetY();
+    return CVector3(std::cos(turn) * point.GetX() - std::sin(turn) * y + ShiftX,
+                    std::sin(turn) * point.GetX() + std::cos(turn) * y + ShiftY, point.GetZ());
+  }
+  Real ApplyToYaw(Real degrees) const { return (IsMirror ? -degrees : degrees) + Turn; }
+  CVector2 Revert(const CVector2& point) const {
+    const Real turn = -Turn * M_PI / 180.0;
+    const Real x = point.GetX() - ShiftX;
+    const Real y = point.GetY() - ShiftY;
+    const Real turned = std::sin(turn) * x + std::cos(turn) * y;
+    return CVector2(std::cos(turn) * x - std::sin(turn) * y, IsMirror ? -turned : turned);
+  }
+};
+
+/** A robot "r", and how big it is, m. */
+struct SSymmetryScene {
+  std::string Robot = "foot-bot";
+  Real Radius = 0.085036758; /**< of its body */
+  Real Height = 0.0; /**< of its base */
+};
+
+/** Where the robot is in the world that is changed, m, and degrees. */
+const CVector3 kSymmetryRobotAt(0.2, 0.1, 0.0);
+constexpr Real kSymmetryRobotYaw = 25.0;
+
+/** A place at a bearing (degrees, world frame) and a distance (m) from the robot. */
+inline CVector3 AroundRobot(const SSymmetryMap& map, Real bearing, Real distance, Real height) {
+  const Real angle = bearing * M_PI / 180.0;
+  return map.Apply(kSymmetryRobotAt +
+                   CVector3(distance * std::cos(angle), distance * std::sin(angle), height));
+}
+
+typedef std::vector<Real> TSymmetryReadings;
+
+/** One sensor of one robot. */
+struct SSymmetryProbe {
+  std::string Name;
+  SSymmetryScene Scene;
+  std::string Sensors; /**< XML of the controller "c" */
+  /** The readings, in an order of the probe's own. */
+  std::function<TSymmetryReadings(CRobotWorld&, const SSymmetryMap&)> Read;
+  /** Those that the mirrored robot should have. */
+  std::function<TSymmetryReadings(TSymmetryReadings)> Mirror;
+  std::string Actuators = "";
+  std::string Engine = "<toy_engine id=\"toy\"/>";
+  /** Gives orders before the first tick. */
+  std::function<void(CRobotWorld&, const SSymmetryMap&)> Prepare = {};
+  Real MirrorTolerance = kSymmetryRoundings;
+  /** XML of the arena, if it is not the usual one. */
+  std::function<std::string(const SSymmetryScene&, const SSymmetryMap&)> Arena = {};
+  std::string Media = "<led id=\"leds\"/>";
+};
+
+const SSymmetryScene kFootBotScene;
+const SSymmetryScene kEPuckScene{"e-puck", 0.035, 0.0};
+const SSymmetryScene kEyeBotScene{"eye-bot", 0.255, 0.0};
+
+inline TSymmetryReadings KeepReadings(TSymmetryReadings readings) {
+  return readings;
+}
+
+/** Sensors of what others send: cameras, range and bearing, radios. */
+void AppendSignalProbes(std::vector<SSymmetryProbe>& probes);
+
+}  // namespace argos
+
+#endif
