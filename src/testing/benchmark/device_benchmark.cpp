@@ -43,13 +43,13 @@ struct SOptions {
   std::vector<std::string> Tags;  // empty: all
 };
 
-typedef std::vector<SFittingDevice> TDevices;
+typedef std::vector<SListedDevice> TDevices;
 
-const SFittingDevice kWheels = {"differential_steering (default)", "actuator", "", ""};
-const SFittingDevice kPropellers = {"quadrotor_position (default)", "actuator", "", ""};
+const SListedDevice kWheels = {"actuators", "differential_steering", "default", ""};
+const SListedDevice kPropellers = {"actuators", "quadrotor_position", "default", ""};
 
 // with what there must be for a device to have something to do; tags, sensors with a "?"
-std::vector<std::string> NeedsOf(const SFittingDevice& device) {
+std::vector<std::string> NeedsOf(const SListedDevice& device) {
   static const std::map<std::string, std::vector<std::string>> needs = {
       {"?cameras", {"directional_leds", "leds", "tags"}},
       {"?colored_blob_omnidirectional_camera", {"leds"}},
@@ -61,25 +61,25 @@ std::vector<std::string> NeedsOf(const SFittingDevice& device) {
       {"footbot_gripper", {"footbot_turret"}},
       {"gripper", {"footbot_turret"}},
       {"pan_tilt_camera", {"leds", "?colored_blob_perspective_camera"}}};
-  const auto found = needs.find((device.Kind == "sensor" ? "?" : "") + device.GetTag());
+  const auto found = needs.find((device.Section == "sensors" ? "?" : "") + device.Tag);
   return found != needs.end() ? found->second : std::vector<std::string>();
 }
 
 // the devices of the swarm without a device
-TDevices WithoutDevice(const std::string& robot, const SFittingDevice& device) {
-  const SFittingDevice& drive = robot == "eye-bot" ? kPropellers : kWheels;
+TDevices WithoutDevice(const std::string& robot, const SListedDevice& device) {
+  const SListedDevice& drive = robot == "eye-bot" ? kPropellers : kWheels;
   TDevices devices;
-  const std::string tag = device.GetTag();
+  const std::string tag = device.Tag;
   const bool isDrive =
-      device.Kind == "actuator" && (tag == drive.GetTag() || tag == "quadrotor_speed");
-  if (!isDrive || device.Label == "differential_steering (dead_reckoning)") {
+      device.Section == "actuators" && (tag == drive.Tag || tag == "quadrotor_speed");
+  if (!isDrive || device.Implementation == "dead_reckoning") {
     devices.push_back(drive);
   }
   for (const std::string& need : NeedsOf(device)) {
     const bool isSensor = need[0] == '?';
-    for (const SFittingDevice& known : UsableDevices(robot)) {
-      if (known.GetTag() == (isSensor ? need.substr(1) : need) &&
-          (known.Kind == "sensor") == isSensor) {
+    for (const SListedDevice& known : DevicesOf(robot)) {
+      if (known.Tag == (isSensor ? need.substr(1) : need) &&
+          (known.Section == "sensors") == isSensor) {
         devices.push_back(known);
       }
     }
@@ -88,9 +88,9 @@ TDevices WithoutDevice(const std::string& robot, const SFittingDevice& device) {
 }
 
 // one of the same kind and tag gives way
-TDevices WithDevice(TDevices devices, const SFittingDevice& device) {
-  const auto isReplaced = [&device](const SFittingDevice& other) {
-    return other.Kind == device.Kind && other.GetTag() == device.GetTag();
+TDevices WithDevice(TDevices devices, const SListedDevice& device) {
+  const auto isReplaced = [&device](const SListedDevice& other) {
+    return other.Section == device.Section && other.Tag == device.Tag;
   };
   devices.erase(std::remove_if(devices.begin(), devices.end(), isReplaced), devices.end());
   devices.push_back(device);
@@ -100,8 +100,8 @@ TDevices WithDevice(TDevices devices, const SFittingDevice& device) {
 std::string Controller(const std::string& robot, const TDevices& devices) {
   std::string actuators;
   std::string sensors;
-  for (const SFittingDevice& device : devices) {
-    (device.Kind == "sensor" ? sensors : actuators) += DeviceText(robot, device, false);
+  for (const SListedDevice& device : devices) {
+    (device.Section == "sensors" ? sensors : actuators) += DeviceText(robot, device, false);
   }
   return "<device_user id='user'><actuators>" + actuators + "</actuators><sensors>" + sensors +
          "</sensors><params reads='false'/></device_user>";
@@ -123,9 +123,9 @@ std::string Arena(const std::string& robot, const TDevices& devices, UInt32 robo
   std::set<std::string> carried;
   std::string text = "<" + robot + " id='r' rab_data_size='4' rab_range='" + ToText(rabRange) +
                      "'><controller config='user'/>";
-  for (const SFittingDevice& device : devices) {
-    if (carried.insert(device.GetTag()).second) {
-      text += CarriedText(device.GetTag());
+  for (const SListedDevice& device : devices) {
+    if (carried.insert(device.Tag).second) {
+      text += CarriedText(device.Tag);
     }
   }
   std::string arena =
@@ -163,7 +163,7 @@ SExperiment MakeExperiment(const SOptions& options, const std::string& robot,
   experiment.Controllers = Controller(robot, devices);
   experiment.LoopFunctions = "<loop_functions label='striped_floor'/>";
   experiment.Engines = robot == "eye-bot" ? "<pointmass3d id='air'/>" : "<dynamics2d id='ground'/>";
-  experiment.Media = kDeviceMedia;
+  experiment.Media = MediaForDevices();
   experiment.Arena = Arena(robot, devices, options.Robots, side);
   return experiment;
 }
@@ -208,7 +208,7 @@ STimes Medians(const std::vector<STimes>& sample) {
   return medians;
 }
 
-void Report(const SOptions& options, const std::string& robot, const SFittingDevice& device) {
+void Report(const SOptions& options, const std::string& robot, const SListedDevice& device) {
   const TDevices without = WithoutDevice(robot, device);
   const TDevices with = WithDevice(without, device);
   // without a tag list of its own a robot of the other swarm would carry less
@@ -237,23 +237,17 @@ void Report(const SOptions& options, const std::string& robot, const SFittingDev
             options.Robots;
   }
   const auto added = Medians(differences).Values;
-  std::printf("%s,%s,%s,%u,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.1f\n", device.Kind.c_str(),
-              device.Label.c_str(), robot.c_str(), options.Robots, added[STimes::TOTAL],
+  std::printf("%s,%s,%s,%u,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.1f\n", device.Section.c_str(),
+              device.Label().c_str(), robot.c_str(), options.Robots, added[STimes::TOTAL],
               added[STimes::ACT], added[STimes::PHYSICS], added[STimes::MEDIA],
               added[STimes::SENSE], added[STimes::CONTROL], Medians(bases).Values[STimes::TOTAL],
               seen);
 }
 
 void ReportAll(const SOptions& options, const std::string& robot) {
-  TDevices devices;
-  {
-    CSimulator simulator;
-    const CSimulator::CScope scope(simulator);
-    devices = UsableDevices(robot);
-  }
-  for (const SFittingDevice& device : devices) {
+  for (const SListedDevice& device : DevicesOf(robot)) {
     const bool isAsked = options.Tags.empty() ||
-                         std::count(options.Tags.begin(), options.Tags.end(), device.GetTag()) > 0;
+                         std::count(options.Tags.begin(), options.Tags.end(), device.Tag) > 0;
     if (isAsked) {
       Report(options, robot, device);
       std::fflush(stdout);

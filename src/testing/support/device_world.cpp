@@ -1,6 +1,5 @@
 #include <argos3/testing/support/device_world.h>
 
-#include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/testing/support/arena_text.h>
 #include <argos3/testing/support/robot_world.h>
@@ -11,10 +10,6 @@
 #include <set>
 
 namespace argos {
-
-const char* const kDeviceMedia =
-    "<led id='leds'/><directional_led id='directional_leds'/><tag id='tags'/>"
-    "<range_and_bearing id='rab'/><simple_radio id='radios'/>";
 
 namespace {
 
@@ -62,22 +57,22 @@ std::string Camera(const std::string& robot, bool noisy) {
 }
 
 // what the element of a device must have
-std::string RequiredAttributes(const SFittingDevice& device) {
+std::string RequiredAttributes(const SListedDevice& device) {
   static const std::set<std::string> cameras = {"colored_blob_omnidirectional_camera",
                                                 "colored_blob_perspective_camera", "leds"};
-  if (cameras.count(device.GetTag()) > 0) {
+  if (cameras.count(device.Tag) > 0) {
     return " medium='leds'";
   }
-  return device.Label == "range_and_bearing (medium)" ? " medium='rab'" : "";
+  return device.Label() == "range_and_bearing (medium)" ? " medium='rab'" : "";
 }
 
 // noise that is not a <noise> child
-std::string NoiseAttributes(const SFittingDevice& device) {
+std::string NoiseAttributes(const SListedDevice& device) {
   static const std::map<std::string, std::string> attributes = {
       {"colored_blob_omnidirectional_camera", "noise_std_dev='0.05'"},
       {"colored_blob_perspective_camera", "noise_std_dev='0.05'"},
       {"range_and_bearing (medium)", "noise_std_dev='0.01' packet_drop_prob='0.1'"}};
-  for (const std::string& key : {device.GetTag(), device.Label}) {
+  for (const std::string& key : {device.Tag, device.Label()}) {
     const auto found = attributes.find(key);
     if (found != attributes.end()) {
       return " " + found->second;
@@ -86,12 +81,10 @@ std::string NoiseAttributes(const SFittingDevice& device) {
   return "";
 }
 
-bool TakesNoise(const SFittingDevice& device) {
-  static const std::set<std::string> without = {"directional_leds", "footbot_gripper",
-                                                "footbot_turret",   "footbot_turret_encoder",
-                                                "gripper",          "leds",
-                                                "simple_radios",    "tags"};
-  return without.count(device.GetTag()) == 0 && device.Label != "range_and_bearing (default)";
+bool TakesNoise(const SListedDevice& device) {
+  static const std::set<std::string> without = {"directional_leds", "leds", "simple_radios",
+                                                "tags"};
+  return without.count(device.Tag) == 0 && device.Label() != "range_and_bearing (default)";
 }
 
 const std::map<std::string, std::string> kPrefixes = {
@@ -117,12 +110,15 @@ std::string LoadText(const std::string& id, const CVector3& robot, Real yaw) {
 
 }  // namespace
 
-std::vector<SFittingDevice> UsableDevices(const std::string& robot) {
-  std::vector<SFittingDevice> devices = FittingDevices(robot);
-  for (const char* actuator : {"directional_leds", "magnets", "simple_radios", "tags"}) {
-    devices.push_back({std::string(actuator) + " (default)", "actuator", "", ""});
+std::vector<SListedDevice> DevicesOf(const std::string& robot, bool carries) {
+  std::vector<SListedDevice> devices;
+  for (const SListedDevice& device : ListedDevices()) {
+    // every robot has a battery
+    const bool isCarried = device.Tag != "battery" && !CarriedText(device.Tag).empty();
+    if (device.IsOf(robot) && (carries || !isCarried)) {
+      devices.push_back(device);
+    }
   }
-  devices.push_back({"simple_radios (default)", "sensor", "", ""});
   return devices;
 }
 
@@ -131,31 +127,32 @@ std::string CarriedText(const std::string& deviceTag) {
   return found != CarriedThings().end() ? found->second : "";
 }
 
-std::string DeviceText(const std::string& robot, const SFittingDevice& device, bool noisy) {
-  std::string text = "<" + device.GetTag() + " implementation='" + device.GetImplementation() +
-                     "'" + RequiredAttributes(device) + (noisy ? NoiseAttributes(device) : "") +
-                     ">";
-  if (device.GetTag() == "cameras") {
+std::string DeviceText(const std::string& robot, const SListedDevice& device, bool noisy) {
+  std::string text = "<" + device.Tag + " implementation='" + device.Implementation + "'" +
+                     RequiredAttributes(device) + (noisy ? NoiseAttributes(device) : "") + ">";
+  if (device.Tag == "cameras") {
     text += Camera(robot, noisy);
   } else if (TakesNoise(device)) {
     text += Noise(noisy, "std_dev='0.02'");
   }
-  return text + "</" + device.GetTag() + ">\n";
+  return text + "</" + device.Tag + ">\n";
 }
 
 std::string DeviceUserText(const std::string& id, const std::string& robot,
-                           const std::vector<SFittingDevice>& devices, bool noisy,
+                           const std::vector<SListedDevice>& devices, bool noisy,
                            const std::string& parameters) {
-  std::map<std::string, std::string> byKind;
-  std::set<std::string> listed;
-  for (const SFittingDevice& device : devices) {
-    if (device.GetTag() != "quadrotor_speed" &&
-        listed.insert(device.Kind + device.GetTag()).second) {
-      byKind[device.Kind] += DeviceText(robot, device, noisy);
+  std::map<std::string, std::string> bySection;
+  for (const SListedDevice& device : devices) {
+    const bool givesWay =
+        device.Section == "actuators" && (device.Label() == "differential_steering (default)" ||
+                                          device.Label() == "quadrotor_speed (default)");
+    if (!givesWay) {
+      bySection[device.Section] += DeviceText(robot, device, noisy);
     }
   }
-  return "<device_user id='" + id + "'><actuators>" + byKind["actuator"] + "</actuators><sensors>" +
-         byKind["sensor"] + "</sensors><params " + parameters + "/></device_user>";
+  return "<device_user id='" + id + "'><actuators>" + bySection["actuators"] +
+         "</actuators><sensors>" + bySection["sensors"] + "</sensors><params " + parameters +
+         "/></device_user>";
 }
 
 std::string DeviceUserRobotText(const std::string& robot, const std::string& id,
@@ -171,21 +168,17 @@ std::string DeviceUserRobotText(const std::string& robot, const std::string& id,
 SExperiment SDeviceWorld::ToExperiment() const {
   const std::string types[] = {"foot-bot", "e-puck", "eye-bot"};
   SExperiment experiment;
-  {
-    CSimulator simulator;
-    const CSimulator::CScope scope(simulator);
-    for (const std::string& robot : types) {
+  for (const std::string& robot : types) {
+    experiment.Controllers +=
+        DeviceUserText("user_" + robot, robot, DevicesOf(robot), IsNoisy, Parameters);
+    if (HasBareControllers) {
       experiment.Controllers +=
-          DeviceUserText("user_" + robot, robot, UsableDevices(robot), IsNoisy, Parameters);
-      if (HasBareControllers) {
-        experiment.Controllers +=
-            DeviceUserText("bare_" + robot, robot, FittingDevices(robot), IsNoisy, Parameters);
-      }
+          DeviceUserText("bare_" + robot, robot, DevicesOf(robot, false), IsNoisy, Parameters);
     }
   }
   experiment.LoopFunctions = "<loop_functions label='striped_floor' />";
   experiment.Engines = "<dynamics2d id='ground' /><pointmass3d id='air' />";
-  experiment.Media = kDeviceMedia;
+  experiment.Media = MediaForDevices();
   experiment.Arena = "<floor id='floor' source='loop_functions' pixels_per_meter='10' />";
   const UInt32 flying = Robots / 3;
   for (UInt32 i = 0; i < Robots; ++i) {
@@ -195,7 +188,8 @@ SExperiment SDeviceWorld::ToExperiment() const {
         flies ? PlaceOf(i / 3, flying, kFlightSpacing, kHeight)
               : PlaceOf(i - i / 3 - (i % 3 == 2 ? 1 : 0), Robots - flying, kSpacing, 0.0);
     const Real yaw = 37.0 * i;
-    experiment.Arena += DeviceUserRobotText(robot, kPrefixes.at(robot) + std::to_string(i), place, yaw);
+    experiment.Arena +=
+        DeviceUserRobotText(robot, kPrefixes.at(robot) + std::to_string(i), place, yaw);
     if (i % 9 == 0) {
       experiment.Arena += LoadText("load" + std::to_string(i), place, yaw);
     }

@@ -3,7 +3,7 @@
 
 #include <argos3/core/utility/math/vector3.h>
 #include <argos3/testing/support/experiment.h>
-#include <argos3/testing/support/fitting_devices.h>
+#include <argos3/testing/support/device_list.h>
 
 #include <string>
 #include <vector>
@@ -14,14 +14,13 @@
 
 namespace argos {
 
-/** FittingDevices(), and those of what a robot's element can make it carry. */
-std::vector<SFittingDevice> UsableDevices(const std::string& robot);
+/** The devices that a robot has. @param carries  also those of what its element makes it carry. */
+std::vector<SListedDevice> DevicesOf(const std::string& robot, bool carries = true);
 
-/** The element of a device, with media as in kDeviceMedia. @param noisy  with all its noise. */
-std::string DeviceText(const std::string& robot, const SFittingDevice& device, bool noisy);
+/** The element of a device, with media as in MediaForDevices(). @param noisy  with all its noise.
+ */
+std::string DeviceText(const std::string& robot, const SListedDevice& device, bool noisy);
 
-/** Media for all devices. */
-extern const char* const kDeviceMedia;
 /**
  * The child of a robot's element that makes it carry what a device is about: "battery",
  * "directional_leds", "magnets", "simple_radios" or "tags"; empty for all others.
@@ -35,7 +34,7 @@ std::string CarriedText(const std::string& deviceTag);
  * @param parameters  attributes of <params>.
  */
 std::string DeviceUserText(const std::string& id, const std::string& robot,
-                           const std::vector<SFittingDevice>& devices, bool noisy,
+                           const std::vector<SListedDevice>& devices, bool noisy,
                            const std::string& parameters = "");
 /**
  * A robot that carries all that it can and has the controller "user_<robot>"; messages are of 4
@@ -59,7 +58,7 @@ struct SDeviceWorld {
   bool HasBareControllers = false;
 
   /**
-   * All three robots with UsableDevices() in rows, eye-bots above the others; every third
+   * All three robots with all their devices in rows, eye-bots above the others; every third
    * foot-bot has something to grip in front of it. There are walls, lights, and a striped floor.
    */
   SExperiment ToExperiment() const;

@@ -36,15 +36,6 @@ void AppendDevices(std::vector<SFittingDevice>& devices, const std::string& kind
 
 }  // namespace
 
-std::string SFittingDevice::GetTag() const {
-  return Label.substr(0, Label.find(' '));
-}
-
-std::string SFittingDevice::GetImplementation() const {
-  const size_t open = Label.find('(');
-  return Label.substr(open + 1, Label.find(')') - open - 1);
-}
-
 std::vector<SFittingDevice> FittingDevices(const std::string& robot) {
   std::vector<SFittingDevice> devices;
   AppendDevices<CSimulatedActuator>(devices, "actuator", robot);

@@ -11,9 +11,6 @@ struct SFittingDevice {
   std::string Label; /**< "tag (implementation)" */
   std::string Kind; /**< "actuator" or "sensor" */
   std::string Brief, Long;
-
-  std::string GetTag() const;
-  std::string GetImplementation() const;
 };
 
 /**

@@ -2,11 +2,15 @@
 
 #include <argos3/core/simulator/actuator.h>
 #include <argos3/core/simulator/sensor.h>
+#include <argos3/core/simulator/simulator.h>
 #include <argos3/testing/support/captured_logs.h>
 #include <argos3/testing/support/device_list.h>
 #include <argos3/testing/support/experiment.h>
+#include <argos3/testing/support/fitting_devices.h>
 
 #include <catch2/catch.hpp>
+
+#include <algorithm>
 
 using namespace argos;
 using Catch::Matchers::Contains;
@@ -39,6 +43,22 @@ TEST_CASE("devices: every label is registered", "[contract][robots]") {
     CAPTURE(device.Section, device.Label());
     CHECK((device.Section == "sensors" ? CFactory<CSimulatedSensor>::Exists(device.Label())
                                        : CFactory<CSimulatedActuator>::Exists(device.Label())));
+  }
+}
+
+TEST_CASE("devices: the list has every device that accepts a robot", "[contract][robots]") {
+  CSimulator simulator;
+  const CSimulator::CScope scope(simulator);
+  for (const std::string& robot : ListedRobots()) {
+    for (const SFittingDevice& device : FittingDevices(robot)) {
+      CAPTURE(robot, device.Kind, device.Label);
+      const bool isListed = std::any_of(
+          ListedDevices().begin(), ListedDevices().end(), [&](const SListedDevice& listed) {
+            return listed.Label() == device.Label && listed.IsOf(robot) &&
+                   KindOf(listed) == device.Kind;
+          });
+      CHECK(isListed);
+    }
   }
 }
 
