@@ -50,7 +50,7 @@ const TReadings& Look(CRobotWorld& world) {
 
 TEST_CASE("led detector: pixels follow the equations of a pinhole, on any robot",
           "[contract][cameras]") {
-  const std::string tag = GENERATE("foot-bot", "e-puck");
+  const std::string tag = GENERATE("foot-bot", "e-puck", "eye-bot");
   CRandomStream random(1, "test", "led detector", "places");
   size_t seenInAll = 0;
   for (int trial = 0; trial < 20; ++trial) {

@@ -101,9 +101,9 @@ TEST_CASE("simple radio: the sender's range counts, exactly, and bodies do not",
           "[contract][media]") {
   const std::string index = GENERATE("", "index=\"hash\"", "grid_size=\"1,70,2\"");
   SRobotExperiment experiment =
-      WithRadios(RobotAt("foot-bot", "short", CVector3(0.0, 0.0, 0.0), Radio("r", 1.0)) +
+      WithRadios(RobotAt("e-puck", "short", CVector3(0.0, 0.0, 0.0), Radio("r", 1.0)) +
                      RobotAt("foot-bot", "middle", CVector3(1.0, 0.0, 0.0), Radio("r", 1.5)) +
-                     RobotAt("foot-bot", "long", CVector3(2.0, 0.0, 0.0), Radio("r", 2.5)) +
+                     RobotAt("eye-bot", "long", CVector3(2.0, 0.0, 0.0), Radio("r", 2.5)) +
                      "<box id=\"wall\" size=\"0.1,5,1\" movable=\"false\"><body "
                      "position=\"1.5,0,0\"/></box>",
                  index);

@@ -45,7 +45,7 @@ COMPONENT& Component(CRobotWorld& world, const std::string& type) {
 
 TEST_CASE("directional leds actuator: colours reach the robot in the next tick, and go back",
           "[contract][robots]") {
-  const std::string tag = GENERATE("foot-bot", "e-puck");
+  const std::string tag = GENERATE("foot-bot", "e-puck", "eye-bot");
   CRobotWorld world(With("<directional_leds implementation=\"default\"/>", tag));
   auto& actuator = world.GetActuator<CCI_DirectionalLEDsActuator>("r", "directional_leds");
   auto& leds = Component<CDirectionalLEDEquippedEntity>(world, "directional_leds");
@@ -79,7 +79,7 @@ TEST_CASE("directional leds actuator: colours reach the robot in the next tick, 
 
 TEST_CASE("tags actuator: payloads reach the robot in the next tick, and go back",
           "[contract][robots]") {
-  const std::string tag = GENERATE("foot-bot", "e-puck");
+  const std::string tag = GENERATE("foot-bot", "e-puck", "eye-bot");
   CRobotWorld world(With("<tags implementation=\"default\"/>", tag));
   auto& actuator = world.GetActuator<CCI_TagsActuator>("r", "tags");
   auto& tags = Component<CTagEquippedEntity>(world, "tags");
@@ -103,7 +103,8 @@ TEST_CASE("tags actuator: payloads reach the robot in the next tick, and go back
 }
 
 TEST_CASE("magnets actuator: currents reach the magnets in the next tick", "[contract][robots]") {
-  CRobotWorld world(With("<magnets implementation=\"default\"/>"));
+  const std::string tag = GENERATE("foot-bot", "e-puck", "eye-bot");
+  CRobotWorld world(With("<magnets implementation=\"default\"/>", tag));
   auto& interfaces = world.GetActuator<CCI_MagnetsActuator>("r", "magnets").GetInterfaces();
   CMagnetEntity& magnet = Component<CMagnetEquippedEntity>(world, "magnets").GetMagnet(0);
   REQUIRE(interfaces.size() == 1);
