@@ -18,6 +18,8 @@ struct SSymmetryMap {
   bool IsMirror = false;
   Real Turn = 0.0; /**< degrees */
   Real ShiftX = 0.0, ShiftY = 0.0; /**< m */
+  /** Probes list what was created first first, whatever place it has. */
+  bool IsInOrderOfCreation = false;
 
   CVector3 Apply(const CVector3& point) const {
     const Real turn = Turn * M_PI / 180.0;
@@ -55,6 +57,14 @@ inline CVector3 AroundRobot(const SSymmetryMap& map, Real bearing, Real distance
 
 typedef std::vector<Real> TSymmetryReadings;
 
+/** Which readings of a probe take the noise of a `<noise>` child as it is. */
+struct SNoisyReadings {
+  Real Sigma = 0.0; /**< to test with; 0: none takes it */
+  Real Min = -1e9, Max = 1e9; /**< where readings are cut, or begin to mean something else */
+  size_t Stride = 1; /**< readings repeat after so many ... */
+  std::vector<size_t> Columns = {0}; /**< ... of which these are concerned */
+};
+
 /** One sensor of one robot. */
 struct SSymmetryProbe {
   std::string Name;
@@ -72,6 +82,7 @@ struct SSymmetryProbe {
   /** XML of the arena, if it is not the usual one. */
   std::function<std::string(const SSymmetryScene&, const SSymmetryMap&)> Arena = {};
   std::string Media = "<led id=\"leds\"/>";
+  SNoisyReadings Noise = {};
 };
 
 const SSymmetryScene kFootBotScene;
@@ -82,8 +93,11 @@ inline TSymmetryReadings KeepReadings(TSymmetryReadings readings) {
   return readings;
 }
 
+/** All of them. */
+std::vector<SSymmetryProbe> MakeSymmetryProbes();
 /** Sensors of what others send: cameras, range and bearing, radios. */
 void AppendSignalProbes(std::vector<SSymmetryProbe>& probes);
+SRobotExperiment MakeSymmetryExperiment(const SSymmetryProbe& probe, const SSymmetryMap& map);
 
 }  // namespace argos
 

@@ -123,15 +123,18 @@ void Signal(CRobotWorld& world, const SSymmetryMap& /*map*/) {
 }
 
 // a thing that is sensed: its kind, where it is from left to right, and more
-typedef std::array<Real, 6> TRow;
+constexpr size_t kRowLength = 6;
+typedef std::array<Real, kRowLength> TRow;
 
 // in an order that does not depend on who was created first
-TSymmetryReadings Flatten(std::vector<TRow> rows) {
+TSymmetryReadings Flatten(std::vector<TRow> rows, bool isInOrder = false) {
   // a rounding does not count: some are straight above others
   const auto column = [](const TRow& row) { return std::round(1e6 * row[1]); };
-  std::sort(rows.begin(), rows.end(), [&column](const TRow& a, const TRow& b) {
-    return std::make_tuple(a[0], column(a), a[2]) < std::make_tuple(b[0], column(b), b[2]);
-  });
+  if (!isInOrder) {
+    std::sort(rows.begin(), rows.end(), [&column](const TRow& a, const TRow& b) {
+      return std::make_tuple(a[0], column(a), a[2]) < std::make_tuple(b[0], column(b), b[2]);
+    });
+  }
   TSymmetryReadings readings;
   for (const TRow& row : rows) {
     readings.insert(readings.end(), row.begin(), row.end());
@@ -142,9 +145,9 @@ TSymmetryReadings Flatten(std::vector<TRow> rows) {
 template <typename MIRROR>
 std::function<TSymmetryReadings(TSymmetryReadings)> MirrorRows(MIRROR mirror) {
   return [mirror](const TSymmetryReadings& readings) {
-    std::vector<TRow> rows(readings.size() / std::tuple_size_v<TRow>);
+    std::vector<TRow> rows(readings.size() / kRowLength);
     for (size_t i = 0; i < readings.size(); ++i) {
-      rows[i / std::tuple_size_v<TRow>][i % std::tuple_size_v<TRow>] = readings[i];
+      rows[i / kRowLength][i % kRowLength] = readings[i];
     }
     for (TRow& row : rows) {
       row[1] = mirror(row[1]);
@@ -157,7 +160,7 @@ Real ToNumber(const CColor& color) {
   return color.GetRed() + 1e3 * color.GetGreen() + 1e6 * color.GetBlue();
 }
 
-TSymmetryReadings ReadOmnidirectional(CRobotWorld& world, const SSymmetryMap& /*map*/) {
+TSymmetryReadings ReadOmnidirectional(CRobotWorld& world, const SSymmetryMap& map) {
   std::vector<TRow> rows;
   for (const auto* blob : world
                               .GetSensor<CCI_ColoredBlobOmnidirectionalCameraSensor>(
@@ -166,10 +169,10 @@ TSymmetryReadings ReadOmnidirectional(CRobotWorld& world, const SSymmetryMap& /*
                               .BlobList) {
     rows.push_back({0.0, blob->Angle.GetValue(), blob->Distance, ToNumber(blob->Color)});
   }
-  return Flatten(rows);
+  return Flatten(rows, map.IsInOrderOfCreation);
 }
 
-TSymmetryReadings ReadPerspective(CRobotWorld& world, const SSymmetryMap& /*map*/) {
+TSymmetryReadings ReadPerspective(CRobotWorld& world, const SSymmetryMap& map) {
   std::vector<TRow> rows;
   for (const auto* blob : world
                               .GetSensor<CCI_ColoredBlobPerspectiveCameraSensor>(
@@ -179,7 +182,7 @@ TSymmetryReadings ReadPerspective(CRobotWorld& world, const SSymmetryMap& /*map*
     rows.push_back(
         {0.0, static_cast<Real>(blob->X), static_cast<Real>(blob->Y), ToNumber(blob->Color)});
   }
-  return Flatten(rows);
+  return Flatten(rows, map.IsInOrderOfCreation);
 }
 
 template <typename ALGORITHM, typename ADD>
@@ -191,7 +194,7 @@ void ForReadings(CRobotWorld& world, size_t number, ADD add) {
   }
 }
 
-TSymmetryReadings ReadCameras(CRobotWorld& world, const SSymmetryMap& /*map*/) {
+TSymmetryReadings ReadCameras(CRobotWorld& world, const SSymmetryMap& map) {
   std::vector<TRow> rows;
   const auto addLED = [&rows](Real kind, const auto& reading) {
     rows.push_back({kind, reading.Center.GetX(), reading.Center.GetY(), ToNumber(reading.Color)});
@@ -212,17 +215,17 @@ TSymmetryReadings ReadCameras(CRobotWorld& world, const SSymmetryMap& /*map*/) {
                     static_cast<Real>(reading.Payload.size()), right->GetX() - left->GetX(),
                     bottom->GetY() - top->GetY()});
   });
-  return Flatten(rows);
+  return Flatten(rows, map.IsInOrderOfCreation);
 }
 
-TSymmetryReadings ReadRangeAndBearing(CRobotWorld& world, const SSymmetryMap& /*map*/) {
+TSymmetryReadings ReadRangeAndBearing(CRobotWorld& world, const SSymmetryMap& map) {
   std::vector<TRow> rows;
   for (const auto& packet :
        world.GetSensor<CCI_RangeAndBearingSensor>("r", "range_and_bearing").GetReadings()) {
     rows.push_back({0.0, packet.HorizontalBearing.GetValue(), packet.VerticalBearing.GetValue(),
                     packet.Range, static_cast<Real>(packet.Data[0])});
   }
-  return Flatten(rows);
+  return Flatten(rows, map.IsInOrderOfCreation);
 }
 
 TSymmetryReadings ReadRadios(CRobotWorld& world, const SSymmetryMap& /*map*/) {
@@ -257,6 +260,7 @@ void AppendCameras(std::vector<SSymmetryProbe>& probes, const SSymmetryScene& sc
                                  "medium='leds'/>"));
     probes.back().Read = ReadOmnidirectional;
     probes.back().Mirror = MirrorRows(mirrorAngle);
+    probes.back().Noise = {0.01, -3.0, 1e9, kRowLength, {1, 2}};
   }
   if (scene.Robot != "e-puck") {
     probes.push_back(
@@ -274,6 +278,7 @@ void AppendCameras(std::vector<SSymmetryProbe>& probes, const SSymmetryScene& sc
   probes.back().Read = ReadCameras;
   probes.back().Mirror = MirrorRows(mirrorPlace);
   probes.back().MirrorTolerance = kPixelRoundings;
+  probes.back().Noise = {0.01, -1e9, 1e9, kRowLength, {1, 2}};
 }
 
 }  // namespace
@@ -287,6 +292,7 @@ void AppendSignalProbes(std::vector<SSymmetryProbe>& probes) {
                                  "<range_and_bearing implementation='medium' medium='rab'/>"));
     probes.back().Read = ReadRangeAndBearing;
     probes.back().Mirror = MirrorRows([](Real bearing) { return -bearing; });
+    probes.back().Noise = {0.001, -1.5, 1e9, kRowLength, {1, 2, 3}};
     probes.push_back(
         SignalProbe("simple radio", scene, "<simple_radios implementation='default'/>"));
     probes.back().Read = ReadRadios;

@@ -1,8 +1,8 @@
 // Worlds that are moved, turned or mirrored: robots sense in them what they sense in the original,
 // left and right exchanged in the mirror.
 //
-// Each probe is one sensor of one robot; another one is one more entry of MakeProbes(), or of
-// AppendSignalProbes().
+// Each probe is one sensor of one robot; another one is one more entry of
+// MakeSymmetryProbes().
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/plugins/robots/e-puck/control_interface/ci_epuck_proximity_sensor.h>
@@ -83,14 +83,16 @@ std::string BuildArena(const SScene& scene, const SMap& map) {
   };
   return "<floor id=\"floor\" source=\"loop_functions\" pixels_per_meter=\"10\"/><" + scene.Robot +
          " id=\"r\"><body " + PoseText(robot, map.ApplyToYaw(kSymmetryRobotYaw)) +
-         "/><controller config=\"c\"/><battery discharge_model=\"motion\"/></" + scene.Robot + ">" +
+         "/><controller config=\"c\"/><battery discharge_model=\"motion\" "
+         "start_charge=\"0.5\"/></" +
+         scene.Robot + ">" +
          // near: proximity sensors; farther: the scanner and, from above, the altitude sensor
          pillar("p0", 70.0, 0.02, 0.05) + pillar("p1", 160.0, 0.035, 0.03) +
          pillar("p2", -100.0, 0.01, 0.02) + pillar("p3", -30.0, 0.6, 0.1) +
          BoxText("b0", CVector3(0.1, 0.5, 0.4), around(20.0, scene.Radius + 0.25),
                  map.ApplyToYaw(40.0)) +
-         lamp("l0", 120.0, 1.5, 0.3, 0.4) + lamp("l1", -45.0, 1.2, 0.1, 0.5) +
-         lamp("l2", -150.0, 0.9, 0.7, 0.3);
+         lamp("l0", 120.0, 1.5, 0.3, 0.9) + lamp("l1", -45.0, 1.2, 0.1, 0.8) +
+         lamp("l2", -150.0, 0.9, 0.7, 0.6);
 }
 
 // what lies symmetrically about the robot's x axis, counted round, is read backwards
@@ -180,13 +182,23 @@ void AddRings(std::vector<SProbe>& probes) {
                     Values<CCI_EyeBotLightSensor>("eyebot_light"), Reverse});
 }
 
+void AddNoise(std::vector<SProbe>& probes, size_t first, const SNoisyReadings& noise) {
+  for (size_t i = first; i < probes.size(); ++i) {
+    probes[i].Noise = noise;
+  }
+}
+
 void AddGround(std::vector<SProbe>& probes) {
   probes.push_back({"ground of a foot-bot", kFootBotScene, RotZOnly("ground"),
                     Numbers<CCI_GroundSensor>("ground"), MirrorGround});
+  // the others know only black and white
+  probes.back().Noise = {0.02, 0.0, 1.0, 12, {0, 1, 2, 3}};
   probes.push_back({"ground of an e-puck", kEPuckScene, RotZOnly("ground"),
                     Numbers<CCI_GroundSensor>("ground"), Reverse});
+  probes.back().Noise = {0.02, 0.0, 1.0};
   probes.push_back({"footbot_motor_ground", kFootBotScene, RotZOnly("footbot_motor_ground"),
                     Values<CCI_FootBotMotorGroundSensor>("footbot_motor_ground"), Reverse});
+  probes.back().Noise = {0.02, 0.0, 1.0};
   probes.push_back({"footbot_base_ground", kFootBotScene, RotZOnly("footbot_base_ground"),
                     Values<CCI_FootBotBaseGroundSensor>("footbot_base_ground"), ReverseRest});
 }
@@ -222,11 +234,13 @@ void AddPoseSensors(std::vector<SProbe>& probes) {
                         readings[3] = -readings[3];
                         return readings;
                       }});
+    probes.back().Noise = {0.01, -1e9, 1e9, 5, {0, 1, 2}};
     // the pillar p1 is there for a robot of the eye-bot's size
     scene.Radius = kEyeBotScene.Radius;
     scene.Height = 1.0;
     probes.push_back({"altitude of the " + scene.Robot, scene, Default("altitude"), ReadAltitudes,
                       KeepReadings});
+    probes.back().Noise = {0.01};
     probes.push_back({"clock of the " + scene.Robot, scene, Default("clock"),
                       [](CRobotWorld& world, const SMap&) {
                         const auto& reading =
@@ -234,6 +248,7 @@ void AddPoseSensors(std::vector<SProbe>& probes) {
                         return TReadings{static_cast<Real>(reading.Tick), reading.Time};
                       },
                       KeepReadings});
+    probes.back().Noise = {0.01, -1e9, 1e9, 2, {1}};
   }
 }
 
@@ -257,6 +272,8 @@ void AddMotion(std::vector<SProbe>& probes) {
                             reading.CoveredDistanceRightWheel, reading.VelocityRightWheel};
                       },
                       Reverse, wheels, engine, Drive});
+    probes.back().Noise = {0.01};
+    probes.back().Noise = {0.01};
     probes.push_back({"battery of the " + scene.Robot, scene, Default("battery"),
                       [](CRobotWorld& world, const SMap&) {
                         const auto& reading =
@@ -264,6 +281,7 @@ void AddMotion(std::vector<SProbe>& probes) {
                         return TReadings{reading.AvailableCharge};
                       },
                       KeepReadings, wheels, engine, Drive});
+    probes.back().Noise = {0.01, 0.0, 1.0};
   }
   probes.push_back(
       {"footbot_encoder", kFootBotScene, Default("footbot_encoder"),
@@ -273,6 +291,7 @@ void AddMotion(std::vector<SProbe>& probes) {
          return TReadings{reading.CoveredDistanceLeftWheel, reading.CoveredDistanceRightWheel};
        },
        Reverse, wheels, engine, Drive});
+  probes.back().Noise = {0.01};
   probes.push_back({"footbot_turret_encoder", kFootBotScene, Default("footbot_turret_encoder"),
                     [](CRobotWorld& world, const SMap&) {
                       return TReadings{
@@ -323,28 +342,13 @@ void AddMotion(std::vector<SProbe>& probes) {
              motor.SetRPM(sign * rpm);
            }
          }});
+    // below 0 are the marks of no distance
+    probes.back().Noise = {0.2, 0.0, 1e9, 2, {1}};
   }
 }
 
-std::vector<SProbe> MakeProbes() {
-  std::vector<SProbe> probes;
-  AddRings(probes);
-  AddGround(probes);
-  AddPoseSensors(probes);
-  AddMotion(probes);
-  AppendSignalProbes(probes);
-  return probes;
-}
-
 TReadings Run(const SProbe& probe, const SMap& map) {
-  SRobotExperiment experiment;
-  experiment.Actuators = probe.Actuators;
-  experiment.Sensors = probe.Sensors;
-  experiment.Engine = probe.Engine;
-  experiment.Media = probe.Media;
-  experiment.Arena = probe.Arena ? probe.Arena(probe.Scene, map) : BuildArena(probe.Scene, map);
-  experiment.LoopFunctions = "<loop_functions label=\"mapped_floor\"/>";
-  CRobotWorld world(experiment);
+  CRobotWorld world(MakeSymmetryExperiment(probe, map));
   dynamic_cast<CMappedFloor&>(world.GetSimulator().GetLoopFunctions()).Map = map;
   if (probe.Prepare) {
     probe.Prepare(world, map);
@@ -357,9 +361,32 @@ TReadings Run(const SProbe& probe, const SMap& map) {
 
 REGISTER_LOOP_FUNCTIONS(CMappedFloor, "mapped_floor")
 
+std::vector<SSymmetryProbe> argos::MakeSymmetryProbes() {
+  std::vector<SProbe> probes;
+  AddRings(probes);
+  AddNoise(probes, 0, {0.002, 0.0, 1.0});
+  AddGround(probes);
+  AddPoseSensors(probes);
+  AddMotion(probes);
+  AppendSignalProbes(probes);
+  return probes;
+}
+
+SRobotExperiment argos::MakeSymmetryExperiment(const SSymmetryProbe& probe,
+                                               const SSymmetryMap& map) {
+  SRobotExperiment experiment;
+  experiment.Actuators = probe.Actuators;
+  experiment.Sensors = probe.Sensors;
+  experiment.Engine = probe.Engine;
+  experiment.Media = probe.Media;
+  experiment.Arena = probe.Arena ? probe.Arena(probe.Scene, map) : BuildArena(probe.Scene, map);
+  experiment.LoopFunctions = "<loop_functions label=\"mapped_floor\"/>";
+  return experiment;
+}
+
 TEST_CASE("symmetry: moved, turned and mirrored worlds give moved, turned and mirrored readings",
           "[contract][sensors]") {
-  for (const SProbe& probe : MakeProbes()) {
+  for (const SProbe& probe : MakeSymmetryProbes()) {
     CAPTURE(probe.Name);
     const TReadings original = Run(probe, SMap());
     REQUIRE_FALSE(original.empty());
