@@ -14,6 +14,8 @@
 
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/space/tick_times.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
+#include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 
 #include <CLI/CLI.hpp>
 
@@ -208,10 +210,23 @@ STimes Medians(const std::vector<STimes>& sample) {
   return medians;
 }
 
+// what there is for a robot's devices to do, on average: things seen and heard, or held
+Real CountWork(CTestWorld& world, const SListedDevice& device) {
+  const auto& robots = world.GetSpace().GetControllableEntities();
+  Real work = 0.0;
+  for (CControllableEntity* user : robots) {
+    work += static_cast<Real>(dynamic_cast<CDeviceUser&>(user->GetController()).CountSeen());
+    if (device.Tag == "gripper" || device.Tag == "footbot_gripper") {
+      auto& footBot = dynamic_cast<CFootBotEntity&>(user->GetRootEntity());
+      work += footBot.GetGripperEquippedEntity().IsGripping() ? 1.0 : 0.0;
+    }
+  }
+  return work / static_cast<Real>(robots.size());
+}
+
 void Report(const SOptions& options, const std::string& robot, const SListedDevice& device) {
   const TDevices without = WithoutDevice(robot, device);
   const TDevices with = WithDevice(without, device);
-  // without a tag list of its own a robot of the other swarm would carry less
   CTestWorld worlds[] = {CTestWorld(MakeExperiment(options, robot, without)),
                          CTestWorld(MakeExperiment(options, robot, with))};
   for (CTestWorld& world : worlds) {
@@ -231,17 +246,12 @@ void Report(const SOptions& options, const std::string& robot, const SListedDevi
     }
     differences.push_back(times[1]);
   }
-  Real seen = 0.0;
-  for (CControllableEntity* user : worlds[1].GetSpace().GetControllableEntities()) {
-    seen += static_cast<Real>(dynamic_cast<CDeviceUser&>(user->GetController()).CountSeen()) /
-            options.Robots;
-  }
   const auto added = Medians(differences).Values;
   std::printf("%s,%s,%s,%u,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f,%.1f\n", device.Section.c_str(),
               device.Label().c_str(), robot.c_str(), options.Robots, added[STimes::TOTAL],
               added[STimes::ACT], added[STimes::PHYSICS], added[STimes::MEDIA],
               added[STimes::SENSE], added[STimes::CONTROL], Medians(bases).Values[STimes::TOTAL],
-              seen);
+              CountWork(worlds[1], device));
 }
 
 void ReportAll(const SOptions& options, const std::string& robot) {
@@ -268,8 +278,8 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
 
   std::printf(
-      "kind,device,robot,robots,added_us,act_us,physics_us,media_us,sense_us,control_us,"
-      "base_us,seen_per_robot\n");
+      "section,device,robot,robots,added_us,act_us,physics_us,media_us,sense_us,control_us,"
+      "base_us,work_per_robot\n");
   bool good = true;
   for (const std::string& robot : options.RobotTypes) {
     good = RunInChild([&] { ReportAll(options, robot); }) && good;

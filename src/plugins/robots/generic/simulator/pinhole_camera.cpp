@@ -58,18 +58,22 @@ void CPinholeCamera::Update() {
   m_position.Rotate(m_anchor->Orientation);
   m_position += m_anchor->Position;
   m_orientation = m_anchor->Orientation * m_mount;
-  m_toCamera = m_orientation.Inverse();
+  m_right = CVector3::X;
+  m_right.Rotate(m_orientation);
+  m_down = CVector3::Y;
+  m_down.Rotate(m_orientation);
+  m_ahead = CVector3::Z;
+  m_ahead.Rotate(m_orientation);
 }
 
 bool CPinholeCamera::Project(const CVector3& point, CVector2& pixel) const {
-  CVector3 local = point - m_position;
-  local.Rotate(m_toCamera);
-  const Real depth = local.GetZ();
+  const CVector3 toPoint = point - m_position;
+  const Real depth = m_ahead.DotProduct(toPoint);
   if (depth <= 0.0 || depth < m_range.GetMin() || depth > m_range.GetMax()) {
     return false;
   }
-  pixel.Set(m_focalLength.GetX() * local.GetX() / depth + m_principalPoint.GetX(),
-            m_focalLength.GetY() * local.GetY() / depth + m_principalPoint.GetY());
+  pixel.Set(m_focalLength.GetX() * m_right.DotProduct(toPoint) / depth + m_principalPoint.GetX(),
+            m_focalLength.GetY() * m_down.DotProduct(toPoint) / depth + m_principalPoint.GetY());
   return pixel.GetX() >= 0.0 && pixel.GetX() < m_resolution.GetX() && pixel.GetY() >= 0.0 &&
          pixel.GetY() < m_resolution.GetY();
 }

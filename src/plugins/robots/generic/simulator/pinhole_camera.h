@@ -65,7 +65,7 @@ class CPinholeCamera {
   // written by Update()
   CVector3 m_position;  // m, world frame
   CQuaternion m_orientation;  // world frame
-  CQuaternion m_toCamera;  // its inverse
+  CVector3 m_right, m_down, m_ahead;  // its axes x, y and z, world frame
 };
 
 }  // namespace argos
