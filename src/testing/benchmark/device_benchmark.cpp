@@ -59,6 +59,7 @@ std::vector<std::string> NeedsOf(const SListedDevice& device) {
       {"?footbot_distance_scanner", {"footbot_distance_scanner"}},
       {"?footbot_turret_encoder", {"footbot_turret"}},
       {"?range_and_bearing", {"range_and_bearing"}},
+      {"?pheromone", {"pheromone"}},
       {"?simple_radios", {"simple_radios"}},
       {"footbot_gripper", {"footbot_turret"}},
       {"gripper", {"footbot_turret"}},

@@ -33,12 +33,16 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_light_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_magnets_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_pan_tilt_camera_actuator.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_pheromone_actuator.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_pheromone_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_positioning_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_proximity_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_quadrotor_position_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_quadrotor_speed_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_rfid_actuator.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_rfid_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_simple_radios_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_simple_radios_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_tags_actuator.h>
@@ -110,9 +114,11 @@ void CDeviceUser::Init(TConfigurationNode& params) {
   UInt32 radioBytes = 8;
   GetNodeAttributeOrDefault(params, "radio_bytes", radioBytes, radioBytes);
   m_radioMessage.Resize(radioBytes);
+  m_tagData.Resize(2);
   UseRings();
   UseCameras();
   UseRadios();
+  UseTraces();
   UseBodySensors();
   UseMotors();
   UseGrips();
@@ -269,6 +275,31 @@ void CDeviceUser::UseRadios() {
       radio.Messages.push_back(m_radioMessage);
     }
   });
+}
+
+// what is left in the arena
+void CDeviceUser::UseTraces() {
+  Sense<CCI_RFIDSensor>("rfid", [this](const CCI_RFIDSensor& sensor) {
+    for (const auto& reading : sensor.GetReadings()) {
+      Feel(1e-2 * reading.Distance + reading.Angle.GetValue());
+      Feel(reading.Data[0] + 0.5 * reading.Data[1]);
+      ++m_seen;
+    }
+  });
+  Sense<CCI_PheromoneSensor>("pheromone", [this](const CCI_PheromoneSensor& sensor) {
+    for (const auto& layer : sensor.GetInterfaces()) {
+      for (const auto& reading : layer.Readings) {
+        Feel(reading.Value);
+      }
+    }
+  });
+  Order<CCI_RFIDActuator>("rfid", [this](CCI_RFIDActuator& actuator) {
+    m_tagData[0] = static_cast<UInt8>(100.0 + 100.0 * m_signal);
+    m_tagData[1] = static_cast<UInt8>(m_step);
+    actuator.Write(m_tagData);
+  });
+  Order<CCI_PheromoneActuator>(
+      "pheromone", [this](CCI_PheromoneActuator& actuator) { actuator.SetRate(1.0 + m_signal); });
 }
 
 void CDeviceUser::UseBodySensors() {

@@ -49,6 +49,7 @@ class CDeviceUser : public CCI_Controller {
   void UseRings();
   void UseCameras();
   void UseRadios();
+  void UseTraces();
   void UseBodySensors();
   void UseMotors();
   void UseGrips();
@@ -58,6 +59,7 @@ class CDeviceUser : public CCI_Controller {
 
   bool m_reads = true;
   CByteArray m_radioMessage;
+  CByteArray m_tagData;
   std::vector<std::function<void()>> m_senses, m_orders;
   CDigest m_felt;
   Real m_sum = 0.0;  // of what is read in this step

@@ -30,6 +30,7 @@ const std::map<std::string, std::string>& CarriedThings() {
       {"magnets",
        "<magnets><magnet id='front' anchor='origin' offset='0,0,0' passive_field='1,0,0' "
        "active_field='0,2,0'/></magnets>"},
+      {"rfid", "<rfid_tags medium='rfid'><rfid_tag memory='4'/></rfid_tags>"},
       {"simple_radios",
        "<simple_radios><simple_radio id='wifi' medium='radios' range='0.7' position='0,0,0.1'/>"
        "</simple_radios>"},
@@ -58,12 +59,7 @@ std::string Camera(const std::string& robot, bool noisy) {
 
 // what the element of a device must have
 std::string RequiredAttributes(const SListedDevice& device) {
-  static const std::set<std::string> cameras = {"colored_blob_omnidirectional_camera",
-                                                "colored_blob_perspective_camera", "leds"};
-  if (cameras.count(device.Tag) > 0) {
-    return " medium='leds'";
-  }
-  return device.Label() == "range_and_bearing (medium)" ? " medium='rab'" : "";
+  return " " + device.More.substr(0, device.More.find('>'));
 }
 
 // noise that is not a <noise> child
@@ -71,8 +67,9 @@ std::string NoiseAttributes(const SListedDevice& device) {
   static const std::map<std::string, std::string> attributes = {
       {"colored_blob_omnidirectional_camera", "noise_std_dev='0.05'"},
       {"colored_blob_perspective_camera", "noise_std_dev='0.05'"},
-      {"range_and_bearing (medium)", "noise_std_dev='0.01' packet_drop_prob='0.1'"}};
-  for (const std::string& key : {device.Tag, device.Label()}) {
+      {"range_and_bearing (medium)", "noise_std_dev='0.01' packet_drop_prob='0.1'"},
+      {"rfid sensors", "miss_prob='0.1'"}};
+  for (const std::string& key : {device.Tag, device.Label(), device.Tag + " " + device.Section}) {
     const auto found = attributes.find(key);
     if (found != attributes.end()) {
       return " " + found->second;
@@ -84,7 +81,8 @@ std::string NoiseAttributes(const SListedDevice& device) {
 bool TakesNoise(const SListedDevice& device) {
   static const std::set<std::string> without = {"directional_leds", "leds", "simple_radios",
                                                 "tags"};
-  return without.count(device.Tag) == 0 && device.Label() != "range_and_bearing (default)";
+  return without.count(device.Tag) == 0 && device.Label() != "range_and_bearing (default)" &&
+         !(device.Tag == "rfid" && device.Section == "actuators");
 }
 
 const std::map<std::string, std::string> kPrefixes = {
@@ -113,8 +111,9 @@ std::string LoadText(const std::string& id, const CVector3& robot, Real yaw) {
 std::vector<SListedDevice> DevicesOf(const std::string& robot, bool carries) {
   std::vector<SListedDevice> devices;
   for (const SListedDevice& device : ListedDevices()) {
-    // every robot has a battery
-    const bool isCarried = device.Tag != "battery" && !CarriedText(device.Tag).empty();
+    // every robot has a battery, and can read the tags of others
+    const bool isCarried =
+        device.Tag != "battery" && device.Tag != "rfid" && !CarriedText(device.Tag).empty();
     if (device.IsOf(robot) && (carries || !isCarried)) {
       devices.push_back(device);
     }

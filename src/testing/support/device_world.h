@@ -23,7 +23,7 @@ std::string DeviceText(const std::string& robot, const SListedDevice& device, bo
 
 /**
  * The child of a robot's element that makes it carry what a device is about: "battery",
- * "directional_leds", "magnets", "simple_radios" or "tags"; empty for all others.
+ * "directional_leds", "magnets", "rfid", "simple_radios" or "tags"; empty for all others.
  */
 std::string CarriedText(const std::string& deviceTag);
 
