@@ -86,7 +86,8 @@ class CSensorEquippedEntity : public CEntity {
   }
   /** Asks for the memory that GetLayout() and GetAnchors() need. */
   void PrefetchLayout() const {
-    Prefetch(&m_layout, sizeof(m_layout) + sizeof(m_sensors) + sizeof(m_anchors));
+    const char* const from = reinterpret_cast<const char*>(&m_layout);
+    Prefetch(from, reinterpret_cast<const char*>(&m_anchors + 1) - from);
   }
   /** Those that the layout numbers. */
   const SAnchor* const* GetAnchors() const { return m_anchors.data(); }

@@ -148,8 +148,8 @@ void CPheromoneField::SElimination::Prepare(Real r, size_t num) {
   R = r;
   Inverse.resize(num);
   Back.resize(num);
-  // what is left of the diagonal beside r; it is summed up, since a difference would lose it if r is
-  // large, and some of the substance with it
+  // what is left of the diagonal beside r; it is summed up, since a difference would lose it if r
+  // is large, and some of the substance with it
   Real excess = 1.0;
   for (size_t i = 0; i < num; ++i) {
     if (i > 0) {
