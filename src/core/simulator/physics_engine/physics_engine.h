@@ -21,7 +21,8 @@ class CThreadPool;
 /**
  * Owns the bodies of a region of space and moves them.
  *
- * The contract of one tick (called by CSpace, one engine per thread at a time):
+ * The contract of one tick (called by CSpace, one engine per thread at a time; see UsesThreadPool()
+ * for those that share their own work among threads):
  *  1. Update() reads what actuators wrote into the components of this engine's bodies (wheel
  *     speeds, ...), advances them by GetIterations() substeps of GetPhysicsClockTick() seconds, and
  *     writes poses back through CEmbodiedEntity::SetOriginPose(). It touches no other body.
@@ -49,6 +50,11 @@ class CPhysicsEngine : public CBaseConfigurableResource {
 
   /** Advances all bodies by one tick; see the contract above. */
   virtual void Update() = 0;
+  /**
+   * True of an engine whose Update() spreads its work over the simulator's thread pool: such
+   * engines are updated one after the other, not inside a phase. Must not change while a run lasts.
+   */
+  virtual bool UsesThreadPool() const { return false; }
   /** Called once after the arena is filled. */
   virtual void PostSpaceInit() {}
   /** True if a body with its origin at @p point (m, world frame) belongs here. */

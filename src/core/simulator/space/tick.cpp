@@ -161,12 +161,17 @@ void CSpace::Act(CThreadPool& pool) {
 void CSpace::UpdatePhysics(CThreadPool& pool) {
   CPhysicsEngine::TVector& engines = m_cSimulator.GetPhysicsEngines();
   InLogOrder(engines.size(), [&](UInt64 firstPlace) {
-    pool.ParallelFor(engines.size(), 1, [&](size_t begin, size_t end, UInt32) {
+    const auto update = [&](size_t begin, size_t end, bool onPool) {
       for (size_t i = begin; i < end; ++i) {
-        CARGoSLog::SetSequence(firstPlace + i);
-        engines[i]->Update();
+        if (engines[i]->UsesThreadPool() == onPool) {
+          CARGoSLog::SetSequence(firstPlace + i);
+          engines[i]->Update();
+        }
       }
-    });
+    };
+    update(0, engines.size(), true);
+    pool.ParallelFor(engines.size(), 1,
+                     [&](size_t begin, size_t end, UInt32) { update(begin, end, false); });
   });
 }
 

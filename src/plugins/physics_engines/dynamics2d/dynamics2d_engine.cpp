@@ -9,6 +9,8 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_shapes.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_world.h>
+#include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
+#include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,78 +20,8 @@ namespace argos {
 
 namespace {
 
-// m; positions in files are rounded, robots stand on the plane
-constexpr Real kElevationTolerance = 1e-4;
-
-// m; beyond this the single precision of Box2D is coarser than a robot
-constexpr Real kMaxExtent = 1e5;
-// bodies for which an engine with borders has room beyond half as many again as it starts with
-constexpr size_t kRoomForComers = 64;
 // of a root entity that are needed in every tick, about
 constexpr size_t kRootBytes = 192;
-// substeps of a tick; more would never end
-constexpr UInt32 kMaxIterations = 10000;
-
-// reads a number that must not be negative
-void ReadNotNegative(TConfigurationNode& node, const std::string& attribute, Real& value) {
-  GetNodeAttributeOrDefault(node, attribute, value, value);
-  if (!(value >= 0.0) || std::isinf(value)) {
-    THROW_ARGOSEXCEPTION(node.GetLocation() << ": <" << node.Value() << ">: \"" << attribute
-                                            << "\" must be a number >= 0, found " << value);
-  }
-}
-
-// the body of a root entity, if it says what it is and does not fly
-CEmbodiedEntity* FindBody(CEntity& root) {
-  CEmbodiedEntity* const body = FindDescribedBody(root);
-  return body != nullptr && !body->GetBodyDescription()->Propellers ? body : nullptr;
-}
-
-void RequirePositive(const CEmbodiedEntity& body, const char* what, Real value) {
-  if (!(value > 0.0) || std::isinf(value)) {
-    THROW_ARGOSEXCEPTION("the " << what << " of \"" << body.GetRootEntity().GetId()
-                                << "\" must be a number > 0, found " << value);
-  }
-}
-
-void CheckDescription(const CEmbodiedEntity& body) {
-  const SBodyDescription& description = *body.GetBodyDescription();
-  const CVector3& position = body.GetOriginAnchor().Position;
-  const Real reach = std::max(std::abs(position.GetX()), std::abs(position.GetY())) +
-                     description.ComputeBoundingRadius();
-  if (!(reach <= kMaxExtent)) {
-    THROW_ARGOSEXCEPTION(
-        "\"" << body.GetRootEntity().GetId() << "\" is too large or too far away: it reaches "
-             << reach << " m from the origin, but physics in the plane is accurate only up to "
-             << kMaxExtent << " m");
-  }
-  if (!body.IsMovable()) {
-    return;
-  }
-  RequirePositive(body, "mass (kg)", description.Mass);
-  if (description.PlanarInertia) {
-    RequirePositive(body, "moment of inertia (kg m^2)", *description.PlanarInertia);
-  }
-  if (description.Drive) {
-    RequirePositive(body, "distance between the wheels (m)", description.Drive->InterwheelDistance);
-    RequirePositive(body, "greatest force of the drive (N)", description.Drive->MaxForce);
-    RequirePositive(body, "greatest torque of the drive (N m)", description.Drive->MaxTorque);
-  }
-}
-
-// speeds of the left and the right wheel of a body with a drive; null for others
-const Real* FindWheels(CEmbodiedEntity& body) {
-  if (!body.IsMovable() || !body.GetBodyDescription()->Drive) {
-    return nullptr;
-  }
-  auto& root = static_cast<CComposableEntity&>(body.GetRootEntity());
-  const auto& wheels = root.GetComponent<CWheeledEntity>("wheels");
-  if (wheels.GetNumWheels() < 2) {
-    THROW_ARGOSEXCEPTION("robot \"" << root.GetId() << "\" has a differential drive, but "
-                                    << wheels.GetNumWheels() << " wheel instead of 2");
-  }
-  return wheels.GetWheelVelocities();
-}
 
 }  // namespace
 
@@ -101,27 +33,10 @@ CDynamics2DEngine::~CDynamics2DEngine() = default;
 
 void CDynamics2DEngine::Init(TConfigurationNode& tree) {
   CPhysicsEngine::Init(tree);
-  if (GetIterations() > kMaxIterations) {
-    THROW_ARGOSEXCEPTION(tree.GetLocation() << ": <" << tree.Value() << " id=\"" << GetId()
-                                            << "\">: \"iterations\" must be at most "
-                                            << kMaxIterations << ", found " << GetIterations());
-  }
-  GetNodeAttributeOrDefault(tree, "elevation", m_elevation, m_elevation);
-  if (!std::isfinite(m_elevation)) {
-    THROW_ARGOSEXCEPTION(tree.GetLocation()
-                         << ": <" << tree.Value()
-                         << ">: \"elevation\" must be a finite number of metres, "
-                            "found "
-                         << m_elevation);
-  }
+  CheckIterations(tree, *this);
+  m_elevation = ReadElevation(tree);
   ReadNotNegative(tree, "gripping_rigidity", m_grippingRigidity);
-  if (NodeExists(tree, "friction")) {
-    TConfigurationNode& node = GetNode(tree, "friction");
-    ReadNotNegative(node, "box_linear_friction", m_settings->BoxFriction.Force);
-    ReadNotNegative(node, "box_angular_friction", m_settings->BoxFriction.Torque);
-    ReadNotNegative(node, "cylinder_linear_friction", m_settings->CylinderFriction.Force);
-    ReadNotNegative(node, "cylinder_angular_friction", m_settings->CylinderFriction.Torque);
-  }
+  ReadGroundFriction(tree, m_settings->BoxFriction, m_settings->CylinderFriction);
   if (NodeExists(tree, "spatial_hash")) {
     // tunes a broad phase that this engine does not have
     MarkSubtreeRead(GetNode(tree, "spatial_hash"));
@@ -149,32 +64,19 @@ void CDynamics2DEngine::Destroy() {
 }
 
 bool CDynamics2DEngine::IsAtHeight(const CEmbodiedEntity& body) const {
-  return std::abs(body.GetOriginAnchor().Position.GetZ() - m_elevation) <= kElevationTolerance;
+  return IsOnPlane(body, m_elevation);
 }
 
 std::string CDynamics2DEngine::ExplainRefusal(CEntity& entity) const {
-  CEmbodiedEntity* const body = FindDescribedBody(entity);
-  if (body == nullptr) {
-    return "houses only bodies that are described (SBodyDescription), and <" +
-           entity.GetTypeDescription() + "> describes none";
-  }
-  if (body->GetBodyDescription()->Propellers) {
-    return "is a plane, and a <" + entity.GetTypeDescription() +
-           "> flies: add an engine for that, such as <pointmass3d>";
-  }
-  std::ostringstream reason;
-  const Real z = body->GetOriginAnchor().Position.GetZ();
-  reason << "has its plane at z = " << m_elevation << " m, but the base of the body is at z = " << z
-         << " m: put the body there, or set elevation=\"" << z << "\" of an engine";
-  return reason.str();
+  return ExplainPlanarRefusal(entity, m_elevation);
 }
 
 bool CDynamics2DEngine::AddEntity(CEntity& entity) {
-  CEmbodiedEntity* const body = FindBody(entity);
+  CEmbodiedEntity* const body = FindPlanarBody(entity);
   if (body == nullptr || !IsAtHeight(*body)) {
     return false;
   }
-  CheckDescription(*body);
+  CheckPlanarBody(*body);
   auto model = std::make_unique<CDynamics2DModel>(*this, *body, FindWheels(*body));
   body->AddPhysicsModel(GetId(), *model);
   AddModel(std::move(model));
@@ -190,7 +92,7 @@ void CDynamics2DEngine::AddModel(std::unique_ptr<CDynamics2DModel> model) {
 }
 
 bool CDynamics2DEngine::RemoveEntity(CEntity& entity) {
-  CEmbodiedEntity* const body = FindBody(entity);
+  CEmbodiedEntity* const body = FindPlanarBody(entity);
   for (UInt32 i = 0; body != nullptr && i < body->GetPhysicsModelsNum(); ++i) {
     if (&body->GetPhysicsModel(i).GetEngine() != this) {
       continue;
@@ -229,7 +131,7 @@ void CDynamics2DEngine::TransferEntity(CEmbodiedEntity& body) {
     return;
   }
   if (next != nullptr) {
-    CheckDescription(body);
+    CheckPlanarBody(body);
     next->TakeOver(model);
   } else {
     CPhysicsEngine::TransferEntity(body);
@@ -253,7 +155,7 @@ void CDynamics2DEngine::TransferCluster(CDynamics2DModel& model, CDynamics2DEngi
   m_world->FindCluster(model.m_handle, m_cluster);
   m_world->CopyGrips(m_cluster, m_grips);
   for (const SPlanarOwner& each : m_cluster) {
-    CheckDescription(each.Model->m_cEmbodiedEntity);
+    CheckPlanarBody(each.Model->m_cEmbodiedEntity);
   }
   for (const SPlanarOwner& each : m_cluster) {
     const SPlanarVelocity velocity = m_world->GetVelocity(*each.Handle);

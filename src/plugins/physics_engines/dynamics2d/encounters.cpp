@@ -21,7 +21,7 @@ size_t MaxCells(size_t numDiscs) {
 }
 
 /** Half the size of the axis-aligned box around an obstacle, m. */
-void ComputeHalfExtents(const SObstacle& obstacle, Real& halfX, Real& halfY) {
+void ComputeHalfExtents(const SFootprint& obstacle, Real& halfX, Real& halfY) {
   halfX = obstacle.Radius + std::abs(obstacle.Cos) * obstacle.HalfX +
           std::abs(obstacle.Sin) * obstacle.HalfY;
   halfY = obstacle.Radius + std::abs(obstacle.Sin) * obstacle.HalfX +
@@ -29,7 +29,7 @@ void ComputeHalfExtents(const SObstacle& obstacle, Real& halfX, Real& halfY) {
 }
 
 // from the boundary to the point, m; 0 inside
-Real ComputeDistance(const SObstacle& obstacle, Real x, Real y) {
+Real ComputeDistance(const SFootprint& obstacle, Real x, Real y) {
   const Real dx = x - obstacle.X;
   const Real dy = y - obstacle.Y;
   const Real outX = std::max(0.0, std::abs(obstacle.Cos * dx + obstacle.Sin * dy) - obstacle.HalfX);
@@ -52,10 +52,10 @@ void CEncounters::SGrid::Cover(Real minX, Real minY, Real maxX, Real maxY, Real 
   NumJ = static_cast<int>(height * InverseEdge) + 1;
 }
 
-void CEncounters::SetObstacles(const std::vector<SObstacle>& obstacles) {
+void CEncounters::SetObstacles(const std::vector<SFootprint>& obstacles) {
   m_obstacles = obstacles;
   Real minX = HUGE_VAL, minY = HUGE_VAL, maxX = -HUGE_VAL, maxY = -HUGE_VAL;
-  for (const SObstacle& obstacle : m_obstacles) {
+  for (const SFootprint& obstacle : m_obstacles) {
     Real halfX, halfY;
     ComputeHalfExtents(obstacle, halfX, halfY);
     minX = std::min(minX, obstacle.X - halfX);
@@ -70,7 +70,7 @@ void CEncounters::SetObstacles(const std::vector<SObstacle>& obstacles) {
                        65536.0 + 8.0 * static_cast<Real>(m_obstacles.size()));
   // counts, then sums, then fills
   m_obstacleStart.assign(m_obstacleGrid.NumCells() + 1, 0);
-  const auto forCells = [this](const SObstacle& obstacle, auto&& visit) {
+  const auto forCells = [this](const SFootprint& obstacle, auto&& visit) {
     Real halfX, halfY;
     ComputeHalfExtents(obstacle, halfX, halfY);
     const int maxI = m_obstacleGrid.CellI(obstacle.X + halfX);
@@ -82,7 +82,7 @@ void CEncounters::SetObstacles(const std::vector<SObstacle>& obstacles) {
       }
     }
   };
-  for (const SObstacle& obstacle : m_obstacles) {
+  for (const SFootprint& obstacle : m_obstacles) {
     forCells(obstacle, [this](size_t cell) { ++m_obstacleStart[cell + 1]; });
   }
   for (size_t cell = 0; cell < m_obstacleGrid.NumCells(); ++cell) {

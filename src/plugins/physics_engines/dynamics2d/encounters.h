@@ -1,19 +1,11 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_ENCOUNTERS_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_ENCOUNTERS_H
 
-#include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
 
 #include <vector>
 
 namespace argos {
-
-/** The footprint of an immovable solid: a disc or an oriented rectangle; m, world frame. */
-struct SObstacle {
-  Real X, Y;
-  Real Cos, Sin;  // of the yaw of a rectangle
-  Real HalfX, HalfY;  // of a rectangle; both 0 for a disc
-  Real Radius;  // of a disc; 0 for a rectangle
-};
 
 /**
  * Finds out which of the discs can meet something during a tick.
@@ -31,7 +23,7 @@ class CEncounters {
 
   /** What is less than this from being met is around, m. */
   void SetMargin(Real margin) { m_margin = margin; }
-  void SetObstacles(const std::vector<SObstacle>& obstacles);
+  void SetObstacles(const std::vector<SFootprint>& obstacles);
 
   /** Makes room for that many discs. */
   void Reserve(size_t numDiscs);
@@ -91,7 +83,7 @@ class CEncounters {
   std::vector<UInt32> m_start;  // (cells + 1) into m_sorted
   std::vector<SDisc> m_sorted;  // in order of cells
 
-  std::vector<SObstacle> m_obstacles;
+  std::vector<SFootprint> m_obstacles;
   SGrid m_obstacleGrid;
   std::vector<UInt32> m_obstacleStart;  // (cells + 1) into m_obstacleItems
   std::vector<UInt32> m_obstacleItems;  // numbers of obstacles, in order of cells

@@ -25,7 +25,7 @@ struct SPlanarOwner {
 struct SImmovableBody {
   SPlanarOwner Owner;
   b2Body* Body = nullptr;
-  std::vector<SObstacle> Obstacles;  // its solids, as robots look out for them
+  std::vector<SFootprint> Obstacles;  // its solids, as robots look out for them
 };
 
 /** A movable thing without a drive. */

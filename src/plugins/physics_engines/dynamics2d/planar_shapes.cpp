@@ -1,5 +1,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_shapes.h>
 
+#include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
+
 #include <box2d/box2d.h>
 
 #include <algorithm>
@@ -12,21 +14,6 @@ const float kShapeMargin = 0.5F * b2_linearSlop;
 namespace {
 
 using EKind = SShapeDescription::EKind;
-
-// does the solid stand upright in its body?
-bool IsUpright(const SShapeDescription& shape) {
-  return shape.Kind == EKind::Sphere ||
-         (shape.Orientation.GetX() == 0.0 && shape.Orientation.GetY() == 0.0);
-}
-
-bool IsDisc(const SShapeDescription& shape) {
-  return shape.Kind == EKind::Sphere || (shape.Kind == EKind::Cylinder && IsUpright(shape));
-}
-
-// of an upright solid in its body, rad
-Real ComputeYaw(const SShapeDescription& shape) {
-  return 2.0 * std::atan2(shape.Orientation.GetZ(), shape.Orientation.GetW());
-}
 
 b2Vec2 ToUnits(const CVector3& point, Real unitsPerMetre) {
   return b2Vec2(static_cast<float>(point.GetX() * unitsPerMetre),
@@ -142,54 +129,6 @@ void SetMass(b2Body& body, const SBodyDescription& description, Real unitsPerMet
   mass.center = ToUnits(centre, unitsPerMetre);
   mass.I = static_cast<float>(inertia * unitsPerMetre * unitsPerMetre);
   body.SetMassData(&mass);
-}
-
-std::vector<SObstacle> DescribeObstacles(const SBodyDescription& description,
-                                         const SPlanarPose& pose) {
-  const Real bodyYaw = pose.ComputeYaw();
-  const Real cosine = std::cos(bodyYaw);
-  const Real sine = std::sin(bodyYaw);
-  std::vector<SObstacle> obstacles;
-  for (const SShapeDescription& shape : description.Shapes) {
-    const Real x = shape.Offset.GetX();
-    const Real y = shape.Offset.GetY();
-    SObstacle obstacle = {
-        pose.X + cosine * x - sine * y, pose.Y + sine * x + cosine * y, 1.0, 0.0, 0.0, 0.0, 0.0};
-    if (IsDisc(shape)) {
-      obstacle.Radius = shape.Radius;
-    } else if (IsUpright(shape)) {
-      const Real yaw = bodyYaw + ComputeYaw(shape);
-      obstacle.Cos = std::cos(yaw);
-      obstacle.Sin = std::sin(yaw);
-      obstacle.HalfX = 0.5 * shape.Size.GetX();
-      obstacle.HalfY = 0.5 * shape.Size.GetY();
-    } else {
-      obstacle.Radius = shape.Size.Length();
-    }
-    obstacles.push_back(obstacle);
-  }
-  return obstacles;
-}
-
-bool IsCentredDisc(const SBodyDescription& description) {
-  return description.Shapes.size() == 1 && IsDisc(description.Shapes.front()) &&
-         description.Shapes.front().Offset.GetX() == 0.0 &&
-         description.Shapes.front().Offset.GetY() == 0.0;
-}
-
-Real ComputeNarrowestHalf(const SBodyDescription& description) {
-  Real narrowest = HUGE_VAL;
-  for (const SShapeDescription& shape : description.Shapes) {
-    if (IsDisc(shape)) {
-      narrowest = std::min(narrowest, shape.Radius);
-    } else {
-      narrowest = std::min({narrowest, 0.5 * shape.Size.GetX(), 0.5 * shape.Size.GetY()});
-      if (!IsUpright(shape)) {
-        narrowest = std::min(narrowest, 0.5 * shape.Size.GetZ());
-      }
-    }
-  }
-  return narrowest;
 }
 
 }  // namespace argos

@@ -2,10 +2,6 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_SHAPES_H
 
 #include <argos3/core/simulator/physics_engine/body_description.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/encounters.h>
-#include <argos3/core/simulator/physics_engine/planar_motion.h>
-
-#include <vector>
 
 class b2Body;
 
@@ -28,16 +24,6 @@ void SetMass(b2Body& body, const SBodyDescription& description, Real unitsPerMet
 
 /** Adds a fixture that is a disc around the origin. @param radius m. */
 void AddDisc(b2Body& body, Real radius, Real unitsPerMetre, Real friction);
-
-/** The solids of a body at that pose, seen from above; tilted ones are bounded by discs. */
-std::vector<SObstacle> DescribeObstacles(const SBodyDescription& description,
-                                         const SPlanarPose& pose);
-
-/** Is it one disc around the origin? */
-bool IsCentredDisc(const SBodyDescription& description);
-
-/** Half of the narrowest side of any solid seen from above, m. */
-Real ComputeNarrowestHalf(const SBodyDescription& description);
 
 }  // namespace argos
 

@@ -91,7 +91,7 @@ void CPlanarWorld::AddImmovable(const SPlanarOwner& owner, const SBodyDescriptio
   body.Owner = owner;
   body.Body = &CreateBody(pose, EPlanarKind::Immovable, owner, false);
   AddFixtures(*body.Body, description, m_settings.UnitsPerMetre, kImmovableFriction);
-  body.Obstacles = DescribeObstacles(description, pose);
+  body.Obstacles = DescribeFootprints(description, pose);
   m_obstaclesChanged = true;
 }
 

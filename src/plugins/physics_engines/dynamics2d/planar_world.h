@@ -6,6 +6,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_bodies.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_grips.h>
+#include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
 
 #include <box2d/box2d.h>
 
@@ -17,12 +18,6 @@ struct SBodyDescription;
 
 /** Size of a CDynamics2DModel, about. */
 constexpr size_t kModelBytes = 128;
-
-/** Bounds of the friction of passive bodies on the ground. */
-struct SGroundFriction {
-  Real Force = 1.49;  // N
-  Real Torque = 1.49;  // N m
-};
 
 /** What a CPlanarWorld is made with. */
 struct SPlanarSettings {

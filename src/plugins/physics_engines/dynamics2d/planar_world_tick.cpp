@@ -153,7 +153,7 @@ void CPlanarWorld::FindEncounters() {
 }
 
 void CPlanarWorld::UpdateObstacles() {
-  std::vector<SObstacle> obstacles;
+  std::vector<SFootprint> obstacles;
   for (const SImmovableBody& body : m_immovable) {
     obstacles.insert(obstacles.end(), body.Obstacles.begin(), body.Obstacles.end());
   }

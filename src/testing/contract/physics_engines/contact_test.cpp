@@ -1,6 +1,7 @@
 // What bodies do to each other and to the ground, against closed forms.
 
 #include <argos3/testing/contract/physics_engines/drive_world.h>
+#include <argos3/testing/contract/physics_engines/engines.h>
 #include <argos3/testing/support/overlap.h>
 
 #include <catch2/catch.hpp>
@@ -87,12 +88,12 @@ TEST_CASE("drive: its force is bounded", "[contract][engine]") {
 }
 
 TEST_CASE("drive: a robot stalls at a wall and does not sink into it", "[contract][engine]") {
+  const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   const Real angle = GENERATE(0.0, 30.0, 60.0);
-  CAPTURE(angle);
+  CAPTURE(engine, angle);
   const std::string wall =
       "<box id='wall' size='0.2,4,0.5' movable='false'><body position='0.5,0,0'/></box>";
-  CDriveWorld world("<dynamics2d id='e'/>",
-                    wall + DriverXml("e-puck", "r", 0.3, -1, angle, 10, 10));
+  CDriveWorld world(engine.ToXml(), wall + DriverXml("e-puck", "r", 0.3, -1, angle, 10, 10));
   for (int tick = 0; tick < 150; ++tick) {
     world.Step();
     const Real depth = world.Position("r").GetX() + kEPuckRadius - 0.4;
@@ -134,6 +135,8 @@ TEST_CASE("impact: two equal cylinders without friction share the momentum", "[c
 
 TEST_CASE("crowd: discs that drive to one place overlap by at most 2 % of the radius",
           "[contract][engine]") {
+  const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
+  CAPTURE(engine);
   std::ostringstream arena;
   UInt32 count = 0;
   for (int ring = 1; ring <= 8; ++ring) {
@@ -148,7 +151,7 @@ TEST_CASE("crowd: discs that drive to one place overlap by at most 2 % of the ra
     }
   }
   REQUIRE(count == 216);
-  CDriveWorld world("<dynamics2d id='e'/>", arena.str());
+  CDriveWorld world(engine.ToXml(), arena.str());
   world.Step(50);
   SOverlaps overlaps;
   for (int tick = 0; tick < 150; ++tick) {

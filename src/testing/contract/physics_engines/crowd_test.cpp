@@ -1,6 +1,7 @@
 // Many bodies in little room: nobody ends up in a wall or in somebody else.
 
 #include <argos3/testing/contract/physics_engines/drive_world.h>
+#include <argos3/testing/contract/physics_engines/engines.h>
 #include <argos3/testing/support/overlap.h>
 
 #include <argos3/core/utility/math/random_stream.h>
@@ -85,10 +86,12 @@ struct SColumns {
 
 TEST_CASE("crowd: robots that press against a wall stay out of it and of each other",
           "[contract][engine]") {
+  const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
+  CAPTURE(engine);
   SColumns columns;
   columns.Yaw = GENERATE(0.0, 37.0);
   CAPTURE(columns.Yaw);
-  CDriveWorld world("<dynamics2d id='e'/>", columns.ToXml());
+  CDriveWorld world(engine.ToXml(), columns.ToXml());
   SOverlaps overlaps;
   for (int tick = 0; tick < 150; ++tick) {
     world.Step();
@@ -109,6 +112,8 @@ TEST_CASE("crowd: robots that press against a wall stay out of it and of each ot
 
 TEST_CASE("crowd: 40 deep, against a wall or another crowd, nobody overlaps at any time",
           "[contract][engine]") {
+  const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
+  CAPTURE(engine);
   SColumns columns;
   columns.Depth = 40;
   columns.Width = 8;
@@ -117,7 +122,7 @@ TEST_CASE("crowd: 40 deep, against a wall or another crowd, nobody overlaps at a
   // columns that stand exactly in line, and such as buckle
   columns.Jitter = GENERATE(0.0, 0.002);
   CAPTURE(columns.Yaw, columns.FaceToFace, columns.Jitter);
-  CDriveWorld world("<dynamics2d id='e'/>", columns.ToXml());
+  CDriveWorld world(engine.ToXml(), columns.ToXml());
   // while the crowd forms, and after
   for (int tick = 0; tick < 250; ++tick) {
     world.Step();
@@ -141,11 +146,13 @@ TEST_CASE("crowd: 40 deep, against a wall or another crowd, nobody overlaps at a
 
 TEST_CASE("crowd: robots put into each other come apart, and nothing becomes NaN",
           "[contract][engine]") {
+  const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
+  CAPTURE(engine);
   // 5 cm into each other, or at one and the same place
   const Real distance = GENERATE(2.0 * kFootBotRadius - 0.05, 0.0);
   CAPTURE(distance);
-  CDriveWorld world("<dynamics2d id='e'/>", DriverXml("foot-bot", "a", 0, 0, 0, 0, 0) +
-                                                DriverXml("foot-bot", "b", 5, 0, 0, 0, 0));
+  CDriveWorld world(engine.ToXml(), DriverXml("foot-bot", "a", 0, 0, 0, 0, 0) +
+                                        DriverXml("foot-bot", "b", 5, 0, 0, 0, 0));
   world.Body("b").MoveTo(CVector3(distance, 0, 0), CQuaternion(), false, true);
   world.Step(20);
   const CVector3 a = world.Position("a");
@@ -159,6 +166,8 @@ TEST_CASE("crowd: robots put into each other come apart, and nothing becomes NaN
 
 TEST_CASE("crowd: a robot wedged in a gap that is too narrow stays finite and near",
           "[contract][engine]") {
+  const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
+  CAPTURE(engine);
   // walls whose gap narrows to nothing, and a crowd that pushes into it
   constexpr Real kSlant = 12.0 / 180.0 * ARGOS_PI;
   std::string arena = WallXml("upper", "2,0.1,0.5", 1.0, 0.25, -12.0) +
@@ -167,7 +176,7 @@ TEST_CASE("crowd: a robot wedged in a gap that is too narrow stays finite and ne
     arena += DriverXml("e-puck", "r" + std::to_string(i), -0.1 - 0.08 * (i / 3),
                        -0.08 + 0.08 * (i % 3), 0, 15, 15);
   }
-  CDriveWorld world("<dynamics2d id='e'/>", arena);
+  CDriveWorld world(engine.ToXml(), arena);
   SOverlaps overlaps;
   for (int tick = 0; tick < 200; ++tick) {
     world.Step();
@@ -191,6 +200,8 @@ TEST_CASE("crowd: a robot wedged in a gap that is too narrow stays finite and ne
 
 TEST_CASE("crowd: a robot among objects in a pen leaves them and itself inside",
           "[contract][engine]") {
+  const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
+  CAPTURE(engine);
   // light and heavy objects of every shape, and foot-bots that push them about
   std::string arena = WallXml("n", "2.2,0.1,0.5", 0, 1.05) + WallXml("s", "2.2,0.1,0.5", 0, -1.05) +
                       WallXml("e", "0.1,2.2,0.5", 1.05, 0) + WallXml("w", "0.1,2.2,0.5", -1.05, 0);
@@ -213,7 +224,7 @@ TEST_CASE("crowd: a robot among objects in a pen leaves them and itself inside",
     arena += DriverXml("foot-bot", "r" + std::to_string(i), -0.75 + 0.5 * i, 0.28, 90.0 * i, 10,
                        8.0 + i);
   }
-  CDriveWorld world("<dynamics2d id='e'/>", arena);
+  CDriveWorld world(engine.ToXml(), arena);
   SOverlaps overlaps;
   for (int tick = 0; tick < 600; ++tick) {
     world.Step();
@@ -230,11 +241,13 @@ TEST_CASE("crowd: a robot among objects in a pen leaves them and itself inside",
 
 TEST_CASE("speed: a robot does not pass a thin wall, however fast it drives",
           "[contract][engine]") {
+  const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
+  CAPTURE(engine);
   const Real speed = GENERATE(50.0, 500.0, 5000.0);  // cm/s
   const std::string iterations = GENERATE(as<std::string>(), "", "iterations='1'");
   CAPTURE(speed, iterations);
   CDriveWorld world(
-      "<dynamics2d id='e' " + iterations + "/>",
+      engine.ToXml("e", iterations),
       WallXml("wall", "0.01,2,0.5", 3.0, 0) + DriverXml("foot-bot", "r", 0, 0.3, 0, speed, speed));
   for (int tick = 0; tick < 100; ++tick) {
     world.Step();

@@ -3,6 +3,7 @@
 
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace argos {
 
@@ -10,7 +11,7 @@ namespace argos {
 struct SEngineType {
   std::string Tag; /**< in experiment files */
   bool HasContacts = true; /**< bodies stop and push each other */
-  bool HasDriveLimits = true; /**< wheels push with a bounded force */
+  bool HasMomentum = true; /**< what is pushed slides on, robots take time to reach their speed */
 
   /** XML of an engine of this type. @param children  such as `<boundaries>`. */
   std::string ToXml(const std::string& id = "e", const std::string& attributes = "",
@@ -23,9 +24,13 @@ inline std::ostream& operator<<(std::ostream& stream, const SEngineType& engine)
   return stream << engine.Tag;
 }
 
-/** Every engine in which robots on wheels drive. */
+// Every engine in which robots on wheels drive.
 inline const SEngineType kDynamics2D{"dynamics2d"};
+inline const SEngineType kKinematics2D{"kinematics2d", true, false};
 inline const SEngineType kPointMass3D{"pointmass3d", false, false};
+/** Those that keep bodies on the plane apart. */
+inline const std::vector<SEngineType> kEnginesWithContacts{kDynamics2D, kKinematics2D};
+inline const std::vector<SEngineType> kEnginesWithWheels{kDynamics2D, kKinematics2D, kPointMass3D};
 
 /**
  * True if a test cannot run because the engine lacks something; the report then names it.

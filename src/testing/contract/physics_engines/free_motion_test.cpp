@@ -29,7 +29,7 @@ const SRobotType kEPuck{"e-puck", 0.053};
 
 TEST_CASE("free motion: a robot follows the closed-form arc for 60 s", "[contract][engine]") {
   const std::string engine =
-      GENERATE(kDynamics2D, kPointMass3D)
+      GENERATE(from_range(kEnginesWithWheels))
           .ToXml("e", GENERATE(as<std::string>(), "", "iterations='1'", "iterations='10'"));
   const SRobotType robot = GENERATE(kFootBot, kEPuck);
   using TSpeeds = std::pair<Real, Real>;  // cm/s
@@ -56,7 +56,7 @@ TEST_CASE("free motion: a robot follows the closed-form arc for 60 s", "[contrac
 }
 
 TEST_CASE("free motion: a robot whose wheels stand still stays where it is", "[contract][engine]") {
-  const SEngineType engine = GENERATE(kDynamics2D, kPointMass3D);
+  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
   CDriveWorld world(engine.ToXml(), DriverXml("foot-bot", "r", 1.25, -2.5, 30, 0, 0));
   world.Step(100);
@@ -65,7 +65,7 @@ TEST_CASE("free motion: a robot whose wheels stand still stays where it is", "[c
 
 TEST_CASE("free motion: a robot that spins keeps its place and an exact heading",
           "[contract][engine]") {
-  const SEngineType engine = GENERATE(kDynamics2D, kPointMass3D);
+  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
   CDriveWorld world(engine.ToXml(), DriverXml("e-puck", "r", 2, 1, 10, -20, 20));
   world.Step(601);
@@ -76,7 +76,7 @@ TEST_CASE("free motion: a robot that spins keeps its place and an exact heading"
 }
 
 TEST_CASE("free motion: an object that nobody touches stays where it is", "[contract][engine]") {
-  const SEngineType engine = GENERATE(kDynamics2D, kPointMass3D);
+  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
   CDriveWorld world(engine.ToXml(),
                     "<box id='b' size='0.2,0.3,0.1' movable='true' mass='1'><body "
@@ -89,8 +89,8 @@ TEST_CASE("free motion: an object that nobody touches stays where it is", "[cont
 
 TEST_CASE("free motion: wheel speeds beyond the drive's force are reached tick by tick",
           "[contract][engine]") {
-  const SEngineType engine = GENERATE(kDynamics2D, kPointMass3D);
-  if (IsSkipped(engine, engine.HasDriveLimits, "limits of the wheels' force")) {
+  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
+  if (IsSkipped(engine, engine.HasMomentum, "momentum")) {
     return;
   }
   // 1.5 N on 0.4 kg are 3.75 m/s^2: 0.375 m/s more in each tick of 0.1 s

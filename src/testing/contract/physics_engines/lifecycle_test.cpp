@@ -29,7 +29,7 @@ std::string Square() {
 
 TEST_CASE("lifecycle: a robot added in a run drives, and is gone when removed",
           "[contract][engine]") {
-  const SEngineType engine = GENERATE(kDynamics2D, kPointMass3D);
+  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
   CDriveWorld world(engine.ToXml(), Square());
   world.Step(5);
@@ -49,7 +49,7 @@ TEST_CASE("lifecycle: a robot added in a run drives, and is gone when removed",
 
 TEST_CASE("lifecycle: a robot is put where there is room, not where there is none",
           "[contract][engine]") {
-  const SEngineType engine = GENERATE(kDynamics2D, kPointMass3D);
+  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
   CDriveWorld world(engine.ToXml(), DriverXml("e-puck", "a", 0, 0, 0, 10, 10) +
                                         DriverXml("e-puck", "b", 5, 5, 0, 0, 0));
@@ -69,7 +69,7 @@ TEST_CASE("lifecycle: a robot is put where there is room, not where there is non
 
 TEST_CASE("lifecycle: a robot that is moved drives on from there, as it was turned",
           "[contract][engine]") {
-  const SEngineType engine = GENERATE(kDynamics2D, kPointMass3D);
+  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
   CDriveWorld world(engine.ToXml(), DriverXml("foot-bot", "r", 0, 0, 0, 10, 10));
   world.Step(11);
@@ -83,12 +83,12 @@ TEST_CASE("lifecycle: a robot that is moved drives on from there, as it was turn
   world.Step(10);
   CHECK_THAT(world.Position("r").GetX(), WithinAbs(2.0, 1e-9));
   // in dynamics2d it starts from rest, with 15 N on 1.6 kg: within the first tick
-  CHECK_THAT(world.Position("r").GetY(), WithinAbs(3.1, engine.HasDriveLimits ? 0.01 : 1e-9));
+  CHECK_THAT(world.Position("r").GetY(), WithinAbs(3.1, engine.HasMomentum ? 0.01 : 1e-9));
   CHECK_THAT(world.Yaw("r"), WithinAbs(0.5 * ARGOS_PI, 1e-12));
 }
 
 TEST_CASE("lifecycle: after a reset the run repeats to the bit", "[contract][engine]") {
-  const SEngineType engine = GENERATE(kDynamics2D, kPointMass3D);
+  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
   CDriveWorld world(engine.ToXml(), Square());
   std::vector<UInt64> first;
@@ -105,7 +105,7 @@ TEST_CASE("lifecycle: after a reset the run repeats to the bit", "[contract][eng
 
 TEST_CASE("lifecycle: a body that leaves its engine's region is taken over by the next",
           "[contract][engine]") {
-  const SEngineType engine = GENERATE(kDynamics2D, kPointMass3D);
+  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
   CDriveWorld world(engine.ToTwoXml(0.0), DriverXml("foot-bot", "r", -0.5, 0, 0, 10, 10));
   CHECK(world.Body("r").GetPhysicsModel(0).GetEngine().GetId() == "west");
@@ -165,7 +165,7 @@ TEST_CASE("lifecycle: a reset gives each body back to the engine that had it fir
 
 TEST_CASE("lifecycle: after a reset a body is back in the engine in which it started",
           "[contract][engine]") {
-  const SEngineType engine = GENERATE(kDynamics2D, kPointMass3D);
+  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
   CDriveWorld world(engine.ToTwoXml(0.0), DriverXml("foot-bot", "r", -0.05, 0, 20, 10, 9));
   std::vector<UInt64> first;
@@ -191,7 +191,7 @@ TEST_CASE("limits: what an engine cannot house, or finish, is refused with a rea
                     Contains("\"b\" is too large or too far away"));
   CHECK_THROWS_WITH(CDriveWorld(kPointMass3D.ToXml(), DriverXml("e-puck", "r", 1e10, 0, 0, 0, 0)),
                     Contains("\"r\" at (1e+10,0,0) is farther than 1e+09 m from the origin"));
-  const SEngineType engine = GENERATE(kDynamics2D, kPointMass3D);
+  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
   CHECK_THROWS_WITH(CDriveWorld(engine.ToXml("e", "iterations='4294967295'"), ""),
                     Contains("\"iterations\" must be at most 10000, found 4294967295"));

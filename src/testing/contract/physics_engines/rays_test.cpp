@@ -37,7 +37,7 @@ SHit Look(Real y, Real z) {
 }  // namespace
 
 TEST_CASE("rays: meet objects, fixed and movable, and robots", "[contract][engine]") {
-  const SEngineType engine = GENERATE(kDynamics2D, kPointMass3D);
+  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
   CDriveWorld world(
       engine.ToXml(),
@@ -62,7 +62,7 @@ TEST_CASE("rays: meet objects, fixed and movable, and robots", "[contract][engin
 }
 
 TEST_CASE("rays: follow a robot that drives", "[contract][engine]") {
-  const SEngineType engine = GENERATE(kDynamics2D, kPointMass3D);
+  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
   CDriveWorld world(engine.ToXml(), DriverXml("foot-bot", "robot", 2, 0, 180, 10, 10));
   world.Step();
@@ -77,7 +77,7 @@ TEST_CASE("rays: follow a robot that drives", "[contract][engine]") {
 }
 
 TEST_CASE("rays: find at once what is moved, and no longer what is removed", "[contract][engine]") {
-  const SEngineType engine = GENERATE(kDynamics2D, kPointMass3D);
+  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   const bool movable = GENERATE(true, false);
   CAPTURE(engine, movable);
   CDriveWorld world(engine.ToXml(), std::string("<box id='box' size='0.4,0.2,0.3' movable='") +
@@ -97,7 +97,7 @@ TEST_CASE("rays: find at once what is moved, and no longer what is removed", "[c
 }
 
 TEST_CASE("rays: see what stands in two engines once", "[contract][engine]") {
-  const SEngineType engine = GENERATE(kDynamics2D, kPointMass3D);
+  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
   CDriveWorld world(
       engine.ToTwoXml(1.0) + engine.ToXml("all"),

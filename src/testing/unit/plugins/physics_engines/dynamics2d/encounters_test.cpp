@@ -17,7 +17,7 @@ struct SDisc {
   Real X, Y, Reach;
 };
 
-Real DistanceTo(const SObstacle& obstacle, Real x, Real y) {
+Real DistanceTo(const SFootprint& obstacle, Real x, Real y) {
   const Real dx = x - obstacle.X;
   const Real dy = y - obstacle.Y;
   const Real along = std::abs(obstacle.Cos * dx + obstacle.Sin * dy) - obstacle.HalfX;
@@ -34,7 +34,7 @@ CEncounters::EMark MarkOf(Real gap, Real margin) {
 }
 
 std::vector<CEncounters::EMark> MarkEachWithEach(const std::vector<SDisc>& discs,
-                                                 const std::vector<SObstacle>& obstacles,
+                                                 const std::vector<SFootprint>& obstacles,
                                                  Real margin) {
   std::vector<CEncounters::EMark> marks(discs.size(), CEncounters::Alone);
   for (size_t i = 0; i < discs.size(); ++i) {
@@ -45,7 +45,7 @@ std::vector<CEncounters::EMark> MarkEachWithEach(const std::vector<SDisc>& discs
         marks[i] = std::max(marks[i], MarkOf(gap, margin));
       }
     }
-    for (const SObstacle& obstacle : obstacles) {
+    for (const SFootprint& obstacle : obstacles) {
       const Real gap = DistanceTo(obstacle, discs[i].X, discs[i].Y) - discs[i].Reach;
       marks[i] = std::max(marks[i], MarkOf(gap, margin));
     }
@@ -70,7 +70,7 @@ TEST_CASE("encounters: the grid finds what comparing each with each finds", "[dy
   for (int i = 0; i < numDiscs; ++i) {
     discs.push_back({position(generator), position(generator), reach(generator)});
   }
-  std::vector<SObstacle> obstacles;
+  std::vector<SFootprint> obstacles;
   for (int i = 0; i < 10; ++i) {
     const Real yaw = angle(generator);
     const bool disc = i % 3 == 0;

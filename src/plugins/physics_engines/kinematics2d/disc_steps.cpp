@@ -1,0 +1,288 @@
+// What is in the robots' way: who may meet something, and how far these get.
+
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/disc_swarm.h>
+
+#include <argos3/core/utility/threads/thread_pool.h>
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_limits.h>
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/separation.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+// robots in each other's way that a thread works on in a row
+constexpr size_t kMoverGrain = 32;
+// the numbers of discs come first among half planes, then those of walls, then those of solids
+constexpr UInt32 kFirstWall = 1U << 30;
+constexpr UInt32 kFirstSolid = 1U << 31;
+// what is missing to where a robot wants to be, in shares of its step, if only roundings are
+constexpr Real kArrived = 1e-12;
+// of its way, that a robot tries to go if too much is in reach of more of it
+constexpr Real kLeastShare = 1e-3;
+
+Real SquaredLength(const SStep& step) {
+  return step.X * step.X + step.Y * step.Y;
+}
+
+// from the border of a footprint to a point, m; 0 inside
+Real ComputeDistance(const SFootprint& footprint, Real x, Real y) {
+  const Real dx = x - footprint.X;
+  const Real dy = y - footprint.Y;
+  const Real outX =
+      std::max(0.0, std::abs(footprint.Cos * dx + footprint.Sin * dy) - footprint.HalfX);
+  const Real outY =
+      std::max(0.0, std::abs(footprint.Cos * dy - footprint.Sin * dx) - footprint.HalfY);
+  return std::max(0.0, std::sqrt(outX * outX + outY * outY) - footprint.Radius);
+}
+
+bool IsWithinReach(const CCellLists& lists, UInt32 cell, Real x, Real y, Real reach) {
+  if (lists.IsEmpty()) {
+    return false;
+  }
+  for (const UInt32 number : lists.Get(cell)) {
+    if (ComputeDistance(lists.GetFootprints()[number], x, y) <= reach) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// The share of a gap that one of two may use up, so that both together never use more than there
+// is. Who wants nothing of it leaves it to the other.
+Real ShareGap(Real gap, Real mine, Real other) {
+  const Real both = mine + other;
+  if (both <= gap) {
+    return mine + 0.5 * (gap - both);
+  }
+  return gap * (mine / both);
+}
+
+}  // namespace
+
+void CDiscSwarm::Step(CThreadPool& pool, const CCellLists& walls, const CCellLists& solids) {
+  if (GetSize() == 0) {
+    return;
+  }
+  m_wishes.resize(GetSize());
+  m_done.resize(GetSize());
+  m_next.resize(GetSize());
+  m_movers.resize(GetSize());
+  m_numMovers.store(0, std::memory_order_relaxed);
+  const UInt32 stride = m_grid.GetStride();
+  // without the frame of empty cells
+  pool.ParallelFor(m_grid.GetNumCells() - 2 * stride, kCellGrain,
+                   [&](size_t begin, size_t end, UInt32) {
+                     FindMovers(begin + stride, end + stride, walls, solids);
+                   });
+  const size_t numMovers = m_numMovers.load(std::memory_order_relaxed);
+  for (UInt32 round = 0; round < kMaxRounds && numMovers > 0; ++round) {
+    std::atomic<bool> isAnyActive{false};
+    pool.ParallelFor(numMovers, kMoverGrain, [&](size_t begin, size_t end, UInt32) {
+      bool isActive = false;
+      for (size_t i = begin; i < end; ++i) {
+        isActive = StepOne(m_movers[i], walls, solids, m_done, m_next) || isActive;
+      }
+      if (isActive) {
+        isAnyActive.store(true, std::memory_order_relaxed);
+      }
+    });
+    m_done.swap(m_next);
+    if (!isAnyActive.load(std::memory_order_relaxed)) {
+      break;
+    }
+  }
+  pool.ParallelFor(numMovers, kMoverGrain, [this](size_t begin, size_t end, UInt32) {
+    for (size_t i = begin; i < end; ++i) {
+      Finish(m_movers[i]);
+    }
+  });
+}
+
+// Calls visit(place) for those in a cell and around it until it returns true; returns whether it
+// did.
+template <typename VISIT>
+bool CDiscSwarm::ForPlacesAround(UInt32 cell, VISIT&& visit) const {
+  const UInt32 stride = m_grid.GetStride();
+  for (UInt32 row = cell - stride; row <= cell + stride; row += stride) {
+    const UInt32 end = m_start[row + 2];
+    for (UInt32 place = m_start[row - 1]; place < end; ++place) {
+      if (visit(place)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool CDiscSwarm::MayMeetSomething(UInt32 place, UInt32 cell, const CCellLists& walls,
+                                  const CCellLists& solids) const {
+  const SPlace& disc = m_places[place];
+  const Real reach = static_cast<Real>(disc.Reach);
+  const bool meetsDisc = ForPlacesAround(cell, [&](UInt32 other) {
+    const SPlace& neighbour = m_places[other];
+    const Real dx = neighbour.X - disc.X;
+    const Real dy = neighbour.Y - disc.Y;
+    const Real near = reach + static_cast<Real>(neighbour.Reach);
+    return dx * dx + dy * dy <= near * near && other != place;
+  });
+  return meetsDisc || IsWithinReach(walls, cell, disc.X, disc.Y, reach) ||
+         IsWithinReach(solids, cell, disc.X, disc.Y, reach);
+}
+
+void CDiscSwarm::FindMovers(size_t beginCell, size_t endCell, const CCellLists& walls,
+                            const CCellLists& solids) {
+  std::array<SMover, 64> found;
+  UInt32 numFound = 0;
+  const auto flush = [&] {
+    const UInt32 first = m_numMovers.fetch_add(numFound, std::memory_order_relaxed);
+    std::copy_n(found.begin(), numFound, m_movers.begin() + first);
+    numFound = 0;
+  };
+  for (size_t i = beginCell; i < endCell; ++i) {
+    const UInt32 cell = static_cast<UInt32>(i);
+    for (UInt32 place = m_start[cell]; place < m_start[cell + 1]; ++place) {
+      if (!MayMeetSomething(place, cell, walls, solids)) {
+        continue;
+      }
+      const SPlace& disc = m_places[place];
+      const UInt32 slot = disc.Slot;
+      m_wishes[place] = {m_stepX[slot], m_stepY[slot], m_radius[slot],
+                         static_cast<Real>(disc.Reach) - m_radius[slot], 0.0};
+      m_done[place] = SStep();
+      found[numFound++] = {place, cell};
+      if (numFound == found.size()) {
+        flush();
+      }
+    }
+  }
+  flush();
+}
+
+// Takes one round's step of a robot. Returns whether it has got ahead.
+bool CDiscSwarm::StepOne(const SMover& mover, const CCellLists& walls, const CCellLists& solids,
+                         const std::vector<SStep>& done, std::vector<SStep>& next) {
+  SWish& wish = m_wishes[mover.Place];
+  const SStep& here = done[mover.Place];
+  const SStep missing = {wish.X - here.X, wish.Y - here.Y};
+  const Real length = std::sqrt(SquaredLength(missing));
+  const bool mayBePushed = wish.Path > std::sqrt(wish.X * wish.X + wish.Y * wish.Y) + 1e-6;
+  CHalfPlanes planes;
+  SStep push;
+  SStep goal;
+  Real share = 1.0;
+  // what does not limit the way is left out; should there be too many, it goes only part of the way
+  for (bool fits = false; !fits && share > kLeastShare; share *= 0.25) {
+    const Real bound = share * (length + (mayBePushed ? wish.Path : 0.0));
+    planes.Clear();
+    push = SStep();
+    wish.Depth = 0.0;
+    fits = LimitByDiscs(mover, done, bound, planes, push) &&
+           LimitByFootprints(mover, walls, kFirstWall, here, bound, planes, push) &&
+           LimitByFootprints(mover, solids, kFirstSolid, here, bound, planes, push);
+    goal = {share * missing.X + push.X, share * missing.Y + push.Y};
+    const Real goalLength = std::sqrt(SquaredLength(goal));
+    if (!fits || goalLength > bound) {
+      const Real scale = fits && goalLength > 0.0 ? bound / goalLength : 0.0;
+      goal = {goal.X * scale, goal.Y * scale};
+    }
+  }
+  planes.Sort();
+  SStep step = planes.FindNearest(goal);
+  // nobody looks farther ahead than the path
+  const Real room = wish.Path - std::sqrt(SquaredLength(here));
+  const Real stepLength = std::sqrt(SquaredLength(step));
+  const SStep there = {here.X + step.X, here.Y + step.Y};
+  if (SquaredLength(there) > wish.Path * wish.Path && stepLength > 0.0) {
+    const Real scale = std::max(0.0, room / stepLength);
+    step = {step.X * scale, step.Y * scale};
+  }
+  next[mover.Place] = {here.X + step.X, here.Y + step.Y};
+  return stepLength > kNegligibleStep * wish.Radius;
+}
+
+bool CDiscSwarm::LimitByDiscs(const SMover& mover, const std::vector<SStep>& done, Real bound,
+                              CHalfPlanes& planes, SStep& push) {
+  SWish& wish = m_wishes[mover.Place];
+  const SPlace& disc = m_places[mover.Place];
+  const SStep& here = done[mover.Place];
+  const SStep missing = {wish.X - here.X, wish.Y - here.Y};
+  return !ForPlacesAround(mover.Cell, [&](UInt32 other) {
+    const SPlace& neighbour = m_places[other];
+    const Real dx = neighbour.X - disc.X;
+    const Real dy = neighbour.Y - disc.Y;
+    const Real near = static_cast<Real>(disc.Reach) + static_cast<Real>(neighbour.Reach);
+    if (other == mover.Place || dx * dx + dy * dy > near * near) {
+      return false;
+    }
+    const SWish& wishThere = m_wishes[other];
+    const SStep& there = done[other];
+    const SStep missingThere = {wishThere.X - there.X, wishThere.Y - there.Y};
+    const SStep offset = {dx + (there.X - here.X), dy + (there.Y - here.Y)};
+    const SStep relative = {missingThere.X - missing.X, missingThere.Y - missing.Y};
+    SSeparation separation = SeparateDiscs(offset, relative, wish.Radius + wishThere.Radius);
+    if (offset.X == 0.0 && offset.Y == 0.0 && disc.Slot > neighbour.Slot) {
+      separation.NormalX = -separation.NormalX;
+    }
+    if (separation.Gap < -kMaxRounding) {
+      push.X += 0.5 * separation.Gap * separation.NormalX;
+      push.Y += 0.5 * separation.Gap * separation.NormalY;
+      wish.Depth = std::max(wish.Depth, -separation.Gap);
+    }
+    const Real mine =
+        std::max(0.0, separation.NormalX * missing.X + separation.NormalY * missing.Y);
+    const Real theirs =
+        std::max(0.0, -separation.NormalX * missingThere.X - separation.NormalY * missingThere.Y);
+    const Real limit = ShareGap(std::max(0.0, separation.Gap), mine, theirs);
+    return limit < bound &&
+           !planes.Add({separation.NormalX, separation.NormalY, limit, neighbour.Slot});
+  });
+}
+
+bool CDiscSwarm::LimitByFootprints(const SMover& mover, const CCellLists& lists, UInt32 firstId,
+                                   const SStep& done, Real bound, CHalfPlanes& planes,
+                                   SStep& push) {
+  if (lists.IsEmpty()) {
+    return true;
+  }
+  SWish& wish = m_wishes[mover.Place];
+  const SPlace& disc = m_places[mover.Place];
+  const Real x = disc.X + done.X;
+  const Real y = disc.Y + done.Y;
+  const SStep missing = {wish.X - done.X, wish.Y - done.Y};
+  for (const UInt32 number : lists.Get(mover.Cell)) {
+    const SFootprint& footprint = lists.GetFootprints()[number];
+    if (ComputeDistance(footprint, x, y) - wish.Radius >= bound) {
+      continue;
+    }
+    const SSeparation separation = SeparateFromFootprint(x, y, wish.Radius, missing, footprint);
+    if (separation.Gap < -kMaxRounding) {
+      push.X += separation.Gap * separation.NormalX;
+      push.Y += separation.Gap * separation.NormalY;
+      wish.Depth = std::max(wish.Depth, -separation.Gap);
+    }
+    const Real limit = std::max(0.0, separation.Gap);
+    if (limit < bound &&
+        !planes.Add({separation.NormalX, separation.NormalY, limit, firstId + number})) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void CDiscSwarm::Finish(const SMover& mover) {
+  const SWish& wish = m_wishes[mover.Place];
+  const SPlace& disc = m_places[mover.Place];
+  const SStep& done = m_done[mover.Place];
+  const SStep missing = {wish.X - done.X, wish.Y - done.Y};
+  if (SquaredLength(missing) > kArrived * kArrived * (wish.X * wish.X + wish.Y * wish.Y)) {
+    m_nextX[disc.Slot] = disc.X + done.X;
+    m_nextY[disc.Slot] = disc.Y + done.Y;
+  }
+  m_allowance[disc.Slot] = std::min(wish.Depth, wish.Radius);
+}
+
+}  // namespace argos

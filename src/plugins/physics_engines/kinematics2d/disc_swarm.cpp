@@ -1,0 +1,259 @@
+// The robots' arrays, and where their wheels want them; disc_steps.cpp has what is in their way.
+
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/disc_swarm.h>
+
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/utility/threads/thread_pool.h>
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/arc_block.h>
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_limits.h>
+#include <argos3/core/utility/prefetch.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+// cells are this much wider than they need be, so that they serve when robots go a little faster
+constexpr Real kEdgeSlack = 1.25;
+// around the robots, in shares of the width of what they cover, and m
+constexpr Real kAreaSlack = 0.05;
+constexpr Real kLeastAreaSlack = 0.5;
+constexpr float kRoundUp = 1.0F + 4.0F * std::numeric_limits<float>::epsilon();
+
+template <typename T>
+void RaiseTo(std::atomic<T>& value, T least) {
+  T old = value.load(std::memory_order_relaxed);
+  while (old < least && !value.compare_exchange_weak(old, least, std::memory_order_relaxed)) {
+  }
+}
+
+template <typename T>
+void LowerTo(std::atomic<T>& value, T most) {
+  T old = value.load(std::memory_order_relaxed);
+  while (old > most && !value.compare_exchange_weak(old, most, std::memory_order_relaxed)) {
+  }
+}
+
+template <typename T>
+void TakeLast(std::vector<T>& values, UInt32 slot) {
+  values[slot] = values.back();
+  values.pop_back();
+}
+
+}  // namespace
+
+void CDiscSwarm::Reserve(size_t discs) {
+  for (auto* values :
+       {&m_x, &m_y, &m_halfCos, &m_halfSin, &m_allowance, &m_inverseInterwheel, &m_radius,
+        &m_maxForce, &m_stepX, &m_stepY, &m_nextX, &m_nextY, &m_nextHalfCos, &m_nextHalfSin}) {
+    values->reserve(discs);
+  }
+  m_wheels.reserve(discs);
+  m_owner.reserve(discs);
+  m_reach.reserve(discs);
+  m_cell.reserve(discs);
+  m_rank.reserve(discs);
+  m_count.reserve(CCellGrid::MaxCells(discs));
+  m_start.reserve(CCellGrid::MaxCells(discs) + 1);
+  m_places.reserve(discs);
+  m_wishes.reserve(discs);
+  m_done.reserve(discs);
+  m_next.reserve(discs);
+  m_movers.reserve(discs);
+}
+
+void CDiscSwarm::Add(const SKinematicOwner& owner, const SBodyDescription& description,
+                     const SPlanarPose& pose, const Real* wheels) {
+  const UInt32 slot = static_cast<UInt32>(m_x.size());
+  *owner.Handle = {EKinematicKind::Disc, slot};
+  for (auto* values : {&m_x, &m_y, &m_halfCos, &m_halfSin, &m_allowance, &m_stepX, &m_stepY,
+                       &m_nextX, &m_nextY, &m_nextHalfCos, &m_nextHalfSin}) {
+    values->push_back(0.0);
+  }
+  m_reach.push_back(0.0F);
+  m_cell.push_back(0);
+  m_rank.push_back(0);
+  m_wheels.push_back(wheels);
+  m_inverseInterwheel.push_back(1.0 / description.Drive->InterwheelDistance);
+  m_radius.push_back(description.Shapes.front().Radius);
+  m_maxForce.push_back(description.Drive->MaxForce);
+  m_owner.push_back(owner);
+  m_maxRadius = std::max(m_maxRadius, m_radius.back());
+  SetPose(slot, pose);
+}
+
+void CDiscSwarm::Remove(UInt32 slot) {
+  for (auto* values :
+       {&m_x, &m_y, &m_halfCos, &m_halfSin, &m_allowance, &m_inverseInterwheel, &m_radius,
+        &m_maxForce, &m_stepX, &m_stepY, &m_nextX, &m_nextY, &m_nextHalfCos, &m_nextHalfSin}) {
+    TakeLast(*values, slot);
+  }
+  *m_owner[slot].Handle = SKinematicHandle();
+  TakeLast(m_wheels, slot);
+  TakeLast(m_owner, slot);
+  TakeLast(m_reach, slot);
+  TakeLast(m_cell, slot);
+  TakeLast(m_rank, slot);
+  if (slot < m_owner.size()) {
+    m_owner[slot].Handle->Slot = slot;
+  }
+}
+
+void CDiscSwarm::SetPose(UInt32 slot, const SPlanarPose& pose) {
+  m_x[slot] = m_nextX[slot] = pose.X;
+  m_y[slot] = m_nextY[slot] = pose.Y;
+  m_halfCos[slot] = m_nextHalfCos[slot] = pose.HalfCos;
+  m_halfSin[slot] = m_nextHalfSin[slot] = pose.HalfSin;
+  // it may have been put into something
+  m_allowance[slot] = m_radius[slot];
+}
+
+void CDiscSwarm::Plan(CThreadPool& pool, Real duration) {
+  const size_t size = GetSize();
+  if (size == 0) {
+    m_places.clear();
+    return;
+  }
+  if (++m_ticksOfGrid > kTicksOfGrid || m_discsOfGrid > 2 * size || size > 2 * m_discsOfGrid) {
+    m_ticksOfGrid = 0;
+    if (IsGridBad()) {
+      LayGrid();
+    }
+  }
+  m_maxReach.store(0.0F, std::memory_order_relaxed);
+  m_firstBad.store(std::numeric_limits<UInt32>::max(), std::memory_order_relaxed);
+  const bool alone = pool.GetNumThreads() == 1;
+  pool.ParallelFor(size, kDiscGrain, [&](size_t begin, size_t end, UInt32) {
+    PlanRun(begin, end, duration);
+    Bin(begin, end, alone);
+  });
+  const UInt32 bad = m_firstBad.load(std::memory_order_relaxed);
+  const bool isGridTooFine =
+      2.0 * static_cast<Real>(m_maxReach.load(std::memory_order_relaxed)) > m_grid.GetEdge();
+  if (bad < size || isGridTooFine) {
+    std::fill(m_count.begin(), m_count.end(), 0);
+  }
+  if (bad < size) {
+    throw SBadKinematicWheels{m_owner[bad].Model, m_wheels[bad][0], m_wheels[bad][1]};
+  }
+  if (isGridTooFine) {
+    LayGrid();
+    pool.ParallelFor(size, kDiscGrain,
+                     [&](size_t begin, size_t end, UInt32) { Bin(begin, end, alone); });
+  }
+  Sort(pool);
+}
+
+// Where the wheels of some robots lead.
+void CDiscSwarm::PlanRun(size_t begin, size_t end, Real duration) {
+  SArcBlock block;
+  float maxReach = 0.0F;
+  for (size_t first = begin; first < end; first += SArcBlock::kSize) {
+    const size_t count = std::min(SArcBlock::kSize, end - first);
+    for (size_t i = 0; i < count; ++i) {
+      const size_t slot = first + i;
+      if (slot + 2 * kBodiesAhead < m_wheels.size()) {
+        Prefetch(m_wheels[slot + 2 * kBodiesAhead], 2 * sizeof(Real));
+      }
+      const Real left = m_wheels[slot][0];
+      const Real right = m_wheels[slot][1];
+      const Real farthest = kMaxStep * m_radius[slot];
+      block.Path[i] = std::clamp(0.5 * (left + right) * duration, -farthest, farthest);
+      block.Quarter[i] = 0.25 * (right - left) * m_inverseInterwheel[slot] * duration;
+      // infinite and undefined numbers do not equal themselves when taken from themselves
+      if (!(left - left + (block.Quarter[i] - block.Quarter[i]) == 0.0)) {
+        LowerTo(m_firstBad, static_cast<UInt32>(slot));
+      }
+      block.HalfCos[i] = m_halfCos[slot];
+      block.HalfSin[i] = m_halfSin[slot];
+    }
+    for (size_t i = count; i < SArcBlock::kSize; ++i) {
+      block.Path[i] = block.Quarter[i] = block.HalfSin[i] = 0.0;
+      block.HalfCos[i] = 1.0;
+    }
+    block.Drive(count);
+    for (size_t i = 0; i < count; ++i) {
+      const size_t slot = first + i;
+      m_stepX[slot] = block.StepX[i];
+      m_stepY[slot] = block.StepY[i];
+      m_nextX[slot] = m_x[slot] + block.StepX[i];
+      m_nextY[slot] = m_y[slot] + block.StepY[i];
+      m_nextHalfCos[slot] = block.HalfCos[i];
+      m_nextHalfSin[slot] = block.HalfSin[i];
+      m_reach[slot] = static_cast<float>(m_radius[slot] + std::abs(block.Path[i]) +
+                                         m_allowance[slot] + kMaxRounding) *
+                      kRoundUp;
+      m_allowance[slot] = 0.0;
+      maxReach = std::max(maxReach, m_reach[slot]);
+    }
+  }
+  RaiseTo(m_maxReach, maxReach);
+}
+
+// Counts some robots in their cells.
+void CDiscSwarm::Bin(size_t begin, size_t end, bool alone) {
+  for (size_t slot = begin; slot < end; ++slot) {
+    const UInt32 cell = m_grid.CellAt(m_x[slot], m_y[slot]);
+    m_cell[slot] = cell;
+    m_rank[slot] =
+        alone ? m_count[cell]++
+              : std::atomic_ref<UInt32>(m_count[cell]).fetch_add(1, std::memory_order_relaxed);
+  }
+}
+
+void CDiscSwarm::Sort(CThreadPool& pool) {
+  UInt32 sum = 0;
+  for (size_t cell = 0; cell < m_count.size(); ++cell) {
+    m_start[cell] = sum;
+    sum += m_count[cell];
+    m_count[cell] = 0;
+  }
+  m_start[m_count.size()] = sum;
+  m_places.resize(GetSize());
+  pool.ParallelFor(GetSize(), kDiscGrain, [this](size_t begin, size_t end, UInt32) {
+    for (size_t slot = begin; slot < end; ++slot) {
+      m_places[m_start[m_cell[slot]] + m_rank[slot]] = {m_x[slot], m_y[slot], m_reach[slot],
+                                                        static_cast<UInt32>(slot)};
+    }
+  });
+}
+
+// Is the grid much larger or coarser than the swarm needs, or too small?
+bool CDiscSwarm::IsGridBad() const {
+  if (m_discsOfGrid > 2 * GetSize() || GetSize() > 2 * m_discsOfGrid) {
+    return true;
+  }
+  const CCellGrid::SArea& area = m_grid.GetArea();
+  const auto [minX, maxX] = std::minmax_element(m_x.begin(), m_x.end());
+  const auto [minY, maxY] = std::minmax_element(m_y.begin(), m_y.end());
+  const Real width = area.MaxX - area.MinX;
+  const Real height = area.MaxY - area.MinY;
+  const bool outside = *minX < area.MinX - 0.25 * width || *maxX > area.MaxX + 0.25 * width ||
+                       *minY < area.MinY - 0.25 * height || *maxY > area.MaxY + 0.25 * height;
+  const bool sparse =
+      (*maxX - *minX + 2.0 * kLeastAreaSlack) * (*maxY - *minY + 2.0 * kLeastAreaSlack) <
+      0.5 * width * height;
+  return outside || sparse ||
+         m_grid.GetEdge() > 4.0 * kEdgeSlack * static_cast<Real>(m_maxReach.load());
+}
+
+void CDiscSwarm::LayGrid() {
+  CCellGrid::SArea area;
+  if (GetSize() > 0) {
+    const auto [minX, maxX] = std::minmax_element(m_x.begin(), m_x.end());
+    const auto [minY, maxY] = std::minmax_element(m_y.begin(), m_y.end());
+    const Real slackX = kLeastAreaSlack + kAreaSlack * (*maxX - *minX);
+    const Real slackY = kLeastAreaSlack + kAreaSlack * (*maxY - *minY);
+    area = {*minX - slackX, *minY - slackY, *maxX + slackX, *maxY + slackY};
+  }
+  const Real reach = std::max(m_maxRadius, static_cast<Real>(m_maxReach.load()));
+  m_grid.Lay(area, std::max(2.0 * kEdgeSlack * reach, 1e-6), CCellGrid::AimedCells(GetSize()));
+  m_discsOfGrid = GetSize();
+  m_ticksOfGrid = 0;
+  m_count.assign(m_grid.GetNumCells(), 0);
+  m_start.assign(m_grid.GetNumCells() + 1, 0);
+}
+
+}  // namespace argos

@@ -1,0 +1,57 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_HALF_PLANES_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_HALF_PLANES_H
+
+#include <argos3/core/utility/datatypes/datatypes.h>
+
+#include <array>
+
+namespace argos {
+
+/** A step in the plane, m. */
+struct SStep {
+  Real X = 0.0;
+  Real Y = 0.0;
+};
+
+/** The steps s with Normal * s <= Limit. */
+struct SHalfPlane {
+  Real NormalX, NormalY;  // of unit length
+  Real Limit;  // m, >= 0: not to step at all is always allowed
+  UInt32 Id;  // whose it is; they are dealt with in this order
+};
+
+/** The steps that several half planes allow. */
+class CHalfPlanes {
+ public:
+  void Clear() { m_size = 0; }
+  /** @return false if there is no room for it. */
+  bool Add(const SHalfPlane& plane) {
+    if (m_size == m_planes.size()) {
+      return false;
+    }
+    m_planes[m_size++] = plane;
+    return true;
+  }
+  bool IsEmpty() const { return m_size == 0; }
+  /** Puts them into the order of their ids: the nearest step then depends on what they are alone.
+   */
+  void Sort();
+  /**
+   * The allowed step that is nearest to the one wanted.
+   *
+   * Source: M. de Berg et al., Computational Geometry (2008), ch. 4.4, incremental linear
+   * programming, with the distance as the goal, as in J. van den Berg et al., Reciprocal n-Body
+   * Collision Avoidance (2011).
+   */
+  SStep FindNearest(const SStep& wanted) const;
+
+ private:
+  bool FindOnLine(size_t number, const SStep& wanted, SStep& step) const;
+
+  std::array<SHalfPlane, 64> m_planes;
+  size_t m_size = 0;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,35 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_KINEMATIC_HANDLE_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_KINEMATIC_HANDLE_H
+
+#include <argos3/core/utility/datatypes/datatypes.h>
+
+#include <limits>
+
+namespace argos {
+
+class CKinematics2DModel;
+
+/** What kind of body; each kind has its own dense arrays. */
+enum class EKinematicKind : UInt8 {
+  Immovable, /**< never moves by itself */
+  Solid, /**< movable, of any shape, without a drive, or with one but not round */
+  Disc /**< a robot that is one disc around its origin */
+};
+
+/** Where a body is kept; written by the world whenever that changes. */
+struct SKinematicHandle {
+  static constexpr UInt32 kNowhere = std::numeric_limits<UInt32>::max();
+
+  EKinematicKind Kind = EKinematicKind::Immovable;
+  UInt32 Slot = kNowhere;
+};
+
+/** What a body is to the outside: whose it is, and where the outside wants to find its number. */
+struct SKinematicOwner {
+  CKinematics2DModel* Model = nullptr;
+  SKinematicHandle* Handle = nullptr;
+};
+
+}  // namespace argos
+
+#endif

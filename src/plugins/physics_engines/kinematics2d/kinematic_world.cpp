@@ -1,0 +1,93 @@
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_world.h>
+
+#include <argos3/core/simulator/physics_engine/body_description.h>
+
+namespace argos {
+
+void CKinematicWorld::MakeRoom(size_t immovable, size_t solids, size_t discs) {
+  m_immovable.reserve(immovable);
+  m_solids.Reserve(solids);
+  m_discs.Reserve(discs);
+}
+
+void CKinematicWorld::AddImmovable(const SKinematicOwner& owner,
+                                   const SBodyDescription& description, const SPlanarPose& pose) {
+  *owner.Handle = {EKinematicKind::Immovable, static_cast<UInt32>(m_immovable.size())};
+  m_immovable.push_back({owner, DescribeFootprints(description, pose)});
+  m_wallsChanged = true;
+}
+
+void CKinematicWorld::AddMovable(const SKinematicOwner& owner, const SBodyDescription& description,
+                                 const SPlanarPose& pose, const Real* wheels,
+                                 const SGroundFriction& friction) {
+  if (wheels != nullptr && IsCentredDisc(description)) {
+    m_discs.Add(owner, description, pose, wheels);
+  } else {
+    m_solids.Add(owner, description, pose, wheels, friction);
+  }
+}
+
+void CKinematicWorld::Remove(const SKinematicHandle& handle) {
+  const UInt32 slot = handle.Slot;
+  switch (handle.Kind) {
+    case EKinematicKind::Immovable:
+      *m_immovable[slot].Owner.Handle = SKinematicHandle();
+      if (slot + 1 != m_immovable.size()) {
+        m_immovable[slot] = std::move(m_immovable.back());
+        m_immovable[slot].Owner.Handle->Slot = slot;
+      }
+      m_immovable.pop_back();
+      m_wallsChanged = true;
+      break;
+    case EKinematicKind::Solid:
+      m_solids.Remove(slot);
+      break;
+    case EKinematicKind::Disc:
+      m_discs.Remove(slot);
+      break;
+  }
+}
+
+void CKinematicWorld::SetPose(const SKinematicHandle& handle, const SPlanarPose& pose) {
+  if (handle.Kind == EKinematicKind::Disc) {
+    m_discs.SetPose(handle.Slot, pose);
+  } else {
+    m_solids.SetPose(handle.Slot, pose);
+  }
+}
+
+// Lists walls and solids in the cells of the grid, if those or the grid have changed.
+void CKinematicWorld::ListWalls() {
+  const CCellGrid& grid = m_discs.GetGrid();
+  // nobody reaches farther in a tick
+  const Real reach = 0.5 * grid.GetEdge();
+  if (m_gridOfWalls != grid.GetGeneration()) {
+    m_gridOfWalls = grid.GetGeneration();
+    m_wallCells.List(grid, m_walls, reach);
+  }
+  if (m_gridOfSolids != grid.GetGeneration() || m_generationOfSolids != m_solids.GetGeneration()) {
+    m_gridOfSolids = grid.GetGeneration();
+    m_generationOfSolids = m_solids.GetGeneration();
+    m_solidCells.List(grid, m_solids.GetFootprints(), reach);
+  }
+}
+
+void CKinematicWorld::Advance(CThreadPool& pool, Real duration) {
+  m_solids.Plan(duration);
+  m_discs.Plan(pool, duration);
+  if (m_wallsChanged) {
+    m_wallsChanged = false;
+    m_walls.clear();
+    for (const SImmovable& body : m_immovable) {
+      m_walls.insert(m_walls.end(), body.Footprints.begin(), body.Footprints.end());
+    }
+    m_gridOfWalls = 0;
+  }
+  m_solids.Step(m_discs, m_walls);
+  if (m_discs.GetSize() > 0) {
+    ListWalls();
+    m_discs.Step(pool, m_wallCells, m_solidCells);
+  }
+}
+
+}  // namespace argos

@@ -1,0 +1,391 @@
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematics2d_engine.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/utility/threads/thread_pool.h>
+#include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/turret_entity.h>
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_limits.h>
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_world.h>
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematics2d_model.h>
+#include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
+#include <argos3/core/utility/prefetch.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+// Where a body is. What this engine has written itself comes back to the bit.
+SPlanarPose TakePose(const CEmbodiedEntity& body) {
+  constexpr Real kRounding = 1e-13;
+  const SAnchor& origin = body.GetOriginAnchor();
+  const CQuaternion& turn = origin.Orientation;
+  if (turn.GetX() == 0.0 && turn.GetY() == 0.0 &&
+      std::abs(turn.GetW() * turn.GetW() + turn.GetZ() * turn.GetZ() - 1.0) < kRounding) {
+    return {origin.Position.GetX(), origin.Position.GetY(), turn.GetW(), turn.GetZ()};
+  }
+  return MakePlanarPose(origin.Position, turn);
+}
+
+}  // namespace
+
+CKinematics2DEngine::CKinematics2DEngine()
+    : m_boxFriction(std::make_unique<SGroundFriction>()),
+      m_cylinderFriction(std::make_unique<SGroundFriction>()) {
+  SetIterations(1);
+}
+
+CKinematics2DEngine::~CKinematics2DEngine() = default;
+
+void CKinematics2DEngine::Init(TConfigurationNode& tree) {
+  CPhysicsEngine::Init(tree);
+  CheckIterations(tree, *this);
+  m_elevation = ReadElevation(tree);
+  ReadGroundFriction(tree, *m_boxFriction, *m_cylinderFriction);
+  // files are made for dynamics2d, too
+  Real ignored = 0.0;
+  ReadNotNegative(tree, "gripping_rigidity", ignored);
+  if (NodeExists(tree, "spatial_hash")) {
+    MarkSubtreeRead(GetNode(tree, "spatial_hash"));
+  }
+}
+
+// The world is made anew from the entities, in the next tick: nothing of the run so far is left in
+// it.
+void CKinematics2DEngine::Reset() {
+  m_world.reset();
+}
+
+void CKinematics2DEngine::Destroy() {
+  m_world.reset();
+  m_models.clear();
+  m_manipulators.clear();
+}
+
+std::string CKinematics2DEngine::ExplainRefusal(CEntity& entity) const {
+  return ExplainPlanarRefusal(entity, m_elevation);
+}
+
+bool CKinematics2DEngine::AddEntity(CEntity& entity) {
+  CEmbodiedEntity* const body = FindPlanarBody(entity);
+  if (body == nullptr || !IsOnPlane(*body, m_elevation)) {
+    return false;
+  }
+  CheckPlanarBody(*body);
+  auto model = std::make_unique<CKinematics2DModel>(*this, *body, FindWheels(*body));
+  body->AddPhysicsModel(GetId(), *model);
+  AddModel(std::move(model));
+  return true;
+}
+
+void CKinematics2DEngine::AddModel(std::unique_ptr<CKinematics2DModel> model) {
+  model->m_number = m_models.size();
+  m_models.push_back(std::move(model));
+  if (m_world != nullptr) {
+    AddToWorld(*m_models.back());
+  }
+  UpdateManipulator(*m_models.back());
+}
+
+bool CKinematics2DEngine::RemoveEntity(CEntity& entity) {
+  CEmbodiedEntity* const body = FindPlanarBody(entity);
+  for (UInt32 i = 0; body != nullptr && i < body->GetPhysicsModelsNum(); ++i) {
+    if (&body->GetPhysicsModel(i).GetEngine() != this) {
+      continue;
+    }
+    const auto model = TakeOut(static_cast<CKinematics2DModel&>(body->GetPhysicsModel(i)));
+    body->RemovePhysicsModel(GetId());
+    return true;
+  }
+  return false;
+}
+
+// the last model takes the number of the one that goes
+std::unique_ptr<CKinematics2DModel> CKinematics2DEngine::TakeOut(CKinematics2DModel& model) {
+  if (m_world != nullptr) {
+    m_world->Remove(model.m_handle);
+  }
+  std::erase(m_manipulators, &model);
+  const size_t number = model.m_number;
+  std::swap(m_models[number], m_models.back());
+  m_models[number]->m_number = number;
+  std::unique_ptr<CKinematics2DModel> taken = std::move(m_models.back());
+  m_models.pop_back();
+  return taken;
+}
+
+void CKinematics2DEngine::TransferEntity(CEmbodiedEntity& body) {
+  if (&body.GetPhysicsModel(size_t(0)).GetEngine() != this) {
+    return;
+  }
+  if (CKinematics2DEngine* const next = FindNext(body)) {
+    CheckPlanarBody(body);
+    next->TakeOver(static_cast<CKinematics2DModel&>(body.GetPhysicsModel(size_t(0))));
+  } else {
+    CPhysicsEngine::TransferEntity(body);
+  }
+}
+
+// the engine that would take the body, if it is of this type and certain to
+CKinematics2DEngine* CKinematics2DEngine::FindNext(CEmbodiedEntity& body) const {
+  for (CPhysicsEngine* engine : m_cSimulator.GetPhysicsEngines()) {
+    if (engine->IsPointContained(body.GetOriginAnchor().Position)) {
+      auto* const next = dynamic_cast<CKinematics2DEngine*>(engine);
+      return next != nullptr && next != this && IsOnPlane(body, next->m_elevation) ? next : nullptr;
+    }
+  }
+  return nullptr;
+}
+
+// Takes a movable body over from another engine of this type. Its model is made anew where it is,
+// because models refer to their engine for ever, and a tick must not ask for memory.
+void CKinematics2DEngine::TakeOver(CKinematics2DModel& model) {
+  auto& from = static_cast<CKinematics2DEngine&>(model.GetEngine());
+  std::unique_ptr<CKinematics2DModel> taken = from.TakeOut(model);
+  CEmbodiedEntity& body = model.m_cEmbodiedEntity;
+  const Real* const wheels = model.m_wheels;
+  std::destroy_at(taken.get());
+  std::construct_at(taken.get(), *this, body, wheels);
+  body.MovePhysicsModel(from.GetId(), GetId(), *taken);
+  AddModel(std::move(taken));
+}
+
+void CKinematics2DEngine::Replace(CKinematics2DModel& model) {
+  if (m_world == nullptr) {
+    return;
+  }
+  if (model.m_handle.Kind == EKinematicKind::Immovable) {
+    m_world->Remove(model.m_handle);
+    AddToWorld(model);
+  } else {
+    m_world->SetPose(model.m_handle, TakePose(model.m_cEmbodiedEntity));
+  }
+}
+
+void CKinematics2DEngine::UpdateManipulator(CKinematics2DModel& model) {
+  const auto place = std::find(m_manipulators.begin(), m_manipulators.end(), &model);
+  const bool hasOne = model.m_gripper != nullptr || model.m_turret != nullptr;
+  if (hasOne && place == m_manipulators.end()) {
+    m_manipulators.push_back(&model);
+  } else if (!hasOne && place != m_manipulators.end()) {
+    m_manipulators.erase(place);
+  }
+}
+
+// bodies enter the world in the order of their entities, whatever happened before
+void CKinematics2DEngine::Build() {
+  std::vector<CKinematics2DModel*> models;
+  models.reserve(m_models.size());
+  size_t numImmovable = 0;
+  size_t numDriven = 0;
+  for (const auto& model : m_models) {
+    models.push_back(model.get());
+    numImmovable += model->GetEmbodiedEntity().IsMovable() ? 0 : 1;
+    numDriven += model->m_wheels != nullptr ? 1 : 0;
+  }
+  std::sort(models.begin(), models.end(), [](CKinematics2DModel* a, CKinematics2DModel* b) {
+    return a->GetEmbodiedEntity().GetIndex() < b->GetEmbodiedEntity().GetIndex();
+  });
+  // movable bodies may also come from other engines
+  const auto withComers = [this](size_t bodies) {
+    return IsEntityTransferActive() ? bodies + bodies / 2 + kRoomForComers : bodies;
+  };
+  m_models.reserve(withComers(m_models.size()));
+  m_manipulators.reserve(withComers(m_manipulators.size()));
+  m_hasLeft.reserve(withComers(numDriven));
+  m_world = std::make_unique<CKinematicWorld>();
+  m_world->MakeRoom(numImmovable, withComers(models.size() - numImmovable - numDriven),
+                    withComers(numDriven));
+  for (CKinematics2DModel* model : models) {
+    AddToWorld(*model);
+  }
+}
+
+void CKinematics2DEngine::AddToWorld(CKinematics2DModel& model) {
+  using EClass = SGroundFrictionDescription::EClass;
+  const CEmbodiedEntity& body = model.GetEmbodiedEntity();
+  const SBodyDescription& description = *body.GetBodyDescription();
+  const SPlanarPose pose = TakePose(body);
+  const SKinematicOwner owner{&model, &model.m_handle};
+  if (!body.IsMovable()) {
+    m_world->AddImmovable(owner, description, pose);
+    return;
+  }
+  SGroundFriction friction = {0.0, 0.0};
+  if (description.GroundFriction) {
+    friction =
+        description.GroundFriction->Class == EClass::Box ? *m_boxFriction : *m_cylinderFriction;
+  }
+  m_world->AddMovable(owner, description, pose, model.m_wheels, friction);
+}
+
+void CKinematics2DEngine::Update() {
+  if (m_world == nullptr) {
+    Build();
+  }
+  Advance();
+  UseManipulators();
+  WriteBackDiscs();
+  WriteBackSolids();
+}
+
+void CKinematics2DEngine::Advance() {
+  CThreadPool& pool = m_cSimulator.GetThreadPool();
+  CDiscSwarm& discs = m_world->GetDiscs();
+  for (UInt32 substep = 0; substep < GetIterations(); ++substep) {
+    if (substep > 0) {
+      for (UInt32 slot = 0; slot < discs.GetSize(); ++slot) {
+        discs.Commit(slot);
+      }
+    }
+    try {
+      m_world->Advance(pool, GetPhysicsClockTick());
+    } catch (const SBadKinematicWheels& bad) {
+      THROW_ARGOSEXCEPTION("robot \"" << bad.Owner->GetEmbodiedEntity().GetRootEntity().GetId()
+                                      << "\": wheel speeds must be finite numbers, found left = "
+                                      << bad.Left << " m/s, right = " << bad.Right << " m/s");
+    }
+  }
+}
+
+void CKinematics2DEngine::UseManipulators() {
+  for (CKinematics2DModel* model : m_manipulators) {
+    if (model->m_turret != nullptr) {
+      model->m_turret->Advance(m_cSimulator.GetTickLength());
+    }
+    if (model->m_gripper != nullptr && model->m_gripper->IsLocked()) {
+      THROW_ARGOSEXCEPTION("robot \"" << model->m_root.GetId()
+                                      << "\" has locked its gripper, but <kinematics2d id=\""
+                                      << GetId()
+                                      << "\"> cannot hold anything: put robots that grip into a "
+                                         "<dynamics2d>");
+    }
+  }
+}
+
+void CKinematics2DEngine::WriteBackDiscs() {
+  CDiscSwarm& discs = m_world->GetDiscs();
+  m_hasLeft.assign(discs.GetSize(), 0);
+  m_cSimulator.GetThreadPool().ParallelFor(
+      discs.GetSize(), kDiscGrain,
+      [this](size_t begin, size_t end, UInt32) { WriteBackDiscs(begin, end); });
+  if (IsEntityTransferActive()) {
+    for (UInt32 slot = 0; slot < discs.GetSize(); ++slot) {
+      if (m_hasLeft[slot] != 0) {
+        ScheduleEntityForTransfer(discs.GetOwner(slot).Model->m_cEmbodiedEntity);
+      }
+    }
+  }
+}
+
+// Of some robots, on any thread: what is written belongs to one of them.
+void CKinematics2DEngine::WriteBackDiscs(size_t begin, size_t end) {
+  CDiscSwarm& discs = m_world->GetDiscs();
+  const size_t size = discs.GetSize();
+  for (size_t i = begin; i < end; ++i) {
+    if (i + 2 * kBodiesAhead < size) {
+      Prefetch(discs.GetOwner(static_cast<UInt32>(i + 2 * kBodiesAhead)).Model, kModelBytes);
+      const CKinematics2DModel& ahead =
+          *discs.GetOwner(static_cast<UInt32>(i + kBodiesAhead)).Model;
+      Prefetch(&ahead.m_cEmbodiedEntity, sizeof(CEmbodiedEntity));
+      Prefetch(&ahead.m_root, 64);
+    }
+    const UInt32 slot = static_cast<UInt32>(i);
+    discs.Commit(slot);
+    const SPlanarPose pose = discs.GetPose(slot);
+    const Real radius = discs.GetRadius(slot);
+    CKinematics2DModel& model = *discs.GetOwner(slot).Model;
+    CEmbodiedEntity& body = model.m_cEmbodiedEntity;
+    body.SetOriginPose(CVector3(pose.X, pose.Y, m_elevation),
+                       CQuaternion(pose.HalfCos, 0.0, 0.0, pose.HalfSin));
+    if (body.GetEnabledAnchors().size() > 1) {
+      model.CalculateAnchors();
+    }
+    // its heights stay
+    SBoundingBox& box = model.m_sBoundingBox;
+    box.MinCorner.SetX(pose.X - radius);
+    box.MinCorner.SetY(pose.Y - radius);
+    box.MaxCorner.SetX(pose.X + radius);
+    box.MaxCorner.SetY(pose.Y + radius);
+    model.m_root.Update();
+    m_hasLeft[i] = HasLeft(body) ? 1 : 0;
+  }
+}
+
+void CKinematics2DEngine::WriteBackSolids() {
+  CSolids& solids = m_world->GetSolids();
+  for (UInt32 slot = 0; slot < solids.GetSize(); ++slot) {
+    SSolid& solid = solids.Get(slot);
+    if (!solid.HasMoved && solid.IsPassive()) {
+      continue;
+    }
+    solid.HasMoved = false;
+    CKinematics2DModel& model = *solid.Owner.Model;
+    CEmbodiedEntity& body = model.m_cEmbodiedEntity;
+    body.SetOriginPose(CVector3(solid.Pose.X, solid.Pose.Y, m_elevation),
+                       CQuaternion(solid.Pose.HalfCos, 0.0, 0.0, solid.Pose.HalfSin));
+    if (body.GetEnabledAnchors().size() > 1) {
+      model.CalculateAnchors();
+    }
+    model.CalculateBoundingBox();
+    model.m_root.Update();
+    if (HasLeft(body)) {
+      ScheduleEntityForTransfer(body);
+    }
+  }
+}
+
+bool CKinematics2DEngine::HasLeft(const CEmbodiedEntity& body) {
+  return IsEntityTransferActive() && !IsPointContained(body.GetOriginAnchor().Position);
+}
+
+REGISTER_PHYSICS_ENGINE(
+    CKinematics2DEngine, "kinematics2d", "the authors of this project", "1.0",
+    "Robots without momentum on a plane: the fastest engine.",
+    R"(Robots on wheels that follow the exact arcs of their wheel speeds, keep out of walls and of each other,
+slide along what is in their way, and push objects against their friction on the ground. Nothing has momentum: what nobody
+pushes stands still. Robots do not push robots. A tick spreads over the threads of <system threads>; its result does not
+depend on them. Gripping is an error that names the robot: dynamics2d grips.
+
+REQUIRED XML
+
+  <physics_engines>
+    <kinematics2d id="kin2d" />
+  </physics_engines>
+
+OPTIONAL XML
+
+  <physics_engines>
+    <kinematics2d id="kin2d" iterations="1" elevation="0">
+      <friction box_linear_friction="1.49" box_angular_friction="1.49"
+                cylinder_linear_friction="1.49" cylinder_angular_friction="1.49" />
+      <boundaries>
+        <sides>
+          <vertex point="0,0" /> <vertex point="5,0" /> <vertex point="5,5" /> <vertex point="0,5" />
+        </sides>
+      </boundaries>
+    </kinematics2d>
+  </physics_engines>
+
+ATTRIBUTES
+
+  id                         text, required: unique among the engines.
+  iterations                 integer >= 1, default 1: substeps of a tick. Nothing overlaps or is passed
+                             through with any; robots in each other's way go straight in a substep.
+  elevation                  m, default 0: height of the plane; bodies must stand on it, to 1e-4 m.
+  box_linear_friction        N, >= 0, default 1.49: force that it takes to push a movable box along.
+  box_angular_friction       N m, >= 0, default 1.49: torque that it takes to turn it.
+  cylinder_linear_friction   N, >= 0, default 1.49: the same for a movable cylinder.
+  cylinder_angular_friction  N m, >= 0, default 1.49.
+  boundaries                 the region of the engine, default everything: sides/vertex@point, in m, at
+                             least three, counter-clockwise, convex.
+  gripping_rigidity, spatial_hash  of dynamics2d: accepted and ignored.
+)",
+    "Usable")
+
+}  // namespace argos

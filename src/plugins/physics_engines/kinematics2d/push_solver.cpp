@@ -1,0 +1,126 @@
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/push_solver.h>
+
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_limits.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+// N; bodies that nothing brakes yield as if friction were this
+constexpr Real kLeastForce = 1e-3;
+// what a sweep may still change when the solver stops, in shares of the greatest need
+constexpr Real kSettled = 1e-9;
+
+}  // namespace
+
+void CPushSolver::Clear() {
+  m_bodies.clear();
+  m_contacts.clear();
+  m_greatestNeed = 0.0;
+}
+
+UInt32 CPushSolver::AddBody(const STwist& twist, Real force, Real torque, Real squaredGyration) {
+  m_bodies.push_back({twist, force, torque, squaredGyration, 0.0, 0.0, 0.0, 0.0, 0.0});
+  const Real wanted =
+      std::hypot(twist.X, twist.Y) + std::abs(twist.Turn) * std::sqrt(squaredGyration);
+  m_greatestNeed = std::max(m_greatestNeed, wanted);
+  return static_cast<UInt32>(m_bodies.size() - 1);
+}
+
+void CPushSolver::AddContact(UInt32 pushing, UInt32 pushed, Real normalX, Real normalY,
+                             Real leverPushing, Real leverPushed, Real need, Real cap) {
+  m_contacts.push_back(
+      {pushing, pushed, normalX, normalY, leverPushing, leverPushed, need, cap, 0.0, 0.0});
+  m_greatestNeed = std::max(m_greatestNeed, need);
+}
+
+void CPushSolver::Prepare() {
+  for (SBody& body : m_bodies) {
+    const Real force = std::max(body.Force, kLeastForce);
+    body.Give = m_greatestNeed / (kPushSlack * force);
+    body.TurnGive = body.Give / body.SquaredGyration;
+  }
+  for (SContact& contact : m_contacts) {
+    const SBody& pushed = m_bodies[contact.Pushed];
+    contact.Give = pushed.Give + contact.LeverPushed * contact.LeverPushed * pushed.TurnGive;
+    if (contact.Pushing != kNobody) {
+      const SBody& pushing = m_bodies[contact.Pushing];
+      contact.Give += pushing.Give + contact.LeverPushing * contact.LeverPushing * pushing.TurnGive;
+    }
+  }
+}
+
+void CPushSolver::Solve() {
+  if (!(m_greatestNeed > 0.0)) {
+    return;
+  }
+  Prepare();
+  for (int sweep = 0; sweep < kPushIterations; ++sweep) {
+    for (SBody& body : m_bodies) {
+      SolveFriction(body);
+    }
+    // contacts last, so that bodies are out of each other in the end
+    Real change = 0.0;
+    for (SContact& contact : m_contacts) {
+      change = std::max(change, SolveContact(contact));
+    }
+    if (change < kSettled * m_greatestNeed) {
+      break;
+    }
+  }
+}
+
+void CPushSolver::Push(SBody& body, Real x, Real y, Real torque) {
+  body.Twist.X += body.Give * x;
+  body.Twist.Y += body.Give * y;
+  body.Twist.Turn += body.TurnGive * torque;
+}
+
+// Friction takes what force it needs to keep the body where it is, up to its bounds.
+void CPushSolver::SolveFriction(SBody& body) {
+  if (body.Force > 0.0) {
+    Real x = body.UsedX - body.Twist.X / body.Give;
+    Real y = body.UsedY - body.Twist.Y / body.Give;
+    const Real length = std::sqrt(x * x + y * y);
+    if (length > body.Force) {
+      x *= body.Force / length;
+      y *= body.Force / length;
+    }
+    Push(body, x - body.UsedX, y - body.UsedY, 0.0);
+    body.UsedX = x;
+    body.UsedY = y;
+  }
+  if (body.Torque > 0.0) {
+    const Real torque =
+        std::clamp(body.UsedTorque - body.Twist.Turn / body.TurnGive, -body.Torque, body.Torque);
+    Push(body, 0.0, 0.0, torque - body.UsedTorque);
+    body.UsedTorque = torque;
+  }
+}
+
+// Returns by how much it changed, m.
+Real CPushSolver::SolveContact(SContact& contact) {
+  SBody& pushed = m_bodies[contact.Pushed];
+  Real moved = contact.NormalX * pushed.Twist.X + contact.NormalY * pushed.Twist.Y +
+               contact.LeverPushed * pushed.Twist.Turn;
+  SBody* const pushing = contact.Pushing != kNobody ? &m_bodies[contact.Pushing] : nullptr;
+  if (pushing != nullptr) {
+    moved -= contact.NormalX * pushing->Twist.X + contact.NormalY * pushing->Twist.Y +
+             contact.LeverPushing * pushing->Twist.Turn;
+  }
+  const Real force =
+      std::clamp(contact.Force + (contact.Need - moved) / contact.Give, 0.0, contact.Cap);
+  const Real change = force - contact.Force;
+  contact.Force = force;
+  Push(pushed, change * contact.NormalX, change * contact.NormalY, change * contact.LeverPushed);
+  if (pushing != nullptr) {
+    Push(*pushing, -change * contact.NormalX, -change * contact.NormalY,
+         -change * contact.LeverPushing);
+  }
+  return std::abs(change) * contact.Give;
+}
+
+}  // namespace argos

@@ -1,0 +1,423 @@
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/solids.h>
+
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/disc_swarm.h>
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_limits.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+// passes over those that are pushed, of which one may be in the other's way
+constexpr int kPasses = 4;
+// how often a step that is too far is halved
+constexpr int kHalvings = 8;
+
+Real ComputeLever(const SSolid& solid, const SSeparation& contact) {
+  return (contact.PointX - solid.Pose.X) * contact.NormalY -
+         (contact.PointY - solid.Pose.Y) * contact.NormalX;
+}
+
+Real ComputeLength(const SSolid& solid, const STwist& twist) {
+  return std::hypot(twist.X, twist.Y) + std::abs(twist.Turn) * solid.BoundingRadius;
+}
+
+SPlanarPose Moved(const SPlanarPose& pose, const STwist& twist, Real share) {
+  SPlanarPose moved = pose;
+  moved.X += share * twist.X;
+  moved.Y += share * twist.Y;
+  if (twist.Turn != 0.0) {
+    const Real half = 0.5 * share * twist.Turn;
+    Turn(moved, std::cos(half), std::sin(half));
+  }
+  return moved;
+}
+
+SFootprint Transform(const SFootprint& footprint, const SPlanarPose& pose) {
+  const Real cosine = pose.HalfCos * pose.HalfCos - pose.HalfSin * pose.HalfSin;
+  const Real sine = 2.0 * pose.HalfSin * pose.HalfCos;
+  SFootprint there = footprint;
+  there.X = pose.X + cosine * footprint.X - sine * footprint.Y;
+  there.Y = pose.Y + sine * footprint.X + cosine * footprint.Y;
+  there.Cos = cosine * footprint.Cos - sine * footprint.Sin;
+  there.Sin = sine * footprint.Cos + cosine * footprint.Sin;
+  return there;
+}
+
+SFootprint MakeDisc(const SPlanarPose& pose, Real radius) {
+  return {pose.X, pose.Y, 1.0, 0.0, 0.0, 0.0, radius};
+}
+
+bool IsNear(const SSolid& solid, const SFootprint& footprint, Real margin) {
+  const Real reach = solid.BoundingRadius + ComputeExtent(footprint) + margin;
+  const Real dx = footprint.X - solid.Pose.X;
+  const Real dy = footprint.Y - solid.Pose.Y;
+  return dx * dx + dy * dy <= reach * reach;
+}
+
+}  // namespace
+
+void CSolids::Reserve(size_t solids) {
+  m_solids.reserve(solids);
+  m_shapes.reserve(2 * solids);
+  m_footprints.reserve(2 * solids);
+  m_active.reserve(solids);
+  m_nearDiscs.reserve(256);
+  m_obstacles.reserve(256);
+}
+
+void CSolids::Add(const SKinematicOwner& owner, const SBodyDescription& description,
+                  const SPlanarPose& pose, const Real* wheels, const SGroundFriction& friction) {
+  *owner.Handle = {EKinematicKind::Solid, static_cast<UInt32>(m_solids.size())};
+  SSolid& solid = m_solids.emplace_back();
+  solid.Owner = owner;
+  solid.FirstFootprint = m_shapes.size();
+  AppendFootprints(description, SPlanarPose(), m_shapes);
+  solid.NumFootprints = m_shapes.size() - solid.FirstFootprint;
+  m_footprints.resize(m_shapes.size());
+  for (size_t i = solid.FirstFootprint; i < m_shapes.size(); ++i) {
+    solid.BoundingRadius = std::max(solid.BoundingRadius, std::hypot(m_shapes[i].X, m_shapes[i].Y) +
+                                                              ComputeExtent(m_shapes[i]));
+  }
+  solid.NarrowestHalf = ComputeNarrowestHalf(description);
+  solid.SquaredGyration = description.GetPlanarInertia() / description.Mass;
+  solid.Friction = friction;
+  if (wheels != nullptr) {
+    solid.Wheels = wheels;
+    solid.InverseInterwheel = 1.0 / description.Drive->InterwheelDistance;
+    solid.MaxForce = description.Drive->MaxForce;
+    ++m_numDriven;
+  }
+  Place(solid, pose);
+}
+
+void CSolids::Remove(UInt32 slot) {
+  const SSolid gone = m_solids[slot];
+  *gone.Owner.Handle = SKinematicHandle();
+  m_numDriven -= gone.IsPassive() ? 0 : 1;
+  if (slot + 1 != m_solids.size()) {
+    m_solids[slot] = m_solids.back();
+    m_solids[slot].Owner.Handle->Slot = slot;
+  }
+  m_solids.pop_back();
+  // the lists of footprints have no holes
+  for (auto* list : {&m_shapes, &m_footprints}) {
+    const auto first = list->begin() + static_cast<std::ptrdiff_t>(gone.FirstFootprint);
+    list->erase(first, first + static_cast<std::ptrdiff_t>(gone.NumFootprints));
+  }
+  for (SSolid& solid : m_solids) {
+    if (solid.FirstFootprint > gone.FirstFootprint) {
+      solid.FirstFootprint -= gone.NumFootprints;
+    }
+  }
+  ++m_generation;
+}
+
+void CSolids::SetPose(UInt32 slot, const SPlanarPose& pose) {
+  m_solids[slot].IsFresh = true;
+  Place(m_solids[slot], pose);
+}
+
+void CSolids::Place(SSolid& solid, const SPlanarPose& pose) {
+  solid.Pose = pose;
+  for (size_t i = 0; i < solid.NumFootprints; ++i) {
+    m_footprints[solid.FirstFootprint + i] = Transform(m_shapes[solid.FirstFootprint + i], pose);
+  }
+  ++m_generation;
+}
+
+void CSolids::Plan(Real duration) {
+  for (SSolid& solid : m_solids) {
+    solid.Twist = STwist();
+    if (solid.IsPassive()) {
+      continue;
+    }
+    const Real left = solid.Wheels[0];
+    const Real right = solid.Wheels[1];
+    const Real farthest = kMaxStep * solid.NarrowestHalf / duration;
+    const Real speed = std::clamp(0.5 * (left + right), -farthest, farthest);
+    const Real yawRate = (right - left) * solid.InverseInterwheel;
+    if (!std::isfinite(0.5 * (left + right)) || !std::isfinite(yawRate)) {
+      throw SBadKinematicWheels{solid.Owner.Model, left, right};
+    }
+    const SArc arc = FollowArc(solid.Pose, speed, yawRate, duration);
+    solid.Arc = arc.End;
+    solid.Twist = {arc.DX, arc.DY, yawRate * duration};
+  }
+}
+
+void CSolids::Step(const CDiscSwarm& discs, std::span<const SFootprint> walls) {
+  if (m_solids.empty()) {
+    return;
+  }
+  m_solver.Clear();
+  m_active.clear();
+  m_farthest = 0.0;
+  FindPushed(discs);
+  // the list grows while those in the way of the ones that are pushed are found
+  for (size_t i = 0; i < m_active.size(); ++i) {
+    AddNeighbours(m_active[i], discs, walls);
+  }
+  m_solver.Solve();
+  for (const UInt32 slot : m_active) {
+    m_solids[slot].Twist = m_solver.GetTwist(m_solids[slot].Number);
+    m_solids[slot].Number = CPushSolver::kNobody;
+  }
+  for (int pass = 0; pass < kPasses; ++pass) {
+    for (const UInt32 slot : m_active) {
+      SSolid& solid = m_solids[slot];
+      const Real left = 1.0 - Move(solid, solid.Twist, discs, walls);
+      solid.Twist = {left * solid.Twist.X, left * solid.Twist.Y, left * solid.Twist.Turn};
+    }
+  }
+  for (SSolid& solid : m_solids) {
+    if (!solid.IsPassive()) {
+      StepDriven(solid, discs, walls);
+    }
+    solid.IsFresh = false;
+  }
+}
+
+// Finds the things that robots push directly, and those that have just been put into something.
+void CSolids::FindPushed(const CDiscSwarm& discs) {
+  for (UInt32 slot = 0; slot < m_solids.size(); ++slot) {
+    if (m_solids[slot].IsPassive()) {
+      AddPushes(slot, discs);
+      if (m_solids[slot].IsFresh) {
+        Activate(slot);
+      }
+    }
+  }
+}
+
+void CSolids::AddPushes(UInt32 slot, const CDiscSwarm& discs) {
+  SSolid& solid = m_solids[slot];
+  m_nearDiscs.clear();
+  discs.ForDiscsNear(solid.Pose.X, solid.Pose.Y, solid.BoundingRadius,
+                     [this](UInt32 disc) { m_nearDiscs.push_back(disc); });
+  std::sort(m_nearDiscs.begin(), m_nearDiscs.end());
+  const auto addPush = [&](const SSeparation& contact, Real wanted, Real force) {
+    const Real need = wanted - contact.Gap;
+    if (need > 0.0 && wanted > 0.0) {
+      Activate(slot);
+      m_farthest = std::max(m_farthest, need);
+      AddContact(solid, contact, need, force);
+    }
+  };
+  for (const UInt32 disc : m_nearDiscs) {
+    const SPlanarPose pose = discs.GetPose(disc);
+    const SStep step = discs.GetWanted(disc);
+    for (const SFootprint& footprint : FootprintsOf(solid)) {
+      const SSeparation contact =
+          SeparateFromFootprint(pose.X, pose.Y, discs.GetRadius(disc), step, footprint);
+      addPush(contact, contact.NormalX * step.X + contact.NormalY * step.Y,
+              discs.GetMaxForce(disc));
+    }
+  }
+  for (const SSolid& robot : m_solids) {
+    if (m_numDriven == 0) {
+      break;
+    }
+    const Real reach = ComputeLength(robot, robot.Twist);
+    if (robot.IsPassive() || std::hypot(robot.Pose.X - solid.Pose.X, robot.Pose.Y - solid.Pose.Y) >
+                                 robot.BoundingRadius + solid.BoundingRadius + reach) {
+      continue;
+    }
+    for (const SFootprint& pushing : FootprintsOf(robot)) {
+      for (const SFootprint& pushed : FootprintsOf(solid)) {
+        SSeparation contacts[2];
+        const int count = FindContacts(pushing, pushed, contacts);
+        for (int i = 0; i < count; ++i) {
+          const Real wanted = contacts[i].NormalX * robot.Twist.X +
+                              contacts[i].NormalY * robot.Twist.Y +
+                              ComputeLever(robot, contacts[i]) * robot.Twist.Turn;
+          addPush(contacts[i], wanted, robot.MaxForce / count);
+        }
+      }
+    }
+  }
+}
+
+// Gives a body a number in the solver, if it has none.
+UInt32 CSolids::Activate(UInt32 slot) {
+  SSolid& solid = m_solids[slot];
+  if (solid.Number == CPushSolver::kNobody) {
+    solid.Number = m_solver.AddBody(STwist(), solid.Friction.Force, solid.Friction.Torque,
+                                    solid.SquaredGyration);
+    m_active.push_back(slot);
+  }
+  return solid.Number;
+}
+
+// Adds what may be in the way of a body that is pushed.
+void CSolids::AddNeighbours(UInt32 slot, const CDiscSwarm& discs,
+                            std::span<const SFootprint> walls) {
+  SSolid& solid = m_solids[slot];
+  const Real margin = 2.0 * m_farthest + kSolidTolerance * solid.NarrowestHalf;
+  for (const SFootprint& wall : walls) {
+    if (IsNear(solid, wall, margin)) {
+      AddObstacle(solid, wall);
+    }
+  }
+  m_nearDiscs.clear();
+  discs.ForDiscsNear(solid.Pose.X, solid.Pose.Y, solid.BoundingRadius + margin,
+                     [this](UInt32 disc) { m_nearDiscs.push_back(disc); });
+  std::sort(m_nearDiscs.begin(), m_nearDiscs.end());
+  for (const UInt32 disc : m_nearDiscs) {
+    AddObstacle(solid, MakeDisc(discs.GetPose(disc), discs.GetRadius(disc)));
+  }
+  for (UInt32 i = 0; i < m_solids.size(); ++i) {
+    SSolid& other = m_solids[i];
+    if (i == slot || std::hypot(other.Pose.X - solid.Pose.X, other.Pose.Y - solid.Pose.Y) >
+                         other.BoundingRadius + solid.BoundingRadius + margin) {
+      continue;
+    }
+    if (!other.IsPassive()) {
+      for (const SFootprint& footprint : FootprintsOf(other)) {
+        AddObstacle(solid, footprint);
+      }
+    } else if (other.Number == CPushSolver::kNobody || other.Number > solid.Number) {
+      Activate(i);
+      AddSolidNeighbour(solid, other);
+    }
+  }
+}
+
+// Adds what keeps two bodies apart that may both be pushed.
+void CSolids::AddSolidNeighbour(SSolid& solid, SSolid& other) {
+  for (const SFootprint& a : FootprintsOf(solid)) {
+    for (const SFootprint& b : FootprintsOf(other)) {
+      SSeparation contacts[2];
+      const int count = FindContacts(a, b, contacts);
+      for (int i = 0; i < count; ++i) {
+        const Real most = kSolidStep * std::min(solid.NarrowestHalf, other.NarrowestHalf);
+        m_solver.AddContact(solid.Number, other.Number, contacts[i].NormalX, contacts[i].NormalY,
+                            ComputeLever(solid, contacts[i]), ComputeLever(other, contacts[i]),
+                            std::min(-contacts[i].Gap, most), CPushSolver::kUnlimited);
+      }
+    }
+  }
+}
+
+// Adds what keeps a body out of something that stands fast.
+void CSolids::AddObstacle(const SSolid& solid, const SFootprint& footprint) {
+  for (const SFootprint& mine : FootprintsOf(solid)) {
+    SSeparation contacts[2];
+    const int count = FindContacts(footprint, mine, contacts);
+    for (int i = 0; i < count; ++i) {
+      AddContact(solid, contacts[i], std::min(-contacts[i].Gap, kSolidStep * solid.NarrowestHalf),
+                 CPushSolver::kUnlimited);
+    }
+  }
+}
+
+void CSolids::AddContact(const SSolid& solid, const SSeparation& contact, Real need, Real cap) {
+  m_solver.AddContact(CPushSolver::kNobody, solid.Number, contact.NormalX, contact.NormalY, 0.0,
+                      ComputeLever(solid, contact), need, cap);
+}
+
+// A robot that is no disc goes where its wheels lead, slides along what is in its way, or stops.
+void CSolids::StepDriven(SSolid& solid, const CDiscSwarm& discs,
+                         std::span<const SFootprint> walls) {
+  const Real length = ComputeLength(solid, solid.Twist);
+  if (length == 0.0 && !solid.IsFresh) {
+    return;
+  }
+  GatherObstacles(solid, 2.0 * length, discs, walls);
+  m_solver.Clear();
+  solid.Number = m_solver.AddBody(solid.Twist, 0.0, 0.0, solid.SquaredGyration);
+  for (const SObstacle& obstacle : m_obstacles) {
+    AddObstacle(solid, obstacle.Footprint);
+  }
+  m_solver.Solve();
+  STwist twist = m_solver.GetTwist(solid.Number);
+  solid.Number = CPushSolver::kNobody;
+  const bool isFree =
+      twist.X == solid.Twist.X && twist.Y == solid.Twist.Y && twist.Turn == solid.Twist.Turn;
+  // what is left of a step that had no room is tried without turning
+  if (Move(solid, twist, discs, walls) < 1.0) {
+    twist.Turn = 0.0;
+    Move(solid, twist, discs, walls);
+  } else if (isFree) {
+    Place(solid, solid.Arc);
+  }
+}
+
+// Collects what is near a body, but for itself.
+void CSolids::GatherObstacles(const SSolid& solid, Real margin, const CDiscSwarm& discs,
+                              std::span<const SFootprint> walls) {
+  m_obstacles.clear();
+  const auto add = [&](const SFootprint& footprint) {
+    if (!IsNear(solid, footprint, margin)) {
+      return;
+    }
+    Real gap = HUGE_VAL;
+    for (const SFootprint& mine : FootprintsOf(solid)) {
+      gap = std::min(gap, ComputeGap(mine, footprint));
+    }
+    m_obstacles.push_back({footprint, gap});
+  };
+  std::for_each(walls.begin(), walls.end(), add);
+  discs.ForDiscsNear(solid.Pose.X, solid.Pose.Y, solid.BoundingRadius + margin, [&](UInt32 disc) {
+    add(MakeDisc(discs.GetPose(disc), discs.GetRadius(disc)));
+  });
+  const size_t first = solid.FirstFootprint;
+  for (size_t i = 0; i < m_footprints.size(); ++i) {
+    if (i < first || i >= first + solid.NumFootprints) {
+      add(m_footprints[i]);
+    }
+  }
+}
+
+// Moves a body along a twist as far as there is room. Returns the share that it got.
+Real CSolids::Move(SSolid& solid, const STwist& twist, const CDiscSwarm& discs,
+                   std::span<const SFootprint> walls) {
+  const Real length = ComputeLength(solid, twist);
+  if (!(length > kNegligibleStep * solid.NarrowestHalf)) {
+    return 1.0;
+  }
+  GatherObstacles(solid, length, discs, walls);
+  const auto steps = static_cast<UInt32>(std::ceil(length / (kSolidStep * solid.NarrowestHalf)));
+  const Real stepShare = 1.0 / steps;
+  const SPlanarPose start = solid.Pose;
+  Real share = 0.0;
+  bool isFree = true;
+  for (UInt32 step = 0; step < steps && isFree; ++step) {
+    const Real wanted = step + 1 == steps ? 1.0 : (step + 1) * stepShare;
+    isFree = IsFree(solid, Moved(start, twist, wanted));
+    if (isFree) {
+      share = wanted;
+    }
+  }
+  Real part = 0.5 * stepShare;
+  for (int halving = 0; halving < kHalvings && !isFree; ++halving, part *= 0.5) {
+    if (IsFree(solid, Moved(start, twist, share + part))) {
+      share += part;
+    }
+  }
+  if (share > 0.0) {
+    Place(solid, Moved(start, twist, share));
+    solid.HasMoved = true;
+  }
+  return share;
+}
+
+// Would a body be out of everything that was gathered, or at least not deeper in it than before?
+bool CSolids::IsFree(const SSolid& solid, const SPlanarPose& pose) const {
+  const Real tolerance = kSolidTolerance * solid.NarrowestHalf;
+  for (size_t i = 0; i < solid.NumFootprints; ++i) {
+    const SFootprint mine = Transform(m_shapes[solid.FirstFootprint + i], pose);
+    for (const SObstacle& obstacle : m_obstacles) {
+      const Real gap = ComputeGap(mine, obstacle.Footprint);
+      if (gap < -tolerance && gap < obstacle.Gap) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace argos

@@ -1,0 +1,112 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_SOLIDS_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_SOLIDS_H
+
+#include <argos3/core/simulator/physics_engine/planar_motion.h>
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_handle.h>
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/push_solver.h>
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/separation.h>
+#include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
+#include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
+
+#include <span>
+#include <vector>
+
+namespace argos {
+
+class CDiscSwarm;
+struct SBodyDescription;
+
+/** A movable body of any shape: a thing to be pushed, or a robot that is not a disc. */
+struct SSolid {
+  SKinematicOwner Owner;
+  SPlanarPose Pose;
+  size_t FirstFootprint = 0, NumFootprints = 0;  // in the lists of all
+  Real BoundingRadius = 0.0;  // around the origin, m
+  Real NarrowestHalf = 0.0;  // half of its narrowest side, m
+  Real SquaredGyration = 0.0;  // moment of inertia over mass, m^2
+  SGroundFriction Friction = {0.0, 0.0};
+  // of a robot
+  const Real* Wheels = nullptr;  // m/s, (left, right); not owned; null: it has no drive
+  Real InverseInterwheel = 0.0;  // 1/m
+  Real MaxForce = 0.0;  // N
+  // of a tick
+  STwist Twist;
+  SPlanarPose Arc;  // where a robot's wheels lead
+  UInt32 Number = CPushSolver::kNobody;  // of those that are being pushed
+  bool IsFresh = true;  // has just been put here, so it may be in something
+  bool HasMoved = false;  // since it was last asked
+
+  bool IsPassive() const { return Wheels == nullptr; }
+};
+
+/**
+ * The movable bodies that are no discs, and movable discs without a drive.
+ *
+ * Each tick finds out which things robots push, and how these move (CPushSolver). Then each takes
+ * its step as far as there is room, one after the other, before the discs take theirs: so nothing
+ * ever goes into anything else, whatever the solver says.
+ */
+class CSolids {
+ public:
+  void Reserve(size_t solids);
+  size_t GetSize() const { return m_solids.size(); }
+  /** @param wheels  speeds of a robot's wheels, m/s, which must stay valid; or null. */
+  void Add(const SKinematicOwner& owner, const SBodyDescription& description,
+           const SPlanarPose& pose, const Real* wheels, const SGroundFriction& friction);
+  /** Takes one out; the last one gets its slot. */
+  void Remove(UInt32 slot);
+  void SetPose(UInt32 slot, const SPlanarPose& pose);
+
+  /** Where wheels lead in a time, s. @throws SBadKinematicWheels */
+  void Plan(Real duration);
+  /** Then: moves all. @param discs  after its Plan(), before its Step(). */
+  void Step(const CDiscSwarm& discs, std::span<const SFootprint> walls);
+  /** Of all, world frame. */
+  std::span<const SFootprint> GetFootprints() const { return m_footprints; }
+  /** Changes whenever a footprint does. */
+  UInt32 GetGeneration() const { return m_generation; }
+
+  SSolid& Get(UInt32 slot) { return m_solids[slot]; }
+  const SSolid& Get(UInt32 slot) const { return m_solids[slot]; }
+
+ private:
+  /** Something near a body that does not move while the body does. */
+  struct SObstacle {
+    SFootprint Footprint;
+    Real Gap;  // m, before the body's step
+  };
+
+  void FindPushed(const CDiscSwarm& discs);
+  void AddPushes(UInt32 slot, const CDiscSwarm& discs);
+  UInt32 Activate(UInt32 slot);
+  void AddNeighbours(UInt32 slot, const CDiscSwarm& discs, std::span<const SFootprint> walls);
+  void AddSolidNeighbour(SSolid& solid, SSolid& other);
+  void AddObstacle(const SSolid& solid, const SFootprint& footprint);
+  void AddContact(const SSolid& solid, const SSeparation& contact, Real need, Real cap);
+  void StepDriven(SSolid& solid, const CDiscSwarm& discs, std::span<const SFootprint> walls);
+  void GatherObstacles(const SSolid& solid, Real margin, const CDiscSwarm& discs,
+                       std::span<const SFootprint> walls);
+  Real Move(SSolid& solid, const STwist& twist, const CDiscSwarm& discs,
+            std::span<const SFootprint> walls);
+  bool IsFree(const SSolid& solid, const SPlanarPose& pose) const;
+  std::span<const SFootprint> FootprintsOf(const SSolid& solid) const {
+    return {m_footprints.data() + solid.FirstFootprint, solid.NumFootprints};
+  }
+  void Place(SSolid& solid, const SPlanarPose& pose);
+
+  std::vector<SSolid> m_solids;
+  std::vector<SFootprint> m_shapes;  // footprints of all, in the frames of their bodies
+  std::vector<SFootprint> m_footprints;  // the same, world frame
+  size_t m_numDriven = 0;
+  UInt32 m_generation = 0;
+  // of a tick
+  CPushSolver m_solver;
+  Real m_farthest = 0.0;  // m: how far anything is pushed
+  std::vector<UInt32> m_active;  // slots of those that are being pushed
+  std::vector<UInt32> m_nearDiscs;  // slots
+  std::vector<SObstacle> m_obstacles;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,76 @@
+#include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace argos {
+
+using EKind = SShapeDescription::EKind;
+
+bool IsUpright(const SShapeDescription& shape) {
+  return shape.Kind == EKind::Sphere ||
+         (shape.Orientation.GetX() == 0.0 && shape.Orientation.GetY() == 0.0);
+}
+
+bool IsDisc(const SShapeDescription& shape) {
+  return shape.Kind == EKind::Sphere || (shape.Kind == EKind::Cylinder && IsUpright(shape));
+}
+
+Real ComputeYaw(const SShapeDescription& shape) {
+  return 2.0 * std::atan2(shape.Orientation.GetZ(), shape.Orientation.GetW());
+}
+
+void AppendFootprints(const SBodyDescription& description, const SPlanarPose& pose,
+                      std::vector<SFootprint>& footprints) {
+  const Real bodyYaw = pose.ComputeYaw();
+  const Real cosine = std::cos(bodyYaw);
+  const Real sine = std::sin(bodyYaw);
+  for (const SShapeDescription& shape : description.Shapes) {
+    const Real x = shape.Offset.GetX();
+    const Real y = shape.Offset.GetY();
+    SFootprint footprint = {
+        pose.X + cosine * x - sine * y, pose.Y + sine * x + cosine * y, 1.0, 0.0, 0.0, 0.0, 0.0};
+    if (IsDisc(shape)) {
+      footprint.Radius = shape.Radius;
+    } else if (IsUpright(shape)) {
+      const Real yaw = bodyYaw + ComputeYaw(shape);
+      footprint.Cos = std::cos(yaw);
+      footprint.Sin = std::sin(yaw);
+      footprint.HalfX = 0.5 * shape.Size.GetX();
+      footprint.HalfY = 0.5 * shape.Size.GetY();
+    } else {
+      footprint.Radius = shape.Size.Length();
+    }
+    footprints.push_back(footprint);
+  }
+}
+
+std::vector<SFootprint> DescribeFootprints(const SBodyDescription& description,
+                                           const SPlanarPose& pose) {
+  std::vector<SFootprint> footprints;
+  AppendFootprints(description, pose, footprints);
+  return footprints;
+}
+
+bool IsCentredDisc(const SBodyDescription& description) {
+  return description.Shapes.size() == 1 && IsDisc(description.Shapes.front()) &&
+         description.Shapes.front().Offset.GetX() == 0.0 &&
+         description.Shapes.front().Offset.GetY() == 0.0;
+}
+
+Real ComputeNarrowestHalf(const SBodyDescription& description) {
+  Real narrowest = HUGE_VAL;
+  for (const SShapeDescription& shape : description.Shapes) {
+    if (IsDisc(shape)) {
+      narrowest = std::min(narrowest, shape.Radius);
+    } else {
+      narrowest = std::min({narrowest, 0.5 * shape.Size.GetX(), 0.5 * shape.Size.GetY()});
+      if (!IsUpright(shape)) {
+        narrowest = std::min(narrowest, 0.5 * shape.Size.GetZ());
+      }
+    }
+  }
+  return narrowest;
+}
+
+}  // namespace argos

@@ -1,0 +1,43 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_FOOTPRINTS_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_FOOTPRINTS_H
+
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/physics_engine/planar_motion.h>
+
+#include <vector>
+
+namespace argos {
+
+/** What a solid covers of the ground: a disc or an oriented rectangle; m, world frame. */
+struct SFootprint {
+  Real X, Y;
+  Real Cos, Sin;  // of the yaw of a rectangle
+  Real HalfX, HalfY;  // of a rectangle; both 0 for a disc
+  Real Radius;  // of a disc; 0 for a rectangle
+};
+
+/** The solids of a body at that pose, seen from above; tilted ones are bounded by discs. */
+std::vector<SFootprint> DescribeFootprints(const SBodyDescription& description,
+                                           const SPlanarPose& pose);
+/** The same, appended to @p footprints. */
+void AppendFootprints(const SBodyDescription& description, const SPlanarPose& pose,
+                      std::vector<SFootprint>& footprints);
+
+/** Does the solid stand upright in its body? */
+bool IsUpright(const SShapeDescription& shape);
+
+/** Is it round, seen from above? */
+bool IsDisc(const SShapeDescription& shape);
+
+/** The yaw of an upright solid in its body, rad. */
+Real ComputeYaw(const SShapeDescription& shape);
+
+/** Is the body one disc around the origin? */
+bool IsCentredDisc(const SBodyDescription& description);
+
+/** Half of the narrowest side of any solid seen from above, m. */
+Real ComputeNarrowestHalf(const SBodyDescription& description);
+
+}  // namespace argos
+
+#endif

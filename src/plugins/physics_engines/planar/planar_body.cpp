@@ -1,0 +1,186 @@
+#include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/physics_engine/described_body_model.h>
+#include <argos3/core/simulator/physics_engine/planar_motion.h>
+#include <argos3/plugins/simulator/entities/wheeled_entity.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace argos {
+
+namespace {
+
+// m; positions in files are rounded, robots stand on the plane
+constexpr Real kElevationTolerance = 1e-4;
+// m; beyond this single precision, which solvers use, is coarser than a robot
+constexpr Real kMaxExtent = 1e5;
+// substeps of a tick; more would never end
+constexpr UInt32 kMaxIterations = 10000;
+
+void RequirePositive(const CEmbodiedEntity& body, const char* what, Real value) {
+  if (!(value > 0.0) || std::isinf(value)) {
+    THROW_ARGOSEXCEPTION("the " << what << " of \"" << body.GetRootEntity().GetId()
+                                << "\" must be a number > 0, found " << value);
+  }
+}
+
+// half the size of the box, with sides along the world's axes, around a solid that is turned, m
+CVector2 ComputeHalfExtents(const SShapeDescription& shape, const SPlanarPose& pose) {
+  const CQuaternion& turn = shape.Orientation;
+  if (turn.GetX() != 0.0 || turn.GetY() != 0.0) {
+    // it does not stand upright: no point of it is farther from its base's centre
+    const Real reach = shape.Size.Length();
+    return CVector2(reach, reach);
+  }
+  if (shape.Kind != SShapeDescription::EKind::Box) {
+    return CVector2(shape.Radius, shape.Radius);
+  }
+  const Real yaw = pose.ComputeYaw() + 2.0 * std::atan2(turn.GetZ(), turn.GetW());
+  const Real cosine = std::abs(std::cos(yaw));
+  const Real sine = std::abs(std::sin(yaw));
+  return CVector2(0.5 * (cosine * shape.Size.GetX() + sine * shape.Size.GetY()),
+                  0.5 * (sine * shape.Size.GetX() + cosine * shape.Size.GetY()));
+}
+
+}  // namespace
+
+void ReadNotNegative(TConfigurationNode& node, const std::string& attribute, Real& value) {
+  GetNodeAttributeOrDefault(node, attribute, value, value);
+  if (!(value >= 0.0) || std::isinf(value)) {
+    THROW_ARGOSEXCEPTION(node.GetLocation() << ": <" << node.Value() << ">: \"" << attribute
+                                            << "\" must be a number >= 0, found " << value);
+  }
+}
+
+Real ReadElevation(TConfigurationNode& engine) {
+  Real elevation = 0.0;
+  GetNodeAttributeOrDefault(engine, "elevation", elevation, elevation);
+  if (!std::isfinite(elevation)) {
+    THROW_ARGOSEXCEPTION(engine.GetLocation()
+                         << ": <" << engine.Value()
+                         << ">: \"elevation\" must be a finite number of metres, found "
+                         << elevation);
+  }
+  return elevation;
+}
+
+void ReadGroundFriction(TConfigurationNode& engine, SGroundFriction& box,
+                        SGroundFriction& cylinder) {
+  if (!NodeExists(engine, "friction")) {
+    return;
+  }
+  TConfigurationNode& node = GetNode(engine, "friction");
+  ReadNotNegative(node, "box_linear_friction", box.Force);
+  ReadNotNegative(node, "box_angular_friction", box.Torque);
+  ReadNotNegative(node, "cylinder_linear_friction", cylinder.Force);
+  ReadNotNegative(node, "cylinder_angular_friction", cylinder.Torque);
+}
+
+void CheckIterations(TConfigurationNode& node, const CPhysicsEngine& engine) {
+  if (engine.GetIterations() > kMaxIterations) {
+    THROW_ARGOSEXCEPTION(node.GetLocation()
+                         << ": <" << node.Value() << " id=\"" << engine.GetId()
+                         << "\">: \"iterations\" must be at most " << kMaxIterations << ", found "
+                         << engine.GetIterations());
+  }
+}
+
+CEmbodiedEntity* FindPlanarBody(CEntity& root) {
+  CEmbodiedEntity* const body = FindDescribedBody(root);
+  return body != nullptr && !body->GetBodyDescription()->Propellers ? body : nullptr;
+}
+
+void CheckPlanarBody(const CEmbodiedEntity& body) {
+  const SBodyDescription& description = *body.GetBodyDescription();
+  const CVector3& position = body.GetOriginAnchor().Position;
+  const Real reach = std::max(std::abs(position.GetX()), std::abs(position.GetY())) +
+                     description.ComputeBoundingRadius();
+  if (!(reach <= kMaxExtent)) {
+    THROW_ARGOSEXCEPTION(
+        "\"" << body.GetRootEntity().GetId() << "\" is too large or too far away: it reaches "
+             << reach << " m from the origin, but physics in the plane is accurate only up to "
+             << kMaxExtent << " m");
+  }
+  if (!body.IsMovable()) {
+    return;
+  }
+  RequirePositive(body, "mass (kg)", description.Mass);
+  if (description.PlanarInertia) {
+    RequirePositive(body, "moment of inertia (kg m^2)", *description.PlanarInertia);
+  }
+  if (description.Drive) {
+    RequirePositive(body, "distance between the wheels (m)", description.Drive->InterwheelDistance);
+    RequirePositive(body, "greatest force of the drive (N)", description.Drive->MaxForce);
+    RequirePositive(body, "greatest torque of the drive (N m)", description.Drive->MaxTorque);
+  }
+}
+
+const Real* FindWheels(CEmbodiedEntity& body) {
+  if (!body.IsMovable() || !body.GetBodyDescription()->Drive) {
+    return nullptr;
+  }
+  auto& root = static_cast<CComposableEntity&>(body.GetRootEntity());
+  const auto& wheels = root.GetComponent<CWheeledEntity>("wheels");
+  if (wheels.GetNumWheels() < 2) {
+    THROW_ARGOSEXCEPTION("robot \"" << root.GetId() << "\" has a differential drive, but "
+                                    << wheels.GetNumWheels() << " wheel instead of 2");
+  }
+  return wheels.GetWheelVelocities();
+}
+
+bool IsOnPlane(const CEmbodiedEntity& body, Real elevation) {
+  return std::abs(body.GetOriginAnchor().Position.GetZ() - elevation) <= kElevationTolerance;
+}
+
+std::string ExplainPlanarRefusal(CEntity& entity, Real elevation) {
+  CEmbodiedEntity* const body = FindDescribedBody(entity);
+  if (body == nullptr) {
+    return "houses only bodies that are described (SBodyDescription), and <" +
+           entity.GetTypeDescription() + "> describes none";
+  }
+  if (body->GetBodyDescription()->Propellers) {
+    return "is a plane, and a <" + entity.GetTypeDescription() +
+           "> flies: add an engine for that, such as <pointmass3d>";
+  }
+  std::ostringstream reason;
+  const Real z = body->GetOriginAnchor().Position.GetZ();
+  reason << "has its plane at z = " << elevation << " m, but the base of the body is at z = " << z
+         << " m: put the body there, or set elevation=\"" << z << "\" of an engine";
+  return reason.str();
+}
+
+SBoundingBox ComputePlanarBounds(const CEmbodiedEntity& body) {
+  const SAnchor& origin = body.GetOriginAnchor();
+  const SPlanarPose pose = MakePlanarPose(origin.Position, origin.Orientation);
+  const Real cosine = pose.HalfCos * pose.HalfCos - pose.HalfSin * pose.HalfSin;
+  const Real sine = 2.0 * pose.HalfSin * pose.HalfCos;
+  SBoundingBox bounds;
+  bool first = true;
+  for (const SShapeDescription& shape : body.GetBodyDescription()->Shapes) {
+    const CVector2 half = ComputeHalfExtents(shape, pose);
+    const CVector3 base(
+        origin.Position.GetX() + cosine * shape.Offset.GetX() - sine * shape.Offset.GetY(),
+        origin.Position.GetY() + sine * shape.Offset.GetX() + cosine * shape.Offset.GetY(),
+        origin.Position.GetZ() + shape.Offset.GetZ());
+    const CVector3 low = base - CVector3(half.GetX(), half.GetY(), 0.0);
+    const CVector3 high = base + CVector3(half.GetX(), half.GetY(), shape.Size.GetZ());
+    if (first) {
+      bounds.MinCorner = low;
+      bounds.MaxCorner = high;
+      first = false;
+      continue;
+    }
+    for (UInt32 axis = 0; axis < 3; ++axis) {
+      bounds.MinCorner[axis] = std::min(bounds.MinCorner[axis], low[axis]);
+      bounds.MaxCorner[axis] = std::max(bounds.MaxCorner[axis], high[axis]);
+    }
+  }
+  return bounds;
+}
+
+}  // namespace argos
