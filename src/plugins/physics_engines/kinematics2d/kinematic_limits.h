@@ -38,7 +38,7 @@ constexpr int kPushIterations = 200;
  * What is pushed resists with this share of its friction, besides friction itself, when it is moved
  * as fast as its pusher wants: it makes the solver converge.
  */
-constexpr Real kPushSlack = 0.05;
+constexpr Real kPushSlack = 1e-3;
 
 }  // namespace argos
 

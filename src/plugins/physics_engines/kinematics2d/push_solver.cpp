@@ -53,21 +53,58 @@ void CPushSolver::Prepare() {
   }
 }
 
+// Assumes that what is pushed slides against the push, with all its friction. If so, forces are
+// right from the start; if not, they relax within few sweeps.
+void CPushSolver::GuessFriction() {
+  for (const SContact& contact : m_contacts) {
+    SBody& body = m_bodies[contact.Pushed];
+    Real weight = std::max(0.0, contact.Need);
+    if (contact.Pushing != kNobody) {
+      const SBody& pushing = m_bodies[contact.Pushing];
+      weight = std::max(0.0, -contact.NormalX * pushing.UsedX - contact.NormalY * pushing.UsedY);
+    }
+    body.UsedX -= weight * contact.NormalX;
+    body.UsedY -= weight * contact.NormalY;
+    body.UsedTorque -= weight * contact.LeverPushed;
+  }
+  for (SBody& body : m_bodies) {
+    const Real length = std::hypot(body.UsedX, body.UsedY);
+    if (length > 0.0) {
+      const Real scale = body.Force / length;
+      body.UsedX *= scale;
+      body.UsedY *= scale;
+      body.UsedTorque = std::clamp(body.UsedTorque * scale, -body.Torque, body.Torque);
+      Push(body, body.UsedX, body.UsedY, body.UsedTorque);
+    } else {
+      body.UsedTorque = 0.0;
+    }
+  }
+  for (int sweep = 0; sweep < kPushIterations && SolveContacts() > kSettled * m_greatestNeed;
+       ++sweep) {
+  }
+}
+
+// Returns the greatest change, m.
+Real CPushSolver::SolveContacts() {
+  Real change = 0.0;
+  for (SContact& contact : m_contacts) {
+    change = std::max(change, SolveContact(contact));
+  }
+  return change;
+}
+
 void CPushSolver::Solve() {
   if (!(m_greatestNeed > 0.0)) {
     return;
   }
   Prepare();
+  GuessFriction();
   for (int sweep = 0; sweep < kPushIterations; ++sweep) {
     for (SBody& body : m_bodies) {
       SolveFriction(body);
     }
     // contacts last, so that bodies are out of each other in the end
-    Real change = 0.0;
-    for (SContact& contact : m_contacts) {
-      change = std::max(change, SolveContact(contact));
-    }
-    if (change < kSettled * m_greatestNeed) {
+    if (SolveContacts() < kSettled * m_greatestNeed) {
       break;
     }
   }

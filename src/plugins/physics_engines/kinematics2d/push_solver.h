@@ -73,6 +73,8 @@ class CPushSolver {
   };
 
   void Prepare();
+  void GuessFriction();
+  Real SolveContacts();
   Real SolveContact(SContact& contact);
   void SolveFriction(SBody& body);
   static void Push(SBody& body, Real x, Real y, Real torque);

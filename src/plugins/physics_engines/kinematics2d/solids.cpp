@@ -66,6 +66,7 @@ void CSolids::Reserve(size_t solids) {
   m_footprints.reserve(2 * solids);
   m_active.reserve(solids);
   m_nearDiscs.reserve(256);
+  m_pushes.reserve(256);
   m_obstacles.reserve(256);
 }
 
@@ -155,6 +156,7 @@ void CSolids::Step(const CDiscSwarm& discs, std::span<const SFootprint> walls) {
   }
   m_solver.Clear();
   m_active.clear();
+  m_pushes.clear();
   m_farthest = 0.0;
   FindPushed(discs);
   // the list grows while those in the way of the ones that are pushed are found
@@ -201,11 +203,13 @@ void CSolids::AddPushes(UInt32 slot, const CDiscSwarm& discs) {
   std::sort(m_nearDiscs.begin(), m_nearDiscs.end());
   const auto addPush = [&](const SSeparation& contact, Real wanted, Real force) {
     const Real need = wanted - contact.Gap;
-    if (need > 0.0 && wanted > 0.0) {
-      Activate(slot);
-      m_farthest = std::max(m_farthest, need);
-      AddContact(solid, contact, need, force);
+    if (!(need > 0.0 && wanted > 0.0)) {
+      return false;
     }
+    Activate(slot);
+    m_farthest = std::max(m_farthest, need);
+    AddContact(solid, contact, need, force);
+    return true;
   };
   for (const UInt32 disc : m_nearDiscs) {
     const SPlanarPose pose = discs.GetPose(disc);
@@ -213,8 +217,10 @@ void CSolids::AddPushes(UInt32 slot, const CDiscSwarm& discs) {
     for (const SFootprint& footprint : FootprintsOf(solid)) {
       const SSeparation contact =
           SeparateFromFootprint(pose.X, pose.Y, discs.GetRadius(disc), step, footprint);
-      addPush(contact, contact.NormalX * step.X + contact.NormalY * step.Y,
-              discs.GetMaxForce(disc));
+      if (addPush(contact, contact.NormalX * step.X + contact.NormalY * step.Y,
+                  discs.GetMaxForce(disc))) {
+        m_pushes.push_back({slot, disc});
+      }
     }
   }
   for (const SSolid& robot : m_solids) {
@@ -267,7 +273,12 @@ void CSolids::AddNeighbours(UInt32 slot, const CDiscSwarm& discs,
                      [this](UInt32 disc) { m_nearDiscs.push_back(disc); });
   std::sort(m_nearDiscs.begin(), m_nearDiscs.end());
   for (const UInt32 disc : m_nearDiscs) {
-    AddObstacle(solid, MakeDisc(discs.GetPose(disc), discs.GetRadius(disc)));
+    // one that pushes it asks for more than not to be run into
+    const bool pushes =
+        std::find(m_pushes.begin(), m_pushes.end(), SPush{slot, disc}) != m_pushes.end();
+    if (!pushes) {
+      AddObstacle(solid, MakeDisc(discs.GetPose(disc), discs.GetRadius(disc)));
+    }
   }
   for (UInt32 i = 0; i < m_solids.size(); ++i) {
     SSolid& other = m_solids[i];

@@ -76,6 +76,12 @@ class CSolids {
     Real Gap;  // m, before the body's step
   };
 
+  /** That a disc pushes a body directly. */
+  struct SPush {
+    UInt32 Slot, Disc;
+    bool operator==(const SPush&) const = default;
+  };
+
   void FindPushed(const CDiscSwarm& discs);
   void AddPushes(UInt32 slot, const CDiscSwarm& discs);
   UInt32 Activate(UInt32 slot);
@@ -103,6 +109,7 @@ class CSolids {
   CPushSolver m_solver;
   Real m_farthest = 0.0;  // m: how far anything is pushed
   std::vector<UInt32> m_active;  // slots of those that are being pushed
+  std::vector<SPush> m_pushes;
   std::vector<UInt32> m_nearDiscs;  // slots
   std::vector<SObstacle> m_obstacles;
 };

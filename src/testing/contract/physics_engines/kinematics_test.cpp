@@ -1,0 +1,430 @@
+// What kinematics2d promises beyond what all engines do: nothing overlaps, things are pushed.
+
+#include <argos3/testing/contract/physics_engines/drive_world.h>
+#include <argos3/testing/contract/physics_engines/engines.h>
+#include <argos3/testing/support/closed_form/differential_drive.h>
+#include <argos3/testing/support/overlap.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/utility/math/random_stream.h>
+#include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <iomanip>
+#include <numbers>
+#include <sstream>
+#include <tuple>
+
+namespace argos {
+
+using Catch::Matchers::Contains;
+using Catch::Matchers::WithinAbs;
+using testing::IntegrateDifferentialDrive;
+using testing::MeasureOverlaps;
+using testing::SOverlaps;
+using testing::SPose;
+
+namespace {
+
+constexpr Real kEPuckRadius = 0.035;  // m
+constexpr Real kFootBotRadius = 0.085036758;  // m
+// m; a few roundings of coordinates below 10 m, in each of some hundred ticks
+constexpr Real kRoundings = 1e-12;
+
+const std::string kEngine = kKinematics2D.ToXml();
+
+std::string WallXml(const std::string& id, const std::string& size, Real x, Real y,
+                    Real yaw = 0.0) {
+  std::ostringstream xml;
+  xml << "<box id='" << id << "' size='" << size << "' movable='false'><body position='" << x << ","
+      << y << ",0' orientation='" << yaw << ",0,0'/></box>";
+  return xml.str();
+}
+
+std::string BoxXml(const std::string& id, Real x, Real y, Real yaw = 0.0,
+                   const std::string& size = "0.2,0.2,0.1") {
+  std::ostringstream xml;
+  xml << std::setprecision(17) << "<box id='" << id << "' size='" << size
+      << "' movable='true' mass='1'><body position='" << x << "," << y << ",0' orientation='" << yaw
+      << ",0,0'/></box>";
+  return xml.str();
+}
+
+std::string WithFriction(const std::string& friction) {
+  return kKinematics2D.ToXml("e", "", "<friction " + friction + "/>");
+}
+
+std::string Id(int number) {
+  return "r" + std::to_string(number);
+}
+
+// makes a robot a body of another shape: what its type says of its drive stays
+void Reshape(CDriveWorld& world, const std::string& id, const SShapeDescription& shape) {
+  CEmbodiedEntity& body = world.Body(id);
+  auto description = std::make_shared<SBodyDescription>(*body.GetBodyDescription());
+  description->Shapes = {shape};
+  description->PlanarInertia.reset();
+  world.GetSpace().RemoveEntityFromPhysicsEngines(body);
+  body.SetBodyDescription(std::move(description));
+  world.GetSpace().AddEntityToPhysicsEngine(body);
+}
+
+}  // namespace
+
+TEST_CASE("kinematics: a crowd that covers 60 % of its pen does not overlap",
+          "[contract][engine][kinematics]") {
+  // 18 x 18 robots on squares of a side with pi r^2 / side^2 = 0.6, each up to 4 % of it off
+  constexpr int kSide = 18;
+  const Real spacing = kEPuckRadius * std::sqrt(std::numbers::pi / 0.6);
+  const Real half = 0.5 * kSide * spacing;
+  std::ostringstream size;
+  size << 2.0 * half + 0.2;
+  std::string arena = WallXml("n", size.str() + ",0.1,0.2", 0, half + 0.05) +
+                      WallXml("s", size.str() + ",0.1,0.2", 0, -half - 0.05) +
+                      WallXml("e", "0.1," + size.str() + ",0.2", half + 0.05, 0) +
+                      WallXml("w", "0.1," + size.str() + ",0.2", -half - 0.05, 0);
+  CRandomStream random(1, "test", "crowd", "places");
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const Real x = (i % kSide + 0.5) * spacing - half + 0.04 * spacing * random.Uniform(-1, 1);
+    const Real y = (i / kSide + 0.5) * spacing - half + 0.04 * spacing * random.Uniform(-1, 1);
+    arena += DriverXml("e-puck", Id(i), x, y, random.Uniform(-180, 180), random.Uniform(-5, 13),
+                       random.Uniform(-5, 13));
+  }
+  CDriveWorld world(kEngine, arena);
+  SOverlaps overlaps;
+  Real farthest = 0.0;
+  for (int tick = 0; tick < 300; ++tick) {
+    std::vector<CVector3> before;
+    for (int i = 0; i < kSide * kSide; ++i) {
+      before.push_back(world.Position(Id(i)));
+    }
+    world.Step();
+    for (int i = 0; i < kSide * kSide; ++i) {
+      farthest = std::max(farthest, Distance(before[i], world.Position(Id(i))));
+    }
+    MeasureOverlaps(world.GetSpace(), overlaps);
+  }
+  // the promise is 2 % of the radius; what is left is roundings
+  CHECK(SOverlaps::Quantile(overlaps.WithRobots, 1.0) <= kRoundings / kEPuckRadius);
+  CHECK(SOverlaps::Quantile(overlaps.WithWalls, 1.0) <= kRoundings / kEPuckRadius);
+  // nobody is thrown about: 13 cm/s for 0.1 s
+  CHECK(farthest <= 0.013 + kRoundings);
+}
+
+TEST_CASE("kinematics: 40 robots deep at a wall, nobody overlaps at any time",
+          "[contract][engine][kinematics]") {
+  const Real jitter = GENERATE(0.0, 0.002);
+  CAPTURE(jitter);
+  std::string arena = WallXml("front", "0.1,2,0.5", 1.05, 0) + WallXml("l", "8,0.1,0.5", -2, 0.39) +
+                      WallXml("r", "8,0.1,0.5", -2, -0.39);
+  CRandomStream random(1, "test", "columns", "places");
+  for (int i = 0; i < 320; ++i) {
+    arena += DriverXml("e-puck", Id(i), 0.8 - 0.1 * (i / 8) + random.Uniform(-jitter, jitter),
+                       0.08 * (i % 8) - 0.28 + random.Uniform(-jitter, jitter), 0, 10, 10);
+  }
+  CDriveWorld world(kEngine, arena);
+  SOverlaps overlaps;
+  for (int tick = 0; tick < 300; ++tick) {
+    world.Step();
+    MeasureOverlaps(world.GetSpace(), overlaps);
+  }
+  CHECK(SOverlaps::Quantile(overlaps.WithRobots, 1.0) <= kRoundings / kEPuckRadius);
+  CHECK(SOverlaps::Quantile(overlaps.WithWalls, 1.0) <= kRoundings / kEPuckRadius);
+  if (jitter == 0.0) {
+    // columns in line are 40 diameters long
+    CHECK_THAT(world.Position(Id(319)).GetX(), WithinAbs(1.0 - kEPuckRadius * 79.0, 1e-6));
+  }
+}
+
+TEST_CASE("kinematics: a robot slides along a wall with what its speed is along it",
+          "[contract][engine][kinematics]") {
+  const Real angle = GENERATE(10.0, 45.0, 80.0);  // to the wall, degrees
+  CAPTURE(angle);
+  const Real radians = angle * std::numbers::pi / 180.0;
+  CDriveWorld world(kEngine, WallXml("wall", "20,0.2,0.5", 0, 0.1) +
+                                 DriverXml("e-puck", "r", -3, -0.1, angle, 10, 10));
+  world.Step(61);
+  // it touches the wall, whose face is the line y = 0, and has lost nothing of its speed along it
+  CHECK_THAT(world.Position("r").GetY(), WithinAbs(-kEPuckRadius, kRoundings));
+  CHECK_THAT(world.Position("r").GetX(), WithinAbs(-3.0 + 0.6 * std::cos(radians), 1e-9));
+  CHECK_THAT(world.Yaw("r"), WithinAbs(radians, 1e-12));
+}
+
+TEST_CASE(
+    "kinematics: robots that pass each other closely, or follow each other, keep to their arcs",
+    "[contract][engine][kinematics]") {
+  // they pass with 1 mm between them; behind "a" follows another 1 mm away
+  const Real lane = 0.5 * (2.0 * kEPuckRadius + 0.001);
+  const Real gap = 2.0 * kEPuckRadius + 0.001;
+  CDriveWorld world(kEngine, DriverXml("e-puck", "a", -0.2, lane, 0, 11, 11) +
+                                 DriverXml("e-puck", "follower", -0.2 - gap, lane, 0, 11, 11) +
+                                 DriverXml("e-puck", "b", 0.2, -lane, 180, 12, 12) +
+                                 WallXml("wall", "4,0.1,0.5", 0, lane + kEPuckRadius + 0.051));
+  world.Step();
+  for (int tick = 1; tick <= 60; ++tick) {
+    world.Step();
+    REQUIRE_THAT(world.Position("a").GetX(), WithinAbs(-0.2 + 0.011 * tick, kRoundings));
+    REQUIRE_THAT(world.Position("follower").GetX(),
+                 WithinAbs(-0.2 - gap + 0.011 * tick, kRoundings));
+    REQUIRE_THAT(world.Position("b").GetX(), WithinAbs(0.2 - 0.012 * tick, kRoundings));
+    REQUIRE_THAT(world.Position("a").GetY(), WithinAbs(lane, kRoundings));
+    REQUIRE_THAT(world.Position("b").GetY(), WithinAbs(-lane, kRoundings));
+  }
+}
+
+TEST_CASE("kinematics: a train of robots that touch starts and drives as one",
+          "[contract][engine][kinematics]") {
+  std::string arena;
+  for (int i = 0; i < 6; ++i) {
+    arena += DriverXml("e-puck", Id(i), -2.0 * kEPuckRadius * i, 0, 0, 10, 10);
+  }
+  CDriveWorld world(kEngine, arena);
+  world.Step(21);
+  for (int i = 0; i < 6; ++i) {
+    CHECK_THAT(world.Position(Id(i)).GetX(), WithinAbs(0.2 - 2.0 * kEPuckRadius * i, kRoundings));
+  }
+}
+
+TEST_CASE("kinematics: a symmetric world stays symmetric", "[contract][engine][kinematics]") {
+  // four crowds meet in the middle; each is the one before, turned by a quarter
+  std::string arena;
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const Real angle = 0.5 * std::numbers::pi * quarter;
+    for (int i = 0; i < 12; ++i) {
+      const Real x = -0.35 - 0.08 * (i / 4);
+      const Real y = 0.085 * (i % 4) - 0.12;
+      arena += DriverXml("e-puck", Id(12 * quarter + i), std::cos(angle) * x - std::sin(angle) * y,
+                         std::sin(angle) * x + std::cos(angle) * y, 90.0 * quarter, 10, 9.5);
+    }
+  }
+  CDriveWorld world(kEngine, arena);
+  // frictionless discs amplify what roundings make of quarter turns: it doubles in each tick, about
+  Real worst = 0.0;
+  int ticksOfContact = 0;
+  while (ticksOfContact < 10) {
+    const CVector3 before = world.Position(Id(0));
+    world.Step();
+    for (int i = 0; i < 12; ++i) {
+      const CVector3 first = world.Position(Id(i));
+      for (int quarter = 1; quarter < 4; ++quarter) {
+        const Real angle = -0.5 * std::numbers::pi * quarter;
+        const CVector3 turned = world.Position(Id(12 * quarter + i));
+        const Real x = std::cos(angle) * turned.GetX() - std::sin(angle) * turned.GetY();
+        const Real y = std::sin(angle) * turned.GetX() + std::cos(angle) * turned.GetY();
+        worst = std::max(worst, std::hypot(x - first.GetX(), y - first.GetY()));
+      }
+    }
+    // free, it goes 9.75 mm
+    const bool isBlocked = Distance(before, world.Position(Id(0))) < 0.009;
+    ticksOfContact += isBlocked && before.GetX() > -0.34 ? 1 : 0;
+  }
+  CHECK(worst <= 1e-9);
+}
+
+TEST_CASE("kinematics: a pushed object moves with the robot and stops with it",
+          "[contract][engine][kinematics]") {
+  const bool isBox = GENERATE(true, false);
+  CAPTURE(isBox);
+  const std::string object =
+      isBox ? BoxXml("o", kFootBotRadius + 0.12, 0)
+            : "<cylinder id='o' radius='0.1' height='0.1' movable='true' mass='20'><body "
+              "position='0.205036758,0,0'/></cylinder>";
+  CDriveWorld world(kEngine, DriverXml("foot-bot", "r", 0, 0, 0, 10, 10) + object);
+  world.Step(41);
+  // it met the object after 2 cm and pushed it the other 38
+  CHECK_THAT(world.Position("r").GetX(), WithinAbs(0.4, 1e-9));
+  CHECK_THAT(world.Position("o").GetX(), WithinAbs(kFootBotRadius + 0.5, 1e-9));
+  CHECK_THAT(world.Position("o").GetY(), WithinAbs(0.0, 1e-9));
+  CHECK_THAT(world.Yaw("o"), WithinAbs(0.0, 1e-9));
+  CHECK_FALSE(world.Body("r").IsCollidingWithSomething());
+  const CVector3 before = world.Position("o");
+  world.Driver("r").Left = world.Driver("r").Right = 0.0;
+  world.Step();
+  world.Step(20);
+  // the order to stop reaches the wheels in the tick after the next
+  CHECK(Distance(world.Position("o"), before) <= 0.01 + 1e-9);
+  const CVector3 stopped = world.Position("o");
+  world.Step(20);
+  CHECK(world.Position("o") == stopped);
+}
+
+TEST_CASE("kinematics: what is harder to push than the drive can, stays",
+          "[contract][engine][kinematics]") {
+  // a foot-bot pushes with 15 N
+  const auto [friction, robots, moves] =
+      GENERATE(std::make_tuple(14.0, 1, true), std::make_tuple(15.5, 1, false),
+               std::make_tuple(28.0, 2, true), std::make_tuple(31.0, 2, false));
+  CAPTURE(friction, robots);
+  std::ostringstream attribute;
+  attribute << "box_linear_friction='" << friction << "'";
+  std::string arena = BoxXml("o", 0.3, 0, 0, "0.2,0.6,0.1");
+  for (int i = 0; i < robots; ++i) {
+    const Real y = robots == 1 ? 0.0 : 0.2 * i - 0.1;
+    arena += DriverXml("foot-bot", Id(i), 0.1, y, 0, 10, 10);
+  }
+  CDriveWorld world(WithFriction(attribute.str()), arena);
+  world.Step(41);
+  if (moves) {
+    CHECK_THAT(world.Position("o").GetX(), WithinAbs(0.5 + kFootBotRadius + 0.1, 1e-6));
+  } else {
+    CHECK(world.Position("o") == CVector3(0.3, 0, 0));
+    CHECK_THAT(world.Position(Id(0)).GetX(), WithinAbs(0.2 - kFootBotRadius, kRoundings));
+  }
+}
+
+TEST_CASE("kinematics: a box pushed off its centre turns, unless friction holds it",
+          "[contract][engine][kinematics]") {
+  const bool turns = GENERATE(true, false);
+  CDriveWorld world(
+      WithFriction(turns ? "box_angular_friction='0.01'" : ""),
+      DriverXml("foot-bot", "r", 0, 0.08, 0, 10, 10) + BoxXml("o", kFootBotRadius + 0.1, 0));
+  world.Step(21);
+  if (turns) {
+    // pushed ahead on its left side: clockwise
+    CHECK(world.Yaw("o") < -0.1);
+  } else {
+    // 1.49 N at 8 cm are less than 1.49 N m
+    CHECK_THAT(world.Yaw("o"), WithinAbs(0.0, 1e-9));
+    CHECK_THAT(world.Position("o").GetX(), WithinAbs(kFootBotRadius + 0.3, 1e-6));
+  }
+}
+
+TEST_CASE("kinematics: an object pushes the next one, until a wall stops all",
+          "[contract][engine][kinematics]") {
+  CDriveWorld world(kEngine, DriverXml("foot-bot", "r", 0, 0, 0, 10, 10) + BoxXml("a", 0.3, 0) +
+                                 "<cylinder id='b' radius='0.1' height='0.1' movable='true' "
+                                 "mass='1'><body position='0.55,0,0'/></cylinder>" +
+                                 WallXml("wall", "0.2,2,0.5", 1.1, 0));
+  world.Step(31);
+  CHECK_THAT(world.Position("b").GetX() - world.Position("a").GetX(), WithinAbs(0.2, 1e-4));
+  CHECK_THAT(world.Position("r").GetX(), WithinAbs(0.3, 1e-6));
+  world.Step(100);
+  // 1e-5 of half the narrowest side, for each contact
+  CHECK_THAT(world.Position("b").GetX(), WithinAbs(0.9, 1e-5));
+  CHECK_THAT(world.Position("a").GetX(), WithinAbs(0.7, 1e-5));
+  CHECK_THAT(world.Position("r").GetX(), WithinAbs(0.6 - kFootBotRadius, 1e-5));
+  CHECK(world.Position("wall") == CVector3(1.1, 0, 0));
+}
+
+TEST_CASE("kinematics: robots do not push robots, and go round where they can",
+          "[contract][engine][kinematics]") {
+  const Real offset = GENERATE(0.0, 0.01);
+  CDriveWorld world(kEngine, DriverXml("foot-bot", "mover", 0, 0, 0, 10, 10) +
+                                 DriverXml("e-puck", "stays", 0.3, offset, 0, 0, 0));
+  world.Step(100);
+  CHECK(world.Position("stays") == CVector3(0.3, offset, 0));
+  if (offset == 0.0) {
+    CHECK_THAT(world.Position("mover").GetX(),
+               WithinAbs(0.3 - kFootBotRadius - kEPuckRadius, kRoundings));
+  } else {
+    CHECK(world.Position("mover").GetX() > 0.3);
+  }
+}
+
+TEST_CASE("kinematics: robots do not pass through each other or through objects at any speed",
+          "[contract][engine][kinematics]") {
+  const Real speed = GENERATE(100.0, 2000.0, 1e6);  // cm/s
+  const std::string iterations = GENERATE(as<std::string>(), "", "iterations='7'");
+  CAPTURE(speed, iterations);
+  // in a corridor in which there is no room for two side by side
+  CDriveWorld world(
+      kKinematics2D.ToXml("e", iterations),
+      DriverXml("e-puck", "a", -1, 0.005, 0, speed, speed) +
+          DriverXml("e-puck", "b", 1, -0.005, 180, speed, speed) +
+          WallXml("left", "10,0.1,0.2", 0, 0.1) + WallXml("right", "10,0.1,0.2", 0, -0.1) +
+          DriverXml("e-puck", "c", -1, 1, 0, speed, speed) +
+          BoxXml("box", 0.5, 1, 0, "0.02,0.09,0.1") + WallXml("left_1", "10,0.1,0.2", 0, 1.1) +
+          WallXml("right_1", "10,0.1,0.2", 0, 0.9) + WallXml("thin", "0.001,0.1,0.2", 1.5, 1));
+  for (int tick = 0; tick < 40; ++tick) {
+    world.Step();
+    const CVector3 a = world.Position("a");
+    const CVector3 b = world.Position("b");
+    REQUIRE(Distance(a, b) >= 2.0 * kEPuckRadius - kRoundings);
+    REQUIRE(a.GetX() < b.GetX());
+    REQUIRE(std::max(std::abs(a.GetY()), std::abs(b.GetY())) <= 0.05 - kEPuckRadius + kRoundings);
+    REQUIRE(world.Position("c").GetX() <= 1.5 - 0.0005 - kEPuckRadius + kRoundings);
+    REQUIRE(world.Position("box").GetX() <= 1.5 - 0.0005 - 0.01 + 1e-6);
+    REQUIRE(world.Position("box").GetX() - world.Position("c").GetX() >=
+            kEPuckRadius + 0.01 - 1e-6);
+  }
+  CHECK(std::abs(world.Position("a").GetX() + world.Position("b").GetX()) <= 1e-9);
+  CHECK_THAT(world.Position("box").GetX(), WithinAbs(1.5 - 0.0005 - 0.01, 1e-6));
+}
+
+TEST_CASE("kinematics: a robot that is a box follows its arc, slides, and pushes with its front",
+          "[contract][engine][kinematics]") {
+  constexpr Real kHalfLength = 0.1;  // m
+  CDriveWorld world(kEngine, DriverXml("foot-bot", "free", 3, 3, 30, 9, 10) +
+                                 DriverXml("foot-bot", "pusher", 0, 0, 0, 10, 10) +
+                                 DriverXml("foot-bot", "slider", -3, -0.2, 5, 10, 10) +
+                                 WallXml("wall", "20,0.2,0.5", 0, 0.4, 0) +
+                                 "<cylinder id='c' radius='0.05' height='0.1' movable='true' "
+                                 "mass='1'><body position='0.3,0,0'/></cylinder>");
+  const SShapeDescription box = SShapeDescription::Box(CVector3(2.0 * kHalfLength, 0.15, 0.1));
+  for (const char* id : {"free", "pusher", "slider"}) {
+    Reshape(world, id, box);
+  }
+  world.Step();
+  const SPose start{3, 3, 30.0 / 180.0 * ARGOS_PI};
+  for (int tick = 1; tick <= 100; ++tick) {
+    world.Step();
+    const SPose exact = IntegrateDifferentialDrive(start, 0.09, 0.10, 0.14, 0.1 * tick);
+    REQUIRE_THAT(world.Position("free").GetX(), WithinAbs(exact.X, 1e-9));
+    REQUIRE_THAT(world.Position("free").GetY(), WithinAbs(exact.Y, 1e-9));
+  }
+  CHECK_THAT(world.Position("c").GetX() - world.Position("pusher").GetX(),
+             WithinAbs(kHalfLength + 0.05, 1e-5));
+  CHECK_THAT(world.Position("pusher").GetX(), WithinAbs(1.0, 1e-3));
+  world.Step(400);
+  // along the wall, whose face is at 0.3, for at least 30 of the 50 s at 10 cm/s
+  CHECK(world.Position("slider").GetY() < 0.3 - 0.075 + 1e-4);
+  CHECK(world.Position("slider").GetX() > 0.0);
+}
+
+TEST_CASE("kinematics: what it cannot house or do is refused with a reason",
+          "[contract][engine][kinematics][errors]") {
+  const std::string box =
+      "<box id='b' size='1,1,1' movable='false'><body position='0,0,0.5'/></box>";
+  CHECK_NOTHROW(CDriveWorld(kKinematics2D.ToXml("e", "elevation='0.5'"), box));
+  CHECK_THROWS_WITH(CDriveWorld(kKinematics2D.ToXml("ground"), box),
+                    Contains("\"ground\" has its plane at z = 0 m") &&
+                        Contains("body is at z = 0.5 m") && Contains("elevation=\"0.5\""));
+  CHECK_THROWS_WITH(CDriveWorld(kEngine, DriverXml("e-puck", "r", 1e8, 0, 0, 0, 0)),
+                    Contains("\"r\" is too large or too far away"));
+  CHECK_THROWS_WITH(CDriveWorld(WithFriction("box_linear_friction='-1'"), ""),
+                    Contains("\"box_linear_friction\" must be a number >= 0, found -1"));
+  CDriveWorld world(kEngine, DriverXml("foot-bot", "holder", 0, 0, 0, 0, 0));
+  auto& gripper = dynamic_cast<CGripperEquippedEntity&>(
+      world.Get<CComposableEntity>("holder").GetComponent("gripper"));
+  world.Step();
+  gripper.SetLockState(1.0);
+  CHECK_THROWS_WITH(world.Step(), Contains("robot \"holder\" has locked its gripper") &&
+                                      Contains("<kinematics2d id=\"e\">") &&
+                                      Contains("<dynamics2d>"));
+}
+
+TEST_CASE("kinematics: bodies of other engines are taken over with what they are",
+          "[contract][engine][kinematics]") {
+  const auto part = [](const SEngineType& engine, const std::string& from, const std::string& to) {
+    return engine.ToXml(engine.Tag, "",
+                        "<boundaries><sides><vertex point='" + from + ",-10'/><vertex point='" +
+                            to + ",-10'/><vertex point='" + to + ",10'/><vertex point='" + from +
+                            ",10'/></sides></boundaries>");
+  };
+  CDriveWorld world(part(kDynamics2D, "-10", "0") + part(kKinematics2D, "0", "10"),
+                    DriverXml("foot-bot", "there", -0.5, 0, 0, 10, 10) +
+                        DriverXml("foot-bot", "back", 0.5, 1, 180, 10, 10) +
+                        BoxXml("box", 0.3, 1, 0, "0.1,0.1,0.1"));
+  world.Step(101);
+  CHECK(world.Body("there").GetPhysicsModel(0).GetEngine().GetId() == "kinematics2d");
+  CHECK(world.Body("back").GetPhysicsModel(0).GetEngine().GetId() == "dynamics2d");
+  CHECK(world.Body("box").GetPhysicsModel(0).GetEngine().GetId() == "dynamics2d");
+  CHECK_THAT(world.Position("there").GetX(), WithinAbs(0.5, 1e-6));
+  CHECK(world.Position("box").GetX() < -0.4);
+}
+
+}  // namespace argos
