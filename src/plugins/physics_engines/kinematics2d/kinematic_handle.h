@@ -7,6 +7,8 @@
 
 namespace argos {
 
+class CEmbodiedEntity;
+class CEntity;
 class CKinematics2DModel;
 
 /** What kind of body; each kind has its own dense arrays. */
@@ -28,6 +30,10 @@ struct SKinematicHandle {
 struct SKinematicOwner {
   CKinematics2DModel* Model = nullptr;
   SKinematicHandle* Handle = nullptr;
+  // what is written to in every tick; here too, so that memory can be asked for in time
+  CEmbodiedEntity* Body = nullptr;
+  CEntity* Root = nullptr;
+  const void* Hanging = nullptr;  // what Root looks at when it is updated; perhaps gone
 };
 
 }  // namespace argos

@@ -20,6 +20,9 @@ namespace argos {
 
 namespace {
 
+// robots for whose memory is asked before they are written to
+constexpr size_t kRobotsAhead = 6;
+
 // Where a body is. What this engine has written itself comes back to the bit.
 SPlanarPose TakePose(const CEmbodiedEntity& body) {
   constexpr Real kRounding = 1e-13;
@@ -30,6 +33,23 @@ SPlanarPose TakePose(const CEmbodiedEntity& body) {
     return {origin.Position.GetX(), origin.Position.GetY(), turn.GetW(), turn.GetZ()};
   }
   return MakePlanarPose(origin.Position, turn);
+}
+
+// Asks for the memory of a robot that is going to be written to.
+void PrefetchForWriting(const SKinematicOwner& owner) {
+  // an entity says whether it is enabled in its second line
+  Prefetch(owner.Root, sizeof(CComposableEntity) + 64);
+  Prefetch(static_cast<const char*>(owner.Hanging) + 64, 1);
+  Prefetch(owner.Model, kModelBytes);
+  // of the body, what leads to its anchors, its pose, and its number
+  const char* const body = reinterpret_cast<const char*>(owner.Body);
+  Prefetch(body + 128, 128);
+  Prefetch(body + 384, 128);
+}
+
+const void* FindHanging(CEntity& root) {
+  auto* const robot = dynamic_cast<CComposableEntity*>(&root);
+  return robot != nullptr && robot->HasComponent("leds") ? &robot->GetComponent("leds") : &root;
 }
 
 }  // namespace
@@ -211,7 +231,8 @@ void CKinematics2DEngine::AddToWorld(CKinematics2DModel& model) {
   const CEmbodiedEntity& body = model.GetEmbodiedEntity();
   const SBodyDescription& description = *body.GetBodyDescription();
   const SPlanarPose pose = TakePose(body);
-  const SKinematicOwner owner{&model, &model.m_handle};
+  const SKinematicOwner owner{&model, &model.m_handle, &model.GetEmbodiedEntity(), &model.m_root,
+                              FindHanging(model.m_root)};
   if (!body.IsMovable()) {
     m_world->AddImmovable(owner, description, pose);
     return;
@@ -288,19 +309,15 @@ void CKinematics2DEngine::WriteBackDiscs(size_t begin, size_t end) {
   CDiscSwarm& discs = m_world->GetDiscs();
   const size_t size = discs.GetSize();
   for (size_t i = begin; i < end; ++i) {
-    if (i + 2 * kBodiesAhead < size) {
-      Prefetch(discs.GetOwner(static_cast<UInt32>(i + 2 * kBodiesAhead)).Model, kModelBytes);
-      const CKinematics2DModel& ahead =
-          *discs.GetOwner(static_cast<UInt32>(i + kBodiesAhead)).Model;
-      Prefetch(&ahead.m_cEmbodiedEntity, sizeof(CEmbodiedEntity));
-      Prefetch(&ahead.m_root, 64);
+    if (i + kRobotsAhead < size) {
+      PrefetchForWriting(discs.GetOwner(static_cast<UInt32>(i + kRobotsAhead)));
     }
     const UInt32 slot = static_cast<UInt32>(i);
     discs.Commit(slot);
     const SPlanarPose pose = discs.GetPose(slot);
     const Real radius = discs.GetRadius(slot);
     CKinematics2DModel& model = *discs.GetOwner(slot).Model;
-    CEmbodiedEntity& body = model.m_cEmbodiedEntity;
+    CEmbodiedEntity& body = *discs.GetOwner(slot).Body;
     body.SetOriginPose(CVector3(pose.X, pose.Y, m_elevation),
                        CQuaternion(pose.HalfCos, 0.0, 0.0, pose.HalfSin));
     if (body.GetEnabledAnchors().size() > 1) {
@@ -312,7 +329,7 @@ void CKinematics2DEngine::WriteBackDiscs(size_t begin, size_t end) {
     box.MinCorner.SetY(pose.Y - radius);
     box.MaxCorner.SetX(pose.X + radius);
     box.MaxCorner.SetY(pose.Y + radius);
-    model.m_root.Update();
+    discs.GetOwner(slot).Root->Update();
     m_hasLeft[i] = HasLeft(body) ? 1 : 0;
   }
 }
