@@ -60,21 +60,24 @@ TEST_CASE("no allocation: a settled tick of the benchmark allocates nothing",
           "[determinism][allocation]") {
   const UInt32 threads = GENERATE(0U, 2U);
   const std::string method = GENERATE("balance_quantity", "balance_length");
-  CAPTURE(threads, method);
+  const std::string engine = GENERATE("dynamics2d", "kinematics2d");
+  CAPTURE(threads, method, engine);
   CDynamicLoading::LoadLibrary(InBuildTree("experiments/libepuck_diffusion"));
   testing::SRoomsWorld rooms;
   rooms.Robots = 1000;
   rooms.Side = testing::SRoomsWorld::SideAtSameDensity(rooms.Robots);
   rooms.Threads = threads;
   rooms.Method = method;
+  rooms.Engine = engine;
   CheckSettledTicks(rooms.ToXML(), kWarmUpTicks);
 }
 
 TEST_CASE("no allocation: neither does one of noisy robots that push things",
           "[determinism][allocation]") {
   const UInt32 threads = GENERATE(0U, 2U);
-  CAPTURE(threads);
-  SExperiment experiment = Swarm(200, 1, false);
+  const std::string engine = GENERATE("dynamics2d", "kinematics2d");
+  CAPTURE(threads, engine);
+  SExperiment experiment = Swarm(200, 1, false, engine);
   experiment.Threads = threads;
   CheckSettledTicks(experiment.ToXml(), 500);
 }
@@ -82,9 +85,10 @@ TEST_CASE("no allocation: neither does one of noisy robots that push things",
 TEST_CASE("no allocation: neither do robots that cross between engines",
           "[determinism][allocation]") {
   const UInt32 threads = GENERATE(0U, 2U);
-  CAPTURE(threads);
+  const std::string engine = GENERATE("dynamics2d", "kinematics2d");
+  CAPTURE(threads, engine);
   // crowded enough for contacts, so that robots with and without a Box2D body cross, and crates
-  SExperiment experiment = Swarm(200, 2, false);
+  SExperiment experiment = Swarm(200, 2, false, engine);
   experiment.Threads = threads;
   CTestWorld world(experiment);
   world.Step(500);

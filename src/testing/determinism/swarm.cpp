@@ -62,9 +62,9 @@ class CArena {
   std::ostringstream m_xml;
 };
 
-std::string Engines(Real side, UInt32 perSide) {
+std::string Engines(const std::string& type, Real side, UInt32 perSide) {
   if (perSide == 1) {
-    return "<dynamics2d id='engine' />";
+    return "<" + type + " id='engine' />";
   }
   // the outer ones reach beyond the walls
   const Real outer = 0.5 * side + 1.0;
@@ -74,7 +74,7 @@ std::string Engines(Real side, UInt32 perSide) {
   std::ostringstream xml;
   for (UInt32 i = 0; i < perSide; ++i) {
     for (UInt32 j = 0; j < perSide; ++j) {
-      xml << "<dynamics2d id='engine_" << i << j << "'> <boundaries> <sides>";
+      xml << "<" << type << " id='engine_" << i << j << "'> <boundaries> <sides>";
       const Real corners[4][2] = {{edge(i), edge(j)},
                                   {edge(i + 1), edge(j)},
                                   {edge(i + 1), edge(j + 1)},
@@ -82,7 +82,7 @@ std::string Engines(Real side, UInt32 perSide) {
       for (const auto& corner : corners) {
         xml << "<vertex point='" << corner[0] << "," << corner[1] << "' />";
       }
-      xml << "</sides> </boundaries> </dynamics2d>\n";
+      xml << "</sides> </boundaries> </" << type << ">\n";
     }
   }
   return xml.str();
@@ -155,7 +155,7 @@ Real CWalker::SumUp(bool left) const {
 
 REGISTER_CONTROLLER(CWalker, "walker")
 
-SExperiment Swarm(UInt32 robots, UInt32 enginesPerSide, bool withLEDs) {
+SExperiment Swarm(UInt32 robots, UInt32 enginesPerSide, bool withLEDs, const std::string& engine) {
   const Real side = 0.4 * std::sqrt(static_cast<Real>(robots)) + 0.5;
   CArena arena(side);
   arena.AddWalls();
@@ -171,7 +171,7 @@ SExperiment Swarm(UInt32 robots, UInt32 enginesPerSide, bool withLEDs) {
   arena.Distribute("-180", robots / 2, "<e-puck id='ep'> <controller config='e-puck' /> </e-puck>");
   SExperiment experiment;
   experiment.Controllers = Controllers(withLEDs);
-  experiment.Engines = Engines(side, enginesPerSide);
+  experiment.Engines = Engines(engine, side, enginesPerSide);
   experiment.Media = "<led id='leds' />";
   const Real size = side + 2.0;
   std::ostringstream arenaSize;

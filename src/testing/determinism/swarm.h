@@ -35,8 +35,10 @@ class CWalker : public CCI_Controller {
  * movable. The arena grows with their number: one robot on 0.16 m^2.
  * @param enginesPerSide  1, or 2 for four engines side by side.
  * @param withLEDs        the robots light their LEDs.
+ * @param engine          the type of the engines.
  */
-SExperiment Swarm(UInt32 robots, UInt32 enginesPerSide = 1, bool withLEDs = true);
+SExperiment Swarm(UInt32 robots, UInt32 enginesPerSide = 1, bool withLEDs = true,
+                  const std::string& engine = "dynamics2d");
 
 }  // namespace argos
 

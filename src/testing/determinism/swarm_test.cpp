@@ -9,7 +9,10 @@
 
 #include <map>
 #include <set>
+#include <string>
 #include <thread>
+#include <tuple>
+#include <vector>
 
 using namespace argos;
 
@@ -19,10 +22,17 @@ struct SSize {
   UInt32 Robots;
   UInt32 EnginesPerSide;
   UInt32 Ticks;
+  std::string Engine = "dynamics2d";
 };
 
 // ten robots for long, a thousand for short, and the same over four engines
-const std::vector<SSize> kSizes = {{10, 1, 200}, {1000, 1, 50}, {10, 2, 200}, {1000, 2, 50}};
+const std::vector<SSize> kSizes = {{10, 1, 200},
+                                   {1000, 1, 50},
+                                   {10, 2, 200},
+                                   {1000, 2, 50},
+                                   {10, 1, 200, "kinematics2d"},
+                                   {1000, 1, 50, "kinematics2d"},
+                                   {1000, 2, 50, "kinematics2d"}};
 
 std::vector<UInt64> Run(CTestWorld& world, UInt32 ticks) {
   std::vector<UInt64> digests = {world.ComputeDigest()};
@@ -35,10 +45,10 @@ std::vector<UInt64> Run(CTestWorld& world, UInt32 ticks) {
 
 // computed once for each size: the main thread does all
 const std::vector<UInt64>& Reference(const SSize& size) {
-  static std::map<std::pair<UInt32, UInt32>, std::vector<UInt64>> references;
-  std::vector<UInt64>& reference = references[{size.Robots, size.EnginesPerSide}];
+  static std::map<std::tuple<UInt32, UInt32, std::string>, std::vector<UInt64>> references;
+  std::vector<UInt64>& reference = references[{size.Robots, size.EnginesPerSide, size.Engine}];
   if (reference.empty()) {
-    CTestWorld world(Swarm(size.Robots, size.EnginesPerSide));
+    CTestWorld world(Swarm(size.Robots, size.EnginesPerSide, true, size.Engine));
     reference = Run(world, size.Ticks);
   }
   return reference;
@@ -65,8 +75,8 @@ TEST_CASE("determinism: every tick is the same to the bit for every number of th
   const SSize size = GENERATE(from_range(kSizes));
   const UInt32 threads = GENERATE(0U, 1U, 2U, 4U, 15U);
   const std::string method = GENERATE("balance_quantity", "balance_length");
-  CAPTURE(size.Robots, size.EnginesPerSide, threads, method);
-  SExperiment experiment = Swarm(size.Robots, size.EnginesPerSide);
+  CAPTURE(size.Engine, size.Robots, size.EnginesPerSide, threads, method);
+  SExperiment experiment = Swarm(size.Robots, size.EnginesPerSide, true, size.Engine);
   experiment.Threads = threads;
   experiment.Method = method;
   CTestWorld world(experiment);
@@ -76,8 +86,8 @@ TEST_CASE("determinism: every tick is the same to the bit for every number of th
 TEST_CASE("determinism: after a reset the run repeats itself", "[determinism]") {
   const SSize size = GENERATE(from_range(kSizes));
   const UInt32 threads = GENERATE(0U, 4U);
-  CAPTURE(size.Robots, size.EnginesPerSide, threads);
-  SExperiment experiment = Swarm(size.Robots, size.EnginesPerSide);
+  CAPTURE(size.Engine, size.Robots, size.EnginesPerSide, threads);
+  SExperiment experiment = Swarm(size.Robots, size.EnginesPerSide, true, size.Engine);
   experiment.Threads = threads;
   CTestWorld world(experiment);
   // also from the middle of a run, and twice
@@ -90,12 +100,12 @@ TEST_CASE("determinism: after a reset the run repeats itself", "[determinism]") 
 
 TEST_CASE("determinism: the runs that are compared are worth it", "[determinism]") {
   for (const SSize& size : kSizes) {
-    CAPTURE(size.Robots, size.EnginesPerSide);
+    CAPTURE(size.Engine, size.Robots, size.EnginesPerSide);
     // something changes in every tick
     const std::vector<UInt64>& reference = Reference(size);
     CHECK(std::set<UInt64>(reference.begin(), reference.end()).size() == reference.size());
     // and with another seed everything is different
-    SExperiment experiment = Swarm(size.Robots, size.EnginesPerSide);
+    SExperiment experiment = Swarm(size.Robots, size.EnginesPerSide, true, size.Engine);
     experiment.Seed = 2;
     CTestWorld world(experiment);
     CHECK(world.ComputeDigest() != reference.front());
@@ -123,7 +133,7 @@ TEST_CASE("determinism: the runs that are compared are worth it", "[determinism]
 
 TEST_CASE("determinism: looking at a run does not change it", "[determinism]") {
   const SSize size = kSizes[0];
-  CTestWorld world(Swarm(size.Robots, size.EnginesPerSide));
+  CTestWorld world(Swarm(size.Robots, size.EnginesPerSide, true, size.Engine));
   std::vector<UInt64> digests = {world.ComputeDigest()};
   for (UInt32 tick = 0; tick < size.Ticks; ++tick) {
     world.Step();
@@ -143,7 +153,7 @@ TEST_CASE("determinism: simulators that run at the same time do not disturb each
   std::vector<std::thread> threads;
   for (size_t i = 0; i < digests.size(); ++i) {
     threads.emplace_back([&, i] {
-      SExperiment experiment = Swarm(size.Robots, size.EnginesPerSide);
+      SExperiment experiment = Swarm(size.Robots, size.EnginesPerSide, true, size.Engine);
       experiment.Threads = static_cast<UInt32>(i);
       // all of them load a library, though only one can be the first
       experiment.Controllers += "<epuck_diffusion_controller id='unused' library='" +

@@ -16,7 +16,10 @@
 namespace argos::testing {
 
 TEST_CASE("rooms: 10,000 e-pucks stay out of the walls for 600 ticks", "[scenario][dynamics2d]") {
+  const std::string engine = GENERATE("dynamics2d", "kinematics2d");
+  CAPTURE(engine);
   SRoomsWorld rooms;
+  rooms.Engine = engine;
   rooms.Robots = 10000;
   rooms.Side = 40.0;
   rooms.RoomsPerSide = 4;
@@ -36,7 +39,7 @@ TEST_CASE("rooms: 10,000 e-pucks stay out of the walls for 600 ticks", "[scenari
                                  now.WithRobots.end());
     }
   }
-  // the accuracy that the engine promises at its default settings: 2 % of the radius
+  // the accuracy that the engines promise at their default settings: 2 % of the radius
   CHECK(deepestInWall <= 0.02);
   CHECK(SOverlaps::Quantile(overlaps.WithRobots, 0.99) <= 0.02);
 

@@ -33,7 +33,6 @@ struct SKinematicOwner {
   // what is written to in every tick; here too, so that memory can be asked for in time
   CEmbodiedEntity* Body = nullptr;
   CEntity* Root = nullptr;
-  const void* Hanging = nullptr;  // what Root looks at when it is updated; perhaps gone
 };
 
 }  // namespace argos

@@ -20,8 +20,8 @@ namespace argos {
 
 namespace {
 
-// robots for whose memory is asked before they are written to
-constexpr size_t kRobotsAhead = 6;
+// of a root entity that are needed in every tick, about
+constexpr size_t kRootBytes = 192;
 
 // Where a body is. What this engine has written itself comes back to the bit.
 SPlanarPose TakePose(const CEmbodiedEntity& body) {
@@ -33,23 +33,6 @@ SPlanarPose TakePose(const CEmbodiedEntity& body) {
     return {origin.Position.GetX(), origin.Position.GetY(), turn.GetW(), turn.GetZ()};
   }
   return MakePlanarPose(origin.Position, turn);
-}
-
-// Asks for the memory of a robot that is going to be written to.
-void PrefetchForWriting(const SKinematicOwner& owner) {
-  // an entity says whether it is enabled in its second line
-  Prefetch(owner.Root, sizeof(CComposableEntity) + 64);
-  Prefetch(static_cast<const char*>(owner.Hanging) + 64, 1);
-  Prefetch(owner.Model, kModelBytes);
-  // of the body, what leads to its anchors, its pose, and its number
-  const char* const body = reinterpret_cast<const char*>(owner.Body);
-  Prefetch(body + 128, 128);
-  Prefetch(body + 384, 128);
-}
-
-const void* FindHanging(CEntity& root) {
-  auto* const robot = dynamic_cast<CComposableEntity*>(&root);
-  return robot != nullptr && robot->HasComponent("leds") ? &robot->GetComponent("leds") : &root;
 }
 
 }  // namespace
@@ -231,8 +214,7 @@ void CKinematics2DEngine::AddToWorld(CKinematics2DModel& model) {
   const CEmbodiedEntity& body = model.GetEmbodiedEntity();
   const SBodyDescription& description = *body.GetBodyDescription();
   const SPlanarPose pose = TakePose(body);
-  const SKinematicOwner owner{&model, &model.m_handle, &model.GetEmbodiedEntity(), &model.m_root,
-                              FindHanging(model.m_root)};
+  const SKinematicOwner owner{&model, &model.m_handle, &model.GetEmbodiedEntity(), &model.m_root};
   if (!body.IsMovable()) {
     m_world->AddImmovable(owner, description, pose);
     return;
@@ -309,8 +291,12 @@ void CKinematics2DEngine::WriteBackDiscs(size_t begin, size_t end) {
   CDiscSwarm& discs = m_world->GetDiscs();
   const size_t size = discs.GetSize();
   for (size_t i = begin; i < end; ++i) {
-    if (i + kRobotsAhead < size) {
-      PrefetchForWriting(discs.GetOwner(static_cast<UInt32>(i + kRobotsAhead)));
+    if (i + 2 * kBodiesAhead < size) {
+      const SKinematicOwner& later = discs.GetOwner(static_cast<UInt32>(i + 2 * kBodiesAhead));
+      later.Body->PrefetchPose();
+      Prefetch(later.Root, kRootBytes);
+      Prefetch(&later.Model->m_sBoundingBox, sizeof(SBoundingBox));
+      discs.GetOwner(static_cast<UInt32>(i + kBodiesAhead)).Root->PrefetchUpdate();
     }
     const UInt32 slot = static_cast<UInt32>(i);
     discs.Commit(slot);

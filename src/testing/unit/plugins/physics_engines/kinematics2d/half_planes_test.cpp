@@ -1,0 +1,107 @@
+// The nearest allowed step, against a search over the candidates that geometry allows.
+
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/half_planes.h>
+
+#include <argos3/core/utility/math/random_stream.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace argos {
+
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+bool Allows(const std::vector<SHalfPlane>& planes, const SStep& step, Real slack) {
+  for (const SHalfPlane& plane : planes) {
+    if (plane.NormalX * step.X + plane.NormalY * step.Y > plane.Limit + slack) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// the nearest of: the wanted step, its projections on borders, and the corners
+SStep SearchNearest(const std::vector<SHalfPlane>& planes, const SStep& wanted) {
+  std::vector<SStep> candidates = {wanted};
+  for (const SHalfPlane& a : planes) {
+    const Real excess = a.NormalX * wanted.X + a.NormalY * wanted.Y - a.Limit;
+    candidates.push_back({wanted.X - excess * a.NormalX, wanted.Y - excess * a.NormalY});
+    for (const SHalfPlane& b : planes) {
+      const Real cross = a.NormalX * b.NormalY - a.NormalY * b.NormalX;
+      if (std::abs(cross) > 1e-6) {
+        candidates.push_back({(a.Limit * b.NormalY - b.Limit * a.NormalY) / cross,
+                              (b.Limit * a.NormalX - a.Limit * b.NormalX) / cross});
+      }
+    }
+  }
+  SStep best;
+  Real least = HUGE_VAL;
+  for (const SStep& step : candidates) {
+    const Real distance = std::hypot(step.X - wanted.X, step.Y - wanted.Y);
+    if (distance < least && Allows(planes, step, 1e-12)) {
+      least = distance;
+      best = step;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+TEST_CASE("half planes: the step found is the nearest that all allow", "[unit][kinematics2d]") {
+  CRandomStream random(1, "test", "half planes", "planes");
+  for (int scene = 0; scene < 2000; ++scene) {
+    std::vector<SHalfPlane> planes;
+    CHalfPlanes solver;
+    const int count = scene % 9;
+    for (int i = 0; i < count; ++i) {
+      const Real angle = random.Uniform(-std::numbers::pi, std::numbers::pi);
+      // a third of them touch already
+      const Real limit = scene % 3 == 0 ? 0.0 : random.Uniform(0.0, 1.0);
+      planes.push_back({std::cos(angle), std::sin(angle), limit, static_cast<UInt32>(i)});
+      REQUIRE(solver.Add(planes.back()));
+    }
+    const SStep wanted = {random.Uniform(-2, 2), random.Uniform(-2, 2)};
+    const SStep found = solver.FindNearest(wanted);
+    const SStep best = SearchNearest(planes, wanted);
+    CAPTURE(scene, wanted.X, wanted.Y);
+    // corners of planes 1e-6 rad apart are found to 1e-16 / 1e-6
+    REQUIRE_THAT(found.X, WithinAbs(best.X, 1e-9));
+    REQUIRE_THAT(found.Y, WithinAbs(best.Y, 1e-9));
+    REQUIRE(Allows(planes, found, 1e-12));
+  }
+}
+
+TEST_CASE("half planes: their order does not matter, once sorted", "[unit][kinematics2d]") {
+  const std::vector<SHalfPlane> planes = {
+      {0.6, 0.8, 0.1, 7}, {-0.6, 0.8, 0.2, 3}, {1.0, 0.0, 0.05, 5}};
+  CHalfPlanes forwards;
+  CHalfPlanes backwards;
+  for (size_t i = 0; i < planes.size(); ++i) {
+    forwards.Add(planes[i]);
+    backwards.Add(planes[planes.size() - 1 - i]);
+  }
+  forwards.Sort();
+  backwards.Sort();
+  const SStep a = forwards.FindNearest({1.0, 1.0});
+  const SStep b = backwards.FindNearest({1.0, 1.0});
+  CHECK(a.X == b.X);
+  CHECK(a.Y == b.Y);
+}
+
+TEST_CASE("half planes: there is room for 64", "[unit][kinematics2d]") {
+  CHalfPlanes planes;
+  for (UInt32 i = 0; i < 64; ++i) {
+    REQUIRE(planes.Add({1.0, 0.0, 1.0, i}));
+  }
+  CHECK_FALSE(planes.Add({1.0, 0.0, 1.0, 64}));
+  planes.Clear();
+  CHECK(planes.IsEmpty());
+}
+
+}  // namespace argos
