@@ -48,6 +48,9 @@ void CCellLists::List(const CCellGrid& grid, std::span<const SFootprint> footpri
     return;
   }
   // counts, then sums, then fills backwards: each start ends where its cell begins
+  if (m_start.capacity() <= grid.GetNumCells()) {
+    m_start.reserve(2 * grid.GetNumCells());
+  }
   m_start.assign(grid.GetNumCells() + 1, 0);
   for (const SFootprint& footprint : footprints) {
     ForCells(grid, footprint, reach, [this](UInt32 cell) { ++m_start[cell]; });
@@ -56,6 +59,10 @@ void CCellLists::List(const CCellGrid& grid, std::span<const SFootprint> footpri
   for (UInt32& start : m_start) {
     sum += start;
     start = sum;
+  }
+  if (m_items.capacity() < sum) {
+    // what moves is not always in as many cells
+    m_items.reserve(2 * static_cast<size_t>(sum));
   }
   m_items.resize(sum);
   for (size_t i = footprints.size(); i-- > 0;) {

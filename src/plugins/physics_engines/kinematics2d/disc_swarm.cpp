@@ -235,8 +235,7 @@ bool CDiscSwarm::IsGridBad() const {
   const bool sparse =
       (*maxX - *minX + 2.0 * kLeastAreaSlack) * (*maxY - *minY + 2.0 * kLeastAreaSlack) <
       0.5 * width * height;
-  return outside || sparse ||
-         m_grid.GetEdge() > 4.0 * kEdgeSlack * static_cast<Real>(m_maxReach.load());
+  return outside || sparse || m_reachOfGrid > 4.0 * GetGreatestReach();
 }
 
 void CDiscSwarm::LayGrid() {
@@ -248,8 +247,9 @@ void CDiscSwarm::LayGrid() {
     const Real slackY = kLeastAreaSlack + kAreaSlack * (*maxY - *minY);
     area = {*minX - slackX, *minY - slackY, *maxX + slackX, *maxY + slackY};
   }
-  const Real reach = std::max(m_maxRadius, static_cast<Real>(m_maxReach.load()));
-  m_grid.Lay(area, std::max(2.0 * kEdgeSlack * reach, 1e-6), CCellGrid::AimedCells(GetSize()));
+  m_reachOfGrid = GetGreatestReach();
+  m_grid.Lay(area, std::max(2.0 * kEdgeSlack * m_reachOfGrid, 1e-6),
+             CCellGrid::AimedCells(GetSize()));
   m_discsOfGrid = GetSize();
   m_ticksOfGrid = 0;
   m_count.assign(m_grid.GetNumCells(), 0);

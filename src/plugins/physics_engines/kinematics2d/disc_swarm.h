@@ -6,6 +6,7 @@
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/half_planes.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_handle.h>
 
+#include <algorithm>
 #include <atomic>
 #include <limits>
 #include <vector>
@@ -97,6 +98,9 @@ class CDiscSwarm {
   void PlanRun(size_t begin, size_t end, Real duration);
   void Bin(size_t begin, size_t end, bool alone);
   bool IsGridBad() const;
+  Real GetGreatestReach() const {
+    return std::max(m_maxRadius, static_cast<Real>(m_maxReach.load(std::memory_order_relaxed)));
+  }
   void LayGrid();
   void Sort(CThreadPool& pool);
   void FindMovers(size_t beginCell, size_t endCell, const CCellLists& walls,
@@ -131,6 +135,7 @@ class CDiscSwarm {
   CCellGrid m_grid;
   UInt32 m_ticksOfGrid = 0;
   size_t m_discsOfGrid = 0;  // how many there were when it was laid
+  Real m_reachOfGrid = 0.0;  // m: how far they reached then
   Real m_maxRadius = 0.0;  // m, of all that ever were there
   std::atomic<float> m_maxReach{0.0F};  // m
   std::atomic<UInt32> m_firstBad{std::numeric_limits<UInt32>::max()};  // slot

@@ -291,12 +291,12 @@ void CKinematics2DEngine::WriteBackDiscs(size_t begin, size_t end) {
   CDiscSwarm& discs = m_world->GetDiscs();
   const size_t size = discs.GetSize();
   for (size_t i = begin; i < end; ++i) {
-    if (i + 2 * kBodiesAhead < size) {
-      const SKinematicOwner& later = discs.GetOwner(static_cast<UInt32>(i + 2 * kBodiesAhead));
+    if (i + kBodiesAhead < size) {
+      const SKinematicOwner& later = discs.GetOwner(static_cast<UInt32>(i + kBodiesAhead));
       later.Body->PrefetchPose();
       Prefetch(later.Root, kRootBytes);
       Prefetch(&later.Model->m_sBoundingBox, sizeof(SBoundingBox));
-      discs.GetOwner(static_cast<UInt32>(i + kBodiesAhead)).Root->PrefetchUpdate();
+      discs.GetOwner(static_cast<UInt32>(i + kBodiesAhead / 2)).Root->PrefetchUpdate();
     }
     const UInt32 slot = static_cast<UInt32>(i);
     discs.Commit(slot);

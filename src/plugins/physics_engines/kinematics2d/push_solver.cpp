@@ -30,11 +30,9 @@ UInt32 CPushSolver::AddBody(const STwist& twist, Real force, Real torque, Real s
   return static_cast<UInt32>(m_bodies.size() - 1);
 }
 
-void CPushSolver::AddContact(UInt32 pushing, UInt32 pushed, Real normalX, Real normalY,
-                             Real leverPushing, Real leverPushed, Real need, Real cap) {
-  m_contacts.push_back(
-      {pushing, pushed, normalX, normalY, leverPushing, leverPushed, need, cap, 0.0, 0.0});
-  m_greatestNeed = std::max(m_greatestNeed, need);
+void CPushSolver::AddContact(const SContact& contact) {
+  m_contacts.push_back({contact, 0.0, 0.0});
+  m_greatestNeed = std::max(m_greatestNeed, contact.Need);
 }
 
 void CPushSolver::Prepare() {
@@ -43,7 +41,7 @@ void CPushSolver::Prepare() {
     body.Give = m_greatestNeed / (kPushSlack * force);
     body.TurnGive = body.Give / body.SquaredGyration;
   }
-  for (SContact& contact : m_contacts) {
+  for (SForce& contact : m_contacts) {
     const SBody& pushed = m_bodies[contact.Pushed];
     contact.Give = pushed.Give + contact.LeverPushed * contact.LeverPushed * pushed.TurnGive;
     if (contact.Pushing != kNobody) {
@@ -56,7 +54,7 @@ void CPushSolver::Prepare() {
 // Assumes that what is pushed slides against the push, with all its friction. If so, forces are
 // right from the start; if not, they relax within few sweeps.
 void CPushSolver::GuessFriction() {
-  for (const SContact& contact : m_contacts) {
+  for (const SForce& contact : m_contacts) {
     SBody& body = m_bodies[contact.Pushed];
     Real weight = std::max(0.0, contact.Need);
     if (contact.Pushing != kNobody) {
@@ -87,7 +85,7 @@ void CPushSolver::GuessFriction() {
 // Returns the greatest change, m.
 Real CPushSolver::SolveContacts() {
   Real change = 0.0;
-  for (SContact& contact : m_contacts) {
+  for (SForce& contact : m_contacts) {
     change = std::max(change, SolveContact(contact));
   }
   return change;
@@ -106,6 +104,22 @@ void CPushSolver::Solve() {
     // contacts last, so that bodies are out of each other in the end
     if (SolveContacts() < kSettled * m_greatestNeed) {
       break;
+    }
+  }
+  KeepApart();
+}
+
+// Of those that push against each other none may win because it comes last.
+void CPushSolver::KeepApart() {
+  Real missing = HUGE_VAL;
+  for (int sweep = 0; sweep < kPushIterations && missing > kSettled * m_greatestNeed; ++sweep) {
+    missing = 0.0;
+    for (SForce& contact : m_contacts) {
+      const Real shortOf = contact.Least - ComputeMotion(contact);
+      if (shortOf > 0.0) {
+        AddForce(contact, shortOf / contact.Give);
+        missing = std::max(missing, shortOf);
+      }
     }
   }
 }
@@ -139,25 +153,35 @@ void CPushSolver::SolveFriction(SBody& body) {
 }
 
 // Returns by how much it changed, m.
-Real CPushSolver::SolveContact(SContact& contact) {
-  SBody& pushed = m_bodies[contact.Pushed];
-  Real moved = contact.NormalX * pushed.Twist.X + contact.NormalY * pushed.Twist.Y +
-               contact.LeverPushed * pushed.Twist.Turn;
-  SBody* const pushing = contact.Pushing != kNobody ? &m_bodies[contact.Pushing] : nullptr;
-  if (pushing != nullptr) {
-    moved -= contact.NormalX * pushing->Twist.X + contact.NormalY * pushing->Twist.Y +
-             contact.LeverPushing * pushing->Twist.Turn;
-  }
-  const Real force =
-      std::clamp(contact.Force + (contact.Need - moved) / contact.Give, 0.0, contact.Cap);
+Real CPushSolver::SolveContact(SForce& contact) {
+  const Real force = std::clamp(
+      contact.Force + (contact.Need - ComputeMotion(contact)) / contact.Give, 0.0, contact.Cap);
   const Real change = force - contact.Force;
-  contact.Force = force;
-  Push(pushed, change * contact.NormalX, change * contact.NormalY, change * contact.LeverPushed);
-  if (pushing != nullptr) {
-    Push(*pushing, -change * contact.NormalX, -change * contact.NormalY,
+  AddForce(contact, change);
+  return std::abs(change) * contact.Give;
+}
+
+// By how much more than the one that pushes the pushed one moves along the normal, m.
+Real CPushSolver::ComputeMotion(const SContact& contact) const {
+  const STwist& pushed = m_bodies[contact.Pushed].Twist;
+  Real moved =
+      contact.NormalX * pushed.X + contact.NormalY * pushed.Y + contact.LeverPushed * pushed.Turn;
+  if (contact.Pushing != kNobody) {
+    const STwist& pushing = m_bodies[contact.Pushing].Twist;
+    moved -= contact.NormalX * pushing.X + contact.NormalY * pushing.Y +
+             contact.LeverPushing * pushing.Turn;
+  }
+  return moved;
+}
+
+void CPushSolver::AddForce(SForce& contact, Real change) {
+  contact.Force += change;
+  Push(m_bodies[contact.Pushed], change * contact.NormalX, change * contact.NormalY,
+       change * contact.LeverPushed);
+  if (contact.Pushing != kNobody) {
+    Push(m_bodies[contact.Pushing], -change * contact.NormalX, -change * contact.NormalY,
          -change * contact.LeverPushing);
   }
-  return std::abs(change) * contact.Give;
 }
 
 }  // namespace argos

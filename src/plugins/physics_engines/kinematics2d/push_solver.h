@@ -30,6 +30,19 @@ class CPushSolver {
   static constexpr UInt32 kNobody = std::numeric_limits<UInt32>::max();
   static constexpr Real kUnlimited = std::numeric_limits<Real>::infinity();
 
+  /** Where a body is pushed. The normal is of unit length and looks at the one that is pushed. */
+  struct SContact {
+    UInt32 Pushing = kNobody; /**< number of a body, or kNobody: something that is not moved */
+    UInt32 Pushed = 0; /**< number of a body */
+    Real NormalX = 0.0, NormalY = 0.0;
+    Real LeverPushing = 0.0, LeverPushed = 0.0; /**< of the normal about the bodies' origins, m */
+    /** By how much more than the one that pushes the pushed one is to move along the normal, m. */
+    Real Need = 0.0;
+    Real Cap = kUnlimited; /**< bound of the force for that, N */
+    /** By how much it must move in any case, so that they do not overlap, m; <= Need. */
+    Real Least = 0.0;
+  };
+
   /** Forgets all bodies and contacts. */
   void Clear();
   /**
@@ -40,17 +53,7 @@ class CPushSolver {
    * @return its number.
    */
   UInt32 AddBody(const STwist& twist, Real force, Real torque, Real squaredGyration);
-  /**
-   * Adds a contact. Its normal is of unit length and looks at the body @p pushed.
-   * @param pushing, pushed  numbers; @p pushing may be kNobody: something that the solver does not
-   *                         move.
-   * @param leverPushing, leverPushed  of the normal about the bodies' origins, m.
-   * @param need  by how much more than the one that pushes must the pushed one move along the
-   * normal in this tick, m.
-   * @param cap   bound of the force, N.
-   */
-  void AddContact(UInt32 pushing, UInt32 pushed, Real normalX, Real normalY, Real leverPushing,
-                  Real leverPushed, Real need, Real cap);
+  void AddContact(const SContact& contact);
   void Solve();
   const STwist& GetTwist(UInt32 body) const { return m_bodies[body].Twist; }
 
@@ -62,12 +65,7 @@ class CPushSolver {
     Real Give, TurnGive;  // m/N, rad/(N m): how it yields
     Real UsedX, UsedY, UsedTorque;  // of friction, N, N m
   };
-  struct SContact {
-    UInt32 Pushing, Pushed;
-    Real NormalX, NormalY;
-    Real LeverPushing, LeverPushed;  // m
-    Real Need;  // m
-    Real Cap;  // N
+  struct SForce : SContact {
     Real Give;  // m/N, of both
     Real Force;  // N
   };
@@ -75,12 +73,15 @@ class CPushSolver {
   void Prepare();
   void GuessFriction();
   Real SolveContacts();
-  Real SolveContact(SContact& contact);
+  Real SolveContact(SForce& contact);
+  Real ComputeMotion(const SContact& contact) const;
+  void AddForce(SForce& contact, Real change);
+  void KeepApart();
   void SolveFriction(SBody& body);
   static void Push(SBody& body, Real x, Real y, Real torque);
 
   std::vector<SBody> m_bodies;
-  std::vector<SContact> m_contacts;
+  std::vector<SForce> m_contacts;
   Real m_greatestNeed = 0.0;  // m
 };
 

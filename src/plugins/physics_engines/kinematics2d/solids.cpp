@@ -208,7 +208,7 @@ void CSolids::AddPushes(UInt32 slot, const CDiscSwarm& discs) {
     }
     Activate(slot);
     m_farthest = std::max(m_farthest, need);
-    AddContact(solid, contact, need, force);
+    AddContact(solid, contact, need, force, -contact.Gap);
     return true;
   };
   for (const UInt32 disc : m_nearDiscs) {
@@ -305,9 +305,10 @@ void CSolids::AddSolidNeighbour(SSolid& solid, SSolid& other) {
       const int count = FindContacts(a, b, contacts);
       for (int i = 0; i < count; ++i) {
         const Real most = kSolidStep * std::min(solid.NarrowestHalf, other.NarrowestHalf);
-        m_solver.AddContact(solid.Number, other.Number, contacts[i].NormalX, contacts[i].NormalY,
-                            ComputeLever(solid, contacts[i]), ComputeLever(other, contacts[i]),
-                            std::min(-contacts[i].Gap, most), CPushSolver::kUnlimited);
+        const Real least = std::min(-contacts[i].Gap, most);
+        m_solver.AddContact({solid.Number, other.Number, contacts[i].NormalX, contacts[i].NormalY,
+                             ComputeLever(solid, contacts[i]), ComputeLever(other, contacts[i]),
+                             least, CPushSolver::kUnlimited, least});
       }
     }
   }
@@ -319,15 +320,16 @@ void CSolids::AddObstacle(const SSolid& solid, const SFootprint& footprint) {
     SSeparation contacts[2];
     const int count = FindContacts(footprint, mine, contacts);
     for (int i = 0; i < count; ++i) {
-      AddContact(solid, contacts[i], std::min(-contacts[i].Gap, kSolidStep * solid.NarrowestHalf),
-                 CPushSolver::kUnlimited);
+      const Real least = std::min(-contacts[i].Gap, kSolidStep * solid.NarrowestHalf);
+      AddContact(solid, contacts[i], least, CPushSolver::kUnlimited, least);
     }
   }
 }
 
-void CSolids::AddContact(const SSolid& solid, const SSeparation& contact, Real need, Real cap) {
-  m_solver.AddContact(CPushSolver::kNobody, solid.Number, contact.NormalX, contact.NormalY, 0.0,
-                      ComputeLever(solid, contact), need, cap);
+void CSolids::AddContact(const SSolid& solid, const SSeparation& contact, Real need, Real cap,
+                         Real least) {
+  m_solver.AddContact({CPushSolver::kNobody, solid.Number, contact.NormalX, contact.NormalY, 0.0,
+                       ComputeLever(solid, contact), need, cap, least});
 }
 
 // A robot that is no disc goes where its wheels lead, slides along what is in its way, or stops.

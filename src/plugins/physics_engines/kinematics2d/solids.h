@@ -88,7 +88,7 @@ class CSolids {
   void AddNeighbours(UInt32 slot, const CDiscSwarm& discs, std::span<const SFootprint> walls);
   void AddSolidNeighbour(SSolid& solid, SSolid& other);
   void AddObstacle(const SSolid& solid, const SFootprint& footprint);
-  void AddContact(const SSolid& solid, const SSeparation& contact, Real need, Real cap);
+  void AddContact(const SSolid& solid, const SSeparation& contact, Real need, Real cap, Real least);
   void StepDriven(SSolid& solid, const CDiscSwarm& discs, std::span<const SFootprint> walls);
   void GatherObstacles(const SSolid& solid, Real margin, const CDiscSwarm& discs,
                        std::span<const SFootprint> walls);
