@@ -15,7 +15,7 @@ namespace argos {
 namespace {
 
 // robots in each other's way that a thread works on in a row
-constexpr size_t kMoverGrain = 32;
+constexpr size_t kMoverGrain = 128;
 // the numbers of discs come first among half planes, then those of walls, then those of solids
 constexpr UInt32 kFirstWall = 1U << 30;
 constexpr UInt32 kFirstSolid = 1U << 31;
@@ -78,28 +78,53 @@ void CDiscSwarm::Step(CThreadPool& pool, const CCellLists& walls, const CCellLis
                    [&](size_t begin, size_t end, UInt32) {
                      FindMovers(begin + stride, end + stride, walls, solids);
                    });
-  const size_t numMovers = m_numMovers.load(std::memory_order_relaxed);
-  for (UInt32 round = 0; round < kMaxRounds && numMovers > 0; ++round) {
-    std::atomic<bool> isAnyActive{false};
-    pool.ParallelFor(numMovers, kMoverGrain, [&](size_t begin, size_t end, UInt32) {
-      bool isActive = false;
-      for (size_t i = begin; i < end; ++i) {
-        isActive = StepOne(m_movers[i], walls, solids, m_done, m_next) || isActive;
-      }
-      if (isActive) {
-        isAnyActive.store(true, std::memory_order_relaxed);
-      }
-    });
-    m_done.swap(m_next);
-    if (!isAnyActive.load(std::memory_order_relaxed)) {
-      break;
-    }
+  // those who are where they want to be are done; they come behind the others
+  size_t numLeft = m_numMovers.load(std::memory_order_relaxed);
+  bool isAnyActive = true;
+  for (UInt32 round = 0; round < kMaxRounds && numLeft > 0 && isAnyActive; ++round) {
+    isAnyActive = TakeRound(pool, numLeft, walls, solids);
+    numLeft = DropArrived(numLeft);
   }
-  pool.ParallelFor(numMovers, kMoverGrain, [this](size_t begin, size_t end, UInt32) {
+  pool.ParallelFor(numLeft, kMoverGrain, [this](size_t begin, size_t end, UInt32) {
     for (size_t i = begin; i < end; ++i) {
       Finish(m_movers[i]);
     }
   });
+}
+
+// Lets the first so many movers take a step. Returns whether anybody got ahead.
+bool CDiscSwarm::TakeRound(CThreadPool& pool, size_t numLeft, const CCellLists& walls,
+                           const CCellLists& solids) {
+  std::atomic<bool> isAnyActive{false};
+  pool.ParallelFor(numLeft, kMoverGrain, [&](size_t begin, size_t end, UInt32) {
+    bool isActive = false;
+    for (size_t i = begin; i < end; ++i) {
+      isActive = StepOne(m_movers[i], walls, solids, m_done, m_next) || isActive;
+    }
+    if (isActive) {
+      isAnyActive.store(true, std::memory_order_relaxed);
+    }
+  });
+  m_done.swap(m_next);
+  return isAnyActive.load(std::memory_order_relaxed);
+}
+
+// Puts those of the first so many movers that have arrived behind the others. Returns how many
+// these are.
+size_t CDiscSwarm::DropArrived(size_t numLeft) {
+  for (size_t i = 0; i < numLeft;) {
+    const UInt32 place = m_movers[i].Place;
+    const SWish& wish = m_wishes[place];
+    const SStep missing = {wish.X - m_done[place].X, wish.Y - m_done[place].Y};
+    if (wish.Depth == 0.0 &&
+        SquaredLength(missing) <= kArrived * kArrived * (wish.X * wish.X + wish.Y * wish.Y)) {
+      m_next[place] = m_done[place];
+      std::swap(m_movers[i], m_movers[--numLeft]);
+    } else {
+      ++i;
+    }
+  }
+  return numLeft;
 }
 
 // Calls visit(place) for those in a cell and around it until it returns true; returns whether it
@@ -273,15 +298,13 @@ bool CDiscSwarm::LimitByFootprints(const SMover& mover, const CCellLists& lists,
   return true;
 }
 
+// Of one that is not where its wheels want it.
 void CDiscSwarm::Finish(const SMover& mover) {
   const SWish& wish = m_wishes[mover.Place];
   const SPlace& disc = m_places[mover.Place];
   const SStep& done = m_done[mover.Place];
-  const SStep missing = {wish.X - done.X, wish.Y - done.Y};
-  if (SquaredLength(missing) > kArrived * kArrived * (wish.X * wish.X + wish.Y * wish.Y)) {
-    m_nextX[disc.Slot] = disc.X + done.X;
-    m_nextY[disc.Slot] = disc.Y + done.Y;
-  }
+  m_nextX[disc.Slot] = disc.X + done.X;
+  m_nextY[disc.Slot] = disc.Y + done.Y;
   m_allowance[disc.Slot] = std::min(wish.Depth, wish.Radius);
 }
 

@@ -93,8 +93,6 @@ class CDiscSwarm {
     Real Path;  // m: it may not go farther
     Real Depth;  // m: deepest overlap
   };
-  enum ERoundResult : UInt32 { Settled, Active };
-
   void PlanRun(size_t begin, size_t end, Real duration);
   void Bin(size_t begin, size_t end, bool alone);
   bool IsGridBad() const;
@@ -107,6 +105,9 @@ class CDiscSwarm {
                   const CCellLists& solids);
   bool MayMeetSomething(UInt32 place, UInt32 cell, const CCellLists& walls,
                         const CCellLists& solids) const;
+  bool TakeRound(CThreadPool& pool, size_t numLeft, const CCellLists& walls,
+                 const CCellLists& solids);
+  size_t DropArrived(size_t numLeft);
   bool StepOne(const SMover& mover, const CCellLists& walls, const CCellLists& solids,
                const std::vector<SStep>& done, std::vector<SStep>& next);
   bool LimitByDiscs(const SMover& mover, const std::vector<SStep>& done, Real bound,

@@ -22,9 +22,9 @@ constexpr Real kNegligibleStep = 1e-6;
 constexpr Real kMaxRounding = 1e-9;
 
 /** Robots that a thread works on in a row. */
-constexpr size_t kDiscGrain = 128;
+constexpr size_t kDiscGrain = 512;
 /** Cells of the grid, of which about every second has a robot, that a thread works on in a row. */
-constexpr size_t kCellGrain = 256;
+constexpr size_t kCellGrain = 1024;
 /** Ticks after which the grid is laid anew, because the swarm may be elsewhere. */
 constexpr UInt32 kTicksOfGrid = 32;
 

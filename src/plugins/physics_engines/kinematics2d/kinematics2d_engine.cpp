@@ -273,7 +273,7 @@ void CKinematics2DEngine::UseManipulators() {
 
 void CKinematics2DEngine::WriteBackDiscs() {
   CDiscSwarm& discs = m_world->GetDiscs();
-  m_hasLeft.assign(discs.GetSize(), 0);
+  m_hasLeft.resize(discs.GetSize());
   m_cSimulator.GetThreadPool().ParallelFor(
       discs.GetSize(), kDiscGrain,
       [this](size_t begin, size_t end, UInt32) { WriteBackDiscs(begin, end); });
