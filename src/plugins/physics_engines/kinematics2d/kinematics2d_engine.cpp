@@ -113,7 +113,10 @@ std::unique_ptr<CKinematics2DModel> CKinematics2DEngine::TakeOut(CKinematics2DMo
   if (m_world != nullptr) {
     m_world->Remove(model.m_handle);
   }
-  std::erase(m_manipulators, &model);
+  if (model.m_isManipulator) {
+    std::erase(m_manipulators, &model);
+    model.m_isManipulator = false;
+  }
   const size_t number = model.m_number;
   std::swap(m_models[number], m_models.back());
   m_models[number]->m_number = number;
@@ -171,13 +174,13 @@ void CKinematics2DEngine::Replace(CKinematics2DModel& model) {
 }
 
 void CKinematics2DEngine::UpdateManipulator(CKinematics2DModel& model) {
-  const auto place = std::find(m_manipulators.begin(), m_manipulators.end(), &model);
   const bool hasOne = model.m_gripper != nullptr || model.m_turret != nullptr;
-  if (hasOne && place == m_manipulators.end()) {
+  if (hasOne && !model.m_isManipulator) {
     m_manipulators.push_back(&model);
-  } else if (!hasOne && place != m_manipulators.end()) {
-    m_manipulators.erase(place);
+  } else if (!hasOne && model.m_isManipulator) {
+    std::erase(m_manipulators, &model);
   }
+  model.m_isManipulator = hasOne;
 }
 
 // bodies enter the world in the order of their entities, whatever happened before

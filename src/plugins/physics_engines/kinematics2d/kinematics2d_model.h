@@ -38,6 +38,7 @@ class CKinematics2DModel : public CDescribedBodyModel {
   CTurretEntity* m_turret = nullptr;  // of the robot; null if it has none
   SKinematicHandle m_handle;  // where the body is in the engine's arrays
   size_t m_number = 0;  // in the engine's list of models
+  bool m_isManipulator = false;  // is it in the engine's list of those?
 };
 
 }  // namespace argos
