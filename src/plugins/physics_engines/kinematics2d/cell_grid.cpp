@@ -71,4 +71,19 @@ void CCellLists::List(const CCellGrid& grid, std::span<const SFootprint> footpri
   }
 }
 
+void CCellLists::Find(const CCellGrid& grid, Real x, Real y, Real radius,
+                      std::vector<UInt32>& numbers) const {
+  numbers.clear();
+  if (IsEmpty()) {
+    return;
+  }
+  SFootprint circle = {x, y, 1.0, 0.0, 0.0, 0.0, 0.0};
+  ForCells(grid, circle, radius, [&](UInt32 cell) {
+    const std::span<const UInt32> listed = Get(cell);
+    numbers.insert(numbers.end(), listed.begin(), listed.end());
+  });
+  std::sort(numbers.begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+}
+
 }  // namespace argos

@@ -73,6 +73,12 @@ class CCellLists {
     return {m_items.data() + m_start[cell], m_items.data() + m_start[cell + 1]};
   }
   std::span<const SFootprint> GetFootprints() const { return m_footprints; }
+  /**
+   * Collects the numbers of the footprints listed in the cells around a point, in order, each once.
+   * @param radius  m: all that come so near, but for the reach that they are listed with, are
+   * found.
+   */
+  void Find(const CCellGrid& grid, Real x, Real y, Real radius, std::vector<UInt32>& numbers) const;
 
  private:
   std::span<const SFootprint> m_footprints;

@@ -82,8 +82,9 @@ void CKinematicWorld::Advance(CThreadPool& pool, Real duration) {
       m_walls.insert(m_walls.end(), body.Footprints.begin(), body.Footprints.end());
     }
     m_gridOfWalls = 0;
+    m_solids.SetWalls(m_walls);
   }
-  m_solids.Step(m_discs, m_walls);
+  m_solids.Step(m_discs);
   if (m_discs.GetSize() > 0) {
     ListWalls();
     m_discs.Step(pool, m_wallCells, m_solidCells);

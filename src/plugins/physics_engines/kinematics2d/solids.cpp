@@ -25,6 +25,16 @@ Real ComputeLength(const SSolid& solid, const STwist& twist) {
   return std::hypot(twist.X, twist.Y) + std::abs(twist.Turn) * solid.BoundingRadius;
 }
 
+// a twist, or as much of it as has that length, m
+STwist Shortened(const SSolid& solid, const STwist& twist, Real longest) {
+  const Real length = ComputeLength(solid, twist);
+  if (length <= longest) {
+    return twist;
+  }
+  const Real scale = longest / length;
+  return {scale * twist.X, scale * twist.Y, scale * twist.Turn};
+}
+
 SPlanarPose Moved(const SPlanarPose& pose, const STwist& twist, Real share) {
   SPlanarPose moved = pose;
   moved.X += share * twist.X;
@@ -64,6 +74,8 @@ void CSolids::Reserve(size_t solids) {
   m_solids.reserve(solids);
   m_shapes.reserve(2 * solids);
   m_footprints.reserve(2 * solids);
+  m_slotOf.reserve(2 * solids);
+  m_found.reserve(256);
   m_active.reserve(solids);
   m_nearDiscs.reserve(256);
   m_pushes.reserve(256);
@@ -79,6 +91,7 @@ void CSolids::Add(const SKinematicOwner& owner, const SBodyDescription& descript
   AppendFootprints(description, SPlanarPose(), m_shapes);
   solid.NumFootprints = m_shapes.size() - solid.FirstFootprint;
   m_footprints.resize(m_shapes.size());
+  m_slotOf.resize(m_shapes.size(), owner.Handle->Slot);
   for (size_t i = solid.FirstFootprint; i < m_shapes.size(); ++i) {
     solid.BoundingRadius = std::max(solid.BoundingRadius, std::hypot(m_shapes[i].X, m_shapes[i].Y) +
                                                               ComputeExtent(m_shapes[i]));
@@ -109,10 +122,14 @@ void CSolids::Remove(UInt32 slot) {
     const auto first = list->begin() + static_cast<std::ptrdiff_t>(gone.FirstFootprint);
     list->erase(first, first + static_cast<std::ptrdiff_t>(gone.NumFootprints));
   }
-  for (SSolid& solid : m_solids) {
+  m_slotOf.resize(m_shapes.size());
+  for (UInt32 i = 0; i < m_solids.size(); ++i) {
+    SSolid& solid = m_solids[i];
     if (solid.FirstFootprint > gone.FirstFootprint) {
       solid.FirstFootprint -= gone.NumFootprints;
     }
+    std::fill_n(m_slotOf.begin() + static_cast<std::ptrdiff_t>(solid.FirstFootprint),
+                solid.NumFootprints, i);
   }
   ++m_generation;
 }
@@ -150,7 +167,7 @@ void CSolids::Plan(Real duration) {
   }
 }
 
-void CSolids::Step(const CDiscSwarm& discs, std::span<const SFootprint> walls) {
+void CSolids::Step(const CDiscSwarm& discs) {
   if (m_solids.empty()) {
     return;
   }
@@ -159,28 +176,71 @@ void CSolids::Step(const CDiscSwarm& discs, std::span<const SFootprint> walls) {
   m_pushes.clear();
   m_farthest = 0.0;
   FindPushed(discs);
+  if (m_active.empty() && m_numDriven == 0) {
+    return;
+  }
+  ListAll();
   // the list grows while those in the way of the ones that are pushed are found
   for (size_t i = 0; i < m_active.size(); ++i) {
-    AddNeighbours(m_active[i], discs, walls);
+    AddNeighbours(m_active[i], discs);
   }
   m_solver.Solve();
   for (const UInt32 slot : m_active) {
-    m_solids[slot].Twist = m_solver.GetTwist(m_solids[slot].Number);
-    m_solids[slot].Number = CPushSolver::kNobody;
+    // nothing goes farther than others look for it
+    SSolid& solid = m_solids[slot];
+    const STwist& twist = m_solver.GetTwist(solid.Number);
+    solid.Twist = Shortened(solid, twist, ComputeFarthest(solid));
+    solid.Number = CPushSolver::kNobody;
   }
   for (int pass = 0; pass < kPasses; ++pass) {
     for (const UInt32 slot : m_active) {
       SSolid& solid = m_solids[slot];
-      const Real left = 1.0 - Move(solid, solid.Twist, discs, walls);
+      const Real left = 1.0 - Move(solid, solid.Twist, discs);
       solid.Twist = {left * solid.Twist.X, left * solid.Twist.Y, left * solid.Twist.Turn};
     }
   }
   for (SSolid& solid : m_solids) {
     if (!solid.IsPassive()) {
-      StepDriven(solid, discs, walls);
+      StepDriven(solid, discs);
     }
     solid.IsFresh = false;
   }
+}
+
+// How far a body gets in this tick, at most, m; with what puts it out of others.
+Real CSolids::ComputeFarthest(const SSolid& solid) const {
+  const Real wanted = solid.IsPassive() ? m_farthest : ComputeLength(solid, solid.Twist);
+  return 2.0 * wanted + 2.0 * kSolidStep * solid.NarrowestHalf;
+}
+
+// Lists walls and solids in cells, the latter in all that they may reach in this tick.
+void CSolids::ListAll() {
+  Real reach = 0.0;
+  Real widest = 0.0;
+  CCellGrid::SArea area = {HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  for (const SSolid& solid : m_solids) {
+    reach = std::max(reach, ComputeFarthest(solid));
+    widest = std::max(widest, solid.BoundingRadius);
+    area.MinX = std::min(area.MinX, solid.Pose.X);
+    area.MinY = std::min(area.MinY, solid.Pose.Y);
+    area.MaxX = std::max(area.MaxX, solid.Pose.X);
+    area.MaxY = std::max(area.MaxY, solid.Pose.Y);
+  }
+  if (m_solidsOfGrid > 2 * m_solids.size() || m_solids.size() > 2 * m_solidsOfGrid) {
+    m_grid.Lay(area, 2.0 * widest, CCellGrid::AimedCells(m_solids.size()));
+    m_solidsOfGrid = m_solids.size();
+    m_wallsChanged = true;
+  }
+  if (m_wallsChanged) {
+    m_wallsChanged = false;
+    m_wallCells.List(m_grid, m_walls, 0.0);
+  }
+  m_solidCells.List(m_grid, m_footprints, reach);
+}
+
+void CSolids::SetWalls(std::span<const SFootprint> walls) {
+  m_walls = walls;
+  m_wallsChanged = true;
 }
 
 // Finds the things that robots push directly, and those that have just been put into something.
@@ -259,13 +319,14 @@ UInt32 CSolids::Activate(UInt32 slot) {
 }
 
 // Adds what may be in the way of a body that is pushed.
-void CSolids::AddNeighbours(UInt32 slot, const CDiscSwarm& discs,
-                            std::span<const SFootprint> walls) {
+void CSolids::AddNeighbours(UInt32 slot, const CDiscSwarm& discs) {
   SSolid& solid = m_solids[slot];
   const Real margin = 2.0 * m_farthest + kSolidTolerance * solid.NarrowestHalf;
-  for (const SFootprint& wall : walls) {
-    if (IsNear(solid, wall, margin)) {
-      AddObstacle(solid, wall);
+  const Real reach = solid.BoundingRadius + margin;
+  m_wallCells.Find(m_grid, solid.Pose.X, solid.Pose.Y, reach, m_found);
+  for (const UInt32 wall : m_found) {
+    if (IsNear(solid, m_walls[wall], margin)) {
+      AddObstacle(solid, m_walls[wall]);
     }
   }
   m_nearDiscs.clear();
@@ -280,7 +341,13 @@ void CSolids::AddNeighbours(UInt32 slot, const CDiscSwarm& discs,
       AddObstacle(solid, MakeDisc(discs.GetPose(disc), discs.GetRadius(disc)));
     }
   }
-  for (UInt32 i = 0; i < m_solids.size(); ++i) {
+  m_solidCells.Find(m_grid, solid.Pose.X, solid.Pose.Y, reach, m_found);
+  for (UInt32& footprint : m_found) {
+    footprint = m_slotOf[footprint];
+  }
+  std::sort(m_found.begin(), m_found.end());
+  m_found.erase(std::unique(m_found.begin(), m_found.end()), m_found.end());
+  for (const UInt32 i : m_found) {
     SSolid& other = m_solids[i];
     if (i == slot || std::hypot(other.Pose.X - solid.Pose.X, other.Pose.Y - solid.Pose.Y) >
                          other.BoundingRadius + solid.BoundingRadius + margin) {
@@ -333,35 +400,33 @@ void CSolids::AddContact(const SSolid& solid, const SSeparation& contact, Real n
 }
 
 // A robot that is no disc goes where its wheels lead, slides along what is in its way, or stops.
-void CSolids::StepDriven(SSolid& solid, const CDiscSwarm& discs,
-                         std::span<const SFootprint> walls) {
+void CSolids::StepDriven(SSolid& solid, const CDiscSwarm& discs) {
   const Real length = ComputeLength(solid, solid.Twist);
   if (length == 0.0 && !solid.IsFresh) {
     return;
   }
-  GatherObstacles(solid, 2.0 * length, discs, walls);
+  GatherObstacles(solid, 2.0 * length, discs);
   m_solver.Clear();
   solid.Number = m_solver.AddBody(solid.Twist, 0.0, 0.0, solid.SquaredGyration);
   for (const SObstacle& obstacle : m_obstacles) {
     AddObstacle(solid, obstacle.Footprint);
   }
   m_solver.Solve();
-  STwist twist = m_solver.GetTwist(solid.Number);
+  STwist twist = Shortened(solid, m_solver.GetTwist(solid.Number), ComputeFarthest(solid));
   solid.Number = CPushSolver::kNobody;
   const bool isFree =
       twist.X == solid.Twist.X && twist.Y == solid.Twist.Y && twist.Turn == solid.Twist.Turn;
   // what is left of a step that had no room is tried without turning
-  if (Move(solid, twist, discs, walls) < 1.0) {
+  if (Move(solid, twist, discs) < 1.0) {
     twist.Turn = 0.0;
-    Move(solid, twist, discs, walls);
+    Move(solid, twist, discs);
   } else if (isFree) {
     Place(solid, solid.Arc);
   }
 }
 
 // Collects what is near a body, but for itself.
-void CSolids::GatherObstacles(const SSolid& solid, Real margin, const CDiscSwarm& discs,
-                              std::span<const SFootprint> walls) {
+void CSolids::GatherObstacles(const SSolid& solid, Real margin, const CDiscSwarm& discs) {
   m_obstacles.clear();
   const auto add = [&](const SFootprint& footprint) {
     if (!IsNear(solid, footprint, margin)) {
@@ -373,26 +438,29 @@ void CSolids::GatherObstacles(const SSolid& solid, Real margin, const CDiscSwarm
     }
     m_obstacles.push_back({footprint, gap});
   };
-  std::for_each(walls.begin(), walls.end(), add);
+  const Real reach = solid.BoundingRadius + margin;
+  m_wallCells.Find(m_grid, solid.Pose.X, solid.Pose.Y, reach, m_found);
+  for (const UInt32 wall : m_found) {
+    add(m_walls[wall]);
+  }
   discs.ForDiscsNear(solid.Pose.X, solid.Pose.Y, solid.BoundingRadius + margin, [&](UInt32 disc) {
     add(MakeDisc(discs.GetPose(disc), discs.GetRadius(disc)));
   });
-  const size_t first = solid.FirstFootprint;
-  for (size_t i = 0; i < m_footprints.size(); ++i) {
-    if (i < first || i >= first + solid.NumFootprints) {
-      add(m_footprints[i]);
+  m_solidCells.Find(m_grid, solid.Pose.X, solid.Pose.Y, reach, m_found);
+  for (const UInt32 footprint : m_found) {
+    if (&m_solids[m_slotOf[footprint]] != &solid) {
+      add(m_footprints[footprint]);
     }
   }
 }
 
 // Moves a body along a twist as far as there is room. Returns the share that it got.
-Real CSolids::Move(SSolid& solid, const STwist& twist, const CDiscSwarm& discs,
-                   std::span<const SFootprint> walls) {
+Real CSolids::Move(SSolid& solid, const STwist& twist, const CDiscSwarm& discs) {
   const Real length = ComputeLength(solid, twist);
   if (!(length > kNegligibleStep * solid.NarrowestHalf)) {
     return 1.0;
   }
-  GatherObstacles(solid, length, discs, walls);
+  GatherObstacles(solid, length, discs);
   const auto steps = static_cast<UInt32>(std::ceil(length / (kSolidStep * solid.NarrowestHalf)));
   const Real stepShare = 1.0 / steps;
   const SPlanarPose start = solid.Pose;

@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_SOLIDS_H
 
 #include <argos3/core/simulator/physics_engine/planar_motion.h>
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/cell_grid.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_handle.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/push_solver.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/separation.h>
@@ -59,8 +60,10 @@ class CSolids {
 
   /** Where wheels lead in a time, s. @throws SBadKinematicWheels */
   void Plan(Real duration);
-  /** Then: moves all. @param discs  after its Plan(), before its Step(). */
-  void Step(const CDiscSwarm& discs, std::span<const SFootprint> walls);
+  /** Tells of the walls before the next Step(); they must stay where they are. */
+  void SetWalls(std::span<const SFootprint> walls);
+  /** After Plan(): moves all. @param discs  after its Plan(), before its Step(). */
+  void Step(const CDiscSwarm& discs);
   /** Of all, world frame. */
   std::span<const SFootprint> GetFootprints() const { return m_footprints; }
   /** Changes whenever a footprint does. */
@@ -83,17 +86,17 @@ class CSolids {
   };
 
   void FindPushed(const CDiscSwarm& discs);
+  void ListAll();
+  Real ComputeFarthest(const SSolid& solid) const;
   void AddPushes(UInt32 slot, const CDiscSwarm& discs);
   UInt32 Activate(UInt32 slot);
-  void AddNeighbours(UInt32 slot, const CDiscSwarm& discs, std::span<const SFootprint> walls);
+  void AddNeighbours(UInt32 slot, const CDiscSwarm& discs);
   void AddSolidNeighbour(SSolid& solid, SSolid& other);
   void AddObstacle(const SSolid& solid, const SFootprint& footprint);
   void AddContact(const SSolid& solid, const SSeparation& contact, Real need, Real cap, Real least);
-  void StepDriven(SSolid& solid, const CDiscSwarm& discs, std::span<const SFootprint> walls);
-  void GatherObstacles(const SSolid& solid, Real margin, const CDiscSwarm& discs,
-                       std::span<const SFootprint> walls);
-  Real Move(SSolid& solid, const STwist& twist, const CDiscSwarm& discs,
-            std::span<const SFootprint> walls);
+  void StepDriven(SSolid& solid, const CDiscSwarm& discs);
+  void GatherObstacles(const SSolid& solid, Real margin, const CDiscSwarm& discs);
+  Real Move(SSolid& solid, const STwist& twist, const CDiscSwarm& discs);
   bool IsFree(const SSolid& solid, const SPlanarPose& pose) const;
   std::span<const SFootprint> FootprintsOf(const SSolid& solid) const {
     return {m_footprints.data() + solid.FirstFootprint, solid.NumFootprints};
@@ -103,8 +106,16 @@ class CSolids {
   std::vector<SSolid> m_solids;
   std::vector<SFootprint> m_shapes;  // footprints of all, in the frames of their bodies
   std::vector<SFootprint> m_footprints;  // the same, world frame
+  std::vector<UInt32> m_slotOf;  // (footprints): whose each is
   size_t m_numDriven = 0;
   UInt32 m_generation = 0;
+  // who is near: walls as they are, solids as far as they may get in this tick
+  CCellGrid m_grid;
+  size_t m_solidsOfGrid = 0;  // how many there were when it was laid
+  std::span<const SFootprint> m_walls;
+  bool m_wallsChanged = true;
+  CCellLists m_wallCells, m_solidCells;
+  std::vector<UInt32> m_found;
   // of a tick
   CPushSolver m_solver;
   Real m_farthest = 0.0;  // m: how far anything is pushed
