@@ -89,7 +89,11 @@ CVector2 FindNearest(const CRay2& segment, const CVector2& point) {
     return segment.GetStart();
   }
   const Real share = (point - segment.GetStart()).DotProduct(along) / squared;
-  return segment.GetStart() + along * std::clamp<Real>(share, 0.0, 1.0);
+  if (share >= 1.0) {
+    // exactly: others compare
+    return segment.GetEnd();
+  }
+  return segment.GetStart() + along * std::max<Real>(share, 0.0);
 }
 
 Real ComputeDistance(const TPolygon& polygon, const CVector2& point) {

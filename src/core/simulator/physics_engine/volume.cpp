@@ -54,7 +54,7 @@ std::vector<SVertex> ReadVertices(TConfigurationNode& sides) {
   return vertices;
 }
 
-// each vertex must be on the left of each side: this also finds polygons that wind twice
+// each vertex must be on the left of each side
 void CheckConvex(const TPolygon& vertices, const std::string& location) {
   for (size_t i = 0; i < vertices.size(); ++i) {
     const CVector2& start = vertices[i];
@@ -99,6 +99,12 @@ void CheckPolygon(const TPolygon& vertices, const std::string& location) {
                                   << ListCorners(TPolygon(vertices.rbegin(), vertices.rend())));
   }
   CheckConvex(vertices, location);
+  for (size_t i = 0; i < vertices.size(); ++i) {
+    if (std::count(vertices.begin(), vertices.end(), vertices[i]) > 1) {
+      THROW_ARGOSEXCEPTION(location << ": <sides>: the vertex \"" << vertices[i]
+                                    << "\" is given twice");
+    }
+  }
   if (!(area > 0.0)) {
     THROW_ARGOSEXCEPTION(location << ": <sides>: all vertices lie on one line");
   }

@@ -263,15 +263,23 @@ void CSpace::RehouseImmovable(CEmbodiedEntity& body) {
   if (engines.size() < 2 || std::none_of(engines.begin(), engines.end(), touches)) {
     return;
   }
+  const auto houses = [&body](const CPhysicsEngine* engine) {
+    for (UInt32 i = 0; i < body.GetPhysicsModelsNum(); ++i) {
+      if (&body.GetPhysicsModel(size_t(i)).GetEngine() == engine) {
+        return true;
+      }
+    }
+    return false;
+  };
+  // first in, then out: it is always somewhere
   CEntity& root = body.GetRootEntity();
   for (CPhysicsEngine* engine : engines) {
-    bool isHere = false;
-    for (UInt32 i = 0; i < body.GetPhysicsModelsNum(); ++i) {
-      isHere = isHere || &body.GetPhysicsModel(size_t(i)).GetEngine() == engine;
-    }
-    if (!isHere && touches(engine)) {
+    if (touches(engine) && !houses(engine)) {
       engine->AddEntity(root);
-    } else if (isHere && !touches(engine) && body.GetPhysicsModelsNum() > 1) {
+    }
+  }
+  for (CPhysicsEngine* engine : engines) {
+    if (!touches(engine) && houses(engine) && body.GetPhysicsModelsNum() > 1) {
       engine->RemoveEntity(root);
     }
   }

@@ -283,7 +283,7 @@ TEST_CASE("automatic partition: regions fill the arena, as square as can be",
   const SCut cut = GENERATE(SCut{16, "40,40,1", 4, 4}, SCut{6, "30,20,1", 3, 2},
                             SCut{6, "20,30,1", 2, 3}, SCut{7, "10,10,1", 1, 7},
                             SCut{1, "10,10,1", 1, 1}, SCut{12, "10,10,1", 3, 4},
-                            SCut{8, "40,10,1", 8, 1});
+                            SCut{8, "80,10,1", 8, 1});
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(cut.Count, cut.Size, engine);
   SExperiment experiment;
