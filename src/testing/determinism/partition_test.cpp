@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/utility/string_utilities.h>
 #include <argos3/testing/determinism/swarm.h>
 
 #include <catch2/catch.hpp>
@@ -15,7 +16,39 @@ using namespace argos;
 namespace {
 
 constexpr UInt32 kRobots = 240;
-constexpr UInt32 kTicks = 120;
+constexpr UInt32 kTicks = 150;
+
+/** "blind_walker": changes its wheel speeds now and then, and so bumps into everything. */
+class CBlindWalker : public CCI_Controller {
+ public:
+  void Init(TConfigurationNode&) override {
+    m_wheels = GetActuator<CCI_DifferentialSteeringActuator>("differential_steering");
+    m_random = CRandom::CreateRNG("argos");
+    Reset();
+  }
+  void Reset() override {
+    m_left = m_right = 12.0;
+  }
+  void ControlStep() override {
+    if (m_random->Bernoulli(0.05)) {
+      m_left = m_random->Uniform(CRange<Real>(-5.0, 15.0));
+      m_right = m_random->Uniform(CRange<Real>(-5.0, 15.0));
+    }
+    m_wheels->SetLinearVelocity(m_left, m_right);
+  }
+
+ private:
+  CCI_DifferentialSteeringActuator* m_wheels = nullptr;
+  CRandom::CRNG* m_random = nullptr;
+  Real m_left = 0.0, m_right = 0.0;  // cm/s
+};
+
+SExperiment MakeSwarm(UInt32 enginesPerSide) {
+  SExperiment experiment = Swarm(kRobots, enginesPerSide, false);
+  Replace(experiment.Controllers, "<walker ", "<blind_walker ");
+  Replace(experiment.Controllers, "</walker>", "</blind_walker>");
+  return experiment;
+}
 
 struct SRun {
   std::vector<UInt64> Digests;
@@ -58,11 +91,13 @@ const SRun& Reference(UInt32 enginesPerSide) {
   static std::map<UInt32, SRun> references;
   SRun& reference = references[enginesPerSide];
   if (reference.Digests.empty()) {
-    CTestWorld world(Swarm(kRobots, enginesPerSide, false));
+    CTestWorld world(MakeSwarm(enginesPerSide));
     reference = Run(world);
   }
   return reference;
 }
+
+REGISTER_CONTROLLER(CBlindWalker, "blind_walker")
 
 }  // namespace
 
@@ -72,7 +107,7 @@ TEST_CASE("determinism of partitions: the same for every number of threads and s
   const UInt32 threads = GENERATE(1U, 2U, 4U);
   const std::string method = GENERATE("balance_quantity", "balance_length");
   CAPTURE(enginesPerSide, threads, method);
-  SExperiment experiment = Swarm(kRobots, enginesPerSide, false);
+  SExperiment experiment = MakeSwarm(enginesPerSide);
   experiment.Threads = threads;
   experiment.Method = method;
   CTestWorld world(experiment);
@@ -83,7 +118,7 @@ TEST_CASE("determinism of partitions: after a reset the run repeats itself",
           "[determinism][partition]") {
   const UInt32 enginesPerSide = GENERATE(2U, 4U);
   CAPTURE(enginesPerSide);
-  CTestWorld world(Swarm(kRobots, enginesPerSide, false));
+  CTestWorld world(MakeSwarm(enginesPerSide));
   world.Step(kTicks / 2);
   world.GetSimulator().Reset();
   CHECK(Run(world).Digests == Reference(enginesPerSide).Digests);
@@ -98,12 +133,8 @@ TEST_CASE("determinism of partitions: the runs that are compared are worth it",
     CHECK(Reference(enginesPerSide).Crossings >= 20);
     CHECK(Reference(enginesPerSide).MostGhosts >= 10);
     // and ghosts change what happens
-    SExperiment experiment = Swarm(kRobots, enginesPerSide, false);
-    const std::string tag = "<dynamics2d ";
-    for (size_t at = experiment.Engines.find(tag); at != std::string::npos;
-         at = experiment.Engines.find(tag, at + tag.size())) {
-      experiment.Engines.insert(at + tag.size(), "ghosts='false' ");
-    }
+    SExperiment experiment = MakeSwarm(enginesPerSide);
+    Replace(experiment.Engines, "<dynamics2d ", "<dynamics2d ghosts='false' ");
     CTestWorld world(experiment);
     CHECK(Run(world).Digests != Reference(enginesPerSide).Digests);
   }
