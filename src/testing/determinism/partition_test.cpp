@@ -26,9 +26,7 @@ class CBlindWalker : public CCI_Controller {
     m_random = CRandom::CreateRNG("argos");
     Reset();
   }
-  void Reset() override {
-    m_left = m_right = 12.0;
-  }
+  void Reset() override { m_left = m_right = 12.0; }
   void ControlStep() override {
     if (m_random->Bernoulli(0.05)) {
       m_left = m_random->Uniform(CRange<Real>(-5.0, 15.0));

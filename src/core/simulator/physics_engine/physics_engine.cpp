@@ -9,6 +9,7 @@
 #include <argos3/core/simulator/space/body_index.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace argos {
 
@@ -139,9 +140,17 @@ void CPhysicsEngine::CollectGhosts() {
     const CVector2& end = border.GetEnd();
     const CRay3 ray(CVector3(start.GetX(), start.GetY(), 0.0),
                     CVector3(end.GetX(), end.GetY(), 0.0));
+    const Real length = border.GetLength();
+    CVector2 along;
+    border.GetDirection(along);
     index.ForShapesAlongRay(ray, reach, [&](const SIndexedShape& shape) {
-      const CVector2 centre(shape.X, shape.Y);
-      if (Distance(FindNearest(border, centre), centre) <= reach + shape.Radius) {
+      const CVector2 offset(shape.X - start.GetX(), shape.Y - start.GetY());
+      const Real far = reach + shape.Radius;
+      const Real place = along.DotProduct(offset);
+      const bool isNear =
+          std::abs(along.CrossProduct(offset)) <= far && place >= -far && place <= length + far;
+      // what is large may be visited several times in a row
+      if (isNear && (m_nearBorder.empty() || m_nearBorder.back() != shape.Body)) {
         m_nearBorder.push_back(shape.Body);
       }
     });

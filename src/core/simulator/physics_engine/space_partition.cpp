@@ -82,9 +82,9 @@ void CheckPair(const CPhysicsEngine& a, const CPhysicsEngine& b) {
     what << area << " m^2 with the corners " << ListCorners(shared) << ", "
          << DescribeHeights(heights);
   }
-  THROW_ARGOSEXCEPTION(a.GetOrigin() << ": its region and that of " << b.GetOrigin() << " share "
-                                     << what.str()
-                                     << "; regions of engines of one type must not overlap");
+  THROW_ARGOSEXCEPTION(a.GetOrigin()
+                       << ": its region and that of " << b.GetOrigin() << " share " << what.str()
+                       << "; regions of engines of one type must not overlap");
 }
 
 // how a gate misses the region of the engine that it names, or an empty text
@@ -146,18 +146,18 @@ void CheckGate(const FACE& face, const std::string& name, const CPhysicsEngine& 
         ids.push_back(engine->GetId());
       }
     }
-    THROW_ARGOSEXCEPTION(from.GetOrigin() << ": " << name << " is a gate to \"" << face.Gate
-                                          << "\", which is no engine"
-                                          << DidYouMean(face.Gate, ids));
+    THROW_ARGOSEXCEPTION(from.GetOrigin()
+                         << ": " << name << " is a gate to \"" << face.Gate
+                         << "\", which is no engine" << DidYouMean(face.Gate, ids));
   }
   if (*found == &from) {
     THROW_ARGOSEXCEPTION(from.GetOrigin() << ": " << name << " is a gate to its own engine");
   }
   const std::string miss = DescribeMiss(face, from, **found);
   if (!miss.empty()) {
-    THROW_ARGOSEXCEPTION(from.GetOrigin() << ": " << name
-                                          << " is a gate that does not lead into the region of "
-                                          << (*found)->GetOrigin() << ", " << miss);
+    THROW_ARGOSEXCEPTION(from.GetOrigin()
+                         << ": " << name << " is a gate that does not lead into the region of "
+                         << (*found)->GetOrigin() << ", " << miss);
   }
 }
 

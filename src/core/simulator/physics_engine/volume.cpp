@@ -217,9 +217,8 @@ bool SVolume::Contains(const CVector3& point) const {
     return false;
   }
   const CVector2 above = ToPlane(point);
-  return std::none_of(SideFaces.begin(), SideFaces.end(), [&above](const SVerticalFace* face) {
-    return IsBehind(*face, above);
-  });
+  return std::none_of(SideFaces.begin(), SideFaces.end(),
+                      [&above](const SVerticalFace* face) { return IsBehind(*face, above); });
 }
 
 // of the sides that it is behind, the segment nearest to it: so sides on one line are told apart
@@ -303,9 +302,8 @@ std::vector<SWallSlab> SVolume::DescribeWalls() const {
     auto description = std::make_shared<SBodyDescription>();
     description->Shapes.push_back(
         SShapeDescription::Box(CVector3(base.GetLength(), kWallThickness, highest - lowest)));
-    walls.push_back(
-        {std::move(description), CVector3(centre.GetX(), centre.GetY(), lowest),
-         CQuaternion(CRadians(std::atan2(along.GetY(), along.GetX())), CVector3::Z)});
+    walls.push_back({std::move(description), CVector3(centre.GetX(), centre.GetY(), lowest),
+                     CQuaternion(CRadians(std::atan2(along.GetY(), along.GetX())), CVector3::Z)});
   }
   return walls;
 }

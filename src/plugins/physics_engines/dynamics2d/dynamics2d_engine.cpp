@@ -254,8 +254,8 @@ bool CDynamics2DEngine::GetMotion(const CEmbodiedEntity& body, SBodyMotion& moti
 void CDynamics2DEngine::SetMotion(CEmbodiedEntity& body, const SBodyMotion& motion) {
   if (m_world != nullptr) {
     const auto& model = static_cast<CDynamics2DModel&>(body.GetPhysicsModel(size_t(0)));
-    m_world->SetVelocity(model.m_handle, {motion.Velocity.GetX(), motion.Velocity.GetY(),
-                                          motion.Rotation.GetZ()});
+    m_world->SetVelocity(model.m_handle,
+                         {motion.Velocity.GetX(), motion.Velocity.GetY(), motion.Rotation.GetZ()});
   }
 }
 
@@ -400,8 +400,8 @@ void CDynamics2DEngine::TakeGhosts() {
   for (const SGhost& ghost : GetGhosts()) {
     const SBodyDescription& description = *ghost.Body->GetBodyDescription();
     if (description.Drive && std::abs(ghost.Position.GetZ() - m_elevation) <= kGhostTolerance) {
-      m_ghostDiscs.push_back({ghost.Position.GetX(), ghost.Position.GetY(),
-                              description.ComputeBoundingRadius()});
+      m_ghostDiscs.push_back(
+          {ghost.Position.GetX(), ghost.Position.GetY(), description.ComputeBoundingRadius()});
     }
   }
   m_world->SetGhosts(m_ghostDiscs);

@@ -26,8 +26,8 @@ struct SGhostMeeting {
  * Lets each body that stands for a ghost collide with its partner only.
  *
  * A robot of this world and one of another must not both take the gap between them. So for each
- * robot that may meet a ghost a face is put half-way between the two, which only it can feel. Things
- * without a drive, of which other worlds know nothing, feel the ghost itself.
+ * robot that may meet a ghost a face is put half-way between the two, which only it can feel.
+ * Things without a drive, of which other worlds know nothing, feel the ghost itself.
  */
 class CGhostFilter : public b2ContactFilter {
  public:

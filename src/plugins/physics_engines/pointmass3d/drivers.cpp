@@ -57,8 +57,8 @@ void CDrivers::Advance(Real tick) {
     if (!(std::abs(arc.End.X) + std::abs(arc.End.Y) + std::abs(arc.End.HalfCos) <= kFarthest)) {
       THROW_ARGOSEXCEPTION("robot \"" << m_owners[i]->GetEmbodiedEntity().GetRootEntity().GetId()
                                       << "\": wheel speeds of left = " << m_wheels[i][0]
-                                      << " m/s, right = " << m_wheels[i][1]
-                                      << " m/s lead beyond " << kFarthest << " m");
+                                      << " m/s, right = " << m_wheels[i][1] << " m/s lead beyond "
+                                      << kFarthest << " m");
     }
     m_poses[i] = arc.End;
   }

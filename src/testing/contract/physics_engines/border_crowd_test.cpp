@@ -49,8 +49,7 @@ int RunCrowd(const SEngineType& engine, UInt32 robots, UInt32 engines, UInt32 se
   rooms.RoomsPerSide = 3;
   rooms.Threads = 2;
   rooms.Engine = "auto_partition";
-  rooms.EngineAttributes =
-      "engine='" + engine.Tag + "' count='" + std::to_string(engines) + "'";
+  rooms.EngineAttributes = "engine='" + engine.Tag + "' count='" + std::to_string(engines) + "'";
   CTestWorld world(rooms.ToXML());
   const std::vector<CEmbodiedEntity*> bodies = ListBodies(world);
   REQUIRE(bodies.size() == robots);

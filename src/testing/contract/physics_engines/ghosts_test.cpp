@@ -58,10 +58,11 @@ TEST_CASE("ghosts: robots that drive head-on at a border do not overlap",
   const Real shift = GENERATE(0.0, 0.011, 0.03);
   CAPTURE(engine, tagA, tagB, speed, aside, shift);
   const Real radii = RadiusOf(tagA) + RadiusOf(tagB);
-  CDriveWorld world(Halves(engine), DriverXml(tagA, "a", -0.5 - shift, 0, 0, speed, speed) +
-                                        DriverXml(tagB, "b", 0.5 - shift, aside, 180, speed, speed));
-  // A robot may take half of the gap to the other one in a tick, so motion makes no overlap; what is
-  // left is what an engine promises everywhere: 2 % of the radius.
+  CDriveWorld world(Halves(engine),
+                    DriverXml(tagA, "a", -0.5 - shift, 0, 0, speed, speed) +
+                        DriverXml(tagB, "b", 0.5 - shift, aside, 180, speed, speed));
+  // A robot may take half of the gap to the other one in a tick, so motion makes no overlap; what
+  // is left is what an engine promises everywhere: 2 % of the radius.
   CHECK(RunOverlap(world, 150, radii) <= 0.02 * std::min(RadiusOf(tagA), RadiusOf(tagB)));
 }
 
@@ -171,8 +172,9 @@ TEST_CASE("ghosts: what is seen does not depend on borders", "[contract][engine]
     for (const char* id : {"a", "b", "c"}) {
       world.GetActuator<CCI_LEDsActuator>(id, "leds").SetAllColors(CColor::RED);
       world.GetActuator<CCI_RangeAndBearingActuator>(id, "range_and_bearing").SetData(0, id[0]);
-      world.GetSensor<CCI_ColoredBlobOmnidirectionalCameraSensor>(
-               id, "colored_blob_omnidirectional_camera")
+      world
+          .GetSensor<CCI_ColoredBlobOmnidirectionalCameraSensor>(
+              id, "colored_blob_omnidirectional_camera")
           .Enable();
     }
     world.Step(3);

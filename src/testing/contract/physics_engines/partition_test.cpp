@@ -92,20 +92,12 @@ TEST_CASE("walls: a door in a wall lets pass, the wall beside it does not",
   }
   CAPTURE(engine);
   // between y = -0.2 and 0.2 there is a gate
-  const std::string west = RegionXml(engine, "west",
-                                     {{-2, -2},
-                                      {0, -2, kWall},
-                                      {0, -0.2, "gate='east'"},
-                                      {0, 0.2, kWall},
-                                      {0, 2},
-                                      {-2, 2}});
-  const std::string east = RegionXml(engine, "east",
-                                     {{0, 2, kWall},
-                                      {0, 0.2, "gate='west'"},
-                                      {0, -0.2, kWall},
-                                      {0, -2},
-                                      {2, -2},
-                                      {2, 2}});
+  const std::string west = RegionXml(
+      engine, "west",
+      {{-2, -2}, {0, -2, kWall}, {0, -0.2, "gate='east'"}, {0, 0.2, kWall}, {0, 2}, {-2, 2}});
+  const std::string east = RegionXml(
+      engine, "east",
+      {{0, 2, kWall}, {0, 0.2, "gate='west'"}, {0, -0.2, kWall}, {0, -2}, {2, -2}, {2, 2}});
   CDriveWorld world(west + east, DriverXml("foot-bot", "through", -0.5, 0.02, 0, 10, 10) +
                                      DriverXml("foot-bot", "beside", -0.5, 1, 0, 10, 10) +
                                      DriverXml("foot-bot", "back", 0.5, -1, 180, 10, 10));
@@ -119,12 +111,13 @@ TEST_CASE("walls: a door in a wall lets pass, the wall beside it does not",
 }
 
 TEST_CASE("walls: a flying robot is held in a region with walls", "[contract][flight][partition]") {
-  const std::string region = Boundaries(
-      {{-1, -1, kWall}, {1, -1, kWall}, {1, 1, kWall}, {-1, 1, kWall}},
-      "<top height='2' wall='true'/><bottom height='0.5' wall='true'/>");
+  const std::string region =
+      Boundaries({{-1, -1, kWall}, {1, -1, kWall}, {1, 1, kWall}, {-1, 1, kWall}},
+                 "<top height='2' wall='true'/><bottom height='0.5' wall='true'/>");
   // nobody controls the eye-bot: it brakes from what a faster one has pushed it to; here from rest
-  CDriveWorld world("<pointmass3d id='air' gravity='0'>" + region + "</pointmass3d>",
-                    "<box id='b' size='0.1,0.1,0.1' movable='false'><body position='0,0,1'/></box>");
+  CDriveWorld world(
+      "<pointmass3d id='air' gravity='0'>" + region + "</pointmass3d>",
+      "<box id='b' size='0.1,0.1,0.1' movable='false'><body position='0,0,1'/></box>");
   SVolume& volume = world.GetSimulator().GetPhysicsEngine("air").GetVolume();
   CVector3 position(0.9, -2.0, 1.8);
   CVector3 velocity(1.0, -3.0, 2.0);
@@ -172,9 +165,8 @@ TEST_CASE("borders: a robot goes there and back, and its path is as if there wer
   const SEngineType west = GENERATE(from_range(kEnginesWithWheels));
   const SEngineType east = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(west, east);
-  const std::string engines =
-      RegionXml(west, "west", {{-20, -20}, {0, -20}, {0, 20}, {-20, 20}}) +
-      RegionXml(east, "east", {{0, -20}, {20, -20}, {20, 20}, {0, 20}});
+  const std::string engines = RegionXml(west, "west", {{-20, -20}, {0, -20}, {0, 20}, {-20, 20}}) +
+                              RegionXml(east, "east", {{0, -20}, {20, -20}, {20, 20}, {0, 20}});
   // an e-puck at 60 cm/s takes two ticks to reach its speed from rest: were it lost at the border,
   // the robot would fall behind. The circle has a radius of 0.6 m / (20 cm/s / 5.3 cm) and is
   // crossed by the border twice a turn
@@ -224,10 +216,9 @@ TEST_CASE("borders: what is immovable is in every engine that it touches",
                               RegionXml(engine, "b", {{0, -2}, {2, -2}, {2, 2}, {0, 2}}) +
                               RegionXml(engine, "c", {{2, -2}, {4, -2}, {4, 2}, {2, 2}});
   // origins in b
-  CDriveWorld world(engines, BoxXml("long", "4.5,0.1,0.3", 0.5, 1) +
-                                 BoxXml("near", "0.1,0.1,0.3", 0.2, -1) +
-                                 BoxXml("middle", "0.1,0.1,0.3", 1, -1) +
-                                 BoxXml("thin", "0.01,3,0.3", 1, 0));
+  CDriveWorld world(
+      engines, BoxXml("long", "4.5,0.1,0.3", 0.5, 1) + BoxXml("near", "0.1,0.1,0.3", 0.2, -1) +
+                   BoxXml("middle", "0.1,0.1,0.3", 1, -1) + BoxXml("thin", "0.01,3,0.3", 1, 0));
   using TIds = std::vector<std::string>;
   CHECK(EnginesOf(world, "long") == TIds{"a", "b", "c"});
   CHECK(EnginesOf(world, "near") == TIds{"a", "b"});
@@ -280,10 +271,10 @@ TEST_CASE("automatic partition: regions fill the arena, as square as can be",
     std::string Size;
     size_t Columns, Rows;
   };
-  const SCut cut = GENERATE(SCut{16, "40,40,1", 4, 4}, SCut{6, "30,20,1", 3, 2},
-                            SCut{6, "20,30,1", 2, 3}, SCut{7, "10,10,1", 1, 7},
-                            SCut{1, "10,10,1", 1, 1}, SCut{12, "10,10,1", 3, 4},
-                            SCut{8, "80,10,1", 8, 1});
+  const SCut cut =
+      GENERATE(SCut{16, "40,40,1", 4, 4}, SCut{6, "30,20,1", 3, 2}, SCut{6, "20,30,1", 2, 3},
+               SCut{7, "10,10,1", 1, 7}, SCut{1, "10,10,1", 1, 1}, SCut{12, "10,10,1", 3, 4},
+               SCut{8, "80,10,1", 8, 1});
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(cut.Count, cut.Size, engine);
   SExperiment experiment;

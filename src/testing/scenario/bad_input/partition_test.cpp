@@ -95,8 +95,8 @@ TEST_CASE("bad partition: regions that overlap", "[bad_input][partition]") {
 }
 
 TEST_CASE("bad partition: all overlaps are found in one go", "[bad_input][partition]") {
-  const std::string error = ErrorOf(
-      {Region("a", "-2", "0.5"), Region("b", "0.25", "1"), Region("c", "0.75", "2")});
+  const std::string error =
+      ErrorOf({Region("a", "-2", "0.5"), Region("b", "0.25", "1"), Region("c", "0.75", "2")});
   CHECK_THAT(error, Contains("2 errors in the experiment") && Contains("(0.25,-2)") &&
                         Contains("(0.75,-2)"));
 }
@@ -106,11 +106,11 @@ TEST_CASE("bad partition: a robot outside every region", "[bad_input][partition]
   experiment.Engines = "<physics_engines>" + Region("west", "-2", "0").ToXml() +
                        Region("east", "0", "1.5").ToXml() + "</physics_engines>";
   experiment.Robot = SExperimentText::RobotAt("lost", "1.75,1,0");
-  CHECK_THAT(LoadError(experiment),
-             Contains(At(SExperimentText::kArenaLine)) && Contains("\"lost\"") &&
-                 Contains("(1.75,1,0)") && Contains("of \"west\", \"east\"") &&
-                 Contains("the nearest is that of \"east\", 0.25 m away") &&
-                 Contains("(0,-2), (1.5,-2), (1.5,2), (0,2)"));
+  CHECK_THAT(LoadError(experiment), Contains(At(SExperimentText::kArenaLine)) &&
+                                        Contains("\"lost\"") && Contains("(1.75,1,0)") &&
+                                        Contains("of \"west\", \"east\"") &&
+                                        Contains("the nearest is that of \"east\", 0.25 m away") &&
+                                        Contains("(0,-2), (1.5,-2), (1.5,2), (0,2)"));
   // every one of them
   experiment.Robot += SExperimentText::RobotAt("gone", "-5,5,0");
   CHECK_THAT(LoadError(experiment), Contains("\"lost\"") && Contains("\"gone\"") &&

@@ -144,7 +144,8 @@ TEST_CASE("volume: a face is open, a wall or a gate", "[core][volume]") {
   SVolume volume;
   Read(volume,
        "<boundaries><top height=\"1\" gate=\"up\"/><bottom height=\"0\" wall=\"true\"/><sides>"
-       "<vertex point=\"0,0\" wall=\"true\"/><vertex point=\"2,0\" gate=\"e\"/><vertex point=\"2,1\"/>"
+       "<vertex point=\"0,0\" wall=\"true\"/><vertex point=\"2,0\" gate=\"e\"/><vertex "
+       "point=\"2,1\"/>"
        "<vertex point=\"0,1\" wall=\"false\"/></sides></boundaries>");
   CHECK(volume.HasWalls());
   CHECK(volume.TopFace->Gate == "up");
@@ -181,9 +182,10 @@ TEST_CASE("volume: sides on one line are told apart", "[core][volume]") {
 
 TEST_CASE("volume: distances are those to the nearest point", "[core][volume]") {
   SVolume volume;
-  Read(volume,
-       "<boundaries><top height=\"1\"/><bottom height=\"0\"/><sides><vertex point=\"0,0\"/>"
-       "<vertex point=\"2,0\"/><vertex point=\"2,1\"/><vertex point=\"0,1\"/></sides></boundaries>");
+  Read(
+      volume,
+      "<boundaries><top height=\"1\"/><bottom height=\"0\"/><sides><vertex point=\"0,0\"/>"
+      "<vertex point=\"2,0\"/><vertex point=\"2,1\"/><vertex point=\"0,1\"/></sides></boundaries>");
   CHECK(volume.ComputeDistance(CVector3(1, 0.5, 0.5)) == 0.0);
   CHECK_THAT(volume.ComputeDistance(CVector3(5, 0.5, 0.5)), Catch::WithinAbs(3.0, 1e-12));
   CHECK_THAT(volume.ComputeDistance(CVector3(5, 5, 1)), Catch::WithinAbs(5.0, 1e-12));
