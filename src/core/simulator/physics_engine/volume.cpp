@@ -120,8 +120,7 @@ std::unique_ptr<SHorizontalFace> ReadFace(TConfigurationNode& node, const char* 
   return face;
 }
 
-// How far the point is on the outer side of a face, m; not positive inside. Written so that NaN is
-// outside.
+// is the point on the outer side of a face? Written so that NaN is.
 bool IsBehind(const SVerticalFace& face, const CVector2& point) {
   return !(ComputeSide(face.BaseSegment.GetStart(), face.BaseSegment.GetEnd(), point) >= 0.0);
 }

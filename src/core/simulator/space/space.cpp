@@ -17,6 +17,30 @@
 
 namespace argos {
 
+namespace {
+
+// where the region is that a body is outside of, if it is the nearest of several
+std::string DescribeNearest(const CPhysicsEngine::TVector& engines, const CVector3& position) {
+  const auto nearest = *std::min_element(
+      engines.begin(), engines.end(), [&position](CPhysicsEngine* a, CPhysicsEngine* b) {
+        return a->GetVolume().ComputeDistance(position) < b->GetVolume().ComputeDistance(position);
+      });
+  const SVolume& region = nearest->GetVolume();
+  std::ostringstream text;
+  text << (engines.size() > 1 ? "; the nearest is that of \"" + nearest->GetId() + "\"," : ",")
+       << " " << region.ComputeDistance(position) << " m away";
+  const TPolygon corners = region.GetCorners();
+  if (!corners.empty()) {
+    text << ", with the corners " << ListCorners(corners);
+  }
+  if (region.BottomFace != nullptr || region.TopFace != nullptr) {
+    text << ", from z = " << region.GetLowest() << " to " << region.GetHighest() << " m";
+  }
+  return text.str();
+}
+
+}  // namespace
+
 CSpace::CSpace(CSimulator& simulator)
     : m_cSimulator(simulator), m_bodyIndex(std::make_unique<CBodyIndex>()) {}
 
@@ -197,10 +221,11 @@ void CSpace::ReturnBodiesToEngines() {
         engines.begin(), engines.end(),
         [&position](CPhysicsEngine* engine) { return engine->IsPointContained(position); });
     if (first != engines.end() && *first != &now) {
-      now.ScheduleEntityForTransfer(body);
+      // not by a transfer, which may lead through a gate
+      now.RemoveEntity(body.GetRootEntity());
+      AddEntityToPhysicsEngine(body);
     }
   });
-  TransferBodies();
 }
 
 void CSpace::Destroy() {
@@ -283,27 +308,6 @@ void CSpace::RehouseImmovable(CEmbodiedEntity& body) {
       engine->RemoveEntity(root);
     }
   }
-}
-
-// where the region is that a body is outside of, if it is the nearest of several
-static std::string DescribeNearest(const CPhysicsEngine::TVector& engines,
-                                   const CVector3& position) {
-  const auto nearest = *std::min_element(
-      engines.begin(), engines.end(), [&position](CPhysicsEngine* a, CPhysicsEngine* b) {
-        return a->GetVolume().ComputeDistance(position) < b->GetVolume().ComputeDistance(position);
-      });
-  const SVolume& region = nearest->GetVolume();
-  std::ostringstream text;
-  text << (engines.size() > 1 ? "; the nearest is that of \"" + nearest->GetId() + "\"," : ",")
-       << " " << region.ComputeDistance(position) << " m away";
-  const TPolygon corners = region.GetCorners();
-  if (!corners.empty()) {
-    text << ", with the corners " << ListCorners(corners);
-  }
-  if (region.BottomFace != nullptr || region.TopFace != nullptr) {
-    text << ", from z = " << region.GetLowest() << " to " << region.GetHighest() << " m";
-  }
-  return text.str();
 }
 
 void CSpace::ThrowNoEngine(CEmbodiedEntity& body) {

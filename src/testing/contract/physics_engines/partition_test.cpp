@@ -144,6 +144,31 @@ TEST_CASE("gates: the named engine takes over, also if another one comes first",
   CHECK_THAT(world.Position("r").GetX(), WithinAbs(0.5, 1e-6));
 }
 
+TEST_CASE("gates: a reset brings bodies back to their first engine, not through gates",
+          "[contract][engine][partition]") {
+  const std::vector<SCorner> east = {{0, -2}, {2, -2}, {2, 2}, {0, 2}};
+  const std::string engines =
+      RegionXml(kPointMass3D, "first", {{0, -2, "gate='west'"}, {2, -2}, {2, 2}, {0, 2}}) +
+      RegionXml(kDynamics2D, "west", {{-2, -2}, {0, -2, "gate='second'"}, {0, 2}, {-2, 2}}) +
+      RegionXml(kDynamics2D, "second", east);
+  CHECK_THROWS_WITH(CDriveWorld(engines, ""), Catch::Contains("does not lead into the region"));
+  const std::string right =
+      RegionXml(kPointMass3D, "first", east) +
+      RegionXml(kDynamics2D, "west", {{-2, -2}, {0, -2, "gate='second'"}, {0, 2}, {-2, 2}}) +
+      RegionXml(kDynamics2D, "second", east);
+  CDriveWorld world(right, DriverXml("foot-bot", "r", 0.3, 0, 180, 10, 10));
+  REQUIRE(EngineOf(world, "r") == "first");
+  std::vector<UInt64> digests;
+  for (int run = 0; run < 2; ++run) {
+    world.Step(61);
+    CHECK(EngineOf(world, "r") == "west");
+    digests.push_back(world.ComputeDigest());
+    world.GetSimulator().Reset();
+    CHECK(EngineOf(world, "r") == "first");
+  }
+  CHECK(digests[0] == digests[1]);
+}
+
 TEST_CASE("gates: who goes around the corner of a gate goes where it is",
           "[contract][engine][partition]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
@@ -206,6 +231,43 @@ TEST_CASE("borders: velocity is kept between engines of different types",
   SBodyMotion motion;
   REQUIRE(world.GetSimulator().GetPhysicsEngine("east").GetMotion(world.Body("r"), motion));
   CHECK_THAT(motion.Velocity.GetX(), WithinAbs(0.6, 1e-6));
+}
+
+TEST_CASE("borders: things that meet where two engines meet share the momentum",
+          "[contract][engine][partition]") {
+  const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
+  if (IsSkipped(engine, engine.HasDriveLimits, "momentum")) {
+    return;
+  }
+  CAPTURE(engine);
+  const std::string smooth =
+      "<friction cylinder_linear_friction='0' cylinder_angular_friction='0'/>";
+  const std::string engines =
+      engine.ToXml("west", "", smooth + Boundaries({{-9, -9}, {0, -9}, {0, 9}, {-9, 9}})) +
+      engine.ToXml("east", "", smooth + Boundaries({{0, -9}, {9, -9}, {9, 9}, {0, 9}}));
+  const auto cylinder = [](const std::string& id, const std::string& x) {
+    return "<cylinder id='" + id + "' radius='0.1' height='0.1' movable='true' mass='1'><body " +
+           "position='" + x + ",0,0'/></cylinder>";
+  };
+  // b is in the east, as near to the border as can be: a reaches it before its centre crosses
+  CDriveWorld world(engines, DriverXml("foot-bot", "pusher", -1.2, 0, 0, 10, 10) +
+                                 cylinder("a", "-0.95") + cylinder("b", "0.05"));
+  world.Step(20);
+  world.Driver("pusher").Left = world.Driver("pusher").Right = -10.0;
+  world.Step(2);
+  const auto measure = [&world](const std::string& id) {
+    const Real before = world.Position(id).GetX();
+    world.Step();
+    return (world.Position(id).GetX() - before) / 0.1;
+  };
+  const Real free = measure("a");
+  REQUIRE(free > 0.05);
+  world.Step(150);
+  CHECK(EngineOf(world, "a") == "east");
+  // restitution 0: they go on together, at half the speed
+  CHECK_THAT(measure("a"), WithinAbs(0.5 * free, 1e-4));
+  CHECK_THAT(measure("b"), WithinAbs(0.5 * free, 1e-4));
+  CHECK(world.Position("b").GetX() - world.Position("a").GetX() >= 0.2 - 0.02 * 0.1);
 }
 
 TEST_CASE("borders: what is immovable is in every engine that it touches",
