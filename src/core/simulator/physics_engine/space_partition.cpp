@@ -161,6 +161,26 @@ void CheckGate(const FACE& face, const std::string& name, const CPhysicsEngine& 
   }
 }
 
+// the sides of a region, as far as they are in the arena or near it
+std::vector<CRay2> ClipSides(const CPhysicsEngine& engine, const TPolygon& arena) {
+  std::vector<CRay2> sides;
+  for (const SVerticalFace* face : engine.GetVolume().SideFaces) {
+    if (const std::optional<CRay2> side = Clip(face->BaseSegment, arena, kNear)) {
+      sides.push_back(*side);
+    }
+  }
+  return sides;
+}
+
+// is the region of another engine behind a side, or near it?
+bool LeadsToAnother(const CRay2& side, const CPhysicsEngine& owner,
+                    const CPhysicsEngine::TVector& engines) {
+  return std::any_of(engines.begin(), engines.end(), [&](const CPhysicsEngine* other) {
+    const TPolygon corners = other->GetVolume().GetCorners();
+    return other != &owner && (corners.empty() || Clip(side, corners, kNear));
+  });
+}
+
 }  // namespace
 
 void CheckPartition(const CPhysicsEngine::TVector& engines, CLoadErrors& errors) {
@@ -192,28 +212,17 @@ void FindBorders(const CPhysicsEngine::TVector& engines, const CRange<CVector3>&
   const TPolygon inside = {CVector2(low.GetX(), low.GetY()), CVector2(high.GetX(), low.GetY()),
                            CVector2(high.GetX(), high.GetY()), CVector2(low.GetX(), high.GetY())};
   for (CPhysicsEngine* engine : engines) {
-    // an engine without sides has those of the others
-    const bool hasSides = !engine->GetVolume().SideFaces.empty();
     std::vector<CRay2> borders;
-    const auto addSides = [&](const CPhysicsEngine& owner, auto&& isBorder) {
-      for (const SVerticalFace* face : owner.GetVolume().SideFaces) {
-        const std::optional<CRay2> side = Clip(face->BaseSegment, inside, kNear);
-        if (side && isBorder(*side)) {
-          borders.push_back(*side);
-        }
-      }
-    };
-    if (hasSides) {
-      addSides(*engine, [&](const CRay2& side) {
-        return std::any_of(engines.begin(), engines.end(), [&](const CPhysicsEngine* other) {
-          const TPolygon corners = other->GetVolume().GetCorners();
-          return other != engine && (corners.empty() || Clip(side, corners, kNear));
-        });
-      });
-    } else {
+    if (engine->GetVolume().SideFaces.empty()) {
+      // those of the others
       for (const CPhysicsEngine* other : engines) {
-        if (other != engine) {
-          addSides(*other, [](const CRay2&) { return true; });
+        const std::vector<CRay2> sides = ClipSides(*other, inside);
+        borders.insert(borders.end(), sides.begin(), sides.end());
+      }
+    } else {
+      for (const CRay2& side : ClipSides(*engine, inside)) {
+        if (LeadsToAnother(side, *engine, engines)) {
+          borders.push_back(side);
         }
       }
     }

@@ -3,7 +3,6 @@
 
 #include <ostream>
 #include <string>
-#include <vector>
 
 namespace argos {
 
@@ -12,8 +11,6 @@ struct SEngineType {
   std::string Tag; /**< in experiment files */
   bool HasContacts = true; /**< bodies stop and push each other */
   bool HasDriveLimits = true; /**< wheels push with a bounded force */
-  bool HasWalls = false; /**< faces of its region may be walls */
-  bool HasGhosts = false; /**< robots of other engines are felt across a border */
 
   /** XML of an engine of this type. @param children  such as `<boundaries>`. */
   std::string ToXml(const std::string& id = "e", const std::string& attributes = "",
@@ -26,12 +23,9 @@ inline std::ostream& operator<<(std::ostream& stream, const SEngineType& engine)
   return stream << engine.Tag;
 }
 
-// Every engine in which robots on wheels drive.
-inline const SEngineType kDynamics2D{"dynamics2d", true, true, true, true};
-inline const SEngineType kPointMass3D{"pointmass3d", false, false, true, false};
-/** Those that keep bodies on the plane apart. */
-inline const std::vector<SEngineType> kEnginesWithContacts{kDynamics2D};
-inline const std::vector<SEngineType> kEnginesWithWheels{kDynamics2D, kPointMass3D};
+/** Every engine in which robots on wheels drive. */
+inline const SEngineType kDynamics2D{"dynamics2d"};
+inline const SEngineType kPointMass3D{"pointmass3d", false, false};
 
 /**
  * True if a test cannot run because the engine lacks something; the report then names it.

@@ -46,7 +46,7 @@ Real RunOverlap(CDriveWorld& world, int ticks, Real radii) {
 
 TEST_CASE("ghosts: robots that drive head-on at a border do not overlap",
           "[contract][engine][partition]") {
-  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
   if (IsSkipped(engine, engine.HasGhosts, "ghosts")) {
     return;
   }
@@ -68,7 +68,7 @@ TEST_CASE("ghosts: robots that drive head-on at a border do not overlap",
 
 TEST_CASE("ghosts: robots that meet exactly head-on stand still and touch",
           "[contract][engine][partition]") {
-  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
   if (IsSkipped(engine, engine.HasGhosts, "ghosts")) {
     return;
   }
@@ -86,7 +86,7 @@ TEST_CASE("ghosts: robots that meet exactly head-on stand still and touch",
 }
 
 TEST_CASE("ghosts: without them robots overlap at borders", "[contract][engine][partition]") {
-  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
   if (IsSkipped(engine, engine.HasGhosts, "ghosts")) {
     return;
   }
@@ -99,7 +99,7 @@ TEST_CASE("ghosts: without them robots overlap at borders", "[contract][engine][
 
 TEST_CASE("ghosts: one that drives on is followed, and a column crosses a border",
           "[contract][engine][partition]") {
-  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
   if (IsSkipped(engine, engine.HasGhosts, "ghosts")) {
     return;
   }
@@ -129,7 +129,7 @@ TEST_CASE("ghosts: one that drives on is followed, and a column crosses a border
 
 TEST_CASE("ghosts: things across a border are pushed, and stop nobody for ever",
           "[contract][engine][partition]") {
-  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
   if (IsSkipped(engine, engine.HasGhosts, "ghosts")) {
     return;
   }
@@ -150,7 +150,7 @@ TEST_CASE("ghosts: things across a border are pushed, and stop nobody for ever",
 }
 
 TEST_CASE("ghosts: what is seen does not depend on borders", "[contract][engine][partition]") {
-  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
   CAPTURE(engine);
   const auto make = [](const std::string& engines) {
     SRobotExperiment experiment;

@@ -44,7 +44,7 @@ std::string BoxXml(const std::string& id, const std::string& size, Real x, Real 
 }  // namespace
 
 TEST_CASE("walls: a region with walls keeps what is inside", "[contract][engine][partition]") {
-  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
   if (IsSkipped(engine, engine.HasWalls, "walls of regions")) {
     return;
   }
@@ -86,7 +86,7 @@ TEST_CASE("walls: a region with walls keeps what is inside", "[contract][engine]
 
 TEST_CASE("walls: a door in a wall lets pass, the wall beside it does not",
           "[contract][engine][partition]") {
-  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
   if (IsSkipped(engine, engine.HasWalls, "walls of regions")) {
     return;
   }
@@ -171,7 +171,7 @@ TEST_CASE("gates: a reset brings bodies back to their first engine, not through 
 
 TEST_CASE("gates: who goes around the corner of a gate goes where it is",
           "[contract][engine][partition]") {
-  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
   CAPTURE(engine);
   const std::string engines =
       RegionXml(engine, "a", {{-2, -2}, {0, -2, "gate='b'"}, {0, 0, "gate='c'"}, {-2, 0}}) +
@@ -187,8 +187,8 @@ TEST_CASE("gates: who goes around the corner of a gate goes where it is",
 
 TEST_CASE("borders: a robot goes there and back, and its path is as if there were none",
           "[contract][engine][partition]") {
-  const SEngineType west = GENERATE(from_range(kEnginesWithWheels));
-  const SEngineType east = GENERATE(from_range(kEnginesWithWheels));
+  const SSharingEngine west = GENERATE(from_range(kSharingEngines));
+  const SSharingEngine east = GENERATE(from_range(kSharingEngines));
   CAPTURE(west, east);
   const std::string engines = RegionXml(west, "west", {{-20, -20}, {0, -20}, {0, 20}, {-20, 20}}) +
                               RegionXml(east, "east", {{0, -20}, {20, -20}, {20, 20}, {0, 20}});
@@ -207,7 +207,7 @@ TEST_CASE("borders: a robot goes there and back, and its path is as if there wer
     crossings += now != last ? 1 : 0;
     last = now;
     REQUIRE((now == "east") == (split.Position("r").GetX() > 0.0));
-    if (west.HasDriveLimits == east.HasDriveLimits) {
+    if (west.KeepsSpeed == east.KeepsSpeed) {
       // each tick rounds once
       REQUIRE(Distance(split.Position("r"), whole.Position("r")) <= 1e-9);
     }
@@ -235,8 +235,8 @@ TEST_CASE("borders: velocity is kept between engines of different types",
 
 TEST_CASE("borders: things that meet where two engines meet share the momentum",
           "[contract][engine][partition]") {
-  const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
-  if (IsSkipped(engine, engine.HasDriveLimits, "momentum")) {
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
+  if (IsSkipped(engine, engine.HasContacts && engine.KeepsSpeed, "momentum")) {
     return;
   }
   CAPTURE(engine);
@@ -272,7 +272,7 @@ TEST_CASE("borders: things that meet where two engines meet share the momentum",
 
 TEST_CASE("borders: what is immovable is in every engine that it touches",
           "[contract][engine][partition]") {
-  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
   CAPTURE(engine);
   const std::string engines = RegionXml(engine, "a", {{-2, -2}, {0, -2}, {0, 2}, {-2, 2}}) +
                               RegionXml(engine, "b", {{0, -2}, {2, -2}, {2, 2}, {0, 2}}) +
@@ -303,7 +303,7 @@ TEST_CASE("borders: what is immovable is in every engine that it touches",
 
 TEST_CASE("borders: an immovable thing across a border stops robots on both sides",
           "[contract][engine][partition]") {
-  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
   if (IsSkipped(engine, engine.HasContacts, "contacts")) {
     return;
   }
@@ -337,7 +337,7 @@ TEST_CASE("automatic partition: regions fill the arena, as square as can be",
       GENERATE(SCut{16, "40,40,1", 4, 4}, SCut{6, "30,20,1", 3, 2}, SCut{6, "20,30,1", 2, 3},
                SCut{7, "10,10,1", 1, 7}, SCut{1, "10,10,1", 1, 1}, SCut{12, "10,10,1", 3, 4},
                SCut{8, "80,10,1", 8, 1});
-  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
   CAPTURE(cut.Count, cut.Size, engine);
   SExperiment experiment;
   experiment.ArenaSize = cut.Size + "' center='1,2,0.5";

@@ -10,6 +10,19 @@
 
 namespace argos {
 
+/** An engine that may share space with others, and what it does at borders. */
+struct SSharingEngine : SEngineType {
+  bool KeepsSpeed = true; /**< robots take time to reach their speed, and keep it across a border */
+  bool HasWalls = true; /**< faces of its region may be walls */
+  bool HasGhosts = true; /**< robots of other engines are felt across a border */
+};
+
+/** Every one of them: an engine joins by a line. */
+inline const std::vector<SSharingEngine> kSharingEngines{
+    {kDynamics2D},
+    {kPointMass3D, false, true, false},
+};
+
 /** A corner of a region, m, and the attributes of the side from there to the next. */
 struct SCorner {
   double X, Y;
