@@ -5,7 +5,7 @@
 #include <argos3/core/simulator/entity/entity.h>
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/medium/medium.h>
-#include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/simulator/physics_engine/space_partition.h>
 #include <argos3/core/simulator/sensor.h>
 #include <argos3/core/simulator/visualization/visualization.h>
 #include <argos3/core/utility/logging/argos_log.h>
@@ -44,10 +44,19 @@ std::vector<SPlugin> List() {
   return plugins;
 }
 
+// what stands among the engines in an experiment file, but is none
+std::vector<SPlugin> ListEngines() {
+  std::vector<SPlugin> plugins = List<CPhysicsEngine>();
+  plugins.push_back({"auto_partition", "the authors of this project", "1.0",
+                     "Not an engine: one engine for each part of the arena.",
+                     kAutoPartitionDocumentation, "Usable"});
+  return plugins;
+}
+
 std::vector<SKind> ListAll() {
   return {{"actuators", "AVAILABLE ACTUATORS", List<CSimulatedActuator>()},
           {"sensors", "AVAILABLE SENSORS", List<CSimulatedSensor>()},
-          {"physics_engines", "AVAILABLE PHYSICS ENGINES", List<CPhysicsEngine>()},
+          {"physics_engines", "AVAILABLE PHYSICS ENGINES", ListEngines()},
           {"media", "AVAILABLE MEDIA", List<CMedium>()},
           {"visualizations", "AVAILABLE VISUALIZATIONS", List<CVisualization>()},
           {"entities", "AVAILABLE ENTITIES", List<CEntity>()},

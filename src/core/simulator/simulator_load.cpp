@@ -3,6 +3,7 @@
 
 #include <argos3/core/simulator/load_errors.h>
 #include <argos3/core/simulator/loop_functions.h>
+#include <argos3/core/simulator/physics_engine/space_partition.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/visualization/default_visualization.h>
@@ -301,6 +302,11 @@ void CSimulator::CreateLoopFunctions(TConfigurationNode& root, CLoadErrors& erro
 }
 
 void CSimulator::InitPhysics(TConfigurationNode& section, CLoadErrors& errors) {
+  // without an arena, that is the error
+  if (NodeExists(GetConfigurationRoot(), "arena") &&
+      !ExpandAutoPartitions(section, GetNode(GetConfigurationRoot(), "arena"), errors)) {
+    MarkBroken("physics_engines");
+  }
   CreateParts<CPhysicsEngine>(
       section, "physics engine", errors,
       [this](std::unique_ptr<CPhysicsEngine> engine) {
@@ -311,6 +317,7 @@ void CSimulator::InitPhysics(TConfigurationNode& section, CLoadErrors& errors) {
         m_ownEngines.push_back(std::move(engine));
       },
       [this](const std::string&) { MarkBroken("physics_engines"); });
+  CheckPartition(m_engines, errors);
 }
 
 void CSimulator::InitMedia(TConfigurationNode& section, CLoadErrors& errors) {
@@ -341,6 +348,7 @@ void CSimulator::PostSpaceInit(CLoadErrors& errors) {
   if (!errors.IsEmpty()) {
     return;
   }
+  FindBorders(m_engines, m_space->GetArenaLimits());
   for (CPhysicsEngine* engine : m_engines) {
     errors.Try("physics engine \"" + engine->GetId() + "\"", [&] { engine->PostSpaceInit(); });
   }

@@ -231,6 +231,9 @@ bool CEmbodiedEntity::MoveTo(const CVector3& position, const CQuaternion& orient
   for (CPhysicsModel* model : m_tPhysicsModelVector) {
     model->ConfirmMove();
   }
+  if (!m_bMovable && !m_tPhysicsModelVector.empty()) {
+    m_tPhysicsModelVector.front()->GetEngine().GetSpace().RehouseImmovable(*this);
+  }
   // what hangs on the body (LEDs, ...) follows at once
   GetRootEntity().Update();
   return free;

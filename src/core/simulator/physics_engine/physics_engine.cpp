@@ -3,12 +3,23 @@
 #include <argos3/core/simulator/current.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/physics_engine/region_geometry.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/body_index.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace argos {
+
+namespace {
+
+// m; immovable bodies this near to a region belong to it, because the bodies there reach over its
+// border: by their radius, and by what they go in a tick
+constexpr Real kReachOverBorder = CBodyIndex::kMaxSmallRadius;
+
+}  // namespace
 
 // engines are made by zero-argument factories: the base picks up the thread's simulator once
 CPhysicsEngine::CPhysicsEngine()
@@ -18,15 +29,23 @@ CPhysicsEngine::CPhysicsEngine()
 
 void CPhysicsEngine::Init(TConfigurationNode& tree) {
   GetNodeAttribute(tree, "id", m_id);
+  m_origin = tree.GetLocation() + ": <" + tree.Value() + " id=\"" + m_id + "\">";
   UInt32 iterations = m_iterations;
   GetNodeAttributeOrDefault(tree, "iterations", iterations, m_iterations);
   if (iterations == 0) {
-    THROW_ARGOSEXCEPTION(tree.GetLocation() << ": <" << tree.Value() << " id=\"" << m_id
-                                            << "\">: \"iterations\" must be at least 1, found 0");
+    THROW_ARGOSEXCEPTION(m_origin << ": \"iterations\" must be at least 1, found 0");
   }
   SetIterations(iterations);
   if (NodeExists(tree, "boundaries")) {
     m_volume.Init(GetNode(tree, "boundaries"));
+    if (m_volume.HasWalls() && !StopsAtWalls()) {
+      THROW_ARGOSEXCEPTION(m_origin << ": an engine of this type cannot stop bodies at a face with "
+                                       "wall=\"true\"; put an immovable <box> there");
+    }
+  }
+  m_feelsGhosts = CanFeelGhosts();
+  if (m_feelsGhosts) {
+    GetNodeAttributeOrDefault(tree, "ghosts", m_feelsGhosts, m_feelsGhosts);
   }
 }
 
@@ -37,6 +56,20 @@ void CPhysicsEngine::SetIterations(UInt32 iterations) {
 
 bool CPhysicsEngine::IsPointContained(const CVector3& point) {
   return m_volume.Contains(point);
+}
+
+bool CPhysicsEngine::IsTouchedBy(const CEmbodiedEntity& body) {
+  const SAnchor& origin = body.GetOriginAnchor();
+  if (IsPointContained(origin.Position)) {
+    return true;
+  }
+  return body.GetBodyDescription() != nullptr &&
+         m_volume.IsTouchedBy(*body.GetBodyDescription(), origin.Position, origin.Orientation,
+                              kReachOverBorder);
+}
+
+std::pair<Real, Real> CPhysicsEngine::GetHeightSpan() const {
+  return {m_volume.GetLowest(), m_volume.GetHighest()};
 }
 
 std::string CPhysicsEngine::ExplainRefusal(CEntity& entity) const {
@@ -60,8 +93,79 @@ void CPhysicsEngine::TransferEntities() {
 }
 
 void CPhysicsEngine::TransferEntity(CEmbodiedEntity& body) {
-  if (RemoveEntity(body.GetRootEntity())) {
-    m_cSpace.AddEntityToPhysicsEngine(body);
+  SBodyMotion motion;
+  const bool hasMotion = GetMotion(body, motion);
+  CPhysicsEngine* const behindGate = FindEngineBehindGate(body);
+  if (!RemoveEntity(body.GetRootEntity())) {
+    return;
+  }
+  m_cSpace.AddEntityToPhysicsEngine(body, behindGate);
+  if (hasMotion) {
+    body.GetPhysicsModel(size_t(0)).GetEngine().SetMotion(body, motion);
+  }
+}
+
+CPhysicsEngine* CPhysicsEngine::FindEngineBehindGate(const CEmbodiedEntity& body) const {
+  const CVector3& position = body.GetOriginAnchor().Position;
+  const SFace* const exit = m_volume.FindExit(position);
+  if (exit == nullptr || exit->Gate.empty()) {
+    return nullptr;
+  }
+  for (CPhysicsEngine* engine : m_cSimulator.GetPhysicsEngines()) {
+    if (engine->GetId() == exit->Gate) {
+      return engine->IsPointContained(position) ? engine : nullptr;
+    }
+  }
+  return nullptr;
+}
+
+CPhysicsEngine* CPhysicsEngine::FindNextEngine(const CEmbodiedEntity& body) const {
+  if (CPhysicsEngine* const behindGate = FindEngineBehindGate(body)) {
+    return behindGate;
+  }
+  const CPhysicsEngine::TVector& engines = m_cSimulator.GetPhysicsEngines();
+  const auto found = std::find_if(engines.begin(), engines.end(), [&body](CPhysicsEngine* engine) {
+    return engine->IsPointContained(body.GetOriginAnchor().Position);
+  });
+  return found != engines.end() ? *found : nullptr;
+}
+
+// The index knows where all bodies were at the end of the last tick, so at the start of this one.
+void CPhysicsEngine::CollectGhosts() {
+  const Real reach = GetGhostReach();
+  const CBodyIndex& index = m_cSpace.GetBodyIndex();
+  m_nearBorder.clear();
+  for (const CRay2& border : m_borders) {
+    const CVector2& start = border.GetStart();
+    const CVector2& end = border.GetEnd();
+    const CRay3 ray(CVector3(start.GetX(), start.GetY(), 0.0),
+                    CVector3(end.GetX(), end.GetY(), 0.0));
+    const Real length = border.GetLength();
+    CVector2 along;
+    border.GetDirection(along);
+    index.ForShapesAlongRay(ray, reach, [&](const SIndexedShape& shape) {
+      const CVector2 offset(shape.X - start.GetX(), shape.Y - start.GetY());
+      const Real far = reach + shape.Radius;
+      const Real place = along.DotProduct(offset);
+      const bool isNear =
+          std::abs(along.CrossProduct(offset)) <= far && place >= -far && place <= length + far;
+      // what is large may be visited several times in a row
+      if (isNear && (m_nearBorder.empty() || m_nearBorder.back() != shape.Body)) {
+        m_nearBorder.push_back(shape.Body);
+      }
+    });
+  }
+  // a body may be near two borders, and have several solids
+  std::sort(m_nearBorder.begin(), m_nearBorder.end());
+  m_nearBorder.erase(std::unique(m_nearBorder.begin(), m_nearBorder.end()), m_nearBorder.end());
+  m_ghosts.clear();
+  for (const UInt32 number : m_nearBorder) {
+    CEmbodiedEntity& body = index.GetBody(number);
+    if (body.IsMovable() && body.GetPhysicsModelsNum() > 0 &&
+        &body.GetPhysicsModel(size_t(0)).GetEngine() != this) {
+      const SAnchor& origin = body.GetOriginAnchor();
+      m_ghosts.push_back({&body, origin.Position, origin.Orientation});
+    }
   }
 }
 

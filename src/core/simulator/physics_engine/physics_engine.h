@@ -9,6 +9,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace argos {
@@ -17,6 +18,23 @@ class CEntity;
 class CSimulator;
 class CSpace;
 class CThreadPool;
+
+/** How a body moves, in no engine's terms; world frame. */
+struct SBodyMotion {
+  CVector3 Velocity; /**< of the origin anchor, m/s */
+  CVector3 Rotation; /**< about the origin anchor, rad/s */
+};
+
+/**
+ * A movable body of another engine near this one's border, as it was at the start of the tick.
+ *
+ * Its own engine moves the body meanwhile: what describes it may be read, but not its anchors.
+ */
+struct SGhost {
+  CEmbodiedEntity* Body;
+  CVector3 Position; /**< of the origin anchor, m, world frame */
+  CQuaternion Orientation;
+};
 
 /**
  * Owns the bodies of a region of space and moves them.
@@ -28,6 +46,9 @@ class CThreadPool;
  *     writes poses back through CEmbodiedEntity::SetOriginPose(). It touches no other body.
  *  2. Bodies found outside GetVolume() are given to ScheduleEntityForTransfer() during 1 and moved
  *     to their new engine by TransferEntities(), which the space calls serially, engine by engine.
+ *
+ * doc/space_partitioning.md says how engines share space: regions, walls, gates, and ghosts, which
+ * are bodies of other engines that are felt across a border.
  *
  * An engine builds its bodies from SBodyDescription (CEmbodiedEntity::GetBodyDescription()).
  * Reset() restores the exact state of the engine right after loading: a run repeats bit for bit.
@@ -41,7 +62,8 @@ class CPhysicsEngine : public CBaseConfigurableResource {
   ~CPhysicsEngine() override = default;
 
   /**
-   * Reads `id`, `iterations` (substeps per tick, >= 1) and `<boundaries>`.
+   * Reads `id`, `iterations` (substeps per tick, >= 1), `<boundaries>`, and `ghosts` if
+   * CanFeelGhosts().
    * @throws CARGoSException if a value is missing, unparsable or out of range.
    */
   void Init(TConfigurationNode& tree) override;
@@ -59,6 +81,13 @@ class CPhysicsEngine : public CBaseConfigurableResource {
   virtual void PostSpaceInit() {}
   /** True if a body with its origin at @p point (m, world frame) belongs here. */
   virtual bool IsPointContained(const CVector3& point);
+  /**
+   * True if an immovable body belongs here: if a solid of it comes so near to the region that a
+   * body here may meet it. Of one without a description: if its origin is here.
+   */
+  virtual bool IsTouchedBy(const CEmbodiedEntity& body);
+  /** Lowest and highest z of bodies here, m: those of the region, unless the engine is a plane. */
+  virtual std::pair<Real, Real> GetHeightSpan() const;
   virtual size_t GetNumPhysicsModels() = 0;
   /** Adds the body of a root entity. @return false if this engine cannot house it. */
   virtual bool AddEntity(CEntity& entity) = 0;
@@ -81,6 +110,31 @@ class CPhysicsEngine : public CBaseConfigurableResource {
    * nothing if it is not here any more.
    */
   virtual void TransferEntity(CEmbodiedEntity& body);
+
+  /**
+   * What a body of this engine keeps when it goes to one of another kind.
+   * @return false if this engine does not tell.
+   */
+  virtual bool GetMotion(const CEmbodiedEntity& /*body*/, SBodyMotion& /*motion*/) const {
+    return false;
+  }
+  /** The same, for a body that has just come; engines without momentum ignore it. */
+  virtual void SetMotion(CEmbodiedEntity& /*body*/, const SBodyMotion& /*motion*/) {}
+
+  /** True of engines that stop bodies at walls of the region (SVolume::DescribeWalls()). */
+  virtual bool StopsAtWalls() const { return false; }
+  /** True of engines that use GetGhosts() in Update(), unless the user says ghosts="false". */
+  virtual bool CanFeelGhosts() const { return false; }
+  /** How far beyond the border a ghost's solid may be that is met within a tick, m. */
+  virtual Real GetGhostReach() const { return 0.5; }
+  /** Are there borders to other engines, and are bodies behind them felt? */
+  bool FeelsGhosts() const { return m_feelsGhosts && !m_borders.empty(); }
+  /** Finds the ghosts of the tick to come. By the space, while no body moves. */
+  void CollectGhosts();
+  /** In order of their number in the space's index. */
+  const std::vector<SGhost>& GetGhosts() const { return m_ghosts; }
+  /** Borders to other engines, seen from above; by the simulator, when all engines are there. */
+  void SetBorders(std::vector<CRay2> borders) { m_borders = std::move(borders); }
 
   SVolume& GetVolume() { return m_volume; }
   const SVolume& GetVolume() const { return m_volume; }
@@ -109,22 +163,39 @@ class CPhysicsEngine : public CBaseConfigurableResource {
   Real GetPhysicsClockTick() const { return m_physicsClockTick; }
   const std::string& GetId() const { return m_id; }
   void SetId(const std::string& id) { m_id = id; }
+  /** 'file:line: <tag id="...">' of its element, for messages. */
+  const std::string& GetOrigin() const { return m_origin; }
   CSpace& GetSpace() { return m_cSpace; }
   const CSpace& GetSpace() const { return m_cSpace; }
 
  protected:
   /** Changes the number of substeps before loading is over (engines with their own default). */
   void SetIterations(UInt32 iterations);
+  /**
+   * The engine behind the gate through which a body has left, or null: if there is none, or if it
+   * does not contain the body, which has gone around a corner.
+   */
+  CPhysicsEngine* FindEngineBehindGate(const CEmbodiedEntity& body) const;
+  /**
+   * The engine that a body which has left is offered first: FindEngineBehindGate(), or else the
+   * first one, in document order, that contains it.
+   */
+  CPhysicsEngine* FindNextEngine(const CEmbodiedEntity& body) const;
 
   CSimulator& m_cSimulator;
   CSpace& m_cSpace;
 
  private:
   std::string m_id;
+  std::string m_origin;
   SVolume m_volume;
   UInt32 m_iterations = 10;
   Real m_physicsClockTick = 0.0;
   std::vector<CEmbodiedEntity*> m_transfers;
+  bool m_feelsGhosts = false;
+  std::vector<CRay2> m_borders;
+  std::vector<UInt32> m_nearBorder;  // numbers of bodies; scratch of CollectGhosts()
+  std::vector<SGhost> m_ghosts;  // written by CollectGhosts()
 };
 
 }  // namespace argos

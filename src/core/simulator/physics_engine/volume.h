@@ -2,22 +2,42 @@
 #define ARGOS3_CORE_SIMULATOR_PHYSICS_ENGINE_VOLUME_H
 
 #include <argos3/core/utility/configuration/argos_configuration.h>
+#include <argos3/core/utility/math/quaternion.h>
 #include <argos3/core/utility/math/ray2.h>
 #include <argos3/core/utility/math/vector3.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace argos {
 
+struct SBodyDescription;
+
+/**
+ * A face of a region. A wall stops bodies, a gate hands those that cross it to a named engine;
+ * a face that is neither hands them to the first engine, in document order, that takes them.
+ */
+struct SFace {
+  bool IsWall = false;
+  std::string Gate; /**< id of the engine behind it; empty: no gate */
+};
+
 /** A horizontal face of a region: its height, m, world frame. */
-struct SHorizontalFace {
+struct SHorizontalFace : SFace {
   Real Height = 0.0;
 };
 
 /** A vertical face of a region; the inside is on the left of its base segment. */
-struct SVerticalFace {
+struct SVerticalFace : SFace {
   CRay2 BaseSegment;
+};
+
+/** A vertical wall of a region as a solid: an upright box outside it, with one side on the face. */
+struct SWallSlab {
+  std::shared_ptr<const SBodyDescription> Description;
+  CVector3 Position; /**< m, world frame; of the base's centre */
+  CQuaternion Orientation;
 };
 
 /** The region of an engine: a right prism over a convex polygon, open where a face is missing. */
@@ -32,17 +52,44 @@ struct SVolume {
 
   /**
    * Reads a `<boundaries>` element: `<top height>`, `<bottom height>`, `<sides><vertex point>`
-   * (counter-clockwise, convex, at least three vertices).
-   * @throws CARGoSException with the geometry if the polygon is not convex or not
-   * counter-clockwise.
+   * (counter-clockwise, convex, at least three vertices). Each `<top>`, `<bottom>` and `<vertex>`,
+   * of which the last stands for the side from there to the next one, may have wall="true" or
+   * gate="id of an engine".
+   * @throws CARGoSException with the geometry if the polygon crosses itself, is not convex or not
+   * counter-clockwise, or if the top is not above the bottom.
    */
   void Init(TConfigurationNode& node);
   /** True if any face limits the region. */
   bool IsActive() const {
     return TopFace != nullptr || BottomFace != nullptr || !SideFaces.empty();
   }
+  bool HasWalls() const;
   /** True if @p point (m, world frame) is inside or on a face. */
   bool Contains(const CVector3& point) const;
+  /** The nearest of the faces that @p point is on the outer side of; null if it is inside. */
+  const SFace* FindExit(const CVector3& point) const;
+  /** From @p point to the region, m; 0 inside. */
+  Real ComputeDistance(const CVector3& point) const;
+  /** Does a solid of the body, seen as its box or disc from above, come within @p reach m of it? */
+  bool IsTouchedBy(const SBodyDescription& body, const CVector3& position,
+                   const CQuaternion& orientation, Real reach) const;
+  /** Seen from above; empty without sides. */
+  std::vector<CVector2> GetCorners() const;
+  /** -infinity without a bottom. */
+  Real GetLowest() const;
+  /** +infinity without a top. */
+  Real GetHighest() const;
+  /** Of the sides that are walls. */
+  std::vector<SWallSlab> DescribeWalls() const;
+  /**
+   * Moves a point out of the walls, for bodies that know no contacts.
+   * @param position  m; of the base of a body.
+   * @param radius    m; of the upright cylinder around it.
+   * @param height    m; of that cylinder.
+   * @param velocity  m/s; what of it leads into a wall is taken off.
+   * @return whether there was anything to do.
+   */
+  bool HoldInside(CVector3& position, CVector3& velocity, Real radius, Real height) const;
 
  private:
   std::unique_ptr<SHorizontalFace> m_top;

@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/floor_entity.h>
 #include <argos3/core/simulator/load_errors.h>
+#include <argos3/core/simulator/physics_engine/region_geometry.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/body_index.h>
 #include <argos3/core/simulator/space/distribution.h>
@@ -15,6 +16,30 @@
 #include <algorithm>
 
 namespace argos {
+
+namespace {
+
+// where the region is that a body is outside of, if it is the nearest of several
+std::string DescribeNearest(const CPhysicsEngine::TVector& engines, const CVector3& position) {
+  const auto nearest = *std::min_element(
+      engines.begin(), engines.end(), [&position](CPhysicsEngine* a, CPhysicsEngine* b) {
+        return a->GetVolume().ComputeDistance(position) < b->GetVolume().ComputeDistance(position);
+      });
+  const SVolume& region = nearest->GetVolume();
+  std::ostringstream text;
+  text << (engines.size() > 1 ? "; the nearest is that of \"" + nearest->GetId() + "\"," : ",")
+       << " " << region.ComputeDistance(position) << " m away";
+  const TPolygon corners = region.GetCorners();
+  if (!corners.empty()) {
+    text << ", with the corners " << ListCorners(corners);
+  }
+  if (region.BottomFace != nullptr || region.TopFace != nullptr) {
+    text << ", from z = " << region.GetLowest() << " to " << region.GetHighest() << " m";
+  }
+  return text.str();
+}
+
+}  // namespace
 
 CSpace::CSpace(CSimulator& simulator)
     : m_cSimulator(simulator), m_bodyIndex(std::make_unique<CBodyIndex>()) {}
@@ -182,8 +207,12 @@ void CSpace::ReturnBodiesToEngines() {
   if (engines.size() < 2) {
     return;
   }
-  m_bodyIndex->ForEachBody([&engines](CEmbodiedEntity& body) {
-    if (!body.IsMovable() || body.GetPhysicsModelsNum() == 0) {
+  m_bodyIndex->ForEachBody([&engines, this](CEmbodiedEntity& body) {
+    if (body.GetPhysicsModelsNum() == 0) {
+      return;
+    }
+    if (!body.IsMovable()) {
+      RehouseImmovable(body);
       return;
     }
     CPhysicsEngine& now = body.GetPhysicsModel(size_t(0)).GetEngine();
@@ -192,10 +221,11 @@ void CSpace::ReturnBodiesToEngines() {
         engines.begin(), engines.end(),
         [&position](CPhysicsEngine* engine) { return engine->IsPointContained(position); });
     if (first != engines.end() && *first != &now) {
-      now.ScheduleEntityForTransfer(body);
+      // not by a transfer, which may lead through a gate
+      now.RemoveEntity(body.GetRootEntity());
+      AddEntityToPhysicsEngine(body);
     }
   });
-  TransferBodies();
 }
 
 void CSpace::Destroy() {
@@ -227,16 +257,20 @@ void CSpace::RemoveControllableEntity(CControllableEntity& entity) {
 }
 
 void CSpace::AddEntityToPhysicsEngine(CEmbodiedEntity& body) {
+  AddEntityToPhysicsEngine(body, nullptr);
+}
+
+void CSpace::AddEntityToPhysicsEngine(CEmbodiedEntity& body, CPhysicsEngine* first) {
   const CVector3& position = body.GetOriginAnchor().Position;
   CEntity& root = body.GetRootEntity();
-  bool added = false;
+  bool added = first != nullptr && first->AddEntity(root);
   for (CPhysicsEngine* engine : m_cSimulator.GetPhysicsEngines()) {
-    if (!engine->IsPointContained(position)) {
-      continue;
-    }
-    added = engine->AddEntity(root) || added;
     if (added && body.IsMovable()) {
       break;
+    }
+    if (engine != first &&
+        (body.IsMovable() ? engine->IsPointContained(position) : engine->IsTouchedBy(body))) {
+      added = engine->AddEntity(root) || added;
     }
   }
   if (!added) {
@@ -247,22 +281,54 @@ void CSpace::AddEntityToPhysicsEngine(CEmbodiedEntity& body) {
   }
 }
 
+void CSpace::RehouseImmovable(CEmbodiedEntity& body) {
+  const CPhysicsEngine::TVector& engines = m_cSimulator.GetPhysicsEngines();
+  const auto touches = [&body](CPhysicsEngine* engine) { return engine->IsTouchedBy(body); };
+  // one that is put outside all regions stays with its engines
+  if (engines.size() < 2 || std::none_of(engines.begin(), engines.end(), touches)) {
+    return;
+  }
+  const auto houses = [&body](const CPhysicsEngine* engine) {
+    for (UInt32 i = 0; i < body.GetPhysicsModelsNum(); ++i) {
+      if (&body.GetPhysicsModel(size_t(i)).GetEngine() == engine) {
+        return true;
+      }
+    }
+    return false;
+  };
+  // first in, then out: it is always somewhere
+  CEntity& root = body.GetRootEntity();
+  for (CPhysicsEngine* engine : engines) {
+    if (touches(engine) && !houses(engine)) {
+      engine->AddEntity(root);
+    }
+  }
+  for (CPhysicsEngine* engine : engines) {
+    if (!touches(engine) && houses(engine) && body.GetPhysicsModelsNum() > 1) {
+      engine->RemoveEntity(root);
+    }
+  }
+}
+
 void CSpace::ThrowNoEngine(CEmbodiedEntity& body) {
   m_cSimulator.ThrowIfBroken("physics_engines");
   const CVector3& position = body.GetOriginAnchor().Position;
   CEntity& root = body.GetRootEntity();
   std::string reasons;
   std::string elsewhere;
+  CPhysicsEngine::TVector others;
   for (CPhysicsEngine* engine : m_cSimulator.GetPhysicsEngines()) {
     const std::string id = "\"" + engine->GetId() + "\"";
     if (engine->IsPointContained(position)) {
       reasons += "; " + id + " " + engine->ExplainRefusal(root);
     } else {
       elsewhere += (elsewhere.empty() ? "" : ", ") + id;
+      others.push_back(engine);
     }
   }
   if (!elsewhere.empty()) {
-    reasons += "; it is outside the region (<boundaries>) of " + elsewhere;
+    reasons += "; it is outside the region (<boundaries>) of " + elsewhere +
+               DescribeNearest(others, position);
   }
   THROW_ARGOSEXCEPTION("no physics engine takes \""
                        << root.GetId() << "\" (<" << root.GetTypeDescription() << ">) at ("

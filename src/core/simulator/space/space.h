@@ -24,6 +24,7 @@ class CControllableEntity;
 class CEmbodiedEntity;
 class CFloorEntity;
 class CLoadErrors;
+class CPhysicsEngine;
 class CProfiler;
 class CSimulator;
 class CThreadPool;
@@ -115,11 +116,15 @@ class CSpace : public CBaseConfigurableResource {
   virtual void AddControllableEntity(CControllableEntity& entity);
   virtual void RemoveControllableEntity(CControllableEntity& entity);
   /**
-   * Gives the body to every engine whose region contains its origin (immovable) or to the first of
-   * them that accepts (movable). @throws CARGoSException that says of each engine why not, if none
-   * takes it.
+   * Gives the body to every engine whose region it touches (immovable), or to the first one that
+   * contains its origin and accepts (movable). @throws CARGoSException that says of each engine why
+   * not, if none takes it.
    */
   virtual void AddEntityToPhysicsEngine(CEmbodiedEntity& entity);
+  /** The same, but @p first, unless null, is asked before all others. */
+  void AddEntityToPhysicsEngine(CEmbodiedEntity& entity, CPhysicsEngine* first);
+  /** An immovable body has been put elsewhere: it may touch other regions. */
+  void RehouseImmovable(CEmbodiedEntity& entity);
   /** Takes the body out of its engines and out of the index. */
   void RemoveEntityFromPhysicsEngines(CEmbodiedEntity& entity);
   /** Calls back for each robot, on the pool's threads, or in order if there is one. */
@@ -188,6 +193,7 @@ class CSpace : public CBaseConfigurableResource {
 
   // phases of the tick, see tick.cpp
   void Act(CThreadPool& pool);
+  void CollectGhosts(CThreadPool& pool);
   void UpdatePhysics(CThreadPool& pool);
   void TransferBodies();
   void ReturnBodiesToEngines();

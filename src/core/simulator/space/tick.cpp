@@ -13,6 +13,7 @@
 #include <argos3/core/utility/profiler/profiler.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 
+#include <algorithm>
 #include <chrono>
 #include <mutex>
 
@@ -119,6 +120,7 @@ void CSpace::Update() {
   IncreaseSimulationClock();
   phase(&STickTimes::Act, PHASE_ACT, [&] { Act(pool); });
   phase(&STickTimes::Physics, PHASE_PHYSICS, [&] {
+    CollectGhosts(pool);
     UpdatePhysics(pool);
     TransferBodies();
   });
@@ -156,6 +158,21 @@ void CSpace::Act(CThreadPool& pool) {
   for (CMedium* medium : m_cSimulator.GetMedia()) {
     medium->TakeActs();
   }
+}
+
+void CSpace::CollectGhosts(CThreadPool& pool) {
+  const CPhysicsEngine::TVector& engines = m_cSimulator.GetPhysicsEngines();
+  if (std::none_of(engines.begin(), engines.end(),
+                   [](const CPhysicsEngine* engine) { return engine->FeelsGhosts(); })) {
+    return;
+  }
+  pool.ParallelFor(engines.size(), 1, [&](size_t begin, size_t end, UInt32) {
+    for (size_t i = begin; i < end; ++i) {
+      if (engines[i]->FeelsGhosts()) {
+        engines[i]->CollectGhosts();
+      }
+    }
+  });
 }
 
 void CSpace::UpdatePhysics(CThreadPool& pool) {

@@ -20,6 +20,9 @@ namespace argos {
 
 namespace {
 
+// m; robots of other engines may stand a little beside the plane: by what they have sunk in, say
+constexpr Real kGhostTolerance = 0.01;
+
 // of a root entity that are needed in every tick, about
 constexpr size_t kRootBytes = 192;
 
@@ -123,23 +126,38 @@ void CDynamics2DEngine::TransferEntity(CEmbodiedEntity& body) {
     return;
   }
   auto& model = static_cast<CDynamics2DModel&>(body.GetPhysicsModel(size_t(0)));
-  const SPlanarVelocity velocity =
-      m_world != nullptr ? m_world->GetVelocity(model.m_handle) : SPlanarVelocity();
-  CDynamics2DEngine* next = FindNext(body);
-  if (next != nullptr && m_world != nullptr && m_world->IsInGrip(model.m_handle)) {
-    TransferCluster(model, *next);
-    return;
-  }
-  if (next != nullptr) {
-    CheckPlanarBody(body);
-    next->TakeOver(model);
-  } else {
+  CDynamics2DEngine* const next = FindNext(body);
+  if (next == nullptr) {
+    // grips end there
     CPhysicsEngine::TransferEntity(body);
-    next = dynamic_cast<CDynamics2DEngine*>(&body.GetPhysicsModel(size_t(0)).GetEngine());
+  } else if (m_world != nullptr && m_world->IsInGrip(model.m_handle)) {
+    TransferCluster(model, *next);
+  } else {
+    CheckPlanarBody(body);
+    SBodyMotion motion;
+    const bool hasMotion = GetMotion(body, motion);
+    next->TakeOver(model);
+    if (hasMotion) {
+      next->SetMotion(body, motion);
+    }
   }
-  if (next != nullptr && next->m_world != nullptr) {
-    auto& moved = static_cast<CDynamics2DModel&>(body.GetPhysicsModel(size_t(0)));
-    next->m_world->SetVelocity(moved.m_handle, velocity);
+}
+
+bool CDynamics2DEngine::GetMotion(const CEmbodiedEntity& body, SBodyMotion& motion) const {
+  if (m_world == nullptr) {
+    return false;
+  }
+  const auto& model = static_cast<const CDynamics2DModel&>(body.GetPhysicsModel(size_t(0)));
+  const SPlanarVelocity velocity = m_world->GetVelocity(model.m_handle);
+  motion = {CVector3(velocity.X, velocity.Y, 0.0), CVector3(0.0, 0.0, velocity.W)};
+  return true;
+}
+
+void CDynamics2DEngine::SetMotion(CEmbodiedEntity& body, const SBodyMotion& motion) {
+  if (m_world != nullptr) {
+    const auto& model = static_cast<CDynamics2DModel&>(body.GetPhysicsModel(size_t(0)));
+    m_world->SetVelocity(model.m_handle,
+                         {motion.Velocity.GetX(), motion.Velocity.GetY(), motion.Rotation.GetZ()});
   }
 }
 
@@ -174,13 +192,8 @@ void CDynamics2DEngine::TransferCluster(CDynamics2DModel& model, CDynamics2DEngi
 
 // the engine that would take the body, if it is of this type and certain to
 CDynamics2DEngine* CDynamics2DEngine::FindNext(CEmbodiedEntity& body) const {
-  for (CPhysicsEngine* engine : m_cSimulator.GetPhysicsEngines()) {
-    if (engine->IsPointContained(body.GetOriginAnchor().Position)) {
-      auto* const next = dynamic_cast<CDynamics2DEngine*>(engine);
-      return next != nullptr && next != this && next->IsAtHeight(body) ? next : nullptr;
-    }
-  }
-  return nullptr;
+  auto* const next = dynamic_cast<CDynamics2DEngine*>(FindNextEngine(body));
+  return next != nullptr && next != this && next->IsAtHeight(body) ? next : nullptr;
 }
 
 // Takes a movable body over from another engine of this type. Its model is made anew where it is,
@@ -268,7 +281,32 @@ void CDynamics2DEngine::Build() {
   for (CDynamics2DModel* model : models) {
     AddToWorld(*model);
   }
+  // faces of the region that are walls
+  const std::vector<SWallSlab> walls = GetVolume().DescribeWalls();
+  m_walls.assign(walls.size(), SPlanarHandle());
+  for (size_t i = 0; i < walls.size(); ++i) {
+    m_world->AddImmovable({nullptr, &m_walls[i]}, *walls[i].Description,
+                          MakePlanarPose(walls[i].Position, walls[i].Orientation));
+  }
   m_world->Reserve();
+}
+
+Real CDynamics2DEngine::GetGhostReach() const {
+  return m_world != nullptr ? m_world->ComputeGhostReach() : CPhysicsEngine::GetGhostReach();
+}
+
+// Of what is behind the border, robots that drive on this plane. Things without a drive are left
+// out: a ghost cannot be pushed, and they are to be.
+void CDynamics2DEngine::TakeGhosts() {
+  m_ghostDiscs.clear();
+  for (const SGhost& ghost : GetGhosts()) {
+    const SBodyDescription& description = *ghost.Body->GetBodyDescription();
+    if (description.Drive && std::abs(ghost.Position.GetZ() - m_elevation) <= kGhostTolerance) {
+      m_ghostDiscs.push_back(
+          {ghost.Position.GetX(), ghost.Position.GetY(), description.ComputeBoundingRadius()});
+    }
+  }
+  m_world->SetGhosts(m_ghostDiscs);
 }
 
 // Box2D is tuned for bodies of about its unit of length
@@ -304,6 +342,9 @@ void CDynamics2DEngine::Update() {
     Build();
   }
   ReplaceDisplaced();
+  if (FeelsGhosts()) {
+    TakeGhosts();
+  }
   try {
     m_world->Advance();
   } catch (const SBadWheelSpeed& bad) {
@@ -384,7 +425,10 @@ ATTRIBUTES
   cylinder_linear_friction   N, >= 0, default 1.49: the same for a movable cylinder.
   cylinder_angular_friction  N m, >= 0, default 1.49.
   boundaries                 the region of the engine, default everything: sides/vertex@point, in m, at
-                             least three, counter-clockwise, convex.
+                             least three, counter-clockwise, convex. A vertex may have wall="true", which
+                             stops bodies at the side from there to the next vertex, or gate="id", which
+                             hands those that cross it to that engine (doc/space_partitioning.md).
+  ghosts                     true or false, default true: robots of other engines near the border are felt.
   spatial_hash               accepted and ignored.
 )",
     "Usable")

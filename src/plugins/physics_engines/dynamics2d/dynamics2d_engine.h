@@ -12,6 +12,7 @@ namespace argos {
 class CDynamics2DModel;
 class CEmbodiedEntity;
 class CPlanarWorld;
+struct SGhostDisc;
 struct SGripToMove;
 struct SPlanarOwner;
 struct SPlanarPose;
@@ -50,6 +51,14 @@ class CDynamics2DEngine : public CPhysicsEngine {
    * together in grips changes together, when the one with the lowest index of entity leaves.
    */
   void TransferEntity(CEmbodiedEntity& body) override;
+  bool GetMotion(const CEmbodiedEntity& body, SBodyMotion& motion) const override;
+  void SetMotion(CEmbodiedEntity& body, const SBodyMotion& motion) override;
+  bool StopsAtWalls() const override { return true; }
+  /** Those that drive on this plane are in the way of what is here. */
+  bool CanFeelGhosts() const override { return true; }
+  Real GetGhostReach() const override;
+  /** The plane. */
+  std::pair<Real, Real> GetHeightSpan() const override { return {m_elevation, m_elevation}; }
   /** Nothing: all bodies are in the space's index. */
   void CheckIntersectionWithRay(TEmbodiedEntityIntersectionData&, const CRay3&) const override {}
   bool HasBodiesOutsideIndex() const override { return false; }
@@ -73,6 +82,7 @@ class CDynamics2DEngine : public CPhysicsEngine {
   void AddToWorld(CDynamics2DModel& model);
   void WriteBack(CDynamics2DModel& model, const SPlanarPose& pose);
   CDynamics2DEngine* FindNext(CEmbodiedEntity& body) const;
+  void TakeGhosts();
   void ReplaceDisplaced();
   void ForgetDisplaced(CDynamics2DModel& model);
   bool LeadsItsCluster(const CDynamics2DModel& model);
@@ -87,6 +97,8 @@ class CDynamics2DEngine : public CPhysicsEngine {
   std::unique_ptr<CPlanarWorld> m_world;  // null: to be built from the models in the next tick
   std::vector<std::unique_ptr<CDynamics2DModel>> m_models;
   std::vector<CDynamics2DModel*> m_displaced;
+  std::vector<SPlanarHandle> m_walls;  // of the region
+  std::vector<SGhostDisc> m_ghostDiscs;  // of this tick
   // while bodies in grips change engines
   std::vector<SPlanarOwner> m_cluster;
   std::vector<SGripToMove> m_grips;

@@ -222,7 +222,7 @@ void CEncounters::MarkAtObstacles(const SDisc& disc) {
   }
 }
 
-void CEncounters::MarkNear(Real x, Real y, Real reach) {
+void CEncounters::MarkNear(Real x, Real y, Real reach, std::vector<UInt32>* met) {
   const Real widest = reach + m_maxReach + m_margin;
   const int minI = m_grid.CellI(x - widest);
   const int maxI = m_grid.CellI(x + widest);
@@ -238,6 +238,9 @@ void CEncounters::MarkNear(Real x, Real y, Real reach) {
       const Real near = reach + disc.Reach;
       if (squared <= near * near) {
         Raise(disc.Number, Near);
+        if (met != nullptr) {
+          met->push_back(disc.Number);
+        }
       } else if (squared <= (near + m_margin) * (near + m_margin)) {
         Raise(disc.Number, Around);
       }

@@ -41,7 +41,9 @@ class CEncounters {
   /** Marks every disc that may meet a disc or an obstacle. */
   void MarkAll();
   /** Then: marks every disc that may meet another body, a circle that is not among the discs. */
-  void MarkNear(Real x, Real y, Real reach);
+  void MarkNear(Real x, Real y, Real reach) { MarkNear(x, y, reach, nullptr); }
+  /** The same. @param met  gets the numbers of those that may meet it; not if null. */
+  void MarkNear(Real x, Real y, Real reach, std::vector<UInt32>* met);
   EMark GetMark(UInt32 number) const { return static_cast<EMark>(m_marks[number]); }
 
  private:

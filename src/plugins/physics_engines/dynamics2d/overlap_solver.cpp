@@ -84,6 +84,7 @@ class CUnknownOverlap : public b2QueryCallback {
   explicit CUnknownOverlap(b2Body& body) : m_body(body) {}
 
   bool IsIn(b2World& world) {
+    m_filter = world.GetContactManager().m_contactFilter;
     for (m_fixture = m_body.GetFixtureList(); m_fixture != nullptr && !m_found;
          m_fixture = m_fixture->GetNext()) {
       world.QueryAABB(this, m_fixture->GetAABB(0));
@@ -93,6 +94,7 @@ class CUnknownOverlap : public b2QueryCallback {
   bool ReportFixture(b2Fixture* other) override {
     b2Body& body = *other->GetBody();
     m_found = &body != &m_body && !HaveContact(m_body, body) &&
+              (m_filter == nullptr || m_filter->ShouldCollide(m_fixture, other)) &&
               b2TestOverlap(m_fixture->GetShape(), 0, other->GetShape(), 0, m_body.GetTransform(),
                             body.GetTransform());
     return !m_found;
@@ -100,6 +102,7 @@ class CUnknownOverlap : public b2QueryCallback {
 
  private:
   b2Body& m_body;
+  b2ContactFilter* m_filter = nullptr;
   b2Fixture* m_fixture = nullptr;
   bool m_found = false;
 };

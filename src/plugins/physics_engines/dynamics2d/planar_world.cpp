@@ -69,6 +69,7 @@ b2Body& CPlanarWorld::CreateBody(const SPlanarPose& pose, EPlanarKind kind,
     m_grippable.resize(number + 1);
   }
   m_grippable[number] = grippable ? owner : SPlanarOwner();
+  m_ghostFilter.SetDriven(number, kind == EPlanarKind::Driven);
   b2BodyDef definition;
   definition.type = kind == EPlanarKind::Immovable ? b2_staticBody : b2_dynamicBody;
   definition.position.Set(ToUnits(pose.X), ToUnits(pose.Y));
@@ -109,6 +110,7 @@ void CPlanarWorld::AddPassive(const SPlanarOwner& owner, const SBodyDescription&
   body.Angle = body.Body->GetAngle();
   body.Extent = ToUnits(ComputeNarrowestHalf(description));
   body.BoundingRadius = description.ComputeBoundingRadius();
+  m_widestMovable = std::max(m_widestMovable, body.BoundingRadius);
   AddGroundFriction(*body.Body, description);
 }
 
@@ -147,6 +149,7 @@ void CPlanarWorld::AddDriven(const SPlanarOwner& owner, const SBodyDescription& 
   body.MaxSpeedChange = drive.MaxForce * m_settings.Tick / body.Mass;
   body.MaxYawRateChange = drive.MaxTorque * m_settings.Tick / body.Inertia;
   body.BoundingRadius = description.ComputeBoundingRadius();
+  m_widestMovable = std::max(m_widestMovable, body.BoundingRadius);
   body.NarrowestHalf = ComputeNarrowestHalf(description);
   body.MaxSpeed = kMaxSubsteps * kMaxStepShare * body.NarrowestHalf / m_settings.Tick;
   body.IsDisc = IsCentredDisc(description);
@@ -330,6 +333,7 @@ void CPlanarWorld::Reserve() {
   m_inPlay.reserve(inPlay);
   m_freeNumbers.reserve(inPlay);
   m_grippable.reserve(m_numNumbers + inPlay);
+  m_ghostFilter.Reserve(m_numNumbers + inPlay);
   m_encounters.Reserve(m_driven.capacity());
 }
 

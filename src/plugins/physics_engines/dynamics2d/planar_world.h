@@ -5,6 +5,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/encounters.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_bodies.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_ghosts.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_grips.h>
 #include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
 
@@ -95,6 +96,11 @@ class CPlanarWorld {
   /** Allocates what a tick of a swarm of the present size needs. */
   void Reserve();
 
+  /** Robots of other engines that are in the way in the next Advance(); see CGhostFilter. */
+  void SetGhosts(const std::vector<SGhostDisc>& ghosts);
+  /** How far from the border a ghost may be that matters in the next tick, m. */
+  Real ComputeGhostReach() const;
+
   /** Moves everything by one tick. @throws SBadWheelSpeed */
   void Advance();
 
@@ -154,6 +160,14 @@ class CPlanarWorld {
   void FinishInPlay(SInPlay& play, UInt32 substeps);
   void FinishPassive();
 
+  // ghosts; see planar_world_ghosts.cpp
+  void MeetGhosts();
+  void PlaceGhosts();
+  void PlaceGhostFace(const SGhostDisc& ghost, const SDrivenBody& body);
+  void PlaceGhostDisc(const SGhostDisc& ghost);
+  b2Body& CreateGhostBody(const SPlanarPose& pose, UInt32 partner);
+  void RemoveGhosts();
+
   // grippers and turrets; see planar_world_grips.cpp
   SManipulator* FindManipulator(const SPlanarHandle& handle);
   void RemoveManipulator(const SPlanarHandle& handle);
@@ -183,6 +197,7 @@ class CPlanarWorld {
 
   SPlanarSettings m_settings;
   Real m_metresPerUnit;
+  CGhostFilter m_ghostFilter;
   b2World m_world;
   b2Body* m_ground;  // what motors and ground frictions push against
   CEncounters m_encounters;
@@ -204,6 +219,12 @@ class CPlanarWorld {
   // use
   UInt32 m_numNumbers = 0;
   std::vector<UInt32> m_freeNumbers;
+
+  Real m_widestMovable = 0.0;  // m: greatest bounding radius of all that ever were here
+  std::vector<SGhostDisc> m_ghosts;  // of this tick
+  std::vector<SGhostMeeting> m_meetings;  // of this tick
+  std::vector<b2Body*> m_ghostBodies;  // while Advance() solves contacts
+  std::vector<UInt32> m_nearGhost;  // slots; scratch of MeetGhosts()
 };
 
 }  // namespace argos

@@ -46,8 +46,10 @@ void CPlanarWorld::Advance() {
   StartTickOfManipulators();
   PlanDriven();
   FindEncounters();
+  MeetGhosts();
   ChooseWhoPlays();
   Grip();
+  PlaceGhosts();
   if (IsAnythingAwake()) {
     for (SInPlay& play : m_inPlay) {
       StartTickInPlay(play);
@@ -61,6 +63,7 @@ void CPlanarWorld::Advance() {
   } else {
     FinishManipulators(static_cast<float>(m_settings.Tick));
   }
+  RemoveGhosts();
   FinishPassive();
 }
 

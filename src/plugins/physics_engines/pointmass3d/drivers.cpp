@@ -51,15 +51,14 @@ void CDrivers::Place(UInt32 number, const SPlanarPose& pose, Real height) {
 
 void CDrivers::Advance(Real tick) {
   for (size_t i = 0; i < m_poses.size(); ++i) {
-    const Real left = m_wheels[i][0];
-    const Real right = m_wheels[i][1];
-    const SArc arc =
-        FollowArc(m_poses[i], 0.5 * (left + right), (right - left) * m_perInterwheel[i], tick);
+    const UInt32 number = static_cast<UInt32>(i);
+    const SArc arc = FollowArc(m_poses[i], GetSpeed(number), GetYawRate(number), tick);
     // written so that NaN fails too
     if (!(std::abs(arc.End.X) + std::abs(arc.End.Y) + std::abs(arc.End.HalfCos) <= kFarthest)) {
       THROW_ARGOSEXCEPTION("robot \"" << m_owners[i]->GetEmbodiedEntity().GetRootEntity().GetId()
-                                      << "\": wheel speeds of left = " << left << " m/s, right = "
-                                      << right << " m/s lead beyond " << kFarthest << " m");
+                                      << "\": wheel speeds of left = " << m_wheels[i][0]
+                                      << " m/s, right = " << m_wheels[i][1] << " m/s lead beyond "
+                                      << kFarthest << " m");
     }
     m_poses[i] = arc.End;
   }

@@ -35,6 +35,12 @@ class CDrivers {
   /** m. */
   Real GetHeight(UInt32 number) const { return m_heights[number]; }
   CPointMass3DBody& GetOwner(UInt32 number) const { return *m_owners[number]; }
+  /** m/s, of a body's origin: what its wheels ask for. */
+  Real GetSpeed(UInt32 number) const { return 0.5 * (m_wheels[number][0] + m_wheels[number][1]); }
+  /** rad/s. */
+  Real GetYawRate(UInt32 number) const {
+    return (m_wheels[number][1] - m_wheels[number][0]) * m_perInterwheel[number];
+  }
 
   /**
    * Moves everything by a tick.

@@ -284,12 +284,37 @@ void CPointMass3DEngine::TransferEntity(CEmbodiedEntity& body) {
 
 // the engine that would take the body, if it is of this type
 CPointMass3DEngine* CPointMass3DEngine::FindNext(const CEmbodiedEntity& body) const {
-  for (CPhysicsEngine* engine : m_cSimulator.GetPhysicsEngines()) {
-    if (engine->IsPointContained(body.GetOriginAnchor().Position)) {
-      return dynamic_cast<CPointMass3DEngine*>(engine);
-    }
+  return dynamic_cast<CPointMass3DEngine*>(FindNextEngine(body));
+}
+
+bool CPointMass3DEngine::GetMotion(const CEmbodiedEntity& body, SBodyMotion& motion) const {
+  const auto* const model = dynamic_cast<const CPointMass3DBody*>(&body.GetPhysicsModel(size_t(0)));
+  if (model == nullptr || model->m_kind == EKind::Still) {
+    return false;
   }
-  return nullptr;
+  if (model->m_kind == EKind::Flyer) {
+    const SFlightState state = m_flyers->GetState(model->m_slot);
+    motion = {CVector3(state[0].Speed, state[1].Speed, state[2].Speed),
+              CVector3(0.0, 0.0, state[3].Speed)};
+  } else {
+    motion = {CVector3(m_drivers->GetSpeed(model->m_slot), 0.0, 0.0),
+              CVector3(0.0, 0.0, m_drivers->GetYawRate(model->m_slot))};
+    motion.Velocity.Rotate(body.GetOriginAnchor().Orientation);
+  }
+  return true;
+}
+
+void CPointMass3DEngine::SetMotion(CEmbodiedEntity& body, const SBodyMotion& motion) {
+  const auto* const model = dynamic_cast<CPointMass3DBody*>(&body.GetPhysicsModel(size_t(0)));
+  if (model == nullptr || model->m_kind != EKind::Flyer) {
+    return;
+  }
+  SFlightState state = m_flyers->GetState(model->m_slot);
+  for (UInt32 axis = 0; axis < 3; ++axis) {
+    state[axis].Speed = motion.Velocity[axis];
+  }
+  state[3].Speed = motion.Rotation.GetZ();
+  m_flyers->SetState(model->m_slot, state);
 }
 
 // Takes a body over from another engine of this type. Its model is made anew where it is, because
@@ -317,6 +342,9 @@ void CPointMass3DEngine::Update() {
   const Real tick = m_cSimulator.GetTickLength();
   m_drivers->Advance(tick);
   m_flyers->Advance(tick, GetSubsteps());
+  if (GetVolume().HasWalls()) {
+    HoldInsideWalls();
+  }
   for (UInt32 i = 0; i < m_drivers->GetCount(); ++i) {
     const SPlanarPose& pose = m_drivers->GetPose(i);
     CTurretEntity* const turret = m_drivers->GetOwner(i).m_turret;
@@ -333,6 +361,37 @@ void CPointMass3DEngine::Update() {
   }
   if (!m_userModels.empty()) {
     UpdateUserModels();
+  }
+}
+
+void CPointMass3DEngine::HoldInsideWalls() {
+  const auto hold = [this](const CPointMass3DBody& body, CVector3& position, CVector3& velocity) {
+    const SBodyDescription& description = *body.m_cEmbodiedEntity.GetBodyDescription();
+    const SBoundingBox box = description.ComputeBoundingBox(CVector3(), CQuaternion());
+    return GetVolume().HoldInside(position, velocity, description.ComputeBoundingRadius(),
+                                  box.MaxCorner.GetZ());
+  };
+  for (UInt32 i = 0; i < m_drivers->GetCount(); ++i) {
+    SPlanarPose pose = m_drivers->GetPose(i);
+    CVector3 position(pose.X, pose.Y, m_drivers->GetHeight(i));
+    CVector3 velocity;
+    if (hold(m_drivers->GetOwner(i), position, velocity)) {
+      pose.X = position.GetX();
+      pose.Y = position.GetY();
+      m_drivers->Place(i, pose, position.GetZ());
+    }
+  }
+  for (UInt32 i = 0; i < m_flyers->GetCount(); ++i) {
+    SFlightState state = m_flyers->GetState(i);
+    CVector3 position(state[0].Place, state[1].Place, state[2].Place);
+    CVector3 velocity(state[0].Speed, state[1].Speed, state[2].Speed);
+    if (hold(m_flyers->GetOwner(i), position, velocity)) {
+      for (UInt32 axis = 0; axis < 3; ++axis) {
+        state[axis].Place = position[axis];
+        state[axis].Speed = velocity[axis];
+      }
+      m_flyers->SetState(i, state);
+    }
   }
 }
 
@@ -443,7 +502,9 @@ ATTRIBUTES
   gravity     m/s^2, default -9.81: acceleration along z, negative is down.
   boundaries  the region of the engine, default everything: top@height and bottom@height, in m, and
               sides/vertex@point, in m, at least three, counter-clockwise, convex. A body that leaves it moves on to
-              the engine whose region it enters.
+              the engine whose region it enters. top, bottom and each vertex, for the side from there to the next
+              one, may have wall="true", which holds bodies inside, or gate="id", which hands those that cross it
+              to that engine (doc/space_partitioning.md).
 )",
     "Usable")
 

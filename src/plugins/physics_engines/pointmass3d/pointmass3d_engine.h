@@ -48,6 +48,11 @@ class CPointMass3DEngine : public CPhysicsEngine {
   bool RemoveEntity(CEntity& entity) override;
   /** Bodies that change from one engine of this type to another keep how they move. */
   void TransferEntity(CEmbodiedEntity& body) override;
+  bool GetMotion(const CEmbodiedEntity& body, SBodyMotion& motion) const override;
+  /** Of flying bodies; those on wheels go as these turn. */
+  void SetMotion(CEmbodiedEntity& body, const SBodyMotion& motion) override;
+  /** Moves bodies out of walls after each tick. */
+  bool StopsAtWalls() const override { return true; }
   /** Only users' models: all other bodies are in the space's index. */
   void CheckIntersectionWithRay(TEmbodiedEntityIntersectionData& data,
                                 const CRay3& ray) const override;
@@ -84,6 +89,7 @@ class CPointMass3DEngine : public CPhysicsEngine {
   CPointMass3DEngine* FindNext(const CEmbodiedEntity& body) const;
   void TakeOver(CPointMass3DBody& body);
   void CountBodiesOutsideIndex();
+  void HoldInsideWalls();
   void UpdateUserModels();
   void WriteBack(CPointMass3DBody& body, const CVector3& position, Real halfCos, Real halfSin);
 

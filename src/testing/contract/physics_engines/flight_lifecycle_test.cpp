@@ -219,6 +219,41 @@ TEST_CASE("flight: a robot in a region with a floor and a ceiling changes engine
   CHECK_THROWS_WITH(world.Step(50), Contains("\"r\""));
 }
 
+TEST_CASE("flight: walls of a region hold a robot, and gates hand it over", "[contract][flight]") {
+  SFlightExperiment experiment;
+  const std::string sides =
+      "<sides><vertex point='-2,-2' wall='true'/><vertex point='2,-2' wall='true'/>"
+      "<vertex point='2,2' wall='true'/><vertex point='-2,2' wall='true'/></sides></boundaries>"
+      "</pointmass3d>";
+  experiment.Engines =
+      "<pointmass3d id='low'><boundaries><bottom height='0' wall='true'/>"
+      "<top height='2' gate='high'/>" +
+      sides +
+      "<pointmass3d id='high'><boundaries><bottom height='2' gate='low'/>"
+      "<top height='4' wall='true'/>" +
+      sides;
+  experiment.Arena = EyeBotXml("r", CVector3(0, 0, 1));
+  CFlightWorld world(experiment);
+  world.Places().SetAbsolutePosition(CVector3(0.5, 9, 9));
+  for (int tick = 0; tick < 150; ++tick) {
+    world.Step();
+    const SBoundingBox& box = world.Body().GetBoundingBox();
+    REQUIRE(box.MaxCorner.GetY() <= 2.0 + 1e-9);
+    REQUIRE(box.MaxCorner.GetZ() <= 4.0 + 1e-9);
+  }
+  CHECK(world.Body().GetPhysicsModel(0).GetEngine().GetId() == "high");
+  // it presses against the walls, and reaches its goal along x
+  CHECK_THAT(world.Body().GetBoundingBox().MaxCorner.GetY(), WithinAbs(2.0, 1e-9));
+  CHECK_THAT(world.Body().GetBoundingBox().MaxCorner.GetZ(), WithinAbs(4.0, 1e-9));
+  CHECK_THAT(world.Position().GetX(), WithinAbs(0.5, 1e-3));
+  // down again
+  world.Places().SetAbsolutePosition(CVector3(0.5, 0, -3));
+  world.Step(150);
+  CHECK(world.Body().GetPhysicsModel(0).GetEngine().GetId() == "low");
+  CHECK_THAT(world.Position().GetZ(), WithinAbs(0.0, 1e-9));
+  CHECK_THAT(world.Position().GetY(), WithinAbs(0.0, 1e-3));
+}
+
 TEST_CASE("flight: robots that fly and robots that drive go to the engines that are theirs",
           "[contract][flight]") {
   const bool planeFirst = GENERATE(true, false);

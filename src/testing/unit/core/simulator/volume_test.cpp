@@ -122,13 +122,74 @@ TEST_CASE("volume: wrong polygons are refused with their geometry", "[core][volu
   CHECK_THAT(ErrorOf(Sides({"0,0", "1,1", "2,2"})), Contains("one line"));
   // a pentagram turns left at every vertex
   CHECK_THAT(ErrorOf(Sides({"1,0", "-0.8,0.6", "0.3,-0.95", "0.3,0.95", "-0.8,-0.6"})),
-             Contains("not convex"));
+             Contains("crosses itself"));
+  // a square whose last two corners are swapped: the diagonals cross in its centre
+  CHECK_THAT(ErrorOf(Sides({"0,0", "2,0", "0,2", "2,2"})),
+             Contains("crosses itself") && Contains("from \"2,0\" to \"0,2\"") &&
+                 Contains("from \"2,2\" to \"0,0\"") && Contains("meet at \"1,1\""));
+  // one that winds twice
+  CHECK_THAT(ErrorOf(Sides({"0,0", "1,0", "0,1", "0,0", "1,0", "0,1"})),
+             Contains("\"0,0\" is given twice"));
   CHECK_THAT(ErrorOf(Sides({"0,0", "1,x", "0,1"})), Contains("region.xml:1") && Contains("1,x"));
 }
 
 TEST_CASE("volume: a bottom above the top is refused", "[core][volume]") {
   CHECK_THAT(ErrorOf("<boundaries><top height=\"0\"/><bottom height=\"1\"/></boundaries>"),
              Contains("above the top"));
+  CHECK_THAT(ErrorOf("<boundaries><top height=\"1\"/><bottom height=\"1\"/></boundaries>"),
+             Contains("not below the top"));
+}
+
+TEST_CASE("volume: a face is open, a wall or a gate", "[core][volume]") {
+  SVolume volume;
+  Read(volume,
+       "<boundaries><top height=\"1\" gate=\"up\"/><bottom height=\"0\" wall=\"true\"/><sides>"
+       "<vertex point=\"0,0\" wall=\"true\"/><vertex point=\"2,0\" gate=\"e\"/><vertex "
+       "point=\"2,1\"/>"
+       "<vertex point=\"0,1\" wall=\"false\"/></sides></boundaries>");
+  CHECK(volume.HasWalls());
+  CHECK(volume.TopFace->Gate == "up");
+  CHECK(volume.BottomFace->IsWall);
+  CHECK((volume.SideFaces[0]->IsWall && volume.SideFaces[0]->Gate.empty()));
+  CHECK((!volume.SideFaces[1]->IsWall && volume.SideFaces[1]->Gate == "e"));
+  CHECK((!volume.SideFaces[2]->IsWall && !volume.SideFaces[3]->IsWall));
+  // through the nearest face that a point is behind
+  CHECK(volume.FindExit(CVector3(1, 0.5, 0.5)) == nullptr);
+  CHECK(volume.FindExit(CVector3(2.1, 0.5, 0.5)) == volume.SideFaces[1]);
+  CHECK(volume.FindExit(CVector3(2.2, 1.1, 0.5)) == volume.SideFaces[1]);
+  CHECK(volume.FindExit(CVector3(1, 0.5, 1.5)) == volume.TopFace);
+  CHECK(volume.FindExit(CVector3(1, -0.1, -0.5)) == volume.SideFaces[0]);
+  CHECK_THAT(ErrorOf("<boundaries><top height=\"1\" gate=\"up\" wall=\"true\"/></boundaries>"),
+             Contains("<top>") && Contains("a wall or a gate, not both"));
+}
+
+TEST_CASE("volume: sides on one line are told apart", "[core][volume]") {
+  // a wall with a door in its middle
+  SVolume volume;
+  Read(volume,
+       "<boundaries><sides><vertex point=\"0,0\"/><vertex point=\"2,0\" wall=\"true\"/>"
+       "<vertex point=\"2,1\" gate=\"door\"/><vertex point=\"2,2\" wall=\"true\"/>"
+       "<vertex point=\"2,3\"/><vertex point=\"0,3\"/></sides></boundaries>");
+  CHECK(volume.FindExit(CVector3(2.01, 0.9, 0)) == volume.SideFaces[1]);
+  CHECK(volume.FindExit(CVector3(2.01, 1.1, 0)) == volume.SideFaces[2]);
+  CHECK(volume.FindExit(CVector3(2.01, 2.1, 0)) == volume.SideFaces[3]);
+  const std::vector<SWallSlab> walls = volume.DescribeWalls();
+  REQUIRE(walls.size() == 2);
+  // outside, along the side
+  CHECK_THAT(walls[0].Position.GetX(), Catch::WithinAbs(2.05, 1e-12));
+  CHECK_THAT(walls[0].Position.GetY(), Catch::WithinAbs(0.5, 1e-12));
+}
+
+TEST_CASE("volume: distances are those to the nearest point", "[core][volume]") {
+  SVolume volume;
+  Read(
+      volume,
+      "<boundaries><top height=\"1\"/><bottom height=\"0\"/><sides><vertex point=\"0,0\"/>"
+      "<vertex point=\"2,0\"/><vertex point=\"2,1\"/><vertex point=\"0,1\"/></sides></boundaries>");
+  CHECK(volume.ComputeDistance(CVector3(1, 0.5, 0.5)) == 0.0);
+  CHECK_THAT(volume.ComputeDistance(CVector3(5, 0.5, 0.5)), Catch::WithinAbs(3.0, 1e-12));
+  CHECK_THAT(volume.ComputeDistance(CVector3(5, 5, 1)), Catch::WithinAbs(5.0, 1e-12));
+  CHECK_THAT(volume.ComputeDistance(CVector3(1, 4, 5)), Catch::WithinAbs(5.0, 1e-12));
 }
 
 TEST_CASE("volume: what was wrong leaves the region as it was", "[core][volume]") {

@@ -1,0 +1,52 @@
+#ifndef ARGOS3_CORE_SIMULATOR_PHYSICS_ENGINE_REGION_GEOMETRY_H
+#define ARGOS3_CORE_SIMULATOR_PHYSICS_ENGINE_REGION_GEOMETRY_H
+
+#include <argos3/core/utility/math/ray2.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace argos {
+
+/** Corners in m, counter-clockwise seen from above. */
+using TPolygon = std::vector<CVector2>;
+
+/**
+ * Twice the signed area of the triangle (start, end, point), m^2: positive on the left.
+ *
+ * The two regions on either side of a border have it in opposite directions. The ends are put in
+ * one order first, so the two results are exactly opposite and no point is lost between regions.
+ */
+Real ComputeSide(const CVector2& start, const CVector2& end, const CVector2& point);
+
+/** Twice the signed area, m^2: positive if the corners run counter-clockwise. */
+Real ComputeTwiceArea(const TPolygon& polygon);
+
+/** What two convex polygons share; empty, or without an area, if they only touch. */
+TPolygon Intersect(const TPolygon& a, const TPolygon& b);
+
+/** The part of a segment inside a convex polygon that is @p margin m larger; none if it is outside.
+ */
+std::optional<CRay2> Clip(const CRay2& segment, const TPolygon& polygon, Real margin);
+
+/** The point of the segment that is nearest to @p point. */
+CVector2 FindNearest(const CRay2& segment, const CVector2& point);
+
+/** From a point to a convex polygon, m; 0 inside. */
+Real ComputeDistance(const TPolygon& polygon, const CVector2& point);
+
+/** Where two sides cross that have no corner in common; sides are counted by their first corner. */
+struct SCrossing {
+  size_t First, Second;
+  CVector2 Point;
+};
+/** Finds out whether a polygon, of any shape, crosses itself. */
+std::optional<SCrossing> FindCrossing(const TPolygon& polygon);
+
+/** "(0,0), (1,0), (1,1)". */
+std::string ListCorners(const TPolygon& polygon);
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,213 @@
+// Robots on the other side of a border: seen, and felt.
+
+#include <argos3/testing/contract/physics_engines/drive_world.h>
+#include <argos3/testing/contract/physics_engines/regions.h>
+#include <argos3/testing/support/robot_world.h>
+
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_colored_blob_omnidirectional_camera_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_leds_actuator.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_actuator.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_sensor.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+namespace argos {
+
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+constexpr Real kFootBotRadius = 0.085036758;
+constexpr Real kEPuckRadius = 0.035;
+
+std::string Halves(const SEngineType& engine, const std::string& attributes = "") {
+  return RegionXml(engine, "west", {{-20, -20}, {0, -20}, {0, 20}, {-20, 20}}, attributes) +
+         RegionXml(engine, "east", {{0, -20}, {20, -20}, {20, 20}, {0, 20}}, attributes);
+}
+
+Real RadiusOf(const std::string& tag) {
+  return tag == "e-puck" ? kEPuckRadius : kFootBotRadius;
+}
+
+// the deepest overlap of two robots in a run, m
+Real RunOverlap(CDriveWorld& world, int ticks, Real radii) {
+  Real deepest = -HUGE_VAL;
+  for (int tick = 0; tick < ticks; ++tick) {
+    world.Step();
+    deepest = std::max(deepest, radii - Distance(world.Position("a"), world.Position("b")));
+  }
+  return deepest;
+}
+
+}  // namespace
+
+TEST_CASE("ghosts: robots that drive head-on at a border do not overlap",
+          "[contract][engine][partition]") {
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
+  if (IsSkipped(engine, engine.HasGhosts, "ghosts")) {
+    return;
+  }
+  const std::string tagA = GENERATE(as<std::string>(), "e-puck", "foot-bot");
+  const std::string tagB = GENERATE(as<std::string>(), "e-puck", "foot-bot");
+  const Real speed = GENERATE(3.0, 10.0, 60.0);  // cm/s
+  const Real aside = GENERATE(0.0, 0.02);  // m
+  // start: how far a's centre is from the border when they meet
+  const Real shift = GENERATE(0.0, 0.011, 0.03);
+  CAPTURE(engine, tagA, tagB, speed, aside, shift);
+  const Real radii = RadiusOf(tagA) + RadiusOf(tagB);
+  CDriveWorld world(Halves(engine),
+                    DriverXml(tagA, "a", -0.5 - shift, 0, 0, speed, speed) +
+                        DriverXml(tagB, "b", 0.5 - shift, aside, 180, speed, speed));
+  // A robot may take half of the gap to the other one in a tick, so motion makes no overlap; what
+  // is left is what an engine promises everywhere: 2 % of the radius.
+  CHECK(RunOverlap(world, 150, radii) <= 0.02 * std::min(RadiusOf(tagA), RadiusOf(tagB)));
+}
+
+TEST_CASE("ghosts: robots that meet exactly head-on stand still and touch",
+          "[contract][engine][partition]") {
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
+  if (IsSkipped(engine, engine.HasGhosts, "ghosts")) {
+    return;
+  }
+  CAPTURE(engine);
+  CDriveWorld world(Halves(engine), DriverXml("foot-bot", "a", -0.5, 0, 0, 10, 10) +
+                                        DriverXml("foot-bot", "b", 0.5, 0, 180, 10, 10));
+  world.Step(100);
+  const Real gap = Distance(world.Position("a"), world.Position("b")) - 2.0 * kFootBotRadius;
+  CHECK_THAT(gap, WithinAbs(0.0, 0.02 * kFootBotRadius));
+  const CVector3 before = world.Position("a");
+  world.Step(100);
+  CHECK(Distance(world.Position("a"), before) <= 0.01 * kFootBotRadius);
+  // mirrored, both do the same; Box2D computes in single precision
+  CHECK_THAT(world.Position("a").GetX(), WithinAbs(-world.Position("b").GetX(), 1e-4));
+}
+
+TEST_CASE("ghosts: without them robots overlap at borders", "[contract][engine][partition]") {
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
+  if (IsSkipped(engine, engine.HasGhosts, "ghosts")) {
+    return;
+  }
+  CAPTURE(engine);
+  CDriveWorld world(Halves(engine, "ghosts='false'"),
+                    DriverXml("foot-bot", "a", -0.5, 0, 0, 10, 10) +
+                        DriverXml("foot-bot", "b", 0.5, 0, 180, 10, 10));
+  CHECK(RunOverlap(world, 60, 2.0 * kFootBotRadius) > 0.5 * kFootBotRadius);
+}
+
+TEST_CASE("ghosts: one that drives on is followed, and a column crosses a border",
+          "[contract][engine][partition]") {
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
+  if (IsSkipped(engine, engine.HasGhosts, "ghosts")) {
+    return;
+  }
+  CAPTURE(engine);
+  // six robots in a row, 5 mm apart
+  std::string robots;
+  const auto id = [](int i) { return "r" + std::to_string(i); };
+  for (int i = 0; i < 6; ++i) {
+    robots += DriverXml("e-puck", id(i), -0.3 - 0.075 * i, 0.3, 0, 10, 10);
+  }
+  CDriveWorld world(Halves(engine), robots);
+  for (int tick = 0; tick < 150; ++tick) {
+    world.Step();
+    for (int i = 1; i < 6; ++i) {
+      const Real gap = world.Position(id(i - 1)).GetX() - world.Position(id(i)).GetX();
+      REQUIRE(gap >= 2.0 * kEPuckRadius - 0.02 * kEPuckRadius);
+    }
+  }
+  // The first one has met nobody. One that follows may go half of the gap in each tick, so it falls
+  // back until the gap is two ticks' way, and no farther.
+  CHECK_THAT(world.Position(id(0)).GetX(), WithinAbs(-0.3 + 149 * 0.01, 1e-6));
+  for (int i = 1; i < 6; ++i) {
+    const Real gap = world.Position(id(i - 1)).GetX() - world.Position(id(i)).GetX();
+    CHECK(gap <= 2.0 * kEPuckRadius + 2.0 * 0.01 + 1e-6);
+  }
+}
+
+TEST_CASE("ghosts: things across a border are pushed, and stop nobody for ever",
+          "[contract][engine][partition]") {
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
+  if (IsSkipped(engine, engine.HasGhosts, "ghosts")) {
+    return;
+  }
+  CAPTURE(engine);
+  CDriveWorld world(Halves(engine),
+                    DriverXml("foot-bot", "a", 0.4, 0, 180, 10, 10) +
+                        "<box id='b' size='0.1,0.3,0.1' movable='true' mass='0.3'><body "
+                        "position='-0.051,0,0'/></box>");
+  // the robot's front reaches over the border while its centre is in the east
+  for (int tick = 0; tick < 100; ++tick) {
+    world.Step();
+    const Real gap =
+        world.Position("a").GetX() - world.Position("b").GetX() - 0.05 - kFootBotRadius;
+    // the thing is where the robot was at the start of the tick: 1 cm, and 2 % of the radius
+    REQUIRE(gap >= -0.01 - 0.02 * kFootBotRadius);
+  }
+  CHECK(world.Position("a").GetX() < -0.4);
+}
+
+TEST_CASE("ghosts: what is seen does not depend on borders", "[contract][engine][partition]") {
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
+  CAPTURE(engine);
+  const auto make = [](const std::string& engines) {
+    SRobotExperiment experiment;
+    experiment.Engine = engines;
+    experiment.Media = "<led id=\"leds\"/><range_and_bearing id=\"rab\"/>";
+    experiment.Actuators =
+        "<leds implementation=\"default\" medium=\"leds\"/>"
+        "<range_and_bearing implementation=\"default\"/>";
+    experiment.Sensors =
+        "<range_and_bearing implementation=\"medium\" medium=\"rab\"/>"
+        "<colored_blob_omnidirectional_camera implementation=\"rot_z_only\" medium=\"leds\"/>";
+    experiment.Arena = Robot("foot-bot", "a", "position=\"-0.2,0.1,0\" orientation=\"30,0,0\"") +
+                       Robot("foot-bot", "b", "position=\"0.15,0,0\" orientation=\"-70,0,0\"") +
+                       Robot("foot-bot", "c", "position=\"0.1,0.8,0\" orientation=\"120,0,0\"");
+    return experiment;
+  };
+  const auto look = [](const SRobotExperiment& experiment) {
+    CRobotWorld world(experiment);
+    for (const char* id : {"a", "b", "c"}) {
+      world.GetActuator<CCI_LEDsActuator>(id, "leds").SetAllColors(CColor::RED);
+      world.GetActuator<CCI_RangeAndBearingActuator>(id, "range_and_bearing").SetData(0, id[0]);
+      world
+          .GetSensor<CCI_ColoredBlobOmnidirectionalCameraSensor>(
+              id, "colored_blob_omnidirectional_camera")
+          .Enable();
+    }
+    world.Step(3);
+    std::vector<Real> seen;
+    for (const char* id : {"a", "b", "c"}) {
+      for (const auto& packet :
+           world.GetSensor<CCI_RangeAndBearingSensor>(id, "range_and_bearing").GetReadings()) {
+        seen.insert(seen.end(), {packet.Range, packet.HorizontalBearing.GetValue(),
+                                 static_cast<Real>(packet.Data[0])});
+      }
+      for (const auto* blob : world
+                                  .GetSensor<CCI_ColoredBlobOmnidirectionalCameraSensor>(
+                                      id, "colored_blob_omnidirectional_camera")
+                                  .GetReadings()
+                                  .BlobList) {
+        seen.insert(seen.end(), {blob->Distance, blob->Angle.GetValue()});
+      }
+    }
+    // and by rays
+    for (int i = 0; i < 16; ++i) {
+      CVector3 end(1.0, 0.0, 0.0);
+      end.RotateZ(CRadians(ARGOS_PI * i / 8.0));
+      SEmbodiedEntityIntersectionItem hit;
+      const CVector3 start(0.0, 0.05, 0.05);
+      const bool isHit = GetClosestEmbodiedEntityIntersectedByRay(hit, CRay3(start, start + end));
+      seen.push_back(isHit ? hit.TOnRay : -1.0);
+    }
+    return seen;
+  };
+  const std::vector<Real> whole = look(make(engine.ToXml()));
+  // each of the three hears the two others, and sees some of their 13 LEDs
+  REQUIRE(whole.size() > 16 + 3 * 2 * 3 + 3 * 2 * 2);
+  CHECK(look(make(Halves(engine))) == whole);
+}
+
+}  // namespace argos

@@ -1,0 +1,374 @@
+// Engines that share space: walls, gates, what crosses borders, what stands on them.
+
+#include <argos3/testing/contract/physics_engines/drive_world.h>
+#include <argos3/testing/contract/physics_engines/regions.h>
+
+#include <argos3/core/simulator/loop_functions.h>
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <set>
+
+namespace argos {
+
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+constexpr Real kFootBotRadius = 0.085036758;
+constexpr Real kEPuckRadius = 0.035;
+const std::string kWall = "wall='true'";
+
+std::string EngineOf(CDriveWorld& world, const std::string& id) {
+  REQUIRE(world.Body(id).GetPhysicsModelsNum() == 1);
+  return world.Body(id).GetPhysicsModel(0).GetEngine().GetId();
+}
+
+std::vector<std::string> EnginesOf(CDriveWorld& world, const std::string& id) {
+  std::set<std::string> ids;
+  for (UInt32 i = 0; i < world.Body(id).GetPhysicsModelsNum(); ++i) {
+    ids.insert(world.Body(id).GetPhysicsModel(size_t(i)).GetEngine().GetId());
+  }
+  return {ids.begin(), ids.end()};
+}
+
+std::string BoxXml(const std::string& id, const std::string& size, Real x, Real y) {
+  std::ostringstream xml;
+  xml << "<box id='" << id << "' size='" << size << "' movable='false'><body position='" << x << ","
+      << y << ",0'/></box>";
+  return xml.str();
+}
+
+}  // namespace
+
+TEST_CASE("walls: a region with walls keeps what is inside", "[contract][engine][partition]") {
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
+  if (IsSkipped(engine, engine.HasWalls, "walls of regions")) {
+    return;
+  }
+  // a square, straight and standing on a corner; eight robots drive out of it
+  const Real turn = GENERATE(0.0, 0.25, 0.1);  // of pi
+  CAPTURE(engine, turn);
+  std::vector<SCorner> corners;
+  for (int i = 0; i < 4; ++i) {
+    const Real angle = ARGOS_PI * (turn + 0.5 * i);
+    corners.push_back({std::cos(angle), std::sin(angle), kWall});
+  }
+  std::string robots;
+  for (int i = 0; i < 8; ++i) {
+    const Real angle = ARGOS_PI * (turn + 0.05 + 0.25 * i);
+    robots += DriverXml("e-puck", "r" + std::to_string(i), 0.3 * std::cos(angle),
+                        0.3 * std::sin(angle), 180.0 * (turn + 0.05 + 0.25 * i), 12, 12);
+  }
+  CDriveWorld world(RegionXml(engine, "pen", corners), robots);
+  for (int tick = 0; tick < 200; ++tick) {
+    world.Step();
+    for (int i = 0; i < 8; ++i) {
+      const CVector3 position = world.Position("r" + std::to_string(i));
+      for (size_t k = 0; k < 4; ++k) {
+        // the sides of a square of circumradius 1 are 1 / sqrt(2) from its centre
+        const Real angle = ARGOS_PI * (turn + 0.5 * k + 0.25);
+        const Real out = position.GetX() * std::cos(angle) + position.GetY() * std::sin(angle);
+        // 2 % of the radius is what engines promise; slabs that meet in a corner are no worse
+        REQUIRE(out <= std::sqrt(0.5) - 0.98 * kEPuckRadius);
+      }
+    }
+  }
+  // and not by keeping them from moving: some side is reached
+  Real farthest = 0.0;
+  for (int i = 0; i < 8; ++i) {
+    farthest = std::max(farthest, world.Position("r" + std::to_string(i)).Length());
+  }
+  CHECK(farthest > std::sqrt(0.5) - 1.05 * kEPuckRadius);
+}
+
+TEST_CASE("walls: a door in a wall lets pass, the wall beside it does not",
+          "[contract][engine][partition]") {
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
+  if (IsSkipped(engine, engine.HasWalls, "walls of regions")) {
+    return;
+  }
+  CAPTURE(engine);
+  // between y = -0.2 and 0.2 there is a gate
+  const std::string west = RegionXml(
+      engine, "west",
+      {{-2, -2}, {0, -2, kWall}, {0, -0.2, "gate='east'"}, {0, 0.2, kWall}, {0, 2}, {-2, 2}});
+  const std::string east = RegionXml(
+      engine, "east",
+      {{0, 2, kWall}, {0, 0.2, "gate='west'"}, {0, -0.2, kWall}, {0, -2}, {2, -2}, {2, 2}});
+  CDriveWorld world(west + east, DriverXml("foot-bot", "through", -0.5, 0.02, 0, 10, 10) +
+                                     DriverXml("foot-bot", "beside", -0.5, 1, 0, 10, 10) +
+                                     DriverXml("foot-bot", "back", 0.5, -1, 180, 10, 10));
+  world.Step(101);
+  CHECK(EngineOf(world, "through") == "east");
+  CHECK_THAT(world.Position("through").GetX(), WithinAbs(0.5, 1e-6));
+  CHECK(EngineOf(world, "beside") == "west");
+  CHECK_THAT(world.Position("beside").GetX(), WithinAbs(-kFootBotRadius, 0.02 * kFootBotRadius));
+  CHECK(EngineOf(world, "back") == "east");
+  CHECK_THAT(world.Position("back").GetX(), WithinAbs(kFootBotRadius, 0.02 * kFootBotRadius));
+}
+
+TEST_CASE("walls: a flying robot is held in a region with walls", "[contract][flight][partition]") {
+  const std::string region =
+      Boundaries({{-1, -1, kWall}, {1, -1, kWall}, {1, 1, kWall}, {-1, 1, kWall}},
+                 "<top height='2' wall='true'/><bottom height='0.5' wall='true'/>");
+  // nobody controls the eye-bot: it brakes from what a faster one has pushed it to; here from rest
+  CDriveWorld world(
+      "<pointmass3d id='air' gravity='0'>" + region + "</pointmass3d>",
+      "<box id='b' size='0.1,0.1,0.1' movable='false'><body position='0,0,1'/></box>");
+  SVolume& volume = world.GetSimulator().GetPhysicsEngine("air").GetVolume();
+  CVector3 position(0.9, -2.0, 1.8);
+  CVector3 velocity(1.0, -3.0, 2.0);
+  REQUIRE(volume.HoldInside(position, velocity, 0.25, 0.5));
+  // out of the walls by its radius and its height; the velocity into them is gone
+  CHECK(Distance(position, CVector3(0.75, -0.75, 1.5)) <= 1e-12);
+  CHECK(velocity == CVector3());
+  CHECK_FALSE(volume.HoldInside(position, velocity, 0.25, 0.5));
+}
+
+TEST_CASE("gates: the named engine takes over, also if another one comes first",
+          "[contract][engine][partition]") {
+  const bool hasGate = GENERATE(true, false);
+  CAPTURE(hasGate);
+  const std::vector<SCorner> east = {{0, -2}, {2, -2}, {2, 2}, {0, 2}};
+  const std::string engines =
+      RegionXml(kPointMass3D, "first", east) +
+      RegionXml(kDynamics2D, "west",
+                {{-2, -2}, {0, -2, hasGate ? "gate='second'" : ""}, {0, 2}, {-2, 2}}) +
+      RegionXml(kDynamics2D, "second", east);
+  CDriveWorld world(engines, DriverXml("foot-bot", "r", -0.5, 0, 0, 10, 10));
+  world.Step(101);
+  CHECK(EngineOf(world, "r") == (hasGate ? "second" : "first"));
+  CHECK_THAT(world.Position("r").GetX(), WithinAbs(0.5, 1e-6));
+}
+
+TEST_CASE("gates: a reset brings bodies back to their first engine, not through gates",
+          "[contract][engine][partition]") {
+  const std::vector<SCorner> east = {{0, -2}, {2, -2}, {2, 2}, {0, 2}};
+  const std::string engines =
+      RegionXml(kPointMass3D, "first", {{0, -2, "gate='west'"}, {2, -2}, {2, 2}, {0, 2}}) +
+      RegionXml(kDynamics2D, "west", {{-2, -2}, {0, -2, "gate='second'"}, {0, 2}, {-2, 2}}) +
+      RegionXml(kDynamics2D, "second", east);
+  CHECK_THROWS_WITH(CDriveWorld(engines, ""), Catch::Contains("does not lead into the region"));
+  const std::string right =
+      RegionXml(kPointMass3D, "first", east) +
+      RegionXml(kDynamics2D, "west", {{-2, -2}, {0, -2, "gate='second'"}, {0, 2}, {-2, 2}}) +
+      RegionXml(kDynamics2D, "second", east);
+  CDriveWorld world(right, DriverXml("foot-bot", "r", 0.3, 0, 180, 10, 10));
+  REQUIRE(EngineOf(world, "r") == "first");
+  std::vector<UInt64> digests;
+  for (int run = 0; run < 2; ++run) {
+    world.Step(61);
+    CHECK(EngineOf(world, "r") == "west");
+    digests.push_back(world.ComputeDigest());
+    world.GetSimulator().Reset();
+    CHECK(EngineOf(world, "r") == "first");
+  }
+  CHECK(digests[0] == digests[1]);
+}
+
+TEST_CASE("gates: who goes around the corner of a gate goes where it is",
+          "[contract][engine][partition]") {
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
+  CAPTURE(engine);
+  const std::string engines =
+      RegionXml(engine, "a", {{-2, -2}, {0, -2, "gate='b'"}, {0, 0, "gate='c'"}, {-2, 0}}) +
+      RegionXml(engine, "b", {{0, -2}, {2, -2}, {2, 0}, {0, 0}}) +
+      RegionXml(engine, "c", {{-2, 0}, {0, 0}, {0, 2}, {-2, 2}}) +
+      RegionXml(engine, "d", {{0, 0}, {2, 0}, {2, 2}, {0, 2}});
+  // over the corner, at 45 degrees, and by so much that no tick ends on it
+  CDriveWorld world(engines, DriverXml("foot-bot", "r", -0.503, -0.503, 45, 10, 10));
+  world.Step(101);
+  CHECK(EngineOf(world, "r") == "d");
+  CHECK_THAT(world.Position("r").GetX(), WithinAbs(-0.503 + std::sqrt(0.5), 1e-6));
+}
+
+TEST_CASE("borders: a robot goes there and back, and its path is as if there were none",
+          "[contract][engine][partition]") {
+  const SSharingEngine west = GENERATE(from_range(kSharingEngines));
+  const SSharingEngine east = GENERATE(from_range(kSharingEngines));
+  CAPTURE(west, east);
+  const std::string engines = RegionXml(west, "west", {{-20, -20}, {0, -20}, {0, 20}, {-20, 20}}) +
+                              RegionXml(east, "east", {{0, -20}, {20, -20}, {20, 20}, {0, 20}});
+  // an e-puck at 60 cm/s takes two ticks to reach its speed from rest: were it lost at the border,
+  // the robot would fall behind. The circle has a radius of 0.6 m / (20 cm/s / 5.3 cm) and is
+  // crossed by the border twice a turn
+  const std::string robot = DriverXml("e-puck", "r", -0.005, 0.1, 200, 60, 80);
+  CDriveWorld split(engines, robot);
+  CDriveWorld whole(west.ToXml(), robot);
+  int crossings = 0;
+  std::string last = EngineOf(split, "r");
+  for (int tick = 0; tick < 200; ++tick) {
+    split.Step();
+    whole.Step();
+    const std::string now = EngineOf(split, "r");
+    crossings += now != last ? 1 : 0;
+    last = now;
+    REQUIRE((now == "east") == (split.Position("r").GetX() > 0.0));
+    if (west.KeepsSpeed == east.KeepsSpeed) {
+      // each tick rounds once
+      REQUIRE(Distance(split.Position("r"), whole.Position("r")) <= 1e-9);
+    }
+  }
+  CHECK(crossings >= 4);
+  CHECK(split.GetSimulator().GetPhysicsEngine("west").GetNumPhysicsModels() +
+            split.GetSimulator().GetPhysicsEngine("east").GetNumPhysicsModels() ==
+        1);
+}
+
+TEST_CASE("borders: velocity is kept between engines of different types",
+          "[contract][engine][partition]") {
+  const std::string engines =
+      RegionXml(kPointMass3D, "west", {{-20, -20}, {0, -20}, {0, 20}, {-20, 20}}) +
+      RegionXml(kDynamics2D, "east", {{0, -20}, {20, -20}, {20, 20}, {0, 20}});
+  CDriveWorld world(engines, DriverXml("e-puck", "r", -0.59, 0, 0, 60, 60));
+  world.Step(21);
+  CHECK(EngineOf(world, "r") == "east");
+  // from rest it would gain 37.5 cm/s in its first tick there, and be 2.25 cm behind
+  CHECK_THAT(world.Position("r").GetX(), WithinAbs(-0.59 + 20 * 0.06, 1e-6));
+  SBodyMotion motion;
+  REQUIRE(world.GetSimulator().GetPhysicsEngine("east").GetMotion(world.Body("r"), motion));
+  CHECK_THAT(motion.Velocity.GetX(), WithinAbs(0.6, 1e-6));
+}
+
+TEST_CASE("borders: things that meet where two engines meet share the momentum",
+          "[contract][engine][partition]") {
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
+  if (IsSkipped(engine, engine.HasContacts && engine.KeepsSpeed, "momentum")) {
+    return;
+  }
+  CAPTURE(engine);
+  const std::string smooth =
+      "<friction cylinder_linear_friction='0' cylinder_angular_friction='0'/>";
+  const std::string engines =
+      engine.ToXml("west", "", smooth + Boundaries({{-9, -9}, {0, -9}, {0, 9}, {-9, 9}})) +
+      engine.ToXml("east", "", smooth + Boundaries({{0, -9}, {9, -9}, {9, 9}, {0, 9}}));
+  const auto cylinder = [](const std::string& id, const std::string& x) {
+    return "<cylinder id='" + id + "' radius='0.1' height='0.1' movable='true' mass='1'><body " +
+           "position='" + x + ",0,0'/></cylinder>";
+  };
+  // b is in the east, as near to the border as can be: a reaches it before its centre crosses
+  CDriveWorld world(engines, DriverXml("foot-bot", "pusher", -1.2, 0, 0, 10, 10) +
+                                 cylinder("a", "-0.95") + cylinder("b", "0.05"));
+  world.Step(20);
+  world.Driver("pusher").Left = world.Driver("pusher").Right = -10.0;
+  world.Step(2);
+  const auto measure = [&world](const std::string& id) {
+    const Real before = world.Position(id).GetX();
+    world.Step();
+    return (world.Position(id).GetX() - before) / 0.1;
+  };
+  const Real free = measure("a");
+  REQUIRE(free > 0.05);
+  world.Step(150);
+  CHECK(EngineOf(world, "a") == "east");
+  // restitution 0: they go on together, at half the speed
+  CHECK_THAT(measure("a"), WithinAbs(0.5 * free, 1e-4));
+  CHECK_THAT(measure("b"), WithinAbs(0.5 * free, 1e-4));
+  CHECK(world.Position("b").GetX() - world.Position("a").GetX() >= 0.2 - 0.02 * 0.1);
+}
+
+TEST_CASE("borders: what is immovable is in every engine that it touches",
+          "[contract][engine][partition]") {
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
+  CAPTURE(engine);
+  const std::string engines = RegionXml(engine, "a", {{-2, -2}, {0, -2}, {0, 2}, {-2, 2}}) +
+                              RegionXml(engine, "b", {{0, -2}, {2, -2}, {2, 2}, {0, 2}}) +
+                              RegionXml(engine, "c", {{2, -2}, {4, -2}, {4, 2}, {2, 2}});
+  // origins in b
+  CDriveWorld world(
+      engines, BoxXml("long", "4.5,0.1,0.3", 0.5, 1) + BoxXml("near", "0.1,0.1,0.3", 0.2, -1) +
+                   BoxXml("middle", "0.1,0.1,0.3", 1, -1) + BoxXml("thin", "0.01,3,0.3", 1, 0));
+  using TIds = std::vector<std::string>;
+  CHECK(EnginesOf(world, "long") == TIds{"a", "b", "c"});
+  CHECK(EnginesOf(world, "near") == TIds{"a", "b"});
+  CHECK(EnginesOf(world, "middle") == TIds{"b"});
+  CHECK(EnginesOf(world, "thin") == TIds{"b"});
+  // also when it is moved: turned by 90 degrees it reaches over all of b
+  REQUIRE(world.Body("thin").MoveTo(CVector3(1, 0, 0),
+                                    CQuaternion(CRadians::PI_OVER_TWO, CVector3::Z)));
+  CHECK(EnginesOf(world, "thin") == TIds{"a", "b", "c"});
+  REQUIRE(world.Body("middle").MoveTo(CVector3(3, -1, 0), CQuaternion()));
+  CHECK(EnginesOf(world, "middle") == TIds{"c"});
+  world.Step(3);
+  world.GetSimulator().Reset();
+  CHECK(EnginesOf(world, "thin") == TIds{"b"});
+  CHECK(EnginesOf(world, "middle") == TIds{"b"});
+  world.GetSimulator().GetLoopFunctions().RemoveEntity("long");
+  CHECK(world.GetSimulator().GetPhysicsEngine("a").GetNumPhysicsModels() == 1);
+  world.Step(3);
+}
+
+TEST_CASE("borders: an immovable thing across a border stops robots on both sides",
+          "[contract][engine][partition]") {
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
+  if (IsSkipped(engine, engine.HasContacts, "contacts")) {
+    return;
+  }
+  CAPTURE(engine);
+  const std::string engines = RegionXml(engine, "a", {{-2, -2}, {0, -2}, {0, 2}, {-2, 2}}) +
+                              RegionXml(engine, "b", {{0, -2}, {2, -2}, {2, 2}, {0, 2}});
+  // the wall's origin is in b, and a little of it in a; the post is in b, but a foot-bot with its
+  // centre in a touches it
+  CDriveWorld world(engines, BoxXml("wall", "0.3,1,0.3", 0.1, 1) +
+                                 BoxXml("post", "0.1,0.1,0.3", 0.1, -1) +
+                                 DriverXml("foot-bot", "r", -0.5, 1, 0, 10, 10) +
+                                 DriverXml("foot-bot", "s", -0.5, -1, 0, 10, 10));
+  const Real tolerance = 0.02 * kFootBotRadius;
+  for (int tick = 0; tick < 100; ++tick) {
+    world.Step();
+    REQUIRE(world.Position("r").GetX() <= -0.05 - kFootBotRadius + tolerance);
+    REQUIRE(world.Position("s").GetX() <= 0.05 - kFootBotRadius + tolerance);
+  }
+  CHECK_THAT(world.Position("r").GetX(), WithinAbs(-0.05 - kFootBotRadius, tolerance));
+  CHECK_THAT(world.Position("s").GetX(), WithinAbs(0.05 - kFootBotRadius, tolerance));
+}
+
+TEST_CASE("automatic partition: regions fill the arena, as square as can be",
+          "[contract][engine][partition]") {
+  struct SCut {
+    int Count;
+    std::string Size;
+    size_t Columns, Rows;
+  };
+  const SCut cut =
+      GENERATE(SCut{16, "40,40,1", 4, 4}, SCut{6, "30,20,1", 3, 2}, SCut{6, "20,30,1", 2, 3},
+               SCut{7, "10,10,1", 1, 7}, SCut{1, "10,10,1", 1, 1}, SCut{12, "10,10,1", 3, 4},
+               SCut{8, "80,10,1", 8, 1});
+  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
+  CAPTURE(cut.Count, cut.Size, engine);
+  SExperiment experiment;
+  experiment.ArenaSize = cut.Size + "' center='1,2,0.5";
+  experiment.Engines = "<auto_partition engine='" + engine.Tag + "' count='" +
+                       std::to_string(cut.Count) + "' iterations='3' id='part'/>";
+  CTestWorld world(experiment);
+  const CPhysicsEngine::TVector& engines = world.GetSimulator().GetPhysicsEngines();
+  REQUIRE(engines.size() == size_t(cut.Count));
+  CHECK(engines.back()->GetId() ==
+        "part_" + std::to_string(cut.Columns - 1) + "_" + std::to_string(cut.Rows - 1));
+  CHECK(engines.front()->GetId() == "part_0_0");
+  const CRange<CVector3>& arena = world.GetSpace().GetArenaLimits();
+  const Real width = world.GetSpace().GetArenaSize().GetX() / cut.Columns;
+  const Real height = world.GetSpace().GetArenaSize().GetY() / cut.Rows;
+  for (size_t row = 0; row < cut.Rows; ++row) {
+    for (size_t column = 0; column < cut.Columns; ++column) {
+      CPhysicsEngine& one = *engines[row * cut.Columns + column];
+      CHECK(one.GetIterations() == 3);
+      // the middle of the cell is in it, and in no other
+      const CVector3 middle(arena.GetMin().GetX() + (column + 0.5) * width,
+                            arena.GetMin().GetY() + (row + 0.5) * height, 0.0);
+      for (CPhysicsEngine* other : engines) {
+        CHECK(other->IsPointContained(middle) == (other == &one));
+      }
+      // the border is half a cell away, or beyond the arena
+      const CVector3 right = middle + CVector3(0.5 * width + 1e-9, 0.0, 0.0);
+      CHECK(one.IsPointContained(right) == (column + 1 == cut.Columns));
+      const CVector3 above = middle + CVector3(0.0, 0.5 * height + 1e-9, 0.0);
+      CHECK(one.IsPointContained(above) == (row + 1 == cut.Rows));
+    }
+  }
+}
+
+}  // namespace argos

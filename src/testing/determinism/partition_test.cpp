@@ -1,0 +1,139 @@
+// Engines side by side, with robots that cross and feel each other: the same to the bit.
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/utility/string_utilities.h>
+#include <argos3/testing/determinism/swarm.h>
+
+#include <catch2/catch.hpp>
+
+#include <map>
+
+using namespace argos;
+
+namespace {
+
+constexpr UInt32 kRobots = 240;
+constexpr UInt32 kTicks = 150;
+
+/** "blind_walker": changes its wheel speeds now and then, and so bumps into everything. */
+class CBlindWalker : public CCI_Controller {
+ public:
+  void Init(TConfigurationNode&) override {
+    m_wheels = GetActuator<CCI_DifferentialSteeringActuator>("differential_steering");
+    m_random = CRandom::CreateRNG("argos");
+    Reset();
+  }
+  void Reset() override { m_left = m_right = 12.0; }
+  void ControlStep() override {
+    if (m_random->Bernoulli(0.05)) {
+      m_left = m_random->Uniform(CRange<Real>(-5.0, 15.0));
+      m_right = m_random->Uniform(CRange<Real>(-5.0, 15.0));
+    }
+    m_wheels->SetLinearVelocity(m_left, m_right);
+  }
+
+ private:
+  CCI_DifferentialSteeringActuator* m_wheels = nullptr;
+  CRandom::CRNG* m_random = nullptr;
+  Real m_left = 0.0, m_right = 0.0;  // cm/s
+};
+
+SExperiment MakeSwarm(UInt32 enginesPerSide) {
+  SExperiment experiment = Swarm(kRobots, enginesPerSide, false);
+  Replace(experiment.Controllers, "<walker ", "<blind_walker ");
+  Replace(experiment.Controllers, "</walker>", "</blind_walker>");
+  return experiment;
+}
+
+struct SRun {
+  std::vector<UInt64> Digests;
+  int Crossings = 0;
+  size_t MostGhosts = 0;  // of all engines in one tick
+};
+
+SRun Run(CTestWorld& world) {
+  SRun run;
+  std::vector<const CPhysicsEngine*> where;
+  const auto note = [&] {
+    run.Digests.push_back(world.ComputeDigest());
+    std::vector<const CPhysicsEngine*> now;
+    for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
+      now.push_back(&robot->GetParent()
+                         .GetComponent<CEmbodiedEntity>("body")
+                         .GetPhysicsModel(size_t(0))
+                         .GetEngine());
+    }
+    for (size_t i = 0; i < where.size(); ++i) {
+      run.Crossings += where[i] != now[i] ? 1 : 0;
+    }
+    where = now;
+    size_t ghosts = 0;
+    for (const CPhysicsEngine* engine : world.GetSimulator().GetPhysicsEngines()) {
+      ghosts += engine->GetGhosts().size();
+    }
+    run.MostGhosts = std::max(run.MostGhosts, ghosts);
+  };
+  note();
+  for (UInt32 tick = 0; tick < kTicks; ++tick) {
+    world.Step();
+    note();
+  }
+  return run;
+}
+
+// computed once: the main thread does all
+const SRun& Reference(UInt32 enginesPerSide) {
+  static std::map<UInt32, SRun> references;
+  SRun& reference = references[enginesPerSide];
+  if (reference.Digests.empty()) {
+    CTestWorld world(MakeSwarm(enginesPerSide));
+    reference = Run(world);
+  }
+  return reference;
+}
+
+REGISTER_CONTROLLER(CBlindWalker, "blind_walker")
+
+}  // namespace
+
+TEST_CASE("determinism of partitions: the same for every number of threads and schedule",
+          "[determinism][threads][partition]") {
+  const UInt32 enginesPerSide = GENERATE(1U, 2U, 4U);
+  const UInt32 threads = GENERATE(1U, 2U, 4U);
+  const std::string method = GENERATE("balance_quantity", "balance_length");
+  CAPTURE(enginesPerSide, threads, method);
+  SExperiment experiment = MakeSwarm(enginesPerSide);
+  experiment.Threads = threads;
+  experiment.Method = method;
+  CTestWorld world(experiment);
+  CHECK(Run(world).Digests == Reference(enginesPerSide).Digests);
+}
+
+TEST_CASE("determinism of partitions: after a reset the run repeats itself",
+          "[determinism][partition]") {
+  const UInt32 enginesPerSide = GENERATE(2U, 4U);
+  CAPTURE(enginesPerSide);
+  CTestWorld world(MakeSwarm(enginesPerSide));
+  world.Step(kTicks / 2);
+  world.GetSimulator().Reset();
+  CHECK(Run(world).Digests == Reference(enginesPerSide).Digests);
+}
+
+TEST_CASE("determinism of partitions: the runs that are compared are worth it",
+          "[determinism][partition]") {
+  CHECK(Reference(1).Crossings == 0);
+  CHECK(Reference(1).MostGhosts == 0);
+  for (const UInt32 enginesPerSide : {2U, 4U}) {
+    CAPTURE(enginesPerSide);
+    CHECK(Reference(enginesPerSide).Crossings >= 20);
+    CHECK(Reference(enginesPerSide).MostGhosts >= 10);
+    // and ghosts change what happens
+    SExperiment experiment = MakeSwarm(enginesPerSide);
+    Replace(experiment.Engines, "<dynamics2d ", "<dynamics2d ghosts='false' ");
+    CTestWorld world(experiment);
+    CHECK(Run(world).Digests != Reference(enginesPerSide).Digests);
+  }
+}

@@ -1,0 +1,75 @@
+#include <argos3/core/simulator/physics_engine/region_geometry.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace argos;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+const TPolygon kSquare = {CVector2(0, 0), CVector2(2, 0), CVector2(2, 2), CVector2(0, 2)};
+
+TPolygon Shift(const TPolygon& polygon, Real x, Real y) {
+  TPolygon shifted;
+  for (const CVector2& corner : polygon) {
+    shifted.push_back(corner + CVector2(x, y));
+  }
+  return shifted;
+}
+
+}  // namespace
+
+TEST_CASE("region geometry: what squares share is a rectangle", "[core][volume]") {
+  const TPolygon shared = Intersect(kSquare, Shift(kSquare, 1.5, 0.5));
+  CHECK(shared.size() == 4);
+  CHECK_THAT(0.5 * ComputeTwiceArea(shared), WithinAbs(0.5 * 1.5, 1e-15));
+  CHECK_THAT(0.5 * ComputeTwiceArea(Intersect(kSquare, kSquare)), WithinAbs(4.0, 1e-15));
+  // a common side, a common corner, nothing
+  CHECK(std::abs(ComputeTwiceArea(Intersect(kSquare, Shift(kSquare, 2, 0)))) <= 1e-15);
+  CHECK(std::abs(ComputeTwiceArea(Intersect(kSquare, Shift(kSquare, 2, 2)))) <= 1e-15);
+  CHECK(Intersect(kSquare, Shift(kSquare, 5, 0)).empty());
+}
+
+TEST_CASE("region geometry: a square turned by 45 degrees in another leaves an octagon",
+          "[core][volume]") {
+  const Real half = std::sqrt(2.0);
+  const TPolygon diamond = {CVector2(1 + half, 1), CVector2(1, 1 + half), CVector2(1 - half, 1),
+                            CVector2(1, 1 - half)};
+  const TPolygon shared = Intersect(kSquare, diamond);
+  CHECK(shared.size() == 8);
+  // a regular octagon of inradius 1 has the area 8 tan(pi / 8)
+  CHECK_THAT(0.5 * ComputeTwiceArea(shared), WithinAbs(8.0 * (half - 1.0), 1e-12));
+}
+
+TEST_CASE("region geometry: segments are cut at the border", "[core][volume]") {
+  const auto inside = Clip(CRay2(CVector2(-1, 1), CVector2(5, 1)), kSquare, 0.0);
+  REQUIRE(inside);
+  CHECK_THAT(inside->GetStart().GetX(), WithinAbs(0.0, 1e-12));
+  CHECK_THAT(inside->GetEnd().GetX(), WithinAbs(2.0, 1e-12));
+  const auto wide = Clip(CRay2(CVector2(-1, 1), CVector2(5, 1)), kSquare, 0.5);
+  REQUIRE(wide);
+  CHECK_THAT(wide->GetLength(), WithinAbs(3.0, 1e-12));
+  CHECK_FALSE(Clip(CRay2(CVector2(-1, 3), CVector2(5, 3)), kSquare, 0.5));
+  CHECK(Clip(CRay2(CVector2(-1, 2.4), CVector2(5, 2.4)), kSquare, 0.5));
+}
+
+TEST_CASE("region geometry: distances from a square", "[core][volume]") {
+  CHECK(ComputeDistance(kSquare, CVector2(1, 0.1)) == 0.0);
+  CHECK(ComputeDistance(kSquare, CVector2(2, 2)) == 0.0);
+  CHECK_THAT(ComputeDistance(kSquare, CVector2(1, -3)), WithinAbs(3.0, 1e-15));
+  CHECK_THAT(ComputeDistance(kSquare, CVector2(5, 6)), WithinAbs(5.0, 1e-15));
+}
+
+TEST_CASE("region geometry: a polygon that crosses itself is found out", "[core][volume]") {
+  CHECK_FALSE(FindCrossing(kSquare));
+  const auto crossing =
+      FindCrossing({CVector2(0, 0), CVector2(4, 0), CVector2(0, 2), CVector2(4, 2)});
+  REQUIRE(crossing);
+  CHECK(crossing->First == 1);
+  CHECK(crossing->Second == 3);
+  CHECK(Distance(crossing->Point, CVector2(2, 1)) <= 1e-12);
+  // not convex, but simple
+  CHECK_FALSE(FindCrossing({CVector2(0, 0), CVector2(4, 0), CVector2(1, 1), CVector2(0, 4)}));
+}
