@@ -1,0 +1,76 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_CONTACT_FINDER_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_CONTACT_FINDER_H
+
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
+
+#include <vector>
+
+namespace argos {
+
+/**
+ * Finds what touches, makes contact joints of it, and tells which bodies hang together.
+ *
+ * An island is a set of awake movable bodies that are joined by contacts, directly or by way of
+ * each other. Fixed bodies join nothing.
+ */
+class CContactFinder {
+ public:
+  /** A set of bodies that hang together. */
+  struct SIsland {
+    UInt32 Rows = 0;  // of the constraints among its bodies
+    bool Supported = false;  // does a fixed body touch it?
+    bool Quiet = true;  // used by the world
+  };
+
+  /** The contacts live in a pool, which Clear() empties without giving memory back. */
+  CContactFinder(const SRigidSettings& settings, dWorldID world, dSpaceID space);
+  ~CContactFinder();
+  CContactFinder(const CContactFinder&) = delete;
+  CContactFinder& operator=(const CContactFinder&) = delete;
+
+  /**
+   * Wakes bodies that awake ones come near to, and makes the contacts of the coming substep.
+   * @param movables  by SRigidBody::Number.
+   * @param gravity   m/s^2: friction holds against it where nothing slides.
+   */
+  void Find(const std::vector<SRigidBody*>& movables, const CVector3& gravity);
+  void Clear();
+
+  /** After Find(): of an awake body. */
+  SIsland& GetIsland(const SRigidBody& body) { return m_islands[FindRoot(body.Number)]; }
+  /** After Find(): the most rows that an island has. */
+  UInt32 GetMostRows() const { return m_mostRows; }
+  UInt32 GetNumContacts() const { return m_numContacts; }
+
+ private:
+  struct SPair {
+    dGeomID First;
+    dGeomID Second;
+  };
+
+  static void Meet(void* finder, dGeomID first, dGeomID second);
+  void WakeNeighbours();
+  void Touch(const SPair& pair);
+  void AddContact(dContact& contact, const SRigidBody& first, const SRigidBody& second,
+                  unsigned long kinds);
+  static void SetRollingDirection(dContact& contact, const SRigidBody& robot);
+  void SetSlidingDirection(dContact& contact) const;
+  UInt32 FindRoot(UInt32 body);
+  void CountRows(const std::vector<SRigidBody*>& movables);
+
+  const SRigidSettings& m_settings;
+  dWorldID m_world;
+  dSpaceID m_space;
+  dJointGroupID m_contacts;
+  UInt32 m_numContacts = 0;
+  UInt32 m_mostRows = 0;
+  CVector3 m_gravity;
+  std::vector<SPair> m_pairs;  // of geoms that may touch
+  std::vector<SPair> m_meetings;  // the ones of them between two movable bodies
+  std::vector<UInt32> m_parents;  // of a forest of islands, by number of body
+  std::vector<SIsland> m_islands;  // by number of body; of roots
+};
+
+}  // namespace argos
+
+#endif
