@@ -10,8 +10,9 @@ namespace argos {
 
 namespace {
 
-// of two geoms; a box on a box has up to eight
-constexpr int kMaxContacts = 8;
+// of two geoms: the corners of a face; ODE chooses those far apart of the eight that two boxes may
+// have, and fewer are solved better
+constexpr int kMaxContacts = 4;
 // m/s: what slides more slowly has no direction worth following
 constexpr Real kSlidingSpeed = 1e-4;
 // rows of the two hinges with motors of a robot

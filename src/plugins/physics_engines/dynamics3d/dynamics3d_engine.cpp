@@ -26,6 +26,7 @@ namespace {
 constexpr Real kFarthest = 1e6;
 // substeps of a tick; more would never end
 constexpr UInt32 kMaxIterations = 10000;
+constexpr UInt32 kMaxSolverIterations = 1000;
 // s: substeps without "iterations" are not longer
 constexpr Real kDefaultSubstep = 0.01;
 // m: what rests on the bottom of a region has sunk in by less
@@ -110,11 +111,9 @@ void ReadSolver(TConfigurationNode& node, SRigidSettings& settings) {
   }
   GetNodeAttributeOrDefault(node, "iterations", settings.SolverIterations,
                             settings.SolverIterations);
-  if (settings.SolverIterations < 1 || settings.SolverIterations > 8) {
-    THROW_ARGOSEXCEPTION(OwnerOf(node)
-                         << ": \"iterations\" must be in [1,8], found " << settings.SolverIterations
-                         << ": with more, ODE draws random numbers that other threads draw from "
-                            "too; for more accuracy, give the engine more \"iterations\"");
+  if (settings.SolverIterations < 1 || settings.SolverIterations > kMaxSolverIterations) {
+    THROW_ARGOSEXCEPTION(OwnerOf(node) << ": \"iterations\" must be in [1," << kMaxSolverIterations
+                                       << "], found " << settings.SolverIterations);
   }
   GetNodeAttributeOrDefault(node, "max_direct_rows", settings.MaxDirectRows,
                             settings.MaxDirectRows);
@@ -160,6 +159,14 @@ void CDynamics3DEngine::Init(TConfigurationNode& tree) {
   }
   if (NodeExists(tree, "contacts")) {
     ReadContacts(GetNode(tree, "contacts"), *m_settings);
+  }
+  UseODEInThisThread();
+  if (!HasOwnODERandom() && m_settings->SolverIterations > kSweepsWithoutDrawing) {
+    LOGERR << "[WARNING] " << OwnerOf(tree) << ": a library loaded earlier has brought ODE along: "
+           << "its iterative stepper makes only " << kSweepsWithoutDrawing << " of "
+           << m_settings->SolverIterations << " sweeps, so that results do not depend on threads"
+           << std::endl;
+    m_settings->SolverIterations = kSweepsWithoutDrawing;
   }
   InitPlugins(tree);
 }
@@ -466,7 +473,7 @@ OPTIONAL XML
       <floor height="0" friction="1" />
       <gravity vector="0,0,-9.81" />
       <magnetism force_constant="7.0500949e-13" max_distance="0.5" />
-      <solver stepper="mixed" iterations="8" max_direct_rows="100" erp="0.2" cfm="1e-6" />
+      <solver stepper="mixed" iterations="32" max_direct_rows="100" erp="0.2" cfm="1e-6" />
       <contacts restitution="0" bounce_speed="0.02" surface_layer="1e-5" max_correcting_speed="1" />
       <boundaries>
         <top height="2" />
@@ -496,7 +503,8 @@ ATTRIBUTES
   solver@stepper        "direct": ODE's dWorldStep, exact, for few bodies that touch. "iterative": dWorldQuickStep,
                         approximate, for crowds. "mixed" (default): direct for what hangs together by few contacts,
                         iterative for the rest.
-  solver@iterations     integer in [1,8], default 8: sweeps of the iterative stepper over the constraints.
+  solver@iterations     integer in [1,1000], default 32: sweeps of the iterative stepper over the constraints in a
+                        substep.
   solver@max_direct_rows  integer, default 100: the most constraints of bodies that hang together that "mixed" solves
                         directly. A robot on the floor has 20, a box 12.
   solver@erp            in [0.01,1], default 0.2: the share of an error of position that is corrected in a substep.

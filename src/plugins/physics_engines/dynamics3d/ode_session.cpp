@@ -5,6 +5,7 @@
 #include <ode/ode.h>
 
 #include <cstdarg>
+#include <cstdint>
 #include <cstdio>
 #include <mutex>
 
@@ -16,6 +17,10 @@ namespace {
 thread_local char complaint[256];
 thread_local bool hasComplaint = false;
 
+// what ODE draws from in this thread
+thread_local UInt32 randomState = 1;
+bool hasOwnRandom = false;
+
 // in place of ODE's own handler, which prints
 void KeepComplaint(int /*number*/, const char* format, va_list arguments) {
   if (!hasComplaint) {
@@ -24,11 +29,29 @@ void KeepComplaint(int /*number*/, const char* format, va_list arguments) {
   }
 }
 
+// One step whose only effect is that ODE draws.
+bool DrawsODEHere() {
+  const dWorldID world = dWorldCreate();
+  const dBodyID body = dBodyCreate(world);
+  const dJointID joint = dJointCreateBall(world, nullptr);
+  dJointAttach(joint, body, nullptr);
+  dWorldSetQuickStepNumIterations(world, kSweepsWithoutDrawing + 1);
+  SeedODE(0);
+  const UInt32 before = randomState;
+  dWorldQuickStep(world, 0.01);
+  dJointDestroy(joint);
+  dBodyDestroy(body);
+  dWorldDestroy(world);
+  return randomState != before;
+}
+
 void InitProcess() {
   if (dInitODE2(0) == 0) {
     THROW_ARGOSEXCEPTION("the Open Dynamics Engine cannot be initialised");
   }
   dSetMessageHandler(&KeepComplaint);
+  dAllocateODEDataForThread(dAllocateMaskAll);
+  hasOwnRandom = DrawsODEHere();
 }
 
 }  // namespace
@@ -42,6 +65,15 @@ void UseODEInThisThread() {
   }
 }
 
+bool HasOwnODERandom() {
+  return hasOwnRandom;
+}
+
+void SeedODE(UInt32 number) {
+  // numbers in a row begin far from each other
+  randomState = (number + 1) * 0x9E3779B9u;
+}
+
 const char* TakeODEComplaint() {
   if (!hasComplaint) {
     return nullptr;
@@ -51,3 +83,18 @@ const char* TakeODEComplaint() {
 }
 
 }  // namespace argos
+
+/**
+ * In place of ODE's function of that name, which is the only one that its steppers draw from: this
+ * library is loaded before ODE's, so its symbol comes first.
+ *
+ * Source of the numbers: D. E. Knuth, The Art of Computer Programming, vol. 2, 3.2.1 (a linear
+ * congruential generator, of which the upper bits are used).
+ */
+// NOLINTNEXTLINE(readability-identifier-naming): the name is ODE's
+extern "C" int dRandInt(int n) {
+  argos::randomState = 1664525u * argos::randomState + 1013904223u;
+  return static_cast<int>(static_cast<std::uint64_t>(argos::randomState) *
+                              static_cast<std::uint64_t>(n) >>
+                          32);
+}

@@ -16,9 +16,7 @@ struct SRigidSettings {
   Real Tick = 0.1;  // s, > 0
   UInt32 Substeps = 10;  // of a tick, >= 1; more while something is too fast for its size
   EStepper Stepper = EStepper::Mixed;
-  // of the iterative stepper, in [1,8]: from the ninth on, ODE draws from a random generator that
-  // all worlds of the process share, so results would depend on what other threads do
-  UInt32 SolverIterations = 8;
+  UInt32 SolverIterations = 32;  // sweeps of the iterative stepper over the constraints, >= 1
   // of an island that is solved directly; a robot on the floor has 20, a box 12
   UInt32 MaxDirectRows = 100;
 

@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/physics_engine/body_description.h>
 #include <argos3/core/simulator/physics_engine/flight_loop.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/ode_session.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_flight.h>
 
 #include <algorithm>
@@ -189,7 +190,7 @@ void CRigidWorld::SetSubstep(Real substep) {
 void CRigidWorld::Step() {
   using enum SRigidSettings::EStepper;
   if (m_settings.Stepper == Iterative) {
-    dWorldQuickStep(m_world, m_substep);
+    StepIteratively();
   } else if (m_settings.Stepper == Direct ||
              m_contacts->GetMostRows() <= m_settings.MaxDirectRows) {
     dWorldStep(m_world, m_substep);
@@ -221,12 +222,18 @@ void CRigidWorld::StepByIslands() {
   for (SRigidBody* body : m_large) {
     ForEachPart(*body, enable);
   }
-  dWorldQuickStep(m_world, m_substep);
+  StepIteratively();
   for (SRigidBody* body : m_movables) {
     if (!body->Asleep) {
       ForEachPart(*body, enable);
     }
   }
+}
+
+void CRigidWorld::StepIteratively() {
+  // another order of the constraints in every step: the errors of one would add up
+  SeedODE(m_numIterativeSteps++);
+  dWorldQuickStep(m_world, m_substep);
 }
 
 // Islands as of the last substep. An island that nothing fixed holds moves on for ever.

@@ -57,6 +57,7 @@ class CRigidWorld {
   void SetSubstep(Real substep);
   void Step();
   void StepByIslands();
+  void StepIteratively();
   void LayQuietToSleep();
 
   SRigidSettings m_settings;
@@ -73,6 +74,7 @@ class CRigidWorld {
   std::vector<SRigidBody*> m_large;  // in islands that are solved iteratively
   Real m_substep = 0.0;  // s
   UInt32 m_numSubsteps = 0;  // of this tick
+  UInt32 m_numIterativeSteps = 0;  // so far
 };
 
 }  // namespace argos
