@@ -112,6 +112,10 @@ void SetMass(SRigidBody& body) {
   dMass mass = AddUpSolids(description, chassis);
   body.CentreOfMass = CVector3(mass.c[0], mass.c[1], mass.c[2]);
   dMassTranslate(&mass, -mass.c[0], -mass.c[1], -mass.c[2]);
+  if (body.HasWheels()) {
+    // motors and batteries lie low
+    body.CentreOfMass.SetZ(std::min(body.CentreOfMass.GetZ(), body.WheelRadius));
+  }
   // roundings of zero
   mass.c[0] = mass.c[1] = mass.c[2] = 0.0;
   if (description.PlanarInertia) {
@@ -149,16 +153,17 @@ SShapeDescription Lift(SShapeDescription shape, Real clearance) {
   return shape;
 }
 
-dGeomID MakeGeom(const SShapeDescription& shape, dSpaceID space) {
+// in no space of ODE's: what may touch is found by CBroadPhase
+dGeomID MakeGeom(const SShapeDescription& shape) {
   switch (shape.Kind) {
     case EKind::Box:
-      return dCreateBox(space, shape.Size.GetX(), shape.Size.GetY(), shape.Size.GetZ());
+      return dCreateBox(nullptr, shape.Size.GetX(), shape.Size.GetY(), shape.Size.GetZ());
     case EKind::Cylinder:
-      return dCreateCylinder(space, shape.Radius, shape.Size.GetZ());
+      return dCreateCylinder(nullptr, shape.Radius, shape.Size.GetZ());
     case EKind::Sphere:
       break;
   }
-  return dCreateSphere(space, shape.Radius);
+  return dCreateSphere(nullptr, shape.Radius);
 }
 
 void AddGeom(SRigidBody& body, dGeomID geom, unsigned long kind) {
@@ -171,12 +176,12 @@ void AddGeom(SRigidBody& body, dGeomID geom, unsigned long kind) {
   body.Geoms.push_back(geom);
 }
 
-void AddSolids(SRigidBody& body, const SRigidPose& pose, dSpaceID space) {
+void AddSolids(SRigidBody& body, const SRigidPose& pose) {
   const SBodyDescription& description = *body.Source.Description;
   for (const SShapeDescription& described : description.Shapes) {
     const SShapeDescription shape =
         body.HasWheels() ? Lift(described, kClearance * body.WheelRadius) : described;
-    const dGeomID geom = MakeGeom(shape, space);
+    const dGeomID geom = MakeGeom(shape);
     dQuaternion orientation;
     if (body.IsMovable()) {
       AddGeom(body, geom, geom_kind::kSolid);
@@ -196,18 +201,20 @@ void AddSolids(SRigidBody& body, const SRigidPose& pose, dSpaceID space) {
 }
 
 void AddCasters(SRigidBody& body) {
-  const SBodyDescription& description = *body.Source.Description;
   const Real radius = kCasterRadius * body.WheelRadius;
-  const SBoundingBox box = description.ComputeBoundingBox(CVector3(), CQuaternion());
-  for (const Real x : {box.MaxCorner.GetX() - radius, box.MinCorner.GetX() + radius}) {
-    const dGeomID caster = dCreateSphere(body.Space, radius);
+  const SBoundingBox box =
+      body.Source.Description->ComputeBoundingBox(CVector3(), CQuaternion());
+  const std::array<CVector3, 4> places = {CVector3(box.MaxCorner.GetX() - radius, 0.0, radius),
+                                          CVector3(box.MinCorner.GetX() + radius, 0.0, radius),
+                                          CVector3(0.0, box.MaxCorner.GetY() - radius, radius),
+                                          CVector3(0.0, box.MinCorner.GetY() + radius, radius)};
+  for (const CVector3& place : places) {
+    const dGeomID caster = dCreateSphere(nullptr, radius);
     AddGeom(body, caster, geom_kind::kCaster);
     dGeomSetBody(caster, body.Body);
-    dGeomSetOffsetPosition(caster, x - body.CentreOfMass.GetX(), -body.CentreOfMass.GetY(),
-                           radius - body.CentreOfMass.GetZ());
+    const CVector3 offset = place - body.CentreOfMass;
+    dGeomSetOffsetPosition(caster, offset.GetX(), offset.GetY(), offset.GetZ());
   }
-  body.CasterStiffness = description.Mass * kEarthGravity / (kCasterSag * body.WheelRadius);
-  body.CasterDamping = 2.0 * std::sqrt(body.CasterStiffness * description.Mass);
 }
 
 CVector3 GetWheelOffset(const SRigidBody& body, size_t wheel) {
@@ -222,7 +229,7 @@ void MountWheels(SRigidBody& body, const SRigidPose& pose, dWorldID world) {
   const CVector3 axis = Rotated(CVector3::Y, pose.Orientation);
   for (size_t i = 0; i < body.Wheels.size(); ++i) {
     const CVector3 centre = pose.Position + Rotated(GetWheelOffset(body, i), pose.Orientation);
-    const dGeomID geom = dCreateSphere(body.Space, body.WheelRadius);
+    const dGeomID geom = dCreateSphere(nullptr, (1.0 + kWheelTravel) * body.WheelRadius);
     AddGeom(body, geom, geom_kind::kWheel);
     dGeomSetBody(geom, body.Wheels[i]);
     const dJointID axle = dJointCreateHinge(world, nullptr);
@@ -256,10 +263,12 @@ std::string FindFlawOfDrive(const SBodyDescription& description) {
   }
   const Real caster = kCasterRadius * drive.WheelRadius;
   const SBoundingBox box = description.ComputeBoundingBox(CVector3(), CQuaternion());
-  if (!(box.MaxCorner.GetX() > caster && box.MinCorner.GetX() < -caster)) {
+  const Real reach = std::min({box.MaxCorner.GetX(), -box.MinCorner.GetX(),
+                               box.MaxCorner.GetY(), -box.MinCorner.GetY()});
+  if (!(reach > caster)) {
     std::ostringstream flaw;
     flaw << "its solids must reach more than " << caster
-         << " m ahead of and behind its wheels' axle, where its casters are";
+         << " m to all four sides, where its casters are";
     return flaw.str();
   }
   return "";
@@ -308,7 +317,7 @@ std::string FindFlaw(const SBodyDescription& description, bool movable) {
 }
 
 void BuildRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidSettings& settings,
-                    dWorldID world, dSpaceID space) {
+                    dWorldID world) {
   const SBodyDescription& description = *body.Source.Description;
   body.Friction = settings.Friction;
   body.Narrowest = NarrowestSide(description.Shapes.front());
@@ -331,17 +340,22 @@ void BuildRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidSettin
     SetMass(body);
     PlaceRigidBody(body, pose, {});
   }
-  if (description.Shapes.size() > 1 || body.HasWheels()) {
-    body.Space = dSimpleSpaceCreate(space);
-    // one level below that of the world, so that ODE does not ask which geoms are in which
-    dSpaceSetSublevel(body.Space, 1);
-    dSpaceSetCleanup(body.Space, 0);
-  }
-  AddSolids(body, pose, body.Space != nullptr ? body.Space : space);
+  AddSolids(body, pose);
   if (body.HasWheels()) {
     AddCasters(body);
     MountWheels(body, pose, world);
   }
+}
+
+// see ODE's manual, "Soft constraints", for the spring and damper that these stand for
+void TuneWheels(SRigidBody& body, Real gravity, Real substep) {
+  const Real mass = body.Source.Description->Mass;
+  const Real weight = mass * std::max(gravity, kLeastGravity);
+  const Real stiffness = 0.5 * kWheelLoad * weight / (kWheelTravel * body.WheelRadius);
+  // critical for half of the robot
+  const Real damping = 2.0 * std::sqrt(stiffness * 0.5 * mass);
+  body.WheelErp = substep * stiffness / (substep * stiffness + damping);
+  body.WheelCfm = 1.0 / (substep * stiffness + damping);
 }
 
 void DestroyRigidBody(SRigidBody& body) {
@@ -349,9 +363,6 @@ void DestroyRigidBody(SRigidBody& body) {
     dGeomDestroy(geom);
   }
   body.Geoms.clear();
-  if (body.Space != nullptr) {
-    dSpaceDestroy(body.Space);
-  }
   for (size_t i = 0; body.HasWheels() && i < body.Wheels.size(); ++i) {
     dJointDestroy(body.Axles[i]);
     dBodyDestroy(body.Wheels[i]);

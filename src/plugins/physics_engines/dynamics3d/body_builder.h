@@ -10,12 +10,17 @@ namespace argos {
 /**
  * Makes the parts of a body in ODE from its Source, at rest, at @p pose.
  *
- * Solids have the density of the whole. A drive becomes two wheels on hinges with motors, and two
- * casters without friction, ahead and behind; solids begin above the ground by a small clearance.
+ * Solids have the density of the whole. A drive becomes two sprung wheels on hinges with motors,
+ * and four casters without friction, on all sides; solids begin above the ground by a small clearance.
  */
 void BuildRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidSettings& settings,
-                    dWorldID world, dSpaceID space);
-/** Undoes it. */
+                    dWorldID world);
+/**
+ * Tunes the springs of a robot's wheels.
+ * @param gravity m/s^2. @param substep s.
+ */
+void TuneWheels(SRigidBody& body, Real gravity, Real substep);
+/** Undoes BuildRigidBody(). */
 void DestroyRigidBody(SRigidBody& body);
 
 /** Puts all parts there, with that motion. Of fixed bodies, the motion means nothing. */

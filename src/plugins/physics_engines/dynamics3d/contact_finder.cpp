@@ -27,6 +27,15 @@ bool IsActive(const SRigidBody& body) {
   return body.IsMovable() && !body.Asleep;
 }
 
+bool DoBoundsOverlap(dGeomID first, dGeomID second) {
+  dReal a[6];  // m: least and greatest x, y and z
+  dReal b[6];
+  dGeomGetAABB(first, a);
+  dGeomGetAABB(second, b);
+  return a[0] <= b[1] && b[0] <= a[1] && a[2] <= b[3] && b[2] <= a[3] && a[4] <= b[5] &&
+         b[4] <= a[5];
+}
+
 CVector3 VelocityAt(dGeomID geom, const CVector3& point) {
   const dBodyID part = dGeomGetBody(geom);
   if (part == nullptr) {
@@ -49,8 +58,8 @@ CVector3 AlongSurface(const CVector3& vector, const CVector3& normal) {
 
 }  // namespace
 
-CContactFinder::CContactFinder(const SRigidSettings& settings, dWorldID world, dSpaceID space)
-    : m_settings(settings), m_world(world), m_space(space), m_contacts(dJointGroupCreate(0)) {}
+CContactFinder::CContactFinder(const SRigidSettings& settings, dWorldID world)
+    : m_settings(settings), m_world(world), m_contacts(dJointGroupCreate(0)) {}
 
 CContactFinder::~CContactFinder() {
   dJointGroupDestroy(m_contacts);
@@ -60,47 +69,42 @@ void CContactFinder::Clear() {
   dJointGroupEmpty(m_contacts);
 }
 
-void CContactFinder::Find(const std::vector<SRigidBody*>& movables, const CVector3& gravity) {
+void CContactFinder::Find(const std::vector<SRigidBody*>& movables,
+                          const std::vector<SRigidBody*>& fixed,
+                          const std::vector<SRigidBody*>& planes, const CVector3& gravity) {
   m_gravity = gravity;
   m_numContacts = 0;
-  m_pairs.clear();
-  m_meetings.clear();
   m_parents.resize(movables.size());
   for (UInt32 i = 0; i < m_parents.size(); ++i) {
     m_parents[i] = i;
   }
   m_islands.assign(movables.size(), {});
-  dSpaceCollide(m_space, this, &CContactFinder::Meet);
-  WakeNeighbours();
-  for (const SPair& pair : m_pairs) {
-    if (IsActive(BodyOf(pair.First)) || IsActive(BodyOf(pair.Second))) {
-      Touch(pair);
+  const std::vector<SRigidPair>& pairs = m_broadPhase.FindPairs(movables, fixed);
+  WakeNeighbours(pairs);
+  for (SRigidBody* body : movables) {
+    for (size_t i = 0; !body->Asleep && i < planes.size(); ++i) {
+      if (body->Low.GetZ() <= planes[i]->High.GetZ()) {
+        Touch(*body, *planes[i]);
+      }
+    }
+  }
+  for (const SRigidPair& pair : pairs) {
+    if (IsActive(*pair.First) || IsActive(*pair.Second)) {
+      Touch(*pair.First, *pair.Second);
     }
   }
   CountRows(movables);
 }
 
-void CContactFinder::Meet(void* finder, dGeomID first, dGeomID second) {
-  if (dGeomIsSpace(first) || dGeomIsSpace(second)) {
-    dSpaceCollide2(first, second, finder, &CContactFinder::Meet);
-    return;
-  }
-  auto& self = *static_cast<CContactFinder*>(finder);
-  self.m_pairs.push_back({first, second});
-  if (BodyOf(first).IsMovable() && BodyOf(second).IsMovable()) {
-    self.m_meetings.push_back({first, second});
-  }
-}
-
 // What is awake wakes what it comes near to, and that the next.
-void CContactFinder::WakeNeighbours() {
+void CContactFinder::WakeNeighbours(const std::vector<SRigidPair>& pairs) {
   bool changed = true;
   while (changed) {
     changed = false;
-    for (const SPair& pair : m_meetings) {
-      SRigidBody& first = BodyOf(pair.First);
-      SRigidBody& second = BodyOf(pair.Second);
-      if (first.Asleep != second.Asleep) {
+    for (const SRigidPair& pair : pairs) {
+      SRigidBody& first = *pair.First;
+      SRigidBody& second = *pair.Second;
+      if (first.IsMovable() && second.IsMovable() && first.Asleep != second.Asleep) {
         WakeRigidBody(first.Asleep ? first : second);
         changed = true;
       }
@@ -108,16 +112,14 @@ void CContactFinder::WakeNeighbours() {
   }
 }
 
-void CContactFinder::Touch(const SPair& pair) {
-  dContact contacts[kMaxContacts];
-  const int count =
-      FindContacts(pair.First, pair.Second, kMaxContacts, &contacts[0].geom, sizeof(dContact));
-  SRigidBody& first = BodyOf(pair.First);
-  SRigidBody& second = BodyOf(pair.Second);
-  const unsigned long kinds = dGeomGetCategoryBits(pair.First) | dGeomGetCategoryBits(pair.Second);
+void CContactFinder::Touch(SRigidBody& first, SRigidBody& second) {
   const UInt32 before = m_numContacts;
-  for (int i = 0; i < count; ++i) {
-    AddContact(contacts[i], first, second, kinds);
+  for (const dGeomID a : first.Geoms) {
+    for (const dGeomID b : second.Geoms) {
+      if ((dGeomGetCategoryBits(a) & dGeomGetCollideBits(b)) != 0 && DoBoundsOverlap(a, b)) {
+        Touch(a, b);
+      }
+    }
   }
   if (m_numContacts == before) {
     return;
@@ -129,6 +131,15 @@ void CContactFinder::Touch(const SPair& pair) {
     m_parents[std::max(a, b)] = std::min(a, b);
   } else {
     m_islands[first.IsMovable() ? first.Number : second.Number].Supported = true;
+  }
+}
+
+void CContactFinder::Touch(dGeomID first, dGeomID second) {
+  dContact contacts[kMaxContacts];
+  const int count = FindContacts(first, second, kMaxContacts, &contacts[0].geom, sizeof(dContact));
+  const unsigned long kinds = dGeomGetCategoryBits(first) | dGeomGetCategoryBits(second);
+  for (int i = 0; i < count; ++i) {
+    AddContact(contacts[i], BodyOf(first), BodyOf(second), kinds);
   }
 }
 
@@ -152,13 +163,9 @@ void CContactFinder::AddContact(dContact& contact, const SRigidBody& first,
   surface.mode = dContactApprox1;
   surface.mu = first.Friction * second.Friction;
   if ((kinds & geom_kind::kCaster) != 0) {
-    const SRigidBody& robot = isFirstRoller ? first : second;
-    surface.mode = dContactSoftERP | dContactSoftCFM;
     surface.mu = 0.0;
-    surface.soft_erp = robot.CasterErp;
-    surface.soft_cfm = robot.CasterCfm;
   } else if ((kinds & geom_kind::kWheel) != 0) {
-    SetRollingDirection(contact, isFirstRoller ? first : second);
+    SetRolling(contact, isFirstRoller ? first : second);
   } else {
     if (m_settings.Restitution > 0.0) {
       surface.mode |= dContactBounce;
@@ -174,14 +181,25 @@ void CContactFinder::AddContact(dContact& contact, const SRigidBody& first,
   ++m_numContacts;
 }
 
-// A wheel is held along its axle, and rolls across it.
-void CContactFinder::SetRollingDirection(dContact& contact, const SRigidBody& robot) {
+// A wheel is held along its axle, and rolls across it. It is pressed in by its travel: it gives way,
+// and touches the floor where its rim would without.
+void CContactFinder::SetRolling(dContact& contact, const SRigidBody& robot) {
   const dReal* const rotation = dBodyGetRotation(robot.Body);
   const CVector3 axle(rotation[1], rotation[5], rotation[9]);
-  const CVector3 ahead = Cross(axle, FromODE(contact.geom.normal));
+  const CVector3 normal = FromODE(contact.geom.normal);
+  const CVector3 ahead = Cross(axle, normal);
   const Real length = ahead.Length();
   if (length > 0.1) {
     SetDirection(contact, ahead / length);
+  }
+  contact.surface.mode |= dContactSoftERP | dContactSoftCFM;
+  contact.surface.soft_erp = robot.WheelErp;
+  contact.surface.soft_cfm = robot.WheelCfm;
+  const bool isFirst = dGeomGetCategoryBits(contact.geom.g1) == geom_kind::kWheel;
+  const CVector3 centre = FromODE(dGeomGetPosition(isFirst ? contact.geom.g1 : contact.geom.g2));
+  const CVector3 rim = centre - normal * ((isFirst ? 1.0 : -1.0) * robot.WheelRadius);
+  for (UInt32 i = 0; i < 3; ++i) {
+    contact.geom.pos[i] = rim[i];
   }
 }
 

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_CONTACT_FINDER_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_CONTACT_FINDER_H
 
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/broad_phase.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
 
 #include <vector>
@@ -23,17 +24,20 @@ class CContactFinder {
   };
 
   /** The contacts live in a pool, which Clear() empties without giving memory back. */
-  CContactFinder(const SRigidSettings& settings, dWorldID world, dSpaceID space);
+  CContactFinder(const SRigidSettings& settings, dWorldID world);
   ~CContactFinder();
   CContactFinder(const CContactFinder&) = delete;
   CContactFinder& operator=(const CContactFinder&) = delete;
 
+  /** To be called when bodies have come, gone or been placed. */
+  void MarkChanged() { m_broadPhase.MarkChanged(); }
   /**
    * Wakes bodies that awake ones come near to, and makes the contacts of the coming substep.
-   * @param movables  by SRigidBody::Number.
-   * @param gravity   m/s^2: friction holds against it where nothing slides.
+   * @param movables, fixed  by SRigidBody::Number. @param planes  that bound everything from below.
+   * @param gravity  m/s^2: friction holds against it where nothing slides.
    */
-  void Find(const std::vector<SRigidBody*>& movables, const CVector3& gravity);
+  void Find(const std::vector<SRigidBody*>& movables, const std::vector<SRigidBody*>& fixed,
+            const std::vector<SRigidBody*>& planes, const CVector3& gravity);
   void Clear();
 
   /** After Find(): of an awake body. */
@@ -43,30 +47,23 @@ class CContactFinder {
   UInt32 GetNumContacts() const { return m_numContacts; }
 
  private:
-  struct SPair {
-    dGeomID First;
-    dGeomID Second;
-  };
-
-  static void Meet(void* finder, dGeomID first, dGeomID second);
-  void WakeNeighbours();
-  void Touch(const SPair& pair);
+  static void WakeNeighbours(const std::vector<SRigidPair>& pairs);
+  void Touch(SRigidBody& first, SRigidBody& second);
+  void Touch(dGeomID first, dGeomID second);
   void AddContact(dContact& contact, const SRigidBody& first, const SRigidBody& second,
                   unsigned long kinds);
-  static void SetRollingDirection(dContact& contact, const SRigidBody& robot);
+  static void SetRolling(dContact& contact, const SRigidBody& robot);
   void SetSlidingDirection(dContact& contact) const;
   UInt32 FindRoot(UInt32 body);
   void CountRows(const std::vector<SRigidBody*>& movables);
 
   const SRigidSettings& m_settings;
   dWorldID m_world;
-  dSpaceID m_space;
   dJointGroupID m_contacts;
+  CBroadPhase m_broadPhase;
   UInt32 m_numContacts = 0;
   UInt32 m_mostRows = 0;
   CVector3 m_gravity;
-  std::vector<SPair> m_pairs;  // of geoms that may touch
-  std::vector<SPair> m_meetings;  // the ones of them between two movable bodies
   std::vector<UInt32> m_parents;  // of a forest of islands, by number of body
   std::vector<SIsland> m_islands;  // by number of body; of roots
 };

@@ -441,13 +441,15 @@ void CDynamics3DEngine::WriteBack(CDynamics3DModel& model) {
     model.CalculateAnchors();
   }
   model.m_root.Update();
-  if (IsEntityTransferActive() && HasLeft(entity.GetOriginAnchor().Position)) {
+  if (IsEntityTransferActive() && !IsPointContained(entity.GetOriginAnchor().Position)) {
     ScheduleEntityForTransfer(entity);
   }
 }
 
-bool CDynamics3DEngine::HasLeft(const CVector3& position) {
-  return !IsPointContained(position) && !IsPointContained(position + CVector3(0.0, 0.0, kSunk));
+// What rests on the bottom of the region has sunk in a little.
+bool CDynamics3DEngine::IsPointContained(const CVector3& point) {
+  return CPhysicsEngine::IsPointContained(point) ||
+         CPhysicsEngine::IsPointContained(point + CVector3(0.0, 0.0, kSunk));
 }
 
 REGISTER_PHYSICS_ENGINE(

@@ -34,6 +34,7 @@ class CDynamics3DEngine : public CPhysicsEngine {
   void Destroy() override;
   void Update() override;
 
+  bool IsPointContained(const CVector3& point) override;
   size_t GetNumPhysicsModels() override { return m_models.size(); }
   /**
    * Adds the body of a root entity, if it has a description.
@@ -75,7 +76,6 @@ class CDynamics3DEngine : public CPhysicsEngine {
   void ReplaceDisplaced();
   void ForgetDisplaced(CDynamics3DModel& model);
   void UpdatePlugins();
-  bool HasLeft(const CVector3& position);
   void ReportComplaint();
 
   std::unique_ptr<SRigidSettings> m_settings;

@@ -53,21 +53,22 @@ struct SRigidBody {
   dBodyID Body = nullptr;  // null: fixed
   std::array<dBodyID, 2> Wheels{};  // left, right; null without a drive
   std::array<dJointID, 2> Axles{};
-  dSpaceID Space = nullptr;  // of the geoms, if there is more than one
   std::vector<dGeomID> Geoms;
+
+  CVector3 Low;  // m, world frame: bounds of all geoms
+  CVector3 High;
 
   CVector3 CentreOfMass;  // of Body, in the frame of the origin, m
   Real WheelRadius = 0.0;  // m
   Real Narrowest = 0.0;  // m, of the narrowest solid
   Real Friction = 1.0;
-  // of a robot's casters, for the present substep: how they give way
-  Real CasterErp = 0.0;
-  Real CasterCfm = 0.0;
-  Real CasterStiffness = 0.0;  // N/m
-  Real CasterDamping = 0.0;  // N s/m
+  // how a robot's wheels give way, for the present substep and gravity: as ODE's constraints do
+  Real WheelErp = 0.0;
+  Real WheelCfm = 0.0;
   std::array<Real, 4> FlightErrors{};
   CVector3 TiltGains;  // N m/rad, N m s/rad, N m: of what keeps a flying body upright
 
+  UInt32 Owned = 0;  // its number among all bodies of the world
   UInt32 Number = 0;  // in the world's list of movable or of fixed bodies
   bool Asleep = false;
   Real QuietTime = 0.0;  // s: for how long it has hardly moved

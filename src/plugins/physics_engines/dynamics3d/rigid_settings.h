@@ -37,11 +37,14 @@ struct SRigidSettings {
 constexpr Real kWheelMassShare = 0.025;
 // a robot's casters and its clearance, in radii of its wheels
 constexpr Real kCasterRadius = 0.5;
-constexpr Real kClearance = 0.25;
-// casters are sprung: under the robot's weight they give way by this share of the wheel's radius
-constexpr Real kCasterSag = 0.01;
-// m/s^2: the weight for which they are tuned
-constexpr Real kEarthGravity = 9.81;
+constexpr Real kClearance = 0.5;
+// Wheels are sprung, so that they keep the floor where it bends: they bear that share of the robot's
+// weight when they are pressed in by that many of their radii, as they are on a flat floor. Casters
+// bear the rest, and keep the robot upright.
+constexpr Real kWheelLoad = 0.8;
+constexpr Real kWheelTravel = 0.5;
+// m/s^2: springs are not weaker than for that
+constexpr Real kLeastGravity = 0.1;
 // contacts of wheels and casters count up to 60 degrees from straight below: those from the side
 // belong to the solids
 constexpr Real kRollerSupport = 0.5;

@@ -14,14 +14,10 @@ namespace argos {
 
 namespace {
 
-// exponents of two, m: the cells of ODE's broad phase are as wide as what is in them, from the
-// smallest robots to buildings
-constexpr int kSmallestCell = -4;
-constexpr int kLargestCell = 6;
-
-// takes the body out of a list of owners, the last of which gets its number
-void TakeOut(std::vector<std::unique_ptr<SRigidBody>>& bodies, UInt32 number) {
-  std::swap(bodies[number], bodies.back());
+// takes a body out of a list by its number, which the last one gets
+void TakeOut(std::vector<SRigidBody*>& bodies, const SRigidBody& body) {
+  const UInt32 number = body.Number;
+  bodies[number] = bodies.back();
   bodies[number]->Number = number;
   bodies.pop_back();
 }
@@ -32,9 +28,9 @@ CRigidWorld::CRigidWorld(const SRigidSettings& settings, std::function<void()> b
     : m_settings(settings),
       m_beforeSubstep(std::move(beforeSubstep)),
       m_world(dWorldCreate()),
-      m_space(dHashSpaceCreate(nullptr)) {
-  dHashSpaceSetLevels(m_space, kSmallestCell, kLargestCell);
-  dSpaceSetCleanup(m_space, 0);
+      m_threading(dThreadingAllocateSelfThreadedImplementation()) {
+  dWorldSetStepThreadingImplementation(
+      m_world, dThreadingImplementationGetFunctions(m_threading), m_threading);
   dWorldSetERP(m_world, m_settings.ErrorReduction);
   dWorldSetCFM(m_world, m_settings.ConstraintForceMixing);
   dWorldSetContactSurfaceLayer(m_world, m_settings.SurfaceLayer);
@@ -42,19 +38,17 @@ CRigidWorld::CRigidWorld(const SRigidSettings& settings, std::function<void()> b
   dWorldSetQuickStepNumIterations(m_world, static_cast<int>(m_settings.SolverIterations));
   // sleeping is ours: by islands
   dWorldSetAutoDisableFlag(m_world, 0);
-  m_contacts = std::make_unique<CContactFinder>(m_settings, m_world, m_space);
+  m_contacts = std::make_unique<CContactFinder>(m_settings, m_world);
 }
 
 CRigidWorld::~CRigidWorld() {
   m_contacts->Clear();
-  for (auto* bodies : {&m_owned, &m_fixed, &m_planes}) {
-    for (const auto& body : *bodies) {
-      DestroyRigidBody(*body);
-    }
+  for (const auto& body : m_owned) {
+    DestroyRigidBody(*body);
   }
   m_contacts.reset();
-  dSpaceDestroy(m_space);
   dWorldDestroy(m_world);
+  dThreadingFreeImplementation(m_threading);
 }
 
 void CRigidWorld::SetGravity(const CVector3& gravity) {
@@ -64,30 +58,36 @@ void CRigidWorld::SetGravity(const CVector3& gravity) {
 }
 
 void CRigidWorld::AddPlane(const SGroundPlane& plane) {
-  auto body = std::make_unique<SRigidBody>();
-  body->Friction = plane.Friction;
-  const dGeomID geom = dCreatePlane(m_space, 0.0, 0.0, 1.0, plane.Height);
-  dGeomSetData(geom, body.get());
+  SRigidBody& body = MakeBody();
+  body.Friction = plane.Friction;
+  // of a plane, only this bound is looked at
+  body.High.SetZ(plane.Height);
+  const dGeomID geom = dCreatePlane(nullptr, 0.0, 0.0, 1.0, plane.Height);
+  dGeomSetData(geom, &body);
   dGeomSetCategoryBits(geom, geom_kind::kFixed);
   dGeomSetCollideBits(geom, geom_kind::kSolid | geom_kind::kWheel | geom_kind::kCaster);
-  body->Geoms.push_back(geom);
-  m_planes.push_back(std::move(body));
+  body.Geoms.push_back(geom);
+  m_planes.push_back(&body);
   WakeAll();
+}
+
+SRigidBody& CRigidWorld::MakeBody() {
+  m_owned.push_back(std::make_unique<SRigidBody>());
+  m_owned.back()->Owned = static_cast<UInt32>(m_owned.size() - 1);
+  return *m_owned.back();
 }
 
 SRigidBody& CRigidWorld::Add(const SRigidSource& source, const SRigidPose& pose) {
   WakeAll();
-  auto& list = source.Movable ? m_owned : m_fixed;
-  list.push_back(std::make_unique<SRigidBody>());
-  SRigidBody& body = *list.back();
+  SRigidBody& body = MakeBody();
   body.Source = source;
-  body.Number = static_cast<UInt32>(list.size() - 1);
-  BuildRigidBody(body, pose, m_settings, m_world, m_space);
-  if (source.Movable) {
-    m_movables.push_back(&body);
-    if (source.Quadrotor != nullptr) {
-      m_flying.push_back(&body);
-    }
+  auto& list = source.Movable ? m_movables : m_fixed;
+  body.Number = static_cast<UInt32>(list.size());
+  list.push_back(&body);
+  BuildRigidBody(body, pose, m_settings, m_world);
+  UpdateBounds(body);
+  if (source.Quadrotor != nullptr) {
+    m_flying.push_back(&body);
   }
   return body;
 }
@@ -95,25 +95,25 @@ SRigidBody& CRigidWorld::Add(const SRigidSource& source, const SRigidPose& pose)
 void CRigidWorld::Remove(SRigidBody& body) {
   WakeAll();
   DestroyRigidBody(body);
-  const UInt32 number = body.Number;
-  if (!body.Source.Movable) {
-    TakeOut(m_fixed, number);
-    return;
-  }
+  TakeOut(body.Source.Movable ? m_movables : m_fixed, body);
   if (body.Source.Quadrotor != nullptr) {
     m_flying.erase(std::find(m_flying.begin(), m_flying.end(), &body));
   }
-  m_movables[number] = m_movables.back();
-  m_movables.pop_back();
-  TakeOut(m_owned, number);
+  const UInt32 owned = body.Owned;
+  m_owned.back()->Owned = owned;
+  std::swap(m_owned[owned], m_owned.back());
+  m_owned.pop_back();
 }
 
 void CRigidWorld::Place(SRigidBody& body, const SRigidPose& pose, const SRigidMotion& motion) {
   WakeAll();
   PlaceRigidBody(body, pose, motion);
+  UpdateBounds(body);
 }
 
+// Called by everything that comes between ticks.
 void CRigidWorld::WakeAll() {
+  m_contacts->MarkChanged();
   for (SRigidBody* body : m_movables) {
     WakeRigidBody(*body);
   }
@@ -126,7 +126,7 @@ void CRigidWorld::Advance() {
     for (SRigidBody* body : m_flying) {
       PushFlyingBody(*body, m_gravity, m_substep);
     }
-    m_contacts->Find(m_movables, m_gravity);
+    m_contacts->Find(m_movables, m_fixed, m_planes, m_gravity);
     Step();
     m_contacts->Clear();
   }
@@ -178,11 +178,8 @@ UInt32 CRigidWorld::CountSubsteps() const {
 void CRigidWorld::SetSubstep(Real substep) {
   m_substep = substep;
   for (SRigidBody* body : m_movables) {
-    // the spring and damper that these stand for; see ODE's manual, "Soft constraints"
-    const Real spring = substep * body->CasterStiffness;
     if (body->HasWheels()) {
-      body->CasterErp = spring / (spring + body->CasterDamping);
-      body->CasterCfm = 1.0 / (spring + body->CasterDamping);
+      TuneWheels(*body, m_gravity.Length(), substep);
     }
   }
 }

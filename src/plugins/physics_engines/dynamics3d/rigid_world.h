@@ -51,6 +51,7 @@ class CRigidWorld {
   UInt32 GetNumSubsteps() const { return m_numSubsteps; }
 
  private:
+  SRigidBody& MakeBody();
   void WakeAll();
   void StartTick();
   UInt32 CountSubsteps() const;
@@ -64,12 +65,13 @@ class CRigidWorld {
   std::function<void()> m_beforeSubstep;
   CVector3 m_gravity;  // m/s^2
   dWorldID m_world;
-  dSpaceID m_space;
+  // of this world alone: that of all worlds that have none cannot be used by several threads at once
+  dThreadingImplementationID m_threading;
   std::unique_ptr<CContactFinder> m_contacts;
-  std::vector<std::unique_ptr<SRigidBody>> m_planes;
-  std::vector<std::unique_ptr<SRigidBody>> m_fixed;  // by number
-  std::vector<std::unique_ptr<SRigidBody>> m_owned;  // movable ones, by number
-  std::vector<SRigidBody*> m_movables;  // the same
+  std::vector<std::unique_ptr<SRigidBody>> m_owned;
+  std::vector<SRigidBody*> m_planes;
+  std::vector<SRigidBody*> m_fixed;  // by number
+  std::vector<SRigidBody*> m_movables;  // by number
   std::vector<SRigidBody*> m_flying;
   std::vector<SRigidBody*> m_large;  // in islands that are solved iteratively
   Real m_substep = 0.0;  // s
