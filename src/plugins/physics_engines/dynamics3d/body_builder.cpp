@@ -350,10 +350,13 @@ void BuildRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidSettin
 // see ODE's manual, "Soft constraints", for the spring and damper that these stand for
 void TuneWheels(SRigidBody& body, Real gravity, Real substep) {
   const Real mass = body.Source.Description->Mass;
-  const Real weight = mass * std::max(gravity, kLeastGravity);
-  const Real stiffness = 0.5 * kWheelLoad * weight / (kWheelTravel * body.WheelRadius);
+  const Real stiffness = 0.5 * kWheelLoad * mass * gravity / (kWheelTravel * body.WheelRadius);
   // critical for half of the robot
   const Real damping = 2.0 * std::sqrt(stiffness * 0.5 * mass);
+  if (!(stiffness > 0.0)) {
+    body.WheelErp = body.WheelCfm = 0.0;
+    return;
+  }
   body.WheelErp = substep * stiffness / (substep * stiffness + damping);
   body.WheelCfm = 1.0 / (substep * stiffness + damping);
 }

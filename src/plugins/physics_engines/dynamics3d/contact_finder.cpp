@@ -147,14 +147,15 @@ void CContactFinder::AddContact(dContact& contact, const SRigidBody& first,
                                 const SRigidBody& second, unsigned long kinds) {
   const CVector3 normal = FromODE(contact.geom.normal);
   const bool rolls = (kinds & (geom_kind::kWheel | geom_kind::kCaster)) != 0;
-  const bool isFirstRoller =
-      (dGeomGetCategoryBits(contact.geom.g1) & (geom_kind::kWheel | geom_kind::kCaster)) != 0;
+  const bool isFirstRoller = (dGeomGetCategoryBits(contact.geom.g1) &
+                              (geom_kind::kWheel | geom_kind::kCaster)) != 0;
+  const SRigidBody& robot = isFirstRoller ? first : second;
   if (rolls) {
     // the normal points into the first geom
-    const SRigidBody& robot = isFirstRoller ? first : second;
     const dReal* const rotation = dBodyGetRotation(robot.Body);
     const CVector3 up(rotation[2], rotation[6], rotation[10]);
-    if ((isFirstRoller ? 1.0 : -1.0) * up.DotProduct(normal) < kRollerSupport) {
+    const bool bears = (isFirstRoller ? 1.0 : -1.0) * up.DotProduct(normal) >= kRollerSupport;
+    if (!bears || ((kinds & geom_kind::kWheel) != 0 && robot.WheelCfm == 0.0)) {
       return;
     }
   }
@@ -165,7 +166,7 @@ void CContactFinder::AddContact(dContact& contact, const SRigidBody& first,
   if ((kinds & geom_kind::kCaster) != 0) {
     surface.mu = 0.0;
   } else if ((kinds & geom_kind::kWheel) != 0) {
-    SetRolling(contact, isFirstRoller ? first : second);
+    SetRolling(contact, robot);
   } else {
     if (m_settings.Restitution > 0.0) {
       surface.mode |= dContactBounce;

@@ -76,7 +76,7 @@ class CDynamics3DEngine : public CPhysicsEngine {
   void ReplaceDisplaced();
   void ForgetDisplaced(CDynamics3DModel& model);
   void UpdatePlugins();
-  void ReportComplaint();
+  void ReportFailures();
 
   std::unique_ptr<SRigidSettings> m_settings;
   CVector3 m_gravity;  // m/s^2
@@ -85,7 +85,7 @@ class CDynamics3DEngine : public CPhysicsEngine {
   std::vector<std::unique_ptr<CDynamics3DModel>> m_models;
   std::vector<CDynamics3DModel*> m_displaced;
   std::unique_ptr<CRigidWorld> m_world;  // null: to be built from the models in the next tick
-  bool m_hasComplained = false;
+  bool m_hasReported = false;
 };
 
 }  // namespace argos

@@ -30,7 +30,7 @@ bool HasOwnODERandom();
  */
 void SeedODE(UInt32 number);
 
-/** Has ODE complained in this thread since the last call? The text is that of the first time. */
+/** What ODE has complained of in this thread first since the last call; null: of nothing. */
 const char* TakeODEComplaint();
 
 }  // namespace argos

@@ -62,7 +62,8 @@ struct SRigidBody {
   Real WheelRadius = 0.0;  // m
   Real Narrowest = 0.0;  // m, of the narrowest solid
   Real Friction = 1.0;
-  // how a robot's wheels give way, for the present substep and gravity: as ODE's constraints do
+  // how a robot's wheels give way, for the present substep and gravity: as ODE's constraints do;
+  // both 0 without weight, which gives them no hold
   Real WheelErp = 0.0;
   Real WheelCfm = 0.0;
   std::array<Real, 4> FlightErrors{};

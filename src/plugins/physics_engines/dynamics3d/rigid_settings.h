@@ -17,13 +17,13 @@ struct SRigidSettings {
   UInt32 Substeps = 10;  // of a tick, >= 1; more while something is too fast for its size
   EStepper Stepper = EStepper::Mixed;
   UInt32 SolverIterations = 32;  // sweeps of the iterative stepper over the constraints, >= 1
-  // of an island that is solved directly; a robot on the floor has 20, a box 12
+  // of an island that is solved directly; a robot on the floor has 22, a box 12
   UInt32 MaxDirectRows = 100;
 
   // ODE's constraints: the share of an error that is corrected in a substep, and the softness that
   // keeps redundant contacts solvable, m/s per N
   Real ErrorReduction = 0.2;
-  Real ConstraintForceMixing = 1e-6;
+  Real ConstraintForceMixing = 1e-5;
 
   Real Friction = 1.0;  // Coulomb coefficient of a body; of a contact: the product of both bodies'
   Real Restitution = 0.0;  // in [0,1]
@@ -43,14 +43,14 @@ constexpr Real kClearance = 0.5;
 // bear the rest, and keep the robot upright.
 constexpr Real kWheelLoad = 0.8;
 constexpr Real kWheelTravel = 0.5;
-// m/s^2: springs are not weaker than for that
-constexpr Real kLeastGravity = 0.1;
 // contacts of wheels and casters count up to 60 degrees from straight below: those from the side
 // belong to the solids
 constexpr Real kRollerSupport = 0.5;
 
 // a body moves by at most this share of its narrowest side in a substep
 constexpr Real kMaxStride = 0.5;
+// rows of an island that the direct solver manages in any case: a robot on the floor has 22
+constexpr UInt32 kSimpleRows = 24;
 // however fast something is, a tick has no more than that many times the substeps asked for
 constexpr UInt32 kMaxRefinement = 16;
 

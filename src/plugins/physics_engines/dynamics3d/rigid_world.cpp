@@ -149,6 +149,7 @@ void CRigidWorld::StartTick() {
       }
     }
   }
+  m_mostDirectRows = m_settings.MaxDirectRows;
   m_numSubsteps = CountSubsteps();
   SetSubstep(m_settings.Tick / m_numSubsteps);
 }
@@ -188,11 +189,20 @@ void CRigidWorld::Step() {
   using enum SRigidSettings::EStepper;
   if (m_settings.Stepper == Iterative) {
     StepIteratively();
-  } else if (m_settings.Stepper == Direct ||
-             m_contacts->GetMostRows() <= m_settings.MaxDirectRows) {
-    dWorldStep(m_world, m_substep);
+  } else if (m_settings.Stepper == Direct || m_contacts->GetMostRows() <= m_mostDirectRows) {
+    StepDirectly();
   } else {
     StepByIslands();
+  }
+}
+
+// Where contacts are redundant in a certain way, ODE's direct solver gives up on some: for the rest of
+// the tick, larger islands are left to the other one.
+void CRigidWorld::StepDirectly() {
+  dWorldStep(m_world, m_substep);
+  if (TakeODEComplaint() != nullptr) {
+    ++m_numGivenUp;
+    m_mostDirectRows = std::min(m_mostDirectRows, kSimpleRows);
   }
 }
 
@@ -201,7 +211,7 @@ void CRigidWorld::StepByIslands() {
   const auto enable = [](dBodyID part) { dBodyEnable(part); };
   const auto disable = [](dBodyID part) { dBodyDisable(part); };
   const auto isLarge = [this](const SRigidBody& body) {
-    return m_contacts->GetIsland(body).Rows > m_settings.MaxDirectRows;
+    return m_contacts->GetIsland(body).Rows > m_mostDirectRows;
   };
   m_large.clear();
   for (SRigidBody* body : m_movables) {
@@ -210,7 +220,7 @@ void CRigidWorld::StepByIslands() {
       ForEachPart(*body, disable);
     }
   }
-  dWorldStep(m_world, m_substep);
+  StepDirectly();
   for (SRigidBody* body : m_movables) {
     if (!body->Asleep) {
       ForEachPart(*body, disable);

@@ -49,6 +49,8 @@ class CRigidWorld {
   /** s, of the substep that is under way. */
   Real GetSubstep() const { return m_substep; }
   UInt32 GetNumSubsteps() const { return m_numSubsteps; }
+  /** Steps so far in which the direct solver has left some contacts unsolved. */
+  UInt64 GetNumGivenUp() const { return m_numGivenUp; }
 
  private:
   SRigidBody& MakeBody();
@@ -57,6 +59,7 @@ class CRigidWorld {
   UInt32 CountSubsteps() const;
   void SetSubstep(Real substep);
   void Step();
+  void StepDirectly();
   void StepByIslands();
   void StepIteratively();
   void LayQuietToSleep();
@@ -77,6 +80,8 @@ class CRigidWorld {
   Real m_substep = 0.0;  // s
   UInt32 m_numSubsteps = 0;  // of this tick
   UInt32 m_numIterativeSteps = 0;  // so far
+  UInt32 m_mostDirectRows = 0;  // of an island, for now
+  UInt64 m_numGivenUp = 0;
 };
 
 }  // namespace argos

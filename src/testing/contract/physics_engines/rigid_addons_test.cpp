@@ -16,13 +16,12 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-// A foot-bot with a magnet at the middle of its body, which is its centre of mass but for its
-// wheels.
+// A foot-bot with a magnet at its centre of mass, which is as high as its axle.
 std::string MagnetXml(const std::string& id, Real x, const std::string& field) {
   std::ostringstream xml;
   xml << "<foot-bot id='" << id << "'><body position='" << x
       << ",0,0'/><controller config='driver'/><magnets><magnet id='m' anchor='origin' "
-      << "offset='0,0,0.07' passive_field='" << field << "'/></magnets></foot-bot>";
+      << "offset='0,0,0.029112741' passive_field='" << field << "'/></magnets></foot-bot>";
   return xml.str();
 }
 
