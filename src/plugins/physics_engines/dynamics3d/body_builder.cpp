@@ -166,25 +166,15 @@ dGeomID MakeGeom(const SShapeDescription& shape) {
   return dCreateSphere(nullptr, shape.Radius);
 }
 
-void AddGeom(SRigidBody& body, dGeomID geom, unsigned long kind) {
-  using namespace geom_kind;
-  dGeomSetData(geom, &body);
-  dGeomSetCategoryBits(geom, kind);
-  const bool rolls = kind == kWheel || kind == kCaster;
-  dGeomSetCollideBits(
-      geom, rolls ? kFixed | kSolid : kSolid | kWheel | kCaster | (kind == kSolid ? kFixed : 0));
-  body.Geoms.push_back(geom);
-}
-
 void AddSolids(SRigidBody& body, const SRigidPose& pose) {
   const SBodyDescription& description = *body.Source.Description;
   for (const SShapeDescription& described : description.Shapes) {
     const SShapeDescription shape =
         body.HasWheels() ? Lift(described, kClearance * body.WheelRadius) : described;
     const dGeomID geom = MakeGeom(shape);
+    body.Solids.push_back(geom);
     dQuaternion orientation;
     if (body.IsMovable()) {
-      AddGeom(body, geom, geom_kind::kSolid);
       dGeomSetBody(geom, body.Body);
       const CVector3 place = Centroid(shape) - body.CentreOfMass;
       dGeomSetOffsetPosition(geom, place.GetX(), place.GetY(), place.GetZ());
@@ -192,7 +182,6 @@ void AddSolids(SRigidBody& body, const SRigidPose& pose) {
       dGeomSetOffsetQuaternion(geom, orientation);
       continue;
     }
-    AddGeom(body, geom, geom_kind::kFixed);
     const CVector3 place = pose.Position + Rotated(Centroid(shape), pose.Orientation);
     dGeomSetPosition(geom, place.GetX(), place.GetY(), place.GetZ());
     ToODE(pose.Orientation * shape.Orientation, orientation);
@@ -200,26 +189,34 @@ void AddSolids(SRigidBody& body, const SRigidPose& pose) {
   }
 }
 
-void AddCasters(SRigidBody& body) {
-  const Real radius = kCasterRadius * body.WheelRadius;
-  const SBoundingBox box =
-      body.Source.Description->ComputeBoundingBox(CVector3(), CQuaternion());
-  const std::array<CVector3, 4> places = {CVector3(box.MaxCorner.GetX() - radius, 0.0, radius),
-                                          CVector3(box.MinCorner.GetX() + radius, 0.0, radius),
-                                          CVector3(0.0, box.MaxCorner.GetY() - radius, radius),
-                                          CVector3(0.0, box.MinCorner.GetY() + radius, radius)};
-  for (const CVector3& place : places) {
-    const dGeomID caster = dCreateSphere(nullptr, radius);
-    AddGeom(body, caster, geom_kind::kCaster);
-    dGeomSetBody(caster, body.Body);
-    const CVector3 offset = place - body.CentreOfMass;
-    dGeomSetOffsetPosition(caster, offset.GetX(), offset.GetY(), offset.GetZ());
-  }
-}
-
 CVector3 GetWheelOffset(const SRigidBody& body, size_t wheel) {
   const Real arm = 0.5 * body.Source.Description->Drive->InterwheelDistance;
   return CVector3(0.0, wheel == 0 ? arm : -arm, body.WheelRadius);
+}
+
+void AddRollers(SRigidBody& body) {
+  const SBoundingBox box = body.Source.Description->ComputeBoundingBox(CVector3(), CQuaternion());
+  const Real radius = kCasterRadius * body.WheelRadius;
+  const std::array<CVector3, 6> centres = {GetWheelOffset(body, 0),
+                                           GetWheelOffset(body, 1),
+                                           CVector3(box.MaxCorner.GetX() - radius, 0.0, radius),
+                                           CVector3(box.MinCorner.GetX() + radius, 0.0, radius),
+                                           CVector3(0.0, box.MaxCorner.GetY() - radius, radius),
+                                           CVector3(0.0, box.MinCorner.GetY() + radius, radius)};
+  for (size_t i = 0; i < centres.size(); ++i) {
+    SRoller& roller = body.Rollers[i];
+    roller.Offset = centres[i] - body.CentreOfMass;
+    roller.Radius = i < body.Wheels.size() ? (1.0 + kWheelTravel) * body.WheelRadius : radius;
+    for (UInt32 axis = 0; axis < 3; ++axis) {
+      // the solids begin above the ground
+      const Real lowest = box.MinCorner[axis] + (axis == 2 ? kClearance * body.WheelRadius : 0.0);
+      body.RollerMargin =
+          std::max({body.RollerMargin, centres[i][axis] + roller.Radius - box.MaxCorner[axis],
+                    lowest - centres[i][axis] + roller.Radius});
+    }
+  }
+  // however the robot lies
+  body.RollerMargin *= std::sqrt(3.0);
 }
 
 void MountWheels(SRigidBody& body, const SRigidPose& pose, dWorldID world) {
@@ -229,9 +226,6 @@ void MountWheels(SRigidBody& body, const SRigidPose& pose, dWorldID world) {
   const CVector3 axis = Rotated(CVector3::Y, pose.Orientation);
   for (size_t i = 0; i < body.Wheels.size(); ++i) {
     const CVector3 centre = pose.Position + Rotated(GetWheelOffset(body, i), pose.Orientation);
-    const dGeomID geom = dCreateSphere(nullptr, (1.0 + kWheelTravel) * body.WheelRadius);
-    AddGeom(body, geom, geom_kind::kWheel);
-    dGeomSetBody(geom, body.Wheels[i]);
     const dJointID axle = dJointCreateHinge(world, nullptr);
     dJointAttach(axle, body.Wheels[i], body.Body);
     dJointSetHingeAnchor(axle, centre.GetX(), centre.GetY(), centre.GetZ());
@@ -263,8 +257,8 @@ std::string FindFlawOfDrive(const SBodyDescription& description) {
   }
   const Real caster = kCasterRadius * drive.WheelRadius;
   const SBoundingBox box = description.ComputeBoundingBox(CVector3(), CQuaternion());
-  const Real reach = std::min({box.MaxCorner.GetX(), -box.MinCorner.GetX(),
-                               box.MaxCorner.GetY(), -box.MinCorner.GetY()});
+  const Real reach = std::min(
+      {box.MaxCorner.GetX(), -box.MinCorner.GetX(), box.MaxCorner.GetY(), -box.MinCorner.GetY()});
   if (!(reach > caster)) {
     std::ostringstream flaw;
     flaw << "its solids must reach more than " << caster
@@ -342,7 +336,7 @@ void BuildRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidSettin
   }
   AddSolids(body, pose);
   if (body.HasWheels()) {
-    AddCasters(body);
+    AddRollers(body);
     MountWheels(body, pose, world);
   }
 }
@@ -362,10 +356,10 @@ void TuneWheels(SRigidBody& body, Real gravity, Real substep) {
 }
 
 void DestroyRigidBody(SRigidBody& body) {
-  for (const dGeomID geom : body.Geoms) {
+  for (const dGeomID geom : body.Solids) {
     dGeomDestroy(geom);
   }
-  body.Geoms.clear();
+  body.Solids.clear();
   for (size_t i = 0; body.HasWheels() && i < body.Wheels.size(); ++i) {
     dJointDestroy(body.Axles[i]);
     dBodyDestroy(body.Wheels[i]);
@@ -378,13 +372,13 @@ void DestroyRigidBody(SRigidBody& body) {
 void PlaceRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidMotion& motion) {
   const CQuaternion& orientation = pose.Orientation;
   if (!body.IsMovable()) {
-    for (size_t i = 0; i < body.Geoms.size(); ++i) {
+    for (size_t i = 0; i < body.Solids.size(); ++i) {
       const SShapeDescription& shape = body.Source.Description->Shapes[i];
       const CVector3 place = pose.Position + Rotated(Centroid(shape), orientation);
       dQuaternion quaternion;
       ToODE(orientation * shape.Orientation, quaternion);
-      dGeomSetPosition(body.Geoms[i], place.GetX(), place.GetY(), place.GetZ());
-      dGeomSetQuaternion(body.Geoms[i], quaternion);
+      dGeomSetPosition(body.Solids[i], place.GetX(), place.GetY(), place.GetZ());
+      dGeomSetQuaternion(body.Solids[i], quaternion);
     }
     return;
   }

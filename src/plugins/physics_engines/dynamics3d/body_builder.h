@@ -11,7 +11,8 @@ namespace argos {
  * Makes the parts of a body in ODE from its Source, at rest, at @p pose.
  *
  * Solids have the density of the whole. A drive becomes two sprung wheels on hinges with motors,
- * and four casters without friction, on all sides; solids begin above the ground by a small clearance.
+ * and four casters without friction, on all sides; solids begin above the ground by a small
+ * clearance.
  */
 void BuildRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidSettings& settings,
                     dWorldID world);

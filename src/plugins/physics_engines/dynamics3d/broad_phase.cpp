@@ -29,14 +29,15 @@ bool Overlap(const SRigidBody& a, const SRigidBody& b, UInt32 axis) {
 }  // namespace
 
 void UpdateBounds(SRigidBody& body) {
-  for (size_t i = 0; i < body.Geoms.size(); ++i) {
+  const CVector3 margin(body.RollerMargin, body.RollerMargin, body.RollerMargin);
+  for (size_t i = 0; i < body.Solids.size(); ++i) {
     dReal bounds[6];  // m: least and greatest x, y and z
-    dGeomGetAABB(body.Geoms[i], bounds);
+    dGeomGetAABB(body.Solids[i], bounds);
+    const CVector3 low = CVector3(bounds[0], bounds[2], bounds[4]) - margin;
+    const CVector3 high = CVector3(bounds[1], bounds[3], bounds[5]) + margin;
     for (UInt32 axis = 0; axis < 3; ++axis) {
-      const Real low = bounds[2 * axis];
-      const Real high = bounds[2 * axis + 1];
-      body.Low[axis] = i == 0 ? low : std::min(body.Low[axis], low);
-      body.High[axis] = i == 0 ? high : std::max(body.High[axis], high);
+      body.Low[axis] = i == 0 ? low[axis] : std::min(body.Low[axis], low[axis]);
+      body.High[axis] = i == 0 ? high[axis] : std::max(body.High[axis], high[axis]);
     }
   }
 }

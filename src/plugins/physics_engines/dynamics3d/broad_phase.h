@@ -48,7 +48,7 @@ class CBroadPhase {
   std::vector<SRigidPair> m_pairs;
 };
 
-/** Takes over where the geoms of a body are now. */
+/** Takes over where the solids of a body are now. */
 void UpdateBounds(SRigidBody& body);
 
 }  // namespace argos

@@ -18,10 +18,6 @@ constexpr Real kSlidingSpeed = 1e-4;
 // rows of the two hinges with motors of a robot
 constexpr UInt32 kAxleRows = 12;
 
-SRigidBody& BodyOf(dGeomID geom) {
-  return *static_cast<SRigidBody*>(dGeomGetData(geom));
-}
-
 // can this do something on its own?
 bool IsActive(const SRigidBody& body) {
   return body.IsMovable() && !body.Asleep;
@@ -59,9 +55,13 @@ CVector3 AlongSurface(const CVector3& vector, const CVector3& normal) {
 }  // namespace
 
 CContactFinder::CContactFinder(const SRigidSettings& settings, dWorldID world)
-    : m_settings(settings), m_world(world), m_contacts(dJointGroupCreate(0)) {}
+    : m_settings(settings),
+      m_world(world),
+      m_contacts(dJointGroupCreate(0)),
+      m_probe(dCreateSphere(nullptr, 1.0)) {}
 
 CContactFinder::~CContactFinder() {
+  dGeomDestroy(m_probe);
   dJointGroupDestroy(m_contacts);
 }
 
@@ -114,12 +114,12 @@ void CContactFinder::WakeNeighbours(const std::vector<SRigidPair>& pairs) {
 
 void CContactFinder::Touch(SRigidBody& first, SRigidBody& second) {
   const UInt32 before = m_numContacts;
-  for (const dGeomID a : first.Geoms) {
-    for (const dGeomID b : second.Geoms) {
-      if ((dGeomGetCategoryBits(a) & dGeomGetCollideBits(b)) != 0 && DoBoundsOverlap(a, b)) {
-        Touch(a, b);
-      }
-    }
+  TouchSolids(first, second);
+  if (first.HasWheels()) {
+    Roll(first, second);
+  }
+  if (second.HasWheels()) {
+    Roll(second, first);
   }
   if (m_numContacts == before) {
     return;
@@ -134,74 +134,116 @@ void CContactFinder::Touch(SRigidBody& first, SRigidBody& second) {
   }
 }
 
-void CContactFinder::Touch(dGeomID first, dGeomID second) {
-  dContact contacts[kMaxContacts];
-  const int count = FindContacts(first, second, kMaxContacts, &contacts[0].geom, sizeof(dContact));
-  const unsigned long kinds = dGeomGetCategoryBits(first) | dGeomGetCategoryBits(second);
-  for (int i = 0; i < count; ++i) {
-    AddContact(contacts[i], BodyOf(first), BodyOf(second), kinds);
+void CContactFinder::TouchSolids(const SRigidBody& first, const SRigidBody& second) {
+  for (const dGeomID a : first.Solids) {
+    for (const dGeomID b : second.Solids) {
+      if (!DoBoundsOverlap(a, b)) {
+        continue;
+      }
+      dContact contacts[kMaxContacts];
+      const int count = FindContacts(a, b, kMaxContacts, &contacts[0].geom, sizeof(dContact));
+      for (int i = 0; i < count; ++i) {
+        AddSolidContact(contacts[i], first, second);
+      }
+    }
   }
 }
 
-void CContactFinder::AddContact(dContact& contact, const SRigidBody& first,
-                                const SRigidBody& second, unsigned long kinds) {
+void CContactFinder::Roll(const SRigidBody& robot, const SRigidBody& ground) {
+  const dReal* const rotation = dBodyGetRotation(robot.Body);
+  const CVector3 up(rotation[2], rotation[6], rotation[10]);
+  for (size_t i = 0; i < robot.Rollers.size(); ++i) {
+    // wheels without weight find no hold
+    if (i < robot.Wheels.size() && robot.WheelCfm == 0.0) {
+      continue;
+    }
+    const CVector3 centre = LocateRoller(robot, i);
+    for (const dGeomID solid : ground.Solids) {
+      dContact contact;
+      if (FindRollerContact(robot.Rollers[i], centre, ground, solid, contact.geom) &&
+          up.DotProduct(FromODE(contact.geom.normal)) >= kRollerSupport) {
+        AddRollerContact(contact, robot, i, ground);
+      }
+    }
+  }
+}
+
+// With a normal that points into the roller.
+bool CContactFinder::FindRollerContact(const SRoller& roller, const CVector3& centre,
+                                       const SRigidBody& ground, dGeomID solid,
+                                       dContactGeom& contact) const {
+  if (ground.IsPlane()) {
+    contact.normal[0] = contact.normal[1] = 0.0;
+    contact.normal[2] = 1.0;
+    contact.depth = ground.High.GetZ() - (centre.GetZ() - roller.Radius);
+    contact.pos[0] = centre.GetX();
+    contact.pos[1] = centre.GetY();
+    contact.pos[2] = centre.GetZ() - roller.Radius;
+    return contact.depth >= 0.0;
+  }
+  dReal bounds[6];  // m: least and greatest x, y and z
+  dGeomGetAABB(solid, bounds);
+  for (UInt32 axis = 0; axis < 3; ++axis) {
+    if (centre[axis] + roller.Radius < bounds[2 * axis] ||
+        centre[axis] - roller.Radius > bounds[2 * axis + 1]) {
+      return false;
+    }
+  }
+  dGeomSphereSetRadius(m_probe, roller.Radius);
+  dGeomSetPosition(m_probe, centre.GetX(), centre.GetY(), centre.GetZ());
+  return dCollide(m_probe, solid, 1, &contact, sizeof(dContact)) > 0;
+}
+
+// Casters slide without friction. A wheel is held along its axle, and rolls across it; it is
+// pressed in by its travel, so it gives way, and touches the ground where its rim would without.
+void CContactFinder::AddRollerContact(dContact& contact, const SRigidBody& robot, size_t roller,
+                                      const SRigidBody& ground) {
+  contact.surface = {};
+  contact.surface.mode = dContactApprox1;
+  if (roller >= robot.Wheels.size()) {
+    Join(contact, robot.Body, ground.Body, 1, robot);
+    return;
+  }
+  contact.surface.mode |= dContactSoftERP | dContactSoftCFM;
+  contact.surface.mu = robot.Friction * ground.Friction;
+  contact.surface.soft_erp = robot.WheelErp;
+  contact.surface.soft_cfm = robot.WheelCfm;
   const CVector3 normal = FromODE(contact.geom.normal);
-  const bool rolls = (kinds & (geom_kind::kWheel | geom_kind::kCaster)) != 0;
-  const bool isFirstRoller = (dGeomGetCategoryBits(contact.geom.g1) &
-                              (geom_kind::kWheel | geom_kind::kCaster)) != 0;
-  const SRigidBody& robot = isFirstRoller ? first : second;
-  if (rolls) {
-    // the normal points into the first geom
-    const dReal* const rotation = dBodyGetRotation(robot.Body);
-    const CVector3 up(rotation[2], rotation[6], rotation[10]);
-    const bool bears = (isFirstRoller ? 1.0 : -1.0) * up.DotProduct(normal) >= kRollerSupport;
-    if (!bears || ((kinds & geom_kind::kWheel) != 0 && robot.WheelCfm == 0.0)) {
-      return;
-    }
+  const CVector3 rim = LocateRoller(robot, roller) - normal * robot.WheelRadius;
+  for (UInt32 i = 0; i < 3; ++i) {
+    contact.geom.pos[i] = rim[i];
   }
-  dSurfaceParameters& surface = contact.surface;
-  surface = {};
-  surface.mode = dContactApprox1;
-  surface.mu = first.Friction * second.Friction;
-  if ((kinds & geom_kind::kCaster) != 0) {
-    surface.mu = 0.0;
-  } else if ((kinds & geom_kind::kWheel) != 0) {
-    SetRolling(contact, robot);
-  } else {
-    if (m_settings.Restitution > 0.0) {
-      surface.mode |= dContactBounce;
-      surface.bounce = m_settings.Restitution;
-      surface.bounce_vel = m_settings.BounceSpeed;
-    }
-    SetSlidingDirection(contact);
-  }
-  const UInt32 rows = surface.mu > 0.0 ? 3 : 1;
-  m_islands[first.IsMovable() ? first.Number : second.Number].Rows += rows;
-  const dJointID joint = dJointCreateContact(m_world, m_contacts, &contact);
-  dJointAttach(joint, dGeomGetBody(contact.geom.g1), dGeomGetBody(contact.geom.g2));
-  ++m_numContacts;
-}
-
-// A wheel is held along its axle, and rolls across it. It is pressed in by its travel: it gives way,
-// and touches the floor where its rim would without.
-void CContactFinder::SetRolling(dContact& contact, const SRigidBody& robot) {
   const dReal* const rotation = dBodyGetRotation(robot.Body);
   const CVector3 axle(rotation[1], rotation[5], rotation[9]);
-  const CVector3 normal = FromODE(contact.geom.normal);
   const CVector3 ahead = Cross(axle, normal);
   const Real length = ahead.Length();
   if (length > 0.1) {
     SetDirection(contact, ahead / length);
   }
-  contact.surface.mode |= dContactSoftERP | dContactSoftCFM;
-  contact.surface.soft_erp = robot.WheelErp;
-  contact.surface.soft_cfm = robot.WheelCfm;
-  const bool isFirst = dGeomGetCategoryBits(contact.geom.g1) == geom_kind::kWheel;
-  const CVector3 centre = FromODE(dGeomGetPosition(isFirst ? contact.geom.g1 : contact.geom.g2));
-  const CVector3 rim = centre - normal * ((isFirst ? 1.0 : -1.0) * robot.WheelRadius);
-  for (UInt32 i = 0; i < 3; ++i) {
-    contact.geom.pos[i] = rim[i];
+  Join(contact, robot.Wheels[roller], ground.Body, contact.surface.mu > 0.0 ? 3 : 1, robot);
+}
+
+void CContactFinder::AddSolidContact(dContact& contact, const SRigidBody& first,
+                                     const SRigidBody& second) {
+  dSurfaceParameters& surface = contact.surface;
+  surface = {};
+  surface.mode = dContactApprox1;
+  surface.mu = first.Friction * second.Friction;
+  if (m_settings.Restitution > 0.0) {
+    surface.mode |= dContactBounce;
+    surface.bounce = m_settings.Restitution;
+    surface.bounce_vel = m_settings.BounceSpeed;
   }
+  SetSlidingDirection(contact);
+  Join(contact, dGeomGetBody(contact.geom.g1), dGeomGetBody(contact.geom.g2),
+       surface.mu > 0.0 ? 3 : 1, first.IsMovable() ? first : second);
+}
+
+void CContactFinder::Join(const dContact& contact, dBodyID first, dBodyID second, UInt32 rows,
+                          const SRigidBody& counted) {
+  dJointAttach(dJointCreateContact(m_world, m_contacts, &contact), first, second);
+  m_islands[counted.Number].Rows += rows;
+  ++m_numContacts;
 }
 
 // ODE limits friction along two directions apart, so by a square. With one of them along the

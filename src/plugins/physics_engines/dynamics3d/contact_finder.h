@@ -49,10 +49,15 @@ class CContactFinder {
  private:
   static void WakeNeighbours(const std::vector<SRigidPair>& pairs);
   void Touch(SRigidBody& first, SRigidBody& second);
-  void Touch(dGeomID first, dGeomID second);
-  void AddContact(dContact& contact, const SRigidBody& first, const SRigidBody& second,
-                  unsigned long kinds);
-  static void SetRolling(dContact& contact, const SRigidBody& robot);
+  void TouchSolids(const SRigidBody& first, const SRigidBody& second);
+  void Roll(const SRigidBody& robot, const SRigidBody& ground);
+  bool FindRollerContact(const SRoller& roller, const CVector3& centre, const SRigidBody& ground,
+                         dGeomID solid, dContactGeom& contact) const;
+  void AddRollerContact(dContact& contact, const SRigidBody& robot, size_t roller,
+                        const SRigidBody& ground);
+  void AddSolidContact(dContact& contact, const SRigidBody& first, const SRigidBody& second);
+  void Join(const dContact& contact, dBodyID first, dBodyID second, UInt32 rows,
+            const SRigidBody& counted);
   void SetSlidingDirection(dContact& contact) const;
   UInt32 FindRoot(UInt32 body);
   void CountRows(const std::vector<SRigidBody*>& movables);
@@ -60,6 +65,7 @@ class CContactFinder {
   const SRigidSettings& m_settings;
   dWorldID m_world;
   dJointGroupID m_contacts;
+  dGeomID m_probe;  // a sphere, in the place of one roller after the other
   CBroadPhase m_broadPhase;
   UInt32 m_numContacts = 0;
   UInt32 m_mostRows = 0;

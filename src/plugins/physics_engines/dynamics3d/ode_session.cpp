@@ -94,7 +94,6 @@ const char* TakeODEComplaint() {
 // NOLINTNEXTLINE(readability-identifier-naming): the name is ODE's
 extern "C" int dRandInt(int n) {
   argos::randomState = 1664525u * argos::randomState + 1013904223u;
-  return static_cast<int>(static_cast<std::uint64_t>(argos::randomState) *
-                              static_cast<std::uint64_t>(n) >>
-                          32);
+  return static_cast<int>(
+      static_cast<std::uint64_t>(argos::randomState) * static_cast<std::uint64_t>(n) >> 32);
 }

@@ -12,8 +12,8 @@ namespace argos {
 void UseODEInThisThread();
 
 /**
- * Sweeps of dWorldQuickStep for which ODE draws no random numbers: from the ninth on it shuffles the
- * constraints now and then.
+ * Sweeps of dWorldQuickStep for which ODE draws no random numbers: from the ninth on it shuffles
+ * the constraints now and then.
  */
 constexpr UInt32 kSweepsWithoutDrawing = 8;
 

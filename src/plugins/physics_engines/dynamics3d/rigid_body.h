@@ -16,6 +16,10 @@ class CQuadRotorEntity;
 struct SBodyDescription;
 struct SRigidSettings;
 
+inline CVector3 FromODE(const dReal* vector) {
+  return CVector3(vector[0], vector[1], vector[2]);
+}
+
 /** Where a body is: the origin of its description, world frame. */
 struct SRigidPose {
   CVector3 Position;  // m
@@ -30,13 +34,14 @@ struct SRigidMotion {
   std::array<Real, 4> FlightErrors{};  // of the last substep: x, y, z (m) and yaw (rad)
 };
 
-/** What a geom is, as ODE's category bits. */
-namespace geom_kind {
-constexpr unsigned long kFixed = 1;
-constexpr unsigned long kSolid = 2;
-constexpr unsigned long kWheel = 4;
-constexpr unsigned long kCaster = 8;
-}  // namespace geom_kind
+/**
+ * What a robot rolls on: a sphere that only what bears it can touch. No geom of ODE's, because most
+ * of the time it is on a floor, which takes no geometry.
+ */
+struct SRoller {
+  CVector3 Offset;  // of its centre from the centre of mass, frame of the body, m
+  Real Radius = 0.0;  // m; of a wheel, with its travel
+};
 
 /** What a rigid body is made of; see CRigidWorld::Add(). */
 struct SRigidSource {
@@ -53,10 +58,12 @@ struct SRigidBody {
   dBodyID Body = nullptr;  // null: fixed
   std::array<dBodyID, 2> Wheels{};  // left, right; null without a drive
   std::array<dJointID, 2> Axles{};
-  std::vector<dGeomID> Geoms;
+  std::vector<dGeomID> Solids;
+  std::array<SRoller, 6> Rollers;  // the wheels, then four casters; unused without a drive
 
-  CVector3 Low;  // m, world frame: bounds of all geoms
+  CVector3 Low;  // m, world frame: bounds of everything
   CVector3 High;
+  Real RollerMargin = 0.0;  // m: rollers reach that far beyond the bounds of the solids
 
   CVector3 CentreOfMass;  // of Body, in the frame of the origin, m
   Real WheelRadius = 0.0;  // m
@@ -75,8 +82,22 @@ struct SRigidBody {
   Real QuietTime = 0.0;  // s: for how long it has hardly moved
 
   bool IsMovable() const { return Body != nullptr; }
+  bool IsPlane() const { return Source.Description == nullptr; }
   bool HasWheels() const { return Wheels[0] != nullptr; }
 };
+
+/** Where the centre of a roller of a robot is, m, world frame. */
+inline CVector3 LocateRoller(const SRigidBody& robot, size_t roller) {
+  if (roller < robot.Wheels.size()) {
+    return FromODE(dBodyGetPosition(robot.Wheels[roller]));
+  }
+  const dReal* const r = dBodyGetRotation(robot.Body);
+  const CVector3& o = robot.Rollers[roller].Offset;
+  return FromODE(dBodyGetPosition(robot.Body)) +
+         CVector3(r[0] * o.GetX() + r[1] * o.GetY() + r[2] * o.GetZ(),
+                  r[4] * o.GetX() + r[5] * o.GetY() + r[6] * o.GetZ(),
+                  r[8] * o.GetX() + r[9] * o.GetY() + r[10] * o.GetZ());
+}
 
 /** Calls visit(dBodyID) for every part of a movable body. */
 template <typename VISIT>
@@ -91,10 +112,6 @@ void ForEachPart(const SRigidBody& body, VISIT&& visit) {
 /** Both for all of its parts; awake, it has been quiet for no time. */
 void WakeRigidBody(SRigidBody& body);
 void LayToSleep(SRigidBody& body);
-
-inline CVector3 FromODE(const dReal* vector) {
-  return CVector3(vector[0], vector[1], vector[2]);
-}
 
 /** Of a unit quaternion as ODE keeps it: (w, x, y, z). */
 inline CQuaternion QuaternionFromODE(const dReal* quaternion) {

@@ -38,9 +38,9 @@ constexpr Real kWheelMassShare = 0.025;
 // a robot's casters and its clearance, in radii of its wheels
 constexpr Real kCasterRadius = 0.5;
 constexpr Real kClearance = 0.5;
-// Wheels are sprung, so that they keep the floor where it bends: they bear that share of the robot's
-// weight when they are pressed in by that many of their radii, as they are on a flat floor. Casters
-// bear the rest, and keep the robot upright.
+// Wheels are sprung, so that they keep the floor where it bends: they bear that share of the
+// robot's weight when they are pressed in by that many of their radii, as they are on a flat floor.
+// Casters bear the rest, and keep the robot upright.
 constexpr Real kWheelLoad = 0.8;
 constexpr Real kWheelTravel = 0.5;
 // contacts of wheels and casters count up to 60 degrees from straight below: those from the side

@@ -29,8 +29,8 @@ CRigidWorld::CRigidWorld(const SRigidSettings& settings, std::function<void()> b
       m_beforeSubstep(std::move(beforeSubstep)),
       m_world(dWorldCreate()),
       m_threading(dThreadingAllocateSelfThreadedImplementation()) {
-  dWorldSetStepThreadingImplementation(
-      m_world, dThreadingImplementationGetFunctions(m_threading), m_threading);
+  dWorldSetStepThreadingImplementation(m_world, dThreadingImplementationGetFunctions(m_threading),
+                                       m_threading);
   dWorldSetERP(m_world, m_settings.ErrorReduction);
   dWorldSetCFM(m_world, m_settings.ConstraintForceMixing);
   dWorldSetContactSurfaceLayer(m_world, m_settings.SurfaceLayer);
@@ -63,10 +63,7 @@ void CRigidWorld::AddPlane(const SGroundPlane& plane) {
   // of a plane, only this bound is looked at
   body.High.SetZ(plane.Height);
   const dGeomID geom = dCreatePlane(nullptr, 0.0, 0.0, 1.0, plane.Height);
-  dGeomSetData(geom, &body);
-  dGeomSetCategoryBits(geom, geom_kind::kFixed);
-  dGeomSetCollideBits(geom, geom_kind::kSolid | geom_kind::kWheel | geom_kind::kCaster);
-  body.Geoms.push_back(geom);
+  body.Solids.push_back(geom);
   m_planes.push_back(&body);
   WakeAll();
 }
@@ -196,8 +193,8 @@ void CRigidWorld::Step() {
   }
 }
 
-// Where contacts are redundant in a certain way, ODE's direct solver gives up on some: for the rest of
-// the tick, larger islands are left to the other one.
+// Where contacts are redundant in a certain way, ODE's direct solver gives up on some: for the rest
+// of the tick, larger islands are left to the other one.
 void CRigidWorld::StepDirectly() {
   dWorldStep(m_world, m_substep);
   if (TakeODEComplaint() != nullptr) {

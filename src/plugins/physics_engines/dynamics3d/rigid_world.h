@@ -68,7 +68,8 @@ class CRigidWorld {
   std::function<void()> m_beforeSubstep;
   CVector3 m_gravity;  // m/s^2
   dWorldID m_world;
-  // of this world alone: that of all worlds that have none cannot be used by several threads at once
+  // of this world alone: that of all worlds that have none cannot be used by several threads at
+  // once
   dThreadingImplementationID m_threading;
   std::unique_ptr<CContactFinder> m_contacts;
   std::vector<std::unique_ptr<SRigidBody>> m_owned;

@@ -32,9 +32,9 @@ TEST_CASE("rigid magnets: two dipoles in one line pull each other with 2 K a b /
   const Real sign = GENERATE(1.0, -1.0);
   CAPTURE(sign);
   // 2 * 1e-4 * 2 * 3 / 0.5^4 = 0.0192 N on 1.6 kg
-  CRigidScene world(RigidEngine("", "<magnetism force_constant='1e-4'/>"),
-                    MagnetXml("a", 0.0, "2,0,0") +
-                        MagnetXml("b", 0.5, sign > 0.0 ? "3,0,0" : "-3,0,0"));
+  CRigidScene world(
+      RigidEngine("", "<magnetism force_constant='1e-4'/>"),
+      MagnetXml("a", 0.0, "2,0,0") + MagnetXml("b", 0.5, sign > 0.0 ? "3,0,0" : "-3,0,0"));
   world.Step(5);
   const Real acceleration = 2.0 * 1e-4 * 6.0 / std::pow(0.5, 4) / 1.6;
   const Real path = acceleration * 1e-4 * 50.0 * 51.0 / 2.0;

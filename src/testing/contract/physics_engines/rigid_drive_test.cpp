@@ -77,9 +77,9 @@ TEST_CASE("rigid drive: a free robot is within 2 % of its path's length of the a
                                       TSpeeds(-5, 7.5), TSpeeds(-8, -8), TSpeeds(20, 18));
   CAPTURE(solver, iterations, robot.Tag, left, right);
   const SPose start{1.3, -2.1, 2.0};
-  CRigidScene world(GroundedEngine(iterations, solver),
-                    DriverXml(robot.Tag, "r", start.X, start.Y, start.Yaw * 180.0 / ARGOS_PI, left,
-                              right));
+  CRigidScene world(
+      GroundedEngine(iterations, solver),
+      DriverXml(robot.Tag, "r", start.X, start.Y, start.Yaw * 180.0 / ARGOS_PI, left, right));
   world.Step();
   Real worst = 0.0;
   for (int tick = 1; tick <= 600; ++tick) {
@@ -192,11 +192,11 @@ TEST_CASE("rigid drive: a foot-bot pushes a box that it can move at its own spee
 TEST_CASE("rigid drive: what is too heavy stays, and the wheels slip or stall",
           "[contract][engine][rigid]") {
   // friction holds the box with 49 N; the robot has 16 N of weight
-  CRigidScene world(GroundedEngine(), DriverXml("foot-bot", "r", 0, 0, 0, 10, 10) +
-                                          SBoxXml{"box", CVector3(0.2, 0.2, 0.1),
-                                                  CVector3(kFootBotRadius + 0.11, 0, 0),
-                                                  CVector3(), 5.0}
-                                              .ToXml());
+  CRigidScene world(GroundedEngine(),
+                    DriverXml("foot-bot", "r", 0, 0, 0, 10, 10) +
+                        SBoxXml{"box", CVector3(0.2, 0.2, 0.1),
+                                CVector3(kFootBotRadius + 0.11, 0, 0), CVector3(), 5.0}
+                            .ToXml());
   world.Step(100);
   CHECK_THAT(world.Position("box").GetX(), WithinAbs(kFootBotRadius + 0.11, 2e-3));
   CHECK_THAT(world.Position("r").GetX(), WithinAbs(0.01, 0.02 * kFootBotRadius));

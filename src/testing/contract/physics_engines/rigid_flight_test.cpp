@@ -28,8 +28,7 @@ SFlightExperiment Flight(const std::string& actuator, const std::string& engine,
 
 TEST_CASE("rigid flight: a robot without orders hovers, under any gravity",
           "[contract][engine][rigid]") {
-  const std::string gravity =
-      GENERATE("", "<gravity g='9.81'/>", "<gravity vector='1,-2,3.5'/>");
+  const std::string gravity = GENERATE("", "<gravity g='9.81'/>", "<gravity vector='1,-2,3.5'/>");
   CAPTURE(gravity);
   CFlightWorld world(Flight("", RigidEngine("", gravity), CVector3(1.1, -2.3, 0.7), 33.0));
   world.Step(300);
@@ -65,8 +64,7 @@ TEST_CASE("rigid flight: a robot flies at the speed that it is ordered to",
 
 TEST_CASE("rigid flight: it stops at a wall, and its step response is that of the loop",
           "[contract][engine][rigid]") {
-  SFlightExperiment experiment =
-      Flight("quadrotor_position", GroundedEngine(), CVector3(0, 0, 1));
+  SFlightExperiment experiment = Flight("quadrotor_position", GroundedEngine(), CVector3(0, 0, 1));
   experiment.Arena +=
       "<box id='wall' size='0.2,4,4' movable='false'><body position='2.1,0,0'/></box>";
   CFlightWorld world(experiment);

@@ -140,8 +140,7 @@ TEST_CASE("rigid lifecycle: after a reset the run repeats to the bit",
           "[contract][engine][rigid]") {
   const std::string stepper = GENERATE("mixed", "direct", "iterative");
   CAPTURE(stepper);
-  CRigidScene world(GroundedEngine("", "<solver stepper='" + stepper +
-                                           "' max_direct_rows='40'/>"),
+  CRigidScene world(GroundedEngine("", "<solver stepper='" + stepper + "' max_direct_rows='40'/>"),
                     Turmoil());
   const std::vector<UInt64> first = Run(world, 100);
   world.Body("r1").MoveTo(CVector3(4, 4, 0), CQuaternion());

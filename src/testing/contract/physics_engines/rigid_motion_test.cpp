@@ -82,10 +82,9 @@ TEST_CASE("rigid motion: a body on a floor of any height stays, on the floor",
   CAPTURE(height, stepper);
   std::ostringstream floor;
   floor << "<floor height='" << height << "'/><gravity g='9.81'/>" << Stepper(stepper);
-  CRigidScene world(RigidEngine("sleep='false'", floor.str()),
-                    SBoxXml{"b", CVector3(0.2, 0.3, 0.1), CVector3(1, 2, height),
-                            CVector3(30, 0, 0)}
-                        .ToXml());
+  CRigidScene world(
+      RigidEngine("sleep='false'", floor.str()),
+      SBoxXml{"b", CVector3(0.2, 0.3, 0.1), CVector3(1, 2, height), CVector3(30, 0, 0)}.ToXml());
   world.Step(100);
   CHECK_THAT(world.Position("b").GetX(), WithinAbs(1.0, 1e-5));
   CHECK_THAT(world.Position("b").GetY(), WithinAbs(2.0, 1e-5));
@@ -122,17 +121,17 @@ TEST_CASE("rigid friction: on a slope, a box slides beyond the angle of friction
   CHECK_THAT(slid.GetZ() / slid.GetX(), WithinAbs(-std::tan(steep.Angle), 1e-3));
 }
 
-TEST_CASE("rigid friction: a box that slides on the floor stops after v^2 / (2 mu g), whichever way",
-          "[contract][engine][rigid]") {
+TEST_CASE(
+    "rigid friction: a box that slides on the floor stops after v^2 / (2 mu g), whichever way",
+    "[contract][engine][rigid]") {
   // a pyramid of friction would brake along the diagonals by up to the square root of 2 more
   const Real degrees = GENERATE(0.0, 30.0, 45.0, 77.0);
   CAPTURE(degrees);
   const Real angle = degrees * ARGOS_PI / 180.0;
   const CVector3 impulse(2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.0);
-  CRigidScene world(
-      RigidEngine("default_friction='0.5'",
-                  "<floor friction='1'/><gravity g='9.81'/>" + KickXml("b", impulse)),
-      SBoxXml{"b", CVector3(0.4, 0.4, 0.05), CVector3(0, 0, 0)}.ToXml());
+  CRigidScene world(RigidEngine("default_friction='0.5'",
+                                "<floor friction='1'/><gravity g='9.81'/>" + KickXml("b", impulse)),
+                    SBoxXml{"b", CVector3(0.4, 0.4, 0.05), CVector3(0, 0, 0)}.ToXml());
   world.Step(30);
   // and half a substep's path less, because speeds change before places do
   const Real stop = 2.0 * 2.0 / (2.0 * 0.5 * 9.81) - 0.5 * 2.0 * kSubstep;
@@ -150,10 +149,10 @@ TEST_CASE("rigid impact: momentum is kept, and restitution is what it is said to
   std::ostringstream contacts;
   contacts << "<contacts restitution='" << restitution << "'/>" << Stepper(stepper)
            << KickXml("a", CVector3(1, 0, 0));
-  CRigidScene world(RigidEngine("", contacts.str()),
-                    SBoxXml{"a", CVector3(0.2, 0.2, 0.2), CVector3(0, 0, 0)}.ToXml() +
-                        SBoxXml{"b", CVector3(0.2, 0.2, 0.2), CVector3(0.5, 0, 0), {}, mass}
-                            .ToXml());
+  CRigidScene world(
+      RigidEngine("", contacts.str()),
+      SBoxXml{"a", CVector3(0.2, 0.2, 0.2), CVector3(0, 0, 0)}.ToXml() +
+          SBoxXml{"b", CVector3(0.2, 0.2, 0.2), CVector3(0.5, 0, 0), {}, mass}.ToXml());
   world.Step(10);
   const CVector3 a = world.Position("a");
   const CVector3 b = world.Position("b");
@@ -179,9 +178,9 @@ TEST_CASE("rigid impact: a crowd of boxes that fly into each other keeps its mom
     const CVector3 place(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
     const std::string id = "b" + std::to_string(i);
     const Real mass = 0.5 + 0.1 * (i % 7);
-    boxes += SBoxXml{id, CVector3(0.2, 0.3, 0.25), place * 0.5, CVector3(20.0 * i, 10.0 * i, 0.0),
-                     mass}
-                 .ToXml();
+    boxes +=
+        SBoxXml{id, CVector3(0.2, 0.3, 0.25), place * 0.5, CVector3(20.0 * i, 10.0 * i, 0.0), mass}
+            .ToXml();
     // all towards one point off the middle
     const CVector3 impulse = (CVector3(0.1, 0.2, -0.1) - place) * 0.4;
     kicks += KickXml(id, impulse);

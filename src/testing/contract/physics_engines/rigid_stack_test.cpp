@@ -1,6 +1,7 @@
 // Boxes and cylinders on each other: what stands, and what topples.
 
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
+#include <argos3/testing/support/captured_logs.h>
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/utility/math/angles.h>
@@ -41,6 +42,10 @@ TEST_CASE("rigid stack: five boxes on each other rest for 10 s", "[contract][eng
   CAPTURE(stepper, sleep);
   CRigidScene world(GroundedEngine(sleep, Stepper(stepper)), Stack(5));
   world.Step(100);
+  if (stepper == "direct") {
+    // it gives up on some contacts of boxes that are turned against each other, and says so
+    CHECK_THAT(TakeLogErr(), Catch::Matchers::Contains("has left contacts unsolved"));
+  }
   // 1 % and 2 % of a box's side
   const Real aside = stepper == "iterative" ? 4e-3 : 2e-3;
   for (int i = 0; i < 5; ++i) {
@@ -95,9 +100,9 @@ TEST_CASE("rigid stack: a tall box that is struck at its middle topples beyond a
   const Real share = GENERATE(0.85, 1.15);
   CAPTURE(share, impulse);
   // friction that does not let the edge slip
-  CRigidScene world(GroundedEngine("default_friction='3'",
-                                   KickXml("tall", CVector3(share * impulse, 0, 0))),
-                    SBoxXml{"tall", CVector3(width, width, height), CVector3()}.ToXml());
+  CRigidScene world(
+      GroundedEngine("default_friction='3'", KickXml("tall", CVector3(share * impulse, 0, 0))),
+      SBoxXml{"tall", CVector3(width, width, height), CVector3()}.ToXml());
   world.Step(30);
   CHECK_THAT(world.Tilt("tall"), WithinAbs(share > 1.0 ? 0.5 * ARGOS_PI : 0.0, 0.01));
 }
