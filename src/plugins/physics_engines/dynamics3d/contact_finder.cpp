@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/contact_finder.h>
 
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/cylinder_contacts.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_grips.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
 
 #include <algorithm>
@@ -17,6 +18,8 @@ constexpr int kMaxContacts = 4;
 constexpr Real kSlidingSpeed = 1e-4;
 // rows of the two hinges with motors of a robot
 constexpr UInt32 kAxleRows = 12;
+// and of a turret's pivot with its motor, and the ball joint on its arm
+constexpr UInt32 kGripRows = 9;
 
 // can this do something on its own?
 bool IsActive(const SRigidBody& body) {
@@ -71,7 +74,8 @@ void CContactFinder::Clear() {
 
 void CContactFinder::Find(const std::vector<SRigidBody*>& movables,
                           const std::vector<SRigidBody*>& fixed,
-                          const std::vector<SRigidBody*>& planes, const CVector3& gravity) {
+                          const std::vector<SRigidBody*>& planes, const CRigidGrips& grips,
+                          const CVector3& gravity) {
   m_gravity = gravity;
   m_numContacts = 0;
   m_parents.resize(movables.size());
@@ -80,7 +84,7 @@ void CContactFinder::Find(const std::vector<SRigidBody*>& movables,
   }
   m_islands.assign(movables.size(), {});
   const std::vector<SRigidPair>& pairs = m_broadPhase.FindPairs(movables, fixed);
-  WakeNeighbours(pairs);
+  WakeNeighbours(pairs, grips);
   for (SRigidBody* body : movables) {
     for (size_t i = 0; !body->Asleep && i < planes.size(); ++i) {
       if (body->Low.GetZ() <= planes[i]->High.GetZ()) {
@@ -93,23 +97,37 @@ void CContactFinder::Find(const std::vector<SRigidBody*>& movables,
       Touch(*pair.First, *pair.Second);
     }
   }
+  grips.ForEachGrip([this](const SRigidBody& holder, const SRigidBody& held) {
+    Unite(holder, held);
+    m_islands[holder.Number].Rows += kGripRows;
+  });
   CountRows(movables);
 }
 
 // What is awake wakes what it comes near to, and that the next.
-void CContactFinder::WakeNeighbours(const std::vector<SRigidPair>& pairs) {
+void CContactFinder::WakeNeighbours(const std::vector<SRigidPair>& pairs,
+                                    const CRigidGrips& grips) {
   bool changed = true;
+  const auto wake = [&changed](SRigidBody& first, SRigidBody& second) {
+    if (first.IsMovable() && second.IsMovable() && first.Asleep != second.Asleep) {
+      WakeRigidBody(first.Asleep ? first : second);
+      changed = true;
+    }
+  };
   while (changed) {
     changed = false;
     for (const SRigidPair& pair : pairs) {
-      SRigidBody& first = *pair.First;
-      SRigidBody& second = *pair.Second;
-      if (first.IsMovable() && second.IsMovable() && first.Asleep != second.Asleep) {
-        WakeRigidBody(first.Asleep ? first : second);
-        changed = true;
-      }
+      wake(*pair.First, *pair.Second);
     }
+    grips.ForEachGrip(wake);
   }
+}
+
+void CContactFinder::Unite(const SRigidBody& first, const SRigidBody& second) {
+  const UInt32 a = FindRoot(first.Number);
+  const UInt32 b = FindRoot(second.Number);
+  // the lower number leads
+  m_parents[std::max(a, b)] = std::min(a, b);
 }
 
 void CContactFinder::Touch(SRigidBody& first, SRigidBody& second) {
@@ -125,10 +143,7 @@ void CContactFinder::Touch(SRigidBody& first, SRigidBody& second) {
     return;
   }
   if (first.IsMovable() && second.IsMovable()) {
-    const UInt32 a = FindRoot(first.Number);
-    const UInt32 b = FindRoot(second.Number);
-    // the lower number leads
-    m_parents[std::max(a, b)] = std::min(a, b);
+    Unite(first, second);
   } else {
     m_islands[first.IsMovable() ? first.Number : second.Number].Supported = true;
   }

@@ -8,11 +8,13 @@
 
 namespace argos {
 
+class CRigidGrips;
+
 /**
  * Finds what touches, makes contact joints of it, and tells which bodies hang together.
  *
- * An island is a set of awake movable bodies that are joined by contacts, directly or by way of
- * each other. Fixed bodies join nothing.
+ * An island is a set of awake movable bodies that are joined by contacts or grips, directly or by
+ * way of each other. Fixed bodies join nothing.
  */
 class CContactFinder {
  public:
@@ -34,10 +36,12 @@ class CContactFinder {
   /**
    * Wakes bodies that awake ones come near to, and makes the contacts of the coming substep.
    * @param movables, fixed  by SRigidBody::Number. @param planes  that bound everything from below.
+   * @param grips    what holds what.
    * @param gravity  m/s^2: friction holds against it where nothing slides.
    */
   void Find(const std::vector<SRigidBody*>& movables, const std::vector<SRigidBody*>& fixed,
-            const std::vector<SRigidBody*>& planes, const CVector3& gravity);
+            const std::vector<SRigidBody*>& planes, const CRigidGrips& grips,
+            const CVector3& gravity);
   void Clear();
 
   /** After Find(): of an awake body. */
@@ -47,7 +51,8 @@ class CContactFinder {
   UInt32 GetNumContacts() const { return m_numContacts; }
 
  private:
-  static void WakeNeighbours(const std::vector<SRigidPair>& pairs);
+  static void WakeNeighbours(const std::vector<SRigidPair>& pairs, const CRigidGrips& grips);
+  void Unite(const SRigidBody& first, const SRigidBody& second);
   void Touch(SRigidBody& first, SRigidBody& second);
   void TouchSolids(const SRigidBody& first, const SRigidBody& second);
   void Roll(const SRigidBody& robot, const SRigidBody& ground);

@@ -32,6 +32,18 @@ constexpr Real kDefaultSubstep = 0.01;
 // m: what rests on the bottom of a region has sunk in by less
 constexpr Real kSunk = 1e-3;
 
+// of half the angle: what leans by less than 1e-3 rad, as robots do when they roll, is reported as
+// upright. Sensors and placement compute with upright solids exactly and fast.
+constexpr Real kUpright = 5e-4;
+
+CQuaternion Straighten(const CQuaternion& orientation) {
+  const Real length = std::hypot(orientation.GetW(), orientation.GetZ());
+  if (std::abs(orientation.GetX()) > kUpright || std::abs(orientation.GetY()) > kUpright) {
+    return orientation;
+  }
+  return CQuaternion(orientation.GetW() / length, 0.0, 0.0, orientation.GetZ() / length);
+}
+
 std::string NameOf(const CEmbodiedEntity& body) {
   return "\"" + body.GetRootEntity().GetId() + "\"";
 }
@@ -306,10 +318,77 @@ void CDynamics3DEngine::TransferEntity(CEmbodiedEntity& body) {
   }
   const SRigidMotion motion =
       model->m_body != nullptr ? GetRigidMotion(*model->m_body) : SRigidMotion();
+  CDynamics3DEngine* const next = FindNext(body);
+  if (next != nullptr && next->m_world != nullptr && m_world != nullptr &&
+      m_world->GetGrips().IsInGrip(*model->m_body)) {
+    TransferCluster(*model, *next);
+    return;
+  }
   CPhysicsEngine::TransferEntity(body);
   auto* const moved = dynamic_cast<CDynamics3DModel*>(&body.GetPhysicsModel(size_t(0)));
   if (moved != nullptr && moved->m_body != nullptr) {
     moved->GetDynamics3DEngine().PlaceAtAnchor(*moved, motion);
+  }
+}
+
+// the engine that would take the body, if it is another one of this type
+CDynamics3DEngine* CDynamics3DEngine::FindNext(const CEmbodiedEntity& body) const {
+  for (CPhysicsEngine* engine : m_cSimulator.GetPhysicsEngines()) {
+    if (engine->IsPointContained(body.GetOriginAnchor().Position)) {
+      auto* const next = dynamic_cast<CDynamics3DEngine*>(engine);
+      return next != this ? next : nullptr;
+    }
+  }
+  return nullptr;
+}
+
+// Of all that hangs together with a body in grips, does it have the lowest index?
+bool CDynamics3DEngine::LeadsItsCluster(const CDynamics3DModel& model) {
+  m_world->GetGrips().FindCluster(*model.m_body, m_cluster);
+  return std::none_of(m_cluster.begin(), m_cluster.end(), [&model](const SRigidBody* each) {
+    return each->Source.Owner->GetEmbodiedEntity().GetIndex() < model.m_cEmbodiedEntity.GetIndex();
+  });
+}
+
+void CDynamics3DEngine::TransferCluster(const CDynamics3DModel& model, CDynamics3DEngine& next) {
+  struct SMember {
+    CEmbodiedEntity* Body;
+    SRigidMotion Motion;
+  };
+  struct SGrip {
+    CEmbodiedEntity* Holder;
+    CEmbodiedEntity* Held;
+    CVector3 Arm;
+  };
+  m_world->GetGrips().FindCluster(*model.m_body, m_cluster);
+  m_world->GetGrips().CopyGrips(m_cluster, m_grips);
+  std::vector<SMember> members;
+  std::vector<SGrip> grips;
+  for (const SRigidBody* each : m_cluster) {
+    members.push_back({&each->Source.Owner->GetEmbodiedEntity(), GetRigidMotion(*each)});
+  }
+  for (const SGripToMove& grip : m_grips) {
+    grips.push_back({&grip.Holder->GetEmbodiedEntity(), &grip.Held->GetEmbodiedEntity(), grip.Arm});
+  }
+  const auto modelOf = [](CEmbodiedEntity& body) -> CDynamics3DModel& {
+    return static_cast<CDynamics3DModel&>(body.GetPhysicsModel(size_t(0)));
+  };
+  for (const SMember& member : members) {
+    RemoveEntity(member.Body->GetRootEntity());
+    next.AddEntity(member.Body->GetRootEntity());
+    next.PlaceAtAnchor(modelOf(*member.Body), member.Motion);
+  }
+  for (const SGrip& grip : grips) {
+    next.m_world->GetGrips().Grip(*modelOf(*grip.Holder).m_body, *modelOf(*grip.Held).m_body,
+                                  grip.Arm);
+  }
+}
+
+void CDynamics3DEngine::UpdateManipulator(CDynamics3DModel& model) {
+  if (m_world != nullptr) {
+    model.m_body->Gripper = model.m_gripper;
+    model.m_body->Turret = model.m_turret;
+    m_world->GetGrips().SetManipulator(*model.m_body);
   }
 }
 
@@ -386,6 +465,9 @@ void CDynamics3DEngine::AddToWorld(CDynamics3DModel& model) {
   source.Quadrotor = FindQuadrotor(body);
   const SRigidPose pose = PoseOf(body);
   model.m_body = &m_world->Add(source, pose);
+  if (source.Movable) {
+    UpdateManipulator(model);
+  }
   model.m_lastPosition = pose.Position;
   model.m_lastOrientation = pose.Orientation;
 }
@@ -423,11 +505,9 @@ void CDynamics3DEngine::ReportFailures() {
 
 void CDynamics3DEngine::WriteBack(CDynamics3DModel& model) {
   CEmbodiedEntity& entity = model.m_cEmbodiedEntity;
-  if (model.m_turret != nullptr) {
-    model.m_turret->Advance(m_settings->Tick);
-  }
   if (!model.m_body->Asleep || model.m_wasAwake) {
-    const SRigidPose pose = GetRigidPose(*model.m_body);
+    SRigidPose pose = GetRigidPose(*model.m_body);
+    pose.Orientation = Straighten(pose.Orientation);
     if (IsFar(pose.Position)) {
       THROW_ARGOSEXCEPTION(NameOf(entity)
                            << " is now at (" << pose.Position << "), farther than " << kFarthest
@@ -444,7 +524,8 @@ void CDynamics3DEngine::WriteBack(CDynamics3DModel& model) {
     model.CalculateAnchors();
   }
   model.m_root.Update();
-  if (IsEntityTransferActive() && !IsPointContained(entity.GetOriginAnchor().Position)) {
+  if (IsEntityTransferActive() && !IsPointContained(entity.GetOriginAnchor().Position) &&
+      (!m_world->GetGrips().IsInGrip(*model.m_body) || LeadsItsCluster(model))) {
     ScheduleEntityForTransfer(entity);
   }
 }
@@ -459,7 +540,8 @@ REGISTER_PHYSICS_ENGINE(
     CDynamics3DEngine, "dynamics3d", "the authors of this project", "1.0",
     "Rigid bodies in three dimensions, on ODE.",
     R"(Robots and objects in space: they fall, slide, roll, stack and topple. Robots with a differential drive roll
-on two wheels with motors, and two casters without friction; robots with propellers fly by their own controllers.
+on two sprung wheels with motors, and four casters without friction; robots with propellers fly by their own
+controllers; grippers hold, and turrets swing, what they have gripped.
 There is no gravity and no floor without the add-ons of these names.
 
 REQUIRED XML

@@ -12,7 +12,9 @@ namespace argos {
 class CDynamics3DModel;
 class CEmbodiedEntity;
 class CRigidWorld;
+struct SGripToMove;
 struct SGroundPlane;
+struct SRigidBody;
 struct SRigidMotion;
 struct SRigidSettings;
 
@@ -44,7 +46,10 @@ class CDynamics3DEngine : public CPhysicsEngine {
   bool AddEntity(CEntity& entity) override;
   std::string ExplainRefusal(CEntity& entity) const override;
   bool RemoveEntity(CEntity& entity) override;
-  /** A body that changes from one engine of this type to another keeps how it moves. */
+  /**
+   * A body that changes from one engine of this type to another keeps how it moves. What hangs
+   * together in grips changes together, when the one with the lowest index of entity leaves.
+   */
   void TransferEntity(CEmbodiedEntity& body) override;
   /** Nothing: all bodies are in the space's index. */
   void CheckIntersectionWithRay(TEmbodiedEntityIntersectionData&, const CRay3&) const override {}
@@ -66,6 +71,8 @@ class CDynamics3DEngine : public CPhysicsEngine {
   void Replace(CDynamics3DModel& model);
   /** For models: the same at the start of the next tick, if the anchor is elsewhere by then. */
   void MarkDisplaced(CDynamics3DModel& model);
+  /** For models: their robot has got, or lost, a gripper or turret. */
+  void UpdateManipulator(CDynamics3DModel& model);
 
  private:
   void InitPlugins(TConfigurationNode& tree);
@@ -77,6 +84,9 @@ class CDynamics3DEngine : public CPhysicsEngine {
   void ForgetDisplaced(CDynamics3DModel& model);
   void UpdatePlugins();
   void ReportFailures();
+  CDynamics3DEngine* FindNext(const CEmbodiedEntity& body) const;
+  bool LeadsItsCluster(const CDynamics3DModel& model);
+  void TransferCluster(const CDynamics3DModel& model, CDynamics3DEngine& next);
 
   std::unique_ptr<SRigidSettings> m_settings;
   CVector3 m_gravity;  // m/s^2
@@ -86,6 +96,9 @@ class CDynamics3DEngine : public CPhysicsEngine {
   std::vector<CDynamics3DModel*> m_displaced;
   std::unique_ptr<CRigidWorld> m_world;  // null: to be built from the models in the next tick
   bool m_hasReported = false;
+  // while bodies in grips change engines
+  std::vector<SRigidBody*> m_cluster;
+  std::vector<SGripToMove> m_grips;
 };
 
 }  // namespace argos

@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/turret_entity.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_engine.h>
@@ -34,14 +35,18 @@ void CDynamics3DModel::ConfirmMove() {
 
 void CDynamics3DModel::ComponentAdded(CEntity& component) {
   SetComponent(component, true);
+  GetDynamics3DEngine().UpdateManipulator(*this);
 }
 
 void CDynamics3DModel::ComponentRemoved(CEntity& component) {
   SetComponent(component, false);
+  GetDynamics3DEngine().UpdateManipulator(*this);
 }
 
 void CDynamics3DModel::SetComponent(CEntity& component, bool isThere) {
-  if (auto* const turret = dynamic_cast<CTurretEntity*>(&component)) {
+  if (auto* const gripper = dynamic_cast<CGripperEquippedEntity*>(&component)) {
+    m_gripper = isThere ? gripper : nullptr;
+  } else if (auto* const turret = dynamic_cast<CTurretEntity*>(&component)) {
     m_turret = isThere ? turret : nullptr;
   }
 }

@@ -7,6 +7,7 @@ namespace argos {
 
 class CDynamics3DEngine;
 class CEntity;
+class CGripperEquippedEntity;
 class CTurretEntity;
 struct SRigidBody;
 
@@ -16,9 +17,9 @@ class CDynamics3DModel : public CDescribedBodyModel {
   /** @param wheels  speeds of the left and the right wheel, m/s, if the body has a drive. */
   CDynamics3DModel(CDynamics3DEngine& engine, CEmbodiedEntity& entity, const Real* wheels);
 
-  /** Takes the body, at rest, where it is now. */
+  /** Takes the body, at rest, where it is now; its grips are forgotten. */
   void ConfirmMove() override;
-  /** Turrets of robots. */
+  /** Grippers and turrets of robots. */
   void ComponentAdded(CEntity& component) override;
   void ComponentRemoved(CEntity& component) override;
 
@@ -49,6 +50,7 @@ class CDynamics3DModel : public CDescribedBodyModel {
 
   CEntity& m_root;  // of the body
   const Real* m_wheels;  // m/s, (left, right); null unless the body has a drive; not owned
+  CGripperEquippedEntity* m_gripper = nullptr;  // of the robot; null if it has none
   CTurretEntity* m_turret = nullptr;  // of the robot; null if it has none
   SRigidBody* m_body = nullptr;  // in the engine's world; null while there is no world
   size_t m_number = 0;  // in the engine's list of models

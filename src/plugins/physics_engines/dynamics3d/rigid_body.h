@@ -12,7 +12,9 @@
 namespace argos {
 
 class CDynamics3DModel;
+class CGripperEquippedEntity;
 class CQuadRotorEntity;
+class CTurretEntity;
 struct SBodyDescription;
 struct SRigidSettings;
 
@@ -58,6 +60,10 @@ struct SRigidBody {
   dBodyID Body = nullptr;  // null: fixed
   std::array<dBodyID, 2> Wheels{};  // left, right; null without a drive
   std::array<dJointID, 2> Axles{};
+  // of the robot; null if it has none; not owned
+  CGripperEquippedEntity* Gripper = nullptr;
+  CTurretEntity* Turret = nullptr;
+  dBodyID TurretBody = nullptr;  // while its gripper holds something, see CRigidGrips
   std::vector<dGeomID> Solids;
   std::array<SRoller, 6> Rollers;  // the wheels, then four casters; unused without a drive
 
@@ -106,6 +112,9 @@ void ForEachPart(const SRigidBody& body, VISIT&& visit) {
   if (body.HasWheels()) {
     visit(body.Wheels[0]);
     visit(body.Wheels[1]);
+  }
+  if (body.TurretBody != nullptr) {
+    visit(body.TurretBody);
   }
 }
 

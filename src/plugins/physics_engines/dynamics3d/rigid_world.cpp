@@ -39,10 +39,12 @@ CRigidWorld::CRigidWorld(const SRigidSettings& settings, std::function<void()> b
   // sleeping is ours: by islands
   dWorldSetAutoDisableFlag(m_world, 0);
   m_contacts = std::make_unique<CContactFinder>(m_settings, m_world);
+  m_grips = std::make_unique<CRigidGrips>(m_world);
 }
 
 CRigidWorld::~CRigidWorld() {
   m_contacts->Clear();
+  m_grips.reset();
   for (const auto& body : m_owned) {
     DestroyRigidBody(*body);
   }
@@ -91,6 +93,10 @@ SRigidBody& CRigidWorld::Add(const SRigidSource& source, const SRigidPose& pose)
 
 void CRigidWorld::Remove(SRigidBody& body) {
   WakeAll();
+  m_grips->ReleaseAllOf(body);
+  body.Gripper = nullptr;
+  body.Turret = nullptr;
+  m_grips->SetManipulator(body);
   DestroyRigidBody(body);
   TakeOut(body.Source.Movable ? m_movables : m_fixed, body);
   if (body.Source.Quadrotor != nullptr) {
@@ -104,6 +110,7 @@ void CRigidWorld::Remove(SRigidBody& body) {
 
 void CRigidWorld::Place(SRigidBody& body, const SRigidPose& pose, const SRigidMotion& motion) {
   WakeAll();
+  m_grips->ReleaseAllOf(body);
   PlaceRigidBody(body, pose, motion);
   UpdateBounds(body);
 }
@@ -118,15 +125,18 @@ void CRigidWorld::WakeAll() {
 
 void CRigidWorld::Advance() {
   StartTick();
+  m_grips->StartTick(m_movables, m_settings.Tick);
   for (UInt32 i = 0; i < m_numSubsteps; ++i) {
     m_beforeSubstep();
     for (SRigidBody* body : m_flying) {
       PushFlyingBody(*body, m_gravity, m_substep);
     }
-    m_contacts->Find(m_movables, m_fixed, m_planes, m_gravity);
+    m_contacts->Find(m_movables, m_fixed, m_planes, *m_grips, m_gravity);
     Step();
     m_contacts->Clear();
+    m_grips->LetSlip();
   }
+  m_grips->EndTick(m_settings.Tick);
   if (m_settings.Sleep) {
     LayQuietToSleep();
   }

@@ -3,6 +3,7 @@
 
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/contact_finder.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_grips.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
 
 #include <functional>
@@ -38,8 +39,10 @@ class CRigidWorld {
   /** Adds a body at rest; everything wakes up. The reference stays valid until Remove(). */
   SRigidBody& Add(const SRigidSource& source, const SRigidPose& pose);
   void Remove(SRigidBody& body);
-  /** Puts a body somewhere, with that motion; everything wakes up. */
+  /** Puts a body somewhere, with that motion; its grips are lost, and everything wakes up. */
   void Place(SRigidBody& body, const SRigidPose& pose, const SRigidMotion& motion);
+
+  CRigidGrips& GetGrips() { return *m_grips; }
 
   /** Moves everything by a tick. */
   void Advance();
@@ -72,6 +75,7 @@ class CRigidWorld {
   // once
   dThreadingImplementationID m_threading;
   std::unique_ptr<CContactFinder> m_contacts;
+  std::unique_ptr<CRigidGrips> m_grips;
   std::vector<std::unique_ptr<SRigidBody>> m_owned;
   std::vector<SRigidBody*> m_planes;
   std::vector<SRigidBody*> m_fixed;  // by number
