@@ -232,6 +232,16 @@ void CDynamics3DEngine::Destroy() {
   m_plugins.clear();
 }
 
+void CDynamics3DEngine::PostSpaceInit() {
+  const auto hasWheels = [](const auto& model) { return model->m_wheels != nullptr; };
+  if (m_gravity == CVector3() && std::any_of(m_models.begin(), m_models.end(), hasWheels)) {
+    LOGERR << "[WARNING] the engine \"" << GetId()
+           << "\" has no gravity, so the wheels of its robots find no hold: it needs the children "
+              "<gravity g=\"9.81\" /> and <floor />"
+           << std::endl;
+  }
+}
+
 void CDynamics3DEngine::SetGravity(const CVector3& gravity) {
   m_gravity = gravity;
   if (m_world != nullptr) {

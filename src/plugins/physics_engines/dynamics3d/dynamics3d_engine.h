@@ -35,6 +35,8 @@ class CDynamics3DEngine : public CPhysicsEngine {
   void Reset() override;
   void Destroy() override;
   void Update() override;
+  /** Warns of robots on wheels that no gravity presses on the ground. */
+  void PostSpaceInit() override;
 
   bool IsPointContained(const CVector3& point) override;
   size_t GetNumPhysicsModels() override { return m_models.size(); }

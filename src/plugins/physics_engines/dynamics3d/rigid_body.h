@@ -63,6 +63,7 @@ struct SRigidBody {
   // of the robot; null if it has none; not owned
   CGripperEquippedEntity* Gripper = nullptr;
   CTurretEntity* Turret = nullptr;
+  bool HasManipulator = false;  // is it known to CRigidGrips?
   dBodyID TurretBody = nullptr;  // while its gripper holds something, see CRigidGrips
   std::vector<dGeomID> Solids;
   std::array<SRoller, 6> Rollers;  // the wheels, then four casters; unused without a drive

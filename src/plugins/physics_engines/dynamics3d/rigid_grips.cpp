@@ -59,18 +59,18 @@ CRigidGrips::SManipulator* CRigidGrips::Find(const SRigidBody& body) const {
 }
 
 void CRigidGrips::SetManipulator(SRigidBody& body) {
-  SManipulator* const manipulator = Find(body);
   const bool isOne = body.Gripper != nullptr || body.Turret != nullptr;
-  if (manipulator == nullptr && isOne) {
+  if (!body.HasManipulator && isOne) {
     m_manipulators.push_back(std::make_unique<SManipulator>());
     m_manipulators.back()->Robot = &body;
-  } else if (manipulator != nullptr) {
+  } else if (body.HasManipulator) {
     // on what arm it held has changed
-    Release(*manipulator);
+    Release(*Find(body));
     if (!isOne) {
       std::erase_if(m_manipulators, [&body](const auto& each) { return each->Robot == &body; });
     }
   }
+  body.HasManipulator = isOne;
 }
 
 void CRigidGrips::ReleaseAllOf(const SRigidBody& body) {

@@ -206,6 +206,8 @@ void CRigidWorld::Step() {
 // Where contacts are redundant in a certain way, ODE's direct solver gives up on some: for the rest
 // of the tick, larger islands are left to the other one.
 void CRigidWorld::StepDirectly() {
+  // what another world of this thread has left is none of this one's business
+  TakeODEComplaint();
   dWorldStep(m_world, m_substep);
   if (TakeODEComplaint() != nullptr) {
     ++m_numGivenUp;

@@ -1,6 +1,7 @@
 // Robots that roll on their wheels: arcs, slopes, pushing, crowds.
 
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
+#include <argos3/testing/support/captured_logs.h>
 #include <argos3/testing/support/closed_form/differential_drive.h>
 
 #include <argos3/core/utility/math/angles.h>
@@ -15,7 +16,6 @@
 namespace argos {
 
 using Catch::Matchers::WithinAbs;
-using Catch::Matchers::WithinRel;
 using testing::IntegrateDifferentialDrive;
 using testing::SPose;
 
@@ -111,6 +111,7 @@ TEST_CASE("rigid drive: a robot that spins keeps its place", "[contract][engine]
 
 TEST_CASE("rigid drive: without gravity wheels find no hold", "[contract][engine][rigid]") {
   CRigidScene world(RigidEngine("", "<floor/>"), DriverXml("foot-bot", "r", 0, 0, 0, 10, 10));
+  CHECK_THAT(TakeLogErr(), Catch::Matchers::Contains("\"e\" has no gravity, so the wheels"));
   world.Step(50);
   // the wheels' start turns the robot a little the other way
   CHECK(world.Position("r").Length() < 0.01);

@@ -14,7 +14,6 @@
 namespace argos {
 
 using Catch::Matchers::WithinAbs;
-using Catch::Matchers::WithinRel;
 using TModes = CCI_FootBotTurretActuator::ETurretModes;
 
 namespace {
