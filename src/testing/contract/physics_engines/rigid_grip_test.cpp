@@ -35,6 +35,17 @@ std::vector<UInt64> Run(CGripWorld& world, int ticks) {
   return digests;
 }
 
+// with a border at x = 0
+std::string TwoEngines() {
+  const auto part = [](const std::string& id, const std::string& from, const std::string& to) {
+    return "<dynamics3d id='" + id +
+           "'><floor/><gravity g='9.81'/><boundaries><sides><vertex point='" + from +
+           ",-10'/><vertex point='" + to + ",-10'/><vertex point='" + to + ",10'/><vertex point='" +
+           from + ",10'/></sides></boundaries></dynamics3d>";
+  };
+  return part("west", "-10", "0") + part("east", "0", "10");
+}
+
 // robots and loads in a row, all of them by chance
 std::string Throng() {
   std::string arena;
@@ -142,15 +153,9 @@ TEST_CASE("rigid grip: more force than it can bear slips out of a grip",
 
 TEST_CASE("rigid grip: what hangs together crosses the border of engines together",
           "[contract][engine][rigid][grip]") {
-  const auto part = [](const std::string& id, const std::string& from, const std::string& to) {
-    return "<dynamics3d id='" + id +
-           "'><floor/><gravity g='9.81'/><boundaries><sides><vertex point='" + from +
-           ",-10'/><vertex point='" + to + ",-10'/><vertex point='" + to + ",10'/><vertex point='" +
-           from + ",10'/></sides></boundaries></dynamics3d>";
-  };
   CGripWorld world(
       GripperXml("r", 0.3, 0, 0, "lock='true'") + LoadXml("load", 0.3 + kLoadAt, 0, 0.3),
-      Options(0, part("west", "-10", "0") + part("east", "0", "10")));
+      Options(0, TwoEngines()));
   world.Step(3);
   REQUIRE(world.HeldBy("r") == "load");
   world.Drive("r", -10, -10);
@@ -188,12 +193,15 @@ TEST_CASE("rigid grip: what is moved by a command, or removed, is let go",
   world.Step(2);
 }
 
-TEST_CASE("rigid grip: chance, resets and threads", "[contract][engine][rigid][grip]") {
-  CGripWorld world(Throng(), Options());
+TEST_CASE("rigid grip: orders by chance give the same after resets and with any number of threads",
+          "[contract][engine][rigid][grip]") {
+  const std::string engine = GENERATE(GroundedEngine(), TwoEngines());
+  CAPTURE(engine);
+  CGripWorld world(Throng(), Options(0, engine));
   const std::vector<UInt64> first = Run(world, 300);
   world.GetSimulator().Reset();
   CHECK(Run(world, 300) == first);
-  CGripWorld threaded(Throng(), Options(4));
+  CGripWorld threaded(Throng(), Options(4, engine));
   CHECK(Run(threaded, 300) == first);
 }
 
