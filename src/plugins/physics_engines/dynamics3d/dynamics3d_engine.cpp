@@ -13,6 +13,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_model.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/ode_session.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/read_settings.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_world.h>
 
 #include <algorithm>
@@ -26,7 +27,6 @@ namespace {
 constexpr Real kFarthest = 1e6;
 // substeps of a tick; more would never end
 constexpr UInt32 kMaxIterations = 10000;
-constexpr UInt32 kMaxSolverIterations = 1000;
 // s: substeps without "iterations" are not longer
 constexpr Real kDefaultSubstep = 0.01;
 // m: what rests on the bottom of a region has sunk in by less
@@ -96,51 +96,6 @@ void CheckBody(const CEmbodiedEntity& body) {
   }
 }
 
-// reads an optional number in [low, high]
-void ReadInRange(TConfigurationNode& node, const std::string& attribute, Real low, Real high,
-                 Real& value) {
-  GetNodeAttributeOrDefault(node, attribute, value, value);
-  if (!(value >= low && value <= high)) {
-    THROW_ARGOSEXCEPTION(OwnerOf(node) << ": \"" << attribute << "\" must be a number in [" << low
-                                       << "," << high << "], found " << value);
-  }
-}
-
-void ReadSolver(TConfigurationNode& node, SRigidSettings& settings) {
-  using enum SRigidSettings::EStepper;
-  std::string stepper = "mixed";
-  GetNodeAttributeOrDefault(node, "stepper", stepper, stepper);
-  if (stepper == "mixed") {
-    settings.Stepper = Mixed;
-  } else if (stepper == "direct") {
-    settings.Stepper = Direct;
-  } else if (stepper == "iterative") {
-    settings.Stepper = Iterative;
-  } else {
-    THROW_ARGOSEXCEPTION(OwnerOf(node) << ": \"stepper\" must be \"mixed\", \"direct\" or "
-                                          "\"iterative\", found \""
-                                       << stepper << "\"");
-  }
-  GetNodeAttributeOrDefault(node, "iterations", settings.SolverIterations,
-                            settings.SolverIterations);
-  if (settings.SolverIterations < 1 || settings.SolverIterations > kMaxSolverIterations) {
-    THROW_ARGOSEXCEPTION(OwnerOf(node) << ": \"iterations\" must be in [1," << kMaxSolverIterations
-                                       << "], found " << settings.SolverIterations);
-  }
-  GetNodeAttributeOrDefault(node, "max_direct_rows", settings.MaxDirectRows,
-                            settings.MaxDirectRows);
-  ReadInRange(node, "erp", 0.01, 1.0, settings.ErrorReduction);
-  // without any softness, redundant contacts cannot be solved
-  ReadInRange(node, "cfm", 1e-10, 1.0, settings.ConstraintForceMixing);
-}
-
-void ReadContacts(TConfigurationNode& node, SRigidSettings& settings) {
-  ReadInRange(node, "restitution", 0.0, 1.0, settings.Restitution);
-  ReadInRange(node, "bounce_speed", 0.0, 1e3, settings.BounceSpeed);
-  ReadInRange(node, "surface_layer", 0.0, 0.1, settings.SurfaceLayer);
-  ReadInRange(node, "max_correcting_speed", 1e-3, 1e3, settings.MaxCorrectingSpeed);
-}
-
 bool IsPartOfEngine(const std::string& tag) {
   return tag == "boundaries" || tag == "solver" || tag == "contacts";
 }
@@ -162,16 +117,7 @@ void CDynamics3DEngine::Init(TConfigurationNode& tree) {
                                        << ", found " << GetIterations());
   }
   m_settings->Substeps = GetIterations();
-  ReadInRange(tree, "default_friction", 0.0, 1e3, m_settings->Friction);
-  GetNodeAttributeOrDefault(tree, "sleep", m_settings->Sleep, m_settings->Sleep);
-  // for the debugger of another physics library
-  NodeAttributeExists(tree, "debug_file");
-  if (NodeExists(tree, "solver")) {
-    ReadSolver(GetNode(tree, "solver"), *m_settings);
-  }
-  if (NodeExists(tree, "contacts")) {
-    ReadContacts(GetNode(tree, "contacts"), *m_settings);
-  }
+  ReadRigidSettings(tree, *m_settings);
   UseODEInThisThread();
   if (!HasOwnODERandom() && m_settings->SolverIterations > kSweepsWithoutDrawing) {
     LOGERR << "[WARNING] " << OwnerOf(tree) << ": a library loaded earlier has brought ODE along: "
