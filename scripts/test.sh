@@ -38,7 +38,7 @@ check_installed_headers() { # check_installed_headers <include folder>
   while IFS= read -r included; do
     [[ -f "$1/$included" ]] || die "an installed header includes <$included>, which is not installed"
   done < <(grep -rhoE '^ *# *include *<argos3/[^>]+' "$1" | sed 's/.*<//' | sort -u)
-  found="$(grep -rnE '^ *# *include *[<"](box2d|tinyxml2|FreeImage|gsl|fmt|CLI|GL|EGL)[/.]' "$1" || true)"
+  found="$(grep -rnE '^ *# *include *[<"](box2d|ode|tinyxml2|FreeImage|gsl|fmt|CLI|GL|EGL)[/.]' "$1" || true)"
   [[ -z "$found" ]] || die "installed headers include third-party ones: $found"
   echo "$(find "$1" -name '*.h' | wc -l) headers are installed and complete"
 }

@@ -2,7 +2,7 @@
 
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/plugins/simulator/entities/quadrotor_entity.h>
-#include <argos3/plugins/simulator/physics_engines/pointmass3d/flight_loop.h>
+#include <argos3/core/simulator/physics_engine/flight_loop.h>
 
 #include <algorithm>
 #include <limits>
@@ -213,9 +213,9 @@ void CFlyers::AdvanceAxis(SAxis& axis, Real substep, UInt32 substeps) {
         change = WrapDifference(change);
       }
       const Real weight = axis.Weight[lane];
-      const Real wanted = axis.Proportional[lane] * error + axis.Derivative[lane] * change - weight;
-      const Real max = axis.MaxThrust[lane];
-      axis.Thrust[lane] = std::min(std::max(wanted, -max), max) + weight;
+      axis.Thrust[lane] = ComputeThrust(axis.Proportional[lane], axis.Derivative[lane], error,
+                                        change, weight, axis.MaxThrust[lane]) +
+                          weight;
       axis.LastError[lane] = onPlace ? error : 0.0;
     }
   }

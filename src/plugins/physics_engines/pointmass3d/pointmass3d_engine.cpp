@@ -9,7 +9,7 @@
 #include <argos3/plugins/simulator/entities/value_checks.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/drivers.h>
-#include <argos3/plugins/simulator/physics_engines/pointmass3d/flight_loop.h>
+#include <argos3/core/simulator/physics_engine/flight_loop.h>
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/flyers.h>
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/pointmass3d_body.h>
 

@@ -8,7 +8,8 @@ namespace argos {
 
 std::string SEngineType::ToXml(const std::string& id, const std::string& attributes,
                                const std::string& children) const {
-  return "<" + Tag + " id='" + id + "' " + attributes + ">" + children + "</" + Tag + ">";
+  return "<" + Tag + " id='" + id + "' " + attributes + ">" + Children + children + "</" + Tag +
+         ">";
 }
 
 std::string SEngineType::ToTwoXml(double x) const {

@@ -28,9 +28,11 @@ const SRobotType kEPuck{"e-puck", 0.053};
 }  // namespace
 
 TEST_CASE("free motion: a robot follows the closed-form arc for 60 s", "[contract][engine]") {
+  const SEngineType type = GENERATE(from_range(kEnginesWithWheels));
+  // wheels that really roll do not in steps of 0.1 s
+  const std::string fewest = type.Slip > 0.0 ? "iterations='5'" : "iterations='1'";
   const std::string engine =
-      GENERATE(from_range(kEnginesWithWheels))
-          .ToXml("e", GENERATE(as<std::string>(), "", "iterations='1'", "iterations='10'"));
+      type.ToXml("e", GENERATE_COPY(as<std::string>(), "", fewest, "iterations='10'"));
   const SRobotType robot = GENERATE(kFootBot, kEPuck);
   using TSpeeds = std::pair<Real, Real>;  // cm/s
   const auto [left, right] = GENERATE(TSpeeds(10, 10), TSpeeds(10, 9), TSpeeds(3, 12),
@@ -52,7 +54,8 @@ TEST_CASE("free motion: a robot follows the closed-form arc for 60 s", "[contrac
   }
   // arcs are integrated exactly, so only 600 roundings of numbers around 20 are left, 4e-15 each,
   // and the yaw's
-  CHECK(worst <= 1e-9);
+  const Real length = 0.01 * std::max(std::abs(left + right) / 2.0, std::abs(right - left)) * 60.0;
+  CHECK(worst <= 1e-9 + type.Slip * length);
 }
 
 TEST_CASE("free motion: a robot whose wheels stand still stays where it is", "[contract][engine]") {
@@ -60,7 +63,7 @@ TEST_CASE("free motion: a robot whose wheels stand still stays where it is", "[c
   CAPTURE(engine);
   CDriveWorld world(engine.ToXml(), DriverXml("foot-bot", "r", 1.25, -2.5, 30, 0, 0));
   world.Step(100);
-  CHECK(world.Position("r") == CVector3(1.25, -2.5, 0.0));
+  CHECK(Distance(world.Position("r"), CVector3(1.25, -2.5, 0.0)) <= engine.Slack);
 }
 
 TEST_CASE("free motion: a robot that spins keeps its place and an exact heading",
@@ -71,8 +74,9 @@ TEST_CASE("free motion: a robot that spins keeps its place and an exact heading"
   world.Step(601);
   // 0.4 m/s over 0.053 m for 60 s: 72 turns; each of 600 ticks rounds twice
   const Real yaw = 10.0 / 180.0 * std::numbers::pi + 0.4 / 0.053 * 60.0;
-  CHECK(std::abs(std::remainder(world.Yaw("r") - yaw, 2.0 * std::numbers::pi)) <= 1e-11);
-  CHECK(world.Position("r") == CVector3(2, 1, 0));
+  CHECK(std::abs(std::remainder(world.Yaw("r") - yaw, 2.0 * std::numbers::pi)) <=
+        1e-11 + engine.Slip * 0.4 / 0.053 * 60.0);
+  CHECK(Distance(world.Position("r"), CVector3(2, 1, 0)) <= engine.Slack);
 }
 
 TEST_CASE("free motion: an object that nobody touches stays where it is", "[contract][engine]") {
@@ -83,8 +87,9 @@ TEST_CASE("free motion: an object that nobody touches stays where it is", "[cont
                     "position='1,2,0' orientation='30,0,0'/></box>");
   const CQuaternion orientation = world.Body("b").GetOriginAnchor().Orientation;
   world.Step(20);
-  CHECK(world.Position("b") == CVector3(1, 2, 0));
-  CHECK(world.Body("b").GetOriginAnchor().Orientation == orientation);
+  CHECK(Distance(world.Position("b"), CVector3(1, 2, 0)) <= engine.Slack);
+  const CQuaternion turn = world.Body("b").GetOriginAnchor().Orientation * orientation.Inverse();
+  CHECK(CVector3(turn.GetX(), turn.GetY(), turn.GetZ()).Length() <= 1e-15 + engine.Slack);
 }
 
 TEST_CASE("free motion: wheel speeds beyond the drive's force are reached tick by tick",
@@ -101,8 +106,8 @@ TEST_CASE("free motion: wheel speeds beyond the drive's force are reached tick b
     world.Step();
     const Real x = world.Position("r").GetX();
     // the mean speed of a tick lies between those at its ends
-    CHECK(x - last <= 0.1 * speed + 1e-6);
-    CHECK(x - last >= 0.1 * (speed - 0.376));
+    CHECK(x - last <= 0.1 * speed + 1e-6 + engine.Slack);
+    CHECK(x - last >= 0.1 * (speed - 0.376) - engine.Slack);
     last = x;
   }
 }

@@ -1,4 +1,4 @@
-#include <argos3/plugins/simulator/physics_engines/pointmass3d/flight_loop.h>
+#include <argos3/core/simulator/physics_engine/flight_loop.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // The bounds of stability of the flight loops, against the eigenvalues of their recurrences.
 
-#include <argos3/plugins/simulator/physics_engines/pointmass3d/flight_loop.h>
+#include <argos3/core/simulator/physics_engine/flight_loop.h>
 
 #include <argos3/core/utility/math/random_stream.h>
 

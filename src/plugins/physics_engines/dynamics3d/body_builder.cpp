@@ -1,0 +1,432 @@
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
+
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/physics_engine/physics_model.h>
+#include <argos3/core/utility/math/angles.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace argos {
+
+namespace {
+
+using EKind = SShapeDescription::EKind;
+
+bool IsPositive(Real value) {
+  return value > 0.0 && std::isfinite(value);
+}
+
+CVector3 Centroid(const SShapeDescription& shape) {
+  return shape.Offset + Rotated(CVector3(0.0, 0.0, 0.5 * shape.Size.GetZ()), shape.Orientation);
+}
+
+Real Volume(const SShapeDescription& shape) {
+  const Real radius = shape.Radius;
+  switch (shape.Kind) {
+    case EKind::Box:
+      return shape.Size.GetX() * shape.Size.GetY() * shape.Size.GetZ();
+    case EKind::Cylinder:
+      return ARGOS_PI * radius * radius * shape.Size.GetZ();
+    case EKind::Sphere:
+      break;
+  }
+  return 4.0 / 3.0 * ARGOS_PI * radius * radius * radius;
+}
+
+// in the frame of the solid's centroid
+dMass MakeMass(const SShapeDescription& shape, Real mass) {
+  dMass result;
+  switch (shape.Kind) {
+    case EKind::Box:
+      dMassSetBoxTotal(&result, mass, shape.Size.GetX(), shape.Size.GetY(), shape.Size.GetZ());
+      break;
+    case EKind::Cylinder:
+      dMassSetCylinderTotal(&result, mass, 3, shape.Radius, shape.Size.GetZ());
+      break;
+    case EKind::Sphere:
+      dMassSetSphereTotal(&result, mass, shape.Radius);
+      break;
+  }
+  return result;
+}
+
+Real NarrowestSide(const SShapeDescription& shape) {
+  return std::min({shape.Size.GetX(), shape.Size.GetY(), shape.Size.GetZ()});
+}
+
+void ToODE(const CQuaternion& quaternion, dQuaternion result) {
+  const Real length = quaternion.Length();
+  result[0] = quaternion.GetW() / length;
+  result[1] = quaternion.GetX() / length;
+  result[2] = quaternion.GetY() / length;
+  result[3] = quaternion.GetZ() / length;
+}
+
+// mass and inertia of the solids, spread evenly, about the origin of the body
+dMass AddUpSolids(const SBodyDescription& description, Real mass) {
+  Real volume = 0.0;
+  for (const SShapeDescription& shape : description.Shapes) {
+    volume += Volume(shape);
+  }
+  dMass sum;
+  dMassSetZero(&sum);
+  for (const SShapeDescription& shape : description.Shapes) {
+    dMass part = MakeMass(shape, mass * Volume(shape) / volume);
+    dQuaternion orientation;
+    dMatrix3 rotation;
+    ToODE(shape.Orientation, orientation);
+    dRfromQ(rotation, orientation);
+    dMassRotate(&part, rotation);
+    const CVector3 centre = Centroid(shape);
+    dMassTranslate(&part, centre.GetX(), centre.GetY(), centre.GetZ());
+    dMassAdd(&sum, &part);
+  }
+  return sum;
+}
+
+// The moment about the vertical that the description asks for. Those about the horizontal axes
+// grow to half of it where they are smaller: no body has less.
+void SetPlanarInertia(dMass& mass, Real inertia) {
+  mass.I[10] = inertia;
+  mass.I[0] = std::max<Real>(mass.I[0], 0.5 * inertia);
+  mass.I[5] = std::max<Real>(mass.I[5], 0.5 * inertia);
+}
+
+Real GetWheelMass(const SBodyDescription& description) {
+  return kWheelMassShare * description.Mass;
+}
+
+// about every axis: a wheel is round to its contacts, and turns alike
+Real GetWheelInertia(const SBodyDescription& description) {
+  const Real radius = description.Drive->WheelRadius;
+  return 0.5 * GetWheelMass(description) * radius * radius;
+}
+
+void SetMass(SRigidBody& body) {
+  const SBodyDescription& description = *body.Source.Description;
+  const Real chassis =
+      description.Mass - (body.HasWheels() ? 2.0 * GetWheelMass(description) : 0.0);
+  dMass mass = AddUpSolids(description, chassis);
+  body.CentreOfMass = CVector3(mass.c[0], mass.c[1], mass.c[2]);
+  dMassTranslate(&mass, -mass.c[0], -mass.c[1], -mass.c[2]);
+  if (body.HasWheels()) {
+    // motors and batteries lie low
+    body.CentreOfMass.SetZ(std::min(body.CentreOfMass.GetZ(), body.WheelRadius));
+  }
+  // roundings of zero
+  mass.c[0] = mass.c[1] = mass.c[2] = 0.0;
+  if (description.PlanarInertia) {
+    const CVector3& centre = body.CentreOfMass;
+    Real inertia = *description.PlanarInertia -
+                   chassis * (centre.GetX() * centre.GetX() + centre.GetY() * centre.GetY());
+    if (body.HasWheels()) {
+      const Real arm = 0.5 * description.Drive->InterwheelDistance;
+      inertia -= 2.0 * (GetWheelInertia(description) + GetWheelMass(description) * arm * arm);
+    }
+    // wheels far out may leave nothing for the rest
+    SetPlanarInertia(mass, std::max(inertia, 0.1 * *description.PlanarInertia));
+  }
+  dBodySetMass(body.Body, &mass);
+  if (description.Propellers) {
+    // the same frequency and damping as of the yaw
+    const SControlGains& yaw = description.Propellers->Yaw;
+    const Real ratio = 0.5 * (mass.I[0] + mass.I[5]) / mass.I[10];
+    body.TiltGains.Set(yaw.Proportional * ratio, yaw.Derivative * ratio,
+                       description.Propellers->MaxTorque);
+  }
+}
+
+// what of a solid of a robot on wheels is above its clearance
+SShapeDescription Lift(SShapeDescription shape, Real clearance) {
+  const Real missing = clearance - shape.Offset.GetZ();
+  if (missing <= 0.0) {
+    return shape;
+  }
+  shape.Offset.SetZ(clearance);
+  const bool upright = shape.Orientation.GetX() == 0.0 && shape.Orientation.GetY() == 0.0;
+  if (upright && shape.Kind != EKind::Sphere && shape.Size.GetZ() > 2.0 * missing) {
+    shape.Size.SetZ(shape.Size.GetZ() - missing);
+  }
+  return shape;
+}
+
+// in no space of ODE's: what may touch is found by CBroadPhase
+dGeomID MakeGeom(const SShapeDescription& shape) {
+  switch (shape.Kind) {
+    case EKind::Box:
+      return dCreateBox(nullptr, shape.Size.GetX(), shape.Size.GetY(), shape.Size.GetZ());
+    case EKind::Cylinder:
+      return dCreateCylinder(nullptr, shape.Radius, shape.Size.GetZ());
+    case EKind::Sphere:
+      break;
+  }
+  return dCreateSphere(nullptr, shape.Radius);
+}
+
+void AddSolids(SRigidBody& body, const SRigidPose& pose) {
+  const SBodyDescription& description = *body.Source.Description;
+  for (const SShapeDescription& described : description.Shapes) {
+    const SShapeDescription shape =
+        body.HasWheels() ? Lift(described, kClearance * body.WheelRadius) : described;
+    const dGeomID geom = MakeGeom(shape);
+    body.Solids.push_back(geom);
+    dQuaternion orientation;
+    if (body.IsMovable()) {
+      dGeomSetBody(geom, body.Body);
+      const CVector3 place = Centroid(shape) - body.CentreOfMass;
+      dGeomSetOffsetPosition(geom, place.GetX(), place.GetY(), place.GetZ());
+      ToODE(shape.Orientation, orientation);
+      dGeomSetOffsetQuaternion(geom, orientation);
+      continue;
+    }
+    const CVector3 place = pose.Position + Rotated(Centroid(shape), pose.Orientation);
+    dGeomSetPosition(geom, place.GetX(), place.GetY(), place.GetZ());
+    ToODE(pose.Orientation * shape.Orientation, orientation);
+    dGeomSetQuaternion(geom, orientation);
+  }
+}
+
+CVector3 GetWheelOffset(const SRigidBody& body, size_t wheel) {
+  const Real arm = 0.5 * body.Source.Description->Drive->InterwheelDistance;
+  return CVector3(0.0, wheel == 0 ? arm : -arm, body.WheelRadius);
+}
+
+void AddRollers(SRigidBody& body) {
+  const SBoundingBox box = body.Source.Description->ComputeBoundingBox(CVector3(), CQuaternion());
+  const Real radius = kCasterRadius * body.WheelRadius;
+  const std::array<CVector3, 6> centres = {GetWheelOffset(body, 0),
+                                           GetWheelOffset(body, 1),
+                                           CVector3(box.MaxCorner.GetX() - radius, 0.0, radius),
+                                           CVector3(box.MinCorner.GetX() + radius, 0.0, radius),
+                                           CVector3(0.0, box.MaxCorner.GetY() - radius, radius),
+                                           CVector3(0.0, box.MinCorner.GetY() + radius, radius)};
+  for (size_t i = 0; i < centres.size(); ++i) {
+    SRoller& roller = body.Rollers[i];
+    roller.Offset = centres[i] - body.CentreOfMass;
+    roller.Radius = i < body.Wheels.size() ? (1.0 + kWheelTravel) * body.WheelRadius : radius;
+    for (UInt32 axis = 0; axis < 3; ++axis) {
+      // the solids begin above the ground
+      const Real lowest = box.MinCorner[axis] + (axis == 2 ? kClearance * body.WheelRadius : 0.0);
+      body.RollerMargin =
+          std::max({body.RollerMargin, centres[i][axis] + roller.Radius - box.MaxCorner[axis],
+                    lowest - centres[i][axis] + roller.Radius});
+    }
+  }
+  // however the robot lies
+  body.RollerMargin *= std::sqrt(3.0);
+}
+
+void MountWheels(SRigidBody& body, const SRigidPose& pose, dWorldID world) {
+  const SBodyDescription& description = *body.Source.Description;
+  const SDifferentialDriveDescription& drive = *description.Drive;
+  const Real force = std::min(0.5 * drive.MaxForce, drive.MaxTorque / drive.InterwheelDistance);
+  const CVector3 axis = Rotated(CVector3::Y, pose.Orientation);
+  for (size_t i = 0; i < body.Wheels.size(); ++i) {
+    const CVector3 centre = pose.Position + Rotated(GetWheelOffset(body, i), pose.Orientation);
+    const dJointID axle = dJointCreateHinge(world, nullptr);
+    dJointAttach(axle, body.Wheels[i], body.Body);
+    dJointSetHingeAnchor(axle, centre.GetX(), centre.GetY(), centre.GetZ());
+    dJointSetHingeAxis(axle, axis.GetX(), axis.GetY(), axis.GetZ());
+    dJointSetHingeParam(axle, dParamFMax, force * body.WheelRadius);
+    body.Axles[i] = axle;
+  }
+}
+
+void PutPart(dBodyID part, const CVector3& position, const CQuaternion& orientation,
+             const CVector3& velocity, const CVector3& angularVelocity) {
+  dQuaternion quaternion;
+  ToODE(orientation, quaternion);
+  dBodySetPosition(part, position.GetX(), position.GetY(), position.GetZ());
+  dBodySetQuaternion(part, quaternion);
+  dBodySetLinearVel(part, velocity.GetX(), velocity.GetY(), velocity.GetZ());
+  dBodySetAngularVel(part, angularVelocity.GetX(), angularVelocity.GetY(), angularVelocity.GetZ());
+  dBodySetForce(part, 0.0, 0.0, 0.0);
+  dBodySetTorque(part, 0.0, 0.0, 0.0);
+}
+
+std::string FindFlawOfDrive(const SBodyDescription& description) {
+  const SDifferentialDriveDescription& drive = *description.Drive;
+  if (!IsPositive(drive.InterwheelDistance) || !IsPositive(drive.WheelRadius)) {
+    return "the distance between the wheels and their radius must be numbers > 0 (m)";
+  }
+  if (!IsPositive(drive.MaxForce) || !IsPositive(drive.MaxTorque)) {
+    return "the greatest force (N) and torque (N m) of the drive must be numbers > 0";
+  }
+  const Real caster = kCasterRadius * drive.WheelRadius;
+  const SBoundingBox box = description.ComputeBoundingBox(CVector3(), CQuaternion());
+  const Real reach = std::min(
+      {box.MaxCorner.GetX(), -box.MinCorner.GetX(), box.MaxCorner.GetY(), -box.MinCorner.GetY()});
+  if (!(reach > caster)) {
+    std::ostringstream flaw;
+    flaw << "its solids must reach more than " << caster
+         << " m to all four sides, where its casters are";
+    return flaw.str();
+  }
+  return "";
+}
+
+std::string FindFlawOfPropellers(const SPropellersDescription& propellers) {
+  for (const SControlGains* gains : {&propellers.Position, &propellers.Yaw}) {
+    // without a derivative, nothing would damp a loop on position
+    if (!IsPositive(gains->Proportional) || !IsPositive(gains->Derivative)) {
+      return "the gains on position and yaw must be numbers > 0";
+    }
+  }
+  for (const SControlGains* gains : {&propellers.Velocity, &propellers.YawRate}) {
+    if (!IsPositive(gains->Proportional) || !(gains->Derivative >= 0.0)) {
+      return "of the gains on velocity and yaw rate, the first must be > 0 and the second >= 0";
+    }
+  }
+  if (!IsPositive(propellers.MaxForce) || !IsPositive(propellers.MaxTorque)) {
+    return "the greatest force (N) and torque (N m) of the propellers must be numbers > 0";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string FindFlaw(const SBodyDescription& description, bool movable) {
+  for (const SShapeDescription& shape : description.Shapes) {
+    if (!IsPositive(NarrowestSide(shape)) || !std::isfinite(shape.Size.Length()) ||
+        !std::isfinite(shape.Offset.Length()) || !IsPositive(shape.Orientation.Length())) {
+      return "the sizes of its solids must be numbers > 0 (m), and their places finite";
+    }
+  }
+  if (!movable) {
+    return "";
+  }
+  if (!IsPositive(description.Mass)) {
+    return "the mass must be a number > 0 (kg)";
+  }
+  if (description.PlanarInertia && !IsPositive(*description.PlanarInertia)) {
+    return "the moment of inertia must be a number > 0 (kg m^2)";
+  }
+  if (description.Drive) {
+    return FindFlawOfDrive(description);
+  }
+  return description.Propellers ? FindFlawOfPropellers(*description.Propellers) : "";
+}
+
+void BuildRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidSettings& settings,
+                    dWorldID world) {
+  const SBodyDescription& description = *body.Source.Description;
+  body.Friction = settings.Friction;
+  body.Narrowest = NarrowestSide(description.Shapes.front());
+  for (const SShapeDescription& shape : description.Shapes) {
+    body.Narrowest = std::min(body.Narrowest, NarrowestSide(shape));
+  }
+  if (body.Source.Movable) {
+    body.Body = dBodyCreate(world);
+    if (body.Source.Wheels != nullptr) {
+      body.WheelRadius = description.Drive->WheelRadius;
+      dMass mass;
+      dMassSetSphereTotal(&mass, GetWheelMass(description), body.WheelRadius);
+      mass.I[0] = mass.I[5] = mass.I[10] = GetWheelInertia(description);
+      for (dBodyID& wheel : body.Wheels) {
+        wheel = dBodyCreate(world);
+        dBodySetMass(wheel, &mass);
+        dBodySetGyroscopicMode(wheel, 0);
+      }
+    }
+    SetMass(body);
+    PlaceRigidBody(body, pose, {});
+  }
+  AddSolids(body, pose);
+  if (body.HasWheels()) {
+    AddRollers(body);
+    MountWheels(body, pose, world);
+  }
+}
+
+// see ODE's manual, "Soft constraints", for the spring and damper that these stand for
+void TuneWheels(SRigidBody& body, Real gravity, Real substep) {
+  const Real mass = body.Source.Description->Mass;
+  const Real stiffness = 0.5 * kWheelLoad * mass * gravity / (kWheelTravel * body.WheelRadius);
+  // critical for half of the robot
+  const Real damping = 2.0 * std::sqrt(stiffness * 0.5 * mass);
+  if (!(stiffness > 0.0)) {
+    body.WheelErp = body.WheelCfm = 0.0;
+    return;
+  }
+  body.WheelErp = substep * stiffness / (substep * stiffness + damping);
+  body.WheelCfm = 1.0 / (substep * stiffness + damping);
+}
+
+void DestroyRigidBody(SRigidBody& body) {
+  for (const dGeomID geom : body.Solids) {
+    dGeomDestroy(geom);
+  }
+  body.Solids.clear();
+  for (size_t i = 0; body.HasWheels() && i < body.Wheels.size(); ++i) {
+    dJointDestroy(body.Axles[i]);
+    dBodyDestroy(body.Wheels[i]);
+  }
+  if (body.Body != nullptr) {
+    dBodyDestroy(body.Body);
+  }
+}
+
+void PlaceRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidMotion& motion) {
+  const CQuaternion& orientation = pose.Orientation;
+  if (!body.IsMovable()) {
+    for (size_t i = 0; i < body.Solids.size(); ++i) {
+      const SShapeDescription& shape = body.Source.Description->Shapes[i];
+      const CVector3 place = pose.Position + Rotated(Centroid(shape), orientation);
+      dQuaternion quaternion;
+      ToODE(orientation * shape.Orientation, quaternion);
+      dGeomSetPosition(body.Solids[i], place.GetX(), place.GetY(), place.GetZ());
+      dGeomSetQuaternion(body.Solids[i], quaternion);
+    }
+    return;
+  }
+  const CVector3 centre = Rotated(body.CentreOfMass, orientation);
+  PutPart(body.Body, pose.Position + centre, orientation, motion.Velocity, motion.AngularVelocity);
+  const CVector3 axis = Rotated(CVector3::Y, orientation);
+  for (size_t i = 0; body.HasWheels() && i < body.Wheels.size(); ++i) {
+    const CVector3 offset = Rotated(GetWheelOffset(body, i), orientation);
+    PutPart(body.Wheels[i], pose.Position + offset, orientation,
+            motion.Velocity + Cross(motion.AngularVelocity, offset - centre),
+            motion.AngularVelocity + axis * motion.WheelSpins[i]);
+  }
+  body.FlightErrors = motion.FlightErrors;
+}
+
+void WakeRigidBody(SRigidBody& body) {
+  body.QuietTime = 0.0;
+  if (body.Asleep) {
+    body.Asleep = false;
+    ForEachPart(body, &dBodyEnable);
+  }
+}
+
+void LayToSleep(SRigidBody& body) {
+  body.Asleep = true;
+  // what is left of its motion would come back when it wakes
+  ForEachPart(body, [](dBodyID part) {
+    dBodySetLinearVel(part, 0.0, 0.0, 0.0);
+    dBodySetAngularVel(part, 0.0, 0.0, 0.0);
+    dBodyDisable(part);
+  });
+}
+
+SRigidPose GetRigidPose(const SRigidBody& body) {
+  const CQuaternion orientation = QuaternionFromODE(dBodyGetQuaternion(body.Body));
+  return {FromODE(dBodyGetPosition(body.Body)) - Rotated(body.CentreOfMass, orientation),
+          orientation};
+}
+
+SRigidMotion GetRigidMotion(const SRigidBody& body) {
+  SRigidMotion motion;
+  motion.Velocity = FromODE(dBodyGetLinearVel(body.Body));
+  motion.AngularVelocity = FromODE(dBodyGetAngularVel(body.Body));
+  for (size_t i = 0; body.HasWheels() && i < body.Wheels.size(); ++i) {
+    motion.WheelSpins[i] = dJointGetHingeAngleRate(body.Axles[i]);
+  }
+  motion.FlightErrors = body.FlightErrors;
+  return motion;
+}
+
+}  // namespace argos

@@ -1,0 +1,56 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_BROAD_PHASE_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_BROAD_PHASE_H
+
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
+
+#include <vector>
+
+namespace argos {
+
+/** Two bodies whose bounds overlap, at least one of them movable. */
+struct SRigidPair {
+  SRigidBody* First;
+  SRigidBody* Second;
+};
+
+/**
+ * Finds the pairs of bodies that may touch, by sorting their bounds along x or y.
+ *
+ * ODE has such, too; this one knows that a robot is one thing of several geoms, asks for no memory
+ * in a tick, and its order of pairs is a function of places and numbers alone.
+ */
+class CBroadPhase {
+ public:
+  /** To be called when bodies have come, gone or been placed. */
+  void MarkChanged() { m_isChanged = true; }
+
+  /**
+   * Finds the pairs of now.
+   * @param movables, fixed  all bodies with bounds, by SRigidBody::Number.
+   */
+  const std::vector<SRigidPair>& FindPairs(const std::vector<SRigidBody*>& movables,
+                                           const std::vector<SRigidBody*>& fixed);
+
+ private:
+  struct SEntry {
+    Real Low = 0.0;  // m, along the axis of the sweep
+    Real High = 0.0;
+    SRigidBody* Body = nullptr;
+    UInt32 Number = 0;  // unique: movable bodies first
+  };
+
+  void List(const std::vector<SRigidBody*>& movables, const std::vector<SRigidBody*>& fixed);
+  void Sort();
+
+  bool m_isChanged = true;
+  UInt32 m_axis = 0;  // x or y
+  std::vector<SEntry> m_entries;  // in order of Low, then of Number
+  std::vector<SRigidPair> m_pairs;
+};
+
+/** Takes over where the solids of a body are now. */
+void UpdateBounds(SRigidBody& body);
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,308 @@
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/contact_finder.h>
+
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/cylinder_contacts.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_grips.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+// of two geoms: the corners of a face; ODE chooses those far apart of the eight that two boxes may
+// have, and fewer are solved better
+constexpr int kMaxContacts = 4;
+// m/s: what slides more slowly has no direction worth following
+constexpr Real kSlidingSpeed = 1e-4;
+// rows of the two hinges with motors of a robot
+constexpr UInt32 kAxleRows = 12;
+// and of a turret's pivot with its motor, and the ball joint on its arm
+constexpr UInt32 kGripRows = 9;
+
+// can this do something on its own?
+bool IsActive(const SRigidBody& body) {
+  return body.IsMovable() && !body.Asleep;
+}
+
+bool DoBoundsOverlap(dGeomID first, dGeomID second) {
+  dReal a[6];  // m: least and greatest x, y and z
+  dReal b[6];
+  dGeomGetAABB(first, a);
+  dGeomGetAABB(second, b);
+  return a[0] <= b[1] && b[0] <= a[1] && a[2] <= b[3] && b[2] <= a[3] && a[4] <= b[5] &&
+         b[4] <= a[5];
+}
+
+CVector3 VelocityAt(dGeomID geom, const CVector3& point) {
+  const dBodyID part = dGeomGetBody(geom);
+  if (part == nullptr) {
+    return CVector3();
+  }
+  return FromODE(dBodyGetLinearVel(part)) +
+         Cross(FromODE(dBodyGetAngularVel(part)), point - FromODE(dBodyGetPosition(part)));
+}
+
+void SetDirection(dContact& contact, const CVector3& direction) {
+  contact.surface.mode |= dContactFDir1;
+  contact.fdir1[0] = direction.GetX();
+  contact.fdir1[1] = direction.GetY();
+  contact.fdir1[2] = direction.GetZ();
+}
+
+CVector3 AlongSurface(const CVector3& vector, const CVector3& normal) {
+  return vector - normal * vector.DotProduct(normal);
+}
+
+}  // namespace
+
+CContactFinder::CContactFinder(const SRigidSettings& settings, dWorldID world)
+    : m_settings(settings),
+      m_world(world),
+      m_contacts(dJointGroupCreate(0)),
+      m_probe(dCreateSphere(nullptr, 1.0)) {}
+
+CContactFinder::~CContactFinder() {
+  dGeomDestroy(m_probe);
+  dJointGroupDestroy(m_contacts);
+}
+
+void CContactFinder::Clear() {
+  dJointGroupEmpty(m_contacts);
+}
+
+void CContactFinder::Find(const std::vector<SRigidBody*>& movables,
+                          const std::vector<SRigidBody*>& fixed,
+                          const std::vector<SRigidBody*>& planes, const CRigidGrips& grips,
+                          const CVector3& gravity) {
+  m_gravity = gravity;
+  m_numContacts = 0;
+  m_parents.resize(movables.size());
+  for (UInt32 i = 0; i < m_parents.size(); ++i) {
+    m_parents[i] = i;
+  }
+  m_islands.assign(movables.size(), {});
+  const std::vector<SRigidPair>& pairs = m_broadPhase.FindPairs(movables, fixed);
+  WakeNeighbours(pairs, grips);
+  for (SRigidBody* body : movables) {
+    for (size_t i = 0; !body->Asleep && i < planes.size(); ++i) {
+      if (body->Low.GetZ() <= planes[i]->High.GetZ()) {
+        Touch(*body, *planes[i]);
+      }
+    }
+  }
+  for (const SRigidPair& pair : pairs) {
+    if (IsActive(*pair.First) || IsActive(*pair.Second)) {
+      Touch(*pair.First, *pair.Second);
+    }
+  }
+  grips.ForEachGrip([this](const SRigidBody& holder, const SRigidBody& held) {
+    Unite(holder, held);
+    m_islands[holder.Number].Rows += kGripRows;
+  });
+  CountRows(movables);
+}
+
+// What is awake wakes what it comes near to, and that the next.
+void CContactFinder::WakeNeighbours(const std::vector<SRigidPair>& pairs,
+                                    const CRigidGrips& grips) {
+  bool changed = true;
+  const auto wake = [&changed](SRigidBody& first, SRigidBody& second) {
+    if (first.IsMovable() && second.IsMovable() && first.Asleep != second.Asleep) {
+      WakeRigidBody(first.Asleep ? first : second);
+      changed = true;
+    }
+  };
+  while (changed) {
+    changed = false;
+    for (const SRigidPair& pair : pairs) {
+      wake(*pair.First, *pair.Second);
+    }
+    grips.ForEachGrip(wake);
+  }
+}
+
+void CContactFinder::Unite(const SRigidBody& first, const SRigidBody& second) {
+  const UInt32 a = FindRoot(first.Number);
+  const UInt32 b = FindRoot(second.Number);
+  // the lower number leads
+  m_parents[std::max(a, b)] = std::min(a, b);
+}
+
+void CContactFinder::Touch(SRigidBody& first, SRigidBody& second) {
+  const UInt32 before = m_numContacts;
+  TouchSolids(first, second);
+  if (first.HasWheels()) {
+    Roll(first, second);
+  }
+  if (second.HasWheels()) {
+    Roll(second, first);
+  }
+  if (m_numContacts == before) {
+    return;
+  }
+  if (first.IsMovable() && second.IsMovable()) {
+    Unite(first, second);
+  } else {
+    m_islands[first.IsMovable() ? first.Number : second.Number].Supported = true;
+  }
+}
+
+void CContactFinder::TouchSolids(const SRigidBody& first, const SRigidBody& second) {
+  for (const dGeomID a : first.Solids) {
+    for (const dGeomID b : second.Solids) {
+      if (!DoBoundsOverlap(a, b)) {
+        continue;
+      }
+      dContact contacts[kMaxContacts];
+      const int count = FindContacts(a, b, kMaxContacts, &contacts[0].geom, sizeof(dContact));
+      for (int i = 0; i < count; ++i) {
+        AddSolidContact(contacts[i], first, second);
+      }
+    }
+  }
+}
+
+void CContactFinder::Roll(const SRigidBody& robot, const SRigidBody& ground) {
+  const dReal* const rotation = dBodyGetRotation(robot.Body);
+  const CVector3 up(rotation[2], rotation[6], rotation[10]);
+  for (size_t i = 0; i < robot.Rollers.size(); ++i) {
+    // wheels without weight find no hold
+    if (i < robot.Wheels.size() && robot.WheelCfm == 0.0) {
+      continue;
+    }
+    const CVector3 centre = LocateRoller(robot, i);
+    for (const dGeomID solid : ground.Solids) {
+      dContact contact;
+      if (FindRollerContact(robot.Rollers[i], centre, ground, solid, contact.geom) &&
+          up.DotProduct(FromODE(contact.geom.normal)) >= kRollerSupport) {
+        AddRollerContact(contact, robot, i, ground);
+      }
+    }
+  }
+}
+
+// With a normal that points into the roller.
+bool CContactFinder::FindRollerContact(const SRoller& roller, const CVector3& centre,
+                                       const SRigidBody& ground, dGeomID solid,
+                                       dContactGeom& contact) const {
+  if (ground.IsPlane()) {
+    contact.normal[0] = contact.normal[1] = 0.0;
+    contact.normal[2] = 1.0;
+    contact.depth = ground.High.GetZ() - (centre.GetZ() - roller.Radius);
+    contact.pos[0] = centre.GetX();
+    contact.pos[1] = centre.GetY();
+    contact.pos[2] = centre.GetZ() - roller.Radius;
+    return contact.depth >= 0.0;
+  }
+  dReal bounds[6];  // m: least and greatest x, y and z
+  dGeomGetAABB(solid, bounds);
+  for (UInt32 axis = 0; axis < 3; ++axis) {
+    if (centre[axis] + roller.Radius < bounds[2 * axis] ||
+        centre[axis] - roller.Radius > bounds[2 * axis + 1]) {
+      return false;
+    }
+  }
+  dGeomSphereSetRadius(m_probe, roller.Radius);
+  dGeomSetPosition(m_probe, centre.GetX(), centre.GetY(), centre.GetZ());
+  return dCollide(m_probe, solid, 1, &contact, sizeof(dContact)) > 0;
+}
+
+// Casters slide without friction. A wheel is held along its axle, and rolls across it; it is
+// pressed in by its travel, so it gives way, and touches the ground where its rim would without.
+void CContactFinder::AddRollerContact(dContact& contact, const SRigidBody& robot, size_t roller,
+                                      const SRigidBody& ground) {
+  contact.surface = {};
+  contact.surface.mode = dContactApprox1;
+  if (roller >= robot.Wheels.size()) {
+    Join(contact, robot.Body, ground.Body, 1, robot);
+    return;
+  }
+  contact.surface.mode |= dContactSoftERP | dContactSoftCFM;
+  contact.surface.mu = robot.Friction * ground.Friction;
+  contact.surface.soft_erp = robot.WheelErp;
+  contact.surface.soft_cfm = robot.WheelCfm;
+  const CVector3 normal = FromODE(contact.geom.normal);
+  const CVector3 rim = LocateRoller(robot, roller) - normal * robot.WheelRadius;
+  for (UInt32 i = 0; i < 3; ++i) {
+    contact.geom.pos[i] = rim[i];
+  }
+  const dReal* const rotation = dBodyGetRotation(robot.Body);
+  const CVector3 axle(rotation[1], rotation[5], rotation[9]);
+  const CVector3 ahead = Cross(axle, normal);
+  const Real length = ahead.Length();
+  if (length > 0.1) {
+    SetDirection(contact, ahead / length);
+  }
+  Join(contact, robot.Wheels[roller], ground.Body, contact.surface.mu > 0.0 ? 3 : 1, robot);
+}
+
+void CContactFinder::AddSolidContact(dContact& contact, const SRigidBody& first,
+                                     const SRigidBody& second) {
+  dSurfaceParameters& surface = contact.surface;
+  surface = {};
+  surface.mode = dContactApprox1;
+  surface.mu = first.Friction * second.Friction;
+  if (m_settings.Restitution > 0.0) {
+    surface.mode |= dContactBounce;
+    surface.bounce = m_settings.Restitution;
+    surface.bounce_vel = m_settings.BounceSpeed;
+  }
+  SetSlidingDirection(contact);
+  Join(contact, dGeomGetBody(contact.geom.g1), dGeomGetBody(contact.geom.g2),
+       surface.mu > 0.0 ? 3 : 1, first.IsMovable() ? first : second);
+}
+
+void CContactFinder::Join(const dContact& contact, dBodyID first, dBodyID second, UInt32 rows,
+                          const SRigidBody& counted) {
+  dJointAttach(dJointCreateContact(m_world, m_contacts, &contact), first, second);
+  m_islands[counted.Number].Rows += rows;
+  ++m_numContacts;
+}
+
+// ODE limits friction along two directions apart, so by a square. With one of them along the
+// motion, or along the weight where nothing moves, that is Coulomb's circle.
+void CContactFinder::SetSlidingDirection(dContact& contact) const {
+  const CVector3 normal = FromODE(contact.geom.normal);
+  const CVector3 point = FromODE(contact.geom.pos);
+  const CVector3 sliding =
+      AlongSurface(VelocityAt(contact.geom.g1, point) - VelocityAt(contact.geom.g2, point), normal);
+  const Real speed = sliding.Length();
+  if (speed > kSlidingSpeed) {
+    SetDirection(contact, sliding / speed);
+    return;
+  }
+  const CVector3 pull = AlongSurface(m_gravity, normal);
+  const Real length = pull.Length();
+  if (length > 1e-3 * m_gravity.Length()) {
+    SetDirection(contact, pull / length);
+  }
+}
+
+UInt32 CContactFinder::FindRoot(UInt32 body) {
+  while (m_parents[body] != body) {
+    m_parents[body] = m_parents[m_parents[body]];
+    body = m_parents[body];
+  }
+  return body;
+}
+
+void CContactFinder::CountRows(const std::vector<SRigidBody*>& movables) {
+  m_mostRows = 0;
+  for (UInt32 i = 0; i < movables.size(); ++i) {
+    SIsland& own = m_islands[i];
+    own.Rows += movables[i]->HasWheels() ? kAxleRows : 0;
+    const UInt32 root = FindRoot(i);
+    if (root != i) {
+      m_islands[root].Rows += own.Rows;
+      m_islands[root].Supported = m_islands[root].Supported || own.Supported;
+    }
+  }
+  // every root has all of its rows now
+  for (UInt32 i = 0; i < movables.size(); ++i) {
+    m_mostRows = std::max(m_mostRows, m_islands[i].Rows);
+  }
+}
+
+}  // namespace argos

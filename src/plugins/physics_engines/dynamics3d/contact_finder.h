@@ -1,0 +1,84 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_CONTACT_FINDER_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_CONTACT_FINDER_H
+
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/broad_phase.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
+
+#include <vector>
+
+namespace argos {
+
+class CRigidGrips;
+
+/**
+ * Finds what touches, makes contact joints of it, and tells which bodies hang together.
+ *
+ * An island is a set of awake movable bodies that are joined by contacts or grips, directly or by
+ * way of each other. Fixed bodies join nothing.
+ */
+class CContactFinder {
+ public:
+  /** A set of bodies that hang together. */
+  struct SIsland {
+    UInt32 Rows = 0;  // of the constraints among its bodies
+    bool Supported = false;  // does a fixed body touch it?
+    bool Quiet = true;  // used by the world
+  };
+
+  /** The contacts live in a pool, which Clear() empties without giving memory back. */
+  CContactFinder(const SRigidSettings& settings, dWorldID world);
+  ~CContactFinder();
+  CContactFinder(const CContactFinder&) = delete;
+  CContactFinder& operator=(const CContactFinder&) = delete;
+
+  /** To be called when bodies have come, gone or been placed. */
+  void MarkChanged() { m_broadPhase.MarkChanged(); }
+  /**
+   * Wakes bodies that awake ones come near to, and makes the contacts of the coming substep.
+   * @param movables, fixed  by SRigidBody::Number. @param planes  that bound everything from below.
+   * @param grips    what holds what.
+   * @param gravity  m/s^2: friction holds against it where nothing slides.
+   */
+  void Find(const std::vector<SRigidBody*>& movables, const std::vector<SRigidBody*>& fixed,
+            const std::vector<SRigidBody*>& planes, const CRigidGrips& grips,
+            const CVector3& gravity);
+  void Clear();
+
+  /** After Find(): of an awake body. */
+  SIsland& GetIsland(const SRigidBody& body) { return m_islands[FindRoot(body.Number)]; }
+  /** After Find(): the most rows that an island has. */
+  UInt32 GetMostRows() const { return m_mostRows; }
+  UInt32 GetNumContacts() const { return m_numContacts; }
+
+ private:
+  static void WakeNeighbours(const std::vector<SRigidPair>& pairs, const CRigidGrips& grips);
+  void Unite(const SRigidBody& first, const SRigidBody& second);
+  void Touch(SRigidBody& first, SRigidBody& second);
+  void TouchSolids(const SRigidBody& first, const SRigidBody& second);
+  void Roll(const SRigidBody& robot, const SRigidBody& ground);
+  bool FindRollerContact(const SRoller& roller, const CVector3& centre, const SRigidBody& ground,
+                         dGeomID solid, dContactGeom& contact) const;
+  void AddRollerContact(dContact& contact, const SRigidBody& robot, size_t roller,
+                        const SRigidBody& ground);
+  void AddSolidContact(dContact& contact, const SRigidBody& first, const SRigidBody& second);
+  void Join(const dContact& contact, dBodyID first, dBodyID second, UInt32 rows,
+            const SRigidBody& counted);
+  void SetSlidingDirection(dContact& contact) const;
+  UInt32 FindRoot(UInt32 body);
+  void CountRows(const std::vector<SRigidBody*>& movables);
+
+  const SRigidSettings& m_settings;
+  dWorldID m_world;
+  dJointGroupID m_contacts;
+  dGeomID m_probe;  // a sphere, in the place of one roller after the other
+  CBroadPhase m_broadPhase;
+  UInt32 m_numContacts = 0;
+  UInt32 m_mostRows = 0;
+  CVector3 m_gravity;
+  std::vector<UInt32> m_parents;  // of a forest of islands, by number of body
+  std::vector<SIsland> m_islands;  // by number of body; of roots
+};
+
+}  // namespace argos
+
+#endif

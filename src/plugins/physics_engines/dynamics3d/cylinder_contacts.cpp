@@ -1,0 +1,102 @@
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/cylinder_contacts.h>
+
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+// cosine of the greatest angle between the axes of cylinders that stand side by side: 2 degrees
+constexpr Real kParallel = 0.9994;
+
+struct SUpright {
+  CVector3 Centre;  // m, world frame
+  CVector3 Axis;  // of length 1
+  Real Radius = 0.0;
+  Real HalfLength = 0.0;
+};
+
+SUpright Describe(dGeomID geom) {
+  SUpright cylinder;
+  dReal radius = 0.0;
+  dReal length = 0.0;
+  dGeomCylinderGetParams(geom, &radius, &length);
+  const dReal* const rotation = dGeomGetRotation(geom);
+  cylinder.Centre = FromODE(dGeomGetPosition(geom));
+  cylinder.Axis.Set(rotation[2], rotation[6], rotation[10]);
+  cylinder.Radius = radius;
+  cylinder.HalfLength = 0.5 * length;
+  return cylinder;
+}
+
+// the part of the first one's axis that is beside the second, m from the first one's centre
+struct SBeside {
+  Real Low;
+  Real High;
+};
+
+SBeside FindBeside(const SUpright& first, const SUpright& second) {
+  const Real along = (second.Centre - first.Centre).DotProduct(first.Axis);
+  return {std::max(-first.HalfLength, along - second.HalfLength),
+          std::min(first.HalfLength, along + second.HalfLength)};
+}
+
+// how deep they are inside each other at that height; the direction from the second to the first
+Real MeasureDepth(const SUpright& first, const SUpright& second, Real height, CVector3& direction) {
+  const CVector3 on = first.Centre + first.Axis * height;
+  const Real along = (on - second.Centre).DotProduct(second.Axis);
+  direction = on - (second.Centre + second.Axis * along);
+  const Real distance = direction.Length();
+  // on one axis there is no direction
+  if (!(distance > 1e-9)) {
+    return -1.0;
+  }
+  direction /= distance;
+  return first.Radius + second.Radius - distance;
+}
+
+}  // namespace
+
+int FindContacts(dGeomID first, dGeomID second, int most, dContactGeom* contacts, int skip) {
+  if (dGeomGetClass(first) != dCylinderClass || dGeomGetClass(second) != dCylinderClass) {
+    return dCollide(first, second, most, contacts, skip);
+  }
+  const SUpright a = Describe(first);
+  const SUpright b = Describe(second);
+  const SBeside beside = FindBeside(a, b);
+  CVector3 direction;
+  const Real depth = MeasureDepth(a, b, 0.5 * (beside.Low + beside.High), direction);
+  const bool isParallel = std::abs(a.Axis.DotProduct(b.Axis)) > kParallel;
+  if (!isParallel || (depth > 0.0 && beside.High - beside.Low < depth)) {
+    // askew, or one on top of the other
+    return dCollide(first, second, most, contacts, skip);
+  }
+  if (beside.High < beside.Low) {
+    return 0;
+  }
+  int count = 0;
+  for (const Real height : {beside.Low, beside.High}) {
+    const Real inside = MeasureDepth(a, b, height, direction);
+    if (inside < 0.0 || count == most) {
+      continue;
+    }
+    auto& contact = *reinterpret_cast<dContactGeom*>(reinterpret_cast<char*>(contacts) +
+                                                     static_cast<size_t>(count) * skip);
+    const CVector3 point = a.Centre + a.Axis * height - direction * (a.Radius - 0.5 * inside);
+    for (UInt32 i = 0; i < 3; ++i) {
+      contact.pos[i] = point[i];
+      contact.normal[i] = direction[i];
+    }
+    contact.depth = inside;
+    contact.g1 = first;
+    contact.g2 = second;
+    contact.side1 = contact.side2 = -1;
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace argos

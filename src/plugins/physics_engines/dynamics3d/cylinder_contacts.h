@@ -1,0 +1,18 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_CYLINDER_CONTACTS_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_CYLINDER_CONTACTS_H
+
+#include <ode/ode.h>
+
+namespace argos {
+
+/**
+ * dCollide(), but for two cylinders that stand side by side, which is how most robots meet: exact
+ * there, at both ends of the line on which they touch.
+ * @param skip  bytes from one contact to the next.
+ * @return the number of contacts, at most @p most.
+ */
+int FindContacts(dGeomID first, dGeomID second, int most, dContactGeom* contacts, int skip);
+
+}  // namespace argos
+
+#endif

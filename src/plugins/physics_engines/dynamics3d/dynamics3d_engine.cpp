@@ -1,0 +1,568 @@
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_engine.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/string_utilities.h>
+#include <argos3/plugins/simulator/entities/quadrotor_entity.h>
+#include <argos3/plugins/simulator/entities/turret_entity.h>
+#include <argos3/plugins/simulator/entities/value_checks.h>
+#include <argos3/plugins/simulator/entities/wheeled_entity.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_model.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/ode_session.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/read_settings.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_world.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+// m; beyond it, contacts are no longer resolved to a tenth of the smallest robot's casters
+constexpr Real kFarthest = 1e6;
+// substeps of a tick; more would never end
+constexpr UInt32 kMaxIterations = 10000;
+// s: substeps without "iterations" are not longer
+constexpr Real kDefaultSubstep = 0.01;
+// m: what rests on the bottom of a region has sunk in by less
+constexpr Real kSunk = 1e-3;
+
+// of half the angle: what leans by less than 1e-3 rad, as robots do when they roll, is reported as
+// upright. Sensors and placement compute with upright solids exactly and fast.
+constexpr Real kUpright = 5e-4;
+
+CQuaternion Straighten(const CQuaternion& orientation) {
+  const Real length = std::hypot(orientation.GetW(), orientation.GetZ());
+  if (std::abs(orientation.GetX()) > kUpright || std::abs(orientation.GetY()) > kUpright) {
+    return orientation;
+  }
+  return CQuaternion(orientation.GetW() / length, 0.0, 0.0, orientation.GetZ() / length);
+}
+
+std::string NameOf(const CEmbodiedEntity& body) {
+  return "\"" + body.GetRootEntity().GetId() + "\"";
+}
+
+bool IsFar(const CVector3& position) {
+  // written so that NaN is far too
+  return !(std::abs(position.GetX()) + std::abs(position.GetY()) + std::abs(position.GetZ()) <=
+           kFarthest);
+}
+
+SRigidPose PoseOf(const CEmbodiedEntity& body) {
+  const SAnchor& origin = body.GetOriginAnchor();
+  return {origin.Position, origin.Orientation};
+}
+
+// speeds of the left and the right wheel of a body with a drive; null for others
+const Real* FindWheels(CEmbodiedEntity& body) {
+  const SBodyDescription& description = *body.GetBodyDescription();
+  if (!body.IsMovable() || !description.Drive || description.Propellers) {
+    return nullptr;
+  }
+  auto& root = static_cast<CComposableEntity&>(body.GetRootEntity());
+  const auto& wheels = root.GetComponent<CWheeledEntity>("wheels");
+  if (wheels.GetNumWheels() < 2) {
+    THROW_ARGOSEXCEPTION("robot " << NameOf(body) << " has a differential drive, but "
+                                  << wheels.GetNumWheels() << " wheel instead of 2");
+  }
+  return wheels.GetWheelVelocities();
+}
+
+// null unless it flies
+const CQuadRotorEntity* FindQuadrotor(CEmbodiedEntity& body) {
+  if (!body.IsMovable() || !body.GetBodyDescription()->Propellers) {
+    return nullptr;
+  }
+  auto& root = static_cast<CComposableEntity&>(body.GetRootEntity());
+  return &root.GetComponent<CQuadRotorEntity>("quadrotor");
+}
+
+void CheckBody(const CEmbodiedEntity& body) {
+  const CVector3& position = body.GetOriginAnchor().Position;
+  if (IsFar(position)) {
+    THROW_ARGOSEXCEPTION(NameOf(body)
+                         << " at (" << position << ") is farther than " << kFarthest
+                         << " m from the origin: contacts would no longer be accurate");
+  }
+  const std::string flaw = FindFlaw(*body.GetBodyDescription(), body.IsMovable());
+  if (!flaw.empty()) {
+    THROW_ARGOSEXCEPTION(NameOf(body) << " cannot be a rigid body: " << flaw);
+  }
+}
+
+bool IsPartOfEngine(const std::string& tag) {
+  return tag == "boundaries" || tag == "solver" || tag == "contacts";
+}
+
+}  // namespace
+
+CDynamics3DEngine::CDynamics3DEngine() : m_settings(std::make_unique<SRigidSettings>()) {}
+
+CDynamics3DEngine::~CDynamics3DEngine() = default;
+
+void CDynamics3DEngine::Init(TConfigurationNode& tree) {
+  m_settings->Tick = m_cSimulator.GetTickLength();
+  // a tick that is a multiple of the substep takes no one more for its rounding
+  const Real substeps = std::ceil(m_settings->Tick / kDefaultSubstep - 1e-6);
+  SetIterations(static_cast<UInt32>(std::clamp<Real>(substeps, 1.0, kMaxIterations)));
+  CPhysicsEngine::Init(tree);
+  if (GetIterations() > kMaxIterations) {
+    THROW_ARGOSEXCEPTION(OwnerOf(tree) << ": \"iterations\" must be at most " << kMaxIterations
+                                       << ", found " << GetIterations());
+  }
+  m_settings->Substeps = GetIterations();
+  ReadRigidSettings(tree, *m_settings);
+  UseODEInThisThread();
+  if (!HasOwnODERandom() && m_settings->SolverIterations > kSweepsWithoutDrawing) {
+    LOGERR << "[WARNING] " << OwnerOf(tree) << ": a library loaded earlier has brought ODE along: "
+           << "its iterative stepper makes only " << kSweepsWithoutDrawing << " of "
+           << m_settings->SolverIterations << " sweeps, so that results do not depend on threads"
+           << std::endl;
+    m_settings->SolverIterations = kSweepsWithoutDrawing;
+  }
+  InitPlugins(tree);
+}
+
+void CDynamics3DEngine::InitPlugins(TConfigurationNode& tree) {
+  TConfigurationNodeIterator child;
+  for (child = child.begin(&tree); child != child.end(); ++child) {
+    const std::string& label = child->Value();
+    if (IsPartOfEngine(label)) {
+      continue;
+    }
+    if (!CFactory<CDynamics3DPlugin>::Exists(label)) {
+      THROW_ARGOSEXCEPTION(child->GetLocation()
+                           << ": <dynamics3d> has no add-on <" << label << ">"
+                           << DidYouMean(label, CFactory<CDynamics3DPlugin>::GetLabels()));
+    }
+    try {
+      std::unique_ptr<CDynamics3DPlugin> plugin(CFactory<CDynamics3DPlugin>::New(label));
+      plugin->SetEngine(*this);
+      plugin->Init(*child);
+      m_plugins.push_back(std::move(plugin));
+    } catch (std::exception& error) {
+      THROW_ARGOSEXCEPTION_NESTED(
+          child->GetLocation() << ": <" << label << ">: the add-on cannot be initialised", error);
+    }
+  }
+}
+
+// The world is made anew from the entities, in the next tick: nothing of the run so far is left in
+// it, nor of where bodies were put before that tick.
+void CDynamics3DEngine::Reset() {
+  m_world.reset();
+  for (const auto& model : m_models) {
+    model->m_body = nullptr;
+  }
+  while (!m_displaced.empty()) {
+    ForgetDisplaced(*m_displaced.back());
+  }
+  for (const auto& plugin : m_plugins) {
+    plugin->Reset();
+  }
+}
+
+void CDynamics3DEngine::Destroy() {
+  m_world.reset();
+  m_displaced.clear();
+  m_models.clear();
+  for (const auto& plugin : m_plugins) {
+    plugin->Destroy();
+  }
+  m_plugins.clear();
+}
+
+void CDynamics3DEngine::PostSpaceInit() {
+  const auto hasWheels = [](const auto& model) { return model->m_wheels != nullptr; };
+  if (m_gravity == CVector3() && std::any_of(m_models.begin(), m_models.end(), hasWheels)) {
+    LOGERR << "[WARNING] the engine \"" << GetId()
+           << "\" has no gravity, so the wheels of its robots find no hold: it needs the children "
+              "<gravity g=\"9.81\" /> and <floor />"
+           << std::endl;
+  }
+}
+
+void CDynamics3DEngine::SetGravity(const CVector3& gravity) {
+  m_gravity = gravity;
+  if (m_world != nullptr) {
+    m_world->SetGravity(gravity);
+  }
+}
+
+void CDynamics3DEngine::AddGroundPlane(Real height, Real friction) {
+  m_planes.push_back({height, friction});
+  if (m_world != nullptr) {
+    m_world->AddPlane(m_planes.back());
+  }
+}
+
+Real CDynamics3DEngine::GetDefaultFriction() const {
+  return m_settings->Friction;
+}
+
+Real CDynamics3DEngine::GetSubstep() const {
+  return m_world != nullptr ? m_world->GetSubstep() : GetPhysicsClockTick();
+}
+
+UInt32 CDynamics3DEngine::GetNumSubsteps() const {
+  return m_world != nullptr ? m_world->GetNumSubsteps() : GetIterations();
+}
+
+bool CDynamics3DEngine::AddEntity(CEntity& entity) {
+  CEmbodiedEntity* const body = FindDescribedBody(entity);
+  if (body == nullptr) {
+    return false;
+  }
+  CheckBody(*body);
+  // asks for its components, so that a missing one is told of now
+  FindQuadrotor(*body);
+  auto model = std::make_unique<CDynamics3DModel>(*this, *body, FindWheels(*body));
+  CDynamics3DModel& added = *model;
+  body->AddPhysicsModel(GetId(), added);
+  added.m_number = m_models.size();
+  m_models.push_back(std::move(model));
+  if (m_world != nullptr) {
+    UseODEInThisThread();
+    AddToWorld(added);
+  }
+  for (const auto& plugin : m_plugins) {
+    plugin->RegisterModel(added);
+  }
+  return true;
+}
+
+std::string CDynamics3DEngine::ExplainRefusal(CEntity& entity) const {
+  return "houses only bodies that are described (SBodyDescription), and <" +
+         entity.GetTypeDescription() + "> describes none";
+}
+
+bool CDynamics3DEngine::RemoveEntity(CEntity& entity) {
+  CEmbodiedEntity* const body = FindDescribedBody(entity);
+  for (UInt32 i = 0; body != nullptr && i < body->GetPhysicsModelsNum(); ++i) {
+    if (&body->GetPhysicsModel(i).GetEngine() != this) {
+      continue;
+    }
+    auto& model = static_cast<CDynamics3DModel&>(body->GetPhysicsModel(i));
+    for (const auto& plugin : m_plugins) {
+      plugin->UnregisterModel(model);
+    }
+    ForgetDisplaced(model);
+    if (m_world != nullptr) {
+      m_world->Remove(*model.m_body);
+    }
+    body->RemovePhysicsModel(GetId());
+    // the last model takes the number of the one that goes
+    const size_t number = model.m_number;
+    std::swap(m_models[number], m_models.back());
+    m_models[number]->m_number = number;
+    m_models.pop_back();
+    return true;
+  }
+  return false;
+}
+
+void CDynamics3DEngine::TransferEntity(CEmbodiedEntity& body) {
+  const auto* const model = dynamic_cast<CDynamics3DModel*>(&body.GetPhysicsModel(size_t(0)));
+  if (model == nullptr || &model->GetEngine() != this) {
+    return;
+  }
+  const SRigidMotion motion =
+      model->m_body != nullptr ? GetRigidMotion(*model->m_body) : SRigidMotion();
+  CDynamics3DEngine* const next = FindNext(body);
+  if (next != nullptr && next->m_world != nullptr && m_world != nullptr &&
+      m_world->GetGrips().IsInGrip(*model->m_body)) {
+    TransferCluster(*model, *next);
+    return;
+  }
+  CPhysicsEngine::TransferEntity(body);
+  auto* const moved = dynamic_cast<CDynamics3DModel*>(&body.GetPhysicsModel(size_t(0)));
+  if (moved != nullptr && moved->m_body != nullptr) {
+    moved->GetDynamics3DEngine().PlaceAtAnchor(*moved, motion);
+  }
+}
+
+// the engine that would take the body, if it is another one of this type
+CDynamics3DEngine* CDynamics3DEngine::FindNext(const CEmbodiedEntity& body) const {
+  for (CPhysicsEngine* engine : m_cSimulator.GetPhysicsEngines()) {
+    if (engine->IsPointContained(body.GetOriginAnchor().Position)) {
+      auto* const next = dynamic_cast<CDynamics3DEngine*>(engine);
+      return next != this ? next : nullptr;
+    }
+  }
+  return nullptr;
+}
+
+// Of all that hangs together with a body in grips, does it have the lowest index?
+bool CDynamics3DEngine::LeadsItsCluster(const CDynamics3DModel& model) {
+  m_world->GetGrips().FindCluster(*model.m_body, m_cluster);
+  return std::none_of(m_cluster.begin(), m_cluster.end(), [&model](const SRigidBody* each) {
+    return each->Source.Owner->GetEmbodiedEntity().GetIndex() < model.m_cEmbodiedEntity.GetIndex();
+  });
+}
+
+void CDynamics3DEngine::TransferCluster(const CDynamics3DModel& model, CDynamics3DEngine& next) {
+  struct SMember {
+    CEmbodiedEntity* Body;
+    SRigidMotion Motion;
+  };
+  struct SGrip {
+    CEmbodiedEntity* Holder;
+    CEmbodiedEntity* Held;
+    CVector3 Arm;
+  };
+  m_world->GetGrips().FindCluster(*model.m_body, m_cluster);
+  m_world->GetGrips().CopyGrips(m_cluster, m_grips);
+  std::vector<SMember> members;
+  std::vector<SGrip> grips;
+  for (const SRigidBody* each : m_cluster) {
+    members.push_back({&each->Source.Owner->GetEmbodiedEntity(), GetRigidMotion(*each)});
+  }
+  for (const SGripToMove& grip : m_grips) {
+    grips.push_back({&grip.Holder->GetEmbodiedEntity(), &grip.Held->GetEmbodiedEntity(), grip.Arm});
+  }
+  const auto modelOf = [](CEmbodiedEntity& body) -> CDynamics3DModel& {
+    return static_cast<CDynamics3DModel&>(body.GetPhysicsModel(size_t(0)));
+  };
+  for (const SMember& member : members) {
+    RemoveEntity(member.Body->GetRootEntity());
+    next.AddEntity(member.Body->GetRootEntity());
+    next.PlaceAtAnchor(modelOf(*member.Body), member.Motion);
+  }
+  for (const SGrip& grip : grips) {
+    next.m_world->GetGrips().Grip(*modelOf(*grip.Holder).m_body, *modelOf(*grip.Held).m_body,
+                                  grip.Arm);
+  }
+}
+
+void CDynamics3DEngine::UpdateManipulator(CDynamics3DModel& model) {
+  if (m_world != nullptr) {
+    model.m_body->Gripper = model.m_gripper;
+    model.m_body->Turret = model.m_turret;
+    m_world->GetGrips().SetManipulator(*model.m_body);
+  }
+}
+
+void CDynamics3DEngine::Replace(CDynamics3DModel& model) {
+  ForgetDisplaced(model);
+  if (m_world != nullptr) {
+    UseODEInThisThread();
+    PlaceAtAnchor(model, {});
+  }
+}
+
+void CDynamics3DEngine::PlaceAtAnchor(CDynamics3DModel& model, const SRigidMotion& motion) {
+  const SRigidPose pose = PoseOf(model.m_cEmbodiedEntity);
+  m_world->Place(*model.m_body, pose, motion);
+  model.m_lastPosition = pose.Position;
+  model.m_lastOrientation = pose.Orientation;
+}
+
+void CDynamics3DEngine::MarkDisplaced(CDynamics3DModel& model) {
+  if (m_world != nullptr && !model.m_isDisplaced) {
+    model.m_isDisplaced = true;
+    m_displaced.push_back(&model);
+  }
+}
+
+void CDynamics3DEngine::ForgetDisplaced(CDynamics3DModel& model) {
+  if (model.m_isDisplaced) {
+    model.m_isDisplaced = false;
+    // from the end, where it mostly is
+    m_displaced.erase(std::find(m_displaced.rbegin(), m_displaced.rend(), &model).base() - 1);
+  }
+}
+
+// Most have been put back by those who only wanted to know whether a place is free.
+void CDynamics3DEngine::ReplaceDisplaced() {
+  for (CDynamics3DModel* model : m_displaced) {
+    model->m_isDisplaced = false;
+    const SAnchor& origin = model->m_cEmbodiedEntity.GetOriginAnchor();
+    if (!(model->m_lastPosition == origin.Position &&
+          model->m_lastOrientation == origin.Orientation)) {
+      PlaceAtAnchor(*model, {});
+    }
+  }
+  m_displaced.clear();
+}
+
+// bodies enter the world in the order of their entities, whatever happened before
+void CDynamics3DEngine::Build() {
+  std::vector<CDynamics3DModel*> models;
+  models.reserve(m_models.size());
+  for (const auto& model : m_models) {
+    models.push_back(model.get());
+  }
+  std::sort(models.begin(), models.end(), [](CDynamics3DModel* a, CDynamics3DModel* b) {
+    return a->GetEmbodiedEntity().GetIndex() < b->GetEmbodiedEntity().GetIndex();
+  });
+  m_world = std::make_unique<CRigidWorld>(*m_settings, [this] { UpdatePlugins(); });
+  m_world->SetGravity(m_gravity);
+  for (const SGroundPlane& plane : m_planes) {
+    m_world->AddPlane(plane);
+  }
+  for (CDynamics3DModel* model : models) {
+    AddToWorld(*model);
+  }
+}
+
+void CDynamics3DEngine::AddToWorld(CDynamics3DModel& model) {
+  CEmbodiedEntity& body = model.m_cEmbodiedEntity;
+  SRigidSource source;
+  source.Owner = &model;
+  source.Description = body.GetBodyDescription();
+  source.Movable = body.IsMovable();
+  source.Wheels = model.m_wheels;
+  source.Quadrotor = FindQuadrotor(body);
+  const SRigidPose pose = PoseOf(body);
+  model.m_body = &m_world->Add(source, pose);
+  if (source.Movable) {
+    UpdateManipulator(model);
+  }
+  model.m_lastPosition = pose.Position;
+  model.m_lastOrientation = pose.Orientation;
+}
+
+void CDynamics3DEngine::UpdatePlugins() {
+  for (const auto& plugin : m_plugins) {
+    plugin->Update();
+  }
+}
+
+void CDynamics3DEngine::Update() {
+  UseODEInThisThread();
+  if (m_world == nullptr) {
+    Build();
+  }
+  ReplaceDisplaced();
+  m_world->Advance();
+  ReportFailures();
+  for (const SRigidBody* body : m_world->GetMovables()) {
+    WriteBack(*body->Source.Owner);
+  }
+}
+
+// Who asks for the direct solver alone is told when it fails.
+void CDynamics3DEngine::ReportFailures() {
+  if (m_settings->Stepper == SRigidSettings::EStepper::Direct && !m_hasReported &&
+      m_world->GetNumGivenUp() > 0) {
+    m_hasReported = true;
+    LOGERR << "[WARNING] the engine \"" << GetId()
+           << "\": ODE's direct solver has left contacts unsolved; the stepper \"mixed\" would "
+              "leave them to the iterative one (told once)"
+           << std::endl;
+  }
+}
+
+void CDynamics3DEngine::WriteBack(CDynamics3DModel& model) {
+  CEmbodiedEntity& entity = model.m_cEmbodiedEntity;
+  if (!model.m_body->Asleep || model.m_wasAwake) {
+    SRigidPose pose = GetRigidPose(*model.m_body);
+    pose.Orientation = Straighten(pose.Orientation);
+    if (IsFar(pose.Position)) {
+      THROW_ARGOSEXCEPTION(NameOf(entity)
+                           << " is now at (" << pose.Position << "), farther than " << kFarthest
+                           << " m from the origin: has it fallen off the world, or "
+                              "is a force on it too great?");
+    }
+    entity.SetOriginPose(pose.Position, pose.Orientation);
+    model.m_lastPosition = pose.Position;
+    model.m_lastOrientation = pose.Orientation;
+    model.CalculateBoundingBox();
+  }
+  model.m_wasAwake = !model.m_body->Asleep;
+  if (entity.GetEnabledAnchors().size() > 1) {
+    model.CalculateAnchors();
+  }
+  model.m_root.Update();
+  if (IsEntityTransferActive() && !IsPointContained(entity.GetOriginAnchor().Position) &&
+      (!m_world->GetGrips().IsInGrip(*model.m_body) || LeadsItsCluster(model))) {
+    ScheduleEntityForTransfer(entity);
+  }
+}
+
+// What rests on the bottom of the region has sunk in a little.
+bool CDynamics3DEngine::IsPointContained(const CVector3& point) {
+  return CPhysicsEngine::IsPointContained(point) ||
+         CPhysicsEngine::IsPointContained(point + CVector3(0.0, 0.0, kSunk));
+}
+
+REGISTER_PHYSICS_ENGINE(
+    CDynamics3DEngine, "dynamics3d", "the authors of this project", "1.0",
+    "Rigid bodies in three dimensions, on ODE.",
+    R"(Robots and objects in space: they fall, slide, roll, stack and topple. Robots with a differential drive roll
+on two sprung wheels with motors, and four casters without friction; robots with propellers fly by their own
+controllers; grippers hold, and turrets swing, what they have gripped.
+There is no gravity and no floor without the add-ons of these names.
+
+REQUIRED XML
+
+  <physics_engines>
+    <dynamics3d id="dyn3d">
+      <floor />
+      <gravity g="9.81" />
+    </dynamics3d>
+  </physics_engines>
+
+OPTIONAL XML
+
+  <physics_engines>
+    <dynamics3d id="dyn3d" iterations="10" default_friction="1" sleep="true">
+      <floor height="0" friction="1" />
+      <gravity vector="0,0,-9.81" />
+      <magnetism force_constant="7.0500949e-13" max_distance="0.5" />
+      <solver stepper="mixed" iterations="32" max_direct_rows="100" erp="0.2" cfm="1e-5" />
+      <contacts restitution="0" bounce_speed="0.02" surface_layer="1e-5" max_correcting_speed="1" />
+      <boundaries>
+        <top height="2" />
+        <bottom height="0" />
+        <sides>
+          <vertex point="0,0" /> <vertex point="5,0" /> <vertex point="5,5" /> <vertex point="0,5" />
+        </sides>
+      </boundaries>
+    </dynamics3d>
+  </physics_engines>
+
+ATTRIBUTES
+
+  id                    text, required: unique among the engines.
+  iterations            integer in [1,10000]: least number of substeps of a tick. Not given: so many that none is
+                        longer than 0.01 s. In any case more, up to 16 times as many, while something would move by
+                        more than half its narrowest side in a substep.
+  default_friction      in [0,1000], default 1: Coulomb's coefficient of every body. That of a contact is the product
+                        of both.
+  sleep                 "true" (default) or "false": are bodies left out of the computation that have been at rest
+                        (below 1 mm/s and 0.01 rad/s) on something for half a second, until something comes near?
+  floor                 an endless plane that holds up what is above it. height: m, default 0. friction: >= 0,
+                        default 1.
+  gravity               g: m/s^2, default 10, downward. Or vector: "x,y,z", m/s^2.
+  magnetism             forces between the magnets of robots (<magnets>), see its own description: force_constant,
+                        default 7.0500949e-13; max_distance: m, default endless.
+  solver@stepper        "direct": ODE's dWorldStep, exact, for few bodies that touch. "iterative": dWorldQuickStep,
+                        approximate, for crowds. "mixed" (default): direct for what hangs together by few contacts,
+                        iterative for the rest.
+  solver@iterations     integer in [1,1000], default 32: sweeps of the iterative stepper over the constraints in a
+                        substep.
+  solver@max_direct_rows  integer, default 100: the most constraints of bodies that hang together that "mixed" solves
+                        directly. A robot on the floor has 22, a box 12.
+  solver@erp            in [0.01,1], default 0.2: the share of an error of position that is corrected in a substep.
+  solver@cfm            m/s per N, in [1e-10,1], default 1e-5: how soft constraints are.
+  contacts@restitution  in [0,1], default 0: the speed after an impact over that before it; not of wheels.
+  contacts@bounce_speed m/s, >= 0, default 0.02: what meets more slowly does not bounce.
+  contacts@surface_layer  m, >= 0, default 1e-5: how deep bodies may rest in each other.
+  contacts@max_correcting_speed  m/s, default 1: what is inside each other is pushed apart no faster.
+  boundaries            the region of the engine, default everything: top@height and bottom@height, in m, and
+                        sides/vertex@point, in m, at least three, counter-clockwise, convex. A body that leaves it moves
+                        on to the engine whose region it enters.
+  debug_file            accepted and ignored.
+
+Every other child is an add-on that a library has registered (REGISTER_DYNAMICS3D_PLUGIN).
+)",
+    "Usable")
+
+}  // namespace argos

@@ -1,0 +1,62 @@
+#include <argos3/core/utility/math/vector3.h>
+#include <argos3/plugins/simulator/entities/value_checks.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_engine.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_plugin.h>
+
+namespace argos {
+
+namespace {
+
+constexpr Real kDefaultGravity = 10.0;  // m/s^2, as published with ARGoS 3
+
+}  // namespace
+
+/** Gravity, the same everywhere. */
+class CDynamics3DGravityPlugin : public CDynamics3DPlugin {
+ public:
+  void Init(TConfigurationNode& tree) override {
+    const bool hasVector = NodeAttributeExists(tree, "vector");
+    if (hasVector && NodeAttributeExists(tree, "g")) {
+      THROW_ARGOSEXCEPTION(OwnerOf(tree) << ": give either \"g\", downward, or \"vector\"");
+    }
+    CVector3 gravity;
+    if (hasVector) {
+      GetNodeAttribute(tree, "vector", gravity);
+    } else {
+      Real g = kDefaultGravity;
+      GetNodeAttributeOrDefault(tree, "g", g, g);
+      gravity.Set(0.0, 0.0, -g);
+    }
+    if (!std::isfinite(gravity.Length())) {
+      THROW_ARGOSEXCEPTION(OwnerOf(tree)
+                           << ": gravity must be finite, found (" << gravity << ") m/s^2");
+    }
+    GetEngine().SetGravity(gravity);
+  }
+};
+
+REGISTER_DYNAMICS3D_PLUGIN(
+    CDynamics3DGravityPlugin, "gravity", "the authors of this project", "1.0",
+    "Gravity for dynamics3d.",
+    R"(Every movable body is accelerated alike. Without this add-on, nothing falls.
+
+REQUIRED XML
+
+  <dynamics3d id="dyn3d">
+    <gravity />
+  </dynamics3d>
+
+OPTIONAL XML
+
+  <dynamics3d id="dyn3d">
+    <gravity g="9.81" />
+  </dynamics3d>
+
+ATTRIBUTES
+
+  g       m/s^2, default 10: downward.
+  vector  "x,y,z", m/s^2, instead of g: in any direction.
+)",
+    "Usable")
+
+}  // namespace argos

@@ -1,0 +1,141 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_RIGID_BODY_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_RIGID_BODY_H
+
+#include <argos3/core/utility/math/quaternion.h>
+#include <argos3/core/utility/math/vector3.h>
+
+#include <ode/ode.h>
+
+#include <array>
+#include <vector>
+
+namespace argos {
+
+class CDynamics3DModel;
+class CGripperEquippedEntity;
+class CQuadRotorEntity;
+class CTurretEntity;
+struct SBodyDescription;
+struct SRigidSettings;
+
+inline CVector3 FromODE(const dReal* vector) {
+  return CVector3(vector[0], vector[1], vector[2]);
+}
+
+/** Where a body is: the origin of its description, world frame. */
+struct SRigidPose {
+  CVector3 Position;  // m
+  CQuaternion Orientation;
+};
+
+/** How a body moves; what it needs to go on in another engine, besides its pose. */
+struct SRigidMotion {
+  CVector3 Velocity;  // of the centre of mass, m/s
+  CVector3 AngularVelocity;  // rad/s, world frame
+  std::array<Real, 2> WheelSpins{};  // rad/s on the axle, positive ahead
+  std::array<Real, 4> FlightErrors{};  // of the last substep: x, y, z (m) and yaw (rad)
+};
+
+/**
+ * What a robot rolls on: a sphere that only what bears it can touch. No geom of ODE's, because most
+ * of the time it is on a floor, which takes no geometry.
+ */
+struct SRoller {
+  CVector3 Offset;  // of its centre from the centre of mass, frame of the body, m
+  Real Radius = 0.0;  // m; of a wheel, with its travel
+};
+
+/** What a rigid body is made of; see CRigidWorld::Add(). */
+struct SRigidSource {
+  CDynamics3DModel* Owner = nullptr;  // not owned
+  const SBodyDescription* Description = nullptr;  // outlives the body
+  bool Movable = true;
+  const Real* Wheels = nullptr;  // speeds of the left and right rim, m/s; null without a drive
+  const CQuadRotorEntity* Quadrotor = nullptr;  // null without propellers
+};
+
+/** A body in ODE: one rigid part, or a chassis with two wheels on hinges; or fixed geoms only. */
+struct SRigidBody {
+  SRigidSource Source;
+  dBodyID Body = nullptr;  // null: fixed
+  std::array<dBodyID, 2> Wheels{};  // left, right; null without a drive
+  std::array<dJointID, 2> Axles{};
+  // of the robot; null if it has none; not owned
+  CGripperEquippedEntity* Gripper = nullptr;
+  CTurretEntity* Turret = nullptr;
+  bool HasManipulator = false;  // is it known to CRigidGrips?
+  dBodyID TurretBody = nullptr;  // while its gripper holds something, see CRigidGrips
+  std::vector<dGeomID> Solids;
+  std::array<SRoller, 6> Rollers;  // the wheels, then four casters; unused without a drive
+
+  CVector3 Low;  // m, world frame: bounds of everything
+  CVector3 High;
+  Real RollerMargin = 0.0;  // m: rollers reach that far beyond the bounds of the solids
+
+  CVector3 CentreOfMass;  // of Body, in the frame of the origin, m
+  Real WheelRadius = 0.0;  // m
+  Real Narrowest = 0.0;  // m, of the narrowest solid
+  Real Friction = 1.0;
+  // how a robot's wheels give way, for the present substep and gravity: as ODE's constraints do;
+  // both 0 without weight, which gives them no hold
+  Real WheelErp = 0.0;
+  Real WheelCfm = 0.0;
+  std::array<Real, 4> FlightErrors{};
+  CVector3 TiltGains;  // N m/rad, N m s/rad, N m: of what keeps a flying body upright
+
+  UInt32 Owned = 0;  // its number among all bodies of the world
+  UInt32 Number = 0;  // in the world's list of movable or of fixed bodies
+  bool Asleep = false;
+  Real QuietTime = 0.0;  // s: for how long it has hardly moved
+
+  bool IsMovable() const { return Body != nullptr; }
+  bool IsPlane() const { return Source.Description == nullptr; }
+  bool HasWheels() const { return Wheels[0] != nullptr; }
+};
+
+/** Where the centre of a roller of a robot is, m, world frame. */
+inline CVector3 LocateRoller(const SRigidBody& robot, size_t roller) {
+  if (roller < robot.Wheels.size()) {
+    return FromODE(dBodyGetPosition(robot.Wheels[roller]));
+  }
+  const dReal* const r = dBodyGetRotation(robot.Body);
+  const CVector3& o = robot.Rollers[roller].Offset;
+  return FromODE(dBodyGetPosition(robot.Body)) +
+         CVector3(r[0] * o.GetX() + r[1] * o.GetY() + r[2] * o.GetZ(),
+                  r[4] * o.GetX() + r[5] * o.GetY() + r[6] * o.GetZ(),
+                  r[8] * o.GetX() + r[9] * o.GetY() + r[10] * o.GetZ());
+}
+
+/** Calls visit(dBodyID) for every part of a movable body. */
+template <typename VISIT>
+void ForEachPart(const SRigidBody& body, VISIT&& visit) {
+  visit(body.Body);
+  if (body.HasWheels()) {
+    visit(body.Wheels[0]);
+    visit(body.Wheels[1]);
+  }
+  if (body.TurretBody != nullptr) {
+    visit(body.TurretBody);
+  }
+}
+
+/** Both for all of its parts; awake, it has been quiet for no time. */
+void WakeRigidBody(SRigidBody& body);
+void LayToSleep(SRigidBody& body);
+
+/** Of a unit quaternion as ODE keeps it: (w, x, y, z). */
+inline CQuaternion QuaternionFromODE(const dReal* quaternion) {
+  return CQuaternion(quaternion[0], quaternion[1], quaternion[2], quaternion[3]);
+}
+
+inline CVector3 Rotated(CVector3 vector, const CQuaternion& rotation) {
+  return vector.Rotate(rotation);
+}
+
+inline CVector3 Cross(CVector3 a, const CVector3& b) {
+  return a.CrossProduct(b);
+}
+
+}  // namespace argos
+
+#endif

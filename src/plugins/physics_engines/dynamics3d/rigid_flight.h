@@ -1,0 +1,18 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_RIGID_FLIGHT_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_RIGID_FLIGHT_H
+
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
+
+namespace argos {
+
+/**
+ * Lets the propellers of a body push it through the coming substep: its controllers on position or
+ * velocity and on the yaw (SPropellersDescription), and one that keeps it upright.
+ * @param gravity  m/s^2: the weight that the propellers counter.
+ * @param substep  s.
+ */
+void PushFlyingBody(SRigidBody& body, const CVector3& gravity, Real substep);
+
+}  // namespace argos
+
+#endif

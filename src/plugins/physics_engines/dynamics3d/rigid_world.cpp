@@ -1,0 +1,279 @@
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_world.h>
+
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/physics_engine/flight_loop.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/ode_session.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_flight.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace argos {
+
+namespace {
+
+// takes a body out of a list by its number, which the last one gets
+void TakeOut(std::vector<SRigidBody*>& bodies, const SRigidBody& body) {
+  const UInt32 number = body.Number;
+  bodies[number] = bodies.back();
+  bodies[number]->Number = number;
+  bodies.pop_back();
+}
+
+}  // namespace
+
+CRigidWorld::CRigidWorld(const SRigidSettings& settings, std::function<void()> beforeSubstep)
+    : m_settings(settings),
+      m_beforeSubstep(std::move(beforeSubstep)),
+      m_world(dWorldCreate()),
+      m_threading(dThreadingAllocateSelfThreadedImplementation()) {
+  dWorldSetStepThreadingImplementation(m_world, dThreadingImplementationGetFunctions(m_threading),
+                                       m_threading);
+  dWorldSetERP(m_world, m_settings.ErrorReduction);
+  dWorldSetCFM(m_world, m_settings.ConstraintForceMixing);
+  dWorldSetContactSurfaceLayer(m_world, m_settings.SurfaceLayer);
+  dWorldSetContactMaxCorrectingVel(m_world, m_settings.MaxCorrectingSpeed);
+  dWorldSetQuickStepNumIterations(m_world, static_cast<int>(m_settings.SolverIterations));
+  // sleeping is ours: by islands
+  dWorldSetAutoDisableFlag(m_world, 0);
+  m_contacts = std::make_unique<CContactFinder>(m_settings, m_world);
+  m_grips = std::make_unique<CRigidGrips>(m_world);
+}
+
+CRigidWorld::~CRigidWorld() {
+  m_contacts->Clear();
+  m_grips.reset();
+  for (const auto& body : m_owned) {
+    DestroyRigidBody(*body);
+  }
+  m_contacts.reset();
+  dWorldDestroy(m_world);
+  dThreadingFreeImplementation(m_threading);
+}
+
+void CRigidWorld::SetGravity(const CVector3& gravity) {
+  m_gravity = gravity;
+  dWorldSetGravity(m_world, gravity.GetX(), gravity.GetY(), gravity.GetZ());
+  WakeAll();
+}
+
+void CRigidWorld::AddPlane(const SGroundPlane& plane) {
+  SRigidBody& body = MakeBody();
+  body.Friction = plane.Friction;
+  // of a plane, only this bound is looked at
+  body.High.SetZ(plane.Height);
+  const dGeomID geom = dCreatePlane(nullptr, 0.0, 0.0, 1.0, plane.Height);
+  body.Solids.push_back(geom);
+  m_planes.push_back(&body);
+  WakeAll();
+}
+
+SRigidBody& CRigidWorld::MakeBody() {
+  m_owned.push_back(std::make_unique<SRigidBody>());
+  m_owned.back()->Owned = static_cast<UInt32>(m_owned.size() - 1);
+  return *m_owned.back();
+}
+
+SRigidBody& CRigidWorld::Add(const SRigidSource& source, const SRigidPose& pose) {
+  WakeAll();
+  SRigidBody& body = MakeBody();
+  body.Source = source;
+  auto& list = source.Movable ? m_movables : m_fixed;
+  body.Number = static_cast<UInt32>(list.size());
+  list.push_back(&body);
+  BuildRigidBody(body, pose, m_settings, m_world);
+  UpdateBounds(body);
+  if (source.Quadrotor != nullptr) {
+    m_flying.push_back(&body);
+  }
+  return body;
+}
+
+void CRigidWorld::Remove(SRigidBody& body) {
+  WakeAll();
+  m_grips->ReleaseAllOf(body);
+  body.Gripper = nullptr;
+  body.Turret = nullptr;
+  m_grips->SetManipulator(body);
+  DestroyRigidBody(body);
+  TakeOut(body.Source.Movable ? m_movables : m_fixed, body);
+  if (body.Source.Quadrotor != nullptr) {
+    m_flying.erase(std::find(m_flying.begin(), m_flying.end(), &body));
+  }
+  const UInt32 owned = body.Owned;
+  m_owned.back()->Owned = owned;
+  std::swap(m_owned[owned], m_owned.back());
+  m_owned.pop_back();
+}
+
+void CRigidWorld::Place(SRigidBody& body, const SRigidPose& pose, const SRigidMotion& motion) {
+  WakeAll();
+  m_grips->ReleaseAllOf(body);
+  PlaceRigidBody(body, pose, motion);
+  UpdateBounds(body);
+}
+
+// Called by everything that comes between ticks.
+void CRigidWorld::WakeAll() {
+  m_contacts->MarkChanged();
+  for (SRigidBody* body : m_movables) {
+    WakeRigidBody(*body);
+  }
+}
+
+void CRigidWorld::Advance() {
+  StartTick();
+  m_grips->StartTick(m_movables, m_settings.Tick);
+  for (UInt32 i = 0; i < m_numSubsteps; ++i) {
+    m_beforeSubstep();
+    for (SRigidBody* body : m_flying) {
+      PushFlyingBody(*body, m_gravity, m_substep);
+    }
+    m_contacts->Find(m_movables, m_fixed, m_planes, *m_grips, m_gravity);
+    Step();
+    m_contacts->Clear();
+    m_grips->LetSlip();
+  }
+  m_grips->EndTick(m_settings.Tick);
+  if (m_settings.Sleep) {
+    LayQuietToSleep();
+  }
+}
+
+// Takes over what wheels are to do.
+void CRigidWorld::StartTick() {
+  for (SRigidBody* body : m_movables) {
+    if (!body->HasWheels()) {
+      continue;
+    }
+    for (size_t i = 0; i < body->Axles.size(); ++i) {
+      const Real speed = body->Source.Wheels[i];
+      dJointSetHingeParam(body->Axles[i], dParamVel, speed / body->WheelRadius);
+      if (speed != 0.0) {
+        WakeRigidBody(*body);
+      }
+    }
+  }
+  m_mostDirectRows = m_settings.MaxDirectRows;
+  m_numSubsteps = CountSubsteps();
+  SetSubstep(m_settings.Tick / m_numSubsteps);
+}
+
+// ODE finds contacts only where bodies are at the end of a substep: none may get through another in
+// one, and none may have a controller that is not stable.
+UInt32 CRigidWorld::CountSubsteps() const {
+  const Real gain = m_gravity.Length() * m_settings.Tick;
+  Real strides = 0.0;
+  for (const SRigidBody* body : m_movables) {
+    if (!body->Asleep) {
+      const Real speed = FromODE(dBodyGetLinearVel(body->Body)).Length() +
+                         (body->Source.Quadrotor == nullptr ? gain : 0.0);
+      strides = std::max(strides, speed * m_settings.Tick / body->Narrowest);
+    }
+  }
+  Real wanted = strides / kMaxStride;
+  for (const SRigidBody* body : m_flying) {
+    // half of the bound, as in pointmass3d
+    const Real bound = ComputeFlightBound(*body->Source.Description);
+    wanted = std::max(wanted, m_settings.Tick / (0.5 * bound));
+  }
+  const Real most = static_cast<Real>(m_settings.Substeps) * kMaxRefinement;
+  return std::max(m_settings.Substeps, static_cast<UInt32>(std::ceil(std::min(wanted, most))));
+}
+
+void CRigidWorld::SetSubstep(Real substep) {
+  m_substep = substep;
+  for (SRigidBody* body : m_movables) {
+    if (body->HasWheels()) {
+      TuneWheels(*body, m_gravity.Length(), substep);
+    }
+  }
+}
+
+void CRigidWorld::Step() {
+  using enum SRigidSettings::EStepper;
+  if (m_settings.Stepper == Iterative) {
+    StepIteratively();
+  } else if (m_settings.Stepper == Direct || m_contacts->GetMostRows() <= m_mostDirectRows) {
+    StepDirectly();
+  } else {
+    StepByIslands();
+  }
+}
+
+// Where contacts are redundant in a certain way, ODE's direct solver gives up on some: for the rest
+// of the tick, larger islands are left to the other one.
+void CRigidWorld::StepDirectly() {
+  // what another world of this thread has left is none of this one's business
+  TakeODEComplaint();
+  dWorldStep(m_world, m_substep);
+  if (TakeODEComplaint() != nullptr) {
+    ++m_numGivenUp;
+    m_mostDirectRows = std::min(m_mostDirectRows, kSimpleRows);
+  }
+}
+
+// ODE steps every island that has an enabled body: first the small ones, then the large ones.
+void CRigidWorld::StepByIslands() {
+  const auto enable = [](dBodyID part) { dBodyEnable(part); };
+  const auto disable = [](dBodyID part) { dBodyDisable(part); };
+  const auto isLarge = [this](const SRigidBody& body) {
+    return m_contacts->GetIsland(body).Rows > m_mostDirectRows;
+  };
+  m_large.clear();
+  for (SRigidBody* body : m_movables) {
+    if (!body->Asleep && isLarge(*body)) {
+      m_large.push_back(body);
+      ForEachPart(*body, disable);
+    }
+  }
+  StepDirectly();
+  for (SRigidBody* body : m_movables) {
+    if (!body->Asleep) {
+      ForEachPart(*body, disable);
+    }
+  }
+  for (SRigidBody* body : m_large) {
+    ForEachPart(*body, enable);
+  }
+  StepIteratively();
+  for (SRigidBody* body : m_movables) {
+    if (!body->Asleep) {
+      ForEachPart(*body, enable);
+    }
+  }
+}
+
+void CRigidWorld::StepIteratively() {
+  // another order of the constraints in every step: the errors of one would add up
+  SeedODE(m_numIterativeSteps++);
+  dWorldQuickStep(m_world, m_substep);
+}
+
+// Islands as of the last substep. An island that nothing fixed holds moves on for ever.
+void CRigidWorld::LayQuietToSleep() {
+  for (SRigidBody* body : m_movables) {
+    if (body->Asleep) {
+      continue;
+    }
+    const bool slow = body->Source.Quadrotor == nullptr &&
+                      FromODE(dBodyGetLinearVel(body->Body)).Length() < kQuietSpeed &&
+                      FromODE(dBodyGetAngularVel(body->Body)).Length() < kQuietTurn;
+    body->QuietTime = slow ? body->QuietTime + m_settings.Tick : 0.0;
+    if (body->QuietTime < kQuietTime) {
+      m_contacts->GetIsland(*body).Quiet = false;
+    }
+  }
+  for (SRigidBody* body : m_movables) {
+    if (!body->Asleep) {
+      const CContactFinder::SIsland& island = m_contacts->GetIsland(*body);
+      if (island.Quiet && island.Supported) {
+        LayToSleep(*body);
+      }
+    }
+  }
+}
+
+}  // namespace argos

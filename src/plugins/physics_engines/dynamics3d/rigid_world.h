@@ -1,0 +1,94 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_RIGID_WORLD_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_RIGID_WORLD_H
+
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/contact_finder.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_grips.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace argos {
+
+/** A horizontal plane that holds up whatever is above it. */
+struct SGroundPlane {
+  Real Height = 0.0;  // m
+  Real Friction = 1.0;
+};
+
+/**
+ * All bodies of an engine in one ODE world.
+ *
+ * What happens is a function of the order of adding, placing, removing and Advance() alone: of no
+ * address, thread or other world.
+ */
+class CRigidWorld {
+ public:
+  /** @param beforeSubstep  called in Advance() before each substep: forces of add-ons. */
+  CRigidWorld(const SRigidSettings& settings, std::function<void()> beforeSubstep);
+  ~CRigidWorld();
+  CRigidWorld(const CRigidWorld&) = delete;
+  CRigidWorld& operator=(const CRigidWorld&) = delete;
+
+  /** m/s^2. */
+  void SetGravity(const CVector3& gravity);
+  void AddPlane(const SGroundPlane& plane);
+
+  /** Adds a body at rest; everything wakes up. The reference stays valid until Remove(). */
+  SRigidBody& Add(const SRigidSource& source, const SRigidPose& pose);
+  void Remove(SRigidBody& body);
+  /** Puts a body somewhere, with that motion; its grips are lost, and everything wakes up. */
+  void Place(SRigidBody& body, const SRigidPose& pose, const SRigidMotion& motion);
+
+  CRigidGrips& GetGrips() { return *m_grips; }
+
+  /** Moves everything by a tick. */
+  void Advance();
+
+  /** In order of addition, but for what has taken the places of removed ones. */
+  const std::vector<SRigidBody*>& GetMovables() const { return m_movables; }
+  /** s, of the substep that is under way. */
+  Real GetSubstep() const { return m_substep; }
+  UInt32 GetNumSubsteps() const { return m_numSubsteps; }
+  /** Steps so far in which the direct solver has left some contacts unsolved. */
+  UInt64 GetNumGivenUp() const { return m_numGivenUp; }
+
+ private:
+  SRigidBody& MakeBody();
+  void WakeAll();
+  void StartTick();
+  UInt32 CountSubsteps() const;
+  void SetSubstep(Real substep);
+  void Step();
+  void StepDirectly();
+  void StepByIslands();
+  void StepIteratively();
+  void LayQuietToSleep();
+
+  SRigidSettings m_settings;
+  std::function<void()> m_beforeSubstep;
+  CVector3 m_gravity;  // m/s^2
+  dWorldID m_world;
+  // of this world alone: that of all worlds that have none cannot be used by several threads at
+  // once
+  dThreadingImplementationID m_threading;
+  std::unique_ptr<CContactFinder> m_contacts;
+  std::unique_ptr<CRigidGrips> m_grips;
+  std::vector<std::unique_ptr<SRigidBody>> m_owned;
+  std::vector<SRigidBody*> m_planes;
+  std::vector<SRigidBody*> m_fixed;  // by number
+  std::vector<SRigidBody*> m_movables;  // by number
+  std::vector<SRigidBody*> m_flying;
+  std::vector<SRigidBody*> m_large;  // in islands that are solved iteratively
+  Real m_substep = 0.0;  // s
+  UInt32 m_numSubsteps = 0;  // of this tick
+  UInt32 m_numIterativeSteps = 0;  // so far
+  UInt32 m_mostDirectRows = 0;  // of an island, for now
+  UInt64 m_numGivenUp = 0;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,107 @@
+// Add-ons of dynamics3d: magnets, and what is wrong in a file.
+
+#include <argos3/testing/contract/physics_engines/rigid_scene.h>
+#include <argos3/testing/support/captured_logs.h>
+
+#include <argos3/core/utility/math/angles.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+namespace argos {
+
+using Catch::Matchers::Contains;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+// A foot-bot with a magnet at its centre of mass, which is as high as its axle.
+std::string MagnetXml(const std::string& id, Real x, const std::string& field) {
+  std::ostringstream xml;
+  xml << "<foot-bot id='" << id << "'><body position='" << x
+      << ",0,0'/><controller config='driver'/><magnets><magnet id='m' anchor='origin' "
+      << "offset='0,0,0.029112741' passive_field='" << field << "'/></magnets></foot-bot>";
+  return xml.str();
+}
+
+}  // namespace
+
+TEST_CASE("rigid magnets: two dipoles in one line pull each other with 2 K a b / r^4",
+          "[contract][engine][rigid]") {
+  const Real sign = GENERATE(1.0, -1.0);
+  CAPTURE(sign);
+  // 2 * 1e-4 * 2 * 3 / 0.5^4 = 0.0192 N on 1.6 kg
+  CRigidScene world(
+      RigidEngine("", "<magnetism force_constant='1e-4'/>"),
+      MagnetXml("a", 0.0, "2,0,0") + MagnetXml("b", 0.5, sign > 0.0 ? "3,0,0" : "-3,0,0"));
+  CHECK_THAT(TakeLogErr(), Contains("\"e\" has no gravity"));
+  world.Step(5);
+  const Real acceleration = 2.0 * 1e-4 * 6.0 / std::pow(0.5, 4) / 1.6;
+  const Real path = acceleration * 1e-4 * 50.0 * 51.0 / 2.0;
+  CHECK_THAT(world.Position("a").GetX(), WithinRel(sign * path, 0.03));
+  CHECK_THAT(world.Position("b").GetX() - 0.5, WithinRel(-sign * path, 0.03));
+}
+
+TEST_CASE("rigid magnets: one across the other's field is turned into it",
+          "[contract][engine][rigid]") {
+  CRigidScene world(RigidEngine("", "<magnetism force_constant='1e-3'/>"),
+                    MagnetXml("a", 0.0, "2,0,0") + MagnetXml("b", 0.5, "0,3,0"));
+  TakeLogErr();
+  world.Step(3);
+  // Jackson's field at b is (2 K / (3 r^3)) a along x; torque b x B is along -z
+  const Real torqueB = -3.0 * 2.0 * 1e-3 / 3.0 / 0.125 * 2.0;
+  // and that of b at a is (K / (3 r^3)) (-b) along -y: torque on a is along -z, half as great
+  const Real inertia = 0.5 * 1.6 * std::pow(2.0 * 0.085036758, 2);
+  const Real turned = torqueB / inertia * 1e-4 * 30.0 * 31.0 / 2.0;
+  CHECK_THAT(world.Yaw("b"), WithinRel(turned, 0.05));
+  CHECK_THAT(world.Yaw("a"), WithinRel(0.5 * turned, 0.05));
+}
+
+TEST_CASE("rigid magnets: beyond the greatest distance they do nothing",
+          "[contract][engine][rigid]") {
+  CRigidScene world(RigidEngine("", "<magnetism force_constant='1e-4' max_distance='0.4'/>"),
+                    MagnetXml("a", 0.0, "2,0,0") + MagnetXml("b", 0.5, "3,0,0"));
+  TakeLogErr();
+  world.Step(20);
+  CHECK(world.Position("a").Length() < 1e-12);
+}
+
+TEST_CASE("rigid errors: what is wrong in a file is named with its place",
+          "[contract][engine][rigid][errors]") {
+  const auto load = [](const std::string& attributes, const std::string& children,
+                       const std::string& arena = "") {
+    const CRigidScene world(RigidEngine(attributes, children), arena);
+  };
+  CHECK_THROWS_WITH(load("", "<gravty/>"), Contains("test.argos:") &&
+                                               Contains("<dynamics3d> has no add-on <gravty>") &&
+                                               Contains("gravity"));
+  CHECK_THROWS_WITH(load("", "<gravity g='1' vector='0,0,1'/>"), Contains("either \"g\""));
+  CHECK_THROWS_WITH(load("", "<gravity g='inf'/>"), Contains("gravity"));
+  CHECK_THROWS_WITH(load("", "<floor friction='-1'/>"),
+                    Contains("\"friction\" must be a number >= 0, got -1"));
+  CHECK_THROWS_WITH(load("", "<magnetism max_distance='0'/>"), Contains("\"max_distance\" (m)"));
+  CHECK_THROWS_WITH(load("iterations='0'", ""), Contains("\"iterations\" must be at least 1"));
+  CHECK_THROWS_WITH(load("iterations='10001'", ""),
+                    Contains("\"iterations\" must be at most 10000, found 10001"));
+  CHECK_THROWS_WITH(load("default_friction='-0.1'", ""),
+                    Contains("\"default_friction\" must be a number in [0,1000], found -0.1"));
+  CHECK_THROWS_WITH(load("", "<solver stepper='quick'/>"),
+                    Contains("must be \"mixed\", \"direct\" or \"iterative\", found \"quick\""));
+  CHECK_THROWS_WITH(load("", "<solver iterations='0'/>"), Contains("[1,1000], found 0"));
+  CHECK_THROWS_WITH(load("", "<solver erp='1.5'/>"), Contains("\"erp\"") && Contains("found 1.5"));
+  CHECK_THROWS_WITH(load("", "<solver cfm='0'/>"), Contains("\"cfm\""));
+  CHECK_THROWS_WITH(load("", "<contacts restitution='2'/>"), Contains("\"restitution\""));
+  CHECK_THROWS_WITH(load("", "", DriverXml("e-puck", "r", 1e7, 0, 0, 0, 0)),
+                    Contains("\"r\" at (1e+07,0,0) is farther than 1e+06 m from the origin"));
+  CHECK_NOTHROW(load("debug_file='x'", ""));
+}
+
+TEST_CASE("rigid errors: a body that is lost is named", "[contract][engine][rigid][errors]") {
+  CRigidScene world(RigidEngine("", "<gravity g='1e6'/>"),
+                    SBoxXml{"b", CVector3(1, 1, 1), CVector3(0, 0, 0)}.ToXml());
+  CHECK_THROWS_WITH(world.Step(50), Contains("\"b\" is now at (") &&
+                                        Contains("farther than 1e+06 m from the origin"));
+}
+
+}  // namespace argos

@@ -1,0 +1,208 @@
+// Grippers and turrets in three dimensions.
+
+#include <argos3/testing/contract/physics_engines/grip_world.h>
+#include <argos3/testing/contract/physics_engines/rigid_scene.h>
+
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/utility/math/angles.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+namespace argos {
+
+using Catch::Matchers::WithinAbs;
+using TModes = CCI_FootBotTurretActuator::ETurretModes;
+
+namespace {
+
+constexpr Real kFootBotRadius = 0.085036758;  // m
+// m: where the centre of a load of 0.2 m x 0.2 m is that stands before a robot at the origin
+constexpr Real kLoadAt = kFootBotRadius + 0.1 + 0.002;
+
+CGripWorld::SOptions Options(UInt32 threads = 0, const std::string& engine = GroundedEngine()) {
+  return {engine, 10, threads};
+}
+
+std::vector<UInt64> Run(CGripWorld& world, int ticks) {
+  std::vector<UInt64> digests;
+  for (int tick = 0; tick < ticks; ++tick) {
+    world.Step();
+    digests.push_back(world.ComputeDigest());
+  }
+  return digests;
+}
+
+// with a border at x = 0
+std::string TwoEngines() {
+  const auto part = [](const std::string& id, const std::string& from, const std::string& to) {
+    return "<dynamics3d id='" + id +
+           "'><floor/><gravity g='9.81'/><boundaries><sides><vertex point='" + from +
+           ",-10'/><vertex point='" + to + ",-10'/><vertex point='" + to + ",10'/><vertex point='" +
+           from + ",10'/></sides></boundaries></dynamics3d>";
+  };
+  return part("west", "-10", "0") + part("east", "0", "10");
+}
+
+// robots and loads in a row, all of them by chance
+std::string Throng() {
+  std::string arena;
+  for (int i = 0; i < 6; ++i) {
+    arena += GripperXml("r" + std::to_string(i), 0.5 * (i % 3) - 0.5, 0.6 * (i / 3) - 0.3, 60.0 * i,
+                        "random='true'");
+    arena +=
+        LoadXml("l" + std::to_string(i), 0.5 * (i % 3) - 0.3, 0.6 * (i / 3) + 0.0, 0.3, 15.0 * i);
+  }
+  return arena;
+}
+
+}  // namespace
+
+TEST_CASE("rigid grip: what is gripped is dragged along, and left when the gripper unlocks",
+          "[contract][engine][rigid][grip]") {
+  CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("load", kLoadAt, 0, 0.5),
+                   Options());
+  world.Step(3);
+  REQUIRE(world.HeldBy("r") == "load");
+  world.Drive("r", -10, -10);
+  world.Step(30);
+  const CVector3 robot = world.Position("r");
+  const CVector3 load = world.Position("load");
+  CHECK(robot.GetX() < -0.25);
+  // pulled 8.5 cm above the floor, which rubs at it with its weight, the load leans forward a
+  // little
+  CHECK_THAT(load.GetX() - robot.GetX(), WithinAbs(kLoadAt, 0.015));
+  CHECK_THAT(load.GetY() - robot.GetY(), WithinAbs(0.0, 5e-3));
+  world.Driver("r").Lock = false;
+  world.Step(10);
+  CHECK(world.HeldBy("r").empty());
+  CHECK_THAT(world.Position("load").GetX(), WithinAbs(load.GetX(), 0.02));
+  CHECK(world.Position("r").GetX() < robot.GetX() - 0.08);
+}
+
+TEST_CASE("rigid grip: what is too far away, or too low, is not gripped",
+          "[contract][engine][rigid][grip]") {
+  CGripWorld world(
+      GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("far", kLoadAt + 0.02, 0, 0.5) +
+          GripperXml("s", 0, 2, 0, "lock='true'") +
+          "<box id='low' size='0.2,0.2,0.05' movable='true' mass='0.5'><body position='0.187,2,0'/>"
+          "</box>",
+      Options());
+  world.Step(5);
+  CHECK(world.HeldBy("r").empty());
+  CHECK(world.HeldBy("s").empty());
+}
+
+TEST_CASE("rigid grip: the turret swings its load around the robot",
+          "[contract][engine][rigid][grip]") {
+  CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("load", kLoadAt, 0, 0.3),
+                   Options());
+  world.Step(3);
+  REQUIRE(world.HeldBy("r") == "load");
+  const CVector3 before = world.Position("load") - world.Position("r");
+  world.Driver("r").Mode = TModes::MODE_SPEED_CONTROL;
+  world.Driver("r").TurretSpeed = 2;
+  world.Step(51);
+  // 2 turns a minute for 5 s, on a base that braces itself with its wheels
+  const Real turned = 2.0 * 2.0 * ARGOS_PI / 60.0 * 5.0;
+  const CVector3 arm = world.Position("load") - world.Position("r");
+  const Real direction = std::atan2(arm.GetY(), arm.GetX());
+  CHECK_THAT(world.Turret("r").GetRotation().GetValue(), WithinAbs(turned, 0.03));
+  // the load trails behind a little, because it rubs on the floor
+  CHECK_THAT(direction - world.Yaw("r"), WithinAbs(turned, 0.15));
+  CHECK_THAT(arm.Length(), WithinAbs(before.Length(), 0.01));
+  CHECK(world.HeldBy("r") == "load");
+}
+
+TEST_CASE("rigid grip: a turret without a load turns as its motor is to",
+          "[contract][engine][rigid][grip]") {
+  CGripWorld world(GripperXml("r", 0, 0, 0, "left='5' right='-5'"), Options());
+  world.Driver("r").Mode = TModes::MODE_SPEED_CONTROL;
+  world.Driver("r").TurretSpeed = 4;
+  world.Step(11);
+  CHECK_THAT(world.Turret("r").GetRotation().GetValue(),
+             WithinAbs(4.0 * 2.0 * ARGOS_PI / 60.0, 1e-9));
+}
+
+TEST_CASE("rigid grip: more force than it can bear slips out of a grip",
+          "[contract][engine][rigid][grip]") {
+  const Real most = GENERATE(0.5, 100.0);  // N
+  CAPTURE(most);
+  CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("load", kLoadAt, 0, 0.5),
+                   Options());
+  CEmbodiedEntity& body = world.Body("r");
+  auto description = std::make_shared<SBodyDescription>(*body.GetBodyDescription());
+  description->Gripper->MaxForce = most;
+  world.GetSpace().RemoveEntityFromPhysicsEngines(body);
+  body.SetBodyDescription(std::move(description));
+  world.GetSpace().AddEntityToPhysicsEngine(body);
+  world.Step(3);
+  world.Drive("r", -10, -10);
+  world.Step(30);
+  // the floor holds the load with 5 N
+  const Real moved = kLoadAt - world.Position("load").GetX();
+  if (most < 1.0) {
+    CHECK(moved < 0.1);
+    CHECK(world.HeldBy("r").empty());
+  } else {
+    CHECK(moved > 0.25);
+  }
+}
+
+TEST_CASE("rigid grip: what hangs together crosses the border of engines together",
+          "[contract][engine][rigid][grip]") {
+  CGripWorld world(
+      GripperXml("r", 0.3, 0, 0, "lock='true'") + LoadXml("load", 0.3 + kLoadAt, 0, 0.3),
+      Options(0, TwoEngines()));
+  world.Step(3);
+  REQUIRE(world.HeldBy("r") == "load");
+  world.Drive("r", -10, -10);
+  world.Step(45);
+  const auto engineOf = [&world](const std::string& id) {
+    return world.Body(id).GetPhysicsModel(0).GetEngine().GetId();
+  };
+  // the robot is beyond the border, and its load goes with it
+  CHECK(world.Position("r").GetX() < 0.0);
+  CHECK(world.Position("load").GetX() > 0.0);
+  CHECK(engineOf("r") == "west");
+  CHECK(engineOf("load") == "west");
+  CHECK(world.HeldBy("r") == "load");
+  const Real robot = world.Position("r").GetX();
+  world.Step(10);
+  CHECK_THAT(world.Position("r").GetX() - robot, WithinAbs(-0.1, 5e-3));
+  CHECK_THAT(world.Position("load").GetX() - world.Position("r").GetX(), WithinAbs(kLoadAt, 0.015));
+}
+
+TEST_CASE("rigid grip: what is moved by a command, or removed, is let go",
+          "[contract][engine][rigid][grip]") {
+  CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("load", kLoadAt, 0, 0.3),
+                   Options());
+  world.Step(3);
+  REQUIRE(world.HeldBy("r") == "load");
+  REQUIRE(world.Body("load").MoveTo(CVector3(2, 2, 0), CQuaternion()));
+  CHECK(world.HeldBy("r").empty());
+  world.Step();
+  REQUIRE(world.Body("load").MoveTo(CVector3(kLoadAt + 0.003, 0, 0), CQuaternion()));
+  world.Step(3);
+  CHECK(world.HeldBy("r") == "load");
+  world.GetSimulator().GetSpace().RemoveEntityFromPhysicsEngines(world.Body("load"));
+  CHECK(world.HeldBy("r").empty());
+  world.GetSimulator().GetSpace().AddEntityToPhysicsEngine(world.Body("load"));
+  world.Step(2);
+}
+
+TEST_CASE("rigid grip: orders by chance give the same after resets and with any number of threads",
+          "[contract][engine][rigid][grip]") {
+  const std::string engine = GENERATE(GroundedEngine(), TwoEngines());
+  CAPTURE(engine);
+  CGripWorld world(Throng(), Options(0, engine));
+  const std::vector<UInt64> first = Run(world, 300);
+  world.GetSimulator().Reset();
+  CHECK(Run(world, 300) == first);
+  CGripWorld threaded(Throng(), Options(4, engine));
+  CHECK(Run(threaded, 300) == first);
+}
+
+}  // namespace argos

@@ -1,0 +1,237 @@
+// Adding, moving, removing, resetting and handing over rigid bodies; threads.
+
+#include <argos3/testing/contract/physics_engines/rigid_scene.h>
+#include <argos3/testing/support/allocation_count.h>
+
+#include <argos3/core/simulator/loop_functions.h>
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/utility/math/random_stream.h>
+#include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <thread>
+
+namespace argos {
+
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+// robots that run into each other and into boxes of all kinds, some of which fall
+std::string Turmoil(int robots = 24) {
+  std::string arena;
+  CRandomStream random(7, "test", "turmoil", "places");
+  for (int i = 0; i < robots; ++i) {
+    arena += DriverXml(i % 3 == 0 ? "e-puck" : "foot-bot", "r" + std::to_string(i),
+                       0.4 * (i % 6 - 2.5), 0.4 * (i / 6 - 1.5), random.Uniform(0.0, 360.0),
+                       random.Uniform(2.0, 15.0), random.Uniform(2.0, 15.0));
+  }
+  for (int i = 0; i < 8; ++i) {
+    arena += SBoxXml{"b" + std::to_string(i), CVector3(0.1, 0.15, 0.1 + 0.02 * i),
+                     CVector3(0.4 * (i % 4 - 1.5) + 0.1, 0.8 * (i / 4) - 0.35, 0.3),
+                     CVector3(20.0 * i, 15.0 * i, 0.0), 0.2}
+                 .ToXml();
+  }
+  return arena;
+}
+
+// four engines around the origin
+std::string Quarters() {
+  std::ostringstream xml;
+  for (int i = 0; i < 4; ++i) {
+    const int west = i % 2 == 0 ? -10 : 0;
+    const int south = i / 2 == 0 ? -10 : 0;
+    xml << "<dynamics3d id='q" << i << "'><floor/><gravity g='9.81'/><boundaries><sides><vertex "
+        << "point='" << west << "," << south << "'/><vertex point='" << west + 10 << "," << south
+        << "'/><vertex point='" << west + 10 << "," << south + 10 << "'/><vertex point='" << west
+        << "," << south + 10 << "'/></sides></boundaries></dynamics3d>";
+  }
+  return xml.str();
+}
+
+std::string ControllersOf() {
+  return "<contract_driver id='driver'><actuators><differential_steering implementation='default'/>"
+         "</actuators><sensors/></contract_driver>";
+}
+
+std::vector<UInt64> Run(CTestWorld& world, int ticks) {
+  std::vector<UInt64> digests;
+  for (int tick = 0; tick < ticks; ++tick) {
+    world.Step();
+    digests.push_back(world.ComputeDigest());
+  }
+  return digests;
+}
+
+SExperiment TurmoilIn(const std::string& engines, UInt32 threads) {
+  SExperiment experiment;
+  experiment.Threads = threads;
+  experiment.Controllers = ControllersOf();
+  experiment.Engines = engines;
+  experiment.ArenaSize = "20,20,4";
+  experiment.Arena = Turmoil();
+  return experiment;
+}
+
+}  // namespace
+
+TEST_CASE("rigid lifecycle: a robot added in a run drives, and is gone when removed",
+          "[contract][engine][rigid]") {
+  CRigidScene world(GroundedEngine(), Turmoil());
+  world.Step(5);
+  CLoopFunctions& functions = world.GetSimulator().GetLoopFunctions();
+  functions.AddEntity(
+      *std::make_unique<CEPuckEntity>("new", "driver", CVector3(3, 3, 0)).release());
+  world.Driver("new").Left = world.Driver("new").Right = 10.0;
+  world.Step(11);
+  CHECK_THAT(world.Position("new").GetX(), WithinAbs(3.1, 2e-3));
+  CPhysicsEngine& engine = *world.GetSimulator().GetPhysicsEngines().front();
+  CHECK(engine.GetNumPhysicsModels() == 33);
+  functions.RemoveEntity("new");
+  for (int i = 0; i < 24; i += 2) {
+    functions.RemoveEntity("r" + std::to_string(i));
+    world.Step();
+  }
+  CHECK(engine.GetNumPhysicsModels() == 20);
+}
+
+TEST_CASE("rigid lifecycle: a body that is moved is at rest there, whatever it did before",
+          "[contract][engine][rigid]") {
+  CRigidScene world(RigidEngine("", "<gravity g='9.81'/>"),
+                    SBoxXml{"b", CVector3(1, 1, 1), CVector3(0, 0, 1)}.ToXml());
+  world.Step(10);
+  const CQuaternion turn(CRadians(0.3), CVector3::Y);
+  REQUIRE(world.Body("b").MoveTo(CVector3(1, 2, 3), turn));
+  CHECK(world.Position("b") == CVector3(1, 2, 3));
+  // a look whether a place is free changes nothing
+  CHECK(world.Body("b").MoveTo(CVector3(5, 5, 5), CQuaternion(), true));
+  world.Step();
+  const CVector3 fallen(1.0, 2.0, 3.0 - 9.81 * 1e-4 * 55.0);
+  CHECK(Distance(world.Position("b"), fallen) < 1e-9);
+  CHECK_THAT(world.Tilt("b"), WithinAbs(0.3, 1e-9));
+}
+
+TEST_CASE("rigid lifecycle: a look whether a place is free does not disturb the motion",
+          "[contract][engine][rigid]") {
+  CRigidScene world(GroundedEngine(), Turmoil());
+  CRigidScene other(GroundedEngine(), Turmoil());
+  for (int tick = 0; tick < 30; ++tick) {
+    world.Step();
+    other.Step();
+    other.Body("r3").MoveTo(CVector3(5, 5, 0), CQuaternion(), true);
+    REQUIRE(world.ComputeDigest() == other.ComputeDigest());
+  }
+}
+
+TEST_CASE("rigid lifecycle: fixed bodies can be moved, too", "[contract][engine][rigid]") {
+  CRigidScene world(RigidEngine("", "<gravity g='9.81'/>"),
+                    SBoxXml{"table", CVector3(1, 1, 0.5), CVector3(0, 0, 0), {}, 0.0}.ToXml() +
+                        SBoxXml{"b", CVector3(0.2, 0.2, 0.2), CVector3(0, 0, 0.5)}.ToXml());
+  world.Step(20);
+  CHECK_THAT(world.Position("b").GetZ(), WithinAbs(0.5, 1e-3));
+  REQUIRE(world.Body("table").MoveTo(CVector3(5, 0, 0), CQuaternion()));
+  world.Step(5);
+  CHECK(world.Position("b").GetZ() < 0.0);
+}
+
+TEST_CASE("rigid lifecycle: after a reset the run repeats to the bit",
+          "[contract][engine][rigid]") {
+  const std::string stepper = GENERATE("mixed", "direct", "iterative");
+  CAPTURE(stepper);
+  CRigidScene world(GroundedEngine("", "<solver stepper='" + stepper + "' max_direct_rows='40'/>"),
+                    Turmoil());
+  const std::vector<UInt64> first = Run(world, 100);
+  world.Body("r1").MoveTo(CVector3(4, 4, 0), CQuaternion());
+  for (int repetition = 0; repetition < 2; ++repetition) {
+    world.GetSimulator().Reset();
+    REQUIRE(Run(world, 100) == first);
+  }
+}
+
+TEST_CASE("rigid determinism: the same to the bit for every number of threads",
+          "[contract][engine][rigid]") {
+  const int engines = GENERATE(1, 4);
+  const std::string stepper = GENERATE("mixed", "iterative");
+  CAPTURE(engines, stepper);
+  std::string xml = engines == 1 ? GroundedEngine() : Quarters();
+  // so few rows that both steppers are at work in "mixed"
+  const std::string solver = "<solver stepper='" + stepper + "' max_direct_rows='40'/><floor/>";
+  for (size_t at = xml.find("<floor/>"); at != std::string::npos;
+       at = xml.find("<floor/>", at + solver.size())) {
+    xml.replace(at, 8, solver);
+  }
+  CTestWorld reference(TurmoilIn(xml, 0));
+  const std::vector<UInt64> expected = Run(reference, 100);
+  for (const UInt32 threads : {1U, 4U}) {
+    CAPTURE(threads);
+    CTestWorld world(TurmoilIn(xml, threads));
+    CHECK(Run(world, 100) == expected);
+  }
+}
+
+TEST_CASE("rigid determinism: several simulators in several threads do not disturb each other",
+          "[contract][engine][rigid]") {
+  const std::string engine = GroundedEngine("", "<solver stepper='iterative'/>");
+  CTestWorld reference(TurmoilIn(engine, 0));
+  const std::vector<UInt64> expected = Run(reference, 60);
+  std::vector<std::vector<UInt64>> results(4);
+  {
+    std::vector<std::jthread> threads;
+    for (std::vector<UInt64>& result : results) {
+      threads.emplace_back([&result, &engine] {
+        CTestWorld world(TurmoilIn(engine, 0));
+        result = Run(world, 60);
+      });
+    }
+  }
+  for (const std::vector<UInt64>& result : results) {
+    CHECK(result == expected);
+  }
+}
+
+TEST_CASE("rigid lifecycle: a robot that crosses a border keeps its motion",
+          "[contract][engine][rigid]") {
+  const auto part = [](const std::string& id, const std::string& from, const std::string& to) {
+    return "<dynamics3d id='" + id +
+           "'><floor/><gravity g='9.81'/><boundaries><bottom height='0'/><sides><vertex point='" +
+           from + ",-10'/><vertex point='" + to + ",-10'/><vertex point='" + to +
+           ",10'/><vertex point='" + from + ",10'/></sides></boundaries></dynamics3d>";
+  };
+  CRigidScene world(part("west", "-10", "0") + part("east", "0", "10"),
+                    DriverXml("foot-bot", "r", -0.5, 0, 0, 10, 10));
+  CHECK(world.Body("r").GetPhysicsModel(0).GetEngine().GetId() == "west");
+  for (int tick = 0; tick < 101; ++tick) {
+    const Real before = world.Position("r").GetX();
+    world.Step();
+    if (tick > 2) {
+      // at no time does it start anew
+      REQUIRE_THAT(world.Position("r").GetX() - before, WithinAbs(0.01, 1e-4));
+    }
+  }
+  CHECK(world.Body("r").GetPhysicsModel(0).GetEngine().GetId() == "east");
+  CHECK(world.Body("r").GetPhysicsModelsNum() == 1);
+  CHECK_THAT(world.Position("r").GetX(), WithinAbs(0.5, 2e-3));
+}
+
+TEST_CASE("rigid lifecycle: a settled tick allocates nothing", "[contract][engine][rigid]") {
+  if (!CAllocationCount::IsAvailable()) {
+    SUCCEED("skipped: nothing to count allocations with");
+    return;
+  }
+  CRigidScene world(GroundedEngine("sleep='false'"), Turmoil());
+  world.Step(200);
+  std::size_t count = 0;
+  std::string first;
+  {
+    const CAllocationCount allocations;
+    world.Step(20);
+    count = allocations.GetCount();
+    first = allocations.DescribeFirst();
+  }
+  CAPTURE(first);
+  CHECK(count == 0);
+}
+
+}  // namespace argos

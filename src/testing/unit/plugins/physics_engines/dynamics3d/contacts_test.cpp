@@ -1,0 +1,187 @@
+// What may touch, and where cylinders do.
+
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/broad_phase.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/cylinder_contacts.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/ode_session.h>
+
+#include <argos3/core/utility/math/angles.h>
+#include <argos3/core/utility/math/random_stream.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <set>
+
+using namespace argos;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+// bodies that are one box each
+struct SBoxes {
+  std::vector<std::unique_ptr<SRigidBody>> All;
+  std::vector<SRigidBody*> Movables, Fixed;
+  dWorldID World = dWorldCreate();
+
+  SBoxes() = default;
+  SBoxes(const SBoxes&) = delete;
+  SBoxes& operator=(const SBoxes&) = delete;
+  ~SBoxes() {
+    for (const auto& body : All) {
+      dGeomDestroy(body->Solids[0]);
+    }
+    dWorldDestroy(World);
+  }
+
+  void Add(const CVector3& size, const CVector3& position, bool movable) {
+    All.push_back(std::make_unique<SRigidBody>());
+    SRigidBody& body = *All.back();
+    body.Solids.push_back(dCreateBox(nullptr, size.GetX(), size.GetY(), size.GetZ()));
+    if (movable) {
+      body.Body = dBodyCreate(World);
+      dGeomSetBody(body.Solids[0], body.Body);
+    }
+    dGeomSetPosition(body.Solids[0], position.GetX(), position.GetY(), position.GetZ());
+    auto& list = movable ? Movables : Fixed;
+    body.Number = static_cast<UInt32>(list.size());
+    list.push_back(&body);
+    UpdateBounds(body);
+  }
+};
+
+using TPairs = std::set<std::pair<const SRigidBody*, const SRigidBody*>>;
+
+TPairs ToSet(const std::vector<SRigidPair>& pairs) {
+  TPairs set;
+  for (const SRigidPair& pair : pairs) {
+    set.insert(std::minmax<const SRigidBody*>(pair.First, pair.Second));
+  }
+  // none twice
+  CHECK(set.size() == pairs.size());
+  return set;
+}
+
+TPairs FindByForce(const SBoxes& boxes) {
+  TPairs set;
+  for (const auto& a : boxes.All) {
+    for (const auto& b : boxes.All) {
+      const bool overlap = a->Low <= b->High && b->Low <= a->High;
+      if (a < b && overlap && (a->IsMovable() || b->IsMovable())) {
+        set.insert(std::minmax<const SRigidBody*>(a.get(), b.get()));
+      }
+    }
+  }
+  return set;
+}
+
+dGeomID Cylinder(Real radius, Real length, const CVector3& centre, Real tilt = 0.0) {
+  const dGeomID geom = dCreateCylinder(nullptr, radius, length);
+  dGeomSetPosition(geom, centre.GetX(), centre.GetY(), centre.GetZ());
+  dMatrix3 rotation;
+  dRFromAxisAndAngle(rotation, 0.0, 1.0, 0.0, tilt);
+  dGeomSetRotation(geom, rotation);
+  return geom;
+}
+
+}  // namespace
+
+TEST_CASE("broad phase: finds the pairs that a search by force finds, while bodies move",
+          "[dynamics3d]") {
+  UseODEInThisThread();
+  // along x, along y, and on a square
+  const CVector3 spread = GENERATE(CVector3(5, 0.5, 1), CVector3(0.5, 5, 1), CVector3(2, 2, 1));
+  CAPTURE(spread);
+  CRandomStream random(3, "test", "boxes", "places");
+  const auto anywhere = [&] {
+    return CVector3(random.Uniform(-1.0, 1.0) * spread.GetX(),
+                    random.Uniform(-1.0, 1.0) * spread.GetY(),
+                    random.Uniform(-1.0, 1.0) * spread.GetZ());
+  };
+  SBoxes boxes;
+  for (int i = 0; i < 120; ++i) {
+    const Real side = random.Uniform(0.05, 0.4);
+    boxes.Add(CVector3(side, side * 2.0, side), anywhere(), i % 5 != 0);
+  }
+  boxes.Add(CVector3(10, 0.1, 3), CVector3(), false);
+  CBroadPhase phase;
+  size_t most = 0;
+  for (int step = 0; step < 30; ++step) {
+    const TPairs found = ToSet(phase.FindPairs(boxes.Movables, boxes.Fixed));
+    REQUIRE(found == FindByForce(boxes));
+    most = std::max(most, found.size());
+    for (SRigidBody* body : boxes.Movables) {
+      const dReal* const position = dGeomGetPosition(body->Solids[0]);
+      dGeomSetPosition(body->Solids[0], position[0] + random.Uniform(-0.1, 0.1),
+                       position[1] + random.Uniform(-0.1, 0.1),
+                       position[2] + random.Uniform(-0.1, 0.1));
+    }
+  }
+  CHECK(most > 50);
+}
+
+TEST_CASE("cylinder contacts: side by side they touch at both ends of a line", "[dynamics3d]") {
+  UseODEInThisThread();
+  // radii 0.3 and 0.2, 0.4 apart from axis to axis on the diagonal of 3, 4, 5: 0.1 deep
+  const dGeomID a = Cylinder(0.3, 1.0, CVector3(0, 0, 0.5));
+  const dGeomID b = Cylinder(0.2, 0.4, CVector3(0.24, 0.32, 0.7));
+  dContactGeom contacts[4];
+  REQUIRE(FindContacts(a, b, 4, contacts, sizeof(dContactGeom)) == 2);
+  for (int i = 0; i < 2; ++i) {
+    CHECK_THAT(contacts[i].depth, WithinAbs(0.1, 1e-12));
+    // into the first one
+    CHECK_THAT(contacts[i].normal[0], WithinAbs(-0.6, 1e-12));
+    CHECK_THAT(contacts[i].normal[1], WithinAbs(-0.8, 1e-12));
+    CHECK_THAT(contacts[i].normal[2], WithinAbs(0.0, 1e-12));
+    // between both surfaces: 0.25 from the first axis
+    CHECK_THAT(contacts[i].pos[0], WithinAbs(0.15, 1e-12));
+    CHECK_THAT(contacts[i].pos[1], WithinAbs(0.2, 1e-12));
+    // where the second begins and ends
+    CHECK_THAT(contacts[i].pos[2], WithinAbs(i == 0 ? 0.5 : 0.9, 1e-12));
+  }
+  CHECK(FindContacts(a, b, 1, contacts, sizeof(dContactGeom)) == 1);
+  dGeomDestroy(a);
+  dGeomDestroy(b);
+}
+
+TEST_CASE("cylinder contacts: what leans touches more on one end, and what is apart nowhere",
+          "[dynamics3d]") {
+  UseODEInThisThread();
+  const Real tilt = 0.01;
+  const dGeomID a = Cylinder(0.1, 0.4, CVector3(0, 0, 0));
+  const dGeomID leaning = Cylinder(0.1, 0.4, CVector3(0.2, 0, 0), tilt);
+  dContactGeom contacts[4];
+  // its lower end leans towards the first, by 0.2 sin(tilt)
+  REQUIRE(FindContacts(a, leaning, 4, contacts, sizeof(dContactGeom)) == 1);
+  CHECK_THAT(contacts[0].depth, WithinAbs(0.2 * std::sin(tilt), 1e-4));
+  CHECK_THAT(contacts[0].pos[2], WithinAbs(-0.2, 1e-3));
+  const dGeomID apart = Cylinder(0.1, 0.4, CVector3(0.21, 0, 0));
+  CHECK(FindContacts(a, apart, 4, contacts, sizeof(dContactGeom)) == 0);
+  // one above the other, with a gap
+  const dGeomID above = Cylinder(0.1, 0.4, CVector3(0, 0, 0.41));
+  CHECK(FindContacts(a, above, 4, contacts, sizeof(dContactGeom)) == 0);
+  for (const dGeomID geom : {a, leaning, apart, above}) {
+    dGeomDestroy(geom);
+  }
+}
+
+TEST_CASE("ODE session: ODE draws from the generator of this library", "[dynamics3d]") {
+  UseODEInThisThread();
+  // else results would depend on threads beyond eight sweeps
+  CHECK(HasOwnODERandom());
+  SeedODE(5);
+  const int first = dRandInt(1000);
+  const int second = dRandInt(1000);
+  CHECK(first != second);
+  SeedODE(5);
+  CHECK(dRandInt(1000) == first);
+  CHECK(dRandInt(1000) == second);
+  int sum = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const int drawn = dRandInt(10);
+    REQUIRE((drawn >= 0 && drawn < 10));
+    sum += drawn;
+  }
+  // the mean of 1,000 numbers is 4.5, to 0.09 at one standard deviation
+  CHECK_THAT(sum / 1000.0, WithinAbs(4.5, 0.4));
+}
