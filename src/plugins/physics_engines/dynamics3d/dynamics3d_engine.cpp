@@ -289,13 +289,8 @@ void CDynamics3DEngine::TransferEntity(CEmbodiedEntity& body) {
 
 // the engine that would take the body, if it is another one of this type
 CDynamics3DEngine* CDynamics3DEngine::FindNext(const CEmbodiedEntity& body) const {
-  for (CPhysicsEngine* engine : m_cSimulator.GetPhysicsEngines()) {
-    if (engine->IsPointContained(body.GetOriginAnchor().Position)) {
-      auto* const next = dynamic_cast<CDynamics3DEngine*>(engine);
-      return next != this ? next : nullptr;
-    }
-  }
-  return nullptr;
+  auto* const next = dynamic_cast<CDynamics3DEngine*>(FindNextEngine(body));
+  return next != this ? next : nullptr;
 }
 
 // Of all that hangs together with a body in grips, does it have the lowest index?

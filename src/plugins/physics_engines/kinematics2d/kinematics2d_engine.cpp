@@ -139,13 +139,22 @@ void CKinematics2DEngine::TransferEntity(CEmbodiedEntity& body) {
 
 // the engine that would take the body, if it is of this type and certain to
 CKinematics2DEngine* CKinematics2DEngine::FindNext(CEmbodiedEntity& body) const {
-  for (CPhysicsEngine* engine : m_cSimulator.GetPhysicsEngines()) {
-    if (engine->IsPointContained(body.GetOriginAnchor().Position)) {
-      auto* const next = dynamic_cast<CKinematics2DEngine*>(engine);
-      return next != nullptr && next != this && IsOnPlane(body, next->m_elevation) ? next : nullptr;
-    }
+  auto* const next = dynamic_cast<CKinematics2DEngine*>(FindNextEngine(body));
+  return next != nullptr && next != this && IsOnPlane(body, next->m_elevation) ? next : nullptr;
+}
+
+bool CKinematics2DEngine::GetMotion(const CEmbodiedEntity& body, SBodyMotion& motion) const {
+  const auto& model = static_cast<const CKinematics2DModel&>(body.GetPhysicsModel(size_t(0)));
+  if (model.m_wheels == nullptr) {
+    return false;
   }
-  return nullptr;
+  const Real left = model.m_wheels[0];
+  const Real right = model.m_wheels[1];
+  const Real distance = body.GetBodyDescription()->Drive->InterwheelDistance;
+  motion = {CVector3(0.5 * (left + right), 0.0, 0.0),
+            CVector3(0.0, 0.0, (right - left) / distance)};
+  motion.Velocity.Rotate(body.GetOriginAnchor().Orientation);
+  return true;
 }
 
 // Takes a movable body over from another engine of this type. Its model is made anew where it is,

@@ -45,6 +45,10 @@ class CKinematics2DEngine : public CPhysicsEngine {
   bool RemoveEntity(CEntity& entity) override;
   /** Asks for no memory if the next engine is of this type too. */
   void TransferEntity(CEmbodiedEntity& body) override;
+  /** Of robots: as their wheels turn. */
+  bool GetMotion(const CEmbodiedEntity& body, SBodyMotion& motion) const override;
+  /** The plane. */
+  std::pair<Real, Real> GetHeightSpan() const override { return {m_elevation, m_elevation}; }
   /** Nothing: all bodies are in the space's index. */
   void CheckIntersectionWithRay(TEmbodiedEntityIntersectionData&, const CRay3&) const override {}
   bool HasBodiesOutsideIndex() const override { return false; }

@@ -20,6 +20,7 @@ struct SSharingEngine : SEngineType {
 /** Every one of them: an engine joins by a line. */
 inline const std::vector<SSharingEngine> kSharingEngines{
     {kDynamics2D},
+    {kKinematics2D, false, false, false},
     {kPointMass3D, false, true, false},
 };
 
