@@ -287,6 +287,36 @@ void CDynamics3DEngine::TransferEntity(CEmbodiedEntity& body) {
   }
 }
 
+bool CDynamics3DEngine::GetMotion(const CEmbodiedEntity& body, SBodyMotion& motion) const {
+  const auto* const model = dynamic_cast<const CDynamics3DModel*>(&body.GetPhysicsModel(size_t(0)));
+  if (model == nullptr || model->m_body == nullptr) {
+    return false;
+  }
+  const SRigidMotion rigid = GetRigidMotion(*model->m_body);
+  // of the centre of mass; bodies that stand turn about the vertical, on which the origin is, too
+  motion = {rigid.Velocity, rigid.AngularVelocity};
+  return true;
+}
+
+void CDynamics3DEngine::SetMotion(CEmbodiedEntity& body, const SBodyMotion& motion) {
+  auto* const model = dynamic_cast<CDynamics3DModel*>(&body.GetPhysicsModel(size_t(0)));
+  if (model == nullptr || model->m_body == nullptr) {
+    return;
+  }
+  SRigidMotion rigid;
+  rigid.Velocity = motion.Velocity;
+  rigid.AngularVelocity = motion.Rotation;
+  if (const auto& drive = body.GetBodyDescription()->Drive) {
+    CVector3 ahead = CVector3::X;
+    ahead.Rotate(body.GetOriginAnchor().Orientation);
+    const Real speed = motion.Velocity.DotProduct(ahead);
+    const Real turn = 0.5 * drive->InterwheelDistance * motion.Rotation.GetZ();
+    rigid.WheelSpins = {(speed - turn) / drive->WheelRadius, (speed + turn) / drive->WheelRadius};
+  }
+  UseODEInThisThread();
+  PlaceAtAnchor(*model, rigid);
+}
+
 // the engine that would take the body, if it is another one of this type
 CDynamics3DEngine* CDynamics3DEngine::FindNext(const CEmbodiedEntity& body) const {
   auto* const next = dynamic_cast<CDynamics3DEngine*>(FindNextEngine(body));

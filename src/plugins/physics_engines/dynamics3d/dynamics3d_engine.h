@@ -53,6 +53,9 @@ class CDynamics3DEngine : public CPhysicsEngine {
    * together in grips changes together, when the one with the lowest index of entity leaves.
    */
   void TransferEntity(CEmbodiedEntity& body) override;
+  bool GetMotion(const CEmbodiedEntity& body, SBodyMotion& motion) const override;
+  /** Wheels then turn as fast as the ground passes below them. */
+  void SetMotion(CEmbodiedEntity& body, const SBodyMotion& motion) override;
   /** Nothing: all bodies are in the space's index. */
   void CheckIntersectionWithRay(TEmbodiedEntityIntersectionData&, const CRay3&) const override {}
   bool HasBodiesOutsideIndex() const override { return false; }

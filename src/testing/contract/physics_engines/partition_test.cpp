@@ -233,6 +233,28 @@ TEST_CASE("borders: velocity is kept between engines of different types",
   CHECK_THAT(motion.Velocity.GetX(), WithinAbs(0.6, 1e-6));
 }
 
+TEST_CASE("borders: a robot that rolls into a region of rigid bodies, and out, keeps its speed",
+          "[contract][engine][partition]") {
+  const std::string engines = RegionXml(kDynamics2D, "west", {{-9, -9}, {0, -9}, {0, 9}, {-9, 9}}) +
+                              RegionXml(kDynamics3D, "middle", {{0, -9}, {1, -9}, {1, 9}, {0, 9}}) +
+                              RegionXml(kDynamics2D, "east", {{1, -9}, {9, -9}, {9, 9}, {1, 9}});
+  const std::string robot = GENERATE(as<std::string>(), "e-puck", "foot-bot");
+  CAPTURE(robot);
+  CDriveWorld world(engines, DriverXml(robot, "r", -0.5, 0, 0, 10, 10));
+  Real last = world.Position("r").GetX();
+  std::set<std::string> visited;
+  for (int tick = 0; tick < 250; ++tick) {
+    world.Step();
+    visited.insert(EngineOf(world, "r"));
+    const Real x = world.Position("r").GetX();
+    // the speed of its wheels, but for the first tick, in which it stands, and a slip of 5 %
+    REQUIRE((tick == 0 || std::abs(x - last - 0.01) <= 0.05 * 0.01));
+    last = x;
+  }
+  CHECK(visited == std::set<std::string>{"west", "middle", "east"});
+  CHECK(EngineOf(world, "r") == "east");
+}
+
 TEST_CASE("borders: things that meet where two engines meet share the momentum",
           "[contract][engine][partition]") {
   const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
