@@ -16,6 +16,10 @@ constexpr size_t kActuatorBytes = 64;
 constexpr size_t kSensorBytes = 128;
 constexpr size_t kControllerBytes = 128;
 
+void PrefetchBetween(const void* from, const void* to) {
+  Prefetch(from, static_cast<const char*>(to) - static_cast<const char*>(from));
+}
+
 // a <sensors> or <actuators> section, or null: it may be left out
 TConfigurationNode* FindSection(TConfigurationNode& controllerNode, const std::string& tag) {
   return NodeExists(controllerNode, tag) ? &GetNode(controllerNode, tag) : nullptr;
@@ -271,7 +275,7 @@ const std::map<std::string, CSimulatedSensor*>& CControllableEntity::GetSensors(
 
 void CControllableEntity::PrefetchForAct(UInt32 stage) const {
   if (stage == 0) {
-    Prefetch(this, sizeof(CEntity) + sizeof(m_actuators));
+    PrefetchBetween(this, &m_sensors);
   } else if (stage == 1) {
     Prefetch(m_actuators.data(), 1);
   } else if (stage == 2) {
@@ -287,7 +291,7 @@ void CControllableEntity::PrefetchForAct(UInt32 stage) const {
 
 void CControllableEntity::PrefetchForSense(UInt32 stage) const {
   if (stage == 0) {
-    Prefetch(this, sizeof(CEntity) + 4 * sizeof(m_sensors));
+    PrefetchBetween(this, &m_mapActuators);
   } else if (stage == 1) {
     Prefetch(m_sensors.data(), 1);
     // the robot is controlled soon after
