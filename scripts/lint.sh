@@ -119,6 +119,22 @@ lengths() {
 }
 report "files are short" "$(lengths)"
 
+# Plug-ins share one space of names, and the linker takes any one of two templates over types of one name.
+types_with_one_name() {
+  local headers
+  mapfile -t headers < <(only '^src/(core|plugins)/.*\.h$')
+  awk 'match($0, /^(struct|class|enum|union) [A-Za-z_0-9 ]+[^;]*$/) {
+         line = $0
+         sub(/^enum (class |struct )?/, "", line); sub(/^(struct|class|union) /, "", line)
+         name = line; sub(/[^A-Za-z_0-9].*$/, "", name)
+         if (line ~ /[<;]/ || substr(line, length(name) + 1, 2) == "::") next
+         if (name in where && where[name] != FILENAME)
+           print FILENAME ":" FNR ": " name " is defined in " where[name] ", too"
+         where[name] = FILENAME
+       }' "${headers[@]}"
+}
+report "types of plug-ins have names of their own" "$(types_with_one_name)"
+
 if ((violations > 0)); then
   echo "lint: $violations violation(s)"
   exit 1

@@ -348,7 +348,7 @@ void CDynamics3DEngine::TransferCluster(const CDynamics3DModel& model, CDynamics
   for (const SRigidBody* each : m_cluster) {
     members.push_back({&each->Source.Owner->GetEmbodiedEntity(), GetRigidMotion(*each)});
   }
-  for (const SGripToMove& grip : m_grips) {
+  for (const SRigidGripToMove& grip : m_grips) {
     grips.push_back({&grip.Holder->GetEmbodiedEntity(), &grip.Held->GetEmbodiedEntity(), grip.Arm});
   }
   const auto modelOf = [](CEmbodiedEntity& body) -> CDynamics3DModel& {

@@ -12,7 +12,7 @@ namespace argos {
 class CDynamics3DModel;
 class CEmbodiedEntity;
 class CRigidWorld;
-struct SGripToMove;
+struct SRigidGripToMove;
 struct SGroundPlane;
 struct SRigidBody;
 struct SRigidMotion;
@@ -103,7 +103,7 @@ class CDynamics3DEngine : public CPhysicsEngine {
   bool m_hasReported = false;
   // while bodies in grips change engines
   std::vector<SRigidBody*> m_cluster;
-  std::vector<SGripToMove> m_grips;
+  std::vector<SRigidGripToMove> m_grips;
 };
 
 }  // namespace argos

@@ -278,7 +278,7 @@ void CRigidGrips::FindCluster(SRigidBody& body, std::vector<SRigidBody*>& cluste
 }
 
 void CRigidGrips::CopyGrips(const std::vector<SRigidBody*>& cluster,
-                            std::vector<SGripToMove>& grips) const {
+                            std::vector<SRigidGripToMove>& grips) const {
   grips.clear();
   for (const auto& each : m_manipulators) {
     if (each->Held != nullptr &&

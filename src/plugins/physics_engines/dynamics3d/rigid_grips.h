@@ -9,7 +9,7 @@
 namespace argos {
 
 /** A grip, to be made again in another world. */
-struct SGripToMove {
+struct SRigidGripToMove {
   CDynamics3DModel* Holder;
   CDynamics3DModel* Held;
   CVector3 Arm;  // see CRigidGrips::Grip()
@@ -57,7 +57,8 @@ class CRigidGrips {
   /** Sets @p cluster to all that hangs together with a body, itself included. */
   void FindCluster(SRigidBody& body, std::vector<SRigidBody*>& cluster) const;
   /** Sets @p grips to those among these bodies. */
-  void CopyGrips(const std::vector<SRigidBody*>& cluster, std::vector<SGripToMove>& grips) const;
+  void CopyGrips(const std::vector<SRigidBody*>& cluster,
+                 std::vector<SRigidGripToMove>& grips) const;
   /**
    * Lets a robot hold a body, if it holds nothing and has a gripper.
    * @param arm  where its arm ends, and holds whatever is there: frame of the turret or, without
