@@ -20,6 +20,11 @@ inline void Prefetch(const void* start, size_t bytes) {
   }
 }
 
+/** The same for the members of an object from @p from up to, but without, @p end. */
+inline void PrefetchBetween(const void* from, const void* end) {
+  Prefetch(from, static_cast<const char*>(end) - static_cast<const char*>(from));
+}
+
 /** The same for what a std::vector or the like holds. */
 template <typename CONTAINER>
 void PrefetchElements(const CONTAINER& container) {

@@ -85,10 +85,7 @@ class CSensorEquippedEntity : public CEntity {
     return *m_layout;
   }
   /** Asks for the memory that GetLayout() and GetAnchors() need. */
-  void PrefetchLayout() const {
-    const char* const from = reinterpret_cast<const char*>(&m_layout);
-    Prefetch(from, reinterpret_cast<const char*>(&m_anchors + 1) - from);
-  }
+  void PrefetchLayout() const { PrefetchBetween(&m_layout, &m_anchors + 1); }
   /** Those that the layout numbers. */
   const SAnchor* const* GetAnchors() const { return m_anchors.data(); }
 

@@ -67,6 +67,8 @@ class CComposableEntity : public CEntity {
 
   /** The components that exist now, without creating those made on demand. */
   const CEntity::TVector& GetExistingComponents() const { return m_components; }
+  /** Called when a component has been enabled or disabled, perhaps before it is whole. */
+  virtual void NoticeEnabling(const CEntity& /*component*/) {}
   /** Gives a component up without deleting it; nothing happens if it is none of this entity's. */
   void ForgetComponent(const CEntity& component);
 

@@ -16,10 +16,6 @@ constexpr size_t kActuatorBytes = 64;
 constexpr size_t kSensorBytes = 128;
 constexpr size_t kControllerBytes = 128;
 
-void PrefetchBetween(const void* from, const void* to) {
-  Prefetch(from, static_cast<const char*>(to) - static_cast<const char*>(from));
-}
-
 // a <sensors> or <actuators> section, or null: it may be left out
 TConfigurationNode* FindSection(TConfigurationNode& controllerNode, const std::string& tag) {
   return NodeExists(controllerNode, tag) ? &GetNode(controllerNode, tag) : nullptr;

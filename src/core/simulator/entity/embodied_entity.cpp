@@ -133,6 +133,12 @@ void CEmbodiedEntity::CalculateBoundingBox() {
   m_sBoundingBox = &m_tPhysicsModelVector.front()->GetBoundingBox();
 }
 
+void CEmbodiedEntity::PrefetchIndexedPose() const {
+  if (m_bodyIndex != nullptr) {
+    m_bodyIndex->PrefetchPose(m_bodyNumber);
+  }
+}
+
 UInt32 CEmbodiedEntity::GetPhysicsModelsNum() const {
   return static_cast<UInt32>(m_tPhysicsModelVector.size());
 }

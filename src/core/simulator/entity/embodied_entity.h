@@ -113,11 +113,20 @@ class CEmbodiedEntity : public CEntity {
    */
   void SetOriginPose(const CVector3& position, const CQuaternion& orientation);
 
+  /**
+   * False if nothing hangs on the body that would have to be told of moves: engines then need not
+   * call the root entity's Update(). True unless the root entity has said otherwise.
+   */
+  bool HasFollowers() const { return m_hasFollowers; }
+  void SetHasFollowers(bool has) { m_hasFollowers = has; }
+
   /** Asks for the memory that SetOriginPose(), and sensors that look around, need. */
-  void PrefetchPose() const {
-    const char* const from = reinterpret_cast<const char*>(&m_origin.Position);
-    Prefetch(from, reinterpret_cast<const char*>(&m_vecEnabledAnchors + 1) - from);
-  }
+  void PrefetchPose() const { PrefetchBetween(&m_origin.Position, &m_vecEnabledAnchors + 1); }
+  /**
+   * Asks for the memory of the index that SetOriginPose() writes to, some time after
+   * PrefetchPose().
+   */
+  void PrefetchIndexedPose() const;
 
   /** Number of this body in the space's index, or CBodyIndex::kNoBody. */
   UInt32 GetBodyNumber() const { return m_bodyNumber; }
@@ -146,6 +155,7 @@ class CEmbodiedEntity : public CEntity {
 
  protected:
   bool m_bMovable;
+  bool m_hasFollowers = true;
   SAnchor* m_psOriginAnchor = nullptr;
   std::vector<SAnchor*> m_vecEnabledAnchors;
 

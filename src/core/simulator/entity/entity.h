@@ -7,7 +7,6 @@
 #include <argos3/core/utility/configuration/base_configurable_resource.h>
 #include <argos3/core/utility/plugins/factory.h>
 #include <argos3/core/utility/plugins/vtable.h>
-#include <argos3/core/utility/prefetch.h>
 
 #include <sys/types.h>
 
@@ -70,11 +69,6 @@ class CEntity : public CBaseConfigurableResource, public EnableVTableFor<CEntity
   virtual std::string GetTypeDescription() const { return "entity"; }
   /** Called after the body this entity belongs to has moved, if the entity is enabled. */
   virtual void Update() {}
-  /**
-   * Engines may call it shortly before Update(): asks for the memory, apart from this object, that
-   * Update() is going to need, with Prefetch().
-   */
-  virtual void PrefetchUpdate() const {}
 
   /** Order of insertion into the space; -1 before. */
   ssize_t GetIndex() const { return m_index; }
@@ -83,8 +77,6 @@ class CEntity : public CBaseConfigurableResource, public EnableVTableFor<CEntity
   virtual size_t GetIndexSpan() const { return 1; }
 
   bool IsEnabled() const { return m_enabled; }
-  /** Asks for the memory that IsEnabled() needs. */
-  void PrefetchEnabled() const { Prefetch(&m_enabled, 1); }
   void Enable() { SetEnabled(true); }
   void Disable() { SetEnabled(false); }
   virtual void SetEnabled(bool enabled);

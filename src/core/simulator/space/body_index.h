@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/physics_engine/ray_queries.h>
 #include <argos3/core/simulator/space/indexed_shape.h>
 #include <argos3/core/utility/math/range.h>
+#include <argos3/core/utility/prefetch.h>
 
 #include <algorithm>
 #include <vector>
@@ -42,6 +43,8 @@ class CBodyIndex {
   /** Writes a pose; engines during physics, one writer per body. Seen by queries after Rebuild().
    */
   void SetPose(UInt32 body, const CVector3& position, const CQuaternion& orientation);
+  /** Asks for the memory that SetPose() writes to. */
+  void PrefetchPose(UInt32 body) const { Prefetch(&m_poses[body], sizeof(SPose)); }
   /** Makes the pose written last count at once; outside the physics phase, one thread. */
   void RefreshNow(UInt32 body);
   /** Takes over a changed description or movability at once. */

@@ -136,6 +136,11 @@ class CSpace : public CBaseConfigurableResource {
   /** Where every body is, for sensors and placement. */
   CBodyIndex& GetBodyIndex() { return *m_bodyIndex; }
   const CBodyIndex& GetBodyIndex() const { return *m_bodyIndex; }
+  /**
+   * True if an engine has bodies that the index does not know: rays must then ask all engines. As
+   * of the start of the phase in which robots sense.
+   */
+  bool AreBodiesOutsideIndex() const { return m_areBodiesOutsideIndex; }
   /** Own random generator, for placement. */
   CRandom::CRNG& GetRNG();
   /** While probing, robots get no controller: the loader only wants to know their bodies. */
@@ -218,6 +223,7 @@ class CSpace : public CBaseConfigurableResource {
   std::unique_ptr<SUserViews> m_views;
   std::mutex m_viewsMutex;  // controllers may ask for them, several at once
   std::unique_ptr<CBodyIndex> m_bodyIndex;
+  bool m_areBodiesOutsideIndex = true;
   std::unordered_map<std::type_index, std::unique_ptr<CSpaceExtension>>
       m_extensions;  // look-up only, never iterated
 };

@@ -218,6 +218,10 @@ void CSpace::UpdateMedia(CThreadPool& pool) {
 }
 
 void CSpace::SenseAndControl(CThreadPool& pool) {
+  const CPhysicsEngine::TVector& engines = m_cSimulator.GetPhysicsEngines();
+  m_areBodiesOutsideIndex =
+      std::any_of(engines.begin(), engines.end(),
+                  [](const CPhysicsEngine* engine) { return engine->HasBodiesOutsideIndex(); });
   // a controller writes only into its own robot's actuators, which nobody senses in this phase: so
   // robots of one run may all sense before they are controlled
   std::mutex timesMutex;

@@ -23,9 +23,6 @@ namespace {
 // m; robots of other engines may stand a little beside the plane: by what they have sunk in, say
 constexpr Real kGhostTolerance = 0.01;
 
-// of a root entity that are needed in every tick, about
-constexpr size_t kRootBytes = 192;
-
 }  // namespace
 
 CDynamics2DEngine::CDynamics2DEngine() : m_settings(std::make_unique<SPlanarSettings>()) {
@@ -357,9 +354,8 @@ void CDynamics2DEngine::Update() {
       [](const CDynamics2DModel& model, int stage) {
         if (stage == 0) {
           model.m_cEmbodiedEntity.PrefetchPose();
-          Prefetch(&model.m_root, kRootBytes);
         } else {
-          model.m_root.PrefetchUpdate();
+          model.m_cEmbodiedEntity.PrefetchIndexedPose();
         }
       });
   m_world->ForEachPassive([this](const SPassiveBody& body) {
@@ -376,8 +372,10 @@ void CDynamics2DEngine::WriteBack(CDynamics2DModel& model, const SPlanarPose& po
   if (body.GetEnabledAnchors().size() > 1) {
     model.CalculateAnchors();
   }
-  model.CalculateBoundingBox();
-  model.m_root.Update();
+  model.m_sBoundingBox = ComputePlanarBounds(body, pose);
+  if (body.HasFollowers()) {
+    model.m_root.Update();
+  }
   if (IsEntityTransferActive() && !IsPointContained(body.GetOriginAnchor().Position) &&
       (!m_world->IsInGrip(model.m_handle) || LeadsItsCluster(model))) {
     ScheduleEntityForTransfer(body);

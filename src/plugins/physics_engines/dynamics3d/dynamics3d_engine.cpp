@@ -504,7 +504,9 @@ void CDynamics3DEngine::WriteBack(CDynamics3DModel& model) {
   if (entity.GetEnabledAnchors().size() > 1) {
     model.CalculateAnchors();
   }
-  model.m_root.Update();
+  if (entity.HasFollowers()) {
+    model.m_root.Update();
+  }
   if (IsEntityTransferActive() && !IsPointContained(entity.GetOriginAnchor().Position) &&
       (!m_world->GetGrips().IsInGrip(*model.m_body) || LeadsItsCluster(model))) {
     ScheduleEntityForTransfer(entity);

@@ -20,9 +20,6 @@ namespace argos {
 
 namespace {
 
-// of a root entity that are needed in every tick, about
-constexpr size_t kRootBytes = 192;
-
 // Where a body is. What this engine has written itself comes back to the bit.
 SPlanarPose TakePose(const CEmbodiedEntity& body) {
   constexpr Real kRounding = 1e-13;
@@ -306,9 +303,8 @@ void CKinematics2DEngine::WriteBackDiscs(size_t begin, size_t end) {
     if (i + kBodiesAhead < size) {
       const SKinematicOwner& later = discs.GetOwner(static_cast<UInt32>(i + kBodiesAhead));
       later.Body->PrefetchPose();
-      Prefetch(later.Root, kRootBytes);
       Prefetch(&later.Model->m_sBoundingBox, sizeof(SBoundingBox));
-      discs.GetOwner(static_cast<UInt32>(i + kBodiesAhead / 2)).Root->PrefetchUpdate();
+      discs.GetOwner(static_cast<UInt32>(i + kBodiesAhead / 2)).Body->PrefetchIndexedPose();
     }
     const UInt32 slot = static_cast<UInt32>(i);
     discs.Commit(slot);
@@ -327,7 +323,9 @@ void CKinematics2DEngine::WriteBackDiscs(size_t begin, size_t end) {
     box.MinCorner.SetY(pose.Y - radius);
     box.MaxCorner.SetX(pose.X + radius);
     box.MaxCorner.SetY(pose.Y + radius);
-    discs.GetOwner(slot).Root->Update();
+    if (body.HasFollowers()) {
+      discs.GetOwner(slot).Root->Update();
+    }
     m_hasLeft[i] = HasLeft(body) ? 1 : 0;
   }
 }
@@ -347,8 +345,10 @@ void CKinematics2DEngine::WriteBackSolids() {
     if (body.GetEnabledAnchors().size() > 1) {
       model.CalculateAnchors();
     }
-    model.CalculateBoundingBox();
-    model.m_root.Update();
+    model.m_sBoundingBox = ComputePlanarBounds(body, solid.Pose);
+    if (body.HasFollowers()) {
+      model.m_root.Update();
+    }
     if (HasLeft(body)) {
       ScheduleEntityForTransfer(body);
     }

@@ -156,17 +156,20 @@ std::string ExplainPlanarRefusal(CEntity& entity, Real elevation) {
 
 SBoundingBox ComputePlanarBounds(const CEmbodiedEntity& body) {
   const SAnchor& origin = body.GetOriginAnchor();
-  const SPlanarPose pose = MakePlanarPose(origin.Position, origin.Orientation);
+  return ComputePlanarBounds(body, MakePlanarPose(origin.Position, origin.Orientation));
+}
+
+SBoundingBox ComputePlanarBounds(const CEmbodiedEntity& body, const SPlanarPose& pose) {
+  const Real elevation = body.GetOriginAnchor().Position.GetZ();
   const Real cosine = pose.HalfCos * pose.HalfCos - pose.HalfSin * pose.HalfSin;
   const Real sine = 2.0 * pose.HalfSin * pose.HalfCos;
   SBoundingBox bounds;
   bool first = true;
   for (const SShapeDescription& shape : body.GetBodyDescription()->Shapes) {
     const CVector2 half = ComputeHalfExtents(shape, pose);
-    const CVector3 base(
-        origin.Position.GetX() + cosine * shape.Offset.GetX() - sine * shape.Offset.GetY(),
-        origin.Position.GetY() + sine * shape.Offset.GetX() + cosine * shape.Offset.GetY(),
-        origin.Position.GetZ() + shape.Offset.GetZ());
+    const CVector3 base(pose.X + cosine * shape.Offset.GetX() - sine * shape.Offset.GetY(),
+                        pose.Y + sine * shape.Offset.GetX() + cosine * shape.Offset.GetY(),
+                        elevation + shape.Offset.GetZ());
     const CVector3 low = base - CVector3(half.GetX(), half.GetY(), 0.0);
     const CVector3 high = base + CVector3(half.GetX(), half.GetY(), shape.Size.GetZ());
     if (first) {

@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_PLANAR_BODY_H
 
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/simulator/physics_engine/planar_motion.h>
 
 #include <string>
 
@@ -45,6 +46,8 @@ std::string ExplainPlanarRefusal(CEntity& entity, Real elevation);
 
 /** The box around a body that is only turned about the vertical. */
 SBoundingBox ComputePlanarBounds(const CEmbodiedEntity& body);
+/** The same at @p pose, where the body's origin anchor is already. */
+SBoundingBox ComputePlanarBounds(const CEmbodiedEntity& body, const SPlanarPose& pose);
 
 }  // namespace argos
 

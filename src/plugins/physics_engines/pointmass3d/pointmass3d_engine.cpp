@@ -403,7 +403,9 @@ void CPointMass3DEngine::WriteBack(CPointMass3DBody& model, const CVector3& posi
     model.CalculateAnchors();
   }
   model.CalculateBoundingBox();
-  model.m_root.Update();
+  if (body.HasFollowers()) {
+    model.m_root.Update();
+  }
   if (IsEntityTransferActive() && !IsPointContained(position)) {
     ScheduleEntityForTransfer(body);
   }

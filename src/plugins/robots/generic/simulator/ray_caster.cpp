@@ -4,7 +4,6 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
-#include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/body_index.h>
 #include <argos3/plugins/robots/generic/simulator/planar_rays.h>
 
@@ -128,12 +127,7 @@ bool CRayCaster::FindHit(const CRay3& ray, Real& fraction) const {
 }
 
 bool CRayCaster::AreBodiesOutsideIndex() const {
-  for (const CPhysicsEngine* engine : m_space->GetSimulator().GetPhysicsEngines()) {
-    if (engine->HasBodiesOutsideIndex()) {
-      return true;
-    }
-  }
-  return false;
+  return m_space->AreBodiesOutsideIndex();
 }
 
 void CRayCaster::Show(const SRayBundle& bundle, const Real* fractions) const {

@@ -49,6 +49,7 @@ void CRobotEntity::MountFromXML(TConfigurationNode& tree, const char* tag) {
     m_mounted = std::make_unique<CEntity::TVector>();
   }
   m_mounted->push_back(&component);
+  CountFollowers();
 }
 
 void CRobotEntity::SetDeviceParameters(const SDeviceParameters& parameters) {
@@ -104,8 +105,19 @@ void CRobotEntity::SetEnabled(bool enabled) {
   }
 }
 
-void CRobotEntity::PrefetchUpdate() const {
-  m_leds->PrefetchEnabled();
+void CRobotEntity::NoticeEnabling(const CEntity& component) {
+  if (&component != m_body && &component != m_controllable) {
+    CountFollowers();
+  }
+}
+
+// the components that UpdateComponents() updates
+void CRobotEntity::CountFollowers() {
+  bool found = m_mounted != nullptr || (m_leds != nullptr && m_leds->IsEnabled());
+  for (size_t i = 0; !found && m_onDemand != nullptr && i < m_type.OnDemand.size(); ++i) {
+    found = m_onDemand[i] != nullptr && m_onDemand[i]->IsEnabled();
+  }
+  m_body->SetHasFollowers(found);
 }
 
 void CRobotEntity::UpdateDigest(CDigest& digest) const {
@@ -130,6 +142,7 @@ void CRobotEntity::NoticeRemoval(const CEntity& component) {
   const size_t number = FindOnDemand(component);
   if (number < m_type.OnDemand.size()) {
     m_onDemand[number] = nullptr;
+    CountFollowers();
   }
 }
 
@@ -161,6 +174,7 @@ void CRobotEntity::MakeComponent(size_t number) {
   }
   CEntity& component = m_type.OnDemand[number].Make(*this);
   m_onDemand[number] = &component;
+  CountFollowers();
   if (GetIndex() >= 0) {
     CallEntityOperation<CSpaceOperationAddEntity, CSpace, void>(m_controllable->GetSpace(),
                                                                 component);

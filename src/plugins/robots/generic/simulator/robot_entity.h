@@ -47,7 +47,6 @@ class CRobotEntity : public CComposableEntity {
  public:
   /** Moves what hangs on the body, if it is in use, to where the body is. */
   void UpdateComponents() override;
-  void PrefetchUpdate() const override;
 
   CControllableEntity& GetControllableEntity() { return *m_controllable; }
   const CControllableEntity& GetControllableEntity() const { return *m_controllable; }
@@ -113,12 +112,15 @@ class CRobotEntity : public CComposableEntity {
   }
   void MaterializeComponents(const std::string& type) override;
   void NoticeRemoval(const CEntity& component) override;
+  void NoticeEnabling(const CEntity& component) override;
 
  private:
   CEntity& DemandComponent(const char* type);
   template <typename COMPONENT>
   void MountFromXML(TConfigurationNode& tree, const char* tag);
   void MakeComponent(size_t number);
+  /** Tells the body whether a component has something to do after it has moved. */
+  void CountFollowers();
   /** Number of a component in m_type.OnDemand, or their number if it is none of them. */
   size_t FindOnDemand(const CEntity& component) const;
 
