@@ -17,7 +17,6 @@
 
 #include <unistd.h>
 
-#include <cmath>
 #include <cstdio>
 #include <fstream>
 
@@ -54,7 +53,7 @@ SRoomsWorld MakeWorld(const SOptions& options, UInt32 robots, UInt32 threads) {
   world.Robots = robots;
   world.Threads = threads;
   world.Side = options.Side > 0.0 ? options.Side : SRoomsWorld::SideAtSameDensity(robots);
-  world.RoomsPerSide = std::max(1U, static_cast<UInt32>(std::lround(world.Side / 10.0)));
+  world.RoomsPerSide = SRoomsWorld::RoomsAlong(world.Side);
   world.Engine = options.Engine;
   world.EngineAttributes = options.EngineAttributes;
   return world;

@@ -8,15 +8,54 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace argos::testing {
 
 namespace {
 
+constexpr size_t kNoRobot = std::numeric_limits<size_t>::max();
+
+// a robot as a cylinder, which may lean
+struct SUpright {
+  UInt32 Body;  // number in the index
+  CVector3 Base, Top;  // ends of its axis, m
+  Real Radius;  // m
+};
+
+SUpright Describe(const CEmbodiedEntity& body) {
+  const SBodyDescription& description = *body.GetBodyDescription();
+  const SAnchor& origin = body.GetOriginAnchor();
+  Real height = 0.0;
+  for (const SShapeDescription& shape : description.Shapes) {
+    height = std::max(height, shape.Offset.GetZ() + shape.Size.GetZ());
+  }
+  CVector3 axis(0.0, 0.0, height);
+  axis.Rotate(origin.Orientation);
+  return {body.GetBodyNumber(), origin.Position, origin.Position + axis,
+          description.ComputeBoundingRadius()};
+}
+
+Real DistanceFromAbove(const CVector3& a, const CVector3& b) {
+  return std::hypot(a.GetX() - b.GetX(), a.GetY() - b.GetY());
+}
+
+// how deep robots are inside each other, at their bases or at their tops, m; less than 0: a gap
+Real DepthInRobot(const SUpright& robot, const SUpright& other) {
+  return robot.Radius + other.Radius -
+         std::min(DistanceFromAbove(robot.Base, other.Base),
+                  DistanceFromAbove(robot.Top, other.Top));
+}
+
+Real DepthInDisc(const SUpright& robot, const SIndexedShape& disc) {
+  return robot.Radius + disc.HalfX -
+         std::hypot(robot.Base.GetX() - disc.X, robot.Base.GetY() - disc.Y);
+}
+
 // how deep a disc is inside a rectangle, m; 0 if it is outside
-Real DepthInBox(const SIndexedShape& box, Real x, Real y, Real radius) {
-  const Real dx = x - box.X;
-  const Real dy = y - box.Y;
+Real DepthInBox(const SIndexedShape& box, const CVector3& centre, Real radius) {
+  const Real dx = centre.GetX() - box.X;
+  const Real dy = centre.GetY() - box.Y;
   const Real outX = std::abs(box.Cos * dx + box.Sin * dy) - box.HalfX;
   const Real outY = std::abs(box.Cos * dy - box.Sin * dx) - box.HalfY;
   if (outX <= 0.0 && outY <= 0.0) {
@@ -38,26 +77,44 @@ Real SOverlaps::Quantile(std::vector<Real>& sample, Real q) {
 
 void MeasureOverlaps(CSpace& space, SOverlaps& overlaps) {
   const CBodyIndex& index = space.GetBodyIndex();
+  std::vector<SUpright> robots;
+  std::vector<size_t> robotOfBody(0);
   for (CControllableEntity* robot : space.GetControllableEntities()) {
     const auto& body = robot->GetParent().GetComponent<CEmbodiedEntity>("body");
-    const CVector3& position = body.GetOriginAnchor().Position;
-    const Real radius = body.GetBodyDescription()->ComputeBoundingRadius();
-    Real withRobots = 0.0;
+    if (body.GetBodyNumber() >= robotOfBody.size()) {
+      robotOfBody.resize(body.GetBodyNumber() + 1, kNoRobot);
+    }
+    robotOfBody[body.GetBodyNumber()] = robots.size();
+    robots.push_back(Describe(body));
+  }
+  for (const SUpright& robot : robots) {
+    const Real lean = DistanceFromAbove(robot.Base, robot.Top);
+    const Real reach = (1.0 + SOverlaps::kTouchingGap) * robot.Radius + lean;
+    Real withRobots = -reach;  // less than 0: a gap
     Real withWalls = 0.0;
-    index.ForShapesNear(position.GetX(), position.GetY(), radius, [&](const SIndexedShape& shape) {
-      if (shape.Body == body.GetBodyNumber()) {
+    const auto measure = [&](const SIndexedShape& shape) {
+      if (shape.Body == robot.Body) {
         return;
       }
       if (shape.Kind == SIndexedShape::EKind::Box) {
-        withWalls =
-            std::max(withWalls, DepthInBox(shape, position.GetX(), position.GetY(), radius));
-      } else {
-        const Real distance = std::hypot(position.GetX() - shape.X, position.GetY() - shape.Y);
-        withRobots = std::max(withRobots, radius + shape.HalfX - distance);
+        withWalls = std::max(withWalls, DepthInBox(shape, robot.Base, robot.Radius));
+        withWalls = std::max(withWalls, DepthInBox(shape, robot.Top, robot.Radius));
+        return;
       }
-    });
-    overlaps.WithRobots.push_back(withRobots / radius);
-    overlaps.WithWalls.push_back(withWalls / radius);
+      const bool isRobot = shape.Body < robotOfBody.size() && robotOfBody[shape.Body] != kNoRobot;
+      // the index has no more than bounds of what leans
+      const Real depth = isRobot && (lean > 0.0 || shape.Kind == SIndexedShape::EKind::Tilted)
+                             ? DepthInRobot(robot, robots[robotOfBody[shape.Body]])
+                             : DepthInDisc(robot, shape);
+      withRobots = std::max(withRobots, depth);
+    };
+    index.ForShapesNear(robot.Base.GetX(), robot.Base.GetY(), reach, measure);
+    const Real share = withRobots / robot.Radius;
+    overlaps.WithRobots.push_back(std::max(share, 0.0));
+    if (share > -SOverlaps::kTouchingGap) {
+      overlaps.Touching.push_back(std::max(share, 0.0));
+    }
+    overlaps.WithWalls.push_back(withWalls / robot.Radius);
   }
 }
 

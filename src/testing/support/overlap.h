@@ -7,10 +7,17 @@
 
 namespace argos::testing {
 
-/** By how much discs are inside other things, in shares of their radius. */
+/**
+ * By how much robots are inside other things, in shares of their radius. They count as discs, where
+ * they lean as those at their base and at their top.
+ */
 struct SOverlaps {
   std::vector<Real> WithRobots; /**< one entry for each disc: its deepest overlap with a disc */
   std::vector<Real> WithWalls; /**< one entry for each disc: its deepest overlap with a box */
+  /** as WithRobots, but only of discs nearer to another one than kTouchingGap */
+  std::vector<Real> Touching;
+
+  static constexpr Real kTouchingGap = 0.01; /**< in shares of the radius */
 
   /** The q-quantile of a sample, q in [0,1]; sorts it. */
   static Real Quantile(std::vector<Real>& sample, Real q);

@@ -1,5 +1,6 @@
 #include <argos3/testing/support/rooms.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -56,6 +57,10 @@ Real SRoomsWorld::SideAtSameDensity(UInt32 robots) {
   return 40.0 * std::sqrt(robots / 10000.0);
 }
 
+UInt32 SRoomsWorld::RoomsAlong(Real side) {
+  return std::max(1U, static_cast<UInt32>(std::lround(side / 10.0)));
+}
+
 std::string SRoomsWorld::ToXML() const {
   const Real reach = 0.5 * Side - 0.2;
   std::ostringstream xml;
@@ -73,8 +78,9 @@ std::string SRoomsWorld::ToXML() const {
       << "<orientation method=\"uniform\" min=\"0,0,0\" max=\"360,0,0\"/>"
       << "<entity quantity=\"" << Robots << "\" max_trials=\"100\"><e-puck id=\"ep\">"
       << "<controller config=\"diffusion\"/></e-puck></entity></distribute>\n</arena>\n"
-      << "<physics_engines><" << Engine << " id=\"engine\" " << EngineAttributes
-      << "/></physics_engines>\n<media>" << Media << "</media></argos-configuration>\n";
+      << "<physics_engines><" << Engine << " id=\"engine\" " << EngineAttributes << ">"
+      << EngineChildren << "</" << Engine << "></physics_engines>\n<media>" << Media
+      << "</media></argos-configuration>\n";
   return xml.str();
 }
 

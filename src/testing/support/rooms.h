@@ -17,11 +17,14 @@ struct SRoomsWorld {
   UInt32 Seed = 1;
   std::string Engine = "dynamics2d";
   std::string EngineAttributes; /**< such as `iterations="4"` */
+  std::string EngineChildren; /**< XML elements */
   std::string Actuators, Sensors; /**< XML elements, besides wheels and proximity sensors */
   std::string Media; /**< XML elements */
 
   /** The side at which @p robots are as dense as 10,000 in 40 m x 40 m. */
   static Real SideAtSameDensity(UInt32 robots);
+  /** As many rooms along a side, m, as make them about 10 m wide. */
+  static UInt32 RoomsAlong(Real side);
   /** The experiment file. */
   std::string ToXML() const;
 };

@@ -18,7 +18,6 @@ namespace argos {
 
 namespace {
 
-const std::string kProgram = InBuildTree("bin/argos3");
 // far more than any test takes, far less than the test driver's limit
 constexpr std::chrono::seconds kPatience(120);
 
@@ -28,9 +27,10 @@ void RedirectTo(int file, const std::string& path) {
   close(target);
 }
 
-[[noreturn]] void Execute(const std::vector<std::string>& arguments, const std::string& folder,
-                          const std::string& out, const std::string& err) {
-  std::vector<char*> argv{const_cast<char*>(kProgram.c_str())};
+[[noreturn]] void Execute(const std::string& program, const std::vector<std::string>& arguments,
+                          const std::string& folder, const std::string& out,
+                          const std::string& err) {
+  std::vector<char*> argv{const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments) {
     argv.push_back(const_cast<char*>(argument.c_str()));
   }
@@ -38,7 +38,7 @@ void RedirectTo(int file, const std::string& path) {
   RedirectTo(STDOUT_FILENO, out);
   RedirectTo(STDERR_FILENO, err);
   if (chdir(folder.c_str()) == 0) {
-    execv(kProgram.c_str(), argv.data());
+    execv(program.c_str(), argv.data());
   }
   _exit(127);
 }
@@ -69,10 +69,17 @@ std::string CTestFolder::Read(const std::string& name) const {
 
 SProgramRun CTestFolder::Run(const std::vector<std::string>& arguments, int signal,
                              const std::string& trigger) const {
+  return RunProgram("argos3", arguments, signal, trigger);
+}
+
+SProgramRun CTestFolder::RunProgram(const std::string& name,
+                                    const std::vector<std::string>& arguments, int signal,
+                                    const std::string& trigger) const {
+  const std::string program = InBuildTree("bin/" + name);
   const pid_t child = fork();
   REQUIRE(child >= 0);
   if (child == 0) {
-    Execute(arguments, m_path.string(), Path("stdout.txt"), Path("stderr.txt"));
+    Execute(program, arguments, m_path.string(), Path("stdout.txt"), Path("stderr.txt"));
   }
 
   const auto deadline = std::chrono::steady_clock::now() + kPatience;

@@ -7,7 +7,7 @@
 
 namespace argos {
 
-/** How a run of the program argos3 ended. */
+/** How a run of a program ended. */
 struct SProgramRun {
   int Status = -1; /**< exit status; 128 + number if a signal killed it */
   std::string Out;
@@ -33,6 +33,9 @@ class CTestFolder {
    */
   SProgramRun Run(const std::vector<std::string>& arguments, int signal = 0,
                   const std::string& trigger = "") const;
+  /** The same with another program of this build. @param name  such as "argos3_benchmark". */
+  SProgramRun RunProgram(const std::string& name, const std::vector<std::string>& arguments,
+                         int signal = 0, const std::string& trigger = "") const;
 
  private:
   std::filesystem::path m_path;
