@@ -19,8 +19,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <time.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,6 +28,7 @@
 
 using namespace argos;
 using argos::testing::RunInChild;
+using argos::testing::SecondsOfThisThread;
 using argos::testing::SRoomsWorld;
 
 namespace {
@@ -176,13 +175,6 @@ struct STimes {
   enum { TOTAL, ACT, PHYSICS, MEDIA, SENSE, CONTROL, NUM_TIMES };
   std::array<Real, NUM_TIMES> Values{};
 };
-
-// on the processor, so that other programs disturb less
-Real SecondsOfThisThread() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<Real>(time.tv_sec) + 1e-9 * static_cast<Real>(time.tv_nsec);
-}
 
 STimes Measure(CTestWorld& world, const SOptions& options) {
   STickTimes times;

@@ -4,6 +4,7 @@
 #include <argos3/core/utility/plugins/dynamic_loading.h>
 
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -13,6 +14,12 @@ namespace argos::testing {
 
 double SecondsSince(TBenchmarkClock::time_point start) {
   return std::chrono::duration<double>(TBenchmarkClock::now() - start).count();
+}
+
+double SecondsOfThisThread() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 bool RunInChild(const std::function<void()>& measure) {

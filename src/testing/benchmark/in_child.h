@@ -10,6 +10,8 @@ using TBenchmarkClock = std::chrono::steady_clock;
 
 /** s */
 double SecondsSince(TBenchmarkClock::time_point start);
+/** s that this thread has had on a processor: other programs disturb less than by the clock. */
+double SecondsOfThisThread();
 
 /**
  * Calls a function in a process of its own, with all libraries loaded and what is logged thrown
