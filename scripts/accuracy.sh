@@ -43,19 +43,24 @@ common='
 '
 
 free_table() {
-  echo "| Engine | substeps | off its arc, mm | % of the path | rooms, N = 1,000: us | rooms, N = 10,000: us | robots that touch, % |"
-  echo "|---|---|---|---|---|---|---|"
+  echo "| Engine | substeps | off its arc, mm | % of the path | rooms, N = 1,000: us | rooms, N = 10,000: us | touching, % | their overlap, maximum, % |"
+  echo "|---|---|---|---|---|---|---|---|"
   awk "$common"'
+    function keepMax(table, what) {
+      if (field(what) != "-" && (!(key in table) || field(what) > table[key])) table[key] = field(what) + 0
+    }
     {
       key = "| " name() " | " substeps(0)
       remember(key)
       arc[key] = short(field("arc_error_mm")) " | " short(field("arc_error_pct"))
       us[key, field("robots")] = cost("rooms")
-      if (field("rooms_touching_pct") != "-" && field("rooms_touching_pct") >= touching[key]) touching[key] = field("rooms_touching_pct")
+      keepMax(touching, "rooms_touching_pct")
+      keepMax(deepest, "rooms_overlap_max_pct")
     }
     END {
       for (i = 1; i <= count; ++i)
-        print keys[i] " | " arc[keys[i]] " | " cell(us[keys[i], 1000]) " | " cell(us[keys[i], 10000]) " | " (keys[i] in touching ? short(touching[keys[i]]) : "-") " |"
+        print keys[i] " | " arc[keys[i]] " | " cell(us[keys[i], 1000]) " | " cell(us[keys[i], 10000]) " | " \
+          (keys[i] in touching ? short(touching[keys[i]]) : "-") " | " (keys[i] in deepest ? short(deepest[keys[i]]) : "-") " |"
     }' "$csv"
 }
 

@@ -56,7 +56,7 @@ struct SSubject {
   UInt32 RoomsRobotTicks = 1000000;
   UInt32 RoomsWarmUp = 20;
   UInt32 CrowdRobotTicks = 100000;
-  UInt32 CrowdWarmUp = 30;
+  UInt32 CrowdWarmUp = 20;
 
   std::string ToAttributes(UInt32 iterations) const {
     return iterations == kDefault ? "" : "iterations=\"" + std::to_string(iterations) + "\"";
@@ -73,7 +73,7 @@ SSubject Rigid(const std::string& stepper) {
   subject.RoomsRobotTicks = 30000;
   subject.RoomsWarmUp = 5;
   subject.CrowdRobotTicks = 20000;
-  subject.CrowdWarmUp = 15;
+  subject.CrowdWarmUp = 10;
   return subject;
 }
 
@@ -102,7 +102,7 @@ struct SOptions {
 };
 
 UInt32 ChooseTicks(UInt32 asked, UInt32 robotTicks, UInt32 robots) {
-  constexpr UInt32 kFewest = 5;
+  constexpr UInt32 kFewest = 3;
   constexpr UInt32 kMost = 600;
   return asked > 0 ? asked : std::clamp(robotTicks / robots, kFewest, kMost);
 }
