@@ -73,7 +73,7 @@ SSubject Rigid(const std::string& stepper) {
   subject.RoomsRobotTicks = 30000;
   subject.RoomsWarmUp = 5;
   subject.CrowdRobotTicks = 20000;
-  subject.CrowdWarmUp = 10;
+  subject.CrowdWarmUp = 8;
   return subject;
 }
 
