@@ -10,6 +10,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_shapes.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_world.h>
 #include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
+#include <argos3/plugins/simulator/physics_engines/planar/ghost_discs.h>
 #include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
 
 #include <algorithm>
@@ -17,13 +18,6 @@
 #include <sstream>
 
 namespace argos {
-
-namespace {
-
-// m; robots of other engines may stand a little beside the plane: by what they have sunk in, say
-constexpr Real kGhostTolerance = 0.01;
-
-}  // namespace
 
 CDynamics2DEngine::CDynamics2DEngine() : m_settings(std::make_unique<SPlanarSettings>()) {
   SetIterations(kDefaultSubsteps);
@@ -292,20 +286,6 @@ Real CDynamics2DEngine::GetGhostReach() const {
   return m_world != nullptr ? m_world->ComputeGhostReach() : CPhysicsEngine::GetGhostReach();
 }
 
-// Of what is behind the border, robots that drive on this plane. Things without a drive are left
-// out: a ghost cannot be pushed, and they are to be.
-void CDynamics2DEngine::TakeGhosts() {
-  m_ghostDiscs.clear();
-  for (const SGhost& ghost : GetGhosts()) {
-    const SBodyDescription& description = *ghost.Body->GetBodyDescription();
-    if (description.Drive && std::abs(ghost.Position.GetZ() - m_elevation) <= kGhostTolerance) {
-      m_ghostDiscs.push_back(
-          {ghost.Position.GetX(), ghost.Position.GetY(), description.ComputeBoundingRadius()});
-    }
-  }
-  m_world->SetGhosts(m_ghostDiscs);
-}
-
 // Box2D is tuned for bodies of about its unit of length
 Real CDynamics2DEngine::ChooseScale() const {
   Real smallest = 0.0;
@@ -340,7 +320,8 @@ void CDynamics2DEngine::Update() {
   }
   ReplaceDisplaced();
   if (FeelsGhosts()) {
-    TakeGhosts();
+    ListGhostDiscs(*this, m_elevation, m_ghostDiscs);
+    m_world->SetGhosts(m_ghostDiscs);
   }
   try {
     m_world->Advance();

@@ -82,7 +82,6 @@ class CDynamics2DEngine : public CPhysicsEngine {
   void AddToWorld(CDynamics2DModel& model);
   void WriteBack(CDynamics2DModel& model, const SPlanarPose& pose);
   CDynamics2DEngine* FindNext(CEmbodiedEntity& body) const;
-  void TakeGhosts();
   void ReplaceDisplaced();
   void ForgetDisplaced(CDynamics2DModel& model);
   bool LeadsItsCluster(const CDynamics2DModel& model);

@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_GHOSTS_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/plugins/simulator/physics_engines/planar/ghost_discs.h>
 
 #include <box2d/box2d.h>
 
@@ -9,12 +10,6 @@
 #include <vector>
 
 namespace argos {
-
-/** A robot of another engine at the start of the tick: the circle around it, m, world frame. */
-struct SGhostDisc {
-  Real X, Y;
-  Real Radius;
-};
 
 /** A robot that may meet a ghost in this tick. */
 struct SGhostMeeting {

@@ -2,6 +2,7 @@
 
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/disc_swarm.h>
 
+#include <argos3/core/utility/prefetch.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_limits.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/separation.h>
@@ -16,9 +17,10 @@ namespace {
 
 // robots in each other's way that a thread works on in a row
 constexpr size_t kMoverGrain = 128;
-// the numbers of discs come first among half planes, then those of walls, then those of solids
+// the numbers of discs come first among half planes, then those of walls, of solids and of ghosts
 constexpr UInt32 kFirstWall = 1U << 30;
-constexpr UInt32 kFirstSolid = 1U << 31;
+constexpr UInt32 kFirstSolid = 2U << 30;
+constexpr UInt32 kFirstGhost = 3U << 30;
 // what is missing to where a robot wants to be, in shares of its step, if only roundings are
 constexpr Real kArrived = 1e-12;
 // of its way, that a robot tries to go if too much is in reach of more of it
@@ -62,6 +64,43 @@ Real ShareGap(Real gap, Real mine, Real other) {
 }
 
 }  // namespace
+
+Real CDiscSwarm::ComputeGhostReach(Real tick, UInt32 substeps) const {
+  Real farthest = 0.0;
+  for (size_t slot = 0; slot < GetSize(); ++slot) {
+    if (slot + kBodiesAhead < GetSize()) {
+      Prefetch(m_wheels[slot + kBodiesAhead], 2 * sizeof(Real));
+    }
+    const Real radius = m_radius[slot];
+    const Real wanted = std::abs(0.5 * (m_wheels[slot][0] + m_wheels[slot][1]) * tick);
+    // of speeds that are no numbers Plan() complains
+    const Real path = std::fmin(wanted, substeps * kMaxStep * radius);
+    farthest =
+        std::max(farthest, radius + 2.0 * (path + m_allowance[slot] + (substeps - 1) * radius));
+  }
+  return farthest + 2.0 * substeps * kMaxRounding;
+}
+
+// Finds out which discs may come half-way to a ghost in this tick: in each substep one goes as far
+// as it reaches beyond its radius, and after the first by up to a radius more if it overlaps.
+void CDiscSwarm::MeetGhosts(std::span<const SGhostDisc> ghosts, UInt32 substeps) {
+  m_ghostLines.Clear(GetSize());
+  const Real widest = static_cast<Real>(m_maxReach.load(std::memory_order_relaxed));
+  for (UInt32 number = 0; number < ghosts.size(); ++number) {
+    const SGhostDisc& ghost = ghosts[number];
+    ForDiscsNear(
+        ghost.X, ghost.Y, ghost.Radius + (2.0 * substeps - 1.0) * widest, [&](UInt32 slot) {
+          const Real reach =
+              ghost.Radius - m_radius[slot] + 2.0 * substeps * static_cast<Real>(m_reach[slot]);
+          const Real dx = m_x[slot] - ghost.X;
+          const Real dy = m_y[slot] - ghost.Y;
+          if (dx * dx + dy * dy <= reach * reach) {
+            m_ghostLines.Add(slot, m_x[slot], m_y[slot], m_radius[slot], number, ghost);
+          }
+        });
+  }
+  m_ghostLines.Sort();
+}
 
 void CDiscSwarm::Step(CThreadPool& pool, const CCellLists& walls, const CCellLists& solids) {
   if (GetSize() == 0) {
@@ -154,7 +193,8 @@ bool CDiscSwarm::MayMeetSomething(UInt32 place, UInt32 cell, const CCellLists& w
     const Real near = reach + static_cast<Real>(neighbour.Reach);
     return dx * dx + dy * dy <= near * near && other != place;
   });
-  return meetsDisc || IsWithinReach(walls, cell, disc.X, disc.Y, reach) ||
+  return meetsDisc || m_ghostLines.Has(disc.Slot) ||
+         IsWithinReach(walls, cell, disc.X, disc.Y, reach) ||
          IsWithinReach(solids, cell, disc.X, disc.Y, reach);
 }
 
@@ -196,18 +236,20 @@ bool CDiscSwarm::StepOne(const SMover& mover, const CCellLists& walls, const CCe
   const Real length = std::sqrt(SquaredLength(missing));
   const bool mayBePushed = wish.Path > std::sqrt(wish.X * wish.X + wish.Y * wish.Y) + 1e-6;
   CHalfPlanes planes;
-  SStep push;
   SStep goal;
   Real share = 1.0;
   // what does not limit the way is left out; should there be too many, it goes only part of the way
   for (bool fits = false; !fits && share > kLeastShare; share *= 0.25) {
     const Real bound = share * (length + (mayBePushed ? wish.Path : 0.0));
     planes.Clear();
-    push = SStep();
     wish.Depth = 0.0;
-    fits = LimitByDiscs(mover, done, bound, planes, push) &&
-           LimitByFootprints(mover, walls, kFirstWall, here, bound, planes, push) &&
-           LimitByFootprints(mover, solids, kFirstSolid, here, bound, planes, push);
+    fits = LimitByDiscs(mover, done, bound, planes) &&
+           LimitByFootprints(mover, walls, kFirstWall, here, bound, planes) &&
+           LimitByFootprints(mover, solids, kFirstSolid, here, bound, planes) &&
+           LimitByGhosts(mover, here, bound, planes);
+    // sums round, so the order must not be that in which threads have sorted the discs
+    planes.Sort();
+    const SStep push = planes.SumPushes();
     goal = {share * missing.X + push.X, share * missing.Y + push.Y};
     const Real goalLength = std::sqrt(SquaredLength(goal));
     if (!fits || goalLength > bound) {
@@ -215,7 +257,6 @@ bool CDiscSwarm::StepOne(const SMover& mover, const CCellLists& walls, const CCe
       goal = {goal.X * scale, goal.Y * scale};
     }
   }
-  planes.Sort();
   SStep step = planes.FindNearest(goal);
   // nobody looks farther ahead than the path
   const Real room = wish.Path - std::sqrt(SquaredLength(here));
@@ -230,7 +271,7 @@ bool CDiscSwarm::StepOne(const SMover& mover, const CCellLists& walls, const CCe
 }
 
 bool CDiscSwarm::LimitByDiscs(const SMover& mover, const std::vector<SStep>& done, Real bound,
-                              CHalfPlanes& planes, SStep& push) {
+                              CHalfPlanes& planes) {
   SWish& wish = m_wishes[mover.Place];
   const SPlace& disc = m_places[mover.Place];
   const SStep& here = done[mover.Place];
@@ -252,9 +293,9 @@ bool CDiscSwarm::LimitByDiscs(const SMover& mover, const std::vector<SStep>& don
     if (offset.X == 0.0 && offset.Y == 0.0 && disc.Slot > neighbour.Slot) {
       separation.NormalX = -separation.NormalX;
     }
+    Real push = 0.0;
     if (separation.Gap < -kMaxRounding) {
-      push.X += 0.5 * separation.Gap * separation.NormalX;
-      push.Y += 0.5 * separation.Gap * separation.NormalY;
+      push = -0.5 * separation.Gap;
       wish.Depth = std::max(wish.Depth, -separation.Gap);
     }
     const Real mine =
@@ -263,13 +304,12 @@ bool CDiscSwarm::LimitByDiscs(const SMover& mover, const std::vector<SStep>& don
         std::max(0.0, -separation.NormalX * missingThere.X - separation.NormalY * missingThere.Y);
     const Real limit = ShareGap(std::max(0.0, separation.Gap), mine, theirs);
     return limit < bound &&
-           !planes.Add({separation.NormalX, separation.NormalY, limit, neighbour.Slot});
+           !planes.Add({separation.NormalX, separation.NormalY, limit, neighbour.Slot, push});
   });
 }
 
 bool CDiscSwarm::LimitByFootprints(const SMover& mover, const CCellLists& lists, UInt32 firstId,
-                                   const SStep& done, Real bound, CHalfPlanes& planes,
-                                   SStep& push) {
+                                   const SStep& done, Real bound, CHalfPlanes& planes) {
   if (lists.IsEmpty()) {
     return true;
   }
@@ -284,14 +324,35 @@ bool CDiscSwarm::LimitByFootprints(const SMover& mover, const CCellLists& lists,
       continue;
     }
     const SSeparation separation = SeparateFromFootprint(x, y, wish.Radius, missing, footprint);
+    Real push = 0.0;
     if (separation.Gap < -kMaxRounding) {
-      push.X += separation.Gap * separation.NormalX;
-      push.Y += separation.Gap * separation.NormalY;
+      push = -separation.Gap;
       wish.Depth = std::max(wish.Depth, -separation.Gap);
     }
     const Real limit = std::max(0.0, separation.Gap);
     if (limit < bound &&
-        !planes.Add({separation.NormalX, separation.NormalY, limit, firstId + number})) {
+        !planes.Add({separation.NormalX, separation.NormalY, limit, firstId + number, push})) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool CDiscSwarm::LimitByGhosts(const SMover& mover, const SStep& done, Real bound,
+                               CHalfPlanes& planes) {
+  SWish& wish = m_wishes[mover.Place];
+  const SPlace& disc = m_places[mover.Place];
+  for (const SGhostLine& line : m_ghostLines.Get(disc.Slot)) {
+    const Real room = line.Room - line.NormalX * (disc.X - line.StartX + done.X) -
+                      line.NormalY * (disc.Y - line.StartY + done.Y);
+    Real push = 0.0;
+    if (room < -kMaxRounding) {
+      push = -room;
+      wish.Depth = std::max(wish.Depth, -room);
+    }
+    const Real limit = std::max(0.0, room);
+    if (limit < bound &&
+        !planes.Add({line.NormalX, line.NormalY, limit, kFirstGhost + line.Ghost, push})) {
       return false;
     }
   }

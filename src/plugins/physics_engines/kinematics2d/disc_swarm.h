@@ -3,12 +3,14 @@
 
 #include <argos3/core/simulator/physics_engine/planar_motion.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/cell_grid.h>
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/ghost_lines.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/half_planes.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_handle.h>
 
 #include <algorithm>
 #include <atomic>
 #include <limits>
+#include <span>
 #include <vector>
 
 namespace argos {
@@ -37,6 +39,8 @@ class CDiscSwarm {
  public:
   /** Allocates the arrays for so many. */
   void Reserve(size_t discs);
+  /** The same for what ghosts need. */
+  void ReserveForGhosts(size_t discs) { m_ghostLines.Reserve(discs); }
   size_t GetSize() const { return m_x.size(); }
   /** @param wheels  speeds of the left and right wheel, m/s; must stay valid. */
   void Add(const SKinematicOwner& owner, const SBodyDescription& description,
@@ -49,6 +53,10 @@ class CDiscSwarm {
   void Plan(CThreadPool& pool, Real duration);
   /** The grid in which Plan() has sorted them: nobody reaches farther than half an edge. */
   const CCellGrid& GetGrid() const { return m_grid; }
+  /** How far a ghost may be that a disc meets in a tick, s, of so many substeps: see the world. */
+  Real ComputeGhostReach(Real tick, UInt32 substeps) const;
+  /** After the first Plan() of a tick: tells of ghosts. @param substeps  of the tick. */
+  void MeetGhosts(std::span<const SGhostDisc> ghosts, UInt32 substeps);
   /** Then: moves those who are in each other's way, or in that of walls or solids. */
   void Step(CThreadPool& pool, const CCellLists& walls, const CCellLists& solids);
   /** After Step(): takes over where discs are now. @param slot in [begin, end). */
@@ -69,8 +77,8 @@ class CDiscSwarm {
   Real GetMaxForce(UInt32 slot) const { return m_maxForce[slot]; }
   const SKinematicOwner& GetOwner(UInt32 slot) const { return m_owner[slot]; }
   /**
-   * After Plan(): calls visit(slot), in order of slot in each cell, for every disc whose reach
-   * comes within @p reach (m) of a point, and for some others. One thread only.
+   * After Plan(): calls visit(slot), in any order, for every disc whose reach comes within
+   * @p reach (m) of a point, and for some others. One thread only.
    */
   template <typename VISIT>
   void ForDiscsNear(Real x, Real y, Real reach, VISIT&& visit) const;
@@ -111,9 +119,10 @@ class CDiscSwarm {
   bool StepOne(const SMover& mover, const CCellLists& walls, const CCellLists& solids,
                const std::vector<SStep>& done, std::vector<SStep>& next);
   bool LimitByDiscs(const SMover& mover, const std::vector<SStep>& done, Real bound,
-                    CHalfPlanes& planes, SStep& push);
+                    CHalfPlanes& planes);
   bool LimitByFootprints(const SMover& mover, const CCellLists& lists, UInt32 firstId,
-                         const SStep& done, Real bound, CHalfPlanes& planes, SStep& push);
+                         const SStep& done, Real bound, CHalfPlanes& planes);
+  bool LimitByGhosts(const SMover& mover, const SStep& done, Real bound, CHalfPlanes& planes);
   void Finish(const SMover& mover);
   template <typename VISIT>
   bool ForPlacesAround(UInt32 cell, VISIT&& visit) const;
@@ -148,6 +157,7 @@ class CDiscSwarm {
   std::vector<SStep> m_done, m_next;  // m: how far each has got, before and after a round
   std::vector<SMover> m_movers;  // in any order
   std::atomic<UInt32> m_numMovers{0};
+  CGhostLines m_ghostLines;  // of this tick
 };
 
 template <typename VISIT>

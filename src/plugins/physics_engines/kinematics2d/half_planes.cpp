@@ -24,6 +24,15 @@ void CHalfPlanes::Sort() {
   }
 }
 
+SStep CHalfPlanes::SumPushes() const {
+  SStep sum;
+  for (size_t i = 0; i < m_size; ++i) {
+    sum.X -= m_planes[i].Push * m_planes[i].NormalX;
+    sum.Y -= m_planes[i].Push * m_planes[i].NormalY;
+  }
+  return sum;
+}
+
 SStep CHalfPlanes::FindNearest(const SStep& wanted) const {
   SStep step = wanted;
   for (size_t i = 0; i < m_size; ++i) {

@@ -18,6 +18,7 @@ struct SHalfPlane {
   Real NormalX, NormalY;  // of unit length
   Real Limit;  // m, >= 0: not to step at all is always allowed
   UInt32 Id;  // whose it is; they are dealt with in this order
+  Real Push;  // m: how far the step should go against the normal, because of an overlap
 };
 
 /** The steps that several half planes allow. */
@@ -36,6 +37,8 @@ class CHalfPlanes {
   /** Puts them into the order of their ids: the nearest step then depends on what they are alone.
    */
   void Sort();
+  /** The sum of what overlaps ask for, in the order of the planes. */
+  SStep SumPushes() const;
   /**
    * The allowed step that is nearest to the one wanted.
    *

@@ -10,10 +10,19 @@ void CKinematicWorld::MakeRoom(size_t immovable, size_t solids, size_t discs) {
   m_discs.Reserve(discs);
 }
 
+void CKinematicWorld::MakeRoomForGhosts(size_t discs) {
+  m_discs.ReserveForGhosts(discs);
+}
+
 void CKinematicWorld::AddImmovable(const SKinematicOwner& owner,
                                    const SBodyDescription& description, const SPlanarPose& pose) {
   *owner.Handle = {EKinematicKind::Immovable, static_cast<UInt32>(m_immovable.size())};
   m_immovable.push_back({owner, DescribeFootprints(description, pose)});
+  m_wallsChanged = true;
+}
+
+void CKinematicWorld::AddWall(const SBodyDescription& description, const SPlanarPose& pose) {
+  AppendFootprints(description, pose, m_wallsOfRegion);
   m_wallsChanged = true;
 }
 
@@ -72,15 +81,32 @@ void CKinematicWorld::ListWalls() {
   }
 }
 
+void CKinematicWorld::SetGhosts(std::span<const SGhostDisc> ghosts, Real tick, UInt32 substeps) {
+  m_ghosts = ghosts;
+  m_substepsToCome = substeps;
+  m_solids.SetGhosts(ghosts, tick);
+}
+
+Real CKinematicWorld::ComputeGhostReach(Real tick, UInt32 substeps) const {
+  const Real discs = m_discs.ComputeGhostReach(tick, substeps);
+  // things go as far as discs push them
+  return m_solids.GetSize() > 0 ? discs + m_solids.ComputeGhostReach(tick) : discs;
+}
+
 void CKinematicWorld::Advance(CThreadPool& pool, Real duration) {
   m_solids.Plan(duration);
   m_discs.Plan(pool, duration);
+  if (m_substepsToCome > 0) {
+    m_discs.MeetGhosts(m_ghosts, m_substepsToCome);
+    m_substepsToCome = 0;
+  }
   if (m_wallsChanged) {
     m_wallsChanged = false;
     m_walls.clear();
     for (const SImmovable& body : m_immovable) {
       m_walls.insert(m_walls.end(), body.Footprints.begin(), body.Footprints.end());
     }
+    m_walls.insert(m_walls.end(), m_wallsOfRegion.begin(), m_wallsOfRegion.end());
     m_gridOfWalls = 0;
     m_solids.SetWalls(m_walls);
   }

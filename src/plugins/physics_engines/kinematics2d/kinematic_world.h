@@ -5,7 +5,9 @@
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/disc_swarm.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_handle.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/solids.h>
+#include <argos3/plugins/simulator/physics_engines/planar/ghost_discs.h>
 
+#include <span>
 #include <vector>
 
 namespace argos {
@@ -23,8 +25,12 @@ class CKinematicWorld {
  public:
   /** Allocates the arrays for so many bodies. */
   void MakeRoom(size_t immovable, size_t solids, size_t discs);
+  /** The same for what ghosts need. */
+  void MakeRoomForGhosts(size_t discs);
   void AddImmovable(const SKinematicOwner& owner, const SBodyDescription& description,
                     const SPlanarPose& pose);
+  /** Adds something that stays, and is nobody's: a wall of the region. */
+  void AddWall(const SBodyDescription& description, const SPlanarPose& pose);
   /** @param wheels  speeds of a robot's wheels, which must stay valid; null: it has no drive. */
   void AddMovable(const SKinematicOwner& owner, const SBodyDescription& description,
                   const SPlanarPose& pose, const Real* wheels, const SGroundFriction& friction);
@@ -33,6 +39,18 @@ class CKinematicWorld {
   /** Puts a movable body somewhere. */
   void SetPose(const SKinematicHandle& handle, const SPlanarPose& pose);
 
+  /**
+   * Tells of the robots of other engines before the first Advance() of a tick; they must stay valid
+   * for all of it.
+   * @param tick      s.
+   * @param substeps  calls of Advance() in it.
+   */
+  void SetGhosts(std::span<const SGhostDisc> ghosts, Real tick, UInt32 substeps);
+  /**
+   * How far from a body here a ghost may be, m, from the border to its solid, that is met in a tick
+   * of so many substeps; to be asked between ticks.
+   */
+  Real ComputeGhostReach(Real tick, UInt32 substeps) const;
   /**
    * Moves everything by a time, s. Where discs are now is taken over by GetDiscs().Commit() of
    * each.
@@ -53,12 +71,15 @@ class CKinematicWorld {
   CDiscSwarm m_discs;
   CSolids m_solids;
   std::vector<SImmovable> m_immovable;
-  std::vector<SFootprint> m_walls;  // footprints of all immovable bodies
+  std::vector<SFootprint> m_wallsOfRegion;
+  std::vector<SFootprint> m_walls;  // footprints of all immovable bodies, and those of the region
   bool m_wallsChanged = true;
   // who may be met from each cell of the discs' grid, and when that was found out
   CCellLists m_wallCells, m_solidCells;
   UInt32 m_gridOfWalls = 0, m_gridOfSolids = 0;
   UInt32 m_generationOfSolids = 0;
+  std::span<const SGhostDisc> m_ghosts;
+  UInt32 m_substepsToCome = 0;  // of the tick, if ghosts have been told of since the last Advance()
 };
 
 }  // namespace argos

@@ -10,6 +10,7 @@
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_limits.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_world.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematics2d_model.h>
+#include <argos3/plugins/simulator/physics_engines/planar/ghost_discs.h>
 #include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
 #include <argos3/core/utility/prefetch.h>
 
@@ -216,6 +217,18 @@ void CKinematics2DEngine::Build() {
   for (CKinematics2DModel* model : models) {
     AddToWorld(*model);
   }
+  for (const SWallSlab& wall : GetVolume().DescribeWalls()) {
+    m_world->AddWall(*wall.Description, MakePlanarPose(wall.Position, wall.Orientation));
+  }
+  if (FeelsGhosts()) {
+    m_world->MakeRoomForGhosts(withComers(numDriven));
+  }
+}
+
+Real CKinematics2DEngine::GetGhostReach() const {
+  return m_world != nullptr
+             ? m_world->ComputeGhostReach(m_cSimulator.GetTickLength(), GetIterations())
+             : CPhysicsEngine::GetGhostReach();
 }
 
 void CKinematics2DEngine::AddToWorld(CKinematics2DModel& model) {
@@ -240,10 +253,18 @@ void CKinematics2DEngine::Update() {
   if (m_world == nullptr) {
     Build();
   }
+  if (FeelsGhosts()) {
+    TakeGhosts();
+  }
   Advance();
   UseManipulators();
   WriteBackDiscs();
   WriteBackSolids();
+}
+
+void CKinematics2DEngine::TakeGhosts() {
+  ListGhostDiscs(*this, m_elevation, m_ghostDiscs);
+  m_world->SetGhosts(m_ghostDiscs, m_cSimulator.GetTickLength(), GetIterations());
 }
 
 void CKinematics2DEngine::Advance() {
@@ -398,7 +419,10 @@ ATTRIBUTES
   cylinder_linear_friction   N, >= 0, default 1.49: the same for a movable cylinder.
   cylinder_angular_friction  N m, >= 0, default 1.49.
   boundaries                 the region of the engine, default everything: sides/vertex@point, in m, at
-                             least three, counter-clockwise, convex.
+                             least three, counter-clockwise, convex. A vertex may have wall="true", which
+                             stops bodies at the side from there to the next vertex, or gate="id", which
+                             hands those that cross it to that engine (doc/space_partitioning.md).
+  ghosts                     true or false, default true: robots of other engines near the border are felt.
   gripping_rigidity, spatial_hash  of dynamics2d: accepted and ignored.
 )",
     "Usable")

@@ -11,6 +11,7 @@ namespace argos {
 class CEmbodiedEntity;
 class CKinematicWorld;
 class CKinematics2DModel;
+struct SGhostDisc;
 struct SGroundFriction;
 
 /**
@@ -47,6 +48,10 @@ class CKinematics2DEngine : public CPhysicsEngine {
   void TransferEntity(CEmbodiedEntity& body) override;
   /** Of robots: as their wheels turn. */
   bool GetMotion(const CEmbodiedEntity& body, SBodyMotion& motion) const override;
+  bool StopsAtWalls() const override { return true; }
+  /** Those that drive on this plane are in the way of what is here. */
+  bool CanFeelGhosts() const override { return true; }
+  Real GetGhostReach() const override;
   /** The plane. */
   std::pair<Real, Real> GetHeightSpan() const override { return {m_elevation, m_elevation}; }
   /** Nothing: all bodies are in the space's index. */
@@ -70,6 +75,7 @@ class CKinematics2DEngine : public CPhysicsEngine {
   void TakeOver(CKinematics2DModel& model);
   void Advance();
   void UseManipulators();
+  void TakeGhosts();
   void WriteBackDiscs();
   void WriteBackDiscs(size_t begin, size_t end);
   void WriteBackSolids();
@@ -81,6 +87,7 @@ class CKinematics2DEngine : public CPhysicsEngine {
   std::vector<std::unique_ptr<CKinematics2DModel>> m_models;
   std::vector<CKinematics2DModel*> m_manipulators;  // those with a gripper or a turret
   std::vector<UInt8> m_hasLeft;  // (discs by slot): the region of this engine, in this tick
+  std::vector<SGhostDisc> m_ghostDiscs;  // of this tick
 };
 
 }  // namespace argos

@@ -61,6 +61,11 @@ SFootprint MakeDisc(const SPlanarPose& pose, Real radius) {
   return {pose.X, pose.Y, 1.0, 0.0, 0.0, 0.0, radius};
 }
 
+// how far wheels lead in a time, m
+Real ComputePath(const SSolid& solid, Real duration) {
+  return solid.IsPassive() ? 0.0 : std::abs(0.5 * (solid.Wheels[0] + solid.Wheels[1]) * duration);
+}
+
 bool IsNear(const SSolid& solid, const SFootprint& footprint, Real margin) {
   const Real reach = solid.BoundingRadius + ComputeExtent(footprint) + margin;
   const Real dx = footprint.X - solid.Pose.X;
@@ -80,6 +85,7 @@ void CSolids::Reserve(size_t solids) {
   m_nearDiscs.reserve(256);
   m_pushes.reserve(256);
   m_obstacles.reserve(256);
+  m_ghosts.reserve(256);
 }
 
 void CSolids::Add(const SKinematicOwner& owner, const SBodyDescription& description,
@@ -167,6 +173,48 @@ void CSolids::Plan(Real duration) {
   }
 }
 
+Real CSolids::ComputeGhostReach(Real tick) const {
+  Real reach = 0.0;
+  for (const SSolid& solid : m_solids) {
+    // of speeds that are no numbers Plan() complains
+    reach = std::fmax(reach, solid.BoundingRadius + 2.0 * ComputePath(solid, tick));
+  }
+  return reach;
+}
+
+void CSolids::SetGhosts(std::span<const SGhostDisc> ghosts, Real tick) {
+  m_ghosts.clear();
+  m_faces.clear();
+  for (const SGhostDisc& ghost : ghosts) {
+    m_ghosts.push_back({ghost.X, ghost.Y, 1.0, 0.0, 0.0, 0.0, ghost.Radius});
+    if (m_numDriven > 0) {
+      AddFaces(ghost, tick);
+    }
+  }
+}
+
+// Puts a face half-way between a ghost and each robot that may come there, across the line between
+// their centres: between the circles around them.
+void CSolids::AddFaces(const SGhostDisc& ghost, Real tick) {
+  for (UInt32 slot = 0; slot < m_solids.size(); ++slot) {
+    const SSolid& solid = m_solids[slot];
+    const Real dx = solid.Pose.X - ghost.X;
+    const Real dy = solid.Pose.Y - ghost.Y;
+    const Real distance = std::hypot(dx, dy);
+    const Real gap = distance - ghost.Radius - solid.BoundingRadius;
+    const Real path = ComputePath(solid, tick);
+    if (solid.IsPassive() || !(gap <= 2.0 * path) || !(distance > 0.0)) {
+      continue;
+    }
+    // so large that no path of the robot leads around it or through it
+    const Real half = ghost.Radius + 2.0 * solid.BoundingRadius + 2.0 * path;
+    const Real toCentre = (ghost.Radius + 0.5 * gap - half) / distance;
+    m_faces.push_back({slot,
+                       {ghost.X + dx * toCentre, ghost.Y + dy * toCentre, dx / distance,
+                        dy / distance, half, half, 0.0}});
+  }
+}
+
 void CSolids::Step(const CDiscSwarm& discs) {
   if (m_solids.empty()) {
     return;
@@ -175,6 +223,10 @@ void CSolids::Step(const CDiscSwarm& discs) {
   m_active.clear();
   m_pushes.clear();
   m_farthest = 0.0;
+  if (!m_ghosts.empty()) {
+    LayGrid();
+  }
+  m_ghostCells.List(m_grid, m_ghosts, 0.0);
   FindPushed(discs);
   if (m_active.empty() && m_numDriven == 0) {
     return;
@@ -213,23 +265,31 @@ Real CSolids::ComputeFarthest(const SSolid& solid) const {
   return 2.0 * wanted + 2.0 * kSolidStep * solid.NarrowestHalf;
 }
 
-// Lists walls and solids in cells, the latter in all that they may reach in this tick.
-void CSolids::ListAll() {
-  Real reach = 0.0;
+// Lays the grid, if it is not good for so many.
+void CSolids::LayGrid() {
+  if (m_solidsOfGrid <= 2 * m_solids.size() && m_solids.size() <= 2 * m_solidsOfGrid) {
+    return;
+  }
   Real widest = 0.0;
   CCellGrid::SArea area = {HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
   for (const SSolid& solid : m_solids) {
-    reach = std::max(reach, ComputeFarthest(solid));
     widest = std::max(widest, solid.BoundingRadius);
     area.MinX = std::min(area.MinX, solid.Pose.X);
     area.MinY = std::min(area.MinY, solid.Pose.Y);
     area.MaxX = std::max(area.MaxX, solid.Pose.X);
     area.MaxY = std::max(area.MaxY, solid.Pose.Y);
   }
-  if (m_solidsOfGrid > 2 * m_solids.size() || m_solids.size() > 2 * m_solidsOfGrid) {
-    m_grid.Lay(area, 2.0 * widest, CCellGrid::AimedCells(m_solids.size()));
-    m_solidsOfGrid = m_solids.size();
-    m_wallsChanged = true;
+  m_grid.Lay(area, 2.0 * widest, CCellGrid::AimedCells(m_solids.size()));
+  m_solidsOfGrid = m_solids.size();
+  m_wallsChanged = true;
+}
+
+// Lists walls and solids in cells, the latter in all that they may reach in this tick.
+void CSolids::ListAll() {
+  LayGrid();
+  Real reach = 0.0;
+  for (const SSolid& solid : m_solids) {
+    reach = std::max(reach, ComputeFarthest(solid));
   }
   if (m_wallsChanged) {
     m_wallsChanged = false;
@@ -248,8 +308,24 @@ void CSolids::FindPushed(const CDiscSwarm& discs) {
   for (UInt32 slot = 0; slot < m_solids.size(); ++slot) {
     if (m_solids[slot].IsPassive()) {
       AddPushes(slot, discs);
+      FindGhosts(slot);
       if (m_solids[slot].IsFresh) {
         Activate(slot);
+      }
+    }
+  }
+}
+
+// Finds out whether ghosts have come into a thing, which has to get out of their way then.
+void CSolids::FindGhosts(UInt32 slot) {
+  const SSolid& solid = m_solids[slot];
+  m_ghostCells.Find(m_grid, solid.Pose.X, solid.Pose.Y, solid.BoundingRadius, m_found);
+  for (const UInt32 ghost : m_found) {
+    for (const SFootprint& mine : FootprintsOf(solid)) {
+      const Real depth = -ComputeGap(mine, m_ghosts[ghost]);
+      if (depth > kSolidTolerance * solid.NarrowestHalf) {
+        Activate(slot);
+        m_farthest = std::max(m_farthest, depth);
       }
     }
   }
@@ -323,11 +399,17 @@ void CSolids::AddNeighbours(UInt32 slot, const CDiscSwarm& discs) {
   SSolid& solid = m_solids[slot];
   const Real margin = 2.0 * m_farthest + kSolidTolerance * solid.NarrowestHalf;
   const Real reach = solid.BoundingRadius + margin;
+  const Real most = kSolidStep * solid.NarrowestHalf;
   m_wallCells.Find(m_grid, solid.Pose.X, solid.Pose.Y, reach, m_found);
   for (const UInt32 wall : m_found) {
     if (IsNear(solid, m_walls[wall], margin)) {
-      AddObstacle(solid, m_walls[wall]);
+      AddObstacle(solid, m_walls[wall], most);
     }
+  }
+  m_ghostCells.Find(m_grid, solid.Pose.X, solid.Pose.Y, reach, m_found);
+  for (const UInt32 ghost : m_found) {
+    // it drives on if it is not got out of its way in one tick
+    AddObstacle(solid, m_ghosts[ghost], m_farthest);
   }
   m_nearDiscs.clear();
   discs.ForDiscsNear(solid.Pose.X, solid.Pose.Y, solid.BoundingRadius + margin,
@@ -338,7 +420,7 @@ void CSolids::AddNeighbours(UInt32 slot, const CDiscSwarm& discs) {
     const bool pushes =
         std::find(m_pushes.begin(), m_pushes.end(), SPush{slot, disc}) != m_pushes.end();
     if (!pushes) {
-      AddObstacle(solid, MakeDisc(discs.GetPose(disc), discs.GetRadius(disc)));
+      AddObstacle(solid, MakeDisc(discs.GetPose(disc), discs.GetRadius(disc)), most);
     }
   }
   m_solidCells.Find(m_grid, solid.Pose.X, solid.Pose.Y, reach, m_found);
@@ -355,7 +437,7 @@ void CSolids::AddNeighbours(UInt32 slot, const CDiscSwarm& discs) {
     }
     if (!other.IsPassive()) {
       for (const SFootprint& footprint : FootprintsOf(other)) {
-        AddObstacle(solid, footprint);
+        AddObstacle(solid, footprint, most);
       }
     } else if (other.Number == CPushSolver::kNobody || other.Number > solid.Number) {
       Activate(i);
@@ -381,13 +463,14 @@ void CSolids::AddSolidNeighbour(SSolid& solid, SSolid& other) {
   }
 }
 
-// Adds what keeps a body out of something that stands fast.
-void CSolids::AddObstacle(const SSolid& solid, const SFootprint& footprint) {
+// Adds what keeps a body out of something that stands fast. Of an overlap, at most so much (m) is
+// undone at once.
+void CSolids::AddObstacle(const SSolid& solid, const SFootprint& footprint, Real most) {
   for (const SFootprint& mine : FootprintsOf(solid)) {
     SSeparation contacts[2];
     const int count = FindContacts(footprint, mine, contacts);
     for (int i = 0; i < count; ++i) {
-      const Real least = std::min(-contacts[i].Gap, kSolidStep * solid.NarrowestHalf);
+      const Real least = std::min(-contacts[i].Gap, most);
       AddContact(solid, contacts[i], least, CPushSolver::kUnlimited, least);
     }
   }
@@ -409,7 +492,7 @@ void CSolids::StepDriven(SSolid& solid, const CDiscSwarm& discs) {
   m_solver.Clear();
   solid.Number = m_solver.AddBody(solid.Twist, 0.0, 0.0, solid.SquaredGyration);
   for (const SObstacle& obstacle : m_obstacles) {
-    AddObstacle(solid, obstacle.Footprint);
+    AddObstacle(solid, obstacle.Footprint, kSolidStep * solid.NarrowestHalf);
   }
   m_solver.Solve();
   STwist twist = Shortened(solid, m_solver.GetTwist(solid.Number), ComputeFarthest(solid));
@@ -443,13 +526,29 @@ void CSolids::GatherObstacles(const SSolid& solid, Real margin, const CDiscSwarm
   for (const UInt32 wall : m_found) {
     add(m_walls[wall]);
   }
-  discs.ForDiscsNear(solid.Pose.X, solid.Pose.Y, solid.BoundingRadius + margin, [&](UInt32 disc) {
+  m_nearDiscs.clear();
+  discs.ForDiscsNear(solid.Pose.X, solid.Pose.Y, reach,
+                     [this](UInt32 disc) { m_nearDiscs.push_back(disc); });
+  // threads have sorted them into cells in any order
+  std::sort(m_nearDiscs.begin(), m_nearDiscs.end());
+  for (const UInt32 disc : m_nearDiscs) {
     add(MakeDisc(discs.GetPose(disc), discs.GetRadius(disc)));
-  });
+  }
   m_solidCells.Find(m_grid, solid.Pose.X, solid.Pose.Y, reach, m_found);
   for (const UInt32 footprint : m_found) {
     if (&m_solids[m_slotOf[footprint]] != &solid) {
       add(m_footprints[footprint]);
+    }
+  }
+  if (solid.IsPassive()) {
+    m_ghostCells.Find(m_grid, solid.Pose.X, solid.Pose.Y, reach, m_found);
+    for (const UInt32 ghost : m_found) {
+      add(m_ghosts[ghost]);
+    }
+  }
+  for (const SFace& face : m_faces) {
+    if (&m_solids[face.Slot] == &solid) {
+      add(face.Footprint);
     }
   }
 }

@@ -7,6 +7,7 @@
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/push_solver.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/separation.h>
 #include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
+#include <argos3/plugins/simulator/physics_engines/planar/ghost_discs.h>
 #include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
 
 #include <span>
@@ -62,6 +63,14 @@ class CSolids {
   void Plan(Real duration);
   /** Tells of the walls before the next Step(); they must stay where they are. */
   void SetWalls(std::span<const SFootprint> walls);
+  /**
+   * Tells of the robots of other engines before the first Plan() of a tick. Robots here keep to
+   * their side of a face half-way to each, things are pushed by them.
+   * @param tick  s.
+   */
+  void SetGhosts(std::span<const SGhostDisc> ghosts, Real tick);
+  /** How far a ghost may be that a body here meets in a tick, s: see the world. */
+  Real ComputeGhostReach(Real tick) const;
   /** After Plan(): moves all. @param discs  after its Plan(), before its Step(). */
   void Step(const CDiscSwarm& discs);
   /** Of all, world frame. */
@@ -79,6 +88,12 @@ class CSolids {
     Real Gap;  // m, before the body's step
   };
 
+  /** What keeps a robot on its side of the way to a ghost, in a tick. */
+  struct SFace {
+    UInt32 Slot;
+    SFootprint Footprint;
+  };
+
   /** That a disc pushes a body directly. */
   struct SPush {
     UInt32 Slot, Disc;
@@ -86,13 +101,16 @@ class CSolids {
   };
 
   void FindPushed(const CDiscSwarm& discs);
+  void AddFaces(const SGhostDisc& ghost, Real tick);
+  void FindGhosts(UInt32 slot);
+  void LayGrid();
   void ListAll();
   Real ComputeFarthest(const SSolid& solid) const;
   void AddPushes(UInt32 slot, const CDiscSwarm& discs);
   UInt32 Activate(UInt32 slot);
   void AddNeighbours(UInt32 slot, const CDiscSwarm& discs);
   void AddSolidNeighbour(SSolid& solid, SSolid& other);
-  void AddObstacle(const SSolid& solid, const SFootprint& footprint);
+  void AddObstacle(const SSolid& solid, const SFootprint& footprint, Real most);
   void AddContact(const SSolid& solid, const SSeparation& contact, Real need, Real cap, Real least);
   void StepDriven(SSolid& solid, const CDiscSwarm& discs);
   void GatherObstacles(const SSolid& solid, Real margin, const CDiscSwarm& discs);
@@ -117,6 +135,9 @@ class CSolids {
   CCellLists m_wallCells, m_solidCells;
   std::vector<UInt32> m_found;
   // of a tick
+  std::vector<SFootprint> m_ghosts;
+  CCellLists m_ghostCells;
+  std::vector<SFace> m_faces;
   CPushSolver m_solver;
   Real m_farthest = 0.0;  // m: how far anything is pushed
   std::vector<UInt32> m_active;  // slots of those that are being pushed

@@ -20,7 +20,7 @@ struct SSharingEngine : SEngineType {
 /** Every one of them: an engine joins by a line. */
 inline const std::vector<SSharingEngine> kSharingEngines{
     {kDynamics2D},
-    {kKinematics2D, false, false, false},
+    {kKinematics2D, false},
     {kPointMass3D, false, true, false},
 };
 

@@ -1,0 +1,52 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_GHOST_LINES_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_GHOST_LINES_H
+
+#include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/plugins/simulator/physics_engines/planar/ghost_discs.h>
+
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace argos {
+
+/**
+ * Lines half-way between a disc and a ghost, across that between their centres: the disc keeps to
+ * its side for a tick.
+ *
+ * The ghost's engine does the same with the same two poses, so the two never overlap by their
+ * motion.
+ */
+struct SGhostLine {
+  UInt32 Slot;  // of the disc
+  UInt32 Ghost;  // its number
+  Real NormalX, NormalY;  // from the disc to the ghost, of unit length
+  Real StartX, StartY;  // m, world frame: where the disc is at the start of the tick
+  Real Room;  // m: how far it may go along the normal from there; below 0 if the two overlap
+};
+
+/** Those of a tick. They cost nothing for discs that have none but the look whether they have. */
+class CGhostLines {
+ public:
+  /** Makes room for lines of so many discs. */
+  void Reserve(size_t discs);
+  /** Forgets all lines. @param discs how many there are. */
+  void Clear(size_t discs);
+  /** @param x, y  m, world frame: of the disc. */
+  void Add(UInt32 slot, Real x, Real y, Real radius, UInt32 number, const SGhostDisc& ghost);
+  /** To be called before Get(): puts them into the order of slots, and of ghosts. */
+  void Sort();
+  bool Has(UInt32 slot) const { return !m_lines.empty() && m_first[slot] != kNone; }
+  /** Of a disc, in the order of ghosts. */
+  std::span<const SGhostLine> Get(UInt32 slot) const;
+
+ private:
+  static constexpr UInt32 kNone = std::numeric_limits<UInt32>::max();
+
+  std::vector<SGhostLine> m_lines;
+  std::vector<UInt32> m_first;  // (discs by slot) into m_lines; kNone if they have none
+};
+
+}  // namespace argos
+
+#endif
