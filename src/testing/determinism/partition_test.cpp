@@ -41,8 +41,8 @@ class CBlindWalker : public CCI_Controller {
   Real m_left = 0.0, m_right = 0.0;  // cm/s
 };
 
-SExperiment MakeSwarm(UInt32 enginesPerSide) {
-  SExperiment experiment = Swarm(kRobots, enginesPerSide, false);
+SExperiment MakeSwarm(UInt32 enginesPerSide, const std::string& engine) {
+  SExperiment experiment = Swarm(kRobots, enginesPerSide, false, engine);
   Replace(experiment.Controllers, "<walker ", "<blind_walker ");
   Replace(experiment.Controllers, "</walker>", "</blind_walker>");
   return experiment;
@@ -85,11 +85,11 @@ SRun Run(CTestWorld& world) {
 }
 
 // computed once: the main thread does all
-const SRun& Reference(UInt32 enginesPerSide) {
-  static std::map<UInt32, SRun> references;
-  SRun& reference = references[enginesPerSide];
+const SRun& Reference(UInt32 enginesPerSide, const std::string& engine) {
+  static std::map<std::pair<std::string, UInt32>, SRun> references;
+  SRun& reference = references[{engine, enginesPerSide}];
   if (reference.Digests.empty()) {
-    CTestWorld world(MakeSwarm(enginesPerSide));
+    CTestWorld world(MakeSwarm(enginesPerSide, engine));
     reference = Run(world);
   }
   return reference;
@@ -104,36 +104,40 @@ TEST_CASE("determinism of partitions: the same for every number of threads and s
   const UInt32 enginesPerSide = GENERATE(1U, 2U, 4U);
   const UInt32 threads = GENERATE(1U, 2U, 4U);
   const std::string method = GENERATE("balance_quantity", "balance_length");
-  CAPTURE(enginesPerSide, threads, method);
-  SExperiment experiment = MakeSwarm(enginesPerSide);
+  const std::string engine = GENERATE("dynamics2d", "kinematics2d");
+  CAPTURE(enginesPerSide, threads, method, engine);
+  SExperiment experiment = MakeSwarm(enginesPerSide, engine);
   experiment.Threads = threads;
   experiment.Method = method;
   CTestWorld world(experiment);
-  CHECK(Run(world).Digests == Reference(enginesPerSide).Digests);
+  CHECK(Run(world).Digests == Reference(enginesPerSide, engine).Digests);
 }
 
 TEST_CASE("determinism of partitions: after a reset the run repeats itself",
           "[determinism][partition]") {
   const UInt32 enginesPerSide = GENERATE(2U, 4U);
-  CAPTURE(enginesPerSide);
-  CTestWorld world(MakeSwarm(enginesPerSide));
+  const std::string engine = GENERATE("dynamics2d", "kinematics2d");
+  CAPTURE(enginesPerSide, engine);
+  CTestWorld world(MakeSwarm(enginesPerSide, engine));
   world.Step(kTicks / 2);
   world.GetSimulator().Reset();
-  CHECK(Run(world).Digests == Reference(enginesPerSide).Digests);
+  CHECK(Run(world).Digests == Reference(enginesPerSide, engine).Digests);
 }
 
 TEST_CASE("determinism of partitions: the runs that are compared are worth it",
           "[determinism][partition]") {
-  CHECK(Reference(1).Crossings == 0);
-  CHECK(Reference(1).MostGhosts == 0);
+  const std::string engine = GENERATE("dynamics2d", "kinematics2d");
+  CAPTURE(engine);
+  CHECK(Reference(1, engine).Crossings == 0);
+  CHECK(Reference(1, engine).MostGhosts == 0);
   for (const UInt32 enginesPerSide : {2U, 4U}) {
     CAPTURE(enginesPerSide);
-    CHECK(Reference(enginesPerSide).Crossings >= 20);
-    CHECK(Reference(enginesPerSide).MostGhosts >= 10);
+    CHECK(Reference(enginesPerSide, engine).Crossings >= 20);
+    CHECK(Reference(enginesPerSide, engine).MostGhosts >= 10);
     // and ghosts change what happens
-    SExperiment experiment = MakeSwarm(enginesPerSide);
-    Replace(experiment.Engines, "<dynamics2d ", "<dynamics2d ghosts='false' ");
+    SExperiment experiment = MakeSwarm(enginesPerSide, engine);
+    Replace(experiment.Engines, "<" + engine + " ", "<" + engine + " ghosts='false' ");
     CTestWorld world(experiment);
-    CHECK(Run(world).Digests != Reference(enginesPerSide).Digests);
+    CHECK(Run(world).Digests != Reference(enginesPerSide, engine).Digests);
   }
 }

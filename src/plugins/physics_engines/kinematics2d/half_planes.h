@@ -18,7 +18,7 @@ struct SHalfPlane {
   Real NormalX, NormalY;  // of unit length
   Real Limit;  // m, >= 0: not to step at all is always allowed
   UInt32 Id;  // whose it is; they are dealt with in this order
-  Real Push;  // m: how far the step should go against the normal, because of an overlap
+  Real Push = 0.0;  // m: how far the step should go against the normal, because of an overlap
 };
 
 /** The steps that several half planes allow. */

@@ -467,12 +467,17 @@ void CSolids::AddSolidNeighbour(SSolid& solid, SSolid& other) {
 // undone at once.
 void CSolids::AddObstacle(const SSolid& solid, const SFootprint& footprint, Real most) {
   for (const SFootprint& mine : FootprintsOf(solid)) {
-    SSeparation contacts[2];
-    const int count = FindContacts(footprint, mine, contacts);
-    for (int i = 0; i < count; ++i) {
-      const Real least = std::min(-contacts[i].Gap, most);
-      AddContact(solid, contacts[i], least, CPushSolver::kUnlimited, least);
-    }
+    AddObstacle(solid, mine, footprint, most);
+  }
+}
+
+void CSolids::AddObstacle(const SSolid& solid, const SFootprint& mine, const SFootprint& footprint,
+                          Real most) {
+  SSeparation contacts[2];
+  const int count = FindContacts(footprint, mine, contacts);
+  for (int i = 0; i < count; ++i) {
+    const Real least = std::min(-contacts[i].Gap, most);
+    AddContact(solid, contacts[i], least, CPushSolver::kUnlimited, least);
   }
 }
 
@@ -492,7 +497,12 @@ void CSolids::StepDriven(SSolid& solid, const CDiscSwarm& discs) {
   m_solver.Clear();
   solid.Number = m_solver.AddBody(solid.Twist, 0.0, 0.0, solid.SquaredGyration);
   for (const SObstacle& obstacle : m_obstacles) {
-    AddObstacle(solid, obstacle.Footprint, kSolidStep * solid.NarrowestHalf);
+    const Real most = kSolidStep * solid.NarrowestHalf;
+    if (obstacle.IsFace) {
+      AddObstacle(solid, MakeDisc(solid.Pose, solid.BoundingRadius), obstacle.Footprint, most);
+    } else {
+      AddObstacle(solid, obstacle.Footprint, most);
+    }
   }
   m_solver.Solve();
   STwist twist = Shortened(solid, m_solver.GetTwist(solid.Number), ComputeFarthest(solid));
@@ -511,15 +521,11 @@ void CSolids::StepDriven(SSolid& solid, const CDiscSwarm& discs) {
 // Collects what is near a body, but for itself.
 void CSolids::GatherObstacles(const SSolid& solid, Real margin, const CDiscSwarm& discs) {
   m_obstacles.clear();
-  const auto add = [&](const SFootprint& footprint) {
-    if (!IsNear(solid, footprint, margin)) {
-      return;
+  const auto add = [&](const SFootprint& footprint, bool isFace = false) {
+    if (IsNear(solid, footprint, margin)) {
+      SObstacle& obstacle = m_obstacles.emplace_back(SObstacle{footprint, isFace});
+      obstacle.Gap = ComputeGapTo(solid, solid.Pose, obstacle);
     }
-    Real gap = HUGE_VAL;
-    for (const SFootprint& mine : FootprintsOf(solid)) {
-      gap = std::min(gap, ComputeGap(mine, footprint));
-    }
-    m_obstacles.push_back({footprint, gap});
   };
   const Real reach = solid.BoundingRadius + margin;
   m_wallCells.Find(m_grid, solid.Pose.X, solid.Pose.Y, reach, m_found);
@@ -548,7 +554,7 @@ void CSolids::GatherObstacles(const SSolid& solid, Real margin, const CDiscSwarm
   }
   for (const SFace& face : m_faces) {
     if (&m_solids[face.Slot] == &solid) {
-      add(face.Footprint);
+      add(face.Footprint, true);
     }
   }
 }
@@ -588,16 +594,24 @@ Real CSolids::Move(SSolid& solid, const STwist& twist, const CDiscSwarm& discs) 
 // Would a body be out of everything that was gathered, or at least not deeper in it than before?
 bool CSolids::IsFree(const SSolid& solid, const SPlanarPose& pose) const {
   const Real tolerance = kSolidTolerance * solid.NarrowestHalf;
+  return std::all_of(m_obstacles.begin(), m_obstacles.end(), [&](const SObstacle& obstacle) {
+    const Real gap = ComputeGapTo(solid, pose, obstacle);
+    return gap >= -tolerance || gap >= obstacle.Gap;
+  });
+}
+
+// m; of the body at that pose
+Real CSolids::ComputeGapTo(const SSolid& solid, const SPlanarPose& pose,
+                           const SObstacle& obstacle) const {
+  if (obstacle.IsFace) {
+    return ComputeGap(MakeDisc(pose, solid.BoundingRadius), obstacle.Footprint);
+  }
+  Real gap = HUGE_VAL;
   for (size_t i = 0; i < solid.NumFootprints; ++i) {
     const SFootprint mine = Transform(m_shapes[solid.FirstFootprint + i], pose);
-    for (const SObstacle& obstacle : m_obstacles) {
-      const Real gap = ComputeGap(mine, obstacle.Footprint);
-      if (gap < -tolerance && gap < obstacle.Gap) {
-        return false;
-      }
-    }
+    gap = std::min(gap, ComputeGap(mine, obstacle.Footprint));
   }
-  return true;
+  return gap;
 }
 
 }  // namespace argos

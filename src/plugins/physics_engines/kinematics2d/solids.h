@@ -85,7 +85,8 @@ class CSolids {
   /** Something near a body that does not move while the body does. */
   struct SObstacle {
     SFootprint Footprint;
-    Real Gap;  // m, before the body's step
+    bool IsFace = false;  // half-way to a ghost: the circle around the body stays on its side
+    Real Gap = 0.0;  // m, before the body's step
   };
 
   /** What keeps a robot on its side of the way to a ghost, in a tick. */
@@ -111,11 +112,14 @@ class CSolids {
   void AddNeighbours(UInt32 slot, const CDiscSwarm& discs);
   void AddSolidNeighbour(SSolid& solid, SSolid& other);
   void AddObstacle(const SSolid& solid, const SFootprint& footprint, Real most);
+  void AddObstacle(const SSolid& solid, const SFootprint& mine, const SFootprint& footprint,
+                   Real most);
   void AddContact(const SSolid& solid, const SSeparation& contact, Real need, Real cap, Real least);
   void StepDriven(SSolid& solid, const CDiscSwarm& discs);
   void GatherObstacles(const SSolid& solid, Real margin, const CDiscSwarm& discs);
   Real Move(SSolid& solid, const STwist& twist, const CDiscSwarm& discs);
   bool IsFree(const SSolid& solid, const SPlanarPose& pose) const;
+  Real ComputeGapTo(const SSolid& solid, const SPlanarPose& pose, const SObstacle& obstacle) const;
   std::span<const SFootprint> FootprintsOf(const SSolid& solid) const {
     return {m_footprints.data() + solid.FirstFootprint, solid.NumFootprints};
   }

@@ -10,8 +10,9 @@ namespace argos {
 
 namespace {
 
-SExperiment MakeExperiment(const std::string& engine, const std::string& arena) {
+SExperiment MakeExperiment(const std::string& engine, const std::string& arena, UInt32 threads) {
   SExperiment experiment;
+  experiment.Threads = threads;
   // a controller without a robot would be reported as unused
   if (arena.find("config='driver'") != std::string::npos) {
     experiment.Controllers =
@@ -41,8 +42,8 @@ std::string DriverXml(const std::string& tag, const std::string& id, Real x, Rea
   return xml.str();
 }
 
-CDriveWorld::CDriveWorld(const std::string& engine, const std::string& arena)
-    : CTestWorld(MakeExperiment(engine, arena)), m_scope(GetSimulator()) {}
+CDriveWorld::CDriveWorld(const std::string& engine, const std::string& arena, UInt32 threads)
+    : CTestWorld(MakeExperiment(engine, arena, threads)), m_scope(GetSimulator()) {}
 
 CEmbodiedEntity& CDriveWorld::Body(const std::string& id) {
   return Get<CComposableEntity>(id).GetComponent<CEmbodiedEntity>("body");

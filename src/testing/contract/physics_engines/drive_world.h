@@ -31,7 +31,7 @@ std::string DriverXml(const std::string& tag, const std::string& id, Real x, Rea
 class CDriveWorld : public CTestWorld {
  public:
   /** @param engine XML of the engine. @param arena XML of what is in it. */
-  CDriveWorld(const std::string& engine, const std::string& arena);
+  CDriveWorld(const std::string& engine, const std::string& arena, UInt32 threads = 0);
 
   CEmbodiedEntity& Body(const std::string& id);
   CVector3 Position(const std::string& id) { return Body(id).GetOriginAnchor().Position; }

@@ -2,9 +2,12 @@
 
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/regions.h>
+#include <argos3/testing/support/overlap.h>
 #include <argos3/testing/support/robot_world.h>
 
+#include <argos3/core/simulator/physics_engine/body_description.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/utility/math/random_stream.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_colored_blob_omnidirectional_camera_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_leds_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_actuator.h>
@@ -17,11 +20,14 @@
 namespace argos {
 
 using Catch::Matchers::WithinAbs;
+using testing::MeasureOverlaps;
+using testing::SOverlaps;
 
 namespace {
 
 constexpr Real kFootBotRadius = 0.085036758;
 constexpr Real kEPuckRadius = 0.035;
+const std::string kWall = "wall='true'";
 
 std::string Halves(const SEngineType& engine, const std::string& attributes = "") {
   return RegionXml(engine, "west", {{-20, -20}, {0, -20}, {0, 20}, {-20, 20}}, attributes) +
@@ -147,6 +153,157 @@ TEST_CASE("ghosts: things across a border are pushed, and stop nobody for ever",
     REQUIRE(gap >= -0.01 - 0.02 * kFootBotRadius);
   }
   CHECK(world.Position("a").GetX() < -0.4);
+}
+
+TEST_CASE("ghosts: crowds that press on each other over borders overlap by roundings, at any speed",
+          "[contract][engine][partition][kinematics]") {
+  const std::string attributes =
+      GENERATE(as<std::string>(), "", "iterations='3'", "ghosts='false'");
+  const Real fastest = GENERATE(13.0, 300.0);  // cm/s
+  CAPTURE(attributes, fastest);
+  // four regions meet in the middle, and everybody drives there; some stop and start again
+  std::string engines;
+  for (int i = 0; i < 4; ++i) {
+    const Real x = i % 2 == 0 ? -9.0 : 0.0;
+    const Real y = i < 2 ? -9.0 : 0.0;
+    engines += RegionXml(kKinematics2D, "e" + std::to_string(i),
+                         {{x, y, i < 2 ? kWall : ""},
+                          {x + 9, y, i % 2 == 1 ? kWall : ""},
+                          {x + 9, y + 9, i >= 2 ? kWall : ""},
+                          {x, y + 9, i % 2 == 0 ? kWall : ""}},
+                         attributes);
+  }
+  CRandomStream random(1, "test", "ghosts", "places");
+  std::string robots;
+  constexpr int kRobots = 96;
+  const auto id = [](int i) { return "r" + std::to_string(i); };
+  for (int i = 0; i < kRobots; ++i) {
+    const Real angle = 0.61803398875 * 2.0 * ARGOS_PI * i;
+    const Real distance = 0.2 + 0.01 * i + 0.15 * std::sqrt(i);
+    const Real speed = random.Uniform(0.3 * fastest, fastest);
+    robots += DriverXml(i % 3 == 0 ? "foot-bot" : "e-puck", id(i), distance * std::cos(angle),
+                        distance * std::sin(angle), angle * 180.0 / ARGOS_PI + 180.0, speed, speed);
+  }
+  CDriveWorld world(engines, robots);
+  SOverlaps overlaps;
+  for (int tick = 0; tick < 150; ++tick) {
+    if (tick % 20 == 10) {
+      for (int i = tick % 7; i < kRobots; i += 7) {
+        CContractDriver& driver = world.Driver(id(i));
+        driver.Left = driver.Right = driver.Left == 0.0 ? fastest : 0.0;
+      }
+    }
+    world.Step();
+    MeasureOverlaps(world.GetSpace(), overlaps);
+  }
+  const Real deepest = SOverlaps::Quantile(overlaps.WithRobots, 1.0) * kEPuckRadius;
+  if (attributes == "ghosts='false'") {
+    // the measure can fail
+    CHECK(deepest > 0.1 * kEPuckRadius);
+  } else {
+    CHECK(deepest <= 1e-12);
+  }
+  size_t engaged = 0;
+  for (CPhysicsEngine* engine : world.GetSimulator().GetPhysicsEngines()) {
+    engaged += engine->GetNumPhysicsModels() > 0 ? 1 : 0;
+  }
+  CHECK(engaged == 4);
+}
+
+TEST_CASE("ghosts: robots at rest that start towards each other at once stop half-way",
+          "[contract][engine][partition][kinematics]") {
+  const Real speed = GENERATE(10.0, 500.0, 1500.0);  // cm/s
+  const Real aside = GENERATE(0.0, 0.01);
+  CAPTURE(speed, aside);
+  // should they slide past each other, walls stop them
+  const std::string engines =
+      RegionXml(kKinematics2D, "west", {{-2, -2, kWall}, {0, -2}, {0, 2, kWall}, {-2, 2, kWall}}) +
+      RegionXml(kKinematics2D, "east", {{0, -2, kWall}, {2, -2, kWall}, {2, 2, kWall}, {0, 2}});
+  CDriveWorld world(engines, DriverXml("foot-bot", "a", -0.4, 0, 0, 0, 0) +
+                                 DriverXml("e-puck", "b", 0.2, aside, 180, 0, 0));
+  world.Step(3);
+  world.Driver("a").Left = world.Driver("a").Right = speed;
+  world.Driver("b").Left = world.Driver("b").Right = speed;
+  const Real radii = kFootBotRadius + kEPuckRadius;
+  CHECK(RunOverlap(world, 40, radii) <= 1e-12);
+  if (aside == 0.0 && speed == 10.0) {
+    // nobody pushes anybody, and the faster ones may have slid past each other by now
+    CHECK_THAT(Distance(world.Position("a"), world.Position("b")), WithinAbs(radii, 1e-9));
+  }
+}
+
+TEST_CASE("ghosts: a robot that is a box, and a thing, feel robots across a border",
+          "[contract][engine][partition][kinematics]") {
+  constexpr Real kHalf = 0.1;  // m
+  CDriveWorld world(Halves(kKinematics2D),
+                    DriverXml("foot-bot", "box", -0.5, 0, 0, 10, 10) +
+                        DriverXml("foot-bot", "other", 0.5, 0, 180, 10, 10) +
+                        // as thin as a quarter of what the robot drives in a tick
+                        DriverXml("e-puck", "pusher", 0.2, 2, 180, 40, 40) +
+                        "<box id='thin' size='0.01,0.3,0.1' movable='true' mass='0.3'><body "
+                        "position='-0.006,2,0'/></box>");
+  CEmbodiedEntity& body = world.Body("box");
+  auto description = std::make_shared<SBodyDescription>(*body.GetBodyDescription());
+  description->Shapes = {SShapeDescription::Box(CVector3(2 * kHalf, 2 * kHalf, 0.1))};
+  description->PlanarInertia.reset();
+  world.GetSpace().RemoveEntityFromPhysicsEngines(body);
+  body.SetBodyDescription(std::move(description));
+  world.GetSpace().AddEntityToPhysicsEngine(body);
+  for (int tick = 0; tick < 60; ++tick) {
+    world.Step();
+    // the circle around the box; solids may come into each other by 1e-5 of half a narrowest side
+    const Real reach = kFootBotRadius + std::sqrt(2.0) * kHalf;
+    REQUIRE(Distance(world.Position("box"), world.Position("other")) >= reach - 1e-5 * kHalf);
+    // a thing gets out of the way in the tick after that in which it is met
+    const Real gap = world.Position("pusher").GetX() - world.Position("thin").GetX();
+    REQUIRE(gap >= kEPuckRadius + 0.005 - 0.04 - 1e-6);
+  }
+  CHECK_THAT(world.Position("box").GetX(),
+             WithinAbs(-0.5 * std::sqrt(2.0) * kHalf - 0.5 * 0.085, 0.01));
+  CHECK(world.Position("pusher").GetX() < -1.0);
+}
+
+TEST_CASE("ghosts: engines of two types feel each other's robots",
+          "[contract][engine][partition]") {
+  const std::string east = GENERATE(as<std::string>(), "dynamics2d", "pointmass3d");
+  CAPTURE(east);
+  const std::vector<SCorner> right = {{0, -20}, {20, -20}, {20, 20}, {0, 20}};
+  const std::string engines =
+      RegionXml(kKinematics2D, "west", {{-20, -20}, {0, -20}, {0, 20}, {-20, 20}}) +
+      RegionXml(east == "dynamics2d" ? kDynamics2D : kPointMass3D, "east", right);
+  // towards each other, in columns that are not in line
+  std::string robots;
+  for (int i = 0; i < 24; ++i) {
+    const Real x = 0.15 + 0.09 * (i / 4);
+    const Real y = 0.1 * (i % 4);
+    robots += DriverXml("e-puck", "w" + std::to_string(i), -x, y, 0, 10, 10) +
+              DriverXml("e-puck", "e" + std::to_string(i), x, y + 0.013, 180, 10, 10);
+  }
+  CDriveWorld world(engines, robots);
+  Real deepest = 0.0;
+  for (int tick = 0; tick < 100; ++tick) {
+    world.Step();
+    for (int i = 0; i < 24; ++i) {
+      for (int k = 0; k < 24; ++k) {
+        CEmbodiedEntity& a = world.Body("w" + std::to_string(i));
+        CEmbodiedEntity& b = world.Body("e" + std::to_string(k));
+        if (a.GetPhysicsModel(size_t(0)).GetEngine().GetId() == "west" &&
+            b.GetPhysicsModel(size_t(0)).GetEngine().GetId() == "east") {
+          const Real gap = Distance(a.GetOriginAnchor().Position, b.GetOriginAnchor().Position) -
+                           2.0 * kEPuckRadius;
+          deepest = std::max(deepest, -gap);
+        }
+      }
+    }
+  }
+  if (east == "dynamics2d") {
+    // what dynamics2d promises
+    CHECK(deepest <= 0.02 * kEPuckRadius);
+  } else {
+    // half of it is pointmass3d's, which feels nothing: 1 cm in a tick, and what is not undone of
+    // it
+    CHECK(deepest > 0.02 * kEPuckRadius);
+  }
 }
 
 TEST_CASE("ghosts: what is seen does not depend on borders", "[contract][engine][partition]") {

@@ -385,6 +385,79 @@ TEST_CASE("kinematics: a robot that is a box follows its arc, slides, and pushes
   CHECK(world.Position("slider").GetX() > 0.0);
 }
 
+TEST_CASE("kinematics: robots in piles come apart in the same way with any number of threads",
+          "[contract][engine][kinematics][determinism]") {
+  // in piles of four, so that sums of what pushes a robot depend on their order; what is put into
+  // cells at the same time by different threads are robots with far numbers
+  constexpr int kPiles = 512;
+  const Real offsets[4][2] = {{0.012, 0.0}, {0.0013, 0.011}, {-0.01, -0.0071}, {0.003, -0.013}};
+  std::string arena;
+  for (int i = 0; i < 4 * kPiles; ++i) {
+    const int pile = i % kPiles;
+    const Real x = 0.3 * (pile % 23) - 3.0 + offsets[i / kPiles][0];
+    const Real y = 0.3 * (pile / 23) - 3.0 + offsets[i / kPiles][1];
+    arena += DriverXml("e-puck", Id(i), x, y, 0, 1, 1);
+  }
+  const auto run = [&arena](UInt32 threads) {
+    CDriveWorld world(kEngine, arena, threads);
+    std::vector<UInt64> digests;
+    for (int tick = 0; tick < 5; ++tick) {
+      world.Step();
+      digests.push_back(world.ComputeDigest());
+    }
+    SOverlaps overlaps;
+    MeasureOverlaps(world.GetSpace(), overlaps);
+    // in the second tick there was room for all
+    CHECK(SOverlaps::Quantile(overlaps.WithRobots, 1.0) <= kRoundings / kEPuckRadius);
+    return digests;
+  };
+  const std::vector<UInt64> alone = run(0);
+  for (const UInt32 threads : {2U, 4U, 4U}) {
+    CAPTURE(threads);
+    CHECK(run(threads) == alone);
+  }
+}
+
+TEST_CASE("kinematics: walls of a region stop robots and things with no overlap",
+          "[contract][engine][kinematics]") {
+  // a square that stands on a corner, of 1 m from the centre to a side; robots drive at all of its
+  // walls, a foot-bot pushes a box to one
+  const Real speed = GENERATE(10.0, 2000.0);  // cm/s
+  CAPTURE(speed);
+  const Real corner = std::sqrt(2.0);
+  std::ostringstream region;
+  region << std::setprecision(17) << "<boundaries><sides>";
+  for (int i = 0; i < 4; ++i) {
+    region << "<vertex wall='true' point='" << (i % 2 == 0 ? corner * (1 - i) : 0.0) << ','
+           << (i % 2 == 1 ? corner * (2 - i) : 0.0) << "'/>";
+  }
+  std::string arena = DriverXml("foot-bot", "pusher", 0, 0, 45, speed, speed) +
+                      BoxXml("box", 0.2, 0.2, 45, "0.1,0.2,0.1");
+  for (int i = 0; i < 7; ++i) {
+    const Real yaw = 100.0 + 33.0 * i;
+    const Real radians = yaw * std::numbers::pi / 180.0;
+    arena += DriverXml("e-puck", Id(i), 0.4 * std::cos(radians), 0.4 * std::sin(radians), yaw,
+                       speed, speed);
+  }
+  CDriveWorld world(kKinematics2D.ToXml("e", "", region.str() + "</sides></boundaries>"), arena);
+  const auto depth = [](const CVector3& position, Real radius) {
+    return (std::abs(position.GetX()) + std::abs(position.GetY())) / std::sqrt(2.0) + radius - 1.0;
+  };
+  for (int tick = 0; tick < 200; ++tick) {
+    world.Step();
+    for (int i = 0; i < 7; ++i) {
+      REQUIRE(depth(world.Position(Id(i)), kEPuckRadius) <= kRoundings);
+    }
+    REQUIRE(depth(world.Position("pusher"), kFootBotRadius) <= kRoundings);
+  }
+  for (int i = 0; i < 7; ++i) {
+    CHECK(depth(world.Position(Id(i)), kEPuckRadius) >= -1e-6);
+  }
+  // 1e-5 of half the narrowest side, and of the way to it what is below the shortest step
+  CHECK_THAT(depth(world.Position("box"), 0.05), WithinAbs(0.0, 1e-5));
+  CHECK_THAT(depth(world.Position("pusher"), kFootBotRadius), WithinAbs(-0.1, 2e-5));
+}
+
 TEST_CASE("kinematics: what it cannot house or do is refused with a reason",
           "[contract][engine][kinematics][errors]") {
   const std::string box =
