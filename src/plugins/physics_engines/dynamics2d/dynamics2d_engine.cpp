@@ -10,7 +10,6 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_shapes.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_world.h>
 #include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
-#include <argos3/plugins/simulator/physics_engines/planar/ghost_discs.h>
 #include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
 
 #include <algorithm>
@@ -26,15 +25,9 @@ CDynamics2DEngine::CDynamics2DEngine() : m_settings(std::make_unique<SPlanarSett
 CDynamics2DEngine::~CDynamics2DEngine() = default;
 
 void CDynamics2DEngine::Init(TConfigurationNode& tree) {
-  CPhysicsEngine::Init(tree);
-  CheckIterations(tree, *this);
-  m_elevation = ReadElevation(tree);
+  CPlanarEngine::Init(tree);
   ReadNotNegative(tree, "gripping_rigidity", m_grippingRigidity);
   ReadGroundFriction(tree, m_settings->BoxFriction, m_settings->CylinderFriction);
-  if (NodeExists(tree, "spatial_hash")) {
-    // tunes a broad phase that this engine does not have
-    MarkSubtreeRead(GetNode(tree, "spatial_hash"));
-  }
   m_settings->Tick = m_cSimulator.GetTickLength();
   m_settings->Substeps = GetIterations();
   m_settings->GrippingRigidity = m_grippingRigidity;
@@ -53,63 +46,34 @@ void CDynamics2DEngine::Reset() {
 
 void CDynamics2DEngine::Destroy() {
   m_world.reset();
-  m_models.clear();
   m_displaced.clear();
+  DropModels();
 }
 
-bool CDynamics2DEngine::IsAtHeight(const CEmbodiedEntity& body) const {
-  return IsOnPlane(body, m_elevation);
+std::unique_ptr<CPlanarModel> CDynamics2DEngine::MakeModel(CEmbodiedEntity& body,
+                                                           const Real* wheels) {
+  return std::make_unique<CDynamics2DModel>(*this, body, wheels);
 }
 
-std::string CDynamics2DEngine::ExplainRefusal(CEntity& entity) const {
-  return ExplainPlanarRefusal(entity, m_elevation);
+void CDynamics2DEngine::RemakeModel(CPlanarModel& model, CEmbodiedEntity& body,
+                                    const Real* wheels) {
+  auto* const place = static_cast<CDynamics2DModel*>(&model);
+  std::destroy_at(place);
+  std::construct_at(place, *this, body, wheels);
 }
 
-bool CDynamics2DEngine::AddEntity(CEntity& entity) {
-  CEmbodiedEntity* const body = FindPlanarBody(entity);
-  if (body == nullptr || !IsAtHeight(*body)) {
-    return false;
-  }
-  CheckPlanarBody(*body);
-  auto model = std::make_unique<CDynamics2DModel>(*this, *body, FindWheels(*body));
-  body->AddPhysicsModel(GetId(), *model);
-  AddModel(std::move(model));
-  return true;
-}
-
-void CDynamics2DEngine::AddModel(std::unique_ptr<CDynamics2DModel> model) {
-  model->m_number = m_models.size();
-  m_models.push_back(std::move(model));
+void CDynamics2DEngine::Enter(CPlanarModel& model) {
   if (m_world != nullptr) {
-    AddToWorld(*m_models.back());
+    AddToWorld(static_cast<CDynamics2DModel&>(model));
   }
 }
 
-bool CDynamics2DEngine::RemoveEntity(CEntity& entity) {
-  CEmbodiedEntity* const body = FindPlanarBody(entity);
-  for (UInt32 i = 0; body != nullptr && i < body->GetPhysicsModelsNum(); ++i) {
-    if (&body->GetPhysicsModel(i).GetEngine() != this) {
-      continue;
-    }
-    const auto model = TakeOut(static_cast<CDynamics2DModel&>(body->GetPhysicsModel(i)));
-    body->RemovePhysicsModel(GetId());
-    return true;
-  }
-  return false;
-}
-
-// the last model takes the number of the one that goes
-std::unique_ptr<CDynamics2DModel> CDynamics2DEngine::TakeOut(CDynamics2DModel& model) {
-  ForgetDisplaced(model);
+void CDynamics2DEngine::Leave(CPlanarModel& model) {
+  auto& leaving = static_cast<CDynamics2DModel&>(model);
+  ForgetDisplaced(leaving);
   if (m_world != nullptr) {
-    m_world->Remove(model.m_handle);
+    m_world->Remove(leaving.m_handle);
   }
-  const size_t number = model.m_number;
-  std::swap(m_models[number], m_models.back());
-  m_models[number]->m_number = number;
-  std::unique_ptr<CDynamics2DModel> taken = std::move(m_models.back());
-  m_models.pop_back();
-  return taken;
 }
 
 void CDynamics2DEngine::TransferEntity(CEmbodiedEntity& body) {
@@ -117,7 +81,7 @@ void CDynamics2DEngine::TransferEntity(CEmbodiedEntity& body) {
     return;
   }
   auto& model = static_cast<CDynamics2DModel&>(body.GetPhysicsModel(size_t(0)));
-  CDynamics2DEngine* const next = FindNext(body);
+  auto* const next = static_cast<CDynamics2DEngine*>(FindNext(body));
   if (next == nullptr) {
     // grips end there
     CPhysicsEngine::TransferEntity(body);
@@ -181,25 +145,6 @@ void CDynamics2DEngine::TransferCluster(CDynamics2DModel& model, CDynamics2DEngi
   }
 }
 
-// the engine that would take the body, if it is of this type and certain to
-CDynamics2DEngine* CDynamics2DEngine::FindNext(CEmbodiedEntity& body) const {
-  auto* const next = dynamic_cast<CDynamics2DEngine*>(FindNextEngine(body));
-  return next != nullptr && next != this && next->IsAtHeight(body) ? next : nullptr;
-}
-
-// Takes a movable body over from another engine of this type. Its model is made anew where it is,
-// because models refer to their engine for ever, and a tick must not ask for memory.
-void CDynamics2DEngine::TakeOver(CDynamics2DModel& model) {
-  auto& from = static_cast<CDynamics2DEngine&>(model.GetEngine());
-  std::unique_ptr<CDynamics2DModel> taken = from.TakeOut(model);
-  CEmbodiedEntity& body = model.m_cEmbodiedEntity;
-  const Real* const wheels = model.m_wheels;
-  std::destroy_at(taken.get());
-  std::construct_at(taken.get(), *this, body, wheels);
-  body.MovePhysicsModel(from.GetId(), GetId(), *taken);
-  AddModel(std::move(taken));
-}
-
 void CDynamics2DEngine::Replace(CDynamics2DModel& model) {
   ForgetDisplaced(model);
   if (m_world != nullptr) {
@@ -235,42 +180,31 @@ void CDynamics2DEngine::ReplaceDisplaced() {
   m_displaced.clear();
 }
 
-void CDynamics2DEngine::UpdateManipulator(CDynamics2DModel& model) {
+void CDynamics2DEngine::UpdateManipulator(CPlanarModel& model) {
   if (m_world != nullptr) {
-    m_world->SetManipulator({&model, &model.m_handle},
-                            *model.m_cEmbodiedEntity.GetBodyDescription(), model.m_gripper,
-                            model.m_turret);
+    auto& robot = static_cast<CDynamics2DModel&>(model);
+    m_world->SetManipulator({&robot, &robot.m_handle},
+                            *robot.m_cEmbodiedEntity.GetBodyDescription(), robot.m_gripper,
+                            robot.m_turret);
   }
 }
 
-// bodies enter the world in the order of their entities, whatever happened before
 void CDynamics2DEngine::Build() {
-  std::vector<CDynamics2DModel*> models;
-  models.reserve(m_models.size());
-  for (const auto& model : m_models) {
-    models.push_back(model.get());
-  }
-  std::sort(models.begin(), models.end(), [](CDynamics2DModel* a, CDynamics2DModel* b) {
-    return a->GetEmbodiedEntity().GetIndex() < b->GetEmbodiedEntity().GetIndex();
-  });
+  const std::vector<CPlanarModel*> models = ListModelsForWorld();
   m_settings->UnitsPerMetre = ChooseScale();
   m_world = std::make_unique<CPlanarWorld>(*m_settings);
   const auto count = [&models](bool movable, bool driven) {
     return static_cast<size_t>(
-        std::count_if(models.begin(), models.end(), [=](const CDynamics2DModel* model) {
-          return model->GetEmbodiedEntity().IsMovable() == movable &&
-                 (model->m_wheels != nullptr) == driven;
+        std::count_if(models.begin(), models.end(), [=](CPlanarModel* model) {
+          const auto& body = static_cast<const CDynamics2DModel&>(*model);
+          return body.m_cEmbodiedEntity.IsMovable() == movable &&
+                 (body.m_wheels != nullptr) == driven;
         }));
   };
-  // movable bodies may also come from other engines; room that is not used costs no memory
-  const auto withComers = [this](size_t bodies) {
-    return IsEntityTransferActive() ? bodies + bodies / 2 + kRoomForComers : bodies;
-  };
-  m_models.reserve(withComers(m_models.size()));
-  m_world->MakeRoom(count(false, false), withComers(count(true, false)),
-                    withComers(count(true, true)));
-  for (CDynamics2DModel* model : models) {
-    AddToWorld(*model);
+  m_world->MakeRoom(count(false, false), WithComers(count(true, false)),
+                    WithComers(count(true, true)));
+  for (CPlanarModel* model : models) {
+    AddToWorld(static_cast<CDynamics2DModel&>(*model));
   }
   // faces of the region that are walls
   const std::vector<SWallSlab> walls = GetVolume().DescribeWalls();
@@ -289,7 +223,7 @@ Real CDynamics2DEngine::GetGhostReach() const {
 // Box2D is tuned for bodies of about its unit of length
 Real CDynamics2DEngine::ChooseScale() const {
   Real smallest = 0.0;
-  for (const auto& model : m_models) {
+  for (const auto& model : GetModels()) {
     if (model->GetEmbodiedEntity().IsMovable()) {
       const Real half = ComputeNarrowestHalf(*model->GetEmbodiedEntity().GetBodyDescription());
       smallest = smallest > 0.0 ? std::min(smallest, half) : half;
@@ -320,8 +254,7 @@ void CDynamics2DEngine::Update() {
   }
   ReplaceDisplaced();
   if (FeelsGhosts()) {
-    ListGhostDiscs(*this, m_elevation, m_ghostDiscs);
-    m_world->SetGhosts(m_ghostDiscs);
+    m_world->SetGhosts(TakeGhosts());
   }
   try {
     m_world->Advance();
@@ -348,7 +281,7 @@ void CDynamics2DEngine::Update() {
 
 void CDynamics2DEngine::WriteBack(CDynamics2DModel& model, const SPlanarPose& pose) {
   CEmbodiedEntity& body = model.m_cEmbodiedEntity;
-  body.SetOriginPose(CVector3(pose.X, pose.Y, m_elevation),
+  body.SetOriginPose(CVector3(pose.X, pose.Y, GetElevation()),
                      CQuaternion(pose.HalfCos, 0.0, 0.0, pose.HalfSin));
   if (body.GetEnabledAnchors().size() > 1) {
     model.CalculateAnchors();

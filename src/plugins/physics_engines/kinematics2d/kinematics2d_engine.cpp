@@ -10,7 +10,6 @@
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_limits.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_world.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematics2d_model.h>
-#include <argos3/plugins/simulator/physics_engines/planar/ghost_discs.h>
 #include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
 #include <argos3/core/utility/prefetch.h>
 
@@ -44,16 +43,11 @@ CKinematics2DEngine::CKinematics2DEngine()
 CKinematics2DEngine::~CKinematics2DEngine() = default;
 
 void CKinematics2DEngine::Init(TConfigurationNode& tree) {
-  CPhysicsEngine::Init(tree);
-  CheckIterations(tree, *this);
-  m_elevation = ReadElevation(tree);
+  CPlanarEngine::Init(tree);
   ReadGroundFriction(tree, *m_boxFriction, *m_cylinderFriction);
   // files are made for dynamics2d, too
   Real ignored = 0.0;
   ReadNotNegative(tree, "gripping_rigidity", ignored);
-  if (NodeExists(tree, "spatial_hash")) {
-    MarkSubtreeRead(GetNode(tree, "spatial_hash"));
-  }
 }
 
 // The world is made anew from the entities, in the next tick: nothing of the run so far is left in
@@ -64,81 +58,50 @@ void CKinematics2DEngine::Reset() {
 
 void CKinematics2DEngine::Destroy() {
   m_world.reset();
-  m_models.clear();
   m_manipulators.clear();
+  DropModels();
 }
 
-std::string CKinematics2DEngine::ExplainRefusal(CEntity& entity) const {
-  return ExplainPlanarRefusal(entity, m_elevation);
+std::unique_ptr<CPlanarModel> CKinematics2DEngine::MakeModel(CEmbodiedEntity& body,
+                                                             const Real* wheels) {
+  return std::make_unique<CKinematics2DModel>(*this, body, wheels);
 }
 
-bool CKinematics2DEngine::AddEntity(CEntity& entity) {
-  CEmbodiedEntity* const body = FindPlanarBody(entity);
-  if (body == nullptr || !IsOnPlane(*body, m_elevation)) {
-    return false;
-  }
-  CheckPlanarBody(*body);
-  auto model = std::make_unique<CKinematics2DModel>(*this, *body, FindWheels(*body));
-  body->AddPhysicsModel(GetId(), *model);
-  AddModel(std::move(model));
-  return true;
+void CKinematics2DEngine::RemakeModel(CPlanarModel& model, CEmbodiedEntity& body,
+                                      const Real* wheels) {
+  auto* const place = static_cast<CKinematics2DModel*>(&model);
+  std::destroy_at(place);
+  std::construct_at(place, *this, body, wheels);
 }
 
-void CKinematics2DEngine::AddModel(std::unique_ptr<CKinematics2DModel> model) {
-  model->m_number = m_models.size();
-  m_models.push_back(std::move(model));
+void CKinematics2DEngine::Enter(CPlanarModel& model) {
   if (m_world != nullptr) {
-    AddToWorld(*m_models.back());
+    AddToWorld(static_cast<CKinematics2DModel&>(model));
   }
-  UpdateManipulator(*m_models.back());
+  UpdateManipulator(model);
 }
 
-bool CKinematics2DEngine::RemoveEntity(CEntity& entity) {
-  CEmbodiedEntity* const body = FindPlanarBody(entity);
-  for (UInt32 i = 0; body != nullptr && i < body->GetPhysicsModelsNum(); ++i) {
-    if (&body->GetPhysicsModel(i).GetEngine() != this) {
-      continue;
-    }
-    const auto model = TakeOut(static_cast<CKinematics2DModel&>(body->GetPhysicsModel(i)));
-    body->RemovePhysicsModel(GetId());
-    return true;
-  }
-  return false;
-}
-
-// the last model takes the number of the one that goes
-std::unique_ptr<CKinematics2DModel> CKinematics2DEngine::TakeOut(CKinematics2DModel& model) {
+void CKinematics2DEngine::Leave(CPlanarModel& model) {
+  auto& leaving = static_cast<CKinematics2DModel&>(model);
   if (m_world != nullptr) {
-    m_world->Remove(model.m_handle);
+    m_world->Remove(leaving.m_handle);
   }
-  if (model.m_isManipulator) {
-    std::erase(m_manipulators, &model);
-    model.m_isManipulator = false;
+  if (leaving.m_isManipulator) {
+    std::erase(m_manipulators, &leaving);
+    leaving.m_isManipulator = false;
   }
-  const size_t number = model.m_number;
-  std::swap(m_models[number], m_models.back());
-  m_models[number]->m_number = number;
-  std::unique_ptr<CKinematics2DModel> taken = std::move(m_models.back());
-  m_models.pop_back();
-  return taken;
 }
 
 void CKinematics2DEngine::TransferEntity(CEmbodiedEntity& body) {
   if (&body.GetPhysicsModel(size_t(0)).GetEngine() != this) {
     return;
   }
-  if (CKinematics2DEngine* const next = FindNext(body)) {
+  if (auto* const next = static_cast<CKinematics2DEngine*>(FindNext(body))) {
     CheckPlanarBody(body);
     next->TakeOver(static_cast<CKinematics2DModel&>(body.GetPhysicsModel(size_t(0))));
   } else {
     CPhysicsEngine::TransferEntity(body);
   }
-}
-
-// the engine that would take the body, if it is of this type and certain to
-CKinematics2DEngine* CKinematics2DEngine::FindNext(CEmbodiedEntity& body) const {
-  auto* const next = dynamic_cast<CKinematics2DEngine*>(FindNextEngine(body));
-  return next != nullptr && next != this && IsOnPlane(body, next->m_elevation) ? next : nullptr;
 }
 
 bool CKinematics2DEngine::GetMotion(const CEmbodiedEntity& body, SBodyMotion& motion) const {
@@ -155,19 +118,6 @@ bool CKinematics2DEngine::GetMotion(const CEmbodiedEntity& body, SBodyMotion& mo
   return true;
 }
 
-// Takes a movable body over from another engine of this type. Its model is made anew where it is,
-// because models refer to their engine for ever, and a tick must not ask for memory.
-void CKinematics2DEngine::TakeOver(CKinematics2DModel& model) {
-  auto& from = static_cast<CKinematics2DEngine&>(model.GetEngine());
-  std::unique_ptr<CKinematics2DModel> taken = from.TakeOut(model);
-  CEmbodiedEntity& body = model.m_cEmbodiedEntity;
-  const Real* const wheels = model.m_wheels;
-  std::destroy_at(taken.get());
-  std::construct_at(taken.get(), *this, body, wheels);
-  body.MovePhysicsModel(from.GetId(), GetId(), *taken);
-  AddModel(std::move(taken));
-}
-
 void CKinematics2DEngine::Replace(CKinematics2DModel& model) {
   if (m_world == nullptr) {
     return;
@@ -180,48 +130,39 @@ void CKinematics2DEngine::Replace(CKinematics2DModel& model) {
   }
 }
 
-void CKinematics2DEngine::UpdateManipulator(CKinematics2DModel& model) {
-  const bool hasOne = model.m_gripper != nullptr || model.m_turret != nullptr;
-  if (hasOne && !model.m_isManipulator) {
-    m_manipulators.push_back(&model);
-  } else if (!hasOne && model.m_isManipulator) {
-    std::erase(m_manipulators, &model);
+void CKinematics2DEngine::UpdateManipulator(CPlanarModel& model) {
+  auto& robot = static_cast<CKinematics2DModel&>(model);
+  const bool hasOne = robot.m_gripper != nullptr || robot.m_turret != nullptr;
+  if (hasOne && !robot.m_isManipulator) {
+    m_manipulators.push_back(&robot);
+  } else if (!hasOne && robot.m_isManipulator) {
+    std::erase(m_manipulators, &robot);
   }
-  model.m_isManipulator = hasOne;
+  robot.m_isManipulator = hasOne;
 }
 
-// bodies enter the world in the order of their entities, whatever happened before
 void CKinematics2DEngine::Build() {
-  std::vector<CKinematics2DModel*> models;
-  models.reserve(m_models.size());
+  const std::vector<CPlanarModel*> models = ListModelsForWorld();
   size_t numImmovable = 0;
   size_t numDriven = 0;
-  for (const auto& model : m_models) {
-    models.push_back(model.get());
-    numImmovable += model->GetEmbodiedEntity().IsMovable() ? 0 : 1;
-    numDriven += model->m_wheels != nullptr ? 1 : 0;
+  for (CPlanarModel* model : models) {
+    const auto& body = static_cast<const CKinematics2DModel&>(*model);
+    numImmovable += body.m_cEmbodiedEntity.IsMovable() ? 0 : 1;
+    numDriven += body.m_wheels != nullptr ? 1 : 0;
   }
-  std::sort(models.begin(), models.end(), [](CKinematics2DModel* a, CKinematics2DModel* b) {
-    return a->GetEmbodiedEntity().GetIndex() < b->GetEmbodiedEntity().GetIndex();
-  });
-  // movable bodies may also come from other engines
-  const auto withComers = [this](size_t bodies) {
-    return IsEntityTransferActive() ? bodies + bodies / 2 + kRoomForComers : bodies;
-  };
-  m_models.reserve(withComers(m_models.size()));
-  m_manipulators.reserve(withComers(m_manipulators.size()));
-  m_hasLeft.reserve(withComers(numDriven));
+  m_manipulators.reserve(WithComers(m_manipulators.size()));
+  m_hasLeft.reserve(WithComers(numDriven));
   m_world = std::make_unique<CKinematicWorld>();
-  m_world->MakeRoom(numImmovable, withComers(models.size() - numImmovable - numDriven),
-                    withComers(numDriven));
-  for (CKinematics2DModel* model : models) {
-    AddToWorld(*model);
+  m_world->MakeRoom(numImmovable, WithComers(models.size() - numImmovable - numDriven),
+                    WithComers(numDriven));
+  for (CPlanarModel* model : models) {
+    AddToWorld(static_cast<CKinematics2DModel&>(*model));
   }
   for (const SWallSlab& wall : GetVolume().DescribeWalls()) {
     m_world->AddWall(*wall.Description, MakePlanarPose(wall.Position, wall.Orientation));
   }
   if (FeelsGhosts()) {
-    m_world->MakeRoomForGhosts(withComers(numDriven));
+    m_world->MakeRoomForGhosts(WithComers(numDriven));
   }
 }
 
@@ -254,17 +195,12 @@ void CKinematics2DEngine::Update() {
     Build();
   }
   if (FeelsGhosts()) {
-    TakeGhosts();
+    m_world->SetGhosts(TakeGhosts(), m_cSimulator.GetTickLength(), GetIterations());
   }
   Advance();
   UseManipulators();
   WriteBackDiscs();
   WriteBackSolids();
-}
-
-void CKinematics2DEngine::TakeGhosts() {
-  ListGhostDiscs(*this, m_elevation, m_ghostDiscs);
-  m_world->SetGhosts(m_ghostDiscs, m_cSimulator.GetTickLength(), GetIterations());
 }
 
 void CKinematics2DEngine::Advance() {
@@ -333,7 +269,7 @@ void CKinematics2DEngine::WriteBackDiscs(size_t begin, size_t end) {
     const Real radius = discs.GetRadius(slot);
     CKinematics2DModel& model = *discs.GetOwner(slot).Model;
     CEmbodiedEntity& body = *discs.GetOwner(slot).Body;
-    body.SetOriginPose(CVector3(pose.X, pose.Y, m_elevation),
+    body.SetOriginPose(CVector3(pose.X, pose.Y, GetElevation()),
                        CQuaternion(pose.HalfCos, 0.0, 0.0, pose.HalfSin));
     if (body.GetEnabledAnchors().size() > 1) {
       model.CalculateAnchors();
@@ -361,7 +297,7 @@ void CKinematics2DEngine::WriteBackSolids() {
     solid.HasMoved = false;
     CKinematics2DModel& model = *solid.Owner.Model;
     CEmbodiedEntity& body = model.m_cEmbodiedEntity;
-    body.SetOriginPose(CVector3(solid.Pose.X, solid.Pose.Y, m_elevation),
+    body.SetOriginPose(CVector3(solid.Pose.X, solid.Pose.Y, GetElevation()),
                        CQuaternion(solid.Pose.HalfCos, 0.0, 0.0, solid.Pose.HalfSin));
     if (body.GetEnabledAnchors().size() > 1) {
       model.CalculateAnchors();

@@ -10,9 +10,6 @@ namespace argos {
 
 // What engines in which bodies stand on a plane have in common: what they read, and whom they take.
 
-/** Bodies for which an engine with borders has room beyond half as many again as it starts with. */
-constexpr size_t kRoomForComers = 64;
-
 /** Bounds of the friction of passive bodies on the ground. */
 struct SGroundFriction {
   Real Force = 1.49;  // N
