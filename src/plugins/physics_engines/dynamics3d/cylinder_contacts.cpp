@@ -44,7 +44,8 @@ SBeside FindBeside(const SUpright& first, const SUpright& second) {
           std::min(first.HalfLength, along + second.HalfLength)};
 }
 
-// how deep they are inside each other at that height; the direction from the second to the first
+// how deep they are inside each other at that height, m, below 0 if they are apart; the direction
+// from the second to the first
 Real MeasureDepth(const SUpright& first, const SUpright& second, Real height, CVector3& direction) {
   const CVector3 on = first.Centre + first.Axis * height;
   const Real along = (on - second.Centre).DotProduct(second.Axis);
@@ -52,7 +53,7 @@ Real MeasureDepth(const SUpright& first, const SUpright& second, Real height, CV
   const Real distance = direction.Length();
   // on one axis there is no direction
   if (!(distance > 1e-9)) {
-    return -1.0;
+    return -HUGE_VAL;
   }
   direction /= distance;
   return first.Radius + second.Radius - distance;
@@ -60,7 +61,8 @@ Real MeasureDepth(const SUpright& first, const SUpright& second, Real height, CV
 
 }  // namespace
 
-int FindContacts(dGeomID first, dGeomID second, int most, dContactGeom* contacts, int skip) {
+int FindContacts(dGeomID first, dGeomID second, int most, dContactGeom* contacts, int skip,
+                 dReal reach) {
   if (dGeomGetClass(first) != dCylinderClass || dGeomGetClass(second) != dCylinderClass) {
     return dCollide(first, second, most, contacts, skip);
   }
@@ -80,7 +82,7 @@ int FindContacts(dGeomID first, dGeomID second, int most, dContactGeom* contacts
   int count = 0;
   for (const Real height : {beside.Low, beside.High}) {
     const Real inside = MeasureDepth(a, b, height, direction);
-    if (inside < 0.0 || count == most) {
+    if (inside < -reach || count == most) {
       continue;
     }
     auto& contact = *reinterpret_cast<dContactGeom*>(reinterpret_cast<char*>(contacts) +
