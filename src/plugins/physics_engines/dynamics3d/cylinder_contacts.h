@@ -7,7 +7,8 @@ namespace argos {
 
 /**
  * dCollide(), but for two cylinders that stand side by side, which is how most robots meet: exact
- * there, at both ends of the line on which they touch.
+ * there, at both ends of the line on which they touch. Of a cylinder and a box, at most four
+ * contacts that are far apart.
  * @param skip   bytes from one contact to the next.
  * @param reach  m: cylinders side by side also count when they are apart by as much, with a depth
  *               below 0.

@@ -90,6 +90,11 @@ bool IsPartOfEngine(const std::string& tag) {
   return tag == "boundaries" || tag == "solver" || tag == "contacts";
 }
 
+// Of another engine: files change engines by one word. Nobody reads it, which is warned of.
+bool IsPartOfOtherEngine(const std::string& tag) {
+  return tag == "friction" || tag == "spatial_hash";
+}
+
 }  // namespace
 
 CDynamics3DEngine::CDynamics3DEngine() : m_settings(std::make_unique<SRigidSettings>()) {}
@@ -123,7 +128,7 @@ void CDynamics3DEngine::InitPlugins(TConfigurationNode& tree) {
   TConfigurationNodeIterator child;
   for (child = child.begin(&tree); child != child.end(); ++child) {
     const std::string& label = child->Value();
-    if (IsPartOfEngine(label)) {
+    if (IsPartOfEngine(label) || IsPartOfOtherEngine(label)) {
       continue;
     }
     if (!CFactory<CDynamics3DPlugin>::Exists(label)) {

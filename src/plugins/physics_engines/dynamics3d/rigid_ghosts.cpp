@@ -96,19 +96,20 @@ void CRigidGhosts::Set(const std::vector<SGhostCylinder>& ghosts) {
   }
 }
 
-void CRigidGhosts::Meet(const std::vector<SRigidBody*>& movables, Real path) {
-  // both may go that far
-  const Real reach = 2.0 * path;
+void CRigidGhosts::Meet(const std::vector<SRigidBody*>& movables, Real path, Real flyingPath) {
   for (SRigidBody* body : movables) {
+    const Real own = body->Source.Quadrotor != nullptr ? std::max(path, flyingPath) : path;
+    // the face is half-way
+    const Real reach = 2.0 * own;
     bool isNear = true;
     for (UInt32 axis = 0; axis < 3; ++axis) {
       isNear = isNear && body->Low[axis] - reach <= m_high[axis] &&
                body->High[axis] + reach >= m_low[axis];
     }
     if (isNear && IsRobot(*body)) {
-      MeetRobot(*body, path);
+      MeetRobot(*body, own);
     } else if (isNear) {
-      MeetThing(*body, path);
+      MeetThing(*body, own);
     }
   }
 }

@@ -44,9 +44,10 @@ class CRigidGhosts {
   bool IsEmpty() const { return m_ghosts.empty(); }
   /**
    * Finds who may meet a ghost in this tick, and wakes who is inside of one.
-   * @param path  m, the longest way that anything goes in the tick.
+   * @param path        m, the longest way that anything goes in the tick, and
+   * @param flyingPath  that a robot with propellers goes.
    */
-  void Meet(const std::vector<SRigidBody*>& movables, Real path);
+  void Meet(const std::vector<SRigidBody*>& movables, Real path, Real flyingPath);
 
   /**
    * Calls visit(const SRigidBody& body, const SRigidBody& ghost) for each meeting; the ghost's

@@ -16,6 +16,9 @@ namespace {
 
 // m/s: what a robot that stands at the last tick's end is thought to reach in the next one at most
 constexpr Real kSuddenSpeed = 0.5;
+// m/s: the same for one that flies; the controllers of an eye-bot that is told to go elsewhere
+// reach it in a tick of 0.1 s
+constexpr Real kSuddenFlight = 6.0;
 // what others that push add to the way of the fastest
 constexpr Real kPathMargin = 1.5;
 
@@ -83,9 +86,10 @@ void CRigidWorld::AddPlane(const SGroundPlane& plane) {
 
 void CRigidWorld::AddCeiling(const SGroundPlane& plane) {
   SRigidBody& body = MakePlane(plane);
-  body.Low.SetZ(plane.Height);
+  body.Margin = kFaceMargin;
+  body.Low.SetZ(plane.Height - kFaceMargin);
   body.High.SetZ(HUGE_VAL);
-  const dGeomID geom = dCreatePlane(nullptr, 0.0, 0.0, -1.0, -plane.Height);
+  const dGeomID geom = dCreatePlane(nullptr, 0.0, 0.0, -1.0, kFaceMargin - plane.Height);
   body.Solids.push_back(geom);
 }
 
@@ -187,7 +191,7 @@ void CRigidWorld::StartTick() {
     }
   }
   if (!m_ghosts.IsEmpty()) {
-    m_ghosts.Meet(m_movables, ComputeLongestPath(FindFastest()));
+    m_ghosts.Meet(m_movables, ComputeLongestPath(FindFastest()), ComputeLongestPath(kSuddenFlight));
   }
   m_mostDirectRows = m_settings.MaxDirectRows;
   m_numSubsteps = CountSubsteps();
@@ -217,7 +221,8 @@ Real CRigidWorld::ComputeLongestPath(Real fastest) const {
 
 Real CRigidWorld::ComputeGhostReach() const {
   // one that drives and one that is driven at may both go the longest path
-  return m_widest + 2.0 * ComputeLongestPath(std::max(FindFastest(), kSuddenSpeed));
+  const Real sudden = m_flying.empty() ? kSuddenSpeed : kSuddenFlight;
+  return m_widest + 2.0 * ComputeLongestPath(std::max(FindFastest(), sudden));
 }
 
 // ODE finds contacts only where bodies are at the end of a substep: none may get through another in
