@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/query_plugins.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/string_utilities.h>
@@ -445,6 +446,10 @@ void CDynamics3DEngine::WriteBack(CDynamics3DModel& model) {
   }
 }
 
+[[maybe_unused]] static const CPluginKind kAddOns("dynamics3d_add_ons", "dynamics3d",
+                                                  "ADD-ONS OF DYNAMICS3D",
+                                                  &ListPlugins<CDynamics3DPlugin>);
+
 REGISTER_PHYSICS_ENGINE(
     CDynamics3DEngine, "dynamics3d", "the authors of this project", "1.0",
     "Rigid bodies in three dimensions, on ODE.",
@@ -516,7 +521,8 @@ ATTRIBUTES
   ghosts                "true" (default) or "false": are robots of other engines near the border felt?
   debug_file            accepted and ignored.
 
-Every other child is an add-on that a library has registered (REGISTER_DYNAMICS3D_PLUGIN).
+Every other child is an add-on that a library has registered (REGISTER_DYNAMICS3D_PLUGIN); argos3 -q followed by its
+name describes it. <friction> and <spatial_hash>, which are dynamics2d's, are warned of and ignored.
 )",
     "Usable")
 

@@ -23,9 +23,9 @@ namespace {
 constexpr Real kSunk = 1e-3;
 // m: origins of what leans on a wall, or hits it, are behind it by less
 constexpr Real kInWall = 0.05;
-// m, rad: what stands that near to the height of a plane, and leans by no more, may enter it. Robots
-// that avoid each other cross up to 1.1 mm high and lean by 1.3 degrees, those that push each other
-// by 11 degrees.
+// m, rad: what stands that near to the height of a plane, and leans by no more, may enter it.
+// Robots that avoid each other cross up to 1.1 mm high and lean by 1.3 degrees, those that push
+// each other by 11 degrees.
 constexpr Real kStepOntoPlane = 0.01;
 constexpr Real kLeanOntoPlane = 10.0 / 180.0 * ARGOS_PI;
 
