@@ -28,7 +28,7 @@ Examples:
 
 Words for --query:
   actuators, sensors, physics_engines, media, visualizations, entities, controllers,
-  loop_functions: lists of that kind
+  loop_functions: lists of that kind; dynamics3d_add_ons and other words of libraries, too
   all: all the lists
   anything else: the full documentation of the plug-ins whose name contains the word
 

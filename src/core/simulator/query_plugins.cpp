@@ -9,9 +9,11 @@
 #include <argos3/core/simulator/sensor.h>
 #include <argos3/core/simulator/visualization/visualization.h>
 #include <argos3/core/utility/logging/argos_log.h>
-#include <argos3/core/utility/plugins/factory.h>
+#include <argos3/core/utility/plugins/process_wide.h>
 #include <argos3/core/utility/string_utilities.h>
 
+#include <map>
+#include <mutex>
 #include <sstream>
 #include <vector>
 
@@ -19,34 +21,35 @@ namespace argos {
 
 namespace {
 
-struct SPlugin {
-  std::string Label;
-  std::string Author;
-  std::string Version;
-  std::string Brief;
-  std::string Long;
-  std::string Status;
-};
-
 struct SKind {
-  const char* Word;  // as the user asks for it
-  const char* Header;
-  std::vector<SPlugin> Plugins;  // by label
+  std::string Word;  // as the user asks for it
+  std::string Header;
+  std::vector<SPluginText> Plugins;  // by label
+  std::string Of = "";  // label of the plug-in that these belong to; empty: to the core
 };
 
-template <typename TYPE>
-std::vector<SPlugin> List() {
-  std::vector<SPlugin> plugins;
-  for (const auto& [label, info] : CFactory<TYPE>::GetTypes()) {
-    plugins.push_back({label, info.Author, info.Version, info.BriefDescription,
-                       info.LongDescription, info.Status});
-  }
-  return plugins;
+// a kind that a library has added
+struct SAddedKind {
+  std::string Of;
+  std::string Header;
+  CPluginKind::TList* List;
+};
+
+// by word; guarded by the mutex of registrations
+std::map<std::string, SAddedKind>& GetAddedKinds() {
+  static std::map<std::string, SAddedKind> kinds;
+  return kinds;
+}
+
+// lists take locks of their own, which come before this one
+std::map<std::string, SAddedKind> CopyAddedKinds() {
+  const std::lock_guard<std::recursive_mutex> lock(detail::GetRegistrationMutex());
+  return GetAddedKinds();
 }
 
 // what stands among the engines in an experiment file, but is none
-std::vector<SPlugin> ListEngines() {
-  std::vector<SPlugin> plugins = List<CPhysicsEngine>();
+std::vector<SPluginText> ListEngines() {
+  std::vector<SPluginText> plugins = ListPlugins<CPhysicsEngine>();
   plugins.push_back({"auto_partition", "the authors of this project", "1.0",
                      "Not an engine: one engine for each part of the arena.",
                      kAutoPartitionDocumentation, "Usable"});
@@ -54,28 +57,41 @@ std::vector<SPlugin> ListEngines() {
 }
 
 std::vector<SKind> ListAll() {
-  return {{"actuators", "AVAILABLE ACTUATORS", List<CSimulatedActuator>()},
-          {"sensors", "AVAILABLE SENSORS", List<CSimulatedSensor>()},
-          {"physics_engines", "AVAILABLE PHYSICS ENGINES", ListEngines()},
-          {"media", "AVAILABLE MEDIA", List<CMedium>()},
-          {"visualizations", "AVAILABLE VISUALIZATIONS", List<CVisualization>()},
-          {"entities", "AVAILABLE ENTITIES", List<CEntity>()},
-          {"controllers", "AVAILABLE CONTROLLERS", List<CCI_Controller>()},
-          {"loop_functions", "AVAILABLE LOOP FUNCTIONS", List<CLoopFunctions>()}};
+  std::vector<SKind> all = {
+      {"actuators", "AVAILABLE ACTUATORS", ListPlugins<CSimulatedActuator>()},
+      {"sensors", "AVAILABLE SENSORS", ListPlugins<CSimulatedSensor>()},
+      {"physics_engines", "AVAILABLE PHYSICS ENGINES", ListEngines()},
+      {"media", "AVAILABLE MEDIA", ListPlugins<CMedium>()},
+      {"visualizations", "AVAILABLE VISUALIZATIONS", ListPlugins<CVisualization>()},
+      {"entities", "AVAILABLE ENTITIES", ListPlugins<CEntity>()},
+      {"controllers", "AVAILABLE CONTROLLERS", ListPlugins<CCI_Controller>()},
+      {"loop_functions", "AVAILABLE LOOP FUNCTIONS", ListPlugins<CLoopFunctions>()}};
+  for (const auto& [word, kind] : CopyAddedKinds()) {
+    all.push_back({word, kind.Header, kind.List(), kind.Of});
+  }
+  return all;
 }
 
 void PrintList(std::ostream& stream, const SKind& kind) {
   stream << kind.Header << "\n\n";
-  for (const SPlugin& plugin : kind.Plugins) {
+  for (const SPluginText& plugin : kind.Plugins) {
     stream << "   [ " << plugin.Label << " ]\n      " << plugin.Brief << "\n\n";
   }
 }
 
-void PrintDocumentation(std::ostream& stream, const SPlugin& plugin) {
+void PrintDocumentation(std::ostream& stream, const SPluginText& plugin) {
   stream << "[ " << plugin.Label << " ]\n"
          << plugin.Brief << "\nby " << plugin.Author << "\nVersion: " << plugin.Version
          << "\nStatus: " << plugin.Status << "\n\n"
          << plugin.Long << '\n';
+}
+
+void PrintKindsOf(std::ostream& stream, const std::string& label, const std::vector<SKind>& kinds) {
+  for (const SKind& kind : kinds) {
+    if (kind.Of == label) {
+      PrintList(stream, kind);
+    }
+  }
 }
 
 void PrintMatches(std::ostream& stream, const std::string& query, const std::vector<SKind>& kinds) {
@@ -84,13 +100,14 @@ void PrintMatches(std::ostream& stream, const std::string& query, const std::vec
   std::ostringstream matches;
   for (const SKind& kind : kinds) {
     names.push_back(kind.Word);
-    for (const SPlugin& plugin : kind.Plugins) {
+    for (const SPluginText& plugin : kind.Plugins) {
       names.push_back(plugin.Label);
       if (plugin.Label.find(query) == std::string::npos) {
         continue;
       }
       matches << (found ? std::string(78, '=') + '\n' : std::string());
       PrintDocumentation(matches, plugin);
+      PrintKindsOf(matches, plugin.Label, kinds);
       found = true;
     }
   }
@@ -104,6 +121,12 @@ void PrintMatches(std::ostream& stream, const std::string& query, const std::vec
 }
 
 }  // namespace
+
+CPluginKind::CPluginKind(const std::string& word, const std::string& of, const std::string& header,
+                         TList* list) {
+  const std::lock_guard<std::recursive_mutex> lock(detail::GetRegistrationMutex());
+  GetAddedKinds()[word] = {of, header, list};
+}
 
 std::string DescribePlugins(const std::string& query) {
   const std::vector<SKind> kinds = ListAll();

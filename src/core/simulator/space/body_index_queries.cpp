@@ -1,6 +1,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/space/body_index.h>
 #include <argos3/core/simulator/space/shape_overlap.h>
+#include <argos3/core/simulator/space/solid_overlap.h>
 #include <argos3/core/utility/prefetch.h>
 
 #include <limits>
@@ -183,10 +184,22 @@ UInt32 CBodyIndex::FindOverlap(const SBodyDescription& description, const CVecto
                                const CQuaternion& orientation, UInt32 ignored) const {
   UInt32 found = kNoBody;
   const SPose pose = MakePose(position, orientation);
+  const auto place = [this](const SIndexedShape& shape) {
+    const SBody& body = m_bodies[shape.Body];
+    const SAnchor& origin = body.Entity->GetOriginAnchor();
+    return SPlacedSolid{&body.Description->Shapes[shape.Shape], origin.Position,
+                        origin.Orientation};
+  };
   for (const SShapeDescription& solid : description.Shapes) {
     const SIndexedShape shape = Pack(solid, pose, orientation);
     ForShapesNear(shape.X, shape.Y, shape.Radius, [&](const SIndexedShape& other) {
-      if (other.Body != ignored && other.Body < found && ShapesOverlap(shape, other)) {
+      if (other.Body == ignored || other.Body >= found || !ShapesOverlap(shape, other)) {
+        return;
+      }
+      // of what leans, that was only its bounds
+      const bool isExact =
+          shape.Kind != SIndexedShape::EKind::Tilted && other.Kind != SIndexedShape::EKind::Tilted;
+      if (isExact || SolidsOverlap({&solid, position, orientation}, place(other))) {
         found = other.Body;
       }
     });

@@ -8,7 +8,8 @@ namespace argos {
 /**
  * True if two solids share more than a touch: by over 1e-9 m in every direction.
  *
- * Exact for upright solids; one that is tilted counts as its bounding sphere's prism.
+ * Exact for upright solids; one that is tilted counts as its bounding sphere's prism, see
+ * SolidsOverlap().
  */
 bool ShapesOverlap(const SIndexedShape& a, const SIndexedShape& b);
 

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/contact_finder.h>
 
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/cylinder_contacts.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_ghosts.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_grips.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
 
@@ -16,6 +17,8 @@ namespace {
 constexpr int kMaxContacts = 4;
 // m/s: what slides more slowly has no direction worth following
 constexpr Real kSlidingSpeed = 1e-4;
+// what meets within that many substeps at its present speed is seen coming
+constexpr Real kForesight = 1.5;
 // rows of the two hinges with motors of a robot
 constexpr UInt32 kAxleRows = 12;
 // and of a turret's pivot with its motor, and the ball joint on its arm
@@ -26,13 +29,13 @@ bool IsActive(const SRigidBody& body) {
   return body.IsMovable() && !body.Asleep;
 }
 
-bool DoBoundsOverlap(dGeomID first, dGeomID second) {
+bool DoBoundsOverlap(dGeomID first, dGeomID second, Real reach) {
   dReal a[6];  // m: least and greatest x, y and z
   dReal b[6];
   dGeomGetAABB(first, a);
   dGeomGetAABB(second, b);
-  return a[0] <= b[1] && b[0] <= a[1] && a[2] <= b[3] && b[2] <= a[3] && a[4] <= b[5] &&
-         b[4] <= a[5];
+  return a[0] <= b[1] + reach && b[0] <= a[1] + reach && a[2] <= b[3] + reach &&
+         b[2] <= a[3] + reach && a[4] <= b[5] + reach && b[4] <= a[5] + reach;
 }
 
 CVector3 VelocityAt(dGeomID geom, const CVector3& point) {
@@ -75,8 +78,9 @@ void CContactFinder::Clear() {
 void CContactFinder::Find(const std::vector<SRigidBody*>& movables,
                           const std::vector<SRigidBody*>& fixed,
                           const std::vector<SRigidBody*>& planes, const CRigidGrips& grips,
-                          const CVector3& gravity) {
+                          const CRigidGhosts& ghosts, const CVector3& gravity, Real substep) {
   m_gravity = gravity;
+  m_substep = substep;
   m_numContacts = 0;
   m_parents.resize(movables.size());
   for (UInt32 i = 0; i < m_parents.size(); ++i) {
@@ -87,7 +91,8 @@ void CContactFinder::Find(const std::vector<SRigidBody*>& movables,
   WakeNeighbours(pairs, grips);
   for (SRigidBody* body : movables) {
     for (size_t i = 0; !body->Asleep && i < planes.size(); ++i) {
-      if (body->Low.GetZ() <= planes[i]->High.GetZ()) {
+      if (body->Low.GetZ() <= planes[i]->High.GetZ() &&
+          body->High.GetZ() >= planes[i]->Low.GetZ()) {
         Touch(*body, *planes[i]);
       }
     }
@@ -97,6 +102,12 @@ void CContactFinder::Find(const std::vector<SRigidBody*>& movables,
       Touch(*pair.First, *pair.Second);
     }
   }
+  // they bear nothing, and keep nothing awake
+  ghosts.ForEachMeeting([this](const SRigidBody& body, const SRigidBody& ghost) {
+    if (IsActive(body)) {
+      TouchSolids(body, ghost);
+    }
+  });
   grips.ForEachGrip([this](const SRigidBody& holder, const SRigidBody& held) {
     Unite(holder, held);
     m_islands[holder.Number].Rows += kGripRows;
@@ -149,14 +160,26 @@ void CContactFinder::Touch(SRigidBody& first, SRigidBody& second) {
   }
 }
 
+// how near two robots must be to meet in the substep, m
+Real CContactFinder::ComputeReach(const SRigidBody& first, const SRigidBody& second) const {
+  if (!first.HasWheels() || !second.HasWheels()) {
+    return 0.0;
+  }
+  const CVector3 speed =
+      FromODE(dBodyGetLinearVel(first.Body)) - FromODE(dBodyGetLinearVel(second.Body));
+  return kForesight * speed.Length() * m_substep;
+}
+
 void CContactFinder::TouchSolids(const SRigidBody& first, const SRigidBody& second) {
+  const Real reach = ComputeReach(first, second);
   for (const dGeomID a : first.Solids) {
     for (const dGeomID b : second.Solids) {
-      if (!DoBoundsOverlap(a, b)) {
+      if (!DoBoundsOverlap(a, b, reach)) {
         continue;
       }
       dContact contacts[kMaxContacts];
-      const int count = FindContacts(a, b, kMaxContacts, &contacts[0].geom, sizeof(dContact));
+      const int count =
+          FindContacts(a, b, kMaxContacts, &contacts[0].geom, sizeof(dContact), reach);
       for (int i = 0; i < count; ++i) {
         AddSolidContact(contacts[i], first, second);
       }
@@ -187,6 +210,9 @@ void CContactFinder::Roll(const SRigidBody& robot, const SRigidBody& ground) {
 bool CContactFinder::FindRollerContact(const SRoller& roller, const CVector3& centre,
                                        const SRigidBody& ground, dGeomID solid,
                                        dContactGeom& contact) const {
+  if (ground.IsCeiling()) {
+    return false;
+  }
   if (ground.IsPlane()) {
     contact.normal[0] = contact.normal[1] = 0.0;
     contact.normal[2] = 1.0;
@@ -238,11 +264,27 @@ void CContactFinder::AddRollerContact(dContact& contact, const SRigidBody& robot
   Join(contact, robot.Wheels[roller], ground.Body, contact.surface.mu > 0.0 ? 3 : 1, robot);
 }
 
+// What is still apart, but not any more after the substep, may come as near as that: found only
+// when it is inside, it would be as deep as its way in a substep.
 void CContactFinder::AddSolidContact(dContact& contact, const SRigidBody& first,
                                      const SRigidBody& second) {
   dSurfaceParameters& surface = contact.surface;
   surface = {};
-  surface.mode = dContactApprox1;
+  contact.geom.depth -= first.Margin + second.Margin;
+  if (contact.geom.depth < 0.0) {
+    const Real gap = -contact.geom.depth;
+    const CVector3 point = FromODE(contact.geom.pos);
+    const CVector3 velocity =
+        VelocityAt(contact.geom.g1, point) - VelocityAt(contact.geom.g2, point);
+    const Real approach = -velocity.DotProduct(FromODE(contact.geom.normal));
+    if (gap > kForesight * approach * m_substep || m_settings.Restitution > 0.0) {
+      return;
+    }
+    contact.geom.depth = 0.0;
+    surface.mode |= dContactMotionN;
+    surface.motionN = -gap / m_substep;
+  }
+  surface.mode |= dContactApprox1;
   surface.mu = first.Friction * second.Friction;
   if (m_settings.Restitution > 0.0) {
     surface.mode |= dContactBounce;

@@ -8,6 +8,7 @@
 
 namespace argos {
 
+class CRigidGhosts;
 class CRigidGrips;
 
 /**
@@ -35,13 +36,14 @@ class CContactFinder {
   void MarkChanged() { m_broadPhase.MarkChanged(); }
   /**
    * Wakes bodies that awake ones come near to, and makes the contacts of the coming substep.
-   * @param movables, fixed  by SRigidBody::Number. @param planes  that bound everything from below.
-   * @param grips    what holds what.
+   * @param movables, fixed  by SRigidBody::Number. @param planes  that bound everything.
+   * @param grips    what holds what. @param ghosts  of other engines.
    * @param gravity  m/s^2: friction holds against it where nothing slides.
+   * @param substep  s: the length of the coming one.
    */
   void Find(const std::vector<SRigidBody*>& movables, const std::vector<SRigidBody*>& fixed,
             const std::vector<SRigidBody*>& planes, const CRigidGrips& grips,
-            const CVector3& gravity);
+            const CRigidGhosts& ghosts, const CVector3& gravity, Real substep);
   void Clear();
 
   /** After Find(): of an awake body. */
@@ -61,6 +63,7 @@ class CContactFinder {
   void AddRollerContact(dContact& contact, const SRigidBody& robot, size_t roller,
                         const SRigidBody& ground);
   void AddSolidContact(dContact& contact, const SRigidBody& first, const SRigidBody& second);
+  Real ComputeReach(const SRigidBody& first, const SRigidBody& second) const;
   void Join(const dContact& contact, dBodyID first, dBodyID second, UInt32 rows,
             const SRigidBody& counted);
   void SetSlidingDirection(dContact& contact) const;
@@ -75,6 +78,7 @@ class CContactFinder {
   UInt32 m_numContacts = 0;
   UInt32 m_mostRows = 0;
   CVector3 m_gravity;
+  Real m_substep = 0.0;
   std::vector<UInt32> m_parents;  // of a forest of islands, by number of body
   std::vector<SIsland> m_islands;  // by number of body; of roots
 };

@@ -3,6 +3,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace argos {
@@ -44,7 +45,8 @@ SBeside FindBeside(const SUpright& first, const SUpright& second) {
           std::min(first.HalfLength, along + second.HalfLength)};
 }
 
-// how deep they are inside each other at that height; the direction from the second to the first
+// how deep they are inside each other at that height, m, below 0 if they are apart; the direction
+// from the second to the first
 Real MeasureDepth(const SUpright& first, const SUpright& second, Real height, CVector3& direction) {
   const CVector3 on = first.Centre + first.Axis * height;
   const Real along = (on - second.Centre).DotProduct(second.Axis);
@@ -52,15 +54,82 @@ Real MeasureDepth(const SUpright& first, const SUpright& second, Real height, CV
   const Real distance = direction.Length();
   // on one axis there is no direction
   if (!(distance > 1e-9)) {
-    return -1.0;
+    return -HUGE_VAL;
   }
   direction /= distance;
   return first.Radius + second.Radius - distance;
 }
 
+// Of a cylinder that stands on a box, ODE tells of points all around, as many as it is asked for.
+constexpr int kMostOfBox = 16;
+
+CVector3 PointOf(const dContactGeom& contact) {
+  return FromODE(contact.pos);
+}
+
+// the contact for which measure(contact) is greatest; of equals, the first
+template <typename MEASURE>
+int FindGreatest(const dContactGeom* contacts, int count, MEASURE&& measure) {
+  int best = 0;
+  Real greatest = -HUGE_VAL;
+  for (int i = 0; i < count; ++i) {
+    const Real value = measure(contacts[i]);
+    if (value > greatest) {
+      best = i;
+      greatest = value;
+    }
+  }
+  return best;
+}
+
+// Four that bear as all of them do: the deepest one, the one farthest from it, and the ones
+// farthest from their line on both sides.
+std::array<int, 4> ChooseSpread(const dContactGeom* contacts, int count) {
+  const int deepest =
+      FindGreatest(contacts, count, [](const dContactGeom& each) { return each.depth; });
+  const CVector3 start = PointOf(contacts[deepest]);
+  const int farthest = FindGreatest(contacts, count, [&start](const dContactGeom& each) {
+    return (PointOf(each) - start).SquareLength();
+  });
+  const CVector3 across =
+      Cross(PointOf(contacts[farthest]) - start, FromODE(contacts[deepest].normal));
+  const auto measureSide = [&](Real side) {
+    return FindGreatest(contacts, count, [&](const dContactGeom& each) {
+      return side * across.DotProduct(PointOf(each) - start);
+    });
+  };
+  return {deepest, farthest, measureSide(1.0), measureSide(-1.0)};
+}
+
+int FindContactsWithBox(dGeomID first, dGeomID second, int most, dContactGeom* contacts, int skip) {
+  std::array<dContactGeom, kMostOfBox> all;
+  const int count = dCollide(first, second, kMostOfBox, all.data(), sizeof(dContactGeom));
+  std::array<int, 4> chosen = {0, 1, 2, 3};
+  if (count > most) {
+    chosen = ChooseSpread(all.data(), count);
+  }
+  int kept = 0;
+  for (int i = 0; i < std::min({count, most, 4}); ++i) {
+    // where they lie in a line, one may be chosen twice
+    if (std::find(chosen.begin(), chosen.begin() + i, chosen[i]) != chosen.begin() + i) {
+      continue;
+    }
+    *reinterpret_cast<dContactGeom*>(reinterpret_cast<char*>(contacts) +
+                                     static_cast<size_t>(kept++) * skip) = all[chosen[i]];
+  }
+  return kept;
+}
+
 }  // namespace
 
-int FindContacts(dGeomID first, dGeomID second, int most, dContactGeom* contacts, int skip) {
+int FindContacts(dGeomID first, dGeomID second, int most, dContactGeom* contacts, int skip,
+                 dReal reach) {
+  const auto areA = [first, second](int a, int b) {
+    return dGeomGetClass(first) == a && dGeomGetClass(second) == b;
+  };
+  if (areA(dCylinderClass, dBoxClass) || areA(dBoxClass, dCylinderClass)) {
+    return FindContactsWithBox(first, second, most, contacts, skip);
+  }
   if (dGeomGetClass(first) != dCylinderClass || dGeomGetClass(second) != dCylinderClass) {
     return dCollide(first, second, most, contacts, skip);
   }
@@ -80,7 +149,7 @@ int FindContacts(dGeomID first, dGeomID second, int most, dContactGeom* contacts
   int count = 0;
   for (const Real height : {beside.Low, beside.High}) {
     const Real inside = MeasureDepth(a, b, height, direction);
-    if (inside < 0.0 || count == most) {
+    if (inside < -reach || count == most) {
       continue;
     }
     auto& contact = *reinterpret_cast<dContactGeom*>(reinterpret_cast<char*>(contacts) +

@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/query_plugins.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/string_utilities.h>
@@ -12,6 +13,7 @@
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_model.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/engine_poses.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/ode_session.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/read_settings.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_world.h>
@@ -29,34 +31,23 @@ constexpr Real kFarthest = 1e6;
 constexpr UInt32 kMaxIterations = 10000;
 // s: substeps without "iterations" are not longer
 constexpr Real kDefaultSubstep = 0.01;
-// m: what rests on the bottom of a region has sunk in by less
-constexpr Real kSunk = 1e-3;
+// m/s^2, of an engine without add-ons
+constexpr Real kStandardGravity = 9.81;
 
 // of half the angle: what leans by less than 1e-3 rad, as robots do when they roll, is reported as
 // upright. Sensors and placement compute with upright solids exactly and fast.
 constexpr Real kUpright = 5e-4;
 
 CQuaternion Straighten(const CQuaternion& orientation) {
-  const Real length = std::hypot(orientation.GetW(), orientation.GetZ());
-  if (std::abs(orientation.GetX()) > kUpright || std::abs(orientation.GetY()) > kUpright) {
-    return orientation;
-  }
-  return CQuaternion(orientation.GetW() / length, 0.0, 0.0, orientation.GetZ() / length);
-}
-
-std::string NameOf(const CEmbodiedEntity& body) {
-  return "\"" + body.GetRootEntity().GetId() + "\"";
+  const bool leans =
+      std::abs(orientation.GetX()) > kUpright || std::abs(orientation.GetY()) > kUpright;
+  return leans ? orientation : SetUpright(orientation);
 }
 
 bool IsFar(const CVector3& position) {
   // written so that NaN is far too
   return !(std::abs(position.GetX()) + std::abs(position.GetY()) + std::abs(position.GetZ()) <=
            kFarthest);
-}
-
-SRigidPose PoseOf(const CEmbodiedEntity& body) {
-  const SAnchor& origin = body.GetOriginAnchor();
-  return {origin.Position, origin.Orientation};
 }
 
 // speeds of the left and the right wheel of a body with a drive; null for others
@@ -100,6 +91,11 @@ bool IsPartOfEngine(const std::string& tag) {
   return tag == "boundaries" || tag == "solver" || tag == "contacts";
 }
 
+// Of another engine: files change engines by one word. Nobody reads it, which is warned of.
+bool IsPartOfOtherEngine(const std::string& tag) {
+  return tag == "friction" || tag == "spatial_hash";
+}
+
 }  // namespace
 
 CDynamics3DEngine::CDynamics3DEngine() : m_settings(std::make_unique<SRigidSettings>()) {}
@@ -133,7 +129,7 @@ void CDynamics3DEngine::InitPlugins(TConfigurationNode& tree) {
   TConfigurationNodeIterator child;
   for (child = child.begin(&tree); child != child.end(); ++child) {
     const std::string& label = child->Value();
-    if (IsPartOfEngine(label)) {
+    if (IsPartOfEngine(label) || IsPartOfOtherEngine(label)) {
       continue;
     }
     if (!CFactory<CDynamics3DPlugin>::Exists(label)) {
@@ -150,6 +146,19 @@ void CDynamics3DEngine::InitPlugins(TConfigurationNode& tree) {
       THROW_ARGOSEXCEPTION_NESTED(
           child->GetLocation() << ": <" << label << ">: the add-on cannot be initialised", error);
     }
+  }
+  if (m_plugins.empty()) {
+    TakeDefaults();
+  }
+}
+
+// Who names no add-on means the world that everybody knows.
+void CDynamics3DEngine::TakeDefaults() {
+  m_hasDefaults = true;
+  SetGravity(CVector3(0.0, 0.0, -kStandardGravity));
+  const SHorizontalFace* const bottom = GetVolume().BottomFace;
+  if (bottom == nullptr || !bottom->IsWall) {
+    AddGroundPlane(0.0, 1.0);
   }
 }
 
@@ -179,13 +188,33 @@ void CDynamics3DEngine::Destroy() {
 }
 
 void CDynamics3DEngine::PostSpaceInit() {
+  if (m_hasDefaults) {
+    TellOfDefaults();
+  }
   const auto hasWheels = [](const auto& model) { return model->m_wheels != nullptr; };
   if (m_gravity == CVector3() && std::any_of(m_models.begin(), m_models.end(), hasWheels)) {
     LOGERR << "[WARNING] the engine \"" << GetId()
            << "\" has no gravity, so the wheels of its robots find no hold: it needs the children "
-              "<gravity g=\"9.81\" /> and <floor />"
+              "<gravity g=\"9.81\" /> and <floor />, or none at all"
            << std::endl;
   }
+}
+
+// once for all engines: the first one tells
+void CDynamics3DEngine::TellOfDefaults() const {
+  std::string ids;
+  for (const CPhysicsEngine* each : m_cSimulator.GetPhysicsEngines()) {
+    const auto* const engine = dynamic_cast<const CDynamics3DEngine*>(each);
+    if (engine == nullptr || !engine->m_hasDefaults) {
+      continue;
+    }
+    if (ids.empty() && engine != this) {
+      return;
+    }
+    ids += (ids.empty() ? "\"" : ", \"") + engine->GetId() + "\"";
+  }
+  LOG << "[INFO] dynamics3d without add-ons (" << ids << "): gravity of " << kStandardGravity
+      << " m/s^2 and a floor; <gravity g=\"0\" /> is without both" << std::endl;
 }
 
 void CDynamics3DEngine::SetGravity(const CVector3& gravity) {
@@ -267,104 +296,6 @@ bool CDynamics3DEngine::RemoveEntity(CEntity& entity) {
   return false;
 }
 
-void CDynamics3DEngine::TransferEntity(CEmbodiedEntity& body) {
-  const auto* const model = dynamic_cast<CDynamics3DModel*>(&body.GetPhysicsModel(size_t(0)));
-  if (model == nullptr || &model->GetEngine() != this) {
-    return;
-  }
-  const SRigidMotion motion =
-      model->m_body != nullptr ? GetRigidMotion(*model->m_body) : SRigidMotion();
-  CDynamics3DEngine* const next = FindNext(body);
-  if (next != nullptr && next->m_world != nullptr && m_world != nullptr &&
-      m_world->GetGrips().IsInGrip(*model->m_body)) {
-    TransferCluster(*model, *next);
-    return;
-  }
-  CPhysicsEngine::TransferEntity(body);
-  auto* const moved = dynamic_cast<CDynamics3DModel*>(&body.GetPhysicsModel(size_t(0)));
-  if (moved != nullptr && moved->m_body != nullptr) {
-    moved->GetDynamics3DEngine().PlaceAtAnchor(*moved, motion);
-  }
-}
-
-bool CDynamics3DEngine::GetMotion(const CEmbodiedEntity& body, SBodyMotion& motion) const {
-  const auto* const model = dynamic_cast<const CDynamics3DModel*>(&body.GetPhysicsModel(size_t(0)));
-  if (model == nullptr || model->m_body == nullptr) {
-    return false;
-  }
-  const SRigidMotion rigid = GetRigidMotion(*model->m_body);
-  // of the centre of mass; bodies that stand turn about the vertical, on which the origin is, too
-  motion = {rigid.Velocity, rigid.AngularVelocity};
-  return true;
-}
-
-void CDynamics3DEngine::SetMotion(CEmbodiedEntity& body, const SBodyMotion& motion) {
-  auto* const model = dynamic_cast<CDynamics3DModel*>(&body.GetPhysicsModel(size_t(0)));
-  if (model == nullptr || model->m_body == nullptr) {
-    return;
-  }
-  SRigidMotion rigid;
-  rigid.Velocity = motion.Velocity;
-  rigid.AngularVelocity = motion.Rotation;
-  if (const auto& drive = body.GetBodyDescription()->Drive) {
-    CVector3 ahead = CVector3::X;
-    ahead.Rotate(body.GetOriginAnchor().Orientation);
-    const Real speed = motion.Velocity.DotProduct(ahead);
-    const Real turn = 0.5 * drive->InterwheelDistance * motion.Rotation.GetZ();
-    rigid.WheelSpins = {(speed - turn) / drive->WheelRadius, (speed + turn) / drive->WheelRadius};
-  }
-  UseODEInThisThread();
-  PlaceAtAnchor(*model, rigid);
-}
-
-// the engine that would take the body, if it is another one of this type
-CDynamics3DEngine* CDynamics3DEngine::FindNext(const CEmbodiedEntity& body) const {
-  auto* const next = dynamic_cast<CDynamics3DEngine*>(FindNextEngine(body));
-  return next != this ? next : nullptr;
-}
-
-// Of all that hangs together with a body in grips, does it have the lowest index?
-bool CDynamics3DEngine::LeadsItsCluster(const CDynamics3DModel& model) {
-  m_world->GetGrips().FindCluster(*model.m_body, m_cluster);
-  return std::none_of(m_cluster.begin(), m_cluster.end(), [&model](const SRigidBody* each) {
-    return each->Source.Owner->GetEmbodiedEntity().GetIndex() < model.m_cEmbodiedEntity.GetIndex();
-  });
-}
-
-void CDynamics3DEngine::TransferCluster(const CDynamics3DModel& model, CDynamics3DEngine& next) {
-  struct SMember {
-    CEmbodiedEntity* Body;
-    SRigidMotion Motion;
-  };
-  struct SGrip {
-    CEmbodiedEntity* Holder;
-    CEmbodiedEntity* Held;
-    CVector3 Arm;
-  };
-  m_world->GetGrips().FindCluster(*model.m_body, m_cluster);
-  m_world->GetGrips().CopyGrips(m_cluster, m_grips);
-  std::vector<SMember> members;
-  std::vector<SGrip> grips;
-  for (const SRigidBody* each : m_cluster) {
-    members.push_back({&each->Source.Owner->GetEmbodiedEntity(), GetRigidMotion(*each)});
-  }
-  for (const SRigidGripToMove& grip : m_grips) {
-    grips.push_back({&grip.Holder->GetEmbodiedEntity(), &grip.Held->GetEmbodiedEntity(), grip.Arm});
-  }
-  const auto modelOf = [](CEmbodiedEntity& body) -> CDynamics3DModel& {
-    return static_cast<CDynamics3DModel&>(body.GetPhysicsModel(size_t(0)));
-  };
-  for (const SMember& member : members) {
-    RemoveEntity(member.Body->GetRootEntity());
-    next.AddEntity(member.Body->GetRootEntity());
-    next.PlaceAtAnchor(modelOf(*member.Body), member.Motion);
-  }
-  for (const SGrip& grip : grips) {
-    next.m_world->GetGrips().Grip(*modelOf(*grip.Holder).m_body, *modelOf(*grip.Held).m_body,
-                                  grip.Arm);
-  }
-}
-
 void CDynamics3DEngine::UpdateManipulator(CDynamics3DModel& model) {
   if (m_world != nullptr) {
     model.m_body->Gripper = model.m_gripper;
@@ -434,6 +365,7 @@ void CDynamics3DEngine::Build() {
   for (CDynamics3DModel* model : models) {
     AddToWorld(*model);
   }
+  BuildWalls();
 }
 
 void CDynamics3DEngine::AddToWorld(CDynamics3DModel& model) {
@@ -465,6 +397,9 @@ void CDynamics3DEngine::Update() {
     Build();
   }
   ReplaceDisplaced();
+  if (FeelsGhosts()) {
+    TakeGhosts();
+  }
   m_world->Advance();
   ReportFailures();
   for (const SRigidBody* body : m_world->GetMovables()) {
@@ -507,17 +442,15 @@ void CDynamics3DEngine::WriteBack(CDynamics3DModel& model) {
   if (entity.HasFollowers()) {
     model.m_root.Update();
   }
-  if (IsEntityTransferActive() && !IsPointContained(entity.GetOriginAnchor().Position) &&
+  if (IsEntityTransferActive() && HasLeft(entity.GetOriginAnchor().Position) &&
       (!m_world->GetGrips().IsInGrip(*model.m_body) || LeadsItsCluster(model))) {
     ScheduleEntityForTransfer(entity);
   }
 }
 
-// What rests on the bottom of the region has sunk in a little.
-bool CDynamics3DEngine::IsPointContained(const CVector3& point) {
-  return CPhysicsEngine::IsPointContained(point) ||
-         CPhysicsEngine::IsPointContained(point + CVector3(0.0, 0.0, kSunk));
-}
+[[maybe_unused]] static const CPluginKind kAddOns("dynamics3d_add_ons", "dynamics3d",
+                                                  "ADD-ONS OF DYNAMICS3D",
+                                                  &ListPlugins<CDynamics3DPlugin>);
 
 REGISTER_PHYSICS_ENGINE(
     CDynamics3DEngine, "dynamics3d", "the authors of this project", "1.0",
@@ -525,21 +458,19 @@ REGISTER_PHYSICS_ENGINE(
     R"(Robots and objects in space: they fall, slide, roll, stack and topple. Robots with a differential drive roll
 on two sprung wheels with motors, and four casters without friction; robots with propellers fly by their own
 controllers; grippers hold, and turrets swing, what they have gripped.
-There is no gravity and no floor without the add-ons of these names.
+Gravity, floor and magnetism are add-ons. An engine that names no add-on has gravity of 9.81 m/s^2 and a floor at
+z = 0; one that names any has those that it names and no others. <gravity g="0" /> alone is weightless.
 
 REQUIRED XML
 
   <physics_engines>
-    <dynamics3d id="dyn3d">
-      <floor />
-      <gravity g="9.81" />
-    </dynamics3d>
+    <dynamics3d id="dyn3d" />
   </physics_engines>
 
 OPTIONAL XML
 
   <physics_engines>
-    <dynamics3d id="dyn3d" iterations="10" default_friction="1" sleep="true">
+    <dynamics3d id="dyn3d" iterations="10" default_friction="1" sleep="true" ghosts="true">
       <floor height="0" friction="1" />
       <gravity vector="0,0,-9.81" />
       <magnetism force_constant="7.0500949e-13" max_distance="0.5" />
@@ -585,10 +516,15 @@ ATTRIBUTES
   contacts@max_correcting_speed  m/s, default 1: what is inside each other is pushed apart no faster.
   boundaries            the region of the engine, default everything: top@height and bottom@height, in m, and
                         sides/vertex@point, in m, at least three, counter-clockwise, convex. A body that leaves it moves
-                        on to the engine whose region it enters.
+                        on to the engine whose region it enters. Each of these may have wall="true", which stops
+                        bodies at that face (of a vertex: at the side from there to the next), or gate="id", which hands
+                        those that cross it to that engine (doc/space_partitioning.md). A bottom that is a wall is a
+                        floor.
+  ghosts                "true" (default) or "false": are robots of other engines near the border felt?
   debug_file            accepted and ignored.
 
-Every other child is an add-on that a library has registered (REGISTER_DYNAMICS3D_PLUGIN).
+Every other child is an add-on that a library has registered (REGISTER_DYNAMICS3D_PLUGIN); argos3 -q followed by its
+name describes it. <friction> and <spatial_hash>, which are dynamics2d's, are warned of and ignored.
 )",
     "Usable")
 

@@ -12,6 +12,7 @@ namespace argos {
 class CDynamics3DModel;
 class CEmbodiedEntity;
 class CRigidWorld;
+struct SGhostCylinder;
 struct SRigidGripToMove;
 struct SGroundPlane;
 struct SRigidBody;
@@ -23,8 +24,8 @@ struct SRigidSettings;
  * climb, push, stack and topple, or fly.
  *
  * The README beside this file gives model, integrator, limits and measured accuracy; `argos3 -q
- * dynamics3d` every XML parameter. Bodies are built from SBodyDescription. There is gravity and a
- * floor only if the add-ons of these names are children of the engine's element.
+ * dynamics3d` every XML parameter. Bodies are built from SBodyDescription. Gravity and a floor are
+ * add-ons; an engine whose element has no add-on at all has both.
  */
 class CDynamics3DEngine : public CPhysicsEngine {
  public:
@@ -35,7 +36,10 @@ class CDynamics3DEngine : public CPhysicsEngine {
   void Reset() override;
   void Destroy() override;
   void Update() override;
-  /** Warns of robots on wheels that no gravity presses on the ground. */
+  /**
+   * Warns of robots on wheels that no gravity presses on the ground, and tells of gravity and floor
+   * that no add-on has asked for.
+   */
   void PostSpaceInit() override;
 
   bool IsPointContained(const CVector3& point) override;
@@ -50,7 +54,9 @@ class CDynamics3DEngine : public CPhysicsEngine {
   bool RemoveEntity(CEntity& entity) override;
   /**
    * A body that changes from one engine of this type to another keeps how it moves. What hangs
-   * together in grips changes together, when the one with the lowest index of entity leaves.
+   * together in grips changes together, when the one with the lowest index of entity leaves. What
+   * goes to an engine that is a plane is set down on it if it stands nearly upright and nearly at
+   * its height, and otherwise stays here until it does.
    */
   void TransferEntity(CEmbodiedEntity& body) override;
   bool GetMotion(const CEmbodiedEntity& body, SBodyMotion& motion) const override;
@@ -59,6 +65,9 @@ class CDynamics3DEngine : public CPhysicsEngine {
   /** Nothing: all bodies are in the space's index. */
   void CheckIntersectionWithRay(TEmbodiedEntityIntersectionData&, const CRay3&) const override {}
   bool HasBodiesOutsideIndex() const override { return false; }
+  bool StopsAtWalls() const override { return true; }
+  bool CanFeelGhosts() const override { return true; }
+  Real GetGhostReach() const override;
 
   /** For add-ons: the acceleration of what nothing holds, m/s^2; at first 0. */
   void SetGravity(const CVector3& gravity);
@@ -81,15 +90,22 @@ class CDynamics3DEngine : public CPhysicsEngine {
 
  private:
   void InitPlugins(TConfigurationNode& tree);
+  void TakeDefaults();
+  void TellOfDefaults() const;
   void Build();
+  void BuildWalls();
   void AddToWorld(CDynamics3DModel& model);
   void PlaceAtAnchor(CDynamics3DModel& model, const SRigidMotion& motion);
   void WriteBack(CDynamics3DModel& model);
   void ReplaceDisplaced();
   void ForgetDisplaced(CDynamics3DModel& model);
   void UpdatePlugins();
+  void TakeGhosts();
+  bool HasLeft(const CVector3& point);
   void ReportFailures();
   CDynamics3DEngine* FindNext(const CEmbodiedEntity& body) const;
+  bool PrepareExit(CDynamics3DModel& model);
+  void TellOfStranded(const CDynamics3DModel& model, const CPhysicsEngine& plane);
   bool LeadsItsCluster(const CDynamics3DModel& model);
   void TransferCluster(const CDynamics3DModel& model, CDynamics3DEngine& next);
 
@@ -100,7 +116,11 @@ class CDynamics3DEngine : public CPhysicsEngine {
   std::vector<std::unique_ptr<CDynamics3DModel>> m_models;
   std::vector<CDynamics3DModel*> m_displaced;
   std::unique_ptr<CRigidWorld> m_world;  // null: to be built from the models in the next tick
+  std::vector<SWallSlab> m_walls;  // what fixed bodies of the world are made of
+  std::vector<SGhostCylinder> m_ghostCylinders;
+  bool m_hasDefaults = false;  // gravity and floor, because there is no add-on
   bool m_hasReported = false;
+  bool m_hasToldOfStranded = false;
   // while bodies in grips change engines
   std::vector<SRigidBody*> m_cluster;
   std::vector<SRigidGripToMove> m_grips;

@@ -21,9 +21,11 @@ class CDynamics3DFloorPlugin : public CDynamics3DPlugin {
   }
 };
 
-REGISTER_DYNAMICS3D_PLUGIN(CDynamics3DFloorPlugin, "floor", "the authors of this project", "1.0",
-                           "A floor for dynamics3d.",
-                           R"(An endless horizontal plane. Everything below its surface is solid.
+REGISTER_DYNAMICS3D_PLUGIN(
+    CDynamics3DFloorPlugin, "floor", "the authors of this project", "1.0",
+    "A floor for dynamics3d.",
+    R"(An endless horizontal plane. Everything below its surface is solid. An engine without any add-on has one at z = 0,
+or at the bottom of its region if that is a wall.
 
 REQUIRED XML
 
@@ -42,6 +44,6 @@ ATTRIBUTES
   height    m, default 0.
   friction  >= 0, default 1: Coulomb's coefficient; that of a contact is the product of this and the body's.
 )",
-                           "Usable")
+    "Usable")
 
 }  // namespace argos

@@ -7,6 +7,7 @@
 #include <ode/ode.h>
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace argos {
@@ -76,6 +77,7 @@ struct SRigidBody {
   Real WheelRadius = 0.0;  // m
   Real Narrowest = 0.0;  // m, of the narrowest solid
   Real Friction = 1.0;
+  Real Margin = 0.0;  // m: its solids are that far inside of its geoms
   // how a robot's wheels give way, for the present substep and gravity: as ODE's constraints do;
   // both 0 without weight, which gives them no hold
   Real WheelErp = 0.0;
@@ -90,6 +92,8 @@ struct SRigidBody {
 
   bool IsMovable() const { return Body != nullptr; }
   bool IsPlane() const { return Source.Description == nullptr; }
+  /** A plane that bounds everything from above. */
+  bool IsCeiling() const { return IsPlane() && High.GetZ() == HUGE_VAL; }
   bool HasWheels() const { return Wheels[0] != nullptr; }
 };
 

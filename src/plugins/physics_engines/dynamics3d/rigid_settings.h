@@ -47,6 +47,9 @@ constexpr Real kWheelTravel = 0.5;
 // belong to the solids
 constexpr Real kRollerSupport = 0.5;
 
+// m: so far before faces of regions and of ghosts their geoms begin, so that what comes is seen
+constexpr Real kFaceMargin = 0.01;
+
 // a body moves by at most this share of its narrowest side in a substep
 constexpr Real kMaxStride = 0.5;
 // rows of an island that the direct solver manages in any case: a robot on the floor has 22

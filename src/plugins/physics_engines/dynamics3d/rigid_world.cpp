@@ -14,6 +14,14 @@ namespace argos {
 
 namespace {
 
+// m/s: what a robot that stands at the last tick's end is thought to reach in the next one at most
+constexpr Real kSuddenSpeed = 0.5;
+// m/s: the same for one that flies; the controllers of an eye-bot that is told to go elsewhere
+// reach it in a tick of 0.1 s
+constexpr Real kSuddenFlight = 6.0;
+// what others that push add to the way of the fastest
+constexpr Real kPathMargin = 1.5;
+
 // takes a body out of a list by its number, which the last one gets
 void TakeOut(std::vector<SRigidBody*>& bodies, const SRigidBody& body) {
   const UInt32 number = body.Number;
@@ -59,15 +67,38 @@ void CRigidWorld::SetGravity(const CVector3& gravity) {
   WakeAll();
 }
 
-void CRigidWorld::AddPlane(const SGroundPlane& plane) {
+SRigidBody& CRigidWorld::MakePlane(const SGroundPlane& plane) {
   SRigidBody& body = MakeBody();
   body.Friction = plane.Friction;
-  // of a plane, only this bound is looked at
+  m_planes.push_back(&body);
+  WakeAll();
+  return body;
+}
+
+// of planes, only these bounds are looked at
+void CRigidWorld::AddPlane(const SGroundPlane& plane) {
+  SRigidBody& body = MakePlane(plane);
+  body.Low.SetZ(-HUGE_VAL);
   body.High.SetZ(plane.Height);
   const dGeomID geom = dCreatePlane(nullptr, 0.0, 0.0, 1.0, plane.Height);
   body.Solids.push_back(geom);
-  m_planes.push_back(&body);
-  WakeAll();
+}
+
+void CRigidWorld::AddCeiling(const SGroundPlane& plane) {
+  SRigidBody& body = MakePlane(plane);
+  body.Margin = kFaceMargin;
+  body.Low.SetZ(plane.Height - kFaceMargin);
+  body.High.SetZ(HUGE_VAL);
+  const dGeomID geom = dCreatePlane(nullptr, 0.0, 0.0, -1.0, kFaceMargin - plane.Height);
+  body.Solids.push_back(geom);
+}
+
+void CRigidWorld::AddWall(const SBodyDescription& wall, SRigidPose pose) {
+  pose.Position += Rotated(CVector3::Y, pose.Orientation) * kFaceMargin;
+  SRigidSource source;
+  source.Description = &wall;
+  source.Movable = false;
+  Add(source, pose).Margin = kFaceMargin;
 }
 
 SRigidBody& CRigidWorld::MakeBody() {
@@ -85,6 +116,9 @@ SRigidBody& CRigidWorld::Add(const SRigidSource& source, const SRigidPose& pose)
   list.push_back(&body);
   BuildRigidBody(body, pose, m_settings, m_world);
   UpdateBounds(body);
+  if (source.Movable) {
+    m_widest = std::max(m_widest, source.Description->ComputeBoundingRadius());
+  }
   if (source.Quadrotor != nullptr) {
     m_flying.push_back(&body);
   }
@@ -131,7 +165,7 @@ void CRigidWorld::Advance() {
     for (SRigidBody* body : m_flying) {
       PushFlyingBody(*body, m_gravity, m_substep);
     }
-    m_contacts->Find(m_movables, m_fixed, m_planes, *m_grips, m_gravity);
+    m_contacts->Find(m_movables, m_fixed, m_planes, *m_grips, m_ghosts, m_gravity, m_substep);
     Step();
     m_contacts->Clear();
     m_grips->LetSlip();
@@ -156,9 +190,39 @@ void CRigidWorld::StartTick() {
       }
     }
   }
+  if (!m_ghosts.IsEmpty()) {
+    m_ghosts.Meet(m_movables, ComputeLongestPath(FindFastest()), ComputeLongestPath(kSuddenFlight));
+  }
   m_mostDirectRows = m_settings.MaxDirectRows;
   m_numSubsteps = CountSubsteps();
   SetSubstep(m_settings.Tick / m_numSubsteps);
+}
+
+// m/s, of all bodies, or what its wheels are told to do
+Real CRigidWorld::FindFastest() const {
+  Real fastest = 0.0;
+  for (const SRigidBody* body : m_movables) {
+    if (body->Asleep) {
+      continue;
+    }
+    fastest = std::max(fastest, FromODE(dBodyGetLinearVel(body->Body)).Length());
+    if (body->HasWheels()) {
+      fastest =
+          std::max({fastest, std::abs(body->Source.Wheels[0]), std::abs(body->Source.Wheels[1])});
+    }
+  }
+  return fastest;
+}
+
+// m, in a tick, pushed by others or falling as well
+Real CRigidWorld::ComputeLongestPath(Real fastest) const {
+  return (kPathMargin * fastest + 0.5 * m_gravity.Length() * m_settings.Tick) * m_settings.Tick;
+}
+
+Real CRigidWorld::ComputeGhostReach() const {
+  // one that drives and one that is driven at may both go the longest path
+  const Real sudden = m_flying.empty() ? kSuddenSpeed : kSuddenFlight;
+  return m_widest + 2.0 * ComputeLongestPath(std::max(FindFastest(), sudden));
 }
 
 // ODE finds contacts only where bodies are at the end of a substep: none may get through another in

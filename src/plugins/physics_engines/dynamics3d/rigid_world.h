@@ -3,6 +3,7 @@
 
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/contact_finder.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_ghosts.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_grips.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
 
@@ -12,7 +13,7 @@
 
 namespace argos {
 
-/** A horizontal plane that holds up whatever is above it. */
+/** A horizontal plane. */
 struct SGroundPlane {
   Real Height = 0.0;  // m
   Real Friction = 1.0;
@@ -34,7 +35,15 @@ class CRigidWorld {
 
   /** m/s^2. */
   void SetGravity(const CVector3& gravity);
+  /** A plane that holds up whatever is above it. */
   void AddPlane(const SGroundPlane& plane);
+  /** A plane that stops whatever is below it. */
+  void AddCeiling(const SGroundPlane& plane);
+  /**
+   * A face of a region that stops what is before it.
+   * @param wall  one box, whose y axis points to where bodies are; outlives the world.
+   */
+  void AddWall(const SBodyDescription& wall, SRigidPose pose);
 
   /** Adds a body at rest; everything wakes up. The reference stays valid until Remove(). */
   SRigidBody& Add(const SRigidSource& source, const SRigidPose& pose);
@@ -43,6 +52,11 @@ class CRigidWorld {
   void Place(SRigidBody& body, const SRigidPose& pose, const SRigidMotion& motion);
 
   CRigidGrips& GetGrips() { return *m_grips; }
+
+  /** Robots of other engines, in the next tick. */
+  void SetGhosts(const std::vector<SGhostCylinder>& ghosts) { m_ghosts.Set(ghosts); }
+  /** How far from a border a ghost may be that something here meets in the next tick, m. */
+  Real ComputeGhostReach() const;
 
   /** Moves everything by a tick. */
   void Advance();
@@ -57,8 +71,11 @@ class CRigidWorld {
 
  private:
   SRigidBody& MakeBody();
+  SRigidBody& MakePlane(const SGroundPlane& plane);
   void WakeAll();
   void StartTick();
+  Real FindFastest() const;
+  Real ComputeLongestPath(Real fastest) const;
   UInt32 CountSubsteps() const;
   void SetSubstep(Real substep);
   void Step();
@@ -76,12 +93,14 @@ class CRigidWorld {
   dThreadingImplementationID m_threading;
   std::unique_ptr<CContactFinder> m_contacts;
   std::unique_ptr<CRigidGrips> m_grips;
+  CRigidGhosts m_ghosts;
   std::vector<std::unique_ptr<SRigidBody>> m_owned;
   std::vector<SRigidBody*> m_planes;
   std::vector<SRigidBody*> m_fixed;  // by number
   std::vector<SRigidBody*> m_movables;  // by number
   std::vector<SRigidBody*> m_flying;
   std::vector<SRigidBody*> m_large;  // in islands that are solved iteratively
+  Real m_widest = 0.0;  // m, radius around any body that can move, or could
   Real m_substep = 0.0;  // s
   UInt32 m_numSubsteps = 0;  // of this tick
   UInt32 m_numIterativeSteps = 0;  // so far

@@ -32,8 +32,7 @@ inline std::ostream& operator<<(std::ostream& stream, const SEngineType& engine)
 
 // Every engine in which robots on wheels drive.
 inline const SEngineType kDynamics2D{"dynamics2d"};
-inline const SEngineType kDynamics3D{"dynamics3d", true, true, "<floor/><gravity g='9.81'/>",
-                                     3e-3,         0.02};
+inline const SEngineType kDynamics3D{"dynamics3d", true, true, "", 3e-3, 0.02};
 inline const SEngineType kKinematics2D{"kinematics2d", true, false};
 inline const SEngineType kPointMass3D{"pointmass3d", false, false};
 /** Those that keep bodies on the plane apart. */

@@ -22,6 +22,7 @@ inline const std::vector<SSharingEngine> kSharingEngines{
     {kDynamics2D},
     {kKinematics2D, false},
     {kPointMass3D, false, true, false},
+    {kDynamics3D},
 };
 
 /** A corner of a region, m, and the attributes of the side from there to the next. */

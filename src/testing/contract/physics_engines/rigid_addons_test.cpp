@@ -3,6 +3,8 @@
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
 #include <argos3/testing/support/captured_logs.h>
 
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/simulator/query_plugins.h>
 #include <argos3/core/utility/math/angles.h>
 
 #include <catch2/catch.hpp>
@@ -12,6 +14,7 @@
 namespace argos {
 
 using Catch::Matchers::Contains;
+using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
 namespace {
@@ -65,6 +68,69 @@ TEST_CASE("rigid magnets: beyond the greatest distance they do nothing",
   TakeLogErr();
   world.Step(20);
   CHECK(world.Position("a").Length() < 1e-12);
+}
+
+TEST_CASE("rigid add-ons: a query for the engine lists them", "[contract][engine][rigid]") {
+  const std::string engine = DescribePlugins("dynamics3d");
+  CHECK_THAT(engine, Contains("ADD-ONS OF DYNAMICS3D") && Contains("[ floor ]") &&
+                         Contains("[ gravity ]") && Contains("[ magnetism ]"));
+  CHECK_THAT(DescribePlugins("all"), Contains(DescribePlugins("dynamics3d_add_ons")));
+  CHECK_THAT(DescribePlugins("magnetism"), Contains("force_constant"));
+}
+
+TEST_CASE("rigid defaults: an engine without add-ons has gravity and a floor, and says so",
+          "[contract][engine][rigid]") {
+  const std::string children = GENERATE(
+      "", "<solver stepper='direct'/>",
+      "<boundaries><bottom height='-1'/><sides><vertex point='-9,-9'/><vertex point='9,-9'/>"
+      "<vertex point='9,9'/><vertex point='-9,9'/></sides></boundaries>");
+  CAPTURE(children);
+  CRigidScene world(RigidEngine("", children),
+                    SBoxXml{"b", CVector3(0.2, 0.2, 0.2), CVector3(1, 0, 0.5)}.ToXml() +
+                        DriverXml("foot-bot", "r", 0, 1, 0, 10, 10));
+  CHECK_THAT(TakeLog(), Contains("[INFO] dynamics3d without add-ons (\"e\"): gravity of 9.81 m/s^2 "
+                                 "and a floor"));
+  CHECK(TakeLogErr().empty());
+  // 20 substeps of 0.01 s
+  world.Step(2);
+  CHECK_THAT(world.Position("b").GetZ(), WithinAbs(0.5 - 9.81 * 1e-4 * 20 * 21 / 2, 1e-10));
+  world.Step(49);
+  CHECK_THAT(world.Position("b").GetZ(), WithinAbs(0.0, 1e-3));
+  CHECK_THAT(world.Position("r").GetX(), WithinAbs(0.5, 5e-3));
+}
+
+TEST_CASE("rigid defaults: one that names an add-on has what it names and no more",
+          "[contract][engine][rigid]") {
+  const std::string box = SBoxXml{"b", CVector3(0.2, 0.2, 0.2), CVector3(0, 0, 0.5)}.ToXml();
+  for (const char* children : {"<gravity g='0'/>", "<floor/>", "<magnetism/>"}) {
+    CAPTURE(children);
+    CRigidScene world(RigidEngine("", children), box);
+    world.Step(10);
+    CHECK(world.Position("b") == CVector3(0, 0, 0.5));
+    CHECK_THAT(TakeLog(), !Contains("without add-ons"));
+  }
+  // no floor
+  CRigidScene world(RigidEngine("", "<gravity g='9.81'/>"), box);
+  world.Step(10);
+  CHECK_THAT(world.Position("b").GetZ(), WithinAbs(0.5 - 9.81 * 1e-4 * 100 * 101 / 2, 1e-9));
+}
+
+TEST_CASE("rigid defaults: the engines of a partition have them, told once",
+          "[contract][engine][rigid][partition]") {
+  CRigidScene world("<auto_partition engine='dynamics3d' count='4' id='p'/>",
+                    DriverXml("e-puck", "r", -0.25, -0.3, 45, 10, 10));
+  CHECK_THAT(TakeLog(), Contains("(\"p_0_0\", \"p_1_0\", \"p_0_1\", \"p_1_1\"): gravity"));
+  world.Step(101);
+  CHECK_THAT(world.Position("r").GetX(), WithinAbs(-0.25 + std::sqrt(0.5), 5e-3));
+  CHECK(world.Body("r").GetPhysicsModel(0).GetEngine().GetId() == "p_1_1");
+}
+
+TEST_CASE("rigid defaults: files that name parts of dynamics2d run, with a warning",
+          "[contract][engine][rigid]") {
+  CRigidScene world(RigidEngine("", "<friction box_linear_friction='1'/>"),
+                    SBoxXml{"b", CVector3(0.2, 0.2, 0.2), CVector3(0, 0, 0.5)}.ToXml());
+  CHECK_THAT(TakeLogErr(), Contains("friction") && Contains("WARNING"));
+  CHECK_THAT(TakeLog(), Contains("gravity of 9.81"));
 }
 
 TEST_CASE("rigid errors: what is wrong in a file is named with its place",

@@ -28,7 +28,8 @@ SFlightExperiment Flight(const std::string& actuator, const std::string& engine,
 
 TEST_CASE("rigid flight: a robot without orders hovers, under any gravity",
           "[contract][engine][rigid]") {
-  const std::string gravity = GENERATE("", "<gravity g='9.81'/>", "<gravity vector='1,-2,3.5'/>");
+  const std::string gravity =
+      GENERATE("<gravity g='0'/>", "<gravity g='9.81'/>", "<gravity vector='1,-2,3.5'/>");
   CAPTURE(gravity);
   CFlightWorld world(Flight("", RigidEngine("", gravity), CVector3(1.1, -2.3, 0.7), 33.0));
   world.Step(300);

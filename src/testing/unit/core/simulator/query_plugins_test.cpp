@@ -59,6 +59,20 @@ TEST_CASE("query: a word finds every plug-in that contains it", "[core][query]")
             "Status: Experimental\n\nAll about the second.\n\n");
 }
 
+TEST_CASE("query: plug-ins of a plug-in are listed below it, in all, and by their word",
+          "[core][query]") {
+  const CPluginKind kind("query_test_parts", "query_test_one", "PARTS OF QUERY TEST ONE", [] {
+    return std::vector<SPluginText>{
+        {"query_part", "C. Author", "0.5", "A part.", "All.\n", "Usable"}};
+  });
+  const std::string list = "PARTS OF QUERY TEST ONE\n\n   [ query_part ]\n      A part.\n\n";
+  CHECK(DescribePlugins("query_test_parts") == list);
+  CHECK_THAT(DescribePlugins("all"), Contains(list));
+  CHECK_THAT(DescribePlugins("query_test_one"), Contains("All about the first.\n\n" + list));
+  CHECK_THAT(DescribePlugins("query_test_two"), !Contains("PARTS"));
+  CHECK_THAT(DescribePlugins("query_part"), Contains("[ query_part ]\nA part.\nby C. Author"));
+}
+
 TEST_CASE("query: the search tells upper from lower case", "[core][query]") {
   CHECK_THAT(DescribePlugins("Query_test"), StartsWith("Nothing found"));
 }

@@ -1,6 +1,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/space/body_index.h>
 #include <argos3/core/simulator/space/shape_overlap.h>
+#include <argos3/core/simulator/space/solid_overlap.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/testing/support/solid_reference.h>
@@ -251,7 +252,11 @@ class CBodies {
     UInt32 expected = CBodyIndex::kNoBody;
     alone.ForShapesNear(0.0, 0.0, 1e6, [&](const SIndexedShape& own) {
       m_index.ForShapesNear(0.0, 0.0, 1e6, [&](const SIndexedShape& other) {
-        if (other.Body != ignored && ShapesOverlap(own, other)) {
+        const SAnchor& origin = m_index.GetBody(other.Body).GetOriginAnchor();
+        if (other.Body != ignored && ShapesOverlap(own, other) &&
+            SolidsOverlap({&kind.Description->Shapes[own.Shape], position, orientation},
+                          {&m_index.GetBody(other.Body).GetBodyDescription()->Shapes[other.Shape],
+                           origin.Position, origin.Orientation})) {
           expected = std::min(expected, other.Body);
         }
       });

@@ -1,0 +1,285 @@
+// Robots of other engines, as an engine of rigid bodies feels them, and as others feel its own.
+
+#include <argos3/testing/contract/physics_engines/flight_world.h>
+#include <argos3/testing/contract/physics_engines/regions.h>
+#include <argos3/testing/contract/physics_engines/rigid_scene.h>
+#include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/captured_logs.h>
+
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/simulator/physics_engine/physics_model.h>
+#include <argos3/core/utility/math/angles.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+namespace argos {
+
+using Catch::Matchers::Contains;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+constexpr Real kFootBotRadius = 0.085036758;  // m
+constexpr Real kEPuckRadius = 0.035;  // m
+
+Real RadiusOf(const std::string& tag) {
+  return tag == "e-puck" ? kEPuckRadius : kFootBotRadius;
+}
+
+/** What is on either side of the border at x = 0. */
+struct SSides {
+  SEngineType West;
+  SEngineType East;
+
+  std::string ToXml() const {
+    return RegionXml(West, "west", {{-20, -20}, {0, -20}, {0, 20}, {-20, 20}}) +
+           RegionXml(East, "east", {{0, -20}, {20, -20}, {20, 20}, {0, 20}});
+  }
+};
+
+SSides AnySides() {
+  return GENERATE(SSides{kDynamics3D, kDynamics3D}, SSides{kDynamics2D, kDynamics3D},
+                  SSides{kDynamics3D, kDynamics2D});
+}
+
+std::string EngineOf(CDriveWorld& world, const std::string& id) {
+  REQUIRE(world.Body(id).GetPhysicsModelsNum() == 1);
+  return world.Body(id).GetPhysicsModel(0).GetEngine().GetId();
+}
+
+}  // namespace
+
+TEST_CASE("rigid ghosts: robots that drive head-on at a border do not overlap",
+          "[contract][engine][rigid][partition]") {
+  const SSides sides = AnySides();
+  const std::string tagA = GENERATE(as<std::string>(), "e-puck", "foot-bot");
+  const std::string tagB = GENERATE(as<std::string>(), "e-puck", "foot-bot");
+  const Real speed = GENERATE(3.0, 10.0, 30.0);  // cm/s
+  const Real shift = GENERATE(0.0, 0.011);  // m: how far a's centre is from the border
+  CAPTURE(sides.West, sides.East, tagA, tagB, speed, shift);
+  CRigidScene world(sides.ToXml(), DriverXml(tagA, "a", -0.4 - shift, 0, 0, speed, speed) +
+                                       DriverXml(tagB, "b", 0.4 - shift, 0, 180, speed, speed));
+  const Real radii = RadiusOf(tagA) + RadiusOf(tagB);
+  Real deepest = -HUGE_VAL;
+  // until one has pushed the other out of its engine: then both are in one
+  for (int tick = 0; tick < 200 && EngineOf(world, "a") != EngineOf(world, "b"); ++tick) {
+    world.Step();
+    deepest = std::max(deepest, radii - Distance(world.Position("a"), world.Position("b")));
+  }
+  // they have met, and nothing but what engines promise is left
+  CHECK(deepest > -0.005);
+  CHECK(deepest <= 0.02 * std::min(RadiusOf(tagA), RadiusOf(tagB)));
+}
+
+TEST_CASE("rigid ghosts: one that presses against one that stands does not move it",
+          "[contract][engine][rigid][partition]") {
+  const SSides sides = AnySides();
+  CAPTURE(sides.West, sides.East);
+  CRigidScene world(sides.ToXml(), DriverXml("foot-bot", "a", -0.5, 0, 0, 10, 10) +
+                                       DriverXml("foot-bot", "b", 0.07, 0, 0, 0, 0));
+  const CVector3 start = world.Position("b");
+  for (int tick = 0; tick < 100; ++tick) {
+    world.Step();
+    REQUIRE(Distance(world.Position("a"), world.Position("b")) >= 1.98 * kFootBotRadius);
+  }
+  CHECK(Distance(world.Position("b"), start) <= 0.02 * kFootBotRadius);
+  CHECK(EngineOf(world, "a") == "west");
+}
+
+TEST_CASE("rigid ghosts: robots that are put inside each other are pushed apart, asleep or not",
+          "[contract][engine][rigid][partition]") {
+  const SSides sides = AnySides();
+  CAPTURE(sides.West, sides.East);
+  CRigidScene world(sides.ToXml(), DriverXml("foot-bot", "a", -0.08, 0, 0, 0, 0) +
+                                       DriverXml("foot-bot", "b", 0.5, 0, 0, 0, 0));
+  // long enough to sleep
+  world.Step(20);
+  // 1 cm deep; what is put somewhere wakes up, but only in its own engine
+  world.Body("b").MoveTo(CVector3(0.08, 0, 0), CQuaternion(), false, true);
+  REQUIRE(world.Position("b").GetX() == 0.08);
+  world.Step(20);
+  CHECK(Distance(world.Position("a"), world.Position("b")) >= 1.98 * kFootBotRadius);
+  // each has made way by half
+  CHECK_THAT(world.Position("a").GetX(), WithinAbs(-kFootBotRadius, 0.02 * kFootBotRadius));
+}
+
+TEST_CASE("rigid ghosts: a thing that sleeps at a border is pushed by a robot from the other side",
+          "[contract][engine][rigid][partition]") {
+  const SEngineType east = GENERATE(kDynamics2D, kDynamics3D);
+  CAPTURE(east);
+  CRigidScene world(
+      SSides{kDynamics3D, east}.ToXml(),
+      DriverXml("foot-bot", "a", 0.5, 0, 180, 10, 10) +
+          SBoxXml{"b", CVector3(0.1, 0.3, 0.1), CVector3(-0.051, 0, 0), CVector3(), 0.3}.ToXml());
+  for (int tick = 0; tick < 120; ++tick) {
+    world.Step();
+    const Real gap =
+        world.Position("a").GetX() - world.Position("b").GetX() - 0.05 - kFootBotRadius;
+    // the thing is where the robot was at the start of the tick: 1 cm, and 2 % of the radius
+    REQUIRE(gap >= -0.01 - 0.02 * kFootBotRadius);
+  }
+  CHECK(world.Position("a").GetX() < -0.5);
+  CHECK(world.Position("b").GetX() < world.Position("a").GetX());
+}
+
+TEST_CASE("rigid ghosts: who flies over a robot of the other side does not touch it",
+          "[contract][engine][rigid][partition]") {
+  SFlightExperiment experiment;
+  experiment.Engines = SSides{kDynamics3D, kDynamics3D}.ToXml();
+  experiment.Arena = EyeBotXml("r", CVector3(-0.6, 0, 0.8)) + EyeBotXml("f", CVector3(0.1, 0, 0));
+  CFlightWorld world(experiment);
+  const Real top = world.Body("f").GetPhysicsModel(0).GetBoundingBox().MaxCorner.GetZ();
+  REQUIRE(top < 0.75);
+  world.Places("r").SetAbsolutePosition(CVector3(-0.01, 0, 0.8));
+  world.Places("f").SetAbsolutePosition(CVector3(0.1, 0, 0));
+  world.Step(100);
+  CHECK(Distance(world.Position("r"), CVector3(-0.01, 0, 0.8)) < 1e-3);
+  // and one that comes down on it gets no nearer than its top
+  world.Places("r").SetAbsolutePosition(CVector3(-0.01, 0, 0.0));
+  Real lowest = HUGE_VAL;
+  for (int tick = 0; tick < 100; ++tick) {
+    world.Step();
+    lowest = std::min(lowest, world.Position("r").GetZ());
+  }
+  CHECK_THAT(lowest, WithinAbs(top, 5e-3));
+}
+
+TEST_CASE("rigid ghosts: without them, and away from borders, nothing changes",
+          "[contract][engine][rigid][partition]") {
+  // robots that meet 3 m from the border do the same with or without an engine behind it
+  const std::string robots = DriverXml("foot-bot", "a", -3.5, 0, 0, 10, 10) +
+                             DriverXml("foot-bot", "b", -3.0, 0.03, 180, 10, 10) +
+                             DriverXml("foot-bot", "far", 5.0, 0, 0, 10, 10);
+  CRigidScene with(SSides{kDynamics3D, kDynamics3D}.ToXml(), robots);
+  const std::string off = "ghosts='false'";
+  CRigidScene without(
+      RegionXml(kDynamics3D, "west", {{-20, -20}, {0, -20}, {0, 20}, {-20, 20}}, off) +
+          RegionXml(kDynamics3D, "east", {{0, -20}, {20, -20}, {20, 20}, {0, 20}}, off),
+      robots);
+  for (int tick = 0; tick < 60; ++tick) {
+    with.Step();
+    without.Step();
+    REQUIRE(with.ComputeDigest() == without.ComputeDigest());
+  }
+}
+
+TEST_CASE("rigid ghosts: the same to the bit for every number of threads, and after a reset",
+          "[contract][engine][rigid][partition]") {
+  const auto run = [](CTestWorld& world) {
+    std::vector<UInt64> digests;
+    for (int tick = 0; tick < 100; ++tick) {
+      world.Step();
+      digests.push_back(world.ComputeDigest());
+    }
+    return digests;
+  };
+  SExperiment experiment;
+  experiment.ArenaSize = "40,40,2";
+  experiment.Controllers =
+      "<contract_driver id='driver'><actuators><differential_steering implementation='default'/>"
+      "</actuators><sensors/></contract_driver>";
+  experiment.Engines = SSides{kDynamics2D, kDynamics3D}.ToXml();
+  for (int i = 0; i < 24; ++i) {
+    const bool isEast = i % 2 == 1;
+    experiment.Arena += DriverXml(i % 3 == 0 ? "foot-bot" : "e-puck", "r" + std::to_string(i),
+                                  (isEast ? 0.3 : -0.3) + 0.01 * (i % 5), 0.12 * i - 1.5,
+                                  isEast ? 180 + 7 * i : 7 * i, 8 + 0.1 * i, 10);
+  }
+  CTestWorld reference(experiment);
+  const std::vector<UInt64> expected = run(reference);
+  reference.GetSimulator().Reset();
+  CHECK(run(reference) == expected);
+  for (const UInt32 threads : {1U, 4U}) {
+    experiment.Threads = threads;
+    CTestWorld world(experiment);
+    CHECK(run(world) == expected);
+  }
+}
+
+TEST_CASE("rigid ghosts: a settled tick allocates nothing",
+          "[contract][engine][rigid][partition]") {
+  if (!CAllocationCount::IsAvailable()) {
+    SUCCEED("skipped: nothing to count allocations with");
+    return;
+  }
+  std::string robots =
+      SBoxXml{"b", CVector3(0.1, 0.1, 0.1), CVector3(-0.3, 3.1, 0), CVector3(), 0.2}.ToXml();
+  for (int i = 0; i < 10; ++i) {
+    const std::string id = std::to_string(i);
+    robots += DriverXml("foot-bot", "a" + id, -0.4, 0.3 * i, 0, 10, 10) +
+              DriverXml("foot-bot", "b" + id, 0.4, 0.3 * i, 180, 10, 10);
+  }
+  CRigidScene world(SSides{kDynamics3D, kDynamics3D}.ToXml(), robots);
+  // they stand and press
+  world.Step(200);
+  std::size_t count = 0;
+  std::string first;
+  {
+    const CAllocationCount allocations;
+    world.Step(20);
+    count = allocations.GetCount();
+    first = allocations.DescribeFirst();
+  }
+  CAPTURE(first);
+  CHECK(count == 0);
+}
+
+TEST_CASE("rigid borders: what leans and stands a little high is set down on a plane",
+          "[contract][engine][rigid][partition]") {
+  const Real degrees = GENERATE(0.0, 2.0, 8.0);
+  const Real height = GENERATE(0.0, 0.003, 0.009);
+  CAPTURE(degrees, height);
+  const SSides sides{kDynamics2D, {"dynamics3d", true, true, "<gravity g='0'/>"}};
+  CRigidScene world(sides.ToXml(), SBoxXml{"b", CVector3(0.1, 0.1, 0.1), CVector3(0.5, 0, height),
+                                           CVector3(30, degrees, 0)}
+                                       .ToXml());
+  const Real yaw = world.Yaw("b");
+  // over the border, by hand
+  world.Body("b").SetOriginPose(CVector3(-0.3, 0, height), world.Orientation("b"));
+  world.Step(2);
+  CHECK(EngineOf(world, "b") == "west");
+  CHECK(world.Position("b") == CVector3(-0.3, 0, 0));
+  CHECK(world.Tilt("b") < 1e-6);
+  CHECK_THAT(world.Yaw("b"), WithinAbs(yaw, 1e-3 + 2e-4 * degrees * degrees));
+}
+
+TEST_CASE("rigid borders: what no plane takes stays, is told of, and goes when it can",
+          "[contract][engine][rigid][partition]") {
+  const SSides sides{kDynamics2D, kDynamics3D};
+  CRigidScene world(sides.ToXml(),
+                    SBoxXml{"b", CVector3(0.1, 0.1, 0.1), CVector3(0.5, 0, 0)}.ToXml() +
+                        SBoxXml{"c", CVector3(0.1, 0.1, 0.3), CVector3(0.5, 1, 0)}.ToXml());
+  world.Step();
+  TakeLogErr();
+  // one in the air, which falls down, and one that lies
+  REQUIRE(world.Body("b").MoveTo(CVector3(-0.3, 0, 0.5), CQuaternion()));
+  REQUIRE(world.Body("c").MoveTo(CVector3(-0.3, 1, 0.05),
+                                 CQuaternion(CRadians(0.5 * ARGOS_PI), CVector3::Y)));
+  world.Step(2);
+  CHECK(EngineOf(world, "b") == "east");
+  CHECK(EngineOf(world, "c") == "east");
+  // told of the first one, once
+  const std::string told = TakeLogErr();
+  CHECK_THAT(told, Contains("\"b\" has left the region of \"east\" at (-0.3,0,0.") &&
+                       Contains("the plane of \"west\"") && Contains("within 0.01 m of z = 0 m") &&
+                       Contains("less than 10 degrees"));
+  CHECK_THAT(told, !Contains("\"c\""));
+  world.Step(20);
+  CHECK(EngineOf(world, "b") == "west");
+  CHECK(world.Position("b").GetZ() == 0.0);
+  CHECK(EngineOf(world, "c") == "east");
+  CHECK_THAT(world.Position("c").GetZ(), WithinAbs(0.05, 1e-3));
+  CHECK(TakeLogErr().empty());
+}
+
+TEST_CASE("rigid borders: where no region is, the run ends and says where the body is",
+          "[contract][engine][rigid][partition]") {
+  CRigidScene world(RegionXml(kDynamics3D, "pen", {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}),
+                    DriverXml("foot-bot", "r", 0.9, 0, 0, 10, 10));
+  CHECK_THROWS_WITH(world.Step(30), Contains("\"r\"") && Contains("\"pen\"") && Contains("region"));
+}
+
+}  // namespace argos

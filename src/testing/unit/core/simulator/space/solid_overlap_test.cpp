@@ -1,0 +1,199 @@
+#include <argos3/core/simulator/space/solid_overlap.h>
+
+#include <argos3/core/utility/math/angles.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace argos;
+
+namespace {
+
+using EKind = SShapeDescription::EKind;
+
+class CRandomNumbers {
+ public:
+  explicit CRandomNumbers(unsigned seed) : m_generator(seed) {}
+  Real In(Real min, Real max) {
+    return std::uniform_real_distribution<Real>(min, max)(m_generator);
+  }
+  CVector3 Point(Real half) { return CVector3(In(-half, half), In(-half, half), In(-half, half)); }
+  CQuaternion Rotation() {
+    CQuaternion q(In(-1.0, 1.0), In(-1.0, 1.0), In(-1.0, 1.0), In(-1.0, 1.0));
+    return q.Normalize();
+  }
+  SShapeDescription Solid() {
+    const Real kind = In(0.0, 3.0);
+    SShapeDescription solid = SShapeDescription::Sphere(In(0.05, 0.3), Point(0.1));
+    if (kind < 1.0) {
+      solid =
+          SShapeDescription::Box(CVector3(In(0.02, 0.5), In(0.02, 0.5), In(0.02, 0.5)), Point(0.1));
+    } else if (kind < 2.0) {
+      solid = SShapeDescription::Cylinder(In(0.02, 0.3), In(0.02, 0.5), Point(0.1));
+    }
+    solid.Orientation = Rotation();
+    return solid;
+  }
+
+ private:
+  std::mt19937 m_generator;
+};
+
+CVector3 Rotated(CVector3 vector, const CQuaternion& rotation) {
+  return vector.Rotate(rotation);
+}
+
+// from the frame of the solid, which stands on the origin, to the world
+CVector3 ToWorld(const SPlacedSolid& solid, const CVector3& point) {
+  const SShapeDescription& shape = *solid.Shape;
+  return solid.Position +
+         Rotated(shape.Offset + Rotated(point, shape.Orientation), solid.Orientation);
+}
+
+// how far inside it a point is, m; below 0 outside, where it is a bound of the distance
+Real DepthOf(const SPlacedSolid& solid, const CVector3& world) {
+  const SShapeDescription& shape = *solid.Shape;
+  const CVector3 p =
+      Rotated(Rotated(world - solid.Position, solid.Orientation.Inverse()) - shape.Offset,
+              shape.Orientation.Inverse());
+  if (shape.Kind == EKind::Sphere) {
+    return shape.Radius - (p - CVector3(0.0, 0.0, shape.Radius)).Length();
+  }
+  const Real up = 0.5 * shape.Size.GetZ() - std::abs(p.GetZ() - 0.5 * shape.Size.GetZ());
+  if (shape.Kind == EKind::Cylinder) {
+    return std::min(up, shape.Radius - std::hypot(p.GetX(), p.GetY()));
+  }
+  return std::min({up, 0.5 * shape.Size.GetX() - std::abs(p.GetX()),
+                   0.5 * shape.Size.GetY() - std::abs(p.GetY())});
+}
+
+// a point of a solid, in its frame, evenly or on its surface
+CVector3 AnyPoint(const SShapeDescription& shape, CRandomNumbers& random) {
+  const Real height = random.In(0.0, shape.Size.GetZ());
+  const Real angle = random.In(-ARGOS_PI, ARGOS_PI);
+  if (shape.Kind == EKind::Box) {
+    return CVector3(random.In(-0.5, 0.5) * shape.Size.GetX(),
+                    random.In(-0.5, 0.5) * shape.Size.GetY(), height);
+  }
+  Real radius = shape.Radius;
+  if (shape.Kind == EKind::Sphere) {
+    radius = std::sqrt(std::max(0.0, radius * radius - (height - radius) * (height - radius)));
+  }
+  radius *= std::sqrt(random.In(0.0, 1.0));
+  return CVector3(radius * std::cos(angle), radius * std::sin(angle), height);
+}
+
+// the least and greatest distance along a direction of unit length, m, from corners, rims and poles
+std::pair<Real, Real> Shadow(const SPlacedSolid& solid, const CVector3& direction) {
+  const SShapeDescription& shape = *solid.Shape;
+  const auto axis = [&](const CVector3& unit) {
+    return direction.DotProduct(Rotated(Rotated(unit, shape.Orientation), solid.Orientation));
+  };
+  const Real x = axis(CVector3::X);
+  const Real y = axis(CVector3::Y);
+  const Real z = axis(CVector3::Z);
+  Real half = shape.Radius;
+  if (shape.Kind == EKind::Box) {
+    half = 0.5 * (std::abs(x) * shape.Size.GetX() + std::abs(y) * shape.Size.GetY() +
+                  std::abs(z) * shape.Size.GetZ());
+  } else if (shape.Kind == EKind::Cylinder) {
+    half = shape.Radius * std::hypot(x, y) + 0.5 * std::abs(z) * shape.Size.GetZ();
+  }
+  const Real centre =
+      direction.DotProduct(ToWorld(solid, CVector3(0.0, 0.0, 0.5 * shape.Size.GetZ())));
+  return {centre - half, centre + half};
+}
+
+}  // namespace
+
+TEST_CASE("solid overlap: a common point is an overlap, a plane between them is none",
+          "[core][space]") {
+  CRandomNumbers random(5);
+  int overlapping = 0;
+  int apart = 0;
+  for (int trial = 0; trial < 4000; ++trial) {
+    const SShapeDescription first = random.Solid();
+    const SShapeDescription second = random.Solid();
+    const SPlacedSolid a{&first, random.Point(0.3), random.Rotation()};
+    const SPlacedSolid b{&second, random.Point(0.3), random.Rotation()};
+    bool share = false;
+    for (int i = 0; i < 200 && !share; ++i) {
+      share = DepthOf(b, ToWorld(a, AnyPoint(first, random))) > 1e-6 ||
+              DepthOf(a, ToWorld(b, AnyPoint(second, random))) > 1e-6;
+    }
+    bool isBetween = false;
+    for (int i = 0; i < 200 && !isBetween; ++i) {
+      const CVector3 direction = random.Point(1.0).Normalize();
+      isBetween = Shadow(a, direction).second < Shadow(b, direction).first;
+    }
+    REQUIRE_FALSE((share && isBetween));
+    CAPTURE(trial, static_cast<int>(first.Kind), static_cast<int>(second.Kind));
+    if (share || isBetween) {
+      REQUIRE(SolidsOverlap(a, b) == share);
+      REQUIRE(SolidsOverlap(b, a) == share);
+    }
+    overlapping += share ? 1 : 0;
+    apart += isBetween ? 1 : 0;
+  }
+  // most are decided, both ways
+  CHECK(overlapping > 1000);
+  CHECK(apart > 1000);
+}
+
+TEST_CASE("solid overlap: what touches does not overlap, what is a micrometre deep does",
+          "[core][space]") {
+  // all turned together by the same rotation
+  CRandomNumbers random(6);
+  const SShapeDescription box = SShapeDescription::Box(CVector3(0.2, 0.3, 0.4));
+  const SShapeDescription cylinder = SShapeDescription::Cylinder(0.1, 0.5);
+  const SShapeDescription sphere = SShapeDescription::Sphere(0.15);
+  struct SPair {
+    const SShapeDescription* First;
+    const SShapeDescription* Second;
+    CVector3 Towards;  // from the one to the other, of unit length
+    Real Distance;  // m, of their origins, when they touch
+  };
+  const Real diagonal = std::sqrt(0.5);
+  for (const SPair& pair :
+       {SPair{&box, &box, CVector3::X, 0.2}, SPair{&box, &box, CVector3::Z, 0.4},
+        SPair{&box, &cylinder, CVector3::Y, 0.25}, SPair{&box, &cylinder, CVector3::Z, 0.4},
+        SPair{&cylinder, &cylinder, CVector3(diagonal, diagonal, 0.0), 0.2},
+        SPair{&cylinder, &cylinder, CVector3::Z, 0.5}, SPair{&sphere, &box, CVector3::X, 0.25},
+        SPair{&sphere, &sphere, CVector3(0.0, diagonal, diagonal), 0.3},
+        SPair{&cylinder, &sphere, CVector3::Z, 0.5},
+        SPair{&sphere, &cylinder, CVector3::Y, 0.25}}) {
+    for (int turn = 0; turn < 50; ++turn) {
+      const CQuaternion rotation = random.Rotation();
+      const CVector3 start = random.Point(5.0);
+      const auto at = [&](Real distance) {
+        const CVector3 offset = pair.Towards * distance;
+        return SolidsOverlap({pair.First, start, rotation},
+                             {pair.Second, start + Rotated(offset, rotation), rotation});
+      };
+      CHECK_FALSE(at(pair.Distance));
+      CHECK_FALSE(at(pair.Distance + 1e-6));
+      CHECK(at(pair.Distance - 1e-6));
+      CHECK(at(0.0));
+    }
+  }
+}
+
+TEST_CASE("solid overlap: a box that leans passes under a table that its sphere would touch",
+          "[core][space]") {
+  // 0.1 m wide, leaning by 30 degrees: its highest corner is at 0.1 sin 30 + 0.1 cos 30 = 0.1366 m
+  const SShapeDescription crate = SShapeDescription::Box(CVector3(0.1, 0.1, 0.1));
+  const SShapeDescription table = SShapeDescription::Box(CVector3(1.0, 1.0, 0.05));
+  const CQuaternion lean(CRadians(ARGOS_PI / 6.0), CVector3::Y);
+  // the centre of the base is half a side from the lowest edge, which is on the ground
+  const CVector3 place(0.0, 0.0, 0.05 * std::sin(ARGOS_PI / 6.0));
+  const Real top = 0.1 * (std::sin(ARGOS_PI / 6.0) + std::cos(ARGOS_PI / 6.0));
+  const auto fits = [&](Real height) {
+    return !SolidsOverlap({&crate, place, lean},
+                          {&table, CVector3(0.0, 0.0, height), CQuaternion()});
+  };
+  CHECK(fits(top + 1e-6));
+  CHECK_FALSE(fits(top - 1e-6));
+}
