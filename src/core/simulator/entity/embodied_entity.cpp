@@ -4,12 +4,28 @@
 #include <argos3/core/simulator/entity/pose_digest.h>
 #include <argos3/core/simulator/physics_engine/body_description.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/body_index.h>
 #include <argos3/core/utility/string_utilities.h>
 
 #include <algorithm>
 
 namespace argos {
+
+namespace {
+
+// what no region contains stays with its engine
+bool LiesInAnotherRegion(const CVector3& position, CPhysicsEngine& engine) {
+  if (!engine.IsEntityTransferActive() || engine.IsPointContained(position)) {
+    return false;
+  }
+  const CPhysicsEngine::TVector& engines = engine.GetSpace().GetSimulator().GetPhysicsEngines();
+  return std::any_of(engines.begin(), engines.end(), [&position](CPhysicsEngine* other) {
+    return other->IsPointContained(position);
+  });
+}
+
+}  // namespace
 
 CEmbodiedEntity::CEmbodiedEntity(CComposableEntity* parent) : CEmbodiedEntity(parent, "body_0") {}
 
@@ -237,8 +253,13 @@ bool CEmbodiedEntity::MoveTo(const CVector3& position, const CQuaternion& orient
   for (CPhysicsModel* model : m_tPhysicsModelVector) {
     model->ConfirmMove();
   }
-  if (!m_bMovable && !m_tPhysicsModelVector.empty()) {
-    m_tPhysicsModelVector.front()->GetEngine().GetSpace().RehouseImmovable(*this);
+  if (!m_tPhysicsModelVector.empty()) {
+    CPhysicsEngine& engine = m_tPhysicsModelVector.front()->GetEngine();
+    if (!m_bMovable) {
+      engine.GetSpace().RehouseImmovable(*this);
+    } else if (LiesInAnotherRegion(position, engine)) {
+      engine.TransferEntity(*this);
+    }
   }
   // what hangs on the body (LEDs, ...) follows at once
   GetRootEntity().Update();
