@@ -269,6 +269,7 @@ bool CPlanarWorld::IsAt(const SPlanarHandle& handle, const SPlanarPose& pose) co
 void CPlanarWorld::SetVelocity(const SPlanarHandle& handle, const SPlanarVelocity& velocity) {
   b2Body* box2dBody = nullptr;
   if (handle.Kind == EPlanarKind::Passive) {
+    m_passive[handle.Slot].Velocity = velocity;
     box2dBody = m_passive[handle.Slot].Body;
   } else if (handle.Kind == EPlanarKind::Driven) {
     SDrivenBody& body = m_driven[handle.Slot];
