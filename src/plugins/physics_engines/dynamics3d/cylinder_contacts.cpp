@@ -52,11 +52,14 @@ Real MeasureDepth(const SUpright& first, const SUpright& second, Real height, CV
   const Real along = (on - second.Centre).DotProduct(second.Axis);
   direction = on - (second.Centre + second.Axis * along);
   const Real distance = direction.Length();
-  // on one axis there is no direction
-  if (!(distance > 1e-9)) {
-    return -HUGE_VAL;
+  if (distance > 1e-9) {
+    direction /= distance;
+  } else {
+    // on one axis all directions are as good: away from the axis of the world that is most upright
+    direction = std::abs(second.Axis.GetX()) < 0.8 ? CVector3::X : CVector3::Y;
+    direction -= second.Axis * direction.DotProduct(second.Axis);
+    direction.Normalize();
   }
-  direction /= distance;
   return first.Radius + second.Radius - distance;
 }
 

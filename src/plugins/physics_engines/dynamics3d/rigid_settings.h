@@ -50,12 +50,15 @@ constexpr Real kRollerSupport = 0.5;
 // m: so far before faces of regions and of ghosts their geoms begin, so that what comes is seen
 constexpr Real kFaceMargin = 0.01;
 
-// a body moves by at most this share of its narrowest side in a substep
+// a body moves by at most this share of its narrowest side, and of that of what is fixed, in a
+// substep
 constexpr Real kMaxStride = 0.5;
 // rows of an island that the direct solver manages in any case: a robot on the floor has 22
 constexpr UInt32 kSimpleRows = 24;
-// however fast something is, a tick has no more than that many times the substeps asked for
+// however fast something is, a tick has no more than that many times the substeps asked for, or
+// that many
 constexpr UInt32 kMaxRefinement = 16;
+constexpr UInt32 kMaxRefined = 160;
 
 // bodies are at rest if, for this long, all that touch each other are slower than that
 constexpr Real kQuietTime = 0.5;  // s

@@ -30,6 +30,18 @@ void TakeOut(std::vector<SRigidBody*>& bodies, const SRigidBody& body) {
   bodies.pop_back();
 }
 
+// how fast a body may become in a tick by its own drive, m/s
+Real ForeseeSpeed(const SRigidBody& body, Real tick) {
+  const Real speed = FromODE(dBodyGetLinearVel(body.Body)).Length();
+  if (!body.HasWheels()) {
+    return speed;
+  }
+  const Real ordered = std::max(std::abs(body.Source.Wheels[0]), std::abs(body.Source.Wheels[1]));
+  const SBodyDescription& description = *body.Source.Description;
+  return std::max(speed,
+                  std::min(ordered, speed + description.Drive->MaxForce / description.Mass * tick));
+}
+
 }  // namespace
 
 CRigidWorld::CRigidWorld(const SRigidSettings& settings, std::function<void()> beforeSubstep)
@@ -229,12 +241,18 @@ Real CRigidWorld::ComputeGhostReach() const {
 // one, and none may have a controller that is not stable.
 UInt32 CRigidWorld::CountSubsteps() const {
   const Real gain = m_gravity.Length() * m_settings.Tick;
+  // ODE finds no contact of a cylinder that reaches out of the other side of a box
+  Real thinnest = HUGE_VAL;
+  for (const SRigidBody* body : m_fixed) {
+    thinnest = std::min(thinnest, body->Narrowest);
+  }
   Real strides = 0.0;
   for (const SRigidBody* body : m_movables) {
     if (!body->Asleep) {
-      const Real speed = FromODE(dBodyGetLinearVel(body->Body)).Length() +
-                         (body->Source.Quadrotor == nullptr ? gain : 0.0);
-      strides = std::max(strides, speed * m_settings.Tick / body->Narrowest);
+      const Real speed = ForeseeSpeed(*body, m_settings.Tick);
+      const Real most = speed + (body->Source.Quadrotor == nullptr ? gain : 0.0);
+      strides = std::max(
+          {strides, most * m_settings.Tick / body->Narrowest, speed * m_settings.Tick / thinnest});
     }
   }
   Real wanted = strides / kMaxStride;
@@ -243,8 +261,9 @@ UInt32 CRigidWorld::CountSubsteps() const {
     const Real bound = ComputeFlightBound(*body->Source.Description);
     wanted = std::max(wanted, m_settings.Tick / (0.5 * bound));
   }
-  const Real most = static_cast<Real>(m_settings.Substeps) * kMaxRefinement;
-  return std::max(m_settings.Substeps, static_cast<UInt32>(std::ceil(std::min(wanted, most))));
+  const UInt32 most = std::max(m_settings.Substeps * kMaxRefinement, kMaxRefined);
+  return std::max(m_settings.Substeps,
+                  static_cast<UInt32>(std::ceil(std::min(wanted, static_cast<Real>(most)))));
 }
 
 void CRigidWorld::SetSubstep(Real substep) {
