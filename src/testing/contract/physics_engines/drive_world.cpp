@@ -3,6 +3,10 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -60,6 +64,27 @@ Real CDriveWorld::Yaw(const std::string& id) {
 CContractDriver& CDriveWorld::Driver(const std::string& id) {
   auto& controllable = Get<CComposableEntity>(id).GetComponent<CControllableEntity>("controller");
   return dynamic_cast<CContractDriver&>(controllable.GetController());
+}
+
+std::string CDriveWorld::EngineOf(const std::string& id) {
+  REQUIRE(Body(id).GetPhysicsModelsNum() == 1);
+  return Body(id).GetPhysicsModel(0).GetEngine().GetId();
+}
+
+Real CDriveWorld::Tilt(const std::string& id) {
+  CVector3 up = CVector3::Z;
+  up.Rotate(Body(id).GetOriginAnchor().Orientation);
+  return std::acos(std::min(1.0, up.GetZ()));
+}
+
+SBodyMotion CDriveWorld::Motion(const std::string& id) {
+  SBodyMotion motion;
+  REQUIRE(Body(id).GetPhysicsModel(0).GetEngine().GetMotion(Body(id), motion));
+  return motion;
+}
+
+void CDriveWorld::Launch(const std::string& id, const CVector3& velocity) {
+  Body(id).GetPhysicsModel(0).GetEngine().SetMotion(Body(id), {velocity, CVector3()});
 }
 
 REGISTER_CONTROLLER(CContractDriver, "contract_driver")

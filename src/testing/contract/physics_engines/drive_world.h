@@ -3,6 +3,7 @@
 
 #include <argos3/core/control_interface/ci_controller.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
 #include <argos3/testing/support/experiment.h>
 
@@ -38,6 +39,15 @@ class CDriveWorld : public CTestWorld {
   /** rad. */
   Real Yaw(const std::string& id);
   CContractDriver& Driver(const std::string& id);
+  /** Id of the one engine that it is in. */
+  std::string EngineOf(const std::string& id);
+  /** Angle between its z axis and the vertical, rad. */
+  Real Tilt(const std::string& id);
+  /** How it moves, as its engine has it. */
+  SBodyMotion Motion(const std::string& id);
+  /** Gives it a velocity, m/s. After a tick at least: before, engines with momentum have no bodies.
+   */
+  void Launch(const std::string& id, const CVector3& velocity);
 
  private:
   CSimulator::CScope m_scope;

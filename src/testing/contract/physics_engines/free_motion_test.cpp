@@ -58,6 +58,33 @@ TEST_CASE("free motion: a robot follows the closed-form arc for 60 s", "[contrac
   CHECK(worst <= 1e-9 + type.Slip * length);
 }
 
+TEST_CASE("free motion: a robot follows its arc, however the engine solves what moves it",
+          "[contract][engine]") {
+  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
+  const std::string solver = GENERATE_COPY(from_range(engine.Solvers));
+  const SRobotType robot = GENERATE(kFootBot, kEPuck);
+  using TSpeeds = std::pair<Real, Real>;  // cm/s
+  const auto [left, right] = GENERATE(TSpeeds(3, 12), TSpeeds(-8, -8), TSpeeds(20, 18));
+  CAPTURE(engine, solver, robot.Tag, left, right);
+  const SPose start{1.3, -2.1, 2.0};
+  CDriveWorld world(engine.ToXml("e", "", solver),
+                    DriverXml(robot.Tag, "r", start.X, start.Y,
+                              start.Yaw * 180.0 / std::numbers::pi, left, right));
+  world.Step();
+  Real worst = 0.0;
+  for (int tick = 1; tick <= 200; ++tick) {
+    world.Step();
+    const SPose exact = IntegrateDifferentialDrive(start, 0.01 * left, 0.01 * right,
+                                                   robot.InterwheelDistance, 0.1 * tick);
+    const CVector3 position = world.Position("r");
+    worst = std::max(worst, std::hypot(position.GetX() - exact.X, position.GetY() - exact.Y));
+    REQUIRE(std::abs(position.GetZ()) <= engine.Slack);
+    // the arc cosine of what is nearly 1
+    REQUIRE(world.Tilt("r") <= 1e-6 + 10.0 * engine.Slack);
+  }
+  CHECK(worst <= 1e-9 + engine.Slip * 0.01 * std::abs(left + right) / 2.0 * 20.0);
+}
+
 TEST_CASE("free motion: a robot whose wheels stand still stays where it is", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
