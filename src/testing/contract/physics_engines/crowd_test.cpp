@@ -237,7 +237,7 @@ TEST_CASE("crowd: a robot wedged in a gap that is too narrow stays finite and ne
     world.Step();
     MeasureOverlaps(world.GetSpace(), overlaps);
   }
-  CHECK(SOverlaps::Quantile(overlaps.WithWalls, 1.0) <= 0.02);
+  CHECK(SOverlaps::Quantile(overlaps.WithWalls, 1.0) <= 0.02 + engine.Slack / kEPuckRadius);
   // a disc fits until its centre is as far from both walls' axes as half a wall and its radius
   const Real depth = 0.02 * kEPuckRadius;
   const Real deepest =

@@ -1,0 +1,199 @@
+// A thousand robots in sixteen engines, with a gate in every border, for ten minutes.
+
+#include <argos3/testing/contract/physics_engines/regions.h>
+#include <argos3/testing/support/experiment.h>
+#include <argos3/testing/support/rooms.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace argos {
+
+using testing::SRoomsWorld;
+
+namespace {
+
+constexpr UInt32 kRobots = 1000;
+constexpr int kPerSide = 4;  // engines
+constexpr UInt32 kMinutes = 10;
+// m: who is farther from all of its places of a minute than that is not stuck; it drives 10 cm/s
+constexpr Real kStuck = 0.01;
+// m: who lies, or leans too far to stand on a plane, is kept by its engine so far beyond a border
+constexpr Real kBeyond = 0.2;
+
+/** Which engine has which square of the board. */
+struct SBoard {
+  std::string Name;
+  std::vector<SSharingEngine> Types;  // one after the other, shifted by one in each row
+
+  const SSharingEngine& At(int column, int row) const {
+    return Types[static_cast<size_t>(column + row) % Types.size()];
+  }
+};
+
+std::vector<SBoard> ListBoards() {
+  std::vector<SBoard> boards;
+  for (const SSharingEngine& engine : kSharingEngines) {
+    boards.push_back({engine.Tag, {engine}});
+  }
+  boards.push_back({"all types", kSharingEngines});
+  return boards;
+}
+
+std::string IdAt(int column, int row) {
+  return "e" + std::to_string(column) + std::to_string(row);
+}
+
+// what a robot meets that leaves a square on one side
+std::string FaceTo(const SBoard& board, int column, int row, int toColumn, int toRow) {
+  const bool isInside = std::min(toColumn, toRow) >= 0 && std::max(toColumn, toRow) < kPerSide;
+  if (isInside) {
+    return "gate='" + IdAt(toColumn, toRow) + "'";
+  }
+  return board.At(column, row).HasWalls ? "wall='true'" : "";
+}
+
+std::string EnginesOf(const SBoard& board, Real side) {
+  // the outer faces are those of the arena's walls
+  const auto edge = [side](int i) {
+    return (side - 0.1) * (static_cast<Real>(i) / kPerSide - 0.5);
+  };
+  std::string xml;
+  for (int row = 0; row < kPerSide; ++row) {
+    for (int column = 0; column < kPerSide; ++column) {
+      const auto face = [&](int right, int up) {
+        return FaceTo(board, column, row, column + right, row + up);
+      };
+      xml += RegionXml(board.At(column, row), IdAt(column, row),
+                       {{edge(column), edge(row), face(0, -1)},
+                        {edge(column + 1), edge(row), face(1, 0)},
+                        {edge(column + 1), edge(row + 1), face(0, 1)},
+                        {edge(column), edge(row + 1), face(-1, 0)}});
+    }
+  }
+  return xml;
+}
+
+std::string ExperimentOf(const SBoard& board) {
+  SRoomsWorld rooms;
+  rooms.Robots = kRobots;
+  rooms.Side = SRoomsWorld::SideAtSameDensity(kRobots);
+  // a robot that has driven into a wall where nothing stops it would come out of it elsewhere
+  const bool areAllStopped = std::all_of(board.Types.begin(), board.Types.end(),
+                                         [](const SEngineType& type) { return type.HasContacts; });
+  rooms.RoomsPerSide = areAllStopped ? 3 : 1;
+  rooms.Threads = 2;
+  std::string xml = rooms.ToXML();
+  const std::string open = "<physics_engines>";
+  const size_t from = xml.find(open) + open.size();
+  const size_t to = xml.find("</physics_engines>");
+  REQUIRE(to != std::string::npos);
+  return xml.replace(from, to - from, EnginesOf(board, rooms.Side));
+}
+
+/** Watches robots from second to second. */
+class CGateWatch {
+ public:
+  explicit CGateWatch(CTestWorld& world) : m_world(world) {
+    for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
+      m_bodies.push_back(&robot->GetParent().GetComponent<CEmbodiedEntity>("body"));
+    }
+    REQUIRE(m_bodies.size() == kRobots);
+    m_models = CountModels();
+    for (CEmbodiedEntity* body : m_bodies) {
+      m_where.push_back(&body->GetPhysicsModel(size_t(0)).GetEngine());
+    }
+  }
+
+  // after each second
+  void Look() {
+    // none is doubled, none is lost
+    REQUIRE(CountModels() == m_models);
+    for (size_t i = 0; i < m_bodies.size(); ++i) {
+      REQUIRE(m_bodies[i]->GetPhysicsModelsNum() == 1);
+      const CVector3& place = m_bodies[i]->GetOriginAnchor().Position;
+      REQUIRE(std::isfinite(place.Length()));
+      CPhysicsEngine& now = m_bodies[i]->GetPhysicsModel(size_t(0)).GetEngine();
+      if (!now.IsPointContained(place)) {
+        ++Late;
+        REQUIRE(now.GetVolume().ComputeDistance(place) <= kBeyond);
+      }
+      Crossings += &now != m_where[i] ? 1 : 0;
+      m_where[i] = &now;
+      if (!m_starts.empty()) {
+        m_ways[i] = std::max(m_ways[i], Distance(place, m_starts[i]));
+      }
+    }
+  }
+
+  // after each minute
+  void CountStuck() {
+    for (size_t i = 0; i < m_bodies.size(); ++i) {
+      Stuck += !m_starts.empty() && m_ways[i] <= kStuck ? 1 : 0;
+    }
+    m_starts.clear();
+    for (const CEmbodiedEntity* body : m_bodies) {
+      m_starts.push_back(body->GetOriginAnchor().Position);
+    }
+    m_ways.assign(m_bodies.size(), 0.0);
+  }
+
+  int Crossings = 0;  // seen from second to second
+  int Stuck = 0;  // robots, summed over minutes
+  int Late = 0;  // robots beyond the region of their engine, summed over seconds
+
+ private:
+  size_t CountModels() {
+    size_t count = 0;
+    for (CPhysicsEngine* engine : m_world.GetSimulator().GetPhysicsEngines()) {
+      count += engine->GetNumPhysicsModels();
+    }
+    return count;
+  }
+
+  CTestWorld& m_world;
+  std::vector<CEmbodiedEntity*> m_bodies;
+  std::vector<CPhysicsEngine*> m_where;
+  std::vector<CVector3> m_starts;  // m, at the start of the minute
+  std::vector<Real> m_ways;  // m, the farthest from there since
+  size_t m_models = 0;
+};
+
+}  // namespace
+
+TEST_CASE("gates: a thousand robots roam for ten minutes; none is lost, doubled or stuck",
+          "[.][soak][partition][gates]") {
+  const SBoard board = GENERATE(from_range(ListBoards()));
+  CAPTURE(board.Name);
+  CTestWorld world(ExperimentOf(board));
+  REQUIRE(world.GetSimulator().GetPhysicsEngines().size() == kPerSide * kPerSide);
+  CGateWatch watch(world);
+  watch.CountStuck();
+  for (UInt32 minute = 0; minute < kMinutes; ++minute) {
+    CAPTURE(minute);
+    for (UInt32 second = 0; second < 60; ++second) {
+      world.Step(10);
+      watch.Look();
+    }
+    watch.CountStuck();
+  }
+  // each of them crosses a border every minute
+  CHECK(watch.Crossings >= static_cast<int>(kRobots * kMinutes));
+  CHECK(watch.Stuck == 0);
+  // one in a thousand waits until it stands upright
+  const bool mayBeLate = std::any_of(board.Types.begin(), board.Types.end(),
+                                     [](const SEngineType& type) { return type.HasSlopes; }) &&
+                         board.Types.size() > 1;
+  CHECK(watch.Late <= (mayBeLate ? static_cast<int>(kRobots * kMinutes * 60) / 1000 : 0));
+}
+
+}  // namespace argos
