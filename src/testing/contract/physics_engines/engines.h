@@ -27,9 +27,9 @@ struct SEngineType {
   Real Slip = 0.0; /**< share of its length by which a path may leave its closed form */
   bool IsPlane = false; /**< all bodies stand at its `elevation` */
   bool HasSlopes = false; /**< bodies lie on tilted ones, and fall off */
-  bool HasGrips = true; /**< grippers hold what they grip */
   EGround Ground = EGround::Nothing;
   Real Farthest = 1e5; /**< m: where the farthest bodies may be */
+  Real GripRigidity = 0.0; /**< N/m: of grips that are springs; 0: they are rigid */
   Real Push = 15.0; /**< N: what a foot-bot's wheels exert at most */
   Real Precision = 0.0; /**< relative: what the solver leaves of forces and speeds */
   Real Lateness = 0.0; /**< s: what meets something is inside it by its way in that time first */
@@ -64,6 +64,7 @@ inline const SEngineType kDynamics2D{
     .Tag = "dynamics2d",
     .IsPlane = true,
     .Ground = EGround::Force,
+    .GripRigidity = 1e4,
     // single precision
     .Precision = 1e-5,
 };
@@ -86,20 +87,20 @@ inline const SEngineType kKinematics2D{
     .Tag = "kinematics2d",
     .HasMomentum = false,
     .IsPlane = true,
-    .HasGrips = false,
     .Ground = EGround::Force,
 };
 inline const SEngineType kPointMass3D{
     .Tag = "pointmass3d",
     .HasContacts = false,
     .HasMomentum = false,
-    .HasGrips = false,
     .Farthest = 1e9,
 };
 inline const std::vector<SEngineType> kEnginesWithWheels{kDynamics2D, kDynamics3D, kKinematics2D,
                                                          kPointMass3D};
 /** Those that keep bodies on the ground apart. */
 inline const std::vector<SEngineType> kEnginesWithContacts{kDynamics2D, kDynamics3D, kKinematics2D};
+/** Those whose grippers hold what they grip. */
+inline const std::vector<SEngineType> kEnginesWithGrips{kDynamics2D, kDynamics3D};
 
 /**
  * True if a test cannot run because the engine lacks something; the report then names it.

@@ -151,48 +151,6 @@ TEST_CASE("rigid grip: more force than it can bear slips out of a grip",
   }
 }
 
-TEST_CASE("rigid grip: what hangs together crosses the border of engines together",
-          "[contract][engine][rigid][grip]") {
-  CGripWorld world(
-      GripperXml("r", 0.3, 0, 0, "lock='true'") + LoadXml("load", 0.3 + kLoadAt, 0, 0.3),
-      Options(0, TwoEngines()));
-  world.Step(3);
-  REQUIRE(world.HeldBy("r") == "load");
-  world.Drive("r", -10, -10);
-  world.Step(45);
-  const auto engineOf = [&world](const std::string& id) {
-    return world.Body(id).GetPhysicsModel(0).GetEngine().GetId();
-  };
-  // the robot is beyond the border, and its load goes with it
-  CHECK(world.Position("r").GetX() < 0.0);
-  CHECK(world.Position("load").GetX() > 0.0);
-  CHECK(engineOf("r") == "west");
-  CHECK(engineOf("load") == "west");
-  CHECK(world.HeldBy("r") == "load");
-  const Real robot = world.Position("r").GetX();
-  world.Step(10);
-  CHECK_THAT(world.Position("r").GetX() - robot, WithinAbs(-0.1, 5e-3));
-  CHECK_THAT(world.Position("load").GetX() - world.Position("r").GetX(), WithinAbs(kLoadAt, 0.015));
-}
-
-TEST_CASE("rigid grip: what is moved by a command, or removed, is let go",
-          "[contract][engine][rigid][grip]") {
-  CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("load", kLoadAt, 0, 0.3),
-                   Options());
-  world.Step(3);
-  REQUIRE(world.HeldBy("r") == "load");
-  REQUIRE(world.Body("load").MoveTo(CVector3(2, 2, 0), CQuaternion()));
-  CHECK(world.HeldBy("r").empty());
-  world.Step();
-  REQUIRE(world.Body("load").MoveTo(CVector3(kLoadAt + 0.003, 0, 0), CQuaternion()));
-  world.Step(3);
-  CHECK(world.HeldBy("r") == "load");
-  world.GetSimulator().GetSpace().RemoveEntityFromPhysicsEngines(world.Body("load"));
-  CHECK(world.HeldBy("r").empty());
-  world.GetSimulator().GetSpace().AddEntityToPhysicsEngine(world.Body("load"));
-  world.Step(2);
-}
-
 TEST_CASE("rigid grip: orders by chance give the same after resets and with any number of threads",
           "[contract][engine][rigid][grip]") {
   const std::string engine = GENERATE(GroundedEngine(), TwoEngines());

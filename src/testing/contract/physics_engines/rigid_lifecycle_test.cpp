@@ -6,7 +6,6 @@
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/utility/math/random_stream.h>
-#include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
 
 #include <catch2/catch.hpp>
 
@@ -76,26 +75,6 @@ SExperiment TurmoilIn(const std::string& engines, UInt32 threads) {
 }
 
 }  // namespace
-
-TEST_CASE("rigid lifecycle: a robot added in a run drives, and is gone when removed",
-          "[contract][engine][rigid]") {
-  CRigidScene world(GroundedEngine(), Turmoil());
-  world.Step(5);
-  CLoopFunctions& functions = world.GetSimulator().GetLoopFunctions();
-  functions.AddEntity(
-      *std::make_unique<CEPuckEntity>("new", "driver", CVector3(3, 3, 0)).release());
-  world.Driver("new").Left = world.Driver("new").Right = 10.0;
-  world.Step(11);
-  CHECK_THAT(world.Position("new").GetX(), WithinAbs(3.1, 2e-3));
-  CPhysicsEngine& engine = *world.GetSimulator().GetPhysicsEngines().front();
-  CHECK(engine.GetNumPhysicsModels() == 33);
-  functions.RemoveEntity("new");
-  for (int i = 0; i < 24; i += 2) {
-    functions.RemoveEntity("r" + std::to_string(i));
-    world.Step();
-  }
-  CHECK(engine.GetNumPhysicsModels() == 20);
-}
 
 TEST_CASE("rigid lifecycle: a body that is moved is at rest there, whatever it did before",
           "[contract][engine][rigid]") {
@@ -189,30 +168,6 @@ TEST_CASE("rigid determinism: several simulators in several threads do not distu
   for (const std::vector<UInt64>& result : results) {
     CHECK(result == expected);
   }
-}
-
-TEST_CASE("rigid lifecycle: a robot that crosses a border keeps its motion",
-          "[contract][engine][rigid]") {
-  const auto part = [](const std::string& id, const std::string& from, const std::string& to) {
-    return "<dynamics3d id='" + id +
-           "'><floor/><gravity g='9.81'/><boundaries><bottom height='0'/><sides><vertex point='" +
-           from + ",-10'/><vertex point='" + to + ",-10'/><vertex point='" + to +
-           ",10'/><vertex point='" + from + ",10'/></sides></boundaries></dynamics3d>";
-  };
-  CRigidScene world(part("west", "-10", "0") + part("east", "0", "10"),
-                    DriverXml("foot-bot", "r", -0.5, 0, 0, 10, 10));
-  CHECK(world.Body("r").GetPhysicsModel(0).GetEngine().GetId() == "west");
-  for (int tick = 0; tick < 101; ++tick) {
-    const Real before = world.Position("r").GetX();
-    world.Step();
-    if (tick > 2) {
-      // at no time does it start anew
-      REQUIRE_THAT(world.Position("r").GetX() - before, WithinAbs(0.01, 1e-4));
-    }
-  }
-  CHECK(world.Body("r").GetPhysicsModel(0).GetEngine().GetId() == "east");
-  CHECK(world.Body("r").GetPhysicsModelsNum() == 1);
-  CHECK_THAT(world.Position("r").GetX(), WithinAbs(0.5, 2e-3));
 }
 
 TEST_CASE("rigid lifecycle: a settled tick allocates nothing", "[contract][engine][rigid]") {

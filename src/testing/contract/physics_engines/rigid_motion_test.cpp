@@ -121,25 +121,6 @@ TEST_CASE("rigid friction: on a slope, a box slides beyond the angle of friction
   CHECK_THAT(slid.GetZ() / slid.GetX(), WithinAbs(-std::tan(steep.Angle), 1e-3));
 }
 
-TEST_CASE(
-    "rigid friction: a box that slides on the floor stops after v^2 / (2 mu g), whichever way",
-    "[contract][engine][rigid]") {
-  // a pyramid of friction would brake along the diagonals by up to the square root of 2 more
-  const Real degrees = GENERATE(0.0, 30.0, 45.0, 77.0);
-  CAPTURE(degrees);
-  const Real angle = degrees * ARGOS_PI / 180.0;
-  const CVector3 impulse(2.0 * std::cos(angle), 2.0 * std::sin(angle), 0.0);
-  CRigidScene world(RigidEngine("default_friction='0.5'",
-                                "<floor friction='1'/><gravity g='9.81'/>" + KickXml("b", impulse)),
-                    SBoxXml{"b", CVector3(0.4, 0.4, 0.05), CVector3(0, 0, 0)}.ToXml());
-  world.Step(30);
-  // and half a substep's path less, because speeds change before places do
-  const Real stop = 2.0 * 2.0 / (2.0 * 0.5 * 9.81) - 0.5 * 2.0 * kSubstep;
-  CHECK_THAT(world.Position("b").Length(), WithinRel(stop, 0.03));
-  CHECK_THAT(std::atan2(world.Position("b").GetY(), world.Position("b").GetX()),
-             WithinAbs(angle, 0.02));
-}
-
 TEST_CASE("rigid impact: momentum is kept, and restitution is what it is said to be",
           "[contract][engine][rigid]") {
   const std::string stepper = GENERATE("mixed", "direct", "iterative");
