@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/plugins/simulator/entities/observable.h>
+#include <argos3/plugins/simulator/entities/put_into_cell.h>
 
 namespace argos {
 
@@ -51,11 +52,7 @@ void CDirectionalLEDEntity::UpdateDigest(CDigest& digest) const {
 
 bool CDirectionalLEDEntityGridUpdater::operator()(CDirectionalLEDEntity& led) {
   if (led.IsLit()) {
-    SInt32 i = 0;
-    SInt32 j = 0;
-    SInt32 k = 0;
-    m_grid.PositionToCellUnsafe(i, j, k, led.GetPosition());
-    m_grid.UpdateCell(i, j, k, led);
+    PutIntoCell(m_grid, led);
   }
   return true;
 }
@@ -63,11 +60,7 @@ bool CDirectionalLEDEntityGridUpdater::operator()(CDirectionalLEDEntity& led) {
 void CDirectionalLEDEntitySpaceHashUpdater::operator()(
     CAbstractSpaceHash<CDirectionalLEDEntity>& hash, CDirectionalLEDEntity& led) {
   if (led.IsLit()) {
-    SInt32 i = 0;
-    SInt32 j = 0;
-    SInt32 k = 0;
-    hash.SpaceToHashTable(i, j, k, led.GetPosition());
-    hash.UpdateCell(i, j, k, led);
+    PutIntoCell(hash, led);
   }
 }
 

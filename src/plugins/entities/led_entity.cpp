@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/plugins/simulator/entities/put_into_cell.h>
 
 namespace argos {
 
@@ -36,22 +37,14 @@ void CLEDEntity::UpdateDigest(CDigest& digest) const {
 
 bool CLEDEntityGridUpdater::operator()(CLEDEntity& led) {
   if (led.IsLit()) {
-    SInt32 i = 0;
-    SInt32 j = 0;
-    SInt32 k = 0;
-    m_grid.PositionToCellUnsafe(i, j, k, led.GetPosition());
-    m_grid.UpdateCell(i, j, k, led);
+    PutIntoCell(m_grid, led);
   }
   return true;
 }
 
 void CLEDEntitySpaceHashUpdater::operator()(CAbstractSpaceHash<CLEDEntity>& hash, CLEDEntity& led) {
   if (led.IsLit()) {
-    SInt32 i = 0;
-    SInt32 j = 0;
-    SInt32 k = 0;
-    hash.SpaceToHashTable(i, j, k, led.GetPosition());
-    hash.UpdateCell(i, j, k, led);
+    PutIntoCell(hash, led);
   }
 }
 

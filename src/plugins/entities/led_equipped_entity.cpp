@@ -2,9 +2,8 @@
 
 #include <argos3/core/simulator/current.h>
 #include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/plugins/simulator/entities/anchor_use.h>
 #include <argos3/plugins/simulator/entities/read_medium.h>
-
-#include <algorithm>
 
 namespace argos {
 
@@ -77,10 +76,7 @@ void CLEDEquippedEntity::SetEnabled(bool enabled) {
   }
   CComposableEntity::SetEnabled(enabled);
   for (SAnchor* anchor : m_anchors) {
-    // the origin anchor is always in use
-    if (anchor->Index > 0) {
-      enabled ? anchor->Enable() : anchor->Disable();
-    }
+    UseAnchor(*anchor, enabled);
   }
   if (enabled) {
     // nobody moved them, nor perhaps their anchors, while they were off
@@ -105,31 +101,16 @@ void CLEDEquippedEntity::SetLayout(std::shared_ptr<const SLayout> layout,
 
 void CLEDEquippedEntity::AddLED(const CVector3& offset, SAnchor& anchor, const CColor& color) {
   SLayout layout = *m_layout;
-  layout.AddLED(offset, color, NumberOfAnchor(anchor));
+  layout.AddLED(offset, color, NumberOfAnchor(m_anchors, anchor, *this));
   Append(std::move(layout));
 }
 
 void CLEDEquippedEntity::AddLEDRing(const CVector3& center, Real radius, const CRadians& startAngle,
                                     UInt32 num, SAnchor& anchor, const CColor& color) {
   SLayout layout = *m_layout;
-  layout.AddLEDRing(center, radius, startAngle, num, color, NumberOfAnchor(anchor));
+  layout.AddLEDRing(center, radius, startAngle, num, color,
+                    NumberOfAnchor(m_anchors, anchor, *this));
   Append(std::move(layout));
-}
-
-UInt32 CLEDEquippedEntity::NumberOfAnchor(SAnchor& anchor) {
-  const auto known = std::find(m_anchors.begin(), m_anchors.end(), &anchor);
-  if (known != m_anchors.end()) {
-    return static_cast<UInt32>(known - m_anchors.begin());
-  }
-  m_anchors.push_back(&anchor);
-  if (IsEnabled() && anchor.Index > 0) {
-    anchor.Enable();
-  }
-  // this use of the anchor stays after a Reset()
-  if (IsEnabledAtStart() && anchor.Index > 0) {
-    ++anchor.InUseCountAtStart;
-  }
-  return static_cast<UInt32>(m_anchors.size() - 1);
 }
 
 void CLEDEquippedEntity::Append(SLayout&& layout) {

@@ -109,7 +109,6 @@ class CLEDEquippedEntity : public CComposableEntity {
 
  private:
   void CheckIndex(size_t index) const;
-  UInt32 NumberOfAnchor(SAnchor& anchor);
   void Append(SLayout&& layout);
   CLEDEntity& MakeLED(size_t index);
   void PlaceLED(SActuator& actuator) const;

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/entities/magnet_equipped_entity.h>
 
 #include <argos3/core/simulator/current.h>
+#include <argos3/plugins/simulator/entities/anchor_use.h>
 
 namespace argos {
 
@@ -31,10 +32,7 @@ void CMagnetEquippedEntity::SetEnabled(bool enabled) {
   }
   CComposableEntity::SetEnabled(enabled);
   for (const SInstance& instance : m_instances) {
-    // the origin anchor is always in use
-    if (instance.Anchor.Index > 0) {
-      enabled ? instance.Anchor.Enable() : instance.Anchor.Disable();
-    }
+    UseAnchor(instance.Anchor, enabled);
   }
 }
 
@@ -52,13 +50,7 @@ void CMagnetEquippedEntity::Mount(std::unique_ptr<CMagnetEntity> magnet, const C
   CMagnetEntity& mounted = *magnet;
   AddComponent(*magnet.release());
   m_instances.push_back({mounted, offset, anchor});
-  if (anchor.Index > 0) {
-    if (IsEnabled()) {
-      anchor.Enable();
-    }
-    // this use of the anchor stays after a Reset()
-    anchor.InUseCountAtStart += IsEnabledAtStart() ? 1 : 0;
-  }
+  MountOnAnchor(anchor, *this);
   if (GetIndex() >= 0) {
     CallEntityOperation<CSpaceOperationAddEntity, CSpace, void>(CurrentSpace(), mounted);
   }

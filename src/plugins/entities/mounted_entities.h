@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/current.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/plugins/simulator/entities/anchor_use.h>
 
 #include <memory>
 #include <string>
@@ -55,10 +56,7 @@ class CMountedEntities : public CComposableEntity {
     }
     CComposableEntity::SetEnabled(enabled);
     for (const SInstance& instance : m_instances) {
-      // the origin anchor is always in use
-      if (instance.Anchor.Index > 0) {
-        enabled ? instance.Anchor.Enable() : instance.Anchor.Disable();
-      }
+      UseAnchor(instance.Anchor, enabled);
     }
     if (enabled) {
       UpdateComponents();
@@ -86,13 +84,7 @@ class CMountedEntities : public CComposableEntity {
     ENTITY& mounted = *entity;
     AddComponent(*entity.release());
     m_instances.push_back({mounted, positionOffset, orientationOffset, anchor});
-    if (anchor.Index > 0) {
-      if (IsEnabled()) {
-        anchor.Enable();
-      }
-      // this use of the anchor stays after a Reset()
-      anchor.InUseCountAtStart += IsEnabledAtStart() ? 1 : 0;
-    }
+    MountOnAnchor(anchor, *this);
     Place(m_instances.back());
     if (m_medium != nullptr) {
       mounted.SetMedium(*m_medium);
@@ -108,16 +100,30 @@ class CMountedEntities : public CComposableEntity {
   /**
    * Mounts an entity for each child @p tag: its pose, in the frame of the body's `anchor`, and what
    * ENTITY::Init() reads. The parent must have a "body".
+   * @param defaultAnchor  of a child that does not say; empty: a child must say.
    */
-  void InitInstances(TConfigurationNode& tree, const std::string& tag) {
+  void InitInstances(TConfigurationNode& tree, const std::string& tag,
+                     const std::string& defaultAnchor = "") {
+    InitInstances(tree, tag, defaultAnchor, [](ENTITY&, TConfigurationNode&) {});
+  }
+  /** @param prepare  void(ENTITY&, TConfigurationNode& child): what is to be done before mounting.
+   */
+  template <typename PREPARE>
+  void InitInstances(TConfigurationNode& tree, const std::string& tag,
+                     const std::string& defaultAnchor, PREPARE&& prepare) {
     CComposableEntity& parent = GetParent();
     auto& body = parent.GetComponent<CEmbodiedEntity>("body");
     TConfigurationNodeIterator child(tag);
     for (child = child.begin(&tree); child != child.end(); ++child) {
       std::string anchor;
-      GetNodeAttribute(*child, "anchor", anchor);
+      if (defaultAnchor.empty()) {
+        GetNodeAttribute(*child, "anchor", anchor);
+      } else {
+        GetNodeAttributeOrDefault(*child, "anchor", anchor, defaultAnchor);
+      }
       auto entity = std::make_unique<ENTITY>(this);
       entity->Init(*child);
+      prepare(*entity, *child);
       // what the file gives as the pose is the mount
       const CVector3 position = entity->GetPosition();
       const CQuaternion orientation = entity->GetOrientation();

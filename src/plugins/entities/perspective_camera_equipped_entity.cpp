@@ -1,8 +1,8 @@
 #include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
-#include <argos3/core/simulator/physics_engine/physics_model.h>
 #include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/plugins/simulator/entities/anchor_use.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 
 #include <cmath>
@@ -55,9 +55,8 @@ void CPerspectiveCameraEquippedEntity::SetEnabled(bool enabled) {
     return;
   }
   CEntity::SetEnabled(enabled);
-  // the origin anchor is always in use
-  if (m_anchor != nullptr && m_anchor->Index > 0) {
-    enabled ? m_anchor->Enable() : m_anchor->Disable();
+  if (m_anchor != nullptr) {
+    UseAnchor(*m_anchor, enabled);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/plugins/simulator/entities/anchor_use.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 
 #include <cmath>
@@ -69,9 +70,8 @@ void CRABEquippedEntity::Update() {
 }
 
 void CRABEquippedEntity::SetEnabled(bool enabled) {
-  if (enabled != IsEnabled() && m_anchor != nullptr && m_anchor->Index > 0) {
-    // the origin anchor is always in use
-    enabled ? m_anchor->Enable() : m_anchor->Disable();
+  if (enabled != IsEnabled() && m_anchor != nullptr) {
+    UseAnchor(*m_anchor, enabled);
   }
   if (enabled) {
     // it was not moved along while it was off

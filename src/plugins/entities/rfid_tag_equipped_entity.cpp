@@ -14,18 +14,7 @@ CRFIDTagEquippedEntity::CRFIDTagEquippedEntity(CComposableEntity* parent, const 
 void CRFIDTagEquippedEntity::Init(TConfigurationNode& tree) {
   CMountedEntities::Init(tree);
   SetMedium(ReadMedium<CRFIDTagEntity::CRegistry>(tree, CurrentSimulator(), "an RFID medium"));
-  auto& body = GetParent().GetComponent<CEmbodiedEntity>("body");
-  TConfigurationNodeIterator child("rfid_tag");
-  for (child = child.begin(&tree); child != child.end(); ++child) {
-    auto tag = std::make_unique<CRFIDTagEntity>(this);
-    tag->Init(*child);
-    std::string anchor;
-    GetNodeAttributeOrDefault<std::string>(*child, "anchor", anchor, "origin");
-    // what the file gives as the pose is the mount
-    const CVector3 position = tag->GetPosition();
-    const CQuaternion orientation = tag->GetOrientation();
-    Mount(std::move(tag), position, orientation, body.GetAnchor(anchor));
-  }
+  InitInstances(tree, "rfid_tag", "origin");
   Enable();
 }
 

@@ -4,8 +4,8 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/entity.h>
 #include <argos3/core/utility/prefetch.h>
+#include <argos3/plugins/simulator/entities/anchor_use.h>
 
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -37,10 +37,7 @@ class CSensorEquippedEntity : public CEntity {
     }
     CEntity::SetEnabled(enabled);
     for (SAnchor* anchor : m_anchors) {
-      // the origin anchor is always in use
-      if (anchor->Index > 0) {
-        enabled ? anchor->Enable() : anchor->Disable();
-      }
+      UseAnchor(*anchor, enabled);
     }
   }
   virtual void Enable() { CEntity::Enable(); }
@@ -100,7 +97,7 @@ class CSensorEquippedEntity : public CEntity {
   template <typename CHANGE>
   void Append(SAnchor& anchor, CHANGE&& change) {
     LAYOUT layout = GetLayout();
-    change(layout, NumberOfAnchor(anchor));
+    change(layout, NumberOfAnchor(m_anchors, anchor, *this));
     const bool listed = m_sensors != nullptr;
     m_layout = std::make_shared<const LAYOUT>(std::move(layout));
     if (listed) {
@@ -114,22 +111,6 @@ class CSensorEquippedEntity : public CEntity {
     std::vector<std::unique_ptr<SENSOR>> Owned;  // (places)
     TSensors List;  // the same
   };
-
-  UInt32 NumberOfAnchor(SAnchor& anchor) {
-    const auto known = std::find(m_anchors.begin(), m_anchors.end(), &anchor);
-    if (known != m_anchors.end()) {
-      return static_cast<UInt32>(known - m_anchors.begin());
-    }
-    m_anchors.push_back(&anchor);
-    if (IsEnabled() && anchor.Index > 0) {
-      anchor.Enable();
-    }
-    // this use of the anchor stays after a Reset()
-    if (IsEnabledAtStart() && anchor.Index > 0) {
-      ++anchor.InUseCountAtStart;
-    }
-    return static_cast<UInt32>(m_anchors.size() - 1);
-  }
 
   void TakeOverChanges() {
     std::shared_ptr<LAYOUT> changed;

@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/plugins/simulator/entities/put_into_cell.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 
 #include <algorithm>
@@ -102,21 +103,13 @@ void CSimpleRadioEntity::UpdateDigest(CDigest& digest) const {
 }
 
 bool CSimpleRadioEntityGridUpdater::operator()(CSimpleRadioEntity& radio) {
-  SInt32 i = 0;
-  SInt32 j = 0;
-  SInt32 k = 0;
-  m_grid.PositionToCellUnsafe(i, j, k, radio.GetPosition());
-  m_grid.UpdateCell(i, j, k, radio);
+  PutIntoCell(m_grid, radio);
   return true;
 }
 
 void CSimpleRadioEntitySpaceHashUpdater::operator()(CAbstractSpaceHash<CSimpleRadioEntity>& hash,
                                                     CSimpleRadioEntity& radio) {
-  SInt32 i = 0;
-  SInt32 j = 0;
-  SInt32 k = 0;
-  hash.SpaceToHashTable(i, j, k, radio.GetPosition());
-  hash.UpdateCell(i, j, k, radio);
+  PutIntoCell(hash, radio);
 }
 
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CSimpleRadioEntity)

@@ -14,21 +14,12 @@ CSimpleRadioEquippedEntity::CSimpleRadioEquippedEntity(CComposableEntity* parent
 
 void CSimpleRadioEquippedEntity::Init(TConfigurationNode& tree) {
   CMountedEntities::Init(tree);
-  auto& body = GetParent().GetComponent<CEmbodiedEntity>("body");
-  TConfigurationNodeIterator child("simple_radio");
-  for (child = child.begin(&tree); child != child.end(); ++child) {
-    auto radio = std::make_unique<CSimpleRadioEntity>(this);
-    radio->Init(*child);
-    RequireNewId(radio->GetId());
-    std::string anchor;
-    GetNodeAttributeOrDefault<std::string>(*child, "anchor", anchor, "origin");
-    radio->SetMedium(ReadMedium<CSimpleRadioEntity::CRegistry>(*child, CurrentSimulator(),
-                                                               "a simple radio medium"));
-    // what the file gives as the pose is the mount
-    const CVector3 position = radio->GetPosition();
-    const CQuaternion orientation = radio->GetOrientation();
-    Mount(std::move(radio), position, orientation, body.GetAnchor(anchor));
-  }
+  InitInstances(tree, "simple_radio", "origin",
+                [this](CSimpleRadioEntity& radio, TConfigurationNode& child) {
+                  RequireNewId(radio.GetId());
+                  radio.SetMedium(ReadMedium<CSimpleRadioEntity::CRegistry>(
+                      child, CurrentSimulator(), "a simple radio medium"));
+                });
   Enable();
 }
 

@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/plugins/simulator/entities/observable.h>
+#include <argos3/plugins/simulator/entities/put_into_cell.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 
 namespace argos {
@@ -64,20 +65,12 @@ void CTagEntity::UpdateDigest(CDigest& digest) const {
 }
 
 bool CTagEntityGridUpdater::operator()(CTagEntity& tag) {
-  SInt32 i = 0;
-  SInt32 j = 0;
-  SInt32 k = 0;
-  m_grid.PositionToCellUnsafe(i, j, k, tag.GetPosition());
-  m_grid.UpdateCell(i, j, k, tag);
+  PutIntoCell(m_grid, tag);
   return true;
 }
 
 void CTagEntitySpaceHashUpdater::operator()(CAbstractSpaceHash<CTagEntity>& hash, CTagEntity& tag) {
-  SInt32 i = 0;
-  SInt32 j = 0;
-  SInt32 k = 0;
-  hash.SpaceToHashTable(i, j, k, tag.GetPosition());
-  hash.UpdateCell(i, j, k, tag);
+  PutIntoCell(hash, tag);
 }
 
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CTagEntity)

@@ -5,9 +5,16 @@
 #include <argos3/core/control_interface/ci_actuator.h>
 #include <argos3/core/control_interface/ci_controller.h>
 #include <argos3/core/control_interface/ci_sensor.h>
+#include <argos3/plugins/robots/eye-bot/control_interface/ci_eyebot_light_sensor.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_base_ground_sensor.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_light_sensor.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_motor_ground_sensor.h>
 #include <argos3/plugins/robots/generic/simulator/proximity_default_sensor.h>
 
 #include <catch2/catch.hpp>
+
+#include <sstream>
+#include <string>
 
 using namespace argos;
 
@@ -146,6 +153,39 @@ class CStepProximity : public CProximityDefaultSensor {
  public:
   virtual Real CalculateReading(Real f_distance) { return f_distance < 0.05 ? 1.0 : 0.0; }
 };
+
+/* functions overloaded for what different sensors read */
+static std::string Kind(const CCI_FootBotProximitySensor::TReadings&) {
+  return "proximity";
+}
+static std::string Kind(const CCI_FootBotLightSensor::TReadings&) {
+  return "light";
+}
+static std::string Kind(const CCI_EyeBotLightSensor::TReadings&) {
+  return "eye-bot light";
+}
+static std::string Kind(const CCI_FootBotBaseGroundSensor::TReadings&) {
+  return "base";
+}
+static std::string Kind(const CCI_FootBotMotorGroundSensor::TReadings&) {
+  return "motor";
+}
+std::ostream& operator<<(std::ostream& c_os, const CCI_FootBotLightSensor::SReading& s_reading) {
+  return c_os << s_reading.Value << "@" << s_reading.Angle.GetValue();
+}
+
+TEST_CASE("compat: readings of each sensor have a type of their own", "[compat]") {
+  CHECK(Kind(CCI_FootBotProximitySensor().GetReadings()) == "proximity");
+  CHECK(Kind(CCI_FootBotLightSensor().GetReadings()) == "light");
+  CHECK(Kind(CCI_EyeBotLightSensor().GetReadings()) == "eye-bot light");
+  CHECK(Kind(CCI_FootBotBaseGroundSensor().GetReadings()) == "base");
+  CHECK(Kind(CCI_FootBotMotorGroundSensor().GetReadings()) == "motor");
+
+  struct CCI_FootBotLightSensor::SReading sReading(0.5, CRadians(0.25));
+  std::ostringstream cOut;
+  cOut << sReading;
+  CHECK(cOut.str() == "0.5@0.25");
+}
 
 TEST_CASE("compat: device interfaces", "[compat]") {
   CMySteering cSteering;

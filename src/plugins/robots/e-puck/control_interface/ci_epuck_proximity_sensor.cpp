@@ -12,14 +12,7 @@ CRadians CCI_EPuckProximitySensor::GetAngle(UInt32 index) {
 }
 
 CCI_EPuckProximitySensor::CCI_EPuckProximitySensor() {
-  m_tReadings.reserve(kNumSensors);
-  for (UInt32 i = 0; i < kNumSensors; ++i) {
-    m_tReadings.emplace_back(0.0, GetAngle(i));
-  }
-}
-
-const CCI_EPuckProximitySensor::TReadings& CCI_EPuckProximitySensor::GetReadings() const {
-  return m_tReadings;
+  m_tReadings = MakeReadings<SReading>(kNumSensors, GetAngle);
 }
 
 void CCI_EPuckProximitySensor::CreateLuaState(lua_State* state) {

@@ -15,26 +15,7 @@ constexpr Real kC = 1.08212;
 }  // namespace
 
 void CEPuckProximityDefaultSensor::SetRobot(CComposableEntity& robot) {
-  m_rays.SetRobot(robot);
-  m_rays.RequireNumRays(m_tReadings.size(), "epuck_proximity");
-}
-
-void CEPuckProximityDefaultSensor::Init(TConfigurationNode& tree) {
-  CCI_EPuckProximitySensor::Init(tree);
-  m_rays.Init(tree);
-  Enable();
-}
-
-void CEPuckProximityDefaultSensor::Update() {
-  m_rays.Read([this](Real distance) { return CalculateReading(distance); },
-              [this](size_t ray, Real reading) { m_tReadings[ray].Value = reading; });
-}
-
-void CEPuckProximityDefaultSensor::Reset() {
-  for (SReading& reading : m_tReadings) {
-    reading.Value = 0.0;
-  }
-  m_rays.Reset();
+  TakeRays(robot, "epuck_proximity");
 }
 
 Real CEPuckProximityDefaultSensor::CalculateReading(Real distance) {

@@ -1,35 +1,21 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_E_PUCK_SIMULATOR_EPUCK_PROXIMITY_DEFAULT_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_E_PUCK_SIMULATOR_EPUCK_PROXIMITY_DEFAULT_SENSOR_H
 
-#include <argos3/core/simulator/sensor.h>
-#include <argos3/core/utility/prefetch.h>
 #include <argos3/plugins/robots/e-puck/control_interface/ci_epuck_proximity_sensor.h>
-#include <argos3/plugins/robots/generic/simulator/proximity_rays.h>
+#include <argos3/plugins/robots/generic/simulator/angular_proximity_sensor.h>
 
 namespace argos {
 
 /** The e-puck's proximity sensors, with the response of the real ones. */
-class CEPuckProximityDefaultSensor : public CSimulatedSensor, public CCI_EPuckProximitySensor {
+class CEPuckProximityDefaultSensor : public CAngularProximitySensor<CCI_EPuckProximitySensor> {
  public:
   /** @throws CARGoSException unless the robot has eight proximity sensors. */
   void SetRobot(CComposableEntity& robot) override;
-  /** See CProximityRays::Init(). */
-  void Init(TConfigurationNode& tree) override;
-  void Update() override;
-  void PrefetchUpdate() const override {
-    m_rays.PrefetchRead();
-    PrefetchElements(m_tReadings);
-  }
-  void Reset() override;
-
   /**
    * What a sensor reads, before noise: a parabola up to 5 cm, then 0; clamped to [0,1] afterwards.
    * @param distance  from the start of its ray to what it met, m, >= 0.
    */
-  virtual Real CalculateReading(Real distance);
-
- private:
-  CProximityRays m_rays;
+  Real CalculateReading(Real distance) override;
 };
 
 }  // namespace argos

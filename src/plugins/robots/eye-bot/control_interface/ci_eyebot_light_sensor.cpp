@@ -12,11 +12,8 @@ constexpr Real kStartAngle = 7.5;  // degrees
 
 }  // namespace
 
-CCI_EyeBotLightSensor::CCI_EyeBotLightSensor()
-    : m_tReadings(MakeRing<SReading>(kNumReadings, kStartAngle)) {}
-
-const CCI_EyeBotLightSensor::TReadings& CCI_EyeBotLightSensor::GetReadings() const {
-  return m_tReadings;
+CCI_EyeBotLightSensor::CCI_EyeBotLightSensor() {
+  m_tReadings = MakeRing<SReading>(kNumReadings, kStartAngle);
 }
 
 void CCI_EyeBotLightSensor::CreateLuaState(lua_State* state) {

@@ -12,11 +12,8 @@ constexpr Real kStartAngle = 7.5;  // degrees
 
 }  // namespace
 
-CCI_EyeBotProximitySensor::CCI_EyeBotProximitySensor()
-    : m_tReadings(MakeRing<SReading>(kNumReadings, kStartAngle)) {}
-
-const CCI_EyeBotProximitySensor::TReadings& CCI_EyeBotProximitySensor::GetReadings() const {
-  return m_tReadings;
+CCI_EyeBotProximitySensor::CCI_EyeBotProximitySensor() {
+  m_tReadings = MakeRing<SReading>(kNumReadings, kStartAngle);
 }
 
 void CCI_EyeBotProximitySensor::CreateLuaState(lua_State* state) {

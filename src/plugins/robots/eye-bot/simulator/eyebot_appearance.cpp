@@ -2,6 +2,7 @@
 
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/plugins/robots/eye-bot/simulator/eyebot_measures.h>
+#include <argos3/plugins/robots/generic/simulator/visual_parts.h>
 
 namespace argos {
 
@@ -32,23 +33,6 @@ constexpr Real kCoreRadius = 0.046;
 constexpr Real kCoreTop = 0.235;
 constexpr Real kFootDistance = 0.11;
 
-SVisualPart& Add(SAppearance& robot, EKind kind, const CVector3& position, const CVector3& size,
-                 const CColor& color) {
-  SVisualPart part;
-  part.Kind = kind;
-  part.Position = position;
-  part.Size = size;
-  part.Color = color;
-  robot.Parts.push_back(part);
-  return robot.Parts.back();
-}
-
-void AddDisc(SAppearance& robot, const CVector3& axis, Real radius, Real bottom, Real top,
-             const CColor& color) {
-  Add(robot, EKind::Cylinder, axis + CVector3(0.0, 0.0, bottom),
-      CVector3(2.0 * radius, 2.0 * radius, top - bottom), color);
-}
-
 // in the plane, as seen from the robot's axis
 CVector3 At(Real distance, const CRadians& angle) {
   return CVector3(distance * Cos(angle), distance * Sin(angle), 0.0);
@@ -57,10 +41,10 @@ CVector3 At(Real distance, const CRadians& angle) {
 void AddRotor(SAppearance& robot, const CVector3& axis, Real height, const CRadians& blades) {
   constexpr Real kThickness = 0.0025;
   const CVector3 centre = axis + CVector3(0.0, 0.0, height);
-  Add(robot, EKind::Box, centre, CVector3(1.94 * kRotorRadius, 0.016, kThickness), kBlade)
+  AddPart(robot, EKind::Box, centre, CVector3(1.94 * kRotorRadius, 0.016, kThickness), kBlade)
       .Orientation.FromAngleAxis(blades, CVector3::Z);
-  AddDisc(robot, axis, 0.011, height - 0.004, height + 0.008, kMetal);
-  AddDisc(robot, axis, kRotorRadius, height + 0.0005, height + 0.002, kSweptDisc);
+  AddDisc(robot, 0.011, height - 0.004, height + 0.008, kMetal, axis);
+  AddDisc(robot, kRotorRadius, height + 0.0005, height + 0.002, kSweptDisc, axis);
 }
 
 // an arm with its motors and its two propellers, which turn against each other
@@ -68,70 +52,63 @@ void AddArm(SAppearance& robot, const CRadians& angle) {
   constexpr Real kMotorRadius = 0.014;
   const Real bottom = kHoopElevation - 0.5 * kArmHeight;
   const Real length = eyebot::kBodyRadius - kHoopThickness;
-  Add(robot, EKind::Box, At(0.5 * length, angle) + CVector3(0.0, 0.0, bottom),
-      CVector3(length, 0.018, kArmHeight), kCarbon)
+  AddPart(robot, EKind::Box, At(0.5 * length, angle) + CVector3(0.0, 0.0, bottom),
+          CVector3(length, 0.018, kArmHeight), kCarbon)
       .Orientation.FromAngleAxis(angle, CVector3::Z);
   const CVector3 axis = At(kRotorDistance, angle);
-  AddDisc(robot, axis, kMotorRadius, kLowerRotor, kUpperRotor, kElectronics);
+  AddDisc(robot, kMotorRadius, kLowerRotor, kUpperRotor, kElectronics, axis);
   AddRotor(robot, axis, kUpperRotor, angle + ToRadians(CDegrees(35.0)));
   AddRotor(robot, axis, kLowerRotor, angle - ToRadians(CDegrees(55.0)));
 }
 
 void AddLeg(SAppearance& robot, const CRadians& angle) {
   const CVector3 foot = At(kFootDistance, angle);
-  AddDisc(robot, foot, 0.005, 0.0, kHoopElevation, kCarbon);
-  AddDisc(robot, foot, 0.012, 0.0, 0.008, kElectronics);
+  AddDisc(robot, 0.005, 0.0, kHoopElevation, kCarbon, foot);
+  AddDisc(robot, 0.012, 0.0, 0.008, kElectronics, foot);
   // a strut from the leg to the core
-  Add(robot, EKind::Box, 0.5 * foot + CVector3(0.0, 0.0, kHoopElevation - 0.005),
-      CVector3(kFootDistance, 0.008, 0.006), kCarbon)
+  AddPart(robot, EKind::Box, 0.5 * foot + CVector3(0.0, 0.0, kHoopElevation - 0.005),
+          CVector3(kFootDistance, 0.008, 0.006), kCarbon)
       .Orientation.FromAngleAxis(angle, CVector3::Z);
 }
 
-void AddLED(SAppearance& robot, UInt32 led, const CVector3& position) {
-  constexpr Real kDiameter = 0.011;
-  Add(robot, EKind::LED, position, CVector3(kDiameter, kDiameter, kDiameter), kHoop).LED = led;
-}
-
 void AddLEDs(SAppearance& robot) {
-  for (UInt32 ring = 0; ring < 2; ++ring) {
-    const Real z = ring == 0 ? eyebot::kLowerLEDRingElevation : eyebot::kUpperLEDRingElevation;
-    for (UInt32 i = 0; i < eyebot::kNumRingLEDs; ++i) {
-      const CRadians angle =
-          ToRadians(CDegrees(eyebot::kLEDRingStartAngle + 360.0 / eyebot::kNumRingLEDs * i));
-      AddLED(robot, ring * eyebot::kNumRingLEDs + i,
-             At(eyebot::kLEDRingRadius, angle) + CVector3(0.0, 0.0, z));
-    }
-  }
-  AddLED(robot, 2 * eyebot::kNumRingLEDs,
-         At(eyebot::kExtraLEDRadius, ToRadians(CDegrees(eyebot::kExtraLEDAngle))) +
-             CVector3(0.0, 0.0, eyebot::kExtraLEDElevation));
+  constexpr Real kDiameter = 0.011;
+  SVisualLEDRing ring = {0, eyebot::kNumRingLEDs, eyebot::kLEDRingStartAngle,
+                         eyebot::kLEDRingRadius, eyebot::kLowerLEDRingElevation};
+  AddLEDRing(robot, ring, kDiameter, kHoop);
+  ring.First = eyebot::kNumRingLEDs;
+  ring.Elevation = eyebot::kUpperLEDRingElevation;
+  AddLEDRing(robot, ring, kDiameter, kHoop);
+  const CVector3 extra = At(eyebot::kExtraLEDRadius, ToRadians(CDegrees(eyebot::kExtraLEDAngle))) +
+                         CVector3(0.0, 0.0, eyebot::kExtraLEDElevation);
+  AddLED(robot, 2 * eyebot::kNumRingLEDs, extra, kDiameter, kHoop);
 }
 
 }  // namespace
 
 SAppearance MakeEyeBotAppearance() {
   SAppearance robot;
-  const CVector3 axis;
   // core: camera below, electronics, a mark that says which way it looks
-  AddDisc(robot, axis, 0.024, 0.066, 0.09, kCarbon);
-  Add(robot, EKind::Sphere, CVector3(0.0, 0.0, 0.068), CVector3(0.032, 0.032, 0.032), kLens);
-  AddDisc(robot, axis, kCoreRadius, 0.09, kCoreTop, kElectronics);
-  AddDisc(robot, axis, kCoreRadius + 0.003, kHoopElevation - 0.01, kHoopElevation + 0.01, kMetal);
-  Add(robot, EKind::Box, CVector3(0.025, 0.0, kCoreTop), CVector3(0.04, 0.016, 0.005),
-      kHeadingMark);
-  Add(robot, EKind::Box, CVector3(eyebot::kBodyRadius - 0.5 * kHoopThickness, 0.0, kHoopElevation),
-      CVector3(kHoopThickness, 0.04, 0.6 * kHoopThickness), kHeadingMark);
+  AddDisc(robot, 0.024, 0.066, 0.09, kCarbon);
+  AddPart(robot, EKind::Sphere, CVector3(0.0, 0.0, 0.068), CVector3(0.032, 0.032, 0.032), kLens);
+  AddDisc(robot, kCoreRadius, 0.09, kCoreTop, kElectronics);
+  AddDisc(robot, kCoreRadius + 0.003, kHoopElevation - 0.01, kHoopElevation + 0.01, kMetal);
+  AddPart(robot, EKind::Box, CVector3(0.025, 0.0, kCoreTop), CVector3(0.04, 0.016, 0.005),
+          kHeadingMark);
+  AddPart(robot, EKind::Box,
+          CVector3(eyebot::kBodyRadius - 0.5 * kHoopThickness, 0.0, kHoopElevation),
+          CVector3(kHoopThickness, 0.04, 0.6 * kHoopThickness), kHeadingMark);
   // mast, and what holds on to a ceiling
-  AddDisc(robot, axis, 0.009, kCoreTop, 0.535, kCarbon);
-  AddDisc(robot, axis, 0.02, 0.51, 0.54, kElectronics);
-  AddDisc(robot, axis, 0.05, 0.54, eyebot::kBodyHeight, kMetal);
+  AddDisc(robot, 0.009, kCoreTop, 0.535, kCarbon);
+  AddDisc(robot, 0.02, 0.51, 0.54, kElectronics);
+  AddDisc(robot, 0.05, 0.54, eyebot::kBodyHeight, kMetal);
   for (UInt32 i = 0; i < 4; ++i) {
     AddArm(robot, ToRadians(CDegrees(45.0 + 90.0 * i)));
     AddLeg(robot, ToRadians(CDegrees(90.0 * i)));
   }
   // the hoop around everything that carries the LEDs
-  Add(robot, EKind::Ring, CVector3(0.0, 0.0, kHoopElevation),
-      CVector3(2.0 * eyebot::kBodyRadius, 2.0 * eyebot::kBodyRadius, kHoopThickness), kHoop);
+  AddPart(robot, EKind::Ring, CVector3(0.0, 0.0, kHoopElevation),
+          CVector3(2.0 * eyebot::kBodyRadius, 2.0 * eyebot::kBodyRadius, kHoopThickness), kHoop);
   AddLEDs(robot);
   return robot;
 }

@@ -3,24 +3,11 @@
 namespace argos {
 
 void CEyeBotLightRotZOnlySensor::SetRobot(CComposableEntity& robot) {
-  m_light.SetRobot(robot, m_tReadings.size(), "eyebot_light");
-}
-
-void CEyeBotLightRotZOnlySensor::Init(TConfigurationNode& tree) {
-  CCI_EyeBotLightSensor::Init(tree);
-  m_light.Init(tree);
-  Enable();
+  m_reader.SetRobot(robot, m_tReadings.size(), "eyebot_light");
 }
 
 void CEyeBotLightRotZOnlySensor::Update() {
-  m_light.Read(m_tReadings);
-}
-
-void CEyeBotLightRotZOnlySensor::Reset() {
-  for (SReading& reading : m_tReadings) {
-    reading.Value = 0.0;
-  }
-  m_light.Reset();
+  m_reader.Read(m_tReadings);
 }
 
 REGISTER_SENSOR(

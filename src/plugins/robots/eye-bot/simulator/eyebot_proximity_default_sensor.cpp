@@ -5,26 +5,7 @@
 namespace argos {
 
 void CEyeBotProximityDefaultSensor::SetRobot(CComposableEntity& robot) {
-  m_rays.SetRobot(robot);
-  m_rays.RequireNumRays(m_tReadings.size(), "eyebot_proximity");
-}
-
-void CEyeBotProximityDefaultSensor::Init(TConfigurationNode& tree) {
-  CCI_EyeBotProximitySensor::Init(tree);
-  m_rays.Init(tree);
-  Enable();
-}
-
-void CEyeBotProximityDefaultSensor::Update() {
-  m_rays.Read([this](Real distance) { return CalculateReading(distance); },
-              [this](size_t ray, Real reading) { m_tReadings[ray].Value = reading; });
-}
-
-void CEyeBotProximityDefaultSensor::Reset() {
-  for (SReading& reading : m_tReadings) {
-    reading.Value = 0.0;
-  }
-  m_rays.Reset();
+  TakeRays(robot, "eyebot_proximity");
 }
 
 Real CEyeBotProximityDefaultSensor::CalculateReading(Real distance) {

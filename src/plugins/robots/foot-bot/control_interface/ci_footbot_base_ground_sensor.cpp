@@ -12,14 +12,7 @@ CVector2 CCI_FootBotBaseGroundSensor::GetOffset(UInt32 index) {
 }
 
 CCI_FootBotBaseGroundSensor::CCI_FootBotBaseGroundSensor() {
-  m_tReadings.reserve(kNumSensors);
-  for (UInt32 i = 0; i < kNumSensors; ++i) {
-    m_tReadings.emplace_back(0.0, GetOffset(i));
-  }
-}
-
-const CCI_FootBotBaseGroundSensor::TReadings& CCI_FootBotBaseGroundSensor::GetReadings() const {
-  return m_tReadings;
+  m_tReadings = MakeReadings<SReading>(kNumSensors, GetOffset);
 }
 
 void CCI_FootBotBaseGroundSensor::CreateLuaState(lua_State* state) {

@@ -12,11 +12,8 @@ constexpr Real kStartAngle = 7.5;  // degrees
 
 }  // namespace
 
-CCI_FootBotLightSensor::CCI_FootBotLightSensor()
-    : m_tReadings(MakeRing<SReading>(kNumReadings, kStartAngle)) {}
-
-const CCI_FootBotLightSensor::TReadings& CCI_FootBotLightSensor::GetReadings() const {
-  return m_tReadings;
+CCI_FootBotLightSensor::CCI_FootBotLightSensor() {
+  m_tReadings = MakeRing<SReading>(kNumReadings, kStartAngle);
 }
 
 void CCI_FootBotLightSensor::CreateLuaState(lua_State* state) {

@@ -12,14 +12,7 @@ CVector2 CCI_FootBotMotorGroundSensor::GetOffset(UInt32 index) {
 }
 
 CCI_FootBotMotorGroundSensor::CCI_FootBotMotorGroundSensor() {
-  m_tReadings.reserve(kNumSensors);
-  for (UInt32 i = 0; i < kNumSensors; ++i) {
-    m_tReadings.emplace_back(0.0, GetOffset(i));
-  }
-}
-
-const CCI_FootBotMotorGroundSensor::TReadings& CCI_FootBotMotorGroundSensor::GetReadings() const {
-  return m_tReadings;
+  m_tReadings = MakeReadings<SReading>(kNumSensors, GetOffset);
 }
 
 void CCI_FootBotMotorGroundSensor::CreateLuaState(lua_State* state) {

@@ -12,11 +12,8 @@ constexpr Real kStartAngle = 7.5;  // degrees
 
 }  // namespace
 
-CCI_FootBotProximitySensor::CCI_FootBotProximitySensor()
-    : m_tReadings(MakeRing<SReading>(kNumReadings, kStartAngle)) {}
-
-const CCI_FootBotProximitySensor::TReadings& CCI_FootBotProximitySensor::GetReadings() const {
-  return m_tReadings;
+CCI_FootBotProximitySensor::CCI_FootBotProximitySensor() {
+  m_tReadings = MakeRing<SReading>(kNumReadings, kStartAngle);
 }
 
 void CCI_FootBotProximitySensor::CreateLuaState(lua_State* state) {

@@ -2,37 +2,24 @@
 #define ARGOS3_PLUGINS_ROBOTS_FOOT_BOT_CONTROL_INTERFACE_CI_FOOTBOT_PROXIMITY_SENSOR_H
 
 #include <argos3/core/control_interface/ci_sensor.h>
-#include <argos3/core/utility/datatypes/datatypes.h>
-#include <argos3/core/utility/math/angles.h>
-
-#include <vector>
+#include <argos3/plugins/robots/generic/control_interface/angular_readings.h>
 
 namespace argos {
 
-/** The ring of 24 proximity sensors of the foot-bot. */
-class CCI_FootBotProximitySensor : public CCI_Sensor {
+/**
+ * The ring of 24 proximity sensors of the foot-bot.
+ *
+ * GetReadings() has 24 readings, counter-clockwise from 7.5 degrees in steps of 15: 0 sees
+ * nothing, larger is nearer.
+ */
+class CCI_FootBotProximitySensor : public CCI_Sensor,
+                                   public CAngularReadings<CCI_FootBotProximitySensor> {
  public:
-  struct SReading {
-    Real Value = 0.0; /**< in [0,1]: 0 sees nothing, larger is nearer */
-    CRadians Angle; /**< where the sensor points, in (-PI,PI], counter-clockwise from ahead */
-
-    SReading() = default;
-    SReading(Real value, const CRadians& angle) : Value(value), Angle(angle) {}
-  };
-
-  /** 24 readings, counter-clockwise from 7.5 degrees in steps of 15. */
-  typedef std::vector<SReading> TReadings;
-
   CCI_FootBotProximitySensor();
-
-  const TReadings& GetReadings() const;
 
   /** robot.proximity[i] = { angle, value } */
   void CreateLuaState(lua_State* state) override;
   void ReadingsToLuaState(lua_State* state) override;
-
- protected:
-  TReadings m_tReadings;
 };
 
 }  // namespace argos

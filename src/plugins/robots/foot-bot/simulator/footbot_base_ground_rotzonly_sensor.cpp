@@ -5,28 +5,12 @@
 namespace argos {
 
 void CFootBotBaseGroundRotZOnlySensor::SetRobot(CComposableEntity& robot) {
-  m_floor.SetRobot(robot);
-  m_floor.RequireNumSensors(footbot::kNumGroundSensors, "footbot_base_ground");
-}
-
-void CFootBotBaseGroundRotZOnlySensor::Init(TConfigurationNode& tree) {
-  CCI_FootBotBaseGroundSensor::Init(tree);
-  m_floor.Init(tree);
-  Enable();
+  m_reader.SetRobot(robot);
+  m_reader.RequireNumSensors(footbot::kNumGroundSensors, "footbot_base_ground");
 }
 
 void CFootBotBaseGroundRotZOnlySensor::Update() {
-  CFloorReader::CView view = m_floor.Look();
-  for (UInt32 i = 0; i < kNumSensors; ++i) {
-    m_tReadings[i].Value = view.Read(footbot::kFirstBaseGroundSensor + i);
-  }
-}
-
-void CFootBotBaseGroundRotZOnlySensor::Reset() {
-  for (SReading& reading : m_tReadings) {
-    reading.Value = 0.0;
-  }
-  m_floor.Reset();
+  m_reader.Read(m_tReadings, footbot::kFirstBaseGroundSensor);
 }
 
 REGISTER_SENSOR(

@@ -3,24 +3,11 @@
 namespace argos {
 
 void CFootBotLightRotZOnlySensor::SetRobot(CComposableEntity& robot) {
-  m_light.SetRobot(robot, m_tReadings.size(), "footbot_light");
-}
-
-void CFootBotLightRotZOnlySensor::Init(TConfigurationNode& tree) {
-  CCI_FootBotLightSensor::Init(tree);
-  m_light.Init(tree);
-  Enable();
+  m_reader.SetRobot(robot, m_tReadings.size(), "footbot_light");
 }
 
 void CFootBotLightRotZOnlySensor::Update() {
-  m_light.Read(m_tReadings);
-}
-
-void CFootBotLightRotZOnlySensor::Reset() {
-  for (SReading& reading : m_tReadings) {
-    reading.Value = 0.0;
-  }
-  m_light.Reset();
+  m_reader.Read(m_tReadings);
 }
 
 REGISTER_SENSOR(

@@ -5,28 +5,12 @@
 namespace argos {
 
 void CFootBotMotorGroundRotZOnlySensor::SetRobot(CComposableEntity& robot) {
-  m_floor.SetRobot(robot);
-  m_floor.RequireNumSensors(footbot::kNumGroundSensors, "footbot_motor_ground");
-}
-
-void CFootBotMotorGroundRotZOnlySensor::Init(TConfigurationNode& tree) {
-  CCI_FootBotMotorGroundSensor::Init(tree);
-  m_floor.Init(tree);
-  Enable();
+  m_reader.SetRobot(robot);
+  m_reader.RequireNumSensors(footbot::kNumGroundSensors, "footbot_motor_ground");
 }
 
 void CFootBotMotorGroundRotZOnlySensor::Update() {
-  CFloorReader::CView view = m_floor.Look();
-  for (UInt32 i = 0; i < kNumSensors; ++i) {
-    m_tReadings[i].Value = view.Read(footbot::kFirstMotorGroundSensor + i);
-  }
-}
-
-void CFootBotMotorGroundRotZOnlySensor::Reset() {
-  for (SReading& reading : m_tReadings) {
-    reading.Value = 0.0;
-  }
-  m_floor.Reset();
+  m_reader.Read(m_tReadings, footbot::kFirstMotorGroundSensor);
 }
 
 REGISTER_SENSOR(

@@ -5,26 +5,7 @@
 namespace argos {
 
 void CFootBotProximityDefaultSensor::SetRobot(CComposableEntity& robot) {
-  m_rays.SetRobot(robot);
-  m_rays.RequireNumRays(m_tReadings.size(), "footbot_proximity");
-}
-
-void CFootBotProximityDefaultSensor::Init(TConfigurationNode& tree) {
-  CCI_FootBotProximitySensor::Init(tree);
-  m_rays.Init(tree);
-  Enable();
-}
-
-void CFootBotProximityDefaultSensor::Update() {
-  m_rays.Read([this](Real distance) { return CalculateReading(distance); },
-              [this](size_t ray, Real reading) { m_tReadings[ray].Value = reading; });
-}
-
-void CFootBotProximityDefaultSensor::Reset() {
-  for (SReading& reading : m_tReadings) {
-    reading.Value = 0.0;
-  }
-  m_rays.Reset();
+  TakeRays(robot, "footbot_proximity");
 }
 
 Real CFootBotProximityDefaultSensor::CalculateReading(Real distance) {

@@ -14,17 +14,28 @@
 namespace argos {
 
 /**
+ * Readings of 0.
+ * @param where  CRadians or CVector2(UInt32 i): the angle or offset of sensor i.
+ */
+template <typename READING, typename WHERE>
+std::vector<READING> MakeReadings(UInt32 num, WHERE&& where) {
+  std::vector<READING> readings;
+  readings.reserve(num);
+  for (UInt32 i = 0; i < num; ++i) {
+    readings.emplace_back(0.0, where(i));
+  }
+  return readings;
+}
+
+/**
  * Readings of 0 from an even ring, counter-clockwise, with angles in (-PI,PI].
  * @param startAngle  of the first, degrees.
  */
 template <typename READING>
 std::vector<READING> MakeRing(UInt32 num, Real startAngle) {
-  std::vector<READING> ring;
-  ring.reserve(num);
-  for (UInt32 i = 0; i < num; ++i) {
-    ring.emplace_back(0.0, ToRadians(CDegrees(startAngle + 360.0 / num * i)).SignedNormalize());
-  }
-  return ring;
+  return MakeReadings<READING>(num, [num, startAngle](UInt32 i) {
+    return ToRadians(CDegrees(startAngle + 360.0 / num * i)).SignedNormalize();
+  });
 }
 
 /** Writes the list of { angle, value }; angles never change. */

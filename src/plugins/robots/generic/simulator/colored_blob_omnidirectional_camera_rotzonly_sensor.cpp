@@ -1,11 +1,6 @@
 #include <argos3/plugins/robots/generic/simulator/colored_blob_omnidirectional_camera_rotzonly_sensor.h>
 
-#include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
-#include <argos3/plugins/robots/generic/simulator/medium_attribute.h>
-#include <argos3/plugins/simulator/entities/led_entity.h>
-#include <argos3/plugins/simulator/entities/omnidirectional_camera_equipped_entity.h>
-#include <argos3/plugins/simulator/media/led_medium.h>
 
 #include <cmath>
 
@@ -33,50 +28,17 @@ struct CColoredBlobOmnidirectionalCameraRotZOnlySensor::SEye {
 };
 
 void CColoredBlobOmnidirectionalCameraRotZOnlySensor::SetRobot(CComposableEntity& robot) {
-  m_camera = &robot.GetComponent<COmnidirectionalCameraEquippedEntity>("omnidirectional_camera");
+  TakeCamera(robot, "omnidirectional_camera");
   m_body = &robot.GetComponent<CEmbodiedEntity>("body");
-  m_robot = &robot.GetComponent<CControllableEntity>("controller");
-  m_sight.SetRobot(robot);
 }
 
 void CColoredBlobOmnidirectionalCameraRotZOnlySensor::Init(TConfigurationNode& tree) {
-  CCI_ColoredBlobOmnidirectionalCameraSensor::Init(tree);
-  m_medium = &ReadMedium<CLEDMedium>(tree, m_robot->GetSimulator(), "an LED medium");
-  GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, false);
-  GetNodeAttributeOrDefault(tree, "noise_std_dev", m_noiseStdDev, 0.0);
-  RequireNotNegative(m_noiseStdDev, OwnerOf(tree), "attribute \"noise_std_dev\"");
-  m_noise.Init(tree, *m_robot, {"distance", "angle"});
-  MakeNoise();
-}
-
-void CColoredBlobOmnidirectionalCameraRotZOnlySensor::Enable() {
-  CCI_ColoredBlobOmnidirectionalCameraSensor::Enable();
-  m_camera->Enable();
-}
-
-void CColoredBlobOmnidirectionalCameraRotZOnlySensor::Disable() {
-  CCI_ColoredBlobOmnidirectionalCameraSensor::Disable();
-  m_camera->Disable();
-}
-
-void CColoredBlobOmnidirectionalCameraRotZOnlySensor::Reset() {
-  m_sReadings.BlobList.clear();
-  m_sReadings.Counter = 0;
-  m_noise.Reset();
-  MakeNoise();
-}
-
-void CColoredBlobOmnidirectionalCameraRotZOnlySensor::MakeNoise() {
-  if (m_noiseStdDev > 0.0) {
-    m_shifts = std::make_unique<CRandomStream>(m_robot->GetSimulator().GetRandomSeed(), "argos",
-                                               m_robot->GetRootEntity().GetId(),
-                                               "omnidirectional camera: shifts of LEDs");
-  }
+  // the noise: a fraction of the distance
+  InitCamera(tree, {"distance", "angle"}, "omnidirectional camera: shifts of LEDs");
 }
 
 void CColoredBlobOmnidirectionalCameraRotZOnlySensor::Update() {
-  ++m_sReadings.Counter;
-  m_blobs.clear();
+  StartPicture();
   const SEye eye = ComputeEye();
   const CVector3& c = eye.Position;
   const SBoundingBox field = {CVector3(c.GetX() - eye.HalfSide, c.GetY() - eye.HalfSide, -c.GetZ()),
@@ -92,7 +54,7 @@ void CColoredBlobOmnidirectionalCameraRotZOnlySensor::Update() {
         },
         [&](const CLEDEntity& led, const CVector3*) { AddBlob(eye, led); }, m_showRays);
   }
-  ListBlobs();
+  EndPicture();
 }
 
 CColoredBlobOmnidirectionalCameraRotZOnlySensor::SEye
@@ -124,14 +86,6 @@ void CColoredBlobOmnidirectionalCameraRotZOnlySensor::AddBlob(const SEye& eye,
   const Real distance = m_noise.Apply(QUANTITY_DISTANCE, kCmPerM * seen.Length());
   const CRadians angle(m_noise.Apply(QUANTITY_ANGLE, seen.Angle().GetValue()));
   m_blobs.emplace_back(led.GetColor(), Wrap(angle), std::max(distance, 0.0));
-}
-
-// only now, when the blobs do not move any more
-void CColoredBlobOmnidirectionalCameraRotZOnlySensor::ListBlobs() {
-  m_sReadings.BlobList.clear();
-  for (SBlob& blob : m_blobs) {
-    m_sReadings.BlobList.push_back(&blob);
-  }
 }
 
 REGISTER_SENSOR(

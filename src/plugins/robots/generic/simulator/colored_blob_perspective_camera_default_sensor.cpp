@@ -1,11 +1,5 @@
 #include <argos3/plugins/robots/generic/simulator/colored_blob_perspective_camera_default_sensor.h>
 
-#include <argos3/core/simulator/entity/controllable_entity.h>
-#include <argos3/plugins/robots/generic/simulator/medium_attribute.h>
-#include <argos3/plugins/simulator/entities/led_entity.h>
-#include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
-#include <argos3/plugins/simulator/media/led_medium.h>
-
 #include <cmath>
 
 namespace argos {
@@ -86,49 +80,16 @@ class CColoredBlobPerspectiveCameraDefaultSensor::CEye {
 };
 
 void CColoredBlobPerspectiveCameraDefaultSensor::SetRobot(CComposableEntity& robot) {
-  m_camera = &robot.GetComponent<CPerspectiveCameraEquippedEntity>("perspective_camera");
-  m_robot = &robot.GetComponent<CControllableEntity>("controller");
-  m_sight.SetRobot(robot);
+  TakeCamera(robot, "perspective_camera");
 }
 
 void CColoredBlobPerspectiveCameraDefaultSensor::Init(TConfigurationNode& tree) {
-  CCI_ColoredBlobPerspectiveCameraSensor::Init(tree);
-  m_medium = &ReadMedium<CLEDMedium>(tree, m_robot->GetSimulator(), "an LED medium");
-  GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, false);
-  GetNodeAttributeOrDefault(tree, "noise_std_dev", m_noiseStdDev, 0.0);
-  RequireNotNegative(m_noiseStdDev, OwnerOf(tree), "attribute \"noise_std_dev\"");
-  m_noise.Init(tree, *m_robot, {"x", "y"});
-  MakeNoise();
-}
-
-void CColoredBlobPerspectiveCameraDefaultSensor::Enable() {
-  CCI_ColoredBlobPerspectiveCameraSensor::Enable();
-  m_camera->Enable();
-}
-
-void CColoredBlobPerspectiveCameraDefaultSensor::Disable() {
-  CCI_ColoredBlobPerspectiveCameraSensor::Disable();
-  m_camera->Disable();
-}
-
-void CColoredBlobPerspectiveCameraDefaultSensor::Reset() {
-  m_sReadings.BlobList.clear();
-  m_sReadings.Counter = 0;
-  m_noise.Reset();
-  MakeNoise();
-}
-
-void CColoredBlobPerspectiveCameraDefaultSensor::MakeNoise() {
-  if (m_noiseStdDev > 0.0) {
-    m_shifts = std::make_unique<CRandomStream>(m_robot->GetSimulator().GetRandomSeed(), "argos",
-                                               m_robot->GetRootEntity().GetId(),
-                                               "perspective camera: shifts of pixels");
-  }
+  // the noise: pixels
+  InitCamera(tree, {"x", "y"}, "perspective camera: shifts of pixels");
 }
 
 void CColoredBlobPerspectiveCameraDefaultSensor::Update() {
-  ++m_sReadings.Counter;
-  m_blobs.clear();
+  StartPicture();
   const CEye eye(*m_camera);
   m_sight.Look(
       m_medium->GetIndex(), eye.GetPosition(), eye.GetField(),
@@ -139,7 +100,7 @@ void CColoredBlobPerspectiveCameraDefaultSensor::Update() {
         return led.IsLit() && eye.Project(led.GetPosition(), x, y);
       },
       [&](const CLEDEntity& led, const CVector3*) { AddBlob(eye, led); }, m_showRays);
-  ListBlobs();
+  EndPicture();
 }
 
 void CColoredBlobPerspectiveCameraDefaultSensor::AddBlob(const CEye& eye, const CLEDEntity& led) {
@@ -154,14 +115,6 @@ void CColoredBlobPerspectiveCameraDefaultSensor::AddBlob(const CEye& eye, const 
   y = m_noise.Apply(QUANTITY_Y, y);
   if (eye.Contains(x, y)) {
     m_blobs.emplace_back(led.GetColor(), static_cast<SInt32>(x), static_cast<SInt32>(y));
-  }
-}
-
-// only now, when the blobs do not move any more
-void CColoredBlobPerspectiveCameraDefaultSensor::ListBlobs() {
-  m_sReadings.BlobList.clear();
-  for (SBlob& blob : m_blobs) {
-    m_sReadings.BlobList.push_back(&blob);
   }
 }
 

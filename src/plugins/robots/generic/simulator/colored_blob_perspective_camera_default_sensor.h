@@ -1,53 +1,27 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_COLORED_BLOB_PERSPECTIVE_CAMERA_DEFAULT_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_COLORED_BLOB_PERSPECTIVE_CAMERA_DEFAULT_SENSOR_H
 
-#include <argos3/core/simulator/sensor.h>
-#include <argos3/core/utility/math/random_stream.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_colored_blob_perspective_camera_sensor.h>
-#include <argos3/plugins/robots/generic/simulator/entities_in_sight.h>
-#include <argos3/plugins/robots/generic/simulator/noise.h>
-
-#include <memory>
-#include <vector>
+#include <argos3/plugins/robots/generic/simulator/colored_blob_camera.h>
+#include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
 
 namespace argos {
 
-class CLEDEntity;
-class CLEDMedium;
-class CPerspectiveCameraEquippedEntity;
-
 /** The perspective camera of any robot; see its long description. */
-class CColoredBlobPerspectiveCameraDefaultSensor : public CSimulatedSensor,
-                                                   public CCI_ColoredBlobPerspectiveCameraSensor {
+class CColoredBlobPerspectiveCameraDefaultSensor
+    : public CColoredBlobCamera<CCI_ColoredBlobPerspectiveCameraSensor,
+                                CPerspectiveCameraEquippedEntity> {
  public:
   /** @throws CARGoSException unless the robot has a "perspective_camera". */
   void SetRobot(CComposableEntity& robot) override;
-  /**
-   * Reads `medium`, `show_rays`, `noise_std_dev` and `<noise>`.
-   * @throws CARGoSException if there is no LED medium of that id, or noise is out of range.
-   */
+  /** See CColoredBlobCamera::InitCamera(). */
   void Init(TConfigurationNode& tree) override;
-  void Enable() override;
-  void Disable() override;
   void Update() override;
-  void Reset() override;
 
  private:
   class CEye;
 
-  void MakeNoise();
   void AddBlob(const CEye& eye, const CLEDEntity& led);
-  void ListBlobs();
-
-  CPerspectiveCameraEquippedEntity* m_camera = nullptr;  // of the robot
-  CControllableEntity* m_robot = nullptr;
-  CLEDMedium* m_medium = nullptr;
-  bool m_showRays = false;
-  Real m_noiseStdDev = 0.0;  // pixels
-  std::unique_ptr<CRandomStream> m_shifts;  // only with noise_std_dev
-  CDeviceNoise m_noise;
-  CEntitiesInSight<CLEDEntity> m_sight;
-  std::vector<SBlob> m_blobs;  // what the list of the readings points to
 };
 
 }  // namespace argos

@@ -42,6 +42,13 @@ class CFloorReader {
   /** Looks at the floor as it is now. @throws CARGoSException if there is none. */
   class CView;
   CView Look();
+  /**
+   * Takes the readings of sensors that follow each other.
+   * @param readings  each with a Value that is written; see CView::Read().
+   * @param first     number of the first sensor.
+   */
+  template <typename READINGS>
+  void Read(READINGS& readings, size_t first);
 
  private:
   CGroundSensorEquippedEntity* m_sensors = nullptr;  // of the robot
@@ -63,6 +70,14 @@ class CFloorReader::CView {
   const SGroundSensorLayout& m_layout;
   CFloorEntity& m_floor;
 };
+
+template <typename READINGS>
+void CFloorReader::Read(READINGS& readings, size_t first) {
+  CView view = Look();
+  for (auto& reading : readings) {
+    reading.Value = view.Read(first++);
+  }
+}
 
 }  // namespace argos
 

@@ -1,6 +1,7 @@
 #include <argos3/plugins/robots/generic/simulator/pinhole_camera.h>
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/plugins/simulator/entities/anchor_use.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 
 #include <algorithm>
@@ -46,9 +47,8 @@ CPinholeCamera::CPinholeCamera(TConfigurationNode& tree, CEmbodiedEntity& body) 
 }
 
 void CPinholeCamera::SetInUse(bool inUse) {
-  // the origin anchor is always in use
-  if (inUse != m_inUse && m_anchor->Index > 0) {
-    inUse ? m_anchor->Enable() : m_anchor->Disable();
+  if (inUse != m_inUse) {
+    UseAnchor(*m_anchor, inUse);
   }
   m_inUse = inUse;
 }

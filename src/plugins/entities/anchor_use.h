@@ -1,0 +1,32 @@
+#ifndef ARGOS3_PLUGINS_ENTITIES_ANCHOR_USE_H
+#define ARGOS3_PLUGINS_ENTITIES_ANCHOR_USE_H
+
+#include <argos3/core/simulator/physics_engine/physics_model.h>
+
+#include <vector>
+
+namespace argos {
+
+class CEntity;
+
+/*
+ * For the sources of what sits on the anchors of a body, and needs their poses while it is enabled.
+ */
+
+/** Begins or ends one use of an anchor; the origin anchor is always in use. */
+inline void UseAnchor(SAnchor& anchor, bool use) {
+  if (anchor.Index > 0) {
+    use ? anchor.Enable() : anchor.Disable();
+  }
+}
+/** Something of @p user, which may be enabled already, is put on an anchor, and stays there. */
+void MountOnAnchor(SAnchor& anchor, const CEntity& user);
+/**
+ * Number of an anchor among those that @p user has put something on: the list grows if it is a new
+ * one.
+ */
+UInt32 NumberOfAnchor(std::vector<SAnchor*>& anchors, SAnchor& anchor, const CEntity& user);
+
+}  // namespace argos
+
+#endif
