@@ -3,8 +3,6 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -67,7 +65,10 @@ CContractDriver& CDriveWorld::Driver(const std::string& id) {
 }
 
 std::string CDriveWorld::EngineOf(const std::string& id) {
-  REQUIRE(Body(id).GetPhysicsModelsNum() == 1);
+  if (Body(id).GetPhysicsModelsNum() != 1) {
+    THROW_ARGOSEXCEPTION('"' << id << "\" is in " << Body(id).GetPhysicsModelsNum()
+                             << " engines, not in one");
+  }
   return Body(id).GetPhysicsModel(0).GetEngine().GetId();
 }
 
@@ -79,7 +80,9 @@ Real CDriveWorld::Tilt(const std::string& id) {
 
 SBodyMotion CDriveWorld::Motion(const std::string& id) {
   SBodyMotion motion;
-  REQUIRE(Body(id).GetPhysicsModel(0).GetEngine().GetMotion(Body(id), motion));
+  if (!Body(id).GetPhysicsModel(0).GetEngine().GetMotion(Body(id), motion)) {
+    THROW_ARGOSEXCEPTION("the engine of \"" << id << "\" does not tell how it moves");
+  }
   return motion;
 }
 
