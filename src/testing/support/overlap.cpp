@@ -101,8 +101,16 @@ void MeasureOverlaps(CSpace& space, SOverlaps& overlaps) {
         withWalls = std::max(withWalls, DepthInBox(shape, robot.Top, robot.Radius));
         return;
       }
+      const CEmbodiedEntity& other = index.GetBody(shape.Body);
       const bool isRobot = shape.Body < robotOfBody.size() && robotOfBody[shape.Body] != kNoRobot;
-      // the index has no more than bounds of what leans
+      // the index has no more than bounds of what leans; of a leaning box nothing is said
+      if (!isRobot && shape.Kind == SIndexedShape::EKind::Tilted) {
+        const SShapeDescription& solid = other.GetBodyDescription()->Shapes[shape.Shape];
+        if (solid.Kind == SShapeDescription::EKind::Cylinder) {
+          withRobots = std::max(withRobots, DepthInRobot(robot, Describe(other)));
+        }
+        return;
+      }
       const Real depth = isRobot && (lean > 0.0 || shape.Kind == SIndexedShape::EKind::Tilted)
                              ? DepthInRobot(robot, robots[robotOfBody[shape.Body]])
                              : DepthInDisc(robot, shape);
