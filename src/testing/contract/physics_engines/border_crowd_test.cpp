@@ -104,13 +104,4 @@ TEST_CASE("border crowd: robots that roam for a minute are neither lost, doubled
   CHECK(RunCrowd(engine, 150, engines, 60) > 150);
 }
 
-TEST_CASE("border crowd: a thousand robots for ten minutes", "[.][soak][partition]") {
-  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
-  if (IsSkipped(engine, engine.HasContacts, "contacts: its robots would leave the arena")) {
-    return;
-  }
-  CAPTURE(engine);
-  CHECK(RunCrowd(engine, 1000, 16, 600) > 10000);
-}
-
 }  // namespace argos
