@@ -18,6 +18,10 @@ inline void Prefetch(const void* start, size_t bytes) {
   for (size_t offset = 0; offset < bytes; offset += kLine) {
     __builtin_prefetch(first + offset);
   }
+  // what begins within a line may end in one more
+  if (bytes > 0) {
+    __builtin_prefetch(first + bytes - 1);
+  }
 }
 
 /** The same for the members of an object from @p from up to, but without, @p end. */
