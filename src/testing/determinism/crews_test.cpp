@@ -4,7 +4,7 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 #include <argos3/testing/determinism/crews.h>
-#include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/no_allocation.h>
 
 #include <catch2/catch.hpp>
 
@@ -104,14 +104,5 @@ TEST_CASE("crews: a settled tick allocates nothing", "[determinism][sensors][all
   experiment.Threads = threads;
   CTestWorld world(experiment);
   world.Step(300);
-  size_t counted = 0;
-  std::string first;
-  {
-    const CAllocationCount count;
-    world.Step(100);
-    counted = count.GetCount();
-    first = count.DescribeFirst();
-  }
-  INFO("the first allocation was made by\n" << first);
-  CHECK(counted == 0);
+  CheckAllocatesNothing([&] { world.Step(100); });
 }

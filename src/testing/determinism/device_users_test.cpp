@@ -5,7 +5,7 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
-#include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/device_user.h>
 #include <argos3/testing/support/device_world.h>
 
@@ -121,14 +121,5 @@ TEST_CASE("all devices: no tick allocates that repeats a settled one",
   world.Step(150);
   world.GetSimulator().Reset();
   world.Step(50);
-  size_t counted = 0;
-  std::string first;
-  {
-    const CAllocationCount count;
-    world.Step(100);
-    counted = count.GetCount();
-    first = count.DescribeFirst();
-  }
-  INFO("the first allocation was made by\n" << first);
-  CHECK(counted == 0);
+  CheckAllocatesNothing([&] { world.Step(100); });
 }

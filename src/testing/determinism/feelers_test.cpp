@@ -2,7 +2,7 @@
 
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/testing/determinism/feelers.h>
-#include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/no_allocation.h>
 
 #include <catch2/catch.hpp>
 
@@ -71,14 +71,5 @@ TEST_CASE("feelers: a settled tick allocates nothing", "[determinism][sensors][a
   experiment.Threads = threads;
   CTestWorld world(experiment);
   world.Step(200);
-  size_t counted = 0;
-  std::string first;
-  {
-    const CAllocationCount count;
-    world.Step(100);
-    counted = count.GetCount();
-    first = count.DescribeFirst();
-  }
-  INFO("the first allocation was made by\n" << first);
-  CHECK(counted == 0);
+  CheckAllocatesNothing([&] { world.Step(100); });
 }

@@ -4,7 +4,7 @@
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
 #include <argos3/testing/determinism/swarm.h>
-#include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/experiment.h>
 #include <argos3/testing/support/rooms.h>
 
@@ -22,16 +22,7 @@ constexpr UInt32 kCountedTicks = 100;
 
 // what a world allocates in its next ticks
 void CheckTicks(CTestWorld& world, UInt32 ticks) {
-  size_t counted = 0;
-  std::string first;
-  {
-    const CAllocationCount count;
-    world.Step(ticks);
-    counted = count.GetCount();
-    first = count.DescribeFirst();
-  }
-  INFO("the first allocation was made by\n" << first);
-  CHECK(counted == 0);
+  CheckAllocatesNothing([&] { world.Step(ticks); });
 }
 
 void CheckSettledTicks(const std::string& xml, UInt32 warmUpTicks) {

@@ -3,7 +3,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/testing/determinism/watchers.h>
-#include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/no_allocation.h>
 
 #include <catch2/catch.hpp>
 
@@ -86,14 +86,5 @@ TEST_CASE("watchers: a settled tick allocates nothing", "[determinism][cameras][
   world.Step(300);
   CHECK(CountSights(world).LEDs > 300);
   CHECK(CountSights(world).Tags > 15);
-  size_t counted = 0;
-  std::string first;
-  {
-    const CAllocationCount count;
-    world.Step(100);
-    counted = count.GetCount();
-    first = count.DescribeFirst();
-  }
-  INFO("the first allocation was made by\n" << first);
-  CHECK(counted == 0);
+  CheckAllocatesNothing([&] { world.Step(100); });
 }

@@ -7,7 +7,7 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_camera_sensor_algorithms/ci_camera_sensor_directional_led_detector_algorithm.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_camera_sensor_tag_detector_algorithm.h>
 #include <argos3/plugins/simulator/entities/tag_equipped_entity.h>
-#include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/no_allocation.h>
 
 #include <catch2/catch.hpp>
 
@@ -248,9 +248,5 @@ TEST_CASE(
   for (int i = 0; i < 20; ++i) {
     REQUIRE(LookAtTags(world).size() == 3);
   }
-  const CAllocationCount count;
-  world.Step(10);
-  const size_t counted = count.GetCount();
-  INFO(count.DescribeFirst());
-  CHECK(counted == 0);
+  CheckAllocatesNothing([&] { world.Step(10); });
 }

@@ -6,7 +6,7 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_pheromone_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_pheromone_sensor.h>
 #include <argos3/plugins/simulator/media/pheromone_medium.h>
-#include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/robot_world.h>
 #include <argos3/testing/support/statistics.h>
 
@@ -389,16 +389,7 @@ TEST_CASE("pheromone: a settled tick allocates nothing", "[contract][media][allo
   };
   setRates(1.0);
   world.Step(2);
-  size_t counted = 0;
-  std::string first;
-  {
-    const CAllocationCount count;
-    world.Step(10);
-    counted = count.GetCount();
-    first = count.DescribeFirst();
-  }
-  INFO(first);
-  CHECK(counted == 0);
+  CheckAllocatesNothing([&] { world.Step(10); });
 }
 
 TEST_CASE("pheromone: wrong experiments are refused with the reason", "[contract][media][errors]") {

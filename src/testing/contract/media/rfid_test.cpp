@@ -9,7 +9,7 @@
 #include <argos3/plugins/simulator/entities/box_entity.h>
 #include <argos3/plugins/simulator/entities/rfid_tag_equipped_entity.h>
 #include <argos3/plugins/simulator/media/rfid_medium.h>
-#include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
@@ -373,18 +373,11 @@ TEST_CASE("rfid: a settled tick allocates nothing", "[contract][media][allocatio
   };
   step();
   step();
-  size_t counted = 0;
-  std::string first;
-  {
-    const CAllocationCount count;
+  CheckAllocatesNothing([&] {
     for (int i = 0; i < 5; ++i) {
       step();
     }
-    counted = count.GetCount();
-    first = count.DescribeFirst();
-  }
-  INFO(first);
-  CHECK(counted == 0);
+  });
   CHECK(Readings(world, "a").size() > 5);
 }
 

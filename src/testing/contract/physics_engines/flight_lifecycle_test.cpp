@@ -7,7 +7,7 @@
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/plugins/robots/eye-bot/simulator/eyebot_entity.h>
 #include <argos3/testing/contract/physics_engines/engines.h>
-#include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/no_allocation.h>
 
 #include <catch2/catch.hpp>
 
@@ -323,18 +323,11 @@ TEST_CASE("flight: a settled tick allocates nothing", "[contract][flight][alloca
   for (UInt32 tick = 0; tick < 20; ++tick) {
     step(tick);
   }
-  size_t counted = 0;
-  std::string first;
-  {
-    const CAllocationCount count;
+  CheckAllocatesNothing([&] {
     for (UInt32 tick = 20; tick < 60; ++tick) {
       step(tick);
     }
-    counted = count.GetCount();
-    first = count.DescribeFirst();
-  }
-  INFO("the first allocation was made by\n" << first);
-  CHECK(counted == 0);
+  });
 }
 
 }  // namespace argos

@@ -25,6 +25,19 @@ struct SRobotType {
 const SRobotType kFootBot{"foot-bot", 0.14};
 const SRobotType kEPuck{"e-puck", 0.053};
 
+/**
+ * How far "r" is from where its wheels should have brought it, m.
+ * @param left, right  cm/s.
+ * @param tick         of 0.1 s, since it was at @p start.
+ */
+Real ComputeDistanceFromArc(CDriveWorld& world, const SRobotType& robot, const SPose& start,
+                            Real left, Real right, int tick) {
+  const SPose exact = IntegrateDifferentialDrive(start, 0.01 * left, 0.01 * right,
+                                                 robot.InterwheelDistance, 0.1 * tick);
+  const CVector3 position = world.Position("r");
+  return std::hypot(position.GetX() - exact.X, position.GetY() - exact.Y);
+}
+
 }  // namespace
 
 TEST_CASE("free motion: a robot follows the closed-form arc for 60 s", "[contract][engine]") {
@@ -47,10 +60,7 @@ TEST_CASE("free motion: a robot follows the closed-form arc for 60 s", "[contrac
   Real worst = 0.0;
   for (int tick = 1; tick <= 600; ++tick) {
     world.Step();
-    const SPose exact = IntegrateDifferentialDrive(start, 0.01 * left, 0.01 * right,
-                                                   robot.InterwheelDistance, 0.1 * tick);
-    const CVector3 position = world.Position("r");
-    worst = std::max(worst, std::hypot(position.GetX() - exact.X, position.GetY() - exact.Y));
+    worst = std::max(worst, ComputeDistanceFromArc(world, robot, start, left, right, tick));
   }
   // arcs are integrated exactly, so only 600 roundings of numbers around 20 are left, 4e-15 each,
   // and the yaw's
@@ -74,11 +84,8 @@ TEST_CASE("free motion: a robot follows its arc, however the engine solves what 
   Real worst = 0.0;
   for (int tick = 1; tick <= 200; ++tick) {
     world.Step();
-    const SPose exact = IntegrateDifferentialDrive(start, 0.01 * left, 0.01 * right,
-                                                   robot.InterwheelDistance, 0.1 * tick);
-    const CVector3 position = world.Position("r");
-    worst = std::max(worst, std::hypot(position.GetX() - exact.X, position.GetY() - exact.Y));
-    REQUIRE(std::abs(position.GetZ()) <= engine.Slack);
+    worst = std::max(worst, ComputeDistanceFromArc(world, robot, start, left, right, tick));
+    REQUIRE(std::abs(world.Position("r").GetZ()) <= engine.Slack);
     // the arc cosine of what is nearly 1
     REQUIRE(world.Tilt("r") <= 1e-6 + 10.0 * engine.Slack);
   }

@@ -3,7 +3,7 @@
 #include <argos3/testing/contract/physics_engines/flight_world.h>
 #include <argos3/testing/contract/physics_engines/regions.h>
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
-#include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/captured_logs.h>
 
 #include <argos3/core/simulator/physics_engine/body_description.h>
@@ -45,11 +45,6 @@ SSides AnySides() {
                   SSides{kDynamics3D, kDynamics2D});
 }
 
-std::string EngineOf(CDriveWorld& world, const std::string& id) {
-  REQUIRE(world.Body(id).GetPhysicsModelsNum() == 1);
-  return world.Body(id).GetPhysicsModel(0).GetEngine().GetId();
-}
-
 }  // namespace
 
 TEST_CASE("rigid ghosts: robots that drive head-on at a border do not overlap",
@@ -65,7 +60,7 @@ TEST_CASE("rigid ghosts: robots that drive head-on at a border do not overlap",
   const Real radii = RadiusOf(tagA) + RadiusOf(tagB);
   Real deepest = -HUGE_VAL;
   // until one has pushed the other out of its engine: then both are in one
-  for (int tick = 0; tick < 200 && EngineOf(world, "a") != EngineOf(world, "b"); ++tick) {
+  for (int tick = 0; tick < 200 && world.EngineOf("a") != world.EngineOf("b"); ++tick) {
     world.Step();
     deepest = std::max(deepest, radii - Distance(world.Position("a"), world.Position("b")));
   }
@@ -86,7 +81,7 @@ TEST_CASE("rigid ghosts: one that presses against one that stands does not move 
     REQUIRE(Distance(world.Position("a"), world.Position("b")) >= 1.98 * kFootBotRadius);
   }
   CHECK(Distance(world.Position("b"), start) <= 0.02 * kFootBotRadius);
-  CHECK(EngineOf(world, "a") == "west");
+  CHECK(world.EngineOf("a") == "west");
 }
 
 TEST_CASE("rigid ghosts: robots that are put inside each other are pushed apart, asleep or not",
@@ -215,16 +210,7 @@ TEST_CASE("rigid ghosts: a settled tick allocates nothing",
   CRigidScene world(SSides{kDynamics3D, kDynamics3D}.ToXml(), robots);
   // they stand and press
   world.Step(200);
-  std::size_t count = 0;
-  std::string first;
-  {
-    const CAllocationCount allocations;
-    world.Step(20);
-    count = allocations.GetCount();
-    first = allocations.DescribeFirst();
-  }
-  CAPTURE(first);
-  CHECK(count == 0);
+  CheckAllocatesNothing([&] { world.Step(20); });
 }
 
 TEST_CASE("rigid borders: what leans and stands a little high is set down on a plane",
@@ -240,7 +226,7 @@ TEST_CASE("rigid borders: what leans and stands a little high is set down on a p
   // over the border, by hand
   world.Body("b").SetOriginPose(CVector3(-0.3, 0, height), world.Orientation("b"));
   world.Step(2);
-  CHECK(EngineOf(world, "b") == "west");
+  CHECK(world.EngineOf("b") == "west");
   CHECK(world.Position("b") == CVector3(-0.3, 0, 0));
   CHECK(world.Tilt("b") < 1e-6);
   CHECK_THAT(world.Yaw("b"), WithinAbs(yaw, 1e-3 + 2e-4 * degrees * degrees));
@@ -259,8 +245,8 @@ TEST_CASE("rigid borders: what no plane takes stays, is told of, and goes when i
   REQUIRE(world.Body("c").MoveTo(CVector3(-0.3, 1, 0.05),
                                  CQuaternion(CRadians(0.5 * ARGOS_PI), CVector3::Y)));
   world.Step(2);
-  CHECK(EngineOf(world, "b") == "east");
-  CHECK(EngineOf(world, "c") == "east");
+  CHECK(world.EngineOf("b") == "east");
+  CHECK(world.EngineOf("c") == "east");
   // told of the first one, once
   const std::string told = TakeLogErr();
   CHECK_THAT(told, Contains("\"b\" has left the region of \"east\" at (-0.3,0,0.") &&
@@ -268,9 +254,9 @@ TEST_CASE("rigid borders: what no plane takes stays, is told of, and goes when i
                        Contains("less than 10 degrees"));
   CHECK_THAT(told, !Contains("\"c\""));
   world.Step(20);
-  CHECK(EngineOf(world, "b") == "west");
+  CHECK(world.EngineOf("b") == "west");
   CHECK(world.Position("b").GetZ() == 0.0);
-  CHECK(EngineOf(world, "c") == "east");
+  CHECK(world.EngineOf("c") == "east");
   CHECK_THAT(world.Position("c").GetZ(), WithinAbs(0.05, 1e-3));
   CHECK(TakeLogErr().empty());
 }

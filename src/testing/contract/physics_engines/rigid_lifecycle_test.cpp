@@ -1,7 +1,7 @@
 // Adding, moving, removing, resetting and handing over rigid bodies; threads.
 
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
-#include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/no_allocation.h>
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
@@ -177,16 +177,7 @@ TEST_CASE("rigid lifecycle: a settled tick allocates nothing", "[contract][engin
   }
   CRigidScene world(GroundedEngine("sleep='false'"), Turmoil());
   world.Step(200);
-  std::size_t count = 0;
-  std::string first;
-  {
-    const CAllocationCount allocations;
-    world.Step(20);
-    count = allocations.GetCount();
-    first = allocations.DescribeFirst();
-  }
-  CAPTURE(first);
-  CHECK(count == 0);
+  CheckAllocatesNothing([&] { world.Step(20); });
 }
 
 }  // namespace argos

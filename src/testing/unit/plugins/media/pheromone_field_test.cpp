@@ -3,7 +3,7 @@
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/media/pheromone_field.h>
-#include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/no_allocation.h>
 
 #include <catch2/catch.hpp>
 
@@ -320,14 +320,10 @@ TEST_CASE("pheromone field: a settled step allocates nothing", "[media][allocati
   const Real diffusion = GENERATE(0.0, 0.01, 10.0);
   CPheromoneField field(Cells(100, 100), 100.0, diffusion);
   field.Advance(NoThreads(), 0.1);
-  size_t counted = 0;
-  {
-    const CAllocationCount count;
+  CheckAllocatesNothing([&] {
     for (int i = 0; i < 20; ++i) {
       field.Deposit(3.0, 3.0, 1.0);
       field.Advance(NoThreads(), 0.1);
     }
-    counted = count.GetCount();
-  }
-  CHECK(counted == 0);
+  });
 }

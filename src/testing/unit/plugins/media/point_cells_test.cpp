@@ -1,6 +1,6 @@
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/plugins/simulator/media/point_cells.h>
-#include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/no_allocation.h>
 
 #include <catch2/catch.hpp>
 
@@ -101,12 +101,8 @@ TEST_CASE("point cells: sorting as many points again allocates nothing", "[media
   cells.Sort(first.X.data(), first.Y.data(), 1000, 0.5);
   const SPoints second = MakePoints(1000, 2);
   const SPoints third = MakePoints(900, 3);
-  size_t counted = 0;
-  {
-    const CAllocationCount count;
+  CheckAllocatesNothing([&] {
     cells.Sort(second.X.data(), second.Y.data(), 1000, 0.1);
     cells.Sort(third.X.data(), third.Y.data(), 900, 2.0);
-    counted = count.GetCount();
-  }
-  CHECK(counted == 0);
+  });
 }

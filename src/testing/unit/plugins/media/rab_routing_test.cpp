@@ -1,7 +1,7 @@
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/media/rab_routing.h>
-#include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/no_allocation.h>
 
 #include <catch2/catch.hpp>
 
@@ -123,11 +123,5 @@ TEST_CASE("rab routing: a settled call allocates nothing", "[media][allocation]"
   routing.Route(pool, nullptr);
   // other places, about as many pairs
   Fill(routing.GetDevices(), 300, 2);
-  size_t counted = 0;
-  {
-    const CAllocationCount count;
-    routing.Route(pool, nullptr);
-    counted = count.GetCount();
-  }
-  CHECK(counted == 0);
+  CheckAllocatesNothing([&] { routing.Route(pool, nullptr); });
 }

@@ -2,7 +2,7 @@
 #include <argos3/core/simulator/space/positional_indices/grid.h>
 #include <argos3/core/simulator/space/positional_indices/hash_index.h>
 #include <argos3/core/utility/math/random_stream.h>
-#include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/no_allocation.h>
 
 #include <catch2/catch.hpp>
 
@@ -288,18 +288,14 @@ TEST_CASE("positional index: an update allocates nothing, wherever entities have
     // all in one cell, now and then
     places.push_back(world.RandomPoint());
   }
-  std::size_t numAllocations = 0;
-  {
-    const CAllocationCount count;
+  CheckAllocatesNothing([&] {
     for (int update = 0; update < 20; ++update) {
       for (const auto& entity : world.Entities) {
         entity->SetPosition(update % 2 == 0 ? places[update / 2] : world.RandomPoint());
       }
       world.Index->Update();
     }
-    numAllocations = count.GetCount();
-  }
-  CHECK(numAllocations == 0);
+  });
 }
 
 TEST_CASE("grid: a cell lists its entities in order, as of the last update", "[core][space]") {

@@ -1,5 +1,6 @@
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/no_allocation.h>
 
 #include <catch2/catch.hpp>
 
@@ -73,17 +74,10 @@ TEST_CASE("thread pool: a phase allocates nothing", "[core][threads]") {
     }
   };
   pool.ParallelFor(items.size(), 1, phase);
-  size_t counted = 0;
-  std::string first;
-  {
-    const CAllocationCount count;
+  CheckAllocatesNothing([&] {
     for (int repetition = 0; repetition < 100; ++repetition) {
       pool.ParallelFor(items.size(), 1, phase);
     }
-    counted = count.GetCount();
-    first = count.DescribeFirst();
-  }
-  INFO(first);
-  CHECK(counted == 0);
+  });
   CHECK(items == std::vector<int>(1000, 101));
 }

@@ -1,0 +1,30 @@
+#ifndef ARGOS3_TESTING_SUPPORT_NO_ALLOCATION_H
+#define ARGOS3_TESTING_SUPPORT_NO_ALLOCATION_H
+
+#include <argos3/testing/support/allocation_count.h>
+
+#include <catch2/catch.hpp>
+
+#include <cstddef>
+#include <string>
+
+namespace argos {
+
+/** Checks that run() asks for no memory; the report says where it first did. */
+template <typename RUN>
+void CheckAllocatesNothing(RUN&& run) {
+  std::size_t counted = 0;
+  std::string first;
+  {
+    const CAllocationCount count;
+    run();
+    counted = count.GetCount();
+    first = count.DescribeFirst();
+  }
+  INFO("the first allocation was made by\n" << first);
+  CHECK(counted == 0);
+}
+
+}  // namespace argos
+
+#endif
