@@ -28,16 +28,6 @@ TPolygon KeepLeft(const TPolygon& polygon, const CVector2& start, const CVector2
 
 }  // namespace
 
-Real ComputeSide(const CVector2& start, const CVector2& end, const CVector2& point) {
-  const bool swapped =
-      end.GetX() < start.GetX() || (end.GetX() == start.GetX() && end.GetY() < start.GetY());
-  const CVector2& a = swapped ? end : start;
-  const CVector2& b = swapped ? start : end;
-  const Real side = (b.GetX() - a.GetX()) * (point.GetY() - a.GetY()) -
-                    (b.GetY() - a.GetY()) * (point.GetX() - a.GetX());
-  return swapped ? -side : side;
-}
-
 Real ComputeTwiceArea(const TPolygon& polygon) {
   Real area = 0.0;
   for (size_t i = 0; i < polygon.size(); ++i) {

@@ -13,12 +13,36 @@ namespace argos {
 using TPolygon = std::vector<CVector2>;
 
 /**
- * Twice the signed area of the triangle (start, end, point), m^2: positive on the left.
+ * Tells on which side of a border a point is.
  *
  * The two regions on either side of a border have it in opposite directions. The ends are put in
  * one order first, so the two results are exactly opposite and no point is lost between regions.
  */
-Real ComputeSide(const CVector2& start, const CVector2& end, const CVector2& point);
+class CBorderSide {
+ public:
+  CBorderSide(const CVector2& start, const CVector2& end)
+      : m_isTurned(end.GetX() < start.GetX() ||
+                   (end.GetX() == start.GetX() && end.GetY() < start.GetY())),
+        m_first(m_isTurned ? end : start),
+        m_along(m_isTurned ? start - end : end - start) {}
+
+  /** Positive if @p point is on the left of the border, m^2: its length times the distance. */
+  Real Compute(const CVector2& point) const {
+    const Real side = m_along.GetX() * (point.GetY() - m_first.GetY()) -
+                      m_along.GetY() * (point.GetX() - m_first.GetX());
+    return m_isTurned ? -side : side;
+  }
+
+ private:
+  bool m_isTurned;
+  CVector2 m_first;  // m
+  CVector2 m_along;  // m
+};
+
+/** The same for one point. */
+inline Real ComputeSide(const CVector2& start, const CVector2& end, const CVector2& point) {
+  return CBorderSide(start, end).Compute(point);
+}
 
 /** Twice the signed area, m^2: positive if the corners run counter-clockwise. */
 Real ComputeTwiceArea(const TPolygon& polygon);

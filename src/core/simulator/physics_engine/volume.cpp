@@ -2,7 +2,6 @@
 
 #include <argos3/core/simulator/physics_engine/body_description.h>
 #include <argos3/core/simulator/physics_engine/physics_model.h>
-#include <argos3/core/simulator/physics_engine/region_geometry.h>
 
 #include <algorithm>
 #include <cmath>
@@ -198,8 +197,10 @@ void SVolume::Init(TConfigurationNode& node) {
   TopFace = m_top.get();
   BottomFace = m_bottom.get();
   SideFaces.clear();
+  m_borderSides.clear();
   for (const auto& side : m_sides) {
     SideFaces.push_back(side.get());
+    m_borderSides.emplace_back(side->BaseSegment.GetStart(), side->BaseSegment.GetEnd());
   }
 }
 
@@ -216,8 +217,8 @@ bool SVolume::Contains(const CVector3& point) const {
     return false;
   }
   const CVector2 above = ToPlane(point);
-  return std::none_of(SideFaces.begin(), SideFaces.end(),
-                      [&above](const SVerticalFace* face) { return IsBehind(*face, above); });
+  return std::all_of(m_borderSides.begin(), m_borderSides.end(),
+                     [&above](const CBorderSide& side) { return side.Compute(above) >= 0.0; });
 }
 
 // of the sides that it is behind, the segment nearest to it: so sides on one line are told apart

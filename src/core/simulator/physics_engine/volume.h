@@ -1,6 +1,7 @@
 #ifndef ARGOS3_CORE_SIMULATOR_PHYSICS_ENGINE_VOLUME_H
 #define ARGOS3_CORE_SIMULATOR_PHYSICS_ENGINE_VOLUME_H
 
+#include <argos3/core/simulator/physics_engine/region_geometry.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/core/utility/math/quaternion.h>
 #include <argos3/core/utility/math/ray2.h>
@@ -95,6 +96,7 @@ struct SVolume {
   std::unique_ptr<SHorizontalFace> m_top;
   std::unique_ptr<SHorizontalFace> m_bottom;
   std::vector<std::unique_ptr<SVerticalFace>> m_sides;
+  std::vector<CBorderSide> m_borderSides;  // of the sides: engines ask for each body in each tick
 };
 
 }  // namespace argos

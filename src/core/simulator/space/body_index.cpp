@@ -88,12 +88,12 @@ UInt32 CBodyIndex::Add(CEmbodiedEntity& body) {
     number = m_free.back();
     m_free.pop_back();
   }
-  m_bodies[number] = {&body, nullptr, 0.0, 0.0, kNoBody, kNoBody, 0, false, false};
+  m_bodies[number] = {&body, nullptr, 0.0, 0.0, kNoBody, kNoBody, 0, false};
   ++m_numAlive;
   body.AttachToIndex(this, number);
+  Describe(number);
   const SAnchor& origin = body.GetOriginAnchor();
   SetPose(number, origin.Position, origin.Orientation);
-  Describe(number);
   PutInOverlay(number);
   return number;
 }
@@ -111,10 +111,10 @@ void CBodyIndex::Describe(UInt32 number) {
     body.TiltedReach = std::max(body.TiltedReach, centroid.Length() + sphere);
   }
   body.NumShapes = static_cast<UInt16>(body.Description->Shapes.size());
-  body.Small =
+  const bool small =
       body.Entity->IsMovable() && body.Description->ComputeBoundingRadius() <= kMaxSmallRadius;
-  if (body.Small) {
-    ++m_numSmall;
+  m_poses[number].Small = small;
+  if (small) {
     m_maxSmallReach = std::max(m_maxSmallReach, body.Reach);
   } else {
     m_wideDirty = true;
@@ -122,11 +122,10 @@ void CBodyIndex::Describe(UInt32 number) {
 }
 
 void CBodyIndex::Forget(UInt32 number) {
-  if (m_bodies[number].Small) {
-    --m_numSmall;
-  } else {
+  if (!m_poses[number].Small) {
     m_wideDirty = true;
   }
+  m_poses[number].Small = false;
 }
 
 void CBodyIndex::Remove(UInt32 number) {
@@ -144,10 +143,13 @@ void CBodyIndex::Remove(UInt32 number) {
 }
 
 void CBodyIndex::SetPose(UInt32 body, const CVector3& position, const CQuaternion& orientation) {
-  m_poses[body] = MakePose(position, orientation);
+  SPose& pose = m_poses[body];
+  const bool small = pose.Small;
+  pose = MakePose(position, orientation);
+  pose.Small = small;
   // while wide bodies that can move are listed the flag stays up, so engines only read it; a wall
   // is moved outside the physics phase
-  if (!m_bodies[body].Small && !m_wideDirty) {
+  if (!small && !m_wideDirty) {
     m_wideDirty = true;
   }
 }
@@ -156,7 +158,7 @@ void CBodyIndex::RefreshNow(UInt32 number) {
   SBody& body = m_bodies[number];
   if (!body.Stale) {
     PutInOverlay(number);
-  } else if (body.Small) {
+  } else if (m_poses[number].Small) {
     UInt32* link = &m_overlayHead[body.OverlayPlace];
     while (*link != number) {
       link = &m_bodies[*link].NextInCell;
@@ -184,7 +186,7 @@ void CBodyIndex::PutInOverlay(UInt32 number) {
   ++m_numStale;
   if (m_numStale > kMinOverlay + m_shapes.size() + m_wide.size() || m_overlayHead.empty()) {
     Rebuild(nullptr);
-  } else if (body.Small) {
+  } else if (m_poses[number].Small) {
     LinkIntoOverlay(number);
   } else {
     LinkWideIntoOverlay(number);
@@ -300,7 +302,7 @@ void CBodyIndex::SortSmall(CThreadPool* pool) {
   std::atomic<bool> anyTilted{false};
   ForRange(pool, m_bodies.size(), [this, &anyTilted](size_t begin, size_t end) {
     for (size_t b = begin; b < end; ++b) {
-      const bool sorted = m_bodies[b].Entity != nullptr && m_bodies[b].Small;
+      const bool sorted = m_poses[b].Small;
       if (sorted && !m_poses[b].Upright) {
         anyTilted.store(true, std::memory_order_relaxed);
       }
@@ -357,7 +359,7 @@ void CBodyIndex::ListWide() {
   bool anyMovable = false;
   for (size_t b = 0; b < m_bodies.size(); ++b) {
     const SBody& body = m_bodies[b];
-    if (body.Entity == nullptr || body.Small) {
+    if (body.Entity == nullptr || m_poses[b].Small) {
       continue;
     }
     anyMovable = anyMovable || body.Entity->IsMovable();

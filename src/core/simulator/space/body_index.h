@@ -116,6 +116,7 @@ class CBodyIndex {
     Real X, Y, Z;  // m, world frame, of the origin anchor
     Real Cos, Sin;  // of the yaw, if upright
     bool Upright;
+    bool Small = false;  // of a body; here, so that SetPose() needs to look nowhere else
   };
   struct SBody {
     CEmbodiedEntity* Entity;  // null: free slot
@@ -125,7 +126,6 @@ class CBodyIndex {
     UInt32 OverlayPlace;  // cell of a small body, number of a wide one's first solid in the overlay
     UInt32 NextInCell;  // overlay chain of small bodies
     UInt16 NumShapes;
-    bool Small;
     bool Stale;  // in the overlay: its sorted solids do not count
   };
   struct SEntry {
@@ -208,7 +208,7 @@ class CBodyIndex {
   std::vector<SPose> m_poses;  // by body number; written by engines
   std::vector<UInt32> m_free;  // numbers to use again
   std::vector<UInt32> m_released;  // numbers to use again after the next Rebuild()
-  size_t m_numAlive = 0, m_numSmall = 0;
+  size_t m_numAlive = 0;
   Real m_maxSmallReach = 0.0;  // m, of all that ever were small; how far solids of an upright small
                                // body may be from the cell that it is sorted into
   Real m_tiltedReach = 0.0;  // m, the same for the small bodies that are tilted now
