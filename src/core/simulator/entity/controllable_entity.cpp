@@ -14,7 +14,8 @@ namespace {
 // what is needed in every tick, about, from the beginning of an object
 constexpr size_t kActuatorBytes = 64;
 constexpr size_t kSensorBytes = 128;
-constexpr size_t kControllerBytes = 128;
+// of a controller, from the end of what all have
+constexpr size_t kControllerBytes = 96;
 
 // a <sensors> or <actuators> section, or null: it may be left out
 TConfigurationNode* FindSection(TConfigurationNode& controllerNode, const std::string& tag) {
@@ -292,7 +293,8 @@ void CControllableEntity::PrefetchForSense(UInt32 stage) const {
     Prefetch(m_sensors.data(), 1);
     // the robot is controlled soon after
     Prefetch(m_actuators.data(), 1);
-    Prefetch(m_pcController, kControllerBytes);
+    Prefetch(m_pcController, 1);
+    Prefetch(m_pcController + 1, kControllerBytes);
   } else if (stage == 2) {
     for (const SSensorEntry& sensor : m_sensors) {
       Prefetch(sensor.Simulated, kSensorBytes);

@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <utility>
 
 namespace argos {
 
@@ -275,8 +276,7 @@ bool CBodyIndex::ChooseCells() {
   m_cellsChosenFor = m_numAlive;
   m_cellsChosenReach = m_maxSmallReach;
   const size_t cells = static_cast<size_t>(m_numI) * m_numJ;
-  m_shapeStart.assign(cells + 1, 0);
-  m_wideStart.assign(cells + 1, 0);
+  m_cellStart.assign(cells + 1, SCellStart());
   m_cursor.assign(cells, 0);
   m_overlayHead.assign(cells, kNoBody);
   if (!m_overlayWideHead.empty()) {
@@ -295,6 +295,18 @@ void CBodyIndex::Rebuild(CThreadPool* pool) {
   if (newCells || m_wideDirty) {
     ListWide();
   }
+}
+
+// Takes the length of each cell's list from m_cursor, and leaves there where it begins.
+// @return the length of all.
+UInt32 CBodyIndex::TurnCountsIntoStarts(UInt32 SCellStart::*list) {
+  UInt32 sum = 0;
+  for (size_t cell = 0; cell < m_cursor.size(); ++cell) {
+    m_cellStart[cell].*list = sum;
+    sum += std::exchange(m_cursor[cell], sum);
+  }
+  m_cellStart.back().*list = sum;
+  return sum;
 }
 
 void CBodyIndex::SortSmall(CThreadPool* pool) {
@@ -322,18 +334,15 @@ void CBodyIndex::SortSmall(CThreadPool* pool) {
   }
 
   // counting sort by cell; within a cell by body number, whatever the number of threads
-  std::fill(m_shapeStart.begin(), m_shapeStart.end(), 0);
+  std::fill(m_cursor.begin(), m_cursor.end(), 0);
   for (size_t b = 0; b < m_bodies.size(); ++b) {
     if (m_cellOfBody[b] != kNoBody) {
-      m_shapeStart[m_cellOfBody[b] + 1] += m_bodies[b].NumShapes;
+      m_cursor[m_cellOfBody[b]] += m_bodies[b].NumShapes;
     }
   }
-  for (size_t cell = 0; cell + 1 < m_shapeStart.size(); ++cell) {
-    m_shapeStart[cell + 1] += m_shapeStart[cell];
-    m_cursor[cell] = m_shapeStart[cell];
-  }
-  m_entries.resize(m_shapeStart.back());
-  m_shapes.resize(m_shapeStart.back());
+  const UInt32 numShapes = TurnCountsIntoStarts(&SCellStart::Small);
+  m_entries.resize(numShapes);
+  m_shapes.resize(numShapes);
   for (size_t b = 0; b < m_bodies.size(); ++b) {
     if (m_cellOfBody[b] == kNoBody) {
       continue;
@@ -344,8 +353,8 @@ void CBodyIndex::SortSmall(CThreadPool* pool) {
   }
   ForRange(pool, m_entries.size(), [this](size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) {
-      if (k + kBodiesAhead < end) {
-        const UInt32 later = m_entries[k + kBodiesAhead].Body;
+      if (k + 2 * kBodiesAhead < end) {
+        const UInt32 later = m_entries[k + 2 * kBodiesAhead].Body;
         Prefetch(&m_poses[later], sizeof(SPose));
         Prefetch(&m_bodies[later], sizeof(SBody));
       }
@@ -369,15 +378,11 @@ void CBodyIndex::ListWide() {
       m_wide.push_back({packed, cells.MinI, cells.MinJ});
     }
   }
-  std::fill(m_wideStart.begin(), m_wideStart.end(), 0);
+  std::fill(m_cursor.begin(), m_cursor.end(), 0);
   for (const SWideShape& wide : m_wide) {
-    ForCells(CellsOf(wide.Shape), [this](size_t cell) { ++m_wideStart[cell + 1]; });
+    ForCells(CellsOf(wide.Shape), [this](size_t cell) { ++m_cursor[cell]; });
   }
-  for (size_t cell = 0; cell + 1 < m_wideStart.size(); ++cell) {
-    m_wideStart[cell + 1] += m_wideStart[cell];
-    m_cursor[cell] = m_wideStart[cell];
-  }
-  m_wideItems.resize(m_wideStart.back());
+  m_wideItems.resize(TurnCountsIntoStarts(&SCellStart::Wide));
   for (size_t w = 0; w < m_wide.size(); ++w) {
     ForCells(CellsOf(m_wide[w].Shape),
              [this, w](size_t cell) { m_wideItems[m_cursor[cell]++] = static_cast<UInt32>(w); });

@@ -132,6 +132,11 @@ class CBodyIndex {
     UInt32 Body;
     UInt16 Shape;
   };
+  // where the lists of a cell begin; they end where those of the next cell begin
+  struct SCellStart {
+    UInt32 Small;  // into m_shapes
+    UInt32 Wide;  // into m_wideItems
+  };
   struct SCellRange {
     int MinI, MaxI, MinJ, MaxJ;
   };
@@ -175,6 +180,7 @@ class CBodyIndex {
   void Forget(UInt32 body);
   void Rebuild(CThreadPool* pool);
   bool ChooseCells();
+  UInt32 TurnCountsIntoStarts(UInt32 SCellStart::*list);
   void SortSmall(CThreadPool* pool);
   void ListWide();
   void ClearOverlay();
@@ -215,12 +221,11 @@ class CBodyIndex {
 
   // written by Rebuild()
   std::vector<UInt32> m_cellOfBody;  // (bodies); kNoBody if not small
-  std::vector<UInt32> m_shapeStart;  // (cells + 1) into m_shapes
+  std::vector<SCellStart> m_cellStart;  // (cells + 1)
   std::vector<UInt32> m_cursor;  // (cells) scratch of the counting sort
   std::vector<SEntry> m_entries;  // (solids of small bodies) in cell order
   std::vector<SIndexedShape> m_shapes;  // of small bodies, in cell order
   std::vector<SWideShape> m_wide;  // of all other bodies
-  std::vector<UInt32> m_wideStart;  // (cells + 1) into m_wideItems
   std::vector<UInt32> m_wideItems;  // numbers into m_wide
   bool m_wideDirty = true;
 

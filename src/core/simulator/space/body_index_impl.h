@@ -11,8 +11,8 @@ namespace argos {
 template <typename VISIT>
 void CBodyIndex::VisitSmallRow(int j, int minI, int maxI, VISIT&& visit) const {
   const size_t row = static_cast<size_t>(j) * m_numI;
-  const SIndexedShape* shape = m_shapes.data() + m_shapeStart[row + minI];
-  const SIndexedShape* const end = m_shapes.data() + m_shapeStart[row + maxI + 1];
+  const SIndexedShape* shape = m_shapes.data() + m_cellStart[row + minI].Small;
+  const SIndexedShape* const end = m_shapes.data() + m_cellStart[row + maxI + 1].Small;
   for (; shape != end; ++shape) {
     if (!IsStale(shape->Body)) {
       visit(*shape);
@@ -64,7 +64,7 @@ void CBodyIndex::VisitWide(const SCellRange& cells, VISIT&& visit) const {
   for (int j = cells.MinJ; j <= cells.MaxJ; ++j) {
     const size_t row = static_cast<size_t>(j) * m_numI;
     for (int i = cells.MinI; i <= cells.MaxI; ++i) {
-      for (UInt32 k = m_wideStart[row + i]; k < m_wideStart[row + i + 1]; ++k) {
+      for (UInt32 k = m_cellStart[row + i].Wide; k < m_cellStart[row + i + 1].Wide; ++k) {
         const SWideShape& wide = m_wide[m_wideItems[k]];
         if (IsFirst(i, j, wide, cells) && !IsStale(wide.Shape.Body)) {
           visit(wide.Shape);

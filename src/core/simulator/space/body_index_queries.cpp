@@ -57,15 +57,14 @@ void CBodyIndex::PrefetchAhead(UInt32 body, Real reach) const {
   };
   const SCellRange far = around(body + 2 * kBodiesAhead);
   for (int j = far.MinJ; j <= far.MaxJ; ++j) {
-    const size_t cell = static_cast<size_t>(j) * m_numI + far.MinI;
-    Prefetch(&m_shapeStart[cell], 1);
-    Prefetch(&m_wideStart[cell], 1);
+    const size_t row = static_cast<size_t>(j) * m_numI;
+    PrefetchBetween(m_cellStart.data() + row + far.MinI, m_cellStart.data() + row + far.MaxI + 2);
   }
   const SCellRange near = around(body + kBodiesAhead);
   for (int j = near.MinJ; j <= near.MaxJ; ++j) {
     const size_t row = static_cast<size_t>(j) * m_numI;
-    const UInt32 begin = m_shapeStart[row + near.MinI];
-    const UInt32 end = m_shapeStart[row + near.MaxI + 1];
+    const UInt32 begin = m_cellStart[row + near.MinI].Small;
+    const UInt32 end = m_cellStart[row + near.MaxI + 1].Small;
     Prefetch(m_shapes.data() + begin, (end - begin) * sizeof(SIndexedShape));
   }
 }
