@@ -293,8 +293,10 @@ void CControllableEntity::PrefetchForSense(UInt32 stage) const {
     Prefetch(m_sensors.data(), 1);
     // the robot is controlled soon after
     Prefetch(m_actuators.data(), 1);
-    Prefetch(m_pcController, 1);
-    Prefetch(m_pcController + 1, kControllerBytes);
+    if (m_pcController != nullptr) {
+      Prefetch(m_pcController, 1);
+      Prefetch(m_pcController + 1, kControllerBytes);
+    }
   } else if (stage == 2) {
     for (const SSensorEntry& sensor : m_sensors) {
       Prefetch(sensor.Simulated, kSensorBytes);
