@@ -41,18 +41,21 @@ std::vector<std::string> Ids(const std::vector<PART*>& parts) {
   return ids;
 }
 
+// the threads of a simulator for which no experiment is loaded: only the caller's
+std::unique_ptr<CThreadPool> MakeIdlePool() {
+  return std::make_unique<CThreadPool>(0, CreateSchedule("balance_quantity"));
+}
+
 }  // namespace
 
 // the process's default simulator shares the default random registry with code outside any scope
 CSimulator::CSimulator(SDefaultTag)
-    : m_registry(nullptr),
-      m_pool(std::make_unique<CThreadPool>(0, CreateSchedule("balance_quantity"))),
-      m_space(std::make_unique<CSpace>(*this)) {}
+    : m_registry(nullptr), m_pool(MakeIdlePool()), m_space(std::make_unique<CSpace>(*this)) {}
 
 CSimulator::CSimulator()
     : m_ownRegistry(std::make_unique<CRandom::CRegistry>()),
       m_registry(m_ownRegistry.get()),
-      m_pool(std::make_unique<CThreadPool>(0, CreateSchedule("balance_quantity"))),
+      m_pool(MakeIdlePool()),
       m_space(std::make_unique<CSpace>(*this)) {}
 
 CSimulator::~CSimulator() {
@@ -286,6 +289,8 @@ void CSimulator::Destroy() {
   if (CRandom::ExistsCategory("argos")) {
     CRandom::RemoveCategory("argos");
   }
+  // joins the workers: none is left when the program ends
+  m_pool = MakeIdlePool();
   m_rng = nullptr;
   m_controllerNodes.clear();
   m_broken.clear();

@@ -1,5 +1,6 @@
 #include <argos3/core/utility/threads/thread_pool.h>
 
+#include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/logging/argos_log.h>
 
 #if defined(__x86_64__) || defined(__i386__)
@@ -9,6 +10,7 @@
 #include <sched.h>
 
 #include <algorithm>
+#include <system_error>
 
 namespace argos {
 
@@ -49,22 +51,89 @@ CThreadPool::CThreadPool(UInt32 threads, std::unique_ptr<CSchedule> schedule, bo
     : m_numThreads(std::max<UInt32>(1, threads)),
       m_spin(m_numThreads <= std::thread::hardware_concurrency()),
       m_schedule(std::move(schedule)) {
-  m_workers.reserve(m_numThreads - 1);
-  for (UInt32 thread = 1; thread < m_numThreads; ++thread) {
-    m_workers.emplace_back([this, thread, startWorker] { WorkerLoop(thread, startWorker); });
-    if (pinToCores) {
-      Pin(m_workers.back(), thread);
-    }
+  try {
+    StartWorkers(pinToCores, startWorker);
+  } catch (...) {
+    StopWorkers();
+    throw;
   }
 }
 
 CThreadPool::~CThreadPool() {
+  StopWorkers();
+}
+
+void CThreadPool::StartWorkers(bool pinToCores, const std::function<void()>& startWorker) {
+  m_workers.reserve(m_numThreads - 1);
+  for (UInt32 thread = 1; thread < m_numThreads; ++thread) {
+    m_busy.fetch_add(1, std::memory_order_relaxed);
+    try {
+      m_workers.emplace_back([this, thread, &startWorker] {
+        if (PrepareWorker(startWorker)) {
+          WorkerLoop(thread);
+        }
+      });
+    } catch (const std::system_error& error) {
+      m_busy.fetch_sub(1, std::memory_order_relaxed);
+      WaitForWorkers();
+      THROW_ARGOSEXCEPTION("the system started only " << thread << " of " << m_numThreads
+                                                      << " threads: " << error.code().message());
+    }
+    if (pinToCores) {
+      Pin(m_workers.back(), thread);
+    }
+  }
+  WaitForWorkers();
+  if (m_failure) {
+    std::rethrow_exception(m_failure);
+  }
+}
+
+void CThreadPool::StopWorkers() {
   m_stop.store(true, std::memory_order_relaxed);
   m_phase.fetch_add(1, std::memory_order_release);
   m_phase.notify_all();
   for (std::thread& worker : m_workers) {
     worker.join();
   }
+}
+
+void CThreadPool::WaitForWorkers() {
+  for (UInt32 busy = m_busy.load(std::memory_order_acquire); busy != 0;
+       busy = m_busy.load(std::memory_order_acquire)) {
+    WaitForChange(m_busy, busy, m_spin);
+  }
+}
+
+void CThreadPool::NoteEnd() {
+  if (m_busy.fetch_sub(1, std::memory_order_acq_rel) == 1) {
+    m_busy.notify_one();
+  }
+}
+
+void CThreadPool::NoteFailure(size_t begin) {
+  const std::lock_guard<std::mutex> lock(m_failureMutex);
+  if (!m_failure || begin < m_failureBegin) {
+    m_failure = std::current_exception();
+    m_failureBegin = begin;
+  }
+}
+
+bool CThreadPool::PrepareWorker(const std::function<void()>& startWorker) {
+  bool good = false;
+  try {
+    if (startWorker) {
+      startWorker();
+    }
+    LOG.AddThreadSafeBuffer();
+    LOGERR.AddThreadSafeBuffer();
+    good = true;
+  } catch (...) {
+    NoteFailure(0);
+  }
+  // the caller's function is not used after this
+  NoteEnd();
+  return good;
 }
 
 void CThreadPool::Run(size_t items, size_t grain, TCall call, void* context) {
@@ -77,30 +146,20 @@ void CThreadPool::Run(size_t items, size_t grain, TCall call, void* context) {
   m_phase.notify_all();
 
   DoShare(0);
-  for (UInt32 busy = m_busy.load(std::memory_order_acquire); busy != 0;
-       busy = m_busy.load(std::memory_order_acquire)) {
-    WaitForChange(m_busy, busy, m_spin);
-  }
+  WaitForWorkers();
   if (m_failure) {
     std::rethrow_exception(m_failure);
   }
 }
 
-void CThreadPool::WorkerLoop(UInt32 thread, const std::function<void()>& startWorker) {
-  if (startWorker) {
-    startWorker();
-  }
-  LOG.AddThreadSafeBuffer();
-  LOGERR.AddThreadSafeBuffer();
+void CThreadPool::WorkerLoop(UInt32 thread) {
   for (UInt32 seen = 0;; ++seen) {
     WaitForChange(m_phase, seen, m_spin);
     if (m_stop.load(std::memory_order_relaxed)) {
       return;
     }
     DoShare(thread);
-    if (m_busy.fetch_sub(1, std::memory_order_acq_rel) == 1) {
-      m_busy.notify_one();
-    }
+    NoteEnd();
   }
 }
 
@@ -111,11 +170,7 @@ void CThreadPool::DoShare(UInt32 thread) {
     try {
       m_call(m_context, begin, end, thread);
     } catch (...) {
-      const std::lock_guard<std::mutex> lock(m_failureMutex);
-      if (!m_failure || begin < m_failureBegin) {
-        m_failure = std::current_exception();
-        m_failureBegin = begin;
-      }
+      NoteFailure(begin);
     }
   }
 }

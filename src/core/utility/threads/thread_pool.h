@@ -23,10 +23,15 @@ namespace argos {
 class CThreadPool {
  public:
   /**
+   * Starts the workers, and returns when all of them wait for the first phase: a worker that starts
+   * late cannot meet static objects that the end of the program has destroyed.
+   *
    * @param threads      P; 0 for none besides the caller.
    * @param schedule     deals items to threads.
    * @param pinToCores   bind each worker to one core.
    * @param startWorker  run once in each worker before anything else.
+   * @throws CARGoSException if the system refuses a thread, with its reason; whatever startWorker
+   *         throws. No worker is left behind.
    */
   CThreadPool(UInt32 threads, std::unique_ptr<CSchedule> schedule, bool pinToCores = false,
               const std::function<void()>& startWorker = {});
@@ -65,7 +70,13 @@ class CThreadPool {
   using TCall = void (*)(void* context, size_t begin, size_t end, UInt32 thread);
 
   void Run(size_t items, size_t grain, TCall call, void* context);
-  void WorkerLoop(UInt32 thread, const std::function<void()>& startWorker);
+  void StartWorkers(bool pinToCores, const std::function<void()>& startWorker);
+  void StopWorkers();
+  bool PrepareWorker(const std::function<void()>& startWorker);
+  void WorkerLoop(UInt32 thread);
+  void WaitForWorkers();
+  void NoteEnd();
+  void NoteFailure(size_t begin);
   void DoShare(UInt32 thread);
   void Pin(std::thread& worker, UInt32 thread);
 
@@ -78,10 +89,10 @@ class CThreadPool {
   TCall m_call = nullptr;
   void* m_context = nullptr;
   std::atomic<UInt32> m_phase{0};
-  std::atomic<UInt32> m_busy{0};
+  std::atomic<UInt32> m_busy{0};  // workers that have not finished: their start, then a phase
   std::atomic<bool> m_stop{false};
 
-  // the failure of the lowest items, if any; a lock is fine where a run is about to end
+  // the failure of the lowest items, if any; locked only when a run is about to end
   std::mutex m_failureMutex;
   std::exception_ptr m_failure;
   size_t m_failureBegin = 0;

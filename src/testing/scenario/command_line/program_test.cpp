@@ -6,8 +6,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <atomic>
 #include <csignal>
 #include <regex>
+#include <thread>
 
 using namespace argos;
 using Catch::Contains;
@@ -43,7 +45,56 @@ std::string DigestIn(const std::string& text) {
                                                                                 : "";
 }
 
+// keeps every core busy while it lives
+class CLoad {
+ public:
+  CLoad() {
+    for (UInt32 i = 0; i < 2 * std::thread::hardware_concurrency(); ++i) {
+      m_threads.emplace_back([this] {
+        while (!m_stop) {
+        }
+      });
+    }
+  }
+  ~CLoad() {
+    m_stop = true;
+    for (std::thread& thread : m_threads) {
+      thread.join();
+    }
+  }
+  CLoad(const CLoad&) = delete;
+  CLoad& operator=(const CLoad&) = delete;
+
+ private:
+  std::atomic<bool> m_stop{false};
+  std::vector<std::thread> m_threads;
+};
+
+// short runs with threads on a busy machine: good ones, then ones whose robots throw
+void CheckStatusOfShortRuns(int runs) {
+  const CTestFolder folder;
+  folder.Write("good.argos", Experiment());
+  folder.Write("bad.argos", Experiment("test_throws_in_step"));
+  const CLoad load;
+  for (int run = 0; run < runs; ++run) {
+    const std::string threads = std::to_string(2 + run % 7);
+    CAPTURE(run, threads);
+    REQUIRE(folder.Run({"-c", "good.argos", "--length", "0.1", "--threads", threads}).Status == 0);
+    REQUIRE(folder.Run({"-c", "bad.argos", "--threads", threads}).Status == 1);
+  }
+}
+
 }  // namespace
+
+TEST_CASE("argos3: short runs with threads end with their status on a busy machine",
+          "[command_line][threads]") {
+  CheckStatusOfShortRuns(25);
+}
+
+TEST_CASE("argos3: 2,000 short runs with threads end with their status on a busy machine",
+          "[.][soak][command_line][threads]") {
+  CheckStatusOfShortRuns(1000);
+}
 
 TEST_CASE("argos3: a run ends with a summary and status 0", "[command_line]") {
   const CTestFolder folder;

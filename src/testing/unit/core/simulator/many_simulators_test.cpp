@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <filesystem>
+#include <iterator>
 #include <thread>
 
 using namespace argos;
@@ -52,7 +54,22 @@ std::vector<UInt64> Run(const SExperiment& experiment) {
   return digests;
 }
 
+// of this process
+auto CountThreads() {
+  namespace fs = std::filesystem;
+  return std::distance(fs::directory_iterator("/proc/self/task"), fs::directory_iterator());
+}
+
 }  // namespace
+
+TEST_CASE("many simulators: Destroy() leaves no thread behind", "[core][simulator][many]") {
+  const auto before = CountThreads();
+  CTestWorld world(Experiment(1, 4));
+  world.Step();
+  REQUIRE(CountThreads() == before + 3);
+  world.GetSimulator().Destroy();
+  CHECK(CountThreads() == before);
+}
 
 TEST_CASE("many simulators: two that take turns in one thread do as each alone",
           "[core][simulator][many]") {

@@ -3,7 +3,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <pthread.h>
+
 #include <atomic>
+#include <chrono>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -53,6 +56,29 @@ std::vector<int> Deal(CSchedule& schedule, size_t items, size_t grain, UInt32 th
   }
   return visits;
 }
+
+// while it lives, the system refuses to start threads: their stacks are too large for any address
+// space
+class CNoMoreThreads {
+ public:
+  CNoMoreThreads() {
+    pthread_getattr_default_np(&m_previous);
+    pthread_attr_t attributes;
+    pthread_getattr_default_np(&attributes);
+    pthread_attr_setstacksize(&attributes, size_t(1) << 47);
+    REQUIRE(pthread_setattr_default_np(&attributes) == 0);
+    pthread_attr_destroy(&attributes);
+  }
+  ~CNoMoreThreads() {
+    pthread_setattr_default_np(&m_previous);
+    pthread_attr_destroy(&m_previous);
+  }
+  CNoMoreThreads(const CNoMoreThreads&) = delete;
+  CNoMoreThreads& operator=(const CNoMoreThreads&) = delete;
+
+ private:
+  pthread_attr_t m_previous{};
+};
 
 }  // namespace
 
@@ -212,6 +238,38 @@ TEST_CASE("thread pool: what a phase wrote is seen by the next one", "[core][thr
 TEST_CASE("thread pool: pinned workers do the same work", "[core][threads]") {
   CThreadPool pool(3, CreateSchedule("balance_quantity"), true);
   CHECK(CountVisits(pool, 1000, 1) == std::vector<int>(1000, 1));
+}
+
+TEST_CASE("thread pool: when it is made, all its workers have started", "[core][threads]") {
+  for (int repetition = 0; repetition < 20; ++repetition) {
+    std::atomic<UInt32> started{0};
+    const CThreadPool pool(4, CreateSchedule("balance_length"), false, [&] {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      ++started;
+    });
+    REQUIRE(started == 3);
+  }
+}
+
+TEST_CASE("thread pool: what a worker's start throws reaches the caller", "[core][threads]") {
+  std::atomic<UInt32> started{0};
+  const auto startThirdWorkerBadly = [&] {
+    if (++started == 3) {
+      throw std::runtime_error("no licence for a third worker");
+    }
+  };
+  CHECK_THROWS_WITH(CThreadPool(8, CreateSchedule("balance_length"), false, startThirdWorkerBadly),
+                    "no licence for a third worker");
+  CHECK(started == 7);
+}
+
+TEST_CASE("thread pool: a thread that the system refuses is an error", "[core][threads]") {
+  const CNoMoreThreads noMoreThreads;
+  CHECK_THROWS_WITH(CThreadPool(4, CreateSchedule("balance_length")),
+                    Contains("the system started only 1 of 4 threads: "));
+  // the caller needs no thread
+  CThreadPool pool(1, CreateSchedule("balance_length"));
+  CHECK(CountVisits(pool, 100, 1) == std::vector<int>(100, 1));
 }
 
 TEST_CASE("thread pool: pools come and go", "[core][threads]") {
