@@ -1,4 +1,4 @@
-// only this header of the core, and no "using" before the macros: what users may rely on
+// Uses this header of the core only, without "using" before the macros: users may rely on both.
 #include <argos3/core/control_interface/ci_controller.h>
 
 #include <catch2/catch.hpp>
@@ -19,7 +19,7 @@ class CTestWheels : public argos::CCI_Actuator {
 
 class CTestLEDs : public argos::CCI_Actuator {};
 
-// with the Lua functions overridden, as devices of users do
+// Overrides the Lua functions, as devices of users do.
 class CTestEyes : public argos::CCI_Sensor {
  public:
   ~CTestEyes() override { ++numDeleted; }
@@ -55,7 +55,8 @@ TEST_CASE("controller: its header brings what controllers use", "[core][control_
   CHECK_THROWS_AS([] { THROW_ARGOSEXCEPTION("x") }(), CARGoSException);
 }
 
-TEST_CASE("controller: registered at global scope, made by label", "[core][control_interface]") {
+TEST_CASE("controller: a class registered at global scope is created by its label",
+          "[core][control_interface]") {
   const std::unique_ptr<CCI_Controller> controller(
       CFactory<CCI_Controller>::New("test_brain_controller"));
   auto* brain = dynamic_cast<CTestBrain*>(controller.get());
@@ -115,7 +116,8 @@ TEST_CASE("controller: a second device of a type replaces the first", "[core][co
   CHECK(controller.GetActuator<CTestWheels>("wheels") == later);
 }
 
-TEST_CASE("controller: a missing device is named with what there is", "[core][control_interface]") {
+TEST_CASE("controller: the error on a missing device lists the devices that exist",
+          "[core][control_interface]") {
   CCI_Controller controller;
   controller.SetId("fb3");
   CHECK_THROWS_WITH(
@@ -128,7 +130,7 @@ TEST_CASE("controller: a missing device is named with what there is", "[core][co
                     Contains("did you mean \"wheels\"?; that section has: leds, wheels"));
 }
 
-TEST_CASE("controller: a device of another type is named with both types",
+TEST_CASE("controller: the error on a device of another type names both types",
           "[core][control_interface]") {
   CCI_Controller controller;
   controller.SetId("fb3");
@@ -150,7 +152,7 @@ TEST_CASE("sensor: starts disabled", "[core][control_interface]") {
   CHECK_FALSE(sensor.IsEnabled());
 }
 
-TEST_CASE("devices: all hooks have empty defaults, those for Lua can be overridden",
+TEST_CASE("devices: all hooks have empty defaults, and those for Lua can be overridden",
           "[core][control_interface]") {
   TConfigurationNode node("node");
   CTestLEDs leds;

@@ -42,7 +42,7 @@ std::vector<std::string> Lines(const std::string& name) {
 // rate
 /****************************************/
 
-TEST_CASE("rate: rounds last as long as the rate says", "[core][rate]") {
+TEST_CASE("rate: a round lasts as long as the rate requires", "[core][rate]") {
   CRate rate(100.0);
   CHECK(rate.GetRate() == 100.0);
   const auto start = std::chrono::steady_clock::now();
@@ -50,7 +50,7 @@ TEST_CASE("rate: rounds last as long as the rate says", "[core][rate]") {
     rate.Sleep();
   }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  // never too early, but for the time between the constructor and the start of this clock
+  // never too early, except for the time between the constructor and the start of this clock
   CHECK(elapsed.count() >= 0.049);
   rate.SetRate(1000.0);
   CHECK(rate.GetRate() == 1000.0);
@@ -61,7 +61,7 @@ TEST_CASE("rate: the elapsed time counts from the start of the round", "[core][r
   std::this_thread::sleep_for(std::chrono::milliseconds(20));
   CHECK(rate.ElapsedUS() >= 20000);
   CHECK(rate.ElapsedS() >= 0.02);
-  // the round is over already: no sleep, and a new start
+  // the round is over already: Sleep() returns at once and starts a new round
   rate.Sleep();
   CHECK(rate.ElapsedS() < 0.02);
 }
@@ -95,7 +95,7 @@ TEST_CASE("stats: mean and sample variance", "[core][signal]") {
   CHECK_THAT(several.GetStdDev(), WithinAbs(std::sqrt(32.0 / 7.0), 1e-13));
 }
 
-TEST_CASE("stats: a large mean does not drown the variance", "[core][signal]") {
+TEST_CASE("stats: the variance is accurate for a large mean", "[core][signal]") {
   CStats stats;
   for (const Real value : {1e9 + 4, 1e9 + 7, 1e9 + 13, 1e9 + 16}) {
     stats.Append(value);
@@ -104,7 +104,7 @@ TEST_CASE("stats: a large mean does not drown the variance", "[core][signal]") {
   CHECK_THAT(stats.GetVariance(), WithinAbs(30.0, 1e-5));
 }
 
-TEST_CASE("low-pass filter: follows its recurrence", "[core][signal]") {
+TEST_CASE("low-pass filter: output follows its recurrence", "[core][signal]") {
   CRCLowPassFilter filter(0.75);
   CHECK(filter.Filter(8.0) == 8.0);
   // 0 + 0.75 * 8 = 6, 2 + 0.75 * (6 - 2) = 5: all exact in binary
@@ -147,7 +147,7 @@ TEST_CASE("profiler: phases are timed and counted", "[core][profiler]") {
   std::remove(name.c_str());
 }
 
-TEST_CASE("profiler: runs make the lines of one table", "[core][profiler]") {
+TEST_CASE("profiler: each run adds a line to the table", "[core][profiler]") {
   const std::string name = FileName("table");
   std::remove(name.c_str());
   for (int run = 0; run < 2; ++run) {
@@ -166,13 +166,13 @@ TEST_CASE("profiler: runs make the lines of one table", "[core][profiler]") {
   }
   CHECK_THAT(lines[0], Catch::StartsWith("wall_s\tuser_s"));
   CHECK_THAT(lines[0], Catch::EndsWith("\tact_s"));
-  // truncating begins anew
+  // truncation starts a new table
   CProfiler(name, "table", true).Flush();
   CHECK(Lines(name).size() == 2);
   std::remove(name.c_str());
 }
 
-TEST_CASE("profiler: errors come before the run", "[core][profiler]") {
+TEST_CASE("profiler: errors are reported before the run", "[core][profiler]") {
   CHECK_THROWS_WITH(CProfiler("x", "csv"),
                     Contains("format \"csv\", expected \"human_readable\" or \"table\""));
   CHECK_THROWS_WITH(CProfiler("/no/such/folder/x", "table"),

@@ -25,8 +25,8 @@ CRandomStream MakeStream(UInt64 seed = 1) {
   return CRandomStream(seed, "argos", "fb0", "proximity");
 }
 
-// largest distance of the samples' distribution from the given one, times the root of their number
-// (Kolmogorov). It exceeds 2.2253 with a probability of 1e-4: 2 exp(-2 x^2)
+// The Kolmogorov statistic: largest distance of the samples' distribution from the given one, times
+// the square root of their number. It exceeds 2.2253 with a probability of 1e-4: 2 exp(-2 x^2).
 constexpr Real kKolmogorovLimit = 2.2253;
 
 template <typename DRAW, typename CDF>
@@ -50,7 +50,7 @@ Real ComputeNormalProbability(Real x) {
 
 }  // namespace
 
-TEST_CASE("random stream: the same name gives the same numbers, whatever else exists",
+TEST_CASE("random stream: the same name gives the same numbers, whatever other streams exist",
           "[core][math]") {
   CRandomStream one = MakeStream();
   CRandomStream unrelated(7, "x", "y", "z");
@@ -82,8 +82,8 @@ TEST_CASE("random stream: every part of the name matters", "[core][math]") {
   CHECK(first.size() == std::size(streams));
 }
 
-TEST_CASE("random stream: streams of numbered owners are not related", "[core][math]") {
-  // first numbers of neighbouring owners: uniform, and without correlation from one to the next
+TEST_CASE("random stream: streams of numbered owners are independent", "[core][math]") {
+  // the first numbers of neighbouring owners are uniform and uncorrelated
   std::vector<Real> values;
   for (int i = 0; i < 20000; ++i) {
     values.push_back(CRandomStream(1, "argos", "fb" + std::to_string(i), "noise").Uniform01());
@@ -92,16 +92,16 @@ TEST_CASE("random stream: streams of numbered owners are not related", "[core][m
   for (size_t i = 0; i + 1 < values.size(); ++i) {
     correlation += 12.0 * (values[i] - 0.5) * (values[i + 1] - 0.5);
   }
-  // a sum of products of standardised values: 4 standard deviations
+  // tolerance: 4 standard deviations of a sum of products of standardised values
   CHECK_THAT(correlation, WithinAbs(0.0, 4.0 * std::sqrt(20000.0)));
   size_t next = 0;
   CHECK(ComputeKolmogorov([&] { return values[next++]; }, [](Real x) { return x; }) <
         kKolmogorovLimit);
 }
 
-TEST_CASE("random stream: xoshiro256** steps as published", "[core][math]") {
-  // the authors' recurrence, run beside ours from the same state: the key comes first, then four
-  // words
+TEST_CASE("random stream: xoshiro256** follows the published recurrence", "[core][math]") {
+  // The authors' recurrence runs beside ours from the same state: the key
+  // is drawn first, then four words.
   CRandomStream stream = MakeStream();
   UInt64 words[5];
   static_assert(sizeof(words) == sizeof(stream));
@@ -122,7 +122,7 @@ TEST_CASE("random stream: xoshiro256** steps as published", "[core][math]") {
   }
 }
 
-TEST_CASE("random stream: continuous distributions", "[core][math]") {
+TEST_CASE("random stream: continuous distributions pass the Kolmogorov test", "[core][math]") {
   CRandomStream stream = MakeStream(GENERATE(1, 2, 3));
   CHECK(ComputeKolmogorov([&] { return stream.Uniform01(); }, [](Real x) { return x; }) <
         kKolmogorovLimit);
@@ -135,7 +135,7 @@ TEST_CASE("random stream: continuous distributions", "[core][math]") {
                           [](Real x) { return 1.0 - std::exp(-2.0 * x * x); }) < kKolmogorovLimit);
 }
 
-TEST_CASE("random stream: moments of the Gaussian", "[core][math]") {
+TEST_CASE("random stream: the Gaussian has the right moments", "[core][math]") {
   CRandomStream stream = MakeStream(GENERATE(1, 2, 3));
   constexpr int kCount = 100000;
   Real sums[4] = {};
@@ -155,7 +155,7 @@ TEST_CASE("random stream: moments of the Gaussian", "[core][math]") {
   CHECK_THAT(sums[3] / kCount, WithinAbs(3.0, 4.0 * std::sqrt(96.0) / root));
 }
 
-TEST_CASE("random stream: bounds are kept", "[core][math]") {
+TEST_CASE("random stream: numbers stay within the bounds", "[core][math]") {
   CRandomStream stream = MakeStream();
   for (int i = 0; i < 10000; ++i) {
     const Real unit = stream.Uniform01();
@@ -172,7 +172,7 @@ TEST_CASE("random stream: bounds are kept", "[core][math]") {
   }
   CHECK(stream.Gaussian(0.0, 2.5) == 2.5);
   CHECK(stream.UniformInteger(5, 5) == 5);
-  // the whole range of the type
+  // the whole range of the type is accepted
   CHECK_NOTHROW(stream.UniformInteger(std::numeric_limits<SInt64>::min(),
                                       std::numeric_limits<SInt64>::max()));
 #ifndef NDEBUG
@@ -180,7 +180,7 @@ TEST_CASE("random stream: bounds are kept", "[core][math]") {
 #endif
 }
 
-TEST_CASE("random stream: discrete distributions", "[core][math]") {
+TEST_CASE("random stream: discrete distributions pass the chi-square test", "[core][math]") {
   CRandomStream stream = MakeStream(GENERATE(1, 2, 3));
   Real chiSquare = 0.0;
   std::vector<Real> counts(10);
@@ -195,7 +195,7 @@ TEST_CASE("random stream: discrete distributions", "[core][math]") {
   // chi-square with 9 degrees of freedom exceeds 33.72 with a probability of 1e-4
   CHECK(chiSquare < 33.72);
   CHECK_THAT(successes, WithinAbs(4000.0, 3.9 * std::sqrt(20000 * 0.2 * 0.8)));
-  // two thirds of 2^64: without rejection the lower half would come up twice as often
+  // Two thirds of 2^64: without rejection the lower half would be twice as frequent.
   const UInt64 count = 0xaaaaaaaaaaaaaaaaULL;
   Real low = 0.0;
   for (int i = 0; i < 20000; ++i) {
@@ -204,7 +204,7 @@ TEST_CASE("random stream: discrete distributions", "[core][math]") {
   CHECK_THAT(low, WithinAbs(10000.0, 3.9 * std::sqrt(20000 * 0.25)));
 }
 
-TEST_CASE("random stream: a value takes one number of the stream", "[core][math]") {
+TEST_CASE("random stream: each value consumes one number of the stream", "[core][math]") {
   CRandomStream stream = MakeStream();
   CRandomStream counter = stream;
   stream.Uniform01();
@@ -218,10 +218,10 @@ TEST_CASE("random stream: a value takes one number of the stream", "[core][math]
   CHECK(stream.Next() == counter.Next());
 }
 
-TEST_CASE("normal quantile: it inverts the error function in the centre and in both tails",
+TEST_CASE("normal quantile: inverts the error function in the centre and in both tails",
           "[core][math]") {
   CHECK(ComputeNormalQuantile(0.0) == 0.0);
-  // tables: 97.5 % and 99.5 % points
+  // 97.5 % and 99.5 % points from tables
   CHECK_THAT(ComputeNormalQuantile(0.475), WithinAbs(1.959963984540054, 1e-15));
   CHECK_THAT(ComputeNormalQuantile(0.495), WithinAbs(2.5758293035489004, 2e-15));
 

@@ -18,7 +18,7 @@ using Catch::Contains;
 
 namespace {
 
-// as a plug-in written for ARGoS 3 does it
+// written like a plug-in for ARGoS 3
 class CUserDevice {
  public:
   void CreateLuaState(lua_State* state) {
@@ -76,7 +76,7 @@ class CUserTester : public CLuaTester {
   CUserDevice Device;
 };
 
-/** A file that goes away with the test; tests run at the same time, each in its own process. */
+/** A file removed by the destructor; tests run concurrently, each in its own process. */
 class CScriptFile {
  public:
   explicit CScriptFile(const std::string& text) { std::ofstream(Path) << text; }
@@ -89,7 +89,7 @@ class CScriptFile {
 
 }  // namespace
 
-TEST_CASE("lua utility: a device that uses the API of ARGoS 3 has all its values in its table",
+TEST_CASE("lua utility: a device that uses the API of ARGoS 3 has all values in its table",
           "[lua][utility]") {
   CUserTester lua;
   CHECK(lua.Get("robot.user.text") == "abc");
@@ -111,7 +111,7 @@ TEST_CASE("lua utility: a device that uses the API of ARGoS 3 has all its values
   CHECK(lua.Get("robot.user.inner[1].deeper") == "2.0");
 }
 
-TEST_CASE("lua utility: a table that is there is opened again", "[lua][utility]") {
+TEST_CASE("lua utility: an existing table is opened again", "[lua][utility]") {
   CUserTester lua;
   lua.Run([](lua_State* state) {
     lua_getglobal(state, "robot");
@@ -133,7 +133,7 @@ TEST_CASE("lua utility: functions find the instance even if the script overwrite
   CHECK(lua.Device.Value == 5.0);
 }
 
-TEST_CASE("lua utility: an instance that is not there is null", "[lua][utility]") {
+TEST_CASE("lua utility: a missing instance is null", "[lua][utility]") {
   CUserTester lua;
   lua.Run([](lua_State* state) {
     CHECK(CLuaUtility::GetDeviceInstance<CUserDevice>(state, "nothing") == nullptr);
@@ -154,7 +154,7 @@ TEST_CASE("lua utility: LoadScript runs a file", "[lua][utility]") {
   CHECK(lua_gettop(lua.Get()) == 0);
 }
 
-TEST_CASE("lua utility: what fails leaves Lua's message on the stack", "[lua][utility]") {
+TEST_CASE("lua utility: a failure leaves Lua's message on the stack", "[lua][utility]") {
   CLuaTester lua;
   const auto message = [&lua] {
     const std::string text = lua_tostring(lua.Get(), -1);
@@ -192,7 +192,7 @@ TEST_CASE("lua utility: globals and the stack can be printed", "[lua][utility]")
   CHECK(TakeLog() == "#1 number 5\n#2 string \"top\"\n");
 }
 
-TEST_CASE("lua utility: a metatable is given by its name", "[lua][utility]") {
+TEST_CASE("lua utility: a metatable is assigned by its name", "[lua][utility]") {
   CLuaTester lua;
   lua.Run([](lua_State* state) {
     luaL_newmetatable(state, "of_test");
@@ -205,7 +205,7 @@ TEST_CASE("lua utility: a metatable is given by its name", "[lua][utility]") {
   CHECK(lua.Get("getmetatable(t).__name") == "from the metatable");
 }
 
-TEST_CASE("lua utility: tables survive being bytes", "[lua][utility]") {
+TEST_CASE("lua utility: tables are restored from their bytes", "[lua][utility]") {
   CLuaTester lua;
   lua.Do(
       "t = { 1, 2.5, 'text', true, false, huge = math.huge, min = math.mininteger, [-1] = "
@@ -227,7 +227,7 @@ TEST_CASE("lua utility: tables survive being bytes", "[lua][utility]") {
     CHECK(lua_gettop(state) == 1);
     lua_setglobal(state, "u");
   });
-  // nothing but the table was taken
+  // only the bytes of the table were taken
   CHECK(data.Size() == 1);
   CHECK(data.PopFront<UInt8>() == 9);
   CHECK(lua.Get("u[1] .. u[2] .. u[3]") == "12.5text");
@@ -246,7 +246,7 @@ TEST_CASE("lua utility: tables survive being bytes", "[lua][utility]") {
   CHECK(lua.Get("u.f") == "nil");
 }
 
-TEST_CASE("lua utility: the same table becomes the same bytes in any state", "[lua][utility]") {
+TEST_CASE("lua utility: equal tables give equal bytes in any state", "[lua][utility]") {
   const auto serialize = [] {
     CLuaTester lua;
     lua.Do("t = {} for i = 1, 50 do t['key' .. i] = i end");
@@ -263,7 +263,7 @@ TEST_CASE("lua utility: the same table becomes the same bytes in any state", "[l
   }
 }
 
-TEST_CASE("lua utility: a table that contains itself cannot become bytes", "[lua][utility]") {
+TEST_CASE("lua utility: a table that contains itself cannot be serialised", "[lua][utility]") {
   CLuaTester lua;
   lua.Do("t = {} t.me = t");
   CByteArray data;
@@ -275,7 +275,7 @@ TEST_CASE("lua utility: a table that contains itself cannot become bytes", "[lua
   CHECK(data.Empty());
 }
 
-TEST_CASE("lua utility: bytes that are no table give no table", "[lua][utility]") {
+TEST_CASE("lua utility: malformed bytes give no table", "[lua][utility]") {
   CLuaTester lua;
   lua.Do("t = { 1, 'text', { vector3(1, 2, 3) } }");
   CByteArray good;
@@ -283,7 +283,7 @@ TEST_CASE("lua utility: bytes that are no table give no table", "[lua][utility]"
     lua_getglobal(state, "t");
     CLuaUtility::LuaSerializeTable(state, good);
   });
-  // every beginning of the right bytes is too short
+  // every truncation of valid bytes is too short
   for (std::size_t size = 0; size < good.Size(); ++size) {
     CByteArray data(good.ToCArray(), size);
     lua.Run([&](lua_State* state) {
@@ -292,7 +292,7 @@ TEST_CASE("lua utility: bytes that are no table give no table", "[lua][utility]"
     });
     CHECK(data.Size() == size);
   }
-  // and every other byte in its place does no harm
+  // any changed byte is harmless
   for (std::size_t i = 0; i < good.Size(); ++i) {
     for (const int byte : {0, 1, 6, 10, 255}) {
       CByteArray data = good;
