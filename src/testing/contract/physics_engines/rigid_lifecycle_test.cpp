@@ -1,4 +1,4 @@
-// Adding, moving, removing, resetting and handing over rigid bodies; threads.
+// Adding, moving, removing, resetting and transferring rigid bodies; threads.
 
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
 #include <argos3/testing/support/no_allocation.h>
@@ -18,7 +18,7 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-// robots that run into each other and into boxes of all kinds, some of which fall
+// robots that collide with each other and with boxes of all kinds, some of which fall
 std::string Turmoil(int robots = 24) {
   std::string arena;
   CRandomStream random(7, "test", "turmoil", "places");
@@ -76,15 +76,14 @@ SExperiment TurmoilIn(const std::string& engines, UInt32 threads) {
 
 }  // namespace
 
-TEST_CASE("rigid lifecycle: a body that is moved is at rest there, whatever it did before",
-          "[contract][engine][rigid]") {
+TEST_CASE("rigid lifecycle: a moved body is at rest at its new pose", "[contract][engine][rigid]") {
   CRigidScene world(RigidEngine("", "<gravity g='9.81'/>"),
                     SBoxXml{"b", CVector3(1, 1, 1), CVector3(0, 0, 1)}.ToXml());
   world.Step(10);
   const CQuaternion turn(CRadians(0.3), CVector3::Y);
   REQUIRE(world.Body("b").MoveTo(CVector3(1, 2, 3), turn));
   CHECK(world.Position("b") == CVector3(1, 2, 3));
-  // a look whether a place is free changes nothing
+  // testing a place for collisions changes nothing
   CHECK(world.Body("b").MoveTo(CVector3(5, 5, 5), CQuaternion(), true));
   world.Step();
   const CVector3 fallen(1.0, 2.0, 3.0 - 9.81 * 1e-4 * 55.0);
@@ -92,7 +91,7 @@ TEST_CASE("rigid lifecycle: a body that is moved is at rest there, whatever it d
   CHECK_THAT(world.Tilt("b"), WithinAbs(0.3, 1e-9));
 }
 
-TEST_CASE("rigid lifecycle: a look whether a place is free does not disturb the motion",
+TEST_CASE("rigid lifecycle: testing a place for collisions does not affect the motion",
           "[contract][engine][rigid]") {
   CRigidScene world(GroundedEngine(), Turmoil());
   CRigidScene other(GroundedEngine(), Turmoil());
@@ -104,7 +103,8 @@ TEST_CASE("rigid lifecycle: a look whether a place is free does not disturb the 
   }
 }
 
-TEST_CASE("rigid lifecycle: fixed bodies can be moved, too", "[contract][engine][rigid]") {
+TEST_CASE("rigid lifecycle: immovable bodies can be moved by commands",
+          "[contract][engine][rigid]") {
   CRigidScene world(RigidEngine("", "<gravity g='9.81'/>"),
                     SBoxXml{"table", CVector3(1, 1, 0.5), CVector3(0, 0, 0), {}, 0.0}.ToXml() +
                         SBoxXml{"b", CVector3(0.2, 0.2, 0.2), CVector3(0, 0, 0.5)}.ToXml());
@@ -115,7 +115,7 @@ TEST_CASE("rigid lifecycle: fixed bodies can be moved, too", "[contract][engine]
   CHECK(world.Position("b").GetZ() < 0.0);
 }
 
-TEST_CASE("rigid lifecycle: after a reset the run repeats to the bit",
+TEST_CASE("rigid lifecycle: after a reset the run repeats bit by bit",
           "[contract][engine][rigid]") {
   const std::string stepper = GENERATE("mixed", "direct", "iterative");
   CAPTURE(stepper);
@@ -129,13 +129,13 @@ TEST_CASE("rigid lifecycle: after a reset the run repeats to the bit",
   }
 }
 
-TEST_CASE("rigid determinism: the same to the bit for every number of threads",
+TEST_CASE("rigid determinism: equal bit by bit for any number of threads",
           "[contract][engine][rigid]") {
   const int engines = GENERATE(1, 4);
   const std::string stepper = GENERATE("mixed", "iterative");
   CAPTURE(engines, stepper);
   std::string xml = engines == 1 ? GroundedEngine() : Quarters();
-  // so few rows that both steppers are at work in "mixed"
+  // a limit on rows so low that "mixed" uses both steppers
   const std::string solver = "<solver stepper='" + stepper + "' max_direct_rows='40'/><floor/>";
   for (size_t at = xml.find("<floor/>"); at != std::string::npos;
        at = xml.find("<floor/>", at + solver.size())) {
@@ -150,7 +150,7 @@ TEST_CASE("rigid determinism: the same to the bit for every number of threads",
   }
 }
 
-TEST_CASE("rigid determinism: several simulators in several threads do not disturb each other",
+TEST_CASE("rigid determinism: simulators in several threads do not affect each other",
           "[contract][engine][rigid]") {
   const std::string engine = GroundedEngine("", "<solver stepper='iterative'/>");
   CTestWorld reference(TurmoilIn(engine, 0));
@@ -170,7 +170,8 @@ TEST_CASE("rigid determinism: several simulators in several threads do not distu
   }
 }
 
-TEST_CASE("rigid lifecycle: a settled tick allocates nothing", "[contract][engine][rigid]") {
+TEST_CASE("rigid lifecycle: a tick in steady state allocates nothing",
+          "[contract][engine][rigid]") {
   if (!CAllocationCount::IsAvailable()) {
     SUCCEED("skipped: nothing to count allocations with");
     return;
