@@ -14,7 +14,9 @@ namespace argos {
 class CCI_DifferentialSteeringActuator;
 class CCI_FootBotDistanceScannerActuator;
 
-/** "feeler": drives by the sum of all that a foot-bot feels: light, ground, bodies, motion, charge.
+/**
+ * "feeler": drives by the sum of all readings of a foot-bot: light,
+ * ground, proximity, motion, charge.
  */
 class CFeeler : public CCI_Controller {
  public:
@@ -22,12 +24,12 @@ class CFeeler : public CCI_Controller {
   void ControlStep() override;
   void Reset() override { m_felt = CDigest(); }
 
-  /** Of every reading since the start. */
+  /** Digest of every reading since the start. */
   UInt64 GetFelt() const { return m_felt.GetValue(); }
 
  private:
   void Feel(Real reading);
-  // each step: feel(*this, sensor)
+  // calls of each step: feel(*this, sensor)
   template <typename SENSOR, typename FEEL>
   void Watch(const std::string& tag, FEEL feel);
   template <typename SENSOR>
@@ -42,7 +44,9 @@ class CFeeler : public CCI_Controller {
   Real m_sum = 0.0;
 };
 
-/** Foot-bots among pillars, under lights, on a painted floor; with all noise if @p noisy. */
+/**
+ * Foot-bots among pillars, under lights, on a painted floor; with all kinds of noise if @p noisy.
+ */
 SExperiment Feelers(UInt32 robots, bool noisy);
 
 }  // namespace argos
