@@ -1,6 +1,6 @@
-// Measures how accurate each physics engine is, and what that costs, over the number of substeps of
-// a tick, and prints it as CSV. There are three worlds of e-pucks: the arena of rooms, a crowd that
-// presses against a wall, and free robots on their arcs. Each is measured in a process of its own.
+// Measures the accuracy of each physics engine and its cost over the number of substeps per tick,
+// and prints them as CSV. There are three worlds of e-pucks: the arena of rooms, a crowd that
+// presses against a wall, and free robots on arcs. Each is measured in a process of its own.
 //
 //   argos3_accuracy_benchmark [--robots 1000,10000] [--engine dynamics2d,dynamics3d]
 //                             [--stepper mixed] [--iterations 0,5] [--rooms-ticks N]
@@ -41,18 +41,19 @@ using argos::testing::TBenchmarkClock;
 
 namespace {
 
-constexpr UInt32 kDefault = 0;  // for a number of substeps: what the engine takes by itself
-constexpr Real kTick = 0.1;  // s, as SRoomsWorld and CDriveWorld have it
+constexpr UInt32 kDefault = 0;  // number of substeps: the default of the engine
+constexpr Real kTick = 0.1;  // s, the tick length of SRoomsWorld and CDriveWorld
 
-// an engine with one of its ways to solve contacts
+// an engine with one of its contact solvers
 struct SSubject {
   std::string Engine;
   std::string Stepper;
   std::string Children;  // XML elements
   std::vector<UInt32> Iterations;
   bool HasContacts = true;
-  UInt32 LargestCrowd = std::numeric_limits<UInt32>::max();  // robots; of what takes too long
-  // measured are so many robot-ticks, about, after a warm-up of some ticks
+  // robots; limits the solvers that take too long
+  UInt32 LargestCrowd = std::numeric_limits<UInt32>::max();
+  // number of robot-ticks to measure, approximately, after some ticks of warm-up
   UInt32 RoomsRobotTicks = 1000000;
   UInt32 RoomsWarmUp = 20;
   UInt32 CrowdRobotTicks = 100000;
@@ -68,7 +69,7 @@ struct SSubject {
 };
 
 SSubject Rigid(const std::string& stepper) {
-  SSubject subject{"dynamics3d", stepper, "", {1, 5, kDefault, 20}};  // its own number is 10
+  SSubject subject{"dynamics3d", stepper, "", {1, 5, kDefault, 20}};  // the engine's default is 10
   subject.Children = "<floor/><gravity g=\"9.81\"/><solver stepper=\"" + stepper + "\"/>";
   subject.RoomsRobotTicks = 30000;
   subject.RoomsWarmUp = 5;
@@ -78,13 +79,13 @@ SSubject Rigid(const std::string& stepper) {
 }
 
 std::vector<SSubject> Subjects() {
-  // the own numbers of the first two are 1, and 2 or more
+  // the defaults of the first two are 1, and 2 or more
   const SSubject kinematics{"kinematics2d", "-", "", {kDefault, 2, 5, 10, 20}};
   const SSubject dynamics{"dynamics2d", "-", "", {1, 2, 5, 10, 20, kDefault}};
   SSubject iterative = Rigid("iterative");
-  iterative.LargestCrowd = 1000;  // so is "mixed", in crowds
+  iterative.LargestCrowd = 1000;  // in crowds "mixed" is the same
   SSubject direct = Rigid("direct");
-  direct.LargestCrowd = 0;  // a crowd takes the cube of its size
+  direct.LargestCrowd = 0;  // the time for a crowd grows with the cube of its size
   SSubject pointMasses{"pointmass3d", "-", "", {kDefault}};
   pointMasses.HasContacts = false;
   pointMasses.LargestCrowd = 0;
@@ -95,10 +96,10 @@ struct SOptions {
   std::vector<UInt32> Robots = {1000, 10000};
   std::vector<std::string> Engines, Steppers;  // empty: all
   std::vector<UInt32> Iterations;  // empty: those of the subject
-  UInt32 RoomsTicks = 0;  // 0: as the subject says
+  UInt32 RoomsTicks = 0;  // 0: those of the subject
   UInt32 CrowdTicks = 0;
   UInt32 WarmUp = 0;
-  UInt32 Seconds = 60;  // of driving along arcs
+  UInt32 Seconds = 60;  // duration of the arcs
 };
 
 UInt32 ChooseTicks(UInt32 asked, UInt32 robotTicks, UInt32 robots) {
@@ -107,7 +108,7 @@ UInt32 ChooseTicks(UInt32 asked, UInt32 robotTicks, UInt32 robots) {
   return asked > 0 ? asked : std::clamp(robotTicks / robots, kFewest, kMost);
 }
 
-// prints the ticks measured, what they cost, and who overlaps
+// prints the measured ticks, their cost, and the overlaps
 void PrintTicks(CTestWorld& world, const SSubject& subject, UInt32 warmUp, UInt32 ticks) {
   CSpace& space = world.GetSpace();
   world.Step(warmUp);
@@ -126,7 +127,7 @@ void PrintTicks(CTestWorld& world, const SSubject& subject, UInt32 warmUp, UInt3
   }
   const auto robots = static_cast<Real>(space.GetControllableEntities().size());
   const Real total = 1e6 * onProcessor / (robots * ticks);
-  // phases are timed by the clock
+  // the phases are timed by the clock
   std::printf(",%u,%.4f,%.4f", ticks, total, total * times.Physics / byClock);
   if (!subject.HasContacts) {
     std::printf(",-,-,-,-,-");
@@ -157,7 +158,7 @@ void PrintRooms(const SOptions& options, const SSubject& subject, UInt32 iterati
              ChooseTicks(options.RoomsTicks, subject.RoomsRobotTicks, robots));
 }
 
-// robots 20 deep that drive at a wall, between two others; almost as dense as they can be
+// columns of 20 robots that drive at a wall, between two side walls; almost as dense as possible
 std::string CrowdText(UInt32 robots) {
   constexpr UInt32 kDepth = 20;
   constexpr Real kSpeed = 10.0;  // cm/s
@@ -193,15 +194,15 @@ void PrintCrowd(const SOptions& options, const SSubject& subject, UInt32 iterati
              ChooseTicks(options.CrowdTicks, subject.CrowdRobotTicks, robots));
 }
 
-// of the last tick, as far as the engine tells
+// number of substeps of the last tick, if the engine reports it
 UInt32 CountSubsteps(CTestWorld& world) {
   const CPhysicsEngine& engine = *world.GetSimulator().GetPhysicsEngines().front();
   const auto* rigid = dynamic_cast<const CDynamics3DEngine*>(&engine);
   return rigid != nullptr ? rigid->GetNumSubsteps() : engine.GetIterations();
 }
 
-// prints the substeps of a tick, and how far the worst of some free robots gets from its arc, in mm
-// and in % of its path
+// prints the substeps of a tick and the greatest deviation of some free robots from their
+// arcs, in mm and in % of the path
 void PrintArcs(const SOptions& options, const SSubject& subject, UInt32 iterations) {
   constexpr Real kApart = 12.0;  // m; twice the longest path
   const std::vector<std::pair<Real, Real>> speeds = {{10, 10},  {10, 9},  {3, 12},
@@ -215,7 +216,7 @@ void PrintArcs(const SOptions& options, const SSubject& subject, UInt32 iteratio
                        speeds[i].first, speeds[i].second);
   }
   CDriveWorld world(subject.ToXml(iterations), arena);
-  // in the first tick nobody has ordered anything
+  // in the first tick no orders act yet
   world.Step();
   Real worst = 0.0;
   Real worstShare = 0.0;
@@ -236,7 +237,7 @@ void PrintArcs(const SOptions& options, const SSubject& subject, UInt32 iteratio
   std::printf(",%u,%.3g,%.3g", CountSubsteps(world), 1e3 * worst, 100.0 * worstShare);
 }
 
-// what fails, or is left out, is a dash in each of its columns
+// prints a dash in each column of a world that failed or is left out
 bool PrintInChild(bool isMeasured, int columns, const std::function<void()>& print) {
   const bool isPrinted = isMeasured && RunInChild(print);
   for (int i = 0; i < columns && !isPrinted; ++i) {

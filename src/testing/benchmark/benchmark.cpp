@@ -1,5 +1,5 @@
-// Measures what a robot-tick costs in the arena of rooms, and prints it as CSV. Every line is
-// measured in a process of its own, so that memory is that of one swarm.
+// Measures the cost of a robot-tick in the arena of rooms, and prints it as CSV. Every line is
+// measured in a process of its own, so that the memory is that of one swarm.
 //
 //   argos3_benchmark [--robots 100,1000,10000,100000] [--threads 0] [--ticks 600] [--side M]
 //                    [--engine dynamics2d] [--engine-attributes 'iterations="4"']
@@ -75,7 +75,7 @@ void Report(const SOptions& options, UInt32 robots, UInt32 threads) {
   }
   const size_t memory = ResidentBytes() - memoryBefore;
 
-  // both worlds take turns, tick by tick, so that a noisy machine disturbs both alike
+  // the worlds alternate tick by tick, so that noise of the machine affects both equally
   CBareBox2D bare(space, substeps, simulator.GetTickLength());
   STickTimes times;
   space.SetTickTimes(&times);
