@@ -55,9 +55,9 @@ namespace {
 
 constexpr Real kSpeed = 10.0;  // cm/s
 constexpr Real kFlightStep = 0.05;  // m
-constexpr UInt32 kTurretPhase = 8;  // steps in one mode
+constexpr UInt32 kTurretPhase = 8;  // number of steps in one mode
 
-// stripes both ways, 2 cm wide
+// stripes in both directions, 2 cm wide
 class CStripedFloor : public CLoopFunctions {
  public:
   CColor GetFloorColor(const CVector2& point) override {
@@ -277,7 +277,7 @@ void CDeviceUser::UseRadios() {
   });
 }
 
-// what is left in the arena
+// uses RFID tags and pheromones
 void CDeviceUser::UseTraces() {
   Sense<CCI_RFIDSensor>("rfid", [this](const CCI_RFIDSensor& sensor) {
     for (const auto& reading : sensor.GetReadings()) {
@@ -306,7 +306,7 @@ void CDeviceUser::UseBodySensors() {
   Sense<CCI_AltitudeSensor>("altitude", [this](const auto& sensor) { Feel(sensor.GetReading()); });
   Sense<CCI_BatterySensor>("battery", [this](const CCI_BatterySensor& sensor) {
     Feel(sensor.GetReading().AvailableCharge);
-    // may be infinite
+    // TimeLeft may be infinite
     m_felt.Add(sensor.GetReading().TimeLeft);
   });
   Sense<CCI_ClockSensor>("clock", [this](const auto& sensor) { Feel(sensor.GetReading().Time); });
@@ -374,7 +374,7 @@ void CDeviceUser::UseGrips() {
 }
 
 void CDeviceUser::UseLights() {
-  // one LED is lit all the time, in one of two colours, and another one now and then
+  // one LED is always lit, in one of two colours, and another one at times
   const auto light = [this](auto& actuator, UInt32 numLEDs) {
     actuator.SetSingleColor(numLEDs - 1, m_signal > 0.0 ? CColor::RED : CColor::GREEN);
     actuator.SetSingleColor(0, m_step % 4 == 0 ? CColor::BLUE : CColor::BLACK);

@@ -10,7 +10,7 @@
 
 namespace argos {
 
-/** Checks that run() asks for no memory; the report says where it first did. */
+/** Checks that run() allocates nothing; on failure the report gives the first allocation. */
 template <typename RUN>
 void CheckAllocatesNothing(RUN&& run) {
   std::size_t counted = 0;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr char kFence[] = "```\n";
 
-// as in an address within a page: letters and digits in lower case, blanks as hyphens
+// anchor of a heading in an address: letters and digits in lower case, blanks as hyphens
 std::string Anchor(const std::string& heading) {
   std::string anchor;
   for (const char c : heading) {

@@ -1,4 +1,4 @@
-// says that it was compiled against other headers
+// claims to be compiled against other headers
 #define ARGOS_BUILD_ID "api=0;real=float;string=new;containers=release"
 #include <argos3/core/control_interface/ci_controller.h>
 
