@@ -177,7 +177,7 @@ TEST_CASE("add and remove: an id can be reused after a removal, but not before",
     population.CheckViews();
     world.Step(2);
     population.CheckViews();
-    CHECK(population.GetUser(id).GetFelt() != 0);
+    CHECK(population.GetUser(id).GetReadingsDigest() != 0);
     population.Remove(id);
     population.CheckViews();
   }

@@ -40,7 +40,7 @@ std::vector<UInt64> Run(CTestWorld& world) {
     digests.push_back(world.ComputeDigest());
   }
   for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
-    digests.push_back(UserOf(*robot).GetFelt());
+    digests.push_back(UserOf(*robot).GetReadingsDigest());
   }
   return digests;
 }

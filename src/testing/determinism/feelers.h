@@ -22,16 +22,16 @@ class CFeeler : public CCI_Controller {
  public:
   void Init(TConfigurationNode& params) override;
   void ControlStep() override;
-  void Reset() override { m_felt = CDigest(); }
+  void Reset() override { m_readingsDigest = CDigest(); }
 
   /** Digest of every reading since the start. */
-  UInt64 GetFelt() const { return m_felt.GetValue(); }
+  UInt64 GetReadingsDigest() const { return m_readingsDigest.GetValue(); }
 
  private:
-  void Feel(Real reading);
-  // calls of each step: feel(*this, sensor)
-  template <typename SENSOR, typename FEEL>
-  void Watch(const std::string& tag, FEEL feel);
+  void AddReading(Real reading);
+  // registers a call of read(*this, sensor) for each step
+  template <typename SENSOR, typename READ>
+  void Watch(const std::string& tag, READ read);
   template <typename SENSOR>
   void WatchNumbers(const std::string& tag);
   template <typename SENSOR>
@@ -40,7 +40,7 @@ class CFeeler : public CCI_Controller {
   CCI_DifferentialSteeringActuator* m_wheels = nullptr;
   CCI_FootBotDistanceScannerActuator* m_scanner = nullptr;
   std::vector<std::function<void()>> m_senses;
-  CDigest m_felt;
+  CDigest m_readingsDigest;
   Real m_sum = 0.0;
 };
 

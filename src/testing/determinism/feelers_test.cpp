@@ -23,7 +23,7 @@ std::vector<UInt64> Run(CTestWorld& world) {
     digests.push_back(world.ComputeDigest());
   }
   for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
-    digests.push_back(dynamic_cast<CFeeler&>(robot->GetController()).GetFelt());
+    digests.push_back(dynamic_cast<CFeeler&>(robot->GetController()).GetReadingsDigest());
   }
   return digests;
 }

@@ -28,7 +28,7 @@ CCI_Sensor& Eyes(CTestWorld& world, int number) {
 }
 
 // enables and disables components as loop functions and controllers may do, at different times
-void Meddle(CTestWorld& world, UInt32 tick) {
+void SwitchComponents(CTestWorld& world, UInt32 tick) {
   if (tick == 20) {
     FootBot(world, 0).Disable();
     FootBot(world, 1).GetComponent<CControllableEntity>("controller").Disable();
@@ -45,11 +45,11 @@ void Meddle(CTestWorld& world, UInt32 tick) {
   }
 }
 
-std::vector<UInt64> Run(CTestWorld& world, bool meddle) {
+std::vector<UInt64> Run(CTestWorld& world, bool switchesComponents) {
   std::vector<UInt64> digests = {world.ComputeDigest()};
   for (UInt32 tick = 0; tick < kTicks; ++tick) {
-    if (meddle) {
-      Meddle(world, tick);
+    if (switchesComponents) {
+      SwitchComponents(world, tick);
     }
     world.Step();
     digests.push_back(world.ComputeDigest());
@@ -93,9 +93,9 @@ TEST_CASE("reset: a run in which components were switched repeats", "[determinis
   const std::vector<UInt64> plain = Run(untouched, false);
 
   CTestWorld world(experiment);
-  const std::vector<UInt64> meddled = Run(world, true);
-  CHECK(std::equal(plain.begin(), plain.begin() + 21, meddled.begin()));
-  CHECK(meddled[22] != plain[22]);
+  const std::vector<UInt64> switched = Run(world, true);
+  CHECK(std::equal(plain.begin(), plain.begin() + 21, switched.begin()));
+  CHECK(switched[22] != plain[22]);
   CHECK(ListEnabled(world) != enabled);
   CHECK(ListLEDs(world) != leds);
   CHECK_FALSE(Eyes(world, 4).IsEnabled());
@@ -106,7 +106,7 @@ TEST_CASE("reset: a run in which components were switched repeats", "[determinis
     CHECK(Eyes(world, 4).IsEnabled());
     // enabled LEDs use the anchor; the use added during the run is gone
     CHECK(FootBot(world, 4).GetEmbodiedEntity().GetAnchor("turret").InUseCount == 1);
-    CHECK(Run(world, true) == meddled);
+    CHECK(Run(world, true) == switched);
   }
   world.GetSimulator().Reset();
   CHECK(Run(world, false) == plain);

@@ -33,13 +33,13 @@ class CDeviceUser : public CCI_Controller {
   void Reset() override;
 
   /** Digest of every reading since the start. */
-  UInt64 GetFelt() const { return m_felt.GetValue(); }
+  UInt64 GetReadingsDigest() const { return m_readingsDigest.GetValue(); }
   /** Number of blobs, packets, messages, ... in all lists of variable length. */
   size_t CountSeen();
 
  private:
-  template <typename SENSOR, typename FEEL>
-  void Sense(const std::string& tag, FEEL feel);
+  template <typename SENSOR, typename READ>
+  void Sense(const std::string& tag, READ read);
   template <typename SENSOR>
   void SenseNumbers(const std::string& tag);
   template <typename SENSOR>
@@ -49,19 +49,19 @@ class CDeviceUser : public CCI_Controller {
   void UseRings();
   void UseCameras();
   void UseRadios();
-  void UseTraces();
+  void UseTagsAndPheromones();
   void UseBodySensors();
   void UseMotors();
   void UseGrips();
   void UseLights();
   void CheckAllUsed() const;
-  void Feel(Real reading);
+  void AddReading(Real reading);
 
   bool m_reads = true;
   CByteArray m_radioMessage;
   CByteArray m_tagData;
   std::vector<std::function<void()>> m_senses, m_orders;
-  CDigest m_felt;
+  CDigest m_readingsDigest;
   Real m_sum = 0.0;  // sum over the readings of this step
   Real m_signal = 0.0;  // in [-1,1]
   size_t m_seen = 0;  // length of the lists in this step

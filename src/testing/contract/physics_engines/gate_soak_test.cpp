@@ -115,7 +115,7 @@ class CGateWatch {
   }
 
   // called after each second
-  void Look() {
+  void Check() {
     // no robot is duplicated or lost
     Expect(CountModels() == m_models, "bodies in all engines");
     for (size_t i = 0; i < m_bodies.size(); ++i) {
@@ -184,7 +184,7 @@ void Roam(const SBoard& board) {
     CAPTURE(minute);
     for (UInt32 second = 0; second < 60; ++second) {
       world.Step(10);
-      watch.Look();
+      watch.Check();
     }
     watch.CountStuck();
   }

@@ -47,7 +47,7 @@ std::string TwoEngines() {
 }
 
 // robots and loads in a row, with random orders
-std::string Throng() {
+std::string CrowdXml() {
   std::string arena;
   for (int i = 0; i < 6; ++i) {
     arena += GripperXml("r" + std::to_string(i), 0.5 * (i % 3) - 0.5, 0.6 * (i / 3) - 0.3, 60.0 * i,
@@ -155,11 +155,11 @@ TEST_CASE(
     "[contract][engine][rigid][grip]") {
   const std::string engine = GENERATE(GroundedEngine(), TwoEngines());
   CAPTURE(engine);
-  CGripWorld world(Throng(), Options(0, engine));
+  CGripWorld world(CrowdXml(), Options(0, engine));
   const std::vector<UInt64> first = Run(world, 300);
   world.GetSimulator().Reset();
   CHECK(Run(world, 300) == first);
-  CGripWorld threaded(Throng(), Options(4, engine));
+  CGripWorld threaded(CrowdXml(), Options(4, engine));
   CHECK(Run(threaded, 300) == first);
 }
 

@@ -19,7 +19,7 @@ using Catch::Matchers::WithinAbs;
 namespace {
 
 // robots that collide with each other and with boxes of all kinds, some of which fall
-std::string Turmoil(int robots = 24) {
+std::string CollidingBodiesXml(int robots = 24) {
   std::string arena;
   CRandomStream random(7, "test", "turmoil", "places");
   for (int i = 0; i < robots; ++i) {
@@ -64,13 +64,13 @@ std::vector<UInt64> Run(CTestWorld& world, int ticks) {
   return digests;
 }
 
-SExperiment TurmoilIn(const std::string& engines, UInt32 threads) {
+SExperiment CollidingBodiesIn(const std::string& engines, UInt32 threads) {
   SExperiment experiment;
   experiment.Threads = threads;
   experiment.Controllers = ControllersOf();
   experiment.Engines = engines;
   experiment.ArenaSize = "20,20,4";
-  experiment.Arena = Turmoil();
+  experiment.Arena = CollidingBodiesXml();
   return experiment;
 }
 
@@ -93,8 +93,8 @@ TEST_CASE("rigid lifecycle: a moved body is at rest at its new pose", "[contract
 
 TEST_CASE("rigid lifecycle: testing a place for collisions does not affect the motion",
           "[contract][engine][rigid]") {
-  CRigidScene world(GroundedEngine(), Turmoil());
-  CRigidScene other(GroundedEngine(), Turmoil());
+  CRigidScene world(GroundedEngine(), CollidingBodiesXml());
+  CRigidScene other(GroundedEngine(), CollidingBodiesXml());
   for (int tick = 0; tick < 30; ++tick) {
     world.Step();
     other.Step();
@@ -120,7 +120,7 @@ TEST_CASE("rigid lifecycle: after a reset the run repeats bit by bit",
   const std::string stepper = GENERATE("mixed", "direct", "iterative");
   CAPTURE(stepper);
   CRigidScene world(GroundedEngine("", "<solver stepper='" + stepper + "' max_direct_rows='40'/>"),
-                    Turmoil());
+                    CollidingBodiesXml());
   const std::vector<UInt64> first = Run(world, 100);
   world.Body("r1").MoveTo(CVector3(4, 4, 0), CQuaternion());
   for (int repetition = 0; repetition < 2; ++repetition) {
@@ -141,11 +141,11 @@ TEST_CASE("rigid determinism: equal bit by bit for any number of threads",
        at = xml.find("<floor/>", at + solver.size())) {
     xml.replace(at, 8, solver);
   }
-  CTestWorld reference(TurmoilIn(xml, 0));
+  CTestWorld reference(CollidingBodiesIn(xml, 0));
   const std::vector<UInt64> expected = Run(reference, 100);
   for (const UInt32 threads : {1U, 4U}) {
     CAPTURE(threads);
-    CTestWorld world(TurmoilIn(xml, threads));
+    CTestWorld world(CollidingBodiesIn(xml, threads));
     CHECK(Run(world, 100) == expected);
   }
 }
@@ -153,14 +153,14 @@ TEST_CASE("rigid determinism: equal bit by bit for any number of threads",
 TEST_CASE("rigid determinism: simulators in several threads do not affect each other",
           "[contract][engine][rigid]") {
   const std::string engine = GroundedEngine("", "<solver stepper='iterative'/>");
-  CTestWorld reference(TurmoilIn(engine, 0));
+  CTestWorld reference(CollidingBodiesIn(engine, 0));
   const std::vector<UInt64> expected = Run(reference, 60);
   std::vector<std::vector<UInt64>> results(4);
   {
     std::vector<std::jthread> threads;
     for (std::vector<UInt64>& result : results) {
       threads.emplace_back([&result, &engine] {
-        CTestWorld world(TurmoilIn(engine, 0));
+        CTestWorld world(CollidingBodiesIn(engine, 0));
         result = Run(world, 60);
       });
     }
@@ -176,7 +176,7 @@ TEST_CASE("rigid lifecycle: a tick in steady state allocates nothing",
     SUCCEED("skipped: nothing to count allocations with");
     return;
   }
-  CRigidScene world(GroundedEngine("sleep='false'"), Turmoil());
+  CRigidScene world(GroundedEngine("sleep='false'"), CollidingBodiesXml());
   world.Step(200);
   CheckAllocatesNothing([&] { world.Step(20); });
 }

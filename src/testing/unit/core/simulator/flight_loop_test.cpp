@@ -16,7 +16,7 @@ using Catch::Matchers::WithinRel;
 namespace {
 
 // factor by which the slowest mode of the position loop shrinks or grows in a substep
-Real PlaceGrowth(const SControlGains& gains, Real inertia, Real substep) {
+Real ComputePositionLoopFactor(const SControlGains& gains, Real inertia, Real substep) {
   const Real a = gains.Proportional * substep * substep / inertia;
   const Real b = gains.Derivative * substep / inertia;
   Eigen::Matrix3d companion;
@@ -25,7 +25,7 @@ Real PlaceGrowth(const SControlGains& gains, Real inertia, Real substep) {
 }
 
 // a random factor, log-uniform over four decades
-Real Spread(CRandomStream& random) {
+Real RandomFactor(CRandomStream& random) {
   return std::pow(10.0, random.Uniform(-2.0, 2.0));
 }
 
@@ -35,20 +35,20 @@ TEST_CASE("flight loops: a position loop is stable until its eigenvalues leave t
           "[pointmass3d]") {
   CRandomStream random(3, "test", "flight loops", "");
   for (int i = 0; i < 200; ++i) {
-    const SControlGains gains{Spread(random), Spread(random)};
-    const Real inertia = Spread(random);
+    const SControlGains gains{RandomFactor(random), RandomFactor(random)};
+    const Real inertia = RandomFactor(random);
     const Real bound = ComputePositionLoopBound(gains, inertia);
     CAPTURE(gains.Proportional, gains.Derivative, inertia, bound);
-    CHECK(PlaceGrowth(gains, inertia, 0.999 * bound) < 1.0);
-    CHECK(PlaceGrowth(gains, inertia, 1.001 * bound) > 1.0);
+    CHECK(ComputePositionLoopFactor(gains, inertia, 0.999 * bound) < 1.0);
+    CHECK(ComputePositionLoopFactor(gains, inertia, 1.001 * bound) > 1.0);
   }
 }
 
 TEST_CASE("flight loops: a speed loop is stable until its factor reaches -1", "[pointmass3d]") {
   CRandomStream random(4, "test", "flight loops", "");
   for (int i = 0; i < 200; ++i) {
-    const SControlGains gains{Spread(random), i % 2 == 0 ? 0.0 : Spread(random)};
-    const Real inertia = Spread(random);
+    const SControlGains gains{RandomFactor(random), i % 2 == 0 ? 0.0 : RandomFactor(random)};
+    const Real inertia = RandomFactor(random);
     const Real bound = ComputeSpeedLoopBound(gains, inertia);
     const Real factor = 1.0 - ComputeSpeedGain(gains, inertia) * bound / inertia;
     CHECK_THAT(factor, WithinAbs(-1.0, 1e-14));

@@ -29,8 +29,8 @@ SExperiment Experiment(UInt32 seed, UInt32 threads = 0) {
     </distribute>)"};
 }
 
-// runs robots whose paths depend on their sensors and on the random numbers of their simulator
-void LetWander(CTestWorld& world) {
+// sets a random walk that depends on sensors and on the random numbers of the simulator
+void SetRandomWalk(CTestWorld& world) {
   const CSimulator::CScope scope(world.GetSimulator());
   for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
     CRandom::CRNG* const rng = CRandom::CreateRNG("argos");
@@ -45,7 +45,7 @@ void LetWander(CTestWorld& world) {
 
 std::vector<UInt64> Run(const SExperiment& experiment) {
   CTestWorld world(experiment);
-  LetWander(world);
+  SetRandomWalk(world);
   std::vector<UInt64> digests;
   for (int i = 0; i < kTicks; ++i) {
     world.Step();
@@ -78,8 +78,8 @@ TEST_CASE("many simulators: two that alternate in one thread give the same resul
   REQUIRE(first != second);
   CTestWorld one(Experiment(1));
   CTestWorld two(Experiment(2));
-  LetWander(two);
-  LetWander(one);
+  SetRandomWalk(two);
+  SetRandomWalk(one);
   std::vector<UInt64> firstAgain;
   std::vector<UInt64> secondAgain;
   for (int i = 0; i < kTicks; ++i) {
@@ -95,7 +95,7 @@ TEST_CASE("many simulators: two that alternate in one thread give the same resul
 TEST_CASE("many simulators: destroying one does not affect the other", "[core][simulator][many]") {
   const std::vector<UInt64> alone = Run(Experiment(1));
   CTestWorld one(Experiment(1));
-  LetWander(one);
+  SetRandomWalk(one);
   std::vector<UInt64> digests;
   for (int i = 0; i < kTicks; ++i) {
     if (i % 10 == 5) {

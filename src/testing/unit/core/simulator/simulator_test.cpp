@@ -30,8 +30,8 @@ SExperiment Experiment() {
       <toy-robot id='r2'> <body position='0.5,0,0' /> <controller config='c' /> </toy-robot>)"};
 }
 
-// robots whose paths depend on their noisy sensors
-void LetWander(CSimulator& simulator) {
+// sets a random walk that depends on noisy sensors
+void SetRandomWalk(CSimulator& simulator) {
   for (CControllableEntity* robot : simulator.GetSpace().GetControllableEntities()) {
     dynamic_cast<CToyController&>(robot->GetController()).OnStep = [](CToyController& controller) {
       controller.Velocity = CVector3(controller.LastRange - 0.5, 0.1 * controller.LastRange, 0.0);
@@ -189,7 +189,7 @@ TEST_CASE("simulator: a tick observer is called after every tick", "[core][simul
 
 TEST_CASE("simulator: after a reset the run repeats bit by bit", "[core][simulator]") {
   CTestWorld world(Experiment());
-  LetWander(world.GetSimulator());
+  SetRandomWalk(world.GetSimulator());
   const std::vector<UInt64> first = Digests(world, 30);
   world.GetSimulator().Reset();
   CHECK(Digests(world, 30) == first);
@@ -199,7 +199,7 @@ TEST_CASE("simulator: after a reset the run repeats bit by bit", "[core][simulat
 TEST_CASE("simulator: a reset with another seed equals loading with that seed",
           "[core][simulator]") {
   CTestWorld world(Experiment());
-  LetWander(world.GetSimulator());
+  SetRandomWalk(world.GetSimulator());
   const std::vector<UInt64> first = Digests(world, 30);
   world.GetSimulator().Reset(43);
   CHECK(world.GetSimulator().GetRandomSeed() == 43);
@@ -208,7 +208,7 @@ TEST_CASE("simulator: a reset with another seed equals loading with that seed",
   SExperiment experiment = Experiment();
   experiment.Seed = 43;
   CTestWorld fresh(experiment);
-  LetWander(fresh.GetSimulator());
+  SetRandomWalk(fresh.GetSimulator());
   CHECK(Digests(fresh, 30) == other);
 }
 
@@ -249,7 +249,7 @@ TEST_CASE("simulator: after Destroy() it loads the experiment again and repeats 
   for (int round = 0; round < 3; ++round) {
     document.Parse(Experiment().ToXml());
     simulator.Load(document);
-    LetWander(simulator);
+    SetRandomWalk(simulator);
     for (int i = 0; i < 20; ++i) {
       simulator.UpdateSpace();
     }

@@ -71,7 +71,7 @@ Real DepthOf(const SPlacedSolid& solid, const CVector3& world) {
 }
 
 // a random point of a solid, in its frame
-CVector3 AnyPoint(const SShapeDescription& shape, CRandomNumbers& random) {
+CVector3 RandomPoint(const SShapeDescription& shape, CRandomNumbers& random) {
   const Real height = random.In(0.0, shape.Size.GetZ());
   const Real angle = random.In(-ARGOS_PI, ARGOS_PI);
   if (shape.Kind == EKind::Box) {
@@ -88,7 +88,7 @@ CVector3 AnyPoint(const SShapeDescription& shape, CRandomNumbers& random) {
 
 // The least and greatest coordinate of a solid along a direction of unit length, m,
 // from its corners, rims or poles.
-std::pair<Real, Real> Shadow(const SPlacedSolid& solid, const CVector3& direction) {
+std::pair<Real, Real> ComputeProjection(const SPlacedSolid& solid, const CVector3& direction) {
   const SShapeDescription& shape = *solid.Shape;
   const auto axis = [&](const CVector3& unit) {
     return direction.DotProduct(Rotated(Rotated(unit, shape.Orientation), solid.Orientation));
@@ -122,13 +122,13 @@ TEST_CASE("solid overlap: solids with a common point overlap, solids separated b
     const SPlacedSolid b{&second, random.Point(0.3), random.Rotation()};
     bool share = false;
     for (int i = 0; i < 200 && !share; ++i) {
-      share = DepthOf(b, ToWorld(a, AnyPoint(first, random))) > 1e-6 ||
-              DepthOf(a, ToWorld(b, AnyPoint(second, random))) > 1e-6;
+      share = DepthOf(b, ToWorld(a, RandomPoint(first, random))) > 1e-6 ||
+              DepthOf(a, ToWorld(b, RandomPoint(second, random))) > 1e-6;
     }
     bool isBetween = false;
     for (int i = 0; i < 200 && !isBetween; ++i) {
       const CVector3 direction = random.Point(1.0).Normalize();
-      isBetween = Shadow(a, direction).second < Shadow(b, direction).first;
+      isBetween = ComputeProjection(a, direction).second < ComputeProjection(b, direction).first;
     }
     REQUIRE_FALSE((share && isBetween));
     CAPTURE(trial, static_cast<int>(first.Kind), static_cast<int>(second.Kind));

@@ -338,16 +338,16 @@ TEST_CASE("space: every robot is visited once, on any number of threads",
 namespace {
 
 /** An entity class whose author has not registered its space operations. */
-class CForgetfulEntity : public CPositionalEntity {
+class CUnregisteredEntity : public CPositionalEntity {
  public:
   ENABLE_VTABLE()
-  CForgetfulEntity() : CPositionalEntity(nullptr) {}
+  CUnregisteredEntity() : CPositionalEntity(nullptr) {}
   std::string GetTypeDescription() const override { return "forgetful"; }
 };
 
 }  // namespace
 
-REGISTER_ENTITY(CForgetfulEntity, "forgetful", "", "", "", "", "")
+REGISTER_ENTITY(CUnregisteredEntity, "forgetful", "", "", "", "", "")
 
 TEST_CASE("space: adding an entity of a class without space operations is an error",
           "[core][space]") {
