@@ -104,7 +104,7 @@ TEST_CASE("compat: base classes of the control interface compile and work", "[co
 }
 
 /****************************************/
-/* interfaces, derived from as plug-ins do */
+/* interfaces, with derived classes as in plug-ins */
 /****************************************/
 
 class CMySteering : public CCI_DifferentialSteeringActuator {
@@ -154,7 +154,7 @@ class CStepProximity : public CProximityDefaultSensor {
   virtual Real CalculateReading(Real f_distance) { return f_distance < 0.05 ? 1.0 : 0.0; }
 };
 
-/* functions overloaded for what different sensors read */
+/* overloads for the readings of different sensors */
 static std::string Kind(const CCI_FootBotProximitySensor::TReadings&) {
   return "proximity";
 }
@@ -187,7 +187,7 @@ TEST_CASE("compat: readings of each sensor have their own type", "[compat]") {
   CHECK(cOut.str() == "0.5@0.25");
 }
 
-TEST_CASE("compat: device interfaces have their functions and types", "[compat]") {
+TEST_CASE("compat: device interfaces work as documented", "[compat]") {
   CMySteering cSteering;
   CCI_DifferentialSteeringActuator& cWheels = cSteering;
   cWheels.SetLinearVelocity(5.0, 10.0f);

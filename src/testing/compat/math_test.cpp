@@ -98,7 +98,7 @@ static void CheckAngleAlgebra() {
   CHECK(Read<ANGLE>("1.5") == ANGLE(1.5));
 }
 
-TEST_CASE("compat: angles have their functions", "[compat]") {
+TEST_CASE("compat: angles work as documented", "[compat]") {
   CheckAngleAlgebra<CRadians>();
   CheckAngleAlgebra<CDegrees>();
   CHECK(CRadians::PI.GetValue() == ARGOS_PI);
@@ -156,7 +156,7 @@ TEST_CASE("compat: angles have their functions", "[compat]") {
 /* 3.2 ranges                           */
 /****************************************/
 
-TEST_CASE("compat: ranges have their functions", "[compat]") {
+TEST_CASE("compat: ranges work as documented", "[compat]") {
   CRange<Real> cRange(-1.0, 3.0);
   CHECK(cRange.GetMin() == -1.0);
   CHECK(cRange.GetMax() == 3.0);
@@ -198,7 +198,7 @@ TEST_CASE("compat: ranges have their functions", "[compat]") {
 /* 3.3, 3.4 vectors                     */
 /****************************************/
 
-TEST_CASE("compat: two-dimensional vectors have their functions", "[compat]") {
+TEST_CASE("compat: two-dimensional vectors work as documented", "[compat]") {
   CHECK(CVector2::X + CVector2::Y == CVector2(1.0, 1.0));
   CHECK(CVector2() == CVector2::ZERO);
   CVector2 cV(std::array<Real, 2>{3.0, 4.0});
@@ -244,7 +244,7 @@ TEST_CASE("compat: two-dimensional vectors have their functions", "[compat]") {
   CHECK(Distance(CVector2(0.0, 0.0), CVector2(3.0, 4.0)) == 5.0);
 }
 
-TEST_CASE("compat: three-dimensional vectors have their functions", "[compat]") {
+TEST_CASE("compat: three-dimensional vectors work as documented", "[compat]") {
   CHECK(CVector3::X + CVector3::Y + CVector3::Z == CVector3(1.0, 1.0, 1.0));
   CHECK(CVector3() == CVector3::ZERO);
   CVector3 cV(std::array<Real, 3>{1.0, 2.0, 2.0});
@@ -319,7 +319,7 @@ TEST_CASE("compat: three-dimensional vectors have their functions", "[compat]") 
 /* 3.5 quaternions                      */
 /****************************************/
 
-TEST_CASE("compat: quaternions have their functions", "[compat]") {
+TEST_CASE("compat: quaternions work as documented", "[compat]") {
   CQuaternion cQ;
   CHECK((cQ.GetW() == 1.0 && cQ.GetX() == 0.0 && cQ.GetY() == 0.0 && cQ.GetZ() == 0.0));
   CQuaternion cCopy(cQ);
@@ -379,7 +379,7 @@ TEST_CASE("compat: quaternions have their functions", "[compat]") {
 /* 3.6 rays, planes, solids, poses      */
 /****************************************/
 
-TEST_CASE("compat: rays have their functions", "[compat]") {
+TEST_CASE("compat: rays work as documented", "[compat]") {
   CRay2 cRay2(CVector2(0.0, 0.0), CVector2(2.0, 0.0));
   CRay2 cDirected(CVector2(1.0, -1.0), CVector2(0.0, 1.0), 2.0);
   CHECK(cDirected.GetEnd() == CVector2(1.0, 1.0));
@@ -435,7 +435,7 @@ TEST_CASE("compat: rays have their functions", "[compat]") {
   CHECK(Print(cRay) == "0,0,2 -> 0,0,0");
 }
 
-TEST_CASE("compat: planes, solids, hulls and poses have their functions", "[compat]") {
+TEST_CASE("compat: planes, solids, hulls and poses work as documented", "[compat]") {
   CPlane cPlane;
   cPlane.SetPosition(CVector3(0.0, 0.0, 1.0));
   cPlane.SetNormal(CVector3::Z);
@@ -510,7 +510,7 @@ TEST_CASE("compat: planes, solids, hulls and poses have their functions", "[comp
 /* 3.7 random numbers                   */
 /****************************************/
 
-TEST_CASE("compat: random numbers have their functions and seeds", "[compat]") {
+TEST_CASE("compat: random numbers work as documented", "[compat]") {
   CHECK(CRandom::CreateCategory("compat", 17));
   CHECK_FALSE(CRandom::CreateCategory("compat", 18));
   CHECK(CRandom::ExistsCategory("compat"));
@@ -573,7 +573,7 @@ class COpenMatrix : public CMatrix<2, 2> {
   Real First() const { return m_pfValues[0]; }
 };
 
-TEST_CASE("compat: matrices have their functions", "[compat]") {
+TEST_CASE("compat: matrices work as documented", "[compat]") {
   const Real pfValues[6] = {1, 2, 3, 4, 5, 6};
   CMatrix<2, 3> cM(pfValues);
   CMatrix<2, 3> cCopy(cM), cZero;

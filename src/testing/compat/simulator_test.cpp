@@ -367,7 +367,7 @@ TEST_CASE("compat: every function of the core entities works", "[compat]") {
   cFloor.ClearChanged();
   CHECK_FALSE(cFloor.HasChanged());
   CFloorEntity cOwn("own", 10);
-  /* the arena is 10 m x 10 m: what is saved of it has ten pixels on a metre */
+  /* the arena is 10 m x 10 m, and the saved image has ten pixels per metre */
   const std::string strFloor = InBuildTree("compat_floor.png");
   cOwn.SaveAsImage(strFloor);
   CFloorEntity cImage("image", strFloor);
@@ -424,7 +424,7 @@ TEST_CASE("compat: protected members of entities are accessible", "[compat]") {
 /* 7.5, 7.6 stock and robot entities    */
 /****************************************/
 
-TEST_CASE("compat: stock entities have their functions", "[compat]") {
+TEST_CASE("compat: stock entities work as documented", "[compat]") {
   CEmbedding cEmbedding;
   CLEDMedium& cMedium = CSimulator::GetInstance().GetMedium<CLEDMedium>("leds");
   CLoopFunctions& cFunctions = CSimulator::GetInstance().GetLoopFunctions();
@@ -530,7 +530,7 @@ TEST_CASE("compat: stock entities have their functions", "[compat]") {
   CHECK(cOwnWheels.GetWheelRadius(2) == 0.5);
 }
 
-TEST_CASE("compat: robot entities have their functions", "[compat]") {
+TEST_CASE("compat: robot entities work as documented", "[compat]") {
   CEmbedding cEmbedding;
   CFootBotEntity cFootBot("f", "fdc", CVector3(1, 2, 0), CQuaternion(), 3.0f, 10, "",
                           ToRadians(CDegrees(70.0f)), true, ToRadians(CDegrees(30.0f)), 0.035, 2.0);
@@ -739,7 +739,7 @@ class CCellCounter : public CGrid<CUserLamp>::CCellOperation {
   size_t m_unCells = 0, m_unEntities = 0;
 };
 
-TEST_CASE("compat: positional indices have their functions", "[compat]") {
+TEST_CASE("compat: positional indices work as documented", "[compat]") {
   CUserLamp cA("a", CVector3(0.5, 0.5, 0.5)), cB("b", CVector3(3.5, 3.5, 0.5));
   cA.SetIndex(1);
   cB.SetIndex(2);

@@ -84,7 +84,7 @@ TEST_CASE("compat: exceptions and their macros work", "[compat]") {
 /* 2.3 general maths                    */
 /****************************************/
 
-TEST_CASE("compat: general maths has its functions", "[compat]") {
+TEST_CASE("compat: general maths works as documented", "[compat]") {
   CHECK(Abs(-3) == 3);
   CHECK(Abs(-3.5) == 3.5);
   CHECK(Abs(CRadians(-1.0)) == CRadians(1.0));
@@ -136,7 +136,7 @@ TEST_CASE("compat: general maths has its functions", "[compat]") {
 /* 2.4 strings                          */
 /****************************************/
 
-TEST_CASE("compat: strings have their functions", "[compat]") {
+TEST_CASE("compat: strings work as documented", "[compat]") {
   CHECK(ToString(12) == "12");
   CHECK(ToString(true) == "true");
   CHECK(FromString<UInt32>("12") == 12);
@@ -184,7 +184,7 @@ class CLogUser {
   }
 };
 
-TEST_CASE("compat: logs have their functions", "[compat]") {
+TEST_CASE("compat: logs work as documented", "[compat]") {
   std::ostringstream cStream;
   CARGoSLog cLog(cStream, SLogColor(ARGOS_LOG_ATTRIBUTE_BRIGHT, ARGOS_LOG_COLOR_GREEN));
   CHECK(cLog.IsColoredOutput());
@@ -252,7 +252,7 @@ TEST_CASE("compat: text can be coloured", "[compat]") {
 
 static const CColor STATIC_COLOR = CColor::ORANGE;
 
-TEST_CASE("compat: colours have their constants and functions", "[compat]") {
+TEST_CASE("compat: colours work as documented", "[compat]") {
   CHECK(STATIC_COLOR == CColor(255, 140, 0));
   CColor cColor;
   CHECK(cColor == CColor::BLACK);
@@ -319,7 +319,7 @@ static void CheckRoundTrip(const T& t_value, size_t un_size) {
   CHECK(cArray.PopFront<T>() == t_value);
 }
 
-TEST_CASE("compat: byte arrays have their functions", "[compat]") {
+TEST_CASE("compat: byte arrays work as documented", "[compat]") {
   CHECK(SizeOf(10) == 10);
   CByteArray cEmpty;
   const CByteArray& cConst = cEmpty;
@@ -435,7 +435,7 @@ struct SBackwards {
   bool operator()(const int* a, const int* b) const { return *a > *b; }
 };
 
-TEST_CASE("compat: set has its functions", "[compat]") {
+TEST_CASE("compat: set works as documented", "[compat]") {
   int pn[3] = {1, 2, 3};
   CSet<int*, SBackwards> cSet;
   cSet.insert(&pn[1]);
@@ -474,7 +474,7 @@ TEST_CASE("compat: set has its functions", "[compat]") {
   CHECK(cNames.first() == "a");
 }
 
-TEST_CASE("compat: rate, statistics and filter have their functions", "[compat]") {
+TEST_CASE("compat: rate, statistics and filter work as documented", "[compat]") {
   CRate cRate(1000.0);
   CHECK(cRate.GetRate() == 1000.0);
   cRate.SetRate(500.0);
@@ -493,7 +493,7 @@ TEST_CASE("compat: rate, statistics and filter have their functions", "[compat]"
   CHECK(cFilter.Filter(1.0) == 1.0);
 }
 
-TEST_CASE("compat: sockets have their functions", "[compat]") {
+TEST_CASE("compat: sockets work as documented", "[compat]") {
   CTCPSocket cServer, cClient, cAccepted;
   CHECK_FALSE(cServer.IsConnected());
   CTCPSocket cMoved(std::move(cAccepted));

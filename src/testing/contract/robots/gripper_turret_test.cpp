@@ -27,7 +27,7 @@ namespace {
 using TTurret = CCI_FootBotTurretActuator;
 
 constexpr Real kRadius = 0.085036758;  // m, of a foot-bot
-constexpr Real kHalf = 0.1;  // m, of a thing to be gripped
+constexpr Real kHalf = 0.1;  // m, of an object to be gripped
 constexpr Real kReach = 0.01;  // m, around the gripper's point
 constexpr Real kNaN = std::numeric_limits<Real>::quiet_NaN();
 

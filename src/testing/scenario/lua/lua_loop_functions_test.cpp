@@ -211,7 +211,7 @@ TEST_CASE("lua loop functions: entities can be added and removed during the expe
            "  log(table.concat(simulation.ids(), ' '))\n"
            "end"));
   world.Step();
-  // a cylinder that overlaps the robot is added, and the result of the call tells it
+  // a cylinder that overlaps the robot is added, and the result of the call reports it
   CHECK(TakeScriptLog() == "new1 on0 l1 fb new on l ");
   CHECK(world.Get("robot.id", "new") == "new");
   world.Step(2);

@@ -103,7 +103,7 @@ TEST_CASE("simulator: Destroy() destroys the loop functions, then the entities i
   CHECK_THROWS_AS(world.GetSimulator().GetLoopFunctions(), CARGoSException);
 }
 
-TEST_CASE("simulator: runs as many ticks as the length says, then PostExperiment",
+TEST_CASE("simulator: runs the ticks of the experiment's length, then PostExperiment",
           "[core][simulator]") {
   SExperiment experiment = Experiment();
   // 0.3 / 0.1 is a little less than 3 in floating point

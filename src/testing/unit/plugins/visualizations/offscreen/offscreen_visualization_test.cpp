@@ -147,8 +147,9 @@ TEST_CASE("offscreen: errors are reported while loading, with their place",
   CHECK_THROWS_WITH(CExperiment("<offscreen size='1x1'/>"), Contains("out of range"));
 }
 
-TEST_CASE("qt-opengl: a file without frame grabbing runs headless, and a line of the log tells it",
-          "[visualizations][offscreen]") {
+TEST_CASE(
+    "qt-opengl: a file without frame grabbing runs headless, and a line of the log reports it",
+    "[visualizations][offscreen]") {
   CLogCapture log;
   CExperiment experiment(
       "<qt-opengl><camera><placement idx='0' position='0,0,1' look_at='0,1,0'/>"
