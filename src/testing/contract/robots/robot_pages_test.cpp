@@ -18,7 +18,7 @@ TEST_CASE("robot pages: are up to date with the descriptions of the plug-ins",
     REQUIRE(file.good());
     std::ostringstream page;
     page << file.rdbuf();
-    INFO("write it anew: cmake --build <build folder> --target robot_pages");
+    INFO("regenerate it: cmake --build <build folder> --target robot_pages");
     // compared outside an assertion, which would print both texts
     const bool isCurrent = page.str() == MakeRobotPage(robot);
     CHECK(isCurrent);
