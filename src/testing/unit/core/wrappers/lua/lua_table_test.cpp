@@ -235,7 +235,7 @@ TEST_CASE("lua table: exceptions of a device become Lua errors", "[lua][table]")
   CHECK(lua.GetError("robot.device.refuse()") ==
         "test:1: robot.device.refuse: the device is out of order");
   CHECK(lua.GetError("robot.device.break_()") == "test:1: robot.device.break_: broken");
-  CHECK_THAT(lua.GetError("robot.device.break_badly()"), Contains("no std::exception"));
+  CHECK_THAT(lua.GetError("robot.device.break_badly()"), Contains("not a std::exception"));
   lua.Do("ok, message = pcall(robot.device.refuse)");
   CHECK(lua.Get("ok") == "false");
   CHECK_THAT(lua.Get("message"), Contains("out of order"));
