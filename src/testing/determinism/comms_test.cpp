@@ -5,7 +5,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/testing/determinism/comms_swarm.h>
-#include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/no_allocation.h>
 
 #include <catch2/catch.hpp>
 
@@ -73,9 +73,7 @@ TEST_CASE("comms determinism: the runs that are compared are worth it", "[determ
 }
 
 TEST_CASE("no allocation: neither does a tick of robots that talk", "[determinism][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
+  WarnUnlessAllocationsAreCounted();
   const UInt32 threads = GENERATE(0U, 2U);
   const std::string method = GENERATE("balance_quantity", "balance_length");
   SExperiment experiment = CommsSwarm(200, true, "", false);

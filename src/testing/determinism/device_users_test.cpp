@@ -104,9 +104,6 @@ TEST_CASE("all devices: the runs that are compared are worth it", "[determinism]
 
 TEST_CASE("all devices: no tick allocates that repeats a settled one",
           "[determinism][allocation][devices]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
   const UInt32 threads = GENERATE(0U, 2U);
   const bool noisy = GENERATE(true, false);
   CAPTURE(threads, noisy);

@@ -61,9 +61,6 @@ TEST_CASE("feelers: what they feel decides, and differs between them", "[determi
 }
 
 TEST_CASE("feelers: a settled tick allocates nothing", "[determinism][sensors][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
   const UInt32 threads = GENERATE(0U, 2U);
   const bool noisy = GENERATE(true, false);
   CAPTURE(threads, noisy);

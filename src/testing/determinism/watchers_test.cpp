@@ -72,9 +72,6 @@ TEST_CASE("watchers: what cameras see decides", "[determinism][cameras]") {
 }
 
 TEST_CASE("watchers: a settled tick allocates nothing", "[determinism][cameras][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
   const UInt32 threads = GENERATE(0U, 2U);
   CAPTURE(threads);
   SExperiment experiment = Watchers(30, false, true);

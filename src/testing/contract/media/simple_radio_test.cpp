@@ -7,7 +7,7 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_simple_radios_sensor.h>
 #include <argos3/plugins/simulator/entities/simple_radio_equipped_entity.h>
 #include <argos3/plugins/simulator/media/simple_radio_medium.h>
-#include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
@@ -258,9 +258,7 @@ TEST_CASE("simple radio: lines from the senders are recorded only if asked for",
 
 TEST_CASE("simple radio: sending and receiving allocate nothing once settled",
           "[contract][media][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
+  WarnUnlessAllocationsAreCounted();
   CRobotWorld world(WithRadios(Row(10.0)));
   size_t counted = 0;
   std::string first;

@@ -9,6 +9,8 @@
 #include <argos3/plugins/robots/e-puck/control_interface/ci_epuck_proximity_sensor.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
 #include <argos3/testing/support/captured_logs.h>
+#include <argos3/testing/support/robot_sizes.h>
+#include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
 
@@ -113,8 +115,8 @@ TEST_CASE("lua devices: the wheels' table has both halves of the pair, whoever c
 TEST_CASE("lua devices: the ring of a foot-bot, angle and value", "[lua][devices]") {
   // a wall whose face is 5 cm from the ring, ahead
   SLuaExperiment experiment = WithDevices("", "", Device("footbot_proximity"));
-  experiment.Arena =
-      "<box id='wall' size='0.1,4,0.5' movable='false'><body position='0.185036758,0,0'/></box>";
+  experiment.Arena = "<box id='wall' size='0.1,4,0.5' movable='false'><body position='" +
+                     ToText(kFootBotRadius + 0.1) + ",0,0'/></box>";
   CLuaWorld world(experiment);
   CHECK(world.Get("#robot.proximity") == "24");
   CHECK(world.Get("robot.proximity[1].value") == "0.0");
@@ -127,8 +129,8 @@ TEST_CASE("lua devices: the ring of a foot-bot, angle and value", "[lua][devices
                            .SignedNormalize()
                            .GetValue();
     CHECK_THAT(GetNumber(world, entry + ".angle"), WithinAbs(angle, kRounding));
-    // rays that see the wall point ahead; the ring's radius is 0.085036758 m, the range 0.1 m
-    const Real distance = 0.135036758 / std::cos(angle) - 0.085036758;
+    // rays that see the wall point ahead; the ring's radius is that of the body, the range 0.1 m
+    const Real distance = (kFootBotRadius + 0.05) / std::cos(angle) - kFootBotRadius;
     const bool hits = std::cos(angle) > 0.0 && distance < 0.1;
     const Real value = hits ? 0.0100527 / (distance + 0.000163144) : 0.0;
     CHECK_THAT(GetNumber(world, entry + ".value"), WithinAbs(value, 1e-9));
@@ -159,14 +161,15 @@ TEST_CASE("lua devices: the sensors of an e-puck, angle and value", "[lua][devic
 
 TEST_CASE("lua devices: generic proximity is a list of numbers", "[lua][devices]") {
   SLuaExperiment experiment = WithDevices("", "", Device("proximity"));
-  experiment.Arena =
-      "<box id='wall' size='0.1,4,0.5' movable='false'><body position='0.185036758,0,0'/></box>";
+  experiment.Arena = "<box id='wall' size='0.1,4,0.5' movable='false'><body position='" +
+                     ToText(kFootBotRadius + 0.1) + ",0,0'/></box>";
   CLuaWorld world(experiment);
   CHECK(world.Get("#robot.proximity") == "24");
   CHECK(world.Get("robot.proximity[1]") == "0.0");
   world.Step();
   // the first ray points 7.5 degrees to the left: exp(-distance)
-  const Real distance = 0.135036758 / std::cos(7.5 * CRadians::PI.GetValue() / 180.0) - 0.085036758;
+  const Real distance =
+      (kFootBotRadius + 0.05) / std::cos(7.5 * CRadians::PI.GetValue() / 180.0) - kFootBotRadius;
   CHECK_THAT(GetNumber(world, "robot.proximity[1]"), WithinAbs(std::exp(-distance), 1e-9));
   CHECK_THAT(GetNumber(world, "robot.proximity[24]"), WithinAbs(std::exp(-distance), 1e-9));
   CHECK(GetNumber(world, "robot.proximity[13]") == 0.0);

@@ -314,9 +314,6 @@ TEST_CASE("pheromone field: the same to the bit for every number of threads", "[
 }
 
 TEST_CASE("pheromone field: a settled step allocates nothing", "[media][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
   const Real diffusion = GENERATE(0.0, 0.01, 10.0);
   CPheromoneField field(Cells(100, 100), 100.0, diffusion);
   field.Advance(NoThreads(), 0.1);

@@ -90,9 +90,6 @@ TEST_CASE("point cells: look at few points besides those in reach", "[media]") {
 }
 
 TEST_CASE("point cells: sorting as many points again allocates nothing", "[media][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
   const auto kind =
       GENERATE(SIndexChoice::EKind::Grid, SIndexChoice::EKind::Hash, SIndexChoice::EKind::Dummy);
   CPointCells cells;

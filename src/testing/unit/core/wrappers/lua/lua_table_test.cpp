@@ -144,6 +144,18 @@ class CDeviceTester : public CLuaTester {
   CDevice Device;
 };
 
+/** An allocator of a Lua state that can only release. */
+struct SFullMemory {
+  lua_Alloc Original = nullptr;
+  void* OriginalData = nullptr;
+
+  static void* Reallocate(void* memory, void* block, std::size_t oldSize, std::size_t newSize) {
+    const auto& self = *static_cast<const SFullMemory*>(memory);
+    const bool grows = block == nullptr ? newSize > 0 : newSize > oldSize;
+    return grows ? nullptr : self.Original(self.OriginalData, block, oldSize, newSize);
+  }
+};
+
 }  // namespace
 
 TEST_CASE("lua table: methods get arguments of every type", "[lua][table]") {
@@ -180,6 +192,25 @@ TEST_CASE("lua table: what methods return comes back", "[lua][table]") {
   CHECK(lua.Get("d.get_place()") == "1,2,3");
   CHECK(lua.Get("d.count_nothing()") == "0.0");
   CHECK(lua.Get("select('#', d.turn(1))") == "0");
+}
+
+TEST_CASE("lua table: a result for which Lua has no memory is an error", "[lua][table]") {
+  // leak checkers would find the text if the error skipped its destructor
+  CDeviceTester lua;
+  lua.Device.Text = std::string(1000, 'x');
+  lua.Run([](lua_State* state) {
+    lua_getglobal(state, "robot");
+    lua_getfield(state, -1, "device");
+    lua_getfield(state, -1, "get_text");
+    SFullMemory memory;
+    memory.Original = lua_getallocf(state, &memory.OriginalData);
+    lua_setallocf(state, &SFullMemory::Reallocate, &memory);
+    const int status = lua_pcall(state, 0, 1, 0);
+    lua_setallocf(state, memory.Original, memory.OriginalData);
+    CHECK(status == LUA_ERRMEM);
+    CHECK(std::string(lua_tostring(state, -1)) == "not enough memory");
+  });
+  CHECK(lua.Get("#robot.device.get_text()") == "1000");
 }
 
 TEST_CASE("lua table: wrong arguments name function, argument, what is right and what was found",
