@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/space/body_index.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/core/simulator/space/tick_times.h>
 #include <argos3/core/simulator/visualization/visualization.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/profiler/profiler.h>
@@ -167,6 +168,25 @@ CProfiler& CSimulator::GetProfiler() {
   return *m_profiler;
 }
 
+void CSimulator::FinishProfiling() {
+  if (m_profiler == nullptr) {
+    return;
+  }
+  const STickTimes& times = *m_profiledTicks;
+  m_profiler->AddPhase("act", times.Act, times.Ticks);
+  m_profiler->AddPhase("physics", times.Physics, times.Ticks);
+  m_profiler->AddPhase("index", times.Index, times.Ticks);
+  m_profiler->AddPhase("media", times.Media, times.Ticks);
+  m_profiler->AddPhase("pre-step", times.PreStep, times.Ticks);
+  m_profiler->AddPhase("sense+control", times.SenseAndControl, times.Ticks);
+  m_profiler->AddPhase("post-step", times.PostStep, times.Ticks);
+  m_profiler->Stop();
+  m_profiler->Flush();
+  m_space->SetTickTimes(nullptr);
+  m_profiler.reset();
+  m_profiledTicks.reset();
+}
+
 CLoopFunctions& CSimulator::GetLoopFunctions() {
   if (m_loopFunctions == nullptr) {
     THROW_ARGOSEXCEPTION("no experiment is loaded: there are no loop functions");
@@ -281,11 +301,7 @@ void CSimulator::Destroy() {
   }
   m_engines.clear();
   m_ownEngines.clear();
-  if (m_profiler != nullptr) {
-    m_profiler->Stop();
-    m_profiler->Flush();
-    m_profiler.reset();
-  }
+  FinishProfiling();
   if (CRandom::ExistsCategory("argos")) {
     CRandom::RemoveCategory("argos");
   }

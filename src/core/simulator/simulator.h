@@ -23,6 +23,7 @@ class CProfiler;
 class CSpace;
 class CThreadPool;
 class CVisualization;
+struct STickTimes;
 
 /**
  * One simulation: everything that hangs together hangs off this.
@@ -171,6 +172,7 @@ class CSimulator {
   void InitSystem(TConfigurationNode& framework);
   void InitExperiment(TConfigurationNode& framework);
   void InitProfiling(TConfigurationNode& framework);
+  void FinishProfiling();
   void InitRandom(TConfigurationNode& experiment);
   void InitControllers(TConfigurationNode& node, CLoadErrors& errors);
   void InitController(TConfigurationNode& node);
@@ -214,6 +216,7 @@ class CSimulator {
   CLoopFunctions* m_loopFunctions = nullptr;
   bool m_loopFunctionsReady = false;  // initialised, and not destroyed yet
   std::unique_ptr<CProfiler> m_profiler;
+  std::unique_ptr<STickTimes> m_profiledTicks;  // with the profiler
   // the vectors for users hold the same objects as the owning ones
   CPhysicsEngine::TVector m_engines;
   CMedium::TVector m_media;

@@ -7,6 +7,7 @@
 #include <argos3/core/simulator/physics_engine/space_partition.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/core/simulator/space/tick_times.h>
 #include <argos3/core/simulator/visualization/default_visualization.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/dynamic_loading.h>
@@ -246,7 +247,8 @@ void CSimulator::InitProfiling(TConfigurationNode& node) {
   GetNodeAttribute(node, "format", format);
   GetNodeAttributeOrDefault(node, "truncate_file", truncate, truncate);
   m_profiler = std::make_unique<CProfiler>(file, format, truncate);
-  CSpace::AddProfiledPhases(*m_profiler);
+  m_profiledTicks = std::make_unique<STickTimes>();
+  m_space->SetTickTimes(m_profiledTicks.get());
   m_profiler->Start();
 }
 

@@ -8,14 +8,13 @@
 
 #include <argos3/testing/benchmark/in_child.h>
 #include <argos3/testing/contract/physics_engines/drive_world.h>
-#include <argos3/testing/support/arena_text.h>
 #include <argos3/testing/support/closed_form/differential_drive.h>
+#include <argos3/testing/support/crowd.h>
 #include <argos3/testing/support/overlap.h>
 #include <argos3/testing/support/rooms.h>
 
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/space/tick_times.h>
-#include <argos3/core/utility/math/random_stream.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_engine.h>
 #include <argos3/plugins/robots/e-puck/simulator/epuck_measures.h>
 
@@ -26,11 +25,11 @@
 #include <cstdio>
 #include <functional>
 #include <limits>
-#include <numbers>
 
 using namespace argos;
 using argos::testing::IntegrateDifferentialDrive;
 using argos::testing::MeasureOverlaps;
+using argos::testing::PressingCrowdText;
 using argos::testing::RunInChild;
 using argos::testing::SecondsOfThisThread;
 using argos::testing::SecondsSince;
@@ -158,38 +157,9 @@ void PrintRooms(const SOptions& options, const SSubject& subject, UInt32 iterati
              ChooseTicks(options.RoomsTicks, subject.RoomsRobotTicks, robots));
 }
 
-// columns of 20 robots that drive at a wall, between two side walls; almost as dense as possible
-std::string CrowdText(UInt32 robots) {
-  constexpr UInt32 kDepth = 20;
-  constexpr Real kSpeed = 10.0;  // cm/s
-  constexpr Real kPitch = 2.0 * epuck::kBodyRadius + 0.003;  // m
-  constexpr Real kRowPitch = 0.5 * std::numbers::sqrt3 * kPitch;
-  constexpr Real kJitter = 0.0005;  // m
-  constexpr Real kWall = 0.1;  // m
-  const UInt32 width = (robots + kDepth - 1) / kDepth;
-  const Real halfWidth = 0.5 * kPitch * (width + 0.5);
-  const Real length = kDepth * kRowPitch + 0.5;
-  const CVector3 side(length, kWall, 0.5);
-  const Real sideY = halfWidth + 0.5 * kWall;
-  std::string arena = BoxText("front", CVector3(kWall, 2.0 * halfWidth + 1.0, 0.5),
-                              CVector3(0.5 * kWall, 0.0, 0.0)) +
-                      BoxText("left", side, CVector3(-0.5 * length, sideY, 0.0)) +
-                      BoxText("right", side, CVector3(-0.5 * length, -sideY, 0.0));
-  CRandomStream random(1, "test", "crowd", "places");
-  for (UInt32 i = 0; i < robots; ++i) {
-    const UInt32 row = i / width;
-    const Real shift = row % 2 == 0 ? 0.25 : -0.25;
-    const Real x = -0.5 * kPitch - row * kRowPitch + random.Uniform(-kJitter, kJitter);
-    const Real y = kPitch * (i % width - 0.5 * (width - 1.0) + shift);
-    arena += DriverXml("e-puck", "r" + std::to_string(i), x, y + random.Uniform(-kJitter, kJitter),
-                       0.0, kSpeed, kSpeed);
-  }
-  return arena;
-}
-
 void PrintCrowd(const SOptions& options, const SSubject& subject, UInt32 iterations,
                 UInt32 robots) {
-  CDriveWorld world(subject.ToXml(iterations), CrowdText(robots));
+  CDriveWorld world(subject.ToXml(iterations), PressingCrowdText(robots));
   PrintTicks(world, subject, options.WarmUp > 0 ? options.WarmUp : subject.CrowdWarmUp,
              ChooseTicks(options.CrowdTicks, subject.CrowdRobotTicks, robots));
 }

@@ -5,6 +5,7 @@
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 #include <argos3/testing/determinism/population.h>
 #include <argos3/testing/support/device_world.h>
+#include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/toy_world.h>
 
 #include <catch2/catch.hpp>
@@ -15,8 +16,6 @@ using namespace argos;
 using Catch::Matchers::Contains;
 
 namespace {
-
-constexpr Real kFootBotRadius = 0.085036758;  // m
 
 SExperiment Experiment(UInt32 robots, bool noisy, const std::string& parameters = "") {
   SDeviceWorld devices;

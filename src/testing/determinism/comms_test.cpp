@@ -6,7 +6,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/testing/determinism/comms_swarm.h>
-#include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/no_allocation.h>
 
 #include <catch2/catch.hpp>
 
@@ -76,9 +76,7 @@ TEST_CASE("comms determinism: the compared runs change in every tick, and with t
 
 TEST_CASE("no allocation: a tick of communicating robots in steady state allocates nothing",
           "[determinism][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
+  WarnUnlessAllocationsAreCounted();
   const UInt32 threads = GENERATE(0U, 2U);
   const std::string method = GENERATE("balance_quantity", "balance_length");
   SExperiment experiment = CommsSwarm(200, true, "", false);

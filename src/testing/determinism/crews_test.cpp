@@ -93,9 +93,6 @@ TEST_CASE("crews: loads are gripped and released", "[determinism][sensors]") {
 }
 
 TEST_CASE("crews: a tick in steady state allocates nothing", "[determinism][sensors][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
   const bool flies = GENERATE(false, true);
   const UInt32 threads = GENERATE(0U, 2U);
   const bool noisy = GENERATE(true, false);

@@ -104,9 +104,6 @@ TEST_CASE("all devices: the compared runs change in every tick, and with the noi
 }
 
 TEST_CASE("all devices: a repeated run allocates nothing", "[determinism][allocation][devices]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
   const UInt32 threads = GENERATE(0U, 2U);
   const bool noisy = GENERATE(true, false);
   CAPTURE(threads, noisy);

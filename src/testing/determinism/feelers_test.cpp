@@ -62,9 +62,6 @@ TEST_CASE("feelers: readings affect the run and differ between robots", "[determ
 
 TEST_CASE("feelers: a tick in steady state allocates nothing",
           "[determinism][sensors][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
   const UInt32 threads = GENERATE(0U, 2U);
   const bool noisy = GENERATE(true, false);
   CAPTURE(threads, noisy);

@@ -26,10 +26,6 @@ void CheckTicks(CTestWorld& world, UInt32 ticks) {
 }
 
 void CheckSettledTicks(const std::string& xml, UInt32 warmUpTicks) {
-  if (!CAllocationCount::IsAvailable()) {
-    WARN("skipped: allocations cannot be counted with this C library");
-    return;
-  }
   CTestWorld world(xml);
   world.Step(warmUpTicks);
   CheckTicks(world, kCountedTicks);
@@ -84,9 +80,6 @@ TEST_CASE("no allocation: ticks with robots that cross between engines allocate 
   experiment.Threads = threads;
   CTestWorld world(experiment);
   world.Step(500);
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
   size_t crossings = 0;
   for (int part = 0; part < 50; ++part) {
     const auto before = ListEngines(world);
@@ -128,9 +121,7 @@ TEST_CASE("no allocation: a tick of moving robots with LEDs in a medium allocate
     return positions;
   };
   const auto before = places();
-  if (CAllocationCount::IsAvailable()) {
-    CheckTicks(world, kCountedTicks);
-  }
+  CheckTicks(world, kCountedTicks);
   const auto after = places();
   size_t moved = 0;
   for (size_t i = 0; i < before.size(); ++i) {

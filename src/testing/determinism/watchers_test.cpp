@@ -73,9 +73,6 @@ TEST_CASE("watchers: readings of cameras affect the run", "[determinism][cameras
 
 TEST_CASE("watchers: a tick in steady state allocates nothing",
           "[determinism][cameras][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
   const UInt32 threads = GENERATE(0U, 2U);
   CAPTURE(threads);
   SExperiment experiment = Watchers(30, false, true);

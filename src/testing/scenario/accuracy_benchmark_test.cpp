@@ -3,6 +3,7 @@
 
 #include <argos3/testing/scenario/command_line/program_run.h>
 #include <argos3/testing/support/overlap.h>
+#include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
@@ -111,7 +112,7 @@ TEST_CASE("accuracy benchmark: unknown engines are refused", "[scenario][benchma
 }
 
 TEST_CASE("overlap: tilted robots are measured at their nearest ends", "[scenario][benchmark]") {
-  constexpr Real kRadius = 0.035;  // m, of an e-puck
+  constexpr Real kRadius = kEPuckRadius;
   constexpr Real kHeight = 0.086;  // m
   const Real distance = GENERATE(0.075, 0.0775);
   CAPTURE(distance);

@@ -2,6 +2,7 @@
 
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/testing/support/arena_text.h>
+#include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <algorithm>
@@ -17,7 +18,6 @@ constexpr Real kSpacing = 0.35;  // m, between robots on the ground
 constexpr Real kFlightSpacing = 0.6;  // m, between robots in the air
 constexpr Real kHeight = 0.8;  // m, of robots in the air
 constexpr Real kLoadRadius = 0.05;  // m
-constexpr Real kFootBotRadius = 0.085036758;  // m
 
 const std::map<std::string, std::string>& CarriedThings() {
   static const std::map<std::string, std::string> things = {

@@ -25,7 +25,6 @@ class CEmbodiedEntity;
 class CFloorEntity;
 class CLoadErrors;
 class CPhysicsEngine;
-class CProfiler;
 class CSimulator;
 class CThreadPool;
 struct STickTimes;
@@ -152,8 +151,6 @@ class CSpace : public CBaseConfigurableResource {
   void TakeOver(std::unique_ptr<CEntity> entity);
   /** Makes the entity that an XML element describes and adds it; nothing stays if that fails. */
   CEntity& CreateEntity(TConfigurationNode& node);
-  /** Tells a profiler the phases of a tick, which Update() then times. */
-  static void AddProfiledPhases(CProfiler& profiler);
   /** 64-bit digest of the state of every entity and medium, in order. */
   UInt64 ComputeDigest() const;
 

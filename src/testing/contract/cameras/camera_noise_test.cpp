@@ -5,6 +5,7 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_colored_blob_perspective_camera_sensor.h>
 #include <argos3/plugins/simulator/entities/led_entity.h>
 #include <argos3/testing/support/arena_text.h>
+#include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/robot_world.h>
 #include <argos3/testing/support/statistics.h>
 
@@ -124,7 +125,7 @@ SRobotExperiment WithPerspectiveCamera(const std::string& attributes, const std:
       "<colored_blob_perspective_camera implementation=\"default\" medium=\"leds\" " + attributes +
       ">" + noise + "</colored_blob_perspective_camera>";
   experiment.Arena = Robot("foot-bot", "r", PoseText(CVector3())) +
-                     LightText("l", CVector3(1.085036758, 0.1, 0.224249733));
+                     LightText("l", CVector3(1.0 + kFootBotRadius, 0.1, 0.224249733));
   return experiment;
 }
 
@@ -193,7 +194,7 @@ TEST_CASE("perspective camera noise: a blob that leaves the image is lost, none 
       "r", "colored_blob_perspective_camera");
   camera.Enable();
   const auto count = [&](Real y) {
-    light.SetPosition(CVector3(1.085036758, y, 0.174249733));
+    light.SetPosition(CVector3(1.0 + kFootBotRadius, y, 0.174249733));
     int seen = 0;
     for (int i = 0; i < 2000; ++i) {
       world.Step();

@@ -6,6 +6,7 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_pan_tilt_camera_actuator.h>
 #include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
 #include <argos3/testing/support/arena_text.h>
+#include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/robot_world.h>
 #include <argos3/testing/support/statistics.h>
 
@@ -21,7 +22,7 @@ using Catch::Matchers::WithinAbs;
 namespace {
 
 // position of the camera of a foot-bot at the origin, m
-const CVector3 kEye(0.085036758, 0.0, 0.174249733);
+const CVector3 kEye(kFootBotRadius, 0.0, 0.174249733);
 
 SRobotExperiment WithHead(const std::string& arena, const std::string& attributes = "",
                           const std::string& children = "") {

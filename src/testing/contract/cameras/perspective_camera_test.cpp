@@ -8,6 +8,7 @@
 #include <argos3/plugins/simulator/entities/led_entity.h>
 #include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
 #include <argos3/testing/support/arena_text.h>
+#include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/robot_world.h>
 #include <argos3/testing/support/sight_reference.h>
 
@@ -27,7 +28,7 @@ using TSensor = CCI_ColoredBlobPerspectiveCameraSensor;
 
 const char* const kSensor = "colored_blob_perspective_camera";
 // m, of the foot-bot
-constexpr Real kAhead = 0.085036758;
+constexpr Real kAhead = kFootBotRadius;
 constexpr Real kHeight = 0.174249733;
 
 // parameters of the camera's equations; the defaults are those of a foot-bot without attributes

@@ -370,9 +370,6 @@ TEST_CASE("pheromone noise: readings and rates stay >= 0", "[contract][media]") 
 }
 
 TEST_CASE("pheromone: a tick in steady state allocates nothing", "[contract][media][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
   SSetup setup;
   setup.Layers = Layer("fast", "diffusion=\"1\" evaporation=\"100\"") +
                  Layer("slow", "diffusion=\"0.001\" maximum=\"9\"");

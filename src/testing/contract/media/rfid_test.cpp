@@ -355,9 +355,6 @@ TEST_CASE("rfid noise: repeats after a reset", "[contract][media]") {
 }
 
 TEST_CASE("rfid: a tick in steady state allocates nothing", "[contract][media][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
   std::string arena;
   for (int i = 0; i < 100; ++i) {
     arena += Tag("t" + std::to_string(i), CVector3(0.1 * (i % 10), 0.1 * (i / 10), 0.0));

@@ -7,7 +7,7 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_simple_radios_sensor.h>
 #include <argos3/plugins/simulator/entities/simple_radio_equipped_entity.h>
 #include <argos3/plugins/simulator/media/simple_radio_medium.h>
-#include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
@@ -260,9 +260,7 @@ TEST_CASE("simple radio: lines from the senders are recorded only on request",
 
 TEST_CASE("simple radio: sending and receiving allocate nothing in steady state",
           "[contract][media][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
+  WarnUnlessAllocationsAreCounted();
   CRobotWorld world(WithRadios(Row(10.0)));
   size_t counted = 0;
   std::string first;

@@ -3,6 +3,7 @@
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/engines.h>
 #include <argos3/testing/support/closed_form/differential_drive.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/body_description.h>
@@ -22,9 +23,6 @@ using testing::IntegrateDifferentialDrive;
 using testing::SPose;
 
 namespace {
-
-constexpr Real kFootBotRadius = 0.085036758;  // m
-constexpr Real kEPuckRadius = 0.035;  // m
 
 std::string BoxXml(const std::string& id, Real x, Real y, Real yaw, Real mass,
                    const std::string& size = "0.2,0.2,0.1") {

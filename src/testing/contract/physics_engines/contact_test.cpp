@@ -2,6 +2,7 @@
 
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/engines.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/utility/math/random_stream.h>
 
@@ -19,8 +20,6 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-constexpr Real kFootBotRadius = 0.085036758;  // m
-constexpr Real kEPuckRadius = 0.035;  // m
 constexpr Real kTick = 0.1;  // s
 
 /** A movable object, flat so that nothing topples it. */

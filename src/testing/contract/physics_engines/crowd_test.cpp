@@ -3,6 +3,7 @@
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/engines.h>
 #include <argos3/testing/support/overlap.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/core/utility/math/vector2.h>
@@ -22,8 +23,6 @@ using testing::SOverlaps;
 
 namespace {
 
-constexpr Real kEPuckRadius = 0.035;  // m
-constexpr Real kFootBotRadius = 0.085036758;  // m
 constexpr Real kFootBotHeight = 0.146899733;  // m
 
 std::string WallXml(const std::string& id, const std::string& size, Real x, Real y,

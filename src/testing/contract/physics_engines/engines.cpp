@@ -69,7 +69,7 @@ Real SEngineType::GetHold(Real mass) const {
 
 bool IsSkipped(const SEngineType& engine, bool has, const std::string& what) {
   if (!has) {
-    SUCCEED("skipped: " << engine.Tag << " has no " << what);
+    WARN("skipped: " << engine.Tag << " has no " << what);
   }
   return !has;
 }

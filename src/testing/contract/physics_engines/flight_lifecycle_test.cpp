@@ -305,9 +305,6 @@ TEST_CASE("flight: results are equal for any number of threads", "[contract][fli
 }
 
 TEST_CASE("flight: a tick in steady state allocates nothing", "[contract][flight][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
   CFlightWorld world(Fleet("quadrotor_position"));
   std::vector<CCI_QuadRotorPositionActuator*> pilots;
   for (UInt32 robot = 0; robot < kRobots; ++robot) {

@@ -3,6 +3,7 @@
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/regions.h>
 #include <argos3/testing/support/overlap.h>
+#include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <argos3/core/simulator/physics_engine/body_description.h>
@@ -25,8 +26,6 @@ using testing::SOverlaps;
 
 namespace {
 
-constexpr Real kFootBotRadius = 0.085036758;
-constexpr Real kEPuckRadius = 0.035;
 const std::string kWall = "wall='true'";
 
 std::string Halves(const SEngineType& engine, const std::string& attributes = "") {

@@ -3,6 +3,7 @@
 
 #include <argos3/testing/contract/physics_engines/engines.h>
 #include <argos3/testing/contract/physics_engines/grip_world.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
@@ -23,7 +24,7 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-constexpr Real kRadius = 0.085036758;  // m, of a foot-bot
+constexpr Real kRadius = kFootBotRadius;
 constexpr Real kGap = 0.005;  // m
 constexpr Real kAhead = kRadius + kGap + 0.1;
 constexpr Real kPitch = 2.0 * kRadius + kGap;

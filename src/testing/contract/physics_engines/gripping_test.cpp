@@ -2,6 +2,7 @@
 
 #include <argos3/testing/contract/physics_engines/grip_world.h>
 #include <argos3/testing/support/closed_form/differential_drive.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
@@ -21,7 +22,7 @@ using testing::SPose;
 
 namespace {
 
-constexpr Real kRadius = 0.085036758;  // m, of a foot-bot
+constexpr Real kRadius = kFootBotRadius;
 constexpr Real kHalf = 0.1;  // m, of a load
 constexpr Real kGap = 0.005;  // m: in reach, but without contact
 constexpr Real kTick = 0.1;  // s

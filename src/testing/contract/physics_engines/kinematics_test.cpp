@@ -4,6 +4,7 @@
 #include <argos3/testing/contract/physics_engines/engines.h>
 #include <argos3/testing/support/closed_form/differential_drive.h>
 #include <argos3/testing/support/overlap.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/physics_engine/body_description.h>
@@ -30,8 +31,6 @@ using testing::SPose;
 
 namespace {
 
-constexpr Real kEPuckRadius = 0.035;  // m
-constexpr Real kFootBotRadius = 0.085036758;  // m
 // m; tolerance for a few roundings of coordinates below 10 m in each of some hundred ticks
 constexpr Real kRoundings = 1e-12;
 

@@ -2,6 +2,7 @@
 
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/engines.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
@@ -77,7 +78,8 @@ TEST_CASE("lifecycle: a moved robot drives on from its new pose", "[contract][en
   CHECK(world.Body("r").MoveTo(CVector3(2, 3, 0), left));
   CHECK(world.Position("r") == CVector3(2, 3, 0));
   CHECK(world.Body("r").GetOriginAnchor().Orientation == left);
-  CHECK_THAT(world.Body("r").GetBoundingBox().MinCorner.GetX(), WithinAbs(2 - 0.085036758, 1e-9));
+  CHECK_THAT(world.Body("r").GetBoundingBox().MinCorner.GetX(),
+             WithinAbs(2 - kFootBotRadius, 1e-9));
   world.Step(10);
   CHECK_THAT(world.Position("r").GetX(), WithinAbs(2.0, 1e-9 + engine.Slack));
   // in dynamics2d it accelerates from rest, with 15 N on 1.6 kg: within the first tick
@@ -140,7 +142,7 @@ TEST_CASE("lifecycle: a reset returns each body to its first engine", "[contract
   CHECK(world.EngineOf("s") == "west");
   if (engine.HasContacts) {
     // the face of the post is at x = -0.5; the robot drives against it at full speed
-    CHECK_THAT(world.Position("s").GetX(), WithinAbs(-0.5 + 0.035, 1e-3));
+    CHECK_THAT(world.Position("s").GetX(), WithinAbs(-0.5 + kEPuckRadius, 1e-3));
   }
   for (int repetition = 0; repetition < 2; ++repetition) {
     world.GetSimulator().Reset();
@@ -272,7 +274,8 @@ TEST_CASE("lifecycle: robots can be removed one after the other from the middle 
     REQUIRE(position.Length() < 0.08 * std::sqrt(8.0) + 0.01 * 40);
     for (const int k : left) {
       const CVector3 other = world.Position("r" + std::to_string(k));
-      REQUIRE((i == k || Distance(position, other) >= 0.07 - 0.02 * 0.035 - engine.Slack));
+      REQUIRE((i == k || Distance(position, other) >=
+                             2.0 * kEPuckRadius - 0.02 * kEPuckRadius - engine.Slack));
     }
   }
 }

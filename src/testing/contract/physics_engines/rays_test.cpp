@@ -2,6 +2,7 @@
 
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/engines.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
@@ -16,7 +17,6 @@ namespace {
 
 // tolerance of a few roundings of numbers below 10
 constexpr Real kRounding = 1e-14;
-constexpr Real kFootBotRadius = 0.085036758;  // m
 constexpr Real kFootBotHeight = 0.146899733;  // m
 
 // the first body hit by a ray of 8 m along x at this height, and its distance, m

@@ -2,6 +2,7 @@
 
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
 #include <argos3/testing/support/captured_logs.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/query_plugins.h>
@@ -55,7 +56,7 @@ TEST_CASE("rigid magnets: a dipole perpendicular to another one's field is turne
   // Jackson's field at b is (2 K / (3 r^3)) a along x; torque b x B is along -z
   const Real torqueB = -3.0 * 2.0 * 1e-3 / 3.0 / 0.125 * 2.0;
   // and that of b at a is (K / (3 r^3)) (-b) along -y: the torque on a is along -z, half as large
-  const Real inertia = 0.5 * 1.6 * std::pow(2.0 * 0.085036758, 2);
+  const Real inertia = 0.5 * 1.6 * std::pow(2.0 * kFootBotRadius, 2);
   const Real turned = torqueB / inertia * 1e-4 * 30.0 * 31.0 / 2.0;
   CHECK_THAT(world.Yaw("b"), WithinRel(turned, 0.05));
   CHECK_THAT(world.Yaw("a"), WithinRel(0.5 * turned, 0.05));

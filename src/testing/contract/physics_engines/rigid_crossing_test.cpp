@@ -3,6 +3,7 @@
 #include <argos3/testing/contract/physics_engines/regions.h>
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
 #include <argos3/testing/support/captured_logs.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/utility/math/angles.h>
@@ -17,8 +18,6 @@ namespace argos {
 
 namespace {
 
-constexpr Real kFootBotRadius = 0.085036758;  // m
-constexpr Real kEPuckRadius = 0.035;  // m
 constexpr int kStrips = 4;
 
 /** Robots in a pen that is divided into strips, with gates between neighbours. */

@@ -2,6 +2,7 @@
 
 #include <argos3/testing/contract/physics_engines/grip_world.h>
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/physics_engine/body_description.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
@@ -18,7 +19,6 @@ using TModes = CCI_FootBotTurretActuator::ETurretModes;
 
 namespace {
 
-constexpr Real kFootBotRadius = 0.085036758;  // m
 // m: centre of a load of 0.2 m x 0.2 m in front of a robot at the origin
 constexpr Real kLoadAt = kFootBotRadius + 0.1 + 0.002;
 

@@ -3,6 +3,7 @@
 #include <argos3/testing/contract/physics_engines/flight_world.h>
 #include <argos3/testing/contract/physics_engines/regions.h>
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/physics_engine/physics_model.h>
 #include <argos3/core/utility/math/angles.h>
@@ -17,8 +18,6 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-constexpr Real kFootBotRadius = 0.085036758;  // m
-constexpr Real kEPuckRadius = 0.035;  // m
 const std::string kWall = "wall='true'";
 
 // an engine with a region of 2 m x 2 m and walls on all sides

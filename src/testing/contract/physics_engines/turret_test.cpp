@@ -1,6 +1,7 @@
 // Turrets, without and with a load in the gripper mounted on them.
 
 #include <argos3/testing/contract/physics_engines/grip_world.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
@@ -18,7 +19,7 @@ namespace {
 
 using TMode = CCI_FootBotTurretActuator;
 
-constexpr Real kRadius = 0.085036758;  // m, of a foot-bot
+constexpr Real kRadius = kFootBotRadius;
 constexpr Real kRoll = 0.1;  // m, radius of a load
 constexpr Real kGap = 0.005;  // m
 constexpr Real kAhead = kRadius + kGap + kRoll;

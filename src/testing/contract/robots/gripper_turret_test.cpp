@@ -10,6 +10,7 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_gripper_actuator.h>
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 #include <argos3/testing/contract/sensors/scene.h>
+#include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
@@ -26,7 +27,7 @@ namespace {
 
 using TTurret = CCI_FootBotTurretActuator;
 
-constexpr Real kRadius = 0.085036758;  // m, of a foot-bot
+constexpr Real kRadius = kFootBotRadius;
 constexpr Real kHalf = 0.1;  // m, of an object to be gripped
 constexpr Real kReach = 0.01;  // m, around the gripper's point
 constexpr Real kNaN = std::numeric_limits<Real>::quiet_NaN();
@@ -140,11 +141,11 @@ TEST_CASE("footbot_gripper: it is locked beyond 45 degrees to either side", "[co
 TEST_CASE("gripper: its position follows the foot-bot's measures", "[contract][robots]") {
   CRobotWorld world(With("<gripper implementation=\"default\"/>"));
   CGripperEquippedEntity& gripper = world.Get<CFootBotEntity>("r").GetGripperEquippedEntity();
-  CHECK(gripper.GetOffset() == CVector3(0.085036758, 0.0, 0.085));
+  CHECK(gripper.GetOffset() == CVector3(kFootBotRadius, 0.0, 0.085));
   CHECK(gripper.GetDirection() == CVector3::X);
   gripper.SetOffset(CVector3(0.1, 0.0, 0.1));
   world.GetSimulator().Reset();
-  CHECK(gripper.GetOffset() == CVector3(0.085036758, 0.0, 0.085));
+  CHECK(gripper.GetOffset() == CVector3(kFootBotRadius, 0.0, 0.085));
 }
 
 TEST_CASE("footbot_gripper: its reach is a disc of 1 cm around its point", "[contract][robots]") {

@@ -15,6 +15,7 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_sensor.h>
 #include <argos3/plugins/simulator/media/led_medium.h>
 #include <argos3/testing/contract/sensors/scene.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <catch2/catch.hpp>
 
@@ -42,7 +43,7 @@ std::vector<CVector3> PublishedLEDs(const std::string& robot) {
   if (robot == "e-puck") {
     addRing(8, 11.25, 0.042, 0.086);
   } else if (robot == "foot-bot") {
-    addRing(12, 15.0, 0.085036758 + 0.005, 0.085);
+    addRing(12, 15.0, kFootBotRadius + 0.005, 0.085);
     places.emplace_back(0.0, 0.0, 0.174249733);
   } else {
     addRing(16, 11.25, 0.255, 0.1535);
@@ -201,7 +202,7 @@ TEST_CASE("pan tilt camera: the camera of an eye-bot follows its head", "[contra
 TEST_CASE("rings: sensors of foot-bot and eye-bot have equal readings on either robot",
           "[contract][sensors]") {
   const std::string robot = GENERATE("foot-bot", "eye-bot");
-  const Real radius = robot == "foot-bot" ? 0.085036758 : 0.255;
+  const Real radius = robot == "foot-bot" ? kFootBotRadius : 0.255;
   CAPTURE(robot);
   CRobotWorld world(WithSensors(
       "<footbot_proximity implementation=\"default\"/><eyebot_proximity "

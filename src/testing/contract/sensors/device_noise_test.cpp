@@ -8,6 +8,7 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_proximity_sensor.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
 #include <argos3/testing/contract/sensors/scene.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <catch2/catch.hpp>
 
@@ -85,8 +86,8 @@ TEST_CASE("proximity noise: <noise> children have the requested distribution",
   experiment.Arena = Robot(robot.Tag, "r", PoseText(CVector3())) +
                      PillarText("p", inner, 0.0,
                                 inner - robot.Gap -
-                                    (robot.Tag[0] == 'f'   ? 0.085036758
-                                     : robot.Tag[1] == '-' ? 0.035
+                                    (robot.Tag[0] == 'f'   ? kFootBotRadius
+                                     : robot.Tag[1] == '-' ? kEPuckRadius
                                                            : 0.255),
                                 1.0);
   SRobotExperiment exact = experiment;
@@ -113,7 +114,7 @@ TEST_CASE("proximity noise: the noise of the attribute and that of the children 
   experiment.Sensors = WithNoise("footbot_proximity implementation=\"default\" noise_level=\"0.1\"",
                                  "model=\"uniform\" level=\"0.1\"");
   experiment.Arena = Robot("foot-bot", "r", PoseText(CVector3())) +
-                     PillarText("p", 1.0, 0.0, 1.0 - 0.02 - 0.085036758, 1.0);
+                     PillarText("p", 1.0, 0.0, 1.0 - 0.02 - kFootBotRadius, 1.0);
   SRobotExperiment exact = experiment;
   exact.Sensors = "<footbot_proximity implementation=\"default\"/>";
   CRobotWorld exactWorld(exact);

@@ -8,6 +8,7 @@
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_distance_scanner_equipped_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
 #include <argos3/testing/contract/sensors/scene.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <catch2/catch.hpp>
 
@@ -22,7 +23,7 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-constexpr Real kRadius = 0.085036758;  // m, of the body
+constexpr Real kRadius = kFootBotRadius;
 constexpr Real kHeight = 0.123199866;  // m, of the beams
 constexpr Real kTick = 0.1;  // s
 constexpr Real kGrazing = 1e-6;  // cm; grazing rays lose half of the digits in a square root

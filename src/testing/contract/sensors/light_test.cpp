@@ -11,6 +11,7 @@
 #include <argos3/plugins/simulator/entities/light_entity.h>
 #include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
 #include <argos3/testing/contract/sensors/scene.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <catch2/catch.hpp>
 
@@ -38,7 +39,7 @@ struct SRing {
 constexpr Real kHeight = 0.06;  // m, of the light sensors of wheeled robots
 
 SRing FootBotRing() {
-  SRing ring{"foot-bot", 0.085036758, kHeight, {}};
+  SRing ring{"foot-bot", kFootBotRadius, kHeight, {}};
   for (int i = 0; i < 24; ++i) {
     ring.Angles.push_back((7.5 + 15.0 * i) * M_PI / 180.0);
   }
@@ -46,7 +47,7 @@ SRing FootBotRing() {
 }
 
 SRing EPuckRing() {
-  SRing ring{"e-puck", 0.035, kHeight, {}};
+  SRing ring{"e-puck", kEPuckRadius, kHeight, {}};
   for (int i = 0; i < 8; ++i) {
     ring.Angles.push_back((22.5 + 45.0 * i) * M_PI / 180.0);
   }

@@ -6,6 +6,7 @@
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_proximity_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_proximity_sensor.h>
 #include <argos3/plugins/robots/generic/simulator/proximity_default_sensor.h>
+#include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
@@ -96,7 +97,7 @@ TEST_CASE("proximity: rays are recorded only on request", "[contract][sensors]")
                        (show ? "true" : "false") + "\"/>";
   // the disc is ahead of ray 0 alone, 5 cm away
   const CRadians angle = ToRadians(CDegrees(7.5));
-  const Real distance = 0.085036758 + 0.05 + 0.01;
+  const Real distance = kFootBotRadius + 0.05 + 0.01;
   experiment.Arena =
       Robot("foot-bot", "r", "position=\"0,0,0\"") +
       "<cylinder id=\"c\" radius=\"0.01\" height=\"0.5\" movable=\"false\"><body position=\"" +

@@ -2,6 +2,7 @@
 #define ARGOS3_TESTING_CONTRACT_SENSORS_SYMMETRY_PROBE_H
 
 #include <argos3/testing/contract/sensors/scene.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <cmath>
 #include <functional>
@@ -44,7 +45,7 @@ struct SSymmetryMap {
 /** A robot "r" and its size, m. */
 struct SSymmetryScene {
   std::string Robot = "foot-bot";
-  Real Radius = 0.085036758; /**< of its body */
+  Real Radius = kFootBotRadius; /**< of its body */
   Real Height = 0.0; /**< of its base */
 };
 
@@ -91,7 +92,7 @@ struct SSymmetryProbe {
 };
 
 const SSymmetryScene kFootBotScene;
-const SSymmetryScene kEPuckScene{"e-puck", 0.035, 0.0};
+const SSymmetryScene kEPuckScene{"e-puck", kEPuckRadius, 0.0};
 const SSymmetryScene kEyeBotScene{"eye-bot", 0.255, 0.0};
 
 inline TSymmetryReadings KeepReadings(TSymmetryReadings readings) {

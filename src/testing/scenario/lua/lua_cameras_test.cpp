@@ -4,6 +4,8 @@
 
 #include <argos3/plugins/simulator/entities/directional_led_entity.h>
 #include <argos3/plugins/simulator/entities/magnet_entity.h>
+#include <argos3/testing/support/robot_sizes.h>
+#include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
 
@@ -30,7 +32,9 @@ SLuaExperiment With(const std::string& actuators, const std::string& sensors,
                       mounted + "</foot-bot>";
   experiment.Arena =
       "<light id='l' position='0.3,0.4,0.1' color='255,140,0,255' intensity='1' medium='leds'/>"
-      "<light id='m' position='1.085036758,0.1,0.174249733' color='red' intensity='1' "
+      "<light id='m' position='" +
+      ToText(1.0 + kFootBotRadius) +
+      ",0.1,0.174249733' color='red' intensity='1' "
       "medium='leds'/>";
   experiment.Media = "<led id='leds'/><directional_led id='directional_leds'/><tag id='tags'/>";
   return experiment;
@@ -91,10 +95,12 @@ TEST_CASE("lua devices: cameras are enabled from the start, in tables of their i
           "[lua][devices]") {
   CLuaWorld world(With("",
                        "<cameras implementation='default'>"
-                       "<camera id='front' anchor='origin' position='0.085036758,0,0.174249733' "
-                       "orientation='-90,90,0' range='0.05:2' focal_length='500,500' "
-                       "principal_point='320,240' resolution='640,480'>"
-                       "<led_detector medium='leds'/></camera></cameras>"));
+                       "<camera id='front' anchor='origin' position='" +
+                           ToText(kFootBotRadius) +
+                           ",0,0.174249733' "
+                           "orientation='-90,90,0' range='0.05:2' focal_length='500,500' "
+                           "principal_point='320,240' resolution='640,480'>"
+                           "<led_detector medium='leds'/></camera></cameras>"));
   CHECK(world.Get("#robot.cameras.front.led_detector") == "0");
   world.Step();
   REQUIRE(world.Get("#robot.cameras.front.led_detector") == "1");

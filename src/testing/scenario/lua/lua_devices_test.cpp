@@ -9,6 +9,8 @@
 #include <argos3/plugins/robots/e-puck/control_interface/ci_epuck_proximity_sensor.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
 #include <argos3/testing/support/captured_logs.h>
+#include <argos3/testing/support/robot_sizes.h>
+#include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
 
@@ -112,8 +114,8 @@ TEST_CASE("lua devices: the wheels' table is complete with actuator or sensor al
 TEST_CASE("lua devices: the proximity ring of a foot-bot has angles and values", "[lua][devices]") {
   // a wall with its face 5 cm ahead of the ring
   SLuaExperiment experiment = WithDevices("", "", Device("footbot_proximity"));
-  experiment.Arena =
-      "<box id='wall' size='0.1,4,0.5' movable='false'><body position='0.185036758,0,0'/></box>";
+  experiment.Arena = "<box id='wall' size='0.1,4,0.5' movable='false'><body position='" +
+                     ToText(kFootBotRadius + 0.1) + ",0,0'/></box>";
   CLuaWorld world(experiment);
   CHECK(world.Get("#robot.proximity") == "24");
   CHECK(world.Get("robot.proximity[1].value") == "0.0");
@@ -126,8 +128,8 @@ TEST_CASE("lua devices: the proximity ring of a foot-bot has angles and values",
                            .SignedNormalize()
                            .GetValue();
     CHECK_THAT(GetNumber(world, entry + ".angle"), WithinAbs(angle, kRounding));
-    // rays that hit the wall point ahead; the ring's radius is 0.085036758 m, the range 0.1 m
-    const Real distance = 0.135036758 / std::cos(angle) - 0.085036758;
+    // rays that hit the wall point ahead; the ring's radius is that of the body, the range 0.1 m
+    const Real distance = (kFootBotRadius + 0.05) / std::cos(angle) - kFootBotRadius;
     const bool hits = std::cos(angle) > 0.0 && distance < 0.1;
     const Real value = hits ? 0.0100527 / (distance + 0.000163144) : 0.0;
     CHECK_THAT(GetNumber(world, entry + ".value"), WithinAbs(value, 1e-9));
@@ -159,14 +161,15 @@ TEST_CASE("lua devices: the proximity sensors of an e-puck have angles and value
 
 TEST_CASE("lua devices: generic proximity is a list of numbers", "[lua][devices]") {
   SLuaExperiment experiment = WithDevices("", "", Device("proximity"));
-  experiment.Arena =
-      "<box id='wall' size='0.1,4,0.5' movable='false'><body position='0.185036758,0,0'/></box>";
+  experiment.Arena = "<box id='wall' size='0.1,4,0.5' movable='false'><body position='" +
+                     ToText(kFootBotRadius + 0.1) + ",0,0'/></box>";
   CLuaWorld world(experiment);
   CHECK(world.Get("#robot.proximity") == "24");
   CHECK(world.Get("robot.proximity[1]") == "0.0");
   world.Step();
   // the first ray points 7.5 degrees to the left: the reading is exp(-distance)
-  const Real distance = 0.135036758 / std::cos(7.5 * CRadians::PI.GetValue() / 180.0) - 0.085036758;
+  const Real distance =
+      (kFootBotRadius + 0.05) / std::cos(7.5 * CRadians::PI.GetValue() / 180.0) - kFootBotRadius;
   CHECK_THAT(GetNumber(world, "robot.proximity[1]"), WithinAbs(std::exp(-distance), 1e-9));
   CHECK_THAT(GetNumber(world, "robot.proximity[24]"), WithinAbs(std::exp(-distance), 1e-9));
   CHECK(GetNumber(world, "robot.proximity[13]") == 0.0);

@@ -4,6 +4,7 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/utility/math/angles.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <catch2/catch.hpp>
 
@@ -40,7 +41,7 @@ TEST_CASE("lua devices: generic light is a list of numbers", "[lua][devices]") {
   SLuaExperiment experiment = With(Device("light"));
   // 1 m ahead of sensor 1
   const Real angle = 7.5 * M_PI / 180.0;
-  const Real distance = 1.085036758;
+  const Real distance = 1.0 + kFootBotRadius;
   experiment.Arena = "<light id='l' position='" + std::to_string(distance * std::cos(angle)) + "," +
                      std::to_string(distance * std::sin(angle)) +
                      ",0.06' color='white' intensity='0.5' medium='leds'/>";

@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
+#include <string>
 #include <thread>
 
 using namespace argos;
@@ -376,6 +378,32 @@ TEST_CASE("simulator: an unknown visualization is a warning and a headless run",
   CHECK_THAT(TakeLogErr(), Contains("[WARNING]") && Contains("webviz") && Contains("test.argos:"));
   simulator.Execute();
   CHECK(simulator.GetSpace().GetSimulationClock() == 2);
+}
+
+TEST_CASE("simulator: a profile counts every phase of every tick", "[core][simulator]") {
+  const CTemporaryFile file("");
+  std::string xml = Experiment().ToXml();
+  const std::string end = "</framework>";
+  xml.insert(xml.find(end), "<profiling file='" + file.GetPath() + "' format='human_readable' />");
+  {
+    CTestWorld world(xml);
+    CHECK(world.GetSimulator().IsProfiling());
+    world.Step(3);
+    world.GetSimulator().Destroy();
+    CHECK_FALSE(world.GetSimulator().IsProfiling());
+  }
+  std::ostringstream report;
+  report << std::ifstream(file.GetPath()).rdbuf();
+  for (const std::string phase :
+       {"act", "physics", "index", "media", "pre-step", "sense+control", "post-step"}) {
+    CAPTURE(phase, report.str());
+    const size_t start = report.str().find("phase \"" + phase + "\": ");
+    REQUIRE(start != std::string::npos);
+    const std::string line = report.str().substr(start, report.str().find('\n', start) - start);
+    CHECK_THAT(line, Contains(" 3 times, "));
+    // every phase takes some time
+    CHECK_THAT(line, !Contains(" 0.000000 us each"));
+  }
 }
 
 TEST_CASE("simulator: access to parts that do not exist is an error", "[core][simulator]") {

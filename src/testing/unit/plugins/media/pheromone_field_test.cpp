@@ -317,9 +317,6 @@ TEST_CASE("pheromone field: results are equal bit by bit for any number of threa
 }
 
 TEST_CASE("pheromone field: a step in steady state allocates nothing", "[media][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
   const Real diffusion = GENERATE(0.0, 0.01, 10.0);
   CPheromoneField field(Cells(100, 100), 100.0, diffusion);
   field.Advance(NoThreads(), 0.1);

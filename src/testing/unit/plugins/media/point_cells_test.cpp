@@ -91,9 +91,6 @@ TEST_CASE("point cells: few points out of reach are visited", "[media]") {
 
 TEST_CASE("point cells: sorting the same number of points again allocates nothing",
           "[media][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
   const auto kind =
       GENERATE(SIndexChoice::EKind::Grid, SIndexChoice::EKind::Hash, SIndexChoice::EKind::Dummy);
   CPointCells cells;

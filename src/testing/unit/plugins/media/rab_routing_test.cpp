@@ -111,9 +111,6 @@ TEST_CASE("rab routing: devices at NaN or infinity neither receive nor are recei
 }
 
 TEST_CASE("rab routing: a call in steady state allocates nothing", "[media][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
   const UInt32 threads = GENERATE(0U, 2U);
   const std::string method = GENERATE("balance_quantity", "balance_length");
   CThreadPool pool(threads, CreateSchedule(method));

@@ -144,6 +144,18 @@ class CDeviceTester : public CLuaTester {
   CDevice Device;
 };
 
+/** An allocator of a Lua state that can only release. */
+struct SFullMemory {
+  lua_Alloc Original = nullptr;
+  void* OriginalData = nullptr;
+
+  static void* Reallocate(void* memory, void* block, std::size_t oldSize, std::size_t newSize) {
+    const auto& self = *static_cast<const SFullMemory*>(memory);
+    const bool grows = block == nullptr ? newSize > 0 : newSize > oldSize;
+    return grows ? nullptr : self.Original(self.OriginalData, block, oldSize, newSize);
+  }
+};
+
 }  // namespace
 
 TEST_CASE("lua table: methods take arguments of every type", "[lua][table]") {
@@ -180,6 +192,25 @@ TEST_CASE("lua table: results of methods are returned to the script", "[lua][tab
   CHECK(lua.Get("d.get_place()") == "1,2,3");
   CHECK(lua.Get("d.count_nothing()") == "0.0");
   CHECK(lua.Get("select('#', d.turn(1))") == "0");
+}
+
+TEST_CASE("lua table: a result for which Lua has no memory is an error", "[lua][table]") {
+  // leak checkers would find the text if the error skipped its destructor
+  CDeviceTester lua;
+  lua.Device.Text = std::string(1000, 'x');
+  lua.Run([](lua_State* state) {
+    lua_getglobal(state, "robot");
+    lua_getfield(state, -1, "device");
+    lua_getfield(state, -1, "get_text");
+    SFullMemory memory;
+    memory.Original = lua_getallocf(state, &memory.OriginalData);
+    lua_setallocf(state, &SFullMemory::Reallocate, &memory);
+    const int status = lua_pcall(state, 0, 1, 0);
+    lua_setallocf(state, memory.Original, memory.OriginalData);
+    CHECK(status == LUA_ERRMEM);
+    CHECK(std::string(lua_tostring(state, -1)) == "not enough memory");
+  });
+  CHECK(lua.Get("#robot.device.get_text()") == "1000");
 }
 
 TEST_CASE(
@@ -236,7 +267,7 @@ TEST_CASE("lua table: exceptions of a device become Lua errors", "[lua][table]")
   CHECK(lua.GetError("robot.device.refuse()") ==
         "test:1: robot.device.refuse: the device is out of order");
   CHECK(lua.GetError("robot.device.break_()") == "test:1: robot.device.break_: broken");
-  CHECK_THAT(lua.GetError("robot.device.break_badly()"), Contains("no std::exception"));
+  CHECK_THAT(lua.GetError("robot.device.break_badly()"), Contains("not a std::exception"));
   lua.Do("ok, message = pcall(robot.device.refuse)");
   CHECK(lua.Get("ok") == "false");
   CHECK_THAT(lua.Get("message"), Contains("out of order"));

@@ -1,15 +1,20 @@
 #include "lua_tester.h"
 
+#include <argos3/core/wrappers/lua/lua_keys.h>
 #include <argos3/core/wrappers/lua/lua_registry.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
 #include <argos3/testing/support/captured_logs.h>
+#include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/paths.h>
 
 #include <catch2/catch.hpp>
 
 #include <unistd.h>
 
+#include <array>
+#include <cstddef>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <limits>
 
@@ -85,6 +90,28 @@ class CScriptFile {
   CScriptFile& operator=(const CScriptFile&) = delete;
 
   const std::string Path = InBuildTree("lua_utility_test_" + std::to_string(getpid()) + ".lua");
+};
+
+/** The memory of a Lua state, from which nothing is released. */
+struct SBuffer {
+  alignas(16) std::array<std::byte, 65536> Bytes;
+  std::size_t NumUsed = 0;
+
+  static void* Reallocate(void* buffer, void* block, std::size_t oldSize, std::size_t newSize) {
+    auto& self = *static_cast<SBuffer*>(buffer);
+    if (block != nullptr && newSize <= oldSize) {
+      return newSize > 0 ? block : nullptr;
+    }
+    if (newSize == 0 || newSize > self.Bytes.size() - self.NumUsed) {
+      return nullptr;
+    }
+    void* const moved = self.Bytes.data() + self.NumUsed;
+    self.NumUsed += (newSize + 15) / 16 * 16;
+    if (block != nullptr) {
+      std::memcpy(moved, block, oldSize);
+    }
+    return moved;
+  }
 };
 
 }  // namespace
@@ -190,6 +217,44 @@ TEST_CASE("lua utility: globals and the stack can be printed", "[lua][utility]")
     CHECK(lua_gettop(state) == 2);
   });
   CHECK(TakeLog() == "#1 number 5\n#2 string \"top\"\n");
+}
+
+TEST_CASE("lua utility: a script's error while something is printed is an error of the call",
+          "[lua][utility]") {
+  CLuaTester lua;
+  // leak checkers would find the text of the long key if the error skipped a destructor
+  lua.Do(
+      "fail = setmetatable({}, { __tostring = function() error('no text', 0) end })\n"
+      "_G[string.rep('k', 100)] = fail");
+  CHECK_THROWS_WITH(lua.Run([](lua_State* state) { CLuaUtility::PrintGlobals(LOG, state); }),
+                    Contains("no text"));
+  CHECK_THROWS_WITH(lua.Run([](lua_State* state) {
+    lua_getglobal(state, "fail");
+    CLuaUtility::PrintStack(LOG, state);
+  }),
+                    Contains("no text"));
+  TakeLog();
+}
+
+TEST_CASE("lua utility: keys are ordered in memory of the state alone", "[lua][utility]") {
+  // an error may leave the function without calling destructors
+  SBuffer buffer;
+  lua_State* const state = lua_newstate(&SBuffer::Reallocate, &buffer);
+  REQUIRE(state != nullptr);
+  lua_gc(state, LUA_GCSTOP);
+  lua_newtable(state);
+  for (const char* const key : {"wheels", "id", "proximity", "leds", "params", "random"}) {
+    lua_pushboolean(state, 1);
+    lua_setfield(state, -2, key);
+  }
+  CheckAllocatesNothing([state] { PushOrderedKeys(state, 1); });
+  REQUIRE(lua_gettop(state) == 2);
+  std::string keys;
+  for (int i = 1; lua_rawgeti(state, 2, i) == LUA_TSTRING; ++i) {
+    keys += lua_tostring(state, -1) + std::string(" ");
+  }
+  CHECK(keys == "id leds params proximity random wheels ");
+  lua_close(state);
 }
 
 TEST_CASE("lua utility: a metatable is assigned by its name", "[lua][utility]") {
