@@ -12,26 +12,26 @@
 namespace argos {
 
 /**
- * Measures where a run spends its time, and writes it to a file.
+ * Measures the time of a run and writes it to a file.
  *
  * Use: AddPhase() for each phase; Start(); in each tick StartPhase() and StopPhase() around each
  * phase; Stop(); Flush(). Phases do not allocate. Worker threads call CollectThreadResourceUsage()
- * before they end, everything else belongs to one thread.
+ * before they end; all other functions must be called by one thread.
  */
 class CProfiler {
  public:
   typedef std::size_t TPhase;
 
   /**
-   * @param file      where Flush() writes.
+   * @param file      target of Flush().
    * @param format    "human_readable": a report; "table": a line of column names, unless the file
-   * has text already, and a line of values, with tabs between them.
+   *   is not empty, and a line of values, separated by tabs.
    * @param truncate  false: append to the file.
-   * @throws CARGoSException on another format, or if the file cannot be written.
+   * @throws CARGoSException if the format is unknown or the file cannot be written.
    */
   CProfiler(const std::string& file, const std::string& format, bool truncate = true);
 
-  /** Adds a phase; phases are reported in this order. @return what StartPhase() takes. */
+  /** Adds a phase; the report keeps this order. @return the argument of StartPhase(). */
   TPhase AddPhase(const std::string& name);
 
   /** Starts the wall clock. */
@@ -40,13 +40,13 @@ class CProfiler {
   void StartPhase(TPhase phase);
   void StopPhase(TPhase phase);
 
-  /** Adds the processor time of the calling thread to those of the worker threads. Any thread. */
+  /** Adds the calling thread's processor time to those of the worker threads. Thread safe. */
   void CollectThreadResourceUsage();
 
-  /** Stops the wall clock and takes the process's use of resources. */
+  /** Stops the wall clock and reads the resource usage of the process. */
   void Stop();
 
-  /** Writes the result. @throws CARGoSException if that fails. */
+  /** Writes the result. @throws CARGoSException on failure. */
   void Flush();
 
   /** Wall time between Start() and Stop(), s. */
@@ -55,7 +55,7 @@ class CProfiler {
   /** Wall time spent in a phase so far, s. */
   Real GetPhaseTime(TPhase phase) const;
 
-  /** How often a phase was stopped. */
+  /** The number of StopPhase() calls of a phase. */
   UInt64 GetPhaseCount(TPhase phase) const { return m_phases[phase].Count; }
 
  private:
@@ -68,7 +68,7 @@ class CProfiler {
     UInt64 Count = 0;
   };
 
-  // what getrusage() says
+  // from getrusage()
   struct SUsage {
     Real UserTime = 0.0;  // s
     Real SystemTime = 0.0;  // s

@@ -91,7 +91,7 @@ TEST_CASE("factory: an unknown label lists nearest, known and searched", "[core]
                     Contains("No CTestShape is registered under the label \"discc\"; did you mean "
                              "\"disc\"") &&
                         Contains("; registered: disc, disk, global disc, square") &&
-                        Contains("; libraries are looked for in: "));
+                        Contains("; libraries are searched in: "));
 }
 
 TEST_CASE("factory: registering at run time replaces silently", "[core][factory]") {
