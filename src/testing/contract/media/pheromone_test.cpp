@@ -397,7 +397,7 @@ TEST_CASE("pheromone: wrong experiments are refused with the reason", "[contract
   const auto error = [&] { return LoadError(WithPheromones(RobotInCell(), setup)); };
   SECTION("no layers") {
     setup.Layers = "";
-    CHECK_THAT(error(), Contains("test.argos:") && Contains("needs one child <layer"));
+    CHECK_THAT(error(), Contains("test.argos:") && Contains("needs at least one child <layer"));
   }
   SECTION("layers") {
     setup.Layers = Layer("a") + Layer("a");
@@ -436,7 +436,7 @@ TEST_CASE("pheromone: wrong experiments are refused with the reason", "[contract
       *device = "layers=\"trail,trail\"";
       CHECK_THAT(error(), Contains("named twice"));
       *device = "layers=\"\"";
-      CHECK_THAT(error(), Contains("no layer is named"));
+      CHECK_THAT(error(), Contains("no layer is listed"));
       *device = "";
     }
     setup.SensorChildren = "<point/>";
