@@ -65,7 +65,7 @@ TEST_CASE("bad input: a medium that is named but absent, or of another kind", "[
       {{"rab", "", "there is no medium \"rab\"; known: none"},
        {"rba", "<range_and_bearing id=\"rab\"/>",
         "there is no medium \"rba\"; did you mean \"rab\"?"},
-       {"leds", "<led id=\"leds\"/>", "medium \"leds\" is not of the type that is needed here"}}));
+       {"leds", "<led id=\"leds\"/>", "medium \"leds\" is not of the required type"}}));
   CAPTURE(named, media);
   experiment.Media = "<media>" + media + "</media>";
   SECTION("by a sensor") {
