@@ -32,7 +32,7 @@ class CFootBotForaging : public argos::CCI_Controller {
  public:
   enum class EState { Resting, Exploring, Returning };
 
-  /** What the robot carries; written by the loop functions. */
+  /** The food that the robot carries; written by the loop functions. */
   struct SFood {
     bool Has = false;
     argos::UInt64 Delivered = 0;
