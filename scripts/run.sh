@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds the simulator and runs an experiment, without a display:
+# Installs missing packages, builds the simulator and runs an experiment, without a display:
 #   scripts/run.sh [EXPERIMENT [ARGUMENTS OF argos3...]]
 # EXPERIMENT is an .argos file, by default experiments/diffusion_10.argos, searched in the current folder and in the
 # repository. The simulator runs in the repository's folder, so frames are written under its out/.
