@@ -62,7 +62,7 @@ CSimulator::~CSimulator() {
   try {
     Destroy();
   } catch (const std::exception& error) {
-    // a users' Destroy() may throw, which a destructor must not do
+    // a user's Destroy() may throw, a destructor must not
     LOGERR << error.what() << std::endl;
     LOGERR.Flush();
   }
