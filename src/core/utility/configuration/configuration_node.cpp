@@ -42,7 +42,7 @@ CConfigurationNode& CConfigurationNode::operator=(const CConfigurationNode& othe
   if (this == &other) {
     return *this;
   }
-  CConfigurationStore* home = m_record != nullptr ? m_record->Store : nullptr;
+  CConfigurationStore* ownStore = m_record != nullptr ? m_record->Store : nullptr;
   // reassigning the document's own handle of an element: the next GetNode() creates a new one
   if (m_record != nullptr && m_record->Handle == this) {
     m_record->Handle = nullptr;
@@ -50,7 +50,7 @@ CConfigurationNode& CConfigurationNode::operator=(const CConfigurationNode& othe
   SConfigurationRecord* record = other.m_record;
   std::shared_ptr<CConfigurationStore> owner;
   // the document must not own itself
-  if (record != nullptr && !(m_heldByDocument && record->Store == home)) {
+  if (record != nullptr && !(m_heldByDocument && record->Store == ownStore)) {
     owner = record->Store->shared_from_this();
   }
   m_record = record;
