@@ -32,7 +32,7 @@ std::vector<std::string> Ids(const std::map<std::string, TConfigurationNode*>& n
   return ids;
 }
 
-// the ids of engines or media, for messages
+// ids of engines or media, for messages
 template <typename PART>
 std::vector<std::string> Ids(const std::vector<PART*>& parts) {
   std::vector<std::string> ids;
@@ -42,14 +42,14 @@ std::vector<std::string> Ids(const std::vector<PART*>& parts) {
   return ids;
 }
 
-// the threads of a simulator for which no experiment is loaded: only the caller's
+// thread pool without workers, for a simulator without an experiment
 std::unique_ptr<CThreadPool> MakeIdlePool() {
   return std::make_unique<CThreadPool>(0, CreateSchedule("balance_quantity"));
 }
 
 }  // namespace
 
-// the process's default simulator shares the default random registry with code outside any scope
+// the default simulator shares the process-wide random registry with code outside any scope
 CSimulator::CSimulator(SDefaultTag)
     : m_registry(nullptr), m_pool(MakeIdlePool()), m_space(std::make_unique<CSpace>(*this)) {}
 
@@ -63,7 +63,7 @@ CSimulator::~CSimulator() {
   try {
     Destroy();
   } catch (const std::exception& error) {
-    // users' Destroy() may fail, and nobody can catch that here
+    // a user's Destroy() may throw, a destructor must not
     LOGERR << error.what() << std::endl;
     LOGERR.Flush();
   }
@@ -73,7 +73,7 @@ CSimulator& CSimulator::GetInstance() {
   if (currentSimulator != nullptr) {
     return *currentSimulator;
   }
-  // never deleted: at the end of the process the code of plug-ins that it would call may be gone
+  // never deleted: at the end of the process the code of plug-ins may already be unloaded
   static CSimulator* const instance =
       std::unique_ptr<CSimulator>(new CSimulator(SDefaultTag{})).release();
   return *instance;
@@ -217,7 +217,7 @@ void CSimulator::SetLength(Real seconds) {
   }
   m_length = seconds;
   m_lengthSet = true;
-  // a whole number of ticks that division by the tick length rounds down still counts as whole
+  // tolerance for a whole number of ticks that the division rounds down
   const Real ticks = std::floor(seconds / m_tickLength + 1e-6);
   if (ticks > std::numeric_limits<UInt32>::max()) {
     THROW_ARGOSEXCEPTION("an experiment of " << seconds << " s has more ticks than can be counted");
@@ -255,7 +255,7 @@ void CSimulator::Reset() {
   for (CPhysicsEngine* engine : m_engines) {
     engine->Reset();
   }
-  // after the engines: media look where bodies are
+  // after the engines: media use the positions of bodies
   for (CMedium* medium : m_media) {
     medium->Reset();
   }
@@ -272,13 +272,13 @@ void CSimulator::Reset(UInt32 newRandomSeed) {
 
 void CSimulator::Destroy() {
   const CScope scope(*this);
-  // users' Destroy() may count on their Init()
+  // users' Destroy() may rely on their Init()
   std::exception_ptr failure;
   if (m_loopFunctionsReady) {
     try {
       m_loopFunctions->Destroy();
     } catch (...) {
-      // everything else goes all the same
+      // continue, and throw again at the end
       failure = std::current_exception();
     }
     m_loopFunctionsReady = false;
@@ -288,7 +288,7 @@ void CSimulator::Destroy() {
   }
   m_visualization.reset();
   m_space->Destroy();
-  // loop functions go after the entities: entities may still ask for the floor's colour
+  // after the entities, which may still request the floor's colour
   m_ownLoopFunctions.reset();
   m_loopFunctions = nullptr;
   for (CMedium* medium : m_media) {
@@ -305,7 +305,7 @@ void CSimulator::Destroy() {
   if (CRandom::ExistsCategory("argos")) {
     CRandom::RemoveCategory("argos");
   }
-  // joins the workers: none is left when the program ends
+  // joins the workers, so that none is left at the end of the program
   m_pool = MakeIdlePool();
   m_rng = nullptr;
   m_controllerNodes.clear();

@@ -13,7 +13,7 @@ void MountOnAnchor(SAnchor& anchor, const CEntity& user) {
   if (user.IsEnabled()) {
     anchor.Enable();
   }
-  // this use of the anchor stays after a Reset()
+  // Reset() keeps this use of the anchor
   if (user.IsEnabledAtStart()) {
     ++anchor.InUseCountAtStart;
   }

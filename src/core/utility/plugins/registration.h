@@ -2,10 +2,10 @@
 #define ARGOS3_CORE_UTILITY_PLUGINS_REGISTRATION_H
 
 /*
- * What every factory shares: the build id of a plug-in, and the problems met while a library
- * registers its plug-ins. Those happen inside dlopen(), where nothing can be thrown, so they are
+ * Shared by all factories: the build id of plug-ins, and problems found while a library registers
+ * its plug-ins. Registration happens inside dlopen(), where nothing can be thrown, so problems are
  * recorded here and thrown by CDynamicLoading::LoadLibrary(), or by ThrowRegistrationProblems() for
- * libraries that the program was linked with.
+ * libraries that are linked to the program.
  */
 
 #include <argos3/core/config.h>
@@ -38,22 +38,24 @@ namespace argos {
 
 #ifndef ARGOS_BUILD_ID
 /**
- * All that must be equal for a plug-in to fit the core: "name=value" pairs, ';' between them. A
- * macro, so that it says what the including source was compiled with.
+ * The properties that a plug-in and the core must have in common: "name=value" pairs, separated by
+ * ';'. A macro, so that it describes the compilation of the including source.
  */
 #define ARGOS_BUILD_ID \
   ARGOS_BUILD_ID_API_ ARGOS_BUILD_ID_REAL_ ARGOS_BUILD_ID_STRING_ ARGOS_BUILD_ID_CONTAINERS_
 #endif
 
-/** The build id that the core library was compiled with. */
+/** The build id of the core library. */
 const char* GetCoreBuildId();
 
-/** The path of the library, or of the program, that holds a function; "(unknown)" if none does. */
+/**
+ * The path of the library, or of the program, that contains a function; "(unknown)" if none does.
+ */
 std::string GetLibraryOf(const void* function);
 
 /**
  * Records that a library was built against another version of the headers, or with other options.
- * @return false if the id is the core's, and nothing was recorded.
+ * @return true if the ids differ.
  */
 bool RecordIfBuildDiffers(const std::string& buildId, const std::string& library);
 
@@ -62,13 +64,13 @@ void RecordDuplicateLabel(const std::string& label, const std::string& kind,
                           const std::string& firstLibrary, const std::string& secondLibrary);
 
 /**
- * Throws what was recorded, and forgets it.
- * @param context  how the message begins; without problems, nothing happens.
- * @throws CARGoSException that lists every problem, one a line.
+ * Throws the recorded problems and clears the record.
+ * @param context  start of the message. Does nothing if there are no problems.
+ * @throws CARGoSException that lists every problem, one per line.
  */
 void ThrowRegistrationProblems(const std::string& context);
 
-/** Where CDynamicLoading looks for libraries: for messages about a label that nobody registered. */
+/** The search paths of CDynamicLoading, for messages about unregistered labels. */
 std::vector<std::string> GetPluginSearchPaths();
 
 namespace detail {

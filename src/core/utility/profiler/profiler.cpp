@@ -30,7 +30,7 @@ CProfiler::CProfiler(const std::string& file, const std::string& format, bool tr
     THROW_ARGOSEXCEPTION("Profiler: format \"" << format
                                                << "\", expected \"human_readable\" or \"table\"");
   }
-  // an error is reported before the run, not after it
+  // report a file that cannot be written before the run, not after it
   const std::ofstream stream(file, truncate ? std::ios::trunc : std::ios::app);
   if (!stream) {
     THROW_ARGOSEXCEPTION("Profiler: cannot write the file \"" << file

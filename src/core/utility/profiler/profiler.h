@@ -11,19 +11,20 @@
 namespace argos {
 
 /**
- * Measures where a run spends its time, and writes it to a file.
+ * Measures the time of a run and writes it to a file.
  *
  * Use: Start(); the run; AddPhase() for each of its phases; Stop(); Flush(). Worker threads call
- * CollectThreadResourceUsage() before they end, all other functions belong to one thread.
+ * CollectThreadResourceUsage() before they end, all other functions must be called by one
+ * thread.
  */
 class CProfiler {
  public:
   /**
-   * @param file      where Flush() writes.
+   * @param file      target of Flush().
    * @param format    "human_readable": a report; "table": a line of column names, unless the file
-   * has text already, and a line of values, with tabs between them.
+   *   is not empty, and a line of values, separated by tabs.
    * @param truncate  false: append to the file.
-   * @throws CARGoSException on another format, or if the file cannot be written.
+   * @throws CARGoSException if the format is unknown or the file cannot be written.
    */
   CProfiler(const std::string& file, const std::string& format, bool truncate = true);
 
@@ -37,13 +38,13 @@ class CProfiler {
    */
   void AddPhase(const std::string& name, Real seconds, UInt64 count);
 
-  /** Adds the processor time of the calling thread to those of the worker threads. Any thread. */
+  /** Adds the calling thread's processor time to those of the worker threads. Thread safe. */
   void CollectThreadResourceUsage();
 
-  /** Stops the wall clock and takes the process's use of resources. */
+  /** Stops the wall clock and reads the resource usage of the process. */
   void Stop();
 
-  /** Writes the result. @throws CARGoSException if that fails. */
+  /** Writes the result. @throws CARGoSException on failure. */
   void Flush();
 
   /** Wall time between Start() and Stop(), s. */
@@ -58,7 +59,7 @@ class CProfiler {
     UInt64 Count = 0;
   };
 
-  // results of getrusage()
+  // from getrusage()
   struct SUsage {
     Real UserTime = 0.0;  // s
     Real SystemTime = 0.0;  // s

@@ -398,7 +398,7 @@ TEST_CASE("pheromone: invalid experiments are refused with the reason",
   const auto error = [&] { return LoadError(WithPheromones(RobotInCell(), setup)); };
   SECTION("without layers") {
     setup.Layers = "";
-    CHECK_THAT(error(), Contains("test.argos:") && Contains("needs one child <layer"));
+    CHECK_THAT(error(), Contains("test.argos:") && Contains("needs at least one child <layer"));
   }
   SECTION("invalid layers") {
     setup.Layers = Layer("a") + Layer("a");
@@ -437,7 +437,7 @@ TEST_CASE("pheromone: invalid experiments are refused with the reason",
       *device = "layers=\"trail,trail\"";
       CHECK_THAT(error(), Contains("named twice"));
       *device = "layers=\"\"";
-      CHECK_THAT(error(), Contains("no layer is named"));
+      CHECK_THAT(error(), Contains("no layer is listed"));
       *device = "";
     }
     setup.SensorChildren = "<point/>";

@@ -65,7 +65,7 @@ TEST_CASE("bad input: a medium that does not exist or is of the wrong type", "[b
       {{"rab", "", "there is no medium \"rab\"; known: none"},
        {"rba", "<range_and_bearing id=\"rab\"/>",
         "there is no medium \"rba\"; did you mean \"rab\"?"},
-       {"leds", "<led id=\"leds\"/>", "medium \"leds\" is not of the type that is needed here"}}));
+       {"leds", "<led id=\"leds\"/>", "medium \"leds\" is not of the required type"}}));
   CAPTURE(named, media);
   experiment.Media = "<media>" + media + "</media>";
   SECTION("the medium of a sensor") {
@@ -127,17 +127,17 @@ TEST_CASE("bad input: a controller that requests a sensor missing in its XML", "
   experiment.Controllers = WithSensors("<proximity implementation=\"default\"/>",
                                        "test_asks_for_device", "<params sensor=\"proximitty\"/>");
   const std::string error = LoadError(experiment);
-  CHECK_THAT(error, Contains("Robot \"ep\": its controller asks for the sensor \"proximitty\", "
+  CHECK_THAT(error, Contains("Robot \"ep\": its controller requests the sensor \"proximitty\", "
                              "which is not in the <sensors> section"));
-  CHECK_THAT(error,
-             Contains("did you mean \"proximity\"?") && Contains("that section has: proximity"));
+  CHECK_THAT(error, Contains("did you mean \"proximity\"?") &&
+                        Contains("the section contains: proximity"));
   CHECK_THAT(error, Contains(At(SExperimentText::kControllersLine)) &&
                         Contains(At(SExperimentText::kArenaLine)));
   // an actuator, and a device of another type than requested
   experiment.Controllers = WithSensors("", "test_asks_for_device", "<params actuator=\"leds\"/>");
   CHECK_THAT(LoadError(experiment),
              Contains("the actuator \"leds\", which is not in the <actuators> section") &&
-                 Contains("that section has: differential_steering"));
+                 Contains("the section contains: differential_steering"));
   experiment.Controllers = WithSensors("<positioning implementation=\"default\"/>",
                                        "test_asks_for_device", "<params sensor=\"positioning\"/>");
   CHECK_THAT(LoadError(experiment), Contains("the sensor \"positioning\" as a ") &&

@@ -122,12 +122,12 @@ TEST_CASE("controller: the error on a missing device lists the devices that exis
   controller.SetId("fb3");
   CHECK_THROWS_WITH(
       controller.GetSensor<CTestEyes>("eyes"),
-      "[FATAL] Robot \"fb3\": its controller asks for the sensor \"eyes\", which is not in "
-      "the <sensors> section of the controller's XML; that section has: nothing");
+      "[FATAL] Robot \"fb3\": its controller requests the sensor \"eyes\", which is not in "
+      "the <sensors> section of the controller's XML; the section contains: nothing");
   controller.AddActuator("wheels", new CTestWheels);
   controller.AddActuator("leds", new CTestLEDs);
   CHECK_THROWS_WITH(controller.GetActuator<CTestWheels>("wheel"),
-                    Contains("did you mean \"wheels\"?; that section has: leds, wheels"));
+                    Contains("did you mean \"wheels\"?; the section contains: leds, wheels"));
 }
 
 TEST_CASE("controller: the error on a device of another type names both types",
@@ -137,8 +137,8 @@ TEST_CASE("controller: the error on a device of another type names both types",
   controller.AddActuator("leds", new CTestLEDs);
   CHECK_THROWS_WITH(
       controller.GetActuator<CTestWheels>("leds"),
-      Contains("Robot \"fb3\": its controller asks for the actuator \"leds\" as a ") &&
-          Contains("CTestWheels, but what the XML names is a ") && Contains("CTestLEDs"));
+      Contains("Robot \"fb3\": its controller requests the actuator \"leds\" as a ") &&
+          Contains("CTestWheels, but the device in the XML is a ") && Contains("CTestLEDs"));
 }
 
 TEST_CASE("sensor: starts disabled", "[core][control_interface]") {

@@ -105,7 +105,7 @@ TEST_CASE("configuration: errors on malformed values give the text found and the
   };
   CHECK(bad("real", Real()) ==
         "[FATAL] test.argos:7: <bad>: attribute \"real\": found \"1.5x\", expected a real number "
-        "(there is text after the number)");
+        "(text follows the number)");
   CHECK(bad("word", Real()) ==
         "[FATAL] test.argos:7: <bad>: attribute \"word\": found \"abc\", expected a real number");
   CHECK_THAT(bad("inf", Real()), Contains("found \"inf\", expected a real number"));

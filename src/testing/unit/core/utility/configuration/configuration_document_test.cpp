@@ -106,7 +106,7 @@ TEST_CASE("document: an empty document has no root", "[core][configuration]") {
 }
 
 TEST_CASE("document: malformed XML is refused with its line", "[core][configuration]") {
-  CHECK_THAT(ErrorOfParsing(""), Contains("x.argos: not well-formed XML: there is nothing in it"));
+  CHECK_THAT(ErrorOfParsing(""), Contains("x.argos: not well-formed XML: the document is empty"));
   CHECK_THAT(ErrorOfParsing("<a>\n<b>\n</a>"), Contains("x.argos:2: not well-formed XML: this "
                                                         "closing tag does not match"));
   CHECK_THAT(ErrorOfParsing("<a>\n<b x=1/></a>"),
@@ -116,11 +116,11 @@ TEST_CASE("document: malformed XML is refused with its line", "[core][configurat
   CHECK_THAT(ErrorOfParsing("<a>\n<!-- \n</a>"),
              Contains("x.argos:2: not well-formed XML: this comment"));
   CHECK_THAT(ErrorOfParsing("<a/>\n<b/>"),
-             Contains("x.argos:2: not well-formed XML: <b> stands outside "
+             Contains("x.argos:2: not well-formed XML: <b> is outside "
                       "the root element <a>"));
   CHECK_THAT(ErrorOfParsing("<a/>\ntext"),
              Contains("x.argos:2: not well-formed XML: this text is not"));
-  CHECK_THAT(ErrorOfParsing("<!-- only -->"), Contains("there is no element in it"));
+  CHECK_THAT(ErrorOfParsing("<!-- only -->"), Contains("the document has no element"));
   CHECK_THAT(ErrorOfParsing("just text"), Contains("not well-formed XML"));
   CHECK_THAT(ErrorOfParsing("<a"), Contains("not well-formed XML"));
   CHECK_THAT(ErrorOfParsing(std::string("<a/>\0", 5)), Contains("a zero byte in it, at offset 4"));
@@ -262,7 +262,7 @@ TEST_CASE("document: a path that matches several elements is an error with their
           "[core][configuration]") {
   CConfigurationDocument document = Experiment();
   CHECK_THROWS_WITH(document.SetByPath("arena/distribute/entity/@quantity", "1"),
-                    Contains("leads to 2 elements, in the lines 7, 8"));
+                    Contains("matches 2 elements, in lines 7, 8"));
   // nothing was changed
   CHECK(GetNode(GetNode(GetNode(document.GetRoot(), "arena"), "distribute"), "entity")
             .GetAttribute("quantity") == "1");

@@ -180,10 +180,10 @@ TEST_CASE("byte array: too few bytes are an error and nothing is removed", "[cor
   double real = 0.0;
   std::string text;
   UInt8 buffer[4];
-  CHECK_THROWS_WITH(array >> word, Contains("4 bytes were asked for, but there are only 3"));
-  CHECK_THROWS_WITH(array >> real, Contains("12 bytes were asked for, but there are only 3"));
+  CHECK_THROWS_WITH(array >> word, Contains("4 bytes were requested, but there are only 3"));
+  CHECK_THROWS_WITH(array >> real, Contains("12 bytes were requested, but there are only 3"));
   CHECK_THROWS_WITH(array >> text,
-                    Contains("a string was asked for, but none of the 3 bytes ends it"));
+                    Contains("cannot read a string, none of the 3 bytes is its terminating zero"));
   CHECK_THROWS_AS(array.FetchBuffer(buffer, 4), CARGoSException);
   CHECK(array.Size() == 3);
 }
@@ -191,7 +191,7 @@ TEST_CASE("byte array: too few bytes are an error and nothing is removed", "[cor
 TEST_CASE("byte array: an index out of range throws in every build", "[core][byte_array]") {
   CByteArray array(2);
   const CByteArray& constant = array;
-  CHECK_THROWS_WITH(array[2], Contains("byte number 2 was asked for"));
+  CHECK_THROWS_WITH(array[2], Contains("index 2 is out of range"));
   CHECK_THROWS_AS(constant[2], CARGoSException);
 }
 

@@ -93,7 +93,7 @@ TEST_CASE(
                     Contains("No CTestShape is registered under the label \"discc\"; did you mean "
                              "\"disc\"") &&
                         Contains("; registered: disc, disk, global disc, square") &&
-                        Contains("; libraries are looked for in: "));
+                        Contains("; libraries are searched in: "));
 }
 
 TEST_CASE("factory: registering at run time replaces the former class silently",
