@@ -74,6 +74,7 @@ class CBatteryEquippedEntity : public CEntity {
   void Reset() override;
   /** Runs down, once a tick. */
   void Update() override;
+  void SetEnabled(bool enabled) override;
   std::string GetTypeDescription() const override { return "battery"; }
 
   Real GetFullCharge() const { return m_fullCharge; }

@@ -3,6 +3,7 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/entity/lazy_components.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/plugins/simulator/entities/led_entity.h>
 
@@ -20,7 +21,7 @@ namespace argos {
  *
  * Starts disabled: then cameras see none of the LEDs, which keep their colours.
  */
-class CLEDEquippedEntity : public CComposableEntity {
+class CLEDEquippedEntity : public CComposableEntity, private CLazyComponents {
  public:
   ENABLE_VTABLE();
 
@@ -69,8 +70,6 @@ class CLEDEquippedEntity : public CComposableEntity {
   void SetEnabled(bool enabled) override;
   virtual void Enable() { CComposableEntity::Enable(); }
   virtual void Disable() { CComposableEntity::Disable(); }
-  /** Itself, and its LEDs that are no entities yet. */
-  size_t GetIndexSpan() const override;
 
   /** Takes over a layout. @param anchors  those that the layout numbers; of one body. */
   void SetLayout(std::shared_ptr<const SLayout> layout, const std::vector<SAnchor*>& anchors);
@@ -98,16 +97,19 @@ class CLEDEquippedEntity : public CComposableEntity {
   /** Gives all LEDs, also those added later, to a medium: a CLEDMedium. */
   void SetMedium(CLEDEntity::CRegistry& medium);
 
-  /** Makes the LED entities if they do not exist yet. */
+  /** Creates the LED entities if they do not exist yet. */
   void Materialize();
+  /** Number of LEDs that are not entities yet. */
+  size_t GetNumLazyLEDs() const { return m_colors.size(); }
 
   /** Colours only: the same whether or not the LEDs are entities. */
   void UpdateDigest(CDigest& digest) const override;
 
- protected:
-  void MaterializeComponents(const std::string&) override { Materialize(); }
-
  private:
+  // CLazyComponents
+  void Create(const std::string&) override { Materialize(); }
+  void Forget(const CEntity&) override {}
+
   void CheckIndex(size_t index) const;
   void Append(SLayout&& layout);
   CLEDEntity& MakeLED(size_t index);

@@ -29,6 +29,7 @@ class COdometerEntity : public CEntity {
 
   void Reset() override;
   void Update() override;
+  void SetEnabled(bool enabled) override;
   std::string GetTypeDescription() const override { return "odometer"; }
 
   /** In the last tick, m, positive ahead. @param wheel number of a wheel of "wheels". */

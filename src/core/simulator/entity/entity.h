@@ -73,8 +73,6 @@ class CEntity : public CBaseConfigurableResource, public EnableVTableFor<CEntity
   /** Order of insertion into the space; -1 before. */
   ssize_t GetIndex() const { return m_index; }
   void SetIndex(ssize_t index) { m_index = static_cast<SInt64>(index); }
-  /** How many consecutive indices this entity takes: itself and what it may create later. */
-  virtual size_t GetIndexSpan() const { return 1; }
 
   bool IsEnabled() const { return m_enabled; }
   void Enable() { SetEnabled(true); }
@@ -89,10 +87,8 @@ class CEntity : public CBaseConfigurableResource, public EnableVTableFor<CEntity
    */
   virtual void MarkStart() { m_enabledAtStart = m_enabled; }
   /**
-   * Enables and disables this entity and its parts as they were at the start.
-   *
-   * Called before Reset(), twice: what is enabled or disabled may count itself in or out of parts
-   * that were brought back before.
+   * Enables and disables this entity and its parts as they were at the start. Called before
+   * Reset().
    */
   virtual void ReturnToStart();
   bool IsEnabledAtStart() const { return m_enabledAtStart; }
