@@ -5,6 +5,7 @@
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/configuration/base_configurable_resource.h>
+#include <argos3/core/utility/memory/object_slabs.h>
 #include <argos3/core/utility/plugins/factory.h>
 #include <argos3/core/utility/plugins/vtable.h>
 
@@ -30,7 +31,9 @@ struct SAppearance;
  * Every concrete class carries ENABLE_VTABLE() and registers its space operations, so that the core
  * dispatches on its exact type without knowing it.
  */
-class CEntity : public CBaseConfigurableResource, public EnableVTableFor<CEntity> {
+class CEntity : public CBaseConfigurableResource,
+                public EnableVTableFor<CEntity>,
+                public CSlabObject {
  public:
   ENABLE_VTABLE();
 
