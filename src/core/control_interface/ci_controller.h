@@ -9,6 +9,7 @@
 #include <argos3/core/utility/configuration/base_configurable_resource.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/memory/object_slabs.h>
 #include <argos3/core/utility/plugins/factory.h>
 #include <argos3/core/utility/string_utilities.h>
 
@@ -31,7 +32,7 @@ namespace argos {
  * before the first start); Destroy(); destructor. Controllers of different robots step in parallel:
  * ControlStep() must not write to data that they share.
  */
-class CCI_Controller : public CBaseConfigurableResource {
+class CCI_Controller : public CBaseConfigurableResource, public CSlabObject {
  public:
   CCI_Controller() = default;
   CCI_Controller(const CCI_Controller&) = delete;

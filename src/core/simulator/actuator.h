@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_SIMULATOR_ACTUATOR_H
 
 #include <argos3/core/control_interface/ci_actuator.h>
+#include <argos3/core/utility/memory/object_slabs.h>
 #include <argos3/core/utility/plugins/factory.h>
 
 namespace argos {
@@ -14,7 +15,7 @@ class CComposableEntity;
  * Update() applies the controller's orders to components of its own robot: robots act in parallel,
  * without locks. It must not allocate in a settled tick.
  */
-class CSimulatedActuator {
+class CSimulatedActuator : public CSlabObject {
  public:
   virtual ~CSimulatedActuator() = default;
   /** Called once, before Init(): looks up the robot's components that the actuator needs. */

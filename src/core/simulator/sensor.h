@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_SIMULATOR_SENSOR_H
 
 #include <argos3/core/control_interface/ci_sensor.h>
+#include <argos3/core/utility/memory/object_slabs.h>
 #include <argos3/core/utility/plugins/factory.h>
 
 namespace argos {
@@ -14,7 +15,7 @@ class CComposableEntity;
  * Update() may read the space, but write only to its own robot: robots sense in parallel, without
  * locks. It must not allocate in a settled tick.
  */
-class CSimulatedSensor {
+class CSimulatedSensor : public CSlabObject {
  public:
   virtual ~CSimulatedSensor() = default;
   /** Called once, before Init(): looks up the robot's components that the sensor needs. */

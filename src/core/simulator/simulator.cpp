@@ -51,10 +51,14 @@ std::unique_ptr<CThreadPool> MakeIdlePool() {
 
 // the default simulator shares the process-wide random registry with code outside any scope
 CSimulator::CSimulator(SDefaultTag)
-    : m_registry(nullptr), m_pool(MakeIdlePool()), m_space(std::make_unique<CSpace>(*this)) {}
+    : m_slabs(CObjectSlabs::Make()),
+      m_registry(nullptr),
+      m_pool(MakeIdlePool()),
+      m_space(std::make_unique<CSpace>(*this)) {}
 
 CSimulator::CSimulator()
-    : m_ownRegistry(std::make_unique<CRandom::CRegistry>()),
+    : m_slabs(CObjectSlabs::Make()),
+      m_ownRegistry(std::make_unique<CRandom::CRegistry>()),
       m_registry(m_ownRegistry.get()),
       m_pool(MakeIdlePool()),
       m_space(std::make_unique<CSpace>(*this)) {}
@@ -88,7 +92,9 @@ CSpace& CurrentSpace() {
 }
 
 CSimulator::CScope::CScope(CSimulator& simulator)
-    : m_previous(currentSimulator), m_previousRegistry(&CRandom::GetCurrentRegistry()) {
+    : m_previous(currentSimulator),
+      m_previousRegistry(&CRandom::GetCurrentRegistry()),
+      m_previousSlabs(CObjectSlabs::SetCurrent(simulator.m_slabs.get())) {
   currentSimulator = &simulator;
   CRandom::SetCurrentRegistry(simulator.m_registry);
 }
@@ -99,6 +105,7 @@ CSimulator::CScope::~CScope() {
   }
   currentSimulator = m_previous;
   CRandom::SetCurrentRegistry(m_previousRegistry);
+  CObjectSlabs::SetCurrent(m_previousSlabs);
 }
 
 CSpace& CSimulator::GetSpace() const {

@@ -6,6 +6,7 @@
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/math/rng.h>
+#include <argos3/core/utility/memory/object_slabs.h>
 
 #include <atomic>
 #include <functional>
@@ -60,6 +61,7 @@ class CSimulator {
     bool m_keep = false;
     CSimulator* m_previous;
     CRandom::CRegistry* m_previousRegistry;
+    CObjectSlabs* m_previousSlabs;
   };
 
   CSpace& GetSpace() const;
@@ -187,6 +189,7 @@ class CSimulator {
   void InitVisualization(TConfigurationNode& root, CLoadErrors& errors);
   void WarnOfUnreadParts() const;
 
+  CObjectSlabs::TOwner m_slabs;  // of the entities, devices and controllers
   std::string m_experimentFileName;
   std::unique_ptr<CConfigurationDocument> m_ownDocument;
   CConfigurationDocument* m_document = nullptr;

@@ -19,6 +19,13 @@ inline void UseAnchor(SAnchor& anchor, bool use) {
     use ? anchor.Enable() : anchor.Disable();
   }
 }
+/**
+ * Notes on the body of the robot that @p component has been enabled, or disabled, and that its
+ * Update() is needed after each move of the body.
+ */
+void CountFollower(CEntity& component, bool enabled);
+/** SetEnabled() of a component, not composable, whose Update() is needed after each move. */
+void SetFollowerEnabled(CEntity& component, bool enabled);
 /** Registers a mount of @p user, which may be enabled already, on an anchor for good. */
 void MountOnAnchor(SAnchor& anchor, const CEntity& user);
 /**

@@ -78,6 +78,10 @@ void CBatteryEquippedEntity::Reset() {
   }
 }
 
+void CBatteryEquippedEntity::SetEnabled(bool enabled) {
+  SetFollowerEnabled(*this, enabled);
+}
+
 void CBatteryEquippedEntity::Update() {
   if (m_tick.IsNewTick() && m_model != nullptr) {
     (*m_model)();

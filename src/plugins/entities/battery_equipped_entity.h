@@ -76,6 +76,7 @@ class CBatteryEquippedEntity : public CEntity {
   void Reset() override;
   /** Applies the discharge model, once a tick. */
   void Update() override;
+  void SetEnabled(bool enabled) override;
   std::string GetTypeDescription() const override { return "battery"; }
 
   Real GetFullCharge() const { return m_fullCharge; }

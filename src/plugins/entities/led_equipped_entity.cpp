@@ -32,6 +32,7 @@ CLEDEquippedEntity::CLEDEquippedEntity(CComposableEntity* parent, const std::str
     : CComposableEntity(parent, id) {
   static const std::shared_ptr<const SLayout> kEmpty = std::make_shared<SLayout>();
   m_layout = kEmpty;
+  SetLazyComponents(this);
   CComposableEntity::SetEnabled(false);
 }
 
@@ -75,6 +76,7 @@ void CLEDEquippedEntity::SetEnabled(bool enabled) {
     return;
   }
   CComposableEntity::SetEnabled(enabled);
+  CountFollower(*this, enabled);
   for (SAnchor* anchor : m_anchors) {
     UseAnchor(*anchor, enabled);
   }
@@ -82,10 +84,6 @@ void CLEDEquippedEntity::SetEnabled(bool enabled) {
     // neither the LEDs nor perhaps their anchors were updated while the LEDs were disabled
     UpdateComponents();
   }
-}
-
-size_t CLEDEquippedEntity::GetIndexSpan() const {
-  return 1 + m_colors.size();
 }
 
 void CLEDEquippedEntity::SetLayout(std::shared_ptr<const SLayout> layout,
@@ -262,8 +260,9 @@ namespace {
 class CSpaceOperationAddCLEDEquippedEntity : public CSpaceOperationAddEntity {
  public:
   void ApplyTo(CSpace& space, CLEDEquippedEntity& entity) {
-    space.RememberType<CLEDEntity>();
     space.AddEntity(entity);
+    // the LEDs that are created later come right after their parent in the order of entities
+    space.SkipIndices(entity.GetNumLazyLEDs());
     AddComponentsToSpace(space, entity);
   }
 };

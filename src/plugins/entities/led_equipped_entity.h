@@ -3,6 +3,7 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/entity/lazy_components.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/plugins/simulator/entities/led_entity.h>
 
@@ -21,7 +22,7 @@ namespace argos {
  *
  * Starts disabled: the LEDs keep their colours and are invisible to cameras.
  */
-class CLEDEquippedEntity : public CComposableEntity {
+class CLEDEquippedEntity : public CComposableEntity, private CLazyComponents {
  public:
   ENABLE_VTABLE();
 
@@ -70,8 +71,6 @@ class CLEDEquippedEntity : public CComposableEntity {
   void SetEnabled(bool enabled) override;
   virtual void Enable() { CComposableEntity::Enable(); }
   virtual void Disable() { CComposableEntity::Disable(); }
-  /** The entity itself and its LEDs that are not entities yet. */
-  size_t GetIndexSpan() const override;
 
   /**
    * Sets the layout. @param anchors  the anchors that the layout refers to by index; of one body.
@@ -103,14 +102,17 @@ class CLEDEquippedEntity : public CComposableEntity {
 
   /** Creates the LED entities unless they exist. */
   void Materialize();
+  /** Number of LEDs that are not entities yet. */
+  size_t GetNumLazyLEDs() const { return m_colors.size(); }
 
   /** Includes colours only: the same whether or not the LEDs are entities. */
   void UpdateDigest(CDigest& digest) const override;
 
- protected:
-  void MaterializeComponents(const std::string&) override { Materialize(); }
-
  private:
+  // CLazyComponents
+  void Create(const std::string&) override { Materialize(); }
+  void Forget(const CEntity&) override {}
+
   void CheckIndex(size_t index) const;
   void Append(SLayout&& layout);
   CLEDEntity& MakeLED(size_t index);

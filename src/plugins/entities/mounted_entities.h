@@ -57,6 +57,7 @@ class CMountedEntities : public CComposableEntity {
       return;
     }
     CComposableEntity::SetEnabled(enabled);
+    CountFollower(*this, enabled);
     for (const SInstance& instance : m_instances) {
       UseAnchor(instance.Anchor, enabled);
     }

@@ -30,6 +30,10 @@ void COdometerEntity::Update() {
   m_motion.Remember();
 }
 
+void COdometerEntity::SetEnabled(bool enabled) {
+  SetFollowerEnabled(*this, enabled);
+}
+
 // A body that turns by the angle a at constant speeds moves its origin along a chord, in the
 // direction of its heading half-way; the chord is sin(a/2) / (a/2) times as long as the path.
 void COdometerEntity::Measure() {

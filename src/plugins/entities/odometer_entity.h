@@ -30,6 +30,7 @@ class COdometerEntity : public CEntity {
 
   void Reset() override;
   void Update() override;
+  void SetEnabled(bool enabled) override;
   std::string GetTypeDescription() const override { return "odometer"; }
 
   /** Distance in the last tick, m, positive forward. @param wheel index of a wheel of "wheels". */

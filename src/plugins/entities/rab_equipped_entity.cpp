@@ -72,6 +72,7 @@ void CRABEquippedEntity::Update() {
 void CRABEquippedEntity::SetEnabled(bool enabled) {
   if (enabled != IsEnabled() && m_anchor != nullptr) {
     UseAnchor(*m_anchor, enabled);
+    CountFollower(*this, enabled);
   }
   if (enabled) {
     // the position was not updated while the device was disabled

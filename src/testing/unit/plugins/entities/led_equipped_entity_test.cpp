@@ -44,7 +44,7 @@ TEST_CASE("leds: entities are created on demand with their reserved indices", "[
   auto& a = world.Get<CEPuckEntity>("a");
   auto& b = world.Get<CEPuckEntity>("b");
   CLEDEquippedEntity& leds = a.GetLEDEquippedEntity();
-  CHECK(leds.GetIndexSpan() == 9);
+  CHECK(leds.GetNumLazyLEDs() == 8);
   const ssize_t index = leds.GetIndex();
   const UInt64 digest = DigestOf(leds);
   CLEDEntity& led = leds.GetLED(3);
