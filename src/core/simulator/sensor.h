@@ -22,12 +22,6 @@ class CSimulatedSensor : public CSlabObject {
   virtual void SetRobot(CComposableEntity& robot) = 0;
   /** Called every tick after physics and media, if the sensor is enabled. */
   virtual void Update() = 0;
-  /**
-   * Called shortly before Update(), while other robots have their turn, also on other threads: may
-   * ask for the memory, apart from this object, that Update() is going to need, with Prefetch().
-   * Reads only what does not change in ticks.
-   */
-  virtual void PrefetchUpdate() const {}
 };
 
 }  // namespace argos

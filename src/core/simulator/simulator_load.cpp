@@ -1,7 +1,6 @@
 // Loading an experiment: the parts of the file, in the order in which they are initialised. Every
 // part that fails is noted, and loading goes on, so that one run reports all that is wrong.
 
-#include <argos3/core/simulator/huge_pages.h>
 #include <argos3/core/simulator/load_errors.h>
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/space_partition.h>
@@ -131,7 +130,6 @@ void CSimulator::Init() {
   errors.ThrowIfAny();
   m_loading = false;
   m_space->MarkStart();
-  BackHeapByHugePages();
   WarnOfUnreadParts();
   LOG.Flush();
   LOGERR.Flush();

@@ -3,7 +3,6 @@
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/entity.h>
-#include <argos3/core/utility/prefetch.h>
 #include <argos3/plugins/simulator/entities/anchor_use.h>
 
 #include <memory>
@@ -81,8 +80,6 @@ class CSensorEquippedEntity : public CEntity {
     }
     return *m_layout;
   }
-  /** Asks for the memory that GetLayout() and GetAnchors() need. */
-  void PrefetchLayout() const { PrefetchBetween(&m_layout, &m_anchors + 1); }
   /** Those that the layout numbers. */
   const SAnchor* const* GetAnchors() const { return m_anchors.data(); }
 
@@ -130,7 +127,6 @@ class CSensorEquippedEntity : public CEntity {
     }
   }
 
-  // these two side by side: sensing looks at both for every robot in every tick. The layout is
   // shared by all robots of a type, and replaced, never changed, when sensors are added
   std::shared_ptr<const LAYOUT> m_layout;
   std::unique_ptr<SSensors> m_sensors;  // null until asked for

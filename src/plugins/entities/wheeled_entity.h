@@ -3,6 +3,7 @@
 
 #include <argos3/core/simulator/entity/entity.h>
 #include <argos3/core/utility/math/vector3.h>
+#include <argos3/core/utility/memory/object_slabs.h>
 
 #include <memory>
 #include <vector>
@@ -55,8 +56,8 @@ class CWheeledEntity : public CEntity {
   void CheckIndex(size_t index) const;
 
   std::unique_ptr<CVector3[]> m_positions;  // frame of the origin anchor, m, (wheels)
-  // m, (wheels), then m/s, (wheels): one block, because there are many robots
-  std::vector<Real> m_radiiAndVelocities;
+  // m, (wheels), then m/s, (wheels); engines read the speeds in every tick
+  std::vector<Real, CSlabAllocator<Real>> m_radiiAndVelocities;
 };
 
 }  // namespace argos
