@@ -25,7 +25,7 @@ bool CLoopFunctions::MoveEntity(CEmbodiedEntity& entity, const CVector3& positio
 }
 
 void CLoopFunctions::AddEntity(CEntity& entity) {
-  m_cSpace.TakeOver(std::unique_ptr<CEntity>(&entity));
+  m_cSpace.Adopt(std::unique_ptr<CEntity>(&entity));
 }
 
 void CLoopFunctions::RemoveEntity(const std::string& id) {

@@ -22,12 +22,6 @@ class CSimulatedSensor : public CSlabObject {
   virtual void SetRobot(CComposableEntity& robot) = 0;
   /** Called every tick after physics and media, if the sensor is enabled. */
   virtual void Update() = 0;
-  /**
-   * Called shortly before Update(), while other robots are updated, possibly on other threads: may
-   * prefetch memory outside of this object that Update() will read, with Prefetch(). Must only read
-   * data that are constant during ticks.
-   */
-  virtual void PrefetchUpdate() const {}
 };
 
 }  // namespace argos

@@ -1,7 +1,6 @@
 // Loading of an experiment: the parts of the file, in the order of their initialisation. A failed
 // part is recorded and loading continues, so that one run reports all errors.
 
-#include <argos3/core/simulator/huge_pages.h>
 #include <argos3/core/simulator/load_errors.h>
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/space_partition.h>
@@ -132,7 +131,6 @@ void CSimulator::Init() {
   errors.ThrowIfAny();
   m_loading = false;
   m_space->MarkStart();
-  BackHeapByHugePages();
   WarnOfUnreadParts();
   LOG.Flush();
   LOGERR.Flush();

@@ -3,7 +3,6 @@
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/entity.h>
-#include <argos3/core/utility/prefetch.h>
 #include <argos3/plugins/simulator/entities/anchor_use.h>
 
 #include <memory>
@@ -83,8 +82,6 @@ class CSensorEquippedEntity : public CEntity {
     }
     return *m_layout;
   }
-  /** Prefetches the data of GetLayout() and GetAnchors(). */
-  void PrefetchLayout() const { PrefetchBetween(&m_layout, &m_anchors + 1); }
   /** The anchors that the layout refers to by index. */
   const SAnchor* const* GetAnchors() const { return m_anchors.data(); }
 
@@ -132,8 +129,7 @@ class CSensorEquippedEntity : public CEntity {
     }
   }
 
-  // these two are adjacent, because sensing reads both for every robot in every tick. All robots of
-  // a type share the layout; adding sensors replaces it by a modified copy
+  // shared by all robots of a type; adding sensors replaces it by a modified copy
   std::shared_ptr<const LAYOUT> m_layout;
   std::unique_ptr<SSensors> m_sensors;  // null until the first request
   std::vector<SAnchor*> m_anchors;  // referred to by the layout; not owned

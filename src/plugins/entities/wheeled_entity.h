@@ -3,6 +3,7 @@
 
 #include <argos3/core/simulator/entity/entity.h>
 #include <argos3/core/utility/math/vector3.h>
+#include <argos3/core/utility/memory/object_slabs.h>
 
 #include <memory>
 #include <vector>
@@ -55,8 +56,8 @@ class CWheeledEntity : public CEntity {
   void CheckIndex(size_t index) const;
 
   std::unique_ptr<CVector3[]> m_positions;  // frame of the origin anchor, m, (wheels)
-  // radii, m, (wheels), then speeds, m/s, (wheels): one block saves memory per robot
-  std::vector<Real> m_radiiAndVelocities;
+  // radii, m, (wheels), then speeds, m/s, (wheels), which engines read in every tick
+  std::vector<Real, CSlabAllocator<Real>> m_radiiAndVelocities;
 };
 
 }  // namespace argos

@@ -36,12 +36,12 @@ class CComposableEntity : public CEntity {
   void MarkStart() override;
   void ReturnToStart() override;
 
-  /** Takes @p component over: it is deleted with this entity. Its type must not change later. */
+  /** Adds @p component, which this entity then owns. Its type must not change later. */
   void AddComponent(CEntity& component);
-  /** The same, in front of the component @p next: it then outlives that one. */
+  /** The same, before the component @p next in the order: it is destroyed after that one. */
   void InsertComponent(CEntity& component, const CEntity& next);
   /**
-   * Gives a component back to the caller, who deletes it.
+   * Removes a component; the caller then owns it.
    * @throws CARGoSException if there is none of that path.
    */
   CEntity& RemoveComponent(const std::string& component);
@@ -54,7 +54,7 @@ class CComposableEntity : public CEntity {
     E* result = dynamic_cast<E*>(&GetComponent(component));
     if (result == nullptr) {
       THROW_ARGOSEXCEPTION("component \"" << component << "\" of \"" << GetContext() << GetId()
-                                          << "\" is not of the type asked for");
+                                          << "\" is not of the requested type");
     }
     return *result;
   }

@@ -4,18 +4,11 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/load_errors.h>
 #include <argos3/core/simulator/simulator.h>
-#include <argos3/core/utility/prefetch.h>
 #include <argos3/core/utility/string_utilities.h>
 
 namespace argos {
 
 namespace {
-
-// what is needed in every tick, about, from the beginning of an object
-constexpr size_t kActuatorBytes = 64;
-constexpr size_t kSensorBytes = 128;
-// of a controller, from the end of what all have
-constexpr size_t kControllerBytes = 96;
 
 // a <sensors> or <actuators> section, or null: it may be left out
 TConfigurationNode* FindSection(TConfigurationNode& controllerNode, const std::string& tag) {
@@ -43,10 +36,10 @@ std::pair<SIMULATED*, std::unique_ptr<INTERFACE>> CreateDevice(TConfigurationNod
   return {simulated.release(), std::unique_ptr<INTERFACE>(interface)};
 }
 
-// hands the robot to a device of it
+// calls SetRobot() of a device
 template <typename SIMULATED>
-void Fit(SIMULATED& device, CComposableEntity& robot, const TConfigurationNode& node,
-         const char* kind) {
+void AttachToRobot(SIMULATED& device, CComposableEntity& robot, const TConfigurationNode& node,
+                   const char* kind) {
   try {
     device.SetRobot(robot);
   } catch (const CAlreadyReported&) {
@@ -193,7 +186,7 @@ void CControllableEntity::SetController(const std::string& controllerId,
   }
 }
 
-// a controller that was replaced, or whose Init() failed, is not to be asked for anything any more
+// no function of a controller that was replaced, or whose Init() failed, is called any more
 void CControllableEntity::DropController() {
   m_actuators.clear();
   m_sensors.clear();
@@ -211,7 +204,7 @@ void CControllableEntity::CreateActuators(TConfigurationNode& controllerNode) {
   TConfigurationNodeIterator it;
   for (it = it.begin(section); it != it.end(); ++it) {
     auto [simulated, interface] = CreateDevice<CSimulatedActuator, CCI_Actuator>(*it, "actuator");
-    Fit(*simulated, GetParent(), *it, "actuator");
+    AttachToRobot(*simulated, GetParent(), *it, "actuator");
     interface->Init(*it);
     m_pcController->AddActuator(it->Value(), interface.release());
   }
@@ -225,7 +218,7 @@ void CControllableEntity::CreateSensors(TConfigurationNode& controllerNode) {
   TConfigurationNodeIterator it;
   for (it = it.begin(section); it != it.end(); ++it) {
     auto [simulated, interface] = CreateDevice<CSimulatedSensor, CCI_Sensor>(*it, "sensor");
-    Fit(*simulated, GetParent(), *it, "sensor");
+    AttachToRobot(*simulated, GetParent(), *it, "sensor");
     interface->Init(*it);
     m_pcController->AddSensor(it->Value(), interface.release());
   }
@@ -268,47 +261,6 @@ const std::map<std::string, CSimulatedSensor*>& CControllableEntity::GetSensors(
     }
   }
   return m_mapSensors;
-}
-
-void CControllableEntity::PrefetchForAct(UInt32 stage) const {
-  if (stage == 0) {
-    PrefetchBetween(this, &m_sensors);
-  } else if (stage == 1) {
-    Prefetch(m_actuators.data(), 1);
-  } else if (stage == 2) {
-    for (const CSimulatedActuator* actuator : m_actuators) {
-      Prefetch(actuator, kActuatorBytes);
-    }
-  } else {
-    for (const CSimulatedActuator* actuator : m_actuators) {
-      actuator->PrefetchUpdate();
-    }
-  }
-}
-
-void CControllableEntity::PrefetchForSense(UInt32 stage) const {
-  if (stage == 0) {
-    PrefetchBetween(this, &m_mapActuators);
-  } else if (stage == 1) {
-    Prefetch(m_sensors.data(), 1);
-    // the robot is controlled soon after
-    Prefetch(m_actuators.data(), 1);
-    if (m_pcController != nullptr) {
-      Prefetch(m_pcController, 1);
-      Prefetch(m_pcController + 1, kControllerBytes);
-    }
-  } else if (stage == 2) {
-    for (const SSensorEntry& sensor : m_sensors) {
-      Prefetch(sensor.Simulated, kSensorBytes);
-    }
-    for (const CSimulatedActuator* actuator : m_actuators) {
-      Prefetch(actuator, kActuatorBytes);
-    }
-  } else {
-    for (const SSensorEntry& sensor : m_sensors) {
-      sensor.Simulated->PrefetchUpdate();
-    }
-  }
 }
 
 void CControllableEntity::Act() {

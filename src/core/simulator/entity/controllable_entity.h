@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/entity/entity.h>
 #include <argos3/core/simulator/sensor.h>
 #include <argos3/core/utility/math/ray3.h>
+#include <argos3/core/utility/memory/object_slabs.h>
 
 #include <map>
 #include <memory>
@@ -14,6 +15,7 @@
 
 namespace argos {
 
+class CLookAhead;
 class CSimulator;
 class CSpace;
 
@@ -39,7 +41,7 @@ class CControllableEntity : public CEntity {
   void Reset() override;
   void Destroy() override;
   std::string GetTypeDescription() const override { return "controller"; }
-  /** Also of the controller's sensors. */
+  /** Also notes which of the controller's sensors are enabled. */
   void MarkStart() override;
   void ReturnToStart() override;
 
@@ -61,14 +63,6 @@ class CControllableEntity : public CEntity {
   virtual void ControlStep();
   /** Applies the actuators, in alphabetical order of their XML tags. */
   virtual void Act();
-  /**
-   * Ask for the memory that Act(), or Sense() and ControlStep(), will need: in stages 0 to 3, each
-   * of which looks into what the one before has asked for. Safe while other robots have their turn
-   * on other threads.
-   */
-  void PrefetchForAct(UInt32 stage) const;
-  void PrefetchForSense(UInt32 stage) const;
-
   /** Records a ray that a sensor cast, to be drawn. Cleared at each Sense(). */
   void AddCheckedRay(bool obstructed, const CRay3& ray);
   /** Records the point at fraction @p tOnRay of @p ray. */
@@ -81,7 +75,7 @@ class CControllableEntity : public CEntity {
   /** The simulator this robot belongs to, for its devices. */
   CSimulator& GetSimulator() const { return m_simulator; }
 
-  /** The devices by XML tag; the maps are made when first asked for. */
+  /** The devices by XML tag; the maps are created at the first call. */
   const std::map<std::string, CSimulatedActuator*>& GetActuators() const;
   const std::map<std::string, CSimulatedSensor*>& GetSensors() const;
 
@@ -89,6 +83,8 @@ class CControllableEntity : public CEntity {
   CCI_Controller* m_pcController = nullptr;  // owned through m_controller
 
  private:
+  friend class CLookAhead;
+
   struct SSensorEntry {
     CSimulatedSensor* Simulated;
     CCI_Sensor* Interface;  // the same object
@@ -99,10 +95,9 @@ class CControllableEntity : public CEntity {
   void ListDevices();
   void DropController();
 
-  // what the tick iterates over, in alphabetical order; filled once after creation. With the
-  // controller and CEntity's own state they share a line or two of the cache.
-  std::vector<CSimulatedActuator*> m_actuators;
-  std::vector<SSensorEntry> m_sensors;
+  // what the tick iterates over, in alphabetical order; filled once after creation
+  std::vector<CSimulatedActuator*, CSlabAllocator<CSimulatedActuator*>> m_actuators;
+  std::vector<SSensorEntry, CSlabAllocator<SSensorEntry>> m_sensors;
 
  protected:
   std::vector<std::pair<bool, CRay3>> m_vecCheckedRays;

@@ -35,11 +35,12 @@ CEmbodiedEntity::CEmbodiedEntity(CComposableEntity* parent, const std::string& i
     : CEntity(parent, id),
       m_cInitOriginPosition(position),
       m_cInitOriginOrientation(orientation),
-      m_origin(*this, "origin", 0, CVector3(), CQuaternion(), position, orientation),
       m_bMovable(movable) {
-  m_psOriginAnchor = &m_origin;
-  m_mapAnchors[m_origin.Id] = &m_origin;
-  m_origin.Enable();
+  m_anchors.push_back(std::make_unique<SAnchor>(*this, "origin", 0, CVector3(), CQuaternion(),
+                                                position, orientation));
+  m_psOriginAnchor = m_anchors.front().get();
+  m_mapAnchors[m_psOriginAnchor->Id] = m_psOriginAnchor;
+  m_psOriginAnchor->Enable();
 }
 
 CEmbodiedEntity::~CEmbodiedEntity() {
@@ -58,9 +59,9 @@ void CEmbodiedEntity::Init(TConfigurationNode& tree) {
 
 void CEmbodiedEntity::Reset() {
   CEntity::Reset();
-  // engines restore their own state in their Reset(): here only what entities and sensors see
+  // engines restore their own state in their Reset(); this restores the state of the entity
   SetOriginPose(m_cInitOriginPosition, m_cInitOriginOrientation);
-  // not by CalculateAnchors(): a model may still think that it is where it was
+  // not by CalculateAnchors(): models still have the pose before the reset
   for (SAnchor* anchor : m_vecEnabledAnchors) {
     if (anchor->Index != 0) {
       anchor->FollowOrigin();
@@ -73,16 +74,14 @@ void CEmbodiedEntity::Reset() {
 
 void CEmbodiedEntity::MarkStart() {
   CEntity::MarkStart();
-  m_origin.InUseCountAtStart = m_origin.InUseCount;
-  for (const auto& anchor : m_otherAnchors) {
+  for (const auto& anchor : m_anchors) {
     anchor->InUseCountAtStart = anchor->InUseCount;
   }
 }
 
 void CEmbodiedEntity::ReturnToStart() {
   CEntity::ReturnToStart();
-  m_origin.ReturnToStart();
-  for (const auto& anchor : m_otherAnchors) {
+  for (const auto& anchor : m_anchors) {
     anchor->ReturnToStart();
   }
 }
@@ -93,10 +92,10 @@ SAnchor& CEmbodiedEntity::AddAnchor(const std::string& id, const CVector3& offse
     THROW_ARGOSEXCEPTION("body \"" << GetContext() << GetId() << "\" already has an anchor \"" << id
                                    << "\"");
   }
-  m_otherAnchors.push_back(
-      std::make_unique<SAnchor>(*this, id, static_cast<UInt32>(m_otherAnchors.size() + 1), offset,
-                                relativeOrientation, CVector3(), CQuaternion()));
-  SAnchor& anchor = *m_otherAnchors.back();
+  m_anchors.push_back(std::make_unique<SAnchor>(*this, id, static_cast<UInt32>(m_anchors.size()),
+                                                offset, relativeOrientation, CVector3(),
+                                                CQuaternion()));
+  SAnchor& anchor = *m_anchors.back();
   anchor.FollowOrigin();
   m_mapAnchors[id] = &anchor;
   return anchor;
@@ -147,12 +146,6 @@ void CEmbodiedEntity::CalculateBoundingBox() {
   // all models of a body have the same solids at the same pose
   m_tPhysicsModelVector.front()->CalculateBoundingBox();
   m_sBoundingBox = &m_tPhysicsModelVector.front()->GetBoundingBox();
-}
-
-void CEmbodiedEntity::PrefetchIndexedPose() const {
-  if (m_bodyIndex != nullptr) {
-    m_bodyIndex->PrefetchPose(m_bodyNumber);
-  }
 }
 
 UInt32 CEmbodiedEntity::GetPhysicsModelsNum() const {
@@ -256,12 +249,12 @@ bool CEmbodiedEntity::MoveTo(const CVector3& position, const CQuaternion& orient
   if (!m_tPhysicsModelVector.empty()) {
     CPhysicsEngine& engine = m_tPhysicsModelVector.front()->GetEngine();
     if (!m_bMovable) {
-      engine.GetSpace().RehouseImmovable(*this);
+      engine.GetSpace().ReassignImmovable(*this);
     } else if (LiesInAnotherRegion(position, engine)) {
       engine.TransferEntity(*this);
     }
   }
-  // what hangs on the body (LEDs, ...) follows at once
+  // mounted components (LEDs, ...) follow at once
   GetRootEntity().Update();
   return free;
 }
@@ -281,8 +274,8 @@ void CEmbodiedEntity::SetBodyDescription(std::shared_ptr<const SBodyDescription>
 void CEmbodiedEntity::SetOriginPose(const CVector3& position, const CQuaternion& orientation) {
   m_psOriginAnchor->Position = position;
   m_psOriginAnchor->Orientation = orientation;
-  if (m_bodyIndex != nullptr) {
-    m_bodyIndex->SetPose(m_bodyNumber, position, orientation);
+  if (!m_bMovable && m_bodyIndex != nullptr) {
+    m_bodyIndex->NoteWideMoved();
   }
 }
 

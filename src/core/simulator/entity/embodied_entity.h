@@ -6,7 +6,6 @@
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/math/quaternion.h>
 #include <argos3/core/utility/math/vector3.h>
-#include <argos3/core/utility/prefetch.h>
 
 #include <map>
 #include <memory>
@@ -18,9 +17,10 @@ class CBodyIndex;
 struct SBodyDescription;
 
 /**
- * A body: a solid thing with a pose, housed by one physics engine (movable) or by several (not).
+ * A solid body with a pose. A movable body is in one physics engine, an immovable one in one or
+ * more.
  *
- * The origin anchor is the centre of the body's base. Its pose is written by the engine only.
+ * The origin anchor is the centre of the body's base; only the engine writes its pose.
  */
 class CEmbodiedEntity : public CEntity {
  public:
@@ -37,7 +37,7 @@ class CEmbodiedEntity : public CEntity {
   /** Back to the initial pose; anchors are recomputed. */
   void Reset() override;
   std::string GetTypeDescription() const override { return "body"; }
-  /** Also of the anchors: how often each is in use. */
+  /** Also notes how often each anchor is in use. */
   void MarkStart() override;
   void ReturnToStart() override;
 
@@ -73,8 +73,8 @@ class CEmbodiedEntity : public CEntity {
   virtual void AddPhysicsModel(const std::string& engineId, CPhysicsModel& model);
   void RemovePhysicsModel(const std::string& engineId);
   /**
-   * The same as RemovePhysicsModel(@p from) and AddPhysicsModel(@p to, @p model), but asks for no
-   * memory: for bodies that change engines in a tick.
+   * The same as RemovePhysicsModel(@p from) and AddPhysicsModel(@p to, @p model), but does not
+   * allocate: for bodies that change engines in a tick.
    */
   void MovePhysicsModel(const std::string& from, const std::string& to, CPhysicsModel& model);
   const CPhysicsModel& GetPhysicsModel(size_t index) const;
@@ -83,16 +83,17 @@ class CEmbodiedEntity : public CEntity {
   CPhysicsModel& GetPhysicsModel(const std::string& engineId);
 
   /**
-   * Puts the body somewhere else.
+   * Moves the body to another pose.
    * @param position, orientation  new pose of the origin anchor, m, world frame.
-   * @param checkOnly  only find out; the pose is always restored.
-   * @param ignoreCollisions  move even if the place is taken.
-   * @return true if the place is free; if not, the old pose is restored (unless collisions are
-   *         ignored, when the body stays there and the result still tells).
+   * @param checkOnly  only test whether the body fits there; the pose is always restored.
+   * @param ignoreCollisions  move even if the body overlaps another one there.
+   * @return true if the body overlaps no other one there. If it does, the old pose is restored
+   * unless
+   *         @p ignoreCollisions is set.
    */
   virtual bool MoveTo(const CVector3& position, const CQuaternion& orientation,
                       bool checkOnly = false, bool ignoreCollisions = false);
-  /** True if the body overlaps or touches another one now. */
+  /** True if the body now overlaps or touches another one. */
   virtual bool IsCollidingWithSomething() const;
 
   /** What engines build this body from; null for bodies only their own engine understands. */
@@ -108,8 +109,8 @@ class CEmbodiedEntity : public CEntity {
   void SetBodyDescription(std::shared_ptr<const SBodyDescription> description);
 
   /**
-   * Engines only: writes the pose of the origin anchor, and of the body in the space's index.
-   * Anchors that are enabled follow in CPhysicsModel::CalculateAnchors().
+   * Engines only: writes the pose of the origin anchor. The space's index reads it from there at
+   * its next rebuild; anchors that are enabled follow in CPhysicsModel::CalculateAnchors().
    */
   void SetOriginPose(const CVector3& position, const CQuaternion& orientation);
 
@@ -121,14 +122,6 @@ class CEmbodiedEntity : public CEntity {
   void SetRootFollows(bool follows) { m_rootFollows = follows; }
   /** A component that Update() moves along with the body has been enabled or disabled. */
   void CountFollower(bool enabled) { m_numFollowers += enabled ? 1 : -1; }
-
-  /** Asks for the memory that SetOriginPose(), and sensors that look around, need. */
-  void PrefetchPose() const { PrefetchBetween(&m_origin.Position, &m_vecEnabledAnchors + 1); }
-  /**
-   * Asks for the memory of the index that SetOriginPose() writes to, some time after
-   * PrefetchPose().
-   */
-  void PrefetchIndexedPose() const;
 
   /** Number of this body in the space's index, or CBodyIndex::kNoBody. */
   UInt32 GetBodyNumber() const { return m_bodyNumber; }
@@ -149,8 +142,6 @@ class CEmbodiedEntity : public CEntity {
   friend struct SAnchor;
   void MoveModelsTo(const CVector3& position, const CQuaternion& orientation);
 
-  // from the pose at the end of the origin on, what engines and sensors need in every tick
-  SAnchor m_origin;
   std::shared_ptr<const SBodyDescription> m_description;
   CBodyIndex* m_bodyIndex = nullptr;
   UInt32 m_bodyNumber = ~UInt32(0);
@@ -163,7 +154,7 @@ class CEmbodiedEntity : public CEntity {
   std::vector<SAnchor*> m_vecEnabledAnchors;
 
  private:
-  std::vector<std::unique_ptr<SAnchor>> m_otherAnchors;  // by index - 1
+  std::vector<std::unique_ptr<SAnchor>> m_anchors;  // by index
 };
 
 }  // namespace argos

@@ -26,7 +26,7 @@ class CDigest;
 struct SAppearance;
 
 /**
- * A thing in the arena, or a component of one: a node of the entity tree.
+ * An object in the arena, or a component of one: a node of the entity tree.
  *
  * Every concrete class carries ENABLE_VTABLE() and registers its space operations, so that the core
  * dispatches on its exact type without knowing it.
@@ -83,10 +83,10 @@ class CEntity : public CBaseConfigurableResource,
   virtual void SetEnabled(bool enabled);
 
   /**
-   * Takes what is enabled now, of this entity and its parts, for its state at the start of the run.
+   * Notes which of this entity and its parts are enabled, as the state that Reset() restores.
    *
-   * Called for roots when they join the space, and again when everything is loaded. An entity that
-   * has never been in the space starts as it was made.
+   * Called for roots when they are added to the space, and again when everything is loaded. The
+   * initial state of an entity that has never been in a space is that after its construction.
    */
   virtual void MarkStart() { m_enabledAtStart = m_enabled; }
   /**
@@ -97,7 +97,7 @@ class CEntity : public CBaseConfigurableResource,
   bool IsEnabledAtStart() const { return m_enabledAtStart; }
   void SetEnabledAtStart(bool enabled) { m_enabledAtStart = enabled; }
 
-  /** The XML this entity was made from, or nullptr; of a distributed entity, the template. */
+  /** The XML element of this entity, or nullptr; for a distributed entity, the template's. */
   TConfigurationNode* GetConfigurationNode() { return m_configurationNode; }
 
   /** What the entity looks like, or nullptr if it is not drawn. */

@@ -30,9 +30,9 @@ class CMedium : public CBaseConfigurableResource {
   /** Called once after the arena is filled. */
   virtual void PostSpaceInit() {}
   /**
-   * Called once a tick, after the actuators and before physics: takes over what actuators ordered
-   * while robots are still where they ordered it. Media come one after the other, and may use the
-   * thread pool.
+   * Called once a tick, after the actuators and before physics: applies the commands of actuators
+   * while robots are still at the poses at which they gave them. Media are called one after the
+   * other, and may use the thread pool.
    */
   virtual void TakeActs() {}
   /**
@@ -41,12 +41,12 @@ class CMedium : public CBaseConfigurableResource {
    */
   virtual void Update() = 0;
   /**
-   * True of a medium whose Update() spreads its work over the simulator's thread pool: it is then
-   * not called from inside a phase. Must not change while a run lasts.
+   * @return true if Update() spreads its work over the simulator's thread pool: it is then not
+   * called from inside a parallel phase. Must not change during a run.
    */
   virtual bool UsesThreadPool() const { return false; }
 
-  /** Adds what the medium itself holds, besides entities, to a digest of the world. */
+  /** Adds the state of the medium itself, without that of entities, to a digest of the world. */
   virtual void UpdateDigest(CDigest& /*digest*/) const {}
 
   const std::string& GetId() const { return m_id; }

@@ -4,6 +4,7 @@
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/math/quaternion.h>
 #include <argos3/core/utility/math/vector3.h>
+#include <argos3/core/utility/memory/object_slabs.h>
 
 #include <functional>
 #include <map>
@@ -24,7 +25,7 @@ class CEmbodiedEntity;
  * are in the world frame and are written by the engine that owns the body, after its physics;
  * those of an anchor that is not enabled keep their last value.
  */
-struct SAnchor {
+struct SAnchor : CSlabObject {
   CEmbodiedEntity& Body;
   std::string Id;
   UInt32 Index; /**< 0 is the origin anchor */

@@ -3,7 +3,6 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/space/shape_overlap.h>
 #include <argos3/core/utility/math/general.h>
-#include <argos3/core/utility/prefetch.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 
 #include <atomic>
@@ -67,16 +66,15 @@ void CBodyIndex::SetArea(const CRange<CVector3>& limits) {
   Rebuild(nullptr);
 }
 
+bool CBodyIndex::IsUpright(const CQuaternion& orientation) {
+  return Abs(orientation.GetX()) < kUprightTolerance && Abs(orientation.GetY()) < kUprightTolerance;
+}
+
 CBodyIndex::SPose CBodyIndex::MakePose(const CVector3& position, const CQuaternion& orientation) {
   const Real w = orientation.GetW();
   const Real z = orientation.GetZ();
-  return {
-      position.GetX(),
-      position.GetY(),
-      position.GetZ(),
-      w * w - z * z,
-      2.0 * w * z,
-      Abs(orientation.GetX()) < kUprightTolerance && Abs(orientation.GetY()) < kUprightTolerance};
+  return {position.GetX(), position.GetY(), position.GetZ(),
+          w * w - z * z,   2.0 * w * z,     IsUpright(orientation)};
 }
 
 UInt32 CBodyIndex::Add(CEmbodiedEntity& body) {
@@ -84,17 +82,15 @@ UInt32 CBodyIndex::Add(CEmbodiedEntity& body) {
   if (m_free.empty()) {
     number = static_cast<UInt32>(m_bodies.size());
     m_bodies.emplace_back();
-    m_poses.emplace_back();
   } else {
     number = m_free.back();
     m_free.pop_back();
   }
-  m_bodies[number] = {&body, nullptr, 0.0, 0.0, kNoBody, kNoBody, 0, false};
+  m_bodies[number] = {&body, &body.GetOriginAnchor(), nullptr, 0.0, 0.0, kNoBody, kNoBody, 0, false,
+                      false};
   ++m_numAlive;
   body.AttachToIndex(this, number);
   Describe(number);
-  const SAnchor& origin = body.GetOriginAnchor();
-  SetPose(number, origin.Position, origin.Orientation);
   PutInOverlay(number);
   return number;
 }
@@ -112,10 +108,9 @@ void CBodyIndex::Describe(UInt32 number) {
     body.TiltedReach = std::max(body.TiltedReach, centroid.Length() + sphere);
   }
   body.NumShapes = static_cast<UInt16>(body.Description->Shapes.size());
-  const bool small =
+  body.Small =
       body.Entity->IsMovable() && body.Description->ComputeBoundingRadius() <= kMaxSmallRadius;
-  m_poses[number].Small = small;
-  if (small) {
+  if (body.Small) {
     m_maxSmallReach = std::max(m_maxSmallReach, body.Reach);
   } else {
     m_wideDirty = true;
@@ -123,10 +118,10 @@ void CBodyIndex::Describe(UInt32 number) {
 }
 
 void CBodyIndex::Forget(UInt32 number) {
-  if (!m_poses[number].Small) {
+  if (!m_bodies[number].Small) {
     m_wideDirty = true;
   }
-  m_poses[number].Small = false;
+  m_bodies[number].Small = false;
 }
 
 void CBodyIndex::Remove(UInt32 number) {
@@ -134,6 +129,7 @@ void CBodyIndex::Remove(UInt32 number) {
   SBody& body = m_bodies[number];
   body.Entity->AttachToIndex(nullptr, kNoBody);
   body.Entity = nullptr;
+  body.Origin = nullptr;
   // sorted solids may still name this number: it is used again only after they are sorted anew
   if (!body.Stale) {
     body.Stale = true;
@@ -143,23 +139,11 @@ void CBodyIndex::Remove(UInt32 number) {
   --m_numAlive;
 }
 
-void CBodyIndex::SetPose(UInt32 body, const CVector3& position, const CQuaternion& orientation) {
-  SPose& pose = m_poses[body];
-  const bool small = pose.Small;
-  pose = MakePose(position, orientation);
-  pose.Small = small;
-  // while wide bodies that can move are listed the flag stays up, so engines only read it; a wall
-  // is moved outside the physics phase
-  if (!small && !m_wideDirty) {
-    m_wideDirty = true;
-  }
-}
-
 void CBodyIndex::RefreshNow(UInt32 number) {
   SBody& body = m_bodies[number];
   if (!body.Stale) {
     PutInOverlay(number);
-  } else if (m_poses[number].Small) {
+  } else if (body.Small) {
     UInt32* link = &m_overlayHead[body.OverlayPlace];
     while (*link != number) {
       link = &m_bodies[*link].NextInCell;
@@ -187,7 +171,7 @@ void CBodyIndex::PutInOverlay(UInt32 number) {
   ++m_numStale;
   if (m_numStale > kMinOverlay + m_shapes.size() + m_wide.size() || m_overlayHead.empty()) {
     Rebuild(nullptr);
-  } else if (m_poses[number].Small) {
+  } else if (body.Small) {
     LinkIntoOverlay(number);
   } else {
     LinkWideIntoOverlay(number);
@@ -225,12 +209,11 @@ void CBodyIndex::LinkWideIntoOverlay(UInt32 number) {
 
 void CBodyIndex::LinkIntoOverlay(UInt32 number) {
   SBody& body = m_bodies[number];
-  const SPose& pose = m_poses[number];
-  const UInt32 cell = static_cast<UInt32>(CellJ(pose.Y) * m_numI + CellI(pose.X));
+  const UInt32 cell = CellOf(body.Origin->Position);
   if (m_overlayHead[cell] == kNoBody) {
     m_overlayCells.push_back(cell);
   }
-  if (!pose.Upright) {
+  if (!IsUpright(body.Origin->Orientation)) {
     m_tiltedReach = std::max(m_tiltedReach, body.TiltedReach);
   }
   body.OverlayPlace = cell;
@@ -314,20 +297,18 @@ void CBodyIndex::SortSmall(CThreadPool* pool) {
   std::atomic<bool> anyTilted{false};
   ForRange(pool, m_bodies.size(), [this, &anyTilted](size_t begin, size_t end) {
     for (size_t b = begin; b < end; ++b) {
-      const bool sorted = m_poses[b].Small;
-      if (sorted && !m_poses[b].Upright) {
+      const SBody& body = m_bodies[b];
+      if (body.Small && !IsUpright(body.Origin->Orientation)) {
         anyTilted.store(true, std::memory_order_relaxed);
       }
-      m_cellOfBody[b] =
-          sorted ? static_cast<UInt32>(CellJ(m_poses[b].Y) * m_numI + CellI(m_poses[b].X))
-                 : kNoBody;
+      m_cellOfBody[b] = body.Small ? CellOf(body.Origin->Position) : kNoBody;
     }
   });
 
   m_tiltedReach = 0.0;
   if (anyTilted) {
     for (size_t b = 0; b < m_bodies.size(); ++b) {
-      if (m_cellOfBody[b] != kNoBody && !m_poses[b].Upright) {
+      if (m_cellOfBody[b] != kNoBody && !IsUpright(m_bodies[b].Origin->Orientation)) {
         m_tiltedReach = std::max(m_tiltedReach, m_bodies[b].TiltedReach);
       }
     }
@@ -341,24 +322,24 @@ void CBodyIndex::SortSmall(CThreadPool* pool) {
     }
   }
   const UInt32 numShapes = TurnCountsIntoStarts(&SCellStart::Small);
-  m_entries.resize(numShapes);
+  m_placeOfBody.resize(m_bodies.size());
   m_shapes.resize(numShapes);
   for (size_t b = 0; b < m_bodies.size(); ++b) {
-    if (m_cellOfBody[b] == kNoBody) {
-      continue;
-    }
-    for (UInt16 shape = 0; shape < m_bodies[b].NumShapes; ++shape) {
-      m_entries[m_cursor[m_cellOfBody[b]]++] = {static_cast<UInt32>(b), shape};
+    if (m_cellOfBody[b] != kNoBody) {
+      UInt32& cursor = m_cursor[m_cellOfBody[b]];
+      m_placeOfBody[b] = cursor;
+      cursor += m_bodies[b].NumShapes;
     }
   }
-  ForRange(pool, m_entries.size(), [this](size_t begin, size_t end) {
-    for (size_t k = begin; k < end; ++k) {
-      if (k + 2 * kBodiesAhead < end) {
-        const UInt32 later = m_entries[k + 2 * kBodiesAhead].Body;
-        Prefetch(&m_poses[later], sizeof(SPose));
-        Prefetch(&m_bodies[later], sizeof(SBody));
+  // reads bodies in their order, and writes to the places that they are sorted to
+  ForRange(pool, m_bodies.size(), [this](size_t begin, size_t end) {
+    for (size_t b = begin; b < end; ++b) {
+      if (m_cellOfBody[b] == kNoBody) {
+        continue;
       }
-      m_shapes[k] = Pack(m_entries[k].Body, m_entries[k].Shape);
+      for (UInt16 shape = 0; shape < m_bodies[b].NumShapes; ++shape) {
+        m_shapes[m_placeOfBody[b] + shape] = Pack(static_cast<UInt32>(b), shape);
+      }
     }
   });
 }
@@ -368,7 +349,7 @@ void CBodyIndex::ListWide() {
   bool anyMovable = false;
   for (size_t b = 0; b < m_bodies.size(); ++b) {
     const SBody& body = m_bodies[b];
-    if (body.Entity == nullptr || m_poses[b].Small) {
+    if (body.Entity == nullptr || body.Small) {
       continue;
     }
     anyMovable = anyMovable || body.Entity->IsMovable();
@@ -404,11 +385,8 @@ CBodyIndex::SCellRange CBodyIndex::CellsOf(const SIndexedShape& shape) const {
 SIndexedShape CBodyIndex::Pack(UInt32 body, UInt16 shape) const {
   const SBody& owner = m_bodies[body];
   const SShapeDescription& solid = owner.Description->Shapes[shape];
-  const SPose& pose = m_poses[body];
-  // what stands upright is packed without a look at its entity, which is far away in memory
-  const bool upright = pose.Upright && StandsUpright(solid);
-  SIndexedShape packed =
-      Pack(solid, pose, upright ? CQuaternion() : owner.Entity->GetOriginAnchor().Orientation);
+  const SPose pose = MakePose(owner.Origin->Position, owner.Origin->Orientation);
+  SIndexedShape packed = Pack(solid, pose, owner.Origin->Orientation);
   packed.Body = body;
   packed.Shape = shape;
   return packed;

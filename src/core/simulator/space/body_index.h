@@ -5,7 +5,6 @@
 #include <argos3/core/simulator/physics_engine/ray_queries.h>
 #include <argos3/core/simulator/space/indexed_shape.h>
 #include <argos3/core/utility/math/range.h>
-#include <argos3/core/utility/prefetch.h>
 
 #include <algorithm>
 #include <vector>
@@ -13,16 +12,19 @@
 namespace argos {
 
 class CEmbodiedEntity;
+class CLookAhead;
 class CThreadPool;
+struct SAnchor;
 
 /**
  * Answers "which solids are near here" from packed arrays.
  *
- * Engines write poses during physics (SetPose(), one writer per body). Rebuild() then sorts the
- * solids of small movable bodies by grid cell, by counting; solids of all other bodies are listed
- * in every cell that they touch. Bodies that are added or moved outside the physics phase are found
- * through an overlay of the same cells until the next Rebuild(), so placing n bodies takes time in
- * proportion to n. Queries never write: they are safe on any number of threads between rebuilds.
+ * Engines write the poses of origin anchors during physics. Rebuild() then reads them, and sorts
+ * the solids of small movable bodies by grid cell, by counting; solids of all other bodies are
+ * listed in every cell that they touch. Bodies that are added or moved outside the physics phase
+ * are found through an overlay of the same cells until the next Rebuild(), so placing n bodies
+ * takes time in proportion to n. Queries never write: they are safe on any number of threads
+ * between rebuilds.
  *
  * Answers do not depend on the cells: a hit is decided by the solid and the ray alone.
  */
@@ -40,12 +42,9 @@ class CBodyIndex {
   /** Adds a body that has a description. @return its number. */
   UInt32 Add(CEmbodiedEntity& body);
   void Remove(UInt32 body);
-  /** Writes a pose; engines during physics, one writer per body. Seen by queries after Rebuild().
-   */
-  void SetPose(UInt32 body, const CVector3& position, const CQuaternion& orientation);
-  /** Asks for the memory that SetPose() writes to. */
-  void PrefetchPose(UInt32 body) const { Prefetch(&m_poses[body], sizeof(SPose)); }
-  /** Makes the pose written last count at once; outside the physics phase, one thread. */
+  /** An immovable body has been moved: outside the physics phase. */
+  void NoteWideMoved() { m_wideDirty = true; }
+  /** Makes the pose of the body's origin count at once; outside the physics phase, one thread. */
   void RefreshNow(UInt32 body);
   /** Takes over a changed description or movability at once. */
   void Redescribe(UInt32 body);
@@ -82,12 +81,6 @@ class CBodyIndex {
     ForShapesAlongRay(ray, reach, visit, [] { return false; });
   }
 
-  /**
-   * Asks for the memory that ForShapesNear() will need around bodies with numbers somewhat above
-   * @p body: robots, whose bodies are mostly numbered in their order, call it when they sense.
-   */
-  void PrefetchAhead(UInt32 body, Real reach) const;
-
   /** Where @p ray enters a solid of any kind: fraction in [0,1], 0 if it starts inside; else > 1.
    */
   Real Intersect(const SIndexedShape& shape, const CRay3& ray) const;
@@ -112,14 +105,16 @@ class CBodyIndex {
                      const CQuaternion& orientation, UInt32 ignored) const;
 
  private:
+  friend class CLookAhead;
+
   struct SPose {
     Real X, Y, Z;  // m, world frame, of the origin anchor
     Real Cos, Sin;  // of the yaw, if upright
     bool Upright;
-    bool Small = false;  // of a body; here, so that SetPose() needs to look nowhere else
   };
   struct SBody {
     CEmbodiedEntity* Entity;  // null: free slot
+    const SAnchor* Origin;  // of the entity
     const SBodyDescription* Description;  // shared by many bodies; kept alive by the entity
     Real Reach;  // m, of the packed solids around the origin, seen from above, if upright
     Real TiltedReach;  // m, the same however the body lies
@@ -127,10 +122,7 @@ class CBodyIndex {
     UInt32 NextInCell;  // overlay chain of small bodies
     UInt16 NumShapes;
     bool Stale;  // in the overlay: its sorted solids do not count
-  };
-  struct SEntry {
-    UInt32 Body;
-    UInt16 Shape;
+    bool Small;  // sorted by cell; false for a free slot
   };
   // where the lists of a cell begin; they end where those of the next cell begin
   struct SCellStart {
@@ -156,6 +148,9 @@ class CBodyIndex {
     // the comparison in floating point keeps far-away and NaN positions inside the table
     return cell > 0.0 ? (cell < count ? static_cast<int>(cell) : count - 1) : 0;
   }
+  UInt32 CellOf(const CVector3& position) const {
+    return static_cast<UInt32>(CellJ(position.GetY()) * m_numI + CellI(position.GetX()));
+  }
   SCellRange CellsAround(Real x, Real y, Real reach) const {
     return {CellI(x - reach), CellI(x + reach), CellJ(y - reach), CellJ(y + reach)};
   }
@@ -172,6 +167,7 @@ class CBodyIndex {
   static bool IsFirst(int i, int j, const SWideShape& wide, const SCellRange& cells) {
     return i == std::max(wide.MinI, cells.MinI) && j == std::max(wide.MinJ, cells.MinJ);
   }
+  static bool IsUpright(const CQuaternion& orientation);
   static SPose MakePose(const CVector3& position, const CQuaternion& orientation);
   static SIndexedShape Pack(const SShapeDescription& shape, const SPose& pose,
                             const CQuaternion& orientation);
@@ -211,7 +207,6 @@ class CBodyIndex {
   Real m_cellsChosenReach = 0.0;
 
   std::vector<SBody> m_bodies;  // by body number
-  std::vector<SPose> m_poses;  // by body number; written by engines
   std::vector<UInt32> m_free;  // numbers to use again
   std::vector<UInt32> m_released;  // numbers to use again after the next Rebuild()
   size_t m_numAlive = 0;
@@ -223,7 +218,7 @@ class CBodyIndex {
   std::vector<UInt32> m_cellOfBody;  // (bodies); kNoBody if not small
   std::vector<SCellStart> m_cellStart;  // (cells + 1)
   std::vector<UInt32> m_cursor;  // (cells) scratch of the counting sort
-  std::vector<SEntry> m_entries;  // (solids of small bodies) in cell order
+  std::vector<UInt32> m_placeOfBody;  // (bodies) of its first solid in m_shapes, if small
   std::vector<SIndexedShape> m_shapes;  // of small bodies, in cell order
   std::vector<SWideShape> m_wide;  // of all other bodies
   std::vector<UInt32> m_wideItems;  // numbers into m_wide

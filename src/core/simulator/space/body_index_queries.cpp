@@ -2,16 +2,12 @@
 #include <argos3/core/simulator/space/body_index.h>
 #include <argos3/core/simulator/space/shape_overlap.h>
 #include <argos3/core/simulator/space/solid_overlap.h>
-#include <argos3/core/utility/prefetch.h>
 
 #include <limits>
 
 namespace argos {
 
 namespace {
-
-// with fewer bodies everything is in the cache anyway
-constexpr size_t kManyBodies = 4096;
 
 // the ray in the frame of a solid: origin at the centre of its base
 CRay3 ToSolidFrame(const CRay3& ray, const SAnchor& origin, const SShapeDescription& solid) {
@@ -46,28 +42,6 @@ Real IntersectSphere(Real radius, const CRay3& ray) {
 }
 
 }  // namespace
-
-void CBodyIndex::PrefetchAhead(UInt32 body, Real reach) const {
-  if (m_poses.size() < kManyBodies || body + 2 * kBodiesAhead >= m_poses.size()) {
-    return;
-  }
-  // first where the solids are listed, then the solids
-  const auto around = [&](UInt32 number) {
-    return CellsAround(m_poses[number].X, m_poses[number].Y, reach + SmallReach());
-  };
-  const SCellRange far = around(body + 2 * kBodiesAhead);
-  for (int j = far.MinJ; j <= far.MaxJ; ++j) {
-    const size_t row = static_cast<size_t>(j) * m_numI;
-    PrefetchBetween(m_cellStart.data() + row + far.MinI, m_cellStart.data() + row + far.MaxI + 2);
-  }
-  const SCellRange near = around(body + kBodiesAhead);
-  for (int j = near.MinJ; j <= near.MaxJ; ++j) {
-    const size_t row = static_cast<size_t>(j) * m_numI;
-    const UInt32 begin = m_cellStart[row + near.MinI].Small;
-    const UInt32 end = m_cellStart[row + near.MaxI + 1].Small;
-    Prefetch(m_shapes.data() + begin, (end - begin) * sizeof(SIndexedShape));
-  }
-}
 
 Real CBodyIndex::Intersect(const SIndexedShape& shape, const CRay3& ray) const {
   if (shape.Kind != SIndexedShape::EKind::Tilted) {

@@ -34,7 +34,7 @@ CQuaternion FromDegrees(const CVector3& zyx) {
   return orientation;
 }
 
-// while it lives, robots get no controller: only the shape of things is asked for
+// robots that are created during its lifetime get no controller: only their shape is needed
 class CProbing {
  public:
   explicit CProbing(CSpace& space) : m_space(space) { m_space.SetProbing(true); }

@@ -16,7 +16,7 @@ class CSpace;
 /**
  * A `<distribute>` element: makes entities from a template and finds a free place for each.
  *
- * Places are tried against the space's index before anything is made, so a controller is
+ * Places are tested against the space's index before any robot is created, so a controller is
  * initialised once per robot and the time is in proportion to the number of trials.
  */
 class CDistribution {

@@ -3,12 +3,14 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/entity/floor_entity.h>
 #include <argos3/core/simulator/load_errors.h>
 #include <argos3/core/simulator/physics_engine/region_geometry.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/body_index.h>
 #include <argos3/core/simulator/space/distribution.h>
 #include <argos3/core/simulator/space/entity_views.h>
+#include <argos3/core/simulator/space/look_ahead.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/core/utility/string_utilities.h>
 
@@ -18,7 +20,7 @@ namespace argos {
 
 namespace {
 
-// where the region is that a body is outside of, if it is the nearest of several
+// describes the region nearest to a position outside of all of them
 std::string DescribeNearest(const CPhysicsEngine::TVector& engines, const CVector3& position) {
   const auto nearest = *std::min_element(
       engines.begin(), engines.end(), [&position](CPhysicsEngine* a, CPhysicsEngine* b) {
@@ -43,7 +45,8 @@ std::string DescribeNearest(const CPhysicsEngine::TVector& engines, const CVecto
 CSpace::CSpace(CSimulator& simulator)
     : m_cSimulator(simulator),
       m_views(std::make_unique<CEntityViews>(m_roots)),
-      m_bodyIndex(std::make_unique<CBodyIndex>()) {}
+      m_bodyIndex(std::make_unique<CBodyIndex>()),
+      m_lookAhead(std::make_unique<CLookAhead>()) {}
 
 CSpace::~CSpace() {
   Destroy();
@@ -74,7 +77,7 @@ void CSpace::InitArena(TConfigurationNode& tree) {
                            << m_arenaSize << "\"");
     }
   }
-  // left over from older versions of the file format; files in use have them
+  // attributes of older versions of the file format: accepted, without effect
   NodeAttributeExists(tree, "positional_index");
   NodeAttributeExists(tree, "positional_grid_size");
   m_arenaLimits.Set(m_arenaCenter - m_arenaSize * 0.5, m_arenaCenter + m_arenaSize * 0.5);
@@ -96,11 +99,11 @@ void CSpace::FillArena(TConfigurationNode& tree, CLoadErrors& errors) {
   }
 }
 
-void CSpace::TakeOver(std::unique_ptr<CEntity> entity) {
+void CSpace::Adopt(std::unique_ptr<CEntity> entity) {
   try {
     CallEntityOperation<CSpaceOperationAddEntity, CSpace, void>(*this, *entity);
   } catch (...) {
-    // the removal forgives what was not added yet, and deletes
+    // the removal tolerates a partly added entity, and deletes it
     CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(*this, *entity.release());
     throw;
   }
@@ -119,7 +122,7 @@ CEntity& CSpace::CreateEntity(TConfigurationNode& node) {
     entity.reset(CFactory<CEntity>::New(node.Value()));
     entity->Init(node);
     CEntity& added = *entity;
-    TakeOver(std::move(entity));
+    Adopt(std::move(entity));
     return added;
   } catch (const CAlreadyReported&) {
     throw;
@@ -184,8 +187,8 @@ void CSpace::Reset() {
   m_bodyIndex->Rebuild(m_cSimulator.GetThreadPool());
 }
 
-// after a Reset() of the entities: as when they were added, each movable body belongs to the first
-// engine whose region contains it
+// after the entities' Reset(), each movable body belongs to the first engine whose region contains
+// it, as when it was added
 void CSpace::ReturnBodiesToEngines() {
   CPhysicsEngine::TVector& engines = m_cSimulator.GetPhysicsEngines();
   if (engines.size() < 2) {
@@ -196,7 +199,7 @@ void CSpace::ReturnBodiesToEngines() {
       return;
     }
     if (!body.IsMovable()) {
-      RehouseImmovable(body);
+      ReassignImmovable(body);
       return;
     }
     CPhysicsEngine& now = body.GetPhysicsModel(size_t(0)).GetEngine();
@@ -205,7 +208,7 @@ void CSpace::ReturnBodiesToEngines() {
         engines.begin(), engines.end(),
         [&position](CPhysicsEngine* engine) { return engine->IsPointContained(position); });
     if (first != engines.end() && *first != &now) {
-      // not by a transfer, which may lead through a gate
+      // not as a transfer, which may lead through a gate
       now.RemoveEntity(body.GetRootEntity());
       AddEntityToPhysicsEngine(body);
     }
@@ -217,7 +220,7 @@ void CSpace::Destroy() {
     const size_t before = m_roots.size();
     CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(*this, *m_roots.back());
     if (m_roots.size() == before) {
-      // of a class that can be added but not removed
+      // its class has an operation for adding but none for removing
       EraseEntity(*m_roots.back());
     }
   }
@@ -231,12 +234,14 @@ void CSpace::Destroy() {
 
 void CSpace::AddControllableEntity(CControllableEntity& entity) {
   m_robots.push_back(&entity);
+  m_haveRobotsChanged = true;
 }
 
 void CSpace::RemoveControllableEntity(CControllableEntity& entity) {
   const auto found = std::find(m_robots.rbegin(), m_robots.rend(), &entity);
   if (found != m_robots.rend()) {
     m_robots.erase(std::prev(found.base()));
+    m_haveRobotsChanged = true;
   }
 }
 
@@ -265,14 +270,14 @@ void CSpace::AddEntityToPhysicsEngine(CEmbodiedEntity& body, CPhysicsEngine* fir
   }
 }
 
-void CSpace::RehouseImmovable(CEmbodiedEntity& body) {
+void CSpace::ReassignImmovable(CEmbodiedEntity& body) {
   const CPhysicsEngine::TVector& engines = m_cSimulator.GetPhysicsEngines();
   const auto touches = [&body](CPhysicsEngine* engine) { return engine->IsTouchedBy(body); };
-  // one that is put outside all regions stays with its engines
+  // a body outside all regions stays in its engines
   if (engines.size() < 2 || std::none_of(engines.begin(), engines.end(), touches)) {
     return;
   }
-  const auto houses = [&body](const CPhysicsEngine* engine) {
+  const auto contains = [&body](const CPhysicsEngine* engine) {
     for (UInt32 i = 0; i < body.GetPhysicsModelsNum(); ++i) {
       if (&body.GetPhysicsModel(size_t(i)).GetEngine() == engine) {
         return true;
@@ -280,15 +285,15 @@ void CSpace::RehouseImmovable(CEmbodiedEntity& body) {
     }
     return false;
   };
-  // first in, then out: it is always somewhere
+  // added before it is removed: the body is always in some engine
   CEntity& root = body.GetRootEntity();
   for (CPhysicsEngine* engine : engines) {
-    if (touches(engine) && !houses(engine)) {
+    if (touches(engine) && !contains(engine)) {
       engine->AddEntity(root);
     }
   }
   for (CPhysicsEngine* engine : engines) {
-    if (!touches(engine) && houses(engine) && body.GetPhysicsModelsNum() > 1) {
+    if (!touches(engine) && contains(engine) && body.GetPhysicsModelsNum() > 1) {
       engine->RemoveEntity(root);
     }
   }
@@ -314,7 +319,7 @@ void CSpace::ThrowNoEngine(CEmbodiedEntity& body) {
     reasons += "; it is outside the region (<boundaries>) of " + elsewhere +
                DescribeNearest(others, position);
   }
-  THROW_ARGOSEXCEPTION("no physics engine takes \""
+  THROW_ARGOSEXCEPTION("no physics engine accepts \""
                        << root.GetId() << "\" (<" << root.GetTypeDescription() << ">) at ("
                        << position << ")"
                        << (reasons.empty() ? "; there is none in <physics_engines>" : reasons));

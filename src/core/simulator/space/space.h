@@ -24,12 +24,13 @@ class CEmbodiedEntity;
 class CEntityViews;
 class CFloorEntity;
 class CLoadErrors;
+class CLookAhead;
 class CPhysicsEngine;
 class CSimulator;
 class CThreadPool;
 struct STickTimes;
 
-/** What a plug-in keeps for a whole space; see CSpace::GetExtension(). */
+/** Base of the data that a plug-in keeps for a whole space; see CSpace::GetExtension(). */
 class CSpaceExtension {
  public:
   virtual ~CSpaceExtension() = default;
@@ -88,14 +89,14 @@ class CSpace : public CBaseConfigurableResource {
   void Init(TConfigurationNode& tree) override;
   /** The same, collecting every error that can be found in one go. */
   void Init(TConfigurationNode& tree, CLoadErrors& errors);
-  /** When everything is loaded: what is enabled now is so again after Reset(). */
+  /** Called when everything is loaded: Reset() restores what is enabled now. */
   void MarkStart();
   void Reset() override;
   void Destroy() override;
   /** One tick. See tick.cpp. */
   virtual void Update();
 
-  /** Takes a root entity (or notes a component); used by space operations. */
+  /** Adds a root entity, which the space then owns, or a component; used by space operations. */
   template <typename ENTITY>
   void AddEntity(ENTITY& entity) {
     static_cast<void>(SEntityCast<ENTITY>::kIsRegistered);
@@ -103,7 +104,7 @@ class CSpace : public CBaseConfigurableResource {
   }
   /** Leaves room in the order of entities, for components that are created later. */
   void SkipIndices(size_t count) { m_nextIndex += static_cast<ssize_t>(count); }
-  /** Forgets an entity, then calls Destroy() on it and deletes it; used by space operations. */
+  /** Removes an entity, calls its Destroy() and deletes it; used by space operations. */
   template <typename ENTITY>
   void RemoveEntity(ENTITY& entity) {
     EraseEntity(entity);
@@ -124,16 +125,16 @@ class CSpace : public CBaseConfigurableResource {
   virtual void AddControllableEntity(CControllableEntity& entity);
   virtual void RemoveControllableEntity(CControllableEntity& entity);
   /**
-   * Gives the body to every engine whose region it touches (immovable), or to the first one that
-   * contains its origin and accepts (movable). @throws CARGoSException that says of each engine why
-   * not, if none takes it.
+   * Adds the body to every engine whose region it touches (immovable), or to the first one that
+   * contains its origin and accepts it (movable).
+   * @throws CARGoSException if no engine accepts it; the text gives the reason of each engine.
    */
   virtual void AddEntityToPhysicsEngine(CEmbodiedEntity& entity);
-  /** The same, but @p first, unless null, is asked before all others. */
+  /** The same, but @p first, unless null, is tried before all others. */
   void AddEntityToPhysicsEngine(CEmbodiedEntity& entity, CPhysicsEngine* first);
-  /** An immovable body has been put elsewhere: it may touch other regions. */
-  void RehouseImmovable(CEmbodiedEntity& entity);
-  /** Takes the body out of its engines and out of the index. */
+  /** Adds an immovable body that has been moved to the engines whose regions it touches now. */
+  void ReassignImmovable(CEmbodiedEntity& entity);
+  /** Removes the body from its engines and from the index. */
   void RemoveEntityFromPhysicsEngines(CEmbodiedEntity& entity);
   /** Calls back for each robot, on the pool's threads, or in order if there is one. */
   virtual void IterateOverControllableEntities(const TControllableEntityIterCBType& callback);
@@ -141,34 +142,35 @@ class CSpace : public CBaseConfigurableResource {
   /** Robots in order of their addition. */
   const std::vector<CControllableEntity*>& GetControllableEntities() const { return m_robots; }
   CSimulator& GetSimulator() { return m_cSimulator; }
-  /** Where every body is, for sensors and placement. */
+  /** The index of all bodies, for sensors and placement. */
   CBodyIndex& GetBodyIndex() { return *m_bodyIndex; }
   const CBodyIndex& GetBodyIndex() const { return *m_bodyIndex; }
   /**
-   * True if an engine has bodies that the index does not know: rays must then ask all engines. As
-   * of the start of the phase in which robots sense.
+   * True if an engine has bodies that the index does not contain: rays must then be tested by all
+   * engines. Updated at the start of the phase in which robots sense.
    */
   bool AreBodiesOutsideIndex() const { return m_areBodiesOutsideIndex; }
   /** Own random generator, for placement. */
   CRandom::CRNG& GetRNG();
-  /** While probing, robots get no controller: the loader only wants to know their bodies. */
+  /** While probing, robots get no controller: the loader only needs their bodies. */
   bool IsProbing() const { return m_probing; }
   void SetProbing(bool probing) { m_probing = probing; }
-  /** Starts to add up the time of each phase in @p times (not owned); nullptr stops. */
+  /** From now on adds the time of each phase to @p times (not owned); nullptr stops. */
   void SetTickTimes(STickTimes* times) { m_tickTimes = times; }
-  /** Adds a root entity; if that fails, nothing of it stays. @throws CARGoSException */
-  void TakeOver(std::unique_ptr<CEntity> entity);
-  /** Makes the entity that an XML element describes and adds it; nothing stays if that fails. */
+  /** Adds a root entity; deletes it if that fails. @throws CARGoSException */
+  void Adopt(std::unique_ptr<CEntity> entity);
+  /** Creates and adds the entity that an XML element describes. @throws CARGoSException */
   CEntity& CreateEntity(TConfigurationNode& node);
   /** 64-bit digest of the state of every entity and medium, in order. */
   UInt64 ComputeDigest() const;
 
   /**
-   * The EXTENSION of this space, made when first asked for: what the entities and devices of a
-   * plug-in share, without the core knowing it. Lives until Destroy(), after all entities.
+   * The EXTENSION of this space, created at the first call: data that the entities and devices of a
+   * plug-in share and that the core does not know. It is destroyed by Destroy(), after all
+   * entities.
    *
-   * Takes a look-up and may allocate: ask once, while nothing acts or senses in parallel, and keep
-   * the reference.
+   * The call is a look-up and may allocate: call it once, while no robot acts or senses in
+   * parallel, and keep the reference.
    * @tparam EXTENSION  derives from CSpaceExtension; has a constructor without arguments.
    */
   template <typename EXTENSION>
@@ -189,6 +191,7 @@ class CSpace : public CBaseConfigurableResource {
   void InitArena(TConfigurationNode& tree);
 
   // phases of the tick, see tick.cpp
+  void UpdateLookAhead();
   void Act(CThreadPool& pool);
   void CollectGhosts(CThreadPool& pool);
   void UpdatePhysics(CThreadPool& pool);
@@ -213,6 +216,8 @@ class CSpace : public CBaseConfigurableResource {
   bool m_probing = false;
   std::unique_ptr<CEntityViews> m_views;  // the lists and maps for users
   std::unique_ptr<CBodyIndex> m_bodyIndex;
+  std::unique_ptr<CLookAhead> m_lookAhead;
+  bool m_haveRobotsChanged = true;  // since m_lookAhead was set
   bool m_areBodiesOutsideIndex = true;
   std::unordered_map<std::type_index, std::unique_ptr<CSpaceExtension>>
       m_extensions;  // look-up only, never iterated

@@ -6,10 +6,10 @@
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/body_index.h>
+#include <argos3/core/simulator/space/look_ahead.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/space/tick_times.h>
 #include <argos3/core/utility/logging/argos_log.h>
-#include <argos3/core/utility/prefetch.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 
 #include <algorithm>
@@ -21,11 +21,8 @@ namespace argos {
 namespace {
 
 // robots that one thread handles in a row: enough to pay for fetching the run, and few enough that
-// what sensing brought into the cache is still there for control
+// the data that sensing has loaded is still in the cache for control
 constexpr size_t kRobotGrain = 64;
-
-// of CControllableEntity::PrefetchForAct() and its like
-constexpr UInt32 kStages = 4;
 
 using TClock = std::chrono::steady_clock;
 
@@ -45,8 +42,8 @@ void Timed(Real* seconds, PHASE&& phase) {
   *seconds += SecondsSince(start);
 }
 
-// runs a phase whose items have the places firstPlace, firstPlace + 1, ... in the log: after what
-// was logged before, and in their order whatever thread they run on
+// runs a phase whose items have the places firstPlace, firstPlace + 1, ... in the log: after all
+// earlier messages, and in the order of the items, on whatever thread they run
 template <typename PHASE>
 void InLogOrder(size_t items, PHASE&& phase) {
   const UInt64 firstPlace = CARGoSLog::GetSequence() + 1;
@@ -55,26 +52,21 @@ void InLogOrder(size_t items, PHASE&& phase) {
 }
 
 // calls step for robots [begin, end); a failure names the robot, its phase and the tick
-// @param prefetch  void(const CControllableEntity&, UInt32 stage): see its PrefetchForAct()
-template <typename STEP, typename PREFETCH>
+// @param lookAhead  void(size_t): called before each robot is visited, with its number
+template <typename STEP, typename LOOK_AHEAD>
 void ForRobots(const std::vector<CControllableEntity*>& robots, size_t begin, size_t end,
                UInt64 firstPlace, const char* phase, UInt32 tick, STEP&& step,
-               PREFETCH&& prefetch) {
+               LOOK_AHEAD&& lookAhead) {
   size_t current = begin;
   const auto fail = [&](std::exception* error) {
     std::ostringstream message;
-    message << "robot \"" << robots[current]->GetRootEntity().GetId() << "\" failed to " << phase
-            << " in tick " << tick;
+    message << "robot \"" << robots[current]->GetRootEntity().GetId() << "\": " << phase
+            << " threw in tick " << tick;
     throw CARGoSException(message.str(), error);
   };
   try {
     for (; current < end; ++current) {
-      for (UInt32 stage = 0; stage < kStages; ++stage) {
-        const size_t later = current + (kStages - stage) * kBodiesAhead;
-        if (later < robots.size()) {
-          prefetch(*robots[later], stage);
-        }
-      }
+      lookAhead(current);
       if (robots[current]->IsEnabled()) {
         CARGoSLog::SetSequence(firstPlace + current);
         step(*robots[current]);
@@ -119,13 +111,22 @@ void CSpace::Update() {
   }
 }
 
+// to be called before each loop over robots: users add and remove robots between phases
+void CSpace::UpdateLookAhead() {
+  if (m_haveRobotsChanged) {
+    m_lookAhead->SetRobots(m_robots);
+    m_haveRobotsChanged = false;
+  }
+}
+
 void CSpace::Act(CThreadPool& pool) {
+  UpdateLookAhead();
   InLogOrder(m_robots.size(), [&](UInt64 firstPlace) {
     pool.ParallelFor(m_robots.size(), kRobotGrain, [&](size_t begin, size_t end, UInt32) {
       ForRobots(
-          m_robots, begin, end, firstPlace, "act", m_simulationClock,
+          m_robots, begin, end, firstPlace, "an actuator", m_simulationClock,
           [](CControllableEntity& robot) { robot.Act(); },
-          [](const CControllableEntity& robot, UInt32 stage) { robot.PrefetchForAct(stage); });
+          [this](size_t robot) { m_lookAhead->BeforeAct(robot); });
     });
   });
   for (CMedium* medium : m_cSimulator.GetMedia()) {
@@ -191,27 +192,27 @@ void CSpace::UpdateMedia(CThreadPool& pool) {
 }
 
 void CSpace::SenseAndControl(CThreadPool& pool) {
+  UpdateLookAhead();
   const CPhysicsEngine::TVector& engines = m_cSimulator.GetPhysicsEngines();
   m_areBodiesOutsideIndex =
       std::any_of(engines.begin(), engines.end(),
                   [](const CPhysicsEngine* engine) { return engine->HasBodiesOutsideIndex(); });
-  // a controller writes only into its own robot's actuators, which nobody senses in this phase: so
-  // robots of one run may all sense before they are controlled
+  // a controller writes only into its own robot's actuators, which no sensor reads in this phase:
+  // so all robots of a run may sense before the first of them is controlled
   std::mutex timesMutex;
   const auto senseAndControl = [&](size_t first, size_t last, UInt64 firstPlace) {
     Real sense = 0.0;
     Real control = 0.0;
     Timed(m_tickTimes ? &sense : nullptr, [&] {
       ForRobots(
-          m_robots, first, last, firstPlace, "sense", m_simulationClock,
+          m_robots, first, last, firstPlace, "a sensor", m_simulationClock,
           [](CControllableEntity& robot) { robot.Sense(); },
-          [](const CControllableEntity& robot, UInt32 stage) { robot.PrefetchForSense(stage); });
+          [this](size_t robot) { m_lookAhead->BeforeSense(robot, *m_bodyIndex); });
     });
     Timed(m_tickTimes ? &control : nullptr, [&] {
       ForRobots(
-          m_robots, first, last, firstPlace, "be controlled", m_simulationClock,
-          [](CControllableEntity& robot) { robot.ControlStep(); },
-          [](const CControllableEntity&, UInt32) {});
+          m_robots, first, last, firstPlace, "ControlStep()", m_simulationClock,
+          [](CControllableEntity& robot) { robot.ControlStep(); }, [](size_t) {});
     });
     if (m_tickTimes != nullptr) {
       const std::lock_guard<std::mutex> lock(timesMutex);

@@ -99,7 +99,7 @@ class CGridGenerator : public CVectorGenerator {
   }
 
   CVector3 Next(bool failed) override {
-    // a cell that was refused is asked for again only to be refused: a grid does not retry
+    // a cell that was refused would be refused again: a grid does not retry
     const UInt64 item = failed && m_next > 0 ? m_next - 1 : m_next++;
     if (item >= m_layout[0] * m_layout[1] * m_layout[2]) {
       THROW_ARGOSEXCEPTION("the grid has only " << m_layout[0] << " x " << m_layout[1] << " x "

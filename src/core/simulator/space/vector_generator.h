@@ -14,7 +14,7 @@ namespace argos {
 class CVectorGenerator {
  public:
   virtual ~CVectorGenerator() = default;
-  /** The next triple; @p failed tells whether the last one was refused. */
+  /** The next triple. @param failed  true if the last one was refused. */
   virtual CVector3 Next(bool failed) = 0;
   /** False if asking again gives the same triple, so that there is no point in a second trial. */
   virtual bool CanRetry() const { return true; }

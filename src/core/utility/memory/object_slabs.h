@@ -88,6 +88,30 @@ class CSlabObject {
   ~CSlabObject() = default;
 };
 
+/**
+ * Puts the elements of a container into the slabs of the thread's current simulation: for short
+ * arrays that every robot has and that every tick reads.
+ */
+template <typename T>
+class CSlabAllocator {
+ public:
+  using value_type = T;
+
+  CSlabAllocator() = default;
+  template <typename OTHER>
+  CSlabAllocator(const CSlabAllocator<OTHER>&) {}
+
+  T* allocate(std::size_t number) {
+    return static_cast<T*>(CObjectSlabs::GetCurrent().Allocate(number * sizeof(T)));
+  }
+  void deallocate(T* elements, std::size_t number) noexcept {
+    CObjectSlabs::Free(elements, number * sizeof(T));
+  }
+  // what one has allocated, another one may free
+  friend bool operator==(const CSlabAllocator&, const CSlabAllocator&) { return true; }
+  friend bool operator!=(const CSlabAllocator&, const CSlabAllocator&) { return false; }
+};
+
 }  // namespace argos
 
 #endif

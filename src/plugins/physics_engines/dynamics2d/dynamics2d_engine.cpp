@@ -264,14 +264,7 @@ void CDynamics2DEngine::Update() {
                                     << bad.Left << " m/s, right = " << bad.Right << " m/s");
   }
   m_world->CommitDriven(
-      [this](const SDrivenBody& body) { WriteBack(*body.Owner.Model, body.Pose); },
-      [](const CDynamics2DModel& model, int stage) {
-        if (stage == 0) {
-          model.m_cEmbodiedEntity.PrefetchPose();
-        } else {
-          model.m_cEmbodiedEntity.PrefetchIndexedPose();
-        }
-      });
+      [this](const SDrivenBody& body) { WriteBack(*body.Owner.Model, body.Pose); });
   m_world->ForEachPassive([this](const SPassiveBody& body) {
     if (body.Moved) {
       WriteBack(*body.Owner.Model, body.Pose);

@@ -1,7 +1,6 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_WORLD_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_WORLD_H
 
-#include <argos3/core/utility/prefetch.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/encounters.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_bodies.h>
@@ -16,9 +15,6 @@
 namespace argos {
 
 struct SBodyDescription;
-
-/** Size of a CDynamics2DModel, about. */
-constexpr size_t kModelBytes = 128;
 
 /** What a CPlanarWorld is made with. */
 struct SPlanarSettings {
@@ -107,18 +103,10 @@ class CPlanarWorld {
   /**
    * After Advance(): takes over where driven bodies are, calling visit(const SDrivenBody&) for
    * each.
-   * @param prepare  called as prepare(model, 0) and prepare(model, 1) with each owner's model, some
-   *                 bodies before its visit, and some between the calls.
    */
-  template <typename VISIT, typename PREPARE>
-  void CommitDriven(VISIT&& visit, PREPARE&& prepare) {
-    for (size_t i = 0; i < m_driven.size(); ++i) {
-      if (i + 3 * kBodiesAhead < m_driven.size()) {
-        Prefetch(m_driven[i + 3 * kBodiesAhead].Owner.Model, kModelBytes);
-        prepare(*m_driven[i + 2 * kBodiesAhead].Owner.Model, 0);
-        prepare(*m_driven[i + kBodiesAhead].Owner.Model, 1);
-      }
-      SDrivenBody& body = m_driven[i];
+  template <typename VISIT>
+  void CommitDriven(VISIT&& visit) {
+    for (SDrivenBody& body : m_driven) {
       body.Pose = body.NextPose;
       body.Velocity = body.NextVelocity;
       visit(static_cast<const SDrivenBody&>(body));

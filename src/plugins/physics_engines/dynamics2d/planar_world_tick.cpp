@@ -72,9 +72,6 @@ void CPlanarWorld::PlanDriven() {
   m_longestPath = 0.0;
   m_encounters.Clear(m_driven.size());
   for (UInt32 slot = 0; slot < m_driven.size(); ++slot) {
-    if (slot + 2 * kBodiesAhead < m_driven.size()) {
-      Prefetch(m_driven[slot + 2 * kBodiesAhead].Wheels, 2 * sizeof(Real));
-    }
     Plan(m_driven[slot], slot);
   }
 }

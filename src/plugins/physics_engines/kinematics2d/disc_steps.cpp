@@ -2,7 +2,6 @@
 
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/disc_swarm.h>
 
-#include <argos3/core/utility/prefetch.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_limits.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/separation.h>
@@ -68,9 +67,6 @@ Real ShareGap(Real gap, Real mine, Real other) {
 Real CDiscSwarm::ComputeGhostReach(Real tick, UInt32 substeps) const {
   Real farthest = 0.0;
   for (size_t slot = 0; slot < GetSize(); ++slot) {
-    if (slot + kBodiesAhead < GetSize()) {
-      Prefetch(m_wheels[slot + kBodiesAhead], 2 * sizeof(Real));
-    }
     const Real radius = m_radius[slot];
     const Real wanted = std::abs(0.5 * (m_wheels[slot][0] + m_wheels[slot][1]) * tick);
     // of speeds that are no numbers Plan() complains

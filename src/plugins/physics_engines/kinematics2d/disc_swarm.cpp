@@ -6,7 +6,6 @@
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/arc_block.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_limits.h>
-#include <argos3/core/utility/prefetch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -154,9 +153,6 @@ void CDiscSwarm::PlanRun(size_t begin, size_t end, Real duration) {
     const size_t count = std::min(SArcBlock::kSize, end - first);
     for (size_t i = 0; i < count; ++i) {
       const size_t slot = first + i;
-      if (slot + 2 * kBodiesAhead < m_wheels.size()) {
-        Prefetch(m_wheels[slot + 2 * kBodiesAhead], 2 * sizeof(Real));
-      }
       const Real left = m_wheels[slot][0];
       const Real right = m_wheels[slot][1];
       const Real farthest = kMaxStep * m_radius[slot];

@@ -11,7 +11,6 @@
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_world.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematics2d_model.h>
 #include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
-#include <argos3/core/utility/prefetch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -255,14 +254,7 @@ void CKinematics2DEngine::WriteBackDiscs() {
 // Of some robots, on any thread: what is written belongs to one of them.
 void CKinematics2DEngine::WriteBackDiscs(size_t begin, size_t end) {
   CDiscSwarm& discs = m_world->GetDiscs();
-  const size_t size = discs.GetSize();
   for (size_t i = begin; i < end; ++i) {
-    if (i + kBodiesAhead < size) {
-      const SKinematicOwner& later = discs.GetOwner(static_cast<UInt32>(i + kBodiesAhead));
-      later.Body->PrefetchPose();
-      Prefetch(&later.Model->m_sBoundingBox, sizeof(SBoundingBox));
-      discs.GetOwner(static_cast<UInt32>(i + kBodiesAhead / 2)).Body->PrefetchIndexedPose();
-    }
     const UInt32 slot = static_cast<UInt32>(i);
     discs.Commit(slot);
     const SPlanarPose pose = discs.GetPose(slot);

@@ -184,7 +184,7 @@ TEST_CASE("heights: a body must stand on the plane of the engine", "[contract][e
       "<box id='b' size='1,1,1' movable='false'><body position='0,0,0.5'/></box>";
   CHECK_NOTHROW(CDriveWorld(engine.ToXml("e", "elevation='0.5'"), box));
   CHECK_THROWS_WITH(CDriveWorld(engine.ToXml("ground"), box),
-                    Contains("takes \"b\" (<box>) at (0,0,0.5)") &&
+                    Contains("accepts \"b\" (<box>) at (0,0,0.5)") &&
                         Contains("\"ground\" has its plane at z = 0 m") &&
                         Contains("body is at z = 0.5 m") && Contains("elevation=\"0.5\""));
   // each engine accepts the body on its own plane

@@ -193,7 +193,7 @@ TEST_CASE("flight limits: bodies that cannot fly are refused with a reason",
   experiment.ArenaSize = "10,10,10";
 
   experiment.Engines = "<dynamics2d id='e'/>";
-  CHECK_THAT(error(), Contains("takes \"r\" (<eye-bot>)") &&
+  CHECK_THAT(error(), Contains("accepts \"r\" (<eye-bot>)") &&
                           Contains("\"e\" is a plane, and a <eye-bot> flies") &&
                           Contains("<pointmass3d>"));
   experiment.Engines = "<pointmass3d id='e' gravity='inf'/>";

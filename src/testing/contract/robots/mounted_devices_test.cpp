@@ -118,7 +118,7 @@ TEST_CASE("magnets actuator: currents change in the next tick", "[contract][robo
   world.Step();
   CHECK(magnet.GetCurrent() == 0.0);
   interfaces[0].Current = std::numeric_limits<Real>::infinity();
-  CHECK_THROWS_WITH(world.Step(), Contains("\"r\" failed to act"));
+  CHECK_THROWS_WITH(world.Step(), Contains("\"r\": an actuator threw"));
 }
 
 TEST_CASE("magnets actuator: noise is on the current and drawn in each tick",

@@ -156,7 +156,7 @@ TEST_CASE("bad input: a message longer or shorter than the messages of the robot
       "\"><actuators><range_and_bearing implementation=\"default\"/></actuators><sensors/>"
       "<params bytes=\"" +
       bytes + "\"/></test_sends_message></controllers>";
-  CHECK_THAT(RunError(experiment), Contains("robot \"ep\" failed to be controlled in tick 1") &&
+  CHECK_THAT(RunError(experiment), Contains("robot \"ep\": ControlStep() threw in tick 1") &&
                                        Contains("messages have 2 bytes, got " + bytes));
 }
 

@@ -270,7 +270,7 @@ TEST_CASE("lua controller: on_error=\"end_run\" ends the run", "[lua][controller
   SFunctions functions = kQuiet;
   functions.Step = "error('enough')";
   CLuaWorld world(Running(functions, "on_error='end_run'"));
-  CHECK_THROWS_WITH(world.Step(), Contains("robot \"fb\" failed to be controlled in tick 1") &&
+  CHECK_THROWS_WITH(world.Step(), Contains("robot \"fb\": ControlStep() threw in tick 1") &&
                                       Contains("robot.lua:3: enough"));
   CHECK_THAT(LoadError(Running(functions, "on_error='ignore'")),
              Contains("\"on_error\" must be \"stop_robot\" or \"end_run\", got \"ignore\""));

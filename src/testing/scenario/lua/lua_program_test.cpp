@@ -106,7 +106,7 @@ TEST_CASE("lua program: an error in step() ends the run only on request", "[lua]
   const SProgramRun ends = folder.Run({"-c", "e.argos"});
   CHECK(ends.Status == 1);
   CHECK_THAT(ends.Err,
-             Contains("robot \"fb\" failed to be controlled in tick 1") && Contains("bad.lua:2:"));
+             Contains("robot \"fb\": ControlStep() threw in tick 1") && Contains("bad.lua:2:"));
   CHECK_THAT(ends.Out, !Contains("simulated"));
 }
 

@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/plugins/simulator/entities/anchor_use.h>
 
 #include <cmath>
 

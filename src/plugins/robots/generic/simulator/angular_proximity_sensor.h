@@ -1,7 +1,6 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_ANGULAR_PROXIMITY_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_ANGULAR_PROXIMITY_SENSOR_H
 
-#include <argos3/core/utility/prefetch.h>
 #include <argos3/plugins/robots/generic/simulator/placed_readings_sensor.h>
 #include <argos3/plugins/robots/generic/simulator/proximity_rays.h>
 
@@ -22,10 +21,6 @@ class CAngularProximitySensor : public CPlacedReadingsSensor<INTERFACE, CProximi
     this->m_reader.Read(
         [this](Real distance) { return CalculateReading(distance); },
         [this](size_t ray, Real reading) { this->m_tReadings[ray].Value = reading; });
-  }
-  void PrefetchUpdate() const override {
-    this->m_reader.PrefetchRead();
-    PrefetchElements(this->m_tReadings);
   }
 
   /**

@@ -3,7 +3,6 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/simulator.h>
-#include <argos3/core/utility/prefetch.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
 
@@ -99,10 +98,6 @@ void CDifferentialSteeringDefaultActuator::SetLinearVelocity(Real left, Real rig
 
 void CDifferentialSteeringDefaultActuator::Update() {
   m_wheels->SetVelocities(m_fCurrentVelocity);
-}
-
-void CDifferentialSteeringDefaultActuator::PrefetchUpdate() const {
-  Prefetch(m_wheels, sizeof(*m_wheels));
 }
 
 void CDifferentialSteeringDefaultActuator::Reset() {

@@ -32,7 +32,6 @@ class CDifferentialSteeringDefaultActuator : public CSimulatedActuator,
   /** @throws CARGoSException that names the robot if a speed is not finite. */
   void SetLinearVelocity(Real left, Real right) override;
   void Update() override;
-  void PrefetchUpdate() const override;
   void Reset() override;
 
  protected:

@@ -2,7 +2,6 @@
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_PROXIMITY_DEFAULT_SENSOR_H
 
 #include <argos3/core/simulator/sensor.h>
-#include <argos3/core/utility/prefetch.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_proximity_sensor.h>
 #include <argos3/plugins/robots/generic/simulator/proximity_rays.h>
 
@@ -15,10 +14,6 @@ class CProximityDefaultSensor : public CSimulatedSensor, public CCI_ProximitySen
   /** See CProximityRays::Init(). */
   void Init(TConfigurationNode& tree) override;
   void Update() override;
-  void PrefetchUpdate() const override {
-    m_rays.PrefetchRead();
-    PrefetchElements(m_tReadings);
-  }
   void Reset() override;
 
   /**

@@ -25,11 +25,6 @@ void CProximityRays::RequireNumRays(size_t num, const std::string& device) const
   }
 }
 
-void CProximityRays::PrefetchRead() const {
-  m_sensors->PrefetchLayout();
-  m_caster.GetBody().PrefetchPose();
-}
-
 void CProximityRays::Cast(size_t first, size_t count, Real* fractions) {
   const SRayLayout& layout = m_sensors->GetLayout();
   const SAnchor* const* anchors = m_sensors->GetAnchors();

@@ -34,8 +34,6 @@ class CProximityRays {
   size_t GetNumRays() const { return m_sensors->GetNumSensors(); }
   /** @throws CARGoSException that names @p device if the robot does not have so many rays. */
   void RequireNumRays(size_t num, const std::string& device) const;
-  /** Asks for the memory that Read() is going to need. */
-  void PrefetchRead() const;
 
   /**
    * Casts all rays.

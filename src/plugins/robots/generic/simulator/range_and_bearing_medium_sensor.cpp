@@ -48,13 +48,6 @@ void CRangeAndBearingMediumSensor::Init(TConfigurationNode& tree) {
 
 void CRangeAndBearingMediumSensor::Update() {
   const CRABMedium::SNumbers senders = m_medium->GetSenders(*m_rab);
-  // the senders lie anywhere in memory: fetch all, then read
-  for (const UInt32 number : senders) {
-    if (const CRABEquippedEntity* const sender = m_medium->GetDevice(number)) {
-      __builtin_prefetch(&sender->GetPosition());
-      __builtin_prefetch(&sender->GetData());
-    }
-  }
   // packets of the last tick are overwritten, so that their bytes stay allocated
   size_t numPackets = 0;
   for (const UInt32 number : senders) {

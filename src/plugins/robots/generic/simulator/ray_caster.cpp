@@ -100,7 +100,6 @@ void CRayCaster::CastUpright(const SRayBundle& bundle, Real* fractions) const {
     }
   };
   const SRayBounds& bounds = bundle.Bounds;
-  index.PrefetchAhead(ownBody, bounds.Reach);
   index.ForShapesNear(position.GetX() + cosine * bounds.CenterX - sine * bounds.CenterY,
                       position.GetY() + sine * bounds.CenterX + cosine * bounds.CenterY,
                       bounds.Reach, test);

@@ -1,0 +1,119 @@
+#include <argos3/core/simulator/space/look_ahead.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/space/body_index.h>
+
+namespace argos {
+
+namespace {
+
+// robots between two stages: about as long as memory takes to answer
+constexpr size_t kStep = 8;
+// bytes from the beginning of a device or controller that most of them use in every tick
+constexpr size_t kDeviceBytes = 128;
+constexpr size_t kControllerBytes = sizeof(CCI_Controller) + 96;
+// m; how far most sensors of bodies reach
+constexpr Real kReach = 0.1;
+// with fewer robots, all of their data fits into the cache
+constexpr size_t kFewRobots = 2000;
+
+void Prefetch(const void* start, size_t bytes) {
+  constexpr size_t kLine = 64;
+  const char* const first = static_cast<const char*>(start);
+  for (size_t offset = 0; offset < bytes; offset += kLine) {
+    __builtin_prefetch(first + offset);
+  }
+  // the last byte of an unaligned range may be on one more line
+  if (bytes > 0) {
+    __builtin_prefetch(first + bytes - 1);
+  }
+}
+
+const SAnchor* FindOrigin(CControllableEntity& robot) {
+  auto* const root = dynamic_cast<CComposableEntity*>(&robot.GetRootEntity());
+  if (root != nullptr) {
+    for (CEntity* component : root->GetExistingComponents()) {
+      if (auto* const body = dynamic_cast<CEmbodiedEntity*>(component)) {
+        return &body->GetOriginAnchor();
+      }
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void CLookAhead::SetRobots(const std::vector<CControllableEntity*>& robots) {
+  m_robots.clear();
+  if (robots.size() < kFewRobots) {
+    return;
+  }
+  m_robots.reserve(robots.size());
+  for (CControllableEntity* robot : robots) {
+    m_robots.push_back({robot, FindOrigin(*robot)});
+  }
+}
+
+void CLookAhead::BeforeAct(size_t number) const {
+  if (number + 3 * kStep >= m_robots.size()) {
+    return;
+  }
+  Prefetch(m_robots[number + 3 * kStep].Robot, sizeof(CControllableEntity));
+  Prefetch(m_robots[number + 2 * kStep].Robot->m_actuators.data(), 1);
+  for (const CSimulatedActuator* actuator : m_robots[number + kStep].Robot->m_actuators) {
+    Prefetch(actuator, kDeviceBytes);
+  }
+}
+
+void CLookAhead::BeforeSense(size_t number, const CBodyIndex& index) const {
+  if (number + 3 * kStep >= m_robots.size()) {
+    return;
+  }
+  const SRobot& far = m_robots[number + 3 * kStep];
+  Prefetch(far.Robot, sizeof(CControllableEntity));
+  if (far.Origin != nullptr) {
+    Prefetch(far.Origin, sizeof(SAnchor));
+  }
+
+  const SRobot& middle = m_robots[number + 2 * kStep];
+  Prefetch(middle.Robot->m_sensors.data(), 1);
+  Prefetch(middle.Robot->m_actuators.data(), 1);
+  if (middle.Robot->m_pcController != nullptr) {
+    Prefetch(middle.Robot->m_pcController, kControllerBytes);
+  }
+  PrefetchAround(middle, index, false);
+
+  const SRobot& near = m_robots[number + kStep];
+  for (const auto& sensor : near.Robot->m_sensors) {
+    Prefetch(sensor.Simulated, kDeviceBytes);
+  }
+  for (const CSimulatedActuator* actuator : near.Robot->m_actuators) {
+    Prefetch(actuator, kDeviceBytes);
+  }
+  PrefetchAround(near, index, true);
+}
+
+// where the solids around a robot are listed, then the lists
+void CLookAhead::PrefetchAround(const SRobot& robot, const CBodyIndex& index, bool lists) const {
+  if (robot.Origin == nullptr || index.m_shapes.empty()) {
+    return;
+  }
+  const CVector3& position = robot.Origin->Position;
+  const auto cells =
+      index.CellsAround(position.GetX(), position.GetY(), kReach + index.SmallReach());
+  for (int j = cells.MinJ; j <= cells.MaxJ; ++j) {
+    const auto* const row = index.m_cellStart.data() + static_cast<size_t>(j) * index.m_numI;
+    const auto* const begin = row + cells.MinI;
+    const auto* const end = row + cells.MaxI + 1;
+    if (lists) {
+      Prefetch(index.m_shapes.data() + begin->Small,
+               (end->Small - begin->Small) * sizeof(SIndexedShape));
+    } else {
+      Prefetch(begin, (end + 1 - begin) * sizeof(*begin));
+    }
+  }
+}
+
+}  // namespace argos
