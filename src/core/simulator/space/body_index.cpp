@@ -8,7 +8,6 @@
 
 #include <atomic>
 #include <cmath>
-#include <utility>
 
 namespace argos {
 
@@ -16,9 +15,9 @@ namespace {
 
 // bodies of one parallel run: enough work to pay for waking a thread
 constexpr size_t kGrain = 1024;
-// below this many bodies in the overlay it is not worth sorting anew
+// the overlay is not sorted while it has fewer bodies than this
 constexpr size_t kMinOverlay = 64;
-// nor below this many cells that wide solids of the overlay touch
+// nor while its wide solids touch fewer cells than this
 constexpr size_t kMinOverlayLinks = 1024;
 // m; cells are not made smaller than this however crowded the arena is
 constexpr Real kMinCell = 0.02;
@@ -59,10 +58,8 @@ void ForRange(CThreadPool* pool, size_t items, FUNCTION&& function) {
 }  // namespace
 
 void CBodyIndex::SetArea(const CRange<CVector3>& limits) {
-  m_minX = limits.GetMin().GetX();
-  m_minY = limits.GetMin().GetY();
-  m_maxX = limits.GetMax().GetX();
-  m_maxY = limits.GetMax().GetY();
+  m_area = {limits.GetMin().GetX(), limits.GetMin().GetY(), limits.GetMax().GetX(),
+            limits.GetMax().GetY()};
   m_cellsChosenFor = 0;
   Rebuild(nullptr);
 }
@@ -89,7 +86,7 @@ UInt32 CBodyIndex::Add(CEmbodiedEntity& body) {
     number = m_free.back();
     m_free.pop_back();
   }
-  m_bodies[number] = {&body, nullptr, 0.0, 0.0, kNoBody, kNoBody, 0, false};
+  m_bodies[number] = {&body, nullptr, 0.0, 0.0, kNoBody, 0, false};
   ++m_numAlive;
   body.AttachToIndex(this, number);
   Describe(number);
@@ -134,7 +131,7 @@ void CBodyIndex::Remove(UInt32 number) {
   SBody& body = m_bodies[number];
   body.Entity->AttachToIndex(nullptr, kNoBody);
   body.Entity = nullptr;
-  // sorted solids may still name this number: it is used again only after they are sorted anew
+  // sorted solids may still have this number: it is used again only after the next sort
   if (!body.Stale) {
     body.Stale = true;
     ++m_numStale;
@@ -148,8 +145,8 @@ void CBodyIndex::SetPose(UInt32 body, const CVector3& position, const CQuaternio
   const bool small = pose.Small;
   pose = MakePose(position, orientation);
   pose.Small = small;
-  // while wide bodies that can move are listed the flag stays up, so engines only read it; a wall
-  // is moved outside the physics phase
+  // while wide bodies that can move are listed the flag stays true, so engines only read it; walls
+  // are moved outside the physics phase
   if (!small && !m_wideDirty) {
     m_wideDirty = true;
   }
@@ -160,14 +157,10 @@ void CBodyIndex::RefreshNow(UInt32 number) {
   if (!body.Stale) {
     PutInOverlay(number);
   } else if (m_poses[number].Small) {
-    UInt32* link = &m_overlayHead[body.OverlayPlace];
-    while (*link != number) {
-      link = &m_bodies[*link].NextInCell;
-    }
-    *link = body.NextInCell;
+    m_overlay.Remove(body.OverlayPlace, number);
     LinkIntoOverlay(number);
   } else {
-    // where it was, it is not any more
+    // its solids at the previous pose do not count
     for (UInt16 shape = 0; shape < body.NumShapes; ++shape) {
       m_overlayWide[body.OverlayPlace + shape].Shape.Body = kNoBody;
     }
@@ -185,7 +178,7 @@ void CBodyIndex::PutInOverlay(UInt32 number) {
   SBody& body = m_bodies[number];
   body.Stale = true;
   ++m_numStale;
-  if (m_numStale > kMinOverlay + m_shapes.size() + m_wide.size() || m_overlayHead.empty()) {
+  if (m_numStale > kMinOverlay + m_shapes.size() + m_wide.size() || m_overlay.GetNumCells() == 0) {
     Rebuild(nullptr);
   } else if (m_poses[number].Small) {
     LinkIntoOverlay(number);
@@ -196,91 +189,71 @@ void CBodyIndex::PutInOverlay(UInt32 number) {
 
 void CBodyIndex::LinkWideIntoOverlay(UInt32 number) {
   m_wideDirty = true;
-  // sorting anew costs as much as these links have cost
-  const size_t cells = m_overlayHead.size();
-  if (m_overlayLinks.size() > kMinOverlayLinks + cells + m_wideItems.size()) {
+  // a sort costs as much as these links have cost
+  const size_t numCells = m_grid.GetNumCells();
+  if (m_overlayWideCells.GetNumLinks() >
+      kMinOverlayLinks + numCells + m_wideCells.GetNumListings()) {
     Rebuild(nullptr);
     return;
   }
-  if (m_overlayWideHead.empty()) {
-    m_overlayWideHead.assign(cells, kNoBody);
+  if (m_overlayWideCells.GetNumCells() == 0) {
+    m_overlayWideCells.Resize(numCells);
   }
   SBody& body = m_bodies[number];
   body.OverlayPlace = static_cast<UInt32>(m_overlayWide.size());
   for (UInt16 shape = 0; shape < body.NumShapes; ++shape) {
     const SIndexedShape packed = Pack(number, shape);
-    const SCellRange touched = CellsOf(packed);
+    const SCellRange cells = CellsOf(packed);
     const auto wide = static_cast<UInt32>(m_overlayWide.size());
-    m_overlayWide.push_back({packed, touched.MinI, touched.MinJ});
-    ForCells(touched, [this, wide](size_t cell) {
-      UInt32& head = m_overlayWideHead[cell];
-      if (head == kNoBody) {
-        m_overlayWideCells.push_back(static_cast<UInt32>(cell));
-      }
-      m_overlayLinks.push_back({wide, head});
-      head = static_cast<UInt32>(m_overlayLinks.size() - 1);
-    });
+    m_overlayWide.push_back({packed, cells.GetFirst()});
+    m_grid.ForCells(cells, [this, wide](UInt32 cell) { m_overlayWideCells.Add(cell, wide); });
   }
 }
 
 void CBodyIndex::LinkIntoOverlay(UInt32 number) {
   SBody& body = m_bodies[number];
   const SPose& pose = m_poses[number];
-  const UInt32 cell = static_cast<UInt32>(CellJ(pose.Y) * m_numI + CellI(pose.X));
-  if (m_overlayHead[cell] == kNoBody) {
-    m_overlayCells.push_back(cell);
-  }
   if (!pose.Upright) {
     m_tiltedReach = std::max(m_tiltedReach, body.TiltedReach);
   }
-  body.OverlayPlace = cell;
-  body.NextInCell = m_overlayHead[cell];
-  m_overlayHead[cell] = number;
+  body.OverlayPlace = m_grid.CellAt(pose.X, pose.Y);
+  m_overlay.Add(body.OverlayPlace, number);
 }
 
 void CBodyIndex::ClearOverlay() {
   for (SBody& body : m_bodies) {
     body.Stale = false;
   }
-  for (const UInt32 cell : m_overlayCells) {
-    m_overlayHead[cell] = kNoBody;
-  }
-  m_overlayCells.clear();
-  for (const UInt32 cell : m_overlayWideCells) {
-    m_overlayWideHead[cell] = kNoBody;
-  }
-  m_overlayWideCells.clear();
+  m_overlay.Clear();
+  m_overlayWideCells.Clear();
   m_overlayWide.clear();
-  m_overlayLinks.clear();
   m_free.insert(m_free.end(), m_released.begin(), m_released.end());
   m_released.clear();
   m_numStale = 0;
 }
 
 bool CBodyIndex::ChooseCells() {
-  // hysteresis: cells are chosen anew only when the numbers have changed by a factor of two
-  const bool fits = !m_overlayHead.empty() && m_numAlive <= 2 * m_cellsChosenFor &&
+  // hysteresis: cells are chosen again only when the numbers have changed by a factor of two
+  const bool fits = m_overlay.GetNumCells() > 0 && m_numAlive <= 2 * m_cellsChosenFor &&
                     m_cellsChosenFor <= 2 * m_numAlive + 16 &&
                     m_cellsChosenReach == m_maxSmallReach;
   if (fits) {
     return false;
   }
-  const Real width = std::max(m_maxX - m_minX, kMinCell);
-  const Real depth = std::max(m_maxY - m_minY, kMinCell);
+  const Real width = std::max(m_area.MaxX - m_area.MinX, kMinCell);
+  const Real depth = std::max(m_area.MaxY - m_area.MinY, kMinCell);
   const Real bodies = static_cast<Real>(std::max<size_t>(1, m_numAlive));
   // about one body a cell, but no cell smaller than the largest small body
-  m_cell = std::max({kMinCell, 2.0 * m_maxSmallReach, std::sqrt(width * depth / bodies)});
-  m_inverseCell = 1.0 / m_cell;
-  m_numI = std::max(1, static_cast<int>(std::ceil(width * m_inverseCell)));
-  m_numJ = std::max(1, static_cast<int>(std::ceil(depth * m_inverseCell)));
+  const Real edge = std::max({kMinCell, 2.0 * m_maxSmallReach, std::sqrt(width * depth / bodies)});
+  const auto count = [inverse = 1.0 / edge](Real length) {
+    return std::max(1, static_cast<SInt32>(std::ceil(length * inverse)));
+  };
+  m_grid.Lay({m_area.MinX, edge, count(width)}, {m_area.MinY, edge, count(depth)});
   m_cellsChosenFor = m_numAlive;
   m_cellsChosenReach = m_maxSmallReach;
-  const size_t cells = static_cast<size_t>(m_numI) * m_numJ;
-  m_cellStart.assign(cells + 1, SCellStart());
-  m_cursor.assign(cells, 0);
-  m_overlayHead.assign(cells, kNoBody);
-  if (!m_overlayWideHead.empty()) {
-    m_overlayWideHead.assign(cells, kNoBody);
+  m_overlay.Resize(m_grid.GetNumCells());
+  if (m_overlayWideCells.GetNumCells() > 0) {
+    m_overlayWideCells.Resize(m_grid.GetNumCells());
   }
   return true;
 }
@@ -291,66 +264,69 @@ void CBodyIndex::Rebuild(CThreadPool* pool) {
   }
   const bool newCells = ChooseCells();
   SortSmall(pool);
-  // wide bodies that can move are few, and listed anew every tick
+  // wide bodies that can move are few, and are listed again every tick
   if (newCells || m_wideDirty) {
     ListWide();
   }
 }
 
-// Takes the length of each cell's list from m_cursor, and leaves there where it begins.
-// @return the length of all.
-UInt32 CBodyIndex::TurnCountsIntoStarts(UInt32 SCellStart::*list) {
-  UInt32 sum = 0;
-  for (size_t cell = 0; cell < m_cursor.size(); ++cell) {
-    m_cellStart[cell].*list = sum;
-    sum += std::exchange(m_cursor[cell], sum);
-  }
-  m_cellStart.back().*list = sum;
-  return sum;
-}
-
 void CBodyIndex::SortSmall(CThreadPool* pool) {
-  m_cellOfBody.resize(m_bodies.size());
+  const size_t numBodies = m_bodies.size();
+  const bool isAlone = pool == nullptr || pool->GetNumThreads() == 1 || numBodies <= kGrain;
+  m_sort.Start(numBodies, m_grid.GetNumCells());
   std::atomic<bool> anyTilted{false};
-  ForRange(pool, m_bodies.size(), [this, &anyTilted](size_t begin, size_t end) {
+  ForRange(pool, numBodies, [&](size_t begin, size_t end) {
     for (size_t b = begin; b < end; ++b) {
-      const bool sorted = m_poses[b].Small;
-      if (sorted && !m_poses[b].Upright) {
+      const SPose& pose = m_poses[b];
+      if (!pose.Small) {
+        m_sort.LeaveOut(b);
+        continue;
+      }
+      if (!pose.Upright) {
         anyTilted.store(true, std::memory_order_relaxed);
       }
-      m_cellOfBody[b] =
-          sorted ? static_cast<UInt32>(CellJ(m_poses[b].Y) * m_numI + CellI(m_poses[b].X))
-                 : kNoBody;
+      const UInt32 cell = m_grid.CellAt(pose.X, pose.Y);
+      if (isAlone) {
+        m_sort.SetKey(b, cell, m_bodies[b].NumShapes);
+      } else {
+        m_sort.SetKeyOnThread(b, cell, m_bodies[b].NumShapes);
+      }
     }
   });
 
   m_tiltedReach = 0.0;
   if (anyTilted) {
-    for (size_t b = 0; b < m_bodies.size(); ++b) {
-      if (m_cellOfBody[b] != kNoBody && !m_poses[b].Upright) {
+    for (size_t b = 0; b < numBodies; ++b) {
+      if (m_poses[b].Small && !m_poses[b].Upright) {
         m_tiltedReach = std::max(m_tiltedReach, m_bodies[b].TiltedReach);
       }
     }
   }
 
-  // counting sort by cell; within a cell by body number, whatever the number of threads
-  std::fill(m_cursor.begin(), m_cursor.end(), 0);
-  for (size_t b = 0; b < m_bodies.size(); ++b) {
-    if (m_cellOfBody[b] != kNoBody) {
-      m_cursor[m_cellOfBody[b]] += m_bodies[b].NumShapes;
-    }
-  }
-  const UInt32 numShapes = TurnCountsIntoStarts(&SCellStart::Small);
+  // within a cell by body number, whatever the number of threads
+  const UInt32 numShapes = m_sort.Finish();
   m_entries.resize(numShapes);
   m_shapes.resize(numShapes);
-  for (size_t b = 0; b < m_bodies.size(); ++b) {
-    if (m_cellOfBody[b] == kNoBody) {
-      continue;
+  ForRange(pool, numBodies, [this](size_t begin, size_t end) {
+    for (size_t b = begin; b < end; ++b) {
+      if (m_sort.IsLeftOut(b)) {
+        continue;
+      }
+      SEntry* entry = m_entries.data() + m_sort.GetPlace(b);
+      for (UInt16 shape = 0; shape < m_bodies[b].NumShapes; ++shape, ++entry) {
+        *entry = {static_cast<UInt32>(b), shape};
+      }
     }
-    for (UInt16 shape = 0; shape < m_bodies[b].NumShapes; ++shape) {
-      m_entries[m_cursor[m_cellOfBody[b]]++] = {static_cast<UInt32>(b), shape};
-    }
+  });
+  if (!isAlone) {
+    m_sort.SortRuns(*pool, m_entries, [](const SEntry& entry) {
+      return (static_cast<UInt64>(entry.Body) << 16) | entry.Shape;
+    });
   }
+  PackSmall(pool);
+}
+
+void CBodyIndex::PackSmall(CThreadPool* pool) {
   ForRange(pool, m_entries.size(), [this](size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) {
       if (k + 2 * kBodiesAhead < end) {
@@ -374,38 +350,25 @@ void CBodyIndex::ListWide() {
     anyMovable = anyMovable || body.Entity->IsMovable();
     for (UInt16 shape = 0; shape < body.NumShapes; ++shape) {
       const SIndexedShape packed = Pack(static_cast<UInt32>(b), shape);
-      const SCellRange cells = CellsOf(packed);
-      m_wide.push_back({packed, cells.MinI, cells.MinJ});
+      m_wide.push_back({packed, CellsOf(packed).GetFirst()});
     }
   }
-  std::fill(m_cursor.begin(), m_cursor.end(), 0);
-  for (const SWideShape& wide : m_wide) {
-    ForCells(CellsOf(wide.Shape), [this](size_t cell) { ++m_cursor[cell]; });
-  }
-  m_wideItems.resize(TurnCountsIntoStarts(&SCellStart::Wide));
-  for (size_t w = 0; w < m_wide.size(); ++w) {
-    ForCells(CellsOf(m_wide[w].Shape),
-             [this, w](size_t cell) { m_wideItems[m_cursor[cell]++] = static_cast<UInt32>(w); });
-  }
+  m_wideCells.List(m_wide.size(), m_grid.GetNumCells(), [this](UInt32 wide, auto&& list) {
+    m_grid.ForCells(CellsOf(m_wide[wide].Shape), list);
+  });
   m_wideDirty = anyMovable;
 }
 
-CBodyIndex::SCellRange CBodyIndex::CellsOf(const SIndexedShape& shape) const {
-  Real reachX = shape.HalfX;
-  Real reachY = shape.HalfX;
-  if (shape.Kind == SIndexedShape::EKind::Box) {
-    reachX = Abs(shape.Cos) * shape.HalfX + Abs(shape.Sin) * shape.HalfY;
-    reachY = Abs(shape.Sin) * shape.HalfX + Abs(shape.Cos) * shape.HalfY;
-  }
-  return {CellI(shape.X - reachX), CellI(shape.X + reachX), CellJ(shape.Y - reachY),
-          CellJ(shape.Y + reachY)};
+SCellRange CBodyIndex::CellsOf(const SIndexedShape& shape) const {
+  const SPlanarVector half = ComputeHalfBounds(shape);
+  return m_grid.CellsAround(shape.X, shape.Y, half.X, half.Y);
 }
 
 SIndexedShape CBodyIndex::Pack(UInt32 body, UInt16 shape) const {
   const SBody& owner = m_bodies[body];
   const SShapeDescription& solid = owner.Description->Shapes[shape];
   const SPose& pose = m_poses[body];
-  // what stands upright is packed without a look at its entity, which is far away in memory
+  // for upright solids the entity, which is elsewhere in memory, is not read
   const bool upright = pose.Upright && StandsUpright(solid);
   SIndexedShape packed =
       Pack(solid, pose, upright ? CQuaternion() : owner.Entity->GetOriginAnchor().Orientation);
