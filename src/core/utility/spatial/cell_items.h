@@ -54,8 +54,12 @@ class CCellItems {
       m_items[m_sort.GetPlace(i)] = m_listings[i].Item;
     }
   }
-  /** Allocates for a number of cells. */
-  void ReserveCells(size_t numCells) { m_sort.Reserve(0, numCells); }
+  /** Allocates for a number of cells; for twice as many where there is not enough capacity. */
+  void ReserveCells(size_t numCells) {
+    if (m_sort.GetKeyCapacity() < numCells) {
+      m_sort.Reserve(0, 2 * numCells);
+    }
+  }
   /** Removes all lists. */
   void Clear() {
     m_sort.Start(0, 0);

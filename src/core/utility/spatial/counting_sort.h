@@ -54,6 +54,8 @@ class CCountingSort {
     return sum;
   }
 
+  /** For how many keys a sort does not allocate. */
+  size_t GetKeyCapacity() const { return m_starts.capacity() == 0 ? 0 : m_starts.capacity() - 1; }
   size_t GetNumItems() const { return m_items.size(); }
   size_t GetNumKeys() const { return m_starts.empty() ? 0 : m_starts.size() - 1; }
   bool IsLeftOut(size_t item) const { return m_items[item].Key == kLeftOut; }

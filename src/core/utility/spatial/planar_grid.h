@@ -12,6 +12,16 @@ namespace argos {
 /** A rectangle with sides along x and y, m. */
 struct SPlanarArea {
   Real MinX = 0.0, MinY = 0.0, MaxX = 0.0, MaxY = 0.0;
+
+  /** What Include() starts from. */
+  static SPlanarArea Empty() { return {HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL}; }
+  /** Extends the area to a rectangle around a point. @param halfX, halfY  half its sides, m. */
+  void Include(Real x, Real y, Real halfX = 0.0, Real halfY = 0.0) {
+    MinX = std::min(MinX, x - halfX);
+    MinY = std::min(MinY, y - halfY);
+    MaxX = std::max(MaxX, x + halfX);
+    MaxY = std::max(MaxY, y + halfY);
+  }
 };
 
 /** A cell of a planar grid: number along x, number along y. */
