@@ -1,4 +1,4 @@
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/encounters.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/proximity_filter.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,110 +7,40 @@ namespace argos {
 
 namespace {
 
-// m; obstacles are not sorted finer
+// m; least edge of the cells in which obstacles are listed
 constexpr Real kMinObstacleCell = 0.25;
-
-// about as many cells as this
-Real AimedCells(size_t numDiscs) {
-  return 64.0 + 2.0 * static_cast<Real>(numDiscs);
-}
-
-// a square has this many; a long strip has one row or column more for each cell
-size_t MaxCells(size_t numDiscs) {
-  return 3 * static_cast<size_t>(AimedCells(numDiscs));
-}
-
-/** Half the size of the axis-aligned box around an obstacle, m. */
-void ComputeHalfExtents(const SFootprint& obstacle, Real& halfX, Real& halfY) {
-  halfX = obstacle.Radius + std::abs(obstacle.Cos) * obstacle.HalfX +
-          std::abs(obstacle.Sin) * obstacle.HalfY;
-  halfY = obstacle.Radius + std::abs(obstacle.Sin) * obstacle.HalfX +
-          std::abs(obstacle.Cos) * obstacle.HalfY;
-}
-
-// from the boundary to the point, m; 0 inside
-Real ComputeDistance(const SFootprint& obstacle, Real x, Real y) {
-  const Real dx = x - obstacle.X;
-  const Real dy = y - obstacle.Y;
-  const Real outX = std::max(0.0, std::abs(obstacle.Cos * dx + obstacle.Sin * dy) - obstacle.HalfX);
-  const Real outY = std::max(0.0, std::abs(obstacle.Cos * dy - obstacle.Sin * dx) - obstacle.HalfY);
-  return std::max(0.0, std::sqrt(outX * outX + outY * outY) - obstacle.Radius);
-}
 
 }  // namespace
 
-void CEncounters::SGrid::Cover(Real minX, Real minY, Real maxX, Real maxY, Real minEdge,
-                               Real maxCells) {
-  MinX = minX;
-  MinY = minY;
-  const Real width = maxX - minX;
-  const Real height = maxY - minY;
-  Real edge = std::max(minEdge, std::sqrt(width * height / maxCells));
-  edge = std::max(edge, std::max(width, height) / maxCells);
-  InverseEdge = 1.0 / edge;
-  NumI = static_cast<int>(width * InverseEdge) + 1;
-  NumJ = static_cast<int>(height * InverseEdge) + 1;
-}
-
-void CEncounters::SetObstacles(const std::vector<SFootprint>& obstacles) {
+void CProximityFilter::SetObstacles(const std::vector<SFootprint>& obstacles) {
   m_obstacles = obstacles;
-  Real minX = HUGE_VAL, minY = HUGE_VAL, maxX = -HUGE_VAL, maxY = -HUGE_VAL;
-  for (const SFootprint& obstacle : m_obstacles) {
-    Real halfX, halfY;
-    ComputeHalfExtents(obstacle, halfX, halfY);
-    minX = std::min(minX, obstacle.X - halfX);
-    maxX = std::max(maxX, obstacle.X + halfX);
-    minY = std::min(minY, obstacle.Y - halfY);
-    maxY = std::max(maxY, obstacle.Y + halfY);
-  }
-  if (m_obstacles.empty()) {
-    return;
-  }
-  m_obstacleGrid.Cover(minX, minY, maxX, maxY, kMinObstacleCell,
-                       65536.0 + 8.0 * static_cast<Real>(m_obstacles.size()));
-  // counts, then sums, then fills
-  m_obstacleStart.assign(m_obstacleGrid.NumCells() + 1, 0);
-  const auto forCells = [this](const SFootprint& obstacle, auto&& visit) {
-    Real halfX, halfY;
-    ComputeHalfExtents(obstacle, halfX, halfY);
-    const int maxI = m_obstacleGrid.CellI(obstacle.X + halfX);
-    const int maxJ = m_obstacleGrid.CellJ(obstacle.Y + halfY);
-    for (int j = m_obstacleGrid.CellJ(obstacle.Y - halfY); j <= maxJ; ++j) {
-      for (int i = m_obstacleGrid.CellI(obstacle.X - halfX); i <= maxI; ++i) {
-        visit(static_cast<size_t>(j) * static_cast<size_t>(m_obstacleGrid.NumI) +
-              static_cast<size_t>(i));
-      }
+  if (!m_obstacles.empty()) {
+    SPlanarArea area = SPlanarArea::Empty();
+    for (const SFootprint& obstacle : m_obstacles) {
+      const SPlanarVector half = ComputeHalfBounds(obstacle);
+      area.Include(obstacle.X, obstacle.Y, half.X + obstacle.Radius, half.Y + obstacle.Radius);
     }
-  };
-  for (const SFootprint& obstacle : m_obstacles) {
-    forCells(obstacle, [this](size_t cell) { ++m_obstacleStart[cell + 1]; });
+    m_obstacleGrid.Cover(area, kMinObstacleCell,
+                         65536.0 + 8.0 * static_cast<Real>(m_obstacles.size()));
   }
-  for (size_t cell = 0; cell < m_obstacleGrid.NumCells(); ++cell) {
-    m_obstacleStart[cell + 1] += m_obstacleStart[cell];
-  }
-  m_obstacleItems.resize(m_obstacleStart.back());
-  std::vector<UInt32> next(m_obstacleStart.begin(), m_obstacleStart.end() - 1);
-  for (UInt32 number = 0; number < m_obstacles.size(); ++number) {
-    forCells(m_obstacles[number], [&](size_t cell) { m_obstacleItems[next[cell]++] = number; });
-  }
+  m_obstacleCells.List(m_obstacleGrid, m_obstacles, 0.0);
 }
 
-void CEncounters::Reserve(size_t numDiscs) {
+void CProximityFilter::Reserve(size_t numDiscs) {
   m_discs.reserve(numDiscs);
   m_marks.reserve(numDiscs);
   m_placeOf.reserve(numDiscs);
-  m_cellOf.reserve(numDiscs);
+  m_sort.Reserve(numDiscs, CFramedGrid::MaxCells(numDiscs));
   m_sorted.reserve(numDiscs);
-  m_start.reserve(MaxCells(numDiscs) + 1);
 }
 
-void CEncounters::Clear(size_t numDiscs) {
+void CProximityFilter::Clear(size_t numDiscs) {
   m_discs.clear();
-  m_marks.assign(numDiscs, Alone);
+  m_marks.assign(numDiscs, Free);
   m_placeOf.resize(numDiscs);
 }
 
-void CEncounters::MarkAll() {
+void CProximityFilter::MarkAll() {
   Sort();
   MarkPairs();
   if (!m_obstacles.empty()) {
@@ -120,132 +50,92 @@ void CEncounters::MarkAll() {
   }
 }
 
-void CEncounters::Sort() {
-  Real minX = HUGE_VAL, minY = HUGE_VAL, maxX = -HUGE_VAL, maxY = -HUGE_VAL;
+void CProximityFilter::Sort() {
+  SPlanarArea area = m_discs.empty() ? SPlanarArea() : SPlanarArea::Empty();
   m_maxReach = 0.0;
   for (const SDisc& disc : m_discs) {
-    minX = std::min(minX, disc.X);
-    maxX = std::max(maxX, disc.X);
-    minY = std::min(minY, disc.Y);
-    maxY = std::max(maxY, disc.Y);
+    area.Include(disc.X, disc.Y);
     m_maxReach = std::max(m_maxReach, disc.Reach);
   }
-  m_sorted.resize(m_discs.size());
-  if (m_discs.empty()) {
-    minX = minY = maxX = maxY = 0.0;
+  const size_t numDiscs = m_discs.size();
+  m_grid.Cover(area, 2.0 * m_maxReach + m_margin, CFramedGrid::AimedCells(numDiscs));
+  m_sort.Start(numDiscs, m_grid.GetNumCells());
+  for (size_t i = 0; i < numDiscs; ++i) {
+    m_sort.SetKey(i, m_grid.CellAt(m_discs[i].X, m_discs[i].Y));
   }
-  m_grid.Cover(minX, minY, maxX, maxY, 2.0 * m_maxReach + m_margin, AimedCells(m_discs.size()));
-
-  m_cellOf.resize(m_discs.size());
-  m_start.assign(m_grid.NumCells() + 1, 0);
-  for (size_t i = 0; i < m_discs.size(); ++i) {
-    const UInt32 cell =
-        static_cast<UInt32>(m_grid.CellJ(m_discs[i].Y) * m_grid.NumI + m_grid.CellI(m_discs[i].X));
-    m_cellOf[i] = cell;
-    ++m_start[cell];
-  }
-  UInt32 sum = 0;
-  for (UInt32& start : m_start) {
-    sum += start;
-    start = sum;
-  }
-  // backwards: each start ends where its cell begins, and discs of a cell keep their order
-  for (size_t i = m_discs.size(); i-- > 0;) {
-    m_sorted[--m_start[m_cellOf[i]]] = m_discs[i];
+  m_sorted.resize(m_sort.Finish());
+  for (size_t i = 0; i < numDiscs; ++i) {
+    m_sorted[m_sort.GetPlace(i)] = m_discs[i];
   }
 }
 
 // Each pair once: a disc, and those after it in its row's cells or in the three cells of the next
-// row.
-void CEncounters::MarkPairs() {
-  const int lastI = m_grid.NumI - 1;
-  for (int j = 0; j < m_grid.NumJ; ++j) {
-    const size_t row = static_cast<size_t>(j) * static_cast<size_t>(m_grid.NumI);
-    for (int i = 0; i < m_grid.NumI; ++i) {
-      const size_t cell = row + static_cast<size_t>(i);
-      const UInt32 begin = m_start[cell];
-      const UInt32 end = m_start[cell + 1];
-      if (begin == end) {
-        continue;
+// row. The cells of the frame are empty.
+void CProximityFilter::MarkPairs() {
+  const SGridAxis& x = m_grid.GetX();
+  const SGridAxis& y = m_grid.GetY();
+  m_grid.ForCells({0, x.Count - 1, 0, y.Count - 1}, [this](UInt32 cell) {
+    const UInt32 end = m_sort.End(cell);
+    const UInt32 rowEnd = m_sort.End(cell + 1);
+    const UInt32 next = cell + m_grid.GetStride();
+    for (UInt32 a = m_sort.Begin(cell); a < end; ++a) {
+      for (UInt32 b = a + 1; b < rowEnd; ++b) {
+        MarkPair(m_sorted[a], m_sorted[b]);
       }
-      const UInt32 rowEnd = m_start[cell + (i < lastI ? 2 : 1)];
-      UInt32 below = 0;
-      UInt32 belowEnd = 0;
-      if (j + 1 < m_grid.NumJ) {
-        const size_t next = cell + static_cast<size_t>(m_grid.NumI);
-        below = m_start[i > 0 ? next - 1 : next];
-        belowEnd = m_start[next + (i < lastI ? 2 : 1)];
-      }
-      for (UInt32 a = begin; a < end; ++a) {
-        for (UInt32 b = a + 1; b < rowEnd; ++b) {
-          MarkPair(m_sorted[a], m_sorted[b]);
-        }
-        for (UInt32 b = below; b < belowEnd; ++b) {
-          MarkPair(m_sorted[a], m_sorted[b]);
-        }
+      const UInt32 nextEnd = m_sort.End(next + 1);
+      for (UInt32 b = m_sort.Begin(next - 1); b < nextEnd; ++b) {
+        MarkPair(m_sorted[a], m_sorted[b]);
       }
     }
-  }
+  });
 }
 
-void CEncounters::MarkPair(const SDisc& a, const SDisc& b) {
+void CProximityFilter::MarkPair(const SDisc& a, const SDisc& b) {
   const Real dx = b.X - a.X;
   const Real dy = b.Y - a.Y;
   const Real squared = dx * dx + dy * dy;
   const Real near = a.Reach + b.Reach;
-  const Real around = near + m_margin;
-  if (squared <= around * around) {
-    const EMark mark = squared <= near * near ? Near : Around;
+  const Real guarded = near + m_margin;
+  if (squared <= guarded * guarded) {
+    const EMark mark = squared <= near * near ? Active : Guarded;
     Raise(a.Number, mark);
     Raise(b.Number, mark);
   }
 }
 
-void CEncounters::MarkAtObstacles(const SDisc& disc) {
+void CProximityFilter::MarkAtObstacles(const SDisc& disc) {
   const Real reach = disc.Reach + m_margin;
-  const int minI = m_obstacleGrid.CellI(disc.X - reach);
-  const int maxI = m_obstacleGrid.CellI(disc.X + reach);
-  const int maxJ = m_obstacleGrid.CellJ(disc.Y + reach);
-  for (int j = m_obstacleGrid.CellJ(disc.Y - reach); j <= maxJ; ++j) {
-    const size_t row = static_cast<size_t>(j) * static_cast<size_t>(m_obstacleGrid.NumI);
-    const UInt32 end = m_obstacleStart[row + static_cast<size_t>(maxI) + 1];
-    for (UInt32 item = m_obstacleStart[row + static_cast<size_t>(minI)]; item < end; ++item) {
-      const Real distance = ComputeDistance(m_obstacles[m_obstacleItems[item]], disc.X, disc.Y);
-      if (distance <= disc.Reach) {
-        Raise(disc.Number, Near);
-        return;
-      }
-      if (distance <= reach) {
-        Raise(disc.Number, Around);
-      }
+  m_obstacleCells.ForNear(m_obstacleGrid, disc.X, disc.Y, reach, [&](UInt32 number) {
+    if (GetMark(disc.Number) == Active) {
+      return;
     }
-  }
+    const Real distance = ComputeDistance(m_obstacles[number], disc.X, disc.Y);
+    if (distance <= reach) {
+      Raise(disc.Number, distance <= disc.Reach ? Active : Guarded);
+    }
+  });
 }
 
-void CEncounters::MarkNear(Real x, Real y, Real reach, std::vector<UInt32>* met) {
+void CProximityFilter::MarkNear(Real x, Real y, Real reach, std::vector<UInt32>* met) {
   const Real widest = reach + m_maxReach + m_margin;
-  const int minI = m_grid.CellI(x - widest);
-  const int maxI = m_grid.CellI(x + widest);
-  const int maxJ = m_grid.CellJ(y + widest);
-  for (int j = m_grid.CellJ(y - widest); j <= maxJ; ++j) {
-    const size_t row = static_cast<size_t>(j) * static_cast<size_t>(m_grid.NumI);
-    const UInt32 end = m_start[row + static_cast<size_t>(maxI) + 1];
-    for (UInt32 k = m_start[row + static_cast<size_t>(minI)]; k < end; ++k) {
+  m_grid.ForRows(m_grid.CellsAround(x, y, widest), [&](UInt32 first, UInt32 last) {
+    const UInt32 end = m_sort.End(last);
+    for (UInt32 k = m_sort.Begin(first); k < end; ++k) {
       const SDisc& disc = m_sorted[k];
       const Real dx = disc.X - x;
       const Real dy = disc.Y - y;
       const Real squared = dx * dx + dy * dy;
       const Real near = reach + disc.Reach;
       if (squared <= near * near) {
-        Raise(disc.Number, Near);
+        Raise(disc.Number, Active);
         if (met != nullptr) {
           met->push_back(disc.Number);
         }
       } else if (squared <= (near + m_margin) * (near + m_margin)) {
-        Raise(disc.Number, Around);
+        Raise(disc.Number, Guarded);
       }
     }
-  }
+  });
 }
 
 }  // namespace argos

@@ -1,33 +1,35 @@
-#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_ENCOUNTERS_H
-#define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_ENCOUNTERS_H
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PROXIMITY_FILTER_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PROXIMITY_FILTER_H
 
-#include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
+#include <argos3/core/utility/spatial/counting_sort.h>
+#include <argos3/core/utility/spatial/planar_grid.h>
+#include <argos3/plugins/simulator/physics_engines/planar/cell_lists.h>
 
 #include <vector>
 
 namespace argos {
 
 /**
- * Finds out which of the discs can meet something during a tick.
+ * Broad phase for discs: finds the discs that can meet something during a tick.
  *
- * A disc's reach is the radius of a circle, around its centre at the tick's start, that it does not
- * leave in the tick. Discs whose circles are apart cannot meet.
+ * The reach of a disc is the radius of a circle, around its centre at the start of the tick, that
+ * it does not leave in the tick. Discs whose circles are apart cannot meet.
  *
- * Pairs are found in a grid that is filled anew each tick by counting sort; its cells are as many
- * as there are discs, about, and at least so wide that whatever can be met is in an adjoining cell.
+ * Pairs are found in a grid that is filled each tick by counting sort. It has about two cells for
+ * each disc, which are so wide that two discs that can meet are in the same or in adjoining cells.
  */
-class CEncounters {
+class CProximityFilter {
  public:
-  /** What a disc may meet: nothing; nothing, but it is not far off; something. */
-  enum EMark : UInt8 { Alone, Around, Near };
+  /** Whether a disc can meet nothing; nothing, but something is within the margin; something. */
+  enum EMark : UInt8 { Free, Guarded, Active };
 
-  /** What is less than this from being met is around, m. */
+  /** Sets up to which distance from a meeting discs are marked Guarded, m. */
   void SetMargin(Real margin) { m_margin = margin; }
   void SetObstacles(const std::vector<SFootprint>& obstacles);
 
-  /** Makes room for that many discs. */
+  /** Allocates for a number of discs. */
   void Reserve(size_t numDiscs);
-  /** Starts a tick: no disc is placed, all are alone. */
+  /** Starts a tick: no disc is placed, all are marked Free. */
   void Clear(size_t numDiscs);
   /** @param number < numDiscs of Clear(). */
   void Place(UInt32 number, Real x, Real y, Real reach) {
@@ -40,9 +42,9 @@ class CEncounters {
   void Extend(UInt32 number, Real reach) { m_discs[m_placeOf[number]].Reach += reach; }
   /** Marks every disc that may meet a disc or an obstacle. */
   void MarkAll();
-  /** Then: marks every disc that may meet another body, a circle that is not among the discs. */
+  /** After MarkAll(): marks every disc that may meet another body, given as a circle. */
   void MarkNear(Real x, Real y, Real reach) { MarkNear(x, y, reach, nullptr); }
-  /** The same. @param met  gets the numbers of those that may meet it; not if null. */
+  /** The same. @param met  receives the numbers of the discs that may meet it, unless null. */
   void MarkNear(Real x, Real y, Real reach, std::vector<UInt32>* met);
   EMark GetMark(UInt32 number) const { return static_cast<EMark>(m_marks[number]); }
 
@@ -50,19 +52,6 @@ class CEncounters {
   struct SDisc {
     Real X, Y, Reach;  // m
     UInt32 Number;
-  };
-  /** A grid of equal squares over a rectangle; what is outside belongs to the border cells. */
-  struct SGrid {
-    Real MinX = 0.0, MinY = 0.0, InverseEdge = 1.0;  // m, 1/m
-    int NumI = 1, NumJ = 1;
-
-    void Cover(Real minX, Real minY, Real maxX, Real maxY, Real minEdge, Real maxCells);
-    int CellI(Real x) const { return Clamp((x - MinX) * InverseEdge, NumI); }
-    int CellJ(Real y) const { return Clamp((y - MinY) * InverseEdge, NumJ); }
-    size_t NumCells() const { return static_cast<size_t>(NumI) * static_cast<size_t>(NumJ); }
-    static int Clamp(Real cell, int count) {
-      return cell > 0.0 ? (cell < count ? static_cast<int>(cell) : count - 1) : 0;
-    }
   };
 
   void Sort();
@@ -80,15 +69,13 @@ class CEncounters {
   std::vector<SDisc> m_discs;  // as placed
   std::vector<UInt32> m_placeOf;  // in m_discs, by number
   std::vector<UInt8> m_marks;  // EMark, by number
-  SGrid m_grid;
-  std::vector<UInt32> m_cellOf;  // (discs) as placed
-  std::vector<UInt32> m_start;  // (cells + 1) into m_sorted
+  CFramedGrid m_grid;
+  CCountingSort m_sort;  // of the discs by cell
   std::vector<SDisc> m_sorted;  // in order of cells
 
   std::vector<SFootprint> m_obstacles;
-  SGrid m_obstacleGrid;
-  std::vector<UInt32> m_obstacleStart;  // (cells + 1) into m_obstacleItems
-  std::vector<UInt32> m_obstacleItems;  // numbers of obstacles, in order of cells
+  CFramedGrid m_obstacleGrid;
+  CCellLists m_obstacleCells;
 };
 
 }  // namespace argos
