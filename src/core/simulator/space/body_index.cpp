@@ -1,13 +1,13 @@
 #include <argos3/core/simulator/space/body_index.h>
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/space/look_ahead.h>
 #include <argos3/core/simulator/space/shape_overlap.h>
 #include <argos3/core/utility/math/general.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 
 #include <atomic>
 #include <cmath>
-#include <utility>
 
 namespace argos {
 
@@ -15,9 +15,11 @@ namespace {
 
 // bodies of one parallel run: enough work to pay for waking a thread
 constexpr size_t kGrain = 1024;
-// below this many bodies in the overlay it is not worth sorting anew
+// how many entries ahead the pose of a body is prefetched
+constexpr size_t kEntriesAhead = 16;
+// the overlay is not sorted while it has fewer bodies than this
 constexpr size_t kMinOverlay = 64;
-// nor below this many cells that wide solids of the overlay touch
+// nor while its wide solids touch fewer cells than this
 constexpr size_t kMinOverlayLinks = 1024;
 // m; cells are not made smaller than this however crowded the arena is
 constexpr Real kMinCell = 0.02;
@@ -58,23 +60,22 @@ void ForRange(CThreadPool* pool, size_t items, FUNCTION&& function) {
 }  // namespace
 
 void CBodyIndex::SetArea(const CRange<CVector3>& limits) {
-  m_minX = limits.GetMin().GetX();
-  m_minY = limits.GetMin().GetY();
-  m_maxX = limits.GetMax().GetX();
-  m_maxY = limits.GetMax().GetY();
+  m_area = {limits.GetMin().GetX(), limits.GetMin().GetY(), limits.GetMax().GetX(),
+            limits.GetMax().GetY()};
   m_cellsChosenFor = 0;
   Rebuild(nullptr);
-}
-
-bool CBodyIndex::IsUpright(const CQuaternion& orientation) {
-  return Abs(orientation.GetX()) < kUprightTolerance && Abs(orientation.GetY()) < kUprightTolerance;
 }
 
 CBodyIndex::SPose CBodyIndex::MakePose(const CVector3& position, const CQuaternion& orientation) {
   const Real w = orientation.GetW();
   const Real z = orientation.GetZ();
-  return {position.GetX(), position.GetY(), position.GetZ(),
-          w * w - z * z,   2.0 * w * z,     IsUpright(orientation)};
+  return {
+      position.GetX(),
+      position.GetY(),
+      position.GetZ(),
+      w * w - z * z,
+      2.0 * w * z,
+      Abs(orientation.GetX()) < kUprightTolerance && Abs(orientation.GetY()) < kUprightTolerance};
 }
 
 UInt32 CBodyIndex::Add(CEmbodiedEntity& body) {
@@ -82,15 +83,16 @@ UInt32 CBodyIndex::Add(CEmbodiedEntity& body) {
   if (m_free.empty()) {
     number = static_cast<UInt32>(m_bodies.size());
     m_bodies.emplace_back();
+    m_poses.emplace_back();
   } else {
     number = m_free.back();
     m_free.pop_back();
   }
-  m_bodies[number] = {&body, &body.GetOriginAnchor(), nullptr, 0.0, 0.0, kNoBody, kNoBody, 0, false,
-                      false};
+  m_bodies[number] = {&body, &body.GetOriginAnchor(), nullptr, 0.0, 0.0, kNoBody, 0, false};
   ++m_numAlive;
   body.AttachToIndex(this, number);
   Describe(number);
+  ReadPose(number);
   PutInOverlay(number);
   return number;
 }
@@ -108,9 +110,10 @@ void CBodyIndex::Describe(UInt32 number) {
     body.TiltedReach = std::max(body.TiltedReach, centroid.Length() + sphere);
   }
   body.NumShapes = static_cast<UInt16>(body.Description->Shapes.size());
-  body.Small =
+  const bool small =
       body.Entity->IsMovable() && body.Description->ComputeBoundingRadius() <= kMaxSmallRadius;
-  if (body.Small) {
+  m_poses[number].Small = small;
+  if (small) {
     m_maxSmallReach = std::max(m_maxSmallReach, body.Reach);
   } else {
     m_wideDirty = true;
@@ -118,10 +121,10 @@ void CBodyIndex::Describe(UInt32 number) {
 }
 
 void CBodyIndex::Forget(UInt32 number) {
-  if (!m_bodies[number].Small) {
+  if (!m_poses[number].Small) {
     m_wideDirty = true;
   }
-  m_bodies[number].Small = false;
+  m_poses[number].Small = false;
 }
 
 void CBodyIndex::Remove(UInt32 number) {
@@ -129,8 +132,7 @@ void CBodyIndex::Remove(UInt32 number) {
   SBody& body = m_bodies[number];
   body.Entity->AttachToIndex(nullptr, kNoBody);
   body.Entity = nullptr;
-  body.Origin = nullptr;
-  // sorted solids may still name this number: it is used again only after they are sorted anew
+  // sorted solids may still have this number: it is used again only after the next sort
   if (!body.Stale) {
     body.Stale = true;
     ++m_numStale;
@@ -139,19 +141,24 @@ void CBodyIndex::Remove(UInt32 number) {
   --m_numAlive;
 }
 
+void CBodyIndex::ReadPose(UInt32 number) {
+  SPose& pose = m_poses[number];
+  const bool small = pose.Small;
+  const SAnchor& origin = *m_bodies[number].Origin;
+  pose = MakePose(origin.Position, origin.Orientation);
+  pose.Small = small;
+}
+
 void CBodyIndex::RefreshNow(UInt32 number) {
+  ReadPose(number);
   SBody& body = m_bodies[number];
   if (!body.Stale) {
     PutInOverlay(number);
-  } else if (body.Small) {
-    UInt32* link = &m_overlayHead[body.OverlayPlace];
-    while (*link != number) {
-      link = &m_bodies[*link].NextInCell;
-    }
-    *link = body.NextInCell;
+  } else if (m_poses[number].Small) {
+    m_overlay.Remove(body.OverlayPlace, number);
     LinkIntoOverlay(number);
   } else {
-    // where it was, it is not any more
+    // its solids at the previous pose do not count
     for (UInt16 shape = 0; shape < body.NumShapes; ++shape) {
       m_overlayWide[body.OverlayPlace + shape].Shape.Body = kNoBody;
     }
@@ -169,9 +176,9 @@ void CBodyIndex::PutInOverlay(UInt32 number) {
   SBody& body = m_bodies[number];
   body.Stale = true;
   ++m_numStale;
-  if (m_numStale > kMinOverlay + m_shapes.size() + m_wide.size() || m_overlayHead.empty()) {
+  if (m_numStale > kMinOverlay + m_shapes.size() + m_wide.size() || m_overlay.GetNumCells() == 0) {
     Rebuild(nullptr);
-  } else if (body.Small) {
+  } else if (m_poses[number].Small) {
     LinkIntoOverlay(number);
   } else {
     LinkWideIntoOverlay(number);
@@ -180,90 +187,71 @@ void CBodyIndex::PutInOverlay(UInt32 number) {
 
 void CBodyIndex::LinkWideIntoOverlay(UInt32 number) {
   m_wideDirty = true;
-  // sorting anew costs as much as these links have cost
-  const size_t cells = m_overlayHead.size();
-  if (m_overlayLinks.size() > kMinOverlayLinks + cells + m_wideItems.size()) {
+  // a sort costs as much as these links have cost
+  const size_t numCells = m_grid.GetNumCells();
+  if (m_overlayWideCells.GetNumLinks() >
+      kMinOverlayLinks + numCells + m_wideCells.GetNumListings()) {
     Rebuild(nullptr);
     return;
   }
-  if (m_overlayWideHead.empty()) {
-    m_overlayWideHead.assign(cells, kNoBody);
+  if (m_overlayWideCells.GetNumCells() == 0) {
+    m_overlayWideCells.Resize(numCells);
   }
   SBody& body = m_bodies[number];
   body.OverlayPlace = static_cast<UInt32>(m_overlayWide.size());
   for (UInt16 shape = 0; shape < body.NumShapes; ++shape) {
     const SIndexedShape packed = Pack(number, shape);
-    const SCellRange touched = CellsOf(packed);
+    const SCellRange cells = CellsOf(packed);
     const auto wide = static_cast<UInt32>(m_overlayWide.size());
-    m_overlayWide.push_back({packed, touched.MinI, touched.MinJ});
-    ForCells(touched, [this, wide](size_t cell) {
-      UInt32& head = m_overlayWideHead[cell];
-      if (head == kNoBody) {
-        m_overlayWideCells.push_back(static_cast<UInt32>(cell));
-      }
-      m_overlayLinks.push_back({wide, head});
-      head = static_cast<UInt32>(m_overlayLinks.size() - 1);
-    });
+    m_overlayWide.push_back({packed, cells.GetFirst()});
+    m_grid.ForCells(cells, [this, wide](UInt32 cell) { m_overlayWideCells.Add(cell, wide); });
   }
 }
 
 void CBodyIndex::LinkIntoOverlay(UInt32 number) {
   SBody& body = m_bodies[number];
-  const UInt32 cell = CellOf(body.Origin->Position);
-  if (m_overlayHead[cell] == kNoBody) {
-    m_overlayCells.push_back(cell);
-  }
-  if (!IsUpright(body.Origin->Orientation)) {
+  const SPose& pose = m_poses[number];
+  if (!pose.Upright) {
     m_tiltedReach = std::max(m_tiltedReach, body.TiltedReach);
   }
-  body.OverlayPlace = cell;
-  body.NextInCell = m_overlayHead[cell];
-  m_overlayHead[cell] = number;
+  body.OverlayPlace = m_grid.CellAt(pose.X, pose.Y);
+  m_overlay.Add(body.OverlayPlace, number);
 }
 
 void CBodyIndex::ClearOverlay() {
   for (SBody& body : m_bodies) {
     body.Stale = false;
   }
-  for (const UInt32 cell : m_overlayCells) {
-    m_overlayHead[cell] = kNoBody;
-  }
-  m_overlayCells.clear();
-  for (const UInt32 cell : m_overlayWideCells) {
-    m_overlayWideHead[cell] = kNoBody;
-  }
-  m_overlayWideCells.clear();
+  m_overlay.Clear();
+  m_overlayWideCells.Clear();
   m_overlayWide.clear();
-  m_overlayLinks.clear();
   m_free.insert(m_free.end(), m_released.begin(), m_released.end());
   m_released.clear();
   m_numStale = 0;
 }
 
 bool CBodyIndex::ChooseCells() {
-  // hysteresis: cells are chosen anew only when the numbers have changed by a factor of two
-  const bool fits = !m_overlayHead.empty() && m_numAlive <= 2 * m_cellsChosenFor &&
+  // hysteresis: cells are chosen again only when the numbers have changed by a factor of two
+  const bool fits = m_overlay.GetNumCells() > 0 && m_numAlive <= 2 * m_cellsChosenFor &&
                     m_cellsChosenFor <= 2 * m_numAlive + 16 &&
                     m_cellsChosenReach == m_maxSmallReach;
   if (fits) {
     return false;
   }
-  const Real width = std::max(m_maxX - m_minX, kMinCell);
-  const Real depth = std::max(m_maxY - m_minY, kMinCell);
+  const Real width = std::max(m_area.MaxX - m_area.MinX, kMinCell);
+  const Real depth = std::max(m_area.MaxY - m_area.MinY, kMinCell);
   const Real bodies = static_cast<Real>(std::max<size_t>(1, m_numAlive));
   // about one body a cell, but no cell smaller than the largest small body
-  m_cell = std::max({kMinCell, 2.0 * m_maxSmallReach, std::sqrt(width * depth / bodies)});
-  m_inverseCell = 1.0 / m_cell;
-  m_numI = std::max(1, static_cast<int>(std::ceil(width * m_inverseCell)));
-  m_numJ = std::max(1, static_cast<int>(std::ceil(depth * m_inverseCell)));
+  const Real edge = std::max({kMinCell, 2.0 * m_maxSmallReach, std::sqrt(width * depth / bodies)});
+  const auto count = [inverse = 1.0 / edge](Real length) {
+    return std::max(1, static_cast<SInt32>(std::ceil(length * inverse)));
+  };
+  m_grid.Lay({m_area.MinX, edge, count(width)}, {m_area.MinY, edge, count(depth)});
   m_cellsChosenFor = m_numAlive;
   m_cellsChosenReach = m_maxSmallReach;
-  const size_t cells = static_cast<size_t>(m_numI) * m_numJ;
-  m_cellStart.assign(cells + 1, SCellStart());
-  m_cursor.assign(cells, 0);
-  m_overlayHead.assign(cells, kNoBody);
-  if (!m_overlayWideHead.empty()) {
-    m_overlayWideHead.assign(cells, kNoBody);
+  m_overlay.Resize(m_grid.GetNumCells());
+  if (m_overlayWideCells.GetNumCells() > 0) {
+    m_overlayWideCells.Resize(m_grid.GetNumCells());
   }
   return true;
 }
@@ -274,72 +262,78 @@ void CBodyIndex::Rebuild(CThreadPool* pool) {
   }
   const bool newCells = ChooseCells();
   SortSmall(pool);
-  // wide bodies that can move are few, and listed anew every tick
+  // wide bodies that can move are few, and are listed again every tick
   if (newCells || m_wideDirty) {
     ListWide();
   }
 }
 
-// Takes the length of each cell's list from m_cursor, and leaves there where it begins.
-// @return the length of all.
-UInt32 CBodyIndex::TurnCountsIntoStarts(UInt32 SCellStart::*list) {
-  UInt32 sum = 0;
-  for (size_t cell = 0; cell < m_cursor.size(); ++cell) {
-    m_cellStart[cell].*list = sum;
-    sum += std::exchange(m_cursor[cell], sum);
-  }
-  m_cellStart.back().*list = sum;
-  return sum;
-}
-
 void CBodyIndex::SortSmall(CThreadPool* pool) {
-  m_cellOfBody.resize(m_bodies.size());
+  const size_t numBodies = m_bodies.size();
+  const bool isAlone = pool == nullptr || pool->GetNumThreads() == 1 || numBodies <= kGrain;
+  m_sort.Start(numBodies, m_grid.GetNumCells());
   std::atomic<bool> anyTilted{false};
-  ForRange(pool, m_bodies.size(), [this, &anyTilted](size_t begin, size_t end) {
+  ForRange(pool, numBodies, [&](size_t begin, size_t end) {
     for (size_t b = begin; b < end; ++b) {
-      const SBody& body = m_bodies[b];
-      if (body.Small && !IsUpright(body.Origin->Orientation)) {
+      const SPose& pose = m_poses[b];
+      if (!pose.Small) {
+        m_sort.LeaveOut(b);
+        continue;
+      }
+      ReadPose(static_cast<UInt32>(b));
+      if (!pose.Upright) {
         anyTilted.store(true, std::memory_order_relaxed);
       }
-      m_cellOfBody[b] = body.Small ? CellOf(body.Origin->Position) : kNoBody;
+      const UInt32 cell = m_grid.CellAt(pose.X, pose.Y);
+      if (isAlone) {
+        m_sort.SetKey(b, cell, m_bodies[b].NumShapes);
+      } else {
+        m_sort.SetKeyOnThread(b, cell, m_bodies[b].NumShapes);
+      }
     }
   });
 
   m_tiltedReach = 0.0;
   if (anyTilted) {
-    for (size_t b = 0; b < m_bodies.size(); ++b) {
-      if (m_cellOfBody[b] != kNoBody && !IsUpright(m_bodies[b].Origin->Orientation)) {
+    for (size_t b = 0; b < numBodies; ++b) {
+      if (m_poses[b].Small && !m_poses[b].Upright) {
         m_tiltedReach = std::max(m_tiltedReach, m_bodies[b].TiltedReach);
       }
     }
   }
 
-  // counting sort by cell; within a cell by body number, whatever the number of threads
-  std::fill(m_cursor.begin(), m_cursor.end(), 0);
-  for (size_t b = 0; b < m_bodies.size(); ++b) {
-    if (m_cellOfBody[b] != kNoBody) {
-      m_cursor[m_cellOfBody[b]] += m_bodies[b].NumShapes;
-    }
-  }
-  const UInt32 numShapes = TurnCountsIntoStarts(&SCellStart::Small);
-  m_placeOfBody.resize(m_bodies.size());
+  // within a cell by body number, whatever the number of threads
+  const UInt32 numShapes = m_sort.Finish();
+  m_entries.resize(numShapes);
   m_shapes.resize(numShapes);
-  for (size_t b = 0; b < m_bodies.size(); ++b) {
-    if (m_cellOfBody[b] != kNoBody) {
-      UInt32& cursor = m_cursor[m_cellOfBody[b]];
-      m_placeOfBody[b] = cursor;
-      cursor += m_bodies[b].NumShapes;
-    }
-  }
-  // reads bodies in their order, and writes to the places that they are sorted to
-  ForRange(pool, m_bodies.size(), [this](size_t begin, size_t end) {
+  ForRange(pool, numBodies, [this](size_t begin, size_t end) {
     for (size_t b = begin; b < end; ++b) {
-      if (m_cellOfBody[b] == kNoBody) {
+      if (m_sort.IsLeftOut(b)) {
         continue;
       }
-      for (UInt16 shape = 0; shape < m_bodies[b].NumShapes; ++shape) {
-        m_shapes[m_placeOfBody[b] + shape] = Pack(static_cast<UInt32>(b), shape);
+      SEntry* entry = m_entries.data() + m_sort.GetPlace(b);
+      for (UInt16 shape = 0; shape < m_bodies[b].NumShapes; ++shape, ++entry) {
+        *entry = {static_cast<UInt32>(b), shape};
       }
+    }
+  });
+  if (!isAlone) {
+    m_sort.SortRuns(*pool, m_entries, [](const SEntry& entry) {
+      return (static_cast<UInt64>(entry.Body) << 16) | entry.Shape;
+    });
+  }
+  PackSmall(pool);
+}
+
+void CBodyIndex::PackSmall(CThreadPool* pool) {
+  ForRange(pool, m_entries.size(), [this](size_t begin, size_t end) {
+    for (size_t k = begin; k < end; ++k) {
+      if (k + kEntriesAhead < end) {
+        const UInt32 later = m_entries[k + kEntriesAhead].Body;
+        CLookAhead::At(m_poses[later]);
+        CLookAhead::At(m_bodies[later]);
+      }
+      m_shapes[k] = Pack(m_entries[k].Body, m_entries[k].Shape);
     }
   });
 }
@@ -349,44 +343,35 @@ void CBodyIndex::ListWide() {
   bool anyMovable = false;
   for (size_t b = 0; b < m_bodies.size(); ++b) {
     const SBody& body = m_bodies[b];
-    if (body.Entity == nullptr || body.Small) {
+    if (body.Entity == nullptr || m_poses[b].Small) {
       continue;
     }
+    ReadPose(static_cast<UInt32>(b));
     anyMovable = anyMovable || body.Entity->IsMovable();
     for (UInt16 shape = 0; shape < body.NumShapes; ++shape) {
       const SIndexedShape packed = Pack(static_cast<UInt32>(b), shape);
-      const SCellRange cells = CellsOf(packed);
-      m_wide.push_back({packed, cells.MinI, cells.MinJ});
+      m_wide.push_back({packed, CellsOf(packed).GetFirst()});
     }
   }
-  std::fill(m_cursor.begin(), m_cursor.end(), 0);
-  for (const SWideShape& wide : m_wide) {
-    ForCells(CellsOf(wide.Shape), [this](size_t cell) { ++m_cursor[cell]; });
-  }
-  m_wideItems.resize(TurnCountsIntoStarts(&SCellStart::Wide));
-  for (size_t w = 0; w < m_wide.size(); ++w) {
-    ForCells(CellsOf(m_wide[w].Shape),
-             [this, w](size_t cell) { m_wideItems[m_cursor[cell]++] = static_cast<UInt32>(w); });
-  }
+  m_wideCells.List(m_wide.size(), m_grid.GetNumCells(), [this](UInt32 wide, auto&& list) {
+    m_grid.ForCells(CellsOf(m_wide[wide].Shape), list);
+  });
   m_wideDirty = anyMovable;
 }
 
-CBodyIndex::SCellRange CBodyIndex::CellsOf(const SIndexedShape& shape) const {
-  Real reachX = shape.HalfX;
-  Real reachY = shape.HalfX;
-  if (shape.Kind == SIndexedShape::EKind::Box) {
-    reachX = Abs(shape.Cos) * shape.HalfX + Abs(shape.Sin) * shape.HalfY;
-    reachY = Abs(shape.Sin) * shape.HalfX + Abs(shape.Cos) * shape.HalfY;
-  }
-  return {CellI(shape.X - reachX), CellI(shape.X + reachX), CellJ(shape.Y - reachY),
-          CellJ(shape.Y + reachY)};
+SCellRange CBodyIndex::CellsOf(const SIndexedShape& shape) const {
+  const SPlanarVector half = ComputeHalfBounds(shape);
+  return m_grid.CellsAround(shape.X, shape.Y, half.X, half.Y);
 }
 
 SIndexedShape CBodyIndex::Pack(UInt32 body, UInt16 shape) const {
   const SBody& owner = m_bodies[body];
   const SShapeDescription& solid = owner.Description->Shapes[shape];
-  const SPose pose = MakePose(owner.Origin->Position, owner.Origin->Orientation);
-  SIndexedShape packed = Pack(solid, pose, owner.Origin->Orientation);
+  const SPose& pose = m_poses[body];
+  // for upright solids the entity, which is elsewhere in memory, is not read
+  const bool upright = pose.Upright && StandsUpright(solid);
+  SIndexedShape packed =
+      Pack(solid, pose, upright ? CQuaternion() : owner.Entity->GetOriginAnchor().Orientation);
   packed.Body = body;
   packed.Shape = shape;
   return packed;

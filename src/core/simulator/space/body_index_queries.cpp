@@ -21,24 +21,13 @@ CRay3 ToSolidFrame(const CRay3& ray, const SAnchor& origin, const SShapeDescript
   return CRay3(toFrame(ray.GetStart()), toFrame(ray.GetEnd()));
 }
 
-// fraction at which the ray enters a sphere of that radius that stands on the origin
+// fraction at which the ray enters a sphere of that radius that stands on the origin, or kNoHit
 Real IntersectSphere(Real radius, const CRay3& ray) {
-  constexpr Real kMiss = 2.0;
   CVector3 p = ray.GetStart();
   p.SetZ(p.GetZ() - radius);
   const CVector3 d = ray.GetEnd() - ray.GetStart();
-  const Real a = d.SquareLength();
-  const Real b = p.DotProduct(d);
-  const Real c = p.SquareLength() - radius * radius;
-  if (c <= 0.0) {
-    return 0.0;
-  }
-  const Real discriminant = b * b - a * c;
-  if (a == 0.0 || discriminant < 0.0) {
-    return kMiss;
-  }
-  const Real t = (-b - std::sqrt(discriminant)) / a;
-  return t >= 0.0 && t <= 1.0 ? t : kMiss;
+  return FindNegative(d.SquareLength(), p.DotProduct(d), p.SquareLength() - radius * radius)
+      .FindEntry();
 }
 
 }  // namespace
@@ -98,9 +87,9 @@ void CBodyIndex::FindAllHits(TEmbodiedEntityIntersectionData& data, const CRay3&
   });
 }
 
-// a solid that the segment meets and that belongs to neither body; which one is not said
-bool CBodyIndex::FindThird(SIndexedShape& found, const CRay3& segment, UInt32 start,
-                           UInt32 end) const {
+// finds any solid that the segment meets and that belongs to neither body
+bool CBodyIndex::FindOccluder(SIndexedShape& found, const CRay3& segment, UInt32 start,
+                              UInt32 end) const {
   const Real x = segment.GetStart().GetX();
   const Real y = segment.GetStart().GetY();
   const Real dx = segment.GetEnd().GetX() - x;
@@ -112,9 +101,10 @@ bool CBodyIndex::FindThird(SIndexedShape& found, const CRay3& segment, UInt32 st
   ForShapesAlongRay(
       segment, 0.0,
       [&](const SIndexedShape& shape) {
-        const Real cross = (shape.X - x) * dy - (shape.Y - y) * dx;
-        if (isFound || cross * cross > shape.Radius * shape.Radius * squareLength ||
-            shape.Body == start || shape.Body == end || Intersect(shape, segment) > 1.0) {
+        const bool isNear = IsCircleOnLine(shape.X - x, shape.Y - y, dx, dy,
+                                           shape.Radius * shape.Radius, squareLength);
+        if (isFound || !isNear || shape.Body == start || shape.Body == end ||
+            Intersect(shape, segment) > 1.0) {
           return;
         }
         found = shape;
@@ -124,9 +114,9 @@ bool CBodyIndex::FindThird(SIndexedShape& found, const CRay3& segment, UInt32 st
   return isFound;
 }
 
-// fraction at which the ray enters a body, more than 1 if it misses
+// fraction at which the ray enters a body, or kNoHit
 Real CBodyIndex::IntersectBody(UInt32 body, const CRay3& ray) const {
-  Real first = 2.0;
+  Real first = kNoHit;
   if (body != kNoBody) {
     VisitBody(body,
               [&](const SIndexedShape& shape) { first = std::min(first, Intersect(shape, ray)); });
@@ -135,11 +125,11 @@ Real CBodyIndex::IntersectBody(UInt32 body, const CRay3& ray) const {
 }
 
 bool CBodyIndex::IsBlocked(const CRay3& segment, UInt32 start, UInt32 end) const {
-  SIndexedShape third{};
-  if (!FindThird(third, segment, start, end)) {
+  SIndexedShape occluder{};
+  if (!FindOccluder(occluder, segment, start, end)) {
     return false;
   }
-  // robots that touch overlap a little: what lies inside the two bodies hides nothing
+  // robots that touch overlap a little: a solid inside the two bodies hides nothing
   const Real enter = IntersectBody(end, segment);
   const Real leave = IntersectBody(start, CRay3(segment.GetEnd(), segment.GetStart()));
   const Real first = leave > 1.0 ? 0.0 : 1.0 - leave;
@@ -150,7 +140,7 @@ bool CBodyIndex::IsBlocked(const CRay3& segment, UInt32 start, UInt32 end) const
   const CVector3 from = segment.GetStart();
   const CVector3 way = segment.GetEnd() - from;
   const CRay3 between(from + first * way, from + last * way);
-  return Intersect(third, between) <= 1.0 || FindThird(third, between, start, end);
+  return Intersect(occluder, between) <= 1.0 || FindOccluder(occluder, between, start, end);
 }
 
 UInt32 CBodyIndex::FindOverlap(const SBodyDescription& description, const CVector3& position,
@@ -169,7 +159,7 @@ UInt32 CBodyIndex::FindOverlap(const SBodyDescription& description, const CVecto
       if (other.Body == ignored || other.Body >= found || !ShapesOverlap(shape, other)) {
         return;
       }
-      // of what leans, that was only its bounds
+      // for a tilted solid, that was a test of its bounds
       const bool isExact =
           shape.Kind != SIndexedShape::EKind::Tilted && other.Kind != SIndexedShape::EKind::Tilted;
       if (isExact || SolidsOverlap({&solid, position, orientation}, place(other))) {

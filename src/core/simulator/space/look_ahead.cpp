@@ -19,18 +19,6 @@ constexpr Real kReach = 0.1;
 // with fewer robots, all of their data fits into the cache
 constexpr size_t kFewRobots = 2000;
 
-void Prefetch(const void* start, size_t bytes) {
-  constexpr size_t kLine = 64;
-  const char* const first = static_cast<const char*>(start);
-  for (size_t offset = 0; offset < bytes; offset += kLine) {
-    __builtin_prefetch(first + offset);
-  }
-  // the last byte of an unaligned range may be on one more line
-  if (bytes > 0) {
-    __builtin_prefetch(first + bytes - 1);
-  }
-}
-
 const SAnchor* FindOrigin(CControllableEntity& robot) {
   auto* const root = dynamic_cast<CComposableEntity*>(&robot.GetRootEntity());
   if (root != nullptr) {
@@ -102,18 +90,18 @@ void CLookAhead::PrefetchAround(const SRobot& robot, const CBodyIndex& index, bo
   }
   const CVector3& position = robot.Origin->Position;
   const auto cells =
-      index.CellsAround(position.GetX(), position.GetY(), kReach + index.SmallReach());
-  for (int j = cells.MinJ; j <= cells.MaxJ; ++j) {
-    const auto* const row = index.m_cellStart.data() + static_cast<size_t>(j) * index.m_numI;
-    const auto* const begin = row + cells.MinI;
-    const auto* const end = row + cells.MaxI + 1;
+      index.m_grid.CellsAround(position.GetX(), position.GetY(), kReach + index.SmallReach());
+  index.m_grid.ForRows(cells, [&index, lists](UInt32 first, UInt32 last) {
     if (lists) {
-      Prefetch(index.m_shapes.data() + begin->Small,
-               (end->Small - begin->Small) * sizeof(SIndexedShape));
-    } else {
-      Prefetch(begin, (end + 1 - begin) * sizeof(*begin));
+      const UInt32 begin = index.m_sort.Begin(first);
+      Prefetch(index.m_shapes.data() + begin,
+               (index.m_sort.End(last) - begin) * sizeof(SIndexedShape));
+      return;
     }
-  }
+    PrefetchBetween(index.m_sort.GetStartAddress(first), index.m_sort.GetStartAddress(last + 2));
+    PrefetchBetween(index.m_wideCells.GetStartAddress(first),
+                    index.m_wideCells.GetStartAddress(last + 2));
+  });
 }
 
 }  // namespace argos

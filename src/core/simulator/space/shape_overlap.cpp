@@ -1,5 +1,9 @@
 #include <argos3/core/simulator/space/shape_overlap.h>
 
+#include <argos3/core/utility/spatial/rectangle.h>
+
+#include <cmath>
+
 namespace argos {
 
 namespace {
@@ -19,29 +23,18 @@ bool DiscsOverlap(const SIndexedShape& a, const SIndexedShape& b) {
 }
 
 bool DiscOverlapsBox(const SIndexedShape& disc, const SIndexedShape& box) {
-  // the disc's centre in the frame of the box, then the nearest point of the box
-  const Real dx = disc.X - box.X;
-  const Real dy = disc.Y - box.Y;
-  const Real x = std::abs(box.Cos * dx + box.Sin * dy);
-  const Real y = std::abs(box.Cos * dy - box.Sin * dx);
-  const Real outX = std::max(x - box.HalfX, 0.0);
-  const Real outY = std::max(y - box.HalfY, 0.0);
   const Real reach = disc.HalfX - kTouch;
-  return outX * outX + outY * outY < reach * reach;
+  return ComputeSquareDistance(box, disc.X, disc.Y) < reach * reach;
 }
 
-// half the width of a box's shadow on a unit direction
-Real Shadow(const SIndexedShape& box, Real x, Real y) {
-  return std::abs(box.Cos * x + box.Sin * y) * box.HalfX +
-         std::abs(box.Cos * y - box.Sin * x) * box.HalfY;
-}
-
-// two rectangles are apart if and only if they are so along one of their four axes
+// two rectangles are apart if and only if they are apart along one of their four axes
 bool BoxesOverlap(const SIndexedShape& a, const SIndexedShape& b) {
   const Real axes[4][2] = {{a.Cos, a.Sin}, {-a.Sin, a.Cos}, {b.Cos, b.Sin}, {-b.Sin, b.Cos}};
   for (const auto& axis : axes) {
     const Real distance = std::abs((a.X - b.X) * axis[0] + (a.Y - b.Y) * axis[1]);
-    if (distance >= Shadow(a, axis[0], axis[1]) + Shadow(b, axis[0], axis[1]) - kTouch) {
+    const Real reach =
+        ComputeHalfWidth(a, axis[0], axis[1]) + ComputeHalfWidth(b, axis[0], axis[1]);
+    if (distance >= reach - kTouch) {
       return false;
     }
   }

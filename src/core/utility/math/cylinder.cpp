@@ -1,6 +1,6 @@
 #include <argos3/core/utility/math/cylinder.h>
 
-#include <argos3/core/utility/math/ray_clipper.h>
+#include <argos3/core/utility/spatial/ray_span.h>
 
 #include <cmath>
 
@@ -16,11 +16,11 @@ bool CCylinder::Intersects(Real& tOnRay, const CRay3& ray) const {
 
   const CVector3 start = ray.GetStart() - m_basePosition;
   const CVector3 direction = ray.GetEnd() - ray.GetStart();
-  CRayClipper clipper;
-  clipper.ClipToSlab(start.DotProduct(axis), direction.DotProduct(axis), 0.0, m_height);
-  clipper.ClipToDisc(start.DotProduct(across), start.DotProduct(other),
-                     direction.DotProduct(across), direction.DotProduct(other), m_radius);
-  return clipper.GetFirst(tOnRay);
+  SRaySpan inside;
+  inside.ClipToSlab(start.DotProduct(axis), direction.DotProduct(axis), 0.0, m_height);
+  ClipToDisc(inside, start.DotProduct(across), start.DotProduct(other),
+             direction.DotProduct(across), direction.DotProduct(other), m_radius);
+  return inside.FindFirst(tOnRay);
 }
 
 }  // namespace argos

@@ -1,7 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_BODIES_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_BODIES_H
 
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/encounters.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/proximity_filter.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_handle.h>
 #include <argos3/core/simulator/physics_engine/planar_motion.h>
 

@@ -1,7 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_WORLD_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_WORLD_H
 
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/encounters.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/proximity_filter.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_bodies.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_ghosts.h>
@@ -40,11 +40,11 @@ struct SBadWheelSpeed {
  *
  * A robot that is a disc and can meet nothing during a tick needs no solver: its exact arc is
  * written in double precision, and it has no body in Box2D. Each tick finds out which robots these
- * are (CEncounters). The others are in play: they get a Box2D body with a motor of bounded force
- * that drives it along the chord of its arc, and their contacts are solved with everybody else's.
- * If at the tick's end Box2D has put one where its arc ends, to some roundings, then nothing pushed
- * it, and it takes the exact pose; else it takes Box2D's. A robot stays in play until nothing is
- * around it. Robots that are not discs are always in play.
+ * are (CProximityFilter). The others are in play: they get a Box2D body with a motor of bounded
+ * force that drives it along the chord of its arc, and their contacts are solved with everybody
+ * else's. If at the tick's end Box2D has put one where its arc ends, to some roundings, then
+ * nothing pushed it, and it takes the exact pose; else it takes Box2D's. A robot stays in play
+ * until nothing is around it. Robots that are not discs are always in play.
  *
  * Everything is a function of the order of adding, removing and Advance().
  */
@@ -188,7 +188,7 @@ class CPlanarWorld {
   CGhostFilter m_ghostFilter;
   b2World m_world;
   b2Body* m_ground;  // what motors and ground frictions push against
-  CEncounters m_encounters;
+  CProximityFilter m_encounters;
   COverlapSolver m_overlaps;
   bool m_obstaclesChanged = false;
   UInt32 m_extraSubsteps = 0;  // see planar_limits.h

@@ -166,12 +166,12 @@ void CPlanarWorld::ChooseWhoPlays() {
   for (size_t i = m_inPlay.size(); i-- > 0;) {
     const UInt32 slot = m_inPlay[i].Slot;
     const SDrivenBody& body = m_driven[slot];
-    if (body.IsDisc && body.NumGrips == 0 && m_encounters.GetMark(slot) == CEncounters::Alone) {
+    if (body.IsDisc && body.NumGrips == 0 && m_encounters.GetMark(slot) == CProximityFilter::Free) {
       LeavePlay(slot);
     }
   }
   for (UInt32 slot = 0; slot < m_driven.size(); ++slot) {
-    if (m_encounters.GetMark(slot) == CEncounters::Near &&
+    if (m_encounters.GetMark(slot) == CProximityFilter::Active &&
         m_driven[slot].InPlay == SDrivenBody::kNotInPlay) {
       EnterPlay(slot, nullptr);
     }

@@ -6,7 +6,7 @@ namespace argos {
 
 namespace {
 
-// along x or y, whichever the bodies are more spread over
+// x or y: the axis along which the bodies are spread more
 UInt32 ChooseAxis(const std::vector<SRigidBody*>& movables) {
   Real sum[2] = {0.0, 0.0};
   Real squares[2] = {0.0, 0.0};
@@ -81,7 +81,7 @@ void CBroadPhase::List(const std::vector<SRigidBody*>& movables,
   }
 }
 
-// From one substep to the next little changes.
+// By insertion, unless bodies have changed: from one substep to the next the order hardly changes.
 void CBroadPhase::Sort() {
   for (SEntry& entry : m_entries) {
     entry.Low = entry.Body->Low[m_axis];

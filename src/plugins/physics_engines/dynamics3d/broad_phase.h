@@ -16,16 +16,16 @@ struct SRigidPair {
 /**
  * Finds the pairs of bodies that may touch, by sorting their bounds along x or y.
  *
- * ODE has such, too; this one knows that a robot is one thing of several geoms, asks for no memory
- * in a tick, and its order of pairs is a function of places and numbers alone.
+ * Unlike ODE's, it treats the geoms of a robot as one body and allocates nothing in a settled tick,
+ * and the order of its pairs depends on positions and numbers of bodies alone.
  */
 class CBroadPhase {
  public:
-  /** To be called when bodies have come, gone or been placed. */
+  /** To be called after bodies were added, removed or placed. */
   void MarkChanged() { m_isChanged = true; }
 
   /**
-   * Finds the pairs of now.
+   * Finds the pairs at the current positions.
    * @param movables, fixed  all bodies with bounds, by SRigidBody::Number.
    */
   const std::vector<SRigidPair>& FindPairs(const std::vector<SRigidBody*>& movables,
@@ -48,7 +48,7 @@ class CBroadPhase {
   std::vector<SRigidPair> m_pairs;
 };
 
-/** Takes over where the solids of a body are now. */
+/** Computes the bounds of a body from the current positions of its solids. */
 void UpdateBounds(SRigidBody& body);
 
 }  // namespace argos

@@ -29,17 +29,6 @@ Real SquaredLength(const SStep& step) {
   return step.X * step.X + step.Y * step.Y;
 }
 
-// from the border of a footprint to a point, m; 0 inside
-Real ComputeDistance(const SFootprint& footprint, Real x, Real y) {
-  const Real dx = x - footprint.X;
-  const Real dy = y - footprint.Y;
-  const Real outX =
-      std::max(0.0, std::abs(footprint.Cos * dx + footprint.Sin * dy) - footprint.HalfX);
-  const Real outY =
-      std::max(0.0, std::abs(footprint.Cos * dy - footprint.Sin * dx) - footprint.HalfY);
-  return std::max(0.0, std::sqrt(outX * outX + outY * outY) - footprint.Radius);
-}
-
 bool IsWithinReach(const CCellLists& lists, UInt32 cell, Real x, Real y, Real reach) {
   if (lists.IsEmpty()) {
     return false;
@@ -168,8 +157,8 @@ template <typename VISIT>
 bool CDiscSwarm::ForPlacesAround(UInt32 cell, VISIT&& visit) const {
   const UInt32 stride = m_grid.GetStride();
   for (UInt32 row = cell - stride; row <= cell + stride; row += stride) {
-    const UInt32 end = m_start[row + 2];
-    for (UInt32 place = m_start[row - 1]; place < end; ++place) {
+    const UInt32 end = m_sort.End(row + 1);
+    for (UInt32 place = m_sort.Begin(row - 1); place < end; ++place) {
       if (visit(place)) {
         return true;
       }
@@ -205,7 +194,7 @@ void CDiscSwarm::FindMovers(size_t beginCell, size_t endCell, const CCellLists& 
   };
   for (size_t i = beginCell; i < endCell; ++i) {
     const UInt32 cell = static_cast<UInt32>(i);
-    for (UInt32 place = m_start[cell]; place < m_start[cell + 1]; ++place) {
+    for (UInt32 place = m_sort.Begin(cell); place < m_sort.End(cell); ++place) {
       if (!MayMeetSomething(place, cell, walls, solids)) {
         continue;
       }

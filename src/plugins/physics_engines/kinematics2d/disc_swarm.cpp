@@ -52,10 +52,7 @@ void CDiscSwarm::Reserve(size_t discs) {
   m_wheels.reserve(discs);
   m_owner.reserve(discs);
   m_reach.reserve(discs);
-  m_cell.reserve(discs);
-  m_rank.reserve(discs);
-  m_count.reserve(CCellGrid::MaxCells(discs));
-  m_start.reserve(CCellGrid::MaxCells(discs) + 1);
+  m_sort.Reserve(discs, CFramedGrid::MaxCells(discs));
   m_places.reserve(discs);
   m_wishes.reserve(discs);
   m_done.reserve(discs);
@@ -72,8 +69,6 @@ void CDiscSwarm::Add(const SKinematicOwner& owner, const SBodyDescription& descr
     values->push_back(0.0);
   }
   m_reach.push_back(0.0F);
-  m_cell.push_back(0);
-  m_rank.push_back(0);
   m_wheels.push_back(wheels);
   m_inverseInterwheel.push_back(1.0 / description.Drive->InterwheelDistance);
   m_radius.push_back(description.Shapes.front().Radius);
@@ -93,8 +88,6 @@ void CDiscSwarm::Remove(UInt32 slot) {
   TakeLast(m_wheels, slot);
   TakeLast(m_owner, slot);
   TakeLast(m_reach, slot);
-  TakeLast(m_cell, slot);
-  TakeLast(m_rank, slot);
   if (slot < m_owner.size()) {
     m_owner[slot].Handle->Slot = slot;
   }
@@ -121,6 +114,7 @@ void CDiscSwarm::Plan(CThreadPool& pool, Real duration) {
       LayGrid();
     }
   }
+  m_sort.Start(size, m_grid.GetNumCells());
   m_maxReach.store(0.0F, std::memory_order_relaxed);
   m_firstBad.store(std::numeric_limits<UInt32>::max(), std::memory_order_relaxed);
   const bool alone = pool.GetNumThreads() == 1;
@@ -129,16 +123,13 @@ void CDiscSwarm::Plan(CThreadPool& pool, Real duration) {
     Bin(begin, end, alone);
   });
   const UInt32 bad = m_firstBad.load(std::memory_order_relaxed);
-  const bool isGridTooFine =
-      2.0 * static_cast<Real>(m_maxReach.load(std::memory_order_relaxed)) > m_grid.GetEdge();
-  if (bad < size || isGridTooFine) {
-    std::fill(m_count.begin(), m_count.end(), 0);
-  }
   if (bad < size) {
     throw SBadKinematicWheels{m_owner[bad].Model, m_wheels[bad][0], m_wheels[bad][1]};
   }
-  if (isGridTooFine) {
+  const Real reach = static_cast<Real>(m_maxReach.load(std::memory_order_relaxed));
+  if (2.0 * reach > m_grid.GetX().Edge) {
     LayGrid();
+    m_sort.Start(size, m_grid.GetNumCells());
     pool.ParallelFor(size, kDiscGrain,
                      [&](size_t begin, size_t end, UInt32) { Bin(begin, end, alone); });
   }
@@ -188,30 +179,24 @@ void CDiscSwarm::PlanRun(size_t begin, size_t end, Real duration) {
   RaiseTo(m_maxReach, maxReach);
 }
 
-// Counts some robots in their cells.
+// Puts some robots into their cells.
 void CDiscSwarm::Bin(size_t begin, size_t end, bool alone) {
   for (size_t slot = begin; slot < end; ++slot) {
     const UInt32 cell = m_grid.CellAt(m_x[slot], m_y[slot]);
-    m_cell[slot] = cell;
-    m_rank[slot] =
-        alone ? m_count[cell]++
-              : std::atomic_ref<UInt32>(m_count[cell]).fetch_add(1, std::memory_order_relaxed);
+    if (alone) {
+      m_sort.SetKey(slot, cell);
+    } else {
+      m_sort.SetKeyOnThread(slot, cell);
+    }
   }
 }
 
 void CDiscSwarm::Sort(CThreadPool& pool) {
-  UInt32 sum = 0;
-  for (size_t cell = 0; cell < m_count.size(); ++cell) {
-    m_start[cell] = sum;
-    sum += m_count[cell];
-    m_count[cell] = 0;
-  }
-  m_start[m_count.size()] = sum;
-  m_places.resize(GetSize());
+  m_places.resize(m_sort.Finish());
   pool.ParallelFor(GetSize(), kDiscGrain, [this](size_t begin, size_t end, UInt32) {
     for (size_t slot = begin; slot < end; ++slot) {
-      m_places[m_start[m_cell[slot]] + m_rank[slot]] = {m_x[slot], m_y[slot], m_reach[slot],
-                                                        static_cast<UInt32>(slot)};
+      m_places[m_sort.GetPlace(slot)] = {m_x[slot], m_y[slot], m_reach[slot],
+                                         static_cast<UInt32>(slot)};
     }
   });
 }
@@ -221,7 +206,7 @@ bool CDiscSwarm::IsGridBad() const {
   if (m_discsOfGrid > 2 * GetSize() || GetSize() > 2 * m_discsOfGrid) {
     return true;
   }
-  const CCellGrid::SArea& area = m_grid.GetArea();
+  const SPlanarArea& area = m_areaOfGrid;
   const auto [minX, maxX] = std::minmax_element(m_x.begin(), m_x.end());
   const auto [minY, maxY] = std::minmax_element(m_y.begin(), m_y.end());
   const Real width = area.MaxX - area.MinX;
@@ -235,7 +220,7 @@ bool CDiscSwarm::IsGridBad() const {
 }
 
 void CDiscSwarm::LayGrid() {
-  CCellGrid::SArea area;
+  SPlanarArea area;
   if (GetSize() > 0) {
     const auto [minX, maxX] = std::minmax_element(m_x.begin(), m_x.end());
     const auto [minY, maxY] = std::minmax_element(m_y.begin(), m_y.end());
@@ -244,12 +229,11 @@ void CDiscSwarm::LayGrid() {
     area = {*minX - slackX, *minY - slackY, *maxX + slackX, *maxY + slackY};
   }
   m_reachOfGrid = GetGreatestReach();
-  m_grid.Lay(area, std::max(2.0 * kEdgeSlack * m_reachOfGrid, 1e-6),
-             CCellGrid::AimedCells(GetSize()));
+  m_areaOfGrid = area;
+  m_grid.Cover(area, std::max(2.0 * kEdgeSlack * m_reachOfGrid, 1e-6),
+               CFramedGrid::AimedCells(GetSize()));
   m_discsOfGrid = GetSize();
   m_ticksOfGrid = 0;
-  m_count.assign(m_grid.GetNumCells(), 0);
-  m_start.assign(m_grid.GetNumCells() + 1, 0);
 }
 
 }  // namespace argos

@@ -2,10 +2,11 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_DISC_SWARM_H
 
 #include <argos3/core/simulator/physics_engine/planar_motion.h>
-#include <argos3/plugins/simulator/physics_engines/kinematics2d/cell_grid.h>
+#include <argos3/core/utility/spatial/counting_sort.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/ghost_lines.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/half_planes.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_handle.h>
+#include <argos3/plugins/simulator/physics_engines/planar/cell_lists.h>
 
 #include <algorithm>
 #include <atomic>
@@ -52,7 +53,7 @@ class CDiscSwarm {
   /** Where wheels lead in a time, s. @throws SBadKinematicWheels */
   void Plan(CThreadPool& pool, Real duration);
   /** The grid in which Plan() has sorted them: nobody reaches farther than half an edge. */
-  const CCellGrid& GetGrid() const { return m_grid; }
+  const CFramedGrid& GetGrid() const { return m_grid; }
   /** How far a ghost may be that a disc meets in a tick, s, of so many substeps: see the world. */
   Real ComputeGhostReach(Real tick, UInt32 substeps) const;
   /** After the first Plan() of a tick: tells of ghosts. @param substeps  of the tick. */
@@ -140,17 +141,16 @@ class CDiscSwarm {
   std::vector<Real> m_stepX, m_stepY;  // m
   std::vector<Real> m_nextX, m_nextY, m_nextHalfCos, m_nextHalfSin;
   std::vector<float> m_reach;  // m
-  std::vector<UInt32> m_cell, m_rank;  // of the grid; among those of its cell
 
-  CCellGrid m_grid;
+  CFramedGrid m_grid;
+  SPlanarArea m_areaOfGrid;
   UInt32 m_ticksOfGrid = 0;
   size_t m_discsOfGrid = 0;  // how many there were when it was laid
   Real m_reachOfGrid = 0.0;  // m: how far they reached then
   Real m_maxRadius = 0.0;  // m, of all that ever were there
   std::atomic<float> m_maxReach{0.0F};  // m
   std::atomic<UInt32> m_firstBad{std::numeric_limits<UInt32>::max()};  // slot
-  std::vector<UInt32> m_count;  // (cells); all 0 between ticks
-  std::vector<UInt32> m_start;  // (cells + 1) into m_places
+  CCountingSort m_sort;  // of the slots by cell; within a cell in any order
   std::vector<SPlace> m_places;  // in order of cells
   // by place, of movers only
   std::vector<SWish> m_wishes;
@@ -166,12 +166,9 @@ void CDiscSwarm::ForDiscsNear(Real x, Real y, Real reach, VISIT&& visit) const {
     return;
   }
   const Real widest = reach + static_cast<Real>(m_maxReach.load(std::memory_order_relaxed));
-  const UInt32 stride = m_grid.GetStride();
-  const UInt32 first = m_grid.CellAt(x - widest, y - widest);
-  const UInt32 last = m_grid.CellAt(x + widest, y + widest);
-  const UInt32 width = last % stride - first % stride;
-  for (UInt32 row = first; row <= last; row += stride) {
-    for (UInt32 place = m_start[row]; place < m_start[row + width + 1]; ++place) {
+  m_grid.ForRows(m_grid.CellsAround(x, y, widest), [&](UInt32 first, UInt32 last) {
+    const UInt32 end = m_sort.End(last);
+    for (UInt32 place = m_sort.Begin(first); place < end; ++place) {
       const SPlace& disc = m_places[place];
       const Real dx = disc.X - x;
       const Real dy = disc.Y - y;
@@ -180,7 +177,7 @@ void CDiscSwarm::ForDiscsNear(Real x, Real y, Real reach, VISIT&& visit) const {
         visit(disc.Slot);
       }
     }
-  }
+  });
 }
 
 }  // namespace argos

@@ -67,9 +67,9 @@ void CKinematicWorld::SetPose(const SKinematicHandle& handle, const SPlanarPose&
 
 // Lists walls and solids in the cells of the grid, if those or the grid have changed.
 void CKinematicWorld::ListWalls() {
-  const CCellGrid& grid = m_discs.GetGrid();
+  const CFramedGrid& grid = m_discs.GetGrid();
   // nobody reaches farther in a tick
-  const Real reach = 0.5 * grid.GetEdge();
+  const Real reach = 0.5 * grid.GetX().Edge;
   if (m_gridOfWalls != grid.GetGeneration()) {
     m_gridOfWalls = grid.GetGeneration();
     m_wallCells.List(grid, m_walls, reach);

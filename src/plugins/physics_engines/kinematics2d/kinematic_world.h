@@ -1,10 +1,10 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_KINEMATIC_WORLD_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_KINEMATIC_WORLD_H
 
-#include <argos3/plugins/simulator/physics_engines/kinematics2d/cell_grid.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/disc_swarm.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_handle.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/solids.h>
+#include <argos3/plugins/simulator/physics_engines/planar/cell_lists.h>
 #include <argos3/plugins/simulator/physics_engines/planar/ghost_discs.h>
 
 #include <span>

@@ -1,5 +1,7 @@
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/separation.h>
 
+#include <argos3/core/utility/spatial/ray_span.h>
+
 #include <algorithm>
 
 namespace argos {
@@ -32,36 +34,23 @@ SNearest FindNearestAt(const SDiscAtBox& scene, Real share) {
   return nearest;
 }
 
-// when a point that goes along a step enters a rectangle, as a share of the step; > 1: not in it
+// where a point that takes a step enters the inside of a rectangle, as a share of the step; or
+// kNoHit
 Real EnterBox(Real x, Real y, const SStep& step, Real halfX, Real halfY) {
-  Real enter = 0.0;
-  Real leave = 1.0;
-  const Real at[2] = {x, y};
-  const Real by[2] = {step.X, step.Y};
-  const Real half[2] = {halfX, halfY};
-  for (int axis = 0; axis < 2; ++axis) {
-    if (by[axis] == 0.0) {
-      if (std::abs(at[axis]) >= half[axis]) {
-        return 2.0;
-      }
-      continue;
-    }
-    const Real first = (-half[axis] - at[axis]) / by[axis];
-    const Real second = (half[axis] - at[axis]) / by[axis];
-    enter = std::max(enter, std::min(first, second));
-    leave = std::min(leave, std::max(first, second));
-  }
-  return enter < leave ? enter : 2.0;
+  const bool isBeside =
+      (step.X == 0.0 && std::abs(x) >= halfX) || (step.Y == 0.0 && std::abs(y) >= halfY);
+  SRaySpan inside = {0.0, 1.0};
+  inside.ClipToSlab(x, step.X, -halfX, halfX);
+  inside.ClipToSlab(y, step.Y, -halfY, halfY);
+  return !isBeside && inside.First < inside.Last ? inside.First : kNoHit;
 }
 
+// the same for a circle around the origin that the point approaches
 Real EnterCircle(Real x, Real y, const SStep& step, Real radius) {
-  const Real squaredPath = step.X * step.X + step.Y * step.Y;
   const Real approach = x * step.X + y * step.Y;
-  const Real root = approach * approach - squaredPath * (x * x + y * y - radius * radius);
-  if (approach >= 0.0 || root <= 0.0) {
-    return 2.0;
-  }
-  return std::max(0.0, (-approach - std::sqrt(root)) / squaredPath);
+  const SRaySpan inside =
+      FindNegative(step.X * step.X + step.Y * step.Y, approach, x * x + y * y - radius * radius);
+  return approach < 0.0 && inside.First < inside.Last ? std::max(0.0, inside.First) : kNoHit;
 }
 
 // when the disc first touches the rectangle, as a share of its step; > 1: it does not
@@ -170,9 +159,7 @@ void ConsiderSides(const SFootprint& a, const SFootprint& b, bool isFirst, SSide
     const Real axisY = axis == 0 ? a.Sin : a.Cos;
     const Real half = axis == 0 ? a.HalfX : a.HalfY;
     const Real along = dx * axisX + dy * axisY;
-    const Real extent = std::abs(b.Cos * axisX + b.Sin * axisY) * b.HalfX +
-                        std::abs(b.Cos * axisY - b.Sin * axisX) * b.HalfY;
-    const Real gap = std::abs(along) - half - extent;
+    const Real gap = std::abs(along) - half - ComputeHalfWidth(b, axisX, axisY);
     // sides that are as good to some roundings: the first
     if (gap > best.Gap + 1e-12) {
       const Real sign = along < 0.0 ? -1.0 : 1.0;

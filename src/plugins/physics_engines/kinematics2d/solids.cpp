@@ -224,15 +224,12 @@ void CSolids::LayGrid() {
     return;
   }
   Real widest = 0.0;
-  CCellGrid::SArea area = {HUGE_VAL, HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  SPlanarArea area = SPlanarArea::Empty();
   for (const SSolid& solid : m_solids) {
     widest = std::max(widest, solid.BoundingRadius);
-    area.MinX = std::min(area.MinX, solid.Pose.X);
-    area.MinY = std::min(area.MinY, solid.Pose.Y);
-    area.MaxX = std::max(area.MaxX, solid.Pose.X);
-    area.MaxY = std::max(area.MaxY, solid.Pose.Y);
+    area.Include(solid.Pose.X, solid.Pose.Y);
   }
-  m_grid.Lay(area, 2.0 * widest, CCellGrid::AimedCells(m_solids.size()));
+  m_grid.Cover(area, 2.0 * widest, CFramedGrid::AimedCells(m_solids.size()));
   m_solidsOfGrid = m_solids.size();
   m_wallsChanged = true;
 }

@@ -2,10 +2,10 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_SOLIDS_H
 
 #include <argos3/core/simulator/physics_engine/planar_motion.h>
-#include <argos3/plugins/simulator/physics_engines/kinematics2d/cell_grid.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_handle.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/push_solver.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/separation.h>
+#include <argos3/plugins/simulator/physics_engines/planar/cell_lists.h>
 #include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
 #include <argos3/plugins/simulator/physics_engines/planar/ghost_discs.h>
 #include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
@@ -132,7 +132,7 @@ class CSolids {
   size_t m_numDriven = 0;
   UInt32 m_generation = 0;
   // who is near: walls as they are, solids as far as they may get in this tick
-  CCellGrid m_grid;
+  CFramedGrid m_grid;
   size_t m_solidsOfGrid = 0;  // how many there were when it was laid
   std::span<const SFootprint> m_walls;
   bool m_wallsChanged = true;

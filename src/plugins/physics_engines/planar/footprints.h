@@ -3,18 +3,26 @@
 
 #include <argos3/core/simulator/physics_engine/body_description.h>
 #include <argos3/core/simulator/physics_engine/planar_motion.h>
+#include <argos3/core/utility/spatial/rectangle.h>
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace argos {
 
-/** What a solid covers of the ground: a disc or an oriented rectangle; m, world frame. */
+/** The part of the ground that a solid covers: a disc or an oriented rectangle; m, world frame. */
 struct SFootprint {
   Real X, Y;
   Real Cos, Sin;  // of the yaw of a rectangle
   Real HalfX, HalfY;  // of a rectangle; both 0 for a disc
   Real Radius;  // of a disc; 0 for a rectangle
 };
+
+/** Distance of a point from a footprint, m; 0 inside. */
+inline Real ComputeDistance(const SFootprint& footprint, Real x, Real y) {
+  return std::max(0.0, std::sqrt(ComputeSquareDistance(footprint, x, y)) - footprint.Radius);
+}
 
 /** The solids of a body at that pose, seen from above; tilted ones are bounded by discs. */
 std::vector<SFootprint> DescribeFootprints(const SBodyDescription& description,

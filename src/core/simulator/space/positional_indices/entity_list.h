@@ -67,6 +67,16 @@ class CEntityList {
   UInt32 GetNumSlots() const { return static_cast<UInt32>(m_entities.size()); }
   /** Null for a hole. */
   ENTITY* operator[](UInt32 slot) const { return m_entities[slot]; }
+  /** Calls visit(ENTITY&) for each entity, in order of addition, until that returns false. */
+  template <typename VISIT>
+  void ForAll(VISIT&& visit) const {
+    // by number: visit() may add entities
+    for (size_t slot = 0; slot < m_entities.size(); ++slot) {
+      if (m_entities[slot] != nullptr && !visit(*m_entities[slot])) {
+        return;
+      }
+    }
+  }
 
  private:
   std::vector<ENTITY*> m_entities;  // by slot; not owned

@@ -1,9 +1,9 @@
 #ifndef ARGOS3_CORE_SIMULATOR_SPACE_POSITIONAL_INDICES_GRID_H
 #define ARGOS3_CORE_SIMULATOR_SPACE_POSITIONAL_INDICES_GRID_H
 
-#include <argos3/core/simulator/space/positional_indices/entity_list.h>
-#include <argos3/core/simulator/space/positional_indices/lattice_walk.h>
+#include <argos3/core/simulator/space/positional_indices/entity_listings.h>
 #include <argos3/core/simulator/space/positional_indices/positional_index.h>
+#include <argos3/core/utility/spatial/lattice.h>
 
 #include <cstddef>
 #include <iterator>
@@ -14,16 +14,16 @@ namespace argos {
 /**
  * An index of equal cells over a box of space.
  *
- * Nothing is out of bounds: entities and queries beyond the box belong to its border cells.
- * Update() asks an operation of the user's to put each entity into its cells with UpdateCell().
- *
- * The lists of all cells are chains through one array, so that an Update() asks for no memory
- * however entities have moved, and takes time in proportion to them, not to the cells.
+ * Entities and queries beyond the box belong to its border cells. Update() calls an operation of
+ * the user that puts each entity into its cells with UpdateCell().
  */
 template <class ENTITY>
 class CGrid : public CPositionalIndex<ENTITY> {
-  struct SPool;  // what the cells list
-  static constexpr UInt32 kNone = CEntityList<ENTITY>::kNone;
+  // the listings of all cells, chained by cell, and which Update() has made them
+  struct SPool : CEntityListings<ENTITY, UInt32> {
+    UInt32 Stamp = 1;  // low bits of the timestamp
+  };
+  static constexpr UInt32 kNone = SPool::kNone;
 
  public:
   typedef typename CPositionalIndex<ENTITY>::COperation COperation;
@@ -43,7 +43,7 @@ class CGrid : public CPositionalIndex<ENTITY> {
 
    private:
     friend class CGrid;
-    // what an earlier Update() has listed is not here any more
+    // lists of earlier updates are empty now
     bool IsCurrent() const { return m_pool != nullptr && m_stamp == m_pool->Stamp; }
 
     const SPool* m_pool = nullptr;  // of the grid; null: never filled
@@ -57,7 +57,7 @@ class CGrid : public CPositionalIndex<ENTITY> {
     CEntities Entities; /**< as of the last Update(), without those removed since */
   };
 
-  /** What a query for cells does with one. */
+  /** The operation that a query for cells calls for each cell. */
   class CCellOperation {
    public:
     virtual ~CCellOperation() = default;
@@ -75,10 +75,10 @@ class CGrid : public CPositionalIndex<ENTITY> {
   CGrid(const CGrid&) = delete;
   CGrid& operator=(const CGrid&) = delete;
 
-  /** What puts an entity into its cells; not owned. */
+  /** Sets the operation that puts an entity into its cells; not owned. */
   void SetUpdateEntityOperation(COperation* operation) { m_updateOperation = operation; }
 
-  void AddEntity(ENTITY& entity) override { m_entities.Add(entity); }
+  void AddEntity(ENTITY& entity) override { m_pool.AddEntity(entity); }
   void RemoveEntity(ENTITY& entity) override;
   /** @throws CARGoSException if there are entities but no operation to place them. */
   void Update() override;
@@ -102,14 +102,8 @@ class CGrid : public CPositionalIndex<ENTITY> {
   void GetEntitiesAt(CSet<ENTITY*, SEntityComparator>& entities,
                      const CVector3& position) const override;
   void ForAllEntities(COperation& operation) override;
-  void ForEntitiesInSphereRange(const CVector3& center, Real radius,
-                                COperation& operation) override;
   void ForEntitiesInBoxRange(const CVector3& center, const CVector3& halfSize,
                              COperation& operation) override;
-  void ForEntitiesInCircleRange(const CVector3& center, Real radius,
-                                COperation& operation) override;
-  void ForEntitiesInRectangleRange(const CVector3& center, const CVector2& halfSize,
-                                   COperation& operation) override;
   void ForEntitiesAlongRay(const CRay3& ray, COperation& operation,
                            bool stopAtClosestMatch = false) override;
 
@@ -124,23 +118,10 @@ class CGrid : public CPositionalIndex<ENTITY> {
   void ForCellsAlongRay(const CRay3& ray, CCellOperation& operation);
 
  private:
-  // an entity in a cell
-  struct SListing {
-    ENTITY* Entity;  // null: removed since
-    UInt32 Cell;
-    UInt32 NextInCell;  // or kNone
-    UInt32 NextOfEntity;  // or kNone
-  };
-  struct SPool {
-    std::vector<SListing> Listings;  // in the order of UpdateCell()
-    UInt32 Stamp = 1;  // low bits of the timestamp
-  };
-
   size_t CellIndex(SInt32 i, SInt32 j, SInt32 k) const {
     return (static_cast<size_t>(k) * GetSizeJ() + j) * GetSizeI() + i;
   }
   bool VisitEntities(const SCell& cell, COperation& operation) const;
-  void StartUpdate();
   template <typename VISIT>
   void VisitCells(const CVector3& minCorner, const CVector3& maxCorner, VISIT&& visit);
 
@@ -148,12 +129,7 @@ class CGrid : public CPositionalIndex<ENTITY> {
   std::vector<SCell> m_cells;  // i runs fastest, then j, then k
   UInt64 m_timestamp = 1;
   COperation* m_updateOperation = nullptr;
-  CEntityList<ENTITY> m_entities;
-  UInt32 m_updatingSlot = kNone;
-
   SPool m_pool;
-  // where each entity is listed, so that it can be removed between updates
-  std::vector<UInt32> m_firstListing;  // by slot: into the pool; kNone: not listed
 };
 
 /** Goes through the entities of a cell. */
@@ -167,10 +143,10 @@ class CGrid<ENTITY>::CEntities::const_iterator {
   typedef ENTITY* const& reference;
 
   const_iterator() = default;
-  reference operator*() const { return m_pool->Listings[m_listing].Entity; }
-  pointer operator->() const { return &m_pool->Listings[m_listing].Entity; }
+  reference operator*() const { return (*m_pool)[m_listing].Entity; }
+  pointer operator->() const { return &(*m_pool)[m_listing].Entity; }
   const_iterator& operator++() {
-    m_listing = m_pool->Listings[m_listing].NextInCell;
+    m_listing = (*m_pool)[m_listing].NextInCell;
     SkipRemoved();
     return *this;
   }
@@ -190,8 +166,8 @@ class CGrid<ENTITY>::CEntities::const_iterator {
     SkipRemoved();
   }
   void SkipRemoved() {
-    while (m_listing != kNone && m_pool->Listings[m_listing].Entity == nullptr) {
-      m_listing = m_pool->Listings[m_listing].NextInCell;
+    while (m_listing != kNone && (*m_pool)[m_listing].Entity == nullptr) {
+      m_listing = (*m_pool)[m_listing].NextInCell;
     }
   }
 

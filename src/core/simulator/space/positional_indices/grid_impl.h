@@ -34,45 +34,19 @@ CGrid<ENTITY>::CGrid(const CVector3& minCorner, const CVector3& maxCorner, SInt3
 
 template <class ENTITY>
 void CGrid<ENTITY>::RemoveEntity(ENTITY& entity) {
-  const UInt32 slot = m_entities.Remove(entity);
-  if (slot == kNone || slot >= m_firstListing.size()) {
-    return;
-  }
-  for (UInt32 number = m_firstListing[slot]; number != kNone;) {
-    SListing& listing = m_pool.Listings[number];
-    listing.Entity = nullptr;
-    --m_cells[listing.Cell].Entities.m_size;
-    number = listing.NextOfEntity;
-  }
-  m_firstListing[slot] = kNone;
-}
-
-// all cells are empty from then on, and there is room to list every entity once
-template <class ENTITY>
-void CGrid<ENTITY>::StartUpdate() {
-  ++m_timestamp;
-  m_pool.Stamp = static_cast<UInt32>(m_timestamp);
-  m_pool.Listings.clear();
-  if (m_pool.Listings.capacity() < m_entities.GetNumEntities()) {
-    m_pool.Listings.reserve(std::max(m_entities.GetNumEntities(), 2 * m_pool.Listings.capacity()));
-  }
-  m_firstListing.assign(m_entities.GetNumSlots(), kNone);
+  m_pool.RemoveEntity(entity, [this](UInt32 cell) { --m_cells[cell].Entities.m_size; });
 }
 
 template <class ENTITY>
 void CGrid<ENTITY>::Update() {
-  m_entities.Compact();
-  StartUpdate();
-  if (m_updateOperation == nullptr && m_entities.GetNumEntities() > 0) {
+  m_pool.Compact();
+  m_pool.Clear();
+  ++m_timestamp;
+  m_pool.Stamp = static_cast<UInt32>(m_timestamp);
+  if (m_updateOperation == nullptr && m_pool.GetEntities().GetNumEntities() > 0) {
     THROW_ARGOSEXCEPTION("a grid with entities needs SetUpdateEntityOperation() before Update()");
   }
-  for (UInt32 slot = 0; slot < m_entities.GetNumSlots(); ++slot) {
-    if (m_entities[slot] != nullptr) {
-      m_updatingSlot = slot;
-      (*m_updateOperation)(*m_entities[slot]);
-    }
-  }
-  m_updatingSlot = kNone;
+  m_pool.ListAll([this](ENTITY& entity) { (*m_updateOperation)(entity); });
 }
 
 template <class ENTITY>
@@ -85,18 +59,11 @@ void CGrid<ENTITY>::Reset() {
 template <class ENTITY>
 void CGrid<ENTITY>::UpdateCell(SInt32 i, SInt32 j, SInt32 k, ENTITY& entity) {
   ClampCoordinates(i, j, k);
-  const UInt32 slot = m_updatingSlot != kNone ? m_updatingSlot : m_entities.FindSlot(entity);
-  if (slot == kNone) {
+  const size_t index = CellIndex(i, j, k);
+  const UInt32 listing = m_pool.List(entity, static_cast<UInt32>(index));
+  if (listing == kNone) {
     return;
   }
-  if (slot >= m_firstListing.size()) {
-    m_firstListing.resize(m_entities.GetNumSlots(), kNone);
-  }
-  const UInt32 listing = static_cast<UInt32>(m_pool.Listings.size());
-  const size_t index = CellIndex(i, j, k);
-  m_pool.Listings.push_back({&entity, static_cast<UInt32>(index), kNone, m_firstListing[slot]});
-  m_firstListing[slot] = listing;
-
   SCell& cell = m_cells[index];
   CEntities& entities = cell.Entities;
   if (!entities.IsCurrent()) {
@@ -106,8 +73,8 @@ void CGrid<ENTITY>::UpdateCell(SInt32 i, SInt32 j, SInt32 k, ENTITY& entity) {
     entities.m_first = listing;
     entities.m_size = 0;
   } else {
-    // at the end: entities of a cell stay in order
-    m_pool.Listings[entities.m_last].NextInCell = listing;
+    // at the end, so the entities of a cell stay in order
+    m_pool[entities.m_last].NextInCell = listing;
   }
   entities.m_last = listing;
   ++entities.m_size;
@@ -136,10 +103,7 @@ void CGrid<ENTITY>::PositionToCell(SInt32& i, SInt32& j, SInt32& k,
 template <class ENTITY>
 void CGrid<ENTITY>::PositionToCellUnsafe(SInt32& i, SInt32& j, SInt32& k,
                                          const CVector3& position) const {
-  const SCellNumber cell = m_lattice.CellOf(position);
-  i = cell.Axis[0];
-  j = cell.Axis[1];
-  k = cell.Axis[2];
+  m_lattice.CellOf(position).Get(i, j, k);
 }
 
 template <class ENTITY>
@@ -163,17 +127,8 @@ template <class ENTITY>
 template <typename VISIT>
 void CGrid<ENTITY>::VisitCells(const CVector3& minCorner, const CVector3& maxCorner,
                                VISIT&& visit) {
-  const SCellNumber min = m_lattice.CellOf(minCorner);
-  const SCellNumber max = m_lattice.CellOf(maxCorner);
-  for (SInt32 k = min.Axis[2]; k <= max.Axis[2]; ++k) {
-    for (SInt32 j = min.Axis[1]; j <= max.Axis[1]; ++j) {
-      for (SInt32 i = min.Axis[0]; i <= max.Axis[0]; ++i) {
-        if (!visit(i, j, k, GetCellAt(i, j, k))) {
-          return;
-        }
-      }
-    }
-  }
+  ForCellsInBox(m_lattice.CellOf(minCorner), m_lattice.CellOf(maxCorner),
+                [&](SInt32 i, SInt32 j, SInt32 k) { return visit(i, j, k, GetCellAt(i, j, k)); });
 }
 
 template <class ENTITY>
@@ -189,11 +144,7 @@ void CGrid<ENTITY>::GetEntitiesAt(CSet<ENTITY*, SEntityComparator>& entities,
 
 template <class ENTITY>
 void CGrid<ENTITY>::ForAllEntities(COperation& operation) {
-  for (UInt32 slot = 0; slot < m_entities.GetNumSlots(); ++slot) {
-    if (m_entities[slot] != nullptr && !operation(*m_entities[slot])) {
-      return;
-    }
-  }
+  m_pool.GetEntities().ForAll(operation);
 }
 
 template <class ENTITY>
@@ -201,24 +152,6 @@ void CGrid<ENTITY>::ForEntitiesInBoxRange(const CVector3& center, const CVector3
                                           COperation& operation) {
   VisitCells(center - halfSize, center + halfSize,
              [&](SInt32, SInt32, SInt32, SCell& cell) { return VisitEntities(cell, operation); });
-}
-
-template <class ENTITY>
-void CGrid<ENTITY>::ForEntitiesInSphereRange(const CVector3& center, Real radius,
-                                             COperation& operation) {
-  ForEntitiesInBoxRange(center, CVector3(radius, radius, radius), operation);
-}
-
-template <class ENTITY>
-void CGrid<ENTITY>::ForEntitiesInCircleRange(const CVector3& center, Real radius,
-                                             COperation& operation) {
-  ForEntitiesInBoxRange(center, CVector3(radius, radius, 0.0), operation);
-}
-
-template <class ENTITY>
-void CGrid<ENTITY>::ForEntitiesInRectangleRange(const CVector3& center, const CVector2& halfSize,
-                                                COperation& operation) {
-  ForEntitiesInBoxRange(center, CVector3(halfSize.GetX(), halfSize.GetY(), 0.0), operation);
 }
 
 template <class ENTITY>

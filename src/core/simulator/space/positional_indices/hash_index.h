@@ -40,7 +40,7 @@ class CHashIndex : public CPositionalIndex<ENTITY> {
     });
   }
 
-  void ForAllEntities(COperation& operation) override { VisitAll(operation, false); }
+  void ForAllEntities(COperation& operation) override { m_hash.GetElements().ForAll(operation); }
 
   void ForEntitiesInBoxRange(const CVector3& center, const CVector3& halfSize,
                              COperation& operation) override {
@@ -50,30 +50,9 @@ class CHashIndex : public CPositionalIndex<ENTITY> {
       ForAllEntities(operation);
       return;
     }
-    for (SInt32 k = min.Axis[2]; k <= max.Axis[2]; ++k) {
-      for (SInt32 j = min.Axis[1]; j <= max.Axis[1]; ++j) {
-        for (SInt32 i = min.Axis[0]; i <= max.Axis[0]; ++i) {
-          if (!m_hash.VisitCell(i, j, k, operation)) {
-            return;
-          }
-        }
-      }
-    }
-  }
-
-  void ForEntitiesInSphereRange(const CVector3& center, Real radius,
-                                COperation& operation) override {
-    ForEntitiesInBoxRange(center, CVector3(radius, radius, radius), operation);
-  }
-
-  void ForEntitiesInCircleRange(const CVector3& center, Real radius,
-                                COperation& operation) override {
-    ForEntitiesInBoxRange(center, CVector3(radius, radius, 0.0), operation);
-  }
-
-  void ForEntitiesInRectangleRange(const CVector3& center, const CVector2& halfSize,
-                                   COperation& operation) override {
-    ForEntitiesInBoxRange(center, CVector3(halfSize.GetX(), halfSize.GetY(), 0.0), operation);
+    ForCellsInBox(min, max, [&](SInt32 i, SInt32 j, SInt32 k) {
+      return m_hash.VisitCell(i, j, k, operation);
+    });
   }
 
   void ForEntitiesAlongRay(const CRay3& ray, COperation& operation,
@@ -81,7 +60,8 @@ class CHashIndex : public CPositionalIndex<ENTITY> {
     const SCellNumber start = m_hash.GetLattice().CellOf(ray.GetStart());
     const SCellNumber end = m_hash.GetLattice().CellOf(ray.GetEnd());
     if (CountSteps(start, end) > static_cast<Real>(m_hash.GetElements().GetNumEntities())) {
-      VisitAll(operation, stopAtClosestMatch);
+      m_hash.GetElements().ForAll(
+          [&](ENTITY& entity) { return operation(entity) || stopAtClosestMatch; });
       return;
     }
     WalkLattice(m_hash.GetLattice(), ray, [&](const SCellNumber& cell) {
@@ -95,15 +75,6 @@ class CHashIndex : public CPositionalIndex<ENTITY> {
   }
 
  private:
-  void VisitAll(COperation& operation, bool toTheEnd) {
-    const CEntityList<ENTITY>& entities = m_hash.GetElements();
-    for (UInt32 slot = 0; slot < entities.GetNumSlots(); ++slot) {
-      if (entities[slot] != nullptr && !operation(*entities[slot]) && !toTheEnd) {
-        return;
-      }
-    }
-  }
-
   // as a real number: integers would overflow
   static Real CountCells(const SCellNumber& min, const SCellNumber& max) {
     Real count = 1.0;

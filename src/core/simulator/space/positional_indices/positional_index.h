@@ -11,18 +11,18 @@
 namespace argos {
 
 /**
- * Answers "which entities are near here", for media.
+ * Finds the entities near a place, for media.
  *
  * Answers are as of the last Update() and conservative: an entity in range is always visited,
  * others may be, and one may be visited twice. Operations check distances themselves. Visits come
  * in an order that depends on positions and on the order of additions only.
  *
- * Queries may run on several threads at once; all else may not.
+ * Queries may run on several threads at once; no other function may.
  */
 template <class ENTITY>
 class CPositionalIndex : public CBaseConfigurableResource {
  public:
-  /** What a query does with an entity. */
+  /** The operation that a query calls for each entity. */
   class COperation {
    public:
     virtual ~COperation() = default;
@@ -36,11 +36,11 @@ class CPositionalIndex : public CBaseConfigurableResource {
   void Reset() override {}
   void Destroy() override {}
 
-  /** From the next Update() on; an entity that is here already stays once. */
+  /** Queries find the entity from the next Update() on. Adding it again changes nothing. */
   virtual void AddEntity(ENTITY& entity) = 0;
-  /** At once. Does nothing if the entity is not here. */
+  /** Takes effect at once. Does nothing if the entity is not in the index. */
   virtual void RemoveEntity(ENTITY& entity) = 0;
-  /** Takes over where entities are now. */
+  /** Reads the current positions of the entities. */
   virtual void Update() = 0;
 
   /** Replaces the content of @p entities by those in the cell of @p position (m). */
@@ -49,16 +49,23 @@ class CPositionalIndex : public CBaseConfigurableResource {
   /** In order of addition, also of entities added since Update(). */
   virtual void ForAllEntities(COperation& operation) = 0;
   /** Lengths in m. */
-  virtual void ForEntitiesInSphereRange(const CVector3& center, Real radius,
-                                        COperation& operation) = 0;
   virtual void ForEntitiesInBoxRange(const CVector3& center, const CVector3& halfSize,
                                      COperation& operation) = 0;
-  /** The disc is horizontal, at the height of its centre. */
+  /** Visits the entities in the box around the sphere, unless overridden. */
+  virtual void ForEntitiesInSphereRange(const CVector3& center, Real radius,
+                                        COperation& operation) {
+    ForEntitiesInBoxRange(center, CVector3(radius, radius, radius), operation);
+  }
+  /** The disc is horizontal, at the height of its centre. Visits the box around it. */
   virtual void ForEntitiesInCircleRange(const CVector3& center, Real radius,
-                                        COperation& operation) = 0;
+                                        COperation& operation) {
+    ForEntitiesInBoxRange(center, CVector3(radius, radius, 0.0), operation);
+  }
   /** The rectangle is horizontal, at the height of its centre, with sides along x and y. */
   virtual void ForEntitiesInRectangleRange(const CVector3& center, const CVector2& halfSize,
-                                           COperation& operation) = 0;
+                                           COperation& operation) {
+    ForEntitiesInBoxRange(center, CVector3(halfSize.GetX(), halfSize.GetY(), 0.0), operation);
+  }
   /**
    * Cell by cell from the start of the ray to its end.
    * @param stopAtClosestMatch  if true, an operation that returns false ends the query only after

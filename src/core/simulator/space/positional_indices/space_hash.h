@@ -1,9 +1,9 @@
 #ifndef ARGOS3_CORE_SIMULATOR_SPACE_POSITIONAL_INDICES_SPACE_HASH_H
 #define ARGOS3_CORE_SIMULATOR_SPACE_POSITIONAL_INDICES_SPACE_HASH_H
 
-#include <argos3/core/simulator/space/positional_indices/entity_list.h>
-#include <argos3/core/simulator/space/positional_indices/lattice_walk.h>
+#include <argos3/core/simulator/space/positional_indices/entity_listings.h>
 #include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/spatial/lattice.h>
 
 #include <ostream>
 #include <vector>
@@ -11,8 +11,8 @@
 namespace argos {
 
 /**
- * Cells without bounds, of which only those that hold something take memory: a hash table from the
- * numbers of a cell to the entities in it, in order of their addition.
+ * A grid without bounds, in which empty cells take no memory: a hash table from the numbers of a
+ * cell to the entities in it, in order of their addition.
  */
 template <class ENTITY>
 class CAbstractSpaceHash {
@@ -29,9 +29,9 @@ class CAbstractSpaceHash {
   void SetCellSize(const CVector3& cellSize);
   const CVector3& GetCellSize() const { return m_cellSize; }
 
-  void AddElement(ENTITY& element) { m_elements.Add(element); }
+  void AddElement(ENTITY& element) { m_listings.AddEntity(element); }
   void RemoveElement(ENTITY& element);
-  /** Puts every entity into its cells anew. */
+  /** Replaces the content of all cells by what is in them now. */
   virtual void Update() = 0;
 
   /** Numbers of the cell that holds a position (m). */
@@ -54,10 +54,10 @@ class CAbstractSpaceHash {
   /** Writes the cells that hold something, one a line, in order of their first entity. */
   void Dump(std::ostream& stream) const;
 
-  const CEntityList<ENTITY>& GetElements() const { return m_elements; }
+  const CEntityList<ENTITY>& GetElements() const { return m_listings.GetEntities(); }
   const SLattice& GetLattice() const { return m_lattice; }
   /** How many times entities are listed in cells. */
-  size_t GetNumListings() const { return m_listings.size(); }
+  size_t GetNumListings() const { return m_listings.GetNumListings(); }
 
  protected:
   /** Calls put(ENTITY&) for every entity, with an empty table. */
@@ -65,26 +65,17 @@ class CAbstractSpaceHash {
   void PutAll(PUT&& put);
 
  private:
-  struct SListing {
-    SInt32 I, J, K;
-    UInt32 Slot;
-    ENTITY* Element;  // null: removed since
-    UInt32 NextInBucket;  // or kNone
-    UInt32 NextOfElement;  // or kNone
-  };
-  static constexpr UInt32 kNone = CEntityList<ENTITY>::kNone;
+  typedef CEntityListings<ENTITY, SCellNumber> TListings;
+  static constexpr UInt32 kNone = TListings::kNone;
   // half of what an integer holds: sums of cell numbers do not overflow
   static constexpr SInt32 kMaxCell = 1 << 30;
 
-  size_t Bucket(SInt32 i, SInt32 j, SInt32 k) const;
+  size_t Bucket(const SCellNumber& cell) const;
 
   CVector3 m_cellSize;  // m
   SLattice m_lattice;
-  CEntityList<ENTITY> m_elements;
-  UInt32 m_updatingSlot = kNone;
-  std::vector<SListing> m_listings;
+  TListings m_listings;  // chained by bucket
   std::vector<UInt32> m_first, m_last;  // by bucket: into m_listings; kNone: empty
-  std::vector<UInt32> m_firstOfElement;  // by slot: into m_listings; kNone: none
 };
 
 /** Puts an entity into its cells, with CAbstractSpaceHash::UpdateCell(). */

@@ -11,8 +11,7 @@ template <class ENTITY>
 void CAbstractSpaceHash<ENTITY>::SetSize(size_t numBuckets) {
   m_first.assign(std::max<size_t>(numBuckets, 1), kNone);
   m_last.assign(m_first.size(), kNone);
-  m_listings.clear();
-  m_firstOfElement.clear();
+  m_listings.Clear();
 }
 
 template <class ENTITY>
@@ -31,24 +30,13 @@ void CAbstractSpaceHash<ENTITY>::SetCellSize(const CVector3& cellSize) {
 
 template <class ENTITY>
 void CAbstractSpaceHash<ENTITY>::RemoveElement(ENTITY& element) {
-  const UInt32 slot = m_elements.Remove(element);
-  if (slot == kNone || slot >= m_firstOfElement.size()) {
-    return;
-  }
-  for (UInt32 listing = m_firstOfElement[slot]; listing != kNone;
-       listing = m_listings[listing].NextOfElement) {
-    m_listings[listing].Element = nullptr;
-  }
-  m_firstOfElement[slot] = kNone;
+  m_listings.RemoveEntity(element, [](const SCellNumber&) {});
 }
 
 template <class ENTITY>
 void CAbstractSpaceHash<ENTITY>::SpaceToHashTable(SInt32& i, SInt32& j, SInt32& k,
                                                   const CVector3& position) const {
-  const SCellNumber cell = m_lattice.CellOf(position);
-  i = cell.Axis[0];
-  j = cell.Axis[1];
-  k = cell.Axis[2];
+  m_lattice.CellOf(position).Get(i, j, k);
 }
 
 template <class ENTITY>
@@ -59,25 +47,20 @@ void CAbstractSpaceHash<ENTITY>::HashTableToSpace(CVector3& position, SInt32 i, 
 
 template <class ENTITY>
 void CAbstractSpaceHash<ENTITY>::UpdateCell(SInt32 i, SInt32 j, SInt32 k, ENTITY& element) {
-  const UInt32 slot = m_updatingSlot != kNone ? m_updatingSlot : m_elements.FindSlot(element);
-  if (slot == kNone) {
+  if (m_first.empty()) {
+    SetSize(GetElements().GetNumEntities());
+  }
+  const SCellNumber cell = {{i, j, k}};
+  const UInt32 listing = m_listings.List(element, cell);
+  if (listing == kNone) {
     return;
   }
-  if (m_first.empty()) {
-    SetSize(m_elements.GetNumEntities());
-  }
-  if (slot >= m_firstOfElement.size()) {
-    m_firstOfElement.resize(m_elements.GetNumSlots(), kNone);
-  }
-  const UInt32 listing = static_cast<UInt32>(m_listings.size());
-  m_listings.push_back({i, j, k, slot, &element, kNone, m_firstOfElement[slot]});
-  m_firstOfElement[slot] = listing;
-  // at the end of its bucket: entities of a cell stay in order
-  const size_t bucket = Bucket(i, j, k);
+  // at the end of its bucket, so the entities of a cell stay in order
+  const size_t bucket = Bucket(cell);
   if (m_first[bucket] == kNone) {
     m_first[bucket] = listing;
   } else {
-    m_listings[m_last[bucket]].NextInBucket = listing;
+    m_listings[m_last[bucket]].NextInCell = listing;
   }
   m_last[bucket] = listing;
 }
@@ -85,20 +68,9 @@ void CAbstractSpaceHash<ENTITY>::UpdateCell(SInt32 i, SInt32 j, SInt32 k, ENTITY
 template <class ENTITY>
 template <typename PUT>
 void CAbstractSpaceHash<ENTITY>::PutAll(PUT&& put) {
-  m_elements.Compact();
-  SetSize(std::max(GetSize(), m_elements.GetNumEntities()));
-  if (m_listings.capacity() < m_elements.GetNumEntities()) {
-    // room to list every element once, also those that are not listed now
-    m_listings.reserve(std::max(m_elements.GetNumEntities(), 2 * m_listings.capacity()));
-  }
-  m_firstOfElement.assign(m_elements.GetNumSlots(), kNone);
-  for (UInt32 slot = 0; slot < m_elements.GetNumSlots(); ++slot) {
-    if (m_elements[slot] != nullptr) {
-      m_updatingSlot = slot;
-      put(*m_elements[slot]);
-    }
-  }
-  m_updatingSlot = kNone;
+  m_listings.Compact();
+  SetSize(std::max(GetSize(), GetElements().GetNumEntities()));
+  m_listings.ListAll(put);
 }
 
 template <class ENTITY>
@@ -107,14 +79,14 @@ bool CAbstractSpaceHash<ENTITY>::VisitCell(SInt32 i, SInt32 j, SInt32 k, VISIT&&
   if (m_first.empty()) {
     return true;
   }
-  for (UInt32 index = m_first[Bucket(i, j, k)]; index != kNone;) {
-    const SListing& listing = m_listings[index];
-    const bool here =
-        listing.Element != nullptr && listing.I == i && listing.J == j && listing.K == k;
-    if (here && !visit(*listing.Element)) {
+  const SCellNumber cell = {{i, j, k}};
+  for (UInt32 index = m_first[Bucket(cell)]; index != kNone;) {
+    const auto& listing = m_listings[index];
+    const bool isHere = listing.Entity != nullptr && listing.Cell == cell;
+    if (isHere && !visit(*listing.Entity)) {
       return false;
     }
-    index = listing.NextInBucket;
+    index = listing.NextInCell;
   }
   return true;
 }
@@ -132,13 +104,16 @@ bool CAbstractSpaceHash<ENTITY>::CheckCell(SInt32 i, SInt32 j, SInt32 k,
 
 template <class ENTITY>
 void CAbstractSpaceHash<ENTITY>::Dump(std::ostream& stream) const {
-  for (const SListing& listing : m_listings) {
+  for (UInt32 index = 0; index < m_listings.GetNumListings(); ++index) {
+    const auto& listing = m_listings[index];
+    SInt32 i, j, k;
+    listing.Cell.Get(i, j, k);
     TElementList elements;
-    CheckCell(listing.I, listing.J, listing.K, elements);
-    if (elements.empty() || elements.front() != listing.Element) {
+    CheckCell(i, j, k, elements);
+    if (elements.empty() || elements.front() != listing.Entity) {
       continue;
     }
-    stream << "(" << listing.I << "," << listing.J << "," << listing.K << "):";
+    stream << "(" << i << "," << j << "," << k << "):";
     for (const ENTITY* element : elements) {
       stream << " " << element->GetId();
     }
@@ -147,11 +122,14 @@ void CAbstractSpaceHash<ENTITY>::Dump(std::ostream& stream) const {
 }
 
 template <class ENTITY>
-size_t CAbstractSpaceHash<ENTITY>::Bucket(SInt32 i, SInt32 j, SInt32 k) const {
+size_t CAbstractSpaceHash<ENTITY>::Bucket(const SCellNumber& cell) const {
   // source: M. Teschner et al., "Optimized spatial hashing for collision detection of deformable
   // objects", VMV 2003, with its three primes
-  const UInt64 hash = (static_cast<UInt64>(i) * 73856093u) ^ (static_cast<UInt64>(j) * 19349663u) ^
-                      (static_cast<UInt64>(k) * 83492791u);
+  constexpr UInt32 kPrimes[3] = {73856093u, 19349663u, 83492791u};
+  UInt64 hash = 0;
+  for (UInt32 axis = 0; axis < 3; ++axis) {
+    hash ^= static_cast<UInt64>(cell.Axis[axis]) * kPrimes[axis];
+  }
   return static_cast<size_t>(hash % m_first.size());
 }
 

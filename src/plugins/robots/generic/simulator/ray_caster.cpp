@@ -13,12 +13,6 @@
 
 namespace argos {
 
-namespace {
-
-constexpr Real kMiss = 2.0;  // any fraction above 1
-
-}  // namespace
-
 void CRayCaster::SetRobot(CComposableEntity& robot) {
   m_body = &robot.GetComponent<CEmbodiedEntity>("body");
   m_robot = &robot.GetComponent<CControllableEntity>("controller");
@@ -26,7 +20,7 @@ void CRayCaster::SetRobot(CComposableEntity& robot) {
 }
 
 void CRayCaster::Cast(const SRayBundle& bundle, Real* fractions) const {
-  std::fill_n(fractions, bundle.Count, kMiss);
+  std::fill_n(fractions, bundle.Count, kNoHit);
   const CQuaternion& orientation = bundle.FirstAnchor.Orientation;
   const bool upright = orientation.GetX() == 0.0 && orientation.GetY() == 0.0;
   if (bundle.Bounds.Planar && upright && !AreBodiesOutsideIndex()) {

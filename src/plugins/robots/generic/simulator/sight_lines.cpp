@@ -71,8 +71,7 @@ struct CSightLines::SDisc {
 
   // whether it meets the line, prolonged to both sides, as seen from above
   bool IsNear(const SLine& line) const {
-    const Real aside = line.DX * Y - line.DY * X;
-    return aside * aside <= SquareRadius * line.SquareLengthXY;
+    return IsCircleOnLine(X, Y, line.DX, line.DY, SquareRadius, line.SquareLengthXY);
   }
   // the same for the line with its ends, and in height
   bool IsMet(const SLine& line, Real eyeZ) const {

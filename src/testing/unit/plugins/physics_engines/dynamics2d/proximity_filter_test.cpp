@@ -1,6 +1,6 @@
-// The grid finds the same discs as a comparison of all pairs.
+// The grid finds the same discs that comparing each with each does.
 
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/encounters.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/proximity_filter.h>
 
 #include <catch2/catch.hpp>
 
@@ -26,17 +26,17 @@ Real DistanceTo(const SFootprint& obstacle, Real x, Real y) {
   return std::max(outside - obstacle.Radius, 0.0);
 }
 
-CEncounters::EMark MarkOf(Real gap, Real margin) {
+CProximityFilter::EMark MarkOf(Real gap, Real margin) {
   if (gap <= 0.0) {
-    return CEncounters::Near;
+    return CProximityFilter::Active;
   }
-  return gap <= margin ? CEncounters::Around : CEncounters::Alone;
+  return gap <= margin ? CProximityFilter::Guarded : CProximityFilter::Free;
 }
 
-std::vector<CEncounters::EMark> MarkEachWithEach(const std::vector<SDisc>& discs,
-                                                 const std::vector<SFootprint>& obstacles,
-                                                 Real margin) {
-  std::vector<CEncounters::EMark> marks(discs.size(), CEncounters::Alone);
+std::vector<CProximityFilter::EMark> MarkEachWithEach(const std::vector<SDisc>& discs,
+                                                      const std::vector<SFootprint>& obstacles,
+                                                      Real margin) {
+  std::vector<CProximityFilter::EMark> marks(discs.size(), CProximityFilter::Free);
   for (size_t i = 0; i < discs.size(); ++i) {
     for (size_t j = 0; j < discs.size(); ++j) {
       if (i != j) {
@@ -55,8 +55,7 @@ std::vector<CEncounters::EMark> MarkEachWithEach(const std::vector<SDisc>& discs
 
 }  // namespace
 
-TEST_CASE("encounters: the grid finds the discs that a comparison of all pairs finds",
-          "[dynamics2d]") {
+TEST_CASE("proximity filter: the grid finds what comparing each with each finds", "[dynamics2d]") {
   const int numDiscs = GENERATE(1, 2, 30, 400);
   const Real side = GENERATE(0.5, 5.0, 60.0);
   const unsigned seed = GENERATE(1U, 2U, 3U);
@@ -80,55 +79,55 @@ TEST_CASE("encounters: the grid finds the discs that a comparison of all pairs f
                          disc ? reach(generator) : 0.0});
   }
 
-  CEncounters encounters;
-  encounters.SetMargin(kMargin);
-  encounters.SetObstacles(obstacles);
-  encounters.Clear(discs.size());
+  CProximityFilter filter;
+  filter.SetMargin(kMargin);
+  filter.SetObstacles(obstacles);
+  filter.Clear(discs.size());
   for (UInt32 i = 0; i < discs.size(); ++i) {
-    encounters.Place(i, discs[i].X, discs[i].Y, discs[i].Reach);
+    filter.Place(i, discs[i].X, discs[i].Y, discs[i].Reach);
   }
-  encounters.MarkAll();
-  const std::vector<CEncounters::EMark> expected = MarkEachWithEach(discs, obstacles, kMargin);
+  filter.MarkAll();
+  const std::vector<CProximityFilter::EMark> expected = MarkEachWithEach(discs, obstacles, kMargin);
   for (UInt32 i = 0; i < discs.size(); ++i) {
     CAPTURE(i, discs[i].X, discs[i].Y, discs[i].Reach);
-    REQUIRE(encounters.GetMark(i) == expected[i]);
+    REQUIRE(filter.GetMark(i) == expected[i]);
   }
 }
 
-TEST_CASE("encounters: a body that is not a disc marks the discs within its reach",
+TEST_CASE("proximity filter: a body that is no disc marks the discs that it may meet",
           "[dynamics2d]") {
-  CEncounters encounters;
-  encounters.SetMargin(0.1);
-  encounters.Clear(4);
-  encounters.Place(0, 0.0, 0.0, 0.1);
-  encounters.Place(1, 2.0, 0.0, 0.1);
-  encounters.Place(3, -1.25, 0.0, 0.1);
-  encounters.MarkAll();
-  encounters.MarkNear(1.0, 0.0, 0.95);
-  CHECK(encounters.GetMark(0) == CEncounters::Near);
-  CHECK(encounters.GetMark(1) == CEncounters::Near);
-  // disc 2 was never placed
-  CHECK(encounters.GetMark(2) == CEncounters::Alone);
-  CHECK(encounters.GetMark(3) == CEncounters::Alone);
-  // the gap of 0.05 m is less than the margin
-  encounters.MarkNear(-2.0, 0.0, 0.6);
-  CHECK(encounters.GetMark(3) == CEncounters::Around);
+  CProximityFilter filter;
+  filter.SetMargin(0.1);
+  filter.Clear(4);
+  filter.Place(0, 0.0, 0.0, 0.1);
+  filter.Place(1, 2.0, 0.0, 0.1);
+  filter.Place(3, -1.25, 0.0, 0.1);
+  filter.MarkAll();
+  filter.MarkNear(1.0, 0.0, 0.95);
+  CHECK(filter.GetMark(0) == CProximityFilter::Active);
+  CHECK(filter.GetMark(1) == CProximityFilter::Active);
+  // never placed
+  CHECK(filter.GetMark(2) == CProximityFilter::Free);
+  CHECK(filter.GetMark(3) == CProximityFilter::Free);
+  // 0.05 m are missing, less than the margin
+  filter.MarkNear(-2.0, 0.0, 0.6);
+  CHECK(filter.GetMark(3) == CProximityFilter::Guarded);
 }
 
-TEST_CASE("encounters: discs of longer reach than the others are found", "[dynamics2d]") {
-  // two discs of long reach 5 m apart, and a row of small ones
-  CEncounters encounters;
-  encounters.SetMargin(0.01);
-  encounters.Clear(102);
+TEST_CASE("proximity filter: a disc may reach farther than others do", "[dynamics2d]") {
+  // two that are far apart, in a row of small ones
+  CProximityFilter filter;
+  filter.SetMargin(0.01);
+  filter.Clear(102);
   for (UInt32 i = 0; i < 100; ++i) {
-    encounters.Place(i, 0.5 * i, 10.0, 0.05);
+    filter.Place(i, 0.5 * i, 10.0, 0.05);
   }
-  encounters.Place(100, 0.0, 0.0, 3.0);
-  encounters.Place(101, 5.0, 0.0, 2.5);
-  encounters.MarkAll();
-  CHECK(encounters.GetMark(0) == CEncounters::Alone);
-  CHECK(encounters.GetMark(100) == CEncounters::Near);
-  CHECK(encounters.GetMark(101) == CEncounters::Near);
+  filter.Place(100, 0.0, 0.0, 3.0);
+  filter.Place(101, 5.0, 0.0, 2.5);
+  filter.MarkAll();
+  CHECK(filter.GetMark(0) == CProximityFilter::Free);
+  CHECK(filter.GetMark(100) == CProximityFilter::Active);
+  CHECK(filter.GetMark(101) == CProximityFilter::Active);
 }
 
 }  // namespace argos

@@ -1,8 +1,9 @@
-#ifndef ARGOS3_CORE_SIMULATOR_SPACE_POSITIONAL_INDICES_LATTICE_WALK_H
-#define ARGOS3_CORE_SIMULATOR_SPACE_POSITIONAL_INDICES_LATTICE_WALK_H
+#ifndef ARGOS3_CORE_UTILITY_SPATIAL_LATTICE_H
+#define ARGOS3_CORE_UTILITY_SPATIAL_LATTICE_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/math/ray3.h>
+#include <argos3/core/utility/spatial/grid_axis.h>
 
 #include <cmath>
 
@@ -11,6 +12,15 @@ namespace argos {
 /** Numbers of a cell along the three axes. */
 struct SCellNumber {
   SInt32 Axis[3];
+
+  bool operator==(const SCellNumber& other) const {
+    return Axis[0] == other.Axis[0] && Axis[1] == other.Axis[1] && Axis[2] == other.Axis[2];
+  }
+  void Get(SInt32& i, SInt32& j, SInt32& k) const {
+    i = Axis[0];
+    j = Axis[1];
+    k = Axis[2];
+  }
 };
 
 /**
@@ -23,14 +33,10 @@ struct SLattice {
   SCellNumber MinCell; /**< lowest numbers */
   SCellNumber MaxCell; /**< highest numbers */
 
-  /** Number along one axis of the cell that holds a coordinate (m); NaN belongs to the lowest. */
+  /** Number along one axis of the cell that holds a coordinate, m; see ClampToCells(). */
   SInt32 NumberOf(Real coordinate, UInt32 axis) const {
-    const Real number = std::floor((coordinate - Origin[axis]) / CellSize[axis]);
-    // compared as reals: coordinates may be beyond what an integer holds
-    if (!(number > MinCell.Axis[axis])) {
-      return MinCell.Axis[axis];
-    }
-    return number < MaxCell.Axis[axis] ? static_cast<SInt32>(number) : MaxCell.Axis[axis];
+    return ClampToCells((coordinate - Origin[axis]) / CellSize[axis], MinCell.Axis[axis],
+                        MaxCell.Axis[axis]);
   }
 
   SCellNumber CellOf(const CVector3& position) const {
@@ -40,11 +46,28 @@ struct SLattice {
 };
 
 /**
+ * Calls visit(SInt32 i, SInt32 j, SInt32 k) for each cell of a box until that returns false.
+ * @param min, max  corners of the box; the first number runs fastest, then the second.
+ */
+template <typename VISIT>
+void ForCellsInBox(const SCellNumber& min, const SCellNumber& max, VISIT&& visit) {
+  for (SInt32 k = min.Axis[2]; k <= max.Axis[2]; ++k) {
+    for (SInt32 j = min.Axis[1]; j <= max.Axis[1]; ++j) {
+      for (SInt32 i = min.Axis[0]; i <= max.Axis[0]; ++i) {
+        if (!visit(i, j, k)) {
+          return;
+        }
+      }
+    }
+  }
+}
+
+/**
  * Calls visit(const SCellNumber&) for each cell that a ray crosses, from its start to its end,
  * until that returns false.
  *
  * Source: J. Amanatides and A. Woo, "A fast voxel traversal algorithm for ray tracing",
- * Eurographics 1987; crossings are computed anew at each plane instead of summed up, so that errors
+ * Eurographics 1987; each crossing is computed from its plane instead of summed up, so that errors
  * do not grow.
  */
 template <typename VISIT>
