@@ -84,13 +84,17 @@ report "never dlclose" "$(search '(^|[^A-Za-z_])dlclose *\(' "${ours[@]}")"
 #   ci_controller.cpp                                  a controller deletes the devices that were added to it
 #   byte_array.cpp                                     parts are returned as new objects
 #   simulator.cpp                                      the singleton, whose constructor is private
+#   memory/object_slabs.cpp                            the allocator itself
 # Tests use the API of users, including raw ownership.
-rawOwners='^src/core/(utility/plugins/(factory|process_wide)|control_interface/ci_controller\.|utility/datatypes/byte_array\.cpp|simulator/simulator\.cpp)'
+rawOwners='^src/core/(utility/plugins/(factory|process_wide)|control_interface/ci_controller\.|utility/datatypes/byte_array\.cpp|utility/memory/object_slabs\.cpp|simulator/simulator\.cpp)'
 mapfile -t owners < <(only '^(src/(core|plugins)|experiments)/' | grep -vE "$rawOwners")
 report "no raw new: std::make_unique" \
   "$(search '(^|[^A-Za-z0-9_.>])new +[A-Za-z_:(]' "${owners[@]}" | grep -v 'operator new' || true)"
 report "no raw delete: let an owner do it" \
   "$(search '(^|[^A-Za-z0-9_=.>]|[^= ] +)delete(\[\])? +[A-Za-z_:(*]' "${owners[@]}" | grep -v 'operator delete' || true)"
+
+mapfile -t noPrefetch < <(printf '%s\n' "${ours[@]}" | grep -vE '^src/core/simulator/space/look_ahead\.')
+report "prefetching is the business of CLookAhead" "$(search 'Prefetch|__builtin_prefetch' "${noPrefetch[@]}")"
 
 report "no TODO, FIXME or XXX" "$(grep -nHE '\<(TODO|FIXME|XXX)\>' "${sources[@]}" || true)"
 
