@@ -60,9 +60,10 @@ class CARGoSException : public std::exception {
 
 /**
  * Throws a CARGoSException if the condition does not hold. For mistakes of the program, not of its
- * user: compiled out with NDEBUG, condition and message included.
+ * user: with NDEBUG it is compiled out, condition and message included, unless
+ * ARGOS_CHECK_INVARIANTS is defined, which the CMake option of that name does.
  */
-#ifndef NDEBUG
+#if !defined(NDEBUG) || defined(ARGOS_CHECK_INVARIANTS)
 #define ARGOS_ASSERT(condition, message) \
   {                                      \
     if (!(condition))                    \

@@ -8,6 +8,7 @@
  * libraries that the program was linked with.
  */
 
+#include <argos3/core/build_id.h>
 #include <argos3/core/config.h>
 
 #include <string>
@@ -15,13 +16,10 @@
 
 namespace argos {
 
-// grows with every change of a public class's layout or virtual functions
-#define ARGOS_BUILD_ID_API_ "api=1"
-
 #ifdef ARGOS_USE_DOUBLE
-#define ARGOS_BUILD_ID_REAL_ ";real=double"
+#define ARGOS_BUILD_ID_REAL_ "real=double"
 #else
-#define ARGOS_BUILD_ID_REAL_ ";real=float"
+#define ARGOS_BUILD_ID_REAL_ "real=float"
 #endif
 
 // both change the layout of the standard library's classes
@@ -38,11 +36,13 @@ namespace argos {
 
 #ifndef ARGOS_BUILD_ID
 /**
- * All that must be equal for a plug-in to fit the core: "name=value" pairs, ';' between them. A
- * macro, so that it says what the including source was compiled with.
+ * All that must be equal for a plug-in to fit the core: "name=value" pairs, ';' between them, as a
+ * std::string. The options that change layouts come first; then, for each library of this ARGoS,
+ * the hash of its public headers. A macro, so that it describes the including source.
  */
-#define ARGOS_BUILD_ID \
-  ARGOS_BUILD_ID_API_ ARGOS_BUILD_ID_REAL_ ARGOS_BUILD_ID_STRING_ ARGOS_BUILD_ID_CONTAINERS_
+#define ARGOS_BUILD_ID                                                                   \
+  (std::string(ARGOS_BUILD_ID_REAL_ ARGOS_BUILD_ID_STRING_ ARGOS_BUILD_ID_CONTAINERS_) + \
+   ARGOS_HEADERS_ID)
 #endif
 
 /** The build id that the core library was compiled with. */
