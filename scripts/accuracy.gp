@@ -5,7 +5,8 @@ set terminal svg size 960,480 font "DejaVu Sans,Helvetica,Arial,sans-serif,13" b
 set output ARG2
 set encoding utf8
 
-# Okabe and Ito's colours, which the colour-blind can tell apart; every engine has a mark of its own, too
+# colours of Okabe and Ito, distinguishable with colour blindness; every engine also has its own
+# mark
 set style line 1 lc rgb 0x009E73 lw 2 pt 7
 set style line 2 lc rgb 0x0072B2 lw 2 pt 5
 set style line 3 lc rgb 0xD55E00 lw 2 pt 9
@@ -25,8 +26,8 @@ set ytics ("≤ 0.001" 0.001, "0.01" 0.01, "0.1" 0.1, "1" 1, "10" 10)
 set xrange [0.15:1500]
 unset key
 
-# what plot draws of a file: a line, its points, rings around defaults, the numbers of substeps at dx, dy from the
-# points, and words at the first one
+# plot elements of a file: a line, its points, rings around defaults, the numbers of substeps at
+# (dx, dy) from the points, and a label at the first one
 line(name, style) = sprintf("'%s/%s' using 1:2 with linespoints ls %d ps 0.8", folder, name, style)
 ring(name, style) = sprintf("'%s/%s' using ($4 == 1 ? $1 : NaN):2 with points ls %d pt 6 ps 2.1", folder, name, style)
 text(name, style, dx, dy) = sprintf("'%s/%s' using 1:2:3 with labels offset %g,%g textcolor ls %d font ',12'", \

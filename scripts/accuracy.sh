@@ -2,14 +2,14 @@
 # Makes the tables in doc/accuracy.md and the plot doc/images/accuracy.svg from doc/data/accuracy.csv, the output of
 # argos3_accuracy_benchmark:
 #   scripts/accuracy.sh             needs gnuplot (Debian: gnuplot-nox)
-#   scripts/accuracy.sh --tables    only prints the tables; needs nothing
+#   scripts/accuracy.sh --tables    only prints the tables; needs no gnuplot
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 csv="$repo/doc/data/accuracy.csv"
 page="$repo/doc/accuracy.md"
 plot="$repo/doc/images/accuracy.svg"
 
-# Tells awk where columns are, and how numbers are written: three digits, and nothing below a thousandth.
+# Definitions for awk: columns, and number formats with three digits and nothing below a thousandth.
 common='
   BEGIN { FS = "," }
   NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
@@ -29,14 +29,14 @@ common='
   function name() {
     return field("engine") (field("stepper") == "-" ? "" : " " field("stepper"))
   }
-  # dynamics2d takes more than its least number in crowds
+  # in crowds dynamics2d takes more than its minimum number of substeps
   function substeps(isInCrowd) {
     n = field("substeps")
     if (isDefault() && field("engine") == "dynamics2d" && isInCrowd) n = n " to 64"
     return isDefault() ? "**" n "**" : n
   }
   function cell(text) { return text == "" ? "-" : text }
-  # settings in the order of the file, numbers of robots apart
+  # settings in the order of the file, numbers of robots separately
   function remember(key) {
     if (!(key in seen)) { seen[key] = 1; keys[++count] = key }
   }
@@ -98,7 +98,7 @@ draw() { # draw <folder>
     for engine in kinematics2d pointmass3d; do
       points "$world" "$engine" - >"$1/${world}_$engine"
     done
-    # the default of dynamics2d is a number of its own
+    # the default of dynamics2d is a number of substeps
     points "$world" dynamics2d - | grep '0$' >"$1/${world}_dynamics2d" || true
     points "$world" dynamics2d - | sed -n 's/ [0-9]* 1$/ "2 to 64" 1/p' >"$1/${world}_adaptive"
     for stepper in mixed iterative; do
@@ -119,7 +119,7 @@ command -v gnuplot >/dev/null || die "gnuplot is missing; install it, for instan
 work="$(mktemp -d)"
 trap 'rm -rf -- "$work"' EXIT
 tables >"$work/tables"
-# between the two markers
+# between the two markers of the page
 sed -i -e '/^<!-- tables: /,/^<!-- end of tables -->/{/^<!-- tables: /{r '"$work/tables"'
 b};/^<!-- end of tables -->/b;d}' "$page"
 draw "$work"

@@ -3,7 +3,7 @@
 repo="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 jobs="$(nproc)"
 
-# git, also for root in a clone that belongs to somebody else
+# git that also works for root in a clone of another owner
 git() {
   command git -c safe.directory="$repo" "$@"
 }
@@ -17,18 +17,19 @@ die() {
   exit 1
 }
 
-# configure <build folder> <cmake arguments...>: configures when that is needed, with Ninja when it is there.
+# configure <build folder> <cmake arguments...>: configures if necessary, with Ninja if it is
+# installed.
 configure() {
   local build="$1"
   shift
   local cache="$build/CMakeCache.txt"
   if [[ -f "$cache" ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$repo" "$cache"; then
-    echo "$build was configured for another folder; starting it afresh"
+    echo "$build was configured for another folder; creating it again"
     rm -rf -- "$build"
   fi
   local stamp="$build/configured_with" wanted="$*"
   if [[ -f "$stamp" && -f "$cache" && "$(<"$stamp")" == "$wanted" ]]; then
-    return 0 # the build itself configures again when a CMakeLists.txt changed
+    return 0 # the build configures again if a CMakeLists.txt changes
   fi
   local generator=()
   if [[ ! -f "$cache" ]] && command -v ninja >/dev/null; then

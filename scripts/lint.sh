@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Checks what neither compiler nor formatter does: the rules of the house that a search can find. Prints each
-# violation as file:line: text and ends with 1 if there is one.
+# Checks the project's rules that neither compiler nor formatter checks and that a text search can find. Prints each
+# violation as file:line: text; the exit status is 1 if there is any.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 cd "$repo"
@@ -56,7 +56,7 @@ includes() { # includes <regular expression of paths> <forbidden include prefix>
   ((${#files[@]} == 0)) || grep -nHE "#include *[<\"]($2)" "${files[@]}" || true
 }
 
-# The direction of dependencies. The include roots of the build enforce it too; this says it in plain words.
+# The direction of dependencies. The include roots of the build enforce it, too; these rules give clearer messages.
 report "utility knows nothing above it" \
   "$(includes '^src/core/utility/' 'argos3/(core/(control_interface|simulator|wrappers)|plugins)/')"
 report "the control interface knows utility alone" \
@@ -78,13 +78,13 @@ report "GetInstance() is for users: take what you need as a parameter" \
 report "no #pragma once: guards are ARGOS3_<PATH>_H" "$(grep -nH '^ *#pragma once' "${sources[@]}" || true)"
 report "never dlclose" "$(search '(^|[^A-Za-z_])dlclose *\(' "${ours[@]}")"
 
-# Ownership: unique_ptr everywhere, but where the ARGoS API hands over raw pointers that own:
-#   plugins/factory*, plugins/process_wide.h           what a factory makes, what lives as long as the process
+# Ownership: unique_ptr everywhere, except where the ARGoS API transfers ownership by raw pointers:
+#   plugins/factory*, plugins/process_wide.h           objects from factories, objects that exist as long as the process
 #   REGISTER_* in ci_controller.h                      the same
 #   ci_controller.cpp                                  a controller deletes the devices that were added to it
-#   byte_array.cpp                                     parts are handed out as new objects
+#   byte_array.cpp                                     parts are returned as new objects
 #   simulator.cpp                                      the singleton, whose constructor is private
-# Tests hand entities over as users do.
+# Tests use the API of users, including raw ownership.
 rawOwners='^src/core/(utility/plugins/(factory|process_wide)|control_interface/ci_controller\.|utility/datatypes/byte_array\.cpp|simulator/simulator\.cpp)'
 mapfile -t owners < <(only '^(src/(core|plugins)|experiments)/' | grep -vE "$rawOwners")
 report "no raw new: std::make_unique" \
@@ -109,7 +109,7 @@ report "include guards are paths" "$(guards)"
 lengths() {
   local file limit lines
   for file in "${sources[@]}"; do
-    # one list of signatures each
+    # these files are lists of signatures
     [[ "$file" != src/testing/compat/* ]] || continue
     limit=$maxSourceLines
     [[ "$file" == *.h ]] && limit=$maxHeaderLines
@@ -119,7 +119,7 @@ lengths() {
 }
 report "files are short" "$(lengths)"
 
-# Plug-ins share one space of names, and the linker takes any one of two templates over types of one name.
+# Plug-ins share one namespace, and the linker merges template instances over different types with the same name.
 types_with_one_name() {
   local headers
   mapfile -t headers < <(only '^src/(core|plugins)/.*\.h$')

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds the simulator and runs an experiment, without a display:
+# Installs missing packages, builds the simulator and runs an experiment, without a display:
 #   scripts/run.sh [EXPERIMENT [ARGUMENTS OF argos3...]]
-# EXPERIMENT is an .argos file, by default experiments/diffusion_10.argos, sought in the current folder and in the
-# repository. The simulator runs in the repository's folder, so the frames lie under its out/.
+# EXPERIMENT is an .argos file, by default experiments/diffusion_10.argos, searched in the current folder and in the
+# repository. The simulator runs in the repository's folder, so frames are written under its out/.
 #   scripts/run.sh experiments/diffusion_10.argos --seed 7 --threads 2
 set -euo pipefail
 started_in="$PWD"
@@ -35,8 +35,8 @@ build "$repo/build"
 say "Run ${experiment#"$repo"/}"
 cd "$repo"
 mkdir -p out
-# argos3 loads every library in these folders, so ours are offered to our own experiments alone: the labels in others'
-# libraries may be the same
+# argos3 loads every library in these folders, so they are set for the experiments of the repository
+# only: other libraries may have the same labels
 if [[ "$experiment" == experiments/* || "$experiment" == "$repo"/experiments/* ]]; then
   export ARGOS_PLUGIN_PATH="$repo/build/experiments${ARGOS_PLUGIN_PATH:+:$ARGOS_PLUGIN_PATH}"
 fi

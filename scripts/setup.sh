@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs the packages of packages.txt that are missing; does nothing, and needs no network, when none is.
+# Installs missing packages of packages.txt; if none is missing, does nothing and needs no network.
 #   scripts/setup.sh          run by run.sh and test.sh
 set -euo pipefail
 
@@ -18,10 +18,10 @@ is_installed() {
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
   for tool in cmake c++ pkg-config; do
-    command -v "$tool" >/dev/null || fail "this is no Debian, and '$tool' is missing;" \
+    command -v "$tool" >/dev/null || fail "this is not a Debian system, and '$tool' is missing;" \
       "install what corresponds to the packages in $list"
   done
-  echo "setup: this is no Debian; taking the packages in scripts/packages.txt for granted"
+  echo "setup: this is not a Debian system; assuming that the packages in scripts/packages.txt are installed"
   exit 0
 fi
 
@@ -30,7 +30,7 @@ for package in "${wanted[@]}"; do
   is_installed "$package" || missing+=("$package")
 done
 if ((${#missing[@]} == 0)); then
-  echo "setup: all ${#wanted[@]} packages are there"
+  echo "setup: all ${#wanted[@]} packages are installed"
   exit 0
 fi
 
@@ -46,14 +46,14 @@ apt_get() {
 
 echo "setup: ${#missing[@]} of ${#wanted[@]} packages are missing: ${missing[*]}"
 echo "setup: fetching the lists of packages"
-apt_get -qq update || echo "setup: that failed (no network?); trying with the lists that are here" >&2
+apt_get -qq update || echo "setup: that failed (no network?); trying with the present lists" >&2
 
 unknown=()
 for package in "${missing[@]}"; do
   [[ -n "$(apt-cache show --no-all-versions "$package" 2>/dev/null)" ]] || unknown+=("$package")
 done
-((${#unknown[@]} == 0)) || fail "apt knows no package named: ${unknown[*]}" \
-  "is this Debian 12, is there a network, and does /etc/apt/sources.list* name the main archive?"
+((${#unknown[@]} == 0)) || fail "apt does not know the packages: ${unknown[*]}" \
+  "is this Debian 12, is there a network, and does /etc/apt/sources.list* contain the main archive?"
 
 echo "setup: installing (a few minutes)"
 log="$(mktemp)"
@@ -64,6 +64,6 @@ if ! apt_get install --no-install-recommends "${missing[@]}" 2>&1 | tee "$log" |
   fail "apt-get could not install: ${missing[*]}" "its last lines are above"
 fi
 for package in "${missing[@]}"; do
-  is_installed "$package" || fail "apt-get ended well, but '$package' is not installed"
+  is_installed "$package" || fail "apt-get succeeded, but '$package' is not installed"
 done
 echo "setup: done"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything with warnings as errors, and runs all checks and tests:
+# Installs missing packages, builds everything with warnings as errors, and runs all checks and tests:
 #   scripts/test.sh [--quick]     --quick: only build and tests, neither clang-tidy nor the downstream builds
-# Tests that take many minutes carry the label soak and are left out; run them with: ctest --test-dir build-ci -L soak
+# Tests that take many minutes have the label soak and are excluded; run them with: ctest --test-dir build-ci -L soak
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 quick=0
@@ -32,7 +32,7 @@ build_for_robot() {
   build "$repo/build-robot"
 }
 
-# What is installed is complete, and shows users no third-party header but Eigen's.
+# The installed headers are complete, and include no third-party header except Eigen's.
 check_installed_headers() { # check_installed_headers <include folder>
   local included found
   while IFS= read -r included; do
@@ -43,7 +43,7 @@ check_installed_headers() { # check_installed_headers <include folder>
   echo "$(find "$1" -name '*.h' | wc -l) headers are installed and complete"
 }
 
-# A user's project against the installed simulator, found in either way; its experiment must run and write its data.
+# Builds a user's project against the installed simulator, found in one of two ways; its experiment must run and write data.
 build_user_project() { # build_user_project <name> <cmake arguments...>
   local folder="$work/$1" data="$work/$1/paths.csv"
   mkdir -p "$folder"
@@ -84,7 +84,7 @@ build_for_robot
 
 began "Installation, and a user's own project against it"
 cmake --install "$build_dir" --prefix "$work/installed" >"$work/install.log"
-# moved after the installation: nothing in it may depend on where it was put
+# moved after the installation, because it must be relocatable
 mv "$work/installed" "$work/prefix"
 check_installed_headers "$work/prefix/include"
 build_user_project find_package -DCMAKE_PREFIX_PATH="$work/prefix"

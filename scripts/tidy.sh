@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Runs clang-tidy:
-#   scripts/tidy.sh BUILD_FOLDER           on what changed since the merge base with origin/main; on everything when
-#                                          that cannot be told, or with CI=true
+#   scripts/tidy.sh BUILD_FOLDER           on files changed since the merge base with origin/main; on everything if
+#                                          there is no merge base, or with CI=true
 #   scripts/tidy.sh BUILD_FOLDER --all     on everything
 #   scripts/tidy.sh BUILD_FOLDER FILE...   on these files
-# A changed header is checked through its own source, or else through the unit that compiles it alone. What passed is
+# A changed header is checked through its own source, or through the unit that compiles it alone. A unit that passed is
 # not checked again until its preprocessed text or .clang-tidy changes.
 set -euo pipefail
 (($# > 0)) || { sed -n '2,8s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2; exit 2; }
@@ -66,8 +66,8 @@ else
 fi
 ((${#units[@]} > 0)) || exit 0
 
-# Names in public headers are given by ARGoS 3's API, in all their styles; clang-tidy takes the style of a name from
-# the .clang-tidy nearest to its file, which for headers are the build's links to them.
+# Names in public headers follow ARGoS 3's API, in several styles; clang-tidy takes the style of a name from the
+# .clang-tidy nearest to its file, which for headers is that of the build's links to them.
 mkdir -p "$build/include"
 printf "Checks: '-*'\n" >"$build/include/.clang-tidy"
 
@@ -87,7 +87,7 @@ check_one() {
     return 0
   fi
   echo "  $number ${unit#"$repo"/}"
-  # the compiler's own warnings are the build's business
+  # the compiler's own warnings are checked by the build
   clang-tidy --quiet -p "$build" --warnings-as-errors='*' --extra-arg=-Wno-everything "$unit" 2> >(
     grep -vE '^[0-9]+ warnings? (generated|treated)|^Suppressed|^Use -header-filter' >&2) || return 1
   : >"$stamps/$key"

@@ -14,10 +14,10 @@ void CObstacleAvoidance::Init(TConfigurationNode& node) {
 }
 
 void CObstacleAvoidance::ControlStep() {
-  // where the obstacles are, in the robot's frame: x ahead, y to the left
+  // vector towards the obstacles, in the robot's frame: x is forward, y is left
   const CVector2 obstacles = m_caution * SumOfReadings();
   const Real advance = std::clamp(1.0 - obstacles.GetX(), 0.0, 1.0);
-  // away from the obstacles' side; to the right when one is straight ahead
+  // turn away from the obstacles; to the right if they are straight ahead
   const Real side = obstacles.GetY() < 0.0 ? 1.0 : -1.0;
   const Real turn = side * std::min(obstacles.Length(), 1.0);
   m_wheels->SetLinearVelocity(m_speed * (advance - turn), m_speed * (advance + turn));

@@ -7,12 +7,12 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
 
 /**
- * Drives a foot-bot straight on, and the more to the free side the closer an obstacle is.
+ * Drives a foot-bot straight on, and turns it away from obstacles, the faster the closer they are.
  *
  * Needs the devices differential_steering and footbot_proximity. Parameters, all optional:
  *   <params speed="10" caution="3" />
- * speed is that of the wheels in the open, in cm/s; caution is how strongly obstacles slow it
- * down, without unit: at 1 the closest obstacle straight ahead just stops the robot's advance.
+ * speed is the wheels' speed without obstacles, in cm/s; caution, dimensionless, is the gain of the
+ * slow-down near obstacles: at 1 the closest obstacle straight ahead just stops the robot.
  */
 class CObstacleAvoidance : public argos::CCI_Controller {
  public:

@@ -8,8 +8,8 @@
 #include <string>
 
 /**
- * Writes where each foot-bot is after each tick, and how far it has driven, as comma-separated
- * values: tick, robot, x (m), y (m), driven (m).
+ * Writes the position of each foot-bot after each tick, and the length of its path, as
+ * comma-separated values: tick, robot, x (m), y (m), driven (m).
  *
  *   <loop_functions library="build/libpath_log" label="path_log" output="paths.csv" />
  */
@@ -22,7 +22,7 @@ class CPathLog : public argos::CLoopFunctions {
 
  private:
   struct SPath {
-    argos::CVector3 Position;  // where the robot was last, m
+    argos::CVector3 Position;  // in the previous tick, m
     argos::Real Driven = 0.0;  // length of its path so far, m
   };
 

@@ -6,8 +6,8 @@ using namespace argos;
 
 namespace {
 
-// s; an eye-bot whose target is set ahead by d in each step of 0.1 s flies at d / 0.0558 s: each
-// step of the target enters the derivative of its controllers
+// s; an eye-bot whose target is d ahead in each step of 0.1 s flies at d / 0.0558 s, because each
+// step of the target enters the derivative term of its controllers
 constexpr Real kLead = 0.0558;
 constexpr Real kMetersPerCentimeter = 0.01;
 
@@ -16,7 +16,7 @@ constexpr Real kMetersPerCentimeter = 0.01;
 CFlying::CFlying(CCI_QuadRotorPositionActuator& propellers, Real maxSpeed)
     : m_propellers(propellers), m_maxSpeed(maxSpeed) {
   if (!(maxSpeed > 0.0)) {
-    THROW_ARGOSEXCEPTION("the greatest speed is " << maxSpeed << " m/s; it must be > 0");
+    THROW_ARGOSEXCEPTION("the maximum speed is " << maxSpeed << " m/s; it must be > 0");
   }
 }
 

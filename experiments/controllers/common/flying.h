@@ -5,13 +5,13 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_quadrotor_position_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_sensor.h>
 
-/** Flies a robot along a vector, though it only takes orders to go to places. */
+/** Flies a robot along a velocity vector, by means of an actuator for positions. */
 class CFlying {
  public:
-  /** @param maxSpeed  m/s, > 0. @throws CARGoSException if it is not. */
+  /** @param maxSpeed  m/s, > 0. @throws CARGoSException if it is out of range. */
   CFlying(argos::CCI_QuadRotorPositionActuator& propellers, argos::Real maxSpeed);
 
-  /** @param velocity  in the robot's frame, m/s; its length is limited. Once in every step. */
+  /** Call it once per step. @param velocity  in the robot's frame, m/s; its length is limited. */
   void Follow(const argos::CVector3& velocity);
 
  private:
@@ -19,7 +19,7 @@ class CFlying {
   argos::Real m_maxSpeed;  // m/s
 };
 
-/** From the robot to the sender of a message, in the robot's frame, m. */
+/** Vector from the robot to the sender of a message, in the robot's frame, m. */
 argos::CVector3 PlaceOf(const argos::CCI_RangeAndBearingSensor::SPacket& packet);
 
 #endif

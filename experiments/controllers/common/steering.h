@@ -7,16 +7,16 @@
 /**
  * Drives a robot with two wheels along a vector.
  *
- * The outer wheel goes at the wanted speed. The inner one is the slower the farther the vector is
- * off the heading, down to turning on the spot when it is at a right angle or behind.
+ * The outer wheel has the requested speed. The inner one slows down with the angle between the
+ * vector and the heading; at a right angle or more the robot turns on the spot.
  */
 class CSteering {
  public:
-  /** @param maxSpeed  of a wheel, cm/s, > 0. @throws CARGoSException if it is not. */
+  /** @param maxSpeed  of a wheel, cm/s, > 0. @throws CARGoSException if it is out of range. */
   CSteering(argos::CCI_DifferentialSteeringActuator& wheels, argos::Real maxSpeed);
 
   argos::Real GetMaxSpeed() const { return m_maxSpeed; }
-  /** @param velocity  in the robot's frame, cm/s; as long as the speed, which is limited. */
+  /** @param velocity  in the robot's frame, cm/s; its length is limited. */
   void Follow(const argos::CVector2& velocity);
   void Stop();
 

@@ -7,8 +7,8 @@ using namespace argos;
 
 namespace {
 
-// turning on the spot at 10 cm/s, an e-puck (wheels 5.3 cm apart) makes half a turn in 8 ticks of
-// 0.1 s
+// turning on the spot at 10 cm/s, an e-puck (wheelbase 5.3 cm) makes half a turn in 8 ticks of 0.1
+// s
 constexpr UInt32 kMaxTurnTicks = 8;
 // a reading of 0.1 means an obstacle about 4 cm away
 constexpr Real kThreshold = 0.1;
@@ -29,7 +29,7 @@ void CEPuckDiffusion::Init(TConfigurationNode& params) {
 }
 
 void CEPuckDiffusion::ControlStep() {
-  // counter-clockwise from the heading: 0 to 2 look left, 5 to 7 look right
+  // counter-clockwise from the heading: 0 to 2 are on the left, 5 to 7 on the right
   const CCI_EPuckProximitySensor::TReadings& readings = m_proximity->GetReadings();
   const Real left = readings[0].Value + readings[1].Value + 0.5 * readings[2].Value;
   const Real right = readings[7].Value + readings[6].Value + 0.5 * readings[5].Value;

@@ -7,11 +7,11 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
 
 /**
- * A random walk for e-pucks that avoids obstacles: what the benchmark runs on every robot.
+ * A random walk with obstacle avoidance for e-pucks; the controller of the benchmark.
  *
- * The robot drives straight on for a random time and then turns by a random angle. What its eight
- * proximity sensors see ahead makes it turn the other way at once. A step allocates nothing, and
- * the robot's own random generator takes 40 bytes.
+ * The robot drives straight on for a random time and then turns by a random angle. Obstacles in
+ * front, detected by its eight proximity sensors, make it turn away at once. A step does not
+ * allocate, and the robot's own random generator takes 40 bytes.
  */
 class CEPuckDiffusion : public argos::CCI_Controller {
  public:
@@ -30,8 +30,8 @@ class CEPuckDiffusion : public argos::CCI_Controller {
   argos::CRandomStream m_random;
   argos::Real m_velocity = 10.0;  // cm/s
   argos::UInt32 m_meanFreeTicks = 50;
-  argos::UInt32 m_ticksLeft = 0;  // of the present stretch or turn
-  argos::SInt32 m_turnDirection = 0;  // 1 left, -1 right, 0 straight on
+  argos::UInt32 m_ticksLeft = 0;  // of the current straight run or turn
+  argos::SInt32 m_turnDirection = 0;  // 1 left, -1 right, 0 straight
 };
 
 #endif

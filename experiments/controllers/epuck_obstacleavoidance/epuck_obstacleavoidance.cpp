@@ -9,9 +9,9 @@ using namespace argos;
 namespace {
 
 constexpr size_t kNumRays = 8;
-// to the side, a wall may stay where it is as long as nothing is ahead
+// a low weight to the side: a wall beside the robot is ignored while the front is free
 constexpr Real kWeights[3] = {1.0, 0.8, 0.2};  // of the rays at 17, 50 and 90 degrees
-// one ray ahead that sees anything is enough: readings begin at 0.9
+// exceeded by any detection of one front ray, because readings begin at 0.9
 constexpr Real kThreshold = 0.5;
 
 }  // namespace
@@ -20,7 +20,7 @@ void CEPuckObstacleAvoidance::Init(TConfigurationNode& params) {
   m_wheels = GetActuator<CCI_DifferentialSteeringActuator>("differential_steering");
   m_proximity = GetSensor<CCI_ProximitySensor>("proximity");
   if (m_proximity->GetReadings().size() != kNumRays) {
-    THROW_ARGOSEXCEPTION("this controller is for robots with "
+    THROW_ARGOSEXCEPTION("this controller requires a robot with "
                          << kNumRays << " proximity rays; this one has "
                          << m_proximity->GetReadings().size());
   }
@@ -39,7 +39,7 @@ void CEPuckObstacleAvoidance::ControlStep() {
   if (left < kThreshold && right < kThreshold) {
     m_turnDirection = 0.0;
   } else if (m_turnDirection == 0.0) {
-    // the turn keeps its direction until the way is free: otherwise corners are traps
+    // keep the direction until the way is free, to get out of corners
     m_turnDirection = left > right ? -1.0 : 1.0;
   }
 

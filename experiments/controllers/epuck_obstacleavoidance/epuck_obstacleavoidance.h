@@ -9,8 +9,8 @@
  * Drives an e-puck straight on and turns it away from obstacles ahead.
  *
  * The generic proximity sensor of an e-puck has eight rays, counter-clockwise from 17 degrees on: 0
- * to 2 look ahead to the left side, 5 to 7 from the right side to ahead, 3 and 4 to the rear. The
- * nearer the ray to the heading, the more its reading counts.
+ * to 2 from ahead to the left side, 5 to 7 from the right side to ahead, 3 and 4 to the rear. The
+ * weight of a reading decreases with the angle to the heading.
  */
 class CEPuckObstacleAvoidance : public argos::CCI_Controller {
  public:

@@ -8,18 +8,19 @@ using namespace argos;
 
 namespace {
 
-// greys on the ground: food is darker than the first, the nest is between them
+// greys on the ground: food is darker than kFoodGrey, the nest between kFoodGrey and kNestGrey
 constexpr Real kFoodGrey = 0.25;
 constexpr Real kNestGrey = 0.6;
-// a robot turns away from obstacles whose readings sum up to more
+// sum of the proximity readings above which a robot turns away from obstacles
 constexpr Real kCrowded = 0.1;
-// it goes off at that angle from where they are: two that meet on a trail keep right, and pass
+// angle from the obstacles to the evasion direction: two robots that meet on a trail both pass on
+// the right
 const CRadians kEvasion = ToRadians(CDegrees(-140.0));
-constexpr Real kShyness = 1.5;  // weight of that against where it wants to go
-// how strongly a difference between the antennae turns a robot, and the trail sends it off
+constexpr Real kEvasionWeight = 1.5;  // weight of the evasion relative to the target direction
+// gains of the turn by the difference between the antennae, and of the direction away from the nest
 constexpr Real kTurnGain = 3.0;
 constexpr Real kOutwards = 0.6;
-// a wandering robot forgets its drift within some ten ticks
+// share of the drift that a wandering robot keeps per tick: it decays within some ten ticks
 constexpr Real kDriftKept = 0.9;
 
 }  // namespace
@@ -104,7 +105,7 @@ CVector2 CEPuckTrails::VectorOffObstacles() const {
   for (const CCI_EPuckProximitySensor::SReading& reading : m_proximity->GetReadings()) {
     sum += CVector2(reading.Value, reading.Angle);
   }
-  return sum.Length() > kCrowded ? CVector2(kShyness, sum.Angle() + kEvasion) : CVector2();
+  return sum.Length() > kCrowded ? CVector2(kEvasionWeight, sum.Angle() + kEvasion) : CVector2();
 }
 
 REGISTER_CONTROLLER(CEPuckTrails, "epuck_trails_controller")

@@ -15,24 +15,27 @@
 #include <memory>
 
 /**
- * An e-puck that fetches food as ants do.
+ * An e-puck that fetches food with trails, like ants.
  *
- * It wanders about until it stands on food, then carries some home, and lays a trail on the way.
- * Who comes upon a trail follows it away from the nest, with two antennae: to the side on which
- * there is more. So the more bring food from a place, the more go there.
+ * It wanders until it stands on food, then carries some to the nest and deposits a trail on the
+ * way. A robot that detects a trail with its two antennae follows it away from the nest and turns
+ * to the side with the higher concentration. So the more robots bring food from a place, the more
+ * robots go there.
  *
  * Food is black on the ground and the nest grey; a trail is brighter. Like desert ants, robots know
- * the way home by themselves.
+ * the direction of the nest from path integration.
  *
  * Source: J.-L. Deneubourg et al., "The self-organizing exploratory pattern of the Argentine ant",
- * Journal of Insect Behavior 3 (1990), for the choice by the shares of what the antennae smell.
+ * Journal of Insect Behavior 3 (1990), for the choice by the relative concentrations at the
+ * antennae.
  */
 class CEPuckTrails : public argos::CCI_Controller {
  public:
   /**
-   * Reads the optional attributes max_speed (cm/s), rate (amount of the layer "trail" that is laid
-   * per second on the way home), threshold (1/m^2: the sum of both antennae that is a trail), nest
-   * ("x,y", m) and wandering (standard deviation of the change of direction in a tick, rad).
+   * Reads the optional attributes max_speed (cm/s), rate (amount of the layer "trail" deposited per
+   * second on the way to the nest), threshold (1/m^2: the sum of both antennae above which there is
+   * a trail), nest ("x,y", m) and wandering (standard deviation of the change of direction in a
+   * tick, rad).
    */
   void Init(argos::TConfigurationNode& params) override;
   void ControlStep() override;
@@ -44,7 +47,7 @@ class CEPuckTrails : public argos::CCI_Controller {
  private:
   void TakeOrDeliver();
   argos::CVector2 Search();
-  /** Towards the nest in the robot's frame, of length 1. */
+  /** Unit vector towards the nest, in the robot's frame. */
   argos::CVector2 VectorHome() const;
   argos::CVector2 VectorOffObstacles() const;
 
@@ -64,7 +67,7 @@ class CEPuckTrails : public argos::CCI_Controller {
 
   bool m_hasFood = false;
   argos::UInt64 m_delivered = 0;
-  argos::Real m_drift = 0.0;  // how a wandering robot turns, rad
+  argos::Real m_drift = 0.0;  // turn of a wandering robot per tick, rad
 };
 
 #endif

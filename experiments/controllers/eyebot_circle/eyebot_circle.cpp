@@ -9,9 +9,9 @@ using namespace argos;
 
 namespace {
 
-constexpr Real kCorrection = 2.0;  // 1/s: how fast it gets back to radius and height
-constexpr Real kTurnShare = 0.3;  // of the angle to the other robot that it turns in a step
-// below this share of its height it only climbs
+constexpr Real kCorrection = 2.0;  // gain of the radius and height errors, 1/s
+constexpr Real kTurnShare = 0.3;  // share of the bearing of the other robot turned per step
+// below this share of its height the robot only climbs
 constexpr Real kLow = 0.5;
 
 void ReadPositive(TConfigurationNode& params, const std::string& name, Real& value) {
@@ -52,7 +52,7 @@ void CEyeBotCircle::ControlStep() {
       *std::min_element(packets.begin(), packets.end(),
                         [](const auto& a, const auto& b) { return a.Range < b.Range; });
   m_flying->Follow(ComputeVelocity(PlaceOf(nearest)));
-  // it looks at the other robot
+  // turn towards the other robot
   m_propellers->SetRelativeYaw(nearest.HorizontalBearing * kTurnShare);
 }
 
@@ -63,7 +63,7 @@ CVector3 CEyeBotCircle::ComputeVelocity(const CVector3& other) const {
   }
   CVector2 outward(-other.GetX(), -other.GetY());
   const Real distance = outward.Length();
-  // exactly above it, every way leads out
+  // directly above the other robot any direction is outward
   outward = distance > 0.0 ? outward / distance : CVector2(1.0, 0.0);
   const CVector2 along(-outward.GetY(), outward.GetX());
   const CVector2 velocity = along * m_speed + outward * (kCorrection * (m_radius - distance));

@@ -9,10 +9,10 @@
 #include <memory>
 
 /**
- * An eye-bot that takes off and circles above the robot that it hears next to it, wherever that
- * robot drives.
+ * An eye-bot that takes off and circles above the nearest robot that it receives messages from,
+ * also if that robot moves.
  *
- * All it knows is range and bearing of the other's messages. While it hears nothing, it hovers.
+ * It uses only range and bearing of these messages. Without messages it hovers.
  */
 class CEyeBotCircle : public argos::CCI_Controller {
  public:
@@ -22,7 +22,7 @@ class CEyeBotCircle : public argos::CCI_Controller {
   void Reset() override;
 
  private:
-  /** @param other  from the robot to the other one, in the robot's frame, m. */
+  /** @param other  vector from this robot to the other one, in this robot's frame, m. */
   argos::CVector3 ComputeVelocity(const argos::CVector3& other) const;
 
   argos::CCI_QuadRotorPositionActuator* m_propellers = nullptr;

@@ -9,10 +9,10 @@ using namespace argos;
 
 namespace {
 
-constexpr UInt32 kTakeOffSteps = 30;  // an eye-bot is at a new height in 1.3 s
-// robots farther off than so many target distances are somebody else's neighbours
+constexpr UInt32 kTakeOffSteps = 30;  // an eye-bot reaches a new height in 1.3 s
+// radius of the neighbourhood, in target distances
 constexpr Real kReach = 1.8;
-constexpr Real kClimb = 0.2;  // 1/s: how fast heights even out
+constexpr Real kClimb = 0.2;  // gain of the height error, 1/s
 
 void ReadPositive(TConfigurationNode& params, const std::string& name, Real& value) {
   GetNodeAttributeOrDefault(params, name, value, value);

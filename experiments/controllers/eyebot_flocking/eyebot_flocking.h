@@ -10,12 +10,12 @@
 #include <memory>
 
 /**
- * Eye-bots that take off, keep a distance from each other, and go to a light, as a flock.
+ * Eye-bots that take off, keep a distance from each other, and fly to a light, as a flock.
  *
- * Robots that are heard attract or repel as atoms do: with the distance d on the horizontal plane
- * and the distance to keep t, the force is gain / d ((t/d)^4 - (t/d)^2), away from the other for
- * d < t and towards it for d > t. The light adds a vector towards it of a fixed length. Heights
- * even out: a robot moves towards the mean height of those it hears.
+ * Robots attract or repel each other like atoms: with the horizontal distance d and the target
+ * distance t, the force is gain / d ((t/d)^4 - (t/d)^2), repulsive for d < t and attractive for d >
+ * t. The light adds a vector of fixed length towards it. A robot moves towards the mean height of
+ * the robots whose messages it receives.
  *
  * Source: W. M. Spears et al., "Distributed, physics-based control of swarms of vehicles",
  * Autonomous Robots 17 (2004), for forces like those between molecules.

@@ -7,7 +7,7 @@ using namespace argos;
 
 namespace {
 
-// more than a right angle: a robot leaves a wall rather than following it
+// larger than a right angle: a robot leaves a wall instead of following it
 const CRadians kBehind = ToRadians(CDegrees(120.0));
 
 }  // namespace
@@ -40,7 +40,7 @@ void CFootBotDiffusion::ControlStep() {
   if (negligible || behind) {
     EnterState(EState::Free);
   } else if (m_state == EState::Free) {
-    // once begun, a turn goes on in its direction: otherwise corners are traps
+    // keep the direction until the way is free, to get out of corners
     EnterState(crowd.Angle() > CRadians::ZERO ? EState::TurningRight : EState::TurningLeft);
   }
 }

@@ -9,12 +9,12 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_leds_actuator.h>
 
 /**
- * Drives a foot-bot straight on and turns it away from what its proximity sensors see, so that a
- * swarm spreads over the arena.
+ * Drives a foot-bot straight on and turns it away from obstacles detected by its proximity sensors,
+ * so that a swarm spreads over the arena.
  *
- * Each of the 24 readings is a vector: its direction that of the sensor, its length the reading.
- * Their mean points at where it is crowded. The way is free if that is behind, or if the vector is
- * shorter than delta and no more than alpha off the heading; otherwise the robot spins away from it
+ * Each of the 24 readings is a vector with the direction of its sensor and the length of its value.
+ * Their mean points towards obstacles. The way is free if the mean points backwards, or if it is
+ * shorter than delta and within alpha of the heading; otherwise the robot turns away on the spot
  * until the way is free.
  *
  * If the robot has the actuator "leds", they are green while the way is free and orange while it

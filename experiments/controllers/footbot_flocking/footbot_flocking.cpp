@@ -6,8 +6,8 @@ using namespace argos;
 
 namespace {
 
-constexpr UInt32 kBeacon = 12;  // number of the LED on top
-// robots farther off than so many target distances are somebody else's neighbours
+constexpr UInt32 kBeacon = 12;  // index of the LED on top
+// radius of the neighbourhood, in target distances
 constexpr Real kReach = 1.8;
 
 void ReadPositive(TConfigurationNode& params, const std::string& name, Real& value) {
@@ -40,7 +40,7 @@ void CFootBotFlocking::Reset() {
 }
 
 void CFootBotFlocking::ControlStep() {
-  // actuators start anew at a reset, so the beacon is lit again
+  // a reset switches the actuator's LEDs off
   m_leds->SetSingleColor(kBeacon, CColor::RED);
   m_steering->Follow(VectorToLight() + FlockingVector());
 }

@@ -11,11 +11,11 @@
 #include <memory>
 
 /**
- * Foot-bots that keep a distance from each other and go to a light, as a flock.
+ * Foot-bots that keep a distance from each other, and drive to a light, as a flock.
  *
- * Every robot shows a red beacon. The beacons it sees attract or repel it as atoms do: with the
- * distance d and the distance to keep t, the force is gain / d ((t/d)^4 - (t/d)^2), away from the
- * other for d < t and towards it for d > t. The light adds a vector towards it of a fixed length.
+ * Every robot shows a red beacon. Visible beacons attract or repel the robot like atoms: with the
+ * distance d and the target distance t, the force is gain / d ((t/d)^4 - (t/d)^2), repulsive for d
+ * < t and attractive for d > t. The light adds a vector of fixed length towards it.
  *
  * Source: W. M. Spears et al., "Distributed, physics-based control of swarms of vehicles",
  * Autonomous Robots 17 (2004), for forces like those between molecules.

@@ -10,9 +10,9 @@ namespace {
 
 // grey of the nest on the ground, between black (food) and white
 const CRange<Real> kNestGrey(0.25, 0.75);
-// a robot turns away from obstacles whose readings sum up to more
+// sum of the proximity readings above which a robot turns away from obstacles
 constexpr Real kCrowded = 0.1;
-// never leaving, or always leaving, would be for ever
+// excludes 0, with which a robot would never leave, and values near 1
 const CRange<Real> kProbabilities(0.001, 0.2);
 
 }  // namespace
@@ -91,7 +91,7 @@ void CFootBotForaging::Explore() {
 }
 
 void CFootBotForaging::Return() {
-  // what was brought is taken over some way into the nest, which leaves room for those behind
+  // robots deliver some way inside the nest, which keeps the entrance free
   if (IsInNest() && !m_food.Has) {
     const ENews news = m_foundFood ? ENews::Success : ENews::Failure;
     Learn(news);

@@ -17,13 +17,13 @@
 /**
  * A foot-bot that fetches food into a nest.
  *
- * It explores until it has food, or until it has looked for too long; then it goes to the nest,
- * where lights are, and rests. It leaves the nest with a probability that grows with every success,
- * its own and those that others tell it of, and falls with every failure: so as many robots are out
- * as there is food for.
+ * It explores until it finds food or a time limit is reached; then it goes to the nest, where
+ * lights are, and rests. The probability to leave the nest increases with every success, its own
+ * and those reported by others, and decreases with every failure: the number of active robots
+ * adapts to the amount of food.
  *
  * The nest is grey on the ground, the rest white or, where there is food, black. The loop functions
- * tell a robot when it has picked something up; see SFood.
+ * set SFood when a robot has picked up food.
  *
  * Source: W. Liu et al., "Towards energy optimization: emergent task allocation in a swarm of
  * foraging robots", Adaptive Behavior 15 (2007).
@@ -32,16 +32,16 @@ class CFootBotForaging : public argos::CCI_Controller {
  public:
   enum class EState { Resting, Exploring, Returning };
 
-  /** What the robot carries; written by the loop functions. */
+  /** The food that the robot carries; written by the loop functions. */
   struct SFood {
     bool Has = false;
     argos::UInt64 Delivered = 0;
   };
 
   /**
-   * Reads the optional attributes max_speed (cm/s), exploring_ticks (how long a robot looks for
-   * food), resting_ticks (how long it rests at least), leaving_probability (per tick, at the
-   * start), success_step and failure_step (changes of that probability).
+   * Reads the optional attributes max_speed (cm/s), exploring_ticks (time limit of exploration),
+   * resting_ticks (minimum time of rest), leaving_probability (initial value, per tick),
+   * success_step and failure_step (changes of that probability).
    */
   void Init(argos::TConfigurationNode& params) override;
   void ControlStep() override;
@@ -79,7 +79,7 @@ class CFootBotForaging : public argos::CCI_Controller {
 
   EState m_state = EState::Resting;
   SFood m_food;
-  bool m_foundFood = false;  // on the way that ends
+  bool m_foundFood = false;  // on the trip that ends
   argos::UInt32 m_ticksInState = 0;
   argos::Real m_leavingProbability = 0.1;  // per tick
 };

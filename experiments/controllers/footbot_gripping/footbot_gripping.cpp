@@ -21,17 +21,17 @@ void CFootBotGripping::Reset() {
 
 void CFootBotGripping::ControlStep() {
   switch (m_tick++ / m_phaseTicks) {
-    case 0:  // into the object, ready to grip
+    case 0:  // drive into the object with the gripper unlocked
       m_gripper->LockPositive();
       m_wheels->SetLinearVelocity(m_velocity, m_velocity);
       break;
-    case 1:  // drag it back
+    case 1:  // grip it and drag it back
       m_wheels->SetLinearVelocity(-m_velocity, -m_velocity);
       break;
-    case 2:  // swing it round
+    case 2:  // turn with it
       m_wheels->SetLinearVelocity(-m_velocity, m_velocity);
       break;
-    default:  // let go, and leave
+    default:  // release it and drive away
       m_gripper->Unlock();
       m_wheels->SetLinearVelocity(-m_velocity, -m_velocity);
       break;

@@ -6,12 +6,12 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
 
 /**
- * A foot-bot that drives into what is ahead of it, grips it, drags it back, turns with it, lets go,
- * and leaves.
+ * A foot-bot that drives into the object ahead, grips it, drags it back, turns with it, releases
+ * it, and drives away.
  */
 class CFootBotGripping : public argos::CCI_Controller {
  public:
-  /** Reads the optional attributes velocity (cm/s) and phase_ticks (length of each part, > 0). */
+  /** Reads the optional attributes velocity (cm/s) and phase_ticks (length of each phase, > 0). */
   void Init(argos::TConfigurationNode& params) override;
   void ControlStep() override;
   void Reset() override;

@@ -6,9 +6,9 @@ using namespace argos;
 
 namespace {
 
-// a flash is seen one tick after it was ordered: for so long a robot is deaf after its own, or it
-// would answer those whom it has just set off
-constexpr UInt32 kDeafTicks = 2;
+// a flash is seen one tick after its order: a robot ignores flashes for this time after its own, or
+// it would respond to the robots that it has just triggered
+constexpr UInt32 kRefractoryTicks = 2;
 
 }  // namespace
 
@@ -18,8 +18,9 @@ void CFootBotSynchronization::Init(TConfigurationNode& params) {
       GetSensor<CCI_ColoredBlobOmnidirectionalCameraSensor>("colored_blob_omnidirectional_camera");
   GetNodeAttributeOrDefault(params, "period", m_period, m_period);
   GetNodeAttributeOrDefault(params, "coupling", m_coupling, m_coupling);
-  if (m_period <= kDeafTicks) {
-    THROW_ARGOSEXCEPTION("period is " << m_period << " ticks; it must be more than " << kDeafTicks);
+  if (m_period <= kRefractoryTicks) {
+    THROW_ARGOSEXCEPTION("period is " << m_period << " ticks; it must be more than "
+                                      << kRefractoryTicks);
   }
   if (!(m_coupling > 0.0)) {
     THROW_ARGOSEXCEPTION("coupling is " << m_coupling << "; it must be > 0");
@@ -29,7 +30,7 @@ void CFootBotSynchronization::Init(TConfigurationNode& params) {
 }
 
 void CFootBotSynchronization::Reset() {
-  // cameras are off until somebody wants them
+  // cameras start disabled
   m_camera->Enable();
   m_phase = m_rng->Uniform(CRange<Real>(0.0, 1.0));
   m_ticksSinceFlash = m_period;
@@ -44,7 +45,7 @@ bool CFootBotSynchronization::SeesFlash() const {
 void CFootBotSynchronization::ControlStep() {
   m_phase += 1.0 / m_period;
   ++m_ticksSinceFlash;
-  if (m_ticksSinceFlash > kDeafTicks && SeesFlash()) {
+  if (m_ticksSinceFlash > kRefractoryTicks && SeesFlash()) {
     m_phase *= 1.0 + m_coupling;
   }
   const bool flash = m_phase >= 1.0;

@@ -7,11 +7,11 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_leds_actuator.h>
 
 /**
- * Robots that stand still and flash like fireflies, out of step at first and in step in the end.
+ * Robots that stand still and flash like fireflies, and synchronise their flashes.
  *
  * A robot's phase grows from 0 to 1 within a period; then it flashes all its LEDs for one tick and
- * starts again. A flash that it sees moves its phase ahead by a share of the phase, perhaps to the
- * end, unless it has flashed itself just before.
+ * starts again. A visible flash of another robot advances its phase by a share of the phase, to 1
+ * at most, unless it has just flashed itself.
  *
  * Source: R. E. Mirollo and S. H. Strogatz, "Synchronization of pulse-coupled biological
  * oscillators", SIAM Journal on Applied Mathematics 50 (1990).

@@ -1,9 +1,11 @@
--- Goes straight on until something is near, then turns away from it.
--- See controllers/footbot_diffusion for the same in C++: a test holds the two against each other, to the bit.
+-- Drives straight on, and turns away from obstacles.
+-- See controllers/footbot_diffusion for the same in C++: a test checks that both give bitwise equal
+-- runs.
 --
--- <params>: alpha (degrees) and delta say what is negligible, velocity (cm/s) how fast to go.
+-- <params>: alpha (degrees) and delta are the thresholds of obstacles, velocity (cm/s) is the
+-- speed.
 
-local BEHIND = math.rad(120) -- more than a right angle: a robot leaves a wall rather than following it
+local BEHIND = math.rad(120) -- larger than a right angle: a robot leaves a wall instead of following it
 
 local alpha, delta, velocity
 local state
@@ -43,7 +45,7 @@ function step()
   if negligible or math.abs(angle) > BEHIND then
     enter("free")
   elseif state == "free" then
-    -- once begun, a turn goes on in its direction: otherwise corners are traps
+    -- keep the direction until the way is free, to get out of corners
     enter(angle > 0 and "turning right" or "turning left")
   end
 end

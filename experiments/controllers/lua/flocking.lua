@@ -1,8 +1,8 @@
--- Foot-bots that keep a distance from each other and go to a light, as a flock.
+-- Foot-bots that keep a distance from each other, and drive to a light, as a flock.
 -- See controllers/footbot_flocking for the same in C++, and for the source of the forces.
 
-local BEACON = 13 -- number of the LED on top
--- robots farther off than so many target distances are somebody else's neighbours
+local BEACON = 13 -- index of the LED on top
+-- radius of the neighbourhood, in target distances
 local REACH = 1.8
 
 local max_speed = tonumber(robot.params.max_speed) -- cm/s
@@ -38,8 +38,8 @@ local function flocking_vector()
   return sum
 end
 
--- the outer wheel goes at the wanted speed, the inner one is the slower the farther the vector is off
--- the heading
+-- the outer wheel has the requested speed, the inner one slows down with the angle between the
+-- vector and the heading
 local function follow(velocity)
   local speed = math.min(velocity:length(), max_speed)
   local angle = math.atan(velocity.y, velocity.x)

@@ -1,4 +1,4 @@
--- Flies to one place and stays there.
+-- Flies to a place and stays there.
 --
 -- <params>: x, y, z (m).
 

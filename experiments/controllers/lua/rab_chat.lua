@@ -1,12 +1,13 @@
--- Robots that elect a leader by talking to their neighbours, and find out how far off it is.
+-- Robots that elect a leader by messages to their neighbours, and compute their distance to it in
+-- hops.
 -- See controllers/rab_chat for the same in C++.
 
 local MAX_HOPS = 255
 -- colours of 1, 2, ... hops
 local SPECTRUM = { "red", "orange", "yellow", "green", "cyan", "blue", "purple", "magenta" }
 
-local greatest -- number heard of
-local hops -- to who drew it
+local greatest -- greatest known number
+local hops -- to the robot that drew it
 
 local function say()
   robot.range_and_bearing.set_data({ greatest, hops })

@@ -1,6 +1,6 @@
--- Goes straight on, whatever is in the way.
+-- Drives straight on, regardless of obstacles.
 --
--- <params>: velocity (cm/s) says how fast.
+-- <params>: velocity (cm/s).
 
 function init()
   reset()

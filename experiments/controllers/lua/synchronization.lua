@@ -1,7 +1,7 @@
--- Robots that stand still and flash like fireflies, out of step at first and in step in the end.
+-- Robots that stand still and flash like fireflies, and synchronise their flashes.
 -- See controllers/footbot_synchronization for the same in C++, and for the source.
 
--- a flash is seen one tick after it was ordered: for so long a robot is deaf after its own
+-- a flash is seen one tick after its order: a robot ignores flashes for this time after its own
 local DEAF_TICKS = 2
 
 local period = tonumber(robot.params.period) -- ticks

@@ -1,15 +1,16 @@
--- Fetches food as ants do: wanders until it stands on food, lays a trail on the way home, and follows trails that it comes upon.
+-- Fetches food with trails, like ants: wanders until it stands on food, deposits a trail on the way
+-- home, and follows trails that it finds.
 -- See controllers/epuck_trails for the same in C++, and for the source.
 --
--- <params>: max_speed (cm/s), rate (amount laid per second), threshold (1/m^2: both antennae together on a trail),
+-- <params>: max_speed (cm/s), rate (amount deposited per second), threshold (1/m^2: sum of both antennae on a trail),
 -- wandering (standard deviation of the change of direction in a step, rad), nest_x, nest_y (m).
 
-local FOOD_GREY, NEST_GREY = 0.25, 0.6 -- food is darker than the first, the nest is between them
+local FOOD_GREY, NEST_GREY = 0.25, 0.6 -- food is darker than FOOD_GREY, the nest is between both
 local CROWDED = 0.1
-local EVASION = math.rad(-140) -- two that meet keep right, and pass
+local EVASION = math.rad(-140) -- robots that meet both pass on the right
 local SHYNESS = 1.5
-local TURN_GAIN = 3 -- for the difference between the antennae
-local OUTWARDS = 0.6 -- how strongly a trail sends robots off
+local TURN_GAIN = 3 -- gain of the difference between the antennae
+local OUTWARDS = 0.6 -- weight of the direction away from the nest
 local DRIFT_KEPT = 0.9
 
 local max_speed = tonumber(robot.params.max_speed or 8)
@@ -18,8 +19,8 @@ local threshold = tonumber(robot.params.threshold or 5)
 local wandering = tonumber(robot.params.wandering or 0.1)
 local nest = vector2(tonumber(robot.params.nest_x or 0), tonumber(robot.params.nest_y or 0))
 
-local drift -- how a wandering robot turns, rad
-has_food = false -- loop functions read these two
+local drift -- turn of a wandering robot per step, rad
+has_food = false -- read by the loop functions, like the next one
 delivered = 0
 
 local function vector_home()
@@ -50,7 +51,7 @@ local function search()
   return vector2(1, 0):rotate(drift)
 end
 
--- the outer wheel goes at full speed, the inner one is the slower the farther the way is off the heading
+-- the outer wheel has full speed, the inner one slows down with the angle to the heading
 local function follow(way)
   local angle = math.atan(way.y, way.x)
   local inner = max_speed * (1 - 2 * math.min(1, math.abs(angle) / (math.pi / 2)))

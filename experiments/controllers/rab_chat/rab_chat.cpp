@@ -9,7 +9,7 @@ namespace {
 constexpr size_t kMessageSize = 2;  // bytes
 constexpr UInt8 kMaxHops = 255;
 
-// 0 hops: white; then once through the spectrum
+// white for 0 hops; then once through the spectrum
 CColor ColorOf(UInt8 hops) {
   static const CColor kSpectrum[] = {CColor::RED,  CColor::ORANGE, CColor::YELLOW, CColor::GREEN,
                                      CColor::CYAN, CColor::BLUE,   CColor::PURPLE, CColor::MAGENTA};

@@ -8,12 +8,13 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_sensor.h>
 
 /**
- * Robots that elect a leader by talking to their neighbours, and find out how far off it is.
+ * Robots that elect a leader by messages to their neighbours, and compute their distance to it in
+ * hops.
  *
- * Each robot draws a number and says two bytes: the greatest number that it has heard of, and how
- * many hops away the robot is that drew it. In the end all say the same number, and the hops are a
- * gradient that leads to the leader. LEDs show it: white for the leader itself, then from red over
- * green to blue.
+ * Each robot draws a number and sends two bytes: the greatest number that it knows, and its
+ * distance in hops to the robot that drew it. In the end all robots send the same number, and the
+ * hops form a gradient towards the leader. LEDs show it: white for the leader itself, then from red
+ * over green to blue.
  */
 class CRABChat : public argos::CCI_Controller {
  public:
@@ -30,8 +31,8 @@ class CRABChat : public argos::CCI_Controller {
   argos::CRandom::CRNG* m_rng = nullptr;
 
   argos::UInt8 m_own = 0;  // the number drawn
-  argos::UInt8 m_greatest = 0;  // heard of
-  argos::UInt8 m_hops = 0;  // to who drew it
+  argos::UInt8 m_greatest = 0;  // known so far
+  argos::UInt8 m_hops = 0;  // to the robot that drew m_greatest
 };
 
 #endif

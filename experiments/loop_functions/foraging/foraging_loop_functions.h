@@ -12,19 +12,18 @@
 class CFootBotForaging;
 
 /**
- * Food that robots fetch into a nest.
+ * Food that robots transport to a nest.
  *
- * The nest is the half x < 0 of the arena, grey on the ground; food lies in the other half as black
- * discs. A robot that explores and comes over a disc takes it; in the nest the food is eaten, and
- * grows anew somewhere else. A data file tells for each tick how many robots are out, how many
- * rest, and what was delivered.
+ * The nest is the half x < 0 of the arena, grey on the ground; food items are black discs in the
+ * other half. An exploring robot that drives over a disc takes it; delivery in the nest consumes
+ * the food, and a new item appears at a random place. A data file lists for each tick how many
+ * robots are active and resting, and how much was delivered.
  */
 class CForagingLoopFunctions : public argos::CLoopFunctions {
  public:
   /**
-   * Reads the attributes items (number of discs), radius (m), area_x and area_y (m, "min:max",
-   * where food grows) of `<foraging>`, and output, the name of the data file; without it there is
-   * none.
+   * Reads the attributes items (number of discs), radius (m), area_x and area_y (m, "min:max", area
+   * of the food) of `<foraging>`, and output (name of the data file; without it none is written).
    */
   void Init(argos::TConfigurationNode& node) override;
   void Reset() override;

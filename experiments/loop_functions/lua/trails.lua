@@ -1,7 +1,7 @@
--- Food, nest and trails, painted on the ground; a data file tells how much was delivered.
+-- Food, nest and trails, painted on the ground; a data file lists how much was delivered.
 -- See loop_functions/trails for the same in C++.
 
-local FULL = tonumber(simulation.params.full) -- 1/m^2, the strongest color
+local FULL = tonumber(simulation.params.full) -- 1/m^2, concentration with the strongest colour
 local NEST = { x = -1.1, y = 0, radius = 0.25 }
 local FOOD = { { x = 1, y = 0.6, radius = 0.15 }, { x = 1, y = -0.6, radius = 0.15 } }
 

@@ -15,7 +15,7 @@ using namespace argos;
 
 namespace {
 
-// of the strongest trail; its grey of 0.74 is far from that of nest and food
+// colour of the strongest trail; its grey of 0.74 differs clearly from those of nest and food
 const CColor kTrailColor(255, 190, 0);
 
 }  // namespace

@@ -13,19 +13,18 @@ class CPheromoneMedium;
 }
 
 /**
- * Food that never ends, a nest, and the trails between them, all painted on the ground.
+ * Unlimited food, a nest, and the trails between them, painted on the ground.
  *
- * A data file tells for each tick how many robots carry food, what was delivered so far, and how
- * much of the trail there is.
+ * A data file lists for each tick how many robots carry food, how much was delivered so far, and
+ * the total amount of trail.
  */
 class CTrailsLoopFunctions : public argos::CLoopFunctions {
  public:
   /**
    * Reads the attributes medium (id of the pheromone medium with the layer "trail"), full (1/m^2:
-   * the concentration with the strongest colour) and output (name of the data file; without it
-   * there is none) of `<trails>`, and of its children `<nest>` and `<food>`, any number of these:
-   * position
-   * ("x,y", m) and radius (m).
+   * the concentration with the strongest colour) and output (name of the data file; without it none
+   * is written) of `<trails>`, and position ("x,y", m) and radius (m) of its children `<nest>` and
+   * `<food>`, of which there may be several.
    */
   void Init(argos::TConfigurationNode& node) override;
   void Reset() override;

@@ -12,10 +12,10 @@ struct lua_State;
 
 namespace argos {
 
-/** What a controller sees of an actuator, on the robot as in the simulator. */
+/** Interface of an actuator for controllers, on the real robot and in the simulator. */
 class CCI_Actuator : public CBaseConfigurableResource {
  public:
-  /** By type, which is the tag in the experiment file. */
+  /** Actuators by type, which is the tag in the experiment file. */
   typedef std::map<std::string, CCI_Actuator*, std::less<std::string> > TMap;
 
   ~CCI_Actuator() override;
@@ -25,8 +25,8 @@ class CCI_Actuator : public CBaseConfigurableResource {
   void Destroy() override;
 
   /**
-   * For Lua controllers: adds the actuator's functions to the table "robot", which is on top of the
-   * stack. An actuator without an override is not visible from Lua.
+   * For Lua controllers: adds the actuator's functions to the table "robot" on top of the stack.
+   * Without an override an actuator is not available in Lua.
    */
   virtual void CreateLuaState(lua_State* state);
 };

@@ -45,19 +45,19 @@ void CCI_Controller::ThrowDeviceMissing(const std::string& kind, const std::stri
     all += (all.empty() ? "" : ", ") + known;
   }
   const std::string near = NearestNames(type, types);
-  THROW_ARGOSEXCEPTION("Robot \"" << m_strId << "\": its controller asks for the " << kind << " \""
+  THROW_ARGOSEXCEPTION("Robot \"" << m_strId << "\": its controller requests the " << kind << " \""
                                   << type << "\", which is not in the <" << kind
                                   << "s> section of the controller's XML"
                                   << (near.empty() ? "" : DidYouMean(type, types))
-                                  << "; that section has: " << (all.empty() ? "nothing" : all));
+                                  << "; the section contains: " << (all.empty() ? "nothing" : all));
 }
 
 void CCI_Controller::ThrowDeviceOfOtherType(const std::string& kind, const std::string& type,
                                             const std::type_info& found,
                                             const std::type_info& expected) const {
-  THROW_ARGOSEXCEPTION("Robot \"" << m_strId << "\": its controller asks for the " << kind << " \""
+  THROW_ARGOSEXCEPTION("Robot \"" << m_strId << "\": its controller requests the " << kind << " \""
                                   << type << "\" as a " << DemangledName(expected)
-                                  << ", but what the XML names is a " << DemangledName(found));
+                                  << ", but the device in the XML is a " << DemangledName(found));
 }
 
 }  // namespace argos

@@ -9,10 +9,11 @@
 #include <argos3/core/utility/configuration/base_configurable_resource.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/memory/object_slabs.h>
 #include <argos3/core/utility/plugins/factory.h>
 #include <argos3/core/utility/string_utilities.h>
 
-// existing controllers use what these declare, the C functions unqualified
+// existing controllers use these names, the C functions unqualified
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -24,14 +25,14 @@
 namespace argos {
 
 /**
- * A robot's brain: the base of every controller, on the robot as in the simulator.
+ * Base class of every controller, on the real robot and in the simulator.
  *
- * Life: constructor; devices are added; Init(); ControlStep() once a tick, after the sensors were
- * updated and before the actuators are; Reset() when the experiment starts over, but not before its
- * first step; Destroy(); destructor. Controllers of different robots step in parallel: what they
- * share must not be written to in ControlStep().
+ * Lifetime: constructor; devices are added; Init(); ControlStep() once a tick, after the update of
+ * the sensors and before that of the actuators; Reset() when the experiment is restarted (not
+ * before the first start); Destroy(); destructor. Controllers of different robots step in parallel:
+ * ControlStep() must not write to data that they share.
  */
-class CCI_Controller : public CBaseConfigurableResource {
+class CCI_Controller : public CBaseConfigurableResource, public CSlabObject {
  public:
   CCI_Controller() = default;
   CCI_Controller(const CCI_Controller&) = delete;
@@ -53,15 +54,15 @@ class CCI_Controller : public CBaseConfigurableResource {
   /**
    * The robot's actuator of a type; owned by the controller.
    * @param type  the tag in the <actuators> section, such as "differential_steering".
-   * @throws CARGoSException if that section has no such tag, or if the actuator is not an
-   * ACTUATOR_IMPL; the text names the robot, and what it has.
+   * @throws CARGoSException if the section has no such tag, or if the actuator is not an
+   *   ACTUATOR_IMPL; the text gives the robot and its actuators.
    */
   template <typename ACTUATOR_IMPL>
   ACTUATOR_IMPL* GetActuator(const std::string& type) {
     return GetDevice<ACTUATOR_IMPL>(m_mapActuators, type, "actuator");
   }
 
-  /** The same for a sensor and the <sensors> section. */
+  /** The robot's sensor of a type, from the <sensors> section; see GetActuator(). */
   template <typename SENSOR_IMPL>
   SENSOR_IMPL* GetSensor(const std::string& type) {
     return GetDevice<SENSOR_IMPL>(m_mapSensors, type, "sensor");
@@ -73,7 +74,7 @@ class CCI_Controller : public CBaseConfigurableResource {
   CCI_Actuator::TMap& GetAllActuators() { return m_mapActuators; }
   CCI_Sensor::TMap& GetAllSensors() { return m_mapSensors; }
 
-  /** Hands over a device; one that was there under this type is deleted. */
+  /** Adds a device, owned by the controller; deletes a previous device of this type. */
   void AddActuator(const std::string& type, CCI_Actuator* actuator);
   void AddSensor(const std::string& type, CCI_Sensor* sensor);
 
@@ -111,7 +112,7 @@ class CCI_Controller : public CBaseConfigurableResource {
 }  // namespace argos
 
 /**
- * Makes a controller known under a label, the tag of its element in <controllers>. Stands once per
+ * Registers a controller under a label, the tag of its element in <controllers>. Use it once per
  * controller, in its source file, with or without a semicolon.
  */
 #ifdef ARGOS_DYNAMIC_LIBRARY_LOADING
@@ -119,8 +120,8 @@ class CCI_Controller : public CBaseConfigurableResource {
   REGISTER_SYMBOL(CCI_Controller, CLASSNAME, LABEL, "undefined", "undefined", "undefined", \
                   "undefined", "undefined")
 #else
-// without dynamic loading, as on a robot, the program has one controller and asks for it by this
-// function
+// without dynamic loading, as on a real robot, the program contains one controller and creates it
+// with this function
 #define REGISTER_CONTROLLER(CLASSNAME, LABEL)                                     \
   extern "C" argos::CCI_Controller* ControllerMaker(const std::string& label) {   \
     if (label != LABEL) {                                                         \

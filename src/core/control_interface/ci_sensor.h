@@ -12,10 +12,10 @@ struct lua_State;
 
 namespace argos {
 
-/** What a controller sees of a sensor, on the robot as in the simulator. */
+/** Interface of a sensor for controllers, on the real robot and in the simulator. */
 class CCI_Sensor : public CBaseConfigurableResource {
  public:
-  /** By type, which is the tag in the experiment file. */
+  /** Sensors by type, which is the tag in the experiment file. */
   typedef std::map<std::string, CCI_Sensor*, std::less<std::string> > TMap;
 
   ~CCI_Sensor() override;
@@ -29,17 +29,17 @@ class CCI_Sensor : public CBaseConfigurableResource {
   virtual void Disable();
   bool IsEnabled() const { return m_enabled; }
   bool IsDisabled() const { return !m_enabled; }
-  /** Called when the run starts, and before Reset() to be enabled as it was then. */
+  /** Called at the start of the run: stores the state that Reset() restores. */
   void MarkStart() { m_enabledAtStart = m_enabled; }
   void ReturnToStart();
 
   /**
-   * For Lua controllers: adds the sensor's functions and readings to the table "robot", which is on
-   * top of the stack. A sensor without an override is not visible from Lua.
+   * For Lua controllers: adds the sensor's functions and readings to the table "robot" on top of
+   * the stack. Without an override a sensor is not available in Lua.
    */
   virtual void CreateLuaState(lua_State* state);
 
-  /** For Lua controllers: copies the readings into the table that CreateLuaState() made. */
+  /** For Lua controllers: copies the readings into the table that CreateLuaState() created. */
   virtual void ReadingsToLuaState(lua_State* state);
 
  private:

@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_SIMULATOR_ACTUATOR_H
 
 #include <argos3/core/control_interface/ci_actuator.h>
+#include <argos3/core/utility/memory/object_slabs.h>
 #include <argos3/core/utility/plugins/factory.h>
 
 namespace argos {
@@ -9,22 +10,22 @@ namespace argos {
 class CComposableEntity;
 
 /**
- * The simulated side of an actuator; a concrete actuator also derives from its CCI_ class.
+ * Base class of simulated actuators; a concrete actuator also derives from its CCI_ class.
  *
- * Update() writes what the controller ordered into the robot's own components: robots act in
- * parallel, without locks. It must not allocate once settled.
+ * Update() applies the controller's orders to components of its own robot: robots act in parallel,
+ * without locks. It must not allocate in a settled tick.
  */
-class CSimulatedActuator {
+class CSimulatedActuator : public CSlabObject {
  public:
   virtual ~CSimulatedActuator() = default;
-  /** Called once, before Init(): fetches what the actuator needs of the robot's components. */
+  /** Called once, before Init(): looks up the robot's components that the actuator needs. */
   virtual void SetRobot(CComposableEntity& robot) = 0;
   /** Called every tick before physics. */
   virtual void Update() = 0;
   /**
-   * Called shortly before Update(), while other robots have their turn, also on other threads: may
-   * ask for the memory, apart from this object, that Update() is going to need, with Prefetch().
-   * Reads only what does not change in ticks.
+   * Called shortly before Update(), while other robots are updated, possibly on other threads: may
+   * prefetch memory outside of this object that Update() will read, with Prefetch(). Must only read
+   * data that are constant during ticks.
    */
   virtual void PrefetchUpdate() const {}
 };

@@ -24,19 +24,19 @@ Examples:
   argos3 -n -l log.txt -e errors.txt -c experiment.argos
                                               write the two logs to files
   argos3 -q sensors                           list all sensors
-  argos3 -q footbot_proximity                 describe every plug-in whose name contains that
+  argos3 -q footbot_proximity                 describe every plug-in whose name contains the word
 
 Words for --query:
   actuators, sensors, physics_engines, media, visualizations, entities, controllers,
-  loop_functions: lists of that kind; dynamics3d_add_ons and other words of libraries, too
+  loop_functions: a list of that kind; libraries can add kinds, such as dynamics3d_add_ons
   all: all the lists
-  anything else: the full documentation of the plug-ins whose name contains the word
+  other words: the full documentation of the plug-ins whose name contains the word
 
-Paths for --set are like those of XPath: /argos-configuration/framework/experiment/@length,
+Paths for --set use XPath notation: /argos-configuration/framework/experiment/@length,
 arena/distribute[2]/entity/@quantity, //foot-bot[@id='fb0']/body/@position.
 
 Environment:
-  ARGOS_PLUGIN_PATH  folders, with colons between them, where libraries are looked for first
+  ARGOS_PLUGIN_PATH  folders, separated by colons, that are searched for libraries first
   NO_COLOR           if set, logs have no colours
 
 Exit status: 0 after a normal end, 1 after an error, 130 or 143 if stopped by SIGINT or SIGTERM.
@@ -47,7 +47,7 @@ std::string Title() {
          ARGOS_RELEASE + "\nReleased under the MIT License.\n";
 }
 
-// the values as the user wrote them; they are read by the rules of the experiment file
+// the values as given by the user; they are parsed by the rules of the experiment file
 struct SRawOptions {
   bool Help = false;
   bool Version = false;
@@ -65,7 +65,7 @@ class CHelpFormatter : public CLI::Formatter {
   }
 };
 
-// an option with one value; which of several it is to be, nobody knows
+// an option with one value; if given repeatedly, the last value counts
 CLI::Option* AddSingle(CLI::App& app, const std::string& names, std::string& value,
                        const std::string& description) {
   return app.add_option(names, value, description)
@@ -90,7 +90,8 @@ void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOp
       ->group(actions);
 
   const std::string output = "Output";
-  app.add_flag("-n,--no-color", options.NoColor, "no colours in the logs; only a terminal gets any")
+  app.add_flag("-n,--no-color", options.NoColor,
+               "no colours in the logs; only terminals get colours")
       ->group(output);
   AddSingle(app, "-l,--log-file", options.LogFile, "write the log to this file; it is truncated")
       ->type_name("FILE")
@@ -104,15 +105,15 @@ void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOp
   app.add_flag("-z,--no-visualization", options.NoVisualization,
                "ignore the <visualization> of the file")
       ->group(run);
-  AddSingle(app, "--seed", raw.Seed, "random seed in place of the file's; 0: from the clock")
+  AddSingle(app, "--seed", raw.Seed, "random seed, overrides the file; 0: from the clock")
       ->type_name("N")
       ->group(run);
   AddSingle(app, "--threads", raw.Threads,
-            "threads in place of the file's, at most 1024; results stay the same")
+            "number of threads, overrides the file; at most 1024; results do not change")
       ->type_name("N")
       ->group(run);
   AddSingle(app, "--length", raw.Length,
-            "simulated seconds to run, in place of the file's; 0: no limit")
+            "simulated seconds to run, overrides the file; 0: no limit")
       ->type_name("S")
       ->group(run);
   app.add_option("--set", raw.Overrides,
@@ -126,7 +127,7 @@ void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOp
       ->group(run);
 }
 
-// accumulates what is wrong, so that all of it is reported together
+// collects problems, so that all of them are reported together
 class CProblems {
  public:
   void Add(const std::string& problem) { m_problems.push_back(problem); }
@@ -135,7 +136,7 @@ class CProblems {
     if (m_problems.empty()) {
       return;
     }
-    std::string text = m_problems.size() == 1 ? "wrong command line: " : "wrong command line:";
+    std::string text = m_problems.size() == 1 ? "invalid command line: " : "invalid command line:";
     for (const std::string& problem : m_problems) {
       text += (m_problems.size() == 1 ? "" : "\n  - ") + problem;
     }
@@ -173,10 +174,10 @@ void CheckStrayWords(const CLI::App& app, CProblems& problems) {
   for (const std::string& word : app.remaining()) {
     if (word.size() > 1 && word[0] == '-' && word != "--") {
       const std::string name = word.substr(0, word.find('='));
-      problems.Add("there is no option " + name + DidYouMean(name, OptionNames(app)));
+      problems.Add("unknown option " + name + DidYouMean(name, OptionNames(app)));
       afterUnknownOption = true;
     } else {
-      // it may well be the value of that option
+      // the word may be the value of the unknown option
       if (!afterUnknownOption) {
         problems.Add(
             '"' + word + "\" belongs to no option" +
@@ -274,7 +275,7 @@ void CheckFiles(const CLI::App& app, const CARGoSCommandLineArgParser::SOptions&
 void CheckNeedsRun(const CLI::App& app, CProblems& problems) {
   for (const char* name : {"--seed", "--threads", "--length", "--set", "--digest"}) {
     if (app.count(name) > 0) {
-      problems.Add(std::string(name) + " has a meaning only together with -c FILE");
+      problems.Add(std::string(name) + " can only be used with -c FILE");
     }
   }
 }

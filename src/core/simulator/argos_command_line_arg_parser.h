@@ -11,7 +11,7 @@
 
 namespace argos {
 
-/** The command line of the program argos3: which options there are, and what the user gave. */
+/** Parser of the command line of the program argos3. */
 class CARGoSCommandLineArgParser {
  public:
   enum EAction {
@@ -37,12 +37,12 @@ class CARGoSCommandLineArgParser {
     std::vector<std::pair<std::string, std::string>> Overrides; /**< XPath and value, in order */
   };
 
-  /** As many threads as anybody may ask for. Each costs a stack; no machine has more cores. */
+  /** Limit of --threads. Each thread costs a stack; no machine has more cores. */
   static constexpr UInt32 kMaxThreads = 1024;
 
   /**
-   * Reads the arguments that main() got; the first one is the name of the program.
-   * @throws CARGoSException that lists everything that is wrong, with the nearest known names.
+   * Parses the arguments of main(); the first one is the name of the program.
+   * @throws CARGoSException that lists all problems, with the nearest known names.
    */
   void Parse(SInt32 argc, const char* const* argv);
 

@@ -29,32 +29,32 @@ namespace {
 using SOptions = CARGoSCommandLineArgParser::SOptions;
 
 constexpr int kFailure = 1;
-// the shell's convention: a program that a signal ends has the status 128 + its number
+// exit status of a program terminated by a signal, by the convention of shells: 128 + its number
 constexpr int kSignalStatus = 128;
 
-// s; a tick that takes longer than that after a signal does not end by itself any more
-constexpr unsigned kPatience = 30;
+// s; a tick that takes longer after a signal is assumed to hang
+constexpr unsigned kStopTimeout = 30;
 
 volatile std::sig_atomic_t g_stopSignal = 0;
 
-extern "C" void KillAfterPatience(int) {
-  // the signal that was noted has its deadly effect again
+extern "C" void KillAfterTimeout(int) {
+  // the stop signal now has its default action
   raise(g_stopSignal);
 }
 
 extern "C" void NoteStopSignal(int signal) {
   g_stopSignal = signal;
-  alarm(kPatience);
+  alarm(kStopTimeout);
 }
 
-/* While it lives, the first SIGINT or SIGTERM is noted; it kills only if the tick does not end. */
+/* During its lifetime the first SIGINT or SIGTERM is stored; it kills only if the tick hangs. */
 class CStopSignals {
  public:
   CStopSignals() {
     g_stopSignal = 0;
     Catch(SIGINT, &NoteStopSignal, m_oldInterrupt);
     Catch(SIGTERM, &NoteStopSignal, m_oldTerminate);
-    Catch(SIGALRM, &KillAfterPatience, m_oldAlarm);
+    Catch(SIGALRM, &KillAfterTimeout, m_oldAlarm);
   }
   ~CStopSignals() {
     alarm(0);
@@ -65,7 +65,7 @@ class CStopSignals {
   CStopSignals(const CStopSignals&) = delete;
   CStopSignals& operator=(const CStopSignals&) = delete;
 
-  /** Asked after each tick. @return true if a signal came. */
+  /** Called after each tick. @return true if a signal was received. */
   static bool WasStopped() {
     if (g_stopSignal == 0) {
       return false;
@@ -92,7 +92,7 @@ void FlushLogs() {
   LOGERR.Flush();
 }
 
-/* Nothing that was logged may be lost without a word: a full disk, a closed output. */
+/* Reports a log that was written incompletely: a full disk, a closed output. */
 void CheckLogs() {
   FlushLogs();
   std::cout.flush();
@@ -108,20 +108,20 @@ void PrintError(const char* what) {
   FlushLogs();
 }
 
-/* Calls a step; prints what it throws. @return true if it threw nothing. */
+/* Calls a step and prints its exception. @return true if it threw nothing. */
 template <typename STEP>
 bool Try(STEP&& step) {
   try {
     step();
     return true;
   } catch (const std::bad_alloc&) {
-    PrintError("[FATAL] there is not enough memory");
+    PrintError("[FATAL] not enough memory");
   } catch (const std::exception& ex) {
-    // our own exceptions carry the mark already
+    // the texts of our own exceptions begin with [FATAL]
     const std::string what = ex.what();
     PrintError((what.rfind("[FATAL]", 0) == 0 ? what : "[FATAL] " + what).c_str());
   } catch (...) {
-    PrintError("[FATAL] something that is no std::exception was thrown");
+    PrintError("[FATAL] an exception that is not a std::exception was thrown");
   }
   return false;
 }
@@ -145,7 +145,7 @@ void ChooseColors(bool noColor) {
   }
 }
 
-/* Drops what is logged on LOG while it lives. */
+/* Discards messages on LOG during its lifetime. */
 class CSilence {
  public:
   CSilence() {
@@ -165,11 +165,11 @@ class CSilence {
 };
 
 void LoadLibraries() {
-  ThrowRegistrationProblems("the libraries that the program is linked with do not fit together");
+  ThrowRegistrationProblems("the libraries linked to the program are not compatible");
   CDynamicLoading::LoadAllLibraries();
 }
 
-// which libraries were loaded is no part of the answer to a query
+// a query does not print which libraries were loaded
 void LoadLibrariesSilently() {
   const CSilence silence;
   LoadLibraries();
@@ -179,7 +179,7 @@ void LoadExperiment(CSimulator& simulator, const SOptions& options) {
   LoadLibraries();
   simulator.SetExperimentFileName(options.ExperimentFile);
   if (options.Seed == UInt32(0)) {
-    // as in the file: take one from the clock
+    // a seed of 0 in the file selects a seed from the clock
     simulator.AddOverride("framework/experiment/@random_seed", "0");
   } else if (options.Seed) {
     simulator.SetRandomSeed(*options.Seed);
@@ -197,7 +197,7 @@ void LoadExperiment(CSimulator& simulator, const SOptions& options) {
   FlushLogs();
 }
 
-/* Runs to the end, or until a signal. @return wall time, s. */
+/* Runs the experiment until it ends or is stopped by a signal. @return wall time, s. */
 Real Execute(CSimulator& simulator) {
   CProgressLine progress(simulator);
   simulator.SetTickObserver([&progress](CSimulator& running) {
@@ -250,7 +250,7 @@ int RunExperiment(const SOptions& options) {
                           }
                           PrintSummary(simulator, wallSeconds, options.Digest);
                         });
-  // also after an error: loop functions close their files in Destroy()
+  // after an error, too: loop functions close their files in Destroy()
   const bool destroyed = Try([&] { simulator.Destroy(); });
   return executed && destroyed ? status : kFailure;
 }
@@ -290,7 +290,7 @@ int RunCommandLine(int argc, const char* const* argv) noexcept {
     });
     status = Try(&CheckLogs) ? status : kFailure;
   } catch (...) {
-    // not even the message could be printed
+    // printing the message failed
     status = kFailure;
   }
   return status;

@@ -4,14 +4,14 @@
 namespace argos {
 
 /**
- * The program argos3: does what its command line says.
+ * The program argos3.
  *
- * Nothing is thrown: what goes wrong is printed on LOGERR. Runs on CSimulator::GetInstance().
+ * Never throws: errors are printed on LOGERR. Runs on CSimulator::GetInstance().
  *
- * @param argc, argv  as main() got them.
+ * @param argc, argv  arguments of main().
  * @return the exit status: 0 after a normal end, 1 after an error; 130 or 143 if SIGINT or SIGTERM
- *         stopped the run, which then ends normally after the current tick. If that takes more than
- *         30 s, or another signal comes, the signal kills.
+ *   stopped the run. A stopped run ends normally after the current tick; if this takes longer than
+ *   30 s, or on a second signal, the process is killed.
  */
 int RunCommandLine(int argc, const char* const* argv) noexcept;
 

@@ -7,10 +7,10 @@ class CSimulator;
 class CSpace;
 
 /**
- * The simulator that is being loaded or run by the calling thread.
+ * Returns the simulator that the calling thread is loading or running.
  *
- * For what is made by zero-argument factories or by `new` in user code and needs its surroundings
- * while it initialises. Everything else is handed what it needs.
+ * For objects created by zero-argument factories or by `new` in user code, which need it during
+ * initialisation. All other code gets its dependencies as arguments.
  */
 CSimulator& CurrentSimulator();
 /** The space of CurrentSimulator(). */

@@ -10,7 +10,7 @@ namespace {
 
 constexpr char kFatal[] = "[FATAL] ";
 
-// the levels of a chain of exceptions, outermost first, without the mark each line begins with
+// a chain of exceptions, outermost first, without the prefix of each line
 std::string WithoutMarks(std::string text) {
   for (size_t line = 0; line != std::string::npos;) {
     if (text.compare(line, sizeof(kFatal) - 1, kFatal) == 0) {
@@ -52,7 +52,7 @@ void CLoadErrors::ThrowIfAny() const {
   if (m_messages.empty()) {
     return;
   }
-  // the exception marks the first line itself
+  // the exception adds the prefix of the first line
   if (m_messages.size() == 1) {
     throw CARGoSException(ReplaceLineBreaks(m_messages.front(), std::string("\n") + kFatal));
   }

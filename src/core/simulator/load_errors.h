@@ -9,21 +9,21 @@
 
 namespace argos {
 
-/** Thrown by what can only fail because something else, already reported, did. */
+/** Thrown for a failure that is only a consequence of an already reported error. */
 class CAlreadyReported : public CARGoSException {
  public:
   explicit CAlreadyReported(const std::string& what) : CARGoSException(what) {}
 };
 
 /**
- * Collects what is wrong with an experiment, so that one run reports all of it.
+ * Collects the errors of an experiment, so that one run reports all of them.
  *
- * A part that fails is noted and loading goes on with the next; what can only fail because another
- * part did is not reported again.
+ * A failed part is recorded and loading continues with the next; failures that are only a
+ * consequence of others are not reported.
  */
 class CLoadErrors {
  public:
-  /** Calls @p step; what it throws is noted under @p context. @return true if it did not throw. */
+  /** Calls @p step; records its exception under @p context. @return true if it did not throw. */
   template <typename STEP>
   bool Try(const std::string& context, STEP&& step) {
     try {
@@ -39,11 +39,11 @@ class CLoadErrors {
 
   void Add(const std::string& context, const std::exception& error);
   bool IsEmpty() const { return m_messages.empty(); }
-  /** @throws CARGoSException with every message, numbered, if there is any. */
+  /** @throws CARGoSException with all messages, numbered, if there are any. */
   void ThrowIfAny() const;
 
  private:
-  std::vector<std::string> m_messages;  // each once, in order
+  std::vector<std::string> m_messages;  // unique, in order
 };
 
 }  // namespace argos

@@ -5,7 +5,7 @@
 
 namespace argos {
 
-// users' classes are made by zero-argument factories: the base picks up the thread's simulator
+// users' classes are created by zero-argument factories: the base class gets the thread's simulator
 CLoopFunctions::CLoopFunctions()
     : m_cSimulator(CurrentSimulator()), m_cSpace(m_cSimulator.GetSpace()) {}
 
@@ -36,7 +36,7 @@ void CLoopFunctions::RemoveEntity(CEntity& entity) {
   if (entity.HasParent()) {
     THROW_ARGOSEXCEPTION("\"" << entity.GetContext() << entity.GetId() << "\" is a component of \""
                               << entity.GetRootEntity().GetId()
-                              << "\": only whole entities can be removed");
+                              << "\": only root entities can be removed");
   }
   CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(m_cSpace, entity);
 }

@@ -20,7 +20,7 @@
 #include <argos3/core/utility/math/vector3.h>
 #include <argos3/core/utility/plugins/factory.h>
 
-// users of this header count on these
+// included for users of this header
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -32,10 +32,11 @@ namespace argos {
 class CSimulator;
 
 /**
- * The user's hooks into the loop: they may read and change everything between the phases.
+ * Base class of users' loop functions: hooks that may read and change everything between the phases
+ * of a tick.
  *
- * Hooks run on the main thread, alone. Created before engines and entities exist (the constructor
- * sees the space only); Init() runs when the arena is filled.
+ * Hooks run alone, on the main thread. Created before engines and entities (the constructor can
+ * access the space only); Init() runs when the arena is complete.
  */
 class CLoopFunctions : public CBaseConfigurableResource {
  public:
@@ -52,7 +53,7 @@ class CLoopFunctions : public CBaseConfigurableResource {
   virtual void PostStep() {}
   virtual bool IsExperimentFinished() { return false; }
   virtual void PostExperiment() {}
-  /** Colour of the floor where `<floor source="loop_functions">`; @p positionOnFloor in m. */
+  /** Colour of the floor with `<floor source="loop_functions">`; @p positionOnFloor in m. */
   virtual CColor GetFloorColor(const CVector2& positionOnFloor);
 
   CSimulator& GetSimulator() { return m_cSimulator; }
@@ -61,21 +62,21 @@ class CLoopFunctions : public CBaseConfigurableResource {
 
   virtual void MoveEntity(CPositionalEntity& entity, const CVector3& position,
                           const CQuaternion& orientation);
-  /** See CEmbodiedEntity::MoveTo(). @return true if the place is free. */
+  /** See CEmbodiedEntity::MoveTo(). @return true if the pose is free of collisions. */
   virtual bool MoveEntity(CEmbodiedEntity& entity, const CVector3& position,
                           const CQuaternion& orientation, bool checkOnly = false,
                           bool ignoreCollisions = false);
   /**
-   * Adds a root entity made with new; the space owns it from now on, and deletes it if it cannot
-   * be added. A body is put at the pose it was made with, without a check for collisions.
-   * @throws CARGoSException if the id is taken, or if no physics engine can house the body.
+   * Adds a root entity allocated with new; the space takes ownership, and deletes it if it cannot
+   * be added. A body keeps its pose, without a check for collisions.
+   * @throws CARGoSException if the id is taken, or if no physics engine accepts the body.
    */
   virtual void AddEntity(CEntity& entity);
   /** Removes and deletes a root entity. @throws CARGoSException if the id is unknown. */
   virtual void RemoveEntity(const std::string& id);
   virtual void RemoveEntity(CEntity& entity);
 
-  /** Calls back for each robot, perhaps on several threads at once. */
+  /** Calls the callback for each robot, possibly on several threads at once. */
   void IterateOverControllableEntities(const CSpace::TControllableEntityIterCBType& callback) const;
 
  private:

@@ -41,7 +41,7 @@ bool IsTerminal(int file) {
   return isatty(file) != 0 && (kind == nullptr || std::string_view(kind) != "dumb");
 }
 
-// a log that was sent to a file has that file's buffer in its stream
+// false for a log that was redirected to a file: its stream has that file's buffer
 bool GoesToTerminal(const std::ostream& stream, int file) {
   return IsTerminal(file) && dynamic_cast<std::filebuf*>(stream.rdbuf()) == nullptr;
 }
@@ -68,14 +68,14 @@ std::string DescribeProgress(const SProgress& progress) {
   return text + fmt::format(", {:.6g} s simulated", simulated);
 }
 
-/* The terminal's last line. Written past std::cerr, which may have been redirected to a file. */
+/* The terminal's last line. Bypasses std::cerr, which may have been redirected to a file. */
 class CProgressLine::CScreen {
  public:
   void Draw(const std::string& text) {
     if (m_lineIsOpen) {
       return;
     }
-    // one that wraps around could not be erased
+    // a line that wraps around could not be erased
     const size_t width = TerminalWidth();
     Write("\r\x1b[K" + text.substr(0, width > 1 ? width - 1 : 1));
     m_visible = true;
@@ -87,7 +87,7 @@ class CProgressLine::CScreen {
     }
   }
 
-  /* Somebody writes: a line that is not ended yet must not be overwritten. */
+  /* Called before other output: an unfinished line must not be overwritten. */
   void NoteText(std::string_view text) {
     Erase();
     const size_t lastBreak = text.rfind('\n');
@@ -97,7 +97,7 @@ class CProgressLine::CScreen {
   }
 
  private:
-  // escape sequences, such as those of coloured logs, move nothing
+  // escape sequences, such as those of coloured logs, occupy no columns
   static bool HasVisibleText(std::string_view text) {
     for (size_t i = 0; i < text.size(); ++i) {
       if (text[i] != '\x1b') {
@@ -113,7 +113,7 @@ class CProgressLine::CScreen {
 
   static void Write(const std::string& text) {
     if (::write(STDERR_FILENO, text.data(), text.size()) < 0) {
-      return;  // nobody watches any more
+      return;  // the terminal was closed
     }
   }
 
@@ -122,7 +122,7 @@ class CProgressLine::CScreen {
   std::atomic<bool> m_lineIsOpen = false;
 };
 
-/* Stands before a stream's buffer and erases the line when something is about to be written. */
+/* Replaces a stream's buffer and erases the progress line before any output. */
 class CProgressLine::CGuard : public std::streambuf {
  public:
   CGuard(std::ostream& stream, CScreen& screen)
@@ -130,7 +130,7 @@ class CProgressLine::CGuard : public std::streambuf {
     stream.rdbuf(this);
   }
   ~CGuard() override {
-    // somebody may have redirected the stream meanwhile
+    // skip a stream that was redirected in the meantime
     if (m_stream.rdbuf() == this) {
       m_stream.rdbuf(m_target);
     }

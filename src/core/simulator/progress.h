@@ -11,36 +11,36 @@ namespace argos {
 
 class CSimulator;
 
-/** How far a run is. */
+/** Progress of a run. */
 struct SProgress {
   UInt32 Ticks = 0;
   UInt32 MaxTicks = 0; /**< 0 = unlimited */
   Real TickLength = 0.0; /**< s */
-  Real WallSeconds = 0.0; /**< since the run began */
+  Real WallSeconds = 0.0; /**< since the start of the run */
 };
 
 /**
- * "tick 120/600 (20 %), 0:13 left, 35.2 x real time, 12 s simulated"; without a limit on ticks, no
- * share and no time left.
+ * "tick 120/600 (20 %), 0:13 left, 35.2 x real time, 12 s simulated"; without a limit on ticks,
+ * percentage and time left are omitted.
  */
 std::string DescribeProgress(const SProgress& progress);
 
 /**
- * A line on the terminal that tells how far the run is, for as long as the object lives.
+ * A terminal line with the progress of the run, displayed during the lifetime of the object.
  *
- * It is redrawn at most five times a second, and taken away before anything else is written to
- * std::cout or std::cerr. Nothing at all is shown if the standard error is not a terminal.
+ * It is redrawn at most five times a second, and erased before other output to std::cout or
+ * std::cerr. Does nothing if the standard error is not a terminal.
  */
 class CProgressLine {
  public:
   /** @param simulator  must outlive this object. */
   explicit CProgressLine(CSimulator& simulator);
-  /** Takes the line away. */
+  /** Erases the line. */
   ~CProgressLine();
   CProgressLine(const CProgressLine&) = delete;
   CProgressLine& operator=(const CProgressLine&) = delete;
 
-  /** To be called after each tick, by the thread that runs the loop. */
+  /** Call it after each tick, on the thread that runs the loop. */
   void Update();
 
  private:

@@ -22,13 +22,13 @@ namespace argos {
 namespace {
 
 struct SKind {
-  std::string Word;  // as the user asks for it
+  std::string Word;  // argument of -q
   std::string Header;
   std::vector<SPluginText> Plugins;  // by label
-  std::string Of = "";  // label of the plug-in that these belong to; empty: to the core
+  std::string Of = "";  // label of the owning plug-in; empty: the core
 };
 
-// a kind that a library has added
+// a kind added by a library
 struct SAddedKind {
   std::string Of;
   std::string Header;
@@ -41,17 +41,17 @@ std::map<std::string, SAddedKind>& GetAddedKinds() {
   return kinds;
 }
 
-// lists take locks of their own, which come before this one
+// copied, because lists take locks that come before this one
 std::map<std::string, SAddedKind> CopyAddedKinds() {
   const std::lock_guard<std::recursive_mutex> lock(detail::GetRegistrationMutex());
   return GetAddedKinds();
 }
 
-// what stands among the engines in an experiment file, but is none
+// includes what is listed among the engines in an experiment file, but is not an engine
 std::vector<SPluginText> ListEngines() {
   std::vector<SPluginText> plugins = ListPlugins<CPhysicsEngine>();
   plugins.push_back({"auto_partition", "the authors of this project", "1.0",
-                     "Not an engine: one engine for each part of the arena.",
+                     "Not an engine: creates one engine for each part of the arena.",
                      kAutoPartitionDocumentation, "Usable"});
   return plugins;
 }
@@ -117,7 +117,7 @@ void PrintMatches(std::ostream& stream, const std::string& query, const std::vec
   }
   const std::string nearest = NearestNames(query, names);
   stream << "Nothing found: no plug-in has a name that contains \"" << query << '"'
-         << (nearest.empty() ? "" : "; near it: " + nearest) << '\n';
+         << (nearest.empty() ? "" : "; similar names: " + nearest) << '\n';
 }
 
 }  // namespace

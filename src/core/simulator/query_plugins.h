@@ -8,7 +8,7 @@
 
 namespace argos {
 
-/** What is known of a plug-in, for people. */
+/** Description of a plug-in, for display. */
 struct SPluginText {
   std::string Label;
   std::string Author;
@@ -18,7 +18,7 @@ struct SPluginText {
   std::string Status;
 };
 
-/** Of all plug-ins with this base class that are registered now, by label. */
+/** All registered plug-ins with this base class, by label. */
 template <typename TYPE>
 std::vector<SPluginText> ListPlugins() {
   std::vector<SPluginText> plugins;
@@ -30,17 +30,17 @@ std::vector<SPluginText> ListPlugins() {
 }
 
 /**
- * Plug-ins of plug-ins: makes queries find a kind that the core does not know, such as the add-ons
- * of an engine. For objects at namespace level of the library that has the base class.
+ * Adds a kind of plug-ins to queries that the core does not know, such as the add-ons of an engine.
+ * For objects at namespace level of the library that contains the base class.
  */
 class CPluginKind {
  public:
   using TList = std::vector<SPluginText>();
 
   /**
-   * @param word    as the user asks for it: "dynamics3d_add_ons".
-   * @param of      label of the plug-in whose plug-ins these are.
-   * @param header  above the list: "ADD-ONS OF ...".
+   * @param word    query: "dynamics3d_add_ons".
+   * @param of      label of the plug-in that owns these plug-ins.
+   * @param header  heading of the list: "ADD-ONS OF ...".
    */
   CPluginKind(const std::string& word, const std::string& of, const std::string& header,
               TList* list);
@@ -49,9 +49,9 @@ class CPluginKind {
 /**
  * Describes registered plug-ins, for `argos3 -q`.
  * @param query  "actuators", "sensors", "physics_engines", "media", "visualizations", "entities",
- *               "controllers" or "loop_functions", or the word of a CPluginKind: a list of that
- *               kind; "all": all the lists; anything else: the documentation of every plug-in whose
- *               label contains it, case counting. Its own plug-ins are listed below it.
+ *   "controllers" or "loop_functions", or the word of a CPluginKind: a list of that kind; "all":
+ *   all lists; otherwise: the documentation of every plug-in whose label contains the query
+ *   (case-sensitive), followed by its own plug-ins.
  */
 std::string DescribePlugins(const std::string& query);
 

@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_SIMULATOR_SENSOR_H
 
 #include <argos3/core/control_interface/ci_sensor.h>
+#include <argos3/core/utility/memory/object_slabs.h>
 #include <argos3/core/utility/plugins/factory.h>
 
 namespace argos {
@@ -9,22 +10,22 @@ namespace argos {
 class CComposableEntity;
 
 /**
- * The simulated side of a sensor; a concrete sensor also derives from its CCI_ class.
+ * Base class of simulated sensors; a concrete sensor also derives from its CCI_ class.
  *
- * Update() may read the space, and write only what belongs to its own robot: robots sense in
- * parallel, without locks. It must not allocate once settled.
+ * Update() may read the space, but write only to its own robot: robots sense in parallel, without
+ * locks. It must not allocate in a settled tick.
  */
-class CSimulatedSensor {
+class CSimulatedSensor : public CSlabObject {
  public:
   virtual ~CSimulatedSensor() = default;
-  /** Called once, before Init(): fetches what the sensor needs of the robot's components. */
+  /** Called once, before Init(): looks up the robot's components that the sensor needs. */
   virtual void SetRobot(CComposableEntity& robot) = 0;
   /** Called every tick after physics and media, if the sensor is enabled. */
   virtual void Update() = 0;
   /**
-   * Called shortly before Update(), while other robots have their turn, also on other threads: may
-   * ask for the memory, apart from this object, that Update() is going to need, with Prefetch().
-   * Reads only what does not change in ticks.
+   * Called shortly before Update(), while other robots are updated, possibly on other threads: may
+   * prefetch memory outside of this object that Update() will read, with Prefetch(). Must only read
+   * data that are constant during ticks.
    */
   virtual void PrefetchUpdate() const {}
 };

@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/space/body_index.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/core/simulator/space/tick_times.h>
 #include <argos3/core/simulator/visualization/visualization.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/profiler/profiler.h>
@@ -31,7 +32,7 @@ std::vector<std::string> Ids(const std::map<std::string, TConfigurationNode*>& n
   return ids;
 }
 
-// the ids of engines or media, for messages
+// ids of engines or media, for messages
 template <typename PART>
 std::vector<std::string> Ids(const std::vector<PART*>& parts) {
   std::vector<std::string> ids;
@@ -41,19 +42,23 @@ std::vector<std::string> Ids(const std::vector<PART*>& parts) {
   return ids;
 }
 
-// the threads of a simulator for which no experiment is loaded: only the caller's
+// thread pool without workers, for a simulator without an experiment
 std::unique_ptr<CThreadPool> MakeIdlePool() {
   return std::make_unique<CThreadPool>(0, CreateSchedule("balance_quantity"));
 }
 
 }  // namespace
 
-// the process's default simulator shares the default random registry with code outside any scope
+// the default simulator shares the process-wide random registry with code outside any scope
 CSimulator::CSimulator(SDefaultTag)
-    : m_registry(nullptr), m_pool(MakeIdlePool()), m_space(std::make_unique<CSpace>(*this)) {}
+    : m_slabs(CObjectSlabs::Make()),
+      m_registry(nullptr),
+      m_pool(MakeIdlePool()),
+      m_space(std::make_unique<CSpace>(*this)) {}
 
 CSimulator::CSimulator()
-    : m_ownRegistry(std::make_unique<CRandom::CRegistry>()),
+    : m_slabs(CObjectSlabs::Make()),
+      m_ownRegistry(std::make_unique<CRandom::CRegistry>()),
       m_registry(m_ownRegistry.get()),
       m_pool(MakeIdlePool()),
       m_space(std::make_unique<CSpace>(*this)) {}
@@ -62,7 +67,7 @@ CSimulator::~CSimulator() {
   try {
     Destroy();
   } catch (const std::exception& error) {
-    // users' Destroy() may fail, and nobody can catch that here
+    // a user's Destroy() may throw, a destructor must not
     LOGERR << error.what() << std::endl;
     LOGERR.Flush();
   }
@@ -72,7 +77,7 @@ CSimulator& CSimulator::GetInstance() {
   if (currentSimulator != nullptr) {
     return *currentSimulator;
   }
-  // never deleted: at the end of the process the code of plug-ins that it would call may be gone
+  // never deleted: at the end of the process the code of plug-ins may already be unloaded
   static CSimulator* const instance =
       std::unique_ptr<CSimulator>(new CSimulator(SDefaultTag{})).release();
   return *instance;
@@ -87,7 +92,9 @@ CSpace& CurrentSpace() {
 }
 
 CSimulator::CScope::CScope(CSimulator& simulator)
-    : m_previous(currentSimulator), m_previousRegistry(&CRandom::GetCurrentRegistry()) {
+    : m_previous(currentSimulator),
+      m_previousRegistry(&CRandom::GetCurrentRegistry()),
+      m_previousSlabs(CObjectSlabs::SetCurrent(simulator.m_slabs.get())) {
   currentSimulator = &simulator;
   CRandom::SetCurrentRegistry(simulator.m_registry);
 }
@@ -98,6 +105,7 @@ CSimulator::CScope::~CScope() {
   }
   currentSimulator = m_previous;
   CRandom::SetCurrentRegistry(m_previousRegistry);
+  CObjectSlabs::SetCurrent(m_previousSlabs);
 }
 
 CSpace& CSimulator::GetSpace() const {
@@ -167,6 +175,25 @@ CProfiler& CSimulator::GetProfiler() {
   return *m_profiler;
 }
 
+void CSimulator::FinishProfiling() {
+  if (m_profiler == nullptr) {
+    return;
+  }
+  const STickTimes& times = *m_profiledTicks;
+  m_profiler->AddPhase("act", times.Act, times.Ticks);
+  m_profiler->AddPhase("physics", times.Physics, times.Ticks);
+  m_profiler->AddPhase("index", times.Index, times.Ticks);
+  m_profiler->AddPhase("media", times.Media, times.Ticks);
+  m_profiler->AddPhase("pre-step", times.PreStep, times.Ticks);
+  m_profiler->AddPhase("sense+control", times.SenseAndControl, times.Ticks);
+  m_profiler->AddPhase("post-step", times.PostStep, times.Ticks);
+  m_profiler->Stop();
+  m_profiler->Flush();
+  m_space->SetTickTimes(nullptr);
+  m_profiler.reset();
+  m_profiledTicks.reset();
+}
+
 CLoopFunctions& CSimulator::GetLoopFunctions() {
   if (m_loopFunctions == nullptr) {
     THROW_ARGOSEXCEPTION("no experiment is loaded: there are no loop functions");
@@ -197,7 +224,7 @@ void CSimulator::SetLength(Real seconds) {
   }
   m_length = seconds;
   m_lengthSet = true;
-  // a whole number of ticks that division by the tick length rounds down still counts as whole
+  // tolerance for a whole number of ticks that the division rounds down
   const Real ticks = std::floor(seconds / m_tickLength + 1e-6);
   if (ticks > std::numeric_limits<UInt32>::max()) {
     THROW_ARGOSEXCEPTION("an experiment of " << seconds << " s has more ticks than can be counted");
@@ -235,7 +262,7 @@ void CSimulator::Reset() {
   for (CPhysicsEngine* engine : m_engines) {
     engine->Reset();
   }
-  // after the engines: media look where bodies are
+  // after the engines: media use the positions of bodies
   for (CMedium* medium : m_media) {
     medium->Reset();
   }
@@ -252,13 +279,13 @@ void CSimulator::Reset(UInt32 newRandomSeed) {
 
 void CSimulator::Destroy() {
   const CScope scope(*this);
-  // users' Destroy() may count on their Init()
+  // users' Destroy() may rely on their Init()
   std::exception_ptr failure;
   if (m_loopFunctionsReady) {
     try {
       m_loopFunctions->Destroy();
     } catch (...) {
-      // everything else goes all the same
+      // continue, and throw again at the end
       failure = std::current_exception();
     }
     m_loopFunctionsReady = false;
@@ -268,7 +295,7 @@ void CSimulator::Destroy() {
   }
   m_visualization.reset();
   m_space->Destroy();
-  // loop functions go after the entities: entities may still ask for the floor's colour
+  // after the entities, which may still request the floor's colour
   m_ownLoopFunctions.reset();
   m_loopFunctions = nullptr;
   for (CMedium* medium : m_media) {
@@ -281,15 +308,11 @@ void CSimulator::Destroy() {
   }
   m_engines.clear();
   m_ownEngines.clear();
-  if (m_profiler != nullptr) {
-    m_profiler->Stop();
-    m_profiler->Flush();
-    m_profiler.reset();
-  }
+  FinishProfiling();
   if (CRandom::ExistsCategory("argos")) {
     CRandom::RemoveCategory("argos");
   }
-  // joins the workers: none is left when the program ends
+  // joins the workers, so that none is left at the end of the program
   m_pool = MakeIdlePool();
   m_rng = nullptr;
   m_controllerNodes.clear();

@@ -6,6 +6,7 @@
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/math/rng.h>
+#include <argos3/core/utility/memory/object_slabs.h>
 
 #include <atomic>
 #include <functional>
@@ -23,13 +24,15 @@ class CProfiler;
 class CSpace;
 class CThreadPool;
 class CVisualization;
+struct STickTimes;
 
 /**
- * One simulation: everything that hangs together hangs off this.
+ * One simulation; owns all its parts.
  *
- * Many may live in one process, at most one current per thread: GetInstance() gives the calling
- * thread's current one. Programs that run several make their own and put a CScope around their use;
- * the others use GetInstance(), which makes one on first use.
+ * A process may contain several simulators, of which at most one is current per thread:
+ * GetInstance() returns the calling thread's current one. Programs with several simulators
+ * construct them and use each inside a CScope; other programs use GetInstance(), which creates one
+ * at the first call.
  */
 class CSimulator {
  public:
@@ -38,10 +41,12 @@ class CSimulator {
   CSimulator(const CSimulator&) = delete;
   CSimulator& operator=(const CSimulator&) = delete;
 
-  /** The calling thread's current simulator; the process's default one if none was made current. */
+  /**
+   * The calling thread's current simulator; the process-wide default one if none was made current.
+   */
   static CSimulator& GetInstance();
 
-  /** Makes a simulator the calling thread's current one for as long as the scope lives. */
+  /** Makes a simulator the calling thread's current one during the lifetime of the scope. */
   class CScope {
    public:
     explicit CScope(CSimulator& simulator);
@@ -49,25 +54,26 @@ class CSimulator {
     CScope(const CScope&) = delete;
     CScope& operator=(const CScope&) = delete;
 
-    /** The simulator stays current when the scope ends: for threads that serve one simulator. */
+    /** Keeps the simulator current after the scope: for threads that serve one simulator. */
     void Keep() { m_keep = true; }
 
    private:
     bool m_keep = false;
     CSimulator* m_previous;
     CRandom::CRegistry* m_previousRegistry;
+    CObjectSlabs* m_previousSlabs;
   };
 
   CSpace& GetSpace() const;
-  /** @throws CARGoSException with the nearest ids if there is none. */
+  /** @throws CARGoSException with the nearest ids if there is no such engine. */
   CPhysicsEngine& GetPhysicsEngine(const std::string& id) const;
   CPhysicsEngine::TVector& GetPhysicsEngines() { return m_engines; }
-  /** @throws CARGoSException if there is no such medium, or it is not a T. */
+  /** @throws CARGoSException if there is no such medium, or if it is not a T. */
   template <typename T>
   T& GetMedium(const std::string& id) {
     T* medium = dynamic_cast<T*>(&GetMediumBase(id));
     if (medium == nullptr) {
-      THROW_ARGOSEXCEPTION("medium \"" << id << "\" is not of the type that is needed here");
+      THROW_ARGOSEXCEPTION("medium \"" << id << "\" is not of the required type");
     }
     return *medium;
   }
@@ -76,20 +82,20 @@ class CSimulator {
 
   /** The root element of the experiment file. */
   TConfigurationNode& GetConfigurationRoot();
-  /** The `<controllers>` child of that id. @throws CARGoSException with the nearest ids. */
+  /** The child of `<controllers>` with that id. @throws CARGoSException with the nearest ids. */
   TConfigurationNode& GetConfigForController(const std::string& id);
   /**
-   * Remembers, while loading, that the controller or medium @p id is there but cannot work: what
-   * needs it is not reported again.
+   * Marks the controller or medium @p id as failed during loading, so that errors of its users,
+   * which are consequences, are not reported.
    */
   void MarkBroken(const std::string& id);
-  /** @throws CAlreadyReported if @p id was marked. */
+  /** @throws CAlreadyReported if @p id is marked as failed. */
   void ThrowIfBroken(const std::string& id) const;
 
   /**
-   * Calls @p check when loading is over and everything that the file and the loop functions make
-   * exists; at once if nothing is being loaded. What it throws is reported with the other errors of
-   * loading, equal texts once; if there are others, it is not called.
+   * Calls @p check when everything from the file and from the loop functions is loaded; immediately
+   * if nothing is being loaded. Its exception is reported with the other errors of loading, equal
+   * texts once; it is not called if there are others.
    */
   void CheckWhenLoaded(std::function<void()> check);
 
@@ -98,32 +104,32 @@ class CSimulator {
   bool IsProfiling() const { return m_profiler != nullptr; }
 
   UInt32 GetRandomSeed() const { return m_randomSeed; }
-  /** Before loading: overrides the seed of the file. */
+  /** Overrides the seed of the file; call it before loading. */
   void SetRandomSeed(UInt32 seed);
-  /** First generator of the category "argos". */
+  /** The first generator of the category "argos". */
   CRandom::CRNG* GetRNG() { return m_rng; }
 
   const std::string& GetExperimentFileName() const { return m_experimentFileName; }
   void SetExperimentFileName(const std::string& fileName) { m_experimentFileName = fileName; }
   CLoopFunctions& GetLoopFunctions();
-  /** The caller keeps the ownership; they must live until Destroy() or other ones are set. */
+  /** The caller keeps ownership; they must exist until Destroy() or until others are set. */
   void SetLoopFunctions(CLoopFunctions& loopFunctions);
-  /** Ticks; 0 = unlimited. */
+  /** In ticks; 0 = unlimited. */
   UInt32 GetMaxSimulationClock() const { return m_maxSimulationClock; }
-  /** Overrides the length of the file. @param seconds 0 = unlimited. Before or after loading. */
+  /** Overrides the length of the file, before or after loading. @param seconds 0 = unlimited. */
   void SetLength(Real seconds);
-  /** As in the file or as set: 0 = the main thread does all. */
+  /** As in the file or as set; 0 = main thread only. */
   UInt32 GetNumThreads() const { return m_numThreads; }
-  /** Before loading: overrides the threads of the file. */
+  /** Overrides the number of threads of the file; call it before loading. */
   void SetNumThreads(UInt32 threads);
   bool IsRealTimeClock() const { return m_realTimeClock; }
   void SetRealTimeClock(bool realTime) { m_realTimeClock = realTime; }
   /** Length of a tick, s. */
   Real GetTickLength() const { return m_tickLength; }
-  /** Before loading: an attribute of the file to override, and its value (`--set`). */
+  /** Overrides an attribute of the file (`--set`); call it before loading. */
   void AddOverride(const std::string& path, const std::string& value);
 
-  /** Ends the experiment at the next check. */
+  /** Ends the experiment at the next check of IsExperimentFinished(). */
   void Terminate() { m_terminated = true; }
   std::string GetInstallationDirectory() const;
 
@@ -131,18 +137,18 @@ class CSimulator {
   void Load(CConfigurationDocument& document, bool forceNoVisualization = false);
   /**
    * Loads the experiment file of that name.
-   * @throws CARGoSException that reports every error found without running.
+   * @throws CARGoSException that reports all errors that can be found without running.
    */
   void LoadExperiment(bool forceNoVisualization = false);
-  /** Initialises from the document that was loaded; Load() does it. */
+  /** Initialises from the loaded document; called by Load(). */
   void Init();
-  /** Everything back to the start: the run repeats itself exactly. */
+  /** Restores the initial state: the run can be repeated exactly. */
   void Reset();
   /** The same with another seed. */
   void Reset(UInt32 newRandomSeed);
   /**
-   * Takes the experiment down; another one may be loaded.
-   * @throws whatever the loop functions' Destroy() throws, when everything is down.
+   * Destroys the experiment; another one may be loaded.
+   * @throws the exception of the loop functions' Destroy(), after everything else is destroyed.
    */
   void Destroy();
   /** Runs the visualization until the experiment ends. */
@@ -171,6 +177,7 @@ class CSimulator {
   void InitSystem(TConfigurationNode& framework);
   void InitExperiment(TConfigurationNode& framework);
   void InitProfiling(TConfigurationNode& framework);
+  void FinishProfiling();
   void InitRandom(TConfigurationNode& experiment);
   void InitControllers(TConfigurationNode& node, CLoadErrors& errors);
   void InitController(TConfigurationNode& node);
@@ -182,6 +189,7 @@ class CSimulator {
   void InitVisualization(TConfigurationNode& root, CLoadErrors& errors);
   void WarnOfUnreadParts() const;
 
+  CObjectSlabs::TOwner m_slabs;  // of the entities, devices and controllers
   std::string m_experimentFileName;
   std::unique_ptr<CConfigurationDocument> m_ownDocument;
   CConfigurationDocument* m_document = nullptr;
@@ -202,19 +210,20 @@ class CSimulator {
   Real m_tickLength = 0.1;  // s
   UInt32 m_maxSimulationClock = 0;
   bool m_realTimeClock = false;
-  std::atomic<bool> m_terminated{false};  // controllers may end the experiment, several at once
+  std::atomic<bool> m_terminated{false};  // controllers may end the experiment concurrently
 
   std::map<std::string, TConfigurationNode*> m_controllerNodes;
   bool m_loading = false;
   std::set<std::string> m_broken;  // ids of parts that failed while loading
-  std::vector<std::function<void()>> m_checks;  // to do when loading is over
+  std::vector<std::function<void()>> m_checks;  // called at the end of loading
   std::unique_ptr<CThreadPool> m_pool;
   std::unique_ptr<CSpace> m_space;
   std::unique_ptr<CLoopFunctions> m_ownLoopFunctions;
   CLoopFunctions* m_loopFunctions = nullptr;
-  bool m_loopFunctionsReady = false;  // initialised, and not destroyed yet
+  bool m_loopFunctionsReady = false;  // initialised and not destroyed
   std::unique_ptr<CProfiler> m_profiler;
-  // the vectors for users hold the same objects as the owning ones
+  std::unique_ptr<STickTimes> m_profiledTicks;  // with the profiler
+  // vectors for users, with the same objects as the owning ones
   CPhysicsEngine::TVector m_engines;
   CMedium::TVector m_media;
   std::vector<std::unique_ptr<CPhysicsEngine>> m_ownEngines;

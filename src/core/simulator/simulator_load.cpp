@@ -1,5 +1,5 @@
-// Loading an experiment: the parts of the file, in the order in which they are initialised. Every
-// part that fails is noted, and loading goes on, so that one run reports all that is wrong.
+// Loading of an experiment: the parts of the file, in the order of their initialisation. A failed
+// part is recorded and loading continues, so that one run reports all errors.
 
 #include <argos3/core/simulator/huge_pages.h>
 #include <argos3/core/simulator/load_errors.h>
@@ -7,6 +7,7 @@
 #include <argos3/core/simulator/physics_engine/space_partition.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/core/simulator/space/tick_times.h>
 #include <argos3/core/simulator/visualization/default_visualization.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/dynamic_loading.h>
@@ -28,7 +29,7 @@ void LoadLibraryOf(TConfigurationNode& node) {
   }
 }
 
-// makes and initialises the part that an element names by its tag
+// creates and initialises a part by the tag of its element
 template <typename BASE>
 std::unique_ptr<BASE> CreatePart(TConfigurationNode& node, const char* kind) {
   if (!CFactory<BASE>::Exists(node.Value())) {
@@ -47,7 +48,7 @@ std::unique_ptr<BASE> CreatePart(TConfigurationNode& node, const char* kind) {
   }
 }
 
-// initialises every child of a section; parts get unique ids
+// initialises every child of a section; ids must be unique
 template <typename BASE>
 void CreateParts(TConfigurationNode& section, const char* kind, CLoadErrors& errors,
                  const std::function<void(std::unique_ptr<BASE>)>& take,
@@ -76,7 +77,7 @@ void CreateParts(TConfigurationNode& section, const char* kind, CLoadErrors& err
 }  // namespace
 
 void CSimulator::LoadExperiment(bool forceNoVisualization) {
-  // before the document that an experiment uses is replaced
+  // check before the document of a loaded experiment would be replaced
   ThrowIfLoaded();
   auto document = std::make_unique<CConfigurationDocument>();
   document->LoadFile(m_experimentFileName);
@@ -97,7 +98,7 @@ void CSimulator::Load(CConfigurationDocument& document, bool forceNoVisualizatio
   try {
     Init();
   } catch (...) {
-    // nothing half-made stays behind
+    // remove all partly created objects
     Destroy();
     throw;
   }
@@ -109,13 +110,13 @@ void CSimulator::Init() {
   m_loading = true;
   ApplyOverrides(errors);
   TConfigurationNode& root = GetConfigurationRoot();
-  // a section that is missing or wrong is one error; the others are still looked at
+  // a missing or invalid section is one error; the others are still checked
   const auto section = [&](const std::string& tag, auto&& init) {
     return errors.Try("", [&] { init(GetNode(root, tag)); });
   };
   section("framework", [&](TConfigurationNode& node) { InitFramework(node, errors); });
   if (m_rng == nullptr) {
-    // without tick length and seed nothing else can be tried
+    // nothing else can be checked without tick length and seed
     errors.ThrowIfAny();
   }
   section("controllers", [&](TConfigurationNode& node) { InitControllers(node, errors); });
@@ -175,14 +176,14 @@ void CSimulator::InitSystem(TConfigurationNode& framework) {
     }
     m_pool =
         std::make_unique<CThreadPool>(m_numThreads, CreateSchedule(method), pinToCores, [this] {
-          // workers serve this simulator for as long as they live
+          // workers serve this simulator during their lifetime
           CScope(*this).Keep();
         });
   } catch (std::exception& error) {
     const bool hasNode = NodeExists(framework, "system");
     THROW_ARGOSEXCEPTION_NESTED((hasNode ? GetNode(framework, "system") : framework).GetLocation()
                                     << ": <" << (hasNode ? "system" : "framework")
-                                    << ">: the threads cannot be made",
+                                    << ">: the threads cannot be started",
                                 error);
   }
   if (m_numThreads > 0) {
@@ -210,7 +211,7 @@ void CSimulator::InitExperiment(TConfigurationNode& framework) {
                                           << m_tickLength << " s; 0 means unlimited");
     }
   } catch (std::exception& error) {
-    THROW_ARGOSEXCEPTION_NESTED(experiment.GetLocation() << ": <experiment>: wrong \"length\"",
+    THROW_ARGOSEXCEPTION_NESTED(experiment.GetLocation() << ": <experiment>: invalid \"length\"",
                                 error);
   }
   GetNodeAttributeOrDefault(experiment, "real_time", m_realTimeClock, m_realTimeClock);
@@ -246,7 +247,8 @@ void CSimulator::InitProfiling(TConfigurationNode& node) {
   GetNodeAttribute(node, "format", format);
   GetNodeAttributeOrDefault(node, "truncate_file", truncate, truncate);
   m_profiler = std::make_unique<CProfiler>(file, format, truncate);
-  CSpace::AddProfiledPhases(*m_profiler);
+  m_profiledTicks = std::make_unique<STickTimes>();
+  m_space->SetTickTimes(m_profiledTicks.get());
   m_profiler->Start();
 }
 
@@ -264,7 +266,7 @@ void CSimulator::InitController(TConfigurationNode& node) {
     THROW_ARGOSEXCEPTION(
         node.GetLocation()
         << ": <" << node.Value()
-        << ">: attribute \"id\" is empty; robots name their controller by it, as in "
+        << ">: attribute \"id\" is empty; robots refer to their controller by id, as in "
            "<controller config=\"...\" />");
   }
   const auto [other, inserted] = m_controllerNodes.emplace(id, &node);
@@ -304,7 +306,7 @@ void CSimulator::CreateLoopFunctions(TConfigurationNode& root, CLoadErrors& erro
 }
 
 void CSimulator::InitPhysics(TConfigurationNode& section, CLoadErrors& errors) {
-  // without an arena, that is the error
+  // a missing arena is reported by its own section
   if (NodeExists(GetConfigurationRoot(), "arena") &&
       !ExpandAutoPartitions(section, GetNode(GetConfigurationRoot(), "arena"), errors)) {
     MarkBroken("physics_engines");
@@ -333,7 +335,7 @@ void CSimulator::InitMedia(TConfigurationNode& section, CLoadErrors& errors) {
 }
 
 void CSimulator::InitLoopFunctions(TConfigurationNode& root, CLoadErrors& errors) {
-  // they may use every entity, and would fail for reasons that are reported already
+  // loop functions may use every entity, and would fail as a consequence of reported errors
   if (!errors.IsEmpty()) {
     return;
   }

@@ -7,11 +7,11 @@
 
 namespace argos {
 
-/** Paces a loop on wall time: call Sleep() at the end of each round. */
+/** Paces a loop in wall time: call Sleep() at the end of each round. */
 class CRate {
  public:
   /**
-   * The first round starts now.
+   * Starts the first round.
    * @param rate  rounds per second, > 0.
    * @throws CARGoSException if the rate is not positive.
    */
@@ -24,8 +24,8 @@ class CRate {
   Real ElapsedS() const;
 
   /**
-   * Sleeps until the round is over, and starts the next one. A round that lasted too long is not
-   * made up for: the next one has its full length.
+   * Sleeps until the end of the round and starts the next one. A round that took too long is not
+   * compensated: the next one has its full length.
    */
   void Sleep();
 

@@ -32,21 +32,21 @@ class CStats {
 };
 
 /**
- * The discrete RC low-pass filter: output = x + a * (previous output - x). The first value passes
- * through.
+ * The discrete RC low-pass filter: output = x + a * (previous output - x). The first output is the
+ * first value.
  */
 class CRCLowPassFilter {
  public:
   /**
-   * @param smoothingFactor  a, in [0,1): 0 changes nothing, near 1 follows slowly. For a time
-   * constant RC and a tick T it is RC / (RC + T).
+   * @param smoothingFactor  a, in [0,1): 0 disables smoothing, values near 1 follow slowly. For a
+   *   time constant RC and a tick T, a = RC / (RC + T).
    */
   CRCLowPassFilter(Real smoothingFactor) : m_smoothingFactor(smoothingFactor) {}
 
   /** @return the output for the next value. */
   Real Filter(Real value);
 
-  /** Forgets all values. */
+  /** Clears the filter: the next output is the next value. */
   void Reset() { m_hasOutput = false; }
 
  private:

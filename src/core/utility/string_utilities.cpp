@@ -29,7 +29,7 @@ std::string_view Trim(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
-// from_chars() knows no leading '+'
+// from_chars() does not accept a leading '+'
 std::string_view WithoutPlus(std::string_view text) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') {
     text.remove_prefix(1);
@@ -131,7 +131,7 @@ ENumberParsing ParseNumber(std::string_view text, unsigned long long& value) {
 
 namespace {
 
-// the slot of every stream that says whether it is strict
+// index of the stream flag (xalloc) for strict parsing
 int StrictParsingSlot() {
   static const int slot = std::ios_base::xalloc();
   return slot;
@@ -165,7 +165,7 @@ void ThrowTooFewValues(UInt32 expected, UInt32 found, char delimiter) {
 
 void ThrowBadValue(const std::string& field, UInt32 index) {
   THROW_ARGOSEXCEPTION("value number " << index + 1 << " is \"" << field
-                                       << "\", which is not of the expected form");
+                                       << "\", which is not a valid value");
 }
 
 void ThrowTooManyValues(UInt32 expected, char delimiter) {
@@ -184,7 +184,7 @@ std::string DemangledName(const std::type_info& type) {
   const std::unique_ptr<char, decltype(&std::free)> name(
       abi::__cxa_demangle(type.name(), nullptr, nullptr, &status), &std::free);
   std::string result(status == 0 ? name.get() : type.name());
-  // the namespace in which everything lives tells nobody anything
+  // remove argos::, which adds no information
   const std::string prefix = "argos::";
   std::size_t position = 0;
   while ((position = result.find(prefix, position)) != std::string::npos) {
@@ -273,7 +273,7 @@ std::string& ExpandEnvVariables(std::string& buffer) {
 }
 
 /****************************************/
-// near names
+// similar names
 /****************************************/
 
 namespace {
@@ -303,7 +303,7 @@ std::size_t EditDistance(const std::string& a, const std::string& b) {
 bool IsNear(const std::string& a, const std::string& b, std::size_t distance) {
   const std::size_t shorter = std::min(a.size(), b.size());
   const std::size_t longer = std::max(a.size(), b.size());
-  // 3: the third of the letters that the header promises, and the least length of a telling part
+  // constants of the header: a third of the letters, and three letters for a contained name
   if (distance <= std::max<std::size_t>(1, longer / 3)) {
     return distance < longer;
   }

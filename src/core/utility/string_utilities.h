@@ -23,8 +23,8 @@ std::string ToString(const T& value) {
 }
 
 /**
- * Reads a value through its operator>>; booleans as "true" and "false".
- * Nothing is checked: text that is not a T yields whatever operator>> leaves in a T().
+ * Reads a value through its operator>>; booleans as "true" and "false". Unchecked: text that is not
+ * a T gives whatever operator>> leaves in a T().
  */
 template <typename T>
 T FromString(const std::string& value) {
@@ -34,22 +34,22 @@ T FromString(const std::string& value) {
   return result;
 }
 
-/** The name of a type as a programmer writes it, for error messages. */
+/** The readable name of a type, for error messages. */
 std::string DemangledName(const std::type_info& type);
 
-/** How reading a number from a text ended. */
+/** Result of parsing a number. */
 enum class ENumberParsing {
   Ok,
-  /** The text does not begin with a number of the kind asked for. */
+  /** The text does not begin with a number of that type. */
   NotANumber,
-  /** A number, followed by something else than blanks. */
+  /** Text other than blanks follows the number. */
   TrailingText,
-  /** A well-formed number that the type cannot hold. */
+  /** A well-formed number outside the range of the type. */
   OutOfRange
 };
 
 /**
- * Reads a number that fills the whole text, blanks around it aside.
+ * Parses a number that fills the whole text, except for blanks around it.
  *
  * The decimal point is '.', whatever the locale; a leading '+' is allowed. Real numbers may have an
  * exponent; "inf" and "nan" are not numbers here. An integer has no decimal point, and a negative
@@ -70,7 +70,7 @@ ENumberParsing ParseNumber(std::string_view text, unsigned long& value);
 ENumberParsing ParseNumber(std::string_view text, long long& value);
 ENumberParsing ParseNumber(std::string_view text, unsigned long long& value);
 
-/** Is T one of the types that ParseNumber() reads? */
+/** True if ParseNumber() accepts T. */
 template <typename T>
 inline constexpr bool kIsParsableNumber =
     std::is_floating_point_v<T> ||
@@ -78,15 +78,15 @@ inline constexpr bool kIsParsableNumber =
      !std::is_same_v<T, wchar_t> && !std::is_same_v<T, char16_t> && !std::is_same_v<T, char32_t>);
 
 /**
- * Makes ParseValues() strict on this stream: a field that is not a value, and text after the last
- * field, are then errors. Experiment files are read in this mode.
+ * Makes ParseValues() strict on this stream: an invalid field, and text after the last field, are
+ * then errors. Experiment files are read in this mode.
  */
 void SetStrictParsing(std::istream& stream, bool strict);
 bool IsStrictParsing(std::istream& stream);
 
 namespace detail {
 
-/** Throws the errors of ParseValues(): its messages are the same for all types. */
+/** Throw the errors of ParseValues(), the same for all types. */
 [[noreturn]] void ThrowTooFewValues(UInt32 expected, UInt32 found, char delimiter);
 [[noreturn]] void ThrowBadValue(const std::string& field, UInt32 index);
 [[noreturn]] void ThrowTooManyValues(UInt32 expected, char delimiter);
@@ -112,11 +112,11 @@ void ParseStrictField(const std::string& field, UInt32 index, T& value) {
 /**
  * Reads n values separated by a delimiter. Blanks before a value are skipped.
  *
- * On an ordinary stream a field that is not a T is no error and yields T(), and fields after the
- * n-th are left in the stream. On a strict stream (see SetStrictParsing()) both are errors.
- * After success the stream's state is cleared, so that fail() is false at the end of the input.
+ * On an ordinary stream an invalid field is no error and yields T(), and fields after the n-th stay
+ * in the stream. On a strict stream (see SetStrictParsing()) both are errors. On success the
+ * stream's state is cleared, so that fail() is false at the end of the input.
  *
- * @param buffer  room for n values.
+ * @param buffer  receives n values.
  * @throws CARGoSException if there are fewer than n fields, or, on a strict stream, if a field is
  *         not a T or there are more than n.
  */
@@ -129,7 +129,7 @@ void ParseValues(std::istream& in, UInt32 n, T* buffer, const char delimiter = '
       detail::ThrowTooFewValues(n, i, delimiter);
     }
     if (strict) {
-      // the delimiter itself was consumed: after the last field it announces one too many
+      // a delimiter consumed after the last field means that there is one too many
       if (i + 1 == n && !in.eof()) {
         detail::ThrowTooManyValues(n, delimiter);
       }
@@ -152,26 +152,26 @@ void ParseValues(const std::string& in, const UInt32 n, T* buffer, const char de
 }
 
 /**
- * Appends the parts of a string to a vector. Adjacent delimiters count as one, and those at the
- * ends of the string separate nothing.
- * @param delimiters  each character of it is a delimiter.
+ * Appends the parts of a string to a vector. Adjacent delimiters count as one; delimiters at the
+ * ends of the string are ignored.
+ * @param delimiters  each of its characters is a delimiter.
  */
 void Tokenize(const std::string& in, std::vector<std::string>& tokens,
               const std::string& delimiters = " ");
 
-/** Letter case, of ASCII letters only. */
+/** Convert ASCII letters only. */
 std::string StringToUpperCase(const std::string& text);
 std::string StringToLowerCase(const std::string& text);
 
 /**
- * Replaces every occurrence in place, from left to right; what was put in is not searched again.
- * An empty original changes nothing.
+ * Replaces every occurrence in place, from left to right; the replacement is not searched again. An
+ * empty original changes nothing.
  */
 void Replace(std::string& buffer, const std::string& original, const std::string& replacement);
 
 /**
- * Does a POSIX extended regular expression match some part of the input?
- * @return false also if the pattern is not a valid expression.
+ * @return true if a POSIX extended regular expression matches a part of the input; false also if
+ *   the pattern is invalid.
  */
 bool MatchPattern(const std::string& input, const std::string& pattern);
 
@@ -184,20 +184,20 @@ bool MatchPattern(const std::string& input, const std::string& pattern);
 std::string& ExpandEnvVariables(std::string& buffer);
 
 /**
- * The names most like a given one, for error messages: ", " between them, best first.
+ * The names most similar to a given one, for error messages: separated by ", ", best first.
  *
- * Likeness is the edit distance (insert, delete, replace, swap of neighbours), case ignored. A name
- * counts as near if at most a third of the longer one's letters, and at least one, must be edited,
+ * Similarity is the edit distance (insertion, deletion, replacement, transposition), ignoring case.
+ * A name is similar if at most a third of the longer one's letters (at least one) must be edited,
  * or if one contains the other and the shorter has three letters or more.
- * @param most  no more than this many names.
- * @return empty if no name is near.
+ * @param most  maximum number of names.
+ * @return empty if no name is similar.
  */
 std::string NearestNames(const std::string& given, const std::vector<std::string>& candidates,
                          std::size_t most = 3);
 
 /**
- * The end of an error message about an unknown name: '; did you mean "x"?' if there is a near one
- * (the three nearest at most), otherwise "; known: a, b, c", or "; known: none".
+ * The end of an error message about an unknown name: '; did you mean "x"?' if a name is similar
+ * (the nearest three at most), otherwise "; known: a, b, c", or "; known: none".
  */
 std::string DidYouMean(const std::string& given, const std::vector<std::string>& candidates);
 

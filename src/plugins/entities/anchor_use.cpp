@@ -1,10 +1,32 @@
 #include <argos3/plugins/simulator/entities/anchor_use.h>
 
-#include <argos3/core/simulator/entity/entity.h>
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
 
 #include <algorithm>
 
 namespace argos {
+
+void CountFollower(CEntity& component, bool enabled) {
+  auto* const robot = dynamic_cast<CComposableEntity*>(&component.GetRootEntity());
+  if (robot == nullptr) {
+    return;
+  }
+  for (CEntity* part : robot->GetExistingComponents()) {
+    if (auto* const body = dynamic_cast<CEmbodiedEntity*>(part)) {
+      body->CountFollower(enabled);
+      return;
+    }
+  }
+}
+
+void SetFollowerEnabled(CEntity& component, bool enabled) {
+  const bool changes = enabled != component.IsEnabled();
+  component.CEntity::SetEnabled(enabled);
+  if (changes) {
+    CountFollower(component, enabled);
+  }
+}
 
 void MountOnAnchor(SAnchor& anchor, const CEntity& user) {
   if (anchor.Index == 0) {
@@ -13,7 +35,7 @@ void MountOnAnchor(SAnchor& anchor, const CEntity& user) {
   if (user.IsEnabled()) {
     anchor.Enable();
   }
-  // this use of the anchor stays after a Reset()
+  // Reset() keeps this use of the anchor
   if (user.IsEnabledAtStart()) {
     ++anchor.InUseCountAtStart;
   }

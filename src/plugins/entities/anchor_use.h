@@ -10,7 +10,7 @@ namespace argos {
 class CEntity;
 
 /*
- * For the sources of what sits on the anchors of a body, and needs their poses while it is enabled.
+ * For the sources of components that are mounted on anchors and need their poses while enabled.
  */
 
 /** Begins or ends one use of an anchor; the origin anchor is always in use. */
@@ -19,10 +19,17 @@ inline void UseAnchor(SAnchor& anchor, bool use) {
     use ? anchor.Enable() : anchor.Disable();
   }
 }
-/** Something of @p user, which may be enabled already, is put on an anchor, and stays there. */
+/**
+ * Notes on the body of the robot that @p component has been enabled, or disabled, and that its
+ * Update() is needed after each move of the body.
+ */
+void CountFollower(CEntity& component, bool enabled);
+/** SetEnabled() of a component, not composable, whose Update() is needed after each move. */
+void SetFollowerEnabled(CEntity& component, bool enabled);
+/** Registers a mount of @p user, which may be enabled already, on an anchor for good. */
 void MountOnAnchor(SAnchor& anchor, const CEntity& user);
 /**
- * Number of an anchor among those that @p user has put something on: the list grows if it is a new
+ * Returns the index of an anchor in the list of anchors that @p user is mounted on; appends a new
  * one.
  */
 UInt32 NumberOfAnchor(std::vector<SAnchor*>& anchors, SAnchor& anchor, const CEntity& user);

@@ -5,7 +5,7 @@
 
 namespace argos {
 
-/** "time": so much in every tick. */
+/** "time": a constant charge per tick. */
 class CBatteryDischargeModelTime : public CBatteryDischargeModel {
  public:
   /** Reads `delta`, charge per tick, default 1e-5. @throws CARGoSException if it is < 0. */
@@ -16,12 +16,12 @@ class CBatteryDischargeModelTime : public CBatteryDischargeModel {
   Real m_delta = 1e-5;
 };
 
-/** "motion": so much for every metre that the robot moves, and for every radian that it turns. */
+/** "motion": a constant charge per metre moved and per radian turned. */
 class CBatteryDischargeModelMotion : public CBatteryDischargeModel {
  public:
   /**
    * Reads `pos_delta`, charge per m, and `orient_delta`, charge per rad, default 1e-3 each.
-   * @throws CARGoSException if one is < 0.
+   * @throws CARGoSException if a value is < 0.
    */
   void Init(TConfigurationNode& battery) override;
   void operator()() override;
@@ -31,13 +31,13 @@ class CBatteryDischargeModelMotion : public CBatteryDischargeModel {
   Real m_orientationDelta = 1e-3;
 };
 
-/** "time_motion": the sum of both. */
+/** "time_motion": the sum of both models. */
 class CBatteryDischargeModelTimeMotion : public CBatteryDischargeModel {
  public:
   /**
    * Reads `time_factor`, charge per tick, default 1e-5, and `pos_factor`, charge per m, and
    * `orient_factor`, charge per rad, default 1e-3 each.
-   * @throws CARGoSException if one is < 0.
+   * @throws CARGoSException if a value is < 0.
    */
   void Init(TConfigurationNode& battery) override;
   void operator()() override;

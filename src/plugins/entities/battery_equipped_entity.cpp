@@ -59,7 +59,7 @@ void CBatteryEquippedEntity::Configure(TConfigurationNode& battery) {
   try {
     SetDischargeModel(model);
   } catch (std::exception& error) {
-    THROW_ARGOSEXCEPTION_NESTED(owner << ": wrong \"discharge_model\"", error);
+    THROW_ARGOSEXCEPTION_NESTED(owner << ": invalid \"discharge_model\"", error);
   }
   if (m_model != nullptr) {
     m_model->Init(battery);
@@ -76,6 +76,10 @@ void CBatteryEquippedEntity::Reset() {
   if (m_model != nullptr) {
     m_model->Reset();
   }
+}
+
+void CBatteryEquippedEntity::SetEnabled(bool enabled) {
+  SetFollowerEnabled(*this, enabled);
 }
 
 void CBatteryEquippedEntity::Update() {

@@ -16,9 +16,9 @@ namespace argos {
 class CBatteryEquippedEntity;
 
 /**
- * How a battery runs down. Users derive from this, and register their class with
+ * Discharge model of a battery. Users derive from this class and register theirs with
  * REGISTER_BATTERY_DISCHARGE_MODEL() under the label that `<battery discharge_model="..." />`
- * names.
+ * gives.
  */
 class CBatteryDischargeModel : public CBaseConfigurableResource {
  public:
@@ -29,7 +29,7 @@ class CBatteryDischargeModel : public CBaseConfigurableResource {
 
   /** Called once; the battery outlives the model. */
   virtual void SetBattery(CBatteryEquippedEntity* battery) { m_pcBattery = battery; }
-  /** Called once a tick, after the robot has moved: takes charge from the battery. */
+  /** Reduces the battery's charge. Called once a tick, after the robot has moved. */
   virtual void operator()() = 0;
 
  protected:
@@ -37,9 +37,9 @@ class CBatteryDischargeModel : public CBaseConfigurableResource {
 };
 
 /**
- * The battery of a robot. It only counts: the robot goes on when it is empty.
+ * The battery of a robot. It only counts charge: an empty battery does not stop the robot.
  *
- * Starts disabled, and runs down only while it is enabled; the sensor that reads it enables it.
+ * Starts disabled and is discharged only while enabled; the sensor that reads it enables it.
  */
 class CBatteryEquippedEntity : public CEntity {
  public:
@@ -48,50 +48,53 @@ class CBatteryEquippedEntity : public CEntity {
   explicit CBatteryEquippedEntity(CComposableEntity* parent);
   /**
    * @param parent       has a "body", for models that need one.
-   * @param model        taken over; null: the charge never falls.
-   * @param startCharge  what there is at the start and after a reset, in [0, fullCharge].
+   * @param model        owned from now on; null: the charge never falls.
+   * @param startCharge  charge at the start and after a reset, in [0, fullCharge].
    * @param fullCharge   > 0.
    * @throws CARGoSException if a charge is out of range.
    */
   CBatteryEquippedEntity(CComposableEntity* parent, const std::string& id,
                          CBatteryDischargeModel* model = nullptr, Real startCharge = 1.0,
                          Real fullCharge = 1.0);
-  /** @param model the label of a model; empty: the charge never falls. @throws as above, and if
-   * there is no such model. */
+  /**
+   * @param model  label of a model; empty: the charge never falls. @throws CARGoSException as
+   *   above, and if the label is unknown.
+   */
   CBatteryEquippedEntity(CComposableEntity* parent, const std::string& id, const std::string& model,
                          Real startCharge = 1.0, Real fullCharge = 1.0);
   ~CBatteryEquippedEntity() override;
 
-  /** What Configure() reads, and `id`. */
+  /** Reads `id` and the attributes of Configure(). */
   void Init(TConfigurationNode& tree) override;
   /**
-   * Reads `discharge_model` ("time"), `start_charge` (1), `full_charge` (1), and what the model
-   * reads.
-   * @throws CARGoSException if the model is unknown, or a value out of range.
+   * Reads `discharge_model` ("time"), `start_charge` (1), `full_charge` (1), and the model's
+   * attributes.
+   * @throws CARGoSException if the model is unknown or a value is out of range.
    */
   void Configure(TConfigurationNode& battery);
-  /** Back to the charge at the start. */
+  /** Restores the start charge. */
   void Reset() override;
-  /** Runs down, once a tick. */
+  /** Applies the discharge model, once a tick. */
   void Update() override;
+  void SetEnabled(bool enabled) override;
   std::string GetTypeDescription() const override { return "battery"; }
 
   Real GetFullCharge() const { return m_fullCharge; }
-  /** @throws CARGoSException if it is not > 0. */
+  /** @throws CARGoSException if the charge is not > 0. */
   void SetFullCharge(Real charge);
   Real GetAvailableCharge() const { return m_availableCharge; }
-  /** @throws CARGoSException if it is not >= 0. */
+  /** @throws CARGoSException if the charge is not >= 0. */
   void SetAvailableCharge(Real charge);
-  /** Takes @p amount away, but no more than there is. */
+  /** Reduces the charge by @p amount, to 0 at least. */
   void Discharge(Real amount);
-  /** Takes the model over; null: the charge never falls. */
+  /** Takes ownership of the model; null: the charge never falls. */
   void SetDischargeModel(CBatteryDischargeModel* model);
-  /** @param label empty: the charge never falls. @throws CARGoSException if it is unknown. */
+  /** @param label  empty: the charge never falls. @throws CARGoSException if it is unknown. */
   void SetDischargeModel(const std::string& label);
 
   /**
-   * How the body's origin moved in this tick, for models: m, and rad in [0, PI] about whichever
-   * axis. Moves by command do not count.
+   * Motion of the body's origin in this tick, for models: m, and rad in [0, PI] about any axis.
+   * Excludes moves by command.
    * @throws CARGoSException if the robot has no body.
    */
   Real ComputeDistanceMoved() const;

@@ -5,11 +5,11 @@
 
 namespace argos {
 
-/** How a body has moved since a pose that is remembered. For the sources of components. */
+/** The motion of a body since a stored pose. For the sources of components. */
 class CBodyMotion {
  public:
   bool HasBody() const { return m_body != nullptr; }
-  /** Remembers the pose that the body has now. @param body must outlive this. */
+  /** Stores the current pose. @param body must outlive this object. */
   void SetBody(const CEmbodiedEntity& body) {
     m_body = &body;
     Remember();
@@ -18,20 +18,20 @@ class CBodyMotion {
     m_position = m_body->GetOriginAnchor().Position;
     m_orientation = m_body->GetOriginAnchor().Orientation;
   }
-  /** Remembers the pose that the body starts with. */
+  /** Stores the body's initial pose. */
   void RememberStart() {
     m_position = m_body->GetInitPosition();
     m_orientation = m_body->GetInitOrientation();
   }
 
-  /** Of the origin, m. */
+  /** Distance of the origin from the stored position, m. */
   Real ComputeDistance() const { return Distance(m_body->GetOriginAnchor().Position, m_position); }
-  /** Where the origin is now, in the frame remembered, m. */
+  /** Displacement of the origin in the stored frame, m. */
   CVector3 ComputeStep() const {
     CVector3 step = m_body->GetOriginAnchor().Position - m_position;
     return step.Rotate(m_orientation.Inverse());
   }
-  /** How the body is turned now, in the frame remembered. */
+  /** Rotation of the body in the stored frame. */
   CQuaternion ComputeTurn() const {
     return m_orientation.Inverse() * m_body->GetOriginAnchor().Orientation;
   }

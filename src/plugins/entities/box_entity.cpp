@@ -51,7 +51,7 @@ SVisualPart CBoxEntity::MakeSolidPart() const {
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CBoxEntity)
 
 REGISTER_ENTITY(
-    CBoxEntity, "box", "the authors of this project", "1.0", "A box, fixed or to be pushed.",
+    CBoxEntity, "box", "the authors of this project", "1.0", "A box, fixed or movable.",
     R"(A rectangular solid that stands on its base. Fixed boxes are walls and obstacles; movable ones
 are pushed by robots and rub on the ground.
 
@@ -71,7 +71,7 @@ ATTRIBUTES
   id                text, required: unique among the entities of the arena.
   size              "x,y,z", m, required, each > 0: extents along the local axes.
   movable           "true" or "false", required.
-  mass              kg, > 0: required if movable, otherwise without effect.
+  mass              kg, > 0: required if movable, ignored otherwise.
   body@position     "x,y,z", m, default "0,0,0": the centre of the base, in the world frame.
   body@orientation  "z,y,x", degrees, default "0,0,0".
 
@@ -88,7 +88,7 @@ LEDs on the box, seen by cameras:
     </box>
   </arena>
 
-with the LED medium that they name:
+with their LED medium:
 
   <media>
     <led id="leds" />
@@ -98,7 +98,7 @@ with the LED medium that they name:
   leds/led@offset   "x,y,z", m, required: from the centre of the base, in the box's frame.
   leds/led@anchor   text, required: "origin".
   leds/led@color    a colour name or "R,G,B,A" with integers 0-255, required.
-  rfid_tags         RFID tags that it carries; the entity "rfid_tag" explains them.
+  rfid_tags         RFID tags on the box; see the entity "rfid_tag".
 )",
     "Usable")
 

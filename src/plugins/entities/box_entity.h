@@ -5,7 +5,7 @@
 
 namespace argos {
 
-/** A box: an obstacle that nothing moves, or an object that robots push. */
+/** A box: a fixed obstacle or a movable object. */
 class CBoxEntity : public CPassiveBodyEntity {
  public:
   ENABLE_VTABLE();
@@ -15,7 +15,7 @@ class CBoxEntity : public CPassiveBodyEntity {
    * @param position, orientation  of the centre of the base, m, world frame.
    * @param size                   along the local axes, m, each > 0.
    * @param mass                   kg, > 0; ignored if not movable.
-   * @throws CARGoSException if a size or a needed mass is not > 0.
+   * @throws CARGoSException if a size, or the mass of a movable box, is not > 0.
    */
   CBoxEntity(const std::string& id, const CVector3& position, const CQuaternion& orientation,
              bool movable, const CVector3& size, Real mass = 1.0);
@@ -26,7 +26,7 @@ class CBoxEntity : public CPassiveBodyEntity {
 
   /** Extents along the local axes, m. */
   const CVector3& GetSize() const { return m_size; }
-  /** Changes the size; see SetMass(). @throws CARGoSException if one extent is not > 0. */
+  /** Changes the size; see SetMass(). @throws CARGoSException if an extent is not > 0. */
   void Resize(const CVector3& size);
 
  protected:

@@ -7,7 +7,7 @@
 
 namespace argos {
 
-/** Calls @p call for each engine's model of the body of the robot that @p component belongs to. */
+/** Calls @p call for the model of each engine of the body of @p component's robot. */
 template <typename CALL>
 void ForModelsOfRobot(CEntity& component, CALL&& call) {
   if (CEmbodiedEntity* const body = FindDescribedBody(component.GetRootEntity())) {
@@ -20,8 +20,8 @@ void ForModelsOfRobot(CEntity& component, CALL&& call) {
 }  // namespace argos
 
 /**
- * Instead of REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY, for components that engines act upon:
- * these learn when one joins or leaves a robot (CPhysicsModel::ComponentAdded).
+ * Replaces REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY for components that engines use: engines
+ * are notified of additions and removals (CPhysicsModel::ComponentAdded).
  */
 #define REGISTER_SPACE_OPERATIONS_TOLD_TO_ENGINES(COMPONENT)                                       \
   class CSpaceOperationAdd##COMPONENT : public CSpaceOperationAddEntity {                          \

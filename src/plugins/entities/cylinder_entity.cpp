@@ -46,7 +46,7 @@ REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CCylinderEntity)
 
 REGISTER_ENTITY(
     CCylinderEntity, "cylinder", "the authors of this project", "1.0",
-    "A cylinder, fixed or to be pushed.",
+    "A cylinder, fixed or movable.",
     R"(An upright cylinder that stands on its base. Fixed cylinders are obstacles; movable ones are
 pushed by robots and rub on the ground.
 
@@ -66,7 +66,7 @@ ATTRIBUTES
   id                text, required: unique among the entities of the arena.
   radius, height    m, required, > 0; the axis is vertical.
   movable           "true" or "false", required.
-  mass              kg, > 0: required if movable, otherwise without effect.
+  mass              kg, > 0: required if movable, ignored otherwise.
   body@position     "x,y,z", m, default "0,0,0": the centre of the base, in the world frame.
   body@orientation  "z,y,x", degrees, default "0,0,0".
 
@@ -83,7 +83,7 @@ LEDs on the cylinder, seen by cameras:
     </cylinder>
   </arena>
 
-with the LED medium that they name:
+with their LED medium:
 
   <media>
     <led id="leds" />
@@ -93,7 +93,7 @@ with the LED medium that they name:
   leds/led@offset   "x,y,z", m, required: from the centre of the base, in the cylinder's frame.
   leds/led@anchor   text, required: "origin".
   leds/led@color    a colour name or "R,G,B,A" with integers 0-255, required.
-  rfid_tags         RFID tags that it carries; the entity "rfid_tag" explains them.
+  rfid_tags         RFID tags on the cylinder; see the entity "rfid_tag".
 )",
     "Usable")
 

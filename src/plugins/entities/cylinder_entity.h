@@ -5,7 +5,7 @@
 
 namespace argos {
 
-/** An upright cylinder: an obstacle that nothing moves, or an object that robots push. */
+/** An upright cylinder: a fixed obstacle or a movable object. */
 class CCylinderEntity : public CPassiveBodyEntity {
  public:
   ENABLE_VTABLE();
@@ -15,7 +15,7 @@ class CCylinderEntity : public CPassiveBodyEntity {
    * @param position, orientation  of the centre of the base, m, world frame.
    * @param radius, height         m, > 0.
    * @param mass                   kg, > 0; ignored if not movable.
-   * @throws CARGoSException if a size or a needed mass is not > 0.
+   * @throws CARGoSException if a size, or the mass of a movable cylinder, is not > 0.
    */
   CCylinderEntity(const std::string& id, const CVector3& position, const CQuaternion& orientation,
                   bool movable, Real radius, Real height, Real mass = 1.0);
@@ -27,7 +27,7 @@ class CCylinderEntity : public CPassiveBodyEntity {
   /** m. */
   Real GetRadius() const { return m_radius; }
   Real GetHeight() const { return m_height; }
-  /** Changes the size, m; see SetMass(). @throws CARGoSException if one is not > 0. */
+  /** Changes the size, m; see SetMass(). @throws CARGoSException if a value is not > 0. */
   void Resize(Real radius, Real height);
 
  protected:

@@ -14,9 +14,9 @@ namespace argos {
 class CDirectionalLEDMedium;
 
 /**
- * A point of light that shines along its z axis, and is seen from within an angle around it.
+ * A point light that shines along its z axis and is visible within an angle around it.
  *
- * Starts disabled. The medium knows it exactly while it is enabled.
+ * Starts disabled. The medium contains it exactly while it is enabled.
  */
 class CDirectionalLEDEntity : public CMediumMember<CDirectionalLEDEntity, CDirectionalLEDMedium> {
  public:
@@ -24,7 +24,7 @@ class CDirectionalLEDEntity : public CMediumMember<CDirectionalLEDEntity, CDirec
 
   typedef std::vector<CDirectionalLEDEntity*> TList;
 
-  /** Black, seen from all sides. */
+  /** Creates a black LED that is visible from all sides. */
   explicit CDirectionalLEDEntity(CComposableEntity* parent);
   /**
    * @param position, orientation  m, world frame.
@@ -37,7 +37,7 @@ class CDirectionalLEDEntity : public CMediumMember<CDirectionalLEDEntity, CDirec
 
   /** Reads `observable_angle`, `color` (default black), and the pose. */
   void Init(TConfigurationNode& tree) override;
-  /** Back to the initial colour and pose. */
+  /** Restores the initial colour and pose. */
   void Reset() override;
   std::string GetTypeDescription() const override { return "directional_led"; }
 
@@ -45,16 +45,16 @@ class CDirectionalLEDEntity : public CMediumMember<CDirectionalLEDEntity, CDirec
   void SetColor(const CColor& color) { m_color = color; }
   const CColor& GetInitColor() const { return m_initColor; }
   void SetInitColor(const CColor& color) { m_initColor = color; }
-  /** False if it is black, and opaque: then no camera sees it. */
+  /** @return false if the colour is opaque black: such an LED is invisible to cameras. */
   bool IsLit() const { return m_color != CColor(); }
 
   const CRadians& GetObservableAngle() const { return m_observableAngle; }
   /**
-   * @param angle  half angle of the cone around the z axis from which the LED is seen, in (0, PI].
-   * @throws CARGoSException if it is not.
+   * @param angle  half angle of the visibility cone around the z axis, in (0, PI].
+   * @throws CARGoSException if the angle is out of range.
    */
   void SetObservableAngle(const CRadians& angle);
-  /** Whether it shines towards a point, m, world frame. */
+  /** @return true if a point (m, world frame) is in the visibility cone. */
   bool ShinesOn(const CVector3& point) const;
 
   void UpdateDigest(CDigest& digest) const override;

@@ -19,7 +19,7 @@ class CDirectionalLEDEquippedEntity : public CMountedEntities<CDirectionalLEDEnt
   /**
    * Reads `medium` and the children `<directional_led position="x,y,z" orientation="z,y,x"
    * anchor="..." observable_angle="..." color="..." />`, and enables the LEDs. The parent must have
-   * a "body" with the anchors named.
+   * a "body" with these anchors.
    * @throws CARGoSException with the known names if a medium or an anchor is unknown.
    */
   void Init(TConfigurationNode& tree) override;
@@ -27,14 +27,14 @@ class CDirectionalLEDEquippedEntity : public CMountedEntities<CDirectionalLEDEnt
 
   /**
    * Adds an LED that shines along the z axis of its frame.
-   * @param position, orientation  of its frame, in the anchor's, m.
-   * @param observableAngle        half angle of the cone from which it is seen, in (0, PI].
+   * @param position, orientation  of the LED's frame in the anchor's frame, m.
+   * @param observableAngle        half angle of the visibility cone, in (0, PI].
    */
   void AddLED(const CVector3& position, const CQuaternion& orientation, SAnchor& anchor,
               const CRadians& observableAngle, const CColor& color = CColor::BLACK);
 
   size_t GetNumLEDs() const { return GetInstances().size(); }
-  /** These throw CARGoSException if there is no LED of that number. */
+  /** These throw CARGoSException if the index is out of range. */
   CDirectionalLEDEntity& GetLED(UInt32 index);
   void SetLEDColor(UInt32 index, const CColor& color);
   void SetAllLEDsColors(const CColor& color);

@@ -26,7 +26,7 @@ CGripperEquippedEntity::CGripperEquippedEntity(CComposableEntity* parent, const 
       m_initDirection(direction),
       m_direction(direction),
       m_lockThreshold(RequireFinite("lock threshold", lockThreshold)) {
-  CEntity::SetEnabled(false);  // nothing to update: engines grip
+  CEntity::SetEnabled(false);  // engines do the gripping; there is nothing to update
 }
 
 void CGripperEquippedEntity::Reset() {
@@ -47,7 +47,7 @@ void CGripperEquippedEntity::SetLockThreshold(Real threshold) {
 CEmbodiedEntity& CGripperEquippedEntity::GetGrippedEntity() {
   if (m_gripped == nullptr) {
     THROW_ARGOSEXCEPTION("gripper \"" << GetContext() << GetId()
-                                      << "\" holds nothing: ask IsGripping() first");
+                                      << "\" holds nothing: call IsGripping() first");
   }
   return *m_gripped;
 }
@@ -63,7 +63,7 @@ Real CGripperEquippedEntity::RequireFinite(const char* what, Real value) const {
 void CGripperEquippedEntity::UpdateDigest(CDigest& digest) const {
   CEntity::UpdateDigest(digest);
   digest.Add(m_lockState);
-  // which entity, not where it lies in memory
+  // the index of the entity, because its address differs between runs
   digest.Add(m_gripped != nullptr ? static_cast<SInt64>(m_gripped->GetIndex()) : SInt64(-1));
 }
 

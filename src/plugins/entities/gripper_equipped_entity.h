@@ -9,27 +9,27 @@ namespace argos {
 class CEmbodiedEntity;
 
 /**
- * The gripper of a robot: whether it is locked, and what it holds.
+ * The gripper of a robot: its lock state and the gripped body.
  *
- * While it is locked and holds nothing, it takes hold of the first body that can be gripped
- * (SBodyDescription::Grippable) and reaches into a small disc around its offset; see
- * SGripperDescription. When it is unlocked, it lets go, in the next physics phase. Engines do both.
+ * A locked gripper that holds nothing grips the first grippable body (SBodyDescription::Grippable)
+ * that overlaps a small disc around its offset; see SGripperDescription. An unlocked gripper
+ * releases its body in the next physics phase. Engines do both.
  */
 class CGripperEquippedEntity : public CEntity {
  public:
   ENABLE_VTABLE();
 
-  /** At the origin of the body, opening ahead. */
+  /** At the origin of the body, opening forward. */
   explicit CGripperEquippedEntity(CComposableEntity* parent);
   /**
    * @param offset          m, in the frame of the turret if the robot has one, else of the body.
-   * @param direction       where it opens, same frame.
-   * @param lock_threshold  the lock state beyond which the gripper is locked.
+   * @param direction       opening direction, same frame.
+   * @param lock_threshold  the gripper is locked if the lock state exceeds this.
    */
   CGripperEquippedEntity(CComposableEntity* parent, const std::string& id, const CVector3& offset,
                          const CVector3& direction, Real lock_threshold = 0.5);
 
-  /** Unlocked, holding nothing, at its initial offset and direction. */
+  /** Unlocks, releases the body, and restores the initial offset and direction. */
   void Reset() override;
   std::string GetTypeDescription() const override { return "gripper"; }
 
@@ -43,7 +43,7 @@ class CGripperEquippedEntity : public CEntity {
   void SetDirection(const CVector3& direction) { m_direction = direction; }
 
   Real GetLockState() const { return m_lockState; }
-  /** @param state usually in [0,1], 0 is open. @throws CARGoSException if it is not finite. */
+  /** @param state usually in [0,1]; 0 is open. @throws CARGoSException if it is not finite. */
   void SetLockState(Real state);
   Real GetLockThreshold() const { return m_lockThreshold; }
   /** @throws CARGoSException if it is not finite. */
@@ -55,7 +55,7 @@ class CGripperEquippedEntity : public CEntity {
   CEmbodiedEntity& GetGrippedEntity();
   /** For engines. */
   void SetGrippedEntity(CEmbodiedEntity& entity) { m_gripped = &entity; }
-  /** For engines; called by anybody else, makes the gripper let go in the next physics phase. */
+  /** For engines; a call by other code releases the body in the next physics phase. */
   void ClearGrippedEntity() { m_gripped = nullptr; }
 
   void UpdateDigest(CDigest& digest) const override;
@@ -67,7 +67,7 @@ class CGripperEquippedEntity : public CEntity {
   CVector3 m_initDirection, m_direction;
   Real m_lockState = 0.0;
   Real m_lockThreshold;
-  CEmbodiedEntity* m_gripped = nullptr;  // null: nothing; not owned
+  CEmbodiedEntity* m_gripped = nullptr;  // null if it holds nothing; not owned
 };
 
 }  // namespace argos

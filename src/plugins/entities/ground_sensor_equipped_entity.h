@@ -9,7 +9,7 @@
 
 namespace argos {
 
-/** Where a ground sensor of a type of robot is. */
+/** Place of a ground sensor, common to a type of robot. */
 struct SGroundSensorPlace {
   enum ESensorType {
     TYPE_BLACK_WHITE, /**< reads 0 or 1 */
@@ -18,10 +18,10 @@ struct SGroundSensorPlace {
 
   CVector2 Offset; /**< in the xy plane of the anchor's frame, m */
   ESensorType Type = TYPE_GRAYSCALE;
-  UInt32 Anchor = 0; /**< which of the anchors given with the layout */
+  UInt32 Anchor = 0; /**< index of the anchor in the layout */
 };
 
-/** The ground sensors of a type of robot. */
+/** The ground sensors, common to a type of robot. */
 struct SGroundSensorLayout {
   typedef SGroundSensorPlace TPlace;
 
@@ -35,7 +35,7 @@ struct SGroundSensorLayout {
   /** Adds sensors on a circle, counter-clockwise: i at startAngle + i * 2 PI / num. */
   void AddSensorRing(const CVector2& center, Real radius, const CRadians& startAngle,
                      SGroundSensorPlace::ESensorType type, UInt32 num, UInt32 anchor = 0);
-  /** Nothing is derived from the places. */
+  /** Does nothing: no data are derived from the places. */
   void ComputeBounds() {}
 };
 
@@ -52,11 +52,11 @@ struct SGroundSensor {
   SGroundSensor(const SGroundSensorPlace& place, SAnchor& anchor)
       : SGroundSensor(place.Offset, place.Type, anchor) {}
 
-  /** @return true if it differs from the place, which then takes it over. */
+  /** Copies the sensor to its place. @return true if they differed. */
   bool WriteTo(SGroundSensorPlace& place) const;
 };
 
-/** The sensors under a body that see the colour of the floor. */
+/** Sensors under a body that measure the colour of the floor. */
 class CGroundSensorEquippedEntity
     : public CSensorEquippedEntity<SGroundSensorLayout, SGroundSensor> {
  public:

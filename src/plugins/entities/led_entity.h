@@ -14,9 +14,9 @@ namespace argos {
 class CLEDMedium;
 
 /**
- * A point of light. Cameras see it if it is enabled, has a medium, and is not black.
+ * A point light. Cameras see it if it is enabled, has a medium, and is not black.
  *
- * Starts disabled. The medium knows it exactly while it is enabled.
+ * Starts disabled. The medium contains it exactly while it is enabled.
  */
 class CLEDEntity : public CMediumMember<CLEDEntity, CLEDMedium> {
  public:
@@ -31,14 +31,14 @@ class CLEDEntity : public CMediumMember<CLEDEntity, CLEDMedium> {
              const CColor& color);
   ~CLEDEntity() override;
 
-  /** Reads `color`, and what CPositionalEntity::Init() reads. */
+  /** Reads `color` and the attributes of CPositionalEntity::Init(). */
   void Init(TConfigurationNode& tree) override;
-  /** Back to the initial colour and pose. */
+  /** Restores the initial colour and pose. */
   void Reset() override;
   std::string GetTypeDescription() const override { return "led"; }
 
   const CColor& GetColor() const { return m_color; }
-  /** False if it is black, and opaque: then no camera sees it. */
+  /** @return false if the colour is opaque black: such an LED is invisible to cameras. */
   bool IsLit() const { return m_color != CColor(); }
   const CColor& GetInitColor() const { return m_initColor; }
   virtual void SetColor(const CColor& color) { m_color = color; }

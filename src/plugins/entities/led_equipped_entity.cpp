@@ -32,6 +32,7 @@ CLEDEquippedEntity::CLEDEquippedEntity(CComposableEntity* parent, const std::str
     : CComposableEntity(parent, id) {
   static const std::shared_ptr<const SLayout> kEmpty = std::make_shared<SLayout>();
   m_layout = kEmpty;
+  SetLazyComponents(this);
   CComposableEntity::SetEnabled(false);
 }
 
@@ -55,7 +56,7 @@ void CLEDEquippedEntity::Init(TConfigurationNode& tree) {
 
 void CLEDEquippedEntity::Reset() {
   CComposableEntity::Reset();
-  // the LEDs are where the body starts, also those of bodies that no engine ever moves
+  // place the LEDs on bodies that no engine moves, too
   UpdateComponents();
   for (size_t i = 0; i < m_colors.size(); ++i) {
     m_colors[i] = m_layout->Places[i].Color;
@@ -75,22 +76,19 @@ void CLEDEquippedEntity::SetEnabled(bool enabled) {
     return;
   }
   CComposableEntity::SetEnabled(enabled);
+  CountFollower(*this, enabled);
   for (SAnchor* anchor : m_anchors) {
     UseAnchor(*anchor, enabled);
   }
   if (enabled) {
-    // nobody moved them, nor perhaps their anchors, while they were off
+    // neither the LEDs nor perhaps their anchors were updated while the LEDs were disabled
     UpdateComponents();
   }
 }
 
-size_t CLEDEquippedEntity::GetIndexSpan() const {
-  return 1 + m_colors.size();
-}
-
 void CLEDEquippedEntity::SetLayout(std::shared_ptr<const SLayout> layout,
                                    const std::vector<SAnchor*>& anchors) {
-  ARGOS_ASSERT(GetNumLEDs() == 0, "a layout replaces LEDs that exist already");
+  ARGOS_ASSERT(GetNumLEDs() == 0, "a layout would replace existing LEDs");
   m_layout = std::move(layout);
   m_anchors.assign(anchors.begin(), anchors.end());
   m_colors.reserve(m_layout->Places.size());
@@ -115,7 +113,7 @@ void CLEDEquippedEntity::AddLEDRing(const CVector3& center, Real radius, const C
 
 void CLEDEquippedEntity::Append(SLayout&& layout) {
   const size_t numBefore = GetNumLEDs();
-  // what has a medium or a place in the space is an entity
+  // LEDs are entities if they have a medium or an index in the space
   const bool asEntities = m_medium != nullptr || GetIndex() >= 0 || m_entities != nullptr;
   if (asEntities) {
     Materialize();
@@ -128,7 +126,7 @@ void CLEDEquippedEntity::Append(SLayout&& layout) {
     }
     CLEDEntity& led = MakeLED(i);
     if (GetIndex() >= 0) {
-      // the indices after this entity's own are taken by those that came before this LED
+      // the indices directly after this entity's belong to the LEDs added before
       CallEntityOperation<CSpaceOperationAddEntity, CSpace, void>(CurrentSpace(), led);
     }
   }
@@ -262,8 +260,9 @@ namespace {
 class CSpaceOperationAddCLEDEquippedEntity : public CSpaceOperationAddEntity {
  public:
   void ApplyTo(CSpace& space, CLEDEquippedEntity& entity) {
-    space.RememberType<CLEDEntity>();
     space.AddEntity(entity);
+    // the LEDs that are created later come right after their parent in the order of entities
+    space.SkipIndices(entity.GetNumLazyLEDs());
     AddComponentsToSpace(space, entity);
   }
 };

@@ -3,6 +3,7 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/entity/lazy_components.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/plugins/simulator/entities/led_entity.h>
 
@@ -14,17 +15,18 @@ namespace argos {
 /**
  * The LEDs on a body.
  *
- * Until someone needs them as entities (a medium, GetLED(), GetLEDs(), a component look-up), LEDs
- * are only a colour each here, and a place in a layout that all robots of a type share.
- * Materialize() makes the entities; it must not run while robots act or sense in parallel.
+ * LEDs become entities only when necessary (by a medium, GetLED(), GetLEDs(), or a component
+ * look-up). Until then they are a colour each here and a place in a layout that all robots of a
+ * type share. Materialize() creates the entities; it must not run while robots act or sense in
+ * parallel.
  *
- * Starts disabled: then cameras see none of the LEDs, which keep their colours.
+ * Starts disabled: the LEDs keep their colours and are invisible to cameras.
  */
-class CLEDEquippedEntity : public CComposableEntity {
+class CLEDEquippedEntity : public CComposableEntity, private CLazyComponents {
  public:
   ENABLE_VTABLE();
 
-  /** An LED and where it sits. */
+  /** An LED and its place. */
   struct SActuator {
     CLEDEntity& LED;
     CVector3 Offset; /**< in the anchor's frame, m */
@@ -36,10 +38,10 @@ class CLEDEquippedEntity : public CComposableEntity {
         : LED(led), Offset(offset), Anchor(anchor) {}
   };
 
-  /** Where the LEDs of a type of robot sit. */
+  /** Places of the LEDs, common to a type of robot. */
   struct SPlace {
     CVector3 Offset; /**< in the anchor's frame, m */
-    UInt32 Anchor = 0; /**< which of the anchors given with the layout */
+    UInt32 Anchor = 0; /**< index of the anchor in the layout */
     CColor Color; /**< at the start and after Reset() */
   };
   struct SLayout {
@@ -56,23 +58,23 @@ class CLEDEquippedEntity : public CComposableEntity {
 
   /**
    * Reads `medium` and the children `<led offset="x,y,z" anchor="..." color="..." />`, and enables
-   * the LEDs. The parent must have a "body" with the anchors named.
+   * the LEDs. The parent must have a "body" with these anchors.
    * @throws CARGoSException with the known names if a medium or an anchor is unknown.
    */
   void Init(TConfigurationNode& tree) override;
-  /** All LEDs get their initial colours back. */
+  /** Restores the initial colours. */
   void Reset() override;
   std::string GetTypeDescription() const override { return "leds"; }
-  /** Puts the LED entities where their anchors are now. */
+  /** Moves the LED entities to the current poses of their anchors. */
   void UpdateComponents() override;
-  /** Also of the anchors that carry LEDs; LEDs that are enabled go where their anchors are. */
+  /** Also enables or disables the use of the anchors; enabled LEDs move to their anchors' poses. */
   void SetEnabled(bool enabled) override;
   virtual void Enable() { CComposableEntity::Enable(); }
   virtual void Disable() { CComposableEntity::Disable(); }
-  /** Itself, and its LEDs that are no entities yet. */
-  size_t GetIndexSpan() const override;
 
-  /** Takes over a layout. @param anchors  those that the layout numbers; of one body. */
+  /**
+   * Sets the layout. @param anchors  the anchors that the layout refers to by index; of one body.
+   */
   void SetLayout(std::shared_ptr<const SLayout> layout, const std::vector<SAnchor*>& anchors);
   /** @param offset in the anchor's frame, m. */
   void AddLED(const CVector3& offset, SAnchor& anchor, const CColor& color = CColor::BLACK);
@@ -84,10 +86,10 @@ class CLEDEquippedEntity : public CComposableEntity {
                   SAnchor& anchor, const CColor& color = CColor::BLACK);
 
   size_t GetNumLEDs() const { return m_layout->Places.size(); }
-  /** What follows throws CARGoSException if there is no LED of that number. */
+  /** These throw CARGoSException if the index is out of range. */
   const CColor& GetLEDColor(size_t index) const;
   CLEDEntity& GetLED(UInt32 index);
-  /** One for each LED, owned by this entity. */
+  /** One element per LED, owned by this entity. */
   SActuator::TList& GetLEDs();
   const CVector3& GetLEDOffset(size_t index) const;
   void SetLEDOffset(UInt32 index, const CVector3& offset);
@@ -95,19 +97,22 @@ class CLEDEquippedEntity : public CComposableEntity {
   void SetAllLEDsColors(const CColor& color);
   /** @throws CARGoSException if the numbers of colours and of LEDs differ. */
   void SetAllLEDsColors(const std::vector<CColor>& colors);
-  /** Gives all LEDs, also those added later, to a medium: a CLEDMedium. */
+  /** Adds all LEDs, including later ones, to a medium: a CLEDMedium. */
   void SetMedium(CLEDEntity::CRegistry& medium);
 
-  /** Makes the LED entities if they do not exist yet. */
+  /** Creates the LED entities unless they exist. */
   void Materialize();
+  /** Number of LEDs that are not entities yet. */
+  size_t GetNumLazyLEDs() const { return m_colors.size(); }
 
-  /** Colours only: the same whether or not the LEDs are entities. */
+  /** Includes colours only: the same whether or not the LEDs are entities. */
   void UpdateDigest(CDigest& digest) const override;
 
- protected:
-  void MaterializeComponents(const std::string&) override { Materialize(); }
-
  private:
+  // CLazyComponents
+  void Create(const std::string&) override { Materialize(); }
+  void Forget(const CEntity&) override {}
+
   void CheckIndex(size_t index) const;
   void Append(SLayout&& layout);
   CLEDEntity& MakeLED(size_t index);
@@ -118,11 +123,11 @@ class CLEDEquippedEntity : public CComposableEntity {
     SActuator::TList List;  // the same, for users
   };
 
-  // shared by all robots of a type, and replaced, never changed, when LEDs are added
+  // shared by all robots of a type; adding LEDs replaces it by a modified copy
   std::shared_ptr<const SLayout> m_layout;
-  std::vector<SAnchor*> m_anchors;  // those the layout numbers; not owned
-  std::vector<CColor> m_colors;  // (LEDs); empty if they are entities, which then hold them
-  std::unique_ptr<SEntities> m_entities;  // null until someone needs them
+  std::vector<SAnchor*> m_anchors;  // referred to by the layout; not owned
+  std::vector<CColor> m_colors;  // (LEDs); empty if the LEDs are entities
+  std::unique_ptr<SEntities> m_entities;  // null until needed
   CLEDEntity::CRegistry* m_medium = nullptr;
 };
 

@@ -85,10 +85,11 @@ REGISTER_SPACE_OPERATION(CSpaceOperationAddEntity, CSpaceOperationAddCLightEntit
 REGISTER_SPACE_OPERATION(CSpaceOperationRemoveEntity, CSpaceOperationRemoveCLightEntity,
                          CLightEntity)
 
-REGISTER_ENTITY(CLightEntity, "light", "the authors of this project", "1.0",
-                "A lamp that light sensors and cameras see.",
-                R"(A point of light without a body: nothing collides with it, and it hides nothing.
-Light sensors read it according to its intensity; cameras see it as an LED.
+REGISTER_ENTITY(
+    CLightEntity, "light", "the authors of this project", "1.0",
+    "A lamp for light sensors and cameras.",
+    R"(A point of light without a body: it neither collides with bodies nor occludes them.
+Light sensors measure its intensity; cameras see it as an LED.
 
 REQUIRED XML
 
@@ -96,7 +97,7 @@ REQUIRED XML
     <light id="lamp" position="0.4,2.3,0.25" color="yellow" intensity="1.0" medium="leds" />
   </arena>
 
-with the LED medium that it names:
+with its LED medium:
 
   <media>
     <led id="leds" />
@@ -106,12 +107,12 @@ ATTRIBUTES
 
   id           text, required: unique among the entities of the arena.
   position     "x,y,z", m, default "0,0,0": the centre, in the world frame.
-  orientation  "z,y,x", degrees, default "0,0,0": has no effect.
-  color        a colour name or "R,G,B,A" with integers 0-255, required: as cameras see it.
+  orientation  "z,y,x", degrees, default "0,0,0": ignored.
+  color        a colour name or "R,G,B,A" with integers 0-255, required: seen by cameras.
   intensity    real number, required: the distance, in m, at which the generic light sensor reads 1.
-               Light sensors ignore lamps with 0 or less; cameras do not care.
+               Light sensors ignore lamps with 0 or less; cameras ignore the intensity.
   medium       text, required: the id of an LED medium.
 )",
-                "Usable")
+    "Usable")
 
 }  // namespace argos

@@ -15,20 +15,20 @@ class CLightEntity : public CLEDEntity {
 
   CLightEntity();
   /**
-   * A lamp without a medium: only light sensors see it until SetMedium() and Enable().
+   * A lamp without a medium: only light sensors detect it until SetMedium() and Enable().
    * @param position m, world frame. @param intensity see SetIntensity().
    */
   CLightEntity(const std::string& id, const CVector3& position, const CColor& color,
                Real intensity);
 
-  /** Reads `intensity`, `medium`, and what CLEDEntity::Init() reads. */
+  /** Reads `intensity`, `medium`, and the attributes of CLEDEntity::Init(). */
   void Init(TConfigurationNode& tree) override;
   std::string GetTypeDescription() const override { return "light"; }
 
   Real GetIntensity() const { return m_intensity; }
   /**
    * @param intensity  the distance at which a light sensor of the generic model reads 1, m; light
-   *                   sensors ignore lamps with 0 or less.
+   *   sensors ignore lamps with 0 or less.
    * @throws CARGoSException if it is not finite.
    */
   void SetIntensity(Real intensity);

@@ -11,7 +11,7 @@ namespace argos {
 /** A light sensor, for users; see CLightSensorEquippedEntity::GetSensors(). */
 struct SLightSensor {
   CVector3 Position; /**< in the anchor's frame, m */
-  CVector3 Direction; /**< away from the body, in the anchor's frame; as long as the range, m */
+  CVector3 Direction; /**< away from the body, in the anchor's frame; its length is the range, m */
   SAnchor& Anchor;
 
   typedef std::vector<SLightSensor*> TList;
@@ -21,13 +21,13 @@ struct SLightSensor {
   SLightSensor(const SSensorRay& ray, SAnchor& anchor)
       : Position(ray.Offset), Direction(ray.Direction), Anchor(anchor) {}
 
-  /** @return true if it differs from the ray, which then takes it over. */
+  /** Copies the sensor to its ray. @return true if they differed. */
   bool WriteTo(SSensorRay& ray) const;
 };
 
 /**
- * The light sensors on a body. Each has a place and looks away from the body; how far it sees is up
- * to the sensor that uses this component, and its range has no effect.
+ * The light sensors on a body: a position and an outward direction each. The sensor that uses this
+ * component defines the response to distance; the range has no effect.
  */
 class CLightSensorEquippedEntity : public CSensorEquippedEntity<SRayLayout, SLightSensor> {
  public:
@@ -44,7 +44,7 @@ class CLightSensorEquippedEntity : public CSensorEquippedEntity<SRayLayout, SLig
    * @param position   in the anchor's frame, m.
    * @param direction  away from the body, in the anchor's frame, of any length but 0.
    * @param range      m, > 0.
-   * @throws CARGoSException if the direction is zero, or the range not > 0.
+   * @throws CARGoSException if the direction is zero or the range is not > 0.
    */
   void AddSensor(const CVector3& position, const CVector3& direction, Real range, SAnchor& anchor);
   /** Adds sensors on a horizontal circle, counter-clockwise: i at startAngle + i * 2 PI / num. */

@@ -12,12 +12,12 @@ class CLightEntity;
 /** The lights of a space, for light sensors: space.GetExtension<CLights>(). */
 class CLights : public CSpaceExtension {
  public:
-  /** In order of addition. */
+  /** All lights, in the order of addition. */
   const std::vector<CLightEntity*>& Get() const { return m_lights; }
 
   /** Space operations of lights only. */
   void Add(CLightEntity& light);
-  /** Does nothing if it is not there. */
+  /** Does nothing if the light is unknown. */
   void Remove(CLightEntity& light);
 
  private:

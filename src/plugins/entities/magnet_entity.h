@@ -7,10 +7,10 @@
 namespace argos {
 
 /**
- * A permanent magnet, an electromagnet, or both in one: a dipole whose field is a passive part, and
- * an active part for each unit of current.
+ * A permanent magnet, an electromagnet, or both: a dipole whose field is the sum of a passive field
+ * and an active field times the current.
  *
- * Says what the field is; what it does to other magnets is the business of a physics engine.
+ * Only stores the field; physics engines compute the forces between magnets.
  */
 class CMagnetEntity : public CEntity {
  public:
@@ -23,18 +23,20 @@ class CMagnetEntity : public CEntity {
 
   /** Reads `passive_field`, and `active_field` (default 0). */
   void Init(TConfigurationNode& tree) override;
-  /** The current stops. */
+  /** Sets the current to 0. */
   void Reset() override;
   std::string GetTypeDescription() const override { return "magnet"; }
 
-  /** passive field + current * active field: dipole moment in the frame of the body it sits on. */
+  /** passive field + current * active field: dipole moment in the frame of the magnet's body. */
   CVector3 GetField() const { return m_passiveField + m_activeField * m_current; }
   const CVector3& GetPassiveField() const { return m_passiveField; }
   void SetPassiveField(const CVector3& field) { m_passiveField = field; }
   const CVector3& GetActiveField() const { return m_activeField; }
   void SetActiveField(const CVector3& field) { m_activeField = field; }
   Real GetCurrent() const { return m_current; }
-  /** @param current  as a multiple of that of the active field. @throws unless it is finite. */
+  /**
+   * @param current  in units of the active field's current. @throws CARGoSException if not finite.
+   */
   void SetCurrent(Real current);
 
   void UpdateDigest(CDigest& digest) const override;

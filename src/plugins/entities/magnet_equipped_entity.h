@@ -16,7 +16,7 @@ class CMagnetEquippedEntity : public CComposableEntity {
  public:
   ENABLE_VTABLE();
 
-  /** A magnet and where it sits. */
+  /** A magnet and its place. */
   struct SInstance {
     CMagnetEntity& Magnet;
     CVector3 Offset; /**< in the anchor's frame, m */
@@ -30,12 +30,12 @@ class CMagnetEquippedEntity : public CComposableEntity {
 
   /**
    * Reads the children `<magnet id="..." offset="x,y,z" anchor="..." passive_field="x,y,z"
-   * active_field="x,y,z" />`. The parent must have a "body" with the anchors named.
+   * active_field="x,y,z" />`. The parent must have a "body" with these anchors.
    * @throws CARGoSException with the known names if an anchor is unknown.
    */
   void Init(TConfigurationNode& tree) override;
   std::string GetTypeDescription() const override { return "magnets"; }
-  /** Also of the anchors that carry magnets. */
+  /** Also enables or disables the use of the anchors. */
   void SetEnabled(bool enabled) override;
 
   /** @param offset in the anchor's frame, m. @param id empty: "magnet_<number>". */
@@ -43,9 +43,9 @@ class CMagnetEquippedEntity : public CComposableEntity {
                  const CVector3& passiveField, const CVector3& activeField = CVector3());
 
   size_t GetNumMagnets() const { return m_instances.size(); }
-  /** @throws CARGoSException if there is no magnet of that number. */
+  /** @throws CARGoSException if the index is out of range. */
   CMagnetEntity& GetMagnet(UInt32 index);
-  /** In order of addition. */
+  /** All magnets, in the order of addition. */
   SInstance::TVector& GetInstances() { return m_instances; }
 
  private:

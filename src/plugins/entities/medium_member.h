@@ -9,8 +9,8 @@
 namespace argos {
 
 /**
- * An entity with a pose that a medium knows exactly while it is enabled: what LEDs and tags have in
- * common.
+ * Base of LEDs, tags, radios and range-and-bearing devices: an entity with a pose that a medium
+ * contains exactly while the entity is enabled.
  *
  * Starts disabled. A derived class calls ClearMedium() in its destructor.
  * @tparam ENTITY  the derived class. @tparam MEDIUM  may be incomplete.
@@ -19,15 +19,15 @@ template <class ENTITY, class MEDIUM>
 class CMediumMember : public CPositionalEntity {
  public:
   /**
-   * What knows the entities: the side of the medium that they need.
+   * The interface of a medium that these entities need.
    *
-   * Declared here, because the media library is built on this one.
+   * Declared here, because the media library depends on this one.
    */
   class CRegistry {
    public:
     virtual void AddEntity(ENTITY& entity) = 0;
     virtual void RemoveEntity(ENTITY& entity) = 0;
-    /** Itself. */
+    /** The medium itself. */
     virtual MEDIUM& AsMedium() = 0;
 
    protected:
@@ -64,7 +64,7 @@ class CMediumMember : public CPositionalEntity {
   }
 
   bool HasMedium() const { return m_medium != nullptr; }
-  /** @throws CARGoSException if there is none. */
+  /** @throws CARGoSException if the entity has no medium. */
   MEDIUM& GetMedium() const {
     if (m_medium == nullptr) {
       THROW_ARGOSEXCEPTION(GetTypeDescription()
@@ -72,7 +72,7 @@ class CMediumMember : public CPositionalEntity {
     }
     return m_medium->AsMedium();
   }
-  /** Puts the entity in the care of @p medium, a MEDIUM, and no other. */
+  /** Moves the entity to @p medium, a MEDIUM. */
   void SetMedium(CRegistry& medium) {
     if (m_medium == &medium) {
       return;
@@ -83,7 +83,7 @@ class CMediumMember : public CPositionalEntity {
       m_medium->AddEntity(AsEntity());
     }
   }
-  /** Takes the entity out of its medium, if it has one. */
+  /** Removes the entity from its medium, if any. */
   void ClearMedium() {
     if (m_medium != nullptr && IsEnabled()) {
       m_medium->RemoveEntity(AsEntity());
@@ -94,7 +94,7 @@ class CMediumMember : public CPositionalEntity {
  private:
   ENTITY& AsEntity() { return static_cast<ENTITY&>(*this); }
 
-  CRegistry* m_medium = nullptr;  // it forgets this entity, or this entity it, before either ends
+  CRegistry* m_medium = nullptr;  // both sides are unlinked when either is destroyed
 };
 
 }  // namespace argos

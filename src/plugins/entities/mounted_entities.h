@@ -14,16 +14,16 @@
 namespace argos {
 
 /**
- * Entities with a pose of their own, mounted on a body, that go into a medium: what directional
- * LEDs and tags have in common.
+ * Base of directional LEDs, tags and radios on a body: entities with a pose of their own that
+ * belong to a medium.
  *
- * Starts disabled: then cameras see none of them.
+ * Starts disabled: the entities are then invisible to sensors.
  * @tparam ENTITY  a CMediumMember.
  */
 template <class ENTITY>
 class CMountedEntities : public CComposableEntity {
  public:
-  /** One of them, and where it sits. */
+  /** A mounted entity and its place. */
   struct SInstance {
     ENTITY& Entity;
     CVector3 PositionOffset; /**< in the anchor's frame, m */
@@ -38,23 +38,26 @@ class CMountedEntities : public CComposableEntity {
     CComposableEntity::SetEnabled(false);
   }
 
-  /** Back to what they were, and where the body is now. */
+  /** Restores the initial states; moves the entities to the current poses of their anchors. */
   void Reset() override {
     CComposableEntity::Reset();
     UpdateComponents();
   }
-  /** Puts the entities where their anchors are now. */
+  /** Moves the entities to the current poses of their anchors. */
   void UpdateComponents() override {
     for (const SInstance& instance : m_instances) {
       Place(instance);
     }
   }
-  /** Also of the anchors; entities that are enabled go where their anchors are. */
+  /**
+   * Also enables or disables the use of the anchors; enabled entities move to their anchors' poses.
+   */
   void SetEnabled(bool enabled) override {
     if (enabled == IsEnabled()) {
       return;
     }
     CComposableEntity::SetEnabled(enabled);
+    CountFollower(*this, enabled);
     for (const SInstance& instance : m_instances) {
       UseAnchor(instance.Anchor, enabled);
     }
@@ -65,11 +68,13 @@ class CMountedEntities : public CComposableEntity {
   virtual void Enable() { CComposableEntity::Enable(); }
   virtual void Disable() { CComposableEntity::Disable(); }
 
-  /** In order of addition. Changes to the offsets count from the next tick on. */
+  /**
+   * All instances, in the order of addition. Changes of the offsets take effect in the next tick.
+   */
   typename SInstance::TVector& GetInstances() { return m_instances; }
   const typename SInstance::TVector& GetInstances() const { return m_instances; }
 
-  /** Gives all entities, also those added later, to a medium. */
+  /** Adds all entities, including later ones, to a medium. */
   void SetMedium(typename ENTITY::CRegistry& medium) {
     m_medium = &medium;
     for (const SInstance& instance : m_instances) {
@@ -78,7 +83,7 @@ class CMountedEntities : public CComposableEntity {
   }
 
  protected:
-  /** Takes an entity over, and puts it in its place. */
+  /** Takes ownership of an entity and places it. */
   ENTITY& Mount(std::unique_ptr<ENTITY> entity, const CVector3& positionOffset,
                 const CQuaternion& orientationOffset, SAnchor& anchor) {
     ENTITY& mounted = *entity;
@@ -98,16 +103,16 @@ class CMountedEntities : public CComposableEntity {
   }
 
   /**
-   * Mounts an entity for each child @p tag: its pose, in the frame of the body's `anchor`, and what
-   * ENTITY::Init() reads. The parent must have a "body".
-   * @param defaultAnchor  of a child that does not say; empty: a child must say.
+   * Mounts an entity for each child @p tag: the pose in the frame of the body's `anchor`, and the
+   * attributes of ENTITY::Init(). The parent must have a "body".
+   * @param defaultAnchor  anchor of a child without the attribute; empty: the attribute is
+   *   required.
    */
   void InitInstances(TConfigurationNode& tree, const std::string& tag,
                      const std::string& defaultAnchor = "") {
     InitInstances(tree, tag, defaultAnchor, [](ENTITY&, TConfigurationNode&) {});
   }
-  /** @param prepare  void(ENTITY&, TConfigurationNode& child): what is to be done before mounting.
-   */
+  /** @param prepare  void(ENTITY&, TConfigurationNode& child), called before each mount. */
   template <typename PREPARE>
   void InitInstances(TConfigurationNode& tree, const std::string& tag,
                      const std::string& defaultAnchor, PREPARE&& prepare) {
@@ -124,15 +129,14 @@ class CMountedEntities : public CComposableEntity {
       auto entity = std::make_unique<ENTITY>(this);
       entity->Init(*child);
       prepare(*entity, *child);
-      // what the file gives as the pose is the mount
+      // the pose in the file is relative to the anchor
       const CVector3 position = entity->GetPosition();
       const CQuaternion orientation = entity->GetOrientation();
       Mount(std::move(entity), position, orientation, body.GetAnchor(anchor));
     }
   }
 
-  /** @throws CARGoSException if there is none of that number. @param what "LED", for the message.
-   */
+  /** @param what "LED", for the message. @throws CARGoSException if the index is out of range. */
   ENTITY& GetEntity(size_t index, const char* what) const {
     if (index >= m_instances.size()) {
       THROW_ARGOSEXCEPTION("\"" << GetContext() << GetId() << "\": no " << what << " " << index

@@ -9,9 +9,9 @@
 namespace argos {
 
 /**
- * Makes a component of @p parent, which owns it from then on; for the sources of plug-ins.
+ * Creates a component, owned by @p parent; for the sources of plug-ins.
  *
- * @param arguments  of the constructor of COMPONENT, after the parent.
+ * @param arguments  arguments of COMPONENT's constructor after the parent.
  */
 template <typename COMPONENT, typename... ARGUMENTS>
 COMPONENT* NewComponent(CComposableEntity& parent, ARGUMENTS&&... arguments) {

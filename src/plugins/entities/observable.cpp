@@ -21,7 +21,7 @@ CRadians ReadObservableAngle(TConfigurationNode& tree) {
 
 bool IsObservableFrom(const CPositionalEntity& entity, const CRadians& angle,
                       const CVector3& point) {
-  // all around, also where a rounding would say otherwise
+  // all directions, independently of rounding
   if (angle >= CRadians::PI) {
     return true;
   }
@@ -29,7 +29,7 @@ bool IsObservableFrom(const CPositionalEntity& entity, const CRadians& angle,
   normal.Rotate(entity.GetOrientation());
   const CVector3 toPoint = point - entity.GetPosition();
   const Real ahead = normal.DotProduct(toPoint);
-  // most are turned away: no cosine for them
+  // a cheap test that settles most cases without a cosine
   if (ahead < 0.0 && angle <= CRadians::PI_OVER_TWO) {
     return false;
   }

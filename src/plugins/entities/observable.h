@@ -10,14 +10,17 @@
 namespace argos {
 
 /*
- * What is seen from one side only, for the sources of entities.
+ * Visibility from one side only, for the sources of entities.
  */
 
 /** @throws CARGoSException unless @p angle is in (0, PI]. @param owner for the message. */
 CRadians RequireObservableAngle(const CRadians& angle, const std::string& owner);
-/** Reads the required attribute `observable_angle`, degrees. @throws CARGoSException */
+/**
+ * Reads the required attribute `observable_angle`, degrees. @throws CARGoSException if it is
+ * invalid.
+ */
 CRadians ReadObservableAngle(TConfigurationNode& tree);
-/** Whether the direction to a point (m, world frame) is within that angle of the z axis. */
+/** @return true if the direction to a point (m, world frame) is within that angle of the z axis. */
 bool IsObservableFrom(const CPositionalEntity& entity, const CRadians& angle,
                       const CVector3& point);
 

@@ -30,8 +30,12 @@ void COdometerEntity::Update() {
   m_motion.Remember();
 }
 
-// A body that turns by the angle a with constant speeds sees its origin move along a chord, in the
-// direction of its heading half-way, that is sin(a/2) / (a/2) times as long as the way.
+void COdometerEntity::SetEnabled(bool enabled) {
+  SetFollowerEnabled(*this, enabled);
+}
+
+// A body that turns by the angle a at constant speeds moves its origin along a chord, in the
+// direction of its heading half-way; the chord is sin(a/2) / (a/2) times as long as the path.
 void COdometerEntity::Measure() {
   const CVector3 step = m_motion.ComputeStep();
   const CQuaternion turn = m_motion.ComputeTurn();

@@ -12,11 +12,12 @@ namespace argos {
 class CWheeledEntity;
 
 /**
- * How far the wheels of a robot roll: as the body really moves, whatever its controller ordered.
+ * Distances that the wheels of a robot roll, computed from the motion of the body instead of the
+ * commanded speeds.
  *
- * In each tick the body is taken to move with constant speed along its heading, sideways, and about
- * the vertical; what it slides sideways turns no wheel. That is exact on the arcs of a differential
- * drive, for less than half a turn a tick. Moves by command turn no wheel either.
+ * In each tick the body is assumed to move at constant speeds along its heading, sideways, and
+ * about the vertical; sideways motion turns no wheel. This is exact on the arcs of a differential
+ * drive, for less than half a turn per tick. Moves by command turn no wheel.
  *
  * Starts disabled; the sensor that uses it enables it.
  */
@@ -29,9 +30,10 @@ class COdometerEntity : public CEntity {
 
   void Reset() override;
   void Update() override;
+  void SetEnabled(bool enabled) override;
   std::string GetTypeDescription() const override { return "odometer"; }
 
-  /** In the last tick, m, positive ahead. @param wheel number of a wheel of "wheels". */
+  /** Distance in the last tick, m, positive forward. @param wheel index of a wheel of "wheels". */
   Real GetRolledDistance(size_t wheel) const { return m_distances[wheel]; }
 
  private:

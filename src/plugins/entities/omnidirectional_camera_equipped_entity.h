@@ -8,7 +8,7 @@
 namespace argos {
 
 /**
- * A camera that looks down at the ground all around its robot, through a mirror above it.
+ * A camera that views the ground all around its robot through a mirror above it.
  *
  * Starts disabled; a sensor that uses it enables it.
  */
@@ -33,7 +33,7 @@ class COmnidirectionalCameraEquippedEntity : public CEntity {
   const CRadians& GetAperture() const { return m_aperture; }
   /**
    * @param aperture  half angle of the view from the downward vertical, in (0, PI/2).
-   * @throws CARGoSException if it is not.
+   * @throws CARGoSException if the angle is out of range.
    */
   void SetAperture(const CRadians& aperture);
 

@@ -10,7 +10,7 @@ namespace argos {
 
 namespace {
 
-// only drawn
+// for drawing only
 constexpr Real kLEDDiameter = 0.02;  // m
 constexpr CColor kMovableColor(74, 126, 187);
 constexpr CColor kFixedColor(146, 150, 156);
@@ -36,7 +36,7 @@ void CPassiveBodyEntity::InitBody(TConfigurationNode& tree) {
   if (movable) {
     ReadPositive(tree, "mass", "kg", m_mass);
   } else {
-    // allowed and without effect: asked for, so that it is not reported as unread
+    // read the attribute, which is allowed and ignored, so that it is not reported as unread
     NodeAttributeExists(tree, "mass");
   }
   m_body->Init(GetNode(tree, "body"));

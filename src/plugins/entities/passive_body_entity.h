@@ -11,12 +11,12 @@ namespace argos {
 
 class CRFIDTagEquippedEntity;
 
-/** What boxes and cylinders have in common: one solid without a will, and LEDs on it. */
+/** Base of boxes and cylinders: one solid without a controller, with optional LEDs. */
 class CPassiveBodyEntity : public CComposableEntity {
  public:
   void UpdateComponents() override;
 
-  /** Gives the LEDs to a medium, a CLEDMedium, so that cameras see them. */
+  /** Adds the LEDs to a medium, a CLEDMedium, so that cameras see them. */
   void EnableLEDs(CLEDEntity::CRegistry& medium);
   void DisableLEDs();
   /** @param offset from the centre of the base, in the frame of the body, m. */
@@ -27,14 +27,14 @@ class CPassiveBodyEntity : public CComposableEntity {
   CLEDEquippedEntity& GetLEDEquippedEntity() { return *m_leds; }
   const CLEDEquippedEntity& GetLEDEquippedEntity() const { return *m_leds; }
 
-  /** The RFID tags on the body; made when first asked for. */
+  /** The RFID tags on the body; created by the first call. */
   CRFIDTagEquippedEntity& GetRFIDTagEquippedEntity();
 
-  /** kg; without meaning if the body is not movable. */
+  /** Mass, kg; undefined if the body is not movable. */
   Real GetMass() const { return m_mass; }
   /**
-   * Changes the mass; a body that is in an engine is taken out and put back, at rest.
-   * @throws CARGoSException if it is not > 0.
+   * Changes the mass; a body that is in an engine is removed and added again, at rest.
+   * @throws CARGoSException if the mass is not > 0.
    */
   void SetMass(Real mass);
 
@@ -47,12 +47,12 @@ class CPassiveBodyEntity : public CComposableEntity {
 
   /**
    * Reads `id`, `movable`, `mass` (if movable), `<body>`, `<leds>` and `<rfid_tags>`. Derived
-   * classes read their size first, and call Describe() afterwards.
+   * classes read their size before and call Describe() afterwards.
    */
   void InitBody(TConfigurationNode& tree);
   /**
-   * Tells engines and visualizations what the body is like now; if it is in an engine, takes it out
-   * and puts it back.
+   * Updates the body's description for engines and visualizations; a body that is in an engine is
+   * removed and added again.
    */
   void Describe();
   virtual SShapeDescription MakeShape() const = 0;
@@ -64,7 +64,7 @@ class CPassiveBodyEntity : public CComposableEntity {
 
   CEmbodiedEntity* m_body = nullptr;  // a component
   CLEDEquippedEntity* m_leds = nullptr;  // a component
-  CRFIDTagEquippedEntity* m_rfidTags = nullptr;  // a component; null until asked for
+  CRFIDTagEquippedEntity* m_rfidTags = nullptr;  // a component; null until the first request
   Real m_mass = 1.0;  // kg
   SAppearance m_appearance;
 };

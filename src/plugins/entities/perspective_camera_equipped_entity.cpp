@@ -85,7 +85,7 @@ Real CPerspectiveCameraEquippedEntity::GetImageMtWidth() const {
   return GetImageMtHeight() * m_width / m_height;
 }
 
-// the corners of the image are seen under the aperture
+// the aperture reaches to the corners of the image
 Real CPerspectiveCameraEquippedEntity::GetImageMtHeight() const {
   const Real aspect = static_cast<Real>(m_width) / m_height;
   return 2.0 * m_focalLength * Tan(m_aperture) / std::sqrt(1.0 + aspect * aspect);

@@ -13,15 +13,15 @@ struct SAnchor;
 /**
  * A camera that looks along the x axis of its frame, with y to the left and z up in its image.
  *
- * The frame is fixed to an anchor of the body, at the origin of the anchor unless SetMount() says
- * otherwise; a pan-and-tilt head may turn the view about the frame's origin. Starts disabled; a
- * sensor that uses it enables it.
+ * The frame is fixed to an anchor of the body, at the anchor's origin unless SetMount() changes it;
+ * a pan-and-tilt head may rotate the view about the frame's origin. Starts disabled; a sensor that
+ * uses it enables it.
  */
 class CPerspectiveCameraEquippedEntity : public CEntity {
  public:
   ENABLE_VTABLE();
 
-  /** A camera without an anchor, for SetAnchor(): 30 degrees, 0.035 m, 2 m, 640 x 480. */
+  /** A camera without an anchor (see SetAnchor()): 30 degrees, 0.035 m, 2 m, 640 x 480. */
   explicit CPerspectiveCameraEquippedEntity(CComposableEntity* parent);
   /**
    * @param aperture     see SetAperture().
@@ -35,23 +35,22 @@ class CPerspectiveCameraEquippedEntity : public CEntity {
                                    const CRadians& aperture, Real focalLength, Real range,
                                    SInt32 width, SInt32 height, SAnchor& anchor);
 
-  /** Looks straight out of its mount again. */
+  /** Resets pan and tilt to 0. */
   void Reset() override;
   std::string GetTypeDescription() const override { return "perspective_camera"; }
-  /** Also of its anchor. */
+  /** Also enables or disables the use of its anchor. */
   void SetEnabled(bool enabled) override;
   virtual void Enable() { CEntity::Enable(); }
   virtual void Disable() { CEntity::Disable(); }
 
   const CRadians& GetAperture() const { return m_aperture; }
   /**
-   * @param aperture  half angle of the cone around the image: from the middle to a corner; in (0,
-   * PI/2).
+   * @param aperture  half angle from the middle to a corner of the image, in (0, PI/2).
    */
   void SetAperture(const CRadians& aperture);
   Real GetFocalLength() const { return m_focalLength; }
   void SetFocalLength(Real focalLength);
-  /** How far ahead the camera sees, m, along its view. */
+  /** Depth of view, m, along the view direction. */
   Real GetRange() const { return m_range; }
   void SetRange(Real range);
   SInt32 GetImagePxWidth() const { return m_width; }
@@ -61,26 +60,26 @@ class CPerspectiveCameraEquippedEntity : public CEntity {
   Real GetImageMtWidth() const;
   Real GetImageMtHeight() const;
 
-  /** @throws CARGoSException if there is none yet. */
+  /** @throws CARGoSException if there is no anchor. */
   const SAnchor& GetAnchor() const;
-  /** What the camera is fixed to. */
+  /** Sets the anchor to which the camera is fixed. */
   void SetAnchor(SAnchor& anchor);
   const CVector3& GetOffset() const { return m_offset; }
   const CQuaternion& GetOrientation() const { return m_orientation; }
-  /** @param offset, orientation  of the camera's frame, in the frame of the anchor, m. */
+  /** @param offset, orientation  of the camera's frame in the anchor's frame, m. */
   void SetMount(const CVector3& offset, const CQuaternion& orientation);
 
   const CRadians& GetPan() const { return m_pan; }
   const CRadians& GetTilt() const { return m_tilt; }
   /**
-   * Turns the view: first by @p tilt about the y axis of the frame (positive: down), then by @p pan
-   * about its z axis (positive: left).
+   * Rotates the view: first by @p tilt about the y axis of the frame (positive: down), then by @p
+   * pan about its z axis (positive: left).
    */
   void SetPanTilt(const CRadians& pan, const CRadians& tilt);
 
-  /** Where the camera is now, m, world frame. */
+  /** The camera's current position, m, world frame. */
   CVector3 ComputePosition() const;
-  /** The frame of the view now: x is the direction of the view. World frame. */
+  /** The current orientation of the view, world frame; x is the view direction. */
   CQuaternion ComputeView() const;
 
   void UpdateDigest(CDigest& digest) const override;
@@ -96,7 +95,7 @@ class CPerspectiveCameraEquippedEntity : public CEntity {
   CVector3 m_offset;  // anchor's frame, m
   CQuaternion m_orientation;  // anchor's frame
   CRadians m_pan, m_tilt;
-  CQuaternion m_mountAndTurn;  // anchor's frame: of the view
+  CQuaternion m_mountAndTurn;  // of the view, anchor's frame
 };
 
 }  // namespace argos

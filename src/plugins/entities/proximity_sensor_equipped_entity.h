@@ -11,7 +11,7 @@ namespace argos {
 /** A proximity sensor, for users; see CProximitySensorEquippedEntity::GetSensors(). */
 struct SProximitySensor {
   CVector3 Offset; /**< start of the ray in the anchor's frame, m */
-  CVector3 Direction; /**< from start to end in the anchor's frame; as long as the range, m */
+  CVector3 Direction; /**< from start to end in the anchor's frame; its length is the range, m */
   SAnchor& Anchor;
 
   typedef std::vector<SProximitySensor*> TList;
@@ -21,7 +21,7 @@ struct SProximitySensor {
   SProximitySensor(const SSensorRay& ray, SAnchor& anchor)
       : Offset(ray.Offset), Direction(ray.Direction), Anchor(anchor) {}
 
-  /** @return true if it differs from the ray, which then takes it over. */
+  /** Copies the sensor to its ray. @return true if they differed. */
   bool WriteTo(SSensorRay& ray) const;
 };
 

@@ -6,7 +6,7 @@
 
 namespace argos {
 
-/** Puts an entity into the cell of a grid that its position is in. */
+/** Puts an entity into the grid cell that contains its position. */
 template <class ENTITY>
 void PutIntoCell(CGrid<ENTITY>& grid, ENTITY& entity) {
   SInt32 i = 0;
@@ -16,7 +16,7 @@ void PutIntoCell(CGrid<ENTITY>& grid, ENTITY& entity) {
   grid.UpdateCell(i, j, k, entity);
 }
 
-/** Puts an entity into the cell of a space hash that its position is in. */
+/** Puts an entity into the cell of a space hash that contains its position. */
 template <class ENTITY>
 void PutIntoCell(CAbstractSpaceHash<ENTITY>& hash, ENTITY& entity) {
   SInt32 i = 0;

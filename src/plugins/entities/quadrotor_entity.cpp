@@ -9,7 +9,7 @@ namespace argos {
 
 namespace {
 
-// m, m/s, rad, rad/s; beyond any arena, and its square times any gain is still a number
+// m, m/s, rad, rad/s; larger than any arena, and its square times any gain is finite
 constexpr Real kFarthest = 1e9;
 
 void Add(CDigest& digest, const CVector3& vector, const CRadians& angle) {

@@ -8,15 +8,15 @@
 namespace argos {
 
 /**
- * What the propellers of a flying robot are to do: a target, and whether it is one of position or
- * of speed. Its robot's body says how it gets there (SPropellersDescription).
+ * Target of the propellers of a flying robot, in position or in speed. SPropellersDescription of
+ * the robot's body defines how the robot reaches it.
  */
 class CQuadRotorEntity : public CEntity {
  public:
   ENABLE_VTABLE();
 
   enum EControlMethod {
-    NO_CONTROL, /**< nobody controls it: engines hold it as by SPEED_CONTROL */
+    NO_CONTROL, /**< no target was set: engines apply SPEED_CONTROL */
     POSITION_CONTROL,
     SPEED_CONTROL
   };
@@ -36,9 +36,9 @@ class CQuadRotorEntity : public CEntity {
   explicit CQuadRotorEntity(CComposableEntity* parent);
   CQuadRotorEntity(CComposableEntity* parent, const std::string& id);
 
-  /** Both targets become zero. */
+  /** Sets both targets to zero. */
   void Reset() override;
-  /** Also of the method of control. */
+  /** Includes the control method. */
   void MarkStart() override;
   void ReturnToStart() override;
   std::string GetTypeDescription() const override { return "quadrotor"; }
@@ -47,15 +47,15 @@ class CQuadRotorEntity : public CEntity {
   void SetControlMethod(EControlMethod method) { m_method = method; }
 
   /**
-   * Setters: for the next physics phase, and used only while the method is the one they are for.
-   * @throws CARGoSException as Check() does; the target is then as before.
+   * The setters take effect in the next physics phase, while their control method is selected.
+   * @throws CARGoSException like Check(); the target is then unchanged.
    */
   const SPositionControlData& GetPositionControlData() const { return m_position; }
   void SetPositionControlData(const SPositionControlData& data);
   const SSpeedControlData& GetSpeedControlData() const { return m_speed; }
   void SetSpeedControlData(const SSpeedControlData& data);
 
-  /** @throws CARGoSException that names the robot if a number is not finite or beyond 1e9. */
+  /** @throws CARGoSException that names the robot if a value is not finite or above 1e9. */
   void Check(const SPositionControlData& data) const;
   void Check(const SSpeedControlData& data) const;
 

@@ -58,8 +58,8 @@ void CRABEquippedEntity::Update() {
   const CQuaternion& orientation = m_anchor->Orientation;
   CVector3 position = m_offset;
   if (orientation.GetX() == 0.0 && orientation.GetY() == 0.0) {
-    // heights stay exact: whether a robot hides another one whose device is just as high as its top
-    // must not hang on roundings
+    // keep heights exact: the occlusion test of a device exactly as high as a robot's top must not
+    // depend on rounding
     const Real w = orientation.GetW();
     const Real z = orientation.GetZ();
     position.RotateZ(CVector2(w * w - z * z, 2.0 * w * z));
@@ -72,9 +72,10 @@ void CRABEquippedEntity::Update() {
 void CRABEquippedEntity::SetEnabled(bool enabled) {
   if (enabled != IsEnabled() && m_anchor != nullptr) {
     UseAnchor(*m_anchor, enabled);
+    CountFollower(*this, enabled);
   }
   if (enabled) {
-    // it was not moved along while it was off
+    // the position was not updated while the device was disabled
     Update();
   }
   CMediumMember::SetEnabled(enabled);

@@ -14,7 +14,7 @@ namespace argos {
 class CRABMedium;
 
 /**
- * A range-and-bearing device: sends a message of fixed size all around, as far as its range.
+ * A range-and-bearing device: sends a message of fixed size in all directions, up to its range.
  *
  * Starts disabled. While it is enabled and has a medium, the medium routes its messages.
  */
@@ -27,9 +27,9 @@ class CRABEquippedEntity : public CMediumMember<CRABEquippedEntity, CRABMedium> 
 
   explicit CRABEquippedEntity(CComposableEntity* parent);
   /**
-   * @param messageSize       bytes of every message.
-   * @param range             how far messages reach, m, >= 0.
-   * @param anchor            the frame that the device sits in, of @p body.
+   * @param messageSize       size of every message, bytes.
+   * @param range             range of messages, m, >= 0.
+   * @param anchor            the device's frame, an anchor of @p body.
    * @param offset, rotation  of the device in that frame, m.
    * @throws CARGoSException if the range is not >= 0.
    */
@@ -45,12 +45,14 @@ class CRABEquippedEntity : public CMediumMember<CRABEquippedEntity, CRABMedium> 
    * @throws CARGoSException if a value is missing or out of range.
    */
   void Init(TConfigurationNode& tree) override;
-  /** The message becomes all zeros; the device goes where its anchor is. */
+  /** Clears the message; moves the device to its anchor's pose. */
   void Reset() override;
-  /** Goes where the anchor is. */
+  /** Moves the device to its anchor's pose. */
   void Update() override;
   std::string GetTypeDescription() const override { return "rab"; }
-  /** Also of the anchor; an enabled device goes where its anchor is. */
+  /**
+   * Also enables or disables the use of the anchor; an enabled device moves to its anchor's pose.
+   */
   void SetEnabled(bool enabled) override;
 
   CEmbodiedEntity& GetEntityBody() { return *m_body; }
@@ -63,15 +65,15 @@ class CRABEquippedEntity : public CMediumMember<CRABEquippedEntity, CRABMedium> 
   const CByteArray& GetData() const { return m_data; }
   /** @throws CARGoSException unless @p data has GetMsgSize() bytes. */
   void SetData(const CByteArray& data);
-  /** All zeros. */
+  /** Sets all bytes of the message to 0. */
   void ClearData() { m_data.Zero(); }
 
-  /** m. */
+  /** Range of messages, m. */
   Real GetRange() const { return m_range; }
-  /** @throws CARGoSException if it is not >= 0. */
+  /** @throws CARGoSException if the range is not >= 0. */
   void SetRange(Real range);
 
-  /** For the medium: which of its devices this one is. */
+  /** For the medium: index among its devices. */
   UInt32 GetNumberInMedium() const { return m_numberInMedium; }
   void SetNumberInMedium(UInt32 number) { m_numberInMedium = number; }
 

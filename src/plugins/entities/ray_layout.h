@@ -12,18 +12,18 @@ namespace argos {
 struct SSensorRay {
   CVector3 Offset; /**< start in the anchor's frame, m */
   CVector3 Direction; /**< from start to end in the anchor's frame, m */
-  UInt32 Anchor = 0; /**< which of the anchors given with the layout */
+  UInt32 Anchor = 0; /**< index of the anchor in the layout */
 };
 
-/** Where several rays are, roughly: what casting them together needs. */
+/** Bounds of several rays, for casting them together. */
 struct SRayBounds {
-  /** True if all rays are horizontal and on one anchor: what follows then holds. */
+  /** True if all rays are horizontal and on one anchor; only then the circle is valid. */
   bool Planar = true;
-  /** A circle in the anchor's xy plane that holds all rays, m. */
+  /** A circle in the anchor's xy plane that contains all rays, m. */
   Real CenterX = 0.0, CenterY = 0.0, Reach = 0.0;
 };
 
-/** The sensors of a type of robot that look along rays. */
+/** Sensors along rays, common to a type of robot. */
 struct SRayLayout : SRayBounds {
   typedef SSensorRay TPlace;
 
@@ -36,7 +36,7 @@ struct SRayLayout : SRayBounds {
    * @param offset     start of the ray in the anchor's frame, m.
    * @param direction  in the anchor's frame, of any length but 0.
    * @param range      length of the ray, m, > 0.
-   * @throws CARGoSException if the direction is zero, or the range not > 0.
+   * @throws CARGoSException if the direction is zero or the range is not > 0.
    */
   void AddSensor(const CVector3& offset, const CVector3& direction, Real range, UInt32 anchor = 0);
   /**
@@ -45,7 +45,7 @@ struct SRayLayout : SRayBounds {
    */
   void AddSensorFan(const CVector3& center, Real radius, const CRadians& startAngle,
                     const CRadians& endAngle, Real range, UInt32 num, UInt32 anchor = 0);
-  /** Recomputes all but the rays. */
+  /** Recomputes the bounds. */
   void ComputeBounds();
 };
 

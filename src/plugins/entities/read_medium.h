@@ -10,11 +10,11 @@
 namespace argos {
 
 /**
- * The medium that the required attribute `medium` of an element names; for the sources of entities
- * and devices.
- * @tparam MEDIUM  a medium, or what a kind of media implements.
- * @param kind  what it must be, for the message: "an LED medium".
- * @throws CARGoSException if the attribute is missing, or names no medium of that kind.
+ * Returns the medium given by the required attribute `medium` of an element; for the sources of
+ * entities and devices.
+ * @tparam MEDIUM  a medium, or an interface of a kind of media.
+ * @param kind  expected kind, for the message: "an LED medium".
+ * @throws CARGoSException if the attribute is missing, or is not the id of such a medium.
  */
 template <class MEDIUM>
 MEDIUM& ReadMedium(TConfigurationNode& node, CSimulator& simulator, const std::string& kind) {

@@ -13,8 +13,8 @@ namespace argos {
 namespace {
 
 constexpr UInt32 kDefaultMemory = 16;  // bytes
-constexpr UInt32 kMostMemory = 1 << 20;  // bytes; more is a slip of the pen
-// only drawn
+constexpr UInt32 kMostMemory = 1 << 20;  // bytes; a larger value is assumed to be a mistake
+// for drawing only
 constexpr Real kDiameter = 0.03;  // m
 constexpr Real kThickness = 0.002;  // m
 constexpr CColor kColor(226, 168, 56);
@@ -48,18 +48,18 @@ CByteArray ReadData(TConfigurationNode& tree) {
     ParseValues<SInt32>(stream, static_cast<UInt32>(numbers.size()), numbers.data(), ',');
     const auto [least, greatest] = std::minmax_element(numbers.begin(), numbers.end());
     if (*least < 0 || *greatest > 255) {
-      THROW_ARGOSEXCEPTION((*least < 0 ? *least : *greatest) << " is none of them");
+      THROW_ARGOSEXCEPTION((*least < 0 ? *least : *greatest) << " is out of range");
     }
   } catch (std::exception& error) {
     THROW_ARGOSEXCEPTION_NESTED(
         OwnerOf(tree)
-            << ": attribute \"data\" must be numbers from 0 to 255 with commas between, got \""
+            << ": attribute \"data\" must be numbers from 0 to 255 separated by commas, got \""
             << text << "\"",
         error);
   }
   if (numbers.size() > memory) {
     THROW_ARGOSEXCEPTION(OwnerOf(tree) << ": attribute \"data\" has " << numbers.size()
-                                       << " bytes, which do not fit into a memory of " << memory);
+                                       << " bytes, which exceed the memory of " << memory);
   }
   for (size_t i = 0; i < numbers.size(); ++i) {
     data[i] = static_cast<UInt8>(numbers[i]);
@@ -127,7 +127,7 @@ const std::string& CRFIDTagEntity::GetTagId() const {
 
 void CRFIDTagEntity::SetNumberInMedium(UInt32 number) {
   m_numberInMedium = number;
-  // parents have their ids by now, and keep them
+  // the ids of parents are final by now
   m_tagId = GetContext() + GetId();
 }
 
@@ -146,9 +146,9 @@ REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CRFIDTagEntity)
 
 REGISTER_ENTITY(
     CRFIDTagEntity, "rfid_tag", "the authors of this project", "1.0",
-    "A passive radio tag that robots read and write.",
+    "A passive radio tag that robots can read and write.",
     R"(A tag with a small memory. Robots with the sensor "rfid" read the tags near them, those with the actuator "rfid"
-write to the nearest one. It has no body: nothing collides with it, and it hides nothing.
+write to the nearest one. It has no body: it neither collides with bodies nor occludes them.
 
 REQUIRED XML
 
@@ -156,7 +156,7 @@ REQUIRED XML
     <rfid_tag id="t1" position="0.4,2.3,0" medium="rfid" />
   </arena>
 
-with the medium that it names:
+with its medium:
 
   <media>
     <rfid id="rfid" />
@@ -166,7 +166,7 @@ ATTRIBUTES
 
   id           text, required: unique among the entities of the arena.
   position     "x,y,z", m, default "0,0,0": in the world frame.
-  orientation  "z,y,x", degrees, default "0,0,0": only drawn.
+  orientation  "z,y,x", degrees, default "0,0,0": for drawing only.
   medium       text, required: the id of an RFID medium.
 
 OPTIONAL XML
@@ -176,10 +176,10 @@ OPTIONAL XML
   </arena>
 
   memory  integer in [0,1048576], default 16: bytes of the memory.
-  data    numbers from 0 to 255 with commas between, default none: the first bytes of the memory at the start and
+  data    numbers from 0 to 255 separated by commas, default none: the first bytes of the memory at the start and
           after a reset; the rest is 0.
 
-Boxes, cylinders and robots carry tags if their elements say so; readers see the id "crate.rfid_tags_0.t1":
+Boxes, cylinders and robots carry tags if their elements contain them; readers see the id "crate.rfid_tags_0.t1":
 
   <arena size="10,10,2">
     <box id="crate" size="0.3,0.2,0.2" movable="true" mass="2.5">

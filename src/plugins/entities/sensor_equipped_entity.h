@@ -14,15 +14,15 @@
 namespace argos {
 
 /**
- * Sensors fixed in the frames of the anchors of a body: what the components for proximity, light
- * and ground sensors have in common.
+ * Base of the components for proximity, light and ground sensors: sensors fixed in the frames of
+ * the anchors of a body.
  *
  * Robots of a type share one layout. Starts disabled; the sensor that uses it enables it.
  *
- * @tparam LAYOUT  the sensors of a type of robot: a list GetPlaces() of TPlace, which has a number
- *                 Anchor; ComputeBounds() recomputes what is derived from them.
- * @tparam SENSOR  one sensor, for users: made from a TPlace and its anchor; WriteTo(TPlace&) tells
- *                 whether it changed the place.
+ * @tparam LAYOUT  the sensors of a type of robot: GetPlaces() is a list of TPlace with a field
+ *                 Anchor; ComputeBounds() updates the data derived from it.
+ * @tparam SENSOR  one sensor, for users: constructed from a TPlace and its anchor; WriteTo(TPlace&)
+ *                 updates the place and returns true if it changed.
  */
 template <typename LAYOUT, typename SENSOR>
 class CSensorEquippedEntity : public CEntity {
@@ -30,7 +30,7 @@ class CSensorEquippedEntity : public CEntity {
   typedef LAYOUT SLayout;
   typedef std::vector<SENSOR*> TSensors;
 
-  /** Also of the anchors that carry sensors. */
+  /** Also enables or disables the use of the anchors. */
   void SetEnabled(bool enabled) override {
     if (enabled == IsEnabled()) {
       return;
@@ -43,15 +43,17 @@ class CSensorEquippedEntity : public CEntity {
   virtual void Enable() { CEntity::Enable(); }
   virtual void Disable() { CEntity::Disable(); }
 
-  /** Takes over a layout. @param anchors  those that the layout numbers; of one body. */
+  /**
+   * Sets the layout. @param anchors  the anchors that the layout refers to by index; of one body.
+   */
   void SetLayout(std::shared_ptr<const LAYOUT> layout, const std::vector<SAnchor*>& anchors) {
-    ARGOS_ASSERT(GetNumSensors() == 0, "a layout replaces sensors that exist already");
+    ARGOS_ASSERT(GetNumSensors() == 0, "a layout would replace existing sensors");
     m_layout = std::move(layout);
     m_anchors.assign(anchors.begin(), anchors.end());
   }
 
   size_t GetNumSensors() const { return m_layout->GetPlaces().size(); }
-  /** @throws CARGoSException if there is no sensor of that number. */
+  /** @throws CARGoSException if the index is out of range. */
   SENSOR& GetSensor(size_t index) {
     if (index >= GetNumSensors()) {
       THROW_ARGOSEXCEPTION(GetTypeDescription()
@@ -60,7 +62,7 @@ class CSensorEquippedEntity : public CEntity {
     }
     return *GetSensors()[index];
   }
-  /** Made when first asked for, owned by this entity; changes to its elements count. */
+  /** Created by the first call, owned by this entity; changes of the elements take effect. */
   TSensors& GetSensors() {
     if (m_sensors == nullptr) {
       m_sensors = std::make_unique<SSensors>();
@@ -74,16 +76,16 @@ class CSensorEquippedEntity : public CEntity {
     return m_sensors->List;
   }
 
-  /** The sensors as they are now. */
+  /** The current sensors. */
   const LAYOUT& GetLayout() {
     if (m_sensors != nullptr) {
       TakeOverChanges();
     }
     return *m_layout;
   }
-  /** Asks for the memory that GetLayout() and GetAnchors() need. */
+  /** Prefetches the data of GetLayout() and GetAnchors(). */
   void PrefetchLayout() const { PrefetchBetween(&m_layout, &m_anchors + 1); }
-  /** Those that the layout numbers. */
+  /** The anchors that the layout refers to by index. */
   const SAnchor* const* GetAnchors() const { return m_anchors.data(); }
 
  protected:
@@ -106,7 +108,7 @@ class CSensorEquippedEntity : public CEntity {
   }
 
  private:
-  // the sensors for users
+  // the sensors as seen by users
   struct SSensors {
     std::vector<std::unique_ptr<SENSOR>> Owned;  // (places)
     TSensors List;  // the same
@@ -130,11 +132,11 @@ class CSensorEquippedEntity : public CEntity {
     }
   }
 
-  // these two side by side: sensing looks at both for every robot in every tick. The layout is
-  // shared by all robots of a type, and replaced, never changed, when sensors are added
+  // these two are adjacent, because sensing reads both for every robot in every tick. All robots of
+  // a type share the layout; adding sensors replaces it by a modified copy
   std::shared_ptr<const LAYOUT> m_layout;
-  std::unique_ptr<SSensors> m_sensors;  // null until asked for
-  std::vector<SAnchor*> m_anchors;  // those the layout numbers; not owned
+  std::unique_ptr<SSensors> m_sensors;  // null until the first request
+  std::vector<SAnchor*> m_anchors;  // referred to by the layout; not owned
 };
 
 }  // namespace argos

@@ -16,10 +16,9 @@ namespace argos {
 class CSimpleRadioMedium;
 
 /**
- * A radio: what it sends reaches every other radio of its medium within its range, whatever stands
- * between.
+ * A radio: its messages reach every other radio of its medium within its range, through obstacles.
  *
- * Starts disabled. The medium knows it exactly while it is enabled.
+ * Starts disabled. The medium contains it exactly while it is enabled.
  */
 class CSimpleRadioEntity : public CMediumMember<CSimpleRadioEntity, CSimpleRadioMedium> {
  public:
@@ -30,49 +29,49 @@ class CSimpleRadioEntity : public CMediumMember<CSimpleRadioEntity, CSimpleRadio
   typedef CSet<CSimpleRadioEntity*, SEntityComparator> TSet;
 
   explicit CSimpleRadioEntity(CComposableEntity* parent);
-  /** @param range how far messages reach, m, >= 0. @throws CARGoSException if it is not. */
+  /** @param range range of messages, m, >= 0. @throws CARGoSException if it is out of range. */
   CSimpleRadioEntity(CComposableEntity* parent, const std::string& id, Real range);
   ~CSimpleRadioEntity() override;
 
   /** Reads `range` and the pose. */
   void Init(TConfigurationNode& tree) override;
-  /** Without messages. */
+  /** Removes all messages. */
   void Reset() override;
   std::string GetTypeDescription() const override { return "radio"; }
 
-  /** m. */
+  /** Range of messages, m. */
   Real GetRange() const { return m_range; }
-  /** @throws CARGoSException if it is not >= 0. */
+  /** @throws CARGoSException if the range is not >= 0. */
   void SetRange(Real range);
 
-  /** What was received and not read yet, in order of arrival. */
+  /** Received, unread messages, in order of arrival. */
   std::vector<CByteArray>& GetMessages() { return m_messages; }
   const std::vector<CByteArray>& GetMessages() const { return m_messages; }
   void ReceiveMessage(const CByteArray& message);
 
-  /** Sends the messages of @p outbox with the next TakeActs() of the medium, and empties it. */
+  /** Empties @p outbox; the medium sends its messages in the next TakeActs(). */
   void Send(std::vector<CByteArray>& outbox);
-  /** What waits to be sent; for the medium. */
+  /** Messages to be sent; for the medium. */
   const std::vector<CByteArray>& GetOutbox() const { return m_outbox; }
   void ClearOutbox() { m_outbox.clear(); }
 
-  /** Exchanges the messages received for those of @p read, which are used again; for sensors. */
+  /** Swaps the received messages with the contents of @p read, which are reused; for sensors. */
   void Read(std::vector<CByteArray>& read);
-  /** Takes back what Read() gave, for its memory; for sensors that are reset. */
+  /** Returns messages from Read() for reuse of their memory; for sensors that are reset. */
   void TakeBack(std::vector<CByteArray>& read) { m_spare.Shrink(read, 0); }
-  /** Drops messages that a sensor could have read; for the medium, once a tick. */
+  /** Drops messages that sensors had the chance to read; for the medium, once a tick. */
   void DropOldMessages();
-  /** For the medium: takes over messages, which are old in the next tick. */
+  /** For the medium: appends messages, which become old in the next tick. */
   void Deliver(const std::vector<CByteArray>& messages);
 
-  /** For sensors that show whom they hear: whether to remember where messages come from. */
+  /** Enables recording of the senders' positions; for sensors that display them. */
   void SetRememberingOrigins(bool remember) { m_remembersOrigins = remember; }
-  /** For the medium: notes where a sender is, m, world frame. */
+  /** For the medium: records the position of a sender, m, world frame. */
   void NoteOrigin(const CVector3& position);
-  /** Where the senders of unread messages were, m, world frame; cleared by Read(). */
+  /** Positions of the senders of unread messages, m, world frame; cleared by Read(). */
   const std::vector<CVector3>& GetOrigins() const { return m_origins; }
 
-  /** For the medium: which of its radios this one is. */
+  /** For the medium: index among its radios. */
   UInt32 GetNumberInMedium() const { return m_numberInMedium; }
   void SetNumberInMedium(UInt32 number) { m_numberInMedium = number; }
 
@@ -81,7 +80,7 @@ class CSimpleRadioEntity : public CMediumMember<CSimpleRadioEntity, CSimpleRadio
  private:
   Real m_range = 0.0;  // m
   std::vector<CByteArray> m_messages;  // received
-  size_t m_numOld = 0;  // of them, for the next DropOldMessages()
+  size_t m_numOld = 0;  // how many of them the next DropOldMessages() drops
   std::vector<CByteArray> m_outbox;
   CSpareElements<CByteArray> m_spare;
   bool m_remembersOrigins = false;

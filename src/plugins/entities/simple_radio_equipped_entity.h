@@ -18,19 +18,18 @@ class CSimpleRadioEquippedEntity : public CMountedEntities<CSimpleRadioEntity> {
 
   /**
    * Reads the children `<simple_radio id="..." medium="..." range="..." position="x,y,z"
-   * anchor="origin" />`, and enables the radios. The parent must have a "body" with the anchors
-   * named.
+   * anchor="origin" />`, and enables the radios. The parent must have a "body" with these anchors.
    * @throws CARGoSException with the known names if a medium or an anchor is unknown, or if two
-   * radios have one id.
+   * radios have the same id.
    */
   void Init(TConfigurationNode& tree) override;
   std::string GetTypeDescription() const override { return "simple_radios"; }
 
-  /** @param position in the anchor's frame, m. @param range m, >= 0. @throws CARGoSException. */
+  /** @param position in the anchor's frame, m. @param range m, >= 0. */
   void AddRadio(const std::string& id, const CVector3& position, SAnchor& anchor, Real range);
 
   size_t GetNumRadios() const { return GetInstances().size(); }
-  /** @throws CARGoSException if there is no radio of that number. */
+  /** @throws CARGoSException if the index is out of range. */
   CSimpleRadioEntity& GetRadio(UInt32 index) { return GetEntity(index, "radio"); }
 
  private:

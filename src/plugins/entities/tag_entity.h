@@ -15,10 +15,10 @@ namespace argos {
 class CTagMedium;
 
 /**
- * A square that carries a text, as a printed bar code does. It lies in the xy plane of its frame,
- * around the origin, and is read from within an angle around the z axis.
+ * A square with a text, like a printed bar code. It is in the xy plane of its frame, centred on the
+ * origin, and readable within an angle around the z axis.
  *
- * Starts disabled. The medium knows it exactly while it is enabled.
+ * Starts disabled. The medium contains it exactly while it is enabled.
  */
 class CTagEntity : public CMediumMember<CTagEntity, CTagMedium> {
  public:
@@ -26,7 +26,7 @@ class CTagEntity : public CMediumMember<CTagEntity, CTagMedium> {
 
   typedef std::vector<CTagEntity*> TList;
 
-  /** A tag of 10 cm without a text, seen from all sides. */
+  /** A tag of 10 cm without a text, readable from all sides. */
   explicit CTagEntity(CComposableEntity* parent);
   /**
    * @param position, orientation  m, world frame.
@@ -40,7 +40,7 @@ class CTagEntity : public CMediumMember<CTagEntity, CTagMedium> {
 
   /** Reads `observable_angle`, `side_length`, `payload` (default empty), and the pose. */
   void Init(TConfigurationNode& tree) override;
-  /** Back to the initial payload and pose. */
+  /** Restores the initial payload and pose. */
   void Reset() override;
   std::string GetTypeDescription() const override { return "tag"; }
 
@@ -49,23 +49,23 @@ class CTagEntity : public CMediumMember<CTagEntity, CTagMedium> {
   const std::string& GetInitPayload() const { return m_initPayload; }
   void SetInitPayload(const std::string& payload) { m_initPayload = payload; }
 
-  /** m. */
+  /** Length of a side, m. */
   Real GetSideLength() const { return m_sideLength; }
-  /** @param sideLength m, > 0. @throws CARGoSException if it is not. */
+  /** @param sideLength m, > 0. @throws CARGoSException if it is out of range. */
   void SetSideLength(Real sideLength);
   /**
-   * The corners, m, world frame: that at (+,+) of the tag's frame first, then counter-clockwise as
-   * seen from where its z axis points.
+   * The corners, m, world frame: first the one at (+,+) of the tag's frame, then counter-clockwise
+   * as seen from the positive z axis.
    */
   std::array<CVector3, 4> ComputeCorners() const;
 
   const CRadians& GetObservableAngle() const { return m_observableAngle; }
   /**
-   * @param angle  half angle of the cone around the z axis from which the tag is read, in (0, PI].
-   * @throws CARGoSException if it is not.
+   * @param angle  half angle of the readability cone around the z axis, in (0, PI].
+   * @throws CARGoSException if the angle is out of range.
    */
   void SetObservableAngle(const CRadians& angle);
-  /** Whether a point, m, world frame, is in that cone. */
+  /** @return true if a point (m, world frame) is in that cone. */
   bool Faces(const CVector3& point) const;
 
   void UpdateDigest(CDigest& digest) const override;

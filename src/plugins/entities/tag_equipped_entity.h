@@ -20,23 +20,23 @@ class CTagEquippedEntity : public CMountedEntities<CTagEntity> {
   /**
    * Reads `medium` and the children `<tag position="x,y,z" orientation="z,y,x" anchor="..."
    * observable_angle="..." side_length="..." payload="..." />`, and enables the tags. The parent
-   * must have a "body" with the anchors named.
+   * must have a "body" with these anchors.
    * @throws CARGoSException with the known names if a medium or an anchor is unknown.
    */
   void Init(TConfigurationNode& tree) override;
   std::string GetTypeDescription() const override { return "tags"; }
 
   /**
-   * Adds a tag in the xy plane of its frame, read from where the z axis points.
-   * @param position, orientation  of its frame, in the anchor's, m.
-   * @param observableAngle        half angle of the cone from which it is read, in (0, PI].
+   * Adds a tag in the xy plane of its frame, readable from the side of the positive z axis.
+   * @param position, orientation  of the tag's frame in the anchor's frame, m.
+   * @param observableAngle        half angle of the readability cone, in (0, PI].
    * @param sideLength             m, > 0.
    */
   void AddTag(const CVector3& position, const CQuaternion& orientation, SAnchor& anchor,
               const CRadians& observableAngle, Real sideLength, const std::string& payload = "");
 
   size_t GetNumTags() const { return GetInstances().size(); }
-  /** These throw CARGoSException if there is no tag of that number. */
+  /** These throw CARGoSException if the index is out of range. */
   CTagEntity& GetTag(UInt32 index);
   void SetTagPayload(UInt32 index, const std::string& payload);
   void SetAllTagPayloads(const std::string& payload);

@@ -8,23 +8,23 @@
 namespace argos {
 
 /**
- * Tells a component whether its Update() is the one after physics, once a tick, or comes from a
+ * Detects whether a component's Update() is the first of a tick (after physics) or results from a
  * move by command. For the sources of components.
  */
 class CTickWatch {
  public:
   CTickWatch() : m_space(CurrentSpace()), m_tick(m_space.GetSimulationClock()) {}
 
-  /** True when first asked in a tick. */
+  /** @return true at the first call in a tick. */
   bool IsNewTick() {
     const UInt32 tick = m_space.GetSimulationClock();
     const bool isNew = tick != m_tick;
     m_tick = tick;
     return isNew;
   }
-  /** s. */
+  /** Tick length, s. */
   Real GetTickLength() const { return m_space.GetSimulator().GetTickLength(); }
-  /** The clock starts over. */
+  /** Call it when the clock restarts. */
   void Reset() { m_tick = 0; }
 
  private:

@@ -28,7 +28,7 @@ CRadians Normalized(CRadians angle) {
 CTurretEntity::CTurretEntity(CComposableEntity* parent, const std::string& id, SAnchor& anchor,
                              const SControlGains& gains)
     : CEntity(parent, id), m_anchor(anchor), m_gains(gains) {
-  CEntity::SetEnabled(false);  // nothing to update: engines turn it
+  CEntity::SetEnabled(false);  // engines turn it; there is nothing to update
 }
 
 void CTurretEntity::Reset() {

@@ -10,10 +10,10 @@
 namespace argos {
 
 /*
- * Range checks of what users give to entities and devices, for the sources of plug-ins.
+ * Range checks of user-supplied values of entities and devices, for the sources of plug-ins.
  *
- * owner: whose value it is, for the message: 'box "b1"'.
- * what:  which value it is, with its unit: "height (m)".
+ * owner: owner of the value, for the message: 'box "b1"'.
+ * what:  name of the value, with its unit: "height (m)".
  */
 
 /** @throws CARGoSException unless @p value is finite and > 0. */
@@ -55,7 +55,9 @@ inline void ReadPositive(TConfigurationNode& node, const std::string& attribute,
   RequirePositive(value, OwnerOf(node), "attribute \"" + attribute + "\" (" + unit + ")");
 }
 
-/** Reads an optional attribute; without it @p value stays. @throws CARGoSException if not > 0. */
+/**
+ * Reads an optional attribute; keeps @p value if it is missing. @throws CARGoSException if not > 0.
+ */
 inline void ReadOptionalPositive(TConfigurationNode& node, const std::string& attribute,
                                  const std::string& unit, Real& value) {
   if (NodeAttributeExists(node, attribute)) {

@@ -6,8 +6,8 @@
 namespace argos {
 
 /**
- * Logs a warning on LOGERR, but not a second time in the current space: one line for what many
- * robots share. Not while robots act or sense in parallel.
+ * Logs a warning on LOGERR once per space: one line for a problem that many robots share. Must not
+ * be called while robots act or sense in parallel.
  */
 void WarnOnce(const std::string& text);
 

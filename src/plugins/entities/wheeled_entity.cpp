@@ -18,7 +18,7 @@ CWheeledEntity::CWheeledEntity(CComposableEntity* parent, const std::string& id,
       m_radiiAndVelocities(2 * numWheels) {
   if (numWheels == 0) {
     THROW_ARGOSEXCEPTION("wheels \"" << GetContext() << id
-                                     << "\": needs one wheel at least, got 0");
+                                     << "\": needs at least one wheel, got 0");
   }
 }
 

@@ -9,7 +9,7 @@
 
 namespace argos {
 
-/** The wheels of a robot, and how fast its controller wants them to turn. */
+/** The wheels of a robot and their commanded speeds. */
 class CWheeledEntity : public CEntity {
  public:
   ENABLE_VTABLE();
@@ -18,22 +18,22 @@ class CWheeledEntity : public CEntity {
   CWheeledEntity(CComposableEntity* parent, size_t numWheels);
   CWheeledEntity(CComposableEntity* parent, const std::string& id, size_t numWheels);
 
-  /** All wheels stop. */
+  /** Sets all speeds to 0. */
   void Reset() override;
   std::string GetTypeDescription() const override { return "wheels"; }
 
   size_t GetNumWheels() const { return m_radiiAndVelocities.size() / 2; }
   /**
-   * Says where a wheel is.
+   * Sets the place of a wheel.
    * @param position  of its centre in the frame of the body's origin, m. @param radius m, > 0.
-   * @throws CARGoSException if there is no such wheel, or the radius is not > 0.
+   * @throws CARGoSException if the index is out of range, or the radius is not > 0.
    */
   void SetWheel(UInt32 index, const CVector3& position, Real radius);
 
-  /** These throw CARGoSException if there is no such wheel. */
+  /** These throw CARGoSException if the index is out of range. */
   const CVector3& GetWheelPosition(size_t index) const;
   Real GetWheelRadius(size_t index) const;
-  /** Speed of the wheel's rim, m/s, positive ahead. */
+  /** Speed of the wheel's rim, m/s, positive forward. */
   Real GetWheelVelocity(size_t index) const;
 
   /** Arrays of GetNumWheels() elements; the pointers stay valid as long as the entity. */
@@ -44,7 +44,7 @@ class CWheeledEntity : public CEntity {
   /**
    * Sets the speeds of all wheels, for the next physics phase.
    * @param velocities  GetNumWheels() speeds of the rims, m/s.
-   * @throws CARGoSException if one is not finite; all speeds are then as before.
+   * @throws CARGoSException if a speed is not finite; all speeds are then unchanged.
    */
   void SetVelocities(const Real* velocities);
 
@@ -55,7 +55,7 @@ class CWheeledEntity : public CEntity {
   void CheckIndex(size_t index) const;
 
   std::unique_ptr<CVector3[]> m_positions;  // frame of the origin anchor, m, (wheels)
-  // m, (wheels), then m/s, (wheels): one block, because there are many robots
+  // radii, m, (wheels), then speeds, m/s, (wheels): one block saves memory per robot
   std::vector<Real> m_radiiAndVelocities;
 };
 

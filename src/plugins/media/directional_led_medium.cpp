@@ -4,12 +4,11 @@ namespace argos {
 
 REGISTER_MEDIUM(
     CDirectionalLEDMedium, "directional_led", "the authors of this project", "1.0",
-    "Knows where directional LEDs are, for cameras.",
-    R"(Every directional LED that cameras shall see belongs to such a medium; the algorithm
-directional_led_detector of the sensor "cameras" names the medium that it looks at. LEDs outside the arena count like
-all others.
+    "Index of the directional LEDs that cameras see.",
+    R"(Cameras see the directional LEDs in such a medium; the algorithm directional_led_detector of the sensor
+"cameras" selects the medium. LEDs outside the arena are included.
 
-A robot carries directional LEDs if its element says so:
+Directional LEDs on a robot:
 
   <foot-bot id="fb0">
     <body position="0,0,0" />
@@ -21,11 +20,11 @@ A robot carries directional LEDs if its element says so:
 
   directional_leds@medium  text, required: the id of a directional_led medium.
   position                 "x,y,z", m, default "0,0,0": in the frame of the anchor.
-  orientation              "z,y,x", degrees, default "0,0,0": the LED shines along the z axis that this turns; "0,90,0"
-                           shines ahead.
-  anchor                   text, required: a frame of the body, "origin" for all that does not turn on it.
-  observable_angle         degrees in (0,180], required: from how far off that axis the LED is seen.
-  color                    a colour name or "R,G,B,A" with integers 0-255, default black: at the start.
+  orientation              "z,y,x", degrees, default "0,0,0": of the LED's frame; the LED shines along its z axis.
+                           "0,90,0" shines forward.
+  anchor                   text, required: a frame of the body; "origin" is fixed to the body.
+  observable_angle         degrees in (0,180], required: the largest angle to that axis at which the LED is visible.
+  color                    a colour name or "R,G,B,A" with integers 0-255, default black: colour at the start.
 
 REQUIRED XML
 
@@ -36,9 +35,9 @@ REQUIRED XML
 ATTRIBUTES
 
   id         text, required: unique among the media.
-  index      "grid" (default) or "hash": how LEDs near a point are found. It has no effect on results;
-             "hash" takes less memory where the arena is large and LEDs are few.
-  grid_size  "x,y,z", integers >= 1: into how many cells the arena is divided along each axis; default
+  index      "grid" (default) or "hash": spatial index of the LEDs. It has no effect on results;
+             "hash" takes less memory for few LEDs in a large arena.
+  grid_size  "x,y,z", integers >= 1: number of grid cells along each axis; default
              one cell for each whole metre. It has no effect on results.
 
 For example:

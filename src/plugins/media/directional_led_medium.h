@@ -6,7 +6,7 @@
 
 namespace argos {
 
-/** Knows where the directional LEDs are; its index has those lit at the last Update(). */
+/** Medium of directional LEDs; its index contains those that were lit at the last Update(). */
 class CDirectionalLEDMedium
     : public CPositionalMedium<CDirectionalLEDEntity, CDirectionalLEDEntityGridUpdater,
                                CDirectionalLEDEntitySpaceHashUpdater> {

@@ -12,7 +12,7 @@ namespace argos {
 
 namespace {
 
-// more cells than that make a grid no faster
+// more cells do not make a grid faster
 constexpr Real kMaxCells = 1 << 18;
 const char* const kNames[] = {"grid", "hash", "dummy"};  // in the order of EKind
 

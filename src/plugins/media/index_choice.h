@@ -6,12 +6,12 @@
 
 namespace argos {
 
-/** How a medium finds what is near a point: the attributes `index` and `grid_size`. */
+/** Spatial index of a medium: the attributes `index` and `grid_size`. */
 struct SIndexChoice {
   enum class EKind {
     Grid, /**< cells that divide the arena */
-    Hash, /**< the same without bounds */
-    Dummy /**< none: everything is looked at */
+    Hash, /**< unbounded cells */
+    Dummy /**< none: all entities are tested */
   };
 
   /** A grid over an arena. */
@@ -24,15 +24,15 @@ struct SIndexChoice {
   SInt32 GridSize[3] = {0, 0, 0}; /**< cells along x, y, z; 0: chosen from the arena */
 
   /**
-   * @param withDummy  does the medium know `dummy`?
+   * @param withDummy  true if the medium supports `dummy`.
    * @throws CARGoSException if a value is unknown or out of range.
    */
   void Read(TConfigurationNode& medium, bool withDummy = false);
   /** "grid", ... */
   const char* GetName() const;
   /**
-   * The cells for an arena: as many as asked for, by default one for each whole metre, and no more
-   * than make it faster. @param extent m.
+   * The cells for an arena: as many as configured, by default one for each whole metre, limited to
+   * the number beyond which a grid does not get faster. @param extent m.
    */
   SCells MakeCells(const CVector3& extent) const;
 };

@@ -4,9 +4,9 @@ namespace argos {
 
 REGISTER_MEDIUM(
     CLEDMedium, "led", "the authors of this project", "1.0",
-    "Knows where LEDs and lights are, for cameras.",
-    R"(Every LED and light that cameras shall see belongs to an LED medium; cameras name the medium
-they look at. LEDs outside the arena count like all others.
+    "Index of the LEDs and lights that cameras see.",
+    R"(Cameras see the LEDs and lights in an LED medium; each camera selects the medium. LEDs outside the arena
+are included.
 
 REQUIRED XML
 
@@ -17,9 +17,9 @@ REQUIRED XML
 ATTRIBUTES
 
   id         text, required: unique among the media.
-  index      "grid" (default) or "hash": how LEDs near a point are found. It has no effect on results;
-             "hash" takes less memory where the arena is large and LEDs are few.
-  grid_size  "x,y,z", integers >= 1: into how many cells the arena is divided along each axis; default
+  index      "grid" (default) or "hash": spatial index of the LEDs. It has no effect on results;
+             "hash" takes less memory for few LEDs in a large arena.
+  grid_size  "x,y,z", integers >= 1: number of grid cells along each axis; default
              one cell for each whole metre. It has no effect on results.
 
 For example:

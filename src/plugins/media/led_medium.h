@@ -6,7 +6,7 @@
 
 namespace argos {
 
-/** Knows where the LEDs and lights are; its index has those that were lit at the last Update(). */
+/** Medium of LEDs and lights; its index contains those that were lit at the last Update(). */
 class CLEDMedium
     : public CPositionalMedium<CLEDEntity, CLEDEntityGridUpdater, CLEDEntitySpaceHashUpdater> {
  public:

@@ -9,17 +9,17 @@
 namespace argos {
 
 /**
- * The entities that a medium takes care of, numbered in the order of their insertion into the
- * space; for the sources of media.
+ * The entities of a medium, numbered in the order of their insertion into the space; for the
+ * sources of media.
  *
- * Entities come and go at any time outside the phases of a tick; numbers change in Update() only.
- * An entity that is not in the space yet waits. ENTITY has GetNumberInMedium() and
- * SetNumberInMedium().
+ * Entities can be added and removed at any time outside the phases of a tick; numbers change in
+ * Update() only. An entity that is not in the space yet is waiting and has no number. ENTITY has
+ * GetNumberInMedium() and SetNumberInMedium().
  */
 template <typename ENTITY>
 class CMediumMembers {
  public:
-  static constexpr UInt32 kWaiting = ~UInt32(0);  // the number of an entity that has none yet
+  static constexpr UInt32 kWaiting = ~UInt32(0);  // of entities without a number
 
   void Add(ENTITY& entity) {
     entity.SetNumberInMedium(kWaiting);
@@ -34,7 +34,7 @@ class CMediumMembers {
     }
   }
 
-  /** Numbers anew, if entities have come or gone. @return true if so. */
+  /** Renumbers the entities if any were added or removed. @return true if so. */
   bool Update() {
     const auto waiting =
         std::partition(m_waiting.begin(), m_waiting.end(),
@@ -53,9 +53,9 @@ class CMediumMembers {
     return true;
   }
 
-  /** How many numbers there are. */
+  /** The number of numbered entities. */
   size_t GetSize() const { return m_members.size(); }
-  /** Null: the entity has gone since the last Update(). */
+  /** Null if the entity was removed since the last Update(). */
   ENTITY* Get(size_t number) const { return m_members[number]; }
   bool Has(const ENTITY& entity) const {
     const UInt32 number = entity.GetNumberInMedium();
@@ -64,7 +64,7 @@ class CMediumMembers {
                : number < m_members.size() && m_members[number] == &entity;
   }
 
-  /** Every entity, those that wait included. */
+  /** All entities, including the waiting ones. */
   std::vector<ENTITY*> ListAll() const {
     std::vector<ENTITY*> all = m_waiting;
     std::copy_if(m_members.begin(), m_members.end(), std::back_inserter(all),

@@ -14,12 +14,12 @@ CMediumUser::CMediumUser(CMediumUsers& users, const CControllableEntity& robot)
 CMediumUser::~CMediumUser() {
   if (m_users != nullptr) {
     std::vector<CMediumUser*>& users = m_users->m_users;
-    // the last ones go first when everything goes
+    // searched from the back, because a mass removal removes the last ones first
     users.erase(std::prev(std::find(users.rbegin(), users.rend(), this).base()));
   }
 }
 
-void CMediumUsers::LetGo() {
+void CMediumUsers::RemoveAll() {
   for (CMediumUser* user : m_users) {
     user->m_users = nullptr;
   }
@@ -29,14 +29,14 @@ void CMediumUsers::LetGo() {
 const std::vector<CMediumUser*>& CMediumUsers::TakeOrders() {
   m_ordering.clear();
   for (size_t i = 0; i < m_users.size(); ++i) {
-    // a robot that is not in the space is nowhere
+    // skip robots that are not in the space
     const ssize_t robot = m_users[i]->m_robot.GetIndex();
     if (m_users[i]->HasOrder && robot >= 0) {
       m_ordering.emplace_back(robot, i);
     }
     m_users[i]->HasOrder = false;
   }
-  // most often devices were made in the order of their robots
+  // devices are mostly created in the order of their robots
   if (!std::is_sorted(m_ordering.begin(), m_ordering.end())) {
     std::sort(m_ordering.begin(), m_ordering.end());
   }

@@ -14,8 +14,8 @@ class CControllableEntity;
 class CMediumUsers;
 
 /**
- * A device that uses a medium: the medium knows it as long as both live. Actuators leave orders
- * with it, which the medium carries out in its TakeActs().
+ * A device that uses a medium: each is unlinked when the other is destroyed. Actuators store orders
+ * here, which the medium executes in its TakeActs().
  */
 class CMediumUser {
  public:
@@ -26,11 +26,11 @@ class CMediumUser {
 
   const CControllableEntity& GetRobot() const { return m_robot; }
 
-  bool HasOrder = false; /**< to be carried out once */
+  bool HasOrder = false; /**< to be executed once */
 
  private:
   friend class CMediumUsers;
-  CMediumUsers* m_users;  // null: the medium is gone
+  CMediumUsers* m_users;  // null once the medium was destroyed
   const CControllableEntity& m_robot;
 };
 
@@ -38,18 +38,18 @@ class CMediumUser {
 class CMediumUsers {
  public:
   CMediumUsers() = default;
-  /** Lets go of all devices. */
-  ~CMediumUsers() { LetGo(); }
+  /** Removes all devices. */
+  ~CMediumUsers() { RemoveAll(); }
   CMediumUsers(const CMediumUsers&) = delete;
   CMediumUsers& operator=(const CMediumUsers&) = delete;
 
-  /** In order of registration; not owned. */
+  /** All devices, in the order of registration; not owned. */
   const std::vector<CMediumUser*>& Get() const { return m_users; }
-  void LetGo();
+  void RemoveAll();
 
   /**
-   * Takes the orders that there are: those of robots in the space, in the order of the robots'
-   * insertion into it, whatever the order in which devices were made. All orders are then gone.
+   * Returns and clears all orders of robots in the space, in the order of the robots' insertion
+   * into it, independently of the order of the devices' creation.
    * @return not owned; valid until the next call.
    */
   const std::vector<CMediumUser*>& TakeOrders();

@@ -9,23 +9,23 @@ namespace argos {
 
 namespace {
 
-// of rX + rY in an explicit step: half of what is stable, so that spots stay round
+// limit of rX + rY in an explicit step: half of the stability limit, which keeps spots round
 constexpr Real kMostPerStep = 0.25;
-constexpr Real kMostSteps = 4.0;  // explicit ones; more cost more than an implicit one
-// less than that is nothing: numbers that are nearly zero would make processors slow
+constexpr Real kMostSteps = 4.0;  // explicit steps; more of them cost more than an implicit one
+// smaller values are set to 0: denormal numbers would slow the processor down
 constexpr Real kNothing = 1e-200;
 constexpr Real kLeastScale = 1e-30;
 
 constexpr size_t kRowGrain = 16;
 constexpr size_t kColumnGrain = 64;
-constexpr size_t kRowsAtOnce = 8;  // whose eliminations run side by side
+constexpr size_t kRowsAtOnce = 8;  // whose eliminations are interleaved
 
 Real Flush(Real value) {
   return value < kNothing ? 0.0 : value;
 }
 
 // one row of an explicit step; up and down are the neighbouring rows, or the row itself at a
-// border. Opposite neighbours are added first, so that a mirrored field stays mirrored to the bit
+// border. Opposite neighbours are added first, so that a mirrored field stays bitwise mirrored
 void DiffuseRow(const Real* up, const Real* row, const Real* down, Real* __restrict next,
                 size_t num, Real rX, Real rY) {
   const auto diffuse = [&](size_t i, Real left, Real right) {
@@ -53,7 +53,7 @@ CPheromoneField::CPheromoneField(const SGrid& grid, Real evaporation, Real diffu
       m_cells(grid.NumX * grid.NumY, 0.0) {}
 
 bool CPheromoneField::Locate(SStencil& stencil, Real x, Real y) const {
-  // in cells from the lowest corner; NaN is outside
+  // in cells from the lowest corner; the comparison treats NaN as outside
   const Real u = (x - m_grid.MinX) / m_grid.CellX;
   const Real v = (y - m_grid.MinY) / m_grid.CellY;
   const bool isInside = u >= 0.0 && v >= 0.0 && u <= static_cast<Real>(m_grid.NumX) &&
@@ -61,7 +61,7 @@ bool CPheromoneField::Locate(SStencil& stencil, Real x, Real y) const {
   if (!isInside) {
     return false;
   }
-  // beyond the outermost centres, the border cell counts twice
+  // outside the outermost centres, both points are the border cell
   const auto split = [](Real place, size_t num, size_t& low, size_t& high, Real& share) {
     const Real fromCenter = std::max(0.0, place - 0.5);
     low = std::min(num - 1, static_cast<size_t>(fromCenter));
@@ -148,8 +148,8 @@ void CPheromoneField::SElimination::Prepare(Real r, size_t num) {
   R = r;
   Inverse.resize(num);
   Back.resize(num);
-  // what is left of the diagonal beside r; it is summed up, since a difference would lose it if r
-  // is large, and some of the substance with it
+  // excess of the diagonal over r; computed as a sum, since for a large r a difference would cancel
+  // and lose some of the substance
   Real excess = 1.0;
   for (size_t i = 0; i < num; ++i) {
     if (i > 0) {
@@ -184,7 +184,7 @@ void CPheromoneField::PrepareSteps(Real seconds) {
 void CPheromoneField::Advance(CThreadPool& pool, Real seconds) {
   const bool spreads = m_diffusion > 0.0 && seconds > 0.0;
   if (spreads) {
-    // also of an empty field: what this allocates should be there when it is needed
+    // for an empty field, too: allocates before the memory is needed
     PrepareSteps(seconds);
   }
   if (m_isEmpty) {
@@ -227,7 +227,7 @@ void CPheromoneField::StepImplicitly(CThreadPool& pool) {
                    [this](size_t begin, size_t end, UInt32) { SolveColumns(begin, end); });
 }
 
-// every number waits for the one before it: several rows at once keep the processor busy
+// each value depends on the previous one: interleaving several rows hides the latency
 void CPheromoneField::SolveRows(size_t first, size_t last) {
   Real* rows[kRowsAtOnce];
   const size_t numRows = last - first;

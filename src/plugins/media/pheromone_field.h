@@ -19,13 +19,13 @@ class CThreadPool;
  * Concentrations are amounts per m^2. Reading is safe on several threads at once, writing is not.
  *
  * Evaporation is exact: it commutes with diffusion, so it is a factor for the whole field.
- * Diffusion is a finite-volume scheme on equal cells. Where a few explicit steps per call are
- * stable, it takes those (forward Euler, five points); else one implicit step along x and one along
- * y (backward Euler, locally one-dimensional: N. N. Yanenko, The Method of Fractional Steps, 1971),
- * stable for any parameters. Both conserve the amount, keep it >= 0, raise no maximum, and let the
- * variance of a spot grow by exactly 2 diffusion t along each axis, up to rounding; the implicit
- * step's spot has fatter tails than a Gaussian. Results do not depend on the number of threads.
- * A field without anything in it costs nothing.
+ * Diffusion is a finite-volume scheme on equal cells. If a few explicit steps per call are
+ * stable, it uses these (forward Euler, five points); otherwise one implicit step along x and one
+ * along y (backward Euler, locally one-dimensional: N. N. Yanenko, The Method of Fractional Steps,
+ * 1971), stable for any parameters. Both conserve the amount, keep it >= 0, do not increase the
+ * maximum, and make the variance of a spot grow by exactly 2 diffusion t along each axis, up to
+ * rounding; the implicit step's spot has fatter tails than a Gaussian. Results do not depend on the
+ * number of threads. An empty field costs nothing.
  */
 class CPheromoneField {
  public:
@@ -39,36 +39,37 @@ class CPheromoneField {
   /**
    * @param evaporation  1/s, >= 0.
    * @param diffusion    m^2/s, >= 0.
-   * @param maximum      of the concentration of a cell, 1/m^2; deposits that go beyond are lost.
+   * @param maximum      concentration limit of a cell, 1/m^2; deposits above it are lost.
    */
   CPheromoneField(const SGrid& grid, Real evaporation, Real diffusion, Real maximum = HUGE_VAL);
 
   /**
-   * Adds an amount at a point (m, world frame): to the four cells whose centres are around it, each
-   * according to how near it is. Outside the rectangle it is lost.
+   * Deposits an amount at a point (m, world frame), distributed bilinearly over the four nearest
+   * cells. Deposits outside the rectangle are lost.
    */
   void Deposit(Real x, Real y, Real amount);
   /** The concentration at a point, 1/m^2: bilinear between the centres of cells; 0 outside. */
   Real GetConcentration(Real x, Real y) const;
   /** @param seconds >= 0. */
   void Advance(CThreadPool& pool, Real seconds);
-  /** Nothing anywhere. */
+  /** Sets all concentrations to 0. */
   void Clear();
 
   const SGrid& GetGrid() const { return m_grid; }
-  /** m, world frame. @param i below GetGrid().NumX. @param j below GetGrid().NumY; here and below.
-   */
+  /** Centre of a cell, m, world frame. @param i < GetGrid().NumX. @param j < GetGrid().NumY. */
   CVector2 GetCenter(size_t i, size_t j) const;
   /** The mean concentration in a cell, 1/m^2. */
   Real GetCell(size_t i, size_t j) const { return m_scale * m_cells[j * m_grid.NumX + i]; }
-  /** @param concentration in [0,maximum]. @throws CARGoSException if it is not, or no such cell. */
+  /**
+   * @param concentration in [0,maximum]. @throws CARGoSException if an argument is out of range.
+   */
   void SetCell(size_t i, size_t j, Real concentration);
-  /** All that there is. */
+  /** Total amount in the field. */
   Real ComputeTotal() const;
 
  private:
   // factors of the elimination in a system (1 + 2 r) c[i] - r (c[i-1] + c[i+1]) = b[i], with closed
-  // ends
+  // borders
   struct SElimination {
     Real R = 0.0;
     std::vector<Real> Inverse;  // (cells): d[i] = (b[i] + R d[i-1]) Inverse[i]
@@ -76,7 +77,7 @@ class CPheromoneField {
 
     void Prepare(Real r, size_t num);
   };
-  // of a point: four cells, and the share of each
+  // bilinear interpolation at a point: four cells and their weights
   struct SStencil {
     size_t Cells[4];
     Real Shares[4];
@@ -92,12 +93,12 @@ class CPheromoneField {
 
   SGrid m_grid;
   Real m_evaporation, m_diffusion, m_maximum;
-  Real m_scale = 1.0;  // the concentration is this times what a cell holds
-  bool m_isEmpty = true;  // nothing in any cell
+  Real m_scale = 1.0;  // factor from the stored values to concentrations
+  bool m_isEmpty = true;  // all cells are 0
   std::vector<Real> m_cells;  // (NumY, NumX), 1/m^2, to be scaled
-  std::vector<Real> m_next;  // (NumY, NumX), of explicit steps
+  std::vector<Real> m_next;  // (NumY, NumX), target of explicit steps
 
-  // for calls of that length
+  // parameters for calls with this duration, s
   Real m_seconds = -1.0;
   UInt32 m_numExplicit = 0;  // 0: one implicit step
   Real m_rX = 0.0, m_rY = 0.0;  // diffusion * step / side^2

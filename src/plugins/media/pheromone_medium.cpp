@@ -14,7 +14,7 @@ namespace argos {
 
 namespace {
 
-constexpr Real kMostCells = 1 << 26;  // of a layer: half a gigabyte
+constexpr Real kMostCells = 1 << 26;  // per layer: half a gigabyte
 
 }  // namespace
 
@@ -47,7 +47,7 @@ void CPheromoneMedium::Init(TConfigurationNode& tree) {
     ReadLayer(*child);
   }
   if (m_layers.empty()) {
-    THROW_ARGOSEXCEPTION(m_owner << " needs one child <layer id=\"...\" /> at least");
+    THROW_ARGOSEXCEPTION(m_owner << " needs at least one child <layer id=\"...\" />");
   }
 }
 
@@ -79,7 +79,7 @@ void CPheromoneMedium::Reset() {
 }
 
 void CPheromoneMedium::Destroy() {
-  m_state->Users.LetGo();
+  m_state->Users.RemoveAll();
 }
 
 void CPheromoneMedium::PostSpaceInit() {
@@ -95,7 +95,7 @@ void CPheromoneMedium::MakeFields() {
   const CVector2 size = m_hasSize ? m_size : CVector2(arenaSize.GetX(), arenaSize.GetY());
   const CVector2 center = m_hasCenter ? m_center : CVector2(arenaCenter.GetX(), arenaCenter.GetY());
   const auto count = [this](Real length) {
-    // a rounding less, so that a length of whole cells has no more than these
+    // minus the rounding error, so that a length of n cells gives n cells
     return std::max(1.0, std::ceil(length / m_cellSize - 1e-9));
   };
   const Real numX = count(size.GetX());
@@ -164,16 +164,16 @@ std::vector<size_t> CPheromoneMedium::ReadLayers(TConfigurationNode& device) con
     for (const std::string& id : ids) {
       const size_t layer = GetLayerNumber(id);
       if (std::find(layers.begin(), layers.end(), layer) != layers.end()) {
-        THROW_ARGOSEXCEPTION("\"" << id << "\" is named twice");
+        THROW_ARGOSEXCEPTION("\"" << id << "\" is listed twice");
       }
       layers.push_back(layer);
     }
     if (layers.empty()) {
-      THROW_ARGOSEXCEPTION("no layer is named");
+      THROW_ARGOSEXCEPTION("no layer is listed");
     }
   } catch (std::exception& error) {
-    THROW_ARGOSEXCEPTION_NESTED(OwnerOf(device) << ": attribute \"layers\" must name layers of the "
-                                                   "medium, with commas between, got \""
+    THROW_ARGOSEXCEPTION_NESTED(OwnerOf(device) << ": attribute \"layers\" must list layers of the "
+                                                   "medium, separated by commas, got \""
                                                 << text << "\"",
                                 error);
   }
@@ -211,14 +211,15 @@ void CPheromoneMedium::UpdateDigest(CDigest& digest) const {
 
 REGISTER_MEDIUM(
     CPheromoneMedium, "pheromone", "the authors of this project", "1.0",
-    "Substances on the ground that robots lay and smell.",
-    R"(Each layer is a substance on the floor of the arena. Robots with the actuator "pheromone" lay it, those with the
-sensor "pheromone" smell its concentration c, an amount per m^2. It evaporates and spreads,
+    "Substances on the ground that robots deposit and measure.",
+    R"(Each layer is a substance on the floor of the arena. Robots with the actuator "pheromone" deposit it, those with the
+sensor "pheromone" measure its concentration c, an amount per m^2. It evaporates and diffuses,
 
   dc/dt = diffusion (d2c/dx2 + d2c/dy2) - evaporation c,
 
-and does not leave its region, the arena by default. Evaporation is exact: after the time t the share exp(-evaporation t) is left. The floor is
-divided into cells; the variance of a spot grows by 2 diffusion t along each axis, and nothing is lost or gained.
+inside a region with closed borders, by default the arena. Evaporation is exact: after the time t the share
+exp(-evaporation t) is left. The floor is divided into cells; the variance of a spot grows by 2 diffusion t along each
+axis, and diffusion conserves the amount.
 
 REQUIRED XML
 
@@ -231,7 +232,7 @@ REQUIRED XML
 ATTRIBUTES
 
   id        text, required: unique among the media.
-  layer     one child at least.
+  layer     at least one child.
   layer@id  text, required: unique among the layers; also the name for controllers.
 
 OPTIONAL XML
@@ -243,13 +244,13 @@ OPTIONAL XML
     </pheromone>
   </media>
 
-  size, center       "x,y", m: the region, a rectangle; each by default the arena's. Outside there is nothing.
-  cell_size          m, > 0, default 0.05: the side of a cell, at most; the region has whole cells. Smaller cells show
-                     finer trails, and cost time and memory: 8 to 16 bytes and some nanoseconds a tick for each cell.
+  size, center       "x,y", m: the region, a rectangle; each by default the arena's. Outside the concentration is 0.
+  cell_size          m, > 0, default 0.05: upper limit of the side of a cell; the region has whole cells. Smaller cells
+                     resolve finer trails, and cost time and memory: 8 to 16 bytes and some nanoseconds a tick per cell.
   layer@evaporation  1/s, >= 0, default 0: 1 / tau; after the time tau the share 1/e is left.
-  layer@diffusion    m^2/s, >= 0, default 0: how fast the substance spreads. Without diffusion a layer costs nothing but
+  layer@diffusion    m^2/s, >= 0, default 0: diffusion coefficient. Without diffusion a layer costs nothing but
                      memory.
-  layer@maximum      1/m^2, > 0, default none: the concentration beyond which no more can be laid in a cell.
+  layer@maximum      1/m^2, > 0, default none: upper limit of the concentration in a cell; further deposits are lost.
 )",
     "Usable")
 

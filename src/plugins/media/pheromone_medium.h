@@ -14,16 +14,16 @@
 namespace argos {
 
 /**
- * Substances on the ground that robots lay and smell: they evaporate and spread.
+ * Substances on the ground that robots deposit and measure; they evaporate and diffuse.
  *
  * Each layer is one substance, a concentration (amount per m^2) on a rectangle of the ground, by
- * default the arena's, with closed borders. Deposits are made where robots are when they act, in
- * the order of the robots' insertion into the space; then, after physics, substances evaporate and
- * spread for one tick, and sensors read. Heights do not matter.
+ * default the arena's, with closed borders. Robots deposit at their positions when they act, in the
+ * order of the robots' insertion into the space; after physics, substances evaporate and diffuse
+ * for one tick, then sensors read. Heights are ignored.
  */
 class CPheromoneMedium : public CMedium {
  public:
-  /** An actuator: while it has an order, it lays substances at a place. */
+  /** An actuator; while it has an order, it deposits substances at a place. */
   class CUser : public CMediumUser {
    public:
     CUser(CPheromoneMedium& medium, const CControllableEntity& robot);
@@ -38,10 +38,11 @@ class CPheromoneMedium : public CMedium {
   /**
    * Reads `id`, `cell_size`, `size` and `center`, and for each child `<layer>` its `id`,
    * `evaporation`, `diffusion` and `maximum`.
-   * @throws CARGoSException if a value is out of range, two layers have one id, or there is none.
+   * @throws CARGoSException if a value is out of range, two layers have the same id, or there is
+   *   none.
    */
   void Init(TConfigurationNode& tree) override;
-  /** Nothing anywhere. */
+  /** Sets all concentrations to 0. */
   void Reset() override;
   void Destroy() override;
   /** @throws CARGoSException if the region has too many cells. */
@@ -52,30 +53,30 @@ class CPheromoneMedium : public CMedium {
   void UpdateDigest(CDigest& digest) const override;
 
   size_t GetNumLayers() const { return m_layers.size(); }
-  /** @param layer below GetNumLayers(), here and below. */
+  /** @param layer < GetNumLayers(), also below. */
   const std::string& GetLayerId(size_t layer) const { return m_layers[layer].Id; }
-  /** @throws CARGoSException with the layers there are, if there is none of that id. */
+  /** @throws CARGoSException with the existing layers if the id is unknown. */
   size_t GetLayerNumber(const std::string& id) const;
   /**
-   * For devices: the layers that their attribute `layers` names, with commas between; without it
-   * all. @throws CARGoSException if one is not there, or named twice.
+   * For devices: the layers listed in the attribute `layers`, separated by commas; all layers if it
+   * is missing. @throws CARGoSException if a layer is unknown or listed twice.
    */
   std::vector<size_t> ReadLayers(TConfigurationNode& device) const;
 
   /**
-   * Amount per m^2 at a point of the floor, m, world frame: bilinear between the centres of cells;
-   * 0 outside the region. Safe on several threads at once.
+   * Amount per m^2 at a point of the floor, m, world frame: bilinear interpolation between the
+   * centres of cells; 0 outside the region. Safe on several threads at once.
    */
   Real GetConcentration(size_t layer, const CVector3& point) const;
   /**
-   * Adds an amount at a point of the floor, shared among the cells around it; what would be outside
-   * the region is lost. Not while sensors read.
-   * @param amount >= 0. @throws CARGoSException if it is not.
+   * Deposits an amount at a point of the floor, distributed over the nearest cells; deposits
+   * outside the region are lost. Must not be called while sensors read.
+   * @param amount >= 0. @throws CARGoSException if it is out of range.
    */
   void Deposit(size_t layer, const CVector3& point, Real amount);
   /**
-   * A layer, cell by cell, for loop functions to read and to change; cells are those of all layers.
-   * From loop functions' Init() on. Not to be changed while sensors read.
+   * A layer, cell by cell, for reading and writing by loop functions; all layers have the same
+   * cells. Available from the loop functions' Init() on. Must not be changed while sensors read.
    * @throws CARGoSException if the region would have too many cells.
    */
   CPheromoneField& GetField(size_t layer);
@@ -92,9 +93,9 @@ class CPheromoneMedium : public CMedium {
   void ReadLayer(TConfigurationNode& node);
   void MakeFields();
 
-  std::string m_owner;  // for messages: the element in the file
+  std::string m_owner;  // element in the file, for messages
   Real m_cellSize = 0.05;  // m
-  bool m_hasSize = false, m_hasCenter = false;  // else those of the arena
+  bool m_hasSize = false, m_hasCenter = false;  // false: the arena's
   CVector2 m_size, m_center;  // of the region, m
   std::vector<SLayer> m_layers;
   std::unique_ptr<SState> m_state;

@@ -14,19 +14,18 @@
 namespace argos {
 
 /**
- * Knows where the entities of a kind are, for cameras: what the media of LEDs and tags have in
- * common.
+ * Base of the media of LEDs and tags: an index of entities for cameras.
  *
- * Holds the enabled entities whose medium it is. Its index has those that its updaters put there at
- * the last Update(); entities beyond the arena are in it like all others.
+ * Contains the enabled entities of this medium. The index has those that the updaters inserted at
+ * the last Update(); entities outside the arena are included.
  * @tparam ENTITY  a CMediumMember.
- * @tparam GRID_UPDATER, HASH_UPDATER  put an entity into its cells, if it is to be found.
+ * @tparam GRID_UPDATER, HASH_UPDATER  insert an entity into its cells, if it is visible.
  */
 template <class ENTITY, class GRID_UPDATER, class HASH_UPDATER>
 class CPositionalMedium : public CMedium, public ENTITY::CRegistry {
  public:
   CPositionalMedium() = default;
-  ~CPositionalMedium() override { LetGoOfAll(); }
+  ~CPositionalMedium() override { RemoveAll(); }
 
   /**
    * Reads `id`, `index` ("grid" or "hash") and `grid_size` (cells along each axis).
@@ -36,20 +35,20 @@ class CPositionalMedium : public CMedium, public ENTITY::CRegistry {
     CMedium::Init(tree);
     m_choice.Read(tree);
   }
-  /** The entities enabled at the start are listed in the order they had then. */
+  /** Restores the initial order of the entities that are enabled at the start. */
   void Reset() override {
     SortByEntityIndex();
     CPositionalMedium::Update();
   }
-  /** Lets go of all entities. */
-  void Destroy() override { LetGoOfAll(); }
+  /** Removes all entities. */
+  void Destroy() override { RemoveAll(); }
   void PostSpaceInit() override {
     SortByEntityIndex();
     CPositionalMedium::Update();
   }
   void Update() override { GetIndex().Update(); }
 
-  /** Called by the entity when it is enabled and disabled. */
+  /** Called by entities when they are enabled and disabled. */
   void AddEntity(ENTITY& entity) override {
     if (m_index != nullptr) {
       m_index->AddEntity(entity);
@@ -65,7 +64,7 @@ class CPositionalMedium : public CMedium, public ENTITY::CRegistry {
     }
   }
 
-  /** As of the last Update(). Queries are safe on several threads at once. */
+  /** The index as of the last Update(). Queries are safe on several threads at once. */
   CPositionalIndex<ENTITY>& GetIndex() {
     if (m_index == nullptr) {
       MakeIndex();
@@ -93,14 +92,14 @@ class CPositionalMedium : public CMedium, public ENTITY::CRegistry {
     return m_index != nullptr ? all.Entities : m_waiting;
   }
 
-  void LetGoOfAll() {
+  void RemoveAll() {
     for (ENTITY* entity : ListAll()) {
       entity->ClearMedium();
     }
   }
 
-  // entities that a run switched off and on have moved to the end of the list; with this the list
-  // is at the start of every run the same
+  // Disabling and enabling moves an entity to the end of the list; this restores the same order at
+  // the start of every run.
   void SortByEntityIndex() {
     GetIndex();
     std::vector<ENTITY*> all = ListAll();
@@ -138,7 +137,7 @@ class CPositionalMedium : public CMedium, public ENTITY::CRegistry {
   SIndexChoice m_choice;
   std::vector<ENTITY*> m_waiting;  // added before the index was made; not owned
   std::unique_ptr<CPositionalIndex<ENTITY>> m_index;  // null until the arena is known
-  std::unique_ptr<GRID_UPDATER> m_gridUpdater;  // of a grid
+  std::unique_ptr<GRID_UPDATER> m_gridUpdater;  // for a grid
 };
 
 }  // namespace argos

@@ -12,7 +12,7 @@ namespace argos {
 
 namespace {
 
-// devices of one parallel run
+// devices per parallel task
 constexpr size_t kGrain = 256;
 
 }  // namespace
@@ -54,7 +54,7 @@ void CRABMedium::AddEntity(CRABEquippedEntity& entity) {
 
 void CRABMedium::RemoveEntity(CRABEquippedEntity& entity) {
   m_state->Members.Remove(entity);
-  // users may have sets that hold it
+  // users may hold sets of removed devices
   m_sets.clear();
 }
 
@@ -115,11 +115,11 @@ const CRABMedium::TDevices& CRABMedium::GetRABsCommunicatingWith(CRABEquippedEnt
 REGISTER_MEDIUM(
     CRABMedium, "range_and_bearing", "the authors of this project", "1.0",
     "Routes the messages of range-and-bearing devices.",
-    R"(Robots with a range-and-bearing device send a short message all around in every tick; whoever hears
-it also learns how far away and in which direction the sender is. In each tick, after the robots have
-moved, robot B hears robot A if their messages have the same size, A is nearer than the range of A, and
-nothing stands between them. The robots' own bodies hide nothing; neither do bodies that only meet the
-line between them where it runs inside one of the two.
+    R"(Robots with a range-and-bearing device send a short message in all directions in every tick; receivers
+also measure the distance and direction of the sender. In each tick, after the robots have
+moved, robot B receives the message of robot A if their messages have the same size, the distance is smaller than
+the range of A, and no body is between them. The robots' own bodies do not occlude; neither does a body that meets
+the line between the two devices only inside one of the two robots' bodies.
 
 REQUIRED XML
 
@@ -136,12 +136,12 @@ OPTIONAL XML
 ATTRIBUTES
 
   id                text, required: unique among the media.
-  check_occlusions  "true" (default) or "false": whether bodies hide robots from each other.
-  index             "grid" (default), "hash" or "dummy": how robots near each other are found. It has
-                    no effect on results; "hash" is for few robots far apart, "dummy" looks at all
+  check_occlusions  "true" (default) or "false": whether bodies occlude the line between robots.
+  index             "grid" (default), "hash" or "dummy": spatial index of the devices. It has
+                    no effect on results; "hash" is for few robots far apart, "dummy" tests all
                     pairs.
-  grid_size         "x,y,z", integers >= 1: into how many cells the arena is divided; by default cells
-                    suit the ranges and the number of robots. It has no effect on results.
+  grid_size         "x,y,z", integers >= 1: number of grid cells along each axis; by default chosen from
+                    the ranges and the number of robots. It has no effect on results.
 )",
     "Usable")
 

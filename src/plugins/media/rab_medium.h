@@ -13,9 +13,9 @@ namespace argos {
 /**
  * Routes the messages of range-and-bearing devices, once a tick after physics.
  *
- * Device B hears device A if both are enabled, their messages have equal size, |AB| < range of A,
- * and, unless `check_occlusions` is off, no third body meets the straight line between them outside
- * their own bodies.
+ * Device B receives from device A if both are enabled, their messages have equal size, |AB| < range
+ * of A, and, unless `check_occlusions` is off, no third body meets the straight line between them
+ * outside their own bodies.
  */
 class CRABMedium : public CMedium, public CRABEquippedEntity::CRegistry {
  public:
@@ -29,21 +29,22 @@ class CRABMedium : public CMedium, public CRABEquippedEntity::CRegistry {
    * @throws CARGoSException if a value is unknown or out of range.
    */
   void Init(TConfigurationNode& tree) override;
-  /** Nobody hears anybody until the next Update(). */
+  /** Clears all routes until the next Update(). */
   void Reset() override;
-  /** Lets go of all devices. */
+  /** Removes all devices. */
   void Destroy() override;
   void Update() override;
   bool UsesThreadPool() const override { return true; }
 
-  /** Called by the device when it is enabled and disabled. */
+  /** Called by devices when they are enabled and disabled. */
   void AddEntity(CRABEquippedEntity& entity) override;
   void RemoveEntity(CRABEquippedEntity& entity) override;
   CRABMedium& AsMedium() override { return *this; }
 
   /**
-   * The devices that @p entity hears, as of the last Update(), in order of their insertion into the
-   * space. Made when asked for, and valid until the next Update(); safe on several threads at once.
+   * The devices from which @p entity receives, as of the last Update(), in the order of their
+   * insertion into the space. Created on demand, and valid until the next Update(); safe on several
+   * threads at once.
    * @throws CARGoSException if @p entity is not in this medium.
    */
   const TDevices& GetRABsCommunicatingWith(CRABEquippedEntity& entity) const;
@@ -55,7 +56,7 @@ class CRABMedium : public CMedium, public CRABEquippedEntity::CRegistry {
     const UInt32* begin() const { return First; }
     const UInt32* end() const { return Last; }
   };
-  /** For sensors: the numbers of the devices that @p entity hears; see GetDevice(). */
+  /** For sensors: the numbers of the devices from which @p entity receives; see GetDevice(). */
   SNumbers GetSenders(const CRABEquippedEntity& entity) const;
   /** Null if the device has left the medium since the last Update(). */
   const CRABEquippedEntity* GetDevice(UInt32 number) const;
@@ -67,7 +68,7 @@ class CRABMedium : public CMedium, public CRABEquippedEntity::CRegistry {
 
   bool m_checkOcclusions = true;
   std::unique_ptr<SState> m_state;
-  // for users; by receiver, look-up only
+  // for users; by receiver, never iterated
   mutable std::mutex m_setsMutex;
   mutable std::unordered_map<const CRABEquippedEntity*, TDevices> m_sets;
 };

@@ -9,12 +9,12 @@ namespace argos {
 
 namespace {
 
-// devices of one parallel run: enough work to pay for fetching it
+// devices per parallel task, large enough to outweigh the cost of fetching a task
 constexpr size_t kGrain = 64;
 
-// makes room for that many elements, and for more to come, so that this is rarely needed
+// resizes, with spare capacity so that reallocations are rare
 template <typename ELEMENT>
-void MakeRoom(std::vector<ELEMENT>& elements, size_t size) {
+void ResizeWithSpare(std::vector<ELEMENT>& elements, size_t size) {
   if (elements.capacity() < size) {
     elements.reserve(size + size / 2);
   }
@@ -75,8 +75,8 @@ void CRABRouting::SortByCell() {
   }
 }
 
-// visits the pairs that a device has to examine: those with devices that it reaches, unless the
-// other one reaches farther; of two that reach equally far the one with the lower number examines
+// visits the pairs that a device has to examine: devices in its range with a shorter range; of two
+// with equal ranges the one with the lower number examines
 template <typename VISIT>
 void CRABRouting::ForPairsOf(const SPlaced& device, VISIT&& visit) const {
   const Real squareRange = device.Range * device.Range;
@@ -108,7 +108,7 @@ void CRABRouting::CountPairs(CThreadPool& pool) {
   for (size_t place = 0; place < m_placed.size(); ++place) {
     m_pairStart[place + 1] += m_pairStart[place];
   }
-  MakeRoom(m_hearings, m_pairStart.back());
+  ResizeWithSpare(m_hearings, m_pairStart.back());
   m_numHearings.resize(m_placed.size());
 }
 
@@ -118,7 +118,7 @@ void CRABRouting::ExaminePairs(CThreadPool& pool, const CLineOfSight* sight) {
     SHearing* const first = m_hearings.data() + m_pairStart[place];
     SHearing* next = first;
     ForPairsOf(device, [&](const SPlaced& other, Real squareDistance) {
-      // always in the same direction, so that roundings are too
+      // the direction does not depend on the examining device, so neither do the roundings
       const bool forward = device.Device < other.Device;
       const SPlaced& from = forward ? device : other;
       const SPlaced& to = forward ? other : device;
@@ -156,7 +156,7 @@ void CRABRouting::CollectByReceiver(CThreadPool& pool) {
     m_senderStart[device + 1] += m_senderStart[device];
     m_cursor[device] = m_senderStart[device];
   }
-  MakeRoom(m_senders, m_senderStart.back());
+  ResizeWithSpare(m_senders, m_senderStart.back());
   forHearings([this](const SHearing& hearing) {
     m_senders[m_cursor[hearing.Receiver]++] = hearing.Sender;
   });

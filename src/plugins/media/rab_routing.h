@@ -11,19 +11,19 @@ namespace argos {
 class CThreadPool;
 
 /**
- * Finds out who hears whom, on packed arrays; for the sources of media.
+ * Computes which devices receive from which, on packed arrays; for the sources of media.
  *
- * Device B hears device A if A's messages are as long as B's, |AB| < range of A, and nothing stands
- * between their bodies. Every pair of devices that one of them could reach is examined once. The
- * result does not depend on the cells nor on the number of threads, and a call allocates only if
- * there are more devices, or more pairs, than ever before.
+ * Device B receives from device A if A's messages are as long as B's, |AB| < range of A, and no
+ * body is between them. Every pair of devices with one in the range of the other is examined once.
+ * The result does not depend on the cells nor on the number of threads. A call allocates only if
+ * there are more devices, or more pairs, than in all previous calls.
  */
 class CRABRouting {
  public:
   /** The devices, in the order of their numbers. One array for each property, (devices). */
   struct SDevices {
-    std::vector<Real> X, Y, Z; /**< m, world frame; a device elsewhere than in finite space is
-                                  neither heard nor hears */
+    std::vector<Real> X, Y, Z; /**< m, world frame; a device at a non-finite position neither sends
+                                  nor receives */
     std::vector<Real> Range; /**< m, >= 0 */
     std::vector<UInt32> MessageSize; /**< bytes */
     std::vector<CLineOfSight::SEnd> Bodies;
@@ -47,12 +47,12 @@ class CRABRouting {
   }
   /** To be filled before Route(). */
   SDevices& GetDevices() { return m_devices; }
-  /** @param sight  null: everything is transparent. */
+  /** @param sight  null: no occlusion. */
   void Route(CThreadPool& pool, const CLineOfSight* sight);
-  /** Forgets all devices. */
+  /** Removes all devices. */
   void Clear();
 
-  /** Whom a device hears; nobody if it came after the last Route(). */
+  /** The senders that a device receives from; empty if it was added after the last Route(). */
   SNumbers GetSenders(UInt32 device) const {
     if (device + size_t(1) >= m_senderStart.size()) {
       return {nullptr, nullptr};
@@ -61,7 +61,7 @@ class CRABRouting {
   }
 
  private:
-  // a device where its cell puts it
+  // data of a device, in cell order
   struct SPlaced {
     Real X, Y, Z;
     Real Range;
@@ -85,10 +85,10 @@ class CRABRouting {
   std::vector<Real> m_x, m_y;  // (placed devices), m; for m_cells
   std::vector<UInt32> m_finite;  // (placed devices), numbers
   std::vector<SPlaced> m_placed;  // in cell order
-  std::vector<size_t> m_pairStart;  // (placed devices + 1): where its hearings lie in m_hearings
+  std::vector<size_t> m_pairStart;  // (placed devices + 1): ranges in m_hearings
   std::vector<UInt32> m_numHearings;  // (placed devices)
-  std::vector<SHearing> m_hearings;  // two for each pair at most
-  std::vector<UInt32> m_senderStart;  // (devices + 1) into m_senders
+  std::vector<SHearing> m_hearings;  // at most two per pair
+  std::vector<UInt32> m_senderStart;  // (devices + 1): ranges in m_senders
   std::vector<UInt32> m_cursor;  // (devices), scratch
   std::vector<UInt32> m_senders;  // by receiver, ascending
 };

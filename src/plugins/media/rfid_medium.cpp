@@ -18,10 +18,10 @@ struct CRFIDMedium::SState {
 
   SIndexChoice Index;
   CPointCells Cells;
-  std::vector<CVector3> Places;  // of the tags when they were sorted, m, world frame, by number
-  std::vector<UInt32> Finite;  // numbers of tags that are somewhere
-  std::vector<Real> X, Y;  // of these, m
-  Real Reach = 0.0;  // m, for which cells were chosen
+  std::vector<CVector3> Places;  // of the tags at the last sorting, m, world frame, by number
+  std::vector<UInt32> Finite;  // numbers of tags at finite positions
+  std::vector<Real> X, Y;  // of these tags, m
+  Real Reach = 0.0;  // m, used to choose the cells
 };
 
 CRFIDMedium::CUser::CUser(CRFIDMedium& medium, const CControllableEntity& robot, Real reach)
@@ -49,7 +49,7 @@ void CRFIDMedium::Destroy() {
   for (CRFIDTagEntity* tag : m_state->Tags.ListAll()) {
     tag->ClearMedium();
   }
-  m_state->Users.LetGo();
+  m_state->Users.RemoveAll();
 }
 
 void CRFIDMedium::AddEntity(CRFIDTagEntity& tag) {
@@ -61,13 +61,13 @@ void CRFIDMedium::RemoveEntity(CRFIDTagEntity& tag) {
 }
 
 void CRFIDMedium::Update() {
-  // without devices nobody asks
+  // the cells are used by devices only
   if (!m_state->Users.Get().empty()) {
     Refresh();
   }
 }
 
-// sorts the tags anew if any has come, gone or moved: most of them lie where they are
+// sorts the tags again if any was added, removed or moved, which is rare
 void CRFIDMedium::Refresh() {
   SState& state = *m_state;
   Real reach = 0.0;
@@ -110,7 +110,7 @@ void CRFIDMedium::FindTags(std::vector<SFound>& found, const CVector3& place, Re
     if (squareDistance > reach * reach) {
       return;
     }
-    // null: it has gone since
+    // null if the tag was removed since the last Update()
     CRFIDTagEntity* const tag = state.Tags.Get(number);
     if (tag != nullptr && &tag->GetRootEntity() != &ownRoot) {
       found.push_back({tag, squareDistance});
@@ -138,7 +138,7 @@ void CRFIDMedium::TakeActs() {
 void CRFIDMedium::Write(CUser& user) {
   std::vector<SFound>& found = m_state->Found;
   FindTags(found, user.Place, user.GetReach(), user.GetRobot().GetRootEntity());
-  // of tags equally near, the one that was created first
+  // of tags at equal distance, the one that was created first
   const auto nearest = std::min_element(
       found.begin(), found.end(),
       [](const SFound& a, const SFound& b) { return a.SquareDistance < b.SquareDistance; });
@@ -149,11 +149,11 @@ void CRFIDMedium::Write(CUser& user) {
 
 REGISTER_MEDIUM(
     CRFIDMedium, "rfid", "the authors of this project", "1.0",
-    "Knows where RFID tags are, for robots that read and write them.",
-    R"(RFID tags lie in the arena, or are carried by bodies; see the entity "rfid_tag". Robots read them with the
-sensor "rfid" and write them with the actuator "rfid", through whatever is between, but not their own tags. Robots
-that write in the same tick do so in the order in which they were put into the arena: if two write to the same bytes
-of a tag, those of the robot that was created last stay.
+    "Index of the RFID tags that robots read and write.",
+    R"(RFID tags are in the arena or mounted on bodies; see the entity "rfid_tag". Robots read them with the
+sensor "rfid" and write them with the actuator "rfid", through obstacles, except for their own tags. Robots
+that write in the same tick do so in the order in which they were added to the arena: if two write to the same bytes
+of a tag, the robot that was added last overwrites the others.
 
 REQUIRED XML
 
@@ -170,8 +170,8 @@ OPTIONAL XML
 ATTRIBUTES
 
   id         text, required: unique among the media.
-  index      "grid" (default) or "hash": how tags near a robot are found. It has no effect on results.
-  grid_size  "x,y,z", integers >= 1: into how many cells the arena is divided; by default cells suit the
+  index      "grid" (default) or "hash": spatial index of the tags. It has no effect on results.
+  grid_size  "x,y,z", integers >= 1: number of grid cells along each axis; by default chosen from the
              reach of the robots' devices. It has no effect on results.
 )",
     "Usable")

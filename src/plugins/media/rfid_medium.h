@@ -12,27 +12,30 @@
 namespace argos {
 
 /**
- * Knows where RFID tags are, for the robots that read and write them.
+ * Medium of the RFID tags, for robots that read and write them.
  *
- * Tags are read where they are after physics, and written where they are when robots act: right
- * after the actuators, before anything has moved, in the order of the robots' insertion into the
- * space. So if two robots write to the same bytes in one tick, those of the robot that was created
- * last stay.
+ * Tags are read at their positions after physics, and written at their positions when robots act:
+ * directly after the actuators, before any motion, in the order of the robots' insertion into the
+ * space. If two robots write to the same bytes in one tick, the one that was created last
+ * overwrites the other.
  */
 class CRFIDMedium : public CMedium, public CRFIDTagEntity::CRegistry {
  public:
-  /** A device that uses the medium; one that writes leaves its order here. */
+  /** A device that uses the medium; a writing device stores its order here. */
   class CUser : public CMediumUser {
    public:
-    /** @param reach how far from its place it looks for tags, m. */
+    /** @param reach largest distance from its place to a tag, m. */
     CUser(CRFIDMedium& medium, const CControllableEntity& robot, Real reach);
 
     Real GetReach() const { return m_reach; }
 
-    CVector3 Place; /**< of the order: from where, m, world frame */
+    CVector3 Place; /**< of the device when it writes, m, world frame */
     size_t Offset = 0; /**< first byte to write */
     CByteArray Bytes; /**< to write */
-    /** Of the order of this tick: id of the tag; empty: none in reach, or they did not fit. */
+    /**
+     * Result of this tick's order: id of the tag; empty if none was in reach or the bytes did not
+     * fit.
+     */
     std::string WrittenTag;
 
    private:
@@ -45,12 +48,12 @@ class CRFIDMedium : public CMedium, public CRFIDTagEntity::CRegistry {
   /** Reads `id`, `index` ("grid" or "hash") and `grid_size`. @throws CARGoSException. */
   void Init(TConfigurationNode& tree) override;
   void Reset() override;
-  /** Lets go of all tags and devices. */
+  /** Removes all tags and devices. */
   void Destroy() override;
   void TakeActs() override;
   void Update() override;
 
-  /** Called by the tag when it is enabled and disabled. */
+  /** Called by tags when they are enabled and disabled. */
   void AddEntity(CRFIDTagEntity& tag) override;
   void RemoveEntity(CRFIDTagEntity& tag) override;
   CRFIDMedium& AsMedium() override { return *this; }
@@ -61,9 +64,9 @@ class CRFIDMedium : public CMedium, public CRFIDTagEntity::CRegistry {
     Real SquareDistance; /**< m^2 */
   };
   /**
-   * Finds the tags within @p reach (m) of a point, where they were at the last Update(); those of
-   * @p ownRoot aside. Safe on several threads at once.
-   * @param found  cleared first; then in order of the tags' insertion into the space.
+   * Finds the tags within @p reach (m) of a point, at their positions of the last Update(), except
+   * those of @p ownRoot. Safe on several threads at once.
+   * @param found  cleared, then filled in the order of the tags' insertion into the space.
    */
   void FindTags(std::vector<SFound>& found, const CVector3& place, Real reach,
                 const CEntity& ownRoot) const;

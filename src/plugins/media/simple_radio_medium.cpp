@@ -10,15 +10,15 @@ namespace argos {
 struct CSimpleRadioMedium::SState {
   CMediumMembers<CSimpleRadioEntity> Members;
   std::vector<CSimpleRadioEntity*> Senders;  // of this tick, in order
-  std::vector<UInt32> Finite;  // numbers of radios that are somewhere
-  std::vector<Real> X, Y;  // of these, m, world frame
+  std::vector<UInt32> Finite;  // numbers of radios at finite positions
+  std::vector<Real> X, Y;  // of these radios, m, world frame
   CPointCells Cells;
 };
 
 CSimpleRadioMedium::CSimpleRadioMedium() : m_state(std::make_unique<SState>()) {}
 
 CSimpleRadioMedium::~CSimpleRadioMedium() {
-  // radios ask to be removed: while there is something to remove them from
+  // removes the radios, which call this object, before its members are destroyed
   CSimpleRadioMedium::Destroy();
 }
 
@@ -94,12 +94,12 @@ void CSimpleRadioMedium::Deliver(CSimpleRadioEntity& sender) {
 REGISTER_MEDIUM(
     CSimpleRadioMedium, "simple_radio", "the authors of this project", "1.0",
     "Carries messages from radio to radio.",
-    R"(Radios send messages of any size, any number in a tick. A message reaches every other radio of the medium that
-is nearer than the sender's range, whatever stands between, in the same tick, before anything has moved. A radio gets
-messages in the order in which their senders were put into the arena, and keeps them until its robot's sensor reads
-them, but for one tick at most.
+    R"(Radios send messages of any size, any number in a tick. A message reaches every other radio of the medium within
+the sender's range, through obstacles, in the same tick, before any motion. A radio receives
+messages in the order in which their senders were added to the arena, and keeps them until its robot's sensor reads
+them, for one tick at most.
 
-A robot carries radios if its element says so:
+Radios on a robot:
 
   <foot-bot id="fb0">
     <body position="0,0,0" />
@@ -110,10 +110,10 @@ A robot carries radios if its element says so:
   </foot-bot>
 
   simple_radio@id           text, default radio_0, radio_1, ...: the radio's name for the controller.
-  simple_radio@medium       text, required: the id of a medium for simple radios.
-  simple_radio@range        m, >= 0, required: how far its messages reach.
+  simple_radio@medium       text, required: the id of a simple_radio medium.
+  simple_radio@range        m, >= 0, required: range of its messages.
   simple_radio@position     "x,y,z", m, default "0,0,0": in the frame of the anchor.
-  simple_radio@orientation  "z,y,x", degrees, default "0,0,0": has no effect.
+  simple_radio@orientation  "z,y,x", degrees, default "0,0,0": ignored.
   simple_radio@anchor       text, default "origin": a frame of the body.
 
 REQUIRED XML
@@ -131,8 +131,8 @@ OPTIONAL XML
 ATTRIBUTES
 
   id         text, required: unique among the media.
-  index      "grid" (default) or "hash": how radios near each other are found. It has no effect on results.
-  grid_size  "x,y,z", integers >= 1: into how many cells the arena is divided. It has no effect on results.
+  index      "grid" (default) or "hash": spatial index of the radios. It has no effect on results.
+  grid_size  "x,y,z", integers >= 1: number of grid cells along each axis. It has no effect on results.
 )",
     "Usable")
 

@@ -9,11 +9,11 @@
 namespace argos {
 
 /**
- * Carries messages from radio to radio, whatever stands between.
+ * Transmits messages between radios, through obstacles.
  *
- * A message reaches every other radio that is nearer than the sender's range, right after the
- * actuators, before anything has moved. Receivers get messages in the order of their senders'
- * insertion into the space. The index has all radios, as of the last Update().
+ * A message reaches every other radio within the sender's range, directly after the actuators,
+ * before any motion. Receivers get messages in the order of their senders' insertion into the
+ * space. The index contains all radios, as of the last Update().
  */
 class CSimpleRadioMedium
     : public CPositionalMedium<CSimpleRadioEntity, CSimpleRadioEntityGridUpdater,

@@ -3,11 +3,11 @@
 namespace argos {
 
 REGISTER_MEDIUM(
-    CTagMedium, "tag", "the authors of this project", "1.0", "Knows where tags are, for cameras.",
-    R"(Every tag, a square with a text that cameras can read, belongs to such a medium; the algorithm tag_detector
-of the sensor "cameras" names the medium that it looks at. Tags outside the arena count like all others.
+    CTagMedium, "tag", "the authors of this project", "1.0", "Index of the tags that cameras read.",
+    R"(Cameras read the tags, squares with a text, in such a medium; the algorithm tag_detector
+of the sensor "cameras" selects the medium. Tags outside the arena are included.
 
-A robot carries tags if its element says so:
+Tags on a robot:
 
   <foot-bot id="fb0">
     <body position="0,0,0" />
@@ -20,12 +20,12 @@ A robot carries tags if its element says so:
 
   tags@medium       text, required: the id of a tag medium.
   position          "x,y,z", m, default "0,0,0": of the tag's centre, in the frame of the anchor.
-  orientation       "z,y,x", degrees, default "0,0,0": the tag lies in the xy plane that this turns, and is read from
-                    where the z axis points; "0,-90,0" is read from behind the robot.
-  anchor            text, required: a frame of the body, "origin" for all that does not turn on it.
-  observable_angle  degrees in (0,180], required: from how far off that axis the tag is read.
+  orientation       "z,y,x", degrees, default "0,0,0": of the tag's frame; the tag is in its xy plane and readable from
+                    the side of its z axis. A tag with "0,-90,0" is readable from behind the robot.
+  anchor            text, required: a frame of the body; "origin" is fixed to the body.
+  observable_angle  degrees in (0,180], required: the largest angle to that axis at which the tag is readable.
   side_length       m, > 0, required.
-  payload           text, default empty: what is read at the start.
+  payload           text, default empty: text at the start.
 
 REQUIRED XML
 
@@ -36,9 +36,9 @@ REQUIRED XML
 ATTRIBUTES
 
   id         text, required: unique among the media.
-  index      "grid" (default) or "hash": how tags near a point are found. It has no effect on results;
-             "hash" takes less memory where the arena is large and tags are few.
-  grid_size  "x,y,z", integers >= 1: into how many cells the arena is divided along each axis; default
+  index      "grid" (default) or "hash": spatial index of the tags. It has no effect on results;
+             "hash" takes less memory for few tags in a large arena.
+  grid_size  "x,y,z", integers >= 1: number of grid cells along each axis; default
              one cell for each whole metre. It has no effect on results.
 
 For example:

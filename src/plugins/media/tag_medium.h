@@ -6,7 +6,7 @@
 
 namespace argos {
 
-/** Knows where the tags are. */
+/** Medium of the tags that cameras read. */
 class CTagMedium
     : public CPositionalMedium<CTagEntity, CTagEntityGridUpdater, CTagEntitySpaceHashUpdater> {
  public:

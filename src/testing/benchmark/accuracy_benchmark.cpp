@@ -1,6 +1,6 @@
-// Measures how accurate each physics engine is, and what that costs, over the number of substeps of
-// a tick, and prints it as CSV. There are three worlds of e-pucks: the arena of rooms, a crowd that
-// presses against a wall, and free robots on their arcs. Each is measured in a process of its own.
+// Measures the accuracy of each physics engine and its cost over the number of substeps per tick,
+// and prints them as CSV. There are three worlds of e-pucks: the arena of rooms, a crowd that
+// presses against a wall, and free robots on arcs. Each is measured in a process of its own.
 //
 //   argos3_accuracy_benchmark [--robots 1000,10000] [--engine dynamics2d,dynamics3d]
 //                             [--stepper mixed] [--iterations 0,5] [--rooms-ticks N]
@@ -8,14 +8,13 @@
 
 #include <argos3/testing/benchmark/in_child.h>
 #include <argos3/testing/contract/physics_engines/drive_world.h>
-#include <argos3/testing/support/arena_text.h>
 #include <argos3/testing/support/closed_form/differential_drive.h>
+#include <argos3/testing/support/crowd.h>
 #include <argos3/testing/support/overlap.h>
 #include <argos3/testing/support/rooms.h>
 
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/space/tick_times.h>
-#include <argos3/core/utility/math/random_stream.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_engine.h>
 #include <argos3/plugins/robots/e-puck/simulator/epuck_measures.h>
 
@@ -26,11 +25,11 @@
 #include <cstdio>
 #include <functional>
 #include <limits>
-#include <numbers>
 
 using namespace argos;
 using argos::testing::IntegrateDifferentialDrive;
 using argos::testing::MeasureOverlaps;
+using argos::testing::PressingCrowdText;
 using argos::testing::RunInChild;
 using argos::testing::SecondsOfThisThread;
 using argos::testing::SecondsSince;
@@ -41,18 +40,19 @@ using argos::testing::TBenchmarkClock;
 
 namespace {
 
-constexpr UInt32 kDefault = 0;  // for a number of substeps: what the engine takes by itself
-constexpr Real kTick = 0.1;  // s, as SRoomsWorld and CDriveWorld have it
+constexpr UInt32 kDefault = 0;  // number of substeps: the default of the engine
+constexpr Real kTick = 0.1;  // s, the tick length of SRoomsWorld and CDriveWorld
 
-// an engine with one of its ways to solve contacts
+// an engine with one of its contact solvers
 struct SSubject {
   std::string Engine;
   std::string Stepper;
   std::string Children;  // XML elements
   std::vector<UInt32> Iterations;
   bool HasContacts = true;
-  UInt32 LargestCrowd = std::numeric_limits<UInt32>::max();  // robots; of what takes too long
-  // measured are so many robot-ticks, about, after a warm-up of some ticks
+  // robots; limits the solvers that take too long
+  UInt32 LargestCrowd = std::numeric_limits<UInt32>::max();
+  // number of robot-ticks to measure, approximately, after some ticks of warm-up
   UInt32 RoomsRobotTicks = 1000000;
   UInt32 RoomsWarmUp = 20;
   UInt32 CrowdRobotTicks = 100000;
@@ -68,7 +68,7 @@ struct SSubject {
 };
 
 SSubject Rigid(const std::string& stepper) {
-  SSubject subject{"dynamics3d", stepper, "", {1, 5, kDefault, 20}};  // its own number is 10
+  SSubject subject{"dynamics3d", stepper, "", {1, 5, kDefault, 20}};  // the engine's default is 10
   subject.Children = "<floor/><gravity g=\"9.81\"/><solver stepper=\"" + stepper + "\"/>";
   subject.RoomsRobotTicks = 30000;
   subject.RoomsWarmUp = 5;
@@ -78,13 +78,13 @@ SSubject Rigid(const std::string& stepper) {
 }
 
 std::vector<SSubject> Subjects() {
-  // the own numbers of the first two are 1, and 2 or more
+  // the defaults of the first two are 1, and 2 or more
   const SSubject kinematics{"kinematics2d", "-", "", {kDefault, 2, 5, 10, 20}};
   const SSubject dynamics{"dynamics2d", "-", "", {1, 2, 5, 10, 20, kDefault}};
   SSubject iterative = Rigid("iterative");
-  iterative.LargestCrowd = 1000;  // so is "mixed", in crowds
+  iterative.LargestCrowd = 1000;  // in crowds "mixed" is the same
   SSubject direct = Rigid("direct");
-  direct.LargestCrowd = 0;  // a crowd takes the cube of its size
+  direct.LargestCrowd = 0;  // the time for a crowd grows with the cube of its size
   SSubject pointMasses{"pointmass3d", "-", "", {kDefault}};
   pointMasses.HasContacts = false;
   pointMasses.LargestCrowd = 0;
@@ -95,10 +95,10 @@ struct SOptions {
   std::vector<UInt32> Robots = {1000, 10000};
   std::vector<std::string> Engines, Steppers;  // empty: all
   std::vector<UInt32> Iterations;  // empty: those of the subject
-  UInt32 RoomsTicks = 0;  // 0: as the subject says
+  UInt32 RoomsTicks = 0;  // 0: those of the subject
   UInt32 CrowdTicks = 0;
   UInt32 WarmUp = 0;
-  UInt32 Seconds = 60;  // of driving along arcs
+  UInt32 Seconds = 60;  // duration of the arcs
 };
 
 UInt32 ChooseTicks(UInt32 asked, UInt32 robotTicks, UInt32 robots) {
@@ -107,7 +107,7 @@ UInt32 ChooseTicks(UInt32 asked, UInt32 robotTicks, UInt32 robots) {
   return asked > 0 ? asked : std::clamp(robotTicks / robots, kFewest, kMost);
 }
 
-// prints the ticks measured, what they cost, and who overlaps
+// prints the measured ticks, their cost, and the overlaps
 void PrintTicks(CTestWorld& world, const SSubject& subject, UInt32 warmUp, UInt32 ticks) {
   CSpace& space = world.GetSpace();
   world.Step(warmUp);
@@ -126,7 +126,7 @@ void PrintTicks(CTestWorld& world, const SSubject& subject, UInt32 warmUp, UInt3
   }
   const auto robots = static_cast<Real>(space.GetControllableEntities().size());
   const Real total = 1e6 * onProcessor / (robots * ticks);
-  // phases are timed by the clock
+  // the phases are timed by the clock
   std::printf(",%u,%.4f,%.4f", ticks, total, total * times.Physics / byClock);
   if (!subject.HasContacts) {
     std::printf(",-,-,-,-,-");
@@ -157,51 +157,22 @@ void PrintRooms(const SOptions& options, const SSubject& subject, UInt32 iterati
              ChooseTicks(options.RoomsTicks, subject.RoomsRobotTicks, robots));
 }
 
-// robots 20 deep that drive at a wall, between two others; almost as dense as they can be
-std::string CrowdText(UInt32 robots) {
-  constexpr UInt32 kDepth = 20;
-  constexpr Real kSpeed = 10.0;  // cm/s
-  constexpr Real kPitch = 2.0 * epuck::kBodyRadius + 0.003;  // m
-  constexpr Real kRowPitch = 0.5 * std::numbers::sqrt3 * kPitch;
-  constexpr Real kJitter = 0.0005;  // m
-  constexpr Real kWall = 0.1;  // m
-  const UInt32 width = (robots + kDepth - 1) / kDepth;
-  const Real halfWidth = 0.5 * kPitch * (width + 0.5);
-  const Real length = kDepth * kRowPitch + 0.5;
-  const CVector3 side(length, kWall, 0.5);
-  const Real sideY = halfWidth + 0.5 * kWall;
-  std::string arena = BoxText("front", CVector3(kWall, 2.0 * halfWidth + 1.0, 0.5),
-                              CVector3(0.5 * kWall, 0.0, 0.0)) +
-                      BoxText("left", side, CVector3(-0.5 * length, sideY, 0.0)) +
-                      BoxText("right", side, CVector3(-0.5 * length, -sideY, 0.0));
-  CRandomStream random(1, "test", "crowd", "places");
-  for (UInt32 i = 0; i < robots; ++i) {
-    const UInt32 row = i / width;
-    const Real shift = row % 2 == 0 ? 0.25 : -0.25;
-    const Real x = -0.5 * kPitch - row * kRowPitch + random.Uniform(-kJitter, kJitter);
-    const Real y = kPitch * (i % width - 0.5 * (width - 1.0) + shift);
-    arena += DriverXml("e-puck", "r" + std::to_string(i), x, y + random.Uniform(-kJitter, kJitter),
-                       0.0, kSpeed, kSpeed);
-  }
-  return arena;
-}
-
 void PrintCrowd(const SOptions& options, const SSubject& subject, UInt32 iterations,
                 UInt32 robots) {
-  CDriveWorld world(subject.ToXml(iterations), CrowdText(robots));
+  CDriveWorld world(subject.ToXml(iterations), PressingCrowdText(robots));
   PrintTicks(world, subject, options.WarmUp > 0 ? options.WarmUp : subject.CrowdWarmUp,
              ChooseTicks(options.CrowdTicks, subject.CrowdRobotTicks, robots));
 }
 
-// of the last tick, as far as the engine tells
+// number of substeps of the last tick, if the engine reports it
 UInt32 CountSubsteps(CTestWorld& world) {
   const CPhysicsEngine& engine = *world.GetSimulator().GetPhysicsEngines().front();
   const auto* rigid = dynamic_cast<const CDynamics3DEngine*>(&engine);
   return rigid != nullptr ? rigid->GetNumSubsteps() : engine.GetIterations();
 }
 
-// prints the substeps of a tick, and how far the worst of some free robots gets from its arc, in mm
-// and in % of its path
+// prints the substeps of a tick and the greatest deviation of some free robots from their
+// arcs, in mm and in % of the path
 void PrintArcs(const SOptions& options, const SSubject& subject, UInt32 iterations) {
   constexpr Real kApart = 12.0;  // m; twice the longest path
   const std::vector<std::pair<Real, Real>> speeds = {{10, 10},  {10, 9},  {3, 12},
@@ -215,7 +186,7 @@ void PrintArcs(const SOptions& options, const SSubject& subject, UInt32 iteratio
                        speeds[i].first, speeds[i].second);
   }
   CDriveWorld world(subject.ToXml(iterations), arena);
-  // in the first tick nobody has ordered anything
+  // in the first tick no orders act yet
   world.Step();
   Real worst = 0.0;
   Real worstShare = 0.0;
@@ -236,7 +207,7 @@ void PrintArcs(const SOptions& options, const SSubject& subject, UInt32 iteratio
   std::printf(",%u,%.3g,%.3g", CountSubsteps(world), 1e3 * worst, 100.0 * worstShare);
 }
 
-// what fails, or is left out, is a dash in each of its columns
+// prints a dash in each column of a world that failed or is left out
 bool PrintInChild(bool isMeasured, int columns, const std::function<void()>& print) {
   const bool isPrinted = isMeasured && RunInChild(print);
   for (int i = 0; i < columns && !isPrinted; ++i) {

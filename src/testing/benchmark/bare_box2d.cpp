@@ -11,7 +11,8 @@ namespace argos::testing {
 
 namespace {
 
-// what the engine uses, see its README: lengths are scaled so that a robot's radius is one unit
+// the settings of the engine, see its README: lengths are scaled so
+// that a robot's radius is one unit
 constexpr int kVelocityIterations = 8;
 constexpr int kPositionIterations = 3;
 

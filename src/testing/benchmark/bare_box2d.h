@@ -8,10 +8,10 @@
 namespace argos::testing {
 
 /**
- * A bare Box2D world of the same discs and walls as a space: what the engine is measured against.
+ * A bare Box2D world of the same discs and walls as a space, for comparison with the engine.
  *
- * In each tick every disc gets the velocity that its robot had, so that both worlds see the same
- * traffic.
+ * In each tick every disc gets the velocity of its robot, so that
+ * both worlds have the same traffic.
  */
 class CBareBox2D {
  public:
@@ -19,7 +19,7 @@ class CBareBox2D {
   CBareBox2D(CSpace& space, UInt32 substeps, Real tick);
   ~CBareBox2D();
 
-  /** Takes over the robots' motion during the last tick of the space; not part of the timing. */
+  /** Copies the motion of the robots during the last tick of the space; not part of the timing. */
   void TakeVelocities();
   /** One tick: sets the velocities and steps the world. */
   void Tick();

@@ -1,11 +1,14 @@
-// Measures what a robot-tick costs in the arena of rooms, and prints it as CSV. Every line is
-// measured in a process of its own, so that memory is that of one swarm.
+// Measures the cost of a robot-tick in the arena of rooms, or in a crowd that presses against a
+// wall, and prints it as CSV. Every line is measured in a process of its own, so that the memory
+// is that of one swarm.
 //
-//   argos3_benchmark [--robots 100,1000,10000,100000] [--threads 0] [--ticks 600] [--side M]
-//                    [--engine dynamics2d] [--engine-attributes 'iterations="4"']
+//   argos3_benchmark [--scene rooms] [--robots 100,1000,10000,100000] [--threads 0] [--ticks 600]
+//                    [--side M] [--engine dynamics2d] [--engine-attributes 'iterations="4"']
 
 #include <argos3/testing/benchmark/bare_box2d.h>
 #include <argos3/testing/benchmark/in_child.h>
+#include <argos3/testing/support/crowd.h>
+#include <argos3/testing/support/experiment.h>
 #include <argos3/testing/support/overlap.h>
 #include <argos3/testing/support/rooms.h>
 
@@ -22,7 +25,9 @@
 
 using namespace argos;
 using argos::testing::CBareBox2D;
+using argos::testing::ComputeCrowdWidth;
 using argos::testing::MeasureOverlaps;
+using argos::testing::PressingCrowdText;
 using argos::testing::RunInChild;
 using argos::testing::SecondsSince;
 using argos::testing::SOverlaps;
@@ -32,11 +37,12 @@ using argos::testing::TBenchmarkClock;
 namespace {
 
 struct SOptions {
+  std::string Scene = "rooms";
   std::vector<UInt32> Robots = {100, 1000, 10000, 100000};
   std::vector<UInt32> Threads = {0};
   UInt32 Ticks = 600;
   UInt32 WarmUp = 20;
-  Real Side = 0.0;  // m; 0: the density of 10,000 robots in 40 m x 40 m
+  Real Side = 0.0;  // of the rooms, m; 0: the density of 10,000 robots in 40 m x 40 m
   std::string Engine = "dynamics2d";
   std::string EngineAttributes;
 };
@@ -48,7 +54,7 @@ size_t ResidentBytes() {
   return resident * static_cast<size_t>(sysconf(_SC_PAGESIZE));
 }
 
-SRoomsWorld MakeWorld(const SOptions& options, UInt32 robots, UInt32 threads) {
+std::string MakeRooms(const SOptions& options, UInt32 robots, UInt32 threads) {
   SRoomsWorld world;
   world.Robots = robots;
   world.Threads = threads;
@@ -56,14 +62,33 @@ SRoomsWorld MakeWorld(const SOptions& options, UInt32 robots, UInt32 threads) {
   world.RoomsPerSide = SRoomsWorld::RoomsAlong(world.Side);
   world.Engine = options.Engine;
   world.EngineAttributes = options.EngineAttributes;
-  return world;
+  return world.ToXML();
+}
+
+// robots that have the sensors of those in the rooms
+std::string MakeCrowd(const SOptions& options, UInt32 robots, UInt32 threads) {
+  SExperiment experiment;
+  experiment.Threads = threads;
+  experiment.Controllers =
+      "<contract_driver id='driver'><actuators><differential_steering implementation='default'/>"
+      "</actuators><sensors><epuck_proximity implementation='default'/></sensors>"
+      "</contract_driver>";
+  experiment.Engines = "<" + options.Engine + " id='engine' " + options.EngineAttributes + "/>";
+  experiment.ArenaSize = "10," + std::to_string(ComputeCrowdWidth(robots) + 2.0) + ",2";
+  experiment.Arena = PressingCrowdText(robots);
+  return experiment.ToXml();
+}
+
+std::string MakeWorld(const SOptions& options, UInt32 robots, UInt32 threads) {
+  return options.Scene == "crowd" ? MakeCrowd(options, robots, threads)
+                                  : MakeRooms(options, robots, threads);
 }
 
 void Report(const SOptions& options, UInt32 robots, UInt32 threads) {
   const size_t memoryBefore = ResidentBytes();
   CSimulator& simulator = CSimulator::GetInstance();
   CConfigurationDocument document;
-  document.Parse(MakeWorld(options, robots, threads).ToXML(), "benchmark");
+  document.Parse(MakeWorld(options, robots, threads), "benchmark");
   const TBenchmarkClock::time_point loadStart = TBenchmarkClock::now();
   simulator.Load(document);
   const Real startUp = SecondsSince(loadStart);
@@ -75,7 +100,7 @@ void Report(const SOptions& options, UInt32 robots, UInt32 threads) {
   }
   const size_t memory = ResidentBytes() - memoryBefore;
 
-  // both worlds take turns, tick by tick, so that a noisy machine disturbs both alike
+  // the worlds alternate tick by tick, so that noise of the machine affects both equally
   CBareBox2D bare(space, substeps, simulator.GetTickLength());
   STickTimes times;
   space.SetTickTimes(&times);
@@ -97,7 +122,7 @@ void Report(const SOptions& options, UInt32 robots, UInt32 threads) {
 
   const Real perRobotTick = 1e6 / (static_cast<Real>(robots) * options.Ticks);
   std::printf(
-      "%s,%u,%u,%u,%u,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.3f,%.0f,%.3f,%.3f,%.3f,%.3f,%.3f\n",
+      "%s,%u,%u,%u,%u,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.3f,%.0f,%.3f,%.3f,%.3f,%.3f,%.3f,%s\n",
       options.Engine.c_str(), robots, threads, substeps, options.Ticks, total * perRobotTick,
       times.Act * perRobotTick, times.Physics * perRobotTick, times.Index * perRobotTick,
       times.Sense * perRobotTick, times.Control * perRobotTick, bareTotal * perRobotTick,
@@ -105,7 +130,7 @@ void Report(const SOptions& options, UInt32 robots, UInt32 threads) {
       100.0 * SOverlaps::Quantile(overlaps.WithRobots, 0.5),
       100.0 * SOverlaps::Quantile(overlaps.WithRobots, 0.99),
       100.0 * SOverlaps::Quantile(overlaps.WithRobots, 1.0),
-      100.0 * SOverlaps::Quantile(overlaps.WithWalls, 1.0));
+      100.0 * SOverlaps::Quantile(overlaps.WithWalls, 1.0), options.Scene.c_str());
   std::fflush(stdout);
   simulator.Destroy();
 }
@@ -114,11 +139,14 @@ void Report(const SOptions& options, UInt32 robots, UInt32 threads) {
 
 int main(int argc, char** argv) {
   SOptions options;
-  CLI::App app("Measures what a robot-tick costs in the arena of rooms; prints CSV.");
+  CLI::App app("Measures what a robot-tick costs; prints CSV.");
+  app.add_option("--scene", options.Scene,
+                 "rooms: robots that roam; crowd: robots that all press against a wall")
+      ->check(CLI::IsMember({"rooms", "crowd"}));
   app.add_option("--robots", options.Robots, "numbers of robots")->delimiter(',');
   app.add_option("--threads", options.Threads, "numbers of threads")->delimiter(',');
   app.add_option("--ticks", options.Ticks, "ticks of 0.1 s that are measured");
-  app.add_option("--side", options.Side, "side of the arena in m; 0: always the same density");
+  app.add_option("--side", options.Side, "side of the rooms in m; 0: always the same density");
   app.add_option("--engine", options.Engine, "physics engine");
   app.add_option("--engine-attributes", options.EngineAttributes, "its XML attributes");
   CLI11_PARSE(app, argc, argv);
@@ -127,7 +155,7 @@ int main(int argc, char** argv) {
       "engine,robots,threads,substeps,ticks,total_us,act_us,physics_us,index_us,sense_us,control_"
       "us,"
       "bare_box2d_us,ratio_to_bare,bytes_per_robot,startup_s,overlap_median_pct,overlap_p99_pct,"
-      "overlap_max_pct,wall_max_pct\n");
+      "overlap_max_pct,wall_max_pct,scene\n");
   bool good = true;
   for (const UInt32 robots : options.Robots) {
     for (const UInt32 threads : options.Threads) {

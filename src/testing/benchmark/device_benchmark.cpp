@@ -1,6 +1,6 @@
-// Measures what each device of each robot adds to a robot-tick, and prints it as CSV. Two swarms of
-// the same robots, which move alike, are stepped in turns in one process: one with the device, one
-// without it. What the device needs to have something to do (lit LEDs, senders, ...) both have.
+// Measures the cost of each device of each robot per robot-tick, and prints it as CSV. Two swarms
+// of the same robots with equal motions are stepped in turns in one process: one with the device,
+// one without it. Both have the environment of the device (lit LEDs, senders, ...).
 //
 //   argos3_device_benchmark [--robots 1000] [--rounds 41] [--ticks 4] [--device leds,proximity]
 //                           [--robot foot-bot,e-puck,eye-bot]
@@ -38,7 +38,7 @@ constexpr Real kFlightHeight = 1.0;  // m
 struct SOptions {
   UInt32 Robots = 1000;
   UInt32 Rounds = 41;
-  UInt32 Ticks = 4;  // of a swarm in a round
+  UInt32 Ticks = 4;  // ticks of a swarm per round
   UInt32 WarmUp = 20;
   std::vector<std::string> RobotTypes = {"foot-bot", "e-puck", "eye-bot"};
   std::vector<std::string> Tags;  // empty: all
@@ -49,7 +49,7 @@ typedef std::vector<SListedDevice> TDevices;
 const SListedDevice kWheels = {"actuators", "differential_steering", "default", ""};
 const SListedDevice kPropellers = {"actuators", "quadrotor_position", "default", ""};
 
-// with what there must be for a device to have something to do; tags, sensors with a "?"
+// tags of the devices that the environment of a device needs; sensors are marked by "?"
 std::vector<std::string> NeedsOf(const SListedDevice& device) {
   static const std::map<std::string, std::vector<std::string>> needs = {
       {"?cameras", {"directional_leds", "leds", "tags"}},
@@ -67,7 +67,7 @@ std::vector<std::string> NeedsOf(const SListedDevice& device) {
   return found != needs.end() ? found->second : std::vector<std::string>();
 }
 
-// the devices of the swarm without a device
+// the devices of the swarm without the measured device
 TDevices WithoutDevice(const std::string& robot, const SListedDevice& device) {
   const SListedDevice& drive = robot == "eye-bot" ? kPropellers : kWheels;
   TDevices devices;
@@ -89,7 +89,7 @@ TDevices WithoutDevice(const std::string& robot, const SListedDevice& device) {
   return devices;
 }
 
-// one of the same kind and tag gives way
+// adds a device in place of one of the same kind and tag
 TDevices WithDevice(TDevices devices, const SListedDevice& device) {
   const auto isReplaced = [&device](const SListedDevice& other) {
     return other.Section == device.Section && other.Tag == device.Tag;
@@ -120,7 +120,7 @@ std::string Distribute(const std::string& entity, UInt32 quantity, Real reach, R
 std::string Arena(const std::string& robot, const TDevices& devices, UInt32 robots, Real side) {
   const bool flies = robot == "eye-bot";
   const Real reach = 0.5 * side;
-  // ten others in range, on average
+  // ten other robots in range, on average
   const Real rabRange = side * std::sqrt(10.0 / (M_PI * robots));
   std::set<std::string> carried;
   std::string text = "<" + robot + " id='r' rab_data_size='4' rab_range='" + ToText(rabRange) +
@@ -148,7 +148,7 @@ std::string Arena(const std::string& robot, const TDevices& devices, UInt32 robo
                        "mass='0.5'/>",
                        robots / 20, reach - 0.3, 0.0);
   }
-  // something to look at on the ground
+  // objects on the ground for the sensors of eye-bots
   return arena + Distribute(
                      "<box id='lit' size='0.2,0.2,0.1' movable='false'><leds medium='leds'>"
                      "<led offset='0,0,0.11' anchor='origin' color='red'/></leds></box>",
@@ -157,7 +157,7 @@ std::string Arena(const std::string& robot, const TDevices& devices, UInt32 robo
 
 SExperiment MakeExperiment(const SOptions& options, const std::string& robot,
                            const TDevices& devices) {
-  // eye-bots are wide: one on each square metre
+  // eye-bots are wide and need a square metre each
   const Real side = robot == "eye-bot" ? std::sqrt(static_cast<Real>(options.Robots))
                                        : SRoomsWorld::SideAtSameDensity(options.Robots);
   SExperiment experiment;
@@ -170,7 +170,7 @@ SExperiment MakeExperiment(const SOptions& options, const std::string& robot,
   return experiment;
 }
 
-// what some ticks take, in us per robot-tick
+// time of some ticks, in us per robot-tick
 struct STimes {
   enum { TOTAL, ACT, PHYSICS, MEDIA, SENSE, CONTROL, NUM_TIMES };
   std::array<Real, NUM_TIMES> Values{};
@@ -203,7 +203,7 @@ STimes Medians(const std::vector<STimes>& sample) {
   return medians;
 }
 
-// what there is for a robot's devices to do, on average: things seen and heard, or held
+// mean number of readings of variable length or of held objects per robot
 Real CountWork(CTestWorld& world, const SListedDevice& device) {
   const auto& robots = world.GetSpace().GetControllableEntities();
   Real work = 0.0;
@@ -228,7 +228,7 @@ void Report(const SOptions& options, const std::string& robot, const SListedDevi
   std::vector<STimes> bases;
   std::vector<STimes> differences;
   for (UInt32 round = 0; round < options.Rounds; ++round) {
-    // who is first has colder caches
+    // the first swarm has colder caches, so they alternate
     const size_t first = round % 2;
     STimes times[2];
     times[first] = Measure(worlds[first], options);

@@ -8,14 +8,14 @@ namespace argos::testing {
 
 using TBenchmarkClock = std::chrono::steady_clock;
 
-/** s */
+/** @return s. */
 double SecondsSince(TBenchmarkClock::time_point start);
-/** s that this thread has had on a processor: other programs disturb less than by the clock. */
+/** @return processor time of this thread, s: other programs disturb it less than the clock. */
 double SecondsOfThisThread();
 
 /**
- * Calls a function in a process of its own, with all libraries loaded and what is logged thrown
- * away; an exception is printed there.
+ * Calls a function in a process of its own, with all libraries loaded and log output discarded; an
+ * exception is printed there.
  * @return false if it failed.
  */
 bool RunInChild(const std::function<void()>& measure);

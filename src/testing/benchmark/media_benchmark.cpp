@@ -1,5 +1,6 @@
-// Measures what media cost a robot-tick, with the devices that use them, and prints it as CSV. The
-// world is the arena of rooms of benchmark.cpp; every line is measured in a process of its own.
+// Measures the cost of media per robot-tick, including the devices that use them, and
+// prints it as CSV. The world is the arena of rooms of benchmark.cpp; every line is
+// measured in a process of its own.
 //
 //   argos3_media_benchmark [--robots 10000] [--threads 0,2] [--ticks 100]
 //                          [--media none,pheromone,range_and_bearing]
@@ -29,21 +30,21 @@ using argos::testing::TBenchmarkClock;
 
 namespace {
 
-constexpr Real kTick = 0.1;  // s, as SRoomsWorld has it
+constexpr Real kTick = 0.1;  // s, the tick length of SRoomsWorld
 
 // a medium with its devices
 struct SSubject {
   std::string Actuators, Sensors, Media;  // XML elements
-  // before the first tick, for each robot
+  // called before the first tick, for each robot
   std::function<void(CControllableEntity&)> Prepare;
-  // what there was to do in the last tick, per robot: packets heard, ...
+  // amount of work in the last tick, per robot: number of received packets, ...
   std::function<Real(CControllableEntity&)> CountWork;
 };
 
 const std::map<std::string, SSubject>& Subjects() {
   static const std::map<std::string, SSubject> subjects = {
       {"none", {"", "", "", [](CControllableEntity&) {}, [](CControllableEntity&) { return 0.0; }}},
-      // every robot lays; the work is nothing that robots differ in
+      // every robot deposits, so the work is equal for all
       {"pheromone",
        {"<pheromone implementation=\"medium\" medium=\"scents\"/>",
         "<pheromone implementation=\"medium\" medium=\"scents\"><point offset=\"0.05,0.03\"/>"

@@ -1,4 +1,4 @@
-// What users of the XML helpers write.
+// Code of users of the XML helpers.
 
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/core/utility/configuration/base_configurable_resource.h>
@@ -33,7 +33,7 @@ static const char* XML =
     "  <child id='1'>text</child>\n  <child id='2' />\n  <other>3.5</other>\n  <child id='3' "
     "/>\n</root>";
 
-TEST_CASE("compat: attributes of every type", "[compat]") {
+TEST_CASE("compat: attributes of every type can be read", "[compat]") {
   CConfigurationDocument cDocument;
   cDocument.Parse(XML);
   TConfigurationNode& tNode = cDocument.GetRoot();
@@ -100,7 +100,7 @@ TEST_CASE("compat: attributes of every type", "[compat]") {
   CHECK_THROWS_AS(GetNodeAttribute(tNode, "bad", bYes), CARGoSException);
 }
 
-TEST_CASE("compat: attributes with defaults", "[compat]") {
+TEST_CASE("compat: attributes may have defaults", "[compat]") {
   CConfigurationDocument cDocument;
   cDocument.Parse(XML);
   TConfigurationNode& tNode = cDocument.GetRoot();
@@ -136,7 +136,7 @@ TEST_CASE("compat: attributes with defaults", "[compat]") {
   CHECK_THROWS_AS(GetNodeAttributeOrDefault(tNode, "bad", fValue, 7.0), CARGoSException);
 }
 
-TEST_CASE("compat: elements and their texts", "[compat]") {
+TEST_CASE("compat: elements and their texts can be read", "[compat]") {
   CConfigurationDocument cDocument;
   cDocument.Parse(XML);
   TConfigurationNode& tNode = cDocument.GetRoot();
@@ -159,7 +159,7 @@ TEST_CASE("compat: elements and their texts", "[compat]") {
   CHECK(fText == 9.0);
 }
 
-TEST_CASE("compat: iterating over elements and attributes", "[compat]") {
+TEST_CASE("compat: elements and attributes can be iterated", "[compat]") {
   CConfigurationDocument cDocument;
   cDocument.Parse(XML);
   TConfigurationNode& tNode = cDocument.GetRoot();
@@ -187,7 +187,7 @@ TEST_CASE("compat: iterating over elements and attributes", "[compat]") {
   CHECK(unAttributes == 17);
 }
 
-TEST_CASE("compat: writing, copying and keeping elements", "[compat]") {
+TEST_CASE("compat: elements can be written, copied and kept", "[compat]") {
   CConfigurationDocument cDocument;
   cDocument.Parse(XML);
   TConfigurationNode& tNode = cDocument.GetRoot();
@@ -206,7 +206,7 @@ TEST_CASE("compat: writing, copying and keeping elements", "[compat]") {
   bool bYes;
   GetNodeAttribute(tNode, "yes", bYes);
   CHECK_FALSE(bYes);
-  // a handle that is made first and assigned later; a new element
+  // a handle that is created first and assigned later; a new element
   TConfigurationNode tHandle;
   tHandle = GetNode(tNode, "other");
   CHECK(tHandle.Value() == "other");
@@ -222,7 +222,7 @@ TEST_CASE("compat: writing, copying and keeping elements", "[compat]") {
   CHECK(cResource.m_ptNode->Value() == "root");
 }
 
-TEST_CASE("compat: going through nodes", "[compat]") {
+TEST_CASE("compat: nodes can be traversed", "[compat]") {
   CConfigurationDocument cDocument;
   cDocument.Parse(XML);
   TConfigurationNode& tNode = cDocument.GetRoot();
@@ -256,7 +256,7 @@ TEST_CASE("compat: going through nodes", "[compat]") {
   CHECK(tNode.GetAttributeOrDefault("missing", "none") == "none");
   CHECK(ptFirst->GetTextOrDefault("none") == "text");
   CHECK(ptFirst->NextSibling()->GetTextOrDefault("none") == "none");
-  /* what is linked stays the caller's to change */
+  /* a linked element can still be changed by the caller */
   TConfigurationNode* ptNew = new TConfigurationNode("new");
   tNode.LinkEndChild(ptNew);
   ptNew->SetAttribute("id", 4);
@@ -268,7 +268,7 @@ TEST_CASE("compat: going through nodes", "[compat]") {
   CHECK(tNode.FirstChild("replacement")->NextSibling()->GetAttribute("id") == "3");
 }
 
-TEST_CASE("compat: members of an element that users touch", "[compat]") {
+TEST_CASE("compat: members of an element are accessible", "[compat]") {
   CConfigurationDocument cDocument;
   cDocument.Parse(XML);
   TConfigurationNode& tNode = cDocument.GetRoot();

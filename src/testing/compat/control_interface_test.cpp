@@ -1,4 +1,4 @@
-// The control interface as controllers, and those who write devices, see it.
+// The control interface from the view of controllers and of authors of devices.
 
 #include "user_controller.h"
 
@@ -43,7 +43,7 @@ class CTestSensor : public CCI_Sensor {
 
 class CTestController : public CCI_Controller {
  public:
-  /* only a transitive include brings these in */
+  /* these are declared by a transitive include only */
   CTestController() {
     ::memset(m_pfWeights, 0, sizeof(m_pfWeights));
     ::memcpy(m_pfCopy, m_pfWeights, sizeof(m_pfCopy));
@@ -57,7 +57,7 @@ class CTestController : public CCI_Controller {
 #error "users' devices override the Lua functions where this is defined, and it always is"
 #endif
 
-TEST_CASE("compat: base classes of the control interface", "[compat]") {
+TEST_CASE("compat: base classes of the control interface compile and work", "[compat]") {
   CConfigurationDocument cDocument;
   cDocument.Parse("<params />");
   CTestController cController;
@@ -104,7 +104,7 @@ TEST_CASE("compat: base classes of the control interface", "[compat]") {
 }
 
 /****************************************/
-/* interfaces, derived from as plug-ins do */
+/* interfaces, with derived classes as in plug-ins */
 /****************************************/
 
 class CMySteering : public CCI_DifferentialSteeringActuator {
@@ -154,7 +154,7 @@ class CStepProximity : public CProximityDefaultSensor {
   virtual Real CalculateReading(Real f_distance) { return f_distance < 0.05 ? 1.0 : 0.0; }
 };
 
-/* functions overloaded for what different sensors read */
+/* overloads for the readings of different sensors */
 static std::string Kind(const CCI_FootBotProximitySensor::TReadings&) {
   return "proximity";
 }
@@ -174,7 +174,7 @@ std::ostream& operator<<(std::ostream& c_os, const CCI_FootBotLightSensor::SRead
   return c_os << s_reading.Value << "@" << s_reading.Angle.GetValue();
 }
 
-TEST_CASE("compat: readings of each sensor have a type of their own", "[compat]") {
+TEST_CASE("compat: readings of each sensor have their own type", "[compat]") {
   CHECK(Kind(CCI_FootBotProximitySensor().GetReadings()) == "proximity");
   CHECK(Kind(CCI_FootBotLightSensor().GetReadings()) == "light");
   CHECK(Kind(CCI_EyeBotLightSensor().GetReadings()) == "eye-bot light");
@@ -187,7 +187,7 @@ TEST_CASE("compat: readings of each sensor have a type of their own", "[compat]"
   CHECK(cOut.str() == "0.5@0.25");
 }
 
-TEST_CASE("compat: device interfaces", "[compat]") {
+TEST_CASE("compat: device interfaces work as documented", "[compat]") {
   CMySteering cSteering;
   CCI_DifferentialSteeringActuator& cWheels = cSteering;
   cWheels.SetLinearVelocity(5.0, 10.0f);
@@ -222,7 +222,7 @@ TEST_CASE("compat: device interfaces", "[compat]") {
   CCI_FootBotProximitySensor::SReading sProximity(0.5, CRadians::PI), sNone;
   CHECK((sProximity.Value == 0.5 && sProximity.Angle == CRadians::PI && sNone.Value == 0.0));
   for (UInt32 i = 0; i < 24; ++i) {
-    // 7.5 degrees + 15 each, signed
+    // 7.5 degrees + 15 degrees each, signed
     const Real fExpected = i < 12 ? 7.5 + 15.0 * i : 7.5 + 15.0 * i - 360.0;
     CHECK_THAT(ToDegrees(tReadings[i].Angle).GetValue(), Catch::WithinAbs(fExpected, 1e-10));
   }

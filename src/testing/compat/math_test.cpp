@@ -1,4 +1,4 @@
-// Section by section, what users of the mathematics write.
+// Code of users of the mathematics, in the order of the reference.
 
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/core/utility/math/box.h>
@@ -30,10 +30,10 @@
 using namespace argos;
 using Catch::WithinAbs;
 
-// a few roundings of numbers of the order of 1
+// tolerance of a few roundings of numbers of the order of 1
 static const Real ROUNDING = 1e-14;
 
-// user code does this
+// user code contains such initialisers
 static const Real STATIC_NUMBER = ARGOS_PI / 2.0;
 static const CRange<CRadians> STATIC_RANGE = CRadians::UNSIGNED_RANGE;
 static const CVector3 STATIC_VECTOR = CVector3::Z * 2.0;
@@ -98,7 +98,7 @@ static void CheckAngleAlgebra() {
   CHECK(Read<ANGLE>("1.5") == ANGLE(1.5));
 }
 
-TEST_CASE("compat: angles", "[compat]") {
+TEST_CASE("compat: angles work as documented", "[compat]") {
   CheckAngleAlgebra<CRadians>();
   CheckAngleAlgebra<CDegrees>();
   CHECK(CRadians::PI.GetValue() == ARGOS_PI);
@@ -156,7 +156,7 @@ TEST_CASE("compat: angles", "[compat]") {
 /* 3.2 ranges                           */
 /****************************************/
 
-TEST_CASE("compat: ranges", "[compat]") {
+TEST_CASE("compat: ranges work as documented", "[compat]") {
   CRange<Real> cRange(-1.0, 3.0);
   CHECK(cRange.GetMin() == -1.0);
   CHECK(cRange.GetMax() == 3.0);
@@ -198,7 +198,7 @@ TEST_CASE("compat: ranges", "[compat]") {
 /* 3.3, 3.4 vectors                     */
 /****************************************/
 
-TEST_CASE("compat: two-dimensional vectors", "[compat]") {
+TEST_CASE("compat: two-dimensional vectors work as documented", "[compat]") {
   CHECK(CVector2::X + CVector2::Y == CVector2(1.0, 1.0));
   CHECK(CVector2() == CVector2::ZERO);
   CVector2 cV(std::array<Real, 2>{3.0, 4.0});
@@ -244,7 +244,7 @@ TEST_CASE("compat: two-dimensional vectors", "[compat]") {
   CHECK(Distance(CVector2(0.0, 0.0), CVector2(3.0, 4.0)) == 5.0);
 }
 
-TEST_CASE("compat: three-dimensional vectors", "[compat]") {
+TEST_CASE("compat: three-dimensional vectors work as documented", "[compat]") {
   CHECK(CVector3::X + CVector3::Y + CVector3::Z == CVector3(1.0, 1.0, 1.0));
   CHECK(CVector3() == CVector3::ZERO);
   CVector3 cV(std::array<Real, 3>{1.0, 2.0, 2.0});
@@ -319,7 +319,7 @@ TEST_CASE("compat: three-dimensional vectors", "[compat]") {
 /* 3.5 quaternions                      */
 /****************************************/
 
-TEST_CASE("compat: quaternions", "[compat]") {
+TEST_CASE("compat: quaternions work as documented", "[compat]") {
   CQuaternion cQ;
   CHECK((cQ.GetW() == 1.0 && cQ.GetX() == 0.0 && cQ.GetY() == 0.0 && cQ.GetZ() == 0.0));
   CQuaternion cCopy(cQ);
@@ -352,7 +352,7 @@ TEST_CASE("compat: quaternions", "[compat]") {
   CHECK_THAT(cZ.GetValue(), WithinAbs(0.3, ROUNDING));
   CHECK_THAT(cY.GetValue(), WithinAbs(0.2, ROUNDING));
   CHECK_THAT(cX.GetValue(), WithinAbs(0.1, ROUNDING));
-  // about z first, then y, then x
+  // rotations about z first, then y, then x
   CQuaternion cSteps = CQuaternion(CRadians(0.1), CVector3::X) *
                        CQuaternion(CRadians(0.2), CVector3::Y) *
                        CQuaternion(CRadians(0.3), CVector3::Z);
@@ -379,7 +379,7 @@ TEST_CASE("compat: quaternions", "[compat]") {
 /* 3.6 rays, planes, solids, poses      */
 /****************************************/
 
-TEST_CASE("compat: rays", "[compat]") {
+TEST_CASE("compat: rays work as documented", "[compat]") {
   CRay2 cRay2(CVector2(0.0, 0.0), CVector2(2.0, 0.0));
   CRay2 cDirected(CVector2(1.0, -1.0), CVector2(0.0, 1.0), 2.0);
   CHECK(cDirected.GetEnd() == CVector2(1.0, 1.0));
@@ -435,7 +435,7 @@ TEST_CASE("compat: rays", "[compat]") {
   CHECK(Print(cRay) == "0,0,2 -> 0,0,0");
 }
 
-TEST_CASE("compat: planes, solids, hulls and poses", "[compat]") {
+TEST_CASE("compat: planes, solids, hulls and poses work as documented", "[compat]") {
   CPlane cPlane;
   cPlane.SetPosition(CVector3(0.0, 0.0, 1.0));
   cPlane.SetNormal(CVector3::Z);
@@ -510,14 +510,14 @@ TEST_CASE("compat: planes, solids, hulls and poses", "[compat]") {
 /* 3.7 random numbers                   */
 /****************************************/
 
-TEST_CASE("compat: random numbers", "[compat]") {
+TEST_CASE("compat: random numbers work as documented", "[compat]") {
   CHECK(CRandom::CreateCategory("compat", 17));
   CHECK_FALSE(CRandom::CreateCategory("compat", 18));
   CHECK(CRandom::ExistsCategory("compat"));
   CHECK(CRandom::GetSeedOf("compat") == 17);
   CHECK_THROWS_AS(CRandom::GetSeedOf("nothing"), CARGoSException);
   CRandom::CRNG* pcRNG = CRandom::CreateRNG("compat");
-  // the category's seeder gives the seed, uniform in [1, 2^32-1]
+  // the seeder of the category gives the seed, uniform in [1, 2^32-1]
   std::mt19937 cSeeder(17);
   UInt32 unSeed = static_cast<UInt32>(1.0 + (cSeeder() / 4294967295.0) * 4294967294.0);
   CHECK(pcRNG->GetSeed() == unSeed);
@@ -573,7 +573,7 @@ class COpenMatrix : public CMatrix<2, 2> {
   Real First() const { return m_pfValues[0]; }
 };
 
-TEST_CASE("compat: matrices", "[compat]") {
+TEST_CASE("compat: matrices work as documented", "[compat]") {
   const Real pfValues[6] = {1, 2, 3, 4, 5, 6};
   CMatrix<2, 3> cM(pfValues);
   CMatrix<2, 3> cCopy(cM), cZero;

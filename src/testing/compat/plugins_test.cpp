@@ -1,4 +1,4 @@
-// Factories, tags, virtual tables and entity operations as users write them.
+// Factories, tags, virtual tables and entity operations in code of users.
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/entity.h>
@@ -39,7 +39,7 @@ static CAnimal* MakeDog() {
   return new CDog;
 }
 
-TEST_CASE("compat: factory", "[compat]") {
+TEST_CASE("compat: factory registers and creates classes", "[compat]") {
   CHECK(CFactory<CAnimal>::Exists("dog"));
   CHECK_FALSE(CFactory<CAnimal>::Exists("cat"));
   CAnimal* pcAnimal = CFactory<CAnimal>::New("bird");
@@ -67,7 +67,7 @@ TEST_CASE("compat: factory", "[compat]") {
   CHECK_FALSE(CFactory<CAnimal>::Exists("dog"));
 }
 
-TEST_CASE("compat: dynamic loading", "[compat]") {
+TEST_CASE("compat: dynamic loading loads and unloads libraries", "[compat]") {
   CHECK_THROWS_AS(CDynamicLoading::LoadLibrary("no_such_library"), CARGoSException);
   CHECK_THROWS_AS(CDynamicLoading::UnloadLibrary("no_such_library"), CARGoSException);
   CDynamicLoading::TDLHandle (*pfnLoad)(const std::string&) = &CDynamicLoading::LoadLibrary;
@@ -109,14 +109,14 @@ static int UnknownCorners() {
   return -1;
 }
 
-TEST_CASE("compat: tags and virtual tables", "[compat]") {
+TEST_CASE("compat: tags and virtual tables dispatch by class", "[compat]") {
   CRound cRound;
   CEdgy cEdgy;
   CForgotten cForgotten;
   CShape& cShape = cRound;
   CHECK(cShape.GetTag() == (::argos::GetTag<CRound, CShape>()));
   CHECK(cEdgy.GetTag() != cRound.GetTag());
-  // without ENABLE_VTABLE() a class counts as its base
+  // without ENABLE_VTABLE() a class has the tag of its base
   CHECK(cForgotten.GetTag() == cRound.GetTag());
   CHECK(STagCounter<CShape>::Count >= 3);
   CHECK((STagHolder<CRound, CShape>::Tag) == cRound.GetTag());
@@ -188,7 +188,7 @@ REGISTER_STANDARD_SPACE_OPERATION_REMOVE_COMPOSABLE(CPaintedGroupEntity)
 
 }  // namespace argos
 
-TEST_CASE("compat: entity operations", "[compat]") {
+TEST_CASE("compat: entity operations dispatch by entity class", "[compat]") {
   CPainter cPainter;
   CPaintedEntity cPainted("p");
   CDerivedEntity cDerived("d");

@@ -1,4 +1,4 @@
-// The simulator's side as embedding programs, loop functions and plug-ins see it.
+// The simulator from the view of embedding programs, loop functions and plug-ins.
 
 #include "user_controller.h"
 #include "user_loop_functions.h"
@@ -103,7 +103,7 @@ class CEmbedding {
 /* 7.1, 7.2, 7.3                        */
 /****************************************/
 
-TEST_CASE("compat: an embedding program", "[compat]") {
+TEST_CASE("compat: an embedding program runs an experiment", "[compat]") {
   CEmbedding cEmbedding;
   CSimulator& cSimulator = CSimulator::GetInstance();
   CUserLoopFunctions& cLoopFunctions =
@@ -113,7 +113,7 @@ TEST_CASE("compat: an embedding program", "[compat]") {
     cSimulator.Execute();
     CHECK(cSimulator.GetSpace().GetSimulationClock() == 5);
     CHECK(cLoopFunctions.WasPostExperiment());
-    // two foot-bots: in tick k their controllers have done k - 1 steps
+    // two foot-bots whose controllers have made k - 1 steps in tick k
     CHECK(cLoopFunctions.GetTotalSteps() == 2 * (0 + 1 + 2 + 3 + 4));
     CHECK(cLoopFunctions.GetVisited() == 10);
   }
@@ -122,9 +122,9 @@ TEST_CASE("compat: an embedding program", "[compat]") {
   CHECK(&static_cast<const CLoopFunctions&>(cLoopFunctions).GetSpace() == &cSimulator.GetSpace());
 }
 
-TEST_CASE("compat: every function of the simulator", "[compat]") {
+TEST_CASE("compat: every function of the simulator works", "[compat]") {
   CSimulator::GetInstance().SetRandomSeed(77);
-  CUserLoopFunctions cOther;  // outlives the simulation
+  CUserLoopFunctions cOther;  // must outlive the simulation
   CEmbedding cEmbedding;
   CSimulator& cSimulator = CSimulator::GetInstance();
   const CSimulator& cConst = cSimulator;
@@ -164,7 +164,7 @@ TEST_CASE("compat: every function of the simulator", "[compat]") {
   CHECK(&cSimulator.GetLoopFunctions() == &cOther);
 }
 
-TEST_CASE("compat: a simulator loads from a tree", "[compat]") {
+TEST_CASE("compat: a simulator loads from an XML tree", "[compat]") {
   std::string strXml = Experiment();
   CConfigurationDocument cDocument;
   cDocument.Parse(strXml);
@@ -173,13 +173,13 @@ TEST_CASE("compat: a simulator loads from a tree", "[compat]") {
   CSimulator::GetInstance().Destroy();
 }
 
-TEST_CASE("compat: every function of the space", "[compat]") {
+TEST_CASE("compat: every function of the space works", "[compat]") {
   CEmbedding cEmbedding;
   CSpace& cSpace = CSimulator::GetInstance().GetSpace();
   const CSpace& cConst = cSpace;
   CHECK(cConst.GetNumberEntities() == cSpace.GetEntityVector().size());
   CEntity::TVector& tRoots = cSpace.GetRootEntityVector();
-  // floor, wall, can, light, two robots; two boxes and a robot of the loop functions
+  // floor, wall, can, light, two robots; two boxes and a robot added by the loop functions
   CHECK(tRoots.size() == 9);
   CHECK(cSpace.GetEntity("fb0.leds_0.led_3").GetTypeDescription() == "led");
   CHECK_THROWS_AS(cSpace.GetEntity("nobody"), CARGoSException);
@@ -224,7 +224,7 @@ TEST_CASE("compat: every function of the space", "[compat]") {
                 "");
 }
 
-TEST_CASE("compat: loop functions move, add and remove", "[compat]") {
+TEST_CASE("compat: loop functions move, add and remove entities", "[compat]") {
   CEmbedding cEmbedding;
   CLoopFunctions& cFunctions = CSimulator::GetInstance().GetLoopFunctions();
   CFootBotEntity& cFootBot = dynamic_cast<CFootBotEntity&>(cFunctions.GetSpace().GetEntity("fb0"));
@@ -258,7 +258,7 @@ TEST_CASE("compat: loop functions move, add and remove", "[compat]") {
 /* 7.4 entities                         */
 /****************************************/
 
-TEST_CASE("compat: every function of the core entities", "[compat]") {
+TEST_CASE("compat: every function of the core entities works", "[compat]") {
   CEmbedding cEmbedding;
   CSpace& cSpace = CSimulator::GetInstance().GetSpace();
   CFootBotEntity& cFootBot = dynamic_cast<CFootBotEntity&>(cSpace.GetEntity("fb0"));
@@ -337,7 +337,7 @@ TEST_CASE("compat: every function of the core entities", "[compat]") {
   std::vector<CVector3>& vecPoints = cControllable.GetIntersectionPoints();
   CHECK((vecRays.size() == 1 && vecPoints.size() == 1));
   cControllable.Sense();
-  // 24 rays of the proximity sensor, which shows them
+  // 24 rays of the proximity sensor, which has show_rays
   CHECK(cControllable.GetCheckedRays().size() == 24);
   cControllable.ControlStep();
   cControllable.Act();
@@ -367,7 +367,7 @@ TEST_CASE("compat: every function of the core entities", "[compat]") {
   cFloor.ClearChanged();
   CHECK_FALSE(cFloor.HasChanged());
   CFloorEntity cOwn("own", 10);
-  /* the arena is 10 m x 10 m: what is saved of it has ten pixels on a metre */
+  /* the arena is 10 m x 10 m, and the saved image has ten pixels per metre */
   const std::string strFloor = InBuildTree("compat_floor.png");
   cOwn.SaveAsImage(strFloor);
   CFloorEntity cImage("image", strFloor);
@@ -415,7 +415,7 @@ class COpenBody : public CEmbodiedEntity {
   }
 };
 
-TEST_CASE("compat: protected members of entities", "[compat]") {
+TEST_CASE("compat: protected members of entities are accessible", "[compat]") {
   CHECK(COpenControllable().IsEmpty());
   CHECK(COpenBody().IsUsual());
 }
@@ -424,7 +424,7 @@ TEST_CASE("compat: protected members of entities", "[compat]") {
 /* 7.5, 7.6 stock and robot entities    */
 /****************************************/
 
-TEST_CASE("compat: stock entities", "[compat]") {
+TEST_CASE("compat: stock entities work as documented", "[compat]") {
   CEmbedding cEmbedding;
   CLEDMedium& cMedium = CSimulator::GetInstance().GetMedium<CLEDMedium>("leds");
   CLoopFunctions& cFunctions = CSimulator::GetInstance().GetLoopFunctions();
@@ -494,7 +494,7 @@ TEST_CASE("compat: stock entities", "[compat]") {
   cRing.AddLEDRing(CVector3(0, 0, 0.1), 0.1, CRadians::ZERO, 4,
                    cFootBot.GetEmbodiedEntity().GetOriginAnchor(), CColor::RED);
   CHECK(cRing.GetLEDs().size() == 5);
-  // at start + i * 2 PI / num, counter-clockwise
+  // positions at start + i * 2 PI / num, counter-clockwise
   CHECK_THAT(cRing.GetLEDOffset(2).GetY(), WithinAbs(0.1, 1e-15));
 
   CProximitySensorEquippedEntity& cProximity = cFootBot.GetProximitySensorEquippedEntity();
@@ -530,7 +530,7 @@ TEST_CASE("compat: stock entities", "[compat]") {
   CHECK(cOwnWheels.GetWheelRadius(2) == 0.5);
 }
 
-TEST_CASE("compat: robot entities", "[compat]") {
+TEST_CASE("compat: robot entities work as documented", "[compat]") {
   CEmbedding cEmbedding;
   CFootBotEntity cFootBot("f", "fdc", CVector3(1, 2, 0), CQuaternion(), 3.0f, 10, "",
                           ToRadians(CDegrees(70.0f)), true, ToRadians(CDegrees(30.0f)), 0.035, 2.0);
@@ -608,7 +608,7 @@ TEST_CASE("compat: plug-ins of users run", "[compat]") {
   CHECK(dynamic_cast<CUserVisualization&>(cSimulator.GetVisualization()).m_unFrames == 10);
   CHECK(cMedium.m_unUpdates == 10);
   CHECK(cRobot.GetHorn().GetUpdates() == unUpdates + 10);
-  // what is blown in a step is heard in the next
+  // a sound of one step is heard in the next
   CRobotController& cController =
       dynamic_cast<CRobotController&>(cRobot.GetControllableEntity().GetController());
   CHECK(cController.m_vecHeard == std::vector<Real>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
@@ -620,7 +620,7 @@ TEST_CASE("compat: plug-ins of users run", "[compat]") {
   CHECK(cRobot.GetHorn().GetVolume() == 0.0);
 }
 
-TEST_CASE("compat: every function of engines and models", "[compat]") {
+TEST_CASE("compat: every function of engines and models works", "[compat]") {
   CEmbedding cEmbedding(UserExperiment());
   CSimulator& cSimulator = CSimulator::GetInstance();
   CPhysicsEngine& cEngine = cSimulator.GetPhysicsEngine("user");
@@ -666,7 +666,7 @@ TEST_CASE("compat: every function of engines and models", "[compat]") {
   CHECK_FALSE(cModel.IsCollidingWithSomething());
 }
 
-TEST_CASE("compat: rays meet bodies that only a user's engine knows", "[compat]") {
+TEST_CASE("compat: rays hit bodies that only a user's engine contains", "[compat]") {
   CEmbedding cEmbedding(UserExperiment());
   CEmbodiedEntity& cBody =
       dynamic_cast<CUserRobotEntity&>(CSimulator::GetInstance().GetSpace().GetEntity("u0"))
@@ -739,7 +739,7 @@ class CCellCounter : public CGrid<CUserLamp>::CCellOperation {
   size_t m_unCells = 0, m_unEntities = 0;
 };
 
-TEST_CASE("compat: positional indices", "[compat]") {
+TEST_CASE("compat: positional indices work as documented", "[compat]") {
   CUserLamp cA("a", CVector3(0.5, 0.5, 0.5)), cB("b", CVector3(3.5, 3.5, 0.5));
   cA.SetIndex(1);
   cB.SetIndex(2);

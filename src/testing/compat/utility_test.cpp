@@ -1,5 +1,5 @@
-// Section by section, what users of the utilities write: datatypes, exceptions, general maths,
-// strings, logging, colours, byte arrays, any, sets and the small ones.
+// Code of users of the utilities, in the order of the reference: datatypes, exceptions, general
+// maths, strings, logging, colours, byte arrays, any, sets and others.
 
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/configuration/command_line_arg_parser.h>
@@ -58,7 +58,7 @@ static int Classify(int n_value) {
     THROW_ARGOSEXCEPTION("not positive: " << n_value << "!")
 }
 
-TEST_CASE("compat: exceptions and their macros", "[compat]") {
+TEST_CASE("compat: exceptions and their macros work", "[compat]") {
   CHECK(Classify(3) == 1);
   try {
     Classify(-2);
@@ -84,7 +84,7 @@ TEST_CASE("compat: exceptions and their macros", "[compat]") {
 /* 2.3 general maths                    */
 /****************************************/
 
-TEST_CASE("compat: general maths", "[compat]") {
+TEST_CASE("compat: general maths works as documented", "[compat]") {
   CHECK(Abs(-3) == 3);
   CHECK(Abs(-3.5) == 3.5);
   CHECK(Abs(CRadians(-1.0)) == CRadians(1.0));
@@ -136,7 +136,7 @@ TEST_CASE("compat: general maths", "[compat]") {
 /* 2.4 strings                          */
 /****************************************/
 
-TEST_CASE("compat: strings", "[compat]") {
+TEST_CASE("compat: strings work as documented", "[compat]") {
   CHECK(ToString(12) == "12");
   CHECK(ToString(true) == "true");
   CHECK(FromString<UInt32>("12") == 12);
@@ -184,7 +184,7 @@ class CLogUser {
   }
 };
 
-TEST_CASE("compat: logs", "[compat]") {
+TEST_CASE("compat: logs work as documented", "[compat]") {
   std::ostringstream cStream;
   CARGoSLog cLog(cStream, SLogColor(ARGOS_LOG_ATTRIBUTE_BRIGHT, ARGOS_LOG_COLOR_GREEN));
   CHECK(cLog.IsColoredOutput());
@@ -219,7 +219,7 @@ TEST_CASE("compat: logs", "[compat]") {
   CHECK(cOut.str() == "[fb0] hello\n[fb0] trouble\n");
 }
 
-TEST_CASE("compat: coloured text", "[compat]") {
+TEST_CASE("compat: text can be coloured", "[compat]") {
   static_assert(ARGOS_LOG_ATTRIBUTE_RESET == 0 && ARGOS_LOG_ATTRIBUTE_DIM == 2 &&
                     ARGOS_LOG_ATTRIBUTE_UNDERSCORE == 3 && ARGOS_LOG_ATTRIBUTE_BLINK == 5 &&
                     ARGOS_LOG_ATTRIBUTE_REVERSE == 7 && ARGOS_LOG_ATTRIBUTE_HIDDEN == 8,
@@ -252,7 +252,7 @@ TEST_CASE("compat: coloured text", "[compat]") {
 
 static const CColor STATIC_COLOR = CColor::ORANGE;
 
-TEST_CASE("compat: colours", "[compat]") {
+TEST_CASE("compat: colours work as documented", "[compat]") {
   CHECK(STATIC_COLOR == CColor(255, 140, 0));
   CColor cColor;
   CHECK(cColor == CColor::BLACK);
@@ -293,7 +293,7 @@ TEST_CASE("compat: colours", "[compat]") {
                             &CColor::GRAY60, &CColor::GRAY70,  &CColor::GRAY80, &CColor::GRAY90};
   CHECK(ppcAll[11]->GetRed() == 26);
   CHECK(ppcAll[19]->GetBlue() == 229);
-  // the constants are no constants, and user code counts on it
+  // the constants are not const, and user code relies on it
   CColor& cMutable = CColor::GRAY10;
   CHECK(&cMutable == &CColor::GRAY10);
 }
@@ -319,7 +319,7 @@ static void CheckRoundTrip(const T& t_value, size_t un_size) {
   CHECK(cArray.PopFront<T>() == t_value);
 }
 
-TEST_CASE("compat: byte arrays", "[compat]") {
+TEST_CASE("compat: byte arrays work as documented", "[compat]") {
   CHECK(SizeOf(10) == 10);
   CByteArray cEmpty;
   const CByteArray& cConst = cEmpty;
@@ -363,7 +363,7 @@ TEST_CASE("compat: byte arrays", "[compat]") {
   CHECK(cOut.str() == "CByteArray [ 1 2 3 ]\n");
 }
 
-TEST_CASE("compat: byte arrays as queues of numbers and strings", "[compat]") {
+TEST_CASE("compat: byte arrays are queues of numbers and strings", "[compat]") {
   CheckRoundTrip<UInt8>(200, 1);
   CheckRoundTrip<SInt8>(-100, 1);
   CheckRoundTrip<UInt16>(60000, 2);
@@ -393,7 +393,7 @@ TEST_CASE("compat: byte arrays as queues of numbers and strings", "[compat]") {
 /* 2.8 the others                       */
 /****************************************/
 
-TEST_CASE("compat: any", "[compat]") {
+TEST_CASE("compat: any stores values", "[compat]") {
   int nValue = 3;
   CAny cAny(&nValue);
   CAny cCopy(cAny);
@@ -421,7 +421,7 @@ class CState : public CMemento {
   UInt32 m_unState = 0;
 };
 
-TEST_CASE("compat: memento", "[compat]") {
+TEST_CASE("compat: memento stores a state", "[compat]") {
   CState cA, cB;
   cA.m_unState = 5;
   CByteArray cBuffer;
@@ -435,7 +435,7 @@ struct SBackwards {
   bool operator()(const int* a, const int* b) const { return *a > *b; }
 };
 
-TEST_CASE("compat: set", "[compat]") {
+TEST_CASE("compat: set works as documented", "[compat]") {
   int pn[3] = {1, 2, 3};
   CSet<int*, SBackwards> cSet;
   cSet.insert(&pn[1]);
@@ -474,7 +474,7 @@ TEST_CASE("compat: set", "[compat]") {
   CHECK(cNames.first() == "a");
 }
 
-TEST_CASE("compat: rate, statistics and filter", "[compat]") {
+TEST_CASE("compat: rate, statistics and filter work as documented", "[compat]") {
   CRate cRate(1000.0);
   CHECK(cRate.GetRate() == 1000.0);
   cRate.SetRate(500.0);
@@ -493,7 +493,7 @@ TEST_CASE("compat: rate, statistics and filter", "[compat]") {
   CHECK(cFilter.Filter(1.0) == 1.0);
 }
 
-TEST_CASE("compat: sockets", "[compat]") {
+TEST_CASE("compat: sockets work as documented", "[compat]") {
   CTCPSocket cServer, cClient, cAccepted;
   CHECK_FALSE(cServer.IsConnected());
   CTCPSocket cMoved(std::move(cAccepted));
@@ -512,7 +512,7 @@ class CParser : public CCommandLineArgParser {
   }
 };
 
-TEST_CASE("compat: command lines", "[compat]") {
+TEST_CASE("compat: command lines are parsed", "[compat]") {
   CParser cParser;
   bool bFlag = false;
   std::string strFile;

@@ -1,10 +1,11 @@
-// Robots with all devices come and go while the experiment runs.
+// Adding and removing robots with all devices during the experiment.
 
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 #include <argos3/testing/determinism/population.h>
 #include <argos3/testing/support/device_world.h>
+#include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/toy_world.h>
 
 #include <catch2/catch.hpp>
@@ -15,8 +16,6 @@ using namespace argos;
 using Catch::Matchers::Contains;
 
 namespace {
-
-constexpr Real kFootBotRadius = 0.085036758;  // m
 
 SExperiment Experiment(UInt32 robots, bool noisy, const std::string& parameters = "") {
   SDeviceWorld devices;
@@ -29,13 +28,13 @@ SExperiment Experiment(UInt32 robots, bool noisy, const std::string& parameters 
   return experiment;
 }
 
-// two foot-bots half a metre apart, each in the view of the other's cameras
+// two foot-bots half a metre apart, each within the view of the other's cameras
 SExperiment ViewerAndVictim() {
   SExperiment experiment = Experiment(3, false, "reads='false'");
-  // the others are far away
+  // the other robots are far away
   const CVector3 place(-3.0, -3.0, 0.0);
   experiment.Arena +=
-      // the cameras look ahead, all around and back
+      // the cameras look ahead, all around and backwards
       DeviceUserRobotText("foot-bot", "fb_viewer", place, 180.0) +
       DeviceUserRobotText("foot-bot", "fb_victim", place + CVector3(0.5, 0.0, 0.0), 180.0);
   return experiment;
@@ -49,7 +48,7 @@ CGripperEquippedEntity& Gripper(CTestWorld& world, const std::string& id) {
   return world.Get<CFootBotEntity>(id).GetGripperEquippedEntity();
 }
 
-// robots of all types anywhere in the arena, made in both ways
+// adds robots of all types at random places, from XML or by constructors in turns
 void AddSome(CPopulation& population, CRandomStream& random, UInt32 number, UInt32 firstNumber) {
   static const char* const prefixes[] = {"fb", "ep", "eb"};
   for (UInt32 i = firstNumber; i < firstNumber + number; ++i) {
@@ -71,18 +70,18 @@ void RemoveSome(CPopulation& population, CRandomStream& random, UInt32 number) {
 
 }  // namespace
 
-TEST_CASE("add and remove: who is removed before the others sense is sensed by nobody",
+TEST_CASE("add and remove: a robot removed before the others sense is not sensed",
           "[determinism][devices][space]") {
   CTestWorld untouched(ViewerAndVictim());
   CPopulation(untouched).CheckViews();
   untouched.Step(5);
-  // LEDs, directional LEDs, a tag, a packet, a message, beams that end on the body
+  // LEDs, directional LEDs, a tag, a packet, a message, and beams that end on the body
   const size_t seen = CPopulation(untouched).GetUser("fb_viewer").CountSeen();
   CHECK(seen >= 6);
 
   CTestWorld world(ViewerAndVictim());
   CPopulation population(world);
-  SECTION("in PreStep, after the media were updated") {
+  SECTION("during PreStep, after the update of the media") {
     world.Step(4);
     Hooks(world).OnPreStep = [&] {
       population.Remove("fb_victim");
@@ -91,10 +90,10 @@ TEST_CASE("add and remove: who is removed before the others sense is sensed by n
     };
     world.Step();
     population.CheckViews();
-    // a radio's message arrived before
+    // the message of a radio was delivered before the removal
     CHECK(population.GetUser("fb_viewer").CountSeen() == 1);
   }
-  SECTION("in PostStep, with a packet and a message on the way") {
+  SECTION("during PostStep, with a packet and a message in transit") {
     world.Step(4);
     Hooks(world).OnPostStep = [&] {
       population.Remove("fb_victim");
@@ -102,7 +101,7 @@ TEST_CASE("add and remove: who is removed before the others sense is sensed by n
       Hooks(world).OnPostStep = {};
     };
     world.Step();
-    // that step's readings stay as they were
+    // the readings of that step are unchanged
     CHECK(population.GetUser("fb_viewer").CountSeen() == seen);
   }
   SECTION("between two steps") {
@@ -116,14 +115,14 @@ TEST_CASE("add and remove: who is removed before the others sense is sensed by n
   population.CheckViews();
   world.Step(5);
   CHECK(population.GetUser("fb_viewer").CountSeen() == 0);
-  // one that comes in its place is sensed as it was
+  // a robot added in the same place is sensed like the removed one
   population.AddFromText("fb_victim", CVector3(-2.5, -3.0, 0.0), 180.0);
   world.GetSimulator().Reset();
   world.Step(5);
   CHECK(population.GetUser("fb_viewer").CountSeen() == seen);
 }
 
-TEST_CASE("add and remove: of two that hold each other either may go",
+TEST_CASE("add and remove: of two robots connected by a grip either may be removed",
           "[determinism][devices][space]") {
   const std::string first = GENERATE("fb_holder", "fb_held");
   CAPTURE(first);
@@ -143,7 +142,7 @@ TEST_CASE("add and remove: of two that hold each other either may go",
   CHECK_FALSE(Gripper(world, second).IsGripping());
   world.Step(3);
   CHECK_FALSE(Gripper(world, second).IsGripping());
-  // whoever is left can hold and be held again
+  // the remaining robot can grip and be gripped again
   population.AddFromText(first, first == "fb_held" ? place + ahead : place, 0.0);
   world.GetSimulator().Reset();
   population.CheckViews();
@@ -155,7 +154,7 @@ TEST_CASE("add and remove: of two that hold each other either may go",
   world.Step(3);
 }
 
-TEST_CASE("add and remove: an id can be used again, but not twice at a time",
+TEST_CASE("add and remove: an id can be reused after a removal, but not before",
           "[determinism][devices][space]") {
   const bool fromText = GENERATE(true, false);
   CAPTURE(fromText);
@@ -177,13 +176,14 @@ TEST_CASE("add and remove: an id can be used again, but not twice at a time",
     population.CheckViews();
     world.Step(2);
     population.CheckViews();
-    CHECK(population.GetUser(id).GetFelt() != 0);
+    CHECK(population.GetUser(id).GetReadingsDigest() != 0);
     population.Remove(id);
     population.CheckViews();
   }
 }
 
-TEST_CASE("add and remove: everything may go, and come again", "[determinism][devices][space]") {
+TEST_CASE("add and remove: all entities may be removed, and others added",
+          "[determinism][devices][space]") {
   CTestWorld world(Experiment(30, true));
   CPopulation population(world);
   world.Step(5);
@@ -204,7 +204,7 @@ TEST_CASE("add and remove: everything may go, and come again", "[determinism][de
   world.Step(2);
   world.GetSimulator().Reset();
   population.CheckViews();
-  // an eye-bot needs no floor
+  // eye-bots need no floor
   population.AddFromText("eb_new", CVector3(0.0, 0.0, 1.0), 0.0);
   population.AddFromProgram("eb_other", CVector3(0.6, 0.0, 1.0), 0.0);
   population.CheckViews();
@@ -213,7 +213,7 @@ TEST_CASE("add and remove: everything may go, and come again", "[determinism][de
   CHECK(population.GetUser("eb_new").CountSeen() > 0);
 }
 
-TEST_CASE("add and remove: a hundred come and go in each of 200 ticks",
+TEST_CASE("add and remove: a hundred robots are removed and added in each of 200 ticks",
           "[determinism][devices][space][threads]") {
   constexpr UInt32 kTicks = 200;
   constexpr UInt32 kEach = 100;
@@ -246,7 +246,7 @@ TEST_CASE("add and remove: a hundred come and go in each of 200 ticks",
       }
       digests.push_back(world.ComputeDigest());
     }
-    // who is left starts anew, and does the same again
+    // after a reset the remaining robots start afresh, and repeat their run
     Hooks(world).OnPreStep = {};
     Hooks(world).OnPostStep = {};
     for (int repetition = 0; repetition < 2; ++repetition) {

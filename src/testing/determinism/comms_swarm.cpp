@@ -93,7 +93,8 @@ void CChatter::ControlStep() {
   m_wheels->SetLinearVelocity(kSpeed * (1.0 - turn), kSpeed * (1.0 + turn));
 }
 
-// sums up all that there is to hear and to read; the order matters too
+// combines all packets, messages, tags and concentrations into one
+// number that depends on their order
 UInt32 CChatter::Listen(CVector2& way) const {
   UInt32 sum = static_cast<UInt32>(m_rabSensor->GetReadings().size());
   for (const auto& packet : m_rabSensor->GetReadings()) {

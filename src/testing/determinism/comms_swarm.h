@@ -18,8 +18,10 @@
 
 namespace argos {
 
-/** "chatter": says, writes and lays what it hears, reads and smells, and goes where that comes
- * from; so every bit of it matters. */
+/**
+ * "chatter": sends, writes and deposits data that depend on all readings, and drives towards their
+ * sources; so every bit of the readings affects the run.
+ */
 class CChatter : public CCI_Controller {
  public:
   void Init(TConfigurationNode& params) override;
@@ -43,11 +45,11 @@ class CChatter : public CCI_Controller {
 };
 
 /**
- * Foot-bots and e-pucks, half each, that chatter and lay trails among walls and boxes. The arena
- * grows with their number: one robot on 0.16 m^2.
- * @param noisy           devices have noise, and lose messages.
- * @param mediaAttributes  of all media but pheromones.
- * @param withRadio        they also send with radios, which costs controllers memory.
+ * Foot-bots and e-pucks, half each, that communicate and lay trails among walls and boxes. The size
+ * of the arena is 0.16 m^2 per robot.
+ * @param noisy           devices have noise and lose messages.
+ * @param mediaAttributes  of all media except pheromones.
+ * @param withRadio        robots also send by radio, for which controllers allocate memory.
  */
 SExperiment CommsSwarm(UInt32 robots, bool noisy = true, const std::string& mediaAttributes = "",
                        bool withRadio = true);

@@ -1,11 +1,12 @@
-// Robots that talk: the same for every number of threads, and nothing allocated once settled.
+// Communicating robots: results are equal for any number of threads, and ticks in
+// steady state allocate nothing.
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/testing/determinism/comms_swarm.h>
-#include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/no_allocation.h>
 
 #include <catch2/catch.hpp>
 
@@ -28,7 +29,7 @@ std::vector<UInt64> Run(CTestWorld& world) {
   return digests;
 }
 
-// computed once: the main thread does all
+// computed once, by the main thread alone
 const std::vector<UInt64>& Reference() {
   static const std::vector<UInt64> reference = [] {
     CTestWorld world(CommsSwarm(kRobots));
@@ -39,7 +40,7 @@ const std::vector<UInt64>& Reference() {
 
 }  // namespace
 
-TEST_CASE("comms determinism: every tick is the same to the bit for every number of threads",
+TEST_CASE("comms determinism: every tick is equal bit by bit for any number of threads",
           "[determinism][threads]") {
   const UInt32 threads = GENERATE(1U, 2U, 4U);
   const std::string method = GENERATE("balance_quantity", "balance_length");
@@ -51,43 +52,44 @@ TEST_CASE("comms determinism: every tick is the same to the bit for every number
   CHECK(Run(world) == Reference());
 }
 
-TEST_CASE("comms determinism: ... and for every index of the media", "[determinism]") {
+TEST_CASE("comms determinism: every tick is equal for every index of the media", "[determinism]") {
   const std::string index = GENERATE("index='hash'", "grid_size='3,50,1'");
   CAPTURE(index);
   CTestWorld world(CommsSwarm(kRobots, true, index));
   CHECK(Run(world) == Reference());
 }
 
-TEST_CASE("comms determinism: after a reset the run repeats itself", "[determinism]") {
+TEST_CASE("comms determinism: after a reset the run repeats", "[determinism]") {
   CTestWorld world(CommsSwarm(kRobots));
   world.Step(17);
   world.GetSimulator().Reset();
   CHECK(Run(world) == Reference());
 }
 
-TEST_CASE("comms determinism: the runs that are compared are worth it", "[determinism]") {
+TEST_CASE("comms determinism: the compared runs change in every tick, and with the noise",
+          "[determinism]") {
   CHECK(std::set<UInt64>(Reference().begin(), Reference().end()).size() == Reference().size());
-  // what robots hear is what moves them: without noise they go elsewhere
+  // readings affect the motion: without noise robots take other paths
   CTestWorld quiet(CommsSwarm(kRobots, false));
   CHECK(Run(quiet) != Reference());
 }
 
-TEST_CASE("no allocation: neither does a tick of robots that talk", "[determinism][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
+TEST_CASE("no allocation: a tick of communicating robots in steady state allocates nothing",
+          "[determinism][allocation]") {
+  WarnUnlessAllocationsAreCounted();
   const UInt32 threads = GENERATE(0U, 2U);
   const std::string method = GENERATE("balance_quantity", "balance_length");
   SExperiment experiment = CommsSwarm(200, true, "", false);
   experiment.Threads = threads;
   experiment.Method = method;
-  // an engine in which nothing moves: the test puts the robots where they are to be
+  // an engine without motion: the test moves the robots
   experiment.Engines = "<toy_engine id='engine'/>";
   CTestWorld world(experiment);
   const CSimulator::CScope scope(world.GetSimulator());
   size_t counted = 0;
   std::string first;
-  // a robot that hears more than ever before makes room for it: so every place twice
+  // A robot that receives more packets than ever before enlarges its list,
+  // so each place is visited twice.
   for (const bool isSettled : {false, true}) {
     world.GetSimulator().Reset();
     CRandomStream random(1, "test", "comms", "places");

@@ -20,8 +20,8 @@ namespace {
 
 constexpr Real kSpeed = 8.0;  // cm/s
 constexpr Real kPairSpacing = 1.2;  // m
-constexpr Real kReach = 0.19;  // m, from a robot to a load that it can grip
-constexpr UInt32 kPhase = 15;  // steps, between two orders of another kind
+constexpr Real kReach = 0.19;  // m, from a robot to a load within its reach
+constexpr UInt32 kPhase = 15;  // steps between changes of the gripper's and the turret's order
 constexpr Real kFlyerSpacing = 0.9;  // m
 
 std::string Device(const std::string& tag, const std::string& implementation,

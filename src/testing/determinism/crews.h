@@ -18,14 +18,14 @@ class CCI_PositioningSensor;
 class CCI_QuadRotorPositionActuator;
 class CCI_QuadRotorSpeedActuator;
 
-/** A controller that keeps a digest of all that its robot has read since the start. */
+/** A controller that keeps a digest of all readings since the start. */
 class CRecorder : public CCI_Controller {
  public:
   void Reset() override;
   UInt64 GetRead() const { return m_read.GetValue(); }
 
  protected:
-  /** @return what was read. */
+  /** Adds a reading to the digest. @return the reading. */
   Real Read(Real reading);
   UInt32 GetStep() const { return m_step; }
   void CountStep() { ++m_step; }
@@ -35,7 +35,7 @@ class CRecorder : public CCI_Controller {
   UInt32 m_step = 0;
 };
 
-/** "holder": grips, lets go, turns its turret and drives about, by where the turret points. */
+/** "holder": grips, releases, turns its turret and drives, depending on the turret's rotation. */
 class CHolder : public CRecorder {
  public:
   void Init(TConfigurationNode& params) override;
@@ -48,24 +48,26 @@ class CHolder : public CRecorder {
   const CCI_FootBotTurretEncoderSensor* m_encoder = nullptr;
 };
 
-/** "flyer": flies, by places or by speeds, where its sensors send it. */
+/** "flyer": flies by position or speed orders that depend on its sensors. */
 class CFlyer : public CRecorder {
  public:
   void Init(TConfigurationNode& params) override;
   void ControlStep() override;
 
  private:
-  CCI_QuadRotorPositionActuator* m_places = nullptr;  // or null: it flies by speeds
-  CCI_QuadRotorSpeedActuator* m_speeds = nullptr;  // or null
+  CCI_QuadRotorPositionActuator* m_places = nullptr;  // null if it flies by speed orders
+  CCI_QuadRotorSpeedActuator* m_speeds = nullptr;  // null if it flies by position orders
   const CCI_EyeBotProximitySensor* m_proximity = nullptr;
   const CCI_EyeBotLightSensor* m_light = nullptr;
   const CCI_PositioningSensor* m_pose = nullptr;
   const CCI_ColoredBlobPerspectiveCameraSensor* m_camera = nullptr;
 };
 
-/** Pairs of foot-bots with a load between them; with all noise if @p noisy. */
+/** Pairs of foot-bots with a load between them; with all kinds of noise if @p noisy. */
 SExperiment Holders(UInt32 pairs, bool noisy);
-/** Eye-bots over lamps; half of them fly by places. With all noise if @p noisy. */
+/**
+ * Eye-bots above lamps; half of them fly by position orders. With all kinds of noise if @p noisy.
+ */
 SExperiment Flyers(UInt32 robots, bool noisy);
 
 }  // namespace argos

@@ -1,4 +1,4 @@
-// Robots that hold things, and robots that fly: what they read decides what they do.
+// Gripping robots and flying robots: readings determine their actions.
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
@@ -17,11 +17,11 @@ namespace {
 constexpr UInt32 kTicks = 100;
 
 SExperiment Crew(bool flies, bool noisy) {
-  // more robots than one thread handles in a row
+  // more robots than a thread processes in a run
   return flies ? Flyers(70, noisy) : Holders(35, noisy);
 }
 
-// of the world after each tick, and in the end of all that each robot read
+// digests of the world after each tick, followed by the digest of each robot's readings
 std::vector<UInt64> Run(CTestWorld& world) {
   std::vector<UInt64> digests = {world.ComputeDigest()};
   for (UInt32 tick = 0; tick < kTicks; ++tick) {
@@ -48,7 +48,7 @@ const std::vector<UInt64>& Reference(bool flies) {
 
 }  // namespace
 
-TEST_CASE("crews: every tick is the same for every number of threads, also after a reset",
+TEST_CASE("crews: every tick is equal for any number of threads, also after a reset",
           "[determinism][sensors]") {
   const bool flies = GENERATE(false, true);
   const UInt32 threads = GENERATE(0U, 1U, 4U);
@@ -61,7 +61,7 @@ TEST_CASE("crews: every tick is the same for every number of threads, also after
   CHECK(Run(world) == Reference(flies));
 }
 
-TEST_CASE("crews: what they read decides, and differs between them", "[determinism][sensors]") {
+TEST_CASE("crews: readings affect the run and differ between robots", "[determinism][sensors]") {
   const bool flies = GENERATE(false, true);
   CAPTURE(flies);
   CTestWorld world(Crew(flies, false));
@@ -71,7 +71,7 @@ TEST_CASE("crews: what they read decides, and differs between them", "[determini
   CHECK(Reference(flies)[kTicks + 1] != Reference(flies)[kTicks + 2]);
 }
 
-TEST_CASE("crews: loads are held and let go", "[determinism][sensors]") {
+TEST_CASE("crews: loads are gripped and released", "[determinism][sensors]") {
   CTestWorld world(Holders(35, true));
   size_t held = 0;
   size_t changes = 0;
@@ -87,15 +87,12 @@ TEST_CASE("crews: loads are held and let go", "[determinism][sensors]") {
     }
     before = now;
   }
-  // the 70 robots hold something a third of the time, and each takes and lets go once
+  // the 70 robots hold something a third of the time, and each grips and releases at least once
   CHECK(held > 70 * kTicks / 3);
   CHECK(changes > 70 * 2);
 }
 
-TEST_CASE("crews: a settled tick allocates nothing", "[determinism][sensors][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
+TEST_CASE("crews: a tick in steady state allocates nothing", "[determinism][sensors][allocation]") {
   const bool flies = GENERATE(false, true);
   const UInt32 threads = GENERATE(0U, 2U);
   const bool noisy = GENERATE(true, false);

@@ -1,5 +1,5 @@
-// Foot-bots, e-pucks and eye-bots with every device that they can have, all of them in use: what
-// they sense decides what they do.
+// Foot-bots, e-pucks and eye-bots with every device that they support, all in use: readings
+// determine their actions.
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
@@ -18,7 +18,7 @@ using namespace argos;
 
 namespace {
 
-constexpr UInt32 kRobots = 150;  // more than two runs of robots that one thread handles in a row
+constexpr UInt32 kRobots = 150;  // more than two runs of robots that a thread processes
 constexpr UInt32 kTicks = 60;
 
 SExperiment Experiment(bool noisy = true) {
@@ -32,7 +32,7 @@ CDeviceUser& UserOf(CControllableEntity& robot) {
   return dynamic_cast<CDeviceUser&>(robot.GetController());
 }
 
-// of the world after each tick, and in the end of all that each robot felt
+// digests of the world after each tick, followed by the digest of each robot's readings
 std::vector<UInt64> Run(CTestWorld& world) {
   std::vector<UInt64> digests = {world.ComputeDigest()};
   for (UInt32 tick = 0; tick < kTicks; ++tick) {
@@ -40,7 +40,7 @@ std::vector<UInt64> Run(CTestWorld& world) {
     digests.push_back(world.ComputeDigest());
   }
   for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
-    digests.push_back(UserOf(*robot).GetFelt());
+    digests.push_back(UserOf(*robot).GetReadingsDigest());
   }
   return digests;
 }
@@ -55,7 +55,7 @@ const std::vector<UInt64>& Reference() {
 
 }  // namespace
 
-TEST_CASE("all devices: every tick is the same for every number of threads and schedule",
+TEST_CASE("all devices: every tick is equal for any number of threads and schedule",
           "[determinism][threads][devices]") {
   const UInt32 threads = GENERATE(0U, 1U, 2U, 4U);
   const std::string method = GENERATE("balance_quantity", "balance_length");
@@ -64,7 +64,7 @@ TEST_CASE("all devices: every tick is the same for every number of threads and s
   experiment.Threads = threads;
   experiment.Method = method;
   CTestWorld world(experiment);
-  // also from the middle of a run
+  // also if the previous run was interrupted
   world.Step(13);
   world.GetSimulator().Reset();
   CHECK(Run(world) == Reference());
@@ -72,17 +72,18 @@ TEST_CASE("all devices: every tick is the same for every number of threads and s
   CHECK(Run(world) == Reference());
 }
 
-TEST_CASE("all devices: the runs that are compared are worth it", "[determinism][devices]") {
+TEST_CASE("all devices: the compared runs change in every tick, and with the noise",
+          "[determinism][devices]") {
   const std::vector<UInt64>& reference = Reference();
   CHECK(std::set<UInt64>(reference.begin(), reference.end()).size() == reference.size());
-  // noise changes what is felt in the first tick, and from the next one on what is done
+  // noise changes the readings of the first tick, and the actions from the next tick on
   CTestWorld quiet(Experiment(false));
   const std::vector<UInt64> digests = Run(quiet);
   CHECK(digests.front() == reference.front());
   CHECK(digests[2] != reference[2]);
   CHECK(digests.back() != reference.back());
 
-  // there was something to see for each type, and something was gripped
+  // robots of each type had readings of variable length, and something was gripped
   CTestWorld world(Experiment());
   std::map<std::string, size_t> seen;
   size_t held = 0;
@@ -102,22 +103,18 @@ TEST_CASE("all devices: the runs that are compared are worth it", "[determinism]
   CHECK(held > kTicks);
 }
 
-TEST_CASE("all devices: no tick allocates that repeats a settled one",
-          "[determinism][allocation][devices]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
+TEST_CASE("all devices: a repeated run allocates nothing", "[determinism][allocation][devices]") {
   const UInt32 threads = GENERATE(0U, 2U);
   const bool noisy = GENERATE(true, false);
   CAPTURE(threads, noisy);
   SDeviceWorld devices;
   devices.IsNoisy = noisy;
-  // a message that has bytes brings memory with it
+  // the bytes of a message are allocated by the controller
   devices.Parameters = "radio_bytes='0'";
   SExperiment experiment = devices.ToExperiment();
   experiment.Threads = threads;
   CTestWorld world(experiment);
-  // lists grow with what has ever been in view at once: the run is repeated, so all has been seen
+  // Lists keep their largest size. The run is repeated, so that they have reached it.
   world.Step(150);
   world.GetSimulator().Reset();
   world.Step(50);

@@ -48,16 +48,16 @@ std::string Controller(bool noisy) {
 
 }  // namespace
 
-template <typename SENSOR, typename FEEL>
-void CFeeler::Watch(const std::string& tag, FEEL feel) {
-  m_senses.push_back([this, feel, sensor = GetSensor<SENSOR>(tag)] { feel(*this, *sensor); });
+template <typename SENSOR, typename READ>
+void CFeeler::Watch(const std::string& tag, READ read) {
+  m_senses.push_back([this, read, sensor = GetSensor<SENSOR>(tag)] { read(*this, *sensor); });
 }
 
 template <typename SENSOR>
 void CFeeler::WatchNumbers(const std::string& tag) {
   Watch<SENSOR>(tag, [](CFeeler& robot, const SENSOR& sensor) {
     for (const Real reading : sensor.GetReadings()) {
-      robot.Feel(reading);
+      robot.AddReading(reading);
     }
   });
 }
@@ -66,7 +66,7 @@ template <typename SENSOR>
 void CFeeler::WatchValues(const std::string& tag) {
   Watch<SENSOR>(tag, [](CFeeler& robot, const SENSOR& sensor) {
     for (const auto& reading : sensor.GetReadings()) {
-      robot.Feel(reading.Value);
+      robot.AddReading(reading.Value);
     }
   });
 }
@@ -82,38 +82,38 @@ void CFeeler::Init(TConfigurationNode& /*params*/) {
   WatchValues<CCI_FootBotMotorGroundSensor>("footbot_motor_ground");
   WatchValues<CCI_FootBotBaseGroundSensor>("footbot_base_ground");
   Watch<CCI_AltitudeSensor>("altitude", [](CFeeler& robot, const CCI_AltitudeSensor& sensor) {
-    robot.Feel(sensor.GetReading());
+    robot.AddReading(sensor.GetReading());
   });
   Watch<CCI_BatterySensor>("battery", [](CFeeler& robot, const CCI_BatterySensor& sensor) {
-    robot.Feel(sensor.GetReading().AvailableCharge);
-    robot.m_felt.Add(sensor.GetReading().TimeLeft);
+    robot.AddReading(sensor.GetReading().AvailableCharge);
+    robot.m_readingsDigest.Add(sensor.GetReading().TimeLeft);
   });
   Watch<CCI_ClockSensor>("clock", [](CFeeler& robot, const CCI_ClockSensor& sensor) {
-    robot.Feel(sensor.GetReading().Time);
+    robot.AddReading(sensor.GetReading().Time);
   });
   Watch<CCI_DifferentialSteeringSensor>(
       "differential_steering", [](CFeeler& robot, const CCI_DifferentialSteeringSensor& sensor) {
-        robot.Feel(sensor.GetReading().VelocityLeftWheel);
+        robot.AddReading(sensor.GetReading().VelocityLeftWheel);
       });
   Watch<CCI_FootBotEncoderSensor>("footbot_encoder",
                                   [](CFeeler& robot, const CCI_FootBotEncoderSensor& sensor) {
-                                    robot.Feel(sensor.GetReading().CoveredDistanceRightWheel);
+                                    robot.AddReading(sensor.GetReading().CoveredDistanceRightWheel);
                                   });
   Watch<CCI_PositioningSensor>("positioning",
                                [](CFeeler& robot, const CCI_PositioningSensor& sensor) {
-                                 robot.Feel(sensor.GetReading().Position.GetX());
-                                 robot.Feel(sensor.GetReading().Orientation.GetZ());
+                                 robot.AddReading(sensor.GetReading().Position.GetX());
+                                 robot.AddReading(sensor.GetReading().Orientation.GetZ());
                                });
   Watch<CCI_FootBotDistanceScannerSensor>(
       "footbot_distance_scanner", [](CFeeler& robot, CCI_FootBotDistanceScannerSensor& sensor) {
         for (const auto& [angle, distance] : sensor.GetReadingsMap()) {
-          robot.Feel(angle.GetValue() * distance);
+          robot.AddReading(angle.GetValue() * distance);
         }
       });
 }
 
-void CFeeler::Feel(Real reading) {
-  m_felt.Add(reading);
+void CFeeler::AddReading(Real reading) {
+  m_readingsDigest.Add(reading);
   m_sum += reading;
 }
 

@@ -14,22 +14,24 @@ namespace argos {
 class CCI_DifferentialSteeringActuator;
 class CCI_FootBotDistanceScannerActuator;
 
-/** "feeler": drives by the sum of all that a foot-bot feels: light, ground, bodies, motion, charge.
+/**
+ * "feeler": drives by the sum of all readings of a foot-bot: light,
+ * ground, proximity, motion, charge.
  */
 class CFeeler : public CCI_Controller {
  public:
   void Init(TConfigurationNode& params) override;
   void ControlStep() override;
-  void Reset() override { m_felt = CDigest(); }
+  void Reset() override { m_readingsDigest = CDigest(); }
 
-  /** Of every reading since the start. */
-  UInt64 GetFelt() const { return m_felt.GetValue(); }
+  /** Digest of every reading since the start. */
+  UInt64 GetReadingsDigest() const { return m_readingsDigest.GetValue(); }
 
  private:
-  void Feel(Real reading);
-  // each step: feel(*this, sensor)
-  template <typename SENSOR, typename FEEL>
-  void Watch(const std::string& tag, FEEL feel);
+  void AddReading(Real reading);
+  // registers a call of read(*this, sensor) for each step
+  template <typename SENSOR, typename READ>
+  void Watch(const std::string& tag, READ read);
   template <typename SENSOR>
   void WatchNumbers(const std::string& tag);
   template <typename SENSOR>
@@ -38,11 +40,13 @@ class CFeeler : public CCI_Controller {
   CCI_DifferentialSteeringActuator* m_wheels = nullptr;
   CCI_FootBotDistanceScannerActuator* m_scanner = nullptr;
   std::vector<std::function<void()>> m_senses;
-  CDigest m_felt;
+  CDigest m_readingsDigest;
   Real m_sum = 0.0;
 };
 
-/** Foot-bots among pillars, under lights, on a painted floor; with all noise if @p noisy. */
+/**
+ * Foot-bots among pillars, under lights, on a painted floor; with all kinds of noise if @p noisy.
+ */
 SExperiment Feelers(UInt32 robots, bool noisy);
 
 }  // namespace argos

@@ -21,8 +21,8 @@ using namespace argos;
 
 namespace {
 
-// wanders by robot.random and math.random, and turns away from what it sees; what it does depends
-// on the order in which pairs() visits words
+// A random walk by robot.random and math.random that turns away from obstacles; it depends on the
+// order in which pairs() visits strings.
 constexpr const char* kScript = R"(
 local words = {}
 function init()
@@ -52,7 +52,7 @@ end
 function destroy() end
 )";
 
-// moves robots, lights and LEDs about, adds and removes boxes
+// moves robots, lights and LEDs, adds and removes boxes
 constexpr const char* kLoopScript = R"(
 function post_step()
   local ids = simulation.ids("foot-bot")
@@ -72,7 +72,7 @@ function post_step()
 end
 )";
 
-/** Files of scripts for all tests of this file, which run in processes of their own. */
+/** Script files for all tests of this file, which run in processes of their own. */
 class CScripts {
  public:
   CScripts() {
@@ -125,14 +125,14 @@ std::vector<UInt64> Run(CTestWorld& world, UInt32 ticks) {
 
 }  // namespace
 
-TEST_CASE("determinism: Lua robots and loop functions do the same with any number of threads",
+TEST_CASE("determinism: Lua robots and loop functions give equal results for any number of threads",
           "[determinism][lua][threads]") {
   const CScripts scripts;
   constexpr UInt32 kRobots = 200;
   constexpr UInt32 kTicks = 60;
   CTestWorld reference(Swarm(scripts, kRobots, 0));
   const std::vector<UInt64> expected = Run(reference, kTicks);
-  // something changes in every tick
+  // the digest changes in every tick
   CHECK(std::set<UInt64>(expected.begin(), expected.end()).size() == expected.size());
   for (const UInt32 threads : {0U, 1U, 4U}) {
     CAPTURE(threads);
@@ -143,10 +143,10 @@ TEST_CASE("determinism: Lua robots and loop functions do the same with any numbe
   CHECK(Run(other, 5).back() != expected[5]);
 }
 
-TEST_CASE("determinism: a run of Lua robots repeats itself after a reset", "[determinism][lua]") {
+TEST_CASE("determinism: a run of Lua robots repeats after a reset", "[determinism][lua]") {
   const CScripts scripts;
   SExperiment experiment = Swarm(scripts, 50, 2);
-  // what loop functions have added stays after a reset, so this is without them
+  // entities added by loop functions stay after a reset, so this run is without loop functions
   experiment.LoopFunctions = "";
   CTestWorld world(experiment);
   const std::vector<UInt64> first = Run(world, 40);
@@ -154,7 +154,7 @@ TEST_CASE("determinism: a run of Lua robots repeats itself after a reset", "[det
   CHECK(Run(world, 40) == first);
 }
 
-TEST_CASE("determinism: simulators with Lua robots do not disturb each other",
+TEST_CASE("determinism: simulators with Lua robots do not affect each other",
           "[determinism][lua][threads]") {
   const CScripts scripts;
   CTestWorld reference(Swarm(scripts, 30, 0));
@@ -199,6 +199,6 @@ TEST_CASE("lua: two thousand robots run their scripts", "[determinism][lua]") {
     const Real distance = Distance(before[i], after[i]);
     moved += distance > 0.01 ? 1 : 0;
   }
-  // one robot on 0.2 m^2, each 0.17 m across: a few are hemmed in, by far the most are not
+  // Each robot is 0.17 m across and has 0.2 m^2, so a few are blocked, but most are not.
   CHECK(moved > 1800);
 }

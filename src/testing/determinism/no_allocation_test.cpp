@@ -20,22 +20,18 @@ namespace {
 constexpr UInt32 kWarmUpTicks = 200;
 constexpr UInt32 kCountedTicks = 100;
 
-// what a world allocates in its next ticks
+// checks that a world allocates nothing in its next ticks
 void CheckTicks(CTestWorld& world, UInt32 ticks) {
   CheckAllocatesNothing([&] { world.Step(ticks); });
 }
 
 void CheckSettledTicks(const std::string& xml, UInt32 warmUpTicks) {
-  if (!CAllocationCount::IsAvailable()) {
-    WARN("skipped: allocations cannot be counted with this C library");
-    return;
-  }
   CTestWorld world(xml);
   world.Step(warmUpTicks);
   CheckTicks(world, kCountedTicks);
 }
 
-// the engine in which each robot's body is
+// the engine that contains each robot's body
 std::vector<const CPhysicsEngine*> ListEngines(CTestWorld& world) {
   std::vector<const CPhysicsEngine*> engines;
   for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
@@ -47,7 +43,7 @@ std::vector<const CPhysicsEngine*> ListEngines(CTestWorld& world) {
 
 }  // namespace
 
-TEST_CASE("no allocation: a settled tick of the benchmark allocates nothing",
+TEST_CASE("no allocation: a tick of the benchmark in steady state allocates nothing",
           "[determinism][allocation]") {
   const UInt32 threads = GENERATE(0U, 2U);
   const std::string method = GENERATE("balance_quantity", "balance_length");
@@ -63,7 +59,7 @@ TEST_CASE("no allocation: a settled tick of the benchmark allocates nothing",
   CheckSettledTicks(rooms.ToXML(), kWarmUpTicks);
 }
 
-TEST_CASE("no allocation: neither does one of noisy robots that push things",
+TEST_CASE("no allocation: a tick of noisy robots that push objects allocates nothing",
           "[determinism][allocation]") {
   const UInt32 threads = GENERATE(0U, 2U);
   const std::string engine = GENERATE("dynamics2d", "kinematics2d");
@@ -73,19 +69,17 @@ TEST_CASE("no allocation: neither does one of noisy robots that push things",
   CheckSettledTicks(experiment.ToXml(), 500);
 }
 
-TEST_CASE("no allocation: neither do robots that cross between engines",
+TEST_CASE("no allocation: ticks with robots that cross between engines allocate nothing",
           "[determinism][allocation]") {
   const UInt32 threads = GENERATE(0U, 2U);
   const std::string engine = GENERATE("dynamics2d", "kinematics2d");
   CAPTURE(threads, engine);
-  // crowded enough for contacts, so that robots with and without a Box2D body cross, and crates
+  // dense enough for contacts, so that robots with and without a Box2D
+  // body cross borders, and crates too
   SExperiment experiment = Swarm(200, 2, false, engine);
   experiment.Threads = threads;
   CTestWorld world(experiment);
   world.Step(500);
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
   size_t crossings = 0;
   for (int part = 0; part < 50; ++part) {
     const auto before = ListEngines(world);
@@ -95,11 +89,11 @@ TEST_CASE("no allocation: neither do robots that cross between engines",
       crossings += before[i] != after[i] ? 1 : 0;
     }
   }
-  // several in each engine
+  // several per engine
   CHECK(crossings > 40);
 }
 
-TEST_CASE("no allocation: neither do moving robots with LEDs in a medium",
+TEST_CASE("no allocation: a tick of moving robots with LEDs in a medium allocates nothing",
           "[determinism][allocation]") {
   const std::string index = GENERATE("grid", "hash");
   CAPTURE(index);
@@ -116,7 +110,7 @@ TEST_CASE("no allocation: neither do moving robots with LEDs in a medium",
   CTestWorld world(experiment);
   REQUIRE(world.GetSpace().GetEntitiesByType("foot-bot").size() == 1000);
   world.Step(kWarmUpTicks);
-  // all are somewhere else when the counted ticks are over, and some LEDs are lit
+  // all robots move during the counted ticks, and some LEDs are lit
   const auto places = [&world] {
     std::vector<CVector3> positions;
     for (const auto& [id, robot] : world.GetSpace().GetEntitiesByType("foot-bot")) {
@@ -127,9 +121,7 @@ TEST_CASE("no allocation: neither do moving robots with LEDs in a medium",
     return positions;
   };
   const auto before = places();
-  if (CAllocationCount::IsAvailable()) {
-    CheckTicks(world, kCountedTicks);
-  }
+  CheckTicks(world, kCountedTicks);
   const auto after = places();
   size_t moved = 0;
   for (size_t i = 0; i < before.size(); ++i) {

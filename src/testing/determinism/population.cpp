@@ -32,7 +32,7 @@ constexpr size_t kRABBytes = 4;
 
 const char* const kRobots[] = {"foot-bot", "e-puck", "eye-bot"};
 
-// how many entities of a medium belong to each root entity, as its index has them
+// number of entities in the index of a medium that belong to each root entity
 template <typename ENTITY, typename MEDIUM>
 std::map<std::string, size_t> CountOwners(CTestWorld& world, const std::string& medium) {
   class CCount : public CPositionalIndex<ENTITY>::COperation {
@@ -209,7 +209,7 @@ void CPopulation::CheckMedia() {
   }
   CHECK(CountOwners<CDirectionalLEDEntity, CDirectionalLEDMedium>(m_world, "directional_leds") ==
         carriers);
-  // whom the robots hear: nobody who is gone
+  // robots receive packets of existing robots only
   auto& medium = m_world.GetSimulator().GetMedium<CRABMedium>("rab");
   for (const std::string& id : GetRobotIds()) {
     auto& device =

@@ -14,19 +14,19 @@
 namespace argos {
 
 /**
- * Adds robots to a device world, and removes them, while it runs, and knows who should be there.
+ * Adds robots to a device world and removes them during a run, and tracks the expected ids.
  *
  * Foot-bots have ids that start with "fb", e-pucks with "ep", and eye-bots with "eb". The world has
  * the controllers "user_<robot>" and "bare_<robot>".
  */
 class CPopulation {
  public:
-  /** Those that are in the world count already. */
+  /** Includes the robots that are in the world already. */
   explicit CPopulation(CTestWorld& world);
 
-  /** As the file does it: a robot that carries all that it can. @param yaw degrees. */
+  /** Adds a robot from XML, with all components that it can carry. @param yaw degrees. */
   void AddFromText(const std::string& id, const CVector3& position, Real yaw);
-  /** As programs do it, with a constructor of the robot's class. @param yaw degrees. */
+  /** Adds a robot by the constructor of its class. @param yaw degrees. */
   void AddFromProgram(const std::string& id, const CVector3& position, Real yaw);
   void Remove(const std::string& id);
 
@@ -36,8 +36,8 @@ class CPopulation {
   CDeviceUser& GetUser(const std::string& id);
 
   /**
-   * Checks that the space's lists, the body index, the engines and the media know exactly those
-   * that should be there.
+   * Checks that the space's lists, the body index, the engines and the media
+   * contain exactly the expected robots.
    */
   void CheckViews();
 
@@ -50,11 +50,11 @@ class CPopulation {
   CTestWorld& m_world;
   CSimulator::CScope m_scope;
   std::vector<std::string> m_ids;
-  std::vector<std::string> m_gone;  // ids of some that were removed
-  std::deque<CConfigurationDocument> m_documents;  // outlive what is made from them
+  std::vector<std::string> m_gone;  // ids of some removed robots
+  std::deque<CConfigurationDocument> m_documents;  // these outlive the entities created from them
 };
 
-/** The label of the robot that has such an id; empty for other entities. */
+/** Type of the robot with that id; empty for other entities. */
 std::string RobotOf(const std::string& id);
 
 }  // namespace argos

@@ -1,4 +1,4 @@
-// A run that switches things on and off, and is reset.
+// A reset after a run in which components were enabled and disabled.
 
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
@@ -27,8 +27,8 @@ CCI_Sensor& Eyes(CTestWorld& world, int number) {
   return *controller.GetAllSensors().at("footbot_proximity");
 }
 
-// what loop functions and controllers may switch, at different times
-void Meddle(CTestWorld& world, UInt32 tick) {
+// enables and disables components as loop functions and controllers may do, at different times
+void SwitchComponents(CTestWorld& world, UInt32 tick) {
   if (tick == 20) {
     FootBot(world, 0).Disable();
     FootBot(world, 1).GetComponent<CControllableEntity>("controller").Disable();
@@ -45,11 +45,11 @@ void Meddle(CTestWorld& world, UInt32 tick) {
   }
 }
 
-std::vector<UInt64> Run(CTestWorld& world, bool meddle) {
+std::vector<UInt64> Run(CTestWorld& world, bool switchesComponents) {
   std::vector<UInt64> digests = {world.ComputeDigest()};
   for (UInt32 tick = 0; tick < kTicks; ++tick) {
-    if (meddle) {
-      Meddle(world, tick);
+    if (switchesComponents) {
+      SwitchComponents(world, tick);
     }
     world.Step();
     digests.push_back(world.ComputeDigest());
@@ -57,7 +57,7 @@ std::vector<UInt64> Run(CTestWorld& world, bool meddle) {
   return digests;
 }
 
-// the LEDs of the medium in the order in which cameras are shown them, and where they are
+// the LEDs of the medium, in the order in which cameras visit them, and their positions
 std::vector<std::pair<std::string, CVector3>> ListLEDs(CTestWorld& world) {
   class CList : public CPositionalIndex<CLEDEntity>::COperation {
    public:
@@ -71,7 +71,7 @@ std::vector<std::pair<std::string, CVector3>> ListLEDs(CTestWorld& world) {
   return list.LEDs;
 }
 
-// whether each entity of the space is enabled, in order
+// the enabled state of each entity of the space, in order
 std::vector<bool> ListEnabled(CTestWorld& world) {
   std::vector<bool> enabled;
   for (const CEntity* entity : world.GetSpace().GetEntityVector()) {
@@ -82,7 +82,7 @@ std::vector<bool> ListEnabled(CTestWorld& world) {
 
 }  // namespace
 
-TEST_CASE("reset: a run that switches things on and off repeats itself", "[determinism][reset]") {
+TEST_CASE("reset: a run in which components were switched repeats", "[determinism][reset]") {
   const UInt32 threads = GENERATE(0U, 4U);
   SExperiment experiment = Swarm(10);
   experiment.Threads = threads;
@@ -93,9 +93,9 @@ TEST_CASE("reset: a run that switches things on and off repeats itself", "[deter
   const std::vector<UInt64> plain = Run(untouched, false);
 
   CTestWorld world(experiment);
-  const std::vector<UInt64> meddled = Run(world, true);
-  CHECK(std::equal(plain.begin(), plain.begin() + 21, meddled.begin()));
-  CHECK(meddled[22] != plain[22]);
+  const std::vector<UInt64> switched = Run(world, true);
+  CHECK(std::equal(plain.begin(), plain.begin() + 21, switched.begin()));
+  CHECK(switched[22] != plain[22]);
   CHECK(ListEnabled(world) != enabled);
   CHECK(ListLEDs(world) != leds);
   CHECK_FALSE(Eyes(world, 4).IsEnabled());
@@ -104,15 +104,15 @@ TEST_CASE("reset: a run that switches things on and off repeats itself", "[deter
     CHECK(ListEnabled(world) == enabled);
     CHECK(ListLEDs(world) == leds);
     CHECK(Eyes(world, 4).IsEnabled());
-    // its LEDs use it, the run used it once more
+    // enabled LEDs use the anchor; the use added during the run is gone
     CHECK(FootBot(world, 4).GetEmbodiedEntity().GetAnchor("turret").InUseCount == 1);
-    CHECK(Run(world, true) == meddled);
+    CHECK(Run(world, true) == switched);
   }
   world.GetSimulator().Reset();
   CHECK(Run(world, false) == plain);
 }
 
-TEST_CASE("reset: anchors are in use as often as at the start", "[determinism][reset]") {
+TEST_CASE("reset: the use counts of anchors are those of the start", "[determinism][reset]") {
   CTestWorld world(Swarm(10, 1, false));
   CEmbodiedEntity& body = FootBot(world, 0).GetEmbodiedEntity();
   SAnchor& turret = body.GetAnchor("turret");
@@ -126,14 +126,13 @@ TEST_CASE("reset: anchors are in use as often as at the start", "[determinism][r
   CHECK(turret.InUseCount == 0);
   CHECK(origin.InUseCount == uses);
   CHECK(body.GetEnabledAnchors() == std::vector<SAnchor*>{&origin});
-  // an anchor that was added in the run was not in use at the start
+  // an anchor added during the run was not in use at the start
   body.AddAnchor("late").Enable();
   world.GetSimulator().Reset();
   CHECK_FALSE(body.IsAnchorEnabled("late"));
 }
 
-TEST_CASE("reset: what was disabled when the run started is disabled again",
-          "[determinism][reset]") {
+TEST_CASE("reset: components disabled at the start are disabled again", "[determinism][reset]") {
   SRobotExperiment experiment;
   experiment.Arena =
       "<box id='dark' size='1,1,1' movable='false'><body position='3,0,0'/></box>"
@@ -145,7 +144,7 @@ TEST_CASE("reset: what was disabled when the run started is disabled again",
   dark.AddLED(CVector3(0.0, 0.5, 1.0), CColor::BLUE);
   const auto leds = ListLEDs(world);
   REQUIRE(leds.size() == 1);
-  // half a metre ahead of the box's centre, and 0.2 m above its base
+  // half a metre ahead of the box's centre and 0.2 m above its base
   CHECK(leds[0].second == CVector3(1.5, 2.0, 0.2));
 
   dark.EnableLEDs(world.GetSimulator().GetMedium<CLEDMedium>("leds"));
@@ -159,7 +158,7 @@ TEST_CASE("reset: what was disabled when the run started is disabled again",
   CHECK_FALSE(dark.GetLEDEquippedEntity().GetLED(0).IsEnabled());
 }
 
-TEST_CASE("reset: LEDs that become entities while they are off are on again",
+TEST_CASE("reset: LED entities created while the LEDs are off are enabled again",
           "[determinism][reset]") {
   SExperiment experiment = Swarm(10, 1, false);
   CTestWorld world(experiment);
@@ -172,7 +171,8 @@ TEST_CASE("reset: LEDs that become entities while they are off are on again",
   CHECK(leds.GetLED(3).IsEnabled());
 }
 
-TEST_CASE("reset: a robot added in the run starts as it was added", "[determinism][reset]") {
+TEST_CASE("reset: a robot added during the run starts in the state in which it was added",
+          "[determinism][reset]") {
   SRobotExperiment experiment;
   experiment.Sensors = "<footbot_proximity implementation='default'/>";
   experiment.Arena = Robot("foot-bot", "a", "position='0,0,0'");
@@ -188,11 +188,11 @@ TEST_CASE("reset: a robot added in the run starts as it was added", "[determinis
   world.GetSimulator().Reset();
   CHECK(added.IsEnabled());
   CHECK(added.GetComponent("wheels").IsEnabled());
-  // nobody asked for them: they start disabled
+  // no device uses the LEDs: they start disabled
   CHECK_FALSE(added.GetLEDEquippedEntity().IsEnabled());
   CHECK(eyes.IsEnabled());
 
-  // a new controller stays, with what it enabled
+  // a new controller is kept, with the components that it has enabled
   eyes.Disable();
   added.GetComponent<CControllableEntity>("controller").SetController("c");
   added.Disable();

@@ -8,7 +8,7 @@ namespace argos {
 namespace {
 
 constexpr Real kSpeed = 12.0;  // cm/s
-constexpr Real kNear = 0.15;  // summed-up reading that means an obstacle
+constexpr Real kNear = 0.15;  // sum of readings that counts as an obstacle
 
 std::string Controllers(bool withLEDs) {
   const std::string leds = withLEDs ? "<leds implementation='default' medium='leds' />" : "";
@@ -66,7 +66,7 @@ std::string Engines(const std::string& type, Real side, UInt32 perSide) {
   if (perSide == 1) {
     return "<" + type + " id='engine' />";
   }
-  // the outer ones reach beyond the walls
+  // the outer engines extend beyond the walls
   const Real outer = 0.5 * side + 1.0;
   const auto edge = [&](UInt32 i) {
     return i == 0 ? -outer : (i == perSide ? outer : -0.5 * side + i * side / perSide);

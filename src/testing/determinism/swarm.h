@@ -11,7 +11,10 @@
 
 namespace argos {
 
-/** "walker": wanders and shows what it does; every device it has is noisy where it can be. */
+/**
+ * "walker": a random walk with LEDs that show its state; every device
+ * has noise if it supports noise.
+ */
 class CWalker : public CCI_Controller {
  public:
   void Init(TConfigurationNode& params) override;
@@ -31,8 +34,8 @@ class CWalker : public CCI_Controller {
 };
 
 /**
- * Foot-bots and e-pucks, half each, that wander among walls, boxes and cylinders, fixed and
- * movable. The arena grows with their number: one robot on 0.16 m^2.
+ * Foot-bots and e-pucks, half each, that walk among walls, boxes and cylinders, fixed and movable.
+ * The size of the arena is 0.16 m^2 per robot.
  * @param enginesPerSide  1, or 2 for four engines side by side.
  * @param withLEDs        the robots light their LEDs.
  * @param engine          the type of the engines.

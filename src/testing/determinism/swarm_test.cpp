@@ -25,7 +25,7 @@ struct SSize {
   std::string Engine = "dynamics2d";
 };
 
-// ten robots for long, a thousand for short, and the same over four engines
+// ten robots for a long time, a thousand for a short time, and both in four engines
 const std::vector<SSize> kSizes = {{10, 1, 200},
                                    {1000, 1, 50},
                                    {10, 2, 200},
@@ -43,7 +43,7 @@ std::vector<UInt64> Run(CTestWorld& world, UInt32 ticks) {
   return digests;
 }
 
-// computed once for each size: the main thread does all
+// computed once for each size, by the main thread alone
 const std::vector<UInt64>& Reference(const SSize& size) {
   static std::map<std::tuple<UInt32, UInt32, std::string>, std::vector<UInt64>> references;
   std::vector<UInt64>& reference = references[{size.Robots, size.EnginesPerSide, size.Engine}];
@@ -54,7 +54,7 @@ const std::vector<UInt64>& Reference(const SSize& size) {
   return reference;
 }
 
-// the first tick in which two runs differ; the number of digests if they never do
+// the first tick in which two runs differ; the number of digests if they are equal
 size_t FirstDifference(const std::vector<UInt64>& a, const std::vector<UInt64>& b) {
   REQUIRE(a.size() == b.size());
   size_t tick = 0;
@@ -70,7 +70,7 @@ void CheckSame(const std::vector<UInt64>& digests, const SSize& size) {
 
 }  // namespace
 
-TEST_CASE("determinism: every tick is the same to the bit for every number of threads and schedule",
+TEST_CASE("determinism: every tick is equal bit by bit for any number of threads and schedule",
           "[determinism][threads]") {
   const SSize size = GENERATE(from_range(kSizes));
   const UInt32 threads = GENERATE(0U, 1U, 2U, 4U, 15U);
@@ -83,14 +83,14 @@ TEST_CASE("determinism: every tick is the same to the bit for every number of th
   CheckSame(Run(world, size.Ticks), size);
 }
 
-TEST_CASE("determinism: after a reset the run repeats itself", "[determinism]") {
+TEST_CASE("determinism: after a reset the run repeats", "[determinism]") {
   const SSize size = GENERATE(from_range(kSizes));
   const UInt32 threads = GENERATE(0U, 4U);
   CAPTURE(size.Engine, size.Robots, size.EnginesPerSide, threads);
   SExperiment experiment = Swarm(size.Robots, size.EnginesPerSide, true, size.Engine);
   experiment.Threads = threads;
   CTestWorld world(experiment);
-  // also from the middle of a run, and twice
+  // also if the previous run was interrupted, and a second time
   world.Step(size.Ticks / 3);
   world.GetSimulator().Reset();
   CheckSame(Run(world, size.Ticks), size);
@@ -98,19 +98,20 @@ TEST_CASE("determinism: after a reset the run repeats itself", "[determinism]") 
   CheckSame(Run(world, size.Ticks), size);
 }
 
-TEST_CASE("determinism: the runs that are compared are worth it", "[determinism]") {
+TEST_CASE("determinism: the compared runs change in every tick, and with the seed",
+          "[determinism]") {
   for (const SSize& size : kSizes) {
     CAPTURE(size.Engine, size.Robots, size.EnginesPerSide);
-    // something changes in every tick
+    // the digest changes in every tick
     const std::vector<UInt64>& reference = Reference(size);
     CHECK(std::set<UInt64>(reference.begin(), reference.end()).size() == reference.size());
-    // and with another seed everything is different
+    // with another seed every digest differs
     SExperiment experiment = Swarm(size.Robots, size.EnginesPerSide, true, size.Engine);
     experiment.Seed = 2;
     CTestWorld world(experiment);
     CHECK(world.ComputeDigest() != reference.front());
   }
-  // robots cross from engine to engine
+  // robots cross between engines
   CTestWorld world(Swarm(1000, 2));
   const auto engines = [&] {
     std::vector<const CPhysicsEngine*> found;
@@ -131,13 +132,13 @@ TEST_CASE("determinism: the runs that are compared are worth it", "[determinism]
   CHECK(std::set<const CPhysicsEngine*>(after.begin(), after.end()).size() == 4);
 }
 
-TEST_CASE("determinism: looking at a run does not change it", "[determinism]") {
+TEST_CASE("determinism: queries do not change the run", "[determinism]") {
   const SSize size = kSizes[0];
   CTestWorld world(Swarm(size.Robots, size.EnginesPerSide, true, size.Engine));
   std::vector<UInt64> digests = {world.ComputeDigest()};
   for (UInt32 tick = 0; tick < size.Ticks; ++tick) {
     world.Step();
-    // builds the users' lists, and makes the LED entities
+    // creates the lists for users and the LED entities
     REQUIRE(world.GetSpace().GetEntitiesByType("led").size() >= 5 * 13 + 5 * 8);
     REQUIRE(world.GetSpace().GetNumberEntities() > 100);
     digests.push_back(world.ComputeDigest());
@@ -145,7 +146,7 @@ TEST_CASE("determinism: looking at a run does not change it", "[determinism]") {
   CheckSame(digests, size);
 }
 
-TEST_CASE("determinism: simulators that run at the same time do not disturb each other",
+TEST_CASE("determinism: simulators that run concurrently do not affect each other",
           "[determinism][threads]") {
   const SSize size = kSizes[0];
   Reference(size);
@@ -155,7 +156,7 @@ TEST_CASE("determinism: simulators that run at the same time do not disturb each
     threads.emplace_back([&, i] {
       SExperiment experiment = Swarm(size.Robots, size.EnginesPerSide, true, size.Engine);
       experiment.Threads = static_cast<UInt32>(i);
-      // all of them load a library, though only one can be the first
+      // all of them load a library, although only one can be the first
       experiment.Controllers += "<epuck_diffusion_controller id='unused' library='" +
                                 InBuildTree("experiments/libepuck_diffusion") + "' />";
       CTestWorld world(experiment);

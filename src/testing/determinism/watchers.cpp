@@ -52,7 +52,7 @@ std::string Controller(bool moving, bool noisy) {
   </watcher>)";
 }
 
-// what every robot carries
+// components of every robot
 const char* const kMounted = R"(
   <directional_leds medium='directional_leds'>
     <directional_led position='0.09,0,0.2' orientation='0,90,0' anchor='origin' observable_angle='70' color='red' />
@@ -104,7 +104,8 @@ CWatcher::SSights CWatcher::CountSights() const {
           SignalsIn(*m_cameras).size(), TagsIn(*m_cameras).size()};
 }
 
-// where the lights are, red ones most, and the middle of what the other cameras see
+// direction to the lights, weighted by colour, and mean positions in
+// the images of the other cameras
 CVector2 CWatcher::SumUpSights() const {
   CVector2 sum;
   for (const auto* blob : m_allAround->GetReadings().BlobList) {

@@ -15,13 +15,13 @@
 
 namespace argos {
 
-/** "watcher": goes where its cameras see lights, and shows which way it turns. */
+/** "watcher": drives towards lights seen by its cameras, and shows its direction by LEDs. */
 class CWatcher : public CCI_Controller {
  public:
-  /** Reads `moving`: false turns on the spot at a speed that does not depend on what it sees. */
+  /** Reads `moving`: if false, it turns in place at a speed that does not depend on readings. */
   void Init(TConfigurationNode& params) override;
   void ControlStep() override;
-  /** How much it sees of each kind. */
+  /** Number of readings of each kind. */
   struct SSights {
     size_t LEDs = 0;
     size_t Signals = 0;  // directional LEDs
@@ -45,7 +45,7 @@ class CWatcher : public CCI_Controller {
 };
 
 /**
- * Foot-bots in rows, with all cameras, LEDs and tags, noisy if @p noisy.
+ * Foot-bots in rows, with all cameras, LEDs and tags, with noise if @p noisy.
  * @param moving  see CWatcher::Init().
  */
 SExperiment Watchers(UInt32 robots, bool moving, bool noisy);

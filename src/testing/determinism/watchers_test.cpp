@@ -1,4 +1,4 @@
-// Robots with cameras: what they see decides what they do.
+// Robots with cameras: readings determine their actions.
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
@@ -11,7 +11,7 @@ using namespace argos;
 
 namespace {
 
-constexpr UInt32 kRobots = 130;  // more than two runs of robots that one thread handles in a row
+constexpr UInt32 kRobots = 130;  // more than two runs of robots that a thread processes
 constexpr UInt32 kTicks = 60;
 
 std::vector<UInt64> Run(CTestWorld& world) {
@@ -31,7 +31,7 @@ const std::vector<UInt64>& Reference() {
   return reference;
 }
 
-// of all robots
+// sum over all robots
 CWatcher::SSights CountSights(CTestWorld& world) {
   CWatcher::SSights sights;
   for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
@@ -45,7 +45,7 @@ CWatcher::SSights CountSights(CTestWorld& world) {
 
 }  // namespace
 
-TEST_CASE("watchers: every tick is the same for every number of threads and schedule",
+TEST_CASE("watchers: every tick is equal for any number of threads and schedule",
           "[determinism][cameras]") {
   const UInt32 threads = GENERATE(1U, 4U);
   const std::string method = GENERATE("balance_quantity", "balance_length");
@@ -63,24 +63,22 @@ TEST_CASE("watchers: every tick is the same for every number of threads and sche
   CHECK(Run(world) == Reference());
 }
 
-TEST_CASE("watchers: what cameras see decides", "[determinism][cameras]") {
-  // without noise the run is another one from the moment on in which readings differ
+TEST_CASE("watchers: readings of cameras affect the run", "[determinism][cameras]") {
+  // without noise the run differs from the first tick with other readings on
   CTestWorld world(Watchers(kRobots, true, false));
   const std::vector<UInt64> digests = Run(world);
   CHECK(digests.front() == Reference().front());
   CHECK(digests.back() != Reference().back());
 }
 
-TEST_CASE("watchers: a settled tick allocates nothing", "[determinism][cameras][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
+TEST_CASE("watchers: a tick in steady state allocates nothing",
+          "[determinism][cameras][allocation]") {
   const UInt32 threads = GENERATE(0U, 2U);
   CAPTURE(threads);
   SExperiment experiment = Watchers(30, false, true);
   experiment.Threads = threads;
   CTestWorld world(experiment);
-  // lists grow with what has ever been in view at once: the run is repeated, so all has been seen
+  // Lists keep their largest size. The run is repeated, so that they have reached it.
   world.Step(400);
   world.GetSimulator().Reset();
   world.Step(300);

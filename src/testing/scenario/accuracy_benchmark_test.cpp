@@ -1,8 +1,9 @@
-// The benchmark of accuracy: that its rows are whole, and that what they say of exact engines is
-// so.
+// Tests that the rows of the accuracy benchmark are complete, and their
+// values for exact engines are right.
 
 #include <argos3/testing/scenario/command_line/program_run.h>
 #include <argos3/testing/support/overlap.h>
+#include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
@@ -49,7 +50,7 @@ std::vector<TRow> ReadCsv(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("accuracy benchmark: a row for each engine and stepper, its numbers finite",
+TEST_CASE("accuracy benchmark: has a row with finite numbers for each engine and stepper",
           "[scenario][benchmark]") {
   const CTestFolder folder;
   const SProgramRun run = folder.RunProgram(
@@ -80,7 +81,8 @@ TEST_CASE("accuracy benchmark: a row for each engine and stepper, its numbers fi
       CHECK(std::isfinite(value));
       CHECK(value >= 0.0);
     }
-    // what the engines' READMEs promise of free robots in a minute: 1e-9 m, or 2 % of the path
+    // limits for free robots in a minute, from the READMEs of the
+    // engines: 1e-9 m, or 2 % of the path
     if (engine != "dynamics3d") {
       CHECK(std::stod(row.at("arc_error_mm")) <= 1e-6);
     } else if (row.at("stepper") != "iterative") {
@@ -90,7 +92,7 @@ TEST_CASE("accuracy benchmark: a row for each engine and stepper, its numbers fi
       CHECK(row.at("substeps") == "5");
     }
     if (hasCrowd) {
-      // 15 ticks after the start a crowd that is 3 mm from touching is pressed
+      // within 15 ticks robots with gaps of 3 mm press against each other
       CHECK(std::stod(row.at("crowd_touching_pct")) > 90.0);
     }
     if (engine == "kinematics2d") {
@@ -101,7 +103,7 @@ TEST_CASE("accuracy benchmark: a row for each engine and stepper, its numbers fi
   CHECK(rowsOf.size() == 6);
 }
 
-TEST_CASE("accuracy benchmark: what does not exist is refused", "[scenario][benchmark]") {
+TEST_CASE("accuracy benchmark: unknown engines are refused", "[scenario][benchmark]") {
   const CTestFolder folder;
   const SProgramRun run =
       folder.RunProgram("argos3_accuracy_benchmark", {"--engine", "dynamics4d"});
@@ -109,13 +111,12 @@ TEST_CASE("accuracy benchmark: what does not exist is refused", "[scenario][benc
   CHECK_THAT(run.Err, Catch::Matchers::Contains("dynamics4d"));
 }
 
-TEST_CASE("overlap: robots that lean are measured where they are nearest",
-          "[scenario][benchmark]") {
-  constexpr Real kRadius = 0.035;  // m, of an e-puck
+TEST_CASE("overlap: tilted robots are measured at their nearest ends", "[scenario][benchmark]") {
+  constexpr Real kRadius = kEPuckRadius;
   constexpr Real kHeight = 0.086;  // m
   const Real distance = GENERATE(0.075, 0.0775);
   CAPTURE(distance);
-  // the second one leans towards the first one, by 5 degrees
+  // the second robot tilts towards the first by 5 degrees
   SRobotExperiment experiment;
   experiment.Arena =
       Robot("e-puck", "a", "position='0,0,0'") +
@@ -127,7 +128,7 @@ TEST_CASE("overlap: robots that lean are measured where they are nearest",
   MeasureOverlaps(world.GetSpace(), overlaps);
   const Real depth = 2.0 * kRadius - (distance - kHeight * std::sin(5.0 * ARGOS_PI / 180.0));
   REQUIRE(overlaps.WithRobots.size() == 3);
-  // one distance leaves an overlap of 2.5 mm, the other a gap of 5 um
+  // the first distance gives an overlap of 2.5 mm, the second a gap of 5 um
   const std::vector<Real> expected = {std::max(0.0, depth / kRadius),
                                       std::max(0.0, depth / kRadius), 0.0};
   for (size_t i = 0; i < 3; ++i) {

@@ -1,4 +1,4 @@
-// The experiments that come with the simulator run, and show what they say.
+// The experiments of the distribution run and show the documented behaviour.
 
 #include "command_line/program_run.h"
 
@@ -28,7 +28,8 @@ std::vector<std::string> Experiments() {
   return files;
 }
 
-// as from the root of the source tree, but writing elsewhere
+// prepares the folder so that experiments run as in the root of the source
+// tree, with their output elsewhere
 void Prepare(const CTestFolder& folder) {
   fs::create_directory_symlink(InSourceTree("experiments"), folder.Path("experiments"));
   setenv("ARGOS_PLUGIN_PATH", InBuildTree("experiments").c_str(), 1);
@@ -42,7 +43,7 @@ SProgramRun RunFor(const CTestFolder& folder, const std::string& file, const std
 struct STrailsRun {
   int Ticks = 0;
   int Delivered = 0;
-  double Trail = 0.0;  // at the end
+  double Trail = 0.0;  // at the end of the run
 };
 
 STrailsRun RunTrails(const std::string& name, const std::string& controller,
@@ -80,7 +81,7 @@ std::string DigestIn(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("experiments: each runs, without a warning, the same with any number of threads",
+TEST_CASE("experiments: each runs without warnings, equally with any number of threads",
           "[experiments]") {
   const std::vector<std::string> files = Experiments();
   REQUIRE(files.size() > 10);
@@ -97,7 +98,7 @@ TEST_CASE("experiments: each runs, without a warning, the same with any number o
   }
 }
 
-TEST_CASE("experiments: foraging robots deliver food, and the data tell", "[experiments]") {
+TEST_CASE("experiments: foraging robots deliver food according to the data file", "[experiments]") {
   const CTestFolder folder;
   Prepare(folder);
   REQUIRE(RunFor(folder, "experiments/foraging.argos", "120", "0").Status == 0);
@@ -121,14 +122,15 @@ TEST_CASE("experiments: foraging robots deliver food, and the data tell", "[expe
     delivered = total;
   }
   CHECK(tick == 1200);
-  // twelve robots find at least a disc each in two minutes, on average every other brings it home
+  // each of twelve robots finds at least one disc in two minutes, and on
+  // average every second delivers it
   CHECK(delivered >= 5);
 }
 
-TEST_CASE("experiments: robots that lay trails fetch at least twice the food", "[experiments]") {
+TEST_CASE("experiments: robots that lay trails deliver at least twice the food", "[experiments]") {
   const auto [name, controller] = GENERATE(table<std::string, std::string>(
       {{"pheromone", "epuck_trails_controller"}, {"pheromone_lua", "lua_controller"}}));
-  // in fifteen runs with other seeds it was 2.6 to 4 times
+  // with fifteen other seeds the ratio was 2.6 to 4
   for (const std::string seed : {"1", "2", "3"}) {
     CAPTURE(name, seed);
     const STrailsRun with = RunTrails(name, controller, seed, "1");

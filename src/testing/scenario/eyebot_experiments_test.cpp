@@ -1,4 +1,4 @@
-// The experiments with eye-bots do what their files say.
+// The experiments with eye-bots show the behaviour documented in their files.
 
 #include <argos3/testing/support/experiment.h>
 #include <argos3/testing/support/paths.h>
@@ -21,7 +21,7 @@ namespace argos {
 
 namespace {
 
-// an experiment of the folder experiments, without its visualization; its libraries are loaded
+// an experiment without its visualization; its libraries are loaded first
 std::string TextOf(const std::string& experiment) {
   std::ifstream file(InSourceTree("experiments/" + experiment + ".argos"));
   std::stringstream text;
@@ -44,22 +44,22 @@ Real HorizontalDistance(const CVector3& a, const CVector3& b) {
 
 }  // namespace
 
-TEST_CASE("eye-bot experiments: one circles above a foot-bot that drives about", "[scenario]") {
+TEST_CASE("eye-bot experiments: an eye-bot circles above a driving foot-bot", "[scenario]") {
   CDynamicLoading::LoadLibrary(InBuildTree("experiments/libeyebot_circle"));
   CDynamicLoading::LoadLibrary(InBuildTree("experiments/libfootbot_diffusion"));
   CTestWorld world(TextOf("eyebot_circle"));
   const CVector3 start = PositionOf(world, "fb");
   world.Step(100);
-  Real turned = 0.0;  // of the line from the foot-bot to the eye-bot, rad
+  Real turned = 0.0;  // rotation of the line from the foot-bot to the eye-bot, rad
   Real farthest = 0.0;
   Real last = 0.0;
   for (int tick = 0; tick < 500; ++tick) {
     world.Step();
     const CVector3 below = PositionOf(world, "fb");
     const CVector3 offset = PositionOf(world, "eb") - below;
-    // the radius asked for is 0.75 m. The foot-bot moves on at 0.1 m/s. The eye-bot flies along the
-    // tangent of some 0.3 s ago, in which the circle has bent by 0.16 rad: 0.064 m/s outwards. What
-    // it is off it takes back at 2/s, so that half of the two remains
+    // The radius ordered is 0.75 m. The foot-bot moves on at 0.1 m/s. The eye-bot flies along the
+    // tangent of about 0.3 s ago, in which the circle has turned by 0.16 rad: 0.064 m/s outwards.
+    // It corrects the error at a rate of 2/s, so that half of the sum of both remains.
     CHECK(std::abs(std::hypot(offset.GetX(), offset.GetY()) - 0.75) <= 0.15);
     // 1.5 m above the antenna, which is 0.1 m above the ground
     CHECK(std::abs(offset.GetZ() - 1.6) <= 0.02);
@@ -71,11 +71,11 @@ TEST_CASE("eye-bot experiments: one circles above a foot-bot that drives about",
   // 0.4 m/s on that circle for 50 s are 4.2 turns
   CHECK(turned / (2.0 * std::numbers::pi) >= 3.0);
   CHECK(turned / (2.0 * std::numbers::pi) <= 5.5);
-  // and the foot-bot has gone somewhere
+  // the foot-bot has moved
   CHECK(farthest >= 1.0);
 }
 
-TEST_CASE("eye-bot experiments: a flock flies to a light and keeps together", "[scenario]") {
+TEST_CASE("eye-bot experiments: a flock flies to a light and stays together", "[scenario]") {
   CDynamicLoading::LoadLibrary(InBuildTree("experiments/libeyebot_flocking"));
   CTestWorld world(TextOf("eyebot_flocking"));
   std::vector<std::string> ids;
@@ -92,7 +92,7 @@ TEST_CASE("eye-bot experiments: a flock flies to a light and keeps together", "[
   };
   const Real start = meanX();
   world.Step(600);
-  // the light adds 0.1 m/s for 57 s, and forces between robots add up to nothing
+  // the light adds 0.1 m/s for 57 s, and the forces between robots sum to zero
   CHECK(std::abs(meanX() - start - 5.7) <= 0.6);
   for (const std::string& id : ids) {
     const CVector3 position = PositionOf(world, id);
@@ -103,12 +103,12 @@ TEST_CASE("eye-bot experiments: a flock flies to a light and keeps together", "[
       }
     }
     CAPTURE(id);
-    // they keep 1 m, or less in the middle, where the pull of those farther out adds up; a body is
-    // 0.5 m across
+    // Robots keep a distance of 1 m, or less in the middle, where the attraction of outer robots
+    // adds up; a body is 0.5 m across.
     const Real nearest = *std::min_element(distances.begin(), distances.end());
     CHECK(nearest >= 0.6);
     CHECK(nearest <= 1.2);
-    // the flock is one: 15 discs of 1 m across, close together, are within 5 m
+    // the flock is connected: 15 discs of 1 m across, close together, are within 5 m
     CHECK(*std::max_element(distances.begin(), distances.end()) <= 6.0);
     CHECK(std::abs(position.GetZ() - 1.0) <= 0.05);
   }

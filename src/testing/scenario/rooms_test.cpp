@@ -1,4 +1,4 @@
-// The benchmark's arena, for a minute of simulated time: nobody is pushed into a wall.
+// The arena of the benchmark for a minute of simulated time: robots do not penetrate walls.
 
 #include <argos3/testing/support/experiment.h>
 #include <argos3/testing/support/overlap.h>
@@ -39,11 +39,11 @@ TEST_CASE("rooms: 10,000 e-pucks stay out of the walls for 600 ticks", "[scenari
                                  now.WithRobots.end());
     }
   }
-  // the accuracy that the engines promise at their default settings: 2 % of the radius
+  // the limit of engines with default settings: 2 % of the radius
   CHECK(deepestInWall <= 0.02);
   CHECK(SOverlaps::Quantile(overlaps.WithRobots, 0.99) <= 0.02);
 
-  // and so nobody has left the arena, whose outer walls are closed
+  // no robot has left the arena, whose outer walls are closed
   for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
     const auto& body = robot->GetParent().GetComponent<CEmbodiedEntity>("body");
     const CVector3& position = body.GetOriginAnchor().Position;

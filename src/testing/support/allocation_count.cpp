@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <cstdlib>
 
-// a sanitizer that brings its own allocator tells who asks it to
+// a sanitizer with its own allocator offers hooks for allocations
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define ARGOS_TEST_SANITIZER_ALLOCATES 1
 #elif defined(__has_feature)
@@ -26,7 +26,7 @@
 #endif
 
 #if ARGOS_TEST_SANITIZER_ALLOCATES
-// of every sanitizer's library; GCC installs no header that has it
+// defined in every sanitizer's library; GCC installs no header that declares it
 extern "C" int __sanitizer_install_malloc_and_free_hooks(
     void (*onAllocation)(const volatile void* memory, std::size_t size),
     void (*onRelease)(const volatile void* memory));
@@ -40,11 +40,11 @@ constexpr int kMaxFrames = 48;
 
 std::atomic<bool> g_counting{false};
 std::atomic<std::size_t> g_count{0};
-// written by the thread that makes the first allocation
+// written by the thread with the first allocation
 void* g_frames[kMaxFrames];
 int g_numFrames = 0;
 
-// the demangled name in "library(name+0x12) [0x34]"
+// @return the demangled name in "library(name+0x12) [0x34]"
 std::string Readable(const std::string& symbol) {
   const std::size_t open = symbol.find('(');
   const std::size_t plus = symbol.find('+', open);
@@ -75,7 +75,7 @@ CAllocationCount::CAllocationCount() {
       [](const volatile void*, std::size_t) { NoteAllocation(); }, [](const volatile void*) {});
   static_cast<void>(installed);
 #endif
-  // the first call loads a library, and allocates
+  // the first call of backtrace() loads a library, which allocates
   g_numFrames = backtrace(g_frames, kMaxFrames);
   g_numFrames = 0;
   g_count = 0;
@@ -109,8 +109,8 @@ std::string CAllocationCount::DescribeFirst() const {
 }  // namespace argos
 
 #if ARGOS_TEST_COUNTS_ALLOCATIONS && !ARGOS_TEST_SANITIZER_ALLOCATES
-// these names come before the C library's, in which each allocator has a second name; operator new
-// of the C++ library calls malloc
+// These definitions precede the C library's, in which each allocator has a second name. operator
+// new of the C++ library calls malloc().
 extern "C" {
 
 void* __libc_malloc(std::size_t size);

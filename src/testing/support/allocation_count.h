@@ -7,11 +7,12 @@
 namespace argos {
 
 /**
- * Counts the heap allocations of the whole process, of every thread and library, while it lives.
+ * Counts the heap allocations of the whole process, of every thread
+ * and library, during its lifetime.
  *
- * allocation_count.cpp, linked into the test program, puts itself before the C library's allocator,
- * or asks the allocator of a sanitizer.
- * One object at a time. Releasing memory is not counted.
+ * allocation_count.cpp, linked into the test program, replaces the C library's allocator by a
+ * counting one, or uses the hooks of a sanitizer's allocator. Only one object may exist at a time.
+ * Deallocations are not counted.
  */
 class CAllocationCount {
  public:
@@ -21,14 +22,17 @@ class CAllocationCount {
   CAllocationCount& operator=(const CAllocationCount&) = delete;
 
   /**
-   * False where it cannot count, which is with neither glibc's allocator nor a sanitizer's. Then
-   * the count is 0.
+   * @return false if allocations cannot be counted, which is so with allocators other than those of
+   * glibc and of sanitizers. The count is then 0.
    */
   static bool IsAvailable();
 
   /** Allocations since construction. */
   std::size_t GetCount() const;
-  /** The calls that led to the first one, innermost first, one a line; empty if there was none. */
+  /**
+   * The call stack of the first allocation, innermost call first, one per
+   * line; empty if there was none.
+   */
   std::string DescribeFirst() const;
 };
 

@@ -6,15 +6,13 @@
 
 #include <string>
 
-/*
- * XML of things that stand in an arena, with all digits of their numbers. Lengths in m.
- */
+/* XML of objects in an arena, with all digits of their numbers. Lengths in m. */
 
 namespace argos {
 
 /** Attributes of a `<body>`. */
 std::string PoseText(const CVector3& position, Real yawDegrees = 0.0);
-/** A fixed cylinder that stands on the ground. */
+/** A fixed cylinder standing on the ground. */
 std::string PillarText(const std::string& id, Real x, Real y, Real radius, Real height);
 /** A fixed box. @param position  of the centre of its base. */
 std::string BoxText(const std::string& id, const CVector3& size, const CVector3& position,

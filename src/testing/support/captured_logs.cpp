@@ -2,7 +2,7 @@
 
 #include <argos3/core/utility/logging/argos_log.h>
 
-// listeners are only declared on demand
+// Catch2 declares listeners only on demand
 #define CATCH_CONFIG_EXTERNAL_INTERFACES
 #include <catch2/catch.hpp>
 
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kUnexpectedErrors = 4;  // exit status
 
-/** Stands in for the buffer of a log's stream. */
+/** Replaces the buffer of a log's stream. */
 class CCapture {
  public:
   explicit CCapture(CARGoSLog& log) : m_log(log) {}

@@ -6,14 +6,14 @@
 namespace argos {
 
 /*
- * A test program that links captured_logs.cpp keeps the logs to itself: while a test case runs, LOG
- * and LOGERR are collected instead of printed. What a test case leaves in LOGERR without having
- * taken it is unexpected: it is printed, and the program fails.
+ * A test program that links captured_logs.cpp captures the logs: during a test case LOG and LOGERR
+ * are collected instead of printed. Output to LOGERR that a test case has not taken is unexpected:
+ * it is printed, and the program fails.
  */
 
-/** What was logged since the last call, or since the test case began. Colours are off. */
+/** Log output since the last call, or since the start of the test case, without colours. */
 std::string TakeLog();
-/** The same for LOGERR. */
+/** As TakeLog(), for LOGERR. */
 std::string TakeLogErr();
 
 }  // namespace argos

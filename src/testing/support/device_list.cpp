@@ -8,7 +8,7 @@ const char* const kAll = "foot-bot e-puck eye-bot";
 const char* const kWheeled = "foot-bot e-puck";
 const char* const kFootBot = "foot-bot";
 const char* const kEyeBot = "eye-bot";
-// the rings of both have 24 sensors at the same angles: the sensors of one serve the other
+// Both rings have 24 sensors at the same angles: the sensor of one robot also works on the other.
 const char* const kSwarmanoid = "foot-bot eye-bot";
 
 const char* const kCamera =
@@ -64,7 +64,7 @@ const std::vector<SListedDevice>& ListedDevices() {
       {"sensors", "positioning", "default", kAll},
       {"sensors", "simple_radios", "default", kAll},
       {"sensors", "cameras", "default", kAll, kCamera},
-      // declared, or not known, in ARGoS 3
+      // declared in ARGoS 3 without implementation, or not part of it
       {"actuators", "differential_steering", "dead_reckoning", kWheeled},
       {"actuators", "pan_tilt_camera", "default", kSwarmanoid},
       {"sensors", "altitude", "default", kAll},

@@ -6,41 +6,41 @@
 
 namespace argos {
 
-/** A device as published with ARGoS 3, or one of this project's own. */
+/** A device as published with ARGoS 3, or of this project. */
 struct SListedDevice {
   std::string Section; /**< "actuators" or "sensors" */
   std::string Tag;
   std::string Implementation;
-  /** Types of the robots that have it, separated by blanks. */
+  /** Types of the robots that support it, separated by blanks. */
   std::string Robots;
-  /** What else its element needs: attributes, and after a ">" children. */
+  /** Further attributes that its element needs, and after a ">" its children. */
   std::string More = "";
 
-  /** In the factory. */
+  /** Label in the factory. */
   std::string Label() const { return Tag + " (" + Implementation + ")"; }
-  /** Has a robot of that type the device? */
+  /** @return true if robots of that type support the device. */
   bool IsOf(const std::string& robot) const {
     return (" " + Robots + " ").find(" " + robot + " ") != std::string::npos;
   }
-  /** Its element. */
+  /** XML of its element. */
   std::string ToXml() const;
 };
 
-/** Every device, with every robot that has it. */
+/** All devices with the robots that support them. */
 const std::vector<SListedDevice>& ListedDevices();
 
-/** The types of robots. */
+/** All types of robots. */
 const std::vector<std::string>& ListedRobots();
 
 /**
- * XML of what the experiments of these devices need: the media "leds", "rab", "radios",
+ * XML of the media that experiments with these devices need: "leds", "rab", "radios",
  * "directional_leds", "tags", "rfid" and "pheromone" with the layer "trail".
  */
 std::string MediaForDevices();
 
 /**
- * XML of a robot with the controller @p config that carries what devices of any robot need: a radio
- * "wifi", a magnet "front", two directional LEDs and two tags, which face back.
+ * XML of a robot with the controller @p config and the components that devices of any robot need: a
+ * radio "wifi", a magnet "front", two directional LEDs and two tags, which face back.
  */
 std::string RobotForDevices(const std::string& type, const std::string& id,
                             const std::string& position, const std::string& config);

@@ -55,9 +55,9 @@ namespace {
 
 constexpr Real kSpeed = 10.0;  // cm/s
 constexpr Real kFlightStep = 0.05;  // m
-constexpr UInt32 kTurretPhase = 8;  // steps in one mode
+constexpr UInt32 kTurretPhase = 8;  // number of steps in one mode
 
-// stripes both ways, 2 cm wide
+// stripes in both directions, 2 cm wide
 class CStripedFloor : public CLoopFunctions {
  public:
   CColor GetFloorColor(const CVector2& point) override {
@@ -70,12 +70,12 @@ class CStripedFloor : public CLoopFunctions {
 
 }  // namespace
 
-template <typename SENSOR, typename FEEL>
-void CDeviceUser::Sense(const std::string& tag, FEEL feel) {
+template <typename SENSOR, typename READ>
+void CDeviceUser::Sense(const std::string& tag, READ read) {
   if (HasSensor(tag)) {
     auto* const sensor = GetSensor<SENSOR>(tag);
     sensor->Enable();
-    m_senses.push_back([feel, sensor] { feel(*sensor); });
+    m_senses.push_back([read, sensor] { read(*sensor); });
   }
 }
 
@@ -83,7 +83,7 @@ template <typename SENSOR>
 void CDeviceUser::SenseNumbers(const std::string& tag) {
   Sense<SENSOR>(tag, [this](const SENSOR& sensor) {
     for (const Real reading : sensor.GetReadings()) {
-      Feel(reading);
+      AddReading(reading);
     }
   });
 }
@@ -92,7 +92,7 @@ template <typename SENSOR>
 void CDeviceUser::SenseValues(const std::string& tag) {
   Sense<SENSOR>(tag, [this](const SENSOR& sensor) {
     for (const auto& reading : sensor.GetReadings()) {
-      Feel(reading.Value);
+      AddReading(reading.Value);
     }
   });
 }
@@ -104,8 +104,8 @@ void CDeviceUser::Order(const std::string& tag, ORDER order) {
   }
 }
 
-void CDeviceUser::Feel(Real reading) {
-  m_felt.Add(reading);
+void CDeviceUser::AddReading(Real reading) {
+  m_readingsDigest.Add(reading);
   m_sum += reading;
 }
 
@@ -118,7 +118,7 @@ void CDeviceUser::Init(TConfigurationNode& params) {
   UseRings();
   UseCameras();
   UseRadios();
-  UseTraces();
+  UseTagsAndPheromones();
   UseBodySensors();
   UseMotors();
   UseGrips();
@@ -144,18 +144,18 @@ void CDeviceUser::CheckAllUsed() const {
 }
 
 void CDeviceUser::Reset() {
-  m_felt = CDigest();
+  m_readingsDigest = CDigest();
   m_signal = 0.0;
   m_step = 0;
 }
 
 size_t CDeviceUser::CountSeen() {
-  const CDigest felt = m_felt;
+  const CDigest felt = m_readingsDigest;
   m_seen = 0;
   for (const auto& sense : m_senses) {
     sense();
   }
-  m_felt = felt;
+  m_readingsDigest = felt;
   return m_seen;
 }
 
@@ -190,7 +190,7 @@ void CDeviceUser::UseRings() {
   Sense<CCI_FootBotDistanceScannerSensor>(
       "footbot_distance_scanner", [this](CCI_FootBotDistanceScannerSensor& sensor) {
         for (const auto& [angle, distance] : sensor.GetReadingsMap()) {
-          Feel(angle.GetValue() * distance);
+          AddReading(angle.GetValue() * distance);
           m_seen += distance >= 0.0 ? 1 : 0;
         }
       });
@@ -198,25 +198,25 @@ void CDeviceUser::UseRings() {
 
 void CDeviceUser::UseCameras() {
   const auto feelColor = [this](const CColor& color) {
-    Feel(color.GetRed() + 3.0 * color.GetGreen() + 5.0 * color.GetBlue());
+    AddReading(color.GetRed() + 3.0 * color.GetGreen() + 5.0 * color.GetBlue());
     ++m_seen;
   };
   const auto feelPixel = [this](const CVector2& pixel) {
-    Feel(1e-3 * pixel.GetX());
-    Feel(1e-3 * pixel.GetY());
+    AddReading(1e-3 * pixel.GetX());
+    AddReading(1e-3 * pixel.GetY());
   };
   Sense<CCI_ColoredBlobOmnidirectionalCameraSensor>(
       "colored_blob_omnidirectional_camera", [this, feelColor](const auto& sensor) {
         for (const auto* blob : sensor.GetReadings().BlobList) {
           feelColor(blob->Color);
-          Feel(blob->Angle.GetValue() + 1e-2 * blob->Distance);
+          AddReading(blob->Angle.GetValue() + 1e-2 * blob->Distance);
         }
       });
   Sense<CCI_ColoredBlobPerspectiveCameraSensor>(
       "colored_blob_perspective_camera", [this, feelColor](const auto& sensor) {
         for (const auto* blob : sensor.GetReadings().BlobList) {
           feelColor(blob->Color);
-          Feel(1e-3 * (blob->X + 2 * blob->Y));
+          AddReading(1e-3 * (blob->X + 2 * blob->Y));
         }
       });
   Sense<CCI_CameraSensor>("cameras", [this, feelColor, feelPixel](const CCI_CameraSensor& sensor) {
@@ -237,7 +237,7 @@ void CDeviceUser::UseCameras() {
           }
         } else if (const auto* tags = dynamic_cast<const TTags*>(algorithm)) {
           for (const auto& reading : tags->GetReadings()) {
-            Feel(static_cast<Real>(reading.Payload.size()));
+            AddReading(static_cast<Real>(reading.Payload.size()));
             feelPixel(reading.Corners[1]);
             ++m_seen;
           }
@@ -250,15 +250,15 @@ void CDeviceUser::UseCameras() {
 void CDeviceUser::UseRadios() {
   Sense<CCI_RangeAndBearingSensor>("range_and_bearing", [this](const auto& sensor) {
     for (const auto& packet : sensor.GetReadings()) {
-      Feel(1e-2 * packet.Range + packet.HorizontalBearing.GetValue());
-      Feel(packet.VerticalBearing.GetValue() + packet.Data[0] + 0.5 * packet.Data[3]);
+      AddReading(1e-2 * packet.Range + packet.HorizontalBearing.GetValue());
+      AddReading(packet.VerticalBearing.GetValue() + packet.Data[0] + 0.5 * packet.Data[3]);
       ++m_seen;
     }
   });
   Sense<CCI_SimpleRadiosSensor>("simple_radios", [this](const CCI_SimpleRadiosSensor& sensor) {
     for (const auto& radio : sensor.GetInterfaces()) {
       for (const CByteArray& message : radio.Messages) {
-        Feel(message.Empty() ? 1.0 : message[0]);
+        AddReading(message.Empty() ? 1.0 : message[0]);
         ++m_seen;
       }
     }
@@ -277,19 +277,19 @@ void CDeviceUser::UseRadios() {
   });
 }
 
-// what is left in the arena
-void CDeviceUser::UseTraces() {
+// uses RFID tags and pheromones
+void CDeviceUser::UseTagsAndPheromones() {
   Sense<CCI_RFIDSensor>("rfid", [this](const CCI_RFIDSensor& sensor) {
     for (const auto& reading : sensor.GetReadings()) {
-      Feel(1e-2 * reading.Distance + reading.Angle.GetValue());
-      Feel(reading.Data[0] + 0.5 * reading.Data[1]);
+      AddReading(1e-2 * reading.Distance + reading.Angle.GetValue());
+      AddReading(reading.Data[0] + 0.5 * reading.Data[1]);
       ++m_seen;
     }
   });
   Sense<CCI_PheromoneSensor>("pheromone", [this](const CCI_PheromoneSensor& sensor) {
     for (const auto& layer : sensor.GetInterfaces()) {
       for (const auto& reading : layer.Readings) {
-        Feel(reading.Value);
+        AddReading(reading.Value);
       }
     }
   });
@@ -303,28 +303,30 @@ void CDeviceUser::UseTraces() {
 }
 
 void CDeviceUser::UseBodySensors() {
-  Sense<CCI_AltitudeSensor>("altitude", [this](const auto& sensor) { Feel(sensor.GetReading()); });
+  Sense<CCI_AltitudeSensor>("altitude",
+                            [this](const auto& sensor) { AddReading(sensor.GetReading()); });
   Sense<CCI_BatterySensor>("battery", [this](const CCI_BatterySensor& sensor) {
-    Feel(sensor.GetReading().AvailableCharge);
-    // may be infinite
-    m_felt.Add(sensor.GetReading().TimeLeft);
+    AddReading(sensor.GetReading().AvailableCharge);
+    // TimeLeft may be infinite
+    m_readingsDigest.Add(sensor.GetReading().TimeLeft);
   });
-  Sense<CCI_ClockSensor>("clock", [this](const auto& sensor) { Feel(sensor.GetReading().Time); });
+  Sense<CCI_ClockSensor>("clock",
+                         [this](const auto& sensor) { AddReading(sensor.GetReading().Time); });
   Sense<CCI_DifferentialSteeringSensor>("differential_steering", [this](const auto& sensor) {
-    Feel(sensor.GetReading().VelocityLeftWheel);
-    Feel(sensor.GetReading().CoveredDistanceRightWheel);
+    AddReading(sensor.GetReading().VelocityLeftWheel);
+    AddReading(sensor.GetReading().CoveredDistanceRightWheel);
   });
   Sense<CCI_FootBotEncoderSensor>("footbot_encoder", [this](const auto& sensor) {
-    Feel(sensor.GetReading().CoveredDistanceLeftWheel);
-    Feel(sensor.GetReading().CoveredDistanceRightWheel);
+    AddReading(sensor.GetReading().CoveredDistanceLeftWheel);
+    AddReading(sensor.GetReading().CoveredDistanceRightWheel);
   });
   Sense<CCI_FootBotTurretEncoderSensor>("footbot_turret_encoder", [this](const auto& sensor) {
-    Feel(sensor.GetRotation().GetValue());
+    AddReading(sensor.GetRotation().GetValue());
   });
   Sense<CCI_PositioningSensor>("positioning", [this](const CCI_PositioningSensor& sensor) {
     const CVector3& position = sensor.GetReading().Position;
-    Feel(position.GetX() + 2.0 * position.GetY() + 3.0 * position.GetZ());
-    Feel(sensor.GetReading().Orientation.GetZ());
+    AddReading(position.GetX() + 2.0 * position.GetY() + 3.0 * position.GetZ());
+    AddReading(sensor.GetReading().Orientation.GetZ());
   });
 }
 
@@ -374,7 +376,7 @@ void CDeviceUser::UseGrips() {
 }
 
 void CDeviceUser::UseLights() {
-  // one LED is lit all the time, in one of two colours, and another one now and then
+  // one LED is always lit, in one of two colours, and another one at times
   const auto light = [this](auto& actuator, UInt32 numLEDs) {
     actuator.SetSingleColor(numLEDs - 1, m_signal > 0.0 ? CColor::RED : CColor::GREEN);
     actuator.SetSingleColor(0, m_step % 4 == 0 ? CColor::BLUE : CColor::BLACK);

@@ -14,32 +14,32 @@
 namespace argos {
 
 /**
- * "device_user": uses every device that it has, of whatever robot.
+ * "device_user": uses every device of any robot.
  *
- * In each step it reads all sensors into one number, the signal, and gives an order to each
- * actuator that depends on it: so every bit that is read moves the robot, lights its LEDs, ...
+ * In each step it combines all readings into one number, the signal, and gives each actuator an
+ * order that depends on it: so every bit of a reading moves the robot, lights its LEDs, ...
  *
  *   <params reads="true" radio_bytes="8" />
  *
- *   reads        false: no sensor is read, and orders depend on the number of the step alone.
- *   radio_bytes  of the message that each simple radio sends in each step; with 0 a controller need
- *                not ask for memory to send it.
+ *   reads        if false, no sensor is read, and orders depend on the number of the step only.
+ *   radio_bytes  length of the message that each simple radio sends in each step; with 0 the
+ *                controller allocates no memory for it.
  */
 class CDeviceUser : public CCI_Controller {
  public:
-  /** @throws CARGoSException if it does not know how to use a device that it has. */
+  /** @throws CARGoSException if the robot has a device that this class does not support. */
   void Init(TConfigurationNode& params) override;
   void ControlStep() override;
   void Reset() override;
 
   /** Digest of every reading since the start. */
-  UInt64 GetFelt() const { return m_felt.GetValue(); }
-  /** How many blobs, packets, messages, ... there are to read: all lists whose length varies. */
+  UInt64 GetReadingsDigest() const { return m_readingsDigest.GetValue(); }
+  /** Number of blobs, packets, messages, ... in all lists of variable length. */
   size_t CountSeen();
 
  private:
-  template <typename SENSOR, typename FEEL>
-  void Sense(const std::string& tag, FEEL feel);
+  template <typename SENSOR, typename READ>
+  void Sense(const std::string& tag, READ read);
   template <typename SENSOR>
   void SenseNumbers(const std::string& tag);
   template <typename SENSOR>
@@ -49,22 +49,22 @@ class CDeviceUser : public CCI_Controller {
   void UseRings();
   void UseCameras();
   void UseRadios();
-  void UseTraces();
+  void UseTagsAndPheromones();
   void UseBodySensors();
   void UseMotors();
   void UseGrips();
   void UseLights();
   void CheckAllUsed() const;
-  void Feel(Real reading);
+  void AddReading(Real reading);
 
   bool m_reads = true;
   CByteArray m_radioMessage;
   CByteArray m_tagData;
   std::vector<std::function<void()>> m_senses, m_orders;
-  CDigest m_felt;
-  Real m_sum = 0.0;  // of what is read in this step
+  CDigest m_readingsDigest;
+  Real m_sum = 0.0;  // sum over the readings of this step
   Real m_signal = 0.0;  // in [-1,1]
-  size_t m_seen = 0;  // in this step
+  size_t m_seen = 0;  // length of the lists in this step
   UInt32 m_step = 0;
 };
 

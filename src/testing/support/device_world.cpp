@@ -2,6 +2,7 @@
 
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/testing/support/arena_text.h>
+#include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <algorithm>
@@ -17,7 +18,6 @@ constexpr Real kSpacing = 0.35;  // m, between robots on the ground
 constexpr Real kFlightSpacing = 0.6;  // m, between robots in the air
 constexpr Real kHeight = 0.8;  // m, of robots in the air
 constexpr Real kLoadRadius = 0.05;  // m
-constexpr Real kFootBotRadius = 0.085036758;  // m
 
 const std::map<std::string, std::string>& CarriedThings() {
   static const std::map<std::string, std::string> things = {
@@ -44,7 +44,8 @@ std::string Noise(bool noisy, const std::string& attributes) {
   return noisy ? "<noise model='gaussian' " + attributes + "/>" : "";
 }
 
-// a camera behind robots on the ground that looks back, or below robots in the air that looks down
+// a camera behind a robot on the ground that looks back, or below a
+// robot in the air that looks down
 std::string Camera(const std::string& robot, bool noisy) {
   const std::string noise = Noise(noisy, "std_dev='1'");
   const std::string pose = robot == "eye-bot" ? "position='0,0,-0.01' orientation='0,180,0'"
@@ -57,12 +58,12 @@ std::string Camera(const std::string& robot, bool noisy) {
          "</tag_detector></camera>";
 }
 
-// what the element of a device must have
+// required attributes of a device's element
 std::string RequiredAttributes(const SListedDevice& device) {
   return " " + device.More.substr(0, device.More.find('>'));
 }
 
-// noise that is not a <noise> child
+// noise attributes of devices without <noise> children
 std::string NoiseAttributes(const SListedDevice& device) {
   static const std::map<std::string, std::string> attributes = {
       {"colored_blob_omnidirectional_camera", "noise_std_dev='0.05'"},
@@ -88,7 +89,7 @@ bool TakesNoise(const SListedDevice& device) {
 const std::map<std::string, std::string> kPrefixes = {
     {"foot-bot", "fb"}, {"e-puck", "ep"}, {"eye-bot", "eb"}};
 
-// the n-th of a square of places
+// the n-th position in a square lattice
 CVector3 PlaceOf(UInt32 n, UInt32 total, Real spacing, Real height) {
   const auto perRow =
       std::max(1U, static_cast<UInt32>(std::ceil(std::sqrt(static_cast<Real>(total)))));
@@ -111,7 +112,7 @@ std::string LoadText(const std::string& id, const CVector3& robot, Real yaw) {
 std::vector<SListedDevice> DevicesOf(const std::string& robot, bool carries) {
   std::vector<SListedDevice> devices;
   for (const SListedDevice& device : ListedDevices()) {
-    // every robot has a battery, and can read the tags of others
+    // every robot has a battery and can read the tags of others
     const bool isCarried =
         device.Tag != "battery" && device.Tag != "rfid" && !CarriedText(device.Tag).empty();
     if (device.IsOf(robot) && (carries || !isCarried)) {

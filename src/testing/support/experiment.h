@@ -11,7 +11,7 @@
 namespace argos {
 
 /**
- * The text of an experiment: what a test does not set is the least that works.
+ * The text of an experiment; the defaults are the minimum that works.
  *
  * SExperiment{.Engines = "<dynamics2d id='dyn2d' />", .Arena = "<box ... />"}.ToXml()
  */
@@ -22,7 +22,7 @@ struct SExperiment {
   Real Length = 0.0; /**< s; 0 = unlimited */
   UInt32 Seed = 1;
   std::string Controllers = ""; /**< children of <controllers> */
-  std::string LoopFunctions = ""; /**< the whole element, or nothing */
+  std::string LoopFunctions = ""; /**< the whole element, or empty */
   std::string Engines = ""; /**< children of <physics_engines> */
   std::string Media = ""; /**< children of <media> */
   std::string ArenaSize = "10,10,2";
@@ -34,15 +34,15 @@ struct SExperiment {
 /**
  * An experiment that runs headless in a simulator of its own.
  *
- * Several may live at once, also in one thread. Code that asks for the current simulator (making an
- * entity, a user's loop functions) needs a CSimulator::CScope around it.
+ * Several may exist at once, also in one thread. Code that uses the current simulator (constructors
+ * of entities, loop functions of users) needs a CSimulator::CScope around it.
  */
 class CTestWorld {
  public:
   /**
    * Loads an experiment.
-   * @param prepare  called before loading: overrides.
-   * @throws CARGoSException whatever loading throws.
+   * @param prepare  called before loading, for overrides.
+   * @throws CARGoSException on any loading error.
    */
   explicit CTestWorld(const std::string& xml, const std::function<void(CSimulator&)>& prepare = {});
   explicit CTestWorld(const SExperiment& experiment,
@@ -55,23 +55,23 @@ class CTestWorld {
   void Step(UInt32 ticks = 1);
   UInt64 ComputeDigest() { return GetSpace().ComputeDigest(); }
 
-  /** By qualified id. @throws std::bad_cast if it is not an ENTITY. */
+  /** @return the entity with that qualified id. @throws std::bad_cast if it is not an ENTITY. */
   template <typename ENTITY>
   ENTITY& Get(const std::string& id) {
     return dynamic_cast<ENTITY&>(GetSpace().GetEntity(id));
   }
-  /** The loop functions. @throws std::bad_cast if they are no FUNCTIONS. */
+  /** @return the loop functions. @throws std::bad_cast if they are not FUNCTIONS. */
   template <typename FUNCTIONS>
   FUNCTIONS& GetLoopFunctions() {
     return dynamic_cast<FUNCTIONS&>(m_simulator.GetLoopFunctions());
   }
 
  private:
-  CConfigurationDocument m_document;  // outlives what is loaded from it
+  CConfigurationDocument m_document;  // outlives everything loaded from it
   CSimulator m_simulator;
 };
 
-/** What loading that experiment throws; empty if it loads. */
+/** The error on loading an experiment; empty if it loads. */
 std::string LoadError(const SExperiment& experiment);
 
 }  // namespace argos

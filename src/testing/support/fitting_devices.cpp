@@ -10,7 +10,7 @@ namespace argos {
 
 namespace {
 
-// one device after the other on a robot of its own: some exclude each other
+// each device is tried on a new robot, because some exclude each other
 template <typename DEVICE>
 bool Fits(const std::string& device, const std::string& robotLabel) {
   const std::unique_ptr<CEntity> robot(CFactory<CEntity>::New(robotLabel));
@@ -27,7 +27,7 @@ template <typename DEVICE>
 void AppendDevices(std::vector<SFittingDevice>& devices, const std::string& kind,
                    const std::string& robot) {
   for (const auto& [label, info] : CFactory<DEVICE>::GetTypeMap()) {
-    // tests register devices of their own
+    // excludes devices that tests register
     if (info->Author == "the authors of this project" && Fits<DEVICE>(label, robot)) {
       devices.push_back({label, kind, info->BriefDescription, info->LongDescription});
     }

@@ -6,7 +6,7 @@
 
 namespace argos {
 
-/** A device of a robot, and what it says of itself. */
+/** A device that a robot supports, with its description. */
 struct SFittingDevice {
   std::string Label; /**< "tag (implementation)" */
   std::string Kind; /**< "actuator" or "sensor" */
@@ -14,8 +14,8 @@ struct SFittingDevice {
 };
 
 /**
- * The devices of this project that accept a robot in SetRobot(): actuators, then sensors, each by
- * label. A device that needs what a robot only has if its element says so does not.
+ * The devices of this project that accept a robot in SetRobot(): actuators, then sensors, each
+ * sorted by label. Devices that need an optional component of the robot's element are not included.
  * @param robot  label of a robot. A simulator must be current.
  */
 std::vector<SFittingDevice> FittingDevices(const std::string& robot);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr size_t kNoRobot = std::numeric_limits<size_t>::max();
 
-// a robot as a cylinder, which may lean
+// a robot as a cylinder, which may be tilted
 struct SUpright {
   UInt32 Body;  // number in the index
   CVector3 Base, Top;  // ends of its axis, m
@@ -40,7 +40,7 @@ Real DistanceFromAbove(const CVector3& a, const CVector3& b) {
   return std::hypot(a.GetX() - b.GetX(), a.GetY() - b.GetY());
 }
 
-// how deep robots are inside each other, at their bases or at their tops, m; less than 0: a gap
+// depth of the overlap of two robots at their bases or at their tops, m; negative: a gap
 Real DepthInRobot(const SUpright& robot, const SUpright& other) {
   return robot.Radius + other.Radius -
          std::min(DistanceFromAbove(robot.Base, other.Base),
@@ -52,7 +52,7 @@ Real DepthInDisc(const SUpright& robot, const SIndexedShape& disc) {
          std::hypot(robot.Base.GetX() - disc.X, robot.Base.GetY() - disc.Y);
 }
 
-// how deep a disc is inside a rectangle, m; 0 if it is outside
+// depth of a disc inside a rectangle, m; 0 outside
 Real DepthInBox(const SIndexedShape& box, const CVector3& centre, Real radius) {
   const Real dx = centre.GetX() - box.X;
   const Real dy = centre.GetY() - box.Y;
@@ -90,7 +90,7 @@ void MeasureOverlaps(CSpace& space, SOverlaps& overlaps) {
   for (const SUpright& robot : robots) {
     const Real lean = DistanceFromAbove(robot.Base, robot.Top);
     const Real reach = (1.0 + SOverlaps::kTouchingGap) * robot.Radius + lean;
-    Real withRobots = -reach;  // less than 0: a gap
+    Real withRobots = -reach;  // negative: a gap
     Real withWalls = 0.0;
     const auto measure = [&](const SIndexedShape& shape) {
       if (shape.Body == robot.Body) {
@@ -103,7 +103,7 @@ void MeasureOverlaps(CSpace& space, SOverlaps& overlaps) {
       }
       const CEmbodiedEntity& other = index.GetBody(shape.Body);
       const bool isRobot = shape.Body < robotOfBody.size() && robotOfBody[shape.Body] != kNoRobot;
-      // the index has no more than bounds of what leans; of a leaning box nothing is said
+      // the index has only bounds of tilted bodies, so overlaps with tilted boxes are not measured
       if (!isRobot && shape.Kind == SIndexedShape::EKind::Tilted) {
         const SShapeDescription& solid = other.GetBodyDescription()->Shapes[shape.Shape];
         if (solid.Kind == SShapeDescription::EKind::Cylinder) {

@@ -8,13 +8,13 @@
 namespace argos::testing {
 
 /**
- * By how much robots are inside other things, in shares of their radius. They count as discs, where
- * they lean as those at their base and at their top.
+ * Overlaps of robots with other bodies, in shares of their radius. Robots count as discs, tilted
+ * ones as two discs at their base and their top.
  */
 struct SOverlaps {
   std::vector<Real> WithRobots; /**< one entry for each disc: its deepest overlap with a disc */
   std::vector<Real> WithWalls; /**< one entry for each disc: its deepest overlap with a box */
-  /** as WithRobots, but only of discs nearer to another one than kTouchingGap */
+  /** as WithRobots, but only for discs closer to another one than kTouchingGap */
   std::vector<Real> Touching;
 
   static constexpr Real kTouchingGap = 0.01; /**< in shares of the radius */
@@ -23,7 +23,7 @@ struct SOverlaps {
   static Real Quantile(std::vector<Real>& sample, Real q);
 };
 
-/** Measures every robot of the space, and adds to @p overlaps. */
+/** Measures every robot of the space and appends to @p overlaps. */
 void MeasureOverlaps(CSpace& space, SOverlaps& overlaps);
 
 }  // namespace argos::testing

@@ -11,7 +11,7 @@ namespace {
 
 constexpr char kFence[] = "```\n";
 
-// as in an address within a page: letters and digits in lower case, blanks as hyphens
+// anchor of a heading in an address: letters and digits in lower case, blanks as hyphens
 std::string Anchor(const std::string& heading) {
   std::string anchor;
   for (const char c : heading) {
@@ -45,12 +45,13 @@ std::string MakeRobotPage(const std::string& label) {
   const std::vector<SFittingDevice> devices = FittingDevices(label);
 
   std::ostringstream page;
-  page << "# " << label << "\n\n<!-- Made from what the plug-ins say of themselves: cmake --build "
+  page << "# " << label
+       << "\n\n<!-- Generated from the descriptions of the plug-ins: cmake --build "
        << "<build folder> --target robot_pages -->\n\n"
        << robot.BriefDescription << "\n\n"
        << Fenced(robot.LongDescription) << "\n## Devices\n\n"
-       << "An element's name is what stands before the parentheses, its attribute "
-          "`implementation` what stands in them.\nLengths that controllers see are in cm and "
+       << "The tag of an element is the text before the parentheses, its attribute "
+          "`implementation` is the text in them.\nLengths that controllers see are in cm and "
           "angles in rad unless a device says otherwise.\n\n| Device | | |\n|---|---|---|\n";
   for (const SFittingDevice& device : devices) {
     page << "| [`" << device.Label << "`](#" << Anchor(Heading(device)) << ") | " << device.Kind

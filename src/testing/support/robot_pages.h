@@ -10,8 +10,8 @@ namespace argos {
 std::vector<std::string> RobotsWithPages();
 
 /**
- * The page of a robot, in Markdown: what it says of itself, the devices that fit it, and what each
- * of them says of itself. A device fits if it accepts the robot in SetRobot().
+ * The page of a robot in Markdown: its description, the devices that it supports, and their
+ * descriptions. A device is supported if it accepts the robot in SetRobot().
  */
 std::string MakeRobotPage(const std::string& label);
 

@@ -1,4 +1,4 @@
-// Writes the pages of the robots: robot_pages <folder>
+// Writes the pages of the robots. Usage: robot_pages <folder>
 
 #include <argos3/testing/support/robot_pages.h>
 

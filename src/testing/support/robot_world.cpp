@@ -9,7 +9,7 @@ namespace argos {
 SExperiment SRobotExperiment::ToExperiment() const {
   SExperiment experiment;
   experiment.Seed = Seed;
-  // a controller without a robot would be reported as unused
+  // an unused controller would be reported by a warning
   const bool isUsed = Arena.find("config=\"c\"") != std::string::npos;
   const bool hasDevices = !Sensors.empty() || !Actuators.empty();
   if (isUsed || hasDevices) {

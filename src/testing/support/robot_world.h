@@ -14,8 +14,8 @@
 namespace argos {
 
 /**
- * An experiment for tests of robots and objects: by default in an engine in which nothing moves, so
- * that what sensors read can be told from geometry alone, and with a medium "leds".
+ * An experiment for tests of robots and objects. By default nothing moves in its engine, so that
+ * readings follow from geometry alone, and it has a medium "leds".
  */
 struct SRobotExperiment {
   std::string Actuators; /**< XML elements of the controller "c" */
@@ -23,16 +23,16 @@ struct SRobotExperiment {
   std::string Arena; /**< XML elements */
   std::string Engine = "<toy_engine id=\"engine\"/>";
   std::string Media = "<led id=\"leds\"/>";
-  std::string LoopFunctions = ""; /**< the whole element, or nothing */
+  std::string LoopFunctions = ""; /**< the whole element, or empty */
   UInt32 Seed = 1;
 
   SExperiment ToExperiment() const;
 };
 
-/** Runs such an experiment, and makes it current for the calling thread while it lives. */
+/** Runs such an experiment; its simulator is current for the calling thread during its lifetime. */
 class CRobotWorld : public CTestWorld {
  public:
-  /** @throws CARGoSException whatever loading throws. */
+  /** @throws CARGoSException on any loading error. */
   explicit CRobotWorld(const SRobotExperiment& experiment);
 
   /** @throws CARGoSException if there is no such robot. */
@@ -45,7 +45,7 @@ class CRobotWorld : public CTestWorld {
   ACTUATOR& GetActuator(const std::string& robot, const std::string& type) {
     return *GetRobot(robot).GetController().GetActuator<ACTUATOR>(type);
   }
-  /** Gives an entity to the space while the experiment runs. */
+  /** Adds an entity to the space during the experiment. */
   template <typename ENTITY>
   ENTITY& Add(std::unique_ptr<ENTITY> entity) {
     ENTITY& added = *entity;
@@ -57,7 +57,7 @@ class CRobotWorld : public CTestWorld {
   CSimulator::CScope m_scope;
 };
 
-/** "robot_world_controller": does in each step what a test tells it to. */
+/** "robot_world_controller": calls a function of the test in each step. */
 class CRobotWorldController : public CCI_Controller {
  public:
   void ControlStep() override {
@@ -71,7 +71,7 @@ class CRobotWorldController : public CCI_Controller {
 
 /** XML of a robot of type @p tag with the controller "c". @param pose attributes of `<body>`. */
 std::string Robot(const std::string& tag, const std::string& id, const std::string& pose);
-/** What loading that experiment throws; empty if it loads. */
+/** The error on loading an experiment; empty if it loads. */
 std::string LoadError(const SRobotExperiment& experiment);
 /** "x,y,z" with all digits. */
 std::string ToText(const CVector3& vector);

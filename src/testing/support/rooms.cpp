@@ -16,7 +16,7 @@ class CWalls {
  public:
   explicit CWalls(std::ostringstream& xml) : m_xml(xml) {}
 
-  // a wall between two points on a line along x or along y
+  // adds a wall between two points on a line along x or along y
   void Add(bool alongX, Real from, Real to, Real at) {
     const Real length = to - from;
     const Real middle = 0.5 * (from + to);

@@ -7,7 +7,7 @@
 
 namespace argos::testing {
 
-/** The benchmark's world: e-pucks that diffuse in a square arena of rooms with doors. */
+/** The world of the benchmark: e-pucks that diffuse in a square arena of rooms with doors. */
 struct SRoomsWorld {
   UInt32 Robots = 1000;
   Real Side = 40.0; /**< of the arena, m */
@@ -18,14 +18,14 @@ struct SRoomsWorld {
   std::string Engine = "dynamics2d";
   std::string EngineAttributes; /**< such as `iterations="4"` */
   std::string EngineChildren; /**< XML elements */
-  std::string Actuators, Sensors; /**< XML elements, besides wheels and proximity sensors */
+  std::string Actuators, Sensors; /**< XML elements in addition to wheels and proximity sensors */
   std::string Media; /**< XML elements */
 
-  /** The side at which @p robots are as dense as 10,000 in 40 m x 40 m. */
+  /** Side at which @p robots have the density of 10,000 in 40 m x 40 m. */
   static Real SideAtSameDensity(UInt32 robots);
-  /** As many rooms along a side, m, as make them about 10 m wide. */
+  /** Number of rooms along a side (m) for which they are about 10 m wide. */
   static UInt32 RoomsAlong(Real side);
-  /** The experiment file. */
+  /** XML of the experiment. */
   std::string ToXML() const;
 };
 

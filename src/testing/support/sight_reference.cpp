@@ -11,7 +11,7 @@ namespace argos {
 
 bool ReferenceInSight(CSpace& space, const CVector3& eye, const CVector3& point,
                       const std::string& viewer) {
-  constexpr Real kTouch = 1e-8;  // m; no test has a body that hides less
+  constexpr Real kTouch = 1e-8;  // m; bodies in tests occlude by more
   for (CEntity* root : space.GetRootEntityVector()) {
     auto* composable = dynamic_cast<CComposableEntity*>(root);
     if (composable == nullptr || root->GetId() == viewer || !composable->HasComponent("body")) {

@@ -12,9 +12,9 @@ class CLEDEntity;
 class CSpace;
 
 /**
- * True if no body but that of the root entity @p viewer hides @p point from @p eye (m, world
- * frame): one body after the other, straight from the definitions of their solids. What lies on the
- * surface of a body is not hidden from that side.
+ * @return true if no body except that of the root entity @p viewer occludes @p point from @p eye
+ * (m, world frame), by brute force and from the definitions of the solids. Points on the surface of
+ * a body are visible from that side.
  */
 bool ReferenceInSight(CSpace& space, const CVector3& eye, const CVector3& point,
                       const std::string& viewer);

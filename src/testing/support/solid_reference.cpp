@@ -38,7 +38,7 @@ TFrame FrameOf(const SReferenceBody& body, const SShapeDescription& solid) {
   return Frame(body.Position, body.Orientation) * Frame(solid.Offset, solid.Orientation);
 }
 
-// the part of p + t d with low <= component <= high
+// restricts t to low <= component of p + t d <= high
 void ClipToSlab(SSpan& span, Real p, Real d, Real low, Real high) {
   if (d != 0.0) {
     span.Clip((low - p) / d, (high - p) / d);
@@ -47,7 +47,7 @@ void ClipToSlab(SSpan& span, Real p, Real d, Real low, Real high) {
   }
 }
 
-// the part of p + t d with |p + t d|^2 <= radius^2, in the first components only
+// restricts t to |p + t d|^2 <= radius^2, for the first components only
 void ClipToRound(SSpan& span, const TVector& p, const TVector& d, int components, Real radius) {
   const Real a = d.head(components).squaredNorm();
   const Real b = 2.0 * p.head(components).dot(d.head(components));

@@ -9,7 +9,7 @@
 
 namespace argos {
 
-/** A body as the reference sees it: nothing but its solids and its pose. */
+/** A body in the reference implementation: its solids and its pose. */
 struct SReferenceBody {
   const SBodyDescription* Description;
   CVector3 Position; /**< m, world frame */
@@ -17,8 +17,8 @@ struct SReferenceBody {
 };
 
 /**
- * Where a ray enters a body: fraction of its length in [0,1], 0 if it starts inside; none if it
- * misses. Straight from the definitions of the solids, in three dimensions, one after the other.
+ * Fraction of a ray's length in [0,1] at which it enters a body, 0 if it starts inside; empty if it
+ * misses. Computed by brute force from the definitions of the solids in three dimensions.
  */
 std::optional<Real> ReferenceHit(const SReferenceBody& body, const CRay3& ray);
 

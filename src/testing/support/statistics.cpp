@@ -1,18 +1,25 @@
 #include <argos3/testing/support/statistics.h>
 
+#include <gsl/gsl_cdf.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 namespace argos {
 
+namespace {
+
+constexpr Real kProbability = 1e-6;  // of a statistic beyond its bound
+
+}  // namespace
+
 Real NormalDistribution(Real value, Real standardDeviation) {
-  return 0.5 * std::erfc(-value / (standardDeviation * std::sqrt(2.0)));
+  return gsl_cdf_gaussian_P(value, standardDeviation);
 }
 
 Real KolmogorovSmirnovExcess(std::vector<Real> sample,
                              const std::function<Real(Real)>& distribution) {
-  constexpr Real kProbability = 1e-6;
   std::sort(sample.begin(), sample.end());
   const auto n = static_cast<Real>(sample.size());
   Real distance = 0.0;
@@ -25,7 +32,6 @@ Real KolmogorovSmirnovExcess(std::vector<Real> sample,
 }
 
 Real ChiSquareExcess(const std::vector<size_t>& counts, const std::vector<Real>& probabilities) {
-  constexpr Real kNormalQuantile = 4.753424;  // exceeded with probability 1e-6
   const auto total = static_cast<Real>(std::accumulate(counts.begin(), counts.end(), size_t(0)));
   Real statistic = 0.0;
   for (size_t i = 0; i < counts.size(); ++i) {
@@ -34,9 +40,7 @@ Real ChiSquareExcess(const std::vector<size_t>& counts, const std::vector<Real>&
     statistic += difference * difference / expected;
   }
   const auto freedom = static_cast<Real>(counts.size() - 1);
-  const Real spread = 2.0 / (9.0 * freedom);
-  const Real root = 1.0 - spread + kNormalQuantile * std::sqrt(spread);
-  return statistic / (freedom * root * root * root);
+  return statistic / gsl_cdf_chisq_Qinv(kProbability, freedom);
 }
 
 }  // namespace argos

@@ -19,8 +19,8 @@
 #include <vector>
 
 /*
- * The least plug-ins with which the core can be tested alone: a robot that slides where its
- * controller says, a block, a lamp, an engine without forces, a medium that does nothing.
+ * Minimal plug-ins with which the core can be tested alone: a robot that moves at the velocity of
+ * its controller, a block, a lamp, an engine without forces, a medium without effect.
  *
  *   <toy_engine id="toy" />   <toy_medium id="air" />
  *   <toy_controller id="c"> <actuators> <toy_drive implementation="default" /> </actuators>
@@ -34,7 +34,7 @@
 
 namespace argos {
 
-/** Holds what the drive of a toy robot was told. "toy_motor" */
+/** Stores the velocity order of a toy robot. "toy_motor" */
 class CToyMotorEntity : public CEntity {
  public:
   ENABLE_VTABLE()
@@ -87,7 +87,7 @@ class CToyBlockEntity : public CComposableEntity {
   CEmbodiedEntity* m_body = nullptr;
 };
 
-/** Something with a place and no body. */
+/** A positional entity without a body. */
 class CToyLampEntity : public CPositionalEntity {
  public:
   ENABLE_VTABLE()
@@ -96,7 +96,7 @@ class CToyLampEntity : public CPositionalEntity {
   std::string GetTypeDescription() const override { return "toy-lamp"; }
 };
 
-/** What the controller of a toy robot sees of its motor. */
+/** The interface of a toy robot's motor for controllers. */
 class CCI_ToyDriveActuator : public CCI_Actuator {
  public:
   virtual void SetVelocity(const CVector3& velocity) = 0;  // m/s, world frame
@@ -104,14 +104,14 @@ class CCI_ToyDriveActuator : public CCI_Actuator {
 
 class CCI_ToyRangeSensor : public CCI_Sensor {
  public:
-  /** Distance ahead to the first body, m, from the robot's rim; 1 if there is none nearer. */
+  /** Distance ahead from the robot's rim to the first body, m; 1 if there is none within 1 m. */
   Real GetRange() const { return m_range; }
 
  protected:
   Real m_range = 1.0;
 };
 
-/** Hooks and a record of what was called, in order. Only for runs without threads if recording. */
+/** Offers hooks and records calls in order. Recording needs runs without threads. */
 class CToyLoopFunctions : public CLoopFunctions {
  public:
   void Init(TConfigurationNode& node) override;
@@ -130,7 +130,7 @@ class CToyLoopFunctions : public CLoopFunctions {
   std::function<bool()> IsFinished;
 };
 
-/** Drives at <params velocity="x,y,z">, or where OnStep says. */
+/** Drives at <params velocity="x,y,z">, or as OnStep orders. */
 class CToyController : public CCI_Controller {
  public:
   CToyController();
@@ -145,7 +145,7 @@ class CToyController : public CCI_Controller {
   Real LastRange = -1.0;
   std::function<void(CToyController&)> OnStep;
 
-  // of the whole process
+  // counted in the whole process
   static std::atomic<int> NumInits;
   static std::atomic<int> NumAlive;
 
@@ -155,7 +155,7 @@ class CToyController : public CCI_Controller {
   CCI_ToyRangeSensor* m_range = nullptr;
 };
 
-/** Moves bodies with a motor at its velocity; bodies pass through each other. */
+/** Moves bodies at the velocity of their motor; bodies pass through each other. */
 class CToyEngine : public CPhysicsEngine {
  public:
   CToyEngine();
@@ -171,7 +171,7 @@ class CToyEngine : public CPhysicsEngine {
 
  private:
   class CModel;
-  std::string m_refuses;  // a type of entity it cannot house
+  std::string m_refuses;  // type of entity that it does not accept
   std::vector<std::unique_ptr<CModel>> m_models;
 };
 

@@ -1,5 +1,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/entity/lazy_components.h>
 #include <argos3/core/utility/string_utilities.h>
 
 #include <algorithm>
@@ -46,7 +48,7 @@ CComposableEntity::CComposableEntity(CComposableEntity* parent, const std::strin
     : CEntity(parent, id) {}
 
 CComposableEntity::~CComposableEntity() {
-  // only of entities that never were in a space: the space removes components itself
+  // only for entities that were never in a space: the space removes components itself
   while (!m_components.empty()) {
     const std::unique_ptr<CEntity> last(m_components.back());
     m_components.pop_back();
@@ -95,8 +97,13 @@ void CComposableEntity::MarkStart() {
 
 void CComposableEntity::ReturnToStart() {
   CEntity::ReturnToStart();
-  for (CEntity* component : m_components) {
-    component->ReturnToStart();
+  // bodies last: a component that is enabled or disabled changes how often their anchors are in use
+  for (const bool bodies : {false, true}) {
+    for (CEntity* component : m_components) {
+      if ((dynamic_cast<CEmbodiedEntity*>(component) != nullptr) == bodies) {
+        component->ReturnToStart();
+      }
+    }
   }
 }
 
@@ -118,14 +125,22 @@ CEntity& CComposableEntity::RemoveComponent(const std::string& path) {
   auto& siblings = parent.m_components;
   siblings.erase(std::find(siblings.begin(), siblings.end(), &component));
   parent.m_componentMap.reset();
-  parent.NoticeRemoval(component);
+  if (parent.m_lazyComponents != nullptr) {
+    parent.m_lazyComponents->Forget(component);
+  }
   return component;
+}
+
+void CComposableEntity::CreateLazyComponents(const std::string& type) {
+  if (m_lazyComponents != nullptr) {
+    m_lazyComponents->Create(type);
+  }
 }
 
 CEntity* CComposableEntity::TryGetComponent(const std::string& path) {
   std::string rest;
   const SStep step = TakeStep(path, rest);
-  MaterializeComponents(step.Type);
+  CreateLazyComponents(step.Type);
   for (CEntity* component : m_components) {
     if (!Matches(*component, step)) {
       continue;
@@ -169,7 +184,7 @@ CEntity::TMultiMap::iterator CComposableEntity::FindComponent(const std::string&
 }
 
 CEntity::TMultiMap& CComposableEntity::GetComponentMap() {
-  MaterializeComponents(std::string());
+  CreateLazyComponents(std::string());
   if (m_componentMap == nullptr) {
     m_componentMap = std::make_unique<TMultiMap>();
     for (CEntity* component : m_components) {
@@ -180,7 +195,7 @@ CEntity::TMultiMap& CComposableEntity::GetComponentMap() {
 }
 
 CEntity::TVector& CComposableEntity::GetComponentVector() {
-  MaterializeComponents(std::string());
+  CreateLazyComponents(std::string());
   return m_components;
 }
 
@@ -189,7 +204,9 @@ void CComposableEntity::ForgetComponent(const CEntity& component) {
   if (found != m_components.rend()) {
     m_components.erase(std::next(found).base());
     m_componentMap.reset();
-    NoticeRemoval(component);
+    if (m_lazyComponents != nullptr) {
+      m_lazyComponents->Forget(component);
+    }
   }
 }
 

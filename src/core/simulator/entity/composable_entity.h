@@ -8,6 +8,8 @@
 
 namespace argos {
 
+class CLazyComponents;
+
 /**
  * An entity made of components, which it owns.
  *
@@ -60,34 +62,29 @@ class CComposableEntity : public CEntity {
   /** Iterator into GetComponentMap(), which ends it if there is no such component. */
   CEntity::TMultiMap::iterator FindComponent(const std::string& component);
 
-  /** Direct components by type; built when first asked for. */
+  /** Direct components by type; built at the first call. */
   CEntity::TMultiMap& GetComponentMap();
   /** Direct components in order of addition. */
   CEntity::TVector& GetComponentVector();
 
-  /** The components that exist now, without creating those made on demand. */
+  /** The components that exist now; creates no lazy ones. */
   const CEntity::TVector& GetExistingComponents() const { return m_components; }
-  /** Called when a component has been enabled or disabled, perhaps before it is whole. */
-  virtual void NoticeEnabling(const CEntity& /*component*/) {}
-  /** Gives a component up without deleting it; nothing happens if it is none of this entity's. */
+  /** Releases a component without deleting it; ignores one that is not of this entity. */
   void ForgetComponent(const CEntity& component);
 
   void UpdateDigest(CDigest& digest) const override;
 
  protected:
-  /**
-   * Makes the components of that type that are made only on demand, if they do not exist yet;
-   * called before any look-up. @param type  empty: of all types.
-   */
-  virtual void MaterializeComponents(const std::string& /*type*/) {}
-  /** Called when a component has left this entity, by whatever way. */
-  virtual void NoticeRemoval(const CEntity& /*component*/) {}
+  /** Sets what creates components at their first look-up. Not owned; null (the default): none. */
+  void SetLazyComponents(CLazyComponents* lazyComponents) { m_lazyComponents = lazyComponents; }
 
  private:
   CEntity* TryGetComponent(const std::string& path);
+  void CreateLazyComponents(const std::string& type);
 
   CEntity::TVector m_components;  // owned
-  std::unique_ptr<CEntity::TMultiMap> m_componentMap;  // by type; null until asked for
+  std::unique_ptr<CEntity::TMultiMap> m_componentMap;  // by type; null before the first request
+  CLazyComponents* m_lazyComponents = nullptr;
 };
 
 }  // namespace argos

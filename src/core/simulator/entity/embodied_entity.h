@@ -114,11 +114,13 @@ class CEmbodiedEntity : public CEntity {
   void SetOriginPose(const CVector3& position, const CQuaternion& orientation);
 
   /**
-   * False if nothing hangs on the body that would have to be told of moves: engines then need not
-   * call the root entity's Update(). True unless the root entity has said otherwise.
+   * True if the root entity's Update() must be called after each move of the body: because the
+   * root entity itself needs it (the default), or because a component that follows is enabled.
    */
-  bool HasFollowers() const { return m_hasFollowers; }
-  void SetHasFollowers(bool has) { m_hasFollowers = has; }
+  bool HasFollowers() const { return m_rootFollows || m_numFollowers > 0; }
+  void SetRootFollows(bool follows) { m_rootFollows = follows; }
+  /** A component that Update() moves along with the body has been enabled or disabled. */
+  void CountFollower(bool enabled) { m_numFollowers += enabled ? 1 : -1; }
 
   /** Asks for the memory that SetOriginPose(), and sensors that look around, need. */
   void PrefetchPose() const { PrefetchBetween(&m_origin.Position, &m_vecEnabledAnchors + 1); }
@@ -155,7 +157,8 @@ class CEmbodiedEntity : public CEntity {
 
  protected:
   bool m_bMovable;
-  bool m_hasFollowers = true;
+  bool m_rootFollows = true;
+  SInt16 m_numFollowers = 0;
   SAnchor* m_psOriginAnchor = nullptr;
   std::vector<SAnchor*> m_vecEnabledAnchors;
 

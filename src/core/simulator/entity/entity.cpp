@@ -67,9 +67,6 @@ void CEntity::SetEnabled(bool enabled) {
   if (m_index < 0) {
     m_enabledAtStart = enabled;
   }
-  if (m_parent != nullptr) {
-    m_parent->NoticeEnabling(*this);
-  }
 }
 
 void CEntity::ReturnToStart() {

@@ -5,6 +5,7 @@
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/configuration/base_configurable_resource.h>
+#include <argos3/core/utility/memory/object_slabs.h>
 #include <argos3/core/utility/plugins/factory.h>
 #include <argos3/core/utility/plugins/vtable.h>
 
@@ -30,7 +31,9 @@ struct SAppearance;
  * Every concrete class carries ENABLE_VTABLE() and registers its space operations, so that the core
  * dispatches on its exact type without knowing it.
  */
-class CEntity : public CBaseConfigurableResource, public EnableVTableFor<CEntity> {
+class CEntity : public CBaseConfigurableResource,
+                public EnableVTableFor<CEntity>,
+                public CSlabObject {
  public:
   ENABLE_VTABLE();
 
@@ -73,8 +76,6 @@ class CEntity : public CBaseConfigurableResource, public EnableVTableFor<CEntity
   /** Order of insertion into the space; -1 before. */
   ssize_t GetIndex() const { return m_index; }
   void SetIndex(ssize_t index) { m_index = static_cast<SInt64>(index); }
-  /** How many consecutive indices this entity takes: itself and what it may create later. */
-  virtual size_t GetIndexSpan() const { return 1; }
 
   bool IsEnabled() const { return m_enabled; }
   void Enable() { SetEnabled(true); }
@@ -89,10 +90,8 @@ class CEntity : public CBaseConfigurableResource, public EnableVTableFor<CEntity
    */
   virtual void MarkStart() { m_enabledAtStart = m_enabled; }
   /**
-   * Enables and disables this entity and its parts as they were at the start.
-   *
-   * Called before Reset(), twice: what is enabled or disabled may count itself in or out of parts
-   * that were brought back before.
+   * Enables and disables this entity and its parts as they were at the start. Called before
+   * Reset().
    */
   virtual void ReturnToStart();
   bool IsEnabledAtStart() const { return m_enabledAtStart; }

@@ -3,13 +3,12 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
-#include <argos3/core/simulator/entity/floor_entity.h>
 #include <argos3/core/simulator/load_errors.h>
 #include <argos3/core/simulator/physics_engine/region_geometry.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/body_index.h>
 #include <argos3/core/simulator/space/distribution.h>
-#include <argos3/core/simulator/space/user_views.h>
+#include <argos3/core/simulator/space/entity_views.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/core/utility/string_utilities.h>
 
@@ -42,7 +41,9 @@ std::string DescribeNearest(const CPhysicsEngine::TVector& engines, const CVecto
 }  // namespace
 
 CSpace::CSpace(CSimulator& simulator)
-    : m_cSimulator(simulator), m_bodyIndex(std::make_unique<CBodyIndex>()) {}
+    : m_cSimulator(simulator),
+      m_views(std::make_unique<CEntityViews>(m_roots)),
+      m_bodyIndex(std::make_unique<CBodyIndex>()) {}
 
 CSpace::~CSpace() {
   Destroy();
@@ -128,13 +129,6 @@ CEntity& CSpace::CreateEntity(TConfigurationNode& node) {
   }
 }
 
-void CSpace::RememberType(size_t tag, TMakeAny makeAny) {
-  if (m_makeAny.size() <= tag) {
-    m_makeAny.resize(tag + 1, nullptr);
-  }
-  m_makeAny[tag] = makeAny;
-}
-
 void CSpace::InsertEntity(CEntity& entity) {
   if (!entity.HasParent()) {
     const auto [found, inserted] = m_rootById.emplace(entity.GetId(), &entity);
@@ -149,20 +143,13 @@ void CSpace::InsertEntity(CEntity& entity) {
     m_roots.push_back(&entity);
     entity.MarkStart();
   }
-  entity.SetIndex(m_nextIndex);
-  m_nextIndex += static_cast<ssize_t>(entity.GetIndexSpan());
-  if (m_views != nullptr) {
-    m_views->Pending.push_back(&entity);
-  }
+  entity.SetIndex(m_nextIndex++);
+  m_views->Add(entity);
 }
 
 void CSpace::EraseEntity(CEntity& entity) {
   const std::unique_ptr<CEntity> owned(&entity);
-  if (m_views != nullptr) {
-    m_views->Erase(entity);
-  } else {
-    GetExtension<SGoneTypes>().Types.insert(entity.GetTypeDescription());
-  }
+  m_views->Remove(entity);
   if (entity.HasParent()) {
     entity.GetParent().ForgetComponent(entity);
   } else {
@@ -187,11 +174,8 @@ void CSpace::MarkStart() {
 
 void CSpace::Reset() {
   m_simulationClock = 0;
-  // see CEntity::ReturnToStart()
-  for (int pass = 0; pass < 2; ++pass) {
-    for (CEntity* root : m_roots) {
-      root->ReturnToStart();
-    }
+  for (CEntity* root : m_roots) {
+    root->ReturnToStart();
   }
   for (CEntity* root : m_roots) {
     root->Reset();
@@ -237,7 +221,7 @@ void CSpace::Destroy() {
       EraseEntity(*m_roots.back());
     }
   }
-  m_views.reset();
+  m_views = std::make_unique<CEntityViews>(m_roots);
   m_bodyIndex = std::make_unique<CBodyIndex>();
   m_extensions.clear();
   m_rng = nullptr;
@@ -366,17 +350,6 @@ UInt64 CSpace::ComputeDigest() const {
     medium->UpdateDigest(digest);
   }
   return digest.GetValue();
-}
-
-void CSpace::SetFloorEntity(CFloorEntity& floor) {
-  m_floor = &floor;
-}
-
-CFloorEntity& CSpace::GetFloorEntity() {
-  if (m_floor == nullptr) {
-    THROW_ARGOSEXCEPTION("the arena has no floor; add a <floor> element to <arena>");
-  }
-  return *m_floor;
 }
 
 }  // namespace argos

@@ -11,7 +11,6 @@
 #include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <typeindex>
 #include <unordered_map>
@@ -22,10 +21,10 @@ namespace argos {
 class CBodyIndex;
 class CControllableEntity;
 class CEmbodiedEntity;
+class CEntityViews;
 class CFloorEntity;
 class CLoadErrors;
 class CPhysicsEngine;
-class CProfiler;
 class CSimulator;
 class CThreadPool;
 struct STickTimes;
@@ -36,11 +35,24 @@ class CSpaceExtension {
   virtual ~CSpaceExtension() = default;
 };
 
+/** Makes a CAny that holds a pointer to the entity's exact class. */
+using TEntityCast = CAny (*)(CEntity&);
+
+/** Makes the cast of a class known to CSpace::GetEntitiesByType(), once a program. */
+template <typename ENTITY>
+struct SEntityCast {
+  static CAny Cast(CEntity& entity) { return CAny(static_cast<ENTITY*>(&entity)); }
+  static const bool kIsRegistered;
+};
+template <typename ENTITY>
+const bool SEntityCast<ENTITY>::kIsRegistered =
+    (GetVTable<CEntityViews, CEntity, TEntityCast>().template Add<ENTITY>(&Cast), true);
+
 /**
  * Holds every entity, and runs the tick (tick.cpp).
  *
- * The lists of all entities and the maps by id and by type are views for users, built when first
- * asked for and kept up to date from then on; the tick works on the packed lists inside.
+ * The lists of all entities and the maps by id and by type are views for users, built at the first
+ * request and kept up to date from then on (entity_views.h); the tick works on the packed lists.
  */
 class CSpace : public CBaseConfigurableResource {
  public:
@@ -86,15 +98,11 @@ class CSpace : public CBaseConfigurableResource {
   /** Takes a root entity (or notes a component); used by space operations. */
   template <typename ENTITY>
   void AddEntity(ENTITY& entity) {
-    RememberType(entity.GetTag(), &MakeAny<ENTITY>);
+    static_cast<void>(SEntityCast<ENTITY>::kIsRegistered);
     InsertEntity(entity);
   }
-  /** Lists entities of a class that is made on demand under their exact class: before any is made.
-   */
-  template <typename ENTITY>
-  void RememberType() {
-    RememberType(::argos::GetTag<ENTITY, CEntity>(), &MakeAny<ENTITY>);
-  }
+  /** Leaves room in the order of entities, for components that are created later. */
+  void SkipIndices(size_t count) { m_nextIndex += static_cast<ssize_t>(count); }
   /** Forgets an entity, then calls Destroy() on it and deletes it; used by space operations. */
   template <typename ENTITY>
   void RemoveEntity(ENTITY& entity) {
@@ -152,8 +160,6 @@ class CSpace : public CBaseConfigurableResource {
   void TakeOver(std::unique_ptr<CEntity> entity);
   /** Makes the entity that an XML element describes and adds it; nothing stays if that fails. */
   CEntity& CreateEntity(TConfigurationNode& node);
-  /** Tells a profiler the phases of a tick, which Update() then times. */
-  static void AddProfiledPhases(CProfiler& profiler);
   /** 64-bit digest of the state of every entity and medium, in order. */
   UInt64 ComputeDigest() const;
 
@@ -175,23 +181,9 @@ class CSpace : public CBaseConfigurableResource {
   }
 
  private:
-  using TMakeAny = CAny (*)(CEntity&);
-  struct SUserViews;  // the maps and lists for users
-
-  template <typename ENTITY>
-  static CAny MakeAny(CEntity& entity) {
-    return CAny(static_cast<ENTITY*>(&entity));
-  }
-  void RememberType(size_t tag, TMakeAny makeAny);
   void InsertEntity(CEntity& entity);
   void EraseEntity(CEntity& entity);
   CEntity* TryGetEntity(const std::string& id);
-  SUserViews& GetUserViews();
-  SUserViews& GetUserViewsOf(const std::string& type);
-  void OpenUserViews();
-  void AddPendingToUserViews();
-  void AddToUserViews(CEntity& entity, const std::string& type);
-  void ListInUserViews(CEntity& entity);
   [[noreturn]] void ThrowNoEngine(CEmbodiedEntity& body);
   void FillArena(TConfigurationNode& tree, CLoadErrors& errors);
   void InitArena(TConfigurationNode& tree);
@@ -219,9 +211,7 @@ class CSpace : public CBaseConfigurableResource {
   std::vector<CControllableEntity*> m_robots;  // in order of addition
   ssize_t m_nextIndex = 0;
   bool m_probing = false;
-  std::vector<TMakeAny> m_makeAny;  // by entity tag
-  std::unique_ptr<SUserViews> m_views;
-  std::mutex m_viewsMutex;  // controllers may ask for them, several at once
+  std::unique_ptr<CEntityViews> m_views;  // the lists and maps for users
   std::unique_ptr<CBodyIndex> m_bodyIndex;
   bool m_areBodiesOutsideIndex = true;
   std::unordered_map<std::type_index, std::unique_ptr<CSpaceExtension>>

@@ -10,7 +10,6 @@
 #include <argos3/core/simulator/space/tick_times.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/prefetch.h>
-#include <argos3/core/utility/profiler/profiler.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 
 #include <algorithm>
@@ -29,17 +28,6 @@ constexpr size_t kRobotGrain = 64;
 constexpr UInt32 kStages = 4;
 
 using TClock = std::chrono::steady_clock;
-
-// numbers of the phases in the profile
-enum EPhase : UInt8 {
-  PHASE_ACT,
-  PHASE_PHYSICS,
-  PHASE_INDEX,
-  PHASE_MEDIA,
-  PHASE_PRE_STEP,
-  PHASE_SENSE_AND_CONTROL,
-  PHASE_POST_STEP
-};
 
 Real SecondsSince(TClock::time_point start) {
   return std::chrono::duration<Real>(TClock::now() - start).count();
@@ -104,45 +92,30 @@ void ForRobots(const std::vector<CControllableEntity*>& robots, size_t begin, si
 void CSpace::Update() {
   CThreadPool& pool = m_cSimulator.GetThreadPool();
   CLoopFunctions& loopFunctions = m_cSimulator.GetLoopFunctions();
-  // runs a phase, and adds its time to the times asked for and to the profile
-  const auto phase = [this](Real STickTimes::*time, EPhase profiled, auto&& run) {
-    CProfiler* const profiler = m_cSimulator.IsProfiling() ? &m_cSimulator.GetProfiler() : nullptr;
-    if (profiler != nullptr) {
-      profiler->StartPhase(profiled);
-    }
-    Timed(m_tickTimes != nullptr && time != nullptr ? &(m_tickTimes->*time) : nullptr, run);
-    if (profiler != nullptr) {
-      profiler->StopPhase(profiled);
-    }
+  // runs a phase, and adds its time to the tick times if there are any
+  const auto phase = [this](Real STickTimes::*time, auto&& run) {
+    Timed(m_tickTimes != nullptr ? &(m_tickTimes->*time) : nullptr, run);
   };
 
   CARGoSLog::SetSequence(0);
   IncreaseSimulationClock();
-  phase(&STickTimes::Act, PHASE_ACT, [&] { Act(pool); });
-  phase(&STickTimes::Physics, PHASE_PHYSICS, [&] {
+  phase(&STickTimes::Act, [&] { Act(pool); });
+  phase(&STickTimes::Physics, [&] {
     CollectGhosts(pool);
     UpdatePhysics(pool);
     TransferBodies();
   });
-  phase(&STickTimes::Index, PHASE_INDEX, [&] { m_bodyIndex->Rebuild(pool); });
-  phase(&STickTimes::Media, PHASE_MEDIA, [&] { UpdateMedia(pool); });
-  phase(&STickTimes::LoopFunctions, PHASE_PRE_STEP, [&] { loopFunctions.PreStep(); });
-  phase(nullptr, PHASE_SENSE_AND_CONTROL, [&] { SenseAndControl(pool); });
-  phase(&STickTimes::LoopFunctions, PHASE_POST_STEP, [&] { loopFunctions.PostStep(); });
+  phase(&STickTimes::Index, [&] { m_bodyIndex->Rebuild(pool); });
+  phase(&STickTimes::Media, [&] { UpdateMedia(pool); });
+  phase(&STickTimes::PreStep, [&] { loopFunctions.PreStep(); });
+  phase(&STickTimes::SenseAndControl, [&] { SenseAndControl(pool); });
+  phase(&STickTimes::PostStep, [&] { loopFunctions.PostStep(); });
 
   LOG.Flush();
   LOGERR.Flush();
   CARGoSLog::SetSequence(0);
   if (m_tickTimes != nullptr) {
     ++m_tickTimes->Ticks;
-  }
-}
-
-void CSpace::AddProfiledPhases(CProfiler& profiler) {
-  // in the order of EPhase
-  for (const char* name :
-       {"act", "physics", "index", "media", "pre-step", "sense+control", "post-step"}) {
-    profiler.AddPhase(name);
   }
 }
 

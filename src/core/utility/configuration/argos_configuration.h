@@ -18,27 +18,27 @@ typedef CConfigurationNodeIterator TConfigurationNodeIterator;
 typedef CConfigurationAttributeIterator TConfigurationAttributeIterator;
 
 /*
- * Reading and writing elements. What the text of a value may be is said in configuration_parsing.h.
- * Every error is a CARGoSException whose text begins with "file:line: <element>: " and says what
- * was found and what would be right.
+ * Reading and writing elements. configuration_parsing.h describes the accepted text of each type.
+ * Every error is a CARGoSException whose text begins with "file:line: <element>: " and gives the
+ * value found and the values allowed.
  */
 
-/** Is there a direct child of that tag? */
+/** @return true if the element has a direct child with that tag. */
 bool NodeExists(TConfigurationNode& node, const std::string& tag);
 
-/** The first direct child of that tag. @throws CARGoSException if there is none. */
+/** Returns the first direct child with that tag. @throws CARGoSException if there is none. */
 TConfigurationNode& GetNode(TConfigurationNode& node, const std::string& tag);
 
-/** Appends a copy of an element, with all it contains. */
+/** Appends a copy of an element and its contents. */
 void AddChildNode(TConfigurationNode& parent, TConfigurationNode& child);
 
-/** @throws CARGoSException if the element has no text, or if it is not a T. */
+/** @throws CARGoSException if the element has no text, or if the text is not a T. */
 template <typename T>
 void GetNodeText(TConfigurationNode& node, T& buffer) {
   node.GetText(&buffer);
 }
 
-/** @throws CARGoSException if the element has a text that is not a T. */
+/** @throws CARGoSException if the element has a text and the text is not a T. */
 template <typename T>
 void GetNodeTextOrDefault(TConfigurationNode& node, T& buffer, const std::common_type_t<T>& dflt) {
   node.GetTextOrDefault(&buffer, dflt);
@@ -59,8 +59,8 @@ void GetNodeAttribute(TConfigurationNode& node, const std::string& attribute, UI
 void GetNodeAttribute(TConfigurationNode& node, const std::string& attribute, SInt8& buffer);
 
 /**
- * @param dflt  what buffer is set to if there is no such attribute.
- * @throws CARGoSException if the attribute is there, and its text is not a T.
+ * @param dflt  value of buffer if there is no such attribute.
+ * @throws CARGoSException if the attribute exists and its text is not a T.
  */
 template <typename T>
 void GetNodeAttributeOrDefault(TConfigurationNode& node, const std::string& attribute, T& buffer,
@@ -74,7 +74,7 @@ void GetNodeAttributeOrDefault(TConfigurationNode& node, const std::string& attr
 void GetNodeAttributeOrDefault(TConfigurationNode& node, const std::string& attribute,
                                SInt8& buffer, const SInt8 dflt);
 
-/** Adds the attribute, or changes its value; real numbers are written with all their digits. */
+/** Adds the attribute or changes its value; real numbers are written with all their digits. */
 template <typename T>
 void SetNodeAttribute(TConfigurationNode& node, const std::string& attribute, const T& value) {
   node.SetAttribute(attribute, value);

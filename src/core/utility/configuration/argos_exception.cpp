@@ -10,7 +10,7 @@ CARGoSException::CARGoSException(const std::string& what, std::exception* nested
   }
 }
 
-// defined here so that the class has one type identity, in the core library
+// defined here so that the core library holds the only type info of the class
 CARGoSException::~CARGoSException() noexcept = default;
 
 }  // namespace argos

@@ -10,18 +10,17 @@
 namespace argos {
 
 /**
- * What the simulator throws for every mistake of its user: a wrong experiment file, a missing
- * plug-in, an impossible argument.
+ * The exception for every mistake of a user: a wrong experiment file, a missing plug-in, an invalid
+ * argument.
  *
- * what() is "[FATAL] " followed by the message; if a nested exception was given, a newline and the
- * nested what() follow. The outermost context therefore comes first, one line per level.
+ * what() is "[FATAL] " followed by the message; a nested exception adds a newline and its own
+ * what(). The outermost context therefore comes first, one line per level.
  */
 class CARGoSException : public std::exception {
  public:
   /**
-   * @param what    what was found and what would be right.
-   * @param nested  the exception that led to this one, or null. Its text is copied; it need not
-   *                outlive the call.
+   * @param what    the value found and the values allowed.
+   * @param nested  the exception that caused this one, or null. Its text is copied.
    */
   CARGoSException(const std::string& what, std::exception* nested = nullptr);
   CARGoSException(const CARGoSException&) = default;
@@ -38,7 +37,7 @@ class CARGoSException : public std::exception {
 
 /**
  * Throws a CARGoSException whose message is a stream expression: THROW_ARGOSEXCEPTION("a" << b).
- * A brace block, so that it can stand after "else" and with or without a semicolon.
+ * A brace block, so that it works after "else" and with or without a semicolon.
  */
 #define THROW_ARGOSEXCEPTION(message)                 \
   {                                                   \
@@ -48,8 +47,8 @@ class CARGoSException : public std::exception {
   }
 
 /**
- * The same, for an error that another exception led to.
- * @param nested  a std::exception lvalue, usually the one that was caught.
+ * Throws a CARGoSException that was caused by another error.
+ * @param nested  a std::exception lvalue, usually the caught one.
  */
 #define THROW_ARGOSEXCEPTION_NESTED(message, nested)           \
   {                                                            \
@@ -59,9 +58,9 @@ class CARGoSException : public std::exception {
   }
 
 /**
- * Throws a CARGoSException if the condition does not hold. For mistakes of the program, not of its
- * user: with NDEBUG it is compiled out, condition and message included, unless
- * ARGOS_CHECK_INVARIANTS is defined, which the CMake option of that name does.
+ * Throws a CARGoSException if the condition does not hold. For errors of the program, not of its
+ * user: NDEBUG compiles out both condition and message, unless ARGOS_CHECK_INVARIANTS is defined,
+ * as it is by the CMake option of that name.
  */
 #if !defined(NDEBUG) || defined(ARGOS_CHECK_INVARIANTS)
 #define ARGOS_ASSERT(condition, message) \

@@ -2,7 +2,7 @@
 
 namespace argos {
 
-// defined here so that the class has one type identity, in the core library
+// defined here so that the core library holds the only type info of the class
 CBaseConfigurableResource::~CBaseConfigurableResource() = default;
 
 }  // namespace argos

@@ -5,19 +5,19 @@
 
 namespace argos {
 
-/** What everything has in common that is made from a part of the experiment file. */
+/** Base of the classes whose objects are configured by an element of the experiment file. */
 class CBaseConfigurableResource {
  public:
   virtual ~CBaseConfigurableResource();
 
   /**
-   * Makes the object ready for use. Called once.
-   * @param tree  the part of the experiment file that describes it.
-   * @throws CARGoSException if that part is wrong.
+   * Configures the object. Called once.
+   * @param tree  the XML element of the object.
+   * @throws CARGoSException if the element is invalid.
    */
   virtual void Init(TConfigurationNode& tree) = 0;
 
-  /** Restores the state just after Init(). */
+  /** Restores the state directly after Init(). */
   virtual void Reset() = 0;
 
   /** Undoes Init(). Called once, before the destructor. */

@@ -13,8 +13,8 @@
 namespace argos {
 
 /**
- * The options of a program: -x or --example. The value of an option is the word after it. Short
- * flags may be glued together (-ab); only the last of such a group may take a value.
+ * Parser of command-line options, -x or --example. The value of an option is the next word. Short
+ * flags may be combined (-ab); only the last one of a group may take a value.
  */
 class CCommandLineArgParser {
  public:
@@ -22,18 +22,19 @@ class CCommandLineArgParser {
   virtual ~CCommandLineArgParser() = default;
 
   /**
-   * Adds an option without value.
+   * Adds an option without a value.
    * @param longOption  without the dashes.
-   * @param flag        set to false now and to true if the option is given; must outlive Parse().
-   * @throws CARGoSException if there is such an option already.
+   * @param flag        set to false by this call and to true if the option is given; must outlive
+   *   Parse().
+   * @throws CARGoSException if the option already exists.
    */
   void AddFlag(char shortOption, const std::string& longOption, const std::string& description,
                bool& flag);
 
   /**
-   * Adds an option with a value, of any type that an attribute in an experiment file can have.
+   * Adds an option with a value, of any type that an XML attribute can have.
    * @param buffer  set if the option is given; must outlive Parse().
-   * @throws CARGoSException if there is such an option already.
+   * @throws CARGoSException if the option already exists.
    */
   template <typename T>
   void AddArgument(char shortOption, const std::string& longOption, const std::string& description,
@@ -47,13 +48,13 @@ class CCommandLineArgParser {
         }});
   }
 
-  /** Lists the options, one a line, in the order in which they were added. */
+  /** Prints the options, one per line, in the order in which they were added. */
   virtual void PrintUsage(CARGoSLog& log);
 
   /**
-   * @param argc, argv  what main() gets; the first word is the program.
-   * @throws CARGoSException on an option that was not added (the text gives the nearest), a missing
-   * value, a value that does not parse, or a word that belongs to no option.
+   * @param argc, argv  the arguments of main(); the first word is the program name.
+   * @throws CARGoSException on an unknown option (the text gives the nearest names), a missing
+   *   value, a value that does not parse, or a word that belongs to no option.
    */
   virtual void Parse(SInt32 argc, char** argv);
 

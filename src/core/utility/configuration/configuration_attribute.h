@@ -15,7 +15,8 @@ class CConfigurationNode;
 class CConfigurationStore;
 struct SConfigurationRecord;
 
-/** An attribute of an element: a handle, valid as long as the document. Made through the element.
+/**
+ * Handle of an attribute of an element, valid as long as the document. Obtained from the element.
  */
 class CConfigurationAttribute {
  public:
@@ -38,7 +39,7 @@ class CConfigurationAttribute {
   }
 
   /**
-   * The attribute written after this one; owned by the document.
+   * Returns the next attribute in the file; owned by the document.
    * @return null if this is the last and throwIfMissing is false.
    * @throws CARGoSException if this is the last and throwIfMissing is true.
    */

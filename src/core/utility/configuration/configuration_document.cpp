@@ -13,7 +13,7 @@
 namespace argos {
 
 /****************************************/
-// life
+// construction and destruction
 /****************************************/
 
 CConfigurationDocument::CConfigurationDocument()
@@ -35,7 +35,7 @@ namespace {
 std::string Describe(tinyxml2::XMLError error) {
   switch (error) {
     case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
-      return "there is nothing in it, expected an XML document";
+      return "the document is empty, expected an XML document";
     case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
       return "this closing tag does not match the element that is open";
     case tinyxml2::XML_ERROR_PARSING_ELEMENT:
@@ -64,19 +64,19 @@ std::string Describe(tinyxml2::XMLError error) {
   THROW_ARGOSEXCEPTION(LocationText(name, line) << ": not well-formed XML: " << what);
 }
 
-// the parser lets through more than one root element, and text beside it
+// the parser accepts several root elements and text outside the root element
 void CheckSingleRoot(tinyxml2::XMLDocument& xml, const std::string& name) {
   const tinyxml2::XMLElement* root = xml.RootElement();
   if (root == nullptr) {
-    ThrowMalformed(name, 0, "there is no element in it");
+    ThrowMalformed(name, 0, "the document has no element");
   }
   for (const auto* node = xml.FirstChild(); node != nullptr; node = node->NextSibling()) {
     const bool isExtraElement = node->ToElement() != nullptr && node != root;
     if (isExtraElement || node->ToText() != nullptr) {
-      ThrowMalformed(name, node->GetLineNum(),
-                     (isExtraElement ? '<' + std::string(node->Value()) + "> stands"
-                                     : std::string("text stands")) +
-                         " outside the root element <" + root->Value() + ">");
+      ThrowMalformed(
+          name, node->GetLineNum(),
+          (isExtraElement ? '<' + std::string(node->Value()) + "> is" : std::string("text is")) +
+              " outside the root element <" + root->Value() + ">");
     }
   }
 }
@@ -88,8 +88,8 @@ void CConfigurationDocument::Parse(const std::string& xml, const std::string& na
   tinyxml2::XMLDocument& document = store->GetXml();
   const std::size_t nul = xml.find('\0');
   if (nul != std::string::npos) {
-    THROW_ARGOSEXCEPTION(name << ": not well-formed XML: there is a zero byte in it, at offset "
-                              << nul << "; is it a text file?");
+    THROW_ARGOSEXCEPTION(name << ": not well-formed XML: zero byte at offset " << nul
+                              << "; is it a text file?");
   }
   const tinyxml2::XMLError error = document.Parse(xml.data(), xml.size());
   if (error != tinyxml2::XML_SUCCESS) {
@@ -137,7 +137,7 @@ void CConfigurationDocument::SaveFile(const std::string& path) const {
 CConfigurationNode& CConfigurationDocument::GetRoot() {
   CConfigurationNode* root = m_store->HandleOf(m_store->GetXml().RootElement());
   if (root == nullptr) {
-    THROW_ARGOSEXCEPTION("The root of a document was asked for before a file was loaded");
+    THROW_ARGOSEXCEPTION("GetRoot() was called on a document that was not loaded");
   }
   return *root;
 }
@@ -147,7 +147,7 @@ const std::string& CConfigurationDocument::GetName() const {
 }
 
 /****************************************/
-// changing, and what nobody read
+// modification, unread elements and attributes
 /****************************************/
 
 std::string CConfigurationDocument::SetByPath(const std::string& path, const std::string& value) {
@@ -180,7 +180,7 @@ void CConfigurationDocument::ForEachUnread(
       report(node, "");
       return;
     }
-    // as many attributes as the record has bits
+    // the record has 64 bits
     UInt64 bits = record.ReadAttributes;
     int tracked = 64;
     for (const auto* attribute = element.FirstAttribute(); attribute != nullptr && tracked > 0;

@@ -10,8 +10,8 @@
 namespace argos {
 
 /**
- * An experiment file in memory. References to its elements stay valid while it lives and until the
- * next LoadFile() or Parse().
+ * An experiment file in memory. References to its elements stay valid until the document is
+ * destroyed or until the next LoadFile() or Parse().
  */
 class CConfigurationDocument {
  public:
@@ -22,18 +22,18 @@ class CConfigurationDocument {
 
   /**
    * @throws CARGoSException if the file cannot be read or is not well-formed XML with one root
-   * element; the text gives the file, the line and what is wrong. The document is then as before.
+   *   element; the text gives file, line and reason. The document is then unchanged.
    */
   void LoadFile(const std::string& path);
 
   /**
-   * Reads a document from a text.
-   * @param name  what error messages call it, in place of a file name.
-   * @throws CARGoSException as LoadFile() does.
+   * Parses a document from a string.
+   * @param name  replaces the file name in error messages.
+   * @throws CARGoSException like LoadFile().
    */
   void Parse(const std::string& xml, const std::string& name = "(text)");
 
-  /** @throws CARGoSException if the file cannot be written, or if there is no document. */
+  /** @throws CARGoSException if the file cannot be written, or if the document is empty. */
   void SaveFile(const std::string& path) const;
 
   /** @throws CARGoSException if nothing was loaded. */
@@ -43,28 +43,28 @@ class CConfigurationDocument {
   const std::string& GetName() const;
 
   /**
-   * Sets one attribute, found by a path like those of XPath:
+   * Sets one attribute, selected by a path in XPath notation:
    *
    *   /argos-configuration/framework/experiment/@length
    *   arena/distribute[2]/entity/@quantity
    *   //foot-bot[@id='fb0']/body/@position
    *
-   * A path goes from the root element, whose own name may be left out. "//" looks at any depth, "*"
-   * is any element, [n] the n-th among its like-named siblings, counted from 1, [@name='value']
-   * those with that attribute. The attribute is created if the element has none of that name.
+   * A path starts at the root element, whose own name may be omitted. "//" searches at any depth,
+   * "*" matches any element, [n] selects the n-th sibling of that name, counted from 1, and
+   * [@name='value'] selects elements with that attribute. A missing attribute is created.
    *
-   * With "//" in the path every element found is changed; otherwise there must be exactly one.
+   * With "//" in the path every match is changed; otherwise there must be exactly one match.
    *
-   * @return what was done, for a log: 'file:12: <experiment> length="10" (was "0")', one line per
-   *         element.
-   * @throws CARGoSException if the path is malformed, if a step finds nothing (the text gives the
-   * step and the nearest existing names), or if it finds several (the text gives their lines).
+   * @return a report for the log, 'file:12: <experiment> length="10" (was "0")', one line per
+   *   element.
+   * @throws CARGoSException if the path is malformed, if a step has no match (the text gives the
+   *   step and the nearest existing names), or several (the text gives their lines).
    */
   std::string SetByPath(const std::string& path, const std::string& value);
 
   /**
-   * Reports what nobody has read, in the order of the file: elements that were not visited
-   * (attribute is empty; what they contain is not reported), and attributes of the others.
+   * Reports unread content in the order of the file: elements that were not visited (attribute is
+   * empty; their contents are not reported), and unread attributes of the visited ones.
    */
   void ForEachUnread(const std::function<void(const CConfigurationNode& node,
                                               const std::string& attribute)>& report) const;

@@ -9,7 +9,7 @@
 namespace argos {
 
 /**
- * Visits the child elements of a node, all of them or those of one tag:
+ * Iterates over the child elements of a node, all of them or those with one tag:
  *
  *   CConfigurationNodeIterator it("tag");
  *   for (it = it.begin(&node); it != it.end(); ++it) { ... }
@@ -20,14 +20,14 @@ class CConfigurationNodeIterator {
   CConfigurationNodeIterator(CConfigurationNode* node, const std::string& tag = "")
       : m_node(node), m_tag(tag) {}
 
-  /** The first child of the iterator's tag; null if there is none. */
+  /** Returns the first child with the iterator's tag; null if there is none. */
   CConfigurationNode* begin(const CConfigurationNode* parent) const {
     return m_tag.empty() ? parent->FirstChildElement(false)
                          : parent->FirstChildElement(m_tag, false);
   }
   CConfigurationNode* end() const { return nullptr; }
 
-  /** Goes to an element; the tag stays. */
+  /** Moves the iterator to an element; the tag stays the same. */
   CConfigurationNodeIterator& operator=(CConfigurationNode* node) {
     m_node = node;
     return *this;
@@ -70,7 +70,7 @@ class CConfigurationNodeIterator {
 };
 
 /**
- * Visits the attributes of a node, in the order in which they are written:
+ * Iterates over the attributes of a node, in the order of the file:
  *
  *   CConfigurationAttributeIterator it;
  *   for (it = it.begin(&node); it != it.end(); ++it) { it->Name(); it->Value(); }

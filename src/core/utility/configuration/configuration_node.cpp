@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kMadeByProgram = "(made by the program)";
 constexpr UInt32 kTrackedAttributes = 64;
 
-// what a read attribute's bit is; none beyond those that are tracked
+// bit of an attribute in ReadAttributes; 0 for attributes that are not tracked
 UInt64 AttributeBit(UInt32 index) {
   return index < kTrackedAttributes ? UInt64(1) << index : UInt64(0);
 }
@@ -22,7 +22,7 @@ UInt64 AttributeBit(UInt32 index) {
 }  // namespace
 
 /****************************************/
-// the handle
+// handles
 /****************************************/
 
 CConfigurationNode::CConfigurationNode(const std::string& tag) {
@@ -42,15 +42,15 @@ CConfigurationNode& CConfigurationNode::operator=(const CConfigurationNode& othe
   if (this == &other) {
     return *this;
   }
-  CConfigurationStore* home = m_record != nullptr ? m_record->Store : nullptr;
-  // a handle that the document holds stops being its element's: the next GetNode() makes a new one
+  CConfigurationStore* ownStore = m_record != nullptr ? m_record->Store : nullptr;
+  // reassigning the document's own handle of an element: the next GetNode() creates a new one
   if (m_record != nullptr && m_record->Handle == this) {
     m_record->Handle = nullptr;
   }
   SConfigurationRecord* record = other.m_record;
   std::shared_ptr<CConfigurationStore> owner;
   // the document must not own itself
-  if (record != nullptr && !(m_heldByDocument && record->Store == home)) {
+  if (record != nullptr && !(m_heldByDocument && record->Store == ownStore)) {
     owner = record->Store->shared_from_this();
   }
   m_record = record;
@@ -112,7 +112,7 @@ void CConfigurationNode::ThrowUnparsable(const std::string& what, const char* te
                                          const std::string& expected,
                                          const std::string& reason) const {
   std::string details = reason;
-  // the reason may be an error of its own, with its own mark
+  // the reason may be the text of another exception, with its own prefix
   Replace(details, "[FATAL] ", "");
   THROW_ARGOSEXCEPTION(GetLocation() << ": <" << Value() << ">: " << what << ": found \"" << text
                                      << "\", expected " << expected
@@ -336,7 +336,7 @@ std::string CConfigurationNode::GetAttribute(const std::string& name) const {
 void CConfigurationNode::SetAttributeText(const std::string& name, const std::string& text) {
   CheckXmlName(name);
   Record().Element->SetAttribute(name.c_str(), text.c_str());
-  // who writes an attribute knows of it
+  // a written attribute counts as read
   FindAttribute(name);
 }
 
@@ -348,7 +348,7 @@ void CConfigurationNode::RemoveAttribute(const std::string& name) {
     if (name != attribute->Name()) {
       continue;
     }
-    // the bits of the attributes after it move down by one
+    // the bits of later attributes move down by one
     if (index < kTrackedAttributes) {
       const UInt64 before = AttributeBit(index) - 1;
       record.ReadAttributes =
@@ -393,7 +393,7 @@ void CConfigurationNode::SetTextContent(const std::string& text) {
 }
 
 /****************************************/
-// streams, and reading everything
+// streams, marking as read
 /****************************************/
 
 std::ostream& operator<<(std::ostream& stream, const CConfigurationNode& node) {
@@ -421,7 +421,7 @@ void MarkSubtreeRead(CConfigurationNode& node) {
 }
 
 /****************************************/
-// attributes as objects
+// CConfigurationAttribute
 /****************************************/
 
 CConfigurationAttribute::CConfigurationAttribute(SConfigurationRecord* record,
@@ -430,7 +430,7 @@ CConfigurationAttribute::CConfigurationAttribute(SConfigurationRecord* record,
 
 const tinyxml2::XMLAttribute& CConfigurationAttribute::Checked() const {
   if (m_attribute == nullptr) {
-    THROW_ARGOSEXCEPTION("An attribute was used that does not exist");
+    THROW_ARGOSEXCEPTION("A configuration attribute that does not exist was used");
   }
   return *m_attribute;
 }

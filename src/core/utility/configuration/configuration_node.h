@@ -14,25 +14,25 @@
 namespace argos {
 
 /**
- * An element of an experiment file: a handle, cheap to copy; copies refer to the same element.
+ * Handle of an element of an experiment file; cheap to copy, copies refer to the same element.
  *
- * References and pointers that GetNode(), the iterators and the navigation functions below give
- * stay valid as long as the document. A copied handle keeps the document alive by itself. An
- * element that was made from a tag alone is the root of a document of its own. Assigning to a node
- * makes it refer to the other's element and changes no document.
+ * References and pointers returned by GetNode(), the iterators and the navigation functions below
+ * stay valid as long as the document. A copied handle keeps the document alive. An element that was
+ * constructed from a tag alone is the root of its own document. Assignment makes a handle refer to
+ * the other handle's element and changes no document.
  *
- * Every access to an attribute marks it as read, every way to reach an element marks the element as
- * visited: see CConfigurationDocument::ForEachUnread(). A document is for one thread at a time.
+ * Access to an attribute marks it as read, access to an element marks it as visited: see
+ * CConfigurationDocument::ForEachUnread(). A document may be used by one thread at a time.
  *
- * Every function but IsEmpty() throws CARGoSException on an empty handle, and if the element was
+ * Every function except IsEmpty() throws CARGoSException if the handle is empty or the element was
  * removed from its document.
  */
 class CConfigurationNode {
  public:
-  /** An empty handle, to be assigned to. */
+  /** Creates an empty handle. */
   CConfigurationNode() noexcept = default;
 
-  /** A new element without parent. @throws CARGoSException if the tag is not an XML name. */
+  /** Creates an element without parent. @throws CARGoSException if the tag is not an XML name. */
   CConfigurationNode(const std::string& tag);
   CConfigurationNode(const char* tag) : CConfigurationNode(std::string(tag)) {}
   template <typename T>
@@ -46,7 +46,7 @@ class CConfigurationNode {
 
   bool IsEmpty() const { return m_record == nullptr; }
 
-  /** The tag. */
+  /** Returns the tag. */
   std::string Value() const;
   template <typename T>
   void GetValue(T* value) const {
@@ -57,15 +57,15 @@ class CConfigurationNode {
     SetTag(detail::FormatText(value));
   }
 
-  /** Where the element stands in its file: the line, counted from 1; 0 if it comes from no file. */
+  /** Returns the line of the element in its file, counted from 1; 0 if it comes from no file. */
   UInt32 GetLine() const;
-  /** The name of the file the element was read from, or "(made by the program)". */
+  /** Returns the name of the element's file, or "(made by the program)". */
   const std::string& GetFileName() const;
-  /** "file:line", or the file name alone without a line. */
+  /** Returns "file:line", or the file name if there is no line. */
   std::string GetLocation() const;
 
   /**
-   * Neighbours. Without a tag: the first element of any tag.
+   * Navigation. Without a tag: the first element with any tag.
    * @return null if there is none and throwIfMissing is false.
    * @throws CARGoSException if there is none and throwIfMissing is true.
    */
@@ -88,7 +88,7 @@ class CConfigurationNode {
     return PreviousSiblingElement(std::string(tag), throwIfMissing);
   }
 
-  /** The same under other names: a node is an element; texts and comments are passed over. */
+  /** The same functions under other names: a node is an element; texts and comments are skipped. */
   CConfigurationNode* FirstChild(bool throwIfMissing = true) const {
     return FirstChildElement(throwIfMissing);
   }
@@ -117,18 +117,20 @@ class CConfigurationNode {
   CConfigurationNode* PreviousSibling(const TAG& tag, bool throwIfMissing = true) const {
     return PreviousSiblingElement(tag, throwIfMissing);
   }
-  /** The child after @p previous, or the first one if that is null; null after the last. */
+  /**
+   * Returns the child after @p previous, or the first child if that is null; null after the last.
+   */
   CConfigurationNode* IterateChildren(CConfigurationNode* previous) const;
   CConfigurationNode* IterateChildren(const std::string& tag, CConfigurationNode* previous) const;
-  /** Itself. */
+  /** Returns this node. */
   CConfigurationNode* ToElement() const { return const_cast<CConfigurationNode*>(this); }
 
-  /** Has the element no child elements and no text? */
+  /** @return true if the element contains neither elements nor text. */
   bool NoChildren() const;
 
   /**
-   * Insert a copy of an element, with all it contains, as a child. The copy remembers the file and
-   * line of the original.
+   * Insert a copy of an element and its contents as a child. The copy keeps the file and line of
+   * the original.
    * @return the copy.
    */
   CConfigurationNode* InsertEndChild(const CConfigurationNode& child);
@@ -137,19 +139,19 @@ class CConfigurationNode {
   CConfigurationNode* InsertBeforeChild(const CConfigurationNode& after,
                                         const CConfigurationNode& child);
 
-  /** Appends a copy of what @p child refers to, which from then on refers to the copy. */
+  /** Appends a copy of the element of @p child, and makes @p child refer to the copy. */
   CConfigurationNode* LinkEndChild(CConfigurationNode* child);
-  /** Puts a copy of an element in the place of a child, which is removed. @return the copy. */
+  /** Replaces a child by a copy of an element. @return the copy. */
   CConfigurationNode* ReplaceChild(CConfigurationNode* child, const CConfigurationNode& with);
-  /** @throws CARGoSException if it is not a child of this element. */
+  /** @throws CARGoSException if @p child is not a child of this element. */
   void RemoveChild(CConfigurationNode* child);
   /** Removes all children, texts included. */
   void Clear();
 
-  /** A copy, with all it contains, in a document of its own. */
+  /** Returns a copy of the element and its contents, in its own document. */
   std::unique_ptr<CConfigurationNode> Clone() const;
 
-  /** The value, or an empty text if there is no such attribute. */
+  /** Returns the value, or an empty string if there is no such attribute. */
   std::string GetAttribute(const std::string& name) const;
   std::string GetAttributeOrDefault(const std::string& name, const std::string& dflt) const {
     const char* text = FindAttribute(name);
@@ -157,8 +159,8 @@ class CConfigurationNode {
   }
 
   /**
-   * Reads an attribute; see configuration_parsing.h for what is accepted.
-   * @return was there such an attribute?
+   * Reads an attribute; configuration_parsing.h describes the accepted text.
+   * @return true if the attribute exists.
    * @throws CARGoSException if it is missing and throwIfMissing is true, or does not parse.
    */
   template <typename T>
@@ -187,18 +189,21 @@ class CConfigurationNode {
   }
 
   bool HasAttribute(const std::string& name) const { return FindAttribute(name) != nullptr; }
-  /** Adds the attribute, or changes its value. */
+  /** Adds the attribute or changes its value. */
   template <typename T>
   void SetAttribute(const std::string& name, const T& value) {
     SetAttributeText(name, detail::FormatText(value));
   }
   /** Does nothing if there is no such attribute. */
   void RemoveAttribute(const std::string& name);
-  /** Owned by the document. @return null if there are no attributes and throwIfMissing is false. */
+  /**
+   * Returns the first attribute, owned by the document; null if there is none and throwIfMissing is
+   * false.
+   */
   CConfigurationAttribute* FirstAttribute(bool throwIfMissing = true) const;
   std::vector<std::string> GetAttributeNames() const;
 
-  /** The first text inside the element, blanks around it removed. */
+  /** Returns the first text inside the element, trimmed. */
   std::string GetText(bool throwIfMissing = true) const;
   template <typename T>
   bool GetText(T* value, bool throwIfMissing = true) const {
@@ -224,13 +229,13 @@ class CConfigurationNode {
     SetTextContent(detail::FormatText(value));
   }
 
-  /** The attribute's text, owned by the document, marked as read; null if there is none. */
+  /** Returns the attribute's text, owned by the document, and marks it as read; null if missing. */
   const char* FindAttribute(const std::string& name) const;
 
-  /** Throws the error of an attribute that must be there: names the nearest that is. */
+  /** Throws the error of a missing attribute; the text gives the nearest existing names. */
   [[noreturn]] void ThrowMissingAttribute(const std::string& name) const;
 
-  /** Throws the error of a child element that must be there: names the nearest that is. */
+  /** Throws the error of a missing child element; the text gives the nearest existing tags. */
   [[noreturn]] void ThrowMissingChild(const std::string& tag) const;
 
  private:
@@ -267,20 +272,22 @@ class CConfigurationNode {
   const char* FindText(bool throwIfMissing) const;
 
   SConfigurationRecord* m_record = nullptr;
-  // shared, because a user may keep a handle to an element whose document object is gone; empty in
-  // handles that the document itself holds
+  // shared, because a user's handle may outlive the document object; empty in handles that the
+  // document itself holds
   std::shared_ptr<CConfigurationStore> m_owner;
   bool m_heldByDocument = false;
 };
 
-/** Prints the element and all it contains as XML. */
+/** Prints the element and its contents as XML. */
 std::ostream& operator<<(std::ostream& stream, const CConfigurationNode& node);
 
-/** Reads the rest of the stream as one XML element. @throws CARGoSException if it is not well
- * formed. */
+/**
+ * Reads the rest of the stream as one XML element. @throws CARGoSException if it is not
+ * well-formed.
+ */
 std::istream& operator>>(std::istream& stream, CConfigurationNode& node);
 
-/** Marks the element, its attributes and everything in it as read. */
+/** Marks the element, its attributes and its contents as read. */
 void MarkSubtreeRead(CConfigurationNode& node);
 
 }  // namespace argos

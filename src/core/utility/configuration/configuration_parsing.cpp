@@ -8,7 +8,7 @@
 namespace argos::detail {
 
 CTextReader::CBuffer::CBuffer(const char* text) {
-  // a get area is not written to unless the reader puts back other characters than it took
+  // a stream writes to its get area only if a character other than the one read is put back
   char* begin = const_cast<char*>(text);
   setg(begin, begin, begin + std::strlen(text));
 }
@@ -34,7 +34,7 @@ bool CTextReader::Finish() {
 namespace {
 template <typename T>
 std::string Shortest(T value) {
-  // 32: the shortest form that reads back as the same double has at most 24 characters
+  // 32: the shortest text that reads back as the same double has at most 24 characters
   std::array<char, 32> text{};
   const auto result = std::to_chars(text.data(), text.data() + text.size(), value);
   return std::string(text.data(), result.ptr);

@@ -2,10 +2,10 @@
 #define ARGOS3_CORE_UTILITY_CONFIGURATION_CONFIGURATION_PARSING_H
 
 /*
- * How the text of an attribute or element becomes a value. Users meet this through
+ * Conversion of the text of an attribute or element to a value; the public interface is
  * argos_configuration.h.
  *
- * The whole text must be the value, blanks around it aside. What is accepted:
+ * The whole text must be the value, except for blanks around it. Accepted:
  *   numbers          see ParseNumber()
  *   bool             exactly "true" or "false"
  *   std::string      the text as it is, blanks included
@@ -34,8 +34,10 @@ class CRange;
 
 namespace detail {
 
-/** What a text should have been, for an error message. Overload it for types with a form of their
- * own. */
+/**
+ * Returns the expected form of a text, for error messages. Overload it for types with a special
+ * form.
+ */
 inline std::string ExpectedText(const CColor*) {
   return "a colour name or four integers from 0 to 255, \"R,G,B,A\"";
 }
@@ -72,7 +74,7 @@ std::string ExpectedText(const T*) {
   }
 }
 
-/** Is a value that was read without error a valid one? */
+/** @return true if a value that was read without error is valid. */
 template <typename T>
 bool IsValidValue(const T&) {
   return true;
@@ -82,7 +84,7 @@ bool IsValidValue(const CRange<T>& range) {
   return !(range.GetMin() > range.GetMax());
 }
 
-/** A strict stream over a text, which is not copied. */
+/** A strict input stream over a text that is not copied. */
 class CTextReader {
  public:
   explicit CTextReader(const char* text);
@@ -92,7 +94,7 @@ class CTextReader {
 
   std::istream& Stream() { return m_stream; }
 
-  /** Did reading succeed, and is nothing but blanks left? */
+  /** @return true if reading succeeded and only blanks are left. */
   bool Finish();
 
  private:
@@ -106,9 +108,9 @@ class CTextReader {
 };
 
 /**
- * Turns a text into a value.
- * @param value   what was read; unspecified if the result is false.
- * @param reason  if the result is false: more about why, or empty.
+ * Converts a text to a value.
+ * @param value   the result; unspecified if the function returns false.
+ * @param reason  details of a failure, or empty.
  */
 template <typename T>
 bool ParseText(const char* text, T& value, std::string& reason) {
@@ -122,7 +124,7 @@ bool ParseText(const char* text, T& value, std::string& reason) {
   } else if constexpr (kIsParsableNumber<T>) {
     const ENumberParsing outcome = ParseNumber(text, value);
     if (outcome == ENumberParsing::TrailingText) {
-      reason = "there is text after the number";
+      reason = "text follows the number";
     } else if (outcome == ENumberParsing::OutOfRange) {
       reason = "the number is out of range";
     }
@@ -140,8 +142,8 @@ bool ParseText(const char* text, T& value, std::string& reason) {
 }
 
 /**
- * The text of a value, for writing it: real numbers keep all their digits, 8-bit integers are
- * numbers, booleans "true" or "false".
+ * Converts a value to text: real numbers keep all their digits, 8-bit integers are written as
+ * numbers, booleans as "true" or "false".
  */
 std::string FormatReal(float value);
 std::string FormatReal(double value);

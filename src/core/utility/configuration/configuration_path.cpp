@@ -9,7 +9,7 @@
 namespace argos {
 
 /****************************************/
-// reading a path
+// parsing a path
 /****************************************/
 
 void CConfigurationPath::ThrowMalformed(const std::string& why) const {
@@ -27,7 +27,7 @@ CConfigurationPath::CConfigurationPath(const std::string& path) : m_path(path) {
       anyDepth = isDouble;
       position += isDouble ? 2 : 1;
     }
-    // a step ends at the next slash that is not inside a predicate
+    // a step ends at the next slash outside of a predicate
     std::size_t end = position;
     int depth = 0;
     while (end < path.size() && (path[end] != '/' || depth > 0)) {
@@ -37,16 +37,16 @@ CConfigurationPath::CConfigurationPath(const std::string& path) : m_path(path) {
     }
     const std::string step = path.substr(position, end - position);
     if (step.empty()) {
-      ThrowMalformed("there is nothing between two slashes or after the last one");
+      ThrowMalformed("a step between two slashes or after the last one is empty");
     }
     if (!m_attribute.empty()) {
-      ThrowMalformed("\"@" + m_attribute + "\" is not its end");
+      ThrowMalformed("\"@" + m_attribute + "\" is not at the end");
     }
     if (step[0] == '@') {
       m_attribute = step.substr(1);
       CheckXmlName(m_attribute);
       if (anyDepth) {
-        ThrowMalformed("\"//\" stands before the attribute");
+        ThrowMalformed("\"//\" precedes the attribute");
       }
     } else {
       ParseStep(step, anyDepth);
@@ -101,7 +101,7 @@ CConfigurationPath::SPredicate CConfigurationPath::ParsePredicate(const std::str
 }
 
 /****************************************/
-// walking along it
+// matching elements
 /****************************************/
 
 CConfigurationPath::TElements CConfigurationPath::Filter(const TElements& siblings,
@@ -137,7 +137,7 @@ void CConfigurationPath::CollectMatches(tinyxml2::XMLElement& parent, const SSte
        child = child->NextSiblingElement()) {
     children.push_back(child);
   }
-  // a selection of the children, in their order
+  // a subset of the children, in their order
   const TElements found = Filter(children, step);
   auto next = found.begin();
   for (tinyxml2::XMLElement* child : children) {
@@ -162,7 +162,7 @@ CConfigurationPath::TElements CConfigurationPath::Walk(const TElements& start,
     for (tinyxml2::XMLElement* element : current) {
       CollectMatches(*element, m_steps[i], next);
     }
-    // "//" below "//" reaches an element along several ways
+    // with two "//" in a path an element can be found several times
     std::set<tinyxml2::XMLElement*> seen;
     next.erase(std::remove_if(next.begin(), next.end(),
                               [&seen](auto* match) { return !seen.insert(match).second; }),
@@ -181,16 +181,15 @@ CConfigurationPath::TElements CConfigurationPath::Find(tinyxml2::XMLElement& roo
   const bool startsAtRoot = !m_steps.empty() && !Filter(start, m_steps[0]).empty() &&
                             (m_steps[0].Tag != "*" || m_path[0] == '/');
   TElements found = Walk(start, startsAtRoot && !m_steps[0].AnyDepth ? 1 : 0);
-  const bool maySeveral =
+  const bool mayMatchSeveral =
       std::any_of(m_steps.begin(), m_steps.end(), [](const SStep& step) { return step.AnyDepth; });
-  if (found.size() > 1 && !maySeveral) {
+  if (found.size() > 1 && !mayMatchSeveral) {
     std::string lines;
     for (const tinyxml2::XMLElement* element : found) {
       lines += (lines.empty() ? "" : ", ") + std::to_string(element->GetLineNum());
     }
-    THROW_ARGOSEXCEPTION("\"" << m_path << "\" leads to " << found.size()
-                              << " elements, in the lines " << lines << ": say which, as in \""
-                              << m_steps.back().Text
+    THROW_ARGOSEXCEPTION("\"" << m_path << "\" matches " << found.size() << " elements, in lines "
+                              << lines << ": select one, as in \"" << m_steps.back().Text
                               << "[1]\" or with [@id='...'], or begin with \"//\" for all");
   }
   return found;

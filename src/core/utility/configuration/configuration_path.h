@@ -1,7 +1,7 @@
 #ifndef ARGOS3_CORE_UTILITY_CONFIGURATION_CONFIGURATION_PATH_H
 #define ARGOS3_CORE_UTILITY_CONFIGURATION_CONFIGURATION_PATH_H
 
-// private: how CConfigurationDocument::SetByPath() finds its elements
+// private: element search of CConfigurationDocument::SetByPath()
 
 #include <argos3/core/utility/configuration/argos_exception.h>
 
@@ -14,7 +14,7 @@ class XMLElement;
 
 namespace argos {
 
-/** A path to an attribute; the grammar is that of CConfigurationDocument::SetByPath(). */
+/** A path to an attribute; CConfigurationDocument::SetByPath() describes the syntax. */
 class CConfigurationPath {
  public:
   /** @throws CARGoSException if the path is malformed. */
@@ -23,14 +23,14 @@ class CConfigurationPath {
   const std::string& GetAttribute() const { return m_attribute; }
 
   /**
-   * The elements that the path leads to, in the order of the file.
-   * @throws CARGoSException if there is none, or several without "//" in the path.
+   * Returns the elements that match the path, in the order of the file.
+   * @throws CARGoSException if there is no match, or several without "//" in the path.
    */
   std::vector<tinyxml2::XMLElement*> Find(tinyxml2::XMLElement& root) const;
 
  private:
   struct SPredicate {
-    // [n]; 0 if it is about an attribute
+    // [n]; 0 for a predicate on an attribute
     std::size_t Position = 0;
     std::string Attribute;
     std::string Value;

@@ -43,7 +43,7 @@ CConfigurationAttribute* CConfigurationStore::KeepAttribute(
 }
 
 /****************************************/
-// changing the tree
+// modification
 /****************************************/
 
 tinyxml2::XMLElement& CConfigurationStore::CopyOf(tinyxml2::XMLElement& original) {
@@ -60,7 +60,7 @@ void CConfigurationStore::InheritOrigin(tinyxml2::XMLElement& copy,
     record.File = originalRecord->File;
     record.Line = originalRecord->Line;
   } else {
-    // the original's parents have records: its file is theirs
+    // all ancestors of the original have records, which give its file
     record.Line = original.GetLineNum();
     for (auto* parent = original.Parent(); parent != nullptr; parent = parent->Parent()) {
       if (parent->GetUserData() != nullptr) {
@@ -96,7 +96,7 @@ void CConfigurationStore::Delete(tinyxml2::XMLNode& node) {
 }
 
 /****************************************/
-// for messages
+// error messages
 /****************************************/
 
 namespace {

@@ -1,7 +1,7 @@
 #ifndef ARGOS3_CORE_UTILITY_CONFIGURATION_CONFIGURATION_STORE_H
 #define ARGOS3_CORE_UTILITY_CONFIGURATION_CONFIGURATION_STORE_H
 
-// private: the only header that knows the XML library
+// private: the only header that includes the XML library
 
 #include <argos3/core/utility/configuration/configuration_node.h>
 
@@ -14,21 +14,21 @@
 
 namespace argos {
 
-/** What is kept about an element besides its XML. */
+/** Data about an element besides its XML. */
 struct SConfigurationRecord {
   tinyxml2::XMLElement* Element = nullptr;  // null once the element was removed
   CConfigurationStore* Store = nullptr;
   CConfigurationNode* Handle =
-      nullptr;  // the handle that GetNode() gives; null until it is asked for
-  // one bit per attribute, in the order of the file; those after the 64th count as read
+      nullptr;  // the handle that GetNode() gives; null until its first call
+  // one bit per attribute, in the order of the file; attributes after the 64th count as read
   UInt64 ReadAttributes = 0;
   bool IsVisited = false;
   int Line = 0;
-  // shared with the document the element was copied from, which may be gone
+  // shared with the document from which the element was copied, which may have been destroyed
   std::shared_ptr<const std::string> File;
 };
 
-/** One XML document with a record per element; addresses of records and handles never change. */
+/** One XML document with a record per element; addresses of records and handles are stable. */
 class CConfigurationStore : public std::enable_shared_from_this<CConfigurationStore> {
  public:
   explicit CConfigurationStore(const std::string& name);
@@ -38,15 +38,15 @@ class CConfigurationStore : public std::enable_shared_from_this<CConfigurationSt
 
   SConfigurationRecord& RecordOf(tinyxml2::XMLElement& element);
 
-  /** The element's handle, which the store holds; the element counts as visited. */
+  /** Returns the element's handle, owned by the store; marks the element as visited. */
   CConfigurationNode* HandleOf(tinyxml2::XMLElement* element);
 
   CConfigurationAttribute* KeepAttribute(const CConfigurationAttribute& attribute);
 
-  /** Copies an element of any store into this one, without parent, remembering files and lines. */
+  /** Copies an element of any store into this one, without parent, with file and line. */
   tinyxml2::XMLElement& CopyOf(tinyxml2::XMLElement& original);
 
-  /** Deletes an element or text; handles to what was in it notice. */
+  /** Deletes an element or text; handles of deleted elements become invalid and throw when used. */
   void Delete(tinyxml2::XMLNode& node);
 
  private:
@@ -60,14 +60,14 @@ class CConfigurationStore : public std::enable_shared_from_this<CConfigurationSt
   std::deque<CConfigurationAttribute> m_attributes;
 };
 
-/** Names that are in use, for error messages: without repetition, in the order of the file. */
+/** Existing names, for error messages: without duplicates, in the order of the file. */
 std::vector<std::string> ChildTags(const tinyxml2::XMLElement& element);
 std::vector<std::string> AttributeNames(const tinyxml2::XMLElement& element);
 
-/** "file:line", or the file alone without a line. */
+/** Returns "file:line", or the file name if there is no line. */
 std::string LocationText(const std::string& file, int line);
 
-/** Throws if the text cannot be the name of an element or attribute. */
+/** Throws if the text is not a valid name of an element or attribute. */
 void CheckXmlName(const std::string& name);
 
 }  // namespace argos

@@ -5,7 +5,7 @@
 
 namespace argos {
 
-/** An object whose state can be saved and put back. */
+/** An object whose state can be saved and restored. */
 class CMemento {
  public:
   virtual ~CMemento() = default;
@@ -13,7 +13,9 @@ class CMemento {
   /** Appends the state to the buffer. */
   virtual void SaveState(CByteArray& buffer) = 0;
 
-  /** Takes the state from the front of the buffer. @throws CARGoSException if it is not all there.
+  /**
+   * Restores the state from the front of the buffer.
+   * @throws CARGoSException if the buffer is too short.
    */
   virtual void LoadState(CByteArray& buffer) = 0;
 };

@@ -13,12 +13,12 @@ namespace argos {
 /**
  * A value of any copyable type, or nothing. Pointers are held without heap allocation.
  *
- * any_cast() gives it back if its type is exactly the one asked for, also if the value was put in
- * by another shared library.
+ * any_cast() returns the value if its type is exactly the requested one, also across shared
+ * libraries.
  */
 class CAny {
  public:
-  /** Nothing. */
+  /** Creates an empty object. */
   CAny() = default;
 
   template <typename T>
@@ -40,7 +40,7 @@ class CAny {
     return *this;
   }
 
-  /** The type of what is in it; that of void if it is empty. */
+  /** Returns the type of the value; that of void if the object is empty. */
   const std::type_info& GetType() const { return m_value.type(); }
 
  private:
@@ -52,7 +52,7 @@ class CAny {
   std::any m_value;
 };
 
-/** @return null if what is stored is not exactly a T. */
+/** @return null if the value is not exactly a T. */
 template <typename T>
 T* any_cast(CAny* any) {
   return any == nullptr ? nullptr : std::any_cast<T>(&any->m_value);
@@ -76,7 +76,7 @@ auto& AnyCastOrThrow(ANY& any) {
 }
 }  // namespace detail
 
-/** @throws CARGoSException if what is stored is not exactly a T; the text names both types. */
+/** @throws CARGoSException if the value is not exactly a T; the text names both types. */
 template <typename T>
 const T& any_cast(const CAny& any) {
   return detail::AnyCastOrThrow<T>(any);

@@ -60,14 +60,14 @@ void CByteArray::Zero() {
 
 void CByteArray::CheckIndex(std::size_t index) const {
   if (index >= Size()) {
-    THROW_ARGOSEXCEPTION("Byte array: byte number " << index << " was asked for, expected a number"
-                                                    << " below the size, which is " << Size());
+    THROW_ARGOSEXCEPTION("Byte array: index " << index << " is out of range, expected a number"
+                                              << " below the size, which is " << Size());
   }
 }
 
 void CByteArray::CheckAvailable(std::size_t bytes) const {
   if (bytes > Size()) {
-    THROW_ARGOSEXCEPTION("Byte array: " << bytes << " bytes were asked for, but there are only "
+    THROW_ARGOSEXCEPTION("Byte array: " << bytes << " bytes were requested, but there are only "
                                         << Size());
   }
 }
@@ -105,7 +105,7 @@ void CByteArray::RemoveFront(std::size_t bytes) {
   if (m_front == m_bytes.size()) {
     Clear();
   } else if (2 * m_front > m_bytes.size()) {
-    // moving the rest costs no more than reading what was before it did
+    // amortised: the erased bytes have been read one by one
     m_bytes.erase(m_bytes.begin(), m_bytes.begin() + static_cast<std::ptrdiff_t>(m_front));
     m_front = 0;
   }
@@ -115,7 +115,7 @@ CByteArray* CByteArray::operator()(std::size_t start, ssize_t end) {
   const std::size_t last = end < 0 ? Size() : static_cast<std::size_t>(end);
   if (start > last || last > Size()) {
     THROW_ARGOSEXCEPTION("Byte array: the part from byte " << start << " to byte " << end
-                                                           << " was asked for, but the size is "
+                                                           << " is out of range, the size is "
                                                            << Size());
   }
   auto* part = new CByteArray();
@@ -215,7 +215,7 @@ CByteArray& CByteArray::operator>>(signed long int& value) {
 /****************************************/
 
 namespace {
-// 2^63 - 2 as a double, which is 2^63: a power of two, so scaling by it loses nothing
+// 2^63 - 2 rounded to a double, which is 2^63: scaling by a power of two is exact
 constexpr double kMantissaScale = 9223372036854775806.0;
 constexpr std::size_t kRealSize = 12;
 }  // namespace
@@ -276,8 +276,8 @@ CByteArray& CByteArray::operator>>(std::string& value) {
   const auto begin = m_bytes.begin() + static_cast<std::ptrdiff_t>(m_front);
   const auto end = std::find(begin, m_bytes.end(), UInt8(0));
   if (end == m_bytes.end()) {
-    THROW_ARGOSEXCEPTION("Byte array: a string was asked for, but none of the "
-                         << Size() << " bytes ends it");
+    THROW_ARGOSEXCEPTION("Byte array: cannot read a string, none of the "
+                         << Size() << " bytes is its terminating zero");
   }
   value.assign(begin, end);
   RemoveFront(value.size() + 1);

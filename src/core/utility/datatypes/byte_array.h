@@ -16,12 +16,12 @@ namespace argos {
 /**
  * A queue of bytes: << appends at the back, >> removes from the front.
  *
- * Values are stored so that any machine reads them:
+ * Values are stored independently of the machine:
  *   integers          network byte order, at the width of their type;
  *   double and float  12 bytes: a 64-bit signed mantissa, then a 32-bit signed exponent. With
  *                     |x| = f * 2^e and f in [0.5,1), the mantissa is
- *                     sign(x) * (int((f - 0.5) * 2 * (2^63 - 2)) + 1), and 0 for x = 0. Values come
- *                     back exactly;
+ *                     sign(x) * (int((f - 0.5) * 2 * (2^63 - 2)) + 1), and 0 for x = 0. Values are
+ *                     read back exactly;
  *   strings           their bytes, then a zero.
  *
  * Every function that reads throws CARGoSException, and removes nothing, if there are too few
@@ -40,13 +40,13 @@ class CByteArray {
 
   std::size_t Size() const { return m_bytes.size() - m_front; }
 
-  /** @param value  what new bytes contain. */
+  /** @param value  value of new bytes. */
   void Resize(std::size_t size, UInt8 value = 0);
 
   void Swap(CByteArray& other) noexcept;
   bool Empty() const { return Size() == 0; }
 
-  /** The bytes; null if there are none. Valid until the array is changed. */
+  /** Returns the bytes; null if the array is empty. Valid until the array is changed. */
   const UInt8* ToCArray() const { return Empty() ? nullptr : m_bytes.data() + m_front; }
   UInt8* ToCArray() { return Empty() ? nullptr : m_bytes.data() + m_front; }
 
@@ -56,7 +56,7 @@ class CByteArray {
   /** Sets all bytes to 0. */
   void Zero();
 
-  /** @throws CARGoSException if there is no such byte. */
+  /** @throws CARGoSException if the index is out of range. */
   UInt8& operator[](std::size_t index);
   UInt8 operator[](std::size_t index) const;
 
@@ -74,9 +74,9 @@ class CByteArray {
   }
 
   /**
-   * A copy of the bytes in [start,end), on the heap; the caller deletes it.
+   * Returns a copy of the bytes in [start,end), on the heap; the caller deletes it.
    * @param end  negative: up to the last byte.
-   * @throws CARGoSException if there is no such part.
+   * @throws CARGoSException if the range is invalid.
    */
   CByteArray* operator()(std::size_t start, ssize_t end = -1);
 
@@ -96,7 +96,7 @@ class CByteArray {
   CByteArray& operator>>(UInt64& value);
   CByteArray& operator<<(SInt64 value);
   CByteArray& operator>>(SInt64& value);
-  /** As wide as the platform's type: 32 or 64 bits. */
+  /** The width of the platform's type: 32 or 64 bits. */
   CByteArray& operator<<(unsigned long int value);
   CByteArray& operator>>(unsigned long int& value);
   CByteArray& operator<<(signed long int value);
@@ -106,7 +106,7 @@ class CByteArray {
   CByteArray& operator>>(double& value);
   CByteArray& operator<<(float value);
   CByteArray& operator>>(float& value);
-  /** Up to the string's first zero byte. */
+  /** Writes the string up to its first zero byte. */
   CByteArray& operator<<(const std::string& value);
   CByteArray& operator>>(std::string& value);
 
@@ -120,7 +120,7 @@ class CByteArray {
   void RemoveFront(std::size_t bytes);
 
   std::vector<UInt8> m_bytes;
-  // bytes before this one have been read; removing them one by one would be slow
+  // bytes before this index have been read; erasing them one by one would be slow
   std::size_t m_front = 0;
 };
 

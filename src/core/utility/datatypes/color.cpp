@@ -8,7 +8,7 @@
 
 namespace argos {
 
-// constant-initialised, because user code reads them in static initialisers of its own
+// constant-initialised, because static initialisers in user code read them
 constinit CColor CColor::BLACK(0, 0, 0);
 constinit CColor CColor::WHITE(255, 255, 255);
 constinit CColor CColor::RED(255, 0, 0);
@@ -126,7 +126,7 @@ std::istream& operator>>(std::istream& stream, CColor& color) {
       stream.get();
     }
   } while (!stream.eof() && (text.back() == ',' || stream.peek() == ','));
-  // reaching the end of the input while looking for a comma is no failure
+  // the end of the input is no failure if a text was read
   if (!text.empty()) {
     stream.clear(stream.rdstate() & std::ios_base::eofbit);
     color.Set(text);

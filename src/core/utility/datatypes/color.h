@@ -15,7 +15,7 @@ namespace argos {
  */
 class CColor {
  public:
-  // values fixed by the file format: the names in lower case are what an experiment file says
+  // fixed by the file format: experiment files use the names in lower case
   static CColor BLACK;
   static CColor WHITE;
   static CColor RED;
@@ -44,7 +44,7 @@ class CColor {
       : m_red(red), m_green(green), m_blue(blue), m_alpha(alpha) {}
 
   /**
-   * The brightness 0.299 R + 0.587 G + 0.114 B, in [0,255]; alpha plays no part.
+   * The brightness 0.299 R + 0.587 G + 0.114 B, in [0,255]; alpha is ignored.
    * Source: ITU-R BT.601, luma coefficients.
    */
   Real ToGrayScale() const { return 0.299 * m_red + 0.587 * m_green + 0.114 * m_blue; }
@@ -71,12 +71,12 @@ class CColor {
   void Set(const std::string& color);
 
   /**
-   * What is seen when this colour lies over an opaque background: each channel is the mean of the
-   * two, weighted by this colour's alpha and rounded to the nearest integer. The result is opaque.
+   * Blends this colour over an opaque background: each channel is the mean of the two, weighted by
+   * this colour's alpha and rounded to the nearest integer. The result is opaque.
    */
   CColor Blend(const CColor& background) const;
 
-  /** The bytes R,G,B,A in the order of memory. */
+  /** The bytes R,G,B,A in memory order. */
   operator UInt32();
 
   bool operator==(const CColor& other) const {
@@ -96,7 +96,7 @@ class CColor {
 std::ostream& operator<<(std::ostream& stream, const CColor& color);
 
 /**
- * Reads what CColor::Set(const std::string&) accepts.
+ * Reads the text that CColor::Set(const std::string&) accepts.
  * @throws CARGoSException as that function does.
  */
 std::istream& operator>>(std::istream& stream, CColor& color);

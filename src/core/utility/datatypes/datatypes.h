@@ -2,8 +2,8 @@
 #define ARGOS3_CORE_UTILITY_DATATYPES_DATATYPES_H
 
 /*
- * The primitive types of the public interface. This header can be included from C, which gets the
- * type names only.
+ * The primitive types of the public interface. C code may include this header and gets only the
+ * type names.
  */
 
 #include <argos3/core/config.h>

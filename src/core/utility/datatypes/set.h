@@ -11,9 +11,9 @@
 namespace argos {
 
 /**
- * Points to an element of a CSet. It depends on the element's type only, so sets with different
- * orders share it. After an insertion or a removal it points to whatever then has its place in the
- * set.
+ * Points to an element of a CSet. Its type depends on the element type only, so sets with different
+ * orders share it. An insertion or removal invalidates it: it then points to the element now at the
+ * same index.
  */
 template <typename T, typename REFERENCE>
 class CSetIterator {
@@ -60,10 +60,11 @@ class CSetIterator {
 };
 
 /**
- * A sorted list without duplicates. Two elements are the same if they are equal by ==; C orders
- * them, and elements that C does not order keep the order of their insertion.
+ * A sorted list without duplicates. Elements are compared by ==; C orders them, and elements that C
+ * does not order keep their insertion order.
  *
- * Elements lie side by side: visiting them is fast, inserting and erasing moves those behind.
+ * Elements are contiguous in memory: iteration is fast, insertion and removal move the elements
+ * behind.
  */
 template <class T, class C = std::less<T>>
 class CSet {
@@ -79,15 +80,15 @@ class CSet {
   bool empty() const { return m_elements.empty(); }
   std::size_t size() const { return m_elements.size(); }
 
-  /** The ends of the set, which must not be empty. */
+  /** The first and last element of a non-empty set. */
   T& first() { return m_elements.front(); }
   const T& first() const { return m_elements.front(); }
   T& last() { return m_elements.back(); }
   const T& last() const { return m_elements.back(); }
 
   /**
-   * Does nothing if the element is there already.
-   * @param comp  the order; the same at every insertion.
+   * Inserts an element unless the set contains it.
+   * @param comp  the order; must be the same for all insertions.
    */
   void insert(const T& element, C comp = C()) {
     auto place = std::lower_bound(m_elements.begin(), m_elements.end(), element, comp);
@@ -100,7 +101,7 @@ class CSet {
     m_elements.insert(place, element);
   }
 
-  /** Does nothing if the element is not there. */
+  /** Removes an element if the set contains it. */
   void erase(const T& element) {
     const std::size_t index = IndexOf(element);
     if (index < m_elements.size()) {
@@ -108,7 +109,7 @@ class CSet {
     }
   }
 
-  /** Erases what the iterator points to; it then points to the next element. */
+  /** Erases the element at the iterator, which then points to the next element. */
   void erase(iterator& it) {
     m_elements.erase(m_elements.begin() + static_cast<std::ptrdiff_t>(it.m_index));
   }
@@ -120,12 +121,12 @@ class CSet {
   iterator begin() const { return iterator(&m_elements, 0); }
   iterator end() const { return iterator(&m_elements, m_elements.size()); }
 
-  /** @return end() if the element is not there. */
+  /** @return end() if the set does not contain the element. */
   iterator find(const T& element) const { return iterator(&m_elements, IndexOf(element)); }
 
  private:
   std::size_t IndexOf(const T& element) const {
-    // an order without state is the one the elements were inserted by
+    // a stateless order is the same for all insertions
     if constexpr (std::is_empty_v<C>) {
       const C comp{};
       auto place = std::lower_bound(m_elements.begin(), m_elements.end(), element, comp);
@@ -141,7 +142,7 @@ class CSet {
     }
   }
 
-  // mutable, because begin() of a constant set gives access to the elements themselves
+  // mutable, because begin() of a constant set returns mutable elements
   mutable std::vector<T> m_elements;
 };
 

@@ -9,16 +9,15 @@
 namespace argos {
 
 /**
- * Keeps the elements that a list does not need now, with the memory that they own: lists of
- * messages that grow and shrink from tick to tick allocate nothing unless they are longer than
- * ever.
+ * Keeps unused elements of lists together with the memory that they own: lists of messages that
+ * change their length from tick to tick allocate only when they exceed their longest length so far.
  */
 template <typename T>
 class CSpareElements {
  public:
   /**
-   * Appends an element to @p list, with whatever it held when it was last used.
-   * @param prepare  void(T&): called for elements that are made, some in advance.
+   * Appends a spare element to @p list, with its previous contents.
+   * @param prepare  void(T&): called for each newly created element.
    */
   template <typename PREPARE>
   T& Append(std::vector<T>& list, PREPARE&& prepare) {
@@ -36,13 +35,13 @@ class CSpareElements {
     return Append(list, [](T&) {});
   }
 
-  /** Calls use(T&) for each element that is kept. */
+  /** Calls use(T&) for each spare element. */
   template <typename USE>
   void ForEach(USE&& use) {
     std::for_each(m_spare.begin(), m_spare.end(), use);
   }
 
-  /** Takes the last elements of @p list, so that @p size are left. */
+  /** Moves the last elements of @p list to the spare elements until @p size are left. */
   void Shrink(std::vector<T>& list, std::size_t size) {
     while (list.size() > size) {
       m_spare.push_back(std::move(list.back()));
@@ -51,13 +50,13 @@ class CSpareElements {
   }
 
  private:
-  static constexpr std::size_t kFirstRoom = 8;  // then twice as many
+  static constexpr std::size_t kFirstCapacity = 8;  // doubled from then on
 
   template <typename PREPARE>
   void MakeElements(const std::vector<T>& list, PREPARE&& prepare) {
-    const std::size_t more = std::max(kFirstRoom, 2 * list.size()) - list.size();
+    const std::size_t more = std::max(kFirstCapacity, 2 * list.size()) - list.size();
     m_numMade += more;
-    // some day all lists may be empty
+    // reserve space for the elements of all lists
     m_spare.reserve(m_numMade);
     for (std::size_t i = 0; i < more; ++i) {
       m_spare.emplace_back();

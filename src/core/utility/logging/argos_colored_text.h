@@ -7,7 +7,7 @@
 
 namespace argos {
 
-/** How text looks on a terminal. Source of the values: ECMA-48, "select graphic rendition". */
+/** Text attributes of a terminal. Source of the values: ECMA-48, "select graphic rendition". */
 enum EARGoSLogAttributes {
   ARGOS_LOG_ATTRIBUTE_RESET = 0,
   ARGOS_LOG_ATTRIBUTE_BRIGHT = 1,
@@ -18,7 +18,7 @@ enum EARGoSLogAttributes {
   ARGOS_LOG_ATTRIBUTE_HIDDEN = 8
 };
 
-/** Colours of text on a terminal; the escape sequence says 30 plus this. */
+/** Text colours of a terminal; the escape sequence uses 30 plus this. */
 enum EARGoSLogColors {
   ARGOS_LOG_COLOR_BLACK = 0,
   ARGOS_LOG_COLOR_RED = 1,
@@ -30,7 +30,7 @@ enum EARGoSLogColors {
   ARGOS_LOG_COLOR_WHITE = 7
 };
 
-/** A text colour with its attribute. Streaming it emits the escape sequence that switches to it. */
+/** A text colour and attribute. Streaming it emits the escape sequence that switches to it. */
 struct SLogColor {
   UInt8 Attribute;
   UInt8 Foreground;

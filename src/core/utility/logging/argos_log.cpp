@@ -15,25 +15,25 @@ namespace {
 
 constexpr const char* kColorReset = "\033[0m";
 
-// a run of messages of one thread with one key
+// consecutive messages of one thread with one key
 struct SSegment {
   UInt64 Key;
-  // tells apart runs of one key: a phase that starts after another one gets higher tickets
+  // orders segments with the same key: a phase that starts later has higher tickets
   UInt64 Ticket;
   std::size_t Start;
 };
 
-// a segment on its way to the stream
+// a segment that is being flushed
 struct SPiece {
   UInt64 Key;
   UInt64 Ticket;
-  // the index of the text, and the part of it
+  // index of the text, and the range in it
   std::size_t Text;
   std::size_t Start;
   std::size_t End;
 };
 
-// appends to a string that can be looked at and cut without copying it
+// appends to a string that can be read and truncated without a copy
 class CStringAppender : public std::streambuf {
  public:
   std::string Text;
@@ -63,7 +63,7 @@ struct CARGoSLog::SThreadBuffer {
   std::ostream Stream{&Appender};
   std::vector<SSegment> Segments;
 
-  // takes everything out of the buffer
+  // moves the contents out of the buffer
   void MoveTo(std::vector<std::string>& texts, std::vector<SPiece>& pieces) {
     const std::lock_guard<std::recursive_mutex> lock(Mutex);
     if (!Appender.Text.empty()) {
@@ -84,9 +84,9 @@ struct CARGoSLog::SState {
   std::atomic<UInt64> NextTicket{0};
   // guards the list, and writing to the stream
   std::mutex Mutex;
-  // shared with the threads, because either a thread or the log may end first
+  // shared with the threads, because a thread may outlive the log and vice versa
   std::vector<std::shared_ptr<SThreadBuffer>> Buffers;
-  // for what is logged while a thread is being torn down
+  // for messages that are logged during the destruction of a thread
   std::shared_ptr<SThreadBuffer> LateBuffer;
   std::string Prefix;
   std::ofstream File;
@@ -98,7 +98,7 @@ struct CARGoSLog::SState {
     ~SThreadTable();
   };
   static thread_local SThreadTable ThreadTable;
-  // trivial, so readable also after the table's destructor
+  // trivially destructible, so it can be read after the destructor of ThreadTable
   static thread_local bool ThreadTableIsGone;
 };
 
@@ -110,7 +110,7 @@ CARGoSLog::SState::SThreadTable::~SThreadTable() {
 }
 
 /****************************************/
-// life
+// construction and destruction
 /****************************************/
 
 CARGoSLog::CARGoSLog(std::ostream& stream, const SLogColor& color, bool colored)
@@ -124,7 +124,7 @@ CARGoSLog::~CARGoSLog() {
   try {
     Flush();
   } catch (...) {
-    // a stream that throws at the end of the program has nobody left to tell
+    // an exception at the end of the program cannot be reported
   }
   if (m_state->OriginalBuffer != nullptr) {
     m_stream.rdbuf(m_state->OriginalBuffer);
@@ -146,7 +146,7 @@ void CARGoSLog::RedirectToFile(const std::string& name) {
 }
 
 /****************************************/
-// order
+// order of messages
 /****************************************/
 
 void CARGoSLog::SetSequence(UInt64 key) {
@@ -218,7 +218,7 @@ std::ostream& CARGoSLog::CEntry::Stream() {
 }
 
 CARGoSLog& CARGoSLog::operator<<(std::ostream& (*manipulator)(std::ostream&)) {
-  // escape sequences and line ends are no items
+  // manipulators (escape sequences, line ends) are not coloured
   CEntry entry(*this, false);
   manipulator(entry.Stream());
   return *this;
@@ -230,7 +230,7 @@ void CARGoSLog::Flush() {
   std::vector<SPiece> pieces;
   auto& buffers = m_state->Buffers;
   for (std::size_t i = 0; i < buffers.size();) {
-    // nobody else holds the buffer of a thread that has ended, so it gets no more text
+    // the buffer of a terminated thread is referenced only here and gets no more text
     const bool isOrphan = buffers[i].use_count() == 1;
     buffers[i]->MoveTo(texts, pieces);
     if (isOrphan) {
@@ -253,7 +253,7 @@ void CARGoSLog::Flush() {
 }
 
 /****************************************/
-// the two logs, and debugging
+// LOG and LOGERR, debugging
 /****************************************/
 
 CARGoSLog LOG(std::cout, SLogColor(ARGOS_LOG_ATTRIBUTE_BRIGHT, ARGOS_LOG_COLOR_GREEN));

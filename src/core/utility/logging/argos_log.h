@@ -17,55 +17,54 @@ namespace argos {
 /**
  * A log: messages are collected per thread and reach the stream on Flush().
  *
- * Any thread may log at any time. So that a log file does not depend on the number of threads, each
- * message carries the key its thread had set with SetSequence(), and Flush() writes the messages in
- * the order of their keys; messages of one key come in the order in which they were logged. With
- * coloured output on, every item is wrapped in the log's colour and a reset.
+ * Any thread may log at any time. To make a log file independent of the number of threads, each
+ * message carries the key that its thread set with SetSequence(), and Flush() writes messages in
+ * the order of their keys; messages with the same key keep the order in which they were logged.
+ * With coloured output, each item is wrapped in the log's colour and a reset.
  *
- * A statement that logs nothing costs nothing: buffers are made when a thread logs first.
+ * Logging nothing costs nothing: a thread's buffer is created by its first message.
  */
 class CARGoSLog {
  public:
   /**
-   * @param stream   where Flush() writes; must outlive the log.
-   * @param colored  wrap every item in the colour?
+   * @param stream   target of Flush(); must outlive the log.
+   * @param colored  true: wrap each item in the colour.
    */
   CARGoSLog(std::ostream& stream, const SLogColor& color, bool colored = true);
   CARGoSLog(const CARGoSLog&) = delete;
   CARGoSLog& operator=(const CARGoSLog&) = delete;
 
-  /** Flushes, and gives a redirected stream its own buffer back. */
+  /** Flushes, and restores the buffer of a redirected stream. */
   ~CARGoSLog();
 
   void EnableColoredOutput() { m_colored = true; }
   void DisableColoredOutput() { m_colored = false; }
   bool IsColoredOutput() const { return m_colored; }
 
-  /** The stream that Flush() writes to; its rdbuf() may be replaced. */
+  /** The target of Flush(); its rdbuf() may be replaced. */
   std::ostream& GetStream() { return m_stream; }
 
   /**
-   * Sends the stream, and what else is written to it, to a file, which is truncated. Colours are
-   * switched off.
+   * Redirects the stream, including other writers, to a file, which is truncated. Switches colours
+   * off.
    * @throws CARGoSException if the file cannot be written; the text gives its name and the reason.
    */
   void RedirectToFile(const std::string& name);
 
-  /** Writes what all threads have logged since the last call, and flushes the stream. */
+  /** Writes the messages of all threads since the last call, and flushes the stream. */
   void Flush();
 
   /**
-   * Makes the calling thread's buffer now rather than at its first message.
-   * Calling it is never needed, calling it again does nothing.
+   * Creates the calling thread's buffer now instead of at its first message. Optional.
    */
   void AddThreadSafeBuffer();
 
   /**
-   * Sets the place of the calling thread's next messages in the order of Flush(), for all logs.
+   * Sets the sort key of the calling thread's next messages, for all logs.
    *
-   * A thread starts with key 0. Between two flushes, messages of the same key that come from
-   * different threads must be ordered by something else (such as a barrier between two phases),
-   * otherwise their order is that in which the threads happened to run.
+   * A thread starts with key 0. Between two flushes, messages with the same key from different
+   * threads must be ordered by other means (such as a barrier between two phases); otherwise their
+   * order depends on the scheduling of the threads.
    */
   static void SetSequence(UInt64 key);
   static UInt64 GetSequence();
@@ -85,7 +84,7 @@ class CARGoSLog {
   struct SThreadBuffer;
   struct SState;
 
-  /** One item on its way into the calling thread's buffer, which it locks meanwhile. */
+  /** One item that is being written to the calling thread's buffer, which is locked meanwhile. */
   class CEntry {
    public:
     CEntry(CARGoSLog& log, bool colored);
@@ -114,10 +113,10 @@ extern CARGoSLog LOG;
 /** The error log: std::cerr, bright red. */
 extern CARGoSLog LOGERR;
 
-/** Columns by which the next DEBUG() line is indented. */
+/** Indentation of the next DEBUG() line, in columns. */
 extern std::size_t DEBUG_INDENTATION;
 
-/** What DEBUG() expands to: printf to the standard error, indented by DEBUG_INDENTATION blanks. */
+/** Implements DEBUG(): printf to the standard error, indented by DEBUG_INDENTATION blanks. */
 void DebugPrint(const char* format, ...) __attribute__((format(printf, 1, 2)));
 
 }  // namespace argos
@@ -129,7 +128,7 @@ void DebugPrint(const char* format, ...) __attribute__((format(printf, 1, 2)));
 /** printf to the standard error, indented. */
 #define DEBUG(...) argos::DebugPrint(__VA_ARGS__)
 
-/** Print the function's name when it is entered and left; what is between is indented. */
+/** Prints the function's name when it is entered and left; the output in between is indented. */
 #define DEBUG_FUNCTION_ENTER                  \
   DEBUG("%s - START\n", __PRETTY_FUNCTION__); \
   ++argos::DEBUG_INDENTATION

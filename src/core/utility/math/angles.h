@@ -9,16 +9,16 @@
 #include <istream>
 #include <ostream>
 
-// The small maths types (angles, ranges, vectors, quaternions) are plain structures of Real and do
-// without Eigen on purpose: their constants must exist before any static initialiser of a user
-// runs, which takes constexpr constructors, and half the code base includes them, so they must
-// compile fast. Linear algebra (matrices, rotations between vectors) goes through Eigen in the
-// matrix headers and in sources; see eigen_bridge.h.
+// The small maths types (angles, ranges, vectors, quaternions) are plain structures of Real without
+// Eigen, for two reasons: their constants must exist before static initialisers in user code run,
+// which requires constexpr constructors; and much of the code base includes them, so they must
+// compile fast. Linear algebra (matrices, rotations between vectors) uses Eigen in the matrix
+// headers and in sources; see eigen_bridge.h.
 
 /** The ratio of a circle's circumference to its diameter. */
 #define ARGOS_PI 3.14159265358979323846
 
-/** The C functions in use for Real. */
+/** The C functions for Real. */
 #define ARGOS_SIN ::sin
 #define ARGOS_COS ::cos
 #define ARGOS_TAN ::tan
@@ -40,11 +40,9 @@ inline void ComputeSinCos(Real radians, Real* sine, Real* cosine) {
 }
 
 /**
- * What the two units of angle have in common: arithmetic, comparison and normalisation of one
- * number.
+ * Base of both angle types: arithmetic, comparison and normalisation of one number.
  *
- * @tparam ANGLE  CRadians or CDegrees. There is no conversion between the two but by ToDegrees()
- * and ToRadians().
+ * @tparam ANGLE  CRadians or CDegrees. Only ToDegrees() and ToRadians() convert between them.
  */
 template <typename ANGLE>
 class CAngleBase {
@@ -60,8 +58,8 @@ class CAngleBase {
   constexpr void SetValue(Real value) { m_value = value; }
 
   /**
-   * Wraps the angle into half a turn to either side, by adding or subtracting whole turns; both
-   * bounds stay as they are. Takes bounded time for any value; an infinite one becomes NaN.
+   * Wraps the angle into [-half a turn, half a turn] by adding or subtracting whole turns; both
+   * bounds stay unchanged. Takes bounded time for any value; an infinite one becomes NaN.
    */
   ANGLE& SignedNormalize() {
     m_value =
@@ -111,8 +109,7 @@ class CAngleBase {
   constexpr bool operator>(const ANGLE& other) const { return m_value > other.GetValue(); }
   constexpr bool operator>=(const ANGLE& other) const { return m_value >= other.GetValue(); }
 
-  // friends rather than members: in C++20 a member of the base would compete with itself, arguments
-  // swapped
+  // friends, because in C++20 a member of the base would be ambiguous with its own reversed form
   friend constexpr bool operator==(const ANGLE& a, const ANGLE& b) {
     return a.GetValue() == b.GetValue();
   }
@@ -163,8 +160,7 @@ class CRadians : public CAngleBase<CRadians> {
   static constexpr Real kHalfTurn = ARGOS_PI;
 };
 
-// written like this, the constants are part of the program's image and need no initialisation at
-// run time
+// constant-initialised: part of the program's image, without initialisation at run time
 inline constexpr CRadians CRadians::PI(ARGOS_PI);
 inline constexpr CRadians CRadians::TWO_PI(2.0 * ARGOS_PI);
 inline constexpr CRadians CRadians::PI_OVER_TWO(ARGOS_PI / 2.0);

@@ -9,8 +9,8 @@
 namespace argos {
 
 /**
- * A solid box. Its own frame has the origin at the centre of the base: x and y reach half a size to
- * either side, z reaches from 0 to the full size. Lengths in m.
+ * A solid box. The origin of its frame is the centre of the base: x and y extend half a size to
+ * either side, z from 0 to the full size. Lengths in m.
  */
 class CBox {
  public:
@@ -26,11 +26,11 @@ class CBox {
   void SetOrientation(const CQuaternion& orientation) { m_orientation = orientation; }
 
   /**
-   * Says whether the ray, prolonged beyond its end, meets the solid; touching it counts.
+   * @return true if the ray, extended beyond its end, meets the solid; touching counts.
    *
-   * @param tOnRay  set, if so, to the first place where it does: 0 at the start of the ray, also
-   * when that is inside, 1 at its end, and more beyond: callers that mean the segment compare
-   * with 1.
+   * @param tOnRay  set on success to the parameter of the first common point: 0 at the start of the
+   *   ray (also if the start is inside), 1 at its end, more beyond it; to test the segment only,
+   *   compare with 1.
    */
   bool Intersects(Real& tOnRay, const CRay3& ray) const;
 

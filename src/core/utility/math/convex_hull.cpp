@@ -11,8 +11,8 @@ namespace argos {
 
 namespace {
 
-// share of the set's size below which a point counts as lying on a face: far above the rounding of
-// a plane equation (1e-16), far below any detail of a shape
+// tolerance of a point on a face, relative to the size of the set: far above the rounding of a
+// plane equation (1e-16), far below any detail of a shape
 constexpr Real kRelativeTolerance = 1e-10;
 
 UInt32 FindFarthest(const std::vector<CVector3>& points,
@@ -30,8 +30,8 @@ UInt32 FindFarthest(const std::vector<CVector3>& points,
 
 CConvexHull::CConvexHull(const std::vector<CVector3>& points) : m_points(points), m_tolerance(0.0) {
   if (points.size() < 4) {
-    THROW_ARGOSEXCEPTION("A convex hull in space needs at least 4 points, but there are "
-                         << points.size() << ".");
+    THROW_ARGOSEXCEPTION("A 3D convex hull needs at least 4 points, but there are " << points.size()
+                                                                                    << ".");
   }
   for (const CVector3& point : points) {
     m_tolerance = std::max(m_tolerance, kRelativeTolerance * Distance(point, points.front()));
@@ -46,7 +46,7 @@ CConvexHull::CConvexHull(const std::vector<CVector3>& points) : m_points(points)
   }
 }
 
-// four points that span a solid, the last one behind the triangle of the others
+// four points that span a solid, the last one behind the triangle of the other three
 std::array<UInt32, 4> CConvexHull::FindTetrahedron() const {
   const UInt32 first = 0;
   const CVector3& origin = m_points[first];
@@ -64,7 +64,7 @@ std::array<UInt32, 4> CConvexHull::FindTetrahedron() const {
   const Real height = normal.DotProduct(m_points[fourth] - origin);
   if (!(std::fabs(height) > m_tolerance * normal.Length()) ||
       !(normal.Length() > m_tolerance * edge.Length())) {
-    THROW_ARGOSEXCEPTION("A convex hull in space needs points that are not all in one plane; all "
+    THROW_ARGOSEXCEPTION("A 3D convex hull needs points that are not all in one plane; all "
                          << m_points.size() << " of them are.");
   }
   return height < 0.0 ? std::array<UInt32, 4>{first, second, third, fourth}
@@ -84,13 +84,13 @@ Real CConvexHull::ComputeHeight(const SFace& face, UInt32 point) const {
 }
 
 void CConvexHull::AddPoint(UInt32 point) {
-  // the faces that the point sees are inside the new hull
+  // the faces visible from the point are inside the new hull
   const auto firstSeen = std::stable_partition(
       m_faces.begin(), m_faces.end(),
       [&](const SFace& face) { return ComputeHeight(face, point) <= m_tolerance; });
 
-  // their outline consists of the edges that only one of them has; neighbours run along an edge in
-  // opposite ways
+  // their outline consists of the edges of exactly one of them; adjacent faces traverse a shared
+  // edge in opposite directions
   std::vector<std::pair<UInt32, UInt32> > outline;
   for (auto face = firstSeen; face != m_faces.end(); ++face) {
     for (size_t i = 0; i < 3; ++i) {

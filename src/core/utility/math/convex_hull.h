@@ -10,23 +10,25 @@
 namespace argos {
 
 /**
- * The smallest convex solid that holds a set of points, as triangles.
+ * The convex hull of a set of points in space, as triangles.
  *
  * Incremental construction (O'Rourke, Computational Geometry in C, chapter 4), quadratic in the
- * number of points. Points closer to a face than 1e-10 of the size of the set count as lying on it.
- * A flat side with more than three corners gives several triangles with the same normal.
+ * number of points. Points closer to a face than 1e-10 of the size of the set count as on the face.
+ * A planar side with more than three corners gives several triangles with the same normal.
  */
 class CConvexHull {
  public:
   struct SFace {
-    /** Unit vector that points out of the solid. */
+    /** Unit outward normal. */
     CVector3 Normal;
 
-    /** Distance of the face's plane from the origin along Normal: points p of the solid have
-     * Normal.p <= Direction. */
+    /**
+     * Distance of the face's plane from the origin along Normal: points p of the solid satisfy
+     * Normal.p <= Direction.
+     */
     Real Direction;
 
-    /** The corners, as indices of the points given, counter-clockwise as seen from outside. */
+    /** The corners, as indices of the input points, counter-clockwise as seen from outside. */
     std::array<UInt32, 3> VertexIndices;
   };
 

@@ -7,8 +7,8 @@
 namespace argos {
 
 bool CCylinder::Intersects(Real& tOnRay, const CRay3& ray) const {
-  // unit vectors across the axis; the first is built from the coordinate axis that is farthest from
-  // it
+  // unit vectors perpendicular to the axis; the first is built from the coordinate axis that is
+  // farthest from it
   const CVector3 axis = CVector3(m_axis).Normalize();
   CVector3 across = std::fabs(axis.GetX()) < 0.6 ? CVector3::X : CVector3::Y;
   across = (across - axis * across.DotProduct(axis)).Normalize();

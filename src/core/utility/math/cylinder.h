@@ -10,8 +10,7 @@ namespace argos {
 /** A solid cylinder: a disc about the base position, swept along the axis. Lengths in m. */
 class CCylinder {
  public:
-  /** @param axis  direction from the base to the top; its length does not matter, but must not be
-   * zero. */
+  /** @param axis  direction from the base to the top, of any length but zero. */
   CCylinder(Real radius, Real height, const CVector3& basePosition = CVector3(),
             const CVector3& axis = CVector3::Z)
       : m_radius(radius), m_height(height), m_basePosition(basePosition), m_axis(axis) {}
@@ -26,11 +25,11 @@ class CCylinder {
   void SetAxis(const CVector3& axis) { m_axis = axis; }
 
   /**
-   * Says whether the ray, prolonged beyond its end, meets the solid; touching it counts.
+   * @return true if the ray, extended beyond its end, meets the solid; touching counts.
    *
-   * @param tOnRay  set, if so, to the first place where it does: 0 at the start of the ray, also
-   * when that is inside, 1 at its end, and more beyond: callers that mean the segment compare
-   * with 1.
+   * @param tOnRay  set on success to the parameter of the first common point: 0 at the start of the
+   *   ray (also if the start is inside), 1 at its end, more beyond it; to test the segment only,
+   *   compare with 1.
    */
   bool Intersects(Real& tOnRay, const CRay3& ray) const;
 

@@ -10,8 +10,7 @@
 
 namespace argos {
 
-/** Conversions between the public maths types and Eigen's, by value; compilers reduce them to
- * moves. */
+/** Conversions between the public maths types and Eigen's, by value; they compile to moves. */
 
 inline Eigen::Matrix<Real, 2, 1> ToEigen(const CVector2& vector) {
   return {vector.GetX(), vector.GetY()};

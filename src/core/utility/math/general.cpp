@@ -12,7 +12,7 @@ Real Interpolate(Real x, const std::vector<std::pair<Real, Real> >& points) {
                                                        << " point(s): at least 2 are needed.");
   }
 
-  // the segment that holds x, or the outer one that is prolonged
+  // the segment that contains x, or the first or last one, extended
   const auto last = points.end() - 1;
   const auto upper = std::upper_bound(
       points.begin() + 1, last, x,

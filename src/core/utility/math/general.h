@@ -13,7 +13,7 @@ namespace argos {
 /**
  * Returns the magnitude of a value.
  *
- * Works for every T with T(0), <, > and unary minus, so also for CRadians and CDegrees.
+ * Works for every T with T(0), <, > and unary minus, including CRadians and CDegrees.
  */
 template <typename T>
 constexpr T Abs(const T& value) {
@@ -87,11 +87,9 @@ constexpr SInt32 Truncate(Real value) {
 }  // namespace math_detail
 
 /**
- * Truncates values >= 0, and truncates and subtracts one from negative ones.
- *
- * Beware: a negative whole number therefore loses one, Floor(-2.0) is -3. User code relies on it;
- * write std::floor() for the mathematical function. Values outside the range of SInt32 give its
- * bounds.
+ * Truncates, and subtracts one from negative values. A negative whole number is therefore
+ * decremented too: Floor(-2.0) is -3. User code relies on this; use std::floor() for the
+ * mathematical function. Values outside the range of SInt32 give its bounds.
  */
 constexpr SInt32 Floor(Real value) {
   const SInt32 truncated = math_detail::Truncate(value);
@@ -115,7 +113,7 @@ constexpr SInt32 RoundClosestToZero(Real value) {
   return math_detail::Truncate(value);
 }
 
-/** Says whether |a - b| <= epsilon * max(1, |a|, |b|); epsilon must be >= 0. */
+/** @return |a - b| <= epsilon * max(1, |a|, |b|); epsilon must be >= 0. */
 inline bool DoubleEqAbsolute(Real a, Real b, Real epsilon) {
   const Real scale = std::fmax(1.0, std::fmax(std::fabs(a), std::fabs(b)));
   return std::fabs(a - b) <= epsilon * scale;
@@ -129,7 +127,7 @@ inline bool DoubleEq(Real a, Real b) {
 /**
  * Evaluates the piecewise linear function through the given points.
  *
- * @param x       where to evaluate; outside the points, the first or the last segment is prolonged.
+ * @param x       argument; outside the points, the first or last segment is extended.
  * @param points  at least two pairs (x, y), sorted by increasing x. Two inner points with equal x
  * make a step, which belongs to its right side.
  * @throws CARGoSException if there are fewer than two points, or if the segment needed has no
@@ -159,7 +157,7 @@ inline Real Mod(Real value, Real divisor) {
 
 }  // namespace argos
 
-// user code calls these four without naming the namespace
+// user code calls these functions unqualified
 using argos::Exp;
 using argos::Log;
 using argos::Mod;

@@ -3,7 +3,7 @@
 namespace argos {
 
 bool CPlane::Intersects(Real& tOnRay, const CRay3& ray) const {
-  // heights over the plane, in units of the normal's length
+  // heights above the plane, in units of the normal's length
   const Real start = (ray.GetStart() - m_position).DotProduct(m_normal);
   const Real end = (ray.GetEnd() - m_position).DotProduct(m_normal);
   if (start == 0.0) {

@@ -7,7 +7,7 @@
 
 namespace argos {
 
-/** An infinite plane, given by one of its points and a normal of any length but zero. */
+/** An infinite plane, given by a point and a normal of any length but zero. */
 class CPlane {
  public:
   /** The xy plane. */
@@ -34,10 +34,10 @@ class CPlane {
   }
 
   /**
-   * Says whether the ray, ends included, meets the plane.
+   * @return true if the ray, ends included, meets the plane.
    *
-   * @param tOnRay  set, if so, to the place on the ray: 0 at its start, 1 at its end. A ray that
-   * lies in the plane meets it at its start.
+   * @param tOnRay  set on success to the parameter of the common point: 0 at the start, 1 at the
+   *   end. A ray inside the plane meets it at its start.
    */
   bool Intersects(Real& tOnRay, const CRay3& ray) const;
 

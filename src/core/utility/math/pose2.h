@@ -10,9 +10,9 @@
 namespace argos {
 
 /**
- * A position in m and an orientation in the plane, or the motion that brings the origin there:
- * first rotate, then shift. Poses compose as the group SE(2). Orientations add up and are never
- * normalised.
+ * A position in m and an orientation in the plane, or equivalently the motion that maps the origin
+ * to it: first rotate, then translate. Poses compose as the group SE(2). Orientations add up
+ * without normalisation.
  */
 class CPose2 {
  public:
@@ -35,19 +35,19 @@ class CPose2 {
   constexpr const CVector2& GetPosition() const { return m_position; }
   constexpr const CRadians& GetOrientation() const { return m_orientation; }
 
-  /** Turns on the spot, counter-clockwise. */
+  /** Rotates in place, counter-clockwise. */
   constexpr void Rotate(const CRadians& angle) { m_orientation += angle; }
 
-  /** Shifts by a vector given in the frame of the pose: x is ahead, y is to the left. */
+  /** Translates by a vector in the frame of the pose: x is forward, y is left. */
   void Translate(const CVector2& translation) { m_position = *this * translation; }
 
-  /** Returns the pose of the origin as seen from this pose. */
+  /** Returns the pose of the origin in the frame of this pose. */
   CPose2 Inverse() const;
 
-  /** Returns the pose in the outer frame of what has the pose other in the frame of this one. */
+  /** Converts a pose from the frame of this pose to the outer frame. */
   CPose2 operator*(const CPose2& other) const;
 
-  /** Returns the outer coordinates of a point given in the frame of this pose. */
+  /** Converts a point from the frame of this pose to the outer frame. */
   CVector2 operator*(const CVector2& point) const;
 
   CPose2& operator*=(const CPose2& other) { return *this = *this * other; }

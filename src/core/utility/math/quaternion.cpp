@@ -10,10 +10,10 @@ namespace argos {
 
 namespace {
 
-// half the sine of y from which on the reference behaviour is to call it gimbal lock
+// half the sine of y above which ARGoS 3 reports gimbal lock
 constexpr Real kGimbalLockThreshold = 0.49999;
 
-// adding zero turns a numerator of -0 into +0, so that half a turn comes out as PI and never as -PI
+// adding zero turns a numerator of -0 into +0, so that half a turn is PI and never -PI
 CRadians ComputeAngle(Real sine, Real cosine) {
   return ATan2(sine + 0.0, cosine);
 }

@@ -16,11 +16,11 @@ class CRotationMatrix3;
 /**
  * A rotation in space as w + x i + y j + z k; four numbers, trivially copyable.
  *
- * Rotations have length 1: Inverse(), CVector3::Rotate() and the conversions assume it, and do not
- * check it. q and -q are the same rotation, yet not equal.
+ * Rotations have length 1: Inverse(), CVector3::Rotate() and the conversions assume it without a
+ * check. q and -q are the same rotation but compare unequal.
  *
- * Euler angles come in the order z, y, x everywhere (arguments and text) and mean
- * q = q_x(x) q_y(y) q_z(z): on fixed axes, rotate about z first, then about y, then about x.
+ * Euler angles have the order z, y, x everywhere (arguments and text) and mean q = q_x(x) q_y(y)
+ * q_z(z): about fixed axes, rotate about z first, then y, then x.
  */
 class CQuaternion {
  public:
@@ -79,16 +79,16 @@ class CQuaternion {
   /**
    * Gives z and x in (-PI,PI] and y in [-PI/2,PI/2].
    *
-   * Within 0.36 degrees of y = +-PI/2 (gimbal lock: where |sin y| > 0.99998) x is set to 0, y to
-   * +-PI/2, and z to what is left.
+   * Within 0.36 degrees of y = +-PI/2 (gimbal lock: |sin y| > 0.99998) x is set to 0, y to +-PI/2,
+   * and z to the remaining rotation.
    */
   void ToEulerAngles(CRadians& z, CRadians& y, CRadians& x) const;
 
   /**
-   * Makes the shortest rotation that turns the direction of one vector into that of another;
-   * lengths do not matter.
+   * Sets the shortest rotation from the direction of one vector to that of another; lengths are
+   * ignored.
    *
-   * Opposite vectors give half a turn about some axis normal to them; a zero vector gives the
+   * Opposite vectors give half a turn about an axis normal to them; a zero vector gives the
    * identity.
    */
   CQuaternion& BetweenTwoVectors(const CVector3& from, const CVector3& to);
@@ -122,7 +122,7 @@ class CQuaternion {
                        m_w * other.m_z + m_x * other.m_y - m_y * other.m_x + m_z * other.m_w);
   }
 
-  /** Include matrix/rotationmatrix3.h to use it. */
+  /** Defined in matrix/rotationmatrix3.h. */
   operator CRotationMatrix3() const;
 
  private:

@@ -19,8 +19,8 @@ constexpr UInt64 Mix(UInt64 value) {
   return value ^ (value >> 31);
 }
 
-// FNV-1a (Fowler, Noll, Vo; 64 bits) of the text, mixed into what came before. The length is part
-// of it, so moving a letter from one text to the next changes the result
+// FNV-1a (Fowler, Noll, Vo; 64 bits) of the text, mixed into the hash. The length is included, so
+// moving a letter from one text to the next changes the result
 UInt64 Absorb(UInt64 hash, std::string_view text) {
   UInt64 textHash = 0xcbf29ce484222325ULL;
   for (const char letter : text) {
@@ -38,7 +38,7 @@ CRandomStream::CRandomStream(UInt64 seed, std::string_view category, std::string
 }
 
 void CRandomStream::Reset() {
-  // SplitMix64 never gives four zeros in a row, the one state that xoshiro must not have
+  // SplitMix64 never returns four zeros in a row, the one invalid state of xoshiro
   UInt64 counter = m_key;
   for (UInt64& word : m_state) {
     counter += kGoldenGamma;
@@ -61,7 +61,7 @@ UInt64 CRandomStream::UniformInteger(UInt64 count) {
 }
 
 Real CRandomStream::Gaussian(Real standardDeviation, Real mean) {
-  // the middle of one of 2^53 equal intervals of (-1/2, 1/2): symmetric, and never at an end
+  // the middle of one of 2^53 equal intervals of (-1/2, 1/2): symmetric, and never at a bound
   const SInt64 step = static_cast<SInt64>(Next() >> 11) - (1LL << 52);
   return mean + standardDeviation * ComputeNormalQuantile((static_cast<Real>(step) + 0.5) * kUnit);
 }

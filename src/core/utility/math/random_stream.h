@@ -9,33 +9,31 @@
 namespace argos {
 
 /**
- * A small generator for the program's own noise, with distributions that do not depend on the
- * standard library.
+ * A small generator for the simulator's own noise; its distributions do not depend on the standard
+ * library.
  *
- * A stream is named by the experiment's seed, a category, the id of what owns it and a purpose. The
- * same four always give the same numbers, whatever else exists and in whichever order or thread
- * things are created; different ones give unrelated streams. 40 bytes, no heap; one thread at a
- * time.
+ * A stream is identified by the experiment's seed, a category, the id of its owner and a purpose.
+ * The same four always give the same numbers, independently of other streams, creation order and
+ * threads; different ones give unrelated streams. 40 bytes, no heap; one thread at a time.
  *
- * Every distribution takes exactly one 64-bit number a value (UniformInteger, in rare cases, more).
+ * Every distribution takes exactly one 64-bit number per value (UniformInteger rarely more).
  *
  * Generator: xoshiro256**, D. Blackman and S. Vigna, "Scrambled linear pseudorandom number
- * generators", ACM TOMS 47 (2021); period 2^256 - 1. Its state is filled by SplitMix64 from a hash
- * of the name, as the authors advise.
+ * generators", ACM TOMS 47 (2021); period 2^256 - 1. Seeded by SplitMix64 from a hash of the name,
+ * as the authors advise.
  */
 class CRandomStream {
  public:
   /**
    * @param seed      the experiment's seed.
-   * @param category  keeps apart sets of streams, "argos" for the simulator's.
+   * @param category  separates sets of streams, "argos" for the simulator's.
    * @param owner     the id of the robot or object that draws from the stream.
-   * @param purpose   what the numbers are for, "proximity noise"; keeps apart the streams of one
-   * owner.
+   * @param purpose   use of the numbers, "proximity noise"; separates the streams of one owner.
    */
   CRandomStream(UInt64 seed, std::string_view category, std::string_view owner,
                 std::string_view purpose);
 
-  /** Goes back to the start of the stream. */
+  /** Returns to the start of the stream. */
   void Reset();
 
   /** Returns the next 64 random bits. */
@@ -54,14 +52,14 @@ class CRandomStream {
   /** Returns a multiple of 2^-53 in [0,1). */
   Real Uniform01() { return static_cast<Real>(Next() >> 11) * kUnit; }
 
-  /** Returns a number between the two bounds; max itself only by rounding. */
+  /** Returns a number in [min,max); max itself only by rounding. */
   Real Uniform(Real min, Real max) { return min + (max - min) * Uniform01(); }
 
   /** Returns true with the given probability: never for 0, always for 1. */
   bool Bernoulli(Real probability = 0.5) { return Uniform01() < probability; }
 
   /**
-   * Returns one of the numbers 0, ..., count - 1, each with exactly the same probability.
+   * Returns one of the numbers 0, ..., count - 1, with exactly equal probability.
    *
    * @param count  must not be 0.
    */
@@ -70,7 +68,7 @@ class CRandomStream {
   /** Returns one of the numbers min, ..., max, both included; min <= max is required. */
   SInt64 UniformInteger(SInt64 min, SInt64 max) {
     const UInt64 count = static_cast<UInt64>(max) - static_cast<UInt64>(min) + 1;
-    // a count of 0 stands for all 2^64 numbers
+    // a count of 0 means all 2^64 numbers
     return static_cast<SInt64>(static_cast<UInt64>(min) +
                                (count == 0 ? Next() : UniformInteger(count)));
   }

@@ -16,13 +16,13 @@
 
 namespace argos {
 
-/** Wrapping a value into a period, for CRange::WrapValue() and the normalisation of angles. */
+/** Wrapping of a value into a period, for CRange::WrapValue() and the normalisation of angles. */
 namespace math_detail {
 
 /**
  * Adds or subtracts span until the value lies in [min,max].
  *
- * Values more than a few turns away are first brought near by an exact remainder, so the time is
+ * Values more than a few turns away are first reduced by an exact remainder, so the time is
  * bounded; an infinite value gives NaN, NaN stays NaN, and a span that is not positive gives min.
  */
 inline Real WrapReal(Real value, Real min, Real max, Real span) {
@@ -31,7 +31,7 @@ inline Real WrapReal(Real value, Real min, Real max, Real span) {
     return min;
   }
   if (value > max + kTurnsByRepetition * span || value < min - kTurnsByRepetition * span) {
-    // a whole number of spans plus what is left: for angles, exactly what is left
+    // a whole number of spans plus the remainder, which is exact for angles
     value = (min - std::fmod(min, span)) + std::fmod(value, span);
   }
   while (value > max) {
@@ -64,7 +64,7 @@ constexpr T WrapInteger(T value, T min, T max) {
                               : static_cast<TUnsigned>(min) + overshoot);
 }
 
-/** True for angle-like types, which hold one Real behind GetValue() and SetValue(). */
+/** True for angle types, which hold one Real behind GetValue() and SetValue(). */
 template <typename T, typename = void>
 struct SHoldsReal : std::false_type {};
 
@@ -78,9 +78,9 @@ struct SHoldsReal<
 /**
  * An interval between two values of any type with <=, <, > and -.
  *
- * T may be Real, an integer (also unsigned), CRadians, CDegrees or CVector3 (whose order is "in
- * every component"). A range is inverted when its minimum exceeds its maximum; that is checked when
- * it is made from two values in builds without NDEBUG, and always when it is read from text.
+ * T may be Real, an integer (also unsigned), CRadians, CDegrees or CVector3 (ordered in every
+ * component). A range is inverted if its minimum exceeds its maximum; this is checked in the
+ * constructor from two values in builds without NDEBUG, and always when reading from text.
  */
 template <typename T>
 class CRange {
@@ -94,12 +94,12 @@ class CRange {
 
   constexpr T GetMin() const { return m_min; }
 
-  /** Not checked against the maximum, which may be about to follow. */
+  /** Not checked against the maximum, which may be set next. */
   constexpr void SetMin(const T& min) { m_min = min; }
 
   constexpr T GetMax() const { return m_max; }
 
-  /** Not checked against the minimum, which may be about to follow. */
+  /** Not checked against the minimum, which may be set next. */
   constexpr void SetMax(const T& max) { m_max = max; }
 
   /** Returns max - min, computed in T. */
@@ -134,8 +134,10 @@ class CRange {
     }
   }
 
-  /** Clamps the value and returns its place in the range, 0 for the minimum and 1 for the maximum;
-   * 0 when the span is 0. */
+  /**
+   * Clamps the value and returns its relative position in the range, 0 for the minimum and 1 for
+   * the maximum; 0 if the span is 0.
+   */
   constexpr Real NormalizeValue(const T& value) const {
     T clamped = value;
     TruncValue(clamped);
@@ -143,7 +145,7 @@ class CRange {
       return 0.0;
     }
     if constexpr (std::is_arithmetic_v<T>) {
-      // in Real, because the span of a signed integer need not fit its type
+      // in Real, because the span of a signed integer may overflow its type
       const Real min = static_cast<Real>(m_min);
       return (static_cast<Real>(clamped) - min) / (static_cast<Real>(m_max) - min);
     } else {
@@ -152,7 +154,8 @@ class CRange {
   }
 
   /**
-   * Clamps the input to this range and gives the value at the same place in another range.
+   * Clamps the input to this range and returns the value at the same relative position in another
+   * range.
    *
    * @tparam U  a type for which Real * U is defined; the result is converted to it (integers
    * truncate).
@@ -165,8 +168,7 @@ class CRange {
   /**
    * Adds or subtracts the span until the value is inside [min,max]; a value on a bound stays.
    *
-   * Takes bounded time for numbers and angles, however far away: see math_detail::WrapReal(). A
-   * span of 0 gives min.
+   * Takes bounded time for numbers and angles: see math_detail::WrapReal(). A span of 0 gives min.
    */
   constexpr void WrapValue(T& value) const {
     if constexpr (std::is_floating_point_v<T>) {
@@ -188,7 +190,7 @@ class CRange {
                                      << "; write the smaller value first.");
   }
 
-  // other types: stops as soon as a step brings no progress
+  // for other types: stops when a step makes no progress
   constexpr void WrapByRepetition(T& value) const {
     const T span = m_max - m_min;
     for (T next = value - span; value > m_max && !(value <= next); next = value - span) {
@@ -206,12 +208,13 @@ class CRange {
 /** Reading a range from text. */
 namespace math_detail {
 
-/** @throws CARGoSException always, quoting the line from the given position on and saying what a
- * range looks like. */
+/**
+ * @throws CARGoSException always; the text quotes the line from the given position on and gives the
+ *   format of a range.
+ */
 [[noreturn]] void RejectRange(std::istream& is, std::streampos start, const std::string& reason);
 
-/** Reads one bound. Signed text for an unsigned type is refused, and 8-bit integers are read as
- * numbers. */
+/** Reads one bound. Rejects signed text for an unsigned type; reads 8-bit integers as numbers. */
 template <typename T>
 bool ReadRangeBound(std::istream& is, T& bound) {
   is >> std::ws;
@@ -253,7 +256,7 @@ std::istream& operator>>(std::istream& is, CRange<T>& range) {
   std::string minText;
   std::getline(is, minText, ':');
   if (is.eof() || is.fail()) {
-    math_detail::RejectRange(is, start, "there is no ':'");
+    math_detail::RejectRange(is, start, "':' is missing");
   }
 
   T min = T();
@@ -267,7 +270,7 @@ std::istream& operator>>(std::istream& is, CRange<T>& range) {
   }
   const int next = is.eof() ? std::istream::traits_type::eof() : is.peek();
   if (next != std::istream::traits_type::eof() && std::isspace(next) == 0) {
-    math_detail::RejectRange(is, start, "there is text after the maximum");
+    math_detail::RejectRange(is, start, "text follows the maximum");
   }
 
   if (!(min <= max)) {

@@ -5,7 +5,7 @@ namespace argos {
 namespace {
 
 // sine of the angle below which two segments count as parallel; far above the rounding of a cross
-// product (1e-16), far below any angle that an experiment can tell from zero
+// product (1e-16), far below any angle of practical interest
 constexpr Real kParallelSine = 1e-10;
 
 constexpr bool IsInUnitInterval(Real value) {

@@ -8,7 +8,7 @@
 
 namespace argos {
 
-/** A line segment in the plane with a direction, from a start to an end point, in m. */
+/** A directed line segment in the plane, in m. */
 class CRay2 {
  public:
   /** From the origin to the origin. */
@@ -50,7 +50,7 @@ class CRay2 {
   Real GetDistance(Real t) const { return t * GetLength(); }
 
   /**
-   * Says whether the two segments have a point in common, ends included.
+   * @return true if the two segments have a point in common, ends included.
    *
    * Segments whose directions differ by less than 1e-10 rad count as parallel and do not intersect,
    * even if they overlap.

@@ -10,7 +10,7 @@ namespace argos {
 
 class CPlane;
 
-/** A line segment in space with a direction, from a start to an end point, in m. */
+/** A directed line segment in space, in m. */
 class CRay3 {
  public:
   /** From the origin to the origin. */
@@ -60,8 +60,7 @@ class CRay3 {
   /** Returns the distance of the point at t from the start, t * length. */
   Real GetDistance(Real t) const { return t * GetLength(); }
 
-  /** Says whether the segment meets the plane, ends included, and gives the point; leaves it alone
-   * otherwise. */
+  /** @return true if the segment meets the plane, ends included; only then sets the point. */
   bool Intersects(const CPlane& plane, CVector3& point) const;
 
  private:

@@ -28,8 +28,8 @@ void CRayClipper::ClipToDisc(Real startX, Real startY, Real directionX, Real dir
     return;
   }
 
-  // roots of a t^2 + 2 b t + c; the discriminant through the cross product, since b^2 - a c would
-  // cancel when the start is far away
+  // roots of a t^2 + 2 b t + c; the discriminant uses the cross product, since b^2 - a c would
+  // cancel for a start far away
   const Real half = startX * directionX + startY * directionY;
   const Real cross = startX * directionY - startY * directionX;
   const Real discriminant = radius * radius * squareDirection - cross * cross;

@@ -8,26 +8,23 @@
 namespace argos {
 
 /**
- * Cuts the line start + t direction down to the part that lies in a convex solid, one pair of
- * bounds after the other.
+ * Clips the line start + t direction to a convex solid, one pair of bounds after the other.
  *
- * Touching counts as being inside. Method: T. Kay and J. Kajiya, "Ray tracing complex scenes",
- * SIGGRAPH 1986.
+ * Touching counts as inside. Method: T. Kay and J. Kajiya, "Ray tracing complex scenes", SIGGRAPH
+ * 1986.
  */
 class CRayClipper {
  public:
-  /** Keeps the part where min <= start + t direction <= max, all being coordinates along one axis.
-   */
+  /** Keeps the part with min <= start + t direction <= max, all coordinates along one axis. */
   void ClipToSlab(Real start, Real direction, Real min, Real max);
 
-  /** Keeps the part where the distance of (x,y) from the origin is at most radius. */
+  /** Keeps the part with a distance of (x,y) from the origin of at most radius. */
   void ClipToDisc(Real startX, Real startY, Real directionX, Real directionY, Real radius);
 
   /**
-   * Says whether something is left that is not behind the start.
+   * @return true if a part with t >= 0 is left.
    *
-   * @param t  set, if so, to the first such place; 0 if the start itself is inside. It may be
-   * greater than 1.
+   * @param t  set on success to the smallest such t; 0 if the start is inside. May exceed 1.
    */
   bool GetFirst(Real& t) const;
 

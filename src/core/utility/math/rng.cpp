@@ -16,17 +16,17 @@ namespace {
 
 constexpr Real kLargestDraw = 4294967295.0;  // 2^32 - 1
 
-// up to this mean the terms of a Poisson distribution can be summed from 0: exp(-mean) is far from
-// underflow
+// up to this mean the terms of a Poisson distribution can be summed from 0 without underflow of
+// exp(-mean)
 constexpr Real kLargestMeanSummed = 500.0;
 
 // up to this mean GSL's cumulative distribution is accurate; from 1e7 on it reports errors
 constexpr Real kLargestMeanBisected = 1e6;
 
-// beyond, the numbers would leave UInt32
+// larger means would exceed UInt32
 constexpr Real kLargestPoissonMean = 4e9;
 
-// smallest k with P(X <= k) >= probability, by summing
+// smallest k with P(X <= k) >= probability, by summation
 UInt32 InvertPoissonBySumming(Real probability, Real mean) {
   Real term = std::exp(-mean);
   Real sum = term;
@@ -34,7 +34,7 @@ UInt32 InvertPoissonBySumming(Real probability, Real mean) {
   while (sum < probability) {
     ++k;
     term *= mean / static_cast<Real>(k);
-    // a probability of 1 is not reached: stop where the sum no longer grows
+    // a probability of 1 is not reached: stop when the sum no longer grows
     if (static_cast<Real>(k) > mean && sum + term == sum) {
       break;
     }
@@ -59,9 +59,9 @@ UInt32 InvertPoissonByBisection(Real probability, Real mean) {
   return below;
 }
 
-// the same from the normal distribution, with the terms of Cornish and Fisher up to 1/mean: the
-// error is below 1e-6 standard deviations. Abramowitz and Stegun, Handbook of Mathematical
-// Functions, 26.2.49, with the cumulants of Poisson
+// the same by the Cornish-Fisher expansion of the normal quantile up to 1/mean: the error is below
+// 1e-6 standard deviations. Abramowitz and Stegun, Handbook of Mathematical Functions, 26.2.49,
+// with the cumulants of the Poisson distribution
 UInt32 InvertPoissonByExpansion(Real probability, Real mean) {
   const Real halfStep = 0.5 / kLargestDraw;
   const Real z = ComputeNormalQuantile(std::clamp(probability, halfStep, 1.0 - halfStep) - 0.5);
@@ -87,7 +87,7 @@ thread_local CRandom::CRegistry* currentRegistry = nullptr;
 
 }  // namespace
 
-/** Owns the state of GSL's generator, whose headers stay out of ours. */
+/** Owns the state of GSL's generator; keeps GSL out of the header. */
 class CRandom::CRNG::CGenerator {
  public:
   explicit CGenerator(UInt32 seed) : m_state(gsl_rng_alloc(gsl_rng_mt19937)) { Seed(seed); }
@@ -97,8 +97,8 @@ class CRandom::CRNG::CGenerator {
   CGenerator& operator=(const CGenerator& other) = delete;
 
   void Seed(UInt32 seed) {
-    // GSL replaces the seed 0 by its default, 4357, but keeps only the low 32 bits of any other:
-    // 2^32 is the 0 that std::mt19937 knows
+    // GSL replaces the seed 0 by its default, 4357, but uses only the low 32 bits of others: 2^32
+    // is the seed 0 of std::mt19937
     static_assert(std::numeric_limits<unsigned long>::digits > 32,
                   "the seed 0 needs a 64-bit unsigned long");
     gsl_rng_set(m_state.get(), seed == 0 ? (1UL << 32) : seed);
@@ -154,7 +154,7 @@ Real CRandom::CRNG::Uniform(const CRange<Real>& range) {
 }
 
 SInt32 CRandom::CRNG::Uniform(const CRange<SInt32>& range) {
-  // the span is taken in Real: that of the whole range does not fit SInt32
+  // the span is computed in Real, because that of the whole range does not fit SInt32
   const Real min = static_cast<Real>(range.GetMin());
   return static_cast<SInt32>(min + DrawUnit() * (static_cast<Real>(range.GetMax()) - min));
 }

@@ -16,14 +16,13 @@ namespace argos {
 /**
  * Random numbers for user code: Mersenne Twisters grouped in categories.
  *
- * A category seeds its generators from its own seed, in the order in which they are created; so a
- * program that creates them in the same order gets the same numbers. The simulator makes the
- * category "argos" with the experiment's seed. (The program's own noise uses CRandomStream, whose
- * seeds do not depend on any order.)
+ * A category seeds its generators from its own seed, in the order of their creation. The simulator
+ * creates the category "argos" with the experiment's seed. (The simulator's own noise uses
+ * CRandomStream, whose seeds do not depend on any order.)
  *
- * Categories live in a registry. The static functions act on the registry that is current in the
- * calling thread: the one set with SetCurrentRegistry(), or else one that the whole process shares.
- * A registry, its categories and its generators may be used by one thread at a time.
+ * Categories belong to a registry. The static functions act on the current registry of the calling
+ * thread: the one set with SetCurrentRegistry(), otherwise a process-wide one. A registry, its
+ * categories and its generators may be used by one thread at a time.
  */
 class CRandom {
  public:
@@ -31,7 +30,7 @@ class CRandom {
   class CCategory;
   class CRegistry;
 
-  /** Returns false if the category exists already; then nothing changes. */
+  /** Does nothing and returns false if the category exists. */
   static bool CreateCategory(const std::string& category, UInt32 seed);
 
   /** @throws CARGoSException if there is no such category. */
@@ -56,8 +55,7 @@ class CRandom {
   /** Calls ResetRNGs() on every category, in the order of their ids. */
   static void Reset();
 
-  /** Makes a registry current in the calling thread; null stands for the one that the process
-   * shares. */
+  /** Sets the current registry of the calling thread; null selects the process-wide one. */
   static void SetCurrentRegistry(CRegistry* registry);
 
   static CRegistry& GetCurrentRegistry();
@@ -85,7 +83,7 @@ class CRandom::CRNG {
   /** Takes effect at the next Reset(). */
   void SetSeed(UInt32 seed) { m_seed = seed; }
 
-  /** Goes back to the start of the seed's stream. */
+  /** Returns to the start of the seed's stream. */
   void Reset();
 
   /** Returns true with the given probability; one draw. */
@@ -98,14 +96,16 @@ class CRandom::CRNG {
   /**
    * Returns min + r (max - min) truncated towards zero; one draw.
    *
-   * The maximum comes up with a probability of 2^-32 only: a range of non-negative numbers is
-   * effectively [min,max).
+   * The maximum has a probability of 2^-32 only: a range of non-negative numbers is effectively
+   * [min,max).
    */
   SInt32 Uniform(const CRange<SInt32>& range);
   UInt32 Uniform(const CRange<UInt32>& range);
 
-  /** Returns -mean log(r); one draw. A draw of 0 counts as half of the smallest step, so the result
-   * is finite. */
+  /**
+   * Returns -mean log(r); one draw. A draw of 0 counts as half of the smallest step, so the result
+   * is finite.
+   */
   Real Exponential(Real mean);
 
   /**
@@ -115,8 +115,9 @@ class CRandom::CRNG {
    */
   UInt32 Poisson(Real mean);
 
-  /** Beware of the order: the standard deviation comes first. Polar Box-Muller method, an even
-   * number of draws. */
+  /**
+   * The standard deviation is the first argument. Polar Box-Muller method, an even number of draws.
+   */
   Real Gaussian(Real standardDeviation, Real mean = 0.0);
 
   /** Returns sigma sqrt(-2 log(r)) with r strictly inside (0,1). */
@@ -125,12 +126,12 @@ class CRandom::CRNG {
   /** Returns exp(mu + sigma Gaussian(1,0)). */
   Real Lognormal(Real sigma, Real mu);
 
-  /** Puts the elements in random order; one draw for each element but the last. */
+  /** Shuffles the elements; one draw for each element except the last. */
   template <typename T>
   void Shuffle(std::vector<T>& elements) {
     const UInt32 count = static_cast<UInt32>(elements.size());
     for (UInt32 i = 0; i + 1 < count; ++i) {
-      // the maximum of the range, possible though rare, is one too many
+      // the range includes its maximum, though rarely, which would be one too many
       const UInt32 offset = Uniform(CRange<UInt32>(0, count - i));
       using std::swap;
       swap(elements[i], elements[offset < count - i ? i + offset : count - 1]);
@@ -154,7 +155,7 @@ class CRandom::CCategory {
 
   const std::string& GetId() const { return m_id; }
 
-  /** Changes what GetId() returns, not the name under which the category is found. */
+  /** Changes the result of GetId(), not the name under which the category is found. */
   void SetId(const std::string& id) { m_id = id; }
 
   UInt32 GetSeed() const { return m_seed; }
@@ -165,12 +166,13 @@ class CRandom::CCategory {
   /** Returns a new generator, owned by the category, with the next seed, uniform in [1, 2^32-1]. */
   CRNG* CreateRNG();
 
-  /** Goes back to the start: seeds every generator again, in the order of creation, and resets it.
-   */
+  /** Returns to the start: seeds every generator again, in the order of creation, and resets it. */
   void ResetRNGs();
 
-  /** Gives every generator the next seed, in the order of creation; each takes it up at its next
-   * Reset(). */
+  /**
+   * Gives every generator its next seed, in the order of creation; it takes effect at the
+   * generator's next Reset().
+   */
   void ReseedRNGs();
 
  private:

@@ -49,10 +49,10 @@ void ReadNumbers(std::istream& is, Real* buffer, UInt32 count, const std::string
   for (UInt32 i = 0; i < count; ++i) {
     if (i > 0) {
       if (PeekPastBlanks(is) == kEndOfInput) {
-        reject("there are only " + std::to_string(i) + " fields");
+        reject("it has only " + std::to_string(i) + " fields");
       }
       if (is.peek() != ',') {
-        reject("there is no ',' after field " + std::to_string(i));
+        reject("',' is missing after field " + std::to_string(i));
       }
       is.get();
     }
@@ -61,13 +61,13 @@ void ReadNumbers(std::istream& is, Real* buffer, UInt32 count, const std::string
     }
   }
 
-  // what follows must be the end, or a blank before something else
+  // the numbers must be followed by the end or a blank
   const int next = PeekOrEnd(is);
   if (next != kEndOfInput && next != ',' && std::isspace(next) == 0) {
     reject("field " + std::to_string(count) + " is not a number");
   }
   if (PeekPastBlanks(is) == ',') {
-    reject("there are more fields");
+    reject("it has more fields");
   }
   for (UInt32 i = 0; i < count; ++i) {
     buffer[i] = numbers[i];

@@ -8,18 +8,19 @@
 
 namespace argos {
 
-/** Returns the line from the given position on in quotes, or "The text" if the stream cannot go
- * back. */
+/**
+ * Returns the line from the given position on in quotes, or "The text" if the stream cannot seek.
+ */
 std::string QuoteInput(std::istream& is, std::streampos start);
 
 /**
  * Reads exactly count numbers separated by commas, with blanks allowed around each.
  *
- * Reading stops right after the last number, so several lists may follow one another, separated by
- * blanks.
+ * Reading stops directly after the last number, so several lists may follow one another, separated
+ * by blanks.
  *
- * @param buffer  where to put the numbers, (count); changed only on success.
- * @param what    what is being read, for the error message: "a 3D vector (x,y,z)".
+ * @param buffer  the numbers, (count); changed only on success.
+ * @param what    name of the value for the error message: "a 3D vector (x,y,z)".
  * @throws CARGoSException if a field is not a number, or there are too few or too many of them.
  */
 void ReadNumbers(std::istream& is, Real* buffer, UInt32 count, const std::string& what);

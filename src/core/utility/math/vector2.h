@@ -130,7 +130,7 @@ class CVector2 {
   }
   constexpr CVector2 operator-() const { return CVector2(-m_x, -m_y); }
 
-  /** The same numbers as a row or a column; include matrix/matrix.h to use them. */
+  /** Conversions to a row and a column; defined in matrix/matrix.h. */
   operator CMatrix<1, 2>() const;
   operator CMatrix<2, 1>() const;
 

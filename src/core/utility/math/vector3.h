@@ -58,8 +58,10 @@ class CVector3 {
     return *this;
   }
 
-  /** Gives a radius >= 0, an inclination in [0,PI] and an azimuth in [-PI,PI]; angles that do not
-   * matter are 0. */
+  /**
+   * Computes a radius >= 0, an inclination in [0,PI] and an azimuth in [-PI,PI]; undetermined
+   * angles are 0.
+   */
   void ToSphericalCoords(Real& radius, CRadians& inclination, CRadians& azimuth) const;
 
   constexpr Real SquareLength() const { return m_x * m_x + m_y * m_y + m_z * m_z; }
@@ -93,15 +95,16 @@ class CVector3 {
     return RotateZ(CVector2(cosine, sine));
   }
 
-  /** Rotates about z by the angle whose cosine and sine are given as (cosine,sine). */
+  /** Rotates about z by the angle with the given (cosine,sine). */
   constexpr CVector3& RotateZ(const CVector2& cosineSine) {
     Set(m_x * cosineSine.GetX() - m_y * cosineSine.GetY(),
         m_x * cosineSine.GetY() + m_y * cosineSine.GetX(), m_z);
     return *this;
   }
 
-  /** Rotates by q v q*, in place; q must have length 1, see CQuaternion. Include quaternion.h to
-   * use it. */
+  /**
+   * Rotates by q v q*, in place; q must have length 1, see CQuaternion. Defined in quaternion.h.
+   */
   inline CVector3& Rotate(const CQuaternion& rotation);
 
   /** Returns the angle between the two vectors, in [0,PI]; 0 if one of them is zero. */
@@ -127,7 +130,7 @@ class CVector3 {
     return *this;
   }
 
-  /** Each sets its argument, and returns it. */
+  /** Each sets and returns its argument. */
   constexpr CVector2& ProjectOntoXY(CVector2& projection) const {
     projection.Set(m_x, m_y);
     return projection;
@@ -164,7 +167,7 @@ class CVector3 {
 
   constexpr bool operator!=(const CVector3& other) const { return !(*this == other); }
 
-  /** The order holds if it holds in every component: two vectors may be unordered. */
+  /** True if it holds in every component: two vectors may be unordered. */
   constexpr bool operator<(const CVector3& other) const {
     return m_x < other.m_x && m_y < other.m_y && m_z < other.m_z;
   }
@@ -214,7 +217,7 @@ class CVector3 {
     return CVector3(m_x / divisor, m_y / divisor, m_z / divisor);
   }
 
-  /** The same numbers as a row or a column; include matrix/matrix.h to use them. */
+  /** Conversions to a row and a column; defined in matrix/matrix.h. */
   operator CMatrix<1, 3>() const;
   operator CMatrix<3, 1>() const;
 

@@ -54,7 +54,7 @@ TAddresses Resolve(const char* host, SInt32 port, int flags, int family) {
 }  // namespace
 
 /****************************************/
-// life
+// construction and destruction
 /****************************************/
 
 CTCPSocket::CTCPSocket(CTCPSocket&& other) noexcept
@@ -124,7 +124,7 @@ void CTCPSocket::Listen(SInt32 port, SInt32 queueLength) {
       socket(addresses->ai_family, addresses->ai_socktype | SOCK_CLOEXEC, addresses->ai_protocol);
   int reason = errno;
   if (descriptor >= 0) {
-    // a port that was in use a moment ago can be used again
+    // allow a port that was closed a moment ago to be used again
     const int yes = 1;
     setsockopt(descriptor, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof(yes));
     if (bind(descriptor, addresses->ai_addr, addresses->ai_addrlen) == 0 &&
@@ -159,11 +159,11 @@ void CTCPSocket::Accept(CTCPSocket& socket) {
 }
 
 SInt32 CTCPSocket::GetPort() const {
-  CheckOpen("tell its port");
+  CheckOpen("read its port");
   sockaddr_storage address{};
   socklen_t length = sizeof(address);
   if (getsockname(m_descriptor, reinterpret_cast<sockaddr*>(&address), &length) != 0) {
-    THROW_ARGOSEXCEPTION("TCP socket: cannot tell its port: " << std::strerror(errno));
+    THROW_ARGOSEXCEPTION("TCP socket: cannot read its port: " << std::strerror(errno));
   }
   if (address.ss_family == AF_INET6) {
     return ntohs(reinterpret_cast<const sockaddr_in6*>(&address)->sin6_port);
@@ -202,7 +202,7 @@ std::set<CTCPSocket::EEvent> CTCPSocket::GetEvents() const {
 void CTCPSocket::SendBuffer(const UInt8* buffer, std::size_t size) {
   CheckOpen("send");
   while (size > 0) {
-    // without MSG_NOSIGNAL a closed connection would end the program
+    // without MSG_NOSIGNAL writing to a closed connection would end the program
     const ssize_t sent = send(m_descriptor, buffer, size, MSG_NOSIGNAL);
     if (sent < 0) {
       if (errno == EINTR) {

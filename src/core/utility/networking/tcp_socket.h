@@ -11,21 +11,21 @@
 namespace argos {
 
 /**
- * A TCP connection, or a port that waits for connections. Owns its file descriptor; can be moved,
- * not copied. Sending and receiving block until all is done.
+ * A TCP connection or a listening port. Owns its file descriptor; can be moved, not copied. Sending
+ * and receiving block until complete.
  *
- * Every function throws CARGoSException, with the operating system's reason, if it fails. A
- * connection that fails, or that the other side closes, is disconnected first.
+ * Every function throws CARGoSException, with the operating system's reason, on failure. A
+ * connection that failed or was closed by the peer is disconnected first.
  */
 class CTCPSocket {
  public:
-  /** What GetEvents() reports. */
+  /** Result of GetEvents(). */
   enum class EEvent {
-    /** There is something to receive, or a connection to accept. */
+    /** Data can be received, or a connection accepted. */
     InputReady,
     /** Sending does not block. */
     OutputReady,
-    /** The other side has closed the connection. */
+    /** The peer has closed the connection. */
     HangUp,
     ErrorCondition,
     /** The socket is not open. */
@@ -44,41 +44,41 @@ class CTCPSocket {
 
   /**
    * Opens a port on all interfaces.
-   * @param port         0: any free one, see GetPort().
-   * @param queueLength  how many connections may wait for Accept().
+   * @param port         0: any free port, see GetPort().
+   * @param queueLength  maximum number of connections that wait for Accept().
    */
   void Listen(SInt32 port, SInt32 queueLength = 10);
 
-  /** Waits for a connection. @param socket  becomes that connection; what it was is closed. */
+  /** Waits for a connection. @param socket  set to the connection; closed before. */
   void Accept(CTCPSocket& socket);
 
-  /** Closes; does nothing if closed already. */
+  /** Closes the socket, if open. */
   void Disconnect();
 
-  /** Is there an open connection or port? */
+  /** @return true if the connection or port is open. */
   bool IsConnected() const { return m_descriptor >= 0; }
 
   /** The file descriptor; -1 if closed. */
   SInt32 GetStream() const { return m_descriptor; }
 
-  /** The other side's address, for a listening socket its own; "" if closed. */
+  /** The peer's address; for a listening socket its own; "" if closed. */
   const std::string& GetAddress() const { return m_address; }
 
   /** The port on this machine. */
   SInt32 GetPort() const;
 
-  /** What can be done without blocking, now. */
+  /** Returns the operations that would not block now. */
   std::set<EEvent> GetEvents() const;
 
-  /** Bytes as they are. */
+  /** Raw bytes. */
   void SendBuffer(const UInt8* buffer, std::size_t size);
   void ReceiveBuffer(UInt8* buffer, std::size_t size);
 
-  /** A length, as a 32-bit unsigned integer in network byte order, then as many bytes. */
+  /** A 32-bit unsigned length in network byte order, then the bytes. */
   void SendByteArray(const CByteArray& array);
   void ReceiveByteArray(CByteArray& array);
 
-  /** A text; on the wire like a byte array. */
+  /** A text, in the format of a byte array. */
   void SendMsg(const std::string& message);
   void RecvMsg(std::string& message);
 

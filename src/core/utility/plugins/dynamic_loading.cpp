@@ -23,7 +23,7 @@ namespace {
 
 struct SLoadedLibrary {
   CDynamicLoading::TDLHandle Handle = nullptr;
-  // what it was asked for by
+  // names under which it was requested
   std::set<std::string> Names;
 };
 
@@ -40,7 +40,7 @@ fs::path Resolved(const fs::path& path) {
 }
 
 /****************************************/
-// where libraries are
+// search paths
 /****************************************/
 
 // the core library, or the program if the core is part of it
@@ -59,8 +59,8 @@ std::vector<std::string> UserDirectories() {
   return directories;
 }
 
-// in the order in which they are looked at. The core's own folder is lib/argos3 of its
-// installation, or the folder of all libraries in a build tree
+// in the order of the search. The core's own folder is lib/argos3 of its installation, or the
+// folder of all libraries in a build tree
 std::vector<std::string> DefaultDirectories() {
   std::vector<std::string> directories;
   directories.push_back(CoreLibrary().parent_path().string());
@@ -96,7 +96,7 @@ std::vector<fs::path> ListLibraries(const std::string& directory, std::error_cod
   return files;
 }
 
-// the first default directory that has libraries of ours, so that a build tree does not mix with an
+// the first default directory with libraries of ours, so that a build tree is not mixed with an
 // installation of another version
 std::string PluginDirectory() {
   const std::vector<std::string> directories = DefaultDirectories();
@@ -115,7 +115,7 @@ std::string PluginDirectory() {
 // loading
 /****************************************/
 
-// the places where a library of that name may be, in order
+// the possible paths of a library, in order
 std::vector<std::string> Candidates(const std::string& lib) {
   std::vector<std::string> suffixes = {"", "." ARGOS_SHARED_LIBRARY_EXTENSION};
   if (std::string(ARGOS_MODULE_LIBRARY_EXTENSION) != ARGOS_SHARED_LIBRARY_EXTENSION) {
@@ -138,7 +138,7 @@ std::vector<std::string> Candidates(const std::string& lib) {
   return candidates;
 }
 
-// null, and the reason, if it cannot be opened
+// opens a library; returns null and sets the reason on failure
 CDynamicLoading::TDLHandle TryOpen(const std::string& path, std::string& reason) {
   std::error_code error;
   if (!fs::exists(path, error)) {
@@ -159,7 +159,7 @@ CDynamicLoading::TDLHandle TryOpen(const std::string& path, std::string& reason)
 }  // namespace
 
 std::vector<std::string> GetPluginSearchPaths() {
-  // the first call asks the dynamic linker
+  // the first call uses the dynamic linker
   const std::lock_guard<std::recursive_mutex> lock(detail::GetLoadingMutex());
   std::vector<std::string> paths = UserDirectories();
   paths.emplace_back(".");
@@ -180,7 +180,7 @@ CDynamicLoading::TDLHandle CDynamicLoading::LoadLibrary(const std::string& lib) 
     }
     std::string reason;
     const TDLHandle handle = TryOpen(candidate, reason);
-    // a library may complain about its registrations even if it failed to load
+    // registrations may be invalid even if the library failed to load
     ThrowRegistrationProblems("The library \"" + candidate + "\" cannot be used:");
     if (handle != nullptr) {
       LoadedLibraries()[path] = SLoadedLibrary{handle, {lib}};

@@ -16,20 +16,20 @@
 namespace argos {
 
 /**
- * Makes objects of classes that the core does not know, by label.
+ * Creates objects of registered classes by label.
  *
- * There is one table per base class TYPE in the whole process, whichever libraries use it.
+ * The whole process has one table per base class TYPE, shared by all libraries.
  *
- * Several threads may register, look up and make objects at the same time, and load libraries
- * meanwhile. Only the table itself, GetTypeMap(), is for a time when nothing is registered.
+ * Several threads may register, look up and create objects at the same time, also while libraries
+ * are loaded. Only GetTypeMap() requires that nothing is being registered.
  */
 template <typename TYPE>
 class CFactory {
  public:
-  /** Makes an object on the heap; the caller owns it. */
+  /** Creates an object on the heap; the caller owns it. */
   typedef TYPE* TCreator();
 
-  /** What is known of a registered class. */
+  /** Description of a registered class. */
   struct STypeInfo {
     TCreator* Creator;
     std::string Author;
@@ -37,7 +37,7 @@ class CFactory {
     std::string BriefDescription;
     std::string LongDescription;
     std::string Status;
-    /** The library, or the program, that the class comes from. */
+    /** The library, or the program, that contains the class. */
     std::string Library;
   };
 
@@ -47,12 +47,12 @@ class CFactory {
   /** The table. Not thread safe; GetTypes() is. */
   static TTypeMap& GetTypeMap() { return detail::GetProcessWide<SOwner>().Types; }
 
-  /** Registers a class; a class registered before under this label is forgotten. */
+  /** Registers a class; replaces an earlier registration of the label. */
   static void Register(const std::string& label, const std::string& author,
                        const std::string& version, const std::string& briefDescription,
                        const std::string& longDescription, const std::string& status,
                        TCreator* creator) {
-    // before the lock: it asks the dynamic linker
+    // before the lock, because it calls the dynamic linker
     const std::string library = GetLibraryOf(reinterpret_cast<const void*>(creator));
     const std::lock_guard<std::recursive_mutex> lock(detail::GetRegistrationMutex());
     STypeInfo*& info = GetTypeMap()[label];
@@ -63,7 +63,7 @@ class CFactory {
 
   /**
    * Registers a class unless the label is taken.
-   * @return the library that has the label already, or "" if the class was registered.
+   * @return the library that has registered the label, or "" if the class was registered.
    */
   static std::string RegisterIfFree(const std::string& label, const STypeInfo& info) {
     const std::lock_guard<std::recursive_mutex> lock(detail::GetRegistrationMutex());
@@ -76,9 +76,9 @@ class CFactory {
   }
 
   /**
-   * Makes an object; the caller owns it.
-   * @throws CARGoSException if nothing is registered under this label: the text lists the nearest
-   *         labels, or all, and where libraries are looked for.
+   * Creates an object; the caller owns it.
+   * @throws CARGoSException if the label is not registered: the text lists the nearest labels, or
+   *   all, and the search paths of libraries.
    */
   static TYPE* New(const std::string& label) {
     TCreator* const creator = FindCreator(label);
@@ -100,7 +100,7 @@ class CFactory {
     return labels;
   }
 
-  /** What is registered now, by label: a copy. */
+  /** A copy of the current registrations, by label. */
   static std::map<std::string, STypeInfo> GetTypes() {
     const detail::CLookUpLock lock;
     std::map<std::string, STypeInfo> types;
@@ -117,14 +117,14 @@ class CFactory {
     }
   }
 
-  /** Forgets every registration. Loading a library again does not bring its labels back. */
+  /** Removes every registration. Loading a library again does not register its labels again. */
   static void Destroy() {
     const detail::CLookUpLock lock;
     Clear(GetTypeMap());
   }
 
  private:
-  // the infos die with the map, at the end of the process
+  // the infos are deleted with the map, at the end of the process
   struct SOwner {
     TTypeMap Types;
     SOwner() = default;
@@ -152,10 +152,10 @@ class CFactory {
 /**
  * Registers a class on behalf of a REGISTER_* macro.
  *
- * A class from a library whose build id differs, or whose label another registration holds already,
- * is not registered; that is recorded, and CDynamicLoading::LoadLibrary() throws it.
+ * A class from a library with another build id, or with a label that is already registered, is
+ * rejected; the problem is recorded, and CDynamicLoading::LoadLibrary() throws it.
  *
- * @param buildId  ARGOS_BUILD_ID, as the library was compiled with.
+ * @param buildId  ARGOS_BUILD_ID when the library was compiled.
  */
 template <typename TYPE>
 void RegisterSymbol(const std::string& buildId, const std::string& label, const std::string& author,
@@ -173,7 +173,7 @@ void RegisterSymbol(const std::string& buildId, const std::string& label, const 
   }
 }
 
-/** Runs a registration when it is constructed: what a REGISTER_* macro makes one of. */
+/** Runs a registration in its constructor; REGISTER_* macros define one such object. */
 class CSymbolRegistrar {
  public:
   template <typename FUNCTION>
@@ -188,15 +188,15 @@ class CSymbolRegistrar {
 #define ARGOS_JOIN_(A, B) ARGOS_JOIN_EXPANDED_(A, B)
 
 /**
- * Registers a class with the factory of its base when the library that holds this line is loaded.
- * Stands at global scope or inside namespace argos, with or without a semicolon; the class and its
- * base may be named without "argos::". The class needs a constructor without arguments.
+ * Registers a class with the factory of its base when the library that contains this line is
+ * loaded. Use it at global scope or inside namespace argos, with or without a semicolon; "argos::"
+ * may be omitted from the class and its base. The class needs a default constructor.
  *
  * @param BASECLASS  the factory's base class.
- * @param LABEL      string literal: the name in experiment files. The other texts are for "argos3
- * -q".
+ * @param LABEL      string literal: the name in experiment files. The other texts are shown by
+ *   "argos3 -q".
  */
-// the creator is a lambda, not a template: so it is local to its library, even if another library
+// the creator is a lambda, not a template, so it is local to its library even if another library
 // has a class of the same name
 #define REGISTER_SYMBOL(BASECLASS, CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION,          \
                         LONG_DESCRIPTION, STATUS)                                                 \

@@ -7,7 +7,7 @@ namespace argos::detail {
 
 namespace {
 
-// not thread-safe to destroy, which happens once, at the end of the process
+// its destruction, at the end of the process, is not thread-safe
 class CObjects {
  public:
   CObjects() = default;
@@ -20,7 +20,7 @@ class CObjects {
   }
 
   void* Get(const std::type_info& type, void* (*create)(), void (*destroy)(void*)) {
-    // recursive, because making an object may ask for another one
+    // recursive, because creating an object may request another one
     const std::lock_guard<std::recursive_mutex> lock(GetRegistrationMutex());
     const auto known = m_objects.find(type);
     if (known != m_objects.end()) {
@@ -43,7 +43,7 @@ class CObjects {
 }  // namespace
 
 std::recursive_mutex& GetLoadingMutex() {
-  // recursive, because a library may load others, or look up labels, when it is opened
+  // recursive, because a library may load others, or look up labels, while it is loaded
   static std::recursive_mutex mutex;
   return mutex;
 }

@@ -8,28 +8,28 @@
 namespace argos::detail {
 
 /*
- * The locks of loading. Several threads may load libraries and experiments at the same time; a tick
- * needs none of this. Their order, with the dynamic linker's own lock between them:
+ * The locks of loading. Several threads may load libraries and experiments at the same time; ticks
+ * use none of these locks. Lock order, including the dynamic linker's own lock:
  *
- *   loading mutex > the dynamic linker's > registration mutex
+ * loading mutex > dynamic linker's lock > registration mutex
  *
- * A library that is opened otherwise than by CDynamicLoading registers its plug-ins without holding
- * the loading mutex; hence the second one.
+ * A library that is opened by other means than CDynamicLoading registers its plug-ins without the
+ * loading mutex; hence the second mutex.
  */
 
 /**
- * Held while a library loads, and while a label is looked up: so whoever finds a label finds a
- * library that is loaded completely.
+ * Held while a library loads, and while a label is looked up: a label that is found therefore
+ * belongs to a completely loaded library.
  */
 std::recursive_mutex& GetLoadingMutex();
 
 /**
- * Held while something process-wide is read or changed, for a moment: nothing that may wait for the
- * dynamic linker (dlopen, dladdr) or for user code is called under it.
+ * Held briefly while process-wide data is read or changed. Code under this lock must not call the
+ * dynamic linker (dlopen, dladdr) or user code.
  */
 std::recursive_mutex& GetRegistrationMutex();
 
-/** Both, in their order: what a look-up holds. */
+/** Locks both mutexes, in order; held during a look-up. */
 class CLookUpLock {
  public:
   CLookUpLock();
@@ -40,21 +40,20 @@ class CLookUpLock {
 };
 
 /**
- * The one object of a type in the process; made at the first call, deleted at the end of the
- * process. What the object holds is for the caller to protect.
+ * Returns the process-wide object of a type; created at the first call, deleted at the end of the
+ * process. The caller synchronises access to its contents.
  *
- * A static variable of a template is not enough for that: a program that exports no symbols, or a
- * library compiled with hidden visibility, would have its own. This one is kept by the core
- * library.
+ * A static variable of a template does not suffice: a program that exports no symbols, or a library
+ * compiled with hidden visibility, would have its own copy. The core library keeps this one.
  */
 void* GetProcessWideObject(const std::type_info& type, void* (*create)(),
                            void (*destroy)(void* object));
 
-/** The same, typed. @tparam T default-constructible. */
+/** The typed version. @tparam T default-constructible. */
 template <typename T>
 T& GetProcessWide() {
-  // not a static reference: the guard of its initialisation would be one more lock, without an
-  // order
+  // not a static reference, because the guard of its initialisation would be a further lock without
+  // a defined order
   static std::atomic<T*> object{nullptr};
   T* known = object.load(std::memory_order_acquire);
   if (known == nullptr) {

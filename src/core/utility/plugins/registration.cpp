@@ -13,7 +13,8 @@ namespace argos {
 namespace {
 
 std::vector<std::string>& Problems() {
-  // registrations happen in static initialisers, before any global of this file may exist
+  // function-local, because registrations happen in static initialisers, possibly before this
+  // file's
   static std::vector<std::string> problems;
   return problems;
 }
@@ -26,7 +27,7 @@ void RecordOnce(const std::string& problem) {
   }
 }
 
-// the pairs of one id that the other lacks
+// the pairs of an id that are missing in the other
 std::string Difference(const std::string& id, const std::string& other) {
   std::vector<std::string> pairs;
   std::vector<std::string> otherPairs;
@@ -110,7 +111,7 @@ void ThrowUnknownLabel(const std::string& kind, const std::string& label,
   THROW_ARGOSEXCEPTION("No " << kind << " is registered under the label \"" << label << '"'
                              << (near.empty() ? "" : DidYouMean(label, registered))
                              << "; registered: " << (all.empty() ? "none" : all)
-                             << "; libraries are looked for in: " << paths);
+                             << "; libraries are searched in: " << paths);
 }
 
 }  // namespace detail

@@ -2,10 +2,10 @@
 #define ARGOS3_CORE_UTILITY_PLUGINS_REGISTRATION_H
 
 /*
- * What every factory shares: the build id of a plug-in, and the problems met while a library
- * registers its plug-ins. Those happen inside dlopen(), where nothing can be thrown, so they are
+ * Shared by all factories: the build id of plug-ins, and problems found while a library registers
+ * its plug-ins. Registration happens inside dlopen(), where nothing can be thrown, so problems are
  * recorded here and thrown by CDynamicLoading::LoadLibrary(), or by ThrowRegistrationProblems() for
- * libraries that the program was linked with.
+ * libraries that are linked to the program.
  */
 
 #include <argos3/core/build_id.h>
@@ -36,24 +36,27 @@ namespace argos {
 
 #ifndef ARGOS_BUILD_ID
 /**
- * All that must be equal for a plug-in to fit the core: "name=value" pairs, ';' between them, as a
- * std::string. The options that change layouts come first; then, for each library of this ARGoS,
- * the hash of its public headers. A macro, so that it describes the including source.
+ * The properties that a plug-in and the core must have in common, as a std::string: "name=value"
+ * pairs, separated by ';'. First the options that change layouts; then, for each library of this
+ * ARGoS, the hash of its public headers. A macro, so that it describes the compilation of the
+ * including source.
  */
 #define ARGOS_BUILD_ID                                                                   \
   (std::string(ARGOS_BUILD_ID_REAL_ ARGOS_BUILD_ID_STRING_ ARGOS_BUILD_ID_CONTAINERS_) + \
    ARGOS_HEADERS_ID)
 #endif
 
-/** The build id that the core library was compiled with. */
+/** The build id of the core library. */
 const char* GetCoreBuildId();
 
-/** The path of the library, or of the program, that holds a function; "(unknown)" if none does. */
+/**
+ * The path of the library, or of the program, that contains a function; "(unknown)" if none does.
+ */
 std::string GetLibraryOf(const void* function);
 
 /**
  * Records that a library was built against another version of the headers, or with other options.
- * @return false if the id is the core's, and nothing was recorded.
+ * @return true if the ids differ.
  */
 bool RecordIfBuildDiffers(const std::string& buildId, const std::string& library);
 
@@ -62,13 +65,13 @@ void RecordDuplicateLabel(const std::string& label, const std::string& kind,
                           const std::string& firstLibrary, const std::string& secondLibrary);
 
 /**
- * Throws what was recorded, and forgets it.
- * @param context  how the message begins; without problems, nothing happens.
- * @throws CARGoSException that lists every problem, one a line.
+ * Throws the recorded problems and clears the record.
+ * @param context  start of the message. Does nothing if there are no problems.
+ * @throws CARGoSException that lists every problem, one per line.
  */
 void ThrowRegistrationProblems(const std::string& context);
 
-/** Where CDynamicLoading looks for libraries: for messages about a label that nobody registered. */
+/** The search paths of CDynamicLoading, for messages about unregistered labels. */
 std::vector<std::string> GetPluginSearchPaths();
 
 namespace detail {

@@ -2,10 +2,10 @@
 #define ARGOS3_CORE_UTILITY_PLUGINS_VTABLE_H
 
 /*
- * The cooperative visitor: every class of a hierarchy gets an integer tag, every kind of operation
- * a flat table indexed by tag. Calling an operation is two array look-ups and no dynamic_cast.
+ * The cooperative visitor: every class of a hierarchy has an integer tag, every kind of operation a
+ * flat table indexed by tag. Calling an operation takes two array look-ups and no dynamic_cast.
  *
- * Tags and tables are kept by the core library, so that all shared libraries agree on them.
+ * The core library stores tags and tables, so that all shared libraries agree on them.
  */
 
 #include <argos3/core/utility/plugins/process_wide.h>
@@ -20,7 +20,7 @@
 
 namespace argos {
 
-/** How many tags a hierarchy has given out. */
+/** The number of tags of a hierarchy. */
 template <typename BASE>
 struct STagCounter {
   static std::size_t Count;
@@ -29,13 +29,15 @@ template <typename BASE>
 std::size_t STagCounter<BASE>::Count = 0;
 
 namespace detail {
-/** The tag of a pair of classes, a new one if there is none yet; the counter becomes that of the
- * base. */
+/**
+ * Returns the tag of a pair of classes, assigning a new one if necessary; sets the counter to that
+ * of the base.
+ */
 std::size_t GetTagOf(const std::type_info& derived, const std::type_info& base,
                      std::size_t& counter);
 }  // namespace detail
 
-/** The tag of a class in a hierarchy: from 1 up, in the order in which classes are asked for. */
+/** The tag of a class in a hierarchy: from 1 up, in the order of the first requests. */
 template <typename DERIVED, typename BASE>
 std::size_t GetTag() {
   static const std::size_t tag =
@@ -43,7 +45,7 @@ std::size_t GetTag() {
   return tag;
 }
 
-/** The same tag as an object. */
+/** The same tag, as an object. */
 template <typename DERIVED, typename BASE>
 struct STagHolder {
   static std::size_t Tag;
@@ -52,9 +54,8 @@ template <typename DERIVED, typename BASE>
 std::size_t STagHolder<DERIVED, BASE>::Tag = ::argos::GetTag<DERIVED, BASE>();
 
 /**
- * What the root of a hierarchy inherits from, next to saying ENABLE_VTABLE(), which makes the
- * virtual GetTag(). Not polymorphic itself: a second table pointer in every entity would be for
- * nothing.
+ * Base class of the root of a hierarchy, which also uses ENABLE_VTABLE() to declare the virtual
+ * GetTag(). Not polymorphic, to avoid a second table pointer in every entity.
  */
 template <typename BASE>
 struct EnableVTableFor {
@@ -70,11 +71,11 @@ struct EnableVTableFor {
 /**
  * A table of functions, one per class of a hierarchy.
  *
- * Thread safe, and reading it takes no lock: an entry that is added makes a new table, and those
- * before stay for who reads them. There are as many entries as classes, and they are added while
- * libraries load.
+ * Thread safe; reading takes no lock: adding an entry creates a new table, and earlier tables stay
+ * valid for concurrent readers. The number of entries is the number of classes; they are added
+ * while libraries load.
  *
- * @tparam CONTEXT   what the functions are for; only tells tables apart.
+ * @tparam CONTEXT   distinguishes tables of different operations.
  * @tparam FUNCTION  default-constructible and copyable, such as a pointer to a function.
  */
 template <typename CONTEXT, typename BASE, typename FUNCTION>
@@ -95,7 +96,7 @@ class CVTable {
     m_entries.store(m_generations.back().get(), std::memory_order_release);
   }
 
-  /** The entry of a tag; if there is none, that of BASE; if that is missing too, FUNCTION(). */
+  /** Returns the entry of a tag; if there is none, that of BASE, otherwise FUNCTION(). */
   FUNCTION operator[](std::size_t index) const {
     const TEntries* const entries = m_entries.load(std::memory_order_acquire);
     if (entries == nullptr) {
@@ -123,7 +124,7 @@ class CVTable {
   typedef std::vector<SEntry> TEntries;
 
   std::vector<std::unique_ptr<const TEntries>> m_generations;
-  std::atomic<const TEntries*> m_entries{nullptr};  // the last generation
+  std::atomic<const TEntries*> m_entries{nullptr};  // the latest generation
 };
 
 /** The table of a context, one per process. */
@@ -135,11 +136,11 @@ CVTable<CONTEXT, BASE, FUNCTION>& GetVTable() {
 }  // namespace argos
 
 /**
- * Gives a class its own tag: stands, public, in every class of the hierarchy. A class without it
- * counts as its base class.
+ * Gives a class its own tag: use it in the public part of every class of the hierarchy. A class
+ * without it is treated as its base class.
  */
-// "virtual" and not "override", because classes of users do not say override elsewhere either, and
-// compilers warn about a class that says it only sometimes
+// "virtual" and not "override", because users' classes do not use override elsewhere, and compilers
+// warn of inconsistent use
 #ifdef __clang__
 #define ENABLE_VTABLE()                                                                           \
   _Pragma("clang diagnostic push")                                                                \
@@ -155,7 +156,8 @@ CVTable<CONTEXT, BASE, FUNCTION>& GetVTable() {
   }
 #endif
 
-/** Makes the tag of a hierarchy's root the first one; stands once per hierarchy, in a source file.
+/**
+ * Reserves the first tag for the root of a hierarchy; use it once per hierarchy, in a source file.
  */
 #define INIT_VTABLE_FOR(BASE) \
   [[maybe_unused]] static const std::size_t argosRootTagOf##BASE = ::argos::GetTag<BASE, BASE>();

@@ -30,7 +30,7 @@ CProfiler::CProfiler(const std::string& file, const std::string& format, bool tr
     THROW_ARGOSEXCEPTION("Profiler: format \"" << format
                                                << "\", expected \"human_readable\" or \"table\"");
   }
-  // whether the file can be written is known before the run, not after it
+  // report a file that cannot be written before the run, not after it
   const std::ofstream stream(file, truncate ? std::ios::trunc : std::ios::app);
   if (!stream) {
     THROW_ARGOSEXCEPTION("Profiler: cannot write the file \"" << file
@@ -42,25 +42,13 @@ CProfiler::CProfiler(const std::string& file, const std::string& format, bool tr
 // measuring
 /****************************************/
 
-CProfiler::TPhase CProfiler::AddPhase(const std::string& name) {
-  SPhase phase;
-  phase.Name = name;
-  m_phases.push_back(phase);
-  return m_phases.size() - 1;
-}
-
 void CProfiler::Start() {
   m_start = TClock::now();
   m_end = m_start;
 }
 
-void CProfiler::StartPhase(TPhase phase) {
-  m_phases[phase].Start = TClock::now();
-}
-
-void CProfiler::StopPhase(TPhase phase) {
-  m_phases[phase].Total += TClock::now() - m_phases[phase].Start;
-  ++m_phases[phase].Count;
+void CProfiler::AddPhase(const std::string& name, Real seconds, UInt64 count) {
+  m_phases.push_back({name, seconds, count});
 }
 
 CProfiler::SUsage CProfiler::GetUsage(int who) {
@@ -92,10 +80,6 @@ Real CProfiler::GetWallTime() const {
   return Seconds(m_end - m_start);
 }
 
-Real CProfiler::GetPhaseTime(TPhase phase) const {
-  return Seconds(m_phases[phase].Total);
-}
-
 /****************************************/
 // writing
 /****************************************/
@@ -112,12 +96,12 @@ std::string CProfiler::FormatReport() const {
        << "voluntary context switches    " << m_usage.VoluntarySwitches << '\n'
        << "involuntary context switches  " << m_usage.InvoluntarySwitches << '\n';
   for (const SPhase& phase : m_phases) {
-    const Real total = Seconds(phase.Total);
     const Real wallTime = GetWallTime();
-    text << "phase \"" << phase.Name << "\": " << total << " s, "
-         << (wallTime > 0.0 ? 100.0 * total / wallTime : 0.0) << " % of the wall time, "
+    text << "phase \"" << phase.Name << "\": " << phase.Seconds << " s, "
+         << (wallTime > 0.0 ? 100.0 * phase.Seconds / wallTime : 0.0) << " % of the wall time, "
          << phase.Count << " times, "
-         << (phase.Count > 0 ? 1e6 * total / static_cast<Real>(phase.Count) : 0.0) << " us each\n";
+         << (phase.Count > 0 ? 1e6 * phase.Seconds / static_cast<Real>(phase.Count) : 0.0)
+         << " us each\n";
   }
   for (std::size_t i = 0; i < m_threads.size(); ++i) {
     text << "thread " << i << ": " << m_threads[i].UserTime << " s user, "
@@ -142,7 +126,7 @@ std::string CProfiler::FormatTable(bool withHeader) const {
        << m_usage.MajorFaults << '\t' << m_usage.VoluntarySwitches << '\t'
        << m_usage.InvoluntarySwitches;
   for (const SPhase& phase : m_phases) {
-    text << '\t' << Seconds(phase.Total);
+    text << '\t' << phase.Seconds;
   }
   text << '\n';
   return text.str();

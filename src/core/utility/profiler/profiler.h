@@ -4,7 +4,6 @@
 #include <argos3/core/utility/datatypes/datatypes.h>
 
 #include <chrono>
-#include <cstddef>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -12,63 +11,55 @@
 namespace argos {
 
 /**
- * Measures where a run spends its time, and writes it to a file.
+ * Measures the time of a run and writes it to a file.
  *
- * Use: AddPhase() for each phase; Start(); in each tick StartPhase() and StopPhase() around each
- * phase; Stop(); Flush(). Phases do not allocate. Worker threads call CollectThreadResourceUsage()
- * before they end, everything else belongs to one thread.
+ * Use: Start(); the run; AddPhase() for each of its phases; Stop(); Flush(). Worker threads call
+ * CollectThreadResourceUsage() before they end, all other functions must be called by one
+ * thread.
  */
 class CProfiler {
  public:
-  typedef std::size_t TPhase;
-
   /**
-   * @param file      where Flush() writes.
+   * @param file      target of Flush().
    * @param format    "human_readable": a report; "table": a line of column names, unless the file
-   * has text already, and a line of values, with tabs between them.
+   *   is not empty, and a line of values, separated by tabs.
    * @param truncate  false: append to the file.
-   * @throws CARGoSException on another format, or if the file cannot be written.
+   * @throws CARGoSException if the format is unknown or the file cannot be written.
    */
   CProfiler(const std::string& file, const std::string& format, bool truncate = true);
-
-  /** Adds a phase; phases are reported in this order. @return what StartPhase() takes. */
-  TPhase AddPhase(const std::string& name);
 
   /** Starts the wall clock. */
   void Start();
 
-  void StartPhase(TPhase phase);
-  void StopPhase(TPhase phase);
+  /**
+   * Adds a phase to the report, which lists them in this order.
+   * @param seconds  wall time spent in it.
+   * @param count    how often it ran.
+   */
+  void AddPhase(const std::string& name, Real seconds, UInt64 count);
 
-  /** Adds the processor time of the calling thread to those of the worker threads. Any thread. */
+  /** Adds the calling thread's processor time to those of the worker threads. Thread safe. */
   void CollectThreadResourceUsage();
 
-  /** Stops the wall clock and takes the process's use of resources. */
+  /** Stops the wall clock and reads the resource usage of the process. */
   void Stop();
 
-  /** Writes the result. @throws CARGoSException if that fails. */
+  /** Writes the result. @throws CARGoSException on failure. */
   void Flush();
 
   /** Wall time between Start() and Stop(), s. */
   Real GetWallTime() const;
-
-  /** Wall time spent in a phase so far, s. */
-  Real GetPhaseTime(TPhase phase) const;
-
-  /** How often a phase was stopped. */
-  UInt64 GetPhaseCount(TPhase phase) const { return m_phases[phase].Count; }
 
  private:
   typedef std::chrono::steady_clock TClock;
 
   struct SPhase {
     std::string Name;
-    TClock::time_point Start{};
-    TClock::duration Total{};
+    Real Seconds = 0.0;
     UInt64 Count = 0;
   };
 
-  // what getrusage() says
+  // from getrusage()
   struct SUsage {
     Real UserTime = 0.0;  // s
     Real SystemTime = 0.0;  // s

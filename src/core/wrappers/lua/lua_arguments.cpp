@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kLongestTextShown = 40;
 
-/** "number 300", "string "10"", "nil": what a message says about a value. */
+/** Describes a value for a message: 300, string "10", nil. */
 std::string Describe(lua_State* state, int index) {
   if (lua_type(state, index) == LUA_TNUMBER) {
     return fmt::format("{}", lua_tonumber(state, index));

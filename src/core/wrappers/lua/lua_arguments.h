@@ -19,24 +19,25 @@ struct lua_State;
 namespace argos {
 
 /**
- * The arguments of a call from Lua, read and checked one after the other.
+ * Reads and checks the arguments of a call from Lua, one after the other.
  *
- * Types are those of Lua, strictly: the string "10" is no number, 1 is no boolean. What is wrong
- * throws a CARGoSException, which CLuaTable's functions turn into a Lua error with the name of the
- * function and the line of the script; so functions must be called only from there.
+ * Types are those of Lua, without conversions: the string "10" is not a number, and 1 is not a
+ * boolean. A wrong argument throws a CARGoSException, which the functions of a CLuaTable turn into
+ * a Lua error with the name of the function and the line of the script. So use this class only
+ * there.
  */
 class CLuaArguments {
  public:
   explicit CLuaArguments(lua_State* state);
 
   lua_State* GetState() const { return m_state; }
-  /** How many there are, read or not. */
+  /** Number of arguments, read or not. */
   int GetCount() const { return m_count; }
   bool HasNext() const { return m_next <= m_count; }
   bool IsNextTable() const;
   bool IsNextString() const;
   bool IsNextNumber() const;
-  /** Nil, or not there. */
+  /** True if the next argument is nil or missing. */
   bool IsNextNil() const;
   void Skip() { ++m_next; }
 
@@ -71,13 +72,13 @@ class CLuaArguments {
     }
   }
 
-  /** A whole number in [min,max]. */
+  /** Reads a whole number in [min,max]. */
   SInt64 NextInteger(SInt64 min, SInt64 max);
 
-  /** One of @p count things, which Lua numbers from 1. @return its number from 0. */
+  /** Reads a number from 1 to @p count, as Lua counts. @return the number counted from 0. */
   std::size_t NextIndex(std::size_t count);
 
-  /** A table of exactly @p count whole numbers from 0 to 255. */
+  /** Reads a table of exactly @p count whole numbers from 0 to 255. */
   std::vector<UInt8> NextBytes(std::size_t count);
 
   /** @throws CARGoSException if not all arguments have been read. */

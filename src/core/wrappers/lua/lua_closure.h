@@ -13,15 +13,15 @@ struct lua_State;
 namespace argos {
 
 /**
- * A Lua function that calls C++ on an object.
+ * A Lua function that calls a C++ function on an object.
  *
  * The object's address, the function's name for messages and, unless it is a method, its address
- * are upvalues: nothing is looked up when it is called. Exceptions become Lua errors,
+ * are upvalues: a call needs no look-up. Exceptions become Lua errors,
  * "script.lua:7: robot.wheels.set_velocity: argument 2 must be a number, got nil".
  */
 class CLuaClosure {
  public:
-  /** What Lua calls. */
+  /** Type of the functions that Lua calls. */
   using TEntry = int (*)(lua_State*);
   using TAnyFunction = void (*)();
 
@@ -80,49 +80,70 @@ class CLuaClosure {
   /** Reads the arguments from left to right, calls, and pushes the result. */
   template <typename... PARAMETERS, typename FUNCTION>
   static int Call(lua_State* state, FUNCTION function) {
+    using TResult = decltype(CallWithArguments<PARAMETERS...>(state, function));
+    if constexpr (std::is_void_v<TResult>) {
+      CallWithArguments<PARAMETERS...>(state, function);
+      return 0;
+    } else {
+      const TResult result = CallWithArguments<PARAMETERS...>(state, function);
+      return PushResult(state, result);
+    }
+  }
+
+  /** Destroys the arguments before it returns: pushing the result may raise a Lua error. */
+  template <typename... PARAMETERS, typename FUNCTION>
+  static auto CallWithArguments(lua_State* state, FUNCTION function) {
     CLuaArguments arguments(state);
     if constexpr (sizeof...(PARAMETERS) == 1 &&
                   (std::is_same_v<PARAMETERS, CLuaArguments&> && ...)) {
-      return PushResult(
-          state, [&] { return function(arguments); }, &arguments);
+      // the function reads them itself
+      if constexpr (std::is_void_v<decltype(function(arguments))>) {
+        function(arguments);
+        arguments.Finish();
+      } else {
+        auto result = function(arguments);
+        arguments.Finish();
+        return result;
+      }
     } else {
       std::tuple<std::decay_t<PARAMETERS>...> values{
           arguments.Next<std::decay_t<PARAMETERS> >()...};
       arguments.Finish();
-      return PushResult(
-          state, [&] { return std::apply(function, values); }, nullptr);
+      return std::apply(function, values);
     }
   }
 
-  /** @param arguments  those that the function reads itself; null if it does not. */
-  template <typename FUNCTION>
-  static int PushResult(lua_State* state, FUNCTION function, const CLuaArguments* arguments) {
-    const auto finish = [arguments] {
-      if (arguments != nullptr) {
-        arguments->Finish();
-      }
-    };
-    using TResult = decltype(function());
-    if constexpr (std::is_void_v<TResult>) {
-      function();
-      finish();
-      return 0;
+  template <typename RESULT>
+  static int PushResult(lua_State* state, const RESULT& result) {
+    if constexpr (std::is_same_v<RESULT, SLuaResults>) {
+      return result.Count;
     } else {
-      const std::decay_t<TResult> result = function();
-      finish();
-      if constexpr (std::is_same_v<TResult, SLuaResults>) {
-        return result.Count;
-      } else {
+      if constexpr (std::is_trivially_destructible_v<RESULT>) {
         CLuaValue::Push(state, result);
-        return 1;
+      } else {
+        PushProtected(
+            state,
+            [](lua_State* inner) {
+              CLuaValue::Push(inner, *static_cast<const RESULT*>(GetPushed(inner)));
+              return 1;
+            },
+            &result);
       }
+      return 1;
     }
   }
 
   static void Push(lua_State* state, const std::string& name, TEntry entry, const void* object,
                    TAnyFunction function);
-  /** Runs what may throw; exceptions become Lua errors. */
+  /** Runs a body that may throw; exceptions become Lua errors. */
   static int Protect(lua_State* state, TEntry body);
+  /**
+   * Pushes a value whose destructor must run, even if Lua has no memory for the copy.
+   * @param push  pushes the value at the address that GetPushed() returns.
+   * @throws CARGoSException with the text of the Lua error.
+   */
+  static void PushProtected(lua_State* state, TEntry push, const void* value);
+  static const void* GetPushed(lua_State* state);
   static void* GetObject(lua_State* state);
   static TAnyFunction GetFunction(lua_State* state);
 };

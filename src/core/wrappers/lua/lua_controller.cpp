@@ -16,8 +16,8 @@ namespace {
 
 constexpr const char* kCategory = "argos";
 
-// what a script draws when it starts has a stream of its own: so its steps draw the same numbers
-// after init() as after reset(), though only init() has filled what lives through a reset
+// the start of a script draws from a stream of its own: so the steps draw the same numbers after
+// init() as after reset(), although these may draw different amounts
 constexpr const char* kStart = "start";
 constexpr const char* kSteps = "steps";
 
@@ -124,7 +124,7 @@ void CLuaController::AddDevices(lua_State* state) {
     add("sensor", label, *sensor);
     m_sensors.push_back(sensor);
   }
-  // no device is being set up any more, and who owns which table is of no interest
+  // all devices are set up: the owners of the tables are not needed any more
   for (const char* const key : {&kLuaDeviceKey, &kLuaClaimsKey}) {
     lua_pushnil(state);
     lua_rawsetp(state, LUA_REGISTRYINDEX, key);
@@ -249,7 +249,7 @@ OPTIONAL XML
   <params script="wander.lua" on_error="end_run" max_instructions="1000000" speed="12" />
 
   on_error          "stop_robot" (the default): a script that fails in step() or reset() is not called any
-                    more, the robot goes on as it was told last, and the run goes on. "end_run": the run
+                    more, the robot keeps its last commands, and the run goes on. "end_run": the run
                     ends with an error.
   max_instructions  whole number, default 100000000: how many instructions of Lua's virtual machine the
                     script may execute in one call before it is interrupted with an error. 0: no

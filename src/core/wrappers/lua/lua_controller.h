@@ -19,7 +19,7 @@ struct SLuaScript;
 
 /**
  * A controller written in Lua, "lua_controller": runs the functions init(), step(), reset() and
- * destroy() of a script, in a Lua state of the robot's own. doc/lua.md says what scripts see.
+ * destroy() of a script, in a Lua state that belongs to the robot. Users' manual: doc/lua.md.
  */
 class CLuaController : public CCI_Controller {
  public:
@@ -27,9 +27,9 @@ class CLuaController : public CCI_Controller {
   ~CLuaController() override;
 
   /**
-   * Reads `script` (a file; none: the robot does nothing), `on_error` (stop_robot: a script that
-   * fails is stopped, and the run goes on; end_run) and `max_instructions` (0 = no limit); every
-   * attribute is a string in robot.params. Runs the script and its init().
+   * Reads `script` (a file; without it the robot does nothing), `on_error` (stop_robot: a script
+   * that fails is stopped, and the run goes on; end_run) and `max_instructions` (0 = no limit);
+   * every attribute is a string in robot.params. Runs the script and its init().
    * @throws CARGoSException if there is no such script, or if it fails: with file, line, traceback.
    */
   void Init(TConfigurationNode& params) override;
@@ -45,9 +45,9 @@ class CLuaController : public CCI_Controller {
 
   /** Null before Init(), after Destroy(), and without a script. */
   lua_State* GetLuaState() const;
-  /** Has the script not failed? */
+  /** True unless the script has failed. */
   bool IsOK() const { return m_error.empty(); }
-  /** What failed and why; empty if nothing did. */
+  /** The error of the script; empty if there was none. */
   const std::string& GetErrorMessage() const { return m_error; }
 
  private:

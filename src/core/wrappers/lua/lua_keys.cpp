@@ -3,8 +3,10 @@
 #include <argos3/core/wrappers/lua/lua_utility.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <memory>
 #include <string_view>
-#include <vector>
+#include <type_traits>
 
 namespace argos {
 
@@ -66,32 +68,50 @@ bool operator<(const SKey& a, const SKey& b) {
   }
 }
 
+// an error leaves this function with longjmp(): the keys must not be in memory that a destructor
+// releases
+static_assert(std::is_trivially_destructible_v<SKey>);
+
+/** Replaces the list on top of the stack by a sorted copy; its entries are @p count keys. */
+void SortList(lua_State* state, lua_Integer count) {
+  const int list = lua_gettop(state);
+  auto* const keys = static_cast<SKey*>(
+      lua_newuserdatauv(state, static_cast<std::size_t>(count) * sizeof(SKey), 0));
+  for (lua_Integer i = 0; i < count; ++i) {
+    lua_rawgeti(state, list, i + 1);
+    std::construct_at(keys + i, Describe(state, -1, i + 1));
+    lua_pop(state, 1);
+  }
+  std::sort(keys, keys + count);
+  lua_createtable(state, static_cast<int>(count), 0);
+  for (lua_Integer i = 0; i < count; ++i) {
+    lua_rawgeti(state, list, keys[i].Place);
+    lua_rawseti(state, -2, i + 1);
+  }
+  lua_replace(state, list);
+  lua_settop(state, list);
+}
+
 }  // namespace
 
 void PushOrderedKeys(lua_State* state, int index) {
   const int table = lua_absindex(state, index);
-  luaL_checkstack(state, 4, "too many nested tables");
+  luaL_checkstack(state, kOrderedKeysStack, "too many nested tables");
   lua_newtable(state);
   const int list = lua_gettop(state);
-  std::vector<SKey> keys;
+  lua_Integer count = 0;
+  SKey previous{};
   bool isOrdered = true;
   for (lua_pushnil(state); lua_next(state, table) != 0; lua_pop(state, 1)) {
-    const auto place = static_cast<lua_Integer>(keys.size()) + 1;
-    keys.push_back(Describe(state, -2, place));
-    isOrdered = isOrdered && (place == 1 || keys[keys.size() - 2] < keys.back());
+    const SKey key = Describe(state, -2, ++count);
+    isOrdered = isOrdered && (count == 1 || previous < key);
+    previous = key;
     lua_pushvalue(state, -2);
-    lua_rawseti(state, list, place);
+    lua_rawseti(state, list, count);
   }
-  if (isOrdered) {
-    return;
+  if (!isOrdered) {
+    SortList(state, count);
   }
-  std::sort(keys.begin(), keys.end());
-  lua_createtable(state, static_cast<int>(keys.size()), 0);
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    lua_rawgeti(state, list, keys[i].Place);
-    lua_rawseti(state, -2, static_cast<lua_Integer>(i) + 1);
-  }
-  lua_remove(state, list);
 }
 
 }  // namespace argos

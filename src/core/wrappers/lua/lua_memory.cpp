@@ -10,7 +10,7 @@ namespace argos {
 void* CLuaMemory::Reallocate(void* memory, void* block, std::size_t oldSize, std::size_t newSize) {
   auto& self = *static_cast<CLuaMemory*>(memory);
   if (block == nullptr) {
-    // then the old size is a kind of object
+    // oldSize then holds the type of the object
     return newSize > 0 ? self.Allocate(newSize) : nullptr;
   }
   if (newSize == 0) {

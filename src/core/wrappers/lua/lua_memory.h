@@ -9,12 +9,12 @@
 namespace argos {
 
 /**
- * The memory of one Lua state: small blocks lie side by side in chunks, in the order in which they
- * were asked for, without headers.
+ * The memory of one Lua state: small blocks lie side by side in chunks, in the order of their
+ * allocation, without headers.
  *
- * A robot's state has about a thousand small objects that live as long as it does. Taken from the
- * common heap they cost a header each, and what is read together lies apart. Freed blocks are kept
- * for others of their size; everything goes when this object goes.
+ * A robot's state has about a thousand small objects that live as long as it does. On the common
+ * heap each of them would have a header, and objects that are read together would lie apart. A
+ * freed block is reused for others of its size; the destructor releases all memory.
  */
 class CLuaMemory {
  public:
@@ -26,7 +26,7 @@ class CLuaMemory {
   static void* Reallocate(void* memory, void* block, std::size_t oldSize, std::size_t newSize);
 
  private:
-  // sizes are rounded up to multiples of this, which is the alignment that Lua counts on
+  // sizes are rounded up to multiples of this, the alignment that Lua requires
   static constexpr std::size_t kGrain = 8;
   static constexpr std::size_t kLargestSmall = 256;
   static constexpr std::size_t kChunkSize = 4096;
@@ -43,8 +43,8 @@ class CLuaMemory {
 
   std::array<SFree*, kLargestSmall / kGrain> m_free = {};  // by class
   std::vector<std::unique_ptr<std::byte[]>> m_chunks;
-  std::byte* m_next = nullptr;  // the part of the last chunk that nobody has had yet
-  std::size_t m_left = 0;  // its bytes
+  std::byte* m_next = nullptr;  // unused part of the last chunk
+  std::size_t m_left = 0;  // its size, bytes
 };
 
 }  // namespace argos

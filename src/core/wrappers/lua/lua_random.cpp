@@ -11,7 +11,7 @@ namespace argos {
 
 namespace {
 
-// whole numbers up to this are exact in a float
+// all whole numbers up to this one are exact in a float
 constexpr SInt64 kLargestWhole = SInt64{1} << 53;
 
 template <auto METHOD>
@@ -87,7 +87,7 @@ Real CLuaRandom::UniformInt(CLuaArguments& arguments) {
   }
   arguments.Finish();
   CheckOrder(min, max);
-  // the maximum is excluded, but for an empty range
+  // the maximum is excluded, except in an empty range
   const Real draw = GetGenerator().Uniform(CRange<Real>(0.0, 1.0));
   const Real highest = static_cast<Real>(std::max(min, max - 1));
   const Real span = static_cast<Real>(max) - static_cast<Real>(min);

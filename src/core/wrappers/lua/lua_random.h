@@ -12,21 +12,21 @@ struct lua_State;
 
 namespace argos {
 
-/** What the functions of robot.random do; its methods are those functions. */
+/** The functions of robot.random: each is a method of this class. */
 class CLuaRandom {
  public:
-  /** The generator, large as a Mersenne Twister is, is made when a script first draws a number. */
+  /** The generator, a large Mersenne Twister, is created when a script first draws a number. */
   explicit CLuaRandom(UInt32 seed) : m_seed(seed) {}
-  /** Draws from a generator of somebody else's. */
+  /** Draws from a generator that the caller owns. */
   explicit CLuaRandom(CRandom::CRNG& generator) : m_generator(&generator) {}
 
   /**
    * Adds the functions to the table on top of the stack.
-   * @param path  what precedes their names in messages.
+   * @param path  prefix of their names in messages.
    */
   void Register(lua_State* state, const std::string& path = "robot.random.");
 
-  /** Goes to the start of the stream of a seed. */
+  /** Restarts at the beginning of the stream of a seed. */
   void Seed(UInt32 seed);
 
   bool Bernoulli(CLuaArguments& arguments);

@@ -5,9 +5,9 @@
 
 namespace argos {
 
-/** Keys, by address, of what we keep in a state's registry. */
+/** Keys of our entries in a state's registry: their addresses. */
 inline constexpr char kLuaRobotKey = 0;  // the table "robot"
-inline constexpr char kLuaDeviceKey = 0;  // SLuaDevice*: whose CreateLuaState() is running
+inline constexpr char kLuaDeviceKey = 0;  // SLuaDevice*: the current device
 inline constexpr char kLuaClaimsKey = 0;  // table: "actuator wheels" -> the label of that actuator
 
 /** The device whose CreateLuaState() is running. */

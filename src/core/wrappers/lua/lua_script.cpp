@@ -19,7 +19,7 @@ struct SStateCloser {
   void operator()(lua_State* state) const { lua_close(state); }
 };
 
-/** What tells one version of a file from another. */
+/** Identifies a version of a file. */
 struct SVersion {
   fs::file_time_type Written;
   std::uintmax_t Size = 0;
@@ -31,10 +31,10 @@ struct SVersion {
 
 struct SCached {
   SVersion Version;
-  std::weak_ptr<const SLuaScript> Script;  // those who run it keep it, not this cache
+  std::weak_ptr<const SLuaScript> Script;  // owned by its users, not by this cache
 };
 
-// of the whole process: many simulators may run the same script
+// shared by all simulators of the process
 std::mutex g_cacheMutex;
 std::map<std::string, SCached>& GetCache() {
   static std::map<std::string, SCached> cache;
@@ -74,7 +74,7 @@ std::string Read(const std::string& path) {
   if (!file) {
     THROW_ARGOSEXCEPTION("cannot read the Lua script \"" << path << '"');
   }
-  // as the program lua does: skip the mark of UTF-8, and a first line that is for the shell
+  // like the program lua: skip the byte order mark, and a first line for the shell
   if (text.rfind("\xEF\xBB\xBF", 0) == 0) {
     text.erase(0, 3);
   }

@@ -6,20 +6,20 @@
 
 namespace argos {
 
-/** A script, compiled once for all who run it. */
+/** A script, compiled once and shared by all robots that run it. */
 struct SLuaScript {
-  std::string Path; /**< as in messages: what the user wrote, or where it was found instead */
-  std::string Folder; /**< where it lies, for require() */
+  std::string Path; /**< as in messages: as the user wrote it, or where it was found instead */
+  std::string Folder; /**< of the file, for require() */
   std::string Bytecode;
 
   /**
-   * Finds and compiles a script; gives the compiled one again if somebody has it and the file has
-   * not changed since. Safe on any thread.
+   * Finds and compiles a script. Returns the compiled script again while it is in use and the file
+   * has not changed. Safe on any thread.
    * @param name            relative names start at the working directory or, if there is no such
    *                        file, at the folder of the experiment file.
    * @param experimentFile  may be empty.
-   * @throws CARGoSException if there is no such file, with the places looked at, or if it has a
-   * syntax error, with Lua's message.
+   * @throws CARGoSException if there is no such file, with the places that were searched, or if it
+   * has a syntax error, with Lua's message.
    */
   static std::shared_ptr<const SLuaScript> Load(const std::string& name,
                                                 const std::string& experimentFile);

@@ -7,14 +7,26 @@
 #include <bit>
 #include <limits>
 
-// How a Lua table becomes bytes: a tag, then what belongs to it; a table is pairs of a key and a
-// value, then END.
+// The format: each value is a tag followed by its contents. The contents of a table are pairs of a
+// key and a value; the tag END closes them.
 
 namespace argos {
 
 namespace {
 
 constexpr int kDeepestNesting = 32;
+
+// slots of Lua's stack for each level of nesting: the ordered keys, a key, its value, and those
+// that a test for a type needs
+constexpr int kStackPerLevel = kOrderedKeysStack + 4;
+
+/**
+ * Reserves the stack for the deepest table before any object with a destructor exists: an error
+ * leaves with longjmp().
+ */
+void ReserveStack(lua_State* state) {
+  luaL_checkstack(state, (kDeepestNesting + 1) * kStackPerLevel, "too many nested tables");
+}
 
 enum ETag : UInt8 {
   END = 0,
@@ -30,7 +42,7 @@ enum ETag : UInt8 {
 };
 
 void AppendNumber(CByteArray& data, Real number) {
-  // the bits: a byte array's own way with numbers knows neither infinity nor NaN
+  // as bits: the number format of a byte array has neither infinity nor NaN
   data << std::bit_cast<UInt64>(number);
 }
 
@@ -186,7 +198,6 @@ void TakeTable(lua_State* state, CByteArray& data, int depth) {
   if (depth > kDeepestNesting) {
     THROW_ARGOSEXCEPTION("tables nested too deep");
   }
-  luaL_checkstack(state, 4, "too many nested tables");
   lua_newtable(state);
   const int table = lua_gettop(state);
   while (TakeValue(state, data, data.PopFront<UInt8>(), depth)) {
@@ -201,6 +212,7 @@ void TakeTable(lua_State* state, CByteArray& data, int depth) {
 }  // namespace
 
 void CLuaUtility::LuaSerializeTable(lua_State* state, CByteArray& data) {
+  ReserveStack(state);
   const int top = lua_gettop(state);
   CByteArray bytes;
   AppendTable(state, top, bytes, 1);
@@ -208,6 +220,7 @@ void CLuaUtility::LuaSerializeTable(lua_State* state, CByteArray& data) {
 }
 
 bool CLuaUtility::LuaDeserializeTable(lua_State* state, CByteArray& data) {
+  ReserveStack(state);
   const int top = lua_gettop(state);
   CByteArray rest = data;
   try {
@@ -217,7 +230,7 @@ bool CLuaUtility::LuaDeserializeTable(lua_State* state, CByteArray& data) {
       return true;
     }
   } catch (const CARGoSException&) {
-    // too few bytes, or such as nobody serialized
+    // the bytes are not those of a serialized table
   }
   lua_settop(state, top);
   return false;

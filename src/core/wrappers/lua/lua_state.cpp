@@ -12,14 +12,13 @@ namespace argos {
 
 namespace {
 
-// instructions between two looks at how many are left
+// instructions between two checks of the limit
 constexpr UInt64 kPeriod = 1000;
 
-/** Called for an error outside Run(): nothing here makes one. */
+/** Called for an error outside Run(), which none of our code raises. */
 int Panic(lua_State* state) {
   const char* const message = lua_tostring(state, -1);
-  LOGERR << "[FATAL] Lua error that nobody catches: " << (message != nullptr ? message : "?")
-         << std::endl;
+  LOGERR << "[FATAL] uncaught Lua error: " << (message != nullptr ? message : "?") << std::endl;
   LOGERR.Flush();
   return 0;  // Lua aborts
 }
@@ -48,9 +47,9 @@ bool HasOnlyNumbers(lua_State* state, int table) {
   return true;
 }
 
-/** What pairs() returns: gives the next key of a list, and what the table has under it. */
+/** The iterator that pairs() returns: the next key of a list, and its value in the table. */
 int NextOrdered(lua_State* state) {
-  // upvalues: the keys, how many have been given
+  // upvalues: the keys, and the number of those returned so far
   auto place = lua_tointeger(state, lua_upvalueindex(2));
   lua_settop(state, 1);
   while (true) {
@@ -59,7 +58,7 @@ int NextOrdered(lua_State* state) {
       return 1;
     }
     lua_pushvalue(state, -1);
-    // keys that the loop itself removed are left out
+    // skip keys that the loop itself has removed
     if (lua_rawget(state, 1) != LUA_TNIL) {
       lua_pushinteger(state, place);
       lua_replace(state, lua_upvalueindex(2));
@@ -77,7 +76,7 @@ int Pairs(lua_State* state) {
     return 3;
   }
   lua_settop(state, 1);
-  // Lua's own order of numbers depends on nothing but what was done to the table
+  // for numbers, Lua's own order depends only on the history of the table
   if (!lua_istable(state, 1) || HasOnlyNumbers(state, 1)) {
     lua_pushvalue(state, lua_upvalueindex(1));
     lua_pushvalue(state, 1);
@@ -94,7 +93,7 @@ int FinishXpcall(lua_State* state, int, lua_KContext) {
   return lua_gettop(state);
 }
 
-/** Puts a function in the place of a global one, which becomes its upvalue. */
+/** Replaces a global function; the original becomes an upvalue of the replacement. */
 void Wrap(lua_State* state, const char* name, const char* original, lua_CFunction wrapper) {
   lua_getglobal(state, original);
   lua_pushcclosure(state, wrapper, 1);
@@ -125,7 +124,7 @@ CLuaState::CLuaState(UInt64 maxInstructions)
   }
   lua_atpanic(m_state, Panic);
   lua_setwarnf(m_state, Warn, this);
-  // coroutines inherit both
+  // coroutines inherit the extra space and the hook
   *static_cast<CLuaState**>(lua_getextraspace(m_state)) = this;
   SetHook(m_state, static_cast<int>(std::min(kPeriod, m_maxInstructions)));
   try {
@@ -206,7 +205,7 @@ void CLuaState::RunBody(TCall call, const void* body) {
   }
 }
 
-// exceptions must not pass through Lua, which is C
+// exceptions must not pass through Lua, which is C code
 int CLuaState::CallBody(lua_State* state) {
   auto& call = *static_cast<SCall*>(lua_touserdata(state, 1));
   lua_settop(state, 0);
@@ -245,7 +244,7 @@ void CLuaState::Warn(void* self, const char* message, int toBeContinued) {
   }
 }
 
-// in a handler that an interruption calls nothing is counted: its loops would be endless
+// Lua counts no instructions in a handler that an interruption calls: a loop there might never end
 int CLuaState::HandleError(lua_State* state) {
   lua_settop(state, 1);
   if (Of(state).m_wasInterrupted) {
@@ -265,7 +264,7 @@ int CLuaState::Xpcall(lua_State* state) {
   lua_replace(state, 2);
   lua_pushvalue(state, lua_upvalueindex(1));
   lua_insert(state, 1);
-  // what it calls may yield
+  // the called function may yield
   lua_callk(state, lua_gettop(state) - 1, LUA_MULTRET, 0, FinishXpcall);
   return FinishXpcall(state, LUA_OK, 0);
 }

@@ -28,16 +28,16 @@ class CLuaError : public CARGoSException {
 /**
  * A Lua state with all standard libraries, log(), logerr() and the vector types.
  *
- * So that runs can be repeated, pairs() visits numbers and strings in a fixed order, and
- * math.random() is to be seeded with SeedMath().
+ * So that runs can be repeated, pairs() visits numbers and strings in a fixed order, and the owner
+ * of the state seeds math.random() with SeedMath().
  */
 class CLuaState {
  public:
   static constexpr UInt64 kDefaultMaxInstructions = 100000000;
 
   /**
-   * @param maxInstructions  how many of the virtual machine one Run() may execute before it is
-   * interrupted with an error; 0 = no limit, which makes scripts faster.
+   * @param maxInstructions  instructions of the virtual machine that one Run() may execute before
+   * an error interrupts it; 0 = no limit, which makes scripts faster.
    * @throws CARGoSException if there is not enough memory.
    */
   explicit CLuaState(UInt64 maxInstructions = kDefaultMaxInstructions);
@@ -61,8 +61,8 @@ class CLuaState {
                          int numResults = 0);
 
   /**
-   * Calls body(lua_State*) so that Lua errors inside it are caught; the stack is empty for it.
-   * @throws CLuaError for those; exceptions of the body pass through.
+   * Calls body(lua_State*) on an empty stack and catches Lua errors.
+   * @throws CLuaError for a Lua error; exceptions of the body pass through.
    */
   template <typename BODY>
   void Run(const BODY& body) {
@@ -78,7 +78,7 @@ class CLuaState {
 
   void RunBody(TCall call, const void* body);
   static int CallBody(lua_State* state);
-  /** Whose Lua state, or coroutine, it is. */
+  /** The object that a Lua state, or a coroutine of it, belongs to. */
   static CLuaState& Of(lua_State* state);
   static void Warn(void* self, const char* message, int toBeContinued);
   static int HandleError(lua_State* state);
@@ -91,8 +91,8 @@ class CLuaState {
   UInt64 m_maxInstructions;
   UInt64 m_instructionsLeft = 0;  // of the current Run()
   bool m_wasInterrupted = false;
-  bool m_isWarning = false;  // has the script switched warn() on?
-  std::string m_warning;  // its parts so far
+  bool m_isWarning = false;  // the script has switched warn() on
+  std::string m_warning;  // parts of the current warning so far
 };
 
 }  // namespace argos

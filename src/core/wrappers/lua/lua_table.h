@@ -22,22 +22,22 @@ struct lua_State;
  *       wheels.AddMethod<&CCI_XActuator::SetLinearVelocity>("set_velocity", *this);
  *     }
  *
- * What a method's signature cannot say goes into a function without captures, whose parameters
- * after the device are checked as those of a method are; CLuaArguments& stands for "all of them":
+ * Where a method's signature is not enough, use a function without captures. Its parameters after
+ * the device are checked like those of a method; a single CLuaArguments& receives all of them:
  *
  *       leds.AddFunction("set_single_color", *this, [](CCI_X& device, CLuaArguments& arguments) {
  *         const auto led = static_cast<UInt32>(arguments.NextIndex(device.GetNumLEDs()));
  *         device.SetSingleColor(led, arguments.Next<CColor>());
  *       });
  *
- * A sensor makes its table with start values, and refreshes it before each step of the script:
+ * A sensor creates its table with initial values, and updates it before each step of the script:
  *
  *     void CCI_XSensor::CreateLuaState(lua_State* state) {
  *       CLuaTable table(state, *this, "proximity");
  *       WriteReadings(table);
  *     }
  *     void CCI_XSensor::ReadingsToLuaState(lua_State* state) {
- *       CLuaTable table(state, *this);                                     // the one made above
+ *       CLuaTable table(state, *this);                                     // created above
  *       WriteReadings(table);
  *     }
  *     void CCI_XSensor::WriteReadings(CLuaTable& table) const {
@@ -49,15 +49,15 @@ struct lua_State;
  *
  * These functions may raise Lua errors (when memory runs out): call them only from CreateLuaState()
  * and ReadingsToLuaState(), which run protected. Tables are popped in the reverse order of their
- * making, as C++ destroys them.
+ * creation, as C++ destroys them.
  */
 namespace argos {
 
-/** A Lua table while C++ works on it; keeps its place on the stack. */
+/** Access to a Lua table, which stays on the stack for the lifetime of this object. */
 class CLuaTable {
  public:
   /**
-   * In CreateLuaState(): robot.<name>, made if it is not there.
+   * In CreateLuaState(): robot.<name>, created if it does not exist.
    * @throws CARGoSException as CLuaUtility::OpenRobotStateTable() does.
    */
   template <typename DEVICE>
@@ -66,8 +66,8 @@ class CLuaTable {
   }
 
   /**
-   * In ReadingsToLuaState(): the table that the device opened in CreateLuaState(), whatever the
-   * script has done to the global "robot".
+   * In ReadingsToLuaState(): the table that the device opened in CreateLuaState(), even if the
+   * script has changed the global "robot".
    */
   template <typename DEVICE>
   CLuaTable(lua_State* state, const DEVICE& device) : CLuaTable(state) {
@@ -78,21 +78,21 @@ class CLuaTable {
   CLuaTable& operator=(const CLuaTable&) = delete;
   ~CLuaTable();
 
-  /** Was it made by the constructor or the call that gave it? */
+  /** True if the constructor, or the call that returned it, created the table. */
   bool IsNew() const { return m_isNew; }
   lua_State* GetState() const { return m_state; }
 
-  /** The table under a key; made if there is none. */
+  /** The table under a key; created if there is none. */
   CLuaTable GetTable(const char* key);
   /** @param index  from 1. */
   CLuaTable GetTable(std::size_t index);
-  /** A new table under a key, in place of what is there, which a script may keep. */
+  /** A new table under a key. A table that was there stays as it is: a script may have kept it. */
   CLuaTable MakeTable(const char* key);
 
   /**
    * Adds a function that calls a method of the device.
-   * @tparam METHOD  its parameters are of types that CLuaArguments::Next() reads; what it returns
-   * is nothing or of a type that Set() takes. Exceptions become Lua errors.
+   * @tparam METHOD  its parameters have types that CLuaArguments::Next() reads; it returns nothing
+   * or a type that Set() accepts. Exceptions become Lua errors.
    * @param device  must live as long as the state.
    */
   template <auto METHOD, typename DEVICE>
@@ -125,7 +125,7 @@ class CLuaTable {
     SetIndex(index);
   }
 
-  /** Makes it the list of some numbers. */
+  /** Replaces the contents by a list of numbers. */
   template <typename T>
   void SetNumbers(const std::vector<T>& numbers) {
     for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -135,7 +135,7 @@ class CLuaTable {
   }
 
   /**
-   * Makes it a list of tables, one for each record; tables that are there are used again.
+   * Replaces the contents by a list of tables, one for each record; existing tables are reused.
    * @param write  called with the record's CLuaTable& and the record.
    */
   template <typename RECORDS, typename WRITE>

@@ -10,7 +10,7 @@
 #include <string>
 #include <type_traits>
 
-// Lua leaves a C function with longjmp() when it raises an error: nothing here may need a
+// Lua leaves a C function with longjmp() when it raises an error: no object in this file may need a
 // destructor.
 
 namespace argos {
@@ -59,7 +59,7 @@ struct STraits<CQuaternion> {
 template <typename VALUE>
 [[noreturn]] void RaiseArgument(lua_State* state, const char* function, int index,
                                 const char* expected) {
-  // the object itself is no argument in the eyes of who calls object:method(argument)
+  // with object:method(x), self is not counted as an argument
   luaL_error(state, "%s:%s: argument %d must be %s, got %s", STraits<VALUE>::kName, function,
              index - 1, expected, GetLuaTypeName(state, index));
   std::abort();  // luaL_error() does not return, which its declaration does not say
@@ -120,7 +120,7 @@ bool AreNumbers(lua_State* state, int count) {
   return lua_gettop(state) == count;
 }
 
-/** Copies the argument or takes one number for each component. */
+/** Copies the argument, or reads one number for each component. */
 template <typename VALUE>
 bool ConstructFromSame(lua_State* state, VALUE& value) {
   const int count = lua_gettop(state);
@@ -423,7 +423,7 @@ constexpr luaL_Reg kVectorOperators[] = {{"__add", Add<VALUE>},
 
 constexpr luaL_Reg kQuaternionOperators[] = {{"__mul", MultiplyQuaternions}, {nullptr, nullptr}};
 
-/** Pushes the metatable; makes it if it is not there. */
+/** Pushes the metatable; creates it if necessary. */
 template <typename VALUE>
 void PushMetatable(lua_State* state) {
   if (lua_rawgetp(state, LUA_REGISTRYINDEX, &kMetatableKey<VALUE>) == LUA_TTABLE) {
@@ -475,7 +475,7 @@ void CLuaType<VALUE>::Register(lua_State* state) {
 template <typename VALUE>
 void CLuaType<VALUE>::Push(lua_State* state, const VALUE& value) {
   static_assert(std::is_trivially_destructible_v<VALUE>, "there is no __gc");
-  const VALUE copy = value;  // it may lie in a userdata, and allocating may collect garbage
+  const VALUE copy = value;  // the allocation may collect the userdata that holds it
   std::construct_at(static_cast<VALUE*>(lua_newuserdatauv(state, sizeof(VALUE), 0)), copy);
   PushMetatable<VALUE>(state);
   lua_setmetatable(state, -2);

@@ -13,13 +13,13 @@ namespace argos {
 template <typename VALUE>
 class CLuaType {
  public:
-  /** Makes the constructor, a global function, and the metatable. */
+  /** Creates the constructor, a global function, and the metatable. */
   static void Register(lua_State* state);
 
-  /** Pushes a new value; registers the type if nobody has. */
+  /** Pushes a new value; registers the type if necessary. */
   static void Push(lua_State* state, const VALUE& value);
 
-  /** @return null if what is there is something else. */
+  /** @return null if the value at the index has another type. */
   static VALUE* Test(lua_State* state, int index);
 };
 
@@ -27,7 +27,7 @@ extern template class CLuaType<CVector2>;
 extern template class CLuaType<CVector3>;
 extern template class CLuaType<CQuaternion>;
 
-/** The type of a value as a user would call it: "vector2", "number", "nothing" for no argument. */
+/** Name of a value's type for messages: "vector2", "number"; "nothing" if there is no value. */
 const char* GetLuaTypeName(lua_State* state, int index);
 
 }  // namespace argos

@@ -16,7 +16,7 @@ namespace argos {
 
 namespace {
 
-constexpr int kDeepestPrinted = 8;  // tables
+constexpr int kDeepestPrinted = 8;  // nested tables
 
 constexpr char kOwnRandomKey = 0;  // in the registry: the userdata that RegisterRNG() made
 
@@ -70,32 +70,49 @@ int CollectRandom(lua_State* state) {
   return 0;
 }
 
-/** "wander" or 3.5 or table: ...; leaves the stack alone. */
-std::string Format(lua_State* state, int index) {
+// The functions that print make their texts on Lua's stack: a script's __tostring may raise an
+// error, which would skip the destructor of a std::string.
+
+/** Pushes "wander" or 3.5 or table: ... */
+void PushFormatted(lua_State* state, int index) {
   const bool isText = lua_type(state, index) == LUA_TSTRING;
+  luaL_tolstring(state, index, nullptr);
+  if (isText) {
+    lua_pushliteral(state, "\"");
+    lua_insert(state, -2);
+    lua_pushliteral(state, "\"");
+    lua_concat(state, 3);
+  }
+}
+
+/** The string at an index; valid while it is on the stack. */
+std::string_view ViewString(lua_State* state, int index) {
   std::size_t length = 0;
-  const char* const raw = luaL_tolstring(state, index, &length);
-  std::string text(raw, length);
-  lua_pop(state, 1);
-  return isText ? "\"" + text + "\"" : text;
+  const char* const text = lua_tolstring(state, index, &length);
+  return std::string_view(text, length);
 }
 
 /** Writes the entries of the table on top of the stack. */
 void PrintTable(CARGoSLog& log, lua_State* state, int depth) {
+  luaL_checkstack(state, LUA_MINSTACK, "too many nested tables");
   const int table = lua_gettop(state);
   PushOrderedKeys(state, table);
-  const auto count = static_cast<lua_Integer>(lua_rawlen(state, -1));
+  const int keys = table + 1;
+  const auto count = static_cast<lua_Integer>(lua_rawlen(state, keys));
   for (lua_Integer i = 1; i <= count; ++i) {
-    lua_rawgeti(state, table + 1, i);
-    const std::string key =
-        lua_type(state, -1) == LUA_TSTRING ? lua_tostring(state, -1) : Format(state, -1);
+    lua_rawgeti(state, keys, i);
+    luaL_tolstring(state, -1, nullptr);
+    lua_insert(state, -2);
     lua_rawget(state, table);
-    log << std::string(2 * static_cast<std::size_t>(depth), ' ') + key + " = " + Format(state, -1) +
-               "\n";
+    PushFormatted(state, -1);
+    const std::string_view key = ViewString(state, keys + 1);
+    log << std::string(2 * static_cast<std::size_t>(depth), ' ').append(key) + " = " +
+               std::string(ViewString(state, keys + 3)) + "\n";
+    lua_settop(state, keys + 2);
     if (lua_istable(state, -1) && key != "_G" && key != "package" && depth < kDeepestPrinted) {
       PrintTable(log, state, depth + 1);
     }
-    lua_settop(state, table + 1);
+    lua_settop(state, keys);
   }
   lua_settop(state, table);
 }
@@ -152,7 +169,10 @@ void CLuaUtility::PrintGlobals(CARGoSLog& log, lua_State* state) {
 void CLuaUtility::PrintStack(CARGoSLog& log, lua_State* state) {
   const int top = lua_gettop(state);
   for (int i = 1; i <= top; ++i) {
-    log << "#" + std::to_string(i) + " " + luaL_typename(state, i) + " " + Format(state, i) + "\n";
+    PushFormatted(state, i);
+    log << "#" + std::to_string(i) + " " + luaL_typename(state, i) + " " +
+               std::string(ViewString(state, -1)) + "\n";
+    lua_pop(state, 1);
   }
 }
 

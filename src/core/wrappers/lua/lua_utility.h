@@ -22,14 +22,14 @@ extern "C" {
 namespace argos {
 
 /**
- * What a plug-in's control interface needs to appear in Lua, as published with ARGoS 3.
+ * Exposes the control interfaces of plug-ins to Lua; as published with ARGoS 3.
  *
- * This is the only header that brings Lua's own. Our devices are bound with lua_table.h, which is
- * shorter, checks the arguments of every function, and does not depend on what a script does to the
- * global "robot"; use that for new code.
+ * This is the only header that includes Lua's own. Our devices are bound with lua_table.h, which is
+ * shorter, checks the arguments of every function, and works even if a script changes the global
+ * "robot"; use that for new code.
  *
- * Unless said otherwise, "the table" is the one on top of the stack, the stack is left as it was
- * found, and keys that are numbers count from 1, as in Lua.
+ * Unless said otherwise, "the table" is the one on top of the stack, functions leave the stack
+ * unchanged, and keys that are numbers count from 1, as in Lua.
  */
 class CLuaUtility {
  public:
@@ -40,7 +40,7 @@ class CLuaUtility {
   static bool LoadScript(lua_State* state, const std::string& filename);
 
   /**
-   * Calls a global function without arguments and drops what it returns.
+   * Calls a global function without arguments and discards its results.
    * @return false if there is no such function or if it failed; then the message is on top of the
    * stack.
    */
@@ -52,28 +52,28 @@ class CLuaUtility {
   /** Writes the values on the stack, the top last. */
   static void PrintStack(CARGoSLog& log, lua_State* state);
 
-  /** Makes the global functions log(...) and logerr(...), which write to LOG and LOGERR. */
+  /** Creates the global functions log(...) and logerr(...), which write to LOG and LOGERR. */
   static void RegisterLoggerWrapper(lua_State* state);
 
   /**
-   * Makes the functions of robot.random.
+   * Creates the functions of robot.random.
    * @param state  has the table "robot" on top of the stack.
-   * @param rng    what they draw from; must live as long as the state.
+   * @param rng    their generator; must live as long as the state.
    */
   static void RegisterRNG(lua_State* state, CRandom::CRNG* rng);
 
-  /** Makes the global constructors vector2, vector3, quaternion and what belongs to them. */
+  /** Creates the types vector2, vector3 and quaternion with their global constructors. */
   static void RegisterTypes(lua_State* state);
 
   /**
-   * In CreateLuaState(): opens the table robot.<name>, making it if it is not there; it is then on
-   * top of the stack. An actuator and a sensor may share a table.
+   * In CreateLuaState(): opens the table robot.<name>, which is created if it does not exist; it is
+   * then on top of the stack. An actuator and a sensor may share a table.
    * @throws CARGoSException if another actuator (for an actuator) or sensor (for a sensor) of the
    * robot has opened this table; the text names both.
    */
   static void OpenRobotStateTable(lua_State* state, const std::string& name);
 
-  /** Ends what OpenRobotStateTable() began. */
+  /** Closes the table that OpenRobotStateTable() has opened. */
   static void CloseRobotStateTable(lua_State* state);
 
   /** Begins a table inside the table; it is then on top of the stack until EndTable(). */
@@ -126,7 +126,7 @@ class CLuaUtility {
 
   /**
    * Takes a table off the front of a byte array and pushes it.
-   * @return false if the bytes are none that LuaSerializeTable() wrote; then nothing is pushed.
+   * @return false if LuaSerializeTable() did not write the bytes; then nothing is pushed.
    */
   static bool LuaDeserializeTable(lua_State* state, CByteArray& data);
 

@@ -15,17 +15,17 @@ struct lua_State;
 
 namespace argos {
 
-/** A number that Lua shall have as an integer: "5", where other numbers are "5.0". */
+/** A number that becomes an integer in Lua, shown as 5; others become floats, shown as 5.0. */
 struct SLuaInteger {
   SInt64 Value;
 };
 
-/** Returned by a function that has pushed its results itself: how many. */
+/** Returned by a function that has pushed its results itself: their number. */
 struct SLuaResults {
   int Count;
 };
 
-/** How C++ values become Lua values. */
+/** Converts C++ values to Lua values. */
 class CLuaValue {
  public:
   static void Push(lua_State* state, bool value);

@@ -10,7 +10,7 @@ namespace argos {
 
 namespace {
 
-// as for the scripts of robots: ticks draw the same numbers after init() as after reset()
+// as for the scripts of robots, ticks draw the same numbers after init() as after reset()
 constexpr const char* kStart = "start";
 constexpr const char* kSteps = "steps";
 
@@ -23,7 +23,7 @@ constexpr const char* kHooks[] = {"init",
                                   "is_experiment_finished",
                                   "floor_color"};
 
-/** Sets a flag for as long as it lives. */
+/** Keeps a flag set for its lifetime. */
 class CFlag {
  public:
   explicit CFlag(bool& flag) : m_flag(flag) { m_flag = true; }
@@ -49,7 +49,7 @@ bool PushHook(lua_State* state, const char* hook) {
   return true;
 }
 
-/** The color that a function has returned; its results are all that is on the stack. */
+/** Converts the results of a function, which are the whole stack, to a color. */
 CColor ToColor(lua_State* state) {
   try {
     CLuaArguments results(state);
@@ -159,7 +159,7 @@ void CLuaLoopFunctions::Reset() {
 }
 
 void CLuaLoopFunctions::Destroy() {
-  // whatever destroy() does, the state is closed, and with it the files that the script has open
+  // closes the state, and with it the files that the script has open, even if destroy() fails
   struct SClose {
     std::unique_ptr<CLuaState>& State;
     ~SClose() { State.reset(); }
@@ -201,7 +201,7 @@ void CLuaLoopFunctions::PostExperiment() {
 
 CColor CLuaLoopFunctions::GetFloorColor(const CVector2& positionOnFloor) {
   if (m_isRunning) {
-    // hooks run while nobody senses: this is the same thread
+    // hooks do not run while robots sense: a hook has caused this call
     THROW_ARGOSEXCEPTION(
         "the color of the floor was asked for by the Lua loop functions that give it");
   }
@@ -225,7 +225,7 @@ REGISTER_SYMBOL(
     CLoopFunctions, CLuaLoopFunctions, "lua", "the authors of this project", "1.0",
     "Loop functions written in Lua.",
     R"(The script defines those of these global functions that it needs; they are called without
-arguments, on the main thread, in a Lua 5.4 state of their own:
+arguments, on the main thread, in one Lua 5.4 state:
 
   init()                    when the arena is filled
   reset()                   when the experiment starts over

@@ -16,8 +16,8 @@ class CLuaState;
 struct SLuaScript;
 
 /**
- * Loop functions written in Lua, "lua". The script defines those hooks that it needs; doc/lua.md
- * says which there are, and what scripts can do with the table "simulation".
+ * Loop functions written in Lua, "lua". The script defines the hooks that it needs; doc/lua.md
+ * describes the hooks and the table "simulation".
  */
 class CLuaLoopFunctions : public CLoopFunctions {
  public:
@@ -52,7 +52,7 @@ class CLuaLoopFunctions : public CLoopFunctions {
   std::unique_ptr<CLuaSimulation> m_simulation;  // before the state, which refers to it
   std::unique_ptr<CLuaState> m_state;
   std::mutex m_floorMutex;
-  bool m_isRunning = false;  // a hook, on the main thread
+  bool m_isRunning = false;  // a hook is running, on the main thread
   bool m_hasFailed = false;
 };
 

@@ -47,7 +47,7 @@ COMPONENT* FindComponent(CEntity& entity, const char* type) {
   return dynamic_cast<COMPONENT*>(&composable->GetComponent(type));
 }
 
-/** @return false if the entity is nowhere, as a floor is. */
+/** @return false if the entity has no position, such as a floor. */
 bool TryGetPose(CEntity& entity, SPose& pose) {
   if (const auto* const body = FindComponent<CEmbodiedEntity>(entity, "body")) {
     pose = {body->GetOriginAnchor().Position, body->GetOriginAnchor().Orientation};
@@ -75,7 +75,7 @@ bool IsFinite(const SPose& pose) {
   return std::isfinite(p.GetX() + p.GetY() + p.GetZ() + q.GetW() + q.GetX() + q.GetY() + q.GetZ());
 }
 
-/** x, y, z [, yaw] or a vector3 [, quaternion]; what is left out stays as it is. */
+/** Reads x, y, z [, yaw] or a vector3 [, quaternion]; the orientation defaults to that of now. */
 SPose NextPose(CLuaArguments& arguments, const SPose& now) {
   SPose pose = now;
   if (arguments.IsNextNumber()) {
@@ -109,8 +109,8 @@ void PushEntity(lua_State* state, CEntity& entity) {
   }
 }
 
-/** Pushes a list of what push() pushes for each root entity; of one type, if an argument says so.
- */
+/** Pushes a list with the value that push() pushes for each root entity, or for those of the type
+ * that an argument names. */
 template <typename PUSH>
 SLuaResults PushList(CSpace& space, CLuaArguments& arguments, PUSH push) {
   const bool all = arguments.IsNextNil();
@@ -147,7 +147,7 @@ CLuaController& GetLuaController(CEntity& entity) {
   return *controller;
 }
 
-/** Leaves a stack as it was. */
+/** Restores the height of a stack. */
 class CStackGuard {
  public:
   explicit CStackGuard(lua_State* state) : m_state(state), m_top(lua_gettop(state)) {}
@@ -160,7 +160,7 @@ class CStackGuard {
   int m_top;
 };
 
-/** Copies the value on top of one state to the top of another, which gets nil if it cannot be. */
+/** Copies the value on top of one state to the top of another; nil if it cannot be copied. */
 void CopyValue(lua_State* from, lua_State* to) {
   lua_createtable(from, 1, 0);
   lua_insert(from, -2);
@@ -200,7 +200,7 @@ struct SPlaceOfPheromone {
   CVector3 Point;  // m
 };
 
-/** medium, layer, x, y */
+/** Reads medium, layer, x, y. */
 SPlaceOfPheromone NextPlaceOfPheromone(CLuaArguments& arguments, CSimulator& simulator) {
   auto& medium = simulator.GetMedium<CPheromoneMedium>(arguments.Next<std::string>());
   const size_t layer = medium.GetLayerNumber(arguments.Next<std::string>());

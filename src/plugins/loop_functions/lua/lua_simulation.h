@@ -20,8 +20,8 @@ class CLoopFunctions;
 class CSimulator;
 
 /**
- * What Lua loop functions can do with the experiment: the functions of the table "simulation",
- * which doc/lua.md describes. What a script does wrong throws, and so becomes a Lua error.
+ * The functions of the table "simulation", with which Lua loop functions read and change the
+ * experiment; doc/lua.md describes them. Wrong arguments throw, and so become Lua errors.
  *
  * For the main thread, between the phases of a tick.
  */
@@ -30,7 +30,7 @@ class CLuaSimulation {
   explicit CLuaSimulation(CLoopFunctions& loopFunctions);
   ~CLuaSimulation();
 
-  /** Makes the global table. @param params  the <params> of the loop functions. */
+  /** Creates the global table. @param params  the <params> of the loop functions. */
   void Register(lua_State* state, const TConfigurationNode& params);
   /**
    * Starts simulation.random with the experiment's seed.
@@ -73,7 +73,7 @@ class CLuaSimulation {
   CLoopFunctions& m_loopFunctions;
   CSimulator& m_simulator;
   CLuaRandom m_random;
-  // entities keep a reference to the element that they were made from
+  // entities keep a reference to the element that they were created from
   std::map<std::string, TConfigurationNode> m_elements;  // by id
 };
 

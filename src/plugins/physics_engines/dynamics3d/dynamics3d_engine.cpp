@@ -115,13 +115,6 @@ void CDynamics3DEngine::Init(TConfigurationNode& tree) {
   m_settings->Substeps = GetIterations();
   ReadRigidSettings(tree, *m_settings);
   UseODEInThisThread();
-  if (!HasOwnODERandom() && m_settings->SolverIterations > kSweepsWithoutDrawing) {
-    LOGERR << "[WARNING] " << OwnerOf(tree) << ": a library loaded earlier has brought ODE along: "
-           << "its iterative stepper makes only " << kSweepsWithoutDrawing << " of "
-           << m_settings->SolverIterations << " sweeps, so that results do not depend on threads"
-           << std::endl;
-    m_settings->SolverIterations = kSweepsWithoutDrawing;
-  }
   InitPlugins(tree);
 }
 

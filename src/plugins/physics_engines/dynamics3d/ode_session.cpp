@@ -5,7 +5,6 @@
 #include <ode/ode.h>
 
 #include <cstdarg>
-#include <cstdint>
 #include <cstdio>
 #include <mutex>
 
@@ -17,9 +16,11 @@ namespace {
 thread_local char complaint[256];
 thread_local bool hasComplaint = false;
 
-// what ODE draws from in this thread
+// state of this library's dRand() in this thread
 thread_local UInt32 randomState = 1;
-bool hasOwnRandom = false;
+bool isRandomReplaced = false;
+// held during a step that draws from ODE's own generator
+std::mutex sharedRandomMutex;
 
 // in place of ODE's own handler, which prints
 void KeepComplaint(int /*number*/, const char* format, va_list arguments) {
@@ -29,20 +30,26 @@ void KeepComplaint(int /*number*/, const char* format, va_list arguments) {
   }
 }
 
-// One step whose only effect is that ODE draws.
-bool DrawsODEHere() {
+// sequences with consecutive numbers begin far from each other
+UInt32 ComputeSeed(UInt32 sequence) {
+  return (sequence + 1) * 0x9E3779B9u;
+}
+
+// Makes a step in which ODE draws random numbers: from the ninth sweep on, it shuffles the
+// constraints. @return true if it drew them from this library.
+bool TestRandom() {
+  constexpr int kSweeps = 9;
   const dWorldID world = dWorldCreate();
   const dBodyID body = dBodyCreate(world);
   const dJointID joint = dJointCreateBall(world, nullptr);
   dJointAttach(joint, body, nullptr);
-  dWorldSetQuickStepNumIterations(world, kSweepsWithoutDrawing + 1);
-  SeedODE(0);
-  const UInt32 before = randomState;
+  dWorldSetQuickStepNumIterations(world, kSweeps);
+  randomState = 0;
   dWorldQuickStep(world, 0.01);
   dJointDestroy(joint);
   dBodyDestroy(body);
   dWorldDestroy(world);
-  return randomState != before;
+  return randomState != 0;
 }
 
 void InitProcess() {
@@ -51,7 +58,7 @@ void InitProcess() {
   }
   dSetMessageHandler(&KeepComplaint);
   dAllocateODEDataForThread(dAllocateMaskAll);
-  hasOwnRandom = DrawsODEHere();
+  isRandomReplaced = TestRandom();
 }
 
 }  // namespace
@@ -65,13 +72,20 @@ void UseODEInThisThread() {
   }
 }
 
-bool HasOwnODERandom() {
-  return hasOwnRandom;
+bool IsODERandomReplaced() {
+  return isRandomReplaced;
 }
 
-void SeedODE(UInt32 number) {
-  // numbers in a row begin far from each other
-  randomState = (number + 1) * 0x9E3779B9u;
+void StepODEIteratively(dxWorld* world, Real duration, UInt32 sequence) {
+  const UInt32 seed = ComputeSeed(sequence);
+  if (isRandomReplaced) {
+    randomState = seed;
+    dWorldQuickStep(world, duration);
+    return;
+  }
+  const std::lock_guard<std::mutex> lock(sharedRandomMutex);
+  dRandSetSeed(seed);
+  dWorldQuickStep(world, duration);
 }
 
 const char* TakeODEComplaint() {
@@ -85,15 +99,15 @@ const char* TakeODEComplaint() {
 }  // namespace argos
 
 /**
- * In place of ODE's function of that name, which is the only one that its steppers draw from: this
- * library is loaded before ODE's, so its symbol comes first.
+ * Replaces ODE's function of that name, from which dWorldQuickStep() draws through dRandInt(): this
+ * library is normally loaded before ODE's, so its symbol comes first. Gives the numbers of ODE's
+ * own function, but from a state that belongs to the thread.
  *
  * Source of the numbers: D. E. Knuth, The Art of Computer Programming, vol. 2, 3.2.1 (a linear
- * congruential generator, of which the upper bits are used).
+ * congruential generator), with the constants of ODE 0.16.
  */
 // NOLINTNEXTLINE(readability-identifier-naming): the name is ODE's
-extern "C" int dRandInt(int n) {
+extern "C" unsigned long dRand() {
   argos::randomState = 1664525u * argos::randomState + 1013904223u;
-  return static_cast<int>(
-      static_cast<std::uint64_t>(argos::randomState) * static_cast<std::uint64_t>(n) >> 32);
+  return argos::randomState;
 }

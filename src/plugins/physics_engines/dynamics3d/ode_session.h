@@ -3,34 +3,36 @@
 
 #include <argos3/core/utility/datatypes/datatypes.h>
 
+struct dxWorld;
+
 namespace argos {
 
 /**
- * Prepares ODE for calls by this thread: once in the process, then once in each thread. Cheap when
- * done already. Never undone: other simulators of the process may be using ODE.
+ * Prepares ODE for calls by this thread: once in the process, then once in each thread. Cheap if
+ * that is done already. Never undone: other simulators of the process may be using ODE.
  */
 void UseODEInThisThread();
 
 /**
- * Sweeps of dWorldQuickStep for which ODE draws no random numbers: from the ninth on it shuffles
- * the constraints now and then.
+ * Calls dWorldQuickStep(). The random numbers that it draws are those of a sequence: the same in
+ * every thread, whatever other worlds draw at the same time, and in whatever order the libraries of
+ * the process were loaded.
+ *
+ * Safe in several threads, each with a world of its own. They run at the same time if ODE's calls
+ * of dRand() bind to the function of this library, and one after the other if they do not.
+ * @param duration  of the step, s.
+ * @param sequence  number of the random sequence.
  */
-constexpr UInt32 kSweepsWithoutDrawing = 8;
+void StepODEIteratively(dxWorld* world, Real duration, UInt32 sequence);
 
 /**
- * Does ODE draw from the generator of this library, which each thread has an own state of, in place
- * of its own, which all worlds of the process share? Where it does not, results would depend on
- * other threads beyond kSweepsWithoutDrawing. After UseODEInThisThread().
+ * True if ODE's calls of dRand() bind to the function of this library, whose state belongs to the
+ * calling thread; false if they bind to ODE's own, whose state belongs to the process. After
+ * UseODEInThisThread().
  */
-bool HasOwnODERandom();
+bool IsODERandomReplaced();
 
-/**
- * Starts a sequence of random numbers that ODE draws in this thread: before every iterative step.
- * @param number  of the sequence.
- */
-void SeedODE(UInt32 number);
-
-/** What ODE has complained of in this thread first since the last call; null: of nothing. */
+/** The first message of ODE in this thread since the last call; null if there is none. */
 const char* TakeODEComplaint();
 
 }  // namespace argos

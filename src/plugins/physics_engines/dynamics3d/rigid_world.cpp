@@ -330,9 +330,8 @@ void CRigidWorld::StepByIslands() {
 }
 
 void CRigidWorld::StepIteratively() {
-  // another order of the constraints in every step: the errors of one would add up
-  SeedODE(m_numIterativeSteps++);
-  dWorldQuickStep(m_world, m_substep);
+  // another order of the constraints in every step: the errors of a fixed order would add up
+  StepODEIteratively(m_world, m_substep, m_numIterativeSteps++);
 }
 
 // Islands as of the last substep. An island that nothing fixed holds moves on for ever.

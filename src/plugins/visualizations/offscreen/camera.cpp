@@ -14,7 +14,7 @@ namespace argos {
 namespace {
 
 constexpr double kHalfPictureHeight = 13.5;  // mm; the reference's 27 mm high picture
-constexpr double kVerticalShare = 1e-9;  // far below what a camera could be aimed at
+constexpr double kVerticalShare = 1e-9;  // far below any meaningful difference in aim
 constexpr double kFramingFocalLength = 50.0;  // mm; a long lens keeps parallels nearly parallel
 constexpr double kFramingElevation = 52.0;  // degrees above the horizon
 constexpr double kFramingMargin = 1.04;  // the arena fills 1 / 1.04 of the picture
@@ -121,7 +121,7 @@ CCamera::CCamera(const SCameraPlacement& placement, double aspectRatio)
   }
   m_forward /= distance;
   m_right = m_forward.cross(placement.Up);
-  // an upward direction along the line of sight says nothing: fall back on the derived one
+  // an upward direction along the line of sight is of no use: fall back on the derived one
   if (!(m_right.norm() > kVerticalShare * placement.Up.norm())) {
     m_right = m_forward.cross(ComputeDefaultUp(m_forward));
   }

@@ -10,7 +10,7 @@ namespace argos {
 
 constexpr std::size_t kNumPlacements = 12;  // experiment files number them 0 to 11, keys F1 to F12
 
-/** Where the camera is, where it looks, and through which lens. World frame, m. */
+/** Position, direction and lens of the camera. World frame, m. */
 struct SCameraPlacement {
   Eigen::Vector3d Position = Eigen::Vector3d(0.0, -1.0, 1.0);
   Eigen::Vector3d LookAt = Eigen::Vector3d::Zero();
@@ -38,14 +38,14 @@ struct SArenaBox {
  */
 Eigen::Vector3d ComputeDefaultUp(const Eigen::Vector3d& forward);
 
-/** True if @p forward has no horizontal part to speak of (below 1e-9 of its length). */
+/** True if the horizontal part of @p forward is below 1e-9 of its length. */
 bool IsVertical(const Eigen::Vector3d& forward);
 
-/** The placements that slots hold without an entry in the file: a circle around the arena. */
+/** The placements of slots that the file does not set: a circle around the arena. */
 std::array<SCameraPlacement, kNumPlacements> MakeDefaultPlacements(const SArenaBox& arena);
 
 /**
- * An oblique view from the side of negative y that just holds the whole arena: x grows to the
+ * An oblique view from the side of negative y that just contains the whole arena: x grows to the
  * right of the picture, y away from the viewer.
  * @param aspectRatio  width of the picture over its height, > 0.
  * @param top          up to which height above the ground, m, >= 0.
@@ -85,7 +85,7 @@ class CCamera {
   double ComputeDepth(const Eigen::Vector3d& point) const;
 
   /**
-   * Where a point of the world appears.
+   * Projects a point of the world onto the picture.
    * @return x to the right and y *down* from the top left corner, as shares of the picture's width
    *         and height; not a number for points that are not ahead of the eye.
    */

@@ -12,11 +12,11 @@ namespace argos {
 struct SKeyframe {
   std::size_t Placement = 0; /**< slot, 0 to 11 */
   std::uint32_t Step = 0; /**< tick */
-  bool Interpolate = false; /**< glide to the next keyframe instead of waiting for it */
+  bool Interpolate = false; /**< glide towards the next keyframe instead of standing still */
 };
 
 /**
- * The placements a camera can take, and when it takes which.
+ * The placements of a camera, and the ticks at which it takes them.
  *
  * A keyframe holds until the next one. Between a keyframe that interpolates and its successor the
  * camera glides. With a loop the timeline repeats itself with that period, and the successor of

@@ -10,16 +10,16 @@ namespace {
 
 constexpr Real kDefaultFocalLength = 20.0;  // mm
 
-// reaching an element marks it as read, so nobody else would warn of it
+// reaching an element marks it as read, so the warning about unused elements would not list it
 void WarnOfUnknownElement(const TConfigurationNode& node, const std::string& parent,
                           const std::vector<std::string>& known) {
   LOGERR << "[WARNING] " << node.GetLocation() << ": <" << node.Value()
-         << "> means nothing inside <" << parent << "> and is ignored"
+         << "> has no meaning inside <" << parent << "> and is ignored"
          << DidYouMean(node.Value(), known) << std::endl;
 }
 
 void ReadPlacement(TConfigurationNode& node, CCameraTimeline& timeline) {
-  // files written for older versions say idx
+  // files written for older versions use idx
   const bool isOld = !NodeAttributeExists(node, "index") && NodeAttributeExists(node, "idx");
   UInt32 slot = 0;
   GetNodeAttribute(node, isOld ? "idx" : "index", slot);

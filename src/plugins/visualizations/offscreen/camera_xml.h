@@ -9,7 +9,7 @@ namespace argos {
 /**
  * Reads the `<camera>` child of a visualization, if there is one.
  *
- * Understood are `<placements>` with `<placement index="" position="" look_at="" up=""
+ * Accepts `<placements>` with `<placement index="" position="" look_at="" up=""
  * lens_focal_length="">`, `<timeline loop="">` with `<keyframe placement="" step="">` and
  * `<interpolate>`, and the older `<placement idx="">` right inside `<camera>`.
  *

@@ -15,12 +15,13 @@ namespace argos {
 
 class CSimulator;
 
-/** Which frames are drawn, how, and where they go. */
+/** Selects the frames, their appearance and their files. */
 struct SRecordingSettings {
   SRenderSettings Render;
   SFrameFileSettings File;
   std::uint32_t Every = 1; /**< ticks from frame to frame, > 0 */
-  bool KeepLastFrame = true; /**< draw the final state also if its tick is no multiple of Every */
+  bool KeepLastFrame =
+      true; /**< draw the final state even if its tick is not a multiple of Every */
   bool ShowGrid = true;
   bool ShowBoundary = true;
   bool ShowRays = true;
@@ -30,8 +31,8 @@ struct SRecordingSettings {
 /**
  * Runs an experiment and writes pictures of it.
  *
- * What can be wrong with the settings is found when it is made; the OpenGL context is made by the
- * thread that runs the experiment, since it belongs to one.
+ * The constructor checks the settings. The thread that runs the experiment creates the OpenGL
+ * context, which belongs to one thread.
  */
 class CFrameRecorder {
  public:

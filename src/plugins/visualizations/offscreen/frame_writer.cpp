@@ -37,7 +37,7 @@ std::string ListFormats() {
   return names;
 }
 
-// quality is how little the packer may work for PNG, and how little it may drop for the lossy ones
+// for PNG a higher quality means less compression; for lossy formats it means less loss
 int ComputeFlags(FREE_IMAGE_FORMAT format, int quality) {
   if (quality < 0) {
     return 0;

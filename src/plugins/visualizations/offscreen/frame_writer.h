@@ -8,7 +8,7 @@
 
 namespace argos {
 
-/** Where frames go and in what format. */
+/** Folder, names and format of the files of frames. */
 struct SFrameFileSettings {
   std::string Directory =
       "."; /**< relative to the working directory; a trailing slash is dropped */
@@ -39,7 +39,7 @@ class CFrameWriter {
   std::string MakeFileName(std::uint32_t tick) const;
 
   /**
-   * Writes one frame, over one of the same tick.
+   * Writes one frame; replaces one of the same tick.
    * @throws CARGoSException naming the file, if it cannot be written; no part of it stays behind.
    */
   void Write(const SPicture& picture, std::uint32_t tick) const;

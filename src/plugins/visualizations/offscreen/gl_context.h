@@ -13,10 +13,10 @@ namespace argos {
  *
  * The build compiles exactly one implementation, as its option ARGOS_GL_CONTEXT says:
  * gl_context_osmesa.cpp or gl_context_egl.cpp. Mesa dropped OSMesa in its release 25.1; EGL's
- * surfaceless platform does the same from there on.
+ * surfaceless platform replaces it there.
  *
- * A context has no picture of its own worth drawing into: draw into framebuffer objects. Objects
- * made in a context live exactly as long as it does.
+ * A context has no usable default framebuffer: draw into framebuffer objects. Objects created in a
+ * context live exactly as long as it does.
  */
 class CGlContext {
  public:

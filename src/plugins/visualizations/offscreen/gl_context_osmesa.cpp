@@ -10,7 +10,8 @@ namespace argos {
 
 namespace {
 
-constexpr int kBufferSide = 16;  // pixels; OSMesa insists on a picture, we draw elsewhere
+constexpr int kBufferSide =
+    16;  // pixels; OSMesa requires a buffer; frames are drawn into framebuffer objects
 
 class COSMesaContext : public CGlContext {
  public:

@@ -75,8 +75,10 @@ namespace argos {
 /**
  * The OpenGL entry points of one context.
  *
- * They are looked up at run time, so that the plug-in links no OpenGL library but the one that
- * makes its context.
+ * They are looked up at run time through the library that creates the context, the only OpenGL
+ * library that the plug-in links. libepoxy would not do: it asks GLX or EGL for the current
+ * context, and aborts the process if the context is one of OSMesa ("Couldn't find current GLX or
+ * EGL context", tried with 1.5.10 and Mesa 22.3).
  */
 struct SGlFunctions {
 #define ARGOS_GL_DECLARE(TYPE, NAME) TYPE NAME = nullptr;

@@ -12,8 +12,8 @@ namespace argos {
 /**
  * A vertex and a fragment shader, linked. Lives as long as the context.
  *
- * The setters act on the program in use: call Use() first. Names the shaders do not use are
- * ignored, as compilers drop unused ones anyway.
+ * The setters act on the program in use: call Use() first. They ignore names that the shaders do
+ * not use, because compilers remove unused uniforms.
  */
 class CGlProgram {
  public:

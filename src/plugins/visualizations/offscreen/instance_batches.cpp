@@ -8,14 +8,14 @@ namespace argos {
 namespace {
 
 // diameters on the picture, in pixels
-constexpr double kSmallestDrawn = 0.8;  // less than that hardly tints a pixel
+constexpr double kSmallestDrawn = 0.8;  // smaller ones hardly change a pixel
 constexpr double kSmallestDetail = 3.5;
 constexpr double kSmallestCaster = 1.5;
 constexpr double kSmallestTranslucent = 8.0;
-// from these on the next finer level is taken: an edge of the coarser polygon would otherwise stray
-// from its circle by about a third of a pixel, d / 2 (1 - cos(pi / n)), or more
+// larger ones take the next finer level: an edge of the coarser polygon would be a third of a pixel
+// or more, d / 2 (1 - cos(pi / n)), away from its circle
 constexpr std::array<double, kNumLevels - 1> kLevelBounds = {6.0, 18.0, 70.0};
-// of the height of the sun, as a sine: a lower one would cast endless shadows
+// sine of the least height of the sun: a lower one would cast endless shadows
 constexpr double kLowestSun = 0.05;
 
 void Clear(CInstanceBatches::TBatches& batches) {
@@ -114,7 +114,7 @@ void CInstanceBatches::Add(EMeshKind kind, const SMeshInstance& instance) {
   const Eigen::Vector2d toSides =
       (across - depth * m_camera->GetHalfExtentTangents()).cwiseQuotient(m_sideNorms);
   const double toView = std::max({toSides.x(), toSides.y(), -depth});
-  // from the solid to where the last of its shadow meets the ground
+  // from the solid to the end of its shadow on the ground
   const double toGround =
       std::max(0.0, sphere.Center.z() + sphere.Radius) / std::max(m_sunFrame(2, 2), kLowestSun);
   if (toView > sphere.Radius + toGround) {

@@ -13,7 +13,7 @@
 
 namespace argos {
 
-/** How finely round meshes are cut: corners around the axis, by level of detail. */
+/** Corners of round meshes around the axis, by level of detail. */
 constexpr std::array<int, 4> kSegmentsPerLevel = {6, 12, 24, 64};
 constexpr std::size_t kNumLevels = kSegmentsPerLevel.size();
 
@@ -33,12 +33,12 @@ struct STranslucentRun {
 };
 
 /**
- * The solids of a scene that matter for one picture, sorted by mesh and level of detail, so that
- * each pair takes one draw call.
+ * The visible solids of a scene, sorted by mesh and level of detail, so that each pair takes one
+ * draw call.
  *
- * Left out are solids outside the view, those that would cover less than a pixel, and details of
- * less than a few pixels; fineness follows the size on the picture, and translucent solids of a few
- * pixels count as opaque. The memory is kept from picture to picture.
+ * Solids outside the view, solids that would cover less than a pixel, and details of less than a
+ * few pixels are left out. The level of detail follows from the size on the picture, and
+ * translucent solids of a few pixels count as opaque. The memory is reused for the next picture.
  */
 class CInstanceBatches {
  public:

@@ -8,7 +8,7 @@
 namespace argos {
 
 /**
- * The taste of the pictures: colours and strengths of everything that is not in the scene.
+ * Visual style of the pictures: colours and strengths of everything that is not in the scene.
  *
  * Intensities are in linear light; a white, lit, upward face comes out at about 1.
  */
@@ -19,19 +19,19 @@ struct SLook {
   SRgba GridLine;
   SRgba Boundary;
   float SunIntensity = 0.0f;
-  SRgba SkyLight; /**< what reaches upward faces from everywhere */
-  SRgba BounceLight; /**< what reaches downward faces from everywhere */
+  SRgba SkyLight; /**< diffuse light on upward faces */
+  SRgba BounceLight; /**< diffuse light on downward faces */
   float AmbientIntensity = 0.0f;
   float SpecularIntensity = 0.0f;
   float EdgeDarkening = 0.0f; /**< of the lines along the edges of solids, 0 to 1 */
   float ContactDarkening = 0.0f; /**< of the ground under solids, 0 to 1 */
   float HaloStrength = 0.0f; /**< 0 to 1 */
-  /** How much of what is behind a halo it hides: 1 like fog, 0 like light. */
+  /** Opacity of a halo: 1 hides the background like fog, 0 adds to it like light. */
   float HaloOpacity = 0.0f;
 
   /**
    * @param name  "light" (for print) or "dark" (for slides).
-   * @throws CARGoSException listing the names there are.
+   * @throws CARGoSException listing the valid names.
    */
   static SLook FromName(const std::string& name);
 };

@@ -17,7 +17,7 @@ namespace argos {
 
 namespace {
 
-// up to where the picture has to reach, m above the ground: the whole arena if something flies
+// height above the ground that the picture must show, m: the whole arena if something flies
 double ComputeTop(CSpace& space) {
   for (CEntity* root : space.GetRootEntityVector()) {
     const CEmbodiedEntity* const body = FindDescribedBody(*root);
@@ -93,8 +93,8 @@ OPTIONAL XML CONFIGURATION
   </visualization>
 
 Attributes of <offscreen>:
-  directory      path; where files go, created if missing. Default: out
-  base_name      string; what their names begin with. Default: frame_
+  directory      path; folder of the files, created if missing. Default: out
+  base_name      string; prefix of their names. Default: frame_
   format         string; an image format FreeImage writes: png, jpg, bmp, tif, ...
                  Default: png
   quality        integer, 0 to 100, or -1 for the format's own. jpg, webp: higher is
@@ -107,12 +107,12 @@ Attributes of <offscreen>:
   show_grid      bool; lines on the ground every 0.1, 1 and 10 m, as far as they can be
                  told apart. Default: true
   show_boundary  bool; the outline of the arena. Default: true
-  show_rays      bool; the rays of sensors that have show_rays="true", and where they
-                 hit. Default: true
+  show_rays      bool; the rays of sensors that have show_rays="true", and their
+                 hits. Default: true
 
 Attributes of <placement>:
-  index              integer, 0 to 11; idx is understood, too
-  position, look_at  x,y,z in m; where the camera is and what it looks at
+  index              integer, 0 to 11; idx is accepted, too
+  position, look_at  x,y,z in m; place of the camera, and the point it looks at
   up                 x,y,z; upwards on the picture. Default: as upright as possible
   lens_focal_length  mm, positive; the picture's height is seen under the angle
                      2 atan(13.5 mm / lens_focal_length). Default: 20

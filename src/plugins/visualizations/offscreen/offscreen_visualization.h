@@ -15,7 +15,8 @@ class COffscreenVisualization : public CVisualization {
   COffscreenVisualization();
   ~COffscreenVisualization() override;
 
-  /** Reads what the plug-in's description lists. @throws CARGoSException with file and line. */
+  /** Reads the attributes that the plug-in's description lists. @throws CARGoSException with file
+   * and line. */
   void Init(TConfigurationNode& tree) override;
   void Destroy() override;
 

@@ -25,7 +25,7 @@ void CQtOpenGlVisualization::Init(TConfigurationNode& tree) {
            << std::endl;
   }
   if (!request.WantsFrames) {
-    LOG << "[INFO] <qt-opengl> has no window here and asks for no frames: running headless"
+    LOG << "[INFO] <qt-opengl> has no window here and requests no frames: running headless"
         << std::endl;
     return;
   }
@@ -52,7 +52,7 @@ void CQtOpenGlVisualization::Execute() {
 REGISTER_VISUALIZATION(
     CQtOpenGlVisualization, "qt-opengl", "the authors of this project", "1.0",
     "Runs experiments written for the Qt-OpenGL window: headless, or to frames.",
-    R"(There is no window. An experiment file that asks for it runs headless, at full speed; if
+    R"(There is no window. An experiment file that requests it runs headless, at full speed; if
 it has a <frame_grabbing> element whose headless_grabbing is not "false", frames are drawn
 off-screen. One line in the log says which. For new files, use <offscreen>.
 
@@ -76,12 +76,12 @@ OPTIONAL XML CONFIGURATION
   </visualization>
 
 Attributes of <qt-opengl>:
-  title, autoplay, lua_editor, invert_mouse  of the window; checked, without effect
+  title, autoplay, lua_editor, invert_mouse  settings of the window; checked, without effect
   show_boundary        bool; the outline of the arena. Default: true
 
 Attributes of <frame_grabbing>:
   directory            path; must exist. Default: . (the working directory)
-  base_name            string; what file names begin with. Default: frame_
+  base_name            string; prefix of the file names. Default: frame_
   format               string; an image format FreeImage writes. Default: png
   quality              integer, 0 to 100, or -1 for the format's own. Default: -1
   headless_grabbing    bool; false: do not draw frames. Default: true

@@ -10,15 +10,16 @@ namespace argos {
 class CFrameRecorder;
 
 /**
- * Runs experiments whose file asks for the window `<qt-opengl>`, which this simulator does not
- * have: headless, or with frames drawn off-screen if the file asks for frame grabbing.
+ * Runs experiments whose file requests the window `<qt-opengl>`, which this simulator does not
+ * have: headless, or with frames drawn off-screen if the file requests frame grabbing.
  */
 class CQtOpenGlVisualization : public CDefaultVisualization {
  public:
   CQtOpenGlVisualization();
   ~CQtOpenGlVisualization() override;
 
-  /** Reads what the plug-in's description lists. @throws CARGoSException with file and line. */
+  /** Reads the attributes that the plug-in's description lists. @throws CARGoSException with file
+   * and line. */
   void Init(TConfigurationNode& tree) override;
   void Destroy() override;
 

@@ -8,7 +8,7 @@ namespace argos {
 namespace {
 
 constexpr UInt32 kSmallestSide = 16;  // pixels
-constexpr UInt32 kLargestSide = 16384;  // pixels; what current drivers draw at most
+constexpr UInt32 kLargestSide = 16384;  // pixels; the limit of current drivers
 constexpr std::array<UInt32, 5> kSampleCounts = {1, 2, 4, 8, 16};
 
 int CheckSide(const TConfigurationNode& node, const std::string& attribute, UInt32 pixels) {
@@ -99,7 +99,7 @@ void ReadFrameGrabbing(TConfigurationNode& node, SQtOpenGlRequest& request) {
   SRecordingSettings& recording = request.Recording;
   recording.File.CreateDirectory = false;
   ReadFile(node, recording.File);
-  // only an explicit "false" says that frames are wanted from a window alone
+  // only an explicit "false" restricts frames to runs with a window
   GetNodeAttributeOrDefault(node, "headless_grabbing", request.WantsFrames, true);
   recording.Render.Width = 1600;
   recording.Render.Height = 1200;

@@ -14,7 +14,7 @@ namespace argos {
  */
 SRecordingSettings ReadOffscreenSettings(TConfigurationNode& node);
 
-/** What the elements and attributes of `<qt-opengl>` ask for. */
+/** The settings in the elements and attributes of `<qt-opengl>`. */
 struct SQtOpenGlRequest {
   bool WantsFrames = false;
   bool HasUserFunctions = false;
@@ -23,7 +23,7 @@ struct SQtOpenGlRequest {
 };
 
 /**
- * Reads `<qt-opengl>` but its camera. What only a window has a use for is read, checked and left.
+ * Reads `<qt-opengl>` except its camera. Settings that only a window needs are checked and ignored.
  * @throws CARGoSException with file and line, if something does not parse or is out of range.
  */
 SQtOpenGlRequest ReadQtOpenGlRequest(TConfigurationNode& node);

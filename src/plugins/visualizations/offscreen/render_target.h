@@ -7,10 +7,10 @@
 namespace argos {
 
 /**
- * What the renderer draws into: a multisampled sRGB framebuffer, and what it takes to average it
- * down to a picture. All averaging is done in linear light.
+ * The target of the renderer: a multisampled sRGB framebuffer, and the buffers that average it to a
+ * picture. All averaging is done in linear light.
  *
- * If the driver has fewer samples than asked for, the picture is drawn at twice its size as well.
+ * If the driver has fewer samples than requested, the picture is drawn at twice its size as well.
  */
 class CRenderTarget {
  public:
@@ -26,7 +26,7 @@ class CRenderTarget {
   /** Averages the samples and copies the result to memory, rows from top to bottom. */
   void Read(SPicture& picture);
 
-  /** Size of what is drawn, pixels: the picture's size times GetScale(). */
+  /** Size of the framebuffer, pixels: the picture's size times GetScale(). */
   int GetDrawnWidth() const { return m_scale * m_width; }
   int GetDrawnHeight() const { return m_scale * m_height; }
   int GetScale() const { return m_scale; }

@@ -302,7 +302,7 @@ void CRenderer::DrawContactShadows(const SScene& scene) {
   if (scene.ContactShadows.empty()) {
     return;
   }
-  // they lie in the ground and are drawn right after it: no depth to compare
+  // contact shadows lie in the ground and are drawn right after it: no depth test
   m_gl.Disable(GL_DEPTH_TEST);
   m_gl.Enable(GL_BLEND);
   m_contactProgram.Use();

@@ -17,11 +17,12 @@
 
 namespace argos {
 
-/** What all pictures of a renderer have in common. */
+/** Settings shared by all pictures of a renderer. */
 struct SRenderSettings {
   int Width = 1280; /**< pixels, > 0 */
   int Height = 960; /**< pixels, > 0 */
-  int Samples = 4; /**< per pixel: 1, 2, 4, 8 or 16; more than the driver has are emulated */
+  int Samples =
+      4; /**< per pixel: 1, 2, 4, 8 or 16; a number above the driver's limit is emulated */
   SLook Look = SLook::FromName("light");
   /** Direction to the sun, world frame, any length, above the horizon. */
   Eigen::Vector3d ToSun = Eigen::Vector3d(-0.42, -0.38, 0.95);
@@ -30,9 +31,9 @@ struct SRenderSettings {
 /**
  * Draws scenes into pictures, without a display.
  *
- * It knows solids, lines and lights, and no robot, entity or simulator. Each frame is a pass for
- * the shadow map, one for the ground and what lies on it, one for the solids (one draw call per
- * mesh and level of detail), and one for what is translucent. Buffers are kept from frame to frame.
+ * It knows solids, lines and lights, but no robot, entity or simulator. Each frame is a pass for
+ * the shadow map, one for the ground and its decals, one for the solids (one draw call per mesh and
+ * level of detail), and one for translucent solids. Buffers are reused for the next frame.
  *
  * One renderer belongs to one thread at a time.
  */
@@ -49,11 +50,11 @@ class CRenderer {
   void Render(const SScene& scene, const SCameraPlacement& placement, SPicture& picture);
 
   const SRenderSettings& GetSettings() const { return m_settings; }
-  /** How pictures are made, for the log: context, driver and OpenGL version. */
+  /** Describes context, driver and OpenGL version for the log. */
   std::string DescribeDriver() const;
 
  private:
-  // where a mesh's levels of detail lie in the shared buffers
+  // place of a mesh's levels of detail in the shared buffers
   struct SMeshRange {
     GLsizei NumIndices = 0;
     size_t FirstIndex = 0;
@@ -111,7 +112,7 @@ class CRenderer {
   Eigen::Matrix4f m_viewProjection;
   float m_near = 0.1f;
   float m_pixelsPerTangent = 1.0f;
-  double m_groundReach = 1.0;  // how far the ground goes on around the arena, m
+  double m_groundReach = 1.0;  // width of the ground around the arena, m
 };
 
 }  // namespace argos

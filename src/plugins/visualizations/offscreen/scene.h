@@ -10,7 +10,7 @@
 
 namespace argos {
 
-/** A colour as it is written in an image file: sRGB, 0 to 255, alpha 255 is opaque. */
+/** A colour as stored in an image file: sRGB, 0 to 255, alpha 255 is opaque. */
 struct SRgba {
   std::uint8_t R = 0;
   std::uint8_t G = 0;
@@ -40,8 +40,7 @@ struct SMeshInstance {
   std::array<std::array<float, 4>, 3> ToWorld;
   SRgba Color; /**< alpha < 255: translucent, drawn after the opaque ones, far to near */
   float Param = 1.0f; /**< see EMeshKind */
-  /** 1: a small part of something larger, left out already where it would cover a few pixels only.
-   */
+  /** 1: a small part of something larger, left out where it would cover only a few pixels. */
   float IsDetail = 0.0f;
 };
 
@@ -61,13 +60,13 @@ struct SLine {
   float Width = 1.5f; /**< pixels */
 };
 
-/** Soft darkening of the ground where a solid stands: the skylight it keeps away. */
+/** Soft darkening of the ground under a solid, which blocks the skylight. */
 struct SContactShadow {
   std::array<float, 2> Center; /**< on the ground, world frame, m */
   std::array<float, 2> AxisX; /**< unit vector along the first half extent */
   std::array<float, 2> HalfExtent; /**< of the footprint, m */
   float CornerRadius = 0.0f; /**< of the footprint, m; equal to the half extents: a disc */
-  float Blur = 0.0f; /**< how far the darkening reaches, m */
+  float Blur = 0.0f; /**< reach of the darkening, m */
 };
 
 /** The image on the floor. Row 0 is at the lowest y, as the ground sensors see it. */
@@ -75,7 +74,7 @@ struct SFloorImage {
   int Width = 0; /**< pixels; 0 = no image */
   int Height = 0; /**< pixels */
   std::vector<std::uint8_t> Pixels; /**< R, G, B, A per pixel, sRGB (Height, Width, 4) */
-  std::uint64_t Version = 0; /**< to be changed when the pixels change */
+  std::uint64_t Version = 0; /**< changes when the pixels change */
 };
 
 /** Everything on one picture but the camera. Plain arrays, to be refilled for every frame. */
@@ -91,7 +90,7 @@ struct SScene {
   std::vector<SLine> Lines;
   std::vector<SContactShadow> ContactShadows;
 
-  /** Forgets what is in the arena, and keeps the memory, the floor and the settings. */
+  /** Removes the contents of the arena; keeps the memory, the floor and the settings. */
   void ClearContents();
 
   std::vector<SMeshInstance>& OfKind(EMeshKind kind) {

@@ -27,7 +27,7 @@ constexpr SRgba kObstructedRay = {214, 52, 58, 230};
 constexpr SRgba kHitPoint = {232, 40, 34, 255};
 constexpr float kRayWidth = 1.4f;  // pixels
 constexpr float kHitPointRadius = 0.004f;  // m
-constexpr double kHighestFoot = 0.045;  // m; what begins above hardly darkens the ground
+constexpr double kHighestFoot = 0.045;  // m; parts that begin above it hardly darken the ground
 constexpr double kDetailShare = 0.35;  // of the volume of an entity's largest part
 constexpr double kUpright = 0.999;  // cosine of the angle between a part's axis and the vertical
 constexpr int kMaxFloorSide = 8192;  // pixels, of the texture
@@ -45,7 +45,7 @@ SPose ToPose(const CVector3& position, const CQuaternion& orientation) {
   return {ToEigen(orientation).toRotationMatrix(), ToEigen(position)};
 }
 
-// the frame a part is given in; an anchor nobody enabled rests where it is on the body
+// the frame of a part; an anchor that is not enabled keeps its place on the body
 SPose ComputeAnchorPose(const SVisualPart& part, CEmbodiedEntity* body, const SPose& origin) {
   if (body == nullptr || part.Anchor == kOriginAnchor) {
     return origin;
@@ -61,7 +61,7 @@ SPose ComputeAnchorPose(const SVisualPart& part, CEmbodiedEntity* body, const SP
   return origin * ToPose(anchor.OffsetPosition, anchor.OffsetOrientation);
 }
 
-// of the box around a part, m^3; LEDs are no solids
+// of the box around a part, m^3; LEDs are not solids
 double ComputeVolume(const SVisualPart& part) {
   if (part.Kind == SVisualPart::EKind::LED) {
     return 0.0;
@@ -112,7 +112,7 @@ SContactShadow MakeContactShadow(const SVisualPart& part, const SPose& pose) {
   shadow.AxisX = {static_cast<float>(pose.Rotation(0, 0)), static_cast<float>(pose.Rotation(1, 0))};
   shadow.HalfExtent = {static_cast<float>(halfX), static_cast<float>(halfY)};
   shadow.CornerRadius = part.Kind == SVisualPart::EKind::Box ? 0.0f : static_cast<float>(smaller);
-  // a solid keeps about as much skylight from the ground as it is high or wide
+  // the darkening reaches about as far as the solid is high or wide
   shadow.Blur =
       static_cast<float>(std::clamp(0.6 * std::min(part.Size.GetZ(), 2.0 * smaller), 0.01, 0.1));
   return shadow;

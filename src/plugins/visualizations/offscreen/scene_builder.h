@@ -29,22 +29,23 @@ struct SPose {
 };
 
 /**
- * Turns what is in the arena into a scene.
+ * Converts the contents of the arena to a scene.
  *
- * It reads only what every entity states of itself (SAppearance, poses, colours of LEDs, rays noted
- * by sensors), and knows no robot. It changes nothing in the space but the floor's mark that it has
- * changed, and creates no entity.
+ * It reads only descriptions that every entity provides (SAppearance, poses, colours of LEDs, rays
+ * recorded by sensors), and knows no robot. It resets the floor's mark that it has changed; apart
+ * from that it changes nothing in the space, and creates no entity.
  */
 class CSceneBuilder {
  public:
-  /** @param showRays  draw the rays that sensors note because of their show_rays attribute? */
+  /** @param showRays  true: draw the rays that sensors record because of their show_rays attribute
+   */
   explicit CSceneBuilder(bool showRays) : m_showRays(showRays) {}
 
   /** Refills @p scene; its settings (ShowGrid, ShowBoundary) and its memory are kept. */
   void Build(CSpace& space, SScene& scene);
 
  private:
-  // a root entity while it is turned into a part of the scene
+  // a root entity while it is converted to a part of the scene
   struct SSubject {
     SPose Pose;
     CEmbodiedEntity* Body = nullptr;  // null: the entity has none

@@ -10,7 +10,7 @@ struct SShaderSource {
   const char* Fragment;
 };
 
-/** Goes before every shader: the language version, and functions that several of them use. */
+/** Precedes every shader: the language version, and functions that several shaders use. */
 extern const char* const kShaderPreamble;
 
 extern const SShaderSource kMeshShader; /**< lit solids, instanced */

@@ -18,7 +18,7 @@ class CShadowMap {
   explicit CShadowMap(const SGlFunctions& gl);
 
   /**
-   * Aims the map at what casts shadows.
+   * Aims the map at the shadow casters.
    * @param sunFrame  see MakeSunFrame().
    * @param bounds    box around the casters in that frame, m; may be empty.
    */

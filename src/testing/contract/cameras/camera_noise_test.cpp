@@ -1,10 +1,11 @@
-// The noise of the cameras has the distributions that are stated.
+// Tests that the noise of the cameras has the documented distributions.
 
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_colored_blob_omnidirectional_camera_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_colored_blob_perspective_camera_sensor.h>
 #include <argos3/plugins/simulator/entities/led_entity.h>
 #include <argos3/testing/support/arena_text.h>
+#include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/robot_world.h>
 #include <argos3/testing/support/statistics.h>
 
@@ -63,7 +64,7 @@ SBlobs Draw(CRobotWorld& world, const std::string& robot, int num) {
 
 }  // namespace
 
-TEST_CASE("omnidirectional camera noise: a normal share of the distance in an even direction",
+TEST_CASE("omnidirectional camera noise: the displacement is Gaussian, its direction uniform",
           "[contract][cameras][noise]") {
   const Real deviation = 0.1;
   CRobotWorld world(WithCameras(Omnidirectional("noise_std_dev=\"0.1\"")));
@@ -81,13 +82,13 @@ TEST_CASE("omnidirectional camera noise: a normal share of the distance in an ev
         }) < 1.0);
   CHECK(KolmogorovSmirnovExcess(
             directions, [](Real direction) { return Uniform(direction, -M_PI, M_PI); }) < 1.0);
-  // the test is worth it: a deviation that is off by a tenth does not pass
+  // the test can fail: a deviation that is off by a tenth does not pass
   CHECK(KolmogorovSmirnovExcess(lengths, [&](Real length) {
           return 2.0 * NormalDistribution(length, 1.1 * deviation) - 1.0;
         }) > 1.0);
 }
 
-TEST_CASE("omnidirectional camera noise: <noise> is on distance and angle as stated",
+TEST_CASE("omnidirectional camera noise: <noise> on distance and angle has the stated distribution",
           "[contract][cameras][noise]") {
   CRobotWorld world(WithCameras(
       Omnidirectional("",
@@ -116,23 +117,23 @@ TEST_CASE("omnidirectional camera noise: readings stay in their ranges",
 
 namespace {
 
-// a foot-bot with a light 1 m ahead of its camera, 10 cm to the left and 5 cm up: seen at pixel
-// (250.72, 205.36)
+// a foot-bot with a light 1 m ahead of its camera, 10 cm to the left and 5 cm up: it
+// appears at pixel (250.72, 205.36)
 SRobotExperiment WithPerspectiveCamera(const std::string& attributes, const std::string& noise) {
   SRobotExperiment experiment;
   experiment.Sensors =
       "<colored_blob_perspective_camera implementation=\"default\" medium=\"leds\" " + attributes +
       ">" + noise + "</colored_blob_perspective_camera>";
   experiment.Arena = Robot("foot-bot", "r", PoseText(CVector3())) +
-                     LightText("l", CVector3(1.085036758, 0.1, 0.224249733));
+                     LightText("l", CVector3(1.0 + kFootBotRadius, 0.1, 0.224249733));
   return experiment;
 }
 
-// how often each pixel was drawn; the first and the last bin take those below and above
+// how often each pixel was drawn; the first and the last bin include values below and above
 struct SHistogram {
   explicit SHistogram(SInt32 first) : First(first), Counts(12) {}
   void Add(SInt32 pixel) { ++Counts[std::clamp(pixel - First, 0, 11)]; }
-  // against a distribution function of the coordinate before decimals are cut off
+  // against a distribution function of the coordinate before truncation to an integer
   Real ComputeExcess(const std::function<Real(Real)>& distribution) const {
     std::vector<Real> probabilities;
     for (SInt32 i = 0; i < 12; ++i) {
@@ -148,7 +149,8 @@ struct SHistogram {
 
 }  // namespace
 
-TEST_CASE("perspective camera noise: pixels are shifted as stated", "[contract][cameras][noise]") {
+TEST_CASE("perspective camera noise: pixels are shifted with the stated distribution",
+          "[contract][cameras][noise]") {
   const bool asAttribute = GENERATE(true, false);
   CRobotWorld world(
       WithPerspectiveCamera(asAttribute ? "noise_std_dev=\"2\"" : "",
@@ -177,13 +179,14 @@ TEST_CASE("perspective camera noise: pixels are shifted as stated", "[contract][
   CHECK(ys.ComputeExcess(around(y, 2.0)) < 1.0);
   CHECK(xs.ComputeExcess(around(x, 2.2)) > 1.0);
   CHECK(ys.ComputeExcess(around(y + 0.2, 2.0)) > 1.0);
-  // the two are independent: the mean of the product has a standard deviation of 4 / sqrt(n)
+  // the two coordinates are independent: the mean of the product has a
+  // standard deviation of 4 / sqrt(n)
   CHECK(std::abs(product / kDraws) < 5.0 * 4.1 / std::sqrt(kDraws));
 }
 
-TEST_CASE("perspective camera noise: a blob that leaves the image is lost, none comes in",
+TEST_CASE("perspective camera noise: a blob that leaves the image is lost, none enters it",
           "[contract][cameras][noise]") {
-  // on the left edge, every second is lost; the one outside stays outside
+  // about half of the pictures lose a blob at the left edge; a blob outside never appears
   CRobotWorld world(WithPerspectiveCamera("", "<noise model=\"gaussian\" std_dev=\"20\"/>"));
   const Real width = 2.0 * std::tan(M_PI / 6.0) * 0.8;  // of the image at 1 m, m
   auto& light = world.Get<CLEDEntity>("l");
@@ -191,7 +194,7 @@ TEST_CASE("perspective camera noise: a blob that leaves the image is lost, none 
       "r", "colored_blob_perspective_camera");
   camera.Enable();
   const auto count = [&](Real y) {
-    light.SetPosition(CVector3(1.085036758, y, 0.174249733));
+    light.SetPosition(CVector3(1.0 + kFootBotRadius, y, 0.174249733));
     int seen = 0;
     for (int i = 0; i < 2000; ++i) {
       world.Step();
@@ -205,7 +208,7 @@ TEST_CASE("perspective camera noise: a blob that leaves the image is lost, none 
   CHECK(count(0.5 * width * (1.0 + 4.0 / 640.0)) == 0);
 }
 
-TEST_CASE("camera noise: differs between robots, and repeats after a reset with the same seed",
+TEST_CASE("camera noise: differs between robots and repeats after a reset with the same seed",
           "[contract][cameras][noise]") {
   const std::string noise =
       GENERATE(Omnidirectional("noise_std_dev=\"0.1\""),

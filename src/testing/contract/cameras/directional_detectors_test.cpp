@@ -1,4 +1,4 @@
-// Directional LEDs and tags as cameras see them.
+// Directional LEDs and tags in the images of cameras.
 
 #include "pinhole.h"
 
@@ -8,6 +8,7 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_camera_sensor_tag_detector_algorithm.h>
 #include <argos3/plugins/simulator/entities/tag_equipped_entity.h>
 #include <argos3/testing/support/no_allocation.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <catch2/catch.hpp>
 
@@ -18,7 +19,7 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-// some roundings of a few thousand pixels
+// tolerance of some roundings of a few thousand pixels
 constexpr Real kRounding = 1e-9;
 
 template <typename ALGORITHM>
@@ -37,8 +38,8 @@ const auto& LookAtTags(CRobotWorld& world) {
   return Look<CCI_CameraSensorTagDetectorAlgorithm>(world);
 }
 
-// on the back of a foot-bot, 9 cm behind its centre and as high as the camera; the robot faces
-// away, turned by an angle
+// A foot-bot with an LED on its back, 9 cm behind its centre and as high as the camera. The robot
+// faces away, turned by an angle.
 std::string RobotWithLED(Real distance, Real turnDegrees, Real observableAngle,
                          const std::string& color = "red") {
   return Carrier("a", CVector3(0.1 + distance, 0.0, 0.0), turnDegrees,
@@ -60,11 +61,12 @@ SRobotExperiment WatchLEDs(const std::string& arena) {
                      camera.RobotXml() + arena);
 }
 
-// a tag that stands free on a robot's mast. @param yaw  about which its face is turned from facing
-// the camera, degrees
+// A robot with a tag above it that its body does not occlude.
+// @param yaw  of the tag's face from the direction to the camera, degrees
 std::string RobotWithTag(const CVector3& place, Real yaw, Real sideLength,
                          const std::string& payload = "hello", Real observableAngle = 75.0) {
-  // the robot faces the camera when its yaw is 180 degrees; the tag is read from ahead of it
+  // with a yaw of 180 degrees the robot faces the camera; the tag can
+  // be read from ahead of the robot
   return Carrier("a", CVector3(place.GetX(), place.GetY(), 0.0), 180.0 + yaw,
                  "<tags medium=\"tags\"><tag position=\"0,0," + ToText(place.GetZ()) +
                      "\" orientation=\"90,90,0\" anchor=\"origin\" observable_angle=\"" +
@@ -78,9 +80,10 @@ SRobotExperiment WatchTags(const std::string& arena, const SPinhole& camera = Le
 
 }  // namespace
 
-TEST_CASE("directional led detector: sees LEDs that shine on the camera", "[contract][cameras]") {
-  // turned by t about its centre, the LED sits 9 cm from it and shines t away from straight back;
-  // the camera is seen from there under the angle t + asin(...)
+TEST_CASE("directional led detector: detects LEDs that shine towards the camera",
+          "[contract][cameras]") {
+  // The robot is turned by t about its centre. The LED is 9 cm from it and shines in the direction
+  // straight back plus t; from the LED, the camera is at the angle t + asin(...).
   const Real turn = GENERATE(0.0, 20.0, -35.0);  // degrees
   const Real distance = 1.0;
   const Real t = turn * M_PI / 180.0;
@@ -89,9 +92,10 @@ TEST_CASE("directional led detector: sees LEDs that shine on the camera", "[cont
                                                 std::atan2(-std::sin(t), -std::cos(t)),
                                             2.0 * M_PI)) *
                     180.0 / M_PI;
-  const Real excess = GENERATE(-1e-9, 1e-9);  // degrees, of the cone beyond that
+  const Real excess = GENERATE(-1e-9, 1e-9);  // degrees, of the cone beyond that angle
   CAPTURE(turn, away, excess);
   if (away + excess <= 0.0) {
+    WARN("skipped: a cone has a positive angle");
     return;
   }
   CRobotWorld world(WatchLEDs(RobotWithLED(distance, turn, std::max(away + excess, 1e-6))));
@@ -106,10 +110,8 @@ TEST_CASE("directional led detector: sees LEDs that shine on the camera", "[cont
   }
 }
 
-TEST_CASE(
-    "directional led detector: sees neither black LEDs, nor those turned away, nor hidden "
-    "ones",
-    "[contract][cameras]") {
+TEST_CASE("directional led detector: ignores black LEDs, those turned away and occluded ones",
+          "[contract][cameras]") {
   struct SCase {
     std::string Arena;
     size_t Seen;
@@ -117,7 +119,7 @@ TEST_CASE(
   const SCase c = GENERATE(
       SCase{RobotWithLED(1.0, 0.0, 60.0), 1}, SCase{RobotWithLED(1.0, 0.0, 60.0, "black"), 0},
       SCase{RobotWithLED(1.0, 180.0, 60.0), 0},
-      // shining all around, it is still behind its robot, which is 14.7 cm high: it looks over it
+      // with a cone of 180 degrees the LED is visible over its robot, which is 14.7 cm high
       SCase{RobotWithLED(1.0, 180.0, 180.0), 1},
       SCase{RobotWithLED(1.0, 0.0, 60.0) +
                 BoxText("w", CVector3(0.1, 0.1, 0.151), CVector3(0.5, 0.0, 0.0)),
@@ -130,8 +132,7 @@ TEST_CASE(
   CHECK(LookAtLEDs(world).size() == c.Seen);
 }
 
-TEST_CASE("tag detector: reads the payload, and where centre and corners are",
-          "[contract][cameras]") {
+TEST_CASE("tag detector: reads payload, centre and corners", "[contract][cameras]") {
   const Real yaw = GENERATE(0.0, 30.0, -60.0);  // degrees
   CAPTURE(yaw);
   const Real y = yaw * M_PI / 180.0;
@@ -142,8 +143,8 @@ TEST_CASE("tag detector: reads the payload, and where centre and corners are",
   const auto& readings = LookAtTags(world);
   REQUIRE(readings.size() == 1);
   CHECK(readings[0].Payload == "hello");
-  // the tag's frame: x to its reader's right, y up, z towards the reader. With a yaw of 0 that is
-  // world -y, z, and -x
+  // The tag's frame: x to the right of its reader, y up, z towards the reader. With a yaw of 0
+  // these are -y, z and -x of the world.
   const auto pixel = [&](Real x, Real up) {
     const CVector3 place = center + CVector3(x * std::sin(y), -x * std::cos(y), up);
     const CVector3 fromCamera = place - camera.Offset;
@@ -160,11 +161,11 @@ TEST_CASE("tag detector: reads the payload, and where centre and corners are",
   check(readings[0].Corners[3], pixel(half, -half));
 }
 
-TEST_CASE("tag detector: is read from within its observable angle", "[contract][cameras]") {
+TEST_CASE("tag detector: reads a tag from within its observable angle", "[contract][cameras]") {
   const Real turn = GENERATE(30.0, -50.0);
   const Real excess = GENERATE(-1e-9, 1e-9);
   CAPTURE(turn, excess);
-  // straight ahead of the camera, and at its height, the tag is turned by its yaw alone
+  // the tag is straight ahead of the camera and at its height, so its yaw is the angle of view
   SPinhole camera;
   camera.Offset = CVector3(0.1, 0.0, 0.25);
   CRobotWorld world(WatchTags(
@@ -172,24 +173,24 @@ TEST_CASE("tag detector: is read from within its observable angle", "[contract][
   CHECK(LookAtTags(world).size() == (excess > 0.0 ? 1 : 0));
 }
 
-TEST_CASE("tag detector: reads only what is wholly in the picture and in sight",
+TEST_CASE("tag detector: reads tags only if all corners are in the picture and in sight",
           "[contract][cameras]") {
   const SPinhole camera = LevelCamera();
   const Real half = 0.03;
   const CVector3 center(0.8, 0.0, 0.25);
-  SECTION("a wall hides a corner") {
-    // the lower corners are at a height of 0.22 m, 0.7 m from the camera at 0.15 m: at the near
-    // face of a wall, 0.3 m away, the rising line of sight is at 0.15 + 0.07 * 0.3 / 0.7
+  SECTION("a wall occludes a corner") {
+    // The lower corners are at a height of 0.22 m, 0.7 m from the camera at 0.15 m: at the near
+    // face of a wall, 0.3 m away, the rising line of sight is at 0.15 + 0.07 * 0.3 / 0.7.
     const Real grazing = 0.15 + 0.07 * 0.3 / 0.7;
     const Real excess = GENERATE(-1e-9, 1e-9);
-    // to the left, it is in the way of one lower corner only
+    // the wall is to the left and occludes one lower corner only
     CRobotWorld world(
         WatchTags(RobotWithTag(center, 0.0, 2.0 * half) +
                   BoxText("w", CVector3(0.1, 0.1, grazing + excess), CVector3(0.45, 0.06, 0.0))));
     CHECK(LookAtTags(world).size() == (excess < 0.0 ? 1 : 0));
   }
-  SECTION("a corner is out of the picture") {
-    // 0.7 m ahead, the left border is 0.448 m to the left
+  SECTION("a corner is outside the picture") {
+    // at a distance of 0.7 m the left border of the picture is 0.448 m to the left
     const Real excess = GENERATE(-1e-9, 1e-9);
     CRobotWorld world(WatchTags(
         RobotWithTag(CVector3(0.8, 0.448 - half + excess, 0.25), 0.0, 2.0 * half), camera));
@@ -197,11 +198,12 @@ TEST_CASE("tag detector: reads only what is wholly in the picture and in sight",
   }
 }
 
-TEST_CASE("tag detector: reads tags that lie flush on bodies", "[contract][cameras]") {
-  // in a plane that touches the foot-bot's round body at the middle of its back
+TEST_CASE("tag detector: reads tags flush with the surface of bodies", "[contract][cameras]") {
+  // the tag is in a plane tangent to the foot-bot's round body at the middle of its back
   const auto tag = [](const std::string& orientation) {
     return Carrier("a", CVector3(0.8, 0.0, 0.0), 0.0,
-                   "<tags medium=\"tags\"><tag position=\"-0.085036758,0,0.1\" orientation=\"" +
+                   "<tags medium=\"tags\"><tag position=\"" +
+                       ToText(CVector3(-kFootBotRadius, 0.0, 0.1)) + "\" orientation=\"" +
                        orientation +
                        "\" anchor=\"origin\" observable_angle=\"80\" side_length=\"0.04\" "
                        "payload=\"back\"/></tags>");
@@ -209,12 +211,13 @@ TEST_CASE("tag detector: reads tags that lie flush on bodies", "[contract][camer
   CRobotWorld world(WatchTags(tag("0,-90,0")));
   REQUIRE(LookAtTags(world).size() == 1);
   CHECK(LookAtTags(world)[0].Payload == "back");
-  // the same, read from the robot's inside
+  // the same tag facing the inside of the robot
   CRobotWorld turned(WatchTags(tag("0,90,0")));
   CHECK(LookAtTags(turned).empty());
 }
 
-TEST_CASE("tag detector: a mirrored world gives mirrored centres", "[contract][cameras]") {
+TEST_CASE("tag detector: mirrored worlds give mirrored centres and corners",
+          "[contract][cameras]") {
   const Real side = GENERATE(-1.0, 1.0);
   const SPinhole camera = LevelCamera();
   CRobotWorld world(
@@ -222,7 +225,7 @@ TEST_CASE("tag detector: a mirrored world gives mirrored centres", "[contract][c
   const auto& readings = LookAtTags(world);
   REQUIRE(readings.size() == 1);
   CHECK_THAT(readings[0].Center.GetX(), WithinAbs(320.0 - side * 500.0 * 0.2 / 0.7, kRounding));
-  // the corner on the reader's right of one is the other's on the left: 0 and 1, 3 and 2
+  // mirroring exchanges left and right corners: 0 and 1, 3 and 2
   static Real right = 0.0;
   if (side < 0.0) {
     right = readings[0].Corners[0].GetX();
@@ -231,12 +234,8 @@ TEST_CASE("tag detector: a mirrored world gives mirrored centres", "[contract][c
   }
 }
 
-TEST_CASE(
-    "tag detector: payloads of any length are read in settled ticks without asking for memory",
-    "[contract][cameras][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
+TEST_CASE("tag detector: payloads of any length are read in steady state without allocations",
+          "[contract][cameras][allocation]") {
   std::string arena;
   for (int i = 0; i < 5; ++i) {
     std::string robot = RobotWithTag(CVector3(0.8, 0.25 * (i - 2), 0.25), 0.0, 0.05,

@@ -1,4 +1,4 @@
-// The sensor "cameras" and its LED detector against the equations of a pinhole camera.
+// Compares the LED detector of the sensor "cameras" with the equations of a pinhole camera.
 
 #include "pinhole.h"
 
@@ -27,7 +27,7 @@ namespace {
 using TReadings = std::vector<CCI_CameraSensorLEDDetectorAlgorithm::SReading>;
 
 const char* const kDetector = "<led_detector medium=\"leds\"/>";
-// some roundings of a few thousand pixels
+// tolerance of some roundings of a few thousand pixels
 constexpr Real kRounding = 1e-9;
 
 CCI_CameraSensor& Cameras(CRobotWorld& world) {
@@ -48,7 +48,7 @@ const TReadings& Look(CRobotWorld& world) {
 
 }  // namespace
 
-TEST_CASE("led detector: pixels follow the equations of a pinhole, on any robot",
+TEST_CASE("led detector: pixels follow the equations of a pinhole camera on any robot",
           "[contract][cameras]") {
   const std::string tag = GENERATE("foot-bot", "e-puck", "eye-bot");
   CRandomStream random(1, "test", "led detector", "places");
@@ -81,7 +81,7 @@ TEST_CASE("led detector: pixels follow the equations of a pinhole, on any robot"
   CHECK(seenInAll > 200);
 }
 
-TEST_CASE("led detector: a camera may be mounted any way round", "[contract][cameras]") {
+TEST_CASE("led detector: a camera may have any orientation", "[contract][cameras]") {
   CRandomStream random(2, "test", "led detector", "mounts");
   const auto turn = [](Real degrees, const Eigen::Vector3d& axis) {
     return Eigen::AngleAxisd(degrees * M_PI / 180.0, axis);
@@ -92,7 +92,7 @@ TEST_CASE("led detector: a camera may be mounted any way round", "[contract][cam
     const Real z = random.Uniform(-180.0, 180.0);
     const Real y = random.Uniform(-90.0, 90.0);
     const Real x = random.Uniform(-180.0, 180.0);
-    // about fixed axes: first z, then y, then x
+    // rotations about fixed axes: first z, then y, then x
     const Eigen::Matrix3d mount =
         (turn(x, Eigen::Vector3d::UnitX()) * turn(y, Eigen::Vector3d::UnitY()) *
          turn(z, Eigen::Vector3d::UnitZ()))
@@ -129,7 +129,7 @@ TEST_CASE("led detector: a camera may be mounted any way round", "[contract][cam
   CHECK(seenInAll > 50);
 }
 
-TEST_CASE("led detector: the picture ends at its borders, and the view at its range",
+TEST_CASE("led detector: LEDs beyond the picture's borders or the range are not detected",
           "[contract][cameras]") {
   struct SCase {
     Real U, V, Depth;
@@ -153,8 +153,7 @@ TEST_CASE("led detector: the picture ends at its borders, and the view at its ra
   CHECK(Look(world).size() == (c.Seen ? 1 : 0));
 }
 
-TEST_CASE("led detector: agrees with brute force among many bodies and lights",
-          "[contract][cameras]") {
+TEST_CASE("led detector: equals brute force among many bodies and lights", "[contract][cameras]") {
   CRandomStream random(3, "test", "led detector", "crowd");
   size_t seenInAll = 0;
   size_t hiddenInAll = 0;
@@ -200,7 +199,7 @@ TEST_CASE("led detector: agrees with brute force among many bodies and lights",
   CHECK(hiddenInAll > 50);
 }
 
-TEST_CASE("led detector: a mirrored world gives a mirrored picture, a turned one the same",
+TEST_CASE("led detector: mirrored worlds give mirrored pictures, turned worlds equal ones",
           "[contract][cameras]") {
   const bool mirrored = GENERATE(false, true);
   const Real yaw = GENERATE(0.0, 90.0, -70.0);
@@ -239,7 +238,8 @@ TEST_CASE("led detector: a mirrored world gives a mirrored picture, a turned one
   }
 }
 
-TEST_CASE("cameras: a robot has any number, with any number of algorithms", "[contract][cameras]") {
+TEST_CASE("cameras: a robot may have any number of cameras, each with any number of algorithms",
+          "[contract][cameras]") {
   SPinhole front;
   SPinhole other;
   other.Offset = CVector3(0.0, 0.0, 0.3);
@@ -260,14 +260,14 @@ TEST_CASE("cameras: a robot has any number, with any number of algorithms", "[co
   CHECK(interfaces[2].Algorithms.empty());
   REQUIRE(Readings(world, 0).size() == 1);
   CHECK_THAT(Readings(world, 0)[0].Center.GetX(), WithinAbs(320.0 + 50.0, kRounding));
-  // from there the light is 1.1 m ahead, and 8 cm to the right
+  // from the second camera the light is 1.1 m ahead and 8 cm to the right
   REQUIRE(Readings(world, 1).size() == 1);
   CHECK_THAT(Readings(world, 1)[0].Center.GetX(), WithinAbs(320.0 + 400.0 * 0.08 / 1.1, kRounding));
 }
 
-TEST_CASE("cameras: see nothing of their own robot, and all of the others", "[contract][cameras]") {
+TEST_CASE("cameras: detect nothing of their own robot, but other robots", "[contract][cameras]") {
   SPinhole camera;
-  // from behind the robot it looks over its own ring of LEDs
+  // the camera is behind the robot and looks over the robot's ring of LEDs
   camera.Offset = CVector3(-0.3, 0.0, 0.2);
   SRobotExperiment experiment =
       WithCameras(camera.ToXml(kDetector),
@@ -277,14 +277,14 @@ TEST_CASE("cameras: see nothing of their own robot, and all of the others", "[co
   world.GetActuator<CCI_LEDsActuator>("r", "leds").SetAllColors(CColor::RED);
   world.GetActuator<CCI_LEDsActuator>("a", "leds").SetAllColors(CColor::GREEN);
   const TReadings& readings = Look(world);
-  // the rear half of the ring and the beacon; its own body hides nothing
+  // the rear half of the other robot's ring and its beacon; the camera's own robot does not occlude
   CHECK(readings.size() == 7);
   for (const auto& reading : readings) {
     CHECK(reading.Color == CColor::GREEN);
   }
 }
 
-TEST_CASE("cameras: look while they are enabled, from where their anchor is",
+TEST_CASE("cameras: take pictures while enabled, from the pose of their anchor",
           "[contract][cameras]") {
   const SPinhole camera;
   CRobotWorld world(
@@ -299,7 +299,7 @@ TEST_CASE("cameras: look while they are enabled, from where their anchor is",
   CHECK(turret.InUseCount == 1);
   Cameras(world).Enable();
   CHECK(turret.InUseCount == 1);
-  // one step back moves the light by 500 * 0.1 * (1 / 1.2 - 1) pixels
+  // moving back by 0.2 m moves the light by 500 * 0.1 * (1 / 1.2 - 1) pixels
   REQUIRE(body.MoveTo(CVector3(-0.2, 0.0, 0.0), CQuaternion()));
   world.Step();
   CHECK_THAT(Readings(world)[0].Center.GetX(), WithinAbs(320.0 + 500.0 * 0.1 / 1.2, kRounding));
@@ -307,7 +307,7 @@ TEST_CASE("cameras: look while they are enabled, from where their anchor is",
   CHECK(turret.InUseCount == 0);
   world.Get<CLEDEntity>("l").SetColor(CColor::BLACK);
   world.Step();
-  // the last readings stay
+  // the last readings are kept
   CHECK(Readings(world).size() == 1);
   world.GetSimulator().Reset();
   CHECK(Readings(world).empty());
@@ -315,7 +315,7 @@ TEST_CASE("cameras: look while they are enabled, from where their anchor is",
   CHECK(turret.InUseCount == 0);
 }
 
-TEST_CASE("cameras: views and lines of sight are recorded only if asked for",
+TEST_CASE("cameras: view frusta and lines of sight are recorded only on request",
           "[contract][cameras]") {
   const bool frustum = GENERATE(false, true);
   const bool rays = GENERATE(false, true);
@@ -329,7 +329,7 @@ TEST_CASE("cameras: views and lines of sight are recorded only if asked for",
   const auto& shown = world.GetRobot("r").GetCheckedRays();
   REQUIRE(shown.size() == (rays ? 1U : 0U) + (frustum ? 12U : 0U));
   if (frustum) {
-    // every edge ends in corners of the picture, at the near or the far end of the range
+    // every edge ends at corners of the picture, at the near or the far limit of the range
     for (size_t i = shown.size() - 12; i < shown.size(); ++i) {
       for (const CVector3& end : {shown[i].second.GetStart(), shown[i].second.GetEnd()}) {
         CVector3 p = end - camera.Offset;
@@ -342,7 +342,7 @@ TEST_CASE("cameras: views and lines of sight are recorded only if asked for",
   }
 }
 
-TEST_CASE("led detector noise: is on the pixels as stated, and not the same for two cameras",
+TEST_CASE("led detector noise: is on the pixels as stated and differs between two cameras",
           "[contract][cameras][noise]") {
   constexpr int kDraws = 20000;
   const SPinhole camera;
@@ -368,7 +368,8 @@ TEST_CASE("led detector noise: is on the pixels as stated, and not the same for 
   CHECK(std::abs(product / kDraws) < 5.0 * 4.0 / std::sqrt(kDraws));
 }
 
-TEST_CASE("cameras: wrong experiments are refused with the reason", "[contract][cameras][errors]") {
+TEST_CASE("cameras: invalid experiments are refused with the reason",
+          "[contract][cameras][errors]") {
   const SPinhole pinhole;
   const std::string good = pinhole.ToXml(kDetector);
   const auto error = [&](const std::string& cameras) {
@@ -380,7 +381,7 @@ TEST_CASE("cameras: wrong experiments are refused with the reason", "[contract][
     return text;
   };
   CHECK(error(good).empty());
-  SECTION("attributes") {
+  SECTION("invalid attributes") {
     struct SCase {
       const char* From;
       const char* To;
@@ -400,18 +401,18 @@ TEST_CASE("cameras: wrong experiments are refused with the reason", "[contract][
     CAPTURE(c.From, c.To);
     CHECK_THAT(error(replaced(c.From, c.To)), Contains(c.Reason) && Contains("test.argos:"));
   }
-  SECTION("an algorithm that is not there") {
+  SECTION("an unknown algorithm") {
     CHECK_THAT(error(pinhole.ToXml("<lde_detector medium=\"leds\"/>")),
                Contains("<lde_detector>") && Contains("led_detector") && Contains("test.argos:"));
   }
-  SECTION("a medium of another kind") {
+  SECTION("a medium of the wrong type") {
     CHECK_THAT(error(pinhole.ToXml("<led_detector medium=\"tags\"/>")),
                Contains("an LED medium") && Contains("\"tags\"") && Contains("<led_detector>"));
     CHECK_THAT(error(pinhole.ToXml("<tag_detector medium=\"leds\"/>")), Contains("a tag medium"));
     CHECK_THAT(error(pinhole.ToXml("<directional_led_detector medium=\"lamps\"/>")),
                Contains("a directional LED medium") && Contains("lamps"));
   }
-  SECTION("two cameras of one name") {
+  SECTION("two cameras with one name") {
     CHECK_THAT(error(good + good), Contains("already is a camera \"front\""));
   }
 }

@@ -1,4 +1,4 @@
-// The omnidirectional camera against geometry worked out by hand, in worlds where nothing moves.
+// Compares the omnidirectional camera with geometry computed by hand, in worlds without motion.
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/utility/math/random_stream.h>
@@ -25,10 +25,10 @@ namespace {
 using TSensor = CCI_ColoredBlobOmnidirectionalCameraSensor;
 
 const char* const kSensor = "colored_blob_omnidirectional_camera";
-constexpr Real kHeight = 0.288699733;  // m, of the camera above the base
-// half side of the square seen by a camera on the ground, m: 0.793 at 70 degrees
+constexpr Real kHeight = 0.288699733;  // m, height of the camera above the base
+// half side of the square on the ground that a camera covers, m: 0.793 at 70 degrees
 const Real kHalfSide = kHeight * std::tan(70.0 * M_PI / 180.0);
-// some ten roundings of numbers up to 1000 cm
+// tolerance of about ten roundings of numbers up to 1000 cm
 constexpr Real kRounding = 1e-11;
 
 SRobotExperiment WithCamera(const std::string& arena, const std::string& attributes = "",
@@ -53,7 +53,7 @@ const TSensor::TBlobList& Blobs(CRobotWorld& world, const std::string& robot = "
   return Camera(world, robot).GetReadings().BlobList;
 }
 
-// enables the camera of robot "r", and runs one tick
+// enables the camera of robot "r" and runs one tick
 const TSensor::TBlobList& Look(CRobotWorld& world) {
   Camera(world).Enable();
   world.Step();
@@ -65,7 +65,7 @@ Real AngleBetween(Real a, Real b) {
   return std::abs(std::remainder(a - b, 2.0 * M_PI));
 }
 
-// the readings must be those of the points (m, world frame) as seen from under a camera
+// the readings must be those of the points (m, world frame), in the frame of the robot at (x, y)
 void CheckBlobs(const TSensor::TBlobList& blobs, const std::vector<CVector3>& points, Real x,
                 Real y, Real yawDegrees) {
   REQUIRE(blobs.size() == points.size());
@@ -83,8 +83,9 @@ void CheckBlobs(const TSensor::TBlobList& blobs, const std::vector<CVector3>& po
 
 }  // namespace
 
-TEST_CASE("omnidirectional camera: blobs are where the lights are, in the order of the file",
-          "[contract][cameras]") {
+TEST_CASE(
+    "omnidirectional camera: blobs are at the positions of the lights, in the order of the file",
+    "[contract][cameras]") {
   CRandomStream random(1, "test", "omnidirectional camera", "places");
   for (int trial = 0; trial < 25; ++trial) {
     const Real x = random.Uniform(-4.0, 4.0);
@@ -108,7 +109,7 @@ TEST_CASE("omnidirectional camera: blobs are where the lights are, in the order 
   }
 }
 
-TEST_CASE("omnidirectional camera: sees a square of the world, whichever way it faces",
+TEST_CASE("omnidirectional camera: covers a square of the world at any yaw",
           "[contract][cameras]") {
   const Real yaw = GENERATE(0.0, 45.0, 100.0);
   const Real aperture = GENERATE(70.0, 45.0, 10.0);
@@ -119,7 +120,7 @@ TEST_CASE("omnidirectional camera: sees a square of the world, whichever way it 
                       "\"><body " + PoseText(CVector3(1.0, -2.0, 0.0), yaw) +
                       "/><controller config=\"c\"/></foot-bot>";
   int number = 0;
-  // on the edges, and in the corners
+  // points on the edges and in the corners
   for (const Real x : {-1.0, 0.0, 1.0}) {
     for (const Real y : {-1.0, 0.0, 1.0}) {
       if (x != 0.0 || y != 0.0) {
@@ -132,7 +133,7 @@ TEST_CASE("omnidirectional camera: sees a square of the world, whichever way it 
   CHECK(Look(world).size() == (excess < 0.0 ? 8 : 0));
 }
 
-TEST_CASE("omnidirectional camera: looks at what is not higher than itself",
+TEST_CASE("omnidirectional camera: sees lights that are not higher than itself",
           "[contract][cameras]") {
   struct SCase {
     Real Z;  // m
@@ -146,7 +147,7 @@ TEST_CASE("omnidirectional camera: looks at what is not higher than itself",
   CHECK(Look(world).size() == (c.Seen ? 1 : 0));
 }
 
-TEST_CASE("omnidirectional camera: the view grows with the height of the robot",
+TEST_CASE("omnidirectional camera: the covered area grows with the height of the robot",
           "[contract][cameras]") {
   const Real elevation = 0.5;
   const Real reach = (kHeight + elevation) * std::tan(70.0 * M_PI / 180.0);
@@ -156,7 +157,7 @@ TEST_CASE("omnidirectional camera: the view grows with the height of the robot",
   CHECK(Look(world).size() == 1);
 }
 
-TEST_CASE("omnidirectional camera: takes pictures while it is enabled, and counts them",
+TEST_CASE("omnidirectional camera: takes pictures while it is enabled and counts them",
           "[contract][cameras]") {
   CRobotWorld world(WithCamera(FootBot("r", CVector3()) + LightText("l", CVector3(0.3, 0.0, 0.1))));
   auto& controller = dynamic_cast<CRobotWorldController&>(world.GetRobot("r").GetController());
@@ -165,7 +166,7 @@ TEST_CASE("omnidirectional camera: takes pictures while it is enabled, and count
   CHECK(Camera(world).GetReadings().Counter == 0);
   CHECK(Blobs(world).empty());
   CHECK_FALSE(component.IsEnabled());
-  // enabled in one step, it sees in the next
+  // enabled in one step, it takes its first picture in the next
   controller.OnStep = [&world] { Camera(world).Enable(); };
   world.Step();
   controller.OnStep = {};
@@ -176,7 +177,7 @@ TEST_CASE("omnidirectional camera: takes pictures while it is enabled, and count
   CHECK(Camera(world).GetReadings().Counter == 1);
   world.Step(4);
   CHECK(Camera(world).GetReadings().Counter == 5);
-  // the last picture stays
+  // the last picture is kept
   Camera(world).Disable();
   world.Get<CLEDEntity>("l").SetColor(CColor::GREEN);
   world.Step(2);
@@ -188,7 +189,7 @@ TEST_CASE("omnidirectional camera: takes pictures while it is enabled, and count
   world.Step();
   CHECK(Blobs(world)[0]->Color == CColor::GREEN);
   CHECK(Camera(world).GetReadings().Counter == 6);
-  // and it starts over, off
+  // a reset clears the readings and disables the camera
   world.GetSimulator().Reset();
   CHECK(Blobs(world).empty());
   CHECK(Camera(world).GetReadings().Counter == 0);
@@ -197,15 +198,14 @@ TEST_CASE("omnidirectional camera: takes pictures while it is enabled, and count
 }
 
 TEST_CASE(
-    "omnidirectional camera: a robot sees other robots' LEDs, each a blob of its own, and "
-    "none of its own",
+    "omnidirectional camera: sees each LED of other robots as a blob, and none of its own robot",
     "[contract][cameras]") {
   SRobotExperiment experiment =
       WithCamera(FootBot("a", CVector3()) + FootBot("r", CVector3(0.5, 0.0, 0.0), 90.0) +
                  Robot("e-puck", "e", PoseText(CVector3(0.5, 0.6, 0.0))));
   experiment.Sensors = "";
   experiment.Actuators = "<leds implementation=\"default\" medium=\"leds\"/>";
-  // the e-puck has no camera: it gets a controller of its own
+  // the e-puck has no camera: it needs a controller without one
   SExperiment text = experiment.ToExperiment();
   text.Controllers +=
       "<robot_world_controller id=\"seeing\"><actuators><leds "
@@ -241,7 +241,7 @@ TEST_CASE(
     }
   }
   CHECK(own == 13);
-  // the beacon and at least the near half of a ring each: some are behind the robots' bodies
+  // the beacon and at least the near half of each ring; other LEDs are behind the robots' bodies
   CHECK(seen.size() >= 1 + 6 + 4);
   CHECK(seen.size() < 13 + 8);
   CheckBlobs(camera.GetReadings().BlobList, seen, 0.5, 0.0, 90.0);
@@ -250,10 +250,10 @@ TEST_CASE(
   CHECK(camera.GetReadings().BlobList.size() < seen.size());
 }
 
-TEST_CASE("omnidirectional camera: a wall hides what is below the line over its far edge",
+TEST_CASE("omnidirectional camera: a wall occludes lights below the line over its far edge",
           "[contract][cameras]") {
-  // a light at height h and distance d: over the far face of the wall, at distance w, the line of
-  // sight is at the height H + (h - H) w / d
+  // The line of sight to a light at height h and distance d passes the far face of the wall, at
+  // distance w, at the height H + (h - H) w / d.
   const Real near = 0.2;
   const Real far = 0.25;
   const Real light = 0.6;
@@ -270,12 +270,12 @@ TEST_CASE("omnidirectional camera: a wall hides what is below the line over its 
   CHECK(Look(world).size() == (excess < 0.0 ? 1 : 0));
 }
 
-TEST_CASE("omnidirectional camera: a pillar hides what is in its shadow", "[contract][cameras]") {
+TEST_CASE("omnidirectional camera: a pillar occludes lights in its shadow", "[contract][cameras]") {
   // from the camera, a pillar of radius r at distance D covers asin(r / D) to either side
   const Real radius = 0.05;
   const Real distance = 0.3;
   const Real half = std::asin(radius / distance);
-  const Real excess = GENERATE(-1e-9, 1e-9);  // rad, out of the shadow
+  const Real excess = GENERATE(-1e-9, 1e-9);  // rad, outside the shadow
   const int side = GENERATE(-1, 1);
   CAPTURE(excess, side);
   const Real angle = 0.4 + side * (half + excess);
@@ -286,12 +286,12 @@ TEST_CASE("omnidirectional camera: a pillar hides what is in its shadow", "[cont
   CHECK(Look(world).size() == (excess > 0.0 ? 1 : 0));
 }
 
-TEST_CASE("omnidirectional camera: LEDs mounted flush are seen from their own side",
+TEST_CASE("omnidirectional camera: LEDs flush with the surface are visible from their own side",
           "[contract][cameras]") {
   const Real yaw = GENERATE(0.0, 17.0, 90.0, 180.0, 233.0);
   CAPTURE(yaw);
-  // one on each side of a cube of 10 cm that stands 40 cm ahead, turned so that one side faces the
-  // camera, and one in the middle of its top
+  // an LED on each side of a cube of 10 cm, 40 cm ahead and with one side facing the camera, and
+  // one in the middle of its top
   const std::string cube =
       "<box id=\"b\" size=\"0.1,0.1,0.1\" movable=\"false\"><body " +
       PoseText(
@@ -311,7 +311,7 @@ TEST_CASE("omnidirectional camera: LEDs mounted flush are seen from their own si
   CHECK_THAT(blobs[1]->Distance, WithinAbs(40.0, kRounding));
 }
 
-TEST_CASE("omnidirectional camera: agrees with brute force among many bodies and lights",
+TEST_CASE("omnidirectional camera: equals brute force among many bodies and lights",
           "[contract][cameras]") {
   const std::string index = GENERATE("grid", "hash");
   CRandomStream random(2, "test", "omnidirectional camera", "crowd");
@@ -356,14 +356,14 @@ TEST_CASE("omnidirectional camera: agrees with brute force among many bodies and
     seenInAll += seen.size();
     CheckBlobs(blobs, seen, 0.0, 0.0, 0.0);
   }
-  // worth it
+  // the comparison covers enough blobs
   CHECK(seenInAll > 50);
   CHECK(hiddenInAll > 50);
 }
 
-TEST_CASE("omnidirectional camera: a mirrored world gives mirrored blobs, a turned one the same",
+TEST_CASE("omnidirectional camera: mirrored worlds give mirrored blobs, turned worlds equal ones",
           "[contract][cameras]") {
-  // the square of view has the symmetries of a square: mirror planes, and quarter turns
+  // the covered square has mirror planes and quarter turns as symmetries
   const bool mirrored = GENERATE(false, true);
   const int quarters = GENERATE(0, 1, 2, 3);
   CAPTURE(mirrored, quarters);
@@ -403,8 +403,8 @@ TEST_CASE("omnidirectional camera: a mirrored world gives mirrored blobs, a turn
   }
 }
 
-TEST_CASE("omnidirectional camera: robots in line see each other alike", "[contract][cameras]") {
-  // equal neighbours to the left and to the right of the one in the middle
+TEST_CASE("omnidirectional camera: robots in a row have symmetric views", "[contract][cameras]") {
+  // equal neighbours at equal distances to the left and to the right of robot "r"
   SRobotExperiment experiment =
       WithCamera(FootBot("left", CVector3(0.0, 0.4, 0.0), 180.0) + FootBot("r", CVector3()) +
                  FootBot("right", CVector3(0.0, -0.4, 0.0)));
@@ -419,17 +419,17 @@ TEST_CASE("omnidirectional camera: robots in line see each other alike", "[contr
   const size_t half = blobs.size() / 2;
   CHECK(half >= 7);
   for (size_t i = 0; i < half; ++i) {
-    // one robot is the other turned by half a turn about the middle one
+    // a half turn about robot "r" maps one neighbour to the other
     CHECK_THAT(blobs[i]->Distance, WithinAbs(blobs[half + i]->Distance, kRounding));
     CHECK_THAT(AngleBetween(blobs[i]->Angle.GetValue(), blobs[half + i]->Angle.GetValue() + M_PI),
                WithinAbs(0.0, 1e-13));
   }
-  // the outer ones see each other over the dark one in the middle, 80 cm away: the beacon of one is
-  // out of the square of the other, and so is the far half of the ring
+  // The outer robots see each other over the unlit one between, 80 cm away. The beacon and the far
+  // half of the ring are outside the covered square.
   CHECK(Blobs(world, "left").size() == Blobs(world, "right").size());
 }
 
-TEST_CASE("omnidirectional camera: LEDs are where this tick's physics put them",
+TEST_CASE("omnidirectional camera: sees LEDs at their positions after this tick's physics",
           "[contract][cameras]") {
   SRobotExperiment experiment =
       WithCamera(FootBot("r", CVector3(), 10.0) + FootBot("other", CVector3(0.4, 0.2, 0.0), 120.0));
@@ -454,7 +454,7 @@ TEST_CASE("omnidirectional camera: LEDs are where this tick's physics put them",
     CRadians pitch;
     CRadians roll;
     body.GetOriginAnchor().Orientation.ToEulerAngles(yaw, pitch, roll);
-    // from the pose of the body, not from what the entities of the LEDs say
+    // positions computed from the pose of the body, not read from the LED entities
     const SAnchor& other = otherBody.GetOriginAnchor();
     std::vector<CVector3> seen;
     for (int i = 0; i < 13; ++i) {
@@ -470,11 +470,11 @@ TEST_CASE("omnidirectional camera: LEDs are where this tick's physics put them",
     CHECK(seen.size() >= 7);
     CheckBlobs(Blobs(world), seen, place.GetX(), place.GetY(), ToDegrees(yaw).GetValue());
   }
-  // something moved
+  // the robots have moved
   CHECK(Distance(otherBody.GetOriginAnchor().Position, CVector3(0.4, 0.2, 0.0)) > 0.1);
 }
 
-TEST_CASE("omnidirectional camera: lines of sight are recorded only if asked for",
+TEST_CASE("omnidirectional camera: lines of sight are recorded only on request",
           "[contract][cameras]") {
   const bool show = GENERATE(false, true);
   CRobotWorld world(WithCamera(
@@ -495,7 +495,7 @@ TEST_CASE("omnidirectional camera: lines of sight are recorded only if asked for
   }
 }
 
-TEST_CASE("omnidirectional camera: is a component that robots have on demand, and can be changed",
+TEST_CASE("omnidirectional camera: is a component that robots create on demand, and can be changed",
           "[contract][cameras]") {
   SRobotExperiment experiment;
   experiment.Arena = FootBot("r", CVector3(), 90.0);
@@ -511,7 +511,7 @@ TEST_CASE("omnidirectional camera: is a component that robots have on demand, an
   CHECK(camera.GetOffset() == CVector3(0.0, 0.0, kHeight));
   CHECK_THAT(ToDegrees(camera.GetAperture()).GetValue(), WithinAbs(70.0, 1e-12));
   CHECK(Look(world).empty());
-  // an offset to the robot's right is along x
+  // an offset to the right of the robot is along world x
   camera.SetOffset(CVector3(0.0, -0.2, kHeight));
   world.Step();
   REQUIRE(Blobs(world).size() == 1);
@@ -524,20 +524,20 @@ TEST_CASE("omnidirectional camera: is a component that robots have on demand, an
                     Contains("aperture") && Contains("90 degrees"));
 }
 
-TEST_CASE("omnidirectional camera: wrong experiments are refused with the reason",
+TEST_CASE("omnidirectional camera: invalid experiments are refused with the reason",
           "[contract][cameras][errors]") {
   SRobotExperiment experiment = WithCamera(FootBot("fb0", CVector3()));
   CHECK(LoadError(experiment).empty());
-  SECTION("no medium given") {
+  SECTION("a missing medium") {
     experiment.Sensors = std::string("<") + kSensor + " implementation=\"rot_z_only\"/>";
     CHECK_THAT(LoadError(experiment), Contains("medium") && Contains("test.argos:"));
   }
-  SECTION("a medium that is not there") {
+  SECTION("an unknown medium") {
     experiment.Media = "<led id=\"lamps\"/>";
     CHECK_THAT(LoadError(experiment), Contains("LED medium") && Contains("\"leds\"") &&
                                           Contains("lamps") && Contains("test.argos:"));
   }
-  SECTION("a medium of another kind") {
+  SECTION("a medium of the wrong type") {
     experiment.Media = "<toy_medium id=\"leds\"/>";
     CHECK_THAT(LoadError(experiment), Contains("LED medium") && Contains("\"leds\""));
   }
@@ -546,7 +546,7 @@ TEST_CASE("omnidirectional camera: wrong experiments are refused with the reason
     CHECK_THAT(LoadError(experiment),
                Contains("noise_std_dev") && Contains(">= 0") && Contains("-1") && Contains("fb0"));
   }
-  SECTION("noise on what is not there") {
+  SECTION("noise on an unknown quantity") {
     experiment = WithCamera(FootBot("fb0", CVector3()), "",
                             "<noise on=\"range\" model=\"gaussian\" std_dev=\"1\"/>");
     CHECK_THAT(LoadError(experiment),
@@ -557,7 +557,7 @@ TEST_CASE("omnidirectional camera: wrong experiments are refused with the reason
     CHECK_THAT(LoadError(experiment),
                Contains("ep0") && Contains("no component \"omnidirectional_camera\""));
   }
-  SECTION("another implementation") {
+  SECTION("an unknown implementation") {
     experiment.Sensors =
         std::string("<") + kSensor + " implementation=\"default\" medium=\"leds\"/>";
     CHECK_THAT(LoadError(experiment), Contains("rot_z_only"));

@@ -1,4 +1,4 @@
-// The pan-and-tilt head of the perspective camera.
+// The pan-tilt head of the perspective camera.
 
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
@@ -6,6 +6,7 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_pan_tilt_camera_actuator.h>
 #include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
 #include <argos3/testing/support/arena_text.h>
+#include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/robot_world.h>
 #include <argos3/testing/support/statistics.h>
 
@@ -20,8 +21,8 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-// of the camera of a foot-bot at the origin, m
-const CVector3 kEye(0.085036758, 0.0, 0.174249733);
+// position of the camera of a foot-bot at the origin, m
+const CVector3 kEye(kFootBotRadius, 0.0, 0.174249733);
 
 SRobotExperiment WithHead(const std::string& arena, const std::string& attributes = "",
                           const std::string& children = "") {
@@ -48,32 +49,32 @@ CRadians Degrees(Real degrees) {
 
 }  // namespace
 
-TEST_CASE("pan tilt camera: what the head looks at is in the middle of the image",
+TEST_CASE("pan tilt camera: a point on the optical axis is in the middle of the image",
           "[contract][cameras]") {
   const Real pan = GENERATE(0.0, 30.0, -120.0, 180.0);  // degrees
   const Real tilt = GENERATE(0.0, 25.0, -80.0, 90.0);
   CAPTURE(pan, tilt);
   const Real p = pan * M_PI / 180.0;
   const Real t = tilt * M_PI / 180.0;
-  // left is positive, and so is down; 0.15 m are nearer than the ground
+  // positive angles are left and down; at 0.15 m the point is nearer than the ground
   const CVector3 direction(std::cos(t) * std::cos(p), std::cos(t) * std::sin(p), -std::sin(t));
   CRobotWorld world(WithHead(LightText("l", kEye + direction * 0.15)));
   auto& sensor = world.GetSensor<CCI_ColoredBlobPerspectiveCameraSensor>(
       "r", "colored_blob_perspective_camera");
   sensor.Enable();
   world.Step();
-  // at first it sees 19 degrees up and down
+  // before the first order the camera sees 19 degrees up and down
   CHECK(sensor.GetReadings().BlobList.size() == (pan == 0.0 && tilt == 0.0 ? 1 : 0));
   Head(world).SetPan(Degrees(pan));
   Head(world).SetTilt(Degrees(tilt));
   world.Step();
   REQUIRE(sensor.GetReadings().BlobList.size() == 1);
-  // a point in the middle lies on the border of four pixels: a rounding decides
+  // a point in the middle is on the border of four pixels: rounding decides
   CHECK_THAT(sensor.GetReadings().BlobList[0]->X + 0.5, WithinAbs(320.0, 0.5));
   CHECK_THAT(sensor.GetReadings().BlobList[0]->Y + 0.5, WithinAbs(240.0, 0.5));
 }
 
-TEST_CASE("pan tilt camera: a panned camera stays level, as if the robot had turned",
+TEST_CASE("pan tilt camera: a panned camera stays level and has the image of a turned robot",
           "[contract][cameras]") {
   const Real pan = GENERATE(40.0, -77.0);  // degrees
   CAPTURE(pan);
@@ -105,7 +106,7 @@ TEST_CASE("pan tilt camera: a panned camera stays level, as if the robot had tur
   }
 }
 
-TEST_CASE("pan tilt camera: without a speed it gets there in the next tick",
+TEST_CASE("pan tilt camera: without a speed limit it reaches the order in the next tick",
           "[contract][cameras]") {
   CRobotWorld world(WithHead(""));
   Head(world).SetPan(Degrees(50.0));
@@ -121,8 +122,9 @@ TEST_CASE("pan tilt camera: without a speed it gets there in the next tick",
   CHECK(Camera(world).GetPan() == CRadians());
 }
 
-TEST_CASE("pan tilt camera: with a speed each axis gets there on its own", "[contract][cameras]") {
-  // 60 degrees/s are 6 in a tick
+TEST_CASE("pan tilt camera: with a speed limit each axis moves independently",
+          "[contract][cameras]") {
+  // 60 degrees/s are 6 degrees per tick
   CRobotWorld world(WithHead("", "max_speed=\"60\""));
   Head(world).SetPan(Degrees(20.0));
   Head(world).SetTilt(Degrees(-9.0));
@@ -134,13 +136,13 @@ TEST_CASE("pan tilt camera: with a speed each axis gets there on its own", "[con
   }
   world.Step();
   CHECK(Camera(world).GetPan() == Degrees(20.0));
-  // back again, from the middle of a way
+  // a new order during a motion takes effect at once
   Head(world).SetPan(Degrees(-50.0));
   world.Step(2);
   CHECK_THAT(ToDegrees(Camera(world).GetPan()).GetValue(), WithinAbs(8.0, 1e-12));
 }
 
-TEST_CASE("pan tilt camera: angles are cut to the limits", "[contract][cameras]") {
+TEST_CASE("pan tilt camera: angles are clamped to the limits", "[contract][cameras]") {
   CRobotWorld world(WithHead("", "pan_range=\"-45:30\" tilt_range=\"0:20\""));
   const auto check = [&world](Real pan, Real tilt, Real expectedPan, Real expectedTilt) {
     Head(world).SetPan(Degrees(pan));
@@ -154,7 +156,7 @@ TEST_CASE("pan tilt camera: angles are cut to the limits", "[contract][cameras]"
   check(-400.0, -1.0, -45.0, 0.0);
 }
 
-TEST_CASE("pan tilt camera: noise is drawn each time an angle is set",
+TEST_CASE("pan tilt camera: noise is drawn each time that an angle is set",
           "[contract][cameras][noise]") {
   constexpr int kDraws = 20000;
   CRobotWorld world(
@@ -174,7 +176,7 @@ TEST_CASE("pan tilt camera: noise is drawn each time an angle is set",
   CHECK(Camera(world).GetPan() == last);
 }
 
-TEST_CASE("pan tilt camera: wrong orders and experiments are refused with the reason",
+TEST_CASE("pan tilt camera: invalid orders and experiments are refused with the reason",
           "[contract][cameras][errors]") {
   struct SCase {
     const char* Attributes;

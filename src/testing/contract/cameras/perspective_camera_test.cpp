@@ -1,4 +1,4 @@
-// The perspective camera against the equations of its image, in worlds where nothing moves.
+// Compares the perspective camera with the equations of its image, in worlds without motion.
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/utility/math/random_stream.h>
@@ -8,6 +8,7 @@
 #include <argos3/plugins/simulator/entities/led_entity.h>
 #include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
 #include <argos3/testing/support/arena_text.h>
+#include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/robot_world.h>
 #include <argos3/testing/support/sight_reference.h>
 
@@ -26,11 +27,11 @@ namespace {
 using TSensor = CCI_ColoredBlobPerspectiveCameraSensor;
 
 const char* const kSensor = "colored_blob_perspective_camera";
-// of the foot-bot, m
-constexpr Real kAhead = 0.085036758;
+// m, of the foot-bot
+constexpr Real kAhead = kFootBotRadius;
 constexpr Real kHeight = 0.174249733;
 
-// what the camera's equations need; by default those of a foot-bot that gives no attributes
+// parameters of the camera's equations; the defaults are those of a foot-bot without attributes
 struct SLens {
   Real FocalLength = 0.035;  // m
   Real Aperture = 30.0 * M_PI / 180.0;  // rad
@@ -40,7 +41,7 @@ struct SLens {
     const Real aspect = 640.0 / 480.0;
     return 2.0 * FocalLength * std::tan(Aperture) / std::sqrt(1.0 + aspect * aspect);
   }
-  // the pixel's coordinates before decimals are cut off, of a point in the camera's frame
+  // the pixel coordinates, before truncation, of a point in the camera's frame
   Real PixelX(const CVector3& p) const {
     const Real width = MtHeight() * 640.0 / 480.0;
     return -(640.0 / width) * (FocalLength * p.GetY() / p.GetX() - width / 2.0);
@@ -48,7 +49,7 @@ struct SLens {
   Real PixelY(const CVector3& p) const {
     return -(480.0 / MtHeight()) * (FocalLength * p.GetZ() / p.GetX() - MtHeight() / 2.0);
   }
-  // the point at that depth (m) that is seen at those coordinates
+  // the point at that depth (m) with those pixel coordinates
   CVector3 At(Real x, Real y, Real depth) const {
     const Real width = MtHeight() * 640.0 / 480.0;
     return CVector3(depth, depth / FocalLength * width * (0.5 - x / 640.0),
@@ -56,16 +57,16 @@ struct SLens {
   }
 };
 
-// a foot-bot's pose, and its camera's: ahead, or up
+// a foot-bot's pose, and the direction of its camera: ahead or up
 struct SView {
   CVector3 Position;  // of the robot, m
   Real Yaw = 0.0;  // degrees
   bool Front = true;
 
-  // from the camera's frame to the world's
+  // transforms a point from the camera's frame to the world
   CVector3 ToWorld(CVector3 p) const {
     if (!Front) {
-      // the view is up; left stays left, and up in the image is backwards
+      // the camera looks up; left in the image is left of the robot, up in the image is backwards
       p = CVector3(-p.GetZ(), p.GetY(), p.GetX());
     }
     p += CVector3(kAhead, 0.0, kHeight);
@@ -99,9 +100,9 @@ const TSensor::TBlobList& Look(CRobotWorld& world) {
 
 }  // namespace
 
-TEST_CASE("perspective camera: a few pixels worked out by hand", "[contract][cameras]") {
-  // at 30 degrees the image is 0.0242487 m high and 0.0323316 m wide: a point one metre ahead and
-  // 10 cm to the left is 640 * 0.0035 / 0.0323316 = 69.28 pixels left of the middle
+TEST_CASE("perspective camera: a few pixels equal values computed by hand", "[contract][cameras]") {
+  // At 30 degrees the image is 0.0242487 m high and 0.0323316 m wide: a point one metre ahead and
+  // 10 cm to the left is 640 * 0.0035 / 0.0323316 = 69.28 pixels left of the middle.
   struct SCase {
     CVector3 Point;  // in the camera's frame, m
     SInt32 X, Y;
@@ -109,14 +110,14 @@ TEST_CASE("perspective camera: a few pixels worked out by hand", "[contract][cam
   const SCase c = GENERATE(SCase{{1.0, 0.0, 0.0}, 320, 240}, SCase{{1.0, 0.1, 0.0}, 250, 240},
                            SCase{{1.0, -0.1, 0.0}, 389, 240}, SCase{{1.0, 0.0, 0.1}, 320, 170},
                            SCase{{1.0, 0.0, -0.1}, 320, 309}, SCase{{0.5, 0.1, 0.1}, 181, 101});
-  // the camera turns with the robot
+  // results do not depend on the yaw of the robot
   const Real yaw = GENERATE(0.0, 90.0, -137.0);
   CAPTURE(c.X, c.Y, yaw);
   const SView view{CVector3(1.0, -2.0, 0.0), yaw, true};
   CRobotWorld world(WithCamera(view.ToXml() + LightText("l", view.ToWorld(c.Point), "cyan")));
   const TSensor::TBlobList& blobs = Look(world);
   REQUIRE(blobs.size() == 1);
-  // a point in the middle lies on the border of four pixels: a rounding decides
+  // a point in the middle is on the border of four pixels: rounding decides
   CHECK(std::abs(blobs[0]->X - c.X) <= (c.X == 320 ? 1 : 0));
   CHECK(std::abs(blobs[0]->Y - c.Y) <= (c.Y == 240 ? 1 : 0));
   CHECK(blobs[0]->Color == CColor::CYAN);
@@ -155,16 +156,17 @@ TEST_CASE("perspective camera: pixels follow the equations of the image, in the 
     const TSensor::TBlobList& blobs = Look(world);
     REQUIRE(blobs.size() == seen.size());
     for (size_t i = 0; i < seen.size(); ++i) {
-      // the test's equations and the camera's differ by roundings only: 1e-9 pixels at most
+      // the equations of test and camera differ by roundings only: 1e-9 pixels at most
       CHECK_THAT(blobs[i]->X + 0.5, WithinAbs(lens.PixelX(seen[i]), 0.5 + 1e-9));
       CHECK_THAT(blobs[i]->Y + 0.5, WithinAbs(lens.PixelY(seen[i]), 0.5 + 1e-9));
     }
   }
 }
 
-TEST_CASE("perspective camera: the image ends where its pixels do, and the view at its range",
+TEST_CASE("perspective camera: lights beyond the image's borders or the range are not seen",
           "[contract][cameras]") {
-  // decimals are cut off towards 0: what is less than a pixel left of the first one is in it
+  // pixel coordinates are truncated towards 0: a point less than a pixel left
+  // of the first pixel belongs to it
   struct SCase {
     Real X, Y, Depth;
     bool Seen;
@@ -174,7 +176,7 @@ TEST_CASE("perspective camera: the image ends where its pixels do, and the view 
                SCase{639.999, 240.5, 1.0, true}, SCase{640.001, 240.5, 1.0, false},
                SCase{320.5, -0.999, 1.0, true}, SCase{320.5, -1.001, 1.0, false},
                SCase{320.5, 479.999, 1.0, true}, SCase{320.5, 480.001, 1.0, false},
-               // the corners of the image lie on the cone of the aperture
+               // the corners of the image are on the cone of the aperture
                SCase{0.001, 0.001, 1.0, true}, SCase{-0.001, -0.001, 1.0, false},
                SCase{320.5, 240.5, 2.0 - 1e-9, true}, SCase{320.5, 240.5, 2.0 + 1e-9, false},
                SCase{320.5, 240.5, -0.5, false}, SCase{320.5, 240.5, 1e-6, true});
@@ -191,7 +193,7 @@ TEST_CASE("perspective camera: the image ends where its pixels do, and the view 
   }
 }
 
-TEST_CASE("perspective camera: a tilted robot tilts its camera", "[contract][cameras]") {
+TEST_CASE("perspective camera: the camera tilts with its robot", "[contract][cameras]") {
   // nose down by 20 degrees: a light 20 degrees below the horizon is in the middle
   const Real tilt = 20.0 * M_PI / 180.0;
   const CVector3 eye(kAhead * std::cos(tilt) + kHeight * std::sin(tilt), 0.0,
@@ -205,7 +207,7 @@ TEST_CASE("perspective camera: a tilted robot tilts its camera", "[contract][cam
   CHECK((blobs[0]->Y == 239 || blobs[0]->Y == 240));
 }
 
-TEST_CASE("perspective camera: agrees with brute force among many bodies and lights",
+TEST_CASE("perspective camera: equals brute force among many bodies and lights",
           "[contract][cameras]") {
   CRandomStream random(2, "test", "perspective camera", "crowd");
   const SLens lens{0.035, 0.9, 2.0};
@@ -254,7 +256,7 @@ TEST_CASE("perspective camera: agrees with brute force among many bodies and lig
   CHECK(hiddenInAll > 50);
 }
 
-TEST_CASE("perspective camera: a mirrored world gives a mirrored image, a turned one the same",
+TEST_CASE("perspective camera: mirrored worlds give mirrored images, turned worlds equal ones",
           "[contract][cameras]") {
   const bool mirrored = GENERATE(false, true);
   const Real turn = GENERATE(0.0, 33.0, 90.0, -121.0);
@@ -292,7 +294,7 @@ TEST_CASE("perspective camera: a mirrored world gives a mirrored image, a turned
   }
 }
 
-TEST_CASE("perspective camera: sees the LEDs of a robot in front of it, not its own",
+TEST_CASE("perspective camera: sees the LEDs of a robot ahead, but not its own",
           "[contract][cameras]") {
   SRobotExperiment experiment =
       WithCamera(Robot("foot-bot", "r", PoseText(CVector3())) +
@@ -303,16 +305,16 @@ TEST_CASE("perspective camera: sees the LEDs of a robot in front of it, not its 
     world.GetActuator<CCI_LEDsActuator>(id, "leds").SetAllColors(CColor::RED);
   }
   const TSensor::TBlobList& blobs = Look(world);
-  // the near half of its ring, and the beacon; the camera is as high as the beacon
+  // the near half of the ring and the beacon; the camera is as high as the beacon
   REQUIRE(blobs.size() == 7);
   CHECK((blobs[6]->Y == 239 || blobs[6]->Y == 240));
-  // of its back we see, from left to right, LEDs 3 to 8
+  // from behind, LEDs 3 to 8 are visible from left to right
   for (int i = 0; i < 5; ++i) {
     CHECK(blobs[i]->X < blobs[i + 1]->X);
   }
 }
 
-TEST_CASE("perspective camera: takes pictures while it is enabled, and counts them",
+TEST_CASE("perspective camera: takes pictures while it is enabled and counts them",
           "[contract][cameras]") {
   const SView view;
   CRobotWorld world(
@@ -338,7 +340,7 @@ TEST_CASE("perspective camera: takes pictures while it is enabled, and counts th
   CHECK_FALSE(component.IsEnabled());
 }
 
-TEST_CASE("perspective camera: lines of sight are recorded only if asked for",
+TEST_CASE("perspective camera: lines of sight are recorded only on request",
           "[contract][cameras]") {
   const bool show = GENERATE(false, true);
   const SView view;
@@ -350,8 +352,9 @@ TEST_CASE("perspective camera: lines of sight are recorded only if asked for",
   CHECK(world.GetRobot("r").GetCheckedRays().size() == (show ? 1 : 0));
 }
 
-TEST_CASE("perspective camera: is a component that robots have on demand, with their numbers",
-          "[contract][cameras]") {
+TEST_CASE(
+    "perspective camera: is a component that robots create on demand, with the published values",
+    "[contract][cameras]") {
   SRobotExperiment experiment;
   experiment.Arena = SView().ToXml(
       "perspective_camera_aperture=\"40\" perspective_camera_focal_length=\"0.01\" "
@@ -367,7 +370,7 @@ TEST_CASE("perspective camera: is a component that robots have on demand, with t
   CHECK(camera.GetRange() == 3.0);
   CHECK(camera.GetImagePxWidth() == 640);
   CHECK(camera.GetImagePxHeight() == 480);
-  // the diagonal is seen under twice the aperture
+  // the angle of view along the diagonal is twice the aperture
   CHECK_THAT(std::hypot(camera.GetImageMtWidth(), camera.GetImageMtHeight()),
              WithinRel(2.0 * 0.01 * std::tan(40.0 * M_PI / 180.0), 1e-14));
   CHECK(&camera.GetAnchor() == &robot.GetEmbodiedEntity().GetOriginAnchor());
@@ -375,8 +378,7 @@ TEST_CASE("perspective camera: is a component that robots have on demand, with t
              WithinAbs(0.0, 1e-16));
 }
 
-TEST_CASE("perspective camera: keeps the anchor that it sits on current while it is enabled",
-          "[contract][cameras]") {
+TEST_CASE("perspective camera: enables its anchor while it is enabled", "[contract][cameras]") {
   SRobotExperiment experiment;
   experiment.Arena = SView().ToXml();
   CRobotWorld world(experiment);
@@ -396,7 +398,7 @@ TEST_CASE("perspective camera: keeps the anchor that it sits on current while it
   CHECK_THAT(Distance(view, -CVector3::X), WithinAbs(0.0, 1e-15));
 }
 
-TEST_CASE("perspective camera: components refuse what cannot be", "[contract][cameras][errors]") {
+TEST_CASE("perspective camera: components refuse invalid values", "[contract][cameras][errors]") {
   CPerspectiveCameraEquippedEntity camera(nullptr);
   CHECK_THROWS_WITH(camera.GetAnchor(), Contains("no anchor"));
   CHECK_THROWS_WITH(camera.SetAperture(CRadians()), Contains("aperture") && Contains("got 0"));
@@ -406,11 +408,11 @@ TEST_CASE("perspective camera: components refuse what cannot be", "[contract][ca
   CHECK(camera.GetImagePxHeight() == 480);
 }
 
-TEST_CASE("perspective camera: wrong experiments are refused with the reason",
+TEST_CASE("perspective camera: invalid experiments are refused with the reason",
           "[contract][cameras][errors]") {
   SRobotExperiment experiment = WithCamera(Robot("foot-bot", "fb0", PoseText(CVector3())));
   CHECK(LoadError(experiment).empty());
-  SECTION("a medium of another kind") {
+  SECTION("a medium of the wrong type") {
     experiment.Media = "<toy_medium id=\"leds\"/>";
     CHECK_THAT(LoadError(experiment),
                Contains("LED medium") && Contains("\"leds\"") && Contains("test.argos:"));
@@ -419,7 +421,7 @@ TEST_CASE("perspective camera: wrong experiments are refused with the reason",
     experiment = WithCamera(Robot("foot-bot", "fb0", PoseText(CVector3())), "noise_std_dev=\"-2\"");
     CHECK_THAT(LoadError(experiment), Contains("noise_std_dev") && Contains("-2"));
   }
-  SECTION("noise on what is not there") {
+  SECTION("noise on an unknown quantity") {
     experiment = WithCamera(Robot("foot-bot", "fb0", PoseText(CVector3())), "",
                             "<noise on=\"z\" model=\"gaussian\" std_dev=\"1\"/>");
     CHECK_THAT(LoadError(experiment), Contains("no \"z\""));

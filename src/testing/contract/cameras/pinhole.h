@@ -11,7 +11,7 @@
 
 namespace argos {
 
-/** The camera of the tests: looks ahead from a robot, with u to the right and v down. */
+/** The camera of the tests: it looks ahead from a robot, with u to the right and v down. */
 struct SPinhole {
   CVector3 Robot; /**< position of the robot, m */
   Real Yaw = 0.0; /**< of the robot, degrees */
@@ -23,21 +23,23 @@ struct SPinhole {
     CVector3 inRobot = Offset + CVector3(p.GetZ(), -p.GetX(), -p.GetY());
     return inRobot.RotateZ(ToRadians(CDegrees(Yaw))) + Robot;
   }
-  /** The point at that depth (m) that is seen at a pixel, in the camera's frame. */
+  /** The point at that depth (m) that is projected to a pixel, in the camera's frame. */
   CVector3 At(Real u, Real v, Real depth) const {
     return CVector3((u - CX) / FX * depth, (v - CY) / FY * depth, depth);
   }
   CVector2 Project(const CVector3& p) const {
     return CVector2(FX * p.GetX() / p.GetZ() + CX, FY * p.GetY() / p.GetZ() + CY);
   }
-  /** Whether a point in the camera's frame is in the picture: 640 x 480, from 0.05 to 2 m. */
+  /**
+   * @return true if a point in the camera's frame is in the picture: 640 x 480, from 0.05 to 2 m.
+   */
   bool Contains(const CVector3& p) const {
     const CVector2 pixel = Project(p);
     return p.GetZ() >= 0.05 && p.GetZ() <= 2.0 && pixel.GetX() >= 0.0 && pixel.GetX() < 640.0 &&
            pixel.GetY() >= 0.0 && pixel.GetY() < 480.0;
   }
 
-  /** A `<camera>`. */
+  /** XML of a `<camera>`. */
   std::string ToXml(const std::string& algorithms, const std::string& id = "front",
                     const std::string& anchor = "origin") const {
     return "<camera id=\"" + id + "\" anchor=\"" + anchor + "\" position=\"" + ToText(Offset) +
@@ -45,7 +47,7 @@ struct SPinhole {
            ToText(FY) + "\" principal_point=\"" + ToText(CX) + "," + ToText(CY) +
            "\" resolution=\"640,480\">" + algorithms + "</camera>";
   }
-  /** The robot "r". */
+  /** XML of the robot "r". */
   std::string RobotXml(const std::string& tag = "foot-bot") const {
     return argos::Robot(tag, "r", PoseText(Robot, Yaw));
   }
@@ -63,7 +65,7 @@ inline SRobotExperiment WithCameras(const std::string& cameras, const std::strin
   return experiment;
 }
 
-/** A foot-bot that carries something. @param mounted  XML elements. */
+/** XML of a foot-bot with components. @param mounted  XML elements of the components. */
 inline std::string Carrier(const std::string& id, const CVector3& position, Real yawDegrees,
                            const std::string& mounted) {
   return "<foot-bot id=\"" + id + "\"><body " + PoseText(position, yawDegrees) +

@@ -1,4 +1,4 @@
-// Pheromones: what robots lay is where they stood, and what they read is what the field holds.
+// Pheromones: robots deposit where they are, and read the concentration of the field.
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
@@ -25,13 +25,13 @@ namespace {
 constexpr Real kTick = 0.1;  // s
 constexpr Real kRounding = 1e-12;
 
-// 40 x 20 cells of 0.05 m x 0.05 m from (-0.5,-0.5) on: centres at 0.025 + multiples of 0.05
+// 40 x 20 cells of 0.05 m x 0.05 m from (-0.5,-0.5) on: centres are at 0.025 + multiples of 0.05
 const char* const kRegion = "size=\"2,1\" center=\"0.5,0\" cell_size=\"0.05\"";
 
 struct SSetup {
   std::string Layers = "<layer id=\"trail\"/>";
   std::string Medium = kRegion;
-  std::string Actuator = "";  // attributes, here and below
+  std::string Actuator = "";  // attributes, like the members below
   std::string ActuatorChildren = "";
   std::string Sensor = "";
   std::string SensorChildren = "";
@@ -72,18 +72,19 @@ CEmbodiedEntity& Body(CTestWorld& world, const std::string& robot) {
   return world.Get<CComposableEntity>(robot).GetComponent<CEmbodiedEntity>("body");
 }
 
-// in the centre of a cell, looking along y
+// in the centre of a cell, facing along y
 std::string RobotInCell(const std::string& tag = "foot-bot", const std::string& id = "r") {
   return Robot(tag, id, "position=\"0.525,0.025,0\" orientation=\"90,0,0\"");
 }
 
 }  // namespace
 
-TEST_CASE("pheromone: laid where a robot stands, and read under its points", "[contract][media]") {
+TEST_CASE("pheromone: is deposited at the robot's position and read below its sensors",
+          "[contract][media]") {
   const std::string tag = GENERATE("foot-bot", "e-puck", "eye-bot", "toy-robot");
   CAPTURE(tag);
   SSetup setup;
-  // 10 cm ahead is the centre of a cell, at (0.525,0.125)
+  // 10 cm ahead of the robot is the centre of a cell, at (0.525,0.125)
   setup.Actuator = "offset=\"0.1,0\"";
   setup.SensorChildren =
       "<point offset=\"0.1,0\"/><point offset=\"0.075,0\"/><point offset=\"0.1,0.025\"/>"
@@ -94,7 +95,8 @@ TEST_CASE("pheromone: laid where a robot stands, and read under its points", "[c
   Actuator(world).SetRate(3.0);
   CHECK(Sensor(world).GetReadings()[0].Value == 0.0);
   world.Step();
-  // 3/s for 0.1 s into 0.0025 m^2; between centres of cells it falls linearly along each axis
+  // 3/s for 0.1 s into 0.0025 m^2; between centres of cells the reading
+  // falls linearly along each axis
   const Real here = 3.0 * kTick / (0.05 * 0.05);
   const auto& readings = Sensor(world).GetReadings();
   REQUIRE(readings.size() == 6);
@@ -103,12 +105,12 @@ TEST_CASE("pheromone: laid where a robot stands, and read under its points", "[c
     CAPTURE(i);
     CHECK_THAT(readings[i].Value, WithinAbs(shares[i] * here, here * kRounding));
   }
-  // in the robot's frame, cm
+  // offsets are in the robot's frame, in cm
   CHECK_THAT(readings[2].Offset.GetX(), WithinAbs(10.0, kRounding));
   CHECK_THAT(readings[2].Offset.GetY(), WithinAbs(2.5, kRounding));
   CHECK_THAT(Medium(world).GetConcentration(0, CVector3(0.525, 0.125, 7.0)),
              WithinRel(here, kRounding));
-  // the rate holds until it is changed
+  // the rate holds until the next order
   world.Step(9);
   CHECK_THAT(Total(world), WithinRel(10 * 3.0 * kTick, kRounding));
   Actuator(world).SetRate(0.5);
@@ -119,7 +121,8 @@ TEST_CASE("pheromone: laid where a robot stands, and read under its points", "[c
   CHECK_THAT(Total(world), WithinRel(3.1, kRounding));
 }
 
-TEST_CASE("pheromone: laid before the robot moves, read where it has moved", "[contract][media]") {
+TEST_CASE("pheromone: is deposited before the robot's motion and read after it",
+          "[contract][media]") {
   const std::string tag = GENERATE("foot-bot", "e-puck");
   SRobotExperiment experiment =
       WithPheromones(Robot(tag, "r", "position=\"0.525,0.025,0\" orientation=\"0,0,0\""));
@@ -132,12 +135,12 @@ TEST_CASE("pheromone: laid before the robot moves, read where it has moved", "[c
   world.Step();
   CHECK_THAT(Body(world, "r").GetOriginAnchor().Position.GetX(), WithinAbs(0.535, 1e-9));
   CHECK_THAT(Medium(world).GetField(0).GetCell(20, 10), WithinRel(40.0, kRounding));
-  // 1 cm off the centre of a cell of 5 cm; the engine's lengths are single precision
+  // the robot is 1 cm off the centre of a cell of 5 cm; the engine
+  // computes lengths in single precision
   CHECK_THAT(Sensor(world).GetReadings()[0].Value, WithinAbs(40.0 * 0.8, 1e-5));
 }
 
-TEST_CASE("pheromone: what robots lay adds up, and evaporates by exp(-t / tau)",
-          "[contract][media]") {
+TEST_CASE("pheromone: deposits add up, and evaporation is exp(-t / tau)", "[contract][media]") {
   SSetup setup;
   setup.Layers = Layer("trail", "evaporation=\"0.25\"");
   CRobotWorld world(
@@ -154,13 +157,13 @@ TEST_CASE("pheromone: what robots lay adds up, and evaporates by exp(-t / tau)",
   world.Step(600);
   expected *= std::exp(-0.25 * 60.0);
   CHECK_THAT(Sensor(world, "a").GetReadings()[0].Value, WithinRel(expected, 600 * kRounding));
-  // under a steady rate the amount goes to that of the geometric series
+  // at a constant rate the total converges to that of the geometric series
   Actuator(world, "a").SetRate(1.0);
   world.Step(2000);
   CHECK_THAT(Total(world), WithinRel(kTick * factor / (1.0 - factor), 1e-11));
 }
 
-TEST_CASE("pheromone: spreads by 2 D t along each axis, and stays in its region",
+TEST_CASE("pheromone: diffuses by 2 D t along each axis and stays in its region",
           "[contract][media]") {
   SSetup setup;
   setup.Layers = Layer("trail", "diffusion=\"0.001\"");
@@ -188,7 +191,7 @@ TEST_CASE("pheromone: spreads by 2 D t along each axis, and stays in its region"
   CHECK_THAT(Sensor(world).GetReadings()[0].Value, WithinAbs(even, 0.02 * even));
 }
 
-TEST_CASE("pheromone: layers are apart from each other", "[contract][media]") {
+TEST_CASE("pheromone: layers are independent of each other", "[contract][media]") {
   SSetup setup;
   setup.Layers = Layer("home") + Layer("food", "evaporation=\"1\"") + Layer("alarm");
   setup.Sensor = "layers=\"alarm,home\"";
@@ -201,7 +204,7 @@ TEST_CASE("pheromone: layers are apart from each other", "[contract][media]") {
   CHECK(Sensor(world).GetInterfaces()[0].Layer == "alarm");
   CHECK(&Sensor(world).GetReadings() == &Sensor(world).GetReadings("alarm"));
 
-  Actuator(world).SetRate(4.0);  // of the first layer that it names
+  Actuator(world).SetRate(4.0);  // the rate applies to the first layer of the actuator
   Actuator(world).SetRate("home", 1.0);
   world.Step(3);
   CHECK_THAT(Total(world, 0), WithinRel(0.3, kRounding));
@@ -220,7 +223,7 @@ TEST_CASE("pheromone: layers are apart from each other", "[contract][media]") {
   CHECK_THROWS_WITH(Medium(world).GetLayerNumber("fod"), Contains("fod") && Contains("food"));
 }
 
-TEST_CASE("pheromone: there is nothing outside the region", "[contract][media]") {
+TEST_CASE("pheromone: outside the region nothing is deposited or read", "[contract][media]") {
   CRobotWorld world(WithPheromones(Robot("foot-bot", "in", "position=\"-0.49,-0.49,0\"") +
                                    Robot("foot-bot", "out", "position=\"-0.51,-0.2,0\"")));
   Actuator(world, "in").SetRate(1.0);
@@ -231,7 +234,8 @@ TEST_CASE("pheromone: there is nothing outside the region", "[contract][media]")
   CHECK(Sensor(world, "out").GetReadings()[0].Value == 0.0);
 }
 
-TEST_CASE("pheromone: by default it covers the arena with whole cells", "[contract][media]") {
+TEST_CASE("pheromone: by default the region is the arena, divided into whole cells",
+          "[contract][media]") {
   SSetup setup;
   setup.Medium = "cell_size=\"0.3\"";
   CRobotWorld world(WithPheromones(RobotInCell(), setup));
@@ -244,7 +248,7 @@ TEST_CASE("pheromone: by default it covers the arena with whole cells", "[contra
   CHECK(grid.MinY == -5.0);
 }
 
-TEST_CASE("pheromone: programs read and change the field", "[contract][media]") {
+TEST_CASE("pheromone: programs can read and change the field", "[contract][media]") {
   SSetup setup;
   setup.Layers = Layer("trail", "maximum=\"50\" evaporation=\"1\"");
   CRobotWorld world(WithPheromones(RobotInCell(), setup));
@@ -276,7 +280,7 @@ TEST_CASE("pheromone: programs read and change the field", "[contract][media]") 
   }
 }
 
-TEST_CASE("pheromone: the field is part of the digest", "[contract][media]") {
+TEST_CASE("pheromone: the field changes the digest", "[contract][media]") {
   SSetup setup;
   setup.Layers = Layer("a") + Layer("b");
   CRobotWorld world(WithPheromones(RobotInCell(), setup));
@@ -288,7 +292,7 @@ TEST_CASE("pheromone: the field is part of the digest", "[contract][media]") {
   CHECK(world.ComputeDigest() == before);
 }
 
-TEST_CASE("pheromone: after a reset there is nothing, and nothing is laid", "[contract][media]") {
+TEST_CASE("pheromone: after a reset the field is empty and rates are zero", "[contract][media]") {
   CRobotWorld world(WithPheromones(RobotInCell()));
   Actuator(world).SetRate(1.0);
   world.Step(3);
@@ -300,7 +304,7 @@ TEST_CASE("pheromone: after a reset there is nothing, and nothing is laid", "[co
   CHECK(Total(world) == 0.0);
 }
 
-TEST_CASE("pheromone: robots come and go", "[contract][media]") {
+TEST_CASE("pheromone: robots can be added and removed", "[contract][media]") {
   CRobotWorld world(WithPheromones(RobotInCell("foot-bot", "a") + RobotInCell("e-puck", "b")));
   Actuator(world, "a").SetRate(1.0);
   Actuator(world, "b").SetRate(2.0);
@@ -311,8 +315,7 @@ TEST_CASE("pheromone: robots come and go", "[contract][media]") {
   CHECK_THAT(Sensor(world, "b").GetReadings()[0].Value, WithinRel(0.5 / 0.0025, kRounding));
 }
 
-TEST_CASE("pheromone noise: on readings and rates, with the stated distribution",
-          "[contract][media]") {
+TEST_CASE("pheromone noise: readings and rates have the stated distribution", "[contract][media]") {
   SSetup setup;
   setup.SensorChildren =
       "<noise on=\"value\" model=\"gaussian\" std_dev=\"0.05\" relative=\"true\"/>";
@@ -330,11 +333,11 @@ TEST_CASE("pheromone noise: on readings and rates, with the stated distribution"
     errors.push_back(Sensor(world).GetReadings()[0].Value / truth - 1.0);
     rates.push_back(truth * 0.0025 / kTick);
   }
-  // fails for one seed in a million
+  // exceeded for one seed in a million
   CHECK(KolmogorovSmirnovExcess(errors, [](Real e) { return NormalDistribution(e, 0.05); }) < 1.0);
   CHECK(KolmogorovSmirnovExcess(
             rates, [](Real rate) { return std::clamp((rate - 0.8) / 0.4, 0.0, 1.0); }) < 1.0);
-  // a robot that lays nothing does not lay noise
+  // without a deposit there is no noise
   Actuator(world).SetRate(0.0);
   field.Clear();
   world.Step();
@@ -362,14 +365,11 @@ TEST_CASE("pheromone noise: readings and rates stay >= 0", "[contract][media]") 
     numZero += Total(world) == total ? 1 : 0;
     total = Total(world);
   }
-  // every other draw, and five standard deviations
+  // every other rate is clamped to 0; tolerance of five standard deviations
   CHECK_THAT(static_cast<Real>(numZero), WithinAbs(100.0, 5.0 * std::sqrt(50.0)));
 }
 
-TEST_CASE("pheromone: a settled tick allocates nothing", "[contract][media][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
+TEST_CASE("pheromone: a tick in steady state allocates nothing", "[contract][media][allocation]") {
   SSetup setup;
   setup.Layers = Layer("fast", "diffusion=\"1\" evaporation=\"100\"") +
                  Layer("slow", "diffusion=\"0.001\" maximum=\"9\"");
@@ -392,14 +392,15 @@ TEST_CASE("pheromone: a settled tick allocates nothing", "[contract][media][allo
   CheckAllocatesNothing([&] { world.Step(10); });
 }
 
-TEST_CASE("pheromone: wrong experiments are refused with the reason", "[contract][media][errors]") {
+TEST_CASE("pheromone: invalid experiments are refused with the reason",
+          "[contract][media][errors]") {
   SSetup setup;
   const auto error = [&] { return LoadError(WithPheromones(RobotInCell(), setup)); };
-  SECTION("no layers") {
+  SECTION("without layers") {
     setup.Layers = "";
-    CHECK_THAT(error(), Contains("test.argos:") && Contains("needs one child <layer"));
+    CHECK_THAT(error(), Contains("test.argos:") && Contains("needs at least one child <layer"));
   }
-  SECTION("layers") {
+  SECTION("invalid layers") {
     setup.Layers = Layer("a") + Layer("a");
     CHECK_THAT(error(), Contains("already a layer with id \"a\""));
     setup.Layers = "<layer/>";
@@ -414,7 +415,7 @@ TEST_CASE("pheromone: wrong experiments are refused with the reason", "[contract
     setup.Layers = Layer("a", "maximum=\"0\"");
     CHECK_THAT(error(), Contains("maximum") && Contains("> 0, got 0"));
   }
-  SECTION("cells") {
+  SECTION("invalid cells") {
     setup.Medium = "cell_size=\"0\"";
     CHECK_THAT(error(), Contains("cell_size") && Contains("> 0, got 0"));
     setup.Medium = "cell_size=\"-1\"";
@@ -428,7 +429,7 @@ TEST_CASE("pheromone: wrong experiments are refused with the reason", "[contract
     setup.Medium = "center=\"1\"";
     CHECK_THAT(error(), Contains("center"));
   }
-  SECTION("devices") {
+  SECTION("invalid devices") {
     for (std::string* device : {&setup.Actuator, &setup.Sensor}) {
       *device = "layers=\"trial\"";
       CHECK_THAT(error(), Contains("no layer \"trial\"") && Contains("trail") &&
@@ -436,7 +437,7 @@ TEST_CASE("pheromone: wrong experiments are refused with the reason", "[contract
       *device = "layers=\"trail,trail\"";
       CHECK_THAT(error(), Contains("named twice"));
       *device = "layers=\"\"";
-      CHECK_THAT(error(), Contains("no layer is named"));
+      CHECK_THAT(error(), Contains("no layer is listed"));
       *device = "";
     }
     setup.SensorChildren = "<point/>";
@@ -444,7 +445,7 @@ TEST_CASE("pheromone: wrong experiments are refused with the reason", "[contract
     setup.SensorChildren = "<noise on=\"rate\" model=\"uniform\" level=\"1\"/>";
     CHECK_THAT(error(), Contains("rate") && Contains("value"));
   }
-  SECTION("the medium is missing, or is none") {
+  SECTION("a medium that is missing or of the wrong type") {
     SRobotExperiment experiment = WithPheromones(RobotInCell());
     experiment.Media = "<led id=\"scents\"/>";
     CHECK_THAT(LoadError(experiment), Contains("a pheromone medium, got \"scents\""));
@@ -453,7 +454,7 @@ TEST_CASE("pheromone: wrong experiments are refused with the reason", "[contract
     experiment.Sensors = "<pheromone implementation=\"medium\"/>";
     CHECK_THAT(LoadError(experiment), Contains("medium"));
   }
-  SECTION("rates of controllers") {
+  SECTION("invalid rates of controllers") {
     CRobotWorld world(WithPheromones(RobotInCell()));
     for (const Real wrong : {-1.0, HUGE_VAL, std::nan("")}) {
       CHECK_THROWS_WITH(Actuator(world).SetRate(wrong),

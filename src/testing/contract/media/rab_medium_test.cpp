@@ -1,4 +1,4 @@
-// Who hears whom in a medium for range and bearing.
+// Tests which messages a medium for range and bearing delivers.
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/loop_functions.h>
@@ -37,7 +37,7 @@ std::string EPuck(const std::string& id, Real x, Real y, Real range, size_t data
          "\"/><controller config=\"c\"/></e-puck>";
 }
 
-// an e-puck whose controller is another one
+// replaces the controller of an e-puck
 std::string With(const std::string& controller, std::string robot) {
   return robot.replace(robot.find("config=\"c\""), 10, "config=\"" + controller + "\"");
 }
@@ -46,7 +46,7 @@ CRABMedium& Medium(CRobotWorld& world, const std::string& id = "rab") {
   return world.GetSimulator().GetMedium<CRABMedium>(id);
 }
 
-// ids of the robots that a robot hears, in order
+// ids of the robots whose messages a robot receives, in order
 std::vector<std::string> HeardBy(CRobotWorld& world, const std::string& robot,
                                  const std::string& medium = "rab") {
   std::vector<std::string> ids;
@@ -68,7 +68,7 @@ using TIds = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("rab medium: a robot is heard as far as its own range", "[contract][media]") {
+TEST_CASE("rab medium: a message reaches as far as the range of its sender", "[contract][media]") {
   const std::string index =
       GENERATE("", "index=\"hash\"", "index=\"dummy\"", "index=\"grid\" grid_size=\"3,200,1\"");
   CAPTURE(index);
@@ -88,7 +88,7 @@ TEST_CASE("rab medium: a robot is heard as far as its own range", "[contract][me
   CHECK(HeardBy(world, "far") == TIds{"up"});
 }
 
-TEST_CASE("rab medium: only messages of equal size are understood", "[contract][media]") {
+TEST_CASE("rab medium: messages of another size are not received", "[contract][media]") {
   CRobotWorld world(WithRAB(EPuck("a", 0.0, 0.0, 2.0, 2) + EPuck("b", 0.5, 0.0, 2.0, 4) +
                             EPuck("c", 0.0, 0.5, 2.0, 2)));
   world.Step();
@@ -97,7 +97,7 @@ TEST_CASE("rab medium: only messages of equal size are understood", "[contract][
   CHECK(HeardBy(world, "c") == TIds{"a"});
 }
 
-TEST_CASE("rab medium: bodies hide robots from each other, if asked to", "[contract][media]") {
+TEST_CASE("rab medium: bodies occlude on request", "[contract][media]") {
   const bool check = GENERATE(true, false);
   const std::string wall =
       "<box id=\"wall\" size=\"0.1,1,0.5\" movable=\"false\"><body position=\"0.5,0,0\"/></box>";
@@ -116,7 +116,7 @@ TEST_CASE("rab medium: bodies hide robots from each other, if asked to", "[contr
   }
 }
 
-TEST_CASE("rab medium: robots that touch hear each other", "[contract][media]") {
+TEST_CASE("rab medium: robots in contact receive each other", "[contract][media]") {
   // in a row, 0.069 m apart: bodies of 0.035 m radius overlap by 1 mm
   CRobotWorld world(WithRAB(EPuck("a", 0.0, 0.0, 1.0) + EPuck("b", 0.069, 0.0, 1.0) +
                             EPuck("c", 0.138, 0.0, 1.0) + EPuck("d", 0.207, 0.0, 1.0)));
@@ -127,7 +127,7 @@ TEST_CASE("rab medium: robots that touch hear each other", "[contract][media]") 
   CHECK(HeardBy(world, "d") == TIds{"c"});
 }
 
-TEST_CASE("rab medium: senders are listed in the order in which they came into the arena",
+TEST_CASE("rab medium: senders are listed in the order of their addition to the space",
           "[contract][media]") {
   CRobotWorld world(WithRAB(EPuck("z", 0.3, 0.0, 2.0) + EPuck("a", 0.0, 0.3, 2.0) +
                             EPuck("m", -0.3, 0.0, 2.0) + EPuck("here", 0.0, 0.0, 2.0)));
@@ -145,7 +145,8 @@ TEST_CASE("rab medium: senders are listed in the order in which they came into t
   }
 }
 
-TEST_CASE("rab medium: robots come and go while the experiment runs", "[contract][media]") {
+TEST_CASE("rab medium: robots can be added and removed during the experiment",
+          "[contract][media]") {
   CRobotWorld world(WithRAB(EPuck("a", 0.0, 0.0, 2.0) + EPuck("b", 0.3, 0.0, 2.0)));
   world.Step();
   CHECK(HeardBy(world, "a") == TIds{"b"});
@@ -169,12 +170,13 @@ TEST_CASE("rab medium: robots come and go while the experiment runs", "[contract
   CHECK(NumPackets(world, "b") == 1);
 }
 
-TEST_CASE("rab medium: a robot removed before sensing is not heard any more", "[contract][media]") {
+TEST_CASE("rab medium: a robot removed before sensing is not received any more",
+          "[contract][media]") {
   SRobotExperiment experiment = WithRAB(EPuck("a", 0.0, 0.0, 2.0) + EPuck("b", 0.3, 0.0, 2.0));
   CRobotWorld world(experiment);
   world.Step();
   CHECK(NumPackets(world, "b") == 1);
-  // routed in this tick, removed, and then sensed: what loop functions may do in PreStep()
+  // routed in this tick, removed, and then sensed: loop functions may do so in PreStep()
   auto& medium = Medium(world);
   auto& listener = world.Get<CEPuckEntity>("b").GetRABEquippedEntity();
   medium.Update();
@@ -186,7 +188,7 @@ TEST_CASE("rab medium: a robot removed before sensing is not heard any more", "[
   CHECK(NumPackets(world, "b") == 0);
 }
 
-TEST_CASE("rab medium: the actuator alone suffices to be heard", "[contract][media]") {
+TEST_CASE("rab medium: a robot with the actuator alone is received", "[contract][media]") {
   SExperiment experiment;
   experiment.Engines = "<toy_engine id=\"engine\"/>";
   experiment.Media = "<range_and_bearing id=\"rab\"/>";
@@ -216,7 +218,7 @@ TEST_CASE("rab medium: the actuator alone suffices to be heard", "[contract][med
   CHECK(sensor.GetReadings()[0].Data[1] == 42);
   // a robot with the sensor alone sends zeros
   CHECK(sensor.GetReadings()[1].Data == CByteArray(2, 0));
-  SECTION("a disabled sensor does not mute") {
+  SECTION("a disabled sensor does not stop sending") {
     world.Get<CEPuckEntity>("ear2")
         .GetControllableEntity()
         .GetController()
@@ -227,30 +229,31 @@ TEST_CASE("rab medium: the actuator alone suffices to be heard", "[contract][med
   }
 }
 
-TEST_CASE("rab medium: of several, the actuator takes the sensor's, or asks which one",
-          "[contract][media][errors]") {
+TEST_CASE(
+    "rab medium: of several media the actuator takes that of the sensor, or needs an attribute",
+    "[contract][media][errors]") {
   SRobotExperiment experiment = WithRAB(EPuck("a", 0.0, 0.0, 2.0) + EPuck("b", 0.3, 0.0, 2.0));
   experiment.Media = "<range_and_bearing id=\"other\"/><range_and_bearing id=\"rab\"/>";
-  SECTION("the sensor's") {
+  SECTION("the medium of the sensor") {
     CRobotWorld world(experiment);
     world.Step();
     CHECK(HeardBy(world, "a") == TIds{"b"});
     CHECK_THROWS_AS(HeardBy(world, "a", "other"), CARGoSException);
   }
-  SECTION("named") {
+  SECTION("a medium given by the attribute") {
     experiment.Sensors = "";
     experiment.Actuators = "<range_and_bearing implementation=\"default\" medium=\"other\"/>";
     CRobotWorld world(experiment);
     world.Step();
     CHECK(HeardBy(world, "a", "other") == TIds{"b"});
   }
-  SECTION("not named") {
+  SECTION("a missing attribute") {
     experiment.Sensors = "";
     CHECK_THAT(LoadError(experiment), Contains("several media") && Contains("\"other\"") &&
                                           Contains("\"rab\"") && Contains("\"medium\"") &&
                                           Contains("test.argos:"));
   }
-  SECTION("without any medium the robot is not heard, and that is all") {
+  SECTION("without any medium messages are sent nowhere") {
     experiment.Media = "";
     experiment.Sensors = "";
     CRobotWorld world(experiment);
@@ -258,7 +261,8 @@ TEST_CASE("rab medium: of several, the actuator takes the sensor's, or asks whic
   }
 }
 
-TEST_CASE("rab medium: after a reset nobody is heard until the next tick", "[contract][media]") {
+TEST_CASE("rab medium: after a reset nothing is received until the next tick",
+          "[contract][media]") {
   CRobotWorld world(WithRAB(EPuck("a", 0.0, 0.0, 2.0) + EPuck("b", 0.3, 0.0, 2.0)));
   CHECK(HeardBy(world, "a").empty());
   world.Step();
@@ -275,7 +279,8 @@ TEST_CASE("rab medium: after a reset nobody is heard until the next tick", "[con
   CHECK(sensor.GetReadings()[0].Data[0] == 0);
 }
 
-TEST_CASE("rab medium: wrong attributes are refused with the reason", "[contract][media][errors]") {
+TEST_CASE("rab medium: invalid attributes are refused with the reason",
+          "[contract][media][errors]") {
   struct SCase {
     const char* Attributes;
     const char* Reason;

@@ -1,4 +1,4 @@
-// RFID tags: who reads which, who writes what, on every robot with a body.
+// RFID tags: reading and writing, on every robot with a body.
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
@@ -37,7 +37,7 @@ SRobotExperiment WithRFID(const std::string& arena, const std::string& attribute
   return experiment;
 }
 
-// a sensor alone understands these
+// an experiment without the actuator, which does not have these attributes
 SRobotExperiment WithSensor(const std::string& arena, const std::string& attributes,
                             const std::string& children = "") {
   SRobotExperiment experiment = WithRFID(arena, attributes, "", children);
@@ -74,11 +74,11 @@ using TIds = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("rfid: tags within the range are read, by any robot with a body", "[contract][media]") {
+TEST_CASE("rfid: any robot with a body reads tags within the range", "[contract][media]") {
   const std::string tag = GENERATE("foot-bot", "e-puck", "eye-bot", "toy-robot");
   const std::string index = GENERATE("", "index=\"hash\"", "grid_size=\"2,90,1\"");
   CAPTURE(tag, index);
-  // the reader is 1 cm ahead of the centre of the base, which is at (1,2); the range is 0.125
+  // The reader is 1 cm ahead of the centre of the base, which is at (1,2); the range is 0.125.
   CRobotWorld world(WithRFID(
       Robot(tag, "r", "position=\"1,2,0\" orientation=\"90,0,0\"") +
           Tag("edge", CVector3(1.0, 2.125, 0.0)) + Tag("beyond", CVector3(1.125, 2.01, 0.0)) +
@@ -86,14 +86,14 @@ TEST_CASE("rfid: tags within the range are read, by any robot with a body", "[co
           Tag("left", CVector3(0.9, 2.0, 0.0)),
       "range=\"0.125\" position=\"0.01,0,0\"", index));
   world.Step();
-  // distances from the reader at (1,2.01): 0.115; 0.125 plus a rounding or not; 0.1254; 0.103;
-  // 0.1005
+  // Distances from the reader at (1,2.01): 0.115; 0.125 with or without a
+  // rounding; 0.1254; 0.103; 0.1005.
   TIds ids = IdsOf(Readings(world));
   ids.erase(std::remove(ids.begin(), ids.end(), "beyond"), ids.end());
   CHECK(ids == TIds{"edge", "ahead", "left"});
   for (const auto& reading : Readings(world)) {
     CHECK(reading.Data == CByteArray(16, 0));
-    // seen from the centre of the robot, which looks along y
+    // relative to the centre of the robot, which faces along y
     if (reading.Id == "ahead") {
       CHECK_THAT(reading.Distance, WithinAbs(10.0, 1e-12));
       CHECK_THAT(reading.Angle.GetValue(), WithinAbs(0.0, 1e-14));
@@ -114,7 +114,7 @@ TEST_CASE("rfid: a tag exactly at the range is read", "[contract][media]") {
   CHECK(IdsOf(Readings(world)) == TIds{"at"});
 }
 
-TEST_CASE("rfid: tags come in the order in which they were put into the arena",
+TEST_CASE("rfid: tags are listed in the order of their addition to the space",
           "[contract][media]") {
   std::string arena;
   TIds expected;
@@ -131,7 +131,7 @@ TEST_CASE("rfid: tags come in the order in which they were put into the arena",
   CHECK(Readings(world).size() == 5);
 }
 
-TEST_CASE("rfid: an order is carried out once, in the next tick, on the nearest tag",
+TEST_CASE("rfid: an order is executed once, in the next tick, on the nearest tag",
           "[contract][media]") {
   CRobotWorld world(
       WithRFID(Robot("e-puck", "r", "position=\"0,0,0\"") +
@@ -145,7 +145,7 @@ TEST_CASE("rfid: an order is carried out once, in the next tick, on the nearest 
   world.Step();
   CHECK(near.GetData() == Bytes({9, 1, 2, 6}));
   CHECK(Actuator(world).GetWrittenTag() == "near");
-  // it is read in the same tick
+  // the sensor reads the new data in the same tick
   CHECK(Readings(world)[1].Data == Bytes({9, 1, 2, 6}));
   CHECK(world.Get<CRFIDTagEntity>("far").GetData() == CByteArray(4, 0));
   near.SetData(Bytes({0, 0, 0, 0}));
@@ -153,13 +153,13 @@ TEST_CASE("rfid: an order is carried out once, in the next tick, on the nearest 
   CHECK(near.GetData() == CByteArray(4, 0));
   CHECK(Actuator(world).GetWrittenTag().empty());
 
-  SECTION("an order that is taken back") {
+  SECTION("a cancelled order") {
     Actuator(world).Write(Bytes({1}));
     Actuator(world).Cancel();
     world.Step();
     CHECK(near.GetData() == CByteArray(4, 0));
   }
-  SECTION("bytes that do not fit are not written at all") {
+  SECTION("data that does not fit is not written at all") {
     Actuator(world).Write(Bytes({1, 2}), 3);
     world.Step();
     CHECK(near.GetData() == CByteArray(4, 0));
@@ -168,19 +168,19 @@ TEST_CASE("rfid: an order is carried out once, in the next tick, on the nearest 
     world.Step();
     CHECK(near.GetData() == CByteArray(4, 0));
   }
-  SECTION("nothing in reach") {
+  SECTION("no tag in reach") {
     world.Get<CComposableEntity>("r").GetComponent<CEmbodiedEntity>("body").MoveTo(
         CVector3(2.0, 0.0, 0.0), CQuaternion());
     Actuator(world).Write(Bytes({1}));
     world.Step();
     CHECK(Actuator(world).GetWrittenTag().empty());
-    // the order is gone
+    // the order has expired
     world.Get<CComposableEntity>("r").GetComponent<CEmbodiedEntity>("body").MoveTo(CVector3(),
                                                                                    CQuaternion());
     world.Step();
     CHECK(near.GetData() == CByteArray(4, 0));
   }
-  SECTION("a reset takes everything back") {
+  SECTION("a reset restores data and cancels orders") {
     Actuator(world).Write(Bytes({5}));
     world.Step();
     Actuator(world).Write(Bytes({6}));
@@ -193,9 +193,9 @@ TEST_CASE("rfid: an order is carried out once, in the next tick, on the nearest 
   }
 }
 
-TEST_CASE("rfid: of robots that write to one tag in one tick the last one created stays",
+TEST_CASE("rfid: of robots that write to one tag in one tick the last one created overwrites",
           "[contract][media]") {
-  // one tag between two robots, and one each that is nobody's business
+  // one tag between two robots
   const bool swapped = GENERATE(false, true);
   const std::string a = Robot("e-puck", "a", "position=\"-0.05,0,0\"");
   const std::string b = Robot("e-puck", "b", "position=\"0.05,0,0\"");
@@ -203,14 +203,15 @@ TEST_CASE("rfid: of robots that write to one tag in one tick the last one create
   Actuator(world, "a").Write(Bytes({1, 1}), 0);
   Actuator(world, "b").Write(Bytes({2, 2}), 1);
   world.Step();
-  // only where both wrote does the order matter
+  // the order matters only for bytes that both write
   CHECK(world.Get<CRFIDTagEntity>("t").GetData() ==
         (swapped ? Bytes({1, 1, 2}) : Bytes({1, 2, 2})));
   CHECK(Actuator(world, "a").GetWrittenTag() == "t");
   CHECK(Actuator(world, "b").GetWrittenTag() == "t");
 }
 
-TEST_CASE("rfid: of tags equally near the first one created is written", "[contract][media]") {
+TEST_CASE("rfid: of tags at equal distances the first one created is written",
+          "[contract][media]") {
   const bool swapped = GENERATE(false, true);
   const std::string left = Tag("left", CVector3(0.0, 0.05, 0.0));
   const std::string right = Tag("right", CVector3(0.0, -0.05, 0.0));
@@ -221,7 +222,7 @@ TEST_CASE("rfid: of tags equally near the first one created is written", "[contr
   CHECK(Actuator(world).GetWrittenTag() == (swapped ? "right" : "left"));
 }
 
-TEST_CASE("rfid: tags are carried by boxes, cylinders and robots", "[contract][media]") {
+TEST_CASE("rfid: boxes, cylinders and robots can carry tags", "[contract][media]") {
   const std::string tags =
       "<rfid_tags medium=\"rfid\"><rfid_tag id=\"t\" position=\"0.1,0,0.2\" memory=\"2\" "
       "data=\"7\"/><rfid_tag position=\"0,0,0\"/></rfid_tags>";
@@ -236,7 +237,8 @@ TEST_CASE("rfid: tags are carried by boxes, cylinders and robots", "[contract][m
           tags + "</cylinder>",
       "range=\"1.05\""));
   world.Step();
-  // the box is turned: its tag is at (1,0.1,0.2), 1.0247 away; the cylinder's at (0.1,1,0.2)
+  // the box is turned: its tag is at (1,0.1,0.2), 1.0247 away; that of
+  // the cylinder is at (0.1,1,0.2)
   CHECK(IdsOf(Readings(world)) == TIds{"box.rfid_tags_0.t", "box.rfid_tags_0.rfid_tag_1",
                                        "cyl.rfid_tags_0.t", "cyl.rfid_tags_0.rfid_tag_1"});
   CHECK(Readings(world)[0].Data == Bytes({7, 0}));
@@ -249,7 +251,7 @@ TEST_CASE("rfid: tags are carried by boxes, cylinders and robots", "[contract][m
   Actuator(world).Write(Bytes({1}));
   world.Step();
   CHECK(Actuator(world).GetWrittenTag() == "box.rfid_tags_0.rfid_tag_1");
-  // tags are drawn with what carries them
+  // tags are drawn with the body that carries them
   CHECK(box.GetAppearance()->Parts.size() == 3);
 
   box.GetRFIDTagEquippedEntity().Disable();
@@ -260,7 +262,7 @@ TEST_CASE("rfid: tags are carried by boxes, cylinders and robots", "[contract][m
   CHECK(Readings(world).empty());
 }
 
-TEST_CASE("rfid: programs add tags", "[contract][media]") {
+TEST_CASE("rfid: programs can add tags", "[contract][media]") {
   CRobotWorld world(WithRFID(Robot("foot-bot", "r", "position=\"0,0,0\"")));
   world.Step();
   CHECK(Readings(world).empty());
@@ -274,7 +276,7 @@ TEST_CASE("rfid: programs add tags", "[contract][media]") {
   world.Step();
   CHECK(IdsOf(Readings(world)) == TIds{"new"});
   CHECK(&tag.GetMedium() == &medium);
-  // attached to an anchor of a body that is there
+  // a tag attached to an anchor of an existing body
   auto& box = world.Add(std::make_unique<CBoxEntity>("box", CVector3(0.2, 0.0, 0.0), CQuaternion(),
                                                      false, CVector3(0.05, 0.05, 0.05)));
   CRFIDTagEquippedEntity& carried = box.GetRFIDTagEquippedEntity();
@@ -287,7 +289,7 @@ TEST_CASE("rfid: programs add tags", "[contract][media]") {
   CHECK_THROWS_WITH(carried.GetTag(1), Contains("no RFID tag 1"));
 }
 
-TEST_CASE("rfid: tags that lie in the arena are drawn", "[contract][media]") {
+TEST_CASE("rfid: tags without a body are drawn", "[contract][media]") {
   CRobotWorld world(
       WithRFID(Robot("foot-bot", "r", "position=\"0,0,0\"") + Tag("t", CVector3(1.0, 0.0, 0.0))));
   const SAppearance* appearance = world.Get<CRFIDTagEntity>("t").GetAppearance();
@@ -302,7 +304,7 @@ constexpr int kDraws = 20000;
 
 }  // namespace
 
-TEST_CASE("rfid noise: on distance and angle, with the stated distribution", "[contract][media]") {
+TEST_CASE("rfid noise: distance and angle have the stated distribution", "[contract][media]") {
   CRobotWorld world(
       WithSensor(Robot("e-puck", "r", "position=\"0,0,0\"") + Tag("t", CVector3(0.0, -0.08, 0.0)),
                  "miss_prob=\"0.25\"",
@@ -325,7 +327,7 @@ TEST_CASE("rfid noise: on distance and angle, with the stated distribution", "[c
     squares += error * error;
     angleSquares += angle * angle;
   }
-  // five standard deviations of each estimate: 1 failure in 10^6
+  // tolerance of five standard deviations of each estimate: 1 failure in 10^6
   CHECK_THAT(numRead, WithinAbs(0.75 * kDraws, 5.0 * std::sqrt(0.25 * 0.75 * kDraws)));
   const Real five = 5.0 / std::sqrt(numRead);
   CHECK_THAT(sum / numRead, WithinAbs(0.0, five * 0.5));
@@ -352,10 +354,7 @@ TEST_CASE("rfid noise: repeats after a reset", "[contract][media]") {
   CHECK(draw() != first);
 }
 
-TEST_CASE("rfid: a settled tick allocates nothing", "[contract][media][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
+TEST_CASE("rfid: a tick in steady state allocates nothing", "[contract][media][allocation]") {
   std::string arena;
   for (int i = 0; i < 100; ++i) {
     arena += Tag("t" + std::to_string(i), CVector3(0.1 * (i % 10), 0.1 * (i / 10), 0.0));
@@ -381,15 +380,15 @@ TEST_CASE("rfid: a settled tick allocates nothing", "[contract][media][allocatio
   CHECK(Readings(world, "a").size() > 5);
 }
 
-TEST_CASE("rfid: wrong experiments are refused with the reason", "[contract][media][errors]") {
+TEST_CASE("rfid: invalid experiments are refused with the reason", "[contract][media][errors]") {
   const std::string robot = Robot("e-puck", "r", "position=\"0,0,0\"");
-  SECTION("tags") {
+  SECTION("invalid tags") {
     struct SCase {
       const char* Attributes;
       const char* Reason;
     };
     const SCase c = GENERATE(
-        SCase{"memory=\"2\" data=\"1,2,3\"", "3 bytes, which do not fit into a memory of 2"},
+        SCase{"memory=\"2\" data=\"1,2,3\"", "3 bytes, which exceed the memory of 2"},
         SCase{"data=\"1,256\"", "from 0 to 255"}, SCase{"data=\"1,-1\"", "from 0 to 255"},
         SCase{"data=\"1,\"", "from 0 to 255"}, SCase{"data=\"a\"", "from 0 to 255"},
         SCase{"memory=\"-1\"", "memory"}, SCase{"memory=\"2000000\"", "at most 1048576"});
@@ -400,7 +399,7 @@ TEST_CASE("rfid: wrong experiments are refused with the reason", "[contract][med
     CHECK_THAT(LoadError(WithRFID(robot + "<rfid_tag id=\"t\" medium=\"rifd\"/>")),
                Contains("rifd") && Contains("rfid"));
   }
-  SECTION("devices") {
+  SECTION("invalid devices") {
     CHECK_THAT(LoadError(WithRFID(robot, "range=\"-1\"")), Contains(">= 0, got -1"));
     CHECK_THAT(LoadError(WithSensor(robot, "miss_prob=\"2\"")), Contains("[0,1], got 2"));
     SRobotExperiment experiment = WithRFID(robot);

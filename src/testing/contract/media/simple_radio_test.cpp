@@ -1,4 +1,4 @@
-// Simple radios: who receives what, when, and in which order.
+// Simple radios: range, time and order of delivery.
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
@@ -7,7 +7,7 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_simple_radios_sensor.h>
 #include <argos3/plugins/simulator/entities/simple_radio_equipped_entity.h>
 #include <argos3/plugins/simulator/media/simple_radio_medium.h>
-#include <argos3/testing/support/allocation_count.h>
+#include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
@@ -90,14 +90,14 @@ TEST_CASE("simple radio: a message is received once, in the tick after the order
   world.Step();
   CHECK(Received(world, "b") == TTexts{"hello", "world"});
   CHECK(Received(world, "c") == TTexts{"hello", "world"});
-  // nobody hears himself, and what was sent is gone
+  // a radio does not receive its own messages, and sent messages are removed
   CHECK(Received(world, "a").empty());
   CHECK(const_cast<CCI_SimpleRadiosActuator&>(actuator).GetInterfaces()[0].Messages.empty());
   world.Step();
   CHECK(Received(world, "b").empty());
 }
 
-TEST_CASE("simple radio: the sender's range counts, exactly, and bodies do not",
+TEST_CASE("simple radio: the sender's range is exclusive, and bodies do not occlude",
           "[contract][media]") {
   const std::string index = GENERATE("", "index=\"hash\"", "grid_size=\"1,70,2\"");
   SRobotExperiment experiment =
@@ -122,7 +122,7 @@ TEST_CASE("simple radio: messages arrive in the order of the senders' creation",
           "[contract][media]") {
   std::string arena;
   TTexts expected;
-  // from far to near, from near to far, and around
+  // places in no order of distance
   const Real places[] = {3.0, -2.0, 0.5, 1.0, -0.2, 2.0};
   for (const Real place : places) {
     const std::string id = "r" + std::to_string(expected.size());
@@ -138,7 +138,8 @@ TEST_CASE("simple radio: messages arrive in the order of the senders' creation",
   CHECK(Received(world, "here") == expected);
 }
 
-TEST_CASE("simple radio: radios of a robot are apart, and hear each other", "[contract][media]") {
+TEST_CASE("simple radio: radios of a robot are separate and can receive each other",
+          "[contract][media]") {
   SRobotExperiment experiment = WithRadios(
       RobotAt("foot-bot", "a", CVector3(),
               Radio("near", 0.3, "position=\"0.05,0,0.1\"") +
@@ -161,10 +162,10 @@ TEST_CASE("simple radio: radios of a robot are apart, and hear each other", "[co
   CHECK(Received(world, "a", 2) == TTexts{"too far"});
 }
 
-TEST_CASE("simple radio: what counts is where radios are when robots act", "[contract][media]") {
+TEST_CASE("simple radio: positions at the time of the Act phase count", "[contract][media]") {
   CRobotWorld world(WithRadios(Row(1.2)));
   Send(world, "a", "one");
-  // before the actuators act
+  // moves the robot before the actuators act
   world.Get<CComposableEntity>("b").GetComponent<CEmbodiedEntity>("body").MoveTo(
       CVector3(0.0, 3.0, 0.0), CQuaternion());
   world.Step();
@@ -173,7 +174,7 @@ TEST_CASE("simple radio: what counts is where radios are when robots act", "[con
              WithinAbs(0.0, 1e-15));
 }
 
-TEST_CASE("simple radio: a sensor that is off misses messages", "[contract][media]") {
+TEST_CASE("simple radio: a disabled sensor misses messages", "[contract][media]") {
   CRobotWorld world(WithRadios(Row(10.0)));
   auto& sensor = world.GetSensor<CCI_SimpleRadiosSensor>("b", "simple_radios");
   sensor.Disable();
@@ -181,7 +182,7 @@ TEST_CASE("simple radio: a sensor that is off misses messages", "[contract][medi
     Send(world, "a", "message " + std::to_string(i));
     world.Step();
   }
-  // those of the last tick wait
+  // the radio keeps the messages of the last tick only
   CHECK(RadioOf(world, "b").GetMessages().size() == 1);
   sensor.Enable();
   Send(world, "a", "last");
@@ -191,7 +192,7 @@ TEST_CASE("simple radio: a sensor that is off misses messages", "[contract][medi
   CHECK(Received(world, "b").empty());
 }
 
-TEST_CASE("simple radio: programs may hand messages over", "[contract][media]") {
+TEST_CASE("simple radio: programs can deliver messages to radios", "[contract][media]") {
   CRobotWorld world(WithRadios(Row(10.0)));
   world.Step();
   CByteArray message;
@@ -203,7 +204,7 @@ TEST_CASE("simple radio: programs may hand messages over", "[contract][media]") 
   CHECK(Received(world, "c") == TTexts{"from a"});
 }
 
-TEST_CASE("simple radio: the medium's index has all radios", "[contract][media]") {
+TEST_CASE("simple radio: the medium's index contains all radios", "[contract][media]") {
   class CCollect : public CPositionalIndex<CSimpleRadioEntity>::COperation {
    public:
     bool operator()(CSimpleRadioEntity& radio) override {
@@ -221,7 +222,8 @@ TEST_CASE("simple radio: the medium's index has all radios", "[contract][media]"
   CHECK(collect.Robots == std::set<std::string>{"a", "b", "c"});
 }
 
-TEST_CASE("simple radio: robots come and go, and a reset empties everything", "[contract][media]") {
+TEST_CASE("simple radio: robots can be added and removed, and a reset empties all radios",
+          "[contract][media]") {
   CRobotWorld world(WithRadios(Row(10.0)));
   Send(world, "a", "one");
   world.GetSimulator().GetLoopFunctions().RemoveEntity("b");
@@ -238,7 +240,7 @@ TEST_CASE("simple radio: robots come and go, and a reset empties everything", "[
   CHECK(Received(world, "c").empty());
 }
 
-TEST_CASE("simple radio: lines from the senders are recorded only if asked for",
+TEST_CASE("simple radio: lines from the senders are recorded only on request",
           "[contract][media]") {
   const bool show = GENERATE(false, true);
   SRobotExperiment experiment = WithRadios(Row(1.5));
@@ -256,16 +258,14 @@ TEST_CASE("simple radio: lines from the senders are recorded only if asked for",
   CHECK(world.GetRobot("c").GetCheckedRays().empty());
 }
 
-TEST_CASE("simple radio: sending and receiving allocate nothing once settled",
+TEST_CASE("simple radio: sending and receiving allocate nothing in steady state",
           "[contract][media][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
+  WarnUnlessAllocationsAreCounted();
   CRobotWorld world(WithRadios(Row(10.0)));
   size_t counted = 0;
   std::string first;
   for (int tick = 0; tick < 10; ++tick) {
-    // what the controller makes is its own business
+    // allocations by the controller are not counted
     Send(world, "a", "a message that is longer than a string is without memory of its own");
     Send(world, "c", "another one");
     const CAllocationCount count;
@@ -278,7 +278,7 @@ TEST_CASE("simple radio: sending and receiving allocate nothing once settled",
   CHECK(Received(world, "b").size() == 2);
 }
 
-TEST_CASE("simple radio: wrong experiments are refused with the reason",
+TEST_CASE("simple radio: invalid experiments are refused with the reason",
           "[contract][media][errors]") {
   struct SCase {
     std::string Radios;
@@ -298,7 +298,7 @@ TEST_CASE("simple radio: wrong experiments are refused with the reason",
   CHECK_THAT(LoadError(experiment), Contains(c.Reason) && Contains("test.argos:"));
 }
 
-TEST_CASE("simple radio: a robot without radios is told so", "[contract][media][errors]") {
+TEST_CASE("simple radio: a robot without radios is refused", "[contract][media][errors]") {
   SRobotExperiment experiment = WithRadios(Robot("foot-bot", "a", "position=\"0,0,0\""));
   CHECK_THAT(LoadError(experiment), Contains("no component \"simple_radios\""));
 }

@@ -1,8 +1,9 @@
-// Pushing, braking, robots of other shapes, heights and borders of engines.
+// Pushing, braking, robots of other shapes, and the heights and regions of engines.
 
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/engines.h>
 #include <argos3/testing/support/closed_form/differential_drive.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/body_description.h>
@@ -23,9 +24,6 @@ using testing::SPose;
 
 namespace {
 
-constexpr Real kFootBotRadius = 0.085036758;  // m
-constexpr Real kEPuckRadius = 0.035;  // m
-
 std::string BoxXml(const std::string& id, Real x, Real y, Real yaw, Real mass,
                    const std::string& size = "0.2,0.2,0.1") {
   std::ostringstream xml;
@@ -34,7 +32,7 @@ std::string BoxXml(const std::string& id, Real x, Real y, Real yaw, Real mass,
   return xml.str();
 }
 
-// gives a robot another body: what its type says of its drive stays
+// replaces a robot's solids by one shape; the description of its drive is kept
 void Reshape(CDriveWorld& world, const std::string& id, const SShapeDescription& shape) {
   CEmbodiedEntity& body = world.Body(id);
   auto description = std::make_shared<SBodyDescription>(*body.GetBodyDescription());
@@ -50,7 +48,7 @@ void Reshape(CDriveWorld& world, const std::string& id, const SShapeDescription&
 TEST_CASE("push: a robot stronger than friction pushes an object at its own speed",
           "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
-  // where weight does not matter, the wheels do not slip in the end, however heavy the object
+  // where friction does not depend on weight, the wheels stop slipping for any mass of the object
   const Real mass = GENERATE(0.1, 0.5, 10.0);
   CAPTURE(engine, mass);
   if (IsSkipped(engine, engine.GetHold(mass) < 0.9 * engine.Push, "friction so low for 10 kg")) {
@@ -62,14 +60,14 @@ TEST_CASE("push: a robot stronger than friction pushes an object at its own spee
   const CVector3 robot = world.Position("r");
   const CVector3 box = world.Position("box");
   world.Step(20);
-  // 2 s at 0.1 m/s; single precision leaves 1e-6 m a tick
+  // 2 s at 0.1 m/s; single precision errs by 1e-6 m per tick
   CHECK_THAT(world.Position("r").GetX() - robot.GetX(), WithinAbs(0.2, 2e-5 + engine.Slack));
   CHECK_THAT(world.Position("box").GetX() - box.GetX(), WithinAbs(0.2, 2e-5 + engine.Slack));
   CHECK_THAT(world.Position("box").GetX() - world.Position("r").GetX(),
              WithinAbs(kFootBotRadius + 0.1, 0.02 * kFootBotRadius));
 }
 
-TEST_CASE("push: robots of one kind that drive head-on stop each other", "[contract][engine]") {
+TEST_CASE("push: robots of one type that drive head-on stop each other", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   CAPTURE(engine);
   CDriveWorld world(engine.ToXml(), DriverXml("e-puck", "a", -0.2, 0, 0, 10, 10) +
@@ -80,7 +78,7 @@ TEST_CASE("push: robots of one kind that drive head-on stop each other", "[contr
   CHECK_THAT(world.Position("a").GetY(), WithinAbs(0.0, 0.02 * kEPuckRadius));
 }
 
-TEST_CASE("push: a mirrored scene moves in a mirrored way", "[contract][engine]") {
+TEST_CASE("push: a mirrored scene has mirrored motions", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   CAPTURE(engine);
   const auto scene = [](Real side) {
@@ -96,7 +94,7 @@ TEST_CASE("push: a mirrored scene moves in a mirrored way", "[contract][engine]"
   }
   for (const std::string id : {"r", "box"}) {
     CAPTURE(id);
-    // the solver works off the two points of a contact in some order
+    // the solver treats the two points of a contact one after the other
     CHECK_THAT(left.Position(id).GetX(), WithinAbs(right.Position(id).GetX(), 1e-3 + engine.Slack));
     CHECK_THAT(left.Position(id).GetY(),
                WithinAbs(-right.Position(id).GetY(), 1e-3 + engine.Slack));
@@ -105,20 +103,20 @@ TEST_CASE("push: a mirrored scene moves in a mirrored way", "[contract][engine]"
   REQUIRE(left.Position("box").GetX() > kFootBotRadius + 0.2);
 }
 
-TEST_CASE("push: a box pushed off its centre turns", "[contract][engine]") {
+TEST_CASE("push: a box pushed off its centre rotates", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   CAPTURE(engine);
   CDriveWorld world(engine.ToBrakingXml(1.0, 0.5),
                     DriverXml("foot-bot", "r", 0, 0.08, 0, 10, 10) +
                         BoxXml("box", kFootBotRadius + 0.12, 0, 0, 0.5));
   world.Step(40);
-  // pushed ahead on its left side: clockwise
+  // the push is ahead, on its left side: it turns clockwise
   CHECK(world.Yaw("box") < -0.1);
   CHECK(world.Position("box").GetX() > kFootBotRadius + 0.12);
   if (IsSkipped(engine, engine.Ground == EGround::Force, "friction against turning by itself")) {
     return;
   }
-  // the ground holds it with 1.49 N m by default, more than 15 N can turn at 8 cm
+  // friction holds it with 1.49 N m by default, more than 15 N exert at a lever of 8 cm
   CDriveWorld held(engine.ToXml(), DriverXml("foot-bot", "r", 0, 0.08, 0, 10, 10) +
                                        BoxXml("box", kFootBotRadius + 0.12, 0, 0, 1.0));
   held.Step(40);
@@ -126,7 +124,7 @@ TEST_CASE("push: a box pushed off its centre turns", "[contract][engine]") {
   CHECK(held.Position("box").GetX() > kFootBotRadius + 0.12);
 }
 
-TEST_CASE("brakes: a robot whose wheels stand still gives way only to more than its force",
+TEST_CASE("brakes: a robot with resting wheels yields only to a force that exceeds its own",
           "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   CAPTURE(engine);
@@ -141,14 +139,14 @@ TEST_CASE("brakes: a robot whose wheels stand still gives way only to more than 
   world.Step(10);
   CHECK_THAT(world.Position("weak").GetX() - before, WithinAbs(0.1, 1e-4 + engine.Slack));
 
-  // and the other way round
+  // with exchanged roles the strong robot stays
   CDriveWorld other(engine.ToXml(), DriverXml("e-puck", "weak", 0, 0, 0, 10, 10) +
                                         DriverXml("foot-bot", "strong", 0.2, 0, 0, 0, 0));
   other.Step(100);
   CHECK_THAT(other.Position("strong").GetX(), WithinAbs(0.2, 0.02 * kEPuckRadius + engine.Slack));
 }
 
-TEST_CASE("shapes: a robot that is a box follows its arc too, and pushes with its front",
+TEST_CASE("shapes: a box-shaped robot follows its arc and pushes with its front",
           "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   CAPTURE(engine);
@@ -166,7 +164,7 @@ TEST_CASE("shapes: a robot that is a box follows its arc too, and pushes with it
   for (int tick = 1; tick <= 100; ++tick) {
     world.Step();
     const SPose exact = IntegrateDifferentialDrive(start, 0.09, 0.10, 0.14, 0.1 * tick);
-    // it always has a Box2D body, and takes the exact pose as long as that agrees
+    // it always has a Box2D body, and keeps the exact pose while the two agree
     const Real tolerance = 1e-9 + engine.Slip * 0.0095 * tick + engine.Slack;
     REQUIRE_THAT(world.Position("free").GetX(), WithinAbs(exact.X, tolerance));
     REQUIRE_THAT(world.Position("free").GetY(), WithinAbs(exact.Y, tolerance));
@@ -189,18 +187,18 @@ TEST_CASE("heights: a body must stand on the plane of the engine", "[contract][e
                     Contains("takes \"b\" (<box>) at (0,0,0.5)") &&
                         Contains("\"ground\" has its plane at z = 0 m") &&
                         Contains("body is at z = 0.5 m") && Contains("elevation=\"0.5\""));
-  // each takes what is on its own floor
+  // each engine accepts the body on its own plane
   CDriveWorld world(engine.ToXml("ground") + engine.ToXml("upstairs", "elevation='0.5'"),
                     box + DriverXml("e-puck", "r", 0, 0, 0, 10, 10));
   CHECK(world.Body("b").GetPhysicsModel(0).GetEngine().GetId() == "upstairs");
   CHECK(world.Body("b").GetPhysicsModelsNum() == 1);
   CHECK(world.Body("r").GetPhysicsModel(0).GetEngine().GetId() == "ground");
-  // and the box upstairs is in nobody's way on the ground
+  // the box upstairs does not obstruct the robot on the ground
   world.Step(21);
   CHECK_THAT(world.Position("r").GetX(), WithinAbs(0.2, 1e-9));
 }
 
-TEST_CASE("heights: of a body that no engine takes, every engine says why not",
+TEST_CASE("heights: for a body that no engine accepts, every engine gives its reason",
           "[contract][engine][errors]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   CAPTURE(engine);
@@ -217,7 +215,7 @@ TEST_CASE("heights: of a body that no engine takes, every engine says why not",
   const std::string far = "<toy_engine id='far'>" + region + "</toy_engine>";
   const std::string box =
       "<box id='b' size='1,1,1' movable='true' mass='1'><body position='0,2,1.25'/></box>";
-  // whatever their order
+  // the result does not depend on the order of engines
   const std::string engines =
       GENERATE_COPY(ground + upstairs + picky + far, far + picky + upstairs + ground,
                     picky + ground + far + upstairs);
@@ -230,7 +228,7 @@ TEST_CASE("heights: of a body that no engine takes, every engine says why not",
           Contains("set elevation=\"1.25\" of an engine") &&
           Contains("\"picky\" cannot house a <box>") &&
           Contains("outside the region (<boundaries>) of \"far\""));
-  // also in a run, and nothing of the box stays
+  // the same during a run, after which nothing of the box is left
   CDriveWorld world(engines, robot);
   CHECK_THROWS_WITH(
       world.GetSimulator().GetLoopFunctions().AddEntity(
@@ -242,7 +240,7 @@ TEST_CASE("heights: of a body that no engine takes, every engine says why not",
   world.Step();
 }
 
-TEST_CASE("parameters: what is out of range is refused", "[contract][engine]") {
+TEST_CASE("parameters: values out of range are refused", "[contract][engine]") {
   CHECK_THROWS_WITH(CDriveWorld(kDynamics2D.ToXml("e", "gripping_rigidity='-5'"), ""),
                     Contains("\"gripping_rigidity\" must be a number >= 0, found -5"));
   CHECK_NOTHROW(CDriveWorld(

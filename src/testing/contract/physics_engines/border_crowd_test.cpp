@@ -1,4 +1,4 @@
-// Many robots that cross many borders: none is lost, doubled or stuck.
+// Many robots that cross many borders: none is lost, duplicated or stuck.
 
 #include <argos3/testing/contract/physics_engines/regions.h>
 #include <argos3/testing/support/experiment.h>
@@ -40,7 +40,7 @@ size_t CountModels(CTestWorld& world) {
 
 /**
  * E-pucks that diffuse through rooms, in a grid of engines whose borders run through the rooms.
- * @return how often one has crossed a border.
+ * @return number of border crossings.
  */
 int RunCrowd(const SEngineType& engine, UInt32 robots, UInt32 engines, UInt32 seconds) {
   SRoomsWorld rooms;
@@ -66,7 +66,7 @@ int RunCrowd(const SEngineType& engine, UInt32 robots, UInt32 engines, UInt32 se
   for (UInt32 second = 0; second < seconds; ++second) {
     world.Step(10);
     for (size_t i = 0; i < bodies.size(); ++i) {
-      // in one engine, and that of its place
+      // each robot is in one engine, the one that contains it
       REQUIRE(bodies[i]->GetPhysicsModelsNum() == 1);
       CPhysicsEngine& now = bodies[i]->GetPhysicsModel(size_t(0)).GetEngine();
       REQUIRE(now.IsPointContained(bodies[i]->GetOriginAnchor().Position));
@@ -75,7 +75,7 @@ int RunCrowd(const SEngineType& engine, UInt32 robots, UInt32 engines, UInt32 se
     }
     REQUIRE(CountModels(world) == models);
     MeasureOverlaps(world.GetSpace(), overlaps);
-    // at 10 cm/s, turning a tenth of the time, nobody stays where it is for a minute
+    // at 10 cm/s, and turning a tenth of the time, every robot moves within a minute
     if (second % 60 == 59) {
       for (size_t i = 0; i < bodies.size(); ++i) {
         const CVector3& place = bodies[i]->GetOriginAnchor().Position;
@@ -84,7 +84,7 @@ int RunCrowd(const SEngineType& engine, UInt32 robots, UInt32 engines, UInt32 se
       }
     }
   }
-  // what engines promise, borders or not
+  // the limit for robots in any engine, with or without borders
   CHECK(SOverlaps::Quantile(overlaps.WithRobots, 0.99) <= 0.02);
   CHECK(SOverlaps::Quantile(overlaps.WithWalls, 1.0) <= 0.02);
   return crossings;
@@ -92,7 +92,7 @@ int RunCrowd(const SEngineType& engine, UInt32 robots, UInt32 engines, UInt32 se
 
 }  // namespace
 
-TEST_CASE("border crowd: robots that roam for a minute are neither lost, doubled nor stuck",
+TEST_CASE("border crowd: robots that roam for a minute are neither lost nor duplicated nor stuck",
           "[contract][engine][partition]") {
   const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
   if (IsSkipped(engine, engine.HasContacts, "contacts: its robots would leave the arena")) {
@@ -100,7 +100,7 @@ TEST_CASE("border crowd: robots that roam for a minute are neither lost, doubled
   }
   const UInt32 engines = GENERATE(4U, 16U);
   CAPTURE(engine, engines);
-  // in 60 s, each of 150 robots on some 24 m^2 drives 5 m
+  // in 60 s each of 150 robots on about 24 m^2 drives 5 m
   CHECK(RunCrowd(engine, 150, engines, 60) > 150);
 }
 

@@ -1,7 +1,8 @@
-// What bodies do to each other and to the ground, against closed forms, in every engine.
+// Forces between bodies and between bodies and ground, compared with closed forms in every engine.
 
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/engines.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/utility/math/random_stream.h>
 
@@ -19,11 +20,9 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-constexpr Real kFootBotRadius = 0.085036758;  // m
-constexpr Real kEPuckRadius = 0.035;  // m
 constexpr Real kTick = 0.1;  // s
 
-/** A thing that can be moved, flat, so that nothing topples it. */
+/** A movable object, flat so that nothing topples it. */
 struct SThing {
   std::string Id;
   bool IsBox = true;
@@ -40,11 +39,11 @@ struct SThing {
         << ",0' orientation='" << Yaw << ",0,0'/></" << (IsBox ? "box" : "cylinder") << ">";
     return xml.str();
   }
-  // of one that turns about the vertical, kg m^2
+  // about the vertical axis, kg m^2
   Real Inertia() const { return Mass * kHalf * kHalf * (IsBox ? 2.0 / 3.0 : 0.5); }
 };
 
-// J
+// kinetic energy, J
 Real EnergyOf(CDriveWorld& world, const SThing& thing) {
   const SBodyMotion motion = world.Motion(thing.Id);
   const Real spin = motion.Rotation.GetZ();
@@ -53,7 +52,7 @@ Real EnergyOf(CDriveWorld& world, const SThing& thing) {
 
 }  // namespace
 
-TEST_CASE("momentum: what nothing brakes goes straight on at its speed", "[contract][engine]") {
+TEST_CASE("momentum: a body without friction keeps its velocity", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   if (IsSkipped(engine, engine.HasMomentum, "momentum")) {
     return;
@@ -74,7 +73,7 @@ TEST_CASE("momentum: what nothing brakes goes straight on at its speed", "[contr
   CHECK_THAT(world.Motion("a").Rotation.GetZ(), WithinAbs(0.0, tolerance));
 }
 
-TEST_CASE("friction: what slides loses as much speed in each tick, stops, and rests",
+TEST_CASE("friction: a sliding body decelerates constantly, stops, and rests",
           "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   if (IsSkipped(engine, engine.HasMomentum, "momentum: what is let go stops at once")) {
@@ -82,7 +81,7 @@ TEST_CASE("friction: what slides loses as much speed in each tick, stops, and re
   }
   const std::string solver = GENERATE_COPY(from_range(engine.Solvers));
   const Real mass = GENERATE(0.5, 10.0);
-  // where friction is a square or a pyramid, it brakes along the diagonals by up to 41 % more
+  // friction limited by a square or a pyramid decelerates up to 41 % more along the diagonals
   const Real degrees = GENERATE(0.0, 30.0, 45.0);
   CAPTURE(engine, solver, mass, degrees);
   const Real angle = degrees * std::numbers::pi / 180.0;
@@ -100,7 +99,7 @@ TEST_CASE("friction: what slides loses as much speed in each tick, stops, and re
   }
   world.Step(3);
   const CVector3 stopped = world.Position("a");
-  // v^2 / (2 a), and up to half a substep's path less, because speeds change before places do
+  // v^2 / (2 a), less up to the path of half a substep, because speeds change before positions do
   const Real path = 1.0 / (2.0 * kDeceleration);
   CHECK(ahead.DotProduct(stopped - start) <= path * (1.0 + 5.0 * engine.Precision));
   CHECK(ahead.DotProduct(stopped - start) >= (path - 0.5 * kTick) * (1.0 - engine.Precision));
@@ -108,14 +107,14 @@ TEST_CASE("friction: what slides loses as much speed in each tick, stops, and re
   CHECK(Distance(world.Position("a"), stopped) <= 1e-6 + 0.1 * engine.Slack);
 }
 
-TEST_CASE("friction: on a slope, a box slides beyond the angle of friction and rests below",
+TEST_CASE("friction: on a slope a box slides beyond the angle of friction and rests below it",
           "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   if (IsSkipped(engine, engine.HasSlopes, "slopes")) {
     return;
   }
   const std::string solver = GENERATE_COPY(from_range(engine.Solvers));
-  // the coefficient of things is 1 by default
+  // the friction coefficient of objects is 1 by default
   const Real degrees = GENERATE(43.0, 50.0);
   CAPTURE(engine, solver, degrees);
   const Real angle = degrees * std::numbers::pi / 180.0;
@@ -133,13 +132,13 @@ TEST_CASE("friction: on a slope, a box slides beyond the angle of friction and r
     CHECK(slid.Length() <= engine.Slack);
     return;
   }
-  // g (sin - mu cos) t^2 / 2, and up to a tenth of a tick's change of speed more
+  // g (sin - mu cos) t^2 / 2, plus up to a tenth of the change of speed in a tick
   const Real path = 0.5 * kEngineGravity * (std::sin(angle) - std::cos(angle));
   CHECK_THAT(slid.DotProduct(down), WithinRel(path, 0.03));
   CHECK(std::abs(slid.DotProduct(up)) <= engine.Slack);
 }
 
-TEST_CASE("impact: two things go on together, with the momentum that one brought",
+TEST_CASE("impact: two objects move on together with the momentum of the first",
           "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   if (IsSkipped(engine, engine.HasMomentum, "momentum")) {
@@ -147,7 +146,7 @@ TEST_CASE("impact: two things go on together, with the momentum that one brought
   }
   const std::string solver = GENERATE_COPY(from_range(engine.Solvers));
   const bool isBox = GENERATE(true, false);
-  const Real mass = GENERATE(1.0, 3.0);  // kg, of the one that is struck
+  const Real mass = GENERATE(1.0, 3.0);  // kg, of the second object
   CAPTURE(engine, solver, isBox, mass);
   CDriveWorld world(engine.ToBrakingXml(0.0, 1.0, "e", solver),
                     SThing{"a", isBox}.ToXml() +
@@ -155,7 +154,7 @@ TEST_CASE("impact: two things go on together, with the momentum that one brought
   world.Step(2);
   world.Launch("a", CVector3(0.5, 0.0, 0.0));
   world.Step(20);
-  // restitution 0
+  // restitution is 0
   const Real together = 0.5 / (1.0 + mass);
   const Real tolerance = 1e-5 + engine.Precision;
   const Real speedA = world.Motion("a").Velocity.GetX();
@@ -163,13 +162,12 @@ TEST_CASE("impact: two things go on together, with the momentum that one brought
   CHECK_THAT(speedA, WithinAbs(together, tolerance));
   CHECK_THAT(speedB, WithinAbs(together, tolerance));
   CHECK_THAT(speedA + mass * speedB, WithinAbs(0.5, tolerance));
-  // and touch
+  // the objects touch
   CHECK_THAT(world.Position("b").GetX() - world.Position("a").GetX(),
              WithinAbs(0.2, 0.02 * SThing::kHalf));
 }
 
-TEST_CASE("impact: things that fly into each other keep their momentum and gain no energy",
-          "[contract][engine]") {
+TEST_CASE("impact: colliding objects conserve momentum and gain no energy", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   if (IsSkipped(engine, engine.HasMomentum, "momentum")) {
     return;
@@ -189,7 +187,7 @@ TEST_CASE("impact: things that fly into each other keep their momentum and gain 
   CVector3 momentum;
   Real total = 0.0;  // kg m/s
   for (const SThing& thing : things) {
-    // towards a point off the middle
+    // the velocity points to a place near the middle
     const CVector3 velocity(0.1 - thing.X + random.Uniform(-0.2, 0.2),
                             -0.2 - thing.Y + random.Uniform(-0.2, 0.2), 0.0);
     world.Launch(thing.Id, velocity * 0.5);
@@ -213,13 +211,13 @@ TEST_CASE("impact: things that fly into each other keep their momentum and gain 
     REQUIRE(now <= energy + (1e-5 + engine.Precision) * first);
     energy = now;
   }
-  // they did meet
+  // the objects have collided
   CHECK(energy <= 0.7 * first);
 }
 
-TEST_CASE("drive: its force is bounded", "[contract][engine]") {
+TEST_CASE("drive: the force is bounded", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
-  // of what a foot-bot can push
+  // share of the force that a foot-bot can exert
   const Real share = GENERATE(0.8, 1.2);
   CAPTURE(engine, share);
   const Real hold = share * engine.Push;  // N
@@ -235,8 +233,9 @@ TEST_CASE("drive: its force is bounded", "[contract][engine]") {
   if (share < 1.0) {
     CHECK(moved > 0.1);
   } else {
-    // the blow of its arrival, 1.6 kg at 0.1 m/s, moves the box a little: with 3 N left to brake
-    // 2.6 kg at 0.0615 m/s, 1.6 mm; what follows is creep, far below 1 % of the speed ordered
+    // The impact of the arriving robot, 1.6 kg at 0.1 m/s, moves the box slightly:
+    // with 3 N left to decelerate 2.6 kg at 0.0615 m/s, 1.6 mm. The rest is creep, far
+    // below 1 % of the ordered speed.
     CHECK(moved <= 0.02);
     const Real settled = world.Position("box").GetX();
     world.Step(100);
@@ -245,7 +244,7 @@ TEST_CASE("drive: its force is bounded", "[contract][engine]") {
   }
 }
 
-TEST_CASE("drive: a robot stalls at a wall and does not sink into it", "[contract][engine]") {
+TEST_CASE("drive: a robot stalls at a wall and does not penetrate it", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   const Real angle = GENERATE(0.0, 30.0, 60.0);
   CAPTURE(engine, angle);
@@ -254,11 +253,11 @@ TEST_CASE("drive: a robot stalls at a wall and does not sink into it", "[contrac
   CDriveWorld world(engine.ToXml(), wall + DriverXml("e-puck", "r", 0.3, -1, angle, 10, 10));
   for (int tick = 0; tick < 150; ++tick) {
     world.Step();
-    // also of one that leans: it stands on its wheels, and what its base is described by is lower
+    // includes a robot that tilts: it stands on its wheels, below which the shapes of its base end
     const Real depth = world.Body("r").GetBoundingBox().MaxCorner.GetX() - 0.4;
     REQUIRE(depth <= 0.02 * kEPuckRadius + engine.Slack);
   }
-  // it has reached the wall, and touches it to a tenth of its radius
+  // it has reached the wall, to a tenth of its radius
   CHECK_THAT(world.Position("r").GetX() + kEPuckRadius, WithinAbs(0.4, 0.1 * kEPuckRadius));
 }
 

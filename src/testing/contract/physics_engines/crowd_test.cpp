@@ -1,8 +1,9 @@
-// Many bodies in little room: nobody ends up in a wall or in somebody else.
+// Many bodies in little space: robots overlap neither walls nor each other.
 
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/engines.h>
 #include <argos3/testing/support/overlap.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/core/utility/math/vector2.h>
@@ -22,8 +23,6 @@ using testing::SOverlaps;
 
 namespace {
 
-constexpr Real kEPuckRadius = 0.035;  // m
-constexpr Real kFootBotRadius = 0.085036758;  // m
 constexpr Real kFootBotHeight = 0.146899733;  // m
 
 std::string WallXml(const std::string& id, const std::string& size, Real x, Real y,
@@ -42,11 +41,11 @@ bool IsFinite(const CVector3& v) {
 struct SColumns {
   int Depth = 8;
   int Width = 12;
-  Real Yaw = 0.0;  // degrees, of everything
-  Real Jitter = 0.0;  // m: each robot starts up to this far from its place in the lattice
-  bool FaceToFace = false;  // two crowds instead of a crowd and a wall
+  Real Yaw = 0.0;  // degrees, of the whole scene
+  Real Jitter = 0.0;  // m: each robot starts within this distance of its lattice point, per axis
+  bool FaceToFace = false;  // two crowds that face each other instead of a crowd and a wall
 
-  static constexpr Real kAhead = 1.0;  // m: where the wall begins that a single crowd drives at
+  static constexpr Real kAhead = 1.0;  // m: position of the wall at which a single crowd drives
 
   CVector2 Turn(Real x, Real y) const {
     return CVector2(x, y).Rotate(CRadians(Yaw / 180.0 * ARGOS_PI));
@@ -96,7 +95,7 @@ TEST_CASE("crowd: discs that drive to one place overlap by at most 2 % of the ra
     for (int k = 0; k < 6 * ring; ++k) {
       const Real angle = 2.0 * ARGOS_PI * k / (6 * ring);
       const Real distance = 0.12 * ring;
-      // every robot looks at the centre and keeps driving
+      // every robot faces the centre and keeps driving
       arena += DriverXml("e-puck", "r" + std::to_string(count++), distance * std::cos(angle),
                          distance * std::sin(angle), angle * 180.0 / ARGOS_PI + 180.0, 10, 10);
     }
@@ -109,20 +108,20 @@ TEST_CASE("crowd: discs that drive to one place overlap by at most 2 % of the ra
     world.Step();
     MeasureOverlaps(world.GetSpace(), overlaps);
   }
-  // the crowd is dense: its discs cover 70 % of the circle around their centres; as a square
-  // lattice they would cover 79 %
+  // The crowd is dense: its discs cover 70 % of the circle around their centres. In a square
+  // lattice they would cover 79 %.
   Real farthest = 0.0;
   for (int i = 0; i < count; ++i) {
     const std::string id = "r" + std::to_string(i);
     farthest = std::max(farthest, world.Position(id).Length());
-    // nobody climbs on anybody
+    // no robot is on top of another one
     CHECK(world.Tilt(id) < 0.1);
   }
   CHECK(count * kEPuckRadius * kEPuckRadius >= 0.7 * farthest * farthest);
   CHECK(SOverlaps::Quantile(overlaps.WithRobots, 0.99) <= 0.02);
 }
 
-TEST_CASE("crowd: robots that press against a wall stay out of it and of each other",
+TEST_CASE("crowd: robots that press against a wall overlap neither it nor each other",
           "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   CAPTURE(engine);
@@ -137,10 +136,10 @@ TEST_CASE("crowd: robots that press against a wall stay out of it and of each ot
     world.Step();
     MeasureOverlaps(world.GetSpace(), overlaps);
   }
-  // the promise of the engine: 2 % of the radius
+  // the specified limit of engines: 2 % of the radius
   CHECK(SOverlaps::Quantile(overlaps.WithRobots, 0.99) <= 0.02);
   CHECK(SOverlaps::Quantile(overlaps.WithWalls, 1.0) <= 0.02);
-  // they do press: the front row is at the wall
+  // they do press: the front row touches the wall
   const CVector2 ahead = columns.Turn(1.0, 0.0);
   Real foremost = 0.0;
   for (int i = 0; i < columns.CountRobots(); ++i) {
@@ -150,7 +149,7 @@ TEST_CASE("crowd: robots that press against a wall stay out of it and of each ot
   CHECK_THAT(foremost, WithinAbs(SColumns::kAhead - kEPuckRadius, 0.02 * kEPuckRadius));
 }
 
-TEST_CASE("crowd: as deep as can be, against a wall or another crowd, nobody overlaps at any time",
+TEST_CASE("crowd: at the greatest depth, against a wall or another crowd, robots never overlap",
           "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   CAPTURE(engine);
@@ -160,30 +159,30 @@ TEST_CASE("crowd: as deep as can be, against a wall or another crowd, nobody ove
   std::tie(columns.Yaw, columns.FaceToFace) = GENERATE(
       std::make_tuple(0.0, false), std::make_tuple(37.0, false), std::make_tuple(0.0, true));
   if (columns.FaceToFace && columns.Depth < 10) {
-    columns.Depth /= 2;  // where depth matters, two crowds are as bad as one of twice the depth
+    // in engines where depth matters, two crowds are equivalent to one of twice the depth
+    columns.Depth /= 2;
   }
-  // columns that stand exactly in line, and such as buckle
+  // columns exactly in line, and columns that buckle
   columns.Jitter = GENERATE(0.0, 0.002);
   CAPTURE(columns.Yaw, columns.FaceToFace, columns.Jitter);
   CDriveWorld world(engine.ToXml(), columns.ToXml());
-  // while the crowd forms, and after: the last robot has 3 cm for each before it to drive
+  // while the crowd forms and afterwards: the last robot drives 3 cm for each robot ahead of it
   const int ticks = 130 + 3 * columns.Depth;
   for (int tick = 0; tick < ticks; ++tick) {
     world.Step();
     SOverlaps overlaps;
     MeasureOverlaps(world.GetSpace(), overlaps);
     CAPTURE(tick);
-    // the promise is 2 % of the radius at the 99th percentile; here not even one robot exceeds it
-    // but for what engines notice late, of 20 cm/s
+    // The limit is 2 % of the radius at the 99th percentile. Here every robot is within it, plus
+    // the depth by which engines detect contacts late at 20 cm/s.
     const Real most = 0.02 + 0.2 * engine.Lateness / kEPuckRadius;
     REQUIRE(SOverlaps::Quantile(overlaps.WithRobots, 1.0) <= most);
     REQUIRE(SOverlaps::Quantile(overlaps.WithWalls, 1.0) <= most);
   }
   if (columns.FaceToFace && columns.Depth < 10) {
-    return;  // so shallow ones find their way through each other
+    return;  // shallow crowds pass through each other
   }
-  // the crowd has formed: columns in line are as long as the diameters of all; others fill what
-  // room is between
+  // the crowd has formed: columns in line have the length of all diameters, others use gaps as well
   const CVector2 ahead = columns.Turn(1.0, 0.0);
   Real rearmost = SColumns::kAhead;
   for (int i = 0; i < columns.Depth * columns.Width; ++i) {
@@ -194,11 +193,11 @@ TEST_CASE("crowd: as deep as can be, against a wall or another crowd, nobody ove
   CHECK(front - rearmost <= 1.02 * columns.Depth * 2.0 * kEPuckRadius);
 }
 
-TEST_CASE("crowd: robots put into each other come apart, and nothing becomes NaN",
+TEST_CASE("crowd: overlapping robots are separated, and no coordinate becomes NaN",
           "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   CAPTURE(engine);
-  // 5 cm into each other, or at one and the same place
+  // 5 cm deep, or at the same position
   const Real distance = GENERATE(2.0 * kFootBotRadius - 0.05, 0.0);
   CAPTURE(distance);
   CDriveWorld world(engine.ToXml(), DriverXml("foot-bot", "a", 0, 0, 0, 0, 0) +
@@ -209,21 +208,20 @@ TEST_CASE("crowd: robots put into each other come apart, and nothing becomes NaN
   const CVector3 b = world.Position("b");
   REQUIRE(IsFinite(a));
   REQUIRE(IsFinite(b));
-  // beside each other, or, if there is an above, upon each other: that is nearer
+  // side by side or, in engines with a third dimension, one on top of the other, which is nearer
   const bool areBeside =
       std::hypot(a.GetX() - b.GetX(), a.GetY() - b.GetY()) >= 2.0 * kFootBotRadius * 0.98;
   const bool areStacked =
       engine.HasSlopes && std::abs(a.GetZ() - b.GetZ()) >= kFootBotHeight * 0.98;
   CHECK((areBeside || areStacked));
-  // two robots of one mass are pushed equally far
+  // two robots of equal mass are displaced equally
   CHECK_THAT(0.5 * (a.GetX() + b.GetX()), WithinAbs(0.5 * distance, 1e-3));
 }
 
-TEST_CASE("crowd: a robot wedged in a gap that is too narrow stays finite and near",
-          "[contract][engine]") {
+TEST_CASE("crowd: a robot wedged in a narrow gap stays finite and near", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   CAPTURE(engine);
-  // walls whose gap narrows to nothing, and a crowd that pushes into it
+  // walls that converge, and a crowd that pushes into the gap
   constexpr Real kSlant = 12.0 / 180.0 * ARGOS_PI;
   std::string arena = WallXml("upper", "2,0.1,0.5", 1.0, 0.25, -12.0) +
                       WallXml("lower", "2,0.1,0.5", 1.0, -0.25, 12.0);
@@ -238,7 +236,7 @@ TEST_CASE("crowd: a robot wedged in a gap that is too narrow stays finite and ne
     MeasureOverlaps(world.GetSpace(), overlaps);
   }
   CHECK(SOverlaps::Quantile(overlaps.WithWalls, 1.0) <= 0.02 + engine.Slack / kEPuckRadius);
-  // a disc fits until its centre is as far from both walls' axes as half a wall and its radius
+  // a disc fits until its centre is half a wall and its radius from both walls' axes
   const Real depth = 0.02 * kEPuckRadius;
   const Real deepest =
       1.0 + (0.25 - (0.05 + kEPuckRadius - depth) / std::cos(kSlant)) / std::tan(kSlant);
@@ -253,11 +251,11 @@ TEST_CASE("crowd: a robot wedged in a gap that is too narrow stays finite and ne
   CHECK(foremost >= 1.0);
 }
 
-TEST_CASE("crowd: a robot among objects in a pen leaves them and itself inside",
+TEST_CASE("crowd: a robot among objects in a pen keeps itself and the objects inside",
           "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   CAPTURE(engine);
-  // light and heavy objects of every shape, and foot-bots that push them about
+  // light and heavy objects of every shape, and foot-bots that push them
   std::string arena = WallXml("n", "2.2,0.1,0.5", 0, 1.05) + WallXml("s", "2.2,0.1,0.5", 0, -1.05) +
                       WallXml("e", "0.1,2.2,0.5", 1.05, 0) + WallXml("w", "0.1,2.2,0.5", -1.05, 0);
   std::ostringstream objects;
@@ -294,14 +292,13 @@ TEST_CASE("crowd: a robot among objects in a pen leaves them and itself inside",
   CHECK(SOverlaps::Quantile(overlaps.WithRobots, 1.0) <= 0.02);
 }
 
-TEST_CASE("speed: a robot does not pass a thin wall, however fast it drives",
-          "[contract][engine]") {
+TEST_CASE("speed: a robot does not pass through a thin wall at any speed", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   CAPTURE(engine);
   const Real speed = GENERATE(50.0, 500.0, 5000.0);  // cm/s
   const std::string iterations = GENERATE(as<std::string>(), "", "iterations='1'");
   CAPTURE(speed, iterations);
-  // if it is not held down
+  // unless something held it down
   const bool overturns = engine.HasSlopes && speed > 1000.0;
   CDriveWorld world(
       engine.ToXml("e", iterations),
@@ -312,7 +309,7 @@ TEST_CASE("speed: a robot does not pass a thin wall, however fast it drives",
     if (overturns) {
       continue;
     }
-    // also where one leans
+    // the bounding box includes the tilt
     const Real front = world.Body("r").GetBoundingBox().MaxCorner.GetX();
     REQUIRE(front <= 2.995 + 0.02 * kFootBotRadius + engine.Slack);
   }

@@ -15,7 +15,7 @@ namespace {
 SExperiment MakeExperiment(const std::string& engine, const std::string& arena, UInt32 threads) {
   SExperiment experiment;
   experiment.Threads = threads;
-  // a controller without a robot would be reported as unused
+  // an unused controller would be reported by a warning
   if (arena.find("config='driver'") != std::string::npos) {
     experiment.Controllers =
         "<contract_driver id='driver'><actuators><differential_steering implementation='default'/>"

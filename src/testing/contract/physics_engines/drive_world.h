@@ -11,7 +11,7 @@
 
 namespace argos {
 
-/** "contract_driver": turns its wheels at constant speeds, which a test may change. */
+/** "contract_driver": sets constant wheel speeds, which a test may change. */
 class CContractDriver : public CCI_Controller {
  public:
   /** Reads left and right, cm/s, default 0. */
@@ -28,24 +28,26 @@ class CContractDriver : public CCI_Controller {
 std::string DriverXml(const std::string& tag, const std::string& id, Real x, Real y, Real yaw,
                       Real left, Real right);
 
-/** A world of such robots and of objects, in one engine, of which it can be asked for anything. */
+/** A world of such robots and of objects, with accessors to their state. */
 class CDriveWorld : public CTestWorld {
  public:
-  /** @param engine XML of the engine. @param arena XML of what is in it. */
+  /** @param engine XML of the engine. @param arena XML of the entities. */
   CDriveWorld(const std::string& engine, const std::string& arena, UInt32 threads = 0);
 
   CEmbodiedEntity& Body(const std::string& id);
   CVector3 Position(const std::string& id) { return Body(id).GetOriginAnchor().Position; }
-  /** rad. */
+  /** Heading, rad. */
   Real Yaw(const std::string& id);
   CContractDriver& Driver(const std::string& id);
-  /** Id of the one engine that it is in. */
+  /** Id of the one engine that contains the body. */
   std::string EngineOf(const std::string& id);
-  /** Angle between its z axis and the vertical, rad. */
+  /** Angle between the body's z axis and the vertical, rad. */
   Real Tilt(const std::string& id);
-  /** How it moves, as its engine has it. */
+  /** Motion of the body as reported by its engine. */
   SBodyMotion Motion(const std::string& id);
-  /** Gives it a velocity, m/s. After a tick at least: before, engines with momentum have no bodies.
+  /**
+   * Sets the velocity of a body, m/s. Needs a tick before, because engines with momentum create
+   * their bodies in the first.
    */
   void Launch(const std::string& id, const CVector3& velocity);
 

@@ -37,7 +37,7 @@ std::string SEngineType::ToBrakingXml(Real deceleration, Real mass, const std::s
   switch (Ground) {
     case EGround::Force: {
       const Real force = deceleration * mass;
-      // a torque that brakes turning at most as strongly, at 5 cm
+      // a torque that decelerates rotation at most as strongly as motion, at 5 cm
       const Real torque = 0.05 * force;
       xml << "<friction box_linear_friction='" << force << "' box_angular_friction='" << torque
           << "' cylinder_linear_friction='" << force << "' cylinder_angular_friction='" << torque
@@ -69,7 +69,7 @@ Real SEngineType::GetHold(Real mass) const {
 
 bool IsSkipped(const SEngineType& engine, bool has, const std::string& what) {
   if (!has) {
-    SUCCEED("skipped: " << engine.Tag << " has no " << what);
+    WARN("skipped: " << engine.Tag << " has no " << what);
   }
   return !has;
 }

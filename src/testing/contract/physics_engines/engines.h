@@ -9,46 +9,48 @@
 
 namespace argos {
 
-/** How an engine holds things that lie on the ground. */
+/** Friction between objects and the ground in an engine. */
 enum class EGround {
-  Nothing, /**< nothing pushes them, so nothing needs to hold them */
-  Force, /**< by up to the force that `<friction>` sets, whatever they weigh */
-  Weight /**< by up to a share of their weight */
+  Nothing, /**< none: objects cannot be pushed */
+  Force, /**< limited by `<friction>`, whatever the weight */
+  Weight /**< limited by a share of the weight */
 };
 
-/** A physics engine that the contract tests run over, and what it does not do. */
+/** A physics engine that the contract tests cover, and its capabilities. */
 struct SEngineType {
-  std::string Tag; /**< in experiment files */
+  std::string Tag; /**< tag in experiment files */
   bool HasContacts = true; /**< bodies stop and push each other */
-  bool HasMomentum = true; /**< what is pushed slides on, robots take time to reach their speed */
-  std::string Children = ""; /**< without which nothing stands on the ground */
-  /** m: bodies settle by as much, and wheels that really roll slip by as much in a few seconds. */
+  bool HasMomentum = true; /**< pushed bodies slide on, robots accelerate with limited force */
+  std::string Children = ""; /**< XML that is needed for bodies to stand on the ground */
+  /** m: bodies settle by this distance, and rolling wheels slip by it in a few seconds. */
   Real Slack = 0.0;
-  Real Slip = 0.0; /**< share of its length by which a path may leave its closed form */
+  Real Slip = 0.0; /**< share of a path's length by which its end may differ from the closed form */
   bool IsPlane = false; /**< all bodies stand at its `elevation` */
-  bool HasSlopes = false; /**< bodies lie on tilted ones, and fall off */
+  bool HasSlopes = false; /**< bodies can lie on tilted bodies and fall off */
   EGround Ground = EGround::Nothing;
-  Real Farthest = 1e5; /**< m: where the farthest bodies may be */
-  Real GripRigidity = 0.0; /**< N/m: of grips that are springs; 0: they are rigid */
-  Real Push = 15.0; /**< N: what a foot-bot's wheels exert at most */
-  Real Precision = 0.0; /**< relative: what the solver leaves of forces and speeds */
-  Real Lateness = 0.0; /**< s: what meets something is inside it by its way in that time first */
-  int DeepestCrowd = 40; /**< robots, one behind the other, that hardly overlap when they push */
-  /** XML elements, each of which makes the engine compute the same in another way. */
+  Real Farthest = 1e5; /**< m: greatest distance of bodies from the origin */
+  Real GripRigidity = 0.0; /**< N/m: stiffness of grips; 0: rigid */
+  Real Push = 15.0; /**< N: greatest force of a foot-bot's wheels */
+  Real Precision = 0.0; /**< relative error of the solver in forces and speeds */
+  /** s: bodies penetrate obstacles by their motion in this time before contacts are detected */
+  Real Lateness = 0.0;
+  /** greatest number of robots in a column that overlap within the limits */
+  int DeepestCrowd = 40;
+  /** XML elements of solvers that must all give equal results. */
   std::vector<std::string> Solvers = {""};
 
   /** XML of an engine of this type. @param children  such as `<boundaries>`. */
   std::string ToXml(const std::string& id = "e", const std::string& attributes = "",
                     const std::string& children = "") const;
-  /** XML of two of them, "west" and "east", with a border between them at x. @param x m. */
+  /** XML of two engines, "west" and "east", with a border at x. @param x m. */
   std::string ToTwoXml(double x) const;
   /**
-   * XML of one in which the ground brakes things.
-   * @param deceleration  m/s^2, of what slides and has the mass @p mass (kg).
+   * XML of an engine with friction on the ground.
+   * @param deceleration  m/s^2, of a sliding body of mass @p mass (kg).
    */
   std::string ToBrakingXml(Real deceleration, Real mass, const std::string& id = "e",
                            const std::string& children = "") const;
-  /** What the ground holds a box of this mass (kg) with, as XML has it by default, N. */
+  /** Greatest friction force on a resting box of this mass (kg) with the default XML, N. */
   Real GetHold(Real mass) const;
 };
 
@@ -56,10 +58,10 @@ inline std::ostream& operator<<(std::ostream& stream, const SEngineType& engine)
   return stream << engine.Tag;
 }
 
-/** m/s^2, of those that have gravity. */
+/** m/s^2, of the engines with gravity. */
 constexpr Real kEngineGravity = 9.81;
 
-// Every engine in which robots on wheels drive.
+// Every engine in which wheeled robots can drive.
 inline const SEngineType kDynamics2D{
     .Tag = "dynamics2d",
     .IsPlane = true,
@@ -75,10 +77,10 @@ inline const SEngineType kDynamics3D{
     .HasSlopes = true,
     .Ground = EGround::Weight,
     .Farthest = 1e6,
-    // its wheels bear 80 % of 1.6 kg, and do not slip up to their load
+    // the wheels bear 80 % of 1.6 kg and do not slip below that load
     .Push = 12.5,
     .Precision = 2e-3,
-    // a substep
+    // the length of a substep
     .Lateness = 0.01,
     .DeepestCrowd = 4,
     .Solvers = {"", "<solver stepper='direct'/>", "<solver stepper='iterative'/>"},
@@ -97,14 +99,14 @@ inline const SEngineType kPointMass3D{
 };
 inline const std::vector<SEngineType> kEnginesWithWheels{kDynamics2D, kDynamics3D, kKinematics2D,
                                                          kPointMass3D};
-/** Those that keep bodies on the ground apart. */
+/** Engines that keep bodies on the ground apart. */
 inline const std::vector<SEngineType> kEnginesWithContacts{kDynamics2D, kDynamics3D, kKinematics2D};
-/** Those whose grippers hold what they grip. */
+/** Engines that support grips. */
 inline const std::vector<SEngineType> kEnginesWithGrips{kDynamics2D, kDynamics3D};
 
 /**
- * True if a test cannot run because the engine lacks something; the report then names it.
- * @param what  is lacking: "contacts".
+ * @return true if a test cannot run because the engine lacks something, which is then reported.
+ * @param what  the missing capability, such as "contacts".
  */
 bool IsSkipped(const SEngineType& engine, bool has, const std::string& what);
 

@@ -1,4 +1,4 @@
-// One experiment, in each engine: on a flat floor a free robot goes the same way.
+// Runs one experiment in each engine: on a flat floor a free robot takes the same path.
 
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/engines.h>
@@ -30,12 +30,12 @@ struct SSpeeds {
   Real Left, Right;  // cm/s
 };
 
-// what the wheels are to do, tick by tick
+// orders to the wheels, tick by tick
 struct SSchedule {
   std::string Name;
   std::vector<SSpeeds> Orders;  // one for each tick
 
-  // m: what the faster wheel rolls
+  // path length of the faster wheel, m
   Real Length() const {
     Real sum = 0.0;
     for (const SSpeeds& order : Orders) {
@@ -43,7 +43,7 @@ struct SSchedule {
     }
     return sum;
   }
-  // where it leads, after each tick
+  // exact poses, after each tick
   std::vector<SPose> Integrate() const {
     std::vector<SPose> poses = {kStart};
     for (const SSpeeds& order : Orders) {
@@ -62,7 +62,7 @@ SSchedule Constant(const std::string& name, Real left, Real right) {
   return {name, std::vector<SSpeeds>(kTicks, {left, right})};
 }
 
-// other speeds every two seconds, none of them for long
+// different speeds every two seconds
 SSchedule Changing() {
   SSchedule schedule{"changing", {}};
   CRandomStream random(1, "test", "flat worlds", "speeds");
@@ -89,14 +89,14 @@ SSchedule Square() {
   return schedule;
 }
 
-// the places after each tick
+// positions after each tick
 std::vector<CVector3> Drive(const std::string& engine, const SSchedule& schedule) {
   CDriveWorld world(
       engine, DriverXml("foot-bot", "r", kStart.X, kStart.Y, kStart.Yaw * 180.0 / ARGOS_PI, 0, 0));
   std::vector<CVector3> places;
   CContractDriver& driver = world.Driver("r");
   for (const SSpeeds& order : schedule.Orders) {
-    // ordered in one tick, done in the next
+    // orders of one tick act in the next
     driver.Left = order.Left;
     driver.Right = order.Right;
     world.Step();
@@ -109,14 +109,14 @@ std::vector<CVector3> Drive(const std::string& engine, const SSchedule& schedule
 
 }  // namespace
 
-TEST_CASE("flat worlds: a free robot goes the same way in every engine", "[contract][engine]") {
+TEST_CASE("flat worlds: a free robot takes the same path in every engine", "[contract][engine]") {
   const SSchedule schedule =
       GENERATE(Constant("straight", 10, 10), Constant("arc", 10, 8), Constant("tight arc", 2, 11),
                Constant("turn in place", -5, 5), Constant("reverse", -7, -7),
                Constant("reverse arc", -9, -6), Changing(), Square());
   CAPTURE(schedule);
   const std::vector<SPose> exact = schedule.Integrate();
-  std::vector<std::vector<CVector3>> accurate;  // of engines whose wheels do not slip
+  std::vector<std::vector<CVector3>> accurate;  // from engines without slip
   for (const SEngineType& engine : kEnginesWithWheels) {
     CAPTURE(engine);
     const std::vector<CVector3> places = Drive(engine.ToXml(), schedule);
@@ -126,7 +126,7 @@ TEST_CASE("flat worlds: a free robot goes the same way in every engine", "[contr
       worst = std::max(worst, Distance(places[i], CVector3(exact[i].X, exact[i].Y, 0.0)));
     }
     INFO("farthest from the closed form, m: " << worst);
-    // 1 mm; those that do not slip lose up to a hundredth of it to roundings and to their inertia
+    // 1 mm; engines without slip lose up to a hundredth of it to rounding and inertia
     CHECK(worst <= 1e-3 + engine.Slip * schedule.Length());
     if (engine.Slip == 0.0) {
       accurate.push_back(places);

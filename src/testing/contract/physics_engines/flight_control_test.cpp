@@ -1,5 +1,5 @@
-// How a flying robot gets to where its controller orders it: the loops of its propellers against
-// closed forms and against the specification, written a second time.
+// Compares the flight controllers with closed forms and with a second
+// implementation of their specification.
 
 #include <argos3/testing/contract/physics_engines/flight_world.h>
 
@@ -23,7 +23,7 @@ namespace {
 
 constexpr Real kSubstep = 0.01;  // s: 10 in a tick of 0.1 s
 constexpr UInt32 kSubsteps = 10;
-// thousands of roundings of numbers below 10, which the loops damp
+// tolerance for thousands of roundings of numbers below 10, which the loops damp
 constexpr Real kRounding = 1e-12;
 
 SFlightExperiment OneRobot(const std::string& actuator, const CVector3& position = CVector3(),
@@ -41,7 +41,8 @@ Real Difference(Real a, Real b) {
 
 }  // namespace
 
-TEST_CASE("flight: a robot without orders hovers where it is, to the bit", "[contract][flight]") {
+TEST_CASE("flight: a robot without orders hovers at a bit-identical position",
+          "[contract][flight]") {
   const std::string actuator =
       GENERATE(as<std::string>(), "", "quadrotor_position", "quadrotor_speed");
   const Real gravity = GENERATE(-9.81, 0.0, 3.7);
@@ -52,12 +53,13 @@ TEST_CASE("flight: a robot without orders hovers where it is, to the bit", "[con
   const Real yaw = world.Yaw();
   world.Step(300);
   CHECK(world.Position() == CVector3(1.1, -2.3, 0.7));
-  // the yaw is kept as an angle
+  // the yaw is stored as an angle
   CHECK_THAT(world.Yaw(), WithinAbs(yaw, 1e-15));
 }
 
-TEST_CASE("flight: a step of the target is answered as the recurrence says", "[contract][flight]") {
-  // small enough that thrust is not limited; the derivative answers a step with 1000 N/m
+TEST_CASE("flight: the response to a step of the target follows the recurrence",
+          "[contract][flight]") {
+  // a step so small that thrust is not limited; the derivative responds with 1000 N/m
   const CVector3 start(1.0, -2.0, 3.0);
   const CVector3 step = GENERATE(CVector3(0.5, 0, 0), CVector3(0, 0.5, 0), CVector3(0, 0, 0.5),
                                  CVector3(-0.2, 0.3, -0.4));
@@ -72,34 +74,34 @@ TEST_CASE("flight: a step of the target is answered as the recurrence says", "[c
     const Real share = ComputeStepResponse(a, b, tick * kSubsteps);
     CHECK_THAT(Distance(world.Position(), start + step * share), WithinAbs(0.0, kRounding));
   }
-  // and it has arrived
+  // the robot has arrived
   CHECK_THAT(Distance(world.Position(), start + step), WithinAbs(0.0, 1e-5));
 }
 
-TEST_CASE("flight: the number of substeps changes the answer as the recurrence says",
+TEST_CASE("flight: the response follows the recurrence for any number of substeps",
           "[contract][flight]") {
   const UInt32 substeps = GENERATE(3U, 5U, 10U, 100U);
   CAPTURE(substeps);
   SFlightExperiment experiment = OneRobot("quadrotor_position");
   experiment.Engines = "<pointmass3d id='e' iterations='" + std::to_string(substeps) + "'/>";
   CFlightWorld world(experiment);
-  // 100 substeps of 1 ms answer with 10 kN/m: the limit is 1 kN
+  // 100 substeps of 1 ms respond with 10 kN/m: the limit is 1 kN
   world.Places().SetAbsolutePosition(CVector3(0.09, 0, 0));
   const Real substep = 0.1 / substeps;
   for (UInt32 tick = 1; tick <= 30; ++tick) {
     world.Step();
     const Real share =
         ComputeStepResponse(20.0 * substep * substep, 10.0 * substep, tick * substeps);
-    // powers of a matrix whose eigenvalues are nearly 1 lose digits as the square of their number
+    // powers of a matrix with eigenvalues near 1 lose digits with the square of their number
     CHECK_THAT(world.Position().GetX(),
                WithinAbs(0.09 * share, kRounding * std::max(1.0, 0.01 * substeps * substeps)));
   }
 }
 
-TEST_CASE("flight: with finer substeps the answer becomes that of continuous time",
+TEST_CASE("flight: with finer substeps the response approaches that of continuous time",
           "[contract][flight]") {
-  // of the loop m x'' = Kp (r - x) + Kd (r' - x'), to a step of r; from the partial fractions of
-  // (Kd s + Kp) / (m s^2 + Kd s + Kp) / s
+  // Response of the loop m x'' = Kp (r - x) + Kd (r' - x') to a step of r, from the partial
+  // fractions of (Kd s + Kp) / (m s^2 + Kd s + Kp) / s.
   const auto respond = [](Real kp, Real kd, Real inertia, Real time) {
     using TComplex = std::complex<Real>;
     const TComplex root = std::sqrt(TComplex(kd * kd - 4.0 * inertia * kp));
@@ -115,7 +117,7 @@ TEST_CASE("flight: with finer substeps the answer becomes that of continuous tim
     SFlightExperiment experiment = OneRobot("quadrotor_position");
     experiment.Engines = "<pointmass3d id='e' iterations='" + std::to_string(substeps) + "'/>";
     CFlightWorld world(experiment);
-    // so small a step that thrust is not limited
+    // a step so small that thrust is not limited
     constexpr Real kStep = 0.01;
     world.Places().SetAbsolutePosition(CVector3(kStep, 0, 0));
     world.Places().SetAbsoluteYaw(CRadians(kStep));
@@ -131,15 +133,14 @@ TEST_CASE("flight: with finer substeps the answer becomes that of continuous tim
   };
   for (const bool isYaw : {false, true}) {
     CAPTURE(isYaw);
-    // the figures of the engine's README, and an error of first order
+    // the figures of the engine's README, and a first-order error
     CHECK(worst(10, isYaw, 6) <= (isYaw ? 0.015 : 0.005));
     CHECK_THAT(worst(40, isYaw, 1) / worst(80, isYaw, 1), WithinAbs(2.0, 0.1));
   }
 }
 
-TEST_CASE("flight: on position, orders of all kinds are followed as specified",
-          "[contract][flight]") {
-  // far targets, so that thrust is limited, and new ones before the old ones are reached
+TEST_CASE("flight: position orders of all kinds follow the specification", "[contract][flight]") {
+  // distant targets, so that thrust is limited, and new targets before the robot arrives
   CFlightWorld world(OneRobot("quadrotor_position", CVector3(0.5, 0.25, 1.0), 90.0));
   SPDLoop axes[3] = {EyeBotPlace(), EyeBotPlace(), EyeBotPlace()};
   axes[2].Weight = -9.81;
@@ -158,7 +159,7 @@ TEST_CASE("flight: on position, orders of all kinds are followed as specified",
       yawTarget = -2.5;
       world.Places().SetAbsoluteYaw(CRadians(yawTarget));
     } else if (tick == 30) {
-      // ahead by 2 m, to the left by 1 m, as it looks now
+      // 2 m ahead and 1 m to the left in the present orientation
       CVector3 offset(2.0, 1.0, -0.5);
       offset.Rotate(world.Body().GetOriginAnchor().Orientation);
       target = world.Position() + offset;
@@ -182,11 +183,10 @@ TEST_CASE("flight: on position, orders of all kinds are followed as specified",
   }
 }
 
-TEST_CASE("flight: a robot reaches the velocity ordered by a geometric series",
-          "[contract][flight]") {
+TEST_CASE("flight: the velocity approaches the order as a geometric series", "[contract][flight]") {
   const CVector3 velocity = GENERATE(CVector3(1, 0, 0), CVector3(0, -0.7, 0), CVector3(0, 0, 2),
                                      CVector3(0.3, 0.2, -0.1));
-  const Real yaw = GENERATE(0.0, 120.0);  // degrees; the axes are the world's
+  const Real yaw = GENERATE(0.0, 120.0);  // degrees; velocities are in the world frame
   CAPTURE(velocity, yaw);
   CFlightWorld world(OneRobot("quadrotor_speed", CVector3(), yaw));
   world.Speeds().SetLinearVelocity(velocity);
@@ -197,12 +197,11 @@ TEST_CASE("flight: a robot reaches the velocity ordered by a geometric series",
   }
   const CVector3 before = world.Position();
   world.Step(10);
-  // in the end exactly as fast as ordered
+  // finally the velocity is exactly the ordered one
   CHECK_THAT(Distance(world.Position() - before, velocity), WithinAbs(0.0, kRounding));
 }
 
-TEST_CASE("flight: a robot reaches the yaw rate ordered by a geometric series",
-          "[contract][flight]") {
+TEST_CASE("flight: the yaw rate approaches the order as a geometric series", "[contract][flight]") {
   const Real rate = GENERATE(0.5, -2.0, 25.0);  // rad/s
   CAPTURE(rate);
   CFlightWorld world(OneRobot("quadrotor_speed", CVector3(1, 2, 3)));
@@ -218,7 +217,7 @@ TEST_CASE("flight: a robot reaches the yaw rate ordered by a geometric series",
   CHECK(world.Position() == CVector3(1, 2, 3));
 }
 
-TEST_CASE("flight: on speed, changing orders are followed as specified", "[contract][flight]") {
+TEST_CASE("flight: changing speed orders follow the specification", "[contract][flight]") {
   CFlightWorld world(OneRobot("quadrotor_speed"));
   SPDLoop axes[3] = {EyeBotVelocity(), EyeBotVelocity(), EyeBotVelocity()};
   axes[2].Weight = -9.81;
@@ -247,14 +246,14 @@ TEST_CASE("flight: on speed, changing orders are followed as specified", "[contr
   }
 }
 
-TEST_CASE("flight: a robot turns by the shorter way, also over half a turn", "[contract][flight]") {
+TEST_CASE("flight: a robot turns the shorter way, also across 180 degrees", "[contract][flight]") {
   // from 170 to 190 degrees, and the same mirrored
   const Real side = GENERATE(1.0, -1.0);
   const Real start = 170.0 / 180.0 * std::numbers::pi;
   const Real step = 20.0 / 180.0 * std::numbers::pi;
   CAPTURE(side);
   CFlightWorld world(OneRobot("quadrotor_position", CVector3(), side * 170.0));
-  // -170 degrees, and 730 degrees more: a yaw counts but for full turns
+  // -170 degrees plus full turns: a yaw is defined up to full turns
   const Real turns = GENERATE(0.0, 2.0, -1.0);
   world.Places().SetAbsoluteYaw(CRadians(-side * start + 2.0 * std::numbers::pi * turns));
   const Real a = 0.5 * kSubstep * kSubstep / 0.01;
@@ -266,10 +265,10 @@ TEST_CASE("flight: a robot turns by the shorter way, also over half a turn", "[c
   }
 }
 
-TEST_CASE("flight: a target that crosses half a turn is a small change of the error",
+TEST_CASE("flight: a target that crosses 180 degrees changes the error by a small amount",
           "[contract][flight]") {
-  // while the robot still has to turn far to one side, the target goes on by a little, so that the
-  // shorter way is now to the other side: the error jumps by nearly a turn, its change is small
+  // While the robot still has to turn far to one side, the target moves slightly, so that the
+  // shorter way is to the other side. The error jumps by nearly a turn, but its change is small.
   CFlightWorld world(OneRobot("quadrotor_position"));
   SPDLoop loop = EyeBotYaw();
   const auto step = [&](Real target) {
@@ -284,7 +283,7 @@ TEST_CASE("flight: a target that crosses half a turn is a small change of the er
   const Real before = loop.LastError;
   const Real target = loop.Place + std::numbers::pi + 0.3;
   step(target);
-  // the case is the one meant: without a full turn, the error would have changed by more than half
+  // the precondition: without a full turn the error would have changed by more than half a turn
   REQUIRE(before + (std::numbers::pi - 0.3) > std::numbers::pi);
   for (int tick = 0; tick < 30; ++tick) {
     step(target);
@@ -292,9 +291,9 @@ TEST_CASE("flight: a target that crosses half a turn is a small change of the er
   CHECK_THAT(Difference(world.Yaw(), target), WithinAbs(0.0, 1e-3));
 }
 
-TEST_CASE("flight: from POSITION_CONTROL to SPEED_CONTROL and back, orders are kept",
+TEST_CASE("flight: orders are kept when switching between POSITION_CONTROL and SPEED_CONTROL",
           "[contract][flight]") {
-  // a user's loop functions may change how a robot is controlled
+  // loop functions of users may switch the control method
   CFlightWorld world(OneRobot(""));
   CQuadRotorEntity& quadrotor = world.Get<CEyeBotEntity>("r").GetQuadRotorEntity();
   quadrotor.SetSpeedControlData({CVector3(1, 0, 0), CRadians()});

@@ -1,4 +1,4 @@
-// Adding, moving, removing, resetting and handing over flying robots while an engine runs.
+// Adding, moving, removing, resetting and transferring flying robots during a run.
 
 #include <argos3/testing/contract/physics_engines/flight_world.h>
 
@@ -41,7 +41,7 @@ SFlightExperiment Fleet(const std::string& actuator) {
   return experiment;
 }
 
-// something else for each robot, in each tick
+// distinct orders for each robot and tick
 void OrderSomething(CFlightWorld& world, UInt32 robot, UInt32 tick) {
   const Real phase = 0.3 * tick + robot;
   world.Places(Id(robot)).SetAbsolutePosition(
@@ -51,8 +51,8 @@ void OrderSomething(CFlightWorld& world, UInt32 robot, UInt32 tick) {
 
 }  // namespace
 
-TEST_CASE("flight: robots of a fleet fly as one alone would, to the bit", "[contract][flight]") {
-  // whatever their number, and whoever left before
+TEST_CASE("flight: robots of a fleet fly bit by bit as each would alone", "[contract][flight]") {
+  // independent of the number of robots and of removals
   CFlightWorld fleet(Fleet("quadrotor_position"));
   CLoopFunctions& functions = fleet.GetSimulator().GetLoopFunctions();
   SFlightExperiment alone;
@@ -80,7 +80,8 @@ TEST_CASE("flight: robots of a fleet fly as one alone would, to the bit", "[cont
   CHECK(fleet.GetSimulator().GetPhysicsEngines().front()->GetNumPhysicsModels() == kRobots - 8);
 }
 
-TEST_CASE("flight: a robot added in a run flies, and is gone when removed", "[contract][flight]") {
+TEST_CASE("flight: a robot added during a run flies, and is gone after its removal",
+          "[contract][flight]") {
   CFlightWorld world(Fleet("quadrotor_speed"));
   world.Step(3);
   CLoopFunctions& functions = world.GetSimulator().GetLoopFunctions();
@@ -95,8 +96,7 @@ TEST_CASE("flight: a robot added in a run flies, and is gone when removed", "[co
   world.Step();
 }
 
-TEST_CASE("flight: a robot that is moved starts there from rest, turned as it was put",
-          "[contract][flight]") {
+TEST_CASE("flight: a moved robot starts from rest at its new pose", "[contract][flight]") {
   SFlightExperiment experiment;
   experiment.Actuator = "quadrotor_speed";
   experiment.Arena = EyeBotXml("r", CVector3()) + EyeBotXml("other", CVector3(5, 5, 5));
@@ -105,7 +105,7 @@ TEST_CASE("flight: a robot that is moved starts there from rest, turned as it wa
   world.Speeds().SetRotationalSpeed(CRadians(1.0));
   world.Step(20);
   const CQuaternion turned(CRadians::PI_OVER_TWO, CVector3::Z);
-  // not into another robot
+  // a place inside another robot is refused
   CHECK_FALSE(world.Body().MoveTo(CVector3(5, 5.3, 5), turned));
   CHECK(world.Body().MoveTo(CVector3(5, 5, 5.6), turned));
   CHECK(world.Position() == CVector3(5, 5, 5.6));
@@ -117,7 +117,7 @@ TEST_CASE("flight: a robot that is moved starts there from rest, turned as it wa
   CHECK_THAT(world.Yaw(), WithinAbs(0.5 * std::numbers::pi + turn, kRounding));
 }
 
-TEST_CASE("flight: a robot that is moved flies back to its target", "[contract][flight]") {
+TEST_CASE("flight: a moved robot flies back to its target", "[contract][flight]") {
   SFlightExperiment experiment;
   experiment.Arena = EyeBotXml("r", CVector3(1, 1, 1));
   CFlightWorld world(experiment);
@@ -125,14 +125,14 @@ TEST_CASE("flight: a robot that is moved flies back to its target", "[contract][
   REQUIRE(world.Body().MoveTo(CVector3(1.4, 1, 1), CQuaternion()));
   for (UInt32 tick = 1; tick <= 30; ++tick) {
     world.Step();
-    // as if its target had been moved by as much
+    // the response equals that to a step of the target by the same distance
     const Real share =
         ComputeStepResponse(20.0 * kSubstep * kSubstep, 10.0 * kSubstep, tick * kSubsteps);
     CHECK_THAT(world.Position().GetX(), WithinAbs(1.4 - 0.4 * share, kRounding));
   }
 }
 
-TEST_CASE("flight: after a reset the run repeats to the bit", "[contract][flight]") {
+TEST_CASE("flight: after a reset the run repeats bit by bit", "[contract][flight]") {
   CFlightWorld world(Fleet("quadrotor_position"));
   std::vector<UInt64> first;
   const auto run = [&](const std::function<void(UInt32)>& check) {
@@ -145,14 +145,14 @@ TEST_CASE("flight: after a reset the run repeats to the bit", "[contract][flight
     }
   };
   run([&](UInt32) { first.push_back(world.ComputeDigest()); });
-  // whatever happened to robots in the meantime
+  // changes during the run do not matter
   REQUIRE(world.Body("r3").MoveTo(CVector3(8, 8, 8), CQuaternion()));
   world.GetSimulator().Reset();
   CHECK(world.Position("r3") == CVector3(0.0, -6.0, 2.0));
   run([&](UInt32 tick) { REQUIRE(world.ComputeDigest() == first[tick]); });
 }
 
-TEST_CASE("flight: a target is the place where the robot is, at the start and after a reset",
+TEST_CASE("flight: at the start and after a reset the target is the robot's own pose",
           "[contract][flight]") {
   SFlightExperiment experiment;
   experiment.Arena = EyeBotXml("r", CVector3(1, 2, 3), -100.0);
@@ -166,7 +166,7 @@ TEST_CASE("flight: a target is the place where the robot is, at the start and af
   CHECK_THAT(world.Yaw(), WithinAbs(-100.0 / 180.0 * std::numbers::pi, 1e-15));
 }
 
-TEST_CASE("flight: borders between engines do not disturb a robot", "[contract][flight]") {
+TEST_CASE("flight: borders between engines do not affect a robot", "[contract][flight]") {
   SFlightExperiment whole;
   whole.Arena = EyeBotXml("r", CVector3(-1, 0, 1));
   SFlightExperiment split = whole;
@@ -188,7 +188,7 @@ TEST_CASE("flight: borders between engines do not disturb a robot", "[contract][
     REQUIRE(world.Body().GetPhysicsModel(0).GetEngine().GetId() == engine);
   }
   REQUIRE(engine == "east");
-  // and after a reset it starts in the west again
+  // after a reset it starts in the west again
   std::vector<UInt64> digests;
   for (int run = 0; run < 2; ++run) {
     world.GetSimulator().Reset();
@@ -214,12 +214,12 @@ TEST_CASE("flight: a robot in a region with a floor and a ceiling changes engine
   world.Step(50);
   CHECK(world.Body().GetPhysicsModel(0).GetEngine().GetId() == "high");
   CHECK_THAT(world.Position().GetZ(), WithinAbs(3.0, 1e-4));
-  // where no engine is, it cannot go
+  // a place outside all regions is an error
   world.Places().SetAbsolutePosition(CVector3(0, 0, -1));
   CHECK_THROWS_WITH(world.Step(50), Contains("\"r\""));
 }
 
-TEST_CASE("flight: walls of a region hold a robot, and gates hand it over", "[contract][flight]") {
+TEST_CASE("flight: walls of a region stop a robot, and gates transfer it", "[contract][flight]") {
   SFlightExperiment experiment;
   const std::string sides =
       "<sides><vertex point='-2,-2' wall='true'/><vertex point='2,-2' wall='true'/>"
@@ -242,11 +242,11 @@ TEST_CASE("flight: walls of a region hold a robot, and gates hand it over", "[co
     REQUIRE(box.MaxCorner.GetZ() <= 4.0 + 1e-9);
   }
   CHECK(world.Body().GetPhysicsModel(0).GetEngine().GetId() == "high");
-  // it presses against the walls, and reaches its goal along x
+  // it presses against the walls and reaches its target along x
   CHECK_THAT(world.Body().GetBoundingBox().MaxCorner.GetY(), WithinAbs(2.0, 1e-9));
   CHECK_THAT(world.Body().GetBoundingBox().MaxCorner.GetZ(), WithinAbs(4.0, 1e-9));
   CHECK_THAT(world.Position().GetX(), WithinAbs(0.5, 1e-3));
-  // down again
+  // back down
   world.Places().SetAbsolutePosition(CVector3(0.5, 0, -3));
   world.Step(150);
   CHECK(world.Body().GetPhysicsModel(0).GetEngine().GetId() == "low");
@@ -254,7 +254,7 @@ TEST_CASE("flight: walls of a region hold a robot, and gates hand it over", "[co
   CHECK_THAT(world.Position().GetY(), WithinAbs(0.0, 1e-3));
 }
 
-TEST_CASE("flight: robots that fly and robots that drive go to the engines that are theirs",
+TEST_CASE("flight: flying robots and wheeled robots are assigned to engines that accept them",
           "[contract][flight]") {
   const bool planeFirst = GENERATE(true, false);
   CAPTURE(planeFirst);
@@ -275,7 +275,7 @@ TEST_CASE("flight: robots that fly and robots that drive go to the engines that 
   CHECK(engineOf("eb") == "space");
   CHECK(engineOf("fb") == (planeFirst ? "plane" : "space"));
   CHECK(engineOf("high") == "space");
-  // what does not move is in both
+  // an immovable body is in both
   CHECK(world.Body("box").GetPhysicsModelsNum() == 2);
   world.Step(3);
   world.GetSimulator().Reset();
@@ -283,7 +283,7 @@ TEST_CASE("flight: robots that fly and robots that drive go to the engines that 
   CHECK(engineOf("eb") == "space");
 }
 
-TEST_CASE("flight: the same result for every number of threads", "[contract][flight]") {
+TEST_CASE("flight: results are equal for any number of threads", "[contract][flight]") {
   const auto run = [](UInt32 threads) {
     SFlightExperiment experiment = Fleet("quadrotor_position");
     experiment.Threads = threads;
@@ -304,10 +304,7 @@ TEST_CASE("flight: the same result for every number of threads", "[contract][fli
   CHECK(run(4) == alone);
 }
 
-TEST_CASE("flight: a settled tick allocates nothing", "[contract][flight][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
+TEST_CASE("flight: a tick in steady state allocates nothing", "[contract][flight][allocation]") {
   CFlightWorld world(Fleet("quadrotor_position"));
   std::vector<CCI_QuadRotorPositionActuator*> pilots;
   for (UInt32 robot = 0; robot < kRobots; ++robot) {

@@ -1,5 +1,5 @@
-// What bounds a flying robot: the arena, the thrust of its propellers, the length of a substep; and
-// what is refused.
+// Limits of flying robots: the arena, the thrust of their propellers, the length of
+// a substep; and refused bodies.
 
 #include <argos3/testing/contract/physics_engines/flight_world.h>
 
@@ -28,7 +28,7 @@ constexpr Real kRounding = 1e-12;
 constexpr Real kRadius = 0.25;  // m, of an eye-bot
 constexpr Real kHeight = 0.566;  // m
 
-// an arena of 6 x 4 x 3 m that begins at the ground
+// an arena of 6 x 4 x 3 m on the ground
 SFlightExperiment InBox(const std::string& actuator) {
   SFlightExperiment experiment;
   experiment.Actuator = actuator;
@@ -37,7 +37,7 @@ SFlightExperiment InBox(const std::string& actuator) {
   return experiment;
 }
 
-// the world with a body that is described otherwise
+// the error of a world with a changed body description
 std::string ErrorWithBody(const std::function<void(SBodyDescription&)>& change) {
   SFlightExperiment experiment;
   experiment.Arena = EyeBotXml("r", CVector3());
@@ -57,7 +57,7 @@ std::string ErrorWithBody(const std::function<void(SBodyDescription&)>& change) 
 
 }  // namespace
 
-TEST_CASE("flight limits: the borders of the arena stop a robot where its body ends",
+TEST_CASE("flight limits: the borders of the arena stop the surface of a robot",
           "[contract][flight]") {
   CFlightWorld world(InBox("quadrotor_speed"));
   const Real lowest[3] = {-2.0 + kRadius, -2.0 + kRadius, 0.0};
@@ -76,9 +76,9 @@ TEST_CASE("flight limits: the borders of the arena stop a robot where its body e
   }
 }
 
-TEST_CASE("flight limits: a robot leaves a border at once, as its speed there is zero",
+TEST_CASE("flight limits: a robot leaves a border at once, because its speed there is zero",
           "[contract][flight]") {
-  // the specification, a second time, bounded by the wall
+  // the second implementation of the specification, bounded by the wall
   CFlightWorld world(InBox("quadrotor_speed"));
   SPDLoop loop = EyeBotVelocity();
   loop.Place = 1.0;
@@ -96,11 +96,11 @@ TEST_CASE("flight limits: a robot leaves a border at once, as its speed there is
   step(3.0, 30);
   REQUIRE(world.Position().GetX() == loop.Highest);
   step(-3.0, 1);
-  // from rest: in 0.1 s it gains a speed of 3 (1 - e^-2), in two substeps less
+  // from rest: in 0.1 s it gains a speed of 3 (1 - e^-2), less that of two substeps
   CHECK(world.Position().GetX() < loop.Highest - 0.1);
 }
 
-TEST_CASE("flight limits: a target outside the arena brings the robot to the border",
+TEST_CASE("flight limits: with a target outside the arena the robot stops at the border",
           "[contract][flight]") {
   CFlightWorld world(InBox("quadrotor_position"));
   world.Places().SetAbsolutePosition(CVector3(100, -100, 100));
@@ -112,8 +112,8 @@ TEST_CASE("flight limits: a target outside the arena brings the robot to the bor
 }
 
 TEST_CASE("flight limits: thrust is bounded along each axis", "[contract][flight]") {
-  // a jump of 5 m asks for 5000 N in its first substep, of which 1000 are given, and in the second
-  // for 20 N/m: v = 10 m/s after the first
+  // A step of 5 m requires 5000 N in the first substep, of which 1000 are exerted, and 20 N/m in
+  // the second: v = 10 m/s after the first.
   CFlightWorld world([] {
     SFlightExperiment experiment;
     experiment.Arena = EyeBotXml("r", CVector3());
@@ -130,12 +130,12 @@ TEST_CASE("flight limits: thrust is bounded along each axis", "[contract][flight
     }
     CHECK_THAT(world.Position().GetX(), WithinAbs(loop.Place, kRounding));
   }
-  // the bound has been felt: 10 m/s of the one substep, and less than one more substep of 5 * 20 N
+  // the limit was reached: 10 m/s after that substep, and less than one more substep of 5 * 20 N
   CHECK(fastest >= 10.0);
   CHECK(fastest <= 11.0);
 }
 
-TEST_CASE("flight limits: a weight that the propellers cannot carry falls", "[contract][flight]") {
+TEST_CASE("flight limits: a robot too heavy for its propellers falls", "[contract][flight]") {
   // 1500 N down, 1000 N up: 500 m/s^2; thrust acts from the second substep on
   SFlightExperiment experiment;
   experiment.Engines = "<pointmass3d id='e' gravity='-1500'/>";
@@ -146,11 +146,11 @@ TEST_CASE("flight limits: a weight that the propellers cannot carry falls", "[co
   const Real fall = 500.0 * kSubstep * kSubstep * (9.0 * 8.0) / 2.0;
   CHECK_THAT(world.Position().GetZ(), WithinAbs(10.0 - fall, kRounding));
   world.Step(5);
-  // and lies on the lowest height of the arena
+  // it stops at the lower border of the arena
   CHECK(world.Position().GetZ() == -20.0);
 }
 
-TEST_CASE("flight limits: a tick is cut as finely as its robots need", "[contract][flight]") {
+TEST_CASE("flight limits: the number of substeps follows from the robots", "[contract][flight]") {
   struct SCase {
     UInt32 TicksPerSecond;
     std::string Iterations;
@@ -171,14 +171,15 @@ TEST_CASE("flight limits: a tick is cut as finely as its robots need", "[contrac
       dynamic_cast<CPointMass3DEngine&>(*world.GetSimulator().GetPhysicsEngines().front());
   CHECK(engine.GetSubsteps() == c.Expected);
   world.Step();
-  // it answers a step of the target, and settles
+  // the robot responds to a step of the target and settles
   world.Places().SetAbsolutePosition(CVector3(0.1, 0, 0));
   world.Step(10 * c.TicksPerSecond);
   CHECK_THAT(world.Position().GetX(), WithinAbs(0.1, 1e-6));
   CHECK(engine.GetIterations() == (c.Iterations.empty() ? 10 : std::stoul(c.Iterations)));
 }
 
-TEST_CASE("flight limits: what cannot fly is refused with a reason", "[contract][flight][errors]") {
+TEST_CASE("flight limits: bodies that cannot fly are refused with a reason",
+          "[contract][flight][errors]") {
   SFlightExperiment experiment;
   experiment.Arena = EyeBotXml("r", CVector3());
   const auto error = [&experiment] { return LoadError(experiment.ToExperiment()); };
@@ -223,14 +224,14 @@ TEST_CASE("flight limits: a body that could not be controlled is refused",
              Contains("\"r\": greatest force of the propellers (N) must be a number > 0"));
   CHECK_THAT(ErrorWithBody([](SBodyDescription& body) { body.Propellers->MaxTorque = 0.0; }),
              Contains("greatest torque of the propellers (N m) must be a number > 0"));
-  // bound 1e-6 s: 200,000 substeps in a tick
+  // the bound is 1e-6 s: 200,000 substeps in a tick
   CHECK_THAT(
       ErrorWithBody([](SBodyDescription& body) { body.Propellers->Position.Derivative = 1e6; }),
       Contains("\"r\" are stable in substeps of less than 1e-06 s only") &&
           Contains("raise \"ticks_per_second\""));
 }
 
-TEST_CASE("flight limits: a robot that flies has a quadrotor component",
+TEST_CASE("flight limits: a flying robot needs a quadrotor component",
           "[contract][flight][errors]") {
   SFlightExperiment experiment;
   experiment.Arena = "<box id='r' size='1,1,1' movable='true' mass='1'><body/></box>";

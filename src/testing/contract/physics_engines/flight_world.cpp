@@ -11,7 +11,7 @@ SExperiment SFlightExperiment::ToExperiment() const {
   SExperiment experiment;
   experiment.Threads = Threads;
   experiment.TicksPerSecond = TicksPerSecond;
-  // a controller without a robot would be reported as unused
+  // an unused controller would be reported by a warning
   if (Arena.find("config='pilot'") != std::string::npos) {
     const std::string device =
         Actuator.empty() ? "" : "<" + Actuator + " implementation='default'/>";

@@ -11,7 +11,7 @@
 
 namespace argos {
 
-/** What a world of eye-bots is made of; the least that works. */
+/** Parameters of a world of eye-bots; the defaults run. */
 struct SFlightExperiment {
   std::string Actuator = "quadrotor_position"; /**< of the controller "pilot"; empty: none */
   std::string Engines = "<pointmass3d id='e'/>";
@@ -26,14 +26,14 @@ struct SFlightExperiment {
 /** XML of an eye-bot with the controller "pilot". @param yaw degrees. */
 std::string EyeBotXml(const std::string& id, const CVector3& position, Real yaw = 0.0);
 
-/** Runs such an experiment, and makes it current for the calling thread while it lives. */
+/** Runs such an experiment; its simulator is current for the calling thread during its lifetime. */
 class CFlightWorld : public CTestWorld {
  public:
   explicit CFlightWorld(const SFlightExperiment& experiment);
 
   CEmbodiedEntity& Body(const std::string& id = "r");
   CVector3 Position(const std::string& id = "r") { return Body(id).GetOriginAnchor().Position; }
-  /** rad, in (-pi, pi]. */
+  /** Heading, rad, in (-pi, pi]. */
   Real Yaw(const std::string& id = "r");
   CCI_QuadRotorPositionActuator& Places(const std::string& id = "r");
   CCI_QuadRotorSpeedActuator& Speeds(const std::string& id = "r");
@@ -42,9 +42,7 @@ class CFlightWorld : public CTestWorld {
   CSimulator::CScope m_scope;
 };
 
-/*
- * The loops of the eye-bot as published, for comparison: written here a second time.
- */
+/** The published controllers of the eye-bot, implemented a second time for comparison. */
 testing::SPDLoop EyeBotPlace();
 testing::SPDLoop EyeBotYaw();
 testing::SPDLoop EyeBotVelocity();

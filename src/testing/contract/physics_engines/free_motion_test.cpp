@@ -1,4 +1,4 @@
-// A robot that touches nothing follows the arc of its wheel speeds, in every engine.
+// A robot without contacts follows the arc of its wheel speeds in every engine.
 
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/engines.h>
@@ -26,9 +26,9 @@ const SRobotType kFootBot{"foot-bot", 0.14};
 const SRobotType kEPuck{"e-puck", 0.053};
 
 /**
- * How far "r" is from where its wheels should have brought it, m.
+ * Distance of "r" from the exact end of its arc, m.
  * @param left, right  cm/s.
- * @param tick         of 0.1 s, since it was at @p start.
+ * @param tick         number of ticks of 0.1 s since it was at @p start.
  */
 Real ComputeDistanceFromArc(CDriveWorld& world, const SRobotType& robot, const SPose& start,
                             Real left, Real right, int tick) {
@@ -42,7 +42,7 @@ Real ComputeDistanceFromArc(CDriveWorld& world, const SRobotType& robot, const S
 
 TEST_CASE("free motion: a robot follows the closed-form arc for 60 s", "[contract][engine]") {
   const SEngineType type = GENERATE(from_range(kEnginesWithWheels));
-  // wheels that really roll do not in steps of 0.1 s
+  // engines with rolling wheels need more than one step per tick
   const std::string fewest = type.Slip > 0.0 ? "iterations='5'" : "iterations='1'";
   const std::string engine =
       type.ToXml("e", GENERATE_COPY(as<std::string>(), "", fewest, "iterations='10'"));
@@ -55,20 +55,20 @@ TEST_CASE("free motion: a robot follows the closed-form arc for 60 s", "[contrac
 
   CDriveWorld world(engine, DriverXml(robot.Tag, "r", start.X, start.Y,
                                       start.Yaw * 180.0 / std::numbers::pi, left, right));
-  // what is ordered in the first tick moves the robot from the second on
+  // orders of the first tick act from the second on
   world.Step();
   Real worst = 0.0;
   for (int tick = 1; tick <= 600; ++tick) {
     world.Step();
     worst = std::max(worst, ComputeDistanceFromArc(world, robot, start, left, right, tick));
   }
-  // arcs are integrated exactly, so only 600 roundings of numbers around 20 are left, 4e-15 each,
-  // and the yaw's
+  // Arcs are integrated exactly, so the error is 600 roundings of numbers around 20,
+  // 4e-15 each, plus those of the yaw.
   const Real length = 0.01 * std::max(std::abs(left + right) / 2.0, std::abs(right - left)) * 60.0;
   CHECK(worst <= 1e-9 + type.Slip * length);
 }
 
-TEST_CASE("free motion: a robot follows its arc, however the engine solves what moves it",
+TEST_CASE("free motion: a robot follows its arc with every solver of an engine",
           "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   const std::string solver = GENERATE_COPY(from_range(engine.Solvers));
@@ -86,13 +86,13 @@ TEST_CASE("free motion: a robot follows its arc, however the engine solves what 
     world.Step();
     worst = std::max(worst, ComputeDistanceFromArc(world, robot, start, left, right, tick));
     REQUIRE(std::abs(world.Position("r").GetZ()) <= engine.Slack);
-    // the arc cosine of what is nearly 1
+    // the arc cosine of a number near 1 loses half of the digits
     REQUIRE(world.Tilt("r") <= 1e-6 + 10.0 * engine.Slack);
   }
   CHECK(worst <= 1e-9 + engine.Slip * 0.01 * std::abs(left + right) / 2.0 * 20.0);
 }
 
-TEST_CASE("free motion: a robot whose wheels stand still stays where it is", "[contract][engine]") {
+TEST_CASE("free motion: a robot with resting wheels does not move", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
   CDriveWorld world(engine.ToXml(), DriverXml("foot-bot", "r", 1.25, -2.5, 30, 0, 0));
@@ -100,7 +100,7 @@ TEST_CASE("free motion: a robot whose wheels stand still stays where it is", "[c
   CHECK(Distance(world.Position("r"), CVector3(1.25, -2.5, 0.0)) <= engine.Slack);
 }
 
-TEST_CASE("free motion: a robot that spins keeps its place and an exact heading",
+TEST_CASE("free motion: a robot turning in place keeps its position and an exact heading",
           "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
@@ -113,7 +113,7 @@ TEST_CASE("free motion: a robot that spins keeps its place and an exact heading"
   CHECK(Distance(world.Position("r"), CVector3(2, 1, 0)) <= engine.Slack);
 }
 
-TEST_CASE("free motion: an object that nobody touches stays where it is", "[contract][engine]") {
+TEST_CASE("free motion: an object without contacts does not move", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
   CDriveWorld world(engine.ToXml(),
@@ -126,20 +126,20 @@ TEST_CASE("free motion: an object that nobody touches stays where it is", "[cont
   CHECK(CVector3(turn.GetX(), turn.GetY(), turn.GetZ()).Length() <= 1e-15 + engine.Slack);
 }
 
-TEST_CASE("free motion: wheel speeds beyond the drive's force are reached tick by tick",
+TEST_CASE("free motion: the acceleration of wheels is limited by the force of the drive",
           "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   if (IsSkipped(engine, engine.HasMomentum, "momentum")) {
     return;
   }
-  // 1.5 N on 0.4 kg are 3.75 m/s^2: 0.375 m/s more in each tick of 0.1 s
+  // 1.5 N on 0.4 kg are 3.75 m/s^2: 0.375 m/s per tick of 0.1 s
   CDriveWorld world(engine.ToXml(), DriverXml("e-puck", "r", 0, 0, 0, 100, 100));
   world.Step();
   Real last = 0.0;
   for (const Real speed : {0.375, 0.75, 1.0, 1.0}) {
     world.Step();
     const Real x = world.Position("r").GetX();
-    // the mean speed of a tick lies between those at its ends
+    // the mean speed of a tick is between those at its ends
     CHECK(x - last <= 0.1 * speed + 1e-6 + engine.Slack);
     CHECK(x - last >= 0.1 * (speed - 0.376) - engine.Slack);
     last = x;

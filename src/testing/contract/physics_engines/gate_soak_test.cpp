@@ -1,4 +1,4 @@
-// A thousand robots in sixteen engines, with a gate in every border, for ten minutes.
+// A thousand robots in sixteen engines with a gate in every border, for ten minutes.
 
 #include <argos3/testing/contract/physics_engines/regions.h>
 #include <argos3/testing/support/experiment.h>
@@ -25,15 +25,15 @@ namespace {
 constexpr UInt32 kRobots = 1000;
 constexpr int kPerSide = 4;  // engines
 constexpr UInt32 kMinutes = 10;
-// m: who is farther from all of its places of a minute than that is not stuck; it drives 10 cm/s
+// m: a robot within this distance of its place for a minute counts as stuck; it drives 10 cm/s
 constexpr Real kStuck = 0.01;
-// m: who lies, or leans too far to stand on a plane, is kept by its engine so far beyond a border
+// m: an engine keeps a lying or tilted robot up to this distance beyond a border
 constexpr Real kBeyond = 0.2;
 
-/** Which engine has which square of the board. */
+/** Assignment of engine types to the squares of the board. */
 struct SBoard {
   std::string Name;
-  std::vector<SSharingEngine> Types;  // one after the other, shifted by one in each row
+  std::vector<SSharingEngine> Types;  // in sequence, shifted by one in each row
 
   const SSharingEngine& At(int column, int row) const {
     return Types[static_cast<size_t>(column + row) % Types.size()];
@@ -53,7 +53,7 @@ std::string IdAt(int column, int row) {
   return "e" + std::to_string(column) + std::to_string(row);
 }
 
-// what a robot meets that leaves a square on one side
+// attribute of the face between a square and its neighbour
 std::string FaceTo(const SBoard& board, int column, int row, int toColumn, int toRow) {
   const bool isInside = std::min(toColumn, toRow) >= 0 && std::max(toColumn, toRow) < kPerSide;
   if (isInside) {
@@ -63,7 +63,7 @@ std::string FaceTo(const SBoard& board, int column, int row, int toColumn, int t
 }
 
 std::string EnginesOf(const SBoard& board, Real side) {
-  // the outer faces are those of the arena's walls
+  // the outer faces coincide with the arena's walls
   const auto edge = [side](int i) {
     return (side - 0.1) * (static_cast<Real>(i) / kPerSide - 0.5);
   };
@@ -87,7 +87,7 @@ std::string ExperimentOf(const SBoard& board) {
   SRoomsWorld rooms;
   rooms.Robots = kRobots;
   rooms.Side = SRoomsWorld::SideAtSameDensity(kRobots);
-  // a robot that has driven into a wall where nothing stops it would come out of it elsewhere
+  // in engines without contacts, a robot that has entered a wall could leave it on the other side
   const bool areAllStopped = std::all_of(board.Types.begin(), board.Types.end(),
                                          [](const SEngineType& type) { return type.HasContacts; });
   rooms.RoomsPerSide = areAllStopped ? 3 : 1;
@@ -100,7 +100,7 @@ std::string ExperimentOf(const SBoard& board) {
   return xml.replace(from, to - from, EnginesOf(board, rooms.Side));
 }
 
-/** Watches robots from second to second. */
+/** Checks the robots every second. */
 class CGateWatch {
  public:
   explicit CGateWatch(CTestWorld& world) : m_world(world) {
@@ -114,9 +114,9 @@ class CGateWatch {
     }
   }
 
-  // after each second
-  void Look() {
-    // none is doubled, none is lost
+  // called after each second
+  void Check() {
+    // no robot is duplicated or lost
     Expect(CountModels() == m_models, "bodies in all engines");
     for (size_t i = 0; i < m_bodies.size(); ++i) {
       Expect(m_bodies[i]->GetPhysicsModelsNum() == 1, "engines of a robot");
@@ -135,7 +135,7 @@ class CGateWatch {
     }
   }
 
-  // after each minute
+  // called after each minute
   void CountStuck() {
     for (size_t i = 0; i < m_bodies.size(); ++i) {
       Stuck += !m_starts.empty() && m_ways[i] <= kStuck ? 1 : 0;
@@ -147,12 +147,12 @@ class CGateWatch {
     m_ways.assign(m_bodies.size(), 0.0);
   }
 
-  int Crossings = 0;  // seen from second to second
+  int Crossings = 0;  // detected every second
   int Stuck = 0;  // robots, summed over minutes
   int Late = 0;  // robots beyond the region of their engine, summed over seconds
 
  private:
-  // millions of assertions that hold would take longer than the robots
+  // REQUIRE would take longer than the simulation for millions of checks
   static void Expect(bool holds, const char* what) {
     if (!holds) {
       FAIL("wrong: " << what);
@@ -170,8 +170,8 @@ class CGateWatch {
   CTestWorld& m_world;
   std::vector<CEmbodiedEntity*> m_bodies;
   std::vector<CPhysicsEngine*> m_where;
-  std::vector<CVector3> m_starts;  // m, at the start of the minute
-  std::vector<Real> m_ways;  // m, the farthest from there since
+  std::vector<CVector3> m_starts;  // m, positions at the start of the minute
+  std::vector<Real> m_ways;  // m, greatest distances from there since
   size_t m_models = 0;
 };
 
@@ -184,14 +184,14 @@ void Roam(const SBoard& board) {
     CAPTURE(minute);
     for (UInt32 second = 0; second < 60; ++second) {
       world.Step(10);
-      watch.Look();
+      watch.Check();
     }
     watch.CountStuck();
   }
-  // each of them crosses a border every minute
+  // on average each robot crosses a border every minute
   CHECK(watch.Crossings >= static_cast<int>(kRobots * kMinutes));
   CHECK(watch.Stuck == 0);
-  // one in a thousand waits until it stands upright
+  // one robot in a thousand waits until it stands upright
   const bool mayBeLate = std::any_of(board.Types.begin(), board.Types.end(),
                                      [](const SEngineType& type) { return type.HasSlopes; }) &&
                          board.Types.size() > 1;
@@ -200,10 +200,10 @@ void Roam(const SBoard& board) {
 
 }  // namespace
 
-TEST_CASE("gates: a thousand robots roam for ten minutes; none is lost, doubled or stuck",
+TEST_CASE("gates: of a thousand robots roaming for ten minutes none is lost, duplicated or stuck",
           "[.][soak][partition][gates]") {
   for (const SBoard& board : ListBoards()) {
-    // to be run alone, with -c
+    // choose one section with -c
     DYNAMIC_SECTION(board.Name) {
       Roam(board);
     }

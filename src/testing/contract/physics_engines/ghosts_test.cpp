@@ -1,8 +1,9 @@
-// Robots on the other side of a border: seen, and felt.
+// Robots across a border are sensed and collide.
 
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/regions.h>
 #include <argos3/testing/support/overlap.h>
+#include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <argos3/core/simulator/physics_engine/body_description.h>
@@ -25,8 +26,6 @@ using testing::SOverlaps;
 
 namespace {
 
-constexpr Real kFootBotRadius = 0.085036758;
-constexpr Real kEPuckRadius = 0.035;
 const std::string kWall = "wall='true'";
 
 std::string Halves(const SEngineType& engine, const std::string& attributes = "") {
@@ -38,7 +37,7 @@ Real RadiusOf(const std::string& tag) {
   return tag == "e-puck" ? kEPuckRadius : kFootBotRadius;
 }
 
-// the deepest overlap of two robots in a run, m
+// the deepest overlap of two robots during a run, m
 Real RunOverlap(CDriveWorld& world, int ticks, Real radii) {
   Real deepest = -HUGE_VAL;
   for (int tick = 0; tick < ticks; ++tick) {
@@ -60,19 +59,19 @@ TEST_CASE("ghosts: robots that drive head-on at a border do not overlap",
   const std::string tagB = GENERATE(as<std::string>(), "e-puck", "foot-bot");
   const Real speed = GENERATE(3.0, 10.0, 60.0);  // cm/s
   const Real aside = GENERATE(0.0, 0.02);  // m
-  // start: how far a's centre is from the border when they meet
+  // distance of a's centre from the border when they meet
   const Real shift = GENERATE(0.0, 0.011, 0.03);
   CAPTURE(engine, tagA, tagB, speed, aside, shift);
   const Real radii = RadiusOf(tagA) + RadiusOf(tagB);
   CDriveWorld world(Halves(engine),
                     DriverXml(tagA, "a", -0.5 - shift, 0, 0, speed, speed) +
                         DriverXml(tagB, "b", 0.5 - shift, aside, 180, speed, speed));
-  // A robot may take half of the gap to the other one in a tick, so motion makes no overlap; what
-  // is left is what an engine promises everywhere: 2 % of the radius.
+  // A robot may use half of the gap to the other one in a tick, so motion causes no overlap. The
+  // rest is the limit of every engine: 2 % of the radius.
   CHECK(RunOverlap(world, 150, radii) <= 0.02 * std::min(RadiusOf(tagA), RadiusOf(tagB)));
 }
 
-TEST_CASE("ghosts: robots that meet exactly head-on stand still and touch",
+TEST_CASE("ghosts: robots that meet exactly head-on stop and touch",
           "[contract][engine][partition]") {
   const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
   if (IsSkipped(engine, engine.HasGhosts, "ghosts")) {
@@ -87,11 +86,11 @@ TEST_CASE("ghosts: robots that meet exactly head-on stand still and touch",
   const CVector3 before = world.Position("a");
   world.Step(100);
   CHECK(Distance(world.Position("a"), before) <= 0.01 * kFootBotRadius);
-  // mirrored, both do the same; Box2D computes in single precision
+  // by symmetry both move equally; Box2D computes in single precision
   CHECK_THAT(world.Position("a").GetX(), WithinAbs(-world.Position("b").GetX(), 1e-4));
 }
 
-TEST_CASE("ghosts: without them robots overlap at borders", "[contract][engine][partition]") {
+TEST_CASE("ghosts: without ghosts robots overlap at borders", "[contract][engine][partition]") {
   const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
   if (IsSkipped(engine, engine.HasGhosts, "ghosts")) {
     return;
@@ -103,7 +102,7 @@ TEST_CASE("ghosts: without them robots overlap at borders", "[contract][engine][
   CHECK(RunOverlap(world, 60, 2.0 * kFootBotRadius) > 0.5 * kFootBotRadius);
 }
 
-TEST_CASE("ghosts: one that drives on is followed, and a column crosses a border",
+TEST_CASE("ghosts: a column of robots crosses a border without overlaps",
           "[contract][engine][partition]") {
   const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
   if (IsSkipped(engine, engine.HasGhosts, "ghosts")) {
@@ -124,8 +123,8 @@ TEST_CASE("ghosts: one that drives on is followed, and a column crosses a border
       REQUIRE(gap >= 2.0 * kEPuckRadius - 0.02 * kEPuckRadius - engine.Slack);
     }
   }
-  // The first one has met nobody. One that follows may go half of the gap in each tick, so it falls
-  // back until the gap is two ticks' way, and no farther.
+  // The first robot is not obstructed. A follower may use half of the gap in each tick, so it falls
+  // back until the gap is the path of two ticks.
   CHECK_THAT(world.Position(id(0)).GetX(), WithinAbs(-0.3 + 149 * 0.01, 1e-6 + engine.Slack));
   for (int i = 1; i < 6; ++i) {
     const Real gap = world.Position(id(i - 1)).GetX() - world.Position(id(i)).GetX();
@@ -133,7 +132,7 @@ TEST_CASE("ghosts: one that drives on is followed, and a column crosses a border
   }
 }
 
-TEST_CASE("ghosts: things across a border are pushed, and stop nobody for ever",
+TEST_CASE("ghosts: objects across a border are pushed and do not block robots for good",
           "[contract][engine][partition]") {
   const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
   if (IsSkipped(engine, engine.HasGhosts, "ghosts")) {
@@ -144,24 +143,25 @@ TEST_CASE("ghosts: things across a border are pushed, and stop nobody for ever",
                     DriverXml("foot-bot", "a", 0.4, 0, 180, 10, 10) +
                         "<box id='b' size='0.1,0.3,0.1' movable='true' mass='0.3'><body "
                         "position='-0.051,0,0'/></box>");
-  // the robot's front reaches over the border while its centre is in the east
+  // the robot's front extends across the border while its centre is in the east
   for (int tick = 0; tick < 100; ++tick) {
     world.Step();
     const Real gap =
         world.Position("a").GetX() - world.Position("b").GetX() - 0.05 - kFootBotRadius;
-    // the thing is where the robot was at the start of the tick: 1 cm, and 2 % of the radius
+    // the object stops at the robot's position at the start of the
+    // tick: 1 cm, and 2 % of the radius
     REQUIRE(gap >= -0.01 - 0.02 * kFootBotRadius);
   }
   CHECK(world.Position("a").GetX() < -0.4);
 }
 
-TEST_CASE("ghosts: crowds that press on each other over borders overlap by roundings, at any speed",
+TEST_CASE("ghosts: crowds pressed together across borders overlap by roundings only, at any speed",
           "[contract][engine][partition][kinematics]") {
   const std::string attributes =
       GENERATE(as<std::string>(), "", "iterations='3'", "ghosts='false'");
   const Real fastest = GENERATE(13.0, 300.0);  // cm/s
   CAPTURE(attributes, fastest);
-  // four regions meet in the middle, and everybody drives there; some stop and start again
+  // four regions meet in the middle; all robots drive there, and some stop and start again
   std::string engines;
   for (int i = 0; i < 4; ++i) {
     const Real x = i % 2 == 0 ? -9.0 : 0.0;
@@ -198,7 +198,7 @@ TEST_CASE("ghosts: crowds that press on each other over borders overlap by round
   }
   const Real deepest = SOverlaps::Quantile(overlaps.WithRobots, 1.0) * kEPuckRadius;
   if (attributes == "ghosts='false'") {
-    // the measure can fail
+    // shows that the check can fail
     CHECK(deepest > 0.1 * kEPuckRadius);
   } else {
     CHECK(deepest <= 1e-12);
@@ -210,12 +210,12 @@ TEST_CASE("ghosts: crowds that press on each other over borders overlap by round
   CHECK(engaged == 4);
 }
 
-TEST_CASE("ghosts: robots at rest that start towards each other at once stop half-way",
+TEST_CASE("ghosts: robots that start from rest towards each other stop half-way",
           "[contract][engine][partition][kinematics]") {
   const Real speed = GENERATE(10.0, 500.0, 1500.0);  // cm/s
   const Real aside = GENERATE(0.0, 0.01);
   CAPTURE(speed, aside);
-  // should they slide past each other, walls stop them
+  // robots that slide past each other are stopped by walls
   const std::string engines =
       RegionXml(kKinematics2D, "west", {{-2, -2, kWall}, {0, -2}, {0, 2, kWall}, {-2, 2, kWall}}) +
       RegionXml(kKinematics2D, "east", {{0, -2, kWall}, {2, -2, kWall}, {2, 2, kWall}, {0, 2}});
@@ -227,18 +227,18 @@ TEST_CASE("ghosts: robots at rest that start towards each other at once stop hal
   const Real radii = kFootBotRadius + kEPuckRadius;
   CHECK(RunOverlap(world, 40, radii) <= 1e-12);
   if (aside == 0.0 && speed == 10.0) {
-    // nobody pushes anybody, and the faster ones may have slid past each other by now
+    // no robot pushes another one; faster robots may have slid past each other
     CHECK_THAT(Distance(world.Position("a"), world.Position("b")), WithinAbs(radii, 1e-9));
   }
 }
 
-TEST_CASE("ghosts: a robot that is a box, and a thing, feel robots across a border",
+TEST_CASE("ghosts: box-shaped robots and objects collide with robots across a border",
           "[contract][engine][partition][kinematics]") {
   constexpr Real kHalf = 0.1;  // m
   CDriveWorld world(Halves(kKinematics2D),
                     DriverXml("foot-bot", "box", -0.5, 0, 0, 10, 10) +
                         DriverXml("foot-bot", "other", 0.5, 0, 180, 10, 10) +
-                        // as thin as a quarter of what the robot drives in a tick
+                        // its thickness is a quarter of the robot's path in a tick
                         DriverXml("e-puck", "pusher", 0.2, 2, 180, 40, 40) +
                         "<box id='thin' size='0.01,0.3,0.1' movable='true' mass='0.3'><body "
                         "position='-0.006,2,0'/></box>");
@@ -251,10 +251,10 @@ TEST_CASE("ghosts: a robot that is a box, and a thing, feel robots across a bord
   world.GetSpace().AddEntityToPhysicsEngine(body);
   for (int tick = 0; tick < 60; ++tick) {
     world.Step();
-    // the circle around the box; solids may come into each other by 1e-5 of half a narrowest side
+    // circumscribed circle of the box; solids may overlap by 1e-5 of half a narrowest side
     const Real reach = kFootBotRadius + std::sqrt(2.0) * kHalf;
     REQUIRE(Distance(world.Position("box"), world.Position("other")) >= reach - 1e-5 * kHalf);
-    // a thing gets out of the way in the tick after that in which it is met
+    // an object yields in the tick after the contact
     const Real gap = world.Position("pusher").GetX() - world.Position("thin").GetX();
     REQUIRE(gap >= kEPuckRadius + 0.005 - 0.04 - 1e-6);
   }
@@ -263,7 +263,7 @@ TEST_CASE("ghosts: a robot that is a box, and a thing, feel robots across a bord
   CHECK(world.Position("pusher").GetX() < -1.0);
 }
 
-TEST_CASE("ghosts: engines of two types feel each other's robots",
+TEST_CASE("ghosts: robots of two engine types collide across a border",
           "[contract][engine][partition]") {
   const std::string east = GENERATE(as<std::string>(), "dynamics2d", "pointmass3d");
   CAPTURE(east);
@@ -271,7 +271,7 @@ TEST_CASE("ghosts: engines of two types feel each other's robots",
   const std::string engines =
       RegionXml(kKinematics2D, "west", {{-20, -20}, {0, -20}, {0, 20}, {-20, 20}}) +
       RegionXml(east == "dynamics2d" ? kDynamics2D : kPointMass3D, "east", right);
-  // towards each other, in columns that are not in line
+  // towards each other, in columns that are offset
   std::string robots;
   for (int i = 0; i < 24; ++i) {
     const Real x = 0.15 + 0.09 * (i / 4);
@@ -297,16 +297,16 @@ TEST_CASE("ghosts: engines of two types feel each other's robots",
     }
   }
   if (east == "dynamics2d") {
-    // what dynamics2d promises
+    // the limit of dynamics2d
     CHECK(deepest <= 0.02 * kEPuckRadius);
   } else {
-    // half of it is pointmass3d's, which feels nothing: 1 cm in a tick, and what is not undone of
-    // it
+    // The share of pointmass3d, which has no contacts, is not resolved: robots
+    // overlap by 1 cm per tick and more.
     CHECK(deepest > 0.02 * kEPuckRadius);
   }
 }
 
-TEST_CASE("ghosts: what is seen does not depend on borders", "[contract][engine][partition]") {
+TEST_CASE("ghosts: sensor readings do not depend on borders", "[contract][engine][partition]") {
   const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
   CAPTURE(engine);
   const auto make = [](const std::string& engines) {
@@ -350,7 +350,7 @@ TEST_CASE("ghosts: what is seen does not depend on borders", "[contract][engine]
         seen.insert(seen.end(), {blob->Distance, blob->Angle.GetValue()});
       }
     }
-    // and by rays
+    // readings by rays
     for (int i = 0; i < 16; ++i) {
       CVector3 end(1.0, 0.0, 0.0);
       end.RotateZ(CRadians(ARGOS_PI * i / 8.0));
@@ -362,7 +362,7 @@ TEST_CASE("ghosts: what is seen does not depend on borders", "[contract][engine]
     return seen;
   };
   const std::vector<Real> whole = look(make(engine.ToXml()));
-  // each of the three hears the two others, and sees some of their 13 LEDs
+  // each of the three receives both others and sees some of their 13 LEDs
   REQUIRE(whole.size() > 16 + 3 * 2 * 3 + 3 * 2 * 2);
   CHECK(look(make(Halves(engine))) == whole);
 }

@@ -1,8 +1,9 @@
-// Grips while robots and loads are moved, removed, reset and handed to other engines; chains, rings
-// and orders by chance.
+// Grips while robots and loads are moved, removed, reset and transferred to other engines; chains,
+// rings and random orders.
 
 #include <argos3/testing/contract/physics_engines/engines.h>
 #include <argos3/testing/contract/physics_engines/grip_world.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
@@ -23,7 +24,7 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-constexpr Real kRadius = 0.085036758;  // m, of a foot-bot
+constexpr Real kRadius = kFootBotRadius;
 constexpr Real kGap = 0.005;  // m
 constexpr Real kAhead = kRadius + kGap + 0.1;
 constexpr Real kPitch = 2.0 * kRadius + kGap;
@@ -49,7 +50,7 @@ std::string ChainXml() {
          LoadXml("box", kPitch + kAhead, 0, 0.3);
 }
 
-// a ring of robots of which each looks at the next
+// a ring of robots, each facing the next
 std::string RingXml(int robots, Real x, Real y, const std::string& params, Real torque = 150.0) {
   const Real radius = 0.5 * kPitch / std::sin(ARGOS_PI / robots);
   const Real chord = 0.5 * ARGOS_PI + ARGOS_PI / robots;
@@ -65,7 +66,7 @@ std::string RingXml(int robots, Real x, Real y, const std::string& params, Real 
 
 }  // namespace
 
-TEST_CASE("grip lifecycle: what is moved by a command is let go, and lets go",
+TEST_CASE("grip lifecycle: moving a body by a command releases its grips",
           "[contract][engine][grip]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithGrips));
   CAPTURE(engine);
@@ -76,18 +77,18 @@ TEST_CASE("grip lifecycle: what is moved by a command is let go, and lets go",
   REQUIRE(world.Body("b").MoveTo(CVector3(5, 0, 0), CQuaternion()));
   CHECK(world.HeldBy("r").empty());
   CHECK(world.HeldBy("b").empty());
-  // locked as they are, they take hold of what they meet next
+  // the grippers are still locked and grip the next bodies in reach
   CHECK(world.Body("b").MoveTo(CVector3(kPitch, 0, 0), CQuaternion()));
   world.Step();
   CHECK(world.HeldBy("r") == "b");
   CHECK(world.HeldBy("b") == "box");
-  // a load
+  // moving a load
   CHECK(world.Body("box").MoveTo(CVector3(3, 3, 0), CQuaternion()));
   CHECK(world.HeldBy("b").empty());
   CHECK(world.HeldBy("r") == "b");
 }
 
-TEST_CASE("grip lifecycle: asking whether a place is free changes nothing",
+TEST_CASE("grip lifecycle: testing a place for collisions changes nothing",
           "[contract][engine][grip]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithGrips));
   CAPTURE(engine);
@@ -118,7 +119,7 @@ TEST_CASE("grip lifecycle: asking whether a place is free changes nothing",
   }
 }
 
-TEST_CASE("grip lifecycle: what is removed is let go, and lets go", "[contract][engine][grip]") {
+TEST_CASE("grip lifecycle: removing a body releases its grips", "[contract][engine][grip]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithGrips));
   CAPTURE(engine);
   CGripWorld world(ChainXml(), In(engine.ToXml()));
@@ -143,7 +144,7 @@ TEST_CASE("grip lifecycle: what is removed is let go, and lets go", "[contract][
   CHECK_THAT(world.Position("new").GetX(), WithinAbs(kAhead, engine.Slack));
 }
 
-TEST_CASE("grip lifecycle: components that are made in a run work at once",
+TEST_CASE("grip lifecycle: components created during a run work at once",
           "[contract][engine][grip]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithGrips));
   CAPTURE(engine);
@@ -159,14 +160,14 @@ TEST_CASE("grip lifecycle: components that are made in a run work at once",
   robot.GetTurretEntity().SetDesiredRotationSpeed(CRadians(0.1));
   world.Step(10);
   CHECK_THAT(robot.GetTurretEntity().GetRotation().GetValue(), WithinAbs(0.1, 1e-3 + engine.Slack));
-  // whoever takes away what is held makes the gripper let go
+  // clearing the gripped entity releases the grip
   robot.GetGripperEquippedEntity().ClearGrippedEntity();
   robot.GetGripperEquippedEntity().SetLockState(0.0);
   world.Step(2);
   CHECK(world.HeldBy("r").empty());
 }
 
-TEST_CASE("grip lifecycle: a reset lets everything go, and the run repeats to the bit",
+TEST_CASE("grip lifecycle: a reset releases all grips, and the run repeats bit by bit",
           "[contract][engine][grip]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithGrips));
   CAPTURE(engine);
@@ -186,10 +187,11 @@ TEST_CASE("grip lifecycle: a reset lets everything go, and the run repeats to th
   }
 }
 
-TEST_CASE("grip lifecycle: runs do not depend on threads", "[contract][engine][grip]") {
+TEST_CASE("grip lifecycle: results do not depend on the number of threads",
+          "[contract][engine][grip]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithGrips));
   CAPTURE(engine);
-  // a ring in each half of the plane, and one across the border
+  // a ring in the western half and a chain at the border
   const std::string arena = RingXml(5, -2, 0, "random='true'") + ChainXml();
   const auto digests = [&](UInt32 threads) {
     CGripWorld world(arena, In(engine.ToTwoXml(0.0), threads));
@@ -205,14 +207,14 @@ TEST_CASE("grip lifecycle: runs do not depend on threads", "[contract][engine][g
   CHECK(digests(3) == alone);
 }
 
-TEST_CASE("grip lifecycle: what hangs together crosses the border of engines together",
+TEST_CASE("grip lifecycle: connected bodies cross a border of engines together",
           "[contract][engine][grip]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithGrips));
   CAPTURE(engine);
-  const Real speed = GENERATE(-0.05, 0.05);  // m/s: the load first, or the robot first
+  const Real speed = GENERATE(-0.05, 0.05);  // m/s: load first or robot first
   CAPTURE(speed);
   const CGripWorld::SOptions options = In(engine.ToTwoXml(0.0));
-  // from 10 cm before the border
+  // starts 10 cm before the border
   const Real start = speed > 0.0 ? -0.4 : 0.1;
   CGripWorld world(
       GripperXml("r", start, 0, 0, "lock='true'") + LoadXml("box", start + kAhead, 0, 0.3),
@@ -236,22 +238,23 @@ TEST_CASE("grip lifecycle: what hangs together crosses the border of engines tog
     last = world.Position("box");
   }
   CHECK(EngineOf(world, "r") == (speed > 0.0 ? "east" : "west"));
-  // but for the tick in which the order came, and what stretches; where it may lean, it swings
+  // except for the tick of the order and the stretch; a load that can tilt swings
   CHECK_THAT(world.Position("box").GetX() - start - kAhead - 12.0 * speed,
              WithinAbs(0.0, 0.006 + 5.0 * engine.Slack));
-  // let go on the wrong side of the border, a load goes to the engine it belongs to
+  // a load across the border is in another engine and cannot be gripped
   CGripWorld other(
       GripperXml("r", 0.05, 0, 180, "lock='true'") + LoadXml("box", 0.05 - kAhead, 0, 0.3),
       options);
   other.Step(2);
-  CHECK(other.HeldBy("r").empty());  // nobody reaches over a border
+  CHECK(other.HeldBy("r").empty());  // grippers do not reach across borders
 }
 
-TEST_CASE("grip lifecycle: a load let go beyond the border goes to its own engine",
+TEST_CASE("grip lifecycle: a load released beyond the border is transferred to its own engine",
           "[contract][engine][grip]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithGrips));
   CAPTURE(engine);
-  // the robot leads, because it is older; it backs over the border, the load behind it stays short
+  // The robot decides about the engine, because it is older. It backs across the border; the load
+  // behind it does not reach the border.
   CGripWorld world(
       GripperXml("r", 0.05, 0, 0, "lock='true'") + LoadXml("box", 0.05 + kAhead, 0, 0.3),
       In(engine.ToTwoXml(0.0)));
@@ -269,7 +272,7 @@ TEST_CASE("grip lifecycle: a load let go beyond the border goes to its own engin
 
 namespace {
 
-/** Watches all grips of a world, tick by tick. */
+/** Measures all grips of a world, tick by tick. */
 class CGripWatch {
  public:
   explicit CGripWatch(CGripWorld& world) : m_world(world), m_before(world.GetPoses()) {
@@ -309,7 +312,7 @@ class CGripWatch {
 
   size_t GetNumRobots() const { return m_robots.size(); }
 
-  // the greatest so far
+  // maxima so far
   Real Stretch = 0.0;  // m
   Real Sideways = 0.0;  // m
   Real Fastest = 0.0;  // m/s
@@ -318,7 +321,7 @@ class CGripWatch {
  private:
   CGripWorld& m_world;
   std::vector<std::string> m_robots;
-  std::map<std::string, CGripGauge> m_gauges;  // of those that hold something
+  std::map<std::string, CGripGauge> m_gauges;  // of robots that hold something
   CGripWorld::TPoses m_before;
 };
 
@@ -338,7 +341,7 @@ std::string CrowdXml(const std::string& params, Real torque) {
 
 }  // namespace
 
-TEST_CASE("grip lifecycle: ten minutes of orders by chance leave every grip whole",
+TEST_CASE("grip lifecycle: ten minutes of random orders leave every grip intact",
           "[contract][engine][grip]") {
   const UInt32 ticksPerSecond = GENERATE(10U, 100U);
   CAPTURE(ticksPerSecond);
@@ -352,24 +355,24 @@ TEST_CASE("grip lifecycle: ten minutes of orders by chance leave every grip whol
     watch.Step();
   }
   CAPTURE(watch.Stretch, watch.Sideways, watch.Fastest);
-  // they do hold something, for long
+  // robots hold something for much of the time
   CHECK(watch.TicksHeld > watch.GetNumRobots() * ticks / 8);
-  // what the drives of the ring's six robots can do together, at the rims of the robots they hold
+  // the joint force of the drives of the ring's six robots, at the rims of the robots they hold
   const Real longest = 6.0 * (15.0 + kTorque / kRadius) / 1e4;
   CHECK(watch.Stretch <= longest);
-  // rigid across the arm, but for what the solver leaves
+  // rigid across the arm, except for the solver's error
   CHECK(watch.Sideways <= 5e-3);
-  // wheels turn at 15 cm/s, and a spring that was stretched so far may throw a robot of 1.6 kg
+  // wheels turn at 15 cm/s, and a spring stretched that far accelerates a robot of 1.6 kg
   CHECK(watch.Fastest <= 0.15 + longest * std::sqrt(1e4 / 1.6));
 }
 
-TEST_CASE("grip lifecycle: motors of 150 N m that turn against each other break nothing but grips",
+TEST_CASE("grip lifecycle: opposed motors of 150 N m break grips only",
           "[contract][engine][grip]") {
   const UInt32 ticksPerSecond = GENERATE(10U, 100U);
   CAPTURE(ticksPerSecond);
   CGripWorld::SOptions options;
   options.TicksPerSecond = ticksPerSecond;
-  // turrets by chance too; at a lever of 9 cm their motors pull with 1,700 N
+  // turrets are random too; at a lever of 9 cm their motors exert 1,700 N
   CGripWorld world(CrowdXml("lock='true' random='true'", 150.0), options);
   CGripWatch watch(world);
   const UInt32 ticks = ticksPerSecond == 10 ? 6000 : 10000;
@@ -378,7 +381,7 @@ TEST_CASE("grip lifecycle: motors of 150 N m that turn against each other break 
   }
   CAPTURE(watch.Stretch, watch.Sideways, watch.Fastest);
   CHECK(watch.TicksHeld > watch.GetNumRobots() * ticks / 8);
-  // 10 kN, what a grip bears, stretch it by 1 m
+  // a grip bears 10 kN, which stretch it by 1 m
   CHECK(watch.Stretch <= 1.0);
   CHECK(watch.Sideways <= 0.05);
 }

@@ -13,7 +13,7 @@ namespace argos {
 
 namespace {
 
-// a command by chance is given this often, ticks
+// interval of random commands, ticks
 constexpr UInt32 kTicksPerCommand = 7;
 
 SExperiment MakeExperiment(const std::string& arena, const CGripWorld::SOptions& options) {
@@ -76,7 +76,7 @@ void CContractGripper::ControlStep() {
 void CContractGripper::DrawCommands() {
   Left = m_random->Uniform(-15.0, 15.0);
   Right = m_random->Uniform(-15.0, 15.0);
-  // locked for most of the time
+  // locked most of the time
   Lock = m_random->Bernoulli(0.95);
   Mode = static_cast<CCI_FootBotTurretActuator::ETurretModes>(
       m_random->UniformInteger(m_turretIsOn ? UInt64(4) : UInt64(2)));
@@ -167,7 +167,7 @@ CVector3 Rotated(CVector3 vector, const CQuaternion& rotation) {
   return vector.Rotate(rotation);
 }
 
-// the point of a solid, in its body's frame, that is nearest to one at its height
+// the point of a solid, in its body's frame, that is nearest to a point at its height
 CVector3 ComputeNearest(const SShapeDescription& shape, const CVector3& point) {
   CVector3 nearest = point;
   if (shape.Kind == SShapeDescription::EKind::Box) {

@@ -17,12 +17,12 @@
 
 namespace argos {
 
-/** "contract_gripper": does what a test tells it to, or, asked for in its XML, what chance does. */
+/** "contract_gripper": executes the orders of a test or, on request in its XML, random orders. */
 class CContractGripper : public CCI_Controller {
  public:
   /**
    * Reads left and right, cm/s, default 0; lock and random, default false; turret, default true:
-   * whether chance turns its motor on.
+   * whether random orders include those to the turret's motor.
    */
   void Init(TConfigurationNode& params) override;
   void ControlStep() override;
@@ -58,7 +58,7 @@ std::string LoadXml(const std::string& id, Real x, Real y, Real mass, Real yaw =
 /** XML of a movable cylinder of radius 0.1 m. */
 std::string RollXml(const std::string& id, Real x, Real y, Real mass);
 
-/** A world of such robots and of objects, of which it can be asked for anything. */
+/** A world of such robots and of objects, with accessors to their state. */
 class CGripWorld : public CTestWorld {
  public:
   struct SOptions {
@@ -72,16 +72,16 @@ class CGripWorld : public CTestWorld {
 
   CEmbodiedEntity& Body(const std::string& id);
   CVector3 Position(const std::string& id) { return Body(id).GetOriginAnchor().Position; }
-  /** rad. */
+  /** Heading, rad. */
   Real Yaw(const std::string& id);
   CContractGripper& Driver(const std::string& id);
   CGripperEquippedEntity& Gripper(const std::string& id);
   CTurretEntity& Turret(const std::string& id);
-  /** Id of the root of what the robot holds; empty: nothing. */
+  /** Root id of the held entity; empty: none. */
   std::string HeldBy(const std::string& id);
   void Drive(const std::string& id, Real left, Real right);
 
-  /** Where all bodies and turrets are. */
+  /** Poses of all bodies and turrets. */
   struct SPose {
     CVector3 Position;
     CQuaternion Orientation;
@@ -95,19 +95,18 @@ class CGripWorld : public CTestWorld {
 };
 
 /**
- * How far a grip gives way: how far the point of the held body that was gripped is from where it
- * was then in the frame of the turret.
+ * Compliance of a grip: displacement, in the frame of the turret, of the point that was gripped.
  */
 class CGripGauge {
  public:
-  /** @param before  at the start of the tick in which the robot has gripped what it holds. */
+  /** @param before  poses at the start of the tick in which the robot has gripped the body. */
   CGripGauge(CGripWorld& world, const std::string& robot, const CGripWorld::TPoses& before);
   CEmbodiedEntity& GetHeld() const { return m_held; }
-  /** From the arm's end to the gripped point: along the arm, positive away from the robot; m. */
+  /** Displacement of the gripped point along the arm, positive away from the robot, m. */
   Real Stretch() const;
-  /** Across the arm, to the left, m. */
+  /** Displacement across the arm, positive to the left, m. */
   Real Sideways() const;
-  /** Of the gripped point from the robot's centre, when it was gripped, m. */
+  /** Distance of the gripped point from the robot's centre when it was gripped, m. */
   Real GetArmLength() const { return m_arm.Length(); }
 
  private:

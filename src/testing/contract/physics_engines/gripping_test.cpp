@@ -1,7 +1,8 @@
-// What grippers do to what they hold, against closed forms.
+// Compares the forces of grippers with closed forms.
 
 #include <argos3/testing/contract/physics_engines/grip_world.h>
 #include <argos3/testing/support/closed_form/differential_drive.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
@@ -21,13 +22,13 @@ using testing::SPose;
 
 namespace {
 
-constexpr Real kRadius = 0.085036758;  // m, of a foot-bot
+constexpr Real kRadius = kFootBotRadius;
 constexpr Real kHalf = 0.1;  // m, of a load
-constexpr Real kGap = 0.005;  // m: a robot can grip, but does not touch
+constexpr Real kGap = 0.005;  // m: in reach, but without contact
 constexpr Real kTick = 0.1;  // s
 constexpr Real kFriction = 1.49;  // N, the engine's default
 constexpr Real kRigidity = 1e4;  // N/m, the engine's default
-// where a load is that the robot at the origin can grip
+// position of a load that the robot at the origin can grip
 constexpr Real kAhead = kRadius + kGap + kHalf;
 
 const std::string kSlippery =
@@ -44,7 +45,7 @@ Real Speed(CGripWorld& world, const std::string& id) {
 }  // namespace
 
 TEST_CASE(
-    "grip: a load is dragged and pushed at the robot's speed, the grip gives way as stiffness says",
+    "grip: a load moves at the robot's speed, and the grip stretches according to its stiffness",
     "[contract][engine][grip]") {
   const Real mass = GENERATE(0.1, 1.0, 5.0);
   const Real speed = GENERATE(-0.05, 0.05);  // m/s
@@ -64,16 +65,16 @@ TEST_CASE(
   const CVector3 robot = world.Position("r");
   const CVector3 box = world.Position("box");
   world.Step(2 * ticksPerSecond);
-  // single precision leaves 1e-7 m a substep
+  // single precision errs by 1e-7 m per substep
   CHECK_THAT(world.Position("r").GetX() - robot.GetX(), WithinAbs(2.0 * speed, 1e-4));
   CHECK_THAT(world.Position("box").GetX() - box.GetX(), WithinAbs(2.0 * speed, 1e-4));
   CHECK_THAT(world.Position("box").GetY(), WithinAbs(0.0, 1e-5));
   CHECK_THAT(world.Yaw("box"), WithinAbs(0.0, 1e-4));
-  // friction pulls back with F, so the spring is F / k longer, or shorter
+  // friction F changes the length of the spring by F / k
   CHECK_THAT(gauge.Stretch(), WithinAbs((speed < 0.0 ? 1.0 : -1.0) * kFriction / kRigidity, 5e-6));
 }
 
-TEST_CASE("grip: softer grips give way more", "[contract][engine][grip]") {
+TEST_CASE("grip: softer grips stretch more", "[contract][engine][grip]") {
   const Real rigidity = GENERATE(200.0, 1000.0);  // N/m
   CAPTURE(rigidity);
   CGripWorld::SOptions options;
@@ -88,7 +89,7 @@ TEST_CASE("grip: softer grips give way more", "[contract][engine][grip]") {
   CHECK_THAT(gauge.Stretch(), WithinRel(kFriction / rigidity, 0.02));
 }
 
-TEST_CASE("grip: without rigidity nothing is held", "[contract][engine][grip]") {
+TEST_CASE("grip: without stiffness nothing is held", "[contract][engine][grip]") {
   CGripWorld::SOptions options;
   options.Engine = "<dynamics2d id='e' gripping_rigidity='0'/>";
   CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("box", kAhead, 0, 1.0),
@@ -99,7 +100,7 @@ TEST_CASE("grip: without rigidity nothing is held", "[contract][engine][grip]") 
   CHECK(world.Position("box").GetX() == kAhead);
 }
 
-TEST_CASE("grip: unlocking lets go at once, and friction stops the load",
+TEST_CASE("grip: unlocking releases the load at once, and friction stops it",
           "[contract][engine][grip]") {
   constexpr Real kMass = 10.0;  // kg
   CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("box", kAhead, 0, kMass));
@@ -107,13 +108,13 @@ TEST_CASE("grip: unlocking lets go at once, and friction stops the load",
   world.Step(40);
   REQUIRE_THAT(Speed(world, "box"), WithinAbs(-0.1, 1e-4));
   world.Driver("r").Lock = false;
-  // the order is given in this tick, and followed in the next
+  // the order is given in this tick and executed in the next
   CHECK_THAT(Speed(world, "box"), WithinAbs(-0.1, 1e-4));
   REQUIRE(world.HeldBy("r") == "box");
   const Real perTick = kFriction / kMass * kTick;  // m/s
   Real last = Speed(world, "box");
   CHECK(world.HeldBy("r").empty());
-  // the first of these ticks begins at 0.1 m/s: each of two substeps brakes before it moves
+  // the first of these ticks starts at 0.1 m/s: each of two substeps decelerates before it moves
   CHECK_THAT(last, WithinAbs(-0.1 + 0.75 * perTick, 1e-4));
   for (int tick = 0; tick < 4; ++tick) {
     const Real speed = Speed(world, "box");
@@ -125,7 +126,7 @@ TEST_CASE("grip: unlocking lets go at once, and friction stops the load",
   CHECK_THAT(Speed(world, "r"), WithinAbs(-0.1, 1e-6));
 }
 
-TEST_CASE("grip: a load that slides without friction keeps its momentum when it is let go",
+TEST_CASE("grip: a load without friction keeps its momentum when it is released",
           "[contract][engine][grip]") {
   CGripWorld::SOptions options;
   options.Engine = kSlippery;
@@ -146,9 +147,9 @@ TEST_CASE("grip: a load that slides without friction keeps its momentum when it 
   CHECK_THAT(Speed(world, "r"), WithinAbs(0.0, 1e-6));
 }
 
-TEST_CASE("grip: where there is nothing to grip, a locked gripper changes nothing",
+TEST_CASE("grip: without a body in reach a locked gripper has no effect",
           "[contract][engine][grip]") {
-  // neither walls nor e-pucks can be gripped, nor what is more than 1 cm away
+  // walls, e-pucks and bodies more than 1 cm away cannot be gripped
   const std::string nearby = GENERATE(
       as<std::string>(), "", "e-puck",
       "<box id='x' size='0.2,0.2,0.1' movable='false'><body position='0.19,0,0'/></box>",
@@ -170,7 +171,7 @@ TEST_CASE("grip: where there is nothing to grip, a locked gripper changes nothin
   }
 }
 
-TEST_CASE("grip: the nearest body in reach is taken, and only one", "[contract][engine][grip]") {
+TEST_CASE("grip: only the nearest body in reach is gripped", "[contract][engine][grip]") {
   // two boxes side by side; the one on the right is nearer
   CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("far", kAhead, 0.104, 1.0) +
                    LoadXml("near", kAhead, -0.102, 1.0));
@@ -183,7 +184,7 @@ TEST_CASE("grip: the nearest body in reach is taken, and only one", "[contract][
   CHECK(world.Position("near").GetX() < kAhead - 0.08);
 }
 
-TEST_CASE("grip: of two robots that pull a load apart the stronger one wins",
+TEST_CASE("grip: of two robots that pull a load apart the stronger one prevails",
           "[contract][engine][grip]") {
   const Real weaker = GENERATE(5.0, 12.0);  // N, against 15 N
   CAPTURE(weaker);
@@ -198,14 +199,14 @@ TEST_CASE("grip: of two robots that pull a load apart the stronger one wins",
   world.Drive("strong", -5, -5);
   world.Drive("weak", -5, -5);
   world.Step(40);
-  // at the speed of its wheels, because it has force to spare
+  // at the speed of its wheels, because its force suffices
   CHECK_THAT(Speed(world, "strong"), WithinAbs(-0.05, 1e-4));
   CHECK_THAT(Speed(world, "weak"), WithinAbs(-0.05, 1e-4));
   CHECK_THAT(weak.Stretch(), WithinAbs(weaker / kRigidity, 1e-5));
   CHECK_THAT(strong.Stretch(), WithinAbs((weaker + kFriction) / kRigidity, 1e-5));
 }
 
-TEST_CASE("grip: robots of one strength that pull a load apart hold each other",
+TEST_CASE("grip: robots of equal strength that pull a load apart hold each other",
           "[contract][engine][grip]") {
   CGripWorld world(GripperXml("a", 0, 0, 0, "lock='true'") + LoadXml("box", kAhead, 0, 1.0) +
                    GripperXml("b", 2.0 * kAhead, 0, 180, "lock='true'"));
@@ -216,7 +217,7 @@ TEST_CASE("grip: robots of one strength that pull a load apart hold each other",
   world.Drive("a", -5, -5);
   world.Drive("b", -5, -5);
   world.Step(100);
-  // both slip with 15 N, in a tug of war that moves nothing
+  // the wheels of both slip with 15 N, and nothing moves
   CHECK_THAT(a.Stretch(), WithinAbs(15.0 / kRigidity, 1e-5));
   CHECK_THAT(b.Stretch(), WithinAbs(15.0 / kRigidity, 1e-5));
   const Real before = world.Position("box").GetX();
@@ -224,7 +225,7 @@ TEST_CASE("grip: robots of one strength that pull a load apart hold each other",
   CHECK_THAT(world.Position("box").GetX(), WithinAbs(before, 1e-4));
 }
 
-TEST_CASE("grip: more force than it can bear slips out of a grip", "[contract][engine][grip]") {
+TEST_CASE("grip: a force beyond its strength breaks a grip", "[contract][engine][grip]") {
   // a grip bears 10 kN; the robots pull with twice that
   CGripWorld world(GripperXml("a", 0, 0, 0, "lock='true'", 2e4) + LoadXml("box", kAhead, 0, 1.0) +
                    GripperXml("b", 2.0 * kAhead, 0, 180, "lock='true'", 2e4));
@@ -232,7 +233,7 @@ TEST_CASE("grip: more force than it can bear slips out of a grip", "[contract][e
   REQUIRE(world.HeldBy("a") == "box");
   world.Drive("a", -10, -10);
   world.Drive("b", -10, -10);
-  Real longest = 0.0;  // m, between a robot's centre and the box's, while it is held
+  Real longest = 0.0;  // m, from a robot's centre to that of the held box
   bool slipped = false;
   for (int tick = 0; tick < 200; ++tick) {
     world.Step();
@@ -245,13 +246,13 @@ TEST_CASE("grip: more force than it can bear slips out of a grip", "[contract][e
     }
   }
   CHECK(slipped);
-  // 10 kN stretch it by 1 m; in a tick it may become longer by what a robot drives
+  // 10 kN stretch the grip by 1 m; in a tick it may grow by the path of a robot
   CHECK(longest <= kAhead + 1.0 + 0.02);
   CHECK(longest >= kAhead + 0.9);
 }
 
-TEST_CASE("grip: a chain of robots that hold each other pulls as one", "[contract][engine][grip]") {
-  // each looks at the back of the next; the first pulls, the others brake with what they have
+TEST_CASE("grip: a chain of robots pulls with the sum of forces", "[contract][engine][grip]") {
+  // each faces the back of the next; the first pulls, the others brake with their full force
   constexpr Real kPitch = 2.0 * kRadius + kGap;
   CGripWorld world(GripperXml("a", 0, 0, 0, "lock='true'") +
                    GripperXml("b", kPitch, 0, 0, "lock='true'", 2.0) +
@@ -276,8 +277,9 @@ TEST_CASE("grip: a chain of robots that hold each other pulls as one", "[contrac
   CHECK_THAT(a.Stretch(), WithinAbs((kFriction + 3.0 + 2.0) / kRigidity, 1e-5));
 }
 
-TEST_CASE("grip: a load held by many goes where all drive", "[contract][engine][grip]") {
-  // eight robots around a cylinder of radius 0.1 m do not fit: five do
+TEST_CASE("grip: a load held by several robots moves with all of them",
+          "[contract][engine][grip]") {
+  // there is no room for eight robots around a cylinder of radius 0.1 m: five fit
   constexpr int kRobots = 5;
   std::string arena = RollXml("roll", 0, 0, 1.0);
   for (int i = 0; i < kRobots; ++i) {
@@ -294,9 +296,9 @@ TEST_CASE("grip: a load held by many goes where all drive", "[contract][engine][
     world.Drive("r" + std::to_string(i), -2, -2);
   }
   world.Step(40);
-  // they pull outwards, evenly: nothing moves
+  // they pull outwards equally: nothing moves
   CHECK_THAT(world.Position("roll").Length(), WithinAbs(0.0, 1e-3));
-  // one alone pulls against nobody
+  // one of them pulls alone
   for (int i = 1; i < kRobots; ++i) {
     world.Driver("r" + std::to_string(i)).Lock = false;
   }

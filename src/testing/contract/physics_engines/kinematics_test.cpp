@@ -1,9 +1,10 @@
-// What kinematics2d promises beyond what all engines do: nothing overlaps, things are pushed.
+// Properties of kinematics2d beyond those of all engines: no overlaps, and pushing.
 
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/engines.h>
 #include <argos3/testing/support/closed_form/differential_drive.h>
 #include <argos3/testing/support/overlap.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/physics_engine/body_description.h>
@@ -30,9 +31,7 @@ using testing::SPose;
 
 namespace {
 
-constexpr Real kEPuckRadius = 0.035;  // m
-constexpr Real kFootBotRadius = 0.085036758;  // m
-// m; a few roundings of coordinates below 10 m, in each of some hundred ticks
+// m; tolerance for a few roundings of coordinates below 10 m in each of some hundred ticks
 constexpr Real kRoundings = 1e-12;
 
 const std::string kEngine = kKinematics2D.ToXml();
@@ -62,7 +61,7 @@ std::string Id(int number) {
   return "r" + std::to_string(number);
 }
 
-// makes a robot a body of another shape: what its type says of its drive stays
+// replaces a robot's solids by one shape; the description of its drive is kept
 void Reshape(CDriveWorld& world, const std::string& id, const SShapeDescription& shape) {
   CEmbodiedEntity& body = world.Body(id);
   auto description = std::make_shared<SBodyDescription>(*body.GetBodyDescription());
@@ -77,7 +76,7 @@ void Reshape(CDriveWorld& world, const std::string& id, const SShapeDescription&
 
 TEST_CASE("kinematics: a crowd that covers 60 % of its pen does not overlap",
           "[contract][engine][kinematics]") {
-  // 18 x 18 robots on squares of a side with pi r^2 / side^2 = 0.6, each up to 4 % of it off
+  // 18 x 18 robots in squares with pi r^2 / side^2 = 0.6, each up to 4 % of the side off the centre
   constexpr int kSide = 18;
   const Real spacing = kEPuckRadius * std::sqrt(std::numbers::pi / 0.6);
   const Real half = 0.5 * kSide * spacing;
@@ -108,14 +107,14 @@ TEST_CASE("kinematics: a crowd that covers 60 % of its pen does not overlap",
     }
     MeasureOverlaps(world.GetSpace(), overlaps);
   }
-  // the promise is 2 % of the radius; what is left is roundings
+  // the limit is 2 % of the radius; the actual overlap is due to rounding
   CHECK(SOverlaps::Quantile(overlaps.WithRobots, 1.0) <= kRoundings / kEPuckRadius);
   CHECK(SOverlaps::Quantile(overlaps.WithWalls, 1.0) <= kRoundings / kEPuckRadius);
-  // nobody is thrown about: 13 cm/s for 0.1 s
+  // no robot is thrown about: 13 cm/s for 0.1 s
   CHECK(farthest <= 0.013 + kRoundings);
 }
 
-TEST_CASE("kinematics: 40 robots deep at a wall, nobody overlaps at any time",
+TEST_CASE("kinematics: in columns of 40 robots at a wall robots never overlap",
           "[contract][engine][kinematics]") {
   const Real jitter = GENERATE(0.0, 0.002);
   CAPTURE(jitter);
@@ -140,7 +139,7 @@ TEST_CASE("kinematics: 40 robots deep at a wall, nobody overlaps at any time",
   }
 }
 
-TEST_CASE("kinematics: a robot slides along a wall with what its speed is along it",
+TEST_CASE("kinematics: a robot slides along a wall with the tangential part of its speed",
           "[contract][engine][kinematics]") {
   const Real angle = GENERATE(10.0, 45.0, 80.0);  // to the wall, degrees
   CAPTURE(angle);
@@ -148,16 +147,15 @@ TEST_CASE("kinematics: a robot slides along a wall with what its speed is along 
   CDriveWorld world(kEngine, WallXml("wall", "20,0.2,0.5", 0, 0.1) +
                                  DriverXml("e-puck", "r", -3, -0.1, angle, 10, 10));
   world.Step(61);
-  // it touches the wall, whose face is the line y = 0, and has lost nothing of its speed along it
+  // it touches the wall, whose face is the line y = 0, at its full tangential speed
   CHECK_THAT(world.Position("r").GetY(), WithinAbs(-kEPuckRadius, kRoundings));
   CHECK_THAT(world.Position("r").GetX(), WithinAbs(-3.0 + 0.6 * std::cos(radians), 1e-9));
   CHECK_THAT(world.Yaw("r"), WithinAbs(radians, 1e-12));
 }
 
-TEST_CASE(
-    "kinematics: robots that pass each other closely, or follow each other, keep to their arcs",
-    "[contract][engine][kinematics]") {
-  // they pass with 1 mm between them; behind "a" follows another 1 mm away
+TEST_CASE("kinematics: robots that pass or follow each other closely keep to their arcs",
+          "[contract][engine][kinematics]") {
+  // they pass with a gap of 1 mm; another robot follows "a" with a gap of 1 mm
   const Real lane = 0.5 * (2.0 * kEPuckRadius + 0.001);
   const Real gap = 2.0 * kEPuckRadius + 0.001;
   CDriveWorld world(kEngine, DriverXml("e-puck", "a", -0.2, lane, 0, 11, 11) +
@@ -176,7 +174,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("kinematics: a train of robots that touch starts and drives as one",
+TEST_CASE("kinematics: a column of robots in contact starts and drives as one",
           "[contract][engine][kinematics]") {
   std::string arena;
   for (int i = 0; i < 6; ++i) {
@@ -190,7 +188,7 @@ TEST_CASE("kinematics: a train of robots that touch starts and drives as one",
 }
 
 TEST_CASE("kinematics: a symmetric world stays symmetric", "[contract][engine][kinematics]") {
-  // four crowds meet in the middle; each is the one before, turned by a quarter
+  // four crowds meet in the middle; each is the previous one turned by 90 degrees
   std::string arena;
   for (int quarter = 0; quarter < 4; ++quarter) {
     const Real angle = 0.5 * std::numbers::pi * quarter;
@@ -202,7 +200,8 @@ TEST_CASE("kinematics: a symmetric world stays symmetric", "[contract][engine][k
     }
   }
   CDriveWorld world(kEngine, arena);
-  // frictionless discs amplify what roundings make of quarter turns: it doubles in each tick, about
+  // Frictionless discs amplify rounding errors of the quarter turns:
+  // they about double in each tick.
   Real worst = 0.0;
   int ticksOfContact = 0;
   while (ticksOfContact < 10) {
@@ -218,7 +217,7 @@ TEST_CASE("kinematics: a symmetric world stays symmetric", "[contract][engine][k
         worst = std::max(worst, std::hypot(x - first.GetX(), y - first.GetY()));
       }
     }
-    // free, it goes 9.75 mm
+    // an unobstructed robot drives 9.75 mm
     const bool isBlocked = Distance(before, world.Position(Id(0))) < 0.009;
     ticksOfContact += isBlocked && before.GetX() > -0.34 ? 1 : 0;
   }
@@ -235,7 +234,7 @@ TEST_CASE("kinematics: a pushed object moves with the robot and stops with it",
               "position='0.205036758,0,0'/></cylinder>";
   CDriveWorld world(kEngine, DriverXml("foot-bot", "r", 0, 0, 0, 10, 10) + object);
   world.Step(41);
-  // it met the object after 2 cm and pushed it the other 38
+  // it met the object after 2 cm and pushed it for the other 38 cm
   CHECK_THAT(world.Position("r").GetX(), WithinAbs(0.4, 1e-9));
   CHECK_THAT(world.Position("o").GetX(), WithinAbs(kFootBotRadius + 0.5, 1e-9));
   CHECK_THAT(world.Position("o").GetY(), WithinAbs(0.0, 1e-9));
@@ -252,7 +251,7 @@ TEST_CASE("kinematics: a pushed object moves with the robot and stops with it",
   CHECK(world.Position("o") == stopped);
 }
 
-TEST_CASE("kinematics: what is harder to push than the drive can, stays",
+TEST_CASE("kinematics: an object that resists the drive's force stays",
           "[contract][engine][kinematics]") {
   // a foot-bot pushes with 15 N
   const auto [friction, robots, moves] =
@@ -276,7 +275,7 @@ TEST_CASE("kinematics: what is harder to push than the drive can, stays",
   }
 }
 
-TEST_CASE("kinematics: a box pushed off its centre turns, unless friction holds it",
+TEST_CASE("kinematics: a box pushed off its centre rotates unless friction holds it",
           "[contract][engine][kinematics]") {
   const bool turns = GENERATE(true, false);
   CDriveWorld world(
@@ -284,7 +283,7 @@ TEST_CASE("kinematics: a box pushed off its centre turns, unless friction holds 
       DriverXml("foot-bot", "r", 0, 0.08, 0, 10, 10) + BoxXml("o", kFootBotRadius + 0.1, 0));
   world.Step(21);
   if (turns) {
-    // pushed ahead on its left side: clockwise
+    // the push is ahead, on its left side: it turns clockwise
     CHECK(world.Yaw("o") < -0.1);
   } else {
     // 1.49 N at 8 cm are less than 1.49 N m
@@ -293,7 +292,7 @@ TEST_CASE("kinematics: a box pushed off its centre turns, unless friction holds 
   }
 }
 
-TEST_CASE("kinematics: an object pushes the next one, until a wall stops all",
+TEST_CASE("kinematics: an object pushes the next one until a wall stops all",
           "[contract][engine][kinematics]") {
   CDriveWorld world(kEngine, DriverXml("foot-bot", "r", 0, 0, 0, 10, 10) + BoxXml("a", 0.3, 0) +
                                  "<cylinder id='b' radius='0.1' height='0.1' movable='true' "
@@ -303,14 +302,14 @@ TEST_CASE("kinematics: an object pushes the next one, until a wall stops all",
   CHECK_THAT(world.Position("b").GetX() - world.Position("a").GetX(), WithinAbs(0.2, 1e-4));
   CHECK_THAT(world.Position("r").GetX(), WithinAbs(0.3, 1e-6));
   world.Step(100);
-  // 1e-5 of half the narrowest side, for each contact
+  // 1e-5 of half the narrowest side per contact
   CHECK_THAT(world.Position("b").GetX(), WithinAbs(0.9, 1e-5));
   CHECK_THAT(world.Position("a").GetX(), WithinAbs(0.7, 1e-5));
   CHECK_THAT(world.Position("r").GetX(), WithinAbs(0.6 - kFootBotRadius, 1e-5));
   CHECK(world.Position("wall") == CVector3(1.1, 0, 0));
 }
 
-TEST_CASE("kinematics: robots do not push robots, and go round where they can",
+TEST_CASE("kinematics: robots do not push robots, but pass around them where they can",
           "[contract][engine][kinematics]") {
   const Real offset = GENERATE(0.0, 0.01);
   CDriveWorld world(kEngine, DriverXml("foot-bot", "mover", 0, 0, 0, 10, 10) +
@@ -325,12 +324,12 @@ TEST_CASE("kinematics: robots do not push robots, and go round where they can",
   }
 }
 
-TEST_CASE("kinematics: robots do not pass through each other or through objects at any speed",
+TEST_CASE("kinematics: robots pass neither through each other nor through objects at any speed",
           "[contract][engine][kinematics]") {
   const Real speed = GENERATE(100.0, 2000.0, 1e6);  // cm/s
   const std::string iterations = GENERATE(as<std::string>(), "", "iterations='7'");
   CAPTURE(speed, iterations);
-  // in a corridor in which there is no room for two side by side
+  // in a corridor too narrow for two side by side
   CDriveWorld world(
       kKinematics2D.ToXml("e", iterations),
       DriverXml("e-puck", "a", -1, 0.005, 0, speed, speed) +
@@ -355,7 +354,7 @@ TEST_CASE("kinematics: robots do not pass through each other or through objects 
   CHECK_THAT(world.Position("box").GetX(), WithinAbs(1.5 - 0.0005 - 0.01, 1e-6));
 }
 
-TEST_CASE("kinematics: a robot that is a box follows its arc, slides, and pushes with its front",
+TEST_CASE("kinematics: a box-shaped robot follows its arc, slides, and pushes with its front",
           "[contract][engine][kinematics]") {
   constexpr Real kHalfLength = 0.1;  // m
   CDriveWorld world(kEngine, DriverXml("foot-bot", "free", 3, 3, 30, 9, 10) +
@@ -385,10 +384,11 @@ TEST_CASE("kinematics: a robot that is a box follows its arc, slides, and pushes
   CHECK(world.Position("slider").GetX() > 0.0);
 }
 
-TEST_CASE("kinematics: robots in piles come apart in the same way with any number of threads",
+TEST_CASE("kinematics: piled robots separate equally with any number of threads",
           "[contract][engine][kinematics][determinism]") {
-  // in piles of four, so that sums of what pushes a robot depend on their order; threads deal with
-  // 512 robots in a row, and of a pile one begins with whom another one ends
+  // Piles of four, so that sums of pushes on a robot depend on their order. Threads process runs
+  // of 512 robots; the alternating order of piles puts robots of one pile at the start of one
+  // run and at the end of another.
   constexpr int kPiles = 2048;
   const Real offsets[4][2] = {{0.012, 0.0}, {0.0013, 0.011}, {-0.01, -0.0071}, {0.003, -0.013}};
   std::string arena;
@@ -407,7 +407,7 @@ TEST_CASE("kinematics: robots in piles come apart in the same way with any numbe
     }
     SOverlaps overlaps;
     MeasureOverlaps(world.GetSpace(), overlaps);
-    // in the second tick there was room for all
+    // since the second tick there was room for all
     CHECK(SOverlaps::Quantile(overlaps.WithRobots, 1.0) <= kRoundings / kEPuckRadius);
     return digests;
   };
@@ -418,10 +418,10 @@ TEST_CASE("kinematics: robots in piles come apart in the same way with any numbe
   }
 }
 
-TEST_CASE("kinematics: walls of a region stop robots and things with no overlap",
+TEST_CASE("kinematics: walls of a region stop robots and objects without overlap",
           "[contract][engine][kinematics]") {
-  // a square that stands on a corner, of 1 m from the centre to a side; robots drive at all of its
-  // walls, a foot-bot pushes a box to one
+  // a square standing on a corner, 1 m from its centre to each side; robots drive at all of its
+  // walls, and a foot-bot pushes a box to one
   const Real speed = GENERATE(10.0, 2000.0);  // cm/s
   CAPTURE(speed);
   const Real corner = std::sqrt(2.0);
@@ -453,15 +453,15 @@ TEST_CASE("kinematics: walls of a region stop robots and things with no overlap"
   for (int i = 0; i < 7; ++i) {
     CHECK(depth(world.Position(Id(i)), kEPuckRadius) >= -1e-6);
   }
-  // 1e-5 of half the narrowest side, and of the way to it what is below the shortest step
+  // 1e-5 of half the narrowest side, plus a rest of the path below the shortest step
   CHECK_THAT(depth(world.Position("box"), 0.05), WithinAbs(0.0, 1e-5));
   if (speed == 10.0) {
-    // a faster one slides past the box in the end
+    // faster pushers finally slide past the box
     CHECK_THAT(depth(world.Position("pusher"), kFootBotRadius), WithinAbs(-0.1, 2e-5));
   }
 }
 
-TEST_CASE("kinematics: what it cannot house or do is refused with a reason",
+TEST_CASE("kinematics: bodies and orders that it does not support are refused with a reason",
           "[contract][engine][kinematics][errors]") {
   const std::string box =
       "<box id='b' size='1,1,1' movable='false'><body position='0,0,0.5'/></box>";
@@ -483,7 +483,7 @@ TEST_CASE("kinematics: what it cannot house or do is refused with a reason",
                                       Contains("<dynamics2d>"));
 }
 
-TEST_CASE("kinematics: bodies of other engines are taken over with what they are",
+TEST_CASE("kinematics: bodies of other engines are transferred with their motion",
           "[contract][engine][kinematics]") {
   const auto part = [](const SEngineType& engine, const std::string& from, const std::string& to) {
     return engine.ToXml(engine.Tag, "",

@@ -1,7 +1,8 @@
-// Adding, moving, removing and resetting while an engine runs.
+// Adding, moving, removing and resetting during a run.
 
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/engines.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
@@ -27,7 +28,7 @@ std::string Square() {
 
 }  // namespace
 
-TEST_CASE("lifecycle: a robot added in a run drives, and is gone when removed",
+TEST_CASE("lifecycle: a robot added during a run drives, and is gone after its removal",
           "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
@@ -47,14 +48,13 @@ TEST_CASE("lifecycle: a robot added in a run drives, and is gone when removed",
   world.Step(5);
 }
 
-TEST_CASE("lifecycle: a robot is put where there is room, not where there is none",
-          "[contract][engine]") {
+TEST_CASE("lifecycle: a robot can be moved to free places only", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
   CDriveWorld world(engine.ToXml(), DriverXml("e-puck", "a", 0, 0, 0, 10, 10) +
                                         DriverXml("e-puck", "b", 5, 5, 0, 0, 0));
   world.Step(3);
-  // a free place is taken, an occupied one refused
+  // a free place is accepted, an occupied one refused
   CHECK(world.Body("b").MoveTo(CVector3(0.3, 0, 0), CQuaternion()));
   CHECK_FALSE(world.Body("b").MoveTo(world.Position("a"), CQuaternion()));
   CHECK(world.Position("b") == CVector3(0.3, 0, 0));
@@ -67,8 +67,7 @@ TEST_CASE("lifecycle: a robot is put where there is room, not where there is non
   CHECK(world.Position("b").GetX() - world.Position("a").GetX() >= 0.07 * 0.98);
 }
 
-TEST_CASE("lifecycle: a robot that is moved drives on from there, as it was turned",
-          "[contract][engine]") {
+TEST_CASE("lifecycle: a moved robot drives on from its new pose", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
   CDriveWorld world(engine.ToXml(), DriverXml("foot-bot", "r", 0, 0, 0, 10, 10));
@@ -79,15 +78,16 @@ TEST_CASE("lifecycle: a robot that is moved drives on from there, as it was turn
   CHECK(world.Body("r").MoveTo(CVector3(2, 3, 0), left));
   CHECK(world.Position("r") == CVector3(2, 3, 0));
   CHECK(world.Body("r").GetOriginAnchor().Orientation == left);
-  CHECK_THAT(world.Body("r").GetBoundingBox().MinCorner.GetX(), WithinAbs(2 - 0.085036758, 1e-9));
+  CHECK_THAT(world.Body("r").GetBoundingBox().MinCorner.GetX(),
+             WithinAbs(2 - kFootBotRadius, 1e-9));
   world.Step(10);
   CHECK_THAT(world.Position("r").GetX(), WithinAbs(2.0, 1e-9 + engine.Slack));
-  // in dynamics2d it starts from rest, with 15 N on 1.6 kg: within the first tick
+  // in dynamics2d it accelerates from rest, with 15 N on 1.6 kg: within the first tick
   CHECK_THAT(world.Position("r").GetY(), WithinAbs(3.1, engine.HasMomentum ? 0.01 : 1e-9));
   CHECK_THAT(world.Yaw("r"), WithinAbs(0.5 * ARGOS_PI, 1e-12 + engine.Slack));
 }
 
-TEST_CASE("lifecycle: after a reset the run repeats to the bit", "[contract][engine]") {
+TEST_CASE("lifecycle: after a reset the run repeats bit by bit", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
   CDriveWorld world(engine.ToXml(), Square());
@@ -103,7 +103,7 @@ TEST_CASE("lifecycle: after a reset the run repeats to the bit", "[contract][eng
   }
 }
 
-TEST_CASE("lifecycle: a body that leaves its engine's region is taken over by the next",
+TEST_CASE("lifecycle: a body that leaves its engine's region is transferred to the next engine",
           "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
@@ -112,15 +112,15 @@ TEST_CASE("lifecycle: a body that leaves its engine's region is taken over by th
   world.Step(101);
   CHECK(world.EngineOf("r") == "east");
   CHECK(world.Body("r").GetPhysicsModelsNum() == 1);
-  // the border does not disturb its path
+  // the border does not affect its path
   CHECK_THAT(world.Position("r").GetX(), WithinAbs(0.5, 1e-6 + engine.Slack));
 }
 
-TEST_CASE("lifecycle: a reset gives each body back to the engine that had it first",
-          "[contract][engine]") {
+TEST_CASE("lifecycle: a reset returns each body to its first engine", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
-  // what leaves the first one goes to the second, which has no borders and so keeps it
+  // bodies that leave the first engine are transferred to the second, which
+  // has no borders and so keeps them
   CDriveWorld world(
       engine.ToXml("west", "",
                    "<boundaries><sides><vertex point='-10,-10'/><vertex point='1,-10'/><vertex "
@@ -141,8 +141,8 @@ TEST_CASE("lifecycle: a reset gives each body back to the engine that had it fir
   CHECK(world.EngineOf("r") == "east");
   CHECK(world.EngineOf("s") == "west");
   if (engine.HasContacts) {
-    // the post's face is at x = -0.5; the robot at full speed stands against it
-    CHECK_THAT(world.Position("s").GetX(), WithinAbs(-0.5 + 0.035, 1e-3));
+    // the face of the post is at x = -0.5; the robot drives against it at full speed
+    CHECK_THAT(world.Position("s").GetX(), WithinAbs(-0.5 + kEPuckRadius, 1e-3));
   }
   for (int repetition = 0; repetition < 2; ++repetition) {
     world.GetSimulator().Reset();
@@ -155,7 +155,7 @@ TEST_CASE("lifecycle: a reset gives each body back to the engine that had it fir
       REQUIRE(world.ComputeDigest() == first[tick + 1]);
     }
   }
-  // also one that a test has put elsewhere since
+  // including a body that a test has moved since
   CHECK(world.Body("s").MoveTo(CVector3(5, 5, 0), CQuaternion()));
   world.Step();
   CHECK(world.EngineOf("s") == "east");
@@ -163,7 +163,7 @@ TEST_CASE("lifecycle: a reset gives each body back to the engine that had it fir
   CHECK(world.EngineOf("s") == "west");
 }
 
-TEST_CASE("lifecycle: after a reset a body is back in the engine in which it started",
+TEST_CASE("lifecycle: after a reset a body is in the engine in which it started",
           "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
@@ -182,7 +182,7 @@ TEST_CASE("lifecycle: after a reset a body is back in the engine in which it sta
   }
 }
 
-TEST_CASE("lifecycle: after moves, additions and removals a reset starts the same run again",
+TEST_CASE("lifecycle: after moves, additions and removals a reset starts the same run",
           "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   const std::string solver = GENERATE_COPY(from_range(engine.Solvers));
@@ -196,7 +196,7 @@ TEST_CASE("lifecycle: after moves, additions and removals a reset starts the sam
   CLoopFunctions& functions = world.GetSimulator().GetLoopFunctions();
   world.GetSimulator().Reset();
   world.Step(30);
-  // while they press against each other
+  // while the robots press against each other
   CHECK(world.Body("box").MoveTo(CVector3(2, 2, 0), CQuaternion(CRadians(1.0), CVector3::Z)));
   CHECK(world.Body("c").MoveTo(CVector3(1, -1, 0), CQuaternion()));
   functions.AddEntity(
@@ -214,11 +214,11 @@ TEST_CASE("lifecycle: after moves, additions and removals a reset starts the sam
   }
 }
 
-TEST_CASE("lifecycle: what is removed in contact is in nobody's way any more",
+TEST_CASE("lifecycle: a body removed in contact does not obstruct others any more",
           "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   CAPTURE(engine);
-  // a robot, held up by an immovable box, by one of its kind, or pushing a thing
+  // a robot stopped by an immovable box, stopped by a robot of its type, or pushing an object
   const std::string what = GENERATE(
       as<std::string>(),
       "<box id='x' size='0.2,0.5,0.2' movable='false'><body position='0.3,0,0'/></box>",
@@ -232,7 +232,7 @@ TEST_CASE("lifecycle: what is removed in contact is in nobody's way any more",
   CLoopFunctions& functions = world.GetSimulator().GetLoopFunctions();
   functions.RemoveEntity("x");
   CHECK(world.GetSimulator().GetPhysicsEngines().front()->GetNumPhysicsModels() == 1);
-  // a tick to get its speed back, and then nothing is there
+  // after a tick of acceleration it moves freely
   world.Step(2);
   const CVector3 before = world.Position("r");
   const Real yaw = world.Yaw("r");
@@ -242,7 +242,7 @@ TEST_CASE("lifecycle: what is removed in contact is in nobody's way any more",
   CHECK_THAT(std::atan2(moved.GetY(), moved.GetX()), WithinAbs(yaw, 1e-5 + engine.Slack));
 }
 
-TEST_CASE("lifecycle: robots are taken out of the middle of a crowd, one after the other",
+TEST_CASE("lifecycle: robots can be removed one after the other from the middle of a crowd",
           "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithContacts));
   CAPTURE(engine);
@@ -269,18 +269,20 @@ TEST_CASE("lifecycle: robots are taken out of the middle of a crowd, one after t
   CHECK(only.GetNumPhysicsModels() == left.size());
   world.Step(20);
   for (const int i : left) {
-    // nobody was thrown out: it has driven for 4 s at most
+    // no robot was thrown out: they have driven for 4 s at most
     const CVector3 position = world.Position("r" + std::to_string(i));
     REQUIRE(position.Length() < 0.08 * std::sqrt(8.0) + 0.01 * 40);
     for (const int k : left) {
       const CVector3 other = world.Position("r" + std::to_string(k));
-      REQUIRE((i == k || Distance(position, other) >= 0.07 - 0.02 * 0.035 - engine.Slack));
+      REQUIRE((i == k || Distance(position, other) >=
+                             2.0 * kEPuckRadius - 0.02 * kEPuckRadius - engine.Slack));
     }
   }
 }
 
-TEST_CASE("limits: what an engine cannot house, or finish, is refused with a reason",
-          "[contract][engine]") {
+TEST_CASE(
+    "limits: bodies and solver settings that an engine does not support are refused with a reason",
+    "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
   CHECK_THROWS_WITH(

@@ -1,7 +1,8 @@
-// Engines that share space: walls, gates, what crosses borders, what stands on them.
+// Engines that share space: walls, gates, bodies that cross borders or overlap them.
 
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/regions.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
@@ -11,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace argos {
 
@@ -18,8 +21,6 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-constexpr Real kFootBotRadius = 0.085036758;
-constexpr Real kEPuckRadius = 0.035;
 const std::string kWall = "wall='true'";
 
 std::vector<std::string> EnginesOf(CDriveWorld& world, const std::string& id) {
@@ -40,14 +41,27 @@ std::string BoxXml(const std::string& id, const std::string& size, Real x, Real 
   return xml.str();
 }
 
+// regions of engines of one type may not overlap
+std::vector<std::pair<SSharingEngine, SSharingEngine>> PairsThatMayOverlap() {
+  std::vector<std::pair<SSharingEngine, SSharingEngine>> pairs;
+  for (const SSharingEngine& engine : kSharingEngines) {
+    for (const SSharingEngine& other : kSharingEngines) {
+      if (engine.Tag != other.Tag) {
+        pairs.emplace_back(engine, other);
+      }
+    }
+  }
+  return pairs;
+}
+
 }  // namespace
 
-TEST_CASE("walls: a region with walls keeps what is inside", "[contract][engine][partition]") {
+TEST_CASE("walls: a region with walls keeps robots inside", "[contract][engine][partition]") {
   const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
   if (IsSkipped(engine, engine.HasWalls, "walls of regions")) {
     return;
   }
-  // a square, straight and standing on a corner; eight robots drive out of it
+  // a square region in three orientations; eight robots drive towards its walls
   const Real turn = GENERATE(0.0, 0.25, 0.1);  // of pi
   CAPTURE(engine, turn);
   std::vector<SCorner> corners;
@@ -70,13 +84,13 @@ TEST_CASE("walls: a region with walls keeps what is inside", "[contract][engine]
         // the sides of a square of circumradius 1 are 1 / sqrt(2) from its centre
         const Real angle = ARGOS_PI * (turn + 0.5 * k + 0.25);
         const Real out = position.GetX() * std::cos(angle) + position.GetY() * std::sin(angle);
-        // 2 % of the radius is what engines promise; slabs that meet in a corner are no worse;
-        // what leans has its base ahead
+        // The limit of engines is 2 % of the radius, also where walls meet in a corner; a tilted
+        // robot has its base ahead of its origin.
         REQUIRE(out <= std::sqrt(0.5) - 0.98 * kEPuckRadius + engine.Slack);
       }
     }
   }
-  // and not by keeping them from moving: some side is reached
+  // robots are not just kept from moving: at least one reaches a side
   Real farthest = 0.0;
   for (int i = 0; i < 8; ++i) {
     farthest = std::max(farthest, world.Position("r" + std::to_string(i)).Length());
@@ -84,14 +98,14 @@ TEST_CASE("walls: a region with walls keeps what is inside", "[contract][engine]
   CHECK(farthest > std::sqrt(0.5) - 1.05 * kEPuckRadius);
 }
 
-TEST_CASE("walls: a door in a wall lets pass, the wall beside it does not",
+TEST_CASE("walls: a robot passes the gate in a wall, and is stopped beside it",
           "[contract][engine][partition]") {
   const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
   if (IsSkipped(engine, engine.HasWalls, "walls of regions")) {
     return;
   }
   CAPTURE(engine);
-  // between y = -0.2 and 0.2 there is a gate
+  // the gate extends from y = -0.2 to 0.2
   const std::string west = RegionXml(
       engine, "west",
       {{-2, -2}, {0, -2, kWall}, {0, -0.2, "gate='east'"}, {0, 0.2, kWall}, {0, 2}, {-2, 2}});
@@ -110,11 +124,11 @@ TEST_CASE("walls: a door in a wall lets pass, the wall beside it does not",
   CHECK_THAT(world.Position("back").GetX(), WithinAbs(kFootBotRadius, 0.02 * kFootBotRadius));
 }
 
-TEST_CASE("walls: a flying robot is held in a region with walls", "[contract][flight][partition]") {
+TEST_CASE("walls: the walls of a region stop a flying robot", "[contract][flight][partition]") {
   const std::string region =
       Boundaries({{-1, -1, kWall}, {1, -1, kWall}, {1, 1, kWall}, {-1, 1, kWall}},
                  "<top height='2' wall='true'/><bottom height='0.5' wall='true'/>");
-  // nobody controls the eye-bot: it brakes from what a faster one has pushed it to; here from rest
+  // tests the volume directly, with a position beyond the walls and an outward velocity
   CDriveWorld world(
       "<pointmass3d id='air' gravity='0'>" + region + "</pointmass3d>",
       "<box id='b' size='0.1,0.1,0.1' movable='false'><body position='0,0,1'/></box>");
@@ -122,19 +136,18 @@ TEST_CASE("walls: a flying robot is held in a region with walls", "[contract][fl
   CVector3 position(0.9, -2.0, 1.8);
   CVector3 velocity(1.0, -3.0, 2.0);
   REQUIRE(volume.HoldInside(position, velocity, 0.25, 0.5));
-  // out of the walls by its radius and its height; the velocity into them is gone
+  // the position is inside by the robot's radius and height, and the
+  // velocity into the walls is removed
   CHECK(Distance(position, CVector3(0.75, -0.75, 1.5)) <= 1e-12);
   CHECK(velocity == CVector3());
   CHECK_FALSE(volume.HoldInside(position, velocity, 0.25, 0.5));
 }
 
-TEST_CASE("gates: the named engine takes over, also if another one comes first",
+TEST_CASE("gates: the named engine adopts the robot, even if another one comes first",
           "[contract][engine][partition]") {
-  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
-  const SSharingEngine other = GENERATE(from_range(kSharingEngines));
-  if (engine.Tag == other.Tag) {
-    return;  // those of one type may not share space
-  }
+  const auto pair = GENERATE(from_range(PairsThatMayOverlap()));
+  const SSharingEngine& engine = pair.first;
+  const SSharingEngine& other = pair.second;
   const bool hasGate = GENERATE(true, false);
   CAPTURE(engine, other, hasGate);
   const std::vector<SCorner> east = {{0, -2}, {2, -2}, {2, 2}, {0, 2}};
@@ -149,13 +162,11 @@ TEST_CASE("gates: the named engine takes over, also if another one comes first",
   CHECK_THAT(world.Position("r").GetX(), WithinAbs(0.5, 1e-6 + engine.Slack + other.Slack));
 }
 
-TEST_CASE("gates: a reset brings bodies back to their first engine, not through gates",
+TEST_CASE("gates: a reset returns bodies to their first engine, not through gates",
           "[contract][engine][partition]") {
-  const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
-  const SSharingEngine other = GENERATE(from_range(kSharingEngines));
-  if (engine.Tag == other.Tag) {
-    return;  // those of one type may not share space
-  }
+  const auto pair = GENERATE(from_range(PairsThatMayOverlap()));
+  const SSharingEngine& engine = pair.first;
+  const SSharingEngine& other = pair.second;
   CAPTURE(engine, other);
   const std::vector<SCorner> east = {{0, -2}, {2, -2}, {2, 2}, {0, 2}};
   const auto engines = [&](const std::string& gate) {
@@ -178,8 +189,9 @@ TEST_CASE("gates: a reset brings bodies back to their first engine, not through 
   CHECK(digests[0] == digests[1]);
 }
 
-TEST_CASE("gates: who goes around the corner of a gate goes where it is",
-          "[contract][engine][partition]") {
+TEST_CASE(
+    "gates: a robot that crosses a corner between gates is transferred to the region it is in",
+    "[contract][engine][partition]") {
   const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
   CAPTURE(engine);
   const std::string engines =
@@ -187,22 +199,22 @@ TEST_CASE("gates: who goes around the corner of a gate goes where it is",
       RegionXml(engine, "b", {{0, -2}, {2, -2}, {2, 0}, {0, 0}}) +
       RegionXml(engine, "c", {{-2, 0}, {0, 0}, {0, 2}, {-2, 2}}) +
       RegionXml(engine, "d", {{0, 0}, {2, 0}, {2, 2}, {0, 2}});
-  // over the corner, at 45 degrees, and by so much that no tick ends on it
+  // across the corner at 45 degrees, with an offset so that no tick ends on the corner
   CDriveWorld world(engines, DriverXml("foot-bot", "r", -0.503, -0.503, 45, 10, 10));
   world.Step(101);
   CHECK(world.EngineOf("r") == "d");
   CHECK_THAT(world.Position("r").GetX(), WithinAbs(-0.503 + std::sqrt(0.5), 1e-6 + engine.Slack));
 }
 
-TEST_CASE("borders: a robot goes there and back, and its path is as if there were none",
+TEST_CASE("borders: a robot that crosses borders keeps the path of one without borders",
           "[contract][engine][partition]") {
   const SSharingEngine west = GENERATE(from_range(kSharingEngines));
   const SSharingEngine east = GENERATE(from_range(kSharingEngines));
   CAPTURE(west, east);
   const std::string engines = RegionXml(west, "west", kWest) + RegionXml(east, "east", kEast);
-  // an e-puck at 60 cm/s takes two ticks to reach its speed from rest: were it lost at the border,
-  // the robot would fall behind. The circle has a radius of 0.6 m / (20 cm/s / 5.3 cm) and is
-  // crossed by the border twice a turn
+  // An e-puck at 60 cm/s needs two ticks to accelerate from rest: if a border reset its speed, the
+  // robot would fall behind. The circle has a radius of 0.6 m / (20 cm/s / 5.3 cm), and the border
+  // crosses it twice per turn.
   const std::string robot = DriverXml("e-puck", "r", -0.005, 0.1, 200, 60, 80);
   CDriveWorld split(engines, robot);
   CDriveWorld whole(west.ToXml(), robot);
@@ -216,7 +228,7 @@ TEST_CASE("borders: a robot goes there and back, and its path is as if there wer
     last = now;
     REQUIRE((now == "east") == (split.Position("r").GetX() > 0.0));
     if (west.KeepsSpeed == east.KeepsSpeed && west.Slip == 0.0 && east.Slip == 0.0) {
-      // each tick rounds once
+      // one rounding per tick
       REQUIRE(Distance(split.Position("r"), whole.Position("r")) <= 1e-9);
     }
   }
@@ -233,7 +245,7 @@ TEST_CASE("borders: a robot that crosses them keeps its heading and its speed in
   const std::string robot = GENERATE(as<std::string>(), "e-puck", "foot-bot");
   CAPTURE(west, east, robot);
   const std::string engines = RegionXml(west, "west", kWest) + RegionXml(east, "east", kEast);
-  // there, and after a while back
+  // across the border and later back
   CDriveWorld world(engines, DriverXml(robot, "r", -0.503, 0.2, 20, 10, 10));
   Real last = 0.0;
   CVector3 place = world.Position("r");
@@ -249,7 +261,7 @@ TEST_CASE("borders: a robot that crosses them keeps its heading and its speed in
     }
     const Real way = Distance(world.Position("r"), place);
     place = world.Position("r");
-    // the speed of its wheels, with a slip of 5 %, but where it starts and turns back
+    // the speed of its wheels, with a slip of 5 %, except after the start and the reversal
     if (tick > 3 && (tick < 120 || tick > 125)) {
       REQUIRE_THAT(way, WithinAbs(0.01, 1e-6 + (west.Slip + east.Slip > 0.0 ? 0.05 * 0.01 : 0.0)));
     }
@@ -261,7 +273,7 @@ TEST_CASE("borders: a robot that crosses them keeps its heading and its speed in
              WithinAbs(20.0 / 180.0 * ARGOS_PI, 1e-6 + 2.0 * (west.Slack + east.Slack)));
 }
 
-TEST_CASE("borders: a robot at full speed is so at once where robots take time to be",
+TEST_CASE("borders: a robot at full speed keeps it in an engine where robots accelerate slowly",
           "[contract][engine][partition]") {
   const SSharingEngine west = GENERATE(from_range(kSharingEngines));
   const SSharingEngine east = GENERATE(from_range(kSharingEngines));
@@ -287,7 +299,7 @@ TEST_CASE("borders: a robot at full speed is so at once where robots take time t
   CHECK_THAT(world.Position("r").GetX() - there.GetX(), WithinAbs(0.06, tolerance));
 }
 
-TEST_CASE("borders: things that meet where two engines meet share the momentum",
+TEST_CASE("borders: objects that collide at a border share the momentum",
           "[contract][engine][partition]") {
   const SSharingEngine west = GENERATE(from_range(kSharingEngines));
   const SSharingEngine east = GENERATE(from_range(kSharingEngines));
@@ -302,14 +314,14 @@ TEST_CASE("borders: things that meet where two engines meet share the momentum",
     return "<cylinder id='" + id + "' radius='0.1' height='0.1' movable='true' mass='1'><body " +
            "position='" + x + ",0,0'/></cylinder>";
   };
-  // b is in the east, so near to the border that a is 1 mm inside it when its centre crosses
+  // b is in the east, so close to the border that a overlaps it by 1 mm when a's centre crosses
   CDriveWorld world(engines, cylinder("a", "-0.7") + cylinder("b", "0.199"));
   world.Step();
   world.Launch("a", CVector3(0.1, 0.0, 0.0));
   Real slowest = 0.1;
   while (world.EngineOf("a") == "west") {
     REQUIRE(world.GetSpace().GetSimulationClock() < 100);
-    // nothing brakes it before
+    // nothing decelerates it before the border
     slowest = std::min(slowest, world.Motion("a").Velocity.GetX());
     world.Step();
   }
@@ -320,17 +332,17 @@ TEST_CASE("borders: things that meet where two engines meet share the momentum",
   const Real tolerance = 1e-4 + (west.Precision + east.Precision) * 0.1;
   CHECK_THAT(speedA + speedB, WithinAbs(0.1, tolerance));
   if (east.Lateness > 0.0) {
-    // what is inside the other when it comes is pushed out, with a speed that it keeps
+    // an engine that detects contacts late separates the objects, with a speed that they keep
     CHECK(speedB >= speedA - tolerance);
   } else {
-    // restitution 0: they go on together, at half the speed
+    // restitution is 0: they move on together at half the speed
     CHECK_THAT(speedA, WithinAbs(0.05, tolerance));
     CHECK_THAT(speedB, WithinAbs(0.05, tolerance));
   }
   CHECK(world.Position("b").GetX() - world.Position("a").GetX() >= 0.2 - 0.02 * 0.1);
 }
 
-TEST_CASE("borders: a thing that slides over them, and back, keeps its velocity and its turn",
+TEST_CASE("borders: an object that slides across them and back keeps its velocity and rotation",
           "[contract][engine][partition]") {
   const SSharingEngine west = GENERATE(from_range(kSharingEngines));
   const SSharingEngine east = GENERATE(from_range(kSharingEngines));
@@ -360,7 +372,7 @@ TEST_CASE("borders: a thing that slides over them, and back, keeps its velocity 
   CHECK_THAT(world.Yaw("b"), WithinAbs(20.0 / 180.0 * ARGOS_PI + 1.5, 10.0 * tolerance));
 }
 
-TEST_CASE("borders: what is moved by a command into another region belongs there, and back",
+TEST_CASE("borders: a body moved by a command into another region is transferred to its engine",
           "[contract][engine][partition]") {
   const SSharingEngine west = GENERATE(from_range(kSharingEngines));
   const SSharingEngine east = GENERATE(from_range(kSharingEngines));
@@ -380,31 +392,31 @@ TEST_CASE("borders: what is moved by a command into another region belongs there
     REQUIRE(world.Body("b").MoveTo(CVector3(2.0 * side, 1, 0), turn));
     CHECK(world.Position("r") == CVector3(side, -1, 0));
     CHECK(world.Body("r").GetOriginAnchor().Orientation == turn);
-    // at the latest when a tick is over
+    // the transfer is complete after a tick at the latest
     world.Step();
     CHECK(world.EngineOf("r") == (side > 0.0 ? "east" : "west"));
     CHECK(world.EngineOf("b") == (side > 0.0 ? "east" : "west"));
     CHECK(count(side > 0.0 ? "east" : "west") == 2);
     CHECK(count(side > 0.0 ? "west" : "east") == 0);
-    // what stood still does, and what drove drives on, as it was turned
+    // the box rests, and the robot drives on in its new orientation
     world.Step(20);
     const Real slack = west.Slack + east.Slack;
     CHECK(Distance(world.Position("b"), CVector3(2.0 * side, 1, 0)) <= slack);
     const CVector3 way = world.Position("r") - CVector3(side, -1, 0);
-    // it starts from rest, within two ticks
+    // it accelerates from rest within two ticks
     CHECK_THAT(way.Length(), WithinAbs(0.205, 0.006 + slack));
     CHECK_THAT(std::atan2(way.GetY(), way.GetX()), WithinAbs(0.5 * there, 0.01 + slack));
   }
 }
 
-TEST_CASE("borders: what is immovable is in every engine that it touches",
+TEST_CASE("borders: an immovable body is in every engine that it touches",
           "[contract][engine][partition]") {
   const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
   CAPTURE(engine);
   const std::string engines = RegionXml(engine, "a", {{-2, -2}, {0, -2}, {0, 2}, {-2, 2}}) +
                               RegionXml(engine, "b", {{0, -2}, {2, -2}, {2, 2}, {0, 2}}) +
                               RegionXml(engine, "c", {{2, -2}, {4, -2}, {4, 2}, {2, 2}});
-  // origins in b
+  // all origins are in b
   CDriveWorld world(
       engines, BoxXml("long", "4.5,0.1,0.3", 0.5, 1) + BoxXml("near", "0.1,0.1,0.3", 0.2, -1) +
                    BoxXml("middle", "0.1,0.1,0.3", 1, -1) + BoxXml("thin", "0.01,3,0.3", 1, 0));
@@ -413,7 +425,7 @@ TEST_CASE("borders: what is immovable is in every engine that it touches",
   CHECK(EnginesOf(world, "near") == TIds{"a", "b"});
   CHECK(EnginesOf(world, "middle") == TIds{"b"});
   CHECK(EnginesOf(world, "thin") == TIds{"b"});
-  // also when it is moved: turned by 90 degrees it reaches over all of b
+  // the same after a move: turned by 90 degrees it extends beyond b on both sides
   REQUIRE(world.Body("thin").MoveTo(CVector3(1, 0, 0),
                                     CQuaternion(CRadians::PI_OVER_TWO, CVector3::Z)));
   CHECK(EnginesOf(world, "thin") == TIds{"a", "b", "c"});
@@ -428,7 +440,7 @@ TEST_CASE("borders: what is immovable is in every engine that it touches",
   world.Step(3);
 }
 
-TEST_CASE("borders: an immovable thing across a border stops robots on both sides",
+TEST_CASE("borders: an immovable body across a border stops robots on both sides",
           "[contract][engine][partition]") {
   const SSharingEngine engine = GENERATE(from_range(kSharingEngines));
   if (IsSkipped(engine, engine.HasContacts, "contacts")) {
@@ -437,8 +449,8 @@ TEST_CASE("borders: an immovable thing across a border stops robots on both side
   CAPTURE(engine);
   const std::string engines = RegionXml(engine, "a", {{-2, -2}, {0, -2}, {0, 2}, {-2, 2}}) +
                               RegionXml(engine, "b", {{0, -2}, {2, -2}, {2, 2}, {0, 2}});
-  // the wall's origin is in b, and a little of it in a; the post is in b, but a foot-bot with its
-  // centre in a touches it
+  // The origin of the wall is in b, a small part of it is in a. The post is in b, but a foot-bot
+  // with its centre in a touches it.
   CDriveWorld world(engines, BoxXml("wall", "0.3,1,0.3", 0.1, 1) +
                                  BoxXml("post", "0.1,0.1,0.3", 0.1, -1) +
                                  DriverXml("foot-bot", "r", -0.5, 1, 0, 10, 10) +
@@ -453,7 +465,7 @@ TEST_CASE("borders: an immovable thing across a border stops robots on both side
   CHECK_THAT(world.Position("s").GetX(), WithinAbs(0.05 - kFootBotRadius, tolerance));
 }
 
-TEST_CASE("automatic partition: regions fill the arena, as square as can be",
+TEST_CASE("automatic partition: regions fill the arena and are as square as possible",
           "[contract][engine][partition]") {
   struct SCut {
     int Count;
@@ -483,13 +495,13 @@ TEST_CASE("automatic partition: regions fill the arena, as square as can be",
     for (size_t column = 0; column < cut.Columns; ++column) {
       CPhysicsEngine& one = *engines[row * cut.Columns + column];
       CHECK(one.GetIterations() == 3);
-      // the middle of the cell is in it, and in no other
+      // the middle of a cell is in its region and in no other
       const CVector3 middle(arena.GetMin().GetX() + (column + 0.5) * width,
                             arena.GetMin().GetY() + (row + 0.5) * height, 0.0);
       for (CPhysicsEngine* other : engines) {
         CHECK(other->IsPointContained(middle) == (other == &one));
       }
-      // the border is half a cell away, or beyond the arena
+      // the border is half a cell to the right, unless that is beyond the arena
       const CVector3 right = middle + CVector3(0.5 * width + 1e-9, 0.0, 0.0);
       CHECK(one.IsPointContained(right) == (column + 1 == cut.Columns));
       const CVector3 above = middle + CVector3(0.0, 0.5 * height + 1e-9, 0.0);

@@ -1,4 +1,4 @@
-// Models of users in the engine pointmass3d: bodies that move by laws of their own.
+// Models of users in the engine pointmass3d: bodies with their own laws of motion.
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/loop_functions.h>
@@ -21,7 +21,7 @@ constexpr Real kRadius = 0.1;  // m
 
 }  // namespace
 
-/** A ball that is thrown; nothing describes its body but its model. */
+/** A thrown ball; its body has no description, only a model. */
 class CBallEntity : public CComposableEntity {
  public:
   ENABLE_VTABLE();
@@ -50,7 +50,7 @@ class CBallEntity : public CComposableEntity {
   CEmbodiedEntity* m_body = nullptr;
 };
 
-/** A thrown ball; every step is a parabola, so that steps add up exactly. */
+/** Model of a thrown ball; every step is a parabola, so that steps add up exactly. */
 class CBallModel : public CPointMass3DModel {
  public:
   CBallModel(CPointMass3DEngine& engine, CBallEntity& ball)
@@ -75,7 +75,7 @@ class CBallModel : public CPointMass3DModel {
     m_sBoundingBox.MaxCorner = m_cPosition + half;
   }
   bool CheckIntersectionWithRay(Real& tOnRay, const CRay3& ray) const override {
-    // along x only, which is all the tests need
+    // along x only, which is sufficient for these tests
     const CVector3 d = ray.GetEnd() - ray.GetStart();
     const CVector3 p = ray.GetStart() - m_cPosition;
     const Real aside = std::hypot(p.GetY(), p.GetZ());
@@ -115,7 +115,7 @@ class CBallWorld : public CTestWorld {
 
 const std::string kBall = "<ball id='b' velocity='1,0,4'><body position='0,0,1'/></ball>";
 
-// where the ball is after a time, s
+// position of the ball after a time, s
 CVector3 Parabola(Real time) {
   return CVector3(time, 0.0, 1.0 + 4.0 * time - 0.5 * 9.81 * time * time);
 }
@@ -136,7 +136,7 @@ TEST_CASE("users' models: a thrown ball flies a parabola", "[contract][engine]")
   CHECK_THAT(Distance(world.Position("b"), Parabola(0.1)), WithinAbs(0.0, 1e-12));
 }
 
-TEST_CASE("users' models: rays meet them, and described bodies as before", "[contract][engine]") {
+TEST_CASE("users' models: rays hit them, and described bodies as well", "[contract][engine]") {
   CBallWorld world(kBall +
                    "<box id='wall' size='0.2,4,5' movable='false'><body position='5,0,0'/></box>");
   const auto look = [](Real z) {
@@ -155,20 +155,20 @@ TEST_CASE("users' models: rays meet them, and described bodies as before", "[con
              WithinAbs(4.0 + position.GetX() - kRadius, 1e-12));
 }
 
-TEST_CASE("users' models: come, collide, move and go", "[contract][engine]") {
+TEST_CASE("users' models: can be added, collide, be moved and be removed", "[contract][engine]") {
   CBallWorld world(
       "<box id='box' size='1,1,1' movable='true' mass='1'><body position='3,0,0'/>"
       "</box>");
   CLoopFunctions& functions = world.GetSimulator().GetLoopFunctions();
   functions.AddEntity(*std::make_unique<CBallEntity>("b", CVector3(0, 0, 1)).release());
   CHECK(world.GetEngine().GetNumPhysicsModels() == 2);
-  // from 2.5 to 3.5 there is the box
+  // the box extends from 2.5 to 3.5
   CHECK_FALSE(world.Body("b").MoveTo(CVector3(2.45, 0, 0.5), CQuaternion()));
   CHECK(world.Position("b") == CVector3(0, 0, 1));
   CHECK(world.Body("b").MoveTo(CVector3(2.35, 0, 0.5), CQuaternion()));
   CHECK(world.Position("b") == CVector3(2.35, 0, 0.5));
   world.Step();
-  // at rest at first, then it falls
+  // the ball is at rest at first and then falls vertically
   CHECK_THAT(world.Position("b").GetX(), WithinAbs(2.35, 1e-12));
   functions.RemoveEntity("b");
   CHECK(world.GetEngine().GetNumPhysicsModels() == 1);

@@ -1,7 +1,8 @@
-// Rays meet the bodies of every engine where these are now.
+// Rays hit the bodies of every engine at their current poses.
 
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/engines.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
@@ -14,12 +15,11 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-// a few roundings of numbers below 10
+// tolerance of a few roundings of numbers below 10
 constexpr Real kRounding = 1e-14;
-constexpr Real kFootBotRadius = 0.085036758;  // m
 constexpr Real kFootBotHeight = 0.146899733;  // m
 
-// the body that a ray of 8 m along x at this height meets first, and at what distance, m
+// the first body hit by a ray of 8 m along x at this height, and its distance, m
 struct SHit {
   std::string Id;  // empty: nothing
   Real Distance = -1.0;
@@ -36,7 +36,7 @@ SHit Look(Real y, Real z) {
 
 }  // namespace
 
-TEST_CASE("rays: meet objects, fixed and movable, and robots", "[contract][engine]") {
+TEST_CASE("rays: hit fixed and movable objects, and robots", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
   CDriveWorld world(
@@ -54,7 +54,7 @@ TEST_CASE("rays: meet objects, fixed and movable, and robots", "[contract][engin
     CHECK(Look(1.1, 0.1).Id == "box");
     CHECK_THAT(Look(1.1, 0.1).Distance, WithinAbs(2.8, kRounding + engine.Slack));
     CHECK(Look(-0.6, 0.1).Id == "disc");
-    // 0.4 off the centre: a triangle of 3, 4, 5
+    // 0.4 off the centre of a circle of radius 0.5: a 3-4-5 triangle
     CHECK_THAT(Look(-0.6, 0.1).Distance, WithinAbs(2.7, kRounding + engine.Slack));
     CHECK(Look(0.0, 0.6).Id.empty());
     world.Step();
@@ -68,7 +68,7 @@ TEST_CASE("rays: follow a robot that drives", "[contract][engine]") {
   world.Step();
   for (int tick = 1; tick <= 20; ++tick) {
     world.Step();
-    // each tick rounds once
+    // one rounding per tick
     CHECK_THAT(Look(0.0, 0.1).Distance,
                WithinAbs(2 - 0.01 * tick - kFootBotRadius, 20 * kRounding + engine.Slack));
   }
@@ -76,7 +76,7 @@ TEST_CASE("rays: follow a robot that drives", "[contract][engine]") {
   CHECK_THAT(Look(0.0, 0.1).Distance, WithinAbs(2 - kFootBotRadius, kRounding + engine.Slack));
 }
 
-TEST_CASE("rays: find at once what is moved, and no longer what is removed", "[contract][engine]") {
+TEST_CASE("rays: hit moved bodies at once, and removed bodies no longer", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   const bool movable = GENERATE(true, false);
   CAPTURE(engine, movable);
@@ -96,13 +96,13 @@ TEST_CASE("rays: find at once what is moved, and no longer what is removed", "[c
   CHECK(Look(0.0, 0.1).Id.empty());
 }
 
-TEST_CASE("rays: see what stands in two engines once", "[contract][engine]") {
+TEST_CASE("rays: a body in several engines is hit once", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
   CDriveWorld world(
       engine.ToTwoXml(1.0) + engine.ToXml("all"),
       "<box id='wall' size='4,0.2,0.5' movable='false'><body position='1,0,0'/></box>");
-  // its origin is on the border, and everywhere in the third
+  // its origin is on the border of two engines, and the third has no borders
   REQUIRE(world.Body("wall").GetPhysicsModelsNum() == 3);
   TEmbodiedEntityIntersectionData hits;
   CHECK(

@@ -10,14 +10,15 @@
 
 namespace argos {
 
-/** An engine that may share space with others, and what it does at borders. */
+/** An engine that may share space with others, and its behaviour at borders. */
 struct SSharingEngine : SEngineType {
-  bool KeepsSpeed = true; /**< robots take time to reach their speed, and keep it across a border */
+  /** robots accelerate with limited force and keep their speed across a border */
+  bool KeepsSpeed = true;
   bool HasWalls = true; /**< faces of its region may be walls */
-  bool HasGhosts = true; /**< robots of other engines are felt across a border */
+  bool HasGhosts = true; /**< robots of other engines collide across a border */
 };
 
-/** Every one of them: an engine joins by a line. */
+/** Every engine of this kind; a new engine needs one entry here. */
 inline const std::vector<SSharingEngine> kSharingEngines{
     {kDynamics2D},
     {kKinematics2D, false},

@@ -1,7 +1,8 @@
-// Add-ons of dynamics3d: magnets, and what is wrong in a file.
+// Add-ons of dynamics3d: magnets, defaults, and errors in files.
 
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
 #include <argos3/testing/support/captured_logs.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/query_plugins.h>
@@ -19,7 +20,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-// A foot-bot with a magnet at its centre of mass, which is as high as its axle.
+// A foot-bot with a magnet at its centre of mass, at the height of its axle.
 std::string MagnetXml(const std::string& id, Real x, const std::string& field) {
   std::ostringstream xml;
   xml << "<foot-bot id='" << id << "'><body position='" << x
@@ -30,7 +31,7 @@ std::string MagnetXml(const std::string& id, Real x, const std::string& field) {
 
 }  // namespace
 
-TEST_CASE("rigid magnets: two dipoles in one line pull each other with 2 K a b / r^4",
+TEST_CASE("rigid magnets: two collinear dipoles attract each other with 2 K a b / r^4",
           "[contract][engine][rigid]") {
   const Real sign = GENERATE(1.0, -1.0);
   CAPTURE(sign);
@@ -46,7 +47,7 @@ TEST_CASE("rigid magnets: two dipoles in one line pull each other with 2 K a b /
   CHECK_THAT(world.Position("b").GetX() - 0.5, WithinRel(-sign * path, 0.03));
 }
 
-TEST_CASE("rigid magnets: one across the other's field is turned into it",
+TEST_CASE("rigid magnets: a dipole perpendicular to another one's field is turned into it",
           "[contract][engine][rigid]") {
   CRigidScene world(RigidEngine("", "<magnetism force_constant='1e-3'/>"),
                     MagnetXml("a", 0.0, "2,0,0") + MagnetXml("b", 0.5, "0,3,0"));
@@ -54,14 +55,14 @@ TEST_CASE("rigid magnets: one across the other's field is turned into it",
   world.Step(3);
   // Jackson's field at b is (2 K / (3 r^3)) a along x; torque b x B is along -z
   const Real torqueB = -3.0 * 2.0 * 1e-3 / 3.0 / 0.125 * 2.0;
-  // and that of b at a is (K / (3 r^3)) (-b) along -y: torque on a is along -z, half as great
-  const Real inertia = 0.5 * 1.6 * std::pow(2.0 * 0.085036758, 2);
+  // and that of b at a is (K / (3 r^3)) (-b) along -y: the torque on a is along -z, half as large
+  const Real inertia = 0.5 * 1.6 * std::pow(2.0 * kFootBotRadius, 2);
   const Real turned = torqueB / inertia * 1e-4 * 30.0 * 31.0 / 2.0;
   CHECK_THAT(world.Yaw("b"), WithinRel(turned, 0.05));
   CHECK_THAT(world.Yaw("a"), WithinRel(0.5 * turned, 0.05));
 }
 
-TEST_CASE("rigid magnets: beyond the greatest distance they do nothing",
+TEST_CASE("rigid magnets: beyond the greatest distance they have no effect",
           "[contract][engine][rigid]") {
   CRigidScene world(RigidEngine("", "<magnetism force_constant='1e-4' max_distance='0.4'/>"),
                     MagnetXml("a", 0.0, "2,0,0") + MagnetXml("b", 0.5, "3,0,0"));
@@ -78,7 +79,7 @@ TEST_CASE("rigid add-ons: a query for the engine lists them", "[contract][engine
   CHECK_THAT(DescribePlugins("magnetism"), Contains("force_constant"));
 }
 
-TEST_CASE("rigid defaults: an engine without add-ons has gravity and a floor, and says so",
+TEST_CASE("rigid defaults: an engine without add-ons has gravity and a floor, and logs it",
           "[contract][engine][rigid]") {
   const std::string children = GENERATE(
       "", "<solver stepper='direct'/>",
@@ -99,7 +100,7 @@ TEST_CASE("rigid defaults: an engine without add-ons has gravity and a floor, an
   CHECK_THAT(world.Position("r").GetX(), WithinAbs(0.5, 5e-3));
 }
 
-TEST_CASE("rigid defaults: one that names an add-on has what it names and no more",
+TEST_CASE("rigid defaults: an engine with an add-on has exactly the add-ons listed",
           "[contract][engine][rigid]") {
   const std::string box = SBoxXml{"b", CVector3(0.2, 0.2, 0.2), CVector3(0, 0, 0.5)}.ToXml();
   for (const char* children : {"<gravity g='0'/>", "<floor/>", "<magnetism/>"}) {
@@ -109,13 +110,13 @@ TEST_CASE("rigid defaults: one that names an add-on has what it names and no mor
     CHECK(world.Position("b") == CVector3(0, 0, 0.5));
     CHECK_THAT(TakeLog(), !Contains("without add-ons"));
   }
-  // no floor
+  // gravity without a floor
   CRigidScene world(RigidEngine("", "<gravity g='9.81'/>"), box);
   world.Step(10);
   CHECK_THAT(world.Position("b").GetZ(), WithinAbs(0.5 - 9.81 * 1e-4 * 100 * 101 / 2, 1e-9));
 }
 
-TEST_CASE("rigid defaults: the engines of a partition have them, told once",
+TEST_CASE("rigid defaults: the engines of a partition have them, logged once",
           "[contract][engine][rigid][partition]") {
   CRigidScene world("<auto_partition engine='dynamics3d' count='4' id='p'/>",
                     DriverXml("e-puck", "r", -0.25, -0.3, 45, 10, 10));
@@ -125,7 +126,7 @@ TEST_CASE("rigid defaults: the engines of a partition have them, told once",
   CHECK(world.Body("r").GetPhysicsModel(0).GetEngine().GetId() == "p_1_1");
 }
 
-TEST_CASE("rigid defaults: files that name parts of dynamics2d run, with a warning",
+TEST_CASE("rigid defaults: files with elements of dynamics2d run with a warning",
           "[contract][engine][rigid]") {
   CRigidScene world(RigidEngine("", "<friction box_linear_friction='1'/>"),
                     SBoxXml{"b", CVector3(0.2, 0.2, 0.2), CVector3(0, 0, 0.5)}.ToXml());
@@ -133,7 +134,7 @@ TEST_CASE("rigid defaults: files that name parts of dynamics2d run, with a warni
   CHECK_THAT(TakeLog(), Contains("gravity of 9.81"));
 }
 
-TEST_CASE("rigid errors: what is wrong in a file is named with its place",
+TEST_CASE("rigid errors: invalid elements are reported with their place",
           "[contract][engine][rigid][errors]") {
   const auto load = [](const std::string& attributes, const std::string& children,
                        const std::string& arena = "") {
@@ -163,7 +164,8 @@ TEST_CASE("rigid errors: what is wrong in a file is named with its place",
   CHECK_NOTHROW(load("debug_file='x'", ""));
 }
 
-TEST_CASE("rigid errors: a body that is lost is named", "[contract][engine][rigid][errors]") {
+TEST_CASE("rigid errors: a body too far from the origin is reported",
+          "[contract][engine][rigid][errors]") {
   CRigidScene world(RigidEngine("", "<gravity g='1e6'/>"),
                     SBoxXml{"b", CVector3(1, 1, 1), CVector3(0, 0, 0)}.ToXml());
   CHECK_THROWS_WITH(world.Step(50), Contains("\"b\" is now at (") &&

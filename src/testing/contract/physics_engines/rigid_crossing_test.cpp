@@ -1,8 +1,9 @@
-// Crowds that push each other over borders between rigid bodies in space and a plane.
+// Crowds that push each other across borders between rigid bodies in space and a plane.
 
 #include <argos3/testing/contract/physics_engines/regions.h>
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
 #include <argos3/testing/support/captured_logs.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/utility/math/angles.h>
@@ -17,13 +18,11 @@ namespace argos {
 
 namespace {
 
-constexpr Real kFootBotRadius = 0.085036758;  // m
-constexpr Real kEPuckRadius = 0.035;  // m
 constexpr int kStrips = 4;
 
-/** Robots in a pen that is cut into strips, with gates from each to the next. */
+/** Robots in a pen that is divided into strips, with gates between neighbours. */
 struct SStrips {
-  int Side = 6;  // of the square of robots: so many times as many
+  int Side = 6;  // robots per side of the square in which they start
   SEngineType Even = kDynamics3D;
   SEngineType Odd = kDynamics2D;
 
@@ -64,7 +63,7 @@ struct SStrips {
   }
 };
 
-/** What a run has come to. */
+/** Results of a run. */
 struct SCrossings {
   int Count = 0;
   int Beyond = 0;  // robots, summed over seconds, that are outside the region of their engine
@@ -96,7 +95,7 @@ void Look(CRigidScene& world, const SStrips& strips, std::vector<CPhysicsEngine*
   }
 }
 
-// Robots that see nobody: every few seconds each goes another way.
+// Robots without sensors; every few seconds each changes its direction.
 SCrossings Run(const SStrips& strips, int seconds) {
   CRigidScene world(strips.EnginesXml(), strips.ArenaXml());
   CRandomStream random(1, "test", "crossing", "wheels");
@@ -113,25 +112,25 @@ SCrossings Run(const SStrips& strips, int seconds) {
     world.Step(10);
     Look(world, strips, where, crossings);
   }
-  // that somebody waits to stand is told of
+  // discards the warning that bodies wait until they stand upright
   TakeLogErr();
   return crossings;
 }
 
 }  // namespace
 
-TEST_CASE("rigid crossing: a crowd that pushes over gates to a plane loses nobody",
+TEST_CASE("rigid crossing: a crowd that pushes across gates to a plane loses no robot",
           "[contract][engine][rigid][partition]") {
   const SStrips strips;
   SCrossings crossings = Run(strips, 120);
   const int robots = strips.CountRobots();
-  // at 7 cm/s on strips of 0.39 m
+  // robots drive at 7 cm/s on strips of 0.39 m
   CHECK(crossings.Count > robots);
-  // who leans too much waits; hardly anybody does
+  // robots that tilt too much wait beyond the border; few do
   CHECK(crossings.Beyond <= robots * 120 / 100);
   REQUIRE(crossings.Overlaps.size() > 100);
   std::sort(crossings.Overlaps.begin(), crossings.Overlaps.end());
-  // what engines promise each robot; what leans has its base ahead
+  // the limit of engines for each robot; a tilted robot has its base ahead of its origin
   CHECK(crossings.Overlaps[crossings.Overlaps.size() * 9 / 10] <= 0.02);
   CHECK(crossings.Overlaps.back() <= 0.05);
 }

@@ -1,4 +1,4 @@
-// Robots that roll on their wheels, on slopes and ramps.
+// Robots that roll on wheels, on slopes and ramps.
 
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
 #include <argos3/testing/support/captured_logs.h>
@@ -16,7 +16,7 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-// a slope about the y axis, rising towards x; its upper face goes through the origin
+// a slope about the y axis, rising towards x; its upper face contains the origin
 std::string Slope(Real degrees) {
   const Real angle = degrees * ARGOS_PI / 180.0;
   return SBoxXml{"slope", CVector3(8, 4, 0.2),
@@ -35,15 +35,15 @@ std::string OnSlope(const std::string& tag, Real degrees, Real left, Real right)
 
 }  // namespace
 
-TEST_CASE("rigid drive: without gravity wheels find no hold", "[contract][engine][rigid]") {
+TEST_CASE("rigid drive: without gravity the wheels have no traction", "[contract][engine][rigid]") {
   CRigidScene world(RigidEngine("", "<floor/>"), DriverXml("foot-bot", "r", 0, 0, 0, 10, 10));
   CHECK_THAT(TakeLogErr(), Catch::Matchers::Contains("\"e\" has no gravity, so the wheels"));
   world.Step(50);
-  // the wheels' start turns the robot a little the other way
+  // the reaction to the start of the wheels turns the robot slightly backwards
   CHECK(world.Position("r").Length() < 0.01);
 }
 
-TEST_CASE("rigid drive: a robot drives up a slope, at its wheels' speed",
+TEST_CASE("rigid drive: a robot drives up a slope at the speed of its wheels",
           "[contract][engine][rigid]") {
   const std::string robot = GENERATE("foot-bot", "e-puck");
   const Real degrees = GENERATE(5.0, 15.0);
@@ -58,7 +58,7 @@ TEST_CASE("rigid drive: a robot drives up a slope, at its wheels' speed",
   CHECK_THAT(world.Tilt("r"), WithinAbs(angle, 0.03));
 }
 
-TEST_CASE("rigid drive: a robot that brakes stands on a slope, if friction holds it",
+TEST_CASE("rigid drive: a braking robot stands on a slope if friction suffices",
           "[contract][engine][rigid]") {
   const std::string robot = GENERATE("foot-bot", "e-puck");
   CAPTURE(robot);
@@ -66,16 +66,16 @@ TEST_CASE("rigid drive: a robot that brakes stands on a slope, if friction holds
                     Slope(15.0) + OnSlope(robot, 15.0, 0, 0));
   holds.Step(100);
   CHECK(holds.Position("r").Length() < 2e-3);
-  // casters do not hold: the wheels, with part of the weight, would need tan(15 deg) and more
+  // casters have no friction: the wheels, with part of the weight, would need tan(15 deg) and more
   CRigidScene slides(RigidEngine("default_friction='0.4'", "<gravity g='9.81'/>"),
                      Slope(15.0) + OnSlope(robot, 15.0, 0, 0));
   slides.Step(20);
   CHECK(slides.Position("r").GetX() < -0.05);
 }
 
-TEST_CASE("rigid drive: a robot climbs from the floor onto a ramp and over its top",
+TEST_CASE("rigid drive: a robot climbs from the floor onto a ramp and across its top",
           "[contract][engine][rigid]") {
-  // a wedge's upper face from (0.5, 0) up to (1.5, 0.2), and a table behind it
+  // the upper face of a wedge from (0.5, 0) up to (1.5, 0.2), and a table behind it
   const Real angle = std::asin(0.2);
   const Real length = 1.0 / std::cos(angle);
   const CVector3 middle(0.5 + 0.5 * std::cos(angle) * length, 0.0, 0.5 * std::sin(angle) * length);
@@ -94,7 +94,7 @@ TEST_CASE("rigid drive: a robot climbs from the floor onto a ramp and over its t
   CHECK_THAT(world.Position("r").GetY(), WithinAbs(0.0, 0.02));
   CHECK(world.Position("r").GetX() > 1.75);
   CHECK(world.Tilt("r") < 0.02);
-  // and at the end of the table it falls
+  // at the end of the table it falls
   world.Step(120);
   CHECK(world.Position("r").GetZ() < 0.1);
 }

@@ -26,7 +26,7 @@ SFlightExperiment Flight(const std::string& actuator, const std::string& engine,
 
 }  // namespace
 
-TEST_CASE("rigid flight: a robot without orders hovers, under any gravity",
+TEST_CASE("rigid flight: a robot without orders hovers under any gravity",
           "[contract][engine][rigid]") {
   const std::string gravity =
       GENERATE("<gravity g='0'/>", "<gravity g='9.81'/>", "<gravity vector='1,-2,3.5'/>");
@@ -37,7 +37,7 @@ TEST_CASE("rigid flight: a robot without orders hovers, under any gravity",
   CHECK_THAT(world.Yaw(), WithinAbs(33.0 * ARGOS_PI / 180.0, 1e-9));
 }
 
-TEST_CASE("rigid flight: a robot goes to the place and yaw that it is ordered to, and hovers there",
+TEST_CASE("rigid flight: a robot flies to the ordered position and yaw and hovers there",
           "[contract][engine][rigid]") {
   CFlightWorld world(Flight("quadrotor_position", GroundedEngine(), CVector3(0, 0, 0)));
   world.Places().SetAbsolutePosition(CVector3(1.0, -2.0, 1.5));
@@ -49,12 +49,11 @@ TEST_CASE("rigid flight: a robot goes to the place and yaw that it is ordered to
   CHECK(Distance(world.Position(), CVector3(1.0, -2.0, 1.5)) < 1e-6);
 }
 
-TEST_CASE("rigid flight: a robot flies at the speed that it is ordered to",
-          "[contract][engine][rigid]") {
+TEST_CASE("rigid flight: a robot flies at the ordered speed", "[contract][engine][rigid]") {
   CFlightWorld world(Flight("quadrotor_speed", GroundedEngine(), CVector3(0, 0, 1)));
   world.Speeds().SetLinearVelocity(CVector3(0.3, 0.2, 0.1));
   world.Speeds().SetRotationalSpeed(CRadians(0.5));
-  // the yaw rate closes in on its target by 4.5 / s
+  // the yaw rate approaches its target at a rate of 4.5 / s
   world.Step(50);
   const CVector3 before = world.Position();
   const Real yaw = world.Yaw();
@@ -63,7 +62,7 @@ TEST_CASE("rigid flight: a robot flies at the speed that it is ordered to",
   CHECK_THAT(world.Yaw() - yaw, WithinAbs(0.5, 1e-5));
 }
 
-TEST_CASE("rigid flight: it stops at a wall, and its step response is that of the loop",
+TEST_CASE("rigid flight: a robot stops at a wall, and its step response is that of the loop",
           "[contract][engine][rigid]") {
   SFlightExperiment experiment = Flight("quadrotor_position", GroundedEngine(), CVector3(0, 0, 1));
   experiment.Arena +=
@@ -74,12 +73,12 @@ TEST_CASE("rigid flight: it stops at a wall, and its step response is that of th
   // its arms reach 0.25 m
   CHECK_THAT(world.Position().GetX(), WithinAbs(1.75, 0.01));
   world.Places().SetAbsolutePosition(CVector3(0.0, 0.0, 1.0));
-  // settled on 2 % after 1.3 s in continuous time, see the README of pointmass3d
+  // within 2 % after 1.3 s in continuous time, see the README of pointmass3d
   world.Step(25);
   CHECK_THAT(world.Position().GetX(), WithinAbs(0.0, 0.02 * 1.75));
 }
 
-TEST_CASE("rigid flight: laid on its side it comes upright again", "[contract][engine][rigid]") {
+TEST_CASE("rigid flight: a robot placed on its side returns upright", "[contract][engine][rigid]") {
   CFlightWorld world(Flight("quadrotor_position", GroundedEngine(), CVector3(0, 0, 2)));
   world.Step();
   const CQuaternion side(CRadians(1.5), CVector3::X);

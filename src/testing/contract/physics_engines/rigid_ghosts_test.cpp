@@ -1,10 +1,11 @@
-// Robots of other engines, as an engine of rigid bodies feels them, and as others feel its own.
+// Collisions between robots of an engine of rigid bodies and robots of other engines.
 
 #include <argos3/testing/contract/physics_engines/flight_world.h>
 #include <argos3/testing/contract/physics_engines/regions.h>
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
 #include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/captured_logs.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/physics_engine/body_description.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
@@ -22,14 +23,11 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-constexpr Real kFootBotRadius = 0.085036758;  // m
-constexpr Real kEPuckRadius = 0.035;  // m
-
 Real RadiusOf(const std::string& tag) {
   return tag == "e-puck" ? kEPuckRadius : kFootBotRadius;
 }
 
-/** What is on either side of the border at x = 0. */
+/** Engines on both sides of the border at x = 0. */
 struct SSides {
   SEngineType West;
   SEngineType East;
@@ -53,23 +51,23 @@ TEST_CASE("rigid ghosts: robots that drive head-on at a border do not overlap",
   const std::string tagA = GENERATE(as<std::string>(), "e-puck", "foot-bot");
   const std::string tagB = GENERATE(as<std::string>(), "e-puck", "foot-bot");
   const Real speed = GENERATE(3.0, 10.0, 30.0);  // cm/s
-  const Real shift = GENERATE(0.0, 0.011);  // m: how far a's centre is from the border
+  const Real shift = GENERATE(0.0, 0.011);  // m, distance of a's centre from the border
   CAPTURE(sides.West, sides.East, tagA, tagB, speed, shift);
   CRigidScene world(sides.ToXml(), DriverXml(tagA, "a", -0.4 - shift, 0, 0, speed, speed) +
                                        DriverXml(tagB, "b", 0.4 - shift, 0, 180, speed, speed));
   const Real radii = RadiusOf(tagA) + RadiusOf(tagB);
   Real deepest = -HUGE_VAL;
-  // until one has pushed the other out of its engine: then both are in one
+  // runs until one has pushed the other across the border, so that both are in one engine
   for (int tick = 0; tick < 200 && world.EngineOf("a") != world.EngineOf("b"); ++tick) {
     world.Step();
     deepest = std::max(deepest, radii - Distance(world.Position("a"), world.Position("b")));
   }
-  // they have met, and nothing but what engines promise is left
+  // they have met, and overlap within the limit of engines only
   CHECK(deepest > -0.005);
   CHECK(deepest <= 0.02 * std::min(RadiusOf(tagA), RadiusOf(tagB)));
 }
 
-TEST_CASE("rigid ghosts: one that presses against one that stands does not move it",
+TEST_CASE("rigid ghosts: a robot that presses against a resting one does not move it",
           "[contract][engine][rigid][partition]") {
   const SSides sides = AnySides();
   CAPTURE(sides.West, sides.East);
@@ -84,24 +82,24 @@ TEST_CASE("rigid ghosts: one that presses against one that stands does not move 
   CHECK(world.EngineOf("a") == "west");
 }
 
-TEST_CASE("rigid ghosts: robots that are put inside each other are pushed apart, asleep or not",
+TEST_CASE("rigid ghosts: robots placed inside each other are separated, asleep or not",
           "[contract][engine][rigid][partition]") {
   const SSides sides = AnySides();
   CAPTURE(sides.West, sides.East);
   CRigidScene world(sides.ToXml(), DriverXml("foot-bot", "a", -0.08, 0, 0, 0, 0) +
                                        DriverXml("foot-bot", "b", 0.5, 0, 0, 0, 0));
-  // long enough to sleep
+  // long enough for bodies to fall asleep
   world.Step(20);
-  // 1 cm deep; what is put somewhere wakes up, but only in its own engine
+  // 1 cm deep; a moved body wakes up, but the move does not wake bodies of the other engine
   world.Body("b").MoveTo(CVector3(0.08, 0, 0), CQuaternion(), false, true);
   REQUIRE(world.Position("b").GetX() == 0.08);
   world.Step(20);
   CHECK(Distance(world.Position("a"), world.Position("b")) >= 1.98 * kFootBotRadius);
-  // each has made way by half
+  // each has moved by half of the overlap
   CHECK_THAT(world.Position("a").GetX(), WithinAbs(-kFootBotRadius, 0.02 * kFootBotRadius));
 }
 
-TEST_CASE("rigid ghosts: a thing that sleeps at a border is pushed by a robot from the other side",
+TEST_CASE("rigid ghosts: a sleeping object at a border is pushed by a robot from the other side",
           "[contract][engine][rigid][partition]") {
   const SEngineType east = GENERATE(kDynamics2D, kDynamics3D);
   CAPTURE(east);
@@ -113,14 +111,15 @@ TEST_CASE("rigid ghosts: a thing that sleeps at a border is pushed by a robot fr
     world.Step();
     const Real gap =
         world.Position("a").GetX() - world.Position("b").GetX() - 0.05 - kFootBotRadius;
-    // the thing is where the robot was at the start of the tick: 1 cm, and 2 % of the radius
+    // the object stops at the robot's position at the start of the
+    // tick: 1 cm, and 2 % of the radius
     REQUIRE(gap >= -0.01 - 0.02 * kFootBotRadius);
   }
   CHECK(world.Position("a").GetX() < -0.5);
   CHECK(world.Position("b").GetX() < world.Position("a").GetX());
 }
 
-TEST_CASE("rigid ghosts: who flies over a robot of the other side does not touch it",
+TEST_CASE("rigid ghosts: a robot that flies over a robot of the other side does not touch it",
           "[contract][engine][rigid][partition]") {
   SFlightExperiment experiment;
   experiment.Engines = SSides{kDynamics3D, kDynamics3D}.ToXml();
@@ -132,7 +131,7 @@ TEST_CASE("rigid ghosts: who flies over a robot of the other side does not touch
   world.Places("f").SetAbsolutePosition(CVector3(0.1, 0, 0));
   world.Step(100);
   CHECK(Distance(world.Position("r"), CVector3(-0.01, 0, 0.8)) < 1e-3);
-  // and one that comes down on it gets no nearer than its top
+  // a robot that descends onto it stops at its top
   world.Places("r").SetAbsolutePosition(CVector3(-0.01, 0, 0.0));
   Real lowest = HUGE_VAL;
   for (int tick = 0; tick < 100; ++tick) {
@@ -142,9 +141,9 @@ TEST_CASE("rigid ghosts: who flies over a robot of the other side does not touch
   CHECK_THAT(lowest, WithinAbs(top, 5e-3));
 }
 
-TEST_CASE("rigid ghosts: without them, and away from borders, nothing changes",
+TEST_CASE("rigid ghosts: without ghosts, and away from borders, nothing changes",
           "[contract][engine][rigid][partition]") {
-  // robots that meet 3 m from the border do the same with or without an engine behind it
+  // robots that meet 3 m from the border behave equally with and without an engine beyond it
   const std::string robots = DriverXml("foot-bot", "a", -3.5, 0, 0, 10, 10) +
                              DriverXml("foot-bot", "b", -3.0, 0.03, 180, 10, 10) +
                              DriverXml("foot-bot", "far", 5.0, 0, 0, 10, 10);
@@ -161,7 +160,7 @@ TEST_CASE("rigid ghosts: without them, and away from borders, nothing changes",
   }
 }
 
-TEST_CASE("rigid ghosts: the same to the bit for every number of threads, and after a reset",
+TEST_CASE("rigid ghosts: equal bit by bit for any number of threads, and after a reset",
           "[contract][engine][rigid][partition]") {
   const auto run = [](CTestWorld& world) {
     std::vector<UInt64> digests;
@@ -194,12 +193,8 @@ TEST_CASE("rigid ghosts: the same to the bit for every number of threads, and af
   }
 }
 
-TEST_CASE("rigid ghosts: a settled tick allocates nothing",
+TEST_CASE("rigid ghosts: a tick in steady state allocates nothing",
           "[contract][engine][rigid][partition]") {
-  if (!CAllocationCount::IsAvailable()) {
-    SUCCEED("skipped: nothing to count allocations with");
-    return;
-  }
   std::string robots =
       SBoxXml{"b", CVector3(0.1, 0.1, 0.1), CVector3(-0.3, 3.1, 0), CVector3(), 0.2}.ToXml();
   for (int i = 0; i < 10; ++i) {
@@ -208,12 +203,12 @@ TEST_CASE("rigid ghosts: a settled tick allocates nothing",
               DriverXml("foot-bot", "b" + id, 0.4, 0.3 * i, 180, 10, 10);
   }
   CRigidScene world(SSides{kDynamics3D, kDynamics3D}.ToXml(), robots);
-  // they stand and press
+  // both stand and press against each other
   world.Step(200);
   CheckAllocatesNothing([&] { world.Step(20); });
 }
 
-TEST_CASE("rigid borders: what leans and stands a little high is set down on a plane",
+TEST_CASE("rigid borders: a slightly tilted or raised body is set down on a plane",
           "[contract][engine][rigid][partition]") {
   const Real degrees = GENERATE(0.0, 2.0, 8.0);
   const Real height = GENERATE(0.0, 0.003, 0.009);
@@ -223,7 +218,7 @@ TEST_CASE("rigid borders: what leans and stands a little high is set down on a p
                                            CVector3(30, degrees, 0)}
                                        .ToXml());
   const Real yaw = world.Yaw("b");
-  // over the border, by hand
+  // moved across the border by the test
   world.Body("b").SetOriginPose(CVector3(-0.3, 0, height), world.Orientation("b"));
   world.Step(2);
   CHECK(world.EngineOf("b") == "west");
@@ -232,22 +227,23 @@ TEST_CASE("rigid borders: what leans and stands a little high is set down on a p
   CHECK_THAT(world.Yaw("b"), WithinAbs(yaw, 1e-3 + 2e-4 * degrees * degrees));
 }
 
-TEST_CASE("rigid borders: what no plane takes stays, is told of, and goes when it can",
-          "[contract][engine][rigid][partition]") {
+TEST_CASE(
+    "rigid borders: a body that no plane accepts stays, is reported, and is transferred later",
+    "[contract][engine][rigid][partition]") {
   const SSides sides{kDynamics2D, kDynamics3D};
   CRigidScene world(sides.ToXml(),
                     SBoxXml{"b", CVector3(0.1, 0.1, 0.1), CVector3(0.5, 0, 0)}.ToXml() +
                         SBoxXml{"c", CVector3(0.1, 0.1, 0.3), CVector3(0.5, 1, 0)}.ToXml());
   world.Step();
   TakeLogErr();
-  // one in the air, which falls down, and one that lies
+  // a body in the air, which falls down, and a body on its side
   REQUIRE(world.Body("b").MoveTo(CVector3(-0.3, 0, 0.5), CQuaternion()));
   REQUIRE(world.Body("c").MoveTo(CVector3(-0.3, 1, 0.05),
                                  CQuaternion(CRadians(0.5 * ARGOS_PI), CVector3::Y)));
   world.Step(2);
   CHECK(world.EngineOf("b") == "east");
   CHECK(world.EngineOf("c") == "east");
-  // told of the first one, once
+  // the warning reports the first one, once
   const std::string told = TakeLogErr();
   CHECK_THAT(told, Contains("\"b\" has left the region of \"east\" at (-0.3,0,0.") &&
                        Contains("the plane of \"west\"") && Contains("within 0.01 m of z = 0 m") &&
@@ -261,7 +257,7 @@ TEST_CASE("rigid borders: what no plane takes stays, is told of, and goes when i
   CHECK(TakeLogErr().empty());
 }
 
-TEST_CASE("rigid borders: where no region is, the run ends and says where the body is",
+TEST_CASE("rigid borders: a body outside all regions ends the run with its position",
           "[contract][engine][rigid][partition]") {
   CRigidScene world(RegionXml(kDynamics3D, "pen", {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}),
                     DriverXml("foot-bot", "r", 0.9, 0, 0, 10, 10));

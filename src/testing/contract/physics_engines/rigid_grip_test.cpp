@@ -2,6 +2,7 @@
 
 #include <argos3/testing/contract/physics_engines/grip_world.h>
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/physics_engine/body_description.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
@@ -18,8 +19,7 @@ using TModes = CCI_FootBotTurretActuator::ETurretModes;
 
 namespace {
 
-constexpr Real kFootBotRadius = 0.085036758;  // m
-// m: where the centre of a load of 0.2 m x 0.2 m is that stands before a robot at the origin
+// m: centre of a load of 0.2 m x 0.2 m in front of a robot at the origin
 constexpr Real kLoadAt = kFootBotRadius + 0.1 + 0.002;
 
 CGripWorld::SOptions Options(UInt32 threads = 0, const std::string& engine = GroundedEngine()) {
@@ -35,7 +35,7 @@ std::vector<UInt64> Run(CGripWorld& world, int ticks) {
   return digests;
 }
 
-// with a border at x = 0
+// two engines with a border at x = 0
 std::string TwoEngines() {
   const auto part = [](const std::string& id, const std::string& from, const std::string& to) {
     return "<dynamics3d id='" + id +
@@ -46,8 +46,8 @@ std::string TwoEngines() {
   return part("west", "-10", "0") + part("east", "0", "10");
 }
 
-// robots and loads in a row, all of them by chance
-std::string Throng() {
+// robots and loads in a row, with random orders
+std::string CrowdXml() {
   std::string arena;
   for (int i = 0; i < 6; ++i) {
     arena += GripperXml("r" + std::to_string(i), 0.5 * (i % 3) - 0.5, 0.6 * (i / 3) - 0.3, 60.0 * i,
@@ -60,7 +60,7 @@ std::string Throng() {
 
 }  // namespace
 
-TEST_CASE("rigid grip: what is gripped is dragged along, and left when the gripper unlocks",
+TEST_CASE("rigid grip: a gripped load is dragged along, and stays when the gripper unlocks",
           "[contract][engine][rigid][grip]") {
   CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("load", kLoadAt, 0, 0.5),
                    Options());
@@ -71,8 +71,7 @@ TEST_CASE("rigid grip: what is gripped is dragged along, and left when the gripp
   const CVector3 robot = world.Position("r");
   const CVector3 load = world.Position("load");
   CHECK(robot.GetX() < -0.25);
-  // pulled 8.5 cm above the floor, which rubs at it with its weight, the load leans forward a
-  // little
+  // It is pulled 8.5 cm above the floor, where friction acts, so the load tilts slightly forward.
   CHECK_THAT(load.GetX() - robot.GetX(), WithinAbs(kLoadAt, 0.015));
   CHECK_THAT(load.GetY() - robot.GetY(), WithinAbs(0.0, 5e-3));
   world.Driver("r").Lock = false;
@@ -82,7 +81,7 @@ TEST_CASE("rigid grip: what is gripped is dragged along, and left when the gripp
   CHECK(world.Position("r").GetX() < robot.GetX() - 0.08);
 }
 
-TEST_CASE("rigid grip: what is too far away, or too low, is not gripped",
+TEST_CASE("rigid grip: a body too far away or too low is not gripped",
           "[contract][engine][rigid][grip]") {
   CGripWorld world(
       GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("far", kLoadAt + 0.02, 0, 0.5) +
@@ -105,18 +104,18 @@ TEST_CASE("rigid grip: the turret swings its load around the robot",
   world.Driver("r").Mode = TModes::MODE_SPEED_CONTROL;
   world.Driver("r").TurretSpeed = 2;
   world.Step(51);
-  // 2 turns a minute for 5 s, on a base that braces itself with its wheels
+  // 2 turns a minute for 5 s, while the wheels brake the base
   const Real turned = 2.0 * 2.0 * ARGOS_PI / 60.0 * 5.0;
   const CVector3 arm = world.Position("load") - world.Position("r");
   const Real direction = std::atan2(arm.GetY(), arm.GetX());
   CHECK_THAT(world.Turret("r").GetRotation().GetValue(), WithinAbs(turned, 0.03));
-  // the load trails behind a little, because it rubs on the floor
+  // the load lags slightly because of its friction on the floor
   CHECK_THAT(direction - world.Yaw("r"), WithinAbs(turned, 0.15));
   CHECK_THAT(arm.Length(), WithinAbs(before.Length(), 0.01));
   CHECK(world.HeldBy("r") == "load");
 }
 
-TEST_CASE("rigid grip: a turret without a load turns as its motor is to",
+TEST_CASE("rigid grip: a turret without a load turns as ordered",
           "[contract][engine][rigid][grip]") {
   CGripWorld world(GripperXml("r", 0, 0, 0, "left='5' right='-5'"), Options());
   world.Driver("r").Mode = TModes::MODE_SPEED_CONTROL;
@@ -126,7 +125,7 @@ TEST_CASE("rigid grip: a turret without a load turns as its motor is to",
              WithinAbs(4.0 * 2.0 * ARGOS_PI / 60.0, 1e-9));
 }
 
-TEST_CASE("rigid grip: more force than it can bear slips out of a grip",
+TEST_CASE("rigid grip: a force beyond its strength breaks a grip",
           "[contract][engine][rigid][grip]") {
   const Real most = GENERATE(0.5, 100.0);  // N
   CAPTURE(most);
@@ -141,7 +140,7 @@ TEST_CASE("rigid grip: more force than it can bear slips out of a grip",
   world.Step(3);
   world.Drive("r", -10, -10);
   world.Step(30);
-  // the floor holds the load with 5 N
+  // friction holds the load with 5 N
   const Real moved = kLoadAt - world.Position("load").GetX();
   if (most < 1.0) {
     CHECK(moved < 0.1);
@@ -151,15 +150,16 @@ TEST_CASE("rigid grip: more force than it can bear slips out of a grip",
   }
 }
 
-TEST_CASE("rigid grip: orders by chance give the same after resets and with any number of threads",
-          "[contract][engine][rigid][grip]") {
+TEST_CASE(
+    "rigid grip: random orders give equal results after resets and with any number of threads",
+    "[contract][engine][rigid][grip]") {
   const std::string engine = GENERATE(GroundedEngine(), TwoEngines());
   CAPTURE(engine);
-  CGripWorld world(Throng(), Options(0, engine));
+  CGripWorld world(CrowdXml(), Options(0, engine));
   const std::vector<UInt64> first = Run(world, 300);
   world.GetSimulator().Reset();
   CHECK(Run(world, 300) == first);
-  CGripWorld threaded(Throng(), Options(4, engine));
+  CGripWorld threaded(CrowdXml(), Options(4, engine));
   CHECK(Run(threaded, 300) == first);
 }
 

@@ -1,4 +1,4 @@
-// Adding, moving, removing, resetting and handing over rigid bodies; threads.
+// Adding, moving, removing, resetting and transferring rigid bodies; threads.
 
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
 #include <argos3/testing/support/no_allocation.h>
@@ -18,8 +18,8 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-// robots that run into each other and into boxes of all kinds, some of which fall
-std::string Turmoil(int robots = 24) {
+// robots that collide with each other and with boxes of all kinds, some of which fall
+std::string CollidingBodiesXml(int robots = 24) {
   std::string arena;
   CRandomStream random(7, "test", "turmoil", "places");
   for (int i = 0; i < robots; ++i) {
@@ -64,27 +64,26 @@ std::vector<UInt64> Run(CTestWorld& world, int ticks) {
   return digests;
 }
 
-SExperiment TurmoilIn(const std::string& engines, UInt32 threads) {
+SExperiment CollidingBodiesIn(const std::string& engines, UInt32 threads) {
   SExperiment experiment;
   experiment.Threads = threads;
   experiment.Controllers = ControllersOf();
   experiment.Engines = engines;
   experiment.ArenaSize = "20,20,4";
-  experiment.Arena = Turmoil();
+  experiment.Arena = CollidingBodiesXml();
   return experiment;
 }
 
 }  // namespace
 
-TEST_CASE("rigid lifecycle: a body that is moved is at rest there, whatever it did before",
-          "[contract][engine][rigid]") {
+TEST_CASE("rigid lifecycle: a moved body is at rest at its new pose", "[contract][engine][rigid]") {
   CRigidScene world(RigidEngine("", "<gravity g='9.81'/>"),
                     SBoxXml{"b", CVector3(1, 1, 1), CVector3(0, 0, 1)}.ToXml());
   world.Step(10);
   const CQuaternion turn(CRadians(0.3), CVector3::Y);
   REQUIRE(world.Body("b").MoveTo(CVector3(1, 2, 3), turn));
   CHECK(world.Position("b") == CVector3(1, 2, 3));
-  // a look whether a place is free changes nothing
+  // testing a place for collisions changes nothing
   CHECK(world.Body("b").MoveTo(CVector3(5, 5, 5), CQuaternion(), true));
   world.Step();
   const CVector3 fallen(1.0, 2.0, 3.0 - 9.81 * 1e-4 * 55.0);
@@ -92,10 +91,10 @@ TEST_CASE("rigid lifecycle: a body that is moved is at rest there, whatever it d
   CHECK_THAT(world.Tilt("b"), WithinAbs(0.3, 1e-9));
 }
 
-TEST_CASE("rigid lifecycle: a look whether a place is free does not disturb the motion",
+TEST_CASE("rigid lifecycle: testing a place for collisions does not affect the motion",
           "[contract][engine][rigid]") {
-  CRigidScene world(GroundedEngine(), Turmoil());
-  CRigidScene other(GroundedEngine(), Turmoil());
+  CRigidScene world(GroundedEngine(), CollidingBodiesXml());
+  CRigidScene other(GroundedEngine(), CollidingBodiesXml());
   for (int tick = 0; tick < 30; ++tick) {
     world.Step();
     other.Step();
@@ -104,7 +103,8 @@ TEST_CASE("rigid lifecycle: a look whether a place is free does not disturb the 
   }
 }
 
-TEST_CASE("rigid lifecycle: fixed bodies can be moved, too", "[contract][engine][rigid]") {
+TEST_CASE("rigid lifecycle: immovable bodies can be moved by commands",
+          "[contract][engine][rigid]") {
   CRigidScene world(RigidEngine("", "<gravity g='9.81'/>"),
                     SBoxXml{"table", CVector3(1, 1, 0.5), CVector3(0, 0, 0), {}, 0.0}.ToXml() +
                         SBoxXml{"b", CVector3(0.2, 0.2, 0.2), CVector3(0, 0, 0.5)}.ToXml());
@@ -115,12 +115,12 @@ TEST_CASE("rigid lifecycle: fixed bodies can be moved, too", "[contract][engine]
   CHECK(world.Position("b").GetZ() < 0.0);
 }
 
-TEST_CASE("rigid lifecycle: after a reset the run repeats to the bit",
+TEST_CASE("rigid lifecycle: after a reset the run repeats bit by bit",
           "[contract][engine][rigid]") {
   const std::string stepper = GENERATE("mixed", "direct", "iterative");
   CAPTURE(stepper);
   CRigidScene world(GroundedEngine("", "<solver stepper='" + stepper + "' max_direct_rows='40'/>"),
-                    Turmoil());
+                    CollidingBodiesXml());
   const std::vector<UInt64> first = Run(world, 100);
   world.Body("r1").MoveTo(CVector3(4, 4, 0), CQuaternion());
   for (int repetition = 0; repetition < 2; ++repetition) {
@@ -129,38 +129,38 @@ TEST_CASE("rigid lifecycle: after a reset the run repeats to the bit",
   }
 }
 
-TEST_CASE("rigid determinism: the same to the bit for every number of threads",
+TEST_CASE("rigid determinism: equal bit by bit for any number of threads",
           "[contract][engine][rigid]") {
   const int engines = GENERATE(1, 4);
   const std::string stepper = GENERATE("mixed", "iterative");
   CAPTURE(engines, stepper);
   std::string xml = engines == 1 ? GroundedEngine() : Quarters();
-  // so few rows that both steppers are at work in "mixed"
+  // a limit on rows so low that "mixed" uses both steppers
   const std::string solver = "<solver stepper='" + stepper + "' max_direct_rows='40'/><floor/>";
   for (size_t at = xml.find("<floor/>"); at != std::string::npos;
        at = xml.find("<floor/>", at + solver.size())) {
     xml.replace(at, 8, solver);
   }
-  CTestWorld reference(TurmoilIn(xml, 0));
+  CTestWorld reference(CollidingBodiesIn(xml, 0));
   const std::vector<UInt64> expected = Run(reference, 100);
   for (const UInt32 threads : {1U, 4U}) {
     CAPTURE(threads);
-    CTestWorld world(TurmoilIn(xml, threads));
+    CTestWorld world(CollidingBodiesIn(xml, threads));
     CHECK(Run(world, 100) == expected);
   }
 }
 
-TEST_CASE("rigid determinism: several simulators in several threads do not disturb each other",
+TEST_CASE("rigid determinism: simulators in several threads do not affect each other",
           "[contract][engine][rigid]") {
   const std::string engine = GroundedEngine("", "<solver stepper='iterative'/>");
-  CTestWorld reference(TurmoilIn(engine, 0));
+  CTestWorld reference(CollidingBodiesIn(engine, 0));
   const std::vector<UInt64> expected = Run(reference, 60);
   std::vector<std::vector<UInt64>> results(4);
   {
     std::vector<std::jthread> threads;
     for (std::vector<UInt64>& result : results) {
       threads.emplace_back([&result, &engine] {
-        CTestWorld world(TurmoilIn(engine, 0));
+        CTestWorld world(CollidingBodiesIn(engine, 0));
         result = Run(world, 60);
       });
     }
@@ -170,12 +170,9 @@ TEST_CASE("rigid determinism: several simulators in several threads do not distu
   }
 }
 
-TEST_CASE("rigid lifecycle: a settled tick allocates nothing", "[contract][engine][rigid]") {
-  if (!CAllocationCount::IsAvailable()) {
-    SUCCEED("skipped: nothing to count allocations with");
-    return;
-  }
-  CRigidScene world(GroundedEngine("sleep='false'"), Turmoil());
+TEST_CASE("rigid lifecycle: a tick in steady state allocates nothing",
+          "[contract][engine][rigid]") {
+  CRigidScene world(GroundedEngine("sleep='false'"), CollidingBodiesXml());
   world.Step(200);
   CheckAllocatesNothing([&] { world.Step(20); });
 }

@@ -1,4 +1,4 @@
-// Rigid bodies against mechanics: fall, friction, impact.
+// Compares rigid bodies with mechanics: free fall, friction, impact.
 
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
 
@@ -21,7 +21,7 @@ std::string Stepper(const std::string& name) {
   return "<solver stepper='" + name + "'/>";
 }
 
-// a slope about the y axis, falling towards x, and a box that lies on it
+// a slope about the y axis, falling towards x, with a box on it
 struct SSlope {
   Real Angle;  // rad
 
@@ -38,8 +38,9 @@ struct SSlope {
 
 }  // namespace
 
-TEST_CASE("rigid motion: a body falls as the integrator says, and to first order as Galilei does",
-          "[contract][engine][rigid]") {
+TEST_CASE(
+    "rigid motion: a falling body follows the integrator, and the exact parabola to first order",
+    "[contract][engine][rigid]") {
   const std::string stepper = GENERATE("mixed", "direct", "iterative");
   CRigidScene world(RigidEngine("", "<gravity g='9.81'/>" + Stepper(stepper)),
                     SBoxXml{"b", CVector3(1, 1, 1), CVector3(0, 0, 1)}.ToXml());
@@ -49,7 +50,7 @@ TEST_CASE("rigid motion: a body falls as the integrator says, and to first order
     const Real n = 10.0 * tick;
     const Real fallen = 9.81 * kSubstep * kSubstep * n * (n + 1.0) / 2.0;
     CHECK_THAT(world.Position("b").GetZ(), WithinAbs(1.0 - fallen, 1e-10));
-    // g t^2 / 2 is off by g h t / 2
+    // the integrator differs from g t^2 / 2 by g h t / 2
     const Real time = 0.1 * tick;
     CHECK_THAT(fallen, WithinAbs(0.5 * 9.81 * time * time, 0.5 * 9.81 * kSubstep * time + 1e-9));
   }
@@ -57,7 +58,7 @@ TEST_CASE("rigid motion: a body falls as the integrator says, and to first order
   CHECK(world.Tilt("b") == 0.0);
 }
 
-TEST_CASE("rigid motion: gravity is a vector, and without it a body goes straight on",
+TEST_CASE("rigid motion: gravity is a vector, and without gravity a body keeps its velocity",
           "[contract][engine][rigid]") {
   CRigidScene world(RigidEngine("", "<gravity vector='0.1,-0.2,0.3'/>"),
                     SBoxXml{"b", CVector3(1, 1, 1), CVector3(0, 0, 1)}.ToXml());
@@ -70,12 +71,12 @@ TEST_CASE("rigid motion: gravity is a vector, and without it a body goes straigh
   CRigidScene weightless(RigidEngine("", KickXml("b", CVector3(0.3, 0.0, 0.0005))),
                          SBoxXml{"b", CVector3(1, 1, 1), CVector3(0, 0, 1)}.ToXml());
   weightless.Step(100);
-  // also slowly: what nothing fixed holds does not go to sleep
+  // slow motion goes on too: bodies without contact to fixed bodies do not fall asleep
   CHECK_THAT(weightless.Position("b").GetX(), WithinAbs(3.0, 1e-9));
   CHECK_THAT(weightless.Position("b").GetZ(), WithinAbs(1.005, 1e-9));
 }
 
-TEST_CASE("rigid motion: a body on a floor of any height stays, on the floor",
+TEST_CASE("rigid motion: a body on a floor of any height stays on the floor",
           "[contract][engine][rigid]") {
   const Real height = GENERATE(0.0, 0.5, -0.25);
   const std::string stepper = GENERATE("mixed", "direct", "iterative");
@@ -88,17 +89,17 @@ TEST_CASE("rigid motion: a body on a floor of any height stays, on the floor",
   world.Step(100);
   CHECK_THAT(world.Position("b").GetX(), WithinAbs(1.0, 1e-5));
   CHECK_THAT(world.Position("b").GetY(), WithinAbs(2.0, 1e-5));
-  // the surface layer, and what 4 contacts give way under 10 N
+  // the surface layer, and the compliance of 4 contacts under 10 N
   CHECK_THAT(world.Position("b").GetZ(), WithinAbs(height, 2e-5));
   CHECK(world.Tilt("b") < 1e-4);
 }
 
-TEST_CASE("rigid friction: on a slope, a box slides beyond the angle of friction and rests below",
+TEST_CASE("rigid friction: on a slope a box slides beyond the angle of friction and rests below it",
           "[contract][engine][rigid]") {
   const std::string stepper = GENERATE("mixed", "direct", "iterative");
   const Real mu = GENERATE(0.25, 0.5);
   CAPTURE(stepper, mu);
-  // both bodies have it, and the contact the product
+  // both bodies have this friction, and the contact has the product
   std::ostringstream attributes;
   attributes << "sleep='false' default_friction='" << std::sqrt(mu) << "'";
   const std::string engine =
@@ -117,11 +118,11 @@ TEST_CASE("rigid friction: on a slope, a box slides beyond the angle of friction
   const Real path = acceleration * kSubstep * kSubstep * n * (n + 1.0) / 2.0;
   const CVector3 slid = sliding.Position("box") - steep.OnTop(0.0);
   CHECK_THAT(slid.Length(), WithinRel(path, 0.02));
-  // down the slope
+  // the motion is along the slope
   CHECK_THAT(slid.GetZ() / slid.GetX(), WithinAbs(-std::tan(steep.Angle), 1e-3));
 }
 
-TEST_CASE("rigid impact: momentum is kept, and restitution is what it is said to be",
+TEST_CASE("rigid impact: momentum is conserved, and restitution is as specified",
           "[contract][engine][rigid]") {
   const std::string stepper = GENERATE("mixed", "direct", "iterative");
   const Real restitution = GENERATE(0.0, 0.5, 1.0);
@@ -140,15 +141,15 @@ TEST_CASE("rigid impact: momentum is kept, and restitution is what it is said to
   world.Step(10);
   const Real speedA = (world.Position("a") - a).GetX();
   const Real speedB = (world.Position("b") - b).GetX();
-  // sweeps leave a rest
+  // iterations leave a residual
   const Real tolerance = stepper == "iterative" ? 1e-4 : 1e-6;
   CHECK_THAT(speedA + mass * speedB, WithinAbs(1.0, tolerance));
-  // Newton's law of impact; what they are inside each other by is pushed out for a while
+  // Newton's law of impact; the penetration is corrected over some time
   CHECK_THAT(speedB - speedA, WithinAbs(restitution, 0.01));
   CHECK_THAT(world.Position("a").GetY(), WithinAbs(0.0, tolerance));
 }
 
-TEST_CASE("rigid impact: a crowd of boxes that fly into each other keeps its momentum",
+TEST_CASE("rigid impact: a crowd of colliding boxes conserves its momentum",
           "[contract][engine][rigid]") {
   const std::string stepper = GENERATE("mixed", "iterative");
   CAPTURE(stepper);
@@ -162,14 +163,14 @@ TEST_CASE("rigid impact: a crowd of boxes that fly into each other keeps its mom
     boxes +=
         SBoxXml{id, CVector3(0.2, 0.3, 0.25), place * 0.5, CVector3(20.0 * i, 10.0 * i, 0.0), mass}
             .ToXml();
-    // all towards one point off the middle
+    // all towards a point off the middle
     const CVector3 impulse = (CVector3(0.1, 0.2, -0.1) - place) * 0.4;
     kicks += KickXml(id, impulse);
     momentum += impulse;
   }
   CRigidScene world(RigidEngine("", kicks), boxes);
   world.Step(30);
-  // the centre of mass, of bodies that turn: the middle of each box
+  // the centre of mass of rotating bodies, from the centre of each box
   const auto middle = [&world] {
     CVector3 sum;
     for (int i = 0; i < 27; ++i) {

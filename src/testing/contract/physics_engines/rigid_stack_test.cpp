@@ -1,4 +1,4 @@
-// Boxes and cylinders on each other: what stands, and what topples.
+// Stacks of boxes and cylinders: stable and toppling ones.
 
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
 #include <argos3/testing/support/captured_logs.h>
@@ -36,9 +36,9 @@ std::string Stack(int count) {
 
 }  // namespace
 
-TEST_CASE("rigid stack: a cylinder on a box stands still", "[contract][engine][rigid]") {
+TEST_CASE("rigid stack: a cylinder on a box stays at rest", "[contract][engine][rigid]") {
   const std::string table = GENERATE("movable='false'", "movable='true' mass='5'");
-  const Real x = GENERATE(0.0, 0.43);  // the second one reaches over the edge
+  const Real x = GENERATE(0.0, 0.43);  // with the second value it extends over the edge
   CAPTURE(table, x);
   std::ostringstream arena;
   arena << "<box id='t' size='1,1,0.2' " << table << "><body position='0,0,0'/></box>"
@@ -50,46 +50,45 @@ TEST_CASE("rigid stack: a cylinder on a box stands still", "[contract][engine][r
     world.Step();
     most = std::max(most, world.Tilt("c"));
   }
-  // a rocking one would lean by more than what is reported as upright
+  // a rocking cylinder would tilt by more than the limit that is reported as upright
   CHECK(most < 1e-6);
   CHECK(Distance(world.Position("c"), CVector3(x, 0.1, 0.2)) < 1e-3);
 }
 
-TEST_CASE("rigid stack: five boxes on each other rest for 10 s", "[contract][engine][rigid]") {
+TEST_CASE("rigid stack: five stacked boxes rest for 10 s", "[contract][engine][rigid]") {
   const std::string stepper = GENERATE("mixed", "direct", "iterative");
   const std::string sleep = GENERATE("sleep='true'", "sleep='false'");
   CAPTURE(stepper, sleep);
   CRigidScene world(GroundedEngine(sleep, Stepper(stepper)), Stack(5));
   world.Step(100);
   if (stepper == "direct") {
-    // it gives up on some contacts of boxes that are turned against each other, and says so
+    // it leaves some contacts of boxes with relative rotation unsolved, and reports it
     CHECK_THAT(TakeLogErr(), Catch::Matchers::Contains("has left contacts unsolved"));
   }
-  // 1 % and 2 % of a box's side
+  // 2 % of a box's side for the iterative stepper, 1 % for the others
   const Real aside = stepper == "iterative" ? 4e-3 : 2e-3;
   for (int i = 0; i < 5; ++i) {
     CAPTURE(i);
     CHECK_THAT(world.Position(Name(i)).GetX(), WithinAbs(0.0, aside));
     CHECK_THAT(world.Position(Name(i)).GetY(), WithinAbs(0.0, aside));
-    // each contact gives way a little
+    // tolerance for the compliance of contacts
     CHECK_THAT(world.Position(Name(i)).GetZ(), WithinAbs(0.1 * i, 1e-3));
     CHECK(world.Tilt(Name(i)) < 5e-3);
   }
 }
 
-TEST_CASE("rigid stack: what lies on a box falls when the box is taken away",
-          "[contract][engine][rigid]") {
+TEST_CASE("rigid stack: a box falls when the box below is removed", "[contract][engine][rigid]") {
   CRigidScene world(GroundedEngine(), Stack(2));
-  // long enough for both to sleep
+  // long enough for both to fall asleep
   world.Step(20);
   world.GetSimulator().GetLoopFunctions().RemoveEntity("b0");
   world.Step(10);
   CHECK_THAT(world.Position("b1").GetZ(), WithinAbs(0.0, 1e-3));
 }
 
-TEST_CASE("rigid stack: a tall box stands on a slope until its weight is beyond its edge",
+TEST_CASE("rigid stack: a tall box stands on a slope until its weight acts beyond its edge",
           "[contract][engine][rigid]") {
-  // 0.1 m wide, 0.4 m tall: over the edge beyond atan(1 / 4) = 14.04 degrees; friction holds to 45
+  // 0.1 m wide, 0.4 m tall: it topples beyond atan(1 / 4) = 14.04 degrees; friction holds to 45
   const auto slope = [](Real degrees) {
     const Real angle = degrees * ARGOS_PI / 180.0;
     const CVector3 top(0.1 * std::sin(angle), 0.0, 0.1 * std::cos(angle));
@@ -101,15 +100,15 @@ TEST_CASE("rigid stack: a tall box stands on a slope until its weight is beyond 
   CHECK_THAT(stands.Tilt("tall"), WithinAbs(13.0 * ARGOS_PI / 180.0, 0.01));
   CRigidScene topples(RigidEngine("", "<gravity g='9.81'/>"), slope(15.5));
   topples.Step(50);
-  // it lies on its side, on the slope
+  // it is on its side on the slope
   CHECK_THAT(topples.Tilt("tall"), WithinAbs(0.5 * ARGOS_PI + 15.5 * ARGOS_PI / 180.0, 0.05));
 }
 
-TEST_CASE("rigid stack: a tall box that is struck at its middle topples beyond a certain speed",
+TEST_CASE("rigid stack: an impulse at its middle topples a tall box beyond a certain speed",
           "[contract][engine][rigid]") {
-  // Around its edge it has the inertia I = m (w^2 + h^2) / 3; an impulse p at half its height h
-  // gives it the rate p h / (2 I) there, and it falls if the energy lifts its centre of mass from
-  // h / 2 to sqrt(w^2 + h^2) / 2.
+  // About its edge the box has the moment of inertia I = m (w^2 + h^2) / 3. An impulse p at half
+  // its height h gives it the rate p h / (2 I), and it topples if the energy lifts its centre of
+  // mass from h / 2 to sqrt(w^2 + h^2) / 2.
   const Real width = 0.1;
   const Real height = 0.4;
   const Real diagonal = std::hypot(width, height);
@@ -118,7 +117,7 @@ TEST_CASE("rigid stack: a tall box that is struck at its middle topples beyond a
   const Real impulse = rate * 2.0 * inertia / height;
   const Real share = GENERATE(0.85, 1.15);
   CAPTURE(share, impulse);
-  // friction that does not let the edge slip
+  // friction high enough that the edge does not slip
   CRigidScene world(
       GroundedEngine("default_friction='3'", KickXml("tall", CVector3(share * impulse, 0, 0))),
       SBoxXml{"tall", CVector3(width, width, height), CVector3()}.ToXml());
@@ -126,7 +125,7 @@ TEST_CASE("rigid stack: a tall box that is struck at its middle topples beyond a
   CHECK_THAT(world.Tilt("tall"), WithinAbs(share > 1.0 ? 0.5 * ARGOS_PI : 0.0, 0.01));
 }
 
-TEST_CASE("rigid stack: cylinders stand on each other, and beside each other",
+TEST_CASE("rigid stack: cylinders stand on each other and beside each other",
           "[contract][engine][rigid]") {
   const std::string cylinder =
       "<cylinder id='low' radius='0.1' height='0.2' movable='true' mass='1'><body "
@@ -146,7 +145,7 @@ TEST_CASE("rigid stack: a cylinder on its side rolls down a slope with 2/3 of g 
           "[contract][engine][rigid]") {
   const Real angle = 0.1;
   const Real degrees = angle * 180.0 / ARGOS_PI;
-  // its axis, along y, is its body's z: turned by 90 degrees about x
+  // its axis, the z axis of its body, is along y: turned by 90 degrees about x
   const Real radius = 0.2;
   const CVector3 top((0.1 + radius) * std::sin(angle), 0.0, (0.1 + radius) * std::cos(angle));
   std::ostringstream arena;

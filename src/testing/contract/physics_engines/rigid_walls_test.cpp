@@ -1,8 +1,9 @@
-// Faces of the region of an engine of rigid bodies that are walls.
+// Walls at the faces of the region of an engine of rigid bodies.
 
 #include <argos3/testing/contract/physics_engines/flight_world.h>
 #include <argos3/testing/contract/physics_engines/regions.h>
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/physics_engine/physics_model.h>
 #include <argos3/core/utility/math/angles.h>
@@ -17,11 +18,9 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-constexpr Real kFootBotRadius = 0.085036758;  // m
-constexpr Real kEPuckRadius = 0.035;  // m
 const std::string kWall = "wall='true'";
 
-// an engine whose region is 2 m x 2 m wide, with walls on all sides
+// an engine with a region of 2 m x 2 m and walls on all sides
 std::string Pen(const std::string& children, const std::string& heights) {
   return RigidEngine(
       "", children + Boundaries({{-1, -1, kWall}, {1, -1, kWall}, {1, 1, kWall}, {-1, 1, kWall}},
@@ -30,7 +29,7 @@ std::string Pen(const std::string& children, const std::string& heights) {
 
 }  // namespace
 
-TEST_CASE("rigid walls: a robot stops at a wall, whatever its direction and speed",
+TEST_CASE("rigid walls: a robot stops at a wall for any direction and speed",
           "[contract][engine][rigid][partition]") {
   const std::string robot = GENERATE(as<std::string>(), "e-puck", "foot-bot");
   const Real speed = GENERATE(3.0, 12.0, 30.0);  // cm/s
@@ -46,7 +45,7 @@ TEST_CASE("rigid walls: a robot stops at a wall, whatever its direction and spee
   const int ticks = static_cast<int>(1500.0 / speed);
   for (int tick = 0; tick < ticks; ++tick) {
     world.Step();
-    // it sees the wall coming, and is not in it for a moment either
+    // contacts are predicted, so that the robot is never inside the wall
     REQUIRE(ahead() <= 1.0 - 0.98 * radius);
   }
   CHECK_THAT(ahead(), WithinAbs(1.0 - radius, 0.02 * radius));
@@ -60,8 +59,9 @@ TEST_CASE("rigid walls: a robot that drives into a corner touches both walls",
   CHECK_THAT(world.Position("r").GetY(), WithinAbs(1.0 - kFootBotRadius, 0.02 * kFootBotRadius));
 }
 
-TEST_CASE("rigid walls: a bottom is a floor", "[contract][engine][rigid][partition]") {
-  // without an add-on there is no floor besides it, with one only the higher one counts
+TEST_CASE("rigid walls: the bottom of a region is a floor",
+          "[contract][engine][rigid][partition]") {
+  // without the add-on this is the only floor; with it only the higher one counts
   const std::string children = GENERATE("", "<gravity g='9.81'/>", "<gravity g='9.81'/><floor/>");
   CAPTURE(children);
   CRigidScene world(
@@ -75,7 +75,8 @@ TEST_CASE("rigid walls: a bottom is a floor", "[contract][engine][rigid][partiti
   CHECK_THAT(world.Position("r").GetZ(), WithinAbs(0.25, 1e-3));
 }
 
-TEST_CASE("rigid walls: a top stops what falls up", "[contract][engine][rigid][partition]") {
+TEST_CASE("rigid walls: the top of a region stops bodies that fall upwards",
+          "[contract][engine][rigid][partition]") {
   CRigidScene world(Pen("<gravity vector='0,0,9.81'/>", "<top height='1' wall='true'/>"),
                     SBoxXml{"b", CVector3(0.2, 0.3, 0.1), CVector3(0.5, 0.5, 0.85)}.ToXml());
   for (int tick = 0; tick < 50; ++tick) {
@@ -86,7 +87,7 @@ TEST_CASE("rigid walls: a top stops what falls up", "[contract][engine][rigid][p
   CHECK(world.Tilt("b") < 1e-3);
 }
 
-TEST_CASE("rigid walls: a robot that flies is held at top and side",
+TEST_CASE("rigid walls: top and sides stop a flying robot",
           "[contract][engine][rigid][partition]") {
   SFlightExperiment experiment;
   experiment.Engines = Pen("", "<top height='1' wall='true'/><bottom height='0' wall='true'/>");
@@ -104,9 +105,9 @@ TEST_CASE("rigid walls: a robot that flies is held at top and side",
   CHECK_THAT(highest().GetZ(), WithinAbs(1.0, 2e-3));
 }
 
-TEST_CASE("rigid walls: what lies with its base at a wall belongs to its engine",
+TEST_CASE("rigid walls: a lying body with its base at a wall belongs to its engine",
           "[contract][engine][rigid][partition]") {
-  // A cylinder that lies flies against the wall with its base, where its origin is.
+  // A lying cylinder moves towards the wall with its base ahead, where its origin is.
   const std::string cylinder =
       "<cylinder id='c' radius='0.1' height='0.3' movable='true' mass='1'>"
       "<body position='0.8,0,0.5' orientation='0,-90,0'/></cylinder>";

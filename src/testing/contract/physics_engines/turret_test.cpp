@@ -1,6 +1,7 @@
-// Turrets, unloaded and with a load in the gripper that sits on them.
+// Turrets, without and with a load in the gripper mounted on them.
 
 #include <argos3/testing/contract/physics_engines/grip_world.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
@@ -18,13 +19,13 @@ namespace {
 
 using TMode = CCI_FootBotTurretActuator;
 
-constexpr Real kRadius = 0.085036758;  // m, of a foot-bot
+constexpr Real kRadius = kFootBotRadius;
 constexpr Real kRoll = 0.1;  // m, radius of a load
 constexpr Real kGap = 0.005;  // m
 constexpr Real kAhead = kRadius + kGap + kRoll;
 constexpr Real kRadiansPerRpm = ARGOS_PI / 30.0;
 
-// friction holds loads in their place, but lets them turn
+// friction resists displacement of loads, but not rotation
 const std::string kSwivel =
     "<dynamics2d id='e'><friction cylinder_angular_friction='0' box_angular_friction='0'/>"
     "</dynamics2d>";
@@ -37,13 +38,13 @@ Real Wrap(Real angle) {
   return std::remainder(angle, 2.0 * ARGOS_PI);
 }
 
-/** Angle of the load around the robot, rad. */
+/** Angle of the load about the robot, rad. */
 Real Azimuth(CGripWorld& world, const std::string& robot, const std::string& load) {
   const CVector3 arm = world.Position(load) - world.Position(robot);
   return std::atan2(arm.GetY(), arm.GetX());
 }
 
-/** Errors of the control law e' = e - tick (0.4 e + 0.2 (e - last) / tick), rad. */
+/** Errors under the control law e' = e - tick (0.4 e + 0.2 (e - last) / tick), rad. */
 class CControlLaw {
  public:
   CControlLaw(Real error, Real tick) : m_error(error), m_last(error), m_tick(tick) {}
@@ -61,7 +62,7 @@ class CControlLaw {
 
 }  // namespace
 
-TEST_CASE("turret: speed control turns it on the base, whatever the base does",
+TEST_CASE("turret: speed control turns it relative to the base for any motion of the base",
           "[contract][engine][turret]") {
   const SInt32 rpm = GENERATE(-3, 4, 1000);
   const Real turn = GENERATE(0.0, 5.0);  // cm/s of the wheels, in opposite directions
@@ -70,17 +71,17 @@ TEST_CASE("turret: speed control turns it on the base, whatever the base does",
   world.Drive("r", -turn, turn);
   world.Driver("r").Mode = TMode::MODE_SPEED_CONTROL;
   world.Driver("r").TurretSpeed = rpm;
-  world.Step();  // gives the order
+  world.Step();  // sends the order
   CHECK(Rotation(world, "r") == 0.0);
   for (int tick = 1; tick <= 100; ++tick) {
     world.Step();
     const Real exact = kRadiansPerRpm * rpm * 0.1 * tick;
-    // roundings of 100 additions of up to 10 rad
+    // tolerance of 100 additions of up to 10 rad
     REQUIRE_THAT(Wrap(Rotation(world, "r") - exact), WithinAbs(0.0, 1e-10));
   }
 }
 
-TEST_CASE("turret: position control follows its law, the short way round",
+TEST_CASE("turret: position control follows its law in the shorter direction",
           "[contract][engine][turret]") {
   const Real target = GENERATE(0.5, 3.0, -2.0);
   const UInt32 ticksPerSecond = GENERATE(10U, 100U);
@@ -96,13 +97,14 @@ TEST_CASE("turret: position control follows its law, the short way round",
     world.Step();
     REQUIRE_THAT(Rotation(world, "r"), WithinAbs(target - law.Next(), 1e-12));
   }
-  // and then the other way: from 3 rad to -3 rad it is 0.28 rad through pi
+  // back in the other direction: from 3 rad to -3 rad it is 0.28 rad across pi
   world.Driver("r").TurretRotation = CRadians(-target);
   world.Step(300 * ticksPerSecond / 10);
   CHECK_THAT(Wrap(Rotation(world, "r") + target), WithinAbs(0.0, 1e-3));
 }
 
-TEST_CASE("turret: off and passive, it keeps its place on the base", "[contract][engine][turret]") {
+TEST_CASE("turret: in modes off and passive it keeps its rotation relative to the base",
+          "[contract][engine][turret]") {
   const auto mode = GENERATE(TMode::MODE_OFF, TMode::MODE_PASSIVE);
   CGripWorld world(GripperXml("r", 0, 0, 0, ""));
   world.Driver("r").Mode = TMode::MODE_SPEED_CONTROL;
@@ -118,7 +120,7 @@ TEST_CASE("turret: off and passive, it keeps its place on the base", "[contract]
   CHECK(Rotation(world, "r") == 0.0);
 }
 
-TEST_CASE("turret: its frame, and the LEDs on it, turn with it", "[contract][engine][turret]") {
+TEST_CASE("turret: its anchor and its LEDs turn with it", "[contract][engine][turret]") {
   CGripWorld world(GripperXml("r", 1, 0, 90, ""));
   CEmbodiedEntity& body = world.Body("r");
   body.EnableAnchor("turret");
@@ -148,7 +150,7 @@ TEST_CASE("turret: it swings a load on a circle around the robot", "[contract][e
   CAPTURE(rpm, mass);
   CGripWorld::SOptions options;
   options.Engine = kSwivel;
-  // it touches the robot where it is gripped: so its centre stays behind that point
+  // the load touches the robot where it is gripped, so its centre stays on the line to that point
   constexpr Real kDistance = kRadius + kRoll;
   CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + RollXml("roll", kDistance, 0, mass),
                    options);
@@ -160,16 +162,16 @@ TEST_CASE("turret: it swings a load on a circle around the robot", "[contract][e
   world.Driver("r").TurretSpeed = rpm;
   world.Step();
   const Real rate = kRadiansPerRpm * rpm;  // rad/s
-  // m, see below, and a fifth more for the rubbing of the two discs; while the load swings up to
-  // speed, what stops it on a spring is added
+  // m, see below, plus a fifth for the friction between the discs, plus the
+  // stretch while the load accelerates
   const Real longest = 1.2 * 1.2e-3 + std::abs(rate) * kDistance * std::sqrt(mass / 1e4);
   for (int tick = 1; tick <= 400; ++tick) {
     world.Step();
-    // single precision, and what is missing in the tick's last substep
+    // tolerance for single precision and for the error of the tick's last substep
     REQUIRE_THAT(Wrap(Rotation(world, "r") - 0.1 * rate * tick), WithinAbs(0.0, 2e-3));
-    // The load trails behind. If it leans back by an angle f, the spring along the arm must be
-    // longer, by s = f^2 kRadius kDistance / (2 kRoll) less Box2D's slop of 0.005 radii. Friction
-    // pulls with F kDistance per rad of f, which balances k s ds/df at f = 0.144 and s = 1.2 mm.
+    // The load lags. If it is turned back by an angle f, the spring along the arm must be longer,
+    // by s = f^2 kRadius kDistance / (2 kRoll) less Box2D's slop of 0.005 radii. Friction pulls
+    // with F kDistance per rad of f, which balances k s ds/df at f = 0.144 and s = 1.2 mm.
     REQUIRE_THAT(Wrap(Azimuth(world, "r", "roll") - world.Yaw("r") - Rotation(world, "r")),
                  WithinAbs(0.0, 1.2 * 0.144));
     REQUIRE(std::abs(gauge.Stretch()) <= longest);
@@ -177,8 +179,7 @@ TEST_CASE("turret: it swings a load on a circle around the robot", "[contract][e
     REQUIRE_THAT(Distance(world.Position("roll"), world.Position("r")),
                  WithinAbs(kDistance, longest));
   }
-  // the base stays: its drive holds it against the load, but for a creep of 1 % of the turret's
-  // turn
+  // the drive holds the base against the load, except for a creep of 1 % of the turret's rotation
   CHECK_THAT(world.Yaw("r"), WithinAbs(0.0, 0.01 * std::abs(rate) * 40.0));
   CHECK_THAT(world.Position("r").Length(), WithinAbs(0.0, 2e-3));
 }
@@ -197,12 +198,12 @@ TEST_CASE("turret: position control with a load follows the same law",
   CControlLaw law(1.5, 0.1);
   for (int tick = 1; tick <= 100; ++tick) {
     world.Step();
-    // the motor has 150 N m: only roundings of single precision are left
+    // the motor has 150 N m: the error is due to single precision
     REQUIRE_THAT(Rotation(world, "r"), WithinAbs(1.5 - law.Next(), 1e-3));
   }
 }
 
-TEST_CASE("turret: with a load and no motor on, the base turns under it",
+TEST_CASE("turret: with a load and the motor off the base turns below it",
           "[contract][engine][turret]") {
   const auto mode = GENERATE(TMode::MODE_OFF, TMode::MODE_PASSIVE);
   CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") + LoadXml("box", kAhead, 0, 2.0));
@@ -211,12 +212,12 @@ TEST_CASE("turret: with a load and no motor on, the base turns under it",
   world.Driver("r").Mode = mode;
   world.Drive("r", -2, 2);
   world.Step(101);
-  // 4 cm/s over 14 cm, 10 s
+  // 4 cm/s over 14 cm for 10 s
   CHECK_THAT(world.Yaw("r"), WithinAbs(Wrap(0.04 / 0.14 * 10.0), 1e-3));
   CHECK_THAT(Wrap(Rotation(world, "r") + world.Yaw("r")), WithinAbs(0.0, 1e-3));
   CHECK_THAT(world.Position("box").GetX(), WithinAbs(kAhead, 1e-4));
   CHECK_THAT(world.Position("box").GetY(), WithinAbs(0.0, 1e-4));
-  // let go, the turret stays as it is on the base, which turns on
+  // after the release the turret keeps its rotation relative to the base, which turns on
   world.Driver("r").Lock = false;
   world.Step(2);
   const Real there = Rotation(world, "r");
@@ -224,8 +225,8 @@ TEST_CASE("turret: with a load and no motor on, the base turns under it",
   CHECK(Rotation(world, "r") == there);
 }
 
-TEST_CASE("turret: it swings a robot that brakes", "[contract][engine][turret]") {
-  // with 5 N; it hardly resists being turned
+TEST_CASE("turret: it swings a braking robot", "[contract][engine][turret]") {
+  // the held robot brakes with 5 N and hardly resists rotation
   CGripWorld world(GripperXml("r", 0, 0, 0, "lock='true'") +
                    GripperXml("held", 2.0 * kRadius + kGap, 0, 0, "", 5.0, 0.01));
   world.Step(2);
@@ -235,7 +236,7 @@ TEST_CASE("turret: it swings a robot that brakes", "[contract][engine][turret]")
   world.Step(51);
   const Real azimuth = Azimuth(world, "r", "held");
   world.Step(50);
-  // 5 s at 6 degrees a second
+  // 5 s at 6 degrees per second
   CHECK_THAT(Azimuth(world, "r", "held") - azimuth, WithinAbs(5.0 * kRadiansPerRpm, 2e-3));
   CHECK_THAT(world.Position("r").Length(), WithinAbs(0.0, 1e-3));
 }

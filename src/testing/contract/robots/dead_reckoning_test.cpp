@@ -1,4 +1,4 @@
-// Wheels whose right one is a little faster: the drift of robots that navigate by dead reckoning.
+// Wheels whose right one is slightly faster: the drift of robots that navigate by dead reckoning.
 
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_gripper_actuator.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
@@ -39,7 +39,7 @@ CDifferentialSteeringDeadReckoningActuator& Actuator(CRobotWorld& world,
                                                                        "differential_steering");
 }
 
-// m/s: left, right
+// speeds of the left and right wheel, m/s
 std::pair<Real, Real> WheelsFor(CRobotWorld& world, Real left, Real right) {
   Actuator(world).SetLinearVelocity(left, right);
   world.GetRobot("r").Act();
@@ -47,7 +47,7 @@ std::pair<Real, Real> WheelsFor(CRobotWorld& world, Real left, Real right) {
   return {wheels.GetWheelVelocity(0), wheels.GetWheelVelocity(1)};
 }
 
-// what engines do when the gripper of "r" closes around the body of "s", and when it opens
+// the calls of engines when the gripper of "r" closes around the body of "s", and when it opens
 void Grip(CRobotWorld& world, bool holds) {
   CGripperEquippedEntity& gripper = world.Get<CFootBotEntity>("r").GetGripperEquippedEntity();
   holds ? gripper.SetGrippedEntity(world.Get<CFootBotEntity>("s").GetEmbodiedEntity())
@@ -64,7 +64,7 @@ SRobotExperiment DriftingPair(const std::string& attributes) {
 
 }  // namespace
 
-TEST_CASE("dead reckoning: mu is from a Rayleigh distribution", "[contract][robots][noise]") {
+TEST_CASE("dead reckoning: mu has a Rayleigh distribution", "[contract][robots][noise]") {
   constexpr int kRobots = 2000;
   const bool isDefault = GENERATE(true, false);
   SRobotExperiment experiment = Drifting(isDefault ? "" : "sigma=\"0.05\"");
@@ -83,7 +83,7 @@ TEST_CASE("dead reckoning: mu is from a Rayleigh distribution", "[contract][robo
         }) <= 1.0);
 }
 
-TEST_CASE("dead reckoning: the right wheel is the faster one, ahead and back",
+TEST_CASE("dead reckoning: the right wheel is faster, forwards and backwards",
           "[contract][robots]") {
   CRobotWorld world(Drifting("sigma=\"0.1\""));
   const Real mu = Actuator(world).GetDeviation();
@@ -94,16 +94,16 @@ TEST_CASE("dead reckoning: the right wheel is the faster one, ahead and back",
   const auto [leftBack, rightBack] = WheelsFor(world, -10.0, -10.0);
   CHECK_THAT(leftBack, WithinAbs(-0.1 * (1.0 - mu), 1e-16));
   CHECK(rightBack == -0.1);
-  // on a curve, the term is of the mean speed
+  // on a curve, the deviation is proportional to the mean speed
   const auto [leftTurn, rightTurn] = WheelsFor(world, 4.0, 12.0);
   CHECK(leftTurn == 0.04);
   CHECK_THAT(rightTurn, WithinAbs(0.12 + 0.08 * mu, 1e-16));
-  // neither on the spot nor at rest
+  // no deviation when turning in place or at rest
   CHECK(WheelsFor(world, 5.0, -5.0) == std::pair<Real, Real>(0.05, -0.05));
   CHECK(WheelsFor(world, 0.0, 0.0) == std::pair<Real, Real>(0.0, 0.0));
 }
 
-TEST_CASE("dead reckoning: a robot ordered straight on follows the circle of its mu",
+TEST_CASE("dead reckoning: a robot with equal orders for both wheels follows the circle of its mu",
           "[contract][robots]") {
   struct SType {
     const char* Tag;
@@ -121,11 +121,11 @@ TEST_CASE("dead reckoning: a robot ordered straight on follows the circle of its
   world.Step(kTicks);
   const auto& origin =
       world.Get<CComposableEntity>("r").GetComponent<CEmbodiedEntity>("body").GetOriginAnchor();
-  // around a point to the left, (0, radius)
+  // the centre of the circle is to the left, at (0, radius)
   const Real radius = type.Axis * (ahead ? 2.0 + mu : 2.0 - mu) / (2.0 * mu);
   CHECK_THAT(std::hypot(origin.Position.GetX(), origin.Position.GetY() - radius),
              WithinAbs(radius, 1e-12 * radius));
-  // and as far along it as the wheels' mean speed goes
+  // the length of the arc follows from the mean speed of the wheels
   const Real way = 0.01 * speed * (ahead ? 1.0 + 0.5 * mu : 1.0 - 0.5 * mu) * kTicks * kTick;
   const auto arc = testing::IntegrateDifferentialDrive({}, ahead ? 0.1 : -0.1 * (1.0 - mu),
                                                        ahead ? 0.1 * (1.0 + mu) : -0.1, type.Axis,
@@ -136,7 +136,7 @@ TEST_CASE("dead reckoning: a robot ordered straight on follows the circle of its
   CHECK((origin.Position.GetY() > 0.0));
 }
 
-TEST_CASE("dead reckoning: mu is drawn anew when the robot begins to hold something",
+TEST_CASE("dead reckoning: mu is drawn again when the robot grips something",
           "[contract][robots]") {
   constexpr int kGrips = 2000;
   const bool isDefault = GENERATE(true, false);
@@ -146,7 +146,7 @@ TEST_CASE("dead reckoning: mu is drawn anew when the robot begins to hold someth
   Grip(world, true);
   const Real second = Actuator(world).GetDeviation();
   CHECK(second != first);
-  // neither while it goes on holding nor when it lets go
+  // mu is kept while the robot holds something, and when it releases it
   world.GetRobot("r").Act();
   CHECK(Actuator(world).GetDeviation() == second);
   Grip(world, false);
@@ -164,7 +164,7 @@ TEST_CASE("dead reckoning: mu is drawn anew when the robot begins to hold someth
   CHECK(Actuator(world).GetDeviation() == first);
 }
 
-TEST_CASE("dead reckoning: a speed that is held drifts by the new mu at once",
+TEST_CASE("dead reckoning: a constant order is affected by the new mu at once",
           "[contract][robots]") {
   CRobotWorld world(DriftingPair("sigma=\"0.1\""));
   Actuator(world).SetLinearVelocity(10.0, 10.0);
@@ -174,10 +174,10 @@ TEST_CASE("dead reckoning: a speed that is held drifts by the new mu at once",
              WithinAbs(0.1 * (1.0 + Actuator(world).GetDeviation()), 1e-16));
 }
 
-TEST_CASE("dead reckoning: a robot that really grips drifts otherwise", "[contract][robots]") {
+TEST_CASE("dead reckoning: a grip by the engine changes mu", "[contract][robots]") {
   SRobotExperiment experiment = Drifting("sigma=\"0.01\"");
   experiment.Actuators += "<footbot_gripper implementation=\"default\"/>";
-  // a box that it drives into
+  // a box that the robot drives into
   experiment.Arena +=
       "<box id=\"load\" size=\"0.2,0.2,0.2\" movable=\"true\" mass=\"1\"><body "
       "position=\"0.25,0,0\"/></box>";
@@ -195,7 +195,7 @@ TEST_CASE("dead reckoning: a robot that really grips drifts otherwise", "[contra
   CHECK(Actuator(world).GetDeviation() != first);
 }
 
-TEST_CASE("dead reckoning: a robot without a gripper gets none", "[contract][robots]") {
+TEST_CASE("dead reckoning: creates no gripper or turret for robots", "[contract][robots]") {
   CRobotWorld world(Drifting());
   world.Step(2);
   for (const CEntity* component : world.Get<CFootBotEntity>("r").GetExistingComponents()) {
@@ -204,7 +204,7 @@ TEST_CASE("dead reckoning: a robot without a gripper gets none", "[contract][rob
   }
 }
 
-TEST_CASE("dead reckoning: differs between robots and seeds, and repeats after a reset",
+TEST_CASE("dead reckoning: mu differs between robots and seeds, and repeats after a reset",
           "[contract][robots]") {
   SRobotExperiment experiment = Drifting();
   experiment.Arena += Robot("foot-bot", "s", PoseText(CVector3(1.0, 0.0, 0.0)));
@@ -217,7 +217,7 @@ TEST_CASE("dead reckoning: differs between robots and seeds, and repeats after a
   CHECK(Actuator(world).GetDeviation() != mu);
 }
 
-TEST_CASE("dead reckoning: sigma 0 is no drift, and less is refused",
+TEST_CASE("dead reckoning: sigma 0 means no drift, and negative values are refused",
           "[contract][robots][errors]") {
   CRobotWorld world(Drifting("sigma=\"0\""));
   CHECK(WheelsFor(world, 10.0, 10.0) == std::pair<Real, Real>(0.1, 0.1));

@@ -1,4 +1,4 @@
-// What `argos3 -q` tells of robots, objects, devices and media: the examples in it load and run.
+// The examples in the output of `argos3 -q` for robots, objects, devices and media load and run.
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
@@ -19,10 +19,10 @@ using namespace argos;
 
 namespace {
 
-// those that examples name
+// media that the examples refer to
 const std::string kMedia = MediaForDevices();
 
-// the XML in a description: runs of lines that begin with two blanks and a tag
+// the XML examples of a description: runs of lines that begin with two blanks and a tag
 std::vector<std::string> ExamplesIn(const std::string& description) {
   std::vector<std::string> examples;
   std::istringstream lines(description);
@@ -48,7 +48,7 @@ std::string Replaced(std::string text, const std::string& from, const std::strin
   return text;
 }
 
-// content of an element: between the end of its first tag and its last one
+// content of an element: text between its start tag and its end tag
 std::string Inside(const std::string& element) {
   const size_t begin = element.find('>') + 1;
   return element.substr(begin, element.rfind("</") - begin);
@@ -63,7 +63,7 @@ void RunInArena(const std::string& arena) {
   experiment.Arena = arena;
   CTestWorld world(experiment);
   world.Step(2);
-  // of the controller, if there is no robot
+  // discards the warning about an unused controller
   TakeLogErr();
 }
 
@@ -99,7 +99,7 @@ void RunWithMedia(const std::string& media) {
 void RunWithEngines(const std::string& engines) {
   SExperiment experiment;
   experiment.Engines = engines;
-  // in the regions of the examples
+  // a place inside the regions of the examples
   experiment.Arena =
       "<box id=\"b\" size=\"1,1,1\" movable=\"false\"><body position=\"2,2,0\"/></box>";
   CTestWorld world(experiment);
@@ -107,7 +107,7 @@ void RunWithEngines(const std::string& engines) {
   CHECK(TakeLogErr() == "");
 }
 
-// runs every example of a description; gives their number
+// runs every example of a description; returns their number
 template <typename BASE>
 size_t RunExamples(const std::string& label, const std::string& section = "",
                    const std::string& robot = "") {
@@ -117,7 +117,7 @@ size_t RunExamples(const std::string& label, const std::string& section = "",
   for (const std::string& example : examples) {
     CAPTURE(label, example);
     if (example.find("<arena") != std::string::npos) {
-      // there is no such image here
+      // the image of the example does not exist here
       CHECK_NOTHROW(RunInArena(Replaced(Inside(example), "source=\"image\" path=\"floor.png\"",
                                         "source=\"loop_functions\" pixels_per_meter=\"1\"")));
     } else if (example.find("  <foot-bot") == 0) {
@@ -157,11 +157,11 @@ TEST_CASE("descriptions: examples of physics engines load and run", "[contract][
   CHECK(RunExamples<CPhysicsEngine>("pointmass3d") == 2);
 }
 
-TEST_CASE("descriptions: examples of every device load and run, on a robot that has it",
+TEST_CASE("descriptions: examples of every device load and run on a robot that supports it",
           "[contract][robots]") {
   for (const SListedDevice& device : ListedDevices()) {
     const std::string robot = device.Robots.substr(0, device.Robots.find(' '));
-    // the required XML, at least
+    // at least the example of the required XML
     if (device.Section == "sensors") {
       CHECK(RunExamples<CSimulatedSensor>(device.Label(), device.Section, robot) >= 1);
     } else {
@@ -170,7 +170,7 @@ TEST_CASE("descriptions: examples of every device load and run, on a robot that 
   }
 }
 
-TEST_CASE("descriptions: no example of a device is overlooked", "[contract][robots]") {
+TEST_CASE("descriptions: all examples of devices are found", "[contract][robots]") {
   CHECK(RunExamples<CSimulatedActuator>("differential_steering (default)", "actuators",
                                         "foot-bot") == 3);
   CHECK(RunExamples<CSimulatedActuator>("leds (default)", "actuators", "e-puck") == 2);

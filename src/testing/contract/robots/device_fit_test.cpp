@@ -1,4 +1,5 @@
-// Which device fits which robot: the list that was published with ARGoS 3, and our own devices.
+// Compares the devices that each robot supports with the list that was published with
+// ARGoS 3 and with our own devices.
 
 #include <argos3/core/simulator/actuator.h>
 #include <argos3/core/simulator/sensor.h>
@@ -17,7 +18,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-// the line of <controllers> in experiments of tests
+// position of <controllers> in experiments of tests
 const char* const kControllersAt = "test.argos:4:";
 
 SExperiment With(const SListedDevice& device, const std::string& robot) {
@@ -46,7 +47,7 @@ TEST_CASE("devices: every label is registered", "[contract][robots]") {
   }
 }
 
-TEST_CASE("devices: the list has every device that accepts a robot", "[contract][robots]") {
+TEST_CASE("devices: the list contains every device that accepts a robot", "[contract][robots]") {
   CSimulator simulator;
   const CSimulator::CScope scope(simulator);
   for (const std::string& robot : ListedRobots()) {
@@ -62,7 +63,7 @@ TEST_CASE("devices: the list has every device that accepts a robot", "[contract]
   }
 }
 
-TEST_CASE("devices: each runs on every robot that has it", "[contract][robots]") {
+TEST_CASE("devices: each runs on every robot that supports it", "[contract][robots]") {
   for (const SListedDevice& device : ListedDevices()) {
     for (const std::string& robot : ListedRobots()) {
       if (!device.IsOf(robot)) {
@@ -78,7 +79,7 @@ TEST_CASE("devices: each runs on every robot that has it", "[contract][robots]")
   }
 }
 
-TEST_CASE("devices: a robot without it is told of, with the line of the device",
+TEST_CASE("devices: the error on a robot without the component gives the line of the device",
           "[contract][robots][errors]") {
   for (const SListedDevice& device : ListedDevices()) {
     for (const std::string& robot : ListedRobots()) {
@@ -90,13 +91,13 @@ TEST_CASE("devices: a robot without it is told of, with the line of the device",
       CHECK_THAT(error, Contains("cannot be put into the arena"));
       CHECK_THAT(error, Contains(std::string(kControllersAt) + " the " + KindOf(device) + " <" +
                                  device.Tag + "> does not fit " + robot + " \"r\""));
-      // and what there is: the robot's components, or how many sensors it has
+      // the error lists the robot's components, or the number of its sensors
       CHECK_THAT(error, Contains("known: body, ") || Contains("robot \"r\" has "));
     }
   }
 }
 
-TEST_CASE("devices: an implementation that is not there is told of, with those that are",
+TEST_CASE("devices: the error on an unknown implementation lists the known ones",
           "[contract][robots][errors]") {
   for (SListedDevice device : ListedDevices()) {
     const std::string good = device.Label();
@@ -110,7 +111,8 @@ TEST_CASE("devices: an implementation that is not there is told of, with those t
   }
 }
 
-TEST_CASE("devices: what a robot must carry for them is told of", "[contract][robots][errors]") {
+TEST_CASE("devices: the error on a missing mounted component names it",
+          "[contract][robots][errors]") {
   for (const SListedDevice& device : ListedDevices()) {
     const bool isMounted = device.Tag == "simple_radios" || device.Tag == "tags" ||
                            device.Tag == "magnets" || device.Tag == "directional_leds";

@@ -1,4 +1,4 @@
-// The wheels of the robots: what controllers order, what wheels do, what encoders tell.
+// Wheels of robots: orders of controllers, speeds of wheels, readings of encoders.
 
 #include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
@@ -42,7 +42,7 @@ CWheeledEntity& WheelsOf(CRobotWorld& world) {
   return world.Get<CComposableEntity>("r").GetComponent<CWheeledEntity>("wheels");
 }
 
-// orders a speed num times, and gives what each order made of it for one wheel, m/s
+// gives the same order num times; returns the speed of one wheel after each order, m/s
 std::vector<Real> Orders(CRobotWorld& world, Real speed, size_t wheel, int num) {
   std::vector<Real> results;
   for (int i = 0; i < num; ++i) {
@@ -92,7 +92,7 @@ TEST_CASE("differential steering: orders in cm/s become wheel speeds in m/s in t
   CHECK(WheelsOf(world).GetWheelVelocity(0) == 0.0);
 }
 
-TEST_CASE("differential steering sensor: tells what was ordered", "[contract][robots]") {
+TEST_CASE("differential steering sensor: reads the orders", "[contract][robots]") {
   struct SCase {
     const char* Tag;
     Real Axis;  // cm
@@ -113,7 +113,7 @@ TEST_CASE("differential steering sensor: tells what was ordered", "[contract][ro
   CHECK_THAT(Reading(world).WheelAxisLength, WithinAbs(robot.Axis, 1e-14));
 }
 
-TEST_CASE("differential steering: a speed that is not finite names the robot",
+TEST_CASE("differential steering: the error on a speed that is not finite names the robot",
           "[contract][robots][errors]") {
   const Real bad =
       GENERATE(std::numeric_limits<Real>::quiet_NaN(), std::numeric_limits<Real>::infinity());
@@ -132,7 +132,8 @@ TEST_CASE("differential steering noise: the factor is drawn at each order", "[co
   constexpr int kOrders = 20000;
   CRobotWorld world(Wheels("factor_avg=\"1.5\" factor_stddev=\"0.2\""));
   const SMoments left = MomentsOf(Orders(world, 10.0, 0, kOrders));
-  // f (v + 0) with v = 0.1 m/s; five standard deviations of each estimate: one failure in a million
+  // f (v + 0) with v = 0.1 m/s; five standard deviations of each estimate
+  // are exceeded once in a million
   const Real deviation = 0.1 * 0.2;
   CHECK_THAT(left.Mean, WithinAbs(0.15, 5.0 * deviation / std::sqrt(kOrders)));
   CHECK_THAT(left.Deviation, WithinAbs(deviation, 5.0 * deviation / std::sqrt(2.0 * kOrders)));
@@ -145,7 +146,7 @@ TEST_CASE("differential steering noise: the bias is drawn once", "[contract][rob
   CHECK(left == std::vector<Real>(20, left[0]));
   CHECK(right == std::vector<Real>(20, right[0]));
   CHECK(left[0] != right[0]);
-  // six deviations around the mean
+  // tolerance of six deviations around the mean
   CHECK_THAT(left[0], WithinAbs(0.11, 0.012));
   CHECK(Orders(world, 0.0, 0, 1)[0] == 0.0);
   world.GetSimulator().Reset();
@@ -153,7 +154,7 @@ TEST_CASE("differential steering noise: the bias is drawn once", "[contract][rob
 }
 
 TEST_CASE(
-    "differential steering noise: biases of many robots have the mean and deviation asked for",
+    "differential steering noise: biases of many robots have the requested mean and deviation",
     "[contract][robots]") {
   constexpr int kRobots = 500;
   SRobotExperiment experiment = Wheels("bias_avg=\"0.01\" bias_stddev=\"0.002\"");
@@ -173,18 +174,19 @@ TEST_CASE(
     biases.push_back(wheels.GetWheelVelocity(1) - 0.1);
   }
   const SMoments moments = MomentsOf(biases);
-  // five standard deviations of each estimate: one failure in a million
+  // tolerance of five standard deviations of each estimate: one failure in a million
   CHECK_THAT(moments.Mean, WithinAbs(0.01, 5.0 * 0.002 / std::sqrt(2.0 * kRobots)));
   CHECK_THAT(moments.Deviation, WithinAbs(0.002, 5.0 * 0.002 / std::sqrt(4.0 * kRobots)));
 }
 
-TEST_CASE("differential steering noise: a wheel's own attribute wins", "[contract][robots]") {
+TEST_CASE("differential steering noise: the attribute of a single wheel has precedence",
+          "[contract][robots]") {
   CRobotWorld world(Wheels("bias_avg=\"0.01\" bias_avg_right=\"0.03\" factor_avg_left=\"2\""));
   CHECK_THAT(Orders(world, 10.0, 0, 1)[0], WithinAbs(2.0 * 0.11, 1e-15));
   CHECK_THAT(Orders(world, 10.0, 1, 1)[0], WithinAbs(0.13, 1e-15));
 }
 
-TEST_CASE("differential steering sensor noise: stays in its ranges and fills them",
+TEST_CASE("differential steering sensor noise: readings stay in their ranges and fill them",
           "[contract][robots]") {
   CRobotWorld world(Wheels("", "vel_noise_range=\"-1:2\" dist_noise_range=\"0.5:0.7\""));
   Actuator(world).SetLinearVelocity(10.0, 10.0);
@@ -199,12 +201,12 @@ TEST_CASE("differential steering sensor noise: stays in its ranges and fills the
   }
   CHECK(least >= 9.0 - 1e-12);
   CHECK(most <= 12.0 + 1e-12);
-  // of 1000 even draws none falls in the last 5 % with probability 5e-23
+  // of 1000 uniform draws none is in the last 5 % with a probability of 5e-23
   CHECK(least < 9.15);
   CHECK(most > 11.85);
 }
 
-TEST_CASE("differential steering: wrong experiments are refused with the reason",
+TEST_CASE("differential steering: invalid experiments are refused with the reason",
           "[contract][robots][errors]") {
   CHECK_THAT(LoadError(Wheels("bias_stddev=\"-1\"")),
              Contains("bias_stddev") && Contains(">= 0") && Contains("-1"));

@@ -1,5 +1,5 @@
-// What the eye-bot is made of, and what it sees: numbers published with ARGoS 3, written here a
-// second time.
+// Components and sensors of the eye-bot; the numbers are those
+// published with ARGoS 3, repeated here.
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/body_description.h>
@@ -25,7 +25,7 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-// a few roundings of numbers below 10
+// tolerance of a few roundings of numbers below 10
 constexpr Real kRounding = 1e-14;
 
 CEyeBotEntity& EyeBot(CRobotWorld& world, const std::string& id = "r") {
@@ -74,7 +74,7 @@ TEST_CASE("eye-bot: its body has the published measures", "[contract][robots]") 
   CHECK(robot.GetEmbodiedEntity().IsMovable());
 }
 
-TEST_CASE("eye-bot: its LEDs and sensors sit where they were published", "[contract][robots]") {
+TEST_CASE("eye-bot: its LEDs and sensors are at the published positions", "[contract][robots]") {
   CRobotWorld world(OneEyeBot());
   CEyeBotEntity& robot = EyeBot(world);
   const CLEDEquippedEntity& leds = robot.GetLEDEquippedEntity();
@@ -104,7 +104,7 @@ TEST_CASE("eye-bot: its LEDs and sensors sit where they were published", "[contr
   }
 }
 
-TEST_CASE("eye-bot: every getter gives the component of its name", "[contract][robots]") {
+TEST_CASE("eye-bot: every getter returns the component of its name", "[contract][robots]") {
   CRobotWorld world(OneEyeBot());
   CEyeBotEntity& robot = EyeBot(world);
   CHECK(&robot.GetComponent("body") == &robot.GetEmbodiedEntity());
@@ -117,13 +117,13 @@ TEST_CASE("eye-bot: every getter gives the component of its name", "[contract][r
   CHECK(&robot.GetComponent("rab") == &robot.GetRABEquippedEntity());
   CHECK(robot.GetRABEquippedEntity().GetMsgSize() == 10);
   CHECK(robot.GetRABEquippedEntity().GetRange() == 3.0);
-  // its device is at the origin
+  // the RAB device is at the origin
   CHECK(robot.GetRABEquippedEntity().GetPosition() ==
         robot.GetEmbodiedEntity().GetOriginAnchor().Position);
   CHECK_THROWS_WITH(robot.GetComponent("wheels"), Contains("no component \"wheels\""));
 }
 
-TEST_CASE("eye-bot: visualizations learn what it looks like", "[contract][robots]") {
+TEST_CASE("eye-bot: its appearance matches its body", "[contract][robots]") {
   CRobotWorld world(OneEyeBot());
   const SAppearance* appearance = EyeBot(world).GetAppearance();
   REQUIRE(appearance != nullptr);
@@ -139,7 +139,7 @@ TEST_CASE("eye-bot: visualizations learn what it looks like", "[contract][robots
           Distance(part.Position, EyeBot(world).GetLEDEquippedEntity().GetLEDOffset(part.LED)),
           WithinAbs(0.0, kRounding));
     } else {
-      // nothing is drawn where rays do not meet the body
+      // everything drawn is inside the body that rays hit
       const SBoundingBox box = [&part] {
         SBodyDescription solid;
         solid.Shapes.push_back(SShapeDescription::Box(part.Size));
@@ -151,12 +151,12 @@ TEST_CASE("eye-bot: visualizations learn what it looks like", "[contract][robots
     }
   }
   CHECK(leds == std::vector<int>(33, 1));
-  // the discs that four pairs of propellers sweep
+  // discs of four pairs of propellers
   CHECK(numTranslucent == 8);
 }
 
-TEST_CASE("eye-bot: its proximity sensors look at its own height", "[contract][sensors]") {
-  // a high wall ahead, and behind it one that ends 3.5 mm below the rays
+TEST_CASE("eye-bot: its proximity sensors are at its own height", "[contract][sensors]") {
+  // a high wall ahead, and behind the robot a wall that ends 3.5 mm below the rays
   SRobotExperiment experiment = OneEyeBot(
       "<eyebot_proximity implementation=\"default\"/><proximity implementation=\"default\"/>");
   const Real angle = 7.5 * M_PI / 180.0;  // of sensor 0
@@ -177,7 +177,7 @@ TEST_CASE("eye-bot: its proximity sensors look at its own height", "[contract][s
              WithinAbs(std::exp(-distance), kRounding));
 }
 
-TEST_CASE("eye-bot: its light sensors read as those of the foot-bot in its place",
+TEST_CASE("eye-bot: its light sensors read like those of a foot-bot in its place",
           "[contract][sensors]") {
   const std::string lamps =
       LampText("a", CVector3(1.5, 0.7, 0.8), 1.2) + LampText("b", CVector3(-0.4, 0.3, 0.9), 0.6);
@@ -200,7 +200,7 @@ TEST_CASE("eye-bot: its light sensors read as those of the foot-bot in its place
     CHECK(seen[i].Angle == expected[i].Angle);
     sum += seen[i].Value;
   }
-  // the lamps are in sight
+  // the lamps are not occluded
   CHECK(sum > 0.3);
 }
 
@@ -213,8 +213,9 @@ TEST_CASE("eye-bot: without a light, its light sensors read zeros", "[contract][
   }
 }
 
-TEST_CASE("eye-bot: its camera looks straight down and turns with it", "[contract][sensors]") {
-  // at 1.5 m; what is ahead of the robot is up in the image, what is on its left is left
+TEST_CASE("eye-bot: its camera looks straight down and turns with the robot",
+          "[contract][sensors]") {
+  // At a height of 1.5 m; ahead of the robot is up in the image, left of it is left.
   const Real yaw = GENERATE(0.0, 90.0, -135.0);  // degrees
   CAPTURE(yaw);
   SRobotExperiment experiment =
@@ -232,7 +233,7 @@ TEST_CASE("eye-bot: its camera looks straight down and turns with it", "[contrac
   camera.Enable();
   world.Step(2);
   REQUIRE(camera.GetReadings().BlobList.size() == 1);
-  // the image is as high as 2 f tan(40 degrees) 3/5; a pixel is 1/480 of that
+  // the image height is 2 f tan(40 degrees) 3/5; a pixel is 1/480 of it
   const Real pixelsPerTangent = 480.0 / (2.0 * std::tan(40.0 * M_PI / 180.0) * 0.6);
   CHECK(camera.GetReadings().BlobList[0]->X ==
         static_cast<SInt32>(320.0 - pixelsPerTangent * 0.1 / 1.5));
@@ -240,7 +241,7 @@ TEST_CASE("eye-bot: its camera looks straight down and turns with it", "[contrac
         static_cast<SInt32>(240.0 - pixelsPerTangent * 0.2 / 1.5));
 }
 
-TEST_CASE("eye-bot: programs make it with one call", "[contract][robots]") {
+TEST_CASE("eye-bot: programs create it by one call", "[contract][robots]") {
   SRobotExperiment experiment;
   experiment.Engine = "<pointmass3d id=\"engine\"/>";
   experiment.Actuators = "<quadrotor_position implementation=\"default\"/>";
@@ -264,7 +265,7 @@ TEST_CASE("eye-bot: programs make it with one call", "[contract][robots]") {
       Contains("eye-bot \"e\"") && Contains("camera_aperture"));
 }
 
-TEST_CASE("eye-bot: attributes are read, checked, and have their defaults",
+TEST_CASE("eye-bot: attributes are read and checked, and have the documented defaults",
           "[contract][robots][errors]") {
   const auto withAttributes = [](const std::string& attributes) {
     SRobotExperiment experiment;
@@ -293,7 +294,7 @@ TEST_CASE("eye-bot: attributes are read, checked, and have their defaults",
                WithinAbs(20.0, kRounding));
     CHECK(parameters.PerspectiveCamera.FocalLength == 0.1);
     CHECK(parameters.PerspectiveCamera.Range == 4.0);
-    // everything was read
+    // no warning about unused attributes
     CHECK(TakeLogErr() == "");
   }
   for (const std::string attribute :

@@ -1,4 +1,4 @@
-// The foot-bot's gripper and turret as controllers see them.
+// Gripper and turret of the foot-bot as seen by controllers.
 
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_gripper_actuator.h>
@@ -10,6 +10,7 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_gripper_actuator.h>
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 #include <argos3/testing/contract/sensors/scene.h>
+#include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
@@ -26,8 +27,8 @@ namespace {
 
 using TTurret = CCI_FootBotTurretActuator;
 
-constexpr Real kRadius = 0.085036758;  // m, of a foot-bot
-constexpr Real kHalf = 0.1;  // m, of a thing to be gripped
+constexpr Real kRadius = kFootBotRadius;
+constexpr Real kHalf = 0.1;  // m, of an object to be gripped
 constexpr Real kReach = 0.01;  // m, around the gripper's point
 constexpr Real kNaN = std::numeric_limits<Real>::quiet_NaN();
 
@@ -40,7 +41,7 @@ SRobotExperiment With(const std::string& actuators, const std::string& sensors =
   return experiment;
 }
 
-// a movable thing near a foot-bot at the origin that looks along x; (x, y) is its nearest point
+// a movable object near a foot-bot at the origin that faces along x; (x, y) is its nearest point
 std::string Thing(const std::string& kind, Real x, Real y) {
   if (kind == "foot-bot") {
     return Robot("foot-bot", "thing", "position=\"" + ToText(CVector3(x + kRadius, y, 0)) + "\"");
@@ -54,7 +55,7 @@ std::string Thing(const std::string& kind, Real x, Real y) {
 
 bool Grips(CRobotWorld& world) {
   world.GetActuator<CCI_FootBotGripperActuator>("r", "footbot_gripper").LockPositive();
-  // orders are followed in the tick after them
+  // orders act in the next tick
   world.Step();
   return world.Get<CFootBotEntity>("r").GetGripperEquippedEntity().IsGripping();
 }
@@ -75,7 +76,7 @@ SRobotExperiment WithTurret(const std::string& engine = "dynamics2d") {
 
 }  // namespace
 
-TEST_CASE("gripper actuator: it is locked above a half, from the next tick on",
+TEST_CASE("gripper actuator: it is locked above one half, from the next tick on",
           "[contract][robots]") {
   CRobotWorld world(With("<gripper implementation=\"default\"/>"));
   auto& actuator = world.GetActuator<CCI_GripperActuator>("r", "gripper");
@@ -115,7 +116,7 @@ TEST_CASE("footbot_gripper: it is locked beyond 45 degrees to either side", "[co
   CHECK_FALSE(gripper.IsLocked());
   CHECK_THAT(lockStateAt(-60.0), WithinAbs(2.0 / 3.0, 1e-12));
   CHECK(gripper.IsLocked());
-  // cut to 90 degrees, after a full turn is taken off
+  // clamped to 90 degrees after removing full turns
   CHECK(lockStateAt(170.0) == 1.0);
   CHECK_THAT(lockStateAt(360.0 + 9.0), WithinAbs(0.1, 1e-12));
   actuator.LockPositive();
@@ -137,18 +138,17 @@ TEST_CASE("footbot_gripper: it is locked beyond 45 degrees to either side", "[co
   CHECK_FALSE(gripper.IsLocked());
 }
 
-TEST_CASE("gripper: it is where the foot-bot's measures say", "[contract][robots]") {
+TEST_CASE("gripper: its position follows the foot-bot's measures", "[contract][robots]") {
   CRobotWorld world(With("<gripper implementation=\"default\"/>"));
   CGripperEquippedEntity& gripper = world.Get<CFootBotEntity>("r").GetGripperEquippedEntity();
-  CHECK(gripper.GetOffset() == CVector3(0.085036758, 0.0, 0.085));
+  CHECK(gripper.GetOffset() == CVector3(kFootBotRadius, 0.0, 0.085));
   CHECK(gripper.GetDirection() == CVector3::X);
   gripper.SetOffset(CVector3(0.1, 0.0, 0.1));
   world.GetSimulator().Reset();
-  CHECK(gripper.GetOffset() == CVector3(0.085036758, 0.0, 0.085));
+  CHECK(gripper.GetOffset() == CVector3(kFootBotRadius, 0.0, 0.085));
 }
 
-TEST_CASE("footbot_gripper: reaches as far as a disc of 1 cm around its point",
-          "[contract][robots]") {
+TEST_CASE("footbot_gripper: its reach is a disc of 1 cm around its point", "[contract][robots]") {
   const std::string kind = GENERATE(as<std::string>(), "box", "cylinder", "foot-bot");
   CAPTURE(kind);
   const auto isHeld = [&kind](Real gap, Real side) {
@@ -157,12 +157,12 @@ TEST_CASE("footbot_gripper: reaches as far as a disc of 1 cm around its point",
     CRobotWorld world(experiment);
     return Grips(world);
   };
-  // the engine counts in single precision
+  // tolerance for the single precision of the engine
   CHECK(isHeld(0.001, 0.0));
   CHECK(isHeld(kReach - 1e-5, 0.0));
   CHECK_FALSE(isHeld(kReach + 1e-5, 0.0));
   if (kind == "box") {
-    // its corner, on a diagonal
+    // the corner of the box, along a diagonal
     const Real diagonal = kReach * std::sqrt(0.5);
     CHECK(isHeld(diagonal - 1e-5, diagonal - 1e-5));
     CHECK_FALSE(isHeld(diagonal + 1e-5, diagonal + 1e-5));
@@ -171,7 +171,7 @@ TEST_CASE("footbot_gripper: reaches as far as a disc of 1 cm around its point",
 
 TEST_CASE("footbot_gripper: the disc turns with the robot and with its turret",
           "[contract][robots]") {
-  // what is beside the robot is gripped when it, or its turret, looks there
+  // an object beside the robot is gripped if the robot or its turret faces it
   SRobotExperiment experiment = With(
       "<footbot_gripper implementation=\"default\"/><footbot_turret implementation=\"default\"/>");
   experiment.Arena +=
@@ -188,7 +188,8 @@ TEST_CASE("footbot_gripper: the disc turns with the robot and with its turret",
   CHECK(Grips(turned));
 }
 
-TEST_CASE("footbot_gripper: what it holds comes along until it is let go", "[contract][robots]") {
+TEST_CASE("footbot_gripper: a gripped object follows the robot until it is released",
+          "[contract][robots]") {
   const std::string kind = GENERATE(as<std::string>(), "box", "cylinder", "foot-bot");
   CAPTURE(kind);
   SRobotExperiment experiment = With(
@@ -199,7 +200,7 @@ TEST_CASE("footbot_gripper: what it holds comes along until it is let go", "[con
   REQUIRE(Grips(world));
   const CVector3 arm = PositionOf(world, "thing") - PositionOf(world, "r");
   auto& wheels = world.GetActuator<CCI_DifferentialSteeringActuator>("r", "differential_steering");
-  // the gripped foot-bot rolls along: its drive would brake with 15 N
+  // the wheels of a gripped foot-bot roll along: otherwise its drive would brake with 15 N
   if (kind == "foot-bot") {
     world.GetActuator<CCI_DifferentialSteeringActuator>("thing", "differential_steering")
         .SetLinearVelocity(-5.0, -5.0);
@@ -215,7 +216,7 @@ TEST_CASE("footbot_gripper: what it holds comes along until it is let go", "[con
     world.GetActuator<CCI_DifferentialSteeringActuator>("thing", "differential_steering")
         .SetLinearVelocity(0.0, 0.0);
   }
-  // 5 cm/s are gone after 0.034 s of 1.49 m/s^2
+  // friction stops 5 cm/s after 0.034 s at 1.49 m/s^2
   world.Step(3);
   const CVector3 left = PositionOf(world, "thing");
   world.Step(20);
@@ -223,7 +224,7 @@ TEST_CASE("footbot_gripper: what it holds comes along until it is let go", "[con
   CHECK_THAT(PositionOf(world, "r").GetX(), WithinAbs(-0.2 - 0.05 * 2.3, 1e-3));
 }
 
-TEST_CASE("footbot_gripper: closing on nothing is no mistake, and nothing is moved by it",
+TEST_CASE("footbot_gripper: closing without an object in reach is no error and has no effect",
           "[contract][robots]") {
   SRobotExperiment experiment = With(
       "<footbot_gripper implementation=\"default\"/>"
@@ -237,8 +238,9 @@ TEST_CASE("footbot_gripper: closing on nothing is no mistake, and nothing is mov
   CHECK_FALSE(world.Get<CFootBotEntity>("r").GetGripperEquippedEntity().IsGripping());
 }
 
-TEST_CASE("gripper entity: what it is given must be a number, what it holds must be there",
-          "[contract][robots]") {
+TEST_CASE(
+    "gripper entity: values must be finite, and access to a missing gripped entity is an error",
+    "[contract][robots]") {
   CGripperEquippedEntity gripper(nullptr, "g", CVector3(1, 0, 0), CVector3::Y, 0.3);
   CHECK(gripper.GetTypeDescription() == "gripper");
   CHECK(gripper.GetDirection() == CVector3::Y);
@@ -252,21 +254,22 @@ TEST_CASE("gripper entity: what it is given must be a number, what it holds must
   CHECK_THROWS_WITH(gripper.GetGrippedEntity(), Contains("holds nothing"));
 }
 
-TEST_CASE("footbot_turret: the encoder reads where orders have turned it", "[contract][robots]") {
-  // in an engine that knows turrets with loads, and in one that only turns them
+TEST_CASE("footbot_turret: the encoder reads the rotation that orders have caused",
+          "[contract][robots]") {
+  // in an engine that supports turrets with loads, and in one that only turns them
   const std::string engine = GENERATE(as<std::string>(), "dynamics2d", "pointmass3d");
   CAPTURE(engine);
   CRobotWorld world(WithTurret(engine));
   auto& actuator = world.GetActuator<TTurret>("r", "footbot_turret");
   auto& encoder = world.GetSensor<CCI_FootBotTurretEncoderSensor>("r", "footbot_turret_encoder");
-  // targets are kept in every mode
+  // targets are stored in every mode
   actuator.SetRotation(CRadians(1.0));
   actuator.SetRotationSpeed(-3);
   world.Step(5);
   CHECK(encoder.GetRotation() == CRadians::ZERO);
   actuator.SetSpeedControlMode();
   world.Step(20);
-  // -3 turns a minute for 2 s: a turn of 36 degrees
+  // -3 turns a minute for 2 s are 36 degrees
   CHECK_THAT(encoder.GetRotation().GetValue(), WithinAbs(-0.2 * ARGOS_PI, 1e-12));
   actuator.SetPassiveMode();
   world.Step(20);
@@ -277,7 +280,7 @@ TEST_CASE("footbot_turret: the encoder reads where orders have turned it", "[con
   actuator.SetActiveWithRotation(CRadians(-2.0));
   world.Step(400);
   CHECK_THAT(encoder.GetRotation().GetValue(), WithinAbs(-2.0, 1e-4));
-  // all the way round, within (-pi,pi]
+  // several turns, within (-pi,pi]
   actuator.SetMode(TTurret::MODE_SPEED_CONTROL);
   actuator.SetRotationSpeed(60);
   for (int tick = 0; tick < 50; ++tick) {
@@ -292,7 +295,8 @@ TEST_CASE("footbot_turret: the encoder reads where orders have turned it", "[con
   CHECK(encoder.GetRotation() == CRadians::ZERO);
 }
 
-TEST_CASE("footbot_turret: constants and errors", "[contract][robots]") {
+TEST_CASE("footbot_turret: constants are those of ARGoS 3, and invalid orders are errors",
+          "[contract][robots]") {
   CHECK(TTurret::SPEED_RANGE.GetMin() == -4);
   CHECK(TTurret::SPEED_RANGE.GetMax() == 4);
   CHECK(CCI_FootBotGripperActuator::UNLOCKED == CRadians::ZERO);
@@ -306,7 +310,7 @@ TEST_CASE("footbot_turret: constants and errors", "[contract][robots]") {
   CHECK_THROWS_WITH(turret.SetDesiredRotationSpeed(CRadians(kNaN)), Contains("desired speed"));
 }
 
-TEST_CASE("gripper and turret: robots without them cannot have the devices",
+TEST_CASE("gripper and turret: the devices are refused for robots without the components",
           "[contract][robots][errors]") {
   const std::string device = GENERATE(as<std::string>(), "gripper", "footbot_turret");
   CAPTURE(device);
@@ -323,14 +327,14 @@ namespace {
 constexpr int kDraws = 4000;
 const std::string kNoise = "model=\"gaussian\" std_dev=\"0.1\" bias=\"0.05\"";
 
-// what a <noise> of kNoise adds
+// distribution of the noise of kNoise
 Real NoiseDistribution(Real deviation) {
   return NormalDistribution(deviation - 0.05, 0.1);
 }
 
 }  // namespace
 
-TEST_CASE("gripper noise: it is on the aperture, and on the lock state, of each new order",
+TEST_CASE("gripper noise: is on the aperture or the lock state of each new order",
           "[contract][robots][noise]") {
   const bool isFootBots = GENERATE(true, false);
   const std::string tag = isFootBots ? "footbot_gripper" : "gripper";
@@ -350,22 +354,22 @@ TEST_CASE("gripper noise: it is on the aperture, and on the lock state, of each 
     world.GetRobot("r").Act();
     return gripper.GetLockState() * (isFootBots ? 0.5 * ARGOS_PI : 1.0);
   };
-  // nothing is ordered: nothing is drawn
+  // without a new order nothing is drawn
   CHECK(order(0.0) == 0.0);
-  // so far from the ends that the noise is not cut: 4.5 standard deviations are passed 7 times in a
-  // million
+  // Far enough from the limits that the noise is not clamped: 4.5 standard deviations are
+  // exceeded 7 times in a million.
   const Real middle = isFootBots ? 0.7 : 0.45;
   std::vector<Real> deviations;
   for (int i = 0; i < kDraws; ++i) {
-    // two orders, which take turns
+    // two alternating orders
     const Real value = i % 2 == 0 ? middle : middle + 0.01;
     const Real followed = order(value);
     deviations.push_back(followed - value);
-    // the same order again is no new one
+    // repeating an order draws nothing
     CHECK(order(value) == followed);
   }
   CHECK(KolmogorovSmirnovExcess(deviations, &NoiseDistribution) <= 1.0);
-  // what is beyond the ends is cut
+  // values beyond the limits are clamped
   const Real end = isFootBots ? 0.5 * ARGOS_PI : 1.0;
   bool isCut = false;
   for (int i = 0; i < 20; ++i) {
@@ -382,7 +386,7 @@ TEST_CASE("gripper noise: it is on the aperture, and on the lock state, of each 
   CHECK(order(middle) == first);
 }
 
-TEST_CASE("footbot_turret noise: it is on each order", "[contract][robots][noise]") {
+TEST_CASE("footbot_turret noise: is on each order", "[contract][robots][noise]") {
   const bool isRotation = GENERATE(true, false);
   CAPTURE(isRotation);
   SRobotExperiment experiment =
@@ -400,17 +404,17 @@ TEST_CASE("footbot_turret noise: it is on each order", "[contract][robots][noise
     const Real rotation = turret.GetDesiredRotation().GetValue() - 1.0;
     const Real speed = turret.GetDesiredRotationSpeed().GetValue() * 30.0 / ARGOS_PI - 3.0;
     deviations.push_back(isRotation ? rotation : speed);
-    // the other one is exact, but for roundings of 3
+    // the quantity without noise is exact, except for roundings of 3
     REQUIRE_THAT(isRotation ? speed : rotation, WithinAbs(0.0, 1e-15));
   }
   CHECK(KolmogorovSmirnovExcess(deviations, &NoiseDistribution) <= 1.0);
-  // an order that holds is not drawn again
+  // an unchanged order is not drawn again
   const CRadians rotation = turret.GetDesiredRotation();
   world.GetRobot("r").Act();
   CHECK(turret.GetDesiredRotation() == rotation);
 }
 
-TEST_CASE("footbot_turret_encoder noise: it is on each reading, which stays in its range",
+TEST_CASE("footbot_turret_encoder noise: is on each reading, which stays in its range",
           "[contract][robots][noise]") {
   const Real rotation = GENERATE(0.5, -3.1);
   CAPTURE(rotation);
@@ -433,7 +437,7 @@ TEST_CASE("footbot_turret_encoder noise: it is on each reading, which stays in i
   CHECK(greatest <= ARGOS_PI);
 }
 
-TEST_CASE("gripper and turret noise: what is wrong is refused with the names that are right",
+TEST_CASE("gripper and turret noise: invalid noise is refused with the accepted names",
           "[contract][robots][errors]") {
   const auto [tag, known] =
       GENERATE(table<std::string, std::string>({{"gripper", "lock_state"},

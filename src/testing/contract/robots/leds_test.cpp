@@ -1,4 +1,4 @@
-// The LEDs of robots: what controllers order, and what a medium shows to cameras.
+// LEDs of robots: orders of controllers, and their visibility in a medium.
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
@@ -32,7 +32,7 @@ CLEDEquippedEntity& LEDs(CRobotWorld& world) {
   return world.Get<CFootBotEntity>("r").GetLEDEquippedEntity();
 }
 
-// ids of the LEDs that the medium's index finds anywhere
+// ids of all LEDs in the medium's index
 std::set<std::string> LitLEDs(CRobotWorld& world) {
   class CCollect : public CPositionalIndex<CLEDEntity>::COperation {
    public:
@@ -69,8 +69,7 @@ TEST_CASE("leds actuator: colours reach the robot in the next tick", "[contract]
   CHECK(LEDs(world).GetLEDColor(3) == CColor::BLACK);
 }
 
-TEST_CASE("leds actuator: LEDs that are lit are in the medium, black ones are not",
-          "[contract][robots]") {
+TEST_CASE("leds actuator: the medium contains lit LEDs, but not black ones", "[contract][robots]") {
   CRobotWorld world(WithLEDs());
   world.Step();
   CHECK(LitLEDs(world).empty());
@@ -83,7 +82,7 @@ TEST_CASE("leds actuator: LEDs that are lit are in the medium, black ones are no
   CHECK(LitLEDs(world).empty());
 }
 
-TEST_CASE("leds: follow the body they sit on", "[contract][robots]") {
+TEST_CASE("leds: follow their body", "[contract][robots]") {
   CRobotWorld world(WithLEDs());
   Actuator(world).SetAllColors(CColor::RED);
   world.Step();
@@ -95,7 +94,7 @@ TEST_CASE("leds: follow the body they sit on", "[contract][robots]") {
       const Real angle = (15.0 + 30.0 * i + 30.0) * M_PI / 180.0;
       const CVector3 expected(-1.0 + 0.090036758 * std::cos(angle),
                               0.5 + 0.090036758 * std::sin(angle), 0.085);
-      // a few roundings of numbers near 1
+      // tolerance of a few roundings of numbers near 1
       CHECK_THAT(Distance(LEDs(world).GetLED(i).GetPosition(), expected), WithinAbs(0.0, 1e-15));
     }
   };
@@ -104,7 +103,7 @@ TEST_CASE("leds: follow the body they sit on", "[contract][robots]") {
   checkPlaces();
 }
 
-TEST_CASE("leds: without the actuator there are no LED entities, and no camera sees any",
+TEST_CASE("leds: without the actuator there are no LED entities in the medium",
           "[contract][robots]") {
   SRobotExperiment experiment = WithLEDs();
   experiment.Actuators = "";
@@ -122,14 +121,14 @@ TEST_CASE("leds: robots are removed with their LEDs", "[contract][robots]") {
   world.Step();
   CHECK(LitLEDs(world).size() == 13);
   world.GetSimulator().GetLoopFunctions().RemoveEntity("r");
-  // at once, not only after the next update
+  // immediately, not only after the next update
   CHECK(LitLEDs(world).empty());
   world.Step();
 }
 
-TEST_CASE("leds actuator: wrong orders and experiments are refused with the reason",
+TEST_CASE("leds actuator: invalid orders and experiments are refused with the reason",
           "[contract][robots][errors]") {
-  SECTION("an LED that is not there") {
+  SECTION("an unknown LED") {
     CRobotWorld world(WithLEDs());
     CHECK_THROWS_WITH(Actuator(world).SetSingleColor(13, CColor::RED),
                       Contains("no LED 13") && Contains("13 LEDs"));
@@ -137,18 +136,18 @@ TEST_CASE("leds actuator: wrong orders and experiments are refused with the reas
     CHECK_THROWS_WITH(Actuator(world).SetAllColors(CCI_LEDsActuator::TSettings(2)),
                       Contains("2 colors for 13 LEDs"));
   }
-  SECTION("a medium that is not there") {
+  SECTION("an unknown medium") {
     SRobotExperiment experiment = WithLEDs();
     experiment.Actuators = "<leds implementation=\"default\" medium=\"led\"/>";
     CHECK_THAT(LoadError(experiment),
                Contains("\"led\"") && Contains("leds") && Contains("test.argos:"));
   }
-  SECTION("a medium that is not for LEDs") {
+  SECTION("a medium of the wrong type") {
     SRobotExperiment experiment = WithLEDs();
     experiment.Media = "<toy_medium id=\"leds\"/>";
     CHECK_THAT(LoadError(experiment), Contains("LED medium") && Contains("leds"));
   }
-  SECTION("no medium given") {
+  SECTION("a missing medium") {
     SRobotExperiment experiment = WithLEDs();
     experiment.Actuators = "<leds implementation=\"default\"/>";
     CHECK_THAT(LoadError(experiment), Contains("medium"));

@@ -1,4 +1,4 @@
-// What controllers order of directional LEDs, tags and magnets that robots carry.
+// Orders of controllers to directional LEDs, tags and magnets of robots.
 
 #include <argos3/plugins/robots/generic/control_interface/ci_directional_leds_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_magnets_actuator.h>
@@ -43,7 +43,7 @@ COMPONENT& Component(CRobotWorld& world, const std::string& type) {
 
 }  // namespace
 
-TEST_CASE("directional leds actuator: colours reach the robot in the next tick, and go back",
+TEST_CASE("directional leds actuator: colours change in the next tick, and a reset restores them",
           "[contract][robots]") {
   const std::string tag = GENERATE("foot-bot", "e-puck", "eye-bot");
   CRobotWorld world(With("<directional_leds implementation=\"default\"/>", tag));
@@ -51,7 +51,7 @@ TEST_CASE("directional leds actuator: colours reach the robot in the next tick, 
   auto& leds = Component<CDirectionalLEDEquippedEntity>(world, "directional_leds");
   REQUIRE(actuator.GetNumLEDs() == 2);
   world.Step();
-  // without an order, they keep the colours of the file
+  // without orders the LEDs keep the colours of the file
   CHECK(leds.GetLED(0).GetColor() == CColor::RED);
   CHECK(leds.GetLED(1).GetColor() == CColor::BLACK);
   actuator.SetSingleColor(1, CColor::GREEN);
@@ -77,7 +77,7 @@ TEST_CASE("directional leds actuator: colours reach the robot in the next tick, 
   CHECK_THROWS_WITH(actuator.SetAllColors(std::vector<CColor>(3)), Contains("3 colors for 2"));
 }
 
-TEST_CASE("tags actuator: payloads reach the robot in the next tick, and go back",
+TEST_CASE("tags actuator: payloads change in the next tick, and a reset restores them",
           "[contract][robots]") {
   const std::string tag = GENERATE("foot-bot", "e-puck", "eye-bot");
   CRobotWorld world(With("<tags implementation=\"default\"/>", tag));
@@ -102,7 +102,7 @@ TEST_CASE("tags actuator: payloads reach the robot in the next tick, and go back
   CHECK_THROWS_WITH(actuator.SetSinglePayload(2, "x"), Contains("no tag 2") && Contains("2 tags"));
 }
 
-TEST_CASE("magnets actuator: currents reach the magnets in the next tick", "[contract][robots]") {
+TEST_CASE("magnets actuator: currents change in the next tick", "[contract][robots]") {
   const std::string tag = GENERATE("foot-bot", "e-puck", "eye-bot");
   CRobotWorld world(With("<magnets implementation=\"default\"/>", tag));
   auto& interfaces = world.GetActuator<CCI_MagnetsActuator>("r", "magnets").GetInterfaces();
@@ -121,7 +121,7 @@ TEST_CASE("magnets actuator: currents reach the magnets in the next tick", "[con
   CHECK_THROWS_WITH(world.Step(), Contains("\"r\" failed to act"));
 }
 
-TEST_CASE("magnets actuator: noise is on the current, drawn in each tick",
+TEST_CASE("magnets actuator: noise is on the current and drawn in each tick",
           "[contract][robots][noise]") {
   CRobotWorld world(
       With("<magnets implementation=\"default\"><noise on=\"current\" model=\"gaussian\" "
@@ -137,7 +137,7 @@ TEST_CASE("magnets actuator: noise is on the current, drawn in each tick",
             currents, [](Real current) { return NormalDistribution(current - 2.0, 0.2); }) < 1.0);
 }
 
-TEST_CASE("mounted devices: a robot that carries none is refused by name",
+TEST_CASE("mounted devices: a robot without the component is refused by name",
           "[contract][robots][errors]") {
   const std::string device = GENERATE("directional_leds", "tags", "magnets");
   SRobotExperiment experiment = With("<" + device + " implementation=\"default\"/>");

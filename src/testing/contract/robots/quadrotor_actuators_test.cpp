@@ -1,4 +1,4 @@
-// What controllers order of flying robots, and what of it reaches the propellers.
+// Orders of controllers to flying robots, and the resulting targets of the propellers.
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/plugins/robots/eye-bot/simulator/eyebot_entity.h>
@@ -22,7 +22,7 @@ constexpr Real kRounding = 1e-15;
 const std::string kPosition = "<quadrotor_position implementation=\"default\"/>";
 const std::string kSpeed = "<quadrotor_speed implementation=\"default\"/>";
 
-// in an engine in which nothing moves
+// an experiment with an engine in which nothing moves
 SRobotExperiment WithActuators(const std::string& actuators, const std::string& tag = "eye-bot") {
   SRobotExperiment experiment;
   experiment.Actuators = actuators;
@@ -44,8 +44,9 @@ CQuadRotorEntity& Propellers(CRobotWorld& world) {
 
 }  // namespace
 
-TEST_CASE("quadrotor position: starts where the robot is, and orders act in the next tick",
-          "[contract][robots]") {
+TEST_CASE(
+    "quadrotor position: the initial target is the robot's pose, and orders act in the next tick",
+    "[contract][robots]") {
   CRobotWorld world(WithActuators(kPosition));
   CHECK(Propellers(world).GetControlMethod() == CQuadRotorEntity::POSITION_CONTROL);
   world.Step();
@@ -63,10 +64,10 @@ TEST_CASE("quadrotor position: starts where the robot is, and orders act in the 
   CHECK(Propellers(world).GetPositionControlData().Position == CVector3(1, 2, 0.3));
 }
 
-TEST_CASE("quadrotor position: relative orders are from the robot as it is at the call",
+TEST_CASE("quadrotor position: relative orders refer to the robot's pose at the call",
           "[contract][robots]") {
   CRobotWorld world(WithActuators(kPosition));
-  // it looks along y: ahead is y, left is -x
+  // the robot faces along y: ahead is y, left is -x
   Places(world).SetRelativePosition(CVector3(0.5, 0.25, -0.1));
   Places(world).SetRelativeYaw(CRadians(0.75));
   world.Get<CEyeBotEntity>("r").GetEmbodiedEntity().MoveTo(CVector3(3, 3, 0.3), CQuaternion());
@@ -74,14 +75,14 @@ TEST_CASE("quadrotor position: relative orders are from the robot as it is at th
   const auto& data = Propellers(world).GetPositionControlData();
   CHECK_THAT(Distance(data.Position, CVector3(0.75, 2.5, 0.2)), WithinAbs(0.0, kRounding));
   CHECK_THAT(data.Yaw.GetValue(), WithinAbs(0.5 * M_PI + 0.75, kRounding));
-  // a new order of the yaw leaves that of the position
+  // a new order of the yaw keeps that of the position
   Places(world).SetRelativeYaw(CRadians(-0.25));
   world.Step();
   CHECK_THAT(Distance(data.Position, CVector3(0.75, 2.5, 0.2)), WithinAbs(0.0, kRounding));
   CHECK_THAT(data.Yaw.GetValue(), WithinAbs(-0.25, kRounding));
 }
 
-TEST_CASE("quadrotor speed: starts from rest, and orders act in the next tick",
+TEST_CASE("quadrotor speed: the initial target is zero, and orders act in the next tick",
           "[contract][robots]") {
   CRobotWorld world(WithActuators(kSpeed));
   CHECK(Propellers(world).GetControlMethod() == CQuadRotorEntity::SPEED_CONTROL);
@@ -101,7 +102,7 @@ TEST_CASE("quadrotor speed: starts from rest, and orders act in the next tick",
   CHECK(Propellers(world).GetSpeedControlData().RotSpeed == CRadians());
 }
 
-TEST_CASE("quadrotor actuators: wrong orders are refused and change nothing",
+TEST_CASE("quadrotor actuators: invalid orders are refused and change nothing",
           "[contract][robots][errors]") {
   const Real bad =
       GENERATE(std::numeric_limits<Real>::quiet_NaN(), std::numeric_limits<Real>::infinity(), -2e9);
@@ -123,7 +124,7 @@ TEST_CASE("quadrotor actuators: wrong orders are refused and change nothing",
   CHECK(Propellers(speeds).GetSpeedControlData().Velocity == CVector3());
 }
 
-TEST_CASE("quadrotor actuators: one of them, and only on a robot with propellers",
+TEST_CASE("quadrotor actuators: only one is accepted, and only on a robot with propellers",
           "[contract][robots][errors]") {
   CHECK_THAT(LoadError(WithActuators(kPosition + kSpeed)),
              Contains("actuator \"quadrotor_speed\": the propellers of robot \"r\" already have an "
@@ -137,7 +138,7 @@ TEST_CASE("quadrotor actuators: one of them, and only on a robot with propellers
              Contains("\"r\"") && Contains("no component \"wheels\""));
 }
 
-TEST_CASE("quadrotor actuators: a robot that gets another controller gets its actuators too",
+TEST_CASE("quadrotor actuators: a new controller of a robot gets its actuators too",
           "[contract][robots]") {
   CRobotWorld world(WithActuators(kPosition));
   CControllableEntity& robot = world.GetRobot("r");
@@ -149,7 +150,7 @@ TEST_CASE("quadrotor actuators: a robot that gets another controller gets its ac
   CHECK(Propellers(world).GetPositionControlData().Position == CVector3(4, 5, 6));
 }
 
-TEST_CASE("quadrotor actuators: noise has the distribution asked for, on what it is asked for",
+TEST_CASE("quadrotor actuators: noise has the requested distribution on the requested quantity",
           "[contract][robots][noise]") {
   constexpr int kOrders = 4000;
   {
@@ -187,7 +188,7 @@ TEST_CASE("quadrotor actuators: noise has the distribution asked for, on what it
   }
 }
 
-TEST_CASE("quadrotor actuators: noise starts over at a reset, and differs between robots",
+TEST_CASE("quadrotor actuators: noise repeats after a reset and differs between robots",
           "[contract][robots][noise]") {
   SRobotExperiment experiment = WithActuators(WithNoise(
       "quadrotor_speed implementation=\"default\"", "model=\"gaussian\" std_dev=\"0.2\""));

@@ -1,4 +1,4 @@
-// What the robots are made of: numbers published with ARGoS 3, written here a second time.
+// Components of robots; the numbers are those published with ARGoS 3, repeated here.
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/body_description.h>
@@ -83,7 +83,7 @@ TEST_CASE("robots: bodies and wheels have the published measures", "[contract][r
   CHECK(robot.GetEmbodiedEntity().IsMovable());
 }
 
-TEST_CASE("robots: LEDs sit where the robots' makers put them", "[contract][robots]") {
+TEST_CASE("robots: LEDs are at the published positions", "[contract][robots]") {
   SRobotExperiment experiment;
   experiment.Arena =
       Robot("foot-bot", "fb", "position=\"0,0,0\"") + Robot("e-puck", "ep", "position=\"1,0,0\"");
@@ -103,7 +103,7 @@ TEST_CASE("robots: LEDs sit where the robots' makers put them", "[contract][robo
   }
 }
 
-TEST_CASE("robots: those with equal parameters share one description", "[contract][robots]") {
+TEST_CASE("robots: robots with equal parameters share one description", "[contract][robots]") {
   SRobotExperiment experiment;
   experiment.Arena =
       Robot("e-puck", "a", "position=\"0,0,0\"") + Robot("e-puck", "b", "position=\"1,0,0\"") +
@@ -122,7 +122,7 @@ TEST_CASE("robots: those with equal parameters share one description", "[contrac
   CHECK(description("e")->Drive->MaxTorque == 0.5);
 }
 
-TEST_CASE("robots: programs make them with one call", "[contract][robots]") {
+TEST_CASE("robots: programs create them by one call", "[contract][robots]") {
   SRobotExperiment experiment;
   experiment.Sensors = "<proximity implementation=\"default\"/>";
   CRobotWorld world(experiment);
@@ -130,7 +130,7 @@ TEST_CASE("robots: programs make them with one call", "[contract][robots]") {
   CHECK_THAT(TakeLogErr(), Contains("is not used"));
   const CQuaternion quarterTurn(CRadians::PI_OVER_TWO, CVector3::Z);
   auto made = std::make_unique<CFootBotEntity>("fb", "c", CVector3(1.0, 2.0, 0.0), quarterTurn);
-  // there is a controller before the robot is in the space
+  // the controller exists before the robot is added to the space
   CHECK(made->GetControllableEntity().GetController().GetId() == "fb");
   CFootBotEntity& footBot = world.Add(std::move(made));
   world.Add(std::make_unique<CEPuckEntity>("ep", "c"));
@@ -143,7 +143,7 @@ TEST_CASE("robots: programs make them with one call", "[contract][robots]") {
   world.Step();
 }
 
-TEST_CASE("robots: every getter gives the component of its name", "[contract][robots]") {
+TEST_CASE("robots: every getter returns the component of its name", "[contract][robots]") {
   SRobotExperiment experiment;
   experiment.Arena =
       Robot("foot-bot", "r", "position=\"0,0,0\"") + Robot("e-puck", "e", "position=\"1,0,0\"");
@@ -178,8 +178,7 @@ TEST_CASE("robots: every getter gives the component of its name", "[contract][ro
   CHECK(&ePuck.GetComponent("controller") == &ePuck.GetControllableEntity());
 }
 
-TEST_CASE("robots: visualizations learn what they look like, and which way they face",
-          "[contract][robots]") {
+TEST_CASE("robots: the appearance shows the body and its front", "[contract][robots]") {
   const SExpected expected = GENERATE(kRobots[0], kRobots[1]);
   SRobotExperiment experiment;
   experiment.Arena = Robot(expected.Tag, "r", "position=\"0,0,0\"");
@@ -201,14 +200,14 @@ TEST_CASE("robots: visualizations learn what they look like, and which way they 
   CHECK(ahead > 0.0);
 }
 
-TEST_CASE("robots: wrong experiments are refused with place and reason",
+TEST_CASE("robots: invalid experiments are refused with place and reason",
           "[contract][robots][errors]") {
   struct SCase {
     const char* Attributes;
     const char* Reason;
   };
   SRobotExperiment experiment;
-  SECTION("attributes of the foot-bot") {
+  SECTION("invalid attributes of the foot-bot") {
     const SCase c = GENERATE(
         SCase{"rab_range=\"-1\"", "rab_range"}, SCase{"rab_data_size=\"-1\"", "rab_data_size"},
         SCase{"omnidirectional_camera_aperture=\"90\"", "90 degrees"},
@@ -222,14 +221,14 @@ TEST_CASE("robots: wrong experiments are refused with place and reason",
     CHECK_THAT(LoadError(experiment),
                Contains(c.Reason) && Contains("test.argos:") && Contains("<foot-bot>"));
   }
-  SECTION("limits of the drive") {
+  SECTION("invalid limits of the drive") {
     experiment.Arena = WithDrive("r", "max_force=\"0\"");
     CHECK_THAT(LoadError(experiment),
                Contains("max_force") && Contains("> 0") && Contains("got 0"));
     experiment.Arena = WithDrive("r", "max_torque=\"-3\"");
     CHECK_THAT(LoadError(experiment), Contains("max_torque") && Contains("got -3"));
   }
-  SECTION("no body") {
+  SECTION("a missing body") {
     experiment.Arena = "<e-puck id=\"r\"><controller config=\"c\"/></e-puck>";
     CHECK_THAT(LoadError(experiment), Contains("body"));
   }

@@ -1,4 +1,4 @@
-// Devices that several robots have, on those of them that the devices' own tests leave out.
+// Devices that several robots share, on the robots that the devices' own tests do not cover.
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/plugins/robots/eye-bot/control_interface/ci_eyebot_light_sensor.h>
@@ -15,6 +15,7 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_sensor.h>
 #include <argos3/plugins/simulator/media/led_medium.h>
 #include <argos3/testing/contract/sensors/scene.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <catch2/catch.hpp>
 
@@ -26,11 +27,11 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-// some ten roundings of numbers of the order of 1, and of cm
+// tolerance of about ten roundings of numbers of the order of 1, and of cm
 constexpr Real kRounding = 1e-13;
 constexpr Real kRoundingCm = 1e-11;
 
-// where a robot's LEDs are, in its frame, m
+// positions of a robot's LEDs in its frame, m
 std::vector<CVector3> PublishedLEDs(const std::string& robot) {
   std::vector<CVector3> places;
   const auto addRing = [&places](int count, Real firstDegrees, Real radius, Real height) {
@@ -42,7 +43,7 @@ std::vector<CVector3> PublishedLEDs(const std::string& robot) {
   if (robot == "e-puck") {
     addRing(8, 11.25, 0.042, 0.086);
   } else if (robot == "foot-bot") {
-    addRing(12, 15.0, 0.085036758 + 0.005, 0.085);
+    addRing(12, 15.0, kFootBotRadius + 0.005, 0.085);
     places.emplace_back(0.0, 0.0, 0.174249733);
   } else {
     addRing(16, 11.25, 0.255, 0.1535);
@@ -53,7 +54,7 @@ std::vector<CVector3> PublishedLEDs(const std::string& robot) {
   return places;
 }
 
-// what the medium's index finds
+// positions of all LEDs in the medium's index
 std::map<size_t, CVector3> FindLitLEDs(CRobotWorld& world) {
   class CCollect : public CPositionalIndex<CLEDEntity>::COperation {
    public:
@@ -78,7 +79,7 @@ SRobotExperiment WithSensors(const std::string& sensors, const std::string& aren
 
 }  // namespace
 
-TEST_CASE("leds actuator: every LED of every robot lights where it was published",
+TEST_CASE("leds actuator: every LED of every robot is at the published position",
           "[contract][robots]") {
   const std::string robot = GENERATE("foot-bot", "e-puck", "eye-bot");
   const std::vector<CVector3> published = PublishedLEDs(robot);
@@ -97,14 +98,14 @@ TEST_CASE("leds actuator: every LED of every robot lights where it was published
     const std::map<size_t, CVector3> lit = FindLitLEDs(world);
     REQUIRE(lit.size() == 1);
     REQUIRE(lit.count(i) == 1);
-    // a quarter turn takes x to y
+    // a quarter turn maps x to y
     const CVector3 expected =
         position + CVector3(-published[i].GetY(), published[i].GetX(), published[i].GetZ());
     CHECK_THAT(Distance(lit.at(i), expected), WithinAbs(0.0, kRounding));
   }
 }
 
-TEST_CASE("range and bearing: robots that fly hear each other across heights",
+TEST_CASE("range and bearing: flying robots receive each other at different heights",
           "[contract][sensors]") {
   const auto robot = [](const std::string& id, const CVector3& place, Real yaw) {
     return "<eye-bot id=\"" + id + "\" rab_range=\"6\" rab_data_size=\"2\"><body " +
@@ -122,7 +123,7 @@ TEST_CASE("range and bearing: robots that fly hear each other across heights",
   const auto& heard =
       world.GetSensor<CCI_RangeAndBearingSensor>("a", "range_and_bearing").GetReadings();
   REQUIRE(heard.size() == 1);
-  // their devices are at their origins: (1.2, 1.6) is 2 m away on the ground, and 1.5 m higher
+  // the devices are at the robots' origins: (1.2, 1.6) is 2 m away in the plane and 1.5 m higher
   CHECK_THAT(heard[0].Range, WithinAbs(250.0, kRoundingCm));
   CHECK_THAT(heard[0].HorizontalBearing.GetValue(),
              WithinAbs(std::atan2(1.6, 1.2) - 0.5 * M_PI, kRounding));
@@ -136,7 +137,7 @@ TEST_CASE("range and bearing: robots that fly hear each other across heights",
   CHECK_THAT(back[0].VerticalBearing.GetValue(), WithinAbs(-std::atan2(1.5, 2.0), kRounding));
 }
 
-TEST_CASE("battery: a robot that flies pays for the way through the air, and for turns",
+TEST_CASE("battery: the charge of a flying robot falls with its path and its rotation",
           "[contract][sensors]") {
   SRobotExperiment experiment = WithSensors(
       "<battery implementation=\"default\"/>",
@@ -162,23 +163,23 @@ TEST_CASE("battery: a robot that flies pays for the way through the air, and for
     charge -= 0.02 * Distance(body.Position, place) + 0.03 * std::abs(yawOf() - yaw);
     place = body.Position;
     yaw = yawOf();
-    // angles that are as small as roundings of a quaternion are known to their root
+    // angles of the order of the rounding of a quaternion have only half of the digits
     CHECK_THAT(reading.AvailableCharge, WithinAbs(charge, 1e-9));
   }
-  // it was there
+  // the charge has fallen by the expected amount
   CHECK(charge < 1.0 - 0.02 * 0.9);
 }
 
-TEST_CASE("pan tilt camera: an eye-bot looks where its head is turned", "[contract][sensors]") {
+TEST_CASE("pan tilt camera: the camera of an eye-bot follows its head", "[contract][sensors]") {
   const Real pan = GENERATE(0.0, 30.0, -50.0) * M_PI / 180.0;
   const Real tilt = GENERATE(0.0, 25.0, -40.0) * M_PI / 180.0;
   CAPTURE(pan, tilt);
-  // in the camera's frame: x is the view straight down, y to the robot's left, z ahead of it
+  // in the camera's frame: x straight down, y to the robot's left, z ahead
   const CVector3 inCamera(std::cos(tilt) * std::cos(pan), std::cos(tilt) * std::sin(pan),
                           -std::sin(tilt));
   const CVector3 inRobot(inCamera.GetZ(), inCamera.GetY(), -inCamera.GetX());
   const CVector3 eye(0.5, -0.3, 1.5);
-  // the robot is turned by a quarter
+  // the robot is turned by 90 degrees
   const CVector3 inWorld(-inRobot.GetY(), inRobot.GetX(), inRobot.GetZ());
   SRobotExperiment experiment =
       WithSensors("<colored_blob_perspective_camera implementation=\"default\" medium=\"leds\"/>",
@@ -193,25 +194,25 @@ TEST_CASE("pan tilt camera: an eye-bot looks where its head is turned", "[contra
   head.SetTilt(CRadians(tilt));
   world.Step();
   REQUIRE(camera.GetReadings().BlobList.size() == 1);
-  // a point in the middle lies on the border of four pixels: a rounding decides
+  // a point in the middle is on the border of four pixels: rounding decides
   CHECK_THAT(camera.GetReadings().BlobList[0]->X + 0.5, WithinAbs(320.0, 0.5));
   CHECK_THAT(camera.GetReadings().BlobList[0]->Y + 0.5, WithinAbs(240.0, 0.5));
 }
 
-TEST_CASE("rings: the sensors of foot-bot and eye-bot read the same on either of them",
+TEST_CASE("rings: sensors of foot-bot and eye-bot have equal readings on either robot",
           "[contract][sensors]") {
   const std::string robot = GENERATE("foot-bot", "eye-bot");
-  const Real radius = robot == "foot-bot" ? 0.085036758 : 0.255;
+  const Real radius = robot == "foot-bot" ? kFootBotRadius : 0.255;
   CAPTURE(robot);
   CRobotWorld world(WithSensors(
       "<footbot_proximity implementation=\"default\"/><eyebot_proximity "
       "implementation=\"default\"/><footbot_light implementation=\"rot_z_only\"/><eyebot_light "
       "implementation=\"rot_z_only\"/>",
       Robot(robot, "r", PoseText(CVector3(0.0, 0.0, 0.0))) +
-          // the ray of sensor 0 meets the wall after 5 cm
+          // the ray of sensor 0 hits the wall after 5 cm
           BoxText("wall", CVector3(0.2, 6.0, 1.0),
                   CVector3((radius + 0.05) * std::cos(7.5 * M_PI / 180.0) + 0.1, 0.0, 0.0)) +
-          // straight to the left, in nobody's shadow
+          // directly to the left, not occluded
           LampText("lamp", CVector3(0.0, 1.0, 0.0), 1.0)));
   world.Step();
   const auto& footBotEyes =
@@ -229,7 +230,8 @@ TEST_CASE("rings: the sensors of foot-bot and eye-bot read the same on either of
     CAPTURE(i);
     CHECK(eyeBotEyes[i].Value == footBotEyes[i].Value);
     CHECK(eyeBotLight[i].Value == footBotLight[i].Value);
-    // e^(-2) straight ahead of a sensor, falling to 0 at a right angle; 13 sensors at most
+    // e^(-2) straight ahead of a sensor, decreasing to 0 at a right
+    // angle; at most 13 sensors see it
     const Real apart = std::abs(7.5 + 15.0 * static_cast<Real>(i) - 90.0);
     const Real expected = std::exp(-2.0) * std::max(0.0, 1.0 - apart / 90.0);
     CHECK_THAT(footBotLight[i].Value, WithinAbs(expected, kRounding));

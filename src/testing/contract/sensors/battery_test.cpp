@@ -1,4 +1,4 @@
-// Batteries and the sensor that reads them.
+// Batteries and the battery sensor.
 
 #include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
@@ -24,7 +24,7 @@ namespace {
 constexpr Real kForEver = std::numeric_limits<Real>::infinity();
 constexpr Real kTick = 0.1;  // s
 
-// a robot of type @p tag with that <battery> element, if any
+// a robot of type @p tag with the given <battery> element, if any
 SRobotExperiment WithBattery(const std::string& battery, const std::string& tag = "foot-bot",
                              const std::string& pose = "position=\"0,0,0\"") {
   SRobotExperiment experiment;
@@ -44,13 +44,13 @@ CBatteryEquippedEntity& Battery(CRobotWorld& world) {
   return world.Get<CComposableEntity>("r").GetComponent<CBatteryEquippedEntity>("battery");
 }
 
-// cm/s
+// speeds in cm/s
 void Drive(CRobotWorld& world, Real left, Real right) {
   world.GetActuator<CCI_DifferentialSteeringActuator>("r", "differential_steering")
       .SetLinearVelocity(left, right);
 }
 
-// how far the origin of a foot-bot moves in one tick of an arc, and by how much it turns
+// displacement of a foot-bot's origin in one tick of an arc, and its rotation
 struct SMotion {
   Real Distance, Angle;  // m, rad
 };
@@ -58,12 +58,12 @@ struct SMotion {
 SMotion ArcInATick(Real left, Real right) {
   const Real angle = 0.01 * (right - left) / 0.14 * kTick;
   const Real way = 0.01 * 0.5 * (left + right) * kTick;
-  // the chord of an arc
+  // ratio of chord and arc
   const Real share = angle == 0.0 ? 1.0 : std::sin(0.5 * angle) / (0.5 * angle);
   return {std::abs(way * share), std::abs(angle)};
 }
 
-// falls by what its element says in every tick in which the robot stands still
+// reduces the charge by the attribute of its element in every tick without motion
 class CIdleModel : public CBatteryDischargeModel {
  public:
   void Init(TConfigurationNode& battery) override {
@@ -83,7 +83,7 @@ class CIdleModel : public CBatteryDischargeModel {
 
 REGISTER_BATTERY_DISCHARGE_MODEL(CIdleModel, "idle_for_tests")
 
-TEST_CASE("battery: the model \"time\" takes delta in every tick, but no more than there is",
+TEST_CASE("battery: the model \"time\" subtracts delta in every tick, down to zero",
           "[contract][sensors]") {
   const std::string tag = GENERATE("foot-bot", "e-puck", "eye-bot");
   CAPTURE(tag);
@@ -111,7 +111,7 @@ TEST_CASE("battery: the model \"time\" takes delta in every tick, but no more th
   CHECK(charge == 0.0);
 }
 
-TEST_CASE("battery: models and values that are not given are the documented ones",
+TEST_CASE("battery: omitted models and values have the documented defaults",
           "[contract][sensors]") {
   CRobotWorld world(WithBattery("<battery/>"));
   world.Step(3);
@@ -119,7 +119,7 @@ TEST_CASE("battery: models and values that are not given are the documented ones
   CHECK_THAT(Battery(world).GetAvailableCharge(), WithinAbs(1.0 - 3e-5, 1e-15));
 }
 
-TEST_CASE("battery: the model \"motion\" takes charge for what the robot really moves",
+TEST_CASE("battery: the model \"motion\" subtracts charge according to the actual motion",
           "[contract][sensors]") {
   using TSpeeds = std::pair<Real, Real>;  // cm/s
   const auto [left, right] = GENERATE(TSpeeds(10, 10), TSpeeds(4, 12), TSpeeds(-5, 5));
@@ -131,17 +131,17 @@ TEST_CASE("battery: the model \"motion\" takes charge for what the robot really 
                : "<battery discharge_model=\"motion\" pos_delta=\"0.5\" orient_delta=\"0.25\"/>",
       "foot-bot", "position=\"1,-2,0\" orientation=\"70,0,0\""));
   Drive(world, left, right);
-  // the order is executed from the first tick on: it was given before
+  // the order was given before the first tick, so it is executed from the first tick on
   const SMotion motion = ArcInATick(left, right);
   const Real perTick = 0.5 * motion.Distance + 0.25 * motion.Angle + (withTime ? 0.001 : 0.0);
   for (int tick = 1; tick <= 10; ++tick) {
     world.Step();
-    // the robot's pose is good to some roundings of 2 m
+    // tolerance of some roundings of positions of 2 m
     CHECK_THAT(Battery(world).GetAvailableCharge(), WithinAbs(1.0 - tick * perTick, 1e-14));
   }
 }
 
-TEST_CASE("battery: a robot that starts turned, or is moved by the program, pays for no motion",
+TEST_CASE("battery: the initial pose and moves by a program cost no charge",
           "[contract][sensors]") {
   CRobotWorld world(WithBattery("<battery discharge_model=\"motion\"/>", "foot-bot",
                                 "position=\"1,0,0\" orientation=\"90,0,0\""));
@@ -154,7 +154,7 @@ TEST_CASE("battery: a robot that starts turned, or is moved by the program, pays
   CHECK(Reading(world).TimeLeft == kForEver);
 }
 
-TEST_CASE("battery: without the element the charge never falls", "[contract][sensors]") {
+TEST_CASE("battery: without the element the charge is constant", "[contract][sensors]") {
   CRobotWorld world(WithBattery(""));
   Drive(world, 10.0, 10.0);
   world.Step(10);
@@ -162,7 +162,7 @@ TEST_CASE("battery: without the element the charge never falls", "[contract][sen
   CHECK(Reading(world).TimeLeft == kForEver);
 }
 
-TEST_CASE("battery: it runs down only if the controller has the sensor", "[contract][sensors]") {
+TEST_CASE("battery: it discharges only if the controller has the sensor", "[contract][sensors]") {
   SRobotExperiment experiment = WithBattery("<battery delta=\"0.1\"/>");
   experiment.Sensors = "";
   CRobotWorld world(experiment);
@@ -174,8 +174,7 @@ TEST_CASE("battery: it runs down only if the controller has the sensor", "[contr
   CHECK_THAT(battery.GetAvailableCharge(), WithinAbs(0.9, 1e-15));
 }
 
-TEST_CASE("battery: a reset restores the charge, and the run repeats itself",
-          "[contract][sensors]") {
+TEST_CASE("battery: a reset restores the charge, and the run repeats", "[contract][sensors]") {
   CRobotWorld world(WithBattery(
       "<battery discharge_model=\"time_motion\" time_factor=\"0.01\" start_charge=\"0.8\"/>"));
   const auto run = [&world] {
@@ -196,7 +195,7 @@ TEST_CASE("battery: a reset restores the charge, and the run repeats itself",
   CHECK(run() == first);
 }
 
-TEST_CASE("battery: while it is charged the time left is infinite", "[contract][sensors]") {
+TEST_CASE("battery: while it is charged the remaining time is infinite", "[contract][sensors]") {
   CRobotWorld world(WithBattery("<battery delta=\"0.1\" start_charge=\"0.5\"/>"));
   world.Step();
   CHECK(Reading(world).TimeLeft < kForEver);
@@ -206,8 +205,7 @@ TEST_CASE("battery: while it is charged the time left is infinite", "[contract][
   CHECK(Reading(world).TimeLeft == kForEver);
 }
 
-TEST_CASE("battery: users add models of their own, with attributes of their own",
-          "[contract][sensors]") {
+TEST_CASE("battery: users can add models with their own attributes", "[contract][sensors]") {
   CRobotWorld world(
       WithBattery("<battery discharge_model=\"idle_for_tests\" idle_delta=\"0.125\"/>"));
   world.Step(2);
@@ -217,8 +215,7 @@ TEST_CASE("battery: users add models of their own, with attributes of their own"
   CHECK(Reading(world).AvailableCharge == 0.75);
 }
 
-TEST_CASE("battery: robots made by a program have the model that they are made with",
-          "[contract][sensors]") {
+TEST_CASE("battery: robots created by a program have the given model", "[contract][sensors]") {
   SRobotExperiment experiment = WithBattery("");
   CRobotWorld world(experiment);
   world.Add(std::make_unique<CFootBotEntity>("made", "c", CVector3(2.0, 0.0, 0.0), CQuaternion(),
@@ -235,7 +232,7 @@ TEST_CASE("battery: robots made by a program have the model that they are made w
                     Contains("e-puck \"e\"") && Contains("\"tyme\"") && Contains("time"));
 }
 
-TEST_CASE("battery noise: has the distribution asked for", "[contract][sensors][noise]") {
+TEST_CASE("battery noise: has the requested distribution", "[contract][sensors][noise]") {
   constexpr int kTicks = 4000;
   const bool even = GENERATE(true, false);
   const std::string device = "battery implementation=\"default\"";
@@ -271,7 +268,7 @@ TEST_CASE("battery noise: readings stay in [0,1]", "[contract][sensors][noise]")
   CHECK((empty && full));
 }
 
-TEST_CASE("battery: attributes that the original only documents are warned of, once",
+TEST_CASE("battery: attributes without effect in ARGoS 3 are reported, once",
           "[contract][sensors][errors]") {
   SRobotExperiment experiment = WithBattery("");
   experiment.Arena =
@@ -286,13 +283,13 @@ TEST_CASE("battery: attributes that the original only documents are warned of, o
                            Contains("\"discharge_model\"") && Contains("\"factor\" has no effect"));
   CHECK(warnings.find("\"model\"") == warnings.rfind("\"model\""));
   CHECK(warnings.find("not used") == std::string::npos);
-  // and the defaults hold
+  // the defaults apply
   world.Step();
   CHECK_THAT(world.GetSensor<CCI_BatterySensor>("fb3", "battery").GetReading().AvailableCharge,
              WithinAbs(1.0 - 1e-5, 1e-15));
 }
 
-TEST_CASE("battery: wrong experiments are refused with place and reason",
+TEST_CASE("battery: invalid experiments are refused with place and reason",
           "[contract][sensors][errors]") {
   struct SCase {
     const char* Battery;
@@ -319,7 +316,7 @@ TEST_CASE("battery: wrong experiments are refused with place and reason",
                                         Contains(c.Found) && Contains(c.Right));
 }
 
-TEST_CASE("battery component: refuses what cannot be", "[contract][sensors][errors]") {
+TEST_CASE("battery component: invalid values are refused", "[contract][sensors][errors]") {
   CHECK_THROWS_WITH(CBatteryEquippedEntity(nullptr, "b", nullptr, 1.0, 0.0),
                     Contains("full charge") && Contains("> 0"));
   CHECK_THROWS_WITH(CBatteryEquippedEntity(nullptr, "b", nullptr, -1.0), Contains(">= 0"));

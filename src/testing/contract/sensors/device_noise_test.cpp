@@ -1,4 +1,4 @@
-// The <noise> children of devices that had noise of their own before: proximity sensors and wheels.
+// The <noise> children of devices that also have noise attributes: proximity sensors and wheels.
 
 #include <argos3/plugins/robots/e-puck/control_interface/ci_epuck_proximity_sensor.h>
 #include <argos3/plugins/robots/eye-bot/control_interface/ci_eyebot_proximity_sensor.h>
@@ -8,6 +8,7 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_proximity_sensor.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
 #include <argos3/testing/contract/sensors/scene.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <catch2/catch.hpp>
 
@@ -23,7 +24,7 @@ namespace {
 
 constexpr int kDraws = 4000;
 
-// a distribution that <noise> can ask for
+// a distribution that <noise> offers
 struct SNoise {
   std::string Xml;  // attributes
   std::function<Real(Real)> Distribution;  // of the deviation
@@ -38,7 +39,7 @@ std::vector<SNoise> Noises() {
       {"model=\"rayleigh\" sigma=\"0.01\"", [](Real x) { return RayleighDistribution(x, 0.01); }}};
 }
 
-// one of the readings of a proximity sensor
+// one reading of a proximity sensor
 Real ReadProximity(CRobotWorld& world, const std::string& tag, size_t ray) {
   CCI_Controller& controller = world.GetRobot("r").GetController();
   if (tag == "proximity") {
@@ -65,7 +66,7 @@ const std::string kWheels = "differential_steering implementation=\"default\"";
 
 }  // namespace
 
-TEST_CASE("proximity noise: <noise> children have the distribution that they ask for",
+TEST_CASE("proximity noise: <noise> children have the requested distribution",
           "[contract][sensors][noise]") {
   struct SRobot {
     const char* Tag;
@@ -80,14 +81,13 @@ TEST_CASE("proximity noise: <noise> children have the distribution that they ask
   const SNoise noise = Noises()[which];
   CAPTURE(robot.Sensor, noise.Xml);
   SRobotExperiment experiment;
-  // all round the robot, so that any ray meets it: a box with a hole would do, four walls do as
-  // well
+  // four walls around the robot, so that every ray hits one
   const Real inner = 1.0;
   experiment.Arena = Robot(robot.Tag, "r", PoseText(CVector3())) +
                      PillarText("p", inner, 0.0,
                                 inner - robot.Gap -
-                                    (robot.Tag[0] == 'f'   ? 0.085036758
-                                     : robot.Tag[1] == '-' ? 0.035
+                                    (robot.Tag[0] == 'f'   ? kFootBotRadius
+                                     : robot.Tag[1] == '-' ? kEPuckRadius
                                                            : 0.255),
                                 1.0);
   SRobotExperiment exact = experiment;
@@ -107,13 +107,14 @@ TEST_CASE("proximity noise: <noise> children have the distribution that they ask
   CHECK(KolmogorovSmirnovExcess(deviations, noise.Distribution) <= 1.0);
 }
 
-TEST_CASE("proximity noise: the attribute and the children add up", "[contract][sensors][noise]") {
-  // the sum of U[-0.1, 0.1] and U[-0.1, 0.1] is triangular: the two are independent
+TEST_CASE("proximity noise: the noise of the attribute and that of the children add up",
+          "[contract][sensors][noise]") {
+  // the sum of two independent draws of U[-0.1, 0.1] has a triangular distribution
   SRobotExperiment experiment;
   experiment.Sensors = WithNoise("footbot_proximity implementation=\"default\" noise_level=\"0.1\"",
                                  "model=\"uniform\" level=\"0.1\"");
   experiment.Arena = Robot("foot-bot", "r", PoseText(CVector3())) +
-                     PillarText("p", 1.0, 0.0, 1.0 - 0.02 - 0.085036758, 1.0);
+                     PillarText("p", 1.0, 0.0, 1.0 - 0.02 - kFootBotRadius, 1.0);
   SRobotExperiment exact = experiment;
   exact.Sensors = "<footbot_proximity implementation=\"default\"/>";
   CRobotWorld exactWorld(exact);
@@ -157,8 +158,9 @@ TEST_CASE("differential steering noise: <noise> on a wheel is drawn at each orde
   CHECK(wheels.GetWheelVelocity(1) == 0.0);
 }
 
-TEST_CASE("differential steering sensor noise: <noise> on each quantity has its distribution",
-          "[contract][robots][noise]") {
+TEST_CASE(
+    "differential steering sensor noise: <noise> has the requested distribution on each quantity",
+    "[contract][robots][noise]") {
   const size_t quantity = GENERATE(0U, 1U, 2U, 3U);
   const size_t which = GENERATE(0U, 1U, 2U);
   const SNoise noise = Noises()[which];
@@ -184,14 +186,14 @@ TEST_CASE("differential steering sensor noise: <noise> on each quantity has its 
   CHECK(KolmogorovSmirnovExcess(deviations[quantity], noise.Distribution) <= 1.0);
   for (size_t other = 0; other < 4; ++other) {
     if (other != quantity) {
-      // roundings of 7 cm
+      // tolerance of roundings of 7 cm
       CHECK(*std::max_element(deviations[other].begin(), deviations[other].end()) < 1e-14);
       CHECK(*std::min_element(deviations[other].begin(), deviations[other].end()) > -1e-14);
     }
   }
 }
 
-TEST_CASE("differential steering noise: actuator and sensor draw from streams of their own",
+TEST_CASE("differential steering noise: actuator and sensor draw from independent streams",
           "[contract][robots][noise]") {
   CRobotWorld world(
       Wheels(WithNoise(kWheels, "on=\"left\" model=\"gaussian\" std_dev=\"0.01\""),
@@ -205,17 +207,17 @@ TEST_CASE("differential steering noise: actuator and sensor draw from streams of
   for (int i = 0; i < kDraws; ++i) {
     actuator.SetLinearVelocity(10.0, 10.0);
     world.Step();
-    // both in units of their standard deviation
+    // both in units of their standard deviations
     const Real ordered = (wheels.GetWheelVelocity(0) - 0.1) / 0.01;
     const Real read = sensor.GetReading().VelocityLeftWheel - 100.0 * wheels.GetWheelVelocity(0);
     product += ordered * read;
   }
-  // the mean of the products of independent normal numbers: five standard deviations are passed
-  // once in a million
+  // The mean of the products of independent normal numbers: five standard deviations
+  // are exceeded once in a million.
   CHECK(std::abs(product / kDraws) < 5.0 / std::sqrt(kDraws));
 }
 
-TEST_CASE("device noise: what is wrong is refused with the names that are right",
+TEST_CASE("device noise: invalid noise is refused with the accepted names",
           "[contract][sensors][errors]") {
   CHECK_THAT(
       LoadError(Wheels(WithNoise(kWheels, "on=\"lefft\" model=\"uniform\" level=\"1\""), "")),

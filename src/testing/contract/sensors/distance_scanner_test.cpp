@@ -1,4 +1,4 @@
-// The foot-bot's distance scanner: its motor and its heads.
+// The distance scanner of the foot-bot: motor and heads.
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/physics_engine/ray_queries.h>
@@ -8,6 +8,7 @@
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_distance_scanner_equipped_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
 #include <argos3/testing/contract/sensors/scene.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <catch2/catch.hpp>
 
@@ -22,7 +23,7 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-constexpr Real kRadius = 0.085036758;  // m, of the body
+constexpr Real kRadius = kFootBotRadius;
 constexpr Real kHeight = 0.123199866;  // m, of the beams
 constexpr Real kTick = 0.1;  // s
 constexpr Real kGrazing = 1e-6;  // cm; grazing rays lose half of the digits in a square root
@@ -54,7 +55,7 @@ Real Wrap(Real angle) {
   return std::remainder(angle, 2.0 * M_PI);
 }
 
-// the reading whose beam looks along that angle, rad
+// the reading of the beam at that angle, rad
 Real At(const TMap& readings, Real angle) {
   for (const auto& [beam, distance] : readings) {
     if (std::abs(Wrap(beam.GetValue() - angle)) < 1e-9) {
@@ -65,7 +66,7 @@ Real At(const TMap& readings, Real angle) {
   return 0.0;
 }
 
-// what a beam of a robot in that pose reads, by a query of its own
+// the expected reading of a beam of a robot in that pose, from a separate ray query
 Real Expect(CRobotWorld& world, Real x, Real y, Real yaw, Real angle, Real range, Real minimum) {
   const Real direction = yaw + angle;
   const CVector3 outward(std::cos(direction), std::sin(direction), 0.0);
@@ -82,7 +83,7 @@ Real Expect(CRobotWorld& world, Real x, Real y, Real yaw, Real angle, Real range
 
 }  // namespace
 
-TEST_CASE("distance scanner: off until it is switched on, and after that at angle 0",
+TEST_CASE("distance scanner: it is off until it is switched on, then at angle 0",
           "[contract][sensors]") {
   CRobotWorld world(WithScanner(FootBot()));
   world.Step(2);
@@ -105,8 +106,9 @@ TEST_CASE("distance scanner: off until it is switched on, and after that at angl
   CHECK(Sensor(world).GetReadingsMap().empty());
 }
 
-TEST_CASE("distance scanner: distances are from the surface of the body, within each range",
-          "[contract][sensors]") {
+TEST_CASE(
+    "distance scanner: distances are measured from the surface of the body, within each range",
+    "[contract][sensors]") {
   struct SCase {
     Real Gap;  // m, from the surface of the body to a wall
     Real Short, Long;  // cm
@@ -126,17 +128,17 @@ TEST_CASE("distance scanner: distances are from the surface of the body, within 
       FootBot(CVector3(), yaw) +
       BoxText("wall", CVector3(1.0, 3.0, 0.5),
               CVector3(center * std::cos(towards), center * std::sin(towards), 0.0), yaw)));
-  // the head of that range ahead
+  // turns the head of that range ahead
   Motor(world).SetAngle(isLong ? -CRadians::PI_OVER_TWO : CRadians::ZERO);
   world.Step();
   const TMap& readings =
       isLong ? Sensor(world).GetLongReadingsMap() : Sensor(world).GetShortReadingsMap();
-  // a nanometre more or less is 1e-7 cm
+  // a nanometre is 1e-7 cm
   CHECK_THAT(At(readings, 0.0), WithinAbs(isLong ? c.Long : c.Short, 2e-7));
   CHECK(At(readings, M_PI) == -2.0);
 }
 
-TEST_CASE("distance scanner: in a cluttered world every beam reads what a ray of its own meets",
+TEST_CASE("distance scanner: in a cluttered world every beam equals a separate ray query",
           "[contract][sensors]") {
   CRandomStream random(3, "test", "scanner", "clutter");
   int near = 0;
@@ -175,8 +177,7 @@ TEST_CASE("distance scanner: in a cluttered world every beam reads what a ray of
   CHECK(far > 50);
 }
 
-TEST_CASE("distance scanner: an angle is reached at once, in the next tick",
-          "[contract][sensors]") {
+TEST_CASE("distance scanner: an ordered angle is reached in the next tick", "[contract][sensors]") {
   const Real angle = GENERATE(0.3, -2.0, 3.5, 100.0);  // rad
   CAPTURE(angle);
   CRobotWorld world(WithScanner(FootBot()));
@@ -197,7 +198,8 @@ TEST_CASE("distance scanner: an angle is reached at once, in the next tick",
   CHECK_THAT(Wrap(rotation.GetValue() - angle), WithinAbs(0.0, 1e-13));
 }
 
-TEST_CASE("distance scanner: turning, each head reads six times in a tick", "[contract][sensors]") {
+TEST_CASE("distance scanner: while it turns each head has six readings per tick",
+          "[contract][sensors]") {
   const Real rpm = GENERATE(1.0, 30.0, 250.0, -30.0, -250.0);
   CAPTURE(rpm);
   const Real step = rpm * M_PI / 30.0 * kTick;  // rad in a tick
@@ -220,7 +222,7 @@ TEST_CASE("distance scanner: turning, each head reads six times in a tick", "[co
   }
 }
 
-TEST_CASE("distance scanner: switched on again it stays where it was", "[contract][sensors]") {
+TEST_CASE("distance scanner: switched on again it continues at its angle", "[contract][sensors]") {
   CRobotWorld world(WithScanner(FootBot()));
   Motor(world).SetRPM(60.0);
   world.Step(3);
@@ -228,15 +230,15 @@ TEST_CASE("distance scanner: switched on again it stays where it was", "[contrac
   world.Step(5);
   Motor(world).Enable();
   world.Step(2);
-  // three ticks at 2 PI rad/s
+  // the angle after three ticks at 2 PI rad/s
   REQUIRE(Sensor(world).GetShortReadingsMap().size() == 2);
   At(Sensor(world).GetShortReadingsMap(), 2.0 * M_PI * 3 * kTick);
 }
 
-TEST_CASE("distance scanner: where two beams look along one angle, the one that sees counts",
+TEST_CASE("distance scanner: of two beams at the same angle the one with a distance counts",
           "[contract][sensors]") {
-  // 300 rpm at 10 ticks a second is half a turn a tick: the short-range heads read, at some time of
-  // the tick, where the long-range heads read at another
+  // 300 rpm at 10 ticks per second are half a turn per tick: the short-range heads reach the angles
+  // of the long-range heads at another time of the tick
   CRobotWorld world(
       WithScanner(FootBot() + BoxText("left", CVector3(3.0, 0.2, 0.5), CVector3(0.0, 0.6, 0.0))));
   Motor(world).SetRPM(300.0);
@@ -247,7 +249,7 @@ TEST_CASE("distance scanner: where two beams look along one angle, the one that 
   CHECK_THAT(At(Sensor(world).GetReadingsMap(), 0.5 * M_PI), WithinAbs(distance, 1e-9));
 }
 
-TEST_CASE("distance scanner: low bodies and the robot's own are not seen", "[contract][sensors]") {
+TEST_CASE("distance scanner: low bodies and its own robot are not seen", "[contract][sensors]") {
   const Real top = GENERATE(0.12, 0.13);  // m
   CRobotWorld world(
       WithScanner(FootBot() + BoxText("b", CVector3(0.1, 3.0, top), CVector3(0.25, 0.0, 0.0))));
@@ -256,8 +258,7 @@ TEST_CASE("distance scanner: low bodies and the robot's own are not seen", "[con
   CHECK((At(Sensor(world).GetShortReadingsMap(), 0.0) > 0.0) == (top > kHeight));
 }
 
-TEST_CASE("distance scanner: a reset switches it off, and the run repeats itself",
-          "[contract][sensors]") {
+TEST_CASE("distance scanner: a reset switches it off, and the run repeats", "[contract][sensors]") {
   CRobotWorld world(
       WithScanner(FootBot() + BoxText("b", CVector3(0.1, 3.0, 1.0), CVector3(0.3, 0.0, 0.0)),
                   "noise_range=\"-1:1\""));
@@ -281,7 +282,7 @@ TEST_CASE("distance scanner: a reset switches it off, and the run repeats itself
   CHECK(run() == first);
 }
 
-TEST_CASE("distance scanner noise: on valid distances only, with the distribution asked for",
+TEST_CASE("distance scanner noise: is on valid distances only, with the requested distribution",
           "[contract][sensors][noise]") {
   constexpr int kTicks = 4000;
   const bool even = GENERATE(true, false);
@@ -305,7 +306,7 @@ TEST_CASE("distance scanner noise: on valid distances only, with the distributio
         }) <= 1.0);
 }
 
-TEST_CASE("distance scanner noise: distances never become the marks of no distance",
+TEST_CASE("distance scanner noise: distances never become the codes for missing distances",
           "[contract][sensors][noise]") {
   CRobotWorld world(
       WithScanner(FootBot() + BoxText("b", CVector3(0.1, 3.0, 1.0), CVector3(0.15, 0.0, 0.0)),
@@ -317,7 +318,7 @@ TEST_CASE("distance scanner noise: distances never become the marks of no distan
   }
 }
 
-TEST_CASE("distance scanner noise: the motor's angle has the distribution asked for",
+TEST_CASE("distance scanner noise: the motor's angle has the requested distribution",
           "[contract][sensors][noise]") {
   SRobotExperiment experiment = WithScanner(FootBot());
   experiment.Actuators = WithNoise("footbot_distance_scanner implementation=\"default\"",
@@ -334,7 +335,7 @@ TEST_CASE("distance scanner noise: the motor's angle has the distribution asked 
         1.0);
 }
 
-TEST_CASE("distance scanner: rays are recorded only if asked for", "[contract][sensors]") {
+TEST_CASE("distance scanner: rays are recorded only on request", "[contract][sensors]") {
   const bool show = GENERATE(false, true);
   CRobotWorld world(
       WithScanner(FootBot() + BoxText("b", CVector3(0.1, 3.0, 1.0), CVector3(0.3, 0.0, 0.0)),
@@ -345,7 +346,7 @@ TEST_CASE("distance scanner: rays are recorded only if asked for", "[contract][s
   CHECK(world.GetRobot("r").GetIntersectionPoints().size() == (show ? 1 : 0));
 }
 
-TEST_CASE("distance scanner: what is wrong is refused with the reason",
+TEST_CASE("distance scanner: invalid values are refused with the reason",
           "[contract][sensors][errors]") {
   const std::string ePuck = Robot("e-puck", "ep0", PoseText(CVector3()));
   CHECK_THAT(LoadError(WithScanner(ePuck)), Contains("\"ep0\"") && Contains("distance_scanner"));

@@ -1,4 +1,4 @@
-// The foot-bot's encoders: how far the wheels really rolled.
+// The encoders of the foot-bot: the actual rolling distance of the wheels.
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_encoder_sensor.h>
@@ -38,13 +38,13 @@ const CCI_FootBotEncoderSensor::SReading& Reading(CRobotWorld& world) {
   return world.GetSensor<CCI_FootBotEncoderSensor>("r", "footbot_encoder").GetReading();
 }
 
-// cm/s
+// speeds in cm/s
 void Drive(CRobotWorld& world, Real left, Real right) {
   world.GetActuator<CCI_DifferentialSteeringActuator>("r", "differential_steering")
       .SetLinearVelocity(left, right);
 }
 
-// an odometer on a body that is put where a test wants it
+// an odometer on a body that the test moves
 struct SCart {
   CRobotWorld World{SRobotExperiment()};
   CComposableEntity Robot{nullptr, "robot"};
@@ -76,7 +76,7 @@ CQuaternion Yaw(Real yaw) {
 
 }  // namespace
 
-TEST_CASE("encoder: on any arc each wheel reads what it rolled, in every tick",
+TEST_CASE("encoder: on any arc each wheel reads its rolling distance in every tick",
           "[contract][sensors]") {
   using TSpeeds = std::pair<Real, Real>;  // cm/s
   const auto [left, right] =
@@ -90,7 +90,7 @@ TEST_CASE("encoder: on any arc each wheel reads what it rolled, in every tick",
   Real totalLeft = 0.0;
   for (int tick = 1; tick <= 50; ++tick) {
     world.Step();
-    // roundings of positions of some metres, in cm
+    // tolerance of roundings of positions of some metres, in cm
     CHECK_THAT(Reading(world).CoveredDistanceLeftWheel, WithinAbs(left * kTick, 1e-11));
     CHECK_THAT(Reading(world).CoveredDistanceRightWheel, WithinAbs(right * kTick, 1e-11));
     totalLeft += Reading(world).CoveredDistanceLeftWheel;
@@ -98,24 +98,25 @@ TEST_CASE("encoder: on any arc each wheel reads what it rolled, in every tick",
   CHECK_THAT(totalLeft, WithinAbs(left * kTick * 50, 1e-9));
 }
 
-TEST_CASE("encoder: nothing rolls before the first order", "[contract][sensors]") {
+TEST_CASE("encoder: readings are zero before the first order", "[contract][sensors]") {
   CRobotWorld world(WithEncoder(Robot("foot-bot", "r", PoseText(CVector3(1.0, 0.0, 0.0), 30.0))));
   world.Step(2);
   CHECK(Reading(world).CoveredDistanceLeftWheel == 0.0);
   CHECK(Reading(world).CoveredDistanceRightWheel == 0.0);
 }
 
-TEST_CASE("encoder: a robot that stalls at a wall does not roll", "[contract][sensors]") {
+TEST_CASE("encoder: the wheels of a robot that stalls at a wall do not roll",
+          "[contract][sensors]") {
   CRobotWorld world(WithEncoder(Robot("foot-bot", "r", PoseText(CVector3())) +
                                 BoxText("wall", CVector3(0.2, 4.0, 1.0), CVector3(0.3, 0.0, 0.0))));
   Drive(world, 10.0, 10.0);
   world.Step(100);
-  // it stands at the wall, and the solver lets it sink in by a hair at most
+  // the robot is at the wall; the solver allows a small penetration
   CHECK_THAT(Reading(world).CoveredDistanceLeftWheel, WithinAbs(0.0, 1e-3));
   CHECK_THAT(Reading(world).CoveredDistanceRightWheel, WithinAbs(0.0, 1e-3));
 }
 
-TEST_CASE("encoder: a robot that the program moves does not roll", "[contract][sensors]") {
+TEST_CASE("encoder: moves by a program do not roll the wheels", "[contract][sensors]") {
   CRobotWorld world(WithEncoder(Robot("foot-bot", "r", PoseText(CVector3()))));
   Drive(world, 10.0, 10.0);
   world.Step(3);
@@ -126,7 +127,7 @@ TEST_CASE("encoder: a robot that the program moves does not roll", "[contract][s
   CHECK_THAT(Reading(world).CoveredDistanceRightWheel, WithinAbs(1.0, 1e-11));
 }
 
-TEST_CASE("encoder: a reset begins anew, and the run repeats itself", "[contract][sensors]") {
+TEST_CASE("encoder: a reset restarts it, and the run repeats", "[contract][sensors]") {
   CRobotWorld world(WithEncoder(Robot("foot-bot", "r", PoseText(CVector3(1.0, 0.0, 0.0), 30.0)),
                                 WithNoise("footbot_encoder implementation=\"default\"",
                                           "model=\"gaussian\" std_dev=\"0.1\"")));
@@ -148,7 +149,7 @@ TEST_CASE("encoder: a reset begins anew, and the run repeats itself", "[contract
 
 TEST_CASE("odometer: arcs of less than half a turn are exact", "[contract][sensors]") {
   const Real turn = GENERATE(-3.1, -1.0, -1e-9, 0.0, 1e-5, 0.3, 2.0, 3.1);  // rad
-  const Real way = GENERATE(-0.5, 0.0, 0.2);  // m, of the origin
+  const Real way = GENERATE(-0.5, 0.0, 0.2);  // m, path of the origin
   const Real start = GENERATE(0.0, 2.0, -3.0);  // rad
   CAPTURE(turn, way, start);
   SCart cart;
@@ -158,14 +159,14 @@ TEST_CASE("odometer: arcs of less than half a turn are exact", "[contract][senso
   const testing::SPose end =
       testing::IntegrateDifferentialDrive({0.3, 0.4, start}, left, right, 0.2, 1.0);
   cart.Move(CVector3(end.X, end.Y, 0.0), Yaw(end.Yaw));
-  // near half a turn the chord is 24 times shorter than the way, and its roundings count as much
-  // more; the closed form divides by the turn, and so the roundings of its sines
+  // Near half a turn the chord is 24 times shorter than the path, so its roundings count as much
+  // more. The closed form divides by the angle, and so the roundings of its sines.
   const Real tolerance = 1e-13 + (turn == 0.0 ? 0.0 : 4e-16 * std::abs(way / turn));
   CHECK_THAT(cart.Odometer.GetRolledDistance(0), WithinAbs(left, tolerance));
   CHECK_THAT(cart.Odometer.GetRolledDistance(1), WithinAbs(right, tolerance));
 }
 
-TEST_CASE("odometer: what slides sideways turns no wheel", "[contract][sensors]") {
+TEST_CASE("odometer: sideways motion does not roll the wheels", "[contract][sensors]") {
   SCart cart;
   cart.Move(CVector3(), Yaw(M_PI / 6.0));
   // 5 cm ahead and 7 cm to the left
@@ -176,7 +177,7 @@ TEST_CASE("odometer: what slides sideways turns no wheel", "[contract][sensors]"
   CHECK_THAT(cart.Odometer.GetRolledDistance(1), WithinAbs(0.05, 1e-15));
 }
 
-TEST_CASE("encoder noise: each wheel has the distribution asked for",
+TEST_CASE("encoder noise: each wheel has the requested distribution",
           "[contract][sensors][noise]") {
   constexpr int kTicks = 4000;
   const bool isLeft = GENERATE(true, false);
@@ -185,7 +186,7 @@ TEST_CASE("encoder noise: each wheel has the distribution asked for",
                   WithNoise("footbot_encoder implementation=\"default\"",
                             std::string("on=\"distance_") + (isLeft ? "left" : "right") +
                                 "\" model=\"gaussian\" std_dev=\"0.2\"")));
-  // on the spot, so that it stays in the arena
+  // in place, so that the robot stays in the arena
   Drive(world, 10.0, -10.0);
   std::vector<Real> noisy;
   for (int i = 0; i < kTicks; ++i) {

@@ -1,4 +1,4 @@
-// Ground sensors against the colours of floors that are known at every point.
+// Compares ground sensors with the colours of floors that are known at every point.
 
 #include <argos3/core/simulator/entity/floor_entity.h>
 #include <argos3/core/simulator/loop_functions.h>
@@ -25,7 +25,7 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-// the whole range of colours over a few decimetres: every point of the floor has its own
+// every point within a few decimetres has its own colour, over the whole range of colours
 CColor ColorAt(Real x, Real y) {
   const auto wave = [](Real phase) {
     return static_cast<UInt8>(std::lround(127.5 + 127.5 * std::sin(phase)));
@@ -64,14 +64,14 @@ SRobotExperiment OnFloor(const std::string& device, const std::string& arena) {
   return experiment;
 }
 
-// m, in the robot's frame, as published
+// published positions in the robot's frame, m
 const std::vector<CVector2> kMotor = {
     {0.063, 0.0116}, {-0.063, 0.0116}, {-0.063, -0.0116}, {0.063, -0.0116}};
 const std::vector<CVector2> kBase = {{0.08, 0.0},  {0.042, 0.065},   {0.0, 0.08},  {-0.042, 0.065},
                                      {-0.08, 0.0}, {-0.042, -0.065}, {0.0, -0.08}, {0.042, -0.065}};
 const std::vector<CVector2> kEPuck = {{0.03, -0.009}, {0.03, 0.0}, {0.03, 0.009}};
 
-// the places of sensors on the floor
+// positions of sensors on the floor
 std::vector<CVector2> OnGround(std::vector<CVector2> offsets, Real x, Real y, Real yaw) {
   for (CVector2& offset : offsets) {
     offset = CVector2(x + offset.GetX() * std::cos(yaw) - offset.GetY() * std::sin(yaw),
@@ -84,15 +84,16 @@ const std::vector<Real>& Readings(CRobotWorld& world) {
   return world.GetSensor<CCI_GroundSensor>("r", "ground").GetReadings();
 }
 
-// one grey level in 255; the middle of a step may be rounded the other way where the sine is exact
-// to its last digit only
+// One grey level in 255: where the last digit of the sine differs, the middle of a
+// step may be rounded the other way.
 constexpr Real kOneLevel = 1.0 / 255.0;
 
 }  // namespace
 
 REGISTER_LOOP_FUNCTIONS(CColorfulFloor, "colorful_floor")
 
-TEST_CASE("ground: every sensor reads the grey level straight below it", "[contract][sensors]") {
+TEST_CASE("ground: every sensor reads the grey level at the point below it",
+          "[contract][sensors]") {
   CRandomStream random(1, "test", "ground", "poses");
   for (int trial = 0; trial < 50; ++trial) {
     const Real x = random.Uniform(-4.0, 4.0);
@@ -144,11 +145,11 @@ TEST_CASE("ground: every sensor reads the grey level straight below it", "[contr
   }
 }
 
-TEST_CASE("ground: an image is read where the robot stands", "[contract][sensors]") {
+TEST_CASE("ground: the image is read at the robot's position", "[contract][sensors]") {
   std::string folder = (std::filesystem::temp_directory_path() / "ground_test_XXXXXX").string();
   REQUIRE(mkdtemp(folder.data()) != nullptr);
   const std::string file = folder + "/floor.ppm";
-  // the arena is 10 m x 10 m: four quarters, the upper row of the file is the one with y > 0
+  // the arena of 10 m x 10 m has four quarters; the upper row of the file is at y > 0
   std::ofstream(file) << "P3 2 2 255\n255 0 0  0 255 0\n0 0 255  0 0 0\n";
   const Real x = GENERATE(-1.0, 1.0);
   const Real y = GENERATE(-1.0, 1.0);
@@ -166,7 +167,7 @@ TEST_CASE("ground: an image is read where the robot stands", "[contract][sensors
   std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("ground: the loop functions' colours count as they are now", "[contract][sensors]") {
+TEST_CASE("ground: current colours of the loop functions are read", "[contract][sensors]") {
   CRobotWorld world(OnFloor("<ground implementation=\"rot_z_only\"/>",
                             Robot("e-puck", "r", PoseText(CVector3()))));
   world.Step();
@@ -179,7 +180,7 @@ TEST_CASE("ground: the loop functions' colours count as they are now", "[contrac
   CHECK(before != Readings(world));
 }
 
-TEST_CASE("ground: sensors added or changed by the program count", "[contract][sensors]") {
+TEST_CASE("ground: sensors added or changed by a program are read", "[contract][sensors]") {
   CRobotWorld world(OnFloor("<ground implementation=\"rot_z_only\"/>",
                             Robot("e-puck", "r", PoseText(CVector3()))));
   auto& robot = world.Get<CEPuckEntity>("r");
@@ -197,14 +198,14 @@ TEST_CASE("ground: sensors added or changed by the program count", "[contract][s
   CHECK_THAT(Readings(world)[4], WithinAbs(GreyAt(0.5, -1.0), kOneLevel));
 }
 
-TEST_CASE("ground: a floor anywhere in the file, or from the loop functions, will do",
+TEST_CASE("ground: the floor may be anywhere in the file, or created by the loop functions",
           "[contract][sensors]") {
   const std::string sensor = "<ground implementation=\"rot_z_only\"/>";
   SRobotExperiment experiment = OnFloor(sensor, "");
-  SECTION("after the robot") {
+  SECTION("a floor after the robot") {
     experiment.Arena = Robot("e-puck", "r", PoseText(CVector3())) + kFloor;
   }
-  SECTION("made by the loop functions") {
+  SECTION("a floor created by the loop functions") {
     experiment.Arena = Robot("e-puck", "r", PoseText(CVector3()));
     experiment.LoopFunctions = "<loop_functions label=\"colorful_floor\" make_floor=\"true\"/>";
   }
@@ -222,11 +223,11 @@ TEST_CASE("ground: without a floor, experiments are refused", "[contract][sensor
                      Robot("foot-bot", "b", PoseText(CVector3(1.0, 0.0, 0.0)));
   const std::string error = LoadError(experiment);
   CHECK_THAT(error, Contains("test.argos:") && Contains("<" + tag + ">") && Contains("<floor>"));
-  // once, though two robots have it
+  // the error is reported once, although two robots have the sensor
   CHECK(error.find("there is none") == error.rfind("there is none"));
 }
 
-TEST_CASE("ground: a floor that goes away in a run is an error that names the robot",
+TEST_CASE("ground: a floor removed during a run is an error that names the robot",
           "[contract][sensors][errors]") {
   CRobotWorld world(OnFloor("<ground implementation=\"rot_z_only\"/>",
                             Robot("e-puck", "r", PoseText(CVector3()))));
@@ -235,7 +236,7 @@ TEST_CASE("ground: a floor that goes away in a run is an error that names the ro
   CHECK_THROWS_WITH(world.Step(), Contains("\"r\"") && Contains("<floor>"));
 }
 
-TEST_CASE("ground noise: grey sensors have the distribution asked for",
+TEST_CASE("ground noise: grey sensors have the requested distribution",
           "[contract][sensors][noise]") {
   constexpr int kTicks = 1000;
   const bool even = GENERATE(true, false);
@@ -259,8 +260,9 @@ TEST_CASE("ground noise: grey sensors have the distribution asked for",
   CHECK(KolmogorovSmirnovExcess(deviations, distribution) <= 1.0);
 }
 
-TEST_CASE("ground noise: black and white flip as often as the noise crosses the threshold",
-          "[contract][sensors][noise]") {
+TEST_CASE(
+    "ground noise: black and white flip with the probability that noise crosses the threshold",
+    "[contract][sensors][noise]") {
   constexpr int kTicks = 1000;
   SRobotExperiment experiment =
       OnFloor("<footbot_base_ground implementation=\"rot_z_only\" noise_level=\"0.3\"/>",
@@ -276,12 +278,13 @@ TEST_CASE("ground noise: black and white flip as often as the noise crosses the 
       ++counts[static_cast<size_t>(reading.Value)];
     }
   }
-  // U[-0.3, 0.3] on top of 100/255 reaches 0.5 with this probability
+  // U[-0.3, 0.3] added to 100/255 reaches 0.5 with this probability
   const Real white = (0.3 - (0.5 - 100.0 / 255.0)) / 0.6;
   CHECK(ChiSquareExcess(counts, {1.0 - white, white}) <= 1.0);
 }
 
-TEST_CASE("ground: wrong experiments are refused with the reason", "[contract][sensors][errors]") {
+TEST_CASE("ground: invalid experiments are refused with the reason",
+          "[contract][sensors][errors]") {
   CHECK_THAT(LoadError(OnFloor("<footbot_motor_ground implementation=\"rot_z_only\"/>",
                                Robot("e-puck", "ep0", PoseText(CVector3())))),
              Contains("footbot_motor_ground") && Contains("needs a robot with 12") &&

@@ -1,4 +1,4 @@
-// Light sensors against geometry worked out by hand, in worlds where nothing moves.
+// Compares light sensors with geometry computed by hand, in worlds without motion.
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/utility/math/random_stream.h>
@@ -11,6 +11,7 @@
 #include <argos3/plugins/simulator/entities/light_entity.h>
 #include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
 #include <argos3/testing/contract/sensors/scene.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <catch2/catch.hpp>
 
@@ -25,20 +26,20 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-// some ten roundings of numbers of the order of 1
+// tolerance of about ten roundings of numbers of the order of 1
 constexpr Real kRounding = 1e-13;
 
-// what the tests know of a robot's light sensors
+// geometry of a robot's light sensors
 struct SRing {
   std::string Tag;
   Real Radius, Height;  // m
   std::vector<Real> Angles;  // rad
 };
 
-constexpr Real kHeight = 0.06;  // m, of the light sensors of robots on wheels
+constexpr Real kHeight = 0.06;  // m, of the light sensors of wheeled robots
 
 SRing FootBotRing() {
-  SRing ring{"foot-bot", 0.085036758, kHeight, {}};
+  SRing ring{"foot-bot", kFootBotRadius, kHeight, {}};
   for (int i = 0; i < 24; ++i) {
     ring.Angles.push_back((7.5 + 15.0 * i) * M_PI / 180.0);
   }
@@ -46,7 +47,7 @@ SRing FootBotRing() {
 }
 
 SRing EPuckRing() {
-  SRing ring{"e-puck", 0.035, kHeight, {}};
+  SRing ring{"e-puck", kEPuckRadius, kHeight, {}};
   for (int i = 0; i < 8; ++i) {
     ring.Angles.push_back((22.5 + 45.0 * i) * M_PI / 180.0);
   }
@@ -130,7 +131,7 @@ TEST_CASE("light: sensors in front read the squared ratio of intensity and dista
   CHECK(dark > 50);
 }
 
-TEST_CASE("light: a light on the tangent of a sensor is seen, on either side of the robot",
+TEST_CASE("light: a light on the tangent of a sensor is seen on both sides of the robot",
           "[contract][sensors]") {
   const Real yaw = GENERATE(0.0, 13.0, 90.0, 137.0, -60.0);  // degrees
   CAPTURE(yaw);
@@ -141,7 +142,7 @@ TEST_CASE("light: a light on the tangent of a sensor is seen, on either side of 
   };
   CRobotWorld world(WithGenericSensor(
       Robot("e-puck", "r", PoseText(CVector3(0.7, -0.3, 0.0), yaw)) +
-      // ahead of the sensors at 90 and -90 degrees that are added below
+      // along the tangents of the sensors at 90 and -90 degrees that are added below
       LampText("left", toWorld(1.0, 0.035), 0.2) + LampText("right", toWorld(1.0, -0.035), 0.3)));
   auto& robot = world.Get<CEPuckEntity>("r");
   SAnchor& origin = robot.GetEmbodiedEntity().GetOriginAnchor();
@@ -151,12 +152,12 @@ TEST_CASE("light: a light on the tangent of a sensor is seen, on either side of 
   world.Step();
   const std::vector<Real>& readings = Readings(world);
   REQUIRE(readings.size() == 10);
-  // each sees the light on its own tangent, at 1 m, and not the one on the other side
+  // each sensor sees the light on its own tangent, at 1 m, and not the one on the other side
   CHECK_THAT(readings[8], WithinAbs(0.04, kRounding));
   CHECK_THAT(readings[9], WithinAbs(0.09, kRounding));
 }
 
-TEST_CASE("light: lights add up, those without intensity do not count, and 1 is the most",
+TEST_CASE("light: lights add up, lights without intensity are ignored, and the maximum is 1",
           "[contract][sensors]") {
   const SRing ring = FootBotRing();
   const CVector3 a(1.5, 0.3, 0.2);
@@ -180,7 +181,7 @@ TEST_CASE("light: lights add up, those without intensity do not count, and 1 is 
   CHECK(Readings(world)[0] == 1.0);
 }
 
-TEST_CASE("light: a sensor under a light, at no distance, reads 1", "[contract][sensors]") {
+TEST_CASE("light: a sensor at the position of a light reads 1", "[contract][sensors]") {
   const SRing ring = EPuckRing();
   CRobotWorld world(WithGenericSensor(Robot("e-puck", "r", PoseText(CVector3())) +
                                       LampText("l", SensorAt(ring, 2, CVector3(), 0.0), 1e-3)));
@@ -188,10 +189,10 @@ TEST_CASE("light: a sensor under a light, at no distance, reads 1", "[contract][
   CHECK(Readings(world)[2] == 1.0);
 }
 
-TEST_CASE("light: a body between hides the light from the sensors behind it alone",
+TEST_CASE("light: a body occludes the light from the sensors behind it only",
           "[contract][sensors]") {
   const SRing ring = GENERATE(FootBotRing(), EPuckRing());
-  const Real radius = GENERATE(0.01, 0.03, 0.05);  // m, of the pole
+  const Real radius = GENERATE(0.01, 0.03, 0.05);  // m, radius of the pole
   CAPTURE(ring.Tag, radius);
   const CVector3 light(1.5, 0.0, kHeight);
   const CVector3 pole(0.5, 0.01, 0.0);
@@ -203,7 +204,7 @@ TEST_CASE("light: a body between hides the light from the sensors behind it alon
   int seen = 0;
   for (size_t i = 0; i < ring.Angles.size(); ++i) {
     CAPTURE(i);
-    // at one height: the distance of the pole's axis from the line between the two
+    // at equal heights: distance of the pole's axis from the line between sensor and light
     const CVector3 sensor = SensorAt(ring, i, CVector3(), 0.0);
     const CVector3 along = light - sensor;
     const CVector3 aside = pole - sensor;
@@ -223,9 +224,9 @@ TEST_CASE("light: a body between hides the light from the sensors behind it alon
   CHECK((seen > 0 || radius == 0.05));
 }
 
-TEST_CASE("light: bodies below, beside, behind and beyond hide nothing", "[contract][sensors]") {
+TEST_CASE("light: bodies below, beside, behind and beyond do not occlude", "[contract][sensors]") {
   const CVector3 light(1.0, 0.0, 0.46);
-  // at x = 0.5 the lines from the sensors to the light are higher than 0.2
+  // at x = 0.5 the lines from the sensors to the light are above 0.2
   const std::string harmless =
       BoxText("low", CVector3(0.2, 1.0, 0.19), CVector3(0.5, 0.0, 0.0)) +
       BoxText("beside", CVector3(2.0, 0.2, 1.0), CVector3(0.5, 0.4, 0.0)) +
@@ -240,8 +241,8 @@ TEST_CASE("light: bodies below, beside, behind and beyond hide nothing", "[contr
   CHECK(Readings(open) == Readings(furnished));
 }
 
-TEST_CASE("light: robots hide lights from each other", "[contract][sensors]") {
-  // the e-puck in the shade of a foot-bot, and the foot-bot of nobody
+TEST_CASE("light: robots occlude lights for other robots", "[contract][sensors]") {
+  // the foot-bot occludes the light for the e-puck; no robot does for the foot-bot
   CRobotWorld world(WithGenericSensor(Robot("foot-bot", "fb", PoseText(CVector3(0.5, 0.0, 0.0))) +
                                       Robot("e-puck", "ep", PoseText(CVector3(0.2, 0.0, 0.0))) +
                                       LampText("l", CVector3(2.0, 0.0, kHeight), 0.5)));
@@ -258,7 +259,8 @@ TEST_CASE("light: a light inside a body is not seen", "[contract][sensors]") {
   CHECK(Readings(world) == std::vector<Real>(8, 0.0));
 }
 
-TEST_CASE("light: sensors see the lights that there are now", "[contract][sensors]") {
+TEST_CASE("light: lights that are added, moved or removed are taken into account",
+          "[contract][sensors]") {
   SRobotExperiment experiment = WithGenericSensor(Robot("e-puck", "r", PoseText(CVector3())));
   CRobotWorld world(experiment);
   world.Step();
@@ -280,7 +282,7 @@ TEST_CASE("light: sensors see the lights that there are now", "[contract][sensor
   CHECK(Readings(world)[0] == 0.0);
 }
 
-TEST_CASE("light: worlds do not share their lights", "[contract][sensors]") {
+TEST_CASE("light: worlds have separate lights", "[contract][sensors]") {
   const std::string robot = Robot("e-puck", "r", PoseText(CVector3()));
   CRobotWorld lit(WithGenericSensor(robot + LampText("l", CVector3(1.0, 0.0, kHeight), 0.5)));
   CRobotWorld dark(WithGenericSensor(robot));
@@ -290,8 +292,8 @@ TEST_CASE("light: worlds do not share their lights", "[contract][sensors]") {
   CHECK(Readings(dark) == std::vector<Real>(8, 0.0));
 }
 
-TEST_CASE("light: a tilted robot's sensors look where they are turned", "[contract][sensors]") {
-  // nose up, 2 m above the ground: its x axis points up, and the height of a sensor lies along -x
+TEST_CASE("light: the sensors of a tilted robot tilt with it", "[contract][sensors]") {
+  // Nose up, 2 m above the ground: the x axis points up, and the height of a sensor is along -x.
   CRobotWorld world(WithGenericSensor(
       "<e-puck id=\"r\"><body position=\"0,0,2\" orientation=\"0,-90,0\"/><controller "
       "config=\"c\"/></e-puck>" +
@@ -310,7 +312,7 @@ TEST_CASE("light: a tilted robot's sensors look where they are turned", "[contra
   }
 }
 
-TEST_CASE("footbot_light and eyebot_light: readings fall with distance and angle as published",
+TEST_CASE("footbot_light and eyebot_light: readings decrease with distance and angle as published",
           "[contract][sensors]") {
   const bool flies = GENERATE(false, true);
   CRandomStream random(2, "test", flies ? "eye-bot" : "foot-bot", "light");
@@ -355,7 +357,7 @@ TEST_CASE("footbot_light and eyebot_light: readings fall with distance and angle
   }
 }
 
-TEST_CASE("eyebot_light: an arena that never had a light reads 0", "[contract][sensors]") {
+TEST_CASE("eyebot_light: an arena without lights reads 0", "[contract][sensors]") {
   CRobotWorld world(WithSensor("eyebot_light implementation=\"rot_z_only\"",
                                Robot("eye-bot", "r", PoseText(CVector3(0.0, 0.0, 1.0)))));
   world.Step();
@@ -365,7 +367,7 @@ TEST_CASE("eyebot_light: an arena that never had a light reads 0", "[contract][s
   }
 }
 
-TEST_CASE("footbot_light: the published example", "[contract][sensors]") {
+TEST_CASE("footbot_light: equals the published example", "[contract][sensors]") {
   CRobotWorld world(WithFootBotSensor(Robot("foot-bot", "r", PoseText(CVector3())) +
                                       LampText("l", CVector3(1.0, 0.0, 0.0), 1.0)));
   world.Step();
@@ -373,8 +375,7 @@ TEST_CASE("footbot_light: the published example", "[contract][sensors]") {
   CHECK_THAT(FootBotReadings(world)[0].Value, WithinAbs(0.1241, 5e-5));
 }
 
-TEST_CASE("footbot_light: the reach grows with the intensity, and ends at 2.5",
-          "[contract][sensors]") {
+TEST_CASE("footbot_light: the reach grows with the intensity up to 2.5", "[contract][sensors]") {
   const Real intensity = GENERATE(0.5, 1.0, 1.7);
   const Real excess = GENERATE(-1e-9, 1e-9);
   CRobotWorld world(
@@ -384,7 +385,7 @@ TEST_CASE("footbot_light: the reach grows with the intensity, and ends at 2.5",
   CHECK((FootBotReadings(world)[0].Value > 0.0) == (excess < 0.0));
 }
 
-TEST_CASE("footbot_light: a light straight above shines on all sensors alike",
+TEST_CASE("footbot_light: a light directly above gives equal readings of all sensors",
           "[contract][sensors]") {
   CRobotWorld world(
       WithFootBotSensor(Robot("foot-bot", "r", PoseText(CVector3(0.3, 0.7, 0.0), 20.0)) +
@@ -395,14 +396,15 @@ TEST_CASE("footbot_light: a light straight above shines on all sensors alike",
   }
 }
 
-TEST_CASE("footbot_light: another body on the line to the light hides it, the robot's own does not",
-          "[contract][sensors]") {
+TEST_CASE(
+    "footbot_light: another body on the line to the light occludes it, the robot's own does not",
+    "[contract][sensors]") {
   // the light is inside the robot's own body, 3 cm ahead of its centre
   CRobotWorld own(WithFootBotSensor(Robot("foot-bot", "r", PoseText(CVector3())) +
                                     LampText("l", CVector3(0.03, 0.0, 0.05), 1.0)));
   own.Step();
   CHECK(FootBotReadings(own)[0].Value > 0.0);
-  const Real side = GENERATE(0.0, 0.0999, 0.1001);  // m, of the pole's axis from the line
+  const Real side = GENERATE(0.0, 0.0999, 0.1001);  // m, distance of the pole's axis from the line
   CRobotWorld world(WithFootBotSensor(Robot("foot-bot", "r", PoseText(CVector3())) +
                                       PillarText("c", 0.6, side, 0.1, 0.5) +
                                       LampText("l", CVector3(1.2, 0.0, 0.0), 1.0)));
@@ -410,7 +412,7 @@ TEST_CASE("footbot_light: another body on the line to the light hides it, the ro
   CHECK((FootBotReadings(world)[0].Value > 0.0) == (side > 0.1));
 }
 
-TEST_CASE("light sensors: noise is even in [-n,n], or as the <noise> child says",
+TEST_CASE("light sensors: noise is uniform in [-n,n], or as the <noise> child requests",
           "[contract][sensors][noise]") {
   constexpr int kDraws = 4000;
   struct SCase {
@@ -441,7 +443,7 @@ TEST_CASE("light sensors: noise is even in [-n,n], or as the <noise> child says"
   };
   CRobotWorld exactWorld(exact);
   const Real truth = first(exactWorld);
-  // far enough from the ends of [0,1] that nothing is clamped
+  // far enough from the limits of [0,1] that nothing is clamped
   REQUIRE((truth > 0.3 && truth < 0.7));
   CRobotWorld world(experiment);
   std::vector<Real> deviations;
@@ -451,7 +453,7 @@ TEST_CASE("light sensors: noise is even in [-n,n], or as the <noise> child says"
   CHECK(KolmogorovSmirnovExcess(deviations, noise.Distribution) <= 1.0);
 }
 
-TEST_CASE("light sensors: rays are recorded only if asked for", "[contract][sensors]") {
+TEST_CASE("light sensors: rays are recorded only on request", "[contract][sensors]") {
   const bool show = GENERATE(false, true);
   const std::string device =
       GENERATE("light implementation=\"default\"", "footbot_light implementation=\"rot_z_only\"");
@@ -464,7 +466,7 @@ TEST_CASE("light sensors: rays are recorded only if asked for", "[contract][sens
   world.Step(2);
   size_t expected = 1;
   if (device[0] == 'l') {
-    // those within acos(R / 2) of the light: 12 of the 24 at 7.5 + 15 i degrees
+    // sensors within acos(R / 2) of the light: 12 of the 24 at 7.5 + 15 i degrees
     expected = 12;
   }
   CHECK(world.GetRobot("r").GetCheckedRays().size() == (show ? expected : 0));
@@ -484,7 +486,7 @@ class CInverseLightSensor : public CLightDefaultSensor {
 
 REGISTER_SENSOR(CInverseLightSensor, "light", "inverse_for_tests", "", "", "", "", "")
 
-TEST_CASE("light: derived sensors read lights in their own way", "[contract][sensors]") {
+TEST_CASE("light: derived sensors can change the response", "[contract][sensors]") {
   const Real angle = 22.5 * M_PI / 180.0;
   CRobotWorld world(WithSensor(
       "light implementation=\"inverse_for_tests\"",
@@ -494,7 +496,7 @@ TEST_CASE("light: derived sensors read lights in their own way", "[contract][sen
   CHECK_THAT(Readings(world)[0], WithinAbs(0.4, kRounding));
 }
 
-TEST_CASE("light sensors: wrong experiments are refused with the reason",
+TEST_CASE("light sensors: invalid experiments are refused with the reason",
           "[contract][sensors][errors]") {
   SECTION("a robot without light sensors") {
     SRobotExperiment experiment = WithGenericSensor(Robot("toy-robot", "t0", PoseText(CVector3())));
@@ -512,7 +514,7 @@ TEST_CASE("light sensors: wrong experiments are refused with the reason",
                                     Robot("foot-bot", "fb0", PoseText(CVector3())))),
                Contains("noise_level") && Contains(">= 0") && Contains("-0.1"));
   }
-  SECTION("noise on something else") {
+  SECTION("noise on an unknown quantity") {
     SRobotExperiment experiment = WithGenericSensor(Robot("foot-bot", "fb0", PoseText(CVector3())));
     experiment.Sensors =
         "<light implementation=\"default\"><noise on=\"readin\" model=\"uniform\" "

@@ -1,4 +1,4 @@
-// Sensors that tell a robot where it is and what time: positioning, altitude, clock.
+// Sensors for pose and time: positioning, altitude, clock.
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/utility/math/random_stream.h>
@@ -57,7 +57,7 @@ TEST_CASE("positioning: reads the exact pose", "[contract][sensors]") {
   CHECK_THAT(ToDegrees(x).GetValue(), WithinAbs(10.0, 1e-12));
 }
 
-TEST_CASE("positioning: follows a robot that is moved", "[contract][sensors]") {
+TEST_CASE("positioning: follows a moved robot", "[contract][sensors]") {
   CRobotWorld world(WithSensor("<positioning implementation=\"default\"/>",
                                Robot("foot-bot", "r", PoseText(CVector3()))));
   world.Step();
@@ -70,7 +70,7 @@ TEST_CASE("positioning: follows a robot that is moved", "[contract][sensors]") {
   CHECK(Pose(world).Position == CVector3());
 }
 
-TEST_CASE("positioning noise: each coordinate has the distribution asked for",
+TEST_CASE("positioning noise: each coordinate has the requested distribution",
           "[contract][sensors][noise]") {
   constexpr int kTicks = 3000;
   const bool even = GENERATE(true, false);
@@ -91,7 +91,7 @@ TEST_CASE("positioning noise: each coordinate has the distribution asked for",
             return even ? UniformDistribution(x, -0.1, 0.2) : NormalDistribution(x, 0.05);
           }) <= 1.0);
   }
-  // the orientation is not touched
+  // the orientation has no noise
   CHECK(Pose(world).Orientation ==
         world.Get<CFootBotEntity>("r").GetEmbodiedEntity().GetOriginAnchor().Orientation);
 }
@@ -115,10 +115,10 @@ TEST_CASE("positioning noise: the angle's range is in radians", "[contract][sens
   CHECK(Pose(world).Position == CVector3(1.0, 2.0, 3.0));
 }
 
-TEST_CASE("positioning noise: the axis tilts, and orientations stay rotations",
+TEST_CASE("positioning noise: the axis tilts, and orientations remain rotations",
           "[contract][sensors][noise]") {
   constexpr int kTicks = 3000;
-  // about z by 90 degrees; with noise n on the z component alone... all three are drawn
+  // a rotation about z by 90 degrees; noise is drawn for all three components of the axis
   CRobotWorld world(
       WithSensor("<positioning implementation=\"default\" axis_noise_range=\"-0.3:0.4\"/>",
                  Robot("foot-bot", "r", "position=\"1,2,3\" orientation=\"90,0,0\"")));
@@ -127,12 +127,12 @@ TEST_CASE("positioning noise: the axis tilts, and orientations stay rotations",
     world.Step();
     const CQuaternion& q = Pose(world).Orientation;
     REQUIRE_THAT(q.Length(), WithinAbs(1.0, 1e-14));
-    // the angle stays
+    // the angle has no noise
     REQUIRE_THAT(q.GetW(), WithinAbs(std::cos(M_PI / 4.0), 1e-14));
     slopes.push_back(q.GetX() / q.GetZ());
   }
-  // the ratio of n1 and 1 + n2, both even in [-0.3, 0.4]: P(n1 / (1 + n2) <= s) is the mean over n2
-  // of P(n1 <= s (1 + n2)); by Simpson's rule on 1000 pieces
+  // Distribution of the ratio of n1 and 1 + n2, both uniform in [-0.3, 0.4]: P(n1 / (1 + n2) <= s)
+  // is the mean over n2 of P(n1 <= s (1 + n2)), by Simpson's rule on 1000 intervals.
   const auto distribution = [](Real slope) {
     constexpr int kPieces = 1000;
     Real sum = 0.0;
@@ -152,7 +152,7 @@ TEST_CASE("altitude: is the height above the highest body below the robot, or th
     Real X, Z, Expected;  // m
   };
   const SCase c = GENERATE(SCase{0.0, 0.0, 0.0}, SCase{0.0, 2.0, 2.0},
-                           // above the stool, and beside it
+                           // above the stool and beside it
                            SCase{1.0, 2.0, 1.5}, SCase{1.19, 2.0, 1.5}, SCase{1.21, 2.0, 2.0},
                            // above the shelf over the stool
                            SCase{3.0, 2.0, 0.8}, SCase{3.0, 1.0, 0.5},
@@ -171,7 +171,7 @@ TEST_CASE("altitude: is the height above the highest body below the robot, or th
   CHECK_THAT(Altitude(world), WithinAbs(c.Expected, 1e-15));
 }
 
-TEST_CASE("altitude: a tilted robot looks straight down, and not at itself",
+TEST_CASE("altitude: a tilted robot measures vertically downwards and ignores its own body",
           "[contract][sensors]") {
   CRobotWorld world(
       WithSensor("<altitude implementation=\"default\" show_rays=\"true\"/>",
@@ -181,7 +181,7 @@ TEST_CASE("altitude: a tilted robot looks straight down, and not at itself",
   CHECK(world.GetRobot("r").GetCheckedRays().size() == 1);
 }
 
-TEST_CASE("altitude noise: has the distribution asked for", "[contract][sensors][noise]") {
+TEST_CASE("altitude noise: has the requested distribution", "[contract][sensors][noise]") {
   CRobotWorld world(WithSensor(WithNoise("altitude implementation=\"default\"",
                                          "on=\"height\" model=\"gaussian\" std_dev=\"0.1\""),
                                Robot("foot-bot", "r", PoseText(CVector3(0.0, 0.0, 1.0)))));
@@ -218,7 +218,7 @@ TEST_CASE("clock: counts ticks from 1, and seconds", "[contract][sensors]") {
   CHECK(sensor.GetReading().Tick == 1);
 }
 
-TEST_CASE("clock noise: a clock may gain time", "[contract][sensors][noise]") {
+TEST_CASE("clock noise: a clock may run fast", "[contract][sensors][noise]") {
   CRobotWorld world(WithSensor(
       WithNoise("clock implementation=\"default\"",
                 "on=\"time\" model=\"gaussian\" std_dev=\"0\" bias=\"0.01\" relative=\"true\""),
@@ -228,7 +228,7 @@ TEST_CASE("clock noise: a clock may gain time", "[contract][sensors][noise]") {
   CHECK_THAT(Clock(world).Time, WithinAbs(20.0 * 1.01, 1e-13));
 }
 
-TEST_CASE("pose sensors: wrong experiments are refused with the reason",
+TEST_CASE("pose sensors: invalid experiments are refused with the reason",
           "[contract][sensors][errors]") {
   const std::string robot = Robot("e-puck", "ep0", PoseText(CVector3()));
   CHECK_THAT(LoadError(WithSensor(

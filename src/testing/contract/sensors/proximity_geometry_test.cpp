@@ -1,4 +1,4 @@
-// Proximity sensors against distances worked out by hand, in worlds where nothing moves.
+// Compares proximity sensors with distances computed by hand, in worlds without motion.
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/utility/math/random_stream.h>
@@ -6,6 +6,7 @@
 #include <argos3/plugins/robots/eye-bot/control_interface/ci_eyebot_proximity_sensor.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_proximity_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_proximity_sensor.h>
+#include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
@@ -19,10 +20,10 @@ using Catch::Matchers::WithinAbs;
 namespace {
 
 constexpr Real kNoHit = -1.0;
-// some ten roundings of numbers up to 10 m
+// tolerance of about ten roundings of numbers up to 10 m
 constexpr Real kRounding = 1e-13;
 
-// what the tests know of a robot's sensors
+// geometry of a robot's sensors
 struct SRing {
   std::string Tag;
   Real Radius, Height, Range;  // m
@@ -30,7 +31,7 @@ struct SRing {
 };
 
 SRing FootBotRing() {
-  SRing ring{"foot-bot", 0.085036758, 0.06, 0.1, {}};
+  SRing ring{"foot-bot", kFootBotRadius, 0.06, 0.1, {}};
   for (int i = 0; i < 24; ++i) {
     ring.Angles.push_back((7.5 + 15.0 * i) * M_PI / 180.0);
   }
@@ -38,7 +39,7 @@ SRing FootBotRing() {
 }
 
 SRing EPuckRing() {
-  SRing ring{"e-puck", 0.035, 0.06, 0.1, {}};
+  SRing ring{"e-puck", kEPuckRadius, 0.06, 0.1, {}};
   for (const Real divisor : {10.5884, 3.5999, 2.0, 1.2, 0.8571, 0.6667, 0.5806, 0.5247}) {
     ring.Angles.push_back(M_PI / divisor);
   }
@@ -70,7 +71,7 @@ std::string Box(const std::string& id, const CVector3& size, const std::string& 
          "/></box>";
 }
 
-// distances that the generic sensor saw: its reading is exp(-D)
+// distances of the generic sensor, whose reading is exp(-D)
 std::vector<Real> Distances(CRobotWorld& world, const std::string& robot) {
   std::vector<Real> distances;
   for (const Real reading :
@@ -87,7 +88,7 @@ SRobotExperiment WithGenericSensor(const std::string& arena) {
   return experiment;
 }
 
-// from a point on the ring, outward, to a disc; by the law of cosines
+// distance from a point on the ring, outward, to a disc, by the law of cosines
 Real DistanceToDisc(const SRing& ring, Real rayAngle, Real centerDistance, Real centerAngle,
                     Real radius) {
   const Real along = centerDistance * std::cos(centerAngle - rayAngle);
@@ -113,7 +114,8 @@ void CheckDistances(const std::vector<Real>& seen, const std::vector<Real>& expe
 
 }  // namespace
 
-TEST_CASE("proximity: a robot alone reads nothing, not even itself", "[contract][sensors]") {
+TEST_CASE("proximity: a robot alone reads zeros and does not detect itself",
+          "[contract][sensors]") {
   const SRing ring = GENERATE(FootBotRing(), EPuckRing(), EyeBotRing());
   CAPTURE(ring.Tag);
   CRobotWorld world(WithGenericSensor(Robot(ring.Tag, "r", Pose(0.3, -0.2, 0.0, 30.0))));
@@ -121,7 +123,7 @@ TEST_CASE("proximity: a robot alone reads nothing, not even itself", "[contract]
   CHECK(Distances(world, "r") == std::vector<Real>(ring.Angles.size(), kNoHit));
 }
 
-TEST_CASE("proximity: distances to a disc follow the law of cosines", "[contract][sensors]") {
+TEST_CASE("proximity: distances to a disc satisfy the law of cosines", "[contract][sensors]") {
   const SRing ring = GENERATE(FootBotRing(), EPuckRing(), EyeBotRing());
   const bool movable = GENERATE(false, true);
   CRandomStream random(1, "test", ring.Tag, "poses");
@@ -153,7 +155,7 @@ TEST_CASE("proximity: distances to a wall are its distance over the cosine of th
   const Real yaw = GENERATE(0.0, 33.0, 180.0);  // degrees, of the robot
   const Real gap = 0.03;  // m, from the body to the wall
   CAPTURE(ring.Tag, facing, yaw);
-  // a wall one metre thick and eight long, turned to face the robot
+  // a wall one metre thick and eight metres long that faces the robot
   const Real center = ring.Radius + gap + 0.5;
   const Real towards = facing * M_PI / 180.0;
   CRobotWorld world(WithGenericSensor(
@@ -170,17 +172,18 @@ TEST_CASE("proximity: distances to a wall are its distance over the cosine of th
   CheckDistances(Distances(world, "r"), expected);
 }
 
-TEST_CASE("proximity: sees the same in every engine", "[contract][sensors]") {
+TEST_CASE("proximity: readings are equal in every engine", "[contract][sensors]") {
   const std::string engine = GENERATE("toy_engine", "dynamics2d", "pointmass3d");
   const SRing ring = GENERATE(FootBotRing(), EPuckRing(), EyeBotRing());
   CAPTURE(engine, ring.Tag);
   if (engine == "dynamics2d" && ring.Tag == "eye-bot") {
-    SUCCEED("skipped: robots do not fly in dynamics2d");
+    WARN("skipped: robots do not fly in dynamics2d");
     return;
   }
   const Real gap = 0.03;
   const Real distance = ring.Radius + gap + 0.2;
-  const Real bearing = ring.Angles[1] + 0.5;  // of ray 1 of a robot turned by half a radian
+  // direction of ray 1 of a robot turned by half a radian
+  const Real bearing = ring.Angles[1] + 0.5;
   SRobotExperiment experiment =
       WithGenericSensor(Robot(ring.Tag, "r", Pose(2.0, 1.0, 0.0, 0.5 * 180.0 / M_PI)) +
                         Cylinder("c", 2.0 + distance * std::cos(bearing),
@@ -188,12 +191,13 @@ TEST_CASE("proximity: sees the same in every engine", "[contract][sensors]") {
   experiment.Engine = "<" + engine + " id=\"engine\"/>";
   CRobotWorld world(experiment);
   world.Step(10);
-  // engines may keep poses in single precision: 2 m to 1e-7
+  // tolerance for engines with poses in single precision: 2 m to 1e-7
   CHECK_THAT(Distances(world, "r")[1], WithinAbs(gap, 1e-6));
 }
 
-TEST_CASE("proximity: robots see each other", "[contract][sensors]") {
-  // an e-puck straight ahead of ray 0 of a foot-bot, 5 cm from body to body, whose ray 3 looks back
+TEST_CASE("proximity: robots detect each other", "[contract][sensors]") {
+  // an e-puck straight ahead of ray 0 of a foot-bot, 5 cm from body to body;
+  // ray 3 of the e-puck points back
   const SRing ring = FootBotRing();
   const Real distance = ring.Radius + 0.05 + 0.035;
   const Real yaw = 7.5 + 180.0 - EPuckRing().Angles[3] * 180.0 / M_PI;
@@ -224,7 +228,7 @@ TEST_CASE("proximity: rays end at their range", "[contract][sensors]") {
   }
 }
 
-TEST_CASE("proximity: of two bodies in line the nearer counts, in any order",
+TEST_CASE("proximity: of two bodies in line the nearer one is detected, in any order of addition",
           "[contract][sensors]") {
   const bool nearFirst = GENERATE(true, false);
   const SRing ring = FootBotRing();
@@ -242,7 +246,7 @@ TEST_CASE("proximity: of two bodies in line the nearer counts, in any order",
 }
 
 TEST_CASE("proximity: a ray that starts inside a body reads distance 0", "[contract][sensors]") {
-  // the disc swallows the start of ray 0, which is 4 cm from its centre
+  // the disc contains the start of ray 0, which is 4 cm from its centre
   CRobotWorld world(WithGenericSensor(Robot("e-puck", "r", Pose(0.0, 0.0, 0.0, 0.0)) +
                                       Cylinder("c", 0.075 * std::cos(EPuckRing().Angles[0]),
                                                0.075 * std::sin(EPuckRing().Angles[0]), 0.05)));
@@ -252,7 +256,7 @@ TEST_CASE("proximity: a ray that starts inside a body reads distance 0", "[contr
   CHECK(sensor.GetReadings()[4] == 0.0);
 }
 
-TEST_CASE("proximity: bodies below and above the rays are not seen", "[contract][sensors]") {
+TEST_CASE("proximity: bodies below and above the rays are not detected", "[contract][sensors]") {
   // the rays are at a height of 6 cm above the robot's base
   struct SCase {
     Real Bottom, Height, RobotZ;  // m
@@ -269,7 +273,7 @@ TEST_CASE("proximity: bodies below and above the rays are not seen", "[contract]
   CHECK((Distances(world, "r")[0] != kNoHit) == c.Seen);
 }
 
-TEST_CASE("proximity: a world with a mirror plane gives mirrored readings", "[contract][sensors]") {
+TEST_CASE("proximity: a mirrored world gives mirrored readings", "[contract][sensors]") {
   CRobotWorld world(
       WithGenericSensor(Robot("foot-bot", "r", Pose(0.0, 0.0, 0.0, 0.0)) +
                         Cylinder("c1", 0.11, 0.08, 0.04) + Cylinder("c2", 0.11, -0.08, 0.04) +
@@ -286,8 +290,8 @@ TEST_CASE("proximity: a world with a mirror plane gives mirrored readings", "[co
   CHECK(hits >= 4);
 }
 
-TEST_CASE("proximity: a tilted robot's rays leave the horizontal", "[contract][sensors]") {
-  // on its side, looking up: rays of the rear half point down to the top of a slab at z = 0
+TEST_CASE("proximity: the rays of a tilted robot tilt with it", "[contract][sensors]") {
+  // on its side, facing up: rays of the rear half point down to the top of a slab at z = 0
   const Real height = 0.1;  // m, of the origin above the slab
   CRobotWorld world(WithGenericSensor(
       "<foot-bot id=\"r\"><body position=\"" + ToText(CVector3(0.0, 0.0, height)) +
@@ -297,7 +301,7 @@ TEST_CASE("proximity: a tilted robot's rays leave the horizontal", "[contract][s
   const SRing ring = FootBotRing();
   std::vector<Real> expected;
   for (const Real angle : ring.Angles) {
-    // the robot's x axis points up: a ray at this angle descends with -cos(angle)
+    // the robot's x axis points up: a ray at this angle descends by -cos(angle) per metre
     const Real distance = -height / std::cos(angle) - ring.Radius;
     const bool hit = std::cos(angle) < 0.0 && distance <= ring.Range;
     expected.push_back(hit ? std::max(distance, 0.0) : kNoHit);
@@ -306,14 +310,14 @@ TEST_CASE("proximity: a tilted robot's rays leave the horizontal", "[contract][s
 }
 
 TEST_CASE("proximity: rays hit tilted boxes on their faces", "[contract][sensors]") {
-  // a long bar turned by 45 degrees about its length, the y axis. Its cross-section is a square of
-  // side s on its corner at the height z = 0; at the height 0.06 its front face is at x0 - 0.06
+  // A long bar turned by 45 degrees about its length, the y axis. Its cross-section is a square of
+  // side s standing on a corner at z = 0; at z = 0.06 its front face is at x0 - 0.06.
   const Real side = 0.2;
   const Real corner = 0.2;  // x of the lowest edge, m
   CRobotWorld world(WithGenericSensor(
       Robot("foot-bot", "r", Pose(0.0, 0.0, 0.0, 0.0)) + "<box id=\"b\" size=\"" +
       ToText(CVector3(side, 4.0, side)) + "\" movable=\"false\"><body position=\"" +
-      // the centre of the base is half a side up the slope from the edge
+      // the centre of the base is half a side up the slope from the lowest edge
       ToText(CVector3(corner + side / 2.0 * std::sqrt(0.5), 0.0, side / 2.0 * std::sqrt(0.5))) +
       "\" orientation=\"0,-45,0\"/></box>"));
   world.Step();
@@ -327,8 +331,8 @@ TEST_CASE("proximity: rays hit tilted boxes on their faces", "[contract][sensors
   CheckDistances(Distances(world, "r"), expected);
 }
 
-TEST_CASE("proximity: the response curves are the robots'", "[contract][sensors]") {
-  // one disc in front of one ray of each, at distances on every piece of the curves
+TEST_CASE("proximity: each robot has its own response curve", "[contract][sensors]") {
+  // a disc ahead of one ray of each robot, at distances on every segment of the curves
   const Real distance = GENERATE(0.0, 0.005, 0.012, 0.03, 0.0499, 0.0501, 0.09);
   CAPTURE(distance);
   const auto expectedFootBot = distance < 0.009889556 ? 1.0 : 0.0100527 / (distance + 0.000163144);
@@ -344,7 +348,7 @@ TEST_CASE("proximity: the response curves are the robots'", "[contract][sensors]
         Cylinder("c", center * std::cos(ring.Angles[2]), center * std::sin(ring.Angles[2]), 0.05);
     return result;
   };
-  // a slope of at most 100 per metre lifts roundings of the distance
+  // a slope of at most 100 per metre magnifies roundings of the distance
   constexpr Real kTolerance = 1e-11;
   CRobotWorld footBot(experiment(FootBotRing(), "footbot_proximity"));
   footBot.Step();
@@ -364,7 +368,7 @@ TEST_CASE("proximity: the response curves are the robots'", "[contract][sensors]
       WithinAbs(expectedEPuck, kTolerance));
 }
 
-TEST_CASE("proximity: a robot that is moved by the program sees from its new place at once",
+TEST_CASE("proximity: after a move by a program readings are those of the new place at once",
           "[contract][sensors]") {
   const SRing ring = EPuckRing();
   CRobotWorld world(WithGenericSensor(Robot("e-puck", "r", Pose(0.0, 0.0, 0.0, 0.0)) +
@@ -372,7 +376,7 @@ TEST_CASE("proximity: a robot that is moved by the program sees from its new pla
   world.Step();
   CHECK(Distances(world, "r") == std::vector<Real>(8, kNoHit));
   auto& body = world.Get<CComposableEntity>("r").GetComponent<CEmbodiedEntity>("body");
-  // ray 2 looks along the robot's y axis: turned right by 90 degrees it looks along x
+  // ray 2 points along the robot's y axis: turned right by 90 degrees it points along x
   REQUIRE(body.MoveTo(CVector3(1.82, 0.0, 0.0), CQuaternion(-CRadians::PI_OVER_TWO, CVector3::Z)));
   world.GetRobot("r").Sense();
   CHECK_THAT(Distances(world, "r")[2], WithinAbs(2.0 - 0.1 - 1.82 - ring.Radius, kRounding));

@@ -1,4 +1,4 @@
-// Noise, drawing and errors of the proximity sensors.
+// Noise, recorded rays and errors of the proximity sensors.
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/plugins/robots/e-puck/control_interface/ci_epuck_proximity_sensor.h>
@@ -6,6 +6,7 @@
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_proximity_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_proximity_sensor.h>
 #include <argos3/plugins/robots/generic/simulator/proximity_default_sensor.h>
+#include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
@@ -22,7 +23,7 @@ namespace {
 
 constexpr int kDraws = 20000;
 
-// readings of ray 2 of an e-puck, which looks at a disc 12 mm away, tick by tick
+// readings, tick by tick, of ray 2 of an e-puck at a disc 12 mm away
 std::vector<Real> DrawReadings(CRobotWorld& world, const std::string& robot, int num) {
   const auto& sensor = world.GetSensor<CCI_EPuckProximitySensor>(robot, "epuck_proximity");
   std::vector<Real> readings;
@@ -48,7 +49,7 @@ SRobotExperiment NoisyEPucks(const std::string& noise) {
 
 }  // namespace
 
-TEST_CASE("proximity noise: even in [-n,n] around the true reading", "[contract][sensors]") {
+TEST_CASE("proximity noise: is uniform in [-n,n] around the true reading", "[contract][sensors]") {
   const Real n = 0.2;
   CRobotWorld world(NoisyEPucks("0.2"));
   const std::vector<Real> readings = DrawReadings(world, "a", kDraws);
@@ -61,8 +62,8 @@ TEST_CASE("proximity noise: even in [-n,n] around the true reading", "[contract]
     sum += reading - truth;
     squares += (reading - truth) * (reading - truth);
   }
-  // the variance of U[-n,n] is n^2/3; five standard deviations of each estimate: one failure in a
-  // million. That of the square is sqrt(4/45) n^2
+  // The variance of U[-n,n] is n^2/3, and the standard deviation of the square is sqrt(4/45) n^2.
+  // Five standard deviations of each estimate: one failure in a million.
   const Real deviation = n / std::sqrt(3.0);
   CHECK_THAT(sum / kDraws, WithinAbs(0.0, 5.0 * deviation / std::sqrt(kDraws)));
   CHECK_THAT(squares / kDraws,
@@ -76,7 +77,7 @@ TEST_CASE("proximity noise: readings stay in [0,1]", "[contract][sensors]") {
   CHECK(*std::max_element(readings.begin(), readings.end()) == 1.0);
 }
 
-TEST_CASE("proximity noise: differs between robots, and repeats after a reset",
+TEST_CASE("proximity noise: differs between robots and repeats after a reset",
           "[contract][sensors]") {
   CRobotWorld world(NoisyEPucks("0.1"));
   const std::vector<Real> a = DrawReadings(world, "a", 10);
@@ -89,14 +90,14 @@ TEST_CASE("proximity noise: differs between robots, and repeats after a reset",
   CHECK(DrawReadings(world, "a", 10) != a);
 }
 
-TEST_CASE("proximity: rays are recorded only if asked for", "[contract][sensors]") {
+TEST_CASE("proximity: rays are recorded only on request", "[contract][sensors]") {
   const bool show = GENERATE(false, true);
   SRobotExperiment experiment;
   experiment.Sensors = std::string("<footbot_proximity implementation=\"default\" show_rays=\"") +
                        (show ? "true" : "false") + "\"/>";
-  // the disc stands before ray 0 alone, 5 cm away
+  // the disc is ahead of ray 0 alone, 5 cm away
   const CRadians angle = ToRadians(CDegrees(7.5));
-  const Real distance = 0.085036758 + 0.05 + 0.01;
+  const Real distance = kFootBotRadius + 0.05 + 0.01;
   experiment.Arena =
       Robot("foot-bot", "r", "position=\"0,0,0\"") +
       "<cylinder id=\"c\" radius=\"0.01\" height=\"0.5\" movable=\"false\"><body position=\"" +
@@ -117,7 +118,7 @@ TEST_CASE("proximity: rays are recorded only if asked for", "[contract][sensors]
   CHECK_THAT(Distance(robot.GetIntersectionPoints()[0], expected), WithinAbs(0.0, 1e-14));
 }
 
-TEST_CASE("proximity: readings say where sensors point", "[contract][sensors]") {
+TEST_CASE("proximity: readings contain the directions of the sensors", "[contract][sensors]") {
   SRobotExperiment experiment;
   experiment.Sensors = "<footbot_proximity implementation=\"default\"/>";
   experiment.Arena = Robot("foot-bot", "r", "position=\"0,0,0\"");
@@ -138,7 +139,7 @@ TEST_CASE("proximity: readings say where sensors point", "[contract][sensors]") 
   REQUIRE(ePuck.size() == 8);
   const int expected[8] = {17, 50, 90, 150, -150, -90, -50, -17};
   for (int i = 0; i < 8; ++i) {
-    // the angles are published in whole degrees and as fractions of PI; these agree to 0.1 degrees
+    // the angles are published in whole degrees and as fractions of PI, which agree to 0.1 degrees
     CHECK_THAT(ToDegrees(ePuck[i].Angle).GetValue(), WithinAbs(expected[i], 0.1));
   }
 }
@@ -176,7 +177,7 @@ class CLinearProximitySensor : public CProximityDefaultSensor {
 
 REGISTER_SENSOR(CLinearProximitySensor, "proximity", "linear_for_tests", "", "", "", "", "")
 
-TEST_CASE("proximity: derived sensors read distances in their own way", "[contract][sensors]") {
+TEST_CASE("proximity: derived sensors can change the response", "[contract][sensors]") {
   SRobotExperiment experiment;
   experiment.Sensors = "<proximity implementation=\"linear_for_tests\"/>";
   experiment.Arena =
@@ -189,7 +190,7 @@ TEST_CASE("proximity: derived sensors read distances in their own way", "[contra
              WithinAbs(0.75, 1e-13));
 }
 
-TEST_CASE("proximity: sensors added or changed by the program count", "[contract][sensors]") {
+TEST_CASE("proximity: sensors added or changed by a program are read", "[contract][sensors]") {
   SRobotExperiment experiment;
   experiment.Sensors = "<proximity implementation=\"default\"/>";
   experiment.Arena =
@@ -209,7 +210,7 @@ TEST_CASE("proximity: sensors added or changed by the program count", "[contract
   CHECK_THAT(readings[8], WithinAbs(std::exp(-0.02), 1e-13));
 }
 
-TEST_CASE("proximity: wrong experiments are refused with the reason",
+TEST_CASE("proximity: invalid experiments are refused with the reason",
           "[contract][sensors][errors]") {
   SRobotExperiment experiment;
   experiment.Arena = Robot("foot-bot", "fb0", "position=\"0,0,0\"");
@@ -218,7 +219,7 @@ TEST_CASE("proximity: wrong experiments are refused with the reason",
     CHECK_THAT(LoadError(experiment),
                Contains("noise_level") && Contains(">= 0") && Contains("-0.1") && Contains("fb0"));
   }
-  SECTION("noise that is no number") {
+  SECTION("noise that is not a number") {
     experiment.Sensors = "<proximity implementation=\"default\" noise_level=\"much\"/>";
     CHECK_THAT(LoadError(experiment), Contains("noise_level") && Contains("much"));
   }

@@ -1,4 +1,4 @@
-// What the range-and-bearing sensor reads: geometry, messages, noise, loss.
+// Readings of the range-and-bearing sensor: geometry, messages, noise, loss.
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/utility/math/random_stream.h>
@@ -35,7 +35,7 @@ SRobotExperiment WithRAB(const std::string& arena, const std::string& attributes
   return experiment;
 }
 
-// of equal range and message size, whatever the type
+// a robot with the same range and message size for every type
 std::string RobotAt(const std::string& tag, const std::string& id, const CVector3& position,
                     Real yaw = 0.0) {
   return "<" + tag + " id=\"" + id + "\" rab_range=\"4\" rab_data_size=\"3\"><body position=\"" +
@@ -53,9 +53,10 @@ CCI_RangeAndBearingActuator& Actuator(CRobotWorld& world, const std::string& rob
 
 }  // namespace
 
-TEST_CASE("range and bearing: range in cm, bearings in the robot's frame", "[contract][sensors]") {
+TEST_CASE("range and bearing: ranges are in cm, bearings in the robot's frame",
+          "[contract][sensors]") {
   const std::string tag = GENERATE("foot-bot", "e-puck");
-  // bearing of the sender in the world, and yaw of the listener, degrees
+  // bearing of the sender in the world, and yaw of the receiver, degrees
   const Real direction = GENERATE(0.0, 40.0, 90.0, 179.0, -120.0);
   const Real yaw = GENERATE(0.0, 30.0, -170.0);
   CAPTURE(tag, direction, yaw);
@@ -67,14 +68,14 @@ TEST_CASE("range and bearing: range in cm, bearings in the robot's frame", "[con
   world.Step();
   REQUIRE(Readings(world, "here").size() == 1);
   const TPacket& packet = Readings(world, "here")[0];
-  // degrees in the file and coordinates near 1: some roundings of 1e-16
+  // degrees in the file, and coordinates near 1: some roundings of 1e-16
   CHECK_THAT(packet.Range, WithinAbs(150.0, 1e-12));
   const CRadians expected = ToRadians(CDegrees(direction - yaw)).SignedNormalize();
   CHECK_THAT(packet.HorizontalBearing.GetValue(), WithinAbs(expected.GetValue(), 1e-13));
   CHECK_THAT(packet.VerticalBearing.GetValue(), WithinAbs(0.0, 1e-15));
 }
 
-TEST_CASE("range and bearing: the elevation is the sender's above the robot's plane",
+TEST_CASE("range and bearing: the elevation is the angle of the sender above the robot's plane",
           "[contract][sensors]") {
   // devices are 0.1 m high on a foot-bot, 0.086 m on an e-puck
   CRobotWorld world(WithRAB(RobotAt("foot-bot", "fb", CVector3(0.0, 0.0, 0.0), 10.0) +
@@ -96,14 +97,14 @@ TEST_CASE("range and bearing: the elevation is the sender's above the robot's pl
 TEST_CASE("range and bearing: a tilted robot measures in its own frame", "[contract][sensors]") {
   CRobotWorld world(WithRAB(RobotAt("foot-bot", "here", CVector3()) +
                             RobotAt("foot-bot", "there", CVector3(1.0, 0.0, 0.0))));
-  // nose down by 30 degrees about y: its x axis points below the horizon
+  // nose down by 30 degrees about y: the x axis points below the horizon
   auto& here = world.Get<CFootBotEntity>("here");
   here.GetEmbodiedEntity().MoveTo(CVector3(), CQuaternion(ToRadians(CDegrees(30.0)), CVector3::Y),
                                   false, true);
   world.Step();
   REQUIRE(Readings(world, "here").size() == 1);
   const TPacket& packet = Readings(world, "here")[0];
-  // its device is now at (0.1 sin 30, 0, 0.1 cos 30), the other one at (1, 0, 0.1)
+  // its device is now at (0.1 sin 30, 0, 0.1 cos 30), the other device at (1, 0, 0.1)
   const Real ahead = 1.0 - 0.1 * 0.5;
   const Real above = 0.1 - 0.1 * std::sqrt(3.0) / 2.0;
   CHECK_THAT(packet.VerticalBearing.GetValue(),
@@ -112,7 +113,7 @@ TEST_CASE("range and bearing: a tilted robot measures in its own frame", "[contr
   CHECK_THAT(packet.Range, WithinAbs(100.0 * std::hypot(ahead, above), 1e-11));
 }
 
-TEST_CASE("range and bearing: e-pucks, whose devices are as high as their tops, hide each other",
+TEST_CASE("range and bearing: e-pucks, whose devices are at their tops, occlude each other",
           "[contract][sensors]") {
   CRobotWorld world(WithRAB(RobotAt("e-puck", "a", CVector3(), 33.0) +
                             RobotAt("e-puck", "b", CVector3(0.5, 0.01, 0.0), 77.0) +
@@ -123,14 +124,14 @@ TEST_CASE("range and bearing: e-pucks, whose devices are as high as their tops, 
   CHECK(Readings(world, "c").size() == 1);
 }
 
-TEST_CASE("range and bearing: a mirrored or turned world gives mirrored or equal readings",
+TEST_CASE("range and bearing: mirrored worlds give mirrored readings, turned worlds equal ones",
           "[contract][sensors]") {
   CRandomStream random(4, "test", "range and bearing", "places");
   constexpr int kRobots = 25;
   std::vector<CVector3> places;
   std::vector<Real> yaws;
   for (int i = 0; i < kRobots; ++i) {
-    // a lattice of 0.5 m, jittered: nobody overlaps
+    // on a jittered lattice of 0.5 m, so that no robots overlap
     places.emplace_back(0.5 * (i % 5) + random.Uniform(-0.1, 0.1) - 1.0,
                         0.5 * (i / 5) + random.Uniform(-0.1, 0.1) - 1.0, 0.0);
     yaws.push_back(random.Uniform(-180.0, 180.0));
@@ -167,12 +168,12 @@ TEST_CASE("range and bearing: a mirrored or turned world gives mirrored or equal
                  WithinAbs(expected[k].VerticalBearing.GetValue(), 1e-13));
     }
   }
-  // some are hidden, some are not
+  // some pairs are occluded, some are not
   CHECK(numPackets > 3 * kRobots);
   CHECK(numPackets < kRobots * (kRobots - 1));
 }
 
-TEST_CASE("range and bearing: a message set in one tick is heard in the next",
+TEST_CASE("range and bearing: a message set in one tick is received in the next",
           "[contract][sensors]") {
   CRobotWorld world(WithRAB(RobotAt("foot-bot", "a", CVector3()) +
                             RobotAt("e-puck", "b", CVector3(1.0, 0.0, 0.0))));
@@ -184,7 +185,7 @@ TEST_CASE("range and bearing: a message set in one tick is heard in the next",
   CHECK(Readings(world, "b")[0].Data == CByteArray(3, 0));
   world.Step();
   CHECK(Readings(world, "b")[0].Data == CByteArray(bytes, 3));
-  // it is sent until it is changed
+  // it is sent until it is replaced
   world.Step(3);
   CHECK(Readings(world, "b")[0].Data == CByteArray(bytes, 3));
   Actuator(world, "a").SetData(0, 7);
@@ -196,7 +197,7 @@ TEST_CASE("range and bearing: a message set in one tick is heard in the next",
   CHECK(Readings(world, "b")[0].Data == CByteArray(3, 0));
 }
 
-TEST_CASE("range and bearing: lines to the senders are recorded only if asked for",
+TEST_CASE("range and bearing: lines to the senders are recorded only on request",
           "[contract][sensors]") {
   const bool show = GENERATE(false, true);
   CRobotWorld world(WithRAB(
@@ -216,7 +217,7 @@ namespace {
 
 constexpr int kDraws = 20000;
 
-// packets that "a" hears from "b", 1 m ahead of it, tick by tick
+// packets that "a" receives from "b", 1 m ahead of it, tick by tick
 std::vector<TPacket> DrawPackets(CRobotWorld& world, int num) {
   std::vector<TPacket> packets;
   for (int i = 0; i < num; ++i) {
@@ -241,7 +242,7 @@ CVector3 PlaceOf(const TPacket& packet) {
 
 }  // namespace
 
-TEST_CASE("range and bearing noise: a vector of Gaussian length and even angles",
+TEST_CASE("range and bearing noise: is a vector of Gaussian length and uniform angles",
           "[contract][sensors]") {
   const Real sigma = 0.05;
   CRobotWorld world(WithRAB(Pair(), "noise_std_dev=\"0.05\""));
@@ -282,7 +283,7 @@ TEST_CASE("range and bearing noise: a vector of Gaussian length and even angles"
   CHECK(greatest < 1.95 / std::sqrt(kDraws));
 }
 
-TEST_CASE("range and bearing noise: <noise> is on the quantity it names", "[contract][sensors]") {
+TEST_CASE("range and bearing noise: <noise> is on the given quantity", "[contract][sensors]") {
   CRobotWorld world(WithRAB(Pair(), "",
                             "<noise on=\"range\" model=\"gaussian\" std_dev=\"2\" bias=\"1\"/>"
                             "<noise on=\"horizontal_bearing\" model=\"uniform\" level=\"0.1\"/>"));
@@ -301,7 +302,7 @@ TEST_CASE("range and bearing noise: <noise> is on the quantity it names", "[cont
     bearingSquares += bearing * bearing;
     REQUIRE(packet.VerticalBearing == CRadians());
   }
-  // five standard deviations of each estimate: 1 failure in 10^6
+  // tolerance of five standard deviations of each estimate: 1 failure in 10^6
   const Real five = 5.0 / std::sqrt(kDraws);
   CHECK_THAT(rangeSum / kDraws, WithinAbs(0.0, five * 2.0));
   CHECK_THAT(rangeSquares / kDraws, WithinAbs(4.0, five * 4.0 * std::sqrt(2.0)));
@@ -331,12 +332,12 @@ TEST_CASE("range and bearing: packets are lost with the given probability", "[co
                SCase{"packet_drop_prob=\"1\"", 1.0});
   CRobotWorld world(WithRAB(Pair(), c.Attribute));
   const Real heard = static_cast<Real>(DrawPackets(world, kDraws).size());
-  // five standard deviations of the binomial distribution: 1 failure in 10^6
+  // tolerance of five standard deviations of the binomial distribution: 1 failure in 10^6
   const Real deviation = std::sqrt(kDraws * c.Probability * (1.0 - c.Probability));
   CHECK_THAT(heard, WithinAbs(kDraws * (1.0 - c.Probability), 5.0 * deviation));
 }
 
-TEST_CASE("range and bearing noise: differs between robots, and repeats after a reset",
+TEST_CASE("range and bearing noise: differs between robots and repeats after a reset",
           "[contract][sensors]") {
   const std::string attributes = GENERATE("noise_std_dev=\"0.1\"", "packet_drop_prob=\"0.5\"", "");
   const std::string children = attributes.empty() ? "<noise model=\"uniform\" level=\"0.1\"/>" : "";
@@ -359,14 +360,14 @@ TEST_CASE("range and bearing noise: differs between robots, and repeats after a 
   CHECK(draw("a") != first);
 }
 
-TEST_CASE("range and bearing: wrong orders and experiments are refused with the reason",
+TEST_CASE("range and bearing: invalid orders and experiments are refused with the reason",
           "[contract][sensors][errors]") {
-  SECTION("messages of another size") {
+  SECTION("a message of another size") {
     CRobotWorld world(WithRAB(Pair()));
     CHECK_THROWS_WITH(Actuator(world, "a").SetData(CByteArray(4)), Contains("3 bytes, got 4"));
     CHECK_THROWS_WITH(Actuator(world, "a").SetData(3, 1), Contains("no byte 3"));
   }
-  SECTION("wrong attributes") {
+  SECTION("invalid attributes") {
     struct SCase {
       const char* Attribute;
       const char* Reason;
@@ -378,23 +379,23 @@ TEST_CASE("range and bearing: wrong orders and experiments are refused with the 
     CHECK_THAT(LoadError(WithRAB(Pair(), c.Attribute)),
                Contains(c.Reason) && Contains("test.argos:"));
   }
-  SECTION("noise on what is not there") {
+  SECTION("noise on an unknown quantity") {
     CHECK_THAT(
         LoadError(WithRAB(Pair(), "", "<noise on=\"bearing\" model=\"uniform\" level=\"1\"/>")),
         Contains("horizontal_bearing"));
   }
-  SECTION("no medium named") {
+  SECTION("a missing medium") {
     SRobotExperiment experiment = WithRAB(Pair());
     experiment.Sensors = "<range_and_bearing implementation=\"medium\"/>";
     CHECK_THAT(LoadError(experiment), Contains("medium"));
   }
-  SECTION("a medium that is not there") {
+  SECTION("an unknown medium") {
     SRobotExperiment experiment = WithRAB(Pair());
     experiment.Media = "<range_and_bearing id=\"rabbit\"/>";
     CHECK_THAT(LoadError(experiment),
                Contains("range and bearing medium") && Contains("\"rab\"") && Contains("rabbit"));
   }
-  SECTION("a medium for something else") {
+  SECTION("a medium of the wrong type") {
     SRobotExperiment experiment = WithRAB(Pair());
     experiment.Media = "<led id=\"rab\"/>";
     CHECK_THAT(LoadError(experiment), Contains("range and bearing medium"));

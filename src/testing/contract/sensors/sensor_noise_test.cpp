@@ -1,5 +1,5 @@
-// Every sensor of every robot with Gaussian noise, beside the same sensor without it: the readings
-// differ by what was asked for, wherever they are not cut to their range.
+// Compares every sensor of every robot with Gaussian noise with the same sensor without noise: the
+// readings differ by the requested distribution, except where they are clamped to their range.
 
 #include <argos3/testing/contract/sensors/symmetry_probe.h>
 
@@ -11,12 +11,13 @@ using namespace argos;
 
 namespace {
 
-// so many that a standard deviation that is a fifth too large is found
+// so many draws that a standard deviation a fifth too large is detected
 constexpr size_t kDraws = 6000;
-// how far from the ends of its range a reading must be for noise not to take it there, in sigmas
+// in sigmas: readings closer to the limits of their range are not used,
+// because noise might clamp them
 constexpr Real kMargin = 7.0;
 
-// each element that closes itself is a device, or a detector of a camera
+// adds noise to each self-closing element, which is a device or a detector of a camera
 std::string WithGaussian(const std::string& devices, Real sigma) {
   static const std::regex element("<([a-z_]+)([^<>]*)/>");
   return std::regex_replace(devices, element,
@@ -38,7 +39,7 @@ void Append(std::vector<Real>& errors, const SNoisyReadings& noise,
 
 }  // namespace
 
-TEST_CASE("sensor noise: every sensor of every robot has the distribution asked for",
+TEST_CASE("sensor noise: every sensor of every robot has the requested distribution",
           "[contract][sensors][noise]") {
   SSymmetryMap map;
   map.IsInOrderOfCreation = true;

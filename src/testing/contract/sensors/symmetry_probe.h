@@ -2,6 +2,7 @@
 #define ARGOS3_TESTING_CONTRACT_SENSORS_SYMMETRY_PROBE_H
 
 #include <argos3/testing/contract/sensors/scene.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <cmath>
 #include <functional>
@@ -10,15 +11,19 @@
 
 namespace argos {
 
-// some thousand roundings: poses are turned there and back, and arcs are driven for a second
+// tolerance of some thousand roundings: poses are transformed and
+// back, arcs are driven for a second
 constexpr Real kSymmetryRoundings = 1e-11;
 
-/** How a world is changed: mirrored at the x axis, or not, then turned about z, then shifted. */
+/**
+ * A symmetry of the world: an optional reflection at the x axis, then a
+ * rotation about z, then a shift.
+ */
 struct SSymmetryMap {
   bool IsMirror = false;
   Real Turn = 0.0; /**< degrees */
   Real ShiftX = 0.0, ShiftY = 0.0; /**< m */
-  /** Probes list what was created first first, whatever place it has. */
+  /** Probes list objects in the order of their creation, whatever their positions. */
   bool IsInOrderOfCreation = false;
 
   CVector3 Apply(const CVector3& point) const {
@@ -37,18 +42,18 @@ struct SSymmetryMap {
   }
 };
 
-/** A robot "r", and how big it is, m. */
+/** A robot "r" and its size, m. */
 struct SSymmetryScene {
   std::string Robot = "foot-bot";
-  Real Radius = 0.085036758; /**< of its body */
+  Real Radius = kFootBotRadius; /**< of its body */
   Real Height = 0.0; /**< of its base */
 };
 
-/** Where the robot is in the world that is changed, m, and degrees. */
+/** Pose of the robot in the original world, m, and degrees. */
 const CVector3 kSymmetryRobotAt(0.2, 0.1, 0.0);
 constexpr Real kSymmetryRobotYaw = 25.0;
 
-/** A place at a bearing (degrees, world frame) and a distance (m) from the robot. */
+/** A point at a bearing (degrees, world frame) and a distance (m) from the robot. */
 inline CVector3 AroundRobot(const SSymmetryMap& map, Real bearing, Real distance, Real height) {
   const Real angle = bearing * M_PI / 180.0;
   return map.Apply(kSymmetryRobotAt +
@@ -57,12 +62,13 @@ inline CVector3 AroundRobot(const SSymmetryMap& map, Real bearing, Real distance
 
 typedef std::vector<Real> TSymmetryReadings;
 
-/** Which readings of a probe take the noise of a `<noise>` child as it is. */
+/** Readings of a probe to which the noise of a `<noise>` child is added directly. */
 struct SNoisyReadings {
-  Real Sigma = 0.0; /**< to test with; 0: none takes it */
-  Real Min = -1e9, Max = 1e9; /**< where readings are cut, or begin to mean something else */
-  size_t Stride = 1; /**< readings repeat after so many ... */
-  std::vector<size_t> Columns = {0}; /**< ... of which these are concerned */
+  Real Sigma = 0.0; /**< of the test; 0: no such readings */
+  /** limits beyond which readings are clamped or have another meaning */
+  Real Min = -1e9, Max = 1e9;
+  size_t Stride = 1; /**< length of the repeating group of readings ... */
+  std::vector<size_t> Columns = {0}; /**< ... and indices within it that have the noise */
 };
 
 /** One sensor of one robot. */
@@ -70,32 +76,32 @@ struct SSymmetryProbe {
   std::string Name;
   SSymmetryScene Scene;
   std::string Sensors; /**< XML of the controller "c" */
-  /** The readings, in an order of the probe's own. */
+  /** Returns the readings in a fixed order. */
   std::function<TSymmetryReadings(CRobotWorld&, const SSymmetryMap&)> Read;
-  /** Those that the mirrored robot should have. */
+  /** Maps the readings to those expected of the mirrored robot. */
   std::function<TSymmetryReadings(TSymmetryReadings)> Mirror;
   std::string Actuators = "";
   std::string Engine = "<toy_engine id=\"toy\"/>";
   /** Gives orders before the first tick. */
   std::function<void(CRobotWorld&, const SSymmetryMap&)> Prepare = {};
   Real MirrorTolerance = kSymmetryRoundings;
-  /** XML of the arena, if it is not the usual one. */
+  /** XML of the arena, if not the default one. */
   std::function<std::string(const SSymmetryScene&, const SSymmetryMap&)> Arena = {};
   std::string Media = "<led id=\"leds\"/>";
   SNoisyReadings Noise = {};
 };
 
 const SSymmetryScene kFootBotScene;
-const SSymmetryScene kEPuckScene{"e-puck", 0.035, 0.0};
+const SSymmetryScene kEPuckScene{"e-puck", kEPuckRadius, 0.0};
 const SSymmetryScene kEyeBotScene{"eye-bot", 0.255, 0.0};
 
 inline TSymmetryReadings KeepReadings(TSymmetryReadings readings) {
   return readings;
 }
 
-/** All of them. */
+/** All probes, one per sensor and robot. */
 std::vector<SSymmetryProbe> MakeSymmetryProbes();
-/** Sensors of what others send: cameras, range and bearing, radios. */
+/** Appends sensors of signals of other robots: cameras, range and bearing, radios. */
 void AppendSignalProbes(std::vector<SSymmetryProbe>& probes);
 SRobotExperiment MakeSymmetryExperiment(const SSymmetryProbe& probe, const SSymmetryMap& map);
 

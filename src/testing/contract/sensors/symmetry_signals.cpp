@@ -1,4 +1,4 @@
-// What robots sense of what others show and send, in worlds that are moved, turned and mirrored.
+// Sensors of signals of other robots, in worlds that are moved, turned and mirrored.
 
 #include <argos3/plugins/robots/generic/control_interface/ci_camera_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_camera_sensor_directional_led_detector_algorithm.h>
@@ -23,10 +23,11 @@ namespace argos {
 namespace {
 
 constexpr Real kImageWidth = 640.0;  // pixels
-// pixels: of a point that is near, some roundings of its place
+// in pixels: some roundings of the position of a near point
 constexpr Real kPixelRoundings = 1e-9;
 
-constexpr UInt32 kEPuckLEDs = 8;  // a ring that begins 11.25 degrees from the x axis: no partners
+// the ring begins 11.25 degrees from the x axis: its LEDs have no mirror partners
+constexpr UInt32 kEPuckLEDs = 8;
 constexpr UInt32 kEyeBotLEDs = 33;
 
 const char* const kMedia =
@@ -35,7 +36,7 @@ const char* const kMedia =
 const char* const kActuators =
     "<leds implementation='default' medium='leds'/><range_and_bearing implementation='default'/>"
     "<simple_radios implementation='default'/>";
-// symmetric to the robot's x axis
+// symmetric about the robot's x axis
 const char* const kCarried =
     "<directional_leds medium='signals'>"
     "<directional_led position='0.05,0,0.2' orientation='0,90,0' anchor='origin' "
@@ -55,7 +56,7 @@ struct SOther {
   Real Yaw;  // degrees
 };
 
-// none in a line with another, none at a distance that only a rounding decides
+// no two robots in line, and none at a distance at which a rounding decides
 const std::array<SOther, 6> kOthers = {{{41.0, 0.51, 203.0},
                                         {8.0, 0.62, 161.0},
                                         {143.0, 0.47, -61.0},
@@ -69,18 +70,19 @@ std::string RobotText(const SSymmetryScene& scene, const std::string& id, const 
          PoseText(place, yaw) + "/><controller config='c'/>" + kCarried + "</" + scene.Robot + ">";
 }
 
-// the robot and the others, at the height of the scene, lights on the ground, and a pillar
+// the robot and the others at the height of the scene, lights on the ground, and a pillar
 std::string SignalArena(const SSymmetryScene& scene, const SSymmetryMap& map) {
   const auto around = [&map](Real bearing, Real distance, Real height) {
     return AroundRobot(map, bearing, distance, height);
   };
-  // eye-bots are wide
+  // eye-bots need wider spacing
   const Real spread = scene.Robot == "eye-bot" ? 2.0 : 1.0;
   std::string arena =
       RobotText(scene, "r", around(0.0, 0.0, scene.Height), map.ApplyToYaw(kSymmetryRobotYaw));
   for (size_t i = 0; i < kOthers.size(); ++i) {
     const SOther& other = kOthers[i];
-    // so that no light is as high as the camera, in the row of pixels that a rounding decides
+    // no light is at the height of the camera, where a rounding would
+    // decide about the row of pixels
     const Real height = scene.Height + 0.03 * static_cast<Real>(i + 1);
     arena += RobotText(scene, "o" + std::to_string(i),
                        around(other.Bearing, spread * other.Distance, height),
@@ -88,7 +90,7 @@ std::string SignalArena(const SSymmetryScene& scene, const SSymmetryMap& map) {
   }
   const CVector3 pillar = around(35.0, spread * 0.3, 0.0);
   arena += PillarText("pillar", pillar.GetX(), pillar.GetY(), 0.03, 0.6 + scene.Height);
-  // straight below robots that fly, and in front of those on the ground
+  // lights directly below flying robots, and around robots on the ground
   arena += LightText("l0", around(30.0, 0.23, 0.02), "yellow") +
            LightText("l1", around(-80.0, 0.21, 0.05), "white") +
            LightText("l2", around(190.0, 0.24, 0.03), "cyan") +
@@ -96,7 +98,7 @@ std::string SignalArena(const SSymmetryScene& scene, const SSymmetryMap& map) {
   return arena;
 }
 
-// lights all LEDs that have a partner in the mirror, and sends in every tick
+// lights all LEDs that have a mirror partner, and sends in every tick
 void Signal(CRobotWorld& world, const SSymmetryMap& /*map*/) {
   static const CColor colors[] = {CColor::RED,    CColor::GREEN,  CColor::BLUE,
                                   CColor::ORANGE, CColor::PURPLE, CColor::BROWN};
@@ -107,7 +109,7 @@ void Signal(CRobotWorld& world, const SSymmetryMap& /*map*/) {
       leds.SetAllColors(colors[i]);
     }
     if (leds.GetNumLEDs() == kEyeBotLEDs) {
-      // the last one hangs on one arm
+      // the last one is on one arm and has no partner
       leds.SetSingleColor(kEyeBotLEDs - 1, CColor::BLACK);
     }
     auto& rab = world.GetActuator<CCI_RangeAndBearingActuator>(id, "range_and_bearing");
@@ -122,13 +124,13 @@ void Signal(CRobotWorld& world, const SSymmetryMap& /*map*/) {
   }
 }
 
-// a thing that is sensed: its kind, where it is from left to right, and more
+// a sensed object: its type, its position from left to right, and further values
 constexpr size_t kRowLength = 6;
 typedef std::array<Real, kRowLength> TRow;
 
-// in an order that does not depend on who was created first
+// in an order that does not depend on the order of creation, unless isInOrder
 TSymmetryReadings Flatten(std::vector<TRow> rows, bool isInOrder = false) {
-  // a rounding does not count: some are straight above others
+  // columns are rounded, because some objects are exactly above others
   const auto column = [](const TRow& row) { return std::round(1e6 * row[1]); };
   if (!isInOrder) {
     std::sort(rows.begin(), rows.end(), [&column](const TRow& a, const TRow& b) {
@@ -204,7 +206,7 @@ TSymmetryReadings ReadCameras(CRobotWorld& world, const SSymmetryMap& map) {
   ForReadings<CCI_CameraSensorDirectionalLEDDetectorAlgorithm>(
       world, 1, [&](const auto& reading) { addLED(1.0, reading); });
   ForReadings<CCI_CameraSensorTagDetectorAlgorithm>(world, 2, [&rows](const auto& reading) {
-    // in the mirror a corner takes another's place
+    // the reflection exchanges corners
     const auto [left, right] =
         std::minmax_element(reading.Corners.begin(), reading.Corners.end(),
                             [](const auto& a, const auto& b) { return a.GetX() < b.GetX(); });

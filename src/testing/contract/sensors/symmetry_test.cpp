@@ -1,8 +1,7 @@
-// Worlds that are moved, turned or mirrored: robots sense in them what they sense in the original,
-// left and right exchanged in the mirror.
+// Worlds that are moved, turned or mirrored: the readings of robots equal those in the original,
+// with left and right exchanged by the reflection.
 //
-// Each probe is one sensor of one robot; another one is one more entry of
-// MakeSymmetryProbes().
+// Each probe is one sensor of one robot; a new probe is one more entry in MakeSymmetryProbes().
 
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/plugins/robots/e-puck/control_interface/ci_epuck_proximity_sensor.h>
@@ -46,20 +45,20 @@ using SScene = SSymmetryScene;
 using SProbe = SSymmetryProbe;
 using TReadings = TSymmetryReadings;
 
-// the e-puck's proximity sensors are published as fractions of PI, symmetric to 0.1 degrees: that
-// moves a ray's end by 0.1 mm where it strikes a body, on curves that fall by 37 a metre
+// The angles of the e-puck's proximity sensors are published as fractions of PI, symmetric to 0.1
+// degrees. This moves the point hit by a ray by 0.1 mm, on curves with a slope of 37 per metre.
 constexpr Real kEPuckAngles = 5e-3;
 
 const SMap kMaps[] = {{false, 90.0, 0.0, 0.0},   {false, 180.0, 0.0, 0.0}, {false, 37.0, 0.4, -0.7},
                       {false, -119.0, 1.1, 0.6}, {true, 0.0, 0.0, 0.0},    {true, 37.0, -0.5, 0.3},
                       {true, 180.0, 0.0, 0.9}};
 
-// a floor that is painted all over, and moves with the rest of the world
+// a floor whose colours are transformed with the world
 class CMappedFloor : public CLoopFunctions {
  public:
   CColor GetFloorColor(const CVector2& point) override {
     const CVector2 original = Map.Revert(point);
-    // broad steps, so that roundings of the place change no colour under the sensors here
+    // wide steps, so that rounding of positions changes no colour under the sensors
     const auto step = [](Real phase) {
       return static_cast<UInt8>(40 * (1 + static_cast<int>(std::floor(phase)) % 5));
     };
@@ -86,7 +85,8 @@ std::string BuildArena(const SScene& scene, const SMap& map) {
          "/><controller config=\"c\"/><battery discharge_model=\"motion\" "
          "start_charge=\"0.5\"/></" +
          scene.Robot + ">" +
-         // near: proximity sensors; farther: the scanner and, from above, the altitude sensor
+         // near pillars for proximity sensors, distant ones for the scanner and,
+         // from above, the altitude sensor
          pillar("p0", 70.0, 0.02, 0.05) + pillar("p1", 160.0, 0.035, 0.03) +
          pillar("p2", -100.0, 0.01, 0.02) + pillar("p3", -30.0, 0.6, 0.1) +
          BoxText("b0", CVector3(0.1, 0.5, 0.4), around(20.0, scene.Radius + 0.25),
@@ -95,13 +95,13 @@ std::string BuildArena(const SScene& scene, const SMap& map) {
          lamp("l2", -150.0, 0.9, 0.7, 0.6);
 }
 
-// what lies symmetrically about the robot's x axis, counted round, is read backwards
+// reverses readings of sensors that are symmetric about the robot's x axis and counted around it
 TReadings Reverse(TReadings readings) {
   std::reverse(readings.begin(), readings.end());
   return readings;
 }
 
-// the first one lies on the axis
+// the first sensor is on the axis
 TReadings ReverseRest(TReadings readings) {
   std::reverse(readings.begin() + 1, readings.end());
   return readings;
@@ -120,7 +120,7 @@ SENSOR& SensorOf(CRobotWorld& world, const std::string& tag) {
   return world.GetSensor<SENSOR>("r", tag);
 }
 
-// of a sensor whose readings have a Value each
+// for sensors whose readings have a Value
 template <typename SENSOR>
 std::function<TReadings(CRobotWorld&, const SMap&)> Values(const std::string& tag) {
   return [tag](CRobotWorld& world, const SMap&) {
@@ -132,7 +132,7 @@ std::function<TReadings(CRobotWorld&, const SMap&)> Values(const std::string& ta
   };
 }
 
-// of a sensor whose readings are numbers
+// for sensors whose readings are numbers
 template <typename SENSOR>
 std::function<TReadings(CRobotWorld&, const SMap&)> Numbers(const std::string& tag) {
   return
@@ -191,7 +191,7 @@ void AddNoise(std::vector<SProbe>& probes, size_t first, const SNoisyReadings& n
 void AddGround(std::vector<SProbe>& probes) {
   probes.push_back({"ground of a foot-bot", kFootBotScene, RotZOnly("ground"),
                     Numbers<CCI_GroundSensor>("ground"), MirrorGround});
-  // the others know only black and white
+  // the other sensors read only black and white
   probes.back().Noise = {0.02, 0.0, 1.0, 12, {0, 1, 2, 3}};
   probes.push_back({"ground of an e-puck", kEPuckScene, RotZOnly("ground"),
                     Numbers<CCI_GroundSensor>("ground"), Reverse});
@@ -212,7 +212,7 @@ TReadings ReadPose(CRobotWorld& world, const SMap& map) {
   return {place.GetX(), place.GetY(), reading.Position.GetZ(), std::sin(yaw), std::cos(yaw)};
 }
 
-// above a pillar, and beside
+// readings above a pillar and beside it
 TReadings ReadAltitudes(CRobotWorld& world, const SMap& map) {
   TReadings heights;
   for (const Real bearing : {70.0, 160.0, 40.0}) {
@@ -235,7 +235,7 @@ void AddPoseSensors(std::vector<SProbe>& probes) {
                         return readings;
                       }});
     probes.back().Noise = {0.01, -1e9, 1e9, 5, {0, 1, 2}};
-    // the pillar p1 is there for a robot of the eye-bot's size
+    // the pillar p1 is placed for a robot of the eye-bot's size
     scene.Radius = kEyeBotScene.Radius;
     scene.Height = 1.0;
     probes.push_back({"altitude of the " + scene.Robot, scene, Default("altitude"), ReadAltitudes,
@@ -252,7 +252,7 @@ void AddPoseSensors(std::vector<SProbe>& probes) {
   }
 }
 
-// cm/s in the original world; mirrored robots have left and right exchanged
+// speeds in cm/s in the original world; mirrored robots have left and right exchanged
 void Drive(CRobotWorld& world, const SMap& map) {
   auto& wheels = world.GetActuator<CCI_DifferentialSteeringActuator>("r", "differential_steering");
   map.IsMirror ? wheels.SetLinearVelocity(0.5, 0.2) : wheels.SetLinearVelocity(0.2, 0.5);
@@ -313,7 +313,7 @@ void AddMotion(std::vector<SProbe>& probes) {
         {rpm == 0.0 ? "distance scanner, held" : "distance scanner, turning", kFootBotScene,
          RotZOnly("footbot_distance_scanner"),
          [](CRobotWorld& world, const SMap& map) {
-           // by angle in the original robot's frame
+           // by angle in the frame of the original robot
            TReadings readings;
            for (const auto& [angle, distance] :
                 SensorOf<CCI_FootBotDistanceScannerSensor>(world, "footbot_distance_scanner")
@@ -335,14 +335,14 @@ void AddMotion(std::vector<SProbe>& probes) {
            auto& motor = world.GetActuator<CCI_FootBotDistanceScannerActuator>(
                "r", "footbot_distance_scanner");
            const Real sign = map.IsMirror ? -1.0 : 1.0;
-           // off the axes, where a beam would change its place in the list
+           // not along the axes, where a beam would change its position in the list
            motor.SetAngle(CRadians(sign * 0.3));
            world.GetRobot("r").Act();
            if (rpm != 0.0) {
              motor.SetRPM(sign * rpm);
            }
          }});
-    // below 0 are the marks of no distance
+    // values below 0 are codes for missing distances
     probes.back().Noise = {0.2, 0.0, 1e9, 2, {1}};
   }
 }
@@ -390,7 +390,7 @@ TEST_CASE("symmetry: moved, turned and mirrored worlds give moved, turned and mi
     CAPTURE(probe.Name);
     const TReadings original = Run(probe, SMap());
     REQUIRE_FALSE(original.empty());
-    // there is something to see, and not the same everywhere
+    // the readings are neither zero nor all equal
     CHECK((original.size() == 1 || *std::max_element(original.begin(), original.end()) >
                                        *std::min_element(original.begin(), original.end())));
     for (const SMap& map : kMaps) {

@@ -1,4 +1,4 @@
-// Libraries that do not fit, and controllers that misbehave.
+// Invalid libraries, and controllers that throw.
 
 #include "experiment_text.h"
 
@@ -26,22 +26,22 @@ std::string FromLibrary(const std::string& label, const std::string& library) {
 
 }  // namespace
 
-TEST_CASE("bad input: a library that is not there", "[bad_input]") {
+TEST_CASE("bad input: a library that does not exist", "[bad_input]") {
   SExperimentText experiment;
   experiment.Controllers = FromLibrary("test_idle", "no/such/library");
   const std::string error = LoadError(experiment);
   CHECK_THAT(error, Contains(At(SExperimentText::kControllersLine)) && Contains("no/such/library"));
-  // that the robot has no controller only follows from it
+  // that the robot has no controller is a consequence, and not reported
   CHECK_THAT(error, !Contains(At(SExperimentText::kArenaLine)));
 }
 
-TEST_CASE("bad input: a library that is no library", "[bad_input]") {
+TEST_CASE("bad input: a file that is not a library", "[bad_input]") {
   SExperimentText experiment;
   experiment.Controllers = FromLibrary("test_idle", InSourceTree("CMakeLists.txt"));
   CHECK_THAT(LoadError(experiment), Contains("CMakeLists.txt"));
 }
 
-TEST_CASE("bad input: a library without the controller that is asked of it", "[bad_input]") {
+TEST_CASE("bad input: a library without the requested controller", "[bad_input]") {
   SExperimentText experiment;
   experiment.Controllers = FromLibrary("test_idel", BadControllersLibrary());
   CHECK_THAT(LoadError(experiment), Contains("test_idel") && Contains("test_idle"));
@@ -55,7 +55,7 @@ TEST_CASE("bad input: a library that was built against another version", "[bad_i
                                         Contains("core=000000000000"));
 }
 
-TEST_CASE("bad input: a controller without a name", "[bad_input]") {
+TEST_CASE("bad input: a controller without an id", "[bad_input]") {
   SExperimentText experiment;
   experiment.Controllers =
       Controllers("<test_idle id=\"\" library=\"" + BadControllersLibrary() + "\"/>");
@@ -64,13 +64,13 @@ TEST_CASE("bad input: a controller without a name", "[bad_input]") {
                         Contains("attribute \"id\" is empty"));
 }
 
-TEST_CASE("bad input: a robot that asks for a controller without a name", "[bad_input]") {
+TEST_CASE("bad input: a robot that refers to a controller without an id", "[bad_input]") {
   SExperimentText experiment;
   experiment.Robot = "<e-puck id=\"ep\"><body/><controller config=\"\"/></e-puck>";
   CHECK_THAT(LoadError(experiment), Contains(At(SExperimentText::kArenaLine)) &&
                                         Contains("attribute \"config\" is empty") &&
                                         Contains("<controllers>"));
-  // also where many robots are made from one element, and only once
+  // also for <distribute> with many robots, and reported once
   experiment.Robot =
       "<distribute><position method=\"uniform\" min=\"-1,-1,0\" max=\"1,1,0\"/><orientation "
       "method=\"constant\" values=\"0,0,0\"/><entity quantity=\"5\" max_trials=\"9\">" +
@@ -95,14 +95,15 @@ TEST_CASE("bad input: a controller that throws in its step", "[bad_input]") {
              Contains("\"ep\"") && Contains("tired after two steps") && Contains("tick 3"));
 }
 
-TEST_CASE("bad input: a controller that throws what is no exception", "[bad_input]") {
+TEST_CASE("bad input: a controller that throws a value that is not a std::exception",
+          "[bad_input]") {
   SExperimentText experiment;
   experiment.Controllers = Controllers(
       SExperimentText::Controller("test_throws_in_step", "<params no_exception=\"true\"/>"));
   CHECK_THAT(RunError(experiment), Contains("\"ep\"") && Contains("tick 3"));
 }
 
-TEST_CASE("bad input: what was written before a controller threw is intact", "[bad_input]") {
+TEST_CASE("bad input: files written before a controller threw are intact", "[bad_input]") {
   const std::string file = InBuildTree("bad_input_steps.txt");
   std::remove(file.c_str());
   SExperimentText experiment;
@@ -115,13 +116,13 @@ TEST_CASE("bad input: what was written before a controller threw is intact", "[b
   std::remove(file.c_str());
 }
 
-TEST_CASE("bad input: wheel speeds that are not numbers", "[bad_input]") {
+TEST_CASE("bad input: wheel speeds that are infinite or NaN", "[bad_input]") {
   SExperimentText experiment;
   experiment.Controllers = Controllers(SExperimentText::Controller("test_not_a_number"));
   CHECK_THAT(RunError(experiment), Contains("\"ep\"") && Contains("nan"));
 }
 
-TEST_CASE("bad input: everything that is wrong is reported in one go", "[bad_input]") {
+TEST_CASE("bad input: all errors are reported together", "[bad_input]") {
   SExperimentText experiment;
   experiment.Controllers = Controllers(SExperimentText::Controller("test_idel"));
   experiment.Media = "<media><no_medium id=\"m\"/></media>";

@@ -1,4 +1,4 @@
-// Devices and media that are asked for but not there, and what controllers do wrong with theirs.
+// Unknown devices and media, and wrong use of devices by controllers.
 
 #include "../command_line/program_run.h"
 #include "experiment_text.h"
@@ -17,14 +17,14 @@ std::string WithSensors(const std::string& sensors, const std::string& label = "
          "</controllers>";
 }
 
-/** An experiment of one robot that runs a script. */
+/** An experiment with one robot that runs a script. */
 struct SScriptedRun {
   std::string Script;
   std::string Actuators = "<differential_steering implementation='default'/>";
   std::string Media = "";
   std::string Params = "";
 
-  /** Runs the program on it; the experiment is "e.argos", the script "s.lua". */
+  /** Runs the program on the experiment "e.argos" and the script "s.lua". */
   SProgramRun Run() const {
     const CTestFolder folder;
     folder.Write("s.lua", Script);
@@ -49,7 +49,7 @@ const std::string kActuatorLine = "e.argos:4: ";
 
 }  // namespace
 
-TEST_CASE("bad input: a device that the robot does not have", "[bad_input]") {
+TEST_CASE("bad input: a device that the robot does not support", "[bad_input]") {
   SExperimentText experiment;
   experiment.Controllers = WithSensors("<footbot_turret_encoder implementation=\"default\"/>");
   const std::string error = LoadError(experiment);
@@ -59,16 +59,16 @@ TEST_CASE("bad input: a device that the robot does not have", "[bad_input]") {
   CHECK_THAT(error, Contains(At(SExperimentText::kArenaLine)));
 }
 
-TEST_CASE("bad input: a medium that is named but absent, or of another kind", "[bad_input]") {
+TEST_CASE("bad input: a medium that does not exist or is of the wrong type", "[bad_input]") {
   SExperimentText experiment;
   const auto [named, media, known] = GENERATE(table<std::string, std::string, std::string>(
       {{"rab", "", "there is no medium \"rab\"; known: none"},
        {"rba", "<range_and_bearing id=\"rab\"/>",
         "there is no medium \"rba\"; did you mean \"rab\"?"},
-       {"leds", "<led id=\"leds\"/>", "medium \"leds\" is not of the type that is needed here"}}));
+       {"leds", "<led id=\"leds\"/>", "medium \"leds\" is not of the required type"}}));
   CAPTURE(named, media);
   experiment.Media = "<media>" + media + "</media>";
-  SECTION("by a sensor") {
+  SECTION("the medium of a sensor") {
     experiment.Controllers =
         WithSensors("<range_and_bearing implementation=\"medium\" medium=\"" + named + "\"/>");
     CHECK_THAT(LoadError(experiment),
@@ -78,7 +78,7 @@ TEST_CASE("bad input: a medium that is named but absent, or of another kind", "[
                         named + "\"") &&
                    Contains(known));
   }
-  SECTION("by what a robot carries") {
+  SECTION("the medium of a mounted component") {
     experiment.Robot =
         "<e-puck id=\"ep\"><body/><controller config=\"c\"/><simple_radios><simple_radio "
         "id=\"wifi\" medium=\"" +
@@ -92,7 +92,7 @@ TEST_CASE("bad input: a medium that is named but absent, or of another kind", "[
   }
 }
 
-TEST_CASE("bad input: lights and mounted lights whose medium is absent", "[bad_input]") {
+TEST_CASE("bad input: lights and mounted lights whose medium does not exist", "[bad_input]") {
   SExperimentText experiment;
   const auto [element, message] = GENERATE(table<std::string, std::string>(
       {{"<light id=\"l\" position=\"0,1,0.5\" intensity=\"1\" color=\"red\" medium=\"ledz\"/>",
@@ -111,7 +111,7 @@ TEST_CASE("bad input: lights and mounted lights whose medium is absent", "[bad_i
                                         Contains("did you mean \"leds\"?"));
 }
 
-TEST_CASE("bad input: what needs a medium that is broken itself is not reported again",
+TEST_CASE("bad input: users of a medium that failed to load are not reported again",
           "[bad_input]") {
   SExperimentText experiment;
   experiment.Media = "<media><led id=\"leds\" index=\"nonsense\"/></media>";
@@ -122,23 +122,22 @@ TEST_CASE("bad input: what needs a medium that is broken itself is not reported 
   CHECK_THAT(error, !Contains("<light>"));
 }
 
-TEST_CASE("bad input: a controller that asks for a sensor that its XML does not list",
-          "[bad_input]") {
+TEST_CASE("bad input: a controller that requests a sensor missing in its XML", "[bad_input]") {
   SExperimentText experiment;
   experiment.Controllers = WithSensors("<proximity implementation=\"default\"/>",
                                        "test_asks_for_device", "<params sensor=\"proximitty\"/>");
   const std::string error = LoadError(experiment);
-  CHECK_THAT(error, Contains("Robot \"ep\": its controller asks for the sensor \"proximitty\", "
+  CHECK_THAT(error, Contains("Robot \"ep\": its controller requests the sensor \"proximitty\", "
                              "which is not in the <sensors> section"));
-  CHECK_THAT(error,
-             Contains("did you mean \"proximity\"?") && Contains("that section has: proximity"));
+  CHECK_THAT(error, Contains("did you mean \"proximity\"?") &&
+                        Contains("the section contains: proximity"));
   CHECK_THAT(error, Contains(At(SExperimentText::kControllersLine)) &&
                         Contains(At(SExperimentText::kArenaLine)));
-  // an actuator, and a device of another type than the controller thinks
+  // an actuator, and a device of another type than requested
   experiment.Controllers = WithSensors("", "test_asks_for_device", "<params actuator=\"leds\"/>");
   CHECK_THAT(LoadError(experiment),
              Contains("the actuator \"leds\", which is not in the <actuators> section") &&
-                 Contains("that section has: differential_steering"));
+                 Contains("the section contains: differential_steering"));
   experiment.Controllers = WithSensors("<positioning implementation=\"default\"/>",
                                        "test_asks_for_device", "<params sensor=\"positioning\"/>");
   CHECK_THAT(LoadError(experiment), Contains("the sensor \"positioning\" as a ") &&
@@ -146,8 +145,7 @@ TEST_CASE("bad input: a controller that asks for a sensor that its XML does not 
                                         Contains("CPositioningDefaultSensor"));
 }
 
-TEST_CASE("bad input: a message that is longer or shorter than the robot's messages",
-          "[bad_input]") {
+TEST_CASE("bad input: a message longer or shorter than the messages of the robot", "[bad_input]") {
   SExperimentText experiment;
   experiment.Media = "<media><range_and_bearing id=\"rab\"/></media>";
   const std::string bytes = GENERATE(as<std::string>(), "1", "3");
@@ -162,7 +160,7 @@ TEST_CASE("bad input: a message that is longer or shorter than the robot's messa
                                        Contains("messages have 2 bytes, got " + bytes));
 }
 
-TEST_CASE("bad input: what scripts do wrong ends the program with status 1", "[bad_input]") {
+TEST_CASE("bad input: errors of scripts end the program with status 1", "[bad_input]") {
   const std::string rest = "function reset() end function destroy() end\n";
   SScriptedRun experiment;
   SECTION("a syntax error") {
@@ -206,7 +204,7 @@ TEST_CASE("bad input: what scripts do wrong ends the program with status 1", "[b
     CHECK_THAT(run.Err, Contains("s.lua:2: robot.range_and_bearing.set_data: argument 1 must be a "
                                  "table of 3 whole numbers from 0 to 255, got a table of 4"));
   }
-  SECTION("a device that is not in the XML") {
+  SECTION("a device missing in the XML") {
     experiment.Script =
         "function init() end\nfunction step() robot.gripper.lock_positive() end " + rest;
     experiment.Params = "on_error='end_run'";
@@ -215,7 +213,7 @@ TEST_CASE("bad input: what scripts do wrong ends the program with status 1", "[b
     CHECK_THAT(run.Err, Contains("robot \"fb\"") &&
                             Contains("s.lua:2: attempt to index a nil value (field 'gripper')"));
   }
-  SECTION("an actuator that nobody knows") {
+  SECTION("an unknown actuator") {
     experiment.Script = "function init() end function step() end " + rest;
     experiment.Actuators = "<footbot_griper implementation='default'/>";
     const SProgramRun run = experiment.Run();
@@ -226,7 +224,7 @@ TEST_CASE("bad input: what scripts do wrong ends the program with status 1", "[b
   }
 }
 
-TEST_CASE("bad input: gripping where there is nothing is no mistake", "[bad_input]") {
+TEST_CASE("bad input: closing a gripper without an object in reach is no error", "[bad_input]") {
   SScriptedRun experiment;
   experiment.Actuators += "<footbot_gripper implementation='default'/>";
   experiment.Script =

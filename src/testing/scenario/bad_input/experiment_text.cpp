@@ -10,7 +10,7 @@ namespace argos {
 
 namespace {
 
-/* Catches what goes to a log while it lives. */
+/* Captures the output of a log during its lifetime. */
 class CCapture {
  public:
   explicit CCapture(CARGoSLog& log)

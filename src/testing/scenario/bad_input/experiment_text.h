@@ -6,9 +6,9 @@
 namespace argos {
 
 /**
- * A small experiment, right as it is: one e-puck, one box, one engine. A test makes one part wrong.
+ * A small valid experiment: one e-puck, one box, one engine. A test makes one part invalid.
  *
- * Each part begins on the line that the constants say, so that tests can check line numbers.
+ * Each part begins on the line given by the constants, so that tests can check line numbers.
  */
 struct SExperimentText {
   static constexpr int kFrameworkLine = 2;
@@ -29,7 +29,7 @@ struct SExperimentText {
   std::string Robot = RobotAt("ep", "0,0,0");
   std::string Rest;
 
-  /** A controller with id "c", from the library of misbehaving ones. */
+  /** A controller with id "c", from the library of test controllers. */
   static std::string Controller(const std::string& label, const std::string& params = "<params/>",
                                 const std::string& sensors = "<sensors/>");
   static std::string RobotAt(const std::string& id, const std::string& position);
@@ -37,21 +37,20 @@ struct SExperimentText {
   std::string ToXml() const;
 };
 
-/** The libraries of misbehaving controllers and of another version; absolute paths. */
+/** The libraries of test controllers and of another version; absolute paths. */
 std::string BadControllersLibrary();
 std::string OtherVersionLibrary();
 
-/** Loads the experiment as "test.argos". @return the text of the exception; empty if all was right.
- */
+/** Loads the experiment as "test.argos". @return the text of the exception; empty if it loads. */
 std::string LoadError(const SExperimentText& experiment);
-/** The same for any XML. */
+/** Loads any XML. @return as LoadError(). */
 std::string LoadErrorOfXml(const std::string& xml);
 /** Loads and runs to the end. @return as LoadError(). */
 std::string RunError(const SExperimentText& experiment);
-/** Loads, which must work. @return what was written to LOGERR. */
+/** Loads an experiment that must be valid. @return the output to LOGERR. */
 std::string LoadWarnings(const SExperimentText& experiment);
 
-/** "test.argos:<line>:". */
+/** @return "test.argos:<line>:". */
 std::string At(int line);
 
 }  // namespace argos

@@ -1,4 +1,4 @@
-// How several errors become one message.
+// Combination of several errors into one message.
 
 #include <argos3/core/simulator/load_errors.h>
 
@@ -21,14 +21,14 @@ std::string TextOf(const CLoadErrors& errors) {
 
 }  // namespace
 
-TEST_CASE("load errors: none throw nothing", "[bad_input]") {
+TEST_CASE("load errors: without errors nothing is thrown", "[bad_input]") {
   CLoadErrors errors;
   CHECK(errors.IsEmpty());
   CHECK(errors.Try("a step", [] {}));
   CHECK(TextOf(errors).empty());
 }
 
-TEST_CASE("load errors: a single one is told as it is", "[bad_input]") {
+TEST_CASE("load errors: a single error is reported unchanged", "[bad_input]") {
   CARGoSException inner("the cause");
   const CARGoSException outer("the effect", &inner);
   CLoadErrors errors;
@@ -37,13 +37,13 @@ TEST_CASE("load errors: a single one is told as it is", "[bad_input]") {
   CHECK(TextOf(errors) == outer.what());
 }
 
-TEST_CASE("load errors: a context is one more level", "[bad_input]") {
+TEST_CASE("load errors: a context adds a level of nesting", "[bad_input]") {
   CLoadErrors errors;
   errors.Add("the arena", std::runtime_error("too small"));
   CHECK(TextOf(errors) == "[FATAL] the arena\n[FATAL] too small");
 }
 
-TEST_CASE("load errors: several are numbered, each once", "[bad_input]") {
+TEST_CASE("load errors: several errors are numbered, and duplicates removed", "[bad_input]") {
   CLoadErrors errors;
   errors.Add("", std::runtime_error("one"));
   errors.Add("part", std::runtime_error("two"));
@@ -55,7 +55,7 @@ TEST_CASE("load errors: several are numbered, each once", "[bad_input]") {
         "[FATAL]    two");
 }
 
-TEST_CASE("load errors: what only follows from another error is left out", "[bad_input]") {
+TEST_CASE("load errors: consequences of reported errors are omitted", "[bad_input]") {
   CLoadErrors errors;
   CHECK_FALSE(errors.Try("", [] { throw CAlreadyReported("its medium is broken"); }));
   CHECK(errors.IsEmpty());

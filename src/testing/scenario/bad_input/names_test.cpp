@@ -1,4 +1,4 @@
-// Names that nobody knows, or that two things have.
+// Unknown and duplicate names.
 
 #include "experiment_text.h"
 
@@ -7,7 +7,7 @@
 using namespace argos;
 using Catch::Contains;
 
-TEST_CASE("bad input: the experiment that the tests spoil is right", "[bad_input]") {
+TEST_CASE("bad input: the experiment without changes is valid", "[bad_input]") {
   CHECK(LoadError(SExperimentText()) == "");
   CHECK(RunError(SExperimentText()) == "");
   CHECK(LoadWarnings(SExperimentText()) == "");
@@ -20,7 +20,7 @@ TEST_CASE("bad input: an unknown entity", "[bad_input]") {
              Contains(At(SExperimentText::kArenaLine)) && Contains("bxo") && Contains("\"box\""));
 }
 
-TEST_CASE("bad input: an unknown device, or an unknown implementation of one", "[bad_input]") {
+TEST_CASE("bad input: an unknown device, or an unknown implementation", "[bad_input]") {
   SExperimentText experiment;
   const auto withSensor = [](const std::string& sensor) {
     return "<controllers>" +
@@ -43,7 +43,7 @@ TEST_CASE("bad input: an unknown physics engine", "[bad_input]") {
   const std::string error = LoadError(experiment);
   CHECK_THAT(error, Contains(At(SExperimentText::kEnginesLine)) && Contains("dynamics2") &&
                         Contains("\"dynamics2d\""));
-  // that no engine takes the robot only follows from it
+  // that no engine accepts the robot is a consequence, and not reported
   CHECK_THAT(error, !Contains("ep"));
 }
 
@@ -76,8 +76,7 @@ TEST_CASE("bad input: an unknown controller id", "[bad_input]") {
              Contains(At(SExperimentText::kArenaLine)) && Contains("\"cc\"") && Contains("\"c\""));
 }
 
-TEST_CASE("bad input: an attribute or element that nobody reads is a warning with its line",
-          "[bad_input]") {
+TEST_CASE("bad input: an unused attribute or element is a warning with its line", "[bad_input]") {
   SExperimentText experiment;
   experiment.ArenaAttributes += " colour=\"red\"";
   experiment.Rest = "<no_such_section/>";
@@ -88,24 +87,24 @@ TEST_CASE("bad input: an attribute or element that nobody reads is a warning wit
                            Contains("no_such_section"));
 }
 
-TEST_CASE("bad input: ids that two things have", "[bad_input]") {
+TEST_CASE("bad input: duplicate ids", "[bad_input]") {
   SExperimentText experiment;
-  SECTION("entities") {
+  SECTION("of two boxes") {
     experiment.Box += experiment.Box;
     CHECK_THAT(LoadError(experiment), Contains(At(SExperimentText::kArenaLine)) &&
                                           Contains("\"b\"") && Contains("unique"));
   }
-  SECTION("a robot and a box") {
+  SECTION("of a robot and a box") {
     experiment.Robot = SExperimentText::RobotAt("b", "0,0,0");
     CHECK_THAT(LoadError(experiment), Contains("\"b\"") && Contains("unique"));
   }
-  SECTION("controllers") {
+  SECTION("of two controllers") {
     const std::string one = SExperimentText::Controller("test_idle");
     experiment.Controllers = "<controllers>" + one + one + "</controllers>";
     CHECK_THAT(LoadError(experiment), Contains(At(SExperimentText::kControllersLine)) &&
                                           Contains("\"c\"") && Contains("unique"));
   }
-  SECTION("engines") {
+  SECTION("of two engines") {
     experiment.Engines =
         "<physics_engines><dynamics2d id=\"d\"/><dynamics2d id=\"d\"/></physics_engines>";
     CHECK_THAT(LoadError(experiment), Contains(At(SExperimentText::kEnginesLine)) &&

@@ -1,4 +1,4 @@
-// Regions that do not fit together, found when an experiment is loaded.
+// Regions of engines that do not fit together, reported when an experiment is loaded.
 
 #include "experiment_text.h"
 
@@ -12,7 +12,7 @@ using Catch::Contains;
 
 namespace {
 
-// a rectangle; each face may have attributes of its own
+// a rectangle; each face may have its own attributes
 struct SRegion {
   std::string Id;
   std::string Left, Low, Right, High;
@@ -57,11 +57,11 @@ std::string ErrorOf(const std::vector<SRegion>& regions) {
 
 }  // namespace
 
-TEST_CASE("bad partition: regions that fit are right", "[bad_input][partition]") {
+TEST_CASE("bad partition: regions that fit are accepted", "[bad_input][partition]") {
   CHECK(ErrorOf({Region("west", "-2", "0.5"), Region("east", "0.5", "2")}) == "");
-  // coordinates that are rounded to a nanometre
+  // coordinates rounded to a nanometre
   CHECK(ErrorOf({Region("west", "-2", "0.500000001"), Region("east", "0.5", "2")}) == "");
-  // engines of two types, and one for all that is outside
+  // engines of two types, and one without a region for the rest of the arena
   SRegion air = Region("air", "-2", "2");
   air.Type = "pointmass3d";
   CHECK(ErrorOf(Region("ground", "-2", "2").ToXml() + air.ToXml()) == "");
@@ -72,17 +72,17 @@ TEST_CASE("bad partition: regions that fit are right", "[bad_input][partition]")
 
 TEST_CASE("bad partition: regions that overlap", "[bad_input][partition]") {
   const std::string error = ErrorOf({Region("west", "-2", "0.5"), Region("east", "0.25", "2")});
-  // a strip of 0.25 m x 4 m
+  // the overlap is a strip of 0.25 m x 4 m
   CHECK_THAT(error, Contains(At(SExperimentText::kEnginesLine) + " <dynamics2d id=\"west\">") &&
                         Contains("<dynamics2d id=\"east\"> share 1 m^2 with the corners") &&
                         Contains("(0.25,-2)") && Contains("(0.5,-2)") && Contains("(0.5,2)") &&
                         Contains("(0.25,2)") && Contains("at z = 0 m"));
-  // one inside another
+  // one region inside another
   SRegion inner = Region("inner", "-1", "1");
   inner.Low = "-1";
   inner.High = "1";
   CHECK_THAT(ErrorOf({Region("outer", "-2", "2"), inner}), Contains("share 4 m^2"));
-  // heights
+  // overlapping heights
   const auto slab = [](const std::string& id, const std::string& low, const std::string& high) {
     SRegion region = Region(id, "-2", "2");
     region.Type = "pointmass3d";
@@ -94,7 +94,7 @@ TEST_CASE("bad partition: regions that overlap", "[bad_input][partition]") {
              Contains("share 16 m^2") && Contains("from z = 0.5 to 1 m"));
 }
 
-TEST_CASE("bad partition: all overlaps are found in one go", "[bad_input][partition]") {
+TEST_CASE("bad partition: all overlaps are reported together", "[bad_input][partition]") {
   const std::string error =
       ErrorOf({Region("a", "-2", "0.5"), Region("b", "0.25", "1"), Region("c", "0.75", "2")});
   CHECK_THAT(error, Contains("2 errors in the experiment") && Contains("(0.25,-2)") &&
@@ -111,7 +111,7 @@ TEST_CASE("bad partition: a robot outside every region", "[bad_input][partition]
                                         Contains("of \"west\", \"east\"") &&
                                         Contains("the nearest is that of \"east\", 0.25 m away") &&
                                         Contains("(0,-2), (1.5,-2), (1.5,2), (0,2)"));
-  // every one of them
+  // all such robots are reported
   experiment.Robot += SExperimentText::RobotAt("gone", "-5,5,0");
   CHECK_THAT(LoadError(experiment), Contains("\"lost\"") && Contains("\"gone\"") &&
                                         Contains("that of \"west\", 4.24264 m away"));
@@ -129,7 +129,7 @@ TEST_CASE("bad partition: a gate to an engine that does not exist", "[bad_input]
   CHECK_THAT(ErrorOf({west, Region("east", "0.5", "2")}), Contains("a wall or a gate, not both"));
 }
 
-TEST_CASE("bad partition: a gate that does not lead into the region it names",
+TEST_CASE("bad partition: a gate that does not lead into the named region",
           "[bad_input][partition]") {
   SRegion west = Region("west", "-2", "0.5");
   west.EastFace = "gate=\"east\"";
@@ -138,11 +138,11 @@ TEST_CASE("bad partition: a gate that does not lead into the region it names",
              Contains("its side from \"0.5,-2\" to \"0.5,2\" is a gate that does not lead into") &&
                  Contains("<dynamics2d id=\"east\">, which is 0.25 m from it, with the corners "
                           "(0.75,-2), (2,-2), (2,2), (0.75,2)"));
-  // the wrong side
+  // a gate on the wrong side
   west.EastFace = "";
   west.WestFace = "gate=\"east\"";
   CHECK_THAT(ErrorOf({west, Region("east", "0.5", "2")}), Contains("which is 2.5 m from it"));
-  // upwards
+  // a gate in the top face
   SRegion low = Region("low", "-2", "2");
   low.Heights = "<top height=\"1\" gate=\"high\"/>";
   SRegion high = Region("high", "-2", "2");
@@ -154,7 +154,7 @@ TEST_CASE("bad partition: a gate that does not lead into the region it names",
   CHECK(ErrorOf({low, high}) == "");
 }
 
-TEST_CASE("bad partition: polygons that are none", "[bad_input][partition]") {
+TEST_CASE("bad partition: invalid polygons", "[bad_input][partition]") {
   const auto sides = [](const std::string& points) {
     std::string xml = "<dynamics2d id=\"d\"><boundaries><sides>";
     std::istringstream stream(points);
@@ -175,7 +175,8 @@ TEST_CASE("bad partition: polygons that are none", "[bad_input][partition]") {
              Contains("the bottom, at 1 m, is not below the top, at 1 m"));
 }
 
-TEST_CASE("bad partition: walls of an engine that has none", "[bad_input][partition]") {
+TEST_CASE("bad partition: walls of an engine that does not support them",
+          "[bad_input][partition]") {
   SRegion region = Region("toy", "-2", "2");
   region.Type = "toy_engine";
   region.EastFace = "wall=\"true\"";
@@ -183,7 +184,7 @@ TEST_CASE("bad partition: walls of an engine that has none", "[bad_input][partit
                                          "stop bodies"));
 }
 
-TEST_CASE("bad partition: an automatic partition that is wrong", "[bad_input][partition]") {
+TEST_CASE("bad partition: an invalid automatic partition", "[bad_input][partition]") {
   CHECK_THAT(ErrorOf("<auto_partition engine=\"dynamic2d\" count=\"4\"/>"),
              Contains(At(SExperimentText::kEnginesLine)) &&
                  Contains("no physics engine of type <dynamic2d>; did you mean \"dynamics2d\""));
@@ -193,15 +194,15 @@ TEST_CASE("bad partition: an automatic partition that is wrong", "[bad_input][pa
   CHECK_THAT(ErrorOf("<auto_partition engine=\"dynamics2d\" count=\"4\"><boundaries><sides/>"
                      "</boundaries></auto_partition>"),
              Contains("get their <sides> from the size of the arena"));
-  // an engine beside it
+  // another engine that overlaps the partition
   CHECK_THAT(ErrorOf("<auto_partition engine=\"dynamics2d\" count=\"2\"/>" +
                      Region("extra", "-1", "1").ToXml()),
              Contains("<dynamics2d id=\"dynamics2d_0_0\">") && Contains("share 4 m^2"));
-  // what is wrong with the engines is said of the first
+  // errors in attributes of the engines are reported once, for the first engine
   const std::string error =
       ErrorOf("<auto_partition engine=\"dynamics2d\" count=\"2\" elevation=\"up\"/>");
   CHECK_THAT(error, Contains("\"elevation\"") && Contains("\"up\""));
-  // what nobody reads is a warning, once
+  // an unused attribute is reported once
   SExperimentText experiment;
   experiment.Engines =
       "<physics_engines><auto_partition engine=\"dynamics2d\" count=\"4\" iteration=\"3\"/>"

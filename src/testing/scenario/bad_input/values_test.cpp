@@ -1,4 +1,4 @@
-// Values that do not parse, or that cannot be.
+// Values that are malformed or out of range.
 
 #include "experiment_text.h"
 
@@ -23,14 +23,14 @@ TEST_CASE("bad input: text that is not well-formed XML", "[bad_input]") {
   CHECK_THAT(LoadErrorOfXml("not xml at all"), Contains("test.argos"));
 }
 
-TEST_CASE("bad input: a section that is missing", "[bad_input]") {
+TEST_CASE("bad input: a missing section", "[bad_input]") {
   SExperimentText experiment;
   experiment.Engines.clear();
   CHECK_THAT(LoadError(experiment), Contains("physics_engines"));
   CHECK_THAT(LoadErrorOfXml("<argos-configuration/>"), Contains("framework"));
 }
 
-TEST_CASE("bad input: values in <framework>", "[bad_input]") {
+TEST_CASE("bad input: invalid values in <framework>", "[bad_input]") {
   const std::string wrong =
       GENERATE(as<std::string>{}, "ticks_per_second=\"0\"", "ticks_per_second=\"-1\"",
                "ticks_per_second=\"10.5\"", "ticks_per_second=\"ten\"", "ticks_per_second=\"\"",
@@ -42,7 +42,7 @@ TEST_CASE("bad input: values in <framework>", "[bad_input]") {
              Contains(At(SExperimentText::kFrameworkLine)) && Contains("ticks_per_second"));
 }
 
-TEST_CASE("bad input: the length of an experiment", "[bad_input]") {
+TEST_CASE("bad input: an invalid length of the experiment", "[bad_input]") {
   const std::string wrong =
       GENERATE(as<std::string>{}, "-1", "nan", "inf", "1e30", "0.05", "1s", "1,5");
   CAPTURE(wrong);
@@ -52,7 +52,7 @@ TEST_CASE("bad input: the length of an experiment", "[bad_input]") {
              Contains(At(SExperimentText::kFrameworkLine)) && Contains("\"length\""));
 }
 
-TEST_CASE("bad input: threads and their method", "[bad_input]") {
+TEST_CASE("bad input: invalid threads and methods", "[bad_input]") {
   SExperimentText experiment;
   const std::string good = "ticks_per_second=\"10\"";
   experiment.Framework = Framework(good, "<system threads=\"-1\"/>");
@@ -67,7 +67,7 @@ TEST_CASE("bad input: threads and their method", "[bad_input]") {
                                         Contains("balance_quantity"));
 }
 
-TEST_CASE("bad input: the size of the arena", "[bad_input]") {
+TEST_CASE("bad input: an invalid size of the arena", "[bad_input]") {
   const std::string wrong =
       GENERATE(as<std::string>{}, "0,4,1", "4,-4,1", "4,4", "4,4,1,1", "4,4,high", "");
   CAPTURE(wrong);
@@ -93,7 +93,7 @@ TEST_CASE("bad input: zero and negative sizes and masses", "[bad_input]") {
   CHECK_THAT(LoadError(experiment), Contains(At(SExperimentText::kArenaLine)));
 }
 
-TEST_CASE("bad input: values that do not parse name attribute, text and what is right",
+TEST_CASE("bad input: errors on malformed values give attribute, text and expected format",
           "[bad_input]") {
   SExperimentText experiment;
   experiment.Box = "<box id=\"b\" size=\"1,1,1\" movable=\"yes\"><body position=\"1,0,0\"/></box>";
@@ -119,7 +119,7 @@ TEST_CASE("bad input: robots outside every engine", "[bad_input]") {
   CHECK_THAT(LoadError(experiment), Contains("\"flying\""));
 }
 
-TEST_CASE("bad input: more robots than there is room for", "[bad_input]") {
+TEST_CASE("bad input: more robots than fit into the area", "[bad_input]") {
   SExperimentText experiment;
   experiment.Robot =
       "<distribute><position method=\"uniform\" min=\"0,0,0\" max=\"0.1,0.1,0\"/>"
@@ -129,7 +129,7 @@ TEST_CASE("bad input: more robots than there is room for", "[bad_input]") {
   CHECK_THAT(LoadError(experiment), Contains("ep") && Contains("21"));
 }
 
-TEST_CASE("bad input: a region that is no convex polygon", "[bad_input]") {
+TEST_CASE("bad input: a region that is not a convex polygon", "[bad_input]") {
   SExperimentText experiment;
   experiment.Engines =
       "<physics_engines><dynamics2d id=\"d\"><boundaries><sides><vertex point=\"0,0\"/>"

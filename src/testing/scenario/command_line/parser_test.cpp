@@ -1,4 +1,4 @@
-// What the parser of the command line makes of its arguments.
+// Parsing of the command line.
 
 #include <argos3/core/simulator/argos_command_line_arg_parser.h>
 #include <argos3/core/simulator/progress.h>
@@ -33,7 +33,7 @@ std::string ErrorOf(const std::vector<const char*>& arguments) {
 
 }  // namespace
 
-TEST_CASE("command line: the four actions", "[command_line]") {
+TEST_CASE("command line: the four actions are recognised", "[command_line]") {
   CHECK(Parse({"-c", "a.argos"}).Action == TParser::ACTION_RUN_EXPERIMENT);
   CHECK(Parse({"--config-file", "a.argos"}).ExperimentFile == "a.argos");
   CHECK(Parse({"-q", "all"}).Action == TParser::ACTION_QUERY_PLUGINS);
@@ -44,7 +44,7 @@ TEST_CASE("command line: the four actions", "[command_line]") {
   CHECK(Parse({"--version"}).Action == TParser::ACTION_SHOW_VERSION);
 }
 
-TEST_CASE("command line: nothing is set that was not given", "[command_line]") {
+TEST_CASE("command line: options that are not given keep their defaults", "[command_line]") {
   const TParser::SOptions options = Parse({"-c", "a.argos"});
   CHECK_FALSE(options.NoColor);
   CHECK_FALSE(options.NoVisualization);
@@ -57,7 +57,7 @@ TEST_CASE("command line: nothing is set that was not given", "[command_line]") {
   CHECK(options.Overrides.empty());
 }
 
-TEST_CASE("command line: every other option", "[command_line]") {
+TEST_CASE("command line: every other option is recognised", "[command_line]") {
   const TParser::SOptions options =
       Parse({"-c", "a.argos", "-n", "-z", "-l", "log", "-e", "err", "--seed", "4294967295",
              "--threads", "4", "--length", "2.5", "--digest"});
@@ -75,7 +75,8 @@ TEST_CASE("command line: every other option", "[command_line]") {
   CHECK(Parse({"-c", "a", "--logerr-file", "x"}).LogErrFile == "x");
 }
 
-TEST_CASE("command line: short flags may be glued, the last may take a value", "[command_line]") {
+TEST_CASE("command line: short flags can be combined, and the last can take a value",
+          "[command_line]") {
   CHECK(Parse({"-zn", "-c", "a"}).NoColor);
   CHECK(Parse({"-zn", "-c", "a"}).NoVisualization);
   const TParser::SOptions options = Parse({"-nzc", "a"});
@@ -98,14 +99,14 @@ TEST_CASE("command line: --set splits at the first '=' outside brackets", "[comm
   CHECK(overrides[3].second == "a=b");
 }
 
-TEST_CASE("command line: exactly one action", "[command_line]") {
+TEST_CASE("command line: there must be exactly one action", "[command_line]") {
   CHECK_THAT(ErrorOf({}), Contains("one of -c FILE, -q WORD, -h, -v must be given"));
   CHECK_THAT(ErrorOf({"-n"}), Contains("must be given"));
   CHECK_THAT(ErrorOf({"-c", "a", "-q", "b"}), Contains("only one of") && Contains("--query"));
   CHECK_THAT(ErrorOf({"-h", "-v"}), Contains("only one of"));
 }
 
-TEST_CASE("command line: unknown options name the nearest", "[command_line]") {
+TEST_CASE("command line: the error on an unknown option names the nearest", "[command_line]") {
   CHECK_THAT(ErrorOf({"-c", "a", "--thread", "2"}),
              Contains("--thread;") && Contains("\"--threads\"") && !Contains("\"2\""));
   CHECK_THAT(ErrorOf({"-c", "a", "--sed=3"}), Contains("--sed") && Contains("--seed"));
@@ -113,13 +114,13 @@ TEST_CASE("command line: unknown options name the nearest", "[command_line]") {
   CHECK_THAT(ErrorOf({"-znx", "-c", "a"}), Contains("-x"));
 }
 
-TEST_CASE("command line: stray words", "[command_line]") {
+TEST_CASE("command line: words without an option are errors", "[command_line]") {
   CHECK_THAT(ErrorOf({"a.argos"}), Contains("\"a.argos\"") && Contains("after -c"));
   CHECK_THAT(ErrorOf({"-c", "a.argos", "7"}), Contains("\"7\""));
   CHECK_THAT(ErrorOf({"-c", "a.argos", "--", "b"}), Contains("\"b\""));
 }
 
-TEST_CASE("command line: values that are missing or wrong", "[command_line]") {
+TEST_CASE("command line: missing and malformed values are errors", "[command_line]") {
   CHECK_THAT(ErrorOf({"-c"}), Contains("--config-file"));
   CHECK_THAT(ErrorOf({"-c", ""}), Contains("--config-file"));
   CHECK_THAT(ErrorOf({"-c", "a", "--seed"}), Contains("--seed"));
@@ -144,24 +145,24 @@ TEST_CASE("command line: values that are missing or wrong", "[command_line]") {
   CHECK_THAT(ErrorOf({"-c", "a", option, value}), Contains(option) && Contains("expected"));
 }
 
-TEST_CASE("command line: an option with one value is given once", "[command_line]") {
+TEST_CASE("command line: an option with a value may be given only once", "[command_line]") {
   CHECK_THAT(ErrorOf({"-c", "a", "-c", "b"}), Contains("--config-file is given 2 times"));
   CHECK_THAT(ErrorOf({"-c", "a", "--seed", "1", "--seed", "2"}),
              Contains("--seed is given 2 times"));
   CHECK(ErrorOf({"-c", "a", "-z", "-z"}).empty());
 }
 
-TEST_CASE("command line: one file does not serve two purposes", "[command_line]") {
+TEST_CASE("command line: a file may not be used for two purposes", "[command_line]") {
   CHECK_THAT(ErrorOf({"-c", "a", "-l", "x", "-e", "x"}), Contains("same file"));
   CHECK_THAT(ErrorOf({"-c", "a", "-l", "a"}), Contains("same file"));
 }
 
-TEST_CASE("command line: options of a run make no sense without one", "[command_line]") {
+TEST_CASE("command line: options of a run without a run are errors", "[command_line]") {
   CHECK_THAT(ErrorOf({"-q", "all", "--seed", "3"}), Contains("--seed") && Contains("-c"));
   CHECK_THAT(ErrorOf({"-v", "--digest"}), Contains("--digest"));
 }
 
-TEST_CASE("command line: all that is wrong is reported together", "[command_line]") {
+TEST_CASE("command line: all errors are reported together", "[command_line]") {
   const std::string error = ErrorOf({"--seed", "x", "--threads", "y", "--colour", "z"});
   CHECK_THAT(error, Contains("--seed x"));
   CHECK_THAT(error, Contains("--threads y"));
@@ -199,7 +200,7 @@ TEST_CASE("command line: the help names every option and query word", "[command_
   }
 }
 
-TEST_CASE("command line: the version is told in lines KEY=value", "[command_line]") {
+TEST_CASE("command line: the version is printed as lines KEY=value", "[command_line]") {
   const std::string version = TParser::GetVersion();
   CHECK_THAT(version, Contains("ARGOS_VERSION=" ARGOS_VERSION "-" ARGOS_RELEASE "\n"));
   CHECK_THAT(version, Contains("\nARGOS_INSTALL_PREFIX="));
@@ -208,20 +209,21 @@ TEST_CASE("command line: the version is told in lines KEY=value", "[command_line
   CHECK_THAT(version, Contains("\nARGOS_BUILD_FLAGS="));
 }
 
-TEST_CASE("progress: ticks, simulated time, real-time factor and time left", "[command_line]") {
+TEST_CASE("progress: shows ticks, simulated time, real-time factor and time left",
+          "[command_line]") {
   SProgress progress;
   progress.Ticks = 150;
   progress.MaxTicks = 600;
   progress.TickLength = 0.1;
   progress.WallSeconds = 30.0;
-  // 15 s in 30 s; 450 ticks more at 5 a second
+  // 15 s took 30 s; 450 more ticks at 5 per second
   CHECK(DescribeProgress(progress) ==
         "tick 150/600 (25 %), 1:30 left, 0.5 x real time, 15 s simulated");
   progress.WallSeconds = 3000.0;
   CHECK_THAT(DescribeProgress(progress), Contains("2:30:00 left"));
 }
 
-TEST_CASE("progress: without a limit there is no time left", "[command_line]") {
+TEST_CASE("progress: without a limit no time left is shown", "[command_line]") {
   SProgress progress;
   progress.Ticks = 10;
   progress.TickLength = 0.1;

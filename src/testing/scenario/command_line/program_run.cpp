@@ -18,7 +18,7 @@ namespace argos {
 
 namespace {
 
-// far more than any test takes, far less than the test driver's limit
+// longer than any test takes, shorter than the limit of the test driver
 constexpr std::chrono::seconds kPatience(120);
 
 void RedirectTo(int file, const std::string& path) {

@@ -7,14 +7,14 @@
 
 namespace argos {
 
-/** How a run of a program ended. */
+/** The result of running a program. */
 struct SProgramRun {
   int Status = -1; /**< exit status; 128 + number if a signal killed it */
   std::string Out;
   std::string Err;
 };
 
-/** A folder of its own for a test; goes away with its content. */
+/** A temporary folder for a test, removed with its content by the destructor. */
 class CTestFolder {
  public:
   CTestFolder();
@@ -29,11 +29,11 @@ class CTestFolder {
 
   /**
    * Runs argos3 in this folder and waits for its end.
-   * @param signal  if not 0, sent once as soon as the standard output holds @p trigger.
+   * @param signal  if not 0, sent once as soon as the standard output contains @p trigger.
    */
   SProgramRun Run(const std::vector<std::string>& arguments, int signal = 0,
                   const std::string& trigger = "") const;
-  /** The same with another program of this build. @param name  such as "argos3_benchmark". */
+  /** Runs another program of this build. @param name  such as "argos3_benchmark". */
   SProgramRun RunProgram(const std::string& name, const std::vector<std::string>& arguments,
                          int signal = 0, const std::string& trigger = "") const;
 

@@ -1,4 +1,4 @@
-// The program as a user meets it: exit status, output, files.
+// The program from the user's view: exit status, output, files.
 
 #include "program_run.h"
 
@@ -19,7 +19,7 @@ namespace {
 const std::string kBadControllers =
     InBuildTree("testing/plugins/libargos3_test_bad_controllers.so");
 
-// three e-pucks that stand where chance put them, for one second
+// three e-pucks at random places that do not move, for one second
 std::string Experiment(const std::string& controller = "test_idle",
                        const std::string& rest = "<visualization/>") {
   return "<argos-configuration>\n"
@@ -45,7 +45,7 @@ std::string DigestIn(const std::string& text) {
                                                                                 : "";
 }
 
-// keeps every core busy while it lives
+// keeps every core busy during its lifetime
 class CLoad {
  public:
   CLoad() {
@@ -70,7 +70,7 @@ class CLoad {
   std::vector<std::thread> m_threads;
 };
 
-// short runs with threads on a busy machine: good ones, then ones whose robots throw
+// short runs with threads on a busy machine: first valid ones, then ones whose robots throw
 void CheckStatusOfShortRuns(int runs) {
   const CTestFolder folder;
   folder.Write("good.argos", Experiment());
@@ -109,7 +109,7 @@ TEST_CASE("argos3: a run ends with a summary and status 0", "[command_line]") {
                           Contains("[INFO] Total experiment length in clock ticks = 10\n"));
 }
 
-TEST_CASE("argos3: no colours and no progress line if the output is no terminal",
+TEST_CASE("argos3: without a terminal the output has no colours and no progress line",
           "[command_line]") {
   const CTestFolder folder;
   folder.Write("e.argos", Experiment());
@@ -119,7 +119,7 @@ TEST_CASE("argos3: no colours and no progress line if the output is no terminal"
   CHECK(run.Err == "");
 }
 
-TEST_CASE("argos3: the digest repeats itself and tells seeds apart", "[command_line]") {
+TEST_CASE("argos3: the digest repeats and differs between seeds", "[command_line]") {
   const CTestFolder folder;
   folder.Write("e.argos", Experiment());
   const std::string digest = DigestIn(folder.Run({"-c", "e.argos", "--digest"}).Out);
@@ -142,7 +142,7 @@ TEST_CASE("argos3: --length, --threads, --seed and --set change the run", "[comm
                           Contains("Using random seed = 77") && Contains("Using 2 threads"));
 }
 
-TEST_CASE("argos3: --set of what is not there is an error", "[command_line]") {
+TEST_CASE("argos3: --set without a match is an error", "[command_line]") {
   const CTestFolder folder;
   folder.Write("e.argos", Experiment());
   const SProgramRun run = folder.Run({"-c", "e.argos", "--set", "framwork/experiment/@length=5"});
@@ -150,7 +150,7 @@ TEST_CASE("argos3: --set of what is not there is an error", "[command_line]") {
   CHECK_THAT(run.Err, Contains("framwork") && Contains("framework"));
 }
 
-TEST_CASE("argos3: logs go to files", "[command_line]") {
+TEST_CASE("argos3: logs can be written to files", "[command_line]") {
   const CTestFolder folder;
   folder.Write("e.argos", Experiment("test_idle", "<nobody_reads_me/>"));
   folder.Write("log.txt", "old content");
@@ -164,7 +164,7 @@ TEST_CASE("argos3: logs go to files", "[command_line]") {
   CHECK_THAT(folder.Read("err.txt"), Contains("[WARNING]") && Contains("nobody_reads_me"));
 }
 
-TEST_CASE("argos3: a log file that cannot be written stops it before anything runs",
+TEST_CASE("argos3: a log file that cannot be written is an error before the run",
           "[command_line]") {
   const CTestFolder folder;
   folder.Write("e.argos", Experiment());
@@ -176,7 +176,7 @@ TEST_CASE("argos3: a log file that cannot be written stops it before anything ru
   CHECK_THAT(run.Out, !Contains("simulated"));
 }
 
-TEST_CASE("argos3: a log that the disk has no room for is an error", "[command_line]") {
+TEST_CASE("argos3: a full disk for the log is an error", "[command_line]") {
   const CTestFolder folder;
   folder.Write("e.argos", Experiment());
   const SProgramRun run = folder.Run({"-c", "e.argos", "-l", "/dev/full"});
@@ -184,7 +184,7 @@ TEST_CASE("argos3: a log that the disk has no room for is an error", "[command_l
   CHECK_THAT(run.Err, Contains("log could not be written"));
 }
 
-TEST_CASE("argos3: help, version and queries", "[command_line]") {
+TEST_CASE("argos3: help, version and queries end with status 0", "[command_line]") {
   const CTestFolder folder;
   const SProgramRun help = folder.Run({"-h"});
   CHECK(help.Status == 0);
@@ -203,7 +203,7 @@ TEST_CASE("argos3: help, version and queries", "[command_line]") {
   CHECK_THAT(nothing.Out, Contains("Nothing found"));
 }
 
-TEST_CASE("argos3: a wrong command line is an error with status 1", "[command_line]") {
+TEST_CASE("argos3: an invalid command line is an error with status 1", "[command_line]") {
   const CTestFolder folder;
   const SProgramRun run = folder.Run({"--configfile", "e.argos"});
   CHECK(run.Status == 1);
@@ -211,7 +211,7 @@ TEST_CASE("argos3: a wrong command line is an error with status 1", "[command_li
   CHECK_THAT(run.Err, Contains("[FATAL]") && Contains("--config-file"));
 }
 
-TEST_CASE("argos3: a missing file, a folder, and text that is no XML",
+TEST_CASE("argos3: a missing file, a folder, and text that is not XML are errors",
           "[command_line][bad_input]") {
   const CTestFolder folder;
   const SProgramRun missing = folder.Run({"-c", "nothing.argos"});
@@ -234,11 +234,11 @@ TEST_CASE("argos3: a controller that throws ends the run with status 1",
   CHECK(run.Status == 1);
   CHECK_THAT(run.Err, Contains("\"ep0\"") && Contains("tired after two steps"));
   CHECK_THAT(run.Out, !Contains("simulated"));
-  // what was logged before is not lost
+  // earlier log output is not lost
   CHECK_THAT(run.Out, Contains("Using random seed = 1"));
 }
 
-TEST_CASE("argos3: a signal ends the run normally, with its own status", "[command_line]") {
+TEST_CASE("argos3: a signal ends the run in order, with its own status", "[command_line]") {
   const auto [signal, status] = GENERATE(table<int, int>({{SIGINT, 130}, {SIGTERM, 143}}));
   CAPTURE(signal);
   const CTestFolder folder;

@@ -1,9 +1,11 @@
-// Cameras and what they look at, in Lua.
+// Cameras, tags, directional LEDs and magnets in Lua.
 
 #include "lua_world.h"
 
 #include <argos3/plugins/simulator/entities/directional_led_entity.h>
 #include <argos3/plugins/simulator/entities/magnet_entity.h>
+#include <argos3/testing/support/robot_sizes.h>
+#include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
 
@@ -30,7 +32,9 @@ SLuaExperiment With(const std::string& actuators, const std::string& sensors,
                       mounted + "</foot-bot>";
   experiment.Arena =
       "<light id='l' position='0.3,0.4,0.1' color='255,140,0,255' intensity='1' medium='leds'/>"
-      "<light id='m' position='1.085036758,0.1,0.174249733' color='red' intensity='1' "
+      "<light id='m' position='" +
+      ToText(1.0 + kFootBotRadius) +
+      ",0.1,0.174249733' color='red' intensity='1' "
       "medium='leds'/>";
   experiment.Media = "<led id='leds'/><directional_led id='directional_leds'/><tag id='tags'/>";
   return experiment;
@@ -38,8 +42,9 @@ SLuaExperiment With(const std::string& actuators, const std::string& sensors,
 
 }  // namespace
 
-TEST_CASE("lua devices: the omnidirectional camera is switched on, and lists blobs in cm and rad",
-          "[lua][devices]") {
+TEST_CASE(
+    "lua devices: the omnidirectional camera can be switched on and lists blobs in cm and rad",
+    "[lua][devices]") {
   const std::string camera = "robot.colored_blob_omnidirectional_camera";
   CLuaWorld world(
       With("", "<colored_blob_omnidirectional_camera implementation='rot_z_only' medium='leds'/>"));
@@ -53,17 +58,17 @@ TEST_CASE("lua devices: the omnidirectional camera is switched on, and lists blo
   CHECK(world.Get(camera + "[1].color.red") == "255.0");
   CHECK(world.Get(camera + "[1].color.green") == "140.0");
   CHECK(world.Get(camera + "[1].color.blue") == "0.0");
-  // records are new in each step, so that a script may keep them
+  // each step creates new records, so that a script may keep them
   world.Do("kept = " + camera + "[1]");
   world.Step();
   CHECK(world.Get("kept == " + camera + "[1]") == "false");
-  // after that, the last ones stay
+  // after that the last readings are kept
   world.Do(camera + ".disable()");
   world.Step();
   CHECK(world.Get("#" + camera) == "1");
 }
 
-TEST_CASE("lua devices: the perspective camera lists pixels, and its head turns",
+TEST_CASE("lua devices: the perspective camera lists pixels, and its head can be turned",
           "[lua][devices]") {
   const std::string camera = "robot.colored_blob_perspective_camera";
   CLuaWorld world(
@@ -71,7 +76,7 @@ TEST_CASE("lua devices: the perspective camera lists pixels, and its head turns"
            "<colored_blob_perspective_camera implementation='default' medium='leds'/>"));
   world.Do(camera + ".enable()");
   world.Step();
-  // 1 m ahead and 10 cm to the left: see the camera's own tests
+  // 1 m ahead and 10 cm to the left, as in the tests of the camera
   REQUIRE(world.Get("#" + camera) == "1");
   CHECK(world.Get(camera + "[1].x") == "250.0");
   CHECK_THAT(GetNumber(world, camera + "[1].y"), WithinAbs(239.5, 0.5));
@@ -86,14 +91,16 @@ TEST_CASE("lua devices: the perspective camera lists pixels, and its head turns"
                     Contains("set_pan") && Contains("number"));
 }
 
-TEST_CASE("lua devices: cameras are on from the start, in tables of their ids and algorithms",
+TEST_CASE("lua devices: cameras are enabled from the start, in tables of their ids and algorithms",
           "[lua][devices]") {
   CLuaWorld world(With("",
                        "<cameras implementation='default'>"
-                       "<camera id='front' anchor='origin' position='0.085036758,0,0.174249733' "
-                       "orientation='-90,90,0' range='0.05:2' focal_length='500,500' "
-                       "principal_point='320,240' resolution='640,480'>"
-                       "<led_detector medium='leds'/></camera></cameras>"));
+                       "<camera id='front' anchor='origin' position='" +
+                           ToText(kFootBotRadius) +
+                           ",0,0.174249733' "
+                           "orientation='-90,90,0' range='0.05:2' focal_length='500,500' "
+                           "principal_point='320,240' resolution='640,480'>"
+                           "<led_detector medium='leds'/></camera></cameras>"));
   CHECK(world.Get("#robot.cameras.front.led_detector") == "0");
   world.Step();
   REQUIRE(world.Get("#robot.cameras.front.led_detector") == "1");
@@ -104,8 +111,8 @@ TEST_CASE("lua devices: cameras are on from the start, in tables of their ids an
   CHECK(world.Get("robot.cameras.front.led_detector[1].color.red") == "255.0");
 }
 
-TEST_CASE("lua devices: tags are written and read", "[lua][devices]") {
-  // a mast with a tag 40 cm ahead, read from behind the robot that carries it
+TEST_CASE("lua devices: tags can be written and read", "[lua][devices]") {
+  // a robot with a tag on a mast, 40 cm ahead of the camera and readable from behind that robot
   SLuaExperiment experiment =
       With("<tags implementation='default'/>",
            "<cameras implementation='default'>"
@@ -125,8 +132,8 @@ TEST_CASE("lua devices: tags are written and read", "[lua][devices]") {
   CHECK(world.Get(tags + "[1].payload") == "text");
   CHECK_THAT(GetNumber(world, tags + "[1].center.x"), WithinAbs(320.0, 1e-9));
   REQUIRE(world.Get("#" + tags + "[1].corners") == "4");
-  // 5 cm to either side, 40 cm away: 62.5 pixels; the tag's x axis points up, its y axis to the
-  // left
+  // 5 cm to either side at a distance of 40 cm: 62.5 pixels; the tag's x axis
+  // points up, its y axis to the left
   CHECK_THAT(GetNumber(world, tags + "[1].corners[1].x"), WithinAbs(320.0 - 62.5, 1e-9));
   CHECK_THAT(GetNumber(world, tags + "[1].corners[1].y"), WithinAbs(240.0 - 62.5, 1e-9));
   CHECK_THAT(GetNumber(world, tags + "[1].corners[3].y"), WithinAbs(240.0 + 62.5, 1e-9));

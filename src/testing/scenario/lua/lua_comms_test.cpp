@@ -1,4 +1,4 @@
-// What scripts see of devices that communicate.
+// Communication devices in Lua.
 
 #include "lua_world.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr Real kRounding = 1e-12;
 
-// two foot-bots 1 m apart that run the same script: "fb" looks at "other", which looks left
+// two foot-bots 1 m apart that run the same script: "fb" faces "other", which faces left
 SLuaExperiment PairOf(const std::string& script, const std::string& actuators,
                       const std::string& sensors, const std::string& media,
                       const std::string& parts = "") {
@@ -45,7 +45,7 @@ std::string ErrorOf(CLuaWorld& world, const std::string& call) {
 
 }  // namespace
 
-TEST_CASE("lua devices: range and bearing, messages of bytes", "[lua][devices]") {
+TEST_CASE("lua devices: range and bearing exchanges messages of bytes", "[lua][devices]") {
   CLuaWorld world(
       PairOf("function step() robot.range_and_bearing.set_data(2, 7)\n"
              "if robot.id == 'other' then robot.range_and_bearing.set_data({1, 2, 255})"
@@ -61,7 +61,7 @@ TEST_CASE("lua devices: range and bearing, messages of bytes", "[lua][devices]")
   CHECK(GetNumber(world, "robot.range_and_bearing[1].horizontal_bearing") == 0.0);
   CHECK(GetNumber(world, "robot.range_and_bearing[1].vertical_bearing") == 0.0);
   CHECK(world.Get("table.concat(robot.range_and_bearing[1].data, ' ')") == "1.0 2.0 255.0");
-  // "other" looks along y: "fb" is to its left, at 90 degrees
+  // "other" faces along y: "fb" is to its left, at 90 degrees
   CHECK_THAT(GetNumber(world, "robot.range_and_bearing[1].horizontal_bearing", "other"),
              WithinAbs(M_PI / 2.0, kRounding));
   CHECK(world.Get("table.concat(robot.range_and_bearing[1].data, ' ')", "other") == "0.0 7.0 0.0");
@@ -108,7 +108,7 @@ TEST_CASE("lua devices: simple radios send tables", "[lua][devices]") {
              Contains("too many arguments"));
 }
 
-TEST_CASE("lua devices: RFID tags are read and written", "[lua][devices]") {
+TEST_CASE("lua devices: RFID tags can be read and written", "[lua][devices]") {
   SLuaExperiment experiment =
       PairOf("function step() if robot.id == 'other' then robot.rfid.write({ 3, 4 }, 2) end end",
              "<rfid implementation='medium' medium='rfid'/>",
@@ -126,7 +126,7 @@ TEST_CASE("lua devices: RFID tags are read and written", "[lua][devices]") {
   CHECK(world.Get("robot.rfid[1].id", "other") == "t");
   CHECK(world.Get("table.concat(robot.rfid[1].data, ' ')", "other") == "9.0 3.0 4.0");
   CHECK(world.Get("robot.rfid.written()", "other") == "t");
-  // "other" looks along y
+  // "other" faces along y
   CHECK_THAT(GetNumber(world, "robot.rfid[1].distance", "other"), WithinAbs(5.0, kRounding));
   CHECK_THAT(GetNumber(world, "robot.rfid[1].angle", "other"), WithinAbs(0.0, kRounding));
   CHECK_THAT(ErrorOf(world, "robot.rfid.write({ 1 }, 0)"), Contains("from 1 on, got 0"));
@@ -134,7 +134,7 @@ TEST_CASE("lua devices: RFID tags are read and written", "[lua][devices]") {
   CHECK_THAT(ErrorOf(world, "robot.rfid.write('text')"), Contains("a table"));
 }
 
-TEST_CASE("lua devices: pheromones are laid and smelled", "[lua][devices]") {
+TEST_CASE("lua devices: pheromones can be deposited and read", "[lua][devices]") {
   CLuaWorld world(
       PairOf("function step() robot.pheromone.food.set_rate(robot.id == 'fb' and 2 or 0) end",
              "<pheromone implementation='medium' medium='p'/>",
@@ -142,18 +142,18 @@ TEST_CASE("lua devices: pheromones are laid and smelled", "[lua][devices]") {
              "<point offset='0.05,0.02'/></pheromone>",
              "<pheromone id='p' cell_size='0.1' size='3,3' center='0.05,0.05'><layer id='food'/>"
              "<layer id='home'/></pheromone>"));
-  // offsets are there from the start
+  // offsets are available from the start
   CHECK(world.Get("#robot.pheromone.food") == "2");
   CHECK_THAT(GetNumber(world, "robot.pheromone.food[2].offset.x"), WithinAbs(5.0, kRounding));
   CHECK_THAT(GetNumber(world, "robot.pheromone.food[2].offset.y"), WithinAbs(2.0, kRounding));
   world.Step(3);
   CHECK(TakeLogErr() == "");
-  // "fb" is in the centre of a cell of 0.01 m^2, and has laid 2/s for two ticks of 0.1 s
+  // "fb" is in the centre of a cell of 0.01 m^2 and has deposited 2/s for two ticks of 0.1 s
   CHECK_THAT(GetNumber(world, "robot.pheromone.food[1].value"), WithinAbs(40.0, 1e-10));
-  // half a cell ahead, and a fifth of one to the left
+  // half a cell ahead and a fifth of a cell to the left
   CHECK_THAT(GetNumber(world, "robot.pheromone.food[2].value"), WithinAbs(40.0 * 0.5 * 0.8, 1e-10));
   CHECK(GetNumber(world, "robot.pheromone.food[1].value", "other") == 0.0);
-  // a layer that is only laid has no readings
+  // a layer of the actuator alone has no readings
   CHECK(world.Get("#robot.pheromone.home") == "0");
   world.Do("robot.pheromone.home.set_rate(1) function step() end");
   world.Step(2);

@@ -1,4 +1,4 @@
-// The life cycle of Lua controllers, and what happens to their errors.
+// Life cycle of Lua controllers, and handling of their errors.
 
 #include "lua_world.h"
 
@@ -16,7 +16,7 @@ using Catch::WithinAbs;
 
 namespace {
 
-// notes what is called; each function can be replaced
+// a script that logs the calls of its functions; each function can be replaced
 struct SFunctions {
   std::string Chunk = "";
   std::string Init = "log('init')";
@@ -25,7 +25,7 @@ struct SFunctions {
   std::string Destroy = "log('destroy')";
 
   std::string ToScript() const {
-    // one function a line: the chunk is line 1, destroy() line 5
+    // one function per line: the chunk is line 1, destroy() line 5
     return Chunk + "\nfunction init() " + Init + " end\nfunction step() " + Step +
            " end\nfunction reset() " + Reset + " end\nfunction destroy() " + Destroy + " end\n";
   }
@@ -38,7 +38,7 @@ SLuaExperiment Running(const SFunctions& functions, const std::string& params = 
   return experiment;
 }
 
-/** What was logged but for the program's own notes. */
+/** @return the log output without messages of the program. */
 std::string TakeScriptLog() {
   std::istringstream lines(TakeLog());
   std::string rest;
@@ -50,12 +50,14 @@ std::string TakeScriptLog() {
   return rest;
 }
 
-// what the functions of a Lua script must look like, so that nothing is printed at the end
+// functions that log nothing
 const SFunctions kQuiet{"", "", "", "", ""};
 
 }  // namespace
 
-TEST_CASE("lua controller: chunk, init, a step each tick, reset, destroy", "[lua][controller]") {
+TEST_CASE(
+    "lua controller: chunk and init() run once, step() in each tick, then reset() and destroy()",
+    "[lua][controller]") {
   SFunctions functions;
   functions.Chunk = "log('chunk ', robot.id)";
   CLuaWorld world(Running(functions));
@@ -82,7 +84,7 @@ TEST_CASE("lua controller: globals survive a reset", "[lua][controller]") {
   CHECK(world.Get("count") == "6");
 }
 
-TEST_CASE("lua controller: robot.id, robot.params as strings, and no devices but those of the XML",
+TEST_CASE("lua controller: robot has id, params as strings, and the devices of the XML only",
           "[lua][controller]") {
   CLuaWorld world(Running(kQuiet, "speed='12' mode='fast'"));
   CHECK(world.Get("robot.id") == "fb");
@@ -94,7 +96,7 @@ TEST_CASE("lua controller: robot.id, robot.params as strings, and no devices but
   CHECK(world.Get("table.concat(names, ' ')") == "id params random wheels");
 }
 
-TEST_CASE("lua controller: a robot's own params replace those of the controller",
+TEST_CASE("lua controller: params of a robot replace those of the controller",
           "[lua][controller]") {
   SLuaExperiment experiment = Running(kQuiet, "speed='12'");
   CScriptFolder folder;
@@ -109,16 +111,16 @@ TEST_CASE("lua controller: a robot's own params replace those of the controller"
   CHECK(world.Get("robot.id", "own") == "own");
 }
 
-TEST_CASE("lua controller: the example of the reference drives as the kinematics says",
+TEST_CASE("lua controller: the example of the reference moves as computed from the kinematics",
           "[lua][controller]") {
   SFunctions functions = kQuiet;
   functions.Init = "t = 0";
   functions.Step = "t = t + 1 robot.wheels.set_velocity(10, 10)";
   CLuaWorld world(Running(functions));
-  // a command given in tick k moves the robot from tick k + 1 on; 10 cm/s for 0.1 s are 0.01 m.
-  // ARGoS 3 loses 1.1 mm in the first of these ticks, while its bodies gain speed; ours do not.
+  // A command given in tick k acts from tick k + 1 on; 10 cm/s for 0.1 s are 0.01 m. ARGoS 3 loses
+  // 1.1 mm in the first of these ticks, while its bodies accelerate; here there is no loss.
   const Real perTick = 0.01;
-  // a thousand roundings of a number near 1
+  // tolerance of a thousand roundings of a number near 1
   const Real tolerance = 1e-9;
   UInt32 tick = 0;
   for (const UInt32 t : {1U, 2U, 3U, 100U}) {
@@ -129,12 +131,11 @@ TEST_CASE("lua controller: the example of the reference drives as the kinematics
     CHECK_THAT(world.GetAnchor().Position.GetX(), WithinAbs((t - 1) * perTick, tolerance));
     CHECK_THAT(world.GetAnchor().Position.GetY(), WithinAbs(0.0, tolerance));
   }
-  // and this is within what ARGoS 3 loses of the positions that the reference gives
+  // the result differs from the positions of the reference by less than the loss in ARGoS 3
   CHECK_THAT(world.GetAnchor().Position.GetX(), WithinAbs(0.98889, 0.0012));
 }
 
-TEST_CASE("lua controller: scripts of different robots do not see each other",
-          "[lua][controller]") {
+TEST_CASE("lua controller: scripts of different robots are separate", "[lua][controller]") {
   SLuaExperiment experiment = Running(kQuiet);
   experiment.Robots +=
       "<foot-bot id='b'><body position='1,0,0'/><controller config='c'/></foot-bot>";
@@ -144,7 +145,7 @@ TEST_CASE("lua controller: scripts of different robots do not see each other",
   CHECK(world.Get("string.format('%d', 3)", "b") == "3");
 }
 
-TEST_CASE("lua controller: random numbers differ between robots, and repeat with the seed",
+TEST_CASE("lua controller: random numbers differ between robots and repeat with the seed",
           "[lua][controller][random]") {
   SLuaExperiment experiment = Running(kQuiet);
   experiment.Robots +=
@@ -155,13 +156,13 @@ TEST_CASE("lua controller: random numbers differ between robots, and repeat with
   const std::string b = world.Get(draw, "b");
   CHECK(a != b);
   CHECK(world.Get(draw) != a);
-  // after a reset the same again, with another seed others
+  // after a reset they repeat, and with another seed they differ
   world.GetSimulator().Reset();
   CHECK(world.Get(draw) == a);
   CHECK(world.Get(draw, "b") == b);
   world.GetSimulator().Reset(2);
   CHECK(world.Get(draw) != a);
-  // they do not depend on what other robots there are
+  // they do not depend on other robots
   CLuaWorld alone(Running(kQuiet));
   CHECK(alone.Get(draw) == a);
   experiment.Seed = 2;
@@ -169,7 +170,7 @@ TEST_CASE("lua controller: random numbers differ between robots, and repeat with
   CHECK(other.Get(draw) != a);
 }
 
-TEST_CASE("lua controller: without a script the robot does nothing, and a warning says so",
+TEST_CASE("lua controller: without a script the robot does nothing, and a warning is logged",
           "[lua][controller]") {
   SLuaExperiment experiment = Running(kQuiet);
   const auto [params, isWarned] =
@@ -186,8 +187,7 @@ TEST_CASE("lua controller: without a script the robot does nothing, and a warnin
   CHECK(world.GetController().IsOK());
 }
 
-TEST_CASE("lua controller: a script that is not there, or wrong, is fatal",
-          "[lua][controller][error]") {
+TEST_CASE("lua controller: a missing or malformed script is fatal", "[lua][controller][error]") {
   SLuaExperiment experiment;
   experiment.Script = "x = 1\ny = = 2\n";
   CHECK_THAT(LoadError(experiment), Contains("robot \"fb\"") && Contains("robot.lua:2:") &&
@@ -222,7 +222,7 @@ TEST_CASE("lua controller: an error in the chunk or in init() is fatal, with a t
   CHECK_THAT(TakeLog(), !Contains("step"));
 }
 
-TEST_CASE("lua controller: an error in step() stops the script, not the run nor the robot",
+TEST_CASE("lua controller: an error in step() stops the script, but neither the run nor the robot",
           "[lua][controller][error]") {
   SFunctions functions = kQuiet;
   functions.Init = "t = 0";
@@ -246,18 +246,19 @@ TEST_CASE("lua controller: an error in step() stops the script, not the run nor 
   CHECK(world.GetController().IsOK() == false);
   CHECK_THAT(world.GetController().GetErrorMessage(), Contains("tired"));
   world.Step(7);
-  // told once, not called again, and the wheels still turn: 9 ticks after the first command
+  // it is reported once, step() is not called again, and the wheels still turn:
+  // 9 ticks after the first command
   CHECK(TakeLogErr() == "");
   CHECK(world.Get("t") == "3");
   CHECK_THAT(world.GetAnchor().Position.GetX(), WithinAbs(0.09, 1e-9));
-  // the other robot has not noticed
+  // the other robot is not affected
   CHECK(world.Get("t", "b") == "10");
   TakeLog();
   world.Destroy();
   CHECK_THAT(TakeLog(), !Contains("destroyed"));
 }
 
-TEST_CASE("lua controller: step() that is missing stops the script", "[lua][controller][error]") {
+TEST_CASE("lua controller: a missing step() stops the script", "[lua][controller][error]") {
   SLuaExperiment experiment;
   experiment.Script = "function init() end";
   CLuaWorld world(experiment);
@@ -293,7 +294,7 @@ TEST_CASE("lua controller: after an error a reset loads the script again",
   CHECK(world.Get("t") == "1");
   world.Step();
   CHECK_THAT(TakeLogErr(), Contains("tired"));
-  // from the file as it is now
+  // from the present content of the file
   functions.Step = "t = 100";
   world.Folder().Write("robot.lua", functions.ToScript());
   world.GetSimulator().Reset();
@@ -301,7 +302,7 @@ TEST_CASE("lua controller: after an error a reset loads the script again",
   CHECK(world.Get("t") == "100");
 }
 
-TEST_CASE("lua controller: a script that cannot be loaded again stays stopped",
+TEST_CASE("lua controller: a script that cannot be reloaded stays stopped",
           "[lua][controller][error]") {
   SFunctions functions = kQuiet;
   functions.Step = "error('tired')";
@@ -319,7 +320,8 @@ TEST_CASE("lua controller: a script that cannot be loaded again stays stopped",
   CHECK(world.GetController().IsOK());
 }
 
-TEST_CASE("lua controller: errors in reset() and destroy() are told", "[lua][controller][error]") {
+TEST_CASE("lua controller: errors in reset() and destroy() are reported",
+          "[lua][controller][error]") {
   SFunctions functions = kQuiet;
   functions.Step = "log('step')";
   functions.Reset = "error('bad reset')";
@@ -341,7 +343,7 @@ TEST_CASE("lua controller: errors in reset() and destroy() are told", "[lua][con
   }
 }
 
-TEST_CASE("lua controller: functions that are missing are told when they are called",
+TEST_CASE("lua controller: missing functions are reported when they are called",
           "[lua][controller][error]") {
   SLuaExperiment experiment;
   experiment.Script = "function init() end function step() end";
@@ -358,7 +360,7 @@ TEST_CASE("lua controller: functions that are missing are told when they are cal
   }
 }
 
-TEST_CASE("lua controller: endless loops are interrupted wherever they are",
+TEST_CASE("lua controller: endless loops are interrupted in every function",
           "[lua][controller][error]") {
   const std::string params = "max_instructions='100000'";
   const std::string loop = "while true do end";
@@ -391,13 +393,13 @@ TEST_CASE("lua controller: endless loops are interrupted wherever they are",
     world.Destroy();
     CHECK_THAT(TakeLogErr(), Contains(message) && Contains("robot.lua:5:"));
   }
-  SECTION("a limit that is no number") {
+  SECTION("an invalid limit") {
     CHECK_THAT(LoadError(Running(functions, "max_instructions='many'")),
                Contains("max_instructions") && Contains("many"));
   }
 }
 
-TEST_CASE("lua controller: errors that a script catches are its own business",
+TEST_CASE("lua controller: errors caught by the script are not reported",
           "[lua][controller][error]") {
   SFunctions functions = kQuiet;
   functions.Step = "ok, message = pcall(robot.wheels.set_velocity, 1, nil) n = (n or 0) + 1";
@@ -410,7 +412,7 @@ TEST_CASE("lua controller: errors that a script catches are its own business",
   CHECK(world.Get("n") == "3");
 }
 
-TEST_CASE("lua controller: another script can be given at run time", "[lua][controller]") {
+TEST_CASE("lua controller: the script can be changed at run time", "[lua][controller]") {
   SFunctions functions = kQuiet;
   functions.Step = "which = 'first'";
   CLuaWorld world(Running(functions, "mode='fast'"));
@@ -425,7 +427,7 @@ TEST_CASE("lua controller: another script can be given at run time", "[lua][cont
   CHECK(world.Get("robot.params.script") == second);
 }
 
-TEST_CASE("lua controller: a robot that is removed runs destroy()", "[lua][controller]") {
+TEST_CASE("lua controller: removing a robot runs destroy()", "[lua][controller]") {
   SFunctions functions = kQuiet;
   functions.Destroy = "log('bye ', robot.id)";
   CLuaWorld world(Running(functions));
@@ -438,7 +440,7 @@ TEST_CASE("lua controller: a robot that is removed runs destroy()", "[lua][contr
   CHECK(TakeScriptLog() == "bye fb ");
 }
 
-TEST_CASE("lua controller: the speed that is not a number is the device's error",
+TEST_CASE("lua controller: an invalid speed is reported as an error of the device",
           "[lua][controller][error]") {
   SFunctions functions = kQuiet;
   functions.Step = "robot.wheels.set_velocity(0/0, 1)";

@@ -1,4 +1,4 @@
-// Every device in Lua: the names, shapes and arguments that were published with ARGoS 3.
+// Every device in Lua: names, structure and arguments as published with ARGoS 3.
 
 #include "lua_world.h"
 
@@ -21,18 +21,18 @@ struct SWrongCall {
 
 struct SFunction {
   std::string Name;
-  std::vector<std::string> Arguments; /**< of calls that are right */
+  std::vector<std::string> Arguments; /**< of valid calls */
   std::vector<SWrongCall> Wrong;
 };
 
-/** How a device looks to a script. */
+/** The interface of a device in Lua. */
 struct SLuaDevice {
   std::string Section, Tag;
-  std::string Table; /**< of `robot` */
+  std::string Table; /**< name in `robot` */
   /**
-   * What is in it, in the language of kShapeOf: functions "f()", lists "[length]" and then what is
-   * in each, fields "{a b}" in the order of the alphabet, and the types of what is no number. "[N]"
-   * is a list of as many as the robot has.
+   * Content of the table in the notation of kShapeOf: functions "f()", lists "[length]" followed by
+   * their elements, fields "{a b}" in alphabetical order, and the types of values other than
+   * numbers. "[N]" is a list whose length depends on the robot.
    */
   std::string Shape;
   std::vector<SFunction> Functions = {};
@@ -41,7 +41,7 @@ struct SLuaDevice {
   std::string Beside = ""; /**< tag of an actuator that the sensor needs */
 };
 
-// numbers must be floats, as all numbers that devices give
+// numbers must be floats, like all numbers of devices
 const char* const kShapeOf = R"(
 function shape_of(value)
   local kind = math.type(value) or type(value)
@@ -234,7 +234,7 @@ std::vector<SLuaDevice> LuaSensors() {
           {"sensors", "ground", "ground", "[N]", {}, {12, 3, 0}},
           {"sensors", "footbot_motor_ground", "motor_ground", "[4]{offset:vector2 value}"},
           {"sensors", "footbot_base_ground", "base_ground", "[8]{offset:vector2 value}"},
-          // two lights near the foot-bot are in the square that it sees
+          // two lights near the foot-bot are in the area of its camera
           {"sensors",
            omnidirectional,
            omnidirectional,
@@ -242,7 +242,7 @@ std::vector<SLuaDevice> LuaSensors() {
            onAndOff,
            {},
            "robot." + omnidirectional + ".enable()"},
-          // the foot-bot sees two lights ahead, the eye-bot one that is below
+          // the foot-bot sees two lights ahead, the eye-bot one light below
           {"sensors",
            perspective,
            perspective,
@@ -291,7 +291,7 @@ const SLuaDevice& LuaDeviceOf(const SListedDevice& device) {
   throw std::runtime_error("the list of devices in Lua lacks " + device.Label());
 }
 
-/** A robot, "fb", with one device, and all around it that it can sense or talk to. */
+/** A robot "fb" with one device, and objects and robots that it can sense or communicate with. */
 class CDeviceWorld {
  public:
   CDeviceWorld(const SListedDevice& device, const std::string& robot) {
@@ -305,7 +305,7 @@ class CDeviceWorld {
     (device.Section == "sensors" ? experiment.Sensors : experiment.Actuators) += device.ToXml();
     experiment.Engines = "<pointmass3d id='engine'/>";
     experiment.Media = MediaForDevices();
-    // the cameras of what flies look from 40 cm higher, at the upper ones of tags and lights
+    // eye-bots start 40 cm higher, so that their cameras see the upper tags and lights
     experiment.Robots =
         RobotForDevices(robot, "fb", robot == "eye-bot" ? "0,0,0.4" : "0,0,0", "c") +
         RobotForDevices("foot-bot", "other", "0.6,0.1,0", "other");
@@ -340,7 +340,7 @@ class CDeviceWorld {
   std::optional<CLuaWorld> m_world;
 };
 
-// the shape with the robot's numbers
+// the structure with the numbers of the robot
 std::string ShapeFor(const SLuaDevice& lua, const std::string& robot) {
   std::string shape = lua.Shape;
   const size_t at = shape.find("[N]");
@@ -369,7 +369,7 @@ TEST_CASE("lua device list: tables, functions and fields have the published name
           "[lua][devices]") {
   ForEveryDevice([](const SListedDevice& device, const SLuaDevice& lua, const std::string& robot) {
     CDeviceWorld world(device, robot);
-    // the script's init() finds all there is, but for lists that depend on what is around
+    // the table is complete in init(), except for lists that depend on other entities
     const bool dependsOnOthers = !lua.Prepare.empty() || lua.Shape.find("[1]") != std::string::npos;
     if (!dependsOnOthers) {
       CHECK(world->Get("shape_at_init") == ShapeFor(lua, robot));
@@ -377,7 +377,7 @@ TEST_CASE("lua device list: tables, functions and fields have the published name
     world->Step(3);
     CHECK(TakeLogErr() == "");
     CHECK(world->Get("shape_of(robot." + lua.Table + ")") == ShapeFor(lua, robot));
-    // nothing else is in "robot" but what is always there
+    // robot contains nothing else, except for the entries that it always has
     world->Do(
         "names = {} for name in pairs(robot) do names[#names + 1] = name end "
         "table.sort(names)");
@@ -391,7 +391,7 @@ TEST_CASE("lua device list: tables, functions and fields have the published name
   });
 }
 
-TEST_CASE("lua device list: functions take what is right, and say what is wrong",
+TEST_CASE("lua device list: functions accept valid arguments and report invalid ones",
           "[lua][devices][error]") {
   ForEveryDevice([](const SListedDevice& device, const SLuaDevice& lua, const std::string& robot) {
     CDeviceWorld world(device, robot);
@@ -410,9 +410,8 @@ TEST_CASE("lua device list: functions take what is right, and say what is wrong"
   });
 }
 
-TEST_CASE(
-    "lua device list: an error of a wrong argument names robot, script, function and argument",
-    "[lua][devices][error]") {
+TEST_CASE("lua device list: an error on an argument names robot, script, function and argument",
+          "[lua][devices][error]") {
   ForEveryDevice([](const SListedDevice& device, const SLuaDevice& lua, const std::string& robot) {
     for (const SFunction& function : lua.Functions) {
       CDeviceWorld world(device, robot);
@@ -427,9 +426,9 @@ TEST_CASE(
   });
 }
 
-TEST_CASE("lua device list: what listens sees the actuator of its kind in the same table",
+TEST_CASE("lua device list: actuator and sensor of a communication device share a table",
           "[lua][devices]") {
-  // pairs of an actuator and a sensor that share a table
+  // actuators and sensors that share a table
   const std::string tag =
       GENERATE(as<std::string>(), "differential_steering", "range_and_bearing", "simple_radios");
   CAPTURE(tag);

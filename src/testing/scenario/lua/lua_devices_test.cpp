@@ -1,4 +1,4 @@
-// What scripts see of devices, and what devices do for them.
+// Devices in Lua: readings and orders.
 
 #include "lua_world.h"
 
@@ -9,6 +9,8 @@
 #include <argos3/plugins/robots/e-puck/control_interface/ci_epuck_proximity_sensor.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
 #include <argos3/testing/support/captured_logs.h>
+#include <argos3/testing/support/robot_sizes.h>
+#include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
 
@@ -20,11 +22,10 @@ using Catch::WithinAbs;
 
 namespace {
 
-// a few roundings of numbers of about 10
+// tolerance of a few roundings of numbers of about 10
 constexpr Real kRounding = 1e-12;
 
-/** A sensor as plug-ins written for ARGoS 3 have it: counts its updates, off until it is enabled.
- */
+/** A sensor like those of plug-ins for ARGoS 3: it counts its updates, and is disabled at first. */
 class CUserCounter : public CSimulatedSensor, public CCI_Sensor {
  public:
   void SetRobot(CComposableEntity&) override {}
@@ -81,10 +82,10 @@ Real GetNumber(CLuaWorld& world, const std::string& expression) {
 
 }  // namespace
 
-TEST_CASE("lua devices: wheels are ordered and read in cm", "[lua][devices]") {
+TEST_CASE("lua devices: wheel speeds are ordered and read in cm", "[lua][devices]") {
   CLuaWorld world(WithDevices("robot.wheels.set_velocity(12, -3)", Device("differential_steering"),
                               Device("differential_steering")));
-  // start values, not yet measured
+  // initial values, before the first reading
   CHECK(GetNumber(world, "robot.wheels.velocity_left") == 0.0);
   CHECK_THAT(GetNumber(world, "robot.wheels.axis_length"), WithinAbs(14.0, kRounding));
   world.Step();
@@ -94,13 +95,13 @@ TEST_CASE("lua devices: wheels are ordered and read in cm", "[lua][devices]") {
   CHECK_THAT(GetNumber(world, "robot.wheels.velocity_right"), WithinAbs(-3.0, kRounding));
   CHECK_THAT(GetNumber(world, "robot.wheels.distance_left"), WithinAbs(1.2, kRounding));
   CHECK_THAT(GetNumber(world, "robot.wheels.distance_right"), WithinAbs(-0.3, kRounding));
-  // a reset is seen by reset() already
+  // reset() reads the values after the reset
   world.Do("function reset() seen = robot.wheels.velocity_left end");
   world.GetSimulator().Reset();
   CHECK(GetNumber(world, "seen") == 0.0);
 }
 
-TEST_CASE("lua devices: the wheels' table has both halves of the pair, whoever comes alone",
+TEST_CASE("lua devices: the wheels' table is complete with actuator or sensor alone",
           "[lua][devices]") {
   CLuaWorld sensor(WithDevices("", "", Device("differential_steering")));
   CHECK(sensor.Get("robot.wheels.set_velocity") == "nil");
@@ -110,11 +111,11 @@ TEST_CASE("lua devices: the wheels' table has both halves of the pair, whoever c
   CHECK(actuator.Get("robot.wheels.distance_left") == "nil");
 }
 
-TEST_CASE("lua devices: the ring of a foot-bot, angle and value", "[lua][devices]") {
-  // a wall whose face is 5 cm from the ring, ahead
+TEST_CASE("lua devices: the proximity ring of a foot-bot has angles and values", "[lua][devices]") {
+  // a wall with its face 5 cm ahead of the ring
   SLuaExperiment experiment = WithDevices("", "", Device("footbot_proximity"));
-  experiment.Arena =
-      "<box id='wall' size='0.1,4,0.5' movable='false'><body position='0.185036758,0,0'/></box>";
+  experiment.Arena = "<box id='wall' size='0.1,4,0.5' movable='false'><body position='" +
+                     ToText(kFootBotRadius + 0.1) + ",0,0'/></box>";
   CLuaWorld world(experiment);
   CHECK(world.Get("#robot.proximity") == "24");
   CHECK(world.Get("robot.proximity[1].value") == "0.0");
@@ -127,19 +128,20 @@ TEST_CASE("lua devices: the ring of a foot-bot, angle and value", "[lua][devices
                            .SignedNormalize()
                            .GetValue();
     CHECK_THAT(GetNumber(world, entry + ".angle"), WithinAbs(angle, kRounding));
-    // rays that see the wall point ahead; the ring's radius is 0.085036758 m, the range 0.1 m
-    const Real distance = 0.135036758 / std::cos(angle) - 0.085036758;
+    // rays that hit the wall point ahead; the ring's radius is that of the body, the range 0.1 m
+    const Real distance = (kFootBotRadius + 0.05) / std::cos(angle) - kFootBotRadius;
     const bool hits = std::cos(angle) > 0.0 && distance < 0.1;
     const Real value = hits ? 0.0100527 / (distance + 0.000163144) : 0.0;
     CHECK_THAT(GetNumber(world, entry + ".value"), WithinAbs(value, 1e-9));
   }
-  // refreshed in place
+  // records are updated in place
   CHECK(world.Get("first.value > 0.1") == "true");
   CHECK(world.Get("first == robot.proximity[1]") == "true");
 }
 
-TEST_CASE("lua devices: the sensors of an e-puck, angle and value", "[lua][devices]") {
-  // a wall whose face is 2 cm from the e-puck's rim, ahead
+TEST_CASE("lua devices: the proximity sensors of an e-puck have angles and values",
+          "[lua][devices]") {
+  // a wall with its face 2 cm ahead of the e-puck's rim
   SLuaExperiment experiment = WithDevices("", "", Device("epuck_proximity"));
   experiment.Robots = EPuck("position='0,0,0'");
   experiment.Arena =
@@ -159,20 +161,22 @@ TEST_CASE("lua devices: the sensors of an e-puck, angle and value", "[lua][devic
 
 TEST_CASE("lua devices: generic proximity is a list of numbers", "[lua][devices]") {
   SLuaExperiment experiment = WithDevices("", "", Device("proximity"));
-  experiment.Arena =
-      "<box id='wall' size='0.1,4,0.5' movable='false'><body position='0.185036758,0,0'/></box>";
+  experiment.Arena = "<box id='wall' size='0.1,4,0.5' movable='false'><body position='" +
+                     ToText(kFootBotRadius + 0.1) + ",0,0'/></box>";
   CLuaWorld world(experiment);
   CHECK(world.Get("#robot.proximity") == "24");
   CHECK(world.Get("robot.proximity[1]") == "0.0");
   world.Step();
-  // the first ray points 7.5 degrees to the left: exp(-distance)
-  const Real distance = 0.135036758 / std::cos(7.5 * CRadians::PI.GetValue() / 180.0) - 0.085036758;
+  // the first ray points 7.5 degrees to the left: the reading is exp(-distance)
+  const Real distance =
+      (kFootBotRadius + 0.05) / std::cos(7.5 * CRadians::PI.GetValue() / 180.0) - kFootBotRadius;
   CHECK_THAT(GetNumber(world, "robot.proximity[1]"), WithinAbs(std::exp(-distance), 1e-9));
   CHECK_THAT(GetNumber(world, "robot.proximity[24]"), WithinAbs(std::exp(-distance), 1e-9));
   CHECK(GetNumber(world, "robot.proximity[13]") == 0.0);
 }
 
-TEST_CASE("lua devices: LEDs count from 1 and take names, texts and numbers", "[lua][devices]") {
+TEST_CASE("lua devices: LEDs are numbered from 1 and take names, texts and numbers as colours",
+          "[lua][devices]") {
   const std::string leds = Device("leds", "medium='leds'");
   SLuaExperiment experiment = WithDevices(
       "robot.leds.set_all_colors('blue') robot.leds.set_single_color(1, 'red')\n"
@@ -226,11 +230,12 @@ TEST_CASE("lua devices: an eye-bot has 33 LEDs", "[lua][devices]") {
              Contains("from 1 to 33, got 34"));
 }
 
-TEST_CASE("lua devices: a user's sensor that uses Lua's own functions", "[lua][devices][compat]") {
+TEST_CASE("lua devices: a user's sensor with its own Lua functions works",
+          "[lua][devices][compat]") {
   CLuaWorld world(WithDevices("robot.counter.enable() seen = robot.counter.count", "",
                               Device("user_counter") + Device("footbot_proximity")));
   CHECK(world.Get("robot.counter.count") == "0.0");
-  // enabled by the first step, so updated from the second tick on
+  // enabled by the first step, so it is updated from the second tick on
   world.Step();
   CHECK(world.Get("seen") == "0.0");
   world.Step(3);
@@ -238,13 +243,13 @@ TEST_CASE("lua devices: a user's sensor that uses Lua's own functions", "[lua][d
   CHECK(world.Get("seen") == "3.0");
 }
 
-TEST_CASE("lua devices: two sensors that would write into one table are fatal", "[lua][devices]") {
+TEST_CASE("lua devices: two sensors that write to one table are fatal", "[lua][devices]") {
   CHECK_THAT(LoadError(WithDevices("", "", Device("proximity") + Device("footbot_proximity"))),
              Contains("the sensors <footbot_proximity> and <proximity> would both write into the "
                       "Lua table robot.proximity; use one of them"));
 }
 
-TEST_CASE("lua devices: a script that destroys its tables gets an error at most",
+TEST_CASE("lua devices: a script that overwrites its tables causes at most an error",
           "[lua][devices]") {
   CLuaWorld world(WithDevices("robot.proximity = nil robot.wheels.set_velocity(1, 1) robot = nil",
                               Device("differential_steering"), Device("footbot_proximity")));
@@ -254,7 +259,8 @@ TEST_CASE("lua devices: a script that destroys its tables gets an error at most"
   CHECK_THAT(world.GetAnchor().Position.GetX(), WithinAbs(0.004, 1e-9));
 }
 
-TEST_CASE("lua devices: propellers are ordered in metres, and yaws in degrees", "[lua][devices]") {
+TEST_CASE("lua devices: propellers take positions in metres and yaws in degrees",
+          "[lua][devices]") {
   const auto eyeBot = [](const std::string& actuator, const std::string& sensors) {
     SLuaExperiment experiment = WithDevices("", Device(actuator), sensors);
     experiment.Robots =
@@ -266,13 +272,13 @@ TEST_CASE("lua devices: propellers are ordered in metres, and yaws in degrees", 
   CLuaWorld places(eyeBot("quadrotor_position", ""));
   places.Do("robot.quadrotor.set_absolute_position(0.5, -0.25, 0.1)");
   places.Do("robot.quadrotor.set_absolute_yaw(45)");
-  // the loops leave e^-16 of the way, and e^-30 of the turn
+  // the control loops leave e^-16 of the path and e^-30 of the rotation
   places.Step(60);
   CHECK_THAT(Distance(places.GetAnchor().Position, CVector3(0.5, -0.25, 0.1)),
              WithinAbs(0.0, 1e-5));
   const CQuaternion turned(CRadians::PI_OVER_FOUR, CVector3::Z);
   CHECK_THAT(places.GetAnchor().Orientation.GetZ(), WithinAbs(turned.GetZ(), 1e-9));
-  // ahead, as it looks now
+  // ahead in the present orientation
   places.Do("robot.quadrotor.set_relative_position(0.2, 0, 0)");
   places.Do("robot.quadrotor.set_relative_yaw(-45)");
   places.Step(60);
@@ -291,14 +297,14 @@ TEST_CASE("lua devices: propellers are ordered in metres, and yaws in degrees", 
   const CVector3 before = speeds.GetAnchor().Position;
   const Real half = std::asin(speeds.GetAnchor().Orientation.GetZ());
   speeds.Step(1);
-  // along the axes of the world, although it looks along y
+  // along the axes of the world, although the robot faces along y
   CHECK_THAT(Distance(speeds.GetAnchor().Position, before + CVector3(0.02, -0.01, 0.005)),
              WithinAbs(0.0, kRounding));
   CHECK_THAT(2.0 * (std::asin(speeds.GetAnchor().Orientation.GetZ()) - half),
              WithinAbs(0.03, 1e-9));
 }
 
-TEST_CASE("lua devices: the rings of an eye-bot, angle and value", "[lua][devices]") {
+TEST_CASE("lua devices: the rings of an eye-bot have angles and values", "[lua][devices]") {
   SLuaExperiment experiment = WithDevices(
       "", "", Device("eyebot_proximity") + "<eyebot_light implementation='rot_z_only'/>");
   experiment.Robots = "<eye-bot id='fb'><body position='0,0,0'/><controller config='c'/></eye-bot>";
@@ -321,7 +327,7 @@ TEST_CASE("lua devices: the rings of an eye-bot, angle and value", "[lua][device
              WithinAbs(std::exp(-2.0) * (1.0 - 15.0 / 180.0), kRounding));
 }
 
-TEST_CASE("lua devices: the gripper holds, and the turret turns by whole turns a minute",
+TEST_CASE("lua devices: the gripper holds a load, and the turret turns by whole turns per minute",
           "[lua][devices]") {
   SLuaExperiment experiment = WithDevices(
       "", Device("footbot_gripper") + Device("footbot_turret") + Device("differential_steering"),
@@ -331,7 +337,7 @@ TEST_CASE("lua devices: the gripper holds, and the turret turns by whole turns a
       "<body position='0.19,0,0'/></cylinder>";
   CLuaWorld world(experiment);
   CHECK(world.Get("robot.turret.rotation") == "0.0");
-  // without a load the turret is where its motor turned it: 2 turns a minute, 12 degrees a second
+  // without a load the turret follows its motor: 2 turns per minute, 12 degrees per second
   world.Do("robot.turret.set_speed_control_mode() robot.turret.set_rotation_speed(2.9)");
   world.Step(10);
   CHECK_THAT(GetNumber(world, "robot.turret.rotation"), WithinAbs(ARGOS_PI / 15.0, 1e-12));
@@ -341,7 +347,7 @@ TEST_CASE("lua devices: the gripper holds, and the turret turns by whole turns a
   world.Do("robot.turret.set_passive_mode() robot.turret.set_rotation(1)");
   world.Step(10);
   CHECK_THAT(GetNumber(world, "robot.turret.rotation"), WithinAbs(0.0, 1e-12));
-  // locked to either side, it takes the load along
+  // locked in either direction, it pulls the load along
   const std::string lock = GENERATE(as<std::string>(), "lock_positive", "lock_negative");
   world.Do("robot.gripper." + lock + "() robot.wheels.set_velocity(-10, -10)");
   world.Step(11);
@@ -352,7 +358,7 @@ TEST_CASE("lua devices: the gripper holds, and the turret turns by whole turns a
         .GetOriginAnchor()
         .Position.GetX();
   };
-  // its friction, 1.49 N, stretches the grip by 0.15 mm
+  // the friction of the load, 1.49 N, stretches the grip by 0.15 mm
   CHECK_THAT(world.GetAnchor().Position.GetX(), WithinAbs(-0.11, 1e-3));
   CHECK_THAT(load(), WithinAbs(0.19 - 0.11, 2e-3));
   world.Do("robot.gripper.unlock()");

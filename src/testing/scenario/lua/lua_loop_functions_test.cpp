@@ -23,13 +23,13 @@ using Catch::WithinAbs;
 
 namespace {
 
-// a few roundings of numbers of about 1
+// tolerance of a few roundings of numbers of about 1
 constexpr Real kRounding = 1e-12;
 
 const std::string kIdleRobot =
     "function init() end function step() end function reset() end function destroy() end";
 
-/** An experiment with a foot-bot, and loop functions. */
+/** An experiment with a foot-bot and loop functions. */
 SLuaExperiment With(const std::string& loopScript, const std::string& arena = "") {
   SLuaExperiment experiment;
   experiment.Script = kIdleRobot;
@@ -49,14 +49,14 @@ std::string TakeScriptLog() {
   return rest;
 }
 
-/** What init() logs if it is this code. */
+/** The log output of loop functions whose init() is the given code. */
 std::string LogOf(const std::string& code, const std::string& arena = "") {
   TakeLog();
   CLuaWorld world(With("function init() " + code + " end", arena));
   return TakeScriptLog();
 }
 
-/** The message with which init() fails if it is this code. */
+/** The error of loop functions whose init() is the given code. */
 std::string ErrorOf(const std::string& code, const std::string& arena = "") {
   return LoadError(With("function init() " + code + " end", arena));
 }
@@ -69,7 +69,7 @@ const std::string kLight =
 
 }  // namespace
 
-TEST_CASE("lua loop functions: hooks are called in their order", "[lua][loop_functions]") {
+TEST_CASE("lua loop functions: hooks are called in the documented order", "[lua][loop_functions]") {
   CLuaWorld world(With(
       "log('chunk')\n"
       "function init() log('init') end\n"
@@ -92,7 +92,8 @@ TEST_CASE("lua loop functions: hooks are called in their order", "[lua][loop_fun
   CHECK(TakeScriptLog() == "destroy ");
 }
 
-TEST_CASE("lua loop functions: every hook may be left out, but not all", "[lua][loop_functions]") {
+TEST_CASE("lua loop functions: every hook is optional, but there must be one",
+          "[lua][loop_functions]") {
   {
     CLuaWorld world(With("function pre_step() n = (n or 0) + 1 end"));
     world.Step(3);
@@ -106,7 +107,7 @@ TEST_CASE("lua loop functions: every hook may be left out, but not all", "[lua][
       Contains("define none of the functions that are called: init, reset, destroy, pre_step"));
 }
 
-TEST_CASE("lua loop functions: the clock, the experiment and the arena", "[lua][loop_functions]") {
+TEST_CASE("lua loop functions: clock, experiment and arena can be read", "[lua][loop_functions]") {
   SLuaExperiment experiment = With(
       "function init()\n"
       "  log(simulation.tick_length, ' ', simulation.length, ' ', simulation.seed())\n"
@@ -125,7 +126,7 @@ TEST_CASE("lua loop functions: the clock, the experiment and the arena", "[lua][
   CHECK(TakeScriptLog() == "1 0.1 integer 2 0.2 integer 3 0.3 integer ");
 }
 
-TEST_CASE("lua loop functions: entities by type and by id", "[lua][loop_functions]") {
+TEST_CASE("lua loop functions: entities can be found by type and by id", "[lua][loop_functions]") {
   CHECK(LogOf("log(table.concat(simulation.ids(), ' '))", kBox + kLight) == "fb box lamp ");
   CHECK(LogOf("log(table.concat(simulation.ids('box'), ' '))", kBox + kLight) == "box ");
   CHECK(LogOf("log(#simulation.ids('cylinder'), #simulation.entities('foot-bot'))") == "01 ");
@@ -134,7 +135,7 @@ TEST_CASE("lua loop functions: entities by type and by id", "[lua][loop_function
             "  log(e.id, ' ', e.type, ' ', tostring(e.position), ' ', tostring(e.orientation)) end",
             kBox + kLight) ==
       "fb foot-bot 0,0,0 0,0,0 box box 2,0,0 0,0,0 lamp light 1,2,3 0,0,0 ");
-  // a floor is nowhere
+  // a floor has no position
   CHECK(LogOf("local e = simulation.entity('f') log(e.id, ' ', e.type, ' ', e.position)",
               "<floor id='f' source='loop_functions' pixels_per_meter='10'/>") == "f floor nil ");
   CHECK(LogOf("log(simulation.entity('nobody'), ' ', simulation.entity('box').id)", kBox) ==
@@ -150,7 +151,7 @@ TEST_CASE("lua loop functions: entities by type and by id", "[lua][loop_function
              Contains("simulation.ids: argument 1 must be a string, got 1"));
 }
 
-TEST_CASE("lua loop functions: move puts things where there is room", "[lua][loop_functions]") {
+TEST_CASE("lua loop functions: move puts entities into free places", "[lua][loop_functions]") {
   CLuaWorld world(
       With("function init()\n"
            "  log(simulation.move('fb', 1, -1, 0, math.pi / 2))\n"
@@ -159,7 +160,7 @@ TEST_CASE("lua loop functions: move puts things where there is room", "[lua][loo
            "  log(simulation.move('lamp', vector3(0, 0, 1)))\n"
            "end",
            kBox + kLight));
-  // the second place is where the box is: the robot stays where it was put first
+  // the second place is occupied by the box: the robot stays in the first
   CHECK(TakeScriptLog() == "1 0 01 1 ");
   CHECK(world.GetAnchor().Position == CVector3(1.0, -1.0, 0.0));
   CRadians z;
@@ -170,7 +171,7 @@ TEST_CASE("lua loop functions: move puts things where there is room", "[lua][loo
   CHECK(world.World().Get<CLightEntity>("lamp").GetPosition() == CVector3(0.0, 0.0, 1.0));
 }
 
-TEST_CASE("lua loop functions: what move leaves out stays as it is", "[lua][loop_functions]") {
+TEST_CASE("lua loop functions: move keeps values that are not given", "[lua][loop_functions]") {
   CLuaWorld world(
       With("function init()\n"
            "  simulation.move('fb', 1, 0, 0, 0.5)\n"
@@ -192,7 +193,7 @@ TEST_CASE("lua loop functions: what move leaves out stays as it is", "[lua][loop
              Contains("has no position"));
 }
 
-TEST_CASE("lua loop functions: entities are added and removed while the experiment runs",
+TEST_CASE("lua loop functions: entities can be added and removed during the experiment",
           "[lua][loop_functions]") {
   CLuaWorld world(
       With("function pre_step()\n"
@@ -210,13 +211,13 @@ TEST_CASE("lua loop functions: entities are added and removed while the experime
            "  log(table.concat(simulation.ids(), ' '))\n"
            "end"));
   world.Step();
-  // a cylinder in the robot's place is added, and the script is told
+  // a cylinder that overlaps the robot is added, and the result of the call reports it
   CHECK(TakeScriptLog() == "new1 on0 l1 fb new on l ");
   CHECK(world.Get("robot.id", "new") == "new");
   world.Step(2);
   CHECK(TakeScriptLog() == "fb new on l fb ");
   world.Step();
-  // the same id is free again
+  // the id can be used again
   TakeLog();
   CHECK(LogOf("local box = [[<box id='b' size='0.1,0.1,0.1' movable='false'><body "
               "position='1,1,0'/></box>]]\n"
@@ -224,7 +225,7 @@ TEST_CASE("lua loop functions: entities are added and removed while the experime
               "log(#simulation.ids())") == "1 ");
 }
 
-TEST_CASE("lua loop functions: what cannot be added is an error", "[lua][loop_functions]") {
+TEST_CASE("lua loop functions: invalid entities are errors", "[lua][loop_functions]") {
   CHECK_THAT(ErrorOf("simulation.add('<foot-bott id=\"x\"/>')"),
              Contains("simulation.add") && Contains("foot-bott") && Contains("foot-bot"));
   CHECK_THAT(ErrorOf("simulation.add('<foot-bot')"), Contains("simulation.add"));
@@ -233,13 +234,13 @@ TEST_CASE("lua loop functions: what cannot be added is an error", "[lua][loop_fu
              Contains("already an entity with id"));
   CHECK_THAT(ErrorOf("simulation.remove('nobody')"), Contains("nobody"));
   CHECK(LogOf("log(pcall(simulation.add, '<box/>'))").substr(0, 1) == "0");
-  // an attribute that nothing reads is told
+  // an unused attribute is reported
   CHECK(LogOf("simulation.add([[<box id='b' size='1,1,1' movable='false' colour='red'>"
               "<body position='3,3,0'/></box>]])") == "");
   CHECK_THAT(TakeLogErr(), Contains("[WARNING] simulation.add:1: <box>: attribute \"colour\""));
 }
 
-TEST_CASE("lua loop functions: LEDs and lights", "[lua][loop_functions]") {
+TEST_CASE("lua loop functions: LEDs and lights can be read and set", "[lua][loop_functions]") {
   CLuaWorld world(
       With("function init()\n"
            "  simulation.set_all_led_colors('fb', 'green')\n"
@@ -263,8 +264,7 @@ TEST_CASE("lua loop functions: LEDs and lights", "[lua][loop_functions]") {
              Contains("is a <foot-bot>, no <light>"));
 }
 
-TEST_CASE("lua loop functions: the floor has the color that floor_color gives",
-          "[lua][loop_functions]") {
+TEST_CASE("lua loop functions: the floor has the colors of floor_color", "[lua][loop_functions]") {
   CLuaWorld world(With(
       "black = false\n"
       "function floor_color(x, y)\n"
@@ -284,7 +284,7 @@ TEST_CASE("lua loop functions: the floor has the color that floor_color gives",
   CHECK(floor.GetColorAtPoint(-1.0, 0.0) == CColor::BLACK);
 }
 
-TEST_CASE("lua loop functions: pheromones are read and laid", "[lua][loop_functions]") {
+TEST_CASE("lua loop functions: pheromones can be read and deposited", "[lua][loop_functions]") {
   // one layer on cells of 0.01 m^2, with centres at odd multiples of 0.05 m
   const auto with = [](const std::string& code) {
     SLuaExperiment experiment = With(code);
@@ -331,7 +331,7 @@ TEST_CASE("lua loop functions: pheromones are read and laid", "[lua][loop_functi
   CHECK_THAT(error("lay_pheromone('p', 'trail', 0, 0)"), Contains("argument 5"));
 }
 
-TEST_CASE("lua loop functions: many threads may ask for the floor's color",
+TEST_CASE("lua loop functions: threads may query the floor's color concurrently",
           "[lua][loop_functions][threads]") {
   CLuaWorld world(With("function floor_color(x, y) return x, y, 0 end",
                        "<floor id='f' source='loop_functions' pixels_per_meter='10'/>"));
@@ -355,7 +355,7 @@ TEST_CASE("lua loop functions: many threads may ask for the floor's color",
   CHECK(wrong == 0);
 }
 
-TEST_CASE("lua loop functions: wrong colors and loops of colors are errors",
+TEST_CASE("lua loop functions: invalid colors and recursive color queries are errors",
           "[lua][loop_functions][error]") {
   const std::string floor = "<floor id='f' source='loop_functions' pixels_per_meter='10'/>";
   const auto ask = [](CLuaWorld& world) {
@@ -369,7 +369,7 @@ TEST_CASE("lua loop functions: wrong colors and loops of colors are errors",
                     Contains("failed in floor_color()") && Contains("loop.lua:1: no paint"));
 }
 
-TEST_CASE("lua loop functions: the script ends the experiment", "[lua][loop_functions]") {
+TEST_CASE("lua loop functions: the script can end the experiment", "[lua][loop_functions]") {
   CLuaWorld world(
       With("function post_step() if simulation.clock() == 5 then simulation.finish() end end"));
   world.GetSimulator().Execute();
@@ -379,7 +379,8 @@ TEST_CASE("lua loop functions: the script ends the experiment", "[lua][loop_func
                     Contains("is_experiment_finished() must return true or false, got number"));
 }
 
-TEST_CASE("lua loop functions: data is written with the standard io", "[lua][loop_functions]") {
+TEST_CASE("lua loop functions: data can be written with the standard io library",
+          "[lua][loop_functions]") {
   CScriptFolder folder;
   SLuaExperiment experiment = With(
       "function init() file = io.open(simulation.params.data, 'w') end\n"
@@ -398,7 +399,8 @@ TEST_CASE("lua loop functions: data is written with the standard io", "[lua][loo
   CHECK(folder.Read("data.csv") == "1,0.000\n2,0.010\n3,0.020\n");
 }
 
-TEST_CASE("lua loop functions: variables of robots are read and written", "[lua][loop_functions]") {
+TEST_CASE("lua loop functions: variables of robots can be read and written",
+          "[lua][loop_functions]") {
   SLuaExperiment experiment = With(
       "function post_step()\n"
       "  local items = simulation.get_variable('fb', 'items')\n"
@@ -416,7 +418,7 @@ TEST_CASE("lua loop functions: variables of robots are read and written", "[lua]
   CHECK(TakeScriptLog() == "3 1,2,3 nil nil ");
   CHECK(world.Get("tostring(goal[1]) .. goal.name") == "1,2nest");
   CHECK(world.Get("old") == "nil");
-  // a copy, not the same table
+  // a copy: changes do not affect the robot's table
   world.Do("items.count = 4");
   world.Step();
   CHECK(TakeScriptLog() == "4 1,2,3 nil nil ");
@@ -445,7 +447,7 @@ TEST_CASE("lua loop functions: random numbers repeat with the seed and after a r
              Contains("simulation.random.uniform: argument 1"));
 }
 
-TEST_CASE("lua loop functions: an error names script and line, and ends the run",
+TEST_CASE("lua loop functions: an error names script and line and ends the run",
           "[lua][loop_functions][error]") {
   CHECK_THAT(LoadError(With("error('bad chunk')")), Contains("<loop_functions>") &&
                                                         Contains("loop.lua:1: bad chunk") &&
@@ -459,7 +461,7 @@ TEST_CASE("lua loop functions: an error names script and line, and ends the run"
     CLuaWorld world(With("function pre_step() simulation.move('fb') end"));
     CHECK_THROWS_WITH(world.Step(), Contains("failed in pre_step()") &&
                                         Contains("loop.lua:1: simulation.move: argument 2"));
-    // the same script again after a reset
+    // the script is loaded again after a reset
     world.GetSimulator().Reset();
     CHECK_THROWS_WITH(world.Step(), Contains("failed in pre_step()"));
   }
@@ -468,7 +470,7 @@ TEST_CASE("lua loop functions: an error names script and line, and ends the run"
     CHECK_THROWS_WITH(world.Destroy(), Contains("failed in destroy()") && Contains("bad end"));
   }
   {
-    // nobody has called Destroy(): the destructor can only print
+    // without a call of Destroy() the destructor of the simulator can only log the error
     CLuaWorld world(With("function destroy() error('bad end') end"));
   }
   CHECK_THAT(TakeLogErr(), Contains("failed in destroy()") && Contains("loop.lua:1: bad end"));
@@ -478,7 +480,7 @@ TEST_CASE("lua loop functions: an error names script and line, and ends the run"
   CHECK_THROWS_WITH(world.Step(), Contains("interrupted after 50000 instructions"));
 }
 
-TEST_CASE("lua loop functions: without a script they cannot be", "[lua][loop_functions][error]") {
+TEST_CASE("lua loop functions: without a script they are refused", "[lua][loop_functions][error]") {
   SExperiment experiment;
   experiment.LoopFunctions = "<loop_functions label='lua'><params/></loop_functions>";
   CHECK_THAT(LoadError(experiment), Contains("script"));

@@ -1,5 +1,5 @@
-// Lua scripts as a user of the program meets them: exit status, messages, the experiments of this
-// project.
+// Lua scripts from the user's view of the program: exit status, messages, and
+// the experiments of this project.
 
 #include "../command_line/program_run.h"
 
@@ -40,14 +40,14 @@ std::string DigestIn(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("lua program: a good script runs, wherever the program is started", "[lua][program]") {
+TEST_CASE("lua program: a valid script runs from any working directory", "[lua][program]") {
   const CTestFolder folder;
   folder.Write("good.lua", kGood);
   folder.Write("e.argos", Experiment("script='good.lua'"));
   const SProgramRun run = folder.Run({"-c", "e.argos", "--digest"});
   CHECK(run.Status == 0);
   CHECK(run.Err == "");
-  // from another folder the script is found beside the experiment
+  // in another folder the script is found beside the experiment
   const CTestFolder elsewhere;
   const SProgramRun other = elsewhere.Run({"-c", folder.Path("e.argos"), "--digest"});
   CHECK(other.Status == 0);
@@ -56,7 +56,7 @@ TEST_CASE("lua program: a good script runs, wherever the program is started", "[
   CHECK(DigestIn(run.Out) != "");
 }
 
-TEST_CASE("lua program: what is wrong before the first tick ends the program with status 1",
+TEST_CASE("lua program: errors before the first tick end the program with status 1",
           "[lua][program]") {
   const CTestFolder folder;
   const auto [text, message] = GENERATE(table<std::string, std::string>(
@@ -77,8 +77,7 @@ TEST_CASE("lua program: what is wrong before the first tick ends the program wit
                           Contains("e.argos:3"));
 }
 
-TEST_CASE("lua program: a script that is not there ends the program with status 1",
-          "[lua][program]") {
+TEST_CASE("lua program: a missing script ends the program with status 1", "[lua][program]") {
   const CTestFolder folder;
   folder.Write("e.argos", Experiment("script='none.lua'"));
   const SProgramRun run = folder.Run({"-c", "e.argos"});
@@ -87,8 +86,7 @@ TEST_CASE("lua program: a script that is not there ends the program with status 
                                folder.Path("none.lua") + "\""));
 }
 
-TEST_CASE("lua program: a script that fails in a step ends the run only if it shall",
-          "[lua][program]") {
+TEST_CASE("lua program: an error in step() ends the run only on request", "[lua][program]") {
   const CTestFolder folder;
   folder.Write("bad.lua",
                "function init() end\nfunction step() robot.wheels.set_velocity(1, nil) end\n"
@@ -112,7 +110,7 @@ TEST_CASE("lua program: a script that fails in a step ends the run only if it sh
   CHECK_THAT(ends.Out, !Contains("simulated"));
 }
 
-TEST_CASE("lua program: loop functions that fail end the run with status 1, wherever they do",
+TEST_CASE("lua program: errors of loop functions end the run with status 1, in every hook",
           "[lua][program]") {
   const CTestFolder folder;
   folder.Write("good.lua", kGood);
@@ -138,7 +136,7 @@ TEST_CASE("lua program: queries describe controllers and loop functions in Lua",
                                                 Contains("floor_color") && Contains("on_error"));
 }
 
-TEST_CASE("lua program: the crowd of the documentation runs", "[lua][program]") {
+TEST_CASE("lua program: the crowd example of the documentation runs", "[lua][program]") {
   const CTestFolder folder;
   const SProgramRun run = folder.Run({"-zc", InSourceTree("experiments/crowd_lua.argos"),
                                       "--length", "2", "--set", "//entity/@quantity=100"});
@@ -147,7 +145,7 @@ TEST_CASE("lua program: the crowd of the documentation runs", "[lua][program]") 
   CHECK_THAT(run.Out, Contains("100 robots"));
 }
 
-TEST_CASE("lua program: the diffusion in Lua drives as that in C++, to the bit", "[lua][program]") {
+TEST_CASE("lua program: diffusion in Lua and in C++ is equal bit by bit", "[lua][program]") {
   const std::string name = GENERATE("diffusion_1", "diffusion_10");
   CAPTURE(name);
   const std::string path = InSourceTree("experiments/" + name);

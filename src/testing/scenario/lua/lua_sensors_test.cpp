@@ -1,9 +1,10 @@
-// What scripts see of light, ground, pose, charge, time and distance.
+// Sensors for light, ground, pose, charge, time and distance in Lua.
 
 #include "lua_world.h"
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/utility/math/angles.h>
+#include <argos3/testing/support/robot_sizes.h>
 
 #include <catch2/catch.hpp>
 
@@ -14,7 +15,7 @@ using Catch::WithinAbs;
 
 namespace {
 
-// a few roundings of numbers of about 100
+// tolerance of a few roundings of numbers of about 100
 constexpr Real kRounding = 1e-12;
 
 SLuaExperiment With(const std::string& sensors, const std::string& actuators = "") {
@@ -40,7 +41,7 @@ TEST_CASE("lua devices: generic light is a list of numbers", "[lua][devices]") {
   SLuaExperiment experiment = With(Device("light"));
   // 1 m ahead of sensor 1
   const Real angle = 7.5 * M_PI / 180.0;
-  const Real distance = 1.085036758;
+  const Real distance = 1.0 + kFootBotRadius;
   experiment.Arena = "<light id='l' position='" + std::to_string(distance * std::cos(angle)) + "," +
                      std::to_string(distance * std::sin(angle)) +
                      ",0.06' color='white' intensity='0.5' medium='leds'/>";
@@ -48,12 +49,12 @@ TEST_CASE("lua devices: generic light is a list of numbers", "[lua][devices]") {
   CHECK(world.Get("#robot.light") == "24");
   CHECK(GetNumber(world, "robot.light[1]") == 0.0);
   world.Step();
-  // the place is written with six digits
+  // the position is written with six digits
   CHECK_THAT(GetNumber(world, "robot.light[1]"), WithinAbs(0.25, 1e-6));
   CHECK(GetNumber(world, "robot.light[13]") == 0.0);
 }
 
-TEST_CASE("lua devices: the rings of light sensors, angle and value", "[lua][devices]") {
+TEST_CASE("lua devices: the light rings have angles and values", "[lua][devices]") {
   const bool flies = GENERATE(false, true);
   SLuaExperiment experiment = With(Device(flies ? "eyebot_light" : "footbot_light", "rot_z_only"));
   experiment.Arena = "<light id='l' position='1,0,0' color='white' intensity='1' medium='leds'/>";
@@ -77,11 +78,12 @@ TEST_CASE("lua devices: the rings of light sensors, angle and value", "[lua][dev
   CHECK(world.Get("first == robot.light[1]") == "true");
 }
 
-TEST_CASE("lua devices: ground sensors, numbers or offsets in cm and values", "[lua][devices]") {
+TEST_CASE("lua devices: ground sensors are numbers, or offsets in cm and values",
+          "[lua][devices]") {
   SLuaExperiment experiment =
       With(Device("ground", "rot_z_only") + Device("footbot_motor_ground", "rot_z_only") +
            Device("footbot_base_ground", "rot_z_only"));
-  // without loop functions of its own the floor is white
+  // the default loop functions give a white floor
   experiment.Arena = "<floor id='floor' source='loop_functions' pixels_per_meter='1'/>";
   CLuaWorld world(experiment);
   CHECK(world.Get("#robot.ground") == "12");
@@ -99,7 +101,7 @@ TEST_CASE("lua devices: ground sensors, numbers or offsets in cm and values", "[
   CHECK_THAT(GetNumber(world, "robot.base_ground[8].offset.y"), WithinAbs(-6.5, kRounding));
 }
 
-TEST_CASE("lua devices: the pose in metres, height, and time", "[lua][devices]") {
+TEST_CASE("lua devices: pose and height are in metres, time is in seconds", "[lua][devices]") {
   SLuaExperiment experiment = With(Device("positioning") + Device("altitude") + Device("clock"));
   experiment.Robots =
       "<foot-bot id='fb'><body position='1.5,-2.25,0' orientation='90,0,0'/>"
@@ -118,7 +120,7 @@ TEST_CASE("lua devices: the pose in metres, height, and time", "[lua][devices]")
   CHECK_THAT(GetNumber(world, "robot.clock.time"), WithinAbs(0.3, kRounding));
 }
 
-TEST_CASE("lua devices: the battery's charge and time left", "[lua][devices]") {
+TEST_CASE("lua devices: the battery has charge and time left", "[lua][devices]") {
   SLuaExperiment experiment = With(Device("battery"));
   experiment.Robots =
       "<foot-bot id='fb'><body position='0,0,0'/><controller config='c'/>"
@@ -131,7 +133,7 @@ TEST_CASE("lua devices: the battery's charge and time left", "[lua][devices]") {
   CHECK_THAT(GetNumber(world, "robot.battery.time_left"), WithinAbs(0.4, kRounding));
 }
 
-TEST_CASE("lua devices: the encoders of the foot-bot, in cm", "[lua][devices]") {
+TEST_CASE("lua devices: the encoders of the foot-bot are in cm", "[lua][devices]") {
   CLuaWorld world(With(Device("footbot_encoder"), Device("differential_steering")));
   CHECK_THAT(GetNumber(world, "robot.encoder.axis_length"), WithinAbs(14.0, kRounding));
   world.Do("robot.wheels.set_velocity(3, -7)");
@@ -140,8 +142,9 @@ TEST_CASE("lua devices: the encoders of the foot-bot, in cm", "[lua][devices]") 
   CHECK_THAT(GetNumber(world, "robot.encoder.distance_right"), WithinAbs(-0.7, 1e-11));
 }
 
-TEST_CASE("lua devices: the distance scanner is switched on, and lists angles and distances in cm",
-          "[lua][devices]") {
+TEST_CASE(
+    "lua devices: the distance scanner can be switched on and lists angles and distances in cm",
+    "[lua][devices]") {
   SLuaExperiment experiment =
       With(Device("footbot_distance_scanner", "rot_z_only"), Device("footbot_distance_scanner"));
   // 20 cm ahead of the body
@@ -156,11 +159,11 @@ TEST_CASE("lua devices: the distance scanner is switched on, and lists angles an
   world.Step();
   REQUIRE(world.Get("#" + scanner + ".short_range") == "2");
   REQUIRE(world.Get("#" + scanner + ".long_range") == "2");
-  // sorted by angle: ahead, behind
+  // sorted by angle: ahead, then behind
   CHECK_THAT(GetNumber(world, scanner + ".short_range[1].angle"), WithinAbs(0.0, kRounding));
   CHECK_THAT(GetNumber(world, scanner + ".short_range[1].distance"), WithinAbs(20.0, 1e-11));
   CHECK(GetNumber(world, scanner + ".short_range[2].distance") == -2.0);
-  // lists are new in each step, so that a script may keep them
+  // each step creates new lists, so that a script may keep them
   world.Do("kept = " + scanner + ".short_range");
   world.Do(scanner + ".set_angle(0.5 * math.pi)");
   world.Step();

@@ -11,25 +11,26 @@
 
 namespace argos {
 
-/** An experiment of one foot-bot, "fb", at the origin, that runs a script. */
+/** An experiment with one foot-bot, "fb", at the origin, that runs a script. */
 struct SLuaExperiment {
   std::string Script; /**< text of robot.lua */
-  std::string LoopScript = ""; /**< text of loop.lua; without it there are no loop functions */
+  std::string LoopScript = ""; /**< text of loop.lua; if empty there are no loop functions */
   std::string Params = ""; /**< more attributes of the robot's <params> */
   std::string LoopParams = ""; /**< more attributes of the loop functions' <params> */
   std::string Actuators = "<differential_steering implementation='default'/>";
   std::string Sensors = "";
-  std::string Controllers = ""; /**< children of <controllers> besides the one of the script */
+  /** children of <controllers> in addition to the one of the script */
+  std::string Controllers = "";
   std::string Robots =
       "<foot-bot id='fb'><body position='0,0,0'/><controller config='c'/></foot-bot>";
   std::string Media = "<led id='leds'/>";
-  std::string Arena = ""; /**< children of <arena> besides the robots */
+  std::string Arena = ""; /**< children of <arena> in addition to the robots */
   std::string Engines = "<dynamics2d id='dyn2d'/>";
   UInt32 Seed = 1;
   UInt32 Threads = 0;
 };
 
-/** A folder of its own, in which tests write scripts; it goes away with its content. */
+/** A temporary folder for scripts of a test, removed with its content by the destructor. */
 class CScriptFolder {
  public:
   CScriptFolder();
@@ -48,7 +49,7 @@ class CScriptFolder {
 /** Runs such an experiment. */
 class CLuaWorld {
  public:
-  /** @throws CARGoSException whatever loading throws. */
+  /** @throws CARGoSException on any loading error. */
   explicit CLuaWorld(const SLuaExperiment& experiment);
 
   CTestWorld& World() { return *m_world; }
@@ -57,11 +58,11 @@ class CLuaWorld {
   CSimulator& GetSimulator() { return m_world->GetSimulator(); }
   CLuaController& GetController(const std::string& robot = "fb");
   const SAnchor& GetAnchor(const std::string& id = "fb");
-  /** tostring() of an expression in the robot's script. */
+  /** Result of tostring() for an expression in the robot's script. */
   std::string Get(const std::string& expression, const std::string& robot = "fb");
   /** Runs statements in the robot's script. */
   void Do(const std::string& code, const std::string& robot = "fb");
-  /** Takes the experiment down, so that destroy() runs. */
+  /** Destroys the experiment, so that destroy() runs. */
   void Destroy() { GetSimulator().Destroy(); }
 
  private:
@@ -72,7 +73,7 @@ class CLuaWorld {
 /** The XML of such an experiment, with scripts in a folder. */
 std::string ToXml(const SLuaExperiment& experiment, const CScriptFolder& folder);
 
-/** What loading throws; empty if it loads. */
+/** The error on loading; empty if it loads. */
 std::string LoadError(const SLuaExperiment& experiment);
 
 }  // namespace argos

@@ -12,8 +12,8 @@ struct SPose {
 };
 
 /**
- * Where a differential-drive robot is after a time in which its wheel speeds are constant and its
- * wheels roll without slipping.
+ * Pose of a differential-drive robot after a time with constant wheel speeds and
+ * wheels that roll without slipping.
  *
  * @param start               pose at the beginning; the origin is midway between the wheels.
  * @param left, right         ground speeds of the wheels, m/s, positive ahead.

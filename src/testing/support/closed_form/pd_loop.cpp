@@ -70,8 +70,8 @@ Real ComputeStepResponse(Real a, Real b, UInt32 substeps) {
     }
     square = Multiply(square, square);
   }
-  // after the first substep, which only sets the thrust, (d[2], d[1], d[0]) is (-1, -1, 0), where
-  // d[0] stands for the error before the target changed; the last component is then d[substeps]
+  // After the first substep, which only sets the thrust, (d[2], d[1], d[0]) is (-1, -1, 0), where
+  // d[0] is the error before the change of the target; the last component is then d[substeps].
   return 1.0 - power[2][0] - power[2][1];
 }
 

@@ -8,8 +8,8 @@
 namespace argos::testing {
 
 /**
- * One axis of a flying body under its own controller, as the specification of the quadrotor's
- * actuators has it: substep by substep, one number after the other.
+ * One axis of a flying body with its controller, as specified for the actuators of the quadrotor: a
+ * scalar loop over substeps.
  */
 struct SPDLoop {
   // the body
@@ -23,9 +23,9 @@ struct SPDLoop {
   // its state
   Real Place = 0.0, Speed = 0.0, Thrust = 0.0, LastError = 0.0;
 
-  /** A substep towards a place. @param substep s. */
+  /** A substep of the position loop. @param substep s. */
   void StepToPlace(Real target, Real substep);
-  /** A substep towards a speed: the derivative of the error is that of the substep to come. */
+  /** A substep of the speed loop: the derivative of the error is that of the coming substep. */
   void StepToSpeed(Real target, Real substep);
 
  private:
@@ -34,20 +34,20 @@ struct SPDLoop {
 };
 
 /**
- * Where a body is that its loop on a place brings from 0 to 1, from rest.
+ * Position of a body that its position loop moves from 0 to 1, starting from rest.
  *
- * By powers of the companion matrix of the recurrence of the deviation d from the target,
+ * Computed by powers of the companion matrix of the recurrence of the deviation d from the target,
  *
  *     d[k+2] = 2 d[k+1] - (1 + a + b) d[k] + b d[k-1],  a = Kp h^2 / m,  b = Kd h / m.
  *
- * @param substeps  of length h since the target changed, > 0; thrust is not limited.
+ * @param substeps  of length h since the change of the target, > 0; thrust is not limited.
  */
 Real ComputeStepResponse(Real a, Real b, UInt32 substeps);
 
 /**
- * How far a body has come, in substeps at full speed, that starts from rest and whose loop on speed
- * brings it nearer to the target by the share @p p in each substep.
- * @param substeps  since the target changed, > 0.
+ * Path of a body, in units of a substep at full speed, that starts from rest and whose speed loop
+ * reduces the error by the share @p p in each substep.
+ * @param substeps  since the change of the target, > 0.
  */
 Real ComputeWayToSpeed(Real p, UInt32 substeps);
 

@@ -1,4 +1,4 @@
-// a plug-in library as a user writes it: registers one controller, prints nothing
+// a plug-in library like a user's: it registers one controller and prints nothing
 #include <argos3/core/control_interface/ci_controller.h>
 
 using namespace argos;

@@ -1,5 +1,5 @@
-// Built several times, each as a library of its own with its own labels: ARGOS_TEST_NUMBER says
-// which one it is. The classes have the same names in all of them, but are others.
+// Built several times, each time as a library with its own labels, which contain ARGOS_TEST_NUMBER.
+// The classes have equal names in all libraries, but are different classes.
 
 #include <argos3/core/control_interface/ci_controller.h>
 #include <argos3/core/simulator/entity/positional_entity.h>
@@ -17,7 +17,7 @@ namespace argos {
 
 namespace {
 
-/* Drives a toy robot at as many cm/s as the number of the library, along x. */
+/* Drives a toy robot along x; the number of the library is the speed in cm/s. */
 class CNumberedController : public CCI_Controller {
  public:
   void Init(TConfigurationNode&) override {
@@ -40,8 +40,8 @@ class CNumberedMarker : public CPositionalEntity {
 
 REGISTER_CONTROLLER(CNumberedController, ARGOS_TEST_LABEL("test_numbered_controller_"))
 
-// the second registration comes long after the first: who finds one label and not the other sees
-// half a library
+// Delays the second registration: a look-up that finds the first label but not the second has seen
+// a partly loaded library.
 [[maybe_unused]] const bool g_hasSlept = [] {
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
   return true;

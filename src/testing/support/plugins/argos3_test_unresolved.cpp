@@ -1,3 +1,3 @@
-// cannot be loaded: it needs a variable that nobody defines
+// cannot be loaded, because it needs an undefined variable
 extern int argosTestVariableThatNobodyDefines;
 int* argosTestPointer = &argosTestVariableThatNobodyDefines;

@@ -1,4 +1,4 @@
-// as if compiled with another option and against other headers of the core
+// claims to be compiled with another option and against other headers of the core
 #define ARGOS_BUILD_ID std::string("real=float;string=new;containers=release;core=000000000000")
 #include <argos3/core/control_interface/ci_controller.h>
 

@@ -14,10 +14,9 @@
 namespace argos {
 
 /**
- * A matrix of fixed size, stored row by row.
- *
- * The numbers are a plain array, on which Eigen works in place through AsEigen(): no Eigen type is
- * part of the layout, so libraries built with different vector instructions agree on it.
+ * A matrix of fixed size, stored row by row. The layout is a plain array and contains no Eigen
+ * type, so libraries built with different vector instructions agree on it; AsEigen() maps it
+ * without a copy.
  */
 template <UInt32 ROWS, UInt32 COLS>
 class CMatrix {
@@ -31,12 +30,14 @@ class CMatrix {
   CMatrix(const CMatrix<ROWS, COLS>& other) = default;
   CMatrix<ROWS, COLS>& operator=(const CMatrix<ROWS, COLS>& other) = default;
 
-  /** @throws CARGoSException if there is no such row or column, in builds without NDEBUG. */
+  /** @throws CARGoSException if the row or column is out of range, in builds without NDEBUG. */
   Real& operator()(UInt32 row, UInt32 col) { return m_pfValues[ComputeIndex(row, col)]; }
   Real operator()(UInt32 row, UInt32 col) const { return m_pfValues[ComputeIndex(row, col)]; }
 
-  /** @param index  row * COLS + column. @throws CARGoSException if it is too large, in builds
-   * without NDEBUG. */
+  /**
+   * @param index  row * COLS + column. @throws CARGoSException if it is out of range, in builds
+   *   without NDEBUG.
+   */
   Real operator()(UInt32 index) const { return m_pfValues[CheckIndex(index)]; }
   Real& operator()(UInt32 index) { return m_pfValues[CheckIndex(index)]; }
 
@@ -109,11 +110,11 @@ class CMatrix {
     return result;
   }
 
-  // Eigen wants a single column to be called column-major, which for one column is the same
+  // Eigen requires a matrix with one column to be column-major; the layout is the same
   using TEigen = Eigen::Matrix<Real, static_cast<int>(ROWS), static_cast<int>(COLS),
                                COLS == 1 && ROWS != 1 ? Eigen::ColMajor : Eigen::RowMajor>;
 
-  /** The same numbers as an Eigen matrix: writing to one changes the other. */
+  /** Returns an Eigen view of this matrix. */
   Eigen::Map<TEigen> AsEigen() { return Eigen::Map<TEigen>(m_pfValues); }
   Eigen::Map<const TEigen> AsEigen() const { return Eigen::Map<const TEigen>(m_pfValues); }
 
@@ -135,7 +136,7 @@ class CMatrix {
   }
 };
 
-/** Writes each row as "| a b c |" on a line of its own, with two decimals. */
+/** Writes each row as "| a b c |" on its own line, with two decimals. */
 template <UInt32 ROWS, UInt32 COLS>
 std::ostream& operator<<(std::ostream& os, const CMatrix<ROWS, COLS>& matrix) {
   const std::ios_base::fmtflags flags = os.flags();

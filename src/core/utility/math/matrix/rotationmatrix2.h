@@ -7,7 +7,7 @@
 
 namespace argos {
 
-/** A rotation in the plane; what is set by numbers is taken as it is. */
+/** A rotation in the plane; entries set as numbers are not checked. */
 class CRotationMatrix2 : public CSquareMatrix<2> {
  public:
   /** The identity. */

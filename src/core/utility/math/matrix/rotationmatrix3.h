@@ -9,10 +9,10 @@
 namespace argos {
 
 /**
- * A rotation in space; what is set by numbers is taken as it is.
+ * A rotation in space; entries set as numbers are not checked.
  *
- * Beware: angles are applied as R = Rz Ry Rx, so about fixed axes x comes first. CQuaternion uses
- * the other order.
+ * Euler angles are applied as R = Rz Ry Rx: about fixed axes, x first. CQuaternion uses the
+ * opposite order.
  */
 class CRotationMatrix3 : public CSquareMatrix<3> {
  public:
@@ -36,8 +36,10 @@ class CRotationMatrix3 : public CSquareMatrix<3> {
   void SetFromValues(Real value0, Real value1, Real value2, Real value3, Real value4, Real value5,
                      Real value6, Real value7, Real value8);
 
-  /** The quaternion of the same rotation; of the two, one with w >= 0 unless the angle is close to
-   * half a turn. */
+  /**
+   * Returns the quaternion of the same rotation, with w >= 0 unless the angle is close to half a
+   * turn.
+   */
   operator CQuaternion() const;
 
   using CMatrix<3, 3>::operator*;

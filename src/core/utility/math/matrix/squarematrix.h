@@ -22,8 +22,7 @@ class CSquareMatrix : public CMatrix<DIM, DIM> {
 
   Real GetDeterminant() const { return this->AsEigen().determinant(); }
 
-  /** Returns the matrix of (-1)^(i+j) times the determinant of what is left without row i and
-   * column j. */
+  /** Returns the matrix of (-1)^(i+j) times the determinant without row i and column j. */
   CSquareMatrix<DIM> GetCofactorMatrix() const {
     CSquareMatrix<DIM> result;
     for (UInt32 row = 0; row < DIM; ++row) {

@@ -33,7 +33,7 @@ class CTransformationMatrix2 : public CSquareMatrix<3> {
   void SetFromValues(Real value0, Real value1, Real value2, Real value3, Real value4, Real value5,
                      Real value6, Real value7, Real value8);
 
-  /** These two change one part and leave the other. */
+  /** These two change one part and keep the other. */
   void SetRotationMatrix(const CRotationMatrix2& rotation);
   void SetTranslationVector(const CVector2& translation);
 

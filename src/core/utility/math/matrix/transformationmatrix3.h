@@ -38,7 +38,7 @@ class CTransformationMatrix3 : public CSquareMatrix<4> {
                      Real value6, Real value7, Real value8, Real value9, Real value10, Real value11,
                      Real value12, Real value13, Real value14, Real value15);
 
-  /** These two change one part and leave the other. */
+  /** These two change one part and keep the other. */
   void SetRotationMatrix(const CRotationMatrix3& rotation);
   void SetTranslationVector(const CVector3& translation);
 

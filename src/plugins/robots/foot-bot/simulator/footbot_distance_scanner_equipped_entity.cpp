@@ -47,6 +47,10 @@ void CFootBotDistanceScannerEquippedEntity::Update() {
   m_current = m_rotation;
 }
 
+void CFootBotDistanceScannerEquippedEntity::SetEnabled(bool enabled) {
+  SetFollowerEnabled(*this, enabled);
+}
+
 void CFootBotDistanceScannerEquippedEntity::SetRotation(const CRadians& rotation) {
   if (!std::isfinite(rotation.GetValue())) {
     THROW_ARGOSEXCEPTION("distance scanner \"" << GetContext() << GetId()

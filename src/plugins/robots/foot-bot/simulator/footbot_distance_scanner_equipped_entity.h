@@ -24,6 +24,7 @@ class CFootBotDistanceScannerEquippedEntity : public CEntity {
   void Reset() override;
   /** Turns on, once a tick, in speed control. */
   void Update() override;
+  void SetEnabled(bool enabled) override;
   std::string GetTypeDescription() const override { return "distance_scanner"; }
 
   EMode GetMode() const { return m_mode; }

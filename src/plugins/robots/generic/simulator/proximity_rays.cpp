@@ -30,7 +30,7 @@ void CProximityRays::PrefetchRead() const {
   m_caster.GetBody().PrefetchPose();
 }
 
-void CProximityRays::Cast(size_t first, size_t count, Real* distances) {
+void CProximityRays::Cast(size_t first, size_t count, Real* fractions) {
   const SRayLayout& layout = m_sensors->GetLayout();
   const SAnchor* const* anchors = m_sensors->GetAnchors();
   if (&layout != m_layout) {
@@ -38,13 +38,9 @@ void CProximityRays::Cast(size_t first, size_t count, Real* distances) {
     m_anchor = anchors[layout.Rays.front().Anchor];
   }
   const SRayBundle bundle{&layout.Rays[first], count, layout, anchors, *m_anchor};
-  m_caster.Cast(bundle, distances);
+  m_caster.Cast(bundle, fractions);
   if (m_showRays) {
-    m_caster.Show(bundle, distances);
-  }
-  for (size_t i = 0; i < count; ++i) {
-    distances[i] =
-        distances[i] <= 1.0 ? distances[i] * layout.Rays[first + i].Direction.Length() : -1.0;
+    m_caster.Show(bundle, fractions);
   }
 }
 

@@ -48,17 +48,23 @@ class CProximityRays {
     const size_t num = GetNumRays();
     for (size_t first = 0; first < num; first += CRayCaster::kMaxRays) {
       const size_t count = std::min(CRayCaster::kMaxRays, num - first);
-      Real distances[CRayCaster::kMaxRays];  // m; < 0: no hit
-      Cast(first, count, distances);
+      Real fractions[CRayCaster::kMaxRays];
+      Cast(first, count, fractions);
       for (size_t i = 0; i < count; ++i) {
-        const Real reading = distances[i] < 0.0 ? 0.0 : calculate(distances[i]);
+        const Real reading =
+            fractions[i] <= 1.0 ? calculate(fractions[i] * ComputeLength(first + i)) : 0.0;
         store(first + i, std::clamp(m_noise.Apply(0, reading), 0.0, 1.0));
       }
     }
   }
 
  private:
-  void Cast(size_t first, size_t count, Real* distances);
+  /** @param fractions  (count) as CRayCaster::Cast() gives them. */
+  void Cast(size_t first, size_t count, Real* fractions);
+  /** Of a ray, m. */
+  Real ComputeLength(size_t ray) const {
+    return m_sensors->GetLayout().Rays[ray].Direction.Length();
+  }
 
   CProximitySensorEquippedEntity* m_sensors = nullptr;  // of the robot
   const SRayLayout* m_layout = nullptr;  // the one for which m_anchor holds

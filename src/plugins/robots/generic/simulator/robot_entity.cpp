@@ -15,7 +15,10 @@ namespace argos {
 CRobotEntity::CRobotEntity(const SRobotType& type, const std::string& id, const CVector3& position,
                            const CQuaternion& orientation)
     : CComposableEntity(nullptr, id), m_type(type) {
+  SetLazyComponents(this);
   m_body = NewComponent<CEmbodiedEntity>(*this, "body_0", position, orientation);
+  // components that must be updated after a move are counted by the body
+  m_body->SetRootFollows(false);
   SAnchor& origin = m_body->GetOriginAnchor();
   SAnchor& ledAnchor = m_type.LEDAnchor.empty() ? origin : m_body->AddAnchor(m_type.LEDAnchor);
   m_leds = NewComponent<CLEDEquippedEntity>(*this, "leds_0");
@@ -49,7 +52,6 @@ void CRobotEntity::MountFromXML(TConfigurationNode& tree, const char* tag) {
     m_mounted = std::make_unique<CEntity::TVector>();
   }
   m_mounted->push_back(&component);
-  CountFollowers();
 }
 
 void CRobotEntity::SetDeviceParameters(const SDeviceParameters& parameters) {
@@ -105,21 +107,6 @@ void CRobotEntity::SetEnabled(bool enabled) {
   }
 }
 
-void CRobotEntity::NoticeEnabling(const CEntity& component) {
-  if (&component != m_body && &component != m_controllable) {
-    CountFollowers();
-  }
-}
-
-// the components that UpdateComponents() updates
-void CRobotEntity::CountFollowers() {
-  bool found = m_mounted != nullptr || (m_leds != nullptr && m_leds->IsEnabled());
-  for (size_t i = 0; !found && m_onDemand != nullptr && i < m_type.OnDemand.size(); ++i) {
-    found = m_onDemand[i] != nullptr && m_onDemand[i]->IsEnabled();
-  }
-  m_body->SetHasFollowers(found);
-}
-
 void CRobotEntity::UpdateDigest(CDigest& digest) const {
   // not what the parent does: it adds all components, used or not
   CEntity::UpdateDigest(digest);  // NOLINT(bugprone-parent-virtual-call)
@@ -138,15 +125,14 @@ size_t CRobotEntity::FindOnDemand(const CEntity& component) const {
   return number;
 }
 
-void CRobotEntity::NoticeRemoval(const CEntity& component) {
+void CRobotEntity::Forget(const CEntity& component) {
   const size_t number = FindOnDemand(component);
   if (number < m_type.OnDemand.size()) {
     m_onDemand[number] = nullptr;
-    CountFollowers();
   }
 }
 
-void CRobotEntity::MaterializeComponents(const std::string& type) {
+void CRobotEntity::Create(const std::string& type) {
   for (size_t i = 0; i < m_type.OnDemand.size(); ++i) {
     if (type.empty() || type == m_type.OnDemand[i].Type) {
       MakeComponent(i);
@@ -174,7 +160,6 @@ void CRobotEntity::MakeComponent(size_t number) {
   }
   CEntity& component = m_type.OnDemand[number].Make(*this);
   m_onDemand[number] = &component;
-  CountFollowers();
   if (GetIndex() >= 0) {
     CallEntityOperation<CSpaceOperationAddEntity, CSpace, void>(m_controllable->GetSpace(),
                                                                 component);

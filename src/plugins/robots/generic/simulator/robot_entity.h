@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/entity/lazy_components.h>
 #include <argos3/core/simulator/visualization/appearance.h>
 #include <argos3/plugins/robots/generic/simulator/device_parameters.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
@@ -43,7 +44,7 @@ struct SRobotType {
  * pay only for the devices that they use. Making a component changes the space: it must not happen
  * while robots act or sense in parallel.
  */
-class CRobotEntity : public CComposableEntity {
+class CRobotEntity : public CComposableEntity, private CLazyComponents {
  public:
   /** Moves what hangs on the body, if it is in use, to where the body is. */
   void UpdateComponents() override;
@@ -110,17 +111,16 @@ class CRobotEntity : public CComposableEntity {
   COMPONENT& Demand(const char* type) {
     return static_cast<COMPONENT&>(DemandComponent(type));
   }
-  void MaterializeComponents(const std::string& type) override;
-  void NoticeRemoval(const CEntity& component) override;
-  void NoticeEnabling(const CEntity& component) override;
 
  private:
+  // CLazyComponents
+  void Create(const std::string& type) override;
+  void Forget(const CEntity& component) override;
+
   CEntity& DemandComponent(const char* type);
   template <typename COMPONENT>
   void MountFromXML(TConfigurationNode& tree, const char* tag);
   void MakeComponent(size_t number);
-  /** Tells the body whether a component has something to do after it has moved. */
-  void CountFollowers();
   /** Number of a component in m_type.OnDemand, or their number if it is none of them. */
   size_t FindOnDemand(const CEntity& component) const;
 

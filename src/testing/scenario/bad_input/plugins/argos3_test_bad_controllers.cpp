@@ -1,4 +1,4 @@
-// A library of controllers that misbehave in one way each.
+// A library of controllers with one error each.
 
 #include <argos3/core/control_interface/ci_controller.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
@@ -20,7 +20,7 @@ class CThrowsInInit : public CCI_Controller {
   void Init(TConfigurationNode&) override { throw std::runtime_error("no good beginning"); }
 };
 
-/* Works for two steps and writes what it does to the file that the parameter says. */
+/* Works for two steps, writes its calls to the file given by a parameter, and then throws. */
 class CThrowsInStep : public CCI_Controller {
  public:
   void Init(TConfigurationNode& params) override {
@@ -60,7 +60,7 @@ class CNotANumber : public CCI_Controller {
   CCI_DifferentialSteeringActuator* m_wheels = nullptr;
 };
 
-/* Asks for the devices that its parameters name, the sensor as if it were one for proximity. */
+/* Requests the devices given by its parameters, the sensor as a proximity sensor. */
 class CAsksForDevice : public CCI_Controller {
  public:
   void Init(TConfigurationNode& params) override {
@@ -77,7 +77,7 @@ class CAsksForDevice : public CCI_Controller {
   }
 };
 
-/* Sends messages of as many bytes as its parameters say. */
+/* Sends messages with the number of bytes given by its parameters. */
 class CSendsMessage : public CCI_Controller {
  public:
   void Init(TConfigurationNode& params) override {

@@ -1,4 +1,4 @@
-// only this header of the core, and no "using" before the macros: what users may rely on
+// Uses this header of the core only, without "using" before the macros: users may rely on both.
 #include <argos3/core/control_interface/ci_controller.h>
 
 #include <catch2/catch.hpp>
@@ -19,7 +19,7 @@ class CTestWheels : public argos::CCI_Actuator {
 
 class CTestLEDs : public argos::CCI_Actuator {};
 
-// with the Lua functions overridden, as devices of users do
+// Overrides the Lua functions, as devices of users do.
 class CTestEyes : public argos::CCI_Sensor {
  public:
   ~CTestEyes() override { ++numDeleted; }
@@ -55,7 +55,8 @@ TEST_CASE("controller: its header brings what controllers use", "[core][control_
   CHECK_THROWS_AS([] { THROW_ARGOSEXCEPTION("x") }(), CARGoSException);
 }
 
-TEST_CASE("controller: registered at global scope, made by label", "[core][control_interface]") {
+TEST_CASE("controller: a class registered at global scope is created by its label",
+          "[core][control_interface]") {
   const std::unique_ptr<CCI_Controller> controller(
       CFactory<CCI_Controller>::New("test_brain_controller"));
   auto* brain = dynamic_cast<CTestBrain*>(controller.get());
@@ -115,28 +116,29 @@ TEST_CASE("controller: a second device of a type replaces the first", "[core][co
   CHECK(controller.GetActuator<CTestWheels>("wheels") == later);
 }
 
-TEST_CASE("controller: a missing device is named with what there is", "[core][control_interface]") {
+TEST_CASE("controller: the error on a missing device lists the devices that exist",
+          "[core][control_interface]") {
   CCI_Controller controller;
   controller.SetId("fb3");
   CHECK_THROWS_WITH(
       controller.GetSensor<CTestEyes>("eyes"),
-      "[FATAL] Robot \"fb3\": its controller asks for the sensor \"eyes\", which is not in "
-      "the <sensors> section of the controller's XML; that section has: nothing");
+      "[FATAL] Robot \"fb3\": its controller requests the sensor \"eyes\", which is not in "
+      "the <sensors> section of the controller's XML; the section contains: nothing");
   controller.AddActuator("wheels", new CTestWheels);
   controller.AddActuator("leds", new CTestLEDs);
   CHECK_THROWS_WITH(controller.GetActuator<CTestWheels>("wheel"),
-                    Contains("did you mean \"wheels\"?; that section has: leds, wheels"));
+                    Contains("did you mean \"wheels\"?; the section contains: leds, wheels"));
 }
 
-TEST_CASE("controller: a device of another type is named with both types",
+TEST_CASE("controller: the error on a device of another type names both types",
           "[core][control_interface]") {
   CCI_Controller controller;
   controller.SetId("fb3");
   controller.AddActuator("leds", new CTestLEDs);
   CHECK_THROWS_WITH(
       controller.GetActuator<CTestWheels>("leds"),
-      Contains("Robot \"fb3\": its controller asks for the actuator \"leds\" as a ") &&
-          Contains("CTestWheels, but what the XML names is a ") && Contains("CTestLEDs"));
+      Contains("Robot \"fb3\": its controller requests the actuator \"leds\" as a ") &&
+          Contains("CTestWheels, but the device in the XML is a ") && Contains("CTestLEDs"));
 }
 
 TEST_CASE("sensor: starts disabled", "[core][control_interface]") {
@@ -150,7 +152,7 @@ TEST_CASE("sensor: starts disabled", "[core][control_interface]") {
   CHECK_FALSE(sensor.IsEnabled());
 }
 
-TEST_CASE("devices: all hooks have empty defaults, those for Lua can be overridden",
+TEST_CASE("devices: all hooks have empty defaults, and those for Lua can be overridden",
           "[core][control_interface]") {
   TConfigurationNode node("node");
   CTestLEDs leds;

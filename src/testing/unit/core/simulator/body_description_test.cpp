@@ -17,7 +17,7 @@ using Catch::WithinRel;
 
 namespace {
 
-// sums of a few products of numbers of the order of 1
+// tolerance for sums of a few products of numbers of the order of 1
 constexpr Real kRounding = 1e-14;
 
 SBodyDescription Body(std::vector<SShapeDescription> shapes, Real mass = 1.0) {
@@ -29,7 +29,7 @@ SBodyDescription Body(std::vector<SShapeDescription> shapes, Real mass = 1.0) {
 
 }  // namespace
 
-TEST_CASE("shape description: a box knows its size and the circle around its base",
+TEST_CASE("shape description: a box reports its size and the circle around its base",
           "[core][body]") {
   const auto box = SShapeDescription::Box(CVector3(0.6, 0.8, 0.2), CVector3(1.0, 2.0, 3.0));
   CHECK(box.Kind == SShapeDescription::EKind::Box);
@@ -38,7 +38,8 @@ TEST_CASE("shape description: a box knows its size and the circle around its bas
   CHECK_THAT(box.Radius, WithinRel(0.5, kRounding));
 }
 
-TEST_CASE("shape description: a cylinder and a sphere know their bounding sizes", "[core][body]") {
+TEST_CASE("shape description: a cylinder and a sphere report their bounding sizes",
+          "[core][body]") {
   const auto cylinder = SShapeDescription::Cylinder(0.2, 0.7);
   CHECK(cylinder.Kind == SShapeDescription::EKind::Cylinder);
   CHECK(cylinder.Size == CVector3(0.4, 0.4, 0.7));
@@ -71,7 +72,8 @@ TEST_CASE("body description: the bounding radius reaches the farthest point", "[
              WithinRel(0.2, kRounding));
 }
 
-TEST_CASE("body description: a box that lies down reaches as far as it is high", "[core][body]") {
+TEST_CASE("body description: the bounding radius of a box lying on its side includes its height",
+          "[core][body]") {
   auto box = SShapeDescription::Box(CVector3(0.2, 0.2, 1.0));
   box.Orientation = CQuaternion(CRadians::PI_OVER_TWO, CVector3(0.0, 1.0, 0.0));
   // the top, 1 m along x, is 0.2 m wide
@@ -102,8 +104,9 @@ TEST_CASE("body description: two halves of a box have the inertia of the box", "
   CHECK_THAT(halves.ComputePlanarInertia(), WithinRel(whole.ComputePlanarInertia(), kRounding));
 }
 
-TEST_CASE("body description: a tilted solid has the moment about the body's vertical",
-          "[core][body]") {
+TEST_CASE(
+    "body description: a tilted solid has the moment of inertia about the body's vertical axis",
+    "[core][body]") {
   auto lying = SShapeDescription::Box(CVector3(0.3, 0.4, 1.2));
   lying.Orientation = CQuaternion(CRadians::PI_OVER_TWO, CVector3(1.0, 0.0, 0.0));
   // extents along the world's x, y: 0.3, 1.2; the centroid is 0.6 m off, along y
@@ -111,7 +114,7 @@ TEST_CASE("body description: a tilted solid has the moment about the body's vert
   CHECK_THAT(Body({lying}, 6.0).ComputePlanarInertia(), WithinRel(expected, kRounding));
 }
 
-TEST_CASE("body description: no solids, no inertia and no radius", "[core][body]") {
+TEST_CASE("body description: without solids there are neither inertia nor radius", "[core][body]") {
   CHECK(SBodyDescription().ComputePlanarInertia() == 0.0);
   CHECK(SBodyDescription().ComputeBoundingRadius() == 0.0);
 }
@@ -146,7 +149,7 @@ TEST_CASE("body description: the bounding box of tilted solids", "[core][body]")
              WithinAbs(0.0, kRounding));
   CHECK_THAT(Distance(extents(SShapeDescription::Sphere(0.3)), CVector3(0.6, 0.6, 0.6)),
              WithinAbs(0.0, kRounding));
-  // a solid tilted in its body as the body is tilted in the world
+  // a solid tilted within its body has the bounding box of an upright solid in a tilted body
   auto leaning = SShapeDescription::Cylinder(0.1, 1.0);
   leaning.Orientation = aboutY;
   const SBoundingBox box = Body({leaning}).ComputeBoundingBox(CVector3(), CQuaternion());

@@ -1,4 +1,4 @@
-// The bounds of stability of the flight loops, against the eigenvalues of their recurrences.
+// Compares the stability bounds of the flight loops with the eigenvalues of their recurrences.
 
 #include <argos3/core/simulator/physics_engine/flight_loop.h>
 
@@ -15,8 +15,8 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-// how much the slowest mode of the loop on a place shrinks, or grows, in a substep
-Real PlaceGrowth(const SControlGains& gains, Real inertia, Real substep) {
+// factor by which the slowest mode of the position loop shrinks or grows in a substep
+Real ComputePositionLoopFactor(const SControlGains& gains, Real inertia, Real substep) {
   const Real a = gains.Proportional * substep * substep / inertia;
   const Real b = gains.Derivative * substep / inertia;
   Eigen::Matrix3d companion;
@@ -24,32 +24,31 @@ Real PlaceGrowth(const SControlGains& gains, Real inertia, Real substep) {
   return companion.eigenvalues().cwiseAbs().maxCoeff();
 }
 
-// a factor spread over four decades
-Real Spread(CRandomStream& random) {
+// a random factor, log-uniform over four decades
+Real RandomFactor(CRandomStream& random) {
   return std::pow(10.0, random.Uniform(-2.0, 2.0));
 }
 
 }  // namespace
 
-TEST_CASE("flight loops: the bound of a loop on a place is where its eigenvalues leave the circle",
+TEST_CASE("flight loops: a position loop is stable until its eigenvalues leave the unit circle",
           "[pointmass3d]") {
   CRandomStream random(3, "test", "flight loops", "");
   for (int i = 0; i < 200; ++i) {
-    const SControlGains gains{Spread(random), Spread(random)};
-    const Real inertia = Spread(random);
+    const SControlGains gains{RandomFactor(random), RandomFactor(random)};
+    const Real inertia = RandomFactor(random);
     const Real bound = ComputePositionLoopBound(gains, inertia);
     CAPTURE(gains.Proportional, gains.Derivative, inertia, bound);
-    CHECK(PlaceGrowth(gains, inertia, 0.999 * bound) < 1.0);
-    CHECK(PlaceGrowth(gains, inertia, 1.001 * bound) > 1.0);
+    CHECK(ComputePositionLoopFactor(gains, inertia, 0.999 * bound) < 1.0);
+    CHECK(ComputePositionLoopFactor(gains, inertia, 1.001 * bound) > 1.0);
   }
 }
 
-TEST_CASE("flight loops: the bound of a loop on a speed is where its factor is -1",
-          "[pointmass3d]") {
+TEST_CASE("flight loops: a speed loop is stable until its factor reaches -1", "[pointmass3d]") {
   CRandomStream random(4, "test", "flight loops", "");
   for (int i = 0; i < 200; ++i) {
-    const SControlGains gains{Spread(random), i % 2 == 0 ? 0.0 : Spread(random)};
-    const Real inertia = Spread(random);
+    const SControlGains gains{RandomFactor(random), i % 2 == 0 ? 0.0 : RandomFactor(random)};
+    const Real inertia = RandomFactor(random);
     const Real bound = ComputeSpeedLoopBound(gains, inertia);
     const Real factor = 1.0 - ComputeSpeedGain(gains, inertia) * bound / inertia;
     CHECK_THAT(factor, WithinAbs(-1.0, 1e-14));
@@ -78,7 +77,7 @@ TEST_CASE("flight loops: the bounds of the eye-bot", "[pointmass3d]") {
   body.Propellers =
       SPropellersDescription{{20.0, 10.0}, {0.5, 0.1}, {20.0, 0.0}, {0.5, 0.1}, 1000.0, 1000.0};
   CHECK_THAT(ComputeFlightBound(body), WithinRel(1.0 / 15.0, 1e-14));
-  // a body that says nothing of its inertia has that of its solids: m r^2 / 2 = 0.005
+  // a body description without inertia has that of its solids: m r^2 / 2 = 0.005
   body.Shapes = {SShapeDescription::Cylinder(0.1, 0.5)};
   body.PlanarInertia.reset();
   CHECK_THAT(ComputeFlightBound(body), WithinRel(0.1 * 0.005 / (0.5 * 0.005 + 0.01), 1e-14));

@@ -27,7 +27,7 @@ class CFloorTestLoopFunctions : public CLoopFunctions {
 };
 REGISTER_LOOP_FUNCTIONS(CFloorTestLoopFunctions, "floor_test_loop_functions")
 
-// a folder that goes away with its content
+// a temporary folder, removed with its content by the destructor
 class CFolder {
  public:
   CFolder() {
@@ -53,7 +53,7 @@ void WriteImage(const std::string& path) {
                          "10 20 30  40 50 60  70 80 90  100 110 120\n";
 }
 
-// an arena 4 m x 2 m around (10, 20): each pixel is a square metre
+// an arena of 4 m x 2 m around (10, 20): each pixel covers a square metre
 class CWorld {
  public:
   explicit CWorld(const std::string& floor, const std::string& more = "") : m_scope(m_simulator) {
@@ -80,7 +80,7 @@ std::string ImageFloor(const std::string& path) {
   return "<floor id=\"f\" source=\"image\" path=\"" + path + "\"/>";
 }
 
-// 5 x 3 colours, no two alike, lowest row first; grey ones if so
+// test image of 5 x 3 distinct colours or grey levels, lowest row first
 constexpr size_t kWidth = 5, kHeight = 3;
 
 CColor ColorOf(size_t column, size_t row, bool grey = false) {
@@ -92,7 +92,7 @@ CColor ColorOf(size_t column, size_t row, bool grey = false) {
 
 enum class EOrder { RGB, BGR, BGRA, Grey };
 
-// the pixels as bytes; each row is filled up to a multiple of that many bytes
+// the pixels as bytes; each row is padded to a multiple of the given number of bytes
 std::string Bytes(EOrder order, bool topRowFirst, size_t multiple = 1) {
   std::string bytes;
   for (size_t i = 0; i < kHeight; ++i) {
@@ -106,7 +106,7 @@ std::string Bytes(EOrder order, bool topRowFirst, size_t multiple = 1) {
       } else if (order == EOrder::Grey) {
         pixel.resize(1);
       } else if (order == EOrder::BGRA) {
-        // half transparent: of no meaning on a floor
+        // half transparent: the floor ignores alpha
         pixel += static_cast<char>(128);
       }
       bytes += pixel;
@@ -157,8 +157,8 @@ void WriteFile(const std::string& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
-// every pixel, at its middle and just inside its four corners; the arena is 4 m x 2 m around (10,
-// 20)
+// checks every pixel, at its middle and just inside its four corners; the
+// arena is 4 m x 2 m around (10, 20)
 void CheckEveryPixel(CFloorEntity& floor, bool grey = false) {
   for (size_t row = 0; row < kHeight; ++row) {
     for (size_t column = 0; column < kWidth; ++column) {
@@ -202,7 +202,7 @@ TEST_CASE("floor: an image is stretched over the arena, its lowest row at the sm
   CHECK(floor.GetColorAtPoint(10.0, 20.0) == CColor::BLUE);
 }
 
-TEST_CASE("floor: every pixel of an image is where it belongs, in whatever order a format has rows",
+TEST_CASE("floor: pixels are in the right places for every row order of the image formats",
           "[core][floor]") {
   const CFolder folder;
   CWorld world("");
@@ -211,7 +211,7 @@ TEST_CASE("floor: every pixel of an image is where it belongs, in whatever order
     WriteFile(folder.File(name), bytes);
     CFloorEntity floor("f", folder.File(name));
     CHECK(floor.GetColorSource() == CFloorEntity::FROM_IMAGE);
-    // 5 pixels on 4 m, 3 on 2 m: the finer is 1.5 pixels on a metre
+    // 5 pixels on 4 m, 3 on 2 m: the finer resolution is 1.5 pixels per metre, rounded up
     CHECK(floor.GetPixelsPerMeter() == 2);
     CheckEveryPixel(floor, grey);
   };
@@ -225,12 +225,12 @@ TEST_CASE("floor: every pixel of an image is where it belongs, in whatever order
   check("grey.tga", Tga(EOrder::Grey, false), true);
 }
 
-TEST_CASE("floor: what is saved has its top row at the greatest y", "[core][floor]") {
+TEST_CASE("floor: a saved image has its top row at the greatest y", "[core][floor]") {
   const CFolder folder;
   WriteFile(folder.File("image.bmp"), Bmp(false));
   CWorld world("", "<loop_functions label=\"floor_test_loop_functions\"/>");
   CFloorEntity floor("f", folder.File("image.bmp"));
-  // a format that can be read by eye, and one that loses nothing either
+  // PPM is compared byte by byte; the other lossless formats are read back
   floor.SaveAsImage(folder.File("copy.ppm"));
   std::ostringstream saved;
   saved << std::ifstream(folder.File("copy.ppm"), std::ios::binary).rdbuf();
@@ -242,7 +242,7 @@ TEST_CASE("floor: what is saved has its top row at the greatest y", "[core][floo
     CheckEveryPixel(copy);
   }
 
-  // of loop functions: black where x < 0, and everything here is beyond it, so move the arena
+  // The loop functions return black where x < 0. The arena so far lies at x > 0, so move it.
   world.Space().SetArenaCenter(CVector3(0.5, 0.0, 0.0));
   CFloorEntity painted("painted", 2);
   painted.SaveAsImage(folder.File("painted.ppm"));
@@ -256,14 +256,15 @@ TEST_CASE("floor: what is saved has its top row at the greatest y", "[core][floo
   CHECK_THAT(pixels.str(), Catch::Contains("8 4") && Catch::EndsWith(expected));
 }
 
-TEST_CASE("floor: made by a program, it is refused with the reason", "[core][floor]") {
+TEST_CASE("floor: constructed by a program, wrong arguments are refused with the reason",
+          "[core][floor]") {
   CWorld world("");
   CHECK_THROWS_WITH(CFloorEntity("f", "no/such/image.png"), Contains("no/such/image.png"));
   CHECK_THROWS_WITH(CFloorEntity("f", UInt32(0)), Contains("at least one pixel"));
   CHECK_THROWS_AS(world.Space().GetFloorEntity(), CARGoSException);
 }
 
-TEST_CASE("floor: outside the arena the colour of the nearest edge holds", "[core][floor]") {
+TEST_CASE("floor: outside the arena it has the colour of the nearest edge", "[core][floor]") {
   const CFolder folder;
   WriteImage(folder.File("image.ppm"));
   CWorld world(ImageFloor(folder.File("image.ppm")));
@@ -283,13 +284,14 @@ TEST_CASE("floor: environment variables in the path are expanded", "[core][floor
   CHECK(world.Floor().GetColorAtPoint(9.5, 20.5) == CColor::GREEN);
 }
 
-TEST_CASE("floor: a missing image is named as given and as looked for", "[core][floor]") {
+TEST_CASE("floor: the error on a missing image gives the path in the file and the paths tried",
+          "[core][floor]") {
   const std::string error = ErrorOf(ImageFloor("no/such/image.png"));
   CHECK_THAT(error, Contains("floor.argos:4") && Contains("\"no/such/image.png\""));
   CHECK_THAT(error, Contains((std::filesystem::current_path() / "no/such/image.png").string()));
 }
 
-TEST_CASE("floor: a file that is no image is refused", "[core][floor]") {
+TEST_CASE("floor: a file that is not an image is refused", "[core][floor]") {
   const CFolder folder;
   std::ofstream(folder.File("text.txt")) << "this is no image";
   CHECK_THAT(ErrorOf(ImageFloor(folder.File("text.txt"))), Contains("no image format"));
@@ -307,7 +309,7 @@ TEST_CASE("floor: wrong attributes are refused", "[core][floor]") {
              Contains("-5"));
 }
 
-TEST_CASE("floor: loop functions colour it, by default in white", "[core][floor]") {
+TEST_CASE("floor: loop functions give the colours, by default white", "[core][floor]") {
   const std::string floor = "<floor id=\"f\" source=\"loop_functions\" pixels_per_meter=\"10\"/>";
   CWorld plain(floor);
   CHECK(plain.Floor().GetColorAtPoint(-1.0, 0.0) == CColor::WHITE);
@@ -318,13 +320,13 @@ TEST_CASE("floor: loop functions colour it, by default in white", "[core][floor]
   CHECK(halves.Floor().GetColorAtPoint(1.0, 0.0) == CColor::WHITE);
 }
 
-TEST_CASE("floor: without one the space says so", "[core][floor]") {
+TEST_CASE("floor: in a space without a floor, access is an error", "[core][floor]") {
   CWorld world("");
   CHECK_FALSE(world.Space().HasFloorEntity());
   CHECK_THROWS_AS(world.Space().GetFloorEntity(), CARGoSException);
 }
 
-TEST_CASE("floor: what is saved as an image reads back the same", "[core][floor]") {
+TEST_CASE("floor: an image that was saved and read again has the same colours", "[core][floor]") {
   const CFolder folder;
   WriteImage(folder.File("image.ppm"));
   {

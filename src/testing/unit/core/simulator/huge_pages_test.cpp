@@ -19,7 +19,7 @@ constexpr size_t kNumBlocks = 100000;
 
 using TBlock = std::vector<uint64_t>;
 
-// too small for malloc() to map one by one
+// blocks too small for malloc() to map each on its own
 std::vector<TBlock> FillHeap() {
   std::vector<TBlock> blocks;
   for (size_t i = 0; i < kNumBlocks; ++i) {
@@ -52,7 +52,7 @@ size_t ReadHugePagesOfHeap() {
 
 }  // namespace
 
-TEST_CASE("huge pages: a large heap gets them, and keeps what is in it", "[core][memory]") {
+TEST_CASE("huge pages: a large heap gets huge pages and keeps its content", "[core][memory]") {
   const std::vector<TBlock> blocks = FillHeap();
   const size_t granted = BackHeapByHugePages();
   bool isUnchanged = true;
@@ -70,7 +70,7 @@ TEST_CASE("huge pages: a large heap gets them, and keeps what is in it", "[core]
   }
 }
 
-TEST_CASE("huge pages: asking again is harmless", "[core][memory]") {
+TEST_CASE("huge pages: repeated requests are harmless", "[core][memory]") {
   const std::vector<TBlock> blocks = FillHeap();
   CHECK(BackHeapByHugePages() == BackHeapByHugePages());
   CHECK(blocks.back().front() == kNumBlocks - 1);

@@ -1,6 +1,6 @@
-// Libraries register their plug-ins while they load; here several threads load some while others
-// look labels up, load experiments and run them. A library is loaded once in a process: ctest gives
-// each test case a process of its own, and that is where the first loading is seen.
+// Libraries register their plug-ins while they are loaded. Here several threads load libraries
+// while others look labels up, load experiments and run them. A library is loaded once per process:
+// the first loading is tested because ctest runs each test case in a process of its own.
 
 #include <argos3/core/simulator/query_plugins.h>
 #include <argos3/core/utility/plugins/dynamic_loading.h>
@@ -21,15 +21,15 @@ namespace {
 
 constexpr int kLibraries = 4;
 constexpr UInt32 kTicks = 11;
-// ten ticks of ten substeps, each an addition to a number between 0.5 and 1, rounded by at
-// most 5.6e-17
+// Ten ticks of ten substeps, each an addition to a number between 0.5 and 1 that
+// is rounded by at most 5.6e-17.
 constexpr Real kTolerance = 6e-15;
 
 std::string Library(int number) {
   return InBuildTree("testing/plugins/libargos3_test_numbered_" + std::to_string(number));
 }
 
-// a robot driven by a controller of that library, and a marker of its
+// a robot driven by a controller of library libargos3_test_numbered_<number>, and its marker entity
 SExperiment NumberedExperiment(int number) {
   const std::string text = std::to_string(number);
   return SExperiment{
@@ -43,7 +43,7 @@ SExperiment NumberedExperiment(int number) {
           text + " id='m' position='1,2,3' />"};
 }
 
-// needs no library
+// an experiment that needs no library
 SExperiment ToyExperiment() {
   return SExperiment{.Controllers = R"(<toy_controller id='c'>
         <actuators> <toy_drive implementation='default' /> </actuators>
@@ -55,14 +55,16 @@ SExperiment ToyExperiment() {
                          "</toy-robot> <toy-lamp id='l' position='0,0,1' />"};
 }
 
-// where the robot is after kTicks of 0.1 s, m; the command of the first tick moves it in the second
+// x position of the robot after kTicks of 0.1 s, m; the command of
+// the first tick acts in the second
 Real RunTo(const SExperiment& experiment) {
   CTestWorld world(experiment);
   world.Step(kTicks);
   return world.Get<CToyRobotEntity>("r").GetEmbodiedEntity().GetOriginAnchor().Position.GetX();
 }
 
-// what fails in a thread, for the main thread to report: Catch2's assertions are for one thread
+// Collects failures of threads for the main thread to report: Catch2's
+// assertions are not thread-safe.
 class CFailures {
  public:
   void Try(const std::function<void()>& action) {
@@ -90,7 +92,7 @@ TEST_CASE("loading in threads: experiments that load libraries run beside others
   std::vector<std::thread> threads;
   for (int first = 0; first < kLibraries; ++first) {
     threads.emplace_back([&, first] {
-      // each begins with another library, and meets in its turn those of the others
+      // each thread begins with another library and proceeds through those of the others
       for (int i = 0; i < kLibraries; ++i) {
         const int number = (first + i) % kLibraries;
         failures.Try([&] { ends[first][number] = RunTo(NumberedExperiment(number)); });
@@ -141,7 +143,7 @@ TEST_CASE("loading in threads: the labels of a library appear all at once",
     while (!CFactory<CCI_Controller>::Exists("test_numbered_controller_0") && !isLoaded) {
       std::this_thread::yield();
     }
-    // registered 50 ms later
+    // the second label is registered 50 ms after the first
     hasBoth = CFactory<CEntity>::Exists("test-marker-0");
   });
   failures.Try([&] { CDynamicLoading::LoadLibrary(Library(0)); });

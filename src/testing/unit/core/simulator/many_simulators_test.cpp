@@ -29,8 +29,8 @@ SExperiment Experiment(UInt32 seed, UInt32 threads = 0) {
     </distribute>)"};
 }
 
-// robots whose way depends on what they sense, and on the random numbers of their simulator
-void LetWander(CTestWorld& world) {
+// sets a random walk that depends on sensors and on the random numbers of the simulator
+void SetRandomWalk(CTestWorld& world) {
   const CSimulator::CScope scope(world.GetSimulator());
   for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
     CRandom::CRNG* const rng = CRandom::CreateRNG("argos");
@@ -45,7 +45,7 @@ void LetWander(CTestWorld& world) {
 
 std::vector<UInt64> Run(const SExperiment& experiment) {
   CTestWorld world(experiment);
-  LetWander(world);
+  SetRandomWalk(world);
   std::vector<UInt64> digests;
   for (int i = 0; i < kTicks; ++i) {
     world.Step();
@@ -54,7 +54,7 @@ std::vector<UInt64> Run(const SExperiment& experiment) {
   return digests;
 }
 
-// of this process
+// number of threads of this process
 auto CountThreads() {
   namespace fs = std::filesystem;
   return std::distance(fs::directory_iterator("/proc/self/task"), fs::directory_iterator());
@@ -71,15 +71,15 @@ TEST_CASE("many simulators: Destroy() leaves no thread behind", "[core][simulato
   CHECK(CountThreads() == before);
 }
 
-TEST_CASE("many simulators: two that take turns in one thread do as each alone",
+TEST_CASE("many simulators: two that alternate in one thread give the same results as each alone",
           "[core][simulator][many]") {
   const std::vector<UInt64> first = Run(Experiment(1));
   const std::vector<UInt64> second = Run(Experiment(2));
   REQUIRE(first != second);
   CTestWorld one(Experiment(1));
   CTestWorld two(Experiment(2));
-  LetWander(two);
-  LetWander(one);
+  SetRandomWalk(two);
+  SetRandomWalk(one);
   std::vector<UInt64> firstAgain;
   std::vector<UInt64> secondAgain;
   for (int i = 0; i < kTicks; ++i) {
@@ -92,11 +92,10 @@ TEST_CASE("many simulators: two that take turns in one thread do as each alone",
   CHECK(secondAgain == second);
 }
 
-TEST_CASE("many simulators: one that is destroyed does not touch the other",
-          "[core][simulator][many]") {
+TEST_CASE("many simulators: destroying one does not affect the other", "[core][simulator][many]") {
   const std::vector<UInt64> alone = Run(Experiment(1));
   CTestWorld one(Experiment(1));
-  LetWander(one);
+  SetRandomWalk(one);
   std::vector<UInt64> digests;
   for (int i = 0; i < kTicks; ++i) {
     if (i % 10 == 5) {
@@ -109,9 +108,9 @@ TEST_CASE("many simulators: one that is destroyed does not touch the other",
   CHECK(digests == alone);
 }
 
-TEST_CASE("many simulators: several in several threads do as each alone",
+TEST_CASE("many simulators: those in several threads give the same results as each alone",
           "[core][simulator][many][threads]") {
-  // also with threads of their own
+  // the simulators are also tested with worker threads of their own
   const UInt32 threads = GENERATE(0U, 2U);
   CAPTURE(threads);
   std::vector<std::vector<UInt64>> alone;
@@ -153,7 +152,8 @@ TEST_CASE("current simulator: each thread has its own, and scopes nest",
   CHECK(&CSimulator::GetInstance() == &byDefault);
 }
 
-TEST_CASE("current simulator: each has its own random categories", "[core][simulator][many]") {
+TEST_CASE("current simulator: each simulator has its own random categories",
+          "[core][simulator][many]") {
   CSimulator one;
   CSimulator two;
   {
@@ -167,6 +167,6 @@ TEST_CASE("current simulator: each has its own random categories", "[core][simul
   }
   const CSimulator::CScope scope(one);
   CHECK(CRandom::GetSeedOf("mine") == 1);
-  // outside any simulator there are others still
+  // outside any simulator the thread has yet another registry
   std::thread([] { CHECK_FALSE(CRandom::ExistsCategory("mine")); }).join();
 }

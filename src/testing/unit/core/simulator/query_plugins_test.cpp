@@ -48,7 +48,7 @@ TEST_CASE("query: all prints the lists in their order", "[core][query]") {
                     text.find("AVAILABLE MEDIA") - text.find("AVAILABLE SENSORS")));
 }
 
-TEST_CASE("query: a word finds every plug-in that contains it", "[core][query]") {
+TEST_CASE("query: a word finds every plug-in whose label contains it", "[core][query]") {
   const std::string text = DescribePlugins("query_test");
   CHECK(text ==
         "Plug-ins whose name contains \"query_test\":\n\n"
@@ -59,7 +59,7 @@ TEST_CASE("query: a word finds every plug-in that contains it", "[core][query]")
             "Status: Experimental\n\nAll about the second.\n\n");
 }
 
-TEST_CASE("query: plug-ins of a plug-in are listed below it, in all, and by their word",
+TEST_CASE("query: plug-ins of a plug-in are listed below it, in all and in searches",
           "[core][query]") {
   const CPluginKind kind("query_test_parts", "query_test_one", "PARTS OF QUERY TEST ONE", [] {
     return std::vector<SPluginText>{
@@ -73,11 +73,11 @@ TEST_CASE("query: plug-ins of a plug-in are listed below it, in all, and by thei
   CHECK_THAT(DescribePlugins("query_part"), Contains("[ query_part ]\nA part.\nby C. Author"));
 }
 
-TEST_CASE("query: the search tells upper from lower case", "[core][query]") {
+TEST_CASE("query: the search is case-sensitive", "[core][query]") {
   CHECK_THAT(DescribePlugins("Query_test"), StartsWith("Nothing found"));
 }
 
-TEST_CASE("query: nothing found names what is near", "[core][query]") {
+TEST_CASE("query: a search without results names near labels", "[core][query]") {
   const std::string text = DescribePlugins("query_tset_one");
   CHECK_THAT(text, StartsWith("Nothing found") && Contains("query_test_one"));
   CHECK_THAT(DescribePlugins("sensor_s"), Contains("sensors"));
@@ -90,6 +90,6 @@ TEST_CASE("query: controllers in Lua are documented", "[core][query]") {
              Contains("script") && Contains("on_error") && Contains("max_instructions"));
 }
 
-TEST_CASE("query: the core's own floor is documented", "[core][query]") {
+TEST_CASE("query: the core's floor is documented", "[core][query]") {
   CHECK_THAT(DescribePlugins("floor"), Contains("[ floor ]") && Contains("pixels_per_meter"));
 }

@@ -21,19 +21,20 @@ TPolygon Shift(const TPolygon& polygon, Real x, Real y) {
 
 }  // namespace
 
-TEST_CASE("region geometry: what squares share is a rectangle", "[core][volume]") {
+TEST_CASE("region geometry: the intersection of aligned squares is a rectangle", "[core][volume]") {
   const TPolygon shared = Intersect(kSquare, Shift(kSquare, 1.5, 0.5));
   CHECK(shared.size() == 4);
   CHECK_THAT(0.5 * ComputeTwiceArea(shared), WithinAbs(0.5 * 1.5, 1e-15));
   CHECK_THAT(0.5 * ComputeTwiceArea(Intersect(kSquare, kSquare)), WithinAbs(4.0, 1e-15));
-  // a common side, a common corner, nothing
+  // squares with a common side, with a common corner, and apart
   CHECK(std::abs(ComputeTwiceArea(Intersect(kSquare, Shift(kSquare, 2, 0)))) <= 1e-15);
   CHECK(std::abs(ComputeTwiceArea(Intersect(kSquare, Shift(kSquare, 2, 2)))) <= 1e-15);
   CHECK(Intersect(kSquare, Shift(kSquare, 5, 0)).empty());
 }
 
-TEST_CASE("region geometry: a square turned by 45 degrees in another leaves an octagon",
-          "[core][volume]") {
+TEST_CASE(
+    "region geometry: the intersection of a square with one turned by 45 degrees is an octagon",
+    "[core][volume]") {
   const Real half = std::sqrt(2.0);
   const TPolygon diamond = {CVector2(1 + half, 1), CVector2(1, 1 + half), CVector2(1 - half, 1),
                             CVector2(1, 1 - half)};
@@ -62,7 +63,7 @@ TEST_CASE("region geometry: distances from a square", "[core][volume]") {
   CHECK_THAT(ComputeDistance(kSquare, CVector2(5, 6)), WithinAbs(5.0, 1e-15));
 }
 
-TEST_CASE("region geometry: a polygon that crosses itself is found out", "[core][volume]") {
+TEST_CASE("region geometry: the crossing sides of a polygon are found", "[core][volume]") {
   CHECK_FALSE(FindCrossing(kSquare));
   const auto crossing =
       FindCrossing({CVector2(0, 0), CVector2(4, 0), CVector2(0, 2), CVector2(4, 2)});

@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
+#include <string>
 #include <thread>
 
 using namespace argos;
@@ -30,8 +32,8 @@ SExperiment Experiment() {
       <toy-robot id='r2'> <body position='0.5,0,0' /> <controller config='c' /> </toy-robot>)"};
 }
 
-// robots whose way depends on what they sense, noise included
-void LetWander(CSimulator& simulator) {
+// sets a random walk that depends on noisy sensors
+void SetRandomWalk(CSimulator& simulator) {
   for (CControllableEntity* robot : simulator.GetSpace().GetControllableEntities()) {
     dynamic_cast<CToyController&>(robot->GetController()).OnStep = [](CToyController& controller) {
       controller.Velocity = CVector3(controller.LastRange - 0.5, 0.1 * controller.LastRange, 0.0);
@@ -48,7 +50,7 @@ std::vector<UInt64> Digests(CTestWorld& world, int ticks) {
   return digests;
 }
 
-/** A file that goes when its owner does. */
+/** A temporary file, removed by the destructor. */
 class CTemporaryFile {
  public:
   explicit CTemporaryFile(const std::string& content)
@@ -72,7 +74,7 @@ TEST_CASE("simulator: parts are initialised in the documented order", "[core][si
   experiment.LoopFunctions = "<loop_functions label='toy_loop_functions' record='true' />";
   CTestWorld world(experiment);
   auto& functions = world.GetLoopFunctions<CToyLoopFunctions>();
-  // controllers were initialised before the recording began, in the loop functions' Init()
+  // controllers were initialised before the loop functions' Init() began to record
   CHECK(functions.Events == std::vector<std::string>{"loop functions init"});
   functions.Events.clear();
   world.GetSimulator().Reset();
@@ -81,12 +83,12 @@ TEST_CASE("simulator: parts are initialised in the documented order", "[core][si
   CHECK(world.GetSimulator().GetMedium<CToyMedium>("air").WasPostSpaceInit);
 }
 
-TEST_CASE("simulator: destroy goes through the loop functions, then the entities, last first",
+TEST_CASE("simulator: Destroy() destroys the loop functions, then the entities in reverse order",
           "[core][simulator]") {
   SExperiment experiment = Experiment();
   experiment.LoopFunctions = "<loop_functions label='toy_loop_functions' record='true' />";
   CTestWorld world(experiment);
-  // outlives the experiment
+  // this pointer outlives the experiment
   CToyLoopFunctions* recorder = nullptr;
   {
     const CSimulator::CScope scope(world.GetSimulator());
@@ -103,7 +105,7 @@ TEST_CASE("simulator: destroy goes through the loop functions, then the entities
   CHECK_THROWS_AS(world.GetSimulator().GetLoopFunctions(), CARGoSException);
 }
 
-TEST_CASE("simulator: runs as many ticks as the length says, then PostExperiment",
+TEST_CASE("simulator: runs the ticks of the experiment's length, then PostExperiment",
           "[core][simulator]") {
   SExperiment experiment = Experiment();
   // 0.3 / 0.1 is a little less than 3 in floating point
@@ -148,14 +150,14 @@ TEST_CASE("simulator: length, seed, threads and attributes can be overridden",
   CHECK_THROWS_AS(world.GetSimulator().SetLength(-1.0), CARGoSException);
 }
 
-TEST_CASE("simulator: an override that finds nothing is an error", "[core][simulator]") {
+TEST_CASE("simulator: an override without a match is an error", "[core][simulator]") {
   CHECK_THROWS_WITH(
       CTestWorld(Experiment(),
                  [](CSimulator& simulator) { simulator.AddOverride("framwork/@x", "1"); }),
       Contains("framwork/@x") && Contains("framework"));
 }
 
-TEST_CASE("simulator: ends when told, or when the loop functions say so", "[core][simulator]") {
+TEST_CASE("simulator: ends on request or when the loop functions say so", "[core][simulator]") {
   CTestWorld world(Experiment());
   CSimulator& simulator = world.GetSimulator();
   CHECK(simulator.GetMaxSimulationClock() == 0);
@@ -187,19 +189,19 @@ TEST_CASE("simulator: a tick observer is called after every tick", "[core][simul
   CHECK(ticks == std::vector<UInt32>{1, 2, 3});
 }
 
-TEST_CASE("simulator: after a reset the run repeats itself to the bit", "[core][simulator]") {
+TEST_CASE("simulator: after a reset the run repeats bit by bit", "[core][simulator]") {
   CTestWorld world(Experiment());
-  LetWander(world.GetSimulator());
+  SetRandomWalk(world.GetSimulator());
   const std::vector<UInt64> first = Digests(world, 30);
   world.GetSimulator().Reset();
   CHECK(Digests(world, 30) == first);
   CHECK(first.front() != first.back());
 }
 
-TEST_CASE("simulator: a reset with another seed is like loading with that seed",
+TEST_CASE("simulator: a reset with another seed equals loading with that seed",
           "[core][simulator]") {
   CTestWorld world(Experiment());
-  LetWander(world.GetSimulator());
+  SetRandomWalk(world.GetSimulator());
   const std::vector<UInt64> first = Digests(world, 30);
   world.GetSimulator().Reset(43);
   CHECK(world.GetSimulator().GetRandomSeed() == 43);
@@ -208,11 +210,11 @@ TEST_CASE("simulator: a reset with another seed is like loading with that seed",
   SExperiment experiment = Experiment();
   experiment.Seed = 43;
   CTestWorld fresh(experiment);
-  LetWander(fresh.GetSimulator());
+  SetRandomWalk(fresh.GetSimulator());
   CHECK(Digests(fresh, 30) == other);
 }
 
-TEST_CASE("simulator: users' generators replay after a reset", "[core][simulator]") {
+TEST_CASE("simulator: random generators of users repeat after a reset", "[core][simulator]") {
   CTestWorld world(Experiment());
   const CSimulator::CScope scope(world.GetSimulator());
   CRandom::CRNG* const rng = CRandom::CreateRNG("argos");
@@ -222,14 +224,15 @@ TEST_CASE("simulator: users' generators replay after a reset", "[core][simulator
   world.GetSimulator().Reset();
   CHECK(std::vector<Real>{rng->Uniform(range), rng->Uniform(range),
                           world.GetSimulator().GetRNG()->Uniform(range)} == first);
-  // the first generator of the category "argos" is the simulator's
+  // the first generator of the category "argos" belongs to the simulator
   CRandom::CreateCategory("same", 42);
   world.GetSimulator().Reset();
   CHECK(CRandom::CreateRNG("same")->Uniform(range) ==
         world.GetSimulator().GetRNG()->Uniform(range));
 }
 
-TEST_CASE("simulator: without a seed the clock gives one, which is logged", "[core][simulator]") {
+TEST_CASE("simulator: without a seed, one is taken from the clock and logged",
+          "[core][simulator]") {
   SExperiment experiment = Experiment();
   experiment.Seed = 0;
   CTestWorld world(experiment);
@@ -240,14 +243,15 @@ TEST_CASE("simulator: without a seed the clock gives one, which is logged", "[co
   CHECK(world.GetSimulator().GetRandomSeed() != seed);
 }
 
-TEST_CASE("simulator: destroyed, it loads again and does the same", "[core][simulator]") {
+TEST_CASE("simulator: after Destroy() it loads the experiment again and repeats the run",
+          "[core][simulator]") {
   CConfigurationDocument document;
   CSimulator simulator;
   std::vector<UInt64> digests;
   for (int round = 0; round < 3; ++round) {
     document.Parse(Experiment().ToXml());
     simulator.Load(document);
-    LetWander(simulator);
+    SetRandomWalk(simulator);
     for (int i = 0; i < 20; ++i) {
       simulator.UpdateSpace();
     }
@@ -264,7 +268,7 @@ TEST_CASE("simulator: destroyed, it loads again and does the same", "[core][simu
   CHECK(digests[2] == digests[0]);
 }
 
-TEST_CASE("simulator: nothing of one experiment leaks into the next", "[core][simulator]") {
+TEST_CASE("simulator: no state of an experiment is left for the next one", "[core][simulator]") {
   CConfigurationDocument document;
   CSimulator simulator;
   SExperiment experiment = Experiment();
@@ -289,7 +293,7 @@ TEST_CASE("simulator: nothing of one experiment leaks into the next", "[core][si
   CHECK(simulator.GetRandomSeed() == 42);
 }
 
-TEST_CASE("simulator: an experiment that fails to load leaves it as good as new",
+TEST_CASE("simulator: after an experiment that fails to load it can load another one",
           "[core][simulator]") {
   CConfigurationDocument document;
   CSimulator simulator;
@@ -306,7 +310,7 @@ TEST_CASE("simulator: an experiment that fails to load leaves it as good as new"
   CHECK(simulator.GetSpace().GetRootEntityVector().size() == 2);
 }
 
-TEST_CASE("simulator: all errors of a file come in one go", "[core][simulator]") {
+TEST_CASE("simulator: all errors of a file are reported together", "[core][simulator]") {
   SExperiment experiment = Experiment();
   experiment.Controllers += "<toy_controller id='c' />";
   experiment.Engines +=
@@ -329,7 +333,7 @@ TEST_CASE("simulator: all errors of a file come in one go", "[core][simulator]")
   CHECK_THAT(error, Contains("already an entity with id \"r1\""));
 }
 
-TEST_CASE("simulator: a value of <framework> that is wrong does not hide the others",
+TEST_CASE("simulator: a wrong value in <framework> does not hide other errors",
           "[core][simulator]") {
   SExperiment experiment = Experiment();
   experiment.Method = "balance_lenght";
@@ -351,7 +355,8 @@ TEST_CASE("simulator: missing sections are errors", "[core][simulator]") {
   CHECK_THROWS_WITH(CTestWorld(without), Contains(section));
 }
 
-TEST_CASE("simulator: what nobody reads is a warning with its line", "[core][simulator]") {
+TEST_CASE("simulator: unused elements and attributes are reported with their lines",
+          "[core][simulator]") {
   SExperiment experiment = Experiment();
   experiment.Arena += "\n<toy-lamp id='lamp' colour='red'> <shade /> </toy-lamp>";
   CTestWorld world(experiment);
@@ -375,7 +380,33 @@ TEST_CASE("simulator: an unknown visualization is a warning and a headless run",
   CHECK(simulator.GetSpace().GetSimulationClock() == 2);
 }
 
-TEST_CASE("simulator: asking for what is not there is an error", "[core][simulator]") {
+TEST_CASE("simulator: a profile counts every phase of every tick", "[core][simulator]") {
+  const CTemporaryFile file("");
+  std::string xml = Experiment().ToXml();
+  const std::string end = "</framework>";
+  xml.insert(xml.find(end), "<profiling file='" + file.GetPath() + "' format='human_readable' />");
+  {
+    CTestWorld world(xml);
+    CHECK(world.GetSimulator().IsProfiling());
+    world.Step(3);
+    world.GetSimulator().Destroy();
+    CHECK_FALSE(world.GetSimulator().IsProfiling());
+  }
+  std::ostringstream report;
+  report << std::ifstream(file.GetPath()).rdbuf();
+  for (const std::string phase :
+       {"act", "physics", "index", "media", "pre-step", "sense+control", "post-step"}) {
+    CAPTURE(phase, report.str());
+    const size_t start = report.str().find("phase \"" + phase + "\": ");
+    REQUIRE(start != std::string::npos);
+    const std::string line = report.str().substr(start, report.str().find('\n', start) - start);
+    CHECK_THAT(line, Contains(" 3 times, "));
+    // every phase takes some time
+    CHECK_THAT(line, !Contains(" 0.000000 us each"));
+  }
+}
+
+TEST_CASE("simulator: access to parts that do not exist is an error", "[core][simulator]") {
   CSimulator simulator;
   CHECK_THROWS_AS(simulator.GetLoopFunctions(), CARGoSException);
   CHECK_THROWS_AS(simulator.GetVisualization(), CARGoSException);
@@ -402,7 +433,7 @@ TEST_CASE("simulator: loads from a file", "[core][simulator]") {
   CHECK(simulator.GetExperimentFileName() == file.GetPath());
   simulator.LoadExperiment();
   simulator.UpdateSpace();
-  // a second experiment at the same time is refused, and does no harm to the first
+  // a second experiment at the same time is refused and leaves the first unchanged
   CHECK_THROWS_WITH(simulator.LoadExperiment(), Contains("Destroy()"));
   CHECK(simulator.GetConfigForController("c").Value() == "toy_controller");
   simulator.Reset();
@@ -422,12 +453,13 @@ TEST_CASE("simulator: in real time a tick takes as long as it is", "[core][simul
   world.GetSimulator().Execute();
   const std::chrono::duration<double> duration = std::chrono::steady_clock::now() - start;
   CHECK(world.GetSpace().GetSimulationClock() == 10);
-  // sleeping never ends early; how late it ends is the machine's business
+  // a sleep never ends early; how late it ends depends on the machine
   CHECK(duration.count() >= 0.2 - 1e-6);
   TakeLogErr();
 }
 
-TEST_CASE("simulator: a tick that is late is a warning, and the run goes on", "[core][simulator]") {
+TEST_CASE("simulator: a late tick is reported as a warning, and the run goes on",
+          "[core][simulator]") {
   SExperiment experiment = Experiment();
   experiment.TicksPerSecond = 1000;
   experiment.Length = 0.003;

@@ -42,7 +42,7 @@ std::string Sides(const std::vector<std::string>& vertices) {
 
 }  // namespace
 
-TEST_CASE("volume: without faces it is the whole space", "[core][volume]") {
+TEST_CASE("volume: without faces it contains the whole space", "[core][volume]") {
   const SVolume volume;
   CHECK_FALSE(volume.IsActive());
   CHECK(volume.Contains(CVector3(1e6, -1e6, 1e6)));
@@ -76,7 +76,8 @@ TEST_CASE("volume: sides limit the plane, the border included", "[core][volume]"
   CHECK_FALSE(volume.Contains(CVector3(-1.0, 1.0 + 1e-12, 0.0)));
 }
 
-TEST_CASE("volume: no point on a slanted common border is lost", "[core][volume]") {
+TEST_CASE("volume: a point on a slanted common border belongs to one of the regions",
+          "[core][volume]") {
   SVolume left;
   SVolume right;
   Read(left, Sides({"-5,-5", "0.1,-0.3", "0.7,5.9"}));
@@ -107,13 +108,13 @@ TEST_CASE("volume: a triangle may repeat its first vertex", "[core][volume]") {
   CHECK_FALSE(volume.Contains(CVector3(0.5, 0.5 + 1e-9, 0.0)));
 }
 
-TEST_CASE("volume: vertices in the middle of a side are legal", "[core][volume]") {
+TEST_CASE("volume: vertices in the middle of a side are accepted", "[core][volume]") {
   SVolume volume;
   Read(volume, Sides({"0,0", "0.1,0.1", "0.3,0.3", "0,1"}));
   CHECK(volume.Contains(CVector3(0.1, 0.5, 0.0)));
 }
 
-TEST_CASE("volume: wrong polygons are refused with their geometry", "[core][volume]") {
+TEST_CASE("volume: invalid polygons are refused with their coordinates", "[core][volume]") {
   CHECK_THAT(ErrorOf(Sides({"0,0", "1,0"})), Contains("at least 3"));
   CHECK_THAT(ErrorOf(Sides({"0,0", "0,1", "1,0"})), Contains("clockwise"));
   CHECK_THAT(ErrorOf(Sides({"0,0", "2,0", "0.5,0.5", "0,2"})),
@@ -127,7 +128,7 @@ TEST_CASE("volume: wrong polygons are refused with their geometry", "[core][volu
   CHECK_THAT(ErrorOf(Sides({"0,0", "2,0", "0,2", "2,2"})),
              Contains("crosses itself") && Contains("from \"2,0\" to \"0,2\"") &&
                  Contains("from \"2,2\" to \"0,0\"") && Contains("meet at \"1,1\""));
-  // one that winds twice
+  // a triangle whose boundary is traversed twice
   CHECK_THAT(ErrorOf(Sides({"0,0", "1,0", "0,1", "0,0", "1,0", "0,1"})),
              Contains("\"0,0\" is given twice"));
   CHECK_THAT(ErrorOf(Sides({"0,0", "1,x", "0,1"})), Contains("region.xml:1") && Contains("1,x"));
@@ -153,7 +154,7 @@ TEST_CASE("volume: a face is open, a wall or a gate", "[core][volume]") {
   CHECK((volume.SideFaces[0]->IsWall && volume.SideFaces[0]->Gate.empty()));
   CHECK((!volume.SideFaces[1]->IsWall && volume.SideFaces[1]->Gate == "e"));
   CHECK((!volume.SideFaces[2]->IsWall && !volume.SideFaces[3]->IsWall));
-  // through the nearest face that a point is behind
+  // the exit is the nearest face that the point lies beyond
   CHECK(volume.FindExit(CVector3(1, 0.5, 0.5)) == nullptr);
   CHECK(volume.FindExit(CVector3(2.1, 0.5, 0.5)) == volume.SideFaces[1]);
   CHECK(volume.FindExit(CVector3(2.2, 1.1, 0.5)) == volume.SideFaces[1]);
@@ -163,7 +164,7 @@ TEST_CASE("volume: a face is open, a wall or a gate", "[core][volume]") {
              Contains("<top>") && Contains("a wall or a gate, not both"));
 }
 
-TEST_CASE("volume: sides on one line are told apart", "[core][volume]") {
+TEST_CASE("volume: collinear sides are distinguished by position", "[core][volume]") {
   // a wall with a door in its middle
   SVolume volume;
   Read(volume,
@@ -175,12 +176,12 @@ TEST_CASE("volume: sides on one line are told apart", "[core][volume]") {
   CHECK(volume.FindExit(CVector3(2.01, 2.1, 0)) == volume.SideFaces[3]);
   const std::vector<SWallSlab> walls = volume.DescribeWalls();
   REQUIRE(walls.size() == 2);
-  // outside, along the side
+  // wall slabs are centred outside the region and on their side
   CHECK_THAT(walls[0].Position.GetX(), Catch::WithinAbs(2.05, 1e-12));
   CHECK_THAT(walls[0].Position.GetY(), Catch::WithinAbs(0.5, 1e-12));
 }
 
-TEST_CASE("volume: distances are those to the nearest point", "[core][volume]") {
+TEST_CASE("volume: distances are measured to the nearest point of the region", "[core][volume]") {
   SVolume volume;
   Read(
       volume,
@@ -192,7 +193,7 @@ TEST_CASE("volume: distances are those to the nearest point", "[core][volume]") 
   CHECK_THAT(volume.ComputeDistance(CVector3(1, 4, 5)), Catch::WithinAbs(5.0, 1e-12));
 }
 
-TEST_CASE("volume: what was wrong leaves the region as it was", "[core][volume]") {
+TEST_CASE("volume: a refused description leaves the region unchanged", "[core][volume]") {
   SVolume volume;
   Read(volume, kSlab);
   CHECK_THROWS_AS(Read(volume, Sides({"0,0", "1,0"})), CARGoSException);

@@ -33,7 +33,7 @@ void ThrowUnlessPositive(int number) {
 // exceptions
 /****************************************/
 
-TEST_CASE("exception: what() begins with the mark of an error", "[core][exception]") {
+TEST_CASE("exception: what() begins with the marker of an error", "[core][exception]") {
   CHECK(std::string(CARGoSException("broken").what()) == "[FATAL] broken");
 }
 
@@ -43,7 +43,7 @@ TEST_CASE("exception: a nested one follows on the next line", "[core][exception]
     CARGoSException inner("inner");
     outer = std::make_unique<CARGoSException>("outer", &inner);
   }
-  // the text was copied: the inner exception is gone
+  // the text was copied before the inner exception was destroyed
   CHECK(std::string(outer->what()) == "[FATAL] outer\n[FATAL] inner");
 }
 
@@ -105,11 +105,12 @@ TEST_CASE("numbers: the whole text must be the number", "[core][strings]") {
     CAPTURE(text);
     CHECK(ParseNumber(text, real) == ENumberParsing::NotANumber);
   }
-  // a failure leaves the value alone
+  // on failure the value is unchanged
   CHECK(real == -0.5);
 }
 
-TEST_CASE("numbers: integers take neither fractions nor values out of range", "[core][strings]") {
+TEST_CASE("numbers: fractions and values out of range are refused for integers",
+          "[core][strings]") {
   UInt32 number = 7;
   CHECK(ParseNumber("10.5", number) == ENumberParsing::TrailingText);
   CHECK(ParseNumber("-1", number) == ENumberParsing::OutOfRange);
@@ -160,7 +161,7 @@ TEST_CASE("values: lists are read field by field", "[core][strings]") {
   CHECK(reals[0] == 1.0);
   CHECK(reals[1] == 2.5);
   CHECK(reals[2] == -3.0);
-  // a field that is no number gives 0, and further fields are ignored
+  // a field that is not a number gives 0, and further fields are ignored
   ParseValues<double>("x,2,3,4", 3, reals, ',');
   CHECK(reals[0] == 0.0);
   CHECK(reals[2] == 3.0);
@@ -181,8 +182,7 @@ TEST_CASE("values: too few fields are an error", "[core][strings]") {
                     Contains("found 0 values, expected 1 value separated by line breaks"));
 }
 
-TEST_CASE("values: a strict stream refuses what is no value and what is too much",
-          "[core][strings]") {
+TEST_CASE("values: a strict stream refuses malformed values and trailing text", "[core][strings]") {
   double reals[2];
   const auto parse = [&reals](const std::string& text) {
     std::istringstream stream(text);
@@ -203,7 +203,7 @@ TEST_CASE("values: a strict stream refuses what is no value and what is too much
   CHECK_THROWS_WITH(ParseValues<std::string>(words, 2, word, ','), Contains("\"a b\""));
 }
 
-TEST_CASE("strings: tokens", "[core][strings]") {
+TEST_CASE("strings: tokens are separated", "[core][strings]") {
   CHECK(Tokens("a b  c", " ") == std::vector<std::string>{"a", "b", "c"});
   CHECK(Tokens(",a;b,;c,", ",;") == std::vector<std::string>{"a", "b", "c"});
   CHECK(Tokens("", " ").empty());
@@ -213,7 +213,7 @@ TEST_CASE("strings: tokens", "[core][strings]") {
   CHECK(tokens == std::vector<std::string>{"first", "second"});
 }
 
-TEST_CASE("strings: letter case and replacement", "[core][strings]") {
+TEST_CASE("strings: letter case can be changed and text replaced", "[core][strings]") {
   CHECK(StringToUpperCase("aZ9-") == "AZ9-");
   CHECK(StringToLowerCase("aZ9-") == "az9-");
   std::string text = "a.b.c";
@@ -225,7 +225,7 @@ TEST_CASE("strings: letter case and replacement", "[core][strings]") {
   CHECK(text == "b..c");
 }
 
-TEST_CASE("strings: patterns are POSIX extended and match any part", "[core][strings]") {
+TEST_CASE("strings: patterns are POSIX extended and match any part of a text", "[core][strings]") {
   CHECK(MatchPattern("foot-bot_12", "[0-9]+"));
   CHECK(MatchPattern("foot-bot_12", "^foot-(bot|car)"));
   CHECK_FALSE(MatchPattern("foot-bot_12", "^bot"));
@@ -248,7 +248,7 @@ TEST_CASE("strings: type names are readable", "[core][strings]") {
 }
 
 /****************************************/
-// near names
+// nearest names
 /****************************************/
 
 TEST_CASE("near names: misspellings are found, best first", "[core][strings]") {
@@ -262,18 +262,18 @@ TEST_CASE("near names: misspellings are found, best first", "[core][strings]") {
   CHECK(NearestNames("x", {}).empty());
 }
 
-TEST_CASE("near names: no more than asked for, no name twice", "[core][strings]") {
+TEST_CASE("near names: the list is limited and has no duplicates", "[core][strings]") {
   const std::vector<std::string> known = {"led4", "led2", "led1", "led3", "led1"};
   CHECK(NearestNames("led0", known) == "led1, led2, led3");
   CHECK(NearestNames("led0", known, 1) == "led1");
 }
 
-TEST_CASE("near names: a part of a name is near", "[core][strings]") {
+TEST_CASE("near names: a name is near to a part of it", "[core][strings]") {
   CHECK(NearestNames("proximity", {"footbot_proximity", "leds"}) == "footbot_proximity");
   CHECK(NearestNames("le", {"footbot_leds_x"}).empty());
 }
 
-TEST_CASE("near names: the end of an error message", "[core][strings]") {
+TEST_CASE("near names: are listed at the end of an error message", "[core][strings]") {
   CHECK(DidYouMean("bos", {"box", "floor"}) == "; did you mean \"box\"?");
   CHECK(DidYouMean("led0", {"led1", "led2"}) == "; did you mean \"led1\" or \"led2\"?");
   CHECK(DidYouMean("quadrotor", {"box", "floor"}) == "; known: box, floor");

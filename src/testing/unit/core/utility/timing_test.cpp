@@ -42,7 +42,7 @@ std::vector<std::string> Lines(const std::string& name) {
 // rate
 /****************************************/
 
-TEST_CASE("rate: rounds last as long as the rate says", "[core][rate]") {
+TEST_CASE("rate: a round lasts as long as the rate requires", "[core][rate]") {
   CRate rate(100.0);
   CHECK(rate.GetRate() == 100.0);
   const auto start = std::chrono::steady_clock::now();
@@ -50,7 +50,7 @@ TEST_CASE("rate: rounds last as long as the rate says", "[core][rate]") {
     rate.Sleep();
   }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-  // never too early, but for the time between the constructor and the start of this clock
+  // never too early, except for the time between the constructor and the start of this clock
   CHECK(elapsed.count() >= 0.049);
   rate.SetRate(1000.0);
   CHECK(rate.GetRate() == 1000.0);
@@ -61,7 +61,7 @@ TEST_CASE("rate: the elapsed time counts from the start of the round", "[core][r
   std::this_thread::sleep_for(std::chrono::milliseconds(20));
   CHECK(rate.ElapsedUS() >= 20000);
   CHECK(rate.ElapsedS() >= 0.02);
-  // the round is over already: no sleep, and a new start
+  // the round is over already: Sleep() returns at once and starts a new round
   rate.Sleep();
   CHECK(rate.ElapsedS() < 0.02);
 }
@@ -95,7 +95,7 @@ TEST_CASE("stats: mean and sample variance", "[core][signal]") {
   CHECK_THAT(several.GetStdDev(), WithinAbs(std::sqrt(32.0 / 7.0), 1e-13));
 }
 
-TEST_CASE("stats: a large mean does not drown the variance", "[core][signal]") {
+TEST_CASE("stats: the variance is accurate for a large mean", "[core][signal]") {
   CStats stats;
   for (const Real value : {1e9 + 4, 1e9 + 7, 1e9 + 13, 1e9 + 16}) {
     stats.Append(value);
@@ -104,7 +104,7 @@ TEST_CASE("stats: a large mean does not drown the variance", "[core][signal]") {
   CHECK_THAT(stats.GetVariance(), WithinAbs(30.0, 1e-5));
 }
 
-TEST_CASE("low-pass filter: follows its recurrence", "[core][signal]") {
+TEST_CASE("low-pass filter: output follows its recurrence", "[core][signal]") {
   CRCLowPassFilter filter(0.75);
   CHECK(filter.Filter(8.0) == 8.0);
   // 0 + 0.75 * 8 = 6, 2 + 0.75 * (6 - 2) = 5: all exact in binary
@@ -118,42 +118,36 @@ TEST_CASE("low-pass filter: follows its recurrence", "[core][signal]") {
 // profiler
 /****************************************/
 
-TEST_CASE("profiler: phases are timed and counted", "[core][profiler]") {
+TEST_CASE("profiler: the report has the wall time, the phases and the threads",
+          "[core][profiler]") {
   const std::string name = FileName("report");
   CProfiler profiler(name, "human_readable");
-  const CProfiler::TPhase sleep = profiler.AddPhase("sleep");
-  const CProfiler::TPhase idle = profiler.AddPhase("idle");
   profiler.Start();
-  for (int i = 0; i < 2; ++i) {
-    profiler.StartPhase(sleep);
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    profiler.StopPhase(sleep);
-  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(10));
   std::thread([&profiler] { profiler.CollectThreadResourceUsage(); }).join();
+  profiler.AddPhase("act", 0.25, 2);
+  profiler.AddPhase("idle", 0.0, 0);
   profiler.Stop();
-  CHECK(profiler.GetPhaseCount(sleep) == 2);
-  CHECK(profiler.GetPhaseCount(idle) == 0);
-  CHECK(profiler.GetPhaseTime(sleep) >= 0.010);
-  CHECK(profiler.GetWallTime() >= profiler.GetPhaseTime(sleep));
+  CHECK(profiler.GetWallTime() >= 0.010);
   profiler.Flush();
   const std::vector<std::string> lines = Lines(name);
   REQUIRE(lines.size() == 11);
-  CHECK_THAT(lines[0], Contains("wall time (s)"));
-  CHECK_THAT(lines[8],
-             Contains(fmt::format("phase \"sleep\": {:.6f} s", profiler.GetPhaseTime(sleep))) &&
-                 Contains("2 times"));
-  CHECK_THAT(lines[9], Contains("phase \"idle\": 0.000000 s"));
+  CHECK(lines[0] == fmt::format("wall time (s)                 {:.6f}", profiler.GetWallTime()));
+  CHECK_THAT(lines[8], Catch::StartsWith("phase \"act\": 0.250000 s, "));
+  CHECK_THAT(lines[8], Catch::EndsWith(", 2 times, 125000.000000 us each"));
+  CHECK_THAT(lines[9], Catch::StartsWith("phase \"idle\": 0.000000 s, "));
+  CHECK_THAT(lines[9], Catch::EndsWith(", 0 times, 0.000000 us each"));
   CHECK_THAT(lines[10], Contains("thread 0: "));
   std::remove(name.c_str());
 }
 
-TEST_CASE("profiler: runs make the lines of one table", "[core][profiler]") {
+TEST_CASE("profiler: each run adds a line to the table", "[core][profiler]") {
   const std::string name = FileName("table");
   std::remove(name.c_str());
   for (int run = 0; run < 2; ++run) {
     CProfiler profiler(name, "table", false);
-    profiler.AddPhase("act");
     profiler.Start();
+    profiler.AddPhase("act", 0.5, 1);
     profiler.Stop();
     profiler.Flush();
   }
@@ -166,13 +160,14 @@ TEST_CASE("profiler: runs make the lines of one table", "[core][profiler]") {
   }
   CHECK_THAT(lines[0], Catch::StartsWith("wall_s\tuser_s"));
   CHECK_THAT(lines[0], Catch::EndsWith("\tact_s"));
-  // truncating begins anew
+  CHECK_THAT(lines[1], Catch::EndsWith("\t0.500000"));
+  // truncating starts a new table
   CProfiler(name, "table", true).Flush();
   CHECK(Lines(name).size() == 2);
   std::remove(name.c_str());
 }
 
-TEST_CASE("profiler: errors come before the run", "[core][profiler]") {
+TEST_CASE("profiler: errors are reported before the run", "[core][profiler]") {
   CHECK_THROWS_WITH(CProfiler("x", "csv"),
                     Contains("format \"csv\", expected \"human_readable\" or \"table\""));
   CHECK_THROWS_WITH(CProfiler("/no/such/folder/x", "table"),

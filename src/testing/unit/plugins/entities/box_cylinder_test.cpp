@@ -25,7 +25,7 @@ const SBodyDescription& DescriptionOf(CPassiveBodyEntity& entity) {
 
 }  // namespace
 
-TEST_CASE("box: is described as the file says", "[entities]") {
+TEST_CASE("box: its description follows the file", "[entities]") {
   CRobotWorld world(
       With("<box id=\"wall\" size=\"4, 0.1 ,0.5\" movable=\"false\"><body position=\"1,2,0.3\" "
            "orientation=\"90,0,0\"/></box>"
@@ -50,7 +50,7 @@ TEST_CASE("box: is described as the file says", "[entities]") {
   CHECK(DescriptionOf(crate).GroundFriction->Class == SGroundFrictionDescription::EClass::Box);
 }
 
-TEST_CASE("cylinder: is described as the file says", "[entities]") {
+TEST_CASE("cylinder: its description follows the file", "[entities]") {
   CRobotWorld world(
       With("<cylinder id=\"c\" radius=\"0.2\" height=\"0.4\" movable=\"true\" "
            "mass=\"3\"><body position=\"1,1,0\"/></cylinder>"));
@@ -67,7 +67,7 @@ TEST_CASE("cylinder: is described as the file says", "[entities]") {
   CHECK(body.GroundFriction->Class == SGroundFrictionDescription::EClass::Cylinder);
 }
 
-TEST_CASE("box and cylinder: wrong values are refused with place and reason",
+TEST_CASE("box and cylinder: invalid values are refused with place and reason",
           "[entities][errors]") {
   struct SCase {
     const char* Element;
@@ -109,11 +109,11 @@ TEST_CASE("box and cylinder: constructors refuse sizes and masses that are not p
                     Contains("cylinder \"c\"") && Contains("radius"));
   CHECK_THROWS_WITH(CCylinderEntity("c", p, q, false, 1.0, bad), Contains("height"));
   CHECK_THROWS_WITH(CCylinderEntity("c", p, q, true, 1.0, 1.0, bad), Contains("mass"));
-  // without meaning for what does not move
+  // the mass of immovable bodies is ignored
   CHECK_NOTHROW(CBoxEntity("b", p, q, false, CVector3(1.0, 1.0, 1.0), bad));
 }
 
-TEST_CASE("box: what is resized while in an engine is found at its new size", "[entities]") {
+TEST_CASE("box: a box resized while in an engine is found at its new size", "[entities]") {
   CRobotWorld world(
       With("<box id=\"b\" size=\"1,1,1\" movable=\"false\"><body position=\"2,0,0\"/></box>"));
   auto& box = world.Get<CBoxEntity>("b");
@@ -131,7 +131,7 @@ TEST_CASE("box: what is resized while in an engine is found at its new size", "[
   world.Step();
 }
 
-TEST_CASE("cylinder: mass and size change together with the description", "[entities]") {
+TEST_CASE("cylinder: changes of mass and size update the description", "[entities]") {
   CRobotWorld world(
       With("<cylinder id=\"c\" radius=\"0.2\" height=\"0.4\" movable=\"true\" "
            "mass=\"3\"><body position=\"1,1,0\"/></cylinder>"));
@@ -146,7 +146,7 @@ TEST_CASE("cylinder: mass and size change together with the description", "[enti
   world.Step();
 }
 
-TEST_CASE("box and cylinder: look like what they are", "[entities]") {
+TEST_CASE("box and cylinder: are drawn with their shapes", "[entities]") {
   CRobotWorld world(
       With("<box id=\"b\" size=\"1,2,3\" movable=\"false\"><body/></box>"
            "<cylinder id=\"c\" radius=\"0.2\" height=\"0.4\" movable=\"true\" mass=\"3\"><body "
@@ -159,6 +159,6 @@ TEST_CASE("box and cylinder: look like what they are", "[entities]") {
   REQUIRE(cylinder.Parts.size() == 1);
   CHECK(cylinder.Parts[0].Kind == SVisualPart::EKind::Cylinder);
   CHECK(cylinder.Parts[0].Size == CVector3(0.4, 0.4, 0.4));
-  // what can be moved is told from what cannot
+  // movable and immovable bodies have different colours
   CHECK(box.Parts[0].Color != cylinder.Parts[0].Color);
 }

@@ -25,7 +25,7 @@ UInt64 DigestOf(const CEntity& entity) {
   return digest.GetValue();
 }
 
-// a body with its sensors, outside any space
+// a body with its sensors, without a space
 struct SEquippedBody {
   CComposableEntity Robot{nullptr, "robot"};
   CEmbodiedEntity Body{&Robot, "body_0"};
@@ -34,7 +34,7 @@ struct SEquippedBody {
 
 }  // namespace
 
-TEST_CASE("wheels: keep what they are given, in place", "[entities]") {
+TEST_CASE("wheels: values are stored in place", "[entities]") {
   CWheeledEntity wheels(nullptr, "wheels_0", 3);
   CHECK(wheels.GetTypeDescription() == "wheels");
   const Real* const velocities = wheels.GetWheelVelocities();
@@ -54,7 +54,7 @@ TEST_CASE("wheels: keep what they are given, in place", "[entities]") {
   CHECK(wheels.GetWheelRadius(1) == 0.05);
 }
 
-TEST_CASE("wheels: the speed of each is part of the digest", "[entities]") {
+TEST_CASE("wheels: the speed of each wheel changes the digest", "[entities]") {
   CWheeledEntity wheels(nullptr, "wheels_0", 2);
   const UInt64 still = DigestOf(wheels);
   Real speeds[2] = {0.0, 1e-300};
@@ -62,7 +62,7 @@ TEST_CASE("wheels: the speed of each is part of the digest", "[entities]") {
   CHECK(DigestOf(wheels) != still);
 }
 
-TEST_CASE("wheels: refuse what cannot be", "[entities][errors]") {
+TEST_CASE("wheels: invalid values are refused", "[entities][errors]") {
   CWheeledEntity wheels(nullptr, "wheels_0", 2);
   CHECK_THROWS_WITH(wheels.SetWheel(2, CVector3(), 0.1),
                     Contains("no wheel 2") && Contains("0 to 1"));
@@ -78,7 +78,7 @@ TEST_CASE("wheels: refuse what cannot be", "[entities][errors]") {
   CHECK_THROWS_AS(CWheeledEntity(nullptr, 0), CARGoSException);
 }
 
-TEST_CASE("quadrotor: keeps its targets and how it is controlled", "[entities]") {
+TEST_CASE("quadrotor: stores its targets and control method", "[entities]") {
   CQuadRotorEntity quadrotor(nullptr, "quadrotor_0");
   CHECK(quadrotor.GetTypeDescription() == "quadrotor");
   CHECK(quadrotor.GetControlMethod() == CQuadRotorEntity::NO_CONTROL);
@@ -95,7 +95,7 @@ TEST_CASE("quadrotor: keeps its targets and how it is controlled", "[entities]")
   CHECK(quadrotor.GetSpeedControlData().RotSpeed == CRadians());
 }
 
-TEST_CASE("quadrotor: is controlled again as at the start of the run", "[entities]") {
+TEST_CASE("quadrotor: a reset restores the control method of the start", "[entities]") {
   CQuadRotorEntity quadrotor(nullptr, "quadrotor_0");
   quadrotor.SetControlMethod(CQuadRotorEntity::POSITION_CONTROL);
   quadrotor.MarkStart();
@@ -104,7 +104,7 @@ TEST_CASE("quadrotor: is controlled again as at the start of the run", "[entitie
   CHECK(quadrotor.GetControlMethod() == CQuadRotorEntity::POSITION_CONTROL);
 }
 
-TEST_CASE("quadrotor: targets and method are part of the digest", "[entities]") {
+TEST_CASE("quadrotor: targets and method change the digest", "[entities]") {
   CQuadRotorEntity quadrotor(nullptr, "quadrotor_0");
   std::vector<UInt64> digests = {DigestOf(quadrotor)};
   quadrotor.SetControlMethod(CQuadRotorEntity::SPEED_CONTROL);
@@ -119,7 +119,7 @@ TEST_CASE("quadrotor: targets and method are part of the digest", "[entities]") 
   CHECK(std::unique(digests.begin(), digests.end()) == digests.end());
 }
 
-TEST_CASE("quadrotor: refuses targets that are no numbers, or absurd", "[entities]") {
+TEST_CASE("quadrotor: targets that are NaN, infinite or too large are refused", "[entities]") {
   CQuadRotorEntity quadrotor(nullptr, "quadrotor_0");
   quadrotor.SetPositionControlData({CVector3(1, 2, 3), CRadians(0.5)});
   const Real bad = GENERATE(std::numeric_limits<Real>::quiet_NaN(),
@@ -136,7 +136,7 @@ TEST_CASE("quadrotor: refuses targets that are no numbers, or absurd", "[entitie
   CHECK(quadrotor.GetSpeedControlData().Velocity == CVector3());
 }
 
-TEST_CASE("proximity component: rings and fans lie as documented", "[entities]") {
+TEST_CASE("proximity component: rings and fans have the documented geometry", "[entities]") {
   SEquippedBody robot;
   SAnchor& origin = robot.Body.GetOriginAnchor();
   robot.Sensors.AddSensorRing(CVector3(0.1, 0.2, 0.3), 0.05, ToRadians(CDegrees(30.0)), 0.4, 4,
@@ -153,11 +153,11 @@ TEST_CASE("proximity component: rings and fans lie as documented", "[entities]")
     CHECK_THAT(Distance(sensor.Direction, outward * 0.4), WithinAbs(0.0, 1e-15));
     CHECK(&sensor.Anchor == &origin);
   }
-  // 0, 30 and 60 degrees
+  // at 0, 30 and 60 degrees
   CHECK_THAT(robot.Sensors.GetSensor(6).Direction.GetX(), WithinAbs(1.0, 1e-15));
 }
 
-TEST_CASE("proximity component: the circle of a layout holds all rays", "[entities]") {
+TEST_CASE("proximity component: the bounding circle of a layout contains all rays", "[entities]") {
   CProximitySensorEquippedEntity::SLayout layout;
   layout.AddSensor(CVector3(0.1, 0.0, 0.2), CVector3(1.0, 0.0, 0.0), 0.5);
   CHECK(layout.Planar);
@@ -176,7 +176,7 @@ TEST_CASE("proximity component: the circle of a layout holds all rays", "[entiti
   CHECK_FALSE(layout.Planar);
 }
 
-TEST_CASE("proximity component: enabling it keeps its anchors current", "[entities]") {
+TEST_CASE("proximity component: enabling it enables its anchors", "[entities]") {
   SEquippedBody robot;
   SAnchor& arm = robot.Body.AddAnchor("arm", CVector3(0.1, 0.0, 0.0));
   robot.Sensors.AddSensor(CVector3(), CVector3::X, 1.0, arm);
@@ -189,7 +189,7 @@ TEST_CASE("proximity component: enabling it keeps its anchors current", "[entiti
   CHECK(arm.InUseCount == 0);
 }
 
-TEST_CASE("proximity component: refuses what cannot be", "[entities][errors]") {
+TEST_CASE("proximity component: invalid values are refused", "[entities][errors]") {
   SEquippedBody robot;
   SAnchor& origin = robot.Body.GetOriginAnchor();
   CHECK_THROWS_WITH(robot.Sensors.AddSensor(CVector3(), CVector3::X, 0.0, origin),

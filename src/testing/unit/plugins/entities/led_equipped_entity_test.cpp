@@ -39,12 +39,12 @@ UInt64 DigestOf(const CEntity& entity) {
 
 }  // namespace
 
-TEST_CASE("leds: entities are made on demand, with the indices kept for them", "[entities]") {
+TEST_CASE("leds: entities are created on demand with their reserved indices", "[entities]") {
   CRobotWorld world(With(kTwoEPucks));
   auto& a = world.Get<CEPuckEntity>("a");
   auto& b = world.Get<CEPuckEntity>("b");
   CLEDEquippedEntity& leds = a.GetLEDEquippedEntity();
-  CHECK(leds.GetIndexSpan() == 9);
+  CHECK(leds.GetNumLazyLEDs() == 8);
   const ssize_t index = leds.GetIndex();
   const UInt64 digest = DigestOf(leds);
   CLEDEntity& led = leds.GetLED(3);
@@ -54,7 +54,7 @@ TEST_CASE("leds: entities are made on demand, with the indices kept for them", "
   CHECK(leds.GetLED(7).GetIndex() == index + 8);
   CHECK(b.GetIndex() > index + 8);
   CHECK(leds.GetLEDs().size() == 8);
-  // looking at the LEDs does not change the state of the world
+  // creating the entities by look-up does not change the digest
   CHECK(DigestOf(leds) == digest);
 }
 
@@ -69,7 +69,7 @@ TEST_CASE("leds: are found by component path, by id and by type", "[entities]") 
   CHECK(any_cast<CLEDEntity*>(byType.at("a.leds_0.led_3")) == &byPath);
 }
 
-TEST_CASE("leds: a colour is the same whichever way it is set and asked for", "[entities]") {
+TEST_CASE("leds: all ways of setting and reading a colour agree", "[entities]") {
   const bool asEntitiesFirst = GENERATE(true, false);
   CRobotWorld world(With(kTwoEPucks));
   CLEDEquippedEntity& leds = world.Get<CEPuckEntity>("a").GetLEDEquippedEntity();
@@ -93,7 +93,7 @@ TEST_CASE("leds: a colour is the same whichever way it is set and asked for", "[
   CHECK(leds.GetLED(7).GetColor() == CColor::BLACK);
 }
 
-TEST_CASE("leds: one robot's change leaves the others of its type alone", "[entities]") {
+TEST_CASE("leds: a change of one robot does not affect others of its type", "[entities]") {
   CRobotWorld world(With(kTwoEPucks));
   auto& a = world.Get<CEPuckEntity>("a");
   auto& b = world.Get<CEPuckEntity>("b");
@@ -105,19 +105,19 @@ TEST_CASE("leds: one robot's change leaves the others of its type alone", "[enti
   CHECK(a.GetLEDEquippedEntity().GetNumLEDs() == 9);
   CHECK(a.GetLEDEquippedEntity().GetLEDColor(8) == CColor::RED);
   CHECK(b.GetLEDEquippedEntity().GetNumLEDs() == 8);
-  // what is added later comes last, and the others keep their places
+  // an LED added later is the last one, and the others keep their indices
   CHECK(a.GetLEDEquippedEntity().GetLED(8).GetIndex() > b.GetControllableEntity().GetIndex());
   CHECK(a.GetLEDEquippedEntity().GetLED(7).GetIndex() == a.GetLEDEquippedEntity().GetIndex() + 8);
 }
 
-TEST_CASE("leds: of a box are where the file says, in the colours it says", "[entities]") {
+TEST_CASE("leds: positions and colours of a box's LEDs follow the file", "[entities]") {
   CRobotWorld world(With(kBoxWithLEDs));
   auto& box = world.Get<CBoxEntity>("b");
   CLEDEquippedEntity& leds = box.GetLEDEquippedEntity();
   REQUIRE(leds.GetNumLEDs() == 2);
   CHECK(leds.GetLEDColor(0) == CColor::RED);
   CHECK(leds.GetLEDColor(1) == CColor(0, 10, 20, 30));
-  // turned by 90 degrees, ahead is along y; a rounding of the turn
+  // turned by 90 degrees, the box faces along y; tolerance of one rounding
   CHECK(Distance(leds.GetLED(0).GetPosition(), CVector3(1.0, 2.5, 0.2)) < 1e-15);
   CHECK(leds.GetLED(0).IsEnabled());
   CHECK(&leds.GetLED(0).GetMedium() == &world.GetSimulator().GetMedium<CLEDMedium>("leds"));
@@ -129,7 +129,7 @@ TEST_CASE("leds: of a box are where the file says, in the colours it says", "[en
   CHECK(leds.GetLEDColor(0) == CColor::RED);
 }
 
-TEST_CASE("leds: of a box can be added and switched by a program", "[entities]") {
+TEST_CASE("leds: a program can add and switch the LEDs of a box", "[entities]") {
   CRobotWorld world(With(""));
   auto made =
       std::make_unique<CBoxEntity>("b", CVector3(), CQuaternion(), false, CVector3(1.0, 1.0, 1.0));
@@ -159,7 +159,7 @@ TEST_CASE("leds: of a box can be added and switched by a program", "[entities]")
   world.Step();
 }
 
-TEST_CASE("leds: numbers and names that do not exist are errors", "[entities][errors]") {
+TEST_CASE("leds: unknown numbers and names are errors", "[entities][errors]") {
   CRobotWorld world(With(kTwoEPucks));
   CLEDEquippedEntity& leds = world.Get<CEPuckEntity>("a").GetLEDEquippedEntity();
   CHECK_THROWS_WITH(leds.GetLED(8), Contains("no LED 8") && Contains("a.leds_0"));

@@ -81,7 +81,7 @@ UInt64 DigestOf(const CEntity& entity) {
 
 }  // namespace
 
-TEST_CASE("directional leds: are where the file says, and follow the body", "[entities]") {
+TEST_CASE("directional leds: positions follow the file and the body", "[entities]") {
   CRobotWorld world(With(kLEDs));
   CDirectionalLEDEquippedEntity& leds = LEDs(world);
   CHECK(leds.IsEnabled());
@@ -94,7 +94,7 @@ TEST_CASE("directional leds: are where the file says, and follow the body", "[en
         &world.GetSimulator().GetMedium<CDirectionalLEDMedium>("directional_leds"));
   auto& body = world.Get<CFootBotEntity>("r").GetEmbodiedEntity();
   CHECK(body.GetAnchor("turret").InUseCount == 1);
-  // a few roundings of numbers near 1
+  // tolerance of a few roundings of numbers near 1
   const auto check = [&](const CVector3& first, const CVector3& second, const CVector3& axis) {
     CHECK_THAT(Distance(leds.GetLED(0).GetPosition(), first), WithinAbs(0.0, 1e-15));
     CHECK_THAT(Distance(leds.GetLED(1).GetPosition(), second), WithinAbs(0.0, 1e-15));
@@ -102,7 +102,7 @@ TEST_CASE("directional leds: are where the file says, and follow the body", "[en
     z.Rotate(leds.GetLED(0).GetOrientation());
     CHECK_THAT(Distance(z, axis), WithinAbs(0.0, 1e-15));
   };
-  // the robot looks along y, and so does the first LED
+  // the robot faces along y, and so does the first LED
   check(CVector3(1.0, 2.1, 0.05), CVector3(0.9, 2.0, 0.2), CVector3::Y);
   REQUIRE(body.MoveTo(CVector3(0.0, 0.5, 0.0), CQuaternion(CRadians::PI, CVector3::Z)));
   check(CVector3(-0.1, 0.5, 0.05), CVector3(0.0, 0.4, 0.2), -CVector3::X);
@@ -112,7 +112,8 @@ TEST_CASE("directional leds: are where the file says, and follow the body", "[en
   check(CVector3(1.0, 2.1, 0.05), CVector3(0.9, 2.0, 0.2), CVector3::Y);
 }
 
-TEST_CASE("directional leds: the medium has those that are enabled and lit", "[entities][media]") {
+TEST_CASE("directional leds: the medium contains those that are enabled and lit",
+          "[entities][media]") {
   CRobotWorld world(With(kLEDs));
   auto& index =
       world.GetSimulator().GetMedium<CDirectionalLEDMedium>("directional_leds").GetIndex();
@@ -129,7 +130,7 @@ TEST_CASE("directional leds: the medium has those that are enabled and lit", "[e
   CHECK(body.GetAnchor("turret").InUseCount == 0);
   LEDs(world).Enable();
   CHECK(Count(index) == 2);
-  // one more, in the middle of the run
+  // adds one LED during the run
   LEDs(world).AddLED(CVector3(0.0, 0.0, 0.3), CQuaternion(), body.GetOriginAnchor(), CRadians(1.0),
                      CColor::YELLOW);
   CHECK(Count(index) == 3);
@@ -144,7 +145,7 @@ TEST_CASE("directional leds: the medium has those that are enabled and lit", "[e
   CHECK(Count(index) == 0);
 }
 
-TEST_CASE("directional led: is seen from within an angle around its z axis", "[entities]") {
+TEST_CASE("directional led: is visible within an angle around its z axis", "[entities]") {
   const CQuaternion sideways(CRadians::PI_OVER_TWO, CVector3::Y);  // z becomes x
   const CDirectionalLEDEntity led(nullptr, "l", CVector3(1.0, 0.0, 0.0), sideways,
                                   ToRadians(CDegrees(30.0)), CColor::RED);
@@ -167,7 +168,7 @@ TEST_CASE("directional led: is seen from within an angle around its z axis", "[e
   CHECK_FALSE(all.ShinesOn(CVector3(1.0, 0.0, -0.6)));
 }
 
-TEST_CASE("tags: are where the file says, with their corners", "[entities]") {
+TEST_CASE("tags: positions follow the file, corners surround them", "[entities]") {
   const std::string robot = GENERATE("foot-bot", "e-puck", "eye-bot");
   CRobotWorld world(With(kTags, robot));
   REQUIRE(Tags(world).GetNumTags() == 2);
@@ -175,8 +176,8 @@ TEST_CASE("tags: are where the file says, with their corners", "[entities]") {
   CHECK(tag.GetPayload() == "one");
   CHECK(Tags(world).GetTag(1).GetPayload().empty());
   CHECK(tag.GetSideLength() == 0.04);
-  // the robot looks along y; the tag is read from behind it, and its y axis is the robot's, which
-  // points along -x
+  // The robot faces along y. The tag can be read from behind the robot, and its y axis is the
+  // robot's y axis, which points along -x.
   CHECK_THAT(Distance(tag.GetPosition(), CVector3(1.0, 1.9, 0.05)), WithinAbs(0.0, 1e-15));
   const auto corners = tag.ComputeCorners();
   const CVector3 expected[] = {
@@ -201,7 +202,7 @@ TEST_CASE("tags: are where the file says, with their corners", "[entities]") {
   CHECK(Tags(world).GetTag(1).GetPayload().empty());
 }
 
-TEST_CASE("magnets: the field is the passive part, and the active one times the current",
+TEST_CASE("magnets: the field is the passive part plus the active part times the current",
           "[entities]") {
   CRobotWorld world(With(kMagnets));
   REQUIRE(Magnets(world).GetNumMagnets() == 2);
@@ -225,7 +226,7 @@ TEST_CASE("magnets: the field is the passive part, and the active one times the 
   CHECK(Magnets(world).GetMagnet(2).GetId() == "magnet_2");
 }
 
-TEST_CASE("mounted entities: robots without them have nothing of the kind", "[entities]") {
+TEST_CASE("mounted entities: robots without them have no such components", "[entities]") {
   CRobotWorld world(With(""));
   auto& robot = world.Get<CFootBotEntity>("r");
   for (const char* type : {"directional_leds", "tags", "magnets"}) {
@@ -233,7 +234,7 @@ TEST_CASE("mounted entities: robots without them have nothing of the kind", "[en
   }
 }
 
-TEST_CASE("mounted entities: what cannot be is refused with place and reason",
+TEST_CASE("mounted entities: invalid values are refused with place and reason",
           "[entities][errors]") {
   struct SCase {
     const char* Mounted;
@@ -267,7 +268,7 @@ TEST_CASE("mounted entities: what cannot be is refused with place and reason",
   CHECK_THAT(LoadError(With(c.Mounted)), Contains(c.Reason) && Contains("test.argos:"));
 }
 
-TEST_CASE("mounted entities: numbers that do not exist, and values out of range, are errors",
+TEST_CASE("mounted entities: unknown numbers and values out of range are errors",
           "[entities][errors]") {
   CRobotWorld world(With(std::string(kLEDs) + kTags + kMagnets));
   CHECK_THROWS_WITH(LEDs(world).GetLED(2),

@@ -14,7 +14,7 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-// a body with a device, outside any space; the robot owns both
+// a body with a device, without a space; the robot owns both
 struct SEquippedBody {
   CComposableEntity Robot{nullptr, "robot"};
   CEmbodiedEntity* Body;
@@ -37,7 +37,7 @@ struct SEquippedBody {
   }
 };
 
-// counts who comes and goes
+// counts devices that are added and removed
 class CToyRegistry final : public CRABEquippedEntity::CRegistry {
  public:
   void AddEntity(CRABEquippedEntity&) override { ++NumDevices; }
@@ -54,7 +54,7 @@ UInt64 DigestOf(const CEntity& entity) {
 
 }  // namespace
 
-TEST_CASE("rab entity: keeps a message of its size", "[entities]") {
+TEST_CASE("rab entity: stores a message of its size", "[entities]") {
   SEquippedBody world;
   world.AddDevice(world.Body->GetOriginAnchor());
   CRABEquippedEntity& device = *world.Device;
@@ -78,14 +78,14 @@ TEST_CASE("rab entity: keeps a message of its size", "[entities]") {
                     Contains("3 bytes, got 4") && Contains("robot.rab_0"));
 }
 
-TEST_CASE("rab entity: sits where its anchor and offset put it", "[entities]") {
+TEST_CASE("rab entity: position follows anchor and offset", "[entities]") {
   SEquippedBody world;
   const bool onMast = GENERATE(false, true);
   world.AddDevice(onMast ? *world.Mast : world.Body->GetOriginAnchor());
   CRABEquippedEntity& device = *world.Device;
   CHECK(&device.GetEntityBody() == world.Body);
   device.Update();
-  // the body looks along y: 0.1 ahead is 0.1 along y
+  // the body faces along y: 0.1 ahead is 0.1 along y
   CHECK_THAT(Distance(device.GetPosition(), CVector3(1.0, 2.1, onMast ? 0.7 : 0.2)),
              WithinAbs(0.0, 1e-15));
   CVector3 ahead(CVector3::X);
@@ -93,7 +93,7 @@ TEST_CASE("rab entity: sits where its anchor and offset put it", "[entities]") {
   CHECK_THAT(Distance(ahead, CVector3(-1.0, 0.0, 0.0)), WithinAbs(0.0, 1e-15));
 }
 
-TEST_CASE("rab entity: is in its medium while it is enabled, and uses its anchor", "[entities]") {
+TEST_CASE("rab entity: is in its medium and uses its anchor while it is enabled", "[entities]") {
   SEquippedBody world;
   world.AddDevice(*world.Mast);
   CRABEquippedEntity& device = *world.Device;
@@ -119,7 +119,7 @@ TEST_CASE("rab entity: is in its medium while it is enabled, and uses its anchor
   CHECK_FALSE(device.HasMedium());
 }
 
-TEST_CASE("rab entity: refuses ranges that are none", "[entities]") {
+TEST_CASE("rab entity: negative, infinite and NaN ranges are refused", "[entities]") {
   SEquippedBody world;
   world.AddDevice(world.Body->GetOriginAnchor());
   world.Device->SetRange(0.0);
@@ -130,13 +130,13 @@ TEST_CASE("rab entity: refuses ranges that are none", "[entities]") {
   CHECK(world.Device->GetRange() == 0.0);
 }
 
-TEST_CASE("rab entity: reads itself from XML", "[entities]") {
+TEST_CASE("rab entity: is initialised from XML", "[entities]") {
   SEquippedBody world;
   auto owned = std::make_unique<CRABEquippedEntity>(&world.Robot);
   CRABEquippedEntity& device = *owned;
   world.Robot.AddComponent(*owned.release());
   CConfigurationDocument document;
-  SECTION("all there is") {
+  SECTION("all attributes") {
     document.Parse("<rab id='r' anchor='mast' range='1.5' msg_size='4' position='0.1,0,0'/>", "t");
     device.Init(document.GetRoot());
     CHECK(device.GetId() == "r");
@@ -146,11 +146,11 @@ TEST_CASE("rab entity: reads itself from XML", "[entities]") {
     CHECK(device.GetData().Size() == 4);
     CHECK_THAT(Distance(device.GetPosition(), CVector3(1.0, 2.1, 0.5)), WithinAbs(0.0, 1e-15));
   }
-  SECTION("an anchor that is not there") {
+  SECTION("an unknown anchor") {
     document.Parse("<rab id='r' anchor='mask' range='1.5' msg_size='4'/>", "t");
     CHECK_THROWS_WITH(device.Init(document.GetRoot()), Contains("mask") && Contains("mast"));
   }
-  SECTION("a range that is none") {
+  SECTION("a negative range") {
     document.Parse("<rab id='r' anchor='mast' range='-1' msg_size='4'/>", "t");
     CHECK_THROWS_WITH(device.Init(document.GetRoot()), Contains("range"));
   }

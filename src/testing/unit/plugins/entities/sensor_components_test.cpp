@@ -14,7 +14,7 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-// a body with its sensors, outside any space
+// a body with its sensors, without a space
 struct SEquippedBody {
   CComposableEntity Robot{nullptr, "robot"};
   CEmbodiedEntity Body{&Robot, "body_0"};
@@ -24,7 +24,7 @@ struct SEquippedBody {
 
 }  // namespace
 
-TEST_CASE("light sensor component: rings lie as documented", "[entities]") {
+TEST_CASE("light sensor component: rings have the documented geometry", "[entities]") {
   SEquippedBody robot;
   SAnchor& origin = robot.Body.GetOriginAnchor();
   robot.Lights.AddSensorRing(CVector3(0.1, 0.2, 0.3), 0.05, ToRadians(CDegrees(30.0)), 0.4, 4,
@@ -44,7 +44,7 @@ TEST_CASE("light sensor component: rings lie as documented", "[entities]") {
   CHECK(robot.Lights.GetSensor(4).Direction == CVector3(0.0, 0.0, 2.0));
 }
 
-TEST_CASE("ground sensor component: rings lie as documented", "[entities]") {
+TEST_CASE("ground sensor component: rings have the documented geometry", "[entities]") {
   SEquippedBody robot;
   SAnchor& origin = robot.Body.GetOriginAnchor();
   robot.Ground.AddSensor(CVector2(0.1, 0.2), CGroundSensorEquippedEntity::TYPE_BLACK_WHITE, origin);
@@ -63,7 +63,8 @@ TEST_CASE("ground sensor component: rings lie as documented", "[entities]") {
   }
 }
 
-TEST_CASE("sensor components: those of a type share a layout until one is changed", "[entities]") {
+TEST_CASE("sensor components: robots of a type share a layout until one of them changes it",
+          "[entities]") {
   SEquippedBody a;
   SEquippedBody b;
   auto layout = std::make_shared<SGroundSensorLayout>();
@@ -71,7 +72,7 @@ TEST_CASE("sensor components: those of a type share a layout until one is change
   a.Ground.SetLayout(layout, {&a.Body.GetOriginAnchor()});
   b.Ground.SetLayout(layout, {&b.Body.GetOriginAnchor()});
   CHECK(&a.Ground.GetLayout() == layout.get());
-  // to look at a sensor changes nothing
+  // reading a sensor does not change the layout
   CHECK(a.Ground.GetSensor(0).Offset == CVector2(1.0, 2.0));
   CHECK(&a.Ground.GetLayout() == layout.get());
   a.Ground.GetSensor(0).Type = CGroundSensorEquippedEntity::TYPE_BLACK_WHITE;
@@ -80,7 +81,7 @@ TEST_CASE("sensor components: those of a type share a layout until one is change
   CHECK(layout->Places[0].Type == CGroundSensorEquippedEntity::TYPE_GRAYSCALE);
 }
 
-TEST_CASE("sensor components: enabling one keeps its anchors current", "[entities]") {
+TEST_CASE("sensor components: enabling one enables its anchors", "[entities]") {
   SEquippedBody robot;
   SAnchor& arm = robot.Body.AddAnchor("arm", CVector3(0.1, 0.0, 0.0));
   robot.Lights.AddSensor(CVector3(), CVector3::X, 1.0, arm);
@@ -96,7 +97,7 @@ TEST_CASE("sensor components: enabling one keeps its anchors current", "[entitie
   CHECK(arm.InUseCount == 0);
 }
 
-TEST_CASE("sensor components: refuse what cannot be", "[entities][errors]") {
+TEST_CASE("sensor components: invalid values are refused", "[entities][errors]") {
   SEquippedBody robot;
   SAnchor& origin = robot.Body.GetOriginAnchor();
   CHECK_THROWS_WITH(robot.Lights.AddSensor(CVector3(), CVector3::X, 0.0, origin),

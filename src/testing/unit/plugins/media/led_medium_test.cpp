@@ -29,8 +29,9 @@ SRobotExperiment WithMedium(const std::string& attributes) {
 
 }  // namespace
 
-TEST_CASE("led medium: finds every lit LED in range, in and out of the arena, as brute force does",
-          "[media]") {
+TEST_CASE(
+    "led medium: finds every lit LED in range, inside and outside the arena, as brute force does",
+    "[media]") {
   const std::string index = GENERATE("", "index=\"grid\"", "index=\"grid\" grid_size=\"3,20,1\"",
                                      "index=\"hash\"", "index=\"hash\" grid_size=\"100,100,10\"");
   CAPTURE(index);
@@ -65,7 +66,7 @@ TEST_CASE("led medium: finds every lit LED in range, in and out of the arena, as
   }
 }
 
-TEST_CASE("led medium: visits in an order that repeats", "[media]") {
+TEST_CASE("led medium: the order of visits is repeatable", "[media]") {
   const std::string index = GENERATE("index=\"grid\"", "index=\"hash\"");
   SRobotExperiment experiment = WithMedium(index);
   for (int i = 0; i < 50; ++i) {
@@ -90,7 +91,7 @@ TEST_CASE("led medium: visits in an order that repeats", "[media]") {
   CHECK(order() == first);
 }
 
-TEST_CASE("led medium: knows LEDs exactly while they are enabled", "[media]") {
+TEST_CASE("led medium: contains LEDs exactly while they are enabled", "[media]") {
   CRobotWorld world(WithMedium(""));
   auto& medium = world.GetSimulator().GetMedium<CLEDMedium>("leds");
   const auto count = [&medium] {
@@ -113,7 +114,7 @@ TEST_CASE("led medium: knows LEDs exactly while they are enabled", "[media]") {
     led.Enable();
     CHECK(count() == 1);
   }
-  // it left when it ended
+  // the destructor of an LED removes it from the medium
   CHECK(count() == 0);
 }
 
@@ -132,7 +133,7 @@ TEST_CASE("led medium: LEDs may outlive it", "[media]") {
   CHECK_FALSE(led.HasMedium());
 }
 
-TEST_CASE("led medium: an LED changes medium", "[media]") {
+TEST_CASE("led medium: an LED can be moved to another medium", "[media]") {
   SRobotExperiment experiment;
   experiment.Media = "<led id=\"one\"/><led id=\"two\"/>";
   CRobotWorld world(experiment);
@@ -150,7 +151,7 @@ TEST_CASE("led medium: an LED changes medium", "[media]") {
   CHECK(inTwo.Found.size() == 1);
 }
 
-TEST_CASE("led medium: wrong attributes are refused with place and reason", "[media][errors]") {
+TEST_CASE("led medium: invalid attributes are refused with place and reason", "[media][errors]") {
   struct SCase {
     const char* Attributes;
     const char* Reason;

@@ -1,4 +1,5 @@
-// The field of a substance against closed forms: decay, moments, conservation, modes, symmetry.
+// Compares the field of a substance with closed forms: decay, moments,
+// conservation, modes, symmetry.
 
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/core/utility/threads/thread_pool.h>
@@ -23,7 +24,7 @@ CThreadPool& NoThreads() {
   return pool;
 }
 
-// cells of 0.1 m x 0.1 m from the origin on
+// cells of 0.1 m x 0.1 m, starting at the origin
 TGrid Cells(size_t numX, size_t numY, Real side = 0.1) {
   TGrid grid;
   grid.CellX = grid.CellY = side;
@@ -40,7 +41,7 @@ Real CenterY(const TGrid& grid, size_t j) {
   return grid.MinY + (static_cast<Real>(j) + 0.5) * grid.CellY;
 }
 
-// mean and variance of where the substance is
+// mean and variance of the distribution of the substance
 struct SMoments {
   Real Total = 0.0;
   Real MeanX = 0.0, MeanY = 0.0;  // m
@@ -90,7 +91,7 @@ TEST_CASE("pheromone field: evaporation is exactly exponential", "[media]") {
   field.Deposit(1.23, 0.77, 5.0);
   field.Deposit(2.5, 1.1, 2.0);
   Advance(field, 60);
-  // the total is what diffusion does not change; 60 factors and some 10^5 roundings of sums
+  // diffusion does not change the total; tolerance for 60 factors and some 10^5 roundings of sums
   CHECK_THAT(field.ComputeTotal(), WithinRel(7.0 * std::exp(-evaporation * 6.0), 1e-12));
 }
 
@@ -101,7 +102,7 @@ TEST_CASE("pheromone field: the variance of a spot grows by 2 D t along each axi
   TGrid grid = Cells(301, 301);
   grid.CellY = 0.15;
   CPheromoneField field(grid, 0.0, diffusion);
-  // between centres: the spot's mean is where it was laid
+  // between centres of cells: the mean of the spot is at the deposit
   field.Deposit(15.03, 22.6, 3.0);
   const SMoments before = MomentsOf(field);
   CHECK_THAT(before.MeanX, WithinAbs(15.03, 1e-13));
@@ -124,8 +125,8 @@ TEST_CASE("pheromone field: a spot becomes a Gaussian", "[media]") {
   const Real variance = 2.0 * 0.01 * 50.0;
   for (const Real distance : {0.0, 0.5, 1.0, 2.0}) {
     const Real expected = std::exp(-0.5 * distance * distance / variance) / (2.0 * M_PI * variance);
-    // the same in all directions, not only along the axes; the scheme differs in the fourth moment,
-    // by about (side / deviation)^2 / 4, and readings between centres by as much
+    // Readings are equal in all directions, not only along the axes. The scheme errs in the fourth
+    // moment by about (side / deviation)^2 / 4, and interpolation between centres errs by as much.
     for (int k = 0; k < 16; ++k) {
       const Real angle = M_PI * k / 8.0;
       CHECK_THAT(field.GetConcentration(10.05 + distance * std::cos(angle),
@@ -135,7 +136,7 @@ TEST_CASE("pheromone field: a spot becomes a Gaussian", "[media]") {
   }
 }
 
-TEST_CASE("pheromone field: nothing leaves or appears, and in the end it is even", "[media]") {
+TEST_CASE("pheromone field: diffusion conserves the total and ends in an even field", "[media]") {
   const Real diffusion = GENERATE(0.02, 0.1, 1.0, 1e3, 1e9);
   const size_t numX = GENERATE(1, 2, 23);
   const size_t numY = GENERATE(1, 17);
@@ -144,7 +145,7 @@ TEST_CASE("pheromone field: nothing leaves or appears, and in the end it is even
   CRandomStream random(1, "test", "pheromone", "places");
   const Real width = 0.1 * static_cast<Real>(numX);
   const Real depth = 0.1 * static_cast<Real>(numY);
-  // corners and borders as well
+  // deposits in corners and at borders as well
   field.Deposit(0.0, 0.0, 1.0);
   field.Deposit(width, depth, 1.0);
   for (int i = 0; i < 20; ++i) {
@@ -168,7 +169,7 @@ TEST_CASE("pheromone field: nothing leaves or appears, and in the end it is even
   CHECK_THAT(end.Greatest, WithinRel(even, 1e-5));
 }
 
-TEST_CASE("pheromone field: modes of the closed rectangle decay as they must", "[media]") {
+TEST_CASE("pheromone field: modes of the closed rectangle decay at the discrete rate", "[media]") {
   // cos(PI k (i + 1/2) / N) is a mode of the difference equation: a step multiplies it by
   // 1 - 4 r sin^2(PI k / 2 N), or by 1 / (1 + 4 r sin^2(...)) if it is implicit
   const Real diffusion = GENERATE(0.02, 0.08, 2.0);
@@ -198,14 +199,14 @@ TEST_CASE("pheromone field: modes of the closed rectangle decay as they must", "
     const Real expected = 2.0 + (mode(alongX ? i : other, alongX ? other : i) - 2.0) * left;
     CHECK_THAT(field.GetCell(alongX ? i : other, alongX ? other : i), WithinAbs(expected, 1e-12));
   }
-  // and about as those of the differential equation
+  // the decay is close to that of the differential equation
   const Real exact = std::exp(-diffusion * std::pow(M_PI * k / 2.4, 2.0) * 0.1 * kTicks);
   CHECK_THAT(left, WithinAbs(exact, diffusion < 1.0 ? 0.01 : 0.05));
 }
 
-TEST_CASE("pheromone field: spreads alike in all directions", "[media]") {
-  // explicit steps to the bit; implicit ones eliminate from one side to the other, twice 41
-  // roundings in each of twice 25 sweeps
+TEST_CASE("pheromone field: diffusion is symmetric in all directions", "[media]") {
+  // Explicit steps are symmetric bit by bit; implicit ones eliminate from one side to the other,
+  // with twice 41 roundings in each of twice 25 sweeps.
   const Real diffusion = GENERATE(0.01, 0.05, 0.1, 0.5);
   const Real tolerance = diffusion < 0.1 ? 0.0 : 1e-12;
   constexpr size_t kNum = 41;
@@ -234,7 +235,7 @@ TEST_CASE("pheromone field: readings are bilinear, and 0 outside", "[media]") {
   CHECK_THAT(field.GetConcentration(0.2, 0.1), WithinAbs(1.0, 1e-13));
   CHECK_THAT(field.GetConcentration(0.225, 0.15), WithinAbs(1.0, 1e-13));
   CHECK_THAT(field.GetConcentration(0.25, 0.15), WithinAbs(0.0, 1e-13));
-  // up to the border it is as at the outermost centres
+  // between the outermost centres and the border the reading is that of the nearest centre
   field.Deposit(0.0, 0.0, 0.02);
   CHECK_THAT(field.GetCell(0, 0), WithinAbs(2.0, 1e-14));
   CHECK_THAT(field.GetConcentration(0.0, 0.0), WithinAbs(2.0, 1e-14));
@@ -250,7 +251,7 @@ TEST_CASE("pheromone field: readings are bilinear, and 0 outside", "[media]") {
   CHECK(field.ComputeTotal() == 0.0);
 }
 
-TEST_CASE("pheromone field: a deposit is shared by nearness", "[media]") {
+TEST_CASE("pheromone field: a deposit is distributed bilinearly to the nearest cells", "[media]") {
   const TGrid grid = Cells(4, 4);
   CPheromoneField field(grid, 0.0, 0.0);
   // a quarter of the way from the centre of cell (1,1) to that of (2,1), and half up
@@ -261,7 +262,7 @@ TEST_CASE("pheromone field: a deposit is shared by nearness", "[media]") {
   CHECK_THAT(field.GetCell(2, 2), WithinAbs(1.0, 1e-13));
 }
 
-TEST_CASE("pheromone field: no cell takes more than the maximum", "[media]") {
+TEST_CASE("pheromone field: no cell exceeds the maximum", "[media]") {
   CPheromoneField field(Cells(10, 10), 0.5, 0.01, 7.0);
   for (int tick = 0; tick < 50; ++tick) {
     field.Deposit(0.55, 0.55, 10.0);
@@ -271,12 +272,13 @@ TEST_CASE("pheromone field: no cell takes more than the maximum", "[media]") {
   }
 }
 
-TEST_CASE("pheromone field: what has evaporated is gone, and new deposits stay", "[media]") {
+TEST_CASE("pheromone field: evaporation below the smallest number gives 0, and new deposits stay",
+          "[media]") {
   CPheromoneField field(Cells(30, 20), 400.0, GENERATE(0.0, 0.01, 10.0));
   field.Advance(NoThreads(), 0.1);
   CHECK(field.ComputeTotal() == 0.0);
   field.Deposit(1.5, 1.0, 1.0);
-  // exp(-400) is not nothing yet
+  // exp(-400) is still a normal number
   Advance(field, 10);
   CHECK_THAT(std::log(field.ComputeTotal()), WithinAbs(-400.0, 1e-9));
   Advance(field, 10);
@@ -287,7 +289,8 @@ TEST_CASE("pheromone field: what has evaporated is gone, and new deposits stay",
   CHECK_THAT(field.ComputeTotal(), WithinRel(2.0 * std::exp(-40.0), 1e-12));
 }
 
-TEST_CASE("pheromone field: the same to the bit for every number of threads", "[media][threads]") {
+TEST_CASE("pheromone field: results are equal bit by bit for any number of threads",
+          "[media][threads]") {
   const Real diffusion = GENERATE(0.01, 0.1, 3.0);
   const UInt32 threads = GENERATE(1U, 4U);
   const std::string method = GENERATE("balance_quantity", "balance_length");
@@ -313,10 +316,7 @@ TEST_CASE("pheromone field: the same to the bit for every number of threads", "[
   CHECK(same);
 }
 
-TEST_CASE("pheromone field: a settled step allocates nothing", "[media][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
+TEST_CASE("pheromone field: a step in steady state allocates nothing", "[media][allocation]") {
   const Real diffusion = GENERATE(0.0, 0.01, 10.0);
   CPheromoneField field(Cells(100, 100), 100.0, diffusion);
   field.Advance(NoThreads(), 0.1);

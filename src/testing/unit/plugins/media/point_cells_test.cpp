@@ -16,7 +16,7 @@ struct SPoints {
   std::vector<Real> X, Y;  // m
 };
 
-// half of them outside the arena of 10 m x 10 m; some very far
+// half of the points are outside the arena of 10 m x 10 m, some of them far away
 SPoints MakePoints(size_t num, UInt64 seed) {
   CRandomStream random(seed, "test", "point cells", "places");
   SPoints points;
@@ -39,7 +39,7 @@ const CRange<CVector3> kArena(CVector3(-5.0, -5.0, 0.0), CVector3(5.0, 5.0, 2.0)
 
 }  // namespace
 
-TEST_CASE("point cells: visit every point in reach, and none twice", "[media]") {
+TEST_CASE("point cells: every point in reach is visited once", "[media]") {
   const auto kind =
       GENERATE(SIndexChoice::EKind::Grid, SIndexChoice::EKind::Hash, SIndexChoice::EKind::Dummy);
   const SInt32 gridSize = GENERATE(0, 1, 7, 2000);
@@ -67,7 +67,7 @@ TEST_CASE("point cells: visit every point in reach, and none twice", "[media]") 
   }
 }
 
-TEST_CASE("point cells: look at few points besides those in reach", "[media]") {
+TEST_CASE("point cells: few points out of reach are visited", "[media]") {
   const auto kind = GENERATE(SIndexChoice::EKind::Grid, SIndexChoice::EKind::Hash);
   CRandomStream random(3, "test", "point cells", "crowd");
   constexpr size_t kNum = 10000;
@@ -84,15 +84,13 @@ TEST_CASE("point cells: look at few points besides those in reach", "[media]") {
   for (size_t i = 0; i < kNum; ++i) {
     cells.ForPlacesNear(points.X[i], points.Y[i], kReach, [&](size_t) { ++visited; });
   }
-  // on average pi r^2 = 0.126 m^2 of the 100 m^2 are in reach; cells of side r/2 make a square of
-  // at most 3 r, 2.9 times as much
+  // On average pi r^2 = 0.126 m^2 of the 100 m^2 are in reach. Cells of side r/2 cover a square of
+  // at most 3 r, 2.9 times as much.
   CHECK(static_cast<Real>(visited) / kNum < 3.0 * 0.126 * kNum / 100.0);
 }
 
-TEST_CASE("point cells: sorting as many points again allocates nothing", "[media][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
+TEST_CASE("point cells: sorting the same number of points again allocates nothing",
+          "[media][allocation]") {
   const auto kind =
       GENERATE(SIndexChoice::EKind::Grid, SIndexChoice::EKind::Hash, SIndexChoice::EKind::Dummy);
   CPointCells cells;

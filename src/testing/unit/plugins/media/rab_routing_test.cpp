@@ -15,7 +15,7 @@ namespace {
 
 const CRange<CVector3> kArena(CVector3(-5.0, -5.0, 0.0), CVector3(5.0, 5.0, 2.0));
 
-// devices of very different ranges and two sizes of messages, in and around the arena
+// devices with ranges of several orders of magnitude and two message sizes, in and around the arena
 void Fill(CRABRouting::SDevices& devices, size_t num, UInt64 seed) {
   CRandomStream random(seed, "test", "rab routing", "devices");
   const Real ranges[] = {0.0, 0.1, 0.8, 0.8, 0.8, 3.0, 100.0};
@@ -57,7 +57,7 @@ std::vector<std::vector<UInt32>> Heard(const CRABRouting& routing, size_t num) {
 
 }  // namespace
 
-TEST_CASE("rab routing: who is in range hears, for every index and number of threads", "[media]") {
+TEST_CASE("rab routing: devices in range receive, for any index and number of threads", "[media]") {
   const auto kind =
       GENERATE(SIndexChoice::EKind::Grid, SIndexChoice::EKind::Hash, SIndexChoice::EKind::Dummy);
   const UInt32 threads = GENERATE(0U, 1U, 4U);
@@ -77,7 +77,7 @@ TEST_CASE("rab routing: who is in range hears, for every index and number of thr
   CHECK(routing.GetSenders(0).size() == 0);
 }
 
-TEST_CASE("rab routing: the range is excluded, and only the sender's counts", "[media]") {
+TEST_CASE("rab routing: the range is exclusive, and only that of the sender counts", "[media]") {
   CThreadPool pool(0, CreateSchedule("balance_quantity"));
   CRABRouting routing;
   routing.SetOptions(SIndexChoice(), kArena);
@@ -94,7 +94,7 @@ TEST_CASE("rab routing: the range is excluded, and only the sender's counts", "[
   CHECK(Heard(routing, 3) == expected);
 }
 
-TEST_CASE("rab routing: devices that are nowhere neither hear nor are heard", "[media]") {
+TEST_CASE("rab routing: devices at NaN or infinity neither receive nor are received", "[media]") {
   CThreadPool pool(0, CreateSchedule("balance_quantity"));
   CRABRouting routing;
   routing.SetOptions(SIndexChoice(), kArena);
@@ -110,10 +110,7 @@ TEST_CASE("rab routing: devices that are nowhere neither hear nor are heard", "[
   }
 }
 
-TEST_CASE("rab routing: a settled call allocates nothing", "[media][allocation]") {
-  if (!CAllocationCount::IsAvailable()) {
-    return;
-  }
+TEST_CASE("rab routing: a call in steady state allocates nothing", "[media][allocation]") {
   const UInt32 threads = GENERATE(0U, 2U);
   const std::string method = GENERATE("balance_quantity", "balance_length");
   CThreadPool pool(threads, CreateSchedule(method));
@@ -121,7 +118,7 @@ TEST_CASE("rab routing: a settled call allocates nothing", "[media][allocation]"
   routing.SetOptions(SIndexChoice(), kArena);
   Fill(routing.GetDevices(), 300, 1);
   routing.Route(pool, nullptr);
-  // other places, about as many pairs
+  // other positions with about as many pairs
   Fill(routing.GetDevices(), 300, 2);
   CheckAllocatesNothing([&] { routing.Route(pool, nullptr); });
 }

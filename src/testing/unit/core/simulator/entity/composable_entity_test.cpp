@@ -65,7 +65,8 @@ TEST_CASE("component path: type, type[id], nested, and ids with dots", "[core][e
   CHECK(&tree.Root.GetComponent("inner") == tree.Inner);
 }
 
-TEST_CASE("component path: errors name the entity, the path and what there is", "[core][entity]") {
+TEST_CASE("component path: errors name the entity, the path and the components that exist",
+          "[core][entity]") {
   CTree tree;
   CHECK_FALSE(tree.Root.HasComponent("part[c]"));
   CHECK_FALSE(tree.Root.HasComponent("prat"));
@@ -79,7 +80,8 @@ TEST_CASE("component path: errors name the entity, the path and what there is", 
                     Contains("part[a]") && Contains("root"));
 }
 
-TEST_CASE("components: the vector keeps the order, the map goes by type", "[core][entity]") {
+TEST_CASE("components: the vector keeps the order of addition, the map is keyed by type",
+          "[core][entity]") {
   CTree tree;
   REQUIRE(tree.Root.GetComponentVector().size() == 3);
   CHECK(tree.Root.GetComponentVector()[0]->GetId() == "a");
@@ -93,7 +95,7 @@ TEST_CASE("components: the vector keeps the order, the map goes by type", "[core
   CHECK(tree.Root.FindComponent("part[c]") == tree.Root.GetComponentMap().end());
 }
 
-TEST_CASE("components: a removed one is the caller's", "[core][entity]") {
+TEST_CASE("components: a removed component belongs to the caller", "[core][entity]") {
   CTree tree;
   const std::unique_ptr<CEntity> removed(&tree.Root.RemoveComponent("inner.part[a]"));
   CHECK(removed->GetId() == "a");
@@ -117,7 +119,7 @@ TEST_CASE("entity: context, parent and root", "[core][entity]") {
   CHECK(tree.Root.GetTypeDescription() == "composite");
 }
 
-TEST_CASE("components: enabling and updating reach every one", "[core][entity]") {
+TEST_CASE("components: enabling and updating reach every component", "[core][entity]") {
   CTree tree;
   auto& part = tree.Root.GetComponent<CTree::CPart>("part[a]");
   auto& nested = tree.Root.GetComponent<CTree::CPart>("inner.part[a]");
@@ -139,7 +141,7 @@ TEST_CASE("components: enabling and updating reach every one", "[core][entity]")
   CHECK(nested.Updates == 3);
 }
 
-TEST_CASE("components: reset reaches every one", "[core][entity]") {
+TEST_CASE("components: a reset reaches every component", "[core][entity]") {
   CTree tree;
   auto& nested = tree.Root.GetComponent<CTree::CPart>("inner.part[a]");
   nested.MoveTo(CVector3(9.0, 9.0, 9.0), CQuaternion());
@@ -147,7 +149,7 @@ TEST_CASE("components: reset reaches every one", "[core][entity]") {
   CHECK(nested.GetPosition() == CVector3(3.0, 0.0, 0.0));
 }
 
-TEST_CASE("components: without an id they are numbered by type", "[core][entity]") {
+TEST_CASE("components: those without an id are numbered by type", "[core][entity]") {
   CConfigurationDocument document;
   document.Parse("<part />");
   CComposableEntity root(nullptr, "root");
@@ -163,7 +165,7 @@ TEST_CASE("components: without an id they are numbered by type", "[core][entity]
   CHECK(part.GetId() == "own");
 }
 
-TEST_CASE("entity: a root without an id is an error with its line", "[core][entity]") {
+TEST_CASE("entity: a root entity without an id is an error with its line", "[core][entity]") {
   CConfigurationDocument document;
   document.Parse("<a>\n<toy-lamp position='0,0,0' />\n</a>", "file.argos");
   CToyLampEntity lamp;

@@ -35,7 +35,7 @@ CToyController& ControllerOf(CTestWorld& world) {
 
 }  // namespace
 
-TEST_CASE("controllable entity: makes the controller with its devices, then its Init",
+TEST_CASE("controllable entity: creates the controller with its devices, then calls its Init()",
           "[core][entity][controller]") {
   CTestWorld world(
       Experiment(Controller("c", std::string(kDevices) + "<params velocity='1,2,3' />"),
@@ -66,7 +66,7 @@ TEST_CASE("controllable entity: devices and params may be left out", "[core][ent
   CHECK(ControllerOf(world).Steps == 1);
 }
 
-TEST_CASE("controllable entity: what is unknown is named, with the line and the nearest name",
+TEST_CASE("controllable entity: errors on unknown names give the line and the nearest name",
           "[core][entity][controller]") {
   const std::string good = Robot("<controller config='c' />");
   CHECK_THAT(LoadError(Experiment(Controller("c", kDevices), Robot("<controller config='d' />"))),
@@ -98,7 +98,7 @@ TEST_CASE("controllable entity: a broken controller is reported once, not for ea
   CHECK_THAT(error, Contains("r1") && !Contains("r2"));
 }
 
-TEST_CASE("controllable entity: without a controller there is an error, and nothing to do",
+TEST_CASE("controllable entity: without a controller, access is an error and a tick does nothing",
           "[core][entity][controller]") {
   CTestWorld world(Experiment("", ""));
   const CSimulator::CScope scope(world.GetSimulator());
@@ -143,7 +143,7 @@ TEST_CASE("controllable entity: a disabled sensor keeps its reading",
   CHECK_THAT(controller.LastRange, Catch::WithinAbs(0.6, 1e-14));
 }
 
-TEST_CASE("controllable entity: a second controller takes the place of the first",
+TEST_CASE("controllable entity: a second controller replaces the first",
           "[core][entity][controller]") {
   const int alive = CToyController::NumAlive;
   {
@@ -151,7 +151,7 @@ TEST_CASE("controllable entity: a second controller takes the place of the first
         Experiment(Controller("c", std::string(kDevices) + "<params velocity='1,0,0' />") +
                        Controller("d", std::string(kDevices) + "<params velocity='0,2,0' />"),
                    Robot("<controller config='c' />")));
-    // about the second controller, which nobody uses yet
+    // the warning is about the second controller, which no robot uses yet
     CHECK_THAT(TakeLogErr(), Contains("<actuators> is not used"));
     const CSimulator::CScope scope(world.GetSimulator());
     auto& entity = world.Get<CControllableEntity>("r.controller_0");
@@ -165,7 +165,7 @@ TEST_CASE("controllable entity: a second controller takes the place of the first
     world.Step(3);
     const CVector3 moved =
         world.Get<CToyRobotEntity>("r").GetEmbodiedEntity().GetOriginAnchor().Position - before;
-    // the new drive stands still until it is told, one tick later; sums of 20 steps
+    // the new drive stands still until its first command acts, one tick later; sums of 20 steps
     CHECK_THAT(moved.GetX(), Catch::WithinAbs(0.0, 1e-14));
     CHECK_THAT(moved.GetY(), Catch::WithinAbs(0.4, 1e-14));
   }
@@ -174,7 +174,7 @@ TEST_CASE("controllable entity: a second controller takes the place of the first
 
 namespace {
 
-/** Throws a device of the simulator away and puts one of its own in its place. */
+/** Replaces an actuator that the simulator has created with its own one. */
 class CSelfEquippingController : public CCI_Controller {
  public:
   void Init(TConfigurationNode&) override {
@@ -191,14 +191,14 @@ TEST_CASE("controllable entity: a controller may replace its devices",
   CTestWorld world(Experiment(
       "<self_equipping_controller id='c'>" + std::string(kDevices) + "</self_equipping_controller>",
       Robot("<controller config='c' />")));
-  // the drive that was deleted is not asked to act any more
+  // the deleted drive is not called any more
   world.Step(2);
   auto& entity = world.Get<CControllableEntity>("r.controller_0");
   CHECK(entity.GetActuators().empty());
   CHECK(entity.GetSensors().size() == 1);
 }
 
-TEST_CASE("controllable entity: rays to be drawn live until the next sensing",
+TEST_CASE("controllable entity: recorded rays are kept until the next sensing",
           "[core][entity][controller]") {
   CTestWorld world(Experiment(Controller("c", ""), Robot("<controller config='c' />")));
   auto& entity = world.Get<CControllableEntity>("r.controller_0");

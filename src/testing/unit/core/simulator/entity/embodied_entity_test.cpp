@@ -12,7 +12,7 @@ using Catch::WithinAbs;
 
 namespace {
 
-// rotations of vectors of the order of 1
+// rounding of rotated vectors of the order of 1
 constexpr Real kRounding = 1e-15;
 
 const char* const kTwoRobotsAndAWall = R"(
@@ -47,7 +47,7 @@ TEST_CASE("anchors: the origin is always in use", "[core][entity]") {
   CHECK(body.IsAnchorEnabled("origin"));
 }
 
-TEST_CASE("anchors: uses are counted, and those in use are listed by index", "[core][entity]") {
+TEST_CASE("anchors: uses are counted, and anchors in use are listed by index", "[core][entity]") {
   CEmbodiedEntity body(nullptr, "body_0");
   body.AddAnchor("first");
   body.AddAnchor("second");
@@ -65,7 +65,7 @@ TEST_CASE("anchors: uses are counted, and those in use are listed by index", "[c
   body.DisableAnchor("second");
   CHECK_FALSE(body.IsAnchorEnabled("second"));
   CHECK(body.GetEnabledAnchors().size() == 2);
-  // once more does no harm
+  // disabling a disabled anchor is harmless
   body.DisableAnchor("second");
   CHECK(body.GetAnchor("second").InUseCount == 0);
 }
@@ -79,7 +79,7 @@ TEST_CASE("anchors: unknown and duplicate ids are errors", "[core][entity]") {
   CHECK_THROWS_AS(body.IsAnchorEnabled("turet"), CARGoSException);
 }
 
-TEST_CASE("anchors: start rigidly where the body is", "[core][entity]") {
+TEST_CASE("anchors: initial poses are rigidly attached to the body's pose", "[core][entity]") {
   CEmbodiedEntity body(nullptr, "body_0", CVector3(1.0, 0.0, 0.0),
                        CQuaternion(CRadians::PI_OVER_TWO, CVector3::Z));
   const SAnchor& anchor = body.AddAnchor("arm", CVector3(0.5, 0.25, 0.1),
@@ -90,7 +90,7 @@ TEST_CASE("anchors: start rigidly where the body is", "[core][entity]") {
   CheckNear(ahead, CVector3(-1.0, 0.0, 0.0));
 }
 
-TEST_CASE("anchors: those in use follow the body, the others stay", "[core][entity]") {
+TEST_CASE("anchors: those in use follow the body, the others keep their poses", "[core][entity]") {
   CTestWorld world = MakeWorld();
   auto& robot = world.Get<CToyRobotEntity>("a");
   CEmbodiedEntity& body = robot.GetEmbodiedEntity();
@@ -112,7 +112,8 @@ TEST_CASE("anchors: those in use follow the body, the others stay", "[core][enti
   CHECK(idle.Position == idleBefore);
 }
 
-TEST_CASE("embodied entity: in no engine it has neither box nor models", "[core][entity]") {
+TEST_CASE("embodied entity: without an engine it has neither bounding box nor models",
+          "[core][entity]") {
   CEmbodiedEntity body(nullptr, "body_0");
   CHECK(body.GetPhysicsModelsNum() == 0);
   CHECK_THROWS_WITH(body.GetBoundingBox(), Contains("body_0"));
@@ -124,7 +125,7 @@ TEST_CASE("embodied entity: in no engine it has neither box nor models", "[core]
   CHECK_THROWS_AS(body.GetBoundingBox(), CARGoSException);
 }
 
-TEST_CASE("embodied entity: knows its engine and its bounding box", "[core][entity]") {
+TEST_CASE("embodied entity: reports its engine and its bounding box", "[core][entity]") {
   CTestWorld world = MakeWorld();
   CEmbodiedEntity& body = world.Get<CToyRobotEntity>("b").GetEmbodiedEntity();
   REQUIRE(body.GetPhysicsModelsNum() == 1);
@@ -137,7 +138,8 @@ TEST_CASE("embodied entity: knows its engine and its bounding box", "[core][enti
                     Contains("toy") && Contains("other"));
 }
 
-TEST_CASE("bounding boxes: share a face, or nothing", "[core][entity]") {
+TEST_CASE("bounding boxes: those that share a face intersect, distant ones do not",
+          "[core][entity]") {
   const SBoundingBox box{CVector3(0.0, 0.0, 0.0), CVector3(1.0, 1.0, 1.0)};
   CHECK(box.Intersects({CVector3(0.5, 0.5, 0.5), CVector3(2.0, 2.0, 2.0)}));
   CHECK(box.Intersects({CVector3(1.0, 0.0, 0.0), CVector3(2.0, 1.0, 1.0)}));
@@ -146,7 +148,7 @@ TEST_CASE("bounding boxes: share a face, or nothing", "[core][entity]") {
   CHECK_FALSE(box.Intersects({CVector3(0.0, 0.0, -2.0), CVector3(1.0, 1.0, -0.001)}));
 }
 
-TEST_CASE("MoveTo: a free place is taken", "[core][entity][move]") {
+TEST_CASE("MoveTo: moves a body to a free place", "[core][entity][move]") {
   CTestWorld world = MakeWorld();
   CEmbodiedEntity& body = world.Get<CToyRobotEntity>("a").GetEmbodiedEntity();
   body.EnableAnchor("top");
@@ -156,7 +158,7 @@ TEST_CASE("MoveTo: a free place is taken", "[core][entity][move]") {
   CheckNear(body.GetBoundingBox().MinCorner, CVector3(-1.05, 0.45, 0.0));
 }
 
-TEST_CASE("MoveTo: of a taken place the old pose is restored", "[core][entity][move]") {
+TEST_CASE("MoveTo: restores the old pose if the place is occupied", "[core][entity][move]") {
   CTestWorld world = MakeWorld();
   CEmbodiedEntity& body = world.Get<CToyRobotEntity>("a").GetEmbodiedEntity();
   const CQuaternion before = body.GetOriginAnchor().Orientation;
@@ -167,7 +169,7 @@ TEST_CASE("MoveTo: of a taken place the old pose is restored", "[core][entity][m
   CHECK_FALSE(body.IsCollidingWithSomething());
 }
 
-TEST_CASE("MoveTo: only checking never moves", "[core][entity][move]") {
+TEST_CASE("MoveTo: with the check-only flag the body never moves", "[core][entity][move]") {
   CTestWorld world = MakeWorld();
   CEmbodiedEntity& body = world.Get<CToyRobotEntity>("a").GetEmbodiedEntity();
   CHECK(body.MoveTo(CVector3(-1.0, 0.5, 0.0), CQuaternion(), true));
@@ -177,7 +179,8 @@ TEST_CASE("MoveTo: only checking never moves", "[core][entity][move]") {
   CHECK(body.GetOriginAnchor().Position == CVector3());
 }
 
-TEST_CASE("MoveTo: ignoring collisions moves, and tells", "[core][entity][move]") {
+TEST_CASE("MoveTo: when ignoring collisions the body moves and the collision is reported",
+          "[core][entity][move]") {
   CTestWorld world = MakeWorld();
   CEmbodiedEntity& body = world.Get<CToyRobotEntity>("a").GetEmbodiedEntity();
   CHECK_FALSE(body.MoveTo(CVector3(1.05, 0.0, 0.0), CQuaternion(), false, true));
@@ -185,7 +188,7 @@ TEST_CASE("MoveTo: ignoring collisions moves, and tells", "[core][entity][move]"
   CHECK(body.IsCollidingWithSomething());
 }
 
-TEST_CASE("MoveTo: rays see the body in its new place at once", "[core][entity][move]") {
+TEST_CASE("MoveTo: rays find the body in its new place at once", "[core][entity][move]") {
   CTestWorld world = MakeWorld();
   const CSimulator::CScope scope(world.GetSimulator());
   CEmbodiedEntity& body = world.Get<CToyRobotEntity>("a").GetEmbodiedEntity();
@@ -210,7 +213,7 @@ TEST_CASE("MoveTo: rays see the body in its new place at once", "[core][entity][
   CHECK_THAT(all[1].TOnRay, WithinAbs(0.7, kRounding));
 }
 
-TEST_CASE("MoveTo: a wall that was moved is back after a reset, for rays too",
+TEST_CASE("MoveTo: a moved wall returns to its place on reset, for rays too",
           "[core][entity][move]") {
   CTestWorld world = MakeWorld();
   const CSimulator::CScope scope(world.GetSimulator());

@@ -8,7 +8,7 @@ using namespace argos;
 using Catch::Contains;
 using Catch::WithinAbs;
 
-TEST_CASE("positional entity: reads its pose, moves, and goes back", "[core][entity]") {
+TEST_CASE("positional entity: reads its pose, moves, and returns on reset", "[core][entity]") {
   CConfigurationDocument document;
   document.Parse("<lamp id='l' position='1,2,3' orientation='90,0,0' />");
   CPositionalEntity entity(nullptr);
@@ -17,7 +17,7 @@ TEST_CASE("positional entity: reads its pose, moves, and goes back", "[core][ent
   CHECK(entity.GetInitPosition() == CVector3(1.0, 2.0, 3.0));
   CVector3 ahead = CVector3::X;
   ahead.Rotate(entity.GetOrientation());
-  // a quarter turn, to a few roundings
+  // tolerance of a few roundings after a quarter turn
   CHECK_THAT(ahead.GetY(), WithinAbs(1.0, 1e-15));
   const CQuaternion init = entity.GetInitOrientation();
   entity.MoveTo(CVector3(-1.0, 0.0, 0.0), CQuaternion(0.0, 1.0, 0.0, 0.0));
@@ -42,7 +42,7 @@ TEST_CASE("positional entity: its pose is optional", "[core][entity]") {
   CHECK(entity.GetOrientation().GetW() == 1.0);
 }
 
-TEST_CASE("positional entity: a pose that is no pose is an error with its line", "[core][entity]") {
+TEST_CASE("positional entity: a malformed pose is an error with its line", "[core][entity]") {
   CConfigurationDocument document;
   document.Parse("<lamp id='l' position='1,2' />", "file.argos");
   CPositionalEntity entity(nullptr);

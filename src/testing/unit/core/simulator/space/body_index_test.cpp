@@ -20,7 +20,7 @@ using Catch::WithinAbs;
 
 namespace {
 
-// grazing rays lose half of the digits in a square root; others are good to 1e-15
+// Grazing rays lose half of the digits in a square root; other results are exact to 1e-15.
 constexpr Real kGrazing = 1e-7;
 
 class CRandomNumbers {
@@ -73,12 +73,12 @@ SKind RandomKind(CRandomNumbers& random) {
       return {Describe({SShapeDescription::Box(
                   CVector3(random.In(0.5, 8.0), random.In(0.02, 0.3), random.In(0.1, 0.5)))}),
               false, false};
-    case 4:  // lies about: taller than wide
+    case 4:  // tilted arbitrarily: taller than wide
       return {Describe({SShapeDescription::Cylinder(random.In(0.02, 0.1), random.In(0.1, 0.6))}),
               true, true};
     case 5:
       return {Describe({SShapeDescription::Sphere(random.In(0.02, 0.2))}), true, true};
-    case 6:  // larger than the small ones
+    case 6:  // larger than the discs above
       return {Describe({SShapeDescription::Cylinder(random.In(0.4, 1.0), random.In(0.1, 0.5))}),
               true, false};
     default: {
@@ -92,7 +92,7 @@ SKind RandomKind(CRandomNumbers& random) {
   }
 }
 
-// bodies in an index and, independently, in a list
+// the same bodies in an index and, independently, in a list for brute-force reference results
 class CBodies {
  public:
   CBodies(unsigned seed, Real areaHalfSize, Real spread)
@@ -124,8 +124,8 @@ class CBodies {
 
   void Rebuild() { m_index.Rebuild(m_pool); }
 
-  // one random change; the index is up to date afterwards
-  // @param kinds  6: any; 3: only those that are made between ticks
+  // Makes one random change; the index is up to date afterwards.
+  // @param kinds  6: any change; 3: only those that occur between ticks
   void Change(size_t kinds = 6) {
     if (m_bodies.empty()) {
       Add();
@@ -143,7 +143,7 @@ class CBodies {
         WritePose(i);
         m_index.RefreshNow(m_bodies[i]->GetBodyNumber());
         break;
-      case 3:  // as in a tick: everything that can move moves
+      case 3:  // as in a tick: all movable bodies move
         for (size_t k = 0; k < m_bodies.size(); ++k) {
           if (m_bodies[k]->IsMovable()) {
             WritePose(k);
@@ -155,13 +155,13 @@ class CBodies {
         const SKind kind = RandomKind(m_random);
         m_bodies[i]->SetMovable(kind.Movable);
         m_tilts[m_bodies[i].get()] = kind.Tilts;
-        // tells the index
+        // notifies the index
         m_bodies[i]->SetBodyDescription(kind.Description);
         WritePose(i);
         m_index.RefreshNow(m_bodies[i]->GetBodyNumber());
         break;
       }
-      default:  // as in a reset: whatever it is, it is somewhere else
+      default:  // as in a reset: any body, movable or not, is somewhere else
         WritePose(i);
         Rebuild();
     }
@@ -244,7 +244,7 @@ class CBodies {
     const UInt32 ignored = m_bodies.empty()
                                ? CBodyIndex::kNoBody
                                : m_bodies[m_random.Below(m_bodies.size())]->GetBodyNumber();
-    // how the index sees the body that asks
+    // an index that holds only the asking body gives its shape as indexed
     CBodyIndex alone;
     CEmbodiedEntity asking(nullptr, "asking", position, orientation, true);
     asking.SetBodyDescription(kind.Description);
@@ -306,9 +306,9 @@ class CBodies {
 
 }  // namespace
 
-TEST_CASE("body index: answers as brute force does, whatever the area and after any change",
+TEST_CASE("body index: results equal those of brute force, for any area and after any change",
           "[core][space][index]") {
-  // half the size of the area: all bodies inside; most of them outside; a few cells for all
+  // half the size of the area: it contains all bodies; only some of them; it has few cells
   const Real area = GENERATE(5.0, 1.0, 200.0);
   const unsigned seed = GENERATE(1U, 2U);
   CAPTURE(area, seed);
@@ -326,10 +326,10 @@ TEST_CASE("body index: answers as brute force does, whatever the area and after 
   }
 }
 
-TEST_CASE("body index: any number of bodies may come, go and move between two ticks",
+TEST_CASE("body index: bodies may be added, removed and moved in any number between two ticks",
           "[core][space][index]") {
   const Real area = GENERATE(5.0, 1.0, 200.0);
-  // changes between rebuilds: what was put aside grows beyond what is sorted, or stays small
+  // changes between rebuilds: the unsorted overlay outgrows the sorted part, or stays small
   const int changes = GENERATE(40, 3000);
   CAPTURE(area, changes);
   CBodies bodies(3, area, 4.0);
@@ -346,7 +346,7 @@ TEST_CASE("body index: any number of bodies may come, go and move between two ti
   }
 }
 
-TEST_CASE("body index: a wall that was moved and put back is found in its old place",
+TEST_CASE("body index: a wall that was moved and put back is found in its original place",
           "[core][space][index]") {
   CThreadPool pool(0, CreateSchedule("balance_quantity"));
   CBodyIndex index;
@@ -367,12 +367,12 @@ TEST_CASE("body index: a wall that was moved and put back is found in its old pl
   CHECK_THAT(item.TOnRay, WithinAbs(0.475, 1e-15));
 }
 
-TEST_CASE("body index: a tall body that lies on its side is found at its far end",
+TEST_CASE("body index: a tall body lying on its side is found at its far end",
           "[core][space][index]") {
   CThreadPool pool(0, CreateSchedule("balance_quantity"));
   CBodyIndex index;
   index.SetArea(CRange<CVector3>(CVector3(-5.0, -5.0, 0.0), CVector3(5.0, 5.0, 1.0)));
-  // many, so that cells are small
+  // many bodies, so that cells are small
   std::vector<std::unique_ptr<CEmbodiedEntity>> bodies;
   const auto description = Describe({SShapeDescription::Cylinder(0.02, 0.8)});
   for (int i = 0; i < 2500; ++i) {
@@ -396,11 +396,11 @@ TEST_CASE("body index: a tall body that lies on its side is found at its far end
   SEmbodiedEntityIntersectionItem item;
   REQUIRE(index.FindClosestHit(item, CRay3(near + CVector3(0.0, 0.0, 0.04), near)));
   CHECK(item.IntersectedEntity == &lying);
-  // its radius is half of the ray; the rotation is exact to a few roundings
+  // the surface of the cylinder is at half of the ray; the rotation is exact to a few roundings
   CHECK_THAT(item.TOnRay, WithinAbs(0.5, 1e-12));
 }
 
-TEST_CASE("body index: an empty or almost empty one answers too", "[core][space][index]") {
+TEST_CASE("body index: an index with no or few bodies can be queried", "[core][space][index]") {
   CBodies bodies(4, 1.0, 1.0);
   bodies.CheckAll();
   for (int change = 0; change < 100; ++change) {
@@ -413,7 +413,7 @@ TEST_CASE("body index: an empty or almost empty one answers too", "[core][space]
   }
 }
 
-TEST_CASE("body index: without an area it answers too", "[core][space][index]") {
+TEST_CASE("body index: an index without an area can be queried", "[core][space][index]") {
   CBodyIndex index;
   CEmbodiedEntity body(nullptr, "body", CVector3(1.0, 0.0, 0.0));
   body.SetBodyDescription(Describe({SShapeDescription::Cylinder(0.1, 0.2)}));
@@ -425,7 +425,7 @@ TEST_CASE("body index: without an area it answers too", "[core][space][index]") 
   CHECK_THAT(item.TOnRay, WithinAbs(0.45, 1e-15));
 }
 
-TEST_CASE("body index: the order of answers does not depend on the threads that sorted it",
+TEST_CASE("body index: the order of results does not depend on the threads that sorted it",
           "[core][space][index]") {
   std::vector<std::vector<std::pair<UInt32, UInt16>>> orders;
   for (const UInt32 threads : {0U, 2U, 4U}) {
@@ -445,7 +445,7 @@ TEST_CASE("body index: the order of answers does not depend on the threads that 
   CHECK(orders[2] == orders[0]);
 }
 
-TEST_CASE("body index: a body that dies leaves the index", "[core][space][index]") {
+TEST_CASE("body index: a destroyed body is removed from the index", "[core][space][index]") {
   CBodyIndex index;
   {
     CEmbodiedEntity body(nullptr, "body");
@@ -458,11 +458,11 @@ TEST_CASE("body index: a body that dies leaves the index", "[core][space][index]
   CHECK_FALSE(index.FindClosestHit(item, CRay3(CVector3(-2.0, 0.0, 0.5), CVector3(2.0, 0.0, 0.5))));
 }
 
-TEST_CASE("body index: of two bodies hit at the same distance the one added first wins",
+TEST_CASE("body index: of two bodies hit at the same distance the one added first is returned",
           "[core][space][index]") {
   CBodyIndex index;
   index.SetArea(CRange<CVector3>(CVector3(-2.0, -2.0, 0.0), CVector3(2.0, 2.0, 1.0)));
-  // twins in the same place: one disc, one box as wide as it, struck head-on
+  // a disc and a box as wide as it in the same place, hit along the x axis
   CEmbodiedEntity first(nullptr, "first", CVector3(1.0, 0.0, 0.0));
   CEmbodiedEntity second(nullptr, "second", CVector3(1.0, 0.0, 0.0), CQuaternion(), false);
   first.SetBodyDescription(Describe({SShapeDescription::Cylinder(0.5, 1.0)}));

@@ -45,9 +45,8 @@ std::vector<CVector3> Positions(CTestWorld& world) {
 
 }  // namespace
 
-TEST_CASE(
-    "distribute: as many as asked, numbered from base_num, inside the limits, none overlapping",
-    "[core][space][distribute]") {
+TEST_CASE("distribute: places the requested number of entities within the limits, without overlaps",
+          "[core][space][distribute]") {
   CTestWorld world(Experiment(
       Distribute(kUniform, kAnyYaw, "quantity='200' max_trials='1000' base_num='7'", kRobot)));
   const std::vector<CVector3> positions = Positions(world);
@@ -65,11 +64,11 @@ TEST_CASE(
       nearest = std::min(nearest, Distance(positions[i], positions[j]));
     }
   }
-  // two radii, less what counts as touching
+  // two radii, less the gap that counts as touching
   CHECK(nearest >= 2.0 * CToyRobotEntity::kRadius - 1e-8);
 }
 
-TEST_CASE("distribute: places around what is there already, also from another block",
+TEST_CASE("distribute: places avoid bodies that exist already, also those of another block",
           "[core][space][distribute]") {
   CTestWorld world(Experiment(
       "<toy-block id='b' size='3,3,1' movable='false'> <body position='0,0,0' orientation='30,0,0' "
@@ -84,8 +83,9 @@ TEST_CASE("distribute: places around what is there already, also from another bl
   CHECK(Positions(world).size() == 80);
 }
 
-TEST_CASE("distribute: what is not distributed goes first, wherever it stands in the file",
-          "[core][space][distribute]") {
+TEST_CASE(
+    "distribute: entities outside <distribute> are placed first, wherever they stand in the file",
+    "[core][space][distribute]") {
   CTestWorld world(Experiment(
       Distribute(kUniform, kNoYaw, "quantity='3' max_trials='1000'", kRobot) +
       "<toy-block id='b' size='3,3,1' movable='false'> <body position='0,0,0' /> </toy-block>"));
@@ -95,7 +95,7 @@ TEST_CASE("distribute: what is not distributed goes first, wherever it stands in
   }
 }
 
-TEST_CASE("distribute: the same seed gives the same places to the bit, another one others",
+TEST_CASE("distribute: equal seeds give equal places bit by bit, another seed gives others",
           "[core][space][distribute]") {
   const std::string arena =
       Distribute(kUniform, kAnyYaw, "quantity='50' max_trials='1000'", kRobot);
@@ -104,7 +104,7 @@ TEST_CASE("distribute: the same seed gives the same places to the bit, another o
   CTestWorld other(Experiment(arena, 6));
   CHECK(first.ComputeDigest() == second.ComputeDigest());
   CHECK(first.ComputeDigest() != other.ComputeDigest());
-  // placed is placed: a reset does not draw again
+  // a reset does not draw the places again
   const std::vector<CVector3> before = Positions(first);
   first.Step(3);
   first.GetSimulator().Reset();
@@ -135,7 +135,7 @@ TEST_CASE("distribute: orientation triples are z, y, x in degrees", "[core][spac
   CHECK_THAT(ahead.GetY(), WithinAbs(1.0, 1e-15));
 }
 
-TEST_CASE("distribute: a grid has the documented order", "[core][space][distribute]") {
+TEST_CASE("distribute: a grid follows the documented order", "[core][space][distribute]") {
   CTestWorld world(Experiment(
       Distribute("<position method='grid' center='1,0,0' distances='0.5,1,1' layout='3,2,1' />",
                  kNoYaw, "quantity='5' max_trials='0'", kRobot)));
@@ -158,8 +158,7 @@ TEST_CASE("distribute: grids that collide or overflow are errors", "[core][space
 }
 
 TEST_CASE(
-    "distribute: when there is no place left the error says of whom, where, and after how many "
-    "trials",
+    "distribute: the error on a full area names the entity, the area and the number of trials",
     "[core][space][distribute]") {
   const std::string error =
       LoadError(Experiment(Distribute("<position method='uniform' min='0,0,0' max='0.15,0.15,0' />",
@@ -180,9 +179,8 @@ TEST_CASE("distribute: max_trials = 0 is one trial", "[core][space][distribute]"
       Contains("after 1 trial;") && Contains("\"b\""));
 }
 
-TEST_CASE(
-    "distribute: a controller is initialised once for each robot, however many trials it took",
-    "[core][space][distribute]") {
+TEST_CASE("distribute: a controller is initialised once for each robot, for any number of trials",
+          "[core][space][distribute]") {
   const int before = CToyController::NumInits;
   CTestWorld world(Experiment(Distribute("<position method='uniform' min='0,0,0' max='1,1,0' />",
                                          kNoYaw, "quantity='40' max_trials='10000'", kRobot)));
@@ -190,7 +188,7 @@ TEST_CASE(
   CHECK(CToyController::NumAlive == 40);
 }
 
-TEST_CASE("distribute: things without a body are placed without a test",
+TEST_CASE("distribute: entities without a body are placed without an overlap test",
           "[core][space][distribute]") {
   CTestWorld world(Experiment(
       "<toy-block id='b' size='5,5,1' movable='false'> <body position='0,0,0' /> </toy-block>" +
@@ -200,8 +198,7 @@ TEST_CASE("distribute: things without a body are placed without a test",
   CHECK(world.GetSpace().GetEntitiesByType("toy-lamp").size() == 3);
 }
 
-TEST_CASE("distribute: what the template says of its pose is overwritten",
-          "[core][space][distribute]") {
+TEST_CASE("distribute: the pose in the template is overwritten", "[core][space][distribute]") {
   CTestWorld world(Experiment(Distribute(
       "<position method='constant' values='1,1,0' />", kNoYaw, "quantity='1' max_trials='0'",
       "<toy-robot id='fb'> <body position='7,7,7' orientation='1,2,3' /> <controller config='c' /> "
@@ -209,13 +206,13 @@ TEST_CASE("distribute: what the template says of its pose is overwritten",
   CHECK(Positions(world).front() == CVector3(1.0, 1.0, 0.0));
 }
 
-TEST_CASE("distribute: nothing is asked for, nothing is made", "[core][space][distribute]") {
+TEST_CASE("distribute: quantity 0 creates no entity", "[core][space][distribute]") {
   CTestWorld world(Experiment(Distribute(kUniform, kNoYaw, "quantity='0' max_trials='0'", kRobot)));
   CHECK(world.GetSpace().GetRootEntityVector().empty());
   TakeLogErr();
 }
 
-TEST_CASE("distribute: mistakes are errors", "[core][space][distribute]") {
+TEST_CASE("distribute: invalid settings are errors", "[core][space][distribute]") {
   const std::string attributes = "quantity='1' max_trials='1'";
   CHECK_THAT(LoadError(Experiment(Distribute("", kNoYaw, attributes, kRobot))),
              Contains("position"));

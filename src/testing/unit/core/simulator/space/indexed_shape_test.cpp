@@ -13,7 +13,7 @@ using Catch::WithinAbs;
 
 namespace {
 
-// a few products and one square root of numbers of the order of 1
+// tolerance for a few products and one square root of numbers of the order of 1
 constexpr Real kRounding = 1e-14;
 
 SIndexedShape Disc(Real x, Real y, Real radius, Real zMin = 0.0, Real zMax = 1.0) {
@@ -44,7 +44,8 @@ SIndexedShape Box(Real x, Real y, Real yaw, Real halfX, Real halfY, Real zMin = 
   return shape;
 }
 
-// both ways of asking must agree
+// where the ray enters, by the general and, for horizontal rays, by the
+// horizontal test; both must agree
 Real Hit(const SIndexedShape& shape, const CVector3& start, const CVector3& end) {
   const CVector3 d = end - start;
   const Real general = IntersectRay(shape, CRay3(start, end));
@@ -81,7 +82,7 @@ Real Side(const std::array<Real, 2>& a, const std::array<Real, 2>& b,
   return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
 }
 
-// two rectangles meet if a corner of one is in the other, or if two edges cross
+// reference: two rectangles overlap if a corner of one is in the other, or if two edges cross
 bool MeetByEdges(const SIndexedShape& first, const SIndexedShape& second) {
   const TCorners a = Corners(first);
   const TCorners b = Corners(second);
@@ -103,8 +104,9 @@ bool MeetByEdges(const SIndexedShape& first, const SIndexedShape& second) {
 
 }  // namespace
 
-TEST_CASE("ray and disc: the distance is that of the closed form", "[core][space][rays]") {
-  // aimed past the centre at distance b the ray enters sqrt(r^2 - b^2) before the closest point
+TEST_CASE("ray and disc: the distance equals the closed form", "[core][space][rays]") {
+  // for a ray that passes the centre at distance b, it enters sqrt(r^2
+  // - b^2) before the closest point
   const Real offset = GENERATE(0.0, 0.03, -0.03, 0.0499);
   const Real angle = GENERATE(0.0, 0.3, 1.5707963267948966, 2.0, -3.0);
   CAPTURE(offset, angle);
@@ -121,7 +123,8 @@ TEST_CASE("ray and disc: the distance is that of the closed form", "[core][space
   CHECK_THAT(t, WithinAbs(expected, 1e-12));
 }
 
-TEST_CASE("ray and disc: misses beside, behind, beyond, above and below", "[core][space][rays]") {
+TEST_CASE("ray and disc: rays beside, behind, beyond, above and below miss",
+          "[core][space][rays]") {
   const SIndexedShape disc = Disc(0.0, 0.0, 0.1, 0.2, 0.5);
   CHECK(Hit(disc, CVector3(-1.0, 0.1001, 0.3), CVector3(1.0, 0.1001, 0.3)) > 1.0);
   CHECK(Hit(disc, CVector3(0.2, 0.0, 0.3), CVector3(1.0, 0.0, 0.3)) > 1.0);
@@ -131,8 +134,7 @@ TEST_CASE("ray and disc: misses beside, behind, beyond, above and below", "[core
   CHECK(Hit(disc, CVector3(-1.0, 0.0, 0.3), CVector3(1.0, 0.0, 0.3)) < 1.0);
 }
 
-TEST_CASE("ray and box: the distance is that of the closed form at any yaw",
-          "[core][space][rays]") {
+TEST_CASE("ray and box: the distance equals the closed form at any yaw", "[core][space][rays]") {
   const Real yaw = GENERATE(0.0, 0.5235987755982988, -1.0, 2.5);
   CAPTURE(yaw);
   const Real halfX = 0.3;
@@ -141,7 +143,7 @@ TEST_CASE("ray and box: the distance is that of the closed form at any yaw",
   const CVector3 centre(0.5, 0.25, 0.4);
   const CVector3 x(std::cos(yaw), std::sin(yaw), 0.0);
   const CVector3 y(-std::sin(yaw), std::cos(yaw), 0.0);
-  // straight at each face
+  // perpendicular to each face
   CHECK_THAT(Hit(box, centre + x, centre), WithinAbs(1.0 - halfX, kRounding));
   CHECK_THAT(Hit(box, centre - x, centre), WithinAbs(1.0 - halfX, kRounding));
   CHECK_THAT(Hit(box, centre + y, centre), WithinAbs(1.0 - halfY, kRounding));
@@ -150,12 +152,12 @@ TEST_CASE("ray and box: the distance is that of the closed form at any yaw",
   const CVector3 start = centre + y * (halfY + 0.25) + x * 0.35;
   const CVector3 end = start - y * 0.5 - x * 0.5;
   CHECK_THAT(Hit(box, start, end), WithinAbs(0.5, kRounding));
-  // along a face, just outside and just inside
+  // parallel to a face, just outside and just inside
   CHECK(Hit(box, centre + y * (halfY + 1e-9) - x, centre + y * (halfY + 1e-9) + x) > 1.0);
   CHECK(Hit(box, centre + y * (halfY - 1e-9) - x, centre + y * (halfY - 1e-9) + x) < 1.0);
 }
 
-TEST_CASE("ray and solid: a ray that starts inside meets it at once", "[core][space][rays]") {
+TEST_CASE("ray and solid: a ray that starts inside hits at distance 0", "[core][space][rays]") {
   const SIndexedShape shape = GENERATE(Disc(0.0, 0.0, 0.2), Box(0.0, 0.0, 0.7, 0.2, 0.3));
   CHECK(Hit(shape, CVector3(0.05, 0.05, 0.5), CVector3(3.0, 1.0, 0.5)) == 0.0);
   CHECK(Hit(shape, CVector3(0.05, 0.05, 0.5), CVector3(0.06, 0.05, 0.5)) == 0.0);
@@ -165,23 +167,25 @@ TEST_CASE("ray and solid: a ray that starts inside meets it at once", "[core][sp
   CHECK(Hit(shape, CVector3(0.9, 0.05, 0.5), CVector3(0.9, 0.05, 0.5)) > 1.0);
 }
 
-TEST_CASE("ray and solid: slanting rays enter through the top and the bottom",
+TEST_CASE("ray and solid: inclined rays enter through the top and the bottom",
           "[core][space][rays]") {
   const SIndexedShape shape =
       GENERATE(Disc(0.0, 0.0, 0.2, 0.1, 0.4), Box(0.0, 0.0, 0.7, 0.2, 0.3, 0.1, 0.4));
-  // straight down and up
+  // vertically down and up
   CHECK_THAT(Hit(shape, CVector3(0.05, 0.0, 1.4), CVector3(0.05, 0.0, 0.0)),
              WithinAbs(1.0 / 1.4, kRounding));
   CHECK_THAT(Hit(shape, CVector3(0.05, 0.0, -0.4), CVector3(0.05, 0.0, 0.6)),
              WithinAbs(0.5, kRounding));
-  // at 45 degrees over the edge of the top: 0.6 above it, so over (-0.1, 0) when it gets there
+  // at 45 degrees over the edge of the top: it starts 0.6 above the
+  // top, so it enters over (-0.1, 0)
   CHECK_THAT(Hit(shape, CVector3(-0.7, 0.0, 1.0), CVector3(0.3, 0.0, 0.0)),
              WithinAbs(0.6, kRounding));
-  // and one that passes the edge too high
+  // a ray that passes above the edge
   CHECK(Hit(shape, CVector3(-0.7, 0.0, 1.5), CVector3(0.8, 0.0, 0.5)) > 1.0);
 }
 
-TEST_CASE("overlap of discs: touching is none, more is one", "[core][space][overlap]") {
+TEST_CASE("overlap of discs: touching discs do not overlap, closer ones do",
+          "[core][space][overlap]") {
   const Real angle = GENERATE(0.0, 1.0, 2.0, 3.0, 4.0);
   CAPTURE(angle);
   const auto at = [&](Real distance) {
@@ -195,7 +199,8 @@ TEST_CASE("overlap of discs: touching is none, more is one", "[core][space][over
   CHECK_FALSE(at(0.301));
 }
 
-TEST_CASE("overlap of disc and box: at faces, at corners, inside", "[core][space][overlap]") {
+TEST_CASE("overlap of disc and box: results are right at faces, at corners and inside",
+          "[core][space][overlap]") {
   const Real yaw = GENERATE(0.0, 0.4, -2.0);
   CAPTURE(yaw);
   const SIndexedShape box = Box(-1.0, 3.0, yaw, 0.4, 0.3);
@@ -216,7 +221,7 @@ TEST_CASE("overlap of disc and box: at faces, at corners, inside", "[core][space
   CHECK_FALSE(at(-0.4 - 1.001 * diagonal, 0.3 + 1.001 * diagonal));
 }
 
-TEST_CASE("overlap of boxes: agrees with crossing edges", "[core][space][overlap]") {
+TEST_CASE("overlap of boxes: equals the reference by crossing edges", "[core][space][overlap]") {
   std::mt19937 generator(7);
   const auto in = [&](Real min, Real max) {
     return std::uniform_real_distribution<Real>(min, max)(generator);
@@ -233,7 +238,7 @@ TEST_CASE("overlap of boxes: agrees with crossing edges", "[core][space][overlap
     REQUIRE(ShapesOverlap(a, b) == expected);
     REQUIRE(ShapesOverlap(b, a) == expected);
   }
-  // the sweep has seen both answers often
+  // both results have occurred often
   CHECK(overlaps > 1000);
   CHECK(overlaps < 4000);
 }

@@ -35,7 +35,7 @@ class CSightWorld : public CTestWorld {
  public:
   explicit CSightWorld(const std::string& arena) : CTestWorld(MakeExperiment(arena)) {}
 
-  // between points of two robots, at that height above their bases
+  // tests the line between points of two robots, at that height above their bases
   bool IsClear(const std::string& from, const std::string& to, Real height = 0.05) {
     const CEmbodiedEntity& start = Get<CToyRobotEntity>(from).GetEmbodiedEntity();
     const CEmbodiedEntity& end = Get<CToyRobotEntity>(to).GetEmbodiedEntity();
@@ -58,7 +58,8 @@ class CSightWorld : public CTestWorld {
 
 }  // namespace
 
-TEST_CASE("line of sight: a body between hides, one beside or behind does not", "[core][space]") {
+TEST_CASE("line of sight: a body between occludes, one beside or behind does not",
+          "[core][space]") {
   CSightWorld world(Disc("a", 0.0, 0.0) + Disc("b", 1.0, 0.0) + Disc("c", 2.0, 0.0) +
                     Disc("beside", 0.5, 0.0501) + Disc("d", 0.0, 1.0));
   CHECK(world.IsClear("a", "b"));
@@ -66,12 +67,12 @@ TEST_CASE("line of sight: a body between hides, one beside or behind does not", 
   CHECK_FALSE(world.IsClear("a", "c"));
   CHECK_FALSE(world.IsClear("c", "a"));
   CHECK(world.IsClear("a", "d"));
-  // the tops of the discs are at 0.1 m
+  // the tops of the discs are at 0.1 m: the line along them is still occluded
   CHECK_FALSE(world.IsClear("a", "c", 0.1));
   CHECK(world.IsClear("a", "c", 0.1001));
 }
 
-TEST_CASE("line of sight: a disc hides as long as the line passes it by less than its radius",
+TEST_CASE("line of sight: a disc occludes lines that pass its centre closer than its radius",
           "[core][space]") {
   const Real side = GENERATE(-1.0, 1.0);
   const Real offset = GENERATE(0.0499999, 0.0500001);
@@ -80,36 +81,37 @@ TEST_CASE("line of sight: a disc hides as long as the line passes it by less tha
   CHECK(world.IsClear("b", "a") == (offset > 0.05));
 }
 
-TEST_CASE("line of sight: walls hide", "[core][space]") {
+TEST_CASE("line of sight: walls occlude", "[core][space]") {
   CSightWorld world(Disc("a", -1.0, 0.0) + Disc("b", 1.0, 0.0) + Disc("c", 1.0, 2.0) +
                     Block("wall", 0.0, -1.0, "0.1,2.5,0.08"));
   // the wall ends at y = 0.25
   CHECK_FALSE(world.IsClear("a", "b"));
   CHECK(world.IsClear("a", "b", 0.09));
-  // passes x = 0 at y = 1
+  // the line passes x = 0 at y = 1
   CHECK(world.IsClear("a", "c"));
 }
 
-TEST_CASE("line of sight: what overlaps one of the two hides only outside it", "[core][space]") {
+TEST_CASE("line of sight: a body that overlaps one of the two occludes only outside it",
+          "[core][space]") {
   // the line from a to b leaves a at x = 0.05 and enters b at 0.25
-  SECTION("a thin block all inside a robot") {
+  SECTION("a thin block entirely inside a robot") {
     CSightWorld world(Disc("a", 0.0, 0.0) + Disc("b", 0.3, 0.0) +
                       Block("in_b", 0.28, 0.0, "0.02,0.02,0.1"));
     CHECK(world.IsClear("a", "b"));
     CHECK(world.IsClear("b", "a"));
   }
-  SECTION("a block that sticks out of the robot towards the other") {
+  SECTION("a block that protrudes from the robot towards the other") {
     CSightWorld world(Disc("a", 0.0, 0.0) + Disc("b", 0.3, 0.0) +
                       Block("out_of_b", 0.25, 0.0, "0.02,0.02,0.1"));
     CHECK_FALSE(world.IsClear("a", "b"));
     CHECK_FALSE(world.IsClear("b", "a"));
   }
-  SECTION("robots that overlap see each other whatever is there") {
+  SECTION("robots that overlap see each other regardless of other bodies") {
     CSightWorld world(Disc("a", 0.0, 0.0) + Disc("b", 0.09, 0.0) + Disc("c", 0.045, 0.0));
     CHECK(world.IsClear("a", "b"));
     CHECK(world.IsClear("b", "a"));
   }
-  SECTION("points above their bodies: the whole line counts") {
+  SECTION("for points above their bodies the whole line is tested") {
     CSightWorld world(Disc("a", 0.0, 0.0) + Disc("b", 0.3, 0.0) +
                       Block("on_b", 0.3, 0.0, "0.02,0.02,0.3"));
     CHECK_FALSE(world.IsClear("a", "b", 0.2));
@@ -117,11 +119,10 @@ TEST_CASE("line of sight: what overlaps one of the two hides only outside it", "
   }
 }
 
-TEST_CASE("line of sight: agrees with the closest hit where bodies do not overlap",
-          "[core][space]") {
+TEST_CASE("line of sight: equals the closest hit where bodies do not overlap", "[core][space]") {
   CRandomStream random(1, "test", "line of sight", "places");
   constexpr int kDiscs = 60;
-  // on a jittered lattice of 0.2 m: never closer than 0.11 m
+  // on a jittered lattice of 0.2 m, so that centres are never closer than 0.11 m
   std::string arena;
   for (int i = 0; i < kDiscs; ++i) {
     arena += Disc("d" + std::to_string(i), 0.2 * (i % 8) + random.Uniform(-0.04, 0.04),

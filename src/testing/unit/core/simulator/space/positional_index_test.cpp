@@ -73,7 +73,8 @@ class CStopAt : public TIndex::COperation {
   const CPositionalEntity* m_match;
 };
 
-// an index of some kind over a box of 10 x 10 x 2 m around the origin, and points in and around it
+// an index of either kind over a box of 10 x 10 x 2 m around the
+// origin, and points in and around it
 struct SIndexed {
   explicit SIndexed(const std::string& kind, int numEntities = 0) {
     if (kind == "grid") {
@@ -112,7 +113,8 @@ struct SIndexed {
 
 }  // namespace
 
-TEST_CASE("positional index: range queries find all that brute force finds", "[core][space]") {
+TEST_CASE("positional index: range queries find all entities that brute force finds",
+          "[core][space]") {
   const std::string kind = GENERATE("grid", "hash");
   CAPTURE(kind);
   SIndexed world(kind, 500);
@@ -138,7 +140,7 @@ TEST_CASE("positional index: range queries find all that brute force finds", "[c
   }
 }
 
-TEST_CASE("positional index: flat ranges find what lies in their plane", "[core][space]") {
+TEST_CASE("positional index: flat ranges find the entities in their plane", "[core][space]") {
   const std::string kind = GENERATE("grid", "hash");
   CAPTURE(kind);
   SIndexed world(kind);
@@ -169,7 +171,7 @@ TEST_CASE("positional index: flat ranges find what lies in their plane", "[core]
   }
 }
 
-TEST_CASE("positional index: rays find all points that lie on them", "[core][space]") {
+TEST_CASE("positional index: rays find all points on them", "[core][space]") {
   const std::string kind = GENERATE("grid", "hash");
   CAPTURE(kind);
   for (int trial = 0; trial < 50; ++trial) {
@@ -187,21 +189,21 @@ TEST_CASE("positional index: rays find all points that lie on them", "[core][spa
     for (const CPositionalEntity* entity : onRay) {
       CHECK(collect.Has(*entity));
     }
-    // in a grid, far fewer than all, in order of cells: the start comes first
+    // a grid visits far fewer entities than all, in the order of the ray's
+    // cells: that of the start first
     CHECK(collect.Found.size() < world.Entities.size());
   }
 }
 
-TEST_CASE("positional index: a ray stops at once, or after the cell of the match",
-          "[core][space]") {
+TEST_CASE("positional index: a ray query stops at the match, or after its cell", "[core][space]") {
   const std::string kind = GENERATE("grid", "hash");
   CAPTURE(kind);
   SIndexed world(kind);
-  // two in the first cell, the match among them, and one far along
+  // two entities in the first cell, one of them the match, and a distant one
   CPositionalEntity& match = world.Add(CVector3(0.1, 0.1, 0.1));
   CPositionalEntity& besides = world.Add(CVector3(0.2, 0.1, 0.1));
   world.Add(CVector3(3.9, 0.1, 0.1));
-  // more entities than cells, or the hash would rather visit all
+  // with fewer entities than cells along the ray the hash would visit all entities
   for (int i = 0; i < 50; ++i) {
     world.Add(CVector3(-4.0, -4.0, -0.5));
   }
@@ -215,7 +217,7 @@ TEST_CASE("positional index: a ray stops at once, or after the cell of the match
   CHECK(afterCell.Found == std::vector<CPositionalEntity*>{&match, &besides});
 }
 
-TEST_CASE("positional index: what is removed is never visited again", "[core][space]") {
+TEST_CASE("positional index: a removed entity is never visited again", "[core][space]") {
   const std::string kind = GENERATE("grid", "hash");
   CAPTURE(kind);
   SIndexed world(kind, 100);
@@ -246,7 +248,7 @@ TEST_CASE("positional index: all entities are visited in order of addition", "[c
   SIndexed world(kind, 20);
   world.Index->RemoveEntity(*world.Entities[5]);
   world.Index->AddEntity(*world.Entities[5]);
-  world.Index->AddEntity(*world.Entities[6]);  // there already
+  world.Index->AddEntity(*world.Entities[6]);  // no effect: it is in the index already
   CCollect all;
   world.Index->ForAllEntities(all);
   std::vector<CPositionalEntity*> expected;
@@ -259,7 +261,7 @@ TEST_CASE("positional index: all entities are visited in order of addition", "[c
   CHECK(all.Found == expected);
 }
 
-TEST_CASE("positional index: entities at a place come as a set", "[core][space]") {
+TEST_CASE("positional index: entities at a place are returned as a set", "[core][space]") {
   const std::string kind = GENERATE("grid", "hash");
   SIndexed world(kind);
   CPositionalEntity& far = world.Add(CVector3(1e12, -1e300, 0.0));
@@ -278,14 +280,14 @@ TEST_CASE("positional index: entities at a place come as a set", "[core][space]"
   CHECK(all.Has(lost));
 }
 
-TEST_CASE("positional index: an update allocates nothing, wherever entities have gone",
+TEST_CASE("positional index: an update allocates nothing, wherever the entities have moved",
           "[core][space]") {
   const std::string kind = GENERATE("grid", "hash");
   CAPTURE(kind);
   SIndexed world(kind, 200);
   std::vector<CVector3> places;
   for (int i = 0; i < 10; ++i) {
-    // all in one cell, now and then
+    // every second update puts all entities into one cell
     places.push_back(world.RandomPoint());
   }
   CheckAllocatesNothing([&] {
@@ -307,7 +309,7 @@ TEST_CASE("grid: a cell lists its entities in order, as of the last update", "[c
   SInt32 k = 0;
   grid.PositionToCell(i, j, k, here);
   TGrid::SCell& cell = grid.GetCellAt(i, j, k);
-  // never filled
+  // an empty cell
   CHECK(cell.Entities.empty());
   CHECK(cell.Entities.begin() == cell.Entities.end());
   CPositionalEntity& a = world.Add(here);
@@ -323,14 +325,14 @@ TEST_CASE("grid: a cell lists its entities in order, as of the last update", "[c
   CHECK(cell.Entities.exists(&b));
   const UInt64 timestamp = cell.Timestamp;
 
-  // what is removed is gone at once: the first, one in between, the last
+  // a removed entity disappears from the list at once: the first, a middle one, the last
   const auto removed = GENERATE(0, 1, 2);
   std::vector<CPositionalEntity*> left = {&a, &b, &c};
   world.Index->RemoveEntity(*left[removed]);
   left.erase(left.begin() + removed);
   CHECK(list() == left);
   CHECK(cell.Entities.size() == 2);
-  // listed by hand between updates, in two cells
+  // entities added to cells by UpdateCell() between updates, here to two cells
   CPositionalEntity& d = world.Add(here);
   grid.UpdateCell(i, j, k, d);
   grid.UpdateCell(i + 1, j, k, d);
@@ -342,7 +344,7 @@ TEST_CASE("grid: a cell lists its entities in order, as of the last update", "[c
   CHECK(list() == left);
   CHECK(grid.GetCellAt(i + 1, j, k).Entities.empty());
 
-  // and what has moved away is not listed after the next update
+  // entities that have moved away are not listed after the next update
   for (CPositionalEntity* entity : left) {
     entity->SetPosition(CVector3(-4.0, -4.0, -0.5));
   }
@@ -363,7 +365,7 @@ TEST_CASE("grid: cells and positions correspond", "[core][space]") {
   SInt32 k = 0;
   grid.PositionToCell(i, j, k, CVector3(0.6, 2.9, 2.4));
   CHECK((i == 3 && j == 2 && k == 0));
-  // the upper edge belongs to the last cell
+  // the upper border belongs to the last cell
   grid.PositionToCell(i, j, k, CVector3(1.0, 3.0, 3.0));
   CHECK((i == 3 && j == 2 && k == 1));
   CHECK_THROWS_WITH(grid.PositionToCell(i, j, k, CVector3(0.0, 3.1, 2.5)),
@@ -392,7 +394,7 @@ TEST_CASE("grid: cells are visited in order, and those of a ray along it", "[cor
   CHECK(all.Numbers == std::vector<int>{0, 10, 20, 1, 11, 21, 2, 12, 22});
   CCells ray;
   grid.ForCellsAlongRay(CRay3(CVector3(0.5, 0.2, 0.5), CVector3(2.5, 1.4, 0.5)), ray);
-  // through (1, 0.5), (2, 1.1), and over y = 1 at x = 11/6
+  // crosses (1, 0.5) and (2, 1.1), and y = 1 at x = 11/6
   CHECK(ray.Numbers == std::vector<int>{0, 10, 11, 21});
   CCells back;
   grid.ForCellsAlongRay(CRay3(CVector3(2.5, 1.4, 0.5), CVector3(0.5, 0.2, 0.5)), back);
@@ -402,7 +404,7 @@ TEST_CASE("grid: cells are visited in order, and those of a ray along it", "[cor
   CHECK(circle.Numbers == std::vector<int>{0, 10, 1, 11});
 }
 
-TEST_CASE("grid: refuses what cannot be", "[core][space][errors]") {
+TEST_CASE("grid: invalid sizes and cells are refused", "[core][space][errors]") {
   const CVector3 min;
   const CVector3 max(1.0, 1.0, 1.0);
   CHECK_THROWS_WITH(TGrid(min, max, 0, 1, 1), Contains("0,1,1"));

@@ -1,4 +1,4 @@
-// What plug-ins hang on a space, and what they check when it is filled.
+// Extensions that plug-ins attach to a space, and checks that run when it is loaded.
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/physics_engine/body_description.h>
@@ -43,7 +43,7 @@ class CCheckingLoopFunctions : public CLoopFunctions {
         }
       });
     }
-    // nothing is checked before everything is there
+    // no check runs before everything is loaded
     NumChecksInInit = NumChecks;
   }
   int NumChecks = 0;
@@ -67,7 +67,7 @@ SExperiment WithRobots(int num) {
 
 REGISTER_LOOP_FUNCTIONS(CCheckingLoopFunctions, "checking_loop_functions")
 
-TEST_CASE("space: an extension is made once in each space, and ends with what is in it",
+TEST_CASE("space: an extension is created once per space and destroyed with its content",
           "[core][space]") {
   REQUIRE(CCounter::NumAlive == 0);
   {
@@ -81,7 +81,7 @@ TEST_CASE("space: an extension is made once in each space, and ends with what is
     COther& other = a.GetSpace().GetExtension<COther>();
     CHECK(static_cast<CSpaceExtension*>(&other) != &inA);
     CHECK(CCounter::NumAlive == 2);
-    // it lives through a reset
+    // the extension survives a reset
     a.GetSimulator().Reset();
     CHECK(a.GetSpace().GetExtension<CCounter>().Count == 3);
     a.GetSimulator().Destroy();
@@ -90,7 +90,7 @@ TEST_CASE("space: an extension is made once in each space, and ends with what is
   CHECK(CCounter::NumAlive == 0);
 }
 
-TEST_CASE("simulator: checks of devices run when everything is loaded, or at once after that",
+TEST_CASE("simulator: checks of devices run when everything is loaded, later ones at once",
           "[core][simulator]") {
   CTestWorld world(WithRobots(1));
   auto& functions = world.GetLoopFunctions<CCheckingLoopFunctions>();
@@ -101,14 +101,14 @@ TEST_CASE("simulator: checks of devices run when everything is loaded, or at onc
   CHECK(called);
 }
 
-TEST_CASE("simulator: what a check throws is an error of loading, said once",
+TEST_CASE("simulator: an exception thrown by a check is a loading error, reported once",
           "[core][simulator][errors]") {
   const std::string error = LoadError(WithRobots(2));
   CHECK_THAT(error, Contains("one robot"));
   CHECK(error.find("one robot") == error.rfind("one robot"));
 }
 
-TEST_CASE("body index: solids along a ray are those that come within reach of it, seen from above",
+TEST_CASE("body index: the solids along a ray are those within reach of it in the plane",
           "[core][space]") {
   CRandomStream random(1, "test", "body index", "corridors");
   CBodyIndex index;
@@ -118,18 +118,18 @@ TEST_CASE("body index: solids along a ray are those that come within reach of it
   std::vector<Real> radii;
   for (int i = 0; i < 200; ++i) {
     auto description = std::make_shared<SBodyDescription>();
-    // some larger than what counts as small
+    // some are larger than the limit of small bodies
     radii.push_back(random.Uniform(0.02, 0.5));
     description->Shapes = {SShapeDescription::Cylinder(radii.back(), 0.1)};
     description->Mass = 1.0;
-    // some outside the area
+    // some are outside the area
     const CVector3 position(random.Uniform(-4.0, 4.0), random.Uniform(-4.0, 4.0), 0.0);
     bodies.push_back(std::make_unique<CEmbodiedEntity>(nullptr, "b", position, CQuaternion(),
                                                        random.Bernoulli(0.8)));
     bodies.back()->SetBodyDescription(description);
     index.Add(*bodies.back());
     if (i == 150) {
-      // the others are found through the overlay
+      // bodies added later are found through the overlay
       index.Rebuild(pool);
     }
   }

@@ -46,14 +46,14 @@ CVector3 Rotated(CVector3 vector, const CQuaternion& rotation) {
   return vector.Rotate(rotation);
 }
 
-// from the frame of the solid, which stands on the origin, to the world
+// transforms a point from the frame of the solid to the world
 CVector3 ToWorld(const SPlacedSolid& solid, const CVector3& point) {
   const SShapeDescription& shape = *solid.Shape;
   return solid.Position +
          Rotated(shape.Offset + Rotated(point, shape.Orientation), solid.Orientation);
 }
 
-// how far inside it a point is, m; below 0 outside, where it is a bound of the distance
+// depth of a point below the surface, m; negative outside, where it bounds the distance
 Real DepthOf(const SPlacedSolid& solid, const CVector3& world) {
   const SShapeDescription& shape = *solid.Shape;
   const CVector3 p =
@@ -70,8 +70,8 @@ Real DepthOf(const SPlacedSolid& solid, const CVector3& world) {
                    0.5 * shape.Size.GetY() - std::abs(p.GetY())});
 }
 
-// a point of a solid, in its frame, evenly or on its surface
-CVector3 AnyPoint(const SShapeDescription& shape, CRandomNumbers& random) {
+// a random point of a solid, in its frame
+CVector3 RandomPoint(const SShapeDescription& shape, CRandomNumbers& random) {
   const Real height = random.In(0.0, shape.Size.GetZ());
   const Real angle = random.In(-ARGOS_PI, ARGOS_PI);
   if (shape.Kind == EKind::Box) {
@@ -86,8 +86,9 @@ CVector3 AnyPoint(const SShapeDescription& shape, CRandomNumbers& random) {
   return CVector3(radius * std::cos(angle), radius * std::sin(angle), height);
 }
 
-// the least and greatest distance along a direction of unit length, m, from corners, rims and poles
-std::pair<Real, Real> Shadow(const SPlacedSolid& solid, const CVector3& direction) {
+// The least and greatest coordinate of a solid along a direction of unit length, m,
+// from its corners, rims or poles.
+std::pair<Real, Real> ComputeProjection(const SPlacedSolid& solid, const CVector3& direction) {
   const SShapeDescription& shape = *solid.Shape;
   const auto axis = [&](const CVector3& unit) {
     return direction.DotProduct(Rotated(Rotated(unit, shape.Orientation), solid.Orientation));
@@ -109,7 +110,7 @@ std::pair<Real, Real> Shadow(const SPlacedSolid& solid, const CVector3& directio
 
 }  // namespace
 
-TEST_CASE("solid overlap: a common point is an overlap, a plane between them is none",
+TEST_CASE("solid overlap: solids with a common point overlap, solids separated by a plane do not",
           "[core][space]") {
   CRandomNumbers random(5);
   int overlapping = 0;
@@ -121,13 +122,13 @@ TEST_CASE("solid overlap: a common point is an overlap, a plane between them is 
     const SPlacedSolid b{&second, random.Point(0.3), random.Rotation()};
     bool share = false;
     for (int i = 0; i < 200 && !share; ++i) {
-      share = DepthOf(b, ToWorld(a, AnyPoint(first, random))) > 1e-6 ||
-              DepthOf(a, ToWorld(b, AnyPoint(second, random))) > 1e-6;
+      share = DepthOf(b, ToWorld(a, RandomPoint(first, random))) > 1e-6 ||
+              DepthOf(a, ToWorld(b, RandomPoint(second, random))) > 1e-6;
     }
     bool isBetween = false;
     for (int i = 0; i < 200 && !isBetween; ++i) {
       const CVector3 direction = random.Point(1.0).Normalize();
-      isBetween = Shadow(a, direction).second < Shadow(b, direction).first;
+      isBetween = ComputeProjection(a, direction).second < ComputeProjection(b, direction).first;
     }
     REQUIRE_FALSE((share && isBetween));
     CAPTURE(trial, static_cast<int>(first.Kind), static_cast<int>(second.Kind));
@@ -138,14 +139,14 @@ TEST_CASE("solid overlap: a common point is an overlap, a plane between them is 
     overlapping += share ? 1 : 0;
     apart += isBetween ? 1 : 0;
   }
-  // most are decided, both ways
+  // both results occur in a large part of the trials
   CHECK(overlapping > 1000);
   CHECK(apart > 1000);
 }
 
-TEST_CASE("solid overlap: what touches does not overlap, what is a micrometre deep does",
+TEST_CASE("solid overlap: touching solids do not overlap, solids a micrometre deep do",
           "[core][space]") {
-  // all turned together by the same rotation
+  // each pair is turned as a whole by random rotations
   CRandomNumbers random(6);
   const SShapeDescription box = SShapeDescription::Box(CVector3(0.2, 0.3, 0.4));
   const SShapeDescription cylinder = SShapeDescription::Cylinder(0.1, 0.5);
@@ -153,8 +154,8 @@ TEST_CASE("solid overlap: what touches does not overlap, what is a micrometre de
   struct SPair {
     const SShapeDescription* First;
     const SShapeDescription* Second;
-    CVector3 Towards;  // from the one to the other, of unit length
-    Real Distance;  // m, of their origins, when they touch
+    CVector3 Towards;  // unit vector from the first to the second
+    Real Distance;  // m, of their origins when they touch
   };
   const Real diagonal = std::sqrt(0.5);
   for (const SPair& pair :
@@ -181,9 +182,9 @@ TEST_CASE("solid overlap: what touches does not overlap, what is a micrometre de
   }
 }
 
-TEST_CASE("solid overlap: a box that leans passes under a table that its sphere would touch",
+TEST_CASE("solid overlap: a tilted box passes under a table that its bounding sphere would touch",
           "[core][space]") {
-  // 0.1 m wide, leaning by 30 degrees: its highest corner is at 0.1 sin 30 + 0.1 cos 30 = 0.1366 m
+  // 0.1 m wide, tilted by 30 degrees: its highest corner is at 0.1 sin 30 + 0.1 cos 30 = 0.1366 m
   const SShapeDescription crate = SShapeDescription::Box(CVector3(0.1, 0.1, 0.1));
   const SShapeDescription table = SShapeDescription::Box(CVector3(1.0, 1.0, 0.05));
   const CQuaternion lean(CRadians(ARGOS_PI / 6.0), CVector3::Y);

@@ -31,7 +31,7 @@ std::vector<std::string> Ids(const CEntity::TVector& entities) {
   return ids;
 }
 
-// everything that a space tells of its entities, checked against its roots and their components
+// checks all views of a space against its roots and their components
 void CheckViews(CSpace& space) {
   std::map<std::string, CEntity*> all;
   const std::function<void(CEntity&)> collect = [&](CEntity& entity) {
@@ -105,7 +105,7 @@ TEST_CASE("space: lists are in order of addition, components after their parent"
   CHECK(robots[1]->GetRootEntity().GetId() == "r2");
 }
 
-TEST_CASE("space: by type the values hold pointers to the exact class", "[core][space]") {
+TEST_CASE("space: the lists by type hold pointers to the exact class", "[core][space]") {
   CTestWorld world(TwoRobots());
   CSpace::TMapPerType& robots = world.GetSpace().GetEntitiesByType("toy-robot");
   REQUIRE(robots.size() == 2);
@@ -124,7 +124,7 @@ TEST_CASE("space: by type the values hold pointers to the exact class", "[core][
                     Contains("toy-robto") && Contains("toy-robot"));
 }
 
-TEST_CASE("space: by pattern, entities are appended in order", "[core][space]") {
+TEST_CASE("space: a search by pattern appends the entities in order", "[core][space]") {
   CTestWorld world(TwoRobots());
   CEntity::TVector found;
   world.GetSpace().GetEntitiesMatching(found, "^r[12]$");
@@ -133,7 +133,7 @@ TEST_CASE("space: by pattern, entities are appended in order", "[core][space]") 
   CHECK(Ids(found) == std::vector<std::string>{"r1", "r2", "r1.toy_motor_0", "r2.toy_motor_0"});
 }
 
-TEST_CASE("space: adding and removing while running keeps every view", "[core][space]") {
+TEST_CASE("space: adding and removing entities during a run updates every view", "[core][space]") {
   const bool viewsExist = GENERATE(false, true);
   CTestWorld world(TwoRobots());
   const CSimulator::CScope scope(world.GetSimulator());
@@ -165,7 +165,7 @@ TEST_CASE("space: adding and removing while running keeps every view", "[core][s
   CheckViews(world.GetSpace());
 }
 
-TEST_CASE("space: an entity that is removed before the views saw it is forgotten",
+TEST_CASE("space: an entity that is removed before the views were updated appears in none",
           "[core][space]") {
   CTestWorld world(TwoRobots());
   const CSimulator::CScope scope(world.GetSimulator());
@@ -177,7 +177,7 @@ TEST_CASE("space: an entity that is removed before the views saw it is forgotten
   CheckViews(world.GetSpace());
 }
 
-TEST_CASE("space: duplicate ids are an error that names the other one, and nothing stays",
+TEST_CASE("space: a duplicate id is an error that names the other entity, and nothing is added",
           "[core][space]") {
   SExperiment experiment = TwoRobots();
   experiment.Arena += "\n<toy-lamp id='r1' position='0,0,0' />";
@@ -192,14 +192,15 @@ TEST_CASE("space: duplicate ids are an error that names the other one, and nothi
       world.GetSimulator().GetLoopFunctions().AddEntity(
           *std::make_unique<CToyRobotEntity>("r2", "c", CVector3(2.0, 0.0, 0.0)).release()),
       Contains("r2"));
-  // the space owns what it is given, also when it refuses it
+  // the space owns entities that are passed to it, even those that it refuses
   CHECK(CToyController::NumAlive == alive);
   CheckViews(world.GetSpace());
   CHECK(world.GetSimulator().GetPhysicsEngine("toy").GetNumPhysicsModels() == 2);
   world.Step();
 }
 
-TEST_CASE("space: a robot that no engine takes is an error, and nothing stays", "[core][space]") {
+TEST_CASE("space: a robot that no engine accepts is an error, and nothing is added",
+          "[core][space]") {
   SExperiment experiment = TwoRobots();
   experiment.Engines = R"(<toy_engine id='left'> <boundaries>
       <top height='1' /> <bottom height='-1' />
@@ -227,7 +228,7 @@ TEST_CASE("space: a robot that no engine takes is an error, and nothing stays", 
   CHECK_THAT(LoadError(experiment), Contains("there is none in <physics_engines>"));
 }
 
-TEST_CASE("space: only whole entities can be removed", "[core][space]") {
+TEST_CASE("space: only root entities can be removed", "[core][space]") {
   CTestWorld world(TwoRobots());
   const CSimulator::CScope scope(world.GetSimulator());
   CHECK_THROWS_WITH(world.GetSimulator().GetLoopFunctions().RemoveEntity("r1.toy_motor_0"),
@@ -236,8 +237,9 @@ TEST_CASE("space: only whole entities can be removed", "[core][space]") {
   CheckViews(world.GetSpace());
 }
 
-TEST_CASE("space: immovable bodies are in every engine around, movable ones in the first",
-          "[core][space]") {
+TEST_CASE(
+    "space: immovable bodies are in every engine that contains them, movable ones in the first",
+    "[core][space]") {
   SExperiment experiment = TwoRobots();
   experiment.Engines = "<toy_engine id='one' /> <toy_engine id='two' />";
   experiment.Arena += R"(
@@ -250,7 +252,7 @@ TEST_CASE("space: immovable bodies are in every engine around, movable ones in t
         &world.GetSimulator().GetPhysicsEngine("one"));
 }
 
-TEST_CASE("space: a body that leaves its engine's region moves to the next engine",
+TEST_CASE("space: a body that leaves its engine's region is transferred to the next engine",
           "[core][space]") {
   const auto half = [](const std::string& id, const std::string& from, const std::string& to) {
     return "<toy_engine id='" + id + "'> <boundaries> <sides> <vertex point='" + from +
@@ -268,7 +270,7 @@ TEST_CASE("space: a body that leaves its engine's region moves to the next engin
   CEmbodiedEntity& body = world.Get<CToyRobotEntity>("r").GetEmbodiedEntity();
   CPhysicsEngine& left = world.GetSimulator().GetPhysicsEngine("left");
   CPhysicsEngine& right = world.GetSimulator().GetPhysicsEngine("right");
-  // commanded from the first tick on, it moves 0.1 m a tick from the second on
+  // the command acts from the second tick on: 0.1 m per tick
   world.Step(3);
   CHECK(&body.GetPhysicsModel(0).GetEngine() == &left);
   world.Step(1);
@@ -280,7 +282,7 @@ TEST_CASE("space: a body that leaves its engine's region moves to the next engin
   world.GetSimulator().Reset();
   CHECK_THAT(body.GetOriginAnchor().Position.GetX(), Catch::WithinAbs(-0.25, 1e-15));
   CHECK(&body.GetPhysicsModel(0).GetEngine() == &left);
-  // and beyond the last one the run ends with an error
+  // a body that leaves the last region ends the run with an error
   CHECK_THROWS_WITH(world.Step(100), Contains("\"r\"") && Contains("outside"));
 }
 
@@ -335,19 +337,19 @@ TEST_CASE("space: every robot is visited once, on any number of threads",
 
 namespace {
 
-/** An entity class that forgot its space operations. */
-class CForgetfulEntity : public CPositionalEntity {
+/** An entity class whose author has not registered its space operations. */
+class CUnregisteredEntity : public CPositionalEntity {
  public:
   ENABLE_VTABLE()
-  CForgetfulEntity() : CPositionalEntity(nullptr) {}
+  CUnregisteredEntity() : CPositionalEntity(nullptr) {}
   std::string GetTypeDescription() const override { return "forgetful"; }
 };
 
 }  // namespace
 
-REGISTER_ENTITY(CForgetfulEntity, "forgetful", "", "", "", "", "")
+REGISTER_ENTITY(CUnregisteredEntity, "forgetful", "", "", "", "", "")
 
-TEST_CASE("space: an entity class without space operations is an error, not silence",
+TEST_CASE("space: adding an entity of a class without space operations is an error",
           "[core][space]") {
   SExperiment experiment = TwoRobots();
   experiment.Arena = "<forgetful id='f' />";

@@ -55,7 +55,7 @@ Real X(CTestWorld& world, const std::string& robot) {
 
 }  // namespace
 
-TEST_CASE("tick: physics, media, PreStep, control, PostStep, in this order", "[core][tick]") {
+TEST_CASE("tick: the phases are physics, media, PreStep, control, PostStep", "[core][tick]") {
   CTestWorld world(Recorded());
   auto& functions = world.GetLoopFunctions<CToyLoopFunctions>();
   functions.IsRecording = true;
@@ -79,7 +79,7 @@ TEST_CASE("tick: a command of step k acts in tick k + 1", "[core][tick]") {
   CHECK_THAT(X(world, "r1"), WithinAbs(0.0, 1e-15));
 }
 
-TEST_CASE("tick: sensors see the poses after this tick's physics, and PreStep's changes",
+TEST_CASE("tick: sensors read the poses after this tick's physics and PreStep's changes",
           "[core][tick]") {
   CTestWorld world(Recorded());
   // from the rim at x + 0.05 to the face at 1.9
@@ -96,7 +96,8 @@ TEST_CASE("tick: sensors see the poses after this tick's physics, and PreStep's 
   CHECK_THAT(ControllerOf(world, "r1").LastRange, WithinAbs(0.5, 1e-14));
 }
 
-TEST_CASE("tick: hooks may add and remove what is sensed in the same tick", "[core][tick]") {
+TEST_CASE("tick: entities added or removed by hooks are sensed or gone in the same tick",
+          "[core][tick]") {
   CTestWorld world(Recorded());
   const CSimulator::CScope scope(world.GetSimulator());
   auto& functions = world.GetLoopFunctions<CToyLoopFunctions>();
@@ -130,7 +131,7 @@ TEST_CASE("tick: every robot steps once a tick, on any number of threads",
   }
 }
 
-TEST_CASE("tick: controllers know their simulator on every thread", "[core][tick][threads]") {
+TEST_CASE("tick: controllers can access their simulator on every thread", "[core][tick][threads]") {
   CTestWorld world(ManyRobots(4, "balance_length"));
   std::atomic<int> wrong{0};
   for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
@@ -142,7 +143,7 @@ TEST_CASE("tick: controllers know their simulator on every thread", "[core][tick
   CHECK(wrong == 0);
 }
 
-TEST_CASE("tick: controllers may all look at the space at once", "[core][tick][threads]") {
+TEST_CASE("tick: controllers may read the space concurrently", "[core][tick][threads]") {
   CTestWorld world(ManyRobots(4, "balance_length"));
   std::atomic<int> wrong{0};
   for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
@@ -159,9 +160,8 @@ TEST_CASE("tick: controllers may all look at the space at once", "[core][tick][t
   CHECK(wrong == 0);
 }
 
-TEST_CASE(
-    "tick: a controller that throws is named, with the tick; the same on any number of threads",
-    "[core][tick][threads]") {
+TEST_CASE("tick: an exception of a controller names it and the tick, for any number of threads",
+          "[core][tick][threads]") {
   const UInt32 threads = GENERATE(0U, 2U, 4U);
   const std::string method = GENERATE("balance_quantity", "balance_length");
   CAPTURE(threads, method);
@@ -178,13 +178,14 @@ TEST_CASE(
                     Contains("\"r77\"") && Contains("tick 3") && Contains("out of ideas"));
 }
 
-TEST_CASE("tick: also something that is no exception is named", "[core][tick]") {
+TEST_CASE("tick: a thrown value that is not a std::exception is reported with its controller",
+          "[core][tick]") {
   CTestWorld world(Recorded());
   ControllerOf(world, "r2").OnStep = [](CToyController&) { throw 42; };
   CHECK_THROWS_WITH(world.Step(), Contains("\"r2\"") && Contains("tick 1"));
 }
 
-TEST_CASE("tick: what is logged comes in the order of the phases, robots in their order",
+TEST_CASE("tick: log output follows the order of phases and, within a phase, of robots",
           "[core][tick][logging]") {
   const UInt32 threads = GENERATE(0U, 4U);
   const std::string method = GENERATE("balance_quantity", "balance_length");
@@ -210,7 +211,7 @@ TEST_CASE("tick: what is logged comes in the order of the phases, robots in thei
 
 namespace {
 
-// spreads its work over the pool, which must not happen inside a phase
+// uses the thread pool itself, which is not possible inside a parallel phase
 class CPoolMedium : public CMedium {
  public:
   void Update() override {
@@ -226,7 +227,7 @@ class CPoolMedium : public CMedium {
   std::array<int, 100> Counts{};
 };
 
-// works alone
+// works in one thread
 class CAloneMedium : public CMedium {
  public:
   void Update() override { LOG << "medium " << GetId() << std::endl; }
@@ -237,7 +238,7 @@ REGISTER_MEDIUM(CAloneMedium, "alone_medium", "", "", "A medium for tests.", "",
 
 }  // namespace
 
-TEST_CASE("tick: media may use the thread pool themselves, beside others that do not",
+TEST_CASE("tick: media that use the thread pool run beside media that do not",
           "[core][tick][threads]") {
   const UInt32 threads = GENERATE(0U, 1U, 4U);
   SExperiment experiment = ManyRobots(threads, "balance_length");
@@ -246,7 +247,7 @@ TEST_CASE("tick: media may use the thread pool themselves, beside others that do
   CTestWorld world(experiment);
   TakeLog();
   world.Step();
-  // what they log comes in the order of the file
+  // the log output follows the order of the file
   CHECK(TakeLog() == "medium a\nmedium b\nmedium c\nmedium d\n");
   world.Step(2);
   for (const char* id : {"b", "d"}) {

@@ -30,7 +30,7 @@ constexpr const char* kXml = R"(<root>
   <word>abc</word>
 </root>)";
 
-// a document and short ways to its parts
+// a document and short accessors to its parts
 struct SWorld {
   SWorld() { Document.Parse(kXml, "test.argos"); }
   TConfigurationNode& operator[](const std::string& tag) {
@@ -82,7 +82,8 @@ TEST_CASE("configuration: attributes of every type are read", "[core][configurat
   CHECK_THAT(quaternion.GetZ(), Catch::WithinAbs(0.70710678118654752, 1e-15));
 }
 
-TEST_CASE("configuration: a missing attribute names place and nearest", "[core][configuration]") {
+TEST_CASE("configuration: the error on a missing attribute gives its place and the nearest name",
+          "[core][configuration]") {
   SWorld world;
   CHECK_THROWS_WITH(world.Get<Real>("sped"),
                     "[FATAL] test.argos:3: <robot>: attribute \"sped\" is missing; did you mean "
@@ -91,7 +92,7 @@ TEST_CASE("configuration: a missing attribute names place and nearest", "[core][
                     "[FATAL] test.argos:6: <empty>: attribute \"x\" is missing; known: none");
 }
 
-TEST_CASE("configuration: values that do not parse say what was found and expected",
+TEST_CASE("configuration: errors on malformed values give the text found and the format expected",
           "[core][configuration]") {
   SWorld world;
   const auto bad = [&world](const std::string& attribute, auto value) {
@@ -104,7 +105,7 @@ TEST_CASE("configuration: values that do not parse say what was found and expect
   };
   CHECK(bad("real", Real()) ==
         "[FATAL] test.argos:7: <bad>: attribute \"real\": found \"1.5x\", expected a real number "
-        "(there is text after the number)");
+        "(text follows the number)");
   CHECK(bad("word", Real()) ==
         "[FATAL] test.argos:7: <bad>: attribute \"word\": found \"abc\", expected a real number");
   CHECK_THAT(bad("inf", Real()), Contains("found \"inf\", expected a real number"));
@@ -128,14 +129,14 @@ TEST_CASE("configuration: values that do not parse say what was found and expect
   CHECK_THAT(bad("real", std::string()), Catch::Equals("accepted"));
 }
 
-TEST_CASE("configuration: defaults stand in for missing attributes only", "[core][configuration]") {
+TEST_CASE("configuration: a default replaces missing attributes only", "[core][configuration]") {
   SWorld world;
   Real real = 0;
   GetNodeAttributeOrDefault(world["robot"], "speed", real, 9.0);
   CHECK(real == 1.5);
   GetNodeAttributeOrDefault(world["robot"], "absent", real, 9.0);
   CHECK(real == 9.0);
-  // a default of another type, with and without naming the type
+  // a default of another type, with and without explicit template argument
   GetNodeAttributeOrDefault<Real>(world["robot"], "absent", real, 1);
   CHECK(real == 1.0);
   GetNodeAttributeOrDefault(world["robot"], "absent", real, 2);
@@ -158,7 +159,8 @@ TEST_CASE("configuration: defaults stand in for missing attributes only", "[core
                     Contains("found \"True\""));
 }
 
-TEST_CASE("configuration: existence", "[core][configuration]") {
+TEST_CASE("configuration: existence of attributes and elements can be tested",
+          "[core][configuration]") {
   SWorld world;
   CHECK(NodeAttributeExists(world["robot"], "id"));
   CHECK_FALSE(NodeAttributeExists(world["robot"], "Id"));
@@ -166,7 +168,7 @@ TEST_CASE("configuration: existence", "[core][configuration]") {
   CHECK_FALSE(NodeExists(world.Document.GetRoot(), "item"));
 }
 
-TEST_CASE("configuration: what is written is read back", "[core][configuration]") {
+TEST_CASE("configuration: a written value can be read", "[core][configuration]") {
   TConfigurationNode node("node");
   SetNodeAttribute(node, "real", 0.1);
   SetNodeAttribute(node, "third", 1.0 / 3.0);
@@ -193,7 +195,7 @@ TEST_CASE("configuration: what is written is read back", "[core][configuration]"
   CHECK_FALSE(flag);
 }
 
-TEST_CASE("configuration: texts of elements", "[core][configuration]") {
+TEST_CASE("configuration: the text of an element can be read", "[core][configuration]") {
   SWorld world;
   UInt32 number = 0;
   GetNodeText(world["text"], number);
@@ -215,7 +217,8 @@ TEST_CASE("configuration: texts of elements", "[core][configuration]") {
 // elements
 /****************************************/
 
-TEST_CASE("configuration: a missing element names place and nearest", "[core][configuration]") {
+TEST_CASE("configuration: the error on a missing element gives its place and the nearest name",
+          "[core][configuration]") {
   SWorld world;
   CHECK_THROWS_WITH(
       world["rbot"],
@@ -276,7 +279,8 @@ TEST_CASE("configuration: attributes can be iterated", "[core][configuration]") 
   CHECK_THROWS_WITH(world["empty"].FirstAttribute(), Contains("<empty> has no attributes"));
 }
 
-TEST_CASE("configuration: navigation and its errors", "[core][configuration]") {
+TEST_CASE("configuration: parents and siblings can be reached, or an error tells why not",
+          "[core][configuration]") {
   SWorld world;
   TConfigurationNode& group = world["group"];
   TConfigurationNode* first = group.FirstChildElement();
@@ -300,7 +304,7 @@ TEST_CASE("configuration: navigation and its errors", "[core][configuration]") {
   CHECK_FALSE(group.NoChildren());
 }
 
-TEST_CASE("configuration: an element knows its file and line", "[core][configuration]") {
+TEST_CASE("configuration: an element reports its file and line", "[core][configuration]") {
   SWorld world;
   CHECK(world["group"].GetLine() == 5);
   CHECK(world["group"].GetFileName() == "test.argos");
@@ -310,7 +314,7 @@ TEST_CASE("configuration: an element knows its file and line", "[core][configura
   CHECK(made.GetLocation() == "(made by the program)");
 }
 
-TEST_CASE("configuration: children are copied in and remember their origin",
+TEST_CASE("configuration: inserted children are copies and keep their file and line",
           "[core][configuration]") {
   SWorld world;
   TConfigurationNode parent("parent");
@@ -338,7 +342,7 @@ TEST_CASE("configuration: children are copied in and remember their origin",
   CHECK_THROWS_WITH(parent.RemoveChild(&child), Contains("<child> is not a child of <parent>"));
 }
 
-TEST_CASE("configuration: a removed element is noticed", "[core][configuration]") {
+TEST_CASE("configuration: using a removed element is an error", "[core][configuration]") {
   SWorld world;
   TConfigurationNode& group = world["group"];
   TConfigurationNode& item = GetNode(group, "item");

@@ -52,7 +52,7 @@ TEST_CASE("command line: short and long options", "[core][command_line]") {
   CHECK_FALSE(program.NoColor);
 }
 
-TEST_CASE("command line: short flags can be glued, the last may take a value",
+TEST_CASE("command line: short flags can be combined, and the last may take a value",
           "[core][command_line]") {
   SProgram program;
   program.Parse({"-znc", "x"});
@@ -61,7 +61,7 @@ TEST_CASE("command line: short flags can be glued, the last may take a value",
   CHECK(program.File == "x");
 }
 
-TEST_CASE("command line: errors", "[core][command_line]") {
+TEST_CASE("command line: unknown options and invalid values are errors", "[core][command_line]") {
   SProgram program;
   CHECK_THROWS_WITH(program.Parse({"--thread", "2"}),
                     Contains("Unknown option \"--thread\"; did you mean \"--threads\""));

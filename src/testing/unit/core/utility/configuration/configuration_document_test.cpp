@@ -34,7 +34,7 @@ CConfigurationDocument Experiment() {
   return document;
 }
 
-// what is unread, as "<tag>" or "<tag>@attribute", one after the other
+// the unread parts as "<tag>" or "<tag>@attribute", separated by blanks
 std::string Unread(const CConfigurationDocument& document) {
   std::string unread;
   document.ForEachUnread([&unread](const CConfigurationNode& node, const std::string& attribute) {
@@ -53,7 +53,7 @@ std::string ErrorOfParsing(const std::string& xml) {
   return "accepted";
 }
 
-// a file name of this process that is removed in the end
+// a temporary file of this process, removed by the destructor
 class CTemporaryFile {
  public:
   explicit CTemporaryFile(const std::string& content) {
@@ -87,17 +87,17 @@ TEST_CASE("document: a file is loaded and saved", "[core][configuration]") {
   CHECK(GetNode(again.GetRoot(), "arena").GetAttribute("size") == "2,2,2");
 }
 
-TEST_CASE("document: files that cannot be read", "[core][configuration]") {
+TEST_CASE("document: a file that cannot be read is an error", "[core][configuration]") {
   CConfigurationDocument document = Experiment();
   CHECK_THROWS_WITH(document.LoadFile("/no/such/file.argos"),
                     Contains("\"/no/such/file.argos\": No such file or directory"));
   CHECK_THROWS_WITH(document.LoadFile("/"), Contains("it is a directory"));
-  // the document is as before
+  // the document is unchanged
   CHECK(document.GetName() == "e.argos");
   CHECK_THROWS_WITH(document.SaveFile("/no/such/folder/file"), Contains("Cannot write the file"));
 }
 
-TEST_CASE("document: an empty one has no root", "[core][configuration]") {
+TEST_CASE("document: an empty document has no root", "[core][configuration]") {
   CConfigurationDocument document;
   CHECK_THROWS_WITH(document.GetRoot(), Contains("before a file was loaded"));
   CHECK_THROWS_WITH(document.SaveFile("x"), Contains("the document is empty"));
@@ -106,7 +106,7 @@ TEST_CASE("document: an empty one has no root", "[core][configuration]") {
 }
 
 TEST_CASE("document: malformed XML is refused with its line", "[core][configuration]") {
-  CHECK_THAT(ErrorOfParsing(""), Contains("x.argos: not well-formed XML: there is nothing in it"));
+  CHECK_THAT(ErrorOfParsing(""), Contains("x.argos: not well-formed XML: the document is empty"));
   CHECK_THAT(ErrorOfParsing("<a>\n<b>\n</a>"), Contains("x.argos:2: not well-formed XML: this "
                                                         "closing tag does not match"));
   CHECK_THAT(ErrorOfParsing("<a>\n<b x=1/></a>"),
@@ -116,18 +116,18 @@ TEST_CASE("document: malformed XML is refused with its line", "[core][configurat
   CHECK_THAT(ErrorOfParsing("<a>\n<!-- \n</a>"),
              Contains("x.argos:2: not well-formed XML: this comment"));
   CHECK_THAT(ErrorOfParsing("<a/>\n<b/>"),
-             Contains("x.argos:2: not well-formed XML: <b> stands outside "
+             Contains("x.argos:2: not well-formed XML: <b> is outside "
                       "the root element <a>"));
   CHECK_THAT(ErrorOfParsing("<a/>\ntext"),
              Contains("x.argos:2: not well-formed XML: this text is not"));
-  CHECK_THAT(ErrorOfParsing("<!-- only -->"), Contains("there is no element in it"));
+  CHECK_THAT(ErrorOfParsing("<!-- only -->"), Contains("the document has no element"));
   CHECK_THAT(ErrorOfParsing("just text"), Contains("not well-formed XML"));
   CHECK_THAT(ErrorOfParsing("<a"), Contains("not well-formed XML"));
   CHECK_THAT(ErrorOfParsing(std::string("<a/>\0", 5)), Contains("a zero byte in it, at offset 4"));
 }
 
 /****************************************/
-// what nobody read
+// unread elements and attributes
 /****************************************/
 
 TEST_CASE("document: everything is unread at first", "[core][configuration]") {
@@ -137,27 +137,28 @@ TEST_CASE("document: everything is unread at first", "[core][configuration]") {
   CHECK(Unread(document) == "<framework> <arena> ");
 }
 
-TEST_CASE("document: every way of reading is noticed", "[core][configuration]") {
+TEST_CASE("document: every kind of access marks the attribute or element as read",
+          "[core][configuration]") {
   CConfigurationDocument document = Experiment();
   TConfigurationNode& framework = GetNode(document.GetRoot(), "framework");
   CHECK(NodeExists(framework, "experiment"));
   CHECK(Unread(document) == "<experiment>@length <experiment>@random_seed <arena> ");
   TConfigurationNode& experiment = GetNode(framework, "experiment");
-  SECTION("a value") {
+  SECTION("read of a value") {
     UInt32 seed = 0;
     GetNodeAttribute(experiment, "random_seed", seed);
     CHECK(Unread(document) == "<experiment>@length <arena> ");
   }
-  SECTION("existence") {
+  SECTION("test of existence") {
     CHECK(NodeAttributeExists(experiment, "length"));
     CHECK(Unread(document) == "<experiment>@random_seed <arena> ");
   }
-  SECTION("a default") {
+  SECTION("read with a default") {
     Real length = 0;
     GetNodeAttributeOrDefault(experiment, "length", length, 0.0);
     CHECK(Unread(document) == "<experiment>@random_seed <arena> ");
   }
-  SECTION("a copy of the handle") {
+  SECTION("read through a copy of the handle") {
     const TConfigurationNode copy = experiment;
     CHECK(copy.GetAttribute("length") == "10");
     CHECK(Unread(document) == "<experiment>@random_seed <arena> ");
@@ -168,7 +169,7 @@ TEST_CASE("document: every way of reading is noticed", "[core][configuration]") 
     }
     CHECK(Unread(document) == "<arena> ");
   }
-  SECTION("attributes that are removed") {
+  SECTION("removal of attributes") {
     CHECK(experiment.GetAttribute("random_seed") == "1");
     experiment.RemoveAttribute("length");
     CHECK(Unread(document) == "<arena> ");
@@ -181,14 +182,13 @@ TEST_CASE("document: every way of reading is noticed", "[core][configuration]") 
     }
     CHECK(Unread(document) == "<arena>@size <distribute> <distribute> ");
   }
-  SECTION("a whole part") {
+  SECTION("marking of a whole subtree") {
     MarkSubtreeRead(document.GetRoot());
     CHECK(Unread(document).empty());
   }
 }
 
-TEST_CASE("document: an attribute that was set from outside must still be read",
-          "[core][configuration]") {
+TEST_CASE("document: an attribute set by path still counts as unread", "[core][configuration]") {
   CConfigurationDocument document = Experiment();
   MarkSubtreeRead(document.GetRoot());
   document.Parse("<a><b/></a>");
@@ -226,7 +226,7 @@ TEST_CASE("document: paths reach attributes", "[core][configuration]") {
   CHECK(document.GetRoot().GetAttribute("version") == "8");
 }
 
-TEST_CASE("document: predicates pick among siblings", "[core][configuration]") {
+TEST_CASE("document: predicates select among siblings", "[core][configuration]") {
   CConfigurationDocument document = Experiment();
   CHECK_THAT(document.SetByPath("arena/distribute[2]/entity/@quantity", "9"),
              Contains("e.argos:8: <entity> quantity=\"9\" (was \"2\")"));
@@ -236,7 +236,7 @@ TEST_CASE("document: predicates pick among siblings", "[core][configuration]") {
   CHECK_THAT(document.SetByPath("arena/*[3]/@id", "y"), Contains("(was \"x\")"));
 }
 
-TEST_CASE("document: a double slash changes all that match", "[core][configuration]") {
+TEST_CASE("document: a double slash changes all matches", "[core][configuration]") {
   CConfigurationDocument document = Experiment();
   CHECK(document.SetByPath("//entity/@quantity", "7") ==
         "e.argos:7: <entity> quantity=\"7\" (was \"1\")\n"
@@ -244,7 +244,8 @@ TEST_CASE("document: a double slash changes all that match", "[core][configurati
   CHECK_THAT(document.SetByPath("//*//body/@position", "0"), Contains("e.argos:10"));
 }
 
-TEST_CASE("document: a path that leads nowhere names step and nearest", "[core][configuration]") {
+TEST_CASE("document: the error on a path without a match names the step and the nearest name",
+          "[core][configuration]") {
   CConfigurationDocument document = Experiment();
   CHECK_THROWS_WITH(
       document.SetByPath("framework/experimet/@length", "1"),
@@ -257,17 +258,17 @@ TEST_CASE("document: a path that leads nowhere names step and nearest", "[core][
   CHECK_THROWS_WITH(document.SetByPath("zzz/@x", "1"), Contains("known: framework, arena"));
 }
 
-TEST_CASE("document: a path that leads to several elements lists their lines",
+TEST_CASE("document: a path that matches several elements is an error with their lines",
           "[core][configuration]") {
   CConfigurationDocument document = Experiment();
   CHECK_THROWS_WITH(document.SetByPath("arena/distribute/entity/@quantity", "1"),
-                    Contains("leads to 2 elements, in the lines 7, 8"));
+                    Contains("matches 2 elements, in lines 7, 8"));
   // nothing was changed
   CHECK(GetNode(GetNode(GetNode(document.GetRoot(), "arena"), "distribute"), "entity")
             .GetAttribute("quantity") == "1");
 }
 
-TEST_CASE("document: malformed paths", "[core][configuration]") {
+TEST_CASE("document: malformed paths are errors", "[core][configuration]") {
   CConfigurationDocument document = Experiment();
   for (const char* path : {"", "/", "framework", "framework/experiment", "a//@b", "@a/b", "a[/@b",
                            "a[0]/@b", "a[x]/@b", "a[@id]/@b", "a[@id='x]/@b", "[1]/@b", "a///@b"}) {

@@ -20,7 +20,7 @@ std::vector<int> Bytes(const CByteArray& array) {
   return bytes;
 }
 
-// any array whose front has been read must behave like a fresh one
+// an array with the given content whose front has been read; it must behave like a new one
 CByteArray WithReadFront(const std::vector<UInt8>& content) {
   CByteArray array(5, 99);
   array.AddBuffer(content.data(), content.size());
@@ -49,7 +49,7 @@ void CheckRoundTrip(T value, std::size_t size) {
 
 }  // namespace
 
-TEST_CASE("byte array: construction and size", "[core][byte_array]") {
+TEST_CASE("byte array: constructors set content and size", "[core][byte_array]") {
   CHECK(CByteArray().Empty());
   CHECK(CByteArray().ToCArray() == nullptr);
   const CByteArray implicit = 10;
@@ -64,7 +64,7 @@ TEST_CASE("byte array: construction and size", "[core][byte_array]") {
   CHECK(copy.ToCArray()[2] == 3);
 }
 
-TEST_CASE("byte array: changing size and content", "[core][byte_array]") {
+TEST_CASE("byte array: size and content can be changed", "[core][byte_array]") {
   CByteArray array(2, 5);
   array.Resize(4, 6);
   CHECK(Bytes(array) == std::vector<int>{5, 5, 6, 6});
@@ -85,7 +85,7 @@ TEST_CASE("byte array: changing size and content", "[core][byte_array]") {
   CHECK(array.Size() == 1);
 }
 
-TEST_CASE("byte array: reading the front changes nothing else", "[core][byte_array]") {
+TEST_CASE("byte array: reading the front leaves the rest unchanged", "[core][byte_array]") {
   CByteArray array = WithReadFront({1, 2, 3, 4, 5, 6, 7, 8});
   CHECK(Bytes(array) == std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8});
   UInt8 byte = 0;
@@ -121,7 +121,7 @@ TEST_CASE("byte array: integers are in network byte order at their own width",
   CHECK(array.Empty());
 }
 
-TEST_CASE("byte array: extreme integers come back", "[core][byte_array]") {
+TEST_CASE("byte array: extreme integers are restored exactly", "[core][byte_array]") {
   CheckRoundTrip(std::numeric_limits<SInt64>::min(), 8);
   CheckRoundTrip(std::numeric_limits<UInt64>::max(), 8);
   CheckRoundTrip(std::numeric_limits<SInt32>::min(), 4);
@@ -129,7 +129,7 @@ TEST_CASE("byte array: extreme integers come back", "[core][byte_array]") {
   CheckRoundTrip(std::numeric_limits<unsigned long>::max(), sizeof(long));
 }
 
-TEST_CASE("byte array: real numbers take 12 bytes and come back exactly", "[core][byte_array]") {
+TEST_CASE("byte array: real numbers take 12 bytes and are restored exactly", "[core][byte_array]") {
   const double value = GENERATE(0.0, 1.0, -1.0, 0.5, 0.1, -3.14159265358979, 1e300, -1e-300, 5e-324,
                                 std::numeric_limits<double>::max(), 0.99999999999999989);
   CAPTURE(value);
@@ -137,7 +137,7 @@ TEST_CASE("byte array: real numbers take 12 bytes and come back exactly", "[core
   CheckRoundTrip(static_cast<float>(0.1), 12);
 }
 
-TEST_CASE("byte array: the wire format of real numbers", "[core][byte_array]") {
+TEST_CASE("byte array: real numbers have the documented wire format", "[core][byte_array]") {
   // 1 = 0.5 * 2^1: mantissa int((0.5 - 0.5) * 2 * (2^63 - 2)) + 1 = 1, exponent 1
   CByteArray one;
   one << 1.0;
@@ -180,22 +180,22 @@ TEST_CASE("byte array: too few bytes are an error and nothing is removed", "[cor
   double real = 0.0;
   std::string text;
   UInt8 buffer[4];
-  CHECK_THROWS_WITH(array >> word, Contains("4 bytes were asked for, but there are only 3"));
-  CHECK_THROWS_WITH(array >> real, Contains("12 bytes were asked for, but there are only 3"));
+  CHECK_THROWS_WITH(array >> word, Contains("4 bytes were requested, but there are only 3"));
+  CHECK_THROWS_WITH(array >> real, Contains("12 bytes were requested, but there are only 3"));
   CHECK_THROWS_WITH(array >> text,
-                    Contains("a string was asked for, but none of the 3 bytes ends it"));
+                    Contains("cannot read a string, none of the 3 bytes is its terminating zero"));
   CHECK_THROWS_AS(array.FetchBuffer(buffer, 4), CARGoSException);
   CHECK(array.Size() == 3);
 }
 
-TEST_CASE("byte array: an index out of bounds is always an error", "[core][byte_array]") {
+TEST_CASE("byte array: an index out of range throws in every build", "[core][byte_array]") {
   CByteArray array(2);
   const CByteArray& constant = array;
-  CHECK_THROWS_WITH(array[2], Contains("byte number 2 was asked for"));
+  CHECK_THROWS_WITH(array[2], Contains("index 2 is out of range"));
   CHECK_THROWS_AS(constant[2], CARGoSException);
 }
 
-TEST_CASE("byte array: a part is a new array", "[core][byte_array]") {
+TEST_CASE("byte array: a part is copied to a new array", "[core][byte_array]") {
   CByteArray array = WithReadFront({1, 2, 3, 4});
   const std::unique_ptr<CByteArray> middle(array(1, 3));
   CHECK(Bytes(*middle) == std::vector<int>{2, 3});
@@ -206,13 +206,13 @@ TEST_CASE("byte array: a part is a new array", "[core][byte_array]") {
   CHECK_THROWS_AS(array(0, 5), CARGoSException);
 }
 
-TEST_CASE("byte array: printing", "[core][byte_array]") {
+TEST_CASE("byte array: prints its bytes", "[core][byte_array]") {
   const UInt8 buffer[] = {1, 0, 255};
   CHECK(ToString(CByteArray(buffer, 3)) == "CByteArray [ 1 0 255 ]\n");
   CHECK(ToString(CByteArray()) == "CByteArray [ ]\n");
 }
 
-TEST_CASE("memento: a state can be put back", "[core][memento]") {
+TEST_CASE("memento: a saved state can be restored", "[core][memento]") {
   CCounter counter;
   counter.Count = 42;
   CByteArray buffer;

@@ -19,7 +19,7 @@ struct SExpectedColor {
   int Blue;
 };
 
-// constants of other files must be ready in static initialisers
+// tests that constants of other files are ready in static initialisers
 const CColor kCopiedAtStart = CColor::PURPLE;
 
 }  // namespace
@@ -91,11 +91,11 @@ TEST_CASE("color: text with four numbers is read, blanks allowed", "[core][color
 
 TEST_CASE("color: a colour without a name prints its four numbers", "[core][color]") {
   CHECK(ToString(CColor(1, 2, 3)) == "1,2,3,255");
-  // the name stands for the opaque colour only
+  // names are printed for opaque colours only
   CHECK(ToString(CColor(255, 0, 0, 254)) == "255,0,0,254");
 }
 
-TEST_CASE("color: wrong texts are refused and leave the colour as it was", "[core][color]") {
+TEST_CASE("color: malformed texts are refused and leave the colour unchanged", "[core][color]") {
   const std::string text = GENERATE("255,0,0", "256,0,0,255", "-1,0,0,255", "1,2,3,4,5", "a,b,c,d",
                                     "Red", "", "red green");
   CAPTURE(text);
@@ -104,7 +104,7 @@ TEST_CASE("color: wrong texts are refused and leave the colour as it was", "[cor
   CHECK(color == CColor(1, 2, 3, 4));
 }
 
-TEST_CASE("color: an unknown name is answered with the nearest", "[core][color]") {
+TEST_CASE("color: the error on an unknown name gives the nearest", "[core][color]") {
   CColor color;
   CHECK_THROWS_WITH(color.Set("puprle"), Contains("did you mean \"purple\"?"));
   CHECK_THROWS_WITH(color.Set("Red"), Contains("did you mean \"red\""));
@@ -118,7 +118,7 @@ TEST_CASE("color: gray scale is BT.601 luma", "[core][color]") {
   CHECK_THAT(CColor::WHITE.ToGrayScale(), Catch::WithinAbs(255.0, 1e-12));
 }
 
-TEST_CASE("color: blending weighs by alpha and gives an opaque colour", "[core][color]") {
+TEST_CASE("color: blending weights by alpha and gives an opaque colour", "[core][color]") {
   const CColor under(0, 100, 200);
   CHECK(CColor(10, 20, 30, 255).Blend(under) == CColor(10, 20, 30));
   CHECK(CColor(10, 20, 30, 0).Blend(under) == CColor(0, 100, 200));
@@ -126,7 +126,7 @@ TEST_CASE("color: blending weighs by alpha and gives an opaque colour", "[core][
   CHECK(CColor(255, 0, 0, 51).Blend(under) == CColor(51, 80, 160));
 }
 
-TEST_CASE("color: as an integer it is R,G,B,A in the order of memory", "[core][color]") {
+TEST_CASE("color: the integer form is R,G,B,A in memory order", "[core][color]") {
   CColor color(1, 2, 3, 4);
   const UInt32 value = color;
   UInt8 bytes[4];

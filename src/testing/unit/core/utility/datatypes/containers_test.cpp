@@ -11,7 +11,7 @@
 using namespace argos;
 using Catch::Contains;
 
-// the types are part of the interface: overload sets of users depend on them
+// the types are part of the interface: overloads in code of users depend on them
 static_assert(std::is_same_v<Real, double>);
 static_assert(std::is_same_v<SInt8, signed char>);
 static_assert(std::is_same_v<UInt8, unsigned char>);
@@ -54,7 +54,7 @@ TEST_CASE("datatypes: 8-bit integers print as numbers", "[core][datatypes]") {
   CHECK(stream.str() == "-65 200");
 }
 
-TEST_CASE("any: gives back exactly what was put in", "[core][any]") {
+TEST_CASE("any: returns exactly the stored value", "[core][any]") {
   SDerived object;
   CAny any = &object;
   CHECK(any_cast<SDerived*>(any) == &object);
@@ -65,7 +65,7 @@ TEST_CASE("any: gives back exactly what was put in", "[core][any]") {
   CHECK(any_cast<SBase*>(&constant) == nullptr);
 }
 
-TEST_CASE("any: another type is an error that names both", "[core][any]") {
+TEST_CASE("any: access as another type is an error that names both", "[core][any]") {
   CAny any = 3;
   const CAny& constant = any;
   CHECK_THROWS_WITH(any_cast<double>(any), Contains("found a value of type int, expected double"));
@@ -109,7 +109,7 @@ TEST_CASE("set: elements are sorted and unique", "[core][set]") {
   CHECK(set.size() == 3);
 }
 
-TEST_CASE("set: erasing and finding", "[core][set]") {
+TEST_CASE("set: elements can be erased and found", "[core][set]") {
   CSet<int> set;
   for (int i = 0; i < 6; ++i) {
     set.insert(i);
@@ -122,13 +122,13 @@ TEST_CASE("set: erasing and finding", "[core][set]") {
   CSet<int>::iterator it = set.find(1);
   REQUIRE(it != set.end());
   set.erase(it);
-  // it now points to what followed
+  // erase() returns the iterator to the next element
   CHECK(*it == 2);
   CHECK(Elements(set) == std::vector<int>{0, 2, 4, 5});
   CHECK(set.find(1) == set.end());
 }
 
-TEST_CASE("set: == tells elements apart, the comparator orders them", "[core][set]") {
+TEST_CASE("set: == distinguishes elements, the comparator orders them", "[core][set]") {
   CSet<SEntry, SByKey> set;
   set.insert({2, 10});
   set.insert({1, 11});
@@ -148,7 +148,7 @@ TEST_CASE("set: == tells elements apart, the comparator orders them", "[core][se
   CHECK(set.size() == 2);
 }
 
-TEST_CASE("set: an order given as an object, as a function", "[core][set]") {
+TEST_CASE("set: the order may be a function object or a function", "[core][set]") {
   CSet<int, bool (*)(int, int)> set;
   for (const int element : {1, 3, 2}) {
     set.insert(element, [](int a, int b) { return a > b; });
@@ -160,7 +160,7 @@ TEST_CASE("set: an order given as an object, as a function", "[core][set]") {
   CHECK(set.size() == 2);
 }
 
-TEST_CASE("set: an iterator becomes a const_iterator and gives write access", "[core][set]") {
+TEST_CASE("set: an iterator converts to a const_iterator and gives write access", "[core][set]") {
   CSet<int> set;
   set.insert(5);
   CSet<int>::iterator it = set.begin();

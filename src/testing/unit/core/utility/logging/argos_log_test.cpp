@@ -51,7 +51,7 @@ std::ostream& operator<<(std::ostream& stream, const SChatty&) {
 
 }  // namespace
 
-TEST_CASE("log: nothing reaches the stream before a flush", "[core][log]") {
+TEST_CASE("log: nothing is written to the stream before a flush", "[core][log]") {
   SLog log;
   log.Log << "a" << 1 << ' ' << 2.5 << std::endl;
   CHECK(log.Stream.str().empty());
@@ -59,19 +59,19 @@ TEST_CASE("log: nothing reaches the stream before a flush", "[core][log]") {
   CHECK(log.Flushed().empty());
 }
 
-TEST_CASE("log: 8-bit integers are numbers, manipulators work", "[core][log]") {
+TEST_CASE("log: 8-bit integers print as numbers, and manipulators work", "[core][log]") {
   SLog log;
   log.Log << UInt8(65) << ',' << SInt8(-1) << ',' << std::setw(4) << 7 << ',' << std::hex << 255
           << std::dec << std::boolalpha << true;
   CHECK(log.Flushed() == "65,-1,   7,fftrue");
 }
 
-TEST_CASE("log: every item is wrapped in the colour and a reset", "[core][log]") {
+TEST_CASE("log: every item is enclosed in colour and reset sequences", "[core][log]") {
   SLog log(true);
   CHECK(log.Log.IsColoredOutput());
   log.Log << "a" << 1 << std::endl;
   CHECK(log.Flushed() == "\033[1;32ma\033[0m\033[1;32m1\033[0m\n");
-  // what prints nothing has no colour, and the width goes to the item it is for
+  // an item that prints nothing gets no colour, and setw() applies to the next item
   log.Log << std::setw(3) << 1;
   CHECK(log.Flushed() == "\033[1;32m  1\033[0m");
   log.Log.DisableColoredOutput();
@@ -93,7 +93,7 @@ TEST_CASE("log: colours are ANSI sequences", "[core][log]") {
   CHECK(log.Flushed() == "\033[1;31mx\033[0m");
 }
 
-TEST_CASE("log: the order is that of the keys, not of the threads", "[core][log]") {
+TEST_CASE("log: the order is that of the keys, whatever the threads", "[core][log]") {
   constexpr UInt64 kRobots = 40;
   std::string expected;
   for (UInt64 robot = 0; robot < kRobots; ++robot) {
@@ -102,7 +102,7 @@ TEST_CASE("log: the order is that of the keys, not of the threads", "[core][log]
   const UInt64 numThreads = GENERATE(UInt64(1), UInt64(2), UInt64(4), UInt64(15));
   CAPTURE(numThreads);
   SLog log;
-  // two phases with a barrier between them, with robots dealt to threads in different ways
+  // two phases with a barrier between them, with robots assigned to threads in different ways
   for (const std::string phase : {"sense ", "step "}) {
     std::vector<std::thread> threads;
     for (UInt64 t = 0; t < numThreads; ++t) {
@@ -123,7 +123,7 @@ TEST_CASE("log: the order is that of the keys, not of the threads", "[core][log]
   CHECK(log.Flushed() == expected);
 }
 
-TEST_CASE("log: a thread's key is its own and starts at 0", "[core][log]") {
+TEST_CASE("log: each thread has its own key, which starts at 0", "[core][log]") {
   CARGoSLog::SetSequence(5);
   UInt64 other = 1;
   std::thread([&other] { other = CARGoSLog::GetSequence(); }).join();
@@ -175,7 +175,7 @@ TEST_CASE("log: the destructor flushes", "[core][log]") {
   CHECK(stream.str() == "last words");
 }
 
-TEST_CASE("log: a file takes the stream's place until the log ends", "[core][log]") {
+TEST_CASE("log: a log file replaces the stream until the log ends", "[core][log]") {
   const std::string name = "argos_log_test." + std::to_string(getpid()) + ".log";
   std::ofstream(name) << "old content";
   std::ostringstream stream;
@@ -224,8 +224,8 @@ TEST_CASE("log: the two logs write to the standard streams, with the robot's id"
   CHECK(err.str() == "[fb7] trouble\n");
 }
 
-TEST_CASE("log: debug macros indent what is inside a function", "[core][log]") {
-  // the standard error is a file meanwhile
+TEST_CASE("log: debug macros indent the output of a function", "[core][log]") {
+  // redirects the standard error to a file
   const std::string name = "argos_log_test_debug." + std::to_string(getpid());
   std::fflush(stderr);
   const int saved = dup(2);

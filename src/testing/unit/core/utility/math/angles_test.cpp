@@ -15,7 +15,7 @@ namespace {
 
 constexpr Real kPi = 3.141592653589793;
 
-// the definition, step by step
+// reference: the definition by repeated steps
 Real WrapByRepetition(Real value, Real min, Real max) {
   const Real span = max - min;
   while (value > max) {
@@ -27,7 +27,7 @@ Real WrapByRepetition(Real value, Real min, Real max) {
   return value;
 }
 
-// they exist before any initialiser runs, so users may use them in theirs
+// the constants are initialised at compile time, so that static initialisers of users can use them
 static_assert(CRadians::PI.GetValue() == kPi);
 static_assert(CRadians::TWO_PI.GetValue() == 2.0 * kPi);
 static_assert(CRadians::PI_OVER_TWO.GetValue() == kPi / 2.0);
@@ -44,7 +44,8 @@ static_assert(ARGOS_PI == kPi);
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("angles: arithmetic is that of the number", "[core][math]", CRadians, CDegrees) {
+TEMPLATE_TEST_CASE("angles: arithmetic equals that of numbers", "[core][math]", CRadians,
+                   CDegrees) {
   using TAngle = TestType;
   STATIC_REQUIRE(std::is_trivially_copyable_v<TAngle>);
   STATIC_REQUIRE(sizeof(TAngle) == sizeof(Real));
@@ -75,7 +76,7 @@ TEMPLATE_TEST_CASE("angles: arithmetic is that of the number", "[core][math]", C
   CHECK(three > angle);
   CHECK(three >= three);
 
-  // angles are keys of the readings of rotating sensors
+  // angles are keys in the readings of rotating sensors
   std::map<TAngle, int> readings{{three, 1}, {angle, 2}};
   CHECK(readings.begin()->second == 2);
 }
@@ -114,7 +115,7 @@ TEST_CASE("angles: normalisation keeps the bounds", "[core][math]") {
   CHECK(CDegrees(360.0).UnsignedNormalize() == CDegrees(360.0));
 }
 
-TEST_CASE("angles: normalisation of far values ends at once and keeps the direction",
+TEST_CASE("angles: normalisation of large values takes constant time and keeps the direction",
           "[core][math]") {
   // whole turns of degrees are exact
   CHECK(CDegrees(360.0 * 1e12 + 30.0).SignedNormalize().GetValue() == 30.0);
@@ -130,7 +131,7 @@ TEST_CASE("angles: normalisation of far values ends at once and keeps the direct
   CHECK(CRadians(value).SignedNormalize().GetValue() == std::remainder(value, 2.0 * kPi));
 }
 
-TEST_CASE("angles: normalisation of values that are no numbers gives no number", "[core][math]") {
+TEST_CASE("angles: normalisation of infinity and NaN gives NaN", "[core][math]") {
   const Real value =
       GENERATE(std::numeric_limits<Real>::quiet_NaN(), std::numeric_limits<Real>::infinity(),
                -std::numeric_limits<Real>::infinity());
@@ -138,7 +139,7 @@ TEST_CASE("angles: normalisation of values that are no numbers gives no number",
   CHECK(std::isnan(CDegrees(value).UnsignedNormalize().GetValue()));
 }
 
-TEST_CASE("angles: the normalised difference lies in a half-open turn", "[core][math]") {
+TEST_CASE("angles: the normalised difference is in a half-open turn", "[core][math]") {
   CHECK(NormalizedDifference(CRadians::PI, CRadians::ZERO) == -CRadians::PI);
   CHECK(NormalizedDifference(CRadians::ZERO, CRadians::PI) == -CRadians::PI);
   CHECK(NormalizedDifference(CDegrees(170.0), CDegrees(-170.0)) == CDegrees(-20.0));

@@ -15,7 +15,7 @@ using namespace argos;
 
 namespace {
 
-// what holds for every hull; the tolerance is the class's own, for points of a set of size 10
+// checks the properties of every hull; the tolerance is that of the class, for a set of size 10
 void CheckHull(const std::vector<CVector3>& points, const CConvexHull& hull) {
   constexpr Real kTolerance = 1e-9;
   std::map<std::pair<UInt32, UInt32>, int> edges;
@@ -37,7 +37,8 @@ void CheckHull(const std::vector<CVector3>& points, const CConvexHull& hull) {
       corners.insert(face.VertexIndices[i]);
     }
   }
-  // closed: every edge once in each direction; of one piece: Euler's formula
+  // the surface is closed (every edge occurs once in each direction)
+  // and connected (Euler's formula)
   for (const auto& edge : edges) {
     CHECK(edge.second == 1);
     CHECK(edges.count({edge.first.second, edge.first.first}) == 1);
@@ -77,7 +78,7 @@ TEST_CASE("convex hull: a tetrahedron is its own hull", "[core][math]") {
   CHECK_THAT(ComputeVolume(points, hull), WithinAbs(1.0, 1e-15));
 }
 
-TEST_CASE("convex hull: a box gives twelve triangles, wherever it is", "[core][math]") {
+TEST_CASE("convex hull: a box gives twelve triangles, wherever it is placed", "[core][math]") {
   const CVector3 offset = GENERATE(CVector3(), CVector3(-1, -1, -1), CVector3(100, -200, 300));
   const std::vector<CVector3> points = MakeBox(CVector3(2, 3, 4), offset);
   const CConvexHull hull(points);
@@ -87,7 +88,7 @@ TEST_CASE("convex hull: a box gives twelve triangles, wherever it is", "[core][m
   CHECK_THAT(ComputeVolume(points, hull), WithinAbs(24.0, 1e-8));
 }
 
-TEST_CASE("convex hull: points inside, on faces, on edges and given twice change nothing",
+TEST_CASE("convex hull: points inside, on faces, on edges and repeated points change nothing",
           "[core][math]") {
   std::vector<CVector3> points = MakeBox(CVector3(2, 2, 2), CVector3());
   const CVector3 extra[] = {CVector3(1, 1, 1), CVector3(1, 1, 2), CVector3(2, 1, 2),
@@ -98,7 +99,7 @@ TEST_CASE("convex hull: points inside, on faces, on edges and given twice change
   CHECK_THAT(ComputeVolume(points, hull), WithinAbs(8.0, 1e-14));
 }
 
-TEST_CASE("convex hull: random points", "[core][math]") {
+TEST_CASE("convex hull: hulls of random points satisfy the properties of a hull", "[core][math]") {
   CRandomStream random(GENERATE(1, 2, 3, 4, 5), "test", "convex hull", "points");
   std::vector<CVector3> points;
   for (int i = 0; i < 60; ++i) {
@@ -113,7 +114,7 @@ TEST_CASE("convex hull: random points", "[core][math]") {
   CHECK_THAT(ComputeVolume(reversed, reversedHull), WithinAbs(ComputeVolume(points, hull), 1e-10));
 }
 
-TEST_CASE("convex hull: points without volume are refused", "[core][math]") {
+TEST_CASE("convex hull: coplanar points are refused", "[core][math]") {
   const CVector3 o;
   CHECK_THROWS_WITH(CConvexHull({}), Contains("at least 4"));
   CHECK_THROWS_WITH(CConvexHull({o, CVector3::X, CVector3::Y}), Contains("there are 3"));

@@ -80,7 +80,7 @@ TEST_CASE("general maths: rounding functions follow the documented rules", "[cor
     CHECK(RoundClosestToZero(-2.9) == -2);
     CHECK(RoundClosestToZero(-2.0) == -2);
   }
-  SECTION("values that do not fit are bounded") {
+  SECTION("values out of range are clamped") {
     CHECK(Floor(-1e300) == std::numeric_limits<SInt32>::min());
     CHECK(Ceil(1e300) == std::numeric_limits<SInt32>::max());
     CHECK(Round(1e10) == std::numeric_limits<SInt32>::max());
@@ -100,7 +100,7 @@ TEST_CASE("general maths: equality with a tolerance scales with the larger numbe
   CHECK_FALSE(DoubleEq(1.0, 1.0002));
 }
 
-TEST_CASE("general maths: interpolation is linear between points and prolongs the ends",
+TEST_CASE("general maths: interpolation is linear between points and extrapolates at both ends",
           "[core][math]") {
   const std::vector<std::pair<Real, Real> > points{{0.0, 1.0}, {2.0, 5.0}, {3.0, 4.0}};
   CHECK(Interpolate(0.0, points) == 1.0);
@@ -111,14 +111,14 @@ TEST_CASE("general maths: interpolation is linear between points and prolongs th
   CHECK(Interpolate(-1.0, points) == -1.0);
   CHECK(Interpolate(5.0, points) == 2.0);
 
-  SECTION("a step belongs to its right side") {
+  SECTION("at a step the right value holds") {
     const std::vector<std::pair<Real, Real> > step{
         {0.0, 0.0}, {1.0, 0.0}, {1.0, 10.0}, {2.0, 10.0}};
     CHECK(Interpolate(0.5, step) == 0.0);
     CHECK(Interpolate(1.0, step) == 10.0);
     CHECK(Interpolate(1.5, step) == 10.0);
   }
-  SECTION("unusable points are refused") {
+  SECTION("invalid points are refused") {
     CHECK_THROWS_WITH(Interpolate(0.0, {{1.0, 1.0}}), Contains("1 point"));
     CHECK_THROWS_WITH(Interpolate(0.0, {{1.0, 1.0}, {1.0, 2.0}}), Contains("sorted"));
     CHECK_THROWS_AS(Interpolate(0.0, {}), CARGoSException);

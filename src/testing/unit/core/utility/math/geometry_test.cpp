@@ -17,7 +17,7 @@ using namespace argos;
 
 namespace {
 
-// a few roundings of numbers of about 1 to 10
+// tolerance of a few roundings of numbers of about 1 to 10
 constexpr Real kRounding = 1e-14;
 
 template <typename SOLID>
@@ -26,7 +26,7 @@ std::optional<Real> Hit(const SOLID& solid, const CRay3& ray) {
   if (solid.Intersects(t, ray)) {
     return t;
   }
-  // a miss leaves the place alone
+  // a miss leaves t unchanged
   CHECK(t == -7.0);
   return std::nullopt;
 }
@@ -35,7 +35,7 @@ CVector3 Rotated(const CVector3& vector, const CQuaternion& rotation) {
   return CVector3(vector).Rotate(rotation);
 }
 
-// turns and shifts a ray given in the frame of a solid
+// transforms a ray from the frame of a solid to the world
 CRay3 Place(const CRay3& ray, const CVector3& position, const CQuaternion& orientation) {
   return CRay3(LocalToGlobal(ray.GetStart(), position, orientation),
                LocalToGlobal(ray.GetEnd(), position, orientation));
@@ -71,7 +71,8 @@ TEST_CASE("2D ray: ends, direction and points", "[core][math]") {
   CHECK(out.str() == "2,2 -> 3,3.5");
 }
 
-TEST_CASE("2D ray: segments intersect, ends included, in either order", "[core][math]") {
+TEST_CASE("2D ray: segments with a common point intersect, end points included, in either order",
+          "[core][math]") {
   const CRay2 ray(CVector2(0, 0), CVector2(2, 2));
   const auto intersect = [&](const CRay2& other) {
     const bool result = ray.Intersects(other);
@@ -123,7 +124,7 @@ TEST_CASE("3D ray: ends, direction and points", "[core][math]") {
   CHECK(out.str() == "0,0,1 -> 0,0.5,0");
 }
 
-TEST_CASE("plane: construction", "[core][math]") {
+TEST_CASE("plane: is constructed from point and normal or from three points", "[core][math]") {
   CPlane plane;
   plane.SetPosition(CVector3(1, 2, 3));
   plane.SetNormal(CVector3::X);
@@ -138,7 +139,7 @@ TEST_CASE("plane: construction", "[core][math]") {
   CHECK(plane.GetNormal() == three.GetNormal());
 }
 
-TEST_CASE("plane: only the segment itself intersects", "[core][math]") {
+TEST_CASE("plane: intersects with the segment only, not with its prolongation", "[core][math]") {
   const CPlane plane(CVector3(9, 9, 1), CVector3(0, 0, GENERATE(1.0, -1.0, 5.0)));
   CHECK(Hit(plane, CRay3(CVector3(0, 0, 0), CVector3(4, 0, 4))) == 0.25);
   CHECK(Hit(plane, CRay3(CVector3(4, 0, 4), CVector3(0, 0, 0))) == 0.75);
@@ -156,7 +157,7 @@ TEST_CASE("plane: only the segment itself intersects", "[core][math]") {
   CHECK(point == CVector3(1, 0, 1));
 }
 
-TEST_CASE("box: rays hit the faces at the exact place", "[core][math]") {
+TEST_CASE("box: rays hit the faces at the exact point", "[core][math]") {
   CBox box(CVector3(2, 4, 6));
   CHECK(box.GetBasePosition() == CVector3::ZERO);
   CHECK(box.GetOrientation() == CQuaternion());
@@ -165,25 +166,25 @@ TEST_CASE("box: rays hit the faces at the exact place", "[core][math]") {
   CHECK(Hit(box, CRay3(CVector3(0, 6, 1), CVector3(0, -2, 1))) == 0.5);
   CHECK(Hit(box, CRay3(CVector3(0, 0, 10), CVector3(0, 0, 0))) == 0.4);
   CHECK(Hit(box, CRay3(CVector3(0, 0, -2), CVector3(0, 0, 2))) == 0.5);
-  SECTION("beyond the end of the ray it still counts") {
+  SECTION("a hit beyond the end of the ray is reported too") {
     CHECK(Hit(box, CRay3(CVector3(-5, 0, 1), CVector3(-3, 0, 1))) == 2.0);
   }
-  SECTION("behind the start it does not") {
+  SECTION("a box behind the start is not hit") {
     CHECK_FALSE(Hit(box, CRay3(CVector3(-3, 0, 1), CVector3(-5, 0, 1))));
   }
-  SECTION("inside and on the surface the distance is 0") {
+  SECTION("from inside and from the surface the distance is 0") {
     CHECK(Hit(box, CRay3(CVector3(0, 0, 1), CVector3(5, 5, 5))) == 0.0);
     CHECK(Hit(box, CRay3(CVector3(1, 0, 1), CVector3(5, 0, 1))) == 0.0);
     CHECK(Hit(box, CRay3(CVector3(0, 0, 1), CVector3(0, 0, 1))) == 0.0);
   }
-  SECTION("touching counts, passing by does not") {
+  SECTION("a ray that touches hits, a ray that passes beside does not") {
     CHECK(Hit(box, CRay3(CVector3(-5, 2, 1), CVector3(5, 2, 1))) == 0.4);
     CHECK_FALSE(Hit(box, CRay3(CVector3(-5, 2.001, 1), CVector3(5, 2.001, 1))));
     CHECK_FALSE(Hit(box, CRay3(CVector3(-5, 0, -0.001), CVector3(5, 0, -0.001))));
     CHECK_FALSE(Hit(box, CRay3(CVector3(-5, 0, 6.001), CVector3(5, 0, 6.001))));
     CHECK_FALSE(Hit(box, CRay3(CVector3(-3, 0, 1), CVector3(0, 5, 1))));
   }
-  SECTION("setters") {
+  SECTION("setters change the box") {
     box.SetSize(CVector3(1, 1, 1));
     box.SetBasePosition(CVector3(10, 0, 0));
     box.SetOrientation(CQuaternion(CRadians::PI_OVER_FOUR, CVector3::Z));
@@ -195,8 +196,7 @@ TEST_CASE("box: rays hit the faces at the exact place", "[core][math]") {
   }
 }
 
-TEST_CASE("solids: a hit does not depend on where solid and ray are placed together",
-          "[core][math]") {
+TEST_CASE("solids: hits are invariant under common motions of solid and ray", "[core][math]") {
   const CVector3 position(3, -2, 5);
   const CQuaternion orientation(CRadians(GENERATE(0.0, 0.7, 2.0, -1.1)), CVector3(2, -3, 6) / 7.0);
   const CRay3 rays[] = {CRay3(CVector3(-5, 0.3, 1), CVector3(5, 0.1, 2)),
@@ -219,7 +219,7 @@ TEST_CASE("solids: a hit does not depend on where solid and ray are placed toget
   }
 }
 
-TEST_CASE("cylinder: rays hit the side at the exact place", "[core][math]") {
+TEST_CASE("cylinder: rays hit the side at the exact point", "[core][math]") {
   const CCylinder cylinder(1.0, 2.0);
   CHECK(cylinder.GetBasePosition() == CVector3::ZERO);
   CHECK(cylinder.GetAxis() == CVector3::Z);
@@ -229,12 +229,12 @@ TEST_CASE("cylinder: rays hit the side at the exact place", "[core][math]") {
   const std::optional<Real> hit =
       Hit(cylinder, CRay3(CVector3(-distance, offset, 1), CVector3(distance, offset, 1)));
   REQUIRE(hit);
-  // in m from the start: the place in units of the ray's length, rounded at 1e-16
+  // in m from the start; t is in units of the ray's length and rounded at 1e-16
   const Real expected = distance - std::sqrt(1.0 - offset * offset);
   CHECK_THAT(*hit * 2.0 * distance, WithinAbs(expected, 4e-16 * distance + kRounding));
 }
 
-TEST_CASE("cylinder: rays hit the caps and pass by", "[core][math]") {
+TEST_CASE("cylinder: rays hit the caps or miss", "[core][math]") {
   const CCylinder cylinder(1.0, 2.0, CVector3(0, 0, 1));
   // from above and below; the solid reaches from z = 1 to z = 3
   CHECK(Hit(cylinder, CRay3(CVector3(0.5, 0.5, 7), CVector3(0.5, 0.5, -1))) == 0.5);
@@ -246,7 +246,7 @@ TEST_CASE("cylinder: rays hit the caps and pass by", "[core][math]") {
   CHECK(Hit(cylinder, CRay3(CVector3(-5, 1, 2), CVector3(5, 1, 2))) == 0.5);
   // enters through the cap although it leaves through the side
   CHECK(Hit(cylinder, CRay3(CVector3(0, 0, 4), CVector3(4, 0, 0))) == 0.25);
-  // crosses the infinite cylinder above the solid and comes down outside
+  // crosses the infinite cylinder above the solid and passes beside the solid
   CHECK_FALSE(Hit(cylinder, CRay3(CVector3(0, 0, 5), CVector3(2, 0, 3))));
   CHECK(Hit(cylinder, CRay3(CVector3(-9, 0, 2), CVector3(-5, 0, 2))) == 2.0);
   CHECK_FALSE(Hit(cylinder, CRay3(CVector3(-5, 0, 2), CVector3(-9, 0, 2))));
@@ -255,9 +255,10 @@ TEST_CASE("cylinder: rays hit the caps and pass by", "[core][math]") {
   CHECK_FALSE(Hit(cylinder, CRay3(CVector3(2, 0.1, 2), CVector3(2, 0.1, 2))));
 }
 
-TEST_CASE("cylinder: the axis gives a direction, its length does not matter", "[core][math]") {
+TEST_CASE("cylinder: only the direction of the axis vector matters, not its length",
+          "[core][math]") {
   CCylinder cylinder(1.0, 4.0, CVector3::ZERO, CVector3(9, 0, 0));
-  // lies along x from 0 to 4
+  // extends along x from 0 to 4
   CHECK(Hit(cylinder, CRay3(CVector3(8, 0, 0), CVector3(0, 0, 0))) == 0.5);
   CHECK(Hit(cylinder, CRay3(CVector3(2, 0, 3), CVector3(2, 0, -1))) == 0.5);
   cylinder.SetRadius(0.5);
@@ -267,12 +268,12 @@ TEST_CASE("cylinder: the axis gives a direction, its length does not matter", "[
   CHECK(cylinder.GetRadius() == 0.5);
   CHECK(cylinder.GetHeight() == 1.0);
   CHECK(cylinder.GetAxis() == -CVector3::Z);
-  // hangs down from z = 1 to z = 0
+  // extends downwards from z = 1 to z = 0
   CHECK(Hit(cylinder, CRay3(CVector3(0, 0, 2), CVector3(0, 0, 0))) == 0.5);
   CHECK(Hit(cylinder, CRay3(CVector3(0, 0, -1), CVector3(0, 0, 1))) == 0.5);
 }
 
-TEST_CASE("pose: construction and local moves", "[core][math]") {
+TEST_CASE("pose: construction and motions in its own frame", "[core][math]") {
   CHECK(CPose2() == CPose2(0, 0, 0));
   const CPose2 pose(CVector2(1, 2), CRadians(0.5));
   CHECK(pose == CPose2(1, 2, 0.5));
@@ -285,7 +286,7 @@ TEST_CASE("pose: construction and local moves", "[core][math]") {
   CHECK(projected.GetPosition() == CVector2(1, 2));
   CHECK_THAT(projected.GetOrientation().GetValue(), WithinAbs(0.5, kRounding));
 
-  // ahead by 2, left turn, ahead by 1
+  // 2 ahead, left turn, 1 ahead
   CPose2 walk;
   walk.Translate(CVector2(2, 0));
   walk.Rotate(CRadians::PI_OVER_TWO);
@@ -294,7 +295,7 @@ TEST_CASE("pose: construction and local moves", "[core][math]") {
   CHECK(walk.GetOrientation() == CRadians::PI_OVER_TWO);
 }
 
-TEST_CASE("pose: composition is that of a group", "[core][math]") {
+TEST_CASE("pose: composition satisfies the group axioms", "[core][math]") {
   const CPose2 a(1, -2, 0.7);
   const CPose2 b(0.5, 3, -2.0);
   const CPose2 c(-1, 0.2, 1.1);

@@ -18,7 +18,7 @@ using namespace argos;
 
 namespace {
 
-// a few roundings of numbers of about 1 to 10
+// tolerance of a few roundings of numbers of about 1 to 10
 constexpr Real kRounding = 1e-14;
 
 template <UInt32 ROWS, UInt32 COLS>
@@ -91,12 +91,13 @@ TEST_CASE("matrix: arithmetic", "[core][math]") {
   CHECK((a -= b) == Make<2, 2>({1, 2, 3, 4}));
   CHECK((a *= 2.0) == Make<2, 2>({2, 4, 6, 8}));
   CHECK((a *= b) == Make<2, 2>({38, 44, 86, 100}));
-  // with itself: no entry is overwritten before it was read
+  // product with itself: no entry is overwritten before it has been read
   a = Make<2, 2>({1, 2, 3, 4});
   CHECK((a *= a) == Make<2, 2>({7, 10, 15, 22}));
 }
 
-TEST_CASE("matrix: text form has two decimals and leaves the stream as it was", "[core][math]") {
+TEST_CASE("matrix: text form has two decimals and leaves the format of the stream unchanged",
+          "[core][math]") {
   std::ostringstream out;
   out << Make<2, 2>({1, -0.126, 100, 0}) << 0.126;
   CHECK(out.str() == "| 1.00 -0.13 |\n| 100.00 0.00 |\n0.126");
@@ -153,7 +154,7 @@ TEST_CASE("square matrix: a singular matrix has cofactors but no inverse", "[cor
                     Contains("determinant 0") && Contains("| 2.00 4.00 6.00 |"));
 }
 
-TEST_CASE("2D rotation matrix: construction and rotation", "[core][math]") {
+TEST_CASE("2D rotation matrix: is constructed from an angle and rotates vectors", "[core][math]") {
   CHECK(CRotationMatrix2().IsIdentityMatrix());
   const CRotationMatrix2 left(CRadians::PI_OVER_TWO);
   CHECK_THAT(Difference(left, Make<2, 2>({0, -1, 1, 0})), WithinAbs(0.0, kRounding));
@@ -190,14 +191,14 @@ TEST_CASE("3D rotation matrix: angles z, y, x mean Rz Ry Rx", "[core][math]") {
   CRotationMatrix3 same;
   same.SetFromAngles(z, y, x);
   CHECK(same == matrix);
-  // the other order of CQuaternion
+  // CQuaternion uses the opposite order
   CQuaternion quaternion;
   quaternion.FromEulerAngles(z, y, x);
   const CRotationMatrix3 other = quaternion;
   CHECK(Difference(matrix, other) > 0.1);
   CHECK_THAT(Distance(other * vector, CVector3(vector).RotateZ(z).RotateY(y).RotateX(x)),
              WithinAbs(0.0, kRounding));
-  // about one axis they agree
+  // for rotations about one axis both orders agree
   const CRotationMatrix3 aboutZ = CQuaternion(z, CVector3::Z);
   CHECK_THAT(Difference(aboutZ, CRotationMatrix3(z, CRadians::ZERO, CRadians::ZERO)),
              WithinAbs(0.0, kRounding));
@@ -220,7 +221,7 @@ TEST_CASE("3D rotation matrix: construction from numbers and conversion to a qua
   CHECK(halfTurn == CRotationMatrix3(-1, 0, 0, 0, -1, 0, 0, 0, 1));
 }
 
-TEST_CASE("2D transformation matrix: parts", "[core][math]") {
+TEST_CASE("2D transformation matrix: has a rotation and a translation part", "[core][math]") {
   CHECK(CTransformationMatrix2().IsIdentityMatrix());
   const CRotationMatrix2 rotation(0, -1, 1, 0);
   CTransformationMatrix2 matrix(rotation, CVector2(5, 6));
@@ -241,7 +242,7 @@ TEST_CASE("2D transformation matrix: parts", "[core][math]") {
   CHECK(matrix * Make<3, 1>({3, 4, 1}) == Make<3, 1>({-3, 5, 1}));
 }
 
-TEST_CASE("3D transformation matrix: parts", "[core][math]") {
+TEST_CASE("3D transformation matrix: has a rotation and a translation part", "[core][math]") {
   CHECK(CTransformationMatrix3().IsIdentityMatrix());
   const CRotationMatrix3 rotation(0, -1, 0, 1, 0, 0, 0, 0, 1);
   CTransformationMatrix3 matrix(rotation, CVector3(5, 6, 7));

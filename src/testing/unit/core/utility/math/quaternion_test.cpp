@@ -12,10 +12,10 @@ using namespace argos;
 
 namespace {
 
-// a few roundings of numbers of about 1
+// tolerance of a few roundings of numbers of about 1
 constexpr Real kRounding = 2e-15;
 
-// 0 for the same rotation: q and -q are one
+// 0 if both are the same rotation: q and -q are equal rotations
 Real RotationDistance(const CQuaternion& a, const CQuaternion& b) {
   return std::min((a - b).Length(), (a + b).Length());
 }
@@ -46,7 +46,7 @@ TEST_CASE("quaternion: the default is the identity", "[core][math]") {
   CHECK(axis == CVector3::Z);
 }
 
-TEST_CASE("quaternion: components", "[core][math]") {
+TEST_CASE("quaternion: components can be read and set", "[core][math]") {
   CQuaternion quaternion;
   quaternion.SetW(1);
   quaternion.SetX(2);
@@ -71,7 +71,7 @@ TEST_CASE("quaternion: components", "[core][math]") {
   CHECK(CQuaternion(1, 2, 3, 4).Inverse() == CQuaternion(1, -2, -3, -4));
 }
 
-TEST_CASE("quaternion: sums and Hamilton's products", "[core][math]") {
+TEST_CASE("quaternion: sums are componentwise, products follow Hamilton's rules", "[core][math]") {
   const CQuaternion i(0, 1, 0, 0);
   const CQuaternion j(0, 0, 1, 0);
   const CQuaternion k(0, 0, 0, 1);
@@ -93,7 +93,7 @@ TEST_CASE("quaternion: sums and Hamilton's products", "[core][math]") {
   CHECK((quaternion *= i) == CQuaternion(-2, 1, 4, -3));
 }
 
-TEST_CASE("quaternion: rotation is q v q*, and products rotate by the right factor first",
+TEST_CASE("quaternion: rotation is q v q*, and a product applies its right factor first",
           "[core][math]") {
   const CQuaternion a = GetSample(GENERATE(range(0, 5)));
   const CQuaternion b = GetSample(GENERATE(range(0, 5)));
@@ -108,7 +108,7 @@ TEST_CASE("quaternion: rotation is q v q*, and products rotate by the right fact
   CHECK_THAT(RotationDistance(a * a.Inverse(), CQuaternion()), WithinAbs(0.0, kRounding));
 }
 
-TEST_CASE("quaternion: angle and axis", "[core][math]") {
+TEST_CASE("quaternion: converts to and from angle and axis", "[core][math]") {
   CHECK_THAT(
       Distance(Rotated(CVector3::X, CQuaternion(CRadians::PI_OVER_TWO, CVector3::Z)), CVector3::Y),
       WithinAbs(0.0, kRounding));
@@ -162,7 +162,7 @@ TEST_CASE("quaternion: Euler angles of half turns are positive", "[core][math]")
   CHECK(x == CRadians::PI);
 }
 
-TEST_CASE("quaternion: in gimbal lock x is 0 and z takes all", "[core][math]") {
+TEST_CASE("quaternion: in gimbal lock x is 0 and z holds the whole rotation", "[core][math]") {
   const Real sign = GENERATE(1.0, -1.0);
   CQuaternion quaternion;
   quaternion.FromEulerAngles(CRadians(0.5), sign * CRadians::PI_OVER_TWO, CRadians(0.2));
@@ -186,7 +186,7 @@ TEST_CASE("quaternion: gimbal lock begins at 0.49999", "[core][math]") {
   CQuaternion quaternion;
   quaternion.FromEulerAngles(CRadians::ZERO, ASin(2.0 * 0.499985), CRadians(0.3));
   quaternion.ToEulerAngles(z, y, x);
-  // a cosine of 0.0077 divides a rounding of 1e-16
+  // dividing by a cosine of 0.0077 magnifies a rounding of 1e-16
   CHECK_THAT(x.GetValue(), WithinAbs(0.3, 1e-12));
   quaternion.FromEulerAngles(CRadians::ZERO, ASin(2.0 * 0.499995), CRadians(0.3));
   quaternion.ToEulerAngles(z, y, x);

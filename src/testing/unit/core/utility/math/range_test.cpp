@@ -55,12 +55,12 @@ TEST_CASE("range: bounds and span", "[core][math]") {
   CHECK(CRange<CVector3>(CVector3::ZERO, CVector3(1, 2, 3)).GetSpan() == CVector3(1, 2, 3));
 }
 
-TEST_CASE("range: an inverted range is refused in builds that check", "[core][math]") {
+TEST_CASE("range: an inverted range is refused in builds with assertions", "[core][math]") {
 #ifndef NDEBUG
   CHECK_THROWS_WITH(CRange<Real>(2.0, 1.0), Contains("2") && Contains("1") && Contains("nverted"));
   CRange<SInt32> range;
   CHECK_THROWS_AS(range.Set(1, -1), CARGoSException);
-  // not ordered at all
+  // vectors that are not ordered
   CHECK_THROWS_AS(CRange<CVector3>(CVector3(0, 1, 0), CVector3(1, 0, 1)), CARGoSException);
 #else
   CHECK(CRange<Real>(2.0, 1.0).GetMin() == 2.0);
@@ -94,7 +94,7 @@ TEST_CASE("range: truncation clamps", "[core][math]") {
   CHECK(Truncate(CRange<CDegrees>(CDegrees(0), CDegrees(90)), CDegrees(100)) == CDegrees(90));
 }
 
-TEST_CASE("range: normalisation gives the place in the range", "[core][math]") {
+TEST_CASE("range: normalisation gives the relative position in the range", "[core][math]") {
   CHECK(CRange<Real>(2.0, 4.0).NormalizeValue(2.5) == 0.25);
   CHECK(CRange<Real>(2.0, 4.0).NormalizeValue(9.0) == 1.0);
   CHECK(CRange<Real>(2.0, 4.0).NormalizeValue(-9.0) == 0.0);
@@ -107,7 +107,8 @@ TEST_CASE("range: normalisation gives the place in the range", "[core][math]") {
   CHECK_THAT(CRange<SInt32>(lowest, highest).NormalizeValue(0), WithinAbs(0.5, 2e-10));
 }
 
-TEST_CASE("range: mapping keeps the place and converts to the other type", "[core][math]") {
+TEST_CASE("range: mapping keeps the relative position and converts to the other type",
+          "[core][math]") {
   const CRange<Real> unit(0.0, 1.0);
   Real real = 0.0;
   unit.MapValueIntoRange(real, 0.25, CRange<Real>(-2.0, 2.0));
@@ -128,7 +129,7 @@ TEST_CASE("range: mapping keeps the place and converts to the other type", "[cor
   CHECK(real == 0.5);
 }
 
-TEST_CASE("range: wrapping moves by whole spans until inside", "[core][math]") {
+TEST_CASE("range: wrapping shifts by whole spans until inside", "[core][math]") {
   const CRange<Real> range(-1.0, 3.0);
   CHECK(Wrap(range, 0.5) == 0.5);
   CHECK(Wrap(range, 3.0) == 3.0);
@@ -162,7 +163,7 @@ TEST_CASE("range: wrapping integers equals repeated steps", "[core][math]") {
   CHECK(static_cast<int>(Wrap(CRange<UInt8>(5, 12), small)) == static_cast<int>(expectedSmall));
 }
 
-TEST_CASE("range: wrapping integers survives the bounds of the type", "[core][math]") {
+TEST_CASE("range: wrapping integers is exact at the limits of the type", "[core][math]") {
   const SInt32 lowest = std::numeric_limits<SInt32>::min();
   const SInt32 highest = std::numeric_limits<SInt32>::max();
   // 2^31 - 1 = 10 k + 7; the steps down end in (0,10]
@@ -174,8 +175,7 @@ TEST_CASE("range: wrapping integers survives the bounds of the type", "[core][ma
   CHECK(Wrap(CRange<UInt32>(10, 20), 5u) == 15u);
 }
 
-TEST_CASE("range: wrapping a point moves it while it is beyond in every component",
-          "[core][math]") {
+TEST_CASE("range: a vector is wrapped while all its components are out of range", "[core][math]") {
   const CRange<CVector3> box(CVector3(0, 0, 0), CVector3(1, 2, 4));
   CHECK(Wrap(box, CVector3(1.5, 3.0, 5.0)) == CVector3(0.5, 1.0, 1.0));
   CHECK(Wrap(box, CVector3(-0.5, -0.5, -0.5)) == CVector3(0.5, 1.5, 3.5));
@@ -202,7 +202,7 @@ TEST_CASE("range: text form is min:max", "[core][math]") {
   CHECK(range.GetMax() == 5u);
 }
 
-TEST_CASE("range: text that is no range is refused with a reason", "[core][math]") {
+TEST_CASE("range: malformed text is refused with a reason", "[core][math]") {
   CRange<Real> range(7.0, 8.0);
   const std::string text =
       GENERATE("", "1", "1,2", ":", "1:", ":2", "a:2", "1:b", "1 1:2", "1:2:3", "1:2x", "1x:2");

@@ -17,10 +17,10 @@ using namespace argos;
 
 namespace {
 
-// a few roundings of numbers of about 1
+// tolerance of a few roundings of numbers of about 1
 constexpr Real kRounding = 1e-15;
 
-// usable in the static initialisers of users
+// the constants are initialised at compile time, for static initialisers of users
 static_assert(CVector2::X == CVector2(1.0, 0.0));
 static_assert(CVector2::Y == CVector2(0.0, 1.0));
 static_assert(CVector2::ZERO == CVector2());
@@ -51,7 +51,7 @@ std::string Print(const T& value) {
 
 }  // namespace
 
-TEST_CASE("2D vector: coordinates", "[core][math]") {
+TEST_CASE("2D vector: coordinates can be read and set", "[core][math]") {
   CVector2 vector;
   CHECK(vector == CVector2::ZERO);
   vector.SetX(1.0);
@@ -64,7 +64,7 @@ TEST_CASE("2D vector: coordinates", "[core][math]") {
   CHECK(vector != CVector2(3.0, 4.0));
 }
 
-TEST_CASE("2D vector: polar coordinates", "[core][math]") {
+TEST_CASE("2D vector: polar coordinates can be read and set", "[core][math]") {
   const CVector2 up(2.0, CRadians::PI_OVER_TWO);
   CHECK_THAT(Distance(up, CVector2(0.0, 2.0)), WithinAbs(0.0, kRounding));
   CVector2 other;
@@ -77,7 +77,7 @@ TEST_CASE("2D vector: polar coordinates", "[core][math]") {
   CHECK_THAT(vector.Angle().GetValue(), WithinAbs(angle, kRounding));
 }
 
-TEST_CASE("2D vector: the direction of a zero vector is 0, whatever the signs of its zeros",
+TEST_CASE("2D vector: the direction of a zero vector is 0 for all signs of its zeros",
           "[core][math]") {
   CHECK(CVector2(0.0, 0.0).Angle() == CRadians::ZERO);
   CHECK(CVector2(-0.0, -0.0).Angle() == CRadians::ZERO);
@@ -127,7 +127,7 @@ TEST_CASE("2D vector: rotation is counter-clockwise and keeps lengths", "[core][
   CHECK_THAT(Distance(vector, CVector2(0.3, -0.7)), WithinAbs(0.0, kRounding));
 }
 
-TEST_CASE("3D vector: coordinates", "[core][math]") {
+TEST_CASE("3D vector: coordinates can be read and set", "[core][math]") {
   CVector3 vector(1.0, 2.0, 3.0);
   vector.SetX(4.0);
   vector.SetY(5.0);
@@ -154,7 +154,7 @@ TEST_CASE("3D vector: coordinates", "[core][math]") {
   CHECK(&CVector3(1, 2, 3).ProjectOntoXZ(projection) == &projection);
 }
 
-TEST_CASE("3D vector: spherical coordinates", "[core][math]") {
+TEST_CASE("3D vector: spherical coordinates can be read and set", "[core][math]") {
   CHECK_THAT(Distance(CVector3(2.0, CRadians::ZERO, CRadians(1.0)), CVector3(0, 0, 2)),
              WithinAbs(0.0, kRounding));
   CHECK_THAT(
@@ -209,7 +209,7 @@ TEST_CASE("3D vector: the cross product works in place and is right-handed", "[c
   CHECK(CVector3(CVector3::Y).CrossProduct(CVector3::Z) == CVector3::X);
   CHECK(CVector3(CVector3::Z).CrossProduct(CVector3::X) == CVector3::Y);
 
-  // Lagrange: |a x b|^2 + (a.b)^2 = |a|^2 |b|^2, in whole numbers
+  // Lagrange's identity: |a x b|^2 + (a.b)^2 = |a|^2 |b|^2, in integers
   const CVector3 a(1, -2, 3);
   const CVector3 b(4, 5, -6);
   const CVector3 cross = CVector3(a).CrossProduct(b);
@@ -219,7 +219,7 @@ TEST_CASE("3D vector: the cross product works in place and is right-handed", "[c
   CHECK(CVector3(b).CrossProduct(a) == -cross);
 }
 
-TEST_CASE("3D vector: the order holds only if it holds in all components", "[core][math]") {
+TEST_CASE("3D vector: it is less than another only if all its components are", "[core][math]") {
   const CVector3 low(0, 0, 0);
   const CVector3 high(1, 1, 1);
   const CVector3 mixed(1, 0, 2);
@@ -240,7 +240,7 @@ TEST_CASE("3D vector: rotations about the axes are right-handed", "[core][math]"
   CHECK_THAT(Distance(CVector3(1, 0, 0).RotateZ(quarter), CVector3::Y), WithinAbs(0.0, kRounding));
   CHECK(CVector3(1, 2, 3).RotateZ(CVector2(0.0, 1.0)) == CVector3(-2, 1, 3));
 
-  // the same by quaternions
+  // the same rotations as quaternions
   const CRadians angle(0.7);
   const CVector3 vector(0.3, -0.5, 0.2);
   CHECK_THAT(Distance(CVector3(vector).RotateX(angle),
@@ -260,7 +260,7 @@ TEST_CASE("3D vector: angles with another vector and about the axes", "[core][ma
   CHECK(x.GetAngleWith(CVector3(-2, 0, 0)) == CRadians::PI);
   CHECK(x.GetAngleWith(CVector3(3, 0, 0)) == CRadians::ZERO);
   CHECK(x.GetAngleWith(CVector3::ZERO) == CRadians::ZERO);
-  // far below what the arc cosine could resolve
+  // angles far below the resolution of the arc cosine
   CHECK_THAT(x.GetAngleWith(CVector3(1.0, 1e-12, 0)).GetValue(), WithinAbs(1e-12, 1e-27));
 
   const CVector3 vector(1, 2, 3);
@@ -307,7 +307,7 @@ TEST_CASE("vectors: text form", "[core][math]") {
   CHECK(third == CVector3(7, 8, 9));
 }
 
-TEST_CASE("vectors: text that is no vector is refused, quoted and explained", "[core][math]") {
+TEST_CASE("vectors: malformed text is refused with a quotation and a reason", "[core][math]") {
   SECTION("three numbers") {
     const std::string text =
         GENERATE("", "  ", "1", "1,2", "1,2,", "1,2,3,4", "1,2,3 ,4", "a,2,3", "1,b,3", "1,2,c",
@@ -326,12 +326,12 @@ TEST_CASE("vectors: text that is no vector is refused, quoted and explained", "[
     CHECK_THROWS_WITH(in >> vector, Contains("\"" + text + "\"") && Contains("2 numbers"));
     CHECK(vector == CVector2(7, 8));
   }
-  SECTION("the field is named") {
+  SECTION("errors name the field") {
     std::istringstream in("1,two,3");
     CVector3 vector;
     CHECK_THROWS_WITH(in >> vector, Contains("field 2"));
   }
-  SECTION("a stream that failed before is left alone") {
+  SECTION("a stream that has failed before is left unchanged") {
     std::istringstream in("1,2,3");
     in.setstate(std::ios_base::failbit);
     CVector3 vector(7, 8, 9);

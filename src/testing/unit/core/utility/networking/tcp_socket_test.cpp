@@ -12,7 +12,7 @@ using Catch::Contains;
 
 namespace {
 
-// two ends of a connection on this machine
+// both ends of a connection on this machine
 struct SConnection {
   SConnection() {
     CTCPSocket listener;
@@ -26,7 +26,7 @@ struct SConnection {
 
 }  // namespace
 
-TEST_CASE("socket: both ends know that they are connected", "[core][network]") {
+TEST_CASE("socket: both ends report that they are connected", "[core][network]") {
   CTCPSocket closed;
   CHECK_FALSE(closed.IsConnected());
   CHECK(closed.GetStream() == -1);
@@ -66,7 +66,7 @@ TEST_CASE("socket: bytes, byte arrays and messages arrive as sent", "[core][netw
   CHECK(message.empty());
 }
 
-TEST_CASE("socket: a byte array is its length and its bytes", "[core][network]") {
+TEST_CASE("socket: a byte array is sent as its length and its bytes", "[core][network]") {
   SConnection connection;
   connection.Client.SendByteArray(CByteArray(2, 5));
   UInt8 received[6] = {};
@@ -74,7 +74,7 @@ TEST_CASE("socket: a byte array is its length and its bytes", "[core][network]")
   CHECK(std::vector<int>(received, received + 6) == std::vector<int>{0, 0, 0, 2, 5, 5});
 }
 
-TEST_CASE("socket: much more than a packet arrives", "[core][network]") {
+TEST_CASE("socket: data much larger than a packet arrives", "[core][network]") {
   SConnection connection;
   CByteArray array(3000000, 1);
   array[2999999] = 2;
@@ -85,7 +85,7 @@ TEST_CASE("socket: much more than a packet arrives", "[core][network]") {
   CHECK(back == array);
 }
 
-TEST_CASE("socket: events say what does not block", "[core][network]") {
+TEST_CASE("socket: events list the operations that do not block", "[core][network]") {
   SConnection connection;
   typedef CTCPSocket::EEvent EEvent;
   CHECK(connection.Server.GetEvents().count(EEvent::InputReady) == 0);
@@ -94,8 +94,7 @@ TEST_CASE("socket: events say what does not block", "[core][network]") {
   std::string message;
   connection.Server.RecvMsg(message);
   connection.Client.Disconnect();
-  // the end of a connection is something to receive; it comes in no time on one machine, but not in
-  // none
+  // the end of a connection counts as input; it arrives fast, but not immediately
   for (int i = 0; i < 1000 && connection.Server.GetEvents().count(EEvent::InputReady) == 0; ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
@@ -103,7 +102,7 @@ TEST_CASE("socket: events say what does not block", "[core][network]") {
   CHECK(CTCPSocket().GetEvents() == std::set<EEvent>{EEvent::InvalidRequest});
 }
 
-TEST_CASE("socket: moving hands the connection over", "[core][network]") {
+TEST_CASE("socket: moving transfers the connection", "[core][network]") {
   SConnection connection;
   CTCPSocket moved(std::move(connection.Client));
   CHECK(moved.IsConnected());
@@ -115,7 +114,7 @@ TEST_CASE("socket: moving hands the connection over", "[core][network]") {
   CHECK(message == "moved");
 }
 
-TEST_CASE("socket: errors", "[core][network]") {
+TEST_CASE("socket: failures are errors", "[core][network]") {
   CTCPSocket socket;
   UInt8 byte = 0;
   CHECK_THROWS_WITH(socket.SendBuffer(&byte, 1), Contains("cannot send, it is not connected"));

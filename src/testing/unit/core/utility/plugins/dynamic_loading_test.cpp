@@ -1,5 +1,5 @@
-// Needs the libraries of src/testing/support/plugins in <build>/testing/plugins. Each test case
-// loads what it needs, so that it can run in a process of its own or after the others.
+// Uses the libraries of src/testing/support/plugins in <build>/testing/plugins. Each test case
+// loads the libraries that it needs, so that it can run in a process of its own or after others.
 
 #include <argos3/core/utility/plugins/dynamic_loading.h>
 
@@ -31,7 +31,7 @@ void SetPluginPath(const std::string& path) {
   setenv("ARGOS_PLUGIN_PATH", path.c_str(), 1);
 }
 
-// an empty folder of this process, removed in the end
+// an empty folder of this process, removed by the destructor
 class CTemporaryFolder {
  public:
   explicit CTemporaryFolder(const std::string& name)
@@ -46,7 +46,7 @@ class CTemporaryFolder {
   fs::path m_path;
 };
 
-// what is logged to the standard logs meanwhile
+// the output of the standard logs during its lifetime
 class CCapturedLogs {
  public:
   CCapturedLogs() {
@@ -77,7 +77,7 @@ class CCapturedLogs {
 
 }  // namespace
 
-TEST_CASE("dynamic loading: a library registers what it has", "[core][plugins]") {
+TEST_CASE("dynamic loading: a library registers its plug-ins", "[core][plugins]") {
   CCapturedLogs logs;
   const CDynamicLoading::TDLHandle handle = CDynamicLoading::LoadLibrary(kGood);
   CHECK(handle != nullptr);
@@ -90,13 +90,13 @@ TEST_CASE("dynamic loading: a library registers what it has", "[core][plugins]")
   const auto& info = *CFactory<CCI_Controller>::GetTypeMap().at("test_good_controller");
   CHECK_THAT(info.Library, Catch::EndsWith("libargos3_test_good.so"));
   CHECK(info.Author == "undefined");
-  // under whatever name, a library is loaded once
+  // a library is loaded once, also under another path
   CHECK(CDynamicLoading::LoadLibrary(kFolder + "/../plugins/libargos3_test_good") == handle);
   SetPluginPath(kFolder);
   CHECK(CDynamicLoading::LoadLibrary("libargos3_test_good") == handle);
 }
 
-TEST_CASE("dynamic loading: names are looked for in the plug-in path, suffix added",
+TEST_CASE("dynamic loading: libraries are searched for in the plug-in path, with the suffix added",
           "[core][plugins]") {
   CCapturedLogs logs;
   SetPluginPath("/no/such/folder:" + fs::path(kFolder).parent_path().string());
@@ -110,14 +110,15 @@ TEST_CASE("dynamic loading: names are looked for in the plug-in path, suffix add
   CHECK_THROWS_AS(CDynamicLoading::UnloadLibrary(kGood), CARGoSException);
 }
 
-TEST_CASE("dynamic loading: a library that is nowhere lists every attempt", "[core][plugins]") {
+TEST_CASE("dynamic loading: the error on a missing library lists every attempt",
+          "[core][plugins]") {
   SetPluginPath("/a:/b");
   CHECK_THROWS_WITH(
       CDynamicLoading::LoadLibrary("libnone"),
       Contains("The library \"libnone\" cannot be loaded; tried:\n  /a/libnone: no such "
                "file\n  /a/libnone.so: no such file\n  /b/libnone: no such file") &&
           Contains("\n  ./libnone: no such file"));
-  // an absolute name is looked for nowhere else
+  // an absolute path is not searched for elsewhere
   CHECK_THROWS_WITH(CDynamicLoading::LoadLibrary("/x/libnone"),
                     "[FATAL] The library \"/x/libnone\" cannot be loaded; tried:\n  /x/libnone: no "
                     "such file\n  /x/libnone.so: no such file");
@@ -125,7 +126,8 @@ TEST_CASE("dynamic loading: a library that is nowhere lists every attempt", "[co
                     Contains(kFolder + ": it is a directory"));
 }
 
-TEST_CASE("dynamic loading: a library that does not load gives the reason", "[core][plugins]") {
+TEST_CASE("dynamic loading: the error on a library that does not load gives the reason",
+          "[core][plugins]") {
   CHECK_THROWS_WITH(CDynamicLoading::LoadLibrary(kFolder + "/libargos3_test_unresolved"),
                     Contains("argosTestVariableThatNobodyDefines"));
   const CTemporaryFolder folder("argos_dynamic_loading_text");
@@ -142,14 +144,14 @@ TEST_CASE("dynamic loading: a library of another build is refused", "[core][plug
   CHECK_FALSE(CFactory<CCI_Controller>::Exists("test_wrong_build_controller"));
 }
 
-TEST_CASE("dynamic loading: a label in two libraries names both", "[core][plugins]") {
+TEST_CASE("dynamic loading: the error on a label in two libraries names both", "[core][plugins]") {
   CCapturedLogs logs;
   CDynamicLoading::LoadLibrary(kGood);
   CHECK_THROWS_WITH(CDynamicLoading::LoadLibrary(kFolder + "/libargos3_test_duplicate"),
                     Contains("label \"test_good_controller\" of CCI_Controller is registered by") &&
                         Contains("libargos3_test_good.so\" and by ") &&
                         Contains("libargos3_test_duplicate.so\""));
-  // the first one stays
+  // the first registration stays
   CHECK_THAT(CFactory<CCI_Controller>::GetTypeMap().at("test_good_controller")->Library,
              Catch::EndsWith("libargos3_test_good.so"));
 }
@@ -169,7 +171,7 @@ TEST_CASE("dynamic loading: all libraries of the plug-in path are loaded, each n
   CHECK_THAT(text, Contains("[WARNING] The plug-in directory \"/no/such/folder\" cannot be read"));
   CHECK_THAT(text, Contains("[INFO] Loaded library \"" + first.Path()));
   CHECK_THAT(text, !Contains("[INFO] Loaded library \"" + second.Path()));
-  // the core itself is no plug-in
+  // the core library is not a plug-in
   CHECK_THAT(text, !Contains("libargos3core"));
   CHECK(CFactory<CCI_Controller>::Exists("test_one_of_all_controller"));
 }
@@ -183,7 +185,7 @@ TEST_CASE("dynamic loading: a library in the plug-in path that does not load is 
   CHECK_THROWS_WITH(CDynamicLoading::LoadAllLibraries(), Contains("libbroken.so"));
 }
 
-TEST_CASE("dynamic loading: the search path is told", "[core][plugins]") {
+TEST_CASE("dynamic loading: the search path can be queried", "[core][plugins]") {
   SetPluginPath("/a::/b");
   const std::vector<std::string> paths = GetPluginSearchPaths();
   REQUIRE(paths.size() >= 4);

@@ -10,7 +10,7 @@
 using Catch::Contains;
 
 /****************************************/
-// classes registered in every way that the macros must allow
+// classes registered in every way that the macros must support
 /****************************************/
 
 namespace argos {
@@ -44,7 +44,7 @@ class CTestSquare : public argos::CTestShape {
 REGISTER_SYMBOL(CTestShape, CTestSquare, "square", "a", "v", "b", "l", "s")
 REGISTER_SYMBOL(CTestShape, CTestDisc, "global disc", "a", "v", "b", "l", "s");
 
-// a base of the user
+// a base class of a user
 class CTestMine {
  public:
   virtual ~CTestMine() = default;
@@ -59,7 +59,7 @@ typedef CFactory<CTestShape> TShapes;
 // factory
 /****************************************/
 
-TEST_CASE("factory: macros register at program start", "[core][factory]") {
+TEST_CASE("factory: macros register classes at program start", "[core][factory]") {
   for (const std::string label : {"disc", "disk", "global disc"}) {
     CAPTURE(label);
     REQUIRE(TShapes::Exists(label));
@@ -73,7 +73,7 @@ TEST_CASE("factory: macros register at program start", "[core][factory]") {
   CHECK_NOTHROW(ThrowRegistrationProblems("nothing is wrong"));
 }
 
-TEST_CASE("factory: what is known of a class", "[core][factory]") {
+TEST_CASE("factory: the description of a class is stored with it", "[core][factory]") {
   const TShapes::TTypeMap& types = TShapes::GetTypeMap();
   REQUIRE(types.count("disc") == 1);
   const auto& info = *types.find("disc")->second;
@@ -86,15 +86,18 @@ TEST_CASE("factory: what is known of a class", "[core][factory]") {
   CHECK_FALSE(info.Library.empty());
 }
 
-TEST_CASE("factory: an unknown label lists nearest, known and searched", "[core][factory]") {
+TEST_CASE(
+    "factory: the error on an unknown label lists the nearest, all known ones and the libraries",
+    "[core][factory]") {
   CHECK_THROWS_WITH(TShapes::New("discc"),
                     Contains("No CTestShape is registered under the label \"discc\"; did you mean "
                              "\"disc\"") &&
                         Contains("; registered: disc, disk, global disc, square") &&
-                        Contains("; libraries are looked for in: "));
+                        Contains("; libraries are searched in: "));
 }
 
-TEST_CASE("factory: registering at run time replaces silently", "[core][factory]") {
+TEST_CASE("factory: registering at run time replaces the former class silently",
+          "[core][factory]") {
   class CLocal {
    public:
     virtual ~CLocal() = default;
@@ -119,7 +122,7 @@ TEST_CASE("factory: registering at run time replaces silently", "[core][factory]
   CHECK(TLocals::GetTypeMap().empty());
 }
 
-TEST_CASE("registration: the same label twice keeps the first and is a problem",
+TEST_CASE("registration: of two classes with one label the first is kept and a problem is reported",
           "[core][factory]") {
   class COther {
    public:
@@ -131,11 +134,12 @@ TEST_CASE("registration: the same label twice keeps the first and is a problem",
   CHECK(CFactory<COther>::GetTypeMap()["x"]->BriefDescription == "first");
   CHECK_THROWS_WITH(ThrowRegistrationProblems("context:"),
                     Contains("context:\n  label \"x\" of ") && Contains("is registered twice by"));
-  // once thrown, a problem is forgotten
+  // a problem is reported once
   CHECK_NOTHROW(ThrowRegistrationProblems("context:"));
 }
 
-TEST_CASE("registration: another build is refused and the difference named", "[core][factory]") {
+TEST_CASE("registration: a class of another build is refused with the difference",
+          "[core][factory]") {
   class COther2 {
    public:
     virtual ~COther2() = default;
@@ -201,7 +205,7 @@ INIT_VTABLE_FOR(STestRoot);
 
 }  // namespace
 
-TEST_CASE("tags: each class has its own, from 1 up, the root the first", "[core][vtable]") {
+TEST_CASE("tags: each class has its own, counted from 1, the root first", "[core][vtable]") {
   STestRoot root;
   STestChild child;
   STestGrandchild grandchild;
@@ -210,7 +214,7 @@ TEST_CASE("tags: each class has its own, from 1 up, the root the first", "[core]
   CHECK(root.GetTag() == 1);
   CHECK(child.GetTag() != root.GetTag());
   CHECK(asRoot.GetTag() != child.GetTag());
-  // a class without its own tag counts as its base
+  // a class without its own tag has that of its base
   CHECK(untagged.GetTag() == child.GetTag());
   CHECK(GetTag<STestChild, STestRoot>() == child.GetTag());
   CHECK(root.GetTagHelper(&child) == child.GetTag());
@@ -219,7 +223,7 @@ TEST_CASE("tags: each class has its own, from 1 up, the root the first", "[core]
   CHECK(STagCounter<STestRoot>::Count == 3);
 }
 
-TEST_CASE("tables: a missing entry falls back to the root's", "[core][vtable]") {
+TEST_CASE("tables: a missing entry is replaced by the root's", "[core][vtable]") {
   TTestTable table;
   CHECK(table.Size() == 0);
   CHECK(table[1] == nullptr);

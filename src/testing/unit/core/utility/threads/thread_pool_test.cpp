@@ -21,7 +21,7 @@ namespace {
 const std::vector<UInt32> kThreads = {0, 1, 2, 4, 15};
 const std::vector<std::string> kMethods = {"balance_quantity", "balance_length"};
 
-// how often each item was handed out
+// number of times that each item was assigned
 std::vector<int> CountVisits(CThreadPool& pool, size_t items, size_t grain) {
   std::vector<std::atomic<int>> visits(items);
   pool.ParallelFor(items, grain, [&](size_t begin, size_t end, UInt32) {
@@ -32,7 +32,7 @@ std::vector<int> CountVisits(CThreadPool& pool, size_t items, size_t grain) {
   return std::vector<int>(visits.begin(), visits.end());
 }
 
-// deals everything out to threads that take turns
+// assigns all items to threads that take turns
 std::vector<int> Deal(CSchedule& schedule, size_t items, size_t grain, UInt32 threads) {
   std::vector<int> visits(items, 0);
   schedule.Start(items, grain, threads);
@@ -57,8 +57,8 @@ std::vector<int> Deal(CSchedule& schedule, size_t items, size_t grain, UInt32 th
   return visits;
 }
 
-// while it lives, the system refuses to start threads: their stacks are too large for any address
-// space
+// During its lifetime the system refuses to start threads: the default stack
+// size exceeds every address space.
 class CNoMoreThreads {
  public:
   CNoMoreThreads() {
@@ -82,7 +82,7 @@ class CNoMoreThreads {
 
 }  // namespace
 
-TEST_CASE("schedule: every item is dealt out exactly once", "[core][threads]") {
+TEST_CASE("schedule: every item is assigned exactly once", "[core][threads]") {
   const std::string method = GENERATE(from_range(kMethods));
   const UInt32 threads = GENERATE(1U, 2U, 3U, 4U, 15U);
   const size_t items = GENERATE(1U, 2U, 15U, 16U, 17U, 1000U);
@@ -90,11 +90,11 @@ TEST_CASE("schedule: every item is dealt out exactly once", "[core][threads]") {
   CAPTURE(method, threads, items, grain);
   const auto schedule = CreateSchedule(method);
   CHECK(Deal(*schedule, items, grain, threads) == std::vector<int>(items, 1));
-  // and again: a schedule serves many phases
+  // a schedule can be used for many phases
   CHECK(Deal(*schedule, items, grain, threads) == std::vector<int>(items, 1));
 }
 
-TEST_CASE("schedule: balance_quantity gives each thread one run of at most an equal share",
+TEST_CASE("schedule: balance_quantity gives each thread one run of at most its equal share",
           "[core][threads]") {
   CBalanceQuantitySchedule schedule;
   schedule.Start(1000, 10, 4);
@@ -109,7 +109,7 @@ TEST_CASE("schedule: balance_quantity gives each thread one run of at most an eq
   }
 }
 
-TEST_CASE("schedule: balance_length hands out chunks of the grain, lowest items first",
+TEST_CASE("schedule: balance_length assigns chunks of the grain, lowest items first",
           "[core][threads]") {
   CBalanceLengthSchedule schedule;
   schedule.Start(25, 10, 2);
@@ -132,7 +132,7 @@ TEST_CASE("schedule: an unknown method is an error with the nearest name", "[cor
                     Contains("balance_lenght") && Contains("balance_length"));
 }
 
-TEST_CASE("thread pool: every item is done exactly once", "[core][threads]") {
+TEST_CASE("thread pool: every item is processed exactly once", "[core][threads]") {
   const UInt32 threads = GENERATE(from_range(kThreads));
   const std::string method = GENERATE(from_range(kMethods));
   CAPTURE(threads, method);
@@ -145,7 +145,7 @@ TEST_CASE("thread pool: every item is done exactly once", "[core][threads]") {
   }
 }
 
-TEST_CASE("thread pool: no items, no call", "[core][threads]") {
+TEST_CASE("thread pool: without items there is no call", "[core][threads]") {
   const UInt32 threads = GENERATE(0U, 4U);
   CThreadPool pool(threads, CreateSchedule("balance_quantity"));
   int calls = 0;
@@ -169,11 +169,11 @@ TEST_CASE("thread pool: the caller takes part, so P threads are P - 1 workers", 
     CHECK(ids[0] == std::this_thread::get_id());
     CHECK(std::set<std::thread::id>(ids.begin(), ids.end()).size() == ids.size());
   }
-  // workers that had nothing to do have started too when they are joined
+  // when the workers are joined, idle ones have started too
   CHECK(started == std::max<UInt32>(1, threads) - 1);
 }
 
-TEST_CASE("thread pool: few items stay on the calling thread", "[core][threads]") {
+TEST_CASE("thread pool: few items are processed by the calling thread", "[core][threads]") {
   CThreadPool pool(4, CreateSchedule("balance_length"));
   pool.ParallelFor(64, 64, [&](size_t begin, size_t end, UInt32 thread) {
     CHECK(begin == 0);
@@ -182,7 +182,8 @@ TEST_CASE("thread pool: few items stay on the calling thread", "[core][threads]"
   });
 }
 
-TEST_CASE("thread pool: the exception of the lowest item wins", "[core][threads]") {
+TEST_CASE("thread pool: of several exceptions that of the lowest item is thrown",
+          "[core][threads]") {
   const UInt32 threads = GENERATE(from_range(kThreads));
   const std::string method = GENERATE(from_range(kMethods));
   CAPTURE(threads, method);
@@ -197,18 +198,19 @@ TEST_CASE("thread pool: the exception of the lowest item wins", "[core][threads]
                                          }
                                        }),
                       "item 37");
-    // the pool is as good as new
+    // after the exception the pool works as before
     REQUIRE(CountVisits(pool, 100, 8) == std::vector<int>(100, 1));
   }
 }
 
-TEST_CASE("thread pool: something that is no std::exception comes through", "[core][threads]") {
+TEST_CASE("thread pool: a thrown value that is not a std::exception is passed on",
+          "[core][threads]") {
   const UInt32 threads = GENERATE(0U, 4U);
   CThreadPool pool(threads, CreateSchedule("balance_length"));
   CHECK_THROWS_AS(pool.ParallelFor(100, 1, [](size_t, size_t, UInt32) { throw 42; }), int);
 }
 
-TEST_CASE("thread pool: what a phase wrote is seen by the next one", "[core][threads]") {
+TEST_CASE("thread pool: values written in one phase are visible in the next", "[core][threads]") {
   const UInt32 threads = GENERATE(from_range(kThreads));
   const std::string method = GENERATE(from_range(kMethods));
   CAPTURE(threads, method);
@@ -227,7 +229,7 @@ TEST_CASE("thread pool: what a phase wrote is seen by the next one", "[core][thr
       }
     });
   }
-  // all items are equal from the start, so each phase doubles them
+  // all items are equal at the start, so each phase doubles them
   UInt64 expected = 1;
   for (int phase = 0; phase < kPhases; ++phase) {
     expected = 2 * expected % 1000003;
@@ -235,12 +237,12 @@ TEST_CASE("thread pool: what a phase wrote is seen by the next one", "[core][thr
   CHECK(even == std::vector<UInt64>(kItems, expected));
 }
 
-TEST_CASE("thread pool: pinned workers do the same work", "[core][threads]") {
+TEST_CASE("thread pool: pinned workers give the same results", "[core][threads]") {
   CThreadPool pool(3, CreateSchedule("balance_quantity"), true);
   CHECK(CountVisits(pool, 1000, 1) == std::vector<int>(1000, 1));
 }
 
-TEST_CASE("thread pool: when it is made, all its workers have started", "[core][threads]") {
+TEST_CASE("thread pool: the constructor returns when all workers have started", "[core][threads]") {
   for (int repetition = 0; repetition < 20; ++repetition) {
     std::atomic<UInt32> started{0};
     const CThreadPool pool(4, CreateSchedule("balance_length"), false, [&] {
@@ -251,7 +253,8 @@ TEST_CASE("thread pool: when it is made, all its workers have started", "[core][
   }
 }
 
-TEST_CASE("thread pool: what a worker's start throws reaches the caller", "[core][threads]") {
+TEST_CASE("thread pool: an exception at the start of a worker reaches the caller",
+          "[core][threads]") {
   std::atomic<UInt32> started{0};
   const auto startThirdWorkerBadly = [&] {
     if (++started == 3) {
@@ -263,16 +266,16 @@ TEST_CASE("thread pool: what a worker's start throws reaches the caller", "[core
   CHECK(started == 7);
 }
 
-TEST_CASE("thread pool: a thread that the system refuses is an error", "[core][threads]") {
+TEST_CASE("thread pool: a thread that the system does not start is an error", "[core][threads]") {
   const CNoMoreThreads noMoreThreads;
   CHECK_THROWS_WITH(CThreadPool(4, CreateSchedule("balance_length")),
                     Contains("the system started only 1 of 4 threads: "));
-  // the caller needs no thread
+  // a pool of one thread starts none
   CThreadPool pool(1, CreateSchedule("balance_length"));
   CHECK(CountVisits(pool, 100, 1) == std::vector<int>(100, 1));
 }
 
-TEST_CASE("thread pool: pools come and go", "[core][threads]") {
+TEST_CASE("thread pool: pools can be created and destroyed repeatedly", "[core][threads]") {
   for (int repetition = 0; repetition < 50; ++repetition) {
     CThreadPool pool(4, CreateSchedule("balance_length"));
     if (repetition % 2 == 0) {

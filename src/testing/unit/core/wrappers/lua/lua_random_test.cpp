@@ -13,8 +13,8 @@ using Catch::WithinAbs;
 
 namespace {
 
-// draws of each distribution; statistics of so many lie within 5 standard errors of what they
-// estimate in all but one of 1.7 million samples, and the seed is fixed
+// Draws of each distribution. Statistics lie within 5 standard errors of their estimates in all but
+// one of 1.7 million samples, and the seed is fixed.
 constexpr int kDraws = 20000;
 constexpr Real kErrors = 5.0;
 
@@ -51,7 +51,7 @@ class CRandomTester : public CLuaTester {
 
 }  // namespace
 
-TEST_CASE("lua random: bernoulli", "[lua][random]") {
+TEST_CASE("lua random: bernoulli draws with the given probability", "[lua][random]") {
   CRandomTester lua;
   CHECK(lua.Get("type(r.bernoulli())") == "boolean");
   const auto [call, p] = GENERATE(table<std::string, Real>({{"bernoulli()", 0.5},
@@ -63,7 +63,7 @@ TEST_CASE("lua random: bernoulli", "[lua][random]") {
   CHECK_THAT(lua.GetMean(), WithinAbs(p, kErrors * std::sqrt(p * (1.0 - p) / kDraws)));
 }
 
-TEST_CASE("lua random: uniform", "[lua][random]") {
+TEST_CASE("lua random: uniform draws have the moments and bounds of the range", "[lua][random]") {
   CRandomTester lua;
   const auto [call, min, max] = GENERATE(table<std::string, Real, Real>(
       {{"uniform()", 0.0, 1.0}, {"uniform(4)", 0.0, 4.0}, {"uniform(-3, 5)", -3.0, 5.0}}));
@@ -71,7 +71,7 @@ TEST_CASE("lua random: uniform", "[lua][random]") {
   lua.Sample(call);
   CHECK(lua.GetNumber("min") >= min);
   CHECK(lua.GetNumber("max") <= max);
-  // the ends are approached: 20,000 draws miss the outer 0.1 % with a probability of 2e-9
+  // draws approach the bounds: 20,000 of them miss the outer 0.1 % with a probability of 2e-9
   CHECK(lua.GetNumber("min") < min + 0.001 * (max - min));
   CHECK(lua.GetNumber("max") > max - 0.001 * (max - min));
   const Real deviation = (max - min) / std::sqrt(12.0);
@@ -79,7 +79,7 @@ TEST_CASE("lua random: uniform", "[lua][random]") {
              WithinAbs((min + max) / 2.0, kErrors * deviation / std::sqrt(Real(kDraws))));
 }
 
-TEST_CASE("lua random: uniform_int leaves out the upper bound, also below zero", "[lua][random]") {
+TEST_CASE("lua random: uniform_int excludes the upper bound, also below zero", "[lua][random]") {
   CRandomTester lua;
   const auto [call, min, max] =
       GENERATE(table<std::string, Real, Real>({{"uniform_int(6)", 0.0, 5.0},
@@ -89,7 +89,8 @@ TEST_CASE("lua random: uniform_int leaves out the upper bound, also below zero",
   lua.Sample(call);
   CHECK(lua.GetNumber("min") == min);
   CHECK(lua.GetNumber("max") == max);
-  // all numbers are as likely: the variance of a discrete uniform distribution is (n^2 - 1) / 12
+  // all numbers are equally likely: the variance of a discrete uniform
+  // distribution is (n^2 - 1) / 12
   const Real count = max - min + 1.0;
   const Real deviation = std::sqrt((count * count - 1.0) / 12.0);
   CHECK_THAT(lua.GetMean(),
@@ -108,7 +109,7 @@ TEST_CASE("lua random: exponential and poisson have their mean", "[lua][random]"
   CHECK_THAT(lua.GetMean(), WithinAbs(3.0, kErrors * std::sqrt(3.0 / kDraws)));
 }
 
-TEST_CASE("lua random: gaussian takes the deviation first", "[lua][random]") {
+TEST_CASE("lua random: gaussian has the deviation as its first argument", "[lua][random]") {
   CRandomTester lua;
   const auto [call, mean] =
       GENERATE(table<std::string, Real>({{"gaussian(2)", 0.0}, {"gaussian(2, 10)", 10.0}}));
@@ -119,7 +120,7 @@ TEST_CASE("lua random: gaussian takes the deviation first", "[lua][random]") {
   CHECK_THAT(lua.GetVariance(), WithinAbs(4.0, kErrors * 4.0 * std::sqrt(2.0 / kDraws)));
 }
 
-TEST_CASE("lua random: a seed repeats the numbers", "[lua][random]") {
+TEST_CASE("lua random: equal seeds give equal numbers", "[lua][random]") {
   const auto draw = [](CRandomTester& lua) {
     return lua.Get("r.uniform() .. ' ' .. r.gaussian(1) .. ' ' .. r.poisson(5)");
   };
@@ -151,7 +152,7 @@ TEST_CASE("lua random: wrong arguments are errors", "[lua][random]") {
   CHECK_THAT(lua.GetError("r.gaussian()"), Contains("argument 1 must be a number"));
 }
 
-TEST_CASE("lua random: RegisterRNG draws from the generator that it is given", "[lua][random]") {
+TEST_CASE("lua random: RegisterRNG draws from the given generator", "[lua][random]") {
   CRandom::CRNG generator(5);
   CRandom::CRNG same(5);
   CLuaTester lua;

@@ -19,11 +19,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// tests of this file run at the same time, each in a process of its own
+// tests of this file run concurrently, each in a process of its own
 const std::string kFolder = "lua_script_test_" + std::to_string(getpid());
 const std::string kSubfolder = "scripts_" + std::to_string(getpid());
 
-/** A folder with scripts, and a folder of an experiment inside it; go away with the test. */
+/** A folder of scripts with a subfolder of an experiment; removed by the destructor. */
 class CFolder {
  public:
   CFolder() { fs::create_directories(m_path / "experiment" / kSubfolder); }
@@ -49,7 +49,7 @@ class CFolder {
 
 }  // namespace
 
-TEST_CASE("lua script: is found from the working directory, then beside the experiment",
+TEST_CASE("lua script: is searched for in the working directory, then beside the experiment",
           "[lua][script]") {
   const CFolder folder;
   const std::string path =
@@ -68,7 +68,7 @@ TEST_CASE("lua script: is found from the working directory, then beside the expe
   fs::remove(here);
 }
 
-TEST_CASE("lua script: one that is nowhere is an error with the places", "[lua][script]") {
+TEST_CASE("lua script: the error on a missing script lists the places searched", "[lua][script]") {
   const CFolder folder;
   CHECK_THROWS_WITH(SLuaScript::Load("none.lua", folder.Experiment()),
                     Contains("there is no Lua script \"none.lua\"") &&
@@ -77,7 +77,7 @@ TEST_CASE("lua script: one that is nowhere is an error with the places", "[lua][
   CHECK_THROWS_WITH(SLuaScript::Load("none.lua", ""), Contains("none.lua"));
   CHECK_THROWS_WITH(SLuaScript::Load("/none.lua", folder.Experiment()),
                     Contains("looked for \"/none.lua\"") && !Contains("experiment"));
-  // a folder is no script
+  // a folder is not a script
   CHECK_THROWS_WITH(SLuaScript::Load(kSubfolder, folder.Experiment()), Contains("no Lua script"));
 }
 
@@ -89,7 +89,7 @@ TEST_CASE("lua script: a syntax error has Lua's message with file and line", "[l
       Contains("cannot be compiled") && Contains("wrong.lua:2: unexpected symbol near '='"));
 }
 
-TEST_CASE("lua script: runs, with its lines in messages", "[lua][script]") {
+TEST_CASE("lua script: runs, and messages give its lines", "[lua][script]") {
   const CFolder folder;
   const std::string path =
       folder.Write("e.lua", "answer = 42\n\nfunction f() error('no good') end\n");
@@ -99,7 +99,7 @@ TEST_CASE("lua script: runs, with its lines in messages", "[lua][script]") {
   CHECK_THAT(lua.GetError("f()"), Contains("e.lua:3: no good"));
 }
 
-TEST_CASE("lua script: the mark of UTF-8 and a line for the shell are skipped", "[lua][script]") {
+TEST_CASE("lua script: a UTF-8 byte order mark and a shell line are skipped", "[lua][script]") {
   const CFolder folder;
   const std::string path = folder.Write(
       "shell.lua", "\xEF\xBB\xBF#!/usr/bin/lua\nanswer = debug.getinfo(1).currentline");
@@ -123,14 +123,14 @@ TEST_CASE("lua script: require finds modules beside the script", "[lua][script]"
   CHECK(lua.Get("names") == "helperpackage");
 }
 
-TEST_CASE("lua script: is compiled once while somebody runs it and its file stays the same",
+TEST_CASE("lua script: is compiled once while it is in use and its file unchanged",
           "[lua][script]") {
   const CFolder folder;
   const std::string path = folder.Write("c.lua", "x = 1");
   const auto first = SLuaScript::Load(path, "");
   CHECK(SLuaScript::Load(path, "") == first);
   CHECK(SLuaScript::Load(fs::path(path).filename().string(), path) == first);
-  // a change is noticed by the size of the file or by its time
+  // a change is detected by the size of the file or by its time
   folder.Write("c.lua", "x = 22");
   const auto second = SLuaScript::Load(path, "");
   CHECK(second != first);
@@ -145,7 +145,7 @@ TEST_CASE("lua script: is compiled once while somebody runs it and its file stay
   CHECK(lua.Get("x") == "1");
 }
 
-TEST_CASE("lua script: many threads may load one at the same time", "[lua][script][threads]") {
+TEST_CASE("lua script: threads may load one concurrently", "[lua][script][threads]") {
   const CFolder folder;
   const std::string path = folder.Write("t.lua", "x = 1");
   std::vector<std::shared_ptr<const SLuaScript>> scripts(8);

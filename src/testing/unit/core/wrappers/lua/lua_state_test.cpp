@@ -32,7 +32,7 @@ TEST_CASE("lua state: an error carries file, line and traceback", "[lua][state]"
                           Contains("in function 'inner'") && Contains("in function 'outer'"));
 }
 
-TEST_CASE("lua state: errors that are no strings are described", "[lua][state]") {
+TEST_CASE("lua state: errors that are not strings are described", "[lua][state]") {
   CLuaTester lua;
   CHECK(lua.GetError("error({})") == "(the error is a table value)");
   CHECK(lua.GetError("error()") == "(the error is a nil value)");
@@ -52,7 +52,7 @@ TEST_CASE("lua state: exceptions pass through Run, and the state can be used aga
   CHECK(lua.GetNumber("x") == 3.0);
 }
 
-TEST_CASE("lua state: a function that is missing is an error that names it", "[lua][state]") {
+TEST_CASE("lua state: the error on a missing function names it", "[lua][state]") {
   CLuaTester lua;
   const auto call = [&](const char* name) {
     lua.Run([name](lua_State* state) { CLuaState::CallGlobal(state, name); });
@@ -66,7 +66,7 @@ TEST_CASE("lua state: a function that is missing is an error that names it", "[l
   CHECK(lua.Get("done") == "true");
 }
 
-TEST_CASE("lua state: endless loops are interrupted, whatever they catch", "[lua][state]") {
+TEST_CASE("lua state: endless loops are interrupted, even if they catch errors", "[lua][state]") {
   CLuaTester lua(50000);
   const std::string loop = GENERATE(
       "while true do end", "repeat until false", "for i = 1, math.huge do end",
@@ -80,23 +80,23 @@ TEST_CASE("lua state: endless loops are interrupted, whatever they catch", "[lua
       "while true do c() end",
       "setmetatable(_G, {__index = function(t, k) return t[k .. 1] end}) local _ = undefined");
   CAPTURE(loop);
-  // something must still run for the error to come out of an xpcall()
+  // the chunk must go on for the error to leave an xpcall()
   const std::string error = lua.GetError(loop + "\nlocal done = true");
   CHECK_THAT(error, Contains("interrupted after 50000 instructions") ||
-                        // an endless recursion may hit the limit of the stack first
+                        // an endless recursion may reach the stack limit first
                         Contains("C stack overflow"));
-  // afterwards everything is as before
+  // afterwards the state works as before
   CHECK(lua.GetNumber("1 + 1") == 2.0);
   CHECK(lua.GetError("for i = 1, 5000 do end") == "");
 }
 
-TEST_CASE("lua state: the limit is on each call, not on all of them", "[lua][state]") {
+TEST_CASE("lua state: the instruction limit applies to each call separately", "[lua][state]") {
   CLuaTester lua(100000);
-  // a call of about 30,000 instructions, ten times the limit in all
+  // each call takes about 30,000 instructions, all together ten times the limit
   for (int i = 0; i < 35; ++i) {
     CHECK(lua.GetError("local sum = 0 for i = 1, 15000 do sum = sum + i end") == "");
   }
-  // the same in a coroutine that lives on from call to call
+  // the same in a coroutine that is resumed by each call
   lua.Do(
       "worker = coroutine.wrap(function()\n"
       "  while true do for i = 1, 15000 do end coroutine.yield() end\n"
@@ -106,7 +106,7 @@ TEST_CASE("lua state: the limit is on each call, not on all of them", "[lua][sta
   }
 }
 
-TEST_CASE("lua state: where a loop is interrupted does not depend on time", "[lua][state]") {
+TEST_CASE("lua state: the point of interruption does not depend on time", "[lua][state]") {
   const auto count = [] {
     CLuaTester lua(20000);
     CHECK_THAT(lua.GetError("n = 0 while true do n = n + 1 end"), Contains("interrupted"));
@@ -117,7 +117,7 @@ TEST_CASE("lua state: where a loop is interrupted does not depend on time", "[lu
   CHECK(count() == first);
 }
 
-TEST_CASE("lua state: without a limit nothing is counted", "[lua][state]") {
+TEST_CASE("lua state: without a limit instructions are not counted", "[lua][state]") {
   CLuaTester lua(0);
   CHECK(lua.Get("debug.gethook()") == "nil");
   CHECK(lua.GetError("for i = 1, 1000000 do end") == "");
@@ -134,7 +134,7 @@ TEST_CASE("lua state: pairs visits numbers, then strings, then booleans, in orde
   CHECK(lua.Get("order") == "-1=5 2.5=6 3=3 10=9 9=10 apple=2 mango=4 zebra=1 false=8 true=7 ");
 }
 
-TEST_CASE("lua state: pairs visits everything once, as in Lua", "[lua][state]") {
+TEST_CASE("lua state: pairs visits every entry once, as in Lua", "[lua][state]") {
   CLuaTester lua;
   lua.Do(
       "t, n, sum = {}, 0, 0\n"
@@ -142,7 +142,7 @@ TEST_CASE("lua state: pairs visits everything once, as in Lua", "[lua][state]") 
       "for k, v in pairs(t) do n = n + 1; sum = sum + v end");
   CHECK(lua.GetNumber("n") == 1500.0);
   CHECK(lua.GetNumber("sum") == 3 * 500 * 501 / 2);
-  // a loop may remove what it has not met yet, and change what is there
+  // a loop may remove entries that it has not visited yet, and change entries
   lua.Do(
       "t, seen = { a = 1, b = 2, c = 3, d = 4 }, ''\n"
       "for k, v in pairs(t) do seen = seen .. k .. v; t.c = nil; t.d = 9 end");
@@ -153,7 +153,7 @@ TEST_CASE("lua state: pairs visits everything once, as in Lua", "[lua][state]") 
   CHECK(lua.GetNumber("n") == 0.0);
 }
 
-TEST_CASE("lua state: pairs obeys __pairs and refuses what is no table", "[lua][state]") {
+TEST_CASE("lua state: pairs obeys __pairs and refuses other values than tables", "[lua][state]") {
   CLuaTester lua;
   lua.Do(
       "local function step(_, k) if k < 3 then return k + 1, 'v' end end\n"
@@ -186,14 +186,19 @@ TEST_CASE("lua state: xpcall works as in Lua", "[lua][state]") {
   CHECK_THAT(lua.GetError("xpcall(print)"), Contains("bad argument #2"));
 }
 
-TEST_CASE("lua state: math.random repeats itself for the same seed", "[lua][state]") {
-  const auto draw = [](UInt64 seed) {
-    CLuaTester lua;
-    lua.SeedMath(seed);
-    return lua.Get("math.random() .. ' ' .. math.random(1000000)");
-  };
-  CHECK(draw(1) == draw(1));
-  CHECK(draw(1) != draw(2));
+TEST_CASE("lua state: math.random gives equal numbers for equal seeds", "[lua][state]") {
+  const std::string draw = "math.random() .. ' ' .. math.random(1000000)";
+  CLuaTester lua;
+  lua.SeedMath(1);
+  const std::string first = lua.Get(draw);
+  CHECK(lua.Get(draw) != first);
+  lua.SeedMath(2);
+  CHECK(lua.Get(draw) != first);
+  lua.SeedMath(1);
+  CHECK(lua.Get(draw) == first);
+  CLuaTester other;
+  other.SeedMath(1);
+  CHECK(other.Get(draw) == first);
 }
 
 TEST_CASE("lua state: warn writes to the error log once it is on", "[lua][state]") {

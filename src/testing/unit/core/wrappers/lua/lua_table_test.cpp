@@ -122,7 +122,7 @@ void CDevice::ReadingsToLuaState(lua_State* state) {
   });
 }
 
-/** A state whose robot has that device. */
+/** A state whose robot has such a device. */
 class CDeviceTester : public CLuaTester {
  public:
   CDeviceTester() {
@@ -144,9 +144,21 @@ class CDeviceTester : public CLuaTester {
   CDevice Device;
 };
 
+/** An allocator of a Lua state that can only release. */
+struct SFullMemory {
+  lua_Alloc Original = nullptr;
+  void* OriginalData = nullptr;
+
+  static void* Reallocate(void* memory, void* block, std::size_t oldSize, std::size_t newSize) {
+    const auto& self = *static_cast<const SFullMemory*>(memory);
+    const bool grows = block == nullptr ? newSize > 0 : newSize > oldSize;
+    return grows ? nullptr : self.Original(self.OriginalData, block, oldSize, newSize);
+  }
+};
+
 }  // namespace
 
-TEST_CASE("lua table: methods get arguments of every type", "[lua][table]") {
+TEST_CASE("lua table: methods take arguments of every type", "[lua][table]") {
   CDeviceTester lua;
   lua.Do(
       "d = robot.device\n"
@@ -171,7 +183,7 @@ TEST_CASE("lua table: methods get arguments of every type", "[lua][table]") {
   CHECK(lua.Device.Byte == 7);
 }
 
-TEST_CASE("lua table: what methods return comes back", "[lua][table]") {
+TEST_CASE("lua table: results of methods are returned to the script", "[lua][table]") {
   CDeviceTester lua;
   lua.Do("d = robot.device d.turn(0.5) d.say('hello') d.go_to(vector3(1, 2, 3))");
   CHECK(lua.GetNumber("d.get_angle()") == 0.5);
@@ -182,8 +194,28 @@ TEST_CASE("lua table: what methods return comes back", "[lua][table]") {
   CHECK(lua.Get("select('#', d.turn(1))") == "0");
 }
 
-TEST_CASE("lua table: wrong arguments name function, argument, what is right and what was found",
-          "[lua][table]") {
+TEST_CASE("lua table: a result for which Lua has no memory is an error", "[lua][table]") {
+  // leak checkers would find the text if the error skipped its destructor
+  CDeviceTester lua;
+  lua.Device.Text = std::string(1000, 'x');
+  lua.Run([](lua_State* state) {
+    lua_getglobal(state, "robot");
+    lua_getfield(state, -1, "device");
+    lua_getfield(state, -1, "get_text");
+    SFullMemory memory;
+    memory.Original = lua_getallocf(state, &memory.OriginalData);
+    lua_setallocf(state, &SFullMemory::Reallocate, &memory);
+    const int status = lua_pcall(state, 0, 1, 0);
+    lua_setallocf(state, memory.Original, memory.OriginalData);
+    CHECK(status == LUA_ERRMEM);
+    CHECK(std::string(lua_tostring(state, -1)) == "not enough memory");
+  });
+  CHECK(lua.Get("#robot.device.get_text()") == "1000");
+}
+
+TEST_CASE(
+    "lua table: the error on a wrong argument gives function, argument, type expected and found",
+    "[lua][table]") {
   CDeviceTester lua;
   const auto error = [&](const std::string& call) { return lua.GetError("robot.device." + call); };
   const std::string at = "test:1: robot.device.";
@@ -194,7 +226,7 @@ TEST_CASE("lua table: wrong arguments name function, argument, what is right and
   CHECK(error("set_speeds('1', 2)") ==
         at + "set_speeds: argument 1 must be a number, got string \"1\"");
   CHECK(error("set_speeds({}, 2)") == at + "set_speeds: argument 1 must be a number, got table");
-  // called with a colon
+  // called with a colon instead of a dot
   CHECK(lua.GetError("robot.device:set_speeds(1, 2)") ==
         at + "set_speeds: argument 1 must be a number, got table");
   CHECK(error("switch(1)") == at + "switch: argument 1 must be true or false, got 1");
@@ -217,13 +249,13 @@ TEST_CASE("lua table: wrong arguments name function, argument, what is right and
              Contains("argument 3 must be a whole number from 0 to 255, got nothing"));
   CHECK_THAT(error("paint(1, 2, 300)"), Contains("argument 3"));
   CHECK_THAT(error("paint(true)"), Contains("argument 1 must be the name of a color"));
-  // nothing of all that reached the device
+  // none of these calls has reached the device
   CHECK(lua.Device.Speeds.empty());
   CHECK(lua.Device.Byte == 0);
   CHECK(lua.Device.Color == CColor::BLACK);
 }
 
-TEST_CASE("lua table: errors can be caught, and long texts are cut", "[lua][table]") {
+TEST_CASE("lua table: errors can be caught, and long texts in them are cut", "[lua][table]") {
   CDeviceTester lua;
   lua.Do("ok, message = pcall(robot.device.set_byte, string.rep('x', 100000))");
   CHECK(lua.Get("ok") == "false");
@@ -235,13 +267,13 @@ TEST_CASE("lua table: exceptions of a device become Lua errors", "[lua][table]")
   CHECK(lua.GetError("robot.device.refuse()") ==
         "test:1: robot.device.refuse: the device is out of order");
   CHECK(lua.GetError("robot.device.break_()") == "test:1: robot.device.break_: broken");
-  CHECK_THAT(lua.GetError("robot.device.break_badly()"), Contains("no std::exception"));
+  CHECK_THAT(lua.GetError("robot.device.break_badly()"), Contains("not a std::exception"));
   lua.Do("ok, message = pcall(robot.device.refuse)");
   CHECK(lua.Get("ok") == "false");
   CHECK_THAT(lua.Get("message"), Contains("out of order"));
 }
 
-TEST_CASE("lua table: functions without captures take arguments one by one", "[lua][table]") {
+TEST_CASE("lua table: functions without captures take separate arguments", "[lua][table]") {
   CDeviceTester lua;
   lua.Do("robot.device.set_one(1, 0.5) robot.device.set_one(3, 0.25)");
   CHECK(lua.Device.Ring[0].Value == 0.5);
@@ -254,7 +286,7 @@ TEST_CASE("lua table: functions without captures take arguments one by one", "[l
   CHECK_THAT(lua.GetError("robot.device.sum(1.5, -2)"), Contains("robot.device.sum: argument 2"));
 }
 
-TEST_CASE("lua table: lists of bytes have their length and their range", "[lua][table]") {
+TEST_CASE("lua table: the length and values of byte lists are checked", "[lua][table]") {
   CDeviceTester lua;
   CHECK(lua.GetNumber("robot.device.set_bytes({200, 50, 9})") == 250.0);
   CHECK(lua.Device.Byte == 9);
@@ -275,7 +307,7 @@ TEST_CASE("lua table: functions do not depend on the global robot", "[lua][table
   lua.Refresh();
 }
 
-TEST_CASE("lua table: readings of fixed number are refreshed in place", "[lua][table]") {
+TEST_CASE("lua table: readings of fixed number are updated in place", "[lua][table]") {
   CDeviceTester lua;
   CHECK(lua.Get("#robot.device.ring") == "3");
   lua.Do("second = robot.device.ring[2]");
@@ -284,7 +316,7 @@ TEST_CASE("lua table: readings of fixed number are refreshed in place", "[lua][t
   lua.Refresh();
   CHECK(lua.GetNumber("second.value") == 0.75);
   CHECK(lua.GetNumber("second.angle") == 2.0);
-  // what a script has destroyed is made again
+  // entries that a script has removed or replaced are restored
   lua.Do("robot.device.ring[2] = nil robot.device.ring[3] = 'mine'");
   lua.Refresh();
   CHECK(lua.GetNumber("robot.device.ring[2].value") == 0.75);
@@ -294,7 +326,7 @@ TEST_CASE("lua table: readings of fixed number are refreshed in place", "[lua][t
   lua.Refresh();
 }
 
-TEST_CASE("lua table: lists of numbers and of new records have the length of what was read",
+TEST_CASE("lua table: lists of numbers and records have the length of the last reading",
           "[lua][table]") {
   CDeviceTester lua;
   lua.Device.Numbers = {1.0, 2.5, 3.0};
@@ -303,7 +335,7 @@ TEST_CASE("lua table: lists of numbers and of new records have the length of wha
   CHECK(lua.Get("table.concat(robot.device.numbers, ' ')") == "1.0 2.5 3.0");
   CHECK(lua.Get("#robot.device.messages") == "3");
   CHECK(lua.Get("table.concat(robot.device.messages[3].data, ' ')") == "4.0 5.0 6.0");
-  // a script may keep a message
+  // a script may keep a message of an earlier reading
   lua.Do("kept = robot.device.messages[1]");
   lua.Device.Numbers = {7.0};
   lua.Device.Messages = {{9}};
@@ -318,8 +350,7 @@ TEST_CASE("lua table: lists of numbers and of new records have the length of wha
   CHECK(lua.Get("#robot.device.messages") == "0");
 }
 
-TEST_CASE("lua table: refreshing again and again leaves the state as large as it is",
-          "[lua][table]") {
+TEST_CASE("lua table: repeated updates do not enlarge the state", "[lua][table]") {
   CDeviceTester lua;
   const auto memory = [&lua] {
     lua.Do("collectgarbage()");
@@ -331,12 +362,11 @@ TEST_CASE("lua table: refreshing again and again leaves the state as large as it
   for (int i = 0; i < 1000; ++i) {
     lua.Refresh();
   }
-  // less than a byte for each refresh
+  // less than a byte per update
   CHECK(memory() < before + 1000);
 }
 
-TEST_CASE("lua table: an actuator and a sensor share a table, two of a kind do not",
-          "[lua][table]") {
+TEST_CASE("lua table: an actuator and a sensor share a table, two sensors do not", "[lua][table]") {
   CLuaTester lua;
   CDevice a;
   CDevice b;
@@ -353,7 +383,7 @@ TEST_CASE("lua table: an actuator and a sensor share a table, two of a kind do n
         lua_newtable(state);
         add(state, "actuator", "wheels_a", a);
         add(state, "sensor", "wheels_s", b);
-        // again the same one
+        // the same actuator again
         add(state, "actuator", "wheels_a", a);
         add(state, "sensor", "other_wheels", c);
       }),

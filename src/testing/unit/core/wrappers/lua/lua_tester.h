@@ -7,7 +7,7 @@
 
 namespace argos {
 
-/** A Lua state for tests, to which code is given as text. */
+/** A Lua state for tests; code is given as text. */
 class CLuaTester : public CLuaState {
  public:
   using CLuaState::CLuaState;

@@ -14,12 +14,14 @@ using Catch::WithinAbs;
 
 namespace {
 
-// a few roundings of numbers of about 1
+// tolerance of a few roundings of numbers of about 1
 constexpr Real kRounding = 1e-14;
 
 }  // namespace
 
-TEST_CASE("lua types: constructors make zero, identity, given numbers and copies", "[lua][types]") {
+TEST_CASE(
+    "lua types: constructors without, with numbers and with a vector make zero, values and copies",
+    "[lua][types]") {
   CLuaTester lua;
   CHECK(lua.Get("vector2()") == "0,0");
   CHECK(lua.Get("vector2(1, -2.5)") == "1,-2.5");
@@ -28,7 +30,7 @@ TEST_CASE("lua types: constructors make zero, identity, given numbers and copies
   CHECK(lua.Get("quaternion().w .. quaternion().x .. quaternion().y .. quaternion().z") ==
         "1.00.00.00.0");
   CHECK(lua.Get("quaternion(0.5, 0.25, -1, 2).y") == "-1.0");
-  // a copy is another object
+  // a copy is a new object
   lua.Do("a = vector2(1, 2); b = vector2(a); b.x = 9");
   CHECK(lua.Get("a") == "1,2");
   CHECK(lua.Get("b") == "9,2");
@@ -38,12 +40,12 @@ TEST_CASE("lua types: constructors make zero, identity, given numbers and copies
   lua.Do("a = quaternion(1, 2, 3, 4); b = quaternion(a); b.w = 9");
   CHECK(lua.Get("a.w") == "1.0");
   CHECK(lua.Get("b.w") == "9.0");
-  // an assignment is none
+  // an assignment copies the reference only
   lua.Do("a = vector2(1, 2); b = a; b.x = 9");
   CHECK(lua.Get("a.x") == "9.0");
 }
 
-TEST_CASE("lua types: a quaternion of angle and axis does not care for the axis' length",
+TEST_CASE("lua types: a quaternion of angle and axis ignores the length of the axis",
           "[lua][types]") {
   CLuaTester lua;
   const Real length = GENERATE(1.0, 0.1, 250.0);
@@ -56,7 +58,7 @@ TEST_CASE("lua types: a quaternion of angle and axis does not care for the axis'
   CHECK(lua.GetNumber("q.z") == 0.0);
 }
 
-TEST_CASE("lua types: other arguments of a constructor are errors that say what would be right",
+TEST_CASE("lua types: wrong arguments of a constructor are errors that list the accepted ones",
           "[lua][types]") {
   CLuaTester lua;
   CHECK(lua.GetError("vector2(1)") ==
@@ -73,7 +75,7 @@ TEST_CASE("lua types: other arguments of a constructor are errors that say what 
              Contains("axis must not be the zero vector"));
 }
 
-TEST_CASE("lua types: components are read and written by their letters", "[lua][types]") {
+TEST_CASE("lua types: components can be read and written by name", "[lua][types]") {
   CLuaTester lua;
   lua.Do("a = vector3(1, 2, 3); a.x = 4; a.y = -5; a.z = 0.5");
   CHECK(lua.Get("a") == "4,-5,0.5");
@@ -101,7 +103,7 @@ TEST_CASE("lua types: tostring has six significant digits, and degrees for a qua
   CHECK(lua.Get("quaternion()") == "0,0,0");
 }
 
-TEST_CASE("lua types: vectors add, subtract, negate and scale into new ones", "[lua][types]") {
+TEST_CASE("lua types: vectors add, subtract, negate and scale to new objects", "[lua][types]") {
   CLuaTester lua;
   lua.Do("a, b = vector2(1, 2), vector2(10, 20)");
   CHECK(lua.Get("a + b") == "11,22");
@@ -115,7 +117,7 @@ TEST_CASE("lua types: vectors add, subtract, negate and scale into new ones", "[
   CHECK(lua.Get("-c") == "-1,-2,-3");
   CHECK(lua.Get("c * -0.5") == "-0.5,-1,-1.5");
   CHECK(lua.Get("-0.5 * c") == "-0.5,-1,-1.5");
-  // none of them has changed
+  // the operands are unchanged
   CHECK(lua.Get("a") == "1,2");
   CHECK(lua.Get("c") == "1,2,3");
 }
@@ -159,7 +161,7 @@ TEST_CASE("lua types: operators that do not exist are errors", "[lua][types]") {
   CHECK_THAT(error, Contains("vector") || Contains("quaternion") || Contains("userdata"));
 }
 
-TEST_CASE("lua types: length and dot", "[lua][types]") {
+TEST_CASE("lua types: length and dot give numbers", "[lua][types]") {
   CLuaTester lua;
   CHECK(lua.GetNumber("vector2(3, -4):length()") == 5.0);
   CHECK(lua.GetNumber("vector3(2, 3, 6):length()") == 7.0);
@@ -199,7 +201,7 @@ TEST_CASE("lua types: rotate works in place and returns the object", "[lua][type
   CHECK_THAT(lua.GetNumber("v.z"), WithinAbs(2.0, kRounding));
 }
 
-TEST_CASE("lua types: cross of vector2 is a number, of vector3 in place", "[lua][types]") {
+TEST_CASE("lua types: cross of vector2 gives a number, of vector3 works in place", "[lua][types]") {
   CLuaTester lua;
   lua.Do("v = vector2(1, 2)");
   CHECK(lua.GetNumber("v:cross(vector2(3, 5))") == -1.0);
@@ -209,7 +211,8 @@ TEST_CASE("lua types: cross of vector2 is a number, of vector3 in place", "[lua]
   CHECK(lua.Get("v") == "0,0,1");
 }
 
-TEST_CASE("lua types: a quaternion's inverse, angle and axis, Euler angles", "[lua][types]") {
+TEST_CASE("lua types: a quaternion has an inverse, angle and axis, and Euler angles",
+          "[lua][types]") {
   CLuaTester lua;
   lua.Do("q = quaternion(1, 2, 3, 4); r = q:inverse()");
   CHECK(lua.Get("r == quaternion(1, -2, -3, -4)") == "true");
@@ -238,7 +241,8 @@ TEST_CASE("lua types: a quaternion's inverse, angle and axis, Euler angles", "[l
   CHECK_THAT(lua.GetNumber("y"), WithinAbs(CRadians::PI_OVER_TWO.GetValue(), kRounding));
 }
 
-TEST_CASE("lua types: wrong arguments of methods are errors that pcall catches", "[lua][types]") {
+TEST_CASE("lua types: errors on wrong arguments of methods can be caught by pcall",
+          "[lua][types]") {
   CLuaTester lua;
   CHECK(lua.GetError("vector2():dot(1)") ==
         "test:1: vector2:dot: argument 1 must be a vector2, got number");
@@ -256,7 +260,7 @@ TEST_CASE("lua types: wrong arguments of methods are errors that pcall catches",
   CHECK_THAT(lua.Get("message"), Contains("vector3:cross: argument 1 must be a vector3, got nil"));
 }
 
-TEST_CASE("lua types: a userdata of somebody else is no vector", "[lua][types]") {
+TEST_CASE("lua types: userdata of another library is not accepted as a vector", "[lua][types]") {
   CLuaTester lua;
   CHECK_THAT(lua.GetError("vector2(io.stdout)"), Contains("got userdata"));
   lua.Run([](lua_State* state) {

@@ -1,15 +1,20 @@
 #include "lua_tester.h"
 
+#include <argos3/core/wrappers/lua/lua_keys.h>
 #include <argos3/core/wrappers/lua/lua_registry.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
 #include <argos3/testing/support/captured_logs.h>
+#include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/paths.h>
 
 #include <catch2/catch.hpp>
 
 #include <unistd.h>
 
+#include <array>
+#include <cstddef>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <limits>
 
@@ -18,7 +23,7 @@ using Catch::Contains;
 
 namespace {
 
-// as a plug-in written for ARGoS 3 does it
+// written like a plug-in for ARGoS 3
 class CUserDevice {
  public:
   void CreateLuaState(lua_State* state) {
@@ -76,7 +81,7 @@ class CUserTester : public CLuaTester {
   CUserDevice Device;
 };
 
-/** A file that goes away with the test; tests run at the same time, each in its own process. */
+/** A file removed by the destructor; tests run concurrently, each in its own process. */
 class CScriptFile {
  public:
   explicit CScriptFile(const std::string& text) { std::ofstream(Path) << text; }
@@ -87,9 +92,31 @@ class CScriptFile {
   const std::string Path = InBuildTree("lua_utility_test_" + std::to_string(getpid()) + ".lua");
 };
 
+/** The memory of a Lua state, from which nothing is released. */
+struct SBuffer {
+  alignas(16) std::array<std::byte, 65536> Bytes;
+  std::size_t NumUsed = 0;
+
+  static void* Reallocate(void* buffer, void* block, std::size_t oldSize, std::size_t newSize) {
+    auto& self = *static_cast<SBuffer*>(buffer);
+    if (block != nullptr && newSize <= oldSize) {
+      return newSize > 0 ? block : nullptr;
+    }
+    if (newSize == 0 || newSize > self.Bytes.size() - self.NumUsed) {
+      return nullptr;
+    }
+    void* const moved = self.Bytes.data() + self.NumUsed;
+    self.NumUsed += (newSize + 15) / 16 * 16;
+    if (block != nullptr) {
+      std::memcpy(moved, block, oldSize);
+    }
+    return moved;
+  }
+};
+
 }  // namespace
 
-TEST_CASE("lua utility: a device that uses the API of ARGoS 3 has all its values in its table",
+TEST_CASE("lua utility: a device that uses the API of ARGoS 3 has all values in its table",
           "[lua][utility]") {
   CUserTester lua;
   CHECK(lua.Get("robot.user.text") == "abc");
@@ -111,7 +138,7 @@ TEST_CASE("lua utility: a device that uses the API of ARGoS 3 has all its values
   CHECK(lua.Get("robot.user.inner[1].deeper") == "2.0");
 }
 
-TEST_CASE("lua utility: a table that is there is opened again", "[lua][utility]") {
+TEST_CASE("lua utility: an existing table is opened again", "[lua][utility]") {
   CUserTester lua;
   lua.Run([](lua_State* state) {
     lua_getglobal(state, "robot");
@@ -133,7 +160,7 @@ TEST_CASE("lua utility: functions find the instance even if the script overwrite
   CHECK(lua.Device.Value == 5.0);
 }
 
-TEST_CASE("lua utility: an instance that is not there is null", "[lua][utility]") {
+TEST_CASE("lua utility: a missing instance is null", "[lua][utility]") {
   CUserTester lua;
   lua.Run([](lua_State* state) {
     CHECK(CLuaUtility::GetDeviceInstance<CUserDevice>(state, "nothing") == nullptr);
@@ -154,7 +181,7 @@ TEST_CASE("lua utility: LoadScript runs a file", "[lua][utility]") {
   CHECK(lua_gettop(lua.Get()) == 0);
 }
 
-TEST_CASE("lua utility: what fails leaves Lua's message on the stack", "[lua][utility]") {
+TEST_CASE("lua utility: a failure leaves Lua's message on the stack", "[lua][utility]") {
   CLuaTester lua;
   const auto message = [&lua] {
     const std::string text = lua_tostring(lua.Get(), -1);
@@ -192,7 +219,45 @@ TEST_CASE("lua utility: globals and the stack can be printed", "[lua][utility]")
   CHECK(TakeLog() == "#1 number 5\n#2 string \"top\"\n");
 }
 
-TEST_CASE("lua utility: a metatable is given by its name", "[lua][utility]") {
+TEST_CASE("lua utility: a script's error while something is printed is an error of the call",
+          "[lua][utility]") {
+  CLuaTester lua;
+  // leak checkers would find the text of the long key if the error skipped a destructor
+  lua.Do(
+      "fail = setmetatable({}, { __tostring = function() error('no text', 0) end })\n"
+      "_G[string.rep('k', 100)] = fail");
+  CHECK_THROWS_WITH(lua.Run([](lua_State* state) { CLuaUtility::PrintGlobals(LOG, state); }),
+                    Contains("no text"));
+  CHECK_THROWS_WITH(lua.Run([](lua_State* state) {
+    lua_getglobal(state, "fail");
+    CLuaUtility::PrintStack(LOG, state);
+  }),
+                    Contains("no text"));
+  TakeLog();
+}
+
+TEST_CASE("lua utility: keys are ordered in memory of the state alone", "[lua][utility]") {
+  // an error may leave the function without calling destructors
+  SBuffer buffer;
+  lua_State* const state = lua_newstate(&SBuffer::Reallocate, &buffer);
+  REQUIRE(state != nullptr);
+  lua_gc(state, LUA_GCSTOP);
+  lua_newtable(state);
+  for (const char* const key : {"wheels", "id", "proximity", "leds", "params", "random"}) {
+    lua_pushboolean(state, 1);
+    lua_setfield(state, -2, key);
+  }
+  CheckAllocatesNothing([state] { PushOrderedKeys(state, 1); });
+  REQUIRE(lua_gettop(state) == 2);
+  std::string keys;
+  for (int i = 1; lua_rawgeti(state, 2, i) == LUA_TSTRING; ++i) {
+    keys += lua_tostring(state, -1) + std::string(" ");
+  }
+  CHECK(keys == "id leds params proximity random wheels ");
+  lua_close(state);
+}
+
+TEST_CASE("lua utility: a metatable is assigned by its name", "[lua][utility]") {
   CLuaTester lua;
   lua.Run([](lua_State* state) {
     luaL_newmetatable(state, "of_test");
@@ -205,7 +270,7 @@ TEST_CASE("lua utility: a metatable is given by its name", "[lua][utility]") {
   CHECK(lua.Get("getmetatable(t).__name") == "from the metatable");
 }
 
-TEST_CASE("lua utility: tables survive being bytes", "[lua][utility]") {
+TEST_CASE("lua utility: tables are restored from their bytes", "[lua][utility]") {
   CLuaTester lua;
   lua.Do(
       "t = { 1, 2.5, 'text', true, false, huge = math.huge, min = math.mininteger, [-1] = "
@@ -227,7 +292,7 @@ TEST_CASE("lua utility: tables survive being bytes", "[lua][utility]") {
     CHECK(lua_gettop(state) == 1);
     lua_setglobal(state, "u");
   });
-  // nothing but the table was taken
+  // only the bytes of the table were taken
   CHECK(data.Size() == 1);
   CHECK(data.PopFront<UInt8>() == 9);
   CHECK(lua.Get("u[1] .. u[2] .. u[3]") == "12.5text");
@@ -246,7 +311,7 @@ TEST_CASE("lua utility: tables survive being bytes", "[lua][utility]") {
   CHECK(lua.Get("u.f") == "nil");
 }
 
-TEST_CASE("lua utility: the same table becomes the same bytes in any state", "[lua][utility]") {
+TEST_CASE("lua utility: equal tables give equal bytes in any state", "[lua][utility]") {
   const auto serialize = [] {
     CLuaTester lua;
     lua.Do("t = {} for i = 1, 50 do t['key' .. i] = i end");
@@ -263,7 +328,7 @@ TEST_CASE("lua utility: the same table becomes the same bytes in any state", "[l
   }
 }
 
-TEST_CASE("lua utility: a table that contains itself cannot become bytes", "[lua][utility]") {
+TEST_CASE("lua utility: a table that contains itself cannot be serialised", "[lua][utility]") {
   CLuaTester lua;
   lua.Do("t = {} t.me = t");
   CByteArray data;
@@ -275,7 +340,7 @@ TEST_CASE("lua utility: a table that contains itself cannot become bytes", "[lua
   CHECK(data.Empty());
 }
 
-TEST_CASE("lua utility: bytes that are no table give no table", "[lua][utility]") {
+TEST_CASE("lua utility: malformed bytes give no table", "[lua][utility]") {
   CLuaTester lua;
   lua.Do("t = { 1, 'text', { vector3(1, 2, 3) } }");
   CByteArray good;
@@ -283,7 +348,7 @@ TEST_CASE("lua utility: bytes that are no table give no table", "[lua][utility]"
     lua_getglobal(state, "t");
     CLuaUtility::LuaSerializeTable(state, good);
   });
-  // every beginning of the right bytes is too short
+  // every truncation of valid bytes is too short
   for (std::size_t size = 0; size < good.Size(); ++size) {
     CByteArray data(good.ToCArray(), size);
     lua.Run([&](lua_State* state) {
@@ -292,7 +357,7 @@ TEST_CASE("lua utility: bytes that are no table give no table", "[lua][utility]"
     });
     CHECK(data.Size() == size);
   }
-  // and every other byte in its place does no harm
+  // any changed byte is harmless
   for (std::size_t i = 0; i < good.Size(); ++i) {
     for (const int byte : {0, 1, 6, 10, 255}) {
       CByteArray data = good;

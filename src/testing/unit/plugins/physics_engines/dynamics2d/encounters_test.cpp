@@ -1,4 +1,4 @@
-// The grid finds the same discs that comparing each with each does.
+// The grid finds the same discs as a comparison of all pairs.
 
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/encounters.h>
 
@@ -55,7 +55,8 @@ std::vector<CEncounters::EMark> MarkEachWithEach(const std::vector<SDisc>& discs
 
 }  // namespace
 
-TEST_CASE("encounters: the grid finds what comparing each with each finds", "[dynamics2d]") {
+TEST_CASE("encounters: the grid finds the discs that a comparison of all pairs finds",
+          "[dynamics2d]") {
   const int numDiscs = GENERATE(1, 2, 30, 400);
   const Real side = GENERATE(0.5, 5.0, 60.0);
   const unsigned seed = GENERATE(1U, 2U, 3U);
@@ -94,7 +95,8 @@ TEST_CASE("encounters: the grid finds what comparing each with each finds", "[dy
   }
 }
 
-TEST_CASE("encounters: a body that is no disc marks the discs that it may meet", "[dynamics2d]") {
+TEST_CASE("encounters: a body that is not a disc marks the discs within its reach",
+          "[dynamics2d]") {
   CEncounters encounters;
   encounters.SetMargin(0.1);
   encounters.Clear(4);
@@ -105,16 +107,16 @@ TEST_CASE("encounters: a body that is no disc marks the discs that it may meet",
   encounters.MarkNear(1.0, 0.0, 0.95);
   CHECK(encounters.GetMark(0) == CEncounters::Near);
   CHECK(encounters.GetMark(1) == CEncounters::Near);
-  // never placed
+  // disc 2 was never placed
   CHECK(encounters.GetMark(2) == CEncounters::Alone);
   CHECK(encounters.GetMark(3) == CEncounters::Alone);
-  // 0.05 m are missing, less than the margin
+  // the gap of 0.05 m is less than the margin
   encounters.MarkNear(-2.0, 0.0, 0.6);
   CHECK(encounters.GetMark(3) == CEncounters::Around);
 }
 
-TEST_CASE("encounters: a disc may reach farther than others do", "[dynamics2d]") {
-  // two that are far apart, in a row of small ones
+TEST_CASE("encounters: discs of longer reach than the others are found", "[dynamics2d]") {
+  // two discs of long reach 5 m apart, and a row of small ones
   CEncounters encounters;
   encounters.SetMargin(0.01);
   encounters.Clear(102);

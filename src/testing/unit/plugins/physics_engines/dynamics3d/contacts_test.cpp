@@ -1,4 +1,4 @@
-// What may touch, and where cylinders do.
+// Pairs of bodies from the broad phase, and contact points of cylinders.
 
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/broad_phase.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/cylinder_contacts.h>
@@ -9,6 +9,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <dlfcn.h>
+
 #include <algorithm>
 #include <memory>
 #include <set>
@@ -18,7 +20,7 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-// bodies that are one box each
+// bodies of one box each
 struct SBoxes {
   std::vector<std::unique_ptr<SRigidBody>> All;
   std::vector<SRigidBody*> Movables, Fixed;
@@ -57,7 +59,7 @@ TPairs ToSet(const std::vector<SRigidPair>& pairs) {
   for (const SRigidPair& pair : pairs) {
     set.insert(std::minmax<const SRigidBody*>(pair.First, pair.Second));
   }
-  // none twice
+  // no pair occurs twice
   CHECK(set.size() == pairs.size());
   return set;
 }
@@ -86,10 +88,9 @@ dGeomID Cylinder(Real radius, Real length, const CVector3& centre, Real tilt = 0
 
 }  // namespace
 
-TEST_CASE("broad phase: finds the pairs that a search by force finds, while bodies move",
-          "[dynamics3d]") {
+TEST_CASE("broad phase: finds the pairs that brute force finds while bodies move", "[dynamics3d]") {
   UseODEInThisThread();
-  // along x, along y, and on a square
+  // bodies spread along x, along y, and over a square
   const CVector3 spread = GENERATE(CVector3(5, 0.5, 1), CVector3(0.5, 5, 1), CVector3(2, 2, 1));
   CAPTURE(spread);
   CRandomStream random(3, "test", "boxes", "places");
@@ -120,23 +121,24 @@ TEST_CASE("broad phase: finds the pairs that a search by force finds, while bodi
   CHECK(most > 50);
 }
 
-TEST_CASE("cylinder contacts: side by side they touch at both ends of a line", "[dynamics3d]") {
+TEST_CASE("cylinder contacts: cylinders side by side touch at both ends of a line",
+          "[dynamics3d]") {
   UseODEInThisThread();
-  // radii 0.3 and 0.2, 0.4 apart from axis to axis on the diagonal of 3, 4, 5: 0.1 deep
+  // radii 0.3 and 0.2, the axes 0.4 apart along the diagonal of a 3-4-5 triangle: 0.1 deep
   const dGeomID a = Cylinder(0.3, 1.0, CVector3(0, 0, 0.5));
   const dGeomID b = Cylinder(0.2, 0.4, CVector3(0.24, 0.32, 0.7));
   dContactGeom contacts[4];
   REQUIRE(FindContacts(a, b, 4, contacts, sizeof(dContactGeom)) == 2);
   for (int i = 0; i < 2; ++i) {
     CHECK_THAT(contacts[i].depth, WithinAbs(0.1, 1e-12));
-    // into the first one
+    // the normal points into the first cylinder
     CHECK_THAT(contacts[i].normal[0], WithinAbs(-0.6, 1e-12));
     CHECK_THAT(contacts[i].normal[1], WithinAbs(-0.8, 1e-12));
     CHECK_THAT(contacts[i].normal[2], WithinAbs(0.0, 1e-12));
-    // between both surfaces: 0.25 from the first axis
+    // between both surfaces: 0.25 from the axis of the first
     CHECK_THAT(contacts[i].pos[0], WithinAbs(0.15, 1e-12));
     CHECK_THAT(contacts[i].pos[1], WithinAbs(0.2, 1e-12));
-    // where the second begins and ends
+    // at the lower and the upper end of the second cylinder
     CHECK_THAT(contacts[i].pos[2], WithinAbs(i == 0 ? 0.5 : 0.9, 1e-12));
   }
   CHECK(FindContacts(a, b, 1, contacts, sizeof(dContactGeom)) == 1);
@@ -144,20 +146,21 @@ TEST_CASE("cylinder contacts: side by side they touch at both ends of a line", "
   dGeomDestroy(b);
 }
 
-TEST_CASE("cylinder contacts: what leans touches more on one end, and what is apart nowhere",
-          "[dynamics3d]") {
+TEST_CASE(
+    "cylinder contacts: a tilted cylinder touches more at one end, separate ones do not touch",
+    "[dynamics3d]") {
   UseODEInThisThread();
   const Real tilt = 0.01;
   const dGeomID a = Cylinder(0.1, 0.4, CVector3(0, 0, 0));
   const dGeomID leaning = Cylinder(0.1, 0.4, CVector3(0.2, 0, 0), tilt);
   dContactGeom contacts[4];
-  // its lower end leans towards the first, by 0.2 sin(tilt)
+  // the lower end of the tilted one is 0.2 sin(tilt) inside the first
   REQUIRE(FindContacts(a, leaning, 4, contacts, sizeof(dContactGeom)) == 1);
   CHECK_THAT(contacts[0].depth, WithinAbs(0.2 * std::sin(tilt), 1e-4));
   CHECK_THAT(contacts[0].pos[2], WithinAbs(-0.2, 1e-3));
   const dGeomID apart = Cylinder(0.1, 0.4, CVector3(0.21, 0, 0));
   CHECK(FindContacts(a, apart, 4, contacts, sizeof(dContactGeom)) == 0);
-  // one above the other, with a gap
+  // one above the other with a gap
   const dGeomID above = Cylinder(0.1, 0.4, CVector3(0, 0, 0.41));
   CHECK(FindContacts(a, above, 4, contacts, sizeof(dContactGeom)) == 0);
   for (const dGeomID geom : {a, leaning, apart, above}) {
@@ -165,23 +168,30 @@ TEST_CASE("cylinder contacts: what leans touches more on one end, and what is ap
   }
 }
 
-TEST_CASE("ODE session: ODE draws from the generator of this library", "[dynamics3d]") {
+TEST_CASE("ODE session: the random numbers of a sequence are those that ODE would draw",
+          "[dynamics3d]") {
   UseODEInThisThread();
-  // else results would depend on threads beyond eight sweeps
-  CHECK(HasOwnODERandom());
-  SeedODE(5);
-  const int first = dRandInt(1000);
-  const int second = dRandInt(1000);
-  CHECK(first != second);
-  SeedODE(5);
-  CHECK(dRandInt(1000) == first);
-  CHECK(dRandInt(1000) == second);
-  int sum = 0;
+  // otherwise worlds could not make iterative steps concurrently
+  REQUIRE(IsODERandomReplaced());
+  // ODE's own function, which this program's calls do not reach
+  Dl_info library;
+  REQUIRE(dladdr(dlsym(RTLD_DEFAULT, "dRandSetSeed"), &library) != 0);
+  void* const handle = dlopen(library.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
+  REQUIRE(handle != nullptr);
+  auto* const drawFromODE = reinterpret_cast<unsigned long (*)()>(dlsym(handle, "dRand"));
+  REQUIRE(drawFromODE != nullptr);
+  REQUIRE(drawFromODE != &dRand);
+
+  const SBoxes empty;
+  const UInt32 sequence = GENERATE(0U, 5U, 4000000000U);
+  StepODEIteratively(empty.World, 0.01, sequence);
+  dRandSetSeed((sequence + 1U) * 0x9E3779B9U);
   for (int i = 0; i < 1000; ++i) {
-    const int drawn = dRandInt(10);
-    REQUIRE((drawn >= 0 && drawn < 10));
-    sum += drawn;
+    REQUIRE(dRand() == drawFromODE());
   }
-  // the mean of 1,000 numbers is 4.5, to 0.09 at one standard deviation
-  CHECK_THAT(sum / 1000.0, WithinAbs(4.5, 0.4));
+  StepODEIteratively(empty.World, 0.01, sequence);
+  const unsigned long first = dRand();
+  StepODEIteratively(empty.World, 0.01, sequence + 1U);
+  CHECK(dRand() != first);
+  dlclose(handle);
 }

@@ -1,4 +1,4 @@
-// The nearest allowed step, against a search over the candidates that geometry allows.
+// Compares the nearest allowed step with a search over all geometric candidates.
 
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/half_planes.h>
 
@@ -25,7 +25,7 @@ bool Allows(const std::vector<SHalfPlane>& planes, const SStep& step, Real slack
   return true;
 }
 
-// the nearest of: the wanted step, its projections on borders, and the corners
+// nearest candidate: the wanted step, its projections on borders, or a corner
 SStep SearchNearest(const std::vector<SHalfPlane>& planes, const SStep& wanted) {
   std::vector<SStep> candidates = {wanted};
   for (const SHalfPlane& a : planes) {
@@ -53,7 +53,8 @@ SStep SearchNearest(const std::vector<SHalfPlane>& planes, const SStep& wanted) 
 
 }  // namespace
 
-TEST_CASE("half planes: the step found is the nearest that all allow", "[unit][kinematics2d]") {
+TEST_CASE("half planes: the step found is the nearest one that all planes allow",
+          "[unit][kinematics2d]") {
   CRandomStream random(1, "test", "half planes", "planes");
   for (int scene = 0; scene < 2000; ++scene) {
     std::vector<SHalfPlane> planes;
@@ -61,7 +62,7 @@ TEST_CASE("half planes: the step found is the nearest that all allow", "[unit][k
     const int count = scene % 9;
     for (int i = 0; i < count; ++i) {
       const Real angle = random.Uniform(-std::numbers::pi, std::numbers::pi);
-      // a third of them touch already
+      // in a third of the scenes the bodies touch already
       const Real limit = scene % 3 == 0 ? 0.0 : random.Uniform(0.0, 1.0);
       planes.push_back({std::cos(angle), std::sin(angle), limit, static_cast<UInt32>(i)});
       REQUIRE(solver.Add(planes.back()));
@@ -77,7 +78,8 @@ TEST_CASE("half planes: the step found is the nearest that all allow", "[unit][k
   }
 }
 
-TEST_CASE("half planes: their order does not matter, once sorted", "[unit][kinematics2d]") {
+TEST_CASE("half planes: after sorting, the result does not depend on the order of addition",
+          "[unit][kinematics2d]") {
   const std::vector<SHalfPlane> planes = {
       {0.6, 0.8, 0.1, 7}, {-0.6, 0.8, 0.2, 3}, {1.0, 0.0, 0.05, 5}};
   CHalfPlanes forwards;
@@ -94,7 +96,7 @@ TEST_CASE("half planes: their order does not matter, once sorted", "[unit][kinem
   CHECK(a.Y == b.Y);
 }
 
-TEST_CASE("half planes: there is room for 64", "[unit][kinematics2d]") {
+TEST_CASE("half planes: the capacity is 64", "[unit][kinematics2d]") {
   CHalfPlanes planes;
   for (UInt32 i = 0; i < 64; ++i) {
     REQUIRE(planes.Add({1.0, 0.0, 1.0, i}));

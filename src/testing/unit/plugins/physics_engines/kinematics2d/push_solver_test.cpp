@@ -1,4 +1,4 @@
-// How things move that are pushed against friction, against statics worked out by hand.
+// Compares motions of bodies pushed against friction with statics computed by hand.
 
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/push_solver.h>
 
@@ -13,12 +13,12 @@ namespace {
 constexpr Real kNeed = 0.01;  // m
 // m; the solver stops when a sweep changes 1e-9 of the need
 constexpr Real kPrecision = 1e-6 * kNeed;
-// of a square of 0.2 m: side^2 / 6, m^2
+// squared radius of gyration of a square of 0.2 m: side^2 / 6, m^2
 constexpr Real kSquaredGyration = 0.2 * 0.2 / 6.0;
 
 }  // namespace
 
-TEST_CASE("push solver: what is pushed by more than friction moves as wanted, else stays",
+TEST_CASE("push solver: a body moves as wanted if the push exceeds friction, else stays",
           "[unit][kinematics2d]") {
   const Real cap = GENERATE(1.48, 1.5, 15.0);
   CAPTURE(cap);
@@ -31,7 +31,7 @@ TEST_CASE("push solver: what is pushed by more than friction moves as wanted, el
   CHECK(solver.GetTwist(body).Turn == 0.0);
 }
 
-TEST_CASE("push solver: forces of several add up, also through each other",
+TEST_CASE("push solver: forces of several pushers add up, also through other bodies",
           "[unit][kinematics2d]") {
   const Real friction = GENERATE(25.0, 35.0);
   CAPTURE(friction);
@@ -43,7 +43,7 @@ TEST_CASE("push solver: forces of several add up, also through each other",
   solver.Solve();
   CHECK_THAT(solver.GetTwist(body).X, WithinAbs(friction < 30.0 ? kNeed : 0.0, kPrecision));
 
-  // a row of three: the first takes what all need
+  // a row of three bodies: the push on the first must overcome the friction of all
   CPushSolver row;
   UInt32 bodies[3];
   for (UInt32& each : bodies) {
@@ -58,7 +58,7 @@ TEST_CASE("push solver: forces of several add up, also through each other",
   }
 }
 
-TEST_CASE("push solver: two that push against each other hold a thing", "[unit][kinematics2d]") {
+TEST_CASE("push solver: two opposite pushers hold a body in place", "[unit][kinematics2d]") {
   CPushSolver solver;
   const UInt32 body = solver.AddBody({}, 1.49, 1.49, kSquaredGyration);
   solver.AddContact({CPushSolver::kNobody, body, 1.0, 0.0, 0.0, 0.0, kNeed, 15.0, 0.0});
@@ -67,11 +67,11 @@ TEST_CASE("push solver: two that push against each other hold a thing", "[unit][
   CHECK_THAT(solver.GetTwist(body).X, WithinAbs(0.0, kPrecision));
 }
 
-TEST_CASE("push solver: a push beside the centre turns what torque does not hold",
+TEST_CASE("push solver: an off-centre push turns a body if it exceeds the torque limit",
           "[unit][kinematics2d]") {
   constexpr Real kLever = 0.08;  // m
   constexpr Real kForce = 1.49;  // N
-  // friction that slides takes kForce at the lever, at least
+  // sliding friction transmits at least kForce at the lever
   const Real torque = GENERATE(0.5 * kForce * kLever, 2.0 * kForce * kLever);
   CAPTURE(torque);
   CPushSolver solver;
@@ -79,7 +79,7 @@ TEST_CASE("push solver: a push beside the centre turns what torque does not hold
   solver.AddContact({CPushSolver::kNobody, body, 1.0, 0.0, 0.0, -kLever, kNeed, 15.0, 0.0});
   solver.Solve();
   const STwist& twist = solver.GetTwist(body);
-  // the point that is pushed goes as far as wanted
+  // the pushed point moves as far as wanted
   CHECK_THAT(twist.X - kLever * twist.Turn, WithinAbs(kNeed, kPrecision));
   if (torque > kForce * kLever) {
     CHECK_THAT(twist.Turn, WithinAbs(0.0, kPrecision / kLever));
@@ -88,7 +88,8 @@ TEST_CASE("push solver: a push beside the centre turns what torque does not hold
   }
 }
 
-TEST_CASE("push solver: nothing goes through what stands fast", "[unit][kinematics2d]") {
+TEST_CASE("push solver: a pushed body does not penetrate an immovable one",
+          "[unit][kinematics2d]") {
   CPushSolver solver;
   const UInt32 body = solver.AddBody({}, 1.49, 1.49, kSquaredGyration);
   solver.AddContact({CPushSolver::kNobody, body, 1.0, 0.0, 0.0, 0.0, kNeed, 15.0, 0.0});

@@ -1,4 +1,4 @@
-// Lines that keep discs and rectangles apart, against sampled points of both.
+// Compares lines that separate discs and rectangles with sampled points of both.
 
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/separation.h>
 
@@ -16,14 +16,14 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-// m; roundings of numbers of order 1
+// m; tolerance for roundings of numbers of order 1
 constexpr Real kRounding = 1e-12;
 
 SFootprint MakeBox(Real x, Real y, Real yaw, Real halfX, Real halfY) {
   return {x, y, std::cos(yaw), std::sin(yaw), halfX, halfY, 0.0};
 }
 
-// from a point to a rectangle, m; 0 inside
+// distance from a point to a rectangle, m; 0 inside
 Real DistanceTo(const SFootprint& box, Real x, Real y) {
   const Real dx = x - box.X;
   const Real dy = y - box.Y;
@@ -32,7 +32,7 @@ Real DistanceTo(const SFootprint& box, Real x, Real y) {
   return std::hypot(outX, outY);
 }
 
-// the least distance of a centre that goes along a step, by sampling
+// least distance during a step of the centre, by sampling
 Real LeastDistance(const SFootprint& box, Real x, Real y, const SStep& step) {
   Real least = HUGE_VAL;
   for (int i = 0; i <= 2000; ++i) {
@@ -43,7 +43,7 @@ Real LeastDistance(const SFootprint& box, Real x, Real y, const SStep& step) {
 
 }  // namespace
 
-TEST_CASE("separation: of discs that miss each other allows the whole way",
+TEST_CASE("separation: the line between discs that miss each other allows the whole step",
           "[unit][kinematics2d]") {
   CRandomStream random(1, "test", "separation", "discs");
   int missed = 0;
@@ -73,7 +73,7 @@ TEST_CASE("separation: of discs that miss each other allows the whole way",
   CHECK(missed > 1000);
 }
 
-TEST_CASE("separation: a disc and a rectangle are apart on both sides of the line",
+TEST_CASE("separation: disc and rectangle are on opposite sides of the line",
           "[unit][kinematics2d]") {
   CRandomStream random(1, "test", "separation", "boxes");
   constexpr Real kRadius = 0.15;
@@ -92,7 +92,7 @@ TEST_CASE("separation: a disc and a rectangle are apart on both sides of the lin
     CAPTURE(scene, line.NormalX, line.NormalY, line.Gap);
     REQUIRE_THAT(std::hypot(line.NormalX, line.NormalY), WithinAbs(1.0, kRounding));
     REQUIRE(line.Gap >= -kRounding);
-    // all corners are beyond the line, which is the disc's radius and the gap from its centre
+    // all corners are beyond the line, whose distance from the disc's centre is radius plus gap
     for (int corner = 0; corner < 4; ++corner) {
       const Real x = corner & 1 ? box.HalfX : -box.HalfX;
       const Real y = corner & 2 ? box.HalfY : -box.HalfY;
@@ -103,7 +103,7 @@ TEST_CASE("separation: a disc and a rectangle are apart on both sides of the lin
     REQUIRE_THAT(DistanceTo(box, line.PointX, line.PointY), WithinAbs(0.0, kRounding));
     const Real closing = line.NormalX * step.X + line.NormalY * step.Y;
     const Real least = LeastDistance(box, 0.0, 0.0, step);
-    // sampling finds the least distance to some 1e-6
+    // sampling finds the least distance to about 1e-6
     if (least > kRadius + 1e-5) {
       ++missed;
       REQUIRE(closing <= line.Gap + kRounding);
@@ -120,16 +120,16 @@ TEST_CASE("separation: a disc inside a rectangle leaves it by the shortest way",
           "[unit][kinematics2d]") {
   const SFootprint box = MakeBox(0.0, 0.0, 0.0, 1.0, 0.5);
   const SSeparation line = SeparateFromFootprint(0.2, 0.4, 0.1, {}, box);
-  // 10 cm to the upper side, and 10 cm of its radius
+  // 10 cm from its centre to the upper side plus 10 cm of radius
   CHECK_THAT(line.NormalY, WithinAbs(-1.0, kRounding));
   CHECK_THAT(line.Gap, WithinAbs(-0.2, kRounding));
 }
 
-TEST_CASE("separation: boxes that stand face to face touch in two points", "[unit][kinematics2d]") {
+TEST_CASE("separation: boxes face to face touch in two points", "[unit][kinematics2d]") {
   const Real yaw = GENERATE(0.0, 0.3, 2.0);
   CAPTURE(yaw);
   const SFootprint a = MakeBox(0.0, 0.0, yaw, 0.5, 0.5);
-  // 0.25 ahead of a's face, as wide as a third of it
+  // 0.25 m ahead of a's face and a third as wide as it
   const SFootprint b = MakeBox(0.85 * std::cos(yaw), 0.85 * std::sin(yaw), yaw, 0.1, 0.15);
   SSeparation contacts[2];
   REQUIRE(FindContacts(a, b, contacts) == 2);

@@ -15,7 +15,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-// a few roundings of values of the order of 1 to 100
+// tolerance of a few roundings of values of the order of 1 to 100
 constexpr double kRounding = 1e-12;
 
 SCameraPlacement Make(const Eigen::Vector3d& position, const Eigen::Vector3d& lookAt,
@@ -34,7 +34,7 @@ void CheckVector(const Eigen::Vector3d& found, const Eigen::Vector3d& expected) 
 
 }  // namespace
 
-TEST_CASE("camera: a 13.5 mm lens sees the picture's height under 90 degrees",
+TEST_CASE("camera: a 13.5 mm lens has a vertical field of view of 90 degrees",
           "[visualizations][offscreen][camera]") {
   SCameraPlacement placement;
   placement.FocalLength = 13.5;
@@ -43,7 +43,7 @@ TEST_CASE("camera: a 13.5 mm lens sees the picture's height under 90 degrees",
   CHECK_THAT(placement.ComputeVerticalFieldOfView(), WithinAbs(std::numbers::pi / 6.0, kRounding));
 }
 
-TEST_CASE("camera: the point looked at is in the middle of the picture",
+TEST_CASE("camera: the target is in the middle of the picture",
           "[visualizations][offscreen][camera]") {
   const Eigen::Vector3d lookAt(0.3, -0.2, 0.1);
   const double aspectRatio = GENERATE(0.5, 1.0, 16.0 / 9.0);
@@ -70,7 +70,7 @@ TEST_CASE("camera: points at the border of the field of view are at the border o
   CHECK_THAT(inner.y(), WithinAbs(0.25, kRounding));
 }
 
-TEST_CASE("camera: a point behind the eye has no place on the picture",
+TEST_CASE("camera: a point behind the eye has no projection",
           "[visualizations][offscreen][camera]") {
   const CCamera camera(Make({0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}), 1.0);
   CHECK(std::isnan(camera.Project({-1.0, 0.0, 0.0}).x()));
@@ -101,8 +101,9 @@ TEST_CASE("camera: depths at the near and far planes are -1 and 1 in clip space"
   CHECK_THAT(atFar.z() / atFar.w(), WithinAbs(1.0, kRounding));
 }
 
-TEST_CASE("camera: the derived upward direction is across the line of sight, in its vertical plane",
-          "[visualizations][offscreen][camera]") {
+TEST_CASE(
+    "camera: the derived up vector is perpendicular to the line of sight, in its vertical plane",
+    "[visualizations][offscreen][camera]") {
   CheckVector(ComputeDefaultUp({2.0, 0.0, 0.0}), {0.0, 0.0, 1.0});
   CheckVector(ComputeDefaultUp({0.0, -3.0, 0.0}), {0.0, 0.0, 1.0});
   const double half = std::sqrt(0.5);
@@ -110,7 +111,7 @@ TEST_CASE("camera: the derived upward direction is across the line of sight, in 
   CheckVector(ComputeDefaultUp({0.0, 5.0, 5.0}), {0.0, -half, half});
 }
 
-TEST_CASE("camera: one that looks straight down has the world's +y on its left",
+TEST_CASE("camera: looking straight down, the world's +y is on its left",
           "[visualizations][offscreen][camera]") {
   CHECK(IsVertical({0.0, 0.0, -2.0}));
   CHECK_FALSE(IsVertical({1e-3, 0.0, -2.0}));
@@ -121,7 +122,7 @@ TEST_CASE("camera: one that looks straight down has the world's +y on its left",
   CheckVector(camera.GetRight(), {0.0, -1.0, 0.0});
 }
 
-TEST_CASE("camera: an upward direction along the line of sight falls back on the derived one",
+TEST_CASE("camera: an up vector along the line of sight is replaced by the derived one",
           "[visualizations][offscreen][camera]") {
   SCameraPlacement placement = Make({0.0, 0.0, 2.0}, {0.0, 0.0, 0.0});
   placement.Up = Eigen::Vector3d::UnitZ();
@@ -129,7 +130,7 @@ TEST_CASE("camera: an upward direction along the line of sight falls back on the
   CheckVector(camera.GetUp(), {1.0, 0.0, 0.0});
 }
 
-TEST_CASE("camera: default placements stand in a circle around the arena",
+TEST_CASE("camera: default placements form a circle around the arena",
           "[visualizations][offscreen][camera]") {
   // |size| = 13 for 3 x 4 x 12
   const SArenaBox arena{{1.0, 2.0, 6.0}, {3.0, 4.0, 12.0}};
@@ -144,13 +145,13 @@ TEST_CASE("camera: default placements stand in a circle around the arena",
   CHECK_THAT(placements[3].FocalLength, WithinAbs(65.0, kRounding));
 }
 
-TEST_CASE("camera: the framing placement holds the arena, tightly and in the middle",
+TEST_CASE("camera: the framing placement contains the arena tightly and centred",
           "[visualizations][offscreen][camera]") {
   const double aspectRatio = GENERATE(0.75, 4.0 / 3.0, 3.0);
   const Eigen::Vector3d size =
       GENERATE(Eigen::Vector3d(5.0, 5.0, 1.0), Eigen::Vector3d(40.0, 10.0, 2.0),
                Eigen::Vector3d(0.5, 8.0, 1.0));
-  const double top = GENERATE(0.0, 1.0, 6.0);  // m above the ground
+  const double top = GENERATE(0.0, 1.0, 6.0);  // m, height of the top above the ground
   CAPTURE(aspectRatio, size, top);
   const SArenaBox arena{{1.5, -2.0, 0.5}, size};
   const CCamera camera(MakeFramingPlacement(arena, aspectRatio, top), aspectRatio);
@@ -173,7 +174,7 @@ TEST_CASE("camera: the framing placement holds the arena, tightly and in the mid
   CHECK(camera.Project({1.5, -1.9, 0.0}).y() < camera.Project({1.5, -2.1, 0.0}).y());
 }
 
-TEST_CASE("camera: an eye at its target or a lens without length is an error",
+TEST_CASE("camera: an eye at its target and a zero focal length are errors",
           "[visualizations][offscreen][camera]") {
   CHECK_THROWS_WITH(CCamera(Make({1.0, 2.0, 3.0}, {1.0, 2.0, 3.0}), 1.0),
                     Contains("the same point (1,2,3)"));

@@ -10,10 +10,10 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-// a rounding or two of values up to 100
+// tolerance of one or two roundings of values up to 100
 constexpr double kRounding = 1e-12;
 
-// slot i is told by its focal length, 10 (i + 1) mm, and by its eye at (i, 0, 1)
+// slot i can be recognised by its focal length, 10 (i + 1) mm, and by its eye at (i, 0, 1)
 CCameraTimeline MakeTimeline(std::uint32_t loop = 0) {
   std::array<SCameraPlacement, kNumPlacements> placements;
   for (std::size_t i = 0; i < kNumPlacements; ++i) {
@@ -38,7 +38,7 @@ TEST_CASE("camera timeline: without keyframes the camera stays in placement 0",
   CHECK(FocalLengthAt(timeline, 12345) == 10.0);
 }
 
-TEST_CASE("camera timeline: a keyframe holds until the next",
+TEST_CASE("camera timeline: a keyframe is valid until the next",
           "[visualizations][offscreen][timeline]") {
   CCameraTimeline timeline = MakeTimeline();
   timeline.AddKeyframe({2, 10});
@@ -72,7 +72,7 @@ TEST_CASE("camera timeline: interpolation blends every part of the placements li
   CHECK_THAT(FocalLengthAt(timeline, 300), WithinAbs(50.0, kRounding));
 }
 
-TEST_CASE("camera timeline: a loop repeats, and blends from the last keyframe to the first",
+TEST_CASE("camera timeline: a loop repeats and blends from the last keyframe to the first",
           "[visualizations][offscreen][timeline]") {
   CCameraTimeline timeline = MakeTimeline(100);
   timeline.AddKeyframe({0, 20});
@@ -87,8 +87,9 @@ TEST_CASE("camera timeline: a loop repeats, and blends from the last keyframe to
   CHECK_THAT(FocalLengthAt(timeline, 100 * round + 105), WithinAbs(20.0, kRounding));
 }
 
-TEST_CASE("camera timeline: in a loop without interpolation the last keyframe holds over its end",
-          "[visualizations][offscreen][timeline]") {
+TEST_CASE(
+    "camera timeline: in a loop without interpolation the last keyframe is valid beyond its end",
+    "[visualizations][offscreen][timeline]") {
   CCameraTimeline timeline = MakeTimeline(100);
   timeline.AddKeyframe({1, 20});
   timeline.AddKeyframe({3, 100});
@@ -110,8 +111,7 @@ TEST_CASE("camera timeline: a single looping keyframe that interpolates stays in
   }
 }
 
-TEST_CASE("camera timeline: what makes no sense is an error",
-          "[visualizations][offscreen][timeline]") {
+TEST_CASE("camera timeline: invalid settings are errors", "[visualizations][offscreen][timeline]") {
   CCameraTimeline timeline = MakeTimeline(50);
   CHECK_THROWS_WITH(timeline.InterpolateFromLastKeyframe(), Contains("begins with <interpolate>"));
   CHECK_THROWS_WITH(timeline.AddKeyframe({12, 0}), Contains("no placement 12"));

@@ -18,7 +18,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-// a folder that is gone when the test ends
+// a temporary folder, removed by the destructor
 class CTemporaryFolder {
  public:
   CTemporaryFolder() {
@@ -60,7 +60,7 @@ SFrameFileSettings In(const std::string& directory) {
 
 }  // namespace
 
-TEST_CASE("frame writer: names are base, tick with ten digits, and format",
+TEST_CASE("frame writer: file names consist of base, tick with ten digits, and format",
           "[visualizations][offscreen][frames]") {
   const CTemporaryFolder folder;
   SFrameFileSettings settings = In(folder.GetPath() + "/");
@@ -72,7 +72,7 @@ TEST_CASE("frame writer: names are base, tick with ten digits, and format",
   CHECK(writer.MakeFileName(4294967295u) == folder.GetPath() + "/shot-4294967295.bmp");
 }
 
-TEST_CASE("frame writer: a picture comes back from its file as it was",
+TEST_CASE("frame writer: a picture read from its file equals the original",
           "[visualizations][offscreen][frames]") {
   const CTemporaryFolder folder;
   SFrameFileSettings settings = In(folder.GetPath());
@@ -101,13 +101,13 @@ TEST_CASE("frame writer: a picture comes back from its file as it was",
   FreeImage_Unload(bitmap);
 }
 
-TEST_CASE("frame writer: a lower quality makes smaller files",
+TEST_CASE("frame writer: a lower quality gives smaller files",
           "[visualizations][offscreen][frames]") {
   const CTemporaryFolder folder;
   SPicture picture;
   picture.Width = 64;
   picture.Height = 64;
-  // smooth enough to be packed, not so smooth that nothing is left
+  // smooth enough to be compressed, but with some detail
   for (int i = 0; i < 64 * 64; ++i) {
     const auto level = static_cast<std::uint8_t>((i * i / 64) % 251);
     picture.Pixels.insert(picture.Pixels.end(), {level, level, level, 255});
@@ -126,7 +126,7 @@ TEST_CASE("frame writer: a lower quality makes smaller files",
   CHECK(smallSize < std::filesystem::file_size(large.MakeFileName(1)));
 }
 
-TEST_CASE("frame writer: a missing directory is made, or is an error if it must exist",
+TEST_CASE("frame writer: a missing directory is created, or an error if it must exist",
           "[visualizations][offscreen][frames]") {
   const CTemporaryFolder folder;
   SFrameFileSettings settings = In(folder.GetPath() + "/a/b");
@@ -161,7 +161,7 @@ TEST_CASE("frame writer: unknown formats and qualities out of range are errors",
   CHECK_THROWS_AS(CFrameWriter(settings), CARGoSException);
 }
 
-TEST_CASE("frame writer: a frame that cannot be written names its file and leaves nothing behind",
+TEST_CASE("frame writer: an error on a frame names its file, and no partial file is left",
           "[visualizations][offscreen][frames]") {
   const CTemporaryFolder folder;
   const CFrameWriter writer(In(folder.GetPath()));

@@ -48,18 +48,18 @@ std::size_t CountOpaque(const Eigen::Vector3d& base, double size, int height = 1
 
 }  // namespace
 
-TEST_CASE("instance batches: solids outside the view are left out",
+TEST_CASE("instance batches: solids outside the view are culled",
           "[visualizations][offscreen][batches]") {
   CHECK(CountOpaque({2.0, 0.0, 0.0}, 0.1) == 1);
   CHECK(CountOpaque({2.0, 1.95, 0.0}, 0.1) == 1);
   CHECK(CountOpaque({2.0, 2.5, 0.0}, 0.1) == 0);
   CHECK(CountOpaque({2.0, 0.0, -2.5}, 0.1) == 0);
   CHECK(CountOpaque({-2.0, 0.0, 0.0}, 0.1) == 0);
-  // the eye is inside
+  // here the eye is inside the solid
   CHECK(CountOpaque({0.0, 0.0, 0.0}, 1.0) == 1);
 }
 
-TEST_CASE("instance batches: solids smaller than a pixel are left out",
+TEST_CASE("instance batches: solids smaller than a pixel are culled",
           "[visualizations][offscreen][batches]") {
   // 500 pixels per unit of the tangent: 1 mm at 1 m is half a pixel, 1 cm is five
   CHECK(CountOpaque({1.0, 0.0, 0.0}, 0.0005) == 0);
@@ -67,9 +67,9 @@ TEST_CASE("instance batches: solids smaller than a pixel are left out",
   CHECK(CountOpaque({1.0, 0.0, 0.0}, 0.0005, 100000) == 1);
 }
 
-TEST_CASE("instance batches: details of a few pixels are left out, others of that size are not",
+TEST_CASE("instance batches: details of a few pixels are culled, other solids of that size are not",
           "[visualizations][offscreen][batches]") {
-  // two pixels, and twenty
+  // details of two and of twenty pixels
   SScene scene;
   for (const double size : {0.004, 0.04}) {
     SMeshInstance instance = MakeInstance({1.0, 0.0, 0.0}, size);
@@ -89,7 +89,7 @@ TEST_CASE("instance batches: details of a few pixels are left out, others of tha
   CHECK(boxes == 1);
 }
 
-TEST_CASE("instance batches: fineness grows with the size on the picture",
+TEST_CASE("instance batches: the mesh resolution grows with the size on the picture",
           "[visualizations][offscreen][batches]") {
   SScene scene;
   for (const double distance : {1.0, 4.0, 16.0, 64.0}) {
@@ -104,7 +104,7 @@ TEST_CASE("instance batches: fineness grows with the size on the picture",
   CHECK(levels.front().front().ToWorld[0][3] == 64.0f);
 }
 
-TEST_CASE("instance batches: translucent solids come far to near, in runs of one kind",
+TEST_CASE("instance batches: translucent solids are sorted far to near, in runs of one kind",
           "[visualizations][offscreen][batches]") {
   SScene scene;
   scene.OfKind(EMeshKind::Box).push_back(MakeInstance({1.0, 0.0, -0.1}, 0.2, 100));
@@ -124,7 +124,7 @@ TEST_CASE("instance batches: translucent solids come far to near, in runs of one
   CHECK(batches.GetTranslucentRuns()[2].First == 3);
 }
 
-TEST_CASE("instance batches: a solid just out of view still casts its shadow into it",
+TEST_CASE("instance batches: a solid just outside the view casts its shadow into it",
           "[visualizations][offscreen][batches]") {
   SScene scene;
   scene.OfKind(EMeshKind::Sphere).push_back(MakeInstance({2.0, 2.2, 0.0}, 0.2));
@@ -135,10 +135,10 @@ TEST_CASE("instance batches: a solid just out of view still casts its shadow int
   CHECK_FALSE(batches.GetCasterBounds().isEmpty());
 }
 
-TEST_CASE("instance batches: what flies out of view casts its shadow as far as the sun throws it",
+TEST_CASE("instance batches: flying solids outside the view cast shadows according to their height",
           "[visualizations][offscreen][batches]") {
-  // the eye is at the ground and sees it between y = -x and y = x; with the sun at 45 degrees in
-  // the direction of +y, a shadow falls as far towards -y as its solid is high
+  // The eye is at the ground and sees it between y = -x and y = x. With the sun at 45 degrees in
+  // the direction of +y, a shadow extends towards -y by the height of its solid.
   const auto countCasters = [](double y, double height) {
     SScene scene;
     scene.OfKind(EMeshKind::Sphere).push_back(MakeInstance({2.0, y, height}, 0.2));
@@ -148,18 +148,18 @@ TEST_CASE("instance batches: what flies out of view casts its shadow as far as t
   };
   CHECK(countCasters(4.5, 3.0) == 1);
   CHECK(countCasters(3.0, 1.2) == 1);
-  // 3.2 m from the view, and a shadow of 0.28 m at most
+  // 3.2 m outside the view, with a shadow of at most 0.28 m
   CHECK(countCasters(6.5, 0.1) == 0);
-  // below the ground there is none to throw it on
+  // below the ground there is no surface for a shadow
   CHECK(countCasters(3.0, -5.0) == 0);
 }
 
-TEST_CASE("instance batches: bounding spheres hold the solids and depths the spheres",
+TEST_CASE("instance batches: bounding spheres contain the solids, depth ranges contain the spheres",
           "[visualizations][offscreen][batches]") {
   // a cube of side 2 standing on (5, 1, 3): centre one higher, half diagonal sqrt(3)
   const SMeshInstance cube = MakeInstance({5.0, 1.0, 3.0}, 2.0);
   const SBoundingSphere sphere = ComputeBoundingSphere(EMeshKind::Box, cube);
-  // single-precision matrix entries
+  // tolerance of single-precision matrix entries
   CHECK((sphere.Center - Eigen::Vector3d(5.0, 1.0, 4.0)).norm() < 1e-6);
   CHECK_THAT(sphere.Radius, WithinAbs(std::sqrt(3.0), 1e-6));
   SScene scene;
@@ -177,7 +177,7 @@ TEST_CASE("instance batches: the sun's frame is a rotation whose z axis points t
                Eigen::Vector3d(0.0, 1.0, 0.0))
           .normalized();
   const Eigen::Matrix3d frame = MakeSunFrame(toSun);
-  // a few roundings of values up to 1
+  // tolerance of a few roundings of values up to 1
   CHECK((frame * frame.transpose() - Eigen::Matrix3d::Identity()).norm() < 1e-12);
   CHECK_THAT(frame.determinant(), WithinAbs(1.0, 1e-12));
   CHECK((frame * toSun - Eigen::Vector3d::UnitZ()).norm() < 1e-12);

@@ -16,8 +16,8 @@ Eigen::Vector3d ToVector(const std::array<float, 3>& values) {
   return {values[0], values[1], values[2]};
 }
 
-// by the divergence theorem: the sum over triangles of the signed volume of the tetrahedron to the
-// origin; positive if all triangles are counter-clockwise seen from outside
+// Volume by the divergence theorem: the sum over triangles of the signed volume of the tetrahedron
+// to the origin; positive if all triangles are counter-clockwise seen from outside.
 double ComputeVolume(const SMesh& mesh) {
   double volume = 0.0;
   for (std::size_t i = 0; i < mesh.Indices.size(); i += 3) {
@@ -29,7 +29,7 @@ double ComputeVolume(const SMesh& mesh) {
   return volume;
 }
 
-// what the vertex shader does to a ring
+// the deformation that the vertex shader applies to a ring
 SMesh WithTube(SMesh mesh, float param) {
   for (SMeshVertex& vertex : mesh.Vertices) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -42,20 +42,20 @@ SMesh WithTube(SMesh mesh, float param) {
 
 }  // namespace
 
-TEST_CASE("mesh: solids have the volume of their shapes and face outwards",
+TEST_CASE("mesh: solids have the volume of their shapes and outward faces",
           "[visualizations][offscreen][mesh]") {
-  // single precision
+  // tolerance of single precision
   CHECK_THAT(ComputeVolume(MakeMesh(EMeshKind::Box, 3)), WithinAbs(1.0, 1e-6));
   // a prism with n corners has n / (2 pi) sin(2 pi / n) of the circle's area: 0.16 % less for 64
   const double pi = std::numbers::pi;
   CHECK_THAT(ComputeVolume(MakeMesh(EMeshKind::Cylinder, 64)), WithinRel(pi / 4.0, 2e-3));
   CHECK_THAT(ComputeVolume(MakeMesh(EMeshKind::Sphere, 64)), WithinRel(pi / 6.0, 5e-3));
-  // torus: 2 pi^2 R r^2 with R = 0.4 and r = 0.1; the tube is cut more coarsely
+  // torus: 2 pi^2 R r^2 with R = 0.4 and r = 0.1; its tube has fewer segments
   const SMesh ring = WithTube(MakeMesh(EMeshKind::Ring, 64), 0.2f);
   CHECK_THAT(ComputeVolume(ring), WithinRel(2.0 * pi * pi * 0.4 * 0.01, 3e-2));
 }
 
-TEST_CASE("mesh: normals have length 1 and agree with the triangles' winding",
+TEST_CASE("mesh: normals have length 1 and agree with the winding of the triangles",
           "[visualizations][offscreen][mesh]") {
   const auto kind =
       GENERATE(EMeshKind::Box, EMeshKind::Cylinder, EMeshKind::Sphere, EMeshKind::Ring);
@@ -85,7 +85,7 @@ TEST_CASE("mesh: normals have length 1 and agree with the triangles' winding",
   CHECK(unit);
 }
 
-TEST_CASE("mesh: boxes and cylinders stand on their base, spheres are around their centre",
+TEST_CASE("mesh: boxes and cylinders stand on their base, spheres are centred",
           "[visualizations][offscreen][mesh]") {
   const auto bounds = [](EMeshKind kind) {
     Eigen::AlignedBox3d box;

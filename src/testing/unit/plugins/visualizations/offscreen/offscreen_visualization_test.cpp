@@ -20,7 +20,7 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-// a folder that is gone when the test ends
+// a temporary folder, removed by the destructor
 class CTemporaryFolder {
  public:
   CTemporaryFolder() {
@@ -44,7 +44,7 @@ class CTemporaryFolder {
   std::string m_path;
 };
 
-// collects what is logged while it lives
+// collects log output during its lifetime
 class CLogCapture {
  public:
   CLogCapture() : m_previous(LOG.GetStream().rdbuf(m_text.rdbuf())) { LOG.DisableColoredOutput(); }
@@ -104,7 +104,7 @@ TEST_CASE("offscreen: frames show the first state, every n-th tick, and the last
   CHECK_THAT(log.GetText(), Contains("64x48") && Contains("every 4 ticks"));
 }
 
-TEST_CASE("offscreen: a frame has the size asked for", "[visualizations][offscreen]") {
+TEST_CASE("offscreen: a frame has the requested size", "[visualizations][offscreen]") {
   const CTemporaryFolder folder;
   CExperiment experiment("<offscreen directory='" + folder.GetPath() +
                          "' size='100x60' every='100' samples='1'/>");
@@ -138,7 +138,7 @@ TEST_CASE("offscreen: drawing does not change the run", "[visualizations][offscr
   CHECK(headless.GetSimulator().GetSpace().ComputeDigest() == digest);
 }
 
-TEST_CASE("offscreen: mistakes are found while loading, with their place",
+TEST_CASE("offscreen: errors are reported while loading, with their place",
           "[visualizations][offscreen]") {
   CHECK_THROWS_WITH(CExperiment("<offscreen format='mpg'/>"),
                     Contains("test.argos:") && Contains("\"mpg\"") && Contains("png"));
@@ -147,8 +147,9 @@ TEST_CASE("offscreen: mistakes are found while loading, with their place",
   CHECK_THROWS_WITH(CExperiment("<offscreen size='1x1'/>"), Contains("out of range"));
 }
 
-TEST_CASE("qt-opengl: a file without frame grabbing runs headless, and one line says so",
-          "[visualizations][offscreen]") {
+TEST_CASE(
+    "qt-opengl: a file without frame grabbing runs headless, and a line of the log reports it",
+    "[visualizations][offscreen]") {
   CLogCapture log;
   CExperiment experiment(
       "<qt-opengl><camera><placement idx='0' position='0,0,1' look_at='0,1,0'/>"
@@ -158,7 +159,7 @@ TEST_CASE("qt-opengl: a file without frame grabbing runs headless, and one line 
   CHECK_THAT(log.GetText(), Contains("<qt-opengl>") && Contains("headless"));
 }
 
-TEST_CASE("qt-opengl: a file with frame grabbing gets every n-th frame",
+TEST_CASE("qt-opengl: a file with frame grabbing writes every n-th frame",
           "[visualizations][offscreen]") {
   const CTemporaryFolder folder;
   CLogCapture log;

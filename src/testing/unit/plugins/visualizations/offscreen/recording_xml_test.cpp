@@ -11,7 +11,7 @@ using Catch::Matchers::StartsWith;
 
 namespace {
 
-// the root element of a text; the document lives as long as the test
+// the root element of a text; the document has the lifetime of the object
 class CXml {
  public:
   explicit CXml(const std::string& text) { m_document.Parse(text, "test.argos"); }
@@ -39,7 +39,7 @@ CCameraTimeline ReadCameraText(const std::string& children) {
 
 }  // namespace
 
-TEST_CASE("offscreen settings: what is not given has its documented default",
+TEST_CASE("offscreen settings: omitted attributes have their documented defaults",
           "[visualizations][offscreen][xml]") {
   const SRecordingSettings settings = ReadOffscreen("");
   CHECK(settings.File.Directory == "out");
@@ -57,7 +57,7 @@ TEST_CASE("offscreen settings: what is not given has its documented default",
   CHECK(settings.ShowRays);
 }
 
-TEST_CASE("offscreen settings: every attribute is taken over", "[visualizations][offscreen][xml]") {
+TEST_CASE("offscreen settings: every attribute is read", "[visualizations][offscreen][xml]") {
   const SRecordingSettings settings = ReadOffscreen(
       "directory='d' base_name='b' format='jpg' quality='80' size='320x200' every='7' samples='16' "
       "look='dark' show_grid='false' show_boundary='false' show_rays='false'");
@@ -78,7 +78,7 @@ TEST_CASE("offscreen settings: every attribute is taken over", "[visualizations]
   CHECK(sides.Render.Height == 480);
 }
 
-TEST_CASE("offscreen settings: what is out of range is an error with its place",
+TEST_CASE("offscreen settings: values out of range are errors with their place",
           "[visualizations][offscreen][xml]") {
   const auto [attributes, complaint] = GENERATE(table<std::string, std::string>({
       {"size='0x480'", "0 pixels are out of range"},
@@ -101,7 +101,7 @@ TEST_CASE("offscreen settings: what is out of range is an error with its place",
                     StartsWith("[FATAL] test.argos:1: <offscreen>") && Contains(complaint));
 }
 
-TEST_CASE("qt-opengl: without frame grabbing no frames are wanted",
+TEST_CASE("qt-opengl: without frame grabbing no frames are requested",
           "[visualizations][offscreen][xml]") {
   const SQtOpenGlRequest request =
       ReadQt("",
@@ -112,7 +112,7 @@ TEST_CASE("qt-opengl: without frame grabbing no frames are wanted",
   CHECK_FALSE(request.Recording.ShowBoundary);
 }
 
-TEST_CASE("qt-opengl: frame grabbing is taken over", "[visualizations][offscreen][xml]") {
+TEST_CASE("qt-opengl: frame grabbing settings are read", "[visualizations][offscreen][xml]") {
   const SQtOpenGlRequest request = ReadQt(
       "<frame_grabbing directory='frames' base_name='f' format='jpg' quality='90' "
       "headless_grabbing='true' headless_frame_size='800x600' headless_frame_rate='5'/>");
@@ -128,7 +128,7 @@ TEST_CASE("qt-opengl: frame grabbing is taken over", "[visualizations][offscreen
   CHECK_FALSE(request.Recording.KeepLastFrame);
 }
 
-TEST_CASE("qt-opengl: frame grabbing has the defaults of the reference",
+TEST_CASE("qt-opengl: frame grabbing has the defaults of ARGoS 3",
           "[visualizations][offscreen][xml]") {
   const SQtOpenGlRequest request = ReadQt("<frame_grabbing/>");
   CHECK(request.WantsFrames);
@@ -139,7 +139,7 @@ TEST_CASE("qt-opengl: frame grabbing has the defaults of the reference",
   CHECK_FALSE(ReadQt("<frame_grabbing headless_grabbing='false'/>").WantsFrames);
 }
 
-TEST_CASE("qt-opengl: user functions are noticed, malformed values are errors",
+TEST_CASE("qt-opengl: user functions are reported, malformed values are errors",
           "[visualizations][offscreen][xml]") {
   const SQtOpenGlRequest request = ReadQt("<user_functions label='trails' library='lib/x'/>");
   CHECK(request.HasUserFunctions);
@@ -152,7 +152,7 @@ TEST_CASE("qt-opengl: user functions are noticed, malformed values are errors",
                     Contains("\"big\" is not a size"));
 }
 
-TEST_CASE("camera in a file: placements go to their slots, the others keep their defaults",
+TEST_CASE("camera in a file: placements are stored in their slots, other slots keep their defaults",
           "[visualizations][offscreen][xml]") {
   const CCameraTimeline timeline = ReadCameraText(
       "<placements>"
@@ -170,7 +170,7 @@ TEST_CASE("camera in a file: placements go to their slots, the others keep their
   CHECK(timeline.GetPlacement(3).FocalLength == MakeDefaultPlacements(SArenaBox())[3].FocalLength);
 }
 
-TEST_CASE("camera in a file: the older form without <placements> is understood",
+TEST_CASE("camera in a file: the older form without <placements> is accepted",
           "[visualizations][offscreen][xml]") {
   const CCameraTimeline timeline = ReadCameraText(
       "<placement idx='0' position='0,-1,2' look_at='0,0,0'"
@@ -192,7 +192,7 @@ TEST_CASE("camera in a file: the timeline moves the camera", "[visualizations][o
   CHECK(timeline.ComputeAt(110).FocalLength == 15.0);
 }
 
-TEST_CASE("camera in a file: mistakes are errors with their place",
+TEST_CASE("camera in a file: invalid values are errors with their place",
           "[visualizations][offscreen][xml]") {
   const auto [text, complaint] = GENERATE(table<std::string, std::string>({
       {"<placements><placement index='12' position='0,0,1' look_at='0,1,0'/></placements>",

@@ -43,7 +43,7 @@ SMeshInstance MakeInstance(const Eigen::Vector3d& base, const Eigen::Vector3d& s
   return instance;
 }
 
-// from the side of negative y, a little above
+// from the side of negative y, slightly elevated
 SCameraPlacement ObliqueView() {
   SCameraPlacement placement;
   placement.Position = Eigen::Vector3d(0.0, -3.0, 2.0);
@@ -78,7 +78,7 @@ bool IsGreenish(const std::uint8_t* pixel) {
   return pixel[1] > 2 * pixel[0] && pixel[1] > 2 * pixel[2];
 }
 
-// the ground and the background are nearly grey in both looks; skylight makes shadows a little blue
+// the ground and the background are nearly grey in both looks; skylight makes shadows slightly blue
 bool IsGreyish(const std::uint8_t* pixel) {
   const auto [least, most] = std::minmax({pixel[0], pixel[1], pixel[2]});
   return most - least < 30;
@@ -111,12 +111,12 @@ TEST_CASE("renderer: a red box is red where the camera projects it, and nowhere 
   CHECK(IsReddish(PixelOf(picture, ObliqueView(), base + Eigen::Vector3d(-0.1, 0.1, 0.4))));
   CHECK(IsGreyish(PixelOf(picture, ObliqueView(), base + Eigen::Vector3d(0.35, -0.2, 0.1))));
   CHECK(IsGreyish(PixelOf(picture, ObliqueView(), base + Eigen::Vector3d(-0.35, -0.2, 0.3))));
-  // the farthest corners of the picture
+  // the most distant corners of the picture
   CHECK(IsGreyish(picture.At(0, 0)));
   CHECK(IsGreyish(picture.At(159, 119)));
 }
 
-TEST_CASE("renderer: every kind of solid covers its middle",
+TEST_CASE("renderer: every kind of solid covers its centre",
           "[visualizations][offscreen][renderer]") {
   CRenderer renderer(SmallPicture());
   SPicture picture;
@@ -148,7 +148,7 @@ TEST_CASE("renderer: a ring has a hole", "[visualizations][offscreen][renderer]"
   CHECK(IsGreyish(PixelOf(picture, above, {0.0, 0.0, 0.0})));
 }
 
-TEST_CASE("renderer: the nearer of two solids hides the other",
+TEST_CASE("renderer: the nearer of two solids occludes the other",
           "[visualizations][offscreen][renderer]") {
   CRenderer renderer(SmallPicture());
   SPicture picture;
@@ -161,10 +161,10 @@ TEST_CASE("renderer: the nearer of two solids hides the other",
   CHECK(IsGreenish(PixelOf(picture, ObliqueView(), {0.4, 0.4, 0.4})));
 }
 
-TEST_CASE("renderer: a scene that is its own mirror image gives such a picture",
+TEST_CASE("renderer: a mirror-symmetric scene gives a mirror-symmetric picture",
           "[visualizations][offscreen][renderer]") {
   SRenderSettings settings = SmallPicture();
-  // the sun in the mirror's plane
+  // the sun is in the plane of symmetry
   settings.ToSun = Eigen::Vector3d(0.0, -0.4, 1.0);
   CRenderer renderer(settings);
   SScene scene = MakeEmptyScene();
@@ -192,12 +192,12 @@ TEST_CASE("renderer: a scene that is its own mirror image gives such a picture",
       }
     }
   }
-  // the sample positions in a pixel and the texels of the shadow map are not mirrored: channels of
-  // border pixels may differ; the solids' outlines have some 500 pixels
+  // The sample positions in a pixel and the texels of the shadow map are not mirrored: channels of
+  // border pixels may differ; the outlines of the solids have about 500 pixels.
   CHECK(different < picture.Width * picture.Height / 100);
 }
 
-TEST_CASE("renderer: a solid's shadow falls away from the sun",
+TEST_CASE("renderer: the shadow of a solid is on the side away from the sun",
           "[visualizations][offscreen][renderer]") {
   SRenderSettings settings = SmallPicture();
   settings.ToSun = Eigen::Vector3d(-1.0, 0.0, 1.0);
@@ -216,7 +216,7 @@ TEST_CASE("renderer: a solid's shadow falls away from the sun",
   CHECK(std::abs(beyond - lit) < 6);
 }
 
-TEST_CASE("renderer: what flies casts its shadow on the ground, be it in the picture or not",
+TEST_CASE("renderer: flying solids cast shadows on the ground, also from outside the picture",
           "[visualizations][offscreen][renderer]") {
   SRenderSettings settings = SmallPicture();
   settings.ToSun = Eigen::Vector3d(-1.0, 0.0, 1.0);
@@ -231,18 +231,18 @@ TEST_CASE("renderer: what flies casts its shadow on the ground, be it in the pic
   const SCameraPlacement above = ViewFromAbove(3.0);
   SPicture picture;
   renderer.Render(scene, above, picture);
-  // at 45 degrees a shadow falls as far away as its solid is high: 1.55 m for the middle of it
+  // at 45 degrees a shadow is displaced by the height of its solid: 1.55 m for its middle
   const int lit = Brightness(PixelOf(picture, above, {1.2, 0.0, 0.0}));
   CHECK(Brightness(PixelOf(picture, above, {0.55, 0.5, 0.0})) < lit - 100);
   CHECK(Brightness(PixelOf(picture, above, {-1.65, -0.5, 0.0})) < lit - 100);
-  // below them it is not dark, and no skylight is kept away
+  // directly below them there is neither shadow nor reduced skylight
   CHECK(std::abs(Brightness(PixelOf(picture, above, {0.1, 0.5, 0.0})) - lit) < 6);
   CHECK(std::abs(Brightness(PixelOf(picture, above, {1.0, 0.5, 0.0})) - lit) < 6);
 }
 
-TEST_CASE("renderer: lights and lines in the air are drawn, however near the eye",
+TEST_CASE("renderer: lights and lines in the air are drawn, even close to the eye",
           "[visualizations][offscreen][renderer]") {
-  // nothing solid is nearer than the ground, 20 m below
+  // the nearest solid is the ground, 20 m below
   CRenderer renderer(SmallPicture());
   SScene scene = MakeEmptyScene();
   scene.Glows.push_back({{0.2f, 0.0f, 19.0f}, 0.1f, kRed, 0.0f});
@@ -259,7 +259,7 @@ TEST_CASE("renderer: lights and lines in the air are drawn, however near the eye
   CHECK(IsGreenish(PixelOf(picture, above, {-0.2, 0.0, 19.0})));
 }
 
-TEST_CASE("renderer: the floor's image lies with row 0 at the lowest y",
+TEST_CASE("renderer: row 0 of the floor image is at the lowest y",
           "[visualizations][offscreen][renderer]") {
   CRenderer renderer(SmallPicture());
   SScene scene = MakeEmptyScene();
@@ -276,12 +276,12 @@ TEST_CASE("renderer: the floor's image lies with row 0 at the lowest y",
   CHECK(IsGreenish(PixelOf(picture, above, {0.5, -0.5, 0.0})));
   CHECK(Brightness(PixelOf(picture, above, {-0.5, 0.5, 0.0})) < 60);
   CHECK(Brightness(PixelOf(picture, above, {0.5, 0.5, 0.0})) > 700);
-  // full light shows the image's own colours, within the rounding of the two conversions
+  // in full light the colours are those of the image, within the rounding of the two conversions
   const std::uint8_t* red = PixelOf(picture, above, {-0.5, -0.5, 0.0});
   CHECK(std::abs(red[0] - 220) <= 3);
   CHECK(std::abs(red[1] - 30) <= 3);
 
-  // a new version replaces it
+  // a floor image of a new version replaces the old one
   std::fill(scene.Floor.Pixels.begin(), scene.Floor.Pixels.end(), std::uint8_t{255});
   ++scene.Floor.Version;
   renderer.Render(scene, above, picture);
@@ -314,7 +314,7 @@ TEST_CASE("renderer: lights, lines and translucent solids are drawn",
   CHECK(through[1] > solid[1] + 40);
 }
 
-TEST_CASE("renderer: the same scene twice gives the same picture to the bit",
+TEST_CASE("renderer: equal scenes give equal pictures bit by bit",
           "[visualizations][offscreen][renderer]") {
   SScene scene = MakeEmptyScene();
   scene.OfKind(EMeshKind::Cylinder).push_back(MakeInstance({0.2, 0.1, 0.0}, {0.5, 0.5, 0.5}, kRed));
@@ -331,7 +331,7 @@ TEST_CASE("renderer: the same scene twice gives the same picture to the bit",
   CHECK(first.Pixels == third.Pixels);
 }
 
-TEST_CASE("renderer: more samples make more shades along an edge",
+TEST_CASE("renderer: more samples give more shades along an edge",
           "[visualizations][offscreen][renderer]") {
   const auto countShades = [](int samples) {
     SRenderSettings settings = SmallPicture();
@@ -357,7 +357,7 @@ TEST_CASE("renderer: more samples make more shades along an edge",
   CHECK(four < sixteen);
 }
 
-TEST_CASE("renderer: a picture the driver cannot draw is an error that says what it can",
+TEST_CASE("renderer: a picture beyond the driver's limits is an error that gives the limits",
           "[visualizations][offscreen][renderer]") {
   SRenderSettings settings = SmallPicture();
   settings.Width = 1000000;

@@ -20,10 +20,10 @@ using Catch::WithinAbs;
 
 namespace {
 
-// scene coordinates are single precision
+// tolerance of scene coordinates in single precision
 constexpr double kFloatRounding = 1e-6;
 
-// an experiment without physics: bodies stay where they are put
+// an experiment without physics: bodies keep the poses that the test sets
 class CWorld {
  public:
   CWorld() : m_scope(m_simulator) {
@@ -62,7 +62,7 @@ void CheckRow(const std::array<float, 4>& row, const std::array<double, 4>& expe
 
 }  // namespace
 
-TEST_CASE("scene builder: the arena is where the file says", "[visualizations][offscreen][scene]") {
+TEST_CASE("scene builder: the arena follows the file", "[visualizations][offscreen][scene]") {
   CWorld world;
   const SScene& scene = world.Build();
   CHECK(scene.ArenaMin == Eigen::Vector2d(-1.0, -1.0));
@@ -83,11 +83,11 @@ TEST_CASE("scene builder: a box stands on its base, turned and scaled",
   CheckRow(box.ToWorld[0], {0.0, -0.2, 0.0, 0.5});
   CheckRow(box.ToWorld[1], {0.4, 0.0, 0.0, -0.3});
   CheckRow(box.ToWorld[2], {0.0, 0.0, 0.1, 0.2});
-  // 0.2 m above the ground it darkens nothing
+  // a box 0.2 m above the ground has no contact shadow
   CHECK(scene.ContactShadows.empty());
 }
 
-TEST_CASE("scene builder: what stands on the ground darkens it",
+TEST_CASE("scene builder: bodies on the ground have contact shadows",
           "[visualizations][offscreen][scene]") {
   CWorld world;
   world.Add(
@@ -123,7 +123,8 @@ TEST_CASE("scene builder: LEDs have the colours of the component, black ones are
   CHECK(scene.Glows[1].HaloScale > 1.0f);
 }
 
-TEST_CASE("scene builder: a light glows where it is", "[visualizations][offscreen][scene]") {
+TEST_CASE("scene builder: a light is drawn at its position in its colour",
+          "[visualizations][offscreen][scene]") {
   CWorld world;
   world.Add(new CLightEntity("lamp", CVector3(0.25, -0.5, 0.75), CColor::YELLOW, 1.0));
   SScene& scene = world.Build();
@@ -137,7 +138,7 @@ TEST_CASE("scene builder: a light glows where it is", "[visualizations][offscree
   }
 }
 
-TEST_CASE("scene builder: the floor is sampled at its resolution, and again when it has changed",
+TEST_CASE("scene builder: the floor is sampled at its resolution, again after a change",
           "[visualizations][offscreen][scene]") {
   CWorld world;
   auto* floor = new CFloorEntity("floor", 10);
@@ -147,7 +148,7 @@ TEST_CASE("scene builder: the floor is sampled at its resolution, and again when
   CHECK(scene.Floor.Width == 40);
   CHECK(scene.Floor.Height == 20);
   REQUIRE(scene.Floor.Pixels.size() == 4 * 40 * 20);
-  // loop functions that say nothing colour the floor white
+  // default loop functions colour the floor white
   CHECK(scene.Floor.Pixels[0] == 255);
   const auto version = scene.Floor.Version;
   world.Build();
@@ -157,7 +158,7 @@ TEST_CASE("scene builder: the floor is sampled at its resolution, and again when
   CHECK(scene.Floor.Version != version);
 }
 
-TEST_CASE("scene builder: noted rays are drawn on request, hits in another colour",
+TEST_CASE("scene builder: recorded rays are drawn on request, hits in another colour",
           "[visualizations][offscreen][scene]") {
   CWorld world;
   CControllableEntity robot(nullptr, "robot");
@@ -207,7 +208,7 @@ TEST_CASE("scene builder: small parts of an entity are marked as details",
   world.GetSpace().GetRootEntityVector().pop_back();
 }
 
-TEST_CASE("scene builder: building changes nothing and leaves nothing of the last picture",
+TEST_CASE("scene builder: building does not change the run and keeps nothing of the last picture",
           "[visualizations][offscreen][scene]") {
   CWorld world;
   auto& box = world.Add(new CBoxEntity("box", CVector3(0.5, 0.0, 0.0), CQuaternion(), false,

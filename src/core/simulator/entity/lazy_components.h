@@ -1,0 +1,31 @@
+#ifndef ARGOS3_CORE_SIMULATOR_ENTITY_LAZY_COMPONENTS_H
+#define ARGOS3_CORE_SIMULATOR_ENTITY_LAZY_COMPONENTS_H
+
+#include <string>
+
+namespace argos {
+
+class CEntity;
+
+/**
+ * The components that an entity offers, but creates only when one of them is first looked up:
+ * those that take much memory and that few robots use. See CComposableEntity::SetLazyComponents().
+ */
+class CLazyComponents {
+ public:
+  /**
+   * Creates the components of that type that do not exist yet. This changes the space: it must not
+   * happen while robots act or sense in parallel.
+   * @param type  a GetTypeDescription(); empty: all types.
+   */
+  virtual void Create(const std::string& type) = 0;
+  /** Called after a component has left the entity, for whatever reason. */
+  virtual void Forget(const CEntity& component) = 0;
+
+ protected:
+  ~CLazyComponents() = default;
+};
+
+}  // namespace argos
+
+#endif

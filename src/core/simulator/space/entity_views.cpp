@@ -1,0 +1,133 @@
+#include <argos3/core/simulator/space/entity_views.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+
+#include <algorithm>
+
+namespace argos {
+
+void CEntityViews::Add(CEntity& entity) {
+  if (m_isOpen) {
+    m_pending.push_back(&entity);
+  }
+}
+
+void CEntityViews::Remove(CEntity& entity) {
+  if (!m_isOpen) {
+    m_goneTypes.insert(entity.GetTypeDescription());
+    return;
+  }
+  const auto pending = std::find(m_pending.begin(), m_pending.end(), &entity);
+  if (pending != m_pending.end()) {
+    m_pending.erase(pending);
+  }
+  const std::string id = entity.GetContext() + entity.GetId();
+  const auto found = m_perId.find(id);
+  if (found == m_perId.end() || found->second != &entity) {
+    return;
+  }
+  m_perId.erase(found);
+  m_perType[entity.GetTypeDescription()].erase(id);
+  m_isAllStale = true;
+}
+
+void CEntityViews::List(CEntity& entity) {
+  const std::string id = entity.GetContext() + entity.GetId();
+  if (!m_perId.emplace(id, &entity).second) {
+    return;
+  }
+  m_all.push_back(&entity);
+  if (!entity.HasParent()) {
+    m_rootTypes.insert(entity.GetTypeDescription());
+  }
+  const TEntityCast cast = GetVTable<CEntityViews, CEntity, TEntityCast>()[entity.GetTag()];
+  m_perType[entity.GetTypeDescription()][id] = cast != nullptr ? cast(entity) : CAny(&entity);
+}
+
+// lists the entity and its components; creates the lazy ones of that type, of all types if it is
+// empty
+void CEntityViews::ListWithComponents(CEntity& entity, const std::string& type) {
+  List(entity);
+  if (auto* composable = dynamic_cast<CComposableEntity*>(&entity)) {
+    if (type.empty()) {
+      composable->GetComponentVector();
+    } else {
+      composable->HasComponent(type);
+    }
+    // a copy: creating components further down may add to the list
+    // NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
+    const CEntity::TVector components = composable->GetExistingComponents();
+    for (CEntity* component : components) {
+      ListWithComponents(*component, type);
+    }
+  }
+}
+
+void CEntityViews::Open() {
+  if (m_isOpen) {
+    return;
+  }
+  m_isOpen = true;
+  for (const std::string& type : m_goneTypes) {
+    m_perType[type];
+  }
+  for (CEntity* root : m_roots) {
+    List(*root);
+  }
+}
+
+void CEntityViews::ListPending() {
+  while (!m_pending.empty()) {
+    const CEntity::TVector pending = std::move(m_pending);
+    m_pending.clear();
+    for (CEntity* entity : pending) {
+      List(*entity);
+      if (m_isComplete) {
+        ListWithComponents(*entity, std::string());
+        continue;
+      }
+      for (const std::string& type : m_completeTypes) {
+        ListWithComponents(*entity, type);
+      }
+    }
+    m_isAllStale = true;
+  }
+}
+
+CEntityViews& CEntityViews::Complete() {
+  const std::lock_guard<std::mutex> lock(m_mutex);
+  Open();
+  if (!m_isComplete) {
+    for (CEntity* root : m_roots) {
+      ListWithComponents(*root, std::string());
+    }
+    m_isComplete = true;
+    m_isAllStale = true;
+  }
+  ListPending();
+  if (m_isAllStale) {
+    m_all.clear();
+    for (const auto& entry : m_perId) {
+      m_all.push_back(entry.second);
+    }
+    m_isAllStale = false;
+    std::sort(m_all.begin(), m_all.end(), SEntityComparator());
+  }
+  return *this;
+}
+
+CSpace::TMapPerType* CEntityViews::FindType(const std::string& type) {
+  const std::lock_guard<std::mutex> lock(m_mutex);
+  Open();
+  ListPending();
+  if (!m_isComplete && m_rootTypes.count(type) == 0 && m_completeTypes.insert(type).second) {
+    for (CEntity* root : m_roots) {
+      ListWithComponents(*root, type);
+    }
+    ListPending();
+  }
+  const auto found = m_perType.find(type);
+  return found != m_perType.end() ? &found->second : nullptr;
+}
+
+}  // namespace argos

@@ -1,0 +1,191 @@
+#include <argos3/core/utility/memory/object_slabs.h>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <mutex>
+#include <vector>
+
+namespace argos {
+
+namespace {
+
+// AddressSanitizer finds the use of an object after its end only if each has memory of its own
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool kUseSlabs = false;
+#elif defined(__has_feature)
+constexpr bool kUseSlabs = !__has_feature(address_sanitizer);
+#else
+constexpr bool kUseSlabs = true;
+#endif
+
+constexpr std::size_t kAlignment = 16;
+constexpr std::size_t kNumSizes = CObjectSlabs::kLargestObject / kAlignment + 1;
+// a slab holds objects of one size; its address, a multiple of its size, tells where it begins
+constexpr std::size_t kSlab = std::size_t(64) << 10;
+// slabs are taken from the system by the dozen, in regions as large as a huge page
+constexpr std::size_t kRegion = std::size_t(2) << 20;
+// simulations with more memory than that gain from huge pages, smaller ones would waste it
+constexpr std::size_t kRegionsOfSmallPages = 16;
+
+// at the beginning of each slab
+struct SSlabHeader {
+  CObjectSlabs* Owner;
+};
+constexpr std::size_t kHeader = 64;
+static_assert(sizeof(SSlabHeader) <= kHeader);
+
+// in the place of an object that was freed
+struct SFreePlace {
+  SFreePlace* Next;
+};
+
+// the objects of one size
+struct SSizeClass {
+  SFreePlace* Free = nullptr;  // freed last first
+  std::byte* Next = nullptr;  // the place after the last one used of the newest slab
+  std::byte* End = nullptr;  // of that slab
+};
+
+struct SFreeRegion {
+  void operator()(std::byte* region) const { std::free(region); }
+};
+using TRegion = std::unique_ptr<std::byte[], SFreeRegion>;
+
+thread_local CObjectSlabs* currentSlabs = nullptr;
+
+}  // namespace
+
+struct CObjectSlabs::SState {
+  mutable std::mutex Mutex;
+  std::array<SSizeClass, kNumSizes> Sizes;  // by size / kAlignment
+  std::vector<TRegion> Regions;
+  std::size_t NumSlabsInLastRegion = 0;
+  std::size_t NumObjects = 0;
+  bool IsAbandoned = false;
+
+  std::byte* TakeSlab();
+  void ReleaseAll();
+};
+
+std::byte* CObjectSlabs::SState::TakeSlab() {
+  if (Regions.empty() || NumSlabsInLastRegion == kRegion / kSlab) {
+    TRegion region(static_cast<std::byte*>(std::aligned_alloc(kRegion, kRegion)));
+    if (region == nullptr) {
+      throw std::bad_alloc();
+    }
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+    if (Regions.size() >= kRegionsOfSmallPages) {
+      // a refusal costs speed only, so it is not an error
+      madvise(region.get(), kRegion, MADV_HUGEPAGE);
+    }
+#endif
+    Regions.push_back(std::move(region));
+    NumSlabsInLastRegion = 0;
+  }
+  return Regions.back().get() + kSlab * NumSlabsInLastRegion++;
+}
+
+// without any object there is nothing to keep
+void CObjectSlabs::SState::ReleaseAll() {
+  Sizes.fill(SSizeClass());
+  Regions.clear();
+  NumSlabsInLastRegion = 0;
+}
+
+CObjectSlabs::CObjectSlabs() : m_state(std::make_unique<SState>()) {}
+
+CObjectSlabs::~CObjectSlabs() = default;
+
+CObjectSlabs::TOwner CObjectSlabs::Make() {
+  return TOwner(new CObjectSlabs);
+}
+
+void CObjectSlabs::SAbandon::operator()(CObjectSlabs* slabs) const {
+  {
+    const std::lock_guard<std::mutex> lock(slabs->m_state->Mutex);
+    slabs->m_state->IsAbandoned = true;
+    if (slabs->m_state->NumObjects > 0) {
+      return;
+    }
+  }
+  std::default_delete<CObjectSlabs>()(slabs);
+}
+
+void* CObjectSlabs::Allocate(std::size_t bytes) {
+  if (!kUseSlabs || bytes > kLargestObject) {
+    return ::operator new(bytes);
+  }
+  const std::size_t number = (bytes + kAlignment - 1) / kAlignment;
+  SState& state = *m_state;
+  const std::lock_guard<std::mutex> lock(state.Mutex);
+  SSizeClass& size = state.Sizes[number];
+  void* place = size.Free;
+  if (size.Free != nullptr) {
+    size.Free = size.Free->Next;
+  } else {
+    const std::size_t rounded = number * kAlignment;
+    if (static_cast<std::size_t>(size.End - size.Next) < rounded) {
+      std::byte* const slab = state.TakeSlab();
+      new (slab) SSlabHeader{this};
+      size.Next = slab + kHeader;
+      size.End = slab + kSlab;
+    }
+    place = size.Next;
+    size.Next += rounded;
+  }
+  ++state.NumObjects;
+  return place;
+}
+
+void CObjectSlabs::Free(void* object, std::size_t bytes) noexcept {
+  if (!kUseSlabs || bytes > kLargestObject) {
+    ::operator delete(object, bytes);
+    return;
+  }
+  if (object == nullptr) {
+    return;
+  }
+  const auto address = reinterpret_cast<std::uintptr_t>(object);
+  CObjectSlabs& owner = *reinterpret_cast<SSlabHeader*>(address / kSlab * kSlab)->Owner;
+  SState& state = *owner.m_state;
+  bool isLast = false;
+  {
+    const std::lock_guard<std::mutex> lock(state.Mutex);
+    SSizeClass& size = state.Sizes[(bytes + kAlignment - 1) / kAlignment];
+    size.Free = new (object) SFreePlace{size.Free};
+    if (--state.NumObjects == 0) {
+      state.ReleaseAll();
+      isLast = state.IsAbandoned;
+    }
+  }
+  if (isLast) {
+    std::default_delete<CObjectSlabs>()(&owner);
+  }
+}
+
+std::size_t CObjectSlabs::GetNumObjects() const {
+  const std::lock_guard<std::mutex> lock(m_state->Mutex);
+  return m_state->NumObjects;
+}
+
+CObjectSlabs& CObjectSlabs::GetCurrent() {
+  if (currentSlabs != nullptr) {
+    return *currentSlabs;
+  }
+  // never deleted: objects that were made outside of any simulation may live until the process ends
+  static CObjectSlabs* const ofProcess = Make().release();
+  return *ofProcess;
+}
+
+CObjectSlabs* CObjectSlabs::SetCurrent(CObjectSlabs* slabs) {
+  CObjectSlabs* const before = currentSlabs;
+  currentSlabs = slabs;
+  return before;
+}
+
+}  // namespace argos

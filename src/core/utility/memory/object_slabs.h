@@ -1,0 +1,93 @@
+#ifndef ARGOS3_CORE_UTILITY_MEMORY_OBJECT_SLABS_H
+#define ARGOS3_CORE_UTILITY_MEMORY_OBJECT_SLABS_H
+
+#include <cstddef>
+#include <memory>
+#include <new>
+
+namespace argos {
+
+/**
+ * The memory of one simulation's objects: entities, components, devices and controllers.
+ *
+ * Objects of one size (hence of one class, mostly) lie side by side in the order in which they were
+ * made, which is the order of the robots. A phase that visits the same component of every robot
+ * therefore reads memory nearly in sequence. Objects never move; the place of a deleted object is
+ * used again for the next one of its size.
+ *
+ * Any thread may allocate and free. The memory outlives the owner of the slabs until the last
+ * object in it is gone.
+ */
+class CObjectSlabs {
+ public:
+  struct SAbandon {
+    void operator()(CObjectSlabs* slabs) const;
+  };
+  /** Owns slabs; when it ends, they go as soon as the last object in them has been freed. */
+  using TOwner = std::unique_ptr<CObjectSlabs, SAbandon>;
+
+  static TOwner Make();
+  CObjectSlabs(const CObjectSlabs&) = delete;
+  CObjectSlabs& operator=(const CObjectSlabs&) = delete;
+
+  /**
+   * Memory for an object, aligned to 16 bytes.
+   * @throws std::bad_alloc
+   */
+  void* Allocate(std::size_t bytes);
+  /** Takes back what Allocate() of any slabs returned for that number of bytes. */
+  static void Free(void* object, std::size_t bytes) noexcept;
+
+  /** Number of objects that have not been freed; those larger than kLargestObject do not count. */
+  std::size_t GetNumObjects() const;
+
+  /** The slabs that the calling thread allocates from; those of the process by default. */
+  static CObjectSlabs& GetCurrent();
+  /** @param slabs  null: those of the process. @return what was set before; perhaps null. */
+  static CObjectSlabs* SetCurrent(CObjectSlabs* slabs);
+
+  /** Bytes; larger objects are left to the global operator new. */
+  static constexpr std::size_t kLargestObject = 8192;
+
+ private:
+  struct SState;
+  friend struct std::default_delete<CObjectSlabs>;
+
+  CObjectSlabs();
+  ~CObjectSlabs();
+
+  std::unique_ptr<SState> m_state;
+};
+
+/**
+ * Base of the classes whose objects lie in the slabs of the thread's current simulation. Classes
+ * derived from it are created with `new` and deleted as usual.
+ */
+class CSlabObject {
+ public:
+  static void* operator new(std::size_t bytes) {
+    return CObjectSlabs::GetCurrent().Allocate(bytes);
+  }
+  static void operator delete(void* object, std::size_t bytes) noexcept {
+    CObjectSlabs::Free(object, bytes);
+  }
+  // classes that need more than the alignment of slabs are left to the global operators
+  static void* operator new(std::size_t bytes, std::align_val_t alignment) {
+    return ::operator new(bytes, alignment);
+  }
+  static void operator delete(void* object, std::size_t bytes,
+                              std::align_val_t alignment) noexcept {
+    ::operator delete(object, bytes, alignment);
+  }
+  // the operators above hide the one for placement
+  static void* operator new(std::size_t, void* place) noexcept { return place; }
+  static void operator delete(void*, void*) noexcept {}
+
+ protected:
+  CSlabObject() = default;
+  ~CSlabObject() = default;
+};
+
+}  // namespace argos
+
+#endif
