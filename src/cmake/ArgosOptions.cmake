@@ -22,7 +22,8 @@ if(ARGOS_BUILD_NATIVE)
   target_compile_options(argos_options INTERFACE -march=native)
 endif()
 if(ARGOS_CHECK_INVARIANTS)
-  target_compile_definitions(argos_options INTERFACE ARGOS_CHECK_INVARIANTS)
+  # beside ARGOS_ASSERT, every index into a container of the standard library
+  target_compile_definitions(argos_options INTERFACE ARGOS_CHECK_INVARIANTS _GLIBCXX_ASSERTIONS)
 endif()
 if(ARGOS_SANITIZE)
   # -g1: lines for the stacks that are reported; Debug adds the rest
