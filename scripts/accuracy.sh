@@ -10,6 +10,7 @@ page="$repo/doc/accuracy.md"
 plot="$repo/doc/images/accuracy.svg"
 
 # Definitions for awk: columns, and number formats with three digits and nothing below a thousandth.
+# shellcheck disable=SC2016  # awk expands them
 common='
   BEGIN { FS = "," }
   NR == 1 { for (i = 1; i <= NF; ++i) column[$i] = i; next }
@@ -78,7 +79,7 @@ crowd_table() { # crowd_table <robots>
 tables() {
   free_table
   for robots in 1000 10000; do
-    printf '\n%s e-pucks in a crowd:\n\n' "$(sed 's/000$/,000/' <<<"$robots")"
+    printf '\n%s e-pucks in a crowd:\n\n' "${robots/%000/,000}"
     crowd_table "$robots"
   done
 }

@@ -28,7 +28,7 @@ check_format() {
 
 build_for_robot() {
   configure "$repo/build-robot" -DCMAKE_BUILD_TYPE=Release -DARGOS_BUILD_TESTING=OFF -DARGOS_WERROR=ON \
-    -DARGOS_BUILD_FOR=robot
+    -DARGOS_BUILD_FOR=robot -DARGOS_PRECOMPILE_HEADERS=OFF
   build "$repo/build-robot"
 }
 
@@ -63,6 +63,10 @@ began "Layout of the sources (clang-format)"
 check_format
 echo "as .clang-format says"
 
+began "Shell scripts (shellcheck)"
+shellcheck scripts/*.sh .ci/run
+echo "nothing found"
+
 began "Rules of the house"
 "$repo/scripts/lint.sh"
 
@@ -73,6 +77,9 @@ build "$build_dir"
 began "Tests"
 ctest --test-dir "$build_dir" --output-on-failure --parallel "$jobs" --label-exclude soak --no-tests=error \
   --progress
+
+began "Pinned digests"
+"$repo/scripts/digests.sh" "$build_dir"
 
 if ((quick)); then
   say "The quick checks passed after ${SECONDS} s"

@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_MEDIA_MEDIUM_MEMBERS_H
 
 #include <argos3/core/simulator/entity/entity.h>
+#include <argos3/core/utility/configuration/argos_exception.h>
 
 #include <algorithm>
 #include <vector>
@@ -29,6 +30,8 @@ class CMediumMembers {
     if (entity.GetNumberInMedium() == kWaiting) {
       m_waiting.erase(std::remove(m_waiting.begin(), m_waiting.end(), &entity), m_waiting.end());
     } else {
+      ARGOS_ASSERT(Has(entity), "the number of \"" << entity.GetId() << "\" in its medium, "
+                                                   << entity.GetNumberInMedium() << ", is stale");
       m_members[entity.GetNumberInMedium()] = nullptr;
       m_anyRemoved = true;
     }
@@ -56,7 +59,10 @@ class CMediumMembers {
   /** The number of numbered entities. */
   size_t GetSize() const { return m_members.size(); }
   /** Null if the entity was removed since the last Update(). */
-  ENTITY* Get(size_t number) const { return m_members[number]; }
+  ENTITY* Get(size_t number) const {
+    ARGOS_ASSERT(number < m_members.size(), "a medium has no entity with the number " << number);
+    return m_members[number];
+  }
   bool Has(const ENTITY& entity) const {
     const UInt32 number = entity.GetNumberInMedium();
     return number == kWaiting

@@ -1,6 +1,5 @@
 #include <argos3/plugins/simulator/media/pheromone_field.h>
 
-#include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 
 #include <algorithm>
@@ -91,6 +90,8 @@ void CPheromoneField::Deposit(Real x, Real y, Real amount) {
   const Real perCell = amount / (m_grid.CellX * m_grid.CellY * m_scale);
   const Real most = m_maximum / m_scale;
   for (size_t corner = 0; corner < 4; ++corner) {
+    ARGOS_ASSERT(stencil.Cells[corner] < m_cells.size(),
+                 "a deposit is outside the pheromone field");
     Real& cell = m_cells[stencil.Cells[corner]];
     cell = std::min(most, cell + perCell * stencil.Shares[corner]);
   }
@@ -115,6 +116,8 @@ void CPheromoneField::Clear() {
 }
 
 CVector2 CPheromoneField::GetCenter(size_t i, size_t j) const {
+  ARGOS_ASSERT(i < m_grid.NumX && j < m_grid.NumY,
+               "a pheromone field has no cell (" << i << "," << j << ")");
   return {m_grid.MinX + (static_cast<Real>(i) + 0.5) * m_grid.CellX,
           m_grid.MinY + (static_cast<Real>(j) + 0.5) * m_grid.CellY};
 }

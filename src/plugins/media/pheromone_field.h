@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_MEDIA_PHEROMONE_FIELD_H
 #define ARGOS3_PLUGINS_MEDIA_PHEROMONE_FIELD_H
 
+#include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/math/vector2.h>
 
@@ -59,7 +60,11 @@ class CPheromoneField {
   /** Centre of a cell, m, world frame. @param i < GetGrid().NumX. @param j < GetGrid().NumY. */
   CVector2 GetCenter(size_t i, size_t j) const;
   /** The mean concentration in a cell, 1/m^2. */
-  Real GetCell(size_t i, size_t j) const { return m_scale * m_cells[j * m_grid.NumX + i]; }
+  Real GetCell(size_t i, size_t j) const {
+    ARGOS_ASSERT(i < m_grid.NumX && j < m_grid.NumY,
+                 "a pheromone field has no cell (" << i << "," << j << ")");
+    return m_scale * m_cells[j * m_grid.NumX + i];
+  }
   /**
    * @param concentration in [0,maximum]. @throws CARGoSException if an argument is out of range.
    */

@@ -133,6 +133,8 @@ void CRABRouting::ExaminePairs(CThreadPool& pool, const CLineOfSight* sight) {
       }
     });
     m_numHearings[place] = static_cast<UInt32>(next - first);
+    ARGOS_ASSERT(m_pairStart[place] + m_numHearings[place] <= m_pairStart[place + 1],
+                 "a device has more hearings than pairs: " << m_numHearings[place]);
   };
   pool.ParallelFor(m_placed.size(), kGrain, [&](size_t begin, size_t end, UInt32) {
     for (size_t place = begin; place < end; ++place) {

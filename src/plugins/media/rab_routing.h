@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_MEDIA_RAB_ROUTING_H
 
 #include <argos3/core/simulator/space/line_of_sight.h>
+#include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/plugins/simulator/media/point_cells.h>
 
 #include <vector>
@@ -57,6 +58,9 @@ class CRABRouting {
     if (device + size_t(1) >= m_senderStart.size()) {
       return {nullptr, nullptr};
     }
+    ARGOS_ASSERT(m_senderStart[device] <= m_senderStart[device + 1] &&
+                     m_senderStart[device + 1] <= m_senders.size(),
+                 "the senders of device " << device << " are not in the list of senders");
     return {m_senders.data() + m_senderStart[device], m_senders.data() + m_senderStart[device + 1]};
   }
 

@@ -59,9 +59,10 @@ class CARGoSException : public std::exception {
 
 /**
  * Throws a CARGoSException if the condition does not hold. For errors of the program, not of its
- * user: NDEBUG compiles out both condition and message.
+ * user: NDEBUG compiles out both condition and message, unless ARGOS_CHECK_INVARIANTS is defined,
+ * as it is by the CMake option of that name.
  */
-#ifndef NDEBUG
+#if !defined(NDEBUG) || defined(ARGOS_CHECK_INVARIANTS)
 #define ARGOS_ASSERT(condition, message) \
   {                                      \
     if (!(condition))                    \

@@ -158,7 +158,7 @@ class CFactory {
  * @param buildId  ARGOS_BUILD_ID when the library was compiled.
  */
 template <typename TYPE>
-void RegisterSymbol(const char* buildId, const std::string& label, const std::string& author,
+void RegisterSymbol(const std::string& buildId, const std::string& label, const std::string& author,
                     const std::string& version, const std::string& briefDescription,
                     const std::string& longDescription, const std::string& status,
                     typename CFactory<TYPE>::TCreator* creator) {

@@ -45,7 +45,8 @@ std::string Difference(const std::string& id, const std::string& other) {
 }  // namespace
 
 const char* GetCoreBuildId() {
-  return ARGOS_BUILD_ID;
+  static const std::string id = ARGOS_BUILD_ID;
+  return id.c_str();
 }
 
 std::string GetLibraryOf(const void* function) {

@@ -8,6 +8,7 @@
  * libraries that are linked to the program.
  */
 
+#include <argos3/core/build_id.h>
 #include <argos3/core/config.h>
 
 #include <string>
@@ -15,13 +16,10 @@
 
 namespace argos {
 
-// grows with every change of a public class's layout or virtual functions
-#define ARGOS_BUILD_ID_API_ "api=1"
-
 #ifdef ARGOS_USE_DOUBLE
-#define ARGOS_BUILD_ID_REAL_ ";real=double"
+#define ARGOS_BUILD_ID_REAL_ "real=double"
 #else
-#define ARGOS_BUILD_ID_REAL_ ";real=float"
+#define ARGOS_BUILD_ID_REAL_ "real=float"
 #endif
 
 // both change the layout of the standard library's classes
@@ -38,11 +36,14 @@ namespace argos {
 
 #ifndef ARGOS_BUILD_ID
 /**
- * The properties that a plug-in and the core must have in common: "name=value" pairs, separated by
- * ';'. A macro, so that it describes the compilation of the including source.
+ * The properties that a plug-in and the core must have in common, as a std::string: "name=value"
+ * pairs, separated by ';'. First the options that change layouts; then, for each library of this
+ * ARGoS, the hash of its public headers. A macro, so that it describes the compilation of the
+ * including source.
  */
-#define ARGOS_BUILD_ID \
-  ARGOS_BUILD_ID_API_ ARGOS_BUILD_ID_REAL_ ARGOS_BUILD_ID_STRING_ ARGOS_BUILD_ID_CONTAINERS_
+#define ARGOS_BUILD_ID                                                                   \
+  (std::string(ARGOS_BUILD_ID_REAL_ ARGOS_BUILD_ID_STRING_ ARGOS_BUILD_ID_CONTAINERS_) + \
+   ARGOS_HEADERS_ID)
 #endif
 
 /** The build id of the core library. */

@@ -51,7 +51,8 @@ TEST_CASE("bad input: a library that was built against another version", "[bad_i
   SExperimentText experiment;
   experiment.Controllers = FromLibrary("test_wrong_build_controller", OtherVersionLibrary());
   CHECK_THAT(LoadError(experiment), Contains(At(SExperimentText::kControllersLine)) &&
-                                        Contains("argos3_test_wrong_build") && Contains("api"));
+                                        Contains("argos3_test_wrong_build") &&
+                                        Contains("core=000000000000"));
 }
 
 TEST_CASE("bad input: a controller without an id", "[bad_input]") {

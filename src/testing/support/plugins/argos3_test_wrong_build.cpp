@@ -1,5 +1,5 @@
-// claims to be compiled against other headers
-#define ARGOS_BUILD_ID "api=0;real=float;string=new;containers=release"
+// claims to be compiled with another option and against other headers of the core
+#define ARGOS_BUILD_ID std::string("real=float;string=new;containers=release;core=000000000000")
 #include <argos3/core/control_interface/ci_controller.h>
 
 class CTestWrongBuildController : public argos::CCI_Controller {};

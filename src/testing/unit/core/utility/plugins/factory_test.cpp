@@ -148,12 +148,33 @@ TEST_CASE("registration: a class of another build is refused with the difference
   CHECK(core == ARGOS_BUILD_ID);
   std::string other = core;
   Replace(other, "real=double", "real=float");
-  RegisterSymbol<COther2>(other.c_str(), "x", "a", "v", "b", "l", "s",
+  RegisterSymbol<COther2>(other, "x", "a", "v", "b", "l", "s",
                           []() -> COther2* { return new COther2; });
   CHECK_FALSE(CFactory<COther2>::Exists("x"));
   CHECK_THROWS_WITH(ThrowRegistrationProblems("context:"),
                     Contains("was built against another version or with other options: it has "
                              "real=float, the core has real=double; rebuild it"));
+}
+
+TEST_CASE("registration: a plug-in compiled against another public header is refused",
+          "[core][factory]") {
+  class COther3 {
+   public:
+    virtual ~COther3() = default;
+  };
+  const std::string core = GetCoreBuildId();
+  const std::string::size_type hash = core.find(";media=");
+  REQUIRE(hash != std::string::npos);
+  const std::string built = core.substr(hash + 7, 12);
+  CHECK(built.find_first_not_of("0123456789abcdef") == std::string::npos);
+  std::string other = core;
+  Replace(other, built, "0123456789ab");
+  RegisterSymbol<COther3>(other, "x", "a", "v", "b", "l", "s",
+                          []() -> COther3* { return new COther3; });
+  CHECK_FALSE(CFactory<COther3>::Exists("x"));
+  CHECK_THROWS_WITH(
+      ThrowRegistrationProblems("context:"),
+      Contains("it has media=0123456789ab, the core has media=" + built + "; rebuild"));
 }
 
 /****************************************/

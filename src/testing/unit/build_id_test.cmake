@@ -1,0 +1,43 @@
+# cmake -D SOURCES=<repository> -D FOLDER=<folder to write to> -P build_id_test.cmake
+#   fails unless an edited public header changes the hash of its library, and no other hash.
+function(compute_id variable)
+  execute_process(COMMAND "${CMAKE_COMMAND}" -D "MANIFEST=${FOLDER}/manifest.txt"
+    -D "TEMPLATE=${SOURCES}/src/core/build_id.h.in" -D "FOLDER=${FOLDER}" -P "${SOURCES}/src/cmake/WriteBuildId.cmake"
+    COMMAND_ERROR_IS_FATAL ANY)
+  set(ids)
+  foreach(file build_id.h build_id.cpp)
+    file(READ "${FOLDER}/${file}" text)
+    if(NOT text MATCHES "\";core=([0-9a-f]+);media=([0-9a-f]+)\"")
+      message(FATAL_ERROR "${file} has no id:\n${text}")
+    endif()
+    list(APPEND ids "${CMAKE_MATCH_1}-${CMAKE_MATCH_2}")
+  endforeach()
+  list(REMOVE_DUPLICATES ids)
+  set(${variable} "${ids}" PARENT_SCOPE)
+endfunction()
+
+file(REMOVE_RECURSE "${FOLDER}")
+file(WRITE "${FOLDER}/a.h" "struct SA { int X; };\n")
+file(WRITE "${FOLDER}/b.h" "struct SB {};\n")
+file(WRITE "${FOLDER}/c.h" "struct SC {};\n")
+file(WRITE "${FOLDER}/manifest.txt"
+  "core argos3/core/a.h ${FOLDER}/a.h\ncore argos3/core/b.h ${FOLDER}/b.h\nmedia argos3/media/c.h ${FOLDER}/c.h\n")
+compute_id(before)
+compute_id(same)
+file(WRITE "${FOLDER}/a.h" "struct SA { long X; };\n")
+compute_id(after)
+
+if(NOT before MATCHES "^([0-9a-f]+)-([0-9a-f]+)$")
+  message(FATAL_ERROR "build_id.h and build_id.cpp differ: ${before}")
+endif()
+set(core "${CMAKE_MATCH_1}")
+set(media "${CMAKE_MATCH_2}")
+if(NOT same STREQUAL before)
+  message(FATAL_ERROR "the id changed without a change: ${before}, then ${same}")
+endif()
+if(NOT after MATCHES "^([0-9a-f]+)-([0-9a-f]+)$")
+  message(FATAL_ERROR "build_id.h and build_id.cpp differ: ${after}")
+endif()
+if(CMAKE_MATCH_1 STREQUAL core OR NOT CMAKE_MATCH_2 STREQUAL media)
+  message(FATAL_ERROR "an edited header of core changed the id from ${before} to ${after}")
+endif()
