@@ -435,7 +435,7 @@ TEST_CASE("pheromone: invalid experiments are refused with the reason",
       CHECK_THAT(error(), Contains("no layer \"trial\"") && Contains("trail") &&
                               Contains("test.argos:") && Contains("<pheromone>"));
       *device = "layers=\"trail,trail\"";
-      CHECK_THAT(error(), Contains("named twice"));
+      CHECK_THAT(error(), Contains("listed twice"));
       *device = "layers=\"\"";
       CHECK_THAT(error(), Contains("no layer is listed"));
       *device = "";

@@ -289,7 +289,7 @@ TEST_CASE("simple radio: invalid experiments are refused with the reason",
       SCase{"<simple_radio id=\"r\" medium=\"radios\"/>", "range"},
       SCase{"<simple_radio id=\"r\" range=\"1\"/>", "medium"},
       SCase{"<simple_radio id=\"r\" range=\"1\" medium=\"radio\"/>", "radios"},
-      SCase{"<simple_radio id=\"r\" range=\"1\" medium=\"leds\"/>", "not of the type"},
+      SCase{"<simple_radio id=\"r\" range=\"1\" medium=\"leds\"/>", "not of the required type"},
       SCase{Radio("r", 1.0, "anchor=\"mast\""), "mast"},
       SCase{Radio("r", 1.0) + Radio("r", 2.0), "already a radio with id \"r\""});
   CAPTURE(c.Radios);

@@ -99,7 +99,7 @@ TEST_CASE("document: a file that cannot be read is an error", "[core][configurat
 
 TEST_CASE("document: an empty document has no root", "[core][configuration]") {
   CConfigurationDocument document;
-  CHECK_THROWS_WITH(document.GetRoot(), Contains("before a file was loaded"));
+  CHECK_THROWS_WITH(document.GetRoot(), Contains("a document that was not loaded"));
   CHECK_THROWS_WITH(document.SaveFile("x"), Contains("the document is empty"));
   CHECK_THROWS_WITH(document.SetByPath("@a", "1"), Contains("the document is empty"));
   CHECK(Unread(document).empty());
@@ -123,7 +123,7 @@ TEST_CASE("document: malformed XML is refused with its line", "[core][configurat
   CHECK_THAT(ErrorOfParsing("<!-- only -->"), Contains("the document has no element"));
   CHECK_THAT(ErrorOfParsing("just text"), Contains("not well-formed XML"));
   CHECK_THAT(ErrorOfParsing("<a"), Contains("not well-formed XML"));
-  CHECK_THAT(ErrorOfParsing(std::string("<a/>\0", 5)), Contains("a zero byte in it, at offset 4"));
+  CHECK_THAT(ErrorOfParsing(std::string("<a/>\0", 5)), Contains("zero byte at offset 4"));
 }
 
 /****************************************/
