@@ -178,6 +178,43 @@ TEST_CASE("robots: every getter returns the component of its name", "[contract][
   CHECK(&ePuck.GetComponent("controller") == &ePuck.GetControllableEntity());
 }
 
+TEST_CASE("robots: engines update a robot after moves only while a component follows its body",
+          "[contract][robots]") {
+  SRobotExperiment experiment;
+  experiment.Arena = Robot("foot-bot", "r", "position=\"0,0,0\"");
+  experiment.Media += "<range_and_bearing id=\"rab\"/>";
+  CRobotWorld world(experiment);
+  auto& robot = world.Get<CFootBotEntity>("r");
+  const CEmbodiedEntity& body = robot.GetEmbodiedEntity();
+  CHECK_FALSE(body.HasFollowers());
+  const std::vector<CEntity*> followers = {
+      &robot.GetLEDEquippedEntity(), &robot.GetRABEquippedEntity(),
+      &robot.GetBatterySensorEquippedEntity(), &robot.GetDistanceScannerEquippedEntity(),
+      &robot.GetComponent("odometer")};
+  for (CEntity* follower : followers) {
+    CAPTURE(follower->GetId());
+    CHECK_FALSE(body.HasFollowers());
+    follower->SetEnabled(true);
+    CHECK(body.HasFollowers());
+    // again: counts once
+    follower->SetEnabled(true);
+    follower->SetEnabled(false);
+    CHECK_FALSE(body.HasFollowers());
+    follower->SetEnabled(true);
+    world.GetSimulator().Reset();
+    CHECK_FALSE(body.HasFollowers());
+  }
+  followers[0]->SetEnabled(true);
+  followers[1]->SetEnabled(true);
+  robot.SetEnabled(false);
+  CHECK_FALSE(body.HasFollowers());
+  robot.SetEnabled(true);
+  CHECK(body.HasFollowers());
+  // each is enabled again
+  CHECK(followers[0]->IsEnabled());
+  CHECK(followers[1]->IsEnabled());
+}
+
 TEST_CASE("robots: the appearance shows the body and its front", "[contract][robots]") {
   const SExpected expected = GENERATE(kRobots[0], kRobots[1]);
   SRobotExperiment experiment;

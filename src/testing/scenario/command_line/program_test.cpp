@@ -49,7 +49,7 @@ std::string DigestIn(const std::string& text) {
 class CLoad {
  public:
   CLoad() {
-    for (UInt32 i = 0; i < 2 * std::thread::hardware_concurrency(); ++i) {
+    for (unsigned int i = 0; i < 2 * std::thread::hardware_concurrency(); ++i) {
       m_threads.emplace_back([this] {
         while (!m_stop) {
         }

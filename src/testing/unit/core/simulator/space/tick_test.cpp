@@ -118,6 +118,38 @@ TEST_CASE("tick: entities added or removed by hooks are sensed or gone in the sa
   CHECK(ControllerOf(world, "r1").LastRange == 1.0);
 }
 
+TEST_CASE("tick: hooks may remove robots of a swarm that is large enough for looking ahead",
+          "[core][tick][threads]") {
+  const UInt32 threads = GENERATE(0U, 4U);
+  CAPTURE(threads);
+  SExperiment experiment = ManyRobots(threads, "balance_quantity");
+  experiment.ArenaSize = "20,20,2";
+  // more robots than those for which CLookAhead does nothing
+  experiment.Arena =
+      R"(<distribute> <position method='grid' center='0,0,0' distances='0.2,0.2,1' layout='50,50,1' />
+      <orientation method='constant' values='0,0,0' />
+      <entity quantity='2500' max_trials='1'> <toy-robot id='r'> <controller config='c' /> </toy-robot> </entity>
+    </distribute>)";
+  CTestWorld world(experiment);
+  const CSimulator::CScope scope(world.GetSimulator());
+  auto& functions = world.GetLoopFunctions<CToyLoopFunctions>();
+  int removed = 0;
+  const auto removeSome = [&] {
+    for (int i = 0; i < 30; ++i) {
+      functions.RemoveEntity("r" + std::to_string(removed++));
+    }
+  };
+  functions.OnPreStep = removeSome;
+  functions.OnPostStep = removeSome;
+  world.Step(5);
+  REQUIRE(removed == 300);
+  const auto& robots = world.GetSpace().GetControllableEntities();
+  REQUIRE(robots.size() == 2200);
+  for (CControllableEntity* robot : robots) {
+    REQUIRE(dynamic_cast<CToyController&>(robot->GetController()).Steps == 5);
+  }
+}
+
 TEST_CASE("tick: every robot steps once a tick, on any number of threads",
           "[core][tick][threads]") {
   const UInt32 threads = GENERATE(0U, 1U, 2U, 4U, 15U);
