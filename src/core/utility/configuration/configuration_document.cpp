@@ -160,9 +160,10 @@ std::string CConfigurationDocument::SetByPath(const std::string& path, const std
   for (tinyxml2::XMLElement* element : parsed.Find(*root)) {
     const char* previous = element->Attribute(parsed.GetAttribute().c_str());
     const SConfigurationRecord& record = m_store->RecordOf(*element);
-    report += (report.empty() ? "" : "\n") + LocationText(*record.File, record.Line) + ": <" +
-              element->Value() + "> " + parsed.GetAttribute() + "=\"" + value + "\" (" +
-              (previous != nullptr ? "was \"" + std::string(previous) + '"'
+    report += report.empty() ? "" : "\n";
+    report += LocationText(*record.File, record.Line) + ": <" + element->Value() + "> " +
+              parsed.GetAttribute() + "=\"" + value + "\" (" +
+              (previous != nullptr ? std::string("was \"") + previous + '"'
                                    : std::string("was not there")) +
               ')';
     element->SetAttribute(parsed.GetAttribute().c_str(), value.c_str());

@@ -170,8 +170,10 @@ void CLuaUtility::PrintStack(CARGoSLog& log, lua_State* state) {
   const int top = lua_gettop(state);
   for (int i = 1; i <= top; ++i) {
     PushFormatted(state, i);
-    log << "#" + std::to_string(i) + " " + luaL_typename(state, i) + " " +
-               std::string(ViewString(state, -1)) + "\n";
+    std::string line("#");
+    line += std::to_string(i) + " " + luaL_typename(state, i) + " ";
+    line += ViewString(state, -1);
+    log << line + "\n";
     lua_pop(state, 1);
   }
 }
