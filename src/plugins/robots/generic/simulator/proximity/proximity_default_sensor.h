@@ -1,0 +1,37 @@
+#ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_PROXIMITY_PROXIMITY_DEFAULT_SENSOR_H
+#define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_PROXIMITY_PROXIMITY_DEFAULT_SENSOR_H
+
+#include <argos3/core/simulator/sensor.h>
+#include <argos3/core/utility/prefetch.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_proximity_sensor.h>
+#include <argos3/plugins/robots/generic/simulator/proximity_rays.h>
+
+namespace argos {
+
+/** Proximity sensors of any robot. A derived class may read distances in its own way. */
+class CProximityDefaultSensor : public CSimulatedSensor, public CCI_ProximitySensor {
+ public:
+  void SetRobot(CComposableEntity& robot) override;
+  /** See CProximityRays::Init(). */
+  void Init(TConfigurationNode& tree) override;
+  void Update() override;
+  void PrefetchUpdate() const override {
+    m_rays.PrefetchRead();
+    PrefetchElements(m_tReadings);
+  }
+  void Reset() override;
+
+  /**
+   * What a sensor reads, before noise.
+   * @param distance  from the start of its ray to what it met, m, >= 0.
+   * @return exp(-distance); clamped to [0,1] afterwards.
+   */
+  virtual Real CalculateReading(Real distance);
+
+ private:
+  CProximityRays m_rays;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,73 @@
+#ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_PROXIMITY_PROXIMITY_RAYS_H
+#define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_PROXIMITY_PROXIMITY_RAYS_H
+
+#include <argos3/core/utility/configuration/argos_configuration.h>
+#include <argos3/plugins/robots/generic/simulator/noise.h>
+#include <argos3/plugins/robots/generic/simulator/ray_caster.h>
+#include <argos3/plugins/simulator/entities/proximity_sensor_equipped_entity.h>
+
+#include <algorithm>
+
+namespace argos {
+
+/**
+ * Casts the rays of a robot's proximity sensors: what all proximity sensors have in common.
+ *
+ * All rays share one query for the solids around the robot. Rays look through the robot's own body;
+ * one that starts inside another body meets it at distance 0.
+ */
+class CProximityRays {
+ public:
+  /**
+   * Finds and enables the robot's "proximity_sensors".
+   * @throws CARGoSException if it has none, or no "body" or "controller".
+   */
+  void SetRobot(CComposableEntity& robot);
+  /**
+   * Reads `show_rays`, `noise_level`, and `<noise on="reading">` children.
+   * @throws CARGoSException if the level is < 0.
+   */
+  void Init(TConfigurationNode& tree);
+  /** Noise starts over. */
+  void Reset() { m_noise.Reset(); }
+
+  size_t GetNumRays() const { return m_sensors->GetNumSensors(); }
+  /** @throws CARGoSException that names @p device if the robot does not have so many rays. */
+  void RequireNumRays(size_t num, const std::string& device) const;
+  /** Asks for the memory that Read() is going to need. */
+  void PrefetchRead() const;
+
+  /**
+   * Casts all rays.
+   * @param calculate  Real(Real D): what the sensor reads at distance D (m) from the ray's start;
+   *                   not called for rays that meet nothing, which read 0.
+   * @param store      void(size_t ray, Real reading): with noise, in [0,1].
+   */
+  template <typename CALCULATE, typename STORE>
+  void Read(CALCULATE&& calculate, STORE&& store) {
+    const size_t num = GetNumRays();
+    for (size_t first = 0; first < num; first += CRayCaster::kMaxRays) {
+      const size_t count = std::min(CRayCaster::kMaxRays, num - first);
+      Real distances[CRayCaster::kMaxRays];  // m; < 0: no hit
+      Cast(first, count, distances);
+      for (size_t i = 0; i < count; ++i) {
+        const Real reading = distances[i] < 0.0 ? 0.0 : calculate(distances[i]);
+        store(first + i, std::clamp(m_noise.Apply(0, reading), 0.0, 1.0));
+      }
+    }
+  }
+
+ private:
+  void Cast(size_t first, size_t count, Real* distances);
+
+  CProximitySensorEquippedEntity* m_sensors = nullptr;  // of the robot
+  const SRayLayout* m_layout = nullptr;  // the one for which m_anchor holds
+  const SAnchor* m_anchor = nullptr;  // of the first ray
+  CRayCaster m_caster;
+  CDeviceNoise m_noise;
+  bool m_showRays = false;
+};
+
+}  // namespace argos
+
+#endif
