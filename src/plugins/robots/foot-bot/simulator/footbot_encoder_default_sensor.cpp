@@ -1,7 +1,8 @@
-#include <argos3/plugins/robots/foot-bot/simulator/footbot_encoder_default_sensor.h>
-
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/sensor.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_encoder_sensor.h>
+#include <argos3/plugins/robots/generic/simulator/noise.h>
 #include <argos3/plugins/simulator/entities/odometer_entity.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
 
@@ -11,6 +12,22 @@ namespace {
 
 constexpr Real kCentimetersPerMeter = 100.0;
 enum EWheel : size_t { LEFT, RIGHT };
+
+/** How far the wheels of a foot-bot rolled; see COdometerEntity. */
+class CFootBotEncoderDefaultSensor : public CSimulatedSensor, public CCI_FootBotEncoderSensor {
+ public:
+  /** @throws CARGoSException if the robot has no "odometer", "wheels" or "controller". */
+  void SetRobot(CComposableEntity& robot) override;
+  /** Reads `<noise>`. */
+  void Init(TConfigurationNode& tree) override;
+  void Update() override;
+  void Reset() override;
+
+ private:
+  const COdometerEntity* m_odometer = nullptr;  // of the robot
+  const CControllableEntity* m_robot = nullptr;
+  CDeviceNoise m_noise;
+};
 
 }  // namespace
 

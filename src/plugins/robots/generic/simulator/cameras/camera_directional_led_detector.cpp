@@ -1,9 +1,26 @@
-#include <argos3/plugins/robots/generic/simulator/camera_directional_led_detector.h>
-
+#include <argos3/plugins/robots/generic/control_interface/ci_camera_sensor_directional_led_detector_algorithm.h>
+#include <argos3/plugins/robots/generic/simulator/camera_detector.h>
 #include <argos3/plugins/simulator/entities/directional_led_entity.h>
 #include <argos3/plugins/simulator/media/directional_led_medium.h>
 
 namespace argos {
+
+namespace {
+
+/** Finds directional LEDs that shine on a camera. */
+class CCameraDirectionalLEDDetector
+    : public CCameraDetector<CDirectionalLEDEntity, CDirectionalLEDMedium, 1>,
+      public CCI_CameraSensorDirectionalLEDDetectorAlgorithm {
+ public:
+  void Reset() override;
+  void Update(const CPinholeCamera& camera) override;
+  CCI_CameraSensorAlgorithm& GetCIAlgorithm() override { return *this; }
+
+ protected:
+  std::string GetMediumKind() const override { return "a directional LED medium"; }
+};
+
+}  // namespace
 
 void CCameraDirectionalLEDDetector::Reset() {
   CCameraDetector::Reset();

@@ -1,9 +1,25 @@
-#include <argos3/plugins/robots/generic/simulator/camera_led_detector.h>
-
+#include <argos3/plugins/robots/generic/control_interface/ci_camera_sensor_led_detector_algorithm.h>
+#include <argos3/plugins/robots/generic/simulator/camera_detector.h>
 #include <argos3/plugins/simulator/entities/led_entity.h>
 #include <argos3/plugins/simulator/media/led_medium.h>
 
 namespace argos {
+
+namespace {
+
+/** Finds LEDs and lights in the pictures of a camera. */
+class CCameraLEDDetector : public CCameraDetector<CLEDEntity, CLEDMedium, 1>,
+                           public CCI_CameraSensorLEDDetectorAlgorithm {
+ public:
+  void Reset() override;
+  void Update(const CPinholeCamera& camera) override;
+  CCI_CameraSensorAlgorithm& GetCIAlgorithm() override { return *this; }
+
+ protected:
+  std::string GetMediumKind() const override { return "an LED medium"; }
+};
+
+}  // namespace
 
 void CCameraLEDDetector::Reset() {
   CCameraDetector::Reset();

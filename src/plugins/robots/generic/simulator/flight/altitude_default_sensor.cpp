@@ -1,10 +1,35 @@
-#include <argos3/plugins/robots/generic/simulator/altitude_default_sensor.h>
-
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_altitude_sensor.h>
+#include <argos3/plugins/robots/generic/simulator/noise.h>
+#include <argos3/plugins/robots/generic/simulator/ray_caster.h>
 
 namespace argos {
+
+namespace {
+
+/**
+ * How high a robot is: a range finder that looks straight down from the centre of its base, at the
+ * highest body below, or the ground at height 0.
+ */
+class CAltitudeDefaultSensor : public CSimulatedSensor, public CCI_AltitudeSensor {
+ public:
+  /** @throws CARGoSException if the robot has no "body" or "controller". */
+  void SetRobot(CComposableEntity& robot) override;
+  /** Reads `show_rays` and `<noise>`. */
+  void Init(TConfigurationNode& tree) override;
+  void Update() override;
+  void Reset() override;
+
+ private:
+  CRayCaster m_caster;
+  bool m_showRays = false;
+  CDeviceNoise m_noise;
+};
+
+}  // namespace
 
 void CAltitudeDefaultSensor::SetRobot(CComposableEntity& robot) {
   m_caster.SetRobot(robot);

@@ -1,14 +1,44 @@
-#include <argos3/plugins/robots/generic/simulator/pheromone_medium_actuator.h>
-
+#include <argos3/core/simulator/actuator.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/utility/math/vector2.h>
+#include <argos3/core/utility/math/vector3.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_pheromone_actuator.h>
 #include <argos3/plugins/robots/generic/simulator/medium_attribute.h>
+#include <argos3/plugins/robots/generic/simulator/noise.h>
+#include <argos3/plugins/simulator/media/pheromone_medium.h>
 
 #include <algorithm>
+#include <memory>
+#include <vector>
 
 namespace argos {
+
+namespace {
+
+/** Lays substances of a medium under the robot. */
+class CPheromoneMediumActuator : public CSimulatedActuator, public CCI_PheromoneActuator {
+ public:
+  /** @throws CARGoSException unless the robot has "body" and "controller". */
+  void SetRobot(CComposableEntity& robot) override;
+  /** Reads `medium`, `layers`, `offset` and `<noise>`. @throws CARGoSException. */
+  void Init(TConfigurationNode& tree) override;
+  /** @throws CARGoSException that names the robot, if a rate is not a number >= 0. */
+  void Update() override;
+  /** Nothing is laid; noise starts over. */
+  void Reset() override;
+
+ private:
+  CControllableEntity* m_robot = nullptr;
+  CEmbodiedEntity* m_body = nullptr;  // of the robot
+  std::unique_ptr<CPheromoneMedium::CUser> m_user;
+  std::vector<size_t> m_layers;  // of the medium, (m_vecInterfaces)
+  CVector3 m_offset;  // in the robot's frame, m
+  CDeviceNoise m_noise;  // on "rate"
+};
+
+}  // namespace
 
 void CPheromoneMediumActuator::SetRobot(CComposableEntity& robot) {
   m_robot = &robot.GetComponent<CControllableEntity>("controller");

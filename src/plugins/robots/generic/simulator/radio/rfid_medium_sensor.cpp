@@ -1,19 +1,49 @@
-#include <argos3/plugins/robots/generic/simulator/rfid_medium_sensor.h>
-
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/sensor.h>
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/core/utility/datatypes/spare_elements.h>
+#include <argos3/core/utility/math/random_stream.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_rfid_sensor.h>
+#include <argos3/plugins/robots/generic/simulator/noise.h>
+#include <argos3/plugins/robots/generic/simulator/rfid_antenna.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <vector>
 
 namespace argos {
 
 namespace {
 
 constexpr Real kCentimetersPerMeter = 100.0;
+
+/** Reads the tags that a medium finds near the robot. */
+class CRFIDMediumSensor : public CSimulatedSensor, public CCI_RFIDSensor {
+ public:
+  void SetRobot(CComposableEntity& robot) override;
+  /** Reads what CRFIDAntenna::Init() does, `miss_prob` and `<noise>`. @throws CARGoSException. */
+  void Init(TConfigurationNode& tree) override;
+  void Update() override;
+  /** No readings; noise starts over. */
+  void Reset() override;
+
+ private:
+  enum EQuantity : UInt8 { DISTANCE, ANGLE };
+
+  void Fill(SReading& reading, const CRFIDTagEntity& tag);
+  void MakeStream();
+
+  CRFIDAntenna m_antenna;
+  Real m_missProbability = 0.0;
+  std::unique_ptr<CRandomStream> m_stream;  // only if tags may be missed
+  CDeviceNoise m_noise;  // on EQuantity
+  std::vector<CRFIDMedium::SFound> m_found;
+  CSpareElements<SReading> m_spare;
+};
 
 }  // namespace
 

@@ -1,11 +1,31 @@
-#include <argos3/plugins/robots/generic/simulator/clock_default_sensor.h>
-
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/sensor.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_clock_sensor.h>
+#include <argos3/plugins/robots/generic/simulator/noise.h>
 
 namespace argos {
+
+namespace {
+
+/** The clock of the experiment, perhaps with noise. */
+class CClockDefaultSensor : public CSimulatedSensor, public CCI_ClockSensor {
+ public:
+  /** @throws CARGoSException if the robot has no "controller". */
+  void SetRobot(CComposableEntity& robot) override;
+  /** Reads `<noise>`. */
+  void Init(TConfigurationNode& tree) override;
+  void Update() override;
+  void Reset() override;
+
+ private:
+  const CControllableEntity* m_robot = nullptr;
+  CDeviceNoise m_noise;
+};
+
+}  // namespace
 
 void CClockDefaultSensor::SetRobot(CComposableEntity& robot) {
   m_robot = &robot.GetComponent<CControllableEntity>("controller");
