@@ -15,15 +15,15 @@ namespace argos {
 class CControllableEntity;
 class CEmbodiedEntity;
 
-/** Any number of pinhole cameras on any robot; see its long description. */
+/** Any number of pinhole cameras on any robot; see the manual in the source. */
 class CCameraDefaultSensor : public CSimulatedSensor, public CCI_CameraSensor {
  public:
   /** @throws CARGoSException unless the robot has a "body". */
   void SetRobot(CComposableEntity& robot) override;
   /**
    * Reads `show_frustum` and the children `<camera>`, each with its algorithms.
-   * @throws CARGoSException if a value is missing or out of range, two cameras have one id, or
-   * there is no such algorithm.
+   * @throws CARGoSException if a value is missing or out of range, two cameras have the same id,
+   * or an algorithm is unknown.
    */
   void Init(TConfigurationNode& tree) override;
   void Enable() override;

@@ -13,8 +13,8 @@
 namespace argos {
 
 /**
- * Finds the entities of a medium that a camera sees: what the detectors have in common.
- * @tparam NUM_POINTS  how many points of an entity must all be in the picture and in sight.
+ * Base of the detectors: finds the entities of a medium that are visible to a camera.
+ * @tparam NUM_POINTS  number of points of an entity that must all be in the image and visible.
  */
 template <class ENTITY, class MEDIUM, size_t NUM_POINTS>
 class CCameraDetector : public CCameraSensorSimulatedAlgorithm {
@@ -26,7 +26,7 @@ class CCameraDetector : public CCameraSensorSimulatedAlgorithm {
   }
   /**
    * Reads `medium`, `show_rays` and `<noise>`.
-   * @throws CARGoSException if there is no such medium, or noise is out of range.
+   * @throws CARGoSException if the medium is unknown, or noise is out of range.
    */
   void Init(TConfigurationNode& tree) override {
     m_medium = &ReadMedium<MEDIUM>(tree, m_robot->GetSimulator(), GetMediumKind());
@@ -36,29 +36,29 @@ class CCameraDetector : public CCameraSensorSimulatedAlgorithm {
   void Reset() override { m_noise.Reset(); }
 
  protected:
-  /** For the message about a wrong one: "an LED medium". */
+  /** Kind of the medium, for error messages: "an LED medium". */
   virtual std::string GetMediumKind() const = 0;
 
   /**
-   * The entity's position is the first of its points.
-   * @param locate  bool(const ENTITY&, CVector3* points): false if the entity shows nothing to this
-   *                camera; else writes its other points, m, world frame. Only called if the first
-   *                one is in the picture.
-   * @param see     void(const ENTITY&, const CVector2* pixels): called for every entity in sight,
-   *                in order of creation, with the pixels of its points, noise included.
+   * Calls @p see for every visible entity. The entity's position is the first of its points.
+   * @param locate  bool(const ENTITY&, CVector3* points): false if the entity cannot be visible to
+   *                this camera; else writes its other points, m, world frame. Called only if the
+   *                first point is in the image.
+   * @param see     void(const ENTITY&, const CVector2* pixels): called in order of creation, with
+   * the pixels of the entity's points, including noise.
    */
   template <typename LOCATE, typename SEE>
   void Detect(const CPinholeCamera& camera, LOCATE&& locate, SEE&& see) {
-    m_sight.Look(
+    m_sight.Detect(
         m_medium->GetIndex(), camera.GetPosition(), camera.ComputeField(),
         [&](const ENTITY& entity, CVector3* points) {
           points[0] = entity.GetPosition();
           CVector2 pixel;
-          bool inPicture = camera.Project(points[0], pixel) && locate(entity, points + 1);
-          for (size_t i = 1; inPicture && i < NUM_POINTS; ++i) {
-            inPicture = camera.Project(points[i], pixel);
+          bool inImage = camera.Project(points[0], pixel) && locate(entity, points + 1);
+          for (size_t i = 1; inImage && i < NUM_POINTS; ++i) {
+            inImage = camera.Project(points[i], pixel);
           }
-          return inPicture;
+          return inImage;
         },
         [&](const ENTITY& entity, const CVector3* points) {
           CVector2 pixels[NUM_POINTS];

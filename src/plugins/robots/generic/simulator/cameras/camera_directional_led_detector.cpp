@@ -7,7 +7,7 @@ namespace argos {
 
 namespace {
 
-/** Finds directional LEDs that shine on a camera. */
+/** Detects the directional LEDs that shine on a camera. */
 class CCameraDirectionalLEDDetector
     : public CCameraDetector<CDirectionalLEDEntity, CDirectionalLEDMedium, 1>,
       public CCI_CameraSensorDirectionalLEDDetectorAlgorithm {
@@ -41,7 +41,7 @@ void CCameraDirectionalLEDDetector::Update(const CPinholeCamera& camera) {
 
 REGISTER_CAMERA_SENSOR_ALGORITHM(CCameraDirectionalLEDDetector, "directional_led_detector",
                                  "the authors of this project", "1.0",
-                                 "Finds directional LEDs that shine on a camera.",
+                                 "Detects the directional LEDs that shine on a camera.",
                                  "See the sensor \"cameras (default)\".", "Usable")
 
 }  // namespace argos

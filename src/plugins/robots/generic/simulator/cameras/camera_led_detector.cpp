@@ -7,7 +7,7 @@ namespace argos {
 
 namespace {
 
-/** Finds LEDs and lights in the pictures of a camera. */
+/** Detects LEDs and lights in the images of a camera. */
 class CCameraLEDDetector : public CCameraDetector<CLEDEntity, CLEDMedium, 1>,
                            public CCI_CameraSensorLEDDetectorAlgorithm {
  public:
@@ -36,7 +36,7 @@ void CCameraLEDDetector::Update(const CPinholeCamera& camera) {
 }
 
 REGISTER_CAMERA_SENSOR_ALGORITHM(CCameraLEDDetector, "led_detector", "the authors of this project",
-                                 "1.0", "Finds LEDs and lights in the pictures of a camera.",
+                                 "1.0", "Detects LEDs and lights in the images of a camera.",
                                  "See the sensor \"cameras (default)\".", "Usable")
 
 }  // namespace argos

@@ -13,11 +13,11 @@ class CComposableEntity;
 class CPinholeCamera;
 
 /**
- * The simulated side of an algorithm that looks at the pictures of a camera; a concrete one also
- * derives from its CCI_CameraSensor...Algorithm, and is registered under the tag of its element.
+ * The simulated side of an algorithm that processes the images of a camera; a concrete algorithm
+ * also derives from its CCI_CameraSensor...Algorithm, and is registered under its XML element.
  *
- * Update() may read the space, and write only what is its own: robots sense in parallel, without
- * locks. It must not allocate once settled.
+ * Update() may read the space, but writes only its own data: robots sense in parallel, without
+ * locks. It must not allocate memory in a settled tick.
  */
 class CCameraSensorSimulatedAlgorithm : public CBaseConfigurableResource {
  public:
@@ -27,7 +27,7 @@ class CCameraSensorSimulatedAlgorithm : public CBaseConfigurableResource {
   void Destroy() override {}
   /** Called in every tick in which the sensor is enabled. */
   virtual void Update(const CPinholeCamera& camera) = 0;
-  /** The same object, as the controller sees it. */
+  /** @return this object as the interface for controllers. */
   virtual CCI_CameraSensorAlgorithm& GetCIAlgorithm() = 0;
 };
 

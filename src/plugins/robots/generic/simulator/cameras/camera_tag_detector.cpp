@@ -11,7 +11,7 @@ namespace argos {
 
 namespace {
 
-/** Reads the tags that face a camera and are wholly in its picture: centre and four corners. */
+/** Detects the tags that face a camera and are completely in its image: centre and corners. */
 class CCameraTagDetector : public CCameraDetector<CTagEntity, CTagMedium, 5>,
                            public CCI_CameraSensorTagDetectorAlgorithm {
  public:
@@ -23,9 +23,9 @@ class CCameraTagDetector : public CCameraDetector<CTagEntity, CTagMedium, 5>,
   std::string GetMediumKind() const override { return "a tag medium"; }
 
  private:
-  /** Has room for the longest payload ever. */
+  /** @return a new reading; its payload has memory for the longest payload so far. */
   SReading& NextReading();
-  void MakeRoomFor(const std::string& payload);
+  void ReserveFor(const std::string& payload);
 
   CSpareElements<SReading> m_spare;
   size_t m_longest = 0;  // bytes of a payload so far
@@ -51,7 +51,7 @@ void CCameraTagDetector::Update(const CPinholeCamera& camera) {
         return true;
       },
       [this](const CTagEntity& tag, const CVector2* pixels) {
-        MakeRoomFor(tag.GetPayload());
+        ReserveFor(tag.GetPayload());
         SReading& reading = NextReading();
         reading.Payload = tag.GetPayload();
         reading.Center = pixels[0];
@@ -64,18 +64,18 @@ CCameraTagDetector::SReading& CCameraTagDetector::NextReading() {
                         [this](SReading& reading) { reading.Payload.reserve(m_longest); });
 }
 
-// all at once: which reading gets which tag differs from tick to tick
-void CCameraTagDetector::MakeRoomFor(const std::string& payload) {
+// in all readings: the assignment of tags to readings changes from tick to tick
+void CCameraTagDetector::ReserveFor(const std::string& payload) {
   if (payload.size() > m_longest) {
     m_longest = payload.size();
-    const auto makeRoom = [this](SReading& reading) { reading.Payload.reserve(m_longest); };
-    m_spare.ForEach(makeRoom);
-    std::for_each(m_tReadings.begin(), m_tReadings.end(), makeRoom);
+    const auto reserve = [this](SReading& reading) { reading.Payload.reserve(m_longest); };
+    m_spare.ForEach(reserve);
+    std::for_each(m_tReadings.begin(), m_tReadings.end(), reserve);
   }
 }
 
 REGISTER_CAMERA_SENSOR_ALGORITHM(CCameraTagDetector, "tag_detector", "the authors of this project",
-                                 "1.0", "Reads the tags in the pictures of a camera.",
+                                 "1.0", "Detects the tags in the images of a camera.",
                                  "See the sensor \"cameras (default)\".", "Usable")
 
 }  // namespace argos

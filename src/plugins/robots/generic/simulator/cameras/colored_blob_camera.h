@@ -17,10 +17,10 @@
 namespace argos {
 
 /**
- * What the cameras that list coloured blobs have in common: all but the geometry.
+ * Base of the cameras that list coloured blobs: everything except the geometry.
  *
- * A derived class calls TakeCamera() in SetRobot() and InitCamera() in Init(); its Update() adds to
- * m_blobs in between StartPicture() and EndPicture().
+ * A derived class calls FindCamera() in SetRobot() and InitCamera() in Init(); its Update() adds to
+ * m_blobs between StartImage() and EndImage().
  * @tparam INTERFACE  the control interface: has SBlob and m_sReadings.
  * @tparam CAMERA     the component of the robot.
  */
@@ -43,8 +43,8 @@ class CColoredBlobCamera : public CSimulatedSensor, public INTERFACE {
   }
 
  protected:
-  /** @param type of the component. @throws CARGoSException unless the robot has one. */
-  void TakeCamera(CComposableEntity& robot, const char* type) {
+  /** @param type of the component. @throws CARGoSException if the robot does not have it. */
+  void FindCamera(CComposableEntity& robot, const char* type) {
     m_camera = &robot.GetComponent<CAMERA>(type);
     m_robot = &robot.GetComponent<CControllableEntity>("controller");
     m_sight.SetRobot(robot);
@@ -52,8 +52,8 @@ class CColoredBlobCamera : public CSimulatedSensor, public INTERFACE {
   /**
    * Reads `medium`, `show_rays`, `noise_std_dev` and `<noise>`.
    * @param quantities    that `<noise>` may be on.
-   * @param shiftPurpose  names the random stream for `noise_std_dev`; a literal.
-   * @throws CARGoSException if there is no LED medium of that id, or noise is out of range.
+   * @param shiftPurpose  name of the random stream for `noise_std_dev`; a literal.
+   * @throws CARGoSException if the LED medium is unknown, or noise is out of range.
    */
   void InitCamera(TConfigurationNode& tree, const std::vector<std::string>& quantities,
                   const char* shiftPurpose) {
@@ -67,12 +67,12 @@ class CColoredBlobCamera : public CSimulatedSensor, public INTERFACE {
     MakeShifts();
   }
 
-  void StartPicture() {
+  void StartImage() {
     ++this->m_sReadings.Counter;
     m_blobs.clear();
   }
-  /** Lists the blobs: only now, when they do not move any more. */
-  void EndPicture() {
+  /** Lists the blobs; m_blobs must not be reallocated afterwards. */
+  void EndImage() {
     this->m_sReadings.BlobList.clear();
     for (auto& blob : m_blobs) {
       this->m_sReadings.BlobList.push_back(&blob);
@@ -82,11 +82,11 @@ class CColoredBlobCamera : public CSimulatedSensor, public INTERFACE {
   CAMERA* m_camera = nullptr;  // of the robot
   CLEDMedium* m_medium = nullptr;
   bool m_showRays = false;
-  Real m_noiseStdDev = 0.0;  // what it is of, the derived class says
+  Real m_noiseStdDev = 0.0;  // its unit depends on the derived class
   std::unique_ptr<CRandomStream> m_shifts;  // only with noise_std_dev
   CDeviceNoise m_noise;
   CEntitiesInSight<CLEDEntity> m_sight;
-  std::vector<typename INTERFACE::SBlob> m_blobs;  // what the list of the readings points to
+  std::vector<typename INTERFACE::SBlob> m_blobs;  // the list in the readings points to them
 
  private:
   void MakeShifts() {

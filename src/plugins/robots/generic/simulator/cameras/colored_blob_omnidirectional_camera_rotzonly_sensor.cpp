@@ -1,6 +1,7 @@
 #include <argos3/plugins/robots/generic/simulator/colored_blob_omnidirectional_camera_rotzonly_sensor.h>
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 
 #include <cmath>
 
@@ -20,31 +21,31 @@ CRadians Wrap(CRadians angle) {
 
 }  // namespace
 
-// the camera at one moment
+// pose of the camera in one tick
 struct CColoredBlobOmnidirectionalCameraRotZOnlySensor::SEye {
   CVector3 Position;  // m, world frame
   Real Cos, Sin;  // of the robot's yaw
-  Real HalfSide;  // of the square that the camera sees on the ground, m
+  Real HalfSide;  // of the square field of view on the ground, m
 };
 
 void CColoredBlobOmnidirectionalCameraRotZOnlySensor::SetRobot(CComposableEntity& robot) {
-  TakeCamera(robot, "omnidirectional_camera");
+  FindCamera(robot, "omnidirectional_camera");
   m_body = &robot.GetComponent<CEmbodiedEntity>("body");
 }
 
 void CColoredBlobOmnidirectionalCameraRotZOnlySensor::Init(TConfigurationNode& tree) {
-  // the noise: a fraction of the distance
+  // noise_std_dev is a fraction of the distance
   InitCamera(tree, {"distance", "angle"}, "omnidirectional camera: shifts of LEDs");
 }
 
 void CColoredBlobOmnidirectionalCameraRotZOnlySensor::Update() {
-  StartPicture();
+  StartImage();
   const SEye eye = ComputeEye();
   const CVector3& c = eye.Position;
   const SBoundingBox field = {CVector3(c.GetX() - eye.HalfSide, c.GetY() - eye.HalfSide, -c.GetZ()),
                               CVector3(c.GetX() + eye.HalfSide, c.GetY() + eye.HalfSide, c.GetZ())};
   if (eye.HalfSide > 0.0) {
-    m_sight.Look(
+    m_sight.Detect(
         m_medium->GetIndex(), c, field,
         [&eye, &c](const CLEDEntity& led, CVector3* point) {
           const CVector3 toLED = led.GetPosition() - c;
@@ -54,7 +55,7 @@ void CColoredBlobOmnidirectionalCameraRotZOnlySensor::Update() {
         },
         [&](const CLEDEntity& led, const CVector3*) { AddBlob(eye, led); }, m_showRays);
   }
-  EndPicture();
+  EndImage();
 }
 
 CColoredBlobOmnidirectionalCameraRotZOnlySensor::SEye
@@ -91,57 +92,37 @@ void CColoredBlobOmnidirectionalCameraRotZOnlySensor::AddBlob(const SEye& eye,
 REGISTER_SENSOR(
     CColoredBlobOmnidirectionalCameraRotZOnlySensor, "colored_blob_omnidirectional_camera",
     "rot_z_only", "the authors of this project", "1.0",
-    "A camera that sees coloured lights all around a robot that stays upright.",
-    R"(The camera sits above the robot and looks down all around it. In each tick, every LED and light that
-it sees gives one blob: its colour, its angle from straight ahead (rad, in [-PI,PI), counter-clockwise) and its
-distance on the ground from under the camera (cm). LEDs that are close together stay blobs of their own. Blobs
-come in the order in which the LEDs' entities were created.
+    "An omnidirectional camera that detects coloured lights, for robots that stay upright.",
+    R"(The camera is above the robot and looks down in all directions. In each tick, every detected LED or light
+gives one blob: its colour, its angle from straight ahead (rad, in [-PI,PI), counter-clockwise) and its
+distance along the ground from the point below the camera (cm). LEDs that are close together give separate blobs.
+Blobs are in the order in which the LEDs were created.
 
 With the camera at C (m, world frame; on the foot-bot 0.288699733 m above the base) and the aperture a of the robot,
-an LED at P is seen if
+an LED at P is detected if
 - it is enabled in the medium, and not black;
 - it belongs to another robot or object;
-- |Px - Cx| and |Py - Cy| are less than Cz tan(a): a square of the world, whichever way the robot faces;
-- it is not higher than the camera, nor deeper than Cz below the ground;
-- no body but the robot's own is between it and the camera. An LED on the surface of a body is not hidden by it from
-  its own side.
+- |Px - Cx| and |Py - Cy| are less than Cz tan(a): a square in the world frame, whatever the heading of the robot;
+- it is not higher than the camera, and not more than Cz below the ground;
+- no body other than the robot's own is between the LED and the camera. A body does not occlude an LED on its own
+  surface from the side of that surface.
 
-The sensor is disabled until the controller calls Enable(); it then takes one picture in each tick, and counts them.
-After Disable() the last blobs stay.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators />
-      <sensors>
-        <colored_blob_omnidirectional_camera implementation="rot_z_only" medium="leds" />
-      </sensors>
-      <params />
-    </my_controller>
-  </controllers>
-
-with the LED medium that it names:
-
-  <media>
-    <led id="leds" />
-  </media>
-
-  medium  text, required: the id of an LED medium.
-
-OPTIONAL XML
-
-  <colored_blob_omnidirectional_camera implementation="rot_z_only" medium="leds" show_rays="true"
+The sensor is disabled until the controller calls Enable(). It then takes one image in each tick and counts the images.
+After Disable() the last blobs remain.
+)" +
+        RequiredSensorXML(
+            R"(<colored_blob_omnidirectional_camera implementation="rot_z_only" medium="leds" />)") +
+        MediumXML(R"(<led id="leds" />)", "an LED medium") +
+        OptionalXML(
+            R"(<colored_blob_omnidirectional_camera implementation="rot_z_only" medium="leds" show_rays="true"
                                        noise_std_dev="0.05">
     <noise on="distance" model="gaussian" std_dev="1" />
-  </colored_blob_omnidirectional_camera>
-
-  show_rays      "true" or "false", default "false": lines of sight are shown by visualizations that can.
-  noise_std_dev  real number s >= 0, default 0: each blob is shifted on the ground by its distance times a
+  </colored_blob_omnidirectional_camera>)") +
+        R"(
+  show_rays      "true" or "false", default "false": visualizations show the lines of sight.
+  noise_std_dev  real number s >= 0, default 0: each blob is shifted along the ground by its distance times a
                  number drawn from N(0,s), in a direction drawn evenly.
-  noise          any number of children, on "distance" (cm) or "angle" (rad), or without "on" on both: model "uniform"
-                 (level), "gaussian" (std_dev) or "rayleigh" (sigma), with bias and relative="true" if need be.
-)",
+)" + NoiseManual("distance|angle", "the distance (cm) and the angle (rad) of each blob."),
     "Usable")
 
 }  // namespace argos

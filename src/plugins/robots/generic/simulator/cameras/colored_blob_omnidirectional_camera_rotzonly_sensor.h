@@ -7,12 +7,12 @@
 
 namespace argos {
 
-/** The omnidirectional camera of a robot that stays upright; see its long description. */
+/** The omnidirectional camera of a robot that stays upright; see the manual in the source. */
 class CColoredBlobOmnidirectionalCameraRotZOnlySensor
     : public CColoredBlobCamera<CCI_ColoredBlobOmnidirectionalCameraSensor,
                                 COmnidirectionalCameraEquippedEntity> {
  public:
-  /** @throws CARGoSException unless the robot has an "omnidirectional_camera". */
+  /** @throws CARGoSException if the robot has no "omnidirectional_camera". */
   void SetRobot(CComposableEntity& robot) override;
   /** See CColoredBlobCamera::InitCamera(). */
   void Init(TConfigurationNode& tree) override;

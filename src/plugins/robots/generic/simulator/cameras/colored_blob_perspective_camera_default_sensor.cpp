@@ -1,5 +1,7 @@
 #include <argos3/plugins/robots/generic/simulator/colored_blob_perspective_camera_default_sensor.h>
 
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
+
 #include <cmath>
 
 namespace argos {
@@ -9,14 +11,14 @@ namespace {
 // numbers of the quantities that <noise> may be on
 enum EQuantity : size_t { QUANTITY_X, QUANTITY_Y };
 
-// whether a pixel's coordinate, cut off towards 0, lies in an image of that size
+// true if a pixel's coordinate, truncated towards 0, is in an image of that size
 bool IsInImage(Real coordinate, SInt32 size) {
   return coordinate > -1.0 && coordinate < size;
 }
 
 }  // namespace
 
-// the camera at one moment
+// pose of the camera in one tick
 class CColoredBlobPerspectiveCameraDefaultSensor::CEye {
  public:
   explicit CEye(const CPerspectiveCameraEquippedEntity& camera)
@@ -49,7 +51,7 @@ class CColoredBlobPerspectiveCameraDefaultSensor::CEye {
     return field;
   }
 
-  // false if the point, world frame, is not in the picture; writes its pixel
+  // returns false if the point, world frame, is not in the image; otherwise writes its pixel
   bool Project(CVector3 point, Real& x, Real& y) const {
     point -= m_position;
     point.Rotate(m_toCamera);
@@ -80,18 +82,18 @@ class CColoredBlobPerspectiveCameraDefaultSensor::CEye {
 };
 
 void CColoredBlobPerspectiveCameraDefaultSensor::SetRobot(CComposableEntity& robot) {
-  TakeCamera(robot, "perspective_camera");
+  FindCamera(robot, "perspective_camera");
 }
 
 void CColoredBlobPerspectiveCameraDefaultSensor::Init(TConfigurationNode& tree) {
-  // the noise: pixels
+  // noise_std_dev is in pixels
   InitCamera(tree, {"x", "y"}, "perspective camera: shifts of pixels");
 }
 
 void CColoredBlobPerspectiveCameraDefaultSensor::Update() {
-  StartPicture();
+  StartImage();
   const CEye eye(*m_camera);
-  m_sight.Look(
+  m_sight.Detect(
       m_medium->GetIndex(), eye.GetPosition(), eye.GetField(),
       [&eye](const CLEDEntity& led, CVector3* point) {
         Real x = 0.0;
@@ -100,7 +102,7 @@ void CColoredBlobPerspectiveCameraDefaultSensor::Update() {
         return led.IsLit() && eye.Project(led.GetPosition(), x, y);
       },
       [&](const CLEDEntity& led, const CVector3*) { AddBlob(eye, led); }, m_showRays);
-  EndPicture();
+  EndImage();
 }
 
 void CColoredBlobPerspectiveCameraDefaultSensor::AddBlob(const CEye& eye, const CLEDEntity& led) {
@@ -120,57 +122,38 @@ void CColoredBlobPerspectiveCameraDefaultSensor::AddBlob(const CEye& eye, const 
 
 REGISTER_SENSOR(
     CColoredBlobPerspectiveCameraDefaultSensor, "colored_blob_perspective_camera", "default",
-    "the authors of this project", "1.0", "A camera that sees coloured lights in one direction.",
-    R"(In each tick, every LED and light that the camera sees gives one blob: its colour and its pixel (x,y) in
-an image of 640 x 480 pixels, where (0,0) is the upper left one. LEDs that share a pixel stay blobs of their own.
-Blobs come in the order in which the LEDs' entities were created.
+    "the authors of this project", "1.0", "A perspective camera that detects coloured lights.",
+    R"(In each tick, every detected LED or light gives one blob: its colour and its pixel (x,y) in an image of
+640 x 480 pixels, where (0,0) is the upper left one. LEDs with the same pixel give separate blobs. Blobs are in the
+order in which the LEDs were created.
 
-The camera is fixed to its robot: the foot-bot's at its front, 0.174249733 m above the base, looks ahead, or straight
-up with perspective_camera_front="false"; an eye-bot's looks down. With the focal length f, the aperture a and the
-range of the robot, and an LED at p in the frame of the camera (x along the view, y left, z up; m), the LED is seen if
+The camera is fixed to its robot. On the foot-bot it is at the front, 0.174249733 m above the base, and looks ahead, or
+straight up with perspective_camera_front="false"; on the eye-bot it looks down. With the focal length f, the aperture a
+and the range of the robot's camera, and an LED at p in the frame of the camera (x along the view, y left, z up; m), the
+LED is detected if
 - it is enabled in the medium, and not black;
 - it belongs to another robot or object;
 - px is less than the range, and the angle between p and the view less than a;
 - its pixel is in the image: with the height H = 2 f tan(a) / sqrt(1 + (640/480)^2) and the width W = H 640/480,
   x = -(640/W) (f py/px - W/2) and y = -(480/H) (f pz/px - H/2), decimals cut off;
-- no body but the robot's own is between it and the camera. An LED on the surface of a body is not hidden by it from
-  its own side.
+- no body other than the robot's own is between the LED and the camera. A body does not occlude an LED on its own
+  surface from the side of that surface.
 
-The sensor is disabled until the controller calls Enable(); it then takes one picture in each tick, and counts them.
-After Disable() the last blobs stay.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators />
-      <sensors>
-        <colored_blob_perspective_camera implementation="default" medium="leds" />
-      </sensors>
-      <params />
-    </my_controller>
-  </controllers>
-
-with the LED medium that it names:
-
-  <media>
-    <led id="leds" />
-  </media>
-
-  medium  text, required: the id of an LED medium.
-
-OPTIONAL XML
-
-  <colored_blob_perspective_camera implementation="default" medium="leds" show_rays="true" noise_std_dev="2">
+The sensor is disabled until the controller calls Enable(). It then takes one image in each tick and counts the images.
+After Disable() the last blobs remain.
+)" +
+        RequiredSensorXML(
+            R"(<colored_blob_perspective_camera implementation="default" medium="leds" />)") +
+        MediumXML(R"(<led id="leds" />)", "an LED medium") +
+        OptionalXML(
+            R"(<colored_blob_perspective_camera implementation="default" medium="leds" show_rays="true" noise_std_dev="2">
     <noise on="x" model="uniform" level="1.5" />
-  </colored_blob_perspective_camera>
-
-  show_rays      "true" or "false", default "false": lines of sight are shown by visualizations that can.
-  noise_std_dev  real number s >= 0, pixels, default 0: x and y, before decimals are cut off, are shifted by numbers
-                 drawn from N(0,s). A blob that leaves the image is lost.
-  noise          any number of children, on "x" or "y" (pixels), or without "on" on both: model "uniform" (level),
-                 "gaussian" (std_dev) or "rayleigh" (sigma), with bias and relative="true" if need be.
-)",
+  </colored_blob_perspective_camera>)") +
+        R"(
+  show_rays      "true" or "false", default "false": visualizations show the lines of sight.
+  noise_std_dev  real number s >= 0, pixels, default 0: numbers drawn from N(0,s) are added to x and y before the decimals
+                 are cut off. A blob that is then outside the image is not listed.
+)" + NoiseManual("x|y", "the coordinates (pixels) of each blob."),
     "Usable")
 
 }  // namespace argos

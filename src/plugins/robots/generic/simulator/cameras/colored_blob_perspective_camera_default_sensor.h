@@ -7,12 +7,12 @@
 
 namespace argos {
 
-/** The perspective camera of any robot; see its long description. */
+/** The perspective camera of any robot; see the manual in the source. */
 class CColoredBlobPerspectiveCameraDefaultSensor
     : public CColoredBlobCamera<CCI_ColoredBlobPerspectiveCameraSensor,
                                 CPerspectiveCameraEquippedEntity> {
  public:
-  /** @throws CARGoSException unless the robot has a "perspective_camera". */
+  /** @throws CARGoSException if the robot has no "perspective_camera". */
   void SetRobot(CComposableEntity& robot) override;
   /** See CColoredBlobCamera::InitCamera(). */
   void Init(TConfigurationNode& tree) override;

@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/math/range.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_pan_tilt_camera_actuator.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/robots/generic/simulator/noise.h>
 #include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
@@ -16,27 +17,27 @@ namespace argos {
 namespace {
 
 // to either side
-constexpr CDegrees kUtmostPan(180.0);
-constexpr CDegrees kUtmostTilt(90.0);
+constexpr CDegrees kMaxPan(180.0);
+constexpr CDegrees kMaxTilt(90.0);
 
 // numbers of the quantities that <noise> may be on
 enum EQuantity : size_t { QUANTITY_PAN, QUANTITY_TILT };
 
-/** Turns the view of a robot's perspective camera; see its long description. */
+/** Rotates the view of a robot's perspective camera; see the manual below. */
 class CPanTiltCameraDefaultActuator : public CSimulatedActuator, public CCI_PanTiltCameraActuator {
  public:
-  /** @throws CARGoSException unless the robot has a "perspective_camera". */
+  /** @throws CARGoSException if the robot has no "perspective_camera". */
   void SetRobot(CComposableEntity& robot) override;
   /**
    * Reads `pan_range`, `tilt_range`, `max_speed` and `<noise>`.
    * @throws CARGoSException if a value is out of range.
    */
   void Init(TConfigurationNode& tree) override;
-  /** Angles beyond the limits are cut to them. @throws CARGoSException if they are not finite. */
+  /** Angles beyond the limits are clamped. @throws CARGoSException if they are not finite. */
   void SetPan(const CRadians& pan) override;
   void SetTilt(const CRadians& tilt) override;
   void Update() override;
-  /** Looks straight out of the mount, at once. */
+  /** Both angles are 0. */
   void Reset() override;
 
  private:
@@ -48,7 +49,7 @@ class CPanTiltCameraDefaultActuator : public CSimulatedActuator, public CCI_PanT
   };
 
   static void ReadLimits(TConfigurationNode& tree, const std::string& attribute,
-                         const CDegrees& utmost, SAxis& axis);
+                         const CDegrees& maximum, SAxis& axis);
   void SetTarget(size_t quantity, SAxis& axis, const CRadians& angle);
   CRadians Approach(const CRadians& current, const CRadians& target) const;
 
@@ -56,7 +57,7 @@ class CPanTiltCameraDefaultActuator : public CSimulatedActuator, public CCI_PanT
   CControllableEntity* m_robot = nullptr;
   SAxis m_pan = {"pan", {}, CRadians()};
   SAxis m_tilt = {"tilt", {}, CRadians()};
-  CRadians m_maxStep;  // in one tick; 0: at once
+  CRadians m_maxStep;  // in one tick; 0: unlimited
   CDeviceNoise m_noise;
 };
 
@@ -69,8 +70,8 @@ void CPanTiltCameraDefaultActuator::SetRobot(CComposableEntity& robot) {
 
 void CPanTiltCameraDefaultActuator::Init(TConfigurationNode& tree) {
   CCI_PanTiltCameraActuator::Init(tree);
-  ReadLimits(tree, "pan_range", kUtmostPan, m_pan);
-  ReadLimits(tree, "tilt_range", kUtmostTilt, m_tilt);
+  ReadLimits(tree, "pan_range", kMaxPan, m_pan);
+  ReadLimits(tree, "tilt_range", kMaxTilt, m_tilt);
   if (NodeAttributeExists(tree, "max_speed")) {
     Real degreesPerS = 0.0;
     ReadPositive(tree, "max_speed", "degrees/s", degreesPerS);
@@ -80,16 +81,17 @@ void CPanTiltCameraDefaultActuator::Init(TConfigurationNode& tree) {
 }
 
 void CPanTiltCameraDefaultActuator::ReadLimits(TConfigurationNode& tree,
-                                               const std::string& attribute, const CDegrees& utmost,
-                                               SAxis& axis) {
-  CRange<CDegrees> limits(-utmost, utmost);
+                                               const std::string& attribute,
+                                               const CDegrees& maximum, SAxis& axis) {
+  CRange<CDegrees> limits(-maximum, maximum);
   GetNodeAttributeOrDefault(tree, attribute, limits, limits);
-  if (limits.GetMin() < -utmost || limits.GetMax() > utmost || limits.GetMin() > CDegrees(0.0) ||
+  if (limits.GetMin() < -maximum || limits.GetMax() > maximum || limits.GetMin() > CDegrees(0.0) ||
       limits.GetMax() < CDegrees(0.0)) {
-    THROW_ARGOSEXCEPTION(
-        OwnerOf(tree) << ": attribute \"" << attribute << "\" (degrees) must be a range within "
-                      << -utmost.GetValue() << ":" << utmost.GetValue() << " that has 0 in it, got "
-                      << limits.GetMin().GetValue() << ":" << limits.GetMax().GetValue());
+    THROW_ARGOSEXCEPTION(OwnerOf(tree)
+                         << ": attribute \"" << attribute << "\" (degrees) must be a range within "
+                         << -maximum.GetValue() << ":" << maximum.GetValue()
+                         << " that contains 0, got " << limits.GetMin().GetValue() << ":"
+                         << limits.GetMax().GetValue());
   }
   axis.Limits = CRange<CRadians>(ToRadians(limits.GetMin()), ToRadians(limits.GetMax()));
 }
@@ -136,41 +138,26 @@ void CPanTiltCameraDefaultActuator::Reset() {
 
 REGISTER_ACTUATOR(
     CPanTiltCameraDefaultActuator, "pan_tilt_camera", "default", "the authors of this project",
-    "1.0", "Turns the perspective camera of a robot.",
-    R"(The controller sets two angles, in rad: pan turns the view of the camera sideways, about the z axis of
-its mount (positive to the left); tilt turns it about its y axis (positive is down). For a foot-bot's camera that looks
-ahead, a pan of PI/2 looks to the left, and a tilt of PI/2 at the ground. The camera stays where it is. Both angles are
-0 at the start and after a reset. Angles beyond the limits are cut to them.
+    "1.0", "Rotates the perspective camera of a robot.",
+    R"(The controller sets two angles, in rad: pan rotates the view of the camera sideways, about the z axis of
+its mount (positive to the left); tilt rotates it about its y axis (positive is down). A foot-bot's camera that looks
+ahead looks to the left with a pan of PI/2, and at the ground with a tilt of PI/2. The position of the camera does not
+change. Both angles are 0 at the start and after a reset. Angles beyond the limits are clamped.
 
-An angle set in one step is taken at once in the next tick, or, with max_speed, at most so fast, both axes on their own.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators>
-        <pan_tilt_camera implementation="default" />
-      </actuators>
-      <sensors>
-        <colored_blob_perspective_camera implementation="default" medium="leds" />
-      </sensors>
-      <params />
-    </my_controller>
-  </controllers>
-
-OPTIONAL XML
-
-  <pan_tilt_camera implementation="default" pan_range="-90:90" tilt_range="-30:45" max_speed="60">
+The camera has the new angle in the next tick; with max_speed, each of the two angles changes at that speed at most.
+)" +
+        RequiredActuatorXML(
+            R"(<pan_tilt_camera implementation="default" />)",
+            R"(<colored_blob_perspective_camera implementation="default" medium="leds" />)") +
+        OptionalXML(
+            R"(<pan_tilt_camera implementation="default" pan_range="-90:90" tilt_range="-30:45" max_speed="60">
     <noise on="pan" model="gaussian" std_dev="0.01" />
-  </pan_tilt_camera>
-
-  pan_range   "min:max", degrees within -180:180, with 0 in it; default "-180:180".
-  tilt_range  "min:max", degrees within -90:90, with 0 in it; default "-90:90".
-  max_speed   degrees/s, > 0; without it, angles are taken at once.
-  noise       any number of children, on "pan" or "tilt" (rad), or without "on" on both; drawn each time an angle is
-              set: model "uniform" (level), "gaussian" (std_dev) or "rayleigh" (sigma), with bias and relative="true" if
-              need be.
-)",
+  </pan_tilt_camera>)") +
+        R"(
+  pan_range   "min:max", degrees within -180:180, must contain 0; default "-180:180".
+  tilt_range  "min:max", degrees within -90:90, must contain 0; default "-90:90".
+  max_speed   degrees/s, > 0; without it, angles change at once.
+)" + NoiseManual("pan|tilt", "the angles (rad), once each time the controller sets one."),
     "Usable")
 
 }  // namespace argos

@@ -17,11 +17,11 @@ class CEmbodiedEntity;
 /**
  * A pinhole camera without distortion, fixed to an anchor of a body.
  *
- * In its frame z is the direction of the view; a point (x,y,z) is seen at the pixel
+ * In its frame z is the direction of the view; a point (x,y,z) appears at the pixel
  *
  *     u = fx x / z + cx,   v = fy y / z + cy
  *
- * with the focal length (fx,fy) and the principal point (cx,cy) in pixels. It is in the picture if
+ * with the focal length (fx,fy) and the principal point (cx,cy) in pixels. It is in the image if
  * z is in the range, and u in [0,width), v in [0,height).
  *
  * Source: R. Hartley and A. Zisserman, "Multiple View Geometry in Computer Vision" (2004), ch. 6.
@@ -31,21 +31,21 @@ class CPinholeCamera {
   /**
    * Reads `anchor`, `position`, `orientation`, `range`, `focal_length`, `principal_point` and
    * `resolution`.
-   * @throws CARGoSException if one is missing or out of range, or the body has no such anchor.
+   * @throws CARGoSException if one is missing or out of range, or the anchor is unknown.
    */
   CPinholeCamera(TConfigurationNode& tree, CEmbodiedEntity& body);
 
-  /** The anchor's pose is kept current exactly while the camera is in use. */
+  /** Engines update the anchor's pose only while the camera is in use. */
   void SetInUse(bool inUse);
-  /** Takes over where the anchor is now. */
+  /** Copies the current pose of the anchor. */
   void Update();
 
-  /** All of what follows is as of Update(). m, world frame. */
+  /** The following functions refer to the pose copied by Update(). m, world frame. */
   const CVector3& GetPosition() const { return m_position; }
   const CQuaternion& GetOrientation() const { return m_orientation; }
-  /** @return false if the point, m, world frame, is not in the picture; else writes its pixel. */
+  /** @return false if the point, m, world frame, is not in the image; else writes its pixel. */
   bool Project(const CVector3& point, CVector2& pixel) const;
-  /** A box around all that can be in the picture, m, world frame. */
+  /** @return a box around the field of view, m, world frame. */
   SBoundingBox ComputeField() const;
   /**
    * The corners of the view, m, world frame: the four at the near end of the range, around the

@@ -10,8 +10,9 @@
 namespace argos {
 
 /**
- * The only MEDIUM there is, for devices that need not name one; null if there is none.
- * @throws CARGoSException that asks for the attribute `medium` if there are several.
+ * Finds the medium for a device without the attribute `medium`.
+ * @return the only MEDIUM of the experiment; null if there is none.
+ * @throws CARGoSException if there are several.
  */
 template <class MEDIUM>
 MEDIUM* FindOnlyMedium(const TConfigurationNode& device, CSimulator& simulator) {
@@ -23,16 +24,18 @@ MEDIUM* FindOnlyMedium(const TConfigurationNode& device, CSimulator& simulator) 
     }
     if (found != nullptr) {
       THROW_ARGOSEXCEPTION(OwnerOf(device)
-                           << ": there are several media for it, \"" << found->GetId()
-                           << "\" and \"" << candidate->GetId()
-                           << "\" among them; say which one with the attribute \"medium\"");
+                           << ": several media fit, such as \"" << found->GetId() << "\" and \""
+                           << candidate->GetId() << "\"; name one in the attribute \"medium\"");
     }
     found = candidate;
   }
   return found;
 }
 
-/** Has the controller of @p device a device @p tag in its @p section, "sensors" or "actuators"? */
+/**
+ * @return true if the controller of @p device has a device @p tag in its @p section, "sensors" or
+ * "actuators".
+ */
 inline bool HasDeviceBeside(const TConfigurationNode& device, const std::string& section,
                             const std::string& tag) {
   const TConfigurationNode* const own = device.Parent(false);

@@ -49,7 +49,7 @@ bool IsNoise(const CRange<Real>& range) {
   return range.GetMin() != 0.0 || range.GetMax() != 0.0;
 }
 
-STerm EvenTerm(const CRange<Real>& range) {
+STerm UniformTerm(const CRange<Real>& range) {
   STerm term;
   term.Spread = 0.5 * range.GetSpan();
   term.Bias = range.GetMin() + term.Spread;
@@ -79,7 +79,7 @@ struct CDeviceNoise::SState {
   SState(const CControllableEntity& robot, const std::string& purpose, size_t numQuantities)
       : Robot(robot), Purpose(purpose), Terms(numQuantities), Stream(MakeStream()) {}
 
-  // with the seed as it is now
+  // uses the current seed
   CRandomStream MakeStream() const {
     return CRandomStream(Robot.GetSimulator().GetRandomSeed(), "argos",
                          Robot.GetRootEntity().GetId(), Purpose);
@@ -93,20 +93,20 @@ CDeviceNoise& CDeviceNoise::operator=(CDeviceNoise&&) noexcept = default;
 
 void CDeviceNoise::Init(TConfigurationNode& device, const CControllableEntity& robot,
                         const std::vector<std::string>& quantities,
-                        const std::vector<CRange<Real>>& evenly, const std::string& part) {
+                        const std::vector<CRange<Real>>& ranges, const std::string& part) {
   m_state.reset();
-  const bool isAnyEven = std::any_of(evenly.begin(), evenly.end(), IsNoise);
-  if (!isAnyEven && !NodeExists(device, "noise")) {
+  const bool hasRange = std::any_of(ranges.begin(), ranges.end(), IsNoise);
+  if (!hasRange && !NodeExists(device, "noise")) {
     return;
   }
-  // an actuator and a sensor may have one name: the section that they stand in keeps them apart
+  // an actuator and a sensor may have the same name: the name of the section distinguishes them
   const TConfigurationNode* const section = device.Parent(false);
   const std::string purpose = (section != nullptr ? section->Value() + " " : std::string()) +
                               device.Value() + " noise" + part;
   m_state = std::make_unique<SState>(robot, purpose, quantities.size());
-  for (size_t i = 0; i < evenly.size(); ++i) {
-    if (IsNoise(evenly[i])) {
-      m_state->Terms[i].push_back(EvenTerm(evenly[i]));
+  for (size_t i = 0; i < ranges.size(); ++i) {
+    if (IsNoise(ranges[i])) {
+      m_state->Terms[i].push_back(UniformTerm(ranges[i]));
     }
   }
   TConfigurationNodeIterator noise("noise");

@@ -15,14 +15,15 @@ class CControllableEntity;
 /**
  * The noise on the readings or commands of a device: the `<noise>` children of its XML element.
  *
- * A device names its quantities ("range", "horizontal_bearing", ...). Each `<noise>` says what it
- * is `on`, or, without that, is on all of them; several on one quantity add up:
+ * A device names its quantities ("range", "horizontal_bearing", ...). The attribute `on` of a
+ * `<noise>` names one quantity; without it, the noise is on all quantities. Several on one quantity
+ * add up:
  *
  *     value' = value + sum of (bias + draw), or value + value * (bias + draw) if relative
  *
  * where the draws are from U[-level, level] (model "uniform"), N(0, std_dev) ("gaussian") or
- * Rayleigh(sigma) ("rayleigh"). Every draw takes one number of the device's own random stream.
- * Without a `<noise>` this is one null pointer, and nothing is drawn.
+ * Rayleigh(sigma) ("rayleigh"). Each draw takes one number from the device's own random stream.
+ * Without a `<noise>` the object is one null pointer, and nothing is drawn.
  */
 class CDeviceNoise {
  public:
@@ -34,23 +35,22 @@ class CDeviceNoise {
   /**
    * Reads the children of a device's element.
    * @param robot       must outlive the noise.
-   * @param quantities  their names, in the order of their numbers.
-   * @param evenly      what attributes of the device ask for, by quantity: a number drawn evenly
-   *                    from the range is added; from "0:0", none. May be shorter.
-   * @param part        tells parts of one device apart, which then have streams of their own.
-   * @throws CARGoSException with the names there are, or the range that is right, if a value is
-   * not.
+   * @param quantities  names of the quantities, in the order of their numbers.
+   * @param ranges      uniform noise from attributes of the device, by quantity: a number drawn
+   *                    evenly from the range is added; "0:0" means no noise. May be shorter.
+   * @param part        distinguishes parts of one device, which then have separate streams.
+   * @throws CARGoSException with the valid names or range if a value is invalid.
    */
   void Init(TConfigurationNode& device, const CControllableEntity& robot,
             const std::vector<std::string>& quantities,
-            const std::vector<CRange<Real>>& evenly = {}, const std::string& part = "");
-  /** The stream starts over, with the seed that the experiment has now. */
+            const std::vector<CRange<Real>>& ranges = {}, const std::string& part = "");
+  /** Restarts the stream with the current seed of the experiment. */
   void Reset();
 
   bool IsOn() const { return m_state != nullptr; }
-  /** On quantity @p number. */
+  /** @return true if there is noise on quantity @p number. */
   bool IsOn(size_t number) const;
-  /** @return @p value with the noise on quantity @p number. */
+  /** @return @p value plus the noise on quantity @p number. */
   Real Apply(size_t number, Real value) {
     return m_state == nullptr ? value : ApplyState(number, value);
   }
@@ -69,7 +69,7 @@ class CDeviceNoise {
  * @throws CARGoSException if it is < 0.
  */
 CRange<Real> ReadNoiseLevel(TConfigurationNode& device);
-/** Reads a range "min:max"; "0:0" if there is no such attribute. */
+/** Reads a range "min:max"; "0:0" if the attribute does not exist. */
 CRange<Real> ReadNoiseRange(TConfigurationNode& device, const std::string& attribute);
 
 }  // namespace argos

@@ -4,17 +4,37 @@
 #include <argos3/core/simulator/sensor.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
 
+#include <cstddef>
+
 namespace argos {
 
+class CComposableEntity;
+
 /**
- * What the sensors whose readings say where they are have in common: all but taking them.
+ * Checks the number of sensors of a robot.
+ * @param device  label of the device, for the message.
+ * @param kind    of the sensors, such as "light sensors".
+ * @throws CARGoSException unless @p num is @p needed.
+ */
+void RequireNumSensors(const CComposableEntity& robot, const char* device, const char* kind,
+                       size_t needed, size_t num);
+
+/**
+ * Base of sensors whose readings contain their places: everything except Update().
  *
- * @tparam INTERFACE  the control interface: has CAngularReadings or COffsetReadings.
- * @tparam READER     takes the readings: has Init(TConfigurationNode&) and Reset().
+ * @tparam INTERFACE  the control interface: derives from CPlacedSensors.
+ * @tparam READER     computes the readings: has SetRobot(), Init(), Reset(), GetNumSensors() and
+ *                    kKind.
  */
 template <class INTERFACE, class READER>
 class CPlacedReadingsSensor : public CSimulatedSensor, public INTERFACE {
  public:
+  /** See READER::SetRobot(). @throws CARGoSException if the robot has another number of sensors. */
+  void SetRobot(CComposableEntity& robot) override {
+    m_reader.SetRobot(robot);
+    RequireNumSensors(robot, INTERFACE::kPlaces.Device, READER::kKind, GetNumNeeded(),
+                      m_reader.GetNumSensors());
+  }
   /** See READER::Init(). */
   void Init(TConfigurationNode& tree) override {
     INTERFACE::Init(tree);
@@ -29,6 +49,9 @@ class CPlacedReadingsSensor : public CSimulatedSensor, public INTERFACE {
   }
 
  protected:
+  /** Number of sensors, of the reader's kind, that the robot must have. */
+  virtual size_t GetNumNeeded() const { return INTERFACE::kPlaces.Num; }
+
   READER m_reader;
 };
 

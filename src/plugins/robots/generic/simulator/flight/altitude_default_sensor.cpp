@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_altitude_sensor.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/robots/generic/simulator/noise.h>
 #include <argos3/plugins/robots/generic/simulator/ray_caster.h>
 
@@ -11,8 +12,8 @@ namespace argos {
 namespace {
 
 /**
- * How high a robot is: a range finder that looks straight down from the centre of its base, at the
- * highest body below, or the ground at height 0.
+ * A range finder that looks straight down from the centre of a robot's base: measures the height
+ * above the highest body below, or above the ground at height 0.
  */
 class CAltitudeDefaultSensor : public CSimulatedSensor, public CCI_AltitudeSensor {
  public:
@@ -63,32 +64,14 @@ void CAltitudeDefaultSensor::Reset() {
 
 REGISTER_SENSOR(
     CAltitudeDefaultSensor, "altitude", "default", "the authors of this project", "1.0",
-    "How high a robot is above what lies below it.",
+    "The height of a robot above the ground or the body below it.",
     R"(A range finder that looks straight down from the centre of the robot's base: it reads the height (m) of that
-point above the highest body below it, or above the ground, which is the plane z = 0. The robot's own body does not count.
-Below the ground it reads how deep, as a negative number. It looks along a line, and sees nothing beside it.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators />
-      <sensors>
-        <altitude implementation="default" />
-      </sensors>
-      <params />
-    </my_controller>
-  </controllers>
-
-OPTIONAL XML
-
-  <altitude implementation="default" show_rays="true" />
-
-  show_rays  "true" or "false", default "false": visualizations that can show the line.
-
-Children <noise on="height" model="uniform|gaussian|rayleigh" level|std_dev|sigma="..." bias="0" relative="false" />
-add noise to the height (m).
-)",
+point above the highest body below it, or above the ground, which is the plane z = 0. It ignores the robot's own body.
+Below the ground the height is negative. The sensor casts a single ray: it does not detect bodies beside that ray.
+)" + RequiredSensorXML(R"(<altitude implementation="default" />)") +
+        OptionalXML(R"(<altitude implementation="default" show_rays="true" />)") + R"(
+  show_rays  "true" or "false", default "false": visualizations show the ray.
+)" + NoiseManual("height", "the height (m)."),
     "Usable")
 
 }  // namespace argos

@@ -13,8 +13,8 @@ CQuadRotorControl::~CQuadRotorControl() {
   }
 }
 
-void CQuadRotorControl::Take(CComposableEntity& robot, CQuadRotorEntity::EControlMethod method,
-                             const std::string& device) {
+void CQuadRotorControl::Acquire(CComposableEntity& robot, CQuadRotorEntity::EControlMethod method,
+                                const std::string& device) {
   auto& quadrotor = robot.GetComponent<CQuadRotorEntity>("quadrotor");
   if (quadrotor.GetControlMethod() != CQuadRotorEntity::NO_CONTROL) {
     THROW_ARGOSEXCEPTION("actuator \"" << device << "\": the propellers of robot \""

@@ -10,37 +10,36 @@ namespace argos {
 class CControllableEntity;
 class CEmbodiedEntity;
 
-/** What the actuators of flying robots have in common: the robot's propellers, which one takes. */
+/** Base of the quadrotor actuators: gives one actuator exclusive control of the propellers. */
 class CQuadRotorControl {
  public:
   CQuadRotorControl() = default;
-  /** Gives them back. */
+  /** Releases the propellers. */
   ~CQuadRotorControl();
   CQuadRotorControl(const CQuadRotorControl&) = delete;
   CQuadRotorControl& operator=(const CQuadRotorControl&) = delete;
 
   /**
-   * Takes the robot's propellers.
-   * @param device  which actuator does so, for messages.
-   * @throws CARGoSException if the robot has none, or if another actuator has taken them.
+   * Acquires control of the robot's propellers.
+   * @param device  label of the actuator, for messages.
+   * @throws CARGoSException if the robot has no propellers, or another actuator controls them.
    */
-  void Take(CComposableEntity& robot, CQuadRotorEntity::EControlMethod method,
-            const std::string& device);
+  void Acquire(CComposableEntity& robot, CQuadRotorEntity::EControlMethod method,
+               const std::string& device);
 
   CQuadRotorEntity& GetQuadRotor() { return *m_quadrotor; }
   const CEmbodiedEntity& GetBody() const { return *m_body; }
   const CControllableEntity& GetRobot() const { return *m_robot; }
-  /** Yaw of the body now. */
+  /** @return the current yaw of the body. */
   CRadians ComputeYaw() const;
 
  private:
-  CQuadRotorEntity* m_quadrotor = nullptr;  // of the robot; null until taken
+  CQuadRotorEntity* m_quadrotor = nullptr;  // of the robot; null until Acquire()
   CEmbodiedEntity* m_body = nullptr;  // of the robot
   CControllableEntity* m_robot = nullptr;
 };
 
-/** With the noise on a vector: each component takes a draw. @param quantity  number of the noise's.
- */
+/** Adds a separate draw of the noise on @p quantity to each component. */
 CVector3 ApplyNoise(CDeviceNoise& noise, size_t quantity, const CVector3& vector);
 
 }  // namespace argos

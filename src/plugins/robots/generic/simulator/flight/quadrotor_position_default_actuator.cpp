@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 
 namespace argos {
 
@@ -15,8 +16,8 @@ constexpr size_t kYaw = 1;
 }  // namespace
 
 void CQuadRotorPositionDefaultActuator::SetRobot(CComposableEntity& robot) {
-  m_control.Take(robot, CQuadRotorEntity::POSITION_CONTROL, "quadrotor_position");
-  StayHere();
+  m_control.Acquire(robot, CQuadRotorEntity::POSITION_CONTROL, "quadrotor_position");
+  HoldPosition();
 }
 
 void CQuadRotorPositionDefaultActuator::Init(TConfigurationNode& tree) {
@@ -24,7 +25,7 @@ void CQuadRotorPositionDefaultActuator::Init(TConfigurationNode& tree) {
   m_noise.Init(tree, m_control.GetRobot(), {"position", "yaw"});
 }
 
-void CQuadRotorPositionDefaultActuator::StayHere() {
+void CQuadRotorPositionDefaultActuator::HoldPosition() {
   m_target.Position = m_control.GetBody().GetOriginAnchor().Position;
   m_target.Yaw = m_control.ComputeYaw();
 }
@@ -34,7 +35,7 @@ void CQuadRotorPositionDefaultActuator::Update() {
 }
 
 void CQuadRotorPositionDefaultActuator::Reset() {
-  StayHere();
+  HoldPosition();
   m_noise.Reset();
 }
 
@@ -64,34 +65,17 @@ void CQuadRotorPositionDefaultActuator::SetRelativeYaw(const CRadians& yaw) {
 
 REGISTER_ACTUATOR(
     CQuadRotorPositionDefaultActuator, "quadrotor_position", "default",
-    "the authors of this project", "1.0", "Sends a flying robot to a position.",
-    R"(The controller orders a position (m, world frame, or from where the robot is and as it looks) and a
-yaw; the robot's own controllers bring it there from the next tick on. Orders hold until they are replaced. At the
-start and after a reset the robot stays where it is. A robot may have this actuator or quadrotor_speed, not both.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators>
-        <quadrotor_position implementation="default" />
-      </actuators>
-      <sensors />
-      <params />
-    </my_controller>
-  </controllers>
-
-OPTIONAL XML
-
-Noise on the targets "position" (m, each coordinate takes a draw) and "yaw" (rad), drawn once for each order:
-
-  <quadrotor_position implementation="default">
+    "the authors of this project", "1.0", "Controls the position and the yaw of a flying robot.",
+    R"(The controller sets a target position (m, in the world frame or in the frame of the robot) and a target yaw;
+the flight control of the robot moves it there from the next tick on. Targets hold until they are replaced. At the start
+and after a reset the robot holds its position. A robot may have this actuator or quadrotor_speed, not both.
+)" + RequiredActuatorXML(R"(<quadrotor_position implementation="default" />)") +
+        OptionalXML(R"(<quadrotor_position implementation="default">
     <noise on="position" model="gaussian" std_dev="0.02" />
-  </quadrotor_position>
-
-  noise@on     "position" or "yaw"; without it, both.
-  noise@model  "uniform" (level), "gaussian" (std_dev) or "rayleigh" (sigma); also bias and relative.
-)",
+  </quadrotor_position>)") +
+        NoiseManual(
+            "position|yaw",
+            R"(the targets, once for each command: "position" (m, a draw for each coordinate) and "yaw" (rad).)"),
     "Usable")
 
 }  // namespace argos

@@ -7,11 +7,11 @@
 
 namespace argos {
 
-/** Gives the propellers of a robot a place to go to; they start to get there in the next tick. */
+/** Sets the target position and yaw of a flying robot, used from the next tick on. */
 class CQuadRotorPositionDefaultActuator : public CSimulatedActuator,
                                           public CCI_QuadRotorPositionActuator {
  public:
-  /** @throws CARGoSException unless the robot has a "quadrotor" that nobody else controls. */
+  /** @throws CARGoSException if the robot has no "quadrotor", or another actuator controls it. */
   void SetRobot(CComposableEntity& robot) override;
   void Init(TConfigurationNode& tree) override;
   void Update() override;
@@ -23,7 +23,7 @@ class CQuadRotorPositionDefaultActuator : public CSimulatedActuator,
   void SetRelativeYaw(const CRadians& yaw) override;
 
  private:
-  void StayHere();
+  void HoldPosition();
   void Set(const CQuadRotorEntity::SPositionControlData& target);
 
   CQuadRotorControl m_control;

@@ -1,6 +1,7 @@
 #include <argos3/plugins/robots/generic/simulator/quadrotor_speed_default_actuator.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 
 namespace argos {
 
@@ -13,7 +14,7 @@ constexpr size_t kRotationalSpeed = 1;
 }  // namespace
 
 void CQuadRotorSpeedDefaultActuator::SetRobot(CComposableEntity& robot) {
-  m_control.Take(robot, CQuadRotorEntity::SPEED_CONTROL, "quadrotor_speed");
+  m_control.Acquire(robot, CQuadRotorEntity::SPEED_CONTROL, "quadrotor_speed");
 }
 
 void CQuadRotorSpeedDefaultActuator::Init(TConfigurationNode& tree) {
@@ -45,35 +46,18 @@ void CQuadRotorSpeedDefaultActuator::SetRotationalSpeed(const CRadians& speed) {
 
 REGISTER_ACTUATOR(
     CQuadRotorSpeedDefaultActuator, "quadrotor_speed", "default", "the authors of this project",
-    "1.0", "Lets a flying robot move at a velocity.",
-    R"(The controller orders a velocity along the axes of the world (m/s) and a rate of turning about the
-vertical (rad/s); the robot's own controllers bring it to these from the next tick on. Orders hold until they are
-replaced; at the start and after a reset both are zero. A robot may have this actuator or quadrotor_position, not both.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators>
-        <quadrotor_speed implementation="default" />
-      </actuators>
-      <sensors />
-      <params />
-    </my_controller>
-  </controllers>
-
-OPTIONAL XML
-
-Noise on the targets "velocity" (m/s, each component takes a draw) and "rotational_speed" (rad/s), drawn once for each
-order:
-
-  <quadrotor_speed implementation="default">
+    "1.0", "Controls the velocity of a flying robot.",
+    R"(The controller sets a target velocity in the world frame (m/s) and a rotational speed about the vertical
+(rad/s); the flight control of the robot follows them from the next tick on. Targets hold until they are replaced; at
+the start and after a reset both are zero. A robot may have this actuator or quadrotor_position, not both.
+)" + RequiredActuatorXML(R"(<quadrotor_speed implementation="default" />)") +
+        OptionalXML(R"(<quadrotor_speed implementation="default">
     <noise on="velocity" model="gaussian" std_dev="0.02" />
-  </quadrotor_speed>
-
-  noise@on     "velocity" or "rotational_speed"; without it, both.
-  noise@model  "uniform" (level), "gaussian" (std_dev) or "rayleigh" (sigma); also bias and relative.
-)",
+  </quadrotor_speed>)") +
+        NoiseManual(
+            "velocity|rotational_speed",
+            R"(the targets, once for each command: "velocity" (m/s, a draw for each component) and "rotational_speed"
+(rad/s).)"),
     "Usable")
 
 }  // namespace argos

@@ -7,11 +7,11 @@
 
 namespace argos {
 
-/** Gives the propellers of a robot a velocity to fly at, and a rate to turn at. */
+/** Sets the target velocity and rotational speed of a flying robot. */
 class CQuadRotorSpeedDefaultActuator : public CSimulatedActuator,
                                        public CCI_QuadRotorSpeedActuator {
  public:
-  /** @throws CARGoSException unless the robot has a "quadrotor" that nobody else controls. */
+  /** @throws CARGoSException if the robot has no "quadrotor", or another actuator controls it. */
   void SetRobot(CComposableEntity& robot) override;
   void Init(TConfigurationNode& tree) override;
   void Update() override;

@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 
 #include <algorithm>
@@ -36,33 +37,19 @@ void CGripperDefaultActuator::Reset() {
 REGISTER_ACTUATOR(
     CGripperDefaultActuator, "gripper", "default", "the authors of this project", "1.0",
     "Locks and unlocks the gripper of a robot.",
-    R"(A locked gripper that holds nothing takes hold of the first body that can be gripped (movable boxes and
-cylinders, foot-bots) and comes into reach, 1 cm around the gripper's point: at once, in the next tick's physics. It holds
-one body at a time; a body may be held by many. Unlocked, it lets go at once. The gripper is unlocked at the start and
-after a reset. How it holds, and how far what it holds gives way, is the physics engine's: see gripping_rigidity of
-dynamics2d. A body that is moved by a command, or taken away, is let go.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators>
-        <gripper implementation="default" />
-      </actuators>
-      <sensors />
-      <params />
-    </my_controller>
-  </controllers>
-
-OPTIONAL XML
-
-  <gripper implementation="default">
+    R"(A locked gripper that holds nothing grips the first grippable body (movable boxes and cylinders, foot-bots)
+that is within reach, 1 cm around the gripper's point, in the physics step of the next tick. A gripper holds one body at
+a time; several grippers may hold the same body. An unlocked gripper releases its body at once. The gripper is unlocked
+at the start and after a reset. The stiffness of a grip depends on the physics engine: see the manual of the engine. A
+body that is moved by a command, or removed, is released.
+)" + RequiredActuatorXML(R"(<gripper implementation="default" />)") +
+        OptionalXML(R"(<gripper implementation="default">
     <noise on="lock_state" model="gaussian" std_dev="0.1" />
-  </gripper>
-
-Children <noise on="lock_state" model="uniform|gaussian|rayleigh" level|std_dev|sigma="..." bias="0" relative="false" />
-add noise to the lock state whenever the controller sets another one; it stays in [0,1], and locks above 0.5.
-)",
+  </gripper>)") +
+        NoiseManual(
+            "lock_state",
+            "the lock state each time the controller changes it. The sum is clamped to [0,1]; "
+            "the gripper is locked above 0.5."),
     "Usable")
 
 }  // namespace argos

@@ -10,21 +10,21 @@ namespace argos {
 class CControllableEntity;
 class CGripperEquippedEntity;
 
-/** Locks and unlocks the gripper of a robot; see its long description. */
+/** Locks and unlocks the gripper of a robot; see the manual in the source. */
 class CGripperDefaultActuator : public CSimulatedActuator, public CCI_GripperActuator {
  public:
-  /** @throws CARGoSException unless the robot has a "gripper" and a "controller". */
+  /** @throws CARGoSException if the robot has no "gripper" or "controller". */
   void SetRobot(CComposableEntity& robot) override;
   /** Reads `<noise>`. */
   void Init(TConfigurationNode& tree) override;
   void Update() override;
-  /** Unlocks it. */
+  /** Unlocks the gripper. */
   void Reset() override;
 
  private:
   CGripperEquippedEntity* m_gripper = nullptr;  // of the robot
   const CControllableEntity* m_robot = nullptr;
-  Real m_ordered = 0.0;  // what the controller set last
+  Real m_ordered = 0.0;  // last value set by the controller
   Real m_lockState = 0.0;  // with noise
   CDeviceNoise m_noise;
 };

@@ -1,6 +1,7 @@
 #include <argos3/plugins/robots/generic/simulator/magnets_default_actuator.h>
 
 #include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/simulator/entities/magnet_equipped_entity.h>
 
 namespace argos {
@@ -37,46 +38,24 @@ REGISTER_ACTUATOR(
     "The currents of a robot's magnets.",
     R"(The controller sets the current of each magnet, as a multiple of the current for which the magnet's active
 field is given. The magnet's field is passive_field + current * active_field, a dipole moment in the frame of its
-anchor. What it does to other magnets is up to the physics engine: dynamics2d has no magnetism. Currents are 0 at the
-start and after a reset.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators>
-        <magnets implementation="default" />
-      </actuators>
-      <sensors />
-      <params />
-    </my_controller>
-  </controllers>
-
+anchor. Its effect on other magnets is computed by physics engines that model magnetism, and ignored by others. Currents
+are 0 at the start and after a reset.
+)" + RequiredActuatorXML(R"(<magnets implementation="default" />)") +
+        R"(
 on a robot that carries magnets:
-
-  <foot-bot id="fb0">
-    <body position="0,0,0" />
-    <controller config="c1" />
-    <magnets>
+)" + CarrierXML(R"(<magnets>
       <magnet id="front" offset="0.08,0,0.05" anchor="origin" passive_field="1,0,0" active_field="-1,0,0" />
-    </magnets>
-  </foot-bot>
-
+    </magnets>)") +
+        R"(
   id             text, default magnet_0, magnet_1, ...: the magnet's name for the controller.
   offset         "x,y,z", m, required: in the frame of the anchor.
-  anchor         text, required: a frame of the body, "origin" for all that does not turn on it.
+  anchor         text, required: a frame of the body; "origin" for magnets that do not rotate on the body.
   passive_field  "x,y,z", required: the field without current.
-  active_field   "x,y,z", default "0,0,0": what one unit of current adds.
-
-OPTIONAL XML
-
-  <magnets implementation="default">
+  active_field   "x,y,z", default "0,0,0": the field that one unit of current adds.
+)" + OptionalXML(R"(<magnets implementation="default">
     <noise on="current" model="gaussian" std_dev="0.01" relative="true" />
-  </magnets>
-
-  noise  any number of children, on "current", drawn in each tick: model "uniform" (level), "gaussian" (std_dev) or
-         "rayleigh" (sigma), with bias and relative="true" if need be.
-)",
+  </magnets>)") +
+        NoiseManual("current", "the current, in each tick."),
     "Usable")
 
 }  // namespace argos

@@ -9,16 +9,16 @@ namespace argos {
 
 class CMagnetEquippedEntity;
 
-/** Sets the currents of a robot's magnets; see its long description. */
+/** Sets the currents of a robot's magnets; see the manual in the source. */
 class CMagnetsDefaultActuator : public CSimulatedActuator, public CCI_MagnetsActuator {
  public:
-  /** @throws CARGoSException unless the robot has "magnets". */
+  /** @throws CARGoSException if the robot has no "magnets". */
   void SetRobot(CComposableEntity& robot) override;
   /** Reads `<noise>`. @throws CARGoSException if a value is out of range. */
   void Init(TConfigurationNode& tree) override;
   /** @throws CARGoSException if a current is not finite. */
   void Update() override;
-  /** No current. */
+  /** Sets all currents to 0. */
   void Reset() override;
 
  private:

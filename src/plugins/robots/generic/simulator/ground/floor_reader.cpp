@@ -29,11 +29,10 @@ void CFloorReader::Init(TConfigurationNode& tree) {
   m_noise.Init(tree, *m_robot, {"reading"}, {ReadNoiseLevel(tree)});
   CSpace& space = m_robot->GetSpace();
   if (!space.HasFloorEntity()) {
-    // it may follow the robot in the file, or come from the loop functions
+    // the floor may follow the robot in the file, or be created by the loop functions
     m_robot->GetSimulator().CheckWhenLoaded([&space, owner = OwnerOf(tree)] {
       if (!space.HasFloorEntity()) {
-        THROW_ARGOSEXCEPTION(owner << " sees the floor, but there is none: <arena> needs a <floor> "
-                                      "element");
+        THROW_ARGOSEXCEPTION(owner << " needs a floor: add a <floor> element to <arena>");
       }
     });
   }
@@ -43,15 +42,7 @@ size_t CFloorReader::GetNumSensors() const {
   return m_sensors->GetNumSensors();
 }
 
-void CFloorReader::RequireNumSensors(size_t num, const std::string& device) const {
-  if (GetNumSensors() != num) {
-    THROW_ARGOSEXCEPTION("sensor \""
-                         << device << "\" needs a robot with " << num << " ground sensors; robot \""
-                         << m_robot->GetRootEntity().GetId() << "\" has " << GetNumSensors());
-  }
-}
-
-CFloorReader::CView CFloorReader::Look() {
+CFloorReader::CView CFloorReader::ViewFloor() {
   return CView(*this, m_sensors->GetLayout(), m_robot->GetSpace().GetFloorEntity());
 }
 

@@ -15,13 +15,15 @@ class CGroundSensorEquippedEntity;
 struct SGroundSensorLayout;
 
 /**
- * Looks at the floor below a robot: what all ground sensors have in common.
+ * Reads the floor below a robot, for all types of ground sensors.
  *
- * A sensor sees the colour of the floor straight below where it is: 0.299 red + 0.587 green + 0.114
- * blue, from 0 (black) to 1 (white). Bodies do not hide the floor.
+ * A sensor reads the grey level of the floor straight below it: 0.299 red + 0.587 green + 0.114
+ * blue, from 0 (black) to 1 (white). Bodies do not occlude the floor.
  */
 class CFloorReader {
  public:
+  static constexpr const char* kKind = "ground sensors";
+
   /**
    * Finds and enables the robot's "ground_sensors".
    * @throws CARGoSException if it has none, or no "controller".
@@ -29,22 +31,20 @@ class CFloorReader {
   void SetRobot(CComposableEntity& robot);
   /**
    * Reads `noise_level` and `<noise on="reading">` children.
-   * @throws CARGoSException if the level is < 0; when loading is over, if there is no floor.
+   * @throws CARGoSException if the level is < 0; after loading, if there is no floor.
    */
   void Init(TConfigurationNode& tree);
-  /** Noise starts over. */
+  /** Restarts the noise. */
   void Reset() { m_noise.Reset(); }
 
   size_t GetNumSensors() const;
-  /** @throws CARGoSException that names @p device if the robot does not have so many sensors. */
-  void RequireNumSensors(size_t num, const std::string& device) const;
 
-  /** Looks at the floor as it is now. @throws CARGoSException if there is none. */
+  /** @return a view of the current floor. @throws CARGoSException if there is none. */
   class CView;
-  CView Look();
+  CView ViewFloor();
   /**
-   * Takes the readings of sensors that follow each other.
-   * @param readings  each with a Value that is written; see CView::Read().
+   * Reads consecutive sensors.
+   * @param readings  the Value of each one is written; see CView::Read().
    * @param first     number of the first sensor.
    */
   template <typename READINGS>
@@ -56,13 +56,13 @@ class CFloorReader {
   CDeviceNoise m_noise;
 };
 
-/** What the sensors of a robot see in one tick. */
+/** The floor below the sensors of a robot in one tick. */
 class CFloorReader::CView {
  public:
   CView(CFloorReader& reader, const SGroundSensorLayout& layout, CFloorEntity& floor)
       : m_reader(reader), m_layout(layout), m_floor(floor) {}
 
-  /** With noise: in [0,1], or 0 or 1 if the sensor knows only black and white. */
+  /** @return the reading with noise, in [0,1]; 0 or 1 for a black-and-white sensor. */
   Real Read(size_t sensor);
 
  private:
@@ -73,7 +73,7 @@ class CFloorReader::CView {
 
 template <typename READINGS>
 void CFloorReader::Read(READINGS& readings, size_t first) {
-  CView view = Look();
+  CView view = ViewFloor();
   for (auto& reading : readings) {
     reading.Value = view.Read(first++);
   }

@@ -1,5 +1,6 @@
 #include <argos3/plugins/robots/generic/simulator/directional_leds_default_actuator.h>
 
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/simulator/entities/directional_led_equipped_entity.h>
 
 namespace argos {
@@ -23,34 +24,18 @@ void CDirectionalLEDsDefaultActuator::Reset() {
 
 REGISTER_ACTUATOR(
     CDirectionalLEDsDefaultActuator, "directional_leds", "default", "the authors of this project",
-    "1.0", "The LEDs of a robot that shine in one direction each.",
-    R"(The controller sets the colour of each directional LED, or of all. The algorithm directional_led_detector of
-the sensor "cameras" sees those that are not black. At the start and after a reset the LEDs have the colours that the
-robot's element gives them.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators>
-        <directional_leds implementation="default" />
-      </actuators>
-      <sensors />
-      <params />
-    </my_controller>
-  </controllers>
-
+    "1.0", "The directional LEDs of a robot.",
+    R"(The controller sets the colour of each directional LED, or of all LEDs. The algorithm directional_led_detector of
+the sensor "cameras" detects LEDs that are not black. At the start and after a reset the LEDs have the colours given in
+the robot's element.
+)" + RequiredActuatorXML(R"(<directional_leds implementation="default" />)") +
+        R"(
 on a robot that carries such LEDs:
-
-  <foot-bot id="fb0">
-    <body position="0,0,0" />
-    <controller config="c1" />
-    <directional_leds medium="directional_leds">
+)" + CarrierXML(R"(<directional_leds medium="directional_leds">
       <directional_led position="0.09,0,0.05" orientation="0,90,0" anchor="origin" observable_angle="60" color="red" />
-    </directional_leds>
-  </foot-bot>
-
-The medium "directional_led" explains these attributes.
+    </directional_leds>)") +
+        R"(
+The manual of the medium "directional_led" describes these attributes.
 )",
     "Usable")
 

@@ -12,10 +12,10 @@ class CDirectionalLEDEquippedEntity;
 class CDirectionalLEDsDefaultActuator : public CSimulatedActuator,
                                         public CCI_DirectionalLEDsActuator {
  public:
-  /** @throws CARGoSException unless the robot has "directional_leds". */
+  /** @throws CARGoSException if the robot has no "directional_leds". */
   void SetRobot(CComposableEntity& robot) override;
   void Update() override;
-  /** The LEDs have the colours of the start again. */
+  /** Restores the initial colours. */
   void Reset() override;
 
  private:

@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/read_medium.h>
 #include <argos3/plugins/simulator/media/led_medium.h>
@@ -32,29 +33,10 @@ void CLEDsDefaultActuator::Reset() {
 REGISTER_ACTUATOR(
     CLEDsDefaultActuator, "leds", "default", "the authors of this project", "1.0",
     "The coloured LEDs of a robot.",
-    R"(The controller sets the colour of each LED, or of all. Cameras that look at the same medium see the
+    R"(The controller sets the colour of each LED, or of all LEDs. Cameras that use the same medium detect the
 LEDs that are not black. All LEDs are black at the start and after a reset.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators>
-        <leds implementation="default" medium="leds" />
-      </actuators>
-      <sensors />
-      <params />
-    </my_controller>
-  </controllers>
-
-with the LED medium that it names:
-
-  <media>
-    <led id="leds" />
-  </media>
-
-  medium  text, required: the id of an LED medium.
-)",
+)" + RequiredActuatorXML(R"(<leds implementation="default" medium="leds" />)") +
+        MediumXML(R"(<led id="leds" />)", "an LED medium"),
     "Usable")
 
 }  // namespace argos

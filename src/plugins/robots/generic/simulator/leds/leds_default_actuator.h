@@ -8,15 +8,15 @@ namespace argos {
 
 class CLEDEquippedEntity;
 
-/** Sets the colours of a robot's LEDs, and puts them into a medium so that cameras see them. */
+/** Sets the colours of a robot's LEDs, and adds them to a medium so that cameras detect them. */
 class CLEDsDefaultActuator : public CSimulatedActuator, public CCI_LEDsActuator {
  public:
-  /** @throws CARGoSException unless the robot has "leds". */
+  /** @throws CARGoSException if the robot has no "leds". */
   void SetRobot(CComposableEntity& robot) override;
-  /** Reads `medium`. @throws CARGoSException if there is no LED medium of that id. */
+  /** Reads `medium`. @throws CARGoSException if the LED medium is unknown. */
   void Init(TConfigurationNode& tree) override;
   void Update() override;
-  /** All LEDs off. */
+  /** Switches all LEDs off. */
   void Reset() override;
 
  private:

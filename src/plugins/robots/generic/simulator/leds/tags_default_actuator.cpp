@@ -1,5 +1,6 @@
 #include <argos3/plugins/robots/generic/simulator/tags_default_actuator.h>
 
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/simulator/entities/tag_equipped_entity.h>
 
 namespace argos {
@@ -23,35 +24,18 @@ void CTagsDefaultActuator::Reset() {
 
 REGISTER_ACTUATOR(
     CTagsDefaultActuator, "tags", "default", "the authors of this project", "1.0",
-    "The tags of a robot, whose text changes.",
-    R"(The controller sets the text of each tag, or of all, as on an electronic label. The algorithm tag_detector of
-the sensor "cameras" reads it. At the start and after a reset the tags have the payloads that the robot's element gives
-them.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators>
-        <tags implementation="default" />
-      </actuators>
-      <sensors />
-      <params />
-    </my_controller>
-  </controllers>
-
+    "The payloads of a robot's tags.",
+    R"(The controller sets the payload of each tag, or of all tags, as on an electronic label. The algorithm tag_detector
+of the sensor "cameras" reads it. At the start and after a reset the tags have the payloads given in the robot's element.
+)" + RequiredActuatorXML(R"(<tags implementation="default" />)") +
+        R"(
 on a robot that carries tags:
-
-  <foot-bot id="fb0">
-    <body position="0,0,0" />
-    <controller config="c1" />
-    <tags medium="tags">
+)" + CarrierXML(R"(<tags medium="tags">
       <tag position="-0.09,0,0.05" orientation="0,-90,0" anchor="origin" observable_angle="75" side_length="0.03"
            payload="fb0" />
-    </tags>
-  </foot-bot>
-
-The medium "tag" explains these attributes.
+    </tags>)") +
+        R"(
+The manual of the medium "tag" describes these attributes.
 )",
     "Usable")
 

@@ -8,13 +8,13 @@ namespace argos {
 
 class CTagEquippedEntity;
 
-/** Sets what is written on a robot's tags. */
+/** Sets the payloads of a robot's tags. */
 class CTagsDefaultActuator : public CSimulatedActuator, public CCI_TagsActuator {
  public:
-  /** @throws CARGoSException unless the robot has "tags". */
+  /** @throws CARGoSException if the robot has no "tags". */
   void SetRobot(CComposableEntity& robot) override;
   void Update() override;
-  /** The tags have the payloads of the start again. */
+  /** Restores the initial payloads. */
   void Reset() override;
 
  private:

@@ -21,17 +21,15 @@ constexpr Real kMeanShare = 0.25;
 
 }  // namespace
 
-void CAngularLight::SetRobot(CComposableEntity& robot, size_t numSensors,
-                             const std::string& device) {
+void CAngularLight::SetRobot(CComposableEntity& robot) {
+  m_sensors = &robot.GetComponent<CLightSensorEquippedEntity>("light_sensors");
   m_caster.SetRobot(robot);
-  auto& sensors = robot.GetComponent<CLightSensorEquippedEntity>("light_sensors");
-  if (sensors.GetNumSensors() != numSensors) {
-    THROW_ARGOSEXCEPTION("sensor \"" << device << "\" needs a robot with " << numSensors
-                                     << " light sensors; robot \"" << robot.GetId() << "\" has "
-                                     << sensors.GetNumSensors());
-  }
-  sensors.Enable();
+  m_sensors->Enable();
   m_lights = &m_caster.GetSpace().GetExtension<CLights>();
+}
+
+size_t CAngularLight::GetNumSensors() const {
+  return m_sensors->GetNumSensors();
 }
 
 void CAngularLight::Init(TConfigurationNode& tree) {
@@ -43,7 +41,7 @@ size_t CAngularLight::GetNumLights() const {
   return m_lights->Get().size();
 }
 
-bool CAngularLight::Look(size_t light, SBeam& beam) {
+bool CAngularLight::ComputeBeam(size_t light, SBeam& beam) {
   const CLightEntity& lamp = *m_lights->Get()[light];
   const Real intensity = lamp.GetIntensity();
   if (intensity <= 0.0) {

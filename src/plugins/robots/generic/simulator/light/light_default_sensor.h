@@ -13,11 +13,11 @@ class CLights;
 class CLightSensorEquippedEntity;
 
 /**
- * Light sensors of any robot. A derived class may read lights in its own way.
+ * Light sensors of any robot. A derived class may define another response.
  *
- * A sensor sees a light of intensity > 0 unless another body lies between the two, or the light is
- * behind the plane through the sensor that is normal to its direction: the robot's own body is then
- * in the way.
+ * A light of intensity > 0 is visible to a sensor unless another body is between the two, or the
+ * light is behind the plane through the sensor that is normal to its direction: the robot's own
+ * body is then assumed to occlude it.
  */
 class CLightDefaultSensor : public CSimulatedSensor, public CCI_LightSensor {
  public:
@@ -29,7 +29,7 @@ class CLightDefaultSensor : public CSimulatedSensor, public CCI_LightSensor {
   void Reset() override;
 
   /**
-   * What a light that is seen adds to a reading, before noise.
+   * Contribution of a visible light to a reading, before noise.
    * @param distance   from the sensor to the light, m, >= 0.
    * @param intensity  of the light, > 0.
    * @return (intensity / distance)^2; the sum over lights is clamped to [0,1].
@@ -37,12 +37,12 @@ class CLightDefaultSensor : public CSimulatedSensor, public CCI_LightSensor {
   virtual Real CalculateReading(Real distance, Real intensity);
 
  private:
-  struct SEyes;  // some of the sensors, in the world
+  struct SEyeBatch;  // a batch of sensors, in the world frame
 
-  void AddLights(SEyes& eyes);
-  void FindFacing(const CLightEntity& light, SEyes& eyes) const;
-  void FindBlocked(const CVector3& light, SEyes& eyes) const;
-  void Show(const CVector3& light, const SEyes& eyes) const;
+  void AddLights(SEyeBatch& eyes);
+  void FindLightsAhead(const CLightEntity& light, SEyeBatch& eyes) const;
+  void FindOccluded(const CVector3& light, SEyeBatch& eyes) const;
+  void Show(const CVector3& light, const SEyeBatch& eyes) const;
 
   CLightSensorEquippedEntity* m_sensors = nullptr;  // of the robot
   CRayCaster m_caster;

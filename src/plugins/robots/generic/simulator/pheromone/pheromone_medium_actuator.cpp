@@ -5,6 +5,7 @@
 #include <argos3/core/utility/math/vector2.h>
 #include <argos3/core/utility/math/vector3.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_pheromone_actuator.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/robots/generic/simulator/medium_attribute.h>
 #include <argos3/plugins/robots/generic/simulator/noise.h>
 #include <argos3/plugins/simulator/media/pheromone_medium.h>
@@ -17,16 +18,16 @@ namespace argos {
 
 namespace {
 
-/** Lays substances of a medium under the robot. */
+/** Deposits substances of a medium under the robot. */
 class CPheromoneMediumActuator : public CSimulatedActuator, public CCI_PheromoneActuator {
  public:
-  /** @throws CARGoSException unless the robot has "body" and "controller". */
+  /** @throws CARGoSException if the robot has no "body" or "controller". */
   void SetRobot(CComposableEntity& robot) override;
-  /** Reads `medium`, `layers`, `offset` and `<noise>`. @throws CARGoSException. */
+  /** Reads `medium`, `layers`, `offset` and `<noise>`. */
   void Init(TConfigurationNode& tree) override;
-  /** @throws CARGoSException that names the robot, if a rate is not a number >= 0. */
+  /** @throws CARGoSException if a rate is not a number >= 0. */
   void Update() override;
-  /** Nothing is laid; noise starts over. */
+  /** Sets all rates to 0 and restarts the noise. */
   void Reset() override;
 
  private:
@@ -85,45 +86,24 @@ void CPheromoneMediumActuator::Reset() {
 
 REGISTER_ACTUATOR(
     CPheromoneMediumActuator, "pheromone", "medium", "the authors of this project", "1.0",
-    "Lays substances on the ground.",
-    R"(The controller sets for each layer of a pheromone medium how much is laid per second. That much is laid in every
-tick, from the next one on, under the robot as it is before it moves, until the rate is changed; rates are 0 at the start
-and after a reset. It is shared among the four cells whose centres are around the place. Works on any robot with a body,
-whatever its height; what is laid outside the medium's region is lost.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators>
-        <pheromone implementation="medium" medium="pheromone" />
-      </actuators>
-      <sensors />
-      <params />
-    </my_controller>
-  </controllers>
-
-with the medium that it names:
-
-  <media>
-    <pheromone id="pheromone">
+    "Deposits substances on the ground.",
+    R"(The controller sets the rate for each layer of a pheromone medium: the amount deposited per second. From the next
+tick on, the robot deposits at this rate under its position before the motion of the tick, until the rate is changed;
+rates are 0 at the start and after a reset. A deposit is distributed over the four cells whose centres surround the
+point. Works on any robot with a body, at any height; deposits outside the medium's region are discarded.
+)" + RequiredActuatorXML(R"(<pheromone implementation="medium" medium="pheromone" />)") +
+        MediumXML(R"(<pheromone id="pheromone">
       <layer id="trail" />
-    </pheromone>
-  </media>
-
-  medium  text, required: the id of a pheromone medium.
-
-OPTIONAL XML
-
-  <pheromone implementation="medium" medium="pheromone" layers="trail" offset="-0.05,0">
+    </pheromone>)",
+                  "a pheromone medium") +
+        OptionalXML(
+            R"(<pheromone implementation="medium" medium="pheromone" layers="trail" offset="-0.05,0">
     <noise on="rate" model="gaussian" std_dev="0.1" relative="true" />
-  </pheromone>
-
-  layers  ids of layers, with commas between; default all of the medium.
-  offset  "x,y", m, default "0,0": where substances are laid, in the robot's frame.
-  noise   on="rate", for rates that are not 0, drawn in each tick; model="uniform" level, "gaussian" std_dev or
-          "rayleigh" sigma; bias, relative="true". Rates stay >= 0.
-)",
+  </pheromone>)") +
+        R"(
+  layers  ids of layers, separated by commas; default: all layers of the medium.
+  offset  "x,y", m, default "0,0": the point of deposit, in the robot's frame.
+)" + NoiseManual("rate", "each rate that is not 0, in each tick; the sum is at least 0."),
     "Usable")
 
 }  // namespace argos

@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/sensor.h>
 #include <argos3/core/utility/math/vector3.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_pheromone_sensor.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/robots/generic/simulator/medium_attribute.h>
 #include <argos3/plugins/robots/generic/simulator/noise.h>
 #include <argos3/plugins/simulator/media/pheromone_medium.h>
@@ -17,15 +18,15 @@ namespace {
 
 constexpr Real kCentimetersPerMeter = 100.0;
 
-/** Reads the concentrations that a medium has under the robot. */
+/** Reads the concentrations of a medium under the robot. */
 class CPheromoneMediumSensor : public CSimulatedSensor, public CCI_PheromoneSensor {
  public:
-  /** @throws CARGoSException unless the robot has "body" and "controller". */
+  /** @throws CARGoSException if the robot has no "body" or "controller". */
   void SetRobot(CComposableEntity& robot) override;
-  /** Reads `medium`, `layers`, `<point>` and `<noise>`. @throws CARGoSException. */
+  /** Reads `medium`, `layers`, `<point>` and `<noise>`. */
   void Init(TConfigurationNode& tree) override;
   void Update() override;
-  /** All readings 0; noise starts over. */
+  /** Sets all readings to 0 and restarts the noise. */
   void Reset() override;
 
  private:
@@ -93,47 +94,25 @@ void CPheromoneMediumSensor::Reset() {
 
 REGISTER_SENSOR(
     CPheromoneMediumSensor, "pheromone", "medium", "the authors of this project", "1.0",
-    "Smells substances on the ground.",
-    R"(Reads the concentration of each layer of a pheromone medium, an amount per m^2, under points of the robot: after
-the robots have moved, and after what they laid in this tick has spread. Between the centres of cells it is interpolated.
-Works on any robot with a body, whatever its height; outside the medium's region it reads 0.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators />
-      <sensors>
-        <pheromone implementation="medium" medium="pheromone" />
-      </sensors>
-      <params />
-    </my_controller>
-  </controllers>
-
-with the medium that it names:
-
-  <media>
-    <pheromone id="pheromone">
+    "Reads the concentrations of substances on the ground.",
+    R"(Reads the concentration of each layer of a pheromone medium, an amount per m^2, under points of the robot, after
+the robots have moved and the deposits of this tick have spread. The concentration is interpolated between the centres of
+cells. Works on any robot with a body, at any height; outside the medium's region the reading is 0.
+)" + RequiredSensorXML(R"(<pheromone implementation="medium" medium="pheromone" />)") +
+        MediumXML(R"(<pheromone id="pheromone">
       <layer id="trail" />
-    </pheromone>
-  </media>
-
-  medium  text, required: the id of a pheromone medium.
-
-OPTIONAL XML
-
-  <pheromone implementation="medium" medium="pheromone" layers="trail">
+    </pheromone>)",
+                  "a pheromone medium") +
+        OptionalXML(R"(<pheromone implementation="medium" medium="pheromone" layers="trail">
     <point offset="0.04,0.02" />
     <point offset="0.04,-0.02" />
     <noise on="value" model="gaussian" std_dev="0.05" relative="true" />
-  </pheromone>
-
-  layers        ids of layers, with commas between; default all of the medium.
-  point         any number of children, default one at the robot's centre.
+  </pheromone>)") +
+        R"(
+  layers        ids of layers, separated by commas; default: all layers of the medium.
+  point         any number of children; default: one at the robot's centre.
   point@offset  "x,y", m, required: in the robot's frame.
-  noise         on="value", the concentration; model="uniform" level, "gaussian" std_dev or "rayleigh" sigma; bias,
-                relative="true". Readings stay >= 0.
-)",
+)" + NoiseManual("value", "each concentration; the sum is at least 0."),
     "Usable")
 
 }  // namespace argos

@@ -10,8 +10,8 @@
 namespace argos {
 
 /**
- * The proximity sensors of one kind of robot, which say where they point, and have the response of
- * the real ones.
+ * Proximity sensors of one type of robot, with directions in the readings. The derived class
+ * defines the response to distance.
  *
  * @tparam INTERFACE  the control interface: has CAngularReadings.
  */
@@ -29,20 +29,10 @@ class CAngularProximitySensor : public CPlacedReadingsSensor<INTERFACE, CProximi
   }
 
   /**
-   * What a sensor reads, before noise; clamped to [0,1] afterwards.
-   * @param distance  from the start of its ray to what it met, m, >= 0.
+   * Response of a sensor, before noise; clamped to [0,1] afterwards.
+   * @param distance  from the start of the ray to the body that it hits, m, >= 0.
    */
   virtual Real CalculateReading(Real distance) = 0;
-
- protected:
-  /**
-   * What SetRobot() does.
-   * @throws CARGoSException that names @p device unless the robot has a ray for each reading.
-   */
-  void TakeRays(CComposableEntity& robot, const std::string& device) {
-    this->m_reader.SetRobot(robot);
-    this->m_reader.RequireNumRays(this->m_tReadings.size(), device);
-  }
 };
 
 }  // namespace argos

@@ -8,7 +8,7 @@
 
 namespace argos {
 
-/** Proximity sensors of any robot. A derived class may read distances in its own way. */
+/** Proximity sensors of any robot. A derived class may define another response. */
 class CProximityDefaultSensor : public CSimulatedSensor, public CCI_ProximitySensor {
  public:
   void SetRobot(CComposableEntity& robot) override;
@@ -22,8 +22,8 @@ class CProximityDefaultSensor : public CSimulatedSensor, public CCI_ProximitySen
   void Reset() override;
 
   /**
-   * What a sensor reads, before noise.
-   * @param distance  from the start of its ray to what it met, m, >= 0.
+   * Response of a sensor, before noise.
+   * @param distance  from the start of the ray to the body that it hits, m, >= 0.
    * @return exp(-distance); clamped to [0,1] afterwards.
    */
   virtual Real CalculateReading(Real distance);

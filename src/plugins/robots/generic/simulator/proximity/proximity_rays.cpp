@@ -17,14 +17,6 @@ void CProximityRays::Init(TConfigurationNode& tree) {
   m_noise.Init(tree, m_caster.GetRobot(), {"reading"}, {ReadNoiseLevel(tree)});
 }
 
-void CProximityRays::RequireNumRays(size_t num, const std::string& device) const {
-  if (GetNumRays() != num) {
-    THROW_ARGOSEXCEPTION(
-        "sensor \"" << device << "\" needs a robot with " << num << " proximity sensors; robot \""
-                    << m_caster.GetRobot().GetRootEntity().GetId() << "\" has " << GetNumRays());
-  }
-}
-
 void CProximityRays::PrefetchRead() const {
   m_sensors->PrefetchLayout();
   m_caster.GetBody().PrefetchPose();

@@ -11,13 +11,15 @@
 namespace argos {
 
 /**
- * Casts the rays of a robot's proximity sensors: what all proximity sensors have in common.
+ * Casts the rays of a robot's proximity sensors, for all types of proximity sensors.
  *
- * All rays share one query for the solids around the robot. Rays look through the robot's own body;
- * one that starts inside another body meets it at distance 0.
+ * All rays share one query of the index. Rays ignore the robot's own body; a ray that starts inside
+ * another body hits it at distance 0.
  */
 class CProximityRays {
  public:
+  static constexpr const char* kKind = "proximity sensors";
+
   /**
    * Finds and enables the robot's "proximity_sensors".
    * @throws CARGoSException if it has none, or no "body" or "controller".
@@ -28,24 +30,22 @@ class CProximityRays {
    * @throws CARGoSException if the level is < 0.
    */
   void Init(TConfigurationNode& tree);
-  /** Noise starts over. */
+  /** Restarts the noise. */
   void Reset() { m_noise.Reset(); }
 
-  size_t GetNumRays() const { return m_sensors->GetNumSensors(); }
-  /** @throws CARGoSException that names @p device if the robot does not have so many rays. */
-  void RequireNumRays(size_t num, const std::string& device) const;
-  /** Asks for the memory that Read() is going to need. */
+  size_t GetNumSensors() const { return m_sensors->GetNumSensors(); }
+  /** Prefetches the cache lines that Read() will read. */
   void PrefetchRead() const;
 
   /**
    * Casts all rays.
-   * @param calculate  Real(Real D): what the sensor reads at distance D (m) from the ray's start;
-   *                   not called for rays that meet nothing, which read 0.
-   * @param store      void(size_t ray, Real reading): with noise, in [0,1].
+   * @param calculate  Real(Real D): the reading for a hit at distance D (m) from the ray's start.
+   * Rays without a hit read 0.
+   * @param store      void(size_t ray, Real reading): the reading includes noise, in [0,1].
    */
   template <typename CALCULATE, typename STORE>
   void Read(CALCULATE&& calculate, STORE&& store) {
-    const size_t num = GetNumRays();
+    const size_t num = GetNumSensors();
     for (size_t first = 0; first < num; first += CRayCaster::kMaxRays) {
       const size_t count = std::min(CRayCaster::kMaxRays, num - first);
       Real distances[CRayCaster::kMaxRays];  // m; < 0: no hit
@@ -61,7 +61,7 @@ class CProximityRays {
   void Cast(size_t first, size_t count, Real* distances);
 
   CProximitySensorEquippedEntity* m_sensors = nullptr;  // of the robot
-  const SRayLayout* m_layout = nullptr;  // the one for which m_anchor holds
+  const SRayLayout* m_layout = nullptr;  // the layout for which m_anchor is valid
   const SAnchor* m_anchor = nullptr;  // of the first ray
   CRayCaster m_caster;
   CDeviceNoise m_noise;

@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/robots/generic/simulator/medium_attribute.h>
 #include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
 #include <argos3/plugins/simulator/media/rab_medium.h>
@@ -17,21 +18,21 @@ void CRangeAndBearingDefaultActuator::SetRobot(CComposableEntity& robot) {
 
 void CRangeAndBearingDefaultActuator::Init(TConfigurationNode& tree) {
   CCI_RangeAndBearingActuator::Init(tree);
-  ChooseMedium(tree);
+  SelectMedium(tree);
   m_rab->Enable();
 }
 
-void CRangeAndBearingDefaultActuator::ChooseMedium(TConfigurationNode& tree) {
+void CRangeAndBearingDefaultActuator::SelectMedium(TConfigurationNode& tree) {
   if (NodeAttributeExists(tree, "medium")) {
     m_rab->SetMedium(
         ReadMedium<CRABMedium>(tree, m_robot->GetSimulator(), "a range and bearing medium"));
     return;
   }
-  // a sensor of the same controller is set up after this, and chooses then
+  // a sensor of the same controller is initialized after this actuator, and selects the medium
   if (HasDeviceBeside(tree, "sensors", "range_and_bearing")) {
     return;
   }
-  // without any medium nobody can hear
+  // without any medium the messages reach no robot
   if (CRABMedium* const medium = FindOnlyMedium<CRABMedium>(tree, m_robot->GetSimulator())) {
     m_rab->SetMedium(*medium);
   }
@@ -48,34 +49,20 @@ void CRangeAndBearingDefaultActuator::Reset() {
 REGISTER_ACTUATOR(
     CRangeAndBearingDefaultActuator, "range_and_bearing", "default", "the authors of this project",
     "1.0", "Sends short messages to robots nearby.",
-    R"(The controller sets the bytes of a message. The robot sends it all around in every tick, from the next
-one on, until it is changed; it is all zeros at the start and after a reset. How many bytes there are, and
-how far they reach, are attributes of the robot: rab_data_size and rab_range.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators>
-        <range_and_bearing implementation="default" />
-      </actuators>
-      <sensors />
-      <params />
-    </my_controller>
-  </controllers>
-
+    R"(The controller sets the bytes of a message. The robot sends the message in all directions in every tick, from
+the next one on, until it is changed; at the start and after a reset all bytes are zero. The attributes rab_data_size and
+rab_range of the robot define the number of bytes and the range.
+)" + RequiredActuatorXML(R"(<range_and_bearing implementation="default" />)") +
+        R"(
 with a medium for range and bearing:
 
   <media>
     <range_and_bearing id="rab" />
   </media>
-
-OPTIONAL XML
-
-  <range_and_bearing implementation="default" medium="rab" />
-
-  medium  text: the id of a medium for range and bearing. Not given: that of the robot's sensor
-          "range_and_bearing", or without one the only medium there is.
+)" + OptionalXML(R"(<range_and_bearing implementation="default" medium="rab" />)") +
+        R"(
+  medium  text: the id of a medium for range and bearing. Default: the medium of the robot's sensor
+          "range_and_bearing"; without that sensor, the only medium of this kind.
 )",
     "Usable")
 

@@ -9,23 +9,23 @@ namespace argos {
 class CControllableEntity;
 class CRABEquippedEntity;
 
-/** Gives the message to the robot's range-and-bearing device, and puts that into a medium. */
+/** Passes the message to the robot's range-and-bearing device, and adds the device to a medium. */
 class CRangeAndBearingDefaultActuator : public CSimulatedActuator,
                                         public CCI_RangeAndBearingActuator {
  public:
-  /** @throws CARGoSException unless the robot has "rab". */
+  /** @throws CARGoSException if the robot has no "rab". */
   void SetRobot(CComposableEntity& robot) override;
   /**
-   * Chooses the medium: the optional `medium`, else that of the robot's sensor, else the only one.
-   * @throws CARGoSException if there are several, or none of that id.
+   * Selects the medium: the optional `medium`, else that of the robot's sensor, else the only one.
+   * @throws CARGoSException if there are several, or the id is unknown.
    */
   void Init(TConfigurationNode& tree) override;
   void Update() override;
-  /** All zeros. */
+  /** Sets all bytes to 0. */
   void Reset() override;
 
  private:
-  void ChooseMedium(TConfigurationNode& tree);
+  void SelectMedium(TConfigurationNode& tree);
 
   CControllableEntity* m_robot = nullptr;
   CRABEquippedEntity* m_rab = nullptr;  // of the robot

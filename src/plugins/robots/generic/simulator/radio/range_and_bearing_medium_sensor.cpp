@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/robots/generic/simulator/medium_attribute.h>
 #include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
 #include <argos3/plugins/simulator/media/rab_medium.h>
@@ -48,14 +49,14 @@ void CRangeAndBearingMediumSensor::Init(TConfigurationNode& tree) {
 
 void CRangeAndBearingMediumSensor::Update() {
   const CRABMedium::SNumbers senders = m_medium->GetSenders(*m_rab);
-  // the senders lie anywhere in memory: fetch all, then read
+  // the senders are scattered in memory: prefetch all of them before reading
   for (const UInt32 number : senders) {
     if (const CRABEquippedEntity* const sender = m_medium->GetDevice(number)) {
       __builtin_prefetch(&sender->GetPosition());
       __builtin_prefetch(&sender->GetData());
     }
   }
-  // packets of the last tick are overwritten, so that their bytes stay allocated
+  // packets of the last tick are overwritten: their bytes remain allocated
   size_t numPackets = 0;
   for (const UInt32 number : senders) {
     const CRABEquippedEntity* const sender = m_medium->GetDevice(number);
@@ -84,7 +85,7 @@ void CRangeAndBearingMediumSensor::ReadFrom(const CRABEquippedEntity& sender, SP
   packet.Range = way.Length() * kCentimetersPerMeter;
   packet.HorizontalBearing = ATan2(way.GetY(), way.GetX());
   const Real horizontal = std::sqrt(way.GetX() * way.GetX() + way.GetY() * way.GetY());
-  // most robots are on one plane
+  // common case: both robots are on the same plane
   packet.VerticalBearing = way.GetZ() == 0.0 ? CRadians() : ATan2(way.GetZ(), horizontal);
   if (m_noise.IsOn()) {
     AddNoise(packet);
@@ -122,47 +123,27 @@ void CRangeAndBearingMediumSensor::Reset() {
 
 REGISTER_SENSOR(
     CRangeAndBearingMediumSensor, "range_and_bearing", "medium", "the authors of this project",
-    "1.0", "Hears messages of robots nearby, and where they come from.",
-    R"(In each tick, the robot hears the messages of the robots around it, as its medium says, in the order
-in which robots were put into the arena. A packet has the bytes that were sent, the range of the sender in cm,
+    "1.0", "Receives messages from robots nearby, with range and bearing of the senders.",
+    R"(In each tick, the robot receives the messages that its medium delivers from the robots around it, in the order
+in which the robots were added to the arena. A packet contains the bytes of the message, the range of the sender in cm,
 its horizontal bearing (in (-PI,PI], 0 ahead, counter-clockwise) and its vertical bearing (in [-PI/2,PI/2], positive
 if the sender is above the robot's xy plane). A robot that has the sensor and no actuator sends zeros.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators />
-      <sensors>
-        <range_and_bearing implementation="medium" medium="rab" />
-      </sensors>
-      <params />
-    </my_controller>
-  </controllers>
-
-with the medium that it names:
-
-  <media>
-    <range_and_bearing id="rab" />
-  </media>
-
-  medium  text, required: the id of a medium for range and bearing.
-
-OPTIONAL XML
-
-  <range_and_bearing implementation="medium" medium="rab" show_rays="true" noise_std_dev="0.1"
+)" + RequiredSensorXML(R"(<range_and_bearing implementation="medium" medium="rab" />)") +
+        MediumXML(R"(<range_and_bearing id="rab" />)", "a medium for range and bearing") +
+        OptionalXML(
+            R"(<range_and_bearing implementation="medium" medium="rab" show_rays="true" noise_std_dev="0.1"
                      packet_drop_prob="0.2">
     <noise on="range" model="gaussian" std_dev="2" />
     <noise on="horizontal_bearing" model="uniform" level="0.05" />
-  </range_and_bearing>
-
-  show_rays         "true" or "false", default "false": lines to the senders are shown by visualizations that can.
-  noise_std_dev     m, s >= 0, default 0: to the way from the robot to the sender a vector is added whose length is
-                    drawn from N(0,s), its inclination from U[0,PI] and its azimuth from U[0,2 PI].
-  packet_drop_prob  in [0,1], default 0: probability of a packet to be lost.
-  noise             on="range" (cm), "horizontal_bearing" or "vertical_bearing" (rad), or all without `on`; model="uniform"
-                    level, "gaussian" std_dev or "rayleigh" sigma; bias, relative="true": see value' = value + bias + draw.
-)",
+  </range_and_bearing>)") +
+        R"(
+  show_rays         "true" or "false", default "false": visualizations show lines to the senders.
+  noise_std_dev     m, s >= 0, default 0: a random vector is added to the vector from the robot to the sender: its
+                    length is drawn from N(0,s), its inclination from U[0,PI] and its azimuth from U[0,2 PI].
+  packet_drop_prob  in [0,1], default 0: probability that a packet is lost.
+)" +
+        NoiseManual("range|horizontal_bearing|vertical_bearing",
+                    "the range (cm) and the bearings (rad)."),
     "Usable")
 
 }  // namespace argos

@@ -16,18 +16,18 @@ class CControllableEntity;
 class CRABEquippedEntity;
 class CRABMedium;
 
-/** Reads what the robot's range-and-bearing device hears through its medium. */
+/** Reads the messages that the robot's range-and-bearing device receives through its medium. */
 class CRangeAndBearingMediumSensor : public CSimulatedSensor, public CCI_RangeAndBearingSensor {
  public:
-  /** @throws CARGoSException unless the robot has "rab". */
+  /** @throws CARGoSException if the robot has no "rab". */
   void SetRobot(CComposableEntity& robot) override;
   /**
    * Reads `medium`, `show_rays`, `noise_std_dev`, `packet_drop_prob` and `<noise>`.
-   * @throws CARGoSException if a value is wrong.
+   * @throws CARGoSException if a value is invalid.
    */
   void Init(TConfigurationNode& tree) override;
   void Update() override;
-  /** No packets; noise starts over. */
+  /** Clears the packets and restarts the noise. */
   void Reset() override;
 
  private:

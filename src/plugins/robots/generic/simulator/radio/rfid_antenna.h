@@ -13,26 +13,26 @@ class CComposableEntity;
 class CControllableEntity;
 class CEmbodiedEntity;
 
-/** Where and how far an RFID device of a robot reads or writes: what sensor and actuator share. */
+/** Position and range of an RFID reader or writer on a robot. */
 class CRFIDAntenna {
  public:
-  /** @throws CARGoSException unless the robot has "body" and "controller". */
+  /** @throws CARGoSException if the robot has no "body" or "controller". */
   void SetRobot(CComposableEntity& robot);
   /**
-   * Reads `medium`, `range` (m, default 0.1) and `position` (in the robot's frame, m, default its
+   * Reads `medium`, `range` (m, default 0.1) and `position` (in the robot's frame, m, default the
    * origin).
-   * @throws CARGoSException if a value is wrong.
+   * @throws CARGoSException if a value is invalid.
    */
   void Init(TConfigurationNode& tree);
 
   CControllableEntity& GetRobot() const { return *m_robot; }
   CEmbodiedEntity& GetBody() const { return *m_body; }
   CRFIDMedium& GetMedium() const { return *m_medium; }
-  /** The medium's view of the device. */
+  /** @return the record of the device in the medium. */
   CRFIDMedium::CUser& GetUser() const { return *m_user; }
   /** m. */
   Real GetRange() const { return m_range; }
-  /** Where the antenna is, m, world frame. */
+  /** @return the position of the antenna, m, world frame. */
   CVector3 ComputePlace() const;
 
  private:

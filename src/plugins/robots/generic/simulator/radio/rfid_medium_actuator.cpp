@@ -1,19 +1,20 @@
 #include <argos3/core/simulator/actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_rfid_actuator.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/robots/generic/simulator/rfid_antenna.h>
 
 namespace argos {
 
 namespace {
 
-/** Hands orders to write over to a medium, which knows the tags. */
+/** Passes write commands to the RFID medium, which finds the tags. */
 class CRFIDMediumActuator : public CSimulatedActuator, public CCI_RFIDActuator {
  public:
   void SetRobot(CComposableEntity& robot) override { m_antenna.SetRobot(robot); }
-  /** Reads what CRFIDAntenna::Init() does. @throws CARGoSException if a value is wrong. */
+  /** See CRFIDAntenna::Init(). */
   void Init(TConfigurationNode& tree) override;
   void Update() override;
-  /** No order. */
+  /** Discards a pending command. */
   void Reset() override { m_isOrdered = false; }
   const std::string& GetWrittenTag() const override { return m_antenna.GetUser().WrittenTag; }
 
@@ -43,38 +44,19 @@ void CRFIDMediumActuator::Update() {
 REGISTER_ACTUATOR(
     CRFIDMediumActuator, "rfid", "medium", "the authors of this project", "1.0",
     "Writes to the RFID tag nearest to the robot.",
-    R"(The controller orders to write bytes to a tag's memory, from a given place on. The order is carried out once, in
-the next tick, before robots move: the bytes go to the tag nearest to the writer, if one is within the range and its
-memory is large enough; of tags equally near, to the one that was put into the arena first. Tags that the robot carries
-itself are not written. The controller learns in the same tick which tag was written. Robots that write in one tick do so
-in the order in which they were put into the arena: the bytes of the last one stay. Works on any robot with a body.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators>
-        <rfid implementation="medium" medium="rfid" />
-      </actuators>
-      <sensors />
-      <params />
-    </my_controller>
-  </controllers>
-
-with the medium that it names:
-
-  <media>
-    <rfid id="rfid" />
-  </media>
-
-  medium  text, required: the id of an RFID medium.
-
-OPTIONAL XML
-
-  <rfid implementation="medium" medium="rfid" range="0.1" position="0.02,0,0" />
-
-  range     m, >= 0, default 0.1: how far the writer reaches.
-  position  "x,y,z", m, default "0,0,0": where the writer is, in the robot's frame.
+    R"(The controller commands to write bytes to a tag's memory at a given offset. The command is executed once, in the
+next tick, before the robots move: the bytes are written to the tag nearest to the writer, if a tag is within the range
+and its memory is large enough; if several tags have the same distance, to the one that was added to the arena first.
+Tags on the robot itself are not written. The controller gets the id of the written tag in the same tick. Robots that
+write in the same tick do so in the order in which they were added to the arena: the bytes of the last one remain. Works
+on any robot with a body.
+)" + RequiredActuatorXML(R"(<rfid implementation="medium" medium="rfid" />)") +
+        MediumXML(R"(<rfid id="rfid" />)", "an RFID medium") +
+        OptionalXML(
+            R"(<rfid implementation="medium" medium="rfid" range="0.1" position="0.02,0,0" />)") +
+        R"(
+  range     m, >= 0, default 0.1: range of the writer.
+  position  "x,y,z", m, default "0,0,0": position of the writer in the robot's frame.
 )",
     "Usable")
 

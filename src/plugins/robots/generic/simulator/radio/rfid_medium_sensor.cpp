@@ -6,6 +6,7 @@
 #include <argos3/core/utility/datatypes/spare_elements.h>
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_rfid_sensor.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/robots/generic/simulator/noise.h>
 #include <argos3/plugins/robots/generic/simulator/rfid_antenna.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
@@ -21,14 +22,14 @@ namespace {
 
 constexpr Real kCentimetersPerMeter = 100.0;
 
-/** Reads the tags that a medium finds near the robot. */
+/** Reads the tags that the medium finds near the robot. */
 class CRFIDMediumSensor : public CSimulatedSensor, public CCI_RFIDSensor {
  public:
   void SetRobot(CComposableEntity& robot) override;
-  /** Reads what CRFIDAntenna::Init() does, `miss_prob` and `<noise>`. @throws CARGoSException. */
+  /** Reads the attributes of CRFIDAntenna::Init(), `miss_prob` and `<noise>`. */
   void Init(TConfigurationNode& tree) override;
   void Update() override;
-  /** No readings; noise starts over. */
+  /** Clears the readings and restarts the noise. */
   void Reset() override;
 
  private:
@@ -75,7 +76,7 @@ void CRFIDMediumSensor::MakeStream() {
 void CRFIDMediumSensor::Update() {
   m_antenna.GetMedium().FindTags(m_found, m_antenna.ComputePlace(), m_antenna.GetRange(),
                                  m_antenna.GetRobot().GetRootEntity());
-  // readings of the last tick are overwritten, so that what they own stays allocated
+  // readings of the last tick are overwritten: their memory remains allocated
   size_t numReadings = 0;
   for (const CRFIDMedium::SFound& found : m_found) {
     if (m_stream != nullptr && m_stream->Bernoulli(m_missProbability)) {
@@ -111,44 +112,22 @@ void CRFIDMediumSensor::Reset() {
 REGISTER_SENSOR(
     CRFIDMediumSensor, "rfid", "medium", "the authors of this project", "1.0",
     "Reads the RFID tags near the robot.",
-    R"(In each tick, after the robots have moved, every tag whose distance from the reader is at most the range is read,
-through whatever is between, in the order in which tags were put into the arena; tags that the robot carries itself are
-not. A reading has the tag's id and its whole memory, its distance from the robot's centre along the robot's xy plane in
+    R"(In each tick, after the robots have moved, the sensor reads every tag within the range of the reader, also
+through bodies, in the order in which the tags were added to the arena. It does not read tags on the robot itself. A
+reading contains the tag's id and its whole memory, its distance from the robot's centre along the robot's xy plane in
 cm, and its angle (0 ahead, counter-clockwise). Works on any robot with a body.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators />
-      <sensors>
-        <rfid implementation="medium" medium="rfid" />
-      </sensors>
-      <params />
-    </my_controller>
-  </controllers>
-
-with the medium that it names:
-
-  <media>
-    <rfid id="rfid" />
-  </media>
-
-  medium  text, required: the id of an RFID medium.
-
-OPTIONAL XML
-
-  <rfid implementation="medium" medium="rfid" range="0.1" position="0.02,0,0" miss_prob="0.1">
+)" + RequiredSensorXML(R"(<rfid implementation="medium" medium="rfid" />)") +
+        MediumXML(R"(<rfid id="rfid" />)", "an RFID medium") +
+        OptionalXML(
+            R"(<rfid implementation="medium" medium="rfid" range="0.1" position="0.02,0,0" miss_prob="0.1">
     <noise on="distance" model="gaussian" std_dev="1" />
     <noise on="angle" model="uniform" level="0.2" />
-  </rfid>
-
-  range      m, >= 0, default 0.1: how far the reader reaches.
-  position   "x,y,z", m, default "0,0,0": where the reader is, in the robot's frame.
-  miss_prob  in [0,1], default 0: probability that a tag in reach is not read in a tick.
-  noise      on="distance" (cm), "angle" (rad), or both without `on`; model="uniform" level, "gaussian" std_dev or
-             "rayleigh" sigma; bias, relative="true".
-)",
+  </rfid>)") +
+        R"(
+  range      m, >= 0, default 0.1: range of the reader.
+  position   "x,y,z", m, default "0,0,0": position of the reader in the robot's frame.
+  miss_prob  in [0,1], default 0: probability that a tag within range is not read in a tick.
+)" + NoiseManual("distance|angle", "the distance (cm) and the angle (rad)."),
     "Usable")
 
 }  // namespace argos

@@ -1,5 +1,6 @@
 #include <argos3/plugins/robots/generic/simulator/simple_radios_default_actuator.h>
 
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/simulator/entities/simple_radio_equipped_entity.h>
 
 namespace argos {
@@ -29,32 +30,16 @@ void CSimpleRadiosDefaultActuator::Reset() {
 REGISTER_ACTUATOR(
     CSimpleRadiosDefaultActuator, "simple_radios", "default", "the authors of this project", "1.0",
     "Sends messages of any size with the robot's radios.",
-    R"(The controller appends messages, arrays of bytes of any size, to those that a radio is to send. They are sent
-in the next tick, once, before robots move, and reach every other radio of the medium within range.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators>
-        <simple_radios implementation="default" />
-      </actuators>
-      <sensors />
-      <params />
-    </my_controller>
-  </controllers>
-
+    R"(The controller appends messages, arrays of bytes of any size, to the queue of a radio. The radio sends them
+once, in the next tick, before the robots move, to every other radio of the medium within range.
+)" + RequiredActuatorXML(R"(<simple_radios implementation="default" />)") +
+        R"(
 on a robot that carries radios:
-
-  <foot-bot id="fb0">
-    <body position="0,0,0" />
-    <controller config="c1" />
-    <simple_radios>
+)" + CarrierXML(R"(<simple_radios>
       <simple_radio id="wifi" medium="radios" range="5" position="0,0,0.1" />
-    </simple_radios>
-  </foot-bot>
-
-The medium "simple_radio" explains these attributes.
+    </simple_radios>)") +
+        R"(
+The manual of the medium "simple_radio" describes these attributes.
 )",
     "Usable")
 

@@ -8,13 +8,13 @@ namespace argos {
 
 class CSimpleRadioEquippedEntity;
 
-/** Gives the messages to the robot's radios, which send them. */
+/** Passes messages to the robot's radios, which send them. */
 class CSimpleRadiosDefaultActuator : public CSimulatedActuator, public CCI_SimpleRadiosActuator {
  public:
-  /** @throws CARGoSException unless the robot has "simple_radios". */
+  /** @throws CARGoSException if the robot has no "simple_radios". */
   void SetRobot(CComposableEntity& robot) override;
   void Update() override;
-  /** Nothing is sent. */
+  /** Discards messages that are not sent yet. */
   void Reset() override;
 
  private:

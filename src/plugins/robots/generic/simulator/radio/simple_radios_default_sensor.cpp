@@ -1,6 +1,7 @@
 #include <argos3/plugins/robots/generic/simulator/simple_radios_default_sensor.h>
 
 #include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/simulator/entities/simple_radio_equipped_entity.h>
 
 namespace argos {
@@ -43,38 +44,19 @@ void CSimpleRadiosDefaultSensor::Reset() {
 REGISTER_SENSOR(
     CSimpleRadiosDefaultSensor, "simple_radios", "default", "the authors of this project", "1.0",
     "Receives messages of any size with the robot's radios.",
-    R"(Each radio of the robot gives the messages, arrays of bytes of any size, that other radios sent to it in this
-tick, in the order in which their robots were put into the arena.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators />
-      <sensors>
-        <simple_radios implementation="default" />
-      </sensors>
-      <params />
-    </my_controller>
-  </controllers>
-
+    R"(Lists for each radio of the robot the messages, arrays of bytes of any size, that other radios sent to it in
+this tick, in the order in which the sending robots were added to the arena.
+)" + RequiredSensorXML(R"(<simple_radios implementation="default" />)") +
+        R"(
 on a robot that carries radios:
-
-  <foot-bot id="fb0">
-    <body position="0,0,0" />
-    <controller config="c1" />
-    <simple_radios>
+)" + CarrierXML(R"(<simple_radios>
       <simple_radio id="wifi" medium="radios" range="5" position="0,0,0.1" />
-    </simple_radios>
-  </foot-bot>
-
-The medium "simple_radio" explains these attributes.
-
-OPTIONAL XML
-
-  <simple_radios implementation="default" show_rays="true" />
-
-  show_rays  "true" or "false", default "false": lines from the senders are shown by visualizations that can.
+    </simple_radios>)") +
+        R"(
+The manual of the medium "simple_radio" describes these attributes.
+)" + OptionalXML(R"(<simple_radios implementation="default" show_rays="true" />)") +
+        R"(
+  show_rays  "true" or "false", default "false": visualizations show lines from the senders.
 )",
     "Usable")
 

@@ -9,15 +9,15 @@ namespace argos {
 class CControllableEntity;
 class CSimpleRadioEquippedEntity;
 
-/** Reads what the robot's radios have received. */
+/** Reads the messages that the robot's radios have received. */
 class CSimpleRadiosDefaultSensor : public CSimulatedSensor, public CCI_SimpleRadiosSensor {
  public:
-  /** @throws CARGoSException unless the robot has "simple_radios". */
+  /** @throws CARGoSException if the robot has no "simple_radios". */
   void SetRobot(CComposableEntity& robot) override;
   /** Reads `show_rays`. */
   void Init(TConfigurationNode& tree) override;
   void Update() override;
-  /** No messages. */
+  /** Clears the messages. */
   void Reset() override;
 
  private:

@@ -13,10 +13,10 @@
 namespace argos {
 
 /**
- * Finds what a camera sees of the entities that a medium knows: LEDs, tags.
+ * Detects the entities of a medium, such as LEDs and tags, that are visible to a camera.
  *
- * Those of the camera's own robot are never seen. Keeps its memory from picture to picture.
- * @tparam NUM_POINTS  how many points of an entity must all be in sight.
+ * Ignores entities of the camera's own robot. Keeps its memory allocated between images.
+ * @tparam NUM_POINTS  number of points of an entity that must all be visible.
  */
 template <class ENTITY, size_t NUM_POINTS = 1>
 class CEntitiesInSight {
@@ -25,24 +25,24 @@ class CEntitiesInSight {
   void SetRobot(CComposableEntity& robot) {
     m_robot = &robot.GetRootEntity();
     m_lines.SetRobot(robot);
-    m_lines.Reserve(kUsual * NUM_POINTS);
-    m_candidates.reserve(kUsual);
+    m_lines.Reserve(kInitialCapacity * NUM_POINTS);
+    m_candidates.reserve(kInitialCapacity);
   }
 
   /**
-   * Takes a picture.
+   * Processes one image.
    * @param index  of the medium.
-   * @param eye    where the camera is, m, world frame.
-   * @param field  a box around all that the camera could see, m, world frame.
+   * @param eye    position of the camera, m, world frame.
+   * @param field  a box around the field of view, m, world frame.
    * @param locate bool(ENTITY&, CVector3* points): false if the entity is not in the field of view;
    *               else writes its NUM_POINTS points, m, world frame.
-   * @param see    void(ENTITY&, const CVector3* points): called for every entity in sight, in order
+   * @param see    void(ENTITY&, const CVector3* points): called for every visible entity, in order
    *               of creation.
-   * @param show   records the lines of sight, to be drawn.
+   * @param show   true: records the lines of sight for visualizations.
    */
   template <typename LOCATE, typename SEE>
-  void Look(CPositionalIndex<ENTITY>& index, const CVector3& eye, const SBoundingBox& field,
-            LOCATE&& locate, SEE&& see, bool show = false) {
+  void Detect(CPositionalIndex<ENTITY>& index, const CVector3& eye, const SBoundingBox& field,
+              LOCATE&& locate, SEE&& see, bool show = false) {
     Collect(index, field, locate);
     m_lines.Start(eye);
     for (const SCandidate& candidate : m_candidates) {
@@ -66,7 +66,7 @@ class CEntitiesInSight {
   }
 
  private:
-  static constexpr size_t kUsual = 64;  // entities in the field of view: room for more is made
+  static constexpr size_t kInitialCapacity = 64;  // entities in the field of view
 
   // an entity in the field of view
   struct SCandidate {
@@ -75,8 +75,8 @@ class CEntitiesInSight {
     std::array<CVector3, NUM_POINTS> Points;  // m, world frame
   };
 
-  // those in the field of view, in order of creation: the index visits in an order of its own, and
-  // some perhaps twice
+  // collects the entities in the field of view, in order of creation: the index visits them in
+  // another order, and may visit one twice
   template <typename LOCATE>
   void Collect(CPositionalIndex<ENTITY>& index, const SBoundingBox& field, LOCATE&& locate) {
     class CCollect : public CPositionalIndex<ENTITY>::COperation {
@@ -109,7 +109,7 @@ class CEntitiesInSight {
 
   const CEntity* m_robot = nullptr;  // the root
   CSightLines m_lines;
-  std::vector<SCandidate> m_candidates;  // entities are not owned; only valid within Look()
+  std::vector<SCandidate> m_candidates;  // entities are not owned; valid within Detect()
 };
 
 }  // namespace argos

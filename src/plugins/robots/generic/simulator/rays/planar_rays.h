@@ -8,12 +8,12 @@
 namespace argos {
 
 /**
- * Rays as seen from above, m, world frame, laid out so that the compiler tests several at once:
- * most rays of a sensor come near few of the solids around it, and need no exact test.
+ * Rays projected onto the ground, m, world frame, in arrays that the compiler can vectorize over.
+ * A cheap test rejects most pairs of rays and solids before the exact test.
  */
 template <size_t MAX_RAYS>
 struct SPlanarRays {
-  Real X[MAX_RAYS], Y[MAX_RAYS]; /**< where they start */
+  Real X[MAX_RAYS], Y[MAX_RAYS]; /**< start points */
   Real DX[MAX_RAYS], DY[MAX_RAYS]; /**< from start to end */
   Real SquareLength[MAX_RAYS]; /**< m^2 */
 
@@ -26,11 +26,12 @@ struct SPlanarRays {
   }
 
   /**
+   * Tests rays against the bounding circle of a solid's footprint.
    * @param count  of rays.
-   * @param near   (count) >= 0, or not a number, unless the circle around the solid's footprint is
-   *               beside the ray or behind its start, by more than roundings.
+   * @param near   (count) < 0 if the circle is beside the ray or behind its start by more than the
+   *               rounding error; otherwise >= 0, or not a number.
    */
-  void FindNear(const SIndexedShape& shape, size_t count, Real* __restrict near) const {
+  void ComputeNearness(const SIndexedShape& shape, size_t count, Real* __restrict near) const {
     constexpr Real kSlack = 1.0 + 1e-9;
     const Real square = shape.Radius * shape.Radius * kSlack;
     for (size_t i = 0; i < count; ++i) {

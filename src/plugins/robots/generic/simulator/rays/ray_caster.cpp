@@ -15,7 +15,7 @@ namespace argos {
 
 namespace {
 
-constexpr Real kMiss = 2.0;  // any fraction above 1
+constexpr Real kMiss = 2.0;  // any fraction > 1
 
 }  // namespace
 
@@ -63,14 +63,14 @@ struct CRayCaster::SWorldRays : SPlanarRays<kMaxRays> {
 void CRayCaster::CastUpright(const SRayBundle& bundle, Real* fractions) const {
   const SAnchor& anchor = bundle.FirstAnchor;
   const CVector3& position = anchor.Position;
-  // of the yaw: the quaternion is (cos(yaw/2), 0, 0, sin(yaw/2))
+  // cosine and sine of the yaw: the quaternion is (cos(yaw/2), 0, 0, sin(yaw/2))
   const Real w = anchor.Orientation.GetW();
   const Real z = anchor.Orientation.GetZ();
   const Real cosine = w * w - z * z;
   const Real sine = 2.0 * w * z;
   const CBodyIndex& index = m_space->GetBodyIndex();
   const UInt32 ownBody = m_body->GetBodyNumber();
-  // computed when the first solid shows up
+  // computed for the first solid
   std::optional<SWorldRays> worldRays;
   const auto test = [&](const SIndexedShape& shape) {
     if (shape.Body == ownBody) {
@@ -84,7 +84,7 @@ void CRayCaster::CastUpright(const SRayBundle& bundle, Real* fractions) const {
       return;
     }
     Real near[kMaxRays];
-    rays.FindNear(shape, bundle.Count, near);
+    rays.ComputeNearness(shape, bundle.Count, near);
     for (size_t i = 0; i < bundle.Count; ++i) {
       if (near[i] < 0.0) {
         continue;

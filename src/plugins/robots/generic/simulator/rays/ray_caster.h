@@ -14,18 +14,18 @@ class CEmbodiedEntity;
 class CSpace;
 struct SAnchor;
 
-/** Rays that are fixed to a robot; nothing of it is owned. */
+/** Rays fixed to a robot; owns nothing. */
 struct SRayBundle {
   const SSensorRay* Rays;
   size_t Count; /**< at most CRayCaster::kMaxRays */
   const SRayBounds& Bounds;
-  const SAnchor* const* Anchors; /**< that the rays number */
-  const SAnchor& FirstAnchor; /**< of the first ray; if Bounds.Planar, of all */
+  const SAnchor* const* Anchors; /**< indexed by SSensorRay::Anchor */
+  const SAnchor& FirstAnchor; /**< of the first ray; of all rays if Bounds.Planar */
 };
 
 /**
- * Looks around a robot along rays, which see through the robot's own body. A ray that starts inside
- * another body meets it at once.
+ * Casts rays from a robot. Rays ignore the robot's own body. A ray that starts inside another body
+ * hits it at fraction 0.
  */
 class CRayCaster {
  public:
@@ -38,15 +38,16 @@ class CRayCaster {
   CSpace& GetSpace() const { return *m_space; }
 
   /**
-   * Casts all rays with one query for the solids around the robot.
-   * @param fractions  (Count) where each ray meets a body, in [0,1] of its length; else > 1.
+   * Casts all rays with one query of the index.
+   * @param fractions  (Count) fraction of its length at which each ray hits a body, in [0,1]; > 1
+   *                   without a hit.
    */
   void Cast(const SRayBundle& bundle, Real* fractions) const;
-  /** Tells visualizations of rays that were cast. */
+  /** Records the rays for visualizations. */
   void Show(const SRayBundle& bundle, const Real* fractions) const;
-  /** True if @p ray meets another body; @p fraction of its length is then where, in [0,1]. */
+  /** @return true if @p ray hits another body, at @p fraction of its length, in [0,1]. */
   bool FindHit(const CRay3& ray, Real& fraction) const;
-  /** True if an engine has bodies that the space's index does not know. */
+  /** @return true if an engine has bodies that are not in the space's index. */
   bool AreBodiesOutsideIndex() const;
 
  private:
@@ -60,7 +61,7 @@ class CRayCaster {
   CSpace* m_space = nullptr;
 };
 
-/** A ray of the bundle, in the world frame, m. */
+/** @return a ray of the bundle, in the world frame, m. */
 CRay3 MakeWorldRay(const SRayBundle& bundle, size_t ray);
 
 }  // namespace argos

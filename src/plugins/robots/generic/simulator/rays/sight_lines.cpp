@@ -41,7 +41,7 @@ void CSightLines::Trace() {
     TraceOneByOne();
     return;
   }
-  // a circle around all lines, seen from above
+  // a circle around the projections of all lines onto the ground
   Real minX = m_eye.GetX();
   Real maxX = minX;
   Real minY = m_eye.GetY();
@@ -63,19 +63,19 @@ void CSightLines::Trace() {
                       });
 }
 
-// the upright cylinder around a solid, seen from the eye
+// the upright bounding cylinder of a solid, relative to the eye
 struct CSightLines::SDisc {
   Real X, Y;  // from the eye to its axis, m
   Real SquareRadius;  // m^2
   Real ZMin, ZMax;  // m, world frame
 
-  // whether it meets the line, prolonged to both sides, as seen from above
-  bool IsNear(const SLine& line) const {
+  // true if the infinite line intersects the circle, projected onto the ground
+  bool IntersectsPlanar(const SLine& line) const {
     const Real aside = line.DX * Y - line.DY * X;
     return aside * aside <= SquareRadius * line.SquareLengthXY;
   }
-  // the same for the line with its ends, and in height
-  bool IsMet(const SLine& line, Real eyeZ) const {
+  // true if the line segment may intersect the cylinder
+  bool Intersects(const SLine& line, Real eyeZ) const {
     const Real endZ = line.End.GetZ();
     if (std::min(eyeZ, endZ) > ZMax || std::max(eyeZ, endZ) < ZMin) {
       return false;
@@ -94,8 +94,8 @@ void CSightLines::TraceShape(const CBodyIndex& index, const SIndexedShape& shape
   const SDisc disc = {shape.X - m_eye.GetX(), shape.Y - m_eye.GetY(), shape.Radius * shape.Radius,
                       shape.ZMin, shape.ZMax};
   for (SLine& line : m_lines) {
-    // almost all lines end here
-    if (disc.IsNear(line) && disc.IsMet(line, m_eye.GetZ())) {
+    // rejects most lines
+    if (disc.IntersectsPlanar(line) && disc.Intersects(line, m_eye.GetZ())) {
       line.Hit = std::min(line.Hit, index.Intersect(shape, CRay3(m_eye, line.End)));
     }
   }

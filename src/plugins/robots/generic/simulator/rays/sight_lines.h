@@ -13,36 +13,37 @@ class CComposableEntity;
 struct SIndexedShape;
 
 /**
- * Tells which of many points can be seen from one place: to which ones no body is in the way.
+ * Computes which of many points are visible from one point, the eye.
  *
- * All lines share one query for the solids around them. They look through the robot's own body. A
- * body hides nothing that lies on its surface, to within kTouch, on the side of the viewer: so LEDs
- * and tags may be mounted flush.
+ * All lines share one query of the index. They ignore the robot's own body. A body does not occlude
+ * points on its surface, to within kTouch, that are on the side of the eye: LEDs and tags may be
+ * mounted flush.
  *
- * Keeps its memory from look to look.
+ * Keeps its memory allocated between uses.
  */
 class CSightLines {
  public:
-  static constexpr Real kTouch = 1e-9;  // m; far above roundings, far below any body
+  static constexpr Real kTouch =
+      1e-9;  // m; much larger than rounding errors, much smaller than any body
 
   /** @throws CARGoSException if the robot has no "body" or "controller". */
   void SetRobot(CComposableEntity& robot) { m_robot.SetRobot(robot); }
 
-  /** Starts a new look, without points. @param eye m, world frame. */
+  /** Removes all points. @param eye m, world frame. */
   void Start(const CVector3& eye);
-  /** Makes room for so many lines. */
+  /** Reserves memory for @p num points. */
   void Reserve(size_t num) { m_lines.reserve(num); }
   /** @param point m, world frame. */
   void Add(const CVector3& point);
-  /** Finds out which points are hidden. */
+  /** Computes which points are occluded. */
   void Trace();
 
   size_t GetNumPoints() const { return m_lines.size(); }
   const CVector3& GetPoint(size_t number) const { return m_lines[number].End; }
-  /** As of Trace(). */
+  /** @return true if the point was visible in Trace(). */
   bool IsClear(size_t number) const { return m_lines[number].Hit >= m_lines[number].Limit; }
 
-  /** Records line @p number, to be drawn. */
+  /** Records line @p number for visualizations. */
   void Show(size_t number) const;
 
  private:
@@ -50,8 +51,8 @@ class CSightLines {
     CVector3 End;  // m, world frame
     Real DX, DY;  // from the eye to the end, m
     Real SquareLengthXY;  // m^2
-    Real Limit;  // fraction of the length from which on bodies do not hide the end
-    Real Hit;  // fraction at which the line meets the first body; 1 if none
+    Real Limit;  // fraction of the length from which on bodies do not occlude the end
+    Real Hit;  // fraction at which the line hits the first body; 1 if none
   };
 
   struct SDisc;

@@ -56,13 +56,12 @@ void SBatteryParameters::Read(TConfigurationNode& robot) {
     return;
   }
   TConfigurationNode& battery = GetNode(robot, "battery");
-  // shown by the help of the original, which does not read them either
+  // documented by ARGoS 3, which does not read them either
   for (const auto& [attribute, right] :
        {std::pair<const char*, const char*>{"model", "\"discharge_model\""},
-        {"factor", "one of the model, such as \"delta\" of \"time\""}}) {
+        {"factor", "an attribute of the model, such as \"delta\" of \"time\""}}) {
     if (NodeAttributeExists(battery, attribute)) {
-      WarnOnce(OwnerOf(battery) + ": attribute \"" + attribute +
-               "\" has no effect; the attribute that counts is " + right);
+      WarnOnce(OwnerOf(battery) + ": attribute \"" + attribute + "\" has no effect; use " + right);
     }
   }
   CBatteryEquippedEntity(nullptr).Configure(battery);

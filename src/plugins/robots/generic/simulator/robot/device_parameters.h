@@ -9,8 +9,8 @@
 namespace argos {
 
 /*
- * What experiment files and constructors say of devices that several robots carry, for the sources
- * of robots.
+ * Parameters of the devices that several types of robots have, from experiment files and
+ * constructors.
  */
 
 /** Range and bearing: `rab_range`, `rab_data_size`. */
@@ -18,9 +18,9 @@ struct SRABParameters {
   Real Range = 3.0;  // m, >= 0
   size_t DataSize = 10;  // bytes
 
-  /** Reads the attributes that are there. @throws CARGoSException if one is out of range. */
+  /** Reads the attributes that exist. @throws CARGoSException if one is out of range. */
   void Read(TConfigurationNode& robot);
-  /** @param owner whose they are, for messages. @throws CARGoSException if one is out of range. */
+  /** @param owner the robot, for messages. @throws CARGoSException if a value is out of range. */
   void Check(const std::string& owner) const;
   bool operator==(const SRABParameters&) const;
 };
@@ -37,7 +37,7 @@ struct SOmnidirectionalCameraParameters {
 
 /** A perspective camera: `<prefix>{front,aperture,focal_length,range}`. */
 struct SPerspectiveCameraParameters {
-  bool Front = true;  // looks ahead, otherwise up
+  bool Front = true;  // true: looks ahead; false: looks up
   CRadians Aperture = ToRadians(CDegrees(30.0));  // half angle, in (0, PI/2)
   Real FocalLength = 0.035;  // m, > 0
   Real Range = 2.0;  // m, > 0
@@ -48,21 +48,21 @@ struct SPerspectiveCameraParameters {
   bool operator==(const SPerspectiveCameraParameters&) const;
 };
 
-/** A battery, of a robot without a child `<battery>`. */
+/** A battery, for robots without a child `<battery>`. */
 struct SBatteryParameters {
   std::string Model;  // label of a discharge model; empty: the charge never falls
 
   /**
-   * Checks the child `<battery>`, if it is there, from which the component is made later.
+   * Checks the child `<battery>`, if it exists; MakeBattery() reads it later.
    * @throws CARGoSException if the model is unknown, or a value out of range.
    */
   void Read(TConfigurationNode& robot);
-  /** @throws CARGoSException if there is no such model. */
+  /** @throws CARGoSException if the model is unknown. */
   void Check(const std::string& owner) const;
   bool operator==(const SBatteryParameters&) const;
 };
 
-/** What the devices of a robot are like; each type of robot looks at its own. */
+/** Parameters of all devices of a robot; each type of robot uses those of its devices. */
 struct SDeviceParameters {
   SRABParameters RAB;
   SOmnidirectionalCameraParameters OmnidirectionalCamera;

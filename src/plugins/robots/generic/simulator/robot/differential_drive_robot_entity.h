@@ -15,27 +15,27 @@
 namespace argos {
 
 /**
- * The bodies of robots of one type, which differ in the strength of their drive only.
+ * Body descriptions of the robots of one type, which differ only in the limits of their drives.
  *
- * Robots with equal drives share one description, so that a thousand robots hold one. Safe on any
- * thread.
+ * Robots with equal drives share one description. Thread-safe.
  */
 class CSharedBodies {
  public:
-  /** @param body the description with the type's usual drive. */
+  /** @param body the description with the default drive of the type. */
   explicit CSharedBodies(const SBodyDescription& body);
 
-  const SBodyDescription& GetUsual() const { return *m_usual; }
-  /** The description with that drive. */
+  const SBodyDescription& GetDefault() const { return *m_default; }
+  /** @return the description with drive @p drive. */
   std::shared_ptr<const SBodyDescription> Get(const SDifferentialDriveDescription& drive) const;
 
  private:
-  std::shared_ptr<const SBodyDescription> m_usual;
+  std::shared_ptr<const SBodyDescription> m_default;
   mutable std::mutex m_mutex;
-  mutable std::vector<std::weak_ptr<const SBodyDescription>> m_others;  // in use by some robot
+  mutable std::vector<std::weak_ptr<const SBodyDescription>>
+      m_nonDefault;  // in use by at least one robot
 };
 
-/** What all robots of a type with two driven wheels have in common. */
+/** The properties that all robots of a type with two driven wheels share. */
 struct SDifferentialDriveRobotType : SRobotType {
   CSharedBodies Bodies;
 
@@ -43,7 +43,7 @@ struct SDifferentialDriveRobotType : SRobotType {
       : SRobotType(std::move(type)), Bodies(body) {}
 };
 
-/** A robot with two driven wheels: what such robots have in common. */
+/** Base of robots with two driven wheels. */
 class CDifferentialDriveRobotEntity : public CRobotEntity {
  public:
   CWheeledEntity& GetWheeledEntity() { return *m_wheels; }
@@ -51,7 +51,7 @@ class CDifferentialDriveRobotEntity : public CRobotEntity {
 
  protected:
   /**
-   * Makes all components, but no controller yet.
+   * Creates all components, without the controller itself.
    * @param type                   must outlive the robot.
    * @param position, orientation  of the body, m, world frame.
    */
@@ -60,8 +60,8 @@ class CDifferentialDriveRobotEntity : public CRobotEntity {
 
   /**
    * Reads `id`, `<body>`, and the limits of the drive in `<dynamics2d><differential_steering
-   * max_force="..." max_torque="..." /></dynamics2d>`. The controller comes last: see
-   * InitController().
+   * max_force="..." max_torque="..." /></dynamics2d>`. Call
+   * InitController() afterwards.
    */
   void InitParts(TConfigurationNode& tree);
 

@@ -49,7 +49,7 @@ void CRobotEntity::MountFromXML(TConfigurationNode& tree, const char* tag) {
     m_mounted = std::make_unique<CEntity::TVector>();
   }
   m_mounted->push_back(&component);
-  CountFollowers();
+  UpdateHasFollowers();
 }
 
 void CRobotEntity::SetDeviceParameters(const SDeviceParameters& parameters) {
@@ -90,7 +90,7 @@ void CRobotEntity::UpdateComponents() {
 
 void CRobotEntity::SetEnabled(bool enabled) {
   const size_t num = m_onDemand != nullptr ? m_type.OnDemand.size() : 0;
-  ARGOS_ASSERT(num <= 32, "a type of robots has at most 32 components on demand");
+  ARGOS_ASSERT(num <= 32, "a robot type has at most 32 components on demand");
   if (IsEnabled()) {
     m_inUse = 0;
     for (size_t i = 0; i < num; ++i) {
@@ -107,12 +107,12 @@ void CRobotEntity::SetEnabled(bool enabled) {
 
 void CRobotEntity::NoticeEnabling(const CEntity& component) {
   if (&component != m_body && &component != m_controllable) {
-    CountFollowers();
+    UpdateHasFollowers();
   }
 }
 
 // the components that UpdateComponents() updates
-void CRobotEntity::CountFollowers() {
+void CRobotEntity::UpdateHasFollowers() {
   bool found = m_mounted != nullptr || (m_leds != nullptr && m_leds->IsEnabled());
   for (size_t i = 0; !found && m_onDemand != nullptr && i < m_type.OnDemand.size(); ++i) {
     found = m_onDemand[i] != nullptr && m_onDemand[i]->IsEnabled();
@@ -121,7 +121,7 @@ void CRobotEntity::CountFollowers() {
 }
 
 void CRobotEntity::UpdateDigest(CDigest& digest) const {
-  // not what the parent does: it adds all components, used or not
+  // not the parent's version, which adds all components, enabled or not
   CEntity::UpdateDigest(digest);  // NOLINT(bugprone-parent-virtual-call)
   for (const CEntity* component : GetExistingComponents()) {
     if (component->IsEnabled() || FindOnDemand(*component) == m_type.OnDemand.size()) {
@@ -142,7 +142,7 @@ void CRobotEntity::NoticeRemoval(const CEntity& component) {
   const size_t number = FindOnDemand(component);
   if (number < m_type.OnDemand.size()) {
     m_onDemand[number] = nullptr;
-    CountFollowers();
+    UpdateHasFollowers();
   }
 }
 
@@ -154,7 +154,7 @@ void CRobotEntity::MaterializeComponents(const std::string& type) {
   }
 }
 
-CEntity& CRobotEntity::DemandComponent(const char* type) {
+CEntity& CRobotEntity::GetOrCreateComponent(const char* type) {
   for (size_t i = 0; i < m_type.OnDemand.size(); ++i) {
     if (std::strcmp(type, m_type.OnDemand[i].Type) == 0) {
       MakeComponent(i);
@@ -174,7 +174,7 @@ void CRobotEntity::MakeComponent(size_t number) {
   }
   CEntity& component = m_type.OnDemand[number].Make(*this);
   m_onDemand[number] = &component;
-  CountFollowers();
+  UpdateHasFollowers();
   if (GetIndex() >= 0) {
     CallEntityOperation<CSpaceOperationAddEntity, CSpace, void>(m_controllable->GetSpace(),
                                                                 component);

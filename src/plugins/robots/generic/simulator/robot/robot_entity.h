@@ -17,35 +17,35 @@ namespace argos {
 
 class CRobotEntity;
 
-/** A component of a type of robots that one robot has only if somebody asks for it. */
+/** A component that a robot of a type has only after a device or a user has requested it. */
 struct SComponentOnDemand {
-  const char* Type; /**< its GetTypeDescription() */
-  /** Makes it, with MakeOnDemand(). */
+  const char* Type; /**< GetTypeDescription() of the component */
+  /** Creates the component with MakeOnDemand(). */
   CEntity& (*Make)(CRobotEntity& robot);
 };
 
-/** What all robots of a type have in common. */
+/** The properties that all robots of a type share. */
 struct SRobotType {
-  /** A frame besides "origin" that carries the LEDs, at the origin; empty: the origin does. */
+  /** Anchor of the LEDs, added at the origin; empty: the LEDs are on the anchor "origin". */
   std::string LEDAnchor;
   std::shared_ptr<const CLEDEquippedEntity::SLayout> LEDs;
   std::shared_ptr<const CProximitySensorEquippedEntity::SLayout> Proximity;
   SAppearance Appearance;
-  SDeviceParameters Parameters; /**< of a robot that gives none */
+  SDeviceParameters Parameters; /**< defaults */
   std::vector<SComponentOnDemand> OnDemand;
 };
 
 /**
- * A robot: what the robots of this project have in common.
+ * Base of the robots of this project.
  *
- * Every robot has a body, LEDs, proximity sensors, and a controller. What else its type offers
- * ("rab", "light_sensors", ...) is made when a device, or a user, first asks for it, so that robots
- * pay only for the devices that they use. Making a component changes the space: it must not happen
+ * Every robot has a body, LEDs, proximity sensors, and a controller. The other components of its
+ * type ("rab", "light_sensors", ...) are created when a device or a user first requests them, so
+ * that unused devices cost nothing. Creating a component changes the space: it must not happen
  * while robots act or sense in parallel.
  */
 class CRobotEntity : public CComposableEntity {
  public:
-  /** Moves what hangs on the body, if it is in use, to where the body is. */
+  /** Updates the enabled components that are attached to the body. */
   void UpdateComponents() override;
 
   CControllableEntity& GetControllableEntity() { return *m_controllable; }
@@ -59,76 +59,78 @@ class CRobotEntity : public CComposableEntity {
     return *m_proximity;
   }
 
-  /** A robot that is enabled again uses the components on demand that it used before. */
+  /** Re-enabling a robot restores which of its components on demand were enabled. */
   void SetEnabled(bool enabled) override;
-  /** A component made on demand counts while it is in use: who only looks at it changes nothing. */
+  /**
+   * Adds components on demand only while they are enabled: creating one by look-up does not change
+   * the digest.
+   */
   void UpdateDigest(CDigest& digest) const override;
 
   const SAppearance* GetAppearance() const override { return &m_type.Appearance; }
-  /** What this robot's devices are like. */
+  /** Parameters of this robot's devices. */
   const SDeviceParameters& GetDeviceParameters() const {
     return m_parameters != nullptr ? *m_parameters : m_type.Parameters;
   }
 
-  /** Makes a component of this robot, which owns it; for SComponentOnDemand::Make. */
+  /** Creates a component, owned by this robot; for SComponentOnDemand::Make. */
   template <typename COMPONENT, typename... ARGUMENTS>
   COMPONENT& MakeOnDemand(ARGUMENTS&&... arguments) {
     auto component = std::make_unique<COMPONENT>(this, std::forward<ARGUMENTS>(arguments)...);
     COMPONENT& borrowed = *component;
-    // the controller's devices use components: it goes first when the robot is removed
+    // the controller's devices use components: on removal the controller is removed first
     InsertComponent(*component.release(), *m_controllable);
     return borrowed;
   }
 
  protected:
   /**
-   * Makes body, LEDs and proximity sensors; the derived class then makes what else all robots of
-   * the type have, and calls AddController().
+   * Creates body, LEDs and proximity sensors; the derived class then creates further components
+   * that all robots of the type have, and calls AddController().
    * @param type                   must outlive the robot.
    * @param position, orientation  of the body, m, world frame.
    */
   CRobotEntity(const SRobotType& type, const std::string& id, const CVector3& position,
                const CQuaternion& orientation);
 
-  /** Makes the component that holds the controller, the last one of the robot. */
+  /** Creates the component for the controller, the last component of the robot. */
   void AddController();
   /**
-   * Reads `id` and `<body>`, and makes what `<directional_leds>`, `<tags>`, `<magnets>`,
-   * `<simple_radios>` and `<rfid_tags>` mount on this robot. The controller's component must be
-   * there already.
+   * Reads `id` and `<body>`, and creates the components for `<directional_leds>`, `<tags>`,
+   * `<magnets>`, `<simple_radios>` and `<rfid_tags>`. The controller's component must exist.
    */
   void InitParts(TConfigurationNode& tree);
-  /** Before the controller is made. */
+  /** To be called before the controller is created. */
   void SetDeviceParameters(const SDeviceParameters& parameters);
-  /** Makes the controller, with its devices, that `<controller>` asks for. */
+  /** Creates the controller that `<controller>` names, with its devices. */
   void InitController(TConfigurationNode& tree);
-  /** Makes the controller of that id, if it is not empty. */
+  /** Creates the controller of that id, unless the id is empty. */
   void InitController(const std::string& controllerId);
 
-  /** The component of SComponentOnDemand::Type @p type, made if it is not there yet. */
+  /** @return the component of SComponentOnDemand::Type @p type, created on the first call. */
   template <typename COMPONENT>
-  COMPONENT& Demand(const char* type) {
-    return static_cast<COMPONENT&>(DemandComponent(type));
+  COMPONENT& GetOrCreate(const char* type) {
+    return static_cast<COMPONENT&>(GetOrCreateComponent(type));
   }
   void MaterializeComponents(const std::string& type) override;
   void NoticeRemoval(const CEntity& component) override;
   void NoticeEnabling(const CEntity& component) override;
 
  private:
-  CEntity& DemandComponent(const char* type);
+  CEntity& GetOrCreateComponent(const char* type);
   template <typename COMPONENT>
   void MountFromXML(TConfigurationNode& tree, const char* tag);
   void MakeComponent(size_t number);
-  /** Tells the body whether a component has something to do after it has moved. */
-  void CountFollowers();
-  /** Number of a component in m_type.OnDemand, or their number if it is none of them. */
+  /** Updates the flag of the body that tells engines whether UpdateComponents() has work. */
+  void UpdateHasFollowers();
+  /** @return index of a component in m_type.OnDemand; its size if it is not one of them. */
   size_t FindOnDemand(const CEntity& component) const;
 
   const SRobotType& m_type;
-  std::unique_ptr<const SDeviceParameters> m_parameters;  // null: as usual for the type
-  std::unique_ptr<CEntity*[]> m_onDemand;  // (m_type.OnDemand), null until made; not owned
+  std::unique_ptr<const SDeviceParameters> m_parameters;  // null: the defaults of the type
+  std::unique_ptr<CEntity*[]> m_onDemand;  // (m_type.OnDemand), null until created; not owned
   UInt32 m_inUse = 0;  // bit i: m_onDemand[i] was enabled when the robot was disabled
-  std::unique_ptr<CEntity::TVector> m_mounted;  // from the file; null if nothing is; not owned
+  std::unique_ptr<CEntity::TVector> m_mounted;  // created by InitParts(); null if empty; not owned
   // components
   CEmbodiedEntity* m_body = nullptr;
   CLEDEquippedEntity* m_leds = nullptr;

@@ -6,13 +6,13 @@
 namespace argos {
 
 /*
- * What robots are drawn with, for the sources of their appearances. All lengths are in m.
+ * Parts of the appearances of robots. All lengths are in m.
  */
 
-/** @return the new part, until the next one is added. */
+/** @return the new part; valid until the next one is added. */
 SVisualPart& AddPart(SAppearance& robot, SVisualPart::EKind kind, const CVector3& position,
                      const CVector3& size, const CColor& color);
-/** Adds an upright cylinder. @param axis  where its axis meets the xy plane. */
+/** Adds an upright cylinder. @param axis  intersection of its axis with the xy plane. */
 void AddDisc(SAppearance& robot, Real radius, Real bottom, Real top, const CColor& color,
              const CVector3& axis = CVector3());
 /** @param number of the LED. @param color of its glass. */
@@ -22,8 +22,8 @@ void AddLED(SAppearance& robot, UInt32 number, const CVector3& position, Real di
 /** LEDs on a horizontal circle around the z axis, counter-clockwise. */
 struct SVisualLEDRing {
   UInt32 First = 0; /**< number of the first LED */
-  UInt32 Num = 0; /**< how many there are */
-  Real StartAngle = 0.0; /**< where the first is, degrees */
+  UInt32 Num = 0; /**< number of LEDs */
+  Real StartAngle = 0.0; /**< of the first LED, degrees */
   Real Radius = 0.0;
   Real Elevation = 0.0;
 };

@@ -10,7 +10,7 @@ namespace argos {
 class CBatteryEquippedEntity;
 class CControllableEntity;
 
-/** The charge of a robot's battery, perhaps with noise. */
+/** The charge of a robot's battery, with optional noise. */
 class CBatteryDefaultSensor : public CSimulatedSensor, public CCI_BatterySensor {
  public:
   /** Enables the battery. @throws CARGoSException if the robot has no "battery" or "controller". */

@@ -4,13 +4,14 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_clock_sensor.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/robots/generic/simulator/noise.h>
 
 namespace argos {
 
 namespace {
 
-/** The clock of the experiment, perhaps with noise. */
+/** The clock of the experiment, with optional noise. */
 class CClockDefaultSensor : public CSimulatedSensor, public CCI_ClockSensor {
  public:
   /** @throws CARGoSException if the robot has no "controller". */
@@ -50,30 +51,15 @@ void CClockDefaultSensor::Reset() {
 REGISTER_SENSOR(
     CClockDefaultSensor, "clock", "default", "the authors of this project", "1.0",
     "The time of the experiment.",
-    R"(Reads the number of the tick, which is 1 when the controller makes its first step, and the simulated time
-in seconds: the number of the tick times the length of a tick.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators />
-      <sensors>
-        <clock implementation="default" />
-      </sensors>
-      <params />
-    </my_controller>
-  </controllers>
-
-OPTIONAL XML
-
-  <clock implementation="default">
+    R"(Reads the number of the tick, which is 1 in the first step of the controller, and the simulated time in
+seconds: the number of the tick times the length of a tick.
+)" + RequiredSensorXML(R"(<clock implementation="default" />)") +
+        OptionalXML(R"(<clock implementation="default">
     <noise on="time" model="gaussian" std_dev="0" bias="0.001" relative="true" />
-  </clock>
-
-Children <noise on="time" model="uniform|gaussian|rayleigh" level|std_dev|sigma="..." bias="0" relative="false" />
-add noise to the time (s), not to the tick; the one above makes a clock that gains 1 ms a second.
-)",
+  </clock>)") +
+        NoiseManual("time",
+                    "the time (s), not to the tick. With the noise of the example, the clock gains "
+                    "1 ms per second."),
     "Usable")
 
 }  // namespace argos

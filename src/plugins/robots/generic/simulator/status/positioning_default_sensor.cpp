@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 
 namespace argos {
 
@@ -63,37 +64,23 @@ void CPositioningDefaultSensor::Reset() {
 
 REGISTER_SENSOR(
     CPositioningDefaultSensor, "positioning", "default", "the authors of this project", "1.0",
-    "Where a robot is, and how it is turned.",
+    "The position and the orientation of a robot.",
     R"(Reads the position of the centre of the robot's base (m) and the orientation of its body, in the world
-frame: exactly, unless noise is asked for.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators />
-      <sensors>
-        <positioning implementation="default" />
-      </sensors>
-      <params />
-    </my_controller>
-  </controllers>
-
-OPTIONAL XML
-
-  <positioning implementation="default"
-               pos_noise_range="-0.1:0.2" angle_noise_range="-0.1:0.1" axis_noise_range="-0.3:0.4" />
-
+frame: exactly, unless noise is configured.
+)" + RequiredSensorXML(R"(<positioning implementation="default" />)") +
+        OptionalXML(R"(<positioning implementation="default"
+               pos_noise_range="-0.1:0.2" angle_noise_range="-0.1:0.1" axis_noise_range="-0.3:0.4" />)") +
+        R"(
   pos_noise_range    "min:max", m, default "0:0": a number drawn evenly from it is added to each
                      coordinate of the position in each tick.
-  angle_noise_range  "min:max", rad, default "0:0": the orientation is a turn by an angle about an
+  angle_noise_range  "min:max", rad, default "0:0": the orientation is a rotation by an angle about an
                      axis; a number drawn evenly from the range is added to the angle.
   axis_noise_range   "min:max", default "0:0": the same for each component of the axis, which has
                      length 1 before and afterwards.
-
-Children <noise on="position|angle|axis" model="uniform|gaussian|rayleigh" level|std_dev|sigma="..." bias="0" relative="false" />
-add noise to each coordinate of the position (m), the angle (rad), each component of the axis.
-)",
+)" +
+        NoiseManual(
+            "position|angle|axis",
+            "each coordinate of the position (m), the angle (rad), each component of the axis."),
     "Usable")
 
 }  // namespace argos

@@ -10,7 +10,7 @@ namespace argos {
 class CControllableEntity;
 class CEmbodiedEntity;
 
-/** The pose of a robot, perhaps with noise. */
+/** The pose of a robot, with optional noise. */
 class CPositioningDefaultSensor : public CSimulatedSensor, public CCI_PositioningSensor {
  public:
   /** @throws CARGoSException if the robot has no "body" or "controller". */

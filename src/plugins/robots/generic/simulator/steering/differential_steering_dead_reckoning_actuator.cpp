@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
@@ -19,10 +20,10 @@ void CDifferentialSteeringDeadReckoningActuator::Init(TConfigurationNode& tree) 
   CDifferentialSteeringDefaultActuator::Init(tree);
   GetNodeAttributeOrDefault(tree, "sigma", m_sigma, m_sigma);
   RequireNotNegative(m_sigma, OwnerOf(tree), "attribute \"sigma\"");
-  StartOver();
+  Restart();
 }
 
-void CDifferentialSteeringDeadReckoningActuator::StartOver() {
+void CDifferentialSteeringDeadReckoningActuator::Restart() {
   m_stream.emplace(GetRobot().GetSimulator().GetRandomSeed(), "argos",
                    GetRobot().GetRootEntity().GetId(), "differential steering dead reckoning");
   m_deviation = m_stream->Rayleigh(m_sigma);
@@ -68,38 +69,25 @@ void CDifferentialSteeringDeadReckoningActuator::Update() {
 
 void CDifferentialSteeringDeadReckoningActuator::Reset() {
   CDifferentialSteeringDefaultActuator::Reset();
-  StartOver();
+  Restart();
 }
 
 REGISTER_ACTUATOR(
     CDifferentialSteeringDeadReckoningActuator, "differential_steering", "dead_reckoning",
     "the authors of this project", "1.0",
     "Drives the two wheels of a robot, which drifts to its left.",
-    R"(Like differential_steering (default), all of whose attributes it takes, but the robot drifts, as robots do that
-find their way by dead reckoning. With v = the mean of the two speeds ordered, the right wheel rolls mu |v| faster while
-v > 0, and the left wheel mu |v| slower while v < 0. Ordered straight on, a robot with the distance d between its wheels
-follows a circle of radius d (2 + mu) / (2 mu) ahead and d (2 - mu) / (2 mu) back, around a point on its left. mu is drawn
-from a Rayleigh distribution at the start, and anew whenever the robot begins to hold something with its gripper.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators>
-        <differential_steering implementation="dead_reckoning" />
-      </actuators>
-      <sensors />
-      <params />
-    </my_controller>
-  </controllers>
-
-OPTIONAL XML
-
-  <differential_steering implementation="dead_reckoning" sigma="0.00134" />
-
+    R"(Like differential_steering (default), with the same attributes, but the robot drifts, as robots do that navigate
+by dead reckoning. With v = the mean of the two commanded speeds, the right wheel rolls mu |v| faster while v > 0, and
+the left wheel mu |v| slower while v < 0. With equal speeds, a robot with the distance d between its wheels follows a
+circle of radius d (2 + mu) / (2 mu) ahead and d (2 - mu) / (2 mu) back, around a point on its left. mu is drawn from a
+Rayleigh distribution at the start, and again each time the gripper of the robot grips a body.
+)" + RequiredActuatorXML(R"(<differential_steering implementation="dead_reckoning" />)") +
+        OptionalXML(
+            R"(<differential_steering implementation="dead_reckoning" sigma="0.00134" />)") +
+        R"(
   sigma  real number >= 0, default 0.00134: of the Rayleigh distribution; the mean of mu is 1.2533 sigma.
 
-All attributes and <noise> children of differential_steering (default) come before the drift.
+The drift is applied after all attributes and <noise> children of differential_steering (default).
 )",
     "Usable")
 

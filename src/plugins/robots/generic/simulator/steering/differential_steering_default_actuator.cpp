@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/prefetch.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
 
@@ -16,7 +17,7 @@ namespace {
 constexpr Real kMetersPerCentimeter = 0.01;
 const char* const kWheelSuffix[2] = {"_left", "_right"};
 
-// for both wheels: the attribute of that name, unless the wheel has its own
+// reads the attribute for both wheels; the attribute with a suffix has precedence for its wheel
 bool ReadForWheels(TConfigurationNode& tree, const std::string& attribute, Real& left,
                    Real& right) {
   Real* const values[2] = {&left, &right};
@@ -118,25 +119,14 @@ void CDifferentialSteeringDefaultActuator::Reset() {
 REGISTER_ACTUATOR(
     CDifferentialSteeringDefaultActuator, "differential_steering", "default",
     "the authors of this project", "1.0", "Drives the two wheels of a robot.",
-    R"(The controller orders the ground speed of each wheel, in cm/s. The order holds from the next tick on
-until it is changed; wheels stand still at the start and after a reset. There is no speed limit.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators>
-        <differential_steering implementation="default" />
-      </actuators>
-      <sensors />
-      <params />
-    </my_controller>
-  </controllers>
-
+    R"(The controller sets the ground speed of each wheel, in cm/s. A speed holds from the next tick on until it is
+changed; at the start and after a reset the speeds are 0. There is no speed limit.
+)" + RequiredActuatorXML(R"(<differential_steering implementation="default" />)") +
+        R"(
 OPTIONAL XML
 
-Noise: a wheel ordered to the speed v rolls at f (v + b), unless both wheels are ordered to stand still. The factor f
-is drawn from a Gaussian each time the controller gives an order, the bias b once at the start of the experiment.
+Noise: a wheel whose speed is set to v rolls at f (v + b), unless both speeds are set to 0. The factor f is drawn from a
+Gaussian each time the controller sets speeds, the bias b once at the start of the experiment.
 
   <differential_steering implementation="default"
                          bias_avg="0" bias_stddev="0.002"
@@ -147,13 +137,13 @@ is drawn from a Gaussian each time the controller gives an order, the bias b onc
   factor_avg     real number, default 1: mean of f.
   factor_stddev  real number >= 0, default 0: standard deviation of f.
 
-Each of the four also with the suffix _left or _right, which wins for that wheel:
+Each of the four also exists with the suffix _left or _right, which has precedence for that wheel:
 
   <differential_steering implementation="default" bias_avg_left="0.003" factor_stddev_right="0.1" />
-
-Children <noise on="left|right" model="uniform|gaussian|rayleigh" level|std_dev|sigma="..." bias="0" relative="false" />
-add noise to the speed of a wheel (m/s) each time the controller gives an order, unless both are ordered to stand still.
-)",
+)" +
+        NoiseManual("left|right",
+                    "the speed of a wheel (m/s) each time the controller sets speeds, unless both "
+                    "are set to 0."),
     "Usable")
 
 }  // namespace argos

@@ -14,22 +14,22 @@ class CControllableEntity;
 class CWheeledEntity;
 
 /**
- * Turns the two wheels of a robot, perhaps not quite as ordered.
+ * Sets both wheel speeds of a robot, with optional noise.
  *
- * With noise, a wheel ordered to v rolls at f (v + b) unless both are ordered to stand still: f is
- * drawn from a Gaussian at each order, b from another once at the start of the experiment.
+ * With noise, a wheel whose speed is set to v rolls at f (v + b) unless both speeds are 0: f is
+ * drawn from a Gaussian at each command, b from another one once at the start of the experiment.
  */
 class CDifferentialSteeringDefaultActuator : public CSimulatedActuator,
                                              public CCI_DifferentialSteeringActuator {
  public:
-  /** @throws CARGoSException unless the robot has "wheels", two of them. */
+  /** @throws CARGoSException if the robot does not have two "wheels". */
   void SetRobot(CComposableEntity& robot) override;
   /**
    * Reads the parameters of the noise, and `<noise>` children.
    * @throws CARGoSException if a deviation is negative.
    */
   void Init(TConfigurationNode& tree) override;
-  /** @throws CARGoSException that names the robot if a speed is not finite. */
+  /** @throws CARGoSException if a speed is not finite. */
   void SetLinearVelocity(Real left, Real right) override;
   void Update() override;
   void PrefetchUpdate() const override;
@@ -55,7 +55,7 @@ class CDifferentialSteeringDefaultActuator : public CSimulatedActuator,
 
   CWheeledEntity* m_wheels = nullptr;  // of the robot
   CControllableEntity* m_robot = nullptr;
-  std::unique_ptr<SNoise> m_wheelNoise;  // only with noise of that kind
+  std::unique_ptr<SNoise> m_wheelNoise;  // null without this noise
   CDeviceNoise m_noise;
 };
 

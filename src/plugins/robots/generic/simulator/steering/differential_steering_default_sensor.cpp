@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
 
 namespace argos {
@@ -54,32 +55,18 @@ void CDifferentialSteeringDefaultSensor::Reset() {
 REGISTER_SENSOR(
     CDifferentialSteeringDefaultSensor, "differential_steering", "default",
     "the authors of this project", "1.0", "The encoders of the two wheels of a robot.",
-    R"(Reads the speed of each wheel, in cm/s, and how far it rolled in the last tick, in cm: as ordered
-by the actuator, its noise included, whether or not the robot moved so far. Also the distance between the wheels, in cm.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators />
-      <sensors>
-        <differential_steering implementation="default" />
-      </sensors>
-      <params />
-    </my_controller>
-  </controllers>
-
-OPTIONAL XML
-
-  <differential_steering implementation="default" vel_noise_range="-0.1:0.2" dist_noise_range="-10.5:13.7" />
-
+    R"(Reads the speed of each wheel, in cm/s, and the distance that it rolled in the last tick, in cm, as set by the
+actuator including its noise, even if the robot moved differently. Also reads the distance between the wheels, in cm.
+)" + RequiredSensorXML(R"(<differential_steering implementation="default" />)") +
+        OptionalXML(
+            R"(<differential_steering implementation="default" vel_noise_range="-0.1:0.2" dist_noise_range="-10.5:13.7" />)") +
+        R"(
   vel_noise_range   "min:max", cm/s, default "0:0": a number drawn evenly from it is added to each
                     speed in each tick.
   dist_noise_range  "min:max", cm, default "0:0": the same for the distances.
-
-Children <noise on="velocity_left|velocity_right|distance_left|distance_right" model="uniform|gaussian|rayleigh"
-level|std_dev|sigma="..." bias="0" relative="false" /> add noise to a speed (cm/s) or a distance (cm) in each tick.
-)",
+)" +
+        NoiseManual("velocity_left|velocity_right|distance_left|distance_right",
+                    "a speed (cm/s) or a distance (cm) in each tick."),
     "Usable")
 
 }  // namespace argos

@@ -10,11 +10,11 @@ namespace argos {
 class CControllableEntity;
 class CWheeledEntity;
 
-/** Encoders: how the wheels turn, which is not how far the robot gets if it slips or pushes. */
+/** Wheel encoders: the rotation of the wheels, not the motion of a robot that slips or pushes. */
 class CDifferentialSteeringDefaultSensor : public CSimulatedSensor,
                                            public CCI_DifferentialSteeringSensor {
  public:
-  /** @throws CARGoSException unless the robot has "wheels", two of them. */
+  /** @throws CARGoSException if the robot does not have two "wheels". */
   void SetRobot(CComposableEntity& robot) override;
   /** Reads `vel_noise_range` (cm/s), `dist_noise_range` (cm), and `<noise>` children. */
   void Init(TConfigurationNode& tree) override;
