@@ -20,13 +20,27 @@ function(argos_link_headers rootVariable target prefix folder)
   set(${rootVariable} "${root}" PARENT_SCOPE)
 endfunction()
 
-# Installs public headers of a folder under include/argos3/<prefix>, keeping the sub-folders in their names, and makes
-# their hash a part of the build id of plug-ins.
-function(argos_install_headers library prefix folder)
-  foreach(header IN LISTS ARGN)
-    get_filename_component(subfolder "${header}" DIRECTORY)
+# Like argos_link_headers(), for headers whose include paths differ from their places in the source folder: makes one
+# link for each header. Both lists are passed by name and have the same order.
+function(argos_link_each_header rootVariable target prefix headersVariable includePathsVariable)
+  # a folder of its own: include/<target>/argos3/<prefix> may be a link to the source folder, from an earlier configure
+  set(root "${PROJECT_BINARY_DIR}/include/flat/${target}")
+  file(REMOVE_RECURSE "${root}")
+  foreach(header includePath IN ZIP_LISTS ${headersVariable} ${includePathsVariable})
+    get_filename_component(folder "${root}/argos3/${prefix}/${includePath}" DIRECTORY)
+    file(MAKE_DIRECTORY "${folder}")
+    file(CREATE_LINK "${CMAKE_CURRENT_SOURCE_DIR}/${header}" "${root}/argos3/${prefix}/${includePath}" SYMBOLIC)
+  endforeach()
+  set(${rootVariable} "${root}" PARENT_SCOPE)
+endfunction()
+
+# Installs public headers of a folder at their include paths below include/argos3/<prefix>, and makes their hash a part
+# of the build id of plug-ins. Takes the same two lists.
+function(argos_install_headers library prefix folder headersVariable includePathsVariable)
+  foreach(header includePath IN ZIP_LISTS ${headersVariable} ${includePathsVariable})
+    get_filename_component(subfolder "${includePath}" DIRECTORY)
     install(FILES "${folder}/${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/argos3/${prefix}/${subfolder}")
-    argos_add_public_header(${library} "argos3/${prefix}/${header}" "${folder}/${header}")
+    argos_add_public_header(${library} "argos3/${prefix}/${includePath}" "${folder}/${header}")
   endforeach()
 endfunction()
 
@@ -77,7 +91,7 @@ function(argos_add_core_part name)
   argos_precompile(${target} library)
 
   argos_check_headers(${target} ${ARG_INCLUDE_PREFIX} ${ARG_PUBLIC_HEADERS})
-  argos_install_headers(core ${ARG_INCLUDE_PREFIX} "${folder}" ${ARG_PUBLIC_HEADERS})
+  argos_install_headers(core ${ARG_INCLUDE_PREFIX} "${folder}" ARG_PUBLIC_HEADERS ARG_PUBLIC_HEADERS)
 endfunction()
 
 # argos_add_core(PARTS ... [LINK ...])
@@ -102,12 +116,14 @@ function(argos_add_core)
 endfunction()
 
 # argos_add_plugin(<name> INCLUDE_PREFIX <p> [PUBLIC_HEADERS ...] [SOURCES ...] [LINK ...] [LINK_PRIVATE ...]
-#                  [CONTROL_INTERFACE_HEADERS ...] [CONTROL_INTERFACE_SOURCES ...])
+#                  [CONTROL_INTERFACE_HEADERS ...] [CONTROL_INTERFACE_SOURCES ...] [FLAT_FOLDER <f>])
 #   PUBLIC_HEADERS are installed and each compiled alone; LINK names the targets whose headers may be used (the core
 #   always is); LINK_PRIVATE is third party and never leaks. The CONTROL_INTERFACE_ lists, of robots, name what lies in
-#   the folder control_interface/: a build for a robot compiles that alone.
+#   the folder control_interface/: a build for a robot compiles that alone. FLAT_FOLDER names a folder whose sub-folders
+#   group the sources but do not appear in include paths: <f>/rays/ray_caster.h is included as
+#   <argos3/<p>/<f>/ray_caster.h>, in the build tree and when installed.
 function(argos_add_plugin name)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "INCLUDE_PREFIX"
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "INCLUDE_PREFIX;FLAT_FOLDER"
     "PUBLIC_HEADERS;SOURCES;CONTROL_INTERFACE_HEADERS;CONTROL_INTERFACE_SOURCES;LINK;LINK_PRIVATE")
   list(TRANSFORM ARG_CONTROL_INTERFACE_HEADERS PREPEND control_interface/)
   list(TRANSFORM ARG_CONTROL_INTERFACE_SOURCES PREPEND control_interface/)
@@ -125,7 +141,13 @@ function(argos_add_plugin name)
   endif()
 
   set(target argos3plugin_${ARGOS_BUILD_FOR}_${name})
-  argos_link_headers(root ${target} ${ARG_INCLUDE_PREFIX}${linkedFolder} "${CMAKE_CURRENT_SOURCE_DIR}${linkedFolder}")
+  set(includePaths ${headers})
+  if(ARG_FLAT_FOLDER)
+    list(TRANSFORM includePaths REPLACE "^${ARG_FLAT_FOLDER}/.+/" "${ARG_FLAT_FOLDER}/")
+    argos_link_each_header(root ${target} ${ARG_INCLUDE_PREFIX} headers includePaths)
+  else()
+    argos_link_headers(root ${target} ${ARG_INCLUDE_PREFIX}${linkedFolder} "${CMAKE_CURRENT_SOURCE_DIR}${linkedFolder}")
+  endif()
   add_library(${target} SHARED ${sources})
   add_library(argos3::${name} ALIAS ${target})
   target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${root}>")
@@ -140,8 +162,8 @@ function(argos_add_plugin name)
   endforeach()
 
   argos_precompile(${target} library)
-  argos_check_headers(${target} ${ARG_INCLUDE_PREFIX} ${headers})
-  argos_install_headers(${name} ${ARG_INCLUDE_PREFIX} "${CMAKE_CURRENT_SOURCE_DIR}" ${headers})
+  argos_check_headers(${target} ${ARG_INCLUDE_PREFIX} ${includePaths})
+  argos_install_headers(${name} ${ARG_INCLUDE_PREFIX} "${CMAKE_CURRENT_SOURCE_DIR}" headers includePaths)
   install(TARGETS ${target} EXPORT ARGoSTargets LIBRARY DESTINATION ${ARGOS_LIBRARY_SUBDIR})
 endfunction()
 

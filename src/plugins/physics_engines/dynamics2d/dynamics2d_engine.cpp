@@ -335,6 +335,20 @@ ATTRIBUTES
                              hands those that cross it to that engine (doc/space_partitioning.md).
   ghosts                     true or false, default true: robots of other engines near the border are felt.
   spatial_hash               accepted and ignored.
+
+A robot with two driven wheels may have other limits of its drive than its manual states. They are a child of the
+robot's element, and hold in every engine that computes forces:
+
+  <foot-bot id="fb0">
+    <body position="0,0,0" />
+    <controller config="c1" />
+    <dynamics2d>
+      <differential_steering max_force="15" max_torque="150" />
+    </dynamics2d>
+  </foot-bot>
+
+  differential_steering@max_force   N, > 0: largest force with which the wheels push the robot.
+  differential_steering@max_torque  N m, > 0: largest torque with which the wheels turn the robot.
 )",
     "Usable")
 

@@ -153,7 +153,7 @@ TEST_CASE("descriptions: examples of entities and media load and run", "[contrac
 }
 
 TEST_CASE("descriptions: examples of physics engines load and run", "[contract][robots]") {
-  CHECK(RunExamples<CPhysicsEngine>("dynamics2d") == 2);
+  CHECK(RunExamples<CPhysicsEngine>("dynamics2d") == 3);
   CHECK(RunExamples<CPhysicsEngine>("pointmass3d") == 2);
 }
 
@@ -192,4 +192,25 @@ TEST_CASE("descriptions: all examples of devices are found", "[contract][robots]
   CHECK(RunExamples<CSimulatedSensor>("rfid (medium)", "sensors", "e-puck") == 3);
   CHECK(RunExamples<CSimulatedSensor>("eyebot_proximity (default)", "sensors", "eye-bot") == 2);
   CHECK(RunExamples<CSimulatedSensor>("eyebot_light (rot_z_only)", "sensors", "eye-bot") == 2);
+}
+
+TEST_CASE("descriptions: no robot and no device names a physics engine", "[contract][robots]") {
+  const auto engines = CFactory<CPhysicsEngine>::GetLabels();
+  REQUIRE(engines.size() >= 4);
+  const auto check = [&engines](const std::string& label, const auto& info) {
+    for (const std::string& engine : engines) {
+      CAPTURE(label, engine);
+      CHECK(info.BriefDescription.find(engine) == std::string::npos);
+      CHECK(info.LongDescription.find(engine) == std::string::npos);
+    }
+  };
+  for (const char* robot : {"foot-bot", "e-puck", "eye-bot"}) {
+    check(robot, CFactory<CEntity>::GetTypes().at(robot));
+  }
+  for (const auto& [label, info] : CFactory<CSimulatedSensor>::GetTypes()) {
+    check(label, info);
+  }
+  for (const auto& [label, info] : CFactory<CSimulatedActuator>::GetTypes()) {
+    check(label, info);
+  }
 }

@@ -224,7 +224,8 @@ TEST_CASE("ground: without a floor, experiments are refused", "[contract][sensor
   const std::string error = LoadError(experiment);
   CHECK_THAT(error, Contains("test.argos:") && Contains("<" + tag + ">") && Contains("<floor>"));
   // the error is reported once, although two robots have the sensor
-  CHECK(error.find("there is none") == error.rfind("there is none"));
+  CHECK_THAT(error, Contains("needs a floor"));
+  CHECK(error.find("needs a floor") == error.rfind("needs a floor"));
 }
 
 TEST_CASE("ground: a floor removed during a run is an error that names the robot",

@@ -1,6 +1,6 @@
 #include <argos3/plugins/robots/e-puck/control_interface/ci_epuck_proximity_sensor.h>
 
-#include <argos3/plugins/robots/generic/control_interface/placed_readings.h>
+#include <argos3/plugins/robots/generic/control_interface/placed_readings_impl.h>
 
 namespace argos {
 
@@ -11,18 +11,9 @@ CRadians CCI_EPuckProximitySensor::GetAngle(UInt32 index) {
   return CRadians(CRadians::PI / kDivisors[index]).SignedNormalize();
 }
 
-CCI_EPuckProximitySensor::CCI_EPuckProximitySensor() {
-  m_tReadings = MakeReadings<SReading>(kNumSensors, GetAngle);
-}
+const SSensorPlaces<CRadians> CCI_EPuckProximitySensor::kPlaces = {"epuck_proximity", "proximity",
+                                                                   kNumSensors, &GetAngle};
 
-void CCI_EPuckProximitySensor::CreateLuaState(lua_State* state) {
-  CLuaTable proximity(state, *this, "proximity");
-  WriteAngularReadings(proximity, m_tReadings);
-}
-
-void CCI_EPuckProximitySensor::ReadingsToLuaState(lua_State* state) {
-  CLuaTable proximity(state, *this);
-  WriteAngularReadings(proximity, m_tReadings);
-}
+template class CPlacedSensors<CAngularReadings<CCI_EPuckProximitySensor>>;
 
 }  // namespace argos

@@ -8,7 +8,7 @@ namespace argos {
 
 namespace {
 
-// drawn by eye after photographs, except for what epuck_measures.h says
+// estimated from photographs, except for the values in epuck_measures.h
 constexpr CColor kTranslucentBody(205, 228, 190, 190);
 constexpr CColor kBattery(70, 78, 70);
 constexpr CColor kWheel(30, 30, 32);
@@ -23,7 +23,7 @@ constexpr CColor kLED(214, 216, 220);
 // side: 1 left, -1 right
 void AddWheel(SAppearance& robot, Real side) {
   const auto addDisc = [&robot, side](Real radius, Real width, const CColor& color) {
-    // the axis along y: the cylinder's own axis is z
+    // rotates the axis of the cylinder from z to y
     AddPart(
         robot, SVisualPart::EKind::Cylinder,
         CVector3(0.0, side * 0.5 * epuck::kInterwheelDistance + 0.5 * width, epuck::kWheelRadius),
@@ -72,7 +72,7 @@ SAppearance MakeEPuckAppearance() {
   AddDisc(robot, kBodyRadius - 0.001, 0.068, 0.072, kTopBoard);
   AddDisc(robot, 0.014, 0.072, 0.08, kSpeaker);
   AddLightGuide(robot);
-  // which way it looks
+  // mark of the heading
   AddPart(robot, SVisualPart::EKind::Box, CVector3(0.0225, 0.0, 0.072),
           CVector3(0.021, 0.009, 0.003), kHeadingMark);
   AddLEDRing(robot,

@@ -5,7 +5,7 @@
 
 namespace argos {
 
-/** What an e-puck looks like. */
+/** @return the appearance of e-pucks. */
 SAppearance MakeEPuckAppearance();
 
 }  // namespace argos

@@ -22,15 +22,15 @@ class CEPuckEntity : public CDifferentialDriveRobotEntity {
 
   CEPuckEntity();
   /**
-   * Makes a robot with its controller, whose Init() runs at once.
+   * Creates a robot with its controller, and calls the controller's Init().
    *
-   * The parameters of range and bearing and of the battery are checked, and used by those devices.
+   * The parameters of range and bearing and of the battery are checked here.
    * @param controllerId           `id` of a child of `<controllers>`; empty for none.
    * @param position, orientation  m, world frame.
-   * @param rabRange               how far messages reach, m, >= 0.
+   * @param rabRange               range of messages, m, >= 0.
    * @param rabDataSize            bytes of a message.
-   * @param batteryModel           how the battery runs down.
-   * @throws CARGoSException if a parameter is out of range, or the controller cannot be made.
+   * @param batteryModel           label of the discharge model; empty: constant charge.
+   * @throws CARGoSException if a parameter is out of range, or the controller cannot be created.
    */
   CEPuckEntity(const std::string& id, const std::string& controllerId,
                const CVector3& position = CVector3(),
@@ -40,7 +40,7 @@ class CEPuckEntity : public CDifferentialDriveRobotEntity {
   void Init(TConfigurationNode& tree) override;
   std::string GetTypeDescription() const override { return "e-puck"; }
 
-  /** Components that are made when first asked for; see CRobotEntity. */
+  /** Components that are created on the first call; see CRobotEntity. */
   CBatteryEquippedEntity& GetBatterySensorEquippedEntity();
   CGroundSensorEquippedEntity& GetGroundSensorEquippedEntity();
   CLightSensorEquippedEntity& GetLightSensorEquippedEntity();

@@ -4,7 +4,7 @@
 #include <argos3/core/utility/datatypes/datatypes.h>
 
 /*
- * The measures of the e-puck, as published with ARGoS 3. Lengths in m from the centre of the base;
+ * Dimensions of the e-puck, as published with ARGoS 3. Lengths in m from the centre of the base;
  * x ahead, y left, z up; angles counter-clockwise from straight ahead.
  */
 
@@ -24,12 +24,12 @@ constexpr Real kWheelRadius = 0.0205;
 constexpr Real kMaxDriveForce = 1.5;  // N
 constexpr Real kMaxDriveTorque = 1.5;  // N m
 
-// proximity sensors; where they point is in ci_epuck_proximity_sensor.h
+// proximity sensors; ci_epuck_proximity_sensor.h has their directions
 constexpr Real kProximityElevation = 0.06;
 constexpr Real kProximityRadius = kBodyRadius;
 constexpr Real kProximityRange = 0.1;
 
-// ring of light sensors, as wide and high as the proximity sensors
+// ring of light sensors, with the radius and elevation of the proximity sensors
 constexpr UInt32 kNumLightSensors = 8;
 constexpr Real kLightRingStartAngle = 22.5;  // degrees
 

@@ -6,15 +6,10 @@
 
 namespace argos {
 
-/** The e-puck's proximity sensors, with the response of the real ones. */
+/** The proximity sensors of the e-puck. */
 class CEPuckProximityDefaultSensor : public CAngularProximitySensor<CCI_EPuckProximitySensor> {
  public:
-  /** @throws CARGoSException unless the robot has eight proximity sensors. */
-  void SetRobot(CComposableEntity& robot) override;
-  /**
-   * What a sensor reads, before noise: a parabola up to 5 cm, then 0; clamped to [0,1] afterwards.
-   * @param distance  from the start of its ray to what it met, m, >= 0.
-   */
+  /** Response of the real sensors: a parabola up to 5 cm, then 0. */
   Real CalculateReading(Real distance) override;
 };
 

@@ -1,29 +1,13 @@
 #include <argos3/plugins/robots/eye-bot/control_interface/ci_eyebot_light_sensor.h>
 
-#include <argos3/plugins/robots/generic/control_interface/placed_readings.h>
+#include <argos3/plugins/robots/generic/control_interface/placed_readings_impl.h>
 
 namespace argos {
 
-namespace {
-
 // as published with ARGoS 3
-constexpr UInt32 kNumReadings = 24;
-constexpr Real kStartAngle = 7.5;  // degrees
+const SSensorPlaces<CRadians> CCI_EyeBotLightSensor::kPlaces = {"eyebot_light", "light", 24,
+                                                                &GetAngleOnRing<24>};
 
-}  // namespace
-
-CCI_EyeBotLightSensor::CCI_EyeBotLightSensor() {
-  m_tReadings = MakeRing<SReading>(kNumReadings, kStartAngle);
-}
-
-void CCI_EyeBotLightSensor::CreateLuaState(lua_State* state) {
-  CLuaTable light(state, *this, "light");
-  WriteAngularReadings(light, m_tReadings);
-}
-
-void CCI_EyeBotLightSensor::ReadingsToLuaState(lua_State* state) {
-  CLuaTable light(state, *this);
-  WriteAngularReadings(light, m_tReadings);
-}
+template class CPlacedSensors<CAngularReadings<CCI_EyeBotLightSensor>>;
 
 }  // namespace argos

@@ -1,25 +1,20 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_EYE_BOT_CONTROL_INTERFACE_CI_EYEBOT_PROXIMITY_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_EYE_BOT_CONTROL_INTERFACE_CI_EYEBOT_PROXIMITY_SENSOR_H
 
-#include <argos3/core/control_interface/ci_sensor.h>
-#include <argos3/plugins/robots/generic/control_interface/angular_readings.h>
+#include <argos3/plugins/robots/generic/control_interface/placed_readings.h>
 
 namespace argos {
 
 /**
  * The ring of 24 proximity sensors of the eye-bot.
  *
- * GetReadings() has 24 readings, counter-clockwise from 7.5 degrees in steps of 15: 0 sees
- * nothing, larger is nearer.
+ * GetReadings() has 24 readings, counter-clockwise from 7.5 degrees in steps of 15: 0 means
+ * that no object is in range, larger is nearer.
  */
-class CCI_EyeBotProximitySensor : public CCI_Sensor,
-                                  public CAngularReadings<CCI_EyeBotProximitySensor> {
+class CCI_EyeBotProximitySensor
+    : public CPlacedSensors<CAngularReadings<CCI_EyeBotProximitySensor>> {
  public:
-  CCI_EyeBotProximitySensor();
-
-  /** robot.proximity[i] = { angle, value } */
-  void CreateLuaState(lua_State* state) override;
-  void ReadingsToLuaState(lua_State* state) override;
+  static const SSensorPlaces<CRadians> kPlaces;
 };
 
 }  // namespace argos

@@ -10,7 +10,7 @@ namespace {
 
 using EKind = SVisualPart::EKind;
 
-// drawn by eye after photographs, except for what eyebot_measures.h says
+// estimated from photographs, except for the values in eyebot_measures.h
 constexpr CColor kCarbon(34, 36, 40);
 constexpr CColor kElectronics(58, 62, 70);
 constexpr CColor kMetal(176, 180, 186);
@@ -33,7 +33,7 @@ constexpr Real kCoreRadius = 0.046;
 constexpr Real kCoreTop = 0.235;
 constexpr Real kFootDistance = 0.11;
 
-// in the plane, as seen from the robot's axis
+// in the plane, relative to the robot's axis
 CVector3 At(Real distance, const CRadians& angle) {
   return CVector3(distance * Cos(angle), distance * Sin(angle), 0.0);
 }
@@ -47,7 +47,7 @@ void AddRotor(SAppearance& robot, const CVector3& axis, Real height, const CRadi
   AddDisc(robot, kRotorRadius, height + 0.0005, height + 0.002, kSweptDisc, axis);
 }
 
-// an arm with its motors and its two propellers, which turn against each other
+// an arm with its motors and two counter-rotating propellers
 void AddArm(SAppearance& robot, const CRadians& angle) {
   constexpr Real kMotorRadius = 0.014;
   const Real bottom = kHoopElevation - 0.5 * kArmHeight;
@@ -88,7 +88,7 @@ void AddLEDs(SAppearance& robot) {
 
 SAppearance MakeEyeBotAppearance() {
   SAppearance robot;
-  // core: camera below, electronics, a mark that says which way it looks
+  // core: camera below, electronics, mark of the heading
   AddDisc(robot, 0.024, 0.066, 0.09, kCarbon);
   AddPart(robot, EKind::Sphere, CVector3(0.0, 0.0, 0.068), CVector3(0.032, 0.032, 0.032), kLens);
   AddDisc(robot, kCoreRadius, 0.09, kCoreTop, kElectronics);
@@ -98,7 +98,7 @@ SAppearance MakeEyeBotAppearance() {
   AddPart(robot, EKind::Box,
           CVector3(eyebot::kBodyRadius - 0.5 * kHoopThickness, 0.0, kHoopElevation),
           CVector3(kHoopThickness, 0.04, 0.6 * kHoopThickness), kHeadingMark);
-  // mast, and what holds on to a ceiling
+  // mast, and the device for attaching to a ceiling
   AddDisc(robot, 0.009, kCoreTop, 0.535, kCarbon);
   AddDisc(robot, 0.02, 0.51, 0.54, kElectronics);
   AddDisc(robot, 0.05, 0.54, eyebot::kBodyHeight, kMetal);

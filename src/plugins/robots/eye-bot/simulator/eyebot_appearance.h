@@ -5,7 +5,7 @@
 
 namespace argos {
 
-/** What every eye-bot looks like, in the frame of its origin. */
+/** @return the appearance of eye-bots, in the frame of the origin. */
 SAppearance MakeEyeBotAppearance();
 
 }  // namespace argos

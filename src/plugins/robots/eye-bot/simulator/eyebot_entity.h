@@ -26,17 +26,17 @@ class CEyeBotEntity : public CRobotEntity {
 
   CEyeBotEntity();
   /**
-   * Makes a robot with its controller, whose Init() runs at once.
+   * Creates a robot with its controller, and calls the controller's Init().
    *
-   * The parameters of range and bearing, battery and camera are checked, and used by those devices.
+   * The parameters of range and bearing, battery and camera are checked here.
    * @param controllerId           `id` of a child of `<controllers>`; empty for none.
    * @param position, orientation  m, world frame.
-   * @param rabRange               how far messages reach, m, >= 0.
+   * @param rabRange               range of messages, m, >= 0.
    * @param rabDataSize            bytes of a message.
-   * @param batteryModel           how the battery runs down.
+   * @param batteryModel           label of the discharge model; empty: constant charge.
    * @param perspcamAperture       half angle of the view straight down, in (0, 90) degrees.
    * @param perspcamFocalLength, perspcamRange  m, > 0.
-   * @throws CARGoSException if a parameter is out of range, or the controller cannot be made.
+   * @throws CARGoSException if a parameter is out of range, or the controller cannot be created.
    */
   CEyeBotEntity(const std::string& id, const std::string& controllerId,
                 const CVector3& position = CVector3(),
@@ -51,7 +51,7 @@ class CEyeBotEntity : public CRobotEntity {
   CQuadRotorEntity& GetQuadRotorEntity() { return *m_quadrotor; }
   const CQuadRotorEntity& GetQuadRotorEntity() const { return *m_quadrotor; }
 
-  /** Components that are made when first asked for; see CRobotEntity. */
+  /** Components that are created on the first call; see CRobotEntity. */
   CBatteryEquippedEntity& GetBatterySensorEquippedEntity();
   CLightSensorEquippedEntity& GetLightSensorEquippedEntity();
   CPerspectiveCameraEquippedEntity& GetPerspectiveCameraEquippedEntity();

@@ -2,19 +2,12 @@
 #define ARGOS3_PLUGINS_ROBOTS_EYE_BOT_SIMULATOR_EYEBOT_LIGHT_ROTZONLY_SENSOR_H
 
 #include <argos3/plugins/robots/eye-bot/control_interface/ci_eyebot_light_sensor.h>
-#include <argos3/plugins/robots/generic/simulator/angular_light.h>
-#include <argos3/plugins/robots/generic/simulator/placed_readings_sensor.h>
+#include <argos3/plugins/robots/generic/simulator/angular_light_sensor.h>
 
 namespace argos {
 
-/** The eye-bot's light sensors; see CAngularLight for the model. */
-class CEyeBotLightRotZOnlySensor
-    : public CPlacedReadingsSensor<CCI_EyeBotLightSensor, CAngularLight> {
- public:
-  /** @throws CARGoSException unless the robot has 24 light sensors. */
-  void SetRobot(CComposableEntity& robot) override;
-  void Update() override;
-};
+/** The light sensors of the eye-bot. */
+class CEyeBotLightRotZOnlySensor : public CAngularLightSensor<CCI_EyeBotLightSensor> {};
 
 }  // namespace argos
 

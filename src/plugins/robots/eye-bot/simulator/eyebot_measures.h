@@ -4,7 +4,7 @@
 #include <argos3/core/utility/datatypes/datatypes.h>
 
 /*
- * The measures of the eye-bot, as published with ARGoS 3. Lengths in m from the centre of the base;
+ * Dimensions of the eye-bot, as published with ARGoS 3. Lengths in m from the centre of the base;
  * x ahead, y left, z up; angles in degrees, counter-clockwise from straight ahead.
  */
 

@@ -1,6 +1,6 @@
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_base_ground_sensor.h>
 
-#include <argos3/plugins/robots/generic/control_interface/placed_readings.h>
+#include <argos3/plugins/robots/generic/control_interface/placed_readings_impl.h>
 
 namespace argos {
 
@@ -11,18 +11,9 @@ CVector2 CCI_FootBotBaseGroundSensor::GetOffset(UInt32 index) {
   return CVector2(kOffsets[index][0], kOffsets[index][1]);
 }
 
-CCI_FootBotBaseGroundSensor::CCI_FootBotBaseGroundSensor() {
-  m_tReadings = MakeReadings<SReading>(kNumSensors, GetOffset);
-}
+const SSensorPlaces<CVector2> CCI_FootBotBaseGroundSensor::kPlaces = {
+    "footbot_base_ground", "base_ground", kNumSensors, &GetOffset};
 
-void CCI_FootBotBaseGroundSensor::CreateLuaState(lua_State* state) {
-  CLuaTable ground(state, *this, "base_ground");
-  WriteOffsetReadings(ground, m_tReadings);
-}
-
-void CCI_FootBotBaseGroundSensor::ReadingsToLuaState(lua_State* state) {
-  CLuaTable ground(state, *this);
-  WriteOffsetReadings(ground, m_tReadings);
-}
+template class CPlacedSensors<COffsetReadings<CCI_FootBotBaseGroundSensor>, CVirtualTableSensor>;
 
 }  // namespace argos

@@ -9,23 +9,23 @@ namespace argos {
 
 /**
  * The motor of the distance scanner of the foot-bot. It is off at the start. The last call in a
- * step counts, from the next tick on.
+ * step takes effect in the next tick.
  */
 class CCI_FootBotDistanceScannerActuator : virtual public CCI_Actuator {
  public:
   /**
-   * Turns the scanner to an angle, at once, and holds it there.
+   * Rotates the scanner to an angle at once, and holds it there.
    * @param angle  of the first short-range head, counter-clockwise from ahead.
    * @throws CARGoSException if it is not finite.
    */
   virtual void SetAngle(const CRadians& angle) = 0;
   /**
-   * Keeps the scanner turning.
+   * Rotates the scanner continuously.
    * @param rpm  turns per minute, positive counter-clockwise.
    * @throws CARGoSException if it is not finite.
    */
   virtual void SetRPM(Real rpm) = 0;
-  /** Switches it on, held at the angle where it is. */
+  /** Switches it on; it holds its angle. */
   virtual void Enable() = 0;
   /** Switches it off. */
   virtual void Disable() = 0;

@@ -6,8 +6,8 @@ namespace argos {
 
 namespace {
 
-// both ranges while it turns, once in the map of their range and once in that of all
-constexpr size_t kMostNodes = 48;
+// both ranges while it rotates, once in the map of their range and once in the map of both
+constexpr size_t kMaxNodes = 48;
 
 void WriteRange(CLuaTable list, const CCI_FootBotDistanceScannerSensor::TReadingsMap& readings) {
   list.SetNewRecords(readings, [](CLuaTable& record, const auto& reading) {
@@ -19,7 +19,7 @@ void WriteRange(CLuaTable list, const CCI_FootBotDistanceScannerSensor::TReading
 }  // namespace
 
 CCI_FootBotDistanceScannerSensor::CCI_FootBotDistanceScannerSensor() {
-  m_spares.reserve(kMostNodes);
+  m_spares.reserve(kMaxNodes);
 }
 
 void CCI_FootBotDistanceScannerSensor::SetReadings(const TReadings& shortRange,
@@ -62,16 +62,9 @@ void CCI_FootBotDistanceScannerSensor::Put(TReadingsMap& map, const SReading& re
   }
 }
 
-void CCI_FootBotDistanceScannerSensor::CreateLuaState(lua_State* state) {
-  CLuaTable scanner(state, *this, "distance_scanner");
-  WriteRange(scanner.MakeTable("short_range"), m_tShortReadingsMap);
-  WriteRange(scanner.MakeTable("long_range"), m_tLongReadingsMap);
-}
-
-void CCI_FootBotDistanceScannerSensor::ReadingsToLuaState(lua_State* state) {
-  CLuaTable scanner(state, *this);
-  WriteRange(scanner.MakeTable("short_range"), m_tShortReadingsMap);
-  WriteRange(scanner.MakeTable("long_range"), m_tLongReadingsMap);
+void CCI_FootBotDistanceScannerSensor::WriteReadings(CLuaTable& table) const {
+  WriteRange(table.MakeTable("short_range"), m_tShortReadingsMap);
+  WriteRange(table.MakeTable("long_range"), m_tLongReadingsMap);
 }
 
 }  // namespace argos

@@ -1,9 +1,9 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_FOOT_BOT_CONTROL_INTERFACE_CI_FOOTBOT_DISTANCE_SCANNER_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_FOOT_BOT_CONTROL_INTERFACE_CI_FOOTBOT_DISTANCE_SCANNER_SENSOR_H
 
-#include <argos3/core/control_interface/ci_sensor.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/math/angles.h>
+#include <argos3/plugins/robots/generic/control_interface/table_sensor.h>
 
 #include <map>
 #include <utility>
@@ -16,10 +16,11 @@ namespace argos {
  * each other, and two for long range across them.
  *
  * Readings are distances from the surface of the body, in cm, by the angle of the beam in the
- * robot's frame, in (-PI,PI]; -1 is too close, -2 nothing in range. There are none while the
- * scanner is off; 2 of each range while it stands; 12 of each, from the last tick, while it turns.
+ * robot's frame, in (-PI,PI]; -1 is too close, -2 nothing in range. There are no readings while
+ * the scanner is off; 2 of each range at a fixed angle; 12 of each, from the last tick, while it
+ * rotates.
  */
-class CCI_FootBotDistanceScannerSensor : public CCI_Sensor {
+class CCI_FootBotDistanceScannerSensor : public CTableSensor {
  public:
   static constexpr Real kTooClose = -1.0;
   static constexpr Real kNothing = -2.0;
@@ -36,17 +37,13 @@ class CCI_FootBotDistanceScannerSensor : public CCI_Sensor {
 
   CCI_FootBotDistanceScannerSensor();
 
-  /** Both ranges; where two beams look along one angle, the one that sees something. */
+  /** Both ranges; of two beams with the same angle, the one that hits a body. */
   const TReadingsMap& GetReadingsMap() { return m_tReadingsMap; }
   const TReadingsMap& GetShortReadingsMap() { return m_tShortReadingsMap; }
   const TReadingsMap& GetLongReadingsMap() { return m_tLongReadingsMap; }
 
-  /** robot.distance_scanner.short_range[i], .long_range[i] = { angle, distance } */
-  void CreateLuaState(lua_State* state) override;
-  void ReadingsToLuaState(lua_State* state) override;
-
  protected:
-  /** Replaces all readings; allocates only if there are more than ever before. */
+  /** Replaces all readings; allocates memory only if there are more than in any earlier call. */
   void SetReadings(const TReadings& shortRange, const TReadings& longRange);
 
   TReadingsMap m_tReadingsMap;
@@ -54,10 +51,13 @@ class CCI_FootBotDistanceScannerSensor : public CCI_Sensor {
   TReadingsMap m_tLongReadingsMap;
 
  private:
+  const char* GetLuaName() const override { return "distance_scanner"; }
+  /** robot.distance_scanner.short_range[i], .long_range[i] = { angle, distance } */
+  void WriteReadings(CLuaTable& table) const override;
   void Empty(TReadingsMap& map);
   void Put(TReadingsMap& map, const SReading& reading);
 
-  std::vector<TReadingsMap::node_type> m_spares;  // nodes to use again
+  std::vector<TReadingsMap::node_type> m_spares;  // unused nodes
 };
 
 }  // namespace argos

@@ -4,28 +4,13 @@
 
 namespace argos {
 
-namespace {
-
-void Write(CLuaTable& encoder, const CCI_FootBotEncoderSensor::SReading& reading) {
-  encoder.Set("distance_left", reading.CoveredDistanceLeftWheel);
-  encoder.Set("distance_right", reading.CoveredDistanceRightWheel);
+void CCI_FootBotEncoderSensor::WriteConstants(CLuaTable& table) {
+  table.Set("axis_length", m_sReading.WheelAxisLength);
 }
 
-}  // namespace
-
-const CCI_FootBotEncoderSensor::SReading& CCI_FootBotEncoderSensor::GetReading() const {
-  return m_sReading;
-}
-
-void CCI_FootBotEncoderSensor::CreateLuaState(lua_State* state) {
-  CLuaTable encoder(state, *this, "encoder");
-  Write(encoder, m_sReading);
-  encoder.Set("axis_length", m_sReading.WheelAxisLength);
-}
-
-void CCI_FootBotEncoderSensor::ReadingsToLuaState(lua_State* state) {
-  CLuaTable encoder(state, *this);
-  Write(encoder, m_sReading);
+void CCI_FootBotEncoderSensor::WriteReadings(CLuaTable& table) const {
+  table.Set("distance_left", m_sReading.CoveredDistanceLeftWheel);
+  table.Set("distance_right", m_sReading.CoveredDistanceRightWheel);
 }
 
 }  // namespace argos

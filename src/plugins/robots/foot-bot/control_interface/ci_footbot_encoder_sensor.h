@@ -1,13 +1,13 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_FOOT_BOT_CONTROL_INTERFACE_CI_FOOTBOT_ENCODER_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_FOOT_BOT_CONTROL_INTERFACE_CI_FOOTBOT_ENCODER_SENSOR_H
 
-#include <argos3/core/control_interface/ci_sensor.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/plugins/robots/generic/control_interface/table_sensor.h>
 
 namespace argos {
 
-/** The encoders of the wheels of the foot-bot: how far they really rolled. */
-class CCI_FootBotEncoderSensor : public CCI_Sensor {
+/** The encoders of the wheels of the foot-bot: the distances that they rolled. */
+class CCI_FootBotEncoderSensor : public CTableSensor {
  public:
   struct SReading {
     Real CoveredDistanceLeftWheel = 0.0; /**< since the previous step, cm, positive ahead */
@@ -21,14 +21,16 @@ class CCI_FootBotEncoderSensor : public CCI_Sensor {
           WheelAxisLength(axisLength) {}
   };
 
-  const SReading& GetReading() const;
-
-  /** robot.encoder.distance_left, .distance_right, .axis_length (cm) */
-  void CreateLuaState(lua_State* state) override;
-  void ReadingsToLuaState(lua_State* state) override;
+  const SReading& GetReading() const { return m_sReading; }
 
  protected:
   SReading m_sReading;
+
+ private:
+  const char* GetLuaName() const override { return "encoder"; }
+  /** robot.encoder.distance_left, .distance_right, .axis_length (cm) */
+  void WriteConstants(CLuaTable& table) override;
+  void WriteReadings(CLuaTable& table) const override;
 };
 
 }  // namespace argos

@@ -8,7 +8,7 @@ namespace argos {
 
 /**
  * The gripper of the foot-bot: a claw that opens inside the ring of another foot-bot, or closes
- * around an object. Its aperture is an angle; turned far enough to either side, it is locked.
+ * around an object. Its aperture is an angle; far enough to either side, the gripper is locked.
  */
 class CCI_FootBotGripperActuator : virtual public CCI_Actuator {
  public:
@@ -19,10 +19,10 @@ class CCI_FootBotGripperActuator : virtual public CCI_Actuator {
   /** Starts unlocked. */
   CCI_FootBotGripperActuator();
 
-  /** @param aperture  cut to [-pi/2, pi/2]; beyond pi/4 to either side the gripper is locked. */
-  void SetAperture(const CRadians& aperture);
-  /** Real robots then open the gripper when they have closed on nothing; simulated ones need not.
+  /** @param aperture  clamped to [-pi/2, pi/2]; beyond pi/4 to either side the gripper is locked.
    */
+  void SetAperture(const CRadians& aperture);
+  /** Real robots then open the gripper if it has closed without an object. */
   virtual void EnableCheckForObjectGrippedRoutine() = 0;
   virtual void DisableCheckForObjectGrippedRoutine() = 0;
   void LockPositive();

@@ -1,29 +1,13 @@
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_light_sensor.h>
 
-#include <argos3/plugins/robots/generic/control_interface/placed_readings.h>
+#include <argos3/plugins/robots/generic/control_interface/placed_readings_impl.h>
 
 namespace argos {
 
-namespace {
-
 // as published with ARGoS 3
-constexpr UInt32 kNumReadings = 24;
-constexpr Real kStartAngle = 7.5;  // degrees
+const SSensorPlaces<CRadians> CCI_FootBotLightSensor::kPlaces = {"footbot_light", "light", 24,
+                                                                 &GetAngleOnRing<24>};
 
-}  // namespace
-
-CCI_FootBotLightSensor::CCI_FootBotLightSensor() {
-  m_tReadings = MakeRing<SReading>(kNumReadings, kStartAngle);
-}
-
-void CCI_FootBotLightSensor::CreateLuaState(lua_State* state) {
-  CLuaTable light(state, *this, "light");
-  WriteAngularReadings(light, m_tReadings);
-}
-
-void CCI_FootBotLightSensor::ReadingsToLuaState(lua_State* state) {
-  CLuaTable light(state, *this);
-  WriteAngularReadings(light, m_tReadings);
-}
+template class CPlacedSensors<CAngularReadings<CCI_FootBotLightSensor>>;
 
 }  // namespace argos

@@ -1,6 +1,6 @@
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_motor_ground_sensor.h>
 
-#include <argos3/plugins/robots/generic/control_interface/placed_readings.h>
+#include <argos3/plugins/robots/generic/control_interface/placed_readings_impl.h>
 
 namespace argos {
 
@@ -11,18 +11,9 @@ CVector2 CCI_FootBotMotorGroundSensor::GetOffset(UInt32 index) {
   return CVector2(kOffsets[index][0], kOffsets[index][1]);
 }
 
-CCI_FootBotMotorGroundSensor::CCI_FootBotMotorGroundSensor() {
-  m_tReadings = MakeReadings<SReading>(kNumSensors, GetOffset);
-}
+const SSensorPlaces<CVector2> CCI_FootBotMotorGroundSensor::kPlaces = {
+    "footbot_motor_ground", "motor_ground", kNumSensors, &GetOffset};
 
-void CCI_FootBotMotorGroundSensor::CreateLuaState(lua_State* state) {
-  CLuaTable ground(state, *this, "motor_ground");
-  WriteOffsetReadings(ground, m_tReadings);
-}
-
-void CCI_FootBotMotorGroundSensor::ReadingsToLuaState(lua_State* state) {
-  CLuaTable ground(state, *this);
-  WriteOffsetReadings(ground, m_tReadings);
-}
+template class CPlacedSensors<COffsetReadings<CCI_FootBotMotorGroundSensor>>;
 
 }  // namespace argos

@@ -34,7 +34,7 @@ void CCI_FootBotTurretActuator::CreateLuaState(lua_State* state) {
   turret.AddFunction("set_rotation_speed", *this, [](CCI_FootBotTurretActuator& self, Real rpm) {
     constexpr Real kMost = std::numeric_limits<SInt32>::max();
     if (!(std::abs(rpm) <= kMost)) {
-      THROW_ARGOSEXCEPTION("the speed must be a number of turns per minute, got " << rpm);
+      THROW_ARGOSEXCEPTION("the speed (turns per minute) must be a number, got " << rpm);
     }
     self.SetRotationSpeed(static_cast<SInt32>(rpm));
   });

@@ -8,17 +8,17 @@
 
 namespace argos {
 
-/** The motor that turns the turret of the foot-bot, with its gripper and LEDs. */
+/** The motor that rotates the turret of the foot-bot, with its gripper and LEDs. */
 class CCI_FootBotTurretActuator : virtual public CCI_Actuator {
  public:
   enum ETurretModes {
-    MODE_OFF, /**< at the start: the turret stays as it is on the base */
-    MODE_PASSIVE, /**< the same; in both it turns freely while the gripper holds something */
-    MODE_SPEED_CONTROL, /**< turns at the speed that is set */
-    MODE_POSITION_CONTROL /**< turns towards the rotation that is set */
+    MODE_OFF, /**< at the start: the turret keeps its rotation on the base */
+    MODE_PASSIVE, /**< the same; in both it rotates freely while the gripper holds a body */
+    MODE_SPEED_CONTROL, /**< rotates at the target speed */
+    MODE_POSITION_CONTROL /**< rotates towards the target rotation */
   };
 
-  /** What real motors reach, turns per minute; not enforced. */
+  /** Range of real motors, turns per minute; not enforced. */
   static const CRange<SInt32> SPEED_RANGE;
   static const CRange<Real> NORMALIZED_SPEED_RANGE; /**< [-1,1] */
 
@@ -35,8 +35,8 @@ class CCI_FootBotTurretActuator : virtual public CCI_Actuator {
   void SetPassiveMode();
 
   /**
-   * robot.turret.set_rotation(rad), set_rotation_speed(turns per minute, cut to a whole number),
-   * set_passive_mode(), set_position_control_mode(), set_speed_control_mode()
+   * robot.turret.set_rotation(rad), set_rotation_speed(turns per minute, truncated to a whole
+   * number), set_passive_mode(), set_position_control_mode(), set_speed_control_mode()
    */
   void CreateLuaState(lua_State* state) override;
 };

@@ -6,14 +6,8 @@ namespace argos {
 
 const CRange<CRadians> CCI_FootBotTurretEncoderSensor::ANGULAR_RANGE(-CRadians::PI, CRadians::PI);
 
-void CCI_FootBotTurretEncoderSensor::CreateLuaState(lua_State* state) {
-  CLuaTable turret(state, *this, "turret");
-  turret.Set("rotation", m_cRotation);
-}
-
-void CCI_FootBotTurretEncoderSensor::ReadingsToLuaState(lua_State* state) {
-  CLuaTable turret(state, *this);
-  turret.Set("rotation", m_cRotation);
+void CCI_FootBotTurretEncoderSensor::WriteReadings(CLuaTable& table) const {
+  table.Set("rotation", m_cRotation);
 }
 
 }  // namespace argos

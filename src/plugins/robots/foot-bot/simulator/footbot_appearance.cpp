@@ -8,7 +8,7 @@ namespace argos {
 
 namespace {
 
-// drawn by eye after photographs, except for what footbot_measures.h says
+// estimated from photographs, except for the values in footbot_measures.h
 constexpr CColor kBlackPlastic(38, 40, 44);
 constexpr CColor kTrack(22, 22, 24);
 constexpr CColor kMetal(170, 174, 180);
@@ -28,7 +28,7 @@ void AddTrackAndWheel(SAppearance& robot, Real side) {
   const Real wheelY = 0.5 * footbot::kInterwheelDistance;
   AddPart(robot, SVisualPart::EKind::Box, CVector3(0.0, side * (wheelY - 0.03), 0.002),
           CVector3(kTrackLength, kTrackWidth, 0.04), kTrack);
-  // the axis along y: the cylinder's own axis is z
+  // rotates the axis of the cylinder from z to y
   AddPart(robot, SVisualPart::EKind::Cylinder,
           CVector3(0.0, side * wheelY + 0.5 * kWheelWidth, kWheelRadius),
           CVector3(2.0 * kWheelRadius, 2.0 * kWheelRadius, kWheelWidth), kTrack)
@@ -67,7 +67,7 @@ SAppearance MakeFootBotAppearance() {
   AddDisc(robot, footbot::kBodyRadius - 0.012, 0.093, 0.128, kBlackPlastic);
   AddDisc(robot, footbot::kBodyRadius - 0.006, 0.128, 0.132, kMetal);
   AddDisc(robot, footbot::kBodyRadius - 0.02, 0.132, footbot::kBodyHeight, kBlackPlastic);
-  // which way it looks
+  // mark of the heading
   AddPart(robot, SVisualPart::EKind::Box, CVector3(0.047, 0.0, footbot::kBodyHeight),
           CVector3(0.05, 0.016, 0.004), kHeadingMark);
   // camera: a tube with a mirror on top

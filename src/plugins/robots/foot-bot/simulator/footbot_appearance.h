@@ -5,7 +5,7 @@
 
 namespace argos {
 
-/** What a foot-bot looks like. */
+/** @return the appearance of foot-bots. */
 SAppearance MakeFootBotAppearance();
 
 }  // namespace argos

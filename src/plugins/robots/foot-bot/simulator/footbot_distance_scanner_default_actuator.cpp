@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 
 #include <cmath>
 
@@ -73,33 +74,17 @@ void CFootBotDistanceScannerDefaultActuator::Reset() {
 REGISTER_ACTUATOR(
     CFootBotDistanceScannerDefaultActuator, "footbot_distance_scanner", "default",
     "the authors of this project", "1.0", "The motor of the foot-bot's distance scanner.",
-    R"(The scanner is off at the start and after a reset. The controller turns it to an angle, where it jumps at once
-and stays; or sets a speed, in turns per minute, at which it goes on turning; or switches it on, which holds it where it
-is, or off. What is ordered in a step holds from the next tick on.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators>
-        <footbot_distance_scanner implementation="default" />
-      </actuators>
-      <sensors>
-        <footbot_distance_scanner implementation="rot_z_only" />
-      </sensors>
-      <params />
-    </my_controller>
-  </controllers>
-
-OPTIONAL XML
-
-  <footbot_distance_scanner implementation="default">
+    R"(The scanner is off at the start and after a reset. The controller rotates it to an angle, which it reaches at
+once and keeps; or sets a rotational speed, in turns per minute; or switches it on, so that it holds its angle, or off. A
+command takes effect in the next tick.
+)" +
+        RequiredActuatorXML(R"(<footbot_distance_scanner implementation="default" />)",
+                            R"(<footbot_distance_scanner implementation="rot_z_only" />)") +
+        OptionalXML(R"(<footbot_distance_scanner implementation="default">
     <noise on="angle" model="gaussian" std_dev="0.01" />
-  </footbot_distance_scanner>
-
-Children <noise on="angle|rpm" model="uniform|gaussian|rayleigh" level|std_dev|sigma="..." bias="0" relative="false" />
-add noise to each angle (rad) and each speed (turns per minute) that the controller orders.
-)",
+  </footbot_distance_scanner>)") +
+        NoiseManual("angle|rpm",
+                    "each angle (rad) and each speed (turns per minute) that the controller sets."),
     "Usable")
 
 }  // namespace argos

@@ -35,9 +35,9 @@ class CFootBotDistanceScannerDefaultActuator : public CSimulatedActuator,
   TScanner* m_scanner = nullptr;  // of the robot
   const CControllableEntity* m_robot = nullptr;
   CDeviceNoise m_noise;
-  // what the controller ordered last
+  // last commands of the controller
   TScanner::EMode m_mode = TScanner::MODE_OFF;
-  std::optional<CRadians> m_angle;  // where to turn at once
+  std::optional<CRadians> m_angle;  // target angle, until the next Update()
   Real m_speed = 0.0;  // rad/s
 };
 

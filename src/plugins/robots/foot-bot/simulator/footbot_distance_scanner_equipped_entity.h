@@ -8,9 +8,9 @@
 namespace argos {
 
 /**
- * The distance scanner of a foot-bot: how it is turned on the body.
+ * The distance scanner of a foot-bot: its rotation on the body.
  *
- * Starts disabled, off, and at the angle 0. The devices that use it enable it.
+ * Starts disabled, off, and at the angle 0. Devices enable it.
  */
 class CFootBotDistanceScannerEquippedEntity : public CEntity {
  public:
@@ -22,7 +22,7 @@ class CFootBotDistanceScannerEquippedEntity : public CEntity {
   CFootBotDistanceScannerEquippedEntity(CComposableEntity* parent, const std::string& id);
 
   void Reset() override;
-  /** Turns on, once a tick, in speed control. */
+  /** Advances the rotation in speed control, once per tick. */
   void Update() override;
   void SetEnabled(bool enabled) override;
   std::string GetTypeDescription() const override { return "distance_scanner"; }
@@ -31,7 +31,7 @@ class CFootBotDistanceScannerEquippedEntity : public CEntity {
   void SetMode(EMode mode) { m_mode = mode; }
   /** Angle of the first short-range head in the robot's frame, in [0, 2 PI). */
   const CRadians& GetRotation() const { return m_rotation; }
-  /** Turns it there at once. @throws CARGoSException if it is not finite. */
+  /** Sets the angle at once. @throws CARGoSException if it is not finite. */
   void SetRotation(const CRadians& rotation);
   /** rad/s, positive counter-clockwise. */
   Real GetRotationSpeed() const { return m_speed; }

@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_distance_scanner_equipped_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_measures.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,9 +16,9 @@ namespace {
 
 constexpr Real kCentimetersPerMeter = 100.0;
 constexpr int kHeadsOfARange = 2;
-constexpr int kSamplesOfATick = 6;  // while it turns
-constexpr size_t kMostBeams = 2 * kHeadsOfARange * kSamplesOfATick;
-static_assert(kMostBeams <= CRayCaster::kMaxRays, "all beams are cast with one query");
+constexpr int kSamplesOfATick = 6;  // while it rotates
+constexpr size_t kMaxBeams = 2 * kHeadsOfARange * kSamplesOfATick;
+static_assert(kMaxBeams <= CRayCaster::kMaxRays, "all beams are cast with one query");
 
 // in [0, 2 PI)
 Real WrapTurn(Real angle) {
@@ -25,7 +26,7 @@ Real WrapTurn(Real angle) {
   return wrapped < 0.0 ? wrapped + 2.0 * ARGOS_PI : wrapped;
 }
 
-// from the previous angle to the current one, in the direction in which the scanner turns
+// from the previous angle to the current one, in the direction of rotation
 Real ComputeSweep(const CFootBotDistanceScannerEquippedEntity& scanner) {
   const Real difference = (scanner.GetRotation() - scanner.GetPreviousRotation()).GetValue();
   return scanner.GetRotationSpeed() < 0.0 ? -WrapTurn(-difference) : WrapTurn(difference);
@@ -90,7 +91,7 @@ void CFootBotDistanceScannerRotZOnlySensor::Cast() {
   if (m_shortReadings.empty()) {
     return;
   }
-  SSensorRay beams[kMostBeams];
+  SSensorRay beams[kMaxBeams];
   size_t count = 0;
   for (const SReading& reading : m_shortReadings) {
     beams[count++] = MakeBeam(reading.Angle, footbot::kDistanceScannerShortMax);
@@ -102,7 +103,7 @@ void CFootBotDistanceScannerRotZOnlySensor::Cast() {
   bounds.Reach = footbot::kBodyRadius + footbot::kDistanceScannerLongMax;
   const SAnchor* const origin = &m_caster.GetBody().GetOriginAnchor();
   const SRayBundle bundle{beams, count, bounds, &origin, *origin};
-  Real fractions[kMostBeams];
+  Real fractions[kMaxBeams];
   m_caster.Cast(bundle, fractions);
   if (m_showRays) {
     m_caster.Show(bundle, fractions);
@@ -137,41 +138,25 @@ void CFootBotDistanceScannerRotZOnlySensor::Reset() {
 REGISTER_SENSOR(
     CFootBotDistanceScannerRotZOnlySensor, "footbot_distance_scanner", "rot_z_only",
     "the authors of this project", "1.0", "The distance scanner of the foot-bot.",
-    R"(Four heads turn on the robot at a height of 12.32 cm and look horizontally from the surface of its body: two for
-short range at the scanner's angle and opposite, which see up to 26 cm, and two for long range at right angles to them,
-which see from 12 to 142 cm. A reading is the distance to the first body on the beam, in cm from the surface of the robot's
-own; -2 if there is none in range; -1 if it is too close (long range: up to 12 cm; short range: 0). Readings are listed by
-the angle of their beam in the robot's frame, in (-pi,pi].
+    R"(Four heads rotate on the robot at a height of 12.32 cm and look horizontally from the surface of its body: two for
+short range, up to 26 cm, at the scanner's angle and opposite to it, and two for long range, from 12 to 142 cm, at right
+angles to them. A reading is the distance to the first body on the beam, in cm from the surface of the robot's own body;
+-2 if there is none in range; -1 if it is too close (long range: up to 12 cm; short range: 0). Readings are listed by the
+angle of their beam in the robot's frame, in (-pi,pi].
 
-The scanner must be switched on with the actuator footbot_distance_scanner. Off, there are no readings; held at an angle,
-2 of each range; turning, 12 of each: the way that the scanner turned in the last tick is cut into six, and each head reads
+The actuator footbot_distance_scanner must switch the scanner on. When off, it has no readings; at a fixed angle, 2 of
+each range; while it rotates, 12 of each: the angle swept in the last tick is divided into six parts, and each head reads
 at the beginning of each part.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators>
-        <footbot_distance_scanner implementation="default" />
-      </actuators>
-      <sensors>
-        <footbot_distance_scanner implementation="rot_z_only" />
-      </sensors>
-      <params />
-    </my_controller>
-  </controllers>
-
-OPTIONAL XML
-
-  <footbot_distance_scanner implementation="rot_z_only" show_rays="true" noise_range="-0.5:0.5" />
-
-  show_rays    "true" or "false", default "false": beams are shown by visualizations that can.
+)" +
+        RequiredActuatorXML(R"(<footbot_distance_scanner implementation="default" />)",
+                            R"(<footbot_distance_scanner implementation="rot_z_only" />)") +
+        OptionalXML(
+            R"(<footbot_distance_scanner implementation="rot_z_only" show_rays="true" noise_range="-0.5:0.5" />)") +
+        R"(
+  show_rays    "true" or "false", default "false": visualizations show the beams.
   noise_range  "min:max", cm, default "0:0": a number drawn evenly from it is added to each distance
-               (not to -1 and -2), which is never less than 0.
-
-Children <noise on="distance" model="uniform|gaussian|rayleigh" level|std_dev|sigma="..." bias="0" relative="false" />
-add noise to each distance (cm) in the same way.
-)",
+               (not to -1 and -2); the sum is at least 0.
+)" + NoiseManual("distance", "each distance (cm) in the same way."),
     "Usable")
 
 }  // namespace argos

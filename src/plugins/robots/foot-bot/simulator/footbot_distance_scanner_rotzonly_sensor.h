@@ -24,14 +24,14 @@ class CFootBotDistanceScannerRotZOnlySensor : public CSimulatedSensor,
  private:
   void AddBeams(const CRadians& scanner);
   void Cast();
-  // cm, from a fraction of the range that ends at maximum (m)
+  // converts a fraction of a range that ends at maximum (m) to cm
   Real ToReading(Real fraction, Real minimum, Real maximum);
 
   CFootBotDistanceScannerEquippedEntity* m_scanner = nullptr;  // of the robot
   CRayCaster m_caster;
   CDeviceNoise m_noise;
   bool m_showRays = false;
-  // of one tick, kept for their memory
+  // readings of one tick; members to keep their memory allocated
   TReadings m_shortReadings;
   TReadings m_longReadings;
 };

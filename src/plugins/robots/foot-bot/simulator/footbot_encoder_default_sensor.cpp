@@ -1,7 +1,9 @@
-#include <argos3/plugins/robots/foot-bot/simulator/footbot_encoder_default_sensor.h>
-
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/sensor.h>
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_encoder_sensor.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
+#include <argos3/plugins/robots/generic/simulator/noise.h>
 #include <argos3/plugins/simulator/entities/odometer_entity.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
 
@@ -11,6 +13,22 @@ namespace {
 
 constexpr Real kCentimetersPerMeter = 100.0;
 enum EWheel : size_t { LEFT, RIGHT };
+
+/** The distances that the wheels of a foot-bot rolled; see COdometerEntity. */
+class CFootBotEncoderDefaultSensor : public CSimulatedSensor, public CCI_FootBotEncoderSensor {
+ public:
+  /** @throws CARGoSException if the robot has no "odometer", "wheels" or "controller". */
+  void SetRobot(CComposableEntity& robot) override;
+  /** Reads `<noise>`. */
+  void Init(TConfigurationNode& tree) override;
+  void Update() override;
+  void Reset() override;
+
+ private:
+  const COdometerEntity* m_odometer = nullptr;  // of the robot
+  const CControllableEntity* m_robot = nullptr;
+  CDeviceNoise m_noise;
+};
 
 }  // namespace
 
@@ -45,34 +63,17 @@ void CFootBotEncoderDefaultSensor::Reset() {
 
 REGISTER_SENSOR(
     CFootBotEncoderDefaultSensor, "footbot_encoder", "default", "the authors of this project",
-    "1.0", "How far the wheels of the foot-bot really rolled.",
-    R"(Reads how far each wheel rolled over the ground in the last tick, in cm, positive ahead, as the body really
-moved: a robot that pushes against a wall, or is pushed, reads something else than what its controller ordered (that is
-what differential_steering reads). In each tick the body is taken to move at constant speeds along its heading, sideways
-and about the vertical; what it slides sideways turns no wheel, and neither does a move by command. That is exact on the
-arcs of the drive, for less than half a turn in a tick. Also reads the distance between the wheels, in cm.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators />
-      <sensors>
-        <footbot_encoder implementation="default" />
-      </sensors>
-      <params />
-    </my_controller>
-  </controllers>
-
-OPTIONAL XML
-
-  <footbot_encoder implementation="default">
+    "1.0", "The distances that the wheels of the foot-bot rolled.",
+    R"(Reads the distance that each wheel rolled over the ground in the last tick, in cm, positive ahead, computed from
+the actual motion of the body: for a robot that pushes against a wall, or is pushed, it differs from the speeds set by
+the controller (which differential_steering reads). The sensor assumes constant speeds along the heading, sideways and
+about the vertical during a tick; sideways sliding rotates no wheel, and neither does a move by command. This is exact on
+the arcs of the drive, for less than half a turn in a tick. Also reads the distance between the wheels, in cm.
+)" + RequiredSensorXML(R"(<footbot_encoder implementation="default" />)") +
+        OptionalXML(R"(<footbot_encoder implementation="default">
     <noise on="distance_left" model="gaussian" std_dev="0.01" relative="true" />
-  </footbot_encoder>
-
-Children <noise on="distance_left|distance_right" model="uniform|gaussian|rayleigh" level|std_dev|sigma="..." bias="0" relative="false" />
-add noise to the distance (cm) that the wheel reads in a tick.
-)",
+  </footbot_encoder>)") +
+        NoiseManual("distance_left|distance_right", "the distances (cm) in each tick."),
     "Usable")
 
 }  // namespace argos

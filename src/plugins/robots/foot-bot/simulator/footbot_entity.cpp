@@ -6,14 +6,11 @@
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_distance_scanner_equipped_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_measures.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_turret_entity.h>
-#include <argos3/plugins/robots/generic/simulator/battery_mount.h>
-#include <argos3/plugins/robots/generic/simulator/camera_mounts.h>
 #include <argos3/plugins/robots/generic/simulator/device_parameters.h>
-#include <argos3/plugins/robots/generic/simulator/rab_component.h>
+#include <argos3/plugins/robots/generic/simulator/robot_components.h>
+#include <argos3/plugins/robots/generic/simulator/robot_manual.h>
 #include <argos3/plugins/simulator/entities/battery_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
-#include <argos3/plugins/simulator/entities/ground_sensor_equipped_entity.h>
-#include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/odometer_entity.h>
 #include <argos3/plugins/simulator/entities/omnidirectional_camera_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
@@ -56,12 +53,10 @@ std::shared_ptr<const CProximitySensorEquippedEntity::SLayout> MakeProximity() {
   return sensors;
 }
 
-CEntity& MakeLightSensors(CRobotEntity& robot) {
-  // at the places of the proximity sensors
+CEntity& MakeLightRing(CRobotEntity& robot) {
+  // same layout as the proximity sensors
   static const std::shared_ptr<const SRayLayout> layout = MakeProximity();
-  auto& sensors = robot.MakeOnDemand<CLightSensorEquippedEntity>("light_0");
-  sensors.SetLayout(layout, {&robot.GetEmbodiedEntity().GetOriginAnchor()});
-  return sensors;
+  return MakeLightSensors(robot, layout);
 }
 
 std::shared_ptr<const SGroundSensorLayout> MakeGroundLayout() {
@@ -78,15 +73,13 @@ std::shared_ptr<const SGroundSensorLayout> MakeGroundLayout() {
   return sensors;
 }
 
-CEntity& MakeGroundSensors(CRobotEntity& robot) {
+CEntity& MakeMotorAndBaseGroundSensors(CRobotEntity& robot) {
   static const std::shared_ptr<const SGroundSensorLayout> layout = MakeGroundLayout();
-  auto& sensors = robot.MakeOnDemand<CGroundSensorEquippedEntity>("ground_0");
-  sensors.SetLayout(layout, {&robot.GetEmbodiedEntity().GetOriginAnchor()});
-  return sensors;
+  return MakeGroundSensors(robot, layout);
 }
 
 CEntity& MakeFrontCamera(CRobotEntity& robot) {
-  // straight up, what is behind the robot is up in the image
+  // straight up; the rear of the robot is up in the image
   const CQuaternion up(-CRadians::PI_OVER_TWO, CVector3::Y);
   const bool front = robot.GetDeviceParameters().PerspectiveCamera.Front;
   return MakePerspectiveCamera(
@@ -117,7 +110,7 @@ CEntity& MakeTurret(CRobotEntity& robot) {
 }
 
 CEntity& MakeGripper(CRobotEntity& robot) {
-  // it sits on the turret, which turns when something is held
+  // the gripper is mounted on the turret, which rotates while the gripper holds a body
   robot.GetComponent("turret");
   const SGripperDescription& gripper = *robot.GetEmbodiedEntity().GetBodyDescription()->Gripper;
   return robot.MakeOnDemand<CGripperEquippedEntity>("gripper_0", gripper.Offset, gripper.Direction);
@@ -132,8 +125,8 @@ SRobotType MakeType() {
   type.OnDemand.push_back({"battery", &MakeBattery});
   type.OnDemand.push_back({"distance_scanner", &MakeDistanceScanner});
   type.OnDemand.push_back({"gripper", &MakeGripper});
-  type.OnDemand.push_back({"ground_sensors", &MakeGroundSensors});
-  type.OnDemand.push_back({"light_sensors", &MakeLightSensors});
+  type.OnDemand.push_back({"ground_sensors", &MakeMotorAndBaseGroundSensors});
+  type.OnDemand.push_back({"light_sensors", &MakeLightRing});
   type.OnDemand.push_back({"omnidirectional_camera", MakeTopCamera});
   type.OnDemand.push_back({"perspective_camera", MakeFrontCamera});
   type.OnDemand.push_back({"rab", &MakeRAB});
@@ -145,6 +138,27 @@ SRobotType MakeType() {
 const SDifferentialDriveRobotType& FootBotType() {
   static const SDifferentialDriveRobotType type(MakeType(), MakeBody());
   return type;
+}
+
+std::string MakeManual() {
+  SRobotManual manual;
+  manual.Summary =
+      R"(A round robot, 17 cm across, with differential steering, 24 proximity sensors, and 13 LEDs: 12 in a
+ring (0 to 11, counter-clockwise from 15 degrees) and a beacon on top (12).
+)" + DriveManual(footbot::kMaxDriveForce, footbot::kMaxDriveTorque);
+  manual.Tag = "foot-bot";
+  manual.Id = "fb0";
+  manual.Arena = "10,10,2";
+  manual.ExampleAttributes = R"( omnidirectional_camera_aperture="70")";
+  manual.Attributes =
+      R"(  omnidirectional_camera_aperture  degrees in (0,90), default 70: half angle from the downward
+                                   vertical.
+  perspective_camera_front         "true" (default): the camera looks ahead; "false": it looks up.
+  perspective_camera_aperture      degrees in (0,90), default 30: half angle of the view.
+  perspective_camera_focal_length  m, > 0, default 0.035.
+  perspective_camera_range         m, > 0, default 2: range of the camera.
+)";
+  return MakeRobotManual(manual);
 }
 
 }  // namespace
@@ -175,7 +189,7 @@ CFootBotEntity::CFootBotEntity(const std::string& id, const std::string& control
 }
 
 CRABEquippedEntity& CFootBotEntity::GetRABEquippedEntity() {
-  return Demand<CRABEquippedEntity>("rab");
+  return GetOrCreate<CRABEquippedEntity>("rab");
 }
 
 void CFootBotEntity::Init(TConfigurationNode& tree) {
@@ -190,103 +204,40 @@ void CFootBotEntity::Init(TConfigurationNode& tree) {
 }
 
 CBatteryEquippedEntity& CFootBotEntity::GetBatterySensorEquippedEntity() {
-  return Demand<CBatteryEquippedEntity>("battery");
+  return GetOrCreate<CBatteryEquippedEntity>("battery");
 }
 
 CFootBotDistanceScannerEquippedEntity& CFootBotEntity::GetDistanceScannerEquippedEntity() {
-  return Demand<CFootBotDistanceScannerEquippedEntity>("distance_scanner");
+  return GetOrCreate<CFootBotDistanceScannerEquippedEntity>("distance_scanner");
 }
 
 CGripperEquippedEntity& CFootBotEntity::GetGripperEquippedEntity() {
-  return Demand<CGripperEquippedEntity>("gripper");
+  return GetOrCreate<CGripperEquippedEntity>("gripper");
 }
 
 CFootBotTurretEntity& CFootBotEntity::GetTurretEntity() {
-  return Demand<CFootBotTurretEntity>("turret");
+  return GetOrCreate<CFootBotTurretEntity>("turret");
 }
 
 CGroundSensorEquippedEntity& CFootBotEntity::GetGroundSensorEquippedEntity() {
-  return Demand<CGroundSensorEquippedEntity>("ground_sensors");
+  return GetOrCreate<CGroundSensorEquippedEntity>("ground_sensors");
 }
 
 CLightSensorEquippedEntity& CFootBotEntity::GetLightSensorEquippedEntity() {
-  return Demand<CLightSensorEquippedEntity>("light_sensors");
+  return GetOrCreate<CLightSensorEquippedEntity>("light_sensors");
 }
 
 COmnidirectionalCameraEquippedEntity& CFootBotEntity::GetOmnidirectionalCameraEquippedEntity() {
-  return Demand<COmnidirectionalCameraEquippedEntity>("omnidirectional_camera");
+  return GetOrCreate<COmnidirectionalCameraEquippedEntity>("omnidirectional_camera");
 }
 
 CPerspectiveCameraEquippedEntity& CFootBotEntity::GetPerspectiveCameraEquippedEntity() {
-  return Demand<CPerspectiveCameraEquippedEntity>("perspective_camera");
+  return GetOrCreate<CPerspectiveCameraEquippedEntity>("perspective_camera");
 }
 
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CFootBotEntity)
 
-REGISTER_ENTITY(
-    CFootBotEntity, "foot-bot", "the authors of this project", "1.0",
-    "The foot-bot of the Swarmanoid project.",
-    R"(A round robot, 17 cm across, with differential steering, 24 proximity sensors, and 13 LEDs: 12 in a
-ring (0 to 11, counter-clockwise from 15 degrees) and a beacon on top (12).
-
-REQUIRED XML
-
-  <arena size="10,10,2">
-    <foot-bot id="fb0">
-      <body position="0.4,2.3,0" orientation="45,0,0" />
-      <controller config="c1" />
-    </foot-bot>
-  </arena>
-
-ATTRIBUTES
-
-  id                 text, required: unique among the entities of the arena.
-  body@position      "x,y,z", m, default "0,0,0": the centre of the base, in the world frame.
-  body@orientation   "z,y,x", degrees, default "0,0,0": the robot looks along its x axis.
-  controller@config  text, required: the id of a child of <controllers>.
-
-OPTIONAL XML
-
-  <arena size="10,10,2">
-    <foot-bot id="fb0" rab_range="3" rab_data_size="10" omnidirectional_camera_aperture="70">
-      <body position="0.4,2.3,0" />
-      <controller config="c1">
-        <params speed="10" />
-      </controller>
-      <dynamics2d>
-        <differential_steering max_force="15" max_torque="150" />
-      </dynamics2d>
-      <battery discharge_model="time" delta="1e-5" start_charge="1" full_charge="1" />
-    </foot-bot>
-  </arena>
-
-  controller/params                replaces the <params> of the controller for this robot.
-  differential_steering@max_force  N, > 0, default 15: the most the wheels push; of the dynamics2d
-                                   engine.
-  differential_steering@max_torque N m, > 0, default 150: the most they turn the robot.
-  rab_range                        m, >= 0, default 3: how far messages of this robot reach.
-  rab_data_size                    integer >= 0, default 10: bytes of a message.
-  omnidirectional_camera_aperture  degrees in (0,90), default 70: half angle from the downward
-                                   vertical.
-  perspective_camera_front         "true" (default) looks ahead, "false" up.
-  perspective_camera_aperture      degrees in (0,90), default 30: half angle of the view.
-  perspective_camera_focal_length  m, > 0, default 0.035.
-  perspective_camera_range         m, > 0, default 2: how far the camera sees.
-  battery                          the robot's battery; without it the charge never falls. It runs down only
-                                   if the controller has the sensor "battery".
-  battery@discharge_model          "time" (default), "motion" or "time_motion", or a model of a user.
-  battery@start_charge             in [0, full_charge], default 1: also after a reset.
-  battery@full_charge              > 0, default 1.
-  battery@delta                    of "time": >= 0, default 1e-5: charge taken in each tick.
-  battery@pos_delta                of "motion": >= 0, default 1e-3: per m that the robot moves.
-  battery@orient_delta             of "motion": >= 0, default 1e-3: per rad that it turns.
-  battery@time_factor, battery@pos_factor, battery@orient_factor
-                                   the same three of "time_motion", which takes their sum.
-  directional_leds, tags, magnets, simple_radios, rfid_tags
-                                   children: what else the robot carries. The media
-                                   "directional_led", "tag" and "simple_radio", the actuator
-                                   "magnets" and the entity "rfid_tag" explain them.
-)",
-    "Usable")
+REGISTER_ENTITY(CFootBotEntity, "foot-bot", "the authors of this project", "1.0",
+                "The foot-bot of the Swarmanoid project.", MakeManual(), "Usable")
 
 }  // namespace argos

@@ -29,21 +29,20 @@ class CFootBotEntity : public CDifferentialDriveRobotEntity {
 
   CFootBotEntity();
   /**
-   * Makes a robot with its controller, whose Init() runs at once.
+   * Creates a robot with its controller, and calls the controller's Init().
    *
-   * The parameters of range and bearing, battery and cameras are checked, and used by those
-   * devices.
+   * The parameters of range and bearing, battery and cameras are checked here.
    * @param controllerId           `id` of a child of `<controllers>`; empty for none.
    * @param position, orientation  m, world frame.
-   * @param rabRange               how far messages reach, m, >= 0.
+   * @param rabRange               range of messages, m, >= 0.
    * @param rabDataSize            bytes of a message.
-   * @param batteryModel           how the battery runs down.
+   * @param batteryModel           label of the discharge model; empty: constant charge.
    * @param omnicamAperture        half angle of the view from the downward vertical, in (0, 90)
    * deg.
    * @param perspcamFront          true: looks ahead; false: looks up.
    * @param perspcamAperture       half angle of the view, in (0, 90) degrees.
    * @param perspcamFocalLength, perspcamRange  m, > 0.
-   * @throws CARGoSException if a parameter is out of range, or the controller cannot be made.
+   * @throws CARGoSException if a parameter is out of range, or the controller cannot be created.
    */
   CFootBotEntity(const std::string& id, const std::string& controllerId,
                  const CVector3& position = CVector3(),
@@ -57,7 +56,7 @@ class CFootBotEntity : public CDifferentialDriveRobotEntity {
   void Init(TConfigurationNode& tree) override;
   std::string GetTypeDescription() const override { return "foot-bot"; }
 
-  /** Components that are made when first asked for; see CRobotEntity. */
+  /** Components that are created on the first call; see CRobotEntity. */
   CBatteryEquippedEntity& GetBatterySensorEquippedEntity();
   CFootBotDistanceScannerEquippedEntity& GetDistanceScannerEquippedEntity();
   CGripperEquippedEntity& GetGripperEquippedEntity();

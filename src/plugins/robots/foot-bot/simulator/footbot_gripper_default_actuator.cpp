@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/utility/math/range.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 
 namespace argos {
@@ -36,33 +37,18 @@ void CFootBotGripperDefaultActuator::Reset() {
 REGISTER_ACTUATOR(
     CFootBotGripperDefaultActuator, "footbot_gripper", "default", "the authors of this project",
     "1.0", "The gripper of the foot-bot.",
-    R"(The controller sets the aperture of the claw, an angle in [-pi/2,pi/2]; the gripper is locked while that is
-beyond pi/4 to either side. lock_positive and lock_negative set pi/2 and -pi/2, which do the same, and unlock sets 0. A
-locked gripper takes hold of movable boxes, movable cylinders and foot-bots within 1 cm of its point, which is on the rim
-of the robot, straight ahead of the turret: see the actuator "gripper". While it holds something and the turret is off or
-passive, the turret turns freely under the load.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators>
-        <footbot_gripper implementation="default" />
-      </actuators>
-      <sensors />
-      <params />
-    </my_controller>
-  </controllers>
-
-OPTIONAL XML
-
-  <footbot_gripper implementation="default">
+    R"(The controller sets the aperture of the claw, an angle in [-pi/2,pi/2]; the gripper is locked while the aperture
+is beyond pi/4 to either side. lock_positive and lock_negative set pi/2 and -pi/2, with the same effect, and unlock sets
+0. A locked gripper grips movable boxes, movable cylinders and foot-bots within 1 cm of its point, which is on the rim of
+the robot, straight ahead of the turret: see the actuator "gripper". While the gripper holds a body and the turret is off
+or passive, the turret rotates freely under the load.
+)" + RequiredActuatorXML(R"(<footbot_gripper implementation="default" />)") +
+        OptionalXML(R"(<footbot_gripper implementation="default">
     <noise on="aperture" model="gaussian" std_dev="0.1" />
-  </footbot_gripper>
-
-Children <noise on="aperture" model="uniform|gaussian|rayleigh" level|std_dev|sigma="..." bias="0" relative="false" />
-add noise to the aperture (rad) whenever the controller sets another one; it stays in [-pi/2,pi/2].
-)",
+  </footbot_gripper>)") +
+        NoiseManual("aperture",
+                    "the aperture (rad) each time the controller changes it. The sum is clamped to "
+                    "[-pi/2,pi/2]."),
     "Usable")
 
 }  // namespace argos

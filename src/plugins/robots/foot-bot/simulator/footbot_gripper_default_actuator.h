@@ -10,25 +10,25 @@ namespace argos {
 class CControllableEntity;
 class CGripperEquippedEntity;
 
-/** Turns the claw of a foot-bot's gripper; see its long description. */
+/** Rotates the claw of a foot-bot's gripper; see the manual in the source. */
 class CFootBotGripperDefaultActuator : public CSimulatedActuator,
                                        public CCI_FootBotGripperActuator {
  public:
-  /** @throws CARGoSException unless the robot has a "gripper" and a "controller". */
+  /** @throws CARGoSException if the robot has no "gripper" or "controller". */
   void SetRobot(CComposableEntity& robot) override;
   /** Reads `<noise>`. */
   void Init(TConfigurationNode& tree) override;
   void Update() override;
-  /** Unlocks it. */
+  /** Unlocks the gripper. */
   void Reset() override;
-  /** Nothing: a simulated gripper grips when there is something, however often it is locked. */
+  /** No effect: a simulated gripper never closes on nothing. */
   void EnableCheckForObjectGrippedRoutine() override {}
   void DisableCheckForObjectGrippedRoutine() override {}
 
  private:
   CGripperEquippedEntity* m_gripper = nullptr;  // of the robot
   const CControllableEntity* m_robot = nullptr;
-  CRadians m_ordered;  // what the controller set last
+  CRadians m_ordered;  // last value set by the controller
   CRadians m_aperture;  // with noise
   CDeviceNoise m_noise;
 };

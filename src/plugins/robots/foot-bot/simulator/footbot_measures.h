@@ -4,7 +4,7 @@
 #include <argos3/core/utility/datatypes/datatypes.h>
 
 /*
- * The measures of the foot-bot, as published with ARGoS 3. Lengths in m from the centre of the
+ * Dimensions of the foot-bot, as published with ARGoS 3. Lengths in m from the centre of the
  * base; x ahead, y left, z up; angles in degrees, counter-clockwise from straight ahead.
  */
 
@@ -28,7 +28,7 @@ constexpr Real kMaxDriveTorque = 150.0;  // N m
 constexpr Real kTurretMass = kMass / 20.0;  // kg
 constexpr Real kTurretInertia = kPlanarInertia;  // kg m^2, as published
 constexpr Real kMaxTurretTorque = 150.0;  // N m
-constexpr Real kFreeTurretTorque = 1e-4;  // N m, while it turns freely
+constexpr Real kFreeTurretTorque = 1e-4;  // N m, while it rotates freely
 constexpr Real kTurretProportionalGain = 0.4;  // 1/s
 constexpr Real kTurretDerivativeGain = 0.2;
 
@@ -44,12 +44,12 @@ constexpr Real kProximityRange = 0.1;
 constexpr Real kProximityStartAngle = 7.5;
 constexpr Real kProximityAngleStep = 360.0 / kNumProximitySensors;
 
-// ground sensors; where they are is in ci_footbot_{motor,base}_ground_sensor.h
+// ground sensors; ci_footbot_{motor,base}_ground_sensor.h has their positions
 constexpr UInt32 kFirstMotorGroundSensor = 0;
 constexpr UInt32 kFirstBaseGroundSensor = 4;
 constexpr UInt32 kNumGroundSensors = 12;
 
-// distance scanner: how far its heads see from the surface of the body
+// distance scanner: ranges of its heads, from the surface of the body
 constexpr Real kDistanceScannerElevation = 0.123199866;
 constexpr Real kDistanceScannerShortMin = 0.0;
 constexpr Real kDistanceScannerShortMax = 0.26;

@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/simulator/entities/turret_entity.h>
 
 #include <cmath>
@@ -72,45 +73,28 @@ void CFootBotTurretDefaultActuator::Reset() {
 
 REGISTER_ACTUATOR(
     CFootBotTurretDefaultActuator, "footbot_turret", "default", "the authors of this project",
-    "1.0", "Turns the turret of the foot-bot.",
-    R"(The turret carries the gripper and the LEDs. Its motor turns it against the base; rotations are in rad,
+    "1.0", "Rotates the turret of the foot-bot.",
+    R"(The turret carries the gripper and the LEDs. Its motor rotates it relative to the base; rotations are in rad,
 counter-clockwise from straight ahead. Modes:
 
-  off                at the start and after a reset: the turret stays as it is on the base. While the gripper
-                     holds something, it turns freely instead, so that the base may turn under it.
+  off                at the start and after a reset: the turret keeps its rotation on the base. While the gripper
+                     holds a body, it rotates freely instead, so that the base can rotate under it.
   passive            the same.
-  speed control      the turret turns at the speed that is set: whole turns per minute, counter-clockwise. Real
+  speed control      the turret rotates at the target speed: whole turns per minute, counter-clockwise. Real
                      turrets reach 4; this is not enforced.
-  position control   once a tick, with the error e = desired - actual rotation, the short way round, the speed is
-                     0.4 e + 0.2 (change of e in the last tick) / tick, in rad/s: the error falls to 1/e of it in
-                     some 3 s.
+  position control   once per tick, with the error e = target - actual rotation, in (-pi,pi], the speed is
+                     0.4 e + 0.2 (change of e in the last tick) / tick, in rad/s: the error falls by a factor of
+                     2.7 in about 3 s.
 
-The motor has at most 150 N m, when something is held. Modes and targets are independent: each is kept while another mode
-is on. An order given in one step is followed in the next tick.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators>
-        <footbot_turret implementation="default" />
-      </actuators>
-      <sensors />
-      <params />
-    </my_controller>
-  </controllers>
-
-OPTIONAL XML
-
-Noise on the targets "rotation" (rad) and "rotation_speed" (turns per minute), drawn once for each order:
-
-  <footbot_turret implementation="default">
+The torque of the motor is at most 150 N m while the gripper holds a body. Modes and targets are independent: a target is
+kept while another mode is active. A command takes effect in the next tick.
+)" + RequiredActuatorXML(R"(<footbot_turret implementation="default" />)") +
+        OptionalXML(R"(<footbot_turret implementation="default">
     <noise on="rotation" model="gaussian" std_dev="0.02" />
-  </footbot_turret>
-
-  noise@on     "rotation" or "rotation_speed"; without it, both.
-  noise@model  "uniform" (level), "gaussian" (std_dev) or "rayleigh" (sigma); also bias and relative.
-)",
+  </footbot_turret>)") +
+        NoiseManual(
+            "rotation|rotation_speed",
+            "the targets, once for each command: rotation (rad) and speed (turns per minute)."),
     "Usable")
 
 }  // namespace argos

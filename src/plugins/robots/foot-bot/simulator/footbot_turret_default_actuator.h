@@ -10,10 +10,10 @@ namespace argos {
 class CControllableEntity;
 class CTurretEntity;
 
-/** Turns the turret of a foot-bot; see its long description. */
+/** Rotates the turret of a foot-bot; see the manual in the source. */
 class CFootBotTurretDefaultActuator : public CSimulatedActuator, public CCI_FootBotTurretActuator {
  public:
-  /** @throws CARGoSException unless the robot has a "turret" and a "controller". */
+  /** @throws CARGoSException if the robot has no "turret" or "controller". */
   void SetRobot(CComposableEntity& robot) override;
   /** Reads `<noise>`. */
   void Init(TConfigurationNode& tree) override;
@@ -22,7 +22,7 @@ class CFootBotTurretDefaultActuator : public CSimulatedActuator, public CCI_Foot
   void SetRotationSpeed(SInt32 pulses) override;
   void SetMode(ETurretModes mode) override;
   void Update() override;
-  /** Off; all targets are zero. */
+  /** Switches the motor off and sets all targets to 0. */
   void Reset() override;
 
  private:

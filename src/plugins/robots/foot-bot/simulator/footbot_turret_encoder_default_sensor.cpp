@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/simulator/entities/turret_entity.h>
 
 namespace argos {
@@ -31,31 +32,15 @@ void CFootBotTurretEncoderDefaultSensor::Reset() {
 
 REGISTER_SENSOR(
     CFootBotTurretEncoderDefaultSensor, "footbot_turret_encoder", "default",
-    "the authors of this project", "1.0", "Where the turret of the foot-bot points.",
-    R"(Reads the rotation of the turret on the base, in rad, in (-pi,pi], counter-clockwise from straight ahead;
-in every mode of the turret, and exactly if there is no noise.
-
-REQUIRED XML
-
-  <controllers>
-    <my_controller id="c1">
-      <actuators />
-      <sensors>
-        <footbot_turret_encoder implementation="default" />
-      </sensors>
-      <params />
-    </my_controller>
-  </controllers>
-
-OPTIONAL XML
-
-  <footbot_turret_encoder implementation="default">
+    "the authors of this project", "1.0", "The rotation of the foot-bot's turret.",
+    R"(Reads the rotation of the turret on the base, in rad, in (-pi,pi], counter-clockwise from straight ahead, in
+every mode of the turret, and exactly without noise.
+)" + RequiredSensorXML(R"(<footbot_turret_encoder implementation="default" />)") +
+        OptionalXML(R"(<footbot_turret_encoder implementation="default">
     <noise on="rotation" model="gaussian" std_dev="0.01" />
-  </footbot_turret_encoder>
-
-Children <noise on="rotation" model="uniform|gaussian|rayleigh" level|std_dev|sigma="..." bias="0" relative="false" />
-add noise to the rotation (rad) in each tick; what is read stays in (-pi,pi].
-)",
+  </footbot_turret_encoder>)") +
+        NoiseManual("rotation",
+                    "the rotation (rad) in each tick; the reading is normalized to (-pi,pi]."),
     "Usable")
 
 }  // namespace argos

@@ -10,11 +10,11 @@ namespace argos {
 class CControllableEntity;
 class CTurretEntity;
 
-/** Reads where the turret of a foot-bot points, in every mode. */
+/** Reads the rotation of a foot-bot's turret, in every mode. */
 class CFootBotTurretEncoderDefaultSensor : public CSimulatedSensor,
                                            public CCI_FootBotTurretEncoderSensor {
  public:
-  /** @throws CARGoSException unless the robot has a "turret" and a "controller". */
+  /** @throws CARGoSException if the robot has no "turret" or "controller". */
   void SetRobot(CComposableEntity& robot) override;
   /** Reads `<noise>`. */
   void Init(TConfigurationNode& tree) override;

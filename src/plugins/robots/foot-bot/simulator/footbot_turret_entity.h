@@ -8,7 +8,7 @@ namespace argos {
 /** The turret of a foot-bot, which carries the LEDs and the gripper. */
 class CFootBotTurretEntity : public CTurretEntity {
  public:
-  /** @param anchor  the frame that turns, of the foot-bot's body. */
+  /** @param anchor  the rotating frame on the foot-bot's body. */
   CFootBotTurretEntity(CComposableEntity* parent, const std::string& id, SAnchor& anchor);
 };
 

@@ -4,26 +4,8 @@
 
 namespace argos {
 
-namespace {
-
-void Write(CLuaTable& table, Real reading) {
-  table.Set("height", reading);
-}
-
-}  // namespace
-
-Real CCI_AltitudeSensor::GetReading() const {
-  return m_fReading;
-}
-
-void CCI_AltitudeSensor::CreateLuaState(lua_State* state) {
-  CLuaTable table(state, *this, "altitude");
-  Write(table, m_fReading);
-}
-
-void CCI_AltitudeSensor::ReadingsToLuaState(lua_State* state) {
-  CLuaTable table(state, *this);
-  Write(table, m_fReading);
+void CCI_AltitudeSensor::WriteReadings(CLuaTable& table) const {
+  table.Set("height", m_fReading);
 }
 
 }  // namespace argos

@@ -4,27 +4,9 @@
 
 namespace argos {
 
-namespace {
-
-void Write(CLuaTable& table, const CCI_BatterySensor::SReading& reading) {
-  table.Set("available_charge", reading.AvailableCharge);
-  table.Set("time_left", reading.TimeLeft);
-}
-
-}  // namespace
-
-const CCI_BatterySensor::SReading& CCI_BatterySensor::GetReading() const {
-  return m_sReading;
-}
-
-void CCI_BatterySensor::CreateLuaState(lua_State* state) {
-  CLuaTable table(state, *this, "battery");
-  Write(table, m_sReading);
-}
-
-void CCI_BatterySensor::ReadingsToLuaState(lua_State* state) {
-  CLuaTable table(state, *this);
-  Write(table, m_sReading);
+void CCI_BatterySensor::WriteReadings(CLuaTable& table) const {
+  table.Set("available_charge", m_sReading.AvailableCharge);
+  table.Set("time_left", m_sReading.TimeLeft);
 }
 
 }  // namespace argos

@@ -1,8 +1,8 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_CAMERA_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_CAMERA_SENSOR_H
 
-#include <argos3/core/control_interface/ci_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_camera_sensor_algorithm.h>
+#include <argos3/plugins/robots/generic/control_interface/table_sensor.h>
 
 #include <string>
 #include <vector>
@@ -10,12 +10,12 @@
 namespace argos {
 
 /**
- * The cameras of a robot, each with algorithms that look at its pictures.
+ * The cameras of a robot, with algorithms that process their images.
  *
- * Starts disabled: a controller calls Enable(), and has its first readings in the next step. A Lua
- * controller finds it enabled.
+ * Starts disabled: a controller calls Enable(), and has its first readings in the next step. For
+ * Lua controllers it is enabled from the start.
  */
-class CCI_CameraSensor : virtual public CCI_Sensor {
+class CCI_CameraSensor : public CVirtualTableSensor {
  public:
   /** One camera. */
   struct SInterface {
@@ -28,15 +28,18 @@ class CCI_CameraSensor : virtual public CCI_Sensor {
     SInterface(const std::string& id, const std::vector<CCI_CameraSensorAlgorithm*>& algorithms);
   };
 
-  /** One for each camera, in the order of the file. */
+  /** One interface for each camera, in the order of the file. */
   const SInterface::TVector& GetInterfaces() const;
-
-  /** robot.cameras.<id>.<algorithm>[i], see the algorithms; enables the sensor */
-  void CreateLuaState(lua_State* state) override;
-  void ReadingsToLuaState(lua_State* state) override;
 
  protected:
   SInterface::TVector m_vecInterfaces;
+
+ private:
+  const char* GetLuaName() const override { return "cameras"; }
+  /** Enables the sensor: Lua has no function for it. */
+  void WriteConstants(CLuaTable& table) override;
+  /** robot.cameras.<id>.<algorithm>[i], see the algorithms */
+  void WriteReadings(CLuaTable& table) const override;
 };
 
 }  // namespace argos

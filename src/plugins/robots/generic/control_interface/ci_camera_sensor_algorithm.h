@@ -5,14 +5,14 @@ namespace argos {
 
 class CLuaTable;
 
-/** What is made of the pictures of a camera: see the derived classes for readings. */
+/** An algorithm that processes the images of a camera; see the derived classes for readings. */
 class CCI_CameraSensorAlgorithm {
  public:
   virtual ~CCI_CameraSensorAlgorithm();
 
-  /** The name of its element in the experiment file, and of its table in Lua. */
+  /** Name of the XML element, and of the table in Lua. */
   virtual const char* GetLabel() const = 0;
-  /** For Lua controllers: makes @p table a list of the readings; by default it stays as it is. */
+  /** For Lua controllers: writes the list of readings to @p table; by default does nothing. */
   virtual void WriteReadings(CLuaTable& table) const;
 };
 

@@ -10,14 +10,14 @@
 
 namespace argos {
 
-/** Finds tags in the pictures of a camera: "tag_detector". */
+/** Detects tags in the images of a camera: "tag_detector". */
 class CCI_CameraSensorTagDetectorAlgorithm : virtual public CCI_CameraSensorAlgorithm {
  public:
   /** One tag. */
   struct SReading {
     std::string Payload;
     CVector2 Center; /**< pixels, as the camera's focal length and principal point define them */
-    /** pixels: that at (+,+) of the tag's frame first, then counter-clockwise as seen on the tag */
+    /** pixels: first the corner at (+,+) in the tag's frame, then counter-clockwise on the tag */
     std::array<CVector2, 4> Corners;
 
     SReading();
@@ -25,7 +25,7 @@ class CCI_CameraSensorTagDetectorAlgorithm : virtual public CCI_CameraSensorAlgo
              const std::array<CVector2, 4>& corners);
   };
 
-  /** In the order in which their entities were created. */
+  /** @return the readings, in the order in which the entities were created. */
   const std::vector<SReading>& GetReadings() const;
 
   const char* GetLabel() const override { return "tag_detector"; }

@@ -4,27 +4,9 @@
 
 namespace argos {
 
-namespace {
-
-void Write(CLuaTable& table, const CCI_ClockSensor::SReading& reading) {
-  table.Set("tick", static_cast<Real>(reading.Tick));
-  table.Set("time", reading.Time);
-}
-
-}  // namespace
-
-const CCI_ClockSensor::SReading& CCI_ClockSensor::GetReading() const {
-  return m_sReading;
-}
-
-void CCI_ClockSensor::CreateLuaState(lua_State* state) {
-  CLuaTable table(state, *this, "clock");
-  Write(table, m_sReading);
-}
-
-void CCI_ClockSensor::ReadingsToLuaState(lua_State* state) {
-  CLuaTable table(state, *this);
-  Write(table, m_sReading);
+void CCI_ClockSensor::WriteReadings(CLuaTable& table) const {
+  table.Set("tick", static_cast<Real>(m_sReading.Tick));
+  table.Set("time", m_sReading.Time);
 }
 
 }  // namespace argos

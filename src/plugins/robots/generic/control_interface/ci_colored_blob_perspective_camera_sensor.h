@@ -1,47 +1,26 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_COLORED_BLOB_PERSPECTIVE_CAMERA_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_COLORED_BLOB_PERSPECTIVE_CAMERA_SENSOR_H
 
-#include <argos3/core/control_interface/ci_sensor.h>
 #include <argos3/core/utility/datatypes/color.h>
-#include <argos3/core/utility/datatypes/datatypes.h>
-
-#include <vector>
+#include <argos3/plugins/robots/generic/control_interface/colored_blobs.h>
 
 namespace argos {
 
-/**
- * A camera that sees coloured lights in one direction.
- *
- * Starts disabled: a controller calls Enable(), and has its first readings in the next step.
- */
-class CCI_ColoredBlobPerspectiveCameraSensor : public CCI_Sensor {
- public:
-  /** One coloured light. */
-  struct SBlob {
-    CColor Color;
-    SInt32 X, Y; /**< pixels; (0,0) is the upper left one of the image */
+/** A light in an image of a perspective camera. */
+struct SPerspectiveBlob {
+  CColor Color;
+  SInt32 X, Y; /**< pixels; (0,0) is the upper left one of the image */
 
-    SBlob();
-    SBlob(const CColor& color, SInt32 x, SInt32 y);
-  };
+  SPerspectiveBlob() : SPerspectiveBlob(CColor(), 0, 0) {}
+  SPerspectiveBlob(const CColor& color, SInt32 x, SInt32 y) : Color(color), X(x), Y(y) {}
+};
 
-  typedef std::vector<SBlob*> TBlobList;
-
-  struct SReadings {
-    TBlobList BlobList; /**< not owned; the blobs are valid until the next step */
-    UInt64 Counter; /**< how many pictures were taken since the start */
-
-    SReadings();
-  };
-
-  const SReadings& GetReadings() const;
-
-  /** robot.colored_blob_perspective_camera.enable(), disable(); [i] = { x, y, color } */
-  void CreateLuaState(lua_State* state) override;
-  void ReadingsToLuaState(lua_State* state) override;
-
- protected:
-  SReadings m_sReadings;
+/** A perspective camera that detects coloured lights. */
+class CCI_ColoredBlobPerspectiveCameraSensor : public CColoredBlobs<SPerspectiveBlob> {
+ private:
+  const char* GetLuaName() const override { return "colored_blob_perspective_camera"; }
+  /** [i] = { x, y, color } */
+  void WriteReadings(CLuaTable& table) const override;
 };
 
 }  // namespace argos

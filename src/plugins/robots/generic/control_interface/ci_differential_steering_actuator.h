@@ -12,7 +12,7 @@ class CCI_DifferentialSteeringActuator : public CCI_Actuator {
   CCI_DifferentialSteeringActuator();
 
   /**
-   * Sets how fast the wheels roll, from now until the next call.
+   * Sets the speeds of the wheels, until the next call.
    * @param left, right  ground speeds of the wheels, cm/s, positive ahead.
    * @throws CARGoSException if one is not finite.
    */

@@ -4,30 +4,15 @@
 
 namespace argos {
 
-namespace {
-
-void Write(CLuaTable& wheels, const CCI_DifferentialSteeringSensor::SReading& reading) {
-  wheels.Set("velocity_left", reading.VelocityLeftWheel);
-  wheels.Set("velocity_right", reading.VelocityRightWheel);
-  wheels.Set("distance_left", reading.CoveredDistanceLeftWheel);
-  wheels.Set("distance_right", reading.CoveredDistanceRightWheel);
+void CCI_DifferentialSteeringSensor::WriteConstants(CLuaTable& table) {
+  table.Set("axis_length", m_sReading.WheelAxisLength);
 }
 
-}  // namespace
-
-const CCI_DifferentialSteeringSensor::SReading& CCI_DifferentialSteeringSensor::GetReading() const {
-  return m_sReading;
-}
-
-void CCI_DifferentialSteeringSensor::CreateLuaState(lua_State* state) {
-  CLuaTable wheels(state, *this, "wheels");
-  Write(wheels, m_sReading);
-  wheels.Set("axis_length", m_sReading.WheelAxisLength);
-}
-
-void CCI_DifferentialSteeringSensor::ReadingsToLuaState(lua_State* state) {
-  CLuaTable wheels(state, *this);
-  Write(wheels, m_sReading);
+void CCI_DifferentialSteeringSensor::WriteReadings(CLuaTable& table) const {
+  table.Set("velocity_left", m_sReading.VelocityLeftWheel);
+  table.Set("velocity_right", m_sReading.VelocityRightWheel);
+  table.Set("distance_left", m_sReading.CoveredDistanceLeftWheel);
+  table.Set("distance_right", m_sReading.CoveredDistanceRightWheel);
 }
 
 }  // namespace argos

@@ -1,13 +1,13 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_DIFFERENTIAL_STEERING_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_DIFFERENTIAL_STEERING_SENSOR_H
 
-#include <argos3/core/control_interface/ci_sensor.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/plugins/robots/generic/control_interface/table_sensor.h>
 
 namespace argos {
 
 /** The encoders of two wheels on one axis. */
-class CCI_DifferentialSteeringSensor : public CCI_Sensor {
+class CCI_DifferentialSteeringSensor : public CTableSensor {
  public:
   struct SReading {
     Real VelocityLeftWheel = 0.0; /**< cm/s, positive ahead */
@@ -26,14 +26,16 @@ class CCI_DifferentialSteeringSensor : public CCI_Sensor {
           WheelAxisLength(axisLength) {}
   };
 
-  const SReading& GetReading() const;
-
-  /** robot.wheels.velocity_left, velocity_right, distance_left, distance_right, axis_length */
-  void CreateLuaState(lua_State* state) override;
-  void ReadingsToLuaState(lua_State* state) override;
+  const SReading& GetReading() const { return m_sReading; }
 
  protected:
   SReading m_sReading;
+
+ private:
+  const char* GetLuaName() const override { return "wheels"; }
+  /** robot.wheels.velocity_left, velocity_right, distance_left, distance_right, axis_length */
+  void WriteConstants(CLuaTable& table) override;
+  void WriteReadings(CLuaTable& table) const override;
 };
 
 }  // namespace argos

@@ -6,13 +6,13 @@
 
 namespace argos {
 
-/** A gripper: locked, it takes hold of what comes into it; unlocked, it lets go. */
+/** A gripper: when locked, it grips a body within reach; when unlocked, it releases it. */
 class CCI_GripperActuator : public CCI_Actuator {
  public:
   /** Starts unlocked. */
   CCI_GripperActuator() = default;
 
-  /** @param state  0 is open, 1 is closed; cut to [0,1]. Above 0.5 it is locked. */
+  /** @param state  0 is open, 1 is closed; clamped to [0,1]. Above 0.5 the gripper is locked. */
   void SetLockState(Real state);
   void Lock();
   void Unlock();

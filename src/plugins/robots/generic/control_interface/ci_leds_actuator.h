@@ -1,43 +1,14 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_LEDS_ACTUATOR_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_LEDS_ACTUATOR_H
 
-#include <argos3/core/control_interface/ci_actuator.h>
-#include <argos3/core/utility/datatypes/color.h>
-#include <argos3/core/utility/datatypes/datatypes.h>
-
-#include <vector>
+#include <argos3/plugins/robots/generic/control_interface/led_colors.h>
 
 namespace argos {
 
-/** The coloured LEDs of a robot; black ones are off. */
-class CCI_LEDsActuator : public CCI_Actuator {
- public:
-  /** One colour for each LED. */
-  typedef std::vector<CColor> TSettings;
-
-  size_t GetNumLEDs() const;
-
-  /** @param led from 0. @throws CARGoSException if there is no such LED. */
-  virtual void SetSingleColor(UInt32 led, const CColor& color);
-  virtual void SetAllColors(const CColor& color);
-  /** @throws CARGoSException if the numbers of colours and of LEDs differ. */
-  virtual void SetAllColors(const TSettings& colors);
-  /**
-   * @param led        from 0.
-   * @param intensity  the alpha channel of the colour, 0 to 255.
-   * @throws CARGoSException if there is no such LED.
-   */
-  virtual void SetSingleIntensity(UInt32 led, UInt8 intensity);
-  virtual void SetAllIntensities(UInt8 intensity);
-
-  /** robot.leds.set_single_color(i, color), set_all_colors(color); LEDs count from 1 */
-  void CreateLuaState(lua_State* state) override;
-
- protected:
-  TSettings m_tSettings;
-
+/** The coloured LEDs of a robot. In Lua: robot.leds, see CLEDColors. */
+class CCI_LEDsActuator : public CLEDColors {
  private:
-  void CheckLED(UInt32 led) const;
+  const char* GetLabel() const override { return "leds"; }
 };
 
 }  // namespace argos

@@ -1,25 +1,15 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_LIGHT_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_LIGHT_SENSOR_H
 
-#include <argos3/core/control_interface/ci_sensor.h>
-#include <argos3/core/utility/datatypes/datatypes.h>
-
-#include <vector>
+#include <argos3/plugins/robots/generic/control_interface/plain_readings.h>
 
 namespace argos {
 
-/** The light sensors of any robot. */
-class CCI_LightSensor : public CCI_Sensor {
- public:
-  /** One reading in [0,1] for each sensor of the robot: 0 is dark, larger is brighter. */
-  const std::vector<Real>& GetReadings() const;
-
-  /** robot.light[i], numbers. */
-  void CreateLuaState(lua_State* state) override;
-  void ReadingsToLuaState(lua_State* state) override;
-
- protected:
-  std::vector<Real> m_tReadings;
+/** The light sensors of any robot. Readings are in [0,1]: 0 is dark, larger is brighter. In Lua:
+ * robot.light[i]. */
+class CCI_LightSensor : public CPlainReadings {
+ private:
+  const char* GetLuaName() const override { return "light"; }
 };
 
 }  // namespace argos

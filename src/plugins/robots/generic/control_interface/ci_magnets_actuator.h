@@ -15,14 +15,14 @@ class CCI_MagnetsActuator : virtual public CCI_Actuator {
   /** One magnet. */
   struct SInterface {
     std::string Id; /**< of its entity */
-    Real Current; /**< a multiple of the current of its active field; 0 at the start */
+    Real Current; /**< multiple of the current of the active field; 0 at the start */
 
     typedef std::vector<SInterface> TVector;
 
     SInterface(const std::string& id, Real current);
   };
 
-  /** One for each magnet, in order; a controller sets the currents. */
+  /** One interface for each magnet, in order; a controller sets the currents. */
   SInterface::TVector& GetInterfaces();
 
   /** robot.magnets.<id>.set_current(c) */

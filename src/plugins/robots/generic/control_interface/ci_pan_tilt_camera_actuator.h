@@ -6,12 +6,12 @@
 
 namespace argos {
 
-/** Turns the perspective camera of a robot. Both angles are 0 at the start. */
+/** Rotates the perspective camera of a robot. Both angles are 0 at the start. */
 class CCI_PanTiltCameraActuator : public CCI_Actuator {
  public:
-  /** Sideways, from straight out of the camera's mount; positive to the left. */
+  /** Sideways rotation about the z axis of the camera's mount; positive to the left. */
   virtual void SetPan(const CRadians& pan) = 0;
-  /** Up and down, about the camera's y axis; positive is down. */
+  /** Rotation about the camera's y axis; positive is down. */
   virtual void SetTilt(const CRadians& tilt) = 0;
 
   /** robot.pan_tilt_camera.set_pan(rad), set_tilt(rad) */

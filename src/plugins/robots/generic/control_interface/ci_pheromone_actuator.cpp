@@ -31,8 +31,8 @@ void CCI_PheromoneActuator::SetRate(const std::string& layer, Real rate) {
     }
     known.push_back(interface.Layer);
   }
-  THROW_ARGOSEXCEPTION("pheromone actuator: there is no layer \"" << layer << "\""
-                                                                  << DidYouMean(layer, known));
+  THROW_ARGOSEXCEPTION("pheromone actuator: unknown layer \"" << layer << "\""
+                                                              << DidYouMean(layer, known));
 }
 
 void CCI_PheromoneActuator::CreateLuaState(lua_State* state) {

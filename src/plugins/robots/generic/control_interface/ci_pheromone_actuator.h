@@ -9,23 +9,22 @@
 
 namespace argos {
 
-/** Lays substances on the ground. */
+/** Deposits substances on the ground. */
 class CCI_PheromoneActuator : public CCI_Actuator {
  public:
   /** One substance. */
   struct SInterface {
     std::string Layer; /**< its id */
-    Real Rate = 0.0; /**< how much is laid, amount per second; holds until it is changed */
+    Real Rate = 0.0; /**< deposited amount per second; holds until it is changed */
 
     typedef std::vector<SInterface> TVector;
   };
 
-  /** One for each layer that can be laid, in order; a controller may set the rates. */
+  /** One interface for each layer, in order; a controller may set the rates. */
   SInterface::TVector& GetInterfaces() { return m_vecInterfaces; }
-  /** Sets the rate of the first layer. @param rate >= 0, amount per second. @throws CARGoSException
-   * if it is not. */
+  /** Sets the rate of the first layer, >= 0, amount per second. @throws CARGoSException if < 0. */
   void SetRate(Real rate);
-  /** @throws CARGoSException also with the layers there are, if @p layer is none of them. */
+  /** @throws CARGoSException also if the layer is unknown; the text lists the layers. */
   void SetRate(const std::string& layer, Real rate);
 
   /** robot.pheromone.<layer>.set_rate(rate) */

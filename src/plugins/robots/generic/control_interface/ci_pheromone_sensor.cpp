@@ -6,23 +6,6 @@
 
 namespace argos {
 
-namespace {
-
-void Write(CLuaTable& pheromone, const CCI_PheromoneSensor::SInterface::TVector& interfaces) {
-  for (const CCI_PheromoneSensor::SInterface& interface : interfaces) {
-    CLuaTable layer = pheromone.GetTable(interface.Layer.c_str());
-    layer.SetRecords(interface.Readings,
-                     [](CLuaTable& record, const CCI_PheromoneSensor::SReading& reading) {
-                       record.Set("value", reading.Value);
-                       if (record.IsNew()) {
-                         record.Set("offset", reading.Offset);
-                       }
-                     });
-  }
-}
-
-}  // namespace
-
 const CCI_PheromoneSensor::TReadings& CCI_PheromoneSensor::GetReadings(
     const std::string& layer) const {
   std::vector<std::string> known;
@@ -32,18 +15,20 @@ const CCI_PheromoneSensor::TReadings& CCI_PheromoneSensor::GetReadings(
     }
     known.push_back(interface.Layer);
   }
-  THROW_ARGOSEXCEPTION("pheromone sensor: there is no layer \"" << layer << "\""
-                                                                << DidYouMean(layer, known));
+  THROW_ARGOSEXCEPTION("pheromone sensor: unknown layer \"" << layer << "\""
+                                                            << DidYouMean(layer, known));
 }
 
-void CCI_PheromoneSensor::CreateLuaState(lua_State* state) {
-  CLuaTable pheromone(state, *this, "pheromone");
-  Write(pheromone, m_vecInterfaces);
-}
-
-void CCI_PheromoneSensor::ReadingsToLuaState(lua_State* state) {
-  CLuaTable pheromone(state, *this);
-  Write(pheromone, m_vecInterfaces);
+void CCI_PheromoneSensor::WriteReadings(CLuaTable& table) const {
+  for (const SInterface& interface : m_vecInterfaces) {
+    CLuaTable layer = table.GetTable(interface.Layer.c_str());
+    layer.SetRecords(interface.Readings, [](CLuaTable& record, const SReading& reading) {
+      record.Set("value", reading.Value);
+      if (record.IsNew()) {
+        record.Set("offset", reading.Offset);
+      }
+    });
+  }
 }
 
 }  // namespace argos

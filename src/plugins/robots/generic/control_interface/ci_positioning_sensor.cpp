@@ -4,27 +4,9 @@
 
 namespace argos {
 
-namespace {
-
-void Write(CLuaTable& table, const CCI_PositioningSensor::SReading& reading) {
-  table.Set("position", reading.Position);
-  table.Set("orientation", reading.Orientation);
-}
-
-}  // namespace
-
-const CCI_PositioningSensor::SReading& CCI_PositioningSensor::GetReading() const {
-  return m_sReading;
-}
-
-void CCI_PositioningSensor::CreateLuaState(lua_State* state) {
-  CLuaTable table(state, *this, "positioning");
-  Write(table, m_sReading);
-}
-
-void CCI_PositioningSensor::ReadingsToLuaState(lua_State* state) {
-  CLuaTable table(state, *this);
-  Write(table, m_sReading);
+void CCI_PositioningSensor::WriteReadings(CLuaTable& table) const {
+  table.Set("position", m_sReading.Position);
+  table.Set("orientation", m_sReading.Orientation);
 }
 
 }  // namespace argos

@@ -1,25 +1,15 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_PROXIMITY_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_PROXIMITY_SENSOR_H
 
-#include <argos3/core/control_interface/ci_sensor.h>
-#include <argos3/core/utility/datatypes/datatypes.h>
-
-#include <vector>
+#include <argos3/plugins/robots/generic/control_interface/plain_readings.h>
 
 namespace argos {
 
-/** The proximity sensors of any robot. */
-class CCI_ProximitySensor : public CCI_Sensor {
- public:
-  /** One reading in [0,1] for each sensor of the robot: 0 sees nothing, larger is nearer. */
-  const std::vector<Real>& GetReadings() const;
-
-  /** robot.proximity[i], numbers */
-  void CreateLuaState(lua_State* state) override;
-  void ReadingsToLuaState(lua_State* state) override;
-
- protected:
-  std::vector<Real> m_tReadings;
+/** The proximity sensors of any robot. Readings are in [0,1]: 0 means that no object is in range,
+ * larger is nearer. In Lua: robot.proximity[i]. */
+class CCI_ProximitySensor : public CPlainReadings {
+ private:
+  const char* GetLuaName() const override { return "proximity"; }
 };
 
 }  // namespace argos

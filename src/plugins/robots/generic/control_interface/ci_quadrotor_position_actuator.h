@@ -8,20 +8,21 @@
 namespace argos {
 
 /**
- * Sends a flying robot to a position and a yaw.
+ * Controls the position and the yaw of a flying robot.
  *
- * Targets hold until they are replaced; at the start and after a reset they are where the robot is.
+ * Targets hold until they are replaced; at the start and after a reset they are the current pose.
  * All setters throw CARGoSException if a number is not finite or beyond 1e9.
  */
 class CCI_QuadRotorPositionActuator : public CCI_Actuator {
  public:
   /** @param position  world frame, m. */
   virtual void SetAbsolutePosition(const CVector3& position) = 0;
-  /** @param position  in the frame that the robot has at the time of the call, m. */
+  /** @param position  in the robot's frame at the time of the call, m. */
   virtual void SetRelativePosition(const CVector3& position) = 0;
-  /** @param yaw  world frame, counter-clockwise from x; the robot turns by the shorter way. */
+  /** @param yaw  world frame, counter-clockwise from x; the robot rotates in the shorter direction.
+   */
   virtual void SetAbsoluteYaw(const CRadians& yaw) = 0;
-  /** @param yaw  from the yaw at the time of the call. */
+  /** @param yaw  relative to the yaw at the time of the call. */
   virtual void SetRelativeYaw(const CRadians& yaw) = 0;
 
   void CreateLuaState(lua_State* state) override;

@@ -8,14 +8,14 @@
 namespace argos {
 
 /**
- * Lets a flying robot move at a velocity and turn at a rate.
+ * Controls the velocity and the rotational speed of a flying robot.
  *
  * Targets hold until they are replaced; at the start and after a reset they are zero. Both setters
  * throw CARGoSException if a number is not finite or beyond 1e9.
  */
 class CCI_QuadRotorSpeedActuator : public CCI_Actuator {
  public:
-  /** @param velocity  along the axes of the world, m/s. */
+  /** @param velocity  in the world frame, m/s. */
   virtual void SetLinearVelocity(const CVector3& velocity) = 0;
   /** @param speed  about the vertical, counter-clockwise, rad/s. */
   virtual void SetRotationalSpeed(const CRadians& speed) = 0;

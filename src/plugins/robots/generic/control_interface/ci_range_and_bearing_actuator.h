@@ -7,16 +7,16 @@
 
 namespace argos {
 
-/** Sends a message of fixed size all around, in every tick, until it is changed. */
+/** Sends a message of fixed size in all directions, in every tick, until it is changed. */
 class CCI_RangeAndBearingActuator : public CCI_Actuator {
  public:
-  /** Bytes of the message. */
+  /** @return number of bytes of the message. */
   size_t GetSize() const { return m_cData.Size(); }
   /** @throws CARGoSException unless @p data has GetSize() bytes. */
   void SetData(const CByteArray& data);
-  /** @param index from 0. @throws CARGoSException if there is no such byte. */
+  /** @param index from 0. @throws CARGoSException if it is not < GetSize(). */
   void SetData(size_t index, UInt8 value);
-  /** All zeros. */
+  /** Sets all bytes to 0. */
   void ClearData();
 
   /** robot.range_and_bearing.set_data(i, byte), set_data({b1, ...}), clear_data() */

@@ -12,16 +12,16 @@ namespace argos {
 class CCI_RFIDActuator : public CCI_Actuator {
  public:
   /**
-   * Orders to write bytes to the tag that is nearest when the robot acts next, once. An order that
-   * was not carried out yet is replaced.
-   * @param offset  where in the tag's memory the first byte goes. If the bytes do not fit into it,
-   *                nothing is written.
+   * Commands to write bytes once, in the next tick, to the tag that is nearest then. Replaces a
+   * pending command.
+   * @param offset  of the first byte in the tag's memory. If the bytes do not fit, nothing is
+   *                written.
    */
   void Write(const CByteArray& data, size_t offset = 0);
-  /** Takes an order back that was not carried out yet. */
+  /** Discards a pending command. */
   void Cancel() { m_isOrdered = false; }
 
-  /** Id of the tag that was written in this step; empty if none was in reach, or it was too small.
+  /** @return id of the tag written in this step; empty if no tag was in range or it was too small.
    */
   virtual const std::string& GetWrittenTag() const = 0;
 

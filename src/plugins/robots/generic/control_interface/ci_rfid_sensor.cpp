@@ -4,10 +4,8 @@
 
 namespace argos {
 
-namespace {
-
-void Write(CLuaTable& table, const CCI_RFIDSensor::TReadings& readings) {
-  table.SetNewRecords(readings, [](CLuaTable& record, const CCI_RFIDSensor::SReading& reading) {
+void CCI_RFIDSensor::WriteReadings(CLuaTable& table) const {
+  table.SetNewRecords(m_tReadings, [](CLuaTable& record, const SReading& reading) {
     record.Set("id", reading.Id);
     record.Set("distance", reading.Distance);
     record.Set("angle", reading.Angle);
@@ -16,18 +14,6 @@ void Write(CLuaTable& table, const CCI_RFIDSensor::TReadings& readings) {
       data.Set(i + 1, static_cast<Real>(reading.Data.ToCArray()[i]));
     }
   });
-}
-
-}  // namespace
-
-void CCI_RFIDSensor::CreateLuaState(lua_State* state) {
-  CLuaTable table(state, *this, "rfid");
-  Write(table, m_tReadings);
-}
-
-void CCI_RFIDSensor::ReadingsToLuaState(lua_State* state) {
-  CLuaTable table(state, *this);
-  Write(table, m_tReadings);
 }
 
 }  // namespace argos

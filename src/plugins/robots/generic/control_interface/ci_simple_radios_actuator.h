@@ -15,7 +15,7 @@ class CCI_SimpleRadiosActuator : virtual public CCI_Actuator {
   /** One radio. */
   struct SInterface {
     std::string Id; /**< of its entity */
-    std::vector<CByteArray> Messages; /**< to be sent; append. Emptied when they are */
+    std::vector<CByteArray> Messages; /**< queue of messages; cleared after sending */
 
     typedef std::vector<SInterface> TVector;
 
@@ -23,7 +23,7 @@ class CCI_SimpleRadiosActuator : virtual public CCI_Actuator {
     explicit SInterface(const std::string& id) : Id(id) {}
   };
 
-  /** One for each radio, in order. */
+  /** One interface for each radio, in order. */
   SInterface::TVector& GetInterfaces() { return m_vecInterfaces; }
 
   /** robot.simple_radios.<id>.send(table) */

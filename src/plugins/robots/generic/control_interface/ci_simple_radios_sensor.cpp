@@ -5,11 +5,9 @@
 
 namespace argos {
 
-namespace {
-
-void Write(CLuaTable& radios, const CCI_SimpleRadiosSensor::SInterface::TVector& interfaces) {
-  for (const CCI_SimpleRadiosSensor::SInterface& interface : interfaces) {
-    CLuaTable radio = radios.GetTable(interface.Id.c_str());
+void CCI_SimpleRadiosSensor::WriteReadings(CLuaTable& table) const {
+  for (const SInterface& interface : m_vecInterfaces) {
+    CLuaTable radio = table.GetTable(interface.Id.c_str());
     CLuaTable received = radio.GetTable("recv");
     lua_State* const state = received.GetState();
     lua_Integer count = 0;
@@ -21,18 +19,6 @@ void Write(CLuaTable& radios, const CCI_SimpleRadiosSensor::SInterface::TVector&
     }
     received.Truncate(static_cast<std::size_t>(count));
   }
-}
-
-}  // namespace
-
-void CCI_SimpleRadiosSensor::CreateLuaState(lua_State* state) {
-  CLuaTable radios(state, *this, "simple_radios");
-  Write(radios, m_vecInterfaces);
-}
-
-void CCI_SimpleRadiosSensor::ReadingsToLuaState(lua_State* state) {
-  CLuaTable radios(state, *this);
-  Write(radios, m_vecInterfaces);
 }
 
 }  // namespace argos

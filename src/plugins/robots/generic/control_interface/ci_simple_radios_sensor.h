@@ -1,8 +1,8 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_SIMPLE_RADIOS_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_CI_SIMPLE_RADIOS_SENSOR_H
 
-#include <argos3/core/control_interface/ci_sensor.h>
 #include <argos3/core/utility/datatypes/byte_array.h>
+#include <argos3/plugins/robots/generic/control_interface/table_sensor.h>
 
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 namespace argos {
 
 /** Receives messages of any size with the robot's radios. */
-class CCI_SimpleRadiosSensor : virtual public CCI_Sensor {
+class CCI_SimpleRadiosSensor : public CVirtualTableSensor {
  public:
   /** One radio. */
   struct SInterface {
@@ -23,15 +23,16 @@ class CCI_SimpleRadiosSensor : virtual public CCI_Sensor {
     explicit SInterface(const std::string& id) : Id(id) {}
   };
 
-  /** One for each radio, in order. */
+  /** One interface for each radio, in order. */
   const SInterface::TVector& GetInterfaces() const { return m_vecInterfaces; }
-
-  /** robot.simple_radios.<id>.recv[i]: the tables that Lua robots sent; other bytes are left out */
-  void CreateLuaState(lua_State* state) override;
-  void ReadingsToLuaState(lua_State* state) override;
 
  protected:
   SInterface::TVector m_vecInterfaces;
+
+ private:
+  const char* GetLuaName() const override { return "simple_radios"; }
+  /** robot.simple_radios.<id>.recv[i]: the tables sent by Lua robots; other messages are omitted */
+  void WriteReadings(CLuaTable& table) const override;
 };
 
 }  // namespace argos

@@ -9,7 +9,7 @@
 
 namespace argos {
 
-/** The tags of a robot, and what is written on them. */
+/** The payloads of a robot's tags. */
 class CCI_TagsActuator : public CCI_Actuator {
  public:
   /** One payload for each tag. */

@@ -1,64 +1,110 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_PLACED_READINGS_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_PLACED_READINGS_H
 
+#include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/math/angles.h>
-#include <argos3/core/wrappers/lua/lua_table.h>
+#include <argos3/core/utility/math/vector2.h>
+#include <argos3/plugins/robots/generic/control_interface/table_sensor.h>
 
 #include <vector>
 
 /*
- * Readings that say where their sensors are, for the sources of control interfaces: a READING has a
- * Value and an Angle, or a Value and an Offset, and is made from the two.
+ * Control interfaces whose readings contain the place of their sensors: the direction of each light
+ * or proximity sensor, the offset of each ground sensor. An interface derives from CPlacedSensors
+ * and defines a table, SSensorPlaces; its source includes placed_readings_impl.h.
  */
 
 namespace argos {
 
 /**
- * Readings of 0.
- * @param where  CRadians or CVector2(UInt32 i): the angle or offset of sensor i.
+ * The readings of sensors around a robot.
+ *
+ * @tparam SENSOR  the control interface. Each interface has a type of readings of its own, so that
+ *                 functions may be overloaded for them.
  */
-template <typename READING, typename WHERE>
-std::vector<READING> MakeReadings(UInt32 num, WHERE&& where) {
-  std::vector<READING> readings;
-  readings.reserve(num);
-  for (UInt32 i = 0; i < num; ++i) {
-    readings.emplace_back(0.0, where(i));
-  }
-  return readings;
-}
+template <class SENSOR>
+class CAngularReadings {
+ public:
+  struct SReading {
+    Real Value = 0.0; /**< in [0,1]: 0 for no light or no object; larger is brighter, or nearer */
+    CRadians Angle; /**< direction of the sensor, in (-PI,PI], counter-clockwise from ahead */
+
+    SReading() = default;
+    SReading(Real value, const CRadians& angle) : Value(value), Angle(angle) {}
+  };
+
+  typedef std::vector<SReading> TReadings;
+
+  /** One reading for each sensor. */
+  const TReadings& GetReadings() const { return m_tReadings; }
+
+ protected:
+  typedef SENSOR TSensor;
+  static constexpr const char* kLuaPlace = "angle";
+
+  CAngularReadings() = default;
+  ~CAngularReadings() = default;
+
+  static const CRadians& GetPlace(const SReading& reading) { return reading.Angle; }
+
+  TReadings m_tReadings;
+};
+
+/** The readings of sensors under a robot; see CAngularReadings. */
+template <class SENSOR>
+class COffsetReadings {
+ public:
+  struct SReading {
+    Real Value = 0.0; /**< in [0,1]: 0 is black, 1 is white */
+    CVector2 Offset; /**< of the sensor from the centre of the robot, in its frame, cm */
+
+    SReading() = default;
+    SReading(Real value, const CVector2& offset) : Value(value), Offset(offset) {}
+  };
+
+  typedef std::vector<SReading> TReadings;
+
+  /** One reading for each sensor. */
+  const TReadings& GetReadings() const { return m_tReadings; }
+
+ protected:
+  typedef SENSOR TSensor;
+  static constexpr const char* kLuaPlace = "offset";
+
+  COffsetReadings() = default;
+  ~COffsetReadings() = default;
+
+  static const CVector2& GetPlace(const SReading& reading) { return reading.Offset; }
+
+  TReadings m_tReadings;
+};
+
+/** Describes the sensors of one control interface. @tparam PLACE  CRadians or CVector2. */
+template <class PLACE>
+struct SSensorPlaces {
+  const char* Device; /**< label of the sensor in experiment files */
+  const char* LuaName; /**< Lua scripts find the readings in robot.<LuaName> */
+  UInt32 Num; /**< number of sensors */
+  PLACE (*GetPlace)(UInt32 index); /**< of sensor @p index < Num */
+};
 
 /**
- * Readings of 0 from an even ring, counter-clockwise, with angles in (-PI,PI].
- * @param startAngle  of the first, degrees.
+ * A control interface with one reading for each place in the table SENSOR::kPlaces.
+ *
+ * @tparam READINGS  CAngularReadings<SENSOR> or COffsetReadings<SENSOR>.
+ * @tparam BASE      CTableSensor or CVirtualTableSensor.
  */
-template <typename READING>
-std::vector<READING> MakeRing(UInt32 num, Real startAngle) {
-  return MakeReadings<READING>(num, [num, startAngle](UInt32 i) {
-    return ToRadians(CDegrees(startAngle + 360.0 / num * i)).SignedNormalize();
-  });
-}
+template <class READINGS, class BASE = CTableSensor>
+class CPlacedSensors : public BASE, public READINGS {
+ protected:
+  /** All values are 0. */
+  CPlacedSensors();
 
-/** Writes the list of { angle, value }; angles never change. */
-template <typename READING>
-void WriteAngularReadings(CLuaTable& table, const std::vector<READING>& readings) {
-  table.SetRecords(readings, [](CLuaTable& record, const READING& reading) {
-    record.Set("value", reading.Value);
-    if (record.IsNew()) {
-      record.Set("angle", reading.Angle);
-    }
-  });
-}
-
-/** Writes the list of { offset, value }; offsets never change. */
-template <typename READING>
-void WriteOffsetReadings(CLuaTable& table, const std::vector<READING>& readings) {
-  table.SetRecords(readings, [](CLuaTable& record, const READING& reading) {
-    record.Set("value", reading.Value);
-    if (record.IsNew()) {
-      record.Set("offset", reading.Offset);
-    }
-  });
-}
+ private:
+  const char* GetLuaName() const override;
+  /** robot.<LuaName>[i] = { value, angle or offset } */
+  void WriteReadings(CLuaTable& table) const override;
+};
 
 }  // namespace argos
 

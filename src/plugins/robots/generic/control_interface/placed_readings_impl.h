@@ -1,0 +1,53 @@
+#ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_PLACED_READINGS_IMPL_H
+#define ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_PLACED_READINGS_IMPL_H
+
+#include <argos3/core/wrappers/lua/lua_table.h>
+#include <argos3/plugins/robots/generic/control_interface/placed_readings.h>
+
+/*
+ * Definitions of the members of CPlacedSensors, for the sources of control interfaces: each source
+ * instantiates the template explicitly.
+ */
+
+namespace argos {
+
+/**
+ * Directions of the sensors on an even ring, counter-clockwise, for SSensorPlaces::GetPlace. The
+ * first sensor points half a step to the left of straight ahead.
+ * @tparam NUM  number of sensors on the ring.
+ * @return in (-PI,PI].
+ */
+template <UInt32 NUM>
+CRadians GetAngleOnRing(UInt32 index) {
+  return ToRadians(CDegrees(180.0 / NUM + 360.0 / NUM * index)).SignedNormalize();
+}
+
+template <class READINGS, class BASE>
+CPlacedSensors<READINGS, BASE>::CPlacedSensors() {
+  const auto& places = READINGS::TSensor::kPlaces;
+  this->m_tReadings.reserve(places.Num);
+  for (UInt32 i = 0; i < places.Num; ++i) {
+    this->m_tReadings.emplace_back(0.0, places.GetPlace(i));
+  }
+}
+
+template <class READINGS, class BASE>
+void CPlacedSensors<READINGS, BASE>::WriteReadings(CLuaTable& table) const {
+  table.SetRecords(this->m_tReadings,
+                   [](CLuaTable& record, const typename READINGS::SReading& reading) {
+                     record.Set("value", reading.Value);
+                     // places never change
+                     if (record.IsNew()) {
+                       record.Set(READINGS::kLuaPlace, READINGS::GetPlace(reading));
+                     }
+                   });
+}
+
+template <class READINGS, class BASE>
+const char* CPlacedSensors<READINGS, BASE>::GetLuaName() const {
+  return READINGS::TSensor::kPlaces.LuaName;
+}
+
+}  // namespace argos
+
+#endif

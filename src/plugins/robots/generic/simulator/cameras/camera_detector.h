@@ -1,0 +1,86 @@
+#ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_CAMERAS_CAMERA_DETECTOR_H
+#define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_CAMERAS_CAMERA_DETECTOR_H
+
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/plugins/robots/generic/simulator/camera_sensor_algorithm.h>
+#include <argos3/plugins/robots/generic/simulator/entities_in_sight.h>
+#include <argos3/plugins/robots/generic/simulator/medium_attribute.h>
+#include <argos3/plugins/robots/generic/simulator/noise.h>
+#include <argos3/plugins/robots/generic/simulator/pinhole_camera.h>
+
+#include <string>
+
+namespace argos {
+
+/**
+ * Base of the detectors: finds the entities of a medium that are visible to a camera.
+ * @tparam NUM_POINTS  number of points of an entity that must all be in the image and visible.
+ */
+template <class ENTITY, class MEDIUM, size_t NUM_POINTS>
+class CCameraDetector : public CCameraSensorSimulatedAlgorithm {
+ public:
+  void SetCamera(CComposableEntity& robot, const std::string& camera) override {
+    m_robot = &robot.GetComponent<CControllableEntity>("controller");
+    m_camera = camera;
+    m_sight.SetRobot(robot);
+  }
+  /**
+   * Reads `medium`, `show_rays` and `<noise>`.
+   * @throws CARGoSException if the medium is unknown, or noise is out of range.
+   */
+  void Init(TConfigurationNode& tree) override {
+    m_medium = &ReadMedium<MEDIUM>(tree, m_robot->GetSimulator(), GetMediumKind());
+    GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, false);
+    m_noise.Init(tree, *m_robot, {"x", "y"}, {}, " of camera " + m_camera);
+  }
+  void Reset() override { m_noise.Reset(); }
+
+ protected:
+  /** Kind of the medium, for error messages: "an LED medium". */
+  virtual std::string GetMediumKind() const = 0;
+
+  /**
+   * Calls @p see for every visible entity. The entity's position is the first of its points.
+   * @param locate  bool(const ENTITY&, CVector3* points): false if the entity cannot be visible to
+   *                this camera; else writes its other points, m, world frame. Called only if the
+   *                first point is in the image.
+   * @param see     void(const ENTITY&, const CVector2* pixels): called in order of creation, with
+   * the pixels of the entity's points, including noise.
+   */
+  template <typename LOCATE, typename SEE>
+  void Detect(const CPinholeCamera& camera, LOCATE&& locate, SEE&& see) {
+    m_sight.Detect(
+        m_medium->GetIndex(), camera.GetPosition(), camera.ComputeField(),
+        [&](const ENTITY& entity, CVector3* points) {
+          points[0] = entity.GetPosition();
+          CVector2 pixel;
+          bool inImage = camera.Project(points[0], pixel) && locate(entity, points + 1);
+          for (size_t i = 1; inImage && i < NUM_POINTS; ++i) {
+            inImage = camera.Project(points[i], pixel);
+          }
+          return inImage;
+        },
+        [&](const ENTITY& entity, const CVector3* points) {
+          CVector2 pixels[NUM_POINTS];
+          for (size_t i = 0; i < NUM_POINTS; ++i) {
+            camera.Project(points[i], pixels[i]);
+            pixels[i].SetX(m_noise.Apply(0, pixels[i].GetX()));
+            pixels[i].SetY(m_noise.Apply(1, pixels[i].GetY()));
+          }
+          see(entity, pixels);
+        },
+        m_showRays);
+  }
+
+ private:
+  CControllableEntity* m_robot = nullptr;
+  std::string m_camera;  // its id
+  MEDIUM* m_medium = nullptr;
+  bool m_showRays = false;
+  CDeviceNoise m_noise;
+  CEntitiesInSight<ENTITY, NUM_POINTS> m_sight;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,42 @@
+#include <argos3/plugins/robots/generic/control_interface/ci_camera_sensor_led_detector_algorithm.h>
+#include <argos3/plugins/robots/generic/simulator/camera_detector.h>
+#include <argos3/plugins/simulator/entities/led_entity.h>
+#include <argos3/plugins/simulator/media/led_medium.h>
+
+namespace argos {
+
+namespace {
+
+/** Detects LEDs and lights in the images of a camera. */
+class CCameraLEDDetector : public CCameraDetector<CLEDEntity, CLEDMedium, 1>,
+                           public CCI_CameraSensorLEDDetectorAlgorithm {
+ public:
+  void Reset() override;
+  void Update(const CPinholeCamera& camera) override;
+  CCI_CameraSensorAlgorithm& GetCIAlgorithm() override { return *this; }
+
+ protected:
+  std::string GetMediumKind() const override { return "an LED medium"; }
+};
+
+}  // namespace
+
+void CCameraLEDDetector::Reset() {
+  CCameraDetector::Reset();
+  m_tReadings.clear();
+}
+
+void CCameraLEDDetector::Update(const CPinholeCamera& camera) {
+  m_tReadings.clear();
+  Detect(
+      camera, [](const CLEDEntity& led, CVector3*) { return led.IsLit(); },
+      [this](const CLEDEntity& led, const CVector2* pixel) {
+        m_tReadings.emplace_back(led.GetColor(), *pixel);
+      });
+}
+
+REGISTER_CAMERA_SENSOR_ALGORITHM(CCameraLEDDetector, "led_detector", "the authors of this project",
+                                 "1.0", "Detects LEDs and lights in the images of a camera.",
+                                 "See the sensor \"cameras (default)\".", "Usable")
+
+}  // namespace argos

@@ -1,0 +1,60 @@
+#ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_DEVICE_PLACED_READINGS_SENSOR_H
+#define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_DEVICE_PLACED_READINGS_SENSOR_H
+
+#include <argos3/core/simulator/sensor.h>
+#include <argos3/core/utility/configuration/argos_configuration.h>
+
+#include <cstddef>
+
+namespace argos {
+
+class CComposableEntity;
+
+/**
+ * Checks the number of sensors of a robot.
+ * @param device  label of the device, for the message.
+ * @param kind    of the sensors, such as "light sensors".
+ * @throws CARGoSException unless @p num is @p needed.
+ */
+void RequireNumSensors(const CComposableEntity& robot, const char* device, const char* kind,
+                       size_t needed, size_t num);
+
+/**
+ * Base of sensors whose readings contain their places: everything except Update().
+ *
+ * @tparam INTERFACE  the control interface: derives from CPlacedSensors.
+ * @tparam READER     computes the readings: has SetRobot(), Init(), Reset(), GetNumSensors() and
+ *                    kKind.
+ */
+template <class INTERFACE, class READER>
+class CPlacedReadingsSensor : public CSimulatedSensor, public INTERFACE {
+ public:
+  /** See READER::SetRobot(). @throws CARGoSException if the robot has another number of sensors. */
+  void SetRobot(CComposableEntity& robot) override {
+    m_reader.SetRobot(robot);
+    RequireNumSensors(robot, INTERFACE::kPlaces.Device, READER::kKind, GetNumNeeded(),
+                      m_reader.GetNumSensors());
+  }
+  /** See READER::Init(). */
+  void Init(TConfigurationNode& tree) override {
+    INTERFACE::Init(tree);
+    m_reader.Init(tree);
+    this->Enable();
+  }
+  void Reset() override {
+    for (auto& reading : this->m_tReadings) {
+      reading.Value = 0.0;
+    }
+    m_reader.Reset();
+  }
+
+ protected:
+  /** Number of sensors, of the reader's kind, that the robot must have. */
+  virtual size_t GetNumNeeded() const { return INTERFACE::kPlaces.Num; }
+
+  READER m_reader;
+};
+
+}  // namespace argos
+
+#endif

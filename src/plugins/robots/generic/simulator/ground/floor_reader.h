@@ -1,0 +1,84 @@
+#ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_GROUND_FLOOR_READER_H
+#define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_GROUND_FLOOR_READER_H
+
+#include <argos3/core/utility/configuration/argos_configuration.h>
+#include <argos3/plugins/robots/generic/simulator/noise.h>
+
+#include <string>
+
+namespace argos {
+
+class CComposableEntity;
+class CControllableEntity;
+class CFloorEntity;
+class CGroundSensorEquippedEntity;
+struct SGroundSensorLayout;
+
+/**
+ * Reads the floor below a robot, for all types of ground sensors.
+ *
+ * A sensor reads the grey level of the floor straight below it: 0.299 red + 0.587 green + 0.114
+ * blue, from 0 (black) to 1 (white). Bodies do not occlude the floor.
+ */
+class CFloorReader {
+ public:
+  static constexpr const char* kKind = "ground sensors";
+
+  /**
+   * Finds and enables the robot's "ground_sensors".
+   * @throws CARGoSException if it has none, or no "controller".
+   */
+  void SetRobot(CComposableEntity& robot);
+  /**
+   * Reads `noise_level` and `<noise on="reading">` children.
+   * @throws CARGoSException if the level is < 0; after loading, if there is no floor.
+   */
+  void Init(TConfigurationNode& tree);
+  /** Restarts the noise. */
+  void Reset() { m_noise.Reset(); }
+
+  size_t GetNumSensors() const;
+
+  /** @return a view of the current floor. @throws CARGoSException if there is none. */
+  class CView;
+  CView ViewFloor();
+  /**
+   * Reads consecutive sensors.
+   * @param readings  the Value of each one is written; see CView::Read().
+   * @param first     number of the first sensor.
+   */
+  template <typename READINGS>
+  void Read(READINGS& readings, size_t first);
+
+ private:
+  CGroundSensorEquippedEntity* m_sensors = nullptr;  // of the robot
+  CControllableEntity* m_robot = nullptr;
+  CDeviceNoise m_noise;
+};
+
+/** The floor below the sensors of a robot in one tick. */
+class CFloorReader::CView {
+ public:
+  CView(CFloorReader& reader, const SGroundSensorLayout& layout, CFloorEntity& floor)
+      : m_reader(reader), m_layout(layout), m_floor(floor) {}
+
+  /** @return the reading with noise, in [0,1]; 0 or 1 for a black-and-white sensor. */
+  Real Read(size_t sensor);
+
+ private:
+  CFloorReader& m_reader;
+  const SGroundSensorLayout& m_layout;
+  CFloorEntity& m_floor;
+};
+
+template <typename READINGS>
+void CFloorReader::Read(READINGS& readings, size_t first) {
+  CView view = ViewFloor();
+  for (auto& reading : readings) {
+    reading.Value = view.Read(first++);
+  }
+}
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,56 @@
+#ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_LIGHT_LIGHT_DEFAULT_SENSOR_H
+#define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_LIGHT_LIGHT_DEFAULT_SENSOR_H
+
+#include <argos3/core/simulator/sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_light_sensor.h>
+#include <argos3/plugins/robots/generic/simulator/noise.h>
+#include <argos3/plugins/robots/generic/simulator/ray_caster.h>
+
+namespace argos {
+
+class CLightEntity;
+class CLights;
+class CLightSensorEquippedEntity;
+
+/**
+ * Light sensors of any robot. A derived class may define another response.
+ *
+ * A light of intensity > 0 is visible to a sensor unless another body is between the two, or the
+ * light is behind the plane through the sensor that is normal to its direction: the robot's own
+ * body is then assumed to occlude it.
+ */
+class CLightDefaultSensor : public CSimulatedSensor, public CCI_LightSensor {
+ public:
+  /** @throws CARGoSException if the robot has no "light_sensors", "body" or "controller". */
+  void SetRobot(CComposableEntity& robot) override;
+  /** Reads `show_rays`, `noise_level`, and `<noise on="reading">` children. */
+  void Init(TConfigurationNode& tree) override;
+  void Update() override;
+  void Reset() override;
+
+  /**
+   * Contribution of a visible light to a reading, before noise.
+   * @param distance   from the sensor to the light, m, >= 0.
+   * @param intensity  of the light, > 0.
+   * @return (intensity / distance)^2; the sum over lights is clamped to [0,1].
+   */
+  virtual Real CalculateReading(Real distance, Real intensity);
+
+ private:
+  struct SEyeBatch;  // a batch of sensors, in the world frame
+
+  void AddLights(SEyeBatch& eyes);
+  void FindLightsAhead(const CLightEntity& light, SEyeBatch& eyes) const;
+  void FindOccluded(const CVector3& light, SEyeBatch& eyes) const;
+  void Show(const CVector3& light, const SEyeBatch& eyes) const;
+
+  CLightSensorEquippedEntity* m_sensors = nullptr;  // of the robot
+  CRayCaster m_caster;
+  const CLights* m_lights = nullptr;  // of the space
+  CDeviceNoise m_noise;
+  bool m_showRays = false;
+};
+
+}  // namespace argos
+
+#endif

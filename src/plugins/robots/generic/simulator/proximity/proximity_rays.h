@@ -1,0 +1,77 @@
+#ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_PROXIMITY_PROXIMITY_RAYS_H
+#define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_PROXIMITY_PROXIMITY_RAYS_H
+
+#include <argos3/core/utility/configuration/argos_configuration.h>
+#include <argos3/plugins/robots/generic/simulator/noise.h>
+#include <argos3/plugins/robots/generic/simulator/ray_caster.h>
+#include <argos3/plugins/simulator/entities/proximity_sensor_equipped_entity.h>
+
+#include <algorithm>
+
+namespace argos {
+
+/**
+ * Casts the rays of a robot's proximity sensors, for all types of proximity sensors.
+ *
+ * All rays share one query of the index. Rays ignore the robot's own body; a ray that starts inside
+ * another body hits it at distance 0.
+ */
+class CProximityRays {
+ public:
+  static constexpr const char* kKind = "proximity sensors";
+
+  /**
+   * Finds and enables the robot's "proximity_sensors".
+   * @throws CARGoSException if it has none, or no "body" or "controller".
+   */
+  void SetRobot(CComposableEntity& robot);
+  /**
+   * Reads `show_rays`, `noise_level`, and `<noise on="reading">` children.
+   * @throws CARGoSException if the level is < 0.
+   */
+  void Init(TConfigurationNode& tree);
+  /** Restarts the noise. */
+  void Reset() { m_noise.Reset(); }
+
+  size_t GetNumSensors() const { return m_sensors->GetNumSensors(); }
+
+  /**
+   * Casts all rays.
+   * @param calculate  Real(Real D): the reading for a hit at distance D (m) from the ray's start.
+   * Rays without a hit read 0.
+   * @param store      void(size_t ray, Real reading): the reading includes noise, in [0,1].
+   */
+  template <typename CALCULATE, typename STORE>
+  void Read(CALCULATE&& calculate, STORE&& store) {
+    const size_t num = GetNumSensors();
+    for (size_t first = 0; first < num; first += CRayCaster::kMaxRays) {
+      const size_t count = std::min(CRayCaster::kMaxRays, num - first);
+      Real fractions[CRayCaster::kMaxRays];
+      Cast(first, count, fractions);
+      for (size_t i = 0; i < count; ++i) {
+        const Real reading =
+            fractions[i] <= 1.0 ? calculate(fractions[i] * ComputeLength(first + i)) : 0.0;
+        store(first + i, std::clamp(m_noise.Apply(0, reading), 0.0, 1.0));
+      }
+    }
+  }
+
+ private:
+  /** @param fractions  (count) as CRayCaster::Cast() gives them. */
+  void Cast(size_t first, size_t count, Real* fractions);
+  /** Of a ray, m. */
+  Real ComputeLength(size_t ray) const {
+    return m_sensors->GetLayout().Rays[ray].Direction.Length();
+  }
+
+  CProximitySensorEquippedEntity* m_sensors = nullptr;  // of the robot
+  const SRayLayout* m_layout = nullptr;  // the layout for which m_anchor is valid
+  const SAnchor* m_anchor = nullptr;  // of the first ray
+  CRayCaster m_caster;
+  CDeviceNoise m_noise;
+  bool m_showRays = false;
+};
+
+}  // namespace argos
+
+#endif

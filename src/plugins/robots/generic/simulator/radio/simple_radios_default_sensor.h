@@ -1,0 +1,30 @@
+#ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_RADIO_SIMPLE_RADIOS_DEFAULT_SENSOR_H
+#define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_RADIO_SIMPLE_RADIOS_DEFAULT_SENSOR_H
+
+#include <argos3/core/simulator/sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_simple_radios_sensor.h>
+
+namespace argos {
+
+class CControllableEntity;
+class CSimpleRadioEquippedEntity;
+
+/** Reads the messages that the robot's radios have received. */
+class CSimpleRadiosDefaultSensor : public CSimulatedSensor, public CCI_SimpleRadiosSensor {
+ public:
+  /** @throws CARGoSException if the robot has no "simple_radios". */
+  void SetRobot(CComposableEntity& robot) override;
+  /** Reads `show_rays`. */
+  void Init(TConfigurationNode& tree) override;
+  void Update() override;
+  /** Clears the messages. */
+  void Reset() override;
+
+ private:
+  CControllableEntity* m_robot = nullptr;
+  CSimpleRadioEquippedEntity* m_radios = nullptr;  // of the robot
+};
+
+}  // namespace argos
+
+#endif

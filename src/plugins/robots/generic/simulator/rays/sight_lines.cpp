@@ -1,0 +1,121 @@
+#include <argos3/plugins/robots/generic/simulator/sight_lines.h>
+
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/physics_engine/ray_queries.h>
+#include <argos3/core/simulator/space/body_index.h>
+#include <argos3/core/simulator/space/space.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace argos {
+
+void CSightLines::Start(const CVector3& eye) {
+  m_eye = eye;
+  m_lines.clear();
+  m_minZ = eye.GetZ();
+  m_maxZ = eye.GetZ();
+}
+
+void CSightLines::Add(const CVector3& point) {
+  const CVector3 toEnd = point - m_eye;
+  const Real length = toEnd.Length();
+  SLine line;
+  line.End = point;
+  line.DX = toEnd.GetX();
+  line.DY = toEnd.GetY();
+  line.SquareLengthXY = line.DX * line.DX + line.DY * line.DY;
+  line.Limit = length > kTouch ? 1.0 - kTouch / length : 0.0;
+  line.Hit = 1.0;
+  m_minZ = std::min(m_minZ, point.GetZ());
+  m_maxZ = std::max(m_maxZ, point.GetZ());
+  m_lines.push_back(line);
+}
+
+void CSightLines::Trace() {
+  if (m_lines.empty()) {
+    return;
+  }
+  if (m_robot.AreBodiesOutsideIndex()) {
+    TraceOneByOne();
+    return;
+  }
+  // a circle around the projections of all lines onto the ground
+  Real minX = m_eye.GetX();
+  Real maxX = minX;
+  Real minY = m_eye.GetY();
+  Real maxY = minY;
+  for (const SLine& line : m_lines) {
+    minX = std::min(minX, line.End.GetX());
+    maxX = std::max(maxX, line.End.GetX());
+    minY = std::min(minY, line.End.GetY());
+    maxY = std::max(maxY, line.End.GetY());
+  }
+  const Real reach = 0.5 * std::hypot(maxX - minX, maxY - minY);
+  const CBodyIndex& index = m_robot.GetSpace().GetBodyIndex();
+  const UInt32 ownBody = m_robot.GetBody().GetBodyNumber();
+  index.ForShapesNear(0.5 * (minX + maxX), 0.5 * (minY + maxY), reach,
+                      [&](const SIndexedShape& shape) {
+                        if (shape.Body != ownBody && shape.ZMax >= m_minZ && shape.ZMin <= m_maxZ) {
+                          TraceShape(index, shape);
+                        }
+                      });
+}
+
+// the upright bounding cylinder of a solid, relative to the eye
+struct CSightLines::SDisc {
+  Real X, Y;  // from the eye to its axis, m
+  Real SquareRadius;  // m^2
+  Real ZMin, ZMax;  // m, world frame
+
+  // true if the infinite line intersects the circle, projected onto the ground
+  bool IntersectsPlanar(const SLine& line) const {
+    return IsCircleOnLine(X, Y, line.DX, line.DY, SquareRadius, line.SquareLengthXY);
+  }
+  // true if the line segment may intersect the cylinder
+  bool Intersects(const SLine& line, Real eyeZ) const {
+    const Real endZ = line.End.GetZ();
+    if (std::min(eyeZ, endZ) > ZMax || std::max(eyeZ, endZ) < ZMin) {
+      return false;
+    }
+    const Real along = X * line.DX + Y * line.DY;
+    if (along <= 0.0) {
+      return X * X + Y * Y <= SquareRadius;
+    }
+    const Real toEndX = X - line.DX;
+    const Real toEndY = Y - line.DY;
+    return along < line.SquareLengthXY || toEndX * toEndX + toEndY * toEndY <= SquareRadius;
+  }
+};
+
+void CSightLines::TraceShape(const CBodyIndex& index, const SIndexedShape& shape) {
+  const SDisc disc = {shape.X - m_eye.GetX(), shape.Y - m_eye.GetY(), shape.Radius * shape.Radius,
+                      shape.ZMin, shape.ZMax};
+  for (SLine& line : m_lines) {
+    // rejects most lines
+    if (disc.IntersectsPlanar(line) && disc.Intersects(line, m_eye.GetZ())) {
+      line.Hit = std::min(line.Hit, index.Intersect(shape, CRay3(m_eye, line.End)));
+    }
+  }
+}
+
+void CSightLines::TraceOneByOne() {
+  SEmbodiedEntityIntersectionItem hit;
+  for (SLine& line : m_lines) {
+    if (GetClosestEmbodiedEntityIntersectedByRay(hit, CRay3(m_eye, line.End), m_robot.GetBody())) {
+      line.Hit = hit.TOnRay;
+    }
+  }
+}
+
+void CSightLines::Show(size_t number) const {
+  const CRay3 ray(m_eye, m_lines[number].End);
+  const bool clear = IsClear(number);
+  m_robot.GetRobot().AddCheckedRay(!clear, ray);
+  if (!clear) {
+    m_robot.GetRobot().AddIntersectionPoint(ray, m_lines[number].Hit);
+  }
+}
+
+}  // namespace argos
