@@ -1,8 +1,20 @@
 #include <argos3/testing/support/arena_text.h>
 
-#include <argos3/testing/support/robot_world.h>
+#include <iomanip>
+#include <limits>
+#include <sstream>
 
 namespace argos {
+
+std::string ToText(Real value) {
+  std::ostringstream stream;
+  stream << std::setprecision(std::numeric_limits<Real>::max_digits10) << value;
+  return stream.str();
+}
+
+std::string ToText(const CVector3& vector) {
+  return ToText(vector.GetX()) + "," + ToText(vector.GetY()) + "," + ToText(vector.GetZ());
+}
 
 std::string PoseText(const CVector3& position, Real yawDegrees) {
   return "position=\"" + ToText(position) + "\" orientation=\"" + ToText(yawDegrees) + ",0,0\"";

@@ -10,6 +10,10 @@
 
 namespace argos {
 
+/** All digits. */
+std::string ToText(Real value);
+/** "x,y,z" with all digits. */
+std::string ToText(const CVector3& vector);
 /** Attributes of a `<body>`. */
 std::string PoseText(const CVector3& position, Real yawDegrees = 0.0);
 /** A fixed cylinder standing on the ground. */

@@ -1,8 +1,5 @@
 #include <argos3/testing/support/robot_world.h>
 
-#include <iomanip>
-#include <limits>
-#include <sstream>
 
 namespace argos {
 
@@ -38,16 +35,6 @@ std::string Robot(const std::string& tag, const std::string& id, const std::stri
 
 std::string LoadError(const SRobotExperiment& experiment) {
   return LoadError(experiment.ToExperiment());
-}
-
-std::string ToText(Real value) {
-  std::ostringstream stream;
-  stream << std::setprecision(std::numeric_limits<Real>::max_digits10) << value;
-  return stream.str();
-}
-
-std::string ToText(const CVector3& vector) {
-  return ToText(vector.GetX()) + "," + ToText(vector.GetY()) + "," + ToText(vector.GetZ());
 }
 
 }  // namespace argos

@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/loop_functions.h>
+#include <argos3/testing/support/arena_text.h>
 #include <argos3/testing/support/experiment.h>
 
 #include <functional>
@@ -73,10 +74,6 @@ class CRobotWorldController : public CCI_Controller {
 std::string Robot(const std::string& tag, const std::string& id, const std::string& pose);
 /** The error on loading an experiment; empty if it loads. */
 std::string LoadError(const SRobotExperiment& experiment);
-/** "x,y,z" with all digits. */
-std::string ToText(const CVector3& vector);
-/** All digits. */
-std::string ToText(Real value);
 
 }  // namespace argos
 
