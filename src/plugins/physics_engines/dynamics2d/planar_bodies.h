@@ -14,10 +14,12 @@ class b2MotorJoint;
 namespace argos {
 
 class CDynamics2DModel;
+class CEmbodiedEntity;
 
-/** What a body is to the outside: whose it is, and where the outside wants to find its number. */
+/** The engine's references to a body: both null for a wall of the region. */
 struct SPlanarOwner {
   CDynamics2DModel* Model = nullptr;
+  CEmbodiedEntity* Body = nullptr;
   SPlanarHandle* Handle = nullptr;
 };
 

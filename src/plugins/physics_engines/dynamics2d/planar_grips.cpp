@@ -1,7 +1,6 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_grips.h>
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/dynamics2d_model.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_shapes.h>
 
@@ -43,7 +42,7 @@ class CGripSearch : public b2QueryCallback {
 
   bool ReportFixture(b2Fixture* fixture) override {
     b2Body& body = *fixture->GetBody();
-    if (&body == &m_own || m_grippable[GetBodyNumber(body)].Model == nullptr) {
+    if (&body == &m_own || m_grippable[GetBodyNumber(body)].Body == nullptr) {
       return true;
     }
     const b2Vec2 point = ComputeNearestPoint(*fixture, m_centre);
@@ -58,9 +57,7 @@ class CGripSearch : public b2QueryCallback {
   }
 
  private:
-  ssize_t GetIndex(b2Body& body) const {
-    return m_grippable[GetBodyNumber(body)].Model->GetEmbodiedEntity().GetIndex();
-  }
+  ssize_t GetIndex(b2Body& body) const { return m_grippable[GetBodyNumber(body)].Body->GetIndex(); }
 
   b2Vec2 m_centre;
   float m_nearest;

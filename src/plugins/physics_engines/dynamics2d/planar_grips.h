@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_GRIPS_H
 
 #include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/physics_engine/described_body_engine.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_bodies.h>
 
 #include <box2d/box2d.h>
@@ -54,14 +55,6 @@ struct SManipulator {
 
   bool IsHolding() const { return Hold != nullptr; }
   b2Body& GetCarrier() const { return TurretBody != nullptr ? *TurretBody : *Base; }
-};
-
-/** A grip that is taken from one world to another. */
-struct SGripToMove {
-  SPlanarOwner Holder;
-  SPlanarOwner Held;
-  SGripPoints Points;
-  Real Rotation;  // rad
 };
 
 /** A place on a body that a gripper can reach. */

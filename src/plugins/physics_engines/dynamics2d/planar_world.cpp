@@ -50,7 +50,7 @@ CPlanarWorld::CPlanarWorld(const SPlanarSettings& settings)
 
 CPlanarWorld::~CPlanarWorld() = default;
 
-void CPlanarWorld::MakeRoom(size_t immovable, size_t passive, size_t driven) {
+void CPlanarWorld::Reserve(size_t immovable, size_t passive, size_t driven) {
   m_immovable.reserve(immovable);
   m_passive.reserve(passive);
   m_driven.reserve(driven);
@@ -287,7 +287,7 @@ void CPlanarWorld::SetVelocity(const SPlanarHandle& handle, const SPlanarVelocit
 // Box2D takes memory for bodies, contacts and joints in blocks that it keeps. Making as many as a
 // swarm of this size is likely to need, and taking them away again, leaves the blocks to be used in
 // ticks; so do the vectors here.
-void CPlanarWorld::Reserve() {
+void CPlanarWorld::ReserveForTick() {
   constexpr size_t kClusterSize = 4;  // discs, of which each touches each
   // an eighth in play is what a swarm at the benchmark's density comes to; a denser one takes more
   // memory while it condenses

@@ -60,7 +60,7 @@ class CPlanarWorld {
   CPlanarWorld& operator=(const CPlanarWorld&) = delete;
 
   /** Allocates the arrays for so many bodies. */
-  void MakeRoom(size_t immovable, size_t passive, size_t driven);
+  void Reserve(size_t immovable, size_t passive, size_t driven);
   /** Adds a body that is at rest. @param wheels speeds of a driven body's wheels; must stay valid.
    */
   void AddImmovable(const SPlanarOwner& owner, const SBodyDescription& description,
@@ -86,15 +86,17 @@ class CPlanarWorld {
                       CGripperEquippedEntity* gripper, CTurretEntity* turret);
   /** Does it hold something, or is it held? */
   bool IsInGrip(const SPlanarHandle& handle) const;
-  /** Fills @p cluster with all that hangs together with a body in grips, itself included. */
-  void FindCluster(const SPlanarHandle& handle, std::vector<SPlanarOwner>& cluster) const;
-  /** Fills @p grips with those of the bodies of a cluster. */
-  void CopyGrips(const std::vector<SPlanarOwner>& cluster, std::vector<SGripToMove>& grips) const;
-  /** After its bodies have come from another world. */
-  void RestoreGrip(const SGripToMove& grip);
+  /** Sets @p cluster to all bodies that are connected to a body by grips, itself included. */
+  void FindCluster(const CEmbodiedEntity& body, std::vector<CEmbodiedEntity*>& cluster) const;
+  /** Sets @p grips to those whose holder is in @p cluster. */
+  void CopyGrips(const std::vector<CEmbodiedEntity*>& cluster,
+                 std::vector<SGripTransfer>& grips) const;
+  /** Restores a grip after both bodies were added. */
+  void RestoreGrip(const SGripTransfer& grip, const SPlanarHandle& holder,
+                   const SPlanarHandle& held);
 
   /** Allocates what a tick of a swarm of the present size needs. */
-  void Reserve();
+  void ReserveForTick();
 
   /** Robots of other engines that are in the way in the next Advance(); see CGhostFilter. */
   void SetGhosts(const std::vector<SGhostDisc>& ghosts);

@@ -7,7 +7,6 @@
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/turret_entity.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/dynamics2d_model.h>
 
 #include <algorithm>
 #include <cmath>
@@ -128,9 +127,8 @@ void CPlanarWorld::StartTickOfManipulators() {
     }
     if (each.IsHolding()) {
       // what the gripper says to hold is another thing, or nothing, if somebody else has changed it
-      const bool holdsOn =
-          each.Gripper->IsLocked() && each.Gripper->IsGripping() &&
-          &each.Gripper->GetGrippedEntity() == &each.Held.Model->GetEmbodiedEntity();
+      const bool holdsOn = each.Gripper->IsLocked() && each.Gripper->IsGripping() &&
+                           &each.Gripper->GetGrippedEntity() == each.Held.Body;
       if (!holdsOn) {
         Release(each);
       }
@@ -226,7 +224,7 @@ void CPlanarWorld::Attach(SManipulator& manipulator, const SPlanarOwner& held,
   definition.bodyB->SetAwake(true);
   ++NumGrips(*manipulator.Owner.Handle);
   ++NumGrips(*held.Handle);
-  manipulator.Gripper->SetGrippedEntity(held.Model->GetEmbodiedEntity());
+  manipulator.Gripper->SetGrippedEntity(*held.Body);
 }
 
 void CPlanarWorld::MakeTurretBody(SManipulator& manipulator) {
@@ -376,12 +374,11 @@ void CPlanarWorld::FinishManipulators(float substepDuration) {
   }
 }
 
-void CPlanarWorld::FindCluster(const SPlanarHandle& handle,
-                               std::vector<SPlanarOwner>& cluster) const {
+void CPlanarWorld::FindCluster(const CEmbodiedEntity& body,
+                               std::vector<CEmbodiedEntity*>& cluster) const {
   cluster.clear();
-  const auto has = [&cluster](const SPlanarOwner& owner) {
-    return std::any_of(cluster.begin(), cluster.end(),
-                       [&owner](const SPlanarOwner& each) { return each.Handle == owner.Handle; });
+  const auto contains = [&cluster](const CEmbodiedEntity* each) {
+    return std::find(cluster.begin(), cluster.end(), each) != cluster.end();
   };
   // grows until no grip leads out of it
   for (size_t before = SIZE_MAX; cluster.size() != before;) {
@@ -390,10 +387,10 @@ void CPlanarWorld::FindCluster(const SPlanarHandle& handle,
       if (!each.IsHolding()) {
         continue;
       }
-      const bool isIn = has(each.Owner) || has(each.Held) || each.Owner.Handle == &handle ||
-                        each.Held.Handle == &handle;
-      for (const SPlanarOwner& end : {each.Owner, each.Held}) {
-        if (isIn && !has(end)) {
+      const bool isConnected = contains(each.Owner.Body) || contains(each.Held.Body) ||
+                               each.Owner.Body == &body || each.Held.Body == &body;
+      for (CEmbodiedEntity* const end : {each.Owner.Body, each.Held.Body}) {
+        if (isConnected && !contains(end)) {
           cluster.push_back(end);
         }
       }
@@ -401,30 +398,32 @@ void CPlanarWorld::FindCluster(const SPlanarHandle& handle,
   }
 }
 
-void CPlanarWorld::CopyGrips(const std::vector<SPlanarOwner>& cluster,
-                             std::vector<SGripToMove>& grips) const {
+void CPlanarWorld::CopyGrips(const std::vector<CEmbodiedEntity*>& cluster,
+                             std::vector<SGripTransfer>& grips) const {
   grips.clear();
   for (const SManipulator& each : m_manipulators) {
-    const bool isIn = each.IsHolding() &&
-                      std::any_of(cluster.begin(), cluster.end(), [&each](const SPlanarOwner& end) {
-                        return end.Handle == each.Owner.Handle;
-                      });
-    if (isIn) {
-      grips.push_back({each.Owner, each.Held, each.Points, each.Rotation});
+    if (each.IsHolding() &&
+        std::find(cluster.begin(), cluster.end(), each.Owner.Body) != cluster.end()) {
+      grips.push_back({each.Owner.Body, each.Held.Body,
+                       CVector3(each.Points.ArmX, each.Points.ArmY, 0.0),
+                       CVector3(each.Points.HeldX, each.Points.HeldY, 0.0), each.Rotation});
     }
   }
 }
 
-void CPlanarWorld::RestoreGrip(const SGripToMove& grip) {
-  for (const SPlanarOwner& end : {grip.Holder, grip.Held}) {
-    if (end.Handle->Kind == EPlanarKind::Driven &&
-        m_driven[end.Handle->Slot].InPlay == SDrivenBody::kNotInPlay) {
-      EnterPlay(end.Handle->Slot, nullptr);
+void CPlanarWorld::RestoreGrip(const SGripTransfer& grip, const SPlanarHandle& holder,
+                               const SPlanarHandle& held) {
+  for (const SPlanarHandle* end : {&holder, &held}) {
+    if (end->Kind == EPlanarKind::Driven && m_driven[end->Slot].InPlay == SDrivenBody::kNotInPlay) {
+      EnterPlay(end->Slot, nullptr);
     }
   }
-  SManipulator& manipulator = *FindManipulator(*grip.Holder.Handle);
-  manipulator.Rotation = grip.Rotation;
-  Attach(manipulator, grip.Held, grip.Points);
+  SManipulator& manipulator = *FindManipulator(holder);
+  manipulator.Rotation = grip.TurretRotation;
+  const SPlanarOwner& heldOwner =
+      held.Kind == EPlanarKind::Driven ? m_driven[held.Slot].Owner : m_passive[held.Slot].Owner;
+  Attach(manipulator, heldOwner,
+         {grip.Arm.GetX(), grip.Arm.GetY(), grip.PointOnHeld.GetX(), grip.PointOnHeld.GetY()});
 }
 
 }  // namespace argos

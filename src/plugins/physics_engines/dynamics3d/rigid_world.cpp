@@ -180,11 +180,11 @@ void CRigidWorld::Advance() {
     m_contacts->Find(m_movables, m_fixed, m_planes, *m_grips, m_ghosts, m_gravity, m_substep);
     Step();
     m_contacts->Clear();
-    m_grips->LetSlip();
+    m_grips->BreakOverloadedGrips();
   }
   m_grips->EndTick(m_settings.Tick);
   if (m_settings.Sleep) {
-    LayQuietToSleep();
+    UpdateSleep();
   }
 }
 
@@ -257,9 +257,8 @@ UInt32 CRigidWorld::CountSubsteps() const {
   }
   Real wanted = strides / kMaxStride;
   for (const SRigidBody* body : m_flying) {
-    // half of the bound, as in pointmass3d
     const Real bound = ComputeFlightBound(*body->Source.Description);
-    wanted = std::max(wanted, m_settings.Tick / (0.5 * bound));
+    wanted = std::max(wanted, m_settings.Tick / (kStableShare * bound));
   }
   const UInt32 most = std::max(m_settings.Substeps * kMaxRefinement, kMaxRefined);
   return std::max(m_settings.Substeps,
@@ -336,7 +335,7 @@ void CRigidWorld::StepIteratively() {
 }
 
 // Islands as of the last substep. An island that nothing fixed holds moves on for ever.
-void CRigidWorld::LayQuietToSleep() {
+void CRigidWorld::UpdateSleep() {
   for (SRigidBody* body : m_movables) {
     if (body->Asleep) {
       continue;

@@ -82,7 +82,7 @@ class CRigidWorld {
   void StepDirectly();
   void StepByIslands();
   void StepIteratively();
-  void LayQuietToSleep();
+  void UpdateSleep();
 
   SRigidSettings m_settings;
   std::function<void()> m_beforeSubstep;

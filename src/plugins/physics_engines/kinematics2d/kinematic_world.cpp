@@ -4,13 +4,13 @@
 
 namespace argos {
 
-void CKinematicWorld::MakeRoom(size_t immovable, size_t solids, size_t discs) {
+void CKinematicWorld::Reserve(size_t immovable, size_t solids, size_t discs) {
   m_immovable.reserve(immovable);
   m_solids.Reserve(solids);
   m_discs.Reserve(discs);
 }
 
-void CKinematicWorld::MakeRoomForGhosts(size_t discs) {
+void CKinematicWorld::ReserveForGhosts(size_t discs) {
   m_discs.ReserveForGhosts(discs);
 }
 

@@ -24,9 +24,9 @@ struct SBodyDescription;
 class CKinematicWorld {
  public:
   /** Allocates the arrays for so many bodies. */
-  void MakeRoom(size_t immovable, size_t solids, size_t discs);
+  void Reserve(size_t immovable, size_t solids, size_t discs);
   /** The same for what ghosts need. */
-  void MakeRoomForGhosts(size_t discs);
+  void ReserveForGhosts(size_t discs);
   void AddImmovable(const SKinematicOwner& owner, const SBodyDescription& description,
                     const SPlanarPose& pose);
   /** Adds something that stays, and is nobody's: a wall of the region. */

@@ -9,6 +9,9 @@ namespace argos {
 
 class CPointMass3DBody;
 
+/** m; no body may be farther from the world's origin: positions are accurate to 1e-7 m there. */
+constexpr Real kFarthest = 1e9;
+
 /**
  * The bodies of an engine that roll on two wheels, and their motion: the exact arc of their wheel
  * speeds, at the height where they were put, through everything.
