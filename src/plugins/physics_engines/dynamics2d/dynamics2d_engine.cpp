@@ -8,6 +8,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_shapes.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_world.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/wheel_motion.h>
 #include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
 #include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
 #include <argos3/plugins/simulator/physics_engines/robot_bodies/robot_components.h>
@@ -89,8 +90,8 @@ void CDynamics2DEngine::Adopt(CDescribedBodyModel& model) {
 }
 
 void CDynamics2DEngine::FindCluster(CEmbodiedEntity& body, TBodies& cluster) const {
-  if (m_world != nullptr && m_world->IsInGrip(GetModel(body).m_handle)) {
-    m_world->FindCluster(body, cluster);
+  if (m_world != nullptr && m_world->GetGrips().IsInGrip(GetModel(body).m_handle)) {
+    m_world->GetGrips().FindCluster(body, cluster);
   } else {
     CPlanarEngine::FindCluster(body, cluster);
   }
@@ -99,13 +100,14 @@ void CDynamics2DEngine::FindCluster(CEmbodiedEntity& body, TBodies& cluster) con
 void CDynamics2DEngine::CopyGrips(const TBodies& cluster, std::vector<SGripTransfer>& grips) const {
   grips.clear();
   if (m_world != nullptr) {
-    m_world->CopyGrips(cluster, grips);
+    m_world->GetGrips().CopyGrips(cluster, grips);
   }
 }
 
 void CDynamics2DEngine::RestoreGrip(const SGripTransfer& grip) {
   if (m_world != nullptr) {
-    m_world->RestoreGrip(grip, GetModel(*grip.Holder).m_handle, GetModel(*grip.Held).m_handle);
+    m_world->GetGrips().RestoreGrip(grip, GetModel(*grip.Holder).m_handle,
+                                    GetModel(*grip.Held).m_handle);
   }
 }
 
@@ -128,9 +130,9 @@ void CDynamics2DEngine::SetMotion(CEmbodiedEntity& body, const SBodyMotion& moti
 void CDynamics2DEngine::UpdateManipulator(CPlanarModel& model) {
   if (m_world != nullptr) {
     auto& robot = static_cast<CDynamics2DModel&>(model);
-    m_world->SetManipulator({&robot, &robot.m_cEmbodiedEntity, &robot.m_handle},
-                            *robot.m_cEmbodiedEntity.GetBodyDescription(), robot.m_gripper,
-                            robot.m_turret);
+    m_world->GetGrips().SetManipulator({&robot, &robot.m_cEmbodiedEntity, &robot.m_handle},
+                                       *robot.m_cEmbodiedEntity.GetBodyDescription(),
+                                       robot.m_gripper, robot.m_turret);
   }
 }
 
@@ -187,7 +189,7 @@ void CDynamics2DEngine::AddToWorld(CDynamics2DModel& model) {
     m_world->AddImmovable(owner, description, pose);
   } else if (model.m_wheels != nullptr) {
     m_world->AddDriven(owner, description, pose, model.m_wheels);
-    m_world->SetManipulator(owner, description, model.m_gripper, model.m_turret);
+    m_world->GetGrips().SetManipulator(owner, description, model.m_gripper, model.m_turret);
   } else {
     m_world->AddPassive(owner, description, pose);
   }

@@ -24,7 +24,7 @@ TEST_CASE("push solver: what is pushed by more than friction moves as wanted, el
   CAPTURE(cap);
   CPushSolver solver;
   const UInt32 body = solver.AddBody({}, 1.49, 1.49, kSquaredGyration);
-  solver.AddContact({CPushSolver::kNobody, body, 1.0, 0.0, 0.0, 0.0, kNeed, cap, 0.0});
+  solver.AddContact({CPushSolver::kNone, body, 1.0, 0.0, 0.0, 0.0, kNeed, cap, 0.0});
   solver.Solve();
   CHECK_THAT(solver.GetTwist(body).X, WithinAbs(cap > 1.49 ? kNeed : 0.0, kPrecision));
   CHECK(solver.GetTwist(body).Y == 0.0);
@@ -38,7 +38,7 @@ TEST_CASE("push solver: forces of several add up, also through each other",
   CPushSolver solver;
   const UInt32 body = solver.AddBody({}, friction, 10.0, kSquaredGyration);
   for (const Real lever : {-0.05, 0.05}) {
-    solver.AddContact({CPushSolver::kNobody, body, 1.0, 0.0, 0.0, lever, kNeed, 15.0, 0.0});
+    solver.AddContact({CPushSolver::kNone, body, 1.0, 0.0, 0.0, lever, kNeed, 15.0, 0.0});
   }
   solver.Solve();
   CHECK_THAT(solver.GetTwist(body).X, WithinAbs(friction < 30.0 ? kNeed : 0.0, kPrecision));
@@ -49,7 +49,7 @@ TEST_CASE("push solver: forces of several add up, also through each other",
   for (UInt32& each : bodies) {
     each = row.AddBody({}, friction / 3.0, 10.0, kSquaredGyration);
   }
-  row.AddContact({CPushSolver::kNobody, bodies[0], 1.0, 0.0, 0.0, 0.0, kNeed, 30.0, 0.0});
+  row.AddContact({CPushSolver::kNone, bodies[0], 1.0, 0.0, 0.0, 0.0, kNeed, 30.0, 0.0});
   row.AddContact({bodies[0], bodies[1], 1.0, 0.0, 0.0, 0.0, 0.0, CPushSolver::kUnlimited, 0.0});
   row.AddContact({bodies[1], bodies[2], 1.0, 0.0, 0.0, 0.0, 0.0, CPushSolver::kUnlimited, 0.0});
   row.Solve();
@@ -61,8 +61,8 @@ TEST_CASE("push solver: forces of several add up, also through each other",
 TEST_CASE("push solver: two that push against each other hold a thing", "[unit][kinematics2d]") {
   CPushSolver solver;
   const UInt32 body = solver.AddBody({}, 1.49, 1.49, kSquaredGyration);
-  solver.AddContact({CPushSolver::kNobody, body, 1.0, 0.0, 0.0, 0.0, kNeed, 15.0, 0.0});
-  solver.AddContact({CPushSolver::kNobody, body, -1.0, 0.0, 0.0, 0.0, kNeed, 15.0, 0.0});
+  solver.AddContact({CPushSolver::kNone, body, 1.0, 0.0, 0.0, 0.0, kNeed, 15.0, 0.0});
+  solver.AddContact({CPushSolver::kNone, body, -1.0, 0.0, 0.0, 0.0, kNeed, 15.0, 0.0});
   solver.Solve();
   CHECK_THAT(solver.GetTwist(body).X, WithinAbs(0.0, kPrecision));
 }
@@ -76,7 +76,7 @@ TEST_CASE("push solver: a push beside the centre turns what torque does not hold
   CAPTURE(torque);
   CPushSolver solver;
   const UInt32 body = solver.AddBody({}, kForce, torque, kSquaredGyration);
-  solver.AddContact({CPushSolver::kNobody, body, 1.0, 0.0, 0.0, -kLever, kNeed, 15.0, 0.0});
+  solver.AddContact({CPushSolver::kNone, body, 1.0, 0.0, 0.0, -kLever, kNeed, 15.0, 0.0});
   solver.Solve();
   const STwist& twist = solver.GetTwist(body);
   // the point that is pushed goes as far as wanted
@@ -91,10 +91,10 @@ TEST_CASE("push solver: a push beside the centre turns what torque does not hold
 TEST_CASE("push solver: nothing goes through what stands fast", "[unit][kinematics2d]") {
   CPushSolver solver;
   const UInt32 body = solver.AddBody({}, 1.49, 1.49, kSquaredGyration);
-  solver.AddContact({CPushSolver::kNobody, body, 1.0, 0.0, 0.0, 0.0, kNeed, 15.0, 0.0});
+  solver.AddContact({CPushSolver::kNone, body, 1.0, 0.0, 0.0, 0.0, kNeed, 15.0, 0.0});
   // a wall 3 mm ahead
   solver.AddContact(
-      {CPushSolver::kNobody, body, -1.0, 0.0, 0.0, 0.0, -0.003, CPushSolver::kUnlimited, -0.003});
+      {CPushSolver::kNone, body, -1.0, 0.0, 0.0, 0.0, -0.003, CPushSolver::kUnlimited, -0.003});
   solver.Solve();
   CHECK_THAT(solver.GetTwist(body).X, WithinAbs(0.003, kPrecision));
 }
