@@ -17,11 +17,11 @@ namespace {
 thread_local char complaint[256];
 thread_local bool hasComplaint = false;
 
-// what ODE draws from in this thread
+// the generator from which ODE draws in this thread
 thread_local UInt32 randomState = 1;
 bool hasOwnRandom = false;
 
-// in place of ODE's own handler, which prints
+// replaces ODE's own handler, which prints
 void KeepComplaint(int /*number*/, const char* format, va_list arguments) {
   if (!hasComplaint) {
     std::vsnprintf(complaint, sizeof(complaint), format, arguments);
@@ -29,7 +29,7 @@ void KeepComplaint(int /*number*/, const char* format, va_list arguments) {
   }
 }
 
-// One step whose only effect is that ODE draws.
+// One step that makes ODE draw, and has no other effect.
 bool DrawsODEHere() {
   const dWorldID world = dWorldCreate();
   const dBodyID body = dBodyCreate(world);
@@ -70,11 +70,11 @@ bool HasOwnODERandom() {
 }
 
 void SeedODE(UInt32 number) {
-  // numbers in a row begin far from each other
+  // consecutive numbers give distant initial states
   randomState = (number + 1) * 0x9E3779B9u;
 }
 
-const char* TakeODEComplaint() {
+const char* TakeODEError() {
   if (!hasComplaint) {
     return nullptr;
   }

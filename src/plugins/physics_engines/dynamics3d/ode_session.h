@@ -6,32 +6,32 @@
 namespace argos {
 
 /**
- * Prepares ODE for calls by this thread: once in the process, then once in each thread. Cheap when
- * done already. Never undone: other simulators of the process may be using ODE.
+ * Prepares ODE for calls by this thread: once in the process, then once in each thread. Cheap if
+ * already done. Never undone, because other simulators of the process may use ODE.
  */
 void UseODEInThisThread();
 
 /**
- * Sweeps of dWorldQuickStep for which ODE draws no random numbers: from the ninth on it shuffles
- * the constraints now and then.
+ * Sweeps of dWorldQuickStep in which ODE draws no random numbers: from the ninth on it sometimes
+ * shuffles the constraints.
  */
 constexpr UInt32 kSweepsWithoutDrawing = 8;
 
 /**
- * Does ODE draw from the generator of this library, which each thread has an own state of, in place
- * of its own, which all worlds of the process share? Where it does not, results would depend on
- * other threads beyond kSweepsWithoutDrawing. After UseODEInThisThread().
+ * @return true if ODE draws from the generator of this library, which has a state per thread,
+ * instead of its own, which all worlds of the process share. If false, results would depend on
+ * other threads beyond kSweepsWithoutDrawing. To be called after UseODEInThisThread().
  */
 bool HasOwnODERandom();
 
 /**
- * Starts a sequence of random numbers that ODE draws in this thread: before every iterative step.
+ * Seeds the random numbers that ODE draws in this thread; called before every iterative step.
  * @param number  of the sequence.
  */
 void SeedODE(UInt32 number);
 
-/** What ODE has complained of in this thread first since the last call; null: of nothing. */
-const char* TakeODEComplaint();
+/** The first error message of ODE in this thread since the last call; null if there is none. */
+const char* TakeODEError();
 
 }  // namespace argos
 

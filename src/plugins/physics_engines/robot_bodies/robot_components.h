@@ -8,6 +8,9 @@ namespace argos {
 class CEmbodiedEntity;
 class CQuadRotorEntity;
 
+/** m/s; assumed greatest speed that a robot at rest reaches in a tick, for the reach of ghosts. */
+constexpr Real kStartSpeed = 0.5;
+
 /**
  * Speeds of the left and the right wheel, m/s, of a movable body with a drive; null for others, and
  * for those with propellers.
