@@ -273,21 +273,22 @@ ATTRIBUTES
 
   id                         text, required: unique among the engines.
   iterations                 integer >= 1: substeps of a tick. Not given: 2, and up to 64 where a crowd is
-                             so deep that robots would overlap. In any case more, up to 64, while
-                             something moves by more than half its radius in a substep. 64 substeps are
-                             also what bounds speeds: a robot goes at most 32 radii in a tick.
+                             so deep that robots would overlap. In any case more, up to 64, while a
+                             body moves by more than half its radius in a substep. 64 substeps also
+                             bound speeds: a robot moves at most 32 radii in a tick.
   elevation                  m, default 0: height of the plane; bodies must stand on it, to 1e-4 m.
   gripping_rigidity          N/m, >= 0, default 10000: stiffness of grips, along the arm from the robot's
                              centre to the point that is gripped; 0: grippers hold nothing.
-  box_linear_friction        N, >= 0, default 1.49: most the ground brakes a movable box.
-  box_angular_friction       N m, >= 0, default 1.49: most the ground brakes its turning.
+  box_linear_friction        N, >= 0, default 1.49: greatest friction force on a movable box.
+  box_angular_friction       N m, >= 0, default 1.49: greatest friction torque on it.
   cylinder_linear_friction   N, >= 0, default 1.49: the same for a movable cylinder.
   cylinder_angular_friction  N m, >= 0, default 1.49.
   boundaries                 the region of the engine, default everything: sides/vertex@point, in m, at
                              least three, counter-clockwise, convex. A vertex may have wall="true", which
                              stops bodies at the side from there to the next vertex, or gate="id", which
-                             hands those that cross it to that engine (doc/space_partitioning.md).
-  ghosts                     true or false, default true: robots of other engines near the border are felt.
+                             transfers bodies that cross it to that engine (doc/space_partitioning.md).
+  ghosts                     true or false, default true: robots of other engines near the border are
+                             obstacles.
   spatial_hash               accepted and ignored.
 )",
     "Usable")

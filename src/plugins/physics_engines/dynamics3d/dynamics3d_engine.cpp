@@ -374,9 +374,9 @@ REGISTER_PHYSICS_ENGINE(
     "Rigid bodies in three dimensions, on ODE.",
     R"(Robots and objects in space: they fall, slide, roll, stack and topple. Robots with a differential drive roll
 on two sprung wheels with motors, and four casters without friction; robots with propellers fly by their own
-controllers; grippers hold, and turrets swing, what they have gripped.
-Gravity, floor and magnetism are add-ons. An engine that names no add-on has gravity of 9.81 m/s^2 and a floor at
-z = 0; one that names any has those that it names and no others. <gravity g="0" /> alone is weightless.
+controllers; grippers hold bodies, and turrets move the held bodies.
+Gravity, floor and magnetism are add-ons. An engine without add-ons has gravity of 9.81 m/s^2 and a floor at z = 0;
+an engine with any add-on has only those that are listed. <gravity g="0" /> alone is weightless.
 
 REQUIRED XML
 
@@ -407,41 +407,41 @@ ATTRIBUTES
 
   id                    text, required: unique among the engines.
   iterations            integer in [1,10000]: least number of substeps of a tick. Not given: so many that none is
-                        longer than 0.01 s. In any case more, up to 16 times as many, while something would move by
+                        longer than 0.01 s. In any case more, up to 16 times as many, while a body would move by
                         more than half its narrowest side in a substep.
   default_friction      in [0,1000], default 1: Coulomb's coefficient of every body. That of a contact is the product
                         of both.
-  sleep                 "true" (default) or "false": are bodies left out of the computation that have been at rest
-                        (below 1 mm/s and 0.01 rad/s) on something for half a second, until something comes near?
-  floor                 an endless plane that holds up what is above it. height: m, default 0. friction: >= 0,
+  sleep                 "true" (default) or "false": if true, bodies that have been at rest (below 1 mm/s and
+                        0.01 rad/s) on another body for half a second are not simulated until a body comes near.
+  floor                 an infinite plane that supports the bodies above it. height: m, default 0. friction: >= 0,
                         default 1.
   gravity               g: m/s^2, default 10, downward. Or vector: "x,y,z", m/s^2.
   magnetism             forces between the magnets of robots (<magnets>), see its own description: force_constant,
-                        default 7.0500949e-13; max_distance: m, default endless.
+                        default 7.0500949e-13; max_distance: m, default infinite.
   solver@stepper        "direct": ODE's dWorldStep, exact, for few bodies that touch. "iterative": dWorldQuickStep,
-                        approximate, for crowds. "mixed" (default): direct for what hangs together by few contacts,
+                        approximate, for crowds. "mixed" (default): direct for islands with few constraints,
                         iterative for the rest.
   solver@iterations     integer in [1,1000], default 32: sweeps of the iterative stepper over the constraints in a
                         substep.
-  solver@max_direct_rows  integer, default 100: the most constraints of bodies that hang together that "mixed" solves
-                        directly. A robot on the floor has 22, a box 12.
+  solver@max_direct_rows  integer, default 100: greatest number of constraints of an island of connected bodies that
+                        "mixed" solves directly. A robot on the floor has 22, a box 12.
   solver@erp            in [0.01,1], default 0.2: the share of an error of position that is corrected in a substep.
   solver@cfm            m/s per N, in [1e-10,1], default 1e-5: how soft constraints are.
   contacts@restitution  in [0,1], default 0: the speed after an impact over that before it; not of wheels.
-  contacts@bounce_speed m/s, >= 0, default 0.02: what meets more slowly does not bounce.
-  contacts@surface_layer  m, >= 0, default 1e-5: how deep bodies may rest in each other.
-  contacts@max_correcting_speed  m/s, default 1: what is inside each other is pushed apart no faster.
+  contacts@bounce_speed m/s, >= 0, default 0.02: slower impacts do not bounce.
+  contacts@surface_layer  m, >= 0, default 1e-5: overlap of bodies at rest.
+  contacts@max_correcting_speed  m/s, default 1: greatest speed at which overlaps are corrected.
   boundaries            the region of the engine, default everything: top@height and bottom@height, in m, and
-                        sides/vertex@point, in m, at least three, counter-clockwise, convex. A body that leaves it moves
-                        on to the engine whose region it enters. Each of these may have wall="true", which stops
-                        bodies at that face (of a vertex: at the side from there to the next), or gate="id", which hands
-                        those that cross it to that engine (doc/space_partitioning.md). A bottom that is a wall is a
-                        floor.
-  ghosts                "true" (default) or "false": are robots of other engines near the border felt?
+                        sides/vertex@point, in m, at least three, counter-clockwise, convex. A body that leaves it is
+                        transferred to the engine whose region it enters. Each of these may have wall="true", which
+                        stops bodies at that face (of a vertex: at the side from there to the next), or gate="id", which
+                        transfers bodies that cross it to that engine (doc/space_partitioning.md). A bottom that is a
+                        wall is a floor.
+  ghosts                "true" (default) or "false": if true, robots of other engines near the border are obstacles.
   debug_file            accepted and ignored.
 
 Every other child is an add-on that a library has registered (REGISTER_DYNAMICS3D_PLUGIN); argos3 -q followed by its
-name describes it. <friction> and <spatial_hash>, which are dynamics2d's, are warned of and ignored.
+name describes it. <friction> and <spatial_hash>, which belong to dynamics2d, are ignored with a warning.
 )",
     "Usable")
 

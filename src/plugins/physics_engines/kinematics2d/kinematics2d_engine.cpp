@@ -210,8 +210,8 @@ void CKinematics2DEngine::UpdateManipulators() {
       THROW_ARGOSEXCEPTION("robot \"" << model->m_root.GetId()
                                       << "\" has locked its gripper, but <kinematics2d id=\""
                                       << GetId()
-                                      << "\"> cannot hold anything: put robots that grip into a "
-                                         "<dynamics2d>");
+                                      << "\"> cannot hold anything: use <dynamics2d> for robots "
+                                         "that grip");
     }
   }
 }
@@ -298,10 +298,10 @@ bool CKinematics2DEngine::HasLeft(const CEmbodiedEntity& body) {
 REGISTER_PHYSICS_ENGINE(
     CKinematics2DEngine, "kinematics2d", "the authors of this project", "1.0",
     "Robots without momentum on a plane: the fastest engine.",
-    R"(Robots on wheels that follow the exact arcs of their wheel speeds, keep out of walls and of each other,
-slide along what is in their way, and push objects against their friction on the ground. Nothing has momentum: what nobody
-pushes stands still. Robots do not push robots. A tick spreads over the threads of <system threads>; its result does not
-depend on them. Gripping is an error that names the robot: dynamics2d grips.
+    R"(Robots on wheels that follow the exact arcs of their wheel speeds, do not overlap walls or each other,
+slide along obstacles, and push objects against their friction on the ground. Nothing has momentum: objects that are not
+pushed stand still. Robots do not push robots. A tick uses all threads of <system threads>; its result does not depend on
+them. Gripping is an error that names the robot: only dynamics2d and dynamics3d support it.
 
 REQUIRED XML
 
@@ -326,18 +326,20 @@ OPTIONAL XML
 ATTRIBUTES
 
   id                         text, required: unique among the engines.
-  iterations                 integer >= 1, default 1: substeps of a tick. Nothing overlaps or is passed
-                             through with any; robots in each other's way go straight in a substep.
+  iterations                 integer >= 1, default 1: substeps of a tick. No bodies overlap or pass through
+                             each other with any number; robots that may touch something move straight in
+                             a substep.
   elevation                  m, default 0: height of the plane; bodies must stand on it, to 1e-4 m.
-  box_linear_friction        N, >= 0, default 1.49: force that it takes to push a movable box along.
-  box_angular_friction       N m, >= 0, default 1.49: torque that it takes to turn it.
+  box_linear_friction        N, >= 0, default 1.49: force that is necessary to push a movable box.
+  box_angular_friction       N m, >= 0, default 1.49: torque that is necessary to turn it.
   cylinder_linear_friction   N, >= 0, default 1.49: the same for a movable cylinder.
   cylinder_angular_friction  N m, >= 0, default 1.49.
   boundaries                 the region of the engine, default everything: sides/vertex@point, in m, at
                              least three, counter-clockwise, convex. A vertex may have wall="true", which
                              stops bodies at the side from there to the next vertex, or gate="id", which
-                             hands those that cross it to that engine (doc/space_partitioning.md).
-  ghosts                     true or false, default true: robots of other engines near the border are felt.
+                             transfers bodies that cross it to that engine (doc/space_partitioning.md).
+  ghosts                     true or false, default true: robots of other engines near the border are
+                             obstacles.
   gripping_rigidity, spatial_hash  of dynamics2d: accepted and ignored.
 )",
     "Usable")

@@ -425,13 +425,13 @@ bool CPointMass3DEngine::HasOverlap(const CPhysicsModel& model) const {
 REGISTER_PHYSICS_ENGINE(
     CPointMass3DEngine, "pointmass3d", "the authors of this project", "1.0",
     "Point masses in space, for flying robots.",
-    R"(Bodies pass through each other: there are no contacts, so this engine is for robots that fly, and for those
-whose way is free.
+    R"(Bodies pass through each other: there are no contacts, so this engine is for robots that fly, and for robots
+that never meet obstacles.
 
-A robot with propellers is a mass under gravity that its own controllers push along x, y and z and turn about the
-vertical; only its yaw is kept. It stays within the limits of the arena, whose borders stop it. A robot on two wheels
-follows the exact arc of its wheel speeds, at the height where it was put. Objects, movable or not, stand where they
-are put; sensors see all of them. Two bodies are not put into each other when they are placed.
+A robot with propellers is a mass under gravity with controllers along x, y and z and about the vertical; only its
+yaw is kept. It stays within the limits of the arena, whose borders stop it. A robot on two wheels follows the exact arc
+of its wheel speeds, at the height where it was put. Objects, movable or not, stay where they are put; sensors see all of
+them. Bodies are not placed where they would overlap others.
 
 REQUIRED XML
 
@@ -461,10 +461,10 @@ ATTRIBUTES
               of two: an eye-bot takes substeps of at most 1/30 s, so 3 in a tick of 0.1 s.
   gravity     m/s^2, default -9.81: acceleration along z, negative is down.
   boundaries  the region of the engine, default everything: top@height and bottom@height, in m, and
-              sides/vertex@point, in m, at least three, counter-clockwise, convex. A body that leaves it moves on to
-              the engine whose region it enters. top, bottom and each vertex, for the side from there to the next
-              one, may have wall="true", which holds bodies inside, or gate="id", which hands those that cross it
-              to that engine (doc/space_partitioning.md).
+              sides/vertex@point, in m, at least three, counter-clockwise, convex. A body that leaves it is
+              transferred to the engine whose region it enters. top, bottom and each vertex, for the side from there
+              to the next one, may have wall="true", which holds bodies inside, or gate="id", which transfers bodies
+              that cross it to that engine (doc/space_partitioning.md).
 )",
     "Usable")
 

@@ -93,7 +93,8 @@ TEST_CASE("active set: a robot that nothing pushes ends exactly at its planned p
   CPlanarScene scene;
   const auto& robot = scene.AddRobot(0.3, 0.1, 0.10, 0.08);
   scene.Active.Activate(robot.Handle.Slot);
-  const SArc arc = FollowArc(scene.GetDriven(robot).Pose, 0.09, -0.02 / 0.08, CPlanarScene::kTick);
+  const Real yawRate = (0.08 - 0.10) * (1.0 / 0.08);
+  const SArc arc = FollowArc(scene.GetDriven(robot).Pose, 0.09, yawRate, CPlanarScene::kTick);
   scene.Drive(3);
   const SDrivenBody& body = scene.GetDriven(robot);
   CHECK(body.NextPose.X == arc.End.X);
