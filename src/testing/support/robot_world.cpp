@@ -1,6 +1,5 @@
 #include <argos3/testing/support/robot_world.h>
 
-
 namespace argos {
 
 SExperiment SRobotExperiment::ToExperiment() const {

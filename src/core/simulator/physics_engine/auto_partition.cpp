@@ -11,7 +11,7 @@ namespace argos {
 namespace {
 
 constexpr const char* kTag = "auto_partition";
-// more would be slower than one for any swarm
+// a larger number would be slower than one engine for any swarm
 constexpr UInt32 kMaxCount = 4096;
 
 /** How the arena is cut. */
@@ -20,7 +20,7 @@ struct SGrid {
   CVector3 Centre, Size;  // m, of the arena
 };
 
-// the factors of count whose cells are nearest to squares; of two that are as near, fewer columns
+// the factors of count whose cells are most nearly square; of equals, the one with fewer columns
 SGrid ChooseGrid(UInt32 count, const CVector3& centre, const CVector3& size) {
   SGrid grid{1, count, centre, size};
   Real best = HUGE_VAL;
@@ -72,7 +72,7 @@ void AddSides(TConfigurationNode& engine, Real left, Real right, Real low, Real 
   AddChildNode(GetNode(engine, "boundaries"), sides);
 }
 
-// false if it is wrong, which is said when the arena is made
+// false if the arena is invalid, which is reported when it is created
 bool ReadArena(TConfigurationNode& arena, CVector3& centre, CVector3& size) {
   try {
     GetNodeAttribute(arena, "size", size);
@@ -107,7 +107,7 @@ void Expand(TConfigurationNode& section, TConfigurationNode& node, TConfiguratio
   CVector3 size;
   CVector3 centre;
   if (!ReadArena(arena, centre, size)) {
-    throw CAlreadyReported("the arena is wrong");
+    throw CAlreadyReported("the arena is invalid");
   }
   const SGrid grid = ChooseGrid(count, centre, size);
   const Real beyond = std::max(size.GetX(), size.GetY());
@@ -117,7 +117,7 @@ void Expand(TConfigurationNode& section, TConfigurationNode& node, TConfiguratio
     for (UInt32 column = 0; column < grid.Columns; ++column) {
       TConfigurationNode& engine = *section.InsertBeforeChild(node, node);
       if (row + column > 0) {
-        // what nobody reads in the first one is said once
+        // unused attributes are reported once, for the first engine
         MarkSubtreeRead(engine);
       }
       engine.SetValue(type);

@@ -45,8 +45,8 @@ Real Volume(const SShapeDescription& shape) {
   return 4.0 / 3.0 * ARGOS_PI * radius * radius * radius;
 }
 
-// Moments of inertia per kg about the axes through the centroid, m^2. Source: any table of the
-// homogeneous cuboid, cylinder and ball, e.g. Goldstein, Classical Mechanics, ch. 5.
+// Moments of inertia per kg about the axes through the centroid, m^2. Source: tables of homogeneous
+// cuboids, cylinders and balls, e.g. Goldstein, Classical Mechanics, ch. 5.
 CVector3 PrincipalMoments(const SShapeDescription& shape) {
   using EKind = SShapeDescription::EKind;
   const Real xx = shape.Size.GetX() * shape.Size.GetX();
@@ -70,7 +70,7 @@ Real HorizontalReach(const SShapeDescription& shape) {
   }
   const CVector3 top = Rotated(CVector3(0.0, 0.0, shape.Size.GetZ()), shape.Orientation);
   if (shape.Kind == SShapeDescription::EKind::Cylinder) {
-    // however it is tilted, a disc reaches no farther sideways than its radius
+    // a tilted disc reaches sideways by at most its radius
     return std::max(HorizontalDistance(shape.Offset), HorizontalDistance(shape.Offset + top)) +
            shape.Radius;
   }
@@ -85,7 +85,7 @@ Real HorizontalReach(const SShapeDescription& shape) {
   return reach;
 }
 
-// half the size of the box, with sides along the axes of the frame, around a solid turned like this
+// half extents of the axis-aligned box around a rotated solid
 CVector3 ComputeHalfExtents(const SShapeDescription& shape, const CQuaternion& orientation) {
   using EKind = SShapeDescription::EKind;
   if (shape.Kind == EKind::Sphere) {
@@ -94,7 +94,7 @@ CVector3 ComputeHalfExtents(const SShapeDescription& shape, const CQuaternion& o
   const CVector3 alongZ = Rotated(CVector3(0.0, 0.0, 0.5 * shape.Size.GetZ()), orientation);
   CVector3 half;
   if (shape.Kind == EKind::Cylinder) {
-    // the shadow of a disc on an axis at an angle a to its normal has the length 2 r sin a
+    // the projection of a disc on an axis at an angle a to its normal has the length 2 r sin a
     const CVector3 axis = Rotated(CVector3(0.0, 0.0, 1.0), orientation);
     for (UInt32 i = 0; i < 3; ++i) {
       half[i] =
@@ -157,7 +157,7 @@ Real SBodyDescription::ComputePlanarInertia() const {
   Real volume = 0.0;
   Real momentPerDensity = 0.0;
   for (const SShapeDescription& shape : Shapes) {
-    // the vertical of the body, seen from the solid, weighs its principal moments
+    // the components of the vertical in the frame of the solid weight its principal moments
     const CVector3 vertical = Rotated(CVector3(0.0, 0.0, 1.0), shape.Orientation.Inverse());
     const CVector3 moments = PrincipalMoments(shape);
     Real moment = 0.0;

@@ -42,72 +42,72 @@ struct SShapeDescription {
 struct SDifferentialDriveDescription {
   Real InterwheelDistance = 0.0; /**< m, > 0 */
   Real WheelRadius = 0.0; /**< m, > 0 */
-  Real MaxForce = 0.0; /**< N, > 0: the most the drive pushes along or across its heading */
-  Real MaxTorque = 0.0; /**< N m, > 0: the most it turns about z */
+  Real MaxForce = 0.0; /**< N, > 0: greatest force of the drive along or across its heading */
+  Real MaxTorque = 0.0; /**< N m, > 0: greatest torque about z */
 };
 
-/** A controller that answers an error with Proportional * error + Derivative * d(error)/dt. */
+/** A controller with the output Proportional * error + Derivative * d(error)/dt. */
 struct SControlGains {
   Real Proportional = 0.0;
   Real Derivative = 0.0;
 };
 
 /**
- * Propellers that carry a body and turn it about the vertical, and the controllers of their thrust.
+ * Propellers that lift a body and turn it about the vertical, and the controllers of their thrust.
  *
- * A body with propellers flies: its "quadrotor" component says whether position and yaw are
- * controlled, or velocity and yaw rate. Horizontal thrust is meant as that of a robot that tilts;
- * engines may leave out the tilt. The yaw moves the body's PlanarInertia, the rest its Mass.
+ * A body with propellers flies: its "quadrotor" component selects the control of position and yaw,
+ * or of velocity and yaw rate. Horizontal thrust represents that of a robot that tilts; engines may
+ * leave out the tilt. Yaw torque acts on the body's PlanarInertia, the other thrusts on its Mass.
  */
 struct SPropellersDescription {
   SControlGains Position; /**< N/m and N s/m, both > 0; of each axis, world frame */
   SControlGains Yaw; /**< N m/rad and N m s/rad, both > 0 */
   SControlGains Velocity; /**< N s/m, > 0, and kg, >= 0; of each axis, world frame */
   SControlGains YawRate; /**< N m s/rad, > 0, and kg m^2, >= 0 */
-  Real MaxForce = 0.0; /**< N, > 0: the most that a controller asks for along each axis */
-  Real MaxTorque = 0.0; /**< N m, > 0: the most that one asks for about the vertical */
+  Real MaxForce = 0.0; /**< N, > 0: limit of a controller's force along each axis */
+  Real MaxTorque = 0.0; /**< N m, > 0: limit of a controller's torque about the vertical */
 };
 
-/** How a movable passive body rubs on the ground: bounds of a velocity-matching friction. */
+/** Ground friction of a movable passive body: bounds of a velocity-matching friction. */
 struct SGroundFrictionDescription {
   enum class EClass : UInt8 {
-    Box, /**< engines take their box_* friction parameters */
-    Cylinder /**< engines take their cylinder_* friction parameters */
+    Box, /**< engines use their box_* friction parameters */
+    Cylinder /**< engines use their cylinder_* friction parameters */
   };
   EClass Class = EClass::Box;
 };
 
 /**
- * A part of the body that turns about the vertical through the origin: the frame of the anchor
- * "turret", which the component "turret" (CTurretEntity) turns.
+ * A part of the body that rotates about the vertical through the origin: the frame of the anchor
+ * "turret", which the component "turret" (CTurretEntity) rotates.
  *
- * It has no solids of its own. While nothing is gripped, only its frame turns.
+ * It has no solids of its own. While nothing is gripped, only its frame rotates.
  */
 struct STurretDescription {
   Real Mass = 0.0; /**< kg, > 0; a part of the body's Mass, so below it */
-  Real PlanarInertia = 0.0; /**< about the vertical, kg m^2, > 0; besides that of the body */
-  Real MaxTorque = 0.0; /**< N m, > 0: the most its motor turns it with, against the body */
-  Real FreeTorque = 0.0; /**< N m, >= 0: the most it rubs with when the motor lets it turn */
+  Real PlanarInertia = 0.0; /**< about the vertical, kg m^2, > 0; not part of that of the body */
+  Real MaxTorque = 0.0; /**< N m, > 0: greatest torque of its motor, against the body */
+  Real FreeTorque = 0.0; /**< N m, >= 0: greatest friction torque while the motor is off */
 };
 
 /**
- * A gripper, which the component "gripper" (CGripperEquippedEntity) locks: then it takes hold of
- * the first body that can be gripped and reaches into its sensing disc.
+ * A gripper, which the component "gripper" (CGripperEquippedEntity) locks: then it grips the first
+ * grippable body that reaches into its sensing disc.
  */
 struct SGripperDescription {
   CVector3 Offset; /**< centre of the disc, m, in the frame of the turret, or without one of the
                       origin anchor; off the vertical through the origin */
-  CVector3 Direction = CVector3::X; /**< of unit length, same frame: where it opens */
+  CVector3 Direction = CVector3::X; /**< of unit length, same frame: towards its opening */
   Real SensorRadius = 0.01; /**< of the disc, m, > 0 */
-  Real MaxForce = 10000.0; /**< N, > 0: what is pulled with more slips out of the grip */
+  Real MaxForce = 10000.0; /**< N, > 0: a greater force breaks the grip */
 };
 
 /**
- * What a physics engine has to know of a body, in no engine's terms.
+ * The properties of a body that a physics engine needs, independent of the engine.
  *
- * A robot or object states this once; every engine builds its own representation from it, so a new
- * robot needs no code in any engine and a new engine none in any robot. Robots of one type with
- * equal parameters share one description; it never changes while it is shared.
+ * A robot or object describes itself once; every engine builds its own representation from it, so a
+ * new robot needs no code in any engine and a new engine none in any robot. Robots of one type with
+ * equal parameters share one description, which is constant while it is shared.
  */
 struct SBodyDescription {
   std::vector<SShapeDescription> Shapes; /**< solids, rigidly joined; at least one */
@@ -117,18 +117,18 @@ struct SBodyDescription {
   std::optional<SDifferentialDriveDescription> Drive; /**< needs a "wheels" component */
   std::optional<SPropellersDescription> Propellers; /**< needs a "quadrotor" component */
   std::optional<SGroundFrictionDescription> GroundFriction; /**< of passive movable bodies */
-  std::optional<STurretDescription> Turret; /**< turns if there is a "turret" component */
-  std::optional<SGripperDescription> Gripper; /**< grips if there is a "gripper" component */
-  bool Grippable = false; /**< can grippers hold it? Movable bodies only */
+  std::optional<STurretDescription> Turret; /**< needs a "turret" component to rotate */
+  std::optional<SGripperDescription> Gripper; /**< needs a "gripper" component to grip */
+  bool Grippable = false; /**< true if grippers can hold it; movable bodies only */
 
-  /** Radius of the vertical cylinder around the origin that holds every solid, m. */
+  /** Radius of the vertical cylinder around the origin that contains every solid, m. */
   Real ComputeBoundingRadius() const;
   /** Moment of inertia about the vertical through the origin, kg m^2, for Mass spread evenly. */
   Real ComputePlanarInertia() const;
-  /** PlanarInertia, or what ComputePlanarInertia() gives if that is unset; kg m^2. */
+  /** PlanarInertia, or the result of ComputePlanarInertia() if that is unset; kg m^2. */
   Real GetPlanarInertia() const { return PlanarInertia ? *PlanarInertia : ComputePlanarInertia(); }
   /**
-   * The smallest box, with sides along the world's axes, around all solids.
+   * The smallest axis-aligned box around all solids.
    * @param position, orientation  of the origin anchor, m, world frame.
    */
   SBoundingBox ComputeBoundingBox(const CVector3& position, const CQuaternion& orientation) const;

@@ -3,7 +3,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/physics_engine/body_description.h>
-#include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/simulator/physics_engine/described_body_engine.h>
 #include <argos3/core/simulator/space/body_index.h>
 #include <argos3/core/simulator/space/space.h>
 
@@ -21,15 +21,26 @@ CEmbodiedEntity* FindDescribedBody(CEntity& root) {
   return description != nullptr && !description->Shapes.empty() ? &body : nullptr;
 }
 
+CDescribedBodyModel::CDescribedBodyModel(CDescribedBodyEngine& engine, CEmbodiedEntity& entity)
+    : CPhysicsModel(engine, entity), m_root(entity.GetRootEntity()) {}
+
+CDescribedBodyEngine& CDescribedBodyModel::GetDescribedBodyEngine() {
+  return static_cast<CDescribedBodyEngine&>(GetEngine());
+}
+
 void CDescribedBodyModel::MoveTo(const CVector3& position, const CQuaternion& orientation) {
   if (!std::isfinite(position.Length()) || !std::isfinite(orientation.SquareLength())) {
     THROW_ARGOSEXCEPTION("\"" << m_cEmbodiedEntity.GetRootEntity().GetId()
                               << "\" cannot be moved to (" << position << "), turned by ("
                               << orientation << "): all numbers must be finite");
   }
-  Replace();
+  GetDescribedBodyEngine().NoticeMove(*this);
   CalculateAnchors();
   CalculateBoundingBox();
+}
+
+void CDescribedBodyModel::ConfirmMove() {
+  GetDescribedBodyEngine().NoticeConfirmedMove(*this);
 }
 
 void CDescribedBodyModel::CalculateBoundingBox() {
@@ -40,7 +51,7 @@ void CDescribedBodyModel::CalculateBoundingBox() {
 
 bool CDescribedBodyModel::IsCollidingWithSomething() const {
   const SAnchor& origin = m_cEmbodiedEntity.GetOriginAnchor();
-  return m_cEngine.GetSpace().GetBodyIndex().FindOverlap(
+  return GetEngine().GetSpace().GetBodyIndex().FindOverlap(
              *m_cEmbodiedEntity.GetBodyDescription(), origin.Position, origin.Orientation,
              m_cEmbodiedEntity.GetBodyNumber()) != CBodyIndex::kNoBody;
 }

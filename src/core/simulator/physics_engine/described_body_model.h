@@ -5,34 +5,45 @@
 
 namespace argos {
 
+class CDescribedBodyEngine;
 class CEntity;
 
-/** The body of a root entity, if it says what it is (SBodyDescription); else null. */
+/** The body of a root entity, if it has an SBodyDescription with shapes; else null. */
 CEmbodiedEntity* FindDescribedBody(CEntity& root);
 
 /**
- * A body that an engine builds from its SBodyDescription: what such models have in common.
+ * A body that a CDescribedBodyEngine builds from its SBodyDescription: the common part of such
+ * models.
  *
- * The state that moves is the engine's; so nothing is read from the entity body by body.
+ * The state of motion is in the engine; so nothing is read from the entity body by body.
  */
 class CDescribedBodyModel : public CPhysicsModel {
  public:
-  using CPhysicsModel::CPhysicsModel;
+  CDescribedBodyModel(CDescribedBodyEngine& engine, CEmbodiedEntity& entity);
 
   /** Does nothing: the engine reads actuated components where they keep their values. */
   void UpdateFromEntityStatus() override {}
   /**
-   * Puts the body, at rest, where its origin anchor is already.
+   * Puts the body, at rest, at the present pose of its origin anchor.
    * @throws CARGoSException if the pose is not finite; nothing has moved then.
    */
   void MoveTo(const CVector3& position, const CQuaternion& orientation) override;
+  void ConfirmMove() override;
   void CalculateBoundingBox() override;
-  /** True if a solid of this body overlaps one of another body by more than a rounding. */
+  /** @return true if a solid of this body overlaps one of another body by more than a rounding. */
   bool IsCollidingWithSomething() const override;
 
  protected:
-  /** Takes over the pose of the origin anchor; the body is at rest, its past forgotten. */
-  virtual void Replace() = 0;
+  CEntity& m_root;  // of the body
+
+ private:
+  friend class CDescribedBodyEngine;
+  using CPhysicsModel::m_cEngine;  // stale after a transfer: use GetEngine()
+
+  CDescribedBodyEngine& GetDescribedBodyEngine();
+
+  size_t m_number = 0;  // in the engine's list of models
+  bool m_isDisplaced = false;  // in the engine's list of displaced models
 };
 
 }  // namespace argos

@@ -8,24 +8,30 @@
 namespace argos {
 
 /*
- * The control loops of a flying body, for every engine that has such, and when they are stable; the
- * README of the engine pointmass3d derives the bounds. Each is discrete: the controller runs once
- * in each substep of length h, and what it asks for acts in the next one.
+ * The control loops of a flying body, for all engines, and the conditions of their stability; the
+ * README of the engine pointmass3d derives the bounds. Each loop is discrete: the controller runs
+ * once in each substep of length h, and its thrust acts in the next one.
  */
 
 /**
- * The thrust of a controller along one axis, limited.
+ * Upper bound of the substep, as a share of the one at which a control loop becomes unstable; with
+ * it, loops settle about as fast as with the shortest substeps.
+ */
+constexpr Real kStableShare = 0.5;
+
+/**
+ * The limited thrust of a controller along one axis.
  * @param proportional, derivative  N/m and N (for a change of the error in one substep), or N m.
  * @param error       target - actual value.
  * @param change      of the error in the last substep.
- * @param weight      N, along the axis: what the thrust has to counter besides.
- * @param max         N, > 0: of what the controller asks for.
- * @return N, or N m: what it asks for, the weight countered but not added.
+ * @param weight      N, along the axis: an additional force that the thrust has to counter.
+ * @param max         N, > 0: the limit of the thrust.
+ * @return N, or N m: the thrust, which counters the weight but does not include it.
  */
 inline Real ComputeThrust(Real proportional, Real derivative, Real error, Real change, Real weight,
                           Real max) {
-  const Real wanted = proportional * error + derivative * change - weight;
-  return std::min(std::max(wanted, -max), max);
+  const Real unlimited = proportional * error + derivative * change - weight;
+  return std::min(std::max(unlimited, -max), max);
 }
 
 /**
@@ -42,11 +48,11 @@ Real ComputePositionLoopBound(const SControlGains& gains, Real inertia);
 Real ComputeSpeedLoopBound(const SControlGains& gains, Real inertia);
 
 /**
- * What a loop on velocity multiplies the error with.
+ * The gain of a loop on velocity.
  *
- * The derivative of the error is that of the substep to come, in which the force F changes the
- * velocity: F = Kp e - Kd F / m. Taken from the substep before, the loop would diverge at any h as
- * soon as Kd >= m.
+ * The derivative of the error is that of the next substep, in which the force F changes the
+ * velocity: F = Kp e - Kd F / m. With the derivative of the previous substep, the loop would
+ * diverge at any h as soon as Kd >= m.
  * @return N s/m, or N m s/rad.
  */
 Real ComputeSpeedGain(const SControlGains& gains, Real inertia);

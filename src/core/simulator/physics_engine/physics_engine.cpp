@@ -15,13 +15,13 @@ namespace argos {
 
 namespace {
 
-// m; immovable bodies this near to a region belong to it, because the bodies there reach over its
-// border: by their radius, and by what they go in a tick
+// m; immovable bodies this near to a region are added to its engine, because its bodies reach over
+// the border by their radius and by their path in a tick
 constexpr Real kReachOverBorder = CBodyIndex::kMaxSmallRadius;
 
 }  // namespace
 
-// engines are made by zero-argument factories: the base picks up the thread's simulator once
+// Factories create engines without arguments, so the base class takes the thread's simulator.
 CPhysicsEngine::CPhysicsEngine()
     : m_cSimulator(CurrentSimulator()), m_cSpace(m_cSimulator.GetSpace()) {
   SetIterations(m_iterations);
@@ -73,12 +73,12 @@ std::pair<Real, Real> CPhysicsEngine::GetHeightSpan() const {
 }
 
 std::string CPhysicsEngine::ExplainRefusal(CEntity& entity) const {
-  return "cannot house a <" + entity.GetTypeDescription() + ">";
+  return "does not accept a <" + entity.GetTypeDescription() + ">";
 }
 
 void CPhysicsEngine::ScheduleEntityForTransfer(CEmbodiedEntity& entity) {
   if (m_transfers.capacity() == 0) {
-    // more than that in one tick are rare
+    // more transfers in one tick are rare
     m_transfers.reserve(64 + GetNumPhysicsModels() / 4);
   }
   m_transfers.push_back(&entity);
@@ -119,18 +119,15 @@ CPhysicsEngine* CPhysicsEngine::FindEngineBehindGate(const CEmbodiedEntity& body
   return nullptr;
 }
 
-CPhysicsEngine* CPhysicsEngine::FindNextEngine(const CEmbodiedEntity& body) const {
-  if (CPhysicsEngine* const behindGate = FindEngineBehindGate(body)) {
-    return behindGate;
-  }
-  const CPhysicsEngine::TVector& engines = m_cSimulator.GetPhysicsEngines();
-  const auto found = std::find_if(engines.begin(), engines.end(), [&body](CPhysicsEngine* engine) {
-    return engine->IsPointContained(body.GetOriginAnchor().Position);
-  });
-  return found != engines.end() ? *found : nullptr;
+const CPhysicsEngine::TVector& CPhysicsEngine::GetAllEngines() const {
+  return m_cSimulator.GetPhysicsEngines();
 }
 
-// The index knows where all bodies were at the end of the last tick, so at the start of this one.
+bool CPhysicsEngine::ContainsOriginOf(const CEmbodiedEntity& body) {
+  return IsPointContained(body.GetOriginAnchor().Position);
+}
+
+// The index has the poses of all bodies at the end of the last tick, so at the start of this one.
 void CPhysicsEngine::CollectGhosts() {
   const Real reach = GetGhostReach();
   const CBodyIndex& index = m_cSpace.GetBodyIndex();
@@ -149,7 +146,7 @@ void CPhysicsEngine::CollectGhosts() {
       const Real place = along.DotProduct(offset);
       const bool isNear =
           std::abs(along.CrossProduct(offset)) <= far && place >= -far && place <= length + far;
-      // what is large may be visited several times in a row
+      // a large shape may be visited several times in a row
       if (isNear && (m_nearBorder.empty() || m_nearBorder.back() != shape.Body)) {
         m_nearBorder.push_back(shape.Body);
       }
@@ -186,7 +183,7 @@ void CPhysicsEngine::SetSimulationClockTick(Real seconds) {
 
 namespace {
 
-// bodies that only their engine knows, if any engine has such
+// Bodies that are known to their engine only, if any engine has such bodies.
 void AppendHitsOutsideIndex(TEmbodiedEntityIntersectionData& data, const CRay3& ray) {
   size_t numKept = data.size();
   for (const CPhysicsEngine* engine : CurrentSimulator().GetPhysicsEngines()) {
@@ -194,7 +191,7 @@ void AppendHitsOutsideIndex(TEmbodiedEntityIntersectionData& data, const CRay3& 
       engine->CheckIntersectionWithRay(data, ray);
     }
   }
-  // an engine may also report what the index has found, or a body that several engines house
+  // an engine may also report a body that the index has found, or that is in several engines
   for (size_t i = numKept; i < data.size(); ++i) {
     const CEmbodiedEntity* const body = data[i].IntersectedEntity;
     const bool isKnown =

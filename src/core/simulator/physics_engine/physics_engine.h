@@ -19,16 +19,16 @@ class CSimulator;
 class CSpace;
 class CThreadPool;
 
-/** How a body moves, in no engine's terms; world frame. */
+/** How a body moves, independent of the type of its engine; world frame. */
 struct SBodyMotion {
   CVector3 Velocity; /**< of the origin anchor, m/s */
   CVector3 Rotation; /**< about the origin anchor, rad/s */
 };
 
 /**
- * A movable body of another engine near this one's border, as it was at the start of the tick.
+ * A movable body of another engine near this one's border, at its pose of the start of the tick.
  *
- * Its own engine moves the body meanwhile: what describes it may be read, but not its anchors.
+ * Its own engine moves the body at the same time: read its description, but not its anchors.
  */
 struct SGhost {
   CEmbodiedEntity* Body;
@@ -40,18 +40,19 @@ struct SGhost {
  * Owns the bodies of a region of space and moves them.
  *
  * The contract of one tick (called by CSpace, one engine per thread at a time; see UsesThreadPool()
- * for those that share their own work among threads):
+ * for engines that spread their own work over threads):
  *  1. Update() reads what actuators wrote into the components of this engine's bodies (wheel
  *     speeds, ...), advances them by GetIterations() substeps of GetPhysicsClockTick() seconds, and
- *     writes poses back through CEmbodiedEntity::SetOriginPose(). It touches no other body.
- *  2. Bodies found outside GetVolume() are given to ScheduleEntityForTransfer() during 1 and moved
+ *     writes poses back through CEmbodiedEntity::SetOriginPose(). It accesses no other body.
+ *  2. Bodies found outside GetVolume() are passed to ScheduleEntityForTransfer() during 1 and moved
  *     to their new engine by TransferEntities(), which the space calls serially, engine by engine.
  *
- * doc/space_partitioning.md says how engines share space: regions, walls, gates, and ghosts, which
- * are bodies of other engines that are felt across a border.
+ * doc/space_partitioning.md describes how engines share space: regions, walls, gates, and ghosts,
+ * which are bodies of other engines that act as obstacles across a border.
  *
- * An engine builds its bodies from SBodyDescription (CEmbodiedEntity::GetBodyDescription()).
- * Reset() restores the exact state of the engine right after loading: a run repeats bit for bit.
+ * An engine builds its bodies from SBodyDescription (CEmbodiedEntity::GetBodyDescription());
+ * CDescribedBodyEngine is the base of those that do nothing else. Reset() restores the exact state
+ * of the engine right after loading: a run repeats bit for bit.
  */
 class CPhysicsEngine : public CBaseConfigurableResource {
  public:
@@ -73,81 +74,83 @@ class CPhysicsEngine : public CBaseConfigurableResource {
   /** Advances all bodies by one tick; see the contract above. */
   virtual void Update() = 0;
   /**
-   * True of an engine whose Update() spreads its work over the simulator's thread pool: such
-   * engines are updated one after the other, not inside a phase. Must not change while a run lasts.
+   * @return true if Update() spreads its work over the simulator's thread pool. Such engines are
+   * updated one after the other, not inside a parallel phase. Constant during a run.
    */
   virtual bool UsesThreadPool() const { return false; }
   /** Called once after the arena is filled. */
   virtual void PostSpaceInit() {}
-  /** True if a body with its origin at @p point (m, world frame) belongs here. */
+  /** @return true if this engine owns bodies with their origin at @p point (m, world frame). */
   virtual bool IsPointContained(const CVector3& point);
   /**
-   * True if an immovable body belongs here: if a solid of it comes so near to the region that a
-   * body here may meet it. Of one without a description: if its origin is here.
+   * @return true if an immovable body must be in this engine: if a solid of it is so near to the
+   * region that a body of this engine may touch it; for a body without a description, if its origin
+   * is in the region.
    */
   virtual bool IsTouchedBy(const CEmbodiedEntity& body);
-  /** Lowest and highest z of bodies here, m: those of the region, unless the engine is a plane. */
+  /** Lowest and highest z of this engine's bodies, m: of the region, or the height of a plane. */
   virtual std::pair<Real, Real> GetHeightSpan() const;
   virtual size_t GetNumPhysicsModels() = 0;
-  /** Adds the body of a root entity. @return false if this engine cannot house it. */
+  /** Adds the body of a root entity. @return false if this engine does not accept it. */
   virtual bool AddEntity(CEntity& entity) = 0;
   /**
-   * Why AddEntity() has returned false, and what to change, for the message: a phrase whose subject
+   * Why AddEntity() returned false and what to change, for an error message: a phrase whose subject
    * is the engine.
    */
   virtual std::string ExplainRefusal(CEntity& entity) const;
-  /** Removes the body of a root entity. @return false if it is not here. */
+  /** Removes the body of a root entity. @return false if this engine does not have it. */
   virtual bool RemoveEntity(CEntity& entity) = 0;
 
   bool IsEntityTransferNeeded() const { return !m_transfers.empty(); }
   bool IsEntityTransferActive() const { return m_volume.IsActive(); }
   virtual void ScheduleEntityForTransfer(CEmbodiedEntity& entity);
-  /** Moves the scheduled bodies, in order of entity index, to the engines that contain them. */
+  /** Transfers the scheduled bodies, in order of entity index, to the engines that contain them. */
   virtual void TransferEntities();
 
   /**
-   * Moves one body of this engine to the engine that contains it, for TransferEntities(); does
-   * nothing if it is not here any more.
+   * Transfers one body of this engine to the engine that contains it, for TransferEntities(); does
+   * nothing if the body is no longer in this engine.
    */
   virtual void TransferEntity(CEmbodiedEntity& body);
 
   /**
-   * What a body of this engine keeps when it goes to one of another kind.
-   * @return false if this engine does not tell.
+   * Gets the motion that a body of this engine keeps when it is transferred to an engine of another
+   * type.
+   * @return false if this engine does not provide it.
    */
   virtual bool GetMotion(const CEmbodiedEntity& /*body*/, SBodyMotion& /*motion*/) const {
     return false;
   }
-  /** The same, for a body that has just come; engines without momentum ignore it. */
+  /** Sets the motion of a body that was just transferred; engines without momentum ignore it. */
   virtual void SetMotion(CEmbodiedEntity& /*body*/, const SBodyMotion& /*motion*/) {}
 
-  /** True of engines that stop bodies at walls of the region (SVolume::DescribeWalls()). */
+  /** @return true if the engine stops bodies at walls of the region (SVolume::DescribeWalls()). */
   virtual bool StopsAtWalls() const { return false; }
-  /** True of engines that use GetGhosts() in Update(), unless the user says ghosts="false". */
+  /** @return true if Update() uses GetGhosts() unless the user sets ghosts="false". */
   virtual bool CanFeelGhosts() const { return false; }
-  /** How far beyond the border a ghost's solid may be that is met within a tick, m. */
+  /** Greatest distance beyond the border at which a ghost's solid matters within a tick, m. */
   virtual Real GetGhostReach() const { return 0.5; }
-  /** Are there borders to other engines, and are bodies behind them felt? */
+  /** @return true if there are borders to other engines and bodies behind them are obstacles. */
   bool FeelsGhosts() const { return m_feelsGhosts && !m_borders.empty(); }
-  /** Finds the ghosts of the tick to come. By the space, while no body moves. */
+  /** Finds the ghosts of the next tick. Called by the space while no body moves. */
   void CollectGhosts();
-  /** In order of their number in the space's index. */
+  /** Sorted by number in the space's index. */
   const std::vector<SGhost>& GetGhosts() const { return m_ghosts; }
-  /** Borders to other engines, seen from above; by the simulator, when all engines are there. */
+  /** Borders to other engines, seen from above; set by the simulator after all engines exist. */
   void SetBorders(std::vector<CRay2> borders) { m_borders = std::move(borders); }
 
   SVolume& GetVolume() { return m_volume; }
   const SVolume& GetVolume() const { return m_volume; }
 
   /**
-   * Appends every body of this engine that @p ray crosses and that the space's index does not know,
+   * Appends every body of this engine that @p ray crosses and that is not in the space's index,
    * because it has no SBodyDescription. Engines that build all bodies from descriptions do nothing.
    */
   virtual void CheckIntersectionWithRay(TEmbodiedEntityIntersectionData& data,
                                         const CRay3& ray) const = 0;
   /**
-   * False if CheckIntersectionWithRay() never reports a body that the space's index does not know:
-   * rays are then faster.
+   * @return false if CheckIntersectionWithRay() never reports a body that is not in the space's
+   * index; rays are then faster.
    */
   virtual bool HasBodiesOutsideIndex() const { return true; }
 
@@ -163,29 +166,50 @@ class CPhysicsEngine : public CBaseConfigurableResource {
   Real GetPhysicsClockTick() const { return m_physicsClockTick; }
   const std::string& GetId() const { return m_id; }
   void SetId(const std::string& id) { m_id = id; }
-  /** 'file:line: <tag id="...">' of its element, for messages. */
+  /** 'file:line: <tag id="...">' of the engine's element, for messages. */
   const std::string& GetOrigin() const { return m_origin; }
   CSpace& GetSpace() { return m_cSpace; }
   const CSpace& GetSpace() const { return m_cSpace; }
 
  protected:
-  /** Changes the number of substeps before loading is over (engines with their own default). */
+  /** Changes the number of substeps during loading, for engines with their own default. */
   void SetIterations(UInt32 iterations);
   /**
-   * The engine behind the gate through which a body has left, or null: if there is none, or if it
-   * does not contain the body, which has gone around a corner.
+   * The engine behind the gate through which a body has left the region; null if there is no gate,
+   * or if that engine does not contain the body, because it went around a corner.
    */
   CPhysicsEngine* FindEngineBehindGate(const CEmbodiedEntity& body) const;
   /**
-   * The engine that a body which has left is offered first: FindEngineBehindGate(), or else the
-   * first one, in document order, that contains it.
+   * The engine that receives a body which has left the region: of FindEngineBehindGate() and then
+   * all engines that contain the body, in document order, the first for which
+   * accept(CPhysicsEngine&) is true; null if there is none. It is the order in which
+   * CSpace::AddEntityToPhysicsEngine() tries them.
    */
-  CPhysicsEngine* FindNextEngine(const CEmbodiedEntity& body) const;
+  template <typename ACCEPT>
+  CPhysicsEngine* FindNextEngine(const CEmbodiedEntity& body, ACCEPT&& accept) const {
+    CPhysicsEngine* const behindGate = FindEngineBehindGate(body);
+    if (behindGate != nullptr && accept(*behindGate)) {
+      return behindGate;
+    }
+    for (CPhysicsEngine* engine : GetAllEngines()) {
+      if (engine->ContainsOriginOf(body) && accept(*engine)) {
+        return engine;
+      }
+    }
+    return nullptr;
+  }
+  /** The same without a condition. */
+  CPhysicsEngine* FindNextEngine(const CEmbodiedEntity& body) const {
+    return FindNextEngine(body, [](const CPhysicsEngine&) { return true; });
+  }
 
   CSimulator& m_cSimulator;
   CSpace& m_cSpace;
 
  private:
+  const TVector& GetAllEngines() const;
+  bool ContainsOriginOf(const CEmbodiedEntity& body);
+
   std::string m_id;
   std::string m_origin;
   SVolume m_volume;

@@ -23,10 +23,10 @@ void SAnchor::Enable() {
   if (InUseCount++ == 0) {
     auto& enabled = Body.m_vecEnabledAnchors;
     enabled.push_back(this);
-    // in order of index, however they were enabled
+    // sorted by index, independent of the order of Enable() calls
     std::sort(enabled.begin(), enabled.end(),
               [](const SAnchor* a, const SAnchor* b) { return a->Index < b->Index; });
-    // nobody kept it current so far
+    // the pose was not kept current so far
     if (Index != 0) {
       FollowOrigin();
     }
@@ -51,7 +51,7 @@ void SAnchor::ReturnToStart() {
   while (InUseCount < InUseCountAtStart) {
     Enable();
   }
-  // the origin keeps the use that its body makes of it
+  // the body itself always uses its origin
   const UInt32 least = Index == 0 ? std::max<UInt32>(InUseCountAtStart, 1) : InUseCountAtStart;
   while (InUseCount > least) {
     Disable();
@@ -71,18 +71,18 @@ bool SBoundingBox::Intersects(const SBoundingBox& other) const {
 }
 
 CPhysicsModel::CPhysicsModel(CPhysicsEngine& engine, CEmbodiedEntity& entity)
-    : m_cEngine(engine), m_cEmbodiedEntity(entity) {}
+    : m_cEngine(engine), m_cEmbodiedEntity(entity), m_engine(&engine) {}
 
 void CPhysicsModel::UpdateEntityStatus() {
   CalculateAnchors();
   CalculateBoundingBox();
-  // whoever computed the origin anchor, the index learns of it
+  // informs the index of the pose that an anchor method may have written
   const SAnchor& origin = m_cEmbodiedEntity.GetOriginAnchor();
   m_cEmbodiedEntity.SetOriginPose(origin.Position, origin.Orientation);
   m_cEmbodiedEntity.GetRootEntity().Update();
-  if (m_cEmbodiedEntity.IsMovable() && m_cEngine.IsEntityTransferActive() &&
-      !m_cEngine.IsPointContained(origin.Position)) {
-    m_cEngine.ScheduleEntityForTransfer(m_cEmbodiedEntity);
+  if (m_cEmbodiedEntity.IsMovable() && m_engine->IsEntityTransferActive() &&
+      !m_engine->IsPointContained(origin.Position)) {
+    m_engine->ScheduleEntityForTransfer(m_cEmbodiedEntity);
   }
 }
 

@@ -34,7 +34,7 @@ struct SAnchor : CSlabObject {
   CVector3 Position; /**< world frame, m */
   CQuaternion Orientation; /**< world frame */
   UInt32 InUseCount = 0;
-  UInt32 InUseCountAtStart = 0; /**< what ReturnToStart() brings back */
+  UInt32 InUseCountAtStart = 0; /**< what ReturnToStart() restores */
 
   SAnchor(CEmbodiedEntity& body, const std::string& id, UInt32 index,
           const CVector3& offsetPosition, const CQuaternion& offsetOrientation,
@@ -42,13 +42,13 @@ struct SAnchor : CSlabObject {
   SAnchor(const SAnchor&) = delete;
   SAnchor& operator=(const SAnchor&) = delete;
 
-  /** Asks for this anchor's pose to be kept current; calls are counted. */
+  /** Keeps this anchor's pose current from now on; calls are counted. */
   void Enable();
-  /** Takes back one Enable(). @throws CARGoSException for the origin, which is always in use. */
+  /** Undoes one Enable(). @throws CARGoSException for the origin, which is always in use. */
   void Disable();
-  /** As often in use as at the start of the run. */
+  /** Restores the use count of the start of the run. */
   void ReturnToStart();
-  /** Takes the pose that it has as a rigid part of the body. Not for the origin itself. */
+  /** Computes the pose of a rigid part of the body; not for the origin itself. */
   void FollowOrigin();
 };
 
@@ -66,7 +66,7 @@ struct SBoundingBox {
  *
  * Third parties derive from this to give an entity a body that its description cannot express.
  * In a tick the engine calls UpdateFromEntityStatus() (entity to engine), then UpdatePhysics()
- * for each substep if it says so, then UpdateEntityStatus() (engine to entity).
+ * in each substep if its documentation says so, then UpdateEntityStatus() (engine to entity).
  */
 class CPhysicsModel {
  public:
@@ -76,8 +76,8 @@ class CPhysicsModel {
   CPhysicsModel(CPhysicsEngine& engine, CEmbodiedEntity& entity);
   virtual ~CPhysicsModel() = default;
 
-  CPhysicsEngine& GetEngine() { return m_cEngine; }
-  const CPhysicsEngine& GetEngine() const { return m_cEngine; }
+  CPhysicsEngine& GetEngine() { return *m_engine; }
+  const CPhysicsEngine& GetEngine() const { return *m_engine; }
   CEmbodiedEntity& GetEmbodiedEntity() { return m_cEmbodiedEntity; }
   const CEmbodiedEntity& GetEmbodiedEntity() const { return m_cEmbodiedEntity; }
 
@@ -101,19 +101,19 @@ class CPhysicsModel {
   virtual bool IsCollidingWithSomething() const = 0;
 
   /**
-   * The body stays where it has been moved to with MoveTo(). Called after the last MoveTo() of a
-   * command, also if the place is where the body was; not after one that only finds out whether a
-   * place is free, or that restores the old pose.
+   * Called after the last MoveTo() of a command that moves the body for good, also if it did not
+   * change the pose; not after a MoveTo() that only tests whether a place is free, or that restores
+   * the old pose.
    */
   virtual void ConfirmMove() {}
   /**
-   * A component that engines may want to know has joined the robot, or is about to leave it, while
-   * the body is in the engine: for components that are made on demand.
+   * Called while the body is in the engine, after a component that engines act upon was added to
+   * the robot, or before it is removed.
    */
   virtual void ComponentAdded(CEntity& /*component*/) {}
   virtual void ComponentRemoved(CEntity& /*component*/) {}
 
-  /** From now on @p method of the derived model computes the pose of @p anchor. */
+  /** Makes @p method of the derived model compute the pose of @p anchor. */
   template <typename MODEL>
   void RegisterAnchorMethod(const SAnchor& anchor, void (MODEL::*method)(SAnchor&)) {
     RegisterAnchorMethod(anchor.Index, [this, method](SAnchor& target) {
@@ -122,6 +122,14 @@ class CPhysicsModel {
   }
 
  protected:
+  /**
+   * Gives the model to another engine, which moves the body from now on.
+   *
+   * For models that change engines without being destroyed. They use GetEngine(): m_cEngine stays
+   * the engine of the constructor.
+   */
+  void SetEngine(CPhysicsEngine& engine) { m_engine = &engine; }
+
   CPhysicsEngine& m_cEngine;
   CEmbodiedEntity& m_cEmbodiedEntity;
   SBoundingBox m_sBoundingBox;
@@ -129,6 +137,7 @@ class CPhysicsModel {
  private:
   void RegisterAnchorMethod(UInt32 anchorIndex, std::function<void(SAnchor&)> method);
 
+  CPhysicsEngine* m_engine;  // the present one
   // by anchor index, an empty function = rigid; null if no method was registered
   std::unique_ptr<std::vector<std::function<void(SAnchor&)>>> m_anchorMethods;
 };

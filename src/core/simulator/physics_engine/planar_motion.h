@@ -10,10 +10,10 @@
 namespace argos {
 
 /**
- * Where a body is in the plane, world frame.
+ * The pose of a body in the plane, world frame.
  *
- * The heading is kept as cosine and sine of its half, which are the w and z of its quaternion: a
- * robot turns by two multiplications, and needs no trigonometric function to report its pose.
+ * The heading is stored as cosine and sine of its half, which are the w and z of its quaternion:
+ * rotations and the conversion to a quaternion need no trigonometric function.
  */
 struct SPlanarPose {
   Real X = 0.0;  // m
@@ -31,7 +31,7 @@ struct SPlanarPose {
   }
 };
 
-/** A pose in space seen from above: of the orientation, its turn about the vertical is kept. */
+/** Projects a pose to the plane: of the orientation, only the yaw is kept. */
 inline SPlanarPose MakePlanarPose(const CVector3& position, const CQuaternion& orientation) {
   const Real length = std::hypot(orientation.GetW(), orientation.GetZ());
   SPlanarPose pose;
@@ -44,11 +44,11 @@ inline SPlanarPose MakePlanarPose(const CVector3& position, const CQuaternion& o
   return pose;
 }
 
-/** Turns @p pose on the spot by the angle whose half has this cosine and sine. */
+/** Rotates @p pose about its position by the angle whose half has this cosine and sine. */
 inline void Turn(SPlanarPose& pose, Real halfCos, Real halfSin) {
   const Real c = pose.HalfCos * halfCos - pose.HalfSin * halfSin;
   const Real s = pose.HalfSin * halfCos + pose.HalfCos * halfSin;
-  // one Newton step of 1/sqrt keeps the length at 1 over any number of turns
+  // one Newton step of 1/sqrt keeps the length at 1 over any number of rotations
   const Real scale = 1.5 - 0.5 * (c * c + s * s);
   pose.HalfCos = c * scale;
   pose.HalfSin = s * scale;
@@ -62,14 +62,14 @@ struct SArc {
 };
 
 /**
- * Follows the circular arc of a unicycle in closed form; exact but for rounding, straight lines
- * included.
+ * Follows the circular arc, or the straight line, of a unicycle in closed form; exact except for
+ * rounding errors.
  * @param speed     m/s, along the heading.
  * @param yawRate   rad/s.
  * @param duration  s.
  *
  * Source: Thrun, Burgard, Fox, Probabilistic Robotics (2005), ch. 5, velocity motion model, written
- * as a chord: an arc of length L that turns by a has a chord of length L sin(a/2) / (a/2), in the
+ * as a chord: an arc of length L and angle a has a chord of length L sin(a/2) / (a/2), in the
  * direction of the heading half-way.
  */
 inline SArc FollowArc(const SPlanarPose& start, Real speed, Real yawRate, Real duration) {

@@ -35,7 +35,7 @@ bool GetEmbodiedEntitiesIntersectedByRay(TEmbodiedEntityIntersectionData& data, 
 bool GetClosestEmbodiedEntityIntersectedByRay(SEmbodiedEntityIntersectionItem& item,
                                               const CRay3& ray);
 
-/** The same, as if the body @p ignored were not there. */
+/** The same without the body @p ignored. */
 bool GetClosestEmbodiedEntityIntersectedByRay(SEmbodiedEntityIntersectionItem& item,
                                               const CRay3& ray, CEmbodiedEntity& ignored);
 

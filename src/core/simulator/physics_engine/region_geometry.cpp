@@ -80,7 +80,7 @@ CVector2 FindNearest(const CRay2& segment, const CVector2& point) {
   }
   const Real share = (point - segment.GetStart()).DotProduct(along) / squared;
   if (share >= 1.0) {
-    // exactly: others compare
+    // exactly, because the result is compared
     return segment.GetEnd();
   }
   return segment.GetStart() + along * std::max<Real>(share, 0.0);
@@ -100,7 +100,7 @@ Real ComputeDistance(const TPolygon& polygon, const CVector2& point) {
 std::optional<SCrossing> FindCrossing(const TPolygon& polygon) {
   const size_t count = polygon.size();
   for (size_t i = 0; i < count; ++i) {
-    // sides that follow each other share a corner
+    // consecutive sides share a corner
     for (size_t j = i + 2; j < count && !(i == 0 && j + 1 == count); ++j) {
       const CRay2 a(polygon[i], polygon[i + 1]);
       const CRay2 b(polygon[j], polygon[(j + 1) % count]);

@@ -13,10 +13,10 @@ namespace argos {
 using TPolygon = std::vector<CVector2>;
 
 /**
- * Tells on which side of a border a point is.
+ * Computes on which side of a border a point is.
  *
- * The two regions on either side of a border have it in opposite directions. The ends are put in
- * one order first, so the two results are exactly opposite and no point is lost between regions.
+ * The two regions on either side of a border list it in opposite directions. The ends are sorted
+ * first, so that the two results are exactly opposite and no point is lost between regions.
  */
 class CBorderSide {
  public:
@@ -47,7 +47,7 @@ inline Real ComputeSide(const CVector2& start, const CVector2& end, const CVecto
 /** Twice the signed area, m^2: positive if the corners run counter-clockwise. */
 Real ComputeTwiceArea(const TPolygon& polygon);
 
-/** What two convex polygons share; empty, or without an area, if they only touch. */
+/** The intersection of two convex polygons; empty, or without an area, if they only touch. */
 TPolygon Intersect(const TPolygon& a, const TPolygon& b);
 
 /** The part of a segment inside a convex polygon that is @p margin m larger; none if it is outside.
@@ -57,15 +57,15 @@ std::optional<CRay2> Clip(const CRay2& segment, const TPolygon& polygon, Real ma
 /** The point of the segment that is nearest to @p point. */
 CVector2 FindNearest(const CRay2& segment, const CVector2& point);
 
-/** From a point to a convex polygon, m; 0 inside. */
+/** Distance from a point to a convex polygon, m; 0 inside. */
 Real ComputeDistance(const TPolygon& polygon, const CVector2& point);
 
-/** Where two sides cross that have no corner in common; sides are counted by their first corner. */
+/** A point where two sides without a common corner cross; sides are numbered by first corner. */
 struct SCrossing {
   size_t First, Second;
   CVector2 Point;
 };
-/** Finds out whether a polygon, of any shape, crosses itself. */
+/** Finds two sides of a polygon, of any shape, that cross. */
 std::optional<SCrossing> FindCrossing(const TPolygon& polygon);
 
 /** "(0,0), (1,0), (1,1)". */

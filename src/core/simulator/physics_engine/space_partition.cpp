@@ -13,11 +13,11 @@ namespace argos {
 
 namespace {
 
-// m; regions may overlap by this, because coordinates are typed and rounded
+// m; regions may overlap by this, because coordinates are rounded
 constexpr Real kTolerance = 1e-6;
-// m; as near as that, two planes are one
+// m; planes at this distance or less count as one
 constexpr Real kSamePlane = 1e-4;
-// m; other engines this near to a side make it a border
+// m; a side is a border if another engine is this near to it
 constexpr Real kNear = 1.0;
 
 Real ComputePerimeter(const TPolygon& polygon) {
@@ -59,7 +59,7 @@ std::string DescribeHeights(const SSpan& span) {
   return text.str();
 }
 
-// throws if two engines of one type have regions that share space
+// throws if the regions of two engines of one type overlap
 void CheckPair(const CPhysicsEngine& a, const CPhysicsEngine& b) {
   if (typeid(a) != typeid(b) || !a.GetVolume().IsActive() || !b.GetVolume().IsActive()) {
     return;
@@ -87,7 +87,7 @@ void CheckPair(const CPhysicsEngine& a, const CPhysicsEngine& b) {
                        << "; regions of engines of one type must not overlap");
 }
 
-// how a gate misses the region of the engine that it names, or an empty text
+// how far a gate is from the region of its engine; an empty text if it leads into it
 std::string DescribeMiss(const SVerticalFace& face, const CPhysicsEngine& from,
                          const CPhysicsEngine& to) {
   const TPolygon corners = to.GetVolume().GetCorners();
@@ -148,7 +148,7 @@ void CheckGate(const FACE& face, const std::string& name, const CPhysicsEngine& 
     }
     THROW_ARGOSEXCEPTION(from.GetOrigin()
                          << ": " << name << " is a gate to \"" << face.Gate
-                         << "\", which is no engine" << DidYouMean(face.Gate, ids));
+                         << "\", which is not an engine" << DidYouMean(face.Gate, ids));
   }
   if (*found == &from) {
     THROW_ARGOSEXCEPTION(from.GetOrigin() << ": " << name << " is a gate to its own engine");
@@ -161,7 +161,7 @@ void CheckGate(const FACE& face, const std::string& name, const CPhysicsEngine& 
   }
 }
 
-// the sides of a region, as far as they are in the arena or near it
+// the parts of the sides of a region that are in the arena or near it
 std::vector<CRay2> ClipSides(const CPhysicsEngine& engine, const TPolygon& arena) {
   std::vector<CRay2> sides;
   for (const SVerticalFace* face : engine.GetVolume().SideFaces) {
@@ -172,7 +172,7 @@ std::vector<CRay2> ClipSides(const CPhysicsEngine& engine, const TPolygon& arena
   return sides;
 }
 
-// is the region of another engine behind a side, or near it?
+// @return true if the region of another engine is behind a side, or near it.
 bool LeadsToAnother(const CRay2& side, const CPhysicsEngine& owner,
                     const CPhysicsEngine::TVector& engines) {
   return std::any_of(engines.begin(), engines.end(), [&](const CPhysicsEngine* other) {
@@ -214,7 +214,7 @@ void FindBorders(const CPhysicsEngine::TVector& engines, const CRange<CVector3>&
   for (CPhysicsEngine* engine : engines) {
     std::vector<CRay2> borders;
     if (engine->GetVolume().SideFaces.empty()) {
-      // those of the others
+      // the sides of the others
       for (const CPhysicsEngine* other : engines) {
         const std::vector<CRay2> sides = ClipSides(*other, inside);
         borders.insert(borders.end(), sides.begin(), sides.end());

@@ -9,24 +9,24 @@ namespace argos {
 class CLoadErrors;
 
 /**
- * Checks how the regions of engines fit together; every problem is noted in @p errors, with its
- * geometry.
+ * Checks that the regions of engines fit together; adds every problem, with its geometry, to
+ * @p errors.
  *
- * Engines of different types may share space: the first one in document order that houses a body
- * takes it. So may engines without <boundaries>, which take what is outside all regions. Gates lead
- * to an engine that exists and whose region is behind them.
+ * Engines of different types may share space: the first one in document order that accepts a body
+ * owns it. So may engines without <boundaries>, which accept bodies outside all regions. Gates must
+ * lead to an engine that exists and whose region is behind them.
  */
 void CheckPartition(const CPhysicsEngine::TVector& engines, CLoadErrors& errors);
 
-/** Tells each engine where its borders to others are. @param arena m; of what is inside it. */
+/** Sets the borders of each engine to others. @param arena m; borders outside are left out. */
 void FindBorders(const CPhysicsEngine::TVector& engines, const CRange<CVector3>& arena);
 
 /**
- * Replaces every <auto_partition> in <physics_engines> by the engines that it stands for: a grid of
- * count regions over the arena, as square as can be. The outer ones reach beyond the arena, by its
+ * Replaces every <auto_partition> in <physics_engines> by its engines: a grid of count regions over
+ * the arena, which are as nearly square as possible. The outer ones reach beyond the arena by its
  * longer side.
- * @param arena  the <arena> element: size and center; what is wrong with it is not noted here.
- * @return whether all is right; problems are noted in @p errors.
+ * @param arena  the <arena> element: size and center; its own errors are reported elsewhere.
+ * @return true if there is no problem; adds problems to @p errors.
  */
 bool ExpandAutoPartitions(TConfigurationNode& section, TConfigurationNode& arena,
                           CLoadErrors& errors);

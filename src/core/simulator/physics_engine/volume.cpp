@@ -11,7 +11,7 @@ namespace argos {
 
 namespace {
 
-// m; of the solid that stands for a wall
+// m; thickness of the solid that represents a wall
 constexpr Real kWallThickness = 0.1;
 // m; how far a wall without top or bottom reaches from z = 0
 constexpr Real kWallReach = 100.0;
@@ -46,7 +46,7 @@ std::vector<SVertex> ReadVertices(TConfigurationNode& sides) {
     ReadKind(*it, vertex.Face);
     vertices.push_back(vertex);
   }
-  // existing files close triangles by repeating the first vertex
+  // some existing files repeat the first vertex at the end
   if (vertices.size() > 1 && vertices.front().Point == vertices.back().Point) {
     vertices.pop_back();
   }
@@ -64,7 +64,7 @@ void CheckConvex(const TPolygon& vertices, const std::string& location) {
                                     << "\" is given twice in a row");
     }
     for (const CVector2& vertex : vertices) {
-      // the rounding of coordinates typed in decimal must not make straight sides bent
+      // tolerates the rounding of decimal coordinates on straight sides
       const Real tolerance = 1e-9 * length * (length + Distance(start, vertex));
       if (ComputeSide(start, end, vertex) < -tolerance) {
         THROW_ARGOSEXCEPTION(location << ": <sides>: the polygon is not convex: vertex \"" << vertex
@@ -119,7 +119,7 @@ std::unique_ptr<SHorizontalFace> ReadFace(TConfigurationNode& node, const char* 
   return face;
 }
 
-// is the point on the outer side of a face? Written so that NaN is.
+// @return true if the point is on the outer side of a face; written so that NaN is.
 bool IsBehind(const SVerticalFace& face, const CVector2& point) {
   return !(ComputeSide(face.BaseSegment.GetStart(), face.BaseSegment.GetEnd(), point) >= 0.0);
 }
@@ -139,7 +139,7 @@ TPolygon ComputeFootprint(const SShapeDescription& shape, const CVector3& positi
     x.Rotate(turn);
     y.Rotate(turn);
   } else {
-    // it does not stand upright: no point of it is farther from its base's centre
+    // tilted: no point is farther from the centre of the base
     halfX = halfY = shape.Size.Length();
   }
   const CVector2 centre = ToPlane(base);
@@ -149,7 +149,7 @@ TPolygon ComputeFootprint(const SShapeDescription& shape, const CVector3& positi
           centre - along + across};
 }
 
-// are the two convex polygons apart by more than reach, along a side of the first?
+// @return true if the two convex polygons are apart by more than reach, along a side of the first.
 bool IsSeparated(const TPolygon& first, const TPolygon& second, Real reach) {
   for (size_t i = 0; i < first.size(); ++i) {
     const CVector2& start = first[i];
@@ -221,7 +221,8 @@ bool SVolume::Contains(const CVector3& point) const {
                      [&above](const CBorderSide& side) { return side.Compute(above) >= 0.0; });
 }
 
-// of the sides that it is behind, the segment nearest to it: so sides on one line are told apart
+// The nearest segment of the sides with the point behind them, which distinguishes sides on one
+// line.
 const SFace* SVolume::FindExit(const CVector3& point) const {
   const SFace* exit = nullptr;
   Real nearest = HUGE_VAL;

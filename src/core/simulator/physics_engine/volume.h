@@ -16,8 +16,8 @@ namespace argos {
 struct SBodyDescription;
 
 /**
- * A face of a region. A wall stops bodies, a gate hands those that cross it to a named engine;
- * a face that is neither hands them to the first engine, in document order, that takes them.
+ * A face of a region. A wall stops bodies; a gate transfers bodies that cross it to a named engine;
+ * any other face transfers them to the first engine, in document order, that accepts them.
  */
 struct SFace {
   bool IsWall = false;
@@ -53,9 +53,9 @@ struct SVolume {
 
   /**
    * Reads a `<boundaries>` element: `<top height>`, `<bottom height>`, `<sides><vertex point>`
-   * (counter-clockwise, convex, at least three vertices). Each `<top>`, `<bottom>` and `<vertex>`,
-   * of which the last stands for the side from there to the next one, may have wall="true" or
-   * gate="id of an engine".
+   * (counter-clockwise, convex, at least three vertices). Each `<top>`, `<bottom>` and `<vertex>`
+   * may have wall="true" or gate="id of an engine"; a vertex stands for the side from there to the
+   * next one.
    * @throws CARGoSException with the geometry if the polygon crosses itself, is not convex or not
    * counter-clockwise, or if the top is not above the bottom.
    */
@@ -67,28 +67,30 @@ struct SVolume {
   bool HasWalls() const;
   /** True if @p point (m, world frame) is inside or on a face. */
   bool Contains(const CVector3& point) const;
-  /** The nearest of the faces that @p point is on the outer side of; null if it is inside. */
+  /** Of the faces with @p point on their outer side, the nearest; null if it is inside. */
   const SFace* FindExit(const CVector3& point) const;
-  /** From @p point to the region, m; 0 inside. */
+  /** Distance from @p point to the region, m; 0 inside. */
   Real ComputeDistance(const CVector3& point) const;
-  /** Does a solid of the body, seen as its box or disc from above, come within @p reach m of it? */
+  /**
+   * @return true if a solid of the body, as its box or disc seen from above, is within @p reach m.
+   */
   bool IsTouchedBy(const SBodyDescription& body, const CVector3& position,
                    const CQuaternion& orientation, Real reach) const;
-  /** Seen from above; empty without sides. */
+  /** The corners of the region seen from above; empty without sides. */
   std::vector<CVector2> GetCorners() const;
-  /** -infinity without a bottom. */
+  /** Height of the bottom, m; -infinity without one. */
   Real GetLowest() const;
-  /** +infinity without a top. */
+  /** Height of the top, m; +infinity without one. */
   Real GetHighest() const;
-  /** Of the sides that are walls. */
+  /** The sides that are walls, as solids. */
   std::vector<SWallSlab> DescribeWalls() const;
   /**
-   * Moves a point out of the walls, for bodies that know no contacts.
+   * Moves a point out of the walls, for bodies without contacts.
    * @param position  m; of the base of a body.
    * @param radius    m; of the upright cylinder around it.
    * @param height    m; of that cylinder.
-   * @param velocity  m/s; what of it leads into a wall is taken off.
-   * @return whether there was anything to do.
+   * @param velocity  m/s; the component into a wall is removed.
+   * @return true if position or velocity was changed.
    */
   bool HoldInside(CVector3& position, CVector3& velocity, Real radius, Real height) const;
 
@@ -96,7 +98,8 @@ struct SVolume {
   std::unique_ptr<SHorizontalFace> m_top;
   std::unique_ptr<SHorizontalFace> m_bottom;
   std::vector<std::unique_ptr<SVerticalFace>> m_sides;
-  std::vector<CBorderSide> m_borderSides;  // of the sides: engines ask for each body in each tick
+  std::vector<CBorderSide>
+      m_borderSides;  // of m_sides; computed once, as each tick tests all bodies
 };
 
 }  // namespace argos

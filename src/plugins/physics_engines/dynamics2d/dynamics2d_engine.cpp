@@ -4,13 +4,14 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/physics_engine/body_description.h>
 #include <argos3/core/simulator/simulator.h>
-#include <argos3/plugins/simulator/entities/wheeled_entity.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/dynamics2d_model.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_shapes.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_world.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/wheel_motion.h>
 #include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
 #include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
+#include <argos3/plugins/simulator/physics_engines/robot_bodies/robot_components.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,70 +32,82 @@ void CDynamics2DEngine::Init(TConfigurationNode& tree) {
   m_settings->Tick = m_cSimulator.GetTickLength();
   m_settings->Substeps = GetIterations();
   m_settings->GrippingRigidity = m_grippingRigidity;
-  // whoever asks for a number of substeps gets it
+  // an explicit number of substeps is not refined
   m_settings->RefineInCrowds = !NodeAttributeExists(tree, "iterations");
 }
 
-// The world is made anew from the entities, in the next tick: nothing of the run so far is left in
-// it, nor of where bodies were put before that tick.
+// The next tick builds a new world from the entities, without any state of the run so far.
 void CDynamics2DEngine::Reset() {
   m_world.reset();
-  while (!m_displaced.empty()) {
-    ForgetDisplaced(*m_displaced.back());
-  }
+  ForgetDisplaced();
 }
 
 void CDynamics2DEngine::Destroy() {
   m_world.reset();
-  m_displaced.clear();
-  DropModels();
+  DestroyModels();
 }
 
-std::unique_ptr<CPlanarModel> CDynamics2DEngine::MakeModel(CEmbodiedEntity& body,
-                                                           const Real* wheels) {
-  return std::make_unique<CDynamics2DModel>(*this, body, wheels);
+std::unique_ptr<CDescribedBodyModel> CDynamics2DEngine::CreateModel(CEmbodiedEntity& body) {
+  return std::make_unique<CDynamics2DModel>(*this, body, FindWheels(body));
 }
 
-void CDynamics2DEngine::RemakeModel(CPlanarModel& model, CEmbodiedEntity& body,
-                                    const Real* wheels) {
-  auto* const place = static_cast<CDynamics2DModel*>(&model);
-  std::destroy_at(place);
-  std::construct_at(place, *this, body, wheels);
+CDynamics2DModel& CDynamics2DEngine::GetModel(const CEmbodiedEntity& body) const {
+  return static_cast<CDynamics2DModel&>(*FindModel(body));
 }
 
-void CDynamics2DEngine::Enter(CPlanarModel& model) {
+void CDynamics2DEngine::Enter(CDescribedBodyModel& model) {
   if (m_world != nullptr) {
     AddToWorld(static_cast<CDynamics2DModel&>(model));
   }
 }
 
-void CDynamics2DEngine::Leave(CPlanarModel& model) {
-  auto& leaving = static_cast<CDynamics2DModel&>(model);
-  ForgetDisplaced(leaving);
+void CDynamics2DEngine::Leave(CDescribedBodyModel& model) {
   if (m_world != nullptr) {
-    m_world->Remove(leaving.m_handle);
+    m_world->Remove(static_cast<CDynamics2DModel&>(model).m_handle);
   }
 }
 
-void CDynamics2DEngine::TransferEntity(CEmbodiedEntity& body) {
-  if (&body.GetPhysicsModel(size_t(0)).GetEngine() != this) {
-    return;
+void CDynamics2DEngine::Reposition(CDescribedBodyModel& model) {
+  auto& displaced = static_cast<CDynamics2DModel&>(model);
+  m_world->Remove(displaced.m_handle);
+  AddToWorld(displaced);
+}
+
+bool CDynamics2DEngine::IsAtLastPose(const CDescribedBodyModel& model) const {
+  const SAnchor& origin = model.GetEmbodiedEntity().GetOriginAnchor();
+  return m_world->IsAt(static_cast<const CDynamics2DModel&>(model).m_handle,
+                       MakePlanarPose(origin.Position, origin.Orientation));
+}
+
+void CDynamics2DEngine::Adopt(CDescribedBodyModel& model) {
+  const CEmbodiedEntity& body = model.GetEmbodiedEntity();
+  SBodyMotion motion;
+  const bool hasMotion = model.GetEngine().GetMotion(body, motion);
+  CPlanarEngine::Adopt(model);
+  if (hasMotion) {
+    SetMotion(model.GetEmbodiedEntity(), motion);
   }
-  auto& model = static_cast<CDynamics2DModel&>(body.GetPhysicsModel(size_t(0)));
-  auto* const next = static_cast<CDynamics2DEngine*>(FindNext(body));
-  if (next == nullptr) {
-    // grips end there
-    CPhysicsEngine::TransferEntity(body);
-  } else if (m_world != nullptr && m_world->IsInGrip(model.m_handle)) {
-    TransferCluster(model, *next);
+}
+
+void CDynamics2DEngine::FindCluster(CEmbodiedEntity& body, TBodies& cluster) const {
+  if (m_world != nullptr && m_world->GetGrips().IsInGrip(GetModel(body).m_handle)) {
+    m_world->GetGrips().FindCluster(body, cluster);
   } else {
-    CheckPlanarBody(body);
-    SBodyMotion motion;
-    const bool hasMotion = GetMotion(body, motion);
-    next->TakeOver(model);
-    if (hasMotion) {
-      next->SetMotion(body, motion);
-    }
+    CPlanarEngine::FindCluster(body, cluster);
+  }
+}
+
+void CDynamics2DEngine::CopyGrips(const TBodies& cluster, std::vector<SGripTransfer>& grips) const {
+  grips.clear();
+  if (m_world != nullptr) {
+    m_world->GetGrips().CopyGrips(cluster, grips);
+  }
+}
+
+void CDynamics2DEngine::RestoreGrip(const SGripTransfer& grip) {
+  if (m_world != nullptr) {
+    m_world->GetGrips().RestoreGrip(grip, GetModel(*grip.Holder).m_handle,
+                                    GetModel(*grip.Held).m_handle);
   }
 }
 
@@ -102,125 +115,59 @@ bool CDynamics2DEngine::GetMotion(const CEmbodiedEntity& body, SBodyMotion& moti
   if (m_world == nullptr) {
     return false;
   }
-  const auto& model = static_cast<const CDynamics2DModel&>(body.GetPhysicsModel(size_t(0)));
-  const SPlanarVelocity velocity = m_world->GetVelocity(model.m_handle);
+  const SPlanarVelocity velocity = m_world->GetVelocity(GetModel(body).m_handle);
   motion = {CVector3(velocity.X, velocity.Y, 0.0), CVector3(0.0, 0.0, velocity.W)};
   return true;
 }
 
 void CDynamics2DEngine::SetMotion(CEmbodiedEntity& body, const SBodyMotion& motion) {
   if (m_world != nullptr) {
-    const auto& model = static_cast<CDynamics2DModel&>(body.GetPhysicsModel(size_t(0)));
-    m_world->SetVelocity(model.m_handle,
+    m_world->SetVelocity(GetModel(body).m_handle,
                          {motion.Velocity.GetX(), motion.Velocity.GetY(), motion.Rotation.GetZ()});
   }
-}
-
-// Of all that hangs together with a body in grips, does it have the lowest index?
-bool CDynamics2DEngine::LeadsItsCluster(const CDynamics2DModel& model) {
-  m_world->FindCluster(model.m_handle, m_cluster);
-  return std::none_of(m_cluster.begin(), m_cluster.end(), [&model](const SPlanarOwner& each) {
-    return each.Model->m_cEmbodiedEntity.GetIndex() < model.m_cEmbodiedEntity.GetIndex();
-  });
-}
-
-void CDynamics2DEngine::TransferCluster(CDynamics2DModel& model, CDynamics2DEngine& next) {
-  m_world->FindCluster(model.m_handle, m_cluster);
-  m_world->CopyGrips(m_cluster, m_grips);
-  for (const SPlanarOwner& each : m_cluster) {
-    CheckPlanarBody(each.Model->m_cEmbodiedEntity);
-  }
-  for (const SPlanarOwner& each : m_cluster) {
-    const SPlanarVelocity velocity = m_world->GetVelocity(*each.Handle);
-    // the model is made anew at the same place in memory
-    next.TakeOver(*each.Model);
-    if (next.m_world != nullptr) {
-      next.m_world->SetVelocity(*each.Handle, velocity);
-    }
-  }
-  for (const SGripToMove& grip : m_grips) {
-    if (next.m_world != nullptr) {
-      next.m_world->RestoreGrip(grip);
-    }
-  }
-}
-
-void CDynamics2DEngine::Replace(CDynamics2DModel& model) {
-  ForgetDisplaced(model);
-  if (m_world != nullptr) {
-    m_world->Remove(model.m_handle);
-    AddToWorld(model);
-  }
-}
-
-void CDynamics2DEngine::MarkDisplaced(CDynamics2DModel& model) {
-  if (m_world != nullptr && !model.m_isDisplaced) {
-    model.m_isDisplaced = true;
-    m_displaced.push_back(&model);
-  }
-}
-
-void CDynamics2DEngine::ForgetDisplaced(CDynamics2DModel& model) {
-  if (model.m_isDisplaced) {
-    model.m_isDisplaced = false;
-    // from the end, where it mostly is
-    m_displaced.erase(std::find(m_displaced.rbegin(), m_displaced.rend(), &model).base() - 1);
-  }
-}
-
-// Most have been put back by those who only wanted to know whether a place is free.
-void CDynamics2DEngine::ReplaceDisplaced() {
-  for (CDynamics2DModel* model : m_displaced) {
-    model->m_isDisplaced = false;
-    const SAnchor& origin = model->m_cEmbodiedEntity.GetOriginAnchor();
-    if (!m_world->IsAt(model->m_handle, MakePlanarPose(origin.Position, origin.Orientation))) {
-      Replace(*model);
-    }
-  }
-  m_displaced.clear();
 }
 
 void CDynamics2DEngine::UpdateManipulator(CPlanarModel& model) {
   if (m_world != nullptr) {
     auto& robot = static_cast<CDynamics2DModel&>(model);
-    m_world->SetManipulator({&robot, &robot.m_handle},
-                            *robot.m_cEmbodiedEntity.GetBodyDescription(), robot.m_gripper,
-                            robot.m_turret);
+    m_world->GetGrips().SetManipulator({&robot, &robot.m_cEmbodiedEntity, &robot.m_handle},
+                                       *robot.m_cEmbodiedEntity.GetBodyDescription(),
+                                       robot.m_gripper, robot.m_turret);
   }
 }
 
 void CDynamics2DEngine::Build() {
-  const std::vector<CPlanarModel*> models = ListModelsForWorld();
+  const std::vector<CDescribedBodyModel*> models = ListModelsForWorld();
   m_settings->UnitsPerMetre = ChooseScale();
   m_world = std::make_unique<CPlanarWorld>(*m_settings);
   const auto count = [&models](bool movable, bool driven) {
     return static_cast<size_t>(
-        std::count_if(models.begin(), models.end(), [=](CPlanarModel* model) {
+        std::count_if(models.begin(), models.end(), [=](const CDescribedBodyModel* model) {
           const auto& body = static_cast<const CDynamics2DModel&>(*model);
           return body.m_cEmbodiedEntity.IsMovable() == movable &&
                  (body.m_wheels != nullptr) == driven;
         }));
   };
-  m_world->MakeRoom(count(false, false), WithComers(count(true, false)),
-                    WithComers(count(true, true)));
-  for (CPlanarModel* model : models) {
+  m_world->Reserve(count(false, false), AddSpareCapacity(count(true, false)),
+                   AddSpareCapacity(count(true, true)));
+  for (CDescribedBodyModel* model : models) {
     AddToWorld(static_cast<CDynamics2DModel&>(*model));
   }
   // faces of the region that are walls
   const std::vector<SWallSlab> walls = GetVolume().DescribeWalls();
   m_walls.assign(walls.size(), SPlanarHandle());
   for (size_t i = 0; i < walls.size(); ++i) {
-    m_world->AddImmovable({nullptr, &m_walls[i]}, *walls[i].Description,
+    m_world->AddImmovable({nullptr, nullptr, &m_walls[i]}, *walls[i].Description,
                           MakePlanarPose(walls[i].Position, walls[i].Orientation));
   }
-  m_world->Reserve();
+  m_world->ReserveForTick();
 }
 
 Real CDynamics2DEngine::GetGhostReach() const {
   return m_world != nullptr ? m_world->ComputeGhostReach() : CPhysicsEngine::GetGhostReach();
 }
 
-// Box2D is tuned for bodies of about its unit of length
+// Box2D is tuned for bodies of about its unit of length.
 Real CDynamics2DEngine::ChooseScale() const {
   Real smallest = 0.0;
   for (const auto& model : GetModels()) {
@@ -237,12 +184,12 @@ void CDynamics2DEngine::AddToWorld(CDynamics2DModel& model) {
   const SBodyDescription& description = *body.GetBodyDescription();
   const SAnchor& origin = body.GetOriginAnchor();
   const SPlanarPose pose = MakePlanarPose(origin.Position, origin.Orientation);
-  const SPlanarOwner owner{&model, &model.m_handle};
+  const SPlanarOwner owner{&model, &model.GetEmbodiedEntity(), &model.m_handle};
   if (!body.IsMovable()) {
     m_world->AddImmovable(owner, description, pose);
   } else if (model.m_wheels != nullptr) {
     m_world->AddDriven(owner, description, pose, model.m_wheels);
-    m_world->SetManipulator(owner, description, model.m_gripper, model.m_turret);
+    m_world->GetGrips().SetManipulator(owner, description, model.m_gripper, model.m_turret);
   } else {
     m_world->AddPassive(owner, description, pose);
   }
@@ -252,9 +199,9 @@ void CDynamics2DEngine::Update() {
   if (m_world == nullptr) {
     Build();
   }
-  ReplaceDisplaced();
+  RepositionDisplaced();
   if (FeelsGhosts()) {
-    m_world->SetGhosts(TakeGhosts());
+    m_world->SetGhosts(ListGhosts());
   }
   try {
     m_world->Advance();
@@ -284,7 +231,7 @@ void CDynamics2DEngine::WriteBack(CDynamics2DModel& model, const SPlanarPose& po
     model.m_root.Update();
   }
   if (IsEntityTransferActive() && !IsPointContained(body.GetOriginAnchor().Position) &&
-      (!m_world->IsInGrip(model.m_handle) || LeadsItsCluster(model))) {
+      LeadsCluster(body)) {
     ScheduleEntityForTransfer(body);
   }
 }
@@ -319,21 +266,22 @@ ATTRIBUTES
 
   id                         text, required: unique among the engines.
   iterations                 integer >= 1: substeps of a tick. Not given: 2, and up to 64 where a crowd is
-                             so deep that robots would overlap. In any case more, up to 64, while
-                             something moves by more than half its radius in a substep. 64 substeps are
-                             also what bounds speeds: a robot goes at most 32 radii in a tick.
+                             so deep that robots would overlap. In any case more, up to 64, while a
+                             body moves by more than half its radius in a substep. 64 substeps also
+                             bound speeds: a robot moves at most 32 radii in a tick.
   elevation                  m, default 0: height of the plane; bodies must stand on it, to 1e-4 m.
   gripping_rigidity          N/m, >= 0, default 10000: stiffness of grips, along the arm from the robot's
                              centre to the point that is gripped; 0: grippers hold nothing.
-  box_linear_friction        N, >= 0, default 1.49: most the ground brakes a movable box.
-  box_angular_friction       N m, >= 0, default 1.49: most the ground brakes its turning.
+  box_linear_friction        N, >= 0, default 1.49: greatest friction force on a movable box.
+  box_angular_friction       N m, >= 0, default 1.49: greatest friction torque on it.
   cylinder_linear_friction   N, >= 0, default 1.49: the same for a movable cylinder.
   cylinder_angular_friction  N m, >= 0, default 1.49.
   boundaries                 the region of the engine, default everything: sides/vertex@point, in m, at
                              least three, counter-clockwise, convex. A vertex may have wall="true", which
                              stops bodies at the side from there to the next vertex, or gate="id", which
-                             hands those that cross it to that engine (doc/space_partitioning.md).
-  ghosts                     true or false, default true: robots of other engines near the border are felt.
+                             transfers bodies that cross it to that engine (doc/space_partitioning.md).
+  ghosts                     true or false, default true: robots of other engines near the border are
+                             obstacles.
   spatial_hash               accepted and ignored.
 
 A robot with two driven wheels may have other limits of its drive than its manual states. They are a child of the

@@ -14,20 +14,10 @@ class CDynamics2DModel : public CPlanarModel {
   /** @param wheels  speeds of the left and the right wheel, m/s, if the body has a drive. */
   CDynamics2DModel(CDynamics2DEngine& engine, CEmbodiedEntity& entity, const Real* wheels);
 
-  /** Takes the body, at rest, where it is now; its contacts and grips are forgotten. */
-  void ConfirmMove() override;
-
- protected:
-  /** The body is put there in the next tick, unless it is back by then where it was. */
-  void Replace() override;
-
  private:
   friend class CDynamics2DEngine;
 
-  CDynamics2DEngine& GetDynamics2DEngine() const;
-
-  SPlanarHandle m_handle;  // where the body is in the engine's arrays
-  bool m_isDisplaced = false;  // is it in the engine's list of those?
+  SPlanarHandle m_handle;  // of the body in the engine's arrays
 };
 
 }  // namespace argos

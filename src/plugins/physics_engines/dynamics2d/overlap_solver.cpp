@@ -8,20 +8,20 @@ namespace argos {
 
 namespace {
 
-// An overlap of the described shapes below this is left alone, Box2D units; the smallest movable
+// Overlaps of the described shapes below this are not corrected, Box2D units; the smallest movable
 // body has radius 1, so this is 0.05 % of its radius.
 constexpr float kTolerance = 0.0005F;
 // Pairs up to this far apart can become overlaps when their neighbours are pushed, Box2D units.
 constexpr float kNear = 0.3F;
-// The most a pair is pushed in a sweep, Box2D units: bodies that were put into each other come
-// apart in some ticks instead of being thrown about.
+// Greatest correction of a pair in a sweep, Box2D units: bodies that were placed with an overlap
+// are separated smoothly in some ticks.
 constexpr float kMaxPush = 0.25F;
 constexpr int kMaxSweeps = 40;
 // How often the pairs of a substep are collected, if bodies are pushed into others that were not
-// near.
+// near before.
 constexpr int kMaxRounds = 4;
-// Bodies that were pushed farther than this in a substep, Box2D units, may overlap with something
-// that Box2D does not know to be near: its boxes have a margin, but it may be used up on one side.
+// Bodies that were pushed farther than this in a substep, Box2D units, may overlap a body with
+// which Box2D has no contact: its bounding boxes have a margin, but that may be exceeded.
 constexpr float kFar = 0.01F;
 
 const b2CircleShape* AsCentredDisc(b2Fixture& fixture) {
@@ -47,7 +47,7 @@ float ComputeGap(b2Contact& contact) {
   b2Manifold manifold;
   contact.Evaluate(&manifold, a.GetTransform(), b.GetTransform());
   if (manifold.pointCount == 0) {
-    // farther apart than both margins, but perhaps not much: near enough to be looked at again
+    // farther apart than both margins, but perhaps not by much: checked again later
     return 2.0F * kShapeMargin;
   }
   b2WorldManifold points;
@@ -78,7 +78,7 @@ bool HaveContact(b2Body& body, b2Body& other) {
   return false;
 }
 
-/** Looks for a body that overlaps with another, and that Box2D does not know to be near it. */
+/** Tests whether a body overlaps another with which Box2D has no contact. */
 class CUnknownOverlap : public b2QueryCallback {
  public:
   explicit CUnknownOverlap(b2Body& body) : m_body(body) {}
@@ -129,7 +129,7 @@ float COverlapSolver::Resolve(b2World& world) {
   return deepest;
 }
 
-// takes overlaps out of the gathered pairs; returns the deepest that may be left
+// Corrects the overlaps of the gathered pairs. @return the deepest overlap that may be left.
 float COverlapSolver::Solve() {
   float deepest = 0.0F;
   for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
@@ -147,7 +147,7 @@ float COverlapSolver::Solve() {
   return deepest;
 }
 
-// returns whether one was pushed so far that it overlaps with something that was not gathered
+// Writes the corrected poses. @return true if a body was pushed into one that was not gathered.
 bool COverlapSolver::PutBodies(b2World& world) {
   for (const SBody& body : m_bodies) {
     if (body.Moved) {
@@ -161,7 +161,7 @@ bool COverlapSolver::PutBodies(b2World& world) {
   });
 }
 
-// collects the pairs that are near each other; returns whether any overlaps
+// Collects the pairs that are near each other. @return true if any overlaps.
 bool COverlapSolver::Gather(b2World& world) {
   m_bodies.clear();
   m_pairs.clear();
@@ -214,7 +214,7 @@ void COverlapSolver::AddPair(b2Contact& contact) {
   (wall ? m_wallPairs : m_pairs).push_back(pair);
 }
 
-// The Solve functions return how deep the pair overlapped; 0 if they left it alone.
+// The Solve functions return the depth of the pair's overlap; 0 if they did not change it.
 float COverlapSolver::SolvePair(const SPair& pair) {
   return pair.Reach > 0.0F ? SolveDiscs(pair) : SolveManifold(pair);
 }

@@ -12,25 +12,24 @@ namespace argos {
 /**
  * Pushes overlapping bodies apart, after a substep.
  *
- * Box2D 2.4 learns of a contact when shapes overlap already: two e-pucks that meet head-on at 10
- * cm/s each are up to 1 cm into each other at the end of the substep in which they meet, and its
- * own position solver removes a fifth of an overlap per iteration, in the next substep. This solver
- * takes out what is left, positions only, in sweeps over the pairs (Gauss-Seidel; J. Bender, M.
- * Müller, M. Macklin, A Survey on Position Based Dynamics, 2017, section 5.1). Walls come last in
- * each sweep, so that what cannot be solved in a crowd is left between robots, never in a wall.
+ * Box2D 2.4 detects a contact only when shapes already overlap: two e-pucks that collide head-on at
+ * 10 cm/s each overlap by up to 1 cm at the end of the substep in which they collide, and its own
+ * position solver removes a fifth of an overlap per iteration, in the next substep. This solver
+ * corrects the remaining overlaps, positions only, in sweeps over the pairs (Gauss-Seidel; J.
+ * Bender, M. Müller, M. Macklin, A Survey on Position Based Dynamics, 2017, section 5.1). Walls are
+ * last in each sweep, so that unsolved overlaps in a crowd remain between robots, never in a wall.
  *
- * It moves two bodies in inverse proportion to their masses, so it keeps their centre of mass; it
- * does not touch velocities, which Box2D's solver makes right in the next substep.
+ * It moves two bodies in inverse proportion to their masses, which keeps their centre of mass; it
+ * does not change velocities, which Box2D's solver corrects in the next substep.
  */
 class COverlapSolver {
  public:
-  /** Makes room for @p pairs pairs, so that no more memory is needed up to there. */
+  /** Allocates memory for @p pairs pairs. */
   void Reserve(size_t pairs);
 
-  /** Moves what overlaps. @return the deepest overlap that may be left, Box2D units. */
+  /** Separates overlapping bodies. @return the deepest overlap that may be left, Box2D units. */
   float Resolve(b2World& world);
-  /** The greatest impulse, kg units / s, that Box2D exchanged in a contact in the substep before.
-   */
+  /** The greatest impulse of a contact in the previous substep, kg Box2D units / s. */
   float GetGreatestImpulse() const { return m_greatestImpulse; }
 
  private:
@@ -67,7 +66,7 @@ class COverlapSolver {
   float m_greatestImpulse = 0.0F;
 };
 
-/** The number that a body carries; dense, given by its world. */
+/** The number that a CPlanarStore gave to a Box2D body. */
 inline UInt32 GetBodyNumber(b2Body& body) {
   return static_cast<UInt32>(body.GetUserData().pointer);
 }

@@ -1,40 +1,137 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_ghosts.h>
 
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_shapes.h>
+
+#include <cmath>
 
 namespace argos {
 
-void CGhostFilter::SetPartner(UInt32 body, UInt32 partner) {
-  At(body).Partner = partner;
-}
+namespace {
 
-void CGhostFilter::SetDriven(UInt32 body, bool isDriven) {
-  At(body).IsDriven = isDriven;
-}
+/** Wakes the passive bodies that overlap a ghost: nothing else would wake them. */
+class CWaker : public b2QueryCallback {
+ public:
+  CWaker(const b2CircleShape& disc, const b2Transform& frame) : m_disc(disc), m_frame(frame) {}
 
-CGhostFilter::SBody& CGhostFilter::At(UInt32 body) {
-  if (body >= m_bodies.size()) {
-    m_bodies.resize(body + 1);
-  }
-  return m_bodies[body];
-}
-
-bool CGhostFilter::IsPartner(UInt32 ghost, UInt32 body) const {
-  const UInt32 partner = m_bodies[ghost].Partner;
-  return partner == kThings ? !m_bodies[body].IsDriven : partner == body;
-}
-
-bool CGhostFilter::ShouldCollide(b2Fixture* a, b2Fixture* b) {
-  const UInt32 first = GetBodyNumber(*a->GetBody());
-  const UInt32 second = GetBodyNumber(*b->GetBody());
-  // the bodies that CPlanarWorld::Reserve() makes for a moment have no number of their own
-  if (first >= m_bodies.size() || second >= m_bodies.size()) {
+  bool FoundAny() const { return m_found; }
+  bool ReportFixture(b2Fixture* fixture) override {
+    b2Body& body = *fixture->GetBody();
+    // driven bodies never sleep
+    if (body.GetType() == b2_dynamicBody &&
+        b2TestOverlap(&m_disc, 0, fixture->GetShape(), 0, m_frame, body.GetTransform())) {
+      body.SetAwake(true);
+    }
+    m_found = true;
     return true;
   }
-  if (m_bodies[first].Partner != kNoGhost) {
-    return IsPartner(first, second);
+
+ private:
+  const b2CircleShape& m_disc;
+  const b2Transform& m_frame;
+  bool m_found = false;
+};
+
+}  // namespace
+
+void CPlanarGhosts::FindMeetings(CProximityFilter& marks, Real longestPath) {
+  m_meetings.clear();
+  const Real slack = kProximitySlack * m_store.GetMetresPerUnit();
+  for (UInt32 ghost = 0; ghost < m_ghosts.size(); ++ghost) {
+    const SGhostDisc& disc = m_ghosts[ghost];
+    // a robot's own reach includes its path, and it may use half of the gap
+    const Real reach = disc.Radius + longestPath + slack;
+    m_nearGhost.clear();
+    marks.MarkNear(disc.X, disc.Y, reach, &m_nearGhost);
+    for (const SActiveBody& active : m_active.GetBodies()) {
+      const SDrivenBody& body = m_store.GetDriven()[active.Slot];
+      if (!body.IsDisc && std::hypot(body.Pose.X - disc.X, body.Pose.Y - disc.Y) <=
+                              reach + body.BoundingRadius + longestPath) {
+        m_nearGhost.push_back(active.Slot);
+      }
+    }
+    for (const UInt32 slot : m_nearGhost) {
+      m_meetings.push_back({ghost, slot});
+    }
   }
-  return m_bodies[second].Partner == kNoGhost || IsPartner(second, first);
+}
+
+void CPlanarGhosts::Place(Real longestPath) {
+  for (const SMeeting& meeting : m_meetings) {
+    PlaceFace(m_ghosts[meeting.Ghost], m_store.GetDriven()[meeting.Slot], longestPath);
+  }
+  if (!m_store.GetPassive().empty()) {
+    for (const SGhostDisc& ghost : m_ghosts) {
+      PlaceDisc(ghost, longestPath);
+    }
+  }
+}
+
+b2Body& CPlanarGhosts::CreateGhostBody(const SPlanarPose& pose, UInt32 partner) {
+  if (m_bodies.empty()) {
+    m_store.GetWorld().SetContactFilter(&m_filter);
+  }
+  b2Body& body = m_store.CreateBody(pose, EPlanarKind::Immovable, SPlanarOwner(), false);
+  m_filter.SetPartner(GetBodyNumber(body), partner);
+  m_bodies.push_back(&body);
+  return body;
+}
+
+// half-way between the ghost and the robot, across the line between their centres
+void CPlanarGhosts::PlaceFace(const SGhostDisc& ghost, const SDrivenBody& body, Real longestPath) {
+  const Real dx = body.Pose.X - ghost.X;
+  const Real dy = body.Pose.Y - ghost.Y;
+  const Real distance = std::hypot(dx, dy);
+  if (!(distance > 0.0)) {
+    return;
+  }
+  const Real gap = distance - ghost.Radius - body.BoundingRadius;
+  // so large that no path of the robot leads around it or through it
+  const Real half = ghost.Radius + 2.0 * body.BoundingRadius + 2.0 * longestPath;
+  const Real toCentre = (ghost.Radius + 0.5 * gap - half) / distance;
+  SPlanarPose pose;
+  pose.X = ghost.X + dx * toCentre;
+  pose.Y = ghost.Y + dy * toCentre;
+  pose.SetYaw(std::atan2(dy, dx));
+  b2Body& face = CreateGhostBody(pose, GetBodyNumber(m_active.GetBox2DBody(*body.Owner.Handle)));
+  b2PolygonShape box;
+  box.SetAsBox(m_store.ToUnits(half), m_store.ToUnits(half));
+  box.m_radius = kShapeMargin;
+  b2FixtureDef definition;
+  definition.shape = &box;
+  definition.friction = 0.0F;
+  definition.restitution = 0.0F;
+  face.CreateFixture(&definition);
+}
+
+void CPlanarGhosts::PlaceDisc(const SGhostDisc& ghost, Real longestPath) {
+  SPlanarPose pose;
+  pose.X = ghost.X;
+  pose.Y = ghost.Y;
+  b2CircleShape shape;
+  shape.m_radius = m_store.ToUnits(ghost.Radius) + kShapeMargin;
+  b2Transform frame;
+  frame.Set(b2Vec2(m_store.ToUnits(ghost.X), m_store.ToUnits(ghost.Y)), 0.0F);
+  CWaker waker(shape, frame);
+  b2AABB box;
+  shape.ComputeAABB(&box, frame, 0);
+  const b2Vec2 around(m_store.ToUnits(longestPath), m_store.ToUnits(longestPath));
+  box.lowerBound -= around;
+  box.upperBound += around;
+  m_store.GetWorld().QueryAABB(&waker, box);
+  if (waker.FoundAny()) {
+    AddDisc(CreateGhostBody(pose, CGhostFilter::kPassive), ghost.Radius,
+            m_store.GetSettings().UnitsPerMetre, 0.0);
+  }
+}
+
+void CPlanarGhosts::Remove() {
+  for (b2Body* body : m_bodies) {
+    m_filter.SetPartner(GetBodyNumber(*body), CGhostFilter::kNoGhost);
+    m_store.DestroyBody(*body);
+  }
+  m_bodies.clear();
 }
 
 }  // namespace argos

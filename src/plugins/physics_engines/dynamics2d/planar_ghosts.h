@@ -1,52 +1,60 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_GHOSTS_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_GHOSTS_H
 
-#include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/active_set.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/ghost_filter.h>
 #include <argos3/plugins/simulator/physics_engines/planar/ghost_discs.h>
 
-#include <box2d/box2d.h>
-
-#include <limits>
 #include <vector>
 
 namespace argos {
 
-/** A robot that may meet a ghost in this tick. */
-struct SGhostMeeting {
-  UInt32 Ghost;  // in the list of ghosts
-  UInt32 Slot;  // of the driven body
-};
-
 /**
- * Lets each body that stands for a ghost collide with its partner only.
+ * Robots of other engines near the border, in a tick of a planar world.
  *
- * A robot of this world and one of another must not both take the gap between them. So for each
- * robot that may meet a ghost a face is put half-way between the two, which only it can feel.
- * Things without a drive, of which other worlds know nothing, feel the ghost itself.
+ * A robot of this world and one of another must not both use the gap between them. So for each
+ * robot that may touch a ghost, a face is placed half-way between the two, with which only this
+ * robot collides. Passive bodies, which other worlds do not see, collide with the ghost itself.
  */
-class CGhostFilter : public b2ContactFilter {
+class CPlanarGhosts {
  public:
-  static constexpr UInt32 kNoGhost = std::numeric_limits<UInt32>::max();
-  static constexpr UInt32 kThings = kNoGhost - 1;  // the partners are all things without a drive
+  CPlanarGhosts(CPlanarStore& store, CActiveSet& active)
+      : m_store(store), m_active(active), m_filter(store) {}
 
-  /** Says of the body with that number whose ghost it is, or that it is none. */
-  void SetPartner(UInt32 body, UInt32 partner);
-  /** Says of the body with that number whether it has a drive. */
-  void SetDriven(UInt32 body, bool isDriven);
-  /** Makes room for that many bodies. */
-  void Reserve(size_t bodies) { m_bodies.reserve(bodies); }
+  /** Allocates memory for so many Box2D bodies. */
+  void Reserve(size_t bodies) { m_filter.Reserve(bodies); }
+  /** Sets the ghosts of the next tick. */
+  void Set(const std::vector<SGhostDisc>& ghosts) { m_ghosts.assign(ghosts.begin(), ghosts.end()); }
 
-  bool ShouldCollide(b2Fixture* a, b2Fixture* b) override;
+  /**
+   * After all other discs are marked: finds, and marks, the robots that may come half-way to a
+   * ghost.
+   * @param longestPath  of any movable body in the tick, m.
+   */
+  void FindMeetings(CProximityFilter& marks, Real longestPath);
+  /** After the active robots are selected: adds faces and ghosts to the Box2D world. */
+  void Place(Real longestPath);
+  /** After the tick: removes them. */
+  void Remove();
 
  private:
-  struct SBody {
-    UInt32 Partner = kNoGhost;
-    bool IsDriven = false;
+  /** A robot that may touch a ghost in this tick. */
+  struct SMeeting {
+    UInt32 Ghost;  // in m_ghosts
+    UInt32 Slot;  // of the driven body
   };
-  SBody& At(UInt32 body);
-  bool IsPartner(UInt32 ghost, UInt32 body) const;
 
-  std::vector<SBody> m_bodies;  // by number
+  void PlaceFace(const SGhostDisc& ghost, const SDrivenBody& body, Real longestPath);
+  void PlaceDisc(const SGhostDisc& ghost, Real longestPath);
+  b2Body& CreateGhostBody(const SPlanarPose& pose, UInt32 partner);
+
+  CPlanarStore& m_store;
+  CActiveSet& m_active;
+  CGhostFilter m_filter;
+  std::vector<SGhostDisc> m_ghosts;  // of this tick
+  std::vector<SMeeting> m_meetings;  // of this tick
+  std::vector<b2Body*> m_bodies;  // between Place() and Remove()
+  std::vector<UInt32> m_nearGhost;  // slots; scratch of FindMeetings()
 };
 
 }  // namespace argos

@@ -10,14 +10,14 @@ namespace argos {
 /** What kind of body; each kind has its own dense array. */
 enum class EPlanarKind : UInt8 { Immovable, Passive, Driven };
 
-/** How fast a body moves, world frame. */
+/** The velocity of a body, world frame. */
 struct SPlanarVelocity {
   Real X = 0.0;  // m/s
   Real Y = 0.0;  // m/s
   Real W = 0.0;  // rad/s, counter-clockwise
 };
 
-/** Where a body is kept; written by the world whenever that changes. */
+/** The place of a body in the arrays; the world writes it whenever it changes. */
 struct SPlanarHandle {
   static constexpr UInt32 kNowhere = std::numeric_limits<UInt32>::max();
 

@@ -6,64 +6,74 @@
 
 namespace argos {
 
-// The README of this engine says where these come from, with measurements.
+// The README of this engine gives the reasons and measurements.
 
-/** Radius of the smallest movable body, Box2D units: what the length scale is chosen for. */
+/** Radius of the smallest movable body, Box2D units; determines the length scale. */
 constexpr Real kSmallestRadiusInUnits = 1.0;
-/** Box2D units to a metre in a world where nothing moves. */
+/** Box2D units per metre in a world without movable bodies. */
 constexpr Real kDefaultUnitsPerMetre = 10.0;
 
-/** Substeps of a tick unless the user says otherwise. */
+/**
+ * Coefficients of contact friction; the coefficient of a contact is the product of both. Source:
+ * the values of ARGoS 3's dynamics2d.
+ */
+constexpr Real kMovableFriction = 0.7;
+constexpr Real kImmovableFriction = 0.1;
+
+/** Substeps of a tick unless the user sets their number. */
 constexpr UInt32 kDefaultSubsteps = 2;
 /**
- * Where a crowd is so dense that overlaps are left, a tick is cut finer: by one substep more after
- * each tick that left more than the first depth (Box2D units), up to the most, and by one less
- * after that many ticks that left less than the second.
+ * In a crowd so dense that overlaps remain, a tick gets more substeps: one more after each tick
+ * with an overlap deeper than kTooDeep (Box2D units), up to kMaxExtraSubsteps, and one less after
+ * kCalmTicks ticks with no overlap deeper than kShallow.
  */
 constexpr float kTooDeep = 0.01F;
 constexpr float kShallow = 0.002F;
 constexpr UInt32 kMaxExtraSubsteps = 8;
 constexpr UInt32 kCalmTicks = 20;
 /**
- * In a crowd the forces of drives add up along chains of robots, and the solver passes them on by
- * about one contact per iteration. If the greatest force in a contact was that of n drives in the
- * last tick, a tick gets this times n substeps per sqrt(radius * mass / force of one drive).
+ * In a crowd the forces of drives add up along chains of robots, and the solver propagates them by
+ * about one contact per iteration. If the greatest contact force of the last tick was that of n
+ * drives, a tick gets this times n substeps per sqrt(radius * mass / force of one drive).
  */
 constexpr float kSubstepsPerDrive = 0.5F;
-/** Iterations of Box2D's velocity solver in a substep; of one in a tick cut finer for a crowd. */
+/** Iterations of Box2D's velocity solver in a substep; and in a tick with substeps for a crowd. */
 constexpr int kVelocityIterations = 8;
 constexpr int kCrowdVelocityIterations = 4;
-/** More substeps than this are for a crowd. */
+/** A tick with more substeps than this has them for a crowd. */
 constexpr UInt32 kFewSubsteps = 4;
-/** Iterations of Box2D's position solver in a substep; COverlapSolver does this work. */
+/** Iterations of Box2D's position solver in a substep; COverlapSolver does its work. */
 constexpr int kPositionIterations = 1;
 
 /**
- * Robots get into play when they may come this close to something, and stay there until they are
- * farther from everything by the second length; both in radii of the smallest movable body. The
- * first covers what roundings and the pushing apart of others add to a path.
+ * A robot is activated if its distance to another body may fall below kProximitySlack in the tick,
+ * and deactivated if it stays above kProximitySlack + kGuardMargin; both in radii of the smallest
+ * movable body. The slack covers rounding errors, and the corrections of other robots' overlaps.
  */
-constexpr Real kEncounterSlack = 0.02;
-constexpr Real kAround = 0.3;
+constexpr Real kProximitySlack = 0.02;
+constexpr Real kGuardMargin = 0.3;
 
 /**
- * While something is held, substeps are not longer than this, s, unless the user says otherwise,
- * and the velocity solver has so many iterations per second of a substep, from the usual number up
- * to the most. A heavy load on a light robot is what a sequential solver is slowest with; what it
- * has not solved lives on as an oscillation of the spring.
+ * While a body is held, a substep takes at most kMaxGripSubstep, s, unless the user sets their
+ * number, and the velocity solver makes kGripIterationsPerSecond iterations per second of a
+ * substep, between kVelocityIterations and kMaxGripIterations. A sequential solver converges
+ * slowest for a heavy load on a light robot; its remaining error is an oscillation of the spring.
  */
 constexpr Real kMaxGripSubstep = 0.01;
 constexpr float kGripIterationsPerSecond = 800.0F;
 constexpr int kMaxGripIterations = 40;
 
-/** The angles that Box2D adds up lose digits when they grow: beyond this they are wrapped, rad. */
+/** Angles in Box2D lose digits as they grow: beyond this they are wrapped, rad. */
 constexpr Real kMaxAngle = 4.0 * ARGOS_PI;
 
-/** A body moves at most this share of half its narrowest side in a substep: none passes another. */
+/**
+ * A body moves by at most this share of half its narrowest side in a substep, so that none passes
+ * through another.
+ */
 constexpr Real kMaxStepShare = 0.5;
 /** A body turns at most this much in a substep, rad. */
 constexpr Real kMaxStepTurn = 0.5;
-/** Most substeps that a tick is cut into for the sake of fast bodies. */
+/** Most substeps that a tick gets for fast bodies. */
 constexpr UInt32 kMaxSubsteps = 64;
 
 }  // namespace argos

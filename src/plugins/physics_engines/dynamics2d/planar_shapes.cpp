@@ -35,7 +35,7 @@ b2PolygonShape MakePolygon(const SShapeDescription& shape, Real unitsPerMetre) {
                      static_cast<float>(0.5 * shape.Size.GetY() * unitsPerMetre),
                      ToUnits(shape.Offset, unitsPerMetre), static_cast<float>(yaw));
   } else {
-    // the rectangle around the shadow of its bounding box
+    // the rectangle around the projection of its bounding box
     Real minX = HUGE_VAL, minY = HUGE_VAL, maxX = -HUGE_VAL, maxY = -HUGE_VAL;
     for (UInt32 i = 0; i < 8; ++i) {
       CVector3 corner((i & 1U ? 0.5 : -0.5) * shape.Size.GetX(),
@@ -51,8 +51,8 @@ b2PolygonShape MakePolygon(const SShapeDescription& shape, Real unitsPerMetre) {
                      static_cast<float>(0.5 * (maxY - minY) * unitsPerMetre),
                      ToUnits(shape.Offset + centre, unitsPerMetre), 0.0F);
   }
-  // Box2D's own skin would put the surface where the description does not; it serves continuous
-  // collision, which this engine does not use
+  // Box2D's default margin would enlarge the described shape; it is for continuous collision, which
+  // this engine does not use
   polygon.m_radius = kShapeMargin;
   return polygon;
 }
@@ -84,7 +84,7 @@ CVector3 ComputeCentreOfMass(const SBodyDescription& description) {
 
 b2FixtureDef DefineFixture(Real friction) {
   b2FixtureDef definition;
-  // Box2D mixes by the root of the product, this engine's rule is the product
+  // Box2D combines coefficients by the root of their product, this engine by the product
   definition.friction = static_cast<float>(friction * friction);
   definition.restitution = 0.0F;
   return definition;
@@ -121,8 +121,8 @@ void SetMass(b2Body& body, const SBodyDescription& description, Real unitsPerMet
       description.Mass * (centre.GetX() * centre.GetX() + centre.GetY() * centre.GetY());
   Real inertia =
       description.PlanarInertia ? *description.PlanarInertia : description.ComputePlanarInertia();
-  // a stated moment that the offset of the centre of mass alone would exceed is of no real body;
-  // Box2D needs what is left to be positive
+  // a described moment below that of the offset of the centre of mass is impossible, and Box2D
+  // needs a positive difference
   inertia = std::max(inertia, offsetInertia * (1.0 + 1e-3));
   b2MassData mass;
   mass.mass = static_cast<float>(description.Mass);

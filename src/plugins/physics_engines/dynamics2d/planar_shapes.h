@@ -8,10 +8,10 @@ class b2Body;
 namespace argos {
 
 /**
- * Shapes are larger than described by this on each side, Box2D units.
+ * Shapes in Box2D exceed the described ones by this on each side, Box2D units.
  *
- * Box2D lets shapes at rest overlap by its slop. Two shapes grown by half a slop each do so when
- * the described ones touch.
+ * Box2D tolerates overlaps of shapes at rest up to its slop. Two shapes that are enlarged by half a
+ * slop each reach this overlap when the described ones touch.
  */
 extern const float kShapeMargin;
 

@@ -2,302 +2,60 @@
 
 #include <argos3/core/simulator/physics_engine/body_description.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_shapes.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/wheel_motion.h>
+#include <argos3/plugins/simulator/physics_engines/robot_bodies/robot_components.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace argos {
 
-namespace {
-
-// Coefficients of contact friction; two bodies in contact have the product of theirs. Source: the
-// values of ARGoS 3's dynamics2d.
-constexpr Real kMovableFriction = 0.7;
-constexpr Real kImmovableFriction = 0.1;
-
-// Box2D fills a table of contact types on the first contact of the process. Several worlds are
-// stepped at the same time, so this must have happened before.
-bool MakeFirstContact() {
-  b2World world(b2Vec2(0.0F, 0.0F));
-  b2CircleShape disc;
-  disc.m_radius = 1.0F;
-  b2BodyDef definition;
-  definition.type = b2_dynamicBody;
-  for (int i = 0; i < 2; ++i) {
-    world.CreateBody(&definition)->CreateFixture(&disc, 1.0F);
-  }
-  world.Step(0.0F, 1, 1);
-  return true;
-}
-
-}  // namespace
-
 CPlanarWorld::CPlanarWorld(const SPlanarSettings& settings)
-    : m_settings(settings),
-      m_metresPerUnit(1.0 / settings.UnitsPerMetre),
-      m_world(b2Vec2(0.0F, 0.0F)) {
-  static const bool kHadFirstContact = MakeFirstContact();
-  static_cast<void>(kHadFirstContact);
-  m_world.SetContinuousPhysics(false);
-  m_world.SetAutoClearForces(false);  // there are none
-  m_world.SetContactListener(nullptr);
-  m_world.SetContactFilter(nullptr);
-  m_encounters.SetMargin(kAround * m_metresPerUnit);
-  const b2BodyDef definition;
-  m_ground = m_world.CreateBody(&definition);
-}
-
-CPlanarWorld::~CPlanarWorld() = default;
-
-void CPlanarWorld::MakeRoom(size_t immovable, size_t passive, size_t driven) {
-  m_immovable.reserve(immovable);
-  m_passive.reserve(passive);
-  m_driven.reserve(driven);
-}
-
-b2Body& CPlanarWorld::CreateBody(const SPlanarPose& pose, EPlanarKind kind,
-                                 const SPlanarOwner& owner, bool grippable) {
-  UInt32 number = m_numNumbers;
-  if (m_freeNumbers.empty()) {
-    ++m_numNumbers;
-  } else {
-    number = m_freeNumbers.back();
-    m_freeNumbers.pop_back();
-  }
-  if (number >= m_grippable.size()) {
-    m_grippable.resize(number + 1);
-  }
-  m_grippable[number] = grippable ? owner : SPlanarOwner();
-  m_ghostFilter.SetDriven(number, kind == EPlanarKind::Driven);
-  b2BodyDef definition;
-  definition.type = kind == EPlanarKind::Immovable ? b2_staticBody : b2_dynamicBody;
-  definition.position.Set(ToUnits(pose.X), ToUnits(pose.Y));
-  definition.angle = static_cast<float>(pose.ComputeYaw());
-  definition.userData.pointer = number;
-  // a robot with its motor off, or standing still, is not at rest: it may start at any tick
-  definition.allowSleep = kind != EPlanarKind::Driven;
-  return *m_world.CreateBody(&definition);
-}
-
-void CPlanarWorld::DestroyBody(b2Body& body) {
-  m_freeNumbers.push_back(GetBodyNumber(body));
-  m_world.DestroyBody(&body);
-}
-
-void CPlanarWorld::AddImmovable(const SPlanarOwner& owner, const SBodyDescription& description,
-                                const SPlanarPose& pose) {
-  *owner.Handle = {EPlanarKind::Immovable, static_cast<UInt32>(m_immovable.size())};
-  SImmovableBody& body = m_immovable.emplace_back();
-  body.Owner = owner;
-  body.Body = &CreateBody(pose, EPlanarKind::Immovable, owner, false);
-  AddFixtures(*body.Body, description, m_settings.UnitsPerMetre, kImmovableFriction);
-  body.Obstacles = DescribeFootprints(description, pose);
-  m_obstaclesChanged = true;
-}
-
-void CPlanarWorld::AddPassive(const SPlanarOwner& owner, const SBodyDescription& description,
-                              const SPlanarPose& pose) {
-  *owner.Handle = {EPlanarKind::Passive, static_cast<UInt32>(m_passive.size())};
-  SPassiveBody& body = m_passive.emplace_back();
-  body.Owner = owner;
-  body.Pose = pose;
-  body.Body = &CreateBody(pose, EPlanarKind::Passive, owner, description.Grippable);
-  AddFixtures(*body.Body, description, m_settings.UnitsPerMetre, kMovableFriction);
-  SetMass(*body.Body, description, m_settings.UnitsPerMetre);
-  body.X = body.Body->GetPosition().x;
-  body.Y = body.Body->GetPosition().y;
-  body.Angle = body.Body->GetAngle();
-  body.Extent = ToUnits(ComputeNarrowestHalf(description));
-  body.BoundingRadius = description.ComputeBoundingRadius();
-  m_widestMovable = std::max(m_widestMovable, body.BoundingRadius);
-  AddGroundFriction(*body.Body, description);
-}
-
-void CPlanarWorld::AddGroundFriction(b2Body& body, const SBodyDescription& description) {
-  using EClass = SGroundFrictionDescription::EClass;
-  SGroundFriction friction = {0.0, 0.0};
-  if (description.GroundFriction) {
-    friction = description.GroundFriction->Class == EClass::Box ? m_settings.BoxFriction
-                                                                : m_settings.CylinderFriction;
-  }
-  // a body that nothing brakes must not be frozen when it creeps
-  body.SetSleepingAllowed(friction.Force > 0.0 && friction.Torque > 0.0);
-  if (friction.Force > 0.0 || friction.Torque > 0.0) {
-    b2FrictionJointDef definition;
-    definition.Initialize(m_ground, &body, body.GetWorldCenter());
-    definition.maxForce = ToUnits(friction.Force);
-    definition.maxTorque = ToUnits(friction.Torque * m_settings.UnitsPerMetre);
-    definition.collideConnected = true;
-    m_world.CreateJoint(&definition);
-  }
+    : m_store(settings),
+      m_active(m_store),
+      m_grips(m_store, m_active),
+      m_ghosts(m_store, m_active),
+      m_substepPolicy(settings) {
+  m_proximityFilter.SetMargin(kGuardMargin * m_store.GetMetresPerUnit());
 }
 
 void CPlanarWorld::AddDriven(const SPlanarOwner& owner, const SBodyDescription& description,
                              const SPlanarPose& pose, const Real* wheels) {
-  const SDifferentialDriveDescription& drive = *description.Drive;
-  const UInt32 slot = static_cast<UInt32>(m_driven.size());
-  *owner.Handle = {EPlanarKind::Driven, slot};
-  SDrivenBody& body = m_driven.emplace_back();
-  body.Owner = owner;
-  body.Pose = body.NextPose = pose;
-  body.Wheels = wheels;
-  body.Mass = description.Mass;
-  body.Inertia =
-      description.PlanarInertia ? *description.PlanarInertia : description.ComputePlanarInertia();
-  body.InverseInterwheel = 1.0 / drive.InterwheelDistance;
-  body.MaxSpeedChange = drive.MaxForce * m_settings.Tick / body.Mass;
-  body.MaxYawRateChange = drive.MaxTorque * m_settings.Tick / body.Inertia;
-  body.BoundingRadius = description.ComputeBoundingRadius();
-  m_widestMovable = std::max(m_widestMovable, body.BoundingRadius);
-  body.NarrowestHalf = ComputeNarrowestHalf(description);
-  body.MaxSpeed = kMaxSubsteps * kMaxStepShare * body.NarrowestHalf / m_settings.Tick;
-  body.IsDisc = IsCentredDisc(description);
-  body.IsGrippable = description.Grippable;
-  if (!body.IsDisc) {
-    EnterPlay(slot, &description);
+  m_store.AddDriven(owner, description, pose, wheels);
+  if (!m_store.GetDriven().back().IsDisc) {
+    m_active.Activate(owner.Handle->Slot, &description);
   }
-}
-
-// Gives a robot a body in Box2D. The description is needed only of one that is not a disc.
-void CPlanarWorld::EnterPlay(UInt32 slot, const SBodyDescription* description) {
-  SDrivenBody& body = m_driven[slot];
-  b2Body& box2dBody = CreateBody(body.Pose, EPlanarKind::Driven, body.Owner, body.IsGrippable);
-  if (body.IsDisc) {
-    AddDisc(box2dBody, body.BoundingRadius, m_settings.UnitsPerMetre, kMovableFriction);
-    b2MassData mass;
-    mass.mass = static_cast<float>(body.Mass);
-    mass.center.SetZero();
-    mass.I = ToUnits(body.Inertia * m_settings.UnitsPerMetre);
-    box2dBody.SetMassData(&mass);
-  } else {
-    AddFixtures(box2dBody, *description, m_settings.UnitsPerMetre, kMovableFriction);
-    SetMass(box2dBody, *description, m_settings.UnitsPerMetre);
-  }
-  box2dBody.SetLinearVelocity(b2Vec2(ToUnits(body.Velocity.X), ToUnits(body.Velocity.Y)));
-  box2dBody.SetAngularVelocity(static_cast<float>(body.Velocity.W));
-
-  b2MotorJointDef definition;
-  definition.bodyA = m_ground;
-  definition.bodyB = &box2dBody;
-  definition.collideConnected = true;
-  definition.correctionFactor = 1.0F;  // the target of a substep is reached in it
-  body.InPlay = static_cast<UInt32>(m_inPlay.size());
-  SInPlay& play = m_inPlay.emplace_back();
-  play.Slot = slot;
-  play.Body = &box2dBody;
-  play.Motor = static_cast<b2MotorJoint*>(m_world.CreateJoint(&definition));
-}
-
-void CPlanarWorld::LeavePlay(UInt32 slot) {
-  const UInt32 number = m_driven[slot].InPlay;
-  DestroyBody(*m_inPlay[number].Body);  // and its motor
-  m_driven[slot].InPlay = SDrivenBody::kNotInPlay;
-  if (number + 1 != m_inPlay.size()) {
-    m_inPlay[number] = m_inPlay.back();
-    m_driven[m_inPlay[number].Slot].InPlay = number;
-  }
-  m_inPlay.pop_back();
-}
-
-// Moves the last body of an array into the slot of one that is gone.
-template <typename BODY>
-void CPlanarWorld::FillSlot(std::vector<BODY>& bodies, UInt32 slot) {
-  *bodies[slot].Owner.Handle = SPlanarHandle();
-  if (slot + 1 != bodies.size()) {
-    bodies[slot] = std::move(bodies.back());
-    bodies[slot].Owner.Handle->Slot = slot;
-  }
-  bodies.pop_back();
 }
 
 void CPlanarWorld::Remove(const SPlanarHandle& handle) {
+  m_grips.Remove(handle);
   const UInt32 slot = handle.Slot;
-  if (IsInGrip(handle)) {
-    ReleaseAllOf(handle);
+  if (handle.Kind != EPlanarKind::Driven) {
+    m_store.Remove(handle);
+    return;
   }
-  switch (handle.Kind) {
-    case EPlanarKind::Immovable:
-      DestroyBody(*m_immovable[slot].Body);
-      FillSlot(m_immovable, slot);
-      m_obstaclesChanged = true;
-      break;
-    case EPlanarKind::Passive:
-      DestroyBody(*m_passive[slot].Body);
-      FillSlot(m_passive, slot);
-      break;
-    case EPlanarKind::Driven:
-      if (m_driven[slot].HasManipulator) {
-        RemoveManipulator(handle);
-      }
-      if (m_driven[slot].InPlay != SDrivenBody::kNotInPlay) {
-        LeavePlay(slot);
-      }
-      FillSlot(m_driven, slot);
-      if (slot < m_driven.size() && m_driven[slot].InPlay != SDrivenBody::kNotInPlay) {
-        m_inPlay[m_driven[slot].InPlay].Slot = slot;
-      }
-      break;
+  if (m_store.GetDriven()[slot].IsActive()) {
+    m_active.Deactivate(slot);
   }
+  m_store.Remove(handle);
+  m_active.UpdateSlot(slot);
 }
 
-SPlanarVelocity CPlanarWorld::GetVelocity(const SPlanarHandle& handle) const {
-  switch (handle.Kind) {
-    case EPlanarKind::Passive:
-      return m_passive[handle.Slot].Velocity;
-    case EPlanarKind::Driven:
-      return m_driven[handle.Slot].Velocity;
-    default:
-      return SPlanarVelocity();
-  }
-}
-
-bool CPlanarWorld::IsAt(const SPlanarHandle& handle, const SPlanarPose& pose) const {
-  if (handle.Kind == EPlanarKind::Immovable) {
-    return false;
-  }
-  constexpr Real kRounding = 1e-12;  // of sines and cosines
-  const SPlanarPose& mine =
-      handle.Kind == EPlanarKind::Driven ? m_driven[handle.Slot].Pose : m_passive[handle.Slot].Pose;
-  // half angles that differ by pi are one heading
-  const Real cosine = mine.HalfCos * pose.HalfCos + mine.HalfSin * pose.HalfSin;
-  const Real sine = mine.HalfSin * pose.HalfCos - mine.HalfCos * pose.HalfSin;
-  return mine.X == pose.X && mine.Y == pose.Y && std::abs(sine) < kRounding &&
-         std::abs(cosine) > 0.5;
-}
-
-void CPlanarWorld::SetVelocity(const SPlanarHandle& handle, const SPlanarVelocity& velocity) {
-  b2Body* box2dBody = nullptr;
-  if (handle.Kind == EPlanarKind::Passive) {
-    m_passive[handle.Slot].Velocity = velocity;
-    box2dBody = m_passive[handle.Slot].Body;
-  } else if (handle.Kind == EPlanarKind::Driven) {
-    SDrivenBody& body = m_driven[handle.Slot];
-    body.Velocity = velocity;
-    if (body.InPlay != SDrivenBody::kNotInPlay) {
-      box2dBody = m_inPlay[body.InPlay].Body;
-    }
-  }
-  if (box2dBody != nullptr) {
-    box2dBody->SetLinearVelocity(b2Vec2(ToUnits(velocity.X), ToUnits(velocity.Y)));
-    box2dBody->SetAngularVelocity(static_cast<float>(velocity.W));
-  }
-}
-
-// Box2D takes memory for bodies, contacts and joints in blocks that it keeps. Making as many as a
-// swarm of this size is likely to need, and taking them away again, leaves the blocks to be used in
-// ticks; so do the vectors here.
-void CPlanarWorld::Reserve() {
+// Box2D allocates bodies, contacts and joints in blocks that it keeps. Creating as many as a swarm
+// of this size is likely to need, and destroying them, leaves the blocks for the ticks; so do the
+// vectors here.
+void CPlanarWorld::ReserveForTick() {
   constexpr size_t kClusterSize = 4;  // discs, of which each touches each
-  // an eighth in play is what a swarm at the benchmark's density comes to; a denser one takes more
-  // memory while it condenses
-  const size_t inPlay = m_driven.size() / 8 + 64;
-  const size_t numExtras = inPlay / kClusterSize * kClusterSize;
+  // In a swarm of the benchmark's density an eighth is active; a denser one allocates more memory
+  // while it becomes dense.
+  const size_t numActive = m_store.GetDriven().size() / 8 + 64;
+  const size_t numDiscs = numActive / kClusterSize * kClusterSize;
 
+  b2World& world = m_store.GetWorld();
   b2AABB everything;
   everything.lowerBound.SetZero();
   everything.upperBound.SetZero();
-  for (b2Body* body = m_world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+  for (b2Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
     for (b2Fixture* fixture = body->GetFixtureList(); fixture != nullptr;
          fixture = fixture->GetNext()) {
       everything.Combine(fixture->GetAABB(0));
@@ -307,35 +65,231 @@ void CPlanarWorld::Reserve() {
   disc.m_radius = 1.0F;
   b2BodyDef definition;
   definition.type = b2_dynamicBody;
-  std::vector<b2Body*> extras;
-  for (size_t i = 0; i < numExtras; ++i) {
-    // outside everything, and each cluster apart from the others
+  std::vector<b2Body*> spares;
+  for (size_t i = 0; i < numDiscs; ++i) {
+    // outside of all bodies, and each cluster apart from the others
     const size_t numClustersBefore = i / kClusterSize;
     const auto cluster = static_cast<float>(numClustersBefore);
     definition.position.Set(everything.upperBound.x + 10.0F,
                             everything.lowerBound.y + 10.0F * cluster);
-    b2Body* extra = m_world.CreateBody(&definition);
-    extra->CreateFixture(&disc, 1.0F);
+    b2Body* spare = world.CreateBody(&definition);
+    spare->CreateFixture(&disc, 1.0F);
     b2MotorJointDef motor;
-    motor.bodyA = m_ground;
-    motor.bodyB = extra;
-    m_world.CreateJoint(&motor);
-    extras.push_back(extra);
+    motor.bodyA = &m_store.GetGround();
+    motor.bodyB = spare;
+    world.CreateJoint(&motor);
+    spares.push_back(spare);
   }
-  ReserveGrips(extras);
-  m_world.Step(0.0F, 0, 0);  // finds contacts, moves nothing
-  for (b2Body* extra : extras) {
-    m_world.DestroyBody(extra);
+  m_grips.CreateSpares(spares);
+  world.Step(0.0F, 0, 0);  // finds contacts, moves nothing
+  for (b2Body* spare : spares) {
+    world.DestroyBody(spare);
   }
-  if (!m_manipulators.empty()) {
-    m_manipulators.reserve(m_driven.capacity());
+  m_overlaps.Reserve(2 * (numActive + m_store.GetPassive().capacity()) +
+                     m_store.GetImmovable().size());
+  m_active.Reserve(numActive);
+  m_store.ReserveNumbers(numActive);
+  m_ghosts.Reserve(m_store.GetGrippable().capacity());
+  m_proximityFilter.Reserve(m_store.GetDriven().capacity());
+}
+
+// the slack of the proximity filter, m
+Real CPlanarWorld::GetSlack() const {
+  return kProximitySlack * m_store.GetMetresPerUnit();
+}
+
+Real CPlanarWorld::ComputeGhostReach() const {
+  // a robot and the robot that approaches it may both move by the longest path
+  return m_store.GetWidestMovable() +
+         (2.0 + kGuardMargin) * kProximitySlack * m_store.GetMetresPerUnit() +
+         std::max(2.0 * m_longestPath, kStartSpeed * GetTick());
+}
+
+void CPlanarWorld::Advance() {
+  m_grips.StartTick();
+  PlanDriven();
+  MarkDiscs();
+  m_ghosts.FindMeetings(m_proximityFilter, m_longestPath);
+  m_active.Select(m_proximityFilter);
+  m_grips.MakeGrips();
+  m_ghosts.Place(m_longestPath);
+  UInt32 substeps = 1;
+  if (IsAnyAwake()) {
+    m_active.StartTick();
+    substeps = ChooseSubsteps();
+    StepBox2D(substeps);
+    m_active.FinishTick(substeps);
   }
-  m_overlaps.Reserve(2 * (inPlay + m_passive.capacity()) + m_immovable.size());
-  m_inPlay.reserve(inPlay);
-  m_freeNumbers.reserve(inPlay);
-  m_grippable.reserve(m_numNumbers + inPlay);
-  m_ghostFilter.Reserve(m_numNumbers + inPlay);
-  m_encounters.Reserve(m_driven.capacity());
+  m_grips.FinishTick(static_cast<float>(GetTick() / substeps));
+  m_ghosts.Remove();
+  FinishPassive();
+}
+
+// Computes the state of each robot at the end of the tick if nothing is in its way.
+void CPlanarWorld::PlanDriven() {
+  m_longestPath = 0.0;
+  std::vector<SDrivenBody>& driven = m_store.GetDriven();
+  m_proximityFilter.Clear(driven.size());
+  for (UInt32 slot = 0; slot < driven.size(); ++slot) {
+    Plan(driven[slot], slot);
+  }
+}
+
+void CPlanarWorld::Plan(SDrivenBody& body, UInt32 slot) {
+  const Real tick = GetTick();
+  const SWheelMotion commanded = ReadWheels(body, tick);
+
+  // the torque bounds the change of the yaw rate, the force that of the velocity
+  const Real yawRate = body.Velocity.W + std::clamp(commanded.YawRate - body.Velocity.W,
+                                                    -body.MaxYawRateChange, body.MaxYawRateChange);
+  const SArc arc = FollowArc(body.Pose, commanded.Speed, yawRate, tick);
+  Real velocityX = arc.DX / tick;
+  Real velocityY = arc.DY / tick;
+  Real path = std::abs(commanded.Speed) * tick;
+  body.NextPose = arc.End;
+  const Real changeX = velocityX - body.Velocity.X;
+  const Real changeY = velocityY - body.Velocity.Y;
+  const Real squaredChange = changeX * changeX + changeY * changeY;
+  if (squaredChange > body.MaxSpeedChange * body.MaxSpeedChange) {
+    const Real share = body.MaxSpeedChange / std::sqrt(squaredChange);
+    velocityX = body.Velocity.X + share * changeX;
+    velocityY = body.Velocity.Y + share * changeY;
+    path = std::sqrt(velocityX * velocityX + velocityY * velocityY) * tick;
+    body.NextPose.X = body.Pose.X + velocityX * tick;
+    body.NextPose.Y = body.Pose.Y + velocityY * tick;
+  }
+  body.NextVelocity = {velocityX, velocityY, yawRate};
+
+  m_longestPath = std::max(m_longestPath, path);
+  if (body.IsDisc) {
+    m_proximityFilter.Place(slot, body.Pose.X, body.Pose.Y,
+                            body.BoundingRadius + path + GetSlack());
+  }
+}
+
+// Marks the discs that may touch something. Active ones may be pushed, so that they reach as far as
+// the fastest body moves.
+void CPlanarWorld::MarkDiscs() {
+  if (m_store.HaveObstaclesChanged()) {
+    m_proximityFilter.SetObstacles(m_store.ListObstacles());
+  }
+  ExtendLongestPath();
+  const Real slack = GetSlack();
+  const std::vector<SDrivenBody>& driven = m_store.GetDriven();
+  for (const SActiveBody& active : m_active.GetBodies()) {
+    const SDrivenBody& body = driven[active.Slot];
+    if (body.IsDisc) {
+      m_proximityFilter.SetReach(active.Slot, body.BoundingRadius + m_longestPath + slack);
+    }
+  }
+  // a robot whose gripper seeks a body reaches as far as the gripper
+  m_grips.ForEachSeekingDisc(
+      [this](UInt32 slot, Real reach) { m_proximityFilter.Extend(slot, reach); });
+  m_proximityFilter.MarkAll();
+  for (const SActiveBody& active : m_active.GetBodies()) {
+    const SDrivenBody& body = driven[active.Slot];
+    if (!body.IsDisc) {
+      const Real seek = body.HasManipulator ? m_grips.GetSeekReach() : 0.0;
+      m_proximityFilter.MarkNear(body.Pose.X, body.Pose.Y,
+                                 body.BoundingRadius + m_longestPath + slack + seek);
+    }
+  }
+  for (const SPassiveBody& body : m_store.GetPassive()) {
+    m_proximityFilter.MarkNear(body.Pose.X, body.Pose.Y,
+                               body.BoundingRadius + m_longestPath + slack);
+  }
+}
+
+// by the present speeds of bodies, and by what turrets move
+void CPlanarWorld::ExtendLongestPath() {
+  for (const SActiveBody& active : m_active.GetBodies()) {
+    const SDrivenBody& body = m_store.GetDriven()[active.Slot];
+    const Real speed = std::hypot(body.Velocity.X, body.Velocity.Y) +
+                       (body.IsDisc ? 0.0 : std::abs(body.Velocity.W) * body.BoundingRadius);
+    m_longestPath = std::max(m_longestPath, speed * GetTick());
+  }
+  for (const SPassiveBody& body : m_store.GetPassive()) {
+    if (body.Body->IsAwake()) {
+      const Real speed = m_store.ToMetres(body.Body->GetLinearVelocity().Length()) +
+                         std::abs(body.Body->GetAngularVelocity()) * body.BoundingRadius;
+      m_longestPath = std::max(m_longestPath, speed * GetTick());
+    }
+  }
+  m_longestPath = std::max(m_longestPath, m_grips.ComputeLongestSwing());
+}
+
+bool CPlanarWorld::IsAnyAwake() const {
+  const std::vector<SPassiveBody>& passive = m_store.GetPassive();
+  return !m_active.GetBodies().empty() ||
+         std::any_of(passive.begin(), passive.end(),
+                     [](const SPassiveBody& body) { return body.Body->IsAwake(); });
+}
+
+UInt32 CPlanarWorld::ChooseSubsteps() const {
+  SSubstepNeeds needs;
+  needs.ForMotion = std::max({m_active.ComputeNeededSubsteps(), ComputeSubstepsOfPassive(),
+                              m_grips.ComputeNeededSubsteps()});
+  needs.IsHolding = m_grips.IsHoldingAny();
+  if (m_substepPolicy.UsesWeakestDrive()) {
+    needs.WeakestDrive = m_active.ComputeWeakestDrive();
+  }
+  return m_substepPolicy.ChooseSubsteps(needs);
+}
+
+// Substeps of a tick in which no passive body moves or turns too far in one.
+float CPlanarWorld::ComputeSubstepsOfPassive() const {
+  const float tick = static_cast<float>(GetTick());
+  float needed = 0.0F;
+  for (const SPassiveBody& body : m_store.GetPassive()) {
+    if (body.Body->IsAwake()) {
+      const float distance = body.Body->GetLinearVelocity().Length() * tick;
+      const float turn = std::abs(body.Body->GetAngularVelocity()) * tick;
+      needed = std::max({needed, distance / (static_cast<float>(kMaxStepShare) * body.Extent),
+                         turn / static_cast<float>(kMaxStepTurn)});
+    }
+  }
+  return needed;
+}
+
+void CPlanarWorld::StepBox2D(UInt32 substeps) {
+  const float duration = static_cast<float>(GetTick() / substeps);
+  const int iterations = m_substepPolicy.ChooseIterations(substeps, m_grips.IsHoldingAny());
+  b2World& world = m_store.GetWorld();
+  float deepestOverlap = 0.0F;
+  float greatestImpulse = 0.0F;
+  for (UInt32 substep = 0; substep < substeps; ++substep) {
+    m_active.SetMotors(substep, substeps);
+    m_grips.SetTurretMotors(substep, substeps);
+    world.Step(duration, iterations, kPositionIterations);
+    m_active.AccountMotors();
+    deepestOverlap = std::max(deepestOverlap, m_overlaps.Resolve(world));
+    m_grips.AlignTurrets();
+    greatestImpulse = std::max(
+        {greatestImpulse, m_overlaps.GetGreatestImpulse(), m_grips.ComputeGreatestImpulse()});
+  }
+  m_substepPolicy.FinishTick(deepestOverlap, greatestImpulse / duration);
+}
+
+void CPlanarWorld::FinishPassive() {
+  for (SPassiveBody& body : m_store.GetPassive()) {
+    const b2Vec2 position = body.Body->GetPosition();
+    const float angle = body.Body->GetAngle();
+    const bool moved = position.x != body.X || position.y != body.Y || angle != body.Angle;
+    // a released body may be in another engine's region
+    body.Moved = moved || body.WasReleased;
+    body.WasReleased = false;
+    if (moved) {
+      body.X = position.x;
+      body.Y = position.y;
+      body.Angle = angle;
+      body.Pose.X = m_store.ToMetres(position.x);
+      body.Pose.Y = m_store.ToMetres(position.y);
+      body.Pose.SetYaw(angle);
+      const b2Vec2 velocity = body.Body->GetLinearVelocityFromLocalPoint(b2Vec2_zero);
+      body.Velocity = {m_store.ToMetres(velocity.x), m_store.ToMetres(velocity.y),
+                       static_cast<Real>(body.Body->GetAngularVelocity())};
+    }
+  }
 }
 
 }  // namespace argos

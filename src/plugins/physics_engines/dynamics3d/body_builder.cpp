@@ -65,7 +65,7 @@ void ToODE(const CQuaternion& quaternion, dQuaternion result) {
   result[3] = quaternion.GetZ() / length;
 }
 
-// mass and inertia of the solids, spread evenly, about the origin of the body
+// mass and inertia of homogeneous solids about the origin of the body
 dMass AddUpSolids(const SBodyDescription& description, Real mass) {
   Real volume = 0.0;
   for (const SShapeDescription& shape : description.Shapes) {
@@ -87,8 +87,8 @@ dMass AddUpSolids(const SBodyDescription& description, Real mass) {
   return sum;
 }
 
-// The moment about the vertical that the description asks for. Those about the horizontal axes
-// grow to half of it where they are smaller: no body has less.
+// Scales to the described moment about the vertical. Moments about the horizontal axes are raised
+// to half of it if they are smaller, because no rigid body has smaller ones.
 void SetPlanarInertia(dMass& mass, Real inertia) {
   mass.I[10] = inertia;
   mass.I[0] = std::max<Real>(mass.I[0], 0.5 * inertia);
@@ -99,7 +99,7 @@ Real GetWheelMass(const SBodyDescription& description) {
   return kWheelMassShare * description.Mass;
 }
 
-// about every axis: a wheel is round to its contacts, and turns alike
+// the same about every axis, as the contact geometry of a wheel is a sphere
 Real GetWheelInertia(const SBodyDescription& description) {
   const Real radius = description.Drive->WheelRadius;
   return 0.5 * GetWheelMass(description) * radius * radius;
@@ -113,10 +113,10 @@ void SetMass(SRigidBody& body) {
   body.CentreOfMass = CVector3(mass.c[0], mass.c[1], mass.c[2]);
   dMassTranslate(&mass, -mass.c[0], -mass.c[1], -mass.c[2]);
   if (body.HasWheels()) {
-    // motors and batteries lie low
+    // motors and batteries are near the ground
     body.CentreOfMass.SetZ(std::min(body.CentreOfMass.GetZ(), body.WheelRadius));
   }
-  // roundings of zero
+  // rounding errors of zero
   mass.c[0] = mass.c[1] = mass.c[2] = 0.0;
   if (description.PlanarInertia) {
     const CVector3& centre = body.CentreOfMass;
@@ -126,12 +126,12 @@ void SetMass(SRigidBody& body) {
       const Real arm = 0.5 * description.Drive->InterwheelDistance;
       inertia -= 2.0 * (GetWheelInertia(description) + GetWheelMass(description) * arm * arm);
     }
-    // wheels far out may leave nothing for the rest
+    // wheels far from the centre may leave no inertia for the rest
     SetPlanarInertia(mass, std::max(inertia, 0.1 * *description.PlanarInertia));
   }
   dBodySetMass(body.Body, &mass);
   if (description.Propellers) {
-    // the same frequency and damping as of the yaw
+    // the same frequency and damping as for the yaw
     const SControlGains& yaw = description.Propellers->Yaw;
     const Real ratio = 0.5 * (mass.I[0] + mass.I[5]) / mass.I[10];
     body.TiltGains.Set(yaw.Proportional * ratio, yaw.Derivative * ratio,
@@ -139,7 +139,7 @@ void SetMass(SRigidBody& body) {
   }
 }
 
-// what of a solid of a robot on wheels is above its clearance
+// the part of a solid of a robot on wheels that is above its clearance
 SShapeDescription Lift(SShapeDescription shape, Real clearance) {
   const Real missing = clearance - shape.Offset.GetZ();
   if (missing <= 0.0) {
@@ -153,7 +153,7 @@ SShapeDescription Lift(SShapeDescription shape, Real clearance) {
   return shape;
 }
 
-// in no space of ODE's: what may touch is found by CBroadPhase
+// in no ODE space: CBroadPhase finds the pairs that may touch
 dGeomID MakeGeom(const SShapeDescription& shape) {
   switch (shape.Kind) {
     case EKind::Box:
@@ -208,14 +208,14 @@ void AddRollers(SRigidBody& body) {
     roller.Offset = centres[i] - body.CentreOfMass;
     roller.Radius = i < body.Wheels.size() ? (1.0 + kWheelTravel) * body.WheelRadius : radius;
     for (UInt32 axis = 0; axis < 3; ++axis) {
-      // the solids begin above the ground
+      // the solids have a clearance from the ground
       const Real lowest = box.MinCorner[axis] + (axis == 2 ? kClearance * body.WheelRadius : 0.0);
       body.RollerMargin =
           std::max({body.RollerMargin, centres[i][axis] + roller.Radius - box.MaxCorner[axis],
                     lowest - centres[i][axis] + roller.Radius});
     }
   }
-  // however the robot lies
+  // for any orientation of the robot
   body.RollerMargin *= std::sqrt(3.0);
 }
 
@@ -270,7 +270,7 @@ std::string FindFlawOfDrive(const SBodyDescription& description) {
 
 std::string FindFlawOfPropellers(const SPropellersDescription& propellers) {
   for (const SControlGains* gains : {&propellers.Position, &propellers.Yaw}) {
-    // without a derivative, nothing would damp a loop on position
+    // without a derivative gain, a loop on position has no damping
     if (!IsPositive(gains->Proportional) || !IsPositive(gains->Derivative)) {
       return "the gains on position and yaw must be numbers > 0";
     }
@@ -341,11 +341,11 @@ void BuildRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidSettin
   }
 }
 
-// see ODE's manual, "Soft constraints", for the spring and damper that these stand for
+// see ODE's manual, "Soft constraints", for the equivalent spring and damper
 void TuneWheels(SRigidBody& body, Real gravity, Real substep) {
   const Real mass = body.Source.Description->Mass;
   const Real stiffness = 0.5 * kWheelLoad * mass * gravity / (kWheelTravel * body.WheelRadius);
-  // critical for half of the robot
+  // critical damping for half of the robot
   const Real damping = 2.0 * std::sqrt(stiffness * 0.5 * mass);
   if (!(stiffness > 0.0)) {
     body.WheelErp = body.WheelCfm = 0.0;
@@ -402,9 +402,9 @@ void WakeRigidBody(SRigidBody& body) {
   }
 }
 
-void LayToSleep(SRigidBody& body) {
+void PutToSleep(SRigidBody& body) {
   body.Asleep = true;
-  // what is left of its motion would come back when it wakes
+  // otherwise the rest of its motion would continue when it wakes
   ForEachPart(body, [](dBodyID part) {
     dBodySetLinearVel(part, 0.0, 0.0, 0.0);
     dBodySetAngularVel(part, 0.0, 0.0, 0.0);

@@ -8,11 +8,10 @@
 namespace argos {
 
 /**
- * Makes the parts of a body in ODE from its Source, at rest, at @p pose.
+ * Creates the parts of a body in ODE from its Source, at rest, at @p pose.
  *
- * Solids have the density of the whole. A drive becomes two sprung wheels on hinges with motors,
- * and four casters without friction, on all sides; solids begin above the ground by a small
- * clearance.
+ * All solids have the same density. A drive becomes two sprung wheels on hinges with motors, and
+ * four casters without friction, one on each side; solids have a small clearance from the ground.
  */
 void BuildRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidSettings& settings,
                     dWorldID world);
@@ -24,14 +23,14 @@ void TuneWheels(SRigidBody& body, Real gravity, Real substep);
 /** Undoes BuildRigidBody(). */
 void DestroyRigidBody(SRigidBody& body);
 
-/** Puts all parts there, with that motion. Of fixed bodies, the motion means nothing. */
+/** Places all parts at @p pose with that motion, which is ignored for fixed bodies. */
 void PlaceRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidMotion& motion);
 SRigidPose GetRigidPose(const SRigidBody& body);
 SRigidMotion GetRigidMotion(const SRigidBody& body);
 
 /**
- * Why a body cannot be built from a description; empty if it can.
- * @param movable  is it to move?
+ * The reason why a body cannot be built from a description; empty if it can.
+ * @param movable  true if the body shall be movable.
  */
 std::string FindFlaw(const SBodyDescription& description, bool movable);
 

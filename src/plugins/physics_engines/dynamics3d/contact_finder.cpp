@@ -12,19 +12,19 @@ namespace argos {
 
 namespace {
 
-// of two geoms: the corners of a face; ODE chooses those far apart of the eight that two boxes may
-// have, and fewer are solved better
+// contacts of two geoms: the corners of a face. Of the eight contacts that two boxes may have, ODE
+// selects distant ones; the solver converges better with fewer.
 constexpr int kMaxContacts = 4;
-// m/s: what slides more slowly has no direction worth following
+// m/s; below this speed, the direction of sliding is ignored
 constexpr Real kSlidingSpeed = 1e-4;
-// what meets within that many substeps at its present speed is seen coming
+// a contact is anticipated if it will occur within that many substeps at the present speed
 constexpr Real kForesight = 1.5;
 // rows of the two hinges with motors of a robot
 constexpr UInt32 kAxleRows = 12;
-// and of a turret's pivot with its motor, and the ball joint on its arm
+// rows of a turret's pivot with its motor, and of the ball joint on its arm
 constexpr UInt32 kGripRows = 9;
 
-// can this do something on its own?
+// @return true if the body is movable and awake.
 bool IsActive(const SRigidBody& body) {
   return body.IsMovable() && !body.Asleep;
 }
@@ -102,7 +102,7 @@ void CContactFinder::Find(const std::vector<SRigidBody*>& movables,
       Touch(*pair.First, *pair.Second);
     }
   }
-  // they bear nothing, and keep nothing awake
+  // ghosts support no body, and keep none awake
   ghosts.ForEachMeeting([this](const SRigidBody& body, const SRigidBody& ghost) {
     if (IsActive(body)) {
       TouchSolids(body, ghost);
@@ -115,7 +115,7 @@ void CContactFinder::Find(const std::vector<SRigidBody*>& movables,
   CountRows(movables);
 }
 
-// What is awake wakes what it comes near to, and that the next.
+// Awake bodies wake their neighbours, which wake theirs.
 void CContactFinder::WakeNeighbours(const std::vector<SRigidPair>& pairs,
                                     const CRigidGrips& grips) {
   bool changed = true;
@@ -160,7 +160,7 @@ void CContactFinder::Touch(SRigidBody& first, SRigidBody& second) {
   }
 }
 
-// how near two robots must be to meet in the substep, m
+// the distance below which two robots may touch in the substep, m
 Real CContactFinder::ComputeReach(const SRigidBody& first, const SRigidBody& second) const {
   if (!first.HasWheels() || !second.HasWheels()) {
     return 0.0;
@@ -191,7 +191,7 @@ void CContactFinder::Roll(const SRigidBody& robot, const SRigidBody& ground) {
   const dReal* const rotation = dBodyGetRotation(robot.Body);
   const CVector3 up(rotation[2], rotation[6], rotation[10]);
   for (size_t i = 0; i < robot.Rollers.size(); ++i) {
-    // wheels without weight find no hold
+    // wheels without load have no grip
     if (i < robot.Wheels.size() && robot.WheelCfm == 0.0) {
       continue;
     }
@@ -206,7 +206,7 @@ void CContactFinder::Roll(const SRigidBody& robot, const SRigidBody& ground) {
   }
 }
 
-// With a normal that points into the roller.
+// The normal points into the roller.
 bool CContactFinder::FindRollerContact(const SRoller& roller, const CVector3& centre,
                                        const SRigidBody& ground, dGeomID solid,
                                        dContactGeom& contact) const {
@@ -235,8 +235,8 @@ bool CContactFinder::FindRollerContact(const SRoller& roller, const CVector3& ce
   return dCollide(m_probe, solid, 1, &contact, sizeof(dContact)) > 0;
 }
 
-// Casters slide without friction. A wheel is held along its axle, and rolls across it; it is
-// pressed in by its travel, so it gives way, and touches the ground where its rim would without.
+// Casters slide without friction. A wheel has friction along its axle, and rolls across it. Its
+// spring is compressed by its travel, which puts its contact where that of a rigid rim would be.
 void CContactFinder::AddRollerContact(dContact& contact, const SRigidBody& robot, size_t roller,
                                       const SRigidBody& ground) {
   contact.surface = {};
@@ -264,8 +264,8 @@ void CContactFinder::AddRollerContact(dContact& contact, const SRigidBody& robot
   Join(contact, robot.Wheels[roller], ground.Body, contact.surface.mu > 0.0 ? 3 : 1, robot);
 }
 
-// What is still apart, but not any more after the substep, may come as near as that: found only
-// when it is inside, it would be as deep as its way in a substep.
+// Bodies that will touch within the substep get a contact that stops them at its surface: without
+// it, they would overlap by their path in a substep before ODE finds a contact.
 void CContactFinder::AddSolidContact(dContact& contact, const SRigidBody& first,
                                      const SRigidBody& second) {
   dSurfaceParameters& surface = contact.surface;
@@ -303,8 +303,8 @@ void CContactFinder::Join(const dContact& contact, dBodyID first, dBodyID second
   ++m_numContacts;
 }
 
-// ODE limits friction along two directions apart, so by a square. With one of them along the
-// motion, or along the weight where nothing moves, that is Coulomb's circle.
+// ODE limits friction separately along two directions, so by a square. If one direction is that of
+// the motion, or of gravity without motion, the limit is the same as that of Coulomb's circle.
 void CContactFinder::SetSlidingDirection(dContact& contact) const {
   const CVector3 normal = FromODE(contact.geom.normal);
   const CVector3 point = FromODE(contact.geom.pos);
@@ -341,7 +341,7 @@ void CContactFinder::CountRows(const std::vector<SRigidBody*>& movables) {
       m_islands[root].Supported = m_islands[root].Supported || own.Supported;
     }
   }
-  // every root has all of its rows now
+  // the rows of all roots are complete now
   for (UInt32 i = 0; i < movables.size(); ++i) {
     m_mostRows = std::max(m_mostRows, m_islands[i].Rows);
   }

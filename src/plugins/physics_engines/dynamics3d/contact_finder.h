@@ -12,43 +12,43 @@ class CRigidGhosts;
 class CRigidGrips;
 
 /**
- * Finds what touches, makes contact joints of it, and tells which bodies hang together.
+ * Finds contacts, creates contact joints for them, and finds the islands of connected bodies.
  *
- * An island is a set of awake movable bodies that are joined by contacts or grips, directly or by
- * way of each other. Fixed bodies join nothing.
+ * An island is a set of awake movable bodies that are connected by contacts or grips, directly or
+ * through each other. Fixed bodies do not connect others.
  */
 class CContactFinder {
  public:
-  /** A set of bodies that hang together. */
+  /** A set of connected bodies. */
   struct SIsland {
     UInt32 Rows = 0;  // of the constraints among its bodies
-    bool Supported = false;  // does a fixed body touch it?
+    bool Supported = false;  // true if a fixed body touches it
     bool Quiet = true;  // used by the world
   };
 
-  /** The contacts live in a pool, which Clear() empties without giving memory back. */
+  /** The contacts are allocated from a pool, which Clear() empties without freeing its memory. */
   CContactFinder(const SRigidSettings& settings, dWorldID world);
   ~CContactFinder();
   CContactFinder(const CContactFinder&) = delete;
   CContactFinder& operator=(const CContactFinder&) = delete;
 
-  /** To be called when bodies have come, gone or been placed. */
+  /** To be called after bodies were added, removed or placed. */
   void MarkChanged() { m_broadPhase.MarkChanged(); }
   /**
-   * Wakes bodies that awake ones come near to, and makes the contacts of the coming substep.
+   * Wakes bodies near awake ones, and creates the contacts of the next substep.
    * @param movables, fixed  by SRigidBody::Number. @param planes  that bound everything.
-   * @param grips    what holds what. @param ghosts  of other engines.
-   * @param gravity  m/s^2: friction holds against it where nothing slides.
-   * @param substep  s: the length of the coming one.
+   * @param grips    of the world. @param ghosts  of other engines.
+   * @param gravity  m/s^2: the direction of friction in contacts that do not slide.
+   * @param substep  s: the length of the next substep.
    */
   void Find(const std::vector<SRigidBody*>& movables, const std::vector<SRigidBody*>& fixed,
             const std::vector<SRigidBody*>& planes, const CRigidGrips& grips,
             const CRigidGhosts& ghosts, const CVector3& gravity, Real substep);
   void Clear();
 
-  /** After Find(): of an awake body. */
+  /** After Find(): the island of an awake body. */
   SIsland& GetIsland(const SRigidBody& body) { return m_islands[FindRoot(body.Number)]; }
-  /** After Find(): the most rows that an island has. */
+  /** After Find(): the greatest number of rows of an island. */
   UInt32 GetMostRows() const { return m_mostRows; }
   UInt32 GetNumContacts() const { return m_numContacts; }
 
@@ -73,7 +73,7 @@ class CContactFinder {
   const SRigidSettings& m_settings;
   dWorldID m_world;
   dJointGroupID m_contacts;
-  dGeomID m_probe;  // a sphere, in the place of one roller after the other
+  dGeomID m_probe;  // a sphere, moved to one roller after the other
   CBroadPhase m_broadPhase;
   UInt32 m_numContacts = 0;
   UInt32 m_mostRows = 0;

@@ -33,7 +33,7 @@ SUpright Describe(dGeomID geom) {
   return cylinder;
 }
 
-// the part of the first one's axis that is beside the second, m from the first one's centre
+// the part of the first cylinder's axis that is beside the second, m from the first one's centre
 struct SBeside {
   Real Low;
   Real High;
@@ -45,8 +45,8 @@ SBeside FindBeside(const SUpright& first, const SUpright& second) {
           std::min(first.HalfLength, along + second.HalfLength)};
 }
 
-// how deep they are inside each other at that height, m, below 0 if they are apart; the direction
-// from the second to the first
+// the depth of the overlap at that height, m, below 0 if they are apart; the direction from the
+// second to the first
 Real MeasureDepth(const SUpright& first, const SUpright& second, Real height, CVector3& direction) {
   const CVector3 on = first.Centre + first.Axis * height;
   const Real along = (on - second.Centre).DotProduct(second.Axis);
@@ -55,7 +55,8 @@ Real MeasureDepth(const SUpright& first, const SUpright& second, Real height, CV
   if (distance > 1e-9) {
     direction /= distance;
   } else {
-    // on one axis all directions are as good: away from the axis of the world that is most upright
+    // coincident axes determine no direction: it is chosen across the most upright axis of the
+    // world
     direction = std::abs(second.Axis.GetX()) < 0.8 ? CVector3::X : CVector3::Y;
     direction -= second.Axis * direction.DotProduct(second.Axis);
     direction.Normalize();
@@ -63,7 +64,7 @@ Real MeasureDepth(const SUpright& first, const SUpright& second, Real height, CV
   return first.Radius + second.Radius - distance;
 }
 
-// Of a cylinder that stands on a box, ODE tells of points all around, as many as it is asked for.
+// For a cylinder on a box, ODE returns points all around its rim, as many as the array can store.
 constexpr int kMostOfBox = 16;
 
 CVector3 PointOf(const dContactGeom& contact) {
@@ -85,8 +86,8 @@ int FindGreatest(const dContactGeom* contacts, int count, MEASURE&& measure) {
   return best;
 }
 
-// Four that bear as all of them do: the deepest one, the one farthest from it, and the ones
-// farthest from their line on both sides.
+// Selects four contacts that support the body as all of them do: the deepest one, the one farthest
+// from it, and the ones farthest from their line on both sides.
 std::array<int, 4> ChooseSpread(const dContactGeom* contacts, int count) {
   const int deepest =
       FindGreatest(contacts, count, [](const dContactGeom& each) { return each.depth; });
@@ -113,7 +114,7 @@ int FindContactsWithBox(dGeomID first, dGeomID second, int most, dContactGeom* c
   }
   int kept = 0;
   for (int i = 0; i < std::min({count, most, 4}); ++i) {
-    // where they lie in a line, one may be chosen twice
+    // if they are in a line, one may be selected twice
     if (std::find(chosen.begin(), chosen.begin() + i, chosen[i]) != chosen.begin() + i) {
       continue;
     }
@@ -143,7 +144,7 @@ int FindContacts(dGeomID first, dGeomID second, int most, dContactGeom* contacts
   const Real depth = MeasureDepth(a, b, 0.5 * (beside.Low + beside.High), direction);
   const bool isParallel = std::abs(a.Axis.DotProduct(b.Axis)) > kParallel;
   if (!isParallel || (depth > 0.0 && beside.High - beside.Low < depth)) {
-    // askew, or one on top of the other
+    // skew, or one on top of the other
     return dCollide(first, second, most, contacts, skip);
   }
   if (beside.High < beside.Low) {

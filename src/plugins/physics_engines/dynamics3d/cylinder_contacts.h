@@ -6,11 +6,11 @@
 namespace argos {
 
 /**
- * dCollide(), but for two cylinders that stand side by side, which is how most robots meet: exact
- * there, at both ends of the line on which they touch. Of a cylinder and a box, at most four
- * contacts that are far apart.
+ * dCollide(), except for two upright cylinders side by side, the most frequent contact of robots:
+ * exact contacts at both ends of the line on which they touch. For a cylinder and a box, at most
+ * four contacts, which are far apart.
  * @param skip   bytes from one contact to the next.
- * @param reach  m: cylinders side by side also count when they are apart by as much, with a depth
+ * @param reach  m: cylinders side by side at up to this distance have a contact, too, with a depth
  *               below 0.
  * @return the number of contacts, at most @p most.
  */

@@ -7,16 +7,15 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/string_utilities.h>
-#include <argos3/plugins/simulator/entities/quadrotor_entity.h>
 #include <argos3/plugins/simulator/entities/turret_entity.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
-#include <argos3/plugins/simulator/entities/wheeled_entity.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_model.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/engine_poses.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/ode_session.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/read_settings.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_world.h>
+#include <argos3/plugins/simulator/physics_engines/robot_bodies/robot_components.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,17 +24,15 @@ namespace argos {
 
 namespace {
 
-// m; beyond it, contacts are no longer resolved to a tenth of the smallest robot's casters
+// m; farther away, contacts are not resolved to a tenth of the smallest robot's casters
 constexpr Real kFarthest = 1e6;
-// substeps of a tick; more would never end
-constexpr UInt32 kMaxIterations = 10000;
-// s: substeps without "iterations" are not longer
+// s, longest substep unless "iterations" is given
 constexpr Real kDefaultSubstep = 0.01;
-// m/s^2, of an engine without add-ons
+// m/s^2, in an engine without add-ons
 constexpr Real kStandardGravity = 9.81;
 
-// of half the angle: what leans by less than 1e-3 rad, as robots do when they roll, is reported as
-// upright. Sensors and placement compute with upright solids exactly and fast.
+// Sine of half the greatest lean that is reported as upright: robots lean by less than 1e-3 rad
+// when they roll. Sensors and placement handle upright solids exactly and fast.
 constexpr Real kUpright = 5e-4;
 
 CQuaternion Straighten(const CQuaternion& orientation) {
@@ -45,53 +42,16 @@ CQuaternion Straighten(const CQuaternion& orientation) {
 }
 
 bool IsFar(const CVector3& position) {
-  // written so that NaN is far too
+  // written so that NaN is far, too
   return !(std::abs(position.GetX()) + std::abs(position.GetY()) + std::abs(position.GetZ()) <=
            kFarthest);
-}
-
-// speeds of the left and the right wheel of a body with a drive; null for others
-const Real* FindWheels(CEmbodiedEntity& body) {
-  const SBodyDescription& description = *body.GetBodyDescription();
-  if (!body.IsMovable() || !description.Drive || description.Propellers) {
-    return nullptr;
-  }
-  auto& root = static_cast<CComposableEntity&>(body.GetRootEntity());
-  const auto& wheels = root.GetComponent<CWheeledEntity>("wheels");
-  if (wheels.GetNumWheels() < 2) {
-    THROW_ARGOSEXCEPTION("robot " << NameOf(body) << " has a differential drive, but "
-                                  << wheels.GetNumWheels() << " wheel instead of 2");
-  }
-  return wheels.GetWheelVelocities();
-}
-
-// null unless it flies
-const CQuadRotorEntity* FindQuadrotor(CEmbodiedEntity& body) {
-  if (!body.IsMovable() || !body.GetBodyDescription()->Propellers) {
-    return nullptr;
-  }
-  auto& root = static_cast<CComposableEntity&>(body.GetRootEntity());
-  return &root.GetComponent<CQuadRotorEntity>("quadrotor");
-}
-
-void CheckBody(const CEmbodiedEntity& body) {
-  const CVector3& position = body.GetOriginAnchor().Position;
-  if (IsFar(position)) {
-    THROW_ARGOSEXCEPTION(NameOf(body)
-                         << " at (" << position << ") is farther than " << kFarthest
-                         << " m from the origin: contacts would no longer be accurate");
-  }
-  const std::string flaw = FindFlaw(*body.GetBodyDescription(), body.IsMovable());
-  if (!flaw.empty()) {
-    THROW_ARGOSEXCEPTION(NameOf(body) << " cannot be a rigid body: " << flaw);
-  }
 }
 
 bool IsPartOfEngine(const std::string& tag) {
   return tag == "boundaries" || tag == "solver" || tag == "contacts";
 }
 
-// Of another engine: files change engines by one word. Nobody reads it, which is warned of.
+// Accepted so that a file can switch engines; reported as unused.
 bool IsPartOfOtherEngine(const std::string& tag) {
   return tag == "friction" || tag == "spatial_hash";
 }
@@ -104,14 +64,10 @@ CDynamics3DEngine::~CDynamics3DEngine() = default;
 
 void CDynamics3DEngine::Init(TConfigurationNode& tree) {
   m_settings->Tick = m_cSimulator.GetTickLength();
-  // a tick that is a multiple of the substep takes no one more for its rounding
+  // the tolerance keeps a rounding error from adding a substep
   const Real substeps = std::ceil(m_settings->Tick / kDefaultSubstep - 1e-6);
   SetIterations(static_cast<UInt32>(std::clamp<Real>(substeps, 1.0, kMaxIterations)));
-  CPhysicsEngine::Init(tree);
-  if (GetIterations() > kMaxIterations) {
-    THROW_ARGOSEXCEPTION(OwnerOf(tree) << ": \"iterations\" must be at most " << kMaxIterations
-                                       << ", found " << GetIterations());
-  }
+  CDescribedBodyEngine::Init(tree);
   m_settings->Substeps = GetIterations();
   ReadRigidSettings(tree, *m_settings);
   UseODEInThisThread();
@@ -141,12 +97,12 @@ void CDynamics3DEngine::InitPlugins(TConfigurationNode& tree) {
     }
   }
   if (m_plugins.empty()) {
-    TakeDefaults();
+    SetDefaults();
   }
 }
 
-// Who names no add-on means the world that everybody knows.
-void CDynamics3DEngine::TakeDefaults() {
+// No add-on listed: gravity and a floor by default.
+void CDynamics3DEngine::SetDefaults() {
   m_hasDefaults = true;
   SetGravity(CVector3(0.0, 0.0, -kStandardGravity));
   const SHorizontalFace* const bottom = GetVolume().BottomFace;
@@ -155,16 +111,13 @@ void CDynamics3DEngine::TakeDefaults() {
   }
 }
 
-// The world is made anew from the entities, in the next tick: nothing of the run so far is left in
-// it, nor of where bodies were put before that tick.
+// The next tick builds a new world from the entities, without any state of the run so far.
 void CDynamics3DEngine::Reset() {
   m_world.reset();
-  for (const auto& model : m_models) {
-    model->m_body = nullptr;
+  for (const auto& model : GetModels()) {
+    static_cast<CDynamics3DModel&>(*model).m_body = nullptr;
   }
-  while (!m_displaced.empty()) {
-    ForgetDisplaced(*m_displaced.back());
-  }
+  ForgetDisplaced();
   for (const auto& plugin : m_plugins) {
     plugin->Reset();
   }
@@ -172,8 +125,7 @@ void CDynamics3DEngine::Reset() {
 
 void CDynamics3DEngine::Destroy() {
   m_world.reset();
-  m_displaced.clear();
-  m_models.clear();
+  DestroyModels();
   for (const auto& plugin : m_plugins) {
     plugin->Destroy();
   }
@@ -182,19 +134,21 @@ void CDynamics3DEngine::Destroy() {
 
 void CDynamics3DEngine::PostSpaceInit() {
   if (m_hasDefaults) {
-    TellOfDefaults();
+    LogDefaults();
   }
-  const auto hasWheels = [](const auto& model) { return model->m_wheels != nullptr; };
-  if (m_gravity == CVector3() && std::any_of(m_models.begin(), m_models.end(), hasWheels)) {
+  const auto hasWheels = [](const auto& model) {
+    return static_cast<const CDynamics3DModel&>(*model).m_wheels != nullptr;
+  };
+  if (m_gravity == CVector3() && std::any_of(GetModels().begin(), GetModels().end(), hasWheels)) {
     LOGERR << "[WARNING] the engine \"" << GetId()
-           << "\" has no gravity, so the wheels of its robots find no hold: it needs the children "
+           << "\" has no gravity, so the wheels of its robots have no grip: it needs the children "
               "<gravity g=\"9.81\" /> and <floor />, or none at all"
            << std::endl;
   }
 }
 
-// once for all engines: the first one tells
-void CDynamics3DEngine::TellOfDefaults() const {
+// logged once for all engines, by the first one
+void CDynamics3DEngine::LogDefaults() const {
   std::string ids;
   for (const CPhysicsEngine* each : m_cSimulator.GetPhysicsEngines()) {
     const auto* const engine = dynamic_cast<const CDynamics3DEngine*>(each);
@@ -207,7 +161,7 @@ void CDynamics3DEngine::TellOfDefaults() const {
     ids += (ids.empty() ? "\"" : ", \"") + engine->GetId() + "\"";
   }
   LOG << "[INFO] dynamics3d without add-ons (" << ids << "): gravity of " << kStandardGravity
-      << " m/s^2 and a floor; <gravity g=\"0\" /> is without both" << std::endl;
+      << " m/s^2 and a floor; <gravity g=\"0\" /> disables both" << std::endl;
 }
 
 void CDynamics3DEngine::SetGravity(const CVector3& gravity) {
@@ -236,57 +190,51 @@ UInt32 CDynamics3DEngine::GetNumSubsteps() const {
   return m_world != nullptr ? m_world->GetNumSubsteps() : GetIterations();
 }
 
-bool CDynamics3DEngine::AddEntity(CEntity& entity) {
-  CEmbodiedEntity* const body = FindDescribedBody(entity);
-  if (body == nullptr) {
-    return false;
+void CDynamics3DEngine::CheckBody(CEmbodiedEntity& body) const {
+  const CVector3& position = body.GetOriginAnchor().Position;
+  if (IsFar(position)) {
+    THROW_ARGOSEXCEPTION(NameOf(body)
+                         << " at (" << position << ") is farther than " << kFarthest
+                         << " m from the origin: contacts would no longer be accurate");
   }
-  CheckBody(*body);
-  // asks for its components, so that a missing one is told of now
-  FindQuadrotor(*body);
-  auto model = std::make_unique<CDynamics3DModel>(*this, *body, FindWheels(*body));
-  CDynamics3DModel& added = *model;
-  body->AddPhysicsModel(GetId(), added);
-  added.m_number = m_models.size();
-  m_models.push_back(std::move(model));
+  const std::string flaw = FindFlaw(*body.GetBodyDescription(), body.IsMovable());
+  if (!flaw.empty()) {
+    THROW_ARGOSEXCEPTION(NameOf(body) << " cannot be a rigid body: " << flaw);
+  }
+  // throw if the components are missing
+  FindWheels(body);
+  FindQuadrotor(body);
+}
+
+std::unique_ptr<CDescribedBodyModel> CDynamics3DEngine::CreateModel(CEmbodiedEntity& body) {
+  return std::make_unique<CDynamics3DModel>(*this, body, FindWheels(body));
+}
+
+void CDynamics3DEngine::Enter(CDescribedBodyModel& model) {
+  auto& entering = static_cast<CDynamics3DModel&>(model);
   if (m_world != nullptr) {
     UseODEInThisThread();
-    AddToWorld(added);
+    AddToWorld(entering);
   }
   for (const auto& plugin : m_plugins) {
-    plugin->RegisterModel(added);
+    plugin->RegisterModel(entering);
   }
-  return true;
+}
+
+void CDynamics3DEngine::Leave(CDescribedBodyModel& model) {
+  auto& leaving = static_cast<CDynamics3DModel&>(model);
+  for (const auto& plugin : m_plugins) {
+    plugin->UnregisterModel(leaving);
+  }
+  if (m_world != nullptr) {
+    m_world->Remove(*leaving.m_body);
+    leaving.m_body = nullptr;
+  }
 }
 
 std::string CDynamics3DEngine::ExplainRefusal(CEntity& entity) const {
-  return "houses only bodies that are described (SBodyDescription), and <" +
-         entity.GetTypeDescription() + "> describes none";
-}
-
-bool CDynamics3DEngine::RemoveEntity(CEntity& entity) {
-  CEmbodiedEntity* const body = FindDescribedBody(entity);
-  for (UInt32 i = 0; body != nullptr && i < body->GetPhysicsModelsNum(); ++i) {
-    if (&body->GetPhysicsModel(i).GetEngine() != this) {
-      continue;
-    }
-    auto& model = static_cast<CDynamics3DModel&>(body->GetPhysicsModel(i));
-    for (const auto& plugin : m_plugins) {
-      plugin->UnregisterModel(model);
-    }
-    ForgetDisplaced(model);
-    if (m_world != nullptr) {
-      m_world->Remove(*model.m_body);
-    }
-    body->RemovePhysicsModel(GetId());
-    // the last model takes the number of the one that goes
-    const size_t number = model.m_number;
-    std::swap(m_models[number], m_models.back());
-    m_models[number]->m_number = number;
-    m_models.pop_back();
-    return true;
-  }
-  return false;
+  return "accepts only bodies with an SBodyDescription, and <" + entity.GetTypeDescription() +
+         "> has none";
 }
 
 void CDynamics3DEngine::UpdateManipulator(CDynamics3DModel& model) {
@@ -297,12 +245,16 @@ void CDynamics3DEngine::UpdateManipulator(CDynamics3DModel& model) {
   }
 }
 
-void CDynamics3DEngine::Replace(CDynamics3DModel& model) {
-  ForgetDisplaced(model);
-  if (m_world != nullptr) {
-    UseODEInThisThread();
-    PlaceAtAnchor(model, {});
-  }
+void CDynamics3DEngine::Reposition(CDescribedBodyModel& model) {
+  UseODEInThisThread();
+  PlaceAtAnchor(static_cast<CDynamics3DModel&>(model), {});
+}
+
+bool CDynamics3DEngine::IsAtLastPose(const CDescribedBodyModel& model) const {
+  const auto& displaced = static_cast<const CDynamics3DModel&>(model);
+  const SAnchor& origin = displaced.m_cEmbodiedEntity.GetOriginAnchor();
+  return displaced.m_lastPosition == origin.Position &&
+         displaced.m_lastOrientation == origin.Orientation;
 }
 
 void CDynamics3DEngine::PlaceAtAnchor(CDynamics3DModel& model, const SRigidMotion& motion) {
@@ -312,51 +264,15 @@ void CDynamics3DEngine::PlaceAtAnchor(CDynamics3DModel& model, const SRigidMotio
   model.m_lastOrientation = pose.Orientation;
 }
 
-void CDynamics3DEngine::MarkDisplaced(CDynamics3DModel& model) {
-  if (m_world != nullptr && !model.m_isDisplaced) {
-    model.m_isDisplaced = true;
-    m_displaced.push_back(&model);
-  }
-}
-
-void CDynamics3DEngine::ForgetDisplaced(CDynamics3DModel& model) {
-  if (model.m_isDisplaced) {
-    model.m_isDisplaced = false;
-    // from the end, where it mostly is
-    m_displaced.erase(std::find(m_displaced.rbegin(), m_displaced.rend(), &model).base() - 1);
-  }
-}
-
-// Most have been put back by those who only wanted to know whether a place is free.
-void CDynamics3DEngine::ReplaceDisplaced() {
-  for (CDynamics3DModel* model : m_displaced) {
-    model->m_isDisplaced = false;
-    const SAnchor& origin = model->m_cEmbodiedEntity.GetOriginAnchor();
-    if (!(model->m_lastPosition == origin.Position &&
-          model->m_lastOrientation == origin.Orientation)) {
-      PlaceAtAnchor(*model, {});
-    }
-  }
-  m_displaced.clear();
-}
-
-// bodies enter the world in the order of their entities, whatever happened before
 void CDynamics3DEngine::Build() {
-  std::vector<CDynamics3DModel*> models;
-  models.reserve(m_models.size());
-  for (const auto& model : m_models) {
-    models.push_back(model.get());
-  }
-  std::sort(models.begin(), models.end(), [](CDynamics3DModel* a, CDynamics3DModel* b) {
-    return a->GetEmbodiedEntity().GetIndex() < b->GetEmbodiedEntity().GetIndex();
-  });
+  const std::vector<CDescribedBodyModel*> models = ListModelsForWorld();
   m_world = std::make_unique<CRigidWorld>(*m_settings, [this] { UpdatePlugins(); });
   m_world->SetGravity(m_gravity);
   for (const SGroundPlane& plane : m_planes) {
     m_world->AddPlane(plane);
   }
-  for (CDynamics3DModel* model : models) {
-    AddToWorld(*model);
+  for (CDescribedBodyModel* model : models) {
+    AddToWorld(static_cast<CDynamics3DModel&>(*model));
   }
   BuildWalls();
 }
@@ -376,6 +292,7 @@ void CDynamics3DEngine::AddToWorld(CDynamics3DModel& model) {
   }
   model.m_lastPosition = pose.Position;
   model.m_lastOrientation = pose.Orientation;
+  model.m_wasAwake = true;
 }
 
 void CDynamics3DEngine::UpdatePlugins() {
@@ -389,9 +306,9 @@ void CDynamics3DEngine::Update() {
   if (m_world == nullptr) {
     Build();
   }
-  ReplaceDisplaced();
+  RepositionDisplaced();
   if (FeelsGhosts()) {
-    TakeGhosts();
+    UpdateGhosts();
   }
   m_world->Advance();
   ReportFailures();
@@ -400,14 +317,14 @@ void CDynamics3DEngine::Update() {
   }
 }
 
-// Who asks for the direct solver alone is told when it fails.
+// Warns if the user has chosen the direct solver only and it fails.
 void CDynamics3DEngine::ReportFailures() {
   if (m_settings->Stepper == SRigidSettings::EStepper::Direct && !m_hasReported &&
       m_world->GetNumGivenUp() > 0) {
     m_hasReported = true;
     LOGERR << "[WARNING] the engine \"" << GetId()
            << "\": ODE's direct solver has left contacts unsolved; the stepper \"mixed\" would "
-              "leave them to the iterative one (told once)"
+              "use the iterative one for them (reported once)"
            << std::endl;
   }
 }
@@ -420,7 +337,7 @@ void CDynamics3DEngine::WriteBack(CDynamics3DModel& model) {
     if (IsFar(pose.Position)) {
       THROW_ARGOSEXCEPTION(NameOf(entity)
                            << " is now at (" << pose.Position << "), farther than " << kFarthest
-                           << " m from the origin: has it fallen off the world, or "
+                           << " m from the origin: has it fallen off the floor, or "
                               "is a force on it too great?");
     }
     entity.SetOriginPose(pose.Position, pose.Orientation);
@@ -436,7 +353,7 @@ void CDynamics3DEngine::WriteBack(CDynamics3DModel& model) {
     model.m_root.Update();
   }
   if (IsEntityTransferActive() && HasLeft(entity.GetOriginAnchor().Position) &&
-      (!m_world->GetGrips().IsInGrip(*model.m_body) || LeadsItsCluster(model))) {
+      LeadsCluster(entity)) {
     ScheduleEntityForTransfer(entity);
   }
 }
@@ -450,9 +367,9 @@ REGISTER_PHYSICS_ENGINE(
     "Rigid bodies in three dimensions, on ODE.",
     R"(Robots and objects in space: they fall, slide, roll, stack and topple. Robots with a differential drive roll
 on two sprung wheels with motors, and four casters without friction; robots with propellers fly by their own
-controllers; grippers hold, and turrets swing, what they have gripped.
-Gravity, floor and magnetism are add-ons. An engine that names no add-on has gravity of 9.81 m/s^2 and a floor at
-z = 0; one that names any has those that it names and no others. <gravity g="0" /> alone is weightless.
+controllers; grippers hold bodies, and turrets move the held bodies.
+Gravity, floor and magnetism are add-ons. An engine without add-ons has gravity of 9.81 m/s^2 and a floor at z = 0;
+an engine with any add-on has only those that are listed. <gravity g="0" /> alone is weightless.
 
 REQUIRED XML
 
@@ -483,41 +400,41 @@ ATTRIBUTES
 
   id                    text, required: unique among the engines.
   iterations            integer in [1,10000]: least number of substeps of a tick. Not given: so many that none is
-                        longer than 0.01 s. In any case more, up to 16 times as many, while something would move by
+                        longer than 0.01 s. In any case more, up to 16 times as many, while a body would move by
                         more than half its narrowest side in a substep.
   default_friction      in [0,1000], default 1: Coulomb's coefficient of every body. That of a contact is the product
                         of both.
-  sleep                 "true" (default) or "false": are bodies left out of the computation that have been at rest
-                        (below 1 mm/s and 0.01 rad/s) on something for half a second, until something comes near?
-  floor                 an endless plane that holds up what is above it. height: m, default 0. friction: >= 0,
+  sleep                 "true" (default) or "false": if true, bodies that have been at rest (below 1 mm/s and
+                        0.01 rad/s) on another body for half a second are not simulated until a body comes near.
+  floor                 an infinite plane that supports the bodies above it. height: m, default 0. friction: >= 0,
                         default 1.
   gravity               g: m/s^2, default 10, downward. Or vector: "x,y,z", m/s^2.
   magnetism             forces between the magnets of robots (<magnets>), see its own description: force_constant,
-                        default 7.0500949e-13; max_distance: m, default endless.
+                        default 7.0500949e-13; max_distance: m, default infinite.
   solver@stepper        "direct": ODE's dWorldStep, exact, for few bodies that touch. "iterative": dWorldQuickStep,
-                        approximate, for crowds. "mixed" (default): direct for what hangs together by few contacts,
+                        approximate, for crowds. "mixed" (default): direct for islands with few constraints,
                         iterative for the rest.
   solver@iterations     integer in [1,1000], default 32: sweeps of the iterative stepper over the constraints in a
                         substep.
-  solver@max_direct_rows  integer, default 100: the most constraints of bodies that hang together that "mixed" solves
-                        directly. A robot on the floor has 22, a box 12.
+  solver@max_direct_rows  integer, default 100: greatest number of constraints of an island of connected bodies that
+                        "mixed" solves directly. A robot on the floor has 22, a box 12.
   solver@erp            in [0.01,1], default 0.2: the share of an error of position that is corrected in a substep.
   solver@cfm            m/s per N, in [1e-10,1], default 1e-5: how soft constraints are.
   contacts@restitution  in [0,1], default 0: the speed after an impact over that before it; not of wheels.
-  contacts@bounce_speed m/s, >= 0, default 0.02: what meets more slowly does not bounce.
-  contacts@surface_layer  m, >= 0, default 1e-5: how deep bodies may rest in each other.
-  contacts@max_correcting_speed  m/s, default 1: what is inside each other is pushed apart no faster.
+  contacts@bounce_speed m/s, >= 0, default 0.02: slower impacts do not bounce.
+  contacts@surface_layer  m, >= 0, default 1e-5: overlap of bodies at rest.
+  contacts@max_correcting_speed  m/s, default 1: greatest speed at which overlaps are corrected.
   boundaries            the region of the engine, default everything: top@height and bottom@height, in m, and
-                        sides/vertex@point, in m, at least three, counter-clockwise, convex. A body that leaves it moves
-                        on to the engine whose region it enters. Each of these may have wall="true", which stops
-                        bodies at that face (of a vertex: at the side from there to the next), or gate="id", which hands
-                        those that cross it to that engine (doc/space_partitioning.md). A bottom that is a wall is a
-                        floor.
-  ghosts                "true" (default) or "false": are robots of other engines near the border felt?
+                        sides/vertex@point, in m, at least three, counter-clockwise, convex. A body that leaves it is
+                        transferred to the engine whose region it enters. Each of these may have wall="true", which
+                        stops bodies at that face (of a vertex: at the side from there to the next), or gate="id", which
+                        transfers bodies that cross it to that engine (doc/space_partitioning.md). A bottom that is a
+                        wall is a floor.
+  ghosts                "true" (default) or "false": if true, robots of other engines near the border are obstacles.
   debug_file            accepted and ignored.
 
 Every other child is an add-on that a library has registered (REGISTER_DYNAMICS3D_PLUGIN); argos3 -q followed by its
-name describes it. <friction> and <spatial_hash>, which are dynamics2d's, are warned of and ignored.
+name describes it. <friction> and <spatial_hash>, which belong to dynamics2d, are ignored with a warning.
 )",
     "Usable")
 

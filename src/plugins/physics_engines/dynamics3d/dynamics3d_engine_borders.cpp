@@ -1,4 +1,4 @@
-// What an engine of rigid bodies does at the border of its region.
+// The borders of a dynamics3d engine: walls, ghosts, and transfers to other engines.
 
 #include <argos3/core/simulator/physics_engine/body_description.h>
 #include <argos3/core/simulator/simulator.h>
@@ -19,17 +19,17 @@ namespace argos {
 
 namespace {
 
-// m: what rests on the bottom of a region has sunk in by less
+// m, greatest penetration of a body at rest on the bottom of a region
 constexpr Real kSunk = 1e-3;
-// m: origins of what leans on a wall, or hits it, are behind it by less
+// m, greatest distance behind a wall of the origin of a body that leans on it or hits it
 constexpr Real kInWall = 0.05;
-// m, rad: what stands that near to the height of a plane, and leans by no more, may enter it.
-// Robots that avoid each other cross up to 1.1 mm high and lean by 1.3 degrees, those that push
-// each other by 11 degrees.
+// m, rad: bodies within these limits of height and lean may enter a 2D engine. Robots that avoid
+// each other cross at most 1.1 mm high, leaning by 1.3 degrees; robots that push each other lean by
+// up to 11 degrees.
 constexpr Real kStepOntoPlane = 0.01;
 constexpr Real kLeanOntoPlane = 10.0 / 180.0 * ARGOS_PI;
 
-// the height of an engine in which bodies stand on a plane, m
+// the height of the plane of a 2D engine, m
 std::optional<Real> FindPlane(const CPhysicsEngine& engine) {
   const auto [low, high] = engine.GetHeightSpan();
   return low == high ? std::optional<Real>(low) : std::nullopt;
@@ -37,13 +37,13 @@ std::optional<Real> FindPlane(const CPhysicsEngine& engine) {
 
 }  // namespace
 
-// What rests on the bottom of the region has sunk in a little.
+// Bodies at rest on the bottom of the region penetrate it slightly.
 bool CDynamics3DEngine::IsPointContained(const CVector3& point) {
   return CPhysicsEngine::IsPointContained(point) ||
          CPhysicsEngine::IsPointContained(point + CVector3(0.0, 0.0, kSunk));
 }
 
-// The origin of what lies may be at a wall.
+// The origin of a body that lies on its side may be at a wall.
 bool CDynamics3DEngine::HasLeft(const CVector3& point) {
   if (IsPointContained(point)) {
     return false;
@@ -77,9 +77,9 @@ Real CDynamics3DEngine::GetGhostReach() const {
   return m_world != nullptr ? m_world->ComputeGhostReach() : CPhysicsEngine::GetGhostReach();
 }
 
-// Robots behind the border, on wheels or propellers. Things are left out: a ghost cannot be pushed,
-// and they are to be.
-void CDynamics3DEngine::TakeGhosts() {
+// Robots behind the border, on wheels or propellers. Passive objects are left out: they must give
+// way when pushed, and a ghost cannot.
+void CDynamics3DEngine::UpdateGhosts() {
   m_ghostCylinders.clear();
   for (const SGhost& ghost : GetGhosts()) {
     const SBodyDescription& description = *ghost.Body->GetBodyDescription();
@@ -90,39 +90,28 @@ void CDynamics3DEngine::TakeGhosts() {
   m_world->SetGhosts(m_ghostCylinders);
 }
 
-void CDynamics3DEngine::TransferEntity(CEmbodiedEntity& body) {
-  auto* const model = dynamic_cast<CDynamics3DModel*>(&body.GetPhysicsModel(size_t(0)));
-  if (model == nullptr || &model->GetEngine() != this || !PrepareExit(*model)) {
-    return;
-  }
+// Bodies keep their full state of motion.
+void CDynamics3DEngine::Adopt(CDescribedBodyModel& model) {
+  auto& adopted = static_cast<CDynamics3DModel&>(model);
   const SRigidMotion motion =
-      model->m_body != nullptr ? GetRigidMotion(*model->m_body) : SRigidMotion();
-  CDynamics3DEngine* const next = FindNext(body);
-  if (next != nullptr && next->m_world != nullptr && m_world != nullptr &&
-      m_world->GetGrips().IsInGrip(*model->m_body)) {
-    TransferCluster(*model, *next);
-    return;
-  }
-  CPhysicsEngine::TransferEntity(body);
-  auto* const moved = dynamic_cast<CDynamics3DModel*>(&body.GetPhysicsModel(size_t(0)));
-  if (moved != nullptr && moved->m_body != nullptr) {
-    moved->GetDynamics3DEngine().PlaceAtAnchor(*moved, motion);
+      adopted.m_body != nullptr ? GetRigidMotion(*adopted.m_body) : SRigidMotion();
+  CDescribedBodyEngine::Adopt(model);
+  if (adopted.m_body != nullptr) {
+    PlaceAtAnchor(adopted, motion);
   }
 }
 
-// Sets down on the plane what goes to an engine that has only that.
-// @return whether it may go; if not, only the way it stands is against it.
-bool CDynamics3DEngine::PrepareExit(CDynamics3DModel& model) {
+// @return whether the body may leave; false if only its height or its lean prevents the transfer.
+bool CDynamics3DEngine::PrepareTransfer(CDescribedBodyModel& leaving) {
+  auto& model = static_cast<CDynamics3DModel&>(leaving);
   CEmbodiedEntity& body = model.m_cEmbodiedEntity;
   const SRigidPose pose = PoseOf(body);
   const CPhysicsEngine* refuses = nullptr;
-  CPhysicsEngine* const behindGate = FindEngineBehindGate(body);
-  // in the order in which the space offers it to them
-  const auto isTakenBy = [&](CPhysicsEngine* next) {
-    if (next == nullptr || next == this || !next->IsPointContained(pose.Position)) {
+  const auto accepts = [&](const CPhysicsEngine& next) {
+    if (&next == this) {
       return false;
     }
-    const std::optional<Real> plane = FindPlane(*next);
+    const std::optional<Real> plane = FindPlane(next);
     if (!plane) {
       return true;
     }
@@ -131,7 +120,7 @@ bool CDynamics3DEngine::PrepareExit(CDynamics3DModel& model) {
     }
     if (std::abs(pose.Position.GetZ() - *plane) > kStepOntoPlane ||
         ComputeLean(pose.Orientation) > kLeanOntoPlane) {
-      refuses = refuses == nullptr ? next : refuses;
+      refuses = refuses == nullptr ? &next : refuses;
       return false;
     }
     body.SetOriginPose(CVector3(pose.Position.GetX(), pose.Position.GetY(), *plane),
@@ -140,43 +129,42 @@ bool CDynamics3DEngine::PrepareExit(CDynamics3DModel& model) {
     model.CalculateAnchors();
     return true;
   };
-  const CPhysicsEngine::TVector& engines = m_cSimulator.GetPhysicsEngines();
-  if (isTakenBy(behindGate) || std::any_of(engines.begin(), engines.end(), isTakenBy) ||
-      refuses == nullptr) {
+  if (FindNextEngine(body, accepts) != nullptr || refuses == nullptr) {
     return true;
   }
-  TellOfStranded(model, *refuses);
+  WarnStranded(model, *refuses);
   return false;
 }
 
-void CDynamics3DEngine::TellOfStranded(const CDynamics3DModel& model, const CPhysicsEngine& plane) {
-  if (m_hasToldOfStranded) {
+void CDynamics3DEngine::WarnStranded(const CDynamics3DModel& model, const CPhysicsEngine& plane) {
+  if (m_hasWarnedStranded) {
     return;
   }
-  m_hasToldOfStranded = true;
+  m_hasWarnedStranded = true;
   const SRigidPose pose = PoseOf(model.m_cEmbodiedEntity);
   LOGERR << "[WARNING] " << NameOf(model.m_cEmbodiedEntity) << " has left the region of \""
          << GetId() << "\" at (" << pose.Position << "), leaning by "
          << ComputeLean(pose.Orientation) / ARGOS_PI * 180.0 << " degrees, but the plane of \""
-         << plane.GetId() << "\" takes only what stands within " << kStepOntoPlane
-         << " m of z = " << *FindPlane(plane) << " m and leans by less than "
+         << plane.GetId() << "\" accepts only bodies within " << kStepOntoPlane
+         << " m of z = " << *FindPlane(plane) << " m that lean by less than "
          << kLeanOntoPlane / ARGOS_PI * 180.0 << " degrees: it stays in \"" << GetId()
-         << "\" until it does. Put borders with planes on level ground (told once)" << std::endl;
+         << "\" until it meets both. Put borders with 2D engines on level ground (reported once)"
+         << std::endl;
 }
 
 bool CDynamics3DEngine::GetMotion(const CEmbodiedEntity& body, SBodyMotion& motion) const {
-  const auto* const model = dynamic_cast<const CDynamics3DModel*>(&body.GetPhysicsModel(size_t(0)));
+  const auto* const model = static_cast<const CDynamics3DModel*>(FindModel(body));
   if (model == nullptr || model->m_body == nullptr) {
     return false;
   }
   const SRigidMotion rigid = GetRigidMotion(*model->m_body);
-  // of the centre of mass; bodies that stand turn about the vertical, on which the origin is, too
+  // of the centre of mass; upright bodies rotate about the vertical axis through it and the origin
   motion = {rigid.Velocity, rigid.AngularVelocity};
   return true;
 }
 
 void CDynamics3DEngine::SetMotion(CEmbodiedEntity& body, const SBodyMotion& motion) {
-  auto* const model = dynamic_cast<CDynamics3DModel*>(&body.GetPhysicsModel(size_t(0)));
+  auto* const model = static_cast<CDynamics3DModel*>(FindModel(body));
   if (model == nullptr || model->m_body == nullptr) {
     return;
   }
@@ -194,51 +182,29 @@ void CDynamics3DEngine::SetMotion(CEmbodiedEntity& body, const SBodyMotion& moti
   PlaceAtAnchor(*model, rigid);
 }
 
-// the engine that would take the body, if it is another one of this type
-CDynamics3DEngine* CDynamics3DEngine::FindNext(const CEmbodiedEntity& body) const {
-  auto* const next = dynamic_cast<CDynamics3DEngine*>(FindNextEngine(body));
-  return next != this ? next : nullptr;
+CDynamics3DModel& CDynamics3DEngine::GetModel(const CEmbodiedEntity& body) const {
+  return static_cast<CDynamics3DModel&>(*FindModel(body));
 }
 
-// Of all that hangs together with a body in grips, does it have the lowest index?
-bool CDynamics3DEngine::LeadsItsCluster(const CDynamics3DModel& model) {
-  m_world->GetGrips().FindCluster(*model.m_body, m_cluster);
-  return std::none_of(m_cluster.begin(), m_cluster.end(), [&model](const SRigidBody* each) {
-    return each->Source.Owner->GetEmbodiedEntity().GetIndex() < model.m_cEmbodiedEntity.GetIndex();
-  });
+void CDynamics3DEngine::FindCluster(CEmbodiedEntity& body, TBodies& cluster) const {
+  if (m_world != nullptr) {
+    m_world->GetGrips().FindCluster(body, cluster);
+  } else {
+    CDescribedBodyEngine::FindCluster(body, cluster);
+  }
 }
 
-void CDynamics3DEngine::TransferCluster(const CDynamics3DModel& model, CDynamics3DEngine& next) {
-  struct SMember {
-    CEmbodiedEntity* Body;
-    SRigidMotion Motion;
-  };
-  struct SGrip {
-    CEmbodiedEntity* Holder;
-    CEmbodiedEntity* Held;
-    CVector3 Arm;
-  };
-  m_world->GetGrips().FindCluster(*model.m_body, m_cluster);
-  m_world->GetGrips().CopyGrips(m_cluster, m_grips);
-  std::vector<SMember> members;
-  std::vector<SGrip> grips;
-  for (const SRigidBody* each : m_cluster) {
-    members.push_back({&each->Source.Owner->GetEmbodiedEntity(), GetRigidMotion(*each)});
+void CDynamics3DEngine::CopyGrips(const TBodies& cluster, std::vector<SGripTransfer>& grips) const {
+  grips.clear();
+  if (m_world != nullptr) {
+    m_world->GetGrips().CopyGrips(cluster, grips);
   }
-  for (const SRigidGripToMove& grip : m_grips) {
-    grips.push_back({&grip.Holder->GetEmbodiedEntity(), &grip.Held->GetEmbodiedEntity(), grip.Arm});
-  }
-  const auto modelOf = [](CEmbodiedEntity& body) -> CDynamics3DModel& {
-    return static_cast<CDynamics3DModel&>(body.GetPhysicsModel(size_t(0)));
-  };
-  for (const SMember& member : members) {
-    RemoveEntity(member.Body->GetRootEntity());
-    next.AddEntity(member.Body->GetRootEntity());
-    next.PlaceAtAnchor(modelOf(*member.Body), member.Motion);
-  }
-  for (const SGrip& grip : grips) {
-    next.m_world->GetGrips().Grip(*modelOf(*grip.Holder).m_body, *modelOf(*grip.Held).m_body,
-                                  grip.Arm);
+}
+
+void CDynamics3DEngine::RestoreGrip(const SGripTransfer& grip) {
+  if (m_world != nullptr) {
+    m_world->GetGrips().Grip(*GetModel(*grip.Holder).m_body, *GetModel(*grip.Held).m_body,
+                             grip.Arm);
   }
 }
 

@@ -1,9 +1,6 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_model.h>
 
-#include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
-#include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
-#include <argos3/plugins/simulator/entities/turret_entity.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_engine.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
@@ -12,43 +9,10 @@ namespace argos {
 
 CDynamics3DModel::CDynamics3DModel(CDynamics3DEngine& engine, CEmbodiedEntity& entity,
                                    const Real* wheels)
-    : CDescribedBodyModel(engine, entity), m_root(entity.GetRootEntity()), m_wheels(wheels) {
-  // those that are made on demand, later, are told of
-  if (const auto* const robot = dynamic_cast<CComposableEntity*>(&m_root)) {
-    for (CEntity* component : robot->GetExistingComponents()) {
-      SetComponent(*component, true);
-    }
-  }
-}
+    : CRobotBodyModel(engine, entity, wheels) {}
 
-CDynamics3DEngine& CDynamics3DModel::GetDynamics3DEngine() const {
-  return static_cast<CDynamics3DEngine&>(m_cEngine);
-}
-
-void CDynamics3DModel::Replace() {
-  GetDynamics3DEngine().MarkDisplaced(*this);
-}
-
-void CDynamics3DModel::ConfirmMove() {
-  GetDynamics3DEngine().Replace(*this);
-}
-
-void CDynamics3DModel::ComponentAdded(CEntity& component) {
-  SetComponent(component, true);
-  GetDynamics3DEngine().UpdateManipulator(*this);
-}
-
-void CDynamics3DModel::ComponentRemoved(CEntity& component) {
-  SetComponent(component, false);
-  GetDynamics3DEngine().UpdateManipulator(*this);
-}
-
-void CDynamics3DModel::SetComponent(CEntity& component, bool isThere) {
-  if (auto* const gripper = dynamic_cast<CGripperEquippedEntity*>(&component)) {
-    m_gripper = isThere ? gripper : nullptr;
-  } else if (auto* const turret = dynamic_cast<CTurretEntity*>(&component)) {
-    m_turret = isThere ? turret : nullptr;
-  }
+void CDynamics3DModel::ManipulatorChanged() {
+  static_cast<CDynamics3DEngine&>(GetEngine()).UpdateManipulator(*this);
 }
 
 CVector3 CDynamics3DModel::GetCentreOfMass() const {

@@ -12,9 +12,10 @@ class CDynamics3DModel;
 /**
  * An add-on of a dynamics3d engine: a child of its element in the experiment file, by label.
  *
- * SetEngine() comes first, then Init(). Models come and go as bodies do; Update() is called before
- * every substep, by the thread that runs the engine, and may read and push the engine's models
- * (CDynamics3DModel). It must not depend on addresses, threads or other engines.
+ * SetEngine() is called first, then Init(). Models are registered and unregistered as bodies enter
+ * and leave the engine. Update() is called before every substep, by the thread that runs the
+ * engine, and may read the engine's models (CDynamics3DModel) and apply forces to them. It must not
+ * depend on addresses, threads or other engines.
  */
 class CDynamics3DPlugin : public CBaseConfigurableResource {
  public:
@@ -23,7 +24,7 @@ class CDynamics3DPlugin : public CBaseConfigurableResource {
   void Destroy() override {}
 
   virtual void SetEngine(CDynamics3DEngine& engine) { m_engine = &engine; }
-  /** A body has been added to the engine. Does nothing by default, as the next two. */
+  /** Called after a body was added to the engine. This and the next two do nothing by default. */
   virtual void RegisterModel(CDynamics3DModel& /*model*/) {}
   virtual void UnregisterModel(CDynamics3DModel& /*model*/) {}
   virtual void Update() {}

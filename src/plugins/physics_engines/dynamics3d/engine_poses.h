@@ -11,9 +11,9 @@
 
 namespace argos {
 
-// What the sources of the engine say of entities.
+// Conversions between entities and the engine.
 
-/** The id of its robot or thing in quotation marks, for messages. */
+/** The quoted id of the body's robot or object, for messages. */
 inline std::string NameOf(const CEmbodiedEntity& body) {
   return "\"" + body.GetRootEntity().GetId() + "\"";
 }
@@ -23,7 +23,7 @@ inline SRigidPose PoseOf(const CEmbodiedEntity& body) {
   return {origin.Position, origin.Orientation};
 }
 
-/** The same without its lean; the yaw is kept. */
+/** The orientation without its lean; the yaw is kept. */
 inline CQuaternion SetUpright(const CQuaternion& orientation) {
   const Real length = std::hypot(orientation.GetW(), orientation.GetZ());
   return CQuaternion(orientation.GetW() / length, 0.0, 0.0, orientation.GetZ() / length);

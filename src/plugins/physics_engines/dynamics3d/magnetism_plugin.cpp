@@ -67,7 +67,7 @@ class CDynamics3DMagnetismPlugin : public CDynamics3DPlugin {
     m_carriers.erase(std::remove_if(m_carriers.begin(), m_carriers.end(), isIt), m_carriers.end());
   }
 
-  // The sums must not depend on how bodies came and went.
+  // The order of sums must not depend on earlier additions and removals.
   void Reset() override {
     std::sort(m_carriers.begin(), m_carriers.end(), [](const SCarrier& a, const SCarrier& b) {
       return a.Model->GetEmbodiedEntity().GetIndex() < b.Model->GetEmbodiedEntity().GetIndex();
@@ -96,7 +96,7 @@ class CDynamics3DMagnetismPlugin : public CDynamics3DPlugin {
     CVector3 Moment;  // units of field, world axes
   };
 
-  // anchors are as of the last tick: where magnets are now, their bodies know
+  // anchors have the poses of the last tick, so the poses of the substep are read from the bodies
   void Locate() {
     m_dipoles.clear();
     for (const SCarrier& carrier : m_carriers) {

@@ -22,7 +22,7 @@ bool isRandomReplaced = false;
 // held during a step that draws from ODE's own generator
 std::mutex sharedRandomMutex;
 
-// in place of ODE's own handler, which prints
+// replaces ODE's own handler, which prints
 void KeepComplaint(int /*number*/, const char* format, va_list arguments) {
   if (!hasComplaint) {
     std::vsnprintf(complaint, sizeof(complaint), format, arguments);
@@ -88,7 +88,7 @@ void StepODEIteratively(dxWorld* world, Real duration, UInt32 sequence) {
   dWorldQuickStep(world, duration);
 }
 
-const char* TakeODEComplaint() {
+const char* TakeODEError() {
   if (!hasComplaint) {
     return nullptr;
   }

@@ -9,7 +9,7 @@ namespace argos {
 
 /**
  * Prepares ODE for calls by this thread: once in the process, then once in each thread. Cheap if
- * that is done already. Never undone: other simulators of the process may be using ODE.
+ * already done. Never undone, because other simulators of the process may use ODE.
  */
 void UseODEInThisThread();
 
@@ -32,8 +32,8 @@ void StepODEIteratively(dxWorld* world, Real duration, UInt32 sequence);
  */
 bool IsODERandomReplaced();
 
-/** The first message of ODE in this thread since the last call; null if there is none. */
-const char* TakeODEComplaint();
+/** The first error message of ODE in this thread since the last call; null if there is none. */
+const char* TakeODEError();
 
 }  // namespace argos
 

@@ -46,7 +46,7 @@ void ReadSolver(TConfigurationNode& node, SRigidSettings& settings) {
   GetNodeAttributeOrDefault(node, "max_direct_rows", settings.MaxDirectRows,
                             settings.MaxDirectRows);
   ReadInRange(node, "erp", 0.01, 1.0, settings.ErrorReduction);
-  // without any softness, redundant contacts cannot be solved
+  // without softness, redundant contacts cannot be solved
   ReadInRange(node, "cfm", 1e-10, 1.0, settings.ConstraintForceMixing);
 }
 
@@ -62,7 +62,7 @@ void ReadContacts(TConfigurationNode& node, SRigidSettings& settings) {
 void ReadRigidSettings(TConfigurationNode& tree, SRigidSettings& settings) {
   ReadInRange(tree, "default_friction", 0.0, 1e3, settings.Friction);
   GetNodeAttributeOrDefault(tree, "sleep", settings.Sleep, settings.Sleep);
-  // for the debugger of another physics library
+  // used by the debugger of another physics library
   NodeAttributeExists(tree, "debug_file");
   if (NodeExists(tree, "solver")) {
     ReadSolver(GetNode(tree, "solver"), settings);

@@ -8,7 +8,8 @@ namespace argos {
 struct SRigidSettings;
 
 /**
- * Reads what the element of an engine says of contacts, solver and sleep; the rest stays.
+ * Reads the parameters of contacts, solver and sleep from the element of an engine; other settings
+ * keep their values.
  * @throws CARGoSException if a value is out of its range.
  */
 void ReadRigidSettings(TConfigurationNode& tree, SRigidSettings& settings);

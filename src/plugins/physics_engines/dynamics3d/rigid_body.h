@@ -23,30 +23,30 @@ inline CVector3 FromODE(const dReal* vector) {
   return CVector3(vector[0], vector[1], vector[2]);
 }
 
-/** Where a body is: the origin of its description, world frame. */
+/** The pose of a body: of the origin of its description, world frame. */
 struct SRigidPose {
   CVector3 Position;  // m
   CQuaternion Orientation;
 };
 
-/** How a body moves; what it needs to go on in another engine, besides its pose. */
+/** The motion of a body: its state besides the pose, to continue in another engine. */
 struct SRigidMotion {
   CVector3 Velocity;  // of the centre of mass, m/s
   CVector3 AngularVelocity;  // rad/s, world frame
-  std::array<Real, 2> WheelSpins{};  // rad/s on the axle, positive ahead
+  std::array<Real, 2> WheelSpins{};  // rad/s about the axle, positive forward
   std::array<Real, 4> FlightErrors{};  // of the last substep: x, y, z (m) and yaw (rad)
 };
 
 /**
- * What a robot rolls on: a sphere that only what bears it can touch. No geom of ODE's, because most
- * of the time it is on a floor, which takes no geometry.
+ * The contact geometry of a wheel or caster: a sphere that touches only bodies below the robot. It
+ * is not an ODE geom, because contacts with a floor, the most frequent ones, need none.
  */
 struct SRoller {
   CVector3 Offset;  // of its centre from the centre of mass, frame of the body, m
   Real Radius = 0.0;  // m; of a wheel, with its travel
 };
 
-/** What a rigid body is made of; see CRigidWorld::Add(). */
+/** The source of a rigid body; see CRigidWorld::Add(). */
 struct SRigidSource {
   CDynamics3DModel* Owner = nullptr;  // not owned
   const SBodyDescription* Description = nullptr;  // outlives the body
@@ -64,40 +64,41 @@ struct SRigidBody {
   // of the robot; null if it has none; not owned
   CGripperEquippedEntity* Gripper = nullptr;
   CTurretEntity* Turret = nullptr;
-  bool HasManipulator = false;  // is it known to CRigidGrips?
-  dBodyID TurretBody = nullptr;  // while its gripper holds something, see CRigidGrips
+  bool HasManipulator = false;  // true if CRigidGrips tracks it
+  dBodyID TurretBody = nullptr;  // while its gripper holds a body, see CRigidGrips
   std::vector<dGeomID> Solids;
   std::array<SRoller, 6> Rollers;  // the wheels, then four casters; unused without a drive
 
-  CVector3 Low;  // m, world frame: bounds of everything
+  CVector3 Low;  // m, world frame; bounds of all parts
   CVector3 High;
-  Real RollerMargin = 0.0;  // m: rollers reach that far beyond the bounds of the solids
+  Real RollerMargin = 0.0;  // m; how far rollers reach beyond the bounds of the solids
 
   CVector3 CentreOfMass;  // of Body, in the frame of the origin, m
   Real WheelRadius = 0.0;  // m
   Real Narrowest = 0.0;  // m, of the narrowest solid
   Real Friction = 1.0;
-  Real Margin = 0.0;  // m: its solids are that far inside of its geoms
-  // how a robot's wheels give way, for the present substep and gravity: as ODE's constraints do;
-  // both 0 without weight, which gives them no hold
+  Real Margin = 0.0;  // m; distance of its solids from the surface of its geoms
+  // compliance of a robot's wheels as ODE's constraints have it, for the present substep and
+  // gravity; both 0 without weight, when wheels have no grip
   Real WheelErp = 0.0;
   Real WheelCfm = 0.0;
   std::array<Real, 4> FlightErrors{};
-  CVector3 TiltGains;  // N m/rad, N m s/rad, N m: of what keeps a flying body upright
+  CVector3
+      TiltGains;  // N m/rad, N m s/rad, N m; of the controller that keeps a flying body upright
 
   UInt32 Owned = 0;  // its number among all bodies of the world
   UInt32 Number = 0;  // in the world's list of movable or of fixed bodies
   bool Asleep = false;
-  Real QuietTime = 0.0;  // s: for how long it has hardly moved
+  Real QuietTime = 0.0;  // s; since it was last faster than kQuietSpeed or kQuietTurn
 
   bool IsMovable() const { return Body != nullptr; }
   bool IsPlane() const { return Source.Description == nullptr; }
-  /** A plane that bounds everything from above. */
+  /** @return true for a plane that bounds all bodies from above. */
   bool IsCeiling() const { return IsPlane() && High.GetZ() == HUGE_VAL; }
   bool HasWheels() const { return Wheels[0] != nullptr; }
 };
 
-/** Where the centre of a roller of a robot is, m, world frame. */
+/** Position of the centre of a roller of a robot, m, world frame. */
 inline CVector3 LocateRoller(const SRigidBody& robot, size_t roller) {
   if (roller < robot.Wheels.size()) {
     return FromODE(dBodyGetPosition(robot.Wheels[roller]));
@@ -123,11 +124,11 @@ void ForEachPart(const SRigidBody& body, VISIT&& visit) {
   }
 }
 
-/** Both for all of its parts; awake, it has been quiet for no time. */
+/** Wakes all parts of a body, and resets its QuietTime; or puts all parts to sleep. */
 void WakeRigidBody(SRigidBody& body);
-void LayToSleep(SRigidBody& body);
+void PutToSleep(SRigidBody& body);
 
-/** Of a unit quaternion as ODE keeps it: (w, x, y, z). */
+/** Converts a unit quaternion in ODE's order: (w, x, y, z). */
 inline CQuaternion QuaternionFromODE(const dReal* quaternion) {
   return CQuaternion(quaternion[0], quaternion[1], quaternion[2], quaternion[3]);
 }

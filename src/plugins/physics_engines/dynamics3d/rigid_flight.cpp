@@ -15,9 +15,9 @@ namespace {
 
 constexpr size_t kYaw = 3;
 
-// What the controllers of an axis are to do in a substep.
+// The inputs of the controllers of an axis in a substep.
 struct SOrder {
-  Real Error = 0.0;  // of the place (m or rad) or of the speed
+  Real Error = 0.0;  // of the position (m or rad) or of the speed
   SControlGains Gains;  // the derivative for a change of the error in a substep
 };
 
@@ -48,7 +48,7 @@ CVector3 ComputeRightingTorque(const SRigidBody& body, const CQuaternion& orient
   if (sine > 1e-12) {
     tilt = axis * (std::atan2(sine, up.GetZ()) / sine);
   } else if (up.GetZ() < 0.0) {
-    // on its back: over its side
+    // upside down: turn over one side
     tilt = Rotated(CVector3::X, orientation) * ARGOS_PI;
   }
   const CVector3 sideways(turn.GetX(), turn.GetY(), 0.0);

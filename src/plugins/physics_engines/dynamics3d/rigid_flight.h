@@ -6,8 +6,8 @@
 namespace argos {
 
 /**
- * Lets the propellers of a body push it through the coming substep: its controllers on position or
- * velocity and on the yaw (SPropellersDescription), and one that keeps it upright.
+ * Applies the forces of a body's propellers for the next substep: of its controllers on position or
+ * velocity and on the yaw (SPropellersDescription), and of one that keeps it upright.
  * @param gravity  m/s^2: the weight that the propellers counter.
  * @param substep  s.
  */

@@ -13,23 +13,23 @@ namespace argos {
 
 namespace {
 
-// cosine of the greatest angle by which a robot leans that stands: 20 degrees, more than on any
-// slope that it climbs
+// cosine of the greatest lean of a standing robot: 20 degrees, more than on any slope that it
+// climbs
 constexpr Real kStands = 0.94;
-// m: what sleeps in a ghost by no more than that may sleep on; more than contacts rest in each
-// other
+// m; bodies that overlap a ghost by at most this stay asleep; greater than the overlap of contacts
+// at rest
 constexpr Real kRestingDepth = 1e-4;
 
 bool IsRobot(const SRigidBody& body) {
   return body.HasWheels() || body.Source.Quadrotor != nullptr;
 }
 
-// across, m
+// horizontal gap, m
 Real ComputeGapAcross(const SGhostCylinder& a, const SGhostCylinder& b) {
   return std::hypot(a.X - b.X, a.Y - b.Y) - a.Radius - b.Radius;
 }
 
-// up, m
+// vertical gap, m
 Real ComputeGapUp(const SGhostCylinder& a, const SGhostCylinder& b) {
   return std::max(a.Low - b.High, b.Low - a.High);
 }
@@ -96,7 +96,8 @@ void CRigidGhosts::Set(const std::vector<SGhostCylinder>& ghosts) {
   }
 }
 
-void CRigidGhosts::Meet(const std::vector<SRigidBody*>& movables, Real path, Real flyingPath) {
+void CRigidGhosts::FindMeetings(const std::vector<SRigidBody*>& movables, Real path,
+                                Real flyingPath) {
   for (SRigidBody* body : movables) {
     const Real own = body->Source.Quadrotor != nullptr ? std::max(path, flyingPath) : path;
     // the face is half-way
@@ -107,14 +108,14 @@ void CRigidGhosts::Meet(const std::vector<SRigidBody*>& movables, Real path, Rea
                body->High[axis] + reach >= m_low[axis];
     }
     if (isNear && IsRobot(*body)) {
-      MeetRobot(*body, own);
+      FindRobotMeetings(*body, own);
     } else if (isNear) {
-      MeetThing(*body, own);
+      FindObjectMeetings(*body, own);
     }
   }
 }
 
-void CRigidGhosts::MeetRobot(SRigidBody& robot, Real path) {
+void CRigidGhosts::FindRobotMeetings(SRigidBody& robot, Real path) {
   const SGhostCylinder own = EncloseRobot(*robot.Source.Description, GetRigidPose(robot));
   for (const SGhostCylinder& ghost : m_ghosts) {
     const Real gap = ComputeGap(own, ghost);
@@ -130,7 +131,7 @@ void CRigidGhosts::MeetRobot(SRigidBody& robot, Real path) {
     } else {
       const CVector3 across(own.X - ghost.X, own.Y - ghost.Y, 0.0);
       const Real distance = across.Length();
-      // on one axis no side is better than another
+      // coincident axes determine no side
       const CVector3 normal = distance > 0.0 ? across / distance : CVector3::X;
       m_faces.push_back(
           {&robot, normal,
@@ -142,32 +143,32 @@ void CRigidGhosts::MeetRobot(SRigidBody& robot, Real path) {
   }
 }
 
-void CRigidGhosts::MeetThing(SRigidBody& thing, Real path) {
+void CRigidGhosts::FindObjectMeetings(SRigidBody& object, Real path) {
   for (UInt32 i = 0; i < m_ghosts.size(); ++i) {
     const SGhostCylinder& ghost = m_ghosts[i];
     const Real reach = ghost.Radius + path;
-    if (thing.Low.GetX() > ghost.X + reach || thing.High.GetX() < ghost.X - reach ||
-        thing.Low.GetY() > ghost.Y + reach || thing.High.GetY() < ghost.Y - reach ||
-        thing.Low.GetZ() > ghost.High + path || thing.High.GetZ() < ghost.Low - path) {
+    if (object.Low.GetX() > ghost.X + reach || object.High.GetX() < ghost.X - reach ||
+        object.Low.GetY() > ghost.Y + reach || object.High.GetY() < ghost.Y - reach ||
+        object.Low.GetZ() > ghost.High + path || object.High.GetZ() < ghost.Low - path) {
       continue;
     }
-    m_obstacles.push_back({&thing, i});
-    if (thing.Asleep && IsInside(thing, ghost)) {
-      WakeRigidBody(thing);
+    m_obstacles.push_back({&object, i});
+    if (object.Asleep && IsInside(object, ghost)) {
+      WakeRigidBody(object);
     }
   }
 }
 
-void CRigidGhosts::PutCylinder(const SGhostCylinder& ghost) const {
+void CRigidGhosts::MoveCylinder(const SGhostCylinder& ghost) const {
   const dGeomID geom = m_cylinder.Solids.front();
   dGeomCylinderSetParams(geom, ghost.Radius, ghost.High - ghost.Low);
   dGeomSetPosition(geom, ghost.X, ghost.Y, 0.5 * (ghost.Low + ghost.High));
 }
 
-bool CRigidGhosts::IsInside(const SRigidBody& thing, const SGhostCylinder& ghost) const {
+bool CRigidGhosts::IsInside(const SRigidBody& object, const SGhostCylinder& ghost) const {
   constexpr int kMost = 4;
-  PutCylinder(ghost);
-  for (const dGeomID solid : thing.Solids) {
+  MoveCylinder(ghost);
+  for (const dGeomID solid : object.Solids) {
     dContactGeom contacts[kMost];
     const int count =
         FindContacts(solid, m_cylinder.Solids.front(), kMost, contacts, sizeof(dContactGeom));

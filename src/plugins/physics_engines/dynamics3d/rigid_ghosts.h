@@ -17,21 +17,21 @@ struct SGhostCylinder {
 };
 
 /**
- * The cylinder that stands for a robot at borders: around the origin, as engines in which robots
- * stand on a plane have it. One that lies counts as the sphere around it.
+ * The cylinder that represents a robot at borders: around the origin, as in 2D engines. A robot
+ * that lies on its side is represented by the sphere around it.
  */
 SGhostCylinder EncloseRobot(const SBodyDescription& description, const SRigidPose& pose);
 
-/** How far two of them are apart, across or up, whichever is farther, m; below 0 they overlap. */
+/** The greater of the horizontal and the vertical gap, m; below 0 if they overlap. */
 Real ComputeGap(const SGhostCylinder& first, const SGhostCylinder& second);
 
 /**
  * Robots of other engines near the border, in a tick of a rigid world.
  *
- * A robot of this world and one of another must not both take the gap between them. So for each
- * robot that may meet a ghost there is a face half-way between the two, as they were at the start
- * of the tick, which only it can feel. Things without propellers or a drive, of which other worlds
- * know nothing, feel the ghost itself.
+ * A robot of this world and one of another must not both use the gap between them. So for each
+ * robot that may touch a ghost there is a face half-way between the two, as they were at the start
+ * of the tick, with which only this robot collides. Objects without propellers or a drive, which
+ * other worlds do not see, collide with the ghost itself.
  */
 class CRigidGhosts {
  public:
@@ -43,15 +43,15 @@ class CRigidGhosts {
   void Set(const std::vector<SGhostCylinder>& ghosts);
   bool IsEmpty() const { return m_ghosts.empty(); }
   /**
-   * Finds who may meet a ghost in this tick, and wakes who is inside of one.
-   * @param path        m, the longest way that anything goes in the tick, and
-   * @param flyingPath  that a robot with propellers goes.
+   * Finds the bodies that may touch a ghost in this tick, and wakes those that overlap one.
+   * @param path        longest path of any body in the tick, m.
+   * @param flyingPath  longest path of a robot with propellers, m.
    */
-  void Meet(const std::vector<SRigidBody*>& movables, Real path, Real flyingPath);
+  void FindMeetings(const std::vector<SRigidBody*>& movables, Real path, Real flyingPath);
 
   /**
-   * Calls visit(const SRigidBody& body, const SRigidBody& ghost) for each meeting; the ghost's
-   * solid is what the body feels, and stays that until the call returns.
+   * Calls visit(const SRigidBody& body, const SRigidBody& ghost) for each meeting; the solid of the
+   * ghost is valid until the call returns.
    */
   template <typename VISIT>
   void ForEachMeeting(VISIT&& visit) const {
@@ -61,34 +61,34 @@ class CRigidGhosts {
       visit(*face.Robot, m_face);
     }
     for (const SObstacle& obstacle : m_obstacles) {
-      PutCylinder(m_ghosts[obstacle.Ghost]);
-      visit(*obstacle.Thing, m_cylinder);
+      MoveCylinder(m_ghosts[obstacle.Ghost]);
+      visit(*obstacle.Object, m_cylinder);
     }
   }
 
  private:
-  // what a robot is to be beyond: the points p with p * Normal = Distance
+  // a robot stays at points p with p * Normal >= Distance
   struct SFace {
     SRigidBody* Robot;
     CVector3 Normal;  // towards the robot
     Real Distance;  // m
   };
   struct SObstacle {
-    SRigidBody* Thing;
+    SRigidBody* Object;
     UInt32 Ghost;  // in m_ghosts
   };
 
-  void PutCylinder(const SGhostCylinder& ghost) const;
-  void MeetRobot(SRigidBody& robot, Real path);
-  void MeetThing(SRigidBody& thing, Real path);
-  bool IsInside(const SRigidBody& thing, const SGhostCylinder& ghost) const;
+  void MoveCylinder(const SGhostCylinder& ghost) const;
+  void FindRobotMeetings(SRigidBody& robot, Real path);
+  void FindObjectMeetings(SRigidBody& object, Real path);
+  bool IsInside(const SRigidBody& object, const SGhostCylinder& ghost) const;
 
   std::vector<SGhostCylinder> m_ghosts;
   CVector3 m_low;  // m: bounds of all
   CVector3 m_high;
   std::vector<SFace> m_faces;
   std::vector<SObstacle> m_obstacles;
-  // without friction; their geoms take the place of one ghost after the other
+  // without friction; their geoms are moved to one ghost after the other
   SRigidBody m_face;
   SRigidBody m_cylinder;
 };

@@ -14,7 +14,7 @@ namespace argos {
 
 namespace {
 
-// places of a body that a disc may touch at once
+// contacts of a sensing disc with one solid
 constexpr int kMostContacts = 4;
 
 CEmbodiedEntity& EntityOf(const SRigidBody& body) {
@@ -43,7 +43,7 @@ bool IsNear(const SRigidBody& body, const CVector3& centre, Real radius) {
 CRigidGrips::CRigidGrips(dWorldID world) : m_world(world), m_probe(dCreateSphere(nullptr, 1.0)) {}
 
 CRigidGrips::~CRigidGrips() {
-  // the robots may be gone
+  // the robots may have been destroyed before
   for (const auto& each : m_manipulators) {
     if (each->Held != nullptr) {
       Detach(*each);
@@ -64,7 +64,7 @@ void CRigidGrips::SetManipulator(SRigidBody& body) {
     m_manipulators.push_back(std::make_unique<SManipulator>());
     m_manipulators.back()->Robot = &body;
   } else if (body.HasManipulator) {
-    // on what arm it held has changed
+    // the held body was attached to another arm
     Release(*Find(body));
     if (!isOne) {
       std::erase_if(m_manipulators, [&body](const auto& each) { return each->Robot == &body; });
@@ -112,10 +112,10 @@ void CRigidGrips::StartTick(const std::vector<SRigidBody*>& movables, Real tick)
     SRigidBody& robot = *each->Robot;
     each->Rate = robot.Turret != nullptr ? robot.Turret->AdvanceControl(tick) : 0.0;
     if (each->Held != nullptr) {
-      // what the gripper says to hold is another thing, or nothing, if somebody else has changed it
-      const bool holdsOn = robot.Gripper->IsLocked() && robot.Gripper->IsGripping() &&
-                           &robot.Gripper->GetGrippedEntity() == &EntityOf(*each->Held);
-      if (!holdsOn) {
+      // other code may have changed what the gripper holds
+      const bool stillHolds = robot.Gripper->IsLocked() && robot.Gripper->IsGripping() &&
+                              &robot.Gripper->GetGrippedEntity() == &EntityOf(*each->Held);
+      if (!stillHolds) {
         Release(*each);
       }
     }
@@ -142,8 +142,8 @@ CQuaternion CRigidGrips::GetArmOrientation(const SManipulator& manipulator,
                            : pose.Orientation;
 }
 
-// Of all bodies in the disc, the one that reaches deepest into it; of equals, the entity with the
-// lowest index.
+// Grips the body that reaches deepest into the sensing disc; among equals, that of the entity with
+// the lowest index.
 void CRigidGrips::Seek(SManipulator& manipulator, const std::vector<SRigidBody*>& movables) {
   SRigidBody& robot = *manipulator.Robot;
   const SRigidPose pose = GetRigidPose(robot);
@@ -207,7 +207,7 @@ void CRigidGrips::MakeTurret(SManipulator& manipulator) {
   const STurretDescription& turret = *TurretOf(robot);
   manipulator.RotationAtGrip = robot.Turret->GetRotation().GetValue();
   dBodyGetMass(robot.Body, &manipulator.Mass);
-  // what turns weighs something, and the rest less; no more than half
+  // the turret takes its own mass from the robot, but at most half of it
   const Real mass = std::min<Real>(turret.Mass, 0.5 * manipulator.Mass.mass);
   dMass rest = manipulator.Mass;
   rest.mass -= mass;
@@ -245,7 +245,7 @@ void CRigidGrips::EndTick(Real tick) {
   }
 }
 
-void CRigidGrips::LetSlip() {
+void CRigidGrips::BreakOverloadedGrips() {
   for (const auto& each : m_manipulators) {
     if (each->Held != nullptr &&
         FromODE(each->Pull.f1).Length() > each->Robot->Source.Description->Gripper->MaxForce) {
@@ -254,36 +254,36 @@ void CRigidGrips::LetSlip() {
   }
 }
 
-bool CRigidGrips::IsInGrip(const SRigidBody& body) const {
-  return std::any_of(m_manipulators.begin(), m_manipulators.end(), [&body](const auto& each) {
-    return each->Held != nullptr && (each->Robot == &body || each->Held == &body);
-  });
-}
-
-void CRigidGrips::FindCluster(SRigidBody& body, std::vector<SRigidBody*>& cluster) const {
+void CRigidGrips::FindCluster(CEmbodiedEntity& body, std::vector<CEmbodiedEntity*>& cluster) const {
   cluster.assign(1, &body);
-  const auto contains = [&cluster](const SRigidBody* each) {
-    return std::find(cluster.begin(), cluster.end(), each) != cluster.end();
+  const auto contains = [&cluster](const CEmbodiedEntity& each) {
+    return std::find(cluster.begin(), cluster.end(), &each) != cluster.end();
   };
   bool grows = true;
   while (grows) {
     grows = false;
-    ForEachGrip([&](SRigidBody& holder, SRigidBody& held) {
-      if (contains(&holder) != contains(&held)) {
-        cluster.push_back(contains(&holder) ? &held : &holder);
+    ForEachGrip([&](const SRigidBody& holder, const SRigidBody& held) {
+      CEmbodiedEntity& first = EntityOf(holder);
+      CEmbodiedEntity& second = EntityOf(held);
+      if (contains(first) != contains(second)) {
+        cluster.push_back(contains(first) ? &second : &first);
         grows = true;
       }
     });
   }
 }
 
-void CRigidGrips::CopyGrips(const std::vector<SRigidBody*>& cluster,
-                            std::vector<SRigidGripToMove>& grips) const {
+void CRigidGrips::CopyGrips(const std::vector<CEmbodiedEntity*>& cluster,
+                            std::vector<SGripTransfer>& grips) const {
   grips.clear();
   for (const auto& each : m_manipulators) {
-    if (each->Held != nullptr &&
-        std::find(cluster.begin(), cluster.end(), each->Robot) != cluster.end()) {
-      grips.push_back({each->Robot->Source.Owner, each->Held->Source.Owner, each->Arm});
+    if (each->Held == nullptr) {
+      continue;
+    }
+    CEmbodiedEntity& holder = EntityOf(*each->Robot);
+    if (std::find(cluster.begin(), cluster.end(), &holder) != cluster.end()) {
+      // the joint is at the end of the arm, and the turret keeps its rotation
+      grips.push_back({&holder, &EntityOf(*each->Held), each->Arm, CVector3(), 0.0});
     }
   }
 }

@@ -5,7 +5,7 @@
 
 namespace argos {
 
-/** Parameters of a rigid world, and every tuned number of it. */
+/** Parameters of a rigid world, and all of its tuned numbers. */
 struct SRigidSettings {
   enum class EStepper {
     Mixed, /**< Direct for islands of up to MaxDirectRows rows, Iterative for larger ones */
@@ -14,7 +14,7 @@ struct SRigidSettings {
   };
 
   Real Tick = 0.1;  // s, > 0
-  UInt32 Substeps = 10;  // of a tick, >= 1; more while something is too fast for its size
+  UInt32 Substeps = 10;  // of a tick, >= 1; more while a body is too fast for its size
   EStepper Stepper = EStepper::Mixed;
   UInt32 SolverIterations = 32;  // sweeps of the iterative stepper over the constraints, >= 1
   // of an island that is solved directly; a robot on the floor has 22, a box 12
@@ -27,40 +27,40 @@ struct SRigidSettings {
 
   Real Friction = 1.0;  // Coulomb coefficient of a body; of a contact: the product of both bodies'
   Real Restitution = 0.0;  // in [0,1]
-  Real BounceSpeed = 0.02;  // m/s: what meets more slowly does not bounce
-  Real SurfaceLayer = 1e-5;  // m: how deep contacts may rest in each other
-  Real MaxCorrectingSpeed = 1.0;  // m/s: what is inside each other is pushed apart no faster
-  bool Sleep = true;  // bodies at rest are left out until something comes near
+  Real BounceSpeed = 0.02;  // m/s; slower impacts do not bounce
+  Real SurfaceLayer = 1e-5;  // m; overlap of bodies at rest
+  Real MaxCorrectingSpeed = 1.0;  // m/s; greatest speed at which overlaps are corrected
+  bool Sleep = true;  // bodies at rest are not simulated until another body approaches
 };
 
-// a robot's wheel and the part of its mass that it has
+// share of a robot's mass in each wheel
 constexpr Real kWheelMassShare = 0.025;
-// a robot's casters and its clearance, in radii of its wheels
+// radius of a robot's casters and its clearance, in radii of its wheels
 constexpr Real kCasterRadius = 0.5;
 constexpr Real kClearance = 0.5;
-// Wheels are sprung, so that they keep the floor where it bends: they bear that share of the
-// robot's weight when they are pressed in by that many of their radii, as they are on a flat floor.
-// Casters bear the rest, and keep the robot upright.
+// Wheels are sprung, so that they stay in contact with an uneven floor: on a flat floor they bear
+// kWheelLoad of the robot's weight and are pressed in by kWheelTravel of their radius. Casters bear
+// the rest, and keep the robot upright.
 constexpr Real kWheelLoad = 0.8;
 constexpr Real kWheelTravel = 0.5;
-// contacts of wheels and casters count up to 60 degrees from straight below: those from the side
-// belong to the solids
+// cosine of the greatest angle from straight below of contacts of wheels and casters, 60 degrees;
+// the solids handle contacts from the side
 constexpr Real kRollerSupport = 0.5;
 
-// m: so far before faces of regions and of ghosts their geoms begin, so that what comes is seen
+// m; the geoms of faces of regions and ghosts begin this far before them, so that ODE detects
+// approaching bodies
 constexpr Real kFaceMargin = 0.01;
 
-// a body moves by at most this share of its narrowest side, and of that of what is fixed, in a
-// substep
+// a body moves in a substep by at most this share of its narrowest side, and of the narrowest side
+// of fixed bodies
 constexpr Real kMaxStride = 0.5;
-// rows of an island that the direct solver manages in any case: a robot on the floor has 22
+// rows of an island that the direct solver can always solve: a robot on the floor has 22
 constexpr UInt32 kSimpleRows = 24;
-// however fast something is, a tick has no more than that many times the substeps asked for, or
-// that many
+// for fast bodies, a tick has at most kMaxRefinement times the requested substeps, or kMaxRefined
 constexpr UInt32 kMaxRefinement = 16;
 constexpr UInt32 kMaxRefined = 160;
 
-// bodies are at rest if, for this long, all that touch each other are slower than that
+// an island is at rest if all its bodies were slower than this for this time
 constexpr Real kQuietTime = 0.5;  // s
 constexpr Real kQuietSpeed = 1e-3;  // m/s
 constexpr Real kQuietTurn = 1e-2;  // rad/s

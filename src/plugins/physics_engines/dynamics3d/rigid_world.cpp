@@ -5,6 +5,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/ode_session.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_flight.h>
+#include <argos3/plugins/simulator/physics_engines/robot_bodies/robot_components.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,15 +15,13 @@ namespace argos {
 
 namespace {
 
-// m/s: what a robot that stands at the last tick's end is thought to reach in the next one at most
-constexpr Real kSuddenSpeed = 0.5;
-// m/s: the same for one that flies; the controllers of an eye-bot that is told to go elsewhere
-// reach it in a tick of 0.1 s
-constexpr Real kSuddenFlight = 6.0;
-// what others that push add to the way of the fastest
+// m/s; assumed greatest speed that a flying robot at rest reaches in a tick: the controllers of an
+// eye-bot with a new target reach it in 0.1 s
+constexpr Real kStartFlightSpeed = 6.0;
+// factor for what other bodies that push add to the path of the fastest body
 constexpr Real kPathMargin = 1.5;
 
-// takes a body out of a list by its number, which the last one gets
+// removes a body from a list by its number, which the last one gets
 void TakeOut(std::vector<SRigidBody*>& bodies, const SRigidBody& body) {
   const UInt32 number = body.Number;
   bodies[number] = bodies.back();
@@ -30,7 +29,7 @@ void TakeOut(std::vector<SRigidBody*>& bodies, const SRigidBody& body) {
   bodies.pop_back();
 }
 
-// how fast a body may become in a tick by its own drive, m/s
+// the speed that a body may reach in a tick by its own drive, m/s
 Real ForeseeSpeed(const SRigidBody& body, Real tick) {
   const Real speed = FromODE(dBodyGetLinearVel(body.Body)).Length();
   if (!body.HasWheels()) {
@@ -56,7 +55,7 @@ CRigidWorld::CRigidWorld(const SRigidSettings& settings, std::function<void()> b
   dWorldSetContactSurfaceLayer(m_world, m_settings.SurfaceLayer);
   dWorldSetContactMaxCorrectingVel(m_world, m_settings.MaxCorrectingSpeed);
   dWorldSetQuickStepNumIterations(m_world, static_cast<int>(m_settings.SolverIterations));
-  // sleeping is ours: by islands
+  // this class implements sleeping, by islands
   dWorldSetAutoDisableFlag(m_world, 0);
   m_contacts = std::make_unique<CContactFinder>(m_settings, m_world);
   m_grips = std::make_unique<CRigidGrips>(m_world);
@@ -87,7 +86,7 @@ SRigidBody& CRigidWorld::MakePlane(const SGroundPlane& plane) {
   return body;
 }
 
-// of planes, only these bounds are looked at
+// other bounds of planes are not used
 void CRigidWorld::AddPlane(const SGroundPlane& plane) {
   SRigidBody& body = MakePlane(plane);
   body.Low.SetZ(-HUGE_VAL);
@@ -161,7 +160,7 @@ void CRigidWorld::Place(SRigidBody& body, const SRigidPose& pose, const SRigidMo
   UpdateBounds(body);
 }
 
-// Called by everything that comes between ticks.
+// Called by all functions that change the world between ticks.
 void CRigidWorld::WakeAll() {
   m_contacts->MarkChanged();
   for (SRigidBody* body : m_movables) {
@@ -180,15 +179,15 @@ void CRigidWorld::Advance() {
     m_contacts->Find(m_movables, m_fixed, m_planes, *m_grips, m_ghosts, m_gravity, m_substep);
     Step();
     m_contacts->Clear();
-    m_grips->LetSlip();
+    m_grips->BreakOverloadedGrips();
   }
   m_grips->EndTick(m_settings.Tick);
   if (m_settings.Sleep) {
-    LayQuietToSleep();
+    UpdateSleep();
   }
 }
 
-// Takes over what wheels are to do.
+// Sets the speeds of wheels.
 void CRigidWorld::StartTick() {
   for (SRigidBody* body : m_movables) {
     if (!body->HasWheels()) {
@@ -203,14 +202,15 @@ void CRigidWorld::StartTick() {
     }
   }
   if (!m_ghosts.IsEmpty()) {
-    m_ghosts.Meet(m_movables, ComputeLongestPath(FindFastest()), ComputeLongestPath(kSuddenFlight));
+    m_ghosts.FindMeetings(m_movables, ComputeLongestPath(FindFastest()),
+                          ComputeLongestPath(kStartFlightSpeed));
   }
   m_mostDirectRows = m_settings.MaxDirectRows;
   m_numSubsteps = CountSubsteps();
   SetSubstep(m_settings.Tick / m_numSubsteps);
 }
 
-// m/s, of all bodies, or what its wheels are told to do
+// Greatest speed of all bodies and wheels, m/s.
 Real CRigidWorld::FindFastest() const {
   Real fastest = 0.0;
   for (const SRigidBody* body : m_movables) {
@@ -226,22 +226,22 @@ Real CRigidWorld::FindFastest() const {
   return fastest;
 }
 
-// m, in a tick, pushed by others or falling as well
+// Longest path in a tick, m, including pushes by others and free fall.
 Real CRigidWorld::ComputeLongestPath(Real fastest) const {
   return (kPathMargin * fastest + 0.5 * m_gravity.Length() * m_settings.Tick) * m_settings.Tick;
 }
 
 Real CRigidWorld::ComputeGhostReach() const {
-  // one that drives and one that is driven at may both go the longest path
-  const Real sudden = m_flying.empty() ? kSuddenSpeed : kSuddenFlight;
-  return m_widest + 2.0 * ComputeLongestPath(std::max(FindFastest(), sudden));
+  // a robot and the robot that approaches it may both move by the longest path
+  const Real start = m_flying.empty() ? kStartSpeed : kStartFlightSpeed;
+  return m_widest + 2.0 * ComputeLongestPath(std::max(FindFastest(), start));
 }
 
-// ODE finds contacts only where bodies are at the end of a substep: none may get through another in
-// one, and none may have a controller that is not stable.
+// ODE finds contacts only at the end of a substep, so that no body may pass through another in one;
+// and all controllers must be stable.
 UInt32 CRigidWorld::CountSubsteps() const {
   const Real gain = m_gravity.Length() * m_settings.Tick;
-  // ODE finds no contact of a cylinder that reaches out of the other side of a box
+  // ODE finds no contact of a cylinder that sticks out of the other side of a box
   Real thinnest = HUGE_VAL;
   for (const SRigidBody* body : m_fixed) {
     thinnest = std::min(thinnest, body->Narrowest);
@@ -257,9 +257,8 @@ UInt32 CRigidWorld::CountSubsteps() const {
   }
   Real wanted = strides / kMaxStride;
   for (const SRigidBody* body : m_flying) {
-    // half of the bound, as in pointmass3d
     const Real bound = ComputeFlightBound(*body->Source.Description);
-    wanted = std::max(wanted, m_settings.Tick / (0.5 * bound));
+    wanted = std::max(wanted, m_settings.Tick / (kStableShare * bound));
   }
   const UInt32 most = std::max(m_settings.Substeps * kMaxRefinement, kMaxRefined);
   return std::max(m_settings.Substeps,
@@ -286,13 +285,13 @@ void CRigidWorld::Step() {
   }
 }
 
-// Where contacts are redundant in a certain way, ODE's direct solver gives up on some: for the rest
-// of the tick, larger islands are left to the other one.
+// ODE's direct solver fails for some kinds of redundant contacts: then, for the rest of the tick,
+// larger islands are solved iteratively.
 void CRigidWorld::StepDirectly() {
-  // what another world of this thread has left is none of this one's business
-  TakeODEComplaint();
+  // discards a message left by another world on this thread
+  TakeODEError();
   dWorldStep(m_world, m_substep);
-  if (TakeODEComplaint() != nullptr) {
+  if (TakeODEError() != nullptr) {
     ++m_numGivenUp;
     m_mostDirectRows = std::min(m_mostDirectRows, kSimpleRows);
   }
@@ -334,8 +333,8 @@ void CRigidWorld::StepIteratively() {
   StepODEIteratively(m_world, m_substep, m_numIterativeSteps++);
 }
 
-// Islands as of the last substep. An island that nothing fixed holds moves on for ever.
-void CRigidWorld::LayQuietToSleep() {
+// Uses the islands of the last substep. An island without contact to a fixed body never sleeps.
+void CRigidWorld::UpdateSleep() {
   for (SRigidBody* body : m_movables) {
     if (body->Asleep) {
       continue;
@@ -352,7 +351,7 @@ void CRigidWorld::LayQuietToSleep() {
     if (!body->Asleep) {
       const CContactFinder::SIsland& island = m_contacts->GetIsland(*body);
       if (island.Quiet && island.Supported) {
-        LayToSleep(*body);
+        PutToSleep(*body);
       }
     }
   }

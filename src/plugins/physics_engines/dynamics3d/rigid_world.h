@@ -22,8 +22,8 @@ struct SGroundPlane {
 /**
  * All bodies of an engine in one ODE world.
  *
- * What happens is a function of the order of adding, placing, removing and Advance() alone: of no
- * address, thread or other world.
+ * The result is a function of the order of adding, placing, removing and Advance() only, not of
+ * addresses, threads or other worlds.
  */
 class CRigidWorld {
  public:
@@ -35,38 +35,38 @@ class CRigidWorld {
 
   /** m/s^2. */
   void SetGravity(const CVector3& gravity);
-  /** A plane that holds up whatever is above it. */
+  /** A plane that supports the bodies above it. */
   void AddPlane(const SGroundPlane& plane);
-  /** A plane that stops whatever is below it. */
+  /** A plane that stops the bodies below it. */
   void AddCeiling(const SGroundPlane& plane);
   /**
-   * A face of a region that stops what is before it.
-   * @param wall  one box, whose y axis points to where bodies are; outlives the world.
+   * A face of a region that stops the bodies in front of it.
+   * @param wall  one box, whose y axis points to the bodies; outlives the world.
    */
   void AddWall(const SBodyDescription& wall, SRigidPose pose);
 
-  /** Adds a body at rest; everything wakes up. The reference stays valid until Remove(). */
+  /** Adds a body at rest, and wakes all bodies. The reference stays valid until Remove(). */
   SRigidBody& Add(const SRigidSource& source, const SRigidPose& pose);
   void Remove(SRigidBody& body);
-  /** Puts a body somewhere, with that motion; its grips are lost, and everything wakes up. */
+  /** Sets pose and motion of a body, releases its grips, and wakes all bodies. */
   void Place(SRigidBody& body, const SRigidPose& pose, const SRigidMotion& motion);
 
   CRigidGrips& GetGrips() { return *m_grips; }
 
-  /** Robots of other engines, in the next tick. */
+  /** Sets the robots of other engines for the next tick. */
   void SetGhosts(const std::vector<SGhostCylinder>& ghosts) { m_ghosts.Set(ghosts); }
-  /** How far from a border a ghost may be that something here meets in the next tick, m. */
+  /** Greatest distance from a border at which a ghost matters in the next tick, m. */
   Real ComputeGhostReach() const;
 
-  /** Moves everything by a tick. */
+  /** Moves all bodies by a tick. */
   void Advance();
 
-  /** In order of addition, but for what has taken the places of removed ones. */
+  /** In order of addition, except for bodies that fill the places of removed ones. */
   const std::vector<SRigidBody*>& GetMovables() const { return m_movables; }
-  /** s, of the substep that is under way. */
+  /** Length of the present substep, s. */
   Real GetSubstep() const { return m_substep; }
   UInt32 GetNumSubsteps() const { return m_numSubsteps; }
-  /** Steps so far in which the direct solver has left some contacts unsolved. */
+  /** Steps so far in which the direct solver has failed to solve some contacts. */
   UInt64 GetNumGivenUp() const { return m_numGivenUp; }
 
  private:
@@ -82,14 +82,13 @@ class CRigidWorld {
   void StepDirectly();
   void StepByIslands();
   void StepIteratively();
-  void LayQuietToSleep();
+  void UpdateSleep();
 
   SRigidSettings m_settings;
   std::function<void()> m_beforeSubstep;
   CVector3 m_gravity;  // m/s^2
   dWorldID m_world;
-  // of this world alone: that of all worlds that have none cannot be used by several threads at
-  // once
+  // of this world only: worlds without one share one that is not thread-safe
   dThreadingImplementationID m_threading;
   std::unique_ptr<CContactFinder> m_contacts;
   std::unique_ptr<CRigidGrips> m_grips;
@@ -100,11 +99,11 @@ class CRigidWorld {
   std::vector<SRigidBody*> m_movables;  // by number
   std::vector<SRigidBody*> m_flying;
   std::vector<SRigidBody*> m_large;  // in islands that are solved iteratively
-  Real m_widest = 0.0;  // m, radius around any body that can move, or could
+  Real m_widest = 0.0;  // m; greatest bounding radius of all movable bodies that ever were here
   Real m_substep = 0.0;  // s
   UInt32 m_numSubsteps = 0;  // of this tick
   UInt32 m_numIterativeSteps = 0;  // so far
-  UInt32 m_mostDirectRows = 0;  // of an island, for now
+  UInt32 m_mostDirectRows = 0;  // of an island that is solved directly, in this tick
   UInt64 m_numGivenUp = 0;
 };
 

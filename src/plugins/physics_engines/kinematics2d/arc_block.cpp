@@ -6,11 +6,11 @@ namespace argos {
 
 namespace {
 
-// rad; up to there the series below are exact to a rounding: the first term that is left out of
-// each is below 1e-18
+// rad; up to this angle the series below are exact except for rounding: their first omitted terms
+// are below 1e-18
 constexpr Real kSmall = 0.5;
 
-// sin(x) / x of a small x, by its square
+// sin(x) / x for small x, as a function of x^2
 inline Real SineSeries(Real z) {
   return 1.0 +
          z * (-1.0 / 6.0 +
@@ -29,11 +29,11 @@ inline Real CosineSeries(Real z) {
                                                   z * (1.0 / 479001600.0 - z / 87178291200.0))))));
 }
 
-// turns a heading by an angle, both given by cosine and sine
+// rotates a heading by an angle, both given by cosine and sine
 inline void Turn(Real& halfCos, Real& halfSin, Real cosine, Real sine) {
   const Real c = halfCos * cosine - halfSin * sine;
   const Real s = halfSin * cosine + halfCos * sine;
-  // one Newton step of 1/sqrt keeps the length at 1 over any number of turns
+  // one Newton step of 1/sqrt keeps the length at 1 over any number of rotations
   const Real scale = 1.5 - 0.5 * (c * c + s * s);
   halfCos = c * scale;
   halfSin = s * scale;
@@ -42,7 +42,7 @@ inline void Turn(Real& halfCos, Real& halfSin, Real cosine, Real sine) {
 }  // namespace
 
 void SArcBlock::Drive(size_t count) {
-  // what the series cannot do is done first, and put aside
+  // angles beyond the range of the series are handled separately
   Real ratio[kSize];  // sin(quarter) / quarter
   Real cosine[kSize];
   for (size_t i = 0; i < kSize; ++i) {
@@ -58,8 +58,7 @@ void SArcBlock::Drive(size_t count) {
   }
   for (size_t i = 0; i < kSize; ++i) {
     const Real sine = Quarter[i] * ratio[i];
-    // the chord of an arc of length L that turns by a: L sin(a/2) / (a/2), along the heading
-    // half-way
+    // the chord of an arc of length L and angle a: L sin(a/2) / (a/2), along the heading half-way
     const Real chord = Path[i] * ratio[i] * cosine[i];
     Turn(HalfCos[i], HalfSin[i], cosine[i], sine);
     StepX[i] = chord * (HalfCos[i] * HalfCos[i] - HalfSin[i] * HalfSin[i]);

@@ -7,17 +7,14 @@
 
 namespace argos {
 
-/**
- * Some robots and the arcs that they drive, in arrays that the compiler can work on several at a
- * time.
- */
+/** The arcs of several robots, in arrays that the compiler can vectorise. */
 struct SArcBlock {
   static constexpr size_t kSize = 64;
 
   // in
   Real Path[kSize];  // m, along the arc, negative backwards
-  Real Quarter[kSize];  // rad: a quarter of what the heading turns by
-  // in and out: the heading, of half of it
+  Real Quarter[kSize];  // rad; a quarter of the change of the heading
+  // in and out: half of the heading
   Real HalfCos[kSize];
   Real HalfSin[kSize];
   // out: the chord, m, world frame
@@ -25,10 +22,10 @@ struct SArcBlock {
   Real StepY[kSize];
 
   /**
-   * Drives the first @p count arcs; exact but for rounding. What becomes of a robot does not depend
-   * on the others.
+   * Follows the first @p count arcs; exact except for rounding errors. The result of a robot does
+   * not depend on the others.
    *
-   * Source: as FollowArc() of core/simulator/physics_engine/planar_motion.h.
+   * Source: as for FollowArc() of core/simulator/physics_engine/planar_motion.h.
    */
   void Drive(size_t count);
 };

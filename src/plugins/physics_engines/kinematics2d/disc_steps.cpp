@@ -1,4 +1,4 @@
-// What is in the robots' way: who may meet something, and how far these get.
+// The steps of the robots that may touch something: the active discs.
 
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/disc_swarm.h>
 
@@ -14,15 +14,15 @@ namespace argos {
 
 namespace {
 
-// robots in each other's way that a thread works on in a row
-constexpr size_t kMoverGrain = 128;
-// the numbers of discs come first among half planes, then those of walls, of solids and of ghosts
+// active discs in a chunk of work of a thread
+constexpr size_t kActiveGrain = 128;
+// ids of half planes: first the numbers of discs, then those of walls, of solids and of ghosts
 constexpr UInt32 kFirstWall = 1U << 30;
 constexpr UInt32 kFirstSolid = 2U << 30;
 constexpr UInt32 kFirstGhost = 3U << 30;
-// what is missing to where a robot wants to be, in shares of its step, if only roundings are
+// greatest distance to the target, as a share of the step, that is due to rounding
 constexpr Real kArrived = 1e-12;
-// of its way, that a robot tries to go if too much is in reach of more of it
+// smallest share of its path that a robot tries if there are too many obstacles near the whole path
 constexpr Real kLeastShare = 1e-3;
 
 Real SquaredLength(const SStep& step) {
@@ -41,8 +41,8 @@ bool IsWithinReach(const CCellLists& lists, UInt32 cell, Real x, Real y, Real re
   return false;
 }
 
-// The share of a gap that one of two may use up, so that both together never use more than there
-// is. Who wants nothing of it leaves it to the other.
+// The part of a gap that one of two bodies may use, so that both together never exceed it. An
+// unclaimed part goes to the other body.
 Real ShareGap(Real gap, Real mine, Real other) {
   const Real both = mine + other;
   if (both <= gap) {
@@ -57,18 +57,18 @@ Real CDiscSwarm::ComputeGhostReach(Real tick, UInt32 substeps) const {
   Real farthest = 0.0;
   for (size_t slot = 0; slot < GetSize(); ++slot) {
     const Real radius = m_radius[slot];
-    const Real wanted = std::abs(0.5 * (m_wheels[slot][0] + m_wheels[slot][1]) * tick);
-    // of speeds that are no numbers Plan() complains
-    const Real path = std::fmin(wanted, substeps * kMaxStep * radius);
+    const Real planned = std::abs(0.5 * (m_wheels[slot][0] + m_wheels[slot][1]) * tick);
+    // Plan() reports speeds that are not numbers
+    const Real path = std::fmin(planned, substeps * kMaxStep * radius);
     farthest =
         std::max(farthest, radius + 2.0 * (path + m_allowance[slot] + (substeps - 1) * radius));
   }
   return farthest + 2.0 * substeps * kMaxRounding;
 }
 
-// Finds out which discs may come half-way to a ghost in this tick: in each substep one goes as far
-// as it reaches beyond its radius, and after the first by up to a radius more if it overlaps.
-void CDiscSwarm::MeetGhosts(std::span<const SGhostDisc> ghosts, UInt32 substeps) {
+// Finds the discs that may come half-way to a ghost in this tick: in each substep a disc moves by
+// at most its reach minus its radius, and after the first by up to a radius more if it overlaps.
+void CDiscSwarm::FindGhosts(std::span<const SGhostDisc> ghosts, UInt32 substeps) {
   m_ghostLines.Clear(GetSize());
   const Real widest = static_cast<Real>(m_maxReach.load(std::memory_order_relaxed));
   for (UInt32 number = 0; number < ghosts.size(); ++number) {
@@ -91,59 +91,60 @@ void CDiscSwarm::Step(CThreadPool& pool, const CCellLists& walls, const CCellLis
   if (GetSize() == 0) {
     return;
   }
-  m_wishes.resize(GetSize());
+  m_targets.resize(GetSize());
   m_done.resize(GetSize());
   m_next.resize(GetSize());
-  m_movers.resize(GetSize());
-  m_numMovers.store(0, std::memory_order_relaxed);
+  m_activeDiscs.resize(GetSize());
+  m_numActive.store(0, std::memory_order_relaxed);
   const UInt32 stride = m_grid.GetStride();
-  // without the frame of empty cells
+  // without the border of empty cells
   pool.ParallelFor(m_grid.GetNumCells() - 2 * stride, kCellGrain,
                    [&](size_t begin, size_t end, UInt32) {
-                     FindMovers(begin + stride, end + stride, walls, solids);
+                     FindActive(begin + stride, end + stride, walls, solids);
                    });
-  // those who are where they want to be are done; they come behind the others
-  size_t numLeft = m_numMovers.load(std::memory_order_relaxed);
-  bool isAnyActive = true;
-  for (UInt32 round = 0; round < kMaxRounds && numLeft > 0 && isAnyActive; ++round) {
-    isAnyActive = TakeRound(pool, numLeft, walls, solids);
+  // discs at their targets are moved behind the remaining ones
+  size_t numLeft = m_numActive.load(std::memory_order_relaxed);
+  bool hasProgress = true;
+  for (UInt32 round = 0; round < kMaxRounds && numLeft > 0 && hasProgress; ++round) {
+    hasProgress = StepRound(pool, numLeft, walls, solids);
     numLeft = DropArrived(numLeft);
   }
-  pool.ParallelFor(numLeft, kMoverGrain, [this](size_t begin, size_t end, UInt32) {
+  pool.ParallelFor(numLeft, kActiveGrain, [this](size_t begin, size_t end, UInt32) {
     for (size_t i = begin; i < end; ++i) {
-      Finish(m_movers[i]);
+      Finish(m_activeDiscs[i]);
     }
   });
 }
 
-// Lets the first so many movers take a step. Returns whether anybody got ahead.
-bool CDiscSwarm::TakeRound(CThreadPool& pool, size_t numLeft, const CCellLists& walls,
+// Advances active discs [0, numLeft). @return true if any of them moved.
+bool CDiscSwarm::StepRound(CThreadPool& pool, size_t numLeft, const CCellLists& walls,
                            const CCellLists& solids) {
-  std::atomic<bool> isAnyActive{false};
-  pool.ParallelFor(numLeft, kMoverGrain, [&](size_t begin, size_t end, UInt32) {
-    bool isActive = false;
+  std::atomic<bool> hasProgress{false};
+  pool.ParallelFor(numLeft, kActiveGrain, [&](size_t begin, size_t end, UInt32) {
+    bool moved = false;
     for (size_t i = begin; i < end; ++i) {
-      isActive = StepOne(m_movers[i], walls, solids, m_done, m_next) || isActive;
+      moved = StepOne(m_activeDiscs[i], walls, solids, m_done, m_next) || moved;
     }
-    if (isActive) {
-      isAnyActive.store(true, std::memory_order_relaxed);
+    if (moved) {
+      hasProgress.store(true, std::memory_order_relaxed);
     }
   });
   m_done.swap(m_next);
-  return isAnyActive.load(std::memory_order_relaxed);
+  return hasProgress.load(std::memory_order_relaxed);
 }
 
-// Puts those of the first so many movers that have arrived behind the others. Returns how many
-// these are.
+// Moves the discs of [0, numLeft) that are at their targets behind the others. @return the number
+// of the others.
 size_t CDiscSwarm::DropArrived(size_t numLeft) {
   for (size_t i = 0; i < numLeft;) {
-    const UInt32 place = m_movers[i].Place;
-    const SWish& wish = m_wishes[place];
-    const SStep missing = {wish.X - m_done[place].X, wish.Y - m_done[place].Y};
-    if (wish.Depth == 0.0 &&
-        SquaredLength(missing) <= kArrived * kArrived * (wish.X * wish.X + wish.Y * wish.Y)) {
+    const UInt32 place = m_activeDiscs[i].Place;
+    const STarget& target = m_targets[place];
+    const SStep missing = {target.X - m_done[place].X, target.Y - m_done[place].Y};
+    if (target.Depth == 0.0 &&
+        SquaredLength(missing) <=
+            kArrived * kArrived * (target.X * target.X + target.Y * target.Y)) {
       m_next[place] = m_done[place];
-      std::swap(m_movers[i], m_movers[--numLeft]);
+      std::swap(m_activeDiscs[i], m_activeDiscs[--numLeft]);
     } else {
       ++i;
     }
@@ -151,8 +152,8 @@ size_t CDiscSwarm::DropArrived(size_t numLeft) {
   return numLeft;
 }
 
-// Calls visit(place) for those in a cell and around it until it returns true; returns whether it
-// did.
+// Calls visit(place) for the discs in a cell and its neighbours until it returns true. @return true
+// if it did.
 template <typename VISIT>
 bool CDiscSwarm::ForPlacesAround(UInt32 cell, VISIT&& visit) const {
   const UInt32 stride = m_grid.GetStride();
@@ -167,41 +168,41 @@ bool CDiscSwarm::ForPlacesAround(UInt32 cell, VISIT&& visit) const {
   return false;
 }
 
-bool CDiscSwarm::MayMeetSomething(UInt32 place, UInt32 cell, const CCellLists& walls,
-                                  const CCellLists& solids) const {
+bool CDiscSwarm::MayTouchAny(UInt32 place, UInt32 cell, const CCellLists& walls,
+                             const CCellLists& solids) const {
   const SPlace& disc = m_places[place];
   const Real reach = static_cast<Real>(disc.Reach);
-  const bool meetsDisc = ForPlacesAround(cell, [&](UInt32 other) {
+  const bool touchesDisc = ForPlacesAround(cell, [&](UInt32 other) {
     const SPlace& neighbour = m_places[other];
     const Real dx = neighbour.X - disc.X;
     const Real dy = neighbour.Y - disc.Y;
     const Real near = reach + static_cast<Real>(neighbour.Reach);
     return dx * dx + dy * dy <= near * near && other != place;
   });
-  return meetsDisc || m_ghostLines.Has(disc.Slot) ||
+  return touchesDisc || m_ghostLines.Has(disc.Slot) ||
          IsWithinReach(walls, cell, disc.X, disc.Y, reach) ||
          IsWithinReach(solids, cell, disc.X, disc.Y, reach);
 }
 
-void CDiscSwarm::FindMovers(size_t beginCell, size_t endCell, const CCellLists& walls,
+void CDiscSwarm::FindActive(size_t beginCell, size_t endCell, const CCellLists& walls,
                             const CCellLists& solids) {
-  std::array<SMover, 64> found;
+  std::array<SActiveDisc, 64> found;
   UInt32 numFound = 0;
   const auto flush = [&] {
-    const UInt32 first = m_numMovers.fetch_add(numFound, std::memory_order_relaxed);
-    std::copy_n(found.begin(), numFound, m_movers.begin() + first);
+    const UInt32 first = m_numActive.fetch_add(numFound, std::memory_order_relaxed);
+    std::copy_n(found.begin(), numFound, m_activeDiscs.begin() + first);
     numFound = 0;
   };
   for (size_t i = beginCell; i < endCell; ++i) {
     const UInt32 cell = static_cast<UInt32>(i);
     for (UInt32 place = m_sort.Begin(cell); place < m_sort.End(cell); ++place) {
-      if (!MayMeetSomething(place, cell, walls, solids)) {
+      if (!MayTouchAny(place, cell, walls, solids)) {
         continue;
       }
       const SPlace& disc = m_places[place];
       const UInt32 slot = disc.Slot;
-      m_wishes[place] = {m_stepX[slot], m_stepY[slot], m_radius[slot],
-                         static_cast<Real>(disc.Reach) - m_radius[slot], 0.0};
+      m_targets[place] = {m_stepX[slot], m_stepY[slot], m_radius[slot],
+                          static_cast<Real>(disc.Reach) - m_radius[slot], 0.0};
       m_done[place] = SStep();
       found[numFound++] = {place, cell};
       if (numFound == found.size()) {
@@ -212,27 +213,29 @@ void CDiscSwarm::FindMovers(size_t beginCell, size_t endCell, const CCellLists& 
   flush();
 }
 
-// Takes one round's step of a robot. Returns whether it has got ahead.
-bool CDiscSwarm::StepOne(const SMover& mover, const CCellLists& walls, const CCellLists& solids,
-                         const std::vector<SStep>& done, std::vector<SStep>& next) {
-  SWish& wish = m_wishes[mover.Place];
-  const SStep& here = done[mover.Place];
-  const SStep missing = {wish.X - here.X, wish.Y - here.Y};
+// Computes one round's step of a robot. @return true if it moves.
+bool CDiscSwarm::StepOne(const SActiveDisc& active, const CCellLists& walls,
+                         const CCellLists& solids, const std::vector<SStep>& done,
+                         std::vector<SStep>& next) {
+  STarget& target = m_targets[active.Place];
+  const SStep& here = done[active.Place];
+  const SStep missing = {target.X - here.X, target.Y - here.Y};
   const Real length = std::sqrt(SquaredLength(missing));
-  const bool mayBePushed = wish.Path > std::sqrt(wish.X * wish.X + wish.Y * wish.Y) + 1e-6;
+  const bool mayBePushed =
+      target.Path > std::sqrt(target.X * target.X + target.Y * target.Y) + 1e-6;
   CHalfPlanes planes;
   SStep goal;
   Real share = 1.0;
-  // what does not limit the way is left out; should there be too many, it goes only part of the way
+  // obstacles beyond the path are left out; if there are too many, the path is shortened
   for (bool fits = false; !fits && share > kLeastShare; share *= 0.25) {
-    const Real bound = share * (length + (mayBePushed ? wish.Path : 0.0));
+    const Real bound = share * (length + (mayBePushed ? target.Path : 0.0));
     planes.Clear();
-    wish.Depth = 0.0;
-    fits = LimitByDiscs(mover, done, bound, planes) &&
-           LimitByFootprints(mover, walls, kFirstWall, here, bound, planes) &&
-           LimitByFootprints(mover, solids, kFirstSolid, here, bound, planes) &&
-           LimitByGhosts(mover, here, bound, planes);
-    // sums round, so the order must not be that in which threads have sorted the discs
+    target.Depth = 0.0;
+    fits = LimitByDiscs(active, done, bound, planes) &&
+           LimitByFootprints(active, walls, kFirstWall, here, bound, planes) &&
+           LimitByFootprints(active, solids, kFirstSolid, here, bound, planes) &&
+           LimitByGhosts(active, here, bound, planes);
+    // sums depend on the order because of rounding, and the order of the discs on threads
     planes.Sort();
     const SStep push = planes.SumPushes();
     goal = {share * missing.X + push.X, share * missing.Y + push.Y};
@@ -243,45 +246,45 @@ bool CDiscSwarm::StepOne(const SMover& mover, const CCellLists& walls, const CCe
     }
   }
   SStep step = planes.FindNearest(goal);
-  // nobody looks farther ahead than the path
-  const Real room = wish.Path - std::sqrt(SquaredLength(here));
+  // obstacles were only considered within the path
+  const Real room = target.Path - std::sqrt(SquaredLength(here));
   const Real stepLength = std::sqrt(SquaredLength(step));
   const SStep there = {here.X + step.X, here.Y + step.Y};
-  if (SquaredLength(there) > wish.Path * wish.Path && stepLength > 0.0) {
+  if (SquaredLength(there) > target.Path * target.Path && stepLength > 0.0) {
     const Real scale = std::max(0.0, room / stepLength);
     step = {step.X * scale, step.Y * scale};
   }
-  next[mover.Place] = {here.X + step.X, here.Y + step.Y};
-  return stepLength > kNegligibleStep * wish.Radius;
+  next[active.Place] = {here.X + step.X, here.Y + step.Y};
+  return stepLength > kNegligibleStep * target.Radius;
 }
 
-bool CDiscSwarm::LimitByDiscs(const SMover& mover, const std::vector<SStep>& done, Real bound,
+bool CDiscSwarm::LimitByDiscs(const SActiveDisc& active, const std::vector<SStep>& done, Real bound,
                               CHalfPlanes& planes) {
-  SWish& wish = m_wishes[mover.Place];
-  const SPlace& disc = m_places[mover.Place];
-  const SStep& here = done[mover.Place];
-  const SStep missing = {wish.X - here.X, wish.Y - here.Y};
-  return !ForPlacesAround(mover.Cell, [&](UInt32 other) {
+  STarget& target = m_targets[active.Place];
+  const SPlace& disc = m_places[active.Place];
+  const SStep& here = done[active.Place];
+  const SStep missing = {target.X - here.X, target.Y - here.Y};
+  return !ForPlacesAround(active.Cell, [&](UInt32 other) {
     const SPlace& neighbour = m_places[other];
     const Real dx = neighbour.X - disc.X;
     const Real dy = neighbour.Y - disc.Y;
     const Real near = static_cast<Real>(disc.Reach) + static_cast<Real>(neighbour.Reach);
-    if (other == mover.Place || dx * dx + dy * dy > near * near) {
+    if (other == active.Place || dx * dx + dy * dy > near * near) {
       return false;
     }
-    const SWish& wishThere = m_wishes[other];
+    const STarget& otherTarget = m_targets[other];
     const SStep& there = done[other];
-    const SStep missingThere = {wishThere.X - there.X, wishThere.Y - there.Y};
+    const SStep missingThere = {otherTarget.X - there.X, otherTarget.Y - there.Y};
     const SStep offset = {dx + (there.X - here.X), dy + (there.Y - here.Y)};
     const SStep relative = {missingThere.X - missing.X, missingThere.Y - missing.Y};
-    SSeparation separation = SeparateDiscs(offset, relative, wish.Radius + wishThere.Radius);
+    SSeparation separation = SeparateDiscs(offset, relative, target.Radius + otherTarget.Radius);
     if (offset.X == 0.0 && offset.Y == 0.0 && disc.Slot > neighbour.Slot) {
       separation.NormalX = -separation.NormalX;
     }
     Real push = 0.0;
     if (separation.Gap < -kMaxRounding) {
       push = -0.5 * separation.Gap;
-      wish.Depth = std::max(wish.Depth, -separation.Gap);
+      target.Depth = std::max(target.Depth, -separation.Gap);
     }
     const Real mine =
         std::max(0.0, separation.NormalX * missing.X + separation.NormalY * missing.Y);
@@ -293,26 +296,27 @@ bool CDiscSwarm::LimitByDiscs(const SMover& mover, const std::vector<SStep>& don
   });
 }
 
-bool CDiscSwarm::LimitByFootprints(const SMover& mover, const CCellLists& lists, UInt32 firstId,
-                                   const SStep& done, Real bound, CHalfPlanes& planes) {
+bool CDiscSwarm::LimitByFootprints(const SActiveDisc& active, const CCellLists& lists,
+                                   UInt32 firstId, const SStep& done, Real bound,
+                                   CHalfPlanes& planes) {
   if (lists.IsEmpty()) {
     return true;
   }
-  SWish& wish = m_wishes[mover.Place];
-  const SPlace& disc = m_places[mover.Place];
+  STarget& target = m_targets[active.Place];
+  const SPlace& disc = m_places[active.Place];
   const Real x = disc.X + done.X;
   const Real y = disc.Y + done.Y;
-  const SStep missing = {wish.X - done.X, wish.Y - done.Y};
-  for (const UInt32 number : lists.Get(mover.Cell)) {
+  const SStep missing = {target.X - done.X, target.Y - done.Y};
+  for (const UInt32 number : lists.Get(active.Cell)) {
     const SFootprint& footprint = lists.GetFootprints()[number];
-    if (ComputeDistance(footprint, x, y) - wish.Radius >= bound) {
+    if (ComputeDistance(footprint, x, y) - target.Radius >= bound) {
       continue;
     }
-    const SSeparation separation = SeparateFromFootprint(x, y, wish.Radius, missing, footprint);
+    const SSeparation separation = SeparateFromFootprint(x, y, target.Radius, missing, footprint);
     Real push = 0.0;
     if (separation.Gap < -kMaxRounding) {
       push = -separation.Gap;
-      wish.Depth = std::max(wish.Depth, -separation.Gap);
+      target.Depth = std::max(target.Depth, -separation.Gap);
     }
     const Real limit = std::max(0.0, separation.Gap);
     if (limit < bound &&
@@ -323,17 +327,17 @@ bool CDiscSwarm::LimitByFootprints(const SMover& mover, const CCellLists& lists,
   return true;
 }
 
-bool CDiscSwarm::LimitByGhosts(const SMover& mover, const SStep& done, Real bound,
+bool CDiscSwarm::LimitByGhosts(const SActiveDisc& active, const SStep& done, Real bound,
                                CHalfPlanes& planes) {
-  SWish& wish = m_wishes[mover.Place];
-  const SPlace& disc = m_places[mover.Place];
+  STarget& target = m_targets[active.Place];
+  const SPlace& disc = m_places[active.Place];
   for (const SGhostLine& line : m_ghostLines.Get(disc.Slot)) {
     const Real room = line.Room - line.NormalX * (disc.X - line.StartX + done.X) -
                       line.NormalY * (disc.Y - line.StartY + done.Y);
     Real push = 0.0;
     if (room < -kMaxRounding) {
       push = -room;
-      wish.Depth = std::max(wish.Depth, -room);
+      target.Depth = std::max(target.Depth, -room);
     }
     const Real limit = std::max(0.0, room);
     if (limit < bound &&
@@ -344,14 +348,14 @@ bool CDiscSwarm::LimitByGhosts(const SMover& mover, const SStep& done, Real boun
   return true;
 }
 
-// Of one that is not where its wheels want it.
-void CDiscSwarm::Finish(const SMover& mover) {
-  const SWish& wish = m_wishes[mover.Place];
-  const SPlace& disc = m_places[mover.Place];
-  const SStep& done = m_done[mover.Place];
+// Writes the result of a disc that has not reached its target.
+void CDiscSwarm::Finish(const SActiveDisc& active) {
+  const STarget& target = m_targets[active.Place];
+  const SPlace& disc = m_places[active.Place];
+  const SStep& done = m_done[active.Place];
   m_nextX[disc.Slot] = disc.X + done.X;
   m_nextY[disc.Slot] = disc.Y + done.Y;
-  m_allowance[disc.Slot] = std::min(wish.Depth, wish.Radius);
+  m_allowance[disc.Slot] = std::min(target.Depth, target.Radius);
 }
 
 }  // namespace argos

@@ -1,4 +1,4 @@
-// The robots' arrays, and where their wheels want them; disc_steps.cpp has what is in their way.
+// The arrays of the robots, and their planned steps; disc_steps.cpp handles obstacles.
 
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/disc_swarm.h>
 
@@ -14,9 +14,9 @@ namespace argos {
 
 namespace {
 
-// cells are this much wider than they need be, so that they serve when robots go a little faster
+// cells are wider than necessary by this factor, so that they remain wide enough at higher speeds
 constexpr Real kEdgeSlack = 1.25;
-// around the robots, in shares of the width of what they cover, and m
+// margin of the grid around the robots, as a share of their extent, and m
 constexpr Real kAreaSlack = 0.05;
 constexpr Real kLeastAreaSlack = 0.5;
 constexpr float kRoundUp = 1.0F + 4.0F * std::numeric_limits<float>::epsilon();
@@ -54,10 +54,10 @@ void CDiscSwarm::Reserve(size_t discs) {
   m_reach.reserve(discs);
   m_sort.Reserve(discs, CFramedGrid::MaxCells(discs));
   m_places.reserve(discs);
-  m_wishes.reserve(discs);
+  m_targets.reserve(discs);
   m_done.reserve(discs);
   m_next.reserve(discs);
-  m_movers.reserve(discs);
+  m_activeDiscs.reserve(discs);
 }
 
 void CDiscSwarm::Add(const SKinematicOwner& owner, const SBodyDescription& description,
@@ -98,7 +98,7 @@ void CDiscSwarm::SetPose(UInt32 slot, const SPlanarPose& pose) {
   m_y[slot] = m_nextY[slot] = pose.Y;
   m_halfCos[slot] = m_nextHalfCos[slot] = pose.HalfCos;
   m_halfSin[slot] = m_nextHalfSin[slot] = pose.HalfSin;
-  // it may have been put into something
+  // the new pose may overlap other bodies
   m_allowance[slot] = m_radius[slot];
 }
 
@@ -111,7 +111,7 @@ void CDiscSwarm::Plan(CThreadPool& pool, Real duration) {
   if (++m_ticksOfGrid > kTicksOfGrid || m_discsOfGrid > 2 * size || size > 2 * m_discsOfGrid) {
     m_ticksOfGrid = 0;
     if (IsGridBad()) {
-      LayGrid();
+      BuildGrid();
     }
   }
   m_sort.Start(size, m_grid.GetNumCells());
@@ -128,7 +128,7 @@ void CDiscSwarm::Plan(CThreadPool& pool, Real duration) {
   }
   const Real reach = static_cast<Real>(m_maxReach.load(std::memory_order_relaxed));
   if (2.0 * reach > m_grid.GetX().Edge) {
-    LayGrid();
+    BuildGrid();
     m_sort.Start(size, m_grid.GetNumCells());
     pool.ParallelFor(size, kDiscGrain,
                      [&](size_t begin, size_t end, UInt32) { Bin(begin, end, alone); });
@@ -136,7 +136,7 @@ void CDiscSwarm::Plan(CThreadPool& pool, Real duration) {
   Sort(pool);
 }
 
-// Where the wheels of some robots lead.
+// Plans the steps of robots [begin, end).
 void CDiscSwarm::PlanRun(size_t begin, size_t end, Real duration) {
   SArcBlock block;
   float maxReach = 0.0F;
@@ -149,7 +149,7 @@ void CDiscSwarm::PlanRun(size_t begin, size_t end, Real duration) {
       const Real farthest = kMaxStep * m_radius[slot];
       block.Path[i] = std::clamp(0.5 * (left + right) * duration, -farthest, farthest);
       block.Quarter[i] = 0.25 * (right - left) * m_inverseInterwheel[slot] * duration;
-      // infinite and undefined numbers do not equal themselves when taken from themselves
+      // the difference of an infinite or undefined number and itself is not 0
       if (!(left - left + (block.Quarter[i] - block.Quarter[i]) == 0.0)) {
         LowerTo(m_firstBad, static_cast<UInt32>(slot));
       }
@@ -179,7 +179,7 @@ void CDiscSwarm::PlanRun(size_t begin, size_t end, Real duration) {
   RaiseTo(m_maxReach, maxReach);
 }
 
-// Puts some robots into their cells.
+// Sets the cells of robots [begin, end).
 void CDiscSwarm::Bin(size_t begin, size_t end, bool alone) {
   for (size_t slot = begin; slot < end; ++slot) {
     const UInt32 cell = m_grid.CellAt(m_x[slot], m_y[slot]);
@@ -201,7 +201,7 @@ void CDiscSwarm::Sort(CThreadPool& pool) {
   });
 }
 
-// Is the grid much larger or coarser than the swarm needs, or too small?
+// @return true if the grid is much larger or coarser than the swarm needs, or too small.
 bool CDiscSwarm::IsGridBad() const {
   if (m_discsOfGrid > 2 * GetSize() || GetSize() > 2 * m_discsOfGrid) {
     return true;
@@ -219,7 +219,7 @@ bool CDiscSwarm::IsGridBad() const {
   return outside || sparse || m_reachOfGrid > 4.0 * GetGreatestReach();
 }
 
-void CDiscSwarm::LayGrid() {
+void CDiscSwarm::BuildGrid() {
   SPlanarArea area;
   if (GetSize() > 0) {
     const auto [minX, maxX] = std::minmax_element(m_x.begin(), m_x.end());

@@ -28,39 +28,39 @@ struct SBadKinematicWheels {
 /**
  * The robots of an engine that are discs: nearly all of most swarms.
  *
- * Their state lies in arrays by slot. A tick is Plan(), which says where the wheels want each
- * robot, and sorts the robots by cells of a grid; then Step(), which finds out who may meet
- * something, and moves those as far as there is room. Both spread over the threads of a pool.
- * Whoever meets nothing is where its wheels want it, exactly.
+ * Their state is in arrays by slot. In a tick, Plan() computes where the wheels move each robot,
+ * and sorts the robots by cells of a grid; then Step() finds the active discs, which may touch
+ * something, and moves them as far as there is space. Both use the threads of a pool. All other
+ * discs reach exactly the end of their arcs.
  *
- * What a robot does depends on what was around it at the start of the tick or of a round, never on
- * who was dealt with first: so results do not depend on threads.
+ * The motion of a robot depends on its neighbours at the start of the tick or of a round, never on
+ * the order of processing: so results do not depend on threads.
  */
 class CDiscSwarm {
  public:
-  /** Allocates the arrays for so many. */
+  /** Allocates the arrays for so many robots. */
   void Reserve(size_t discs);
-  /** The same for what ghosts need. */
+  /** Allocates what ghosts need. */
   void ReserveForGhosts(size_t discs) { m_ghostLines.Reserve(discs); }
   size_t GetSize() const { return m_x.size(); }
   /** @param wheels  speeds of the left and right wheel, m/s; must stay valid. */
   void Add(const SKinematicOwner& owner, const SBodyDescription& description,
            const SPlanarPose& pose, const Real* wheels);
-  /** Takes one out; the last one gets its slot. */
+  /** Removes a robot; the last one gets its slot. */
   void Remove(UInt32 slot);
   void SetPose(UInt32 slot, const SPlanarPose& pose);
 
-  /** Where wheels lead in a time, s. @throws SBadKinematicWheels */
+  /** Computes the steps that wheels command in a time, s. @throws SBadKinematicWheels */
   void Plan(CThreadPool& pool, Real duration);
-  /** The grid in which Plan() has sorted them: nobody reaches farther than half an edge. */
+  /** The grid in which Plan() has sorted the discs; their reach is at most half an edge. */
   const CFramedGrid& GetGrid() const { return m_grid; }
-  /** How far a ghost may be that a disc meets in a tick, s, of so many substeps: see the world. */
+  /** See CKinematicWorld::ComputeGhostReach(). */
   Real ComputeGhostReach(Real tick, UInt32 substeps) const;
-  /** After the first Plan() of a tick: tells of ghosts. @param substeps  of the tick. */
-  void MeetGhosts(std::span<const SGhostDisc> ghosts, UInt32 substeps);
-  /** Then: moves those who are in each other's way, or in that of walls or solids. */
+  /** After the first Plan() of a tick: sets its ghosts. @param substeps  of the tick. */
+  void FindGhosts(std::span<const SGhostDisc> ghosts, UInt32 substeps);
+  /** Then: moves the discs that may touch each other, ghosts, walls or solids. */
   void Step(CThreadPool& pool, const CCellLists& walls, const CCellLists& solids);
-  /** After Step(): takes over where discs are now. @param slot in [begin, end). */
+  /** After Step(): makes the computed pose of a disc its pose. */
   void Commit(UInt32 slot) {
     m_x[slot] = m_nextX[slot];
     m_y[slot] = m_nextY[slot];
@@ -72,14 +72,14 @@ class CDiscSwarm {
     return {m_x[slot], m_y[slot], m_halfCos[slot], m_halfSin[slot]};
   }
   Real GetRadius(UInt32 slot) const { return m_radius[slot]; }
-  /** What the wheels want of this tick, m. */
-  SStep GetWanted(UInt32 slot) const { return {m_stepX[slot], m_stepY[slot]}; }
-  /** The most that it pushes with, N. */
+  /** The step of this tick that the wheels command, m. */
+  SStep GetPlannedStep(UInt32 slot) const { return {m_stepX[slot], m_stepY[slot]}; }
+  /** Its greatest pushing force, N. */
   Real GetMaxForce(UInt32 slot) const { return m_maxForce[slot]; }
   const SKinematicOwner& GetOwner(UInt32 slot) const { return m_owner[slot]; }
   /**
-   * After Plan(): calls visit(slot), in any order, for every disc whose reach comes within
-   * @p reach (m) of a point, and for some others. One thread only.
+   * After Plan(): calls visit(slot), in any order, for every disc whose reach is within @p reach
+   * (m) of a point. One thread only.
    */
   template <typename VISIT>
   void ForDiscsNear(Real x, Real y, Real reach, VISIT&& visit) const;
@@ -88,19 +88,19 @@ class CDiscSwarm {
   /** A disc in the order of the grid's cells. */
   struct SPlace {
     Real X, Y;  // m, at the start of the tick
-    float Reach;  // m: it does not leave this circle in the tick; rounded up
+    float Reach;  // m; radius of a circle that it does not leave in the tick, rounded up
     UInt32 Slot;
   };
-  /** One that may meet something. */
-  struct SMover {
+  /** A disc that may touch something in this tick. */
+  struct SActiveDisc {
     UInt32 Place, Cell;
   };
-  /** What is known of a mover besides its place. */
-  struct SWish {
-    Real X, Y;  // m: where its wheels want it, from the start
+  /** The target of an active disc, and its limits. */
+  struct STarget {
+    Real X, Y;  // m, relative to the start of the tick
     Real Radius;  // m
-    Real Path;  // m: it may not go farther
-    Real Depth;  // m: deepest overlap
+    Real Path;  // m; greatest distance from the start
+    Real Depth;  // m, of the deepest overlap
   };
   void PlanRun(size_t begin, size_t end, Real duration);
   void Bin(size_t begin, size_t end, bool alone);
@@ -108,29 +108,29 @@ class CDiscSwarm {
   Real GetGreatestReach() const {
     return std::max(m_maxRadius, static_cast<Real>(m_maxReach.load(std::memory_order_relaxed)));
   }
-  void LayGrid();
+  void BuildGrid();
   void Sort(CThreadPool& pool);
-  void FindMovers(size_t beginCell, size_t endCell, const CCellLists& walls,
+  void FindActive(size_t beginCell, size_t endCell, const CCellLists& walls,
                   const CCellLists& solids);
-  bool MayMeetSomething(UInt32 place, UInt32 cell, const CCellLists& walls,
-                        const CCellLists& solids) const;
-  bool TakeRound(CThreadPool& pool, size_t numLeft, const CCellLists& walls,
+  bool MayTouchAny(UInt32 place, UInt32 cell, const CCellLists& walls,
+                   const CCellLists& solids) const;
+  bool StepRound(CThreadPool& pool, size_t numLeft, const CCellLists& walls,
                  const CCellLists& solids);
   size_t DropArrived(size_t numLeft);
-  bool StepOne(const SMover& mover, const CCellLists& walls, const CCellLists& solids,
+  bool StepOne(const SActiveDisc& active, const CCellLists& walls, const CCellLists& solids,
                const std::vector<SStep>& done, std::vector<SStep>& next);
-  bool LimitByDiscs(const SMover& mover, const std::vector<SStep>& done, Real bound,
+  bool LimitByDiscs(const SActiveDisc& active, const std::vector<SStep>& done, Real bound,
                     CHalfPlanes& planes);
-  bool LimitByFootprints(const SMover& mover, const CCellLists& lists, UInt32 firstId,
+  bool LimitByFootprints(const SActiveDisc& active, const CCellLists& lists, UInt32 firstId,
                          const SStep& done, Real bound, CHalfPlanes& planes);
-  bool LimitByGhosts(const SMover& mover, const SStep& done, Real bound, CHalfPlanes& planes);
-  void Finish(const SMover& mover);
+  bool LimitByGhosts(const SActiveDisc& active, const SStep& done, Real bound, CHalfPlanes& planes);
+  void Finish(const SActiveDisc& active);
   template <typename VISIT>
   bool ForPlacesAround(UInt32 cell, VISIT&& visit) const;
 
   // by slot; state
   std::vector<Real> m_x, m_y, m_halfCos, m_halfSin;  // m; of half the heading
-  std::vector<Real> m_allowance;  // m: how far one that overlaps may be pushed in the next tick
+  std::vector<Real> m_allowance;  // m; how far an overlapping disc may be pushed in the next tick
   // fixed
   std::vector<const Real*> m_wheels;  // m/s, (left, right), of the robot's wheels; not owned
   std::vector<Real> m_inverseInterwheel;  // 1/m
@@ -145,18 +145,18 @@ class CDiscSwarm {
   CFramedGrid m_grid;
   SPlanarArea m_areaOfGrid;
   UInt32 m_ticksOfGrid = 0;
-  size_t m_discsOfGrid = 0;  // how many there were when it was laid
-  Real m_reachOfGrid = 0.0;  // m: how far they reached then
-  Real m_maxRadius = 0.0;  // m, of all that ever were there
+  size_t m_discsOfGrid = 0;  // number of discs when it was built
+  Real m_reachOfGrid = 0.0;  // m; greatest reach then
+  Real m_maxRadius = 0.0;  // m, of all discs that ever were here
   std::atomic<float> m_maxReach{0.0F};  // m
   std::atomic<UInt32> m_firstBad{std::numeric_limits<UInt32>::max()};  // slot
   CCountingSort m_sort;  // of the slots by cell; within a cell in any order
   std::vector<SPlace> m_places;  // in order of cells
-  // by place, of movers only
-  std::vector<SWish> m_wishes;
-  std::vector<SStep> m_done, m_next;  // m: how far each has got, before and after a round
-  std::vector<SMover> m_movers;  // in any order
-  std::atomic<UInt32> m_numMovers{0};
+  // by place, for active discs only
+  std::vector<STarget> m_targets;
+  std::vector<SStep> m_done, m_next;  // m; steps made before and after a round
+  std::vector<SActiveDisc> m_activeDiscs;  // in any order
+  std::atomic<UInt32> m_numActive{0};
   CGhostLines m_ghostLines;  // of this tick
 };
 

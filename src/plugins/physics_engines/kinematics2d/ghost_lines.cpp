@@ -12,7 +12,7 @@ void CGhostLines::Reserve(size_t discs) {
 }
 
 void CGhostLines::Clear(size_t discs) {
-  // of most discs there is nothing to forget
+  // most discs have no lines
   for (const SGhostLine& line : m_lines) {
     m_first[line.Slot] = kNone;
   }
@@ -26,7 +26,7 @@ void CGhostLines::Add(UInt32 slot, Real x, Real y, Real radius, UInt32 number,
   const Real dy = ghost.Y - y;
   const Real distance = std::sqrt(dx * dx + dy * dy);
   if (!(distance > 0.0)) {
-    // where one is exactly on the other no line is better than another
+    // coincident centres define no line
     return;
   }
   m_lines.push_back({slot, number, dx / distance, dy / distance, x, y,

@@ -11,33 +11,33 @@
 namespace argos {
 
 /**
- * Lines half-way between a disc and a ghost, across that between their centres: the disc keeps to
+ * A line half-way between a disc and a ghost, across that between their centres: the disc stays on
  * its side for a tick.
  *
- * The ghost's engine does the same with the same two poses, so the two never overlap by their
- * motion.
+ * The ghost's engine does the same with the same two poses, so that the motion of the two cannot
+ * make them overlap.
  */
 struct SGhostLine {
   UInt32 Slot;  // of the disc
   UInt32 Ghost;  // its number
   Real NormalX, NormalY;  // from the disc to the ghost, of unit length
-  Real StartX, StartY;  // m, world frame: where the disc is at the start of the tick
-  Real Room;  // m: how far it may go along the normal from there; below 0 if the two overlap
+  Real StartX, StartY;  // m, world frame; of the disc at the start of the tick
+  Real Room;  // m; how far it may move along the normal from there; below 0 if the two overlap
 };
 
-/** Those of a tick. They cost nothing for discs that have none but the look whether they have. */
+/** The lines of a tick. Has() is all that they cost for discs without lines. */
 class CGhostLines {
  public:
-  /** Makes room for lines of so many discs. */
+  /** Allocates memory for lines of so many discs. */
   void Reserve(size_t discs);
-  /** Forgets all lines. @param discs how many there are. */
+  /** Removes all lines. @param discs  their number. */
   void Clear(size_t discs);
   /** @param x, y  m, world frame: of the disc. */
   void Add(UInt32 slot, Real x, Real y, Real radius, UInt32 number, const SGhostDisc& ghost);
-  /** To be called before Get(): puts them into the order of slots, and of ghosts. */
+  /** Sorts the lines by slot and ghost; to be called before Get(). */
   void Sort();
   bool Has(UInt32 slot) const { return !m_lines.empty() && m_first[slot] != kNone; }
-  /** Of a disc, in the order of ghosts. */
+  /** The lines of a disc, in the order of ghosts. */
   std::span<const SGhostLine> Get(UInt32 slot) const;
 
  private:

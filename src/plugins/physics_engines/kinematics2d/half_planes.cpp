@@ -7,13 +7,13 @@ namespace argos {
 
 namespace {
 
-// sines of angles below this are of lines that are parallel
+// lines are parallel if the sine of their angle is below this
 constexpr Real kParallel = 1e-12;
 
 }  // namespace
 
 void CHalfPlanes::Sort() {
-  // few, and mostly in order
+  // insertion sort: there are few planes, and most are in order
   for (size_t i = 1; i < m_size; ++i) {
     const SHalfPlane plane = m_planes[i];
     size_t j = i;
@@ -33,25 +33,25 @@ SStep CHalfPlanes::SumPushes() const {
   return sum;
 }
 
-SStep CHalfPlanes::FindNearest(const SStep& wanted) const {
-  SStep step = wanted;
+SStep CHalfPlanes::FindNearest(const SStep& target) const {
+  SStep step = target;
   for (size_t i = 0; i < m_size; ++i) {
     const SHalfPlane& plane = m_planes[i];
     if (plane.NormalX * step.X + plane.NormalY * step.Y <= plane.Limit) {
       continue;
     }
-    // the nearest step that this one and those before it allow is on this one's border
-    if (!FindOnLine(i, wanted, step)) {
-      // roundings leave nothing; to stay is always possible
+    // the nearest step that this plane and the previous ones allow is on the border of this one
+    if (!FindOnLine(i, target, step)) {
+      // no step is left because of rounding; a step of length 0 is always possible
       return SStep();
     }
   }
   return step;
 }
 
-// The step on the border of a half plane that is nearest to the one wanted and that those before it
+// The step on the border of a half plane that is nearest to the target and that the previous planes
 // allow.
-bool CHalfPlanes::FindOnLine(size_t number, const SStep& wanted, SStep& step) const {
+bool CHalfPlanes::FindOnLine(size_t number, const SStep& target, SStep& step) const {
   const SHalfPlane& line = m_planes[number];
   const Real directionX = -line.NormalY;
   const Real directionY = line.NormalX;
@@ -63,7 +63,7 @@ bool CHalfPlanes::FindOnLine(size_t number, const SStep& wanted, SStep& step) co
     const Real room =
         other.Limit - line.Limit * (other.NormalX * line.NormalX + other.NormalY * line.NormalY);
     if (std::abs(slope) < kParallel) {
-      // of two limits in the same direction the smaller one has been found before
+      // the step satisfies the other plane already, so that it is not the tighter one
       continue;
     }
     if (slope > 0.0) {
@@ -75,7 +75,7 @@ bool CHalfPlanes::FindOnLine(size_t number, const SStep& wanted, SStep& step) co
   if (low > high) {
     return false;
   }
-  const Real along = std::clamp(wanted.X * directionX + wanted.Y * directionY, low, high);
+  const Real along = std::clamp(target.X * directionX + target.Y * directionY, low, high);
   step.X = line.Limit * line.NormalX + along * directionX;
   step.Y = line.Limit * line.NormalY + along * directionY;
   return true;

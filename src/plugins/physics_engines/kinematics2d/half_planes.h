@@ -16,16 +16,16 @@ struct SStep {
 /** The steps s with Normal * s <= Limit. */
 struct SHalfPlane {
   Real NormalX, NormalY;  // of unit length
-  Real Limit;  // m, >= 0: not to step at all is always allowed
-  UInt32 Id;  // whose it is; they are dealt with in this order
-  Real Push = 0.0;  // m: how far the step should go against the normal, because of an overlap
+  Real Limit;  // m, >= 0: a step of length 0 is always allowed
+  UInt32 Id;  // determines the order of processing
+  Real Push = 0.0;  // m; requested step against the normal, because of an overlap
 };
 
 /** The steps that several half planes allow. */
 class CHalfPlanes {
  public:
   void Clear() { m_size = 0; }
-  /** @return false if there is no room for it. */
+  /** @return false if the capacity is exhausted. */
   bool Add(const SHalfPlane& plane) {
     if (m_size == m_planes.size()) {
       return false;
@@ -34,22 +34,21 @@ class CHalfPlanes {
     return true;
   }
   bool IsEmpty() const { return m_size == 0; }
-  /** Puts them into the order of their ids: the nearest step then depends on what they are alone.
-   */
+  /** Sorts the planes by id, so that the result does not depend on the order of Add() calls. */
   void Sort();
-  /** The sum of what overlaps ask for, in the order of the planes. */
+  /** The sum of the steps that overlaps request, in the order of the planes. */
   SStep SumPushes() const;
   /**
-   * The allowed step that is nearest to the one wanted.
+   * The allowed step that is nearest to @p target.
    *
    * Source: M. de Berg et al., Computational Geometry (2008), ch. 4.4, incremental linear
    * programming, with the distance as the goal, as in J. van den Berg et al., Reciprocal n-Body
    * Collision Avoidance (2011).
    */
-  SStep FindNearest(const SStep& wanted) const;
+  SStep FindNearest(const SStep& target) const;
 
  private:
-  bool FindOnLine(size_t number, const SStep& wanted, SStep& step) const;
+  bool FindOnLine(size_t number, const SStep& target, SStep& step) const;
 
   std::array<SHalfPlane, 64> m_planes;
   size_t m_size = 0;

@@ -18,7 +18,7 @@ enum class EKinematicKind : UInt8 {
   Disc /**< a robot that is one disc around its origin */
 };
 
-/** Where a body is kept; written by the world whenever that changes. */
+/** The place of a body in the arrays; the world writes it whenever it changes. */
 struct SKinematicHandle {
   static constexpr UInt32 kNowhere = std::numeric_limits<UInt32>::max();
 
@@ -26,11 +26,11 @@ struct SKinematicHandle {
   UInt32 Slot = kNowhere;
 };
 
-/** What a body is to the outside: whose it is, and where the outside wants to find its number. */
+/** The engine's references to a body. */
 struct SKinematicOwner {
   CKinematics2DModel* Model = nullptr;
   SKinematicHandle* Handle = nullptr;
-  // what is written to in every tick; here too, so that memory can be asked for in time
+  // written to in every tick; kept here too, for prefetching
   CEmbodiedEntity* Body = nullptr;
   CEntity* Root = nullptr;
 };

@@ -4,13 +4,13 @@
 
 namespace argos {
 
-void CKinematicWorld::MakeRoom(size_t immovable, size_t solids, size_t discs) {
+void CKinematicWorld::Reserve(size_t immovable, size_t solids, size_t discs) {
   m_immovable.reserve(immovable);
   m_solids.Reserve(solids);
   m_discs.Reserve(discs);
 }
 
-void CKinematicWorld::MakeRoomForGhosts(size_t discs) {
+void CKinematicWorld::ReserveForGhosts(size_t discs) {
   m_discs.ReserveForGhosts(discs);
 }
 
@@ -68,7 +68,7 @@ void CKinematicWorld::SetPose(const SKinematicHandle& handle, const SPlanarPose&
 // Lists walls and solids in the cells of the grid, if those or the grid have changed.
 void CKinematicWorld::ListWalls() {
   const CFramedGrid& grid = m_discs.GetGrid();
-  // nobody reaches farther in a tick
+  // no disc reaches farther in a tick
   const Real reach = 0.5 * grid.GetX().Edge;
   if (m_gridOfWalls != grid.GetGeneration()) {
     m_gridOfWalls = grid.GetGeneration();
@@ -83,22 +83,22 @@ void CKinematicWorld::ListWalls() {
 
 void CKinematicWorld::SetGhosts(std::span<const SGhostDisc> ghosts, Real tick, UInt32 substeps) {
   m_ghosts = ghosts;
-  m_substepsToCome = substeps;
+  m_ghostSubsteps = substeps;
   m_solids.SetGhosts(ghosts, tick);
 }
 
 Real CKinematicWorld::ComputeGhostReach(Real tick, UInt32 substeps) const {
   const Real discs = m_discs.ComputeGhostReach(tick, substeps);
-  // things go as far as discs push them
+  // passive bodies move as far as discs push them
   return m_solids.GetSize() > 0 ? discs + m_solids.ComputeGhostReach(tick) : discs;
 }
 
 void CKinematicWorld::Advance(CThreadPool& pool, Real duration) {
   m_solids.Plan(duration);
   m_discs.Plan(pool, duration);
-  if (m_substepsToCome > 0) {
-    m_discs.MeetGhosts(m_ghosts, m_substepsToCome);
-    m_substepsToCome = 0;
+  if (m_ghostSubsteps > 0) {
+    m_discs.FindGhosts(m_ghosts, m_ghostSubsteps);
+    m_ghostSubsteps = 0;
   }
   if (m_wallsChanged) {
     m_wallsChanged = false;

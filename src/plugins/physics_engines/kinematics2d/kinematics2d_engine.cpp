@@ -11,6 +11,7 @@
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_world.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematics2d_model.h>
 #include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
+#include <argos3/plugins/simulator/physics_engines/robot_bodies/robot_components.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +20,8 @@ namespace argos {
 
 namespace {
 
-// Where a body is. What this engine has written itself comes back to the bit.
-SPlanarPose TakePose(const CEmbodiedEntity& body) {
+// The pose of a body. A pose that this engine has written is returned unchanged to the bit.
+SPlanarPose ReadPose(const CEmbodiedEntity& body) {
   constexpr Real kRounding = 1e-13;
   const SAnchor& origin = body.GetOriginAnchor();
   const CQuaternion& turn = origin.Orientation;
@@ -44,13 +45,12 @@ CKinematics2DEngine::~CKinematics2DEngine() = default;
 void CKinematics2DEngine::Init(TConfigurationNode& tree) {
   CPlanarEngine::Init(tree);
   ReadGroundFriction(tree, *m_boxFriction, *m_cylinderFriction);
-  // files are made for dynamics2d, too
+  // accepted so that a file can switch engines
   Real ignored = 0.0;
   ReadNotNegative(tree, "gripping_rigidity", ignored);
 }
 
-// The world is made anew from the entities, in the next tick: nothing of the run so far is left in
-// it.
+// The next tick builds a new world from the entities, without any state of the run so far.
 void CKinematics2DEngine::Reset() {
   m_world.reset();
 }
@@ -58,29 +58,22 @@ void CKinematics2DEngine::Reset() {
 void CKinematics2DEngine::Destroy() {
   m_world.reset();
   m_manipulators.clear();
-  DropModels();
+  DestroyModels();
 }
 
-std::unique_ptr<CPlanarModel> CKinematics2DEngine::MakeModel(CEmbodiedEntity& body,
-                                                             const Real* wheels) {
-  return std::make_unique<CKinematics2DModel>(*this, body, wheels);
+std::unique_ptr<CDescribedBodyModel> CKinematics2DEngine::CreateModel(CEmbodiedEntity& body) {
+  return std::make_unique<CKinematics2DModel>(*this, body, FindWheels(body));
 }
 
-void CKinematics2DEngine::RemakeModel(CPlanarModel& model, CEmbodiedEntity& body,
-                                      const Real* wheels) {
-  auto* const place = static_cast<CKinematics2DModel*>(&model);
-  std::destroy_at(place);
-  std::construct_at(place, *this, body, wheels);
-}
-
-void CKinematics2DEngine::Enter(CPlanarModel& model) {
+void CKinematics2DEngine::Enter(CDescribedBodyModel& model) {
+  auto& entering = static_cast<CKinematics2DModel&>(model);
   if (m_world != nullptr) {
-    AddToWorld(static_cast<CKinematics2DModel&>(model));
+    AddToWorld(entering);
   }
-  UpdateManipulator(model);
+  UpdateManipulator(entering);
 }
 
-void CKinematics2DEngine::Leave(CPlanarModel& model) {
+void CKinematics2DEngine::Leave(CDescribedBodyModel& model) {
   auto& leaving = static_cast<CKinematics2DModel&>(model);
   if (m_world != nullptr) {
     m_world->Remove(leaving.m_handle);
@@ -88,18 +81,6 @@ void CKinematics2DEngine::Leave(CPlanarModel& model) {
   if (leaving.m_isManipulator) {
     std::erase(m_manipulators, &leaving);
     leaving.m_isManipulator = false;
-  }
-}
-
-void CKinematics2DEngine::TransferEntity(CEmbodiedEntity& body) {
-  if (&body.GetPhysicsModel(size_t(0)).GetEngine() != this) {
-    return;
-  }
-  if (auto* const next = static_cast<CKinematics2DEngine*>(FindNext(body))) {
-    CheckPlanarBody(body);
-    next->TakeOver(static_cast<CKinematics2DModel&>(body.GetPhysicsModel(size_t(0))));
-  } else {
-    CPhysicsEngine::TransferEntity(body);
   }
 }
 
@@ -117,15 +98,13 @@ bool CKinematics2DEngine::GetMotion(const CEmbodiedEntity& body, SBodyMotion& mo
   return true;
 }
 
-void CKinematics2DEngine::Replace(CKinematics2DModel& model) {
-  if (m_world == nullptr) {
-    return;
-  }
-  if (model.m_handle.Kind == EKinematicKind::Immovable) {
-    m_world->Remove(model.m_handle);
-    AddToWorld(model);
+void CKinematics2DEngine::Reposition(CDescribedBodyModel& model) {
+  auto& displaced = static_cast<CKinematics2DModel&>(model);
+  if (displaced.m_handle.Kind == EKinematicKind::Immovable) {
+    m_world->Remove(displaced.m_handle);
+    AddToWorld(displaced);
   } else {
-    m_world->SetPose(model.m_handle, TakePose(model.m_cEmbodiedEntity));
+    m_world->SetPose(displaced.m_handle, ReadPose(displaced.m_cEmbodiedEntity));
   }
 }
 
@@ -141,27 +120,27 @@ void CKinematics2DEngine::UpdateManipulator(CPlanarModel& model) {
 }
 
 void CKinematics2DEngine::Build() {
-  const std::vector<CPlanarModel*> models = ListModelsForWorld();
+  const std::vector<CDescribedBodyModel*> models = ListModelsForWorld();
   size_t numImmovable = 0;
   size_t numDriven = 0;
-  for (CPlanarModel* model : models) {
+  for (CDescribedBodyModel* model : models) {
     const auto& body = static_cast<const CKinematics2DModel&>(*model);
     numImmovable += body.m_cEmbodiedEntity.IsMovable() ? 0 : 1;
     numDriven += body.m_wheels != nullptr ? 1 : 0;
   }
-  m_manipulators.reserve(WithComers(m_manipulators.size()));
-  m_hasLeft.reserve(WithComers(numDriven));
+  m_manipulators.reserve(AddSpareCapacity(m_manipulators.size()));
+  m_hasLeft.reserve(AddSpareCapacity(numDriven));
   m_world = std::make_unique<CKinematicWorld>();
-  m_world->MakeRoom(numImmovable, WithComers(models.size() - numImmovable - numDriven),
-                    WithComers(numDriven));
-  for (CPlanarModel* model : models) {
+  m_world->Reserve(numImmovable, AddSpareCapacity(models.size() - numImmovable - numDriven),
+                   AddSpareCapacity(numDriven));
+  for (CDescribedBodyModel* model : models) {
     AddToWorld(static_cast<CKinematics2DModel&>(*model));
   }
   for (const SWallSlab& wall : GetVolume().DescribeWalls()) {
     m_world->AddWall(*wall.Description, MakePlanarPose(wall.Position, wall.Orientation));
   }
   if (FeelsGhosts()) {
-    m_world->MakeRoomForGhosts(WithComers(numDriven));
+    m_world->ReserveForGhosts(AddSpareCapacity(numDriven));
   }
 }
 
@@ -175,7 +154,7 @@ void CKinematics2DEngine::AddToWorld(CKinematics2DModel& model) {
   using EClass = SGroundFrictionDescription::EClass;
   const CEmbodiedEntity& body = model.GetEmbodiedEntity();
   const SBodyDescription& description = *body.GetBodyDescription();
-  const SPlanarPose pose = TakePose(body);
+  const SPlanarPose pose = ReadPose(body);
   const SKinematicOwner owner{&model, &model.m_handle, &model.GetEmbodiedEntity(), &model.m_root};
   if (!body.IsMovable()) {
     m_world->AddImmovable(owner, description, pose);
@@ -194,10 +173,10 @@ void CKinematics2DEngine::Update() {
     Build();
   }
   if (FeelsGhosts()) {
-    m_world->SetGhosts(TakeGhosts(), m_cSimulator.GetTickLength(), GetIterations());
+    m_world->SetGhosts(ListGhosts(), m_cSimulator.GetTickLength(), GetIterations());
   }
   Advance();
-  UseManipulators();
+  UpdateManipulators();
   WriteBackDiscs();
   WriteBackSolids();
 }
@@ -221,7 +200,7 @@ void CKinematics2DEngine::Advance() {
   }
 }
 
-void CKinematics2DEngine::UseManipulators() {
+void CKinematics2DEngine::UpdateManipulators() {
   for (CKinematics2DModel* model : m_manipulators) {
     if (model->m_turret != nullptr) {
       model->m_turret->Advance(m_cSimulator.GetTickLength());
@@ -230,8 +209,8 @@ void CKinematics2DEngine::UseManipulators() {
       THROW_ARGOSEXCEPTION("robot \"" << model->m_root.GetId()
                                       << "\" has locked its gripper, but <kinematics2d id=\""
                                       << GetId()
-                                      << "\"> cannot hold anything: put robots that grip into a "
-                                         "<dynamics2d>");
+                                      << "\"> cannot hold anything: use <dynamics2d> for robots "
+                                         "that grip");
     }
   }
 }
@@ -251,7 +230,7 @@ void CKinematics2DEngine::WriteBackDiscs() {
   }
 }
 
-// Of some robots, on any thread: what is written belongs to one of them.
+// For robots [begin, end), on any thread: all data that is written belongs to one of them.
 void CKinematics2DEngine::WriteBackDiscs(size_t begin, size_t end) {
   CDiscSwarm& discs = m_world->GetDiscs();
   for (size_t i = begin; i < end; ++i) {
@@ -266,7 +245,7 @@ void CKinematics2DEngine::WriteBackDiscs(size_t begin, size_t end) {
     if (body.GetEnabledAnchors().size() > 1) {
       model.CalculateAnchors();
     }
-    // its heights stay
+    // its z range does not change
     SBoundingBox& box = model.m_sBoundingBox;
     box.MinCorner.SetX(pose.X - radius);
     box.MinCorner.SetY(pose.Y - radius);
@@ -311,10 +290,10 @@ bool CKinematics2DEngine::HasLeft(const CEmbodiedEntity& body) {
 REGISTER_PHYSICS_ENGINE(
     CKinematics2DEngine, "kinematics2d", "the authors of this project", "1.0",
     "Robots without momentum on a plane: the fastest engine.",
-    R"(Robots on wheels that follow the exact arcs of their wheel speeds, keep out of walls and of each other,
-slide along what is in their way, and push objects against their friction on the ground. Nothing has momentum: what nobody
-pushes stands still. Robots do not push robots. A tick spreads over the threads of <system threads>; its result does not
-depend on them. Gripping is an error that names the robot: dynamics2d grips.
+    R"(Robots on wheels that follow the exact arcs of their wheel speeds, do not overlap walls or each other,
+slide along obstacles, and push objects against their friction on the ground. Nothing has momentum: objects that are not
+pushed stand still. Robots do not push robots. A tick uses all threads of <system threads>; its result does not depend on
+them. Gripping is an error that names the robot: only dynamics2d and dynamics3d support it.
 
 REQUIRED XML
 
@@ -339,18 +318,20 @@ OPTIONAL XML
 ATTRIBUTES
 
   id                         text, required: unique among the engines.
-  iterations                 integer >= 1, default 1: substeps of a tick. Nothing overlaps or is passed
-                             through with any; robots in each other's way go straight in a substep.
+  iterations                 integer >= 1, default 1: substeps of a tick. No bodies overlap or pass through
+                             each other with any number; robots that may touch something move straight in
+                             a substep.
   elevation                  m, default 0: height of the plane; bodies must stand on it, to 1e-4 m.
-  box_linear_friction        N, >= 0, default 1.49: force that it takes to push a movable box along.
-  box_angular_friction       N m, >= 0, default 1.49: torque that it takes to turn it.
+  box_linear_friction        N, >= 0, default 1.49: force that is necessary to push a movable box.
+  box_angular_friction       N m, >= 0, default 1.49: torque that is necessary to turn it.
   cylinder_linear_friction   N, >= 0, default 1.49: the same for a movable cylinder.
   cylinder_angular_friction  N m, >= 0, default 1.49.
   boundaries                 the region of the engine, default everything: sides/vertex@point, in m, at
                              least three, counter-clockwise, convex. A vertex may have wall="true", which
                              stops bodies at the side from there to the next vertex, or gate="id", which
-                             hands those that cross it to that engine (doc/space_partitioning.md).
-  ghosts                     true or false, default true: robots of other engines near the border are felt.
+                             transfers bodies that cross it to that engine (doc/space_partitioning.md).
+  ghosts                     true or false, default true: robots of other engines near the border are
+                             obstacles.
   gripping_rigidity, spatial_hash  of dynamics2d: accepted and ignored.
 )",
     "Usable")

@@ -15,7 +15,7 @@ struct SGroundFriction;
 /**
  * Robots that drive on a plane without momentum: the engine for the largest swarms.
  *
- * Robots follow the arcs of their wheels, are kept out of each other and of walls, and push things.
+ * Robots follow the arcs of their wheels, do not overlap each other or walls, and push objects.
  * The README beside this file gives model, limits and measured accuracy; `argos3 -q kinematics2d`
  * every XML parameter.
  */
@@ -31,25 +31,22 @@ class CKinematics2DEngine : public CPlanarEngine {
   void Update() override;
   bool UsesThreadPool() const override { return true; }
 
-  /** Asks for no memory if the next engine is of this type too. */
-  void TransferEntity(CEmbodiedEntity& body) override;
-  /** Of robots: as their wheels turn. */
+  /** Only for robots: the motion that their wheels command. */
   bool GetMotion(const CEmbodiedEntity& body, SBodyMotion& motion) const override;
   Real GetGhostReach() const override;
 
-  /** For models: puts a body where its origin anchor is. */
-  void Replace(CKinematics2DModel& model);
   void UpdateManipulator(CPlanarModel& model) override;
 
  private:
-  std::unique_ptr<CPlanarModel> MakeModel(CEmbodiedEntity& body, const Real* wheels) override;
-  void RemakeModel(CPlanarModel& model, CEmbodiedEntity& body, const Real* wheels) override;
-  void Enter(CPlanarModel& model) override;
-  void Leave(CPlanarModel& model) override;
+  bool HasWorld() const override { return m_world != nullptr; }
+  std::unique_ptr<CDescribedBodyModel> CreateModel(CEmbodiedEntity& body) override;
+  void Enter(CDescribedBodyModel& model) override;
+  void Leave(CDescribedBodyModel& model) override;
+  void Reposition(CDescribedBodyModel& model) override;
   void Build();
   void AddToWorld(CKinematics2DModel& model);
   void Advance();
-  void UseManipulators();
+  void UpdateManipulators();
   void WriteBackDiscs();
   void WriteBackDiscs(size_t begin, size_t end);
   void WriteBackSolids();
@@ -57,8 +54,8 @@ class CKinematics2DEngine : public CPlanarEngine {
 
   std::unique_ptr<SGroundFriction> m_boxFriction, m_cylinderFriction;
   std::unique_ptr<CKinematicWorld> m_world;  // null: to be built from the models in the next tick
-  std::vector<CKinematics2DModel*> m_manipulators;  // those with a gripper or a turret
-  std::vector<UInt8> m_hasLeft;  // (discs by slot): the region of this engine, in this tick
+  std::vector<CKinematics2DModel*> m_manipulators;  // models with a gripper or a turret
+  std::vector<UInt8> m_hasLeft;  // (discs by slot): left the region in this tick
 };
 
 }  // namespace argos

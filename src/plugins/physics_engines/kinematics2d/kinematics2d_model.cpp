@@ -8,8 +8,4 @@ CKinematics2DModel::CKinematics2DModel(CKinematics2DEngine& engine, CEmbodiedEnt
                                        const Real* wheels)
     : CPlanarModel(engine, entity, wheels) {}
 
-void CKinematics2DModel::Replace() {
-  static_cast<CKinematics2DEngine&>(m_cEngine).Replace(*this);
-}
-
 }  // namespace argos

@@ -14,14 +14,11 @@ class CKinematics2DModel : public CPlanarModel {
   /** @param wheels  speeds of the left and the right wheel, m/s, if the body has a drive. */
   CKinematics2DModel(CKinematics2DEngine& engine, CEmbodiedEntity& entity, const Real* wheels);
 
- protected:
-  void Replace() override;
-
  private:
   friend class CKinematics2DEngine;
 
-  SKinematicHandle m_handle;  // where the body is in the engine's arrays
-  bool m_isManipulator = false;  // is it in the engine's list of those?
+  SKinematicHandle m_handle;  // of the body in the engine's arrays
+  bool m_isManipulator = false;  // in the engine's list of models with a manipulator
 };
 
 }  // namespace argos

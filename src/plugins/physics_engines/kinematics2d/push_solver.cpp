@@ -9,9 +9,9 @@ namespace argos {
 
 namespace {
 
-// N; bodies that nothing brakes yield as if friction were this
+// N; assumed friction, for the compliance of bodies without friction
 constexpr Real kLeastForce = 1e-3;
-// what a sweep may still change when the solver stops, in shares of the greatest need
+// change in a sweep at which the solver stops, as a share of the greatest need
 constexpr Real kSettled = 1e-9;
 
 }  // namespace
@@ -44,20 +44,20 @@ void CPushSolver::Prepare() {
   for (SForce& contact : m_contacts) {
     const SBody& pushed = m_bodies[contact.Pushed];
     contact.Give = pushed.Give + contact.LeverPushed * contact.LeverPushed * pushed.TurnGive;
-    if (contact.Pushing != kNobody) {
+    if (contact.Pushing != kNone) {
       const SBody& pushing = m_bodies[contact.Pushing];
       contact.Give += pushing.Give + contact.LeverPushing * contact.LeverPushing * pushing.TurnGive;
     }
   }
 }
 
-// Assumes that what is pushed slides against the push, with all its friction. If so, forces are
-// right from the start; if not, they relax within few sweeps.
+// Assumes that pushed bodies slide in the direction of the push, with full friction. Then the
+// forces are right from the start; otherwise they converge within few sweeps.
 void CPushSolver::GuessFriction() {
   for (const SForce& contact : m_contacts) {
     SBody& body = m_bodies[contact.Pushed];
     Real weight = std::max(0.0, contact.Need);
-    if (contact.Pushing != kNobody) {
+    if (contact.Pushing != kNone) {
       const SBody& pushing = m_bodies[contact.Pushing];
       weight = std::max(0.0, -contact.NormalX * pushing.UsedX - contact.NormalY * pushing.UsedY);
     }
@@ -82,7 +82,7 @@ void CPushSolver::GuessFriction() {
   }
 }
 
-// Returns the greatest change, m.
+// @return the greatest change, m.
 Real CPushSolver::SolveContacts() {
   Real change = 0.0;
   for (SForce& contact : m_contacts) {
@@ -101,7 +101,7 @@ void CPushSolver::Solve() {
     for (SBody& body : m_bodies) {
       SolveFriction(body);
     }
-    // contacts last, so that bodies are out of each other in the end
+    // contacts last, so that no overlap remains in the end
     if (SolveContacts() < kSettled * m_greatestNeed) {
       break;
     }
@@ -109,7 +109,7 @@ void CPushSolver::Solve() {
   KeepApart();
 }
 
-// Of those that push against each other none may win because it comes last.
+// Enforces Least of all contacts, so that the order of opposing pushes has no effect.
 void CPushSolver::KeepApart() {
   Real missing = HUGE_VAL;
   for (int sweep = 0; sweep < kPushIterations && missing > kSettled * m_greatestNeed; ++sweep) {
@@ -130,7 +130,7 @@ void CPushSolver::Push(SBody& body, Real x, Real y, Real torque) {
   body.Twist.Turn += body.TurnGive * torque;
 }
 
-// Friction takes what force it needs to keep the body where it is, up to its bounds.
+// Friction exerts the force that keeps the body at its place, up to its bounds.
 void CPushSolver::SolveFriction(SBody& body) {
   if (body.Force > 0.0) {
     Real x = body.UsedX - body.Twist.X / body.Give;
@@ -152,7 +152,7 @@ void CPushSolver::SolveFriction(SBody& body) {
   }
 }
 
-// Returns by how much it changed, m.
+// @return the change, m.
 Real CPushSolver::SolveContact(SForce& contact) {
   const Real force = std::clamp(
       contact.Force + (contact.Need - ComputeMotion(contact)) / contact.Give, 0.0, contact.Cap);
@@ -161,12 +161,12 @@ Real CPushSolver::SolveContact(SForce& contact) {
   return std::abs(change) * contact.Give;
 }
 
-// By how much more than the one that pushes the pushed one moves along the normal, m.
+// The motion of the pushed body along the normal, relative to the pushing one, m.
 Real CPushSolver::ComputeMotion(const SContact& contact) const {
   const STwist& pushed = m_bodies[contact.Pushed].Twist;
   Real moved =
       contact.NormalX * pushed.X + contact.NormalY * pushed.Y + contact.LeverPushed * pushed.Turn;
-  if (contact.Pushing != kNobody) {
+  if (contact.Pushing != kNone) {
     const STwist& pushing = m_bodies[contact.Pushing].Twist;
     moved -= contact.NormalX * pushing.X + contact.NormalY * pushing.Y +
              contact.LeverPushing * pushing.Turn;
@@ -178,7 +178,7 @@ void CPushSolver::AddForce(SForce& contact, Real change) {
   contact.Force += change;
   Push(m_bodies[contact.Pushed], change * contact.NormalX, change * contact.NormalY,
        change * contact.LeverPushed);
-  if (contact.Pushing != kNobody) {
+  if (contact.Pushing != kNone) {
     Push(m_bodies[contact.Pushing], -change * contact.NormalX, -change * contact.NormalY,
          -change * contact.LeverPushing);
   }

@@ -9,7 +9,7 @@
 
 namespace argos {
 
-/** How a body moves in a tick: m, and rad about its origin. */
+/** The motion of a body in a tick: m, and rad about its origin. */
 struct STwist {
   Real X = 0.0;
   Real Y = 0.0;
@@ -17,37 +17,36 @@ struct STwist {
 };
 
 /**
- * Finds out how bodies that rub on the ground move when they are pushed.
+ * Computes how bodies with ground friction move when they are pushed.
  *
- * Quasi-static: bodies have no momentum. What pushes moves as it wants, with a force up to a bound;
- * friction resists with a force and a torque up to theirs; bodies do not go into each other or into
- * what stands fast. Forces are found by sweeps over contacts and frictions (projected
- * Gauss-Seidel), as a solver of rigid bodies does, of bodies that begin every tick at rest and are
- * so light that friction alone counts.
+ * Quasi-static: bodies have no momentum. A pusher moves as planned, with a bounded force; friction
+ * resists with a bounded force and torque; bodies do not penetrate each other or fixed obstacles.
+ * Forces are found by sweeps over contacts and frictions (projected Gauss-Seidel), as in a solver
+ * for rigid bodies that start every tick at rest and whose inertia is negligible against friction.
  */
 class CPushSolver {
  public:
-  static constexpr UInt32 kNobody = std::numeric_limits<UInt32>::max();
+  static constexpr UInt32 kNone = std::numeric_limits<UInt32>::max();
   static constexpr Real kUnlimited = std::numeric_limits<Real>::infinity();
 
-  /** Where a body is pushed. The normal is of unit length and looks at the one that is pushed. */
+  /** A contact in which a body is pushed. The normal has unit length and points to that body. */
   struct SContact {
-    UInt32 Pushing = kNobody; /**< number of a body, or kNobody: something that is not moved */
+    UInt32 Pushing = kNone; /**< number of a body; kNone: an obstacle that does not move */
     UInt32 Pushed = 0; /**< number of a body */
     Real NormalX = 0.0, NormalY = 0.0;
     Real LeverPushing = 0.0, LeverPushed = 0.0; /**< of the normal about the bodies' origins, m */
-    /** By how much more than the one that pushes the pushed one is to move along the normal, m. */
+    /** Wanted motion of the pushed body along the normal, relative to the pushing one, m. */
     Real Need = 0.0;
-    Real Cap = kUnlimited; /**< bound of the force for that, N */
-    /** By how much it must move in any case, so that they do not overlap, m; <= Need. */
+    Real Cap = kUnlimited; /**< bound of the force for Need, N */
+    /** Motion that is required in any case to prevent an overlap, m; <= Need. */
     Real Least = 0.0;
   };
 
-  /** Forgets all bodies and contacts. */
+  /** Removes all bodies and contacts. */
   void Clear();
   /**
    * Adds a body.
-   * @param twist            what it does if nothing is in its way.
+   * @param twist            its motion without contacts.
    * @param force, torque    bounds of its friction, N and N m.
    * @param squaredGyration  moment of inertia over mass, m^2.
    * @return its number.
@@ -62,7 +61,7 @@ class CPushSolver {
     STwist Twist;
     Real Force, Torque;  // N, N m
     Real SquaredGyration;  // m^2
-    Real Give, TurnGive;  // m/N, rad/(N m): how it yields
+    Real Give, TurnGive;  // m/N, rad/(N m): compliance
     Real UsedX, UsedY, UsedTorque;  // of friction, N, N m
   };
   struct SForce : SContact {

@@ -8,14 +8,14 @@ namespace argos {
 
 namespace {
 
-/** A rectangle around the origin along the axes, and a disc that wants to take a step there. */
+/** An axis-aligned rectangle around the origin, and a disc with a planned step. */
 struct SDiscAtBox {
   Real HalfX, HalfY;
   Real X, Y, Radius;
   SStep Step;
 };
 
-/** A point of the rectangle and where the disc's centre is when that is nearest. */
+/** A point of the rectangle and the position of the disc's centre when that point is nearest. */
 struct SNearest {
   Real PointX, PointY;
   Real X, Y;
@@ -34,8 +34,7 @@ SNearest FindNearestAt(const SDiscAtBox& scene, Real share) {
   return nearest;
 }
 
-// where a point that takes a step enters the inside of a rectangle, as a share of the step; or
-// kNoHit
+// The share of a step after which a point enters a rectangle; kNoHit: not in this step.
 Real EnterBox(Real x, Real y, const SStep& step, Real halfX, Real halfY) {
   const bool isBeside =
       (step.X == 0.0 && std::abs(x) >= halfX) || (step.Y == 0.0 && std::abs(y) >= halfY);
@@ -53,7 +52,7 @@ Real EnterCircle(Real x, Real y, const SStep& step, Real radius) {
   return approach < 0.0 && inside.First < inside.Last ? std::max(0.0, inside.First) : kNoHit;
 }
 
-// when the disc first touches the rectangle, as a share of its step; > 1: it does not
+// The share of its step after which the disc first touches the rectangle; > 1: not in this step.
 Real FindFirstTouch(const SDiscAtBox& scene) {
   Real share =
       std::min(EnterBox(scene.X, scene.Y, scene.Step, scene.HalfX + scene.Radius, scene.HalfY),
@@ -67,7 +66,7 @@ Real FindFirstTouch(const SDiscAtBox& scene) {
   return share;
 }
 
-// the points of a step and a rectangle, which it does not cross, that are nearest to each other
+// The nearest points of a step and a rectangle that it does not cross.
 SNearest FindNearestOnWay(const SDiscAtBox& scene) {
   SNearest nearest = FindNearestAt(scene, 0.0);
   const SNearest atEnd = FindNearestAt(scene, 1.0);
@@ -97,7 +96,7 @@ SNearest FindNearestOnWay(const SDiscAtBox& scene) {
   return nearest;
 }
 
-// of a disc whose centre is inside the rectangle, or on its border: out by the shortest way
+// For a disc with its centre inside the rectangle, or on its border: along the shortest way out.
 SSeparation SeparateFromInside(const SDiscAtBox& scene) {
   SSeparation separation;
   const Real depthX = scene.HalfX - std::abs(scene.X);
@@ -143,14 +142,14 @@ SSeparation SeparateFromBox(const SDiscAtBox& scene) {
 
 /** Two rectangles, seen along a side of the first. */
 struct SSide {
-  bool IsFirst = true;  // is it a side of the first rectangle?
+  bool IsFirst = true;  // true for a side of the first rectangle
   Real NormalX = 0.0, NormalY = 0.0;  // outwards
   Real Half = 0.0;  // from the rectangle's centre to the side
   Real HalfAlong = 0.0;  // half of the side's length
   Real Gap = -HUGE_VAL;
 };
 
-// keeps the side of a that is farthest from b, if that is better than what there is
+// Selects the side of a that is farthest from b, if it is farther than the best one so far.
 void ConsiderSides(const SFootprint& a, const SFootprint& b, bool isFirst, SSide& best) {
   const Real dx = b.X - a.X;
   const Real dy = b.Y - a.Y;
@@ -160,7 +159,7 @@ void ConsiderSides(const SFootprint& a, const SFootprint& b, bool isFirst, SSide
     const Real half = axis == 0 ? a.HalfX : a.HalfY;
     const Real along = dx * axisX + dy * axisY;
     const Real gap = std::abs(along) - half - ComputeHalfWidth(b, axisX, axisY);
-    // sides that are as good to some roundings: the first
+    // of sides that are equal except for rounding: the first
     if (gap > best.Gap + 1e-12) {
       const Real sign = along < 0.0 ? -1.0 : 1.0;
       best = {isFirst, sign * axisX, sign * axisY, half, axis == 0 ? a.HalfY : a.HalfX, gap};
@@ -175,7 +174,7 @@ SSide FindBestSide(const SFootprint& a, const SFootprint& b) {
   return best;
 }
 
-// the ends of the side of a rectangle that looks most against a direction
+// The ends of the side of a rectangle that faces a direction most directly.
 void FindIncidentSide(const SFootprint& box, Real x, Real y, SStep (&ends)[2]) {
   const Real alongX = box.Cos * x + box.Sin * y;
   const Real alongY = box.Cos * y - box.Sin * x;
@@ -192,7 +191,7 @@ void FindIncidentSide(const SFootprint& box, Real x, Real y, SStep (&ends)[2]) {
   }
 }
 
-// cuts what is farther than that along the tangent off a line; nothing may be left
+// Clips a line to the points within half of the centre along the tangent. @return false if none is.
 bool Clip(SStep (&ends)[2], const SFootprint& box, Real tangentX, Real tangentY, Real half) {
   const auto along = [&](const SStep& end) {
     return (end.X - box.X) * tangentX + (end.Y - box.Y) * tangentY;
@@ -224,7 +223,7 @@ int FindContactsOfBoxes(const SFootprint& a, const SFootprint& b, SSeparation* c
   };
   int count = 2;
   if (!Clip(ends, reference, -side.NormalY, side.NormalX, side.HalfAlong)) {
-    // corner at corner
+    // corner to corner
     ends[0] = gapOf(whole[0]) < gapOf(whole[1]) ? whole[0] : whole[1];
     count = 1;
   }

@@ -9,24 +9,24 @@
 namespace argos {
 
 /**
- * A line between two convex things that do not overlap, or where they touch or overlap.
+ * A separating line of two convex shapes, or their contact if they touch or overlap.
  *
- * While the first goes less than Gap along the normal, farther than the second does, they stay
- * apart: on the whole way, not only at its end, because a line keeps them apart.
+ * While the first shape moves along the normal by less than Gap more than the second, they stay
+ * apart: on the whole path, not only at its end, because the line separates them.
  */
 struct SSeparation {
   Real NormalX = 0.0, NormalY = 0.0;  // from the first to the second, of unit length
   Real Gap = 0.0;  // m, along the normal; negative if they overlap
-  Real PointX = 0.0, PointY = 0.0;  // of the second, where it is nearest; m, world frame
+  Real PointX = 0.0, PointY = 0.0;  // nearest point of the second, m, world frame
 };
 
 /**
- * A line between two discs that suits steps they want to take.
+ * A separating line of two discs, chosen for their planned steps.
  *
- * If they would not meet on the way, the line allows all of it; if they would, it is where they
- * first touch, so that the rest of the way they slide.
+ * If they do not touch on the way, the line allows the whole steps; if they do, it is the tangent
+ * at their first contact, along which they slide on the rest of the way.
  * @param offset    from the first centre to the second, m.
- * @param relative  how the second wants to go, seen from the first, m.
+ * @param relative  planned step of the second relative to the first, m.
  * @param reach     sum of the radii, m.
  */
 inline SSeparation SeparateDiscs(const SStep& offset, const SStep& relative, Real reach) {
@@ -58,22 +58,22 @@ inline SSeparation SeparateDiscs(const SStep& offset, const SStep& relative, Rea
   return separation;
 }
 
-/** The same of a disc that wants to take a step and a footprint that stays. */
+/** The same for a disc with a planned step and a fixed footprint. */
 SSeparation SeparateFromFootprint(Real x, Real y, Real radius, const SStep& step,
                                   const SFootprint& footprint);
 
 /**
- * Where two footprints touch, or would if they came closer: one or two points.
+ * Finds the points where two footprints touch, or would touch if they were closer: one or two.
  * @param contacts  room for two; the normals are from @p a to @p b, the points are of the one or
  * the other.
- * @return how many there are.
+ * @return their number.
  */
 int FindContacts(const SFootprint& a, const SFootprint& b, SSeparation* contacts);
 
 /** The gap between two footprints along the line that separates them best, m; below 0: overlap. */
 Real ComputeGap(const SFootprint& a, const SFootprint& b);
 
-/** Radius of the circle around the centre that holds a footprint, m. */
+/** Radius of the circle around the centre that encloses a footprint, m. */
 inline Real ComputeExtent(const SFootprint& footprint) {
   return footprint.Radius +
          std::sqrt(footprint.HalfX * footprint.HalfX + footprint.HalfY * footprint.HalfY);

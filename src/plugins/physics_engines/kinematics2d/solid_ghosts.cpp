@@ -1,4 +1,4 @@
-// Robots of other engines near the border, and bodies that are no discs.
+// Robots of other engines near the border as obstacles of bodies that are not discs.
 
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/solids.h>
 
@@ -11,7 +11,7 @@ namespace argos {
 
 namespace {
 
-// how far wheels lead in a time, m
+// the path that wheels command in a time (s), m
 Real ComputePath(const SSolid& solid, Real duration) {
   return solid.IsPassive() ? 0.0 : std::abs(0.5 * (solid.Wheels[0] + solid.Wheels[1]) * duration);
 }
@@ -21,7 +21,7 @@ Real ComputePath(const SSolid& solid, Real duration) {
 Real CSolids::ComputeGhostReach(Real tick) const {
   Real reach = 0.0;
   for (const SSolid& solid : m_solids) {
-    // of speeds that are no numbers Plan() complains
+    // Plan() reports speeds that are not numbers
     reach = std::fmax(reach, solid.BoundingRadius + 2.0 * ComputePath(solid, tick));
   }
   return reach;
@@ -38,7 +38,7 @@ void CSolids::SetGhosts(std::span<const SGhostDisc> ghosts, Real tick) {
   }
 }
 
-// Puts a face half-way between a ghost and each robot that may come there, across the line between
+// Adds a face half-way between a ghost and each robot that may reach it, across the line between
 // their centres: between the circles around them.
 void CSolids::AddFaces(const SGhostDisc& ghost, Real tick) {
   for (UInt32 slot = 0; slot < m_solids.size(); ++slot) {
@@ -60,15 +60,15 @@ void CSolids::AddFaces(const SGhostDisc& ghost, Real tick) {
   }
 }
 
-// Finds out whether ghosts have come into a thing, which has to get out of their way then.
-void CSolids::FindGhosts(UInt32 slot) {
+// Finds ghosts that overlap a passive object, which then has to give way to them.
+void CSolids::FindGhostOverlaps(UInt32 slot) {
   const SSolid& solid = m_solids[slot];
   m_ghostCells.Find(m_grid, solid.Pose.X, solid.Pose.Y, solid.BoundingRadius, m_found);
   for (const UInt32 ghost : m_found) {
     for (const SFootprint& mine : FootprintsOf(solid)) {
       const Real depth = -ComputeGap(mine, m_ghosts[ghost]);
       if (depth > kSolidTolerance * solid.NarrowestHalf) {
-        Activate(slot);
+        AddToSolver(slot);
         m_farthest = std::max(m_farthest, depth);
       }
     }

@@ -11,9 +11,9 @@ namespace argos {
 
 namespace {
 
-// passes over those that are pushed, of which one may be in the other's way
+// passes over the pushed bodies, because one may block another
 constexpr int kPasses = 4;
-// how often a step that is too far is halved
+// how often a step that is too long is halved
 constexpr int kHalvings = 8;
 
 Real ComputeLever(const SSolid& solid, const SSeparation& contact) {
@@ -25,7 +25,7 @@ Real ComputeLength(const SSolid& solid, const STwist& twist) {
   return std::hypot(twist.X, twist.Y) + std::abs(twist.Turn) * solid.BoundingRadius;
 }
 
-// a twist, or as much of it as has that length, m
+// a twist, scaled down to a length (m) if it is longer
 STwist Shortened(const SSolid& solid, const STwist& twist, Real longest) {
   const Real length = ComputeLength(solid, twist);
   if (length <= longest) {
@@ -76,7 +76,7 @@ void CSolids::Reserve(size_t solids) {
   m_footprints.reserve(2 * solids);
   m_slotOf.reserve(2 * solids);
   m_found.reserve(256);
-  m_active.reserve(solids);
+  m_pushed.reserve(solids);
   m_nearDiscs.reserve(256);
   m_pushes.reserve(256);
   m_obstacles.reserve(256);
@@ -118,7 +118,7 @@ void CSolids::Remove(UInt32 slot) {
     m_solids[slot].Owner.Handle->Slot = slot;
   }
   m_solids.pop_back();
-  // the lists of footprints have no holes
+  // the lists of footprints are dense
   for (auto* list : {&m_shapes, &m_footprints}) {
     const auto first = list->begin() + static_cast<std::ptrdiff_t>(gone.FirstFootprint);
     list->erase(first, first + static_cast<std::ptrdiff_t>(gone.NumFootprints));
@@ -173,32 +173,32 @@ void CSolids::Step(const CDiscSwarm& discs) {
     return;
   }
   m_solver.Clear();
-  m_active.clear();
+  m_pushed.clear();
   m_pushes.clear();
   m_farthest = 0.0;
   if (!m_ghosts.empty()) {
-    LayGrid();
+    BuildGrid();
   }
   m_ghostCells.List(m_grid, m_ghosts, 0.0);
   FindPushed(discs);
-  if (m_active.empty() && m_numDriven == 0) {
+  if (m_pushed.empty() && m_numDriven == 0) {
     return;
   }
   ListAll();
-  // the list grows while those in the way of the ones that are pushed are found
-  for (size_t i = 0; i < m_active.size(); ++i) {
-    AddNeighbours(m_active[i], discs);
+  // the list grows, because neighbours of pushed bodies are added
+  for (size_t i = 0; i < m_pushed.size(); ++i) {
+    AddNeighbours(m_pushed[i], discs);
   }
   m_solver.Solve();
-  for (const UInt32 slot : m_active) {
-    // nothing goes farther than others look for it
+  for (const UInt32 slot : m_pushed) {
+    // limited to the distance within which others search for it
     SSolid& solid = m_solids[slot];
     const STwist& twist = m_solver.GetTwist(solid.Number);
     solid.Twist = Shortened(solid, twist, ComputeFarthest(solid));
-    solid.Number = CPushSolver::kNobody;
+    solid.Number = CPushSolver::kNone;
   }
   for (int pass = 0; pass < kPasses; ++pass) {
-    for (const UInt32 slot : m_active) {
+    for (const UInt32 slot : m_pushed) {
       SSolid& solid = m_solids[slot];
       const Real left = 1.0 - Move(solid, solid.Twist, discs);
       solid.Twist = {left * solid.Twist.X, left * solid.Twist.Y, left * solid.Twist.Turn};
@@ -212,14 +212,14 @@ void CSolids::Step(const CDiscSwarm& discs) {
   }
 }
 
-// How far a body gets in this tick, at most, m; with what puts it out of others.
+// Longest path of a body in this tick, m, including the correction of overlaps.
 Real CSolids::ComputeFarthest(const SSolid& solid) const {
-  const Real wanted = solid.IsPassive() ? m_farthest : ComputeLength(solid, solid.Twist);
-  return 2.0 * wanted + 2.0 * kSolidStep * solid.NarrowestHalf;
+  const Real planned = solid.IsPassive() ? m_farthest : ComputeLength(solid, solid.Twist);
+  return 2.0 * planned + 2.0 * kSolidStep * solid.NarrowestHalf;
 }
 
-// Lays the grid, if it is not good for so many.
-void CSolids::LayGrid() {
+// Builds the grid, if it does not fit the number of solids.
+void CSolids::BuildGrid() {
   if (m_solidsOfGrid <= 2 * m_solids.size() && m_solids.size() <= 2 * m_solidsOfGrid) {
     return;
   }
@@ -234,9 +234,9 @@ void CSolids::LayGrid() {
   m_wallsChanged = true;
 }
 
-// Lists walls and solids in cells, the latter in all that they may reach in this tick.
+// Lists walls and solids by cells; solids by all cells that they may reach in this tick.
 void CSolids::ListAll() {
-  LayGrid();
+  BuildGrid();
   Real reach = 0.0;
   for (const SSolid& solid : m_solids) {
     reach = std::max(reach, ComputeFarthest(solid));
@@ -253,14 +253,14 @@ void CSolids::SetWalls(std::span<const SFootprint> walls) {
   m_wallsChanged = true;
 }
 
-// Finds the things that robots push directly, and those that have just been put into something.
+// Finds the objects that robots push directly, and objects that were placed since the last tick.
 void CSolids::FindPushed(const CDiscSwarm& discs) {
   for (UInt32 slot = 0; slot < m_solids.size(); ++slot) {
     if (m_solids[slot].IsPassive()) {
       AddPushes(slot, discs);
-      FindGhosts(slot);
+      FindGhostOverlaps(slot);
       if (m_solids[slot].IsFresh) {
-        Activate(slot);
+        AddToSolver(slot);
       }
     }
   }
@@ -272,19 +272,19 @@ void CSolids::AddPushes(UInt32 slot, const CDiscSwarm& discs) {
   discs.ForDiscsNear(solid.Pose.X, solid.Pose.Y, solid.BoundingRadius,
                      [this](UInt32 disc) { m_nearDiscs.push_back(disc); });
   std::sort(m_nearDiscs.begin(), m_nearDiscs.end());
-  const auto addPush = [&](const SSeparation& contact, Real wanted, Real force) {
-    const Real need = wanted - contact.Gap;
-    if (!(need > 0.0 && wanted > 0.0)) {
+  const auto addPush = [&](const SSeparation& contact, Real planned, Real force) {
+    const Real need = planned - contact.Gap;
+    if (!(need > 0.0 && planned > 0.0)) {
       return false;
     }
-    Activate(slot);
+    AddToSolver(slot);
     m_farthest = std::max(m_farthest, need);
     AddContact(solid, contact, need, force, -contact.Gap);
     return true;
   };
   for (const UInt32 disc : m_nearDiscs) {
     const SPlanarPose pose = discs.GetPose(disc);
-    const SStep step = discs.GetWanted(disc);
+    const SStep step = discs.GetPlannedStep(disc);
     for (const SFootprint& footprint : FootprintsOf(solid)) {
       const SSeparation contact =
           SeparateFromFootprint(pose.X, pose.Y, discs.GetRadius(disc), step, footprint);
@@ -308,28 +308,28 @@ void CSolids::AddPushes(UInt32 slot, const CDiscSwarm& discs) {
         SSeparation contacts[2];
         const int count = FindContacts(pushing, pushed, contacts);
         for (int i = 0; i < count; ++i) {
-          const Real wanted = contacts[i].NormalX * robot.Twist.X +
-                              contacts[i].NormalY * robot.Twist.Y +
-                              ComputeLever(robot, contacts[i]) * robot.Twist.Turn;
-          addPush(contacts[i], wanted, robot.MaxForce / count);
+          const Real planned = contacts[i].NormalX * robot.Twist.X +
+                               contacts[i].NormalY * robot.Twist.Y +
+                               ComputeLever(robot, contacts[i]) * robot.Twist.Turn;
+          addPush(contacts[i], planned, robot.MaxForce / count);
         }
       }
     }
   }
 }
 
-// Gives a body a number in the solver, if it has none.
-UInt32 CSolids::Activate(UInt32 slot) {
+// Adds a body to the solver, if it is not in it. @return its number there.
+UInt32 CSolids::AddToSolver(UInt32 slot) {
   SSolid& solid = m_solids[slot];
-  if (solid.Number == CPushSolver::kNobody) {
+  if (solid.Number == CPushSolver::kNone) {
     solid.Number = m_solver.AddBody(STwist(), solid.Friction.Force, solid.Friction.Torque,
                                     solid.SquaredGyration);
-    m_active.push_back(slot);
+    m_pushed.push_back(slot);
   }
   return solid.Number;
 }
 
-// Adds what may be in the way of a body that is pushed.
+// Adds the contacts of a pushed body with its neighbours.
 void CSolids::AddNeighbours(UInt32 slot, const CDiscSwarm& discs) {
   SSolid& solid = m_solids[slot];
   const Real margin = 2.0 * m_farthest + kSolidTolerance * solid.NarrowestHalf;
@@ -343,7 +343,7 @@ void CSolids::AddNeighbours(UInt32 slot, const CDiscSwarm& discs) {
   }
   m_ghostCells.Find(m_grid, solid.Pose.X, solid.Pose.Y, reach, m_found);
   for (const UInt32 ghost : m_found) {
-    // it drives on if it is not got out of its way in one tick
+    // the whole overlap, because a ghost moves on in the next tick
     AddObstacle(solid, m_ghosts[ghost], m_farthest);
   }
   m_nearDiscs.clear();
@@ -351,7 +351,7 @@ void CSolids::AddNeighbours(UInt32 slot, const CDiscSwarm& discs) {
                      [this](UInt32 disc) { m_nearDiscs.push_back(disc); });
   std::sort(m_nearDiscs.begin(), m_nearDiscs.end());
   for (const UInt32 disc : m_nearDiscs) {
-    // one that pushes it asks for more than not to be run into
+    // a disc that pushes the body has a contact with a greater need already
     const bool pushes =
         std::find(m_pushes.begin(), m_pushes.end(), SPush{slot, disc}) != m_pushes.end();
     if (!pushes) {
@@ -374,14 +374,14 @@ void CSolids::AddNeighbours(UInt32 slot, const CDiscSwarm& discs) {
       for (const SFootprint& footprint : FootprintsOf(other)) {
         AddObstacle(solid, footprint, most);
       }
-    } else if (other.Number == CPushSolver::kNobody || other.Number > solid.Number) {
-      Activate(i);
+    } else if (other.Number == CPushSolver::kNone || other.Number > solid.Number) {
+      AddToSolver(i);
       AddSolidNeighbour(solid, other);
     }
   }
 }
 
-// Adds what keeps two bodies apart that may both be pushed.
+// Adds the contacts of two bodies that may both be pushed.
 void CSolids::AddSolidNeighbour(SSolid& solid, SSolid& other) {
   for (const SFootprint& a : FootprintsOf(solid)) {
     for (const SFootprint& b : FootprintsOf(other)) {
@@ -398,8 +398,8 @@ void CSolids::AddSolidNeighbour(SSolid& solid, SSolid& other) {
   }
 }
 
-// Adds what keeps a body out of something that stands fast. Of an overlap, at most so much (m) is
-// undone at once.
+// Adds the contacts of a body with a fixed obstacle. Of an overlap, at most @p most (m) is
+// corrected in a tick.
 void CSolids::AddObstacle(const SSolid& solid, const SFootprint& footprint, Real most) {
   for (const SFootprint& mine : FootprintsOf(solid)) {
     AddObstacle(solid, mine, footprint, most);
@@ -418,11 +418,11 @@ void CSolids::AddObstacle(const SSolid& solid, const SFootprint& mine, const SFo
 
 void CSolids::AddContact(const SSolid& solid, const SSeparation& contact, Real need, Real cap,
                          Real least) {
-  m_solver.AddContact({CPushSolver::kNobody, solid.Number, contact.NormalX, contact.NormalY, 0.0,
+  m_solver.AddContact({CPushSolver::kNone, solid.Number, contact.NormalX, contact.NormalY, 0.0,
                        ComputeLever(solid, contact), need, cap, least});
 }
 
-// A robot that is no disc goes where its wheels lead, slides along what is in its way, or stops.
+// A robot that is not a disc follows its wheels, slides along obstacles, or stops.
 void CSolids::StepDriven(SSolid& solid, const CDiscSwarm& discs) {
   const Real length = ComputeLength(solid, solid.Twist);
   if (length == 0.0 && !solid.IsFresh) {
@@ -441,10 +441,10 @@ void CSolids::StepDriven(SSolid& solid, const CDiscSwarm& discs) {
   }
   m_solver.Solve();
   STwist twist = Shortened(solid, m_solver.GetTwist(solid.Number), ComputeFarthest(solid));
-  solid.Number = CPushSolver::kNobody;
+  solid.Number = CPushSolver::kNone;
   const bool isFree =
       twist.X == solid.Twist.X && twist.Y == solid.Twist.Y && twist.Turn == solid.Twist.Turn;
-  // what is left of a step that had no room is tried without turning
+  // the remainder of a blocked step is tried without rotation
   if (Move(solid, twist, discs) < 1.0) {
     twist.Turn = 0.0;
     Move(solid, twist, discs);
@@ -453,7 +453,7 @@ void CSolids::StepDriven(SSolid& solid, const CDiscSwarm& discs) {
   }
 }
 
-// Collects what is near a body, but for itself.
+// Collects the obstacles near a body.
 void CSolids::GatherObstacles(const SSolid& solid, Real margin, const CDiscSwarm& discs) {
   m_obstacles.clear();
   const auto add = [&](const SFootprint& footprint, bool isFace = false) {
@@ -470,7 +470,7 @@ void CSolids::GatherObstacles(const SSolid& solid, Real margin, const CDiscSwarm
   m_nearDiscs.clear();
   discs.ForDiscsNear(solid.Pose.X, solid.Pose.Y, reach,
                      [this](UInt32 disc) { m_nearDiscs.push_back(disc); });
-  // threads have sorted them into cells in any order
+  // their order within cells depends on threads
   std::sort(m_nearDiscs.begin(), m_nearDiscs.end());
   for (const UInt32 disc : m_nearDiscs) {
     add(MakeDisc(discs.GetPose(disc), discs.GetRadius(disc)));
@@ -494,7 +494,7 @@ void CSolids::GatherObstacles(const SSolid& solid, Real margin, const CDiscSwarm
   }
 }
 
-// Moves a body along a twist as far as there is room. Returns the share that it got.
+// Moves a body along a twist as far as there is space. @return the share that it has moved.
 Real CSolids::Move(SSolid& solid, const STwist& twist, const CDiscSwarm& discs) {
   const Real length = ComputeLength(solid, twist);
   if (!(length > kNegligibleStep * solid.NarrowestHalf)) {
@@ -507,10 +507,10 @@ Real CSolids::Move(SSolid& solid, const STwist& twist, const CDiscSwarm& discs) 
   Real share = 0.0;
   bool isFree = true;
   for (UInt32 step = 0; step < steps && isFree; ++step) {
-    const Real wanted = step + 1 == steps ? 1.0 : (step + 1) * stepShare;
-    isFree = IsFree(solid, Moved(start, twist, wanted));
+    const Real planned = step + 1 == steps ? 1.0 : (step + 1) * stepShare;
+    isFree = IsFree(solid, Moved(start, twist, planned));
     if (isFree) {
-      share = wanted;
+      share = planned;
     }
   }
   Real part = 0.5 * stepShare;
@@ -526,7 +526,7 @@ Real CSolids::Move(SSolid& solid, const STwist& twist, const CDiscSwarm& discs) 
   return share;
 }
 
-// Would a body be out of everything that was gathered, or at least not deeper in it than before?
+// @return true if a body at that pose overlaps no gathered obstacle, or none deeper than before.
 bool CSolids::IsFree(const SSolid& solid, const SPlanarPose& pose) const {
   const Real tolerance = kSolidTolerance * solid.NarrowestHalf;
   return std::all_of(m_obstacles.begin(), m_obstacles.end(), [&](const SObstacle& obstacle) {
@@ -535,7 +535,7 @@ bool CSolids::IsFree(const SSolid& solid, const SPlanarPose& pose) const {
   });
 }
 
-// m; of the body at that pose
+// The gap between the body at that pose and an obstacle, m.
 Real CSolids::ComputeGapTo(const SSolid& solid, const SPlanarPose& pose,
                            const SObstacle& obstacle) const {
   if (obstacle.IsFace) {

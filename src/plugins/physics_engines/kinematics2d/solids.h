@@ -18,7 +18,7 @@ namespace argos {
 class CDiscSwarm;
 struct SBodyDescription;
 
-/** A movable body of any shape: a thing to be pushed, or a robot that is not a disc. */
+/** A movable body of any shape: an object that can be pushed, or a robot that is not a disc. */
 struct SSolid {
   SKinematicOwner Owner;
   SPlanarPose Pose;
@@ -33,20 +33,20 @@ struct SSolid {
   Real MaxForce = 0.0;  // N
   // of a tick
   STwist Twist;
-  SPlanarPose Arc;  // where a robot's wheels lead
-  UInt32 Number = CPushSolver::kNobody;  // of those that are being pushed
-  bool IsFresh = true;  // has just been put here, so it may be in something
-  bool HasMoved = false;  // since it was last asked
+  SPlanarPose Arc;  // the end of the arc that a robot's wheels command
+  UInt32 Number = CPushSolver::kNone;  // in the solver
+  bool IsFresh = true;  // was placed since the last tick, so it may overlap others
+  bool HasMoved = false;  // since its pose was last written to the entity
 
   bool IsPassive() const { return Wheels == nullptr; }
 };
 
 /**
- * The movable bodies that are no discs, and movable discs without a drive.
+ * The movable bodies that are not discs, and movable discs without a drive.
  *
- * Each tick finds out which things robots push, and how these move (CPushSolver). Then each takes
- * its step as far as there is room, one after the other, before the discs take theirs: so nothing
- * ever goes into anything else, whatever the solver says.
+ * Each tick computes which objects robots push, and how these move (CPushSolver). Then each body
+ * makes its step as far as there is space, one after the other, before the discs make theirs: so no
+ * body ever penetrates another, whatever the result of the solver.
  */
 class CSolids {
  public:
@@ -55,25 +55,25 @@ class CSolids {
   /** @param wheels  speeds of a robot's wheels, m/s, which must stay valid; or null. */
   void Add(const SKinematicOwner& owner, const SBodyDescription& description,
            const SPlanarPose& pose, const Real* wheels, const SGroundFriction& friction);
-  /** Takes one out; the last one gets its slot. */
+  /** Removes a body; the last one gets its slot. */
   void Remove(UInt32 slot);
   void SetPose(UInt32 slot, const SPlanarPose& pose);
 
-  /** Where wheels lead in a time, s. @throws SBadKinematicWheels */
+  /** Computes the steps that wheels command in a time, s. @throws SBadKinematicWheels */
   void Plan(Real duration);
-  /** Tells of the walls before the next Step(); they must stay where they are. */
+  /** Sets the walls before the next Step(); they must stay valid. */
   void SetWalls(std::span<const SFootprint> walls);
   /**
-   * Tells of the robots of other engines before the first Plan() of a tick. Robots here keep to
-   * their side of a face half-way to each, things are pushed by them.
+   * Sets the robots of other engines before the first Plan() of a tick. Robots of this engine stay
+   * on their side of a face half-way to each; passive objects are pushed by them.
    * @param tick  s.
    */
   void SetGhosts(std::span<const SGhostDisc> ghosts, Real tick);
-  /** How far a ghost may be that a body here meets in a tick, s: see the world. */
+  /** See CKinematicWorld::ComputeGhostReach(). */
   Real ComputeGhostReach(Real tick) const;
-  /** After Plan(): moves all. @param discs  after its Plan(), before its Step(). */
+  /** After Plan(): moves all bodies. @param discs  after its Plan(), before its Step(). */
   void Step(const CDiscSwarm& discs);
-  /** Of all, world frame. */
+  /** Of all bodies, world frame. */
   std::span<const SFootprint> GetFootprints() const { return m_footprints; }
   /** Changes whenever a footprint does. */
   UInt32 GetGeneration() const { return m_generation; }
@@ -82,20 +82,20 @@ class CSolids {
   const SSolid& Get(UInt32 slot) const { return m_solids[slot]; }
 
  private:
-  /** Something near a body that does not move while the body does. */
+  /** An obstacle near a body, which is fixed while the body moves. */
   struct SObstacle {
     SFootprint Footprint;
-    bool IsFace = false;  // half-way to a ghost: the circle around the body stays on its side
+    bool IsFace = false;  // half-way to a ghost: applies to the circle around the body
     Real Gap = 0.0;  // m, before the body's step
   };
 
-  /** What keeps a robot on its side of the way to a ghost, in a tick. */
+  /** The face that keeps a robot on its side of the gap to a ghost, in a tick. */
   struct SFace {
     UInt32 Slot;
     SFootprint Footprint;
   };
 
-  /** That a disc pushes a body directly. */
+  /** A direct push of a body by a disc. */
   struct SPush {
     UInt32 Slot, Disc;
     bool operator==(const SPush&) const = default;
@@ -103,12 +103,12 @@ class CSolids {
 
   void FindPushed(const CDiscSwarm& discs);
   void AddFaces(const SGhostDisc& ghost, Real tick);
-  void FindGhosts(UInt32 slot);
-  void LayGrid();
+  void FindGhostOverlaps(UInt32 slot);
+  void BuildGrid();
   void ListAll();
   Real ComputeFarthest(const SSolid& solid) const;
   void AddPushes(UInt32 slot, const CDiscSwarm& discs);
-  UInt32 Activate(UInt32 slot);
+  UInt32 AddToSolver(UInt32 slot);
   void AddNeighbours(UInt32 slot, const CDiscSwarm& discs);
   void AddSolidNeighbour(SSolid& solid, SSolid& other);
   void AddObstacle(const SSolid& solid, const SFootprint& footprint, Real most);
@@ -128,12 +128,12 @@ class CSolids {
   std::vector<SSolid> m_solids;
   std::vector<SFootprint> m_shapes;  // footprints of all, in the frames of their bodies
   std::vector<SFootprint> m_footprints;  // the same, world frame
-  std::vector<UInt32> m_slotOf;  // (footprints): whose each is
+  std::vector<UInt32> m_slotOf;  // (footprints): of the body
   size_t m_numDriven = 0;
   UInt32 m_generation = 0;
-  // who is near: walls as they are, solids as far as they may get in this tick
+  // walls by cells, and solids by all cells that they may reach in this tick
   CFramedGrid m_grid;
-  size_t m_solidsOfGrid = 0;  // how many there were when it was laid
+  size_t m_solidsOfGrid = 0;  // number of solids when it was built
   std::span<const SFootprint> m_walls;
   bool m_wallsChanged = true;
   CCellLists m_wallCells, m_solidCells;
@@ -143,8 +143,8 @@ class CSolids {
   CCellLists m_ghostCells;
   std::vector<SFace> m_faces;
   CPushSolver m_solver;
-  Real m_farthest = 0.0;  // m: how far anything is pushed
-  std::vector<UInt32> m_active;  // slots of those that are being pushed
+  Real m_farthest = 0.0;  // m; greatest need of a push
+  std::vector<UInt32> m_pushed;  // slots of the bodies in the solver
   std::vector<SPush> m_pushes;
   std::vector<UInt32> m_nearDiscs;  // slots
   std::vector<SObstacle> m_obstacles;

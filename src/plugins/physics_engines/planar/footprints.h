@@ -11,7 +11,7 @@
 
 namespace argos {
 
-/** The part of the ground that a solid covers: a disc or an oriented rectangle; m, world frame. */
+/** The projection of a solid on the ground: a disc or an oriented rectangle; m, world frame. */
 struct SFootprint {
   Real X, Y;
   Real Cos, Sin;  // of the yaw of a rectangle
@@ -31,16 +31,16 @@ std::vector<SFootprint> DescribeFootprints(const SBodyDescription& description,
 void AppendFootprints(const SBodyDescription& description, const SPlanarPose& pose,
                       std::vector<SFootprint>& footprints);
 
-/** Does the solid stand upright in its body? */
+/** @return true if the solid is upright in its body. */
 bool IsUpright(const SShapeDescription& shape);
 
-/** Is it round, seen from above? */
+/** @return true if the solid is round, seen from above. */
 bool IsDisc(const SShapeDescription& shape);
 
 /** The yaw of an upright solid in its body, rad. */
 Real ComputeYaw(const SShapeDescription& shape);
 
-/** Is the body one disc around the origin? */
+/** @return true if the body is one disc around the origin. */
 bool IsCentredDisc(const SBodyDescription& description);
 
 /** Half of the narrowest side of any solid seen from above, m. */

@@ -10,7 +10,7 @@ namespace argos {
 
 namespace {
 
-// m; robots of other engines may stand a little beside the plane: by what they have sunk in, say
+// m; tolerance for the height of robots of other engines, which may penetrate their floor slightly
 constexpr Real kGhostTolerance = 0.01;
 
 }  // namespace

@@ -16,10 +16,10 @@ struct SGhostDisc {
 };
 
 /**
- * Lists those of an engine's ghosts that drive on a plane at that height, m; to be called while
- * nobody moves, or in Update().
+ * Lists the ghosts of an engine that drive on a plane at that height, m; to be called while no body
+ * moves, or in Update().
  *
- * Things without a drive are left out: a ghost cannot be pushed, and they are to be.
+ * Objects without a drive are left out: they must give way when pushed, and a ghost cannot.
  */
 void ListGhostDiscs(const CPhysicsEngine& engine, Real elevation, std::vector<SGhostDisc>& discs);
 

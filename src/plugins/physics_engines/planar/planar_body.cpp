@@ -4,8 +4,6 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/physics_engine/body_description.h>
 #include <argos3/core/simulator/physics_engine/described_body_model.h>
-#include <argos3/core/simulator/physics_engine/planar_motion.h>
-#include <argos3/plugins/simulator/entities/wheeled_entity.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,12 +13,10 @@ namespace argos {
 
 namespace {
 
-// m; positions in files are rounded, robots stand on the plane
+// m; positions in files are rounded
 constexpr Real kElevationTolerance = 1e-4;
-// m; beyond this single precision, which solvers use, is coarser than a robot
+// m; farther away, the resolution of the solvers' single precision is coarser than a robot
 constexpr Real kMaxExtent = 1e5;
-// substeps of a tick; more would never end
-constexpr UInt32 kMaxIterations = 10000;
 
 void RequirePositive(const CEmbodiedEntity& body, const char* what, Real value) {
   if (!(value > 0.0) || std::isinf(value)) {
@@ -29,11 +25,11 @@ void RequirePositive(const CEmbodiedEntity& body, const char* what, Real value) 
   }
 }
 
-// half the size of the box, with sides along the world's axes, around a solid that is turned, m
+// half extents, m, of the axis-aligned box around a rotated solid
 CVector2 ComputeHalfExtents(const SShapeDescription& shape, const SPlanarPose& pose) {
   const CQuaternion& turn = shape.Orientation;
   if (turn.GetX() != 0.0 || turn.GetY() != 0.0) {
-    // it does not stand upright: no point of it is farther from its base's centre
+    // tilted: no point is farther from the centre of the base
     const Real reach = shape.Size.Length();
     return CVector2(reach, reach);
   }
@@ -81,20 +77,6 @@ void ReadGroundFriction(TConfigurationNode& engine, SGroundFriction& box,
   ReadNotNegative(node, "cylinder_angular_friction", cylinder.Torque);
 }
 
-void CheckIterations(TConfigurationNode& node, const CPhysicsEngine& engine) {
-  if (engine.GetIterations() > kMaxIterations) {
-    THROW_ARGOSEXCEPTION(node.GetLocation()
-                         << ": <" << node.Value() << " id=\"" << engine.GetId()
-                         << "\">: \"iterations\" must be at most " << kMaxIterations << ", found "
-                         << engine.GetIterations());
-  }
-}
-
-CEmbodiedEntity* FindPlanarBody(CEntity& root) {
-  CEmbodiedEntity* const body = FindDescribedBody(root);
-  return body != nullptr && !body->GetBodyDescription()->Propellers ? body : nullptr;
-}
-
 void CheckPlanarBody(const CEmbodiedEntity& body) {
   const SBodyDescription& description = *body.GetBodyDescription();
   const CVector3& position = body.GetOriginAnchor().Position;
@@ -120,19 +102,6 @@ void CheckPlanarBody(const CEmbodiedEntity& body) {
   }
 }
 
-const Real* FindWheels(CEmbodiedEntity& body) {
-  if (!body.IsMovable() || !body.GetBodyDescription()->Drive) {
-    return nullptr;
-  }
-  auto& root = static_cast<CComposableEntity&>(body.GetRootEntity());
-  const auto& wheels = root.GetComponent<CWheeledEntity>("wheels");
-  if (wheels.GetNumWheels() < 2) {
-    THROW_ARGOSEXCEPTION("robot \"" << root.GetId() << "\" has a differential drive, but "
-                                    << wheels.GetNumWheels() << " wheel instead of 2");
-  }
-  return wheels.GetWheelVelocities();
-}
-
 bool IsOnPlane(const CEmbodiedEntity& body, Real elevation) {
   return std::abs(body.GetOriginAnchor().Position.GetZ() - elevation) <= kElevationTolerance;
 }
@@ -140,12 +109,12 @@ bool IsOnPlane(const CEmbodiedEntity& body, Real elevation) {
 std::string ExplainPlanarRefusal(CEntity& entity, Real elevation) {
   CEmbodiedEntity* const body = FindDescribedBody(entity);
   if (body == nullptr) {
-    return "houses only bodies that are described (SBodyDescription), and <" +
-           entity.GetTypeDescription() + "> describes none";
+    return "accepts only bodies with an SBodyDescription, and <" + entity.GetTypeDescription() +
+           "> has none";
   }
   if (body->GetBodyDescription()->Propellers) {
-    return "is a plane, and a <" + entity.GetTypeDescription() +
-           "> flies: add an engine for that, such as <pointmass3d>";
+    return "is two-dimensional, but a <" + entity.GetTypeDescription() +
+           "> flies: add an engine for flying robots, such as <pointmass3d>";
   }
   std::ostringstream reason;
   const Real z = body->GetOriginAnchor().Position.GetZ();

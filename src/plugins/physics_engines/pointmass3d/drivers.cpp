@@ -8,7 +8,7 @@ namespace argos {
 
 namespace {
 
-// puts the last element into the place of one that goes
+// removes an element; the last one gets its place
 template <typename T>
 void FillPlace(std::vector<T>& values, UInt32 number) {
   values[number] = values.back();

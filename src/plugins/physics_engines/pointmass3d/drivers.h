@@ -9,9 +9,12 @@ namespace argos {
 
 class CPointMass3DBody;
 
+/** m; no body may be farther from the world's origin: positions are accurate to 1e-7 m there. */
+constexpr Real kFarthest = 1e9;
+
 /**
  * The bodies of an engine that roll on two wheels, and their motion: the exact arc of their wheel
- * speeds, at the height where they were put, through everything.
+ * speeds, at the height where they were placed, without contacts.
  *
  * Numbers of bodies are dense; removing one moves the last one into its place.
  */
@@ -26,7 +29,7 @@ class CDrivers {
    */
   UInt32 Add(CPointMass3DBody& owner, const Real* wheels, Real interwheelDistance,
              const SPlanarPose& pose, Real height);
-  /** Takes a body out. @return whose number is now @p number, if any. */
+  /** Removes a body. @return the body that now has @p number, if any. */
   CPointMass3DBody* Remove(UInt32 number);
   void Clear();
 
@@ -35,7 +38,7 @@ class CDrivers {
   /** m. */
   Real GetHeight(UInt32 number) const { return m_heights[number]; }
   CPointMass3DBody& GetOwner(UInt32 number) const { return *m_owners[number]; }
-  /** m/s, of a body's origin: what its wheels ask for. */
+  /** Speed of a body's origin that its wheels command, m/s. */
   Real GetSpeed(UInt32 number) const { return 0.5 * (m_wheels[number][0] + m_wheels[number][1]); }
   /** rad/s. */
   Real GetYawRate(UInt32 number) const {
@@ -43,9 +46,9 @@ class CDrivers {
   }
 
   /**
-   * Moves everything by a tick.
+   * Moves all bodies by a tick.
    * @param tick  s.
-   * @throws CARGoSException that names the robot if its wheel speeds lead nowhere.
+   * @throws CARGoSException that names the robot if its wheel speeds lead beyond kFarthest.
    */
   void Advance(Real tick);
 

@@ -70,7 +70,7 @@ CPointMass3DBody* CFlyers::Remove(UInt32 number) {
     Copy(last, number);
     moved = m_robots[number].Owner;
   }
-  // what stays in an unused lane is computed with, and read by nobody
+  // unused lanes are computed, too, but never read
   m_robots.pop_back();
   if (last % kLanes == 0) {
     m_blocks.pop_back();
@@ -141,8 +141,8 @@ Real CFlyers::ComputeStableSubstep() const {
   return bound;
 }
 
-// Takes over what the robot is told to do in this tick.
-void CFlyers::Order(UInt32 number, Real perSubstep) {
+// Reads the command of the robot for this tick.
+void CFlyers::ReadCommand(UInt32 number, Real perSubstep) {
   const SRobot& robot = m_robots[number];
   const size_t lane = number % kLanes;
   const auto order = [&](size_t i, Real target, bool onPlace, Real proportional, Real derivative) {
@@ -172,7 +172,7 @@ void CFlyers::Advance(Real tick, UInt32 substeps) {
   const UInt32 count = static_cast<UInt32>(m_robots.size());
   for (UInt32 first = 0; first < count; first += kLanes) {
     for (UInt32 number = first; number < std::min<UInt32>(first + kLanes, count); ++number) {
-      Order(number, 1.0 / substep);
+      ReadCommand(number, 1.0 / substep);
     }
     SBlock& block = m_blocks[first / kLanes];
     for (size_t i = 0; i < kYaw; ++i) {
@@ -182,8 +182,8 @@ void CFlyers::Advance(Real tick, UInt32 substeps) {
   }
 }
 
-// A substep: the place moves by the speed, the speed by the thrust of the substep before, and the
-// controller answers what comes out with the thrust of the next.
+// A substep: the speed changes the position, the thrust of the previous substep changes the speed,
+// and the controller computes the thrust of the next one from the result.
 template <bool IS_ANGLE>
 void CFlyers::AdvanceAxis(SAxis& axis, Real substep, UInt32 substeps) {
   for (UInt32 i = 0; i < substeps; ++i) {
@@ -192,7 +192,7 @@ void CFlyers::AdvanceAxis(SAxis& axis, Real substep, UInt32 substeps) {
       Real speed = axis.Speed[lane];
       if constexpr (!IS_ANGLE) {
         const Real held = std::min(std::max(place, axis.Lowest[lane]), axis.Highest[lane]);
-        // a wall stops what moves into it
+        // a wall stops the motion into it
         speed = held == place ? speed : 0.0;
         place = held;
       }

@@ -12,17 +12,17 @@ namespace argos {
 class CPointMass3DBody;
 class CQuadRotorEntity;
 
-/** Where a flying body is, world frame. */
+/** The pose of a flying body, world frame. */
 struct SFlightPose {
   CVector3 Position; /**< m */
   Real Yaw = 0.0; /**< rad, in [0, 2 pi) */
 };
 
-/** How one axis of a flying body moves: x, y, z (m, N) or yaw (rad, N m). */
+/** The state of one axis of a flying body: x, y, z (m, N) or yaw (rad, N m). */
 struct SAxisState {
   Real Place = 0.0; /**< m or rad */
   Real Speed = 0.0; /**< per s */
-  Real Thrust = 0.0; /**< N or N m, weight included: what acts in the next substep */
+  Real Thrust = 0.0; /**< N or N m, weight included; acts in the next substep */
   Real LastError = 0.0; /**< of the loop on position, in the last substep; else 0 */
 };
 /** x, y, z, yaw. */
@@ -31,19 +31,19 @@ using SFlightState = std::array<SAxisState, 4>;
 /**
  * The flying bodies of an engine, and their motion.
  *
- * Bodies do not meet each other, so each is advanced by all substeps of a tick at once. They are
- * kept in blocks of kLanes, and a block as a structure of arrays: the arithmetic of a block is the
- * same for all its bodies and runs in vector registers. What a body is controlled by makes no
- * difference to it, but in numbers: gains, targets, and which number the target is of.
+ * Bodies do not interact, so each is advanced by all substeps of a tick at once. They are stored in
+ * blocks of kLanes, and a block is a structure of arrays: the arithmetic of a block is the same for
+ * all its bodies and runs in vector registers. The kind of control of a body only selects numbers:
+ * gains, targets, and whether the target is a position or a speed.
  *
  * Numbers of bodies are dense; removing one moves the last one into its place.
  */
 class CFlyers {
  public:
-  /** What does not change of a body while it is here. */
+  /** The constant properties of a body. */
   struct SSettings {
     CPointMass3DBody* Owner = nullptr;
-    const CQuadRotorEntity* Quadrotor = nullptr; /**< what tells it where to go; not owned */
+    const CQuadRotorEntity* Quadrotor = nullptr; /**< has its commands; not owned */
     const SBodyDescription* Body = nullptr; /**< with propellers */
     CVector3 Lowest; /**< positions are kept in the box from here, m */
     CVector3 Highest; /**< to here, m */
@@ -53,11 +53,11 @@ class CFlyers {
   size_t GetCount() const { return m_robots.size(); }
   /** Adds a body at rest. @return its number: GetCount() before the call. */
   UInt32 Add(const SSettings& settings, const SFlightPose& pose);
-  /** Takes a body out. @return whose number is now @p number, if any. */
+  /** Removes a body. @return the body that now has @p number, if any. */
   CPointMass3DBody* Remove(UInt32 number);
   void Clear();
 
-  /** Puts a body somewhere, at rest, with nothing pending. */
+  /** Sets the pose of a body, at rest, and resets its controllers. */
   void Place(UInt32 number, const SFlightPose& pose);
   SFlightPose GetPose(UInt32 number) const;
   SFlightState GetState(UInt32 number) const;
@@ -67,7 +67,7 @@ class CFlyers {
   /** The smallest bound of any loop of any body, s; infinite without bodies. */
   Real ComputeStableSubstep() const;
 
-  /** Moves everything by a tick of @p substeps substeps. @param tick s. */
+  /** Moves all bodies by a tick of @p substeps substeps. @param tick s. */
   void Advance(Real tick, UInt32 substeps);
 
  private:
@@ -80,17 +80,17 @@ class CFlyers {
     TLanes Place{}, Speed{}, Thrust{}, LastError{};
     // the bodies: m or unused, per kg or kg m^2, N or N m
     TLanes Lowest{}, Highest{}, PerInertia{}, MaxThrust{};
-    TLanes Weight{};  // N, along the axis: what the controller counters
-    // of the tick, written by Order(): m or rad, or per s
+    TLanes Weight{};  // N, along the axis; countered by the controller
+    // of the tick, written by ReadCommand(): m or rad, or per s
     TLanes Target{};
-    TLanes IsOnPlace{};  // 1: Target is one of the place; 0: of the speed
+    TLanes IsOnPlace{};  // 1: Target is a position; 0: a speed
     TLanes Proportional{};  // thrust for an error
     TLanes Derivative{};  // thrust for a change of the error in a substep
   };
   struct SBlock {
     std::array<SAxis, 4> Axes;  // x, y, z, yaw
   };
-  // what a body is apart from its axes
+  // the properties of a body besides its axes
   struct SRobot {
     CPointMass3DBody* Owner = nullptr;
     const CQuadRotorEntity* Quadrotor = nullptr;
@@ -103,7 +103,7 @@ class CFlyers {
   const SAxis& GetAxis(UInt32 number, size_t axis) const {
     return m_blocks[number / kLanes].Axes[axis];
   }
-  void Order(UInt32 number, Real perSubstep);
+  void ReadCommand(UInt32 number, Real perSubstep);
   void Copy(UInt32 from, UInt32 to);
   template <bool IS_ANGLE>
   static void AdvanceAxis(SAxis& axis, Real substep, UInt32 substeps);

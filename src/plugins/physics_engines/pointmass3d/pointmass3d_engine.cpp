@@ -4,29 +4,23 @@
 #include <argos3/core/simulator/physics_engine/body_description.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/body_index.h>
-#include <argos3/plugins/simulator/entities/quadrotor_entity.h>
 #include <argos3/plugins/simulator/entities/turret_entity.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
-#include <argos3/plugins/simulator/entities/wheeled_entity.h>
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/drivers.h>
 #include <argos3/core/simulator/physics_engine/flight_loop.h>
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/flyers.h>
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/pointmass3d_body.h>
+#include <argos3/plugins/simulator/physics_engines/robot_bodies/robot_components.h>
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace argos {
 
 namespace {
 
 using EKind = CPointMass3DBody::EKind;
-
-// substeps of a tick; more would never end
-constexpr UInt32 kMaxIterations = 10000;
-// control loops run at this share of the substep at which they would no longer be stable, or less:
-// there they settle about as fast as with the shortest substeps
-constexpr Real kStableShare = 0.5;
 
 std::string NameOf(const CEmbodiedEntity& body) {
   return "\"" + body.GetRootEntity().GetId() + "\"";
@@ -67,7 +61,7 @@ void CheckDescription(const CEmbodiedEntity& body, EKind kind) {
     const SPropellersDescription& propellers = *description.Propellers;
     RequirePositive(description.Mass, owner, "mass (kg)");
     RequirePositive(description.GetPlanarInertia(), owner, "moment of inertia (kg m^2)");
-    // without a derivative, nothing would damp a loop on position
+    // without a derivative gain, a loop on position has no damping
     CheckGains(owner, "position", propellers.Position, true);
     CheckGains(owner, "yaw", propellers.Yaw, true);
     CheckGains(owner, "velocity", propellers.Velocity, false);
@@ -87,9 +81,10 @@ SFlightPose GetFlightPose(const CEmbodiedEntity& body) {
 }
 
 UInt32 CountSubsteps(Real tick, Real bound) {
-  // a whole number is not to become the next one by a rounding
+  // the tolerance keeps a rounding error from adding a substep
   const Real needed = std::ceil(tick / (kStableShare * bound) - 1e-9);
-  return static_cast<UInt32>(std::clamp<Real>(needed, 1.0, kMaxIterations + 1.0));
+  return static_cast<UInt32>(
+      std::clamp<Real>(needed, 1.0, CDescribedBodyEngine::kMaxIterations + 1.0));
 }
 
 }  // namespace
@@ -100,27 +95,23 @@ CPointMass3DEngine::CPointMass3DEngine()
 CPointMass3DEngine::~CPointMass3DEngine() = default;
 
 void CPointMass3DEngine::Init(TConfigurationNode& tree) {
-  CPhysicsEngine::Init(tree);
-  if (GetIterations() > kMaxIterations) {
-    THROW_ARGOSEXCEPTION(OwnerOf(tree) << ": \"iterations\" must be at most " << kMaxIterations
-                                       << ", found " << GetIterations());
-  }
+  CDescribedBodyEngine::Init(tree);
   GetNodeAttributeOrDefault(tree, "gravity", m_gravity, m_gravity);
 }
 
 void CPointMass3DEngine::Destroy() {
   m_flyers->Clear();
   m_drivers->Clear();
-  m_bodies.clear();
+  DestroyModels();
   m_userModels.clear();
   m_numOutsideIndex = 0;
   m_substeps = 0;
 }
 
-// The entities have their initial poses already.
+// The entities have been reset to their initial poses.
 void CPointMass3DEngine::Reset() {
-  for (const auto& body : m_bodies) {
-    Replace(*body);
+  for (const auto& model : GetModels()) {
+    Reposition(*model);
   }
   for (const SUserModel& user : m_userModels) {
     user.Model->Reset();
@@ -132,163 +123,143 @@ bool CPointMass3DEngine::AddEntity(CEntity& entity) {
           *this, entity)()) {
     return true;
   }
-  CEmbodiedEntity* const body = FindDescribedBody(entity);
-  if (body == nullptr) {
-    return false;
-  }
-  const EKind kind = GetKind(*body);
-  CheckDescription(*body, kind);
-  auto model = std::make_unique<CPointMass3DBody>(*this, *body, kind);
-  CPhysicsModel& added = *model;
-  AddBody(std::move(model));
-  body->AddPhysicsModel(GetId(), added);
-  return true;
+  return CDescribedBodyEngine::AddEntity(entity);
 }
 
 std::string CPointMass3DEngine::ExplainRefusal(CEntity& entity) const {
-  return "houses only bodies that are described (SBodyDescription) or have a model of a user's, "
-         "and "
-         "<" +
+  return "accepts only bodies with an SBodyDescription or with a model that a user has registered, "
+         "and <" +
          entity.GetTypeDescription() + "> has neither";
 }
 
-void CPointMass3DEngine::AddBody(std::unique_ptr<CPointMass3DBody> body) {
-  if (body->m_kind == EKind::Flyer) {
-    AddFlyer(*body);
-  } else if (body->m_kind == EKind::Driver) {
-    AddDriver(*body);
+void CPointMass3DEngine::CheckBody(CEmbodiedEntity& body) const {
+  const EKind kind = GetKind(body);
+  CheckDescription(body, kind);
+  // throw if the components are missing
+  FindWheels(body);
+  FindQuadrotor(body);
+  if (kind == EKind::Flyer) {
+    CheckFlyer(body);
   }
-  body->m_number = m_bodies.size();
-  m_bodies.push_back(std::move(body));
 }
 
-void CPointMass3DEngine::AddFlyer(CPointMass3DBody& model) {
-  CEmbodiedEntity& body = model.GetEmbodiedEntity();
+void CPointMass3DEngine::CheckFlyer(const CEmbodiedEntity& body) const {
   const SBodyDescription& description = *body.GetBodyDescription();
   const Real bound = ComputeFlightBound(description);
   if (CountSubsteps(m_cSimulator.GetTickLength(), bound) > kMaxIterations) {
-    THROW_ARGOSEXCEPTION("the controllers of " << NameOf(body) << " are stable in substeps of less "
-                                               << "than " << bound << " s only: a tick of "
-                                               << m_cSimulator.GetTickLength()
-                                               << " s would take more than " << kMaxIterations
-                                               << "; raise \"ticks_per_second\"");
+    THROW_ARGOSEXCEPTION("the controllers of "
+                         << NameOf(body) << " are stable only in substeps of less than " << bound
+                         << " s: a tick of " << m_cSimulator.GetTickLength()
+                         << " s would take more than " << kMaxIterations
+                         << "; raise \"ticks_per_second\"");
   }
-  const Real radius = description.ComputeBoundingRadius();
-  const SBoundingBox box = description.ComputeBoundingBox(CVector3(), CQuaternion());
-  CFlyers::SSettings settings;
-  settings.Owner = &model;
-  settings.Quadrotor =
-      &static_cast<CComposableEntity&>(model.m_root).GetComponent<CQuadRotorEntity>("quadrotor");
-  settings.Body = &description;
-  settings.Gravity = m_gravity;
-  settings.Lowest =
-      m_cSpace.GetArenaLimits().GetMin() + CVector3(radius, radius, -box.MinCorner.GetZ());
-  settings.Highest =
-      m_cSpace.GetArenaLimits().GetMax() - CVector3(radius, radius, box.MaxCorner.GetZ());
-  if (!(settings.Lowest <= settings.Highest)) {
+  const auto [lowest, highest] = ComputeFlightSpace(body);
+  if (!(lowest <= highest)) {
+    const SBoundingBox box = description.ComputeBoundingBox(CVector3(), CQuaternion());
     THROW_ARGOSEXCEPTION("the arena, of the size \""
                          << m_cSpace.GetArenaSize() << "\" m, is too small for " << NameOf(body)
-                         << ", which is kept inside: it needs " << 2.0 * radius << " m along x and "
-                         << "y, and " << box.MaxCorner.GetZ() - box.MinCorner.GetZ()
-                         << " m of height");
+                         << ", which is kept inside: it needs "
+                         << 2.0 * description.ComputeBoundingRadius() << " m along x and y, and "
+                         << box.MaxCorner.GetZ() - box.MinCorner.GetZ() << " m of height");
   }
-  model.m_slot = m_flyers->Add(settings, GetFlightPose(body));
-  m_substeps = 0;
 }
 
-void CPointMass3DEngine::AddDriver(CPointMass3DBody& model) {
-  CEmbodiedEntity& body = model.GetEmbodiedEntity();
-  const auto& wheels =
-      static_cast<CComposableEntity&>(model.m_root).GetComponent<CWheeledEntity>("wheels");
-  if (wheels.GetNumWheels() < 2) {
-    THROW_ARGOSEXCEPTION("robot " << NameOf(body) << " has a differential drive, but "
-                                  << wheels.GetNumWheels() << " wheel instead of 2");
+// The corners of the box in which the position of a flying body is kept, m.
+std::pair<CVector3, CVector3> CPointMass3DEngine::ComputeFlightSpace(
+    const CEmbodiedEntity& body) const {
+  const SBodyDescription& description = *body.GetBodyDescription();
+  const Real radius = description.ComputeBoundingRadius();
+  const SBoundingBox box = description.ComputeBoundingBox(CVector3(), CQuaternion());
+  const CRange<CVector3>& arena = m_cSpace.GetArenaLimits();
+  return {arena.GetMin() + CVector3(radius, radius, -box.MinCorner.GetZ()),
+          arena.GetMax() - CVector3(radius, radius, box.MaxCorner.GetZ())};
+}
+
+std::unique_ptr<CDescribedBodyModel> CPointMass3DEngine::CreateModel(CEmbodiedEntity& body) {
+  return std::make_unique<CPointMass3DBody>(*this, body, GetKind(body), FindWheels(body));
+}
+
+void CPointMass3DEngine::Enter(CDescribedBodyModel& model) {
+  auto& entering = static_cast<CPointMass3DBody&>(model);
+  CEmbodiedEntity& body = entering.m_cEmbodiedEntity;
+  const SBodyDescription& description = *body.GetBodyDescription();
+  if (entering.m_kind == EKind::Flyer) {
+    CFlyers::SSettings settings;
+    settings.Owner = &entering;
+    settings.Quadrotor = FindQuadrotor(body);
+    settings.Body = &description;
+    settings.Gravity = m_gravity;
+    std::tie(settings.Lowest, settings.Highest) = ComputeFlightSpace(body);
+    entering.m_slot = m_flyers->Add(settings, GetFlightPose(body));
+    m_substeps = 0;
+  } else if (entering.m_kind == EKind::Driver) {
+    entering.m_slot =
+        m_drivers->Add(entering, entering.m_wheels, description.Drive->InterwheelDistance,
+                       GetPlanarPose(body), body.GetOriginAnchor().Position.GetZ());
   }
-  model.m_slot = m_drivers->Add(model, wheels.GetWheelVelocities(),
-                                body.GetBodyDescription()->Drive->InterwheelDistance,
-                                GetPlanarPose(body), body.GetOriginAnchor().Position.GetZ());
 }
 
 bool CPointMass3DEngine::RemoveEntity(CEntity& entity) {
+  if (CDescribedBodyEngine::RemoveEntity(entity)) {
+    return true;
+  }
   auto* const composable = dynamic_cast<CComposableEntity*>(&entity);
   if (composable == nullptr || !composable->HasComponent("body")) {
     return false;
   }
-  auto& body = composable->GetComponent<CEmbodiedEntity>("body");
+  const auto& body = composable->GetComponent<CEmbodiedEntity>("body");
   for (UInt32 i = 0; i < body.GetPhysicsModelsNum(); ++i) {
-    CPhysicsModel& model = body.GetPhysicsModel(i);
-    if (&model.GetEngine() != this) {
-      continue;
-    }
-    auto* const described = dynamic_cast<CPointMass3DBody*>(&model);
-    if (described == nullptr) {
+    if (&body.GetPhysicsModel(i).GetEngine() == this) {
       return CallEntityOperation<CPointMass3DOperationRemoveEntity, CPointMass3DEngine,
                                  SOperationOutcome>(*this, entity)();
     }
-    const auto taken = TakeOut(*described);
-    body.RemovePhysicsModel(GetId());
-    return true;
   }
   return false;
 }
 
-// the last bodies take the numbers of the one that goes
-std::unique_ptr<CPointMass3DBody> CPointMass3DEngine::TakeOut(CPointMass3DBody& body) {
+// the last body of the same kind gets the slot of the removed one
+void CPointMass3DEngine::Leave(CDescribedBodyModel& model) {
+  const auto& leaving = static_cast<CPointMass3DBody&>(model);
   CPointMass3DBody* moved = nullptr;
-  if (body.m_kind == EKind::Flyer) {
-    moved = m_flyers->Remove(body.m_slot);
+  if (leaving.m_kind == EKind::Flyer) {
+    moved = m_flyers->Remove(leaving.m_slot);
     m_substeps = 0;
-  } else if (body.m_kind == EKind::Driver) {
-    moved = m_drivers->Remove(body.m_slot);
+  } else if (leaving.m_kind == EKind::Driver) {
+    moved = m_drivers->Remove(leaving.m_slot);
   }
   if (moved != nullptr) {
-    moved->m_slot = body.m_slot;
-  }
-  const size_t number = body.m_number;
-  std::swap(m_bodies[number], m_bodies.back());
-  m_bodies[number]->m_number = number;
-  std::unique_ptr<CPointMass3DBody> taken = std::move(m_bodies.back());
-  m_bodies.pop_back();
-  return taken;
-}
-
-void CPointMass3DEngine::Replace(CPointMass3DBody& body) {
-  const CEmbodiedEntity& entity = body.GetEmbodiedEntity();
-  if (body.m_kind == EKind::Flyer) {
-    m_flyers->Place(body.m_slot, GetFlightPose(entity));
-  } else if (body.m_kind == EKind::Driver) {
-    m_drivers->Place(body.m_slot, GetPlanarPose(entity), entity.GetOriginAnchor().Position.GetZ());
+    moved->m_slot = leaving.m_slot;
   }
 }
 
-void CPointMass3DEngine::TransferEntity(CEmbodiedEntity& body) {
-  auto* const model = dynamic_cast<CPointMass3DBody*>(&body.GetPhysicsModel(size_t(0)));
-  if (model == nullptr || &model->GetEngine() != this) {
-    CPhysicsEngine::TransferEntity(body);
+void CPointMass3DEngine::Reposition(CDescribedBodyModel& model) {
+  const auto& displaced = static_cast<CPointMass3DBody&>(model);
+  const CEmbodiedEntity& body = displaced.m_cEmbodiedEntity;
+  if (displaced.m_kind == EKind::Flyer) {
+    m_flyers->Place(displaced.m_slot, GetFlightPose(body));
+  } else if (displaced.m_kind == EKind::Driver) {
+    m_drivers->Place(displaced.m_slot, GetPlanarPose(body), body.GetOriginAnchor().Position.GetZ());
+  }
+}
+
+void CPointMass3DEngine::Adopt(CDescribedBodyModel& model) {
+  const auto& adopted = static_cast<CPointMass3DBody&>(model);
+  if (adopted.m_kind != EKind::Flyer) {
+    CDescribedBodyEngine::Adopt(model);
     return;
   }
-  const bool flies = model->m_kind == EKind::Flyer;
-  const SFlightState state = flies ? m_flyers->GetState(model->m_slot) : SFlightState();
-  CPointMass3DEngine* next = FindNext(body);
-  if (next != nullptr) {
-    next->TakeOver(*model);
-  } else {
-    CPhysicsEngine::TransferEntity(body);
-    next = dynamic_cast<CPointMass3DEngine*>(&body.GetPhysicsModel(size_t(0)).GetEngine());
-  }
-  if (flies && next != nullptr) {
-    const auto& moved = static_cast<CPointMass3DBody&>(body.GetPhysicsModel(size_t(0)));
-    next->m_flyers->SetState(moved.m_slot, state);
-  }
+  const auto& from = static_cast<CPointMass3DEngine&>(model.GetEngine());
+  const SFlightState state = from.m_flyers->GetState(adopted.m_slot);
+  CDescribedBodyEngine::Adopt(model);
+  m_flyers->SetState(adopted.m_slot, state);
 }
 
-// the engine that would take the body, if it is of this type
-CPointMass3DEngine* CPointMass3DEngine::FindNext(const CEmbodiedEntity& body) const {
-  return dynamic_cast<CPointMass3DEngine*>(FindNextEngine(body));
+CPointMass3DBody* CPointMass3DEngine::FindBody(const CEmbodiedEntity& body) const {
+  return static_cast<CPointMass3DBody*>(FindModel(body));
 }
 
 bool CPointMass3DEngine::GetMotion(const CEmbodiedEntity& body, SBodyMotion& motion) const {
-  const auto* const model = dynamic_cast<const CPointMass3DBody*>(&body.GetPhysicsModel(size_t(0)));
+  const CPointMass3DBody* const model = FindBody(body);
   if (model == nullptr || model->m_kind == EKind::Still) {
     return false;
   }
@@ -305,7 +276,7 @@ bool CPointMass3DEngine::GetMotion(const CEmbodiedEntity& body, SBodyMotion& mot
 }
 
 void CPointMass3DEngine::SetMotion(CEmbodiedEntity& body, const SBodyMotion& motion) {
-  const auto* const model = dynamic_cast<CPointMass3DBody*>(&body.GetPhysicsModel(size_t(0)));
+  const CPointMass3DBody* const model = FindBody(body);
   if (model == nullptr || model->m_kind != EKind::Flyer) {
     return;
   }
@@ -315,19 +286,6 @@ void CPointMass3DEngine::SetMotion(CEmbodiedEntity& body, const SBodyMotion& mot
   }
   state[3].Speed = motion.Rotation.GetZ();
   m_flyers->SetState(model->m_slot, state);
-}
-
-// Takes a body over from another engine of this type. Its model is made anew where it is, because
-// models refer to their engine for ever, and a tick must not ask for memory.
-void CPointMass3DEngine::TakeOver(CPointMass3DBody& model) {
-  CEmbodiedEntity& body = model.m_cEmbodiedEntity;
-  auto& from = static_cast<CPointMass3DEngine&>(model.m_cEngine);
-  const EKind kind = model.m_kind;
-  std::unique_ptr<CPointMass3DBody> taken = from.TakeOut(model);
-  std::destroy_at(taken.get());
-  std::construct_at(taken.get(), *this, body, kind);
-  body.MovePhysicsModel(from.GetId(), GetId(), *taken);
-  AddBody(std::move(taken));
 }
 
 UInt32 CPointMass3DEngine::GetSubsteps() {
@@ -458,7 +416,7 @@ bool CPointMass3DEngine::HasOverlap(const CPhysicsModel& model) const {
   const auto overlaps = [&model](const CPhysicsModel& other) {
     return &other != &model && model.GetBoundingBox().Intersects(other.GetBoundingBox());
   };
-  return std::any_of(m_bodies.begin(), m_bodies.end(),
+  return std::any_of(GetModels().begin(), GetModels().end(),
                      [&](const auto& body) { return overlaps(*body); }) ||
          std::any_of(m_userModels.begin(), m_userModels.end(),
                      [&](const SUserModel& user) { return overlaps(*user.Model); });
@@ -467,13 +425,13 @@ bool CPointMass3DEngine::HasOverlap(const CPhysicsModel& model) const {
 REGISTER_PHYSICS_ENGINE(
     CPointMass3DEngine, "pointmass3d", "the authors of this project", "1.0",
     "Point masses in space, for flying robots.",
-    R"(Bodies pass through each other: there are no contacts, so this engine is for robots that fly, and for those
-whose way is free.
+    R"(Bodies pass through each other: there are no contacts, so this engine is for robots that fly, and for robots
+that never meet obstacles.
 
-A robot with propellers is a mass under gravity that its own controllers push along x, y and z and turn about the
-vertical; only its yaw is kept. It stays within the limits of the arena, whose borders stop it. A robot on two wheels
-follows the exact arc of its wheel speeds, at the height where it was put. Objects, movable or not, stand where they
-are put; sensors see all of them. Two bodies are not put into each other when they are placed.
+A robot with propellers is a mass under gravity with controllers along x, y and z and about the vertical; only its
+yaw is kept. It stays within the limits of the arena, whose borders stop it. A robot on two wheels follows the exact arc
+of its wheel speeds, at the height where it was put. Objects, movable or not, stay where they are put; sensors see all of
+them. Bodies are not placed where they would overlap others.
 
 REQUIRED XML
 
@@ -503,10 +461,10 @@ ATTRIBUTES
               of two: an eye-bot takes substeps of at most 1/30 s, so 3 in a tick of 0.1 s.
   gravity     m/s^2, default -9.81: acceleration along z, negative is down.
   boundaries  the region of the engine, default everything: top@height and bottom@height, in m, and
-              sides/vertex@point, in m, at least three, counter-clockwise, convex. A body that leaves it moves on to
-              the engine whose region it enters. top, bottom and each vertex, for the side from there to the next
-              one, may have wall="true", which holds bodies inside, or gate="id", which hands those that cross it
-              to that engine (doc/space_partitioning.md).
+              sides/vertex@point, in m, at least three, counter-clockwise, convex. A body that leaves it is
+              transferred to the engine whose region it enters. top, bottom and each vertex, for the side from there
+              to the next one, may have wall="true", which holds bodies inside, or gate="id", which transfers bodies
+              that cross it to that engine (doc/space_partitioning.md).
 )",
     "Usable")
 

@@ -3,11 +3,12 @@
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/entity_operation.h>
-#include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/simulator/physics_engine/described_body_engine.h>
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/pointmass3d_model.h>
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace argos {
@@ -18,14 +19,14 @@ class CPointMass3DBody;
 struct SFlightPose;
 
 /**
- * Point masses in space: flying robots with their own controllers, robots on wheels that roll
- * through everything, and objects that stand where they were put.
+ * Point masses in space: flying robots with their own controllers, robots on wheels that pass
+ * through everything, and objects that stay where they were put.
  *
  * The README beside this file gives model, integrator, limits and accuracy; `argos3 -q pointmass3d`
- * every XML parameter. Bodies are built from SBodyDescription; users may bring models of their own
- * (CPointMass3DModel).
+ * every XML parameter. Bodies are built from SBodyDescription; users may register models of their
+ * own (CPointMass3DModel).
  */
-class CPointMass3DEngine : public CPhysicsEngine {
+class CPointMass3DEngine : public CDescribedBodyEngine {
  public:
   CPointMass3DEngine();
   ~CPointMass3DEngine() override;
@@ -35,21 +36,21 @@ class CPointMass3DEngine : public CPhysicsEngine {
   void Destroy() override;
   void Update() override;
 
-  size_t GetNumPhysicsModels() override { return m_bodies.size() + m_userModels.size(); }
+  size_t GetNumPhysicsModels() override {
+    return CDescribedBodyEngine::GetNumPhysicsModels() + m_userModels.size();
+  }
   /**
    * Adds the body of a root entity: by the operation that a user has registered for its class, else
    * from its description.
-   * @return false if it has neither.
-   * @throws CARGoSException if the description is of no possible body, if a component is missing
-   *         that it needs, or if the arena is too small for a flying body.
+   * @return false if there is neither.
+   * @throws CARGoSException if the description is impossible, if a component is missing that it
+   *         needs, or if the arena is too small for a flying body.
    */
   bool AddEntity(CEntity& entity) override;
   std::string ExplainRefusal(CEntity& entity) const override;
   bool RemoveEntity(CEntity& entity) override;
-  /** Bodies that change from one engine of this type to another keep how they move. */
-  void TransferEntity(CEmbodiedEntity& body) override;
   bool GetMotion(const CEmbodiedEntity& body, SBodyMotion& motion) const override;
-  /** Of flying bodies; those on wheels go as these turn. */
+  /** Only for flying bodies: wheels determine the motion of the others. */
   void SetMotion(CEmbodiedEntity& body, const SBodyMotion& motion) override;
   /** Moves bodies out of walls after each tick. */
   bool StopsAtWalls() const override { return true; }
@@ -66,14 +67,16 @@ class CPointMass3DEngine : public CPhysicsEngine {
    */
   UInt32 GetSubsteps();
 
-  /** For registered operations: takes over a user's model. @param id  of its root entity. */
+  /** For registered operations: takes ownership of a user's model. @param id  of its root entity.
+   */
   void AddPhysicsModel(const std::string& id, CPointMass3DModel& model);
-  /** The same, back: deletes the model. @throws CARGoSException if there is none of that id. */
+  /** Deletes a user's model. @throws CARGoSException if there is none of that id. */
   void RemovePhysicsModel(const std::string& id);
 
-  /** For models: puts a body, at rest, where its origin anchor is. */
-  void Replace(CPointMass3DBody& body);
-  /** For models: does the bounding box of @p model share a point with that of another body here? */
+  /**
+   * For models.
+   * @return true if the bounding box of @p model shares a point with that of another body here.
+   */
   bool HasOverlap(const CPhysicsModel& model) const;
 
  private:
@@ -82,12 +85,18 @@ class CPointMass3DEngine : public CPhysicsEngine {
     std::unique_ptr<CPointMass3DModel> Model;
   };
 
-  void AddFlyer(CPointMass3DBody& body);
-  void AddDriver(CPointMass3DBody& body);
-  void AddBody(std::unique_ptr<CPointMass3DBody> body);
-  std::unique_ptr<CPointMass3DBody> TakeOut(CPointMass3DBody& body);
-  CPointMass3DEngine* FindNext(const CEmbodiedEntity& body) const;
-  void TakeOver(CPointMass3DBody& body);
+  bool HasWorld() const override { return true; }
+  bool Accepts(const CEmbodiedEntity&) const override { return true; }
+  void CheckBody(CEmbodiedEntity& body) const override;
+  std::unique_ptr<CDescribedBodyModel> CreateModel(CEmbodiedEntity& body) override;
+  void Enter(CDescribedBodyModel& model) override;
+  void Leave(CDescribedBodyModel& model) override;
+  void Reposition(CDescribedBodyModel& model) override;
+  /** The state of the controllers is transferred, too. */
+  void Adopt(CDescribedBodyModel& model) override;
+  void CheckFlyer(const CEmbodiedEntity& body) const;
+  std::pair<CVector3, CVector3> ComputeFlightSpace(const CEmbodiedEntity& body) const;
+  CPointMass3DBody* FindBody(const CEmbodiedEntity& body) const;
   void CountBodiesOutsideIndex();
   void HoldInsideWalls();
   void UpdateUserModels();
@@ -96,17 +105,16 @@ class CPointMass3DEngine : public CPhysicsEngine {
   Real m_gravity = -9.81;  // m/s^2
   std::unique_ptr<CFlyers> m_flyers;
   std::unique_ptr<CDrivers> m_drivers;
-  std::vector<std::unique_ptr<CPointMass3DBody>> m_bodies;
   std::vector<SUserModel> m_userModels;
   size_t m_numOutsideIndex = 0;  // of users' models
-  UInt32 m_substeps = 0;  // 0: to be found out from the flying bodies
+  UInt32 m_substeps = 0;  // 0: not computed yet from the flying bodies
 };
 
 /** Kind of operation: gives an entity a model in this engine. */
 class CPointMass3DOperationAddEntity
     : public CEntityOperation<CPointMass3DOperationAddEntity, CPointMass3DEngine,
                               SOperationOutcome> {};
-/** Kind of operation: takes it out and deletes it. */
+/** Kind of operation: removes an entity's model from this engine and deletes it. */
 class CPointMass3DOperationRemoveEntity
     : public CEntityOperation<CPointMass3DOperationRemoveEntity, CPointMass3DEngine,
                               SOperationOutcome> {};

@@ -9,12 +9,13 @@ namespace argos {
 class CPointMass3DEngine;
 
 /**
- * A body that moves by its own law: users derive from this what no SBodyDescription can express.
+ * A body with its own law of motion: users derive from this for bodies that an SBodyDescription
+ * cannot express.
  *
  * In each tick the engine calls UpdateFromEntityStatus(), then Step() GetIterations() times, then
- * UpdateEntityStatus(), which writes m_cPosition into the origin anchor and lets the other anchors,
- * the bounding box and the entity's components follow. A derived class that turns the body
- * registers an own method for the origin anchor (RegisterAnchorMethod()).
+ * UpdateEntityStatus(), which writes m_cPosition into the origin anchor and updates the other
+ * anchors, the bounding box and the entity's components. A derived class that rotates the body
+ * registers its own method for the origin anchor (RegisterAnchorMethod()).
  *
  * Bind it to an entity with REGISTER_STANDARD_POINTMASS3D_OPERATIONS_ON_ENTITY (see
  * pointmass3d_engine.h). Unless the entity's body also has a description, rays reach the body only
@@ -24,9 +25,9 @@ class CPointMass3DModel : public CPhysicsModel {
  public:
   CPointMass3DModel(CPointMass3DEngine& engine, CEmbodiedEntity& body);
 
-  /** Puts the body at rest somewhere else. */
+  /** Sets the position of the body, at rest. */
   void MoveTo(const CVector3& position, const CQuaternion& orientation) override;
-  /** Called when the experiment starts over: back to the initial position, at rest. */
+  /** Called by a reset of the experiment: sets the initial position, at rest. */
   virtual void Reset();
 
   /** Moves the body by one substep, of GetEngine().GetPhysicsClockTick() seconds. */
@@ -37,8 +38,8 @@ class CPointMass3DModel : public CPhysicsModel {
   /** True if its bounding box shares a point with that of another body of the engine. */
   bool IsCollidingWithSomething() const override;
   /**
-   * Does the ray meet this body?
-   * @param tOnRay  set to where, in fractions of the ray's length, if it does.
+   * @param tOnRay  set to the point of intersection, as a fraction of the ray's length, if any.
+   * @return true if the ray intersects this body.
    */
   virtual bool CheckIntersectionWithRay(Real& tOnRay, const CRay3& ray) const = 0;
 

@@ -194,7 +194,7 @@ TEST_CASE("flight limits: bodies that cannot fly are refused with a reason",
 
   experiment.Engines = "<dynamics2d id='e'/>";
   CHECK_THAT(error(), Contains("accepts \"r\" (<eye-bot>)") &&
-                          Contains("\"e\" is a plane, and a <eye-bot> flies") &&
+                          Contains("\"e\" is two-dimensional, but a <eye-bot> flies") &&
                           Contains("<pointmass3d>"));
   experiment.Engines = "<pointmass3d id='e' gravity='inf'/>";
   CHECK_THAT(error(), Contains("attribute \"gravity\": found \"inf\", expected a real number"));
@@ -227,7 +227,7 @@ TEST_CASE("flight limits: a body that could not be controlled is refused",
   // the bound is 1e-6 s: 200,000 substeps in a tick
   CHECK_THAT(
       ErrorWithBody([](SBodyDescription& body) { body.Propellers->Position.Derivative = 1e6; }),
-      Contains("\"r\" are stable in substeps of less than 1e-06 s only") &&
+      Contains("\"r\" are stable only in substeps of less than 1e-06 s") &&
           Contains("raise \"ticks_per_second\""));
 }
 

@@ -24,7 +24,7 @@ TEST_CASE("push solver: a body moves as wanted if the push exceeds friction, els
   CAPTURE(cap);
   CPushSolver solver;
   const UInt32 body = solver.AddBody({}, 1.49, 1.49, kSquaredGyration);
-  solver.AddContact({CPushSolver::kNobody, body, 1.0, 0.0, 0.0, 0.0, kNeed, cap, 0.0});
+  solver.AddContact({CPushSolver::kNone, body, 1.0, 0.0, 0.0, 0.0, kNeed, cap, 0.0});
   solver.Solve();
   CHECK_THAT(solver.GetTwist(body).X, WithinAbs(cap > 1.49 ? kNeed : 0.0, kPrecision));
   CHECK(solver.GetTwist(body).Y == 0.0);
@@ -38,7 +38,7 @@ TEST_CASE("push solver: forces of several pushers add up, also through other bod
   CPushSolver solver;
   const UInt32 body = solver.AddBody({}, friction, 10.0, kSquaredGyration);
   for (const Real lever : {-0.05, 0.05}) {
-    solver.AddContact({CPushSolver::kNobody, body, 1.0, 0.0, 0.0, lever, kNeed, 15.0, 0.0});
+    solver.AddContact({CPushSolver::kNone, body, 1.0, 0.0, 0.0, lever, kNeed, 15.0, 0.0});
   }
   solver.Solve();
   CHECK_THAT(solver.GetTwist(body).X, WithinAbs(friction < 30.0 ? kNeed : 0.0, kPrecision));
@@ -49,7 +49,7 @@ TEST_CASE("push solver: forces of several pushers add up, also through other bod
   for (UInt32& each : bodies) {
     each = row.AddBody({}, friction / 3.0, 10.0, kSquaredGyration);
   }
-  row.AddContact({CPushSolver::kNobody, bodies[0], 1.0, 0.0, 0.0, 0.0, kNeed, 30.0, 0.0});
+  row.AddContact({CPushSolver::kNone, bodies[0], 1.0, 0.0, 0.0, 0.0, kNeed, 30.0, 0.0});
   row.AddContact({bodies[0], bodies[1], 1.0, 0.0, 0.0, 0.0, 0.0, CPushSolver::kUnlimited, 0.0});
   row.AddContact({bodies[1], bodies[2], 1.0, 0.0, 0.0, 0.0, 0.0, CPushSolver::kUnlimited, 0.0});
   row.Solve();
@@ -61,8 +61,8 @@ TEST_CASE("push solver: forces of several pushers add up, also through other bod
 TEST_CASE("push solver: two opposite pushers hold a body in place", "[unit][kinematics2d]") {
   CPushSolver solver;
   const UInt32 body = solver.AddBody({}, 1.49, 1.49, kSquaredGyration);
-  solver.AddContact({CPushSolver::kNobody, body, 1.0, 0.0, 0.0, 0.0, kNeed, 15.0, 0.0});
-  solver.AddContact({CPushSolver::kNobody, body, -1.0, 0.0, 0.0, 0.0, kNeed, 15.0, 0.0});
+  solver.AddContact({CPushSolver::kNone, body, 1.0, 0.0, 0.0, 0.0, kNeed, 15.0, 0.0});
+  solver.AddContact({CPushSolver::kNone, body, -1.0, 0.0, 0.0, 0.0, kNeed, 15.0, 0.0});
   solver.Solve();
   CHECK_THAT(solver.GetTwist(body).X, WithinAbs(0.0, kPrecision));
 }
@@ -76,7 +76,7 @@ TEST_CASE("push solver: an off-centre push turns a body if it exceeds the torque
   CAPTURE(torque);
   CPushSolver solver;
   const UInt32 body = solver.AddBody({}, kForce, torque, kSquaredGyration);
-  solver.AddContact({CPushSolver::kNobody, body, 1.0, 0.0, 0.0, -kLever, kNeed, 15.0, 0.0});
+  solver.AddContact({CPushSolver::kNone, body, 1.0, 0.0, 0.0, -kLever, kNeed, 15.0, 0.0});
   solver.Solve();
   const STwist& twist = solver.GetTwist(body);
   // the pushed point moves as far as wanted
@@ -92,10 +92,10 @@ TEST_CASE("push solver: a pushed body does not penetrate an immovable one",
           "[unit][kinematics2d]") {
   CPushSolver solver;
   const UInt32 body = solver.AddBody({}, 1.49, 1.49, kSquaredGyration);
-  solver.AddContact({CPushSolver::kNobody, body, 1.0, 0.0, 0.0, 0.0, kNeed, 15.0, 0.0});
+  solver.AddContact({CPushSolver::kNone, body, 1.0, 0.0, 0.0, 0.0, kNeed, 15.0, 0.0});
   // a wall 3 mm ahead
   solver.AddContact(
-      {CPushSolver::kNobody, body, -1.0, 0.0, 0.0, 0.0, -0.003, CPushSolver::kUnlimited, -0.003});
+      {CPushSolver::kNone, body, -1.0, 0.0, 0.0, 0.0, -0.003, CPushSolver::kUnlimited, -0.003});
   solver.Solve();
   CHECK_THAT(solver.GetTwist(body).X, WithinAbs(0.003, kPrecision));
 }

@@ -1,0 +1,136 @@
+#ifndef ARGOS3_CORE_SIMULATOR_PHYSICS_ENGINE_DESCRIBED_BODY_ENGINE_H
+#define ARGOS3_CORE_SIMULATOR_PHYSICS_ENGINE_DESCRIBED_BODY_ENGINE_H
+
+#include <argos3/core/simulator/physics_engine/described_body_model.h>
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+
+#include <memory>
+#include <vector>
+
+namespace argos {
+
+/** A grip that is transferred with its bodies from one engine to another of its type. */
+struct SGripTransfer {
+  CEmbodiedEntity* Holder;
+  CEmbodiedEntity* Held;
+  CVector3 Arm; /**< end of the arm, frame of the turret or, without one, of the holder, m */
+  CVector3 PointOnHeld; /**< frame of the held body, m; for engines that keep it */
+  Real TurretRotation; /**< rad */
+};
+
+/**
+ * An engine that builds its bodies from SBodyDescription.
+ *
+ * Contains what all such engines share: the list of models, the order in which they enter a new
+ * world, the repositioning of bodies that MoveTo() has displaced, and the transfer of bodies, with
+ * what they grip, to another engine of the same type. A transferred body keeps its model, whose
+ * engine changes, so that a transfer allocates no memory.
+ *
+ * A derived engine keeps the state of motion in a world of its own, which it may build lazily.
+ */
+class CDescribedBodyEngine : public CPhysicsEngine {
+ public:
+  /** Most substeps of a tick; more would never end. */
+  static constexpr UInt32 kMaxIterations = 10000;
+
+  /** @throws CARGoSException if CPhysicsEngine does, or for more than kMaxIterations substeps. */
+  void Init(TConfigurationNode& tree) override;
+  size_t GetNumPhysicsModels() override { return m_models.size(); }
+  /**
+   * Adds the body of a root entity if it has a description that Accepts() accepts.
+   * @throws CARGoSException if CheckBody() does.
+   */
+  bool AddEntity(CEntity& entity) override;
+  bool RemoveEntity(CEntity& entity) override;
+  /**
+   * Transfers a body, with all bodies that are connected to it by grips, to the next engine if that
+   * is of the same type; else removes and adds it, which ends its grips.
+   */
+  void TransferEntity(CEmbodiedEntity& body) override;
+  /** Does nothing: all bodies are in the space's index. */
+  void CheckIntersectionWithRay(TEmbodiedEntityIntersectionData&, const CRay3&) const override {}
+  bool HasBodiesOutsideIndex() const override { return false; }
+
+ protected:
+  using TBodies = std::vector<CEmbodiedEntity*>;
+
+  /** @return false while there is no world: bodies enter it when it is built. */
+  virtual bool HasWorld() const = 0;
+  /** @return true if AddEntity() accepts a body that has a description. */
+  virtual bool Accepts(const CEmbodiedEntity& body) const = 0;
+  /** @throws CARGoSException if the description or the pose is invalid for this engine. */
+  virtual void CheckBody(CEmbodiedEntity& body) const = 0;
+  virtual std::unique_ptr<CDescribedBodyModel> CreateModel(CEmbodiedEntity& body) = 0;
+  /** A model was added to this engine: adds its body to the world, if there is one. */
+  virtual void Enter(CDescribedBodyModel& model) = 0;
+  /** A model is about to leave this engine: removes its body from the world, if there is one. */
+  virtual void Leave(CDescribedBodyModel& model) = 0;
+  /** Puts a body of the world, at rest, at the pose of its origin anchor. */
+  virtual void Reposition(CDescribedBodyModel& model) = 0;
+
+  /**
+   * @return true if a body that is displaced by MoveTo() is repositioned only when the move is
+   * confirmed, or in the next tick. A move that tests a place and is undone then has no effect on
+   * contacts and grips.
+   */
+  virtual bool DefersMoves() const { return false; }
+  /** @return true if the origin anchor is at the pose that the engine has written last. */
+  virtual bool IsAtLastPose(const CDescribedBodyModel& /*model*/) const { return false; }
+  /** For engines that defer moves, at the start of a tick: repositions displaced bodies. */
+  void RepositionDisplaced();
+  void ForgetDisplaced();
+
+  /** @return false if a body that has left the region cannot be transferred in this tick. */
+  virtual bool PrepareTransfer(CDescribedBodyModel& /*model*/) { return true; }
+  /**
+   * Takes a model over from another engine of this type. Engines with momentum extend this by
+   * transferring the state of motion.
+   */
+  virtual void Adopt(CDescribedBodyModel& model);
+  /** Sets @p cluster to all bodies that are connected to a body by grips, itself included. */
+  virtual void FindCluster(CEmbodiedEntity& body, TBodies& cluster) const {
+    cluster.assign(1, &body);
+  }
+  /** @return true if a body has the lowest entity index of its cluster, which it then transfers. */
+  bool LeadsCluster(CEmbodiedEntity& body);
+  /** Sets @p grips to those whose holder is in @p cluster. */
+  virtual void CopyGrips(const TBodies& /*cluster*/, std::vector<SGripTransfer>& grips) const {
+    grips.clear();
+  }
+  /** Restores a grip of bodies that were adopted. */
+  virtual void RestoreGrip(const SGripTransfer& /*grip*/) {}
+
+  /** In no particular order. */
+  const std::vector<std::unique_ptr<CDescribedBodyModel>>& GetModels() const { return m_models; }
+  /**
+   * Lists the models in the order in which they enter a new world: that of their entities,
+   * independent of earlier transfers. Reserves memory for arrivals.
+   */
+  std::vector<CDescribedBodyModel*> ListModelsForWorld();
+  /** @return @p bodies plus spare capacity for bodies that arrive from neighbouring engines. */
+  size_t AddSpareCapacity(size_t bodies) const;
+  void DestroyModels();
+
+  /** This engine's model of a body; null if there is none, or if it is of another class. */
+  CDescribedBodyModel* FindModel(const CEmbodiedEntity& body) const;
+
+ private:
+  friend class CDescribedBodyModel;
+
+  void NoticeMove(CDescribedBodyModel& model);
+  void NoticeConfirmedMove(CDescribedBodyModel& model);
+  void ForgetDisplaced(CDescribedBodyModel& model);
+  void AddModel(std::unique_ptr<CDescribedBodyModel> model);
+  std::unique_ptr<CDescribedBodyModel> TakeOut(CDescribedBodyModel& model);
+  CDescribedBodyEngine* FindNextOfSameType(const CEmbodiedEntity& body) const;
+
+  std::vector<std::unique_ptr<CDescribedBodyModel>> m_models;  // by number
+  std::vector<CDescribedBodyModel*> m_displaced;
+  // scratch of transfers
+  TBodies m_cluster;
+  std::vector<SGripTransfer> m_grips;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,252 @@
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/active_set.h>
+
+#include <argos3/core/utility/math/angles.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_shapes.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/wheel_motion.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+bool IsTouching(b2Body& body) {
+  for (const b2ContactEdge* edge = body.GetContactList(); edge != nullptr; edge = edge->next) {
+    if (edge->contact->IsTouching()) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+void CActiveSet::Activate(UInt32 slot, const SBodyDescription* description) {
+  SDrivenBody& body = m_store.GetDriven()[slot];
+  const Real unitsPerMetre = m_store.GetSettings().UnitsPerMetre;
+  b2Body& box2dBody =
+      m_store.CreateBody(body.Pose, EPlanarKind::Driven, body.Owner, body.IsGrippable);
+  if (body.IsDisc) {
+    AddDisc(box2dBody, body.BoundingRadius, unitsPerMetre, kMovableFriction);
+    b2MassData mass;
+    mass.mass = static_cast<float>(body.Mass);
+    mass.center.SetZero();
+    mass.I = m_store.ToUnits(body.Inertia * unitsPerMetre);
+    box2dBody.SetMassData(&mass);
+  } else {
+    AddFixtures(box2dBody, *description, unitsPerMetre, kMovableFriction);
+    SetMass(box2dBody, *description, unitsPerMetre);
+  }
+  box2dBody.SetLinearVelocity(
+      b2Vec2(m_store.ToUnits(body.Velocity.X), m_store.ToUnits(body.Velocity.Y)));
+  box2dBody.SetAngularVelocity(static_cast<float>(body.Velocity.W));
+
+  b2MotorJointDef definition;
+  definition.bodyA = &m_store.GetGround();
+  definition.bodyB = &box2dBody;
+  definition.collideConnected = true;
+  definition.correctionFactor = 1.0F;  // the target of a substep is reached in it
+  body.ActiveNumber = static_cast<UInt32>(m_bodies.size());
+  SActiveBody& active = m_bodies.emplace_back();
+  active.Slot = slot;
+  active.Body = &box2dBody;
+  active.Motor = static_cast<b2MotorJoint*>(m_store.GetWorld().CreateJoint(&definition));
+}
+
+void CActiveSet::Deactivate(UInt32 slot) {
+  std::vector<SDrivenBody>& driven = m_store.GetDriven();
+  const UInt32 number = driven[slot].ActiveNumber;
+  m_store.DestroyBody(*m_bodies[number].Body);  // and its motor
+  driven[slot].ActiveNumber = SDrivenBody::kInactive;
+  if (number + 1 != m_bodies.size()) {
+    m_bodies[number] = m_bodies.back();
+    driven[m_bodies[number].Slot].ActiveNumber = number;
+  }
+  m_bodies.pop_back();
+}
+
+void CActiveSet::Select(const CProximityFilter& marks) {
+  const std::vector<SDrivenBody>& driven = m_store.GetDriven();
+  // backwards, because the last one takes the place of a deactivated one
+  for (size_t i = m_bodies.size(); i-- > 0;) {
+    const UInt32 slot = m_bodies[i].Slot;
+    const SDrivenBody& body = driven[slot];
+    if (body.IsDisc && body.NumGrips == 0 && marks.GetMark(slot) == CProximityFilter::Free) {
+      Deactivate(slot);
+    }
+  }
+  for (UInt32 slot = 0; slot < driven.size(); ++slot) {
+    if (marks.GetMark(slot) == CProximityFilter::Active && !driven[slot].IsActive()) {
+      Activate(slot);
+    }
+  }
+}
+
+void CActiveSet::UpdateSlot(UInt32 slot) {
+  const std::vector<SDrivenBody>& driven = m_store.GetDriven();
+  if (slot < driven.size() && driven[slot].IsActive()) {
+    m_bodies[driven[slot].ActiveNumber].Slot = slot;
+  }
+}
+
+b2Body& CActiveSet::GetBox2DBody(const SPlanarHandle& handle) const {
+  return handle.Kind == EPlanarKind::Driven
+             ? *m_bodies[m_store.GetDriven()[handle.Slot].ActiveNumber].Body
+             : *m_store.GetPassive()[handle.Slot].Body;
+}
+
+void CActiveSet::SetVelocity(const SPlanarHandle& handle, const SPlanarVelocity& velocity) {
+  b2Body* box2dBody = nullptr;
+  if (handle.Kind == EPlanarKind::Passive) {
+    m_store.GetPassive()[handle.Slot].Velocity = velocity;
+    box2dBody = &GetBox2DBody(handle);
+  } else if (handle.Kind == EPlanarKind::Driven) {
+    SDrivenBody& body = m_store.GetDriven()[handle.Slot];
+    body.Velocity = velocity;
+    box2dBody = body.IsActive() ? &GetBox2DBody(handle) : nullptr;
+  }
+  if (box2dBody != nullptr) {
+    box2dBody->SetLinearVelocity(b2Vec2(m_store.ToUnits(velocity.X), m_store.ToUnits(velocity.Y)));
+    box2dBody->SetAngularVelocity(static_cast<float>(velocity.W));
+  }
+}
+
+void CActiveSet::StartTick() {
+  for (SActiveBody& active : m_bodies) {
+    StartTick(active);
+  }
+}
+
+// The step of the tick leads from Box2D's pose of the body to the end of its arc.
+void CActiveSet::StartTick(SActiveBody& active) {
+  const SPlanarSettings& settings = m_store.GetSettings();
+  const SDrivenBody& body = m_store.GetDriven()[active.Slot];
+  b2Body& box2dBody = *active.Body;
+  const SWheelMotion commanded = ReadWheels(body, settings.Tick);
+  const SArc arc = FollowArc(body.Pose, commanded.Speed, commanded.YawRate, settings.Tick);
+
+  if (std::abs(box2dBody.GetAngle()) > kMaxAngle) {
+    box2dBody.SetTransform(box2dBody.GetPosition(), static_cast<float>(body.Pose.ComputeYaw()));
+  }
+  const b2Vec2 position = box2dBody.GetPosition();
+  active.StartAngle = box2dBody.GetAngle();
+  const Real startAngle = active.StartAngle;
+  active.StartYaw =
+      startAngle + std::remainder(body.Pose.ComputeYaw() - startAngle, 2.0 * ARGOS_PI);
+  active.StepX = static_cast<float>(arc.End.X * settings.UnitsPerMetre - position.x);
+  active.StepY = static_cast<float>(arc.End.Y * settings.UnitsPerMetre - position.y);
+  active.StepAngle =
+      static_cast<float>(active.StartYaw + commanded.YawRate * settings.Tick - startAngle);
+  active.SpentImpulse = 0.0F;
+  active.SpentAngularImpulse = 0.0F;
+}
+
+float CActiveSet::ComputeNeededSubsteps() const {
+  const float tick = static_cast<float>(m_store.GetSettings().Tick);
+  const float stepShare = static_cast<float>(kMaxStepShare);
+  const float stepTurn = static_cast<float>(kMaxStepTurn);
+  float needed = 0.0F;
+  for (const SActiveBody& active : m_bodies) {
+    const SDrivenBody& body = m_store.GetDriven()[active.Slot];
+    const float planned = b2Vec2(active.StepX, active.StepY).Length();
+    const float coasting = active.Body->GetLinearVelocity().Length() * tick;
+    const float longest = std::max(planned, coasting);
+    const float half = m_store.ToUnits(body.NarrowestHalf);
+    needed =
+        std::max({needed, longest / (stepShare * half), std::abs(active.StepAngle) / stepTurn});
+  }
+  return needed;
+}
+
+Real CActiveSet::ComputeWeakestDrive() const {
+  const Real perTick = 1.0 / m_store.GetSettings().Tick;
+  Real weakest = HUGE_VAL;
+  for (const SActiveBody& active : m_bodies) {
+    const SDrivenBody& body = m_store.GetDriven()[active.Slot];
+    const Real force = body.Mass * body.MaxSpeedChange * perTick;
+    weakest = std::min(weakest, force * body.NarrowestHalf * body.Mass);
+  }
+  return weakest;
+}
+
+void CActiveSet::SetMotors(UInt32 substep, UInt32 substeps) {
+  for (SActiveBody& active : m_bodies) {
+    SetMotor(active, substep, substeps);
+  }
+}
+
+// The drive bounds the impulse in the tick. A motor exerts an equal share in each substep. But a
+// robot that touches nothing may use as much of the bound as it takes to reach its speed at the
+// start of the tick: this makes its path an exact arc.
+void CActiveSet::SetMotor(SActiveBody& active, UInt32 substep, UInt32 substeps) {
+  const float share = 1.0F / static_cast<float>(substeps);
+  const float elapsed = static_cast<float>(substep + 1) * share;
+  const float perTick = static_cast<float>(1.0 / m_store.GetSettings().Tick);
+  const float perSubstep = perTick * static_cast<float>(substeps);
+  const SDrivenBody& body = m_store.GetDriven()[active.Slot];
+  b2Body& box2dBody = *active.Body;
+  const float mass = static_cast<float>(body.Mass);  // including that of its turret
+  const float inertia = box2dBody.GetInertia();
+  const float inTick = mass * m_store.ToUnits(body.MaxSpeedChange);
+  const float angularInTick = inertia * static_cast<float>(body.MaxYawRateChange);
+  float impulse = elapsed * inTick - active.SpentImpulse;
+  float angularImpulse = elapsed * angularInTick - active.SpentAngularImpulse;
+  if (body.NumGrips == 0 && !IsTouching(box2dBody)) {
+    // slightly more than the change of velocity takes, for the solver's rounding errors
+    constexpr float kAmple = 1.01F;
+    const b2Vec2 step(active.StepX, active.StepY);
+    const float change = (perTick * step - box2dBody.GetLinearVelocity()).Length();
+    const float turn = std::abs(perTick * active.StepAngle - box2dBody.GetAngularVelocity());
+    impulse = std::clamp(kAmple * mass * change, impulse,
+                         std::max(impulse, inTick - active.SpentImpulse));
+    angularImpulse =
+        std::clamp(kAmple * inertia * turn, angularImpulse,
+                   std::max(angularImpulse, angularInTick - active.SpentAngularImpulse));
+  }
+  active.Motor->SetMaxForce(std::max(0.0F, impulse) * perSubstep);
+  active.Motor->SetMaxTorque(std::max(0.0F, angularImpulse) * perSubstep);
+  active.Motor->SetLinearOffset(box2dBody.GetPosition() +
+                                share * b2Vec2(active.StepX, active.StepY));
+  active.Motor->SetAngularOffset(box2dBody.GetAngle() + share * active.StepAngle);
+}
+
+void CActiveSet::AccountMotors() {
+  for (SActiveBody& active : m_bodies) {
+    active.SpentImpulse += active.Motor->GetReactionForce(1.0F).Length();
+    active.SpentAngularImpulse += std::abs(active.Motor->GetReactionTorque(1.0F));
+  }
+}
+
+void CActiveSet::FinishTick(UInt32 substeps) {
+  for (const SActiveBody& active : m_bodies) {
+    FinishTick(active, substeps);
+  }
+}
+
+void CActiveSet::FinishTick(const SActiveBody& active, UInt32 substeps) {
+  SDrivenBody& body = m_store.GetDriven()[active.Slot];
+  const b2Vec2 position = active.Body->GetPosition();
+  const float angle = active.Body->GetAngle();
+  const b2Vec2 target(m_store.ToUnits(body.NextPose.X), m_store.ToUnits(body.NextPose.Y));
+  const Real targetYaw = active.StartYaw + body.NextVelocity.W * m_store.GetSettings().Tick;
+
+  // each substep rounds once, as do the target, the step and the difference
+  const float roundings = static_cast<float>(substeps + 3) * b2_epsilon;
+  const float tolerance = roundings * std::max({1.0F, std::abs(position.x), std::abs(position.y)});
+  if (std::abs(position.x - target.x) <= tolerance &&
+      std::abs(position.y - target.y) <= tolerance &&
+      std::abs(angle - static_cast<float>(targetYaw)) <=
+          roundings * std::max(1.0F, std::abs(angle))) {
+    return;
+  }
+  body.NextPose.X = m_store.ToMetres(position.x);
+  body.NextPose.Y = m_store.ToMetres(position.y);
+  body.NextPose.SetYaw(active.StartYaw + (static_cast<Real>(angle) - active.StartAngle));
+  const b2Vec2 velocity = active.Body->GetLinearVelocityFromLocalPoint(b2Vec2_zero);
+  body.NextVelocity = {m_store.ToMetres(velocity.x), m_store.ToMetres(velocity.y),
+                       static_cast<Real>(active.Body->GetAngularVelocity())};
+}
+
+}  // namespace argos

@@ -1,0 +1,81 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_ACTIVE_SET_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_ACTIVE_SET_H
+
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/proximity_filter.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_store.h>
+
+#include <vector>
+
+namespace argos {
+
+/** The data that a robot has only while it is active. */
+struct SActiveBody {
+  UInt32 Slot = 0;
+  b2Body* Body = nullptr;
+  b2MotorJoint* Motor = nullptr;
+  float StepX = 0.0F, StepY = 0.0F;  // the step of the tick that its wheels command, Box2D units
+  float StepAngle = 0.0F;  // rad in the tick
+  float StartAngle = 0.0F;  // of the Box2D body at the tick's start, rad
+  Real StartYaw = 0.0;  // rad
+  float SpentImpulse = 0.0F;  // of the drive in this tick, Box2D units
+  float SpentAngularImpulse = 0.0F;
+};
+
+/**
+ * The robots that have a body in Box2D.
+ *
+ * A robot that may touch something in a tick is active: a motor of bounded force drives its Box2D
+ * body along the chord of its arc, and Box2D solves its contacts. A disc is deactivated when
+ * nothing is near it; robots that are not discs are always active. If Box2D has moved a robot to
+ * the end of its planned arc, within some roundings, then nothing pushed it, and it gets the exact
+ * pose; else it gets Box2D's.
+ */
+class CActiveSet {
+ public:
+  explicit CActiveSet(CPlanarStore& store) : m_store(store) {}
+
+  void Reserve(size_t bodies) { m_bodies.reserve(bodies); }
+  const std::vector<SActiveBody>& GetBodies() const { return m_bodies; }
+
+  /**
+   * Gives an inactive robot a Box2D body.
+   * @param description  required if the robot is not a disc.
+   */
+  void Activate(UInt32 slot, const SBodyDescription* description = nullptr);
+  /** Removes the Box2D body of an active robot. */
+  void Deactivate(UInt32 slot);
+  /** Activates discs marked Near, and deactivates discs marked Alone that are not in a grip. */
+  void Select(const CProximityFilter& marks);
+  /** To be called if another robot has got the slot of a removed one. */
+  void UpdateSlot(UInt32 slot);
+  /** The Box2D body of an active robot or a passive body. */
+  b2Body& GetBox2DBody(const SPlanarHandle& handle) const;
+  /** Sets the velocity of a movable body, also in Box2D. */
+  void SetVelocity(const SPlanarHandle& handle, const SPlanarVelocity& velocity);
+
+  /** Reads the wheels, and plans the steps of this tick. */
+  void StartTick();
+  /** Sets the target of each motor, and its greatest force, for a substep. */
+  void SetMotors(UInt32 substep, UInt32 substeps);
+  /** After a substep: adds up the impulses of the motors. */
+  void AccountMotors();
+  /** Takes Box2D's result where it differs from the plan. */
+  void FinishTick(UInt32 substeps);
+
+  /** Substeps of a tick in which no active robot moves or turns too far in one. */
+  float ComputeNeededSubsteps() const;
+  /** Smallest product of drive force, radius and mass of the active robots, (N s)^2. */
+  Real ComputeWeakestDrive() const;
+
+ private:
+  void StartTick(SActiveBody& active);
+  void SetMotor(SActiveBody& active, UInt32 substep, UInt32 substeps);
+  void FinishTick(const SActiveBody& active, UInt32 substeps);
+
+  CPlanarStore& m_store;
+  std::vector<SActiveBody> m_bodies;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,21 @@
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_SETTINGS_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_SETTINGS_H
+
+#include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
+
+namespace argos {
+
+/** The parameters of a planar world. */
+struct SPlanarSettings {
+  Real Tick = 0.1;  // s
+  UInt32 Substeps = 1;  // least number in a tick; more if a body is very fast
+  bool RefineInCrowds = true;  // more substeps also while overlaps remain
+  Real UnitsPerMetre = 10.0;  // Box2D's unit of length
+  SGroundFriction BoxFriction;
+  SGroundFriction CylinderFriction;
+  Real GrippingRigidity = 10000.0;  // N/m; 0: grippers hold nothing
+};
+
+}  // namespace argos
+
+#endif

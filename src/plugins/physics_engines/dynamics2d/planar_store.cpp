@@ -1,0 +1,245 @@
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_store.h>
+
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_shapes.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+// Box2D fills a static table of contact types on the first contact of the process. As several
+// worlds are stepped in parallel, this must have happened before.
+bool MakeFirstContact() {
+  b2World world(b2Vec2(0.0F, 0.0F));
+  b2CircleShape disc;
+  disc.m_radius = 1.0F;
+  b2BodyDef definition;
+  definition.type = b2_dynamicBody;
+  for (int i = 0; i < 2; ++i) {
+    world.CreateBody(&definition)->CreateFixture(&disc, 1.0F);
+  }
+  world.Step(0.0F, 1, 1);
+  return true;
+}
+
+}  // namespace
+
+CPlanarStore::CPlanarStore(const SPlanarSettings& settings)
+    : m_settings(settings),
+      m_metresPerUnit(1.0 / settings.UnitsPerMetre),
+      m_world(b2Vec2(0.0F, 0.0F)) {
+  static const bool kHadFirstContact = MakeFirstContact();
+  static_cast<void>(kHadFirstContact);
+  m_world.SetContinuousPhysics(false);
+  m_world.SetAutoClearForces(false);  // there are none
+  m_world.SetContactListener(nullptr);
+  m_world.SetContactFilter(nullptr);
+  const b2BodyDef definition;
+  m_ground = m_world.CreateBody(&definition);
+}
+
+void CPlanarStore::Reserve(size_t immovable, size_t passive, size_t driven) {
+  m_immovable.reserve(immovable);
+  m_passive.reserve(passive);
+  m_driven.reserve(driven);
+}
+
+void CPlanarStore::ReserveNumbers(size_t additional) {
+  m_freeNumbers.reserve(additional);
+  m_grippable.reserve(m_numNumbers + additional);
+  m_isDriven.reserve(m_numNumbers + additional);
+}
+
+b2Body& CPlanarStore::CreateBody(const SPlanarPose& pose, EPlanarKind kind,
+                                 const SPlanarOwner& owner, bool grippable) {
+  UInt32 number = m_numNumbers;
+  if (m_freeNumbers.empty()) {
+    ++m_numNumbers;
+    m_grippable.emplace_back();
+    m_isDriven.emplace_back();
+  } else {
+    number = m_freeNumbers.back();
+    m_freeNumbers.pop_back();
+  }
+  m_grippable[number] = grippable ? owner : SPlanarOwner();
+  m_isDriven[number] = kind == EPlanarKind::Driven ? 1 : 0;
+  b2BodyDef definition;
+  definition.type = kind == EPlanarKind::Immovable ? b2_staticBody : b2_dynamicBody;
+  definition.position.Set(ToUnits(pose.X), ToUnits(pose.Y));
+  definition.angle = static_cast<float>(pose.ComputeYaw());
+  definition.userData.pointer = number;
+  // a robot may start at any tick, so it never sleeps
+  definition.allowSleep = kind != EPlanarKind::Driven;
+  return *m_world.CreateBody(&definition);
+}
+
+void CPlanarStore::DestroyBody(b2Body& body) {
+  m_freeNumbers.push_back(GetBodyNumber(body));
+  m_world.DestroyBody(&body);
+}
+
+void CPlanarStore::AddImmovable(const SPlanarOwner& owner, const SBodyDescription& description,
+                                const SPlanarPose& pose) {
+  *owner.Handle = {EPlanarKind::Immovable, static_cast<UInt32>(m_immovable.size())};
+  SImmovableBody& body = m_immovable.emplace_back();
+  body.Owner = owner;
+  body.Body = &CreateBody(pose, EPlanarKind::Immovable, owner, false);
+  AddFixtures(*body.Body, description, m_settings.UnitsPerMetre, kImmovableFriction);
+  body.Obstacles = DescribeFootprints(description, pose);
+  m_obstaclesChanged = true;
+}
+
+std::vector<SFootprint> CPlanarStore::ListObstacles() {
+  std::vector<SFootprint> obstacles;
+  for (const SImmovableBody& body : m_immovable) {
+    obstacles.insert(obstacles.end(), body.Obstacles.begin(), body.Obstacles.end());
+  }
+  m_obstaclesChanged = false;
+  return obstacles;
+}
+
+void CPlanarStore::AddPassive(const SPlanarOwner& owner, const SBodyDescription& description,
+                              const SPlanarPose& pose) {
+  *owner.Handle = {EPlanarKind::Passive, static_cast<UInt32>(m_passive.size())};
+  SPassiveBody& body = m_passive.emplace_back();
+  body.Owner = owner;
+  body.Pose = pose;
+  body.Body = &CreateBody(pose, EPlanarKind::Passive, owner, description.Grippable);
+  AddFixtures(*body.Body, description, m_settings.UnitsPerMetre, kMovableFriction);
+  SetMass(*body.Body, description, m_settings.UnitsPerMetre);
+  body.X = body.Body->GetPosition().x;
+  body.Y = body.Body->GetPosition().y;
+  body.Angle = body.Body->GetAngle();
+  body.Extent = ToUnits(ComputeNarrowestHalf(description));
+  body.BoundingRadius = description.ComputeBoundingRadius();
+  m_widestMovable = std::max(m_widestMovable, body.BoundingRadius);
+  AddGroundFriction(*body.Body, description);
+}
+
+void CPlanarStore::AddGroundFriction(b2Body& body, const SBodyDescription& description) {
+  using EClass = SGroundFrictionDescription::EClass;
+  SGroundFriction friction = {0.0, 0.0};
+  if (description.GroundFriction) {
+    friction = description.GroundFriction->Class == EClass::Box ? m_settings.BoxFriction
+                                                                : m_settings.CylinderFriction;
+  }
+  // Box2D would freeze a slow body even if no friction stops it
+  body.SetSleepingAllowed(friction.Force > 0.0 && friction.Torque > 0.0);
+  if (friction.Force > 0.0 || friction.Torque > 0.0) {
+    b2FrictionJointDef definition;
+    definition.Initialize(m_ground, &body, body.GetWorldCenter());
+    definition.maxForce = ToUnits(friction.Force);
+    definition.maxTorque = ToUnits(friction.Torque * m_settings.UnitsPerMetre);
+    definition.collideConnected = true;
+    m_world.CreateJoint(&definition);
+  }
+}
+
+void CPlanarStore::AddDriven(const SPlanarOwner& owner, const SBodyDescription& description,
+                             const SPlanarPose& pose, const Real* wheels) {
+  const SDifferentialDriveDescription& drive = *description.Drive;
+  *owner.Handle = {EPlanarKind::Driven, static_cast<UInt32>(m_driven.size())};
+  SDrivenBody& body = m_driven.emplace_back();
+  body.Owner = owner;
+  body.Pose = body.NextPose = pose;
+  body.Wheels = wheels;
+  body.Mass = description.Mass;
+  body.Inertia =
+      description.PlanarInertia ? *description.PlanarInertia : description.ComputePlanarInertia();
+  body.InverseInterwheel = 1.0 / drive.InterwheelDistance;
+  body.MaxSpeedChange = drive.MaxForce * m_settings.Tick / body.Mass;
+  body.MaxYawRateChange = drive.MaxTorque * m_settings.Tick / body.Inertia;
+  body.BoundingRadius = description.ComputeBoundingRadius();
+  m_widestMovable = std::max(m_widestMovable, body.BoundingRadius);
+  body.NarrowestHalf = ComputeNarrowestHalf(description);
+  body.MaxSpeed = kMaxSubsteps * kMaxStepShare * body.NarrowestHalf / m_settings.Tick;
+  body.IsDisc = IsCentredDisc(description);
+  body.IsGrippable = description.Grippable;
+}
+
+// Moves the last body of an array into the slot of the removed one.
+template <typename BODY>
+void CPlanarStore::FillSlot(std::vector<BODY>& bodies, UInt32 slot) {
+  *bodies[slot].Owner.Handle = SPlanarHandle();
+  if (slot + 1 != bodies.size()) {
+    bodies[slot] = std::move(bodies.back());
+    bodies[slot].Owner.Handle->Slot = slot;
+  }
+  bodies.pop_back();
+}
+
+void CPlanarStore::Remove(const SPlanarHandle& handle) {
+  const UInt32 slot = handle.Slot;
+  switch (handle.Kind) {
+    case EPlanarKind::Immovable:
+      DestroyBody(*m_immovable[slot].Body);
+      FillSlot(m_immovable, slot);
+      m_obstaclesChanged = true;
+      break;
+    case EPlanarKind::Passive:
+      DestroyBody(*m_passive[slot].Body);
+      FillSlot(m_passive, slot);
+      break;
+    case EPlanarKind::Driven:
+      FillSlot(m_driven, slot);
+      break;
+  }
+}
+
+UInt8& CPlanarStore::GetNumGrips(const SPlanarHandle& handle) {
+  return handle.Kind == EPlanarKind::Driven ? m_driven[handle.Slot].NumGrips
+                                            : m_passive[handle.Slot].NumGrips;
+}
+
+Real CPlanarStore::GetBoundingRadius(const SPlanarHandle& handle) const {
+  return handle.Kind == EPlanarKind::Driven ? m_driven[handle.Slot].BoundingRadius
+                                            : m_passive[handle.Slot].BoundingRadius;
+}
+
+Real CPlanarStore::GetNarrowestHalf(const SPlanarHandle& handle) const {
+  return handle.Kind == EPlanarKind::Driven ? m_driven[handle.Slot].NarrowestHalf
+                                            : ToMetres(m_passive[handle.Slot].Extent);
+}
+
+const SPlanarOwner& CPlanarStore::GetOwner(const SPlanarHandle& handle) const {
+  switch (handle.Kind) {
+    case EPlanarKind::Immovable:
+      return m_immovable[handle.Slot].Owner;
+    case EPlanarKind::Passive:
+      return m_passive[handle.Slot].Owner;
+    default:
+      return m_driven[handle.Slot].Owner;
+  }
+}
+
+SPlanarVelocity CPlanarStore::GetVelocity(const SPlanarHandle& handle) const {
+  switch (handle.Kind) {
+    case EPlanarKind::Passive:
+      return m_passive[handle.Slot].Velocity;
+    case EPlanarKind::Driven:
+      return m_driven[handle.Slot].Velocity;
+    default:
+      return SPlanarVelocity();
+  }
+}
+
+bool CPlanarStore::IsAt(const SPlanarHandle& handle, const SPlanarPose& pose) const {
+  if (handle.Kind == EPlanarKind::Immovable) {
+    return false;
+  }
+  constexpr Real kRounding = 1e-12;  // of sines and cosines
+  const SPlanarPose& mine =
+      handle.Kind == EPlanarKind::Driven ? m_driven[handle.Slot].Pose : m_passive[handle.Slot].Pose;
+  // half angles that differ by pi are the same heading
+  const Real cosine = mine.HalfCos * pose.HalfCos + mine.HalfSin * pose.HalfSin;
+  const Real sine = mine.HalfSin * pose.HalfCos - mine.HalfCos * pose.HalfSin;
+  return mine.X == pose.X && mine.Y == pose.Y && std::abs(sine) < kRounding &&
+         std::abs(cosine) > 0.5;
+}
+
+}  // namespace argos

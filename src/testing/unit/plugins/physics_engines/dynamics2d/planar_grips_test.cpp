@@ -1,0 +1,162 @@
+#include "planar_scene.h"
+
+#include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_grips.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+namespace argos {
+
+namespace {
+
+/** Robots with grippers that reach 1 cm out of their circle, ahead. */
+struct SGripScene : CPlanarScene {
+  CPlanarGrips Grips{Store, Active};
+  std::deque<CGripperEquippedEntity> Grippers;
+
+  SBody& AddGripper(Real x, Real y, SBodyDescription description = DescribeRobot()) {
+    SBody& body = AddRobot(x, y);
+    CGripperEquippedEntity& gripper = Grippers.emplace_back(nullptr);
+    gripper.SetOffset(CVector3(kRadius, 0.0, 0.0));
+    Grips.SetManipulator(body.GetOwner(), description, &gripper, nullptr);
+    Active.Activate(body.Handle.Slot);
+    return body;
+  }
+  /** Locks all grippers, and starts a tick. */
+  void Lock() {
+    for (CGripperEquippedEntity& gripper : Grippers) {
+      gripper.SetLockState(1.0);
+    }
+    Grips.StartTick();
+    Grips.MakeGrips();
+  }
+};
+
+}  // namespace
+
+TEST_CASE("planar grips: a locked gripper grips the body in its reach", "[dynamics2d][grip]") {
+  SGripScene scene;
+  auto& robot = scene.AddGripper(0.0, 0.0);
+  auto& near = scene.AddBox(0.105, 0.0, true);  // 5 mm ahead
+  const auto& far = scene.AddBox(0.0, 0.3, true);
+
+  scene.Grips.StartTick();
+  scene.Grips.MakeGrips();
+  CHECK_FALSE(scene.Grips.IsHoldingAny());  // not locked
+
+  scene.Lock();
+  REQUIRE(scene.Grips.IsHoldingAny());
+  CHECK(scene.Grips.GetSeekReach() == Approx(SGripperDescription().SensorRadius));
+  CHECK(&scene.Grippers[0].GetGrippedEntity() == &near.Entity);
+  CHECK(scene.Grips.IsInGrip(robot.Handle));
+  CHECK(scene.Grips.IsInGrip(near.Handle));
+  CHECK_FALSE(scene.Grips.IsInGrip(far.Handle));
+  CHECK(scene.GetDriven(robot).NumGrips == 1);
+  CHECK(scene.GetPassive(near).NumGrips == 1);
+}
+
+TEST_CASE("planar grips: a gripper does not grip beyond its reach", "[dynamics2d][grip]") {
+  SGripScene scene;
+  scene.AddGripper(0.0, 0.0);
+  scene.AddBox(0.112, 0.0, true);
+  scene.Lock();
+  CHECK_FALSE(scene.Grips.IsHoldingAny());
+}
+
+TEST_CASE("planar grips: unlocking releases the body", "[dynamics2d][grip]") {
+  SGripScene scene;
+  const auto& robot = scene.AddGripper(0.0, 0.0);
+  const auto& box = scene.AddBox(0.105, 0.0, true);
+  scene.Lock();
+  scene.Grippers[0].SetLockState(0.0);
+  scene.Grips.StartTick();
+  CHECK_FALSE(scene.Grips.IsHoldingAny());
+  CHECK_FALSE(scene.Grippers[0].IsGripping());
+  CHECK(scene.GetDriven(robot).NumGrips == 0);
+  CHECK(scene.GetPassive(box).NumGrips == 0);
+  CHECK(scene.GetPassive(box).WasReleased);
+}
+
+TEST_CASE("planar grips: the held body follows, and an overloaded grip breaks",
+          "[dynamics2d][grip]") {
+  for (const bool isWeak : {false, true}) {
+    CAPTURE(isWeak);
+    SGripScene scene;
+    SBodyDescription description = CPlanarScene::DescribeRobot();
+    // the friction of the box on the ground is 1.49 N
+    description.Gripper->MaxForce = isWeak ? 0.1 : 100.0;
+    auto& robot = scene.AddGripper(0.0, 0.0, description);
+    const auto& box = scene.AddBox(0.105, 0.0, true);
+    scene.Lock();
+    REQUIRE(scene.Grips.IsHoldingAny());
+    b2Body& carrier = scene.Active.GetBox2DBody(robot.Handle);
+    b2Body& held = scene.Active.GetBox2DBody(box.Handle);
+    const float before = held.GetPosition().x;
+    for (int i = 0; i < 10; ++i) {
+      carrier.SetLinearVelocity(b2Vec2(-4.0F, 0.0F));
+      scene.Store.GetWorld().Step(0.01F, 40, 1);
+      scene.Grips.FinishTick(0.01F);
+    }
+    CHECK(scene.Grips.IsHoldingAny() == !isWeak);
+    CHECK((held.GetPosition().x < before - 0.1F) == !isWeak);
+  }
+}
+
+TEST_CASE("planar grips: removing a body ends its grips only", "[dynamics2d][grip]") {
+  SGripScene scene;
+  scene.AddGripper(0.0, 0.0);
+  const auto& box = scene.AddBox(0.105, 0.0, true);
+  auto& second = scene.AddGripper(0.0, 1.0);
+  scene.AddBox(0.105, 1.0, true);
+  scene.Lock();
+  scene.Grips.Remove(box.Handle);
+  CHECK_FALSE(scene.Grippers[0].IsGripping());
+  CHECK(scene.Grippers[1].IsGripping());
+  scene.Grips.Remove(second.Handle);
+  CHECK_FALSE(scene.Grips.IsHoldingAny());
+  CHECK_FALSE(scene.GetDriven(second).HasManipulator);
+}
+
+TEST_CASE("planar grips: a cluster is transferred with its grips", "[dynamics2d][grip]") {
+  SGripScene scene;
+  // the first robot holds the second one, which holds a box; the third robot is apart
+  auto& first = scene.AddGripper(0.0, 0.0);
+  auto& second = scene.AddGripper(0.105, 0.0);
+  auto& box = scene.AddBox(0.21, 0.0, true);
+  auto& third = scene.AddGripper(0.0, 1.0);
+  scene.Lock();
+  REQUIRE(scene.Grips.IsInGrip(box.Handle));
+
+  std::vector<CEmbodiedEntity*> cluster;
+  for (const SPlanarOwner& member : {first.GetOwner(), second.GetOwner(), box.GetOwner()}) {
+    scene.Grips.FindCluster(*member.Body, cluster);
+    CHECK(cluster.size() == 3);
+    CHECK(std::count(cluster.begin(), cluster.end(), &third.Entity) == 0);
+  }
+  std::vector<SGripTransfer> grips;
+  scene.Grips.CopyGrips(cluster, grips);
+  REQUIRE(grips.size() == 2);
+  CHECK(grips[0].Holder == &first.Entity);
+  CHECK(grips[0].Held == &second.Entity);
+  CHECK(grips[1].Held == &box.Entity);
+  CHECK(grips[1].Arm.GetX() == Approx(0.055).margin(1e-4));
+
+  SGripScene next;
+  auto& robot = next.AddGripper(0.105, 0.0);
+  auto& load = next.AddBox(0.21, 0.0, true);
+  next.Active.Deactivate(robot.Handle.Slot);
+  SGripTransfer grip = grips[1];
+  grip.Holder = &robot.Entity;
+  grip.Held = &load.Entity;
+  next.Grips.RestoreGrip(grip, robot.Handle, load.Handle);
+  CHECK(next.GetDriven(robot).IsActive());
+  REQUIRE(next.Grips.IsHoldingAny());
+  next.Grips.CopyGrips({&robot.Entity}, grips);
+  REQUIRE(grips.size() == 1);
+  CHECK(grips[0].Arm == grip.Arm);
+  CHECK(grips[0].PointOnHeld == grip.PointOnHeld);
+}
+
+}  // namespace argos

@@ -1,0 +1,109 @@
+#ifndef ARGOS3_TESTING_UNIT_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_SCENE_H
+#define ARGOS3_TESTING_UNIT_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_SCENE_H
+
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/active_set.h>
+
+#include <array>
+#include <deque>
+#include <string>
+
+namespace argos {
+
+/** Bodies of a planar world without an engine: robots of radius 5 cm, and boxes. */
+class CPlanarScene {
+ public:
+  static constexpr Real kRadius = 0.05;  // m
+  static constexpr Real kTick = 0.1;  // s
+
+  /** A body with the handle that its world writes; addresses stay valid. */
+  struct SBody {
+    SPlanarHandle Handle;
+    CEmbodiedEntity Entity;
+    std::array<Real, 2> Wheels{};  // m/s, (left, right)
+
+    explicit SBody(const std::string& id) : Entity(nullptr, id) {}
+    SPlanarOwner GetOwner() { return {nullptr, &Entity, &Handle}; }
+  };
+
+  CPlanarScene() : Store(MakeSettings()), Active(Store) {}
+
+  static SPlanarSettings MakeSettings() {
+    SPlanarSettings settings;
+    settings.Tick = kTick;
+    settings.UnitsPerMetre = 1.0 / kRadius;
+    return settings;
+  }
+
+  static SBodyDescription DescribeRobot() {
+    SBodyDescription description;
+    description.Shapes.push_back(SShapeDescription::Cylinder(kRadius, 0.1));
+    description.Mass = 0.5;
+    description.Drive = SDifferentialDriveDescription{0.08, 0.02, 1.0, 1.0};
+    description.Grippable = true;
+    description.Gripper = SGripperDescription();
+    return description;
+  }
+
+  static SPlanarPose PoseAt(Real x, Real y) {
+    SPlanarPose pose;
+    pose.X = x;
+    pose.Y = y;
+    return pose;
+  }
+
+  /** A robot that looks along x. */
+  SBody& AddRobot(Real x, Real y, Real left = 0.0, Real right = 0.0) {
+    SBody& body = Bodies.emplace_back("robot");
+    body.Wheels = {left, right};
+    Store.AddDriven(body.GetOwner(), DescribeRobot(), PoseAt(x, y), body.Wheels.data());
+    return body;
+  }
+
+  /** A cube with an edge of 10 cm. */
+  SBody& AddBox(Real x, Real y, bool movable) {
+    SBodyDescription description;
+    description.Shapes.push_back(SShapeDescription::Box(CVector3(0.1, 0.1, 0.1)));
+    description.Mass = 0.5;
+    description.GroundFriction = SGroundFrictionDescription();
+    description.Grippable = movable;
+    SBody& body = Bodies.emplace_back("box");
+    if (movable) {
+      Store.AddPassive(body.GetOwner(), description, PoseAt(x, y));
+    } else {
+      Store.AddImmovable(body.GetOwner(), description, PoseAt(x, y));
+    }
+    return body;
+  }
+
+  SDrivenBody& GetDriven(const SBody& body) { return Store.GetDriven()[body.Handle.Slot]; }
+  SPassiveBody& GetPassive(const SBody& body) { return Store.GetPassive()[body.Handle.Slot]; }
+
+  /** Plans the arcs of active robots, and steps the Box2D world. */
+  void Drive(UInt32 substeps) {
+    for (const SActiveBody& active : Active.GetBodies()) {
+      SDrivenBody& body = Store.GetDriven()[active.Slot];
+      const Real speed = 0.5 * (body.Wheels[0] + body.Wheels[1]);
+      const Real yawRate = (body.Wheels[1] - body.Wheels[0]) * body.InverseInterwheel;
+      const SArc arc = FollowArc(body.Pose, speed, yawRate, kTick);
+      body.NextPose = arc.End;
+      body.NextVelocity = {arc.DX / kTick, arc.DY / kTick, yawRate};
+    }
+    Active.StartTick();
+    for (UInt32 substep = 0; substep < substeps; ++substep) {
+      Active.SetMotors(substep, substeps);
+      Store.GetWorld().Step(static_cast<float>(kTick / substeps), 8, 1);
+      Active.AccountMotors();
+    }
+    Active.FinishTick(substeps);
+  }
+
+  std::deque<SBody> Bodies;
+  CPlanarStore Store;
+  CActiveSet Active;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,87 @@
+#include "planar_scene.h"
+
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <set>
+
+namespace argos {
+
+TEST_CASE("planar store: handles follow the bodies", "[dynamics2d]") {
+  CPlanarScene scene;
+  for (int i = 0; i < 3; ++i) {
+    scene.AddRobot(i, 0.0);
+    scene.AddBox(i, 1.0, true);
+    scene.AddBox(i, 2.0, false);
+  }
+  // bodies 0, 3, 6 are robots, 1, 4, 7 boxes, 2, 5, 8 walls
+  for (const size_t first : {0U, 1U, 2U}) {
+    scene.Store.Remove(scene.Bodies[first].Handle);
+    CHECK_FALSE(scene.Bodies[first].Handle.IsInWorld());
+    CHECK(scene.Bodies[first + 6].Handle.Slot == 0);
+    CHECK(scene.Bodies[first + 3].Handle.Slot == 1);
+    CHECK(scene.Store.GetOwner(scene.Bodies[first + 6].Handle).Body ==
+          &scene.Bodies[first + 6].Entity);
+  }
+  CHECK(scene.GetDriven(scene.Bodies[6]).Pose.X == 2.0);
+  CHECK(scene.GetPassive(scene.Bodies[7]).Pose.X == 2.0);
+}
+
+TEST_CASE("planar store: numbers of Box2D bodies are unique and dense", "[dynamics2d]") {
+  CPlanarScene scene;
+  std::deque<b2Body*> bodies;
+  const auto create = [&](EPlanarKind kind) {
+    bodies.push_back(&scene.Store.CreateBody(SPlanarPose(), kind, SPlanarOwner(), false));
+  };
+  for (int i = 0; i < 4; ++i) {
+    create(EPlanarKind::Driven);
+  }
+  scene.Store.DestroyBody(*bodies[1]);
+  scene.Store.DestroyBody(*bodies[2]);
+  bodies.erase(bodies.begin() + 1, bodies.begin() + 3);
+  create(EPlanarKind::Immovable);
+  create(EPlanarKind::Passive);
+  std::set<UInt32> numbers;
+  for (b2Body* body : bodies) {
+    numbers.insert(GetBodyNumber(*body));
+  }
+  CHECK(numbers == std::set<UInt32>{0, 1, 2, 3});
+  CHECK(scene.Store.IsDriven(GetBodyNumber(*bodies[0])));
+  CHECK_FALSE(scene.Store.IsDriven(GetBodyNumber(*bodies[2])));
+}
+
+TEST_CASE("planar store: obstacles are listed when they have changed", "[dynamics2d]") {
+  CPlanarScene scene;
+  CHECK_FALSE(scene.Store.HaveObstaclesChanged());
+  const auto& wall = scene.AddBox(1.0, 2.0, false);
+  REQUIRE(scene.Store.HaveObstaclesChanged());
+  const std::vector<SFootprint> obstacles = scene.Store.ListObstacles();
+  REQUIRE(obstacles.size() == 1);
+  CHECK(obstacles[0].X == 1.0);
+  CHECK(obstacles[0].HalfX == Approx(0.05));
+  CHECK_FALSE(scene.Store.HaveObstaclesChanged());
+  scene.Store.Remove(wall.Handle);
+  CHECK(scene.Store.HaveObstaclesChanged());
+  CHECK(scene.Store.ListObstacles().empty());
+}
+
+TEST_CASE("planar store: a pose is compared except for rounding", "[dynamics2d]") {
+  CPlanarScene scene;
+  const auto& robot = scene.AddRobot(0.1, 0.2);
+  const auto& wall = scene.AddBox(1.0, 2.0, false);
+  SPlanarPose pose = CPlanarScene::PoseAt(0.1, 0.2);
+  CHECK(scene.Store.IsAt(robot.Handle, pose));
+  // the same heading with the other sign of the half angle
+  pose.HalfCos = -1.0;
+  CHECK(scene.Store.IsAt(robot.Handle, pose));
+  pose.SetYaw(1e-13);
+  CHECK(scene.Store.IsAt(robot.Handle, pose));
+  pose.SetYaw(1e-9);
+  CHECK_FALSE(scene.Store.IsAt(robot.Handle, pose));
+  CHECK_FALSE(scene.Store.IsAt(robot.Handle, CPlanarScene::PoseAt(std::nextafter(0.1, 1.0), 0.2)));
+  CHECK_FALSE(scene.Store.IsAt(wall.Handle, CPlanarScene::PoseAt(1.0, 2.0)));
+}
+
+}  // namespace argos
