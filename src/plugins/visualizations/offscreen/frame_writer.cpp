@@ -113,7 +113,7 @@ void CFrameWriter::CheckDirectory() {
     directory.pop_back();
   }
   if (directory.empty()) {
-    directory = ".";
+    directory.assign(1, '.');
   }
   std::error_code error;
   if (std::filesystem::is_directory(directory, error)) {
