@@ -179,8 +179,8 @@ TEST_CASE("ODE session: the random numbers of a sequence are those that ODE woul
   void* const handle = dlopen(library.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
   REQUIRE(handle != nullptr);
   auto* const drawFromODE = reinterpret_cast<unsigned long (*)()>(dlsym(handle, "dRand"));
-  REQUIRE(drawFromODE != nullptr);
-  REQUIRE(drawFromODE != &dRand);
+  REQUIRE((drawFromODE != nullptr));
+  REQUIRE((drawFromODE != &dRand));
 
   const SBoxes empty;
   const UInt32 sequence = GENERATE(0U, 5U, 4000000000U);
