@@ -413,6 +413,6 @@ TEST_CASE("cameras: invalid experiments are refused with the reason",
                Contains("a directional LED medium") && Contains("lamps"));
   }
   SECTION("two cameras with one name") {
-    CHECK_THAT(error(good + good), Contains("already is a camera \"front\""));
+    CHECK_THAT(error(good + good), Contains("camera id \"front\" is used twice"));
   }
 }

@@ -73,7 +73,7 @@ TEST_CASE("directional leds actuator: colours change in the next tick, and a res
   CHECK(leds.GetLED(0).GetColor() == CColor::RED);
   CHECK(leds.GetLED(1).GetColor() == CColor::BLACK);
   CHECK_THROWS_WITH(actuator.SetSingleColor(2, CColor::RED),
-                    Contains("no LED 2") && Contains("2 directional LEDs"));
+                    Contains("no LED 2") && Contains("directional_leds") && Contains("has 2 LEDs"));
   CHECK_THROWS_WITH(actuator.SetAllColors(std::vector<CColor>(3)), Contains("3 colors for 2"));
 }
 

@@ -48,8 +48,8 @@ body that is moved by a command, or removed, is released.
   </gripper>)") +
         NoiseManual(
             "lock_state",
-            "the lock state each time the controller changes it. The sum is clamped to [0,1]; "
-            "the gripper is locked above 0.5."),
+            "the lock state each time the controller changes it. The sum is clamped to [0,1];\nthe "
+            "gripper is locked above 0.5."),
     "Usable")
 
 }  // namespace argos

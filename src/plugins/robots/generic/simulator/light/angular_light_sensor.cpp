@@ -13,7 +13,7 @@ With D = length of that line / I, and delta the angle in [0,pi] between the ligh
 
 to the reading. The contributions of all lights add up, and the sum is clamped to [0,1]. A light exactly above the robot
 has no azimuth: every sensor then gets the mean over all of them, g(D) / 4.
-)" + RayReadingsManual(tag, "rot_z_only", "a ray from the robot to each light that is near enough");
+)" + RayReadingsManual(tag, "rot_z_only", "a ray to each light within D <= 2.5");
 }
 
 }  // namespace argos
