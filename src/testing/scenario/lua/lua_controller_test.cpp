@@ -208,10 +208,9 @@ TEST_CASE("lua controller: an error in the chunk or in init() is fatal, with a t
                  Contains("robot.lua:1: bad chunk") && Contains("stack traceback:"));
   functions.Chunk = "";
   functions.Init = "local function inner() error('bad init') end inner()";
-  CHECK_THAT(LoadError(Running(functions)), Contains("failed in init()") &&
-                                                    Contains("robot.lua:2: bad init") &&
-                                                    Contains("in upvalue 'inner'") ||
-                                                Contains("in local 'inner'"));
+  CHECK_THAT(LoadError(Running(functions)),
+             Contains("failed in init()") && Contains("robot.lua:2: bad init") &&
+                 (Contains("in upvalue 'inner'") || Contains("in local 'inner'")));
   functions.Init = "init = nil";
   functions.Chunk = "";
   SLuaExperiment experiment;
