@@ -228,7 +228,7 @@ TEST_CASE("heights: of a body that no engine takes, every engine says why not",
               "\"ground\" has its plane at z = 0 m, but the base of the body is at z = 1.25 m") &&
           Contains("\"upstairs\" has its plane at z = 2.5 m") &&
           Contains("set elevation=\"1.25\" of an engine") &&
-          Contains("\"picky\" cannot house a <box>") &&
+          Contains("\"picky\" does not accept a <box>") &&
           Contains("outside the region (<boundaries>) of \"far\""));
   // also in a run, and nothing of the box stays
   CDriveWorld world(engines, robot);
