@@ -226,7 +226,7 @@ TEST_CASE("heights: for a body that no engine accepts, every engine gives its re
               "\"ground\" has its plane at z = 0 m, but the base of the body is at z = 1.25 m") &&
           Contains("\"upstairs\" has its plane at z = 2.5 m") &&
           Contains("set elevation=\"1.25\" of an engine") &&
-          Contains("\"picky\" cannot house a <box>") &&
+          Contains("\"picky\" does not accept a <box>") &&
           Contains("outside the region (<boundaries>) of \"far\""));
   // the same during a run, after which nothing of the box is left
   CDriveWorld world(engines, robot);

@@ -223,7 +223,7 @@ TEST_CASE("space: a robot that no engine accepts is an error, and nothing is add
   CHECK_THAT(LoadError(experiment), Contains("\"r\"") && Contains("0,7,0") &&
                                         Contains("outside the region (<boundaries>) of \"left\""));
   experiment.Engines = "<toy_engine id='toy' refuses='toy-robot' />";
-  CHECK_THAT(LoadError(experiment), Contains("\"toy\" cannot house a <toy-robot>"));
+  CHECK_THAT(LoadError(experiment), Contains("\"toy\" does not accept a <toy-robot>"));
   experiment.Engines = "";
   CHECK_THAT(LoadError(experiment), Contains("there is none in <physics_engines>"));
 }
