@@ -219,7 +219,7 @@ TEST_CASE("pheromone: layers are independent of each other", "[contract][media]"
   CHECK(Medium(world).GetLayerId(1) == "food");
 
   CHECK_THROWS_WITH(Sensor(world).GetReadings("hmoe"), Contains("hmoe") && Contains("home"));
-  CHECK_THROWS_WITH(Actuator(world).SetRate("alarm", 1.0), Contains("no layer \"alarm\""));
+  CHECK_THROWS_WITH(Actuator(world).SetRate("alarm", 1.0), Contains("unknown layer \"alarm\""));
   CHECK_THROWS_WITH(Medium(world).GetLayerNumber("fod"), Contains("fod") && Contains("food"));
 }
 

@@ -120,9 +120,10 @@ TEST_CASE("bad partition: a robot outside every region", "[bad_input][partition]
 TEST_CASE("bad partition: a gate to an engine that does not exist", "[bad_input][partition]") {
   SRegion west = Region("west", "-2", "0.5");
   west.EastFace = "gate=\"eest\"";
-  CHECK_THAT(ErrorOf({west, Region("east", "0.5", "2")}),
-             Contains("its side from \"0.5,-2\" to \"0.5,2\" is a gate to \"eest\", which is no "
-                      "engine; did you mean \"east\"?"));
+  CHECK_THAT(
+      ErrorOf({west, Region("east", "0.5", "2")}),
+      Contains("its side from \"0.5,-2\" to \"0.5,2\" is a gate to \"eest\", which is not an "
+               "engine; did you mean \"east\"?"));
   west.EastFace = "gate=\"west\"";
   CHECK_THAT(ErrorOf({west, Region("east", "0.5", "2")}), Contains("a gate to its own engine"));
   west.EastFace = "gate=\"east\" wall=\"true\"";
