@@ -144,7 +144,7 @@ void* CObjectSlabs::Allocate(std::size_t bytes) {
 
 void CObjectSlabs::Free(void* object, std::size_t bytes) noexcept {
   if (!kUseSlabs || bytes > kLargestObject) {
-    ::operator delete(object, bytes);
+    ::operator delete(object);
     return;
   }
   if (object == nullptr) {

@@ -75,9 +75,9 @@ class CSlabObject {
   static void* operator new(std::size_t bytes, std::align_val_t alignment) {
     return ::operator new(bytes, alignment);
   }
-  static void operator delete(void* object, std::size_t bytes,
-                              std::align_val_t alignment) noexcept {
-    ::operator delete(object, bytes, alignment);
+  static void operator delete(void* object, std::size_t, std::align_val_t alignment) noexcept {
+    // not the global operator that takes a size: clang declares it only when asked to
+    ::operator delete(object, alignment);
   }
   // the operators above hide the one for placement
   static void* operator new(std::size_t, void* place) noexcept { return place; }
@@ -101,10 +101,13 @@ class CSlabAllocator {
   template <typename OTHER>
   CSlabAllocator(const CSlabAllocator<OTHER>&) {}
 
+  // T may be a pointer, the size of which is then meant
   T* allocate(std::size_t number) {
+    // NOLINTNEXTLINE(bugprone-sizeof-expression)
     return static_cast<T*>(CObjectSlabs::GetCurrent().Allocate(number * sizeof(T)));
   }
   void deallocate(T* elements, std::size_t number) noexcept {
+    // NOLINTNEXTLINE(bugprone-sizeof-expression)
     CObjectSlabs::Free(elements, number * sizeof(T));
   }
   // what one has allocated, another one may free
