@@ -52,6 +52,7 @@ struct SSizeClass {
 };
 
 struct SFreeRegion {
+  // NOLINTNEXTLINE(cppcoreguidelines-no-malloc): what std::aligned_alloc() returned
   void operator()(std::byte* region) const { std::free(region); }
 };
 using TRegion = std::unique_ptr<std::byte[], SFreeRegion>;
