@@ -61,6 +61,35 @@ report "utility knows nothing above it" \
   "$(includes '^src/core/utility/' 'argos3/(core/(control_interface|simulator|wrappers)|plugins)/')"
 report "the control interface knows utility alone" \
   "$(includes '^src/core/control_interface/' 'argos3/(core/(simulator|wrappers)|plugins)/')"
+# The include graph of the core's folders. Companions, which a header includes for users' code alone, do not count.
+arrows_upward() {
+  local files
+  mapfile -t files < <(only '^src/core/')
+  awk -v layersFile=scripts/layers.txt '
+    BEGIN {
+      while ((getline line < layersFile) > 0) {
+        if (line ~ /^#/) continue
+        ++layer
+        n = split(line, folders, " ")
+        for (i = 1; i <= n; ++i) layerOf[folders[i]] = layer
+      }
+    }
+    FNR == 1 {
+      isCompanion = 0
+      folder = FILENAME
+      sub(/^src\//, "", folder); sub(/\/[^\/]*$/, "", folder)
+      if (!(folder in layerOf)) print FILENAME ":1: " folder " is not in " layersFile
+    }
+    /^#ifndef ARGOS_WITHOUT_COMPANIONS/ { isCompanion = 1 }
+    /^#endif/ { isCompanion = 0 }
+    !isCompanion && match($0, /^ *# *include *<argos3\/core\//) {
+      included = $0
+      sub(/^[^<]*<argos3\//, "", included); sub(/\/[^\/]*>.*$/, "", included)
+      if (included != folder && layerOf[included] >= layerOf[folder])
+        print FILENAME ":" FNR ": " folder " is not above " included
+    }' "${files[@]}"
+}
+report "no include leads upward (scripts/layers.txt)" "$(arrows_upward)"
 report "the core knows no plug-in" "$(includes '^src/core/' 'argos3/plugins/')"
 report "a control interface knows no simulator" \
   "$(includes '^src/plugins/robots/[^/]*/control_interface/' 'argos3/(core/simulator|plugins/simulator|plugins/robots/[^/]*/simulator)/')"
@@ -72,7 +101,7 @@ report "include by the public path, <argos3/...>" \
 mapfile -t ours < <(only '^src/(core|plugins)/')
 # simulator.cpp defines it; command_line.cpp is the program that runs the thread's simulator, as users' programs do
 mapfile -t noInstance < <(printf '%s\n' "${ours[@]}" |
-  grep -vE '^src/core/simulator/(simulator|command_line|main)\.cpp$')
+  grep -vE '^src/core/simulator/(simulator|program/command_line|program/main)\.cpp$')
 report "GetInstance() is for users: take what you need as a parameter" \
   "$(search 'CSimulator::GetInstance *\(' "${noInstance[@]}")"
 report "no #pragma once: guards are ARGOS3_<PATH>_H" "$(grep -nH '^ *#pragma once' "${sources[@]}" || true)"
@@ -93,8 +122,8 @@ report "no raw new: std::make_unique" \
 report "no raw delete: let an owner do it" \
   "$(search '(^|[^A-Za-z0-9_=.>]|[^= ] +)delete(\[\])? +[A-Za-z_:(*]' "${owners[@]}" | grep -v 'operator delete' || true)"
 
-mapfile -t noPrefetch < <(printf '%s\n' "${ours[@]}" | grep -vE '^src/core/simulator/space/look_ahead\.')
-report "prefetching is the business of CLookAhead" "$(search 'Prefetch|__builtin_prefetch' "${noPrefetch[@]}")"
+mapfile -t noLoadAhead < <(printf '%s\n' "${ours[@]}" | grep -v '^src/core/utility/memory/load_ahead\.h$')
+report "prefetching is the business of memory/load_ahead.h" "$(search '[Pp]refetch' "${noLoadAhead[@]}")"
 
 report "no TODO, FIXME or XXX" "$(grep -nHE '\<(TODO|FIXME|XXX)\>' "${sources[@]}" || true)"
 

@@ -87,12 +87,16 @@ function(argos_add_core_part name)
   add_library(${target} OBJECT ${ARG_SOURCES})
   target_include_directories(${target} PUBLIC "${root}" "${PROJECT_BINARY_DIR}/include/config")
   target_link_libraries(${target} PUBLIC ${ARG_LINK} PRIVATE argos_options ${ARG_LINK_PRIVATE})
+  target_compile_definitions(${target} PRIVATE ARGOS_WITHOUT_COMPANIONS)
   set_target_properties(${target} PROPERTIES ARGOS_INCLUDE_ROOT "${root}")
   argos_precompile(${target} library)
 
   argos_check_headers(${target} ${ARG_INCLUDE_PREFIX} ${ARG_PUBLIC_HEADERS})
   argos_install_headers(core ${ARG_INCLUDE_PREFIX} "${folder}" ARG_PUBLIC_HEADERS ARG_PUBLIC_HEADERS)
 endfunction()
+
+# Some public headers include companions, which users' code finds with them but they themselves do not need, unless
+# ARGOS_WITHOUT_COMPANIONS is defined: the simulator and its plug-ins include what they use, so that their layers hold.
 
 # argos_add_core(PARTS ... [LINK ...])
 #   LINK names what the public headers need.
@@ -150,6 +154,7 @@ function(argos_add_plugin name)
   endif()
   add_library(${target} SHARED ${sources})
   add_library(argos3::${name} ALIAS ${target})
+  target_compile_definitions(${target} PRIVATE ARGOS_WITHOUT_COMPANIONS)
   target_include_directories(${target} PUBLIC "$<BUILD_INTERFACE:${root}>")
   target_link_libraries(${target} PUBLIC argos3core_${ARGOS_BUILD_FOR} PRIVATE argos_options ${ARG_LINK_PRIVATE})
   foreach(alias IN LISTS ARG_LINK)

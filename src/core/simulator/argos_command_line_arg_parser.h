@@ -1,65 +1,9 @@
 #ifndef ARGOS3_CORE_SIMULATOR_ARGOS_COMMAND_LINE_ARG_PARSER_H
 #define ARGOS3_CORE_SIMULATOR_ARGOS_COMMAND_LINE_ARG_PARSER_H
 
-#include <argos3/core/utility/datatypes/datatypes.h>
-#include <argos3/core/utility/logging/argos_log.h>
-
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
-namespace argos {
-
-/** Parser of the command line of the program argos3. */
-class CARGoSCommandLineArgParser {
- public:
-  enum EAction {
-    ACTION_UNKNOWN = 0,
-    ACTION_RUN_EXPERIMENT,
-    ACTION_QUERY_PLUGINS,
-    ACTION_SHOW_HELP,
-    ACTION_SHOW_VERSION
-  };
-
-  struct SOptions {
-    EAction Action = ACTION_UNKNOWN;
-    std::string ExperimentFile; /**< of ACTION_RUN_EXPERIMENT */
-    std::string Query; /**< of ACTION_QUERY_PLUGINS */
-    bool NoColor = false;
-    bool NoVisualization = false;
-    bool Digest = false;
-    std::string LogFile; /**< empty: the standard output */
-    std::string LogErrFile; /**< empty: the standard error */
-    std::optional<UInt32> Seed;
-    std::optional<UInt32> Threads;
-    std::optional<Real> Length; /**< s, >= 0; 0 = unlimited */
-    std::vector<std::pair<std::string, std::string>> Overrides; /**< XPath and value, in order */
-  };
-
-  /** Limit of --threads. Each thread costs a stack; no machine has more cores. */
-  static constexpr UInt32 kMaxThreads = 1024;
-
-  /**
-   * Parses the arguments of main(); the first one is the name of the program.
-   * @throws CARGoSException that lists all problems, with the nearest known names.
-   */
-  void Parse(SInt32 argc, const char* const* argv);
-
-  const SOptions& GetOptions() const { return m_options; }
-  EAction GetAction() const { return m_options.Action; }
-  const std::string& GetExperimentConfigFile() const { return m_options.ExperimentFile; }
-
-  /** The text of `argos3 --help`. */
-  static std::string GetUsage();
-  void PrintUsage(CARGoSLog& log) const;
-  /** The text of `argos3 --version`: lines of the form KEY=value. */
-  static std::string GetVersion();
-
- private:
-  SOptions m_options;
-};
-
-}  // namespace argos
+// the path that users' code includes
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/simulator/program/argos_command_line_arg_parser.h>
+#endif
 
 #endif

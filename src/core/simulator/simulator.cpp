@@ -1,36 +1,27 @@
 #include <argos3/core/simulator/simulator.h>
 
-#include <argos3/core/simulator/current.h>
-#include <argos3/core/simulator/load_errors.h>
-#include <argos3/core/simulator/loop_functions.h>
-#include <argos3/core/simulator/space/body_index.h>
+#include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/default_visualization.h>
+#include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/loading/experiment.h>
+#include <argos3/core/simulator/loading/experiment_loader.h>
 #include <argos3/core/simulator/space/space.h>
-#include <argos3/core/simulator/space/tick_times.h>
-#include <argos3/core/simulator/visualization/visualization.h>
+#include <argos3/core/simulator/tick/loop_functions.h>
+#include <argos3/core/simulator/tick/tick.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/profiler/profiler.h>
-#include <argos3/core/utility/string_utilities.h>
+#include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 
 #include <dlfcn.h>
 
-#include <cmath>
 #include <exception>
-#include <limits>
 
 namespace argos {
 
 namespace {
 
 thread_local CSimulator* currentSimulator = nullptr;
-
-std::vector<std::string> Ids(const std::map<std::string, TConfigurationNode*>& nodes) {
-  std::vector<std::string> ids;
-  for (const auto& entry : nodes) {
-    ids.push_back(entry.first);
-  }
-  return ids;
-}
 
 // ids of engines or media, for messages
 template <typename PART>
@@ -42,26 +33,23 @@ std::vector<std::string> Ids(const std::vector<PART*>& parts) {
   return ids;
 }
 
-// thread pool without workers, for a simulator without an experiment
-std::unique_ptr<CThreadPool> MakeIdlePool() {
-  return std::make_unique<CThreadPool>(0, CreateSchedule("balance_quantity"));
-}
-
 }  // namespace
 
 // the default simulator shares the process-wide random registry with code outside any scope
-CSimulator::CSimulator(SDefaultTag)
-    : m_slabs(CObjectSlabs::Make()),
-      m_registry(nullptr),
-      m_pool(MakeIdlePool()),
-      m_space(std::make_unique<CSpace>(*this)) {}
+CSimulator::CSimulator(SDefaultTag) : CSimulator(std::unique_ptr<CRandom::CRegistry>()) {}
 
-CSimulator::CSimulator()
+CSimulator::CSimulator() : CSimulator(std::make_unique<CRandom::CRegistry>()) {}
+
+CSimulator::CSimulator(std::unique_ptr<CRandom::CRegistry> registry)
     : m_slabs(CObjectSlabs::Make()),
-      m_ownRegistry(std::make_unique<CRandom::CRegistry>()),
-      m_registry(m_ownRegistry.get()),
-      m_pool(MakeIdlePool()),
-      m_space(std::make_unique<CSpace>(*this)) {}
+      m_ownRegistry(std::move(registry)),
+      m_context(*this),
+      m_space(std::make_unique<CSpace>(m_context)),
+      m_tick(std::make_unique<CTick>(m_context)),
+      m_experiment(std::make_unique<SExperiment>(m_context)) {
+  m_context.Space = m_space.get();
+  m_context.RunTick = [this] { m_tick->Run(); };
+}
 
 CSimulator::~CSimulator() {
   try {
@@ -91,12 +79,16 @@ CSpace& CurrentSpace() {
   return CSimulator::GetInstance().GetSpace();
 }
 
+SSimulationContext& CurrentContext() {
+  return CSimulator::GetInstance().m_context;
+}
+
 CSimulator::CScope::CScope(CSimulator& simulator)
     : m_previous(currentSimulator),
       m_previousRegistry(&CRandom::GetCurrentRegistry()),
       m_previousSlabs(CObjectSlabs::SetCurrent(simulator.m_slabs.get())) {
   currentSimulator = &simulator;
-  CRandom::SetCurrentRegistry(simulator.m_registry);
+  CRandom::SetCurrentRegistry(simulator.m_ownRegistry.get());
 }
 
 CSimulator::CScope::~CScope() {
@@ -113,127 +105,109 @@ CSpace& CSimulator::GetSpace() const {
 }
 
 CPhysicsEngine& CSimulator::GetPhysicsEngine(const std::string& id) const {
-  for (CPhysicsEngine* engine : m_engines) {
+  for (CPhysicsEngine* engine : m_context.Engines) {
     if (engine->GetId() == id) {
       return *engine;
     }
   }
   THROW_ARGOSEXCEPTION("there is no physics engine \"" << id << "\""
-                                                       << DidYouMean(id, Ids(m_engines)));
+                                                       << DidYouMean(id, Ids(m_context.Engines)));
 }
 
 CMedium& CSimulator::GetMediumBase(const std::string& id) {
-  for (CMedium* medium : m_media) {
+  for (CMedium* medium : m_context.Media) {
     if (medium->GetId() == id) {
       return *medium;
     }
   }
   ThrowIfBroken(id);
-  THROW_ARGOSEXCEPTION("there is no medium \"" << id << "\"" << DidYouMean(id, Ids(m_media)));
+  THROW_ARGOSEXCEPTION("there is no medium \"" << id << "\""
+                                               << DidYouMean(id, Ids(m_context.Media)));
 }
 
 CVisualization& CSimulator::GetVisualization() {
-  if (m_visualization == nullptr) {
+  if (m_experiment->Visualization == nullptr) {
     THROW_ARGOSEXCEPTION("no experiment is loaded: there is no visualization");
   }
-  return *m_visualization;
+  return *m_experiment->Visualization;
 }
 
 TConfigurationNode& CSimulator::GetConfigurationRoot() {
-  if (m_document == nullptr) {
+  if (m_experiment->Document == nullptr) {
     THROW_ARGOSEXCEPTION("no experiment is loaded: there is no configuration");
   }
-  return m_document->GetRoot();
+  return m_experiment->Document->GetRoot();
 }
 
 TConfigurationNode& CSimulator::GetConfigForController(const std::string& id) {
-  ThrowIfBroken(id);
-  const auto found = m_controllerNodes.find(id);
-  if (found == m_controllerNodes.end()) {
-    THROW_ARGOSEXCEPTION("there is no controller with id \""
-                         << id << "\" in <controllers>" << DidYouMean(id, Ids(m_controllerNodes)));
-  }
-  return *found->second;
+  return m_context.Loading.GetController(id);
 }
 
 void CSimulator::MarkBroken(const std::string& id) {
-  if (m_loading) {
-    m_broken.insert(id);
-  }
+  m_context.Loading.MarkBroken(id);
 }
 
 void CSimulator::ThrowIfBroken(const std::string& id) const {
-  if (m_broken.count(id) > 0) {
-    throw CAlreadyReported("\"" + id + "\" could not be loaded");
-  }
+  m_context.Loading.ThrowIfBroken(id);
+}
+
+void CSimulator::CheckWhenLoaded(std::function<void()> check) {
+  m_context.Loading.CheckWhenLoaded(std::move(check));
 }
 
 CProfiler& CSimulator::GetProfiler() {
-  if (m_profiler == nullptr) {
+  if (!IsProfiling()) {
     THROW_ARGOSEXCEPTION("profiling is off; add <profiling> to <framework>");
   }
-  return *m_profiler;
+  return *m_experiment->Profiler;
 }
 
-void CSimulator::FinishProfiling() {
-  if (m_profiler == nullptr) {
-    return;
-  }
-  const STickTimes& times = *m_profiledTicks;
-  m_profiler->AddPhase("act", times.Act, times.Ticks);
-  m_profiler->AddPhase("physics", times.Physics, times.Ticks);
-  m_profiler->AddPhase("index", times.Index, times.Ticks);
-  m_profiler->AddPhase("media", times.Media, times.Ticks);
-  m_profiler->AddPhase("pre-step", times.PreStep, times.Ticks);
-  m_profiler->AddPhase("sense+control", times.SenseAndControl, times.Ticks);
-  m_profiler->AddPhase("post-step", times.PostStep, times.Ticks);
-  m_profiler->Stop();
-  m_profiler->Flush();
-  m_space->SetTickTimes(nullptr);
-  m_profiler.reset();
-  m_profiledTicks.reset();
+bool CSimulator::IsProfiling() const {
+  return m_experiment->Profiler != nullptr;
+}
+
+void CSimulator::SetTickTimes(STickTimes* times) {
+  m_tick->SetTimes(times);
+}
+
+CRandom::CRNG* CSimulator::GetRNG() {
+  return m_experiment->Rng;
+}
+
+CThreadPool& CSimulator::GetThreadPool() {
+  return *m_experiment->Pool;
 }
 
 CLoopFunctions& CSimulator::GetLoopFunctions() {
-  if (m_loopFunctions == nullptr) {
+  if (m_context.LoopFunctions == nullptr) {
     THROW_ARGOSEXCEPTION("no experiment is loaded: there are no loop functions");
   }
-  return *m_loopFunctions;
+  return *m_context.LoopFunctions;
 }
 
 void CSimulator::SetLoopFunctions(CLoopFunctions& loopFunctions) {
-  m_ownLoopFunctions.reset();
-  m_loopFunctions = &loopFunctions;
+  m_experiment->OwnLoopFunctions.reset();
+  m_experiment->SetLoopFunctions(&loopFunctions);
 }
 
 void CSimulator::SetRandomSeed(UInt32 seed) {
-  m_randomSeed = seed;
-  m_seedSet = true;
-  m_seedFromClock = false;
+  m_settings.Seed = seed;
+  m_settings.IsSeedSet = true;
+  m_settings.IsSeedFromClock = false;
 }
 
 void CSimulator::SetNumThreads(UInt32 threads) {
-  m_numThreads = threads;
-  m_threadsSet = true;
+  m_settings.NumThreads = threads;
+  m_settings.AreThreadsSet = true;
 }
 
 void CSimulator::SetLength(Real seconds) {
-  if (!(seconds >= 0.0) || std::isinf(seconds)) {
-    THROW_ARGOSEXCEPTION("the length of an experiment must be 0 (unlimited) or more seconds, got "
-                         << seconds);
-  }
-  m_length = seconds;
-  m_lengthSet = true;
-  // tolerance for a whole number of ticks that the division rounds down
-  const Real ticks = std::floor(seconds / m_tickLength + 1e-6);
-  if (ticks > std::numeric_limits<UInt32>::max()) {
-    THROW_ARGOSEXCEPTION("an experiment of " << seconds << " s has more ticks than can be counted");
-  }
-  m_maxSimulationClock = static_cast<UInt32>(ticks);
+  m_settings.SetLength(seconds, m_context.TickLength);
+  m_settings.IsLengthSet = true;
 }
 
 void CSimulator::AddOverride(const std::string& path, const std::string& value) {
-  m_overrides.emplace_back(path, value);
+  m_settings.Overrides.emplace_back(path, value);
 }
 
 std::string CSimulator::GetInstallationDirectory() const {
@@ -249,25 +223,65 @@ std::string CSimulator::GetInstallationDirectory() const {
   return path;
 }
 
+void CSimulator::LoadExperiment(bool forceNoVisualization) {
+  // check before the document of a loaded experiment would be replaced
+  ThrowIfLoaded();
+  auto document = std::make_unique<CConfigurationDocument>();
+  document->LoadFile(m_experimentFileName);
+  m_experiment->OwnDocument = std::move(document);
+  Load(*m_experiment->OwnDocument, forceNoVisualization);
+}
+
+void CSimulator::ThrowIfLoaded() const {
+  if (m_experiment->IsLoaded()) {
+    THROW_ARGOSEXCEPTION("an experiment is loaded already: call Destroy() before loading another");
+  }
+}
+
+void CSimulator::Load(CConfigurationDocument& document, bool forceNoVisualization) {
+  ThrowIfLoaded();
+  m_experiment->Document = &document;
+  m_settings.ForceNoVisualization = forceNoVisualization;
+  try {
+    Init();
+  } catch (...) {
+    // remove all partly created objects
+    Destroy();
+    throw;
+  }
+}
+
+void CSimulator::Init() {
+  const CScope scope(*this);
+  GetConfigurationRoot();
+  CExperimentLoader loader(m_context, *m_tick, *m_experiment, m_settings);
+  loader.SetWorkerStart([this] {
+    // workers serve this simulator during their lifetime
+    CScope(*this).Keep();
+  });
+  loader.SetDefaultVisualization([] { return std::make_unique<CDefaultVisualization>(); });
+  loader.Load();
+}
+
 void CSimulator::Reset() {
   const CScope scope(*this);
   m_terminated = false;
-  if (m_seedFromClock) {
-    m_randomSeed = SeedFromClock();
-    LOG << "[INFO] Using random seed = " << m_randomSeed << std::endl;
+  if (m_settings.IsSeedFromClock) {
+    m_settings.DrawSeedFromClock();
+    LOG << "[INFO] Using random seed = " << m_settings.Seed << std::endl;
   }
-  CRandom::GetCategory("argos").SetSeed(m_randomSeed);
+  CRandom::GetCategory("argos").SetSeed(m_settings.Seed);
   CRandom::GetCategory("argos").ResetRNGs();
   m_space->Reset();
-  for (CPhysicsEngine* engine : m_engines) {
+  for (CPhysicsEngine* engine : m_context.Engines) {
     engine->Reset();
   }
   // after the engines: media use the positions of bodies
-  for (CMedium* medium : m_media) {
+  for (CMedium* medium : m_context.Media) {
     medium->Reset();
   }
-  m_loopFunctions->Reset();
-  m_space->GetBodyIndex().Rebuild(*m_pool);
+  GetLoopFunctions().Reset();
+  m_space->GetBodyIndex().Rebuild(*m_context.Pool);
   LOG.Flush();
   LOGERR.Flush();
 }
@@ -280,51 +294,15 @@ void CSimulator::Reset(UInt32 newRandomSeed) {
 void CSimulator::Destroy() {
   const CScope scope(*this);
   // users' Destroy() may rely on their Init()
-  std::exception_ptr failure;
-  if (m_loopFunctionsReady) {
-    try {
-      m_loopFunctions->Destroy();
-    } catch (...) {
-      // continue, and throw again at the end
-      failure = std::current_exception();
-    }
-    m_loopFunctionsReady = false;
+  std::exception_ptr failure = m_experiment->DestroyLoopFunctions();
+  const std::exception_ptr unwritten = m_experiment->FinishProfiling();
+  if (failure == nullptr) {
+    failure = unwritten;
   }
-  if (m_visualization != nullptr) {
-    m_visualization->Destroy();
-  }
-  m_visualization.reset();
-  m_space->Destroy();
-  // after the entities, which may still request the floor's colour
-  m_ownLoopFunctions.reset();
-  m_loopFunctions = nullptr;
-  for (CMedium* medium : m_media) {
-    medium->Destroy();
-  }
-  m_media.clear();
-  m_ownMedia.clear();
-  for (CPhysicsEngine* engine : m_engines) {
-    engine->Destroy();
-  }
-  m_engines.clear();
-  m_ownEngines.clear();
-  FinishProfiling();
-  if (CRandom::ExistsCategory("argos")) {
-    CRandom::RemoveCategory("argos");
-  }
-  // joins the workers, so that none is left at the end of the program
-  m_pool = MakeIdlePool();
-  m_rng = nullptr;
-  m_controllerNodes.clear();
-  m_broken.clear();
-  m_checks.clear();
-  m_loading = false;
-  m_overrides.clear();
-  m_document = nullptr;
+  m_experiment.reset();
+  m_experiment = std::make_unique<SExperiment>(m_context);
+  m_settings.ForgetWhatWasSet();
   m_terminated = false;
-  m_realTimeClock = false;
-  m_seedSet = m_threadsSet = m_lengthSet = false;
-  m_seedFromClock = true;
   LOG.Flush();
   LOGERR.Flush();
   if (failure != nullptr) {
@@ -347,8 +325,8 @@ void CSimulator::UpdateSpace() {
 
 bool CSimulator::IsExperimentFinished() const {
   return m_terminated ||
-         (m_maxSimulationClock > 0 && m_space->GetSimulationClock() >= m_maxSimulationClock) ||
-         (m_loopFunctions != nullptr && m_loopFunctions->IsExperimentFinished());
+         (m_settings.MaxClock > 0 && m_space->GetSimulationClock() >= m_settings.MaxClock) ||
+         (m_context.LoopFunctions != nullptr && m_context.LoopFunctions->IsExperimentFinished());
 }
 
 }  // namespace argos

@@ -1,10 +1,13 @@
 #ifndef ARGOS3_CORE_SIMULATOR_SIMULATOR_H
 #define ARGOS3_CORE_SIMULATOR_SIMULATOR_H
 
+#include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/context/simulation_context.h>
+#include <argos3/core/simulator/loading/run_settings.h>
 #include <argos3/core/simulator/medium/medium.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
-#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/math/rng.h>
 #include <argos3/core/utility/memory/object_slabs.h>
 
@@ -18,16 +21,20 @@
 
 namespace argos {
 
-class CLoadErrors;
 class CLoopFunctions;
 class CProfiler;
 class CSpace;
 class CThreadPool;
+class CTick;
 class CVisualization;
+struct SExperiment;
 struct STickTimes;
 
 /**
  * One simulation; owns all its parts.
+ *
+ * What the parts share is in SSimulationContext, what an experiment consists of in SExperiment; the
+ * loader (loading/experiment_loader.h) makes it, CTick runs it.
  *
  * A process may contain several simulators, of which at most one is current per thread:
  * GetInstance() returns the calling thread's current one. Programs with several simulators
@@ -67,7 +74,7 @@ class CSimulator {
   CSpace& GetSpace() const;
   /** @throws CARGoSException with the nearest ids if there is no such engine. */
   CPhysicsEngine& GetPhysicsEngine(const std::string& id) const;
-  CPhysicsEngine::TVector& GetPhysicsEngines() { return m_engines; }
+  CPhysicsEngine::TVector& GetPhysicsEngines() { return m_context.Engines; }
   /** @throws CARGoSException if there is no such medium, or if it is not a T. */
   template <typename T>
   T& GetMedium(const std::string& id) {
@@ -77,7 +84,7 @@ class CSimulator {
     }
     return *medium;
   }
-  CMedium::TVector& GetMedia() { return m_media; }
+  CMedium::TVector& GetMedia() { return m_context.Media; }
   CVisualization& GetVisualization();
 
   /** The root element of the experiment file. */
@@ -101,13 +108,15 @@ class CSimulator {
 
   /** @throws CARGoSException if profiling is off. */
   CProfiler& GetProfiler();
-  bool IsProfiling() const { return m_profiler != nullptr; }
+  bool IsProfiling() const;
+  /** From now on adds the time of each phase of a tick to @p times (not owned); nullptr stops. */
+  void SetTickTimes(STickTimes* times);
 
-  UInt32 GetRandomSeed() const { return m_randomSeed; }
+  UInt32 GetRandomSeed() const { return m_settings.Seed; }
   /** Overrides the seed of the file; call it before loading. */
   void SetRandomSeed(UInt32 seed);
   /** The first generator of the category "argos". */
-  CRandom::CRNG* GetRNG() { return m_rng; }
+  CRandom::CRNG* GetRNG();
 
   const std::string& GetExperimentFileName() const { return m_experimentFileName; }
   void SetExperimentFileName(const std::string& fileName) { m_experimentFileName = fileName; }
@@ -115,17 +124,17 @@ class CSimulator {
   /** The caller keeps ownership; they must exist until Destroy() or until others are set. */
   void SetLoopFunctions(CLoopFunctions& loopFunctions);
   /** In ticks; 0 = unlimited. */
-  UInt32 GetMaxSimulationClock() const { return m_maxSimulationClock; }
+  UInt32 GetMaxSimulationClock() const { return m_settings.MaxClock; }
   /** Overrides the length of the file, before or after loading. @param seconds 0 = unlimited. */
   void SetLength(Real seconds);
   /** As in the file or as set; 0 = main thread only. */
-  UInt32 GetNumThreads() const { return m_numThreads; }
+  UInt32 GetNumThreads() const { return m_settings.NumThreads; }
   /** Overrides the number of threads of the file; call it before loading. */
   void SetNumThreads(UInt32 threads);
-  bool IsRealTimeClock() const { return m_realTimeClock; }
-  void SetRealTimeClock(bool realTime) { m_realTimeClock = realTime; }
+  bool IsRealTimeClock() const { return m_settings.IsRealTime; }
+  void SetRealTimeClock(bool realTime) { m_settings.IsRealTime = realTime; }
   /** Length of a tick, s. */
-  Real GetTickLength() const { return m_tickLength; }
+  Real GetTickLength() const { return m_context.TickLength; }
   /** Overrides an attribute of the file (`--set`); call it before loading. */
   void AddOverride(const std::string& path, const std::string& value);
 
@@ -162,73 +171,26 @@ class CSimulator {
     m_tickObserver = std::move(observer);
   }
   /** The threads on which phases run. */
-  CThreadPool& GetThreadPool() { return *m_pool; }
+  CThreadPool& GetThreadPool();
 
  private:
-  friend class CPhysicsEngine;
+  friend SSimulationContext& CurrentContext();
   struct SDefaultTag {};
   explicit CSimulator(SDefaultTag);
 
+  explicit CSimulator(std::unique_ptr<CRandom::CRegistry> registry);
   CMedium& GetMediumBase(const std::string& id);
   void ThrowIfLoaded() const;
-  static UInt32 SeedFromClock();
-  void ApplyOverrides(CLoadErrors& errors);
-  void InitFramework(TConfigurationNode& node, CLoadErrors& errors);
-  void InitSystem(TConfigurationNode& framework);
-  void InitExperiment(TConfigurationNode& framework);
-  void InitProfiling(TConfigurationNode& framework);
-  void FinishProfiling();
-  void InitRandom(TConfigurationNode& experiment);
-  void InitControllers(TConfigurationNode& node, CLoadErrors& errors);
-  void InitController(TConfigurationNode& node);
-  void CreateLoopFunctions(TConfigurationNode& root, CLoadErrors& errors);
-  void InitPhysics(TConfigurationNode& node, CLoadErrors& errors);
-  void InitMedia(TConfigurationNode& node, CLoadErrors& errors);
-  void InitLoopFunctions(TConfigurationNode& root, CLoadErrors& errors);
-  void PostSpaceInit(CLoadErrors& errors);
-  void InitVisualization(TConfigurationNode& root, CLoadErrors& errors);
-  void WarnOfUnreadParts() const;
 
   CObjectSlabs::TOwner m_slabs;  // of the entities, devices and controllers
-  std::string m_experimentFileName;
-  std::unique_ptr<CConfigurationDocument> m_ownDocument;
-  CConfigurationDocument* m_document = nullptr;
-  std::vector<std::pair<std::string, std::string>> m_overrides;
-  bool m_forceNoVisualization = false;
-
-  bool m_seedSet = false;  // by the user, before loading
-  bool m_seedFromClock = true;  // neither set nor in the file
-  UInt32 m_randomSeed = 0;
-  CRandom::CRNG* m_rng = nullptr;  // owned by its category
   std::unique_ptr<CRandom::CRegistry> m_ownRegistry;  // null: the process's default one
-  CRandom::CRegistry* m_registry = nullptr;
-
-  bool m_threadsSet = false;
-  UInt32 m_numThreads = 0;
-  bool m_lengthSet = false;
-  Real m_length = 0.0;  // s
-  Real m_tickLength = 0.1;  // s
-  UInt32 m_maxSimulationClock = 0;
-  bool m_realTimeClock = false;
-  std::atomic<bool> m_terminated{false};  // controllers may end the experiment concurrently
-
-  std::map<std::string, TConfigurationNode*> m_controllerNodes;
-  bool m_loading = false;
-  std::set<std::string> m_broken;  // ids of parts that failed while loading
-  std::vector<std::function<void()>> m_checks;  // called at the end of loading
-  std::unique_ptr<CThreadPool> m_pool;
+  SSimulationContext m_context;
   std::unique_ptr<CSpace> m_space;
-  std::unique_ptr<CLoopFunctions> m_ownLoopFunctions;
-  CLoopFunctions* m_loopFunctions = nullptr;
-  bool m_loopFunctionsReady = false;  // initialised and not destroyed
-  std::unique_ptr<CProfiler> m_profiler;
-  std::unique_ptr<STickTimes> m_profiledTicks;  // with the profiler
-  // vectors for users, with the same objects as the owning ones
-  CPhysicsEngine::TVector m_engines;
-  CMedium::TVector m_media;
-  std::vector<std::unique_ptr<CPhysicsEngine>> m_ownEngines;
-  std::vector<std::unique_ptr<CMedium>> m_ownMedia;
-  std::unique_ptr<CVisualization> m_visualization;
+  std::unique_ptr<CTick> m_tick;
+  std::string m_experimentFileName;
+  SRunSettings m_settings;
+  std::unique_ptr<SExperiment> m_experiment;  // never null; its reset is Destroy()
+  std::atomic<bool> m_terminated{false};  // controllers may end the experiment concurrently
   std::function<void(CSimulator&)> m_tickObserver;
 };
 

@@ -1,6 +1,6 @@
 #include <argos3/plugins/simulator/entities/light_entity.h>
 
-#include <argos3/core/simulator/current.h>
+#include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/plugins/simulator/entities/lights.h>

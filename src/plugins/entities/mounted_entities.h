@@ -1,7 +1,7 @@
 #ifndef ARGOS3_PLUGINS_ENTITIES_MOUNTED_ENTITIES_H
 #define ARGOS3_PLUGINS_ENTITIES_MOUNTED_ENTITIES_H
 
-#include <argos3/core/simulator/current.h>
+#include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/plugins/simulator/entities/anchor_use.h>

@@ -1,7 +1,7 @@
 #ifndef ARGOS3_PLUGINS_ENTITIES_READ_MEDIUM_H
 #define ARGOS3_PLUGINS_ENTITIES_READ_MEDIUM_H
 
-#include <argos3/core/simulator/load_errors.h>
+#include <argos3/core/simulator/context/load_errors.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 

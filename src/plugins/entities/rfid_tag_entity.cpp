@@ -1,6 +1,6 @@
 #include <argos3/plugins/simulator/entities/rfid_tag_entity.h>
 
-#include <argos3/core/simulator/current.h>
+#include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/core/utility/string_utilities.h>

@@ -1,7 +1,7 @@
 #ifndef ARGOS3_PLUGINS_ENTITIES_TICK_WATCH_H
 #define ARGOS3_PLUGINS_ENTITIES_TICK_WATCH_H
 
-#include <argos3/core/simulator/current.h>
+#include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 

@@ -2,7 +2,7 @@
 #define ARGOS3_PLUGINS_ENTITIES_TURRET_ENTITY_H
 
 #include <argos3/core/simulator/entity/entity.h>
-#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/utility/math/angles.h>
 
 namespace argos {

@@ -1,6 +1,6 @@
 #include <argos3/plugins/simulator/entities/warn_once.h>
 
-#include <argos3/core/simulator/current.h>
+#include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/logging/argos_log.h>
 

@@ -14,7 +14,7 @@
 #include <argos3/testing/support/rooms.h>
 
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
-#include <argos3/core/simulator/space/tick_times.h>
+#include <argos3/core/simulator/tick/tick_times.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_engine.h>
 #include <argos3/plugins/robots/e-puck/simulator/epuck_measures.h>
 

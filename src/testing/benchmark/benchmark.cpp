@@ -14,7 +14,7 @@
 
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/simulator.h>
-#include <argos3/core/simulator/space/tick_times.h>
+#include <argos3/core/simulator/tick/tick_times.h>
 
 #include <CLI/CLI.hpp>
 

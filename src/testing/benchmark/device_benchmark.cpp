@@ -13,7 +13,7 @@
 #include <argos3/testing/support/rooms.h>
 
 #include <argos3/core/simulator/entity/controllable_entity.h>
-#include <argos3/core/simulator/space/tick_times.h>
+#include <argos3/core/simulator/tick/tick_times.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 

@@ -12,7 +12,7 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
-#include <argos3/core/simulator/space/tick_times.h>
+#include <argos3/core/simulator/tick/tick_times.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_pheromone_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_sensor.h>
 

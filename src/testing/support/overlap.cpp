@@ -3,8 +3,8 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
-#include <argos3/core/simulator/physics_engine/body_description.h>
-#include <argos3/core/simulator/space/body_index.h>
+#include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/simulator/geometry/body_index.h>
 
 #include <algorithm>
 #include <cmath>

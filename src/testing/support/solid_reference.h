@@ -1,7 +1,7 @@
 #ifndef ARGOS3_TESTING_SUPPORT_SOLID_REFERENCE_H
 #define ARGOS3_TESTING_SUPPORT_SOLID_REFERENCE_H
 
-#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/utility/math/ray3.h>
 
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/lazy_components.h>
-#include <argos3/core/utility/string_utilities.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
 #include <algorithm>
 
@@ -216,29 +216,5 @@ void CComposableEntity::UpdateDigest(CDigest& digest) const {
     component->UpdateDigest(digest);
   }
 }
-
-void AddComponentsToSpace(CSpace& space, CComposableEntity& entity) {
-  // a copy: what is added may make further components
-  // NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
-  const CEntity::TVector components = entity.GetExistingComponents();
-  for (CEntity* component : components) {
-    CallEntityOperation<CSpaceOperationAddEntity, CSpace, void>(space, *component);
-  }
-}
-
-void RemoveComponentsFromSpace(CSpace& space, CComposableEntity& entity) {
-  while (!entity.GetExistingComponents().empty()) {
-    CEntity* const last = entity.GetExistingComponents().back();
-    // the space makes the entity forget it; one of a type without operations goes here
-    CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(space, *last);
-    const CEntity::TVector& left = entity.GetExistingComponents();
-    if (!left.empty() && left.back() == last) {
-      const std::unique_ptr<CEntity> owned(last);
-      entity.ForgetComponent(*last);
-    }
-  }
-}
-
-REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CComposableEntity)
 
 }  // namespace argos

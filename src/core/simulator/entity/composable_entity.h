@@ -2,7 +2,6 @@
 #define ARGOS3_CORE_SIMULATOR_ENTITY_COMPOSABLE_ENTITY_H
 
 #include <argos3/core/simulator/entity/entity.h>
-#include <argos3/core/simulator/space/space.h>
 
 #include <memory>
 
@@ -89,43 +88,8 @@ class CComposableEntity : public CEntity {
 
 }  // namespace argos
 
-#define SPACE_OPERATION_ADD_COMPOSABLE_ENTITY(ENTITY)                  \
-  class CSpaceOperationAdd##ENTITY : public CSpaceOperationAddEntity { \
-   public:                                                             \
-    void ApplyTo(CSpace& space, ENTITY& entity) {                      \
-      space.AddEntity(entity);                                         \
-      AddComponentsToSpace(space, entity);                             \
-    }                                                                  \
-  };
-
-#define SPACE_OPERATION_REMOVE_COMPOSABLE_ENTITY(ENTITY)                     \
-  class CSpaceOperationRemove##ENTITY : public CSpaceOperationRemoveEntity { \
-   public:                                                                   \
-    void ApplyTo(CSpace& space, ENTITY& entity) {                            \
-      RemoveComponentsFromSpace(space, entity);                              \
-      space.RemoveEntity(entity);                                            \
-    }                                                                        \
-  };
-
-#define REGISTER_STANDARD_SPACE_OPERATION_ADD_COMPOSABLE(ENTITY) \
-  SPACE_OPERATION_ADD_COMPOSABLE_ENTITY(ENTITY)                  \
-  REGISTER_SPACE_OPERATION(CSpaceOperationAddEntity, CSpaceOperationAdd##ENTITY, ENTITY)
-
-#define REGISTER_STANDARD_SPACE_OPERATION_REMOVE_COMPOSABLE(ENTITY) \
-  SPACE_OPERATION_REMOVE_COMPOSABLE_ENTITY(ENTITY)                  \
-  REGISTER_SPACE_OPERATION(CSpaceOperationRemoveEntity, CSpaceOperationRemove##ENTITY, ENTITY)
-
-#define REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(ENTITY) \
-  REGISTER_STANDARD_SPACE_OPERATION_ADD_COMPOSABLE(ENTITY)       \
-  REGISTER_STANDARD_SPACE_OPERATION_REMOVE_COMPOSABLE(ENTITY)
-
-namespace argos {
-
-/** Adds every component that exists to the space, in order, each by its own type's operation. */
-void AddComponentsToSpace(CSpace& space, CComposableEntity& entity);
-/** Detaches and removes components from the space, last to first. */
-void RemoveComponentsFromSpace(CSpace& space, CComposableEntity& entity);
-
-}  // namespace argos
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/simulator/space/space.h>
+#endif
 
 #endif

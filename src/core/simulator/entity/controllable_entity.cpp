@@ -1,10 +1,9 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 
-#include <argos3/core/simulator/current.h>
+#include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
-#include <argos3/core/simulator/load_errors.h>
-#include <argos3/core/simulator/simulator.h>
-#include <argos3/core/utility/string_utilities.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
 namespace argos {
 
@@ -58,12 +57,16 @@ CControllableEntity::CControllableEntity(CComposableEntity* parent)
     : CControllableEntity(parent, "controller_0") {}
 
 CControllableEntity::CControllableEntity(CComposableEntity* parent, const std::string& id)
-    : CEntity(parent, id), m_simulator(CurrentSimulator()) {}
+    : CEntity(parent, id), m_context(CurrentContext()) {}
 
 CControllableEntity::~CControllableEntity() = default;
 
 CSpace& CControllableEntity::GetSpace() const {
-  return m_simulator.GetSpace();
+  return *m_context.Space;
+}
+
+CSimulator& CControllableEntity::GetSimulator() const {
+  return m_context.Simulator;
 }
 
 void CControllableEntity::Init(TConfigurationNode& tree) {
@@ -144,7 +147,7 @@ CCI_Controller& CControllableEntity::GetController() {
 }
 
 void CControllableEntity::SetController(const std::string& controllerId) {
-  TConfigurationNode& node = m_simulator.GetConfigForController(controllerId);
+  TConfigurationNode& node = m_context.Loading.GetController(controllerId);
   if (!NodeExists(node, "params")) {
     // controllers may keep a reference to their parameters: an empty element that stays
     TConfigurationNode none("params");
@@ -155,8 +158,8 @@ void CControllableEntity::SetController(const std::string& controllerId) {
 
 void CControllableEntity::SetController(const std::string& controllerId,
                                         TConfigurationNode& params) {
-  TConfigurationNode& node = m_simulator.GetConfigForController(controllerId);
-  if (GetSpace().IsProbing()) {
+  TConfigurationNode& node = m_context.Loading.GetController(controllerId);
+  if (m_context.Loading.IsProbing()) {
     return;
   }
   const std::string robot = GetRootEntity().GetId();
@@ -177,7 +180,7 @@ void CControllableEntity::SetController(const std::string& controllerId,
   } catch (const CAlreadyReported&) {
     throw;
   } catch (std::exception& error) {
-    m_simulator.MarkBroken(controllerId);
+    m_context.Loading.MarkBroken(controllerId);
     DropController();
     THROW_ARGOSEXCEPTION_NESTED("robot \"" << robot << "\": its controller \"" << controllerId
                                            << "\" (" << node.GetLocation() << ": <" << node.Value()
@@ -294,30 +297,5 @@ void CControllableEntity::AddIntersectionPoint(const CRay3& ray, Real tOnRay) {
   ray.GetPoint(point, tOnRay);
   m_vecIntersectionPoints.push_back(point);
 }
-
-namespace {
-
-class CSpaceOperationAddCControllableEntity : public CSpaceOperationAddEntity {
- public:
-  void ApplyTo(CSpace& space, CControllableEntity& entity) {
-    space.AddEntity(entity);
-    space.AddControllableEntity(entity);
-  }
-};
-
-class CSpaceOperationRemoveCControllableEntity : public CSpaceOperationRemoveEntity {
- public:
-  void ApplyTo(CSpace& space, CControllableEntity& entity) {
-    space.RemoveControllableEntity(entity);
-    space.RemoveEntity(entity);
-  }
-};
-
-}  // namespace
-
-REGISTER_SPACE_OPERATION(CSpaceOperationAddEntity, CSpaceOperationAddCControllableEntity,
-                         CControllableEntity)
-REGISTER_SPACE_OPERATION(CSpaceOperationRemoveEntity, CSpaceOperationRemoveCControllableEntity,
-                         CControllableEntity)
 
 }  // namespace argos

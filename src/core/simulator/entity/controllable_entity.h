@@ -2,9 +2,9 @@
 #define ARGOS3_CORE_SIMULATOR_ENTITY_CONTROLLABLE_ENTITY_H
 
 #include <argos3/core/control_interface/ci_controller.h>
-#include <argos3/core/simulator/actuator.h>
+#include <argos3/core/simulator/entity/actuator.h>
 #include <argos3/core/simulator/entity/entity.h>
-#include <argos3/core/simulator/sensor.h>
+#include <argos3/core/simulator/entity/sensor.h>
 #include <argos3/core/utility/math/ray3.h>
 #include <argos3/core/utility/memory/object_slabs.h>
 
@@ -18,6 +18,7 @@ namespace argos {
 class CLookAhead;
 class CSimulator;
 class CSpace;
+struct SSimulationContext;
 
 /**
  * What makes an entity a robot: its controller, and the sensors and actuators the controller uses.
@@ -73,7 +74,7 @@ class CControllableEntity : public CEntity {
   /** The space this robot lives in, for its devices. */
   CSpace& GetSpace() const;
   /** The simulator this robot belongs to, for its devices. */
-  CSimulator& GetSimulator() const { return m_simulator; }
+  CSimulator& GetSimulator() const;
 
   /** The devices by XML tag; the maps are created at the first call. */
   const std::map<std::string, CSimulatedActuator*>& GetActuators() const;
@@ -107,7 +108,7 @@ class CControllableEntity : public CEntity {
   mutable std::map<std::string, CSimulatedSensor*> m_mapSensors;
 
  private:
-  CSimulator& m_simulator;
+  SSimulationContext& m_context;
   std::unique_ptr<CCI_Controller> m_controller;
 };
 

@@ -2,30 +2,13 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/pose_digest.h>
-#include <argos3/core/simulator/physics_engine/body_description.h>
-#include <argos3/core/simulator/physics_engine/physics_engine.h>
-#include <argos3/core/simulator/simulator.h>
-#include <argos3/core/simulator/space/body_index.h>
-#include <argos3/core/utility/string_utilities.h>
+#include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
 #include <algorithm>
 
 namespace argos {
-
-namespace {
-
-// what no region contains stays with its engine
-bool LiesInAnotherRegion(const CVector3& position, CPhysicsEngine& engine) {
-  if (!engine.IsEntityTransferActive() || engine.IsPointContained(position)) {
-    return false;
-  }
-  const CPhysicsEngine::TVector& engines = engine.GetSpace().GetSimulator().GetPhysicsEngines();
-  return std::any_of(engines.begin(), engines.end(), [&position](CPhysicsEngine* other) {
-    return other->IsPointContained(position);
-  });
-}
-
-}  // namespace
 
 CEmbodiedEntity::CEmbodiedEntity(CComposableEntity* parent) : CEmbodiedEntity(parent, "body_0") {}
 
@@ -44,9 +27,7 @@ CEmbodiedEntity::CEmbodiedEntity(CComposableEntity* parent, const std::string& i
 }
 
 CEmbodiedEntity::~CEmbodiedEntity() {
-  if (m_bodyIndex != nullptr) {
-    m_bodyIndex->Remove(m_bodyNumber);
-  }
+  LeaveIndex();
 }
 
 void CEmbodiedEntity::Init(TConfigurationNode& tree) {
@@ -247,12 +228,7 @@ bool CEmbodiedEntity::MoveTo(const CVector3& position, const CQuaternion& orient
     model->ConfirmMove();
   }
   if (!m_tPhysicsModelVector.empty()) {
-    CPhysicsEngine& engine = m_tPhysicsModelVector.front()->GetEngine();
-    if (!m_bMovable) {
-      engine.GetSpace().ReassignImmovable(*this);
-    } else if (LiesInAnotherRegion(position, engine)) {
-      engine.TransferEntity(*this);
-    }
+    m_tPhysicsModelVector.front()->ChangeEngines();
   }
   // mounted components (LEDs, ...) follow at once
   GetRootEntity().Update();
@@ -266,8 +242,22 @@ bool CEmbodiedEntity::IsCollidingWithSomething() const {
 
 void CEmbodiedEntity::SetBodyDescription(std::shared_ptr<const SBodyDescription> description) {
   m_description = std::move(description);
-  if (m_bodyIndex != nullptr) {
-    m_bodyIndex->Redescribe(m_bodyNumber);
+  NotifyIndex();
+}
+
+void CEmbodiedEntity::SetMovable(bool movable) {
+  m_bMovable = movable;
+  NotifyIndex();
+}
+
+void CEmbodiedEntity::NotifyIndex() {
+  if (m_bodyIndex == nullptr) {
+    return;
+  }
+  if (m_description != nullptr) {
+    m_bodyIndex->Redescribe(m_bodyNumber, *m_description, m_bMovable);
+  } else {
+    LeaveIndex();
   }
 }
 
@@ -279,39 +269,24 @@ void CEmbodiedEntity::SetOriginPose(const CVector3& position, const CQuaternion&
   }
 }
 
-void CEmbodiedEntity::AttachToIndex(CBodyIndex* index, UInt32 bodyNumber) {
-  m_bodyIndex = index;
-  m_bodyNumber = bodyNumber;
+void CEmbodiedEntity::EnterIndex(CBodyIndex& index) {
+  ARGOS_ASSERT(m_bodyIndex == nullptr && m_description != nullptr,
+               "a body enters an index with a description, and one index only");
+  m_bodyIndex = &index;
+  m_bodyNumber = index.Add(*this, *m_psOriginAnchor, *m_description, m_bMovable);
+}
+
+void CEmbodiedEntity::LeaveIndex() {
+  if (m_bodyIndex != nullptr) {
+    m_bodyIndex->Remove(m_bodyNumber);
+    m_bodyIndex = nullptr;
+    m_bodyNumber = CBodyIndex::kNoBody;
+  }
 }
 
 void CEmbodiedEntity::UpdateDigest(CDigest& digest) const {
   CEntity::UpdateDigest(digest);
   AddPose(digest, m_psOriginAnchor->Position, m_psOriginAnchor->Orientation);
 }
-
-namespace {
-
-class CSpaceOperationAddCEmbodiedEntity : public CSpaceOperationAddEntity {
- public:
-  void ApplyTo(CSpace& space, CEmbodiedEntity& entity) {
-    space.AddEntity(entity);
-    space.AddEntityToPhysicsEngine(entity);
-  }
-};
-
-class CSpaceOperationRemoveCEmbodiedEntity : public CSpaceOperationRemoveEntity {
- public:
-  void ApplyTo(CSpace& space, CEmbodiedEntity& entity) {
-    space.RemoveEntityFromPhysicsEngines(entity);
-    space.RemoveEntity(entity);
-  }
-};
-
-}  // namespace
-
-REGISTER_SPACE_OPERATION(CSpaceOperationAddEntity, CSpaceOperationAddCEmbodiedEntity,
-                         CEmbodiedEntity)
-REGISTER_SPACE_OPERATION(CSpaceOperationRemoveEntity, CSpaceOperationRemoveCEmbodiedEntity,
-                         CEmbodiedEntity)
 
 }  // namespace argos

@@ -2,8 +2,7 @@
 #define ARGOS3_CORE_SIMULATOR_ENTITY_EMBODIED_ENTITY_H
 
 #include <argos3/core/simulator/entity/entity.h>
-#include <argos3/core/simulator/physics_engine/physics_model.h>
-#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/simulator/entity/physics_model.h>
 #include <argos3/core/utility/math/quaternion.h>
 #include <argos3/core/utility/math/vector3.h>
 
@@ -42,7 +41,7 @@ class CEmbodiedEntity : public CEntity {
   void ReturnToStart() override;
 
   bool IsMovable() const { return m_bMovable; }
-  void SetMovable(bool movable) { m_bMovable = movable; }
+  void SetMovable(bool movable);
 
   const SAnchor& GetOriginAnchor() const { return *m_psOriginAnchor; }
   SAnchor& GetOriginAnchor() { return *m_psOriginAnchor; }
@@ -125,8 +124,10 @@ class CEmbodiedEntity : public CEntity {
 
   /** Number of this body in the space's index, or CBodyIndex::kNoBody. */
   UInt32 GetBodyNumber() const { return m_bodyNumber; }
-  /** The space's index only. */
-  void AttachToIndex(CBodyIndex* index, UInt32 bodyNumber);
+  /** Adds the body, which has a description and is in no index, to the space's index. */
+  void EnterIndex(CBodyIndex& index);
+  /** Removes it from there; does nothing if it is in none. */
+  void LeaveIndex();
 
   void UpdateDigest(CDigest& digest) const override;
 
@@ -141,6 +142,7 @@ class CEmbodiedEntity : public CEntity {
  private:
   friend struct SAnchor;
   void MoveModelsTo(const CVector3& position, const CQuaternion& orientation);
+  void NotifyIndex();
 
   std::shared_ptr<const SBodyDescription> m_description;
   CBodyIndex* m_bodyIndex = nullptr;
@@ -158,5 +160,9 @@ class CEmbodiedEntity : public CEntity {
 };
 
 }  // namespace argos
+
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/simulator/space/space.h>
+#endif
 
 #endif

@@ -1,9 +1,9 @@
 #include <argos3/core/simulator/entity/floor_entity.h>
 
-#include <argos3/core/simulator/current.h>
-#include <argos3/core/simulator/loop_functions.h>
-#include <argos3/core/simulator/simulator.h>
-#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/context/simulation_context.h>
+#include <argos3/core/simulator/entity/floor_painter.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
 #include <FreeImage.h>
 
@@ -141,20 +141,20 @@ class CFloorEntity::CImage {
   std::vector<SPixel> m_pixels;  // (height, width), lowest row first
 };
 
-CFloorEntity::CFloorEntity() : CEntity(nullptr), m_space(CurrentSpace()) {}
+CFloorEntity::CFloorEntity() : CEntity(nullptr), m_context(CurrentContext()) {}
 
 CFloorEntity::CFloorEntity(const std::string& id, UInt32 pixelsPerMeter)
     : CEntity(nullptr, id),
       m_source(FROM_LOOP_FUNCTIONS),
       m_pixelsPerMeter(pixelsPerMeter),
-      m_space(CurrentSpace()) {
+      m_context(CurrentContext()) {
   if (pixelsPerMeter == 0) {
     THROW_ARGOSEXCEPTION("the floor \"" << id << "\" needs at least one pixel per metre, not 0");
   }
 }
 
 CFloorEntity::CFloorEntity(const std::string& id, const std::string& fileName)
-    : CEntity(nullptr, id), m_source(FROM_IMAGE), m_space(CurrentSpace()) {
+    : CEntity(nullptr, id), m_source(FROM_IMAGE), m_context(CurrentContext()) {
   LoadImage(fileName);
 }
 
@@ -194,7 +194,7 @@ void CFloorEntity::Reset() {
 
 void CFloorEntity::LoadImage(const std::string& fileName) {
   m_image = std::make_unique<CImage>(ReadBitmap(fileName).get());
-  const CVector3& size = m_space.GetArenaSize();
+  const CVector3& size = m_context.Arena.Size;
   if (size.GetX() > 0.0 && size.GetY() > 0.0) {
     // drawn as finely as the image is along its finer axis
     const Real density =
@@ -205,10 +205,14 @@ void CFloorEntity::LoadImage(const std::string& fileName) {
 
 CColor CFloorEntity::GetColorAtPoint(Real x, Real y) {
   if (m_source != FROM_IMAGE) {
-    return m_space.GetSimulator().GetLoopFunctions().GetFloorColor(CVector2(x, y));
+    if (m_context.FloorPainter == nullptr) {
+      THROW_ARGOSEXCEPTION("the floor \""
+                           << GetId() << "\" is coloured by loop functions, and there are none");
+    }
+    return m_context.FloorPainter->GetFloorColor(CVector2(x, y));
   }
-  const CVector3& size = m_space.GetArenaSize();
-  const CVector3& center = m_space.GetArenaCenter();
+  const CVector3& size = m_context.Arena.Size;
+  const CVector3& center = m_context.Arena.Center;
   const auto toPixel = [](Real offset, Real length, size_t pixels) {
     const Real pixel = (offset + 0.5 * length) * static_cast<Real>(pixels) / length;
     // compared in floating point: far away is no overflow, and NaN ends in the first pixel
@@ -227,8 +231,8 @@ void CFloorEntity::SaveAsImage(const std::string& path) {
     WriteBitmap(m_image->ToBitmap().get(), path);
     return;
   }
-  const CVector3& size = m_space.GetArenaSize();
-  const CVector3 corner = m_space.GetArenaCenter() - 0.5 * size;
+  const CVector3& size = m_context.Arena.Size;
+  const CVector3 corner = m_context.Arena.Center - 0.5 * size;
   const Real density = static_cast<Real>(m_pixelsPerMeter);
   const auto toPixels = [density](Real length) {
     return static_cast<size_t>(std::max<Real>(1.0, std::ceil(length * density)));
@@ -268,16 +272,5 @@ REGISTER_ENTITY(
     "OPTIONAL XML CONFIGURATION\n\n"
     "None.\n",
     "Usable")
-
-class CSpaceOperationAddCFloorEntity : public CSpaceOperationAddEntity {
- public:
-  void ApplyTo(CSpace& space, CFloorEntity& floor) {
-    space.AddEntity(floor);
-    space.SetFloorEntity(floor);
-  }
-};
-REGISTER_SPACE_OPERATION(CSpaceOperationAddEntity, CSpaceOperationAddCFloorEntity, CFloorEntity)
-
-REGISTER_STANDARD_SPACE_OPERATION_REMOVE_ENTITY(CFloorEntity)
 
 }  // namespace argos

@@ -8,7 +8,7 @@
 
 namespace argos {
 
-class CSpace;
+struct SSimulationContext;
 
 /**
  * The painted ground. Its colour comes from an image stretched over the arena, or from the loop
@@ -63,7 +63,7 @@ class CFloorEntity : public CEntity {
   UInt32 m_pixelsPerMeter = 0;
   bool m_changed = true;
   std::unique_ptr<CImage> m_image;
-  CSpace& m_space;
+  const SSimulationContext& m_context;
 };
 
 }  // namespace argos

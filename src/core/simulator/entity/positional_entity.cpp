@@ -1,7 +1,6 @@
 #include <argos3/core/simulator/entity/positional_entity.h>
 
 #include <argos3/core/simulator/entity/pose_digest.h>
-#include <argos3/core/simulator/space/space.h>
 
 namespace argos {
 
@@ -38,7 +37,5 @@ void CPositionalEntity::UpdateDigest(CDigest& digest) const {
   CEntity::UpdateDigest(digest);
   AddPose(digest, m_cPosition, m_cOrientation);
 }
-
-REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CPositionalEntity)
 
 }  // namespace argos

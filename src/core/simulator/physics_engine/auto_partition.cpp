@@ -1,7 +1,7 @@
 #include <argos3/core/simulator/physics_engine/space_partition.h>
 
-#include <argos3/core/simulator/load_errors.h>
-#include <argos3/core/utility/string_utilities.h>
+#include <argos3/core/simulator/context/load_errors.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
 #include <algorithm>
 #include <cmath>

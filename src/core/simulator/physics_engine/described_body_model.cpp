@@ -1,11 +1,11 @@
 #include <argos3/core/simulator/physics_engine/described_body_model.h>
 
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
-#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/physics_engine/described_body_engine.h>
-#include <argos3/core/simulator/space/body_index.h>
-#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/simulator/geometry/body_index.h>
 
 #include <cmath>
 
@@ -51,7 +51,7 @@ void CDescribedBodyModel::CalculateBoundingBox() {
 
 bool CDescribedBodyModel::IsCollidingWithSomething() const {
   const SAnchor& origin = m_cEmbodiedEntity.GetOriginAnchor();
-  return GetEngine().GetSpace().GetBodyIndex().FindOverlap(
+  return GetEngine().GetContext().Index->FindOverlap(
              *m_cEmbodiedEntity.GetBodyDescription(), origin.Position, origin.Orientation,
              m_cEmbodiedEntity.GetBodyNumber()) != CBodyIndex::kNoBody;
 }

@@ -1,7 +1,7 @@
 #ifndef ARGOS3_CORE_SIMULATOR_PHYSICS_ENGINE_DESCRIBED_BODY_MODEL_H
 #define ARGOS3_CORE_SIMULATOR_PHYSICS_ENGINE_DESCRIBED_BODY_MODEL_H
 
-#include <argos3/core/simulator/physics_engine/physics_model.h>
+#include <argos3/core/simulator/entity/physics_model.h>
 
 namespace argos {
 

@@ -1,7 +1,7 @@
 #ifndef ARGOS3_CORE_SIMULATOR_PHYSICS_ENGINE_FLIGHT_LOOP_H
 #define ARGOS3_CORE_SIMULATOR_PHYSICS_ENGINE_FLIGHT_LOOP_H
 
-#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 
 #include <algorithm>
 

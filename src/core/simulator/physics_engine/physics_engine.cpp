@@ -1,12 +1,12 @@
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 
-#include <argos3/core/simulator/current.h>
+#include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
-#include <argos3/core/simulator/physics_engine/body_description.h>
-#include <argos3/core/simulator/physics_engine/region_geometry.h>
-#include <argos3/core/simulator/simulator.h>
-#include <argos3/core/simulator/space/body_index.h>
+#include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/simulator/geometry/region_geometry.h>
+#include <argos3/core/simulator/physics_engine/engine_assignment.h>
+#include <argos3/core/simulator/geometry/body_index.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ constexpr Real kReachOverBorder = CBodyIndex::kMaxSmallRadius;
 
 // Factories create engines without arguments, so the base class takes the thread's simulator.
 CPhysicsEngine::CPhysicsEngine()
-    : m_cSimulator(CurrentSimulator()), m_cSpace(m_cSimulator.GetSpace()) {
+    : m_cSimulator(CurrentSimulator()), m_cSpace(CurrentSpace()), m_context(CurrentContext()) {
   SetIterations(m_iterations);
 }
 
@@ -51,7 +51,11 @@ void CPhysicsEngine::Init(TConfigurationNode& tree) {
 
 void CPhysicsEngine::SetIterations(UInt32 iterations) {
   m_iterations = iterations;
-  m_physicsClockTick = m_cSimulator.GetTickLength() / m_iterations;
+  m_physicsClockTick = m_context.TickLength / m_iterations;
+}
+
+CEngineAssignment CPhysicsEngine::GetAssignment() const {
+  return CEngineAssignment(m_context);
 }
 
 bool CPhysicsEngine::IsPointContained(const CVector3& point) {
@@ -99,7 +103,7 @@ void CPhysicsEngine::TransferEntity(CEmbodiedEntity& body) {
   if (!RemoveEntity(body.GetRootEntity())) {
     return;
   }
-  m_cSpace.AddEntityToPhysicsEngine(body, behindGate);
+  GetAssignment().Add(body, behindGate);
   if (hasMotion) {
     body.GetPhysicsModel(size_t(0)).GetEngine().SetMotion(body, motion);
   }
@@ -111,7 +115,7 @@ CPhysicsEngine* CPhysicsEngine::FindEngineBehindGate(const CEmbodiedEntity& body
   if (exit == nullptr || exit->Gate.empty()) {
     return nullptr;
   }
-  for (CPhysicsEngine* engine : m_cSimulator.GetPhysicsEngines()) {
+  for (CPhysicsEngine* engine : m_context.Engines) {
     if (engine->GetId() == exit->Gate) {
       return engine->IsPointContained(position) ? engine : nullptr;
     }
@@ -120,7 +124,7 @@ CPhysicsEngine* CPhysicsEngine::FindEngineBehindGate(const CEmbodiedEntity& body
 }
 
 const CPhysicsEngine::TVector& CPhysicsEngine::GetAllEngines() const {
-  return m_cSimulator.GetPhysicsEngines();
+  return m_context.Engines;
 }
 
 bool CPhysicsEngine::ContainsOriginOf(const CEmbodiedEntity& body) {
@@ -130,7 +134,7 @@ bool CPhysicsEngine::ContainsOriginOf(const CEmbodiedEntity& body) {
 // The index has the poses of all bodies at the end of the last tick, so at the start of this one.
 void CPhysicsEngine::CollectGhosts() {
   const Real reach = GetGhostReach();
-  const CBodyIndex& index = m_cSpace.GetBodyIndex();
+  const CBodyIndex& index = *m_context.Index;
   m_nearBorder.clear();
   for (const CRay2& border : m_borders) {
     const CVector2& start = border.GetStart();
@@ -167,7 +171,7 @@ void CPhysicsEngine::CollectGhosts() {
 }
 
 Real CPhysicsEngine::GetSimulationClockTick() {
-  return CurrentSimulator().GetTickLength();
+  return CurrentContext().TickLength;
 }
 
 Real CPhysicsEngine::GetInverseSimulationClockTick() {
@@ -178,7 +182,7 @@ void CPhysicsEngine::SetSimulationClockTick(Real seconds) {
   if (!(seconds > 0.0)) {
     THROW_ARGOSEXCEPTION("the length of a tick must be positive, got " << seconds << " s");
   }
-  CurrentSimulator().m_tickLength = seconds;
+  CurrentContext().TickLength = seconds;
 }
 
 namespace {
@@ -186,7 +190,7 @@ namespace {
 // Bodies that are known to their engine only, if any engine has such bodies.
 void AppendHitsOutsideIndex(TEmbodiedEntityIntersectionData& data, const CRay3& ray) {
   size_t numKept = data.size();
-  for (const CPhysicsEngine* engine : CurrentSimulator().GetPhysicsEngines()) {
+  for (const CPhysicsEngine* engine : CurrentContext().Engines) {
     if (engine->HasBodiesOutsideIndex()) {
       engine->CheckIntersectionWithRay(data, ray);
     }
@@ -207,7 +211,7 @@ void AppendHitsOutsideIndex(TEmbodiedEntityIntersectionData& data, const CRay3& 
 
 bool FindClosest(SEmbodiedEntityIntersectionItem& item, const CRay3& ray,
                  const CEmbodiedEntity* ignored) {
-  bool found = CurrentSpace().GetBodyIndex().FindClosestHit(item, ray, ignored);
+  bool found = CurrentContext().Index->FindClosestHit(item, ray, ignored);
   TEmbodiedEntityIntersectionData others;
   AppendHitsOutsideIndex(others, ray);
   for (const SEmbodiedEntityIntersectionItem& other : others) {
@@ -223,7 +227,7 @@ bool FindClosest(SEmbodiedEntityIntersectionItem& item, const CRay3& ray,
 
 bool GetEmbodiedEntitiesIntersectedByRay(TEmbodiedEntityIntersectionData& data, const CRay3& ray) {
   data.clear();
-  CurrentSpace().GetBodyIndex().FindAllHits(data, ray);
+  CurrentContext().Index->FindAllHits(data, ray);
   AppendHitsOutsideIndex(data, ray);
   return !data.empty();
 }

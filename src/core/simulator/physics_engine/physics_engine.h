@@ -1,9 +1,9 @@
 #ifndef ARGOS3_CORE_SIMULATOR_PHYSICS_ENGINE_PHYSICS_ENGINE_H
 #define ARGOS3_CORE_SIMULATOR_PHYSICS_ENGINE_PHYSICS_ENGINE_H
 
-#include <argos3/core/simulator/physics_engine/physics_model.h>
+#include <argos3/core/simulator/entity/physics_model.h>
 #include <argos3/core/simulator/physics_engine/ray_queries.h>
-#include <argos3/core/simulator/physics_engine/volume.h>
+#include <argos3/core/simulator/geometry/volume.h>
 #include <argos3/core/utility/configuration/base_configurable_resource.h>
 #include <argos3/core/utility/plugins/factory.h>
 
@@ -14,10 +14,12 @@
 
 namespace argos {
 
+class CEngineAssignment;
 class CEntity;
 class CSimulator;
 class CSpace;
 class CThreadPool;
+struct SSimulationContext;
 
 /** How a body moves, independent of the type of its engine; world frame. */
 struct SBodyMotion {
@@ -170,6 +172,10 @@ class CPhysicsEngine : public CBaseConfigurableResource {
   const std::string& GetOrigin() const { return m_origin; }
   CSpace& GetSpace() { return m_cSpace; }
   const CSpace& GetSpace() const { return m_cSpace; }
+  /** What this engine shares with the other parts of its simulation. */
+  const SSimulationContext& GetContext() const { return m_context; }
+  /** Decides which of the simulation's engines contain a body. */
+  CEngineAssignment GetAssignment() const;
 
  protected:
   /** Changes the number of substeps during loading, for engines with their own default. */
@@ -210,6 +216,7 @@ class CPhysicsEngine : public CBaseConfigurableResource {
   const TVector& GetAllEngines() const;
   bool ContainsOriginOf(const CEmbodiedEntity& body);
 
+  SSimulationContext& m_context;
   std::string m_id;
   std::string m_origin;
   SVolume m_volume;

@@ -1,74 +1,11 @@
-#include <argos3/core/simulator/physics_engine/physics_model.h>
+#include <argos3/core/simulator/entity/physics_model.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/physics_engine/engine_assignment.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 
-#include <algorithm>
-
 namespace argos {
-
-SAnchor::SAnchor(CEmbodiedEntity& body, const std::string& id, UInt32 index,
-                 const CVector3& offsetPosition, const CQuaternion& offsetOrientation,
-                 const CVector3& position, const CQuaternion& orientation)
-    : Body(body),
-      Id(id),
-      Index(index),
-      OffsetPosition(offsetPosition),
-      OffsetOrientation(offsetOrientation),
-      Position(position),
-      Orientation(orientation) {}
-
-void SAnchor::Enable() {
-  if (InUseCount++ == 0) {
-    auto& enabled = Body.m_vecEnabledAnchors;
-    enabled.push_back(this);
-    // sorted by index, independent of the order of Enable() calls
-    std::sort(enabled.begin(), enabled.end(),
-              [](const SAnchor* a, const SAnchor* b) { return a->Index < b->Index; });
-    // the pose was not kept current so far
-    if (Index != 0) {
-      FollowOrigin();
-    }
-  }
-}
-
-void SAnchor::Disable() {
-  if (InUseCount == 0) {
-    return;
-  }
-  if (Index == 0 && InUseCount == 1) {
-    THROW_ARGOSEXCEPTION("the origin anchor of body \"" << Body.GetContext() << Body.GetId()
-                                                        << "\" cannot be disabled");
-  }
-  if (--InUseCount == 0) {
-    auto& enabled = Body.m_vecEnabledAnchors;
-    enabled.erase(std::find(enabled.begin(), enabled.end(), this));
-  }
-}
-
-void SAnchor::ReturnToStart() {
-  while (InUseCount < InUseCountAtStart) {
-    Enable();
-  }
-  // the body itself always uses its origin
-  const UInt32 least = Index == 0 ? std::max<UInt32>(InUseCountAtStart, 1) : InUseCountAtStart;
-  while (InUseCount > least) {
-    Disable();
-  }
-}
-
-void SAnchor::FollowOrigin() {
-  const SAnchor& origin = Body.GetOriginAnchor();
-  Position = OffsetPosition;
-  Position.Rotate(origin.Orientation);
-  Position += origin.Position;
-  Orientation = origin.Orientation * OffsetOrientation;
-}
-
-bool SBoundingBox::Intersects(const SBoundingBox& other) const {
-  return MinCorner <= other.MaxCorner && other.MinCorner <= MaxCorner;
-}
 
 CPhysicsModel::CPhysicsModel(CPhysicsEngine& engine, CEmbodiedEntity& entity)
     : m_cEngine(engine), m_cEmbodiedEntity(entity), m_engine(&engine) {}
@@ -83,6 +20,14 @@ void CPhysicsModel::UpdateEntityStatus() {
   if (m_cEmbodiedEntity.IsMovable() && m_engine->IsEntityTransferActive() &&
       !m_engine->IsPointContained(origin.Position)) {
     m_engine->ScheduleEntityForTransfer(m_cEmbodiedEntity);
+  }
+}
+
+void CPhysicsModel::ChangeEngines() {
+  if (!m_cEmbodiedEntity.IsMovable()) {
+    m_engine->GetAssignment().ReassignImmovable(m_cEmbodiedEntity);
+  } else if (m_engine->GetAssignment().BelongsToAnother(m_cEmbodiedEntity, *m_engine)) {
+    m_engine->TransferEntity(m_cEmbodiedEntity);
   }
 }
 

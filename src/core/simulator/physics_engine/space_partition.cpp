@@ -1,8 +1,8 @@
 #include <argos3/core/simulator/physics_engine/space_partition.h>
 
-#include <argos3/core/simulator/load_errors.h>
-#include <argos3/core/simulator/physics_engine/region_geometry.h>
-#include <argos3/core/utility/string_utilities.h>
+#include <argos3/core/simulator/context/load_errors.h>
+#include <argos3/core/simulator/geometry/region_geometry.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include <argos3/core/simulator/space/line_of_sight.h>
 
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
-#include <argos3/core/simulator/simulator.h>
-#include <argos3/core/simulator/space/body_index.h>
+#include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/space/space.h>
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace argos {
 
 CLineOfSight::CLineOfSight(CSpace& space) : m_index(space.GetBodyIndex()) {
-  for (const CPhysicsEngine* engine : space.GetSimulator().GetPhysicsEngines()) {
+  for (const CPhysicsEngine* engine : space.GetContext().Engines) {
     if (engine->HasBodiesOutsideIndex()) {
       m_engines.push_back(engine);
     }

@@ -1,119 +1,93 @@
 #include <argos3/core/simulator/space/space.h>
 
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/floor_entity.h>
-#include <argos3/core/simulator/load_errors.h>
-#include <argos3/core/simulator/physics_engine/region_geometry.h>
-#include <argos3/core/simulator/simulator.h>
-#include <argos3/core/simulator/space/body_index.h>
-#include <argos3/core/simulator/space/distribution.h>
+#include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/medium/medium.h>
+#include <argos3/core/simulator/physics_engine/engine_assignment.h>
 #include <argos3/core/simulator/space/entity_views.h>
-#include <argos3/core/simulator/space/look_ahead.h>
 #include <argos3/core/utility/datatypes/digest.h>
-#include <argos3/core/utility/string_utilities.h>
+#include <argos3/core/utility/logging/log_order.h>
+#include <argos3/core/utility/threads/thread_pool.h>
 
 #include <algorithm>
 
 namespace argos {
 
-namespace {
-
-// describes the region nearest to a position outside of all of them
-std::string DescribeNearest(const CPhysicsEngine::TVector& engines, const CVector3& position) {
-  const auto nearest = *std::min_element(
-      engines.begin(), engines.end(), [&position](CPhysicsEngine* a, CPhysicsEngine* b) {
-        return a->GetVolume().ComputeDistance(position) < b->GetVolume().ComputeDistance(position);
-      });
-  const SVolume& region = nearest->GetVolume();
-  std::ostringstream text;
-  text << (engines.size() > 1 ? "; the nearest is that of \"" + nearest->GetId() + "\"," : ",")
-       << " " << region.ComputeDistance(position) << " m away";
-  const TPolygon corners = region.GetCorners();
-  if (!corners.empty()) {
-    text << ", with the corners " << ListCorners(corners);
-  }
-  if (region.BottomFace != nullptr || region.TopFace != nullptr) {
-    text << ", from z = " << region.GetLowest() << " to " << region.GetHighest() << " m";
-  }
-  return text.str();
-}
-
-}  // namespace
-
-CSpace::CSpace(CSimulator& simulator)
-    : m_cSimulator(simulator),
+CSpace::CSpace(SSimulationContext& context)
+    : m_context(context),
       m_views(std::make_unique<CEntityViews>(m_roots)),
-      m_bodyIndex(std::make_unique<CBodyIndex>()),
-      m_lookAhead(std::make_unique<CLookAhead>()) {}
+      m_bodyIndex(std::make_unique<CBodyIndex>()) {
+  m_context.Index = m_bodyIndex.get();
+}
 
 CSpace::~CSpace() {
   Destroy();
 }
 
 void CSpace::Init(TConfigurationNode& tree) {
-  CLoadErrors errors;
-  Init(tree, errors);
-  errors.ThrowIfAny();
-}
-
-void CSpace::Init(TConfigurationNode& tree, CLoadErrors& errors) {
   // the second generator of its category, after the simulator's own
   m_rng = CRandom::CreateRNG("argos");
-  if (errors.Try("the arena", [&] { InitArena(tree); })) {
-    FillArena(tree, errors);
-  }
-  m_bodyIndex->Rebuild(m_cSimulator.GetThreadPool());
-}
-
-void CSpace::InitArena(TConfigurationNode& tree) {
-  GetNodeAttribute(tree, "size", m_arenaSize);
-  GetNodeAttributeOrDefault(tree, "center", m_arenaCenter, CVector3());
+  SArena& arena = m_context.Arena;
+  GetNodeAttribute(tree, "size", arena.Size);
+  GetNodeAttributeOrDefault(tree, "center", arena.Center, CVector3());
   for (UInt32 axis = 0; axis < 3; ++axis) {
-    if (!(m_arenaSize[axis] > 0.0)) {
+    if (!(arena.Size[axis] > 0.0)) {
       THROW_ARGOSEXCEPTION(tree.GetLocation()
                            << ": <arena>: \"size\" must be positive along every axis, found \""
-                           << m_arenaSize << "\"");
+                           << arena.Size << "\"");
     }
   }
   // attributes of older versions of the file format: accepted, without effect
   NodeAttributeExists(tree, "positional_index");
   NodeAttributeExists(tree, "positional_grid_size");
-  m_arenaLimits.Set(m_arenaCenter - m_arenaSize * 0.5, m_arenaCenter + m_arenaSize * 0.5);
-  m_bodyIndex->SetArea(m_arenaLimits);
+  arena.Limits.Set(arena.Center - arena.Size * 0.5, arena.Center + arena.Size * 0.5);
+  m_bodyIndex->SetArea(arena.Limits);
 }
 
-void CSpace::FillArena(TConfigurationNode& tree, CLoadErrors& errors) {
-  const std::string distribute = "distribute";
-  TConfigurationNodeIterator it;
-  for (it = it.begin(&tree); it != it.end(); ++it) {
-    if (it->Value() != distribute) {
-      errors.Try("", [&] { CreateEntity(*it); });
-    }
-  }
-  for (it = it.begin(&tree); it != it.end(); ++it) {
-    if (it->Value() == distribute) {
-      errors.Try("", [&] { CDistribution(*this, *it).Place(); });
-    }
-  }
+const CVector3& CSpace::GetArenaSize() const {
+  return m_context.Arena.Size;
+}
+
+void CSpace::SetArenaSize(const CVector3& size) {
+  m_context.Arena.Size = size;
+}
+
+const CVector3& CSpace::GetArenaCenter() const {
+  return m_context.Arena.Center;
+}
+
+void CSpace::SetArenaCenter(const CVector3& center) {
+  m_context.Arena.Center = center;
+}
+
+const CRange<CVector3>& CSpace::GetArenaLimits() const {
+  return m_context.Arena.Limits;
+}
+
+CSimulator& CSpace::GetSimulator() {
+  return m_context.Simulator;
 }
 
 void CSpace::Adopt(std::unique_ptr<CEntity> entity) {
+  // from here on the operations own it
+  CEntity& added = *entity.release();
   try {
-    CallEntityOperation<CSpaceOperationAddEntity, CSpace, void>(*this, *entity);
+    CallEntityOperation<CSpaceOperationAddEntity, CSpace, void>(*this, added);
   } catch (...) {
     // the removal tolerates a partly added entity, and deletes it
-    CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(*this, *entity.release());
+    CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(*this, added);
     throw;
   }
-  if (entity->GetIndex() < 0) {
-    THROW_ARGOSEXCEPTION("the class of \"" << entity->GetId() << "\" (<"
-                                           << entity->GetTypeDescription()
+  if (added.GetIndex() < 0) {
+    entity.reset(&added);
+    THROW_ARGOSEXCEPTION("the class of \"" << added.GetId() << "\" (<" << added.GetTypeDescription()
                                            << ">) has no space operations; its source needs a "
                                               "REGISTER_STANDARD_SPACE_OPERATIONS_ON_... line");
   }
-  static_cast<void>(entity.release());
 }
 
 CEntity& CSpace::CreateEntity(TConfigurationNode& node) {
@@ -134,7 +108,7 @@ CEntity& CSpace::CreateEntity(TConfigurationNode& node) {
 
 void CSpace::InsertEntity(CEntity& entity) {
   if (!entity.HasParent()) {
-    const auto [found, inserted] = m_rootById.emplace(entity.GetId(), &entity);
+    const auto [found, inserted] = m_rootById.try_emplace(entity.GetId(), nullptr);
     if (!inserted) {
       TConfigurationNode* other = found->second->GetConfigurationNode();
       THROW_ARGOSEXCEPTION("there is already an entity with id \""
@@ -144,6 +118,7 @@ void CSpace::InsertEntity(CEntity& entity) {
                            << "); ids must be unique");
     }
     m_roots.push_back(&entity);
+    found->second.reset(&entity);
     entity.MarkStart();
   }
   entity.SetIndex(m_nextIndex++);
@@ -151,16 +126,19 @@ void CSpace::InsertEntity(CEntity& entity) {
 }
 
 void CSpace::EraseEntity(CEntity& entity) {
-  const std::unique_ptr<CEntity> owned(&entity);
   m_views->Remove(entity);
-  if (entity.HasParent()) {
-    entity.GetParent().ForgetComponent(entity);
+  std::unique_ptr<CEntity> owned;
+  const auto byId = m_rootById.find(entity.GetId());
+  if (!entity.HasParent() && byId != m_rootById.end() && byId->second.get() == &entity) {
+    owned = std::move(byId->second);
+    m_rootById.erase(byId);
+    // the last ones go first when everything goes
+    m_roots.erase(std::prev(std::find(m_roots.rbegin(), m_roots.rend(), &entity).base()));
   } else {
-    const auto byId = m_rootById.find(entity.GetId());
-    if (byId != m_rootById.end() && byId->second == &entity) {
-      m_rootById.erase(byId);
-      // the last ones go first when everything goes
-      m_roots.erase(std::prev(std::find(m_roots.rbegin(), m_roots.rend(), &entity).base()));
+    // a component, which its parent hands over, or a root that was refused
+    owned.reset(&entity);
+    if (entity.HasParent()) {
+      entity.GetParent().ForgetComponent(entity);
     }
   }
   if (m_floor == &entity) {
@@ -183,36 +161,8 @@ void CSpace::Reset() {
   for (CEntity* root : m_roots) {
     root->Reset();
   }
-  ReturnBodiesToEngines();
-  m_bodyIndex->Rebuild(m_cSimulator.GetThreadPool());
-}
-
-// after the entities' Reset(), each movable body belongs to the first engine whose region contains
-// it, as when it was added
-void CSpace::ReturnBodiesToEngines() {
-  CPhysicsEngine::TVector& engines = m_cSimulator.GetPhysicsEngines();
-  if (engines.size() < 2) {
-    return;
-  }
-  m_bodyIndex->ForEachBody([&engines, this](CEmbodiedEntity& body) {
-    if (body.GetPhysicsModelsNum() == 0) {
-      return;
-    }
-    if (!body.IsMovable()) {
-      ReassignImmovable(body);
-      return;
-    }
-    CPhysicsEngine& now = body.GetPhysicsModel(size_t(0)).GetEngine();
-    const CVector3& position = body.GetOriginAnchor().Position;
-    const auto first = std::find_if(
-        engines.begin(), engines.end(),
-        [&position](CPhysicsEngine* engine) { return engine->IsPointContained(position); });
-    if (first != engines.end() && *first != &now) {
-      // not as a transfer, which may lead through a gate
-      now.RemoveEntity(body.GetRootEntity());
-      AddEntityToPhysicsEngine(body);
-    }
-  });
+  CEngineAssignment(m_context).ReturnAll();
+  m_bodyIndex->Rebuild(*m_context.Pool);
 }
 
 void CSpace::Destroy() {
@@ -225,7 +175,7 @@ void CSpace::Destroy() {
     }
   }
   m_views = std::make_unique<CEntityViews>(m_roots);
-  m_bodyIndex = std::make_unique<CBodyIndex>();
+  *m_bodyIndex = CBodyIndex();
   m_extensions.clear();
   m_rng = nullptr;
   m_nextIndex = 0;
@@ -234,107 +184,39 @@ void CSpace::Destroy() {
 
 void CSpace::AddControllableEntity(CControllableEntity& entity) {
   m_robots.push_back(&entity);
-  m_haveRobotsChanged = true;
+  ++m_robotsVersion;
 }
 
 void CSpace::RemoveControllableEntity(CControllableEntity& entity) {
   const auto found = std::find(m_robots.rbegin(), m_robots.rend(), &entity);
   if (found != m_robots.rend()) {
     m_robots.erase(std::prev(found.base()));
-    m_haveRobotsChanged = true;
+    ++m_robotsVersion;
   }
 }
 
 void CSpace::AddEntityToPhysicsEngine(CEmbodiedEntity& body) {
-  AddEntityToPhysicsEngine(body, nullptr);
-}
-
-void CSpace::AddEntityToPhysicsEngine(CEmbodiedEntity& body, CPhysicsEngine* first) {
-  const CVector3& position = body.GetOriginAnchor().Position;
-  CEntity& root = body.GetRootEntity();
-  bool added = first != nullptr && first->AddEntity(root);
-  for (CPhysicsEngine* engine : m_cSimulator.GetPhysicsEngines()) {
-    if (added && body.IsMovable()) {
-      break;
-    }
-    if (engine != first &&
-        (body.IsMovable() ? engine->IsPointContained(position) : engine->IsTouchedBy(body))) {
-      added = engine->AddEntity(root) || added;
-    }
-  }
-  if (!added) {
-    ThrowNoEngine(body);
-  }
-  if (body.GetBodyDescription() != nullptr && body.GetBodyNumber() == CBodyIndex::kNoBody) {
-    m_bodyIndex->Add(body);
-  }
-}
-
-void CSpace::ReassignImmovable(CEmbodiedEntity& body) {
-  const CPhysicsEngine::TVector& engines = m_cSimulator.GetPhysicsEngines();
-  const auto touches = [&body](CPhysicsEngine* engine) { return engine->IsTouchedBy(body); };
-  // a body outside all regions stays in its engines
-  if (engines.size() < 2 || std::none_of(engines.begin(), engines.end(), touches)) {
-    return;
-  }
-  const auto contains = [&body](const CPhysicsEngine* engine) {
-    for (UInt32 i = 0; i < body.GetPhysicsModelsNum(); ++i) {
-      if (&body.GetPhysicsModel(size_t(i)).GetEngine() == engine) {
-        return true;
-      }
-    }
-    return false;
-  };
-  // added before it is removed: the body is always in some engine
-  CEntity& root = body.GetRootEntity();
-  for (CPhysicsEngine* engine : engines) {
-    if (touches(engine) && !contains(engine)) {
-      engine->AddEntity(root);
-    }
-  }
-  for (CPhysicsEngine* engine : engines) {
-    if (!touches(engine) && contains(engine) && body.GetPhysicsModelsNum() > 1) {
-      engine->RemoveEntity(root);
-    }
-  }
-}
-
-void CSpace::ThrowNoEngine(CEmbodiedEntity& body) {
-  m_cSimulator.ThrowIfBroken("physics_engines");
-  const CVector3& position = body.GetOriginAnchor().Position;
-  CEntity& root = body.GetRootEntity();
-  std::string reasons;
-  std::string elsewhere;
-  CPhysicsEngine::TVector others;
-  for (CPhysicsEngine* engine : m_cSimulator.GetPhysicsEngines()) {
-    const std::string id = "\"" + engine->GetId() + "\"";
-    if (engine->IsPointContained(position)) {
-      reasons += "; " + id + " " + engine->ExplainRefusal(root);
-    } else {
-      elsewhere += (elsewhere.empty() ? "" : ", ") + id;
-      others.push_back(engine);
-    }
-  }
-  if (!elsewhere.empty()) {
-    reasons += "; it is outside the region (<boundaries>) of " + elsewhere +
-               DescribeNearest(others, position);
-  }
-  THROW_ARGOSEXCEPTION("no physics engine accepts \""
-                       << root.GetId() << "\" (<" << root.GetTypeDescription() << ">) at ("
-                       << position << ")"
-                       << (reasons.empty() ? "; there is none in <physics_engines>" : reasons));
+  CEngineAssignment(m_context).Add(body);
 }
 
 void CSpace::RemoveEntityFromPhysicsEngines(CEmbodiedEntity& body) {
-  while (body.GetPhysicsModelsNum() > 0) {
-    CPhysicsEngine& engine = body.GetPhysicsModel(body.GetPhysicsModelsNum() - 1).GetEngine();
-    if (!engine.RemoveEntity(body.GetRootEntity())) {
-      break;
-    }
-  }
-  if (body.GetBodyNumber() != CBodyIndex::kNoBody) {
-    m_bodyIndex->Remove(body.GetBodyNumber());
-  }
+  CEngineAssignment(m_context).Remove(body);
+}
+
+void CSpace::IterateOverControllableEntities(const TControllableEntityIterCBType& callback) {
+  InLogOrder(m_robots.size(), [&](UInt64 firstPlace) {
+    m_context.Pool->ParallelFor(m_robots.size(), kRobotsPerRun,
+                                [&](size_t begin, size_t end, UInt32) {
+                                  for (size_t i = begin; i < end; ++i) {
+                                    CARGoSLog::SetSequence(firstPlace + i);
+                                    callback(m_robots[i]);
+                                  }
+                                });
+  });
+}
+
+void CSpace::Update() {
+  m_context.RunTick();
 }
 
 CRandom::CRNG& CSpace::GetRNG() {
@@ -351,7 +233,7 @@ UInt64 CSpace::ComputeDigest() const {
     digest.Add(root->GetId());
     root->UpdateDigest(digest);
   }
-  for (const CMedium* medium : m_cSimulator.GetMedia()) {
+  for (const CMedium* medium : m_context.Media) {
     medium->UpdateDigest(digest);
   }
   return digest.GetValue();

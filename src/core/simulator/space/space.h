@@ -23,12 +23,8 @@ class CControllableEntity;
 class CEmbodiedEntity;
 class CEntityViews;
 class CFloorEntity;
-class CLoadErrors;
-class CLookAhead;
-class CPhysicsEngine;
 class CSimulator;
-class CThreadPool;
-struct STickTimes;
+struct SSimulationContext;
 
 /** Base of the data that a plug-in keeps for a whole space; see CSpace::GetExtension(). */
 class CSpaceExtension {
@@ -50,7 +46,7 @@ const bool SEntityCast<ENTITY>::kIsRegistered =
     (GetVTable<CEntityViews, CEntity, TEntityCast>().template Add<ENTITY>(&Cast), true);
 
 /**
- * Holds every entity, and runs the tick (tick.cpp).
+ * The registry of all entities of a simulation; owns the root entities.
  *
  * The lists of all entities and the maps by id and by type are views for users, built at the first
  * request and kept up to date from then on (entity_views.h); the tick works on the packed lists.
@@ -61,7 +57,7 @@ class CSpace : public CBaseConfigurableResource {
   typedef std::map<std::string, TMapPerType, std::less<std::string>> TMapPerTypePerId;
   typedef std::function<void(CControllableEntity*)> TControllableEntityIterCBType;
 
-  explicit CSpace(CSimulator& simulator);
+  explicit CSpace(SSimulationContext& context);
   ~CSpace() override;
   CSpace(const CSpace&) = delete;
   CSpace& operator=(const CSpace&) = delete;
@@ -85,15 +81,16 @@ class CSpace : public CBaseConfigurableResource {
   bool HasFloorEntity() const { return m_floor != nullptr; }
   void SetFloorEntity(CFloorEntity& floor);
 
-  /** Reads `<arena>` and fills it. @throws CARGoSException */
+  /**
+   * Reads the extents of `<arena>`; the loader then fills it (placement/arena_filling.h).
+   * @throws CARGoSException if they are missing or not positive.
+   */
   void Init(TConfigurationNode& tree) override;
-  /** The same, collecting every error that can be found in one go. */
-  void Init(TConfigurationNode& tree, CLoadErrors& errors);
   /** Called when everything is loaded: Reset() restores what is enabled now. */
   void MarkStart();
   void Reset() override;
   void Destroy() override;
-  /** One tick. See tick.cpp. */
+  /** One tick of the simulation (tick/tick.h). */
   virtual void Update();
 
   /** Adds a root entity, which the space then owns, or a component; used by space operations. */
@@ -115,12 +112,12 @@ class CSpace : public CBaseConfigurableResource {
   void IncreaseSimulationClock(UInt32 increase = 1) { m_simulationClock += increase; }
 
   /** m. */
-  const CVector3& GetArenaSize() const { return m_arenaSize; }
-  void SetArenaSize(const CVector3& size) { m_arenaSize = size; }
-  const CVector3& GetArenaCenter() const { return m_arenaCenter; }
-  void SetArenaCenter(const CVector3& center) { m_arenaCenter = center; }
+  const CVector3& GetArenaSize() const;
+  void SetArenaSize(const CVector3& size);
+  const CVector3& GetArenaCenter() const;
+  void SetArenaCenter(const CVector3& center);
   /** Centre -+ size / 2, as of Init(). */
-  const CRange<CVector3>& GetArenaLimits() const { return m_arenaLimits; }
+  const CRange<CVector3>& GetArenaLimits() const;
 
   virtual void AddControllableEntity(CControllableEntity& entity);
   virtual void RemoveControllableEntity(CControllableEntity& entity);
@@ -130,10 +127,6 @@ class CSpace : public CBaseConfigurableResource {
    * @throws CARGoSException if no engine accepts it; the text gives the reason of each engine.
    */
   virtual void AddEntityToPhysicsEngine(CEmbodiedEntity& entity);
-  /** The same, but @p first, unless null, is tried before all others. */
-  void AddEntityToPhysicsEngine(CEmbodiedEntity& entity, CPhysicsEngine* first);
-  /** Adds an immovable body that has been moved to the engines whose regions it touches now. */
-  void ReassignImmovable(CEmbodiedEntity& entity);
   /** Removes the body from its engines and from the index. */
   void RemoveEntityFromPhysicsEngines(CEmbodiedEntity& entity);
   /** Calls back for each robot, on the pool's threads, or in order if there is one. */
@@ -141,7 +134,14 @@ class CSpace : public CBaseConfigurableResource {
 
   /** Robots in order of their addition. */
   const std::vector<CControllableEntity*>& GetControllableEntities() const { return m_robots; }
-  CSimulator& GetSimulator() { return m_cSimulator; }
+  /** Changes whenever that list changes. */
+  UInt64 GetVersionOfControllableEntities() const { return m_robotsVersion; }
+  /** Robots that one thread handles in a row: enough to pay for fetching the run, and few enough
+   * that the data that sensing has loaded is still in the cache for control. */
+  static constexpr size_t kRobotsPerRun = 64;
+  CSimulator& GetSimulator();
+  /** What the parts of the simulation share. */
+  SSimulationContext& GetContext() { return m_context; }
   /** The index of all bodies, for sensors and placement. */
   CBodyIndex& GetBodyIndex() { return *m_bodyIndex; }
   const CBodyIndex& GetBodyIndex() const { return *m_bodyIndex; }
@@ -150,13 +150,9 @@ class CSpace : public CBaseConfigurableResource {
    * engines. Updated at the start of the phase in which robots sense.
    */
   bool AreBodiesOutsideIndex() const { return m_areBodiesOutsideIndex; }
+  void SetBodiesOutsideIndex(bool exist) { m_areBodiesOutsideIndex = exist; }
   /** Own random generator, for placement. */
   CRandom::CRNG& GetRNG();
-  /** While probing, robots get no controller: the loader only needs their bodies. */
-  bool IsProbing() const { return m_probing; }
-  void SetProbing(bool probing) { m_probing = probing; }
-  /** From now on adds the time of each phase to @p times (not owned); nullptr stops. */
-  void SetTickTimes(STickTimes* times) { m_tickTimes = times; }
   /** Adds a root entity; deletes it if that fails. @throws CARGoSException */
   void Adopt(std::unique_ptr<CEntity> entity);
   /** Creates and adds the entity that an XML element describes. @throws CARGoSException */
@@ -186,38 +182,19 @@ class CSpace : public CBaseConfigurableResource {
   void InsertEntity(CEntity& entity);
   void EraseEntity(CEntity& entity);
   CEntity* TryGetEntity(const std::string& id);
-  [[noreturn]] void ThrowNoEngine(CEmbodiedEntity& body);
-  void FillArena(TConfigurationNode& tree, CLoadErrors& errors);
-  void InitArena(TConfigurationNode& tree);
 
-  // phases of the tick, see tick.cpp
-  void UpdateLookAhead();
-  void Act(CThreadPool& pool);
-  void CollectGhosts(CThreadPool& pool);
-  void UpdatePhysics(CThreadPool& pool);
-  void TransferBodies();
-  void ReturnBodiesToEngines();
-  void UpdateMedia(CThreadPool& pool);
-  void SenseAndControl(CThreadPool& pool);
-
-  CSimulator& m_cSimulator;
+  SSimulationContext& m_context;
   UInt32 m_simulationClock = 0;
-  CVector3 m_arenaSize;
-  CVector3 m_arenaCenter;
-  CRange<CVector3> m_arenaLimits;
   CFloorEntity* m_floor = nullptr;
   CRandom::CRNG* m_rng = nullptr;  // owned by its category
-  STickTimes* m_tickTimes = nullptr;
 
-  CEntity::TVector m_roots;  // owned, in order of addition
-  std::unordered_map<std::string, CEntity*> m_rootById;  // look-up only, never iterated
+  CEntity::TVector m_roots;  // in order of addition
+  std::unordered_map<std::string, std::unique_ptr<CEntity>> m_rootById;  // never iterated
   std::vector<CControllableEntity*> m_robots;  // in order of addition
+  UInt64 m_robotsVersion = 0;
   ssize_t m_nextIndex = 0;
-  bool m_probing = false;
   std::unique_ptr<CEntityViews> m_views;  // the lists and maps for users
   std::unique_ptr<CBodyIndex> m_bodyIndex;
-  std::unique_ptr<CLookAhead> m_lookAhead;
-  bool m_haveRobotsChanged = true;  // since m_lookAhead was set
   bool m_areBodiesOutsideIndex = true;
   std::unordered_map<std::type_index, std::unique_ptr<CSpaceExtension>>
       m_extensions;  // look-up only, never iterated

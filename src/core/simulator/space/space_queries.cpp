@@ -4,7 +4,7 @@
 #include <argos3/core/simulator/entity/floor_entity.h>
 #include <argos3/core/simulator/space/entity_views.h>
 #include <argos3/core/simulator/space/space.h>
-#include <argos3/core/utility/string_utilities.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
 namespace argos {
 
@@ -52,7 +52,7 @@ CSpace::TMapPerTypePerId& CSpace::GetEntityMapPerTypePerId() {
 CEntity* CSpace::TryGetEntity(const std::string& id) {
   const auto root = m_rootById.find(id);
   if (root != m_rootById.end()) {
-    return root->second;
+    return root->second.get();
   }
   for (size_t dot = id.find('.'); dot != std::string::npos; dot = id.find('.', dot + 1)) {
     const auto found = m_rootById.find(id.substr(0, dot));

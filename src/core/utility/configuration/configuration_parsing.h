@@ -12,7 +12,8 @@
  *   any other type   what its operator>> reads; lists of numbers are checked field by field
  */
 
-#include <argos3/core/utility/string_utilities.h>
+#include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
 #include <istream>
 #include <limits>

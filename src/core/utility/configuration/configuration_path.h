@@ -3,7 +3,7 @@
 
 // private: element search of CConfigurationDocument::SetByPath()
 
-#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 
 #include <string>
 #include <vector>

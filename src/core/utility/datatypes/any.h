@@ -1,8 +1,8 @@
 #ifndef ARGOS3_CORE_UTILITY_DATATYPES_ANY_H
 #define ARGOS3_CORE_UTILITY_DATATYPES_ANY_H
 
-#include <argos3/core/utility/configuration/argos_exception.h>
-#include <argos3/core/utility/string_utilities.h>
+#include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
 #include <any>
 #include <typeinfo>

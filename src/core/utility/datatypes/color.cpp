@@ -1,5 +1,5 @@
 #include <argos3/core/utility/datatypes/color.h>
-#include <argos3/core/utility/string_utilities.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
 #include <array>
 #include <cctype>

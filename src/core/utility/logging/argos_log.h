@@ -1,7 +1,7 @@
 #ifndef ARGOS3_CORE_UTILITY_LOGGING_ARGOS_LOG_H
 #define ARGOS3_CORE_UTILITY_LOGGING_ARGOS_LOG_H
 
-#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/logging/argos_colored_text.h>
 

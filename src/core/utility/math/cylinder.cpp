@@ -1,6 +1,6 @@
 #include <argos3/core/utility/math/cylinder.h>
 
-#include <argos3/core/utility/spatial/ray_span.h>
+#include <argos3/core/utility/math/ray_span.h>
 
 #include <cmath>
 

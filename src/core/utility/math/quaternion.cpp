@@ -1,7 +1,6 @@
 #include <argos3/core/utility/math/quaternion.h>
 
 #include <argos3/core/utility/math/eigen_bridge.h>
-#include <argos3/core/utility/math/matrix/rotationmatrix3.h>
 #include <argos3/core/utility/math/text_input.h>
 
 #include <array>
@@ -79,11 +78,6 @@ CQuaternion& CQuaternion::BetweenTwoVectors(const CVector3& from, const CVector3
     return *this = CQuaternion();
   }
   return *this = FromEigen(Eigen::Quaternion<Real>::FromTwoVectors(ToEigen(from), ToEigen(to)));
-}
-
-CQuaternion::operator CRotationMatrix3() const {
-  const Eigen::Matrix<Real, 3, 3, Eigen::RowMajor> matrix = ToEigen(*this).toRotationMatrix();
-  return CRotationMatrix3(CMatrix<3, 3>(matrix.data()));
 }
 
 std::ostream& operator<<(std::ostream& os, const CQuaternion& quaternion) {

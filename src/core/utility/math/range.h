@@ -1,9 +1,9 @@
 #ifndef ARGOS3_CORE_UTILITY_MATH_RANGE_H
 #define ARGOS3_CORE_UTILITY_MATH_RANGE_H
 
-#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
-#include <argos3/core/utility/string_utilities.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
 #include <cctype>
 #include <cmath>

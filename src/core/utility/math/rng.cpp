@@ -1,6 +1,6 @@
 #include <argos3/core/utility/math/rng.h>
 
-#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/math/normal_quantile.h>
 
 #include <gsl/gsl_cdf.h>

@@ -1,6 +1,5 @@
 #include <argos3/core/utility/math/vector3.h>
 
-#include <argos3/core/utility/math/matrix/matrix.h>
 #include <argos3/core/utility/math/text_input.h>
 
 namespace argos {
@@ -18,16 +17,6 @@ CRadians CVector3::GetAngleWith(const CVector3& other) const {
   const Real sine = cross.CrossProduct(other).Length();
   const Real cosine = DotProduct(other);
   return sine == 0.0 && cosine == 0.0 ? CRadians() : ATan2(sine, cosine);
-}
-
-CVector3::operator CMatrix<1, 3>() const {
-  const Real values[] = {m_x, m_y, m_z};
-  return CMatrix<1, 3>(values);
-}
-
-CVector3::operator CMatrix<3, 1>() const {
-  const Real values[] = {m_x, m_y, m_z};
-  return CMatrix<3, 1>(values);
 }
 
 Real& CVector3::RejectIndex(UInt32 index) {

@@ -1,6 +1,6 @@
 #include <argos3/core/utility/networking/tcp_socket.h>
 
-#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 
 #include <netdb.h>
 #include <netinet/in.h>

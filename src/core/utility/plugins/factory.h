@@ -1,10 +1,10 @@
 #ifndef ARGOS3_CORE_UTILITY_PLUGINS_FACTORY_H
 #define ARGOS3_CORE_UTILITY_PLUGINS_FACTORY_H
 
-#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/plugins/process_wide.h>
 #include <argos3/core/utility/plugins/registration.h>
-#include <argos3/core/utility/string_utilities.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
 #include <iostream>
 #include <map>

@@ -1,8 +1,8 @@
 #include <argos3/core/utility/plugins/registration.h>
 
-#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/plugins/process_wide.h>
-#include <argos3/core/utility/string_utilities.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
 #include <dlfcn.h>
 

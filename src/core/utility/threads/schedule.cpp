@@ -1,7 +1,7 @@
 #include <argos3/core/utility/threads/schedule.h>
 
-#include <argos3/core/utility/configuration/argos_exception.h>
-#include <argos3/core/utility/string_utilities.h>
+#include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
 #include <algorithm>
 

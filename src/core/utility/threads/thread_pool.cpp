@@ -1,6 +1,6 @@
 #include <argos3/core/utility/threads/thread_pool.h>
 
-#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/logging/argos_log.h>
 
 #if defined(__x86_64__) || defined(__i386__)

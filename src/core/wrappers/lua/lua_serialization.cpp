@@ -1,4 +1,4 @@
-#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/datatypes/byte_array.h>
 #include <argos3/core/wrappers/lua/lua_keys.h>
 #include <argos3/core/wrappers/lua/lua_types.h>

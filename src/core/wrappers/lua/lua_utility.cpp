@@ -1,6 +1,6 @@
 #include <argos3/core/wrappers/lua/lua_utility.h>
 
-#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/wrappers/lua/lua_keys.h>
 #include <argos3/core/wrappers/lua/lua_random.h>
 #include <argos3/core/wrappers/lua/lua_registry.h>

@@ -1,7 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_SHAPES_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_SHAPES_H
 
-#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 
 class b2Body;
 

@@ -1,6 +1,6 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_world.h>
 
-#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/wheel_motion.h>
 #include <argos3/plugins/simulator/physics_engines/robot_bodies/robot_components.h>

@@ -1,6 +1,6 @@
 // The borders of a dynamics3d engine: walls, ghosts, and transfers to other engines.
 
-#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/math/angles.h>

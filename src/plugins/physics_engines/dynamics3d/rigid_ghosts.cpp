@@ -1,6 +1,6 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_ghosts.h>
 
-#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/physics_engine/physics_model.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/cylinder_contacts.h>

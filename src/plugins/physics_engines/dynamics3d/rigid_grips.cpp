@@ -1,7 +1,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_grips.h>
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
-#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/turret_entity.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>

@@ -2,7 +2,7 @@
 
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/disc_swarm.h>
 
-#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/arc_block.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_limits.h>

@@ -1,6 +1,6 @@
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_world.h>
 
-#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 
 namespace argos {
 

@@ -1,6 +1,6 @@
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/separation.h>
 
-#include <argos3/core/utility/spatial/ray_span.h>
+#include <argos3/core/utility/math/ray_span.h>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_FOOTPRINTS_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_FOOTPRINTS_H
 
-#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/physics_engine/planar_motion.h>
 #include <argos3/core/utility/spatial/rectangle.h>
 

@@ -1,7 +1,7 @@
 #include <argos3/plugins/simulator/physics_engines/planar/ghost_discs.h>
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
-#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 
 #include <cmath>

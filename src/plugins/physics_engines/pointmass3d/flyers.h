@@ -1,7 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_POINTMASS3D_FLYERS_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_POINTMASS3D_FLYERS_H
 
-#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/utility/math/range.h>
 
 #include <array>

@@ -4,7 +4,7 @@
 #include <argos3/testing/contract/physics_engines/flight_world.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
-#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/plugins/robots/eye-bot/simulator/eyebot_entity.h>
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/pointmass3d_engine.h>
 

@@ -6,7 +6,7 @@
 #include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/robot_world.h>
 
-#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_colored_blob_omnidirectional_camera_sensor.h>

@@ -7,7 +7,7 @@
 #include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
-#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>

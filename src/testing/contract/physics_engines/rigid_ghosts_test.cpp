@@ -7,7 +7,7 @@
 #include <argos3/testing/support/captured_logs.h>
 #include <argos3/testing/support/robot_sizes.h>
 
-#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/physics_engine/physics_model.h>
 #include <argos3/core/utility/math/angles.h>

@@ -1,6 +1,6 @@
 // Combination of several errors into one message.
 
-#include <argos3/core/simulator/load_errors.h>
+#include <argos3/core/simulator/context/load_errors.h>
 
 #include <catch2/catch.hpp>
 

@@ -1,7 +1,7 @@
 // Parsing of the command line.
 
 #include <argos3/core/simulator/argos_command_line_arg_parser.h>
-#include <argos3/core/simulator/progress.h>
+#include <argos3/core/simulator/program/progress.h>
 
 #include <argos3/core/config.h>
 

@@ -2,7 +2,7 @@
 #define ARGOS3_CORE_SIMULATOR_SPACE_POSITIONAL_INDICES_GRID_IMPL_H
 
 #include <argos3/core/simulator/space/positional_indices/grid.h>
-#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 
 #include <algorithm>
 

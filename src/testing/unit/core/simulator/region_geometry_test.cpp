@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/physics_engine/region_geometry.h>
+#include <argos3/core/simulator/geometry/region_geometry.h>
 
 #include <catch2/catch.hpp>
 

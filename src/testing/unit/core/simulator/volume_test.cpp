@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/physics_engine/volume.h>
+#include <argos3/core/simulator/geometry/volume.h>
 
 #include <catch2/catch.hpp>
 

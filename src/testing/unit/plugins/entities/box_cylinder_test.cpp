@@ -1,5 +1,5 @@
-#include <argos3/core/simulator/physics_engine/body_description.h>
-#include <argos3/core/simulator/space/body_index.h>
+#include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/plugins/simulator/entities/box_entity.h>
 #include <argos3/plugins/simulator/entities/cylinder_entity.h>
 #include <argos3/testing/support/robot_world.h>

@@ -1,7 +1,7 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_RAYS_PLANAR_RAYS_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_RAYS_PLANAR_RAYS_H
 
-#include <argos3/core/simulator/space/indexed_shape.h>
+#include <argos3/core/simulator/geometry/indexed_shape.h>
 
 #include <cstddef>
 

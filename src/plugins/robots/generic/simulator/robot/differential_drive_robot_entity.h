@@ -1,7 +1,7 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_ROBOT_DIFFERENTIAL_DRIVE_ROBOT_ENTITY_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_ROBOT_DIFFERENTIAL_DRIVE_ROBOT_ENTITY_H
 
-#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/plugins/robots/generic/simulator/robot_entity.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>

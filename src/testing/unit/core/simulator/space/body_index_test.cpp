@@ -1,7 +1,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
-#include <argos3/core/simulator/space/body_index.h>
-#include <argos3/core/simulator/space/shape_overlap.h>
-#include <argos3/core/simulator/space/solid_overlap.h>
+#include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/geometry/shape_overlap.h>
+#include <argos3/core/simulator/geometry/solid_overlap.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/testing/support/solid_reference.h>

@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/space/body_index.h>
+#include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/testing/support/captured_logs.h>
 #include <argos3/testing/support/experiment.h>
 #include <argos3/testing/support/toy_world.h>

@@ -1,5 +1,5 @@
-#include <argos3/core/simulator/space/indexed_shape.h>
-#include <argos3/core/simulator/space/shape_overlap.h>
+#include <argos3/core/simulator/geometry/indexed_shape.h>
+#include <argos3/core/simulator/geometry/shape_overlap.h>
 #include <argos3/core/utility/math/angles.h>
 
 #include <catch2/catch.hpp>

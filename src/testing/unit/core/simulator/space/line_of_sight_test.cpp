@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/space/body_index.h>
+#include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/space/line_of_sight.h>
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/testing/support/toy_world.h>

@@ -1,8 +1,8 @@
 // Extensions that plug-ins attach to a space, and checks that run when it is loaded.
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
-#include <argos3/core/simulator/physics_engine/body_description.h>
-#include <argos3/core/simulator/space/body_index.h>
+#include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/testing/support/experiment.h>

@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/space/solid_overlap.h>
+#include <argos3/core/simulator/geometry/solid_overlap.h>
 
 #include <argos3/core/utility/math/angles.h>
 

@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/space/vector_generator.h>
+#include <argos3/core/simulator/placement/vector_generator.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
 
 #include <catch2/catch.hpp>

@@ -1,4 +1,4 @@
-#include <argos3/core/utility/spatial/ray_span.h>
+#include <argos3/core/utility/math/ray_span.h>
 #include <argos3/core/utility/spatial/rectangle.h>
 
 #include <catch2/catch.hpp>

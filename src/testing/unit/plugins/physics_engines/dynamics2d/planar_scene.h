@@ -2,7 +2,7 @@
 #define ARGOS3_TESTING_UNIT_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_SCENE_H
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
-#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/active_set.h>
 
 #include <array>

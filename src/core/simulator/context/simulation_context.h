@@ -1,0 +1,51 @@
+#ifndef ARGOS3_CORE_SIMULATOR_CONTEXT_SIMULATION_CONTEXT_H
+#define ARGOS3_CORE_SIMULATOR_CONTEXT_SIMULATION_CONTEXT_H
+
+#include <argos3/core/simulator/context/arena.h>
+#include <argos3/core/simulator/context/load_state.h>
+
+#include <functional>
+#include <vector>
+
+namespace argos {
+
+class CBodyIndex;
+class CFloorPainter;
+class CLoopFunctions;
+class CMedium;
+class CPhysicsEngine;
+class CSimulator;
+class CSpace;
+class CThreadPool;
+
+/**
+ * What the parts of one simulation share: each part includes the headers of those that it uses and
+ * finds them here, so that no part includes the simulator, which owns them all.
+ *
+ * Parts that are made by zero-argument factories get it from CurrentContext() when they are made.
+ */
+struct SSimulationContext {
+  explicit SSimulationContext(CSimulator& simulator) : Simulator(simulator) {}
+  SSimulationContext(const SSimulationContext&) = delete;
+  SSimulationContext& operator=(const SSimulationContext&) = delete;
+
+  // always there
+  CSimulator& Simulator; /**< for users' code; the core uses the parts below */
+  CSpace* Space = nullptr;
+  CBodyIndex* Index = nullptr; /**< of all bodies in the space */
+  std::function<void()> RunTick; /**< one tick; for CSpace::Update() */
+  CThreadPool* Pool = nullptr; /**< on which phases run; without workers before loading */
+
+  // of the experiment that is loaded
+  CLoadState Loading;
+  Real TickLength = 0.1; /**< s */
+  SArena Arena;
+  std::vector<CPhysicsEngine*> Engines; /**< in document order */
+  std::vector<CMedium*> Media; /**< in document order */
+  CLoopFunctions* LoopFunctions = nullptr;
+  CFloorPainter* FloorPainter = nullptr; /**< the loop functions, as the floor knows them */
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,418 @@
+#include <argos3/core/simulator/geometry/body_index.h>
+
+#include <argos3/core/simulator/geometry/shape_overlap.h>
+#include <argos3/core/utility/math/general.h>
+#include <argos3/core/utility/memory/load_ahead.h>
+#include <argos3/core/utility/threads/thread_pool.h>
+
+#include <atomic>
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+// bodies of one parallel run: enough work to pay for waking a thread
+constexpr size_t kGrain = 1024;
+// how many entries ahead the pose of a body is prefetched
+constexpr size_t kEntriesAhead = 16;
+// the overlay is not sorted while it has fewer bodies than this
+constexpr size_t kMinOverlay = 64;
+// nor while its wide solids touch fewer cells than this
+constexpr size_t kMinOverlayLinks = 1024;
+// m; cells are not made smaller than this however crowded the arena is
+constexpr Real kMinCell = 0.02;
+constexpr Real kUprightTolerance = 1e-9;
+
+bool StandsUpright(const SShapeDescription& solid) {
+  return solid.Kind != SShapeDescription::EKind::Sphere && solid.Orientation.GetX() == 0.0 &&
+         solid.Orientation.GetY() == 0.0;
+}
+
+CVector3 CentroidInBody(const SShapeDescription& solid) {
+  CVector3 centroid(0.0, 0.0, 0.5 * solid.Size.GetZ());
+  centroid.Rotate(solid.Orientation);
+  return centroid + solid.Offset;
+}
+
+// m, around the centroid
+Real BoundingSphereRadius(const SShapeDescription& solid) {
+  return solid.Kind == SShapeDescription::EKind::Sphere
+             ? solid.Radius
+             : std::hypot(solid.Radius, 0.5 * solid.Size.GetZ());
+}
+
+Real Horizontal(const CVector3& v) {
+  return std::hypot(v.GetX(), v.GetY());
+}
+
+template <typename FUNCTION>
+void ForRange(CThreadPool* pool, size_t items, FUNCTION&& function) {
+  if (pool != nullptr) {
+    pool->ParallelFor(items, kGrain,
+                      [&](size_t begin, size_t end, UInt32) { function(begin, end); });
+  } else {
+    function(size_t(0), items);
+  }
+}
+
+}  // namespace
+
+void CBodyIndex::SetArea(const CRange<CVector3>& limits) {
+  m_area = {limits.GetMin().GetX(), limits.GetMin().GetY(), limits.GetMax().GetX(),
+            limits.GetMax().GetY()};
+  m_cellsChosenFor = 0;
+  Rebuild(nullptr);
+}
+
+CBodyIndex::SPose CBodyIndex::MakePose(const CVector3& position, const CQuaternion& orientation) {
+  const Real w = orientation.GetW();
+  const Real z = orientation.GetZ();
+  return {
+      position.GetX(),
+      position.GetY(),
+      position.GetZ(),
+      w * w - z * z,
+      2.0 * w * z,
+      Abs(orientation.GetX()) < kUprightTolerance && Abs(orientation.GetY()) < kUprightTolerance};
+}
+
+UInt32 CBodyIndex::Add(CEmbodiedEntity& body, const SBodyPose& origin,
+                       const SBodyDescription& description, bool movable) {
+  UInt32 number = 0;
+  if (m_free.empty()) {
+    number = static_cast<UInt32>(m_bodies.size());
+    m_bodies.emplace_back();
+    m_poses.emplace_back();
+  } else {
+    number = m_free.back();
+    m_free.pop_back();
+  }
+  m_bodies[number] = {&body, &origin, &description, 0.0, 0.0, kNoBody, 0, movable, false};
+  ++m_numAlive;
+  Describe(number);
+  ReadPose(number);
+  PutInOverlay(number);
+  return number;
+}
+
+void CBodyIndex::Describe(UInt32 number) {
+  SBody& body = m_bodies[number];
+  body.Reach = body.TiltedReach = 0.0;
+  for (const SShapeDescription& solid : body.Description->Shapes) {
+    // as Pack() bounds them
+    const CVector3 centroid = CentroidInBody(solid);
+    const Real sphere = BoundingSphereRadius(solid);
+    body.Reach =
+        std::max(body.Reach, Horizontal(centroid) + (StandsUpright(solid) ? solid.Radius : sphere));
+    body.TiltedReach = std::max(body.TiltedReach, centroid.Length() + sphere);
+  }
+  body.NumShapes = static_cast<UInt16>(body.Description->Shapes.size());
+  const bool small = body.Movable && body.Description->ComputeBoundingRadius() <= kMaxSmallRadius;
+  m_poses[number].Small = small;
+  if (small) {
+    m_maxSmallReach = std::max(m_maxSmallReach, body.Reach);
+  } else {
+    m_wideDirty = true;
+  }
+}
+
+void CBodyIndex::Forget(UInt32 number) {
+  if (!m_poses[number].Small) {
+    m_wideDirty = true;
+  }
+  m_poses[number].Small = false;
+}
+
+void CBodyIndex::Remove(UInt32 number) {
+  Forget(number);
+  SBody& body = m_bodies[number];
+  body.Entity = nullptr;
+  // sorted solids may still have this number: it is used again only after the next sort
+  if (!body.Stale) {
+    body.Stale = true;
+    ++m_numStale;
+  }
+  m_released.push_back(number);
+  --m_numAlive;
+}
+
+void CBodyIndex::ReadPose(UInt32 number) {
+  SPose& pose = m_poses[number];
+  const bool small = pose.Small;
+  const SBodyPose& origin = *m_bodies[number].Origin;
+  pose = MakePose(origin.Position, origin.Orientation);
+  pose.Small = small;
+}
+
+void CBodyIndex::RefreshNow(UInt32 number) {
+  ReadPose(number);
+  SBody& body = m_bodies[number];
+  if (!body.Stale) {
+    PutInOverlay(number);
+  } else if (m_poses[number].Small) {
+    m_overlay.Remove(body.OverlayPlace, number);
+    LinkIntoOverlay(number);
+  } else {
+    // its solids at the previous pose do not count
+    for (UInt16 shape = 0; shape < body.NumShapes; ++shape) {
+      m_overlayWide[body.OverlayPlace + shape].Shape.Body = kNoBody;
+    }
+    LinkWideIntoOverlay(number);
+  }
+}
+
+void CBodyIndex::Redescribe(UInt32 number, const SBodyDescription& description, bool movable) {
+  Forget(number);
+  m_bodies[number].Description = &description;
+  m_bodies[number].Movable = movable;
+  Describe(number);
+  Rebuild(nullptr);
+}
+
+void CBodyIndex::PutInOverlay(UInt32 number) {
+  SBody& body = m_bodies[number];
+  body.Stale = true;
+  ++m_numStale;
+  if (m_numStale > kMinOverlay + m_shapes.size() + m_wide.size() || m_overlay.GetNumCells() == 0) {
+    Rebuild(nullptr);
+  } else if (m_poses[number].Small) {
+    LinkIntoOverlay(number);
+  } else {
+    LinkWideIntoOverlay(number);
+  }
+}
+
+void CBodyIndex::LinkWideIntoOverlay(UInt32 number) {
+  m_wideDirty = true;
+  // a sort costs as much as these links have cost
+  const size_t numCells = m_grid.GetNumCells();
+  if (m_overlayWideCells.GetNumLinks() >
+      kMinOverlayLinks + numCells + m_wideCells.GetNumListings()) {
+    Rebuild(nullptr);
+    return;
+  }
+  if (m_overlayWideCells.GetNumCells() == 0) {
+    m_overlayWideCells.Resize(numCells);
+  }
+  SBody& body = m_bodies[number];
+  body.OverlayPlace = static_cast<UInt32>(m_overlayWide.size());
+  for (UInt16 shape = 0; shape < body.NumShapes; ++shape) {
+    const SIndexedShape packed = Pack(number, shape);
+    const SCellRange cells = CellsOf(packed);
+    const auto wide = static_cast<UInt32>(m_overlayWide.size());
+    m_overlayWide.push_back({packed, cells.GetFirst()});
+    m_grid.ForCells(cells, [this, wide](UInt32 cell) { m_overlayWideCells.Add(cell, wide); });
+  }
+}
+
+void CBodyIndex::LinkIntoOverlay(UInt32 number) {
+  SBody& body = m_bodies[number];
+  const SPose& pose = m_poses[number];
+  if (!pose.Upright) {
+    m_tiltedReach = std::max(m_tiltedReach, body.TiltedReach);
+  }
+  body.OverlayPlace = m_grid.CellAt(pose.X, pose.Y);
+  m_overlay.Add(body.OverlayPlace, number);
+}
+
+void CBodyIndex::ClearOverlay() {
+  for (SBody& body : m_bodies) {
+    body.Stale = false;
+  }
+  m_overlay.Clear();
+  m_overlayWideCells.Clear();
+  m_overlayWide.clear();
+  m_free.insert(m_free.end(), m_released.begin(), m_released.end());
+  m_released.clear();
+  m_numStale = 0;
+}
+
+bool CBodyIndex::ChooseCells() {
+  // hysteresis: cells are chosen again only when the numbers have changed by a factor of two
+  const bool fits = m_overlay.GetNumCells() > 0 && m_numAlive <= 2 * m_cellsChosenFor &&
+                    m_cellsChosenFor <= 2 * m_numAlive + 16 &&
+                    m_cellsChosenReach == m_maxSmallReach;
+  if (fits) {
+    return false;
+  }
+  const Real width = std::max(m_area.MaxX - m_area.MinX, kMinCell);
+  const Real depth = std::max(m_area.MaxY - m_area.MinY, kMinCell);
+  const Real bodies = static_cast<Real>(std::max<size_t>(1, m_numAlive));
+  // about one body a cell, but no cell smaller than the largest small body
+  const Real edge = std::max({kMinCell, 2.0 * m_maxSmallReach, std::sqrt(width * depth / bodies)});
+  const auto count = [inverse = 1.0 / edge](Real length) {
+    return std::max(1, static_cast<SInt32>(std::ceil(length * inverse)));
+  };
+  m_grid.Lay({m_area.MinX, edge, count(width)}, {m_area.MinY, edge, count(depth)});
+  m_cellsChosenFor = m_numAlive;
+  m_cellsChosenReach = m_maxSmallReach;
+  m_overlay.Resize(m_grid.GetNumCells());
+  if (m_overlayWideCells.GetNumCells() > 0) {
+    m_overlayWideCells.Resize(m_grid.GetNumCells());
+  }
+  return true;
+}
+
+void CBodyIndex::Rebuild(CThreadPool* pool) {
+  if (m_numStale > 0) {
+    ClearOverlay();
+  }
+  const bool newCells = ChooseCells();
+  SortSmall(pool);
+  // wide bodies that can move are few, and are listed again every tick
+  if (newCells || m_wideDirty) {
+    ListWide();
+  }
+}
+
+void CBodyIndex::SortSmall(CThreadPool* pool) {
+  const size_t numBodies = m_bodies.size();
+  const bool isAlone = pool == nullptr || pool->GetNumThreads() == 1 || numBodies <= kGrain;
+  m_sort.Start(numBodies, m_grid.GetNumCells());
+  std::atomic<bool> anyTilted{false};
+  ForRange(pool, numBodies, [&](size_t begin, size_t end) {
+    for (size_t b = begin; b < end; ++b) {
+      const SPose& pose = m_poses[b];
+      if (!pose.Small) {
+        m_sort.LeaveOut(b);
+        continue;
+      }
+      ReadPose(static_cast<UInt32>(b));
+      if (!pose.Upright) {
+        anyTilted.store(true, std::memory_order_relaxed);
+      }
+      const UInt32 cell = m_grid.CellAt(pose.X, pose.Y);
+      if (isAlone) {
+        m_sort.SetKey(b, cell, m_bodies[b].NumShapes);
+      } else {
+        m_sort.SetKeyOnThread(b, cell, m_bodies[b].NumShapes);
+      }
+    }
+  });
+
+  m_tiltedReach = 0.0;
+  if (anyTilted) {
+    for (size_t b = 0; b < numBodies; ++b) {
+      if (m_poses[b].Small && !m_poses[b].Upright) {
+        m_tiltedReach = std::max(m_tiltedReach, m_bodies[b].TiltedReach);
+      }
+    }
+  }
+
+  // within a cell by body number, whatever the number of threads
+  const UInt32 numShapes = m_sort.Finish();
+  m_entries.resize(numShapes);
+  m_shapes.resize(numShapes);
+  ForRange(pool, numBodies, [this](size_t begin, size_t end) {
+    for (size_t b = begin; b < end; ++b) {
+      if (m_sort.IsLeftOut(b)) {
+        continue;
+      }
+      SEntry* entry = m_entries.data() + m_sort.GetPlace(b);
+      for (UInt16 shape = 0; shape < m_bodies[b].NumShapes; ++shape, ++entry) {
+        *entry = {static_cast<UInt32>(b), shape};
+      }
+    }
+  });
+  if (!isAlone) {
+    m_sort.SortRuns(*pool, m_entries, [](const SEntry& entry) {
+      return (static_cast<UInt64>(entry.Body) << 16) | entry.Shape;
+    });
+  }
+  PackSmall(pool);
+}
+
+void CBodyIndex::PackSmall(CThreadPool* pool) {
+  ForRange(pool, m_entries.size(), [this](size_t begin, size_t end) {
+    for (size_t k = begin; k < end; ++k) {
+      if (k + kEntriesAhead < end) {
+        const UInt32 later = m_entries[k + kEntriesAhead].Body;
+        LoadAhead(m_poses[later]);
+        LoadAhead(m_bodies[later]);
+      }
+      m_shapes[k] = Pack(m_entries[k].Body, m_entries[k].Shape);
+    }
+  });
+}
+
+void CBodyIndex::ListWide() {
+  m_wide.clear();
+  bool anyMovable = false;
+  for (size_t b = 0; b < m_bodies.size(); ++b) {
+    const SBody& body = m_bodies[b];
+    if (body.Entity == nullptr || m_poses[b].Small) {
+      continue;
+    }
+    ReadPose(static_cast<UInt32>(b));
+    anyMovable = anyMovable || body.Movable;
+    for (UInt16 shape = 0; shape < body.NumShapes; ++shape) {
+      const SIndexedShape packed = Pack(static_cast<UInt32>(b), shape);
+      m_wide.push_back({packed, CellsOf(packed).GetFirst()});
+    }
+  }
+  m_wideCells.List(m_wide.size(), m_grid.GetNumCells(), [this](UInt32 wide, auto&& list) {
+    m_grid.ForCells(CellsOf(m_wide[wide].Shape), list);
+  });
+  m_wideDirty = anyMovable;
+}
+
+SCellRange CBodyIndex::CellsOf(const SIndexedShape& shape) const {
+  const SPlanarVector half = ComputeHalfBounds(shape);
+  return m_grid.CellsAround(shape.X, shape.Y, half.X, half.Y);
+}
+
+SIndexedShape CBodyIndex::Pack(UInt32 body, UInt16 shape) const {
+  const SBody& owner = m_bodies[body];
+  const SShapeDescription& solid = owner.Description->Shapes[shape];
+  const SPose& pose = m_poses[body];
+  // for upright solids the entity, which is elsewhere in memory, is not read
+  const bool upright = pose.Upright && StandsUpright(solid);
+  SIndexedShape packed = Pack(solid, pose, upright ? CQuaternion() : owner.Origin->Orientation);
+  packed.Body = body;
+  packed.Shape = shape;
+  return packed;
+}
+
+SIndexedShape CBodyIndex::Pack(const SShapeDescription& shape, const SPose& pose,
+                               const CQuaternion& orientation) {
+  SIndexedShape packed{};
+  packed.Body = kNoBody;
+  if (!pose.Upright || !StandsUpright(shape)) {
+    // bounded by a sphere around the centroid
+    CVector3 centroid = CentroidInBody(shape);
+    centroid.Rotate(orientation);
+    packed.Radius = BoundingSphereRadius(shape);
+    packed.X = pose.X + centroid.GetX();
+    packed.Y = pose.Y + centroid.GetY();
+    packed.Cos = 1.0;
+    packed.HalfX = packed.HalfY = packed.Radius;
+    packed.ZMin = pose.Z + centroid.GetZ() - packed.Radius;
+    packed.ZMax = pose.Z + centroid.GetZ() + packed.Radius;
+    packed.Kind = SIndexedShape::EKind::Tilted;
+    return packed;
+  }
+  packed.X = pose.X + pose.Cos * shape.Offset.GetX() - pose.Sin * shape.Offset.GetY();
+  packed.Y = pose.Y + pose.Sin * shape.Offset.GetX() + pose.Cos * shape.Offset.GetY();
+  packed.ZMin = pose.Z + shape.Offset.GetZ();
+  packed.ZMax = packed.ZMin + shape.Size.GetZ();
+  packed.Radius = shape.Radius;
+  if (shape.Kind == SShapeDescription::EKind::Cylinder) {
+    packed.Cos = 1.0;
+    packed.HalfX = packed.HalfY = shape.Radius;
+    packed.Kind = SIndexedShape::EKind::Disc;
+  } else {
+    const Real w = shape.Orientation.GetW();
+    const Real z = shape.Orientation.GetZ();
+    const Real cosine = w * w - z * z;
+    const Real sine = 2.0 * w * z;
+    packed.Cos = pose.Cos * cosine - pose.Sin * sine;
+    packed.Sin = pose.Sin * cosine + pose.Cos * sine;
+    packed.HalfX = 0.5 * shape.Size.GetX();
+    packed.HalfY = 0.5 * shape.Size.GetY();
+    packed.Kind = SIndexedShape::EKind::Box;
+  }
+  return packed;
+}
+
+}  // namespace argos

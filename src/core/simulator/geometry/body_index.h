@@ -1,0 +1,217 @@
+#ifndef ARGOS3_CORE_SIMULATOR_GEOMETRY_BODY_INDEX_H
+#define ARGOS3_CORE_SIMULATOR_GEOMETRY_BODY_INDEX_H
+
+#include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/simulator/geometry/body_pose.h>
+#include <argos3/core/simulator/geometry/indexed_shape.h>
+#include <argos3/core/simulator/geometry/ray_hit.h>
+#include <argos3/core/utility/math/range.h>
+#include <argos3/core/utility/spatial/cell_chains.h>
+#include <argos3/core/utility/spatial/cell_items.h>
+#include <argos3/core/utility/spatial/counting_sort.h>
+#include <argos3/core/utility/spatial/planar_grid.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace argos {
+
+class CEmbodiedEntity;
+class CLookAhead;
+class CThreadPool;
+
+/**
+ * Finds the solids near a place, from packed arrays.
+ *
+ * Engines write the poses of origin anchors during physics. Rebuild() then reads them and sorts the
+ * solids of small movable bodies by grid cell; solids of all other bodies are listed in every cell
+ * that they touch. Bodies that are added or moved outside the physics phase are found through an
+ * overlay of the same cells until the next Rebuild(), so placing n bodies takes time in proportion
+ * to n. Queries never write: they are safe on any number of threads between rebuilds.
+ *
+ * Results do not depend on the cells: the solid and the ray alone decide about a hit.
+ *
+ * To the index, an entity is a name only: what it needs of a body it is told by Add() and
+ * Redescribe(), or reads from the body's pose.
+ */
+class CBodyIndex {
+ public:
+  static constexpr UInt32 kNoBody = ~UInt32(0);
+  /** m; a movable body up to this radius is small. Robots are; walls and large boxes are not. */
+  static constexpr Real kMaxSmallRadius = 0.3;
+
+  CBodyIndex() = default;
+
+  /** Sets the ground area that the cells divide, m. Border cells hold the bodies outside of it. */
+  void SetArea(const CRange<CVector3>& limits);
+
+  /**
+   * Adds a body. CEmbodiedEntity::EnterIndex() calls it.
+   * @param origin, description  must exist as long as the body is in the index.
+   * @return its number.
+   */
+  UInt32 Add(CEmbodiedEntity& body, const SBodyPose& origin, const SBodyDescription& description,
+             bool movable);
+  void Remove(UInt32 body);
+  /** Notes that an immovable body has been moved; outside the physics phase. */
+  void NoteWideMoved() { m_wideDirty = true; }
+  /** Makes queries see the present pose of a body; outside the physics phase, one thread. */
+  void RefreshNow(UInt32 body);
+  /** Makes queries see a changed description or movability. */
+  void Redescribe(UInt32 body, const SBodyDescription& description, bool movable);
+  /** Sorts all solids by their current poses; once a tick, after physics. */
+  void Rebuild(CThreadPool& pool) { Rebuild(&pool); }
+
+  CEmbodiedEntity& GetBody(UInt32 body) const { return *m_bodies[body].Entity; }
+  /** Calls visit(CEmbodiedEntity&) for every body, by number. */
+  template <typename VISIT>
+  void ForEachBody(VISIT&& visit) const {
+    for (const SBody& body : m_bodies) {
+      if (body.Entity != nullptr) {
+        visit(*body.Entity);
+      }
+    }
+  }
+  size_t GetNumBodies() const { return m_numAlive; }
+
+  /**
+   * Calls visit(const SIndexedShape&) for every solid whose footprint comes within @p reach (m) of
+   * (@p x, @p y), and perhaps for others. Each solid once. Vertical position is ignored.
+   */
+  template <typename VISIT>
+  void ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const;
+  /**
+   * Calls visit(const SIndexedShape&) for every solid whose footprint comes within @p reach (m) of
+   * @p ray as seen from above, and perhaps for others; wide solids perhaps repeatedly.
+   * @param isDone  bool(): called before each row of cells; true ends the query.
+   */
+  template <typename VISIT, typename DONE>
+  void ForShapesAlongRay(const CRay3& ray, Real reach, VISIT&& visit, DONE&& isDone) const;
+  template <typename VISIT>
+  void ForShapesAlongRay(const CRay3& ray, Real reach, VISIT&& visit) const {
+    ForShapesAlongRay(ray, reach, visit, [] { return false; });
+  }
+
+  /** Where @p ray enters a solid of any kind: fraction in [0,1], 0 if it starts inside; or kNoHit.
+   */
+  Real Intersect(const SIndexedShape& shape, const CRay3& ray) const;
+  /** Finds the first body that @p ray meets, except @p ignored. @return false if none. */
+  bool FindClosestHit(SEmbodiedEntityIntersectionItem& item, const CRay3& ray,
+                      const CEmbodiedEntity* ignored = nullptr) const;
+  /**
+   * True if a third body is between two bodies: if it meets the part of @p segment that is outside
+   * both of them. Exchanging the ends changes nothing but rounding.
+   * @param segment  from a point of the body @p start to one of the body @p end, which are numbers
+   *                 or kNoBody.
+   */
+  bool IsBlocked(const CRay3& segment, UInt32 start, UInt32 end) const;
+  /** Appends every body that @p ray meets, once each. */
+  void FindAllHits(TEmbodiedEntityIntersectionData& data, const CRay3& ray) const;
+  /**
+   * Finds a body that overlaps a solid of @p description at that pose by more than rounding.
+   * @param ignored number of a body to leave out, or kNoBody.
+   * @return the number of the body found with the lowest number, or kNoBody.
+   */
+  UInt32 FindOverlap(const SBodyDescription& description, const CVector3& position,
+                     const CQuaternion& orientation, UInt32 ignored) const;
+
+ private:
+  friend class CLookAhead;
+
+  struct SPose {
+    Real X, Y, Z;  // m, world frame, of the origin anchor
+    Real Cos, Sin;  // of the yaw, if upright
+    bool Upright;
+    bool Small = false;  // of a body: sorted by cell
+  };
+  struct SBody {
+    CEmbodiedEntity* Entity;  // null: free slot
+    const SBodyPose* Origin;  // of the entity
+    const SBodyDescription* Description;  // shared by many bodies; kept alive by the entity
+    Real Reach;  // m, of the packed solids around the origin, seen from above, if upright
+    Real TiltedReach;  // m, the same however the body lies
+    UInt32 OverlayPlace;  // cell of a small body, number of a wide one's first solid in the overlay
+    UInt16 NumShapes;
+    bool Movable;
+    bool Stale;  // in the overlay: its sorted solids do not count
+  };
+  struct SEntry {
+    UInt32 Body;
+    UInt16 Shape;
+  };
+  struct SWideShape {
+    SIndexedShape Shape;
+    SPlanarCell FirstCell;  // in which it is listed
+  };
+
+  SCellRange CellsOf(const SIndexedShape& shape) const;
+  // a wide solid counts in one of the cells in which a query finds it
+  bool CountsInCell(UInt32 cell, const SWideShape& wide, const SCellRange& query) const {
+    return m_grid.IsFirstCommon(cell, wide.FirstCell, query);
+  }
+  static SPose MakePose(const CVector3& position, const CQuaternion& orientation);
+  static SIndexedShape Pack(const SShapeDescription& shape, const SPose& pose,
+                            const CQuaternion& orientation);
+  SIndexedShape Pack(UInt32 body, UInt16 shape) const;
+  void ReadPose(UInt32 body);
+  void Describe(UInt32 body);
+  void Forget(UInt32 body);
+  void Rebuild(CThreadPool* pool);
+  bool ChooseCells();
+  void SortSmall(CThreadPool* pool);
+  void PackSmall(CThreadPool* pool);
+  void ListWide();
+  void ClearOverlay();
+  void PutInOverlay(UInt32 body);
+  void LinkIntoOverlay(UInt32 body);
+  void LinkWideIntoOverlay(UInt32 body);
+
+  Real SmallReach() const { return std::max(m_maxSmallReach, m_tiltedReach); }
+  bool IsStale(UInt32 body) const { return m_numStale > 0 && m_bodies[body].Stale; }
+  template <typename VISIT>
+  void VisitSmall(const SCellRange& cells, VISIT&& visit) const;
+  template <typename VISIT>
+  void VisitBody(UInt32 body, VISIT&& visit) const;
+  template <typename VISIT>
+  void VisitOverlay(const SCellRange& cells, VISIT&& visit) const;
+  template <typename VISIT>
+  void VisitOverlayWide(const SCellRange& cells, VISIT&& visit) const;
+  template <typename VISIT>
+  void VisitWide(const SCellRange& cells, VISIT&& visit) const;
+  bool FindOccluder(SIndexedShape& found, const CRay3& segment, UInt32 start, UInt32 end) const;
+  Real IntersectBody(UInt32 body, const CRay3& ray) const;
+
+  SPlanarArea m_area;
+  CPlanarGrid<> m_grid;
+  size_t m_cellsChosenFor = 0;  // number of bodies when cells were chosen
+  Real m_cellsChosenReach = 0.0;  // m, m_maxSmallReach then
+
+  std::vector<SBody> m_bodies;  // by body number
+  std::vector<SPose> m_poses;  // by body number; as of Rebuild() or RefreshNow()
+  std::vector<UInt32> m_free;  // numbers to use again
+  std::vector<UInt32> m_released;  // numbers to use again after the next Rebuild()
+  size_t m_numAlive = 0;
+  Real m_maxSmallReach = 0.0;  // m, of all that ever were small; how far solids of an upright small
+                               // body may be from the cell that it is sorted into
+  Real m_tiltedReach = 0.0;  // m, the same for the small bodies that are tilted now
+
+  // written by Rebuild()
+  CCountingSort m_sort;  // of small bodies by cell
+  std::vector<SEntry> m_entries;  // (solids of small bodies) in cell order
+  std::vector<SIndexedShape> m_shapes;  // of small bodies, in cell order
+  std::vector<SWideShape> m_wide;  // of all other bodies
+  CCellItems m_wideCells;  // numbers into m_wide
+  bool m_wideDirty = true;
+
+  // the overlay
+  CCellChains m_overlay;  // small bodies
+  std::vector<SWideShape> m_overlayWide;  // of bodies that are not small; those of one in a row
+  CCellChains m_overlayWideCells;  // numbers into m_overlayWide; perhaps without cells
+  size_t m_numStale = 0;
+};
+
+}  // namespace argos
+
+#include <argos3/core/simulator/geometry/body_index_impl.h>
+
+#endif

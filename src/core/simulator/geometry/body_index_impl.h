@@ -1,0 +1,120 @@
+#ifndef ARGOS3_CORE_SIMULATOR_GEOMETRY_BODY_INDEX_IMPL_H
+#define ARGOS3_CORE_SIMULATOR_GEOMETRY_BODY_INDEX_IMPL_H
+
+#include <argos3/core/simulator/geometry/body_index.h>
+
+// the queries of CBodyIndex, inline because their visitors are
+
+namespace argos {
+
+// a row of cells is one run of the sorted solids
+template <typename VISIT>
+void CBodyIndex::VisitSmall(const SCellRange& cells, VISIT&& visit) const {
+  m_grid.ForRows(cells, [&](UInt32 first, UInt32 last) {
+    const SIndexedShape* shape = m_shapes.data() + m_sort.Begin(first);
+    const SIndexedShape* const end = m_shapes.data() + m_sort.End(last);
+    for (; shape != end; ++shape) {
+      if (!IsStale(shape->Body)) {
+        visit(*shape);
+      }
+    }
+  });
+}
+
+template <typename VISIT>
+void CBodyIndex::VisitBody(UInt32 body, VISIT&& visit) const {
+  if (m_bodies[body].Entity == nullptr) {
+    return;
+  }
+  for (UInt16 shape = 0; shape < m_bodies[body].NumShapes; ++shape) {
+    visit(Pack(body, shape));
+  }
+}
+
+template <typename VISIT>
+void CBodyIndex::VisitOverlay(const SCellRange& cells, VISIT&& visit) const {
+  m_grid.ForCells(cells, [&](UInt32 cell) {
+    m_overlay.ForItems(cell, [&](UInt32 body) { VisitBody(body, visit); });
+  });
+}
+
+template <typename VISIT>
+void CBodyIndex::VisitOverlayWide(const SCellRange& cells, VISIT&& visit) const {
+  m_grid.ForCells(cells, [&](UInt32 cell) {
+    m_overlayWideCells.ForItems(cell, [&](UInt32 number) {
+      const SWideShape& wide = m_overlayWide[number];
+      if (CountsInCell(cell, wide, cells) && wide.Shape.Body != kNoBody &&
+          m_bodies[wide.Shape.Body].Entity != nullptr) {
+        visit(wide.Shape);
+      }
+    });
+  });
+}
+
+template <typename VISIT>
+void CBodyIndex::VisitWide(const SCellRange& cells, VISIT&& visit) const {
+  m_grid.ForCells(cells, [&](UInt32 cell) {
+    for (const UInt32 number : m_wideCells.Get(cell)) {
+      const SWideShape& wide = m_wide[number];
+      if (CountsInCell(cell, wide, cells) && !IsStale(wide.Shape.Body)) {
+        visit(wide.Shape);
+      }
+    }
+  });
+}
+
+template <typename VISIT>
+void CBodyIndex::ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const {
+  const auto visitIfNear = [&](const SIndexedShape& shape) {
+    const Real dx = shape.X - x;
+    const Real dy = shape.Y - y;
+    const Real far = reach + shape.Radius;
+    if (dx * dx + dy * dy <= far * far) {
+      visit(shape);
+    }
+  };
+  const SCellRange cells = m_grid.CellsAround(x, y, reach + SmallReach());
+  if (!m_shapes.empty()) {
+    VisitSmall(cells, visitIfNear);
+  }
+  if (!m_overlay.IsEmpty()) {
+    VisitOverlay(cells, visitIfNear);
+  }
+  if (!m_overlayWide.empty()) {
+    VisitOverlayWide(m_grid.CellsAround(x, y, reach), visitIfNear);
+  }
+  if (!m_wide.empty()) {
+    VisitWide(m_grid.CellsAround(x, y, reach), visitIfNear);
+  }
+}
+
+template <typename VISIT, typename DONE>
+void CBodyIndex::ForShapesAlongRay(const CRay3& ray, Real reach, VISIT&& visit,
+                                   DONE&& isDone) const {
+  const Real x = ray.GetStart().GetX();
+  const Real y = ray.GetStart().GetY();
+  const Real dx = ray.GetEnd().GetX() - x;
+  const Real dy = ray.GetEnd().GetY() - y;
+  const auto forRows = [&](Real margin, auto&& visitRow) {
+    m_grid.ForRowsAlongSegment(x, y, dx, dy, margin, visitRow, isDone);
+  };
+  // more than the reach by a rounding, so that a touched border counts
+  const Real rounded = reach + 1e-9;
+  const Real margin = SmallReach() + rounded;
+  if (!m_shapes.empty()) {
+    forRows(margin, [&](const SCellRange& row) { VisitSmall(row, visit); });
+  }
+  if (!m_overlay.IsEmpty()) {
+    forRows(margin, [&](const SCellRange& row) { VisitOverlay(row, visit); });
+  }
+  if (!m_overlayWide.empty()) {
+    forRows(rounded, [&](const SCellRange& row) { VisitOverlayWide(row, visit); });
+  }
+  if (!m_wide.empty()) {
+    forRows(rounded, [&](const SCellRange& row) { VisitWide(row, visit); });
+  }
+}
+
+}  // namespace argos
+
+#endif

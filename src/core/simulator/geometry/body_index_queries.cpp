@@ -1,0 +1,172 @@
+#include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/geometry/shape_overlap.h>
+#include <argos3/core/simulator/geometry/solid_overlap.h>
+
+#include <limits>
+
+namespace argos {
+
+namespace {
+
+// the ray in the frame of a solid: origin at the centre of its base
+CRay3 ToSolidFrame(const CRay3& ray, const SBodyPose& origin, const SShapeDescription& solid) {
+  const auto toFrame = [&](CVector3 point) {
+    point -= origin.Position;
+    point.Rotate(origin.Orientation.Inverse());
+    point -= solid.Offset;
+    point.Rotate(solid.Orientation.Inverse());
+    return point;
+  };
+  return CRay3(toFrame(ray.GetStart()), toFrame(ray.GetEnd()));
+}
+
+// fraction at which the ray enters a sphere of that radius that stands on the origin, or kNoHit
+Real IntersectSphere(Real radius, const CRay3& ray) {
+  CVector3 p = ray.GetStart();
+  p.SetZ(p.GetZ() - radius);
+  const CVector3 d = ray.GetEnd() - ray.GetStart();
+  return FindNegative(d.SquareLength(), p.DotProduct(d), p.SquareLength() - radius * radius)
+      .FindEntry();
+}
+
+}  // namespace
+
+Real CBodyIndex::Intersect(const SIndexedShape& shape, const CRay3& ray) const {
+  if (shape.Kind != SIndexedShape::EKind::Tilted) {
+    return IntersectRay(shape, ray);
+  }
+  const SBody& body = m_bodies[shape.Body];
+  const SShapeDescription& solid = body.Description->Shapes[shape.Shape];
+  const CRay3 local = ToSolidFrame(ray, *body.Origin, solid);
+  if (solid.Kind == SShapeDescription::EKind::Sphere) {
+    return IntersectSphere(solid.Radius, local);
+  }
+  SShapeDescription upright = solid;
+  upright.Offset = CVector3();
+  upright.Orientation = CQuaternion();
+  return IntersectRay(Pack(upright, MakePose(CVector3(), CQuaternion()), CQuaternion()), local);
+}
+
+bool CBodyIndex::FindClosestHit(SEmbodiedEntityIntersectionItem& item, const CRay3& ray,
+                                const CEmbodiedEntity* ignored) const {
+  item = SEmbodiedEntityIntersectionItem();
+  Real closest = std::numeric_limits<Real>::infinity();
+  UInt32 closestBody = kNoBody;
+  ForShapesAlongRay(ray, 0.0, [&](const SIndexedShape& shape) {
+    const Real t = Intersect(shape, ray);
+    if (t > 1.0 || t > closest || (t == closest && shape.Body >= closestBody) ||
+        m_bodies[shape.Body].Entity == ignored) {
+      return;
+    }
+    closest = t;
+    closestBody = shape.Body;
+  });
+  if (closestBody == kNoBody) {
+    return false;
+  }
+  item.IntersectedEntity = m_bodies[closestBody].Entity;
+  item.TOnRay = closest;
+  return true;
+}
+
+void CBodyIndex::FindAllHits(TEmbodiedEntityIntersectionData& data, const CRay3& ray) const {
+  ForShapesAlongRay(ray, 0.0, [&](const SIndexedShape& shape) {
+    const Real t = Intersect(shape, ray);
+    if (t > 1.0) {
+      return;
+    }
+    CEmbodiedEntity* const body = m_bodies[shape.Body].Entity;
+    for (SEmbodiedEntityIntersectionItem& known : data) {
+      if (known.IntersectedEntity == body) {
+        known.TOnRay = std::min(known.TOnRay, t);
+        return;
+      }
+    }
+    data.emplace_back(body, t);
+  });
+}
+
+// finds any solid that the segment meets and that belongs to neither body
+bool CBodyIndex::FindOccluder(SIndexedShape& found, const CRay3& segment, UInt32 start,
+                              UInt32 end) const {
+  const Real x = segment.GetStart().GetX();
+  const Real y = segment.GetStart().GetY();
+  const Real dx = segment.GetEnd().GetX() - x;
+  const Real dy = segment.GetEnd().GetY() - y;
+  // a solid that is farther than its radius from the line, seen from above, is missed; slightly
+  // wide, so that the exact test alone decides
+  const Real squareLength = (dx * dx + dy * dy) * (1.0 + 1e-9);
+  bool isFound = false;
+  ForShapesAlongRay(
+      segment, 0.0,
+      [&](const SIndexedShape& shape) {
+        const bool isNear = IsCircleOnLine(shape.X - x, shape.Y - y, dx, dy,
+                                           shape.Radius * shape.Radius, squareLength);
+        if (isFound || !isNear || shape.Body == start || shape.Body == end ||
+            Intersect(shape, segment) > 1.0) {
+          return;
+        }
+        found = shape;
+        isFound = true;
+      },
+      [&isFound] { return isFound; });
+  return isFound;
+}
+
+// fraction at which the ray enters a body, or kNoHit
+Real CBodyIndex::IntersectBody(UInt32 body, const CRay3& ray) const {
+  Real first = kNoHit;
+  if (body != kNoBody) {
+    VisitBody(body,
+              [&](const SIndexedShape& shape) { first = std::min(first, Intersect(shape, ray)); });
+  }
+  return first;
+}
+
+bool CBodyIndex::IsBlocked(const CRay3& segment, UInt32 start, UInt32 end) const {
+  SIndexedShape occluder{};
+  if (!FindOccluder(occluder, segment, start, end)) {
+    return false;
+  }
+  // robots that touch overlap a little: a solid inside the two bodies hides nothing
+  const Real enter = IntersectBody(end, segment);
+  const Real leave = IntersectBody(start, CRay3(segment.GetEnd(), segment.GetStart()));
+  const Real first = leave > 1.0 ? 0.0 : 1.0 - leave;
+  const Real last = std::min(enter, 1.0);
+  if (first >= last) {
+    return false;
+  }
+  const CVector3 from = segment.GetStart();
+  const CVector3 way = segment.GetEnd() - from;
+  const CRay3 between(from + first * way, from + last * way);
+  return Intersect(occluder, between) <= 1.0 || FindOccluder(occluder, between, start, end);
+}
+
+UInt32 CBodyIndex::FindOverlap(const SBodyDescription& description, const CVector3& position,
+                               const CQuaternion& orientation, UInt32 ignored) const {
+  UInt32 found = kNoBody;
+  const SPose pose = MakePose(position, orientation);
+  const auto place = [this](const SIndexedShape& shape) {
+    const SBody& body = m_bodies[shape.Body];
+    const SBodyPose& origin = *body.Origin;
+    return SPlacedSolid{&body.Description->Shapes[shape.Shape], origin.Position,
+                        origin.Orientation};
+  };
+  for (const SShapeDescription& solid : description.Shapes) {
+    const SIndexedShape shape = Pack(solid, pose, orientation);
+    ForShapesNear(shape.X, shape.Y, shape.Radius, [&](const SIndexedShape& other) {
+      if (other.Body == ignored || other.Body >= found || !ShapesOverlap(shape, other)) {
+        return;
+      }
+      // for a tilted solid, that was a test of its bounds
+      const bool isExact =
+          shape.Kind != SIndexedShape::EKind::Tilted && other.Kind != SIndexedShape::EKind::Tilted;
+      if (isExact || SolidsOverlap({&solid, position, orientation}, place(other))) {
+        found = other.Body;
+      }
+    });
+  }
+  return found;
+}
+
+}  // namespace argos

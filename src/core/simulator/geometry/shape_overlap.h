@@ -1,0 +1,18 @@
+#ifndef ARGOS3_CORE_SIMULATOR_GEOMETRY_SHAPE_OVERLAP_H
+#define ARGOS3_CORE_SIMULATOR_GEOMETRY_SHAPE_OVERLAP_H
+
+#include <argos3/core/simulator/geometry/indexed_shape.h>
+
+namespace argos {
+
+/**
+ * True if two solids share more than a touch: by over 1e-9 m in every direction.
+ *
+ * Exact for upright solids; one that is tilted counts as its bounding sphere's prism, see
+ * SolidsOverlap().
+ */
+bool ShapesOverlap(const SIndexedShape& a, const SIndexedShape& b);
+
+}  // namespace argos
+
+#endif

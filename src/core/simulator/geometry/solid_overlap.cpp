@@ -1,0 +1,203 @@
+#include <argos3/core/simulator/geometry/solid_overlap.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+// m; solids are made smaller by this on all sides, so that those that touch are apart by more than
+// what rounding does
+constexpr Real kSkin = 1e-7;
+// m; nearer than this to the origin, a simplex of the difference holds it
+constexpr Real kInside = 1e-9;
+// each step comes nearer to the origin; hardly ever are there more than ten
+constexpr int kMaxSteps = 100;
+
+CVector3 Cross(CVector3 a, const CVector3& b) {
+  return a.CrossProduct(b);
+}
+
+Real Sign(Real value) {
+  return value < 0.0 ? -1.0 : 1.0;
+}
+
+/** A convex solid, by its farthest point in any direction. */
+class CConvex {
+ public:
+  explicit CConvex(const SPlacedSolid& solid) : m_shape(*solid.Shape) {
+    const CQuaternion orientation = solid.Orientation * m_shape.Orientation;
+    for (UInt32 axis = 0; axis < 3; ++axis) {
+      m_axes[axis] = axis == 0 ? CVector3::X : axis == 1 ? CVector3::Y : CVector3::Z;
+      m_axes[axis].Rotate(orientation);
+    }
+    CVector3 offset = m_shape.Offset;
+    offset.Rotate(solid.Orientation);
+    m_centre = solid.Position + offset + m_axes[2] * (0.5 * m_shape.Size.GetZ());
+    m_half = m_shape.Size * 0.5 - CVector3(kSkin, kSkin, kSkin);
+    m_radius = m_shape.Radius - kSkin;
+  }
+
+  const CVector3& GetCentre() const { return m_centre; }
+
+  CVector3 FindFarthest(const CVector3& direction) const {
+    const Real x = direction.DotProduct(m_axes[0]);
+    const Real y = direction.DotProduct(m_axes[1]);
+    const Real z = direction.DotProduct(m_axes[2]);
+    switch (m_shape.Kind) {
+      case SShapeDescription::EKind::Box:
+        return m_centre + m_axes[0] * (Sign(x) * m_half.GetX()) +
+               m_axes[1] * (Sign(y) * m_half.GetY()) + m_axes[2] * (Sign(z) * m_half.GetZ());
+      case SShapeDescription::EKind::Cylinder: {
+        const Real across = std::hypot(x, y);
+        const Real scale = across > 0.0 ? m_radius / across : 0.0;
+        return m_centre + m_axes[0] * (x * scale) + m_axes[1] * (y * scale) +
+               m_axes[2] * (Sign(z) * m_half.GetZ());
+      }
+      case SShapeDescription::EKind::Sphere:
+        break;
+    }
+    const Real length = direction.Length();
+    return length > 0.0 ? m_centre + direction * (m_radius / length) : m_centre;
+  }
+
+ private:
+  const SShapeDescription& m_shape;
+  std::array<CVector3, 3> m_axes;  // of unit length
+  CVector3 m_centre;  // m
+  CVector3 m_half;  // m, of a box; its z also of a cylinder
+  Real m_radius;  // m, of a cylinder or sphere
+};
+
+/** Up to four points; keeps those between which the nearest point to the origin is. */
+class CSimplex {
+ public:
+  void Add(const CVector3& point) { m_points[m_count++] = point; }
+  size_t GetCount() const { return m_count; }
+
+  /** @return the nearest point to the origin; 0 if that is inside a tetrahedron. */
+  CVector3 Reduce() {
+    switch (m_count) {
+      case 1:
+        return m_points[0];
+      case 2:
+        return ReduceTo(NearestOnLine(0, 1));
+      case 3:
+        return ReduceTo(NearestOnTriangle({0, 1, 2}));
+      default:
+        return ReduceTetrahedron();
+    }
+  }
+
+ private:
+  // a feature of the simplex, and its nearest point to the origin
+  struct SNearest {
+    CVector3 Point;
+    std::array<size_t, 3> Corners{};
+    size_t Count = 0;
+  };
+
+  CVector3 ReduceTo(const SNearest& nearest) {
+    std::array<CVector3, 3> kept;
+    for (size_t i = 0; i < nearest.Count; ++i) {
+      kept[i] = m_points[nearest.Corners[i]];
+    }
+    std::copy_n(kept.begin(), nearest.Count, m_points.begin());
+    m_count = nearest.Count;
+    return nearest.Point;
+  }
+
+  SNearest NearestOnLine(size_t start, size_t end) const {
+    const CVector3& a = m_points[start];
+    const CVector3 along = m_points[end] - a;
+    const Real t = -a.DotProduct(along);
+    const Real length = along.SquareLength();
+    if (t <= 0.0 || !(length > 0.0)) {
+      return {a, {start}, 1};
+    }
+    if (t >= length) {
+      return {m_points[end], {end}, 1};
+    }
+    return {a + along * (t / length), {start, end}, 2};
+  }
+
+  static void Improve(SNearest& best, const SNearest& other) {
+    if (best.Count == 0 || other.Point.SquareLength() < best.Point.SquareLength()) {
+      best = other;
+    }
+  }
+
+  SNearest NearestOnTriangle(const std::array<size_t, 3>& corners) const {
+    const CVector3& a = m_points[corners[0]];
+    const CVector3& b = m_points[corners[1]];
+    const CVector3& c = m_points[corners[2]];
+    const CVector3 normal = Cross(b - a, c - a);
+    const Real square = normal.SquareLength();
+    // is the origin over the inside of all three sides?
+    if (square > 0.0 && Cross(b - a, normal).DotProduct(a) > 0.0 &&
+        Cross(c - b, normal).DotProduct(b) > 0.0 && Cross(a - c, normal).DotProduct(c) > 0.0) {
+      return {normal * (a.DotProduct(normal) / square), corners, 3};
+    }
+    SNearest best;
+    Improve(best, NearestOnLine(corners[0], corners[1]));
+    Improve(best, NearestOnLine(corners[1], corners[2]));
+    Improve(best, NearestOnLine(corners[2], corners[0]));
+    return best;
+  }
+
+  CVector3 ReduceTetrahedron() {
+    SNearest best;
+    bool isInside = true;
+    for (size_t opposite = 0; opposite < 4; ++opposite) {
+      const std::array<size_t, 3> face = {(opposite + 1) % 4, (opposite + 2) % 4,
+                                          (opposite + 3) % 4};
+      const CVector3& a = m_points[face[0]];
+      const CVector3 normal = Cross(m_points[face[1]] - a, m_points[face[2]] - a);
+      const Real origin = -a.DotProduct(normal);
+      const Real inner = (m_points[opposite] - a).DotProduct(normal);
+      if (origin * inner < 0.0 || inner == 0.0) {
+        isInside = false;
+        Improve(best, NearestOnTriangle(face));
+      }
+    }
+    return isInside ? CVector3() : ReduceTo(best);
+  }
+
+  std::array<CVector3, 4> m_points;
+  size_t m_count = 0;
+};
+
+}  // namespace
+
+// They overlap if the origin is in the set of differences of their points. Of that, the farthest
+// points in directions towards the origin are known; a plane that holds it off shows that it is
+// not.
+bool SolidsOverlap(const SPlacedSolid& a, const SPlacedSolid& b) {
+  const CConvex first(a);
+  const CConvex second(b);
+  CSimplex simplex;
+  CVector3 nearest = first.GetCentre() - second.GetCentre();
+  if (nearest.Length() < kInside) {
+    return true;
+  }
+  Real before = HUGE_VAL;
+  for (int step = 0; step < kMaxSteps; ++step) {
+    const CVector3 farthest = first.FindFarthest(-nearest) - second.FindFarthest(nearest);
+    if (nearest.DotProduct(farthest) > 0.0) {
+      return false;
+    }
+    simplex.Add(farthest);
+    nearest = simplex.Reduce();
+    const Real distance = nearest.Length();
+    // where rounding lets it come no nearer, it is as near as that
+    if (distance < kInside || distance >= before) {
+      return true;
+    }
+    before = distance;
+  }
+  return true;
+}
+
+}  // namespace argos

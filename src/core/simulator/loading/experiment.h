@@ -1,0 +1,63 @@
+#ifndef ARGOS3_CORE_SIMULATOR_LOADING_EXPERIMENT_H
+#define ARGOS3_CORE_SIMULATOR_LOADING_EXPERIMENT_H
+
+#include <argos3/core/simulator/context/simulation_context.h>
+#include <argos3/core/utility/math/rng.h>
+
+#include <exception>
+#include <memory>
+#include <vector>
+
+namespace argos {
+
+class CConfigurationDocument;
+class CLoopFunctions;
+class CProfiler;
+class CThreadPool;
+class CTick;
+class CVisualization;
+struct STickTimes;
+
+/**
+ * What exists from the loading of an experiment to its destruction.
+ *
+ * The destructor destroys it all: the visualization, the entities, the loop functions, media,
+ * engines, random numbers and threads, in this order.
+ */
+struct SExperiment {
+  explicit SExperiment(SSimulationContext& context);
+  ~SExperiment();
+  SExperiment(const SExperiment&) = delete;
+  SExperiment& operator=(const SExperiment&) = delete;
+
+  bool IsLoaded() const { return Rng != nullptr; }
+  /** The caller keeps ownership. */
+  void SetLoopFunctions(CLoopFunctions* loopFunctions);
+  /** Starts the profiler, which measures @p tick. */
+  void StartProfiling(std::unique_ptr<CProfiler> profiler, CTick& tick);
+  /** Calls the loop functions' Destroy() if their Init() was called. @return what it threw. */
+  std::exception_ptr DestroyLoopFunctions();
+  /** Writes the profile, if there is one. @return what that threw. */
+  std::exception_ptr FinishProfiling();
+
+  std::unique_ptr<CConfigurationDocument> OwnDocument; /**< null if the program owns it */
+  CConfigurationDocument* Document = nullptr;
+  CRandom::CRNG* Rng = nullptr; /**< the first of the category "argos", which owns it */
+  std::unique_ptr<CThreadPool> Pool; /**< without workers until an experiment is loaded */
+  std::unique_ptr<CProfiler> Profiler; /**< null: no profiling */
+  std::unique_ptr<STickTimes> ProfiledTicks; /**< with the profiler */
+  // in the order of the context's lists
+  std::vector<std::unique_ptr<CPhysicsEngine>> Engines;
+  std::vector<std::unique_ptr<CMedium>> Media;
+  std::unique_ptr<CLoopFunctions> OwnLoopFunctions; /**< null if the program owns them */
+  bool AreLoopFunctionsReady = false; /**< initialised and not destroyed */
+  std::unique_ptr<CVisualization> Visualization;
+
+ private:
+  SSimulationContext& m_context;
+  CTick* m_profiledTick = nullptr;
+};
+
+}  // namespace argos
+
+#endif

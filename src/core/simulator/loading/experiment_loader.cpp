@@ -1,0 +1,369 @@
+#include <argos3/core/simulator/loading/experiment_loader.h>
+
+#include <argos3/core/simulator/context/load_errors.h>
+#include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/loading/experiment.h>
+#include <argos3/core/simulator/loading/run_settings.h>
+#include <argos3/core/simulator/medium/medium.h>
+#include <argos3/core/simulator/physics_engine/space_partition.h>
+#include <argos3/core/simulator/placement/arena_filling.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/simulator/tick/loop_functions.h>
+#include <argos3/core/simulator/visualization/visualization.h>
+#include <argos3/core/utility/configuration/configuration_document.h>
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/plugins/dynamic_loading.h>
+#include <argos3/core/utility/profiler/profiler.h>
+#include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/core/utility/threads/thread_pool.h>
+
+namespace argos {
+
+namespace {
+
+void LoadLibraryOf(TConfigurationNode& node) {
+  if (NodeAttributeExists(node, "library")) {
+    std::string library;
+    GetNodeAttribute(node, "library", library);
+    CDynamicLoading::LoadLibrary(library);
+  }
+}
+
+// creates and initialises a part by the tag of its element
+template <typename BASE>
+std::unique_ptr<BASE> CreatePart(TConfigurationNode& node, const char* kind) {
+  if (!CFactory<BASE>::Exists(node.Value())) {
+    THROW_ARGOSEXCEPTION(node.GetLocation()
+                         << ": there is no " << kind << " of type <" << node.Value() << ">"
+                         << DidYouMean(node.Value(), CFactory<BASE>::GetLabels()));
+  }
+  try {
+    std::unique_ptr<BASE> part(CFactory<BASE>::New(node.Value()));
+    part->Init(node);
+    return part;
+  } catch (std::exception& error) {
+    THROW_ARGOSEXCEPTION_NESTED(node.GetLocation() << ": <" << node.Value() << ">: the " << kind
+                                                   << " cannot be initialised",
+                                error);
+  }
+}
+
+// initialises every child of a section; ids must be unique
+template <typename BASE>
+void CreateParts(TConfigurationNode& section, const char* kind, CLoadErrors& errors,
+                 const std::function<void(std::unique_ptr<BASE>)>& take,
+                 const std::function<void(const std::string&)>& markBroken) {
+  std::map<std::string, std::string> locations;
+  TConfigurationNodeIterator it;
+  for (it = it.begin(&section); it != it.end(); ++it) {
+    const bool good = errors.Try("", [&] {
+      std::unique_ptr<BASE> part = CreatePart<BASE>(*it, kind);
+      const auto [other, inserted] = locations.emplace(part->GetId(), it->GetLocation());
+      if (!inserted) {
+        THROW_ARGOSEXCEPTION(it->GetLocation()
+                             << ": there is already a " << kind << " with id \"" << part->GetId()
+                             << "\" at " << other->second << "; ids must be unique");
+      }
+      take(std::move(part));
+    });
+    if (!good) {
+      std::string id;
+      GetNodeAttributeOrDefault(*it, "id", id, id);
+      markBroken(id);
+    }
+  }
+}
+
+}  // namespace
+
+void CExperimentLoader::Load() {
+  CLoadErrors errors;
+  m_context.Loading.Begin();
+  ApplyOverrides(errors);
+  TConfigurationNode& root = m_experiment.Document->GetRoot();
+  // a missing or invalid section is one error; the others are still checked
+  const auto section = [&](const std::string& tag, auto&& init) {
+    return errors.Try("", [&] { init(GetNode(root, tag)); });
+  };
+  section("framework", [&](TConfigurationNode& node) { InitFramework(node, errors); });
+  if (!m_experiment.IsLoaded()) {
+    // nothing else can be checked without tick length and seed
+    errors.ThrowIfAny();
+  }
+  section("controllers", [&](TConfigurationNode& node) { InitControllers(node, errors); });
+  CreateLoopFunctions(root, errors);
+  if (!section("physics_engines", [&](TConfigurationNode& node) { InitPhysics(node, errors); })) {
+    m_context.Loading.MarkBroken("physics_engines");
+  }
+  section("media", [&](TConfigurationNode& node) { InitMedia(node, errors); });
+  section("arena", [&](TConfigurationNode& node) { InitArena(node, errors); });
+  InitLoopFunctions(root, errors);
+  PostSpaceInit(errors);
+  InitVisualization(root, errors);
+  errors.ThrowIfAny();
+  m_context.Loading.End();
+  m_context.Space->MarkStart();
+  WarnOfUnreadParts();
+  LOG.Flush();
+  LOGERR.Flush();
+}
+
+void CExperimentLoader::ApplyOverrides(CLoadErrors& errors) {
+  for (const auto& [path, value] : m_settings.Overrides) {
+    errors.Try("--set " + path + "=" + value, [&, &path = path, &value = value] {
+      const std::string done = m_experiment.Document->SetByPath(path, value);
+      LOG << "[INFO] " << done << std::endl;
+    });
+  }
+}
+
+void CExperimentLoader::InitFramework(TConfigurationNode& node, CLoadErrors& errors) {
+  errors.Try(node.GetLocation() + ": <framework>", [&] { InitSystem(node); });
+  errors.Try("", [&] { InitExperiment(node); });
+  if (NodeExists(node, "profiling")) {
+    errors.Try("", [&] { InitProfiling(GetNode(node, "profiling")); });
+  }
+}
+
+void CExperimentLoader::InitSystem(TConfigurationNode& framework) {
+  UInt32 threads = 0;
+  std::string method = "balance_quantity";
+  bool pinToCores = false;
+  if (NodeExists(framework, "system")) {
+    TConfigurationNode& system = GetNode(framework, "system");
+    GetNodeAttributeOrDefault(system, "threads", threads, threads);
+    GetNodeAttributeOrDefault(system, "method", method, method);
+    GetNodeAttributeOrDefault(system, "pin_threads_to_cores", pinToCores, pinToCores);
+  }
+  if (!m_settings.AreThreadsSet) {
+    m_settings.NumThreads = threads;
+  }
+  try {
+    constexpr UInt32 kMostThreads = 4096;
+    if (m_settings.NumThreads > kMostThreads) {
+      THROW_ARGOSEXCEPTION("at most " << kMostThreads << " threads are possible, found "
+                                      << m_settings.NumThreads);
+    }
+    m_experiment.Pool = std::make_unique<CThreadPool>(m_settings.NumThreads, CreateSchedule(method),
+                                                      pinToCores, m_startWorker);
+    m_context.Pool = m_experiment.Pool.get();
+  } catch (std::exception& error) {
+    const bool hasNode = NodeExists(framework, "system");
+    THROW_ARGOSEXCEPTION_NESTED((hasNode ? GetNode(framework, "system") : framework).GetLocation()
+                                    << ": <" << (hasNode ? "system" : "framework")
+                                    << ">: the threads cannot be started",
+                                error);
+  }
+  if (m_settings.NumThreads > 0) {
+    LOG << "[INFO] Using " << m_settings.NumThreads << " threads (" << method << ")" << std::endl;
+  } else {
+    LOG << "[INFO] Not using threads" << std::endl;
+  }
+}
+
+void CExperimentLoader::InitExperiment(TConfigurationNode& framework) {
+  TConfigurationNode& experiment = GetNode(framework, "experiment");
+  UInt32 ticksPerSecond = 0;
+  GetNodeAttribute(experiment, "ticks_per_second", ticksPerSecond);
+  if (ticksPerSecond == 0) {
+    THROW_ARGOSEXCEPTION(experiment.GetLocation()
+                         << ": <experiment>: \"ticks_per_second\" must be at least 1, found 0");
+  }
+  m_context.TickLength = 1.0 / ticksPerSecond;
+  Real length = 0.0;
+  GetNodeAttributeOrDefault(experiment, "length", length, length);
+  try {
+    m_settings.SetLength(m_settings.IsLengthSet ? m_settings.Length : length, m_context.TickLength);
+    if (m_settings.Length > 0.0 && m_settings.MaxClock == 0) {
+      THROW_ARGOSEXCEPTION("a length of " << m_settings.Length << " s is less than one tick, "
+                                          << m_context.TickLength << " s; 0 means unlimited");
+    }
+  } catch (std::exception& error) {
+    THROW_ARGOSEXCEPTION_NESTED(experiment.GetLocation() << ": <experiment>: invalid \"length\"",
+                                error);
+  }
+  GetNodeAttributeOrDefault(experiment, "real_time", m_settings.IsRealTime, m_settings.IsRealTime);
+  InitRandom(experiment);
+  LOG << "[INFO] Total experiment length in clock ticks = "
+      << (m_settings.MaxClock > 0 ? ToString(m_settings.MaxClock) : "unlimited") << std::endl;
+}
+
+void CExperimentLoader::InitRandom(TConfigurationNode& experiment) {
+  UInt32 seed = 0;
+  GetNodeAttributeOrDefault(experiment, "random_seed", seed, seed);
+  if (!m_settings.IsSeedSet) {
+    m_settings.IsSeedFromClock = seed == 0;
+    m_settings.Seed = seed;
+    if (m_settings.IsSeedFromClock) {
+      m_settings.DrawSeedFromClock();
+    }
+  }
+  LOG << "[INFO] Using random seed = " << m_settings.Seed << std::endl;
+  CRandom::CreateCategory("argos", m_settings.Seed);
+  m_experiment.Rng = CRandom::CreateRNG("argos");
+  LOG << "[INFO] Using simulation clock tick = " << m_context.TickLength << " s" << std::endl;
+}
+
+void CExperimentLoader::InitProfiling(TConfigurationNode& node) {
+  std::string file;
+  std::string format;
+  bool truncate = true;
+  GetNodeAttribute(node, "file", file);
+  GetNodeAttribute(node, "format", format);
+  GetNodeAttributeOrDefault(node, "truncate_file", truncate, truncate);
+  m_experiment.StartProfiling(std::make_unique<CProfiler>(file, format, truncate), m_tick);
+}
+
+void CExperimentLoader::InitControllers(TConfigurationNode& section, CLoadErrors& errors) {
+  TConfigurationNodeIterator it;
+  for (it = it.begin(&section); it != it.end(); ++it) {
+    errors.Try("", [&] { InitController(*it); });
+  }
+}
+
+void CExperimentLoader::InitController(TConfigurationNode& node) {
+  std::string id;
+  GetNodeAttribute(node, "id", id);
+  if (id.empty()) {
+    THROW_ARGOSEXCEPTION(
+        node.GetLocation()
+        << ": <" << node.Value()
+        << ">: attribute \"id\" is empty; robots refer to their controller by id, as in "
+           "<controller config=\"...\" />");
+  }
+  m_context.Loading.AddController(id, node);
+  try {
+    LoadLibraryOf(node);
+  } catch (std::exception& error) {
+    m_context.Loading.MarkBroken(id);
+    THROW_ARGOSEXCEPTION_NESTED(
+        node.GetLocation() << ": <" << node.Value() << " id=\"" << id << "\">", error);
+  }
+}
+
+void CExperimentLoader::CreateLoopFunctions(TConfigurationNode& root, CLoadErrors& errors) {
+  if (NodeExists(root, "loop_functions")) {
+    TConfigurationNode& node = GetNode(root, "loop_functions");
+    errors.Try("", [&] {
+      try {
+        std::string label;
+        GetNodeAttribute(node, "label", label);
+        LoadLibraryOf(node);
+        AdoptLoopFunctions(std::unique_ptr<CLoopFunctions>(CFactory<CLoopFunctions>::New(label)));
+      } catch (std::exception& error) {
+        THROW_ARGOSEXCEPTION_NESTED(node.GetLocation() << ": <loop_functions>", error);
+      }
+    });
+  }
+  if (m_context.LoopFunctions == nullptr) {
+    AdoptLoopFunctions(std::make_unique<CLoopFunctions>());
+  }
+}
+
+void CExperimentLoader::AdoptLoopFunctions(std::unique_ptr<CLoopFunctions> loopFunctions) {
+  m_experiment.OwnLoopFunctions = std::move(loopFunctions);
+  m_experiment.SetLoopFunctions(m_experiment.OwnLoopFunctions.get());
+}
+
+void CExperimentLoader::InitArena(TConfigurationNode& node, CLoadErrors& errors) {
+  CSpace& space = *m_context.Space;
+  if (errors.Try("the arena", [&] { space.Init(node); })) {
+    FillArena(space, node, errors);
+  }
+  space.GetBodyIndex().Rebuild(*m_context.Pool);
+}
+
+void CExperimentLoader::InitPhysics(TConfigurationNode& section, CLoadErrors& errors) {
+  // a missing arena is reported by its own section
+  if (NodeExists(m_experiment.Document->GetRoot(), "arena") &&
+      !ExpandAutoPartitions(section, GetNode(m_experiment.Document->GetRoot(), "arena"), errors)) {
+    m_context.Loading.MarkBroken("physics_engines");
+  }
+  CreateParts<CPhysicsEngine>(
+      section, "physics engine", errors,
+      [this](std::unique_ptr<CPhysicsEngine> engine) {
+        LOG << "[INFO] The physics engine \"" << engine->GetId() << "\" will perform "
+            << engine->GetIterations()
+            << " iterations per tick (dt = " << engine->GetPhysicsClockTick() << " s)" << std::endl;
+        m_context.Engines.push_back(engine.get());
+        m_experiment.Engines.push_back(std::move(engine));
+      },
+      [this](const std::string&) { m_context.Loading.MarkBroken("physics_engines"); });
+  CheckPartition(m_context.Engines, errors);
+}
+
+void CExperimentLoader::InitMedia(TConfigurationNode& section, CLoadErrors& errors) {
+  CreateParts<CMedium>(
+      section, "medium", errors,
+      [this](std::unique_ptr<CMedium> medium) {
+        m_context.Media.push_back(medium.get());
+        m_experiment.Media.push_back(std::move(medium));
+      },
+      [this](const std::string& id) { m_context.Loading.MarkBroken(id); });
+}
+
+void CExperimentLoader::InitLoopFunctions(TConfigurationNode& root, CLoadErrors& errors) {
+  // loop functions may use every entity, and would fail as a consequence of reported errors
+  if (!errors.IsEmpty()) {
+    return;
+  }
+  if (!NodeExists(root, "loop_functions")) {
+    m_experiment.AreLoopFunctionsReady = true;
+    return;
+  }
+  TConfigurationNode& node = GetNode(root, "loop_functions");
+  m_experiment.AreLoopFunctionsReady =
+      errors.Try(node.GetLocation() + ": <loop_functions> cannot be initialised",
+                 [&] { m_context.LoopFunctions->Init(node); });
+}
+
+void CExperimentLoader::PostSpaceInit(CLoadErrors& errors) {
+  if (!errors.IsEmpty()) {
+    return;
+  }
+  FindBorders(m_context.Engines, m_context.Arena.Limits);
+  for (CPhysicsEngine* engine : m_context.Engines) {
+    errors.Try("physics engine \"" + engine->GetId() + "\"", [&] { engine->PostSpaceInit(); });
+  }
+  for (CMedium* medium : m_context.Media) {
+    errors.Try("medium \"" + medium->GetId() + "\"", [&] { medium->PostSpaceInit(); });
+  }
+  m_context.Loading.RunChecks(errors);
+}
+
+void CExperimentLoader::InitVisualization(TConfigurationNode& root, CLoadErrors& errors) {
+  TConfigurationNodeIterator it;
+  if (NodeExists(root, "visualization")) {
+    TConfigurationNode& section = GetNode(root, "visualization");
+    if (m_settings.ForceNoVisualization) {
+      MarkSubtreeRead(section);
+    } else {
+      it = it.begin(&section);
+    }
+  }
+  if (it != it.end() && !CFactory<CVisualization>::Exists(it->Value())) {
+    LOGERR << "[WARNING] " << it->GetLocation() << ": there is no visualization <" << it->Value()
+           << ">" << DidYouMean(it->Value(), CFactory<CVisualization>::GetLabels())
+           << "; running without one" << std::endl;
+    MarkSubtreeRead(*it);
+  } else if (it != it.end()) {
+    errors.Try(
+        "", [&] { m_experiment.Visualization = CreatePart<CVisualization>(*it, "visualization"); });
+    return;
+  }
+  LOG << "[INFO] Running without visualization" << std::endl;
+  m_experiment.Visualization = m_makeDefaultVisualization();
+}
+
+void CExperimentLoader::WarnOfUnreadParts() const {
+  m_experiment.Document->ForEachUnread(
+      [](const CConfigurationNode& node, const std::string& attribute) {
+        LOGERR << "[WARNING] " << node.GetLocation() << ": <" << node.Value() << ">";
+        if (!attribute.empty()) {
+          LOGERR << ": attribute \"" << attribute << "\"";
+        }
+        LOGERR << " is not used by anything" << std::endl;
+      });
+}
+
+}  // namespace argos

@@ -1,0 +1,70 @@
+#ifndef ARGOS3_CORE_SIMULATOR_LOADING_EXPERIMENT_LOADER_H
+#define ARGOS3_CORE_SIMULATOR_LOADING_EXPERIMENT_LOADER_H
+
+#include <argos3/core/simulator/context/simulation_context.h>
+
+#include <functional>
+#include <memory>
+#include <utility>
+
+namespace argos {
+
+class CLoopFunctions;
+class CTick;
+class CVisualization;
+struct SExperiment;
+struct SRunSettings;
+
+/**
+ * Makes an experiment from its document: the parts of the file, in the order of their
+ * initialisation. A failed part is recorded and loading continues, so that one run reports all
+ * errors.
+ */
+class CExperimentLoader {
+ public:
+  /** @param experiment  has a document; gets the parts. @param settings  completed from the file.
+   */
+  CExperimentLoader(SSimulationContext& context, CTick& tick, SExperiment& experiment,
+                    SRunSettings& settings)
+      : m_context(context), m_tick(tick), m_experiment(experiment), m_settings(settings) {}
+
+  /** What each worker thread calls first. */
+  void SetWorkerStart(std::function<void()> start) { m_startWorker = std::move(start); }
+  /** Makes the visualization of an experiment without one. */
+  void SetDefaultVisualization(std::function<std::unique_ptr<CVisualization>()> make) {
+    m_makeDefaultVisualization = std::move(make);
+  }
+
+  /** @throws CARGoSException that reports all errors that can be found without running. */
+  void Load();
+
+ private:
+  void ApplyOverrides(CLoadErrors& errors);
+  void InitFramework(TConfigurationNode& node, CLoadErrors& errors);
+  void InitSystem(TConfigurationNode& framework);
+  void InitExperiment(TConfigurationNode& framework);
+  void InitProfiling(TConfigurationNode& framework);
+  void InitRandom(TConfigurationNode& experiment);
+  void InitControllers(TConfigurationNode& node, CLoadErrors& errors);
+  void InitController(TConfigurationNode& node);
+  void CreateLoopFunctions(TConfigurationNode& root, CLoadErrors& errors);
+  void AdoptLoopFunctions(std::unique_ptr<CLoopFunctions> loopFunctions);
+  void InitPhysics(TConfigurationNode& node, CLoadErrors& errors);
+  void InitMedia(TConfigurationNode& node, CLoadErrors& errors);
+  void InitArena(TConfigurationNode& node, CLoadErrors& errors);
+  void InitLoopFunctions(TConfigurationNode& root, CLoadErrors& errors);
+  void PostSpaceInit(CLoadErrors& errors);
+  void InitVisualization(TConfigurationNode& root, CLoadErrors& errors);
+  void WarnOfUnreadParts() const;
+
+  SSimulationContext& m_context;
+  CTick& m_tick;
+  SExperiment& m_experiment;
+  SRunSettings& m_settings;
+  std::function<void()> m_startWorker;
+  std::function<std::unique_ptr<CVisualization>()> m_makeDefaultVisualization;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,39 @@
+#ifndef ARGOS3_CORE_SIMULATOR_LOADING_RUN_SETTINGS_H
+#define ARGOS3_CORE_SIMULATOR_LOADING_RUN_SETTINGS_H
+
+#include <argos3/core/utility/datatypes/datatypes.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace argos {
+
+/** How an experiment is run: from its file, unless the program that runs it has set something else.
+ */
+struct SRunSettings {
+  std::vector<std::pair<std::string, std::string>> Overrides; /**< `--set`: path and value */
+  bool ForceNoVisualization = false;
+
+  bool IsSeedSet = false; /**< by the program */
+  bool IsSeedFromClock = true; /**< neither set nor in the file: each Reset() draws another */
+  UInt32 Seed = 0;
+
+  bool AreThreadsSet = false; /**< by the program */
+  UInt32 NumThreads = 0; /**< 0 = main thread only */
+
+  bool IsLengthSet = false; /**< by the program */
+  Real Length = 0.0; /**< s; 0 = unlimited */
+  UInt32 MaxClock = 0; /**< ticks; 0 = unlimited */
+  bool IsRealTime = false;
+
+  /** @throws CARGoSException if it is not a length, or has more ticks than can be counted. */
+  void SetLength(Real seconds, Real tickLength);
+  void DrawSeedFromClock();
+  /** What the program has set holds for one experiment; the values stay readable. */
+  void ForgetWhatWasSet();
+};
+
+}  // namespace argos
+
+#endif

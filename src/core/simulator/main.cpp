@@ -1,5 +1,0 @@
-#include <argos3/core/simulator/command_line.h>
-
-int main(int argc, char** argv) {
-  return argos::RunCommandLine(argc, argv);
-}

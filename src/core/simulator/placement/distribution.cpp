@@ -1,0 +1,185 @@
+#include <argos3/core/simulator/placement/distribution.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/entity/positional_entity.h>
+#include <argos3/core/simulator/context/simulation_context.h>
+#include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/space/space.h>
+
+#include <array>
+#include <charconv>
+#include <sstream>
+
+namespace argos {
+
+namespace {
+
+// shortest text that reads back to the very same numbers
+std::string ExactText(const CVector3& vector) {
+  std::string text;
+  std::array<char, 32> buffer{};
+  for (UInt32 axis = 0; axis < 3; ++axis) {
+    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), vector[axis]);
+    text += axis > 0 ? "," : "";
+    text.append(buffer.data(), result.ptr);
+  }
+  return text;
+}
+
+CQuaternion FromDegrees(const CVector3& zyx) {
+  CQuaternion orientation;
+  orientation.FromEulerAngles(ToRadians(CDegrees(zyx.GetX())), ToRadians(CDegrees(zyx.GetY())),
+                              ToRadians(CDegrees(zyx.GetZ())));
+  return orientation;
+}
+
+// robots that are created during its lifetime get no controller: only their shape is needed
+class CProbing {
+ public:
+  explicit CProbing(CSpace& space) : m_space(space) {
+    m_space.GetContext().Loading.SetProbing(true);
+  }
+  ~CProbing() { m_space.GetContext().Loading.SetProbing(false); }
+  CProbing(const CProbing&) = delete;
+  CProbing& operator=(const CProbing&) = delete;
+
+ private:
+  CSpace& m_space;
+};
+
+CEmbodiedEntity* FindBody(CEntity& entity) {
+  auto* composable = dynamic_cast<CComposableEntity*>(&entity);
+  if (composable == nullptr || !composable->HasComponent("body")) {
+    return nullptr;
+  }
+  return &composable->GetComponent<CEmbodiedEntity>("body");
+}
+
+}  // namespace
+
+CDistribution::CDistribution(CSpace& space, TConfigurationNode& node)
+    : m_space(space), m_node(node) {
+  m_positions = CreateVectorGenerator(GetNode(node, "position"), space.GetRNG());
+  m_orientations = CreateVectorGenerator(GetNode(node, "orientation"), space.GetRNG());
+  TConfigurationNode& entity = GetNode(node, "entity");
+  GetNodeAttribute(entity, "quantity", m_quantity);
+  GetNodeAttribute(entity, "max_trials", m_maxTrials);
+  GetNodeAttributeOrDefault(entity, "base_num", m_baseNumber, UInt64(0));
+  TConfigurationNodeIterator it;
+  it = it.begin(&entity);
+  if (it == it.end()) {
+    THROW_ARGOSEXCEPTION(entity.GetLocation()
+                         << ": <entity> must hold the element to distribute, such as <foot-bot>");
+  }
+  m_template = &*it;
+  GetNodeAttribute(*m_template, "id", m_baseId);
+}
+
+void CDistribution::Place() {
+  if (m_quantity == 0) {
+    return;
+  }
+  try {
+    Probe();
+    for (UInt64 i = 0; i < m_quantity; ++i) {
+      PlaceOne(i);
+    }
+  } catch (const CAlreadyReported&) {
+    m_template->SetAttribute("id", m_baseId);
+    throw;
+  } catch (std::exception& error) {
+    m_template->SetAttribute("id", m_baseId);
+    THROW_ARGOSEXCEPTION_NESTED(m_node.GetLocation() << ": <distribute> of <" << m_template->Value()
+                                                     << " id=\"" << m_baseId << "\"> failed",
+                                error);
+  }
+  m_template->SetAttribute("id", m_baseId);
+}
+
+// makes one entity of the kind, without a controller, to learn what its body is
+void CDistribution::Probe() {
+  const CProbing probing(m_space);
+  const std::unique_ptr<CEntity> probe(CFactory<CEntity>::New(m_template->Value()));
+  // of things without a body, the pose is an attribute of the element itself
+  m_poseNode = m_template;
+  if (dynamic_cast<CPositionalEntity*>(probe.get()) == nullptr) {
+    if (!NodeExists(*m_template, "body")) {
+      TConfigurationNode body("body");
+      AddChildNode(*m_template, body);
+    }
+    m_poseNode = &GetNode(*m_template, "body");
+  }
+  WriteIntoTemplate(m_baseId, CVector3(), CVector3());
+  probe->Init(*m_template);
+  if (CEmbodiedEntity* body = FindBody(*probe)) {
+    m_hasBody = true;
+    m_body = body->GetSharedBodyDescription();
+  } else if (m_poseNode != m_template) {
+    THROW_ARGOSEXCEPTION("<" << m_template->Value()
+                             << "> has neither a body nor a position: it cannot be distributed");
+  }
+  probe->Destroy();
+}
+
+void CDistribution::PlaceOne(UInt64 number) {
+  const std::string id = m_baseId + std::to_string(m_baseNumber + number);
+  const bool canRetry = m_positions->CanRetry() || m_orientations->CanRetry();
+  const UInt64 trials = canRetry ? m_maxTrials + 1 : 1;
+  for (UInt64 trial = 0; trial < trials; ++trial) {
+    const CVector3 position = m_positions->Next(trial > 0);
+    const CVector3 angles = m_orientations->Next(trial > 0);
+    const CQuaternion orientation = FromDegrees(angles);
+    if (!IsFree(position, orientation)) {
+      continue;
+    }
+    WriteIntoTemplate(id, position, angles);
+    if (TryToCreate(id)) {
+      return;
+    }
+  }
+  GiveUp(id, trials);
+}
+
+bool CDistribution::IsFree(const CVector3& position, const CQuaternion& orientation) {
+  m_lastPosition = position;
+  if (m_body == nullptr) {
+    return true;
+  }
+  const CBodyIndex& index = m_space.GetBodyIndex();
+  const UInt32 obstacle = index.FindOverlap(*m_body, position, orientation, CBodyIndex::kNoBody);
+  if (obstacle == CBodyIndex::kNoBody) {
+    return true;
+  }
+  m_lastObstacle = index.GetBody(obstacle).GetRootEntity().GetId();
+  return false;
+}
+
+bool CDistribution::TryToCreate(const std::string& id) {
+  CEntity& entity = m_space.CreateEntity(*m_template);
+  // bodies that the index does not know are tested by their engine, once they are there
+  if (!m_hasBody || m_body != nullptr || !FindBody(entity)->IsCollidingWithSomething()) {
+    return true;
+  }
+  m_lastObstacle = "something in its engine";
+  CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(m_space, m_space.GetEntity(id));
+  return false;
+}
+
+void CDistribution::WriteIntoTemplate(const std::string& id, const CVector3& position,
+                                      const CVector3& anglesInDegrees) {
+  m_template->SetAttribute("id", id);
+  m_poseNode->SetAttribute("position", ExactText(position));
+  m_poseNode->SetAttribute("orientation", ExactText(anglesInDegrees));
+}
+
+void CDistribution::GiveUp(const std::string& id, UInt64 trials) const {
+  std::ostringstream message;
+  message << "no free place for \"" << id << "\" after " << trials
+          << (trials == 1 ? " trial" : " trials") << "; positions are " << m_positions->Describe()
+          << "; the last one, (" << m_lastPosition << "), is taken by \"" << m_lastObstacle
+          << "\"; make the area larger, the quantity smaller, or \"max_trials\" larger";
+  THROW_ARGOSEXCEPTION(message.str());
+}
+
+}  // namespace argos

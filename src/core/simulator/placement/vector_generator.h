@@ -1,0 +1,37 @@
+#ifndef ARGOS3_CORE_SIMULATOR_PLACEMENT_VECTOR_GENERATOR_H
+#define ARGOS3_CORE_SIMULATOR_PLACEMENT_VECTOR_GENERATOR_H
+
+#include <argos3/core/utility/configuration/argos_configuration.h>
+#include <argos3/core/utility/math/rng.h>
+#include <argos3/core/utility/math/vector3.h>
+
+#include <memory>
+#include <string>
+
+namespace argos {
+
+/** Gives the positions, or the Euler angles, of distributed entities one after the other. */
+class CVectorGenerator {
+ public:
+  virtual ~CVectorGenerator() = default;
+  /** The next triple. @param failed  true if the last one was refused. */
+  virtual CVector3 Next(bool failed) = 0;
+  /** False if asking again gives the same triple, so that there is no point in a second trial. */
+  virtual bool CanRetry() const { return true; }
+  /** For messages: "drawn uniformly from (...) to (...)". */
+  virtual std::string Describe() const = 0;
+};
+
+/**
+ * Makes the generator of a `<position>` or `<orientation>` element.
+ * @param method  its `method`: uniform (min, max), gaussian (mean, std_dev), constant (values) or
+ *                grid (center, distances, layout).
+ * @param rng     draws random triples; must outlive the generator.
+ * @throws CARGoSException if the method is unknown or a parameter missing or out of range.
+ */
+std::unique_ptr<CVectorGenerator> CreateVectorGenerator(TConfigurationNode& node,
+                                                        CRandom::CRNG& rng);
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,346 @@
+#include <argos3/core/simulator/program/argos_command_line_arg_parser.h>
+
+#include <argos3/core/config.h>
+#include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/text/string_utilities.h>
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+#include <memory>
+
+namespace argos {
+
+namespace {
+
+constexpr char kFooter[] = R"(
+Examples:
+  argos3 -c experiment.argos                  run an experiment
+  argos3 -zc experiment.argos                 the same, without its visualization
+  argos3 -c experiment.argos --seed 7 --threads 4 --length 60
+                                              another seed, four threads, 60 simulated seconds
+  argos3 -c experiment.argos --set "//distribute/entity/@quantity=500"
+                                              change an attribute of the file for this run
+  argos3 -n -l log.txt -e errors.txt -c experiment.argos
+                                              write the two logs to files
+  argos3 -q sensors                           list all sensors
+  argos3 -q footbot_proximity                 describe every plug-in whose name contains the word
+
+Words for --query:
+  actuators, sensors, physics_engines, media, visualizations, entities, controllers,
+  loop_functions: a list of that kind; libraries can add kinds, such as dynamics3d_add_ons
+  all: all the lists
+  other words: the full documentation of the plug-ins whose name contains the word
+
+Paths for --set use XPath notation: /argos-configuration/framework/experiment/@length,
+arena/distribute[2]/entity/@quantity, //foot-bot[@id='fb0']/body/@position.
+
+Environment:
+  ARGOS_PLUGIN_PATH  folders, separated by colons, that are searched for libraries first
+  NO_COLOR           if set, logs have no colours
+
+Exit status: 0 after a normal end, 1 after an error, 130 or 143 if stopped by SIGINT or SIGTERM.
+)";
+
+std::string Title() {
+  return std::string("argos3, a simulator for swarms of robots, version ") + ARGOS_VERSION + "-" +
+         ARGOS_RELEASE + "\nReleased under the MIT License.\n";
+}
+
+// the values as given by the user; they are parsed by the rules of the experiment file
+struct SRawOptions {
+  bool Help = false;
+  bool Version = false;
+  std::string Seed;
+  std::string Threads;
+  std::string Length;
+  std::vector<std::string> Overrides;
+};
+
+class CHelpFormatter : public CLI::Formatter {
+ public:
+  CHelpFormatter() { column_width(32); }
+  std::string make_usage(const CLI::App*, std::string) const override {
+    return "Usage: argos3 (-c FILE | -q WORD | -h | -v) [options]\n";
+  }
+};
+
+// an option with one value; if given repeatedly, the last value counts
+CLI::Option* AddSingle(CLI::App& app, const std::string& names, std::string& value,
+                       const std::string& description) {
+  return app.add_option(names, value, description)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+}
+
+void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOptions& raw) {
+  app.set_help_flag();
+  app.allow_extras();
+  app.footer(kFooter);
+  app.formatter(std::make_shared<CHelpFormatter>());
+
+  const std::string actions = "Exactly one of";
+  AddSingle(app, "-c,--config-file", options.ExperimentFile, "run the experiment in this file")
+      ->type_name("FILE")
+      ->group(actions);
+  AddSingle(app, "-q,--query", options.Query, "list or describe plug-ins, see below")
+      ->type_name("WORD")
+      ->group(actions);
+  app.add_flag("-h,--help", raw.Help, "print this text")->group(actions);
+  app.add_flag("-v,--version", raw.Version, "print the version and how it was built")
+      ->group(actions);
+
+  const std::string output = "Output";
+  app.add_flag("-n,--no-color", options.NoColor,
+               "no colours in the logs; only terminals get colours")
+      ->group(output);
+  AddSingle(app, "-l,--log-file", options.LogFile, "write the log to this file; it is truncated")
+      ->type_name("FILE")
+      ->group(output);
+  AddSingle(app, "-e,--logerr-file", options.LogErrFile,
+            "write the error log to this file; it is truncated")
+      ->type_name("FILE")
+      ->group(output);
+
+  const std::string run = "For the run (with -c)";
+  app.add_flag("-z,--no-visualization", options.NoVisualization,
+               "ignore the <visualization> of the file")
+      ->group(run);
+  AddSingle(app, "--seed", raw.Seed, "random seed, overrides the file; 0: from the clock")
+      ->type_name("N")
+      ->group(run);
+  AddSingle(app, "--threads", raw.Threads,
+            "number of threads, overrides the file; at most 1024; results do not change")
+      ->type_name("N")
+      ->group(run);
+  AddSingle(app, "--length", raw.Length,
+            "simulated seconds to run, overrides the file; 0: no limit")
+      ->type_name("S")
+      ->group(run);
+  app.add_option("--set", raw.Overrides,
+                 "set an attribute of the file before it is used; may be repeated")
+      ->type_name("XPATH=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->group(run);
+  app.add_flag("--digest", options.Digest,
+               "print a digest of the final state; equal runs, equal digests")
+      ->group(run);
+}
+
+// collects problems, so that all of them are reported together
+class CProblems {
+ public:
+  void Add(const std::string& problem) { m_problems.push_back(problem); }
+
+  void ThrowIfAny() const {
+    if (m_problems.empty()) {
+      return;
+    }
+    std::string text = m_problems.size() == 1 ? "invalid command line: " : "invalid command line:";
+    for (const std::string& problem : m_problems) {
+      text += (m_problems.size() == 1 ? "" : "\n  - ") + problem;
+    }
+    THROW_ARGOSEXCEPTION(text << "\nTry argos3 --help");
+  }
+
+ private:
+  std::vector<std::string> m_problems;
+};
+
+std::vector<std::string> OptionNames(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) {
+      names.push_back("--" + name);
+    }
+  }
+  return names;
+}
+
+void CheckRepetitions(const CLI::App& app, CProblems& problems) {
+  for (const CLI::Option* option : app.get_options()) {
+    const bool takesOneValue =
+        option->get_expected_min() > 0 &&
+        option->get_multi_option_policy() == CLI::MultiOptionPolicy::TakeLast;
+    if (takesOneValue && option->count() > 1) {
+      problems.Add("--" + option->get_lnames().front() + " is given " +
+                   std::to_string(option->count()) + " times");
+    }
+  }
+}
+
+void CheckStrayWords(const CLI::App& app, CProblems& problems) {
+  bool afterUnknownOption = false;
+  for (const std::string& word : app.remaining()) {
+    if (word.size() > 1 && word[0] == '-' && word != "--") {
+      const std::string name = word.substr(0, word.find('='));
+      problems.Add("unknown option " + name + DidYouMean(name, OptionNames(app)));
+      afterUnknownOption = true;
+    } else {
+      // the word may be the value of the unknown option
+      if (!afterUnknownOption) {
+        problems.Add(
+            '"' + word + "\" belongs to no option" +
+            (word.find(".argos") != std::string::npos ? "; an experiment file goes after -c" : ""));
+      }
+      afterUnknownOption = false;
+    }
+  }
+}
+
+template <typename T>
+void ReadNumber(const CLI::App& app, const std::string& name, const std::string& text, T maximum,
+                const char* expected, std::optional<T>& value, CProblems& problems) {
+  if (app.count(name) == 0) {
+    return;
+  }
+  T number = T();
+  if (ParseNumber(text, number) != ENumberParsing::Ok || number < T() || number > maximum) {
+    problems.Add(name + " " + text + ": expected " + expected);
+    return;
+  }
+  value = number;
+}
+
+void ReadOverrides(const std::vector<std::string>& texts,
+                   std::vector<std::pair<std::string, std::string>>& overrides,
+                   CProblems& problems) {
+  for (const std::string& text : texts) {
+    // the path itself may contain '=', inside brackets: [@id='fb0']
+    size_t equals = 0;
+    for (int depth = 0; equals < text.size() && (depth > 0 || text[equals] != '='); ++equals) {
+      depth += text[equals] == '[' ? 1 : text[equals] == ']' ? -1 : 0;
+    }
+    if (equals == 0 || equals == text.size()) {
+      problems.Add("--set " + text +
+                   ": expected XPATH=VALUE, such as --set framework/experiment/@length=60");
+    } else {
+      overrides.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+    }
+  }
+}
+
+CARGoSCommandLineArgParser::EAction ChooseAction(const CLI::App& app, CProblems& problems) {
+  using EAction = CARGoSCommandLineArgParser::EAction;
+  const std::pair<const char*, EAction> choices[] = {
+      {"--config-file", EAction::ACTION_RUN_EXPERIMENT},
+      {"--query", EAction::ACTION_QUERY_PLUGINS},
+      {"--help", EAction::ACTION_SHOW_HELP},
+      {"--version", EAction::ACTION_SHOW_VERSION}};
+  EAction action = EAction::ACTION_UNKNOWN;
+  std::string given;
+  size_t count = 0;
+  for (const auto& [name, choice] : choices) {
+    if (app.count(name) > 0) {
+      action = choice;
+      given += (count++ == 0 ? "" : ", ") + std::string(name);
+    }
+  }
+  if (count == 0) {
+    problems.Add("one of -c FILE, -q WORD, -h, -v must be given");
+  } else if (count > 1) {
+    problems.Add("only one of -c, -q, -h, -v may be given, not " + given);
+  }
+  return action;
+}
+
+bool SameFile(const std::string& first, const std::string& second) {
+  std::error_code ignored;
+  return first == second || std::filesystem::equivalent(first, second, ignored);
+}
+
+void CheckFiles(const CLI::App& app, const CARGoSCommandLineArgParser::SOptions& options,
+                CProblems& problems) {
+  const std::pair<const char*, const std::string*> files[] = {
+      {"--config-file", &options.ExperimentFile},
+      {"--log-file", &options.LogFile},
+      {"--logerr-file", &options.LogErrFile}};
+  for (size_t i = 0; i < std::size(files); ++i) {
+    if (app.count(files[i].first) == 0) {
+      continue;
+    }
+    if (files[i].second->empty()) {
+      problems.Add(std::string(files[i].first) + " needs the name of a file, not an empty text");
+      continue;
+    }
+    for (size_t j = 0; j < i; ++j) {
+      if (app.count(files[j].first) > 0 && SameFile(*files[i].second, *files[j].second)) {
+        problems.Add(std::string(files[j].first) + " and " + files[i].first +
+                     " are the same file, " + *files[i].second);
+      }
+    }
+  }
+}
+
+void CheckNeedsRun(const CLI::App& app, CProblems& problems) {
+  for (const char* name : {"--seed", "--threads", "--length", "--set", "--digest"}) {
+    if (app.count(name) > 0) {
+      problems.Add(std::string(name) + " can only be used with -c FILE");
+    }
+  }
+}
+
+}  // namespace
+
+void CARGoSCommandLineArgParser::Parse(SInt32 argc, const char* const* argv) {
+  m_options = SOptions();
+  SRawOptions raw;
+  CLI::App app(Title(), "argos3");
+  Define(app, m_options, raw);
+  CProblems problems;
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    problems.Add(error.what());
+    problems.ThrowIfAny();
+  }
+
+  CheckRepetitions(app, problems);
+  CheckStrayWords(app, problems);
+  m_options.Action = ChooseAction(app, problems);
+  ReadNumber(app, "--seed", raw.Seed, ~UInt32(0), "an integer from 0 to 4294967295", m_options.Seed,
+             problems);
+  ReadNumber(app, "--threads", raw.Threads, kMaxThreads, "an integer from 0 to 1024",
+             m_options.Threads, problems);
+  ReadNumber(app, "--length", raw.Length, 1e18, "a number of seconds, at least 0", m_options.Length,
+             problems);
+  ReadOverrides(raw.Overrides, m_options.Overrides, problems);
+  CheckFiles(app, m_options, problems);
+  if (m_options.Action == ACTION_QUERY_PLUGINS || m_options.Action == ACTION_SHOW_HELP ||
+      m_options.Action == ACTION_SHOW_VERSION) {
+    CheckNeedsRun(app, problems);
+  }
+  problems.ThrowIfAny();
+}
+
+std::string CARGoSCommandLineArgParser::GetUsage() {
+  SOptions options;
+  SRawOptions raw;
+  CLI::App app(Title(), "argos3");
+  Define(app, options, raw);
+  std::string usage = app.help();
+  Replace(usage, "\n\n\n", "\n\n");
+  return usage;
+}
+
+void CARGoSCommandLineArgParser::PrintUsage(CARGoSLog& log) const {
+  log << GetUsage();
+}
+
+std::string CARGoSCommandLineArgParser::GetVersion() {
+#ifdef ARGOS_USE_DOUBLE
+  constexpr char kUseDouble[] = "ON";
+#else
+  constexpr char kUseDouble[] = "OFF";
+#endif
+#ifdef ARGOS_WITH_LUA
+  constexpr char kWithLua[] = "ON";
+#else
+  constexpr char kWithLua[] = "OFF";
+#endif
+  return std::string("ARGOS_VERSION=") + ARGOS_VERSION + "-" + ARGOS_RELEASE +
+         "\nARGOS_INSTALL_PREFIX=" + ARGOS_INSTALL_PREFIX + "\nARGOS_USE_DOUBLE=" + kUseDouble +
+         "\nARGOS_WITH_LUA=" + kWithLua + "\nARGOS_BUILD_FLAGS=" + ARGOS_BUILD_FLAGS + "\n";
+}
+
+}  // namespace argos

@@ -1,0 +1,299 @@
+#include <argos3/core/simulator/program/command_line.h>
+
+#include <argos3/core/simulator/program/argos_command_line_arg_parser.h>
+#include <argos3/core/simulator/program/progress.h>
+#include <argos3/core/simulator/program/query_plugins.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/plugins/dynamic_loading.h>
+#include <argos3/core/utility/plugins/registration.h>
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <sstream>
+
+namespace argos {
+
+namespace {
+
+using SOptions = CARGoSCommandLineArgParser::SOptions;
+
+constexpr int kFailure = 1;
+// exit status of a program terminated by a signal, by the convention of shells: 128 + its number
+constexpr int kSignalStatus = 128;
+
+// s; a tick that takes longer after a signal is assumed to hang
+constexpr unsigned kStopTimeout = 30;
+
+volatile std::sig_atomic_t g_stopSignal = 0;
+
+extern "C" void KillAfterTimeout(int) {
+  // the stop signal now has its default action
+  raise(g_stopSignal);
+}
+
+extern "C" void NoteStopSignal(int signal) {
+  g_stopSignal = signal;
+  alarm(kStopTimeout);
+}
+
+/* During its lifetime the first SIGINT or SIGTERM is stored; it kills only if the tick hangs. */
+class CStopSignals {
+ public:
+  CStopSignals() {
+    g_stopSignal = 0;
+    Catch(SIGINT, &NoteStopSignal, m_oldInterrupt);
+    Catch(SIGTERM, &NoteStopSignal, m_oldTerminate);
+    Catch(SIGALRM, &KillAfterTimeout, m_oldAlarm);
+  }
+  ~CStopSignals() {
+    alarm(0);
+    sigaction(SIGINT, &m_oldInterrupt, nullptr);
+    sigaction(SIGTERM, &m_oldTerminate, nullptr);
+    sigaction(SIGALRM, &m_oldAlarm, nullptr);
+  }
+  CStopSignals(const CStopSignals&) = delete;
+  CStopSignals& operator=(const CStopSignals&) = delete;
+
+  /** Called after each tick. @return true if a signal was received. */
+  static bool WasStopped() {
+    if (g_stopSignal == 0) {
+      return false;
+    }
+    alarm(0);
+    return true;
+  }
+
+ private:
+  static void Catch(int signal, void (*handler)(int), struct sigaction& old) {
+    struct sigaction action {};
+    action.sa_handler = handler;
+    action.sa_flags = SA_RESETHAND;
+    sigaction(signal, &action, &old);
+  }
+
+  struct sigaction m_oldInterrupt {};
+  struct sigaction m_oldTerminate {};
+  struct sigaction m_oldAlarm {};
+};
+
+void FlushLogs() {
+  LOG.Flush();
+  LOGERR.Flush();
+}
+
+/* Reports a log that was written incompletely: a full disk, a closed output. */
+void CheckLogs() {
+  FlushLogs();
+  std::cout.flush();
+  const bool outLost = !std::cout || !LOG.GetStream();
+  std::cout.clear();
+  if (outLost) {
+    THROW_ARGOSEXCEPTION("the log could not be written completely; is the disk full?");
+  }
+}
+
+void PrintError(const char* what) {
+  LOGERR << what << std::endl;
+  FlushLogs();
+}
+
+/* Calls a step and prints its exception. @return true if it threw nothing. */
+template <typename STEP>
+bool Try(STEP&& step) {
+  try {
+    step();
+    return true;
+  } catch (const std::bad_alloc&) {
+    PrintError("[FATAL] not enough memory");
+  } catch (const std::exception& ex) {
+    // the texts of our own exceptions begin with [FATAL]
+    const std::string what = ex.what();
+    PrintError((what.rfind("[FATAL]", 0) == 0 ? what : "[FATAL] " + what).c_str());
+  } catch (...) {
+    PrintError("[FATAL] an exception that is not a std::exception was thrown");
+  }
+  return false;
+}
+
+void SetUpLogs(const SOptions& options) {
+  if (!options.LogFile.empty()) {
+    LOG.RedirectToFile(options.LogFile);
+  }
+  if (!options.LogErrFile.empty()) {
+    LOGERR.RedirectToFile(options.LogErrFile);
+  }
+}
+
+void ChooseColors(bool noColor) {
+  const bool unwanted = noColor || std::getenv("NO_COLOR") != nullptr;
+  if (unwanted || isatty(STDOUT_FILENO) == 0) {
+    LOG.DisableColoredOutput();
+  }
+  if (unwanted || isatty(STDERR_FILENO) == 0) {
+    LOGERR.DisableColoredOutput();
+  }
+}
+
+/* Discards messages on LOG during its lifetime. */
+class CSilence {
+ public:
+  CSilence() {
+    LOG.Flush();
+    m_previous = LOG.GetStream().rdbuf(&m_dropped);
+  }
+  ~CSilence() {
+    LOG.Flush();
+    LOG.GetStream().rdbuf(m_previous);
+  }
+  CSilence(const CSilence&) = delete;
+  CSilence& operator=(const CSilence&) = delete;
+
+ private:
+  std::stringbuf m_dropped;
+  std::streambuf* m_previous = nullptr;
+};
+
+void LoadLibraries() {
+  ThrowRegistrationProblems("the libraries linked to the program are not compatible");
+  CDynamicLoading::LoadAllLibraries();
+}
+
+// a query does not print which libraries were loaded
+void LoadLibrariesSilently() {
+  const CSilence silence;
+  LoadLibraries();
+}
+
+void LoadExperiment(CSimulator& simulator, const SOptions& options) {
+  LoadLibraries();
+  simulator.SetExperimentFileName(options.ExperimentFile);
+  if (options.Seed == UInt32(0)) {
+    // a seed of 0 in the file selects a seed from the clock
+    simulator.AddOverride("framework/experiment/@random_seed", "0");
+  } else if (options.Seed) {
+    simulator.SetRandomSeed(*options.Seed);
+  }
+  if (options.Threads) {
+    simulator.SetNumThreads(*options.Threads);
+  }
+  if (options.Length) {
+    simulator.SetLength(*options.Length);
+  }
+  for (const auto& [path, value] : options.Overrides) {
+    simulator.AddOverride(path, value);
+  }
+  simulator.LoadExperiment(options.NoVisualization);
+  FlushLogs();
+}
+
+/* Runs the experiment until it ends or is stopped by a signal. @return wall time, s. */
+Real Execute(CSimulator& simulator) {
+  CProgressLine progress(simulator);
+  simulator.SetTickObserver([&progress](CSimulator& running) {
+    progress.Update();
+    if (CStopSignals::WasStopped()) {
+      running.Terminate();
+    }
+  });
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    simulator.Execute();
+  } catch (...) {
+    simulator.SetTickObserver(nullptr);
+    throw;
+  }
+  const std::chrono::duration<Real> wall = std::chrono::steady_clock::now() - start;
+  simulator.SetTickObserver(nullptr);
+  FlushLogs();
+  return wall.count();
+}
+
+void PrintSummary(CSimulator& simulator, Real wallSeconds, bool digest) {
+  CSpace& space = simulator.GetSpace();
+  const Real simulated = space.GetSimulationClock() * simulator.GetTickLength();
+  const size_t robots = space.GetControllableEntities().size();
+  LOG << fmt::format(
+             "[INFO] simulated {:.6g} s in {:.3g} s of wall time (real-time factor {:.3g}, {} "
+             "robot{})",
+             simulated, wallSeconds, wallSeconds > 0.0 ? simulated / wallSeconds : 0.0, robots,
+             robots == 1 ? "" : "s")
+      << std::endl;
+  LOG.Flush();
+  if (digest) {
+    std::cout << fmt::format("digest: {:016x}", space.ComputeDigest()) << std::endl;
+  }
+}
+
+int RunExperiment(const SOptions& options) {
+  CSimulator& simulator = CSimulator::GetInstance();
+  int status = 0;
+  const bool loaded = Try([&] { LoadExperiment(simulator, options); });
+  const bool executed = loaded && Try([&] {
+                          const CStopSignals stopSignals;
+                          const Real wallSeconds = Execute(simulator);
+                          if (g_stopSignal != 0) {
+                            status = kSignalStatus + g_stopSignal;
+                            LOG << "[INFO] stopped by "
+                                << (g_stopSignal == SIGINT ? "SIGINT" : "SIGTERM") << " after tick "
+                                << simulator.GetSpace().GetSimulationClock() << std::endl;
+                          }
+                          PrintSummary(simulator, wallSeconds, options.Digest);
+                        });
+  // after an error, too: loop functions close their files in Destroy()
+  const bool destroyed = Try([&] { simulator.Destroy(); });
+  return executed && destroyed ? status : kFailure;
+}
+
+int Act(const SOptions& options) {
+  switch (options.Action) {
+    case CARGoSCommandLineArgParser::ACTION_SHOW_HELP:
+      LOG.DisableColoredOutput();
+      LOG << CARGoSCommandLineArgParser::GetUsage();
+      break;
+    case CARGoSCommandLineArgParser::ACTION_SHOW_VERSION:
+      LOG.DisableColoredOutput();
+      LOG << CARGoSCommandLineArgParser::GetVersion();
+      break;
+    case CARGoSCommandLineArgParser::ACTION_QUERY_PLUGINS:
+      LoadLibrariesSilently();
+      QueryPlugins(options.Query);
+      break;
+    default:
+      return RunExperiment(options);
+  }
+  return 0;
+}
+
+}  // namespace
+
+int RunCommandLine(int argc, const char* const* argv) noexcept {
+  int status = kFailure;
+  try {
+    ChooseColors(false);
+    Try([&] {
+      CARGoSCommandLineArgParser parser;
+      parser.Parse(argc, argv);
+      ChooseColors(parser.GetOptions().NoColor);
+      SetUpLogs(parser.GetOptions());
+      status = Act(parser.GetOptions());
+    });
+    status = Try(&CheckLogs) ? status : kFailure;
+  } catch (...) {
+    // printing the message failed
+    status = kFailure;
+  }
+  return status;
+}
+
+}  // namespace argos

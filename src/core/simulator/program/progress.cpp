@@ -1,0 +1,203 @@
+#include <argos3/core/simulator/program/progress.h>
+
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
+
+#include <fmt/format.h>
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <streambuf>
+#include <string_view>
+
+namespace argos {
+
+namespace {
+
+constexpr std::chrono::milliseconds kRefreshPeriod(200);
+
+std::string DescribeTimeLeft(Real seconds) {
+  if (!(seconds < 100.0 * 3600.0)) {
+    return "more than 100 h";
+  }
+  const auto whole = static_cast<UInt64>(std::lround(seconds));
+  return whole < 3600 ? fmt::format("{}:{:02}", whole / 60, whole % 60)
+                      : fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+size_t TerminalWidth() {
+  winsize size{};
+  return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+bool IsTerminal(int file) {
+  const char* kind = std::getenv("TERM");
+  return isatty(file) != 0 && (kind == nullptr || std::string_view(kind) != "dumb");
+}
+
+// false for a log that was redirected to a file: its stream has that file's buffer
+bool GoesToTerminal(const std::ostream& stream, int file) {
+  return IsTerminal(file) && dynamic_cast<std::filebuf*>(stream.rdbuf()) == nullptr;
+}
+
+}  // namespace
+
+std::string DescribeProgress(const SProgress& progress) {
+  const Real simulated = progress.Ticks * progress.TickLength;
+  const bool measured = progress.Ticks > 0 && progress.WallSeconds > 0.0;
+  std::string text = fmt::format("tick {}", progress.Ticks);
+  if (progress.MaxTicks > 0) {
+    text += fmt::format("/{} ({} %)", progress.MaxTicks,
+                        UInt64(progress.Ticks) * 100 / progress.MaxTicks);
+  }
+  if (progress.MaxTicks > 0 && measured) {
+    const Real ticksLeft =
+        progress.MaxTicks > progress.Ticks ? progress.MaxTicks - progress.Ticks : 0;
+    text += fmt::format(", {} left",
+                        DescribeTimeLeft(ticksLeft * progress.WallSeconds / progress.Ticks));
+  }
+  if (measured) {
+    text += fmt::format(", {:.3g} x real time", simulated / progress.WallSeconds);
+  }
+  return text + fmt::format(", {:.6g} s simulated", simulated);
+}
+
+/* The terminal's last line. Bypasses std::cerr, which may have been redirected to a file. */
+class CProgressLine::CScreen {
+ public:
+  void Draw(const std::string& text) {
+    if (m_lineIsOpen) {
+      return;
+    }
+    // a line that wraps around could not be erased
+    const size_t width = TerminalWidth();
+    Write("\r\x1b[K" + text.substr(0, width > 1 ? width - 1 : 1));
+    m_visible = true;
+  }
+
+  void Erase() {
+    if (m_visible.exchange(false)) {
+      Write("\r\x1b[K");
+    }
+  }
+
+  /* Called before other output: an unfinished line must not be overwritten. */
+  void NoteText(std::string_view text) {
+    Erase();
+    const size_t lastBreak = text.rfind('\n');
+    const bool ended = lastBreak != std::string_view::npos;
+    const bool more = HasVisibleText(ended ? text.substr(lastBreak + 1) : text);
+    m_lineIsOpen = more || (m_lineIsOpen && !ended);
+  }
+
+ private:
+  // escape sequences, such as those of coloured logs, occupy no columns
+  static bool HasVisibleText(std::string_view text) {
+    for (size_t i = 0; i < text.size(); ++i) {
+      if (text[i] != '\x1b') {
+        return true;
+      }
+      i = text.find('m', i);
+      if (i == std::string_view::npos) {
+        break;
+      }
+    }
+    return false;
+  }
+
+  static void Write(const std::string& text) {
+    if (::write(STDERR_FILENO, text.data(), text.size()) < 0) {
+      return;  // the terminal was closed
+    }
+  }
+
+  // users' code may print on any thread
+  std::atomic<bool> m_visible = false;
+  std::atomic<bool> m_lineIsOpen = false;
+};
+
+/* Replaces a stream's buffer and erases the progress line before any output. */
+class CProgressLine::CGuard : public std::streambuf {
+ public:
+  CGuard(std::ostream& stream, CScreen& screen)
+      : m_stream(stream), m_target(stream.rdbuf()), m_screen(screen) {
+    stream.rdbuf(this);
+  }
+  ~CGuard() override {
+    // skip a stream that was redirected in the meantime
+    if (m_stream.rdbuf() == this) {
+      m_stream.rdbuf(m_target);
+    }
+  }
+
+ protected:
+  int_type overflow(int_type character) override {
+    if (traits_type::eq_int_type(character, traits_type::eof())) {
+      return traits_type::not_eof(character);
+    }
+    const char text = traits_type::to_char_type(character);
+    m_screen.NoteText(std::string_view(&text, 1));
+    return m_target->sputc(text);
+  }
+  std::streamsize xsputn(const char* text, std::streamsize size) override {
+    if (size > 0) {
+      m_screen.NoteText(std::string_view(text, static_cast<size_t>(size)));
+    }
+    return m_target->sputn(text, size);
+  }
+  int sync() override { return m_target->pubsync(); }
+
+ private:
+  std::ostream& m_stream;
+  std::streambuf* m_target;
+  CScreen& m_screen;
+};
+
+CProgressLine::CProgressLine(CSimulator& simulator)
+    : m_simulator(simulator),
+      m_start(TClock::now()),
+      m_nextDrawing(m_start + kRefreshPeriod),
+      m_firstTick(simulator.GetSpace().GetSimulationClock()) {
+  if (!IsTerminal(STDERR_FILENO)) {
+    return;
+  }
+  m_screen = std::make_unique<CScreen>();
+  if (GoesToTerminal(std::cout, STDOUT_FILENO)) {
+    m_outGuard = std::make_unique<CGuard>(std::cout, *m_screen);
+  }
+  if (GoesToTerminal(std::cerr, STDERR_FILENO)) {
+    m_errGuard = std::make_unique<CGuard>(std::cerr, *m_screen);
+  }
+}
+
+CProgressLine::~CProgressLine() {
+  if (m_screen) {
+    m_screen->Erase();
+  }
+}
+
+void CProgressLine::Update() {
+  if (!m_screen) {
+    return;
+  }
+  const TClock::time_point now = TClock::now();
+  if (now < m_nextDrawing) {
+    return;
+  }
+  m_nextDrawing = now + kRefreshPeriod;
+  SProgress progress;
+  const UInt32 maxTicks = m_simulator.GetMaxSimulationClock();
+  progress.Ticks = m_simulator.GetSpace().GetSimulationClock() - m_firstTick;
+  progress.MaxTicks = maxTicks > m_firstTick ? maxTicks - m_firstTick : 0;
+  progress.TickLength = m_simulator.GetTickLength();
+  progress.WallSeconds = std::chrono::duration<Real>(now - m_start).count();
+  m_screen->Draw(DescribeProgress(progress));
+}
+
+}  // namespace argos

@@ -1,0 +1,112 @@
+#include <argos3/core/simulator/tick/look_ahead.h>
+
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/utility/memory/load_ahead.h>
+
+namespace argos {
+
+namespace {
+
+// robots between two stages: about as long as memory takes to answer
+constexpr size_t kStep = 8;
+// bytes from the beginning of a device or controller that most of them use in every tick
+constexpr size_t kDeviceBytes = 128;
+constexpr size_t kControllerBytes = sizeof(CCI_Controller) + 96;
+// m; how far most sensors of bodies reach
+constexpr Real kReach = 0.1;
+// with fewer robots, all of their data fits into the cache
+constexpr size_t kFewRobots = 2000;
+
+void LoadBetween(const void* begin, const void* end) {
+  LoadAhead(begin, static_cast<const char*>(end) - static_cast<const char*>(begin));
+}
+
+const SAnchor* FindOrigin(CControllableEntity& robot) {
+  auto* const root = dynamic_cast<CComposableEntity*>(&robot.GetRootEntity());
+  if (root != nullptr) {
+    for (CEntity* component : root->GetExistingComponents()) {
+      if (auto* const body = dynamic_cast<CEmbodiedEntity*>(component)) {
+        return &body->GetOriginAnchor();
+      }
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void CLookAhead::SetRobots(const std::vector<CControllableEntity*>& robots) {
+  m_robots.clear();
+  if (robots.size() < kFewRobots) {
+    return;
+  }
+  m_robots.reserve(robots.size());
+  for (CControllableEntity* robot : robots) {
+    m_robots.push_back({robot, FindOrigin(*robot)});
+  }
+}
+
+void CLookAhead::BeforeAct(size_t number) const {
+  if (number + 3 * kStep >= m_robots.size()) {
+    return;
+  }
+  LoadAhead(m_robots[number + 3 * kStep].Robot, sizeof(CControllableEntity));
+  LoadAhead(m_robots[number + 2 * kStep].Robot->m_actuators.data(), 1);
+  for (const CSimulatedActuator* actuator : m_robots[number + kStep].Robot->m_actuators) {
+    LoadAhead(actuator, kDeviceBytes);
+  }
+}
+
+void CLookAhead::BeforeSense(size_t number, const CBodyIndex& index) const {
+  if (number + 3 * kStep >= m_robots.size()) {
+    return;
+  }
+  const SRobot& far = m_robots[number + 3 * kStep];
+  LoadAhead(far.Robot, sizeof(CControllableEntity));
+  if (far.Origin != nullptr) {
+    LoadAhead(far.Origin, sizeof(SAnchor));
+  }
+
+  const SRobot& middle = m_robots[number + 2 * kStep];
+  LoadAhead(middle.Robot->m_sensors.data(), 1);
+  LoadAhead(middle.Robot->m_actuators.data(), 1);
+  if (middle.Robot->m_pcController != nullptr) {
+    LoadAhead(middle.Robot->m_pcController, kControllerBytes);
+  }
+  LoadAround(middle, index, false);
+
+  const SRobot& near = m_robots[number + kStep];
+  for (const auto& sensor : near.Robot->m_sensors) {
+    LoadAhead(sensor.Simulated, kDeviceBytes);
+  }
+  for (const CSimulatedActuator* actuator : near.Robot->m_actuators) {
+    LoadAhead(actuator, kDeviceBytes);
+  }
+  LoadAround(near, index, true);
+}
+
+// where the solids around a robot are listed, then the lists
+void CLookAhead::LoadAround(const SRobot& robot, const CBodyIndex& index, bool lists) const {
+  if (robot.Origin == nullptr || index.m_shapes.empty()) {
+    return;
+  }
+  const CVector3& position = robot.Origin->Position;
+  const auto cells =
+      index.m_grid.CellsAround(position.GetX(), position.GetY(), kReach + index.SmallReach());
+  index.m_grid.ForRows(cells, [&index, lists](UInt32 first, UInt32 last) {
+    if (lists) {
+      const UInt32 begin = index.m_sort.Begin(first);
+      LoadAhead(index.m_shapes.data() + begin,
+                (index.m_sort.End(last) - begin) * sizeof(SIndexedShape));
+      return;
+    }
+    LoadBetween(index.m_sort.GetStartAddress(first), index.m_sort.GetStartAddress(last + 2));
+    LoadBetween(index.m_wideCells.GetStartAddress(first),
+                index.m_wideCells.GetStartAddress(last + 2));
+  });
+}
+
+}  // namespace argos

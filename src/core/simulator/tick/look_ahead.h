@@ -1,0 +1,46 @@
+#ifndef ARGOS3_CORE_SIMULATOR_TICK_LOOK_AHEAD_H
+#define ARGOS3_CORE_SIMULATOR_TICK_LOOK_AHEAD_H
+
+#include <argos3/core/utility/datatypes/datatypes.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace argos {
+
+class CBodyIndex;
+class CControllableEntity;
+struct SAnchor;
+
+/**
+ * Loads the data of the robots that the loops of a tick will visit next into the cache.
+ *
+ * A loop over robots follows pointers from the robot to its devices, and sensing reads the solids
+ * around each robot, which may be anywhere in the arena: the processor foresees neither. So while
+ * the loop visits a robot, the cache lines that later ones need are loaded, in stages: a stage
+ * dereferences only what an earlier stage has loaded. Nothing here changes a result. Private to the
+ * tick.
+ */
+class CLookAhead {
+ public:
+  /** Takes the robots of a space. To be called after robots, bodies or controllers have changed. */
+  void SetRobots(const std::vector<CControllableEntity*>& robots);
+
+  /** To be called before robot @p number acts. */
+  void BeforeAct(size_t number) const;
+  /** To be called before robot @p number senses. */
+  void BeforeSense(size_t number, const CBodyIndex& index) const;
+
+ private:
+  struct SRobot {
+    const CControllableEntity* Robot;
+    const SAnchor* Origin;  // of its body; null if it has none
+  };
+  void LoadAround(const SRobot& robot, const CBodyIndex& index, bool lists) const;
+
+  std::vector<SRobot> m_robots;  // in the order of the loops
+};
+
+}  // namespace argos
+
+#endif

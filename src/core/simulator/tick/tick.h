@@ -1,0 +1,44 @@
+#ifndef ARGOS3_CORE_SIMULATOR_TICK_TICK_H
+#define ARGOS3_CORE_SIMULATOR_TICK_TICK_H
+
+#include <argos3/core/simulator/tick/look_ahead.h>
+
+namespace argos {
+
+class CSpace;
+struct SSimulationContext;
+struct STickTimes;
+
+/**
+ * One step of a simulation: the robots act, engines move bodies, media deliver, robots sense and
+ * are controlled.
+ *
+ * What is read in a phase is not written in it, and what is written belongs to one robot or one
+ * engine: no phase needs a lock, and none depends on the number of threads.
+ */
+class CTick {
+ public:
+  explicit CTick(SSimulationContext& context) : m_context(context) {}
+
+  void Run();
+  /** From now on adds the time of each phase to @p times (not owned); nullptr stops. */
+  void SetTimes(STickTimes* times) { m_times = times; }
+
+ private:
+  void UpdateLookAhead();
+  void Act();
+  void CollectGhosts();
+  void UpdatePhysics();
+  void TransferBodies();
+  void UpdateMedia();
+  void SenseAndControl();
+
+  SSimulationContext& m_context;
+  STickTimes* m_times = nullptr;
+  CLookAhead m_lookAhead;
+  UInt64 m_robotsOfLookAhead = ~UInt64(0);  // version of the list of robots that m_lookAhead has
+};
+
+}  // namespace argos
+
+#endif

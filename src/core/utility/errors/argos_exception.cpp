@@ -1,0 +1,16 @@
+#include <argos3/core/utility/errors/argos_exception.h>
+
+namespace argos {
+
+CARGoSException::CARGoSException(const std::string& what, std::exception* nested)
+    : m_text("[FATAL] " + what) {
+  if (nested != nullptr) {
+    m_text += '\n';
+    m_text += nested->what();
+  }
+}
+
+// defined here so that the core library holds the only type info of the class
+CARGoSException::~CARGoSException() noexcept = default;
+
+}  // namespace argos
