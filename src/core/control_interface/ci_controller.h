@@ -5,9 +5,9 @@
 #include <argos3/core/control_interface/ci_actuator.h>
 #include <argos3/core/control_interface/ci_sensor.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
-#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/configuration/base_configurable_resource.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/memory/object_slabs.h>
 #include <argos3/core/utility/plugins/factory.h>

@@ -1,8 +1,8 @@
 #include <argos3/core/simulator/default_visualization.h>
 
-#include <argos3/core/simulator/tick/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/tick/loop_functions.h>
 #include <argos3/core/utility/logging/argos_log.h>
 
 #include <chrono>

@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/entities/box_entity.h>
 
+#include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 
 namespace argos {

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/space/space_operations.h>
 
 namespace argos {
 

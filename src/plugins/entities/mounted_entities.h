@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/plugins/simulator/entities/anchor_use.h>
 
 #include <memory>

@@ -1,7 +1,8 @@
 #include <argos3/plugins/simulator/entities/passive_body_entity.h>
 
-#include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/plugins/simulator/entities/new_component.h>
 #include <argos3/plugins/simulator/entities/rfid_tag_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>

@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/core/utility/string_utilities.h>
 #include <argos3/plugins/simulator/entities/read_medium.h>

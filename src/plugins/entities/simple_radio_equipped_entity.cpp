@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/entities/simple_radio_equipped_entity.h>
 
 #include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/plugins/simulator/entities/read_medium.h>
 
 namespace argos {

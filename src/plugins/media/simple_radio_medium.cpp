@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/media/simple_radio_medium.h>
 
+#include <argos3/core/simulator/space/space.h>
 #include <argos3/plugins/simulator/media/medium_members.h>
 #include <argos3/plugins/simulator/media/point_cells.h>
 

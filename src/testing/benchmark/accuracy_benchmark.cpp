@@ -15,8 +15,8 @@
 
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/tick/tick_times.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_engine.h>
 #include <argos3/plugins/robots/e-puck/simulator/epuck_measures.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_engine.h>
 
 #include <CLI/CLI.hpp>
 
@@ -112,7 +112,7 @@ void PrintTicks(CTestWorld& world, const SSubject& subject, UInt32 warmUp, UInt3
   CSpace& space = world.GetSpace();
   world.Step(warmUp);
   STickTimes times;
-  space.SetTickTimes(&times);
+  world.GetSimulator().SetTickTimes(&times);
   SOverlaps overlaps;
   Real onProcessor = 0.0;
   Real byClock = 0.0;

@@ -103,7 +103,7 @@ void Report(const SOptions& options, UInt32 robots, UInt32 threads) {
   // the worlds alternate tick by tick, so that noise of the machine affects both equally
   CBareBox2D bare(space, substeps, simulator.GetTickLength());
   STickTimes times;
-  space.SetTickTimes(&times);
+  simulator.SetTickTimes(&times);
   SOverlaps overlaps;
   Real total = 0.0;
   Real bareTotal = 0.0;

@@ -178,11 +178,11 @@ struct STimes {
 
 STimes Measure(CTestWorld& world, const SOptions& options) {
   STickTimes times;
-  world.GetSpace().SetTickTimes(&times);
+  world.GetSimulator().SetTickTimes(&times);
   const Real start = SecondsOfThisThread();
   world.Step(options.Ticks);
   const Real total = SecondsOfThisThread() - start;
-  world.GetSpace().SetTickTimes(nullptr);
+  world.GetSimulator().SetTickTimes(nullptr);
   STimes result{{total, times.Act, times.Physics, times.Media, times.Sense, times.Control}};
   for (Real& value : result.Values) {
     value *= 1e6 / (static_cast<Real>(options.Robots) * options.Ticks);

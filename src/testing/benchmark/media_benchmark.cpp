@@ -95,7 +95,7 @@ void Report(const SOptions& options, const std::string& name, UInt32 robots, UIn
     simulator.UpdateSpace();
   }
   STickTimes times;
-  simulator.GetSpace().SetTickTimes(&times);
+  simulator.SetTickTimes(&times);
   const TBenchmarkClock::time_point start = TBenchmarkClock::now();
   for (UInt32 tick = 0; tick < options.Ticks; ++tick) {
     simulator.UpdateSpace();

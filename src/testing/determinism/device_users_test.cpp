@@ -5,9 +5,9 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
-#include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/device_user.h>
 #include <argos3/testing/support/device_world.h>
+#include <argos3/testing/support/no_allocation.h>
 
 #include <catch2/catch.hpp>
 

@@ -4,8 +4,8 @@
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
 #include <argos3/testing/determinism/swarm.h>
-#include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/experiment.h>
+#include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/rooms.h>
 
 #include <argos3/core/utility/plugins/dynamic_loading.h>

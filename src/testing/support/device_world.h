@@ -2,8 +2,8 @@
 #define ARGOS3_TESTING_SUPPORT_DEVICE_WORLD_H
 
 #include <argos3/core/utility/math/vector3.h>
-#include <argos3/testing/support/experiment.h>
 #include <argos3/testing/support/device_list.h>
+#include <argos3/testing/support/experiment.h>
 
 #include <string>
 #include <vector>

@@ -1,8 +1,8 @@
 #include <argos3/testing/support/toy_world.h>
 
 #include <argos3/core/simulator/geometry/body_description.h>
-#include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/core/utility/math/random_stream.h>
 

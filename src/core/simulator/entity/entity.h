@@ -3,8 +3,8 @@
 
 #include <argos3/core/simulator/entity/entity_operation.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
-#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/configuration/base_configurable_resource.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/memory/object_slabs.h>
 #include <argos3/core/utility/plugins/factory.h>
 #include <argos3/core/utility/plugins/vtable.h>

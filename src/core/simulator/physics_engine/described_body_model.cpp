@@ -4,8 +4,8 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
-#include <argos3/core/simulator/physics_engine/described_body_engine.h>
 #include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/physics_engine/described_body_engine.h>
 
 #include <cmath>
 

@@ -4,9 +4,9 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/geometry/region_geometry.h>
 #include <argos3/core/simulator/physics_engine/engine_assignment.h>
-#include <argos3/core/simulator/geometry/body_index.h>
 
 #include <algorithm>
 #include <cmath>

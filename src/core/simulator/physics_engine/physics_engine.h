@@ -2,8 +2,8 @@
 #define ARGOS3_CORE_SIMULATOR_PHYSICS_ENGINE_PHYSICS_ENGINE_H
 
 #include <argos3/core/simulator/entity/physics_model.h>
-#include <argos3/core/simulator/physics_engine/ray_queries.h>
 #include <argos3/core/simulator/geometry/volume.h>
+#include <argos3/core/simulator/physics_engine/ray_queries.h>
 #include <argos3/core/utility/configuration/base_configurable_resource.h>
 #include <argos3/core/utility/plugins/factory.h>
 

@@ -1,9 +1,9 @@
 #include <argos3/core/simulator/placement/distribution.h>
 
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/positional_entity.h>
-#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/space/space.h>
 

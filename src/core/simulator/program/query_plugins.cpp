@@ -3,10 +3,10 @@
 #include <argos3/core/control_interface/ci_controller.h>
 #include <argos3/core/simulator/entity/actuator.h>
 #include <argos3/core/simulator/entity/entity.h>
-#include <argos3/core/simulator/tick/loop_functions.h>
+#include <argos3/core/simulator/entity/sensor.h>
 #include <argos3/core/simulator/medium/medium.h>
 #include <argos3/core/simulator/physics_engine/space_partition.h>
-#include <argos3/core/simulator/entity/sensor.h>
+#include <argos3/core/simulator/tick/loop_functions.h>
 #include <argos3/core/simulator/visualization/visualization.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/process_wide.h>

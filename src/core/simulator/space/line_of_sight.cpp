@@ -2,8 +2,8 @@
 
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
-#include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/space/space.h>
 
 #include <algorithm>

@@ -1,11 +1,11 @@
 #ifndef ARGOS3_CORE_UTILITY_CONFIGURATION_ARGOS_CONFIGURATION_H
 #define ARGOS3_CORE_UTILITY_CONFIGURATION_ARGOS_CONFIGURATION_H
 
-#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/core/utility/configuration/configuration_iterator.h>
 #include <argos3/core/utility/configuration/configuration_node.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <string>

@@ -1,9 +1,9 @@
 #ifndef ARGOS3_CORE_UTILITY_CONFIGURATION_COMMAND_LINE_ARG_PARSER_H
 #define ARGOS3_CORE_UTILITY_CONFIGURATION_COMMAND_LINE_ARG_PARSER_H
 
-#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/configuration/configuration_parsing.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/logging/argos_log.h>
 
 #include <functional>

@@ -1,10 +1,10 @@
 #ifndef ARGOS3_CORE_UTILITY_CONFIGURATION_CONFIGURATION_NODE_H
 #define ARGOS3_CORE_UTILITY_CONFIGURATION_CONFIGURATION_NODE_H
 
-#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/configuration/configuration_attribute.h>
 #include <argos3/core/utility/configuration/configuration_parsing.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 
 #include <iostream>
 #include <memory>

@@ -1,8 +1,8 @@
 #ifndef ARGOS3_CORE_UTILITY_LOGGING_ARGOS_LOG_H
 #define ARGOS3_CORE_UTILITY_LOGGING_ARGOS_LOG_H
 
-#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/logging/argos_colored_text.h>
 
 #include <cstddef>

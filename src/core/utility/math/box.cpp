@@ -1,7 +1,7 @@
 #include <argos3/core/utility/math/box.h>
 
-#include <argos3/core/utility/math/transforms.h>
 #include <argos3/core/utility/math/ray_span.h>
+#include <argos3/core/utility/math/transforms.h>
 
 namespace argos {
 

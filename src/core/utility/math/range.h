@@ -1,8 +1,8 @@
 #ifndef ARGOS3_CORE_UTILITY_MATH_RANGE_H
 #define ARGOS3_CORE_UTILITY_MATH_RANGE_H
 
-#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <cctype>

@@ -1,5 +1,5 @@
-#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/datatypes/byte_array.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/wrappers/lua/lua_keys.h>
 #include <argos3/core/wrappers/lua/lua_types.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>

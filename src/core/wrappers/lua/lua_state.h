@@ -1,8 +1,8 @@
 #ifndef ARGOS3_CORE_WRAPPERS_LUA_LUA_STATE_H
 #define ARGOS3_CORE_WRAPPERS_LUA_LUA_STATE_H
 
-#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/wrappers/lua/lua_memory.h>
 
 #include <string>

@@ -1,8 +1,8 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_ACTIVE_SET_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_ACTIVE_SET_H
 
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/proximity_filter.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_store.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/proximity_filter.h>
 
 #include <vector>
 

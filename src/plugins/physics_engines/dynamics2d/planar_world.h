@@ -2,11 +2,11 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_WORLD_H
 
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/active_set.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/proximity_filter.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_ghosts.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_grips.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_store.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/proximity_filter.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/substep_policy.h>
 
 #include <vector>

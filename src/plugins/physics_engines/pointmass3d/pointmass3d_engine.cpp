@@ -2,12 +2,13 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
-#include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/physics_engine/flight_loop.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
 #include <argos3/plugins/simulator/entities/turret_entity.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/drivers.h>
-#include <argos3/core/simulator/physics_engine/flight_loop.h>
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/flyers.h>
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/pointmass3d_body.h>
 #include <argos3/plugins/simulator/physics_engines/robot_bodies/robot_components.h>

@@ -1,8 +1,8 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/offscreen_visualization.h>
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
-#include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/described_body_model.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>

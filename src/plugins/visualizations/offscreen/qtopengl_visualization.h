@@ -1,7 +1,7 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_QTOPENGL_VISUALIZATION_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_QTOPENGL_VISUALIZATION_H
 
-#include <argos3/core/simulator/visualization/default_visualization.h>
+#include <argos3/core/simulator/default_visualization.h>
 
 #include <memory>
 

@@ -5,8 +5,8 @@
 #include <argos3/testing/support/closed_form/differential_drive.h>
 #include <argos3/testing/support/robot_sizes.h>
 
-#include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/plugins/simulator/entities/box_entity.h>
 

@@ -3,8 +3,8 @@
 #include <argos3/testing/contract/physics_engines/flight_world.h>
 #include <argos3/testing/contract/physics_engines/regions.h>
 #include <argos3/testing/contract/physics_engines/rigid_scene.h>
-#include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/captured_logs.h>
+#include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/robot_sizes.h>
 
 #include <argos3/core/simulator/geometry/body_description.h>

@@ -1,8 +1,8 @@
 // Components and sensors of the eye-bot; the numbers are those
 // published with ARGoS 3, repeated here.
 
-#include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/simulator/loop_functions.h>
 #include <argos3/plugins/robots/eye-bot/control_interface/ci_eyebot_light_sensor.h>
 #include <argos3/plugins/robots/eye-bot/control_interface/ci_eyebot_proximity_sensor.h>
 #include <argos3/plugins/robots/eye-bot/simulator/eyebot_entity.h>

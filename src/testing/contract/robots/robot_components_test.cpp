@@ -1,7 +1,7 @@
 // Components of robots; the numbers are those published with ARGoS 3, repeated here.
 
-#include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/simulator/loop_functions.h>
 #include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_distance_scanner_equipped_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>

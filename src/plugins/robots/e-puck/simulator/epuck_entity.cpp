@@ -1,5 +1,6 @@
 #include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
 
+#include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/plugins/robots/e-puck/control_interface/ci_epuck_proximity_sensor.h>
 #include <argos3/plugins/robots/e-puck/simulator/epuck_appearance.h>
 #include <argos3/plugins/robots/e-puck/simulator/epuck_measures.h>

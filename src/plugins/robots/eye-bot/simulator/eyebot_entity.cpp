@@ -1,6 +1,7 @@
 #include <argos3/plugins/robots/eye-bot/simulator/eyebot_entity.h>
 
 #include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/plugins/robots/eye-bot/simulator/eyebot_appearance.h>
 #include <argos3/plugins/robots/eye-bot/simulator/eyebot_measures.h>
 #include <argos3/plugins/robots/generic/simulator/device_parameters.h>

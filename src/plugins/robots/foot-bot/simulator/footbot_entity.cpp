@@ -1,5 +1,6 @@
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
 
+#include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_base_ground_sensor.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_motor_ground_sensor.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_appearance.h>

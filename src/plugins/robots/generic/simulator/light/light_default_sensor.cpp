@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/space/space.h>
 #include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/robots/generic/simulator/planar_rays.h>
 #include <argos3/plugins/simulator/entities/light_entity.h>

@@ -3,8 +3,8 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
-#include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/plugins/robots/generic/simulator/planar_rays.h>
 
 #include <algorithm>

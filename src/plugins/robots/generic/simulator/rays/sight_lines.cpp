@@ -2,8 +2,8 @@
 
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
-#include <argos3/core/simulator/physics_engine/ray_queries.h>
 #include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/physics_engine/ray_queries.h>
 #include <argos3/core/simulator/space/space.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include <argos3/plugins/robots/generic/simulator/robot_entity.h>
 
+#include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/plugins/simulator/entities/directional_led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/magnet_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/new_component.h>

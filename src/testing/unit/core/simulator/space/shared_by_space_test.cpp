@@ -127,7 +127,7 @@ TEST_CASE("body index: the solids along a ray are those within reach of it in th
     bodies.push_back(std::make_unique<CEmbodiedEntity>(nullptr, "b", position, CQuaternion(),
                                                        random.Bernoulli(0.8)));
     bodies.back()->SetBodyDescription(description);
-    index.Add(*bodies.back());
+    bodies.back()->EnterIndex(index);
     if (i == 150) {
       // bodies added later are found through the overlay
       index.Rebuild(pool);

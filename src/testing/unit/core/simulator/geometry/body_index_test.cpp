@@ -108,11 +108,11 @@ class CBodies {
         kind.Tilts ? m_random.Rotation() : m_random.Yaw(), kind.Movable));
     m_tilts[m_bodies.back().get()] = kind.Tilts;
     m_bodies.back()->SetBodyDescription(kind.Description);
-    m_index.Add(*m_bodies.back());
+    m_bodies.back()->EnterIndex(m_index);
   }
 
   void Remove(size_t i) {
-    m_index.Remove(m_bodies[i]->GetBodyNumber());
+    m_bodies[i]->LeaveIndex();
     m_tilts.erase(m_bodies[i].get());
     m_bodies.erase(m_bodies.begin() + static_cast<std::ptrdiff_t>(i));
   }
@@ -353,7 +353,7 @@ TEST_CASE("body index: a wall that was moved and put back is found in its origin
   index.SetArea(CRange<CVector3>(CVector3(-5.0, -5.0, 0.0), CVector3(5.0, 5.0, 1.0)));
   CEmbodiedEntity wall(nullptr, "wall", CVector3(2.0, 0.0, 0.0), CQuaternion(), false);
   wall.SetBodyDescription(Describe({SShapeDescription::Box(CVector3(0.2, 4.0, 1.0))}));
-  index.Add(wall);
+  wall.EnterIndex(index);
   index.Rebuild(pool);
   wall.SetOriginPose(CVector3(3.0, 0.0, 0.0), CQuaternion());
   index.RefreshNow(wall.GetBodyNumber());
@@ -379,7 +379,7 @@ TEST_CASE("body index: a tall body lying on its side is found at its far end",
     const CVector3 position(-4.9 + 0.2 * (i % 50), -4.9 + 0.2 * (i / 50), 0.0);
     bodies.push_back(std::make_unique<CEmbodiedEntity>(nullptr, "body", position));
     bodies.back()->SetBodyDescription(description);
-    index.Add(*bodies.back());
+    bodies.back()->EnterIndex(index);
   }
   // its axis along x, 0.3 m above all others
   CEmbodiedEntity& lying = *bodies[25 * 50 + 25];
@@ -417,7 +417,7 @@ TEST_CASE("body index: an index without an area can be queried", "[core][space][
   CBodyIndex index;
   CEmbodiedEntity body(nullptr, "body", CVector3(1.0, 0.0, 0.0));
   body.SetBodyDescription(Describe({SShapeDescription::Cylinder(0.1, 0.2)}));
-  index.Add(body);
+  body.EnterIndex(index);
   SEmbodiedEntityIntersectionItem item;
   REQUIRE(index.FindClosestHit(item, CRay3(CVector3(0.0, 0.0, 0.1), CVector3(2.0, 0.0, 0.1))));
   CHECK(item.IntersectedEntity == &body);
@@ -450,7 +450,7 @@ TEST_CASE("body index: a destroyed body is removed from the index", "[core][spac
   {
     CEmbodiedEntity body(nullptr, "body");
     body.SetBodyDescription(Describe({SShapeDescription::Sphere(0.5)}));
-    index.Add(body);
+    body.EnterIndex(index);
     CHECK(index.GetNumBodies() == 1);
   }
   CHECK(index.GetNumBodies() == 0);
@@ -467,8 +467,8 @@ TEST_CASE("body index: of two bodies hit at the same distance the one added firs
   CEmbodiedEntity second(nullptr, "second", CVector3(1.0, 0.0, 0.0), CQuaternion(), false);
   first.SetBodyDescription(Describe({SShapeDescription::Cylinder(0.5, 1.0)}));
   second.SetBodyDescription(Describe({SShapeDescription::Box(CVector3(1.0, 1.0, 1.0))}));
-  index.Add(first);
-  index.Add(second);
+  first.EnterIndex(index);
+  second.EnterIndex(index);
   SEmbodiedEntityIntersectionItem item;
   REQUIRE(index.FindClosestHit(item, CRay3(CVector3(0.0, 0.0, 0.5), CVector3(1.0, 0.0, 0.5))));
   CHECK(item.IntersectedEntity == &first);
