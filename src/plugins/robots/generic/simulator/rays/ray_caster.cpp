@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/simulator/space/space.h>
 #include <argos3/plugins/robots/generic/simulator/planar_rays.h>
 
 #include <algorithm>
