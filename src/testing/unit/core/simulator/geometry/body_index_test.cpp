@@ -248,7 +248,7 @@ class CBodies {
     CBodyIndex alone;
     CEmbodiedEntity asking(nullptr, "asking", position, orientation, true);
     asking.SetBodyDescription(kind.Description);
-    alone.Add(asking);
+    asking.EnterIndex(alone);
     UInt32 expected = CBodyIndex::kNoBody;
     alone.ForShapesNear(0.0, 0.0, 1e6, [&](const SIndexedShape& own) {
       m_index.ForShapesNear(0.0, 0.0, 1e6, [&](const SIndexedShape& other) {
