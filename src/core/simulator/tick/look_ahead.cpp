@@ -15,10 +15,10 @@ constexpr size_t kStep = 8;
 // bytes from the beginning of a device or controller that most of them use in every tick
 constexpr size_t kDeviceBytes = 128;
 constexpr size_t kControllerBytes = sizeof(CCI_Controller) + 96;
-// m; how far most sensors of bodies reach
+// m; how far most sensors reach from the surface of the robot
 constexpr Real kReach = 0.1;
-// with fewer robots, all of their data fits into the cache
-constexpr size_t kFewRobots = 2000;
+// with fewer robots, what a tick reads of them fits into the second-level cache of most processors
+constexpr size_t kFewRobots = 500;
 
 void LoadBetween(const void* begin, const void* end) {
   LoadAhead(begin, static_cast<const char*>(end) - static_cast<const char*>(begin));
@@ -94,8 +94,9 @@ void CLookAhead::LoadAround(const SRobot& robot, const CBodyIndex& index, bool l
     return;
   }
   const CVector3& position = robot.Origin->Position;
+  // the radius of this robot and that of the other one, both at most SmallReach()
   const auto cells =
-      index.m_grid.CellsAround(position.GetX(), position.GetY(), kReach + index.SmallReach());
+      index.m_grid.CellsAround(position.GetX(), position.GetY(), kReach + 2.0 * index.SmallReach());
   index.m_grid.ForRows(cells, [&index, lists](UInt32 first, UInt32 last) {
     if (lists) {
       const UInt32 begin = index.m_sort.Begin(first);
