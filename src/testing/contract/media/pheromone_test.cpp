@@ -467,7 +467,7 @@ TEST_CASE("pheromone: invalid experiments are refused with the reason",
 }
 
 TEST_CASE("pheromone: a layer that does not exist is noticed", "[contract][media][invariants]") {
-  CRobotWorld world(WithPheromones(""));
+  CRobotWorld world(WithPheromones(RobotInCell("e-puck")));
   CPheromoneMedium& medium = Medium(world);
   CheckCaught([&] { medium.GetField(1); }, "there is no layer 1");
   CheckCaught([&] { static_cast<void>(medium.GetLayerId(1)); }, "there is no layer 1");

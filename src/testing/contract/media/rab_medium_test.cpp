@@ -297,7 +297,7 @@ TEST_CASE("rab medium: invalid attributes are refused with the reason",
 TEST_CASE("rab medium: a device that was switched off receives nothing, whoever has its number",
           "[contract][media]") {
   CRobotWorld world(
-      WithRAB(EPuck("a", 0.0, 0.0, 2.0) + EPuck("b", 0.3, 0.0, 2.0) + EPuck("c", 0.6, 0.0, 2.0)));
+      WithRAB(EPuck("a", 0.0, 0.0, 2.0) + EPuck("b", 0.3, 0.0, 2.0) + EPuck("c", 0.3, 0.3, 2.0)));
   world.Step();
   CHECK(NumPackets(world, "b") == 2);
   auto& device = world.Get<CEPuckEntity>("b").GetRABEquippedEntity();
