@@ -53,9 +53,12 @@ class CMediumMembers {
       m_members[i]->SetNumberInMedium(static_cast<UInt32>(i));
     }
     m_anyRemoved = false;
+    ++m_numbering;
     return true;
   }
 
+  /** Changes whenever the entities are renumbered: numbers from before are stale then. */
+  UInt32 GetNumbering() const { return m_numbering; }
   /** The number of numbered entities. */
   size_t GetSize() const { return m_members.size(); }
   /** Null if the entity was removed since the last Update(). */
@@ -82,6 +85,7 @@ class CMediumMembers {
   std::vector<ENTITY*> m_members;  // by number; not owned
   std::vector<ENTITY*> m_waiting;  // not owned
   bool m_anyRemoved = false;
+  UInt32 m_numbering = 0;
 };
 
 }  // namespace argos

@@ -104,6 +104,8 @@ Real CPheromoneField::GetConcentration(Real x, Real y) const {
   }
   Real sum = 0.0;
   for (size_t corner = 0; corner < 4; ++corner) {
+    ARGOS_ASSERT(stencil.Cells[corner] < m_cells.size(),
+                 "a reading is outside the pheromone field");
     sum += m_cells[stencil.Cells[corner]] * stencil.Shares[corner];
   }
   return m_scale * sum;

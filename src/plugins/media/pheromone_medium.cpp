@@ -181,12 +181,14 @@ std::vector<size_t> CPheromoneMedium::ReadLayers(TConfigurationNode& device) con
 }
 
 Real CPheromoneMedium::GetConcentration(size_t layer, const CVector3& point) const {
+  CheckLayer(layer);
   return m_state->Fields.empty()
              ? 0.0
              : m_state->Fields[layer].GetConcentration(point.GetX(), point.GetY());
 }
 
 void CPheromoneMedium::Deposit(size_t layer, const CVector3& point, Real amount) {
+  CheckLayer(layer);
   if (!(amount >= 0.0 && amount < HUGE_VAL)) {
     RequireNotNegative(amount, "pheromone \"" + GetId() + "\"", "an amount");
   }
@@ -195,6 +197,7 @@ void CPheromoneMedium::Deposit(size_t layer, const CVector3& point, Real amount)
 }
 
 CPheromoneField& CPheromoneMedium::GetField(size_t layer) {
+  CheckLayer(layer);
   MakeFields();
   return m_state->Fields[layer];
 }

@@ -54,7 +54,10 @@ class CPheromoneMedium : public CMedium {
 
   size_t GetNumLayers() const { return m_layers.size(); }
   /** @param layer < GetNumLayers(), also below. */
-  const std::string& GetLayerId(size_t layer) const { return m_layers[layer].Id; }
+  const std::string& GetLayerId(size_t layer) const {
+    CheckLayer(layer);
+    return m_layers[layer].Id;
+  }
   /** @throws CARGoSException with the existing layers if the id is unknown. */
   size_t GetLayerNumber(const std::string& id) const;
   /**
@@ -90,6 +93,9 @@ class CPheromoneMedium : public CMedium {
   };
   struct SState;  // fields, users
 
+  void CheckLayer([[maybe_unused]] size_t layer) const {
+    ARGOS_ASSERT(layer < m_layers.size(), "there is no layer " << layer << " of pheromone");
+  }
   void ReadLayer(TConfigurationNode& node);
   void MakeFields();
 

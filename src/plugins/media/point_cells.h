@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_MEDIA_POINT_CELLS_H
 #define ARGOS3_PLUGINS_MEDIA_POINT_CELLS_H
 
+#include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/math/range.h>
 #include <argos3/core/utility/math/vector3.h>
@@ -33,7 +34,11 @@ class CPointCells {
   void Sort(const Real* x, const Real* y, size_t num, Real typicalReach);
 
   /** Number of the point at a place: places 0, 1, ... are in the order of the cells. */
-  UInt32 GetPoint(size_t place) const { return m_order[place]; }
+  UInt32 GetPoint(size_t place) const {
+    ARGOS_ASSERT(place < m_order.size(),
+                 "among " << m_order.size() << " points there is no place " << place);
+    return m_order[place];
+  }
   size_t GetNumPoints() const { return m_order.size(); }
 
   /**

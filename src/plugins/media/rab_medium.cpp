@@ -54,6 +54,8 @@ void CRABMedium::AddEntity(CRABEquippedEntity& entity) {
 
 void CRABMedium::RemoveEntity(CRABEquippedEntity& entity) {
   m_state->Members.Remove(entity);
+  // a device that was switched off receives nothing: another one may get its number
+  entity.SetNumberInMedium(CMediumMembers<CRABEquippedEntity>::kWaiting);
   // users may hold sets of removed devices
   m_sets.clear();
 }
@@ -87,6 +89,10 @@ void CRABMedium::TakePositions() {
 }
 
 CRABMedium::SNumbers CRABMedium::GetSenders(const CRABEquippedEntity& entity) const {
+  ARGOS_ASSERT(
+      entity.GetNumberInMedium() == CMediumMembers<CRABEquippedEntity>::kWaiting ||
+          m_state->Members.Has(entity),
+      "the number of \"" << entity.GetId() << "\" in the medium \"" << GetId() << "\" is stale");
   const CRABRouting::SNumbers senders = m_state->Routing.GetSenders(entity.GetNumberInMedium());
   return {senders.First, senders.Last};
 }

@@ -19,6 +19,7 @@ struct CRFIDMedium::SState {
   SIndexChoice Index;
   CPointCells Cells;
   std::vector<CVector3> Places;  // of the tags at the last sorting, m, world frame, by number
+  UInt32 Numbering = 0;  // of the tags, at the last sorting
   std::vector<UInt32> Finite;  // numbers of tags at finite positions
   std::vector<Real> X, Y;  // of these tags, m
   Real Reach = 0.0;  // m, used to choose the cells
@@ -96,6 +97,7 @@ void CRFIDMedium::Refresh() {
     }
   }
   state.Reach = reach;
+  state.Numbering = state.Tags.GetNumbering();
   state.Cells.SetOptions(state.Index, GetSpace().GetArenaLimits());
   state.Cells.Sort(state.X.data(), state.Y.data(), state.Finite.size(), reach);
 }
@@ -104,6 +106,8 @@ void CRFIDMedium::FindTags(std::vector<SFound>& found, const CVector3& place, Re
                            const CEntity& ownRoot) const {
   const SState& state = *m_state;
   found.clear();
+  ARGOS_ASSERT(state.Numbering == state.Tags.GetNumbering(),
+               "the tags of \"" << GetId() << "\" were renumbered after they had been sorted");
   state.Cells.ForPlacesNear(place.GetX(), place.GetY(), reach, [&](size_t cellPlace) {
     const UInt32 number = state.Finite[state.Cells.GetPoint(cellPlace)];
     const Real squareDistance = SquareDistance(state.Places[number], place);

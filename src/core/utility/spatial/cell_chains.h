@@ -1,6 +1,7 @@
 #ifndef ARGOS3_CORE_UTILITY_SPATIAL_CELL_CHAINS_H
 #define ARGOS3_CORE_UTILITY_SPATIAL_CELL_CHAINS_H
 
+#include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 
 #include <cstddef>
@@ -29,6 +30,7 @@ class CCellChains {
   size_t GetNumLinks() const { return m_links.size(); }
 
   void Add(UInt32 cell, UInt32 item) {
+    CheckCell(cell);
     if (m_heads[cell] == kEnd) {
       m_usedCells.push_back(cell);
     }
@@ -44,8 +46,9 @@ class CCellChains {
   }
   /** @param item  must be in the chain of the cell; removed once. */
   void Remove(UInt32 cell, UInt32 item) {
+    CheckCell(cell);
     UInt32* place = &m_heads[cell];
-    while (m_links[*place].Item != item) {
+    while (At(*place).Item != item) {
       place = &m_links[*place].Next;
     }
     const UInt32 link = *place;
@@ -65,8 +68,9 @@ class CCellChains {
   /** Calls visit(UInt32 item) for each item of a cell, the one added last first. */
   template <typename VISIT>
   void ForItems(UInt32 cell, VISIT&& visit) const {
+    CheckCell(cell);
     for (UInt32 link = m_heads[cell]; link != kEnd; link = m_links[link].Next) {
-      visit(m_links[link].Item);
+      visit(At(link).Item);
     }
   }
 
@@ -77,6 +81,15 @@ class CCellChains {
     UInt32 Item = 0;
     UInt32 Next = kEnd;  // of the same chain
   };
+
+  void CheckCell([[maybe_unused]] UInt32 cell) const {
+    ARGOS_ASSERT(cell < m_heads.size(), "there is no cell " << cell << " of " << m_heads.size());
+  }
+  const SLink& At(UInt32 link) const {
+    ARGOS_ASSERT(link < m_links.size(), "a chain of items has no link " << link << ": a removed "
+                                                                        << "item is not in it");
+    return m_links[link];
+  }
 
   std::vector<UInt32> m_heads;  // (cells) into m_links, or kEnd
   std::vector<UInt32> m_usedCells;  // cells whose chain is, or was, not empty; perhaps repeatedly

@@ -74,6 +74,8 @@ class CCellItems {
   CRun Get(UInt32 cell) const { return Get(cell, cell); }
   /** The items of a run of cells, ends included; those in several of them are there repeatedly. */
   CRun Get(UInt32 first, UInt32 last) const {
+    ARGOS_ASSERT(first <= last && m_sort.End(last) <= m_items.size(),
+                 "the cells from " << first << " to " << last << " have no list of items");
     return {m_items.data() + m_sort.Begin(first), m_items.data() + m_sort.End(last)};
   }
   /** Where the lists of a cell and the next ones begin is stored from here on, for prefetching. */

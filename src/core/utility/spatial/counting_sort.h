@@ -1,6 +1,7 @@
 #ifndef ARGOS3_CORE_UTILITY_SPATIAL_COUNTING_SORT_H
 #define ARGOS3_CORE_UTILITY_SPATIAL_COUNTING_SORT_H
 
+#include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 
 #include <algorithm>
@@ -33,17 +34,24 @@ class CCountingSort {
   }
   /** @param length  number of places that the item takes. */
   void SetKey(size_t item, UInt32 key, UInt32 length = 1) {
+    CheckKey(key);
+    CheckItem(item);
     UInt32& end = m_starts[key + 1];
     m_items[item] = {key, end};
     end += length;
   }
   /** The same while other threads set the keys of other items. */
   void SetKeyOnThread(size_t item, UInt32 key, UInt32 length = 1) {
+    CheckKey(key);
+    CheckItem(item);
     // not std::atomic_ref: public headers are read as C++17, too
     m_items[item] = {key, __atomic_fetch_add(&m_starts[key + 1], length, __ATOMIC_RELAXED)};
   }
   /** Leaves an item out; instead of SetKey(). */
-  void LeaveOut(size_t item) { m_items[item].Key = kLeftOut; }
+  void LeaveOut(size_t item) {
+    CheckItem(item);
+    m_items[item].Key = kLeftOut;
+  }
   /** @return number of places of all items. */
   UInt32 Finish() {
     UInt32 sum = 0;
@@ -58,13 +66,26 @@ class CCountingSort {
   size_t GetKeyCapacity() const { return m_starts.capacity() == 0 ? 0 : m_starts.capacity() - 1; }
   size_t GetNumItems() const { return m_items.size(); }
   size_t GetNumKeys() const { return m_starts.empty() ? 0 : m_starts.size() - 1; }
-  bool IsLeftOut(size_t item) const { return m_items[item].Key == kLeftOut; }
+  bool IsLeftOut(size_t item) const {
+    CheckItem(item);
+    return m_items[item].Key == kLeftOut;
+  }
   /** First place of an item that is not left out. */
-  UInt32 GetPlace(size_t item) const { return m_starts[m_items[item].Key] + m_items[item].Offset; }
+  UInt32 GetPlace(size_t item) const {
+    CheckItem(item);
+    CheckKey(m_items[item].Key);
+    return m_starts[m_items[item].Key] + m_items[item].Offset;
+  }
   /** First place of the run of a key. */
-  UInt32 Begin(UInt32 key) const { return m_starts[key]; }
+  UInt32 Begin(UInt32 key) const {
+    CheckKey(key);
+    return m_starts[key];
+  }
   /** One more than the last place of the run of a key. */
-  UInt32 End(UInt32 key) const { return m_starts[key + 1]; }
+  UInt32 End(UInt32 key) const {
+    CheckKey(key);
+    return m_starts[key + 1];
+  }
   /** Where Begin(key) is stored, for prefetching. */
   const UInt32* GetStartAddress(UInt32 key) const { return m_starts.data() + key; }
 
@@ -87,6 +108,14 @@ class CCountingSort {
 
  private:
   static constexpr UInt32 kLeftOut = ~UInt32(0);
+
+  void CheckItem([[maybe_unused]] size_t item) const {
+    ARGOS_ASSERT(item < m_items.size(),
+                 "a sort of " << m_items.size() << " items has no item " << item);
+  }
+  void CheckKey([[maybe_unused]] UInt32 key) const {
+    ARGOS_ASSERT(key < GetNumKeys(), "a sort by " << GetNumKeys() << " keys has no key " << key);
+  }
 
   struct SItem {
     UInt32 Key;

@@ -24,7 +24,8 @@ bool IsTouching(b2Body& body) {
 }  // namespace
 
 void CActiveSet::Activate(UInt32 slot, const SBodyDescription* description) {
-  SDrivenBody& body = m_store.GetDriven()[slot];
+  SDrivenBody& body = m_store.GetDriven(slot);
+  ARGOS_ASSERT(!body.IsActive(), "the robot in slot " << slot << " is active already");
   const Real unitsPerMetre = m_store.GetSettings().UnitsPerMetre;
   b2Body& box2dBody =
       m_store.CreateBody(body.Pose, EPlanarKind::Driven, body.Owner, body.IsGrippable);
@@ -57,8 +58,9 @@ void CActiveSet::Activate(UInt32 slot, const SBodyDescription* description) {
 
 void CActiveSet::Deactivate(UInt32 slot) {
   std::vector<SDrivenBody>& driven = m_store.GetDriven();
-  const UInt32 number = driven[slot].ActiveNumber;
-  m_store.DestroyBody(*m_bodies[number].Body);  // and its motor
+  const UInt32 number = m_store.GetDriven(slot).ActiveNumber;
+  ARGOS_ASSERT(At(number).Slot == slot, "the robot in slot " << slot << " is not the active one");
+  m_store.DestroyBody(*At(number).Body);  // and its motor
   driven[slot].ActiveNumber = SDrivenBody::kInactive;
   if (number + 1 != m_bodies.size()) {
     m_bodies[number] = m_bodies.back();
@@ -92,18 +94,17 @@ void CActiveSet::UpdateSlot(UInt32 slot) {
 }
 
 b2Body& CActiveSet::GetBox2DBody(const SPlanarHandle& handle) const {
-  return handle.Kind == EPlanarKind::Driven
-             ? *m_bodies[m_store.GetDriven()[handle.Slot].ActiveNumber].Body
-             : *m_store.GetPassive()[handle.Slot].Body;
+  return handle.Kind == EPlanarKind::Driven ? *At(m_store.GetDriven(handle).ActiveNumber).Body
+                                            : *m_store.GetPassive(handle).Body;
 }
 
 void CActiveSet::SetVelocity(const SPlanarHandle& handle, const SPlanarVelocity& velocity) {
   b2Body* box2dBody = nullptr;
   if (handle.Kind == EPlanarKind::Passive) {
-    m_store.GetPassive()[handle.Slot].Velocity = velocity;
+    m_store.GetPassive(handle).Velocity = velocity;
     box2dBody = &GetBox2DBody(handle);
   } else if (handle.Kind == EPlanarKind::Driven) {
-    SDrivenBody& body = m_store.GetDriven()[handle.Slot];
+    SDrivenBody& body = m_store.GetDriven(handle);
     body.Velocity = velocity;
     box2dBody = body.IsActive() ? &GetBox2DBody(handle) : nullptr;
   }
@@ -122,7 +123,7 @@ void CActiveSet::StartTick() {
 // The step of the tick leads from Box2D's pose of the body to the end of its arc.
 void CActiveSet::StartTick(SActiveBody& active) {
   const SPlanarSettings& settings = m_store.GetSettings();
-  const SDrivenBody& body = m_store.GetDriven()[active.Slot];
+  const SDrivenBody& body = GetRobot(active);
   b2Body& box2dBody = *active.Body;
   const SWheelMotion commanded = ReadWheels(body, settings.Tick);
   const SArc arc = FollowArc(body.Pose, commanded.Speed, commanded.YawRate, settings.Tick);
@@ -149,7 +150,7 @@ float CActiveSet::ComputeNeededSubsteps() const {
   const float stepTurn = static_cast<float>(kMaxStepTurn);
   float needed = 0.0F;
   for (const SActiveBody& active : m_bodies) {
-    const SDrivenBody& body = m_store.GetDriven()[active.Slot];
+    const SDrivenBody& body = GetRobot(active);
     const float planned = b2Vec2(active.StepX, active.StepY).Length();
     const float coasting = active.Body->GetLinearVelocity().Length() * tick;
     const float longest = std::max(planned, coasting);
@@ -164,7 +165,7 @@ Real CActiveSet::ComputeWeakestDrive() const {
   const Real perTick = 1.0 / m_store.GetSettings().Tick;
   Real weakest = HUGE_VAL;
   for (const SActiveBody& active : m_bodies) {
-    const SDrivenBody& body = m_store.GetDriven()[active.Slot];
+    const SDrivenBody& body = GetRobot(active);
     const Real force = body.Mass * body.MaxSpeedChange * perTick;
     weakest = std::min(weakest, force * body.NarrowestHalf * body.Mass);
   }
@@ -185,7 +186,7 @@ void CActiveSet::SetMotor(SActiveBody& active, UInt32 substep, UInt32 substeps) 
   const float elapsed = static_cast<float>(substep + 1) * share;
   const float perTick = static_cast<float>(1.0 / m_store.GetSettings().Tick);
   const float perSubstep = perTick * static_cast<float>(substeps);
-  const SDrivenBody& body = m_store.GetDriven()[active.Slot];
+  const SDrivenBody& body = GetRobot(active);
   b2Body& box2dBody = *active.Body;
   const float mass = static_cast<float>(body.Mass);  // including that of its turret
   const float inertia = box2dBody.GetInertia();
@@ -226,7 +227,7 @@ void CActiveSet::FinishTick(UInt32 substeps) {
 }
 
 void CActiveSet::FinishTick(const SActiveBody& active, UInt32 substeps) {
-  SDrivenBody& body = m_store.GetDriven()[active.Slot];
+  SDrivenBody& body = GetRobot(active);
   const b2Vec2 position = active.Body->GetPosition();
   const float angle = active.Body->GetAngle();
   const b2Vec2 target(m_store.ToUnits(body.NextPose.X), m_store.ToUnits(body.NextPose.Y));

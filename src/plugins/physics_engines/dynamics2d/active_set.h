@@ -48,6 +48,13 @@ class CActiveSet {
   void Select(const CProximityFilter& marks);
   /** To be called if another robot has got the slot of a removed one. */
   void UpdateSlot(UInt32 slot);
+  /** The robot of one of GetBodies(). */
+  SDrivenBody& GetRobot(const SActiveBody& active) const {
+    SDrivenBody& robot = m_store.GetDriven(active.Slot);
+    ARGOS_ASSERT(robot.IsActive() && &At(robot.ActiveNumber) == &active,
+                 "the robot in slot " << active.Slot << " is not the one that was active there");
+    return robot;
+  }
   /** The Box2D body of an active robot or a passive body. */
   b2Body& GetBox2DBody(const SPlanarHandle& handle) const;
   /** Sets the velocity of a movable body, also in Box2D. */
@@ -68,6 +75,10 @@ class CActiveSet {
   Real ComputeWeakestDrive() const;
 
  private:
+  const SActiveBody& At(UInt32 number) const {
+    ARGOS_ASSERT(number < m_bodies.size(), "there is no active robot with the number " << number);
+    return m_bodies[number];
+  }
   void StartTick(SActiveBody& active);
   void SetMotor(SActiveBody& active, UInt32 substep, UInt32 substeps);
   void FinishTick(const SActiveBody& active, UInt32 substeps);

@@ -13,7 +13,7 @@ void CGhostFilter::SetPartner(UInt32 body, UInt32 partner) {
 }
 
 bool CGhostFilter::IsPartner(UInt32 ghost, UInt32 body) const {
-  const UInt32 partner = m_partners[ghost];
+  const UInt32 partner = GetPartner(ghost);
   return partner == kPassive ? !m_store.IsDriven(body) : partner == body;
 }
 

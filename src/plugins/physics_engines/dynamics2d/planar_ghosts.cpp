@@ -45,21 +45,21 @@ void CPlanarGhosts::FindMeetings(CProximityFilter& marks, Real longestPath) {
     m_nearGhost.clear();
     marks.MarkNear(disc.X, disc.Y, reach, &m_nearGhost);
     for (const SActiveBody& active : m_active.GetBodies()) {
-      const SDrivenBody& body = m_store.GetDriven()[active.Slot];
+      const SDrivenBody& body = m_active.GetRobot(active);
       if (!body.IsDisc && std::hypot(body.Pose.X - disc.X, body.Pose.Y - disc.Y) <=
                               reach + body.BoundingRadius + longestPath) {
         m_nearGhost.push_back(active.Slot);
       }
     }
     for (const UInt32 slot : m_nearGhost) {
-      m_meetings.push_back({ghost, slot});
+      m_meetings.push_back({ghost, *m_store.GetDriven(slot).Owner.Handle});
     }
   }
 }
 
 void CPlanarGhosts::Place(Real longestPath) {
   for (const SMeeting& meeting : m_meetings) {
-    PlaceFace(m_ghosts[meeting.Ghost], m_store.GetDriven()[meeting.Slot], longestPath);
+    PlaceFace(m_ghosts[meeting.Ghost], m_store.GetDriven(meeting.Robot), longestPath);
   }
   if (!m_store.GetPassive().empty()) {
     for (const SGhostDisc& ghost : m_ghosts) {

@@ -41,7 +41,7 @@ class CPlanarGhosts {
   /** A robot that may touch a ghost in this tick. */
   struct SMeeting {
     UInt32 Ghost;  // in m_ghosts
-    UInt32 Slot;  // of the driven body
+    SPlanarHandle Robot;
   };
 
   void PlaceFace(const SGhostDisc& ghost, const SDrivenBody& body, Real longestPath);

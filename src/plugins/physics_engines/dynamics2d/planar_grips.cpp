@@ -36,12 +36,12 @@ void ChangeMass(b2Body& body, float change) {
 }  // namespace
 
 SManipulator* CPlanarGrips::Find(const SPlanarHandle& handle) {
-  if (!m_store.GetDriven()[handle.Slot].HasManipulator) {
+  if (!m_store.GetDriven(handle).HasManipulator) {
     return nullptr;
   }
   const auto found =
       std::find_if(m_manipulators.begin(), m_manipulators.end(),
-                   [&handle](const SManipulator& each) { return each.Owner.Handle == &handle; });
+                   [&handle](const SManipulator& each) { return *each.Owner.Handle == handle; });
   return found != m_manipulators.end() ? &*found : nullptr;
 }
 
@@ -63,7 +63,7 @@ void CPlanarGrips::SetManipulator(const SPlanarOwner& owner, const SBodyDescript
     }
     manipulator = &m_manipulators.emplace_back();
     manipulator->Owner = owner;
-    m_store.GetDriven()[owner.Handle->Slot].HasManipulator = true;
+    m_store.GetDriven(*owner.Handle).HasManipulator = true;
   }
   if (manipulator->IsHolding() && manipulator->Gripper != gripper) {
     Release(*manipulator);
@@ -81,7 +81,7 @@ void CPlanarGrips::RemoveManipulator(SManipulator& manipulator) {
   if (manipulator.IsHolding()) {
     Release(manipulator);
   }
-  m_store.GetDriven()[manipulator.Owner.Handle->Slot].HasManipulator = false;
+  m_store.GetDriven(*manipulator.Owner.Handle).HasManipulator = false;
   // keeps the order, in which grips are solved
   m_manipulators.erase(m_manipulators.begin() + (&manipulator - m_manipulators.data()));
 }
@@ -89,7 +89,7 @@ void CPlanarGrips::RemoveManipulator(SManipulator& manipulator) {
 void CPlanarGrips::Remove(const SPlanarHandle& handle) {
   if (IsInGrip(handle)) {
     for (SManipulator& each : m_manipulators) {
-      if (each.IsHolding() && (each.Owner.Handle == &handle || each.Held.Handle == &handle)) {
+      if (each.IsHolding() && (*each.Owner.Handle == handle || *each.Held.Handle == handle)) {
         Release(each);
       }
     }
@@ -162,12 +162,12 @@ bool CPlanarGrips::IsSeeking(const SManipulator& manipulator) const {
 Real CPlanarGrips::ComputeSeekReach(const SManipulator& manipulator) const {
   const CVector3& offset = manipulator.Gripper->GetOffset();
   return std::max(0.0, std::hypot(offset.GetX(), offset.GetY()) + manipulator.Limits.SensorRadius -
-                           m_store.GetDriven()[manipulator.Owner.Handle->Slot].BoundingRadius);
+                           m_store.GetDriven(*manipulator.Owner.Handle).BoundingRadius);
 }
 
 void CPlanarGrips::MakeGrips() {
   for (SManipulator& each : m_manipulators) {
-    const SDrivenBody& body = m_store.GetDriven()[each.Owner.Handle->Slot];
+    const SDrivenBody& body = m_store.GetDriven(*each.Owner.Handle);
     if (IsSeeking(each) && body.IsActive() && body.NumGrips < kMaxGrips) {
       MakeGrip(each);
     }
@@ -217,8 +217,8 @@ void CPlanarGrips::Attach(SManipulator& manipulator, const SPlanarOwner& held,
   }
   definition.stiffness = static_cast<float>(m_store.GetSettings().GrippingRigidity);
   definition.damping = static_cast<float>(ComputeCriticalDamping(
-      m_store.GetSettings().GrippingRigidity,
-      m_store.GetDriven()[manipulator.Owner.Handle->Slot].Mass, definition.bodyB->GetMass()));
+      m_store.GetSettings().GrippingRigidity, m_store.GetDriven(*manipulator.Owner.Handle).Mass,
+      definition.bodyB->GetMass()));
   manipulator.Hold = static_cast<b2WheelJoint*>(m_store.GetWorld().CreateJoint(&definition));
   definition.bodyB->SetAwake(true);
   ++m_store.GetNumGrips(*manipulator.Owner.Handle);
@@ -238,7 +238,7 @@ void CPlanarGrips::CreateTurretBody(SManipulator& manipulator) {
   manipulator.TurretBody = m_store.GetWorld().CreateBody(&body);
 
   const STurretDescription& limits = *manipulator.TurretLimits;
-  const bool isDisc = m_store.GetDriven()[manipulator.Owner.Handle->Slot].IsDisc;
+  const bool isDisc = m_store.GetDriven(*manipulator.Owner.Handle).IsDisc;
   b2MassData mass;
   mass.mass = isDisc ? 0.5F * base.GetMass() : static_cast<float>(limits.Mass);
   mass.center.SetZero();
@@ -254,6 +254,7 @@ void CPlanarGrips::CreateTurretBody(SManipulator& manipulator) {
 }
 
 void CPlanarGrips::Release(SManipulator& manipulator) {
+  ARGOS_ASSERT(manipulator.IsHolding(), "a grip is released twice");
   m_store.GetWorld().DestroyJoint(manipulator.Hold);  // wakes both bodies
   manipulator.Hold = nullptr;
   if (manipulator.TurretBody != nullptr) {
@@ -267,7 +268,7 @@ void CPlanarGrips::Release(SManipulator& manipulator) {
   const SPlanarHandle& held = *manipulator.Held.Handle;
   --m_store.GetNumGrips(held);
   if (held.Kind == EPlanarKind::Passive) {
-    m_store.GetPassive()[held.Slot].WasReleased = true;
+    m_store.GetPassive(held).WasReleased = true;
   }
   manipulator.Held = SPlanarOwner();
   manipulator.Base = nullptr;
@@ -406,11 +407,14 @@ void CPlanarGrips::CopyGrips(const std::vector<CEmbodiedEntity*>& cluster,
 void CPlanarGrips::RestoreGrip(const SGripTransfer& grip, const SPlanarHandle& holder,
                                const SPlanarHandle& held) {
   for (const SPlanarHandle* end : {&holder, &held}) {
-    if (end->Kind == EPlanarKind::Driven && !m_store.GetDriven()[end->Slot].IsActive()) {
+    if (end->Kind == EPlanarKind::Driven && !m_store.GetDriven(*end).IsActive()) {
       m_active.Activate(end->Slot);
     }
   }
-  SManipulator& manipulator = *Find(holder);
+  SManipulator* const found = Find(holder);
+  ARGOS_ASSERT(found != nullptr && !found->IsHolding(),
+               "a grip is restored of a robot without a free gripper, in slot " << holder.Slot);
+  SManipulator& manipulator = *found;
   manipulator.Rotation = grip.TurretRotation;
   Attach(manipulator, m_store.GetOwner(held),
          {grip.Arm.GetX(), grip.Arm.GetY(), grip.PointOnHeld.GetX(), grip.PointOnHeld.GetY()});

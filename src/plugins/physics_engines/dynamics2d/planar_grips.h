@@ -92,9 +92,9 @@ class CPlanarGrips {
   template <typename VISIT>
   void ForEachSeekingDisc(VISIT&& visit) const {
     for (const SManipulator& each : m_manipulators) {
-      const UInt32 slot = each.Owner.Handle->Slot;
-      if (IsSeeking(each) && m_store.GetDriven()[slot].IsDisc) {
-        visit(slot, ComputeSeekReach(each));
+      const SPlanarHandle& robot = *each.Owner.Handle;
+      if (IsSeeking(each) && m_store.GetDriven(robot).IsDisc) {
+        visit(robot.Slot, ComputeSeekReach(each));
       }
     }
   }

@@ -17,14 +17,21 @@ struct SPlanarVelocity {
   Real W = 0.0;  // rad/s, counter-clockwise
 };
 
-/** The place of a body in the arrays; the world writes it whenever it changes. */
+/**
+ * The place of a body in the arrays; the world writes it whenever it changes. A copy is stale from
+ * then on, which ARGOS_ASSERT notices.
+ */
 struct SPlanarHandle {
   static constexpr UInt32 kNowhere = std::numeric_limits<UInt32>::max();
 
   EPlanarKind Kind = EPlanarKind::Immovable;
   UInt32 Slot = kNowhere;
+  UInt32 Generation = 0;  // which of the bodies that had the slot
 
   bool IsInWorld() const { return Slot != kNowhere; }
+  friend bool operator==(const SPlanarHandle& a, const SPlanarHandle& b) {
+    return a.Kind == b.Kind && a.Slot == b.Slot && a.Generation == b.Generation;
+  }
 };
 
 }  // namespace argos

@@ -47,12 +47,16 @@ void CPlanarStore::Reserve(size_t immovable, size_t passive, size_t driven) {
   m_immovable.reserve(immovable);
   m_passive.reserve(passive);
   m_driven.reserve(driven);
+  const std::array<size_t, 3> counts = {immovable, passive, driven};
+  for (size_t kind = 0; kind < counts.size(); ++kind) {
+    m_generations[kind].Reserve(counts[kind]);
+  }
 }
 
 void CPlanarStore::ReserveNumbers(size_t additional) {
   m_freeNumbers.reserve(additional);
   m_grippable.reserve(m_numNumbers + additional);
-  m_isDriven.reserve(m_numNumbers + additional);
+  m_users.reserve(m_numNumbers + additional);
 }
 
 b2Body& CPlanarStore::CreateBody(const SPlanarPose& pose, EPlanarKind kind,
@@ -61,13 +65,13 @@ b2Body& CPlanarStore::CreateBody(const SPlanarPose& pose, EPlanarKind kind,
   if (m_freeNumbers.empty()) {
     ++m_numNumbers;
     m_grippable.emplace_back();
-    m_isDriven.emplace_back();
+    m_users.emplace_back();
   } else {
     number = m_freeNumbers.back();
     m_freeNumbers.pop_back();
   }
   m_grippable[number] = grippable ? owner : SPlanarOwner();
-  m_isDriven[number] = kind == EPlanarKind::Driven ? 1 : 0;
+  m_users[number] = kind == EPlanarKind::Driven ? EUser::Robot : EUser::Other;
   b2BodyDef definition;
   definition.type = kind == EPlanarKind::Immovable ? b2_staticBody : b2_dynamicBody;
   definition.position.Set(ToUnits(pose.X), ToUnits(pose.Y));
@@ -79,13 +83,25 @@ b2Body& CPlanarStore::CreateBody(const SPlanarPose& pose, EPlanarKind kind,
 }
 
 void CPlanarStore::DestroyBody(b2Body& body) {
-  m_freeNumbers.push_back(GetBodyNumber(body));
+  const UInt32 number = GetBodyNumber(body);
+  CheckNumber(number);
+  m_users[number] = EUser::None;
+  m_freeNumbers.push_back(number);
   m_world.DestroyBody(&body);
+}
+
+// of a body that is about to get the last slot
+SPlanarHandle CPlanarStore::MakeHandle(EPlanarKind kind, size_t slot) {
+  SPlanarHandle handle;
+  handle.Kind = kind;
+  handle.Slot = static_cast<UInt32>(slot);
+  handle.Generation = m_generations[static_cast<size_t>(kind)].Add();
+  return handle;
 }
 
 void CPlanarStore::AddImmovable(const SPlanarOwner& owner, const SBodyDescription& description,
                                 const SPlanarPose& pose) {
-  *owner.Handle = {EPlanarKind::Immovable, static_cast<UInt32>(m_immovable.size())};
+  *owner.Handle = MakeHandle(EPlanarKind::Immovable, m_immovable.size());
   SImmovableBody& body = m_immovable.emplace_back();
   body.Owner = owner;
   body.Body = &CreateBody(pose, EPlanarKind::Immovable, owner, false);
@@ -105,7 +121,7 @@ std::vector<SFootprint> CPlanarStore::ListObstacles() {
 
 void CPlanarStore::AddPassive(const SPlanarOwner& owner, const SBodyDescription& description,
                               const SPlanarPose& pose) {
-  *owner.Handle = {EPlanarKind::Passive, static_cast<UInt32>(m_passive.size())};
+  *owner.Handle = MakeHandle(EPlanarKind::Passive, m_passive.size());
   SPassiveBody& body = m_passive.emplace_back();
   body.Owner = owner;
   body.Pose = pose;
@@ -143,7 +159,7 @@ void CPlanarStore::AddGroundFriction(b2Body& body, const SBodyDescription& descr
 void CPlanarStore::AddDriven(const SPlanarOwner& owner, const SBodyDescription& description,
                              const SPlanarPose& pose, const Real* wheels) {
   const SDifferentialDriveDescription& drive = *description.Drive;
-  *owner.Handle = {EPlanarKind::Driven, static_cast<UInt32>(m_driven.size())};
+  *owner.Handle = MakeHandle(EPlanarKind::Driven, m_driven.size());
   SDrivenBody& body = m_driven.emplace_back();
   body.Owner = owner;
   body.Pose = body.NextPose = pose;
@@ -164,66 +180,71 @@ void CPlanarStore::AddDriven(const SPlanarOwner& owner, const SBodyDescription& 
 
 // Moves the last body of an array into the slot of the removed one.
 template <typename BODY>
-void CPlanarStore::FillSlot(std::vector<BODY>& bodies, UInt32 slot) {
+void CPlanarStore::FillSlot(std::vector<BODY>& bodies, EPlanarKind kind, UInt32 slot) {
   *bodies[slot].Owner.Handle = SPlanarHandle();
+  const UInt32 generation = m_generations[static_cast<size_t>(kind)].Remove(slot);
   if (slot + 1 != bodies.size()) {
     bodies[slot] = std::move(bodies.back());
     bodies[slot].Owner.Handle->Slot = slot;
+    bodies[slot].Owner.Handle->Generation = generation;
   }
   bodies.pop_back();
 }
 
 void CPlanarStore::Remove(const SPlanarHandle& handle) {
+  GenerationsOf(handle.Kind).Check(handle);
   const UInt32 slot = handle.Slot;
   switch (handle.Kind) {
     case EPlanarKind::Immovable:
       DestroyBody(*m_immovable[slot].Body);
-      FillSlot(m_immovable, slot);
+      FillSlot(m_immovable, EPlanarKind::Immovable, slot);
       m_obstaclesChanged = true;
       break;
     case EPlanarKind::Passive:
       DestroyBody(*m_passive[slot].Body);
-      FillSlot(m_passive, slot);
+      FillSlot(m_passive, EPlanarKind::Passive, slot);
       break;
     case EPlanarKind::Driven:
-      FillSlot(m_driven, slot);
+      ARGOS_ASSERT(!m_driven[slot].IsActive(), "an active robot is removed from slot " << slot);
+      FillSlot(m_driven, EPlanarKind::Driven, slot);
       break;
   }
 }
 
 UInt8& CPlanarStore::GetNumGrips(const SPlanarHandle& handle) {
-  return handle.Kind == EPlanarKind::Driven ? m_driven[handle.Slot].NumGrips
-                                            : m_passive[handle.Slot].NumGrips;
+  return handle.Kind == EPlanarKind::Driven ? GetDriven(handle).NumGrips
+                                            : GetPassive(handle).NumGrips;
 }
 
 Real CPlanarStore::GetBoundingRadius(const SPlanarHandle& handle) const {
-  return handle.Kind == EPlanarKind::Driven ? m_driven[handle.Slot].BoundingRadius
-                                            : m_passive[handle.Slot].BoundingRadius;
+  return handle.Kind == EPlanarKind::Driven ? GetDriven(handle).BoundingRadius
+                                            : GetPassive(handle).BoundingRadius;
 }
 
 Real CPlanarStore::GetNarrowestHalf(const SPlanarHandle& handle) const {
-  return handle.Kind == EPlanarKind::Driven ? m_driven[handle.Slot].NarrowestHalf
-                                            : ToMetres(m_passive[handle.Slot].Extent);
+  return handle.Kind == EPlanarKind::Driven ? GetDriven(handle).NarrowestHalf
+                                            : ToMetres(GetPassive(handle).Extent);
 }
 
 const SPlanarOwner& CPlanarStore::GetOwner(const SPlanarHandle& handle) const {
   switch (handle.Kind) {
     case EPlanarKind::Immovable:
-      return m_immovable[handle.Slot].Owner;
+      return m_immovable[SlotOf(handle, EPlanarKind::Immovable)].Owner;
     case EPlanarKind::Passive:
-      return m_passive[handle.Slot].Owner;
+      return GetPassive(handle).Owner;
     default:
-      return m_driven[handle.Slot].Owner;
+      return GetDriven(handle).Owner;
   }
 }
 
 SPlanarVelocity CPlanarStore::GetVelocity(const SPlanarHandle& handle) const {
   switch (handle.Kind) {
     case EPlanarKind::Passive:
-      return m_passive[handle.Slot].Velocity;
+      return GetPassive(handle).Velocity;
     case EPlanarKind::Driven:
-      return m_driven[handle.Slot].Velocity;
+      return GetDriven(handle).Velocity;
     default:
+      GenerationsOf(handle.Kind).Check(handle);
       return SPlanarVelocity();
   }
 }
@@ -234,7 +255,7 @@ bool CPlanarStore::IsAt(const SPlanarHandle& handle, const SPlanarPose& pose) co
   }
   constexpr Real kRounding = 1e-12;  // of sines and cosines
   const SPlanarPose& mine =
-      handle.Kind == EPlanarKind::Driven ? m_driven[handle.Slot].Pose : m_passive[handle.Slot].Pose;
+      handle.Kind == EPlanarKind::Driven ? GetDriven(handle).Pose : GetPassive(handle).Pose;
   // half angles that differ by pi are the same heading
   const Real cosine = mine.HalfCos * pose.HalfCos + mine.HalfSin * pose.HalfSin;
   const Real sine = mine.HalfSin * pose.HalfCos - mine.HalfCos * pose.HalfSin;

@@ -3,9 +3,11 @@
 
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_bodies.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_settings.h>
+#include <argos3/plugins/simulator/physics_engines/robot_bodies/slot_generations.h>
 
 #include <box2d/box2d.h>
 
+#include <array>
 #include <vector>
 
 namespace argos {
@@ -48,6 +50,27 @@ class CPlanarStore {
   const std::vector<SPassiveBody>& GetPassive() const { return m_passive; }
   std::vector<SDrivenBody>& GetDriven() { return m_driven; }
   const std::vector<SDrivenBody>& GetDriven() const { return m_driven; }
+  /** One body. The handle must be current, and of that kind. */
+  SPassiveBody& GetPassive(const SPlanarHandle& handle) {
+    return m_passive[SlotOf(handle, EPlanarKind::Passive)];
+  }
+  const SPassiveBody& GetPassive(const SPlanarHandle& handle) const {
+    return m_passive[SlotOf(handle, EPlanarKind::Passive)];
+  }
+  SDrivenBody& GetDriven(const SPlanarHandle& handle) {
+    return m_driven[SlotOf(handle, EPlanarKind::Driven)];
+  }
+  const SDrivenBody& GetDriven(const SPlanarHandle& handle) const {
+    return m_driven[SlotOf(handle, EPlanarKind::Driven)];
+  }
+  SDrivenBody& GetDriven(UInt32 slot) {
+    ARGOS_ASSERT(slot < m_driven.size(), "there is no robot in slot " << slot);
+    return m_driven[slot];
+  }
+  /** @return true if the body of the handle is still in its slot. */
+  bool IsCurrent(const SPlanarHandle& handle) const {
+    return GenerationsOf(handle.Kind).IsCurrent(handle.Slot, handle.Generation);
+  }
   /** Of a passive or driven body: the number of its grips. */
   UInt8& GetNumGrips(const SPlanarHandle& handle);
   /** Of a passive or driven body: around the origin, m. */
@@ -77,7 +100,10 @@ class CPlanarStore {
   /** Owners of Box2D bodies, by number; empty for bodies that cannot be gripped. */
   const std::vector<SPlanarOwner>& GetGrippable() const { return m_grippable; }
   /** @return true if the Box2D body with that number is a robot's. */
-  bool IsDriven(UInt32 number) const { return m_isDriven[number] != 0; }
+  bool IsDriven(UInt32 number) const {
+    CheckNumber(number);
+    return m_users[number] == EUser::Robot;
+  }
 
   b2World& GetWorld() { return m_world; }
   /** The static body to which motors and ground friction are attached. */
@@ -89,9 +115,25 @@ class CPlanarStore {
   Real ToMetres(float units) const { return static_cast<Real>(units) * m_metresPerUnit; }
 
  private:
+  /** What has the number of a Box2D body. */
+  enum class EUser : UInt8 { None, Robot, Other };
+
+  const CSlotGenerations& GenerationsOf(EPlanarKind kind) const {
+    return m_generations[static_cast<size_t>(kind)];
+  }
+  UInt32 SlotOf(const SPlanarHandle& handle, [[maybe_unused]] EPlanarKind kind) const {
+    ARGOS_ASSERT(handle.Kind == kind, "handle of a body of another kind, in slot " << handle.Slot);
+    GenerationsOf(handle.Kind).Check(handle);
+    return handle.Slot;
+  }
+  void CheckNumber([[maybe_unused]] UInt32 number) const {
+    ARGOS_ASSERT(number < m_numNumbers && m_users[number] != EUser::None,
+                 "no Box2D body has the number " << number);
+  }
+  SPlanarHandle MakeHandle(EPlanarKind kind, size_t slot);
   void AddGroundFriction(b2Body& body, const SBodyDescription& description);
   template <typename BODY>
-  static void FillSlot(std::vector<BODY>& bodies, UInt32 slot);
+  void FillSlot(std::vector<BODY>& bodies, EPlanarKind kind, UInt32 slot);
 
   SPlanarSettings m_settings;
   Real m_metresPerUnit;
@@ -100,13 +142,14 @@ class CPlanarStore {
   std::vector<SImmovableBody> m_immovable;
   std::vector<SPassiveBody> m_passive;
   std::vector<SDrivenBody> m_driven;
+  std::array<CSlotGenerations, 3> m_generations;  // by kind
   bool m_obstaclesChanged = false;
   Real m_widestMovable = 0.0;  // m
   // numbers of Box2D bodies: all below m_numNumbers are in use, except those in m_freeNumbers
   UInt32 m_numNumbers = 0;
   std::vector<UInt32> m_freeNumbers;
   std::vector<SPlanarOwner> m_grippable;  // by number
-  std::vector<UInt8> m_isDriven;  // by number
+  std::vector<EUser> m_users;  // by number
 };
 
 }  // namespace argos

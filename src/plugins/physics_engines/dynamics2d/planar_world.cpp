@@ -34,7 +34,7 @@ void CPlanarWorld::Remove(const SPlanarHandle& handle) {
     m_store.Remove(handle);
     return;
   }
-  if (m_store.GetDriven()[slot].IsActive()) {
+  if (m_store.GetDriven(handle).IsActive()) {
     m_active.Deactivate(slot);
   }
   m_store.Remove(handle);
@@ -175,9 +175,8 @@ void CPlanarWorld::MarkDiscs() {
   }
   ExtendLongestPath();
   const Real slack = GetSlack();
-  const std::vector<SDrivenBody>& driven = m_store.GetDriven();
   for (const SActiveBody& active : m_active.GetBodies()) {
-    const SDrivenBody& body = driven[active.Slot];
+    const SDrivenBody& body = m_active.GetRobot(active);
     if (body.IsDisc) {
       m_proximityFilter.SetReach(active.Slot, body.BoundingRadius + m_longestPath + slack);
     }
@@ -187,7 +186,7 @@ void CPlanarWorld::MarkDiscs() {
       [this](UInt32 slot, Real reach) { m_proximityFilter.Extend(slot, reach); });
   m_proximityFilter.MarkAll();
   for (const SActiveBody& active : m_active.GetBodies()) {
-    const SDrivenBody& body = driven[active.Slot];
+    const SDrivenBody& body = m_active.GetRobot(active);
     if (!body.IsDisc) {
       const Real seek = body.HasManipulator ? m_grips.GetSeekReach() : 0.0;
       m_proximityFilter.MarkNear(body.Pose.X, body.Pose.Y,
@@ -203,7 +202,7 @@ void CPlanarWorld::MarkDiscs() {
 // by the present speeds of bodies, and by what turrets move
 void CPlanarWorld::ExtendLongestPath() {
   for (const SActiveBody& active : m_active.GetBodies()) {
-    const SDrivenBody& body = m_store.GetDriven()[active.Slot];
+    const SDrivenBody& body = m_active.GetRobot(active);
     const Real speed = std::hypot(body.Velocity.X, body.Velocity.Y) +
                        (body.IsDisc ? 0.0 : std::abs(body.Velocity.W) * body.BoundingRadius);
     m_longestPath = std::max(m_longestPath, speed * GetTick());

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PROXIMITY_FILTER_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PROXIMITY_FILTER_H
 
+#include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/spatial/counting_sort.h>
 #include <argos3/core/utility/spatial/planar_grid.h>
 #include <argos3/plugins/simulator/physics_engines/planar/cell_lists.h>
@@ -33,20 +34,24 @@ class CProximityFilter {
   void Clear(size_t numDiscs);
   /** @param number < numDiscs of Clear(). */
   void Place(UInt32 number, Real x, Real y, Real reach) {
+    CheckNumber(number);
     m_placeOf[number] = static_cast<UInt32>(m_discs.size());
     m_discs.push_back({x, y, reach, number});
   }
   /** Changes the reach of a disc that was placed; before MarkAll(). */
-  void SetReach(UInt32 number, Real reach) { m_discs[m_placeOf[number]].Reach = reach; }
+  void SetReach(UInt32 number, Real reach) { GetDisc(number).Reach = reach; }
   /** Adds to the reach of a disc that was placed; before MarkAll(). */
-  void Extend(UInt32 number, Real reach) { m_discs[m_placeOf[number]].Reach += reach; }
+  void Extend(UInt32 number, Real reach) { GetDisc(number).Reach += reach; }
   /** Marks every disc that may meet a disc or an obstacle. */
   void MarkAll();
   /** After MarkAll(): marks every disc that may meet another body, given as a circle. */
   void MarkNear(Real x, Real y, Real reach) { MarkNear(x, y, reach, nullptr); }
   /** The same. @param met  receives the numbers of the discs that may meet it, unless null. */
   void MarkNear(Real x, Real y, Real reach, std::vector<UInt32>* met);
-  EMark GetMark(UInt32 number) const { return static_cast<EMark>(m_marks[number]); }
+  EMark GetMark(UInt32 number) const {
+    CheckNumber(number);
+    return static_cast<EMark>(m_marks[number]);
+  }
 
  private:
   struct SDisc {
@@ -54,6 +59,16 @@ class CProximityFilter {
     UInt32 Number;
   };
 
+  void CheckNumber([[maybe_unused]] UInt32 number) const {
+    ARGOS_ASSERT(number < m_marks.size(), "there is no disc with the number " << number);
+  }
+  SDisc& GetDisc(UInt32 number) {
+    CheckNumber(number);
+    const UInt32 place = m_placeOf[number];
+    ARGOS_ASSERT(place < m_discs.size() && m_discs[place].Number == number,
+                 "disc " << number << " was not placed in this tick");
+    return m_discs[place];
+  }
   void Sort();
   void MarkPairs();
   void MarkPair(const SDisc& a, const SDisc& b);

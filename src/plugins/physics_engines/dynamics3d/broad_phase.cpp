@@ -1,5 +1,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/broad_phase.h>
 
+#include <argos3/core/utility/configuration/argos_exception.h>
+
 #include <algorithm>
 
 namespace argos {
@@ -53,6 +55,7 @@ const std::vector<SRigidPair>& CBroadPhase::FindPairs(const std::vector<SRigidBo
     m_axis = ChooseAxis(movables);
     List(movables, fixed);
   }
+  ARGOS_ASSERT(IsListOf(movables, fixed), "bodies were added or removed without MarkChanged()");
   Sort();
   m_isChanged = false;
 
@@ -79,6 +82,17 @@ void CBroadPhase::List(const std::vector<SRigidBody*>& movables,
       m_entries.push_back({0.0, 0.0, body, static_cast<UInt32>(m_entries.size())});
     }
   }
+}
+
+// @return true if the entries are of these bodies, which are compared by address.
+bool CBroadPhase::IsListOf(const std::vector<SRigidBody*>& movables,
+                           const std::vector<SRigidBody*>& fixed) const {
+  return m_entries.size() == movables.size() + fixed.size() &&
+         std::all_of(m_entries.begin(), m_entries.end(), [&](const SEntry& entry) {
+           return entry.Body == (entry.Number < movables.size()
+                                     ? movables[entry.Number]
+                                     : fixed[entry.Number - movables.size()]);
+         });
 }
 
 // By insertion, unless bodies have changed: from one substep to the next the order hardly changes.

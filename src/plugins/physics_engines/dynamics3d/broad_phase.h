@@ -40,6 +40,8 @@ class CBroadPhase {
   };
 
   void List(const std::vector<SRigidBody*>& movables, const std::vector<SRigidBody*>& fixed);
+  bool IsListOf(const std::vector<SRigidBody*>& movables,
+                const std::vector<SRigidBody*>& fixed) const;
   void Sort();
 
   bool m_isChanged = true;

@@ -110,7 +110,7 @@ void CContactFinder::Find(const std::vector<SRigidBody*>& movables,
   });
   grips.ForEachGrip([this](const SRigidBody& holder, const SRigidBody& held) {
     Unite(holder, held);
-    m_islands[holder.Number].Rows += kGripRows;
+    IslandOf(holder.Number).Rows += kGripRows;
   });
   CountRows(movables);
 }
@@ -156,7 +156,7 @@ void CContactFinder::Touch(SRigidBody& first, SRigidBody& second) {
   if (first.IsMovable() && second.IsMovable()) {
     Unite(first, second);
   } else {
-    m_islands[first.IsMovable() ? first.Number : second.Number].Supported = true;
+    IslandOf(first.IsMovable() ? first.Number : second.Number).Supported = true;
   }
 }
 
@@ -299,7 +299,7 @@ void CContactFinder::AddSolidContact(dContact& contact, const SRigidBody& first,
 void CContactFinder::Join(const dContact& contact, dBodyID first, dBodyID second, UInt32 rows,
                           const SRigidBody& counted) {
   dJointAttach(dJointCreateContact(m_world, m_contacts, &contact), first, second);
-  m_islands[counted.Number].Rows += rows;
+  IslandOf(counted.Number).Rows += rows;
   ++m_numContacts;
 }
 
@@ -323,6 +323,7 @@ void CContactFinder::SetSlidingDirection(dContact& contact) const {
 }
 
 UInt32 CContactFinder::FindRoot(UInt32 body) {
+  ARGOS_ASSERT(body < m_parents.size(), "there is no movable body with the number " << body);
   while (m_parents[body] != body) {
     m_parents[body] = m_parents[m_parents[body]];
     body = m_parents[body];

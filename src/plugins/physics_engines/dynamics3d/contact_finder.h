@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_CONTACT_FINDER_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_CONTACT_FINDER_H
 
+#include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/broad_phase.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
 
@@ -47,12 +48,16 @@ class CContactFinder {
   void Clear();
 
   /** After Find(): the island of an awake body. */
-  SIsland& GetIsland(const SRigidBody& body) { return m_islands[FindRoot(body.Number)]; }
+  SIsland& GetIsland(const SRigidBody& body) { return IslandOf(FindRoot(body.Number)); }
   /** After Find(): the greatest number of rows of an island. */
   UInt32 GetMostRows() const { return m_mostRows; }
   UInt32 GetNumContacts() const { return m_numContacts; }
 
  private:
+  SIsland& IslandOf(UInt32 body) {
+    ARGOS_ASSERT(body < m_islands.size(), "there is no movable body with the number " << body);
+    return m_islands[body];
+  }
   static void WakeNeighbours(const std::vector<SRigidPair>& pairs, const CRigidGrips& grips);
   void Unite(const SRigidBody& first, const SRigidBody& second);
   void Touch(SRigidBody& first, SRigidBody& second);

@@ -227,7 +227,7 @@ void CDynamics3DEngine::Leave(CDescribedBodyModel& model) {
     plugin->UnregisterModel(leaving);
   }
   if (m_world != nullptr) {
-    m_world->Remove(*leaving.m_body);
+    m_world->Remove(leaving.GetBody());
     leaving.m_body = nullptr;
   }
 }
@@ -239,9 +239,9 @@ std::string CDynamics3DEngine::ExplainRefusal(CEntity& entity) const {
 
 void CDynamics3DEngine::UpdateManipulator(CDynamics3DModel& model) {
   if (m_world != nullptr) {
-    model.m_body->Gripper = model.m_gripper;
-    model.m_body->Turret = model.m_turret;
-    m_world->GetGrips().SetManipulator(*model.m_body);
+    model.GetBody().Gripper = model.m_gripper;
+    model.GetBody().Turret = model.m_turret;
+    m_world->GetGrips().SetManipulator(model.GetBody());
   }
 }
 
@@ -259,7 +259,7 @@ bool CDynamics3DEngine::IsAtLastPose(const CDescribedBodyModel& model) const {
 
 void CDynamics3DEngine::PlaceAtAnchor(CDynamics3DModel& model, const SRigidMotion& motion) {
   const SRigidPose pose = PoseOf(model.m_cEmbodiedEntity);
-  m_world->Place(*model.m_body, pose, motion);
+  m_world->Place(model.GetBody(), pose, motion);
   model.m_lastPosition = pose.Position;
   model.m_lastOrientation = pose.Orientation;
 }
@@ -331,8 +331,8 @@ void CDynamics3DEngine::ReportFailures() {
 
 void CDynamics3DEngine::WriteBack(CDynamics3DModel& model) {
   CEmbodiedEntity& entity = model.m_cEmbodiedEntity;
-  if (!model.m_body->Asleep || model.m_wasAwake) {
-    SRigidPose pose = GetRigidPose(*model.m_body);
+  if (!model.GetBody().Asleep || model.m_wasAwake) {
+    SRigidPose pose = GetRigidPose(model.GetBody());
     pose.Orientation = Straighten(pose.Orientation);
     if (IsFar(pose.Position)) {
       THROW_ARGOSEXCEPTION(NameOf(entity)
@@ -345,7 +345,7 @@ void CDynamics3DEngine::WriteBack(CDynamics3DModel& model) {
     model.m_lastOrientation = pose.Orientation;
     model.CalculateBoundingBox();
   }
-  model.m_wasAwake = !model.m_body->Asleep;
+  model.m_wasAwake = !model.GetBody().Asleep;
   if (entity.GetEnabledAnchors().size() > 1) {
     model.CalculateAnchors();
   }

@@ -94,7 +94,7 @@ void CDynamics3DEngine::UpdateGhosts() {
 void CDynamics3DEngine::Adopt(CDescribedBodyModel& model) {
   auto& adopted = static_cast<CDynamics3DModel&>(model);
   const SRigidMotion motion =
-      adopted.m_body != nullptr ? GetRigidMotion(*adopted.m_body) : SRigidMotion();
+      adopted.m_body != nullptr ? GetRigidMotion(adopted.GetBody()) : SRigidMotion();
   CDescribedBodyEngine::Adopt(model);
   if (adopted.m_body != nullptr) {
     PlaceAtAnchor(adopted, motion);
@@ -157,7 +157,7 @@ bool CDynamics3DEngine::GetMotion(const CEmbodiedEntity& body, SBodyMotion& moti
   if (model == nullptr || model->m_body == nullptr) {
     return false;
   }
-  const SRigidMotion rigid = GetRigidMotion(*model->m_body);
+  const SRigidMotion rigid = GetRigidMotion(model->GetBody());
   // of the centre of mass; upright bodies rotate about the vertical axis through it and the origin
   motion = {rigid.Velocity, rigid.AngularVelocity};
   return true;
@@ -203,7 +203,7 @@ void CDynamics3DEngine::CopyGrips(const TBodies& cluster, std::vector<SGripTrans
 
 void CDynamics3DEngine::RestoreGrip(const SGripTransfer& grip) {
   if (m_world != nullptr) {
-    m_world->GetGrips().Grip(*GetModel(*grip.Holder).m_body, *GetModel(*grip.Held).m_body,
+    m_world->GetGrips().Grip(GetModel(*grip.Holder).GetBody(), GetModel(*grip.Held).GetBody(),
                              grip.Arm);
   }
 }

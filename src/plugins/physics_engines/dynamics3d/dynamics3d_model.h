@@ -35,7 +35,10 @@ class CDynamics3DModel : public CRobotBodyModel {
  private:
   friend class CDynamics3DEngine;
 
-  SRigidBody* m_body = nullptr;  // in the engine's world; null while there is no world
+  // The body in the engine's world, while there is one. ARGOS_ASSERT notices that it is another's.
+  SRigidBody& GetBody() const;
+
+  SRigidBody* m_body = nullptr;  // null while there is no world
   // the pose that the engine has written last; the body has another one only after a MoveTo()
   CVector3 m_lastPosition;  // m
   CQuaternion m_lastOrientation;

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_RIGID_GHOSTS_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_RIGID_GHOSTS_H
 
+#include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
 
 #include <vector>
@@ -61,6 +62,7 @@ class CRigidGhosts {
       visit(*face.Robot, m_face);
     }
     for (const SObstacle& obstacle : m_obstacles) {
+      ARGOS_ASSERT(obstacle.Ghost < m_ghosts.size(), "there is no ghost " << obstacle.Ghost);
       MoveCylinder(m_ghosts[obstacle.Ghost]);
       visit(*obstacle.Object, m_cylinder);
     }

@@ -64,8 +64,10 @@ void CRigidGrips::SetManipulator(SRigidBody& body) {
     m_manipulators.push_back(std::make_unique<SManipulator>());
     m_manipulators.back()->Robot = &body;
   } else if (body.HasManipulator) {
+    SManipulator* const manipulator = Find(body);
+    ARGOS_ASSERT(manipulator != nullptr, "a robot has a manipulator that is not tracked");
     // the held body was attached to another arm
-    Release(*Find(body));
+    Release(*manipulator);
     if (!isOne) {
       std::erase_if(m_manipulators, [&body](const auto& each) { return each->Robot == &body; });
     }

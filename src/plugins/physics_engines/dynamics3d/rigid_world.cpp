@@ -136,14 +136,25 @@ SRigidBody& CRigidWorld::Add(const SRigidSource& source, const SRigidPose& pose)
   return body;
 }
 
+bool CRigidWorld::Has(const SRigidBody& body) const {
+  // by address: the body may be gone
+  return std::any_of(m_owned.begin(), m_owned.end(),
+                     [&body](const auto& owned) { return owned.get() == &body; });
+}
+
 void CRigidWorld::Remove(SRigidBody& body) {
+  ARGOS_ASSERT(Has(body), "a rigid body is removed that is not in the world");
+  std::vector<SRigidBody*>& list = body.Source.Movable ? m_movables : m_fixed;
+  ARGOS_ASSERT(body.Number < list.size() && list[body.Number] == &body &&
+                   body.Owned < m_owned.size() && m_owned[body.Owned].get() == &body,
+               "a rigid body is not the one with its number, " << body.Number);
   WakeAll();
   m_grips->ReleaseAllOf(body);
   body.Gripper = nullptr;
   body.Turret = nullptr;
   m_grips->SetManipulator(body);
   DestroyRigidBody(body);
-  TakeOut(body.Source.Movable ? m_movables : m_fixed, body);
+  TakeOut(list, body);
   if (body.Source.Quadrotor != nullptr) {
     m_flying.erase(std::find(m_flying.begin(), m_flying.end(), &body));
   }
@@ -154,6 +165,7 @@ void CRigidWorld::Remove(SRigidBody& body) {
 }
 
 void CRigidWorld::Place(SRigidBody& body, const SRigidPose& pose, const SRigidMotion& motion) {
+  ARGOS_ASSERT(Has(body), "a rigid body is placed that is not in the world");
   WakeAll();
   m_grips->ReleaseAllOf(body);
   PlaceRigidBody(body, pose, motion);

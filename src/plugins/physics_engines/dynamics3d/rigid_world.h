@@ -48,6 +48,8 @@ class CRigidWorld {
   /** Adds a body at rest, and wakes all bodies. The reference stays valid until Remove(). */
   SRigidBody& Add(const SRigidSource& source, const SRigidPose& pose);
   void Remove(SRigidBody& body);
+  /** @return true if the body was not removed. Takes time in proportion to the bodies. */
+  bool Has(const SRigidBody& body) const;
   /** Sets pose and motion of a body, releases its grips, and wakes all bodies. */
   void Place(SRigidBody& body, const SRigidPose& pose, const SRigidMotion& motion);
 

@@ -34,7 +34,7 @@ bool IsWithinReach(const CCellLists& lists, UInt32 cell, Real x, Real y, Real re
     return false;
   }
   for (const UInt32 number : lists.Get(cell)) {
-    if (ComputeDistance(lists.GetFootprints()[number], x, y) <= reach) {
+    if (ComputeDistance(lists.GetFootprint(number), x, y) <= reach) {
       return true;
     }
   }
@@ -91,6 +91,7 @@ void CDiscSwarm::Step(CThreadPool& pool, const CCellLists& walls, const CCellLis
   if (GetSize() == 0) {
     return;
   }
+  CheckPlaces();
   m_targets.resize(GetSize());
   m_done.resize(GetSize());
   m_next.resize(GetSize());
@@ -261,7 +262,7 @@ bool CDiscSwarm::StepOne(const SActiveDisc& active, const CCellLists& walls,
 bool CDiscSwarm::LimitByDiscs(const SActiveDisc& active, const std::vector<SStep>& done, Real bound,
                               CHalfPlanes& planes) {
   STarget& target = m_targets[active.Place];
-  const SPlace& disc = m_places[active.Place];
+  const SPlace& disc = PlaceOf(active);
   const SStep& here = done[active.Place];
   const SStep missing = {target.X - here.X, target.Y - here.Y};
   return !ForPlacesAround(active.Cell, [&](UInt32 other) {
@@ -303,12 +304,12 @@ bool CDiscSwarm::LimitByFootprints(const SActiveDisc& active, const CCellLists& 
     return true;
   }
   STarget& target = m_targets[active.Place];
-  const SPlace& disc = m_places[active.Place];
+  const SPlace& disc = PlaceOf(active);
   const Real x = disc.X + done.X;
   const Real y = disc.Y + done.Y;
   const SStep missing = {target.X - done.X, target.Y - done.Y};
   for (const UInt32 number : lists.Get(active.Cell)) {
-    const SFootprint& footprint = lists.GetFootprints()[number];
+    const SFootprint& footprint = lists.GetFootprint(number);
     if (ComputeDistance(footprint, x, y) - target.Radius >= bound) {
       continue;
     }
@@ -330,7 +331,7 @@ bool CDiscSwarm::LimitByFootprints(const SActiveDisc& active, const CCellLists& 
 bool CDiscSwarm::LimitByGhosts(const SActiveDisc& active, const SStep& done, Real bound,
                                CHalfPlanes& planes) {
   STarget& target = m_targets[active.Place];
-  const SPlace& disc = m_places[active.Place];
+  const SPlace& disc = PlaceOf(active);
   for (const SGhostLine& line : m_ghostLines.Get(disc.Slot)) {
     const Real room = line.Room - line.NormalX * (disc.X - line.StartX + done.X) -
                       line.NormalY * (disc.Y - line.StartY + done.Y);
@@ -351,7 +352,7 @@ bool CDiscSwarm::LimitByGhosts(const SActiveDisc& active, const SStep& done, Rea
 // Writes the result of a disc that has not reached its target.
 void CDiscSwarm::Finish(const SActiveDisc& active) {
   const STarget& target = m_targets[active.Place];
-  const SPlace& disc = m_places[active.Place];
+  const SPlace& disc = PlaceOf(active);
   const SStep& done = m_done[active.Place];
   m_nextX[disc.Slot] = disc.X + done.X;
   m_nextY[disc.Slot] = disc.Y + done.Y;

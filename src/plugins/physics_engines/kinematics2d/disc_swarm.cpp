@@ -51,6 +51,7 @@ void CDiscSwarm::Reserve(size_t discs) {
   }
   m_wheels.reserve(discs);
   m_owner.reserve(discs);
+  m_generations.Reserve(discs);
   m_reach.reserve(discs);
   m_sort.Reserve(discs, CFramedGrid::MaxCells(discs));
   m_places.reserve(discs);
@@ -63,7 +64,7 @@ void CDiscSwarm::Reserve(size_t discs) {
 void CDiscSwarm::Add(const SKinematicOwner& owner, const SBodyDescription& description,
                      const SPlanarPose& pose, const Real* wheels) {
   const UInt32 slot = static_cast<UInt32>(m_x.size());
-  *owner.Handle = {EKinematicKind::Disc, slot};
+  *owner.Handle = {EKinematicKind::Disc, slot, m_generations.Add()};
   for (auto* values : {&m_x, &m_y, &m_halfCos, &m_halfSin, &m_allowance, &m_stepX, &m_stepY,
                        &m_nextX, &m_nextY, &m_nextHalfCos, &m_nextHalfSin}) {
     values->push_back(0.0);
@@ -75,10 +76,12 @@ void CDiscSwarm::Add(const SKinematicOwner& owner, const SBodyDescription& descr
   m_maxForce.push_back(description.Drive->MaxForce);
   m_owner.push_back(owner);
   m_maxRadius = std::max(m_maxRadius, m_radius.back());
-  SetPose(slot, pose);
+  PutAt(slot, pose);
 }
 
-void CDiscSwarm::Remove(UInt32 slot) {
+void CDiscSwarm::Remove(const SKinematicHandle& handle) {
+  m_generations.Check(handle);
+  const UInt32 slot = handle.Slot;
   for (auto* values :
        {&m_x, &m_y, &m_halfCos, &m_halfSin, &m_allowance, &m_inverseInterwheel, &m_radius,
         &m_maxForce, &m_stepX, &m_stepY, &m_nextX, &m_nextY, &m_nextHalfCos, &m_nextHalfSin}) {
@@ -88,12 +91,19 @@ void CDiscSwarm::Remove(UInt32 slot) {
   TakeLast(m_wheels, slot);
   TakeLast(m_owner, slot);
   TakeLast(m_reach, slot);
+  const UInt32 generation = m_generations.Remove(slot);
   if (slot < m_owner.size()) {
     m_owner[slot].Handle->Slot = slot;
+    m_owner[slot].Handle->Generation = generation;
   }
 }
 
-void CDiscSwarm::SetPose(UInt32 slot, const SPlanarPose& pose) {
+void CDiscSwarm::SetPose(const SKinematicHandle& handle, const SPlanarPose& pose) {
+  m_generations.Check(handle);
+  PutAt(handle.Slot, pose);
+}
+
+void CDiscSwarm::PutAt(UInt32 slot, const SPlanarPose& pose) {
   m_x[slot] = m_nextX[slot] = pose.X;
   m_y[slot] = m_nextY[slot] = pose.Y;
   m_halfCos[slot] = m_nextHalfCos[slot] = pose.HalfCos;

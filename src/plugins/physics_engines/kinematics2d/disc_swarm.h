@@ -7,6 +7,7 @@
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/half_planes.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_handle.h>
 #include <argos3/plugins/simulator/physics_engines/planar/cell_lists.h>
+#include <argos3/plugins/simulator/physics_engines/robot_bodies/slot_generations.h>
 
 #include <algorithm>
 #include <atomic>
@@ -47,8 +48,12 @@ class CDiscSwarm {
   void Add(const SKinematicOwner& owner, const SBodyDescription& description,
            const SPlanarPose& pose, const Real* wheels);
   /** Removes a robot; the last one gets its slot. */
-  void Remove(UInt32 slot);
-  void SetPose(UInt32 slot, const SPlanarPose& pose);
+  void Remove(const SKinematicHandle& handle);
+  void SetPose(const SKinematicHandle& handle, const SPlanarPose& pose);
+  /** @return true if the robot of the handle is still in its slot. */
+  bool IsCurrent(const SKinematicHandle& handle) const {
+    return m_generations.IsCurrent(handle.Slot, handle.Generation);
+  }
 
   /** Computes the steps that wheels command in a time, s. @throws SBadKinematicWheels */
   void Plan(CThreadPool& pool, Real duration);
@@ -62,6 +67,7 @@ class CDiscSwarm {
   void Step(CThreadPool& pool, const CCellLists& walls, const CCellLists& solids);
   /** After Step(): makes the computed pose of a disc its pose. */
   void Commit(UInt32 slot) {
+    CheckSlot(slot);
     m_x[slot] = m_nextX[slot];
     m_y[slot] = m_nextY[slot];
     m_halfCos[slot] = m_nextHalfCos[slot];
@@ -69,14 +75,27 @@ class CDiscSwarm {
   }
 
   SPlanarPose GetPose(UInt32 slot) const {
+    CheckSlot(slot);
     return {m_x[slot], m_y[slot], m_halfCos[slot], m_halfSin[slot]};
   }
-  Real GetRadius(UInt32 slot) const { return m_radius[slot]; }
+  Real GetRadius(UInt32 slot) const {
+    CheckSlot(slot);
+    return m_radius[slot];
+  }
   /** The step of this tick that the wheels command, m. */
-  SStep GetPlannedStep(UInt32 slot) const { return {m_stepX[slot], m_stepY[slot]}; }
+  SStep GetPlannedStep(UInt32 slot) const {
+    CheckSlot(slot);
+    return {m_stepX[slot], m_stepY[slot]};
+  }
   /** Its greatest pushing force, N. */
-  Real GetMaxForce(UInt32 slot) const { return m_maxForce[slot]; }
-  const SKinematicOwner& GetOwner(UInt32 slot) const { return m_owner[slot]; }
+  Real GetMaxForce(UInt32 slot) const {
+    CheckSlot(slot);
+    return m_maxForce[slot];
+  }
+  const SKinematicOwner& GetOwner(UInt32 slot) const {
+    CheckSlot(slot);
+    return m_owner[slot];
+  }
   /**
    * After Plan(): calls visit(slot), in any order, for every disc whose reach is within @p reach
    * (m) of a point. One thread only.
@@ -102,6 +121,21 @@ class CDiscSwarm {
     Real Path;  // m; greatest distance from the start
     Real Depth;  // m, of the deepest overlap
   };
+  void CheckSlot([[maybe_unused]] UInt32 slot) const {
+    ARGOS_ASSERT(slot < GetSize(), "there is no disc in slot " << slot << " of " << GetSize());
+  }
+  // the places that Plan() has computed are of no use once a disc was added or removed
+  void CheckPlaces() const {
+    ARGOS_ASSERT(m_places.size() == GetSize(), "the places of " << m_places.size() << " discs are "
+                                                                << "stale: there are "
+                                                                << GetSize());
+  }
+  const SPlace& PlaceOf(const SActiveDisc& active) const {
+    ARGOS_ASSERT(active.Place < m_places.size(), "there is no disc at place " << active.Place);
+    CheckSlot(m_places[active.Place].Slot);
+    return m_places[active.Place];
+  }
+  void PutAt(UInt32 slot, const SPlanarPose& pose);
   void PlanRun(size_t begin, size_t end, Real duration);
   void Bin(size_t begin, size_t end, bool alone);
   bool IsGridBad() const;
@@ -137,6 +171,7 @@ class CDiscSwarm {
   std::vector<Real> m_radius;  // m
   std::vector<Real> m_maxForce;  // N
   std::vector<SKinematicOwner> m_owner;
+  CSlotGenerations m_generations;
   // written by Plan()
   std::vector<Real> m_stepX, m_stepY;  // m
   std::vector<Real> m_nextX, m_nextY, m_nextHalfCos, m_nextHalfSin;
@@ -165,6 +200,7 @@ void CDiscSwarm::ForDiscsNear(Real x, Real y, Real reach, VISIT&& visit) const {
   if (m_places.empty()) {
     return;
   }
+  CheckPlaces();
   const Real widest = reach + static_cast<Real>(m_maxReach.load(std::memory_order_relaxed));
   m_grid.ForRows(m_grid.CellsAround(x, y, widest), [&](UInt32 first, UInt32 last) {
     const UInt32 end = m_sort.End(last);

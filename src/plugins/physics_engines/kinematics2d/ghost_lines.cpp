@@ -22,6 +22,7 @@ void CGhostLines::Clear(size_t discs) {
 
 void CGhostLines::Add(UInt32 slot, Real x, Real y, Real radius, UInt32 number,
                       const SGhostDisc& ghost) {
+  ARGOS_ASSERT(slot < m_first.size(), "there is no disc in slot " << slot);
   const Real dx = ghost.X - x;
   const Real dy = ghost.Y - y;
   const Real distance = std::sqrt(dx * dx + dy * dy);
@@ -47,6 +48,8 @@ std::span<const SGhostLine> CGhostLines::Get(UInt32 slot) const {
     return {};
   }
   const size_t first = m_first[slot];
+  ARGOS_ASSERT(first < m_lines.size() && m_lines[first].Slot == slot,
+               "the ghost lines of slot " << slot << " are not sorted");
   size_t end = first + 1;
   while (end < m_lines.size() && m_lines[end].Slot == slot) {
     ++end;

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_GHOST_LINES_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_GHOST_LINES_H
 
+#include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/plugins/simulator/physics_engines/planar/ghost_discs.h>
 
@@ -36,7 +37,11 @@ class CGhostLines {
   void Add(UInt32 slot, Real x, Real y, Real radius, UInt32 number, const SGhostDisc& ghost);
   /** Sorts the lines by slot and ghost; to be called before Get(). */
   void Sort();
-  bool Has(UInt32 slot) const { return !m_lines.empty() && m_first[slot] != kNone; }
+  bool Has(UInt32 slot) const {
+    ARGOS_ASSERT(m_lines.empty() || slot < m_first.size(),
+                 "ghost lines are of " << m_first.size() << " discs, not of slot " << slot);
+    return !m_lines.empty() && m_first[slot] != kNone;
+  }
   /** The lines of a disc, in the order of ghosts. */
   std::span<const SGhostLine> Get(UInt32 slot) const;
 

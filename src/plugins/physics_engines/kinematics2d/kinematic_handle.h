@@ -18,12 +18,16 @@ enum class EKinematicKind : UInt8 {
   Disc /**< a robot that is one disc around its origin */
 };
 
-/** The place of a body in the arrays; the world writes it whenever it changes. */
+/**
+ * The place of a body in the arrays; the world writes it whenever it changes. A copy is stale from
+ * then on, which ARGOS_ASSERT notices.
+ */
 struct SKinematicHandle {
   static constexpr UInt32 kNowhere = std::numeric_limits<UInt32>::max();
 
   EKinematicKind Kind = EKinematicKind::Immovable;
   UInt32 Slot = kNowhere;
+  UInt32 Generation = 0;  // which of the bodies that had the slot
 };
 
 /** The engine's references to a body. */

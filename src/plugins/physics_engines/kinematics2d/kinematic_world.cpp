@@ -6,6 +6,7 @@ namespace argos {
 
 void CKinematicWorld::Reserve(size_t immovable, size_t solids, size_t discs) {
   m_immovable.reserve(immovable);
+  m_generations.Reserve(immovable);
   m_solids.Reserve(solids);
   m_discs.Reserve(discs);
 }
@@ -16,7 +17,8 @@ void CKinematicWorld::ReserveForGhosts(size_t discs) {
 
 void CKinematicWorld::AddImmovable(const SKinematicOwner& owner,
                                    const SBodyDescription& description, const SPlanarPose& pose) {
-  *owner.Handle = {EKinematicKind::Immovable, static_cast<UInt32>(m_immovable.size())};
+  *owner.Handle = {EKinematicKind::Immovable, static_cast<UInt32>(m_immovable.size()),
+                   m_generations.Add()};
   m_immovable.push_back({owner, DescribeFootprints(description, pose)});
   m_wallsChanged = true;
 }
@@ -37,31 +39,51 @@ void CKinematicWorld::AddMovable(const SKinematicOwner& owner, const SBodyDescri
 }
 
 void CKinematicWorld::Remove(const SKinematicHandle& handle) {
-  const UInt32 slot = handle.Slot;
   switch (handle.Kind) {
     case EKinematicKind::Immovable:
-      *m_immovable[slot].Owner.Handle = SKinematicHandle();
-      if (slot + 1 != m_immovable.size()) {
-        m_immovable[slot] = std::move(m_immovable.back());
-        m_immovable[slot].Owner.Handle->Slot = slot;
-      }
-      m_immovable.pop_back();
-      m_wallsChanged = true;
+      RemoveImmovable(handle);
       break;
     case EKinematicKind::Solid:
-      m_solids.Remove(slot);
+      m_solids.Remove(handle);
       break;
     case EKinematicKind::Disc:
-      m_discs.Remove(slot);
+      m_discs.Remove(handle);
       break;
   }
 }
 
+void CKinematicWorld::RemoveImmovable(const SKinematicHandle& handle) {
+  m_generations.Check(handle);
+  const UInt32 slot = handle.Slot;
+  *m_immovable[slot].Owner.Handle = SKinematicHandle();
+  const UInt32 generation = m_generations.Remove(slot);
+  if (slot + 1 != m_immovable.size()) {
+    m_immovable[slot] = std::move(m_immovable.back());
+    m_immovable[slot].Owner.Handle->Slot = slot;
+    m_immovable[slot].Owner.Handle->Generation = generation;
+  }
+  m_immovable.pop_back();
+  m_wallsChanged = true;
+}
+
+bool CKinematicWorld::IsCurrent(const SKinematicHandle& handle) const {
+  switch (handle.Kind) {
+    case EKinematicKind::Solid:
+      return m_solids.IsCurrent(handle);
+    case EKinematicKind::Disc:
+      return m_discs.IsCurrent(handle);
+    default:
+      return m_generations.IsCurrent(handle.Slot, handle.Generation);
+  }
+}
+
 void CKinematicWorld::SetPose(const SKinematicHandle& handle, const SPlanarPose& pose) {
+  ARGOS_ASSERT(handle.Kind != EKinematicKind::Immovable,
+               "the pose of an immovable body is set, in slot " << handle.Slot);
   if (handle.Kind == EKinematicKind::Disc) {
-    m_discs.SetPose(handle.Slot, pose);
+    m_discs.SetPose(handle, pose);
   } else {
-    m_solids.SetPose(handle.Slot, pose);
+    m_solids.SetPose(handle, pose);
   }
 }
 

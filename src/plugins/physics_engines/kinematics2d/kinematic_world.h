@@ -6,6 +6,7 @@
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/solids.h>
 #include <argos3/plugins/simulator/physics_engines/planar/cell_lists.h>
 #include <argos3/plugins/simulator/physics_engines/planar/ghost_discs.h>
+#include <argos3/plugins/simulator/physics_engines/robot_bodies/slot_generations.h>
 
 #include <span>
 #include <vector>
@@ -56,6 +57,8 @@ class CKinematicWorld {
    * @throws SBadKinematicWheels
    */
   void Advance(CThreadPool& pool, Real duration);
+  /** @return true if the body of the handle is still in its slot. */
+  bool IsCurrent(const SKinematicHandle& handle) const;
   CDiscSwarm& GetDiscs() { return m_discs; }
   CSolids& GetSolids() { return m_solids; }
 
@@ -65,11 +68,13 @@ class CKinematicWorld {
     std::vector<SFootprint> Footprints;
   };
 
+  void RemoveImmovable(const SKinematicHandle& handle);
   void ListWalls();
 
   CDiscSwarm m_discs;
   CSolids m_solids;
   std::vector<SImmovable> m_immovable;
+  CSlotGenerations m_generations;  // of the immovable bodies
   std::vector<SFootprint> m_wallsOfRegion;
   std::vector<SFootprint> m_walls;  // footprints of all immovable bodies, and those of the region
   bool m_wallsChanged = true;

@@ -31,6 +31,10 @@ UInt32 CPushSolver::AddBody(const STwist& twist, Real force, Real torque, Real s
 }
 
 void CPushSolver::AddContact(const SContact& contact) {
+  CheckNumber(contact.Pushed);
+  if (contact.Pushing != kNone) {
+    CheckNumber(contact.Pushing);
+  }
   m_contacts.push_back({contact, 0.0, 0.0});
   m_greatestNeed = std::max(m_greatestNeed, contact.Need);
 }

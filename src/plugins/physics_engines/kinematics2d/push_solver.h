@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_PUSH_SOLVER_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_PUSH_SOLVER_H
 
+#include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 
 #include <cstddef>
@@ -54,7 +55,10 @@ class CPushSolver {
   UInt32 AddBody(const STwist& twist, Real force, Real torque, Real squaredGyration);
   void AddContact(const SContact& contact);
   void Solve();
-  const STwist& GetTwist(UInt32 body) const { return m_bodies[body].Twist; }
+  const STwist& GetTwist(UInt32 body) const {
+    CheckNumber(body);
+    return m_bodies[body].Twist;
+  }
 
  private:
   struct SBody {
@@ -69,6 +73,9 @@ class CPushSolver {
     Real Force;  // N
   };
 
+  void CheckNumber([[maybe_unused]] UInt32 body) const {
+    ARGOS_ASSERT(body < m_bodies.size(), "the solver has no body with the number " << body);
+  }
   void Prepare();
   void GuessFriction();
   Real SolveContacts();

@@ -54,7 +54,7 @@ void CSolids::AddFaces(const SGhostDisc& ghost, Real tick) {
     // so large that no path of the robot leads around it or through it
     const Real half = ghost.Radius + 2.0 * solid.BoundingRadius + 2.0 * path;
     const Real toCentre = (ghost.Radius + 0.5 * gap - half) / distance;
-    m_faces.push_back({slot,
+    m_faces.push_back({*solid.Owner.Handle,
                        {ghost.X + dx * toCentre, ghost.Y + dy * toCentre, dx / distance,
                         dy / distance, half, half, 0.0}});
   }
@@ -66,7 +66,7 @@ void CSolids::FindGhostOverlaps(UInt32 slot) {
   m_ghostCells.Find(m_grid, solid.Pose.X, solid.Pose.Y, solid.BoundingRadius, m_found);
   for (const UInt32 ghost : m_found) {
     for (const SFootprint& mine : FootprintsOf(solid)) {
-      const Real depth = -ComputeGap(mine, m_ghosts[ghost]);
+      const Real depth = -ComputeGap(mine, m_ghostCells.GetFootprint(ghost));
       if (depth > kSolidTolerance * solid.NarrowestHalf) {
         AddToSolver(slot);
         m_farthest = std::max(m_farthest, depth);

@@ -72,6 +72,7 @@ bool IsNear(const SSolid& solid, const SFootprint& footprint, Real margin) {
 
 void CSolids::Reserve(size_t solids) {
   m_solids.reserve(solids);
+  m_generations.Reserve(solids);
   m_shapes.reserve(2 * solids);
   m_footprints.reserve(2 * solids);
   m_slotOf.reserve(2 * solids);
@@ -85,7 +86,8 @@ void CSolids::Reserve(size_t solids) {
 
 void CSolids::Add(const SKinematicOwner& owner, const SBodyDescription& description,
                   const SPlanarPose& pose, const Real* wheels, const SGroundFriction& friction) {
-  *owner.Handle = {EKinematicKind::Solid, static_cast<UInt32>(m_solids.size())};
+  *owner.Handle = {EKinematicKind::Solid, static_cast<UInt32>(m_solids.size()),
+                   m_generations.Add()};
   SSolid& solid = m_solids.emplace_back();
   solid.Owner = owner;
   solid.FirstFootprint = m_shapes.size();
@@ -109,13 +111,17 @@ void CSolids::Add(const SKinematicOwner& owner, const SBodyDescription& descript
   Place(solid, pose);
 }
 
-void CSolids::Remove(UInt32 slot) {
+void CSolids::Remove(const SKinematicHandle& handle) {
+  m_generations.Check(handle);
+  const UInt32 slot = handle.Slot;
   const SSolid gone = m_solids[slot];
   *gone.Owner.Handle = SKinematicHandle();
   m_numDriven -= gone.IsPassive() ? 0 : 1;
+  const UInt32 generation = m_generations.Remove(slot);
   if (slot + 1 != m_solids.size()) {
     m_solids[slot] = m_solids.back();
     m_solids[slot].Owner.Handle->Slot = slot;
+    m_solids[slot].Owner.Handle->Generation = generation;
   }
   m_solids.pop_back();
   // the lists of footprints are dense
@@ -135,9 +141,10 @@ void CSolids::Remove(UInt32 slot) {
   ++m_generation;
 }
 
-void CSolids::SetPose(UInt32 slot, const SPlanarPose& pose) {
-  m_solids[slot].IsFresh = true;
-  Place(m_solids[slot], pose);
+void CSolids::SetPose(const SKinematicHandle& handle, const SPlanarPose& pose) {
+  SSolid& solid = Get(handle);
+  solid.IsFresh = true;
+  Place(solid, pose);
 }
 
 void CSolids::Place(SSolid& solid, const SPlanarPose& pose) {
@@ -337,14 +344,14 @@ void CSolids::AddNeighbours(UInt32 slot, const CDiscSwarm& discs) {
   const Real most = kSolidStep * solid.NarrowestHalf;
   m_wallCells.Find(m_grid, solid.Pose.X, solid.Pose.Y, reach, m_found);
   for (const UInt32 wall : m_found) {
-    if (IsNear(solid, m_walls[wall], margin)) {
-      AddObstacle(solid, m_walls[wall], most);
+    if (IsNear(solid, m_wallCells.GetFootprint(wall), margin)) {
+      AddObstacle(solid, m_wallCells.GetFootprint(wall), most);
     }
   }
   m_ghostCells.Find(m_grid, solid.Pose.X, solid.Pose.Y, reach, m_found);
   for (const UInt32 ghost : m_found) {
     // the whole overlap, because a ghost moves on in the next tick
-    AddObstacle(solid, m_ghosts[ghost], m_farthest);
+    AddObstacle(solid, m_ghostCells.GetFootprint(ghost), m_farthest);
   }
   m_nearDiscs.clear();
   discs.ForDiscsNear(solid.Pose.X, solid.Pose.Y, solid.BoundingRadius + margin,
@@ -465,7 +472,7 @@ void CSolids::GatherObstacles(const SSolid& solid, Real margin, const CDiscSwarm
   const Real reach = solid.BoundingRadius + margin;
   m_wallCells.Find(m_grid, solid.Pose.X, solid.Pose.Y, reach, m_found);
   for (const UInt32 wall : m_found) {
-    add(m_walls[wall]);
+    add(m_wallCells.GetFootprint(wall));
   }
   m_nearDiscs.clear();
   discs.ForDiscsNear(solid.Pose.X, solid.Pose.Y, reach,
@@ -478,17 +485,17 @@ void CSolids::GatherObstacles(const SSolid& solid, Real margin, const CDiscSwarm
   m_solidCells.Find(m_grid, solid.Pose.X, solid.Pose.Y, reach, m_found);
   for (const UInt32 footprint : m_found) {
     if (&m_solids[m_slotOf[footprint]] != &solid) {
-      add(m_footprints[footprint]);
+      add(m_solidCells.GetFootprint(footprint));
     }
   }
   if (solid.IsPassive()) {
     m_ghostCells.Find(m_grid, solid.Pose.X, solid.Pose.Y, reach, m_found);
     for (const UInt32 ghost : m_found) {
-      add(m_ghosts[ghost]);
+      add(m_ghostCells.GetFootprint(ghost));
     }
   }
   for (const SFace& face : m_faces) {
-    if (&m_solids[face.Slot] == &solid) {
+    if (&Get(face.Robot) == &solid) {
       add(face.Footprint, true);
     }
   }

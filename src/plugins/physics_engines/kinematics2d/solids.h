@@ -9,6 +9,7 @@
 #include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
 #include <argos3/plugins/simulator/physics_engines/planar/ghost_discs.h>
 #include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
+#include <argos3/plugins/simulator/physics_engines/robot_bodies/slot_generations.h>
 
 #include <span>
 #include <vector>
@@ -56,8 +57,12 @@ class CSolids {
   void Add(const SKinematicOwner& owner, const SBodyDescription& description,
            const SPlanarPose& pose, const Real* wheels, const SGroundFriction& friction);
   /** Removes a body; the last one gets its slot. */
-  void Remove(UInt32 slot);
-  void SetPose(UInt32 slot, const SPlanarPose& pose);
+  void Remove(const SKinematicHandle& handle);
+  void SetPose(const SKinematicHandle& handle, const SPlanarPose& pose);
+  /** @return true if the body of the handle is still in its slot. */
+  bool IsCurrent(const SKinematicHandle& handle) const {
+    return m_generations.IsCurrent(handle.Slot, handle.Generation);
+  }
 
   /** Computes the steps that wheels command in a time, s. @throws SBadKinematicWheels */
   void Plan(Real duration);
@@ -78,8 +83,10 @@ class CSolids {
   /** Changes whenever a footprint does. */
   UInt32 GetGeneration() const { return m_generation; }
 
-  SSolid& Get(UInt32 slot) { return m_solids[slot]; }
-  const SSolid& Get(UInt32 slot) const { return m_solids[slot]; }
+  SSolid& Get(UInt32 slot) {
+    ARGOS_ASSERT(slot < m_solids.size(), "there is no solid in slot " << slot);
+    return m_solids[slot];
+  }
 
  private:
   /** An obstacle near a body, which is fixed while the body moves. */
@@ -91,7 +98,7 @@ class CSolids {
 
   /** The face that keeps a robot on its side of the gap to a ghost, in a tick. */
   struct SFace {
-    UInt32 Slot;
+    SKinematicHandle Robot;
     SFootprint Footprint;
   };
 
@@ -120,12 +127,20 @@ class CSolids {
   Real Move(SSolid& solid, const STwist& twist, const CDiscSwarm& discs);
   bool IsFree(const SSolid& solid, const SPlanarPose& pose) const;
   Real ComputeGapTo(const SSolid& solid, const SPlanarPose& pose, const SObstacle& obstacle) const;
+  SSolid& Get(const SKinematicHandle& handle) {
+    m_generations.Check(handle);
+    return m_solids[handle.Slot];
+  }
   std::span<const SFootprint> FootprintsOf(const SSolid& solid) const {
+    ARGOS_ASSERT(solid.FirstFootprint + solid.NumFootprints <= m_footprints.size() &&
+                     &m_solids[m_slotOf[solid.FirstFootprint]] == &solid,
+                 "the footprints from number " << solid.FirstFootprint << " are of another body");
     return {m_footprints.data() + solid.FirstFootprint, solid.NumFootprints};
   }
   void Place(SSolid& solid, const SPlanarPose& pose);
 
   std::vector<SSolid> m_solids;
+  CSlotGenerations m_generations;
   std::vector<SFootprint> m_shapes;  // footprints of all, in the frames of their bodies
   std::vector<SFootprint> m_footprints;  // the same, world frame
   std::vector<UInt32> m_slotOf;  // (footprints): of the body

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_CELL_LISTS_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_CELL_LISTS_H
 
+#include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/spatial/cell_items.h>
 #include <argos3/core/utility/spatial/planar_grid.h>
 #include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
@@ -24,7 +25,10 @@ class CCellLists {
   bool IsEmpty() const { return m_items.GetNumCells() == 0; }
   /** Numbers of the footprints that may be reached from a cell. */
   CCellItems::CRun Get(UInt32 cell) const { return m_items.Get(cell); }
-  std::span<const SFootprint> GetFootprints() const { return m_footprints; }
+  const SFootprint& GetFootprint(UInt32 number) const {
+    ARGOS_ASSERT(number < m_footprints.size(), "there is no footprint with the number " << number);
+    return m_footprints[number];
+  }
   /**
    * Calls visit(UInt32 number) for the footprints listed in the cells around a point; perhaps
    * repeatedly.

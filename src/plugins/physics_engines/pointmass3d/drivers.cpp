@@ -17,17 +17,19 @@ void FillPlace(std::vector<T>& values, UInt32 number) {
 
 }  // namespace
 
-UInt32 CDrivers::Add(CPointMass3DBody& owner, const Real* wheels, Real interwheelDistance,
-                     const SPlanarPose& pose, Real height) {
+SPointMassHandle CDrivers::Add(CPointMass3DBody& owner, const Real* wheels, Real interwheelDistance,
+                               const SPlanarPose& pose, Real height) {
   m_poses.push_back(pose);
   m_heights.push_back(height);
   m_perInterwheel.push_back(1.0 / interwheelDistance);
   m_wheels.push_back(wheels);
   m_owners.push_back(&owner);
-  return static_cast<UInt32>(m_poses.size() - 1);
+  return {static_cast<UInt32>(m_poses.size() - 1), m_generations.Add()};
 }
 
-CPointMass3DBody* CDrivers::Remove(UInt32 number) {
+CPointMass3DBody* CDrivers::Remove(const SPointMassHandle& handle) {
+  const UInt32 number = GetNumber(handle);
+  m_generations.Remove(number);
   FillPlace(m_poses, number);
   FillPlace(m_heights, number);
   FillPlace(m_perInterwheel, number);
@@ -42,10 +44,11 @@ void CDrivers::Clear() {
   m_perInterwheel.clear();
   m_wheels.clear();
   m_owners.clear();
+  m_generations.Clear();
 }
 
 void CDrivers::Place(UInt32 number, const SPlanarPose& pose, Real height) {
-  m_poses[number] = pose;
+  m_poses[Checked(number)] = pose;
   m_heights[number] = height;
 }
 

@@ -2,6 +2,8 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_POINTMASS3D_DRIVERS_H
 
 #include <argos3/core/simulator/physics_engine/planar_motion.h>
+#include <argos3/plugins/simulator/physics_engines/pointmass3d/point_mass_handle.h>
+#include <argos3/plugins/simulator/physics_engines/robot_bodies/slot_generations.h>
 
 #include <vector>
 
@@ -16,7 +18,8 @@ constexpr Real kFarthest = 1e9;
  * The bodies of an engine that roll on two wheels, and their motion: the exact arc of their wheel
  * speeds, at the height where they were placed, without contacts.
  *
- * Numbers of bodies are dense; removing one moves the last one into its place.
+ * Numbers of bodies are dense; removing one moves the last one into its place. A handle holds the
+ * number of a body until then.
  */
 class CDrivers {
  public:
@@ -25,24 +28,38 @@ class CDrivers {
    * Adds a body.
    * @param wheels             speeds of the left and the right wheel, m/s; read in every tick.
    * @param interwheelDistance m, > 0.
-   * @return its number: GetCount() before the call.
+   * @return its handle, with the number GetCount() before the call.
    */
-  UInt32 Add(CPointMass3DBody& owner, const Real* wheels, Real interwheelDistance,
-             const SPlanarPose& pose, Real height);
-  /** Removes a body. @return the body that now has @p number, if any. */
-  CPointMass3DBody* Remove(UInt32 number);
+  SPointMassHandle Add(CPointMass3DBody& owner, const Real* wheels, Real interwheelDistance,
+                       const SPlanarPose& pose, Real height);
+  /** Removes a body. @return the body that now has its number, if any. */
+  CPointMass3DBody* Remove(const SPointMassHandle& handle);
+  SPointMassHandle GetHandle(UInt32 number) const { return {number, m_generations.Get(number)}; }
+  /** The number of a body whose handle is not stale. */
+  UInt32 GetNumber(const SPointMassHandle& handle) const {
+    m_generations.Check(handle);
+    return handle.Slot;
+  }
+  /** @return true if the body of the handle still has its number. */
+  bool IsCurrent(const SPointMassHandle& handle) const {
+    return m_generations.IsCurrent(handle.Slot, handle.Generation);
+  }
   void Clear();
 
   void Place(UInt32 number, const SPlanarPose& pose, Real height);
-  const SPlanarPose& GetPose(UInt32 number) const { return m_poses[number]; }
+  const SPlanarPose& GetPose(UInt32 number) const { return m_poses[Checked(number)]; }
   /** m. */
-  Real GetHeight(UInt32 number) const { return m_heights[number]; }
-  CPointMass3DBody& GetOwner(UInt32 number) const { return *m_owners[number]; }
+  Real GetHeight(UInt32 number) const { return m_heights[Checked(number)]; }
+  CPointMass3DBody& GetOwner(UInt32 number) const { return *m_owners[Checked(number)]; }
   /** Speed of a body's origin that its wheels command, m/s. */
-  Real GetSpeed(UInt32 number) const { return 0.5 * (m_wheels[number][0] + m_wheels[number][1]); }
+  Real GetSpeed(UInt32 number) const {
+    const Real* const wheels = m_wheels[Checked(number)];
+    return 0.5 * (wheels[0] + wheels[1]);
+  }
   /** rad/s. */
   Real GetYawRate(UInt32 number) const {
-    return (m_wheels[number][1] - m_wheels[number][0]) * m_perInterwheel[number];
+    const Real* const wheels = m_wheels[Checked(number)];
+    return (wheels[1] - wheels[0]) * m_perInterwheel[number];
   }
 
   /**
@@ -53,12 +70,18 @@ class CDrivers {
   void Advance(Real tick);
 
  private:
+  UInt32 Checked(UInt32 number) const {
+    ARGOS_ASSERT(number < GetCount(), "there is no driving body with the number " << number);
+    return number;
+  }
+
   // all (bodies)
   std::vector<SPlanarPose> m_poses;  // world frame; written by Advance()
   std::vector<Real> m_heights;  // m
   std::vector<Real> m_perInterwheel;  // 1/m
   std::vector<const Real*> m_wheels;  // m/s: left, right; not owned
   std::vector<CPointMass3DBody*> m_owners;
+  CSlotGenerations m_generations;
 };
 
 }  // namespace argos

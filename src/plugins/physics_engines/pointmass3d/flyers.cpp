@@ -28,7 +28,7 @@ Real WrapDifference(Real angle) {
 
 }  // namespace
 
-UInt32 CFlyers::Add(const SSettings& settings, const SFlightPose& pose) {
+SPointMassHandle CFlyers::Add(const SSettings& settings, const SFlightPose& pose) {
   const UInt32 number = static_cast<UInt32>(m_robots.size());
   if (number % kLanes == 0) {
     m_blocks.emplace_back();
@@ -60,16 +60,18 @@ UInt32 CFlyers::Add(const SSettings& settings, const SFlightPose& pose) {
   yaw.MaxThrust[lane] = propellers.MaxTorque;
   yaw.Weight[lane] = 0.0;
   Place(number, pose);
-  return number;
+  return {number, m_generations.Add()};
 }
 
-CPointMass3DBody* CFlyers::Remove(UInt32 number) {
+CPointMass3DBody* CFlyers::Remove(const SPointMassHandle& handle) {
+  const UInt32 number = GetNumber(handle);
   const UInt32 last = static_cast<UInt32>(m_robots.size() - 1);
   CPointMass3DBody* moved = nullptr;
   if (number != last) {
     Copy(last, number);
     moved = m_robots[number].Owner;
   }
+  m_generations.Remove(number);
   // unused lanes are computed, too, but never read
   m_robots.pop_back();
   if (last % kLanes == 0) {
@@ -94,6 +96,7 @@ void CFlyers::Copy(UInt32 from, UInt32 to) {
 void CFlyers::Clear() {
   m_blocks.clear();
   m_robots.clear();
+  m_generations.Clear();
 }
 
 void CFlyers::Place(UInt32 number, const SFlightPose& pose) {
@@ -107,7 +110,7 @@ void CFlyers::Place(UInt32 number, const SFlightPose& pose) {
 
 SFlightPose CFlyers::GetPose(UInt32 number) const {
   const size_t lane = number % kLanes;
-  const auto& axes = m_blocks[number / kLanes].Axes;
+  const auto& axes = m_blocks[Checked(number) / kLanes].Axes;
   return {CVector3(axes[0].Place[lane], axes[1].Place[lane], axes[2].Place[lane]),
           axes[kYaw].Place[lane]};
 }

@@ -3,6 +3,8 @@
 
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/utility/math/range.h>
+#include <argos3/plugins/simulator/physics_engines/pointmass3d/point_mass_handle.h>
+#include <argos3/plugins/simulator/physics_engines/robot_bodies/slot_generations.h>
 
 #include <array>
 #include <vector>
@@ -36,7 +38,8 @@ using SFlightState = std::array<SAxisState, 4>;
  * all its bodies and runs in vector registers. The kind of control of a body only selects numbers:
  * gains, targets, and whether the target is a position or a speed.
  *
- * Numbers of bodies are dense; removing one moves the last one into its place.
+ * Numbers of bodies are dense; removing one moves the last one into its place. A handle holds the
+ * number of a body until then.
  */
 class CFlyers {
  public:
@@ -51,10 +54,20 @@ class CFlyers {
   };
 
   size_t GetCount() const { return m_robots.size(); }
-  /** Adds a body at rest. @return its number: GetCount() before the call. */
-  UInt32 Add(const SSettings& settings, const SFlightPose& pose);
-  /** Removes a body. @return the body that now has @p number, if any. */
-  CPointMass3DBody* Remove(UInt32 number);
+  /** Adds a body at rest. @return its handle, with the number GetCount() before the call. */
+  SPointMassHandle Add(const SSettings& settings, const SFlightPose& pose);
+  /** Removes a body. @return the body that now has its number, if any. */
+  CPointMass3DBody* Remove(const SPointMassHandle& handle);
+  SPointMassHandle GetHandle(UInt32 number) const { return {number, m_generations.Get(number)}; }
+  /** The number of a body whose handle is not stale. */
+  UInt32 GetNumber(const SPointMassHandle& handle) const {
+    m_generations.Check(handle);
+    return handle.Slot;
+  }
+  /** @return true if the body of the handle still has its number. */
+  bool IsCurrent(const SPointMassHandle& handle) const {
+    return m_generations.IsCurrent(handle.Slot, handle.Generation);
+  }
   void Clear();
 
   /** Sets the pose of a body, at rest, and resets its controllers. */
@@ -63,7 +76,7 @@ class CFlyers {
   SFlightState GetState(UInt32 number) const;
   void SetState(UInt32 number, const SFlightState& state);
 
-  CPointMass3DBody& GetOwner(UInt32 number) const { return *m_robots[number].Owner; }
+  CPointMass3DBody& GetOwner(UInt32 number) const { return *m_robots[Checked(number)].Owner; }
   /** The smallest bound of any loop of any body, s; infinite without bodies. */
   Real ComputeStableSubstep() const;
 
@@ -99,9 +112,15 @@ class CFlyers {
     Real Bound = 0.0;  // s
   };
 
-  SAxis& GetAxis(UInt32 number, size_t axis) { return m_blocks[number / kLanes].Axes[axis]; }
+  UInt32 Checked(UInt32 number) const {
+    ARGOS_ASSERT(number < GetCount(), "there is no flying body with the number " << number);
+    return number;
+  }
+  SAxis& GetAxis(UInt32 number, size_t axis) {
+    return m_blocks[Checked(number) / kLanes].Axes[axis];
+  }
   const SAxis& GetAxis(UInt32 number, size_t axis) const {
-    return m_blocks[number / kLanes].Axes[axis];
+    return m_blocks[Checked(number) / kLanes].Axes[axis];
   }
   void ReadCommand(UInt32 number, Real perSubstep);
   void Copy(UInt32 from, UInt32 to);
@@ -111,6 +130,7 @@ class CFlyers {
 
   std::vector<SBlock> m_blocks;
   std::vector<SRobot> m_robots;
+  CSlotGenerations m_generations;
 };
 
 }  // namespace argos

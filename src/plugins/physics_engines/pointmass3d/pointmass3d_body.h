@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_POINTMASS3D_POINTMASS3D_BODY_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_POINTMASS3D_POINTMASS3D_BODY_H
 
+#include <argos3/plugins/simulator/physics_engines/pointmass3d/point_mass_handle.h>
 #include <argos3/plugins/simulator/physics_engines/robot_bodies/robot_body_model.h>
 
 namespace argos {
@@ -25,7 +26,7 @@ class CPointMass3DBody final : public CRobotBodyModel {
   friend class CPointMass3DEngine;
 
   EKind m_kind;
-  UInt32 m_slot = 0;  // in the arrays of its kind; unused if it is still
+  SPointMassHandle m_handle;  // in the arrays of its kind; unused if it is still
 };
 
 }  // namespace argos

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace argos {
 
@@ -191,10 +192,10 @@ void CPointMass3DEngine::Enter(CDescribedBodyModel& model) {
     settings.Body = &description;
     settings.Gravity = m_gravity;
     std::tie(settings.Lowest, settings.Highest) = ComputeFlightSpace(body);
-    entering.m_slot = m_flyers->Add(settings, GetFlightPose(body));
+    entering.m_handle = m_flyers->Add(settings, GetFlightPose(body));
     m_substeps = 0;
   } else if (entering.m_kind == EKind::Driver) {
-    entering.m_slot =
+    entering.m_handle =
         m_drivers->Add(entering, entering.m_wheels, description.Drive->InterwheelDistance,
                        GetPlanarPose(body), body.GetOriginAnchor().Position.GetZ());
   }
@@ -220,16 +221,19 @@ bool CPointMass3DEngine::RemoveEntity(CEntity& entity) {
 
 // the last body of the same kind gets the slot of the removed one
 void CPointMass3DEngine::Leave(CDescribedBodyModel& model) {
-  const auto& leaving = static_cast<CPointMass3DBody&>(model);
-  CPointMass3DBody* moved = nullptr;
+  auto& leaving = static_cast<CPointMass3DBody&>(model);
+  const SPointMassHandle handle = std::exchange(leaving.m_handle, SPointMassHandle());
+  const auto remove = [&handle](auto& bodies) {
+    CPointMass3DBody* const moved = bodies.Remove(handle);
+    if (moved != nullptr) {
+      moved->m_handle = bodies.GetHandle(handle.Slot);
+    }
+  };
   if (leaving.m_kind == EKind::Flyer) {
-    moved = m_flyers->Remove(leaving.m_slot);
+    remove(*m_flyers);
     m_substeps = 0;
   } else if (leaving.m_kind == EKind::Driver) {
-    moved = m_drivers->Remove(leaving.m_slot);
-  }
-  if (moved != nullptr) {
-    moved->m_slot = leaving.m_slot;
+    remove(*m_drivers);
   }
 }
 
@@ -237,9 +241,10 @@ void CPointMass3DEngine::Reposition(CDescribedBodyModel& model) {
   const auto& displaced = static_cast<CPointMass3DBody&>(model);
   const CEmbodiedEntity& body = displaced.m_cEmbodiedEntity;
   if (displaced.m_kind == EKind::Flyer) {
-    m_flyers->Place(displaced.m_slot, GetFlightPose(body));
+    m_flyers->Place(m_flyers->GetNumber(displaced.m_handle), GetFlightPose(body));
   } else if (displaced.m_kind == EKind::Driver) {
-    m_drivers->Place(displaced.m_slot, GetPlanarPose(body), body.GetOriginAnchor().Position.GetZ());
+    m_drivers->Place(m_drivers->GetNumber(displaced.m_handle), GetPlanarPose(body),
+                     body.GetOriginAnchor().Position.GetZ());
   }
 }
 
@@ -250,9 +255,9 @@ void CPointMass3DEngine::Adopt(CDescribedBodyModel& model) {
     return;
   }
   const auto& from = static_cast<CPointMass3DEngine&>(model.GetEngine());
-  const SFlightState state = from.m_flyers->GetState(adopted.m_slot);
+  const SFlightState state = from.m_flyers->GetState(from.m_flyers->GetNumber(adopted.m_handle));
   CDescribedBodyEngine::Adopt(model);
-  m_flyers->SetState(adopted.m_slot, state);
+  m_flyers->SetState(m_flyers->GetNumber(adopted.m_handle), state);
 }
 
 CPointMass3DBody* CPointMass3DEngine::FindBody(const CEmbodiedEntity& body) const {
@@ -265,12 +270,13 @@ bool CPointMass3DEngine::GetMotion(const CEmbodiedEntity& body, SBodyMotion& mot
     return false;
   }
   if (model->m_kind == EKind::Flyer) {
-    const SFlightState state = m_flyers->GetState(model->m_slot);
+    const SFlightState state = m_flyers->GetState(m_flyers->GetNumber(model->m_handle));
     motion = {CVector3(state[0].Speed, state[1].Speed, state[2].Speed),
               CVector3(0.0, 0.0, state[3].Speed)};
   } else {
-    motion = {CVector3(m_drivers->GetSpeed(model->m_slot), 0.0, 0.0),
-              CVector3(0.0, 0.0, m_drivers->GetYawRate(model->m_slot))};
+    const UInt32 number = m_drivers->GetNumber(model->m_handle);
+    motion = {CVector3(m_drivers->GetSpeed(number), 0.0, 0.0),
+              CVector3(0.0, 0.0, m_drivers->GetYawRate(number))};
     motion.Velocity.Rotate(body.GetOriginAnchor().Orientation);
   }
   return true;
@@ -281,12 +287,13 @@ void CPointMass3DEngine::SetMotion(CEmbodiedEntity& body, const SBodyMotion& mot
   if (model == nullptr || model->m_kind != EKind::Flyer) {
     return;
   }
-  SFlightState state = m_flyers->GetState(model->m_slot);
+  const UInt32 number = m_flyers->GetNumber(model->m_handle);
+  SFlightState state = m_flyers->GetState(number);
   for (UInt32 axis = 0; axis < 3; ++axis) {
     state[axis].Speed = motion.Velocity[axis];
   }
   state[3].Speed = motion.Rotation.GetZ();
-  m_flyers->SetState(model->m_slot, state);
+  m_flyers->SetState(number, state);
 }
 
 UInt32 CPointMass3DEngine::GetSubsteps() {

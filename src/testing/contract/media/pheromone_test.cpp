@@ -6,6 +6,7 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_pheromone_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_pheromone_sensor.h>
 #include <argos3/plugins/simulator/media/pheromone_medium.h>
+#include <argos3/testing/support/invariants.h>
 #include <argos3/testing/support/no_allocation.h>
 #include <argos3/testing/support/robot_world.h>
 #include <argos3/testing/support/statistics.h>
@@ -463,4 +464,13 @@ TEST_CASE("pheromone: invalid experiments are refused with the reason",
     Actuator(world).GetInterfaces()[0].Rate = -2.0;
     CHECK_THROWS_WITH(world.Step(), Contains(">= 0 (amount per second), got -2") && Contains("r"));
   }
+}
+
+TEST_CASE("pheromone: a layer that does not exist is noticed", "[contract][media][invariants]") {
+  CRobotWorld world(WithPheromones(RobotInCell("e-puck")));
+  CPheromoneMedium& medium = Medium(world);
+  CheckCaught([&] { medium.GetField(1); }, "there is no layer 1");
+  CheckCaught([&] { static_cast<void>(medium.GetLayerId(1)); }, "there is no layer 1");
+  CheckCaught([&] { medium.Deposit(1, CVector3(), 1.0); }, "there is no layer 1");
+  CheckCaught([&] { static_cast<void>(medium.GetConcentration(1, CVector3())); }, "no layer 1");
 }

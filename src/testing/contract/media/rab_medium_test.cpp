@@ -7,6 +7,7 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_sensor.h>
 #include <argos3/plugins/simulator/media/rab_medium.h>
+#include <argos3/testing/support/invariants.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
@@ -291,4 +292,37 @@ TEST_CASE("rab medium: invalid attributes are refused with the reason",
                SCase{"check_occlusions=\"maybe\"", "check_occlusions"});
   CHECK_THAT(LoadError(WithRAB("", c.Attributes)),
              Contains(c.Reason) && Contains("test.argos:") && Contains("range_and_bearing"));
+}
+
+TEST_CASE("rab medium: a device that was switched off receives nothing, whoever has its number",
+          "[contract][media]") {
+  CRobotWorld world(
+      WithRAB(EPuck("a", 0.0, 0.0, 2.0) + EPuck("b", 0.3, 0.0, 2.0) + EPuck("c", 0.3, 0.3, 2.0)));
+  world.Step();
+  CHECK(NumPackets(world, "b") == 2);
+  auto& device = world.Get<CEPuckEntity>("b").GetRABEquippedEntity();
+  const UInt32 number = device.GetNumberInMedium();
+  device.SetEnabled(false);
+  world.Step();
+  CHECK(world.Get<CEPuckEntity>("c").GetRABEquippedEntity().GetNumberInMedium() == number);
+  CHECK(NumPackets(world, "c") == 1);
+  CHECK(NumPackets(world, "b") == 0);
+  device.SetEnabled(true);
+  world.Step();
+  CHECK(NumPackets(world, "b") == 2);
+}
+
+TEST_CASE("rab medium: the number of another device is noticed", "[contract][media][invariants]") {
+  CRobotWorld world(WithRAB(EPuck("a", 0.0, 0.0, 2.0) + EPuck("b", 0.3, 0.0, 2.0)));
+  world.Step();
+  CRABMedium& medium = Medium(world);
+  auto& device = world.Get<CEPuckEntity>("a").GetRABEquippedEntity();
+  const UInt32 number = device.GetNumberInMedium();
+  for (const UInt32 stale : {number + 1, number + 2}) {
+    device.SetNumberInMedium(stale);
+    CheckCaught([&] { medium.GetSenders(device); }, "\"rab_0\" in the medium \"rab\" is stale");
+    CheckCaught([&] { medium.RemoveEntity(device); }, "is stale");
+  }
+  device.SetNumberInMedium(number);
+  CheckCaught([&] { medium.GetDevice(2); }, "no entity with the number 2");
 }

@@ -1,5 +1,6 @@
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/plugins/simulator/media/point_cells.h>
+#include <argos3/testing/support/invariants.h>
 #include <argos3/testing/support/no_allocation.h>
 
 #include <catch2/catch.hpp>
@@ -103,4 +104,14 @@ TEST_CASE("point cells: sorting the same number of points again allocates nothin
     cells.Sort(second.X.data(), second.Y.data(), 1000, 0.1);
     cells.Sort(third.X.data(), third.Y.data(), 900, 2.0);
   });
+}
+
+TEST_CASE("point cells: places of a former sort are noticed", "[media][invariants]") {
+  const SPoints points = MakePoints(3, 1);
+  CPointCells cells;
+  cells.SetOptions(MakeOptions(SIndexChoice::EKind::Grid, 0), kArena);
+  cells.Sort(points.X.data(), points.Y.data(), 3, 1.0);
+  CHECK(cells.GetPoint(2) < 3);
+  cells.Sort(points.X.data(), points.Y.data(), 2, 1.0);
+  CheckCaught([&] { static_cast<void>(cells.GetPoint(2)); }, "there is no place 2");
 }

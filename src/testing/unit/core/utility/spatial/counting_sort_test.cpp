@@ -2,6 +2,7 @@
 #include <argos3/core/utility/spatial/cell_items.h>
 #include <argos3/core/utility/spatial/counting_sort.h>
 #include <argos3/core/utility/threads/thread_pool.h>
+#include <argos3/testing/support/invariants.h>
 #include <argos3/testing/support/no_allocation.h>
 
 #include <catch2/catch.hpp>
@@ -223,4 +224,34 @@ TEST_CASE("cell chains: hold what was added and not removed, newest first", "[sp
       chains.ForItems(cell, [](UInt32 item) { FAIL("still holds " << item); });
     }
   }
+}
+
+TEST_CASE("counting sort: items and keys of a former sort are noticed", "[spatial][invariants]") {
+  CCountingSort sort;
+  sort.Start(3, 3);
+  for (UInt32 i = 0; i < 3; ++i) {
+    sort.SetKey(i, i);
+  }
+  sort.Finish();
+  CHECK(sort.GetPlace(2) == 2);
+  sort.Start(2, 2);
+  CheckCaught([&] { sort.SetKey(2, 0); }, "a sort of 2 items has no item 2");
+  CheckCaught([&] { sort.SetKeyOnThread(0, 2); }, "a sort by 2 keys has no key 2");
+  CheckCaught([&] { sort.LeaveOut(2); }, "has no item 2");
+  CheckCaught([&] { static_cast<void>(sort.GetPlace(2)); }, "has no item 2");
+  CheckCaught([&] { static_cast<void>(sort.Begin(2)); }, "has no key 2");
+  CheckCaught([&] { static_cast<void>(sort.End(2)); }, "has no key 2");
+  sort.LeaveOut(0);
+  CheckCaught([&] { static_cast<void>(sort.GetPlace(0)); }, "has no key");
+}
+
+TEST_CASE("cell chains: removed items and former cells are noticed", "[spatial][invariants]") {
+  CCellChains chains;
+  chains.Resize(2);
+  chains.Add(1, 7);
+  chains.Remove(1, 7);
+  CheckCaught([&] { chains.Remove(1, 7); }, "a removed item is not in it");
+  CheckCaught([&] { chains.Add(2, 7); }, "there is no cell 2 of 2");
+  CheckCaught([&] { chains.Remove(2, 7); }, "there is no cell 2 of 2");
+  CheckCaught([&] { chains.ForItems(2, [](UInt32) {}); }, "there is no cell 2 of 2");
 }

@@ -1,0 +1,189 @@
+// Handles, slots and numbers whose body has left; see ARGOS_CHECK_INVARIANTS.
+
+#include "planar_scene.h"
+
+#include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_ghosts.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_grips.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_world.h>
+#include <argos3/testing/support/invariants.h>
+
+#include <catch2/catch.hpp>
+
+namespace argos {
+
+namespace {
+
+const std::string kStale = "stale handle of a body";
+
+// adds a body of a kind
+CPlanarScene::SBody& Add(CPlanarScene& scene, EPlanarKind kind, Real x) {
+  return kind == EPlanarKind::Driven ? scene.AddRobot(x, 0.0)
+                                     : scene.AddBox(x, 0.0, kind == EPlanarKind::Passive);
+}
+
+}  // namespace
+
+TEST_CASE("planar store: the handle of a removed body is stale, also after its slot is used again",
+          "[dynamics2d][invariants]") {
+  const EPlanarKind kind =
+      GENERATE(EPlanarKind::Immovable, EPlanarKind::Passive, EPlanarKind::Driven);
+  CAPTURE(static_cast<int>(kind));
+  CPlanarScene scene;
+  const auto& first = Add(scene, kind, 0.0);
+  const auto& second = Add(scene, kind, 1.0);
+  const SPlanarHandle ofFirst = first.Handle;
+  const SPlanarHandle ofSecond = second.Handle;
+  CHECK(scene.Store.IsCurrent(ofFirst));
+  CHECK_FALSE(ofFirst == ofSecond);
+
+  // the second body gets the slot of the first
+  scene.Store.Remove(first.Handle);
+  CHECK(second.Handle.Slot == ofFirst.Slot);
+  CHECK(scene.Store.IsCurrent(second.Handle));
+  CHECK_FALSE(scene.Store.IsCurrent(first.Handle));
+  // and a third one that of the second
+  const auto& third = Add(scene, kind, 2.0);
+  CHECK(third.Handle.Slot == ofSecond.Slot);
+  for (const SPlanarHandle& stale : {ofFirst, ofSecond}) {
+    CHECK_FALSE(scene.Store.IsCurrent(stale));
+    CheckCaught([&] { scene.Store.Remove(stale); }, kStale);
+    CheckCaught([&] { scene.Store.GetOwner(stale); }, kStale);
+    CheckCaught([&] { scene.Store.GetVelocity(stale); }, kStale);
+    if (kind != EPlanarKind::Immovable) {
+      CheckCaught([&] { scene.Store.IsAt(stale, SPlanarPose()); }, kStale);
+      CheckCaught([&] { scene.Store.GetNumGrips(stale); }, kStale);
+      CheckCaught([&] { scene.Store.GetBoundingRadius(stale); }, kStale);
+      CheckCaught([&] { scene.Store.GetNarrowestHalf(stale); }, kStale);
+      CheckCaught([&] { scene.Active.GetBox2DBody(stale); }, kStale);
+      CheckCaught([&] { scene.Active.SetVelocity(stale, SPlanarVelocity()); }, kStale);
+    }
+  }
+  CheckCaught([&] { scene.Store.Remove(first.Handle); }, kStale);
+}
+
+TEST_CASE("planar store: a handle is of one kind of body", "[dynamics2d][invariants]") {
+  CPlanarScene scene;
+  const auto& robot = scene.AddRobot(0.0, 0.0);
+  const auto& box = scene.AddBox(1.0, 0.0, true);
+  CheckCaught([&] { scene.Store.GetPassive(robot.Handle); }, "another kind");
+  CheckCaught([&] { scene.Store.GetDriven(box.Handle); }, "another kind");
+}
+
+TEST_CASE("planar store: the number of a destroyed Box2D body is noticed",
+          "[dynamics2d][invariants]") {
+  CPlanarScene scene;
+  b2Body& body = scene.Store.CreateBody(SPlanarPose(), EPlanarKind::Driven, SPlanarOwner(), false);
+  const UInt32 number = GetBodyNumber(body);
+  CHECK(scene.Store.IsDriven(number));
+  scene.Store.DestroyBody(body);
+  CheckCaught([&] { scene.Store.IsDriven(number); }, "no Box2D body has the number");
+}
+
+TEST_CASE("planar world: a stale handle is noticed", "[dynamics2d][invariants]") {
+  CPlanarScene scene;
+  CPlanarWorld world(CPlanarScene::MakeSettings());
+  const std::array<Real, 2> wheels{};
+  const auto add = [&](Real x) -> CPlanarScene::SBody& {
+    CPlanarScene::SBody& body = scene.Bodies.emplace_back("robot");
+    world.AddDriven(body.GetOwner(), CPlanarScene::DescribeRobot(), CPlanarScene::PoseAt(x, 0.0),
+                    wheels.data());
+    return body;
+  };
+  const SPlanarHandle stale = add(0.0).Handle;
+  world.Remove(scene.Bodies[0].Handle);
+  add(1.0);
+  CHECK(scene.Bodies[1].Handle.Slot == stale.Slot);
+  CheckCaught([&] { world.Remove(stale); }, kStale);
+  CheckCaught([&] { world.SetVelocity(stale, SPlanarVelocity()); }, kStale);
+  CheckCaught([&] { static_cast<void>(world.GetVelocity(stale)); }, kStale);
+  world.Advance();
+}
+
+TEST_CASE("active set: a robot that has left its slot is noticed", "[dynamics2d][invariants]") {
+  CPlanarScene scene;
+  for (int i = 0; i < 3; ++i) {
+    scene.AddRobot(0.5 * i, 0.0);
+  }
+  scene.Active.Activate(2);
+  CheckCaught([&] { scene.Active.Activate(2); }, "active already");
+  CheckCaught([&] { scene.Active.Deactivate(1); }, "no active robot");
+  CheckCaught([&] { scene.Active.GetBox2DBody(scene.Bodies[1].Handle); }, "no active robot");
+  CheckCaught([&] { scene.Store.Remove(scene.Bodies[2].Handle); }, "an active robot is removed");
+
+  // the active robot moves to slot 0, and the set is not told
+  scene.Store.Remove(scene.Bodies[0].Handle);
+  CheckCaught([&] { scene.Active.StartTick(); }, "no robot in slot 2");
+  scene.AddRobot(3.0, 0.0);
+  CheckCaught([&] { scene.Active.StartTick(); }, "not the one that was active there");
+  CheckCaught([&] { scene.Active.Deactivate(0); }, "not the active one");
+  scene.Active.UpdateSlot(0);
+  CHECK_NOTHROW(scene.Active.StartTick());
+}
+
+TEST_CASE("planar ghosts: a robot that was removed after it met a ghost is noticed",
+          "[dynamics2d][invariants]") {
+  CPlanarScene scene;
+  CPlanarGhosts ghosts(scene.Store, scene.Active);
+  scene.AddRobot(0.0, 0.0);
+  scene.AddRobot(1.0, 0.0);
+  CProximityFilter marks;
+  marks.Clear(2);
+  marks.Place(0, 0.0, 0.0, 0.1);
+  marks.Place(1, 1.0, 0.0, 0.1);
+  marks.MarkAll();
+  ghosts.Set({{0.12, 0.0, CPlanarScene::kRadius}});
+  ghosts.FindMeetings(marks, 0.03);
+  scene.Store.Remove(scene.Bodies[0].Handle);
+  // another robot has the slot now
+  REQUIRE(scene.Bodies[1].Handle.Slot == 0);
+  CheckCaught([&] { ghosts.Place(0.03); }, kStale);
+}
+
+TEST_CASE("planar grips: a holder and a held body that have left are noticed",
+          "[dynamics2d][grip][invariants]") {
+  CPlanarScene scene;
+  CPlanarGrips grips(scene.Store, scene.Active);
+  CGripperEquippedEntity gripper(nullptr);
+  gripper.SetOffset(CVector3(CPlanarScene::kRadius, 0.0, 0.0));
+  auto& robot = scene.AddRobot(0.0, 0.0);
+  grips.SetManipulator(robot.GetOwner(), CPlanarScene::DescribeRobot(), &gripper, nullptr);
+  scene.Active.Activate(robot.Handle.Slot);
+  const auto& box = scene.AddBox(0.105, 0.0, true);
+  const SPlanarHandle held = box.Handle;
+  gripper.SetLockState(1.0);
+  grips.StartTick();
+  grips.MakeGrips();
+  REQUIRE(grips.IsInGrip(held));
+
+  // a copy of the holder's handle is as good as the original
+  const SPlanarHandle holder = robot.Handle;
+  grips.Remove(holder);
+  CHECK_FALSE(grips.IsHoldingAny());
+  grips.SetManipulator(robot.GetOwner(), CPlanarScene::DescribeRobot(), &gripper, nullptr);
+  CheckCaught([&] { grips.RestoreGrip(SGripTransfer(), held, held); }, "another kind");
+  scene.Store.Remove(box.Handle);
+  CheckCaught([&] { grips.RestoreGrip(SGripTransfer(), holder, held); }, kStale);
+  CheckCaught([&] { static_cast<void>(grips.IsInGrip(held)); }, kStale);
+  CheckCaught([&] { grips.Remove(held); }, kStale);
+
+  // the robot leaves without its gripper
+  scene.Active.Deactivate(robot.Handle.Slot);
+  scene.Store.Remove(robot.Handle);
+  CheckCaught([&] { grips.MakeGrips(); }, "handle of a body");
+}
+
+TEST_CASE("proximity filter: the numbers of a former tick are noticed",
+          "[dynamics2d][invariants]") {
+  CProximityFilter marks;
+  marks.Clear(2);
+  marks.Place(0, 0.0, 0.0, 0.1);
+  marks.Place(1, 1.0, 0.0, 0.1);
+  marks.Clear(1);
+  CheckCaught([&] { marks.SetReach(0, 0.2); }, "disc 0 was not placed in this tick");
+  CheckCaught([&] { marks.Extend(1, 0.2); }, "no disc with the number 1");
+  CheckCaught([&] { static_cast<void>(marks.GetMark(1)); }, "no disc with the number 1");
+}
+
+}  // namespace argos

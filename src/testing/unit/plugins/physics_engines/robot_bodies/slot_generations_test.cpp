@@ -1,0 +1,36 @@
+#include <argos3/plugins/simulator/physics_engines/robot_bodies/slot_generations.h>
+#include <argos3/testing/support/invariants.h>
+
+#include <catch2/catch.hpp>
+
+using namespace argos;
+
+TEST_CASE("slot generations: a slot that is used again has another generation", "[engines]") {
+  struct SHandle {
+    UInt32 Slot, Generation;
+  };
+  CSlotGenerations generations;
+  const SHandle first{0, generations.Add()};
+  const SHandle second{1, generations.Add()};
+  generations.Check(first);
+  generations.Check(second);
+
+  // the second body gets slot 0
+  const SHandle moved{0, generations.Remove(0)};
+  CHECK(moved.Generation == generations.Get(0));
+  CHECK(generations.IsCurrent(0, moved.Generation));
+  CHECK_FALSE(generations.IsCurrent(0, first.Generation));
+  CHECK_FALSE(generations.IsCurrent(1, second.Generation));
+  CheckCaught([&] { generations.Check(first); }, "stale handle of a body: generation 1 of slot 0");
+  CheckCaught([&] { generations.Check(second); }, "slot 1, among 1 bodies");
+  CheckCaught([&] { static_cast<void>(generations.Get(1)); }, "no body in slot 1 of 1");
+
+  const SHandle third{1, generations.Add()};
+  CHECK(generations.IsCurrent(1, third.Generation));
+  CHECK_FALSE(generations.IsCurrent(1, second.Generation));
+
+  generations.Clear();
+  const SHandle fourth{0, generations.Add()};
+  CHECK(generations.IsCurrent(0, fourth.Generation));
+  CHECK_FALSE(generations.IsCurrent(0, moved.Generation));
+}
