@@ -1,8 +1,8 @@
 #ifndef ARGOS3_CORE_UTILITY_SPATIAL_CELL_CHAINS_H
 #define ARGOS3_CORE_UTILITY_SPATIAL_CELL_CHAINS_H
 
-#include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 
 #include <cstddef>
 #include <vector>
