@@ -16,8 +16,8 @@ constexpr size_t kDeviceBytes = 128;
 constexpr size_t kControllerBytes = sizeof(CCI_Controller) + 96;
 // m; how far most sensors reach from the surface of the robot
 constexpr Real kReach = 0.1;
-// with fewer robots, all of their data fits into the cache
-constexpr size_t kFewRobots = 2000;
+// with fewer robots, what a tick reads of them fits into the second-level cache of most processors
+constexpr size_t kFewRobots = 500;
 
 const SAnchor* FindOrigin(CControllableEntity& robot) {
   auto* const root = dynamic_cast<CComposableEntity*>(&robot.GetRootEntity());
