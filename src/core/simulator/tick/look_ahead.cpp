@@ -39,13 +39,21 @@ const SAnchor* FindOrigin(CControllableEntity& robot) {
 }  // namespace
 
 void CLookAhead::SetRobots(const std::vector<CControllableEntity*>& robots) {
+  m_controllables = &robots;
   m_robots.clear();
+  m_arrays.clear();
   if (robots.size() < kFewRobots) {
     return;
   }
   m_robots.reserve(robots.size());
+  m_arrays.reserve(robots.size());
   for (CControllableEntity* robot : robots) {
-    m_robots.push_back({robot, FindOrigin(*robot)});
+    for (const auto& sensor : robot->m_sensors) {
+      if (const auto* const withArray = dynamic_cast<const CArraySensor*>(sensor.Simulated)) {
+        m_arrays.push_back(withArray->GetReadingsArray());
+      }
+    }
+    m_robots.push_back({FindOrigin(*robot), static_cast<UInt32>(m_arrays.size())});
   }
 }
 
@@ -53,9 +61,9 @@ void CLookAhead::BeforeAct(size_t number) const {
   if (number + 3 * kStep >= m_robots.size()) {
     return;
   }
-  LoadAhead(m_robots[number + 3 * kStep].Robot, sizeof(CControllableEntity));
-  LoadAhead(m_robots[number + 2 * kStep].Robot->m_actuators.data(), 1);
-  for (const CSimulatedActuator* actuator : m_robots[number + kStep].Robot->m_actuators) {
+  LoadAhead(&GetRobot(number + 3 * kStep), sizeof(CControllableEntity));
+  LoadAhead(GetRobot(number + 2 * kStep).m_actuators.data(), 1);
+  for (const CSimulatedActuator* actuator : GetRobot(number + kStep).m_actuators) {
     LoadAhead(actuator, kDeviceBytes);
   }
 }
@@ -64,28 +72,32 @@ void CLookAhead::BeforeSense(size_t number, const CBodyIndex& index) const {
   if (number + 3 * kStep >= m_robots.size()) {
     return;
   }
-  const SRobot& far = m_robots[number + 3 * kStep];
-  LoadAhead(far.Robot, sizeof(CControllableEntity));
-  if (far.Origin != nullptr) {
-    LoadAhead(far.Origin, sizeof(SAnchor));
+  const SAnchor* const farOrigin = m_robots[number + 3 * kStep].Origin;
+  LoadAhead(&GetRobot(number + 3 * kStep), sizeof(CControllableEntity));
+  if (farOrigin != nullptr) {
+    LoadAhead(farOrigin, sizeof(SAnchor));
   }
 
-  const SRobot& middle = m_robots[number + 2 * kStep];
-  LoadAhead(middle.Robot->m_sensors.data(), 1);
-  LoadAhead(middle.Robot->m_actuators.data(), 1);
-  if (middle.Robot->m_pcController != nullptr) {
-    LoadAhead(middle.Robot->m_pcController, kControllerBytes);
+  const CControllableEntity& middle = GetRobot(number + 2 * kStep);
+  LoadAhead(middle.m_sensors.data(), 1);
+  LoadAhead(middle.m_actuators.data(), 1);
+  if (middle.m_pcController != nullptr) {
+    LoadAhead(middle.m_pcController, kControllerBytes);
   }
-  LoadAround(middle, index, false);
+  LoadAround(m_robots[number + 2 * kStep], index, false);
 
-  const SRobot& near = m_robots[number + kStep];
-  for (const auto& sensor : near.Robot->m_sensors) {
+  const CControllableEntity& near = GetRobot(number + kStep);
+  for (const auto& sensor : near.m_sensors) {
     LoadAhead(sensor.Simulated, kDeviceBytes);
   }
-  for (const CSimulatedActuator* actuator : near.Robot->m_actuators) {
+  for (const CSimulatedActuator* actuator : near.m_actuators) {
     LoadAhead(actuator, kDeviceBytes);
   }
-  LoadAround(near, index, true);
+  LoadAround(m_robots[number + kStep], index, true);
+  const UInt32 endOfArrays = m_robots[number + kStep].EndOfArrays;
+  for (UInt32 i = m_robots[number + kStep - 1].EndOfArrays; i < endOfArrays; ++i) {
+    LoadAhead(m_arrays[i].Start, m_arrays[i].Bytes);
+  }
 }
 
 // where the solids around a robot are listed, then the lists

@@ -1,7 +1,7 @@
 #ifndef ARGOS3_CORE_SIMULATOR_TICK_LOOK_AHEAD_H
 #define ARGOS3_CORE_SIMULATOR_TICK_LOOK_AHEAD_H
 
-#include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/simulator/entity/array_sensor.h>
 
 #include <cstddef>
 #include <vector>
@@ -23,7 +23,10 @@ struct SAnchor;
  */
 class CLookAhead {
  public:
-  /** Takes the robots of a space. To be called after robots, bodies or controllers have changed. */
+  /**
+   * Takes the robots of a space. To be called after robots, bodies or controllers have changed.
+   * @param robots  is read by the functions below.
+   */
   void SetRobots(const std::vector<CControllableEntity*>& robots);
 
   /** To be called before robot @p number acts. */
@@ -33,12 +36,16 @@ class CLookAhead {
 
  private:
   struct SRobot {
-    const CControllableEntity* Robot;
     const SAnchor* Origin;  // of its body; null if it has none
+    UInt32 EndOfArrays;  // in m_arrays; they begin where those of the robot before end
   };
   void LoadAround(const SRobot& robot, const CBodyIndex& index, bool lists) const;
 
-  std::vector<SRobot> m_robots;  // in the order of the loops
+  const CControllableEntity& GetRobot(size_t number) const { return *(*m_controllables)[number]; }
+
+  const std::vector<CControllableEntity*>* m_controllables = nullptr;  // in the order of the loops
+  std::vector<SRobot> m_robots;  // in the same order; empty if there are few
+  std::vector<CArraySensor::SArray> m_arrays;  // of the robots' sensors
 };
 
 }  // namespace argos

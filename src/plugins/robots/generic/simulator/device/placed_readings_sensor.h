@@ -1,7 +1,7 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_DEVICE_PLACED_READINGS_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_DEVICE_PLACED_READINGS_SENSOR_H
 
-#include <argos3/core/simulator/sensor.h>
+#include <argos3/core/simulator/entity/array_sensor.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
 
 #include <cstddef>
@@ -27,7 +27,7 @@ void RequireNumSensors(const CComposableEntity& robot, const char* device, const
  *                    kKind.
  */
 template <class INTERFACE, class READER>
-class CPlacedReadingsSensor : public CSimulatedSensor, public INTERFACE {
+class CPlacedReadingsSensor : public CArraySensor, public INTERFACE {
  public:
   /** See READER::SetRobot(). @throws CARGoSException if the robot has another number of sensors. */
   void SetRobot(CComposableEntity& robot) override {
@@ -47,6 +47,7 @@ class CPlacedReadingsSensor : public CSimulatedSensor, public INTERFACE {
     }
     m_reader.Reset();
   }
+  CArraySensor::SArray GetReadingsArray() const override { return ArrayOf(this->m_tReadings); }
 
  protected:
   /** Number of sensors, of the reader's kind, that the robot must have. */

@@ -1,0 +1,31 @@
+#ifndef ARGOS3_CORE_SIMULATOR_ENTITY_ARRAY_SENSOR_H
+#define ARGOS3_CORE_SIMULATOR_ENTITY_ARRAY_SENSOR_H
+
+#include <argos3/core/simulator/sensor.h>
+
+namespace argos {
+
+/** Base of simulated sensors whose readings are in an array apart from the sensor. */
+class CArraySensor : public CSimulatedSensor {
+ public:
+  struct SArray {
+    const void* Start;
+    UInt32 Bytes;
+  };
+
+  /**
+   * The array that Update() writes to. The tick loads it into the cache ahead; this function is
+   * called only when the robots of the space have changed, so an array that moves later is not.
+   */
+  virtual SArray GetReadingsArray() const = 0;
+
+ protected:
+  template <typename CONTAINER>
+  static SArray ArrayOf(const CONTAINER& readings) {
+    return {readings.data(), static_cast<UInt32>(readings.size() * sizeof(*readings.data()))};
+  }
+};
+
+}  // namespace argos
+
+#endif
