@@ -1,7 +1,7 @@
 #ifndef ARGOS3_CORE_SIMULATOR_ENTITY_ARRAY_SENSOR_H
 #define ARGOS3_CORE_SIMULATOR_ENTITY_ARRAY_SENSOR_H
 
-#include <argos3/core/simulator/sensor.h>
+#include <argos3/core/simulator/entity/sensor.h>
 
 namespace argos {
 
