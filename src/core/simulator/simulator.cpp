@@ -3,7 +3,7 @@
 #include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/default_visualization.h>
 #include <argos3/core/simulator/geometry/body_index.h>
-#include <argos3/core/simulator/loading/experiment.h>
+#include <argos3/core/simulator/loading/experiment_parts.h>
 #include <argos3/core/simulator/loading/experiment_loader.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/tick/loop_functions.h>
@@ -46,7 +46,7 @@ CSimulator::CSimulator(std::unique_ptr<CRandom::CRegistry> registry)
       m_context(*this),
       m_space(std::make_unique<CSpace>(m_context)),
       m_tick(std::make_unique<CTick>(m_context)),
-      m_experiment(std::make_unique<SExperiment>(m_context)) {
+      m_experiment(std::make_unique<SExperimentParts>(m_context)) {
   m_context.Space = m_space.get();
   m_context.RunTick = [this] { m_tick->Run(); };
 }
@@ -300,7 +300,7 @@ void CSimulator::Destroy() {
     failure = unwritten;
   }
   m_experiment.reset();
-  m_experiment = std::make_unique<SExperiment>(m_context);
+  m_experiment = std::make_unique<SExperimentParts>(m_context);
   m_settings.ForgetWhatWasSet();
   m_terminated = false;
   LOG.Flush();

@@ -27,14 +27,14 @@ class CSpace;
 class CThreadPool;
 class CTick;
 class CVisualization;
-struct SExperiment;
+struct SExperimentParts;
 struct STickTimes;
 
 /**
  * One simulation; owns all its parts.
  *
- * What the parts share is in SSimulationContext, what an experiment consists of in SExperiment; the
- * loader (loading/experiment_loader.h) makes it, CTick runs it.
+ * What the parts share is in SSimulationContext, what an experiment consists of in
+ * SExperimentParts; the loader (loading/experiment_loader.h) makes it, CTick runs it.
  *
  * A process may contain several simulators, of which at most one is current per thread:
  * GetInstance() returns the calling thread's current one. Programs with several simulators
@@ -189,7 +189,7 @@ class CSimulator {
   std::unique_ptr<CTick> m_tick;
   std::string m_experimentFileName;
   SRunSettings m_settings;
-  std::unique_ptr<SExperiment> m_experiment;  // never null; its reset is Destroy()
+  std::unique_ptr<SExperimentParts> m_experiment;  // never null; its reset is Destroy()
   std::atomic<bool> m_terminated{false};  // controllers may end the experiment concurrently
   std::function<void(CSimulator&)> m_tickObserver;
 };

@@ -2,7 +2,7 @@
 
 #include <argos3/core/simulator/context/load_errors.h>
 #include <argos3/core/simulator/geometry/body_index.h>
-#include <argos3/core/simulator/loading/experiment.h>
+#include <argos3/core/simulator/loading/experiment_parts.h>
 #include <argos3/core/simulator/loading/run_settings.h>
 #include <argos3/core/simulator/medium/medium.h>
 #include <argos3/core/simulator/physics_engine/space_partition.h>

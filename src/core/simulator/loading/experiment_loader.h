@@ -12,7 +12,7 @@ namespace argos {
 class CLoopFunctions;
 class CTick;
 class CVisualization;
-struct SExperiment;
+struct SExperimentParts;
 struct SRunSettings;
 
 /**
@@ -24,7 +24,7 @@ class CExperimentLoader {
  public:
   /** @param experiment  has a document; gets the parts. @param settings  completed from the file.
    */
-  CExperimentLoader(SSimulationContext& context, CTick& tick, SExperiment& experiment,
+  CExperimentLoader(SSimulationContext& context, CTick& tick, SExperimentParts& experiment,
                     SRunSettings& settings)
       : m_context(context), m_tick(tick), m_experiment(experiment), m_settings(settings) {}
 
@@ -59,7 +59,7 @@ class CExperimentLoader {
 
   SSimulationContext& m_context;
   CTick& m_tick;
-  SExperiment& m_experiment;
+  SExperimentParts& m_experiment;
   SRunSettings& m_settings;
   std::function<void()> m_startWorker;
   std::function<std::unique_ptr<CVisualization>()> m_makeDefaultVisualization;

@@ -1,6 +1,6 @@
 // References to bodies that have left; see ARGOS_CHECK_INVARIANTS.
 
-#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/ode_session.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_world.h>
 #include <argos3/testing/support/invariants.h>

@@ -1,6 +1,6 @@
 // Handles, slots and numbers whose body has left; see ARGOS_CHECK_INVARIANTS.
 
-#include <argos3/core/simulator/physics_engine/body_description.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_world.h>
 #include <argos3/testing/support/invariants.h>

@@ -1,4 +1,4 @@
-#include <argos3/core/simulator/loading/experiment.h>
+#include <argos3/core/simulator/loading/experiment_parts.h>
 
 #include <argos3/core/simulator/medium/medium.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
@@ -28,13 +28,13 @@ std::exception_ptr Catch(STEP&& step) {
 
 }  // namespace
 
-SExperiment::SExperiment(SSimulationContext& context)
+SExperimentParts::SExperimentParts(SSimulationContext& context)
     : Pool(std::make_unique<CThreadPool>(0, CreateSchedule("balance_quantity"))),
       m_context(context) {
   m_context.Pool = Pool.get();
 }
 
-SExperiment::~SExperiment() {
+SExperimentParts::~SExperimentParts() {
   if (Visualization != nullptr) {
     Visualization->Destroy();
   }
@@ -62,12 +62,12 @@ SExperiment::~SExperiment() {
   Pool.reset();
 }
 
-void SExperiment::SetLoopFunctions(CLoopFunctions* loopFunctions) {
+void SExperimentParts::SetLoopFunctions(CLoopFunctions* loopFunctions) {
   m_context.LoopFunctions = loopFunctions;
   m_context.FloorPainter = loopFunctions;
 }
 
-std::exception_ptr SExperiment::DestroyLoopFunctions() {
+std::exception_ptr SExperimentParts::DestroyLoopFunctions() {
   if (!AreLoopFunctionsReady) {
     return nullptr;
   }
@@ -75,7 +75,7 @@ std::exception_ptr SExperiment::DestroyLoopFunctions() {
   return Catch([this] { m_context.LoopFunctions->Destroy(); });
 }
 
-void SExperiment::StartProfiling(std::unique_ptr<CProfiler> profiler, CTick& tick) {
+void SExperimentParts::StartProfiling(std::unique_ptr<CProfiler> profiler, CTick& tick) {
   Profiler = std::move(profiler);
   ProfiledTicks = std::make_unique<STickTimes>();
   m_profiledTick = &tick;
@@ -83,7 +83,7 @@ void SExperiment::StartProfiling(std::unique_ptr<CProfiler> profiler, CTick& tic
   Profiler->Start();
 }
 
-std::exception_ptr SExperiment::FinishProfiling() {
+std::exception_ptr SExperimentParts::FinishProfiling() {
   if (Profiler == nullptr) {
     return nullptr;
   }

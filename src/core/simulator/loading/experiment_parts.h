@@ -1,5 +1,5 @@
-#ifndef ARGOS3_CORE_SIMULATOR_LOADING_EXPERIMENT_H
-#define ARGOS3_CORE_SIMULATOR_LOADING_EXPERIMENT_H
+#ifndef ARGOS3_CORE_SIMULATOR_LOADING_EXPERIMENT_PARTS_H
+#define ARGOS3_CORE_SIMULATOR_LOADING_EXPERIMENT_PARTS_H
 
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/utility/math/rng.h>
@@ -24,11 +24,11 @@ struct STickTimes;
  * The destructor destroys it all: the visualization, the entities, the loop functions, media,
  * engines, random numbers and threads, in this order.
  */
-struct SExperiment {
-  explicit SExperiment(SSimulationContext& context);
-  ~SExperiment();
-  SExperiment(const SExperiment&) = delete;
-  SExperiment& operator=(const SExperiment&) = delete;
+struct SExperimentParts {
+  explicit SExperimentParts(SSimulationContext& context);
+  ~SExperimentParts();
+  SExperimentParts(const SExperimentParts&) = delete;
+  SExperimentParts& operator=(const SExperimentParts&) = delete;
 
   bool IsLoaded() const { return Rng != nullptr; }
   /** The caller keeps ownership. */
