@@ -1,21 +1,9 @@
 #include <argos3/plugins/simulator/entities/rfid_tag_equipped_entity.h>
 
-#include <argos3/core/simulator/current.h>
-#include <argos3/plugins/simulator/entities/read_medium.h>
-
 namespace argos {
 
-CRFIDTagEquippedEntity::CRFIDTagEquippedEntity(CComposableEntity* parent)
-    : CRFIDTagEquippedEntity(parent, std::string()) {}
-
-CRFIDTagEquippedEntity::CRFIDTagEquippedEntity(CComposableEntity* parent, const std::string& id)
-    : CMountedEntities(parent, id) {}
-
 void CRFIDTagEquippedEntity::Init(TConfigurationNode& tree) {
-  CMountedEntities::Init(tree);
-  SetMedium(ReadMedium<CRFIDTagEntity::CRegistry>(tree, CurrentSimulator(), "an RFID medium"));
-  InitInstances(tree, "rfid_tag", "origin");
-  Enable();
+  InitInMedium(tree, "an RFID medium", "rfid_tag", "origin");
 }
 
 void CRFIDTagEquippedEntity::AddTag(const std::string& id, const CVector3& position,
