@@ -55,6 +55,33 @@ class CPlacedReadingsSensor : public CSimulatedSensor, public INTERFACE {
   READER m_reader;
 };
 
+/**
+ * The same for sensors whose readings are numbers, one for each sensor of the robot.
+ */
+template <class INTERFACE, class READER>
+class CPlainReadingsSensor : public CSimulatedSensor, public INTERFACE {
+ public:
+  /** See READER::SetRobot(). */
+  void SetRobot(CComposableEntity& robot) override { m_reader.SetRobot(robot); }
+  /** See READER::Init(). */
+  void Init(TConfigurationNode& tree) override {
+    INTERFACE::Init(tree);
+    m_reader.Init(tree);
+    ClearReadings();
+    this->Enable();
+  }
+  void Reset() override {
+    ClearReadings();
+    m_reader.Reset();
+  }
+
+ protected:
+  READER m_reader;
+
+ private:
+  void ClearReadings() { this->m_tReadings.assign(m_reader.GetNumSensors(), 0.0); }
+};
+
 }  // namespace argos
 
 #endif

@@ -1,20 +1,16 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_PROXIMITY_PROXIMITY_DEFAULT_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_PROXIMITY_PROXIMITY_DEFAULT_SENSOR_H
 
-#include <argos3/core/simulator/sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_proximity_sensor.h>
+#include <argos3/plugins/robots/generic/simulator/placed_readings_sensor.h>
 #include <argos3/plugins/robots/generic/simulator/proximity_rays.h>
 
 namespace argos {
 
 /** Proximity sensors of any robot. A derived class may define another response. */
-class CProximityDefaultSensor : public CSimulatedSensor, public CCI_ProximitySensor {
+class CProximityDefaultSensor : public CPlainReadingsSensor<CCI_ProximitySensor, CProximityRays> {
  public:
-  void SetRobot(CComposableEntity& robot) override;
-  /** See CProximityRays::Init(). */
-  void Init(TConfigurationNode& tree) override;
   void Update() override;
-  void Reset() override;
 
   /**
    * Response of a sensor, before noise.
@@ -22,9 +18,6 @@ class CProximityDefaultSensor : public CSimulatedSensor, public CCI_ProximitySen
    * @return exp(-distance); clamped to [0,1] afterwards.
    */
   virtual Real CalculateReading(Real distance);
-
- private:
-  CProximityRays m_rays;
 };
 
 }  // namespace argos
