@@ -1,5 +1,7 @@
 #include <argos3/plugins/simulator/entities/directional_led_equipped_entity.h>
 
+#include <argos3/plugins/simulator/entities/mounted_entities_impl.h>
+
 namespace argos {
 
 void CDirectionalLEDEquippedEntity::Init(TConfigurationNode& tree) {

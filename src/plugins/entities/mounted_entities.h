@@ -5,7 +5,6 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/plugins/simulator/entities/anchor_use.h>
-#include <argos3/plugins/simulator/entities/read_medium.h>
 
 #include <memory>
 #include <string>
@@ -115,15 +114,12 @@ class CMountedEntities : public CComposableEntity {
   }
   /**
    * Init() of entities with one medium: reads `medium` and the children @p tag, and enables them.
+   *
+   * Defined in mounted_entities_impl.h, for sources.
    * @param kind  of the medium, for messages: "an LED medium".
    */
   void InitInMedium(TConfigurationNode& tree, const std::string& kind, const std::string& tag,
-                    const std::string& defaultAnchor = "") {
-    CComposableEntity::Init(tree);
-    SetMedium(ReadMedium<typename ENTITY::CRegistry>(tree, CurrentSimulator(), kind));
-    InitInstances(tree, tag, defaultAnchor);
-    Enable();
-  }
+                    const std::string& defaultAnchor = "");
   /** @param prepare  void(ENTITY&, TConfigurationNode& child), called before each mount. */
   template <typename PREPARE>
   void InitInstances(TConfigurationNode& tree, const std::string& tag,

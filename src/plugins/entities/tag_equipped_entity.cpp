@@ -1,5 +1,7 @@
 #include <argos3/plugins/simulator/entities/tag_equipped_entity.h>
 
+#include <argos3/plugins/simulator/entities/mounted_entities_impl.h>
+
 namespace argos {
 
 void CTagEquippedEntity::Init(TConfigurationNode& tree) {

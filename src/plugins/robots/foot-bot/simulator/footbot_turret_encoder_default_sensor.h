@@ -17,6 +17,7 @@ class CFootBotTurretEncoderDefaultSensor : public CNoisySensor<CCI_FootBotTurret
   void FindParts(CComposableEntity& robot) override;
   void Configure(TConfigurationNode& tree) override;
   void ResetReading() override;
+
   const CTurretEntity* m_turret = nullptr;  // of the robot
 };
 

@@ -19,6 +19,7 @@ class CDifferentialSteeringDefaultSensor : public CNoisySensor<CCI_DifferentialS
   /** Also reads `vel_noise_range` (cm/s) and `dist_noise_range` (cm). */
   void Configure(TConfigurationNode& tree) override;
   void ResetReading() override;
+
   const CWheeledEntity* m_wheels = nullptr;  // of the robot
 };
 
