@@ -3,8 +3,8 @@
 #include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/default_visualization.h>
 #include <argos3/core/simulator/geometry/body_index.h>
-#include <argos3/core/simulator/loading/experiment_parts.h>
 #include <argos3/core/simulator/loading/experiment_loader.h>
+#include <argos3/core/simulator/loading/experiment_parts.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/tick/loop_functions.h>
 #include <argos3/core/simulator/tick/tick.h>

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/entities/box_entity.h>
 
 #include <argos3/core/simulator/space/space_operations.h>
+#include <argos3/plugins/simulator/entities/passive_body_manual.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 
 namespace argos {
@@ -71,36 +72,8 @@ ATTRIBUTES
 
   id                text, required: unique among the entities of the arena.
   size              "x,y,z", m, required, each > 0: extents along the local axes.
-  movable           "true" or "false", required.
-  mass              kg, > 0: required if movable, ignored otherwise.
-  body@position     "x,y,z", m, default "0,0,0": the centre of the base, in the world frame.
-  body@orientation  "z,y,x", degrees, default "0,0,0".
-
-OPTIONAL XML
-
-LEDs on the box, seen by cameras:
-
-  <arena size="10,10,2">
-    <box id="beacon" size="0.3,0.3,0.2" movable="false">
-      <body position="1,0,0" orientation="0,0,0" />
-      <leds medium="leds">
-        <led offset="0.15,0,0.1" anchor="origin" color="red" />
-      </leds>
-    </box>
-  </arena>
-
-with their LED medium:
-
-  <media>
-    <led id="leds" />
-  </media>
-
-  leds@medium       text, required: the id of an LED medium.
-  leds/led@offset   "x,y,z", m, required: from the centre of the base, in the box's frame.
-  leds/led@anchor   text, required: "origin".
-  leds/led@color    a colour name or "R,G,B,A" with integers 0-255, required.
-  rfid_tags         RFID tags on the box; see the entity "rfid_tag".
-)",
+)" + PassiveBodyManual("box", R"(<box id="beacon" size="0.3,0.3,0.2" movable="false">)",
+                       "0.15,0,0.1"),
     "Usable")
 
 }  // namespace argos

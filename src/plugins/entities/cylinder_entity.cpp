@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/entities/cylinder_entity.h>
 
 #include <argos3/core/simulator/space/space_operations.h>
+#include <argos3/plugins/simulator/entities/passive_body_manual.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 
 namespace argos {
@@ -66,36 +67,9 @@ ATTRIBUTES
 
   id                text, required: unique among the entities of the arena.
   radius, height    m, required, > 0; the axis is vertical.
-  movable           "true" or "false", required.
-  mass              kg, > 0: required if movable, ignored otherwise.
-  body@position     "x,y,z", m, default "0,0,0": the centre of the base, in the world frame.
-  body@orientation  "z,y,x", degrees, default "0,0,0".
-
-OPTIONAL XML
-
-LEDs on the cylinder, seen by cameras:
-
-  <arena size="10,10,2">
-    <cylinder id="beacon" radius="0.1" height="0.2" movable="false">
-      <body position="1,0,0" orientation="0,0,0" />
-      <leds medium="leds">
-        <led offset="0,0,0.2" anchor="origin" color="red" />
-      </leds>
-    </cylinder>
-  </arena>
-
-with their LED medium:
-
-  <media>
-    <led id="leds" />
-  </media>
-
-  leds@medium       text, required: the id of an LED medium.
-  leds/led@offset   "x,y,z", m, required: from the centre of the base, in the cylinder's frame.
-  leds/led@anchor   text, required: "origin".
-  leds/led@color    a colour name or "R,G,B,A" with integers 0-255, required.
-  rfid_tags         RFID tags on the cylinder; see the entity "rfid_tag".
-)",
+)" + PassiveBodyManual("cylinder",
+                       R"(<cylinder id="beacon" radius="0.1" height="0.2" movable="false">)",
+                       "0,0,0.2"),
     "Usable")
 
 }  // namespace argos

@@ -3,7 +3,6 @@
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/plugins/simulator/entities/observable.h>
-#include <argos3/plugins/simulator/entities/put_into_cell.h>
 
 namespace argos {
 
@@ -48,20 +47,6 @@ void CDirectionalLEDEntity::UpdateDigest(CDigest& digest) const {
   digest.Add(m_color.GetGreen());
   digest.Add(m_color.GetBlue());
   digest.Add(m_color.GetAlpha());
-}
-
-bool CDirectionalLEDEntityGridUpdater::operator()(CDirectionalLEDEntity& led) {
-  if (led.IsLit()) {
-    PutIntoCell(m_grid, led);
-  }
-  return true;
-}
-
-void CDirectionalLEDEntitySpaceHashUpdater::operator()(
-    CAbstractSpaceHash<CDirectionalLEDEntity>& hash, CDirectionalLEDEntity& led) {
-  if (led.IsLit()) {
-    PutIntoCell(hash, led);
-  }
 }
 
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CDirectionalLEDEntity)

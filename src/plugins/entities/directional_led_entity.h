@@ -1,10 +1,9 @@
 #ifndef ARGOS3_PLUGINS_ENTITIES_DIRECTIONAL_LED_ENTITY_H
 #define ARGOS3_PLUGINS_ENTITIES_DIRECTIONAL_LED_ENTITY_H
 
-#include <argos3/core/simulator/space/positional_indices/grid.h>
-#include <argos3/core/simulator/space/positional_indices/space_hash.h>
 #include <argos3/core/utility/datatypes/color.h>
 #include <argos3/core/utility/math/angles.h>
+#include <argos3/plugins/simulator/entities/cell_updaters.h>
 #include <argos3/plugins/simulator/entities/medium_member.h>
 
 #include <vector>
@@ -47,6 +46,8 @@ class CDirectionalLEDEntity : public CMediumMember<CDirectionalLEDEntity, CDirec
   void SetInitColor(const CColor& color) { m_initColor = color; }
   /** @return false if the colour is opaque black: such an LED is invisible to cameras. */
   bool IsLit() const { return m_color != CColor(); }
+  /** Hides that of CMediumMember. */
+  bool IsInCells() const { return IsLit(); }
 
   const CRadians& GetObservableAngle() const { return m_observableAngle; }
   /**
@@ -65,22 +66,9 @@ class CDirectionalLEDEntity : public CMediumMember<CDirectionalLEDEntity, CDirec
   CRadians m_observableAngle = CRadians::PI;
 };
 
-/** Puts a directional LED into its cell of a grid, unless it is black. */
-class CDirectionalLEDEntityGridUpdater : public CGrid<CDirectionalLEDEntity>::COperation {
- public:
-  explicit CDirectionalLEDEntityGridUpdater(CGrid<CDirectionalLEDEntity>& grid) : m_grid(grid) {}
-  bool operator()(CDirectionalLEDEntity& led) override;
-
- private:
-  CGrid<CDirectionalLEDEntity>& m_grid;
-};
-
-/** Puts a directional LED into its cell of a space hash, unless it is black. */
-class CDirectionalLEDEntitySpaceHashUpdater : public CSpaceHashUpdater<CDirectionalLEDEntity> {
- public:
-  void operator()(CAbstractSpaceHash<CDirectionalLEDEntity>& hash,
-                  CDirectionalLEDEntity& led) override;
-};
+/** Put a directional LED into its cell, unless it is black. */
+using CDirectionalLEDEntityGridUpdater = CCellGridUpdater<CDirectionalLEDEntity>;
+using CDirectionalLEDEntitySpaceHashUpdater = CCellHashUpdater<CDirectionalLEDEntity>;
 
 }  // namespace argos
 

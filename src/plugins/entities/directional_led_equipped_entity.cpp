@@ -1,24 +1,12 @@
 #include <argos3/plugins/simulator/entities/directional_led_equipped_entity.h>
 
-#include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/space/space_operations.h>
-#include <argos3/plugins/simulator/entities/read_medium.h>
+#include <argos3/plugins/simulator/entities/mounted_entities_impl.h>
 
 namespace argos {
 
-CDirectionalLEDEquippedEntity::CDirectionalLEDEquippedEntity(CComposableEntity* parent)
-    : CDirectionalLEDEquippedEntity(parent, std::string()) {}
-
-CDirectionalLEDEquippedEntity::CDirectionalLEDEquippedEntity(CComposableEntity* parent,
-                                                             const std::string& id)
-    : CMountedEntities(parent, id) {}
-
 void CDirectionalLEDEquippedEntity::Init(TConfigurationNode& tree) {
-  CMountedEntities::Init(tree);
-  SetMedium(ReadMedium<CDirectionalLEDEntity::CRegistry>(tree, CurrentSimulator(),
-                                                         "a medium of directional LEDs"));
-  InitInstances(tree, "directional_led");
-  Enable();
+  InitInMedium(tree, "a medium of directional LEDs", "directional_led");
 }
 
 void CDirectionalLEDEquippedEntity::AddLED(const CVector3& position, const CQuaternion& orientation,
@@ -45,14 +33,8 @@ void CDirectionalLEDEquippedEntity::SetAllLEDsColors(const CColor& color) {
 }
 
 void CDirectionalLEDEquippedEntity::SetAllLEDsColors(const std::vector<CColor>& colors) {
-  if (colors.size() != GetNumLEDs()) {
-    THROW_ARGOSEXCEPTION("directional LEDs \"" << GetContext() << GetId() << "\": got "
-                                               << colors.size() << " colors for " << GetNumLEDs()
-                                               << " LEDs");
-  }
-  for (size_t i = 0; i < colors.size(); ++i) {
-    GetInstances()[i].Entity.SetColor(colors[i]);
-  }
+  SetEach(colors, "directional LEDs", "colors",
+          [](CDirectionalLEDEntity& led, const CColor& color) { led.SetColor(color); });
 }
 
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CDirectionalLEDEquippedEntity)

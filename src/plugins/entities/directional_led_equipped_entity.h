@@ -13,8 +13,7 @@ class CDirectionalLEDEquippedEntity : public CMountedEntities<CDirectionalLEDEnt
  public:
   ENABLE_VTABLE();
 
-  explicit CDirectionalLEDEquippedEntity(CComposableEntity* parent);
-  CDirectionalLEDEquippedEntity(CComposableEntity* parent, const std::string& id);
+  using CMountedEntities::CMountedEntities;
 
   /**
    * Reads `medium` and the children `<directional_led position="x,y,z" orientation="z,y,x"

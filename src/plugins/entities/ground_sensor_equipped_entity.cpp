@@ -28,13 +28,6 @@ bool SGroundSensor::WriteTo(SGroundSensorPlace& place) const {
   return true;
 }
 
-CGroundSensorEquippedEntity::CGroundSensorEquippedEntity(CComposableEntity* parent)
-    : CGroundSensorEquippedEntity(parent, std::string()) {}
-
-CGroundSensorEquippedEntity::CGroundSensorEquippedEntity(CComposableEntity* parent,
-                                                         const std::string& id)
-    : CSensorEquippedEntity(parent, id) {}
-
 void CGroundSensorEquippedEntity::AddSensor(const CVector2& offset, ESensorType type,
                                             SAnchor& anchor) {
   Append(anchor, [&](SGroundSensorLayout& layout, UInt32 number) {

@@ -67,8 +67,7 @@ class CGroundSensorEquippedEntity
   static constexpr ESensorType TYPE_BLACK_WHITE = SGroundSensorPlace::TYPE_BLACK_WHITE;
   static constexpr ESensorType TYPE_GRAYSCALE = SGroundSensorPlace::TYPE_GRAYSCALE;
 
-  explicit CGroundSensorEquippedEntity(CComposableEntity* parent);
-  CGroundSensorEquippedEntity(CComposableEntity* parent, const std::string& id);
+  using CSensorEquippedEntity::CSensorEquippedEntity;
 
   std::string GetTypeDescription() const override { return "ground_sensors"; }
 

@@ -2,7 +2,6 @@
 
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/datatypes/digest.h>
-#include <argos3/plugins/simulator/entities/put_into_cell.h>
 
 namespace argos {
 
@@ -33,19 +32,6 @@ void CLEDEntity::UpdateDigest(CDigest& digest) const {
   digest.Add(m_color.GetGreen());
   digest.Add(m_color.GetBlue());
   digest.Add(m_color.GetAlpha());
-}
-
-bool CLEDEntityGridUpdater::operator()(CLEDEntity& led) {
-  if (led.IsLit()) {
-    PutIntoCell(m_grid, led);
-  }
-  return true;
-}
-
-void CLEDEntitySpaceHashUpdater::operator()(CAbstractSpaceHash<CLEDEntity>& hash, CLEDEntity& led) {
-  if (led.IsLit()) {
-    PutIntoCell(hash, led);
-  }
 }
 
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CLEDEntity)

@@ -1,10 +1,9 @@
 #ifndef ARGOS3_PLUGINS_ENTITIES_LED_ENTITY_H
 #define ARGOS3_PLUGINS_ENTITIES_LED_ENTITY_H
 
-#include <argos3/core/simulator/space/positional_indices/grid.h>
-#include <argos3/core/simulator/space/positional_indices/space_hash.h>
 #include <argos3/core/utility/datatypes/color.h>
 #include <argos3/core/utility/datatypes/set.h>
+#include <argos3/plugins/simulator/entities/cell_updaters.h>
 #include <argos3/plugins/simulator/entities/medium_member.h>
 
 #include <vector>
@@ -40,6 +39,8 @@ class CLEDEntity : public CMediumMember<CLEDEntity, CLEDMedium> {
   const CColor& GetColor() const { return m_color; }
   /** @return false if the colour is opaque black: such an LED is invisible to cameras. */
   bool IsLit() const { return m_color != CColor(); }
+  /** Hides that of CMediumMember. */
+  bool IsInCells() const { return IsLit(); }
   const CColor& GetInitColor() const { return m_initColor; }
   virtual void SetColor(const CColor& color) { m_color = color; }
   void SetInitColor(const CColor& color) { m_initColor = color; }
@@ -51,21 +52,9 @@ class CLEDEntity : public CMediumMember<CLEDEntity, CLEDMedium> {
   CColor m_initColor;
 };
 
-/** Puts an LED into its cell of a grid, unless it is black. */
-class CLEDEntityGridUpdater : public CGrid<CLEDEntity>::COperation {
- public:
-  explicit CLEDEntityGridUpdater(CGrid<CLEDEntity>& grid) : m_grid(grid) {}
-  bool operator()(CLEDEntity& led) override;
-
- private:
-  CGrid<CLEDEntity>& m_grid;
-};
-
-/** Puts an LED into its cell of a space hash, unless it is black. */
-class CLEDEntitySpaceHashUpdater : public CSpaceHashUpdater<CLEDEntity> {
- public:
-  void operator()(CAbstractSpaceHash<CLEDEntity>& hash, CLEDEntity& led) override;
-};
+/** Put an LED into its cell, unless it is black. */
+using CLEDEntityGridUpdater = CCellGridUpdater<CLEDEntity>;
+using CLEDEntitySpaceHashUpdater = CCellHashUpdater<CLEDEntity>;
 
 }  // namespace argos
 

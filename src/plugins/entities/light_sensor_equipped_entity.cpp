@@ -5,29 +5,6 @@
 
 namespace argos {
 
-SLightSensor::SLightSensor(const CVector3& position, const CVector3& direction, Real range,
-                           SAnchor& anchor)
-    : Position(position), Direction(direction), Anchor(anchor) {
-  Direction.Normalize();
-  Direction *= range;
-}
-
-bool SLightSensor::WriteTo(SSensorRay& ray) const {
-  if (Position == ray.Offset && Direction == ray.Direction) {
-    return false;
-  }
-  ray.Offset = Position;
-  ray.Direction = Direction;
-  return true;
-}
-
-CLightSensorEquippedEntity::CLightSensorEquippedEntity(CComposableEntity* parent)
-    : CLightSensorEquippedEntity(parent, std::string()) {}
-
-CLightSensorEquippedEntity::CLightSensorEquippedEntity(CComposableEntity* parent,
-                                                       const std::string& id)
-    : CSensorEquippedEntity(parent, id) {}
-
 void CLightSensorEquippedEntity::AddSensor(const CVector3& position, const CVector3& direction,
                                            Real range, SAnchor& anchor) {
   Append(anchor, [&](SRayLayout& layout, UInt32 number) {

@@ -17,12 +17,13 @@ struct SLightSensor {
   typedef std::vector<SLightSensor*> TList;
 
   /** @param direction of any length. @param range m. */
-  SLightSensor(const CVector3& position, const CVector3& direction, Real range, SAnchor& anchor);
+  SLightSensor(const CVector3& position, const CVector3& direction, Real range, SAnchor& anchor)
+      : Position(position), Direction(WithLength(direction, range)), Anchor(anchor) {}
   SLightSensor(const SSensorRay& ray, SAnchor& anchor)
       : Position(ray.Offset), Direction(ray.Direction), Anchor(anchor) {}
 
   /** Copies the sensor to its ray. @return true if they differed. */
-  bool WriteTo(SSensorRay& ray) const;
+  bool WriteTo(SSensorRay& ray) const { return ray.Set(Position, Direction); }
 };
 
 /**
@@ -35,8 +36,7 @@ class CLightSensorEquippedEntity : public CSensorEquippedEntity<SRayLayout, SLig
 
   typedef SLightSensor SSensor;
 
-  explicit CLightSensorEquippedEntity(CComposableEntity* parent);
-  CLightSensorEquippedEntity(CComposableEntity* parent, const std::string& id);
+  using CSensorEquippedEntity::CSensorEquippedEntity;
 
   std::string GetTypeDescription() const override { return "light_sensors"; }
 

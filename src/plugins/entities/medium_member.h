@@ -63,6 +63,8 @@ class CMediumMember : public CPositionalEntity {
     }
   }
 
+  /** @return true if cameras and devices find it in the cells of its medium while it is enabled. */
+  bool IsInCells() const { return true; }
   bool HasMedium() const { return m_medium != nullptr; }
   /** @throws CARGoSException if the entity has no medium. */
   MEDIUM& GetMedium() const {

@@ -34,7 +34,7 @@ class CMountedEntities : public CComposableEntity {
     typedef std::vector<SInstance> TVector;
   };
 
-  CMountedEntities(CComposableEntity* parent, const std::string& id)
+  explicit CMountedEntities(CComposableEntity* parent, const std::string& id = std::string())
       : CComposableEntity(parent, id) {
     CComposableEntity::SetEnabled(false);
   }
@@ -113,6 +113,14 @@ class CMountedEntities : public CComposableEntity {
                      const std::string& defaultAnchor = "") {
     InitInstances(tree, tag, defaultAnchor, [](ENTITY&, TConfigurationNode&) {});
   }
+  /**
+   * Init() of entities with one medium: reads `medium` and the children @p tag, and enables them.
+   *
+   * Defined in mounted_entities_impl.h, for sources.
+   * @param kind  of the medium, for messages: "an LED medium".
+   */
+  void InitInMedium(TConfigurationNode& tree, const std::string& kind, const std::string& tag,
+                    const std::string& defaultAnchor = "");
   /** @param prepare  void(ENTITY&, TConfigurationNode& child), called before each mount. */
   template <typename PREPARE>
   void InitInstances(TConfigurationNode& tree, const std::string& tag,
@@ -137,6 +145,21 @@ class CMountedEntities : public CComposableEntity {
     }
   }
 
+  /**
+   * Calls set(ENTITY&, value) for each entity with its value.
+   * @param owner, what  for the message: "tags", "payloads".
+   * @throws CARGoSException if the numbers of values and of entities differ.
+   */
+  template <typename VALUE, typename SET>
+  void SetEach(const std::vector<VALUE>& values, const char* owner, const char* what, SET&& set) {
+    if (values.size() != m_instances.size()) {
+      THROW_ARGOSEXCEPTION(owner << " \"" << GetContext() << GetId() << "\": got " << values.size()
+                                 << " " << what << " for " << m_instances.size() << " " << owner);
+    }
+    for (size_t i = 0; i < values.size(); ++i) {
+      set(m_instances[i].Entity, values[i]);
+    }
+  }
   /** @param what "LED", for the message. @throws CARGoSException if the index is out of range. */
   ENTITY& GetEntity(size_t index, const char* what) const {
     if (index >= m_instances.size()) {

@@ -5,29 +5,6 @@
 
 namespace argos {
 
-SProximitySensor::SProximitySensor(const CVector3& offset, const CVector3& direction, Real range,
-                                   SAnchor& anchor)
-    : Offset(offset), Direction(direction), Anchor(anchor) {
-  Direction.Normalize();
-  Direction *= range;
-}
-
-bool SProximitySensor::WriteTo(SSensorRay& ray) const {
-  if (Offset == ray.Offset && Direction == ray.Direction) {
-    return false;
-  }
-  ray.Offset = Offset;
-  ray.Direction = Direction;
-  return true;
-}
-
-CProximitySensorEquippedEntity::CProximitySensorEquippedEntity(CComposableEntity* parent)
-    : CProximitySensorEquippedEntity(parent, std::string()) {}
-
-CProximitySensorEquippedEntity::CProximitySensorEquippedEntity(CComposableEntity* parent,
-                                                               const std::string& id)
-    : CSensorEquippedEntity(parent, id) {}
-
 void CProximitySensorEquippedEntity::AddSensor(const CVector3& offset, const CVector3& direction,
                                                Real range, SAnchor& anchor) {
   Append(anchor, [&](SRayLayout& layout, UInt32 number) {

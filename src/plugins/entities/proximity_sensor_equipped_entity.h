@@ -17,12 +17,13 @@ struct SProximitySensor {
   typedef std::vector<SProximitySensor*> TList;
 
   /** @param direction of any length. @param range m. */
-  SProximitySensor(const CVector3& offset, const CVector3& direction, Real range, SAnchor& anchor);
+  SProximitySensor(const CVector3& offset, const CVector3& direction, Real range, SAnchor& anchor)
+      : Offset(offset), Direction(WithLength(direction, range)), Anchor(anchor) {}
   SProximitySensor(const SSensorRay& ray, SAnchor& anchor)
       : Offset(ray.Offset), Direction(ray.Direction), Anchor(anchor) {}
 
   /** Copies the sensor to its ray. @return true if they differed. */
-  bool WriteTo(SSensorRay& ray) const;
+  bool WriteTo(SSensorRay& ray) const { return ray.Set(Offset, Direction); }
 };
 
 /** The proximity sensors on a body: rays fixed in the frames of its anchors. */
@@ -33,8 +34,7 @@ class CProximitySensorEquippedEntity : public CSensorEquippedEntity<SRayLayout, 
   typedef SProximitySensor SSensor;
   typedef SSensorRay SRay;
 
-  explicit CProximitySensorEquippedEntity(CComposableEntity* parent);
-  CProximitySensorEquippedEntity(CComposableEntity* parent, const std::string& id);
+  using CSensorEquippedEntity::CSensorEquippedEntity;
 
   std::string GetTypeDescription() const override { return "proximity_sensors"; }
 

@@ -13,7 +13,20 @@ struct SSensorRay {
   CVector3 Offset; /**< start in the anchor's frame, m */
   CVector3 Direction; /**< from start to end in the anchor's frame, m */
   UInt32 Anchor = 0; /**< index of the anchor in the layout */
+
+  /** Changes the ray. @return true if it differed. */
+  bool Set(const CVector3& offset, const CVector3& direction) {
+    const bool differs = offset != Offset || direction != Direction;
+    Offset = offset;
+    Direction = direction;
+    return differs;
+  }
 };
+
+/** A vector of that direction and length. */
+inline CVector3 WithLength(CVector3 direction, Real length) {
+  return direction.Normalize() *= length;
+}
 
 /** Bounds of several rays, for casting them together. */
 struct SRayBounds {

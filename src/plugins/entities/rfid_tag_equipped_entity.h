@@ -13,8 +13,7 @@ class CRFIDTagEquippedEntity : public CMountedEntities<CRFIDTagEntity> {
  public:
   ENABLE_VTABLE();
 
-  explicit CRFIDTagEquippedEntity(CComposableEntity* parent);
-  CRFIDTagEquippedEntity(CComposableEntity* parent, const std::string& id);
+  using CMountedEntities::CMountedEntities;
 
   /**
    * Reads `medium` and the children `<rfid_tag id="..." position="x,y,z" anchor="origin"

@@ -29,6 +29,13 @@ class CSensorEquippedEntity : public CEntity {
   typedef LAYOUT SLayout;
   typedef std::vector<SENSOR*> TSensors;
 
+  explicit CSensorEquippedEntity(CComposableEntity* parent, const std::string& id = std::string())
+      : CEntity(parent, id) {
+    static const std::shared_ptr<const LAYOUT> kEmpty = std::make_shared<LAYOUT>();
+    m_layout = kEmpty;
+    CEntity::SetEnabled(false);
+  }
+
   /** Also enables or disables the use of the anchors. */
   void SetEnabled(bool enabled) override {
     if (enabled == IsEnabled()) {
@@ -86,12 +93,6 @@ class CSensorEquippedEntity : public CEntity {
   const SAnchor* const* GetAnchors() const { return m_anchors.data(); }
 
  protected:
-  CSensorEquippedEntity(CComposableEntity* parent, const std::string& id) : CEntity(parent, id) {
-    static const std::shared_ptr<const LAYOUT> kEmpty = std::make_shared<LAYOUT>();
-    m_layout = kEmpty;
-    CEntity::SetEnabled(false);
-  }
-
   /** Replaces the layout: change(LAYOUT&, UInt32 numberOfAnchor) adds sensors on @p anchor. */
   template <typename CHANGE>
   void Append(SAnchor& anchor, CHANGE&& change) {

@@ -2,7 +2,6 @@
 
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/datatypes/digest.h>
-#include <argos3/plugins/simulator/entities/put_into_cell.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 
 #include <algorithm>
@@ -100,16 +99,6 @@ void CSimpleRadioEntity::UpdateDigest(CDigest& digest) const {
   digest.Add(m_range);
   AddMessages(digest, m_messages);
   AddMessages(digest, m_outbox);
-}
-
-bool CSimpleRadioEntityGridUpdater::operator()(CSimpleRadioEntity& radio) {
-  PutIntoCell(m_grid, radio);
-  return true;
-}
-
-void CSimpleRadioEntitySpaceHashUpdater::operator()(CAbstractSpaceHash<CSimpleRadioEntity>& hash,
-                                                    CSimpleRadioEntity& radio) {
-  PutIntoCell(hash, radio);
 }
 
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CSimpleRadioEntity)

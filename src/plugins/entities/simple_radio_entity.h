@@ -1,11 +1,10 @@
 #ifndef ARGOS3_PLUGINS_ENTITIES_SIMPLE_RADIO_ENTITY_H
 #define ARGOS3_PLUGINS_ENTITIES_SIMPLE_RADIO_ENTITY_H
 
-#include <argos3/core/simulator/space/positional_indices/grid.h>
-#include <argos3/core/simulator/space/positional_indices/space_hash.h>
 #include <argos3/core/utility/datatypes/byte_array.h>
 #include <argos3/core/utility/datatypes/set.h>
 #include <argos3/core/utility/datatypes/spare_elements.h>
+#include <argos3/plugins/simulator/entities/cell_updaters.h>
 #include <argos3/plugins/simulator/entities/medium_member.h>
 
 #include <string>
@@ -88,21 +87,9 @@ class CSimpleRadioEntity : public CMediumMember<CSimpleRadioEntity, CSimpleRadio
   UInt32 m_numberInMedium = 0;
 };
 
-/** Puts a radio into its cell of a grid. */
-class CSimpleRadioEntityGridUpdater : public CGrid<CSimpleRadioEntity>::COperation {
- public:
-  explicit CSimpleRadioEntityGridUpdater(CGrid<CSimpleRadioEntity>& grid) : m_grid(grid) {}
-  bool operator()(CSimpleRadioEntity& radio) override;
-
- private:
-  CGrid<CSimpleRadioEntity>& m_grid;
-};
-
-/** Puts a radio into its cell of a space hash. */
-class CSimpleRadioEntitySpaceHashUpdater : public CSpaceHashUpdater<CSimpleRadioEntity> {
- public:
-  void operator()(CAbstractSpaceHash<CSimpleRadioEntity>& hash, CSimpleRadioEntity& radio) override;
-};
+/** Put a radio into its cell. */
+using CSimpleRadioEntityGridUpdater = CCellGridUpdater<CSimpleRadioEntity>;
+using CSimpleRadioEntitySpaceHashUpdater = CCellHashUpdater<CSimpleRadioEntity>;
 
 }  // namespace argos
 

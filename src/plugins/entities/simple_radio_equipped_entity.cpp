@@ -6,13 +6,6 @@
 
 namespace argos {
 
-CSimpleRadioEquippedEntity::CSimpleRadioEquippedEntity(CComposableEntity* parent)
-    : CSimpleRadioEquippedEntity(parent, std::string()) {}
-
-CSimpleRadioEquippedEntity::CSimpleRadioEquippedEntity(CComposableEntity* parent,
-                                                       const std::string& id)
-    : CMountedEntities(parent, id) {}
-
 void CSimpleRadioEquippedEntity::Init(TConfigurationNode& tree) {
   CMountedEntities::Init(tree);
   InitInstances(tree, "simple_radio", "origin",

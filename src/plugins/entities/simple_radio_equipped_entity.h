@@ -13,8 +13,7 @@ class CSimpleRadioEquippedEntity : public CMountedEntities<CSimpleRadioEntity> {
  public:
   ENABLE_VTABLE();
 
-  explicit CSimpleRadioEquippedEntity(CComposableEntity* parent);
-  CSimpleRadioEquippedEntity(CComposableEntity* parent, const std::string& id);
+  using CMountedEntities::CMountedEntities;
 
   /**
    * Reads the children `<simple_radio id="..." medium="..." range="..." position="x,y,z"

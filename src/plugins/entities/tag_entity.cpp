@@ -3,7 +3,6 @@
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/plugins/simulator/entities/observable.h>
-#include <argos3/plugins/simulator/entities/put_into_cell.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 
 namespace argos {
@@ -62,15 +61,6 @@ bool CTagEntity::Faces(const CVector3& point) const {
 void CTagEntity::UpdateDigest(CDigest& digest) const {
   CMediumMember::UpdateDigest(digest);
   digest.Add(m_payload);
-}
-
-bool CTagEntityGridUpdater::operator()(CTagEntity& tag) {
-  PutIntoCell(m_grid, tag);
-  return true;
-}
-
-void CTagEntitySpaceHashUpdater::operator()(CAbstractSpaceHash<CTagEntity>& hash, CTagEntity& tag) {
-  PutIntoCell(hash, tag);
 }
 
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CTagEntity)

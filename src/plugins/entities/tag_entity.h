@@ -1,9 +1,8 @@
 #ifndef ARGOS3_PLUGINS_ENTITIES_TAG_ENTITY_H
 #define ARGOS3_PLUGINS_ENTITIES_TAG_ENTITY_H
 
-#include <argos3/core/simulator/space/positional_indices/grid.h>
-#include <argos3/core/simulator/space/positional_indices/space_hash.h>
 #include <argos3/core/utility/math/angles.h>
+#include <argos3/plugins/simulator/entities/cell_updaters.h>
 #include <argos3/plugins/simulator/entities/medium_member.h>
 
 #include <array>
@@ -77,21 +76,9 @@ class CTagEntity : public CMediumMember<CTagEntity, CTagMedium> {
   std::string m_initPayload;
 };
 
-/** Puts a tag into its cell of a grid. */
-class CTagEntityGridUpdater : public CGrid<CTagEntity>::COperation {
- public:
-  explicit CTagEntityGridUpdater(CGrid<CTagEntity>& grid) : m_grid(grid) {}
-  bool operator()(CTagEntity& tag) override;
-
- private:
-  CGrid<CTagEntity>& m_grid;
-};
-
-/** Puts a tag into its cell of a space hash. */
-class CTagEntitySpaceHashUpdater : public CSpaceHashUpdater<CTagEntity> {
- public:
-  void operator()(CAbstractSpaceHash<CTagEntity>& hash, CTagEntity& tag) override;
-};
+/** Put a tag into its cell. */
+using CTagEntityGridUpdater = CCellGridUpdater<CTagEntity>;
+using CTagEntitySpaceHashUpdater = CCellHashUpdater<CTagEntity>;
 
 }  // namespace argos
 

@@ -1,22 +1,12 @@
 #include <argos3/plugins/simulator/entities/tag_equipped_entity.h>
 
-#include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/space/space_operations.h>
-#include <argos3/plugins/simulator/entities/read_medium.h>
+#include <argos3/plugins/simulator/entities/mounted_entities_impl.h>
 
 namespace argos {
 
-CTagEquippedEntity::CTagEquippedEntity(CComposableEntity* parent)
-    : CTagEquippedEntity(parent, std::string()) {}
-
-CTagEquippedEntity::CTagEquippedEntity(CComposableEntity* parent, const std::string& id)
-    : CMountedEntities(parent, id) {}
-
 void CTagEquippedEntity::Init(TConfigurationNode& tree) {
-  CMountedEntities::Init(tree);
-  SetMedium(ReadMedium<CTagEntity::CRegistry>(tree, CurrentSimulator(), "a tag medium"));
-  InitInstances(tree, "tag");
-  Enable();
+  InitInMedium(tree, "a tag medium", "tag");
 }
 
 void CTagEquippedEntity::AddTag(const CVector3& position, const CQuaternion& orientation,
@@ -42,13 +32,8 @@ void CTagEquippedEntity::SetAllTagPayloads(const std::string& payload) {
 }
 
 void CTagEquippedEntity::SetAllTagPayloads(const std::vector<std::string>& payloads) {
-  if (payloads.size() != GetNumTags()) {
-    THROW_ARGOSEXCEPTION("tags \"" << GetContext() << GetId() << "\": got " << payloads.size()
-                                   << " payloads for " << GetNumTags() << " tags");
-  }
-  for (size_t i = 0; i < payloads.size(); ++i) {
-    GetInstances()[i].Entity.SetPayload(payloads[i]);
-  }
+  SetEach(payloads, "tags", "payloads",
+          [](CTagEntity& tag, const std::string& payload) { tag.SetPayload(payload); });
 }
 
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_COMPOSABLE(CTagEquippedEntity)

@@ -14,8 +14,7 @@ class CTagEquippedEntity : public CMountedEntities<CTagEntity> {
  public:
   ENABLE_VTABLE();
 
-  explicit CTagEquippedEntity(CComposableEntity* parent);
-  CTagEquippedEntity(CComposableEntity* parent, const std::string& id);
+  using CMountedEntities::CMountedEntities;
 
   /**
    * Reads `medium` and the children `<tag position="x,y,z" orientation="z,y,x" anchor="..."

@@ -1,5 +1,7 @@
 #include <argos3/plugins/simulator/media/directional_led_medium.h>
 
+#include <argos3/plugins/simulator/media/medium_manual.h>
+
 namespace argos {
 
 REGISTER_MEDIUM(
@@ -25,27 +27,7 @@ Directional LEDs on a robot:
   anchor                   text, required: a frame of the body; "origin" is fixed to the body.
   observable_angle         degrees in (0,180], required: the largest angle to that axis at which the LED is visible.
   color                    a colour name or "R,G,B,A" with integers 0-255, default black: colour at the start.
-
-REQUIRED XML
-
-  <media>
-    <directional_led id="directional_leds" />
-  </media>
-
-ATTRIBUTES
-
-  id         text, required: unique among the media.
-  index      "grid" (default) or "hash": spatial index of the LEDs. It has no effect on results;
-             "hash" takes less memory for few LEDs in a large arena.
-  grid_size  "x,y,z", integers >= 1: number of grid cells along each axis; default
-             one cell for each whole metre. It has no effect on results.
-
-For example:
-
-  <media>
-    <directional_led id="directional_leds" index="grid" grid_size="20,20,1" />
-  </media>
-)",
+)" + IndexMediumManual("directional_led", "directional_leds", "LEDs"),
     "Usable")
 
 }  // namespace argos

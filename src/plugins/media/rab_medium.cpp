@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/threads/thread_pool.h>
+#include <argos3/plugins/simulator/media/medium_manual.h>
 #include <argos3/plugins/simulator/media/medium_members.h>
 #include <argos3/plugins/simulator/media/rab_routing.h>
 
@@ -126,19 +127,10 @@ also measure the distance and direction of the sender. In each tick, after the r
 moved, robot B receives the message of robot A if their messages have the same size, the distance is smaller than
 the range of A, and no body is between them. The robots' own bodies do not occlude; neither does a body that meets
 the line between the two devices only inside one of the two robots' bodies.
-
-REQUIRED XML
-
-  <media>
-    <range_and_bearing id="rab" />
-  </media>
-
-OPTIONAL XML
-
-  <media>
-    <range_and_bearing id="rab" check_occlusions="false" index="grid" grid_size="20,20,1" />
-  </media>
-
+)" + RequiredMediumXML(R"(<range_and_bearing id="rab" />)") +
+        OptionalMediumXML(
+            R"(<range_and_bearing id="rab" check_occlusions="false" index="grid" grid_size="20,20,1" />)") +
+        R"(
 ATTRIBUTES
 
   id                text, required: unique among the media.

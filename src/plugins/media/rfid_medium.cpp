@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/plugins/simulator/media/medium_manual.h>
 #include <argos3/plugins/simulator/media/medium_members.h>
 #include <argos3/plugins/simulator/media/point_cells.h>
 
@@ -158,19 +159,8 @@ REGISTER_MEDIUM(
 sensor "rfid" and write them with the actuator "rfid", through obstacles, except for their own tags. Robots
 that write in the same tick do so in the order in which they were added to the arena: if two write to the same bytes
 of a tag, the robot that was added last overwrites the others.
-
-REQUIRED XML
-
-  <media>
-    <rfid id="rfid" />
-  </media>
-
-OPTIONAL XML
-
-  <media>
-    <rfid id="rfid" index="hash" grid_size="20,20,1" />
-  </media>
-
+)" + RequiredMediumXML(R"(<rfid id="rfid" />)") +
+        OptionalMediumXML(R"(<rfid id="rfid" index="hash" grid_size="20,20,1" />)") + R"(
 ATTRIBUTES
 
   id         text, required: unique among the media.

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/media/simple_radio_medium.h>
 
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/plugins/simulator/media/medium_manual.h>
 #include <argos3/plugins/simulator/media/medium_members.h>
 #include <argos3/plugins/simulator/media/point_cells.h>
 
@@ -116,19 +117,8 @@ Radios on a robot:
   simple_radio@position     "x,y,z", m, default "0,0,0": in the frame of the anchor.
   simple_radio@orientation  "z,y,x", degrees, default "0,0,0": ignored.
   simple_radio@anchor       text, default "origin": a frame of the body.
-
-REQUIRED XML
-
-  <media>
-    <simple_radio id="radios" />
-  </media>
-
-OPTIONAL XML
-
-  <media>
-    <simple_radio id="radios" index="grid" grid_size="20,20,1" />
-  </media>
-
+)" + RequiredMediumXML(R"(<simple_radio id="radios" />)") +
+        OptionalMediumXML(R"(<simple_radio id="radios" index="grid" grid_size="20,20,1" />)") + R"(
 ATTRIBUTES
 
   id         text, required: unique among the media.

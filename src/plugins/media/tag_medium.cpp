@@ -1,5 +1,7 @@
 #include <argos3/plugins/simulator/media/tag_medium.h>
 
+#include <argos3/plugins/simulator/media/medium_manual.h>
+
 namespace argos {
 
 REGISTER_MEDIUM(
@@ -26,27 +28,7 @@ Tags on a robot:
   observable_angle  degrees in (0,180], required: the largest angle to that axis at which the tag is readable.
   side_length       m, > 0, required.
   payload           text, default empty: text at the start.
-
-REQUIRED XML
-
-  <media>
-    <tag id="tags" />
-  </media>
-
-ATTRIBUTES
-
-  id         text, required: unique among the media.
-  index      "grid" (default) or "hash": spatial index of the tags. It has no effect on results;
-             "hash" takes less memory for few tags in a large arena.
-  grid_size  "x,y,z", integers >= 1: number of grid cells along each axis; default
-             one cell for each whole metre. It has no effect on results.
-
-For example:
-
-  <media>
-    <tag id="tags" index="grid" grid_size="20,20,1" />
-  </media>
-)",
+)" + IndexMediumManual("tag", "tags", "tags"),
     "Usable")
 
 }  // namespace argos

@@ -11,6 +11,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/wheel_motion.h>
 #include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
 #include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
+#include <argos3/plugins/simulator/physics_engines/robot_bodies/engine_manual.h>
 #include <argos3/plugins/simulator/physics_engines/robot_bodies/robot_components.h>
 
 #include <algorithm>
@@ -241,27 +242,11 @@ REGISTER_PHYSICS_ENGINE(
     "Rigid bodies on a plane, on Box2D.",
     R"(Robots and objects on a horizontal plane: they push, slide, stall and slip. Only the yaw of a body is
 kept. Robots that touch nothing follow the exact arc of their wheel speeds.
-
-REQUIRED XML
-
-  <physics_engines>
-    <dynamics2d id="dyn2d" />
-  </physics_engines>
-
-OPTIONAL XML
-
-  <physics_engines>
-    <dynamics2d id="dyn2d" iterations="2" elevation="0" gripping_rigidity="10000">
-      <friction box_linear_friction="1.49" box_angular_friction="1.49"
-                cylinder_linear_friction="1.49" cylinder_angular_friction="1.49" />
-      <boundaries>
-        <sides>
-          <vertex point="0,0" /> <vertex point="5,0" /> <vertex point="5,5" /> <vertex point="0,5" />
-        </sides>
-      </boundaries>
-    </dynamics2d>
-  </physics_engines>
-
+)" + RequiredEngineXML(R"(<dynamics2d id="dyn2d" />)") +
+        OptionalEngineXML("dynamics2d",
+                          R"(id="dyn2d" iterations="2" elevation="0" gripping_rigidity="10000")",
+                          PlanarFrictionXML(), std::string()) +
+        R"(
 ATTRIBUTES
 
   id                         text, required: unique among the engines.
@@ -276,13 +261,8 @@ ATTRIBUTES
   box_angular_friction       N m, >= 0, default 1.49: greatest friction torque on it.
   cylinder_linear_friction   N, >= 0, default 1.49: the same for a movable cylinder.
   cylinder_angular_friction  N m, >= 0, default 1.49.
-  boundaries                 the region of the engine, default everything: sides/vertex@point, in m, at
-                             least three, counter-clockwise, convex. A vertex may have wall="true", which
-                             stops bodies at the side from there to the next vertex, or gate="id", which
-                             transfers bodies that cross it to that engine (doc/space_partitioning.md).
-  ghosts                     true or false, default true: robots of other engines near the border are
-                             obstacles.
-  spatial_hash               accepted and ignored.
+)" + PlanarBoundariesManual() +
+        R"(  spatial_hash               accepted and ignored.
 
 A robot with two driven wheels may have other limits of its drive than its manual states. They are a child of the
 robot's element, and hold in every engine that computes forces:

@@ -15,6 +15,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/ode_session.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/read_settings.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_world.h>
+#include <argos3/plugins/simulator/physics_engines/robot_bodies/engine_manual.h>
 #include <argos3/plugins/simulator/physics_engines/robot_bodies/robot_components.h>
 
 #include <algorithm>
@@ -370,32 +371,19 @@ on two sprung wheels with motors, and four casters without friction; robots with
 controllers; grippers hold bodies, and turrets move the held bodies.
 Gravity, floor and magnetism are add-ons. An engine without add-ons has gravity of 9.81 m/s^2 and a floor at z = 0;
 an engine with any add-on has only those that are listed. <gravity g="0" /> alone is weightless.
-
-REQUIRED XML
-
-  <physics_engines>
-    <dynamics3d id="dyn3d" />
-  </physics_engines>
-
-OPTIONAL XML
-
-  <physics_engines>
-    <dynamics3d id="dyn3d" iterations="10" default_friction="1" sleep="true" ghosts="true">
-      <floor height="0" friction="1" />
+)" + RequiredEngineXML(R"(<dynamics3d id="dyn3d" />)") +
+        OptionalEngineXML(
+            "dynamics3d",
+            R"(id="dyn3d" iterations="10" default_friction="1" sleep="true" ghosts="true")",
+            R"(      <floor height="0" friction="1" />
       <gravity vector="0,0,-9.81" />
       <magnetism force_constant="7.0500949e-13" max_distance="0.5" />
       <solver stepper="mixed" iterations="32" max_direct_rows="100" erp="0.2" cfm="1e-5" />
       <contacts restitution="0" bounce_speed="0.02" surface_layer="1e-5" max_correcting_speed="1" />
-      <boundaries>
-        <top height="2" />
+)",
+            R"(        <top height="2" />
         <bottom height="0" />
-        <sides>
-          <vertex point="0,0" /> <vertex point="5,0" /> <vertex point="5,5" /> <vertex point="0,5" />
-        </sides>
-      </boundaries>
-    </dynamics3d>
-  </physics_engines>
-
+)") + R"(
 ATTRIBUTES
 
   id                    text, required: unique among the engines.

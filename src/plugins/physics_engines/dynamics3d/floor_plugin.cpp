@@ -1,4 +1,5 @@
 #include <argos3/plugins/simulator/entities/value_checks.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/add_on_manual.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_engine.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_plugin.h>
 
@@ -26,19 +27,8 @@ REGISTER_DYNAMICS3D_PLUGIN(
     "A floor for dynamics3d.",
     R"(An endless horizontal plane. Everything below its surface is solid. An engine without any add-on has one at z = 0,
 or at the bottom of its region if that is a wall.
-
-REQUIRED XML
-
-  <dynamics3d id="dyn3d">
-    <floor />
-  </dynamics3d>
-
-OPTIONAL XML
-
-  <dynamics3d id="dyn3d">
-    <floor height="0" friction="1" />
-  </dynamics3d>
-
+)" + AddOnXML(R"(<floor />)", R"(<floor height="0" friction="1" />)") +
+        R"(
 ATTRIBUTES
 
   height    m, default 0.

@@ -1,5 +1,6 @@
 #include <argos3/core/utility/math/vector3.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/add_on_manual.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_engine.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_plugin.h>
 
@@ -40,19 +41,8 @@ REGISTER_DYNAMICS3D_PLUGIN(
     "Gravity for dynamics3d.",
     R"(Every movable body is accelerated alike. In an engine with other add-ons and without this one nothing falls; one
 without any add-on has 9.81 m/s^2.
-
-REQUIRED XML
-
-  <dynamics3d id="dyn3d">
-    <gravity />
-  </dynamics3d>
-
-OPTIONAL XML
-
-  <dynamics3d id="dyn3d">
-    <gravity g="9.81" />
-  </dynamics3d>
-
+)" + AddOnXML(R"(<gravity />)", R"(<gravity g="9.81" />)") +
+        R"(
 ATTRIBUTES
 
   g       m/s^2, default 10: downward.

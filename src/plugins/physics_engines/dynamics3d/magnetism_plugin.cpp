@@ -1,6 +1,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/plugins/simulator/entities/magnet_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/add_on_manual.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_engine.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_model.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_plugin.h>
@@ -144,19 +145,10 @@ REGISTER_DYNAMICS3D_PLUGIN(
     "Magnetism for dynamics3d.",
     R"(The magnets that robots carry (<magnets>) attract, repel and turn each other as dipoles
 do. A magnet's field, passive and active by its current, is its dipole moment.
-
-REQUIRED XML
-
-  <dynamics3d id="dyn3d">
-    <magnetism />
-  </dynamics3d>
-
-OPTIONAL XML
-
-  <dynamics3d id="dyn3d">
-    <magnetism force_constant="7.0500949e-13" max_distance="0.5" />
-  </dynamics3d>
-
+)" +
+        AddOnXML(R"(<magnetism />)",
+                 R"(<magnetism force_constant="7.0500949e-13" max_distance="0.5" />)") +
+        R"(
 ATTRIBUTES
 
   force_constant  >= 0, default 7.0500949e-13: K, N m^4 per unit of field squared. Two magnets of the fields a and

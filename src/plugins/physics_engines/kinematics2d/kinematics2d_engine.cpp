@@ -11,6 +11,7 @@
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_world.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematics2d_model.h>
 #include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
+#include <argos3/plugins/simulator/physics_engines/robot_bodies/engine_manual.h>
 #include <argos3/plugins/simulator/physics_engines/robot_bodies/robot_components.h>
 
 #include <algorithm>
@@ -294,27 +295,10 @@ REGISTER_PHYSICS_ENGINE(
 slide along obstacles, and push objects against their friction on the ground. Nothing has momentum: objects that are not
 pushed stand still. Robots do not push robots. A tick uses all threads of <system threads>; its result does not depend on
 them. Gripping is an error that names the robot: only dynamics2d and dynamics3d support it.
-
-REQUIRED XML
-
-  <physics_engines>
-    <kinematics2d id="kin2d" />
-  </physics_engines>
-
-OPTIONAL XML
-
-  <physics_engines>
-    <kinematics2d id="kin2d" iterations="1" elevation="0">
-      <friction box_linear_friction="1.49" box_angular_friction="1.49"
-                cylinder_linear_friction="1.49" cylinder_angular_friction="1.49" />
-      <boundaries>
-        <sides>
-          <vertex point="0,0" /> <vertex point="5,0" /> <vertex point="5,5" /> <vertex point="0,5" />
-        </sides>
-      </boundaries>
-    </kinematics2d>
-  </physics_engines>
-
+)" + RequiredEngineXML(R"(<kinematics2d id="kin2d" />)") +
+        OptionalEngineXML("kinematics2d", R"(id="kin2d" iterations="1" elevation="0")",
+                          PlanarFrictionXML(), std::string()) +
+        R"(
 ATTRIBUTES
 
   id                         text, required: unique among the engines.
@@ -326,13 +310,8 @@ ATTRIBUTES
   box_angular_friction       N m, >= 0, default 1.49: torque that is necessary to turn it.
   cylinder_linear_friction   N, >= 0, default 1.49: the same for a movable cylinder.
   cylinder_angular_friction  N m, >= 0, default 1.49.
-  boundaries                 the region of the engine, default everything: sides/vertex@point, in m, at
-                             least three, counter-clockwise, convex. A vertex may have wall="true", which
-                             stops bodies at the side from there to the next vertex, or gate="id", which
-                             transfers bodies that cross it to that engine (doc/space_partitioning.md).
-  ghosts                     true or false, default true: robots of other engines near the border are
-                             obstacles.
-  gripping_rigidity, spatial_hash  of dynamics2d: accepted and ignored.
+)" + PlanarBoundariesManual() +
+        R"(  gripping_rigidity, spatial_hash  of dynamics2d: accepted and ignored.
 )",
     "Usable")
 

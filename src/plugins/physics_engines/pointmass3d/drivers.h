@@ -3,7 +3,6 @@
 
 #include <argos3/core/simulator/physics_engine/planar_motion.h>
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/point_mass_handle.h>
-#include <argos3/plugins/simulator/physics_engines/robot_bodies/slot_generations.h>
 
 #include <vector>
 
@@ -21,7 +20,7 @@ constexpr Real kFarthest = 1e9;
  * Numbers of bodies are dense; removing one moves the last one into its place. A handle holds the
  * number of a body until then.
  */
-class CDrivers {
+class CDrivers : public CPointMassHandles {
  public:
   size_t GetCount() const { return m_poses.size(); }
   /**
@@ -34,16 +33,6 @@ class CDrivers {
                        const SPlanarPose& pose, Real height);
   /** Removes a body. @return the body that now has its number, if any. */
   CPointMass3DBody* Remove(const SPointMassHandle& handle);
-  SPointMassHandle GetHandle(UInt32 number) const { return {number, m_generations.Get(number)}; }
-  /** The number of a body whose handle is not stale. */
-  UInt32 GetNumber(const SPointMassHandle& handle) const {
-    m_generations.Check(handle);
-    return handle.Slot;
-  }
-  /** @return true if the body of the handle still has its number. */
-  bool IsCurrent(const SPointMassHandle& handle) const {
-    return m_generations.IsCurrent(handle.Slot, handle.Generation);
-  }
   void Clear();
 
   void Place(UInt32 number, const SPlanarPose& pose, Real height);
@@ -81,7 +70,6 @@ class CDrivers {
   std::vector<Real> m_perInterwheel;  // 1/m
   std::vector<const Real*> m_wheels;  // m/s: left, right; not owned
   std::vector<CPointMass3DBody*> m_owners;
-  CSlotGenerations m_generations;
 };
 
 }  // namespace argos

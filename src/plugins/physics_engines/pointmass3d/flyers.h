@@ -4,7 +4,6 @@
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/utility/math/range.h>
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/point_mass_handle.h>
-#include <argos3/plugins/simulator/physics_engines/robot_bodies/slot_generations.h>
 
 #include <array>
 #include <vector>
@@ -41,7 +40,7 @@ using SFlightState = std::array<SAxisState, 4>;
  * Numbers of bodies are dense; removing one moves the last one into its place. A handle holds the
  * number of a body until then.
  */
-class CFlyers {
+class CFlyers : public CPointMassHandles {
  public:
   /** The constant properties of a body. */
   struct SSettings {
@@ -58,16 +57,6 @@ class CFlyers {
   SPointMassHandle Add(const SSettings& settings, const SFlightPose& pose);
   /** Removes a body. @return the body that now has its number, if any. */
   CPointMass3DBody* Remove(const SPointMassHandle& handle);
-  SPointMassHandle GetHandle(UInt32 number) const { return {number, m_generations.Get(number)}; }
-  /** The number of a body whose handle is not stale. */
-  UInt32 GetNumber(const SPointMassHandle& handle) const {
-    m_generations.Check(handle);
-    return handle.Slot;
-  }
-  /** @return true if the body of the handle still has its number. */
-  bool IsCurrent(const SPointMassHandle& handle) const {
-    return m_generations.IsCurrent(handle.Slot, handle.Generation);
-  }
   void Clear();
 
   /** Sets the pose of a body, at rest, and resets its controllers. */
@@ -130,7 +119,6 @@ class CFlyers {
 
   std::vector<SBlock> m_blocks;
   std::vector<SRobot> m_robots;
-  CSlotGenerations m_generations;
 };
 
 }  // namespace argos

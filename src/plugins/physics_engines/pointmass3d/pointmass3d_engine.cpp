@@ -11,6 +11,7 @@
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/drivers.h>
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/flyers.h>
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/pointmass3d_body.h>
+#include <argos3/plugins/simulator/physics_engines/robot_bodies/engine_manual.h>
 #include <argos3/plugins/simulator/physics_engines/robot_bodies/robot_components.h>
 
 #include <algorithm>
@@ -440,27 +441,11 @@ A robot with propellers is a mass under gravity with controllers along x, y and 
 yaw is kept. It stays within the limits of the arena, whose borders stop it. A robot on two wheels follows the exact arc
 of its wheel speeds, at the height where it was put. Objects, movable or not, stay where they are put; sensors see all of
 them. Bodies are not placed where they would overlap others.
-
-REQUIRED XML
-
-  <physics_engines>
-    <pointmass3d id="pm3d" />
-  </physics_engines>
-
-OPTIONAL XML
-
-  <physics_engines>
-    <pointmass3d id="pm3d" iterations="10" gravity="-9.81">
-      <boundaries>
-        <top height="5" />
+)" + RequiredEngineXML(R"(<pointmass3d id="pm3d" />)") +
+        OptionalEngineXML("pointmass3d", R"(id="pm3d" iterations="10" gravity="-9.81")",
+                          std::string(), R"(        <top height="5" />
         <bottom height="0" />
-        <sides>
-          <vertex point="0,0" /> <vertex point="5,0" /> <vertex point="5,5" /> <vertex point="0,5" />
-        </sides>
-      </boundaries>
-    </pointmass3d>
-  </physics_engines>
-
+)") + R"(
 ATTRIBUTES
 
   id          text, required: unique among the engines.

@@ -35,6 +35,7 @@ class CSlotGenerations {
    * @return the new generation of that one; of no use if it was itself removed.
    */
   UInt32 Remove(UInt32 slot) {
+    ARGOS_ASSERT(slot < m_size, "there is no body in slot " << slot << " of " << m_size);
     --m_size;
     return ++m_generations[slot];
   }

@@ -1,7 +1,5 @@
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_distance_scanner_rotzonly_sensor.h>
 
-#include <argos3/core/simulator/entity/composable_entity.h>
-#include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_distance_scanner_equipped_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_measures.h>
@@ -43,19 +41,17 @@ SSensorRay MakeBeam(const CRadians& angle, Real range) {
 
 }  // namespace
 
-void CFootBotDistanceScannerRotZOnlySensor::SetRobot(CComposableEntity& robot) {
+void CFootBotDistanceScannerRotZOnlySensor::FindParts(CComposableEntity& robot) {
   m_caster.SetRobot(robot);
   m_scanner = &robot.GetComponent<CFootBotDistanceScannerEquippedEntity>("distance_scanner");
   m_scanner->Enable();
 }
 
-void CFootBotDistanceScannerRotZOnlySensor::Init(TConfigurationNode& tree) {
-  CCI_FootBotDistanceScannerSensor::Init(tree);
+void CFootBotDistanceScannerRotZOnlySensor::Configure(TConfigurationNode& tree) {
   GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, false);
-  m_noise.Init(tree, m_caster.GetRobot(), {"distance"}, {ReadNoiseRange(tree, "noise_range")});
+  m_noise.Init(tree, *m_robot, {"distance"}, {ReadNoiseRange(tree, "noise_range")});
   m_shortReadings.reserve(kHeadsOfARange * kSamplesOfATick);
   m_longReadings.reserve(kHeadsOfARange * kSamplesOfATick);
-  Enable();
 }
 
 void CFootBotDistanceScannerRotZOnlySensor::Update() {
@@ -130,9 +126,8 @@ Real CFootBotDistanceScannerRotZOnlySensor::ToReading(Real fraction, Real minimu
   return std::max(0.0, m_noise.Apply(0, kCentimetersPerMeter * distance));
 }
 
-void CFootBotDistanceScannerRotZOnlySensor::Reset() {
+void CFootBotDistanceScannerRotZOnlySensor::ResetReading() {
   SetReadings({}, {});
-  m_noise.Reset();
 }
 
 REGISTER_SENSOR(

@@ -1,9 +1,8 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_FOOT_BOT_SIMULATOR_FOOTBOT_DISTANCE_SCANNER_ROTZONLY_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_FOOT_BOT_SIMULATOR_FOOTBOT_DISTANCE_SCANNER_ROTZONLY_SENSOR_H
 
-#include <argos3/core/simulator/sensor.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_distance_scanner_sensor.h>
-#include <argos3/plugins/robots/generic/simulator/noise.h>
+#include <argos3/plugins/robots/generic/simulator/noisy_sensor.h>
 #include <argos3/plugins/robots/generic/simulator/ray_caster.h>
 
 namespace argos {
@@ -11,17 +10,16 @@ namespace argos {
 class CFootBotDistanceScannerEquippedEntity;
 
 /** The heads of the foot-bot's distance scanner. */
-class CFootBotDistanceScannerRotZOnlySensor : public CSimulatedSensor,
-                                              public CCI_FootBotDistanceScannerSensor {
+class CFootBotDistanceScannerRotZOnlySensor
+    : public CNoisySensor<CCI_FootBotDistanceScannerSensor> {
  public:
-  /** @throws CARGoSException if the robot has no "distance_scanner", "body" or "controller". */
-  void SetRobot(CComposableEntity& robot) override;
-  /** Reads `show_rays`, `noise_range` (cm), and `<noise>`. */
-  void Init(TConfigurationNode& tree) override;
   void Update() override;
-  void Reset() override;
 
  private:
+  void FindParts(CComposableEntity& robot) override;
+  /** Also reads `show_rays`, `noise_range` (cm). */
+  void Configure(TConfigurationNode& tree) override;
+  void ResetReading() override;
   void AddBeams(const CRadians& scanner);
   void Cast();
   // converts a fraction of a range that ends at maximum (m) to cm
@@ -29,7 +27,6 @@ class CFootBotDistanceScannerRotZOnlySensor : public CSimulatedSensor,
 
   CFootBotDistanceScannerEquippedEntity* m_scanner = nullptr;  // of the robot
   CRayCaster m_caster;
-  CDeviceNoise m_noise;
   bool m_showRays = false;
   // readings of one tick; members to keep their memory allocated
   TReadings m_shortReadings;

@@ -1,9 +1,6 @@
-#include <argos3/core/simulator/entity/composable_entity.h>
-#include <argos3/core/simulator/entity/controllable_entity.h>
-#include <argos3/core/simulator/sensor.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_encoder_sensor.h>
 #include <argos3/plugins/robots/generic/simulator/device_manual.h>
-#include <argos3/plugins/robots/generic/simulator/noise.h>
+#include <argos3/plugins/robots/generic/simulator/noisy_sensor.h>
 #include <argos3/plugins/simulator/entities/odometer_entity.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
 
@@ -15,51 +12,34 @@ constexpr Real kCentimetersPerMeter = 100.0;
 enum EWheel : size_t { LEFT, RIGHT };
 
 /** The distances that the wheels of a foot-bot rolled; see COdometerEntity. */
-class CFootBotEncoderDefaultSensor : public CSimulatedSensor, public CCI_FootBotEncoderSensor {
+class CFootBotEncoderDefaultSensor : public CNoisySensor<CCI_FootBotEncoderSensor> {
  public:
-  /** @throws CARGoSException if the robot has no "odometer", "wheels" or "controller". */
-  void SetRobot(CComposableEntity& robot) override;
-  /** Reads `<noise>`. */
-  void Init(TConfigurationNode& tree) override;
-  void Update() override;
-  void Reset() override;
+  void Update() override {
+    const auto read = [this](EWheel wheel) {
+      return m_noise.Apply(wheel, kCentimetersPerMeter * m_odometer->GetRolledDistance(wheel));
+    };
+    m_sReading.CoveredDistanceLeftWheel = read(LEFT);
+    m_sReading.CoveredDistanceRightWheel = read(RIGHT);
+  }
 
  private:
+  void FindParts(CComposableEntity& robot) override {
+    auto& odometer = robot.GetComponent<COdometerEntity>("odometer");
+    odometer.Enable();
+    m_odometer = &odometer;
+    const auto& wheels = robot.GetComponent<CWheeledEntity>("wheels");
+    m_sReading.WheelAxisLength = kCentimetersPerMeter * Distance(wheels.GetWheelPosition(LEFT),
+                                                                 wheels.GetWheelPosition(RIGHT));
+  }
+  void Configure(TConfigurationNode& tree) override {
+    m_noise.Init(tree, *m_robot, {"distance_left", "distance_right"});
+  }
+  void ResetReading() override { m_sReading = SReading(0.0, 0.0, m_sReading.WheelAxisLength); }
+
   const COdometerEntity* m_odometer = nullptr;  // of the robot
-  const CControllableEntity* m_robot = nullptr;
-  CDeviceNoise m_noise;
 };
 
 }  // namespace
-
-void CFootBotEncoderDefaultSensor::SetRobot(CComposableEntity& robot) {
-  m_robot = &robot.GetComponent<CControllableEntity>("controller");
-  auto& odometer = robot.GetComponent<COdometerEntity>("odometer");
-  odometer.Enable();
-  m_odometer = &odometer;
-  const auto& wheels = robot.GetComponent<CWheeledEntity>("wheels");
-  m_sReading.WheelAxisLength = kCentimetersPerMeter * Distance(wheels.GetWheelPosition(LEFT),
-                                                               wheels.GetWheelPosition(RIGHT));
-}
-
-void CFootBotEncoderDefaultSensor::Init(TConfigurationNode& tree) {
-  CCI_FootBotEncoderSensor::Init(tree);
-  m_noise.Init(tree, *m_robot, {"distance_left", "distance_right"});
-  Enable();
-}
-
-void CFootBotEncoderDefaultSensor::Update() {
-  const auto read = [this](EWheel wheel) {
-    return m_noise.Apply(wheel, kCentimetersPerMeter * m_odometer->GetRolledDistance(wheel));
-  };
-  m_sReading.CoveredDistanceLeftWheel = read(LEFT);
-  m_sReading.CoveredDistanceRightWheel = read(RIGHT);
-}
-
-void CFootBotEncoderDefaultSensor::Reset() {
-  m_sReading = SReading(0.0, 0.0, m_sReading.WheelAxisLength);
-  m_noise.Reset();
-}
 
 REGISTER_SENSOR(
     CFootBotEncoderDefaultSensor, "footbot_encoder", "default", "the authors of this project",

@@ -1,37 +1,14 @@
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_gripper_default_actuator.h>
 
-#include <argos3/core/simulator/entity/composable_entity.h>
-#include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/utility/math/range.h>
 #include <argos3/plugins/robots/generic/simulator/device_manual.h>
-#include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 
 namespace argos {
 
-void CFootBotGripperDefaultActuator::SetRobot(CComposableEntity& robot) {
-  m_gripper = &robot.GetComponent<CGripperEquippedEntity>("gripper");
-  m_robot = &robot.GetComponent<CControllableEntity>("controller");
-}
-
-void CFootBotGripperDefaultActuator::Init(TConfigurationNode& tree) {
-  CCI_FootBotGripperActuator::Init(tree);
-  m_noise.Init(tree, *m_robot, {"aperture"});
-}
-
-void CFootBotGripperDefaultActuator::Update() {
-  if (m_cAperture != m_ordered) {
-    m_ordered = m_cAperture;
-    m_aperture = CRadians(m_noise.Apply(0, m_ordered.GetValue()));
-    CRange<CRadians>(-CRadians::PI_OVER_TWO, CRadians::PI_OVER_TWO).TruncValue(m_aperture);
-  }
-  m_gripper->SetLockState(Abs(m_aperture) / CRadians::PI_OVER_TWO);
-}
-
-void CFootBotGripperDefaultActuator::Reset() {
-  Unlock();
-  m_ordered = m_cAperture;
-  m_aperture = m_cAperture;
-  m_noise.Reset();
+CRadians CFootBotGripperDefaultActuator::AddNoise(const CRadians& aperture) {
+  CRadians noisy(GetNoise().Apply(0, aperture.GetValue()));
+  CRange<CRadians>(-CRadians::PI_OVER_TWO, CRadians::PI_OVER_TWO).TruncValue(noisy);
+  return noisy;
 }
 
 REGISTER_ACTUATOR(

@@ -1,21 +1,16 @@
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_turret_encoder_default_sensor.h>
 
-#include <argos3/core/simulator/entity/composable_entity.h>
-#include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/simulator/entities/turret_entity.h>
 
 namespace argos {
 
-void CFootBotTurretEncoderDefaultSensor::SetRobot(CComposableEntity& robot) {
+void CFootBotTurretEncoderDefaultSensor::FindParts(CComposableEntity& robot) {
   m_turret = &robot.GetComponent<CTurretEntity>("turret");
-  m_robot = &robot.GetComponent<CControllableEntity>("controller");
 }
 
-void CFootBotTurretEncoderDefaultSensor::Init(TConfigurationNode& tree) {
-  CCI_FootBotTurretEncoderSensor::Init(tree);
+void CFootBotTurretEncoderDefaultSensor::Configure(TConfigurationNode& tree) {
   m_noise.Init(tree, *m_robot, {"rotation"});
-  Enable();
 }
 
 void CFootBotTurretEncoderDefaultSensor::Update() {
@@ -25,9 +20,8 @@ void CFootBotTurretEncoderDefaultSensor::Update() {
   }
 }
 
-void CFootBotTurretEncoderDefaultSensor::Reset() {
+void CFootBotTurretEncoderDefaultSensor::ResetReading() {
   m_cRotation = CRadians::ZERO;
-  m_noise.Reset();
 }
 
 REGISTER_SENSOR(

@@ -1,6 +1,7 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_rfid_sensor.h>
 
 #include <argos3/core/wrappers/lua/lua_table.h>
+#include <argos3/plugins/robots/generic/control_interface/table_bytes.h>
 
 namespace argos {
 
@@ -9,10 +10,7 @@ void CCI_RFIDSensor::WriteReadings(CLuaTable& table) const {
     record.Set("id", reading.Id);
     record.Set("distance", reading.Distance);
     record.Set("angle", reading.Angle);
-    CLuaTable data = record.GetTable("data");
-    for (size_t i = 0; i < reading.Data.Size(); ++i) {
-      data.Set(i + 1, static_cast<Real>(reading.Data.ToCArray()[i]));
-    }
+    SetBytes(record, "data", reading.Data);
   });
 }
 

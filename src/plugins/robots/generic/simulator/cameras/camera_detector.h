@@ -14,10 +14,11 @@ namespace argos {
 
 /**
  * Base of the detectors: finds the entities of a medium that are visible to a camera.
+ * @tparam INTERFACE   the control interface.
  * @tparam NUM_POINTS  number of points of an entity that must all be in the image and visible.
  */
-template <class ENTITY, class MEDIUM, size_t NUM_POINTS>
-class CCameraDetector : public CCameraSensorSimulatedAlgorithm {
+template <class INTERFACE, class ENTITY, class MEDIUM, size_t NUM_POINTS>
+class CCameraDetector : public CCameraSensorSimulatedAlgorithm, public INTERFACE {
  public:
   void SetCamera(CComposableEntity& robot, const std::string& camera) override {
     m_robot = &robot.GetComponent<CControllableEntity>("controller");
@@ -33,14 +34,20 @@ class CCameraDetector : public CCameraSensorSimulatedAlgorithm {
     GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, false);
     m_noise.Init(tree, *m_robot, {"x", "y"}, {}, " of camera " + m_camera);
   }
-  void Reset() override { m_noise.Reset(); }
+  void Reset() override {
+    m_noise.Reset();
+    ClearReadings();
+  }
+  CCI_CameraSensorAlgorithm& GetCIAlgorithm() override { return *this; }
 
  protected:
   /** Kind of the medium, for error messages: "an LED medium". */
   virtual std::string GetMediumKind() const = 0;
+  virtual void ClearReadings() { this->m_tReadings.clear(); }
 
   /**
-   * Calls @p see for every visible entity. The entity's position is the first of its points.
+   * Clears the readings, and calls @p see for every visible entity. The entity's position is the
+   * first of its points.
    * @param locate  bool(const ENTITY&, CVector3* points): false if the entity cannot be visible to
    *                this camera; else writes its other points, m, world frame. Called only if the
    *                first point is in the image.
@@ -49,6 +56,7 @@ class CCameraDetector : public CCameraSensorSimulatedAlgorithm {
    */
   template <typename LOCATE, typename SEE>
   void Detect(const CPinholeCamera& camera, LOCATE&& locate, SEE&& see) {
+    ClearReadings();
     m_sight.Detect(
         m_medium->GetIndex(), camera.GetPosition(), camera.ComputeField(),
         [&](const ENTITY& entity, CVector3* points) {

@@ -9,35 +9,25 @@ namespace {
 
 /** Detects the directional LEDs that shine on a camera. */
 class CCameraDirectionalLEDDetector
-    : public CCameraDetector<CDirectionalLEDEntity, CDirectionalLEDMedium, 1>,
-      public CCI_CameraSensorDirectionalLEDDetectorAlgorithm {
+    : public CCameraDetector<CCI_CameraSensorDirectionalLEDDetectorAlgorithm, CDirectionalLEDEntity,
+                             CDirectionalLEDMedium, 1> {
  public:
-  void Reset() override;
-  void Update(const CPinholeCamera& camera) override;
-  CCI_CameraSensorAlgorithm& GetCIAlgorithm() override { return *this; }
+  void Update(const CPinholeCamera& camera) override {
+    Detect(
+        camera,
+        [&camera](const CDirectionalLEDEntity& led, CVector3*) {
+          return led.IsLit() && led.ShinesOn(camera.GetPosition());
+        },
+        [this](const CDirectionalLEDEntity& led, const CVector2* pixel) {
+          m_tReadings.emplace_back(led.GetColor(), *pixel);
+        });
+  }
 
  protected:
   std::string GetMediumKind() const override { return "a directional LED medium"; }
 };
 
 }  // namespace
-
-void CCameraDirectionalLEDDetector::Reset() {
-  CCameraDetector::Reset();
-  m_tReadings.clear();
-}
-
-void CCameraDirectionalLEDDetector::Update(const CPinholeCamera& camera) {
-  m_tReadings.clear();
-  Detect(
-      camera,
-      [&camera](const CDirectionalLEDEntity& led, CVector3*) {
-        return led.IsLit() && led.ShinesOn(camera.GetPosition());
-      },
-      [this](const CDirectionalLEDEntity& led, const CVector2* pixel) {
-        m_tReadings.emplace_back(led.GetColor(), *pixel);
-      });
-}
 
 REGISTER_CAMERA_SENSOR_ALGORITHM(CCameraDirectionalLEDDetector, "directional_led_detector",
                                  "the authors of this project", "1.0",

@@ -8,32 +8,22 @@ namespace argos {
 namespace {
 
 /** Detects LEDs and lights in the images of a camera. */
-class CCameraLEDDetector : public CCameraDetector<CLEDEntity, CLEDMedium, 1>,
-                           public CCI_CameraSensorLEDDetectorAlgorithm {
+class CCameraLEDDetector
+    : public CCameraDetector<CCI_CameraSensorLEDDetectorAlgorithm, CLEDEntity, CLEDMedium, 1> {
  public:
-  void Reset() override;
-  void Update(const CPinholeCamera& camera) override;
-  CCI_CameraSensorAlgorithm& GetCIAlgorithm() override { return *this; }
+  void Update(const CPinholeCamera& camera) override {
+    Detect(
+        camera, [](const CLEDEntity& led, CVector3*) { return led.IsLit(); },
+        [this](const CLEDEntity& led, const CVector2* pixel) {
+          m_tReadings.emplace_back(led.GetColor(), *pixel);
+        });
+  }
 
  protected:
   std::string GetMediumKind() const override { return "an LED medium"; }
 };
 
 }  // namespace
-
-void CCameraLEDDetector::Reset() {
-  CCameraDetector::Reset();
-  m_tReadings.clear();
-}
-
-void CCameraLEDDetector::Update(const CPinholeCamera& camera) {
-  m_tReadings.clear();
-  Detect(
-      camera, [](const CLEDEntity& led, CVector3*) { return led.IsLit(); },
-      [this](const CLEDEntity& led, const CVector2* pixel) {
-        m_tReadings.emplace_back(led.GetColor(), *pixel);
-      });
-}
 
 REGISTER_CAMERA_SENSOR_ALGORITHM(CCameraLEDDetector, "led_detector", "the authors of this project",
                                  "1.0", "Detects LEDs and lights in the images of a camera.",

@@ -12,15 +12,14 @@ namespace argos {
 namespace {
 
 /** Detects the tags that face a camera and are completely in its image: centre and corners. */
-class CCameraTagDetector : public CCameraDetector<CTagEntity, CTagMedium, 5>,
-                           public CCI_CameraSensorTagDetectorAlgorithm {
+class CCameraTagDetector
+    : public CCameraDetector<CCI_CameraSensorTagDetectorAlgorithm, CTagEntity, CTagMedium, 5> {
  public:
-  void Reset() override;
   void Update(const CPinholeCamera& camera) override;
-  CCI_CameraSensorAlgorithm& GetCIAlgorithm() override { return *this; }
 
  protected:
   std::string GetMediumKind() const override { return "a tag medium"; }
+  void ClearReadings() override { m_spare.Shrink(m_tReadings, 0); }
 
  private:
   /** @return a new reading; its payload has memory for the longest payload so far. */
@@ -33,13 +32,7 @@ class CCameraTagDetector : public CCameraDetector<CTagEntity, CTagMedium, 5>,
 
 }  // namespace
 
-void CCameraTagDetector::Reset() {
-  CCameraDetector::Reset();
-  m_spare.Shrink(m_tReadings, 0);
-}
-
 void CCameraTagDetector::Update(const CPinholeCamera& camera) {
-  m_spare.Shrink(m_tReadings, 0);
   Detect(
       camera,
       [&camera](const CTagEntity& tag, CVector3* corners) {

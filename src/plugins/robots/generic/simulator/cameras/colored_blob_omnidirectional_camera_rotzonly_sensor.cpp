@@ -104,12 +104,7 @@ an LED at P is detected if
 - it belongs to another robot or object;
 - |Px - Cx| and |Py - Cy| are less than Cz tan(a): a square in the world frame, whatever the heading of the robot;
 - it is not higher than the camera, and not more than Cz below the ground;
-- no body other than the robot's own is between the LED and the camera. A body does not occlude an LED on its own
-  surface from the side of that surface.
-
-The sensor is disabled until the controller calls Enable(). It then takes one image in each tick and counts the images.
-After Disable() the last blobs remain.
-)" +
+)" + BlobCameraManual() +
         RequiredSensorXML(
             R"(<colored_blob_omnidirectional_camera implementation="rot_z_only" medium="leds" />)") +
         MediumXML(R"(<led id="leds" />)", "an LED medium") +

@@ -136,12 +136,7 @@ LED is detected if
 - px is less than the range, and the angle between p and the view less than a;
 - its pixel is in the image: with the height H = 2 f tan(a) / sqrt(1 + (640/480)^2) and the width W = H 640/480,
   x = -(640/W) (f py/px - W/2) and y = -(480/H) (f pz/px - H/2), decimals cut off;
-- no body other than the robot's own is between the LED and the camera. A body does not occlude an LED on its own
-  surface from the side of that surface.
-
-The sensor is disabled until the controller calls Enable(). It then takes one image in each tick and counts the images.
-After Disable() the last blobs remain.
-)" +
+)" + BlobCameraManual() +
         RequiredSensorXML(
             R"(<colored_blob_perspective_camera implementation="default" medium="leds" />)") +
         MediumXML(R"(<led id="leds" />)", "an LED medium") +

@@ -52,6 +52,12 @@ std::string CarrierXML(const std::string& part) {
          part + "\n  </foot-bot>\n";
 }
 
+std::string CarriedPartsManual(const std::string& parts, const std::string& medium,
+                               const std::string& part) {
+  return "\non a robot that carries " + parts + ":\n" + CarrierXML(part) +
+         "\nThe manual of the medium \"" + medium + "\" describes these attributes.\n";
+}
+
 std::string NoiseManual(const std::string& quantities, const std::string& effect) {
   const bool several = quantities.find('|') != std::string::npos;
   return "\nChildren <noise on=\"" + quantities +
@@ -71,6 +77,15 @@ std::string RayReadingsManual(const std::string& tag, const std::string& impleme
   noise_level  real number n >= 0, default 0: a number drawn evenly from [-n,n] is added to each
                reading in each tick, and the sum is clamped to [0,1].
 )" + NoiseManual("reading", "every reading, before it is clamped.");
+}
+
+std::string BlobCameraManual() {
+  return R"(- no body other than the robot's own is between the LED and the camera. A body does not occlude an LED on its own
+  surface from the side of that surface.
+
+The sensor is disabled until the controller calls Enable(). It then takes one image in each tick and counts the images.
+After Disable() the last blobs remain.
+)";
 }
 
 }  // namespace argos

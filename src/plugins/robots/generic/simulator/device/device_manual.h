@@ -27,6 +27,14 @@ std::string OptionalXML(const std::string& device);
  * @param kind    with an article, such as "an LED medium".
  */
 std::string MediumXML(const std::string& medium, const std::string& kind);
+/**
+ * Parts that a robot has to carry for a device, and where their attributes are described.
+ * @param parts   in the plural: "radios".
+ * @param medium  the medium whose manual describes them.
+ * @param part    see CarrierXML().
+ */
+std::string CarriedPartsManual(const std::string& parts, const std::string& medium,
+                               const std::string& part);
 /** The robot that carries a device. @param part  its XML element, indented by 4 after line 1. */
 std::string CarrierXML(const std::string& part);
 
@@ -45,6 +53,12 @@ std::string NoiseManual(const std::string& quantities, const std::string& effect
  */
 std::string RayReadingsManual(const std::string& tag, const std::string& implementation,
                               const std::string& shown);
+
+/**
+ * Of a camera of blobs: the last condition for a blob, and when it takes images. Does not begin
+ * with a blank line.
+ */
+std::string BlobCameraManual();
 
 }  // namespace argos
 

@@ -56,6 +56,34 @@ class CPlacedReadingsSensor : public CArraySensor, public INTERFACE {
   READER m_reader;
 };
 
+/**
+ * The same for sensors whose readings are numbers, one for each sensor of the robot.
+ */
+template <class INTERFACE, class READER>
+class CPlainReadingsSensor : public CArraySensor, public INTERFACE {
+ public:
+  /** See READER::SetRobot(). */
+  void SetRobot(CComposableEntity& robot) override { m_reader.SetRobot(robot); }
+  /** See READER::Init(). */
+  void Init(TConfigurationNode& tree) override {
+    INTERFACE::Init(tree);
+    m_reader.Init(tree);
+    ClearReadings();
+    this->Enable();
+  }
+  void Reset() override {
+    ClearReadings();
+    m_reader.Reset();
+  }
+  CArraySensor::SArray GetReadingsArray() const override { return ArrayOf(this->m_tReadings); }
+
+ protected:
+  READER m_reader;
+
+ private:
+  void ClearReadings() { this->m_tReadings.assign(m_reader.GetNumSensors(), 0.0); }
+};
+
 }  // namespace argos
 
 #endif

@@ -18,11 +18,31 @@ namespace {
 class CAltitudeDefaultSensor : public CSimulatedSensor, public CCI_AltitudeSensor {
  public:
   /** @throws CARGoSException if the robot has no "body" or "controller". */
-  void SetRobot(CComposableEntity& robot) override;
+  void SetRobot(CComposableEntity& robot) override { m_caster.SetRobot(robot); }
   /** Reads `show_rays` and `<noise>`. */
-  void Init(TConfigurationNode& tree) override;
-  void Update() override;
-  void Reset() override;
+  void Init(TConfigurationNode& tree) override {
+    CCI_AltitudeSensor::Init(tree);
+    GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, false);
+    m_noise.Init(tree, m_caster.GetRobot(), {"height"});
+    Enable();
+  }
+  void Update() override {
+    const CVector3& origin = m_caster.GetBody().GetOriginAnchor().Position;
+    const CRay3 ray(origin, CVector3(origin.GetX(), origin.GetY(), 0.0));
+    Real height = origin.GetZ();
+    Real fraction = 1.0;
+    if (height > 0.0 && m_caster.FindHit(ray, fraction)) {
+      height *= fraction;
+    }
+    if (m_showRays) {
+      m_caster.GetRobot().AddCheckedRay(fraction < 1.0, ray);
+    }
+    m_fReading = m_noise.Apply(0, height);
+  }
+  void Reset() override {
+    m_fReading = 0.0;
+    m_noise.Reset();
+  }
 
  private:
   CRayCaster m_caster;
@@ -31,36 +51,6 @@ class CAltitudeDefaultSensor : public CSimulatedSensor, public CCI_AltitudeSenso
 };
 
 }  // namespace
-
-void CAltitudeDefaultSensor::SetRobot(CComposableEntity& robot) {
-  m_caster.SetRobot(robot);
-}
-
-void CAltitudeDefaultSensor::Init(TConfigurationNode& tree) {
-  CCI_AltitudeSensor::Init(tree);
-  GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, false);
-  m_noise.Init(tree, m_caster.GetRobot(), {"height"});
-  Enable();
-}
-
-void CAltitudeDefaultSensor::Update() {
-  const CVector3& origin = m_caster.GetBody().GetOriginAnchor().Position;
-  const CRay3 ray(origin, CVector3(origin.GetX(), origin.GetY(), 0.0));
-  Real height = origin.GetZ();
-  Real fraction = 1.0;
-  if (height > 0.0 && m_caster.FindHit(ray, fraction)) {
-    height *= fraction;
-  }
-  if (m_showRays) {
-    m_caster.GetRobot().AddCheckedRay(fraction < 1.0, ray);
-  }
-  m_fReading = m_noise.Apply(0, height);
-}
-
-void CAltitudeDefaultSensor::Reset() {
-  m_fReading = 0.0;
-  m_noise.Reset();
-}
 
 REGISTER_SENSOR(
     CAltitudeDefaultSensor, "altitude", "default", "the authors of this project", "1.0",

@@ -28,6 +28,13 @@ class CQuadRotorControl {
                const std::string& device);
 
   CQuadRotorEntity& GetQuadRotor() { return *m_quadrotor; }
+  /** Sets the target that the robot follows. */
+  void Command(const CQuadRotorEntity::SPositionControlData& target) {
+    m_quadrotor->SetPositionControlData(target);
+  }
+  void Command(const CQuadRotorEntity::SSpeedControlData& target) {
+    m_quadrotor->SetSpeedControlData(target);
+  }
   const CEmbodiedEntity& GetBody() const { return *m_body; }
   const CControllableEntity& GetRobot() const { return *m_robot; }
   /** @return the current yaw of the body. */

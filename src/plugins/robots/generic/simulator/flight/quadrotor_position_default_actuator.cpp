@@ -17,7 +17,7 @@ constexpr size_t kYaw = 1;
 
 void CQuadRotorPositionDefaultActuator::SetRobot(CComposableEntity& robot) {
   m_control.Acquire(robot, CQuadRotorEntity::POSITION_CONTROL, "quadrotor_position");
-  HoldPosition();
+  m_target = MakeStartTarget();
 }
 
 void CQuadRotorPositionDefaultActuator::Init(TConfigurationNode& tree) {
@@ -25,23 +25,8 @@ void CQuadRotorPositionDefaultActuator::Init(TConfigurationNode& tree) {
   m_noise.Init(tree, m_control.GetRobot(), {"position", "yaw"});
 }
 
-void CQuadRotorPositionDefaultActuator::HoldPosition() {
-  m_target.Position = m_control.GetBody().GetOriginAnchor().Position;
-  m_target.Yaw = m_control.ComputeYaw();
-}
-
-void CQuadRotorPositionDefaultActuator::Update() {
-  m_control.GetQuadRotor().SetPositionControlData(m_target);
-}
-
-void CQuadRotorPositionDefaultActuator::Reset() {
-  HoldPosition();
-  m_noise.Reset();
-}
-
-void CQuadRotorPositionDefaultActuator::Set(const CQuadRotorEntity::SPositionControlData& target) {
-  m_control.GetQuadRotor().Check(target);
-  m_target = target;
+CQuadRotorEntity::SPositionControlData CQuadRotorPositionDefaultActuator::MakeStartTarget() const {
+  return {m_control.GetBody().GetOriginAnchor().Position, m_control.ComputeYaw()};
 }
 
 void CQuadRotorPositionDefaultActuator::SetAbsolutePosition(const CVector3& position) {

@@ -22,18 +22,8 @@ void CQuadRotorSpeedDefaultActuator::Init(TConfigurationNode& tree) {
   m_noise.Init(tree, m_control.GetRobot(), {"velocity", "rotational_speed"});
 }
 
-void CQuadRotorSpeedDefaultActuator::Update() {
-  m_control.GetQuadRotor().SetSpeedControlData(m_target);
-}
-
-void CQuadRotorSpeedDefaultActuator::Reset() {
-  m_target = CQuadRotorEntity::SSpeedControlData();
-  m_noise.Reset();
-}
-
-void CQuadRotorSpeedDefaultActuator::Set(const CQuadRotorEntity::SSpeedControlData& target) {
-  m_control.GetQuadRotor().Check(target);
-  m_target = target;
+CQuadRotorEntity::SSpeedControlData CQuadRotorSpeedDefaultActuator::MakeStartTarget() const {
+  return {};
 }
 
 void CQuadRotorSpeedDefaultActuator::SetLinearVelocity(const CVector3& velocity) {

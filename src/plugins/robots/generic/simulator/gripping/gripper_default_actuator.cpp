@@ -1,37 +1,13 @@
 #include <argos3/plugins/robots/generic/simulator/gripper_default_actuator.h>
 
-#include <argos3/core/simulator/entity/composable_entity.h>
-#include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/plugins/robots/generic/simulator/device_manual.h>
-#include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 
 #include <algorithm>
 
 namespace argos {
 
-void CGripperDefaultActuator::SetRobot(CComposableEntity& robot) {
-  m_gripper = &robot.GetComponent<CGripperEquippedEntity>("gripper");
-  m_robot = &robot.GetComponent<CControllableEntity>("controller");
-}
-
-void CGripperDefaultActuator::Init(TConfigurationNode& tree) {
-  CCI_GripperActuator::Init(tree);
-  m_noise.Init(tree, *m_robot, {"lock_state"});
-}
-
-void CGripperDefaultActuator::Update() {
-  if (m_fLockState != m_ordered) {
-    m_ordered = m_fLockState;
-    m_lockState = m_noise.IsOn() ? std::clamp(m_noise.Apply(0, m_ordered), 0.0, 1.0) : m_ordered;
-  }
-  m_gripper->SetLockState(m_lockState);
-}
-
-void CGripperDefaultActuator::Reset() {
-  Unlock();
-  m_ordered = m_fLockState;
-  m_lockState = m_fLockState;
-  m_noise.Reset();
+Real CGripperDefaultActuator::AddNoise(const Real& lockState) {
+  return GetNoise().IsOn() ? std::clamp(GetNoise().Apply(0, lockState), 0.0, 1.0) : lockState;
 }
 
 REGISTER_ACTUATOR(

@@ -4,28 +4,12 @@
 
 namespace argos {
 
-void CGroundRotZOnlySensor::SetRobot(CComposableEntity& robot) {
-  m_floor.SetRobot(robot);
-}
-
-void CGroundRotZOnlySensor::Init(TConfigurationNode& tree) {
-  CCI_GroundSensor::Init(tree);
-  m_floor.Init(tree);
-  m_tReadings.assign(m_floor.GetNumSensors(), 0.0);
-  Enable();
-}
-
 void CGroundRotZOnlySensor::Update() {
-  CFloorReader::CView view = m_floor.ViewFloor();
-  m_tReadings.resize(m_floor.GetNumSensors());
+  CFloorReader::CView view = m_reader.ViewFloor();
+  m_tReadings.resize(m_reader.GetNumSensors());
   for (size_t i = 0; i < m_tReadings.size(); ++i) {
     m_tReadings[i] = view.Read(i);
   }
-}
-
-void CGroundRotZOnlySensor::Reset() {
-  m_tReadings.assign(m_floor.GetNumSensors(), 0.0);
-  m_floor.Reset();
 }
 
 REGISTER_SENSOR(

@@ -29,14 +29,10 @@ REGISTER_ACTUATOR(
 the sensor "cameras" detects LEDs that are not black. At the start and after a reset the LEDs have the colours given in
 the robot's element.
 )" + RequiredActuatorXML(R"(<directional_leds implementation="default" />)") +
-        R"(
-on a robot that carries such LEDs:
-)" + CarrierXML(R"(<directional_leds medium="directional_leds">
+        CarriedPartsManual("such LEDs", "directional_led",
+                           R"(<directional_leds medium="directional_leds">
       <directional_led position="0.09,0,0.05" orientation="0,90,0" anchor="origin" observable_angle="60" color="red" />
-    </directional_leds>)") +
-        R"(
-The manual of the medium "directional_led" describes these attributes.
-)",
+    </directional_leds>)"),
     "Usable")
 
 }  // namespace argos

@@ -28,15 +28,10 @@ REGISTER_ACTUATOR(
     R"(The controller sets the payload of each tag, or of all tags, as on an electronic label. The algorithm tag_detector
 of the sensor "cameras" reads it. At the start and after a reset the tags have the payloads given in the robot's element.
 )" + RequiredActuatorXML(R"(<tags implementation="default" />)") +
-        R"(
-on a robot that carries tags:
-)" + CarrierXML(R"(<tags medium="tags">
+        CarriedPartsManual("tags", "tag", R"(<tags medium="tags">
       <tag position="-0.09,0,0.05" orientation="0,-90,0" anchor="origin" observable_angle="75" side_length="0.03"
            payload="fb0" />
-    </tags>)") +
-        R"(
-The manual of the medium "tag" describes these attributes.
-)",
+    </tags>)"),
     "Usable")
 
 }  // namespace argos

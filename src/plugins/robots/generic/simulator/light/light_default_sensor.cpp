@@ -1,7 +1,5 @@
 #include <argos3/plugins/robots/generic/simulator/light_default_sensor.h>
 
-#include <argos3/core/simulator/entity/composable_entity.h>
-#include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/space/space.h>
@@ -111,19 +109,17 @@ CLightDefaultSensor::SEyeBatch::SEyeBatch(const SRayLayout& layout, const SAncho
   }
 }
 
-void CLightDefaultSensor::SetRobot(CComposableEntity& robot) {
+void CLightDefaultSensor::FindParts(CComposableEntity& robot) {
   m_sensors = &robot.GetComponent<CLightSensorEquippedEntity>("light_sensors");
   m_caster.SetRobot(robot);
   m_lights = &m_caster.GetSpace().GetExtension<CLights>();
   m_sensors->Enable();
 }
 
-void CLightDefaultSensor::Init(TConfigurationNode& tree) {
-  CCI_LightSensor::Init(tree);
+void CLightDefaultSensor::Configure(TConfigurationNode& tree) {
   GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, false);
-  m_noise.Init(tree, m_caster.GetRobot(), {"reading"}, {ReadNoiseLevel(tree)});
+  m_noise.Init(tree, *m_robot, {"reading"}, {ReadNoiseLevel(tree)});
   m_tReadings.assign(m_sensors->GetNumSensors(), 0.0);
-  Enable();
 }
 
 void CLightDefaultSensor::Update() {
@@ -213,9 +209,8 @@ void CLightDefaultSensor::Show(const CVector3& light, const SEyeBatch& eyes) con
   }
 }
 
-void CLightDefaultSensor::Reset() {
+void CLightDefaultSensor::ResetReading() {
   m_tReadings.assign(m_sensors->GetNumSensors(), 0.0);
-  m_noise.Reset();
 }
 
 Real CLightDefaultSensor::CalculateReading(Real distance, Real intensity) {

@@ -1,9 +1,8 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_LIGHT_LIGHT_DEFAULT_SENSOR_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_LIGHT_LIGHT_DEFAULT_SENSOR_H
 
-#include <argos3/core/simulator/sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_light_sensor.h>
-#include <argos3/plugins/robots/generic/simulator/noise.h>
+#include <argos3/plugins/robots/generic/simulator/noisy_sensor.h>
 #include <argos3/plugins/robots/generic/simulator/ray_caster.h>
 
 namespace argos {
@@ -19,14 +18,9 @@ class CLightSensorEquippedEntity;
  * light is behind the plane through the sensor that is normal to its direction: the robot's own
  * body is then assumed to occlude it.
  */
-class CLightDefaultSensor : public CSimulatedSensor, public CCI_LightSensor {
+class CLightDefaultSensor : public CNoisySensor<CCI_LightSensor> {
  public:
-  /** @throws CARGoSException if the robot has no "light_sensors", "body" or "controller". */
-  void SetRobot(CComposableEntity& robot) override;
-  /** Reads `show_rays`, `noise_level`, and `<noise on="reading">` children. */
-  void Init(TConfigurationNode& tree) override;
   void Update() override;
-  void Reset() override;
 
   /**
    * Contribution of a visible light to a reading, before noise.
@@ -39,6 +33,10 @@ class CLightDefaultSensor : public CSimulatedSensor, public CCI_LightSensor {
  private:
   struct SEyeBatch;  // a batch of sensors, in the world frame
 
+  void FindParts(CComposableEntity& robot) override;
+  /** Also reads `show_rays`, `noise_level`. */
+  void Configure(TConfigurationNode& tree) override;
+  void ResetReading() override;
   void AddLights(SEyeBatch& eyes);
   void FindLightsAhead(const CLightEntity& light, SEyeBatch& eyes) const;
   void FindOccluded(const CVector3& light, SEyeBatch& eyes) const;
@@ -47,7 +45,6 @@ class CLightDefaultSensor : public CSimulatedSensor, public CCI_LightSensor {
   CLightSensorEquippedEntity* m_sensors = nullptr;  // of the robot
   CRayCaster m_caster;
   const CLights* m_lights = nullptr;  // of the space
-  CDeviceNoise m_noise;
   bool m_showRays = false;
 };
 

@@ -22,13 +22,49 @@ namespace {
 class CPheromoneMediumActuator : public CSimulatedActuator, public CCI_PheromoneActuator {
  public:
   /** @throws CARGoSException if the robot has no "body" or "controller". */
-  void SetRobot(CComposableEntity& robot) override;
+  void SetRobot(CComposableEntity& robot) override {
+    m_robot = &robot.GetComponent<CControllableEntity>("controller");
+    m_body = &robot.GetComponent<CEmbodiedEntity>("body");
+  }
   /** Reads `medium`, `layers`, `offset` and `<noise>`. */
-  void Init(TConfigurationNode& tree) override;
+  void Init(TConfigurationNode& tree) override {
+    CCI_PheromoneActuator::Init(tree);
+    auto& medium =
+        ReadMedium<CPheromoneMedium>(tree, m_robot->GetSimulator(), "a pheromone medium");
+    m_layers = medium.ReadLayers(tree);
+    for (const size_t layer : m_layers) {
+      m_vecInterfaces.push_back({medium.GetLayerId(layer), 0.0});
+    }
+    CVector2 offset;
+    GetNodeAttributeOrDefault(tree, "offset", offset, offset);
+    m_offset.Set(offset.GetX(), offset.GetY(), 0.0);
+    m_noise.Init(tree, *m_robot, {"rate"});
+    m_user = std::make_unique<CPheromoneMedium::CUser>(medium, *m_robot);
+  }
   /** @throws CARGoSException if a rate is not a number >= 0. */
-  void Update() override;
+  void Update() override {
+    for (size_t i = 0; i < m_layers.size(); ++i) {
+      Real rate = CheckRate(m_vecInterfaces[i], m_vecInterfaces[i].Rate);
+      if (rate > 0.0) {
+        rate = std::max(0.0, m_noise.Apply(0, rate));
+      }
+      m_user->Rates[m_layers[i]] = rate;
+      m_user->HasOrder = m_user->HasOrder || rate > 0.0;
+    }
+    if (m_user->HasOrder) {
+      const SAnchor& origin = m_body->GetOriginAnchor();
+      m_user->Place = m_offset;
+      m_user->Place.Rotate(origin.Orientation);
+      m_user->Place += origin.Position;
+    }
+  }
   /** Sets all rates to 0 and restarts the noise. */
-  void Reset() override;
+  void Reset() override {
+    for (SInterface& interface : m_vecInterfaces) {
+      interface.Rate = 0.0;
+    }
+    m_noise.Reset();
+  }
 
  private:
   CControllableEntity* m_robot = nullptr;
@@ -40,49 +76,6 @@ class CPheromoneMediumActuator : public CSimulatedActuator, public CCI_Pheromone
 };
 
 }  // namespace
-
-void CPheromoneMediumActuator::SetRobot(CComposableEntity& robot) {
-  m_robot = &robot.GetComponent<CControllableEntity>("controller");
-  m_body = &robot.GetComponent<CEmbodiedEntity>("body");
-}
-
-void CPheromoneMediumActuator::Init(TConfigurationNode& tree) {
-  CCI_PheromoneActuator::Init(tree);
-  auto& medium = ReadMedium<CPheromoneMedium>(tree, m_robot->GetSimulator(), "a pheromone medium");
-  m_layers = medium.ReadLayers(tree);
-  for (const size_t layer : m_layers) {
-    m_vecInterfaces.push_back({medium.GetLayerId(layer), 0.0});
-  }
-  CVector2 offset;
-  GetNodeAttributeOrDefault(tree, "offset", offset, offset);
-  m_offset.Set(offset.GetX(), offset.GetY(), 0.0);
-  m_noise.Init(tree, *m_robot, {"rate"});
-  m_user = std::make_unique<CPheromoneMedium::CUser>(medium, *m_robot);
-}
-
-void CPheromoneMediumActuator::Update() {
-  for (size_t i = 0; i < m_layers.size(); ++i) {
-    Real rate = CheckRate(m_vecInterfaces[i], m_vecInterfaces[i].Rate);
-    if (rate > 0.0) {
-      rate = std::max(0.0, m_noise.Apply(0, rate));
-    }
-    m_user->Rates[m_layers[i]] = rate;
-    m_user->HasOrder = m_user->HasOrder || rate > 0.0;
-  }
-  if (m_user->HasOrder) {
-    const SAnchor& origin = m_body->GetOriginAnchor();
-    m_user->Place = m_offset;
-    m_user->Place.Rotate(origin.Orientation);
-    m_user->Place += origin.Position;
-  }
-}
-
-void CPheromoneMediumActuator::Reset() {
-  for (SInterface& interface : m_vecInterfaces) {
-    interface.Rate = 0.0;
-  }
-  m_noise.Reset();
-}
 
 REGISTER_ACTUATOR(
     CPheromoneMediumActuator, "pheromone", "medium", "the authors of this project", "1.0",

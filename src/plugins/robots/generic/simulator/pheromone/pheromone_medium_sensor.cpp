@@ -22,12 +22,56 @@ constexpr Real kCentimetersPerMeter = 100.0;
 class CPheromoneMediumSensor : public CSimulatedSensor, public CCI_PheromoneSensor {
  public:
   /** @throws CARGoSException if the robot has no "body" or "controller". */
-  void SetRobot(CComposableEntity& robot) override;
+  void SetRobot(CComposableEntity& robot) override {
+    m_robot = &robot.GetComponent<CControllableEntity>("controller");
+    m_body = &robot.GetComponent<CEmbodiedEntity>("body");
+  }
   /** Reads `medium`, `layers`, `<point>` and `<noise>`. */
-  void Init(TConfigurationNode& tree) override;
-  void Update() override;
+  void Init(TConfigurationNode& tree) override {
+    CCI_PheromoneSensor::Init(tree);
+    m_medium = &ReadMedium<CPheromoneMedium>(tree, m_robot->GetSimulator(), "a pheromone medium");
+    m_layers = m_medium->ReadLayers(tree);
+    TReadings readings;
+    const auto addPoint = [&](const CVector2& offset) {
+      m_points.emplace_back(offset.GetX(), offset.GetY(), 0.0);
+      readings.push_back({0.0, offset * kCentimetersPerMeter});
+    };
+    TConfigurationNodeIterator child("point");
+    for (child = child.begin(&tree); child != child.end(); ++child) {
+      CVector2 offset;
+      GetNodeAttribute(*child, "offset", offset);
+      addPoint(offset);
+    }
+    if (m_points.empty()) {
+      addPoint(CVector2());
+    }
+    for (const size_t layer : m_layers) {
+      m_vecInterfaces.push_back({m_medium->GetLayerId(layer), readings});
+    }
+    m_noise.Init(tree, *m_robot, {"value"});
+    Enable();
+  }
+  void Update() override {
+    const SAnchor& origin = m_body->GetOriginAnchor();
+    for (size_t point = 0; point < m_points.size(); ++point) {
+      CVector3 place = m_points[point];
+      place.Rotate(origin.Orientation);
+      place += origin.Position;
+      for (size_t i = 0; i < m_layers.size(); ++i) {
+        const Real concentration = m_medium->GetConcentration(m_layers[i], place);
+        m_vecInterfaces[i].Readings[point].Value = std::max(0.0, m_noise.Apply(0, concentration));
+      }
+    }
+  }
   /** Sets all readings to 0 and restarts the noise. */
-  void Reset() override;
+  void Reset() override {
+    for (SInterface& interface : m_vecInterfaces) {
+      for (SReading& reading : interface.Readings) {
+        reading.Value = 0.0;
+      }
+    }
+    m_noise.Reset();
+  }
 
  private:
   CControllableEntity* m_robot = nullptr;
@@ -39,58 +83,6 @@ class CPheromoneMediumSensor : public CSimulatedSensor, public CCI_PheromoneSens
 };
 
 }  // namespace
-
-void CPheromoneMediumSensor::SetRobot(CComposableEntity& robot) {
-  m_robot = &robot.GetComponent<CControllableEntity>("controller");
-  m_body = &robot.GetComponent<CEmbodiedEntity>("body");
-}
-
-void CPheromoneMediumSensor::Init(TConfigurationNode& tree) {
-  CCI_PheromoneSensor::Init(tree);
-  m_medium = &ReadMedium<CPheromoneMedium>(tree, m_robot->GetSimulator(), "a pheromone medium");
-  m_layers = m_medium->ReadLayers(tree);
-  TReadings readings;
-  const auto addPoint = [&](const CVector2& offset) {
-    m_points.emplace_back(offset.GetX(), offset.GetY(), 0.0);
-    readings.push_back({0.0, offset * kCentimetersPerMeter});
-  };
-  TConfigurationNodeIterator child("point");
-  for (child = child.begin(&tree); child != child.end(); ++child) {
-    CVector2 offset;
-    GetNodeAttribute(*child, "offset", offset);
-    addPoint(offset);
-  }
-  if (m_points.empty()) {
-    addPoint(CVector2());
-  }
-  for (const size_t layer : m_layers) {
-    m_vecInterfaces.push_back({m_medium->GetLayerId(layer), readings});
-  }
-  m_noise.Init(tree, *m_robot, {"value"});
-  Enable();
-}
-
-void CPheromoneMediumSensor::Update() {
-  const SAnchor& origin = m_body->GetOriginAnchor();
-  for (size_t point = 0; point < m_points.size(); ++point) {
-    CVector3 place = m_points[point];
-    place.Rotate(origin.Orientation);
-    place += origin.Position;
-    for (size_t i = 0; i < m_layers.size(); ++i) {
-      const Real concentration = m_medium->GetConcentration(m_layers[i], place);
-      m_vecInterfaces[i].Readings[point].Value = std::max(0.0, m_noise.Apply(0, concentration));
-    }
-  }
-}
-
-void CPheromoneMediumSensor::Reset() {
-  for (SInterface& interface : m_vecInterfaces) {
-    for (SReading& reading : interface.Readings) {
-      reading.Value = 0.0;
-    }
-  }
-  m_noise.Reset();
-}
 
 REGISTER_SENSOR(
     CPheromoneMediumSensor, "pheromone", "medium", "the authors of this project", "1.0",

@@ -6,26 +6,10 @@
 
 namespace argos {
 
-void CProximityDefaultSensor::SetRobot(CComposableEntity& robot) {
-  m_rays.SetRobot(robot);
-}
-
-void CProximityDefaultSensor::Init(TConfigurationNode& tree) {
-  CCI_ProximitySensor::Init(tree);
-  m_rays.Init(tree);
-  m_tReadings.assign(m_rays.GetNumSensors(), 0.0);
-  Enable();
-}
-
 void CProximityDefaultSensor::Update() {
-  m_tReadings.resize(m_rays.GetNumSensors());
-  m_rays.Read([this](Real distance) { return CalculateReading(distance); },
-              [this](size_t ray, Real reading) { m_tReadings[ray] = reading; });
-}
-
-void CProximityDefaultSensor::Reset() {
-  m_tReadings.assign(m_rays.GetNumSensors(), 0.0);
-  m_rays.Reset();
+  m_tReadings.resize(m_reader.GetNumSensors());
+  m_reader.Read([this](Real distance) { return CalculateReading(distance); },
+                [this](size_t ray, Real reading) { m_tReadings[ray] = reading; });
 }
 
 Real CProximityDefaultSensor::CalculateReading(Real distance) {

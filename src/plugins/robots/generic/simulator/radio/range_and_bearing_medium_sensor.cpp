@@ -1,7 +1,5 @@
 #include <argos3/plugins/robots/generic/simulator/range_and_bearing_medium_sensor.h>
 
-#include <argos3/core/simulator/entity/composable_entity.h>
-#include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/robots/generic/simulator/medium_attribute.h>
@@ -19,13 +17,11 @@ constexpr Real kCentimetersPerMeter = 100.0;
 
 }  // namespace
 
-void CRangeAndBearingMediumSensor::SetRobot(CComposableEntity& robot) {
-  m_robot = &robot.GetComponent<CControllableEntity>("controller");
+void CRangeAndBearingMediumSensor::FindParts(CComposableEntity& robot) {
   m_rab = &robot.GetComponent<CRABEquippedEntity>("rab");
 }
 
-void CRangeAndBearingMediumSensor::Init(TConfigurationNode& tree) {
-  CCI_RangeAndBearingSensor::Init(tree);
+void CRangeAndBearingMediumSensor::Configure(TConfigurationNode& tree) {
   const CSimulator& simulator = m_robot->GetSimulator();
   m_medium = &ReadMedium<CRABMedium>(tree, m_robot->GetSimulator(), "a range and bearing medium");
   GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, m_showRays);
@@ -44,7 +40,6 @@ void CRangeAndBearingMediumSensor::Init(TConfigurationNode& tree) {
   m_noise.Init(tree, *m_robot, {"range", "horizontal_bearing", "vertical_bearing"});
   m_rab->SetMedium(*m_medium);
   m_rab->Enable();
-  Enable();
 }
 
 void CRangeAndBearingMediumSensor::Update() {
@@ -104,9 +99,8 @@ void CRangeAndBearingMediumSensor::AddNoise(SPacket& packet) {
   packet.VerticalBearing = CRadians(std::clamp(elevation, -0.5 * ARGOS_PI, 0.5 * ARGOS_PI));
 }
 
-void CRangeAndBearingMediumSensor::Reset() {
+void CRangeAndBearingMediumSensor::ResetReading() {
   m_spare.Shrink(m_tReadings, 0);
-  m_noise.Reset();
   if (m_stream != nullptr) {
     m_stream = std::make_unique<CRandomStream>(m_robot->GetSimulator().GetRandomSeed(), "argos",
                                                m_robot->GetRootEntity().GetId(),

@@ -25,18 +25,65 @@ constexpr Real kCentimetersPerMeter = 100.0;
 /** Reads the tags that the medium finds near the robot. */
 class CRFIDMediumSensor : public CSimulatedSensor, public CCI_RFIDSensor {
  public:
-  void SetRobot(CComposableEntity& robot) override;
+  void SetRobot(CComposableEntity& robot) override { m_antenna.SetRobot(robot); }
   /** Reads the attributes of CRFIDAntenna::Init(), `miss_prob` and `<noise>`. */
-  void Init(TConfigurationNode& tree) override;
-  void Update() override;
+  void Init(TConfigurationNode& tree) override {
+    CCI_RFIDSensor::Init(tree);
+    m_antenna.Init(tree);
+    GetNodeAttributeOrDefault(tree, "miss_prob", m_missProbability, m_missProbability);
+    if (!(m_missProbability >= 0.0 && m_missProbability <= 1.0)) {
+      THROW_ARGOSEXCEPTION(OwnerOf(tree) << ": attribute \"miss_prob\" must be in [0,1], got "
+                                         << m_missProbability);
+    }
+    MakeStream();
+    m_noise.Init(tree, m_antenna.GetRobot(), {"distance", "angle"});
+    Enable();
+  }
+  void Update() override {
+    m_antenna.GetMedium().FindTags(m_found, m_antenna.ComputePlace(), m_antenna.GetRange(),
+                                   m_antenna.GetRobot().GetRootEntity());
+    // readings of the last tick are overwritten: their memory remains allocated
+    size_t numReadings = 0;
+    for (const CRFIDMedium::SFound& found : m_found) {
+      if (m_stream != nullptr && m_stream->Bernoulli(m_missProbability)) {
+        continue;
+      }
+      if (numReadings == m_tReadings.size()) {
+        m_spare.Append(m_tReadings);
+      }
+      Fill(m_tReadings[numReadings++], *found.Tag);
+    }
+    m_spare.Shrink(m_tReadings, numReadings);
+  }
   /** Clears the readings and restarts the noise. */
-  void Reset() override;
+  void Reset() override {
+    m_spare.Shrink(m_tReadings, 0);
+    MakeStream();
+    m_noise.Reset();
+  }
 
  private:
   enum EQuantity : UInt8 { DISTANCE, ANGLE };
 
-  void Fill(SReading& reading, const CRFIDTagEntity& tag);
-  void MakeStream();
+  void Fill(SReading& reading, const CRFIDTagEntity& tag) {
+    reading.Id = tag.GetTagId();
+    reading.Data = tag.GetData();
+    const SAnchor& origin = m_antenna.GetBody().GetOriginAnchor();
+    CVector3 way = tag.GetPosition() - origin.Position;
+    way.Rotate(origin.Orientation.Inverse());
+    const Real distance = kCentimetersPerMeter * std::hypot(way.GetX(), way.GetY());
+    const CRadians angle = ATan2(way.GetY(), way.GetX());
+    reading.Distance = std::max(0.0, m_noise.Apply(DISTANCE, distance));
+    reading.Angle =
+        m_noise.IsOn() ? CRadians(m_noise.Apply(ANGLE, angle.GetValue())).SignedNormalize() : angle;
+  }
+  void MakeStream() {
+    if (m_missProbability > 0.0) {
+      const CControllableEntity& robot = m_antenna.GetRobot();
+      m_stream = std::make_unique<CRandomStream>(robot.GetSimulator().GetRandomSeed(), "argos",
+                                                 robot.GetRootEntity().GetId(), "rfid sensor");
+    }
+  }
 
   CRFIDAntenna m_antenna;
   Real m_missProbability = 0.0;
@@ -47,67 +94,6 @@ class CRFIDMediumSensor : public CSimulatedSensor, public CCI_RFIDSensor {
 };
 
 }  // namespace
-
-void CRFIDMediumSensor::SetRobot(CComposableEntity& robot) {
-  m_antenna.SetRobot(robot);
-}
-
-void CRFIDMediumSensor::Init(TConfigurationNode& tree) {
-  CCI_RFIDSensor::Init(tree);
-  m_antenna.Init(tree);
-  GetNodeAttributeOrDefault(tree, "miss_prob", m_missProbability, m_missProbability);
-  if (!(m_missProbability >= 0.0 && m_missProbability <= 1.0)) {
-    THROW_ARGOSEXCEPTION(OwnerOf(tree) << ": attribute \"miss_prob\" must be in [0,1], got "
-                                       << m_missProbability);
-  }
-  MakeStream();
-  m_noise.Init(tree, m_antenna.GetRobot(), {"distance", "angle"});
-  Enable();
-}
-
-void CRFIDMediumSensor::MakeStream() {
-  if (m_missProbability > 0.0) {
-    const CControllableEntity& robot = m_antenna.GetRobot();
-    m_stream = std::make_unique<CRandomStream>(robot.GetSimulator().GetRandomSeed(), "argos",
-                                               robot.GetRootEntity().GetId(), "rfid sensor");
-  }
-}
-
-void CRFIDMediumSensor::Update() {
-  m_antenna.GetMedium().FindTags(m_found, m_antenna.ComputePlace(), m_antenna.GetRange(),
-                                 m_antenna.GetRobot().GetRootEntity());
-  // readings of the last tick are overwritten: their memory remains allocated
-  size_t numReadings = 0;
-  for (const CRFIDMedium::SFound& found : m_found) {
-    if (m_stream != nullptr && m_stream->Bernoulli(m_missProbability)) {
-      continue;
-    }
-    if (numReadings == m_tReadings.size()) {
-      m_spare.Append(m_tReadings);
-    }
-    Fill(m_tReadings[numReadings++], *found.Tag);
-  }
-  m_spare.Shrink(m_tReadings, numReadings);
-}
-
-void CRFIDMediumSensor::Fill(SReading& reading, const CRFIDTagEntity& tag) {
-  reading.Id = tag.GetTagId();
-  reading.Data = tag.GetData();
-  const SAnchor& origin = m_antenna.GetBody().GetOriginAnchor();
-  CVector3 way = tag.GetPosition() - origin.Position;
-  way.Rotate(origin.Orientation.Inverse());
-  const Real distance = kCentimetersPerMeter * std::hypot(way.GetX(), way.GetY());
-  const CRadians angle = ATan2(way.GetY(), way.GetX());
-  reading.Distance = std::max(0.0, m_noise.Apply(DISTANCE, distance));
-  reading.Angle =
-      m_noise.IsOn() ? CRadians(m_noise.Apply(ANGLE, angle.GetValue())).SignedNormalize() : angle;
-}
-
-void CRFIDMediumSensor::Reset() {
-  m_spare.Shrink(m_tReadings, 0);
-  MakeStream();
-  m_noise.Reset();
-}
 
 REGISTER_SENSOR(
     CRFIDMediumSensor, "rfid", "medium", "the authors of this project", "1.0",

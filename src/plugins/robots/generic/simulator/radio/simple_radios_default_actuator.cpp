@@ -33,14 +33,9 @@ REGISTER_ACTUATOR(
     R"(The controller appends messages, arrays of bytes of any size, to the queue of a radio. The radio sends them
 once, in the next tick, before the robots move, to every other radio of the medium within range.
 )" + RequiredActuatorXML(R"(<simple_radios implementation="default" />)") +
-        R"(
-on a robot that carries radios:
-)" + CarrierXML(R"(<simple_radios>
+        CarriedPartsManual("radios", "simple_radio", R"(<simple_radios>
       <simple_radio id="wifi" medium="radios" range="5" position="0,0,0.1" />
-    </simple_radios>)") +
-        R"(
-The manual of the medium "simple_radio" describes these attributes.
-)",
+    </simple_radios>)"),
     "Usable")
 
 }  // namespace argos

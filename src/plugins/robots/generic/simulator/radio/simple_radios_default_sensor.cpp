@@ -47,14 +47,10 @@ REGISTER_SENSOR(
     R"(Lists for each radio of the robot the messages, arrays of bytes of any size, that other radios sent to it in
 this tick, in the order in which the sending robots were added to the arena.
 )" + RequiredSensorXML(R"(<simple_radios implementation="default" />)") +
-        R"(
-on a robot that carries radios:
-)" + CarrierXML(R"(<simple_radios>
+        CarriedPartsManual("radios", "simple_radio", R"(<simple_radios>
       <simple_radio id="wifi" medium="radios" range="5" position="0,0,0.1" />
     </simple_radios>)") +
-        R"(
-The manual of the medium "simple_radio" describes these attributes.
-)" + OptionalXML(R"(<simple_radios implementation="default" show_rays="true" />)") +
+        OptionalXML(R"(<simple_radios implementation="default" show_rays="true" />)") +
         R"(
   show_rays  "true" or "false", default "false": visualizations show lines from the senders.
 )",

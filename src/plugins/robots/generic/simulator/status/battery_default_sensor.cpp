@@ -1,7 +1,5 @@
 #include <argos3/plugins/robots/generic/simulator/battery_default_sensor.h>
 
-#include <argos3/core/simulator/entity/composable_entity.h>
-#include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/simulator/entities/battery_equipped_entity.h>
@@ -19,17 +17,14 @@ constexpr Real kForever = std::numeric_limits<Real>::infinity();
 
 }  // namespace
 
-void CBatteryDefaultSensor::SetRobot(CComposableEntity& robot) {
+void CBatteryDefaultSensor::FindParts(CComposableEntity& robot) {
   m_battery = &robot.GetComponent<CBatteryEquippedEntity>("battery");
-  m_robot = &robot.GetComponent<CControllableEntity>("controller");
   m_battery->Enable();
   m_sReading = SReading(GetCharge(), kForever);
 }
 
-void CBatteryDefaultSensor::Init(TConfigurationNode& tree) {
-  CCI_BatterySensor::Init(tree);
+void CBatteryDefaultSensor::Configure(TConfigurationNode& tree) {
   m_noise.Init(tree, *m_robot, {"available_charge"}, {ReadNoiseRange(tree, "noise_range")});
-  Enable();
 }
 
 Real CBatteryDefaultSensor::GetCharge() const {
@@ -49,9 +44,8 @@ void CBatteryDefaultSensor::Update() {
   }
 }
 
-void CBatteryDefaultSensor::Reset() {
+void CBatteryDefaultSensor::ResetReading() {
   m_sReading = SReading(GetCharge(), kForever);
-  m_noise.Reset();
 }
 
 REGISTER_SENSOR(

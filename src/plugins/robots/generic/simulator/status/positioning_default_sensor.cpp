@@ -1,7 +1,5 @@
 #include <argos3/plugins/robots/generic/simulator/positioning_default_sensor.h>
 
-#include <argos3/core/simulator/entity/composable_entity.h>
-#include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/plugins/robots/generic/simulator/device_manual.h>
 
@@ -13,19 +11,16 @@ enum EQuantity : size_t { POSITION, ANGLE, AXIS };
 
 }  // namespace
 
-void CPositioningDefaultSensor::SetRobot(CComposableEntity& robot) {
+void CPositioningDefaultSensor::FindParts(CComposableEntity& robot) {
   m_body = &robot.GetComponent<CEmbodiedEntity>("body");
-  m_robot = &robot.GetComponent<CControllableEntity>("controller");
   m_sReading.Position = m_body->GetOriginAnchor().Position;
   m_sReading.Orientation = m_body->GetOriginAnchor().Orientation;
 }
 
-void CPositioningDefaultSensor::Init(TConfigurationNode& tree) {
-  CCI_PositioningSensor::Init(tree);
+void CPositioningDefaultSensor::Configure(TConfigurationNode& tree) {
   m_noise.Init(tree, *m_robot, {"position", "angle", "axis"},
                {ReadNoiseRange(tree, "pos_noise_range"), ReadNoiseRange(tree, "angle_noise_range"),
                 ReadNoiseRange(tree, "axis_noise_range")});
-  Enable();
 }
 
 void CPositioningDefaultSensor::Update() {
@@ -57,9 +52,8 @@ void CPositioningDefaultSensor::AddNoiseToOrientation() {
   m_sReading.Orientation.FromAngleAxis(m_cAngle, m_cAxis);
 }
 
-void CPositioningDefaultSensor::Reset() {
+void CPositioningDefaultSensor::ResetReading() {
   m_sReading = SReading(m_body->GetInitPosition(), m_body->GetInitOrientation());
-  m_noise.Reset();
 }
 
 REGISTER_SENSOR(

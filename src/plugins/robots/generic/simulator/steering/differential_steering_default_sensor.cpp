@@ -1,7 +1,5 @@
 #include <argos3/plugins/robots/generic/simulator/differential_steering_default_sensor.h>
 
-#include <argos3/core/simulator/entity/composable_entity.h>
-#include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
@@ -15,8 +13,7 @@ enum EQuantity : size_t { VELOCITY_LEFT, VELOCITY_RIGHT, DISTANCE_LEFT, DISTANCE
 
 }  // namespace
 
-void CDifferentialSteeringDefaultSensor::SetRobot(CComposableEntity& robot) {
-  m_robot = &robot.GetComponent<CControllableEntity>("controller");
+void CDifferentialSteeringDefaultSensor::FindParts(CComposableEntity& robot) {
   m_wheels = &robot.GetComponent<CWheeledEntity>("wheels");
   if (m_wheels->GetNumWheels() != 2) {
     THROW_ARGOSEXCEPTION("sensor \"differential_steering\" needs a robot with two wheels; robot \""
@@ -26,14 +23,12 @@ void CDifferentialSteeringDefaultSensor::SetRobot(CComposableEntity& robot) {
       kCentimetersPerMeter * Distance(m_wheels->GetWheelPosition(0), m_wheels->GetWheelPosition(1));
 }
 
-void CDifferentialSteeringDefaultSensor::Init(TConfigurationNode& tree) {
-  CCI_DifferentialSteeringSensor::Init(tree);
+void CDifferentialSteeringDefaultSensor::Configure(TConfigurationNode& tree) {
   const CRange<Real> velocity = ReadNoiseRange(tree, "vel_noise_range");
   const CRange<Real> distance = ReadNoiseRange(tree, "dist_noise_range");
   m_noise.Init(tree, *m_robot,
                {"velocity_left", "velocity_right", "distance_left", "distance_right"},
                {velocity, velocity, distance, distance});
-  Enable();
 }
 
 void CDifferentialSteeringDefaultSensor::Update() {
@@ -47,9 +42,8 @@ void CDifferentialSteeringDefaultSensor::Update() {
   m_sReading.CoveredDistanceRightWheel = m_noise.Apply(DISTANCE_RIGHT, right * tick);
 }
 
-void CDifferentialSteeringDefaultSensor::Reset() {
+void CDifferentialSteeringDefaultSensor::ResetReading() {
   m_sReading = SReading(0.0, 0.0, 0.0, 0.0, m_sReading.WheelAxisLength);
-  m_noise.Reset();
 }
 
 REGISTER_SENSOR(

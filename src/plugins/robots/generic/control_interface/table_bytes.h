@@ -1,0 +1,14 @@
+#ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_TABLE_BYTES_H
+#define ARGOS3_PLUGINS_ROBOTS_GENERIC_CONTROL_INTERFACE_TABLE_BYTES_H
+
+namespace argos {
+
+class CByteArray;
+class CLuaTable;
+
+/** Sets the existing table @p field of a table to bytes, as numbers from index 1 on. */
+void SetBytes(CLuaTable& table, const char* field, const CByteArray& bytes);
+
+}  // namespace argos
+
+#endif
