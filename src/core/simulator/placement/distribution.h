@@ -52,8 +52,7 @@ class CDistribution {
   UInt64 m_maxTrials = 0;
 
   // set by Probe()
-  std::shared_ptr<const SBodyDescription>
-      m_body;  // null: no body, or one that its engine must test
+  std::shared_ptr<const SBodyDescription> m_body;  // null: none, or one that its engine must test
   bool m_hasBody = false;
   // of the last place that was taken
   CVector3 m_lastPosition;
