@@ -19,7 +19,7 @@ class CLazyComponents {
    * @param type  a GetTypeDescription(); empty: all types.
    */
   virtual void Create(const std::string& type) = 0;
-  /** Called after a component has left the entity, for whatever reason. */
+  /** Called after a component was removed from the entity, for any reason. */
   virtual void Forget(const CEntity& component) = 0;
 
  protected:

@@ -64,7 +64,7 @@ class CPlanarGrid {
   /**
    * Covers an area with squares.
    * @param minEdge  least edge of a square, m, > 0.
-   * @param aimedCells  the squares are made so large that there are hardly more than these.
+   * @param aimedCells  the squares are so large that there are few more cells than these.
    */
   void Cover(const SPlanarArea& area, Real minEdge, Real aimedCells) {
     const Real width = area.MaxX - area.MinX;
