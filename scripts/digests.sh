@@ -66,7 +66,7 @@ if [[ "$mode" == --pin ]]; then
   cat "$new" >"$pinned"
   echo "digests: $pinned is pinned for '$this_build'; $differences changed"
 elif ((differences > 0)); then
-  die "$differences of the pinned digests differ: the simulation behaves otherwise than before. If that is" \
+  die "$differences of the pinned digests differ: the simulation behaves differently. If that is" \
     "intended, say why in the commit and run: scripts/digests.sh ${build#"$repo"/} --pin"
 else
   echo "digests: as pinned for '$this_build'"

@@ -57,9 +57,9 @@ includes() { # includes <regular expression of paths> <forbidden include prefix>
 }
 
 # The direction of dependencies. The include roots of the build enforce it, too; these rules give clearer messages.
-report "utility knows nothing above it" \
+report "utility includes nothing above it" \
   "$(includes '^src/core/utility/' 'argos3/(core/(control_interface|simulator|wrappers)|plugins)/')"
-report "the control interface knows utility alone" \
+report "the control interface includes utility only" \
   "$(includes '^src/core/control_interface/' 'argos3/(core/(simulator|wrappers)|plugins)/')"
 # The include graph of the core's folders. Companions, which a header includes for users' code alone, do not count.
 arrows_upward() {
@@ -90,11 +90,11 @@ arrows_upward() {
     }' "${files[@]}"
 }
 report "no include leads upward (scripts/layers.txt)" "$(arrows_upward)"
-report "the core knows no plug-in" "$(includes '^src/core/' 'argos3/plugins/')"
-report "a control interface knows no simulator" \
+report "the core includes no plug-in" "$(includes '^src/core/' 'argos3/plugins/')"
+report "a control interface includes no simulator" \
   "$(includes '^src/plugins/robots/[^/]*/control_interface/' 'argos3/(core/simulator|plugins/simulator|plugins/robots/[^/]*/simulator)/')"
-report "a robot knows no engine" "$(includes '^src/plugins/robots/' 'argos3/plugins/simulator/physics_engines/')"
-report "an engine knows no robot" "$(includes '^src/plugins/physics_engines/' 'argos3/plugins/robots/')"
+report "a robot includes no engine" "$(includes '^src/plugins/robots/' 'argos3/plugins/simulator/physics_engines/')"
+report "an engine includes no robot" "$(includes '^src/plugins/physics_engines/' 'argos3/plugins/robots/')"
 report "include by the public path, <argos3/...>" \
   "$(includes '^src/(core|plugins)/' '\.\./')"
 
@@ -119,11 +119,11 @@ rawOwners='^src/core/(utility/plugins/(factory|process_wide)|control_interface/c
 mapfile -t owners < <(only '^(src/(core|plugins)|experiments)/' | grep -vE "$rawOwners")
 report "no raw new: std::make_unique" \
   "$(search '(^|[^A-Za-z0-9_.>])new +[A-Za-z_:(]' "${owners[@]}" | grep -v 'operator new' || true)"
-report "no raw delete: let an owner do it" \
+report "no raw delete: std::unique_ptr" \
   "$(search '(^|[^A-Za-z0-9_=.>]|[^= ] +)delete(\[\])? +[A-Za-z_:(*]' "${owners[@]}" | grep -v 'operator delete' || true)"
 
 mapfile -t noLoadAhead < <(printf '%s\n' "${ours[@]}" | grep -v '^src/core/utility/memory/load_ahead\.h$')
-report "prefetching is the business of memory/load_ahead.h" "$(search '[Pp]refetch' "${noLoadAhead[@]}")"
+report "prefetch only through memory/load_ahead.h" "$(search '[Pp]refetch' "${noLoadAhead[@]}")"
 
 report "no TODO, FIXME or XXX" "$(grep -nHE '\<(TODO|FIXME|XXX)\>' "${sources[@]}" || true)"
 
@@ -166,7 +166,7 @@ types_with_one_name() {
          where[name] = FILENAME
        }' "${headers[@]}"
 }
-report "types of plug-ins have names of their own" "$(types_with_one_name)"
+report "types of plug-ins have unique names" "$(types_with_one_name)"
 
 if ((violations > 0)); then
   echo "lint: $violations violation(s)"

@@ -67,7 +67,7 @@ began "Shell scripts (shellcheck)"
 shellcheck scripts/*.sh .ci/run
 echo "nothing found"
 
-began "Rules of the house"
+began "Project rules (lint)"
 "$repo/scripts/lint.sh"
 
 began "Build (Release, with tests, warnings are errors, in build-ci/)"

@@ -1,13 +1,12 @@
 // A plug-in of clang-tidy 14, compiled and loaded by scripts/tidy.sh. It is no part of the
 // simulator.
 //
-//   argos-own-code   finds nothing; it limits all other checks to code outside system headers. They
-//   would search the
-//                    standard library and Catch2 once for each unit, which takes longer than all
-//                    the rest.
-//   argos-includes   finds includes of this project's headers that the file does not need. Checked
-//   are the unit itself
-//                    and the header of the same name.
+//   argos-own-code
+//     Reports nothing; limits all other checks to code outside of system headers. They would search
+//     the standard library and Catch2 once for each unit, which takes longer than all the rest.
+//   argos-includes
+//     Reports includes of this project's headers that the file does not need, in the unit itself
+//     and in the header of the same name.
 
 #include <clang-tidy/ClangTidyCheck.h>
 #include <clang-tidy/ClangTidyModule.h>
@@ -120,8 +119,8 @@ class CRecorder : public clang::PPCallbacks {
 };
 
 /**
- * Notes in which files the declarations lie that each of some files needs. Errs on the side of
- * need: the type of every expression counts, named or not.
+ * Collects, for each of some files, the files with the declarations that it needs. Conservative:
+ * the type of every expression counts, named or not.
  */
 class CUses : public clang::RecursiveASTVisitor<CUses> {
  public:
@@ -293,7 +292,7 @@ class CIncludesCheck : public clang::tidy::ClangTidyCheck {
   }
 
  private:
-  // the unit, unless it is generated, and the header that bears its name
+  // the unit, unless it is generated, and the header of the same name
   std::set<const FileEntry*> Checked(const SourceManager& sources) const {
     std::set<const FileEntry*> checked;
     const FileEntry* unit = sources.getFileEntryForID(sources.getMainFileID());
@@ -320,11 +319,11 @@ class CIncludesCheck : public clang::tidy::ClangTidyCheck {
     const std::set<const FileEntry*>& uses = m_record.Uses[file];
     std::vector<SPreprocessed::SInclude> kept = m_record.Includes[file];
     for (const SPreprocessed::SInclude& each : m_record.Includes[file]) {
-      // its own header shows a unit the interface that it must keep, used or not
+      // a unit includes its own header, whether it uses it or not
       if (IsOwnHeader(*file, each.Name) || uses.count(each.File) != 0) {
         continue;
       }
-      // what the other includes bring along, without this one
+      // what the other includes include, without this one
       std::set<const FileEntry*> others;
       for (const SPreprocessed::SInclude& other : kept) {
         if (other.File != each.File) {

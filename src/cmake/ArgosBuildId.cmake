@@ -1,7 +1,7 @@
 # Hashes of the public headers, by which the core refuses a plug-in that was compiled against other headers.
 #
-# They are computed when the build runs, not when it is configured. In the build tree they lie in one object file,
-# which every target that links the core gets a copy of: an edited header recompiles that file and what includes the
+# They are computed when the build runs, not when it is configured. In the build tree they are in one object file,
+# of which every target that links the core has a copy: an edited header recompiles that file and what includes the
 # header, and nothing else. Installed, they are a literal in <argos3/core/build_id.h>, so that users' plug-ins carry
 # the hashes of the headers that they were compiled against.
 #
@@ -15,7 +15,7 @@ function(argos_add_public_header library path file)
 endfunction()
 
 function(argos_share_build_id core)
-  # an object library hands the object on to the library or program that it becomes a part of
+  # an object library passes the object to the library or program that it is linked into
   set(isLinked "$<NOT:$<STREQUAL:$<TARGET_PROPERTY:TYPE>,OBJECT_LIBRARY>>")
   target_sources(${core} PRIVATE $<TARGET_OBJECTS:argos_build_id>
     INTERFACE "$<BUILD_INTERFACE:$<${isLinked}:$<TARGET_OBJECTS:argos_build_id>>>")

@@ -8,8 +8,8 @@ target_compile_features(argos_options INTERFACE cxx_std_20)
 target_compile_options(argos_options INTERFACE -ffp-contract=off)
 
 set(argosWarnings -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual)
-# g++ 12 sees overlapping copies where a string is put together with "text" + string, and ones that are too long if
-# <string> is precompiled: its defect 105329. AddressSanitizer sees the real ones.
+# g++ 12 warns wrongly of overlapping copies in "text" + string, and of copies that are too long if <string> is
+# precompiled: GCC bug 105329. AddressSanitizer finds real ones.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   list(APPEND argosWarnings -Wno-restrict -Wno-stringop-overflow)
 endif()
@@ -32,8 +32,8 @@ if(ARGOS_SANITIZE)
   target_link_options(argos_options INTERFACE -fsanitize=${ARGOS_SANITIZE})
 endif()
 
-# A plug-in that only registers itself offers no symbol that anybody asks for; where the linker drops such libraries by
-# default (Ubuntu), a program that links it would run without it.
+# No program references a symbol of a plug-in that only registers itself; a linker that drops unreferenced libraries by
+# default (Ubuntu) would leave it out.
 if(NOT APPLE)
   target_link_options(argos_options INTERFACE -Wl,--no-as-needed)
   if(NOT ARGOS_SANITIZE)
@@ -41,8 +41,8 @@ if(NOT APPLE)
   endif()
 endif()
 
-# argos_test_options: what tests are compiled with on top of that. What is tested lies in the libraries; the tests
-# themselves need not be fast, but soon compiled: sanitizers double the time of an optimizing compiler. The macros of
+# argos_test_options: what tests are compiled with on top of that. The tested code is in the libraries; the tests
+# themselves need to compile fast, not to run fast: sanitizers double the time of an optimizing compiler. The macros of
 # Catch2 without a try block in each of them: an exception still ends its test case as a failure.
 add_library(argos_test_options INTERFACE)
 target_compile_definitions(argos_test_options INTERFACE CATCH_CONFIG_FAST_COMPILE)

@@ -1,6 +1,6 @@
 # Precompiled headers: the standard library's for libraries, those and Catch2's for tests. No header of this project is
-# precompiled, so an edit recompiles only the sources that include the header, and a source that forgets to include one
-# of ours does not compile. Header checks and the build for robots use none of them: there, every header and every
+# precompiled, so an edit recompiles only the sources that include the header, and a source that lacks an include of
+# one does not compile. Header checks and the build for robots use none of them: there, every header and every
 # control interface compiles with its own includes alone. So does scripts/tidy.sh with every source.
 #
 #   argos_precompile(<target> library|test)   lets a target use the headers that were compiled once for its kind

@@ -4,7 +4,7 @@
 #   argos_add_core(PARTS ...)          the parts merged into libargos3core_<build-for>.so, alias argos3::core
 #   argos_add_plugin(media ...)        libargos3plugin_<build-for>_media.so, alias argos3::media
 #   argos_add_module(name ...)         a library of controllers or loop functions, not installed
-#   argos_add_test(name ...)           a Catch2 program whose test cases are known to ctest
+#   argos_add_test(name ...)           a Catch2 program; ctest runs each of its test cases
 #
 # Each target has an include root of its own, made of links to the source folders, so it sees the headers of the
 # targets that it links and no others: an include against the direction of dependencies does not compile.
@@ -95,8 +95,8 @@ function(argos_add_core_part name)
   argos_install_headers(core ${ARG_INCLUDE_PREFIX} "${folder}" ARG_PUBLIC_HEADERS ARG_PUBLIC_HEADERS)
 endfunction()
 
-# Some public headers include companions, which users' code finds with them but they themselves do not need, unless
-# ARGOS_WITHOUT_COMPANIONS is defined: the simulator and its plug-ins include what they use, so that their layers hold.
+# Some public headers include companions, which users' code expects but which they do not need themselves, unless
+# ARGOS_WITHOUT_COMPANIONS is defined, as for the simulator and its plug-ins: these include what they use.
 
 # argos_add_core(PARTS ... [LINK ...])
 #   LINK names what the public headers need.

@@ -11,7 +11,7 @@
  * Robots that elect a leader by messages to their neighbours, and compute their distance to it in
  * hops.
  *
- * Each robot draws a number and sends two bytes: the greatest number that it knows, and its
+ * Each robot draws a number and sends two bytes: the greatest number so far, and its
  * distance in hops to the robot that drew it. In the end all robots send the same number, and the
  * hops form a gradient towards the leader. LEDs show it: white for the leader itself, then from red
  * over green to blue.

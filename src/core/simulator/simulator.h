@@ -33,8 +33,8 @@ struct STickTimes;
 /**
  * One simulation; owns all its parts.
  *
- * What the parts share is in SSimulationContext, what an experiment consists of in
- * SExperimentParts; the loader (loading/experiment_loader.h) makes it, CTick runs it.
+ * SSimulationContext has what the parts share, SExperimentParts the parts of one experiment. The
+ * loader (loading/experiment_loader.h) creates the experiment, CTick runs it.
  *
  * A process may contain several simulators, of which at most one is current per thread:
  * GetInstance() returns the calling thread's current one. Programs with several simulators

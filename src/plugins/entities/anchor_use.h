@@ -26,7 +26,7 @@ inline void UseAnchor(SAnchor& anchor, bool use) {
 void CountFollower(CEntity& component, bool enabled);
 /** SetEnabled() of a component, not composable, whose Update() is needed after each move. */
 void SetFollowerEnabled(CEntity& component, bool enabled);
-/** Registers a mount of @p user, which may be enabled already, on an anchor for good. */
+/** Registers a mount of @p user, which may be enabled already, on an anchor permanently. */
 void MountOnAnchor(SAnchor& anchor, const CEntity& user);
 /**
  * Returns the index of an anchor in the list of anchors that @p user is mounted on; appends a new

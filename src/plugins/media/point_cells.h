@@ -15,7 +15,7 @@
 namespace argos {
 
 /**
- * Points sorted by cells of the ground plane, so that those near a place lie side by side; for the
+ * Points sorted by cells of the ground plane, so that those near a place are adjacent; for the
  * sources of media.
  *
  * Cells only make queries fast: callers compare exact distances, so results do not depend on cells.

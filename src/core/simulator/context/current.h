@@ -13,7 +13,7 @@ struct SSimulationContext;
  * For objects created by zero-argument factories or by `new` in user code, which need it during
  * initialisation. All other code gets its dependencies as arguments.
  *
- * The three functions are defined beside CSimulator, which is the only one to know them all.
+ * All three are defined beside CSimulator, which alone depends on all of them.
  */
 CSimulator& CurrentSimulator();
 /** The space of CurrentSimulator(). */

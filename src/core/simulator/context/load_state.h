@@ -12,17 +12,15 @@
 
 namespace argos {
 
-/** What is known of an experiment while it is being loaded, and the controllers that it declares.
- */
+/** State of the loading of an experiment, and the controllers that the experiment declares. */
 class CLoadState {
  public:
-  /** Loading begins; what was known of an earlier experiment is forgotten. */
+  /** Starts loading: clears the state of an earlier experiment. */
   void Begin();
-  /** Everything is loaded. */
+  /** Ends loading. */
   void End() { m_loading = false; }
 
-  /** Takes the child of `<controllers>` with that id. @throws CARGoSException if the id is taken.
-   */
+  /** Adds the child of `<controllers>` with that id. @throws CARGoSException if the id is taken. */
   void AddController(const std::string& id, TConfigurationNode& node);
   /** The child of `<controllers>` with that id. @throws CARGoSException with the nearest ids. */
   TConfigurationNode& GetController(const std::string& id) const;
@@ -34,7 +32,7 @@ class CLoadState {
 
   /** See CSimulator::CheckWhenLoaded(). */
   void CheckWhenLoaded(std::function<void()> check);
-  /** Calls and forgets the checks. */
+  /** Calls the checks and removes them. */
   void RunChecks(CLoadErrors& errors);
 
   /** While probing, robots get no controller: the loader only needs their bodies. */

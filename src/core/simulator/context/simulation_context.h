@@ -19,17 +19,17 @@ class CSpace;
 class CThreadPool;
 
 /**
- * What the parts of one simulation share: each part includes the headers of those that it uses and
- * finds them here, so that no part includes the simulator, which owns them all.
+ * What the parts of one simulation share: each part gets the others from here and includes only the
+ * headers of those that it uses, so that no part includes the simulator, which owns them all.
  *
- * Parts that are made by zero-argument factories get it from CurrentContext() when they are made.
+ * Parts created by zero-argument factories call CurrentContext() in their constructor.
  */
 struct SSimulationContext {
   explicit SSimulationContext(CSimulator& simulator) : Simulator(simulator) {}
   SSimulationContext(const SSimulationContext&) = delete;
   SSimulationContext& operator=(const SSimulationContext&) = delete;
 
-  // always there
+  // valid during the lifetime of the simulator
   CSimulator& Simulator; /**< for users' code; the core uses the parts below */
   CSpace* Space = nullptr;
   CBodyIndex* Index = nullptr; /**< of all bodies in the space */
@@ -43,7 +43,7 @@ struct SSimulationContext {
   std::vector<CPhysicsEngine*> Engines; /**< in document order */
   std::vector<CMedium*> Media; /**< in document order */
   CLoopFunctions* LoopFunctions = nullptr;
-  CFloorPainter* FloorPainter = nullptr; /**< the loop functions, as the floor knows them */
+  CFloorPainter* FloorPainter = nullptr; /**< interface of the loop functions for the floor */
 };
 
 }  // namespace argos

@@ -48,7 +48,7 @@ void SAnchor::ReturnToStart() {
   while (InUseCount < InUseCountAtStart) {
     Enable();
   }
-  // the body itself always uses its origin
+  // the origin anchor is always in use
   const UInt32 least = Index == 0 ? std::max<UInt32>(InUseCountAtStart, 1) : InUseCountAtStart;
   while (InUseCount > least) {
     Disable();

@@ -14,8 +14,8 @@ class CArraySensor : public CSimulatedSensor {
   };
 
   /**
-   * The array that Update() writes to. The tick loads it into the cache ahead; this function is
-   * called only when the robots of the space have changed, so an array that moves later is not.
+   * The array that Update() writes to, which the tick prefetches. Called only after the robots of
+   * the space have changed, so an array that is reallocated later is not prefetched.
    */
   virtual SArray GetReadingsArray() const = 0;
 

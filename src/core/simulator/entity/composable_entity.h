@@ -13,7 +13,7 @@ class CLazyComponents;
  * An entity made of components, which it owns.
  *
  * Components are found by path: a type, optionally an id in brackets, nested with dots:
- * "leds.led[led_0]". A bare type finds some component of that type: the first that was added.
+ * "leds.led[led_0]". A type without an id selects the component that was added first.
  */
 class CComposableEntity : public CEntity {
  public:
@@ -58,7 +58,7 @@ class CComposableEntity : public CEntity {
     return *result;
   }
   bool HasComponent(const std::string& component);
-  /** Iterator into GetComponentMap(), which ends it if there is no such component. */
+  /** Iterator into GetComponentMap(); its end() if there is no such component. */
   CEntity::TMultiMap::iterator FindComponent(const std::string& component);
 
   /** Direct components by type; built at the first call. */

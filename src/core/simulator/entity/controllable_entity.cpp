@@ -149,7 +149,7 @@ CCI_Controller& CControllableEntity::GetController() {
 void CControllableEntity::SetController(const std::string& controllerId) {
   TConfigurationNode& node = m_context.Loading.GetController(controllerId);
   if (!NodeExists(node, "params")) {
-    // controllers may keep a reference to their parameters: an empty element that stays
+    // adds an empty element: controllers may keep a reference to their parameters
     TConfigurationNode none("params");
     AddChildNode(node, none);
   }
@@ -227,8 +227,8 @@ void CControllableEntity::CreateSensors(TConfigurationNode& controllerNode) {
   }
 }
 
-// the controller's maps are ordered by tag, and so are the lists; what a controller added itself
-// and is not simulated is its own business
+// the lists have the order of the controller's maps, by tag; devices that the controller added
+// itself are left out if they are not simulated
 void CControllableEntity::ListDevices() {
   m_actuators.reserve(m_pcController->GetAllActuators().size());
   for (const auto& entry : m_pcController->GetAllActuators()) {

@@ -50,9 +50,9 @@ class CControllableEntity : public CEntity {
   const CCI_Controller& GetController() const;
   CCI_Controller& GetController();
   /**
-   * Creates the controller with its devices, actuators first, and runs its Init(). A controller
-   * that the robot has is destroyed before. In a run, Reset() keeps the new one: what is enabled
-   * now of the robot is then also its state at the start.
+   * Creates the controller with its devices, actuators first, and runs its Init(). The
+   * previous controller is destroyed first. In a run, Reset() keeps the new one; the components
+   * and devices that are enabled now are then also those enabled at the start.
    * @param controllerId  `id` of a child of `<controllers>`.
    * @throws CARGoSException if the id, a device, or an implementation is unknown, with what exists.
    */
@@ -71,7 +71,7 @@ class CControllableEntity : public CEntity {
   std::vector<std::pair<bool, CRay3>>& GetCheckedRays() { return m_vecCheckedRays; }
   std::vector<CVector3>& GetIntersectionPoints() { return m_vecIntersectionPoints; }
 
-  /** The space this robot lives in, for its devices. */
+  /** The space that contains this robot, for its devices. */
   CSpace& GetSpace() const;
   /** The simulator this robot belongs to, for its devices. */
   CSimulator& GetSimulator() const;

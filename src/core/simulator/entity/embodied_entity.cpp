@@ -169,7 +169,7 @@ void CEmbodiedEntity::MovePhysicsModel(const std::string& from, const std::strin
   ARGOS_ASSERT(!entry.empty(), "a model is moved out of an engine that has none");
   auto& models = m_tPhysicsModelVector;
   models.erase(std::find(models.begin(), models.end(), entry.mapped()));
-  // the entry stays in the map, so that AddPhysicsModel() finds it there
+  // reuses the entry of the map, so that AddPhysicsModel() does not allocate one
   entry.key() = to;
   entry.mapped() = &model;
   m_tPhysicsModelMap.insert(std::move(entry));

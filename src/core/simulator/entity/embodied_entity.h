@@ -86,16 +86,15 @@ class CEmbodiedEntity : public CEntity {
    * @param position, orientation  new pose of the origin anchor, m, world frame.
    * @param checkOnly  only test whether the body fits there; the pose is always restored.
    * @param ignoreCollisions  move even if the body overlaps another one there.
-   * @return true if the body overlaps no other one there. If it does, the old pose is restored
-   * unless
-   *         @p ignoreCollisions is set.
+   * @return true if the body overlaps no other one there. If it does, the old pose is restored,
+   *         unless @p ignoreCollisions is set.
    */
   virtual bool MoveTo(const CVector3& position, const CQuaternion& orientation,
                       bool checkOnly = false, bool ignoreCollisions = false);
   /** True if the body now overlaps or touches another one. */
   virtual bool IsCollidingWithSomething() const;
 
-  /** What engines build this body from; null for bodies only their own engine understands. */
+  /** The description from which engines build this body; null if only one engine can build it. */
   const SBodyDescription* GetBodyDescription() const { return m_description.get(); }
   const std::shared_ptr<const SBodyDescription>& GetSharedBodyDescription() const {
     return m_description;

@@ -196,7 +196,7 @@ void CFloorEntity::LoadImage(const std::string& fileName) {
   m_image = std::make_unique<CImage>(ReadBitmap(fileName).get());
   const CVector3& size = m_context.Arena.Size;
   if (size.GetX() > 0.0 && size.GetY() > 0.0) {
-    // drawn as finely as the image is along its finer axis
+    // the resolution of the image along its finer axis
     const Real density =
         std::max(m_image->GetWidth() / size.GetX(), m_image->GetHeight() / size.GetY());
     m_pixelsPerMeter = static_cast<UInt32>(std::clamp(std::ceil(density), 1.0, 1e6));
@@ -215,7 +215,7 @@ CColor CFloorEntity::GetColorAtPoint(Real x, Real y) {
   const CVector3& center = m_context.Arena.Center;
   const auto toPixel = [](Real offset, Real length, size_t pixels) {
     const Real pixel = (offset + 0.5 * length) * static_cast<Real>(pixels) / length;
-    // compared in floating point: far away is no overflow, and NaN ends in the first pixel
+    // compared in floating point, so that large values do not overflow; NaN gives the first pixel
     if (!(pixel > 0.0)) {
       return size_t(0);
     }

@@ -6,7 +6,7 @@
 
 namespace argos {
 
-/** What colours a `<floor source="loop_functions">`. */
+/** Interface of the object that colours a `<floor source="loop_functions">`. */
 class CFloorPainter {
  public:
   /** Colour of the floor; @p positionOnFloor in m, world frame. */

@@ -8,8 +8,8 @@ namespace argos {
 class CEntity;
 
 /**
- * The components that an entity offers, but creates only when one of them is first looked up:
- * those that take much memory and that few robots use. See CComposableEntity::SetLazyComponents().
+ * Components that an entity creates only when they are first looked up, because they take much
+ * memory and few robots use them. See CComposableEntity::SetLazyComponents().
  */
 class CLazyComponents {
  public:
@@ -19,7 +19,7 @@ class CLazyComponents {
    * @param type  a GetTypeDescription(); empty: all types.
    */
   virtual void Create(const std::string& type) = 0;
-  /** Called after a component has left the entity, for whatever reason. */
+  /** Called after a component was removed from the entity, for any reason. */
   virtual void Forget(const CEntity& component) = 0;
 
  protected:

@@ -58,7 +58,7 @@ class CPhysicsModel {
   virtual bool IsCollidingWithSomething() const = 0;
 
   /**
-   * Called after the last MoveTo() of a command that moves the body for good, also if it did not
+   * Called after the last MoveTo() of a command that moves the body permanently, also if it did not
    * change the pose; not after a MoveTo() that only tests whether a place is free, or that restores
    * the old pose.
    */
@@ -85,10 +85,10 @@ class CPhysicsModel {
 
  protected:
   /**
-   * Gives the model to another engine, which moves the body from now on.
+   * Transfers the model to another engine, which moves the body from now on.
    *
-   * For models that change engines without being destroyed. They use GetEngine(): m_cEngine stays
-   * the engine of the constructor.
+   * A model that may be transferred uses GetEngine(): m_cEngine remains the engine of the
+   * constructor.
    */
   void SetEngine(CPhysicsEngine& engine) { m_engine = &engine; }
 

@@ -300,7 +300,7 @@ void CBodyIndex::SortSmall(CThreadPool* pool) {
     }
   }
 
-  // within a cell by body number, whatever the number of threads
+  // within a cell by body number, for any number of threads
   const UInt32 numShapes = m_sort.Finish();
   m_entries.resize(numShapes);
   m_shapes.resize(numShapes);

@@ -31,8 +31,8 @@ class CThreadPool;
  *
  * Results do not depend on the cells: the solid and the ray alone decide about a hit.
  *
- * To the index, an entity is a name only: what it needs of a body it is told by Add() and
- * Redescribe(), or reads from the body's pose.
+ * The index never dereferences an entity: Add() and Redescribe() pass what it needs of a body, and
+ * it reads the pose through a pointer.
  */
 class CBodyIndex {
  public:
@@ -129,7 +129,7 @@ class CBodyIndex {
     const SBodyPose* Origin;  // of the entity
     const SBodyDescription* Description;  // shared by many bodies; kept alive by the entity
     Real Reach;  // m, of the packed solids around the origin, seen from above, if upright
-    Real TiltedReach;  // m, the same however the body lies
+    Real TiltedReach;  // m, the same in any orientation
     UInt32 OverlayPlace;  // cell of a small body, number of a wide one's first solid in the overlay
     UInt16 NumShapes;
     bool Movable;

@@ -20,7 +20,7 @@ CRay3 ToSolidFrame(const CRay3& ray, const SBodyPose& origin, const SShapeDescri
   return CRay3(toFrame(ray.GetStart()), toFrame(ray.GetEnd()));
 }
 
-// fraction at which the ray enters a sphere of that radius that stands on the origin, or kNoHit
+// fraction at which the ray enters a sphere with its lowest point at the origin, or kNoHit
 Real IntersectSphere(Real radius, const CRay3& ray) {
   CVector3 p = ray.GetStart();
   p.SetZ(p.GetZ() - radius);
@@ -93,8 +93,8 @@ bool CBodyIndex::FindOccluder(SIndexedShape& found, const CRay3& segment, UInt32
   const Real y = segment.GetStart().GetY();
   const Real dx = segment.GetEnd().GetX() - x;
   const Real dy = segment.GetEnd().GetY() - y;
-  // a solid that is farther than its radius from the line, seen from above, is missed; slightly
-  // wide, so that the exact test alone decides
+  // skips solids that are farther from the line than their radius, seen from above; tolerates
+  // rounding, because the exact test decides
   const Real squareLength = (dx * dx + dy * dy) * (1.0 + 1e-9);
   bool isFound = false;
   ForShapesAlongRay(
@@ -128,7 +128,7 @@ bool CBodyIndex::IsBlocked(const CRay3& segment, UInt32 start, UInt32 end) const
   if (!FindOccluder(occluder, segment, start, end)) {
     return false;
   }
-  // robots that touch overlap a little: a solid inside the two bodies hides nothing
+  // robots in contact overlap a little: the part of a solid inside either body occludes nothing
   const Real enter = IntersectBody(end, segment);
   const Real leave = IntersectBody(start, CRay3(segment.GetEnd(), segment.GetStart()));
   const Real first = leave > 1.0 ? 0.0 : 1.0 - leave;
@@ -158,7 +158,7 @@ UInt32 CBodyIndex::FindOverlap(const SBodyDescription& description, const CVecto
       if (other.Body == ignored || other.Body >= found || !ShapesOverlap(shape, other)) {
         return;
       }
-      // for a tilted solid, that was a test of its bounds
+      // for a tilted solid, ShapesOverlap() has tested its bounds only
       const bool isExact =
           shape.Kind != SIndexedShape::EKind::Tilted && other.Kind != SIndexedShape::EKind::Tilted;
       if (isExact || SolidsOverlap({&solid, position, orientation}, place(other))) {

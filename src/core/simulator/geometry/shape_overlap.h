@@ -6,7 +6,7 @@
 namespace argos {
 
 /**
- * True if two solids share more than a touch: by over 1e-9 m in every direction.
+ * True if two solids overlap by more than 1e-9 m in every direction.
  *
  * Exact for upright solids; one that is tilted counts as its bounding sphere's prism, see
  * SolidsOverlap().

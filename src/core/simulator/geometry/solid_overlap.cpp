@@ -8,12 +8,12 @@ namespace argos {
 
 namespace {
 
-// m; solids are made smaller by this on all sides, so that those that touch are apart by more than
-// what rounding does
+// m; solids are shrunk by this on all sides, so that touching ones are apart by more than rounding
+// errors
 constexpr Real kSkin = 1e-7;
-// m; nearer than this to the origin, a simplex of the difference holds it
+// m; a simplex at this distance or less contains the origin
 constexpr Real kInside = 1e-9;
-// each step comes nearer to the origin; hardly ever are there more than ten
+// each step comes nearer to the origin; more than ten steps are rare
 constexpr int kMaxSteps = 100;
 
 CVector3 Cross(CVector3 a, const CVector3& b) {
@@ -135,7 +135,7 @@ class CSimplex {
     const CVector3& c = m_points[corners[2]];
     const CVector3 normal = Cross(b - a, c - a);
     const Real square = normal.SquareLength();
-    // is the origin over the inside of all three sides?
+    // true if the projection of the origin is on the inner side of all three sides
     if (square > 0.0 && Cross(b - a, normal).DotProduct(a) > 0.0 &&
         Cross(c - b, normal).DotProduct(b) > 0.0 && Cross(a - c, normal).DotProduct(c) > 0.0) {
       return {normal * (a.DotProduct(normal) / square), corners, 3};
@@ -171,9 +171,9 @@ class CSimplex {
 
 }  // namespace
 
-// They overlap if the origin is in the set of differences of their points. Of that, the farthest
-// points in directions towards the origin are known; a plane that holds it off shows that it is
-// not.
+// The solids overlap if and only if the set of differences of their points contains the origin.
+// Each step adds the farthest point of that set in the direction of the origin; the solids are
+// apart if a plane separates the set from the origin.
 bool SolidsOverlap(const SPlacedSolid& a, const SPlacedSolid& b) {
   const CConvex first(a);
   const CConvex second(b);
@@ -191,7 +191,7 @@ bool SolidsOverlap(const SPlacedSolid& a, const SPlacedSolid& b) {
     simplex.Add(farthest);
     nearest = simplex.Reduce();
     const Real distance = nearest.Length();
-    // where rounding lets it come no nearer, it is as near as that
+    // no progress: the distance is 0 but for rounding errors
     if (distance < kInside || distance >= before) {
       return true;
     }

@@ -13,7 +13,7 @@ struct SPlacedSolid {
 };
 
 /**
- * True if two solids share more than a touch, however they lie: by over 2e-7 m.
+ * True if two solids, in any orientation, overlap by more than 2e-7 m.
  *
  * Upright ones are faster, and finer, with ShapesOverlap(). Pure function.
  * Source: E. Gilbert, D. Johnson, S. Keerthi, A fast procedure for computing the distance between

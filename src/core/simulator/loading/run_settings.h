@@ -30,7 +30,7 @@ struct SRunSettings {
   /** @throws CARGoSException if it is not a length, or has more ticks than can be counted. */
   void SetLength(Real seconds, Real tickLength);
   void DrawSeedFromClock();
-  /** What the program has set holds for one experiment; the values stay readable. */
+  /** Clears what the program has set, which applies to one experiment; values stay readable. */
   void ForgetWhatWasSet();
 };
 

@@ -4,8 +4,7 @@
 
 namespace argos {
 
-// media are made by zero-argument factories and by users' own code, so the base picks up the
-// thread's simulator here, once, and derived classes use the members
+// zero-argument factories and users' code create media: the base class gets the thread's simulator
 CMedium::CMedium() : m_cSimulator(CurrentSimulator()), m_cSpace(CurrentSpace()) {}
 
 void CMedium::Init(TConfigurationNode& tree) {

@@ -14,7 +14,7 @@ class CDigest;
 class CSimulator;
 class CSpace;
 
-/** Does for messages, lights and marks what an engine does for bodies. Updated after physics. */
+/** Base of media, which transmit messages, lights and marks. Updated after physics. */
 class CMedium : public CBaseConfigurableResource {
  public:
   typedef std::vector<CMedium*> TVector;

@@ -14,7 +14,7 @@ constexpr const char* kTag = "auto_partition";
 // a larger number would be slower than one engine for any swarm
 constexpr UInt32 kMaxCount = 4096;
 
-/** How the arena is cut. */
+/** The division of the arena. */
 struct SGrid {
   UInt32 Columns = 1, Rows = 1;  // along x, along y
   CVector3 Centre, Size;  // m, of the arena

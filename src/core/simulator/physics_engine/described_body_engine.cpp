@@ -9,7 +9,7 @@ namespace argos {
 
 namespace {
 
-// bodies for which an engine with borders has capacity, beyond half of its initial number
+// spare capacity of an engine with borders, in addition to half of its initial number of bodies
 constexpr size_t kSpareBodies = 64;
 
 }  // namespace
@@ -132,7 +132,7 @@ void CDescribedBodyEngine::TransferEntity(CEmbodiedEntity& body) {
 CDescribedBodyEngine* CDescribedBodyEngine::FindNextOfSameType(const CEmbodiedEntity& body) const {
   CPhysicsEngine* const next = FindNextEngine(body, [&body](const CPhysicsEngine& engine) {
     const auto* const described = dynamic_cast<const CDescribedBodyEngine*>(&engine);
-    // engines of other classes have to be tried
+    // for an engine of another class, only adding the body shows if it is accepted
     return described == nullptr || described->Accepts(body);
   });
   const bool isOther = next != nullptr && next != this;

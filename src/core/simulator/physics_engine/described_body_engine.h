@@ -30,7 +30,7 @@ struct SGripTransfer {
  */
 class CDescribedBodyEngine : public CPhysicsEngine {
  public:
-  /** Most substeps of a tick; more would never end. */
+  /** Maximum number of substeps of a tick; with more, a tick would practically never end. */
   static constexpr UInt32 kMaxIterations = 10000;
 
   /** @throws CARGoSException if CPhysicsEngine does, or for more than kMaxIterations substeps. */
@@ -83,7 +83,7 @@ class CDescribedBodyEngine : public CPhysicsEngine {
   /** @return false if a body that has left the region cannot be transferred in this tick. */
   virtual bool PrepareTransfer(CDescribedBodyModel& /*model*/) { return true; }
   /**
-   * Takes a model over from another engine of this type. Engines with momentum extend this by
+   * Takes over a model from another engine of this type. Engines with momentum extend this by
    * transferring the state of motion.
    */
   virtual void Adopt(CDescribedBodyModel& model);

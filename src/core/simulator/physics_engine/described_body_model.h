@@ -15,7 +15,7 @@ CEmbodiedEntity* FindDescribedBody(CEntity& root);
  * A body that a CDescribedBodyEngine builds from its SBodyDescription: the common part of such
  * models.
  *
- * The state of motion is in the engine; so nothing is read from the entity body by body.
+ * The engine has the state of motion, so it need not read the entities one by one.
  */
 class CDescribedBodyModel : public CPhysicsModel {
  public:

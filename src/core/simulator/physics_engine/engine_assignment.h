@@ -30,8 +30,8 @@ class CEngineAssignment {
   /** Adds an immovable body that has been moved to the engines whose regions it touches now. */
   void ReassignImmovable(CEmbodiedEntity& body) const;
   /**
-   * @return true if a movable body of @p engine has been moved into the region of another one. What
-   * no region contains stays with its engine.
+   * @return true if a movable body of @p engine has been moved into the region of another one. A
+   * body outside all regions stays in its engine.
    */
   bool BelongsToAnother(const CEmbodiedEntity& body, CPhysicsEngine& engine) const;
   /** Adds each body of the index to the engines that it belonged to when it was added. */

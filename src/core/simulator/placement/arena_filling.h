@@ -9,8 +9,8 @@ namespace argos {
 class CSpace;
 
 /**
- * Puts what `<arena>` declares into the space: the entities in document order, then the
- * `<distribute>` elements. An entity that fails is noted in @p errors, and the next one follows.
+ * Creates the entities that `<arena>` declares, in document order, then those of its `<distribute>`
+ * elements. A failure is recorded in @p errors, and loading continues with the next entity.
  */
 void FillArena(CSpace& space, TConfigurationNode& arena, CLoadErrors& errors);
 

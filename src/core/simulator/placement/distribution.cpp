@@ -97,11 +97,11 @@ void CDistribution::Place() {
   m_template->SetAttribute("id", m_baseId);
 }
 
-// makes one entity of the kind, without a controller, to learn what its body is
+// creates one entity of the type, without a controller, to get its body description
 void CDistribution::Probe() {
   const CProbing probing(m_space);
   const std::unique_ptr<CEntity> probe(CFactory<CEntity>::New(m_template->Value()));
-  // of things without a body, the pose is an attribute of the element itself
+  // an entity without a body has its pose in attributes of its own element
   m_poseNode = m_template;
   if (dynamic_cast<CPositionalEntity*>(probe.get()) == nullptr) {
     if (!NodeExists(*m_template, "body")) {
@@ -157,7 +157,7 @@ bool CDistribution::IsFree(const CVector3& position, const CQuaternion& orientat
 
 bool CDistribution::TryToCreate(const std::string& id) {
   CEntity& entity = m_space.CreateEntity(*m_template);
-  // bodies that the index does not know are tested by their engine, once they are there
+  // a body without a description is tested by its engine after it was added
   if (!m_hasBody || m_body != nullptr || !FindBody(entity)->IsCollidingWithSomething()) {
     return true;
   }

@@ -24,8 +24,11 @@ class CDistribution {
   /** Reads the element. @throws CARGoSException if something is missing or out of range. */
   CDistribution(CSpace& space, TConfigurationNode& node);
 
-  /** Places everything. @throws CARGoSException that names what found no place, where, and after
-   * how many trials. */
+  /**
+   * Places all entities.
+   * @throws CARGoSException if there is no free place for one: with its id, the area, and the
+   * number of trials.
+   */
   void Place();
 
  private:
@@ -48,8 +51,8 @@ class CDistribution {
   UInt64 m_quantity = 0;
   UInt64 m_maxTrials = 0;
 
-  // what the probe showed
-  std::shared_ptr<const SBodyDescription> m_body;  // null: no body, or one its engine must test
+  // set by Probe()
+  std::shared_ptr<const SBodyDescription> m_body;  // null: none, or one that its engine must test
   bool m_hasBody = false;
   // of the last place that was taken
   CVector3 m_lastPosition;

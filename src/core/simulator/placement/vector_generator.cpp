@@ -99,12 +99,12 @@ class CGridGenerator : public CVectorGenerator {
   }
 
   CVector3 Next(bool failed) override {
-    // a cell that was refused would be refused again: a grid does not retry
+    // a rejected cell would be rejected again: a grid does not retry
     const UInt64 item = failed && m_next > 0 ? m_next - 1 : m_next++;
     if (item >= m_layout[0] * m_layout[1] * m_layout[2]) {
       THROW_ARGOSEXCEPTION("the grid has only " << m_layout[0] << " x " << m_layout[1] << " x "
                                                 << m_layout[2] << " places; item number "
-                                                << item + 1 << " finds none");
+                                                << item + 1 << " has none");
     }
     const UInt64 cell[3] = {item % m_layout[0], item / m_layout[0] % m_layout[1],
                             item / (m_layout[0] * m_layout[1])};

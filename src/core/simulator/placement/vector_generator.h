@@ -14,9 +14,9 @@ namespace argos {
 class CVectorGenerator {
  public:
   virtual ~CVectorGenerator() = default;
-  /** The next triple. @param failed  true if the last one was refused. */
+  /** The next triple. @param failed  true if the last one was rejected. */
   virtual CVector3 Next(bool failed) = 0;
-  /** False if asking again gives the same triple, so that there is no point in a second trial. */
+  /** @return false if every call gives the same triple, so that a second trial is useless. */
   virtual bool CanRetry() const { return true; }
   /** For messages: "drawn uniformly from (...) to (...)". */
   virtual std::string Describe() const = 0;

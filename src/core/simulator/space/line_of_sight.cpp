@@ -30,7 +30,7 @@ bool CLineOfSight::IsClear(const CRay3& segment, const SEnd& start, const SEnd& 
          (m_engines.empty() || IsClearOutsideIndex(segment, start.Body, end.Body));
 }
 
-// an engine tells where a ray enters its bodies: what is met before the body at the end counts
+// hits are where the ray enters a body: those before the body at the end occlude it
 bool CLineOfSight::IsClearOutsideIndex(const CRay3& segment, const CEmbodiedEntity* start,
                                        const CEmbodiedEntity* end) const {
   TEmbodiedEntityIntersectionData hits;

@@ -13,13 +13,13 @@ class CPhysicsEngine;
 class CSpace;
 
 /**
- * Tells whether one body sees another, as of the last rebuild of the body index.
+ * Tests lines of sight between bodies, as of the last rebuild of the body index.
  *
- * Queries are safe on several threads at once; make an object for each phase, it is cheap.
+ * Queries are safe on several threads at once. Create an object for each phase; that is cheap.
  */
 class CLineOfSight {
  public:
-  /** A body at an end of a line, with its number in the index, so that both lie packed. */
+  /** A body at an end of a line, and its number in the index, adjacent in memory. */
   struct SEnd {
     const CEmbodiedEntity* Body;
     UInt32 Number;
@@ -28,7 +28,7 @@ class CLineOfSight {
   explicit CLineOfSight(CSpace& space);
 
   /**
-   * True if no third body stands between a point of the body @p start and one of the body @p end.
+   * True if no third body is between a point of the body @p start and one of the body @p end.
    *
    * Only the part of the segment outside both bodies counts, so robots that touch or overlap see
    * each other, and exchanging the ends changes nothing but rounding.
@@ -45,7 +45,7 @@ class CLineOfSight {
                            const CEmbodiedEntity* end) const;
 
   const CBodyIndex& m_index;
-  // engines with bodies that the index does not know; usually none
+  // engines with bodies that are not in the index; usually none
   std::vector<const CPhysicsEngine*> m_engines;
 };
 

@@ -132,10 +132,10 @@ void CSpace::EraseEntity(CEntity& entity) {
   if (!entity.HasParent() && byId != m_rootById.end() && byId->second.get() == &entity) {
     owned = std::move(byId->second);
     m_rootById.erase(byId);
-    // the last ones go first when everything goes
+    // searched from the end, because Destroy() removes the last entity first
     m_roots.erase(std::prev(std::find(m_roots.rbegin(), m_roots.rend(), &entity).base()));
   } else {
-    // a component, which its parent hands over, or a root that was refused
+    // a component, which its parent releases, or a root that was rejected
     owned.reset(&entity);
     if (entity.HasParent()) {
       entity.GetParent().ForgetComponent(entity);

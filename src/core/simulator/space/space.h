@@ -35,7 +35,7 @@ class CSpaceExtension {
 /** Makes a CAny that holds a pointer to the entity's exact class. */
 using TEntityCast = CAny (*)(CEntity&);
 
-/** Makes the cast of a class known to CSpace::GetEntitiesByType(), once a program. */
+/** Registers the cast of a class for CSpace::GetEntitiesByType(), once per program. */
 template <typename ENTITY>
 struct SEntityCast {
   static CAny Cast(CEntity& entity) { return CAny(static_cast<ENTITY*>(&entity)); }
@@ -99,7 +99,7 @@ class CSpace : public CBaseConfigurableResource {
     static_cast<void>(SEntityCast<ENTITY>::kIsRegistered);
     InsertEntity(entity);
   }
-  /** Leaves room in the order of entities, for components that are created later. */
+  /** Reserves indices in the order of entities, for components that are created later. */
   void SkipIndices(size_t count) { m_nextIndex += static_cast<ssize_t>(count); }
   /** Removes an entity, calls its Destroy() and deletes it; used by space operations. */
   template <typename ENTITY>
@@ -129,15 +129,17 @@ class CSpace : public CBaseConfigurableResource {
   virtual void AddEntityToPhysicsEngine(CEmbodiedEntity& entity);
   /** Removes the body from its engines and from the index. */
   void RemoveEntityFromPhysicsEngines(CEmbodiedEntity& entity);
-  /** Calls back for each robot, on the pool's threads, or in order if there is one. */
+  /** Calls back for each robot on the pool's threads; in order if there is only one thread. */
   virtual void IterateOverControllableEntities(const TControllableEntityIterCBType& callback);
 
   /** Robots in order of their addition. */
   const std::vector<CControllableEntity*>& GetControllableEntities() const { return m_robots; }
   /** Changes whenever that list changes. */
   UInt64 GetVersionOfControllableEntities() const { return m_robotsVersion; }
-  /** Robots that one thread handles in a row: enough to pay for fetching the run, and few enough
-   * that the data that sensing has loaded is still in the cache for control. */
+  /**
+   * Robots that one thread handles in a row: enough to pay for fetching the run, and few enough
+   * that the data that sensing has loaded is still in the cache for control.
+   */
   static constexpr size_t kRobotsPerRun = 64;
   CSimulator& GetSimulator();
   /** What the parts of the simulation share. */

@@ -5,7 +5,7 @@
 
 namespace argos {
 
-/** The space of a run with several threads: how they share the work is the pool's schedule. */
+/** The space of a run with several threads; the pool's schedule distributes the work. */
 using CSpaceMultiThread = CSpace;
 
 }  // namespace argos

@@ -11,7 +11,7 @@
 namespace argos {
 
 void AddComponentsToSpace(CSpace& space, CComposableEntity& entity) {
-  // a copy: what is added may make further components
+  // a copy: adding a component may create further ones
   // NOLINTNEXTLINE(performance-unnecessary-copy-initialization)
   const CEntity::TVector components = entity.GetExistingComponents();
   for (CEntity* component : components) {
@@ -22,7 +22,7 @@ void AddComponentsToSpace(CSpace& space, CComposableEntity& entity) {
 void RemoveComponentsFromSpace(CSpace& space, CComposableEntity& entity) {
   while (!entity.GetExistingComponents().empty()) {
     CEntity* const last = entity.GetExistingComponents().back();
-    // the space makes the entity forget it; one of a type without operations goes here
+    // the space detaches it from the entity; a type without operations is deleted here
     CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(space, *last);
     const CEntity::TVector& left = entity.GetExistingComponents();
     if (!left.empty() && left.back() == last) {

@@ -1,4 +1,4 @@
-// What users ask a space for: entities by id, by type and by pattern, and the floor.
+// Queries of CSpace for users: entities by id, by type and by pattern, and the floor.
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/floor_entity.h>

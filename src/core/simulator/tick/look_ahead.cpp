@@ -10,7 +10,7 @@ namespace argos {
 
 namespace {
 
-// robots between two stages: about as long as memory takes to answer
+// robots between two stages: they take about as long as one access to memory
 constexpr size_t kStep = 8;
 // bytes from the beginning of a device or controller that most of them use in every tick
 constexpr size_t kDeviceBytes = 128;

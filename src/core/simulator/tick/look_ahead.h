@@ -13,18 +13,18 @@ class CControllableEntity;
 struct SAnchor;
 
 /**
- * Loads the data of the robots that the loops of a tick will visit next into the cache.
+ * Prefetches the data of the robots that the loops of a tick will visit next.
  *
  * A loop over robots follows pointers from the robot to its devices, and sensing reads the solids
- * around each robot, which may be anywhere in the arena: the processor foresees neither. So while
- * the loop visits a robot, the cache lines that later ones need are loaded, in stages: a stage
- * dereferences only what an earlier stage has loaded. Nothing here changes a result. Private to the
- * tick.
+ * around each robot, which may be anywhere in the arena: hardware prefetchers predict neither. So
+ * while the loop visits a robot, the cache lines that later robots need are prefetched in stages: a
+ * stage dereferences only what an earlier stage has loaded. Has no effect on results. Private to
+ * the tick.
  */
 class CLookAhead {
  public:
   /**
-   * Takes the robots of a space. To be called after robots, bodies or controllers have changed.
+   * Sets the robots of a space. To be called after robots, bodies or controllers have changed.
    * @param robots  is read by the functions below.
    */
   void SetRobots(const std::vector<CControllableEntity*>& robots);

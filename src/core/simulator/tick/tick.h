@@ -10,8 +10,8 @@ struct SSimulationContext;
 struct STickTimes;
 
 /**
- * One step of a simulation: the robots act, engines move bodies, media deliver, robots sense and
- * are controlled.
+ * One step of a simulation: the robots act, engines move bodies, media are updated, robots sense
+ * and are controlled.
  *
  * What is read in a phase is not written in it, and what is written belongs to one robot or one
  * engine: no phase needs a lock, and none depends on the number of threads.

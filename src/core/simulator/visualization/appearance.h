@@ -33,9 +33,7 @@ struct SVisualPart {
 };
 
 /**
- * What an entity looks like, in no visualization's terms.
- *
- * An entity states this once for its type; every visualization draws it in its own way.
+ * The appearance of an entity, independent of the visualization. All entities of a type share it.
  */
 struct SAppearance {
   std::vector<SVisualPart> Parts;

@@ -4,7 +4,7 @@
 
 namespace argos {
 
-// made by zero-argument factories: the base picks up the thread's simulator once, here
+// zero-argument factories create visualizations: the base class gets the thread's simulator
 CVisualization::CVisualization() : m_cSimulator(CurrentSimulator()), m_cSpace(CurrentSpace()) {}
 
 }  // namespace argos

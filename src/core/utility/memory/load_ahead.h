@@ -6,8 +6,8 @@
 namespace argos {
 
 /**
- * Asks the processor for cache lines that will be read soon. Changes no result. Private to the
- * core: the tick uses it (tick/look_ahead.h), and other loops whose objects are in no order.
+ * Prefetches cache lines that will be read soon; has no effect on results. Private to the core: for
+ * loops over objects that are scattered in memory.
  */
 inline void LoadAhead(const void* start, size_t bytes) {
   constexpr size_t kLine = 64;

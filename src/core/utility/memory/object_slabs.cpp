@@ -14,7 +14,7 @@ namespace argos {
 
 namespace {
 
-// AddressSanitizer finds the use of an object after its end only if each has memory of its own
+// AddressSanitizer finds the use of a freed object only if each has memory of its own
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool kUseSlabs = false;
 #elif defined(__has_feature)
@@ -25,9 +25,10 @@ constexpr bool kUseSlabs = true;
 
 constexpr std::size_t kAlignment = 16;
 constexpr std::size_t kNumSizes = CObjectSlabs::kLargestObject / kAlignment + 1;
-// a slab holds objects of one size; its address, a multiple of its size, tells where it begins
+// bytes; a slab holds objects of one size. Slabs are aligned to their size, so the address of an
+// object gives that of its slab
 constexpr std::size_t kSlab = std::size_t(64) << 10;
-// slabs are taken from the system by the dozen, in regions as large as a huge page
+// bytes; slabs are allocated in regions of the size of a huge page
 constexpr std::size_t kRegion = std::size_t(2) << 20;
 // simulations with more memory than that gain from huge pages, smaller ones would waste it
 constexpr std::size_t kRegionsOfSmallPages = 16;
@@ -91,7 +92,7 @@ std::byte* CObjectSlabs::SState::TakeSlab() {
   return Regions.back().get() + kSlab * NumSlabsInLastRegion++;
 }
 
-// without any object there is nothing to keep
+// to be called when no object is left
 void CObjectSlabs::SState::ReleaseAll() {
   Sizes.fill(SSizeClass());
   Regions.clear();

@@ -10,20 +10,19 @@ namespace argos {
 /**
  * The memory of one simulation's objects: entities, components, devices and controllers.
  *
- * Objects of one size (hence of one class, mostly) lie side by side in the order in which they were
- * made, which is the order of the robots. A phase that visits the same component of every robot
+ * Objects of one size (hence of one class, mostly) are adjacent in memory in the order of their
+ * creation, which is the order of the robots. A phase that visits the same component of every robot
  * therefore reads memory nearly in sequence. Objects never move; the place of a deleted object is
- * used again for the next one of its size.
+ * reused for the next one of its size.
  *
- * Any thread may allocate and free. The memory outlives the owner of the slabs until the last
- * object in it is gone.
+ * Any thread may allocate and free.
  */
 class CObjectSlabs {
  public:
   struct SAbandon {
     void operator()(CObjectSlabs* slabs) const;
   };
-  /** Owns slabs; when it ends, they go as soon as the last object in them has been freed. */
+  /** Owns slabs; after its destruction they are released with the last object in them. */
   using TOwner = std::unique_ptr<CObjectSlabs, SAbandon>;
 
   static TOwner Make();
@@ -35,7 +34,7 @@ class CObjectSlabs {
    * @throws std::bad_alloc
    */
   void* Allocate(std::size_t bytes);
-  /** Takes back what Allocate() of any slabs returned for that number of bytes. */
+  /** Frees what Allocate() of any slabs returned for that number of bytes. */
   static void Free(void* object, std::size_t bytes) noexcept;
 
   /** Number of objects that have not been freed; those larger than kLargestObject do not count. */
@@ -60,7 +59,7 @@ class CObjectSlabs {
 };
 
 /**
- * Base of the classes whose objects lie in the slabs of the thread's current simulation. Classes
+ * Base of the classes whose objects are in the slabs of the thread's current simulation. Classes
  * derived from it are created with `new` and deleted as usual.
  */
 class CSlabObject {
@@ -76,7 +75,7 @@ class CSlabObject {
     return ::operator new(bytes, alignment);
   }
   static void operator delete(void* object, std::size_t, std::align_val_t alignment) noexcept {
-    // not the global operator that takes a size: clang declares it only when asked to
+    // not the global operator that takes a size: clang declares it only with an option
     ::operator delete(object, alignment);
   }
   // the operators above hide the one for placement
@@ -89,8 +88,8 @@ class CSlabObject {
 };
 
 /**
- * Puts the elements of a container into the slabs of the thread's current simulation: for short
- * arrays that every robot has and that every tick reads.
+ * Allocates the elements of a container from the slabs of the thread's current simulation: for
+ * short arrays that every robot has and that every tick reads.
  */
 template <typename T>
 class CSlabAllocator {
@@ -101,7 +100,7 @@ class CSlabAllocator {
   template <typename OTHER>
   CSlabAllocator(const CSlabAllocator<OTHER>&) {}
 
-  // T may be a pointer, the size of which is then meant
+  // T may be a pointer: then sizeof is the size of the pointer
   T* allocate(std::size_t number) {
     // NOLINTNEXTLINE(bugprone-sizeof-expression)
     return static_cast<T*>(CObjectSlabs::GetCurrent().Allocate(number * sizeof(T)));
@@ -110,7 +109,7 @@ class CSlabAllocator {
     // NOLINTNEXTLINE(bugprone-sizeof-expression)
     CObjectSlabs::Free(elements, number * sizeof(T));
   }
-  // what one has allocated, another one may free
+  // memory that one allocator has allocated may be freed by another one
   friend bool operator==(const CSlabAllocator&, const CSlabAllocator&) { return true; }
   friend bool operator!=(const CSlabAllocator&, const CSlabAllocator&) { return false; }
 };

@@ -8,14 +8,14 @@
 namespace argos {
 
 /**
- * Lists items by cell, where an item may be in several cells: walls, say.
+ * Lists items by cell, where an item, such as a wall, may be in several cells.
  *
  * The lists of all cells are one array, in the order of the cells, and within a cell in the order
  * of the items.
  */
 class CCellItems {
  public:
-  /** Items that lie side by side. */
+  /** A contiguous range of items. */
   class CRun {
    public:
     CRun(const UInt32* begin, const UInt32* end) : m_begin(begin), m_end(end) {}

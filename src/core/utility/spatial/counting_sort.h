@@ -14,13 +14,13 @@ namespace argos {
 /**
  * Sorts items by a small number, the key: the number of a cell, say.
  *
- * A sort is Start(), SetKey() for each item, Finish(). GetPlace() then tells where the owner has to
- * put each item in an array of its own; the items of a key are one run of that array, from Begin()
- * to End(). Items may be longer than one place. Does not allocate if there was a sort of as many
- * items and keys before, or Reserve().
+ * A sort is Start(), SetKey() for each item, Finish(). GetPlace() then gives the place of each item
+ * in an array of the owner; the items of a key are one run of that array, from Begin() to End().
+ * Items may be longer than one place. Does not allocate if there was a sort of as many items and
+ * keys before, or Reserve().
  *
  * The sort is stable: items of equal keys keep their order. If keys were set on several threads at
- * once, SortRuns() has to follow for that; otherwise the order within a run is arbitrary.
+ * once, SortRuns() has to follow; otherwise the order within a run is arbitrary.
  */
 class CCountingSort {
  public:

@@ -62,9 +62,9 @@ class CPlanarGrid {
     ++m_generation;
   }
   /**
-   * Lays squares over an area.
+   * Covers an area with squares.
    * @param minEdge  least edge of a square, m, > 0.
-   * @param aimedCells  the squares are made so large that there are hardly more than these.
+   * @param aimedCells  the squares are so large that there are few more cells than these.
    */
   void Cover(const SPlanarArea& area, Real minEdge, Real aimedCells) {
     const Real width = area.MaxX - area.MinX;
@@ -133,7 +133,7 @@ class CPlanarGrid {
    * @param x, y    start of the segment, m.
    * @param dx, dy  from its start to its end, m.
    * @param margin  cells that are no farther than this from the segment are included, m.
-   * @param isDone  bool(): asked before each row; true ends the walk.
+   * @param isDone  bool(): called before each row; true ends the query.
    */
   template <typename VISIT, typename DONE>
   void ForRowsAlongSegment(Real x, Real y, Real dx, Real dy, Real margin, VISIT&& visit,

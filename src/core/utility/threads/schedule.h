@@ -11,8 +11,8 @@
 namespace argos {
 
 /**
- * Deals the items 0..n-1 of a parallel phase out to threads. A new schedule is one new class, named
- * in CreateSchedule(). Schedules decide who does the work, never its result.
+ * Distributes the items 0..n-1 of a parallel phase over threads; has no effect on results. A new
+ * schedule is one new class, named in CreateSchedule().
  */
 class CSchedule {
  public:

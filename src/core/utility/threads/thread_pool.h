@@ -23,15 +23,15 @@ namespace argos {
 class CThreadPool {
  public:
   /**
-   * Starts the workers, and returns when all of them wait for the first phase: a worker that starts
-   * late cannot meet static objects that the end of the program has destroyed.
+   * Starts the workers, and returns when all of them wait for the first phase: no worker
+   * can then start so late that the end of the program has destroyed static objects.
    *
    * @param threads      P; 0 for none besides the caller.
-   * @param schedule     deals items to threads.
+   * @param schedule     distributes items over threads.
    * @param pinToCores   bind each worker to one core.
    * @param startWorker  run once in each worker before anything else.
    * @throws CARGoSException if the system refuses a thread, with its reason; whatever startWorker
-   *         throws. No worker is left behind.
+   *         throws. No worker is left running.
    */
   CThreadPool(UInt32 threads, std::unique_ptr<CSchedule> schedule, bool pinToCores = false,
               const std::function<void()>& startWorker = {});

@@ -9,11 +9,11 @@
 namespace argos {
 
 /**
- * The memory of one Lua state: small blocks lie side by side in chunks, in the order of their
+ * The memory of one Lua state: small blocks are adjacent in chunks, in the order of their
  * allocation, without headers.
  *
  * A robot's state has about a thousand small objects that live as long as it does. On the common
- * heap each of them would have a header, and objects that are read together would lie apart. A
+ * heap each of them would have a header, and objects that are read together would be scattered. A
  * freed block is reused for others of its size; the destructor releases all memory.
  */
 class CLuaMemory {

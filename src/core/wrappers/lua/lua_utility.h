@@ -100,7 +100,7 @@ class CLuaUtility {
   static void AddToTable(lua_State* state, int key, const CColor& value);
 
   /**
-   * In a function that Lua calls: the device whose CreateLuaState() did
+   * In a function that Lua calls: the device whose CreateLuaState() called
    * AddToTable(state, "_instance", this) in the table robot.<key>.
    *
    * It is found even if the script has overwritten the global "robot", but not if it has

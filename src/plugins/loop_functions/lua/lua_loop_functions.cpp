@@ -201,9 +201,9 @@ void CLuaLoopFunctions::PostExperiment() {
 
 CColor CLuaLoopFunctions::GetFloorColor(const CVector2& positionOnFloor) {
   if (m_isRunning) {
-    // hooks do not run while robots sense: a hook has caused this call
+    // no hook runs while robots sense, so the call comes from a hook
     THROW_ARGOSEXCEPTION(
-        "the color of the floor was asked for by the Lua loop functions that give it");
+        "a hook of the Lua loop functions reads the color of the floor, which they define");
   }
   CColor color = CColor::WHITE;
   const std::lock_guard<std::mutex> lock(m_floorMutex);

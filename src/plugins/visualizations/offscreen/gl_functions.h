@@ -76,8 +76,8 @@ namespace argos {
  * The OpenGL entry points of one context.
  *
  * They are looked up at run time through the library that creates the context, the only OpenGL
- * library that the plug-in links. libepoxy would not do: it asks GLX or EGL for the current
- * context, and aborts the process if the context is one of OSMesa ("Couldn't find current GLX or
+ * library that the plug-in links. libepoxy cannot be used: it gets the current context from
+ * GLX or EGL, and aborts the process if the context is one of OSMesa ("Couldn't find current GLX or
  * EGL context", tried with 1.5.10 and Mesa 22.3).
  */
 struct SGlFunctions {

@@ -31,9 +31,9 @@ struct SRenderSettings {
 /**
  * Draws scenes into pictures, without a display.
  *
- * It knows solids, lines and lights, but no robot, entity or simulator. Each frame is a pass for
- * the shadow map, one for the ground and its decals, one for the solids (one draw call per mesh and
- * level of detail), and one for translucent solids. Buffers are reused for the next frame.
+ * It depends on solids, lines and lights, but on no robot, entity or simulator. Each frame is a
+ * pass for the shadow map, one for the ground and its decals, one for the solids (one draw call per
+ * mesh and level of detail), and one for translucent solids. Buffers are reused for the next frame.
  *
  * One renderer belongs to one thread at a time.
  */

@@ -18,7 +18,7 @@ struct SRgba {
   std::uint8_t A = 255;
 };
 
-/** The solids the renderer knows, each of unit size in its own frame. */
+/** The solids that the renderer draws, each of unit size in its own frame. */
 enum class EMeshKind : std::uint8_t {
   Box, /**< x, y in [-0.5, 0.5], z in [0, 1] */
   Cylinder, /**< radius 0.5 around z, z in [0, 1]; Param = radius of the top over that of the base

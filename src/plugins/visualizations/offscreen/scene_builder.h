@@ -32,8 +32,8 @@ struct SPose {
  * Converts the contents of the arena to a scene.
  *
  * It reads only descriptions that every entity provides (SAppearance, poses, colours of LEDs, rays
- * recorded by sensors), and knows no robot. It resets the floor's mark that it has changed; apart
- * from that it changes nothing in the space, and creates no entity.
+ * recorded by sensors), and depends on no robot. It resets the floor's mark that it has changed;
+ * apart from that it changes nothing in the space, and creates no entity.
  */
 class CSceneBuilder {
  public:

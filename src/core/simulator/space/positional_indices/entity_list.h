@@ -19,7 +19,7 @@ class CEntityList {
  public:
   static constexpr UInt32 kNone = ~UInt32(0);
 
-  /** @return false if it is here already. */
+  /** @return false if it is in the list already. */
   bool Add(ENTITY& entity) {
     const UInt32 slot = static_cast<UInt32>(m_entities.size());
     if (!m_slots.emplace(&entity, slot).second) {
@@ -29,7 +29,7 @@ class CEntityList {
     return true;
   }
 
-  /** @return the slot it had, or kNone if it is not here. */
+  /** @return the slot it had, or kNone if it is not in the list. */
   UInt32 Remove(const ENTITY& entity) {
     const auto found = m_slots.find(&entity);
     if (found == m_slots.end()) {

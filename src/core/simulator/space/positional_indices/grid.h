@@ -132,7 +132,7 @@ class CGrid : public CPositionalIndex<ENTITY> {
   SPool m_pool;
 };
 
-/** Goes through the entities of a cell. */
+/** Iterates over the entities of a cell. */
 template <class ENTITY>
 class CGrid<ENTITY>::CEntities::const_iterator {
  public:

@@ -13,9 +13,9 @@ namespace argos {
 /**
  * Finds the entities near a place, for media.
  *
- * Answers are as of the last Update() and conservative: an entity in range is always visited,
- * others may be, and one may be visited twice. Operations check distances themselves. Visits come
- * in an order that depends on positions and on the order of additions only.
+ * Results are as of the last Update() and conservative: an entity in range is always visited,
+ * others may be, and one may be visited twice. Operations check distances themselves. The order of
+ * visits depends on positions and on the order of additions only.
  *
  * Queries may run on several threads at once; no other function may.
  */

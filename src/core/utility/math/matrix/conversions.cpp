@@ -1,5 +1,5 @@
-// Conversions of vectors and quaternions to matrices: declared by the former, which know the latter
-// by name only.
+// Conversions of vectors and quaternions to matrices. The headers of the former declare them, with
+// forward declarations of the latter.
 
 #include <argos3/core/utility/math/eigen_bridge.h>
 #include <argos3/core/utility/math/matrix/rotationmatrix3.h>

@@ -112,7 +112,7 @@ TEST_CASE("active set: a robot that has left its slot is noticed", "[dynamics2d]
   CheckCaught([&] { scene.Active.GetBox2DBody(scene.Bodies[1].Handle); }, "no active robot");
   CheckCaught([&] { scene.Store.Remove(scene.Bodies[2].Handle); }, "an active robot is removed");
 
-  // the active robot moves to slot 0, and the set is not told
+  // the active robot moves to slot 0 without a call of the set
   scene.Store.Remove(scene.Bodies[0].Handle);
   CheckCaught([&] { scene.Active.StartTick(); }, "no robot in slot 2");
   scene.AddRobot(3.0, 0.0);

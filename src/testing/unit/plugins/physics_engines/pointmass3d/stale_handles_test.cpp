@@ -14,7 +14,7 @@ using namespace argos;
 
 namespace {
 
-/** A body that is never asked for anything but its address. */
+/** A body of which only the address is used. */
 struct SOwner {
   CPointMass3DEngine Engine;
   CEmbodiedEntity Entity{nullptr, "body"};
