@@ -1,13 +1,10 @@
 // A plug-in of clang-tidy 14, compiled and loaded by scripts/tidy.sh. It is no part of the
 // simulator.
 //
-//   argos-own-code   finds nothing; it limits all other checks to code outside system headers. They
-//   would search the
-//                    standard library and Catch2 once for each unit, which takes longer than all
-//                    the rest.
-//   argos-includes   finds includes of this project's headers that the file does not need. Checked
-//   are the unit itself
-//                    and the header of the same name.
+//   argos-own-code   finds nothing; it limits all other checks to code outside system headers. They would search the
+//                    standard library and Catch2 once for each unit, which takes longer than all the rest.
+//   argos-includes   finds includes of this project's headers that the file does not need. Checked are the unit itself,
+//                    or the sources that a unit of a unity build includes, and the headers of the same names.
 
 #include <clang-tidy/ClangTidyCheck.h>
 #include <clang-tidy/ClangTidyModule.h>
@@ -214,7 +211,8 @@ class CUses : public clang::RecursiveASTVisitor<CUses> {
 
  private:
   void NeedAllOf(const clang::Decl* declaration) {
-    if (declaration == nullptr || m_checked.count(m_file) == 0) {
+    // a namespace is declared wherever it is opened
+    if (declaration == nullptr || llvm::isa<clang::NamespaceDecl>(declaration) || m_checked.count(m_file) == 0) {
       return;
     }
     for (const clang::Decl* each : declaration->redecls()) {
@@ -293,16 +291,31 @@ class CIncludesCheck : public clang::tidy::ClangTidyCheck {
   }
 
  private:
-  // the unit, unless it is generated, and the header that bears its name
+  // the unit, unless it is generated, and the header that bears its name; of a unity build, all sources of the unit with
+  // theirs
   std::set<const FileEntry*> Checked(const SourceManager& sources) const {
     std::set<const FileEntry*> checked;
     const FileEntry* unit = sources.getFileEntryForID(sources.getMainFileID());
-    const llvm::StringRef path = unit->getName();
+    if (!unit->getName().contains("/Unity/")) {
+      AddWithHeader(unit, checked);
+      return checked;
+    }
+    const auto includes = m_record.Includes.find(unit);
+    if (includes != m_record.Includes.end()) {
+      for (const SPreprocessed::SInclude& each : includes->second) {
+        AddWithHeader(each.File, checked);
+      }
+    }
+    return checked;
+  }
+
+  void AddWithHeader(const FileEntry* source, std::set<const FileEntry*>& checked) const {
+    const llvm::StringRef path = source->getName();
     if (!path.contains("/header_checks/")) {
-      checked.insert(unit);
+      checked.insert(source);
     }
     const llvm::StringRef name = path.substr(path.rfind('/') + 1);
-    const auto includes = m_record.Includes.find(unit);
+    const auto includes = m_record.Includes.find(source);
     if (includes != m_record.Includes.end()) {
       for (const SPreprocessed::SInclude& each : includes->second) {
         llvm::StringRef header = each.Name;
@@ -313,7 +326,6 @@ class CIncludesCheck : public clang::tidy::ClangTidyCheck {
         }
       }
     }
-    return checked;
   }
 
   void ReportUnused(const FileEntry* file) {
