@@ -26,8 +26,8 @@ fi
 for program in "$@"; do
   # Catch2 returns the number of test cases
   "$build/bin/$program" --list-test-names-only >"$work/names" || [[ -s "$work/names" ]] || die "$program lists no test cases"
-  # a comma would end the name
-  sed "s/[\\\\,]/\\\\&/g" "$work/names" >"$work/escaped"
+  # a comma or a quote would end the name
+  sed 's/[\\,"]/\\&/g' "$work/names" >"$work/escaped"
   split --lines="$size" --numeric-suffixes=1 --suffix-length=3 "$work/escaped" "$work/$program."
   rm "$work/names" "$work/escaped"
 done
