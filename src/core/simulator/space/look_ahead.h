@@ -49,7 +49,7 @@ class CLookAhead {
       __builtin_prefetch(first + offset);
     }
     // the last byte of an unaligned range may be on one more line
-    if (bytes > 0) {
+    if (bytes > 1) {
       __builtin_prefetch(first + bytes - 1);
     }
   }
