@@ -20,19 +20,26 @@ began() {
   say "$1 (after ${SECONDS} s)"
 }
 
-# the programs that have tests of threads or of determinism, and what these load when they run
+# the programs that have tests of threads or of determinism
 thread_tests=(unit_thread_tests determinism_tests determinism_partition_tests)
+
+# the options of the sanitizers, of the test presets
+while IFS= read -r option; do
+  # shellcheck disable=SC2016  # CMake's name for the folder
+  export "${option//'${sourceDir}'/$repo}"
+done < <(sed -nE 's/.*"([A-Z]+SAN_OPTIONS)": "([^"]*)".*/\1=\2/p' CMakePresets.json)
+[[ -n "${ASAN_OPTIONS:-}" && -n "${TSAN_OPTIONS:-}" ]] || die "found no options of the sanitizers in CMakePresets.json"
 
 for configuration in "$@"; do
   case "$configuration" in
-    memory) targets=() selection=() ;;
-    threads) targets=(--target "${thread_tests[@]}") selection=(--label-regex '^(threads|determinism)$') ;;
+    memory) programs=() ;;
+    threads) programs=("${thread_tests[@]}") ;;
     *) die "unknown configuration '$configuration'; there are memory and threads" ;;
   esac
   began "Build with sanitizers ($configuration, in build-$configuration/)"
   configure "$repo/build-$configuration" --preset "$configuration"
-  build "$repo/build-$configuration" "${targets[@]}"
+  build "$repo/build-$configuration" ${programs[0]:+--target "${programs[@]}"}
   began "Tests with sanitizers ($configuration)"
-  ctest --preset "$configuration" --parallel "$jobs" --progress "${selection[@]}"
+  "$repo/scripts/run_tests.sh" "$repo/build-$configuration" "${programs[@]}"
 done
 say "The sanitizers found nothing (after ${SECONDS} s)"

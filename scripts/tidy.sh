@@ -1,14 +1,16 @@
 #!/usr/bin/env bash
 # Runs clang-tidy:
-#   scripts/tidy.sh BUILD_FOLDER           on files changed since the merge base with origin/main; on everything but
-#                                          tests if there is no merge base, or with CI=true
-#   scripts/tidy.sh BUILD_FOLDER --all     on everything, tests included
+#   scripts/tidy.sh BUILD_FOLDER           on files changed since the merge base with origin/main; on everything if there
+#                                          is no merge base, or with CI=true
+#   scripts/tidy.sh BUILD_FOLDER --all     on everything
 #   scripts/tidy.sh BUILD_FOLDER FILE...   on these files
-# A changed header is checked through its own source, or through the unit that compiles it alone. A unit that passed is
-# not checked again until its preprocessed text, .clang-tidy or scripts/tidy/ changes. No unit gets a precompiled header
-# here, so each of them must include the headers of the standard library that it needs.
+# Everything is checked several times faster in a unity build of clang, as continuous integration does: in build-memory/, once
+# it is built. Files are checked in any other build: each unit of g++ without a precompiled header, so it must include the
+# headers of the standard library that it needs. A changed header is checked through its own source, or through the unit
+# that compiles it alone. A unit that passed is not checked again until its preprocessed text, .clang-tidy or
+# scripts/tidy/ changes.
 set -euo pipefail
-(($# > 0)) || { sed -n '2,10s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2; exit 2; }
+(($# > 0)) || { sed -n '2,13s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2; exit 2; }
 build="$(cd "$1" && pwd)"
 shift
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
@@ -57,10 +59,8 @@ elif (($# == 0)) && changed="$(changed_files)"; then
   echo "tidy: ${#units[@]} unit(s) changed since the merge base with origin/main"
 else
   for file in "${compiled[@]}"; do
-    # tests take twice as long as all other units
-    [[ "$file" != "$repo"/src/testing/* || "${1:-}" == --all ]] || continue
     case "$file" in
-      "$repo"/src/* | "$repo"/experiments/*) units+=("$file") ;;
+      "$repo"/src/* | "$repo"/experiments/* | */Unity/*) units+=("$file") ;;
     esac
   done
   echo "tidy: ${#units[@]} units"
@@ -72,11 +72,10 @@ fi
 mkdir -p "$build/include"
 printf "Checks: '-*'\n" >"$build/include/.clang-tidy"
 
-# the compile commands without precompiled headers
+# the compile commands without precompiled headers of g++, which clang-tidy cannot read
 tidy="$build/tidy"
 mkdir -p "$tidy"
-sed -E -e 's/ -(Winvalid-pch|fpch-preprocess)//g' -e 's/ -include [^ ]*cmake_pch.hxx//' \
-  -e 's/ -Xclang -fno-pch-timestamp//' "$database" >"$tidy/compile_commands.json"
+sed -E -e 's/ -(Winvalid-pch|fpch-preprocess)//g' -e 's/ -include [^ ]*cmake_pch.hxx//' "$database" >"$tidy/compile_commands.json"
 
 # The checks of scripts/tidy/ need the headers of clang-tidy. Without them the other checks run, slower, and the names
 # of ours in .clang-tidy have no effect.
@@ -116,6 +115,8 @@ check_one() {
   # the compiler's own warnings are checked by the build; unneeded includes are reported only
   local load
   read -ra load <<<"$load_plugin"
+  # a unit of a unity build includes sources
+  [[ "$unit" != */Unity/* ]] || load+=(--checks=-bugprone-suspicious-include)
   clang-tidy "${load[@]}" --quiet -p "$tidy" --warnings-as-errors='*,-argos-includes' --extra-arg=-Wno-everything "$unit" 2> >(
     grep -vE '^[0-9]+ warnings? (generated|treated)|^Suppressed|^Use -header-filter' >&2) || return 1
   : >"$stamps/$key"

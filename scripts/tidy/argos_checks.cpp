@@ -5,8 +5,8 @@
 //     Reports nothing; limits all other checks to code outside of system headers. They would search
 //     the standard library and Catch2 once for each unit, which takes longer than all the rest.
 //   argos-includes
-//     Reports includes of this project's headers that the file does not need, in the unit itself
-//     and in the header of the same name.
+//     Reports includes of this project's headers that the file does not need, in the unit itself,
+//     or in the sources that a unit of a unity build includes, and in the headers of the same names.
 
 #include <clang-tidy/ClangTidyCheck.h>
 #include <clang-tidy/ClangTidyModule.h>
@@ -213,7 +213,8 @@ class CUses : public clang::RecursiveASTVisitor<CUses> {
 
  private:
   void NeedAllOf(const clang::Decl* declaration) {
-    if (declaration == nullptr || m_checked.count(m_file) == 0) {
+    // a namespace is declared wherever it is opened
+    if (declaration == nullptr || llvm::isa<clang::NamespaceDecl>(declaration) || m_checked.count(m_file) == 0) {
       return;
     }
     for (const clang::Decl* each : declaration->redecls()) {
@@ -292,16 +293,31 @@ class CIncludesCheck : public clang::tidy::ClangTidyCheck {
   }
 
  private:
-  // the unit, unless it is generated, and the header of the same name
+  // the unit, unless it is generated, and the header of the same name; of a unity build, all
+  // sources of the unit with theirs
   std::set<const FileEntry*> Checked(const SourceManager& sources) const {
     std::set<const FileEntry*> checked;
     const FileEntry* unit = sources.getFileEntryForID(sources.getMainFileID());
-    const llvm::StringRef path = unit->getName();
+    if (!unit->getName().contains("/Unity/")) {
+      AddWithHeader(unit, checked);
+      return checked;
+    }
+    const auto includes = m_record.Includes.find(unit);
+    if (includes != m_record.Includes.end()) {
+      for (const SPreprocessed::SInclude& each : includes->second) {
+        AddWithHeader(each.File, checked);
+      }
+    }
+    return checked;
+  }
+
+  void AddWithHeader(const FileEntry* source, std::set<const FileEntry*>& checked) const {
+    const llvm::StringRef path = source->getName();
     if (!path.contains("/header_checks/")) {
-      checked.insert(unit);
+      checked.insert(source);
     }
     const llvm::StringRef name = path.substr(path.rfind('/') + 1);
-    const auto includes = m_record.Includes.find(unit);
+    const auto includes = m_record.Includes.find(source);
     if (includes != m_record.Includes.end()) {
       for (const SPreprocessed::SInclude& each : includes->second) {
         llvm::StringRef header = each.Name;
@@ -312,7 +328,6 @@ class CIncludesCheck : public clang::tidy::ClangTidyCheck {
         }
       }
     }
-    return checked;
   }
 
   void ReportUnused(const FileEntry* file) {

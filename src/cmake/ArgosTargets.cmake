@@ -204,6 +204,8 @@ function(argos_add_test name)
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE argos_options argos_test_options argos3::core ${ARG_LINK} Catch2::Catch2WithMain)
   argos_precompile(${name} test)
+  # helpers of several tests have the same names, so each source is compiled alone also with CMAKE_UNITY_BUILD
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
   if(ARG_DEPENDS)
     add_dependencies(${name} ${ARG_DEPENDS})
   endif()

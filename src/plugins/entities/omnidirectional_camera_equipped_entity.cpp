@@ -8,14 +8,14 @@ namespace argos {
 
 namespace {
 
-constexpr Real kDefaultAperture = 70.0;  // degrees, as in ARGoS 3
+constexpr Real kOmnidirectionalAperture = 70.0;  // degrees, as in ARGoS 3
 
 }  // namespace
 
 COmnidirectionalCameraEquippedEntity::COmnidirectionalCameraEquippedEntity(
     CComposableEntity* parent)
-    : COmnidirectionalCameraEquippedEntity(parent, std::string(),
-                                           ToRadians(CDegrees(kDefaultAperture)), CVector3()) {}
+    : COmnidirectionalCameraEquippedEntity(
+          parent, std::string(), ToRadians(CDegrees(kOmnidirectionalAperture)), CVector3()) {}
 
 COmnidirectionalCameraEquippedEntity::COmnidirectionalCameraEquippedEntity(
     CComposableEntity* parent, const std::string& id, const CRadians& aperture,

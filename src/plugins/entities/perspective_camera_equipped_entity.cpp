@@ -13,7 +13,7 @@ namespace argos {
 namespace {
 
 // as in ARGoS 3
-constexpr Real kDefaultAperture = 30.0;  // degrees
+constexpr Real kPerspectiveAperture = 30.0;  // degrees
 constexpr Real kDefaultFocalLength = 0.035;  // m
 constexpr Real kDefaultRange = 2.0;  // m
 constexpr SInt32 kDefaultWidth = 640;
@@ -23,7 +23,7 @@ constexpr SInt32 kDefaultHeight = 480;
 
 CPerspectiveCameraEquippedEntity::CPerspectiveCameraEquippedEntity(CComposableEntity* parent)
     : CEntity(parent),
-      m_aperture(ToRadians(CDegrees(kDefaultAperture))),
+      m_aperture(ToRadians(CDegrees(kPerspectiveAperture))),
       m_focalLength(kDefaultFocalLength),
       m_range(kDefaultRange),
       m_width(kDefaultWidth),

@@ -14,7 +14,7 @@ namespace argos {
 namespace {
 
 // devices per parallel task
-constexpr size_t kGrain = 256;
+constexpr size_t kMembersPerTask = 256;
 
 }  // namespace
 
@@ -75,7 +75,7 @@ void CRABMedium::TakePositions() {
   CRABRouting::SDevices& devices = m_state->Routing.GetDevices();
   devices.Resize(members.GetSize());
   m_cSimulator.GetThreadPool().ParallelFor(
-      members.GetSize(), kGrain, [&](size_t begin, size_t end, UInt32) {
+      members.GetSize(), kMembersPerTask, [&](size_t begin, size_t end, UInt32) {
         for (size_t i = begin; i < end; ++i) {
           const CRABEquippedEntity& device = *members.Get(i);
           const CVector3& position = device.GetPosition();

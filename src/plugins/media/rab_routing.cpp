@@ -10,7 +10,7 @@ namespace argos {
 namespace {
 
 // devices per parallel task, large enough to outweigh the cost of fetching a task
-constexpr size_t kGrain = 64;
+constexpr size_t kPlacedPerTask = 64;
 
 // resizes, with spare capacity so that reallocations are rare
 template <typename ELEMENT>
@@ -98,7 +98,7 @@ void CRABRouting::ForPairsOf(const SPlaced& device, VISIT&& visit) const {
 void CRABRouting::CountPairs(CThreadPool& pool) {
   m_pairStart.resize(m_placed.size() + 1);
   m_pairStart[0] = 0;
-  pool.ParallelFor(m_placed.size(), kGrain, [this](size_t begin, size_t end, UInt32) {
+  pool.ParallelFor(m_placed.size(), kPlacedPerTask, [this](size_t begin, size_t end, UInt32) {
     for (size_t place = begin; place < end; ++place) {
       size_t count = 0;
       ForPairsOf(m_placed[place], [&count](const SPlaced&, Real) { ++count; });
@@ -136,7 +136,7 @@ void CRABRouting::ExaminePairs(CThreadPool& pool, const CLineOfSight* sight) {
     ARGOS_ASSERT(m_pairStart[place] + m_numHearings[place] <= m_pairStart[place + 1],
                  "a device has more hearings than pairs: " << m_numHearings[place]);
   };
-  pool.ParallelFor(m_placed.size(), kGrain, [&](size_t begin, size_t end, UInt32) {
+  pool.ParallelFor(m_placed.size(), kPlacedPerTask, [&](size_t begin, size_t end, UInt32) {
     for (size_t place = begin; place < end; ++place) {
       examine(place);
     }
@@ -162,7 +162,7 @@ void CRABRouting::CollectByReceiver(CThreadPool& pool) {
   forHearings([this](const SHearing& hearing) {
     m_senders[m_cursor[hearing.Receiver]++] = hearing.Sender;
   });
-  pool.ParallelFor(num, kGrain, [this](size_t begin, size_t end, UInt32) {
+  pool.ParallelFor(num, kPlacedPerTask, [this](size_t begin, size_t end, UInt32) {
     for (size_t device = begin; device < end; ++device) {
       std::sort(m_senders.begin() + m_senderStart[device],
                 m_senders.begin() + m_senderStart[device + 1]);

@@ -27,6 +27,7 @@
 
 #if ARGOS_TEST_SANITIZER_ALLOCATES
 // defined in every sanitizer's library; GCC installs no header that declares it
+// NOLINTNEXTLINE(readability-identifier-naming): a name of the sanitizers
 extern "C" int __sanitizer_install_malloc_and_free_hooks(
     void (*onAllocation)(const volatile void* memory, std::size_t size),
     void (*onRelease)(const volatile void* memory));
@@ -55,6 +56,7 @@ std::string Readable(const std::string& symbol) {
   int status = 0;
   char* const demangled = abi::__cxa_demangle(name.c_str(), nullptr, nullptr, &status);
   const std::string result = status == 0 ? demangled : name;
+  // NOLINTNEXTLINE(cppcoreguidelines-no-malloc): the C library allocated it
   std::free(demangled);
   return result + "  " + symbol.substr(0, open);
 }
@@ -101,6 +103,7 @@ std::string CAllocationCount::DescribeFirst() const {
   for (int frame = 0; symbols != nullptr && frame < g_numFrames; ++frame) {
     text += Readable(symbols[frame]) + '\n';
   }
+  // NOLINTNEXTLINE(cppcoreguidelines-no-malloc): the C library allocated it
   std::free(symbols);
   g_counting = counting;
   return text;

@@ -219,29 +219,32 @@ void CDeviceUser::UseCameras() {
           AddReading(1e-3 * (blob->X + 2 * blob->Y));
         }
       });
-  Sense<CCI_CameraSensor>("cameras", [this, feelColor, feelPixel](const CCI_CameraSensor& sensor) {
+  const auto feelDetected = [this, feelColor, feelPixel](const auto* algorithm) {
+    using TLEDs = CCI_CameraSensorLEDDetectorAlgorithm;
+    using TSignals = CCI_CameraSensorDirectionalLEDDetectorAlgorithm;
+    using TTags = CCI_CameraSensorTagDetectorAlgorithm;
+    if (const auto* leds = dynamic_cast<const TLEDs*>(algorithm)) {
+      for (const auto& reading : leds->GetReadings()) {
+        feelColor(reading.Color);
+        feelPixel(reading.Center);
+      }
+    } else if (const auto* signals = dynamic_cast<const TSignals*>(algorithm)) {
+      for (const auto& reading : signals->GetReadings()) {
+        feelColor(reading.Color);
+        feelPixel(reading.Center);
+      }
+    } else if (const auto* tags = dynamic_cast<const TTags*>(algorithm)) {
+      for (const auto& reading : tags->GetReadings()) {
+        AddReading(static_cast<Real>(reading.Payload.size()));
+        feelPixel(reading.Corners[1]);
+        ++m_seen;
+      }
+    }
+  };
+  Sense<CCI_CameraSensor>("cameras", [feelDetected](const CCI_CameraSensor& sensor) {
     for (const auto& camera : sensor.GetInterfaces()) {
       for (const auto* algorithm : camera.Algorithms) {
-        using TLEDs = CCI_CameraSensorLEDDetectorAlgorithm;
-        using TSignals = CCI_CameraSensorDirectionalLEDDetectorAlgorithm;
-        using TTags = CCI_CameraSensorTagDetectorAlgorithm;
-        if (const auto* leds = dynamic_cast<const TLEDs*>(algorithm)) {
-          for (const auto& reading : leds->GetReadings()) {
-            feelColor(reading.Color);
-            feelPixel(reading.Center);
-          }
-        } else if (const auto* signals = dynamic_cast<const TSignals*>(algorithm)) {
-          for (const auto& reading : signals->GetReadings()) {
-            feelColor(reading.Color);
-            feelPixel(reading.Center);
-          }
-        } else if (const auto* tags = dynamic_cast<const TTags*>(algorithm)) {
-          for (const auto& reading : tags->GetReadings()) {
-            AddReading(static_cast<Real>(reading.Payload.size()));
-            feelPixel(reading.Corners[1]);
-            ++m_seen;
-          }
-        }
+        feelDetected(algorithm);
       }
     }
   });

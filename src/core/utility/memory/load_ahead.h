@@ -16,7 +16,7 @@ inline void LoadAhead(const void* start, size_t bytes) {
     __builtin_prefetch(first + offset);
   }
   // the last byte of an unaligned range may be on one more line
-  if (bytes > 0) {
+  if (bytes > 1) {
     __builtin_prefetch(first + bytes - 1);
   }
 }

@@ -5,6 +5,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_engine.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_model.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_plugin.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
 
 #include <algorithm>
 #include <limits>
@@ -17,14 +18,6 @@ namespace {
 // N m^4 per unit of field squared, as published with ARGoS 3: 3 mu0 / (4 pi) for moments in units
 // of 1.533e-3 A m^2
 constexpr Real kForceConstant = 7.0500949e-13;
-
-CVector3 Rotated(CVector3 vector, const CQuaternion& rotation) {
-  return vector.Rotate(rotation);
-}
-
-CVector3 Cross(CVector3 a, const CVector3& b) {
-  return a.CrossProduct(b);
-}
 
 CMagnetEquippedEntity* FindMagnets(CDynamics3DModel& model) {
   auto* const root = dynamic_cast<CComposableEntity*>(&model.GetEmbodiedEntity().GetRootEntity());

@@ -14,7 +14,7 @@ constexpr int kMapSide = 2048;  // texels; 2 cm each in an arena of 40 m
 // smaller texels would only sharpen the shadows, whose borders are about three texels wide
 constexpr double kSmallestTexel = 0.0018;  // m
 constexpr double kBorderTexels = 4.0;  // the filter reads a few texels around a point
-constexpr double kSmallestSide = 0.05;  // m
+constexpr double kSmallestExtent = 0.05;  // m
 
 }  // namespace
 
@@ -50,8 +50,8 @@ void CShadowMap::Fit(const Eigen::Matrix3d& sunFrame, const Eigen::AlignedBox3d&
   }
   // the ground below receives shadows beyond the casters' far side: depths past it are clamped
   const Eigen::Vector2d size =
-      box.sizes().head<2>().cwiseMax(kSmallestSide) * (1.0 + 2.0 * kBorderTexels / kMapSide);
-  const double depth = std::max(box.sizes().z(), kSmallestSide);
+      box.sizes().head<2>().cwiseMax(kSmallestExtent) * (1.0 + 2.0 * kBorderTexels / kMapSide);
+  const double depth = std::max(box.sizes().z(), kSmallestExtent);
   const double wantedSide = std::ceil(size.maxCoeff() / kSmallestTexel);
   m_usedSide = static_cast<int>(std::min<double>(wantedSide, kMapSide));
   m_texelSize = static_cast<float>(size.maxCoeff() / m_usedSide);

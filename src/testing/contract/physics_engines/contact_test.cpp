@@ -188,8 +188,10 @@ TEST_CASE("impact: colliding objects conserve momentum and gain no energy", "[co
   Real total = 0.0;  // kg m/s
   for (const SThing& thing : things) {
     // the velocity points to a place near the middle
-    const CVector3 velocity(0.1 - thing.X + random.Uniform(-0.2, 0.2),
-                            -0.2 - thing.Y + random.Uniform(-0.2, 0.2), 0.0);
+    // one after the other: the order in which arguments are evaluated is the compiler's choice
+    const Real y = random.Uniform(-0.2, 0.2);
+    const Real x = random.Uniform(-0.2, 0.2);
+    const CVector3 velocity(0.1 - thing.X + x, -0.2 - thing.Y + y, 0.0);
     world.Launch(thing.Id, velocity * 0.5);
     momentum += velocity * 0.5 * thing.Mass;
     total += velocity.Length() * 0.5 * thing.Mass;

@@ -83,7 +83,7 @@ class CIdleModel : public CBatteryDischargeModel {
 
 REGISTER_BATTERY_DISCHARGE_MODEL(CIdleModel, "idle_for_tests")
 
-TEST_CASE("battery: the model \"time\" subtracts delta in every tick, down to zero",
+TEST_CASE("battery: the time model subtracts delta in every tick, down to zero",
           "[contract][sensors]") {
   const std::string tag = GENERATE("foot-bot", "e-puck", "eye-bot");
   CAPTURE(tag);
@@ -119,7 +119,7 @@ TEST_CASE("battery: omitted models and values have the documented defaults",
   CHECK_THAT(Battery(world).GetAvailableCharge(), WithinAbs(1.0 - 3e-5, 1e-15));
 }
 
-TEST_CASE("battery: the model \"motion\" subtracts charge according to the actual motion",
+TEST_CASE("battery: the motion model subtracts charge according to the actual motion",
           "[contract][sensors]") {
   using TSpeeds = std::pair<Real, Real>;  // cm/s
   const auto [left, right] = GENERATE(TSpeeds(10, 10), TSpeeds(4, 12), TSpeeds(-5, 5));

@@ -265,7 +265,7 @@ TEST_CASE("lua controller: a missing step() stops the script", "[lua][controller
   CHECK_THAT(TakeLogErr(), Contains("must define a global function \"step\", found nil"));
 }
 
-TEST_CASE("lua controller: on_error=\"end_run\" ends the run", "[lua][controller][error]") {
+TEST_CASE("lua controller: on_error end_run ends the run", "[lua][controller][error]") {
   SFunctions functions = kQuiet;
   functions.Step = "error('enough')";
   CLuaWorld world(Running(functions, "on_error='end_run'"));

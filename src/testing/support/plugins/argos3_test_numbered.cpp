@@ -42,7 +42,7 @@ REGISTER_CONTROLLER(CNumberedController, ARGOS_TEST_LABEL("test_numbered_control
 
 // Delays the second registration: a look-up that finds the first label but not the second has seen
 // a partly loaded library.
-[[maybe_unused]] const bool g_hasSlept = [] {
+[[maybe_unused]] const bool kHasSlept = [] {
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
   return true;
 }();

@@ -10,7 +10,7 @@ namespace argos {
 
 namespace {
 
-enum EQuantity : size_t { ANGLE, SPEED };
+enum : size_t { ANGLE, SPEED };
 constexpr Real kRadiansPerSecondPerRPM = ARGOS_PI / 30.0;
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_distance_scanner_equipped_entity.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_measures.h>
 #include <argos3/plugins/robots/generic/simulator/device_manual.h>
+#include <argos3/plugins/robots/generic/simulator/units.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,6 @@ namespace argos {
 
 namespace {
 
-constexpr Real kCentimetersPerMeter = 100.0;
 constexpr int kHeadsOfARange = 2;
 constexpr int kSamplesOfATick = 6;  // while it rotates
 constexpr size_t kMaxBeams = 2 * kHeadsOfARange * kSamplesOfATick;

@@ -1,6 +1,7 @@
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_encoder_sensor.h>
 #include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/robots/generic/simulator/noisy_sensor.h>
+#include <argos3/plugins/robots/generic/simulator/units.h>
 #include <argos3/plugins/simulator/entities/odometer_entity.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
 
@@ -8,7 +9,6 @@ namespace argos {
 
 namespace {
 
-constexpr Real kCentimetersPerMeter = 100.0;
 enum EWheel : size_t { LEFT, RIGHT };
 
 /** The distances that the wheels of a foot-bot rolled; see COdometerEntity. */

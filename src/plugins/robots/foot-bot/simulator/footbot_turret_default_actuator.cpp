@@ -15,7 +15,7 @@ namespace {
 constexpr Real kRadiansPerSecond = ARGOS_PI / 30.0;
 
 // numbers of the quantities that <noise> may be on
-enum EQuantity : size_t { QUANTITY_ROTATION, QUANTITY_ROTATION_SPEED };
+enum : size_t { QUANTITY_ROTATION, QUANTITY_ROTATION_SPEED };
 
 CTurretEntity::EMode ToEntityMode(CCI_FootBotTurretActuator::ETurretModes mode) {
   switch (mode) {

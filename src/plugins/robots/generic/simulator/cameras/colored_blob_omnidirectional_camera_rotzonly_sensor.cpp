@@ -11,7 +11,7 @@ namespace {
 
 constexpr Real kCmPerM = 100.0;
 // numbers of the quantities that <noise> may be on
-enum EQuantity : size_t { QUANTITY_DISTANCE, QUANTITY_ANGLE };
+enum : size_t { QUANTITY_DISTANCE, QUANTITY_ANGLE };
 
 // to [-PI,PI)
 CRadians Wrap(CRadians angle) {

@@ -9,7 +9,7 @@ namespace argos {
 namespace {
 
 // numbers of the quantities that <noise> may be on
-enum EQuantity : size_t { QUANTITY_X, QUANTITY_Y };
+enum : size_t { QUANTITY_X, QUANTITY_Y };
 
 // true if a pixel's coordinate, truncated towards 0, is in an image of that size
 bool IsInImage(Real coordinate, SInt32 size) {

@@ -21,7 +21,7 @@ constexpr CDegrees kMaxPan(180.0);
 constexpr CDegrees kMaxTilt(90.0);
 
 // numbers of the quantities that <noise> may be on
-enum EQuantity : size_t { QUANTITY_PAN, QUANTITY_TILT };
+enum : size_t { QUANTITY_PAN, QUANTITY_TILT };
 
 /** Rotates the view of a robot's perspective camera; see the manual below. */
 class CPanTiltCameraDefaultActuator : public CSimulatedActuator, public CCI_PanTiltCameraActuator {

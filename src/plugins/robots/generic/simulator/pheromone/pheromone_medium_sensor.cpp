@@ -7,6 +7,7 @@
 #include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/robots/generic/simulator/medium_attribute.h>
 #include <argos3/plugins/robots/generic/simulator/noise.h>
+#include <argos3/plugins/robots/generic/simulator/units.h>
 #include <argos3/plugins/simulator/media/pheromone_medium.h>
 
 #include <algorithm>
@@ -15,8 +16,6 @@
 namespace argos {
 
 namespace {
-
-constexpr Real kCentimetersPerMeter = 100.0;
 
 /** Reads the concentrations of a medium under the robot. */
 class CPheromoneMediumSensor : public CSimulatedSensor, public CCI_PheromoneSensor {

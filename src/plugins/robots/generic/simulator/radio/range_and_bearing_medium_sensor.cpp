@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/robots/generic/simulator/medium_attribute.h>
+#include <argos3/plugins/robots/generic/simulator/units.h>
 #include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
 #include <argos3/plugins/simulator/media/rab_medium.h>
 
@@ -10,12 +11,6 @@
 #include <cmath>
 
 namespace argos {
-
-namespace {
-
-constexpr Real kCentimetersPerMeter = 100.0;
-
-}  // namespace
 
 void CRangeAndBearingMediumSensor::FindParts(CComposableEntity& robot) {
   m_rab = &robot.GetComponent<CRABEquippedEntity>("rab");

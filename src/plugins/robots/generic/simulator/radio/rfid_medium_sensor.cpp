@@ -9,6 +9,7 @@
 #include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/robots/generic/simulator/noise.h>
 #include <argos3/plugins/robots/generic/simulator/rfid_antenna.h>
+#include <argos3/plugins/robots/generic/simulator/units.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 
 #include <algorithm>
@@ -19,8 +20,6 @@
 namespace argos {
 
 namespace {
-
-constexpr Real kCentimetersPerMeter = 100.0;
 
 /** Reads the tags that the medium finds near the robot. */
 class CRFIDMediumSensor : public CSimulatedSensor, public CCI_RFIDSensor {

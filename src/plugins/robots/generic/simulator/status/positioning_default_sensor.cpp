@@ -7,7 +7,7 @@ namespace argos {
 
 namespace {
 
-enum EQuantity : size_t { POSITION, ANGLE, AXIS };
+enum : size_t { POSITION, ANGLE, AXIS };
 
 }  // namespace
 

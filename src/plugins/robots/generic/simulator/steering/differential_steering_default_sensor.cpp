@@ -2,14 +2,14 @@
 
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/plugins/robots/generic/simulator/device_manual.h>
+#include <argos3/plugins/robots/generic/simulator/units.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
 
 namespace argos {
 
 namespace {
 
-constexpr Real kCentimetersPerMeter = 100.0;
-enum EQuantity : size_t { VELOCITY_LEFT, VELOCITY_RIGHT, DISTANCE_LEFT, DISTANCE_RIGHT };
+enum : size_t { VELOCITY_LEFT, VELOCITY_RIGHT, DISTANCE_LEFT, DISTANCE_RIGHT };
 
 }  // namespace
 
