@@ -6,7 +6,8 @@
 //     the standard library and Catch2 once for each unit, which takes longer than all the rest.
 //   argos-includes
 //     Reports includes of this project's headers that the file does not need, in the unit itself,
-//     or in the sources that a unit of a unity build includes, and in the headers of the same names.
+//     or in the sources that a unit of a unity build includes, and in the headers of the same
+//     names.
 
 #include <clang-tidy/ClangTidyCheck.h>
 #include <clang-tidy/ClangTidyModule.h>
@@ -214,7 +215,8 @@ class CUses : public clang::RecursiveASTVisitor<CUses> {
  private:
   void NeedAllOf(const clang::Decl* declaration) {
     // a namespace is declared wherever it is opened
-    if (declaration == nullptr || llvm::isa<clang::NamespaceDecl>(declaration) || m_checked.count(m_file) == 0) {
+    if (declaration == nullptr || llvm::isa<clang::NamespaceDecl>(declaration) ||
+        m_checked.count(m_file) == 0) {
       return;
     }
     for (const clang::Decl* each : declaration->redecls()) {

@@ -125,6 +125,7 @@ void CBodyIndex::Forget(UInt32 number) {
 }
 
 void CBodyIndex::Remove(UInt32 number) {
+  CheckNumber(number);
   Forget(number);
   SBody& body = m_bodies[number];
   body.Entity = nullptr;
@@ -146,6 +147,7 @@ void CBodyIndex::ReadPose(UInt32 number) {
 }
 
 void CBodyIndex::RefreshNow(UInt32 number) {
+  CheckNumber(number);
   ReadPose(number);
   SBody& body = m_bodies[number];
   if (!body.Stale) {
@@ -163,6 +165,7 @@ void CBodyIndex::RefreshNow(UInt32 number) {
 }
 
 void CBodyIndex::Redescribe(UInt32 number, const SBodyDescription& description, bool movable) {
+  CheckNumber(number);
   Forget(number);
   m_bodies[number].Description = &description;
   m_bodies[number].Movable = movable;

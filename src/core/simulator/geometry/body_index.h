@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/geometry/body_pose.h>
 #include <argos3/core/simulator/geometry/indexed_shape.h>
 #include <argos3/core/simulator/geometry/ray_hit.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/math/range.h>
 #include <argos3/core/utility/spatial/cell_chains.h>
 #include <argos3/core/utility/spatial/cell_items.h>
@@ -62,7 +63,10 @@ class CBodyIndex {
   /** Sorts all solids by their current poses; once a tick, after physics. */
   void Rebuild(CThreadPool& pool) { Rebuild(&pool); }
 
-  CEmbodiedEntity& GetBody(UInt32 body) const { return *m_bodies[body].Entity; }
+  CEmbodiedEntity& GetBody(UInt32 body) const {
+    CheckNumber(body);
+    return *m_bodies[body].Entity;
+  }
   /** Calls visit(CEmbodiedEntity&) for every body, by number. */
   template <typename VISIT>
   void ForEachBody(VISIT&& visit) const {
@@ -143,6 +147,12 @@ class CBodyIndex {
     SIndexedShape Shape;
     SPlanarCell FirstCell;  // in which it is listed
   };
+
+  // where invariants are checked: that it is the number of a body that is in the index
+  void CheckNumber([[maybe_unused]] UInt32 body) const {
+    ARGOS_ASSERT(body < m_bodies.size() && m_bodies[body].Entity != nullptr,
+                 "there is no body " << body << " in the index: the number is stale");
+  }
 
   SCellRange CellsOf(const SIndexedShape& shape) const;
   // a wide solid counts in one of the cells in which a query finds it

@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/geometry/solid_overlap.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/core/utility/threads/thread_pool.h>
+#include <argos3/testing/support/invariants.h>
 #include <argos3/testing/support/solid_reference.h>
 
 #include <catch2/catch.hpp>
@@ -443,6 +444,22 @@ TEST_CASE("body index: the order of results does not depend on the threads that 
   REQUIRE(orders[0].size() > 1000);
   CHECK(orders[1] == orders[0]);
   CHECK(orders[2] == orders[0]);
+}
+
+TEST_CASE("body index: where invariants are checked, a stale number is caught",
+          "[core][space][index][invariants]") {
+  CBodyIndex index;
+  CEmbodiedEntity body(nullptr, "body");
+  body.SetBodyDescription(Describe({SShapeDescription::Sphere(0.5)}));
+  body.EnterIndex(index);
+  const UInt32 number = body.GetBodyNumber();
+  CHECK(&index.GetBody(number) == &body);
+  body.LeaveIndex();
+  CHECK(body.GetBodyNumber() == CBodyIndex::kNoBody);
+  CheckCaught([&] { index.GetBody(number); }, "the number is stale");
+  CheckCaught([&] { index.Remove(number); }, "the number is stale");
+  CheckCaught([&] { index.RefreshNow(number); }, "the number is stale");
+  CheckCaught([&] { index.GetBody(CBodyIndex::kNoBody); }, "the number is stale");
 }
 
 TEST_CASE("body index: a destroyed body is removed from the index", "[core][space][index]") {
