@@ -293,12 +293,7 @@ void CSimulator::Reset(UInt32 newRandomSeed) {
 
 void CSimulator::Destroy() {
   const CScope scope(*this);
-  // users' Destroy() may rely on their Init()
-  std::exception_ptr failure = m_experiment->DestroyLoopFunctions();
-  const std::exception_ptr unwritten = m_experiment->FinishProfiling();
-  if (failure == nullptr) {
-    failure = unwritten;
-  }
+  const std::exception_ptr failure = m_experiment->Destroy();
   m_experiment.reset();
   m_experiment = std::make_unique<SExperimentParts>(m_context);
   m_settings.ForgetWhatWasSet();

@@ -157,7 +157,7 @@ class CSimulator {
   void Reset(UInt32 newRandomSeed);
   /**
    * Destroys the experiment; another one may be loaded.
-   * @throws the exception of the loop functions' Destroy(), after everything else is destroyed.
+   * @throws the first exception of users' Destroy() functions, after everything is destroyed.
    */
   void Destroy();
   /** Runs the visualization until the experiment ends. */

@@ -218,6 +218,9 @@ void CToyController::Reset() {
 
 void CToyController::Destroy() {
   Record("controller destroy");
+  if (ThrowsInDestroy) {
+    THROW_ARGOSEXCEPTION("the controller of " << GetId() << " cannot be destroyed");
+  }
 }
 
 void CToyController::Record(const std::string& event) {

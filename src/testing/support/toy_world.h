@@ -144,6 +144,7 @@ class CToyController : public CCI_Controller {
   UInt32 Steps = 0;  // since the start or the last Reset()
   Real LastRange = -1.0;
   std::function<void(CToyController&)> OnStep;
+  bool ThrowsInDestroy = false;
 
   // counted in the whole process
   static std::atomic<int> NumInits;

@@ -15,16 +15,24 @@ namespace argos {
 
 namespace {
 
-// calls step. @return what it threw
-template <typename STEP>
-std::exception_ptr Catch(STEP&& step) {
-  try {
-    step();
-  } catch (...) {
-    return std::current_exception();
+// calls functions, and keeps the first exception
+class CFirstFailure {
+ public:
+  template <typename STEP>
+  void Try(STEP&& step) {
+    try {
+      step();
+    } catch (...) {
+      if (m_failure == nullptr) {
+        m_failure = std::current_exception();
+      }
+    }
   }
-  return nullptr;
-}
+  std::exception_ptr Get() const { return m_failure; }
+
+ private:
+  std::exception_ptr m_failure;
+};
 
 }  // namespace
 
@@ -34,25 +42,34 @@ SExperimentParts::SExperimentParts(SSimulationContext& context)
   m_context.Pool = Pool.get();
 }
 
-SExperimentParts::~SExperimentParts() {
+SExperimentParts::~SExperimentParts() = default;
+
+std::exception_ptr SExperimentParts::Destroy() {
+  CFirstFailure failure;
+  // users' Destroy() may rely on their Init()
+  if (AreLoopFunctionsReady) {
+    AreLoopFunctionsReady = false;
+    failure.Try([this] { m_context.LoopFunctions->Destroy(); });
+  }
   if (Visualization != nullptr) {
-    Visualization->Destroy();
+    failure.Try([this] { Visualization->Destroy(); });
   }
   Visualization.reset();
-  m_context.Space->Destroy();
+  failure.Try([this] { m_context.Space->Destroy(); });
   // after the entities, which may still request the floor's colour
   OwnLoopFunctions.reset();
   SetLoopFunctions(nullptr);
   for (CMedium* medium : m_context.Media) {
-    medium->Destroy();
+    failure.Try([medium] { medium->Destroy(); });
   }
   m_context.Media.clear();
   Media.clear();
   for (CPhysicsEngine* engine : m_context.Engines) {
-    engine->Destroy();
+    failure.Try([engine] { engine->Destroy(); });
   }
   m_context.Engines.clear();
   Engines.clear();
+  failure.Try([this] { FinishProfiling(); });
   if (Rng != nullptr) {
     CRandom::RemoveCategory("argos");
   }
@@ -60,19 +77,12 @@ SExperimentParts::~SExperimentParts() {
   // joins the workers, so that none is left at the end of the program
   m_context.Pool = nullptr;
   Pool.reset();
+  return failure.Get();
 }
 
 void SExperimentParts::SetLoopFunctions(CLoopFunctions* loopFunctions) {
   m_context.LoopFunctions = loopFunctions;
   m_context.FloorPainter = loopFunctions;
-}
-
-std::exception_ptr SExperimentParts::DestroyLoopFunctions() {
-  if (!AreLoopFunctionsReady) {
-    return nullptr;
-  }
-  AreLoopFunctionsReady = false;
-  return Catch([this] { m_context.LoopFunctions->Destroy(); });
 }
 
 void SExperimentParts::StartProfiling(std::unique_ptr<CProfiler> profiler, CTick& tick) {
@@ -83,9 +93,9 @@ void SExperimentParts::StartProfiling(std::unique_ptr<CProfiler> profiler, CTick
   Profiler->Start();
 }
 
-std::exception_ptr SExperimentParts::FinishProfiling() {
+void SExperimentParts::FinishProfiling() {
   if (Profiler == nullptr) {
-    return nullptr;
+    return;
   }
   m_profiledTick->SetTimes(nullptr);
   const STickTimes& times = *ProfiledTicks;
@@ -96,11 +106,8 @@ std::exception_ptr SExperimentParts::FinishProfiling() {
   Profiler->AddPhase("pre-step", times.PreStep, times.Ticks);
   Profiler->AddPhase("sense+control", times.SenseAndControl, times.Ticks);
   Profiler->AddPhase("post-step", times.PostStep, times.Ticks);
-  return Catch([this] {
-    Profiler->Stop();
-    Profiler->Flush();
-    Profiler.reset();
-  });
+  Profiler->Stop();
+  Profiler->Flush();
 }
 
 }  // namespace argos

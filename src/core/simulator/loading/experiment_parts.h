@@ -21,8 +21,7 @@ struct STickTimes;
 /**
  * What exists from the loading of an experiment to its destruction.
  *
- * The destructor destroys it all: the visualization, the entities, the loop functions, media,
- * engines, random numbers and threads, in this order.
+ * Destroy() must be called before the destructor.
  */
 struct SExperimentParts {
   explicit SExperimentParts(SSimulationContext& context);
@@ -35,10 +34,13 @@ struct SExperimentParts {
   void SetLoopFunctions(CLoopFunctions* loopFunctions);
   /** Starts the profiler, which measures @p tick. */
   void StartProfiling(std::unique_ptr<CProfiler> profiler, CTick& tick);
-  /** Calls the loop functions' Destroy() if their Init() was called. @return what it threw. */
-  std::exception_ptr DestroyLoopFunctions();
-  /** Writes the profile, if there is one. @return what that threw. */
-  std::exception_ptr FinishProfiling();
+  /**
+   * Calls the loop functions' Destroy() if their Init() was called, and then destroys the
+   * visualization, the entities, the loop functions, media, engines, the profiler, random numbers
+   * and threads, in this order. A Destroy() of users' code that throws does not stop the others.
+   * @return the first exception, or null.
+   */
+  std::exception_ptr Destroy();
 
   std::unique_ptr<CConfigurationDocument> OwnDocument; /**< null if the program owns it */
   CConfigurationDocument* Document = nullptr;
@@ -54,6 +56,8 @@ struct SExperimentParts {
   std::unique_ptr<CVisualization> Visualization;
 
  private:
+  void FinishProfiling();
+
   SSimulationContext& m_context;
   CTick* m_profiledTick = nullptr;
 };

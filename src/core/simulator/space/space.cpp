@@ -14,6 +14,7 @@
 #include <argos3/core/utility/threads/thread_pool.h>
 
 #include <algorithm>
+#include <exception>
 
 namespace argos {
 
@@ -24,9 +25,7 @@ CSpace::CSpace(SSimulationContext& context)
   m_context.Index = m_bodyIndex.get();
 }
 
-CSpace::~CSpace() {
-  Destroy();
-}
+CSpace::~CSpace() = default;
 
 void CSpace::Init(TConfigurationNode& tree) {
   // the second generator of its category, after the simulator's own
@@ -166,12 +165,21 @@ void CSpace::Reset() {
 }
 
 void CSpace::Destroy() {
+  // of one root; a removal that has failed this often never succeeds
+  constexpr size_t kMostFailures = 1000;
+  std::exception_ptr failure;
+  size_t numFailures = 0;
   while (!m_roots.empty()) {
     const size_t before = m_roots.size();
-    CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(*this, *m_roots.back());
-    if (m_roots.size() == before) {
-      // its class has an operation for adding but none for removing
-      EraseEntity(*m_roots.back());
+    try {
+      RemoveLastRoot();
+    } catch (...) {
+      // the component whose Destroy() threw is gone; the next call removes the others
+      failure = failure == nullptr ? std::current_exception() : failure;
+      numFailures = m_roots.size() == before ? numFailures + 1 : 0;
+      if (numFailures == kMostFailures) {
+        throw;
+      }
     }
   }
   m_views = std::make_unique<CEntityViews>(m_roots);
@@ -180,6 +188,18 @@ void CSpace::Destroy() {
   m_rng = nullptr;
   m_nextIndex = 0;
   m_simulationClock = 0;
+  if (failure != nullptr) {
+    std::rethrow_exception(failure);
+  }
+}
+
+void CSpace::RemoveLastRoot() {
+  const CEntity* const root = m_roots.back();
+  CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(*this, *m_roots.back());
+  if (!m_roots.empty() && m_roots.back() == root) {
+    // its class has an operation for adding but none for removing
+    EraseEntity(*m_roots.back());
+  }
 }
 
 void CSpace::AddControllableEntity(CControllableEntity& entity) {

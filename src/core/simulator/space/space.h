@@ -183,6 +183,7 @@ class CSpace : public CBaseConfigurableResource {
  private:
   void InsertEntity(CEntity& entity);
   void EraseEntity(CEntity& entity);
+  void RemoveLastRoot();
   CEntity* TryGetEntity(const std::string& id);
 
   SSimulationContext& m_context;

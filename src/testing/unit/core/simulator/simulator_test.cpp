@@ -105,6 +105,23 @@ TEST_CASE("simulator: Destroy() destroys the loop functions, then the entities i
   CHECK_THROWS_AS(world.GetSimulator().GetLoopFunctions(), CARGoSException);
 }
 
+TEST_CASE("simulator: controllers that throw in Destroy() are errors, and everything is destroyed",
+          "[core][simulator][errors]") {
+  CTestWorld world(Experiment());
+  CSimulator& simulator = world.GetSimulator();
+  const int alive = CToyController::NumAlive;
+  for (CControllableEntity* robot : world.GetSpace().GetControllableEntities()) {
+    dynamic_cast<CToyController&>(robot->GetController()).ThrowsInDestroy = true;
+  }
+  // entities are destroyed last to first
+  CHECK_THROWS_WITH(simulator.Destroy(), Contains("the controller of r2 cannot be destroyed"));
+  CHECK(CToyController::NumAlive == alive - 2);
+  CHECK(simulator.GetPhysicsEngines().empty());
+  CHECK(simulator.GetSpace().GetRootEntityVector().empty());
+  CHECK(simulator.GetSpace().GetBodyIndex().GetNumBodies() == 0);
+  CHECK_NOTHROW(simulator.Destroy());
+}
+
 TEST_CASE("simulator: runs the ticks of the experiment's length, then PostExperiment",
           "[core][simulator]") {
   SExperiment experiment = Experiment();
