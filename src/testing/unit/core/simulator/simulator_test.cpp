@@ -1,3 +1,4 @@
+#include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/visualization/visualization.h>
 #include <argos3/core/utility/profiler/profiler.h>
 #include <argos3/testing/support/captured_logs.h>
