@@ -34,7 +34,7 @@ struct SKinematicHandle {
 struct SKinematicOwner {
   CKinematics2DModel* Model = nullptr;
   SKinematicHandle* Handle = nullptr;
-  // written to in every tick; kept here too, for prefetching
+  // of the model; here, too, so that a tick does not read the model for them
   CEmbodiedEntity* Body = nullptr;
   CEntity* Root = nullptr;
 };
