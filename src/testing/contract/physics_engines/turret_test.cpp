@@ -13,7 +13,6 @@
 namespace argos {
 
 using Catch::Matchers::WithinAbs;
-using Catch::Matchers::WithinRel;
 
 namespace {
 
