@@ -11,7 +11,7 @@ build="$(cd "$1" && pwd)"
 shift
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 size=25        # test cases of a process
-time_limit=1200 # seconds for a process
+time_limit=2400 # seconds for a process
 work="$(mktemp -d)"
 trap 'rm -rf -- "$work"' EXIT
 
