@@ -66,6 +66,25 @@ void ForRobots(const std::vector<CControllableEntity*>& robots, size_t begin, si
   }
 }
 
+// updates engines or media: those that use the pool themselves one after the other, the rest in
+// parallel
+template <typename PART>
+void UpdateParts(const std::vector<PART*>& parts, CThreadPool& pool) {
+  InLogOrder(parts.size(), [&](UInt64 firstPlace) {
+    const auto update = [&](size_t begin, size_t end, bool onPool) {
+      for (size_t i = begin; i < end; ++i) {
+        if (parts[i]->UsesThreadPool() == onPool) {
+          CARGoSLog::SetSequence(firstPlace + i);
+          parts[i]->Update();
+        }
+      }
+    };
+    update(0, parts.size(), true);
+    pool.ParallelFor(parts.size(), 1,
+                     [&](size_t begin, size_t end, UInt32) { update(begin, end, false); });
+  });
+}
+
 }  // namespace
 
 void CTick::Run() {
@@ -142,20 +161,7 @@ void CTick::CollectGhosts() {
 }
 
 void CTick::UpdatePhysics() {
-  CPhysicsEngine::TVector& engines = m_context.Engines;
-  InLogOrder(engines.size(), [&](UInt64 firstPlace) {
-    const auto update = [&](size_t begin, size_t end, bool onPool) {
-      for (size_t i = begin; i < end; ++i) {
-        if (engines[i]->UsesThreadPool() == onPool) {
-          CARGoSLog::SetSequence(firstPlace + i);
-          engines[i]->Update();
-        }
-      }
-    };
-    update(0, engines.size(), true);
-    m_context.Pool->ParallelFor(
-        engines.size(), 1, [&](size_t begin, size_t end, UInt32) { update(begin, end, false); });
-  });
+  UpdateParts(m_context.Engines, *m_context.Pool);
 }
 
 void CTick::TransferBodies() {
@@ -167,20 +173,7 @@ void CTick::TransferBodies() {
 }
 
 void CTick::UpdateMedia() {
-  CMedium::TVector& media = m_context.Media;
-  InLogOrder(media.size(), [&](UInt64 firstPlace) {
-    const auto update = [&](size_t begin, size_t end, bool onPool) {
-      for (size_t i = begin; i < end; ++i) {
-        if (media[i]->UsesThreadPool() == onPool) {
-          CARGoSLog::SetSequence(firstPlace + i);
-          media[i]->Update();
-        }
-      }
-    };
-    update(0, media.size(), true);
-    m_context.Pool->ParallelFor(
-        media.size(), 1, [&](size_t begin, size_t end, UInt32) { update(begin, end, false); });
-  });
+  UpdateParts(m_context.Media, *m_context.Pool);
 }
 
 void CTick::SenseAndControl() {

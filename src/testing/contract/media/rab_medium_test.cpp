@@ -294,8 +294,9 @@ TEST_CASE("rab medium: invalid attributes are refused with the reason",
              Contains(c.Reason) && Contains("test.argos:") && Contains("range_and_bearing"));
 }
 
-TEST_CASE("rab medium: a device that was switched off receives nothing, whoever has its number",
-          "[contract][media]") {
+TEST_CASE(
+    "rab medium: a device that was switched off receives nothing, also if its number is reused",
+    "[contract][media]") {
   CRobotWorld world(
       WithRAB(EPuck("a", 0.0, 0.0, 2.0) + EPuck("b", 0.3, 0.0, 2.0) + EPuck("c", 0.3, 0.3, 2.0)));
   world.Step();
