@@ -50,10 +50,14 @@ search() { # search <extended regular expression> <files...>: ignores comments a
     }' "$@"
 }
 
-includes() { # includes <regular expression of paths> <forbidden include prefix>
+includes() { # includes <regular expression of paths> <forbidden include prefix>: companions do not count
   local files
   mapfile -t files < <(only "$1")
-  ((${#files[@]} == 0)) || grep -nHE "#include *[<\"]($2)" "${files[@]}" || true
+  ((${#files[@]} == 0)) || forbidden="#include *[<\"]($2)" awk '
+    FNR == 1 { isCompanion = 0 }
+    /^#ifndef ARGOS_WITHOUT_COMPANIONS/ { isCompanion = 1 }
+    /^#endif/ { isCompanion = 0 }
+    !isCompanion && $0 ~ ENVIRON["forbidden"] { print FILENAME ":" FNR ":" $0 }' "${files[@]}"
 }
 
 # The direction of dependencies. The include roots of the build enforce it, too; these rules give clearer messages.
@@ -61,7 +65,7 @@ report "utility includes nothing above it" \
   "$(includes '^src/core/utility/' 'argos3/(core/(control_interface|simulator|wrappers)|plugins)/')"
 report "the control interface includes utility only" \
   "$(includes '^src/core/control_interface/' 'argos3/(core/(simulator|wrappers)|plugins)/')"
-# The include graph of the core's folders. Companions, which a header includes for users' code alone, do not count.
+# The include graph of the core's folders, without companions, which a header includes for users' code alone.
 arrows_upward() {
   local files
   mapfile -t files < <(only '^src/core/')
@@ -135,7 +139,7 @@ guards() {
     guard="ARGOS3_$(tr 'a-z/-' 'A-Z__' <<<"$guard")_H"
     grep -q "^#ifndef $guard\$" "$file" && grep -q "^#define $guard\$" "$file" ||
       echo "$file:1: the guard should be $guard"
-  done < <(only '^src/(core|plugins|testing)/.*\.h$' | grep -v '^src/testing/compat/user_')
+  done < <(only '^src/(core|plugins|testing)/.*\.h$' | grep -vE '^src/testing/compat/(user_|projects/)')
 }
 report "include guards are paths" "$(guards)"
 

@@ -21,7 +21,7 @@ began() {
 }
 
 # the programs that have tests of threads or of determinism
-thread_tests=(unit_thread_tests determinism_tests determinism_partition_tests)
+thread_tests=(unit_thread_tests unit_demand_tests determinism_tests determinism_partition_tests)
 
 # the options of the sanitizers, of the test presets
 while IFS= read -r option; do

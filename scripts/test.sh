@@ -34,15 +34,20 @@ build_for_robot() {
   build "$repo/build-robot"
 }
 
-# The installed headers are complete, and include no third-party header except Eigen's.
+# The installed headers are complete, include no third-party header except Eigen's, Lua's and, if it is there, OpenGL's, and
+# compile together at the level to which the CMake package raises users' projects.
 check_installed_headers() { # check_installed_headers <include folder>
   local included found
   while IFS= read -r included; do
     [[ -f "$1/$included" ]] || die "an installed header includes <$included>, which is not installed"
   done < <(grep -rhoE '^ *# *include *<argos3/[^>]+' "$1" | sed 's/.*<//' | sort -u)
-  found="$(grep -rnE '^ *# *include *[<"](box2d|ode|tinyxml2|FreeImage|gsl|fmt|CLI|GL|EGL)[/.]' "$1" || true)"
+  found="$(grep -rnE '^ *# *include *[<"](box2d|ode|tinyxml2|FreeImage|gsl|fmt|CLI|GL|EGL)[/.]' "$1" |
+    grep -v '/qt-opengl/gl_calls\.h:' || true)"
   [[ -z "$found" ]] || die "installed headers include third-party ones: $found"
-  echo "$(find "$1" -name '*.h' | wc -l) headers are installed and complete"
+  find "$1" -name '*.h' -printf '#include <%P>\n' | sort >"$work/all_headers.cpp"
+  # shellcheck disable=SC2046  # several flags
+  c++ -std=gnu++17 -Wall -Wextra -Werror -fsyntax-only -I"$1" $(pkg-config --cflags eigen3 lua5.4) "$work/all_headers.cpp"
+  echo "$(wc -l <"$work/all_headers.cpp") headers are installed and complete, and compile as gnu++17"
 }
 
 # Builds a user's project against the installed simulator, found in one of two ways; its experiment must run and write data.
@@ -67,6 +72,7 @@ echo "as .clang-format says"
 
 began "Shell scripts (shellcheck)"
 shellcheck scripts/*.sh .ci/run
+shellcheck src/testing/compat/projects/*/check.sh
 echo "nothing found"
 
 began "Project rules (lint)"
@@ -81,6 +87,10 @@ began "Tests"
 # the test that is no program of its own
 ctest --test-dir "$build_dir" --output-on-failure --tests-regex '^build_id_of_a_changed_header$' --no-tests=error
 
+began "The build tree, through its setup_env.sh"
+# shellcheck disable=SC1091  # generated
+(source "$build_dir/setup_env.sh" && cd "$work" && argos3 -n -z -c "$repo/experiments/diffusion_1.argos" --length 1)
+
 began "Pinned digests"
 "$repo/scripts/digests.sh" "$build_dir"
 
@@ -92,13 +102,14 @@ fi
 began "Controllers without the simulator (ARGOS_BUILD_FOR=robot, in build-robot/)"
 build_for_robot
 
-began "Installation, and a user's own project against it"
+began "Installation, and users' own projects against it"
 cmake --install "$build_dir" --prefix "$work/installed" >"$work/install.log"
 # moved after the installation, because it must be relocatable
 mv "$work/installed" "$work/prefix"
 check_installed_headers "$work/prefix/include"
 build_user_project find_package -DCMAKE_PREFIX_PATH="$work/prefix"
 PKG_CONFIG_PATH="$work/prefix/lib/pkgconfig" build_user_project pkg_config -DUSE_PKG_CONFIG=ON
+"$repo/scripts/outside_projects.sh" "$work/prefix" "$work/projects"
 
 if [[ "${CI:-}" == true ]]; then
   echo "clang-tidy follows in .ci/run"

@@ -7,12 +7,19 @@ configure_package_config_file(src/cmake/install/ARGoSConfig.cmake.in "${argosGen
   INSTALL_DESTINATION "${argosCmakeDir}" PATH_VARS CMAKE_INSTALL_INCLUDEDIR ARGOS_LIBRARY_SUBDIR
   NO_CHECK_REQUIRED_COMPONENTS_MACRO)
 write_basic_package_version_file("${argosGenerated}/ARGoSConfigVersion.cmake" COMPATIBILITY SameMajorVersion)
-configure_file(src/cmake/install/ARGoSSettings.cmake.in "${argosGenerated}/ARGoSSettings.cmake" @ONLY)
+foreach(file ARGoSSettings.cmake FindARGoSQTOpenGL.cmake)
+  configure_file(src/cmake/install/${file}.in "${argosGenerated}/${file}" @ONLY)
+endforeach()
 install(FILES "${argosGenerated}/ARGoSConfig.cmake" "${argosGenerated}/ARGoSConfigVersion.cmake"
-              "${argosGenerated}/ARGoSSettings.cmake" src/cmake/FindFreeImage.cmake
-              src/cmake/install/FindARGoSQTOpenGL.cmake src/cmake/install/ARGoSCheckQTOpenGL.cmake
+              "${argosGenerated}/ARGoSSettings.cmake" "${argosGenerated}/FindARGoSQTOpenGL.cmake"
+              src/cmake/FindFreeImage.cmake
         DESTINATION "${argosCmakeDir}")
-install(EXPORT ARGoSTargets FILE ARGoSTargets-${ARGOS_BUILD_FOR}.cmake DESTINATION "${argosCmakeDir}")
+# beside the package's own files, finders that users' projects count on
+foreach(file ARGoSCheckQTOpenGL ARGoSLanguageLevel ARGoSLua FindDLFCN FindGooglePerfTools FindLua51 FindLua52 FindLua53
+             FindPthreads)
+  install(FILES src/cmake/install/${file}.cmake DESTINATION "${argosCmakeDir}")
+endforeach()
+install(EXPORT ARGoSTargets NAMESPACE ARGoS:: FILE ARGoSTargets-${ARGOS_BUILD_FOR}.cmake DESTINATION "${argosCmakeDir}")
 
 install(FILES "${PROJECT_BINARY_DIR}/include/config/argos3/core/config.h"
         DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/argos3/core")
@@ -28,3 +35,10 @@ if(ARGOS_INSTALL_LDSOCONF)
   file(CONFIGURE OUTPUT "${argosGenerated}/argos3.conf" CONTENT "@CMAKE_INSTALL_PREFIX@/lib/argos3\n" @ONLY)
   install(FILES "${argosGenerated}/argos3.conf" DESTINATION /etc/ld.so.conf.d)
 endif()
+
+# for the build tree
+set(argosPluginPath "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}")
+if(ARGOS_BUILD_EXPERIMENTS)
+  string(APPEND argosPluginPath ":${PROJECT_BINARY_DIR}/experiments")
+endif()
+configure_file(src/cmake/install/setup_env.sh.in "${PROJECT_BINARY_DIR}/setup_env.sh" @ONLY)

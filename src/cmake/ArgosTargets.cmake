@@ -2,14 +2,13 @@
 #
 #   argos_add_core_part(utility ...)   an object library, one layer of the core
 #   argos_add_core(PARTS ...)          the parts merged into libargos3core_<build-for>.so, alias argos3::core
-#   argos_add_plugin(media ...)        libargos3plugin_<build-for>_media.so, alias argos3::media
+#   argos_add_plugin(media ...)        libargos3plugin_<build-for>_media.so, alias argos3::media; installed, the targets
+#                                      are ARGoS::core and ARGoS::media
 #   argos_add_module(name ...)         a library of controllers or loop functions, not installed
 #   argos_add_test(name ...)           a Catch2 program; ctest runs each of its test cases
 #
 # Each target has an include root of its own, made of links to the source folders, so it sees the headers of the
 # targets that it links and no others: an include against the direction of dependencies does not compile.
-
-set(argosHeaderPrologue "// Generated: compiles one public header alone, as the first include, as C++17.\n")
 
 # Makes <build>/include/<target>/argos3/<prefix> a link to a source folder and stores the root in <rootVariable>.
 function(argos_link_headers rootVariable target prefix folder)
@@ -44,33 +43,6 @@ function(argos_install_headers library prefix folder headersVariable includePath
   endforeach()
 endfunction()
 
-# Compiles each public header of a target in a translation unit of its own, at the language level of users.
-function(argos_check_headers target prefix)
-  # a sanitizer finds nothing in what is only compiled
-  if(NOT ARGOS_BUILD_TESTING OR ARGOS_SANITIZE OR NOT ARGN)
-    return()
-  endif()
-  set(sources)
-  foreach(header IN LISTS ARGN)
-    set(source "${PROJECT_BINARY_DIR}/header_checks/${prefix}/${header}.cpp")
-    set(text "${argosHeaderPrologue}#include <argos3/${prefix}/${header}>\n")
-    file(CONFIGURE OUTPUT "${source}" CONTENT "${text}" @ONLY)
-    list(APPEND sources "${source}")
-  endforeach()
-  set(check header_checks_${target})
-  if(NOT TARGET ${check})
-    add_library(${check} OBJECT)
-    target_link_libraries(${check} PRIVATE ${target})
-    target_compile_options(${check} PRIVATE $<TARGET_PROPERTY:argos_options,INTERFACE_COMPILE_OPTIONS> -O0 -g0)
-    set_target_properties(${check} PROPERTIES CXX_STANDARD 17 CXX_STANDARD_REQUIRED ON)
-    if(NOT TARGET header_checks)
-      add_custom_target(header_checks)
-    endif()
-    add_dependencies(header_checks ${check})
-  endif()
-  target_sources(${check} PRIVATE ${sources})
-endfunction()
-
 # argos_add_core_part(<name> [FOLDER <f>] INCLUDE_PREFIX <p> PUBLIC_HEADERS ... SOURCES ... [LINK ...]
 #                     [LINK_PRIVATE ...])
 #   Names of headers and sources are relative to ${CMAKE_CURRENT_SOURCE_DIR}/<f>, by default <name>.
@@ -91,7 +63,7 @@ function(argos_add_core_part name)
   set_target_properties(${target} PROPERTIES ARGOS_INCLUDE_ROOT "${root}")
   argos_precompile(${target} library)
 
-  argos_check_headers(${target} ${ARG_INCLUDE_PREFIX} ${ARG_PUBLIC_HEADERS})
+  argos_check_headers(${target} ${ARG_INCLUDE_PREFIX} "${root}" ARG_PUBLIC_HEADERS)
   argos_install_headers(core ${ARG_INCLUDE_PREFIX} "${folder}" ARG_PUBLIC_HEADERS ARG_PUBLIC_HEADERS)
 endfunction()
 
@@ -115,7 +87,7 @@ function(argos_add_core)
   target_link_libraries(${target} PUBLIC ${ARG_LINK} PRIVATE argos_options)
   argos_share_build_id(${target})
   target_compile_features(${target} INTERFACE cxx_std_17)
-  set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX)
+  set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX EXPORT_NAME core)
   install(TARGETS ${target} EXPORT ARGoSTargets LIBRARY DESTINATION ${ARGOS_LIBRARY_SUBDIR})
 endfunction()
 
@@ -167,8 +139,9 @@ function(argos_add_plugin name)
   endforeach()
 
   argos_precompile(${target} library)
-  argos_check_headers(${target} ${ARG_INCLUDE_PREFIX} ${includePaths})
+  argos_check_headers(${target} ${ARG_INCLUDE_PREFIX} "${root}" includePaths)
   argos_install_headers(${name} ${ARG_INCLUDE_PREFIX} "${CMAKE_CURRENT_SOURCE_DIR}" headers includePaths)
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
   install(TARGETS ${target} EXPORT ARGoSTargets LIBRARY DESTINATION ${ARGOS_LIBRARY_SUBDIR})
 endfunction()
 

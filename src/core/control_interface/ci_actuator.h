@@ -29,6 +29,9 @@ class CCI_Actuator : public CBaseConfigurableResource {
    * Without an override an actuator is not available in Lua.
    */
   virtual void CreateLuaState(lua_State* state);
+
+ protected:
+  bool m_bEnabled = false;  // for derived classes; actuators act in every tick
 };
 
 }  // namespace argos

@@ -132,4 +132,10 @@ class CCI_Controller : public CBaseConfigurableResource, public CSlabObject {
   }
 #endif
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#if __has_include(<lua.h>)
+#include <argos3/core/wrappers/lua/lua_headers.h>
+#endif
+#endif
+
 #endif

@@ -11,17 +11,27 @@ void CCI_Sensor::Reset() {}
 void CCI_Sensor::Destroy() {}
 
 void CCI_Sensor::Enable() {
-  m_enabled = true;
+  m_bEnabled = true;
+  m_switchedOff = false;
 }
 
 void CCI_Sensor::Disable() {
-  m_enabled = false;
+  m_bEnabled = false;
+  m_switchedOff = true;
 }
 
+void CCI_Sensor::MarkStart() {
+  m_enabledAtStart = m_bEnabled;
+  m_switchedOffAtStart = m_switchedOff;
+}
+
+// A derived class may do more in Enable() and Disable().
 void CCI_Sensor::ReturnToStart() {
-  if (m_enabled != m_enabledAtStart) {
+  if (m_bEnabled != m_enabledAtStart) {
     m_enabledAtStart ? Enable() : Disable();
   }
+  m_bEnabled = m_enabledAtStart;
+  m_switchedOff = m_switchedOffAtStart;
 }
 
 void CCI_Sensor::CreateLuaState(lua_State*) {}

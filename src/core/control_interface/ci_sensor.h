@@ -24,13 +24,18 @@ class CCI_Sensor : public CBaseConfigurableResource {
   void Reset() override;
   void Destroy() override;
 
-  /** A disabled sensor is not updated. Sensors start disabled; most enable themselves in Init(). */
+  /**
+   * A sensor is updated in every tick unless Disable() was called after the last Enable(). So one
+   * for which neither was called is updated, although IsEnabled() is false.
+   */
   virtual void Enable();
   virtual void Disable();
-  bool IsEnabled() const { return m_enabled; }
-  bool IsDisabled() const { return !m_enabled; }
+  bool IsEnabled() const { return m_bEnabled; }
+  bool IsDisabled() const { return !m_bEnabled; }
+  /** @return true if the sensor is updated. */
+  bool IsSwitchedOn() const { return !m_switchedOff; }
   /** Called at the start of the run: stores the state that Reset() restores. */
-  void MarkStart() { m_enabledAtStart = m_enabled; }
+  void MarkStart();
   void ReturnToStart();
 
   /**
@@ -42,9 +47,13 @@ class CCI_Sensor : public CBaseConfigurableResource {
   /** For Lua controllers: copies the readings into the table that CreateLuaState() created. */
   virtual void ReadingsToLuaState(lua_State* state);
 
+ protected:
+  bool m_bEnabled = false;
+
  private:
-  bool m_enabled = false;
+  bool m_switchedOff = false;
   bool m_enabledAtStart = false;
+  bool m_switchedOffAtStart = false;
 };
 
 }  // namespace argos

@@ -4,4 +4,8 @@
 // the path that users' code includes
 #include <argos3/core/simulator/tick/loop_functions.h>
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/simulator/simulator.h>
+#endif
+
 #endif

@@ -23,11 +23,10 @@ namespace {
 
 thread_local CSimulator* currentSimulator = nullptr;
 
-// ids of engines or media, for messages
-template <typename PART>
-std::vector<std::string> Ids(const std::vector<PART*>& parts) {
+// for messages
+std::vector<std::string> Ids(const std::vector<CMedium*>& parts) {
   std::vector<std::string> ids;
-  for (const PART* part : parts) {
+  for (const CMedium* part : parts) {
     ids.push_back(part->GetId());
   }
   return ids;
@@ -105,13 +104,8 @@ CSpace& CSimulator::GetSpace() const {
 }
 
 CPhysicsEngine& CSimulator::GetPhysicsEngine(const std::string& id) const {
-  for (CPhysicsEngine* engine : m_context.Engines) {
-    if (engine->GetId() == id) {
-      return *engine;
-    }
-  }
-  THROW_ARGOSEXCEPTION("there is no physics engine \"" << id << "\""
-                                                       << DidYouMean(id, Ids(m_context.Engines)));
+  const CScope scope(m_context.Simulator);
+  return m_experiment->EngineLookup.Get(id);
 }
 
 CMedium& CSimulator::GetMediumBase(const std::string& id) {

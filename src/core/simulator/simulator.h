@@ -72,7 +72,10 @@ class CSimulator {
   };
 
   CSpace& GetSpace() const;
-  /** @throws CARGoSException with the nearest ids if there is no such engine. */
+  /**
+   * If there is no such engine, warns once and returns the only engine, else an engine without
+   * bodies that knows the clock: for code that asks before the engines exist.
+   */
   CPhysicsEngine& GetPhysicsEngine(const std::string& id) const;
   CPhysicsEngine::TVector& GetPhysicsEngines() { return m_context.Engines; }
   /** @throws CARGoSException if there is no such medium, or if it is not a T. */
@@ -145,7 +148,9 @@ class CSimulator {
   /** Loads from a tree; the document must outlive the experiment. */
   void Load(CConfigurationDocument& document, bool forceNoVisualization = false);
   /**
-   * Loads the experiment file of that name.
+   * Loads the experiment file of that name. Plug-ins that it names are those of libraries linked
+   * to the program, or loaded; for the first that is missing, all libraries in ARGOS_PLUGIN_PATH
+   * and beside the core library are loaded, once per process.
    * @throws CARGoSException that reports all errors that can be found without running.
    */
   void LoadExperiment(bool forceNoVisualization = false);

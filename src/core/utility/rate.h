@@ -45,4 +45,8 @@ class CRate {
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/utility/math/general.h>
+#endif
+
 #endif

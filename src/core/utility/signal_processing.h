@@ -57,4 +57,8 @@ class CRCLowPassFilter {
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/utility/math/general.h>
+#endif
+
 #endif

@@ -9,6 +9,7 @@ namespace argos {
 class CBodyMotion {
  public:
   bool HasBody() const { return m_body != nullptr; }
+  const CEmbodiedEntity& GetBody() const { return *m_body; }
   /** Stores the current pose. @param body must outlive this object. */
   void SetBody(const CEmbodiedEntity& body) {
     m_body = &body;

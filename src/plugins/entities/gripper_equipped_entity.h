@@ -72,4 +72,8 @@ class CGripperEquippedEntity : public CEntity {
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/utility/math/quaternion.h>
+#endif
+
 #endif

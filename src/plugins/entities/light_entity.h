@@ -46,4 +46,8 @@ class CLightEntity : public CLEDEntity {
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/plugins/simulator/entities/led_equipped_entity.h>
+#endif
+
 #endif

@@ -43,6 +43,10 @@ class CMediumMember : public CPositionalEntity {
       : CPositionalEntity(parent, id, position, orientation) {
     CPositionalEntity::SetEnabled(false);
   }
+  /** Copies are disabled and have no medium. */
+  CMediumMember(const CMediumMember& other) : CPositionalEntity(other) {
+    CPositionalEntity::SetEnabled(false);
+  }
 
   /** Leaves the medium. */
   void Destroy() override {

@@ -1,6 +1,8 @@
 #include <argos3/plugins/simulator/entities/odometer_entity.h>
 
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/simulator/physics_engine/physics_model.h>
 #include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/plugins/simulator/entities/anchor_use.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
@@ -23,6 +25,7 @@ void COdometerEntity::Reset() {
   std::fill(m_distances.begin(), m_distances.end(), 0.0);
   m_motion.RememberStart();
   m_tick.Reset();
+  m_lastCommand = SDriveCommand();
 }
 
 void COdometerEntity::Update() {
@@ -36,16 +39,37 @@ void COdometerEntity::SetEnabled(bool enabled) {
   SetFollowerEnabled(*this, enabled);
 }
 
+SDriveCommand COdometerEntity::ReadCommand() const {
+  const Real* const speeds = m_wheels->GetWheelVelocities();
+  const CVector3* const wheels = m_wheels->GetWheelPositions();
+  if (m_wheels->GetNumWheels() != 2 || !(wheels[0].GetY() > wheels[1].GetY())) {
+    return {};
+  }
+  return {0.5 * (speeds[0] + speeds[1]), 0.0,
+          (speeds[1] - speeds[0]) / (wheels[0].GetY() - wheels[1].GetY())};
+}
+
 // A body that turns by the angle a at constant speeds moves its origin along a chord, in the
-// direction of its heading half-way; the chord is sin(a/2) / (a/2) times as long as the path.
+// direction of its heading half-way; the chord is sin(a/2) / (a/2) times as long as the path. This
+// applies to the difference between the body's step and that of the arcs that its drive commands.
 void COdometerEntity::Measure() {
+  const SDriveCommand command = ReadCommand();
+  const CEmbodiedEntity& body = m_motion.GetBody();
+  const Real lag = body.GetPhysicsModelsNum() > 0
+                       ? body.GetPhysicsModel(size_t(0)).GetEngine().GetVelocityLag()
+                       : 0.0;
+  const Real tick = m_tick.GetTickLength();
+  const SArc arcs = FollowArcs(SPlanarPose(), m_lastCommand, command, tick, lag);
+  const Real commandedWay = (command.Ahead + lag * (m_lastCommand.Ahead - command.Ahead)) * tick;
+  m_lastCommand = command;
+
   const CVector3 step = m_motion.ComputeStep();
   const CQuaternion turn = m_motion.ComputeTurn();
   const Real halfAngle =
       0.5 * std::remainder(2.0 * std::atan2(turn.GetZ(), turn.GetW()), 2.0 * ARGOS_PI);
   const Real sine = std::sin(halfAngle);
-  const Real chord = step.GetX() * std::cos(halfAngle) + step.GetY() * sine;
-  const Real way = halfAngle == 0.0 ? chord : chord * halfAngle / sine;
+  const Real chord = (step.GetX() - arcs.DX) * std::cos(halfAngle) + (step.GetY() - arcs.DY) * sine;
+  const Real way = commandedWay + (halfAngle == 0.0 ? chord : chord * halfAngle / sine);
   const CVector3* const wheels = m_wheels->GetWheelPositions();
   for (size_t i = 0; i < m_distances.size(); ++i) {
     m_distances[i] = way - 2.0 * halfAngle * wheels[i].GetY();

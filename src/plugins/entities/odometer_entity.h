@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_ENTITIES_ODOMETER_ENTITY_H
 
 #include <argos3/core/simulator/entity/entity.h>
+#include <argos3/core/simulator/physics_engine/planar_motion.h>
 #include <argos3/plugins/simulator/entities/body_motion.h>
 #include <argos3/plugins/simulator/entities/tick_watch.h>
 
@@ -15,9 +16,10 @@ class CWheeledEntity;
  * Distances that the wheels of a robot roll, computed from the motion of the body instead of the
  * commanded speeds.
  *
- * In each tick the body is assumed to move at constant speeds along its heading, sideways, and
- * about the vertical; sideways motion turns no wheel. This is exact on the arcs of a differential
- * drive, for less than half a turn per tick. Moves by command turn no wheel.
+ * A body that moves as its drive commands rolls its wheels as far as these turn. Where it deviates,
+ * the deviation is assumed to happen at constant speeds along the heading, sideways, and about the
+ * vertical, in the whole tick; sideways motion turns no wheel. So the distances are exact on the
+ * arcs of a differential drive, for less than half a turn per tick. Moves by command turn no wheel.
  *
  * Starts disabled; the sensor that uses it enables it.
  */
@@ -38,10 +40,12 @@ class COdometerEntity : public CEntity {
 
  private:
   void Measure();
+  SDriveCommand ReadCommand() const;
 
   const CWheeledEntity* m_wheels;  // of the parent
   CBodyMotion m_motion;  // since the end of the previous tick
   CTickWatch m_tick;
+  SDriveCommand m_lastCommand;  // of the previous tick
   std::vector<Real> m_distances;  // m, (wheels)
 };
 

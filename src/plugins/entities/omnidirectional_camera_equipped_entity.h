@@ -44,4 +44,8 @@ class COmnidirectionalCameraEquippedEntity : public CEntity {
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/utility/math/quaternion.h>
+#endif
+
 #endif

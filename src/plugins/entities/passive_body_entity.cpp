@@ -94,7 +94,7 @@ void CPassiveBodyEntity::Describe() {
   description->Shapes.push_back(MakeShape());
   if (m_body->IsMovable()) {
     description->Mass = m_mass;
-    description->GroundFriction = SGroundFrictionDescription{GetFrictionClass()};
+    description->GroundFriction.emplace().Class = GetFrictionClass();
     description->Grippable = true;
   }
   if (m_body->GetPhysicsModelsNum() > 0) {

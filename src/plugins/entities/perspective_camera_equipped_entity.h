@@ -100,4 +100,8 @@ class CPerspectiveCameraEquippedEntity : public CEntity {
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/simulator/physics_engine/physics_model.h>
+#endif
+
 #endif

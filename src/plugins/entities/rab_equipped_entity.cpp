@@ -17,12 +17,12 @@ CRABEquippedEntity::CRABEquippedEntity(CComposableEntity* parent, const std::str
                                        CEmbodiedEntity& body, const CVector3& offset,
                                        const CQuaternion& rotation)
     : CMediumMember(parent, id, CVector3()),
-      m_messageSize(messageSize),
-      m_anchor(&anchor),
-      m_body(&body),
-      m_offset(offset),
-      m_rotation(rotation),
-      m_data(messageSize) {
+      m_unMsgSize(messageSize),
+      m_psAnchor(&anchor),
+      m_pcEntityBody(&body),
+      m_cPosOffset(offset),
+      m_cRotOffset(rotation),
+      m_cData(messageSize) {
   SetRange(range);
   CRABEquippedEntity::Update();
 }
@@ -33,14 +33,14 @@ CRABEquippedEntity::~CRABEquippedEntity() {
 
 void CRABEquippedEntity::Init(TConfigurationNode& tree) {
   CMediumMember::Init(tree);
-  m_offset = GetInitPosition();
-  m_rotation = GetInitOrientation();
-  m_body = &GetParent().GetComponent<CEmbodiedEntity>("body");
+  m_cPosOffset = GetInitPosition();
+  m_cRotOffset = GetInitOrientation();
+  m_pcEntityBody = &GetParent().GetComponent<CEmbodiedEntity>("body");
   std::string anchor;
   GetNodeAttribute(tree, "anchor", anchor);
-  m_anchor = &m_body->GetAnchor(anchor);
-  GetNodeAttribute(tree, "msg_size", m_messageSize);
-  m_data = CByteArray(m_messageSize);
+  m_psAnchor = &m_pcEntityBody->GetAnchor(anchor);
+  GetNodeAttribute(tree, "msg_size", m_unMsgSize);
+  m_cData = CByteArray(m_unMsgSize);
   Real range = 0.0;
   GetNodeAttribute(tree, "range", range);
   SetRange(range);
@@ -53,11 +53,11 @@ void CRABEquippedEntity::Reset() {
 }
 
 void CRABEquippedEntity::Update() {
-  if (m_anchor == nullptr) {
+  if (m_psAnchor == nullptr) {
     return;
   }
-  const CQuaternion& orientation = m_anchor->Orientation;
-  CVector3 position = m_offset;
+  const CQuaternion& orientation = m_psAnchor->Orientation;
+  CVector3 position = m_cPosOffset;
   if (orientation.GetX() == 0.0 && orientation.GetY() == 0.0) {
     // keep heights exact: the occlusion test of a device exactly as high as a robot's top must not
     // depend on rounding
@@ -67,12 +67,12 @@ void CRABEquippedEntity::Update() {
   } else {
     position.Rotate(orientation);
   }
-  MoveTo(m_anchor->Position + position, orientation * m_rotation);
+  MoveTo(m_psAnchor->Position + position, orientation * m_cRotOffset);
 }
 
 void CRABEquippedEntity::SetEnabled(bool enabled) {
-  if (enabled != IsEnabled() && m_anchor != nullptr) {
-    UseAnchor(*m_anchor, enabled);
+  if (enabled != IsEnabled() && m_psAnchor != nullptr) {
+    UseAnchor(*m_psAnchor, enabled);
     CountFollower(*this, enabled);
   }
   if (enabled) {
@@ -83,25 +83,25 @@ void CRABEquippedEntity::SetEnabled(bool enabled) {
 }
 
 void CRABEquippedEntity::SetData(const CByteArray& data) {
-  if (data.Size() != m_messageSize) {
+  if (data.Size() != m_unMsgSize) {
     THROW_ARGOSEXCEPTION(Describe()
-                         << ": messages have " << m_messageSize << " bytes, got " << data.Size());
+                         << ": messages have " << m_unMsgSize << " bytes, got " << data.Size());
   }
-  m_data = data;
+  m_cData = data;
 }
 
 void CRABEquippedEntity::SetRange(Real range) {
   if (!(range >= 0.0 && range < HUGE_VAL)) {
     RequireNotNegative(range, Describe(), "range (m)");
   }
-  m_range = range;
+  m_fRange = range;
 }
 
 void CRABEquippedEntity::UpdateDigest(CDigest& digest) const {
   CMediumMember::UpdateDigest(digest);
-  digest.Add(m_range);
-  for (size_t i = 0; i < m_data.Size(); ++i) {
-    digest.Add(m_data.ToCArray()[i]);
+  digest.Add(m_fRange);
+  for (size_t i = 0; i < m_cData.Size(); ++i) {
+    digest.Add(m_cData.ToCArray()[i]);
   }
 }
 

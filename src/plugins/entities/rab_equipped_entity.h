@@ -55,21 +55,21 @@ class CRABEquippedEntity : public CMediumMember<CRABEquippedEntity, CRABMedium> 
    */
   void SetEnabled(bool enabled) override;
 
-  CEmbodiedEntity& GetEntityBody() { return *m_body; }
-  const CEmbodiedEntity& GetEntityBody() const { return *m_body; }
-  const SAnchor& GetAnchor() const { return *m_anchor; }
+  CEmbodiedEntity& GetEntityBody() { return *m_pcEntityBody; }
+  const CEmbodiedEntity& GetEntityBody() const { return *m_pcEntityBody; }
+  const SAnchor& GetAnchor() const { return *m_psAnchor; }
 
-  size_t GetMsgSize() const { return m_messageSize; }
+  size_t GetMsgSize() const { return m_unMsgSize; }
   /** The message, GetMsgSize() bytes. */
-  CByteArray& GetData() { return m_data; }
-  const CByteArray& GetData() const { return m_data; }
+  CByteArray& GetData() { return m_cData; }
+  const CByteArray& GetData() const { return m_cData; }
   /** @throws CARGoSException unless @p data has GetMsgSize() bytes. */
   void SetData(const CByteArray& data);
   /** Sets all bytes of the message to 0. */
-  void ClearData() { m_data.Zero(); }
+  void ClearData() { m_cData.Zero(); }
 
   /** Range of messages, m. */
-  Real GetRange() const { return m_range; }
+  Real GetRange() const { return m_fRange; }
   /** @throws CARGoSException if the range is not >= 0. */
   void SetRange(Real range);
 
@@ -79,16 +79,19 @@ class CRABEquippedEntity : public CMediumMember<CRABEquippedEntity, CRABMedium> 
 
   void UpdateDigest(CDigest& digest) const override;
 
+ protected:
+  // a derived class may set them itself; MoveTo() follows them at the next Update()
+  size_t m_unMsgSize = 0;  // bytes
+  Real m_fRange = 0.0;  // m
+  SAnchor* m_psAnchor = nullptr;  // of m_pcEntityBody; null before Init()
+  CEmbodiedEntity* m_pcEntityBody = nullptr;
+  CVector3 m_cPosOffset;  // in the anchor's frame, m
+  CQuaternion m_cRotOffset;  // in the anchor's frame
+  CByteArray m_cData;
+
  private:
   std::string Describe() const;
 
-  size_t m_messageSize = 0;  // bytes
-  Real m_range = 0.0;  // m
-  SAnchor* m_anchor = nullptr;  // of m_body; null before Init()
-  CEmbodiedEntity* m_body = nullptr;
-  CVector3 m_offset;  // in the anchor's frame, m
-  CQuaternion m_rotation;  // in the anchor's frame
-  CByteArray m_data;
   UInt32 m_numberInMedium = 0;
 };
 

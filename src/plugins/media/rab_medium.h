@@ -75,4 +75,8 @@ class CRABMedium : public CMedium, public CRABEquippedEntity::CRegistry {
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_sensor.h>
+#endif
+
 #endif

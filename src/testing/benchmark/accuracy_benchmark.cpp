@@ -186,8 +186,9 @@ void PrintArcs(const SOptions& options, const SSubject& subject, UInt32 iteratio
                        speeds[i].first, speeds[i].second);
   }
   CDriveWorld world(subject.ToXml(iterations), arena);
-  // in the first tick no orders act yet
+  // in the first tick no orders act yet, and in the next one they may act late
   world.Step();
+  const Real lag = world.GetSimulator().GetPhysicsEngines().front()->GetVelocityLag();
   Real worst = 0.0;
   Real worstShare = 0.0;
   const auto ticks = static_cast<UInt32>(std::lround(options.Seconds / kTick));
@@ -196,8 +197,8 @@ void PrintArcs(const SOptions& options, const SSubject& subject, UInt32 iteratio
     for (size_t i = 0; i < speeds.size(); ++i) {
       const Real left = 0.01 * speeds[i].first;
       const Real right = 0.01 * speeds[i].second;
-      const SPose exact = IntegrateDifferentialDrive(starts[i], left, right,
-                                                     epuck::kInterwheelDistance, kTick * tick);
+      const SPose exact = IntegrateDifferentialDrive(
+          starts[i], left, right, epuck::kInterwheelDistance, kTick * (tick - lag));
       const CVector3 position = world.Position("r" + std::to_string(i));
       const Real error = std::hypot(position.GetX() - exact.X, position.GetY() - exact.Y);
       worst = std::max(worst, error);

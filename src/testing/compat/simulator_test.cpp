@@ -25,6 +25,7 @@
 #include <argos3/plugins/simulator/entities/proximity_sensor_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
 #include <argos3/plugins/simulator/media/led_medium.h>
+#include <argos3/testing/support/captured_logs.h>
 #include <argos3/testing/support/paths.h>
 
 #include <catch2/catch.hpp>
@@ -620,6 +621,56 @@ TEST_CASE("compat: plug-ins of users run", "[compat]") {
   CHECK(cRobot.GetHorn().GetVolume() == 0.0);
 }
 
+TEST_CASE("compat: a sensor that never calls Enable() is updated until it is disabled",
+          "[compat]") {
+  CEmbedding cEmbedding(UserExperiment());
+  CSimulator& cSimulator = CSimulator::GetInstance();
+  CUserRobotEntity& cRobot =
+      *any_cast<CUserRobotEntity*>(cSimulator.GetSpace().GetEntitiesByType("user-robot")["u0"]);
+  CRobotController& cController =
+      dynamic_cast<CRobotController&>(cRobot.GetControllableEntity().GetController());
+  CCI_UserEarSensor& cEar = *cController.GetSensor<CCI_UserEarSensor>("user_ear");
+  CHECK_FALSE(cEar.IsEnabled());
+  for (int i = 0; i < 3; ++i)
+    cSimulator.UpdateSpace();
+  cEar.Disable();
+  for (int i = 0; i < 3; ++i)
+    cSimulator.UpdateSpace();
+  cEar.Enable();
+  cSimulator.UpdateSpace();
+  CHECK(cController.m_vecHeard == std::vector<Real>{0, 1, 2, 2, 2, 2, 6});
+  cSimulator.Reset();
+  CHECK_FALSE(cEar.IsEnabled());
+  cController.m_vecHeard.clear();
+  cSimulator.UpdateSpace();
+  cSimulator.UpdateSpace();
+  CHECK(cController.m_vecHeard == std::vector<Real>{0, 1});
+}
+
+/* asks for an engine where there is none yet, as foraging projects do */
+class CImpatientLoopFunctions : public CLoopFunctions {
+ public:
+  CImpatientLoopFunctions()
+      : m_fTicksPerSecond(GetSimulator().GetPhysicsEngine("user").GetInverseSimulationClockTick()) {
+  }
+  Real m_fTicksPerSecond;
+};
+
+REGISTER_LOOP_FUNCTIONS(CImpatientLoopFunctions, "impatient_loop_functions")
+
+TEST_CASE("compat: constructors of loop functions may ask for engines", "[compat]") {
+  std::string strXml = UserExperiment();
+  Replace(strXml, "<physics_engines>",
+          "<loop_functions label=\"impatient_loop_functions\" /><physics_engines>");
+  CEmbedding cEmbedding(strXml);
+  CSimulator& cSimulator = CSimulator::GetInstance();
+  CHECK(dynamic_cast<CImpatientLoopFunctions&>(cSimulator.GetLoopFunctions()).m_fTicksPerSecond ==
+        10.0);
+  CHECK_THAT(TakeLogErr(), Catch::Contains("GetPhysicsEngine(\"user\")"));
+  CHECK(cSimulator.GetPhysicsEngine("user").GetIterations() == 5);
+  CHECK(TakeLogErr().empty());
+}
+
 TEST_CASE("compat: every function of engines and models works", "[compat]") {
   CEmbedding cEmbedding(UserExperiment());
   CSimulator& cSimulator = CSimulator::GetInstance();
@@ -806,6 +857,10 @@ TEST_CASE("compat: positional indices work as documented", "[compat]") {
   CHECK(cAbstract.CheckCell(i, j, k, tElements));
   CVector3 cCorner;
   cAbstract.HashTableToSpace(cCorner, i, j, k);
+  CHECK(cAbstract.HashTableToSpace(i, 0) == cCorner.GetX());
+  cAbstract.SetCellSize(CVector3(1, 0.5, 0.25));
+  CHECK(cAbstract.HashTableToSpace(-3, 1) == -1.5);
+  CHECK(cAbstract.HashTableToSpace(2, 2) == 0.5);
   std::ostringstream cDump;
   cAbstract.Dump(cDump);
   CHECK_FALSE(cDump.str().empty());

@@ -218,7 +218,6 @@ class CUserEarDefaultSensor : public CCI_UserEarSensor, public CSimulatedSensor 
   virtual void SetRobot(CComposableEntity& c_entity) {
     m_pcHorn = &c_entity.GetComponent<CUserHornEntity>("horn[horn_0]");
     m_pcControllableEntity = &c_entity.GetComponent<CControllableEntity>("controller");
-    Enable();
   }
   virtual void Init(TConfigurationNode& t_tree) {
     CCI_UserEarSensor::Init(t_tree);

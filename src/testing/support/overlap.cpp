@@ -104,14 +104,14 @@ void MeasureOverlaps(CSpace& space, SOverlaps& overlaps) {
       const CEmbodiedEntity& other = index.GetBody(shape.Body);
       const bool isRobot = shape.Body < robotOfBody.size() && robotOfBody[shape.Body] != kNoRobot;
       // the index has only bounds of tilted bodies, so overlaps with tilted boxes are not measured
-      if (!isRobot && shape.Kind == SIndexedShape::EKind::Tilted) {
+      if (!isRobot && shape.Kind == SIndexedShape::EKind::Bounds) {
         const SShapeDescription& solid = other.GetBodyDescription()->Shapes[shape.Shape];
         if (solid.Kind == SShapeDescription::EKind::Cylinder) {
           withRobots = std::max(withRobots, DepthInRobot(robot, Describe(other)));
         }
         return;
       }
-      const Real depth = isRobot && (lean > 0.0 || shape.Kind == SIndexedShape::EKind::Tilted)
+      const Real depth = isRobot && (lean > 0.0 || shape.Kind == SIndexedShape::EKind::Bounds)
                              ? DepthInRobot(robot, robots[robotOfBody[shape.Body]])
                              : DepthInDisc(robot, shape);
       withRobots = std::max(withRobots, depth);

@@ -35,7 +35,7 @@ std::string Fenced(const std::string& text) {
 }  // namespace
 
 std::vector<std::string> RobotsWithPages() {
-  return {"e-puck", "eye-bot", "foot-bot"};
+  return {"e-puck", "eye-bot", "foot-bot", "prototype"};
 }
 
 std::string MakeRobotPage(const std::string& label) {
@@ -49,8 +49,13 @@ std::string MakeRobotPage(const std::string& label) {
        << "\n\n<!-- Generated from the descriptions of the plug-ins: cmake --build "
        << "<build folder> --target robot_pages -->\n\n"
        << robot.BriefDescription << "\n\n"
-       << Fenced(robot.LongDescription) << "\n## Devices\n\n"
-       << "The tag of an element is the text before the parentheses, its attribute "
+       << Fenced(robot.LongDescription) << "\n## Devices\n\n";
+  if (devices.empty()) {
+    page << "Those for which its element has the parts; see [robots as "
+            "data](../robots_as_data.md).\n";
+    return page.str();
+  }
+  page << "The tag of an element is the text before the parentheses, its attribute "
           "`implementation` is the text in them.\nLengths that controllers see are in cm and "
           "angles in rad unless a device says otherwise.\n\n| Device | | |\n|---|---|---|\n";
   for (const SFittingDevice& device : devices) {

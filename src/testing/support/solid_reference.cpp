@@ -1,5 +1,8 @@
 #include <argos3/testing/support/solid_reference.h>
 
+#include <argos3/core/simulator/geometry/convex_solid.h>
+#include <argos3/core/utility/errors/argos_exception.h>
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -65,6 +68,18 @@ void ClipToRound(SSpan& span, const TVector& p, const TVector& d, int components
   }
 }
 
+// restricts t to the inner side of every side of an upright prism: a slab that is open on one side
+void ClipToSides(SSpan& span, const TVector& p, const TVector& d,
+                 const std::vector<CVector2>& base) {
+  for (size_t i = 0; i < base.size(); ++i) {
+    const CVector2& a = base[i];
+    const CVector2& b = base[(i + 1) % base.size()];
+    const TVector outwards(b.GetY() - a.GetY(), a.GetX() - b.GetX(), 0.0);
+    ClipToSlab(span, outwards.dot(p), outwards.dot(d), -1e6,
+               outwards.dot(TVector(a.GetX(), a.GetY(), 0.0)));
+  }
+}
+
 }  // namespace
 
 std::optional<Real> ReferenceHit(const SReferenceBody& body, const CRay3& ray) {
@@ -84,8 +99,18 @@ std::optional<Real> ReferenceHit(const SReferenceBody& body, const CRay3& ray) {
         ClipToRound(span, p, d, 2, solid.Radius);
         ClipToSlab(span, p.z(), d.z(), 0.0, solid.Size.GetZ());
         break;
+      case SShapeDescription::EKind::Prism:
+        ClipToSides(span, p, d, *solid.Vertices);
+        ClipToSlab(span, p.z(), d.z(), 0.0, solid.Size.GetZ());
+        break;
       case SShapeDescription::EKind::Sphere:
         ClipToRound(span, p - TVector(0.0, 0.0, solid.Radius), d, 3, solid.Radius);
+        break;
+      case SShapeDescription::EKind::Hull:
+        for (const CConvexHull::SFace& face : solid.Solid->GetFaces()) {
+          const TVector normal = ToEigen(face.Normal);
+          ClipToSlab(span, normal.dot(p), normal.dot(d), -1e6, face.Direction);
+        }
         break;
     }
     if (span.First <= span.Last && (!closest || span.First < *closest)) {
@@ -117,6 +142,13 @@ std::vector<CVector3> SurfacePoints(const SReferenceBody& body, size_t solidNumb
         add(x, y, height);
       } else if (solid.Kind == SShapeDescription::EKind::Cylinder) {
         add(solid.Radius * std::cos(angle), solid.Radius * std::sin(angle), v * height);
+      } else if (solid.Kind == SShapeDescription::EKind::Prism) {
+        // around the base, corners included
+        const auto& base = *solid.Vertices;
+        for (size_t corner = 0; corner < base.size(); ++corner) {
+          const CVector2 point = base[corner] * (1.0 - u) + base[(corner + 1) % base.size()] * u;
+          add(point.GetX(), point.GetY(), v * height);
+        }
       } else {
         const Real inclination = M_PI * v;
         add(solid.Radius * std::sin(inclination) * std::cos(angle),

@@ -29,7 +29,8 @@ struct SAnchor : SBodyPose, CSlabObject {
   SAnchor(CEmbodiedEntity& body, const std::string& id, UInt32 index,
           const CVector3& offsetPosition, const CQuaternion& offsetOrientation,
           const CVector3& position, const CQuaternion& orientation);
-  SAnchor(const SAnchor&) = delete;
+  /** A snapshot, which is not an anchor of the body: it must not be enabled. */
+  SAnchor(const SAnchor&) = default;
   SAnchor& operator=(const SAnchor&) = delete;
 
   /** Keeps this anchor's pose current from now on; calls are counted. */

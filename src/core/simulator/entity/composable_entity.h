@@ -22,6 +22,7 @@ class CComposableEntity : public CEntity {
   explicit CComposableEntity(CComposableEntity* parent);
   CComposableEntity(CComposableEntity* parent, const std::string& id);
   ~CComposableEntity() override;
+  CComposableEntity(const CComposableEntity&) = delete;
 
   void Reset() override;
   void Destroy() override;

@@ -276,7 +276,7 @@ void CControllableEntity::Sense() {
   m_vecCheckedRays.clear();
   m_vecIntersectionPoints.clear();
   for (const SSensorEntry& sensor : m_sensors) {
-    if (sensor.Interface->IsEnabled()) {
+    if (sensor.Interface->IsSwitchedOn()) {
       sensor.Simulated->Update();
     }
   }

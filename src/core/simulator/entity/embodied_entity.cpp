@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/pose_digest.h>
+#include <argos3/core/simulator/geometry/articulation.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/utility/text/string_utilities.h>
@@ -42,6 +43,7 @@ void CEmbodiedEntity::Reset() {
   CEntity::Reset();
   // engines restore their own state in their Reset(); this restores the state of the entity
   SetOriginPose(m_cInitOriginPosition, m_cInitOriginOrientation);
+  ResetLinks();
   // not by CalculateAnchors(): models still have the pose before the reset
   for (SAnchor* anchor : m_vecEnabledAnchors) {
     if (anchor->Index != 0) {
@@ -242,6 +244,16 @@ bool CEmbodiedEntity::IsCollidingWithSomething() const {
 
 void CEmbodiedEntity::SetBodyDescription(std::shared_ptr<const SBodyDescription> description) {
   m_description = std::move(description);
+  const SArticulation* const articulation =
+      m_description != nullptr ? m_description->Articulation.get() : nullptr;
+  if (articulation == nullptr) {
+    m_links.reset();
+  } else {
+    if (m_links == nullptr) {
+      m_links = std::make_unique<SLinks>();
+    }
+    m_links->Poses.assign(articulation->GetNumLinks(), SBodyPose());
+  }
   NotifyIndex();
 }
 
@@ -255,7 +267,7 @@ void CEmbodiedEntity::NotifyIndex() {
     return;
   }
   if (m_description != nullptr) {
-    m_bodyIndex->Redescribe(m_bodyNumber, *m_description, m_bMovable);
+    m_bodyIndex->Redescribe(m_bodyNumber, *m_description, m_bMovable, GetLinkPoses());
   } else {
     LeaveIndex();
   }
@@ -269,11 +281,35 @@ void CEmbodiedEntity::SetOriginPose(const CVector3& position, const CQuaternion&
   }
 }
 
+void CEmbodiedEntity::SetLinkPose(UInt32 link, const SBodyPose& pose) {
+  ARGOS_ASSERT(m_links != nullptr && link < m_links->Poses.size(), "there is no link " << link);
+  m_links->Poses[link] = pose;
+  for (const SLinks::SMounted& mounted : m_links->Anchors) {
+    if (mounted.Link == link) {
+      const SBodyPose place = Compose(pose, mounted.Offset);
+      mounted.Anchor->OffsetPosition = place.Position;
+      mounted.Anchor->OffsetOrientation = place.Orientation;
+    }
+  }
+}
+
+void CEmbodiedEntity::MountOnLink(SAnchor& anchor, UInt32 link) {
+  ARGOS_ASSERT(m_links != nullptr && link < m_links->Poses.size() && anchor.Index != 0,
+               "anchor \"" << anchor.Id << "\" cannot be mounted on link " << link);
+  m_links->Anchors.push_back({link, &anchor, {anchor.OffsetPosition, anchor.OffsetOrientation}});
+}
+
+void CEmbodiedEntity::ResetLinks() {
+  for (UInt32 link = 0; m_links != nullptr && link < m_links->Poses.size(); ++link) {
+    SetLinkPose(link, SBodyPose());
+  }
+}
+
 void CEmbodiedEntity::EnterIndex(CBodyIndex& index) {
   ARGOS_ASSERT(m_bodyIndex == nullptr && m_description != nullptr,
                "a body enters an index with a description, and one index only");
   m_bodyIndex = &index;
-  m_bodyNumber = index.Add(*this, *m_psOriginAnchor, *m_description, m_bMovable);
+  m_bodyNumber = index.Add(*this, *m_psOriginAnchor, *m_description, m_bMovable, GetLinkPoses());
 }
 
 void CEmbodiedEntity::LeaveIndex() {
@@ -287,6 +323,11 @@ void CEmbodiedEntity::LeaveIndex() {
 void CEmbodiedEntity::UpdateDigest(CDigest& digest) const {
   CEntity::UpdateDigest(digest);
   AddPose(digest, m_psOriginAnchor->Position, m_psOriginAnchor->Orientation);
+  if (m_links != nullptr) {
+    for (const SBodyPose& link : m_links->Poses) {
+      AddPose(digest, link.Position, link.Orientation);
+    }
+  }
 }
 
 }  // namespace argos

@@ -30,6 +30,7 @@ class CEmbodiedEntity : public CEntity {
                   const CVector3& position = CVector3(),
                   const CQuaternion& orientation = CQuaternion(), bool movable = true);
   ~CEmbodiedEntity() override;
+  CEmbodiedEntity(const CEmbodiedEntity&) = delete;
 
   /** Reads `position` (m) and `orientation` (z,y,x in degrees), both optional. */
   void Init(TConfigurationNode& tree) override;
@@ -113,6 +114,19 @@ class CEmbodiedEntity : public CEntity {
   void SetOriginPose(const CVector3& position, const CQuaternion& orientation);
 
   /**
+   * Poses of the links of an articulated body in the frame of the origin anchor, by number of the
+   * link; null for rigid bodies. Pose i is that of the body frame if the whole body moved with
+   * link i: position 0 and no rotation at the start, and always for link 0.
+   */
+  const SBodyPose* GetLinkPoses() const {
+    return m_links != nullptr ? m_links->Poses.data() : nullptr;
+  }
+  /** Engines only: writes the pose of a link; its anchors follow in CalculateAnchors(). */
+  void SetLinkPose(UInt32 link, const SBodyPose& pose);
+  /** Mounts an anchor, besides the origin, on a link of an articulated body. */
+  void MountOnLink(SAnchor& anchor, UInt32 link);
+
+  /**
    * True if the root entity's Update() must be called after each move of the body: because the
    * root entity itself needs it (the default), or because a component that follows is enabled.
    */
@@ -142,7 +156,21 @@ class CEmbodiedEntity : public CEntity {
   friend struct SAnchor;
   void MoveModelsTo(const CVector3& position, const CQuaternion& orientation);
   void NotifyIndex();
+  void ResetLinks();
 
+  struct SLinks {
+    // an anchor that moves with a link
+    struct SMounted {
+      UInt32 Link;
+      SAnchor* Anchor;
+      SBodyPose Offset;  // in the body frame at the start
+    };
+
+    std::vector<SBodyPose> Poses;  // by link
+    std::vector<SMounted> Anchors;
+  };
+
+  std::unique_ptr<SLinks> m_links;  // null unless the body is articulated
   std::shared_ptr<const SBodyDescription> m_description;
   CBodyIndex* m_bodyIndex = nullptr;
   UInt32 m_bodyNumber = ~UInt32(0);
@@ -161,6 +189,9 @@ class CEmbodiedEntity : public CEntity {
 }  // namespace argos
 
 #ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/simulator/space/positional_indices/grid.h>
+#include <argos3/core/simulator/space/positional_indices/space_hash.h>
 #include <argos3/core/simulator/space/space.h>
 #endif
 

@@ -12,6 +12,17 @@ CEntity::CEntity(CComposableEntity* parent) : CEntity(parent, std::string()) {}
 CEntity::CEntity(CComposableEntity* parent, const std::string& id)
     : m_parent(parent), m_id(id), m_index(-1) {}
 
+CEntity::CEntity(const CEntity& other)
+    : CBaseConfigurableResource(other),
+      EnableVTableFor<CEntity>(other),
+      CSlabObject(other),
+      m_parent(other.m_parent),
+      m_configurationNode(other.m_configurationNode),
+      m_id(other.m_id),
+      m_index(-1),
+      m_enabled(other.m_enabled),
+      m_enabledAtStart(other.m_enabledAtStart) {}
+
 void CEntity::Init(TConfigurationNode& tree) {
   m_configurationNode = &tree;
   if (NodeAttributeExists(tree, "id")) {

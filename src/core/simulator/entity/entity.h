@@ -45,7 +45,8 @@ class CEntity : public CBaseConfigurableResource,
   explicit CEntity(CComposableEntity* parent);
   CEntity(CComposableEntity* parent, const std::string& id);
   ~CEntity() override = default;
-  CEntity(const CEntity&) = delete;
+  /** Copies have the same parent but are neither its components nor in a space. */
+  CEntity(const CEntity& other);
   CEntity& operator=(const CEntity&) = delete;
 
   /**

@@ -68,4 +68,8 @@ class CFloorEntity : public CEntity {
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/utility/math/vector3.h>
+#endif
+
 #endif

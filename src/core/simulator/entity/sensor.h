@@ -20,7 +20,7 @@ class CSimulatedSensor : public CSlabObject {
   virtual ~CSimulatedSensor() = default;
   /** Called once, before Init(): looks up the robot's components that the sensor needs. */
   virtual void SetRobot(CComposableEntity& robot) = 0;
-  /** Called every tick after physics and media, if the sensor is enabled. */
+  /** Called every tick after physics and media, unless the sensor was disabled. */
   virtual void Update() = 0;
 };
 

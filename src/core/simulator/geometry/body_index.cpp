@@ -29,13 +29,7 @@ bool StandsUpright(const SShapeDescription& solid) {
          solid.Orientation.GetY() == 0.0;
 }
 
-CVector3 CentroidInBody(const SShapeDescription& solid) {
-  CVector3 centroid(0.0, 0.0, 0.5 * solid.Size.GetZ());
-  centroid.Rotate(solid.Orientation);
-  return centroid + solid.Offset;
-}
-
-// m, around the centroid
+// m, around the middle
 Real BoundingSphereRadius(const SShapeDescription& solid) {
   return solid.Kind == SShapeDescription::EKind::Sphere
              ? solid.Radius
@@ -78,7 +72,7 @@ CBodyIndex::SPose CBodyIndex::MakePose(const CVector3& position, const CQuaterni
 }
 
 UInt32 CBodyIndex::Add(CEmbodiedEntity& body, const SBodyPose& origin,
-                       const SBodyDescription& description, bool movable) {
+                       const SBodyDescription& description, bool movable, const SBodyPose* links) {
   UInt32 number = 0;
   if (m_free.empty()) {
     number = static_cast<UInt32>(m_bodies.size());
@@ -88,7 +82,7 @@ UInt32 CBodyIndex::Add(CEmbodiedEntity& body, const SBodyPose& origin,
     number = m_free.back();
     m_free.pop_back();
   }
-  m_bodies[number] = {&body, &origin, &description, 0.0, 0.0, kNoBody, 0, movable, false};
+  m_bodies[number] = {&body, &origin, &description, links, 0.0, 0.0, kNoBody, 0, movable, false};
   ++m_numAlive;
   Describe(number);
   ReadPose(number);
@@ -101,14 +95,16 @@ void CBodyIndex::Describe(UInt32 number) {
   body.Reach = body.TiltedReach = 0.0;
   for (const SShapeDescription& solid : body.Description->Shapes) {
     // as Pack() bounds them
-    const CVector3 centroid = CentroidInBody(solid);
+    const CVector3 middle = solid.ComputeMiddle();
     const Real sphere = BoundingSphereRadius(solid);
     body.Reach =
-        std::max(body.Reach, Horizontal(centroid) + (StandsUpright(solid) ? solid.Radius : sphere));
-    body.TiltedReach = std::max(body.TiltedReach, centroid.Length() + sphere);
+        std::max(body.Reach, Horizontal(middle) + (StandsUpright(solid) ? solid.Radius : sphere));
+    body.TiltedReach = std::max(body.TiltedReach, middle.Length() + sphere);
   }
   body.NumShapes = static_cast<UInt16>(body.Description->Shapes.size());
-  const bool small = body.Movable && body.Description->ComputeBoundingRadius() <= kMaxSmallRadius;
+  // links may be anywhere: each is listed in the cells that it touches
+  const bool small = body.Movable && body.Links == nullptr &&
+                     body.Description->ComputeBoundingRadius() <= kMaxSmallRadius;
   m_poses[number].Small = small;
   if (small) {
     m_maxSmallReach = std::max(m_maxSmallReach, body.Reach);
@@ -164,11 +160,13 @@ void CBodyIndex::RefreshNow(UInt32 number) {
   }
 }
 
-void CBodyIndex::Redescribe(UInt32 number, const SBodyDescription& description, bool movable) {
+void CBodyIndex::Redescribe(UInt32 number, const SBodyDescription& description, bool movable,
+                            const SBodyPose* links) {
   CheckNumber(number);
   Forget(number);
   m_bodies[number].Description = &description;
   m_bodies[number].Movable = movable;
+  m_bodies[number].Links = links;
   Describe(number);
   Rebuild(nullptr);
 }
@@ -368,6 +366,14 @@ SCellRange CBodyIndex::CellsOf(const SIndexedShape& shape) const {
 SIndexedShape CBodyIndex::Pack(UInt32 body, UInt16 shape) const {
   const SBody& owner = m_bodies[body];
   const SShapeDescription& solid = owner.Description->Shapes[shape];
+  if (owner.Links != nullptr) {
+    const SBodyPose moved = PoseOf(owner, solid);
+    SIndexedShape packed =
+        Pack(solid, MakePose(moved.Position, moved.Orientation), moved.Orientation);
+    packed.Body = body;
+    packed.Shape = shape;
+    return packed;
+  }
   const SPose& pose = m_poses[body];
   // for upright solids the entity, which is elsewhere in memory, is not read
   const bool upright = pose.Upright && StandsUpright(solid);
@@ -382,17 +388,17 @@ SIndexedShape CBodyIndex::Pack(const SShapeDescription& shape, const SPose& pose
   SIndexedShape packed{};
   packed.Body = kNoBody;
   if (!pose.Upright || !StandsUpright(shape)) {
-    // bounded by a sphere around the centroid
-    CVector3 centroid = CentroidInBody(shape);
-    centroid.Rotate(orientation);
+    // bounded by a sphere around the middle
+    CVector3 middle = shape.ComputeMiddle();
+    middle.Rotate(orientation);
     packed.Radius = BoundingSphereRadius(shape);
-    packed.X = pose.X + centroid.GetX();
-    packed.Y = pose.Y + centroid.GetY();
+    packed.X = pose.X + middle.GetX();
+    packed.Y = pose.Y + middle.GetY();
     packed.Cos = 1.0;
     packed.HalfX = packed.HalfY = packed.Radius;
-    packed.ZMin = pose.Z + centroid.GetZ() - packed.Radius;
-    packed.ZMax = pose.Z + centroid.GetZ() + packed.Radius;
-    packed.Kind = SIndexedShape::EKind::Tilted;
+    packed.ZMin = pose.Z + middle.GetZ() - packed.Radius;
+    packed.ZMax = pose.Z + middle.GetZ() + packed.Radius;
+    packed.Kind = SIndexedShape::EKind::Bounds;
     return packed;
   }
   packed.X = pose.X + pose.Cos * shape.Offset.GetX() - pose.Sin * shape.Offset.GetY();
@@ -400,10 +406,11 @@ SIndexedShape CBodyIndex::Pack(const SShapeDescription& shape, const SPose& pose
   packed.ZMin = pose.Z + shape.Offset.GetZ();
   packed.ZMax = packed.ZMin + shape.Size.GetZ();
   packed.Radius = shape.Radius;
-  if (shape.Kind == SShapeDescription::EKind::Cylinder) {
+  if (shape.Kind != SShapeDescription::EKind::Box) {
     packed.Cos = 1.0;
     packed.HalfX = packed.HalfY = shape.Radius;
-    packed.Kind = SIndexedShape::EKind::Disc;
+    packed.Kind = shape.Kind == SShapeDescription::EKind::Cylinder ? SIndexedShape::EKind::Disc
+                                                                   : SIndexedShape::EKind::Bounds;
   } else {
     const Real w = shape.Orientation.GetW();
     const Real z = shape.Orientation.GetZ();

@@ -49,17 +49,20 @@ class CBodyIndex {
   /**
    * Adds a body. CEmbodiedEntity::EnterIndex() calls it.
    * @param origin, description  must exist as long as the body is in the index.
+   * @param links  poses of the links of an articulated body, see CEmbodiedEntity::GetLinkPoses();
+   *               must exist as long; null for other bodies.
    * @return its number.
    */
   UInt32 Add(CEmbodiedEntity& body, const SBodyPose& origin, const SBodyDescription& description,
-             bool movable);
+             bool movable, const SBodyPose* links = nullptr);
   void Remove(UInt32 body);
   /** Notes that an immovable body has been moved; outside the physics phase. */
   void NoteWideMoved() { m_wideDirty = true; }
   /** Makes queries see the present pose of a body; outside the physics phase, one thread. */
   void RefreshNow(UInt32 body);
   /** Makes queries see a changed description or movability. */
-  void Redescribe(UInt32 body, const SBodyDescription& description, bool movable);
+  void Redescribe(UInt32 body, const SBodyDescription& description, bool movable,
+                  const SBodyPose* links = nullptr);
   /** Sorts all solids by their current poses; once a tick, after physics. */
   void Rebuild(CThreadPool& pool) { Rebuild(&pool); }
 
@@ -114,10 +117,12 @@ class CBodyIndex {
   /**
    * Finds a body that overlaps a solid of @p description at that pose by more than rounding.
    * @param ignored number of a body to leave out, or kNoBody.
+   * @param links   poses of the links of the described body; null: as at the start.
    * @return the number of the body found with the lowest number, or kNoBody.
    */
   UInt32 FindOverlap(const SBodyDescription& description, const CVector3& position,
-                     const CQuaternion& orientation, UInt32 ignored) const;
+                     const CQuaternion& orientation, UInt32 ignored,
+                     const SBodyPose* links = nullptr) const;
 
  private:
   friend class CLookAhead;
@@ -132,6 +137,7 @@ class CBodyIndex {
     CEmbodiedEntity* Entity;  // null: free slot
     const SBodyPose* Origin;  // of the entity
     const SBodyDescription* Description;  // shared by many bodies; kept alive by the entity
+    const SBodyPose* Links;  // of the entity, by number; null unless the body is articulated
     Real Reach;  // m, of the packed solids around the origin, seen from above, if upright
     Real TiltedReach;  // m, the same in any orientation
     UInt32 OverlayPlace;  // cell of a small body, number of a wide one's first solid in the overlay
@@ -163,6 +169,10 @@ class CBodyIndex {
   static SIndexedShape Pack(const SShapeDescription& shape, const SPose& pose,
                             const CQuaternion& orientation);
   SIndexedShape Pack(UInt32 body, UInt16 shape) const;
+  // pose of the body frame, moved along with the link of a solid
+  static SBodyPose PoseOf(const SBody& body, const SShapeDescription& solid) {
+    return body.Links != nullptr ? Compose(*body.Origin, body.Links[solid.Link]) : *body.Origin;
+  }
   void ReadPose(UInt32 body);
   void Describe(UInt32 body);
   void Forget(UInt32 body);

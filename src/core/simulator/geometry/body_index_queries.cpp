@@ -1,4 +1,6 @@
 #include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/geometry/convex_polygon.h>
+#include <argos3/core/simulator/geometry/convex_solid.h>
 #include <argos3/core/simulator/geometry/shape_overlap.h>
 #include <argos3/core/simulator/geometry/solid_overlap.h>
 
@@ -29,17 +31,33 @@ Real IntersectSphere(Real radius, const CRay3& ray) {
       .FindEntry();
 }
 
+// the same for a prism with the centre of its base at the origin
+Real IntersectPrism(const SShapeDescription& prism, const CRay3& ray) {
+  const CVector3& p = ray.GetStart();
+  const CVector3 d = ray.GetEnd() - p;
+  SRaySpan span =
+      IntersectPolygon(*prism.Vertices, CVector2(p.GetX(), p.GetY()), CVector2(d.GetX(), d.GetY()));
+  span.ClipToSlab(p.GetZ(), d.GetZ(), 0.0, prism.Size.GetZ());
+  return span.FindEntry();
+}
+
 }  // namespace
 
 Real CBodyIndex::Intersect(const SIndexedShape& shape, const CRay3& ray) const {
-  if (shape.Kind != SIndexedShape::EKind::Tilted) {
+  if (shape.Kind != SIndexedShape::EKind::Bounds) {
     return IntersectRay(shape, ray);
   }
   const SBody& body = m_bodies[shape.Body];
   const SShapeDescription& solid = body.Description->Shapes[shape.Shape];
-  const CRay3 local = ToSolidFrame(ray, *body.Origin, solid);
+  const CRay3 local = ToSolidFrame(ray, PoseOf(body, solid), solid);
   if (solid.Kind == SShapeDescription::EKind::Sphere) {
     return IntersectSphere(solid.Radius, local);
+  }
+  if (solid.Kind == SShapeDescription::EKind::Prism) {
+    return IntersectPrism(solid, local);
+  }
+  if (solid.Kind == SShapeDescription::EKind::Hull) {
+    return solid.Solid->Intersect(local);
   }
   SShapeDescription upright = solid;
   upright.Offset = CVector3();
@@ -143,25 +161,28 @@ bool CBodyIndex::IsBlocked(const CRay3& segment, UInt32 start, UInt32 end) const
 }
 
 UInt32 CBodyIndex::FindOverlap(const SBodyDescription& description, const CVector3& position,
-                               const CQuaternion& orientation, UInt32 ignored) const {
+                               const CQuaternion& orientation, UInt32 ignored,
+                               const SBodyPose* links) const {
   UInt32 found = kNoBody;
-  const SPose pose = MakePose(position, orientation);
+  const SBodyPose origin{position, orientation};
   const auto place = [this](const SIndexedShape& shape) {
     const SBody& body = m_bodies[shape.Body];
-    const SBodyPose& origin = *body.Origin;
-    return SPlacedSolid{&body.Description->Shapes[shape.Shape], origin.Position,
-                        origin.Orientation};
+    const SShapeDescription& solid = body.Description->Shapes[shape.Shape];
+    const SBodyPose pose = PoseOf(body, solid);
+    return SPlacedSolid{&solid, pose.Position, pose.Orientation};
   };
   for (const SShapeDescription& solid : description.Shapes) {
-    const SIndexedShape shape = Pack(solid, pose, orientation);
+    const SBodyPose placed = links != nullptr ? Compose(origin, links[solid.Link]) : origin;
+    const SIndexedShape shape =
+        Pack(solid, MakePose(placed.Position, placed.Orientation), placed.Orientation);
     ForShapesNear(shape.X, shape.Y, shape.Radius, [&](const SIndexedShape& other) {
       if (other.Body == ignored || other.Body >= found || !ShapesOverlap(shape, other)) {
         return;
       }
-      // for a tilted solid, ShapesOverlap() has tested its bounds only
+      // of other solids, ShapesOverlap() has tested the bounds only
       const bool isExact =
-          shape.Kind != SIndexedShape::EKind::Tilted && other.Kind != SIndexedShape::EKind::Tilted;
-      if (isExact || SolidsOverlap({&solid, position, orientation}, place(other))) {
+          shape.Kind != SIndexedShape::EKind::Bounds && other.Kind != SIndexedShape::EKind::Bounds;
+      if (isExact || SolidsOverlap({&solid, placed.Position, placed.Orientation}, place(other))) {
         found = other.Body;
       }
     });

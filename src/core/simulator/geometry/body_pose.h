@@ -12,6 +12,21 @@ struct SBodyPose {
   CQuaternion Orientation;
 };
 
+/** A pose given in the frame @p outer, in the frame in which that is given. */
+inline SBodyPose Compose(const SBodyPose& outer, const SBodyPose& inner) {
+  CVector3 place = inner.Position;
+  place.Rotate(outer.Orientation);
+  return {outer.Position + place, outer.Orientation * inner.Orientation};
+}
+
+/** The pose of the outer frame, in the frame @p pose: Compose(pose, Invert(pose)) is no motion. */
+inline SBodyPose Invert(const SBodyPose& pose) {
+  const CQuaternion orientation = pose.Orientation.Inverse();
+  CVector3 place = -pose.Position;
+  place.Rotate(orientation);
+  return {place, orientation};
+}
+
 }  // namespace argos
 
 #endif

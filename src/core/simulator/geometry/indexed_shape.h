@@ -11,11 +11,12 @@ namespace argos {
 /**
  * One solid of one body, as a sensor tests it: an upright prism over a disc or a rectangle.
  *
- * Solids that do not stand upright have Kind Tilted: their numbers are bounds, and the exact test
- * needs their body (CBodyIndex::Intersect()).
+ * Solids of other shapes, and those that do not stand upright, have Kind Bounds: their numbers are
+ * those of an upright cylinder that contains them, and the exact test needs their body
+ * (CBodyIndex::Intersect()).
  */
 struct SIndexedShape {
-  enum class EKind : UInt16 { Disc, Box, Tilted };
+  enum class EKind : UInt16 { Disc, Box, Bounds };
 
   Real X, Y; /**< centre of the footprint, m, world frame */
   Real Cos, Sin; /**< of the yaw of a box */

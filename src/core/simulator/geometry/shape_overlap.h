@@ -8,7 +8,7 @@ namespace argos {
 /**
  * True if two solids overlap by more than 1e-9 m in every direction.
  *
- * Exact for upright solids; one that is tilted counts as its bounding sphere's prism, see
+ * Exact for upright boxes and cylinders; other solids count as the cylinders that bound them, see
  * SolidsOverlap().
  */
 bool ShapesOverlap(const SIndexedShape& a, const SIndexedShape& b);

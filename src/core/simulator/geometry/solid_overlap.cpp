@@ -1,5 +1,8 @@
 #include <argos3/core/simulator/geometry/solid_overlap.h>
 
+#include <argos3/core/simulator/geometry/convex_polygon.h>
+#include <argos3/core/simulator/geometry/convex_solid.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,6 +27,14 @@ Real Sign(Real value) {
   return value < 0.0 ? -1.0 : 1.0;
 }
 
+// a corner of a polygon all of whose sides are moved inwards by the skin
+CVector2 ComputeShrunkCorner(const std::vector<CVector2>& polygon, size_t corner) {
+  const CVector2 before =
+      ComputeSideNormal(polygon, (corner + polygon.size() - 1) % polygon.size());
+  const CVector2 after = ComputeSideNormal(polygon, corner);
+  return polygon[corner] - (before + after) * (kSkin / (1.0 + before.DotProduct(after)));
+}
+
 /** A convex solid, by its farthest point in any direction. */
 class CConvex {
  public:
@@ -38,9 +49,18 @@ class CConvex {
     m_centre = solid.Position + offset + m_axes[2] * (0.5 * m_shape.Size.GetZ());
     m_half = m_shape.Size * 0.5 - CVector3(kSkin, kSkin, kSkin);
     m_radius = m_shape.Radius - kSkin;
+    m_inside = m_centre;
+    if (m_shape.Kind == SShapeDescription::EKind::Prism) {
+      const CVector2 base = ComputeMoments(*m_shape.Vertices).Centroid;
+      m_inside += m_axes[0] * base.GetX() + m_axes[1] * base.GetY();
+    } else if (m_shape.Kind == SShapeDescription::EKind::Hull) {
+      m_inside = FromHull(m_shape.Solid->GetCentroid());
+      // moves each face inwards by the skin at least
+      m_scale = std::max(0.0, 1.0 - kSkin / m_shape.Solid->GetInnerRadius());
+    }
   }
 
-  const CVector3& GetCentre() const { return m_centre; }
+  const CVector3& GetInnerPoint() const { return m_inside; }
 
   CVector3 FindFarthest(const CVector3& direction) const {
     const Real x = direction.DotProduct(m_axes[0]);
@@ -56,6 +76,16 @@ class CConvex {
         return m_centre + m_axes[0] * (x * scale) + m_axes[1] * (y * scale) +
                m_axes[2] * (Sign(z) * m_half.GetZ());
       }
+      case SShapeDescription::EKind::Prism: {
+        const std::vector<CVector2>& base = *m_shape.Vertices;
+        const CVector2 corner = ComputeShrunkCorner(base, FindFarthestCorner(base, CVector2(x, y)));
+        return m_centre + m_axes[0] * corner.GetX() + m_axes[1] * corner.GetY() +
+               m_axes[2] * (Sign(z) * m_half.GetZ());
+      }
+      case SShapeDescription::EKind::Hull: {
+        const CVector3 corner = FromHull(m_shape.Solid->FindFarthest(CVector3(x, y, z)));
+        return m_inside + (corner - m_inside) * m_scale;
+      }
       case SShapeDescription::EKind::Sphere:
         break;
     }
@@ -64,11 +94,19 @@ class CConvex {
   }
 
  private:
+  // a point of a hull, world frame
+  CVector3 FromHull(const CVector3& point) const {
+    return m_centre + m_axes[0] * point.GetX() + m_axes[1] * point.GetY() +
+           m_axes[2] * (point.GetZ() - 0.5 * m_shape.Size.GetZ());
+  }
+
   const SShapeDescription& m_shape;
   std::array<CVector3, 3> m_axes;  // of unit length
-  CVector3 m_centre;  // m
-  CVector3 m_half;  // m, of a box; its z also of a cylinder
+  CVector3 m_centre;  // m, half-way up the axis
+  CVector3 m_inside;  // m
+  CVector3 m_half;  // m, of a box; its z also of a cylinder or prism
   Real m_radius;  // m, of a cylinder or sphere
+  Real m_scale = 1.0;  // of a hull, about the inner point
 };
 
 /** Up to four points; keeps those between which the nearest point to the origin is. */
@@ -178,7 +216,7 @@ bool SolidsOverlap(const SPlacedSolid& a, const SPlacedSolid& b) {
   const CConvex first(a);
   const CConvex second(b);
   CSimplex simplex;
-  CVector3 nearest = first.GetCentre() - second.GetCentre();
+  CVector3 nearest = first.GetInnerPoint() - second.GetInnerPoint();
   if (nearest.Length() < kInside) {
     return true;
   }

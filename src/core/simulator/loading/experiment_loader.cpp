@@ -1,8 +1,10 @@
 #include <argos3/core/simulator/loading/experiment_loader.h>
 
 #include <argos3/core/simulator/context/load_errors.h>
+#include <argos3/core/simulator/entity/entity_type.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/loading/experiment_parts.h>
+#include <argos3/core/simulator/loading/library_attribute.h>
 #include <argos3/core/simulator/loading/run_settings.h>
 #include <argos3/core/simulator/medium/medium.h>
 #include <argos3/core/simulator/physics_engine/space_partition.h>
@@ -20,14 +22,6 @@
 namespace argos {
 
 namespace {
-
-void LoadLibraryOf(TConfigurationNode& node) {
-  if (NodeAttributeExists(node, "library")) {
-    std::string library;
-    GetNodeAttribute(node, "library", library);
-    CDynamicLoading::LoadLibrary(library);
-  }
-}
 
 // creates and initialises a part by the tag of its element
 template <typename BASE>
@@ -78,9 +72,11 @@ void CreateParts(TConfigurationNode& section, const char* kind, CLoadErrors& err
 
 void CExperimentLoader::Load() {
   CLoadErrors errors;
+  CDynamicLoading::LoadAllLibrariesOnDemand();
   m_context.Loading.Begin();
   ApplyOverrides(errors);
   TConfigurationNode& root = m_experiment.Document->GetRoot();
+  errors.Try("", [&] { ReadLeniency(root); });
   // a missing or invalid section is one error; the others are still checked
   const auto section = [&](const std::string& tag, auto&& init) {
     return errors.Try("", [&] { init(GetNode(root, tag)); });
@@ -89,6 +85,9 @@ void CExperimentLoader::Load() {
   if (!m_experiment.IsLoaded()) {
     // nothing else can be checked without tick length and seed
     errors.ThrowIfAny();
+  }
+  if (NodeExists(root, "robot_types")) {
+    section("robot_types", [&](TConfigurationNode& node) { InitRobotTypes(node, errors); });
   }
   section("controllers", [&](TConfigurationNode& node) { InitControllers(node, errors); });
   CreateLoopFunctions(root, errors);
@@ -114,6 +113,18 @@ void CExperimentLoader::ApplyOverrides(CLoadErrors& errors) {
       const std::string done = m_experiment.Document->SetByPath(path, value);
       LOG << "[INFO] " << done << std::endl;
     });
+  }
+}
+
+// Before any other value is read. Whether there are such elements is checked later.
+void CExperimentLoader::ReadLeniency(TConfigurationNode& root) {
+  if (NodeExists(root, "framework") && NodeExists(GetNode(root, "framework"), "experiment")) {
+    bool lenient = false;
+    GetNodeAttributeOrDefault(GetNode(GetNode(root, "framework"), "experiment"), "lenient", lenient,
+                              lenient);
+    if (lenient) {
+      m_experiment.Document->SetLenient();
+    }
   }
 }
 
@@ -212,6 +223,23 @@ void CExperimentLoader::InitProfiling(TConfigurationNode& node) {
   GetNodeAttribute(node, "format", format);
   GetNodeAttributeOrDefault(node, "truncate_file", truncate, truncate);
   m_experiment.StartProfiling(std::make_unique<CProfiler>(file, format, truncate), m_tick);
+}
+
+void CExperimentLoader::InitRobotTypes(TConfigurationNode& section, CLoadErrors& errors) {
+  TConfigurationNodeIterator it;
+  for (it = it.begin(&section); it != it.end(); ++it) {
+    errors.Try("", [&] {
+      std::string id;
+      GetNodeAttribute(*it, "id", id);
+      LoadLibraryOf(*it);
+      try {
+        m_context.Space->AddEntityType(id, CreatePart<CEntityType>(*it, "robot type"));
+      } catch (std::exception& error) {
+        THROW_ARGOSEXCEPTION_NESTED(
+            it->GetLocation() << ": <" << it->Value() << " id=\"" << id << "\">", error);
+      }
+    });
+  }
 }
 
 void CExperimentLoader::InitControllers(TConfigurationNode& section, CLoadErrors& errors) {

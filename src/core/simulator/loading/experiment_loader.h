@@ -40,11 +40,13 @@ class CExperimentLoader {
 
  private:
   void ApplyOverrides(CLoadErrors& errors);
+  void ReadLeniency(TConfigurationNode& root);
   void InitFramework(TConfigurationNode& node, CLoadErrors& errors);
   void InitSystem(TConfigurationNode& framework);
   void InitExperiment(TConfigurationNode& framework);
   void InitProfiling(TConfigurationNode& framework);
   void InitRandom(TConfigurationNode& experiment);
+  void InitRobotTypes(TConfigurationNode& section, CLoadErrors& errors);
   void InitControllers(TConfigurationNode& node, CLoadErrors& errors);
   void InitController(TConfigurationNode& node);
   void CreateLoopFunctions(TConfigurationNode& root, CLoadErrors& errors);

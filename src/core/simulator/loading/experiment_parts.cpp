@@ -38,6 +38,7 @@ class CFirstFailure {
 
 SExperimentParts::SExperimentParts(SSimulationContext& context)
     : Pool(std::make_unique<CThreadPool>(0, CreateSchedule("balance_quantity"))),
+      EngineLookup(context),
       m_context(context) {
   m_context.Pool = Pool.get();
 }

@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_SIMULATOR_LOADING_EXPERIMENT_PARTS_H
 
 #include <argos3/core/simulator/context/simulation_context.h>
+#include <argos3/core/simulator/physics_engine/engine_lookup.h>
 #include <argos3/core/utility/math/rng.h>
 
 #include <exception>
@@ -54,6 +55,7 @@ struct SExperimentParts {
   std::unique_ptr<CLoopFunctions> OwnLoopFunctions; /**< null if the program owns them */
   bool AreLoopFunctionsReady = false; /**< initialised and not destroyed */
   std::unique_ptr<CVisualization> Visualization;
+  CEngineLookup EngineLookup;
 
  private:
   void FinishProfiling();

@@ -1,6 +1,10 @@
 #include <argos3/core/simulator/physics_engine/described_body_engine.h>
 
+#include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/simulator/physics_engine/recorded_body.h>
+#include <argos3/core/utility/plugins/factory.h>
 
 #include <algorithm>
 #include <typeinfo>
@@ -14,6 +18,10 @@ constexpr size_t kSpareBodies = 64;
 
 }  // namespace
 
+CDescribedBodyEngine::CDescribedBodyEngine() = default;
+
+CDescribedBodyEngine::~CDescribedBodyEngine() = default;
+
 void CDescribedBodyEngine::Init(TConfigurationNode& tree) {
   CPhysicsEngine::Init(tree);
   if (GetIterations() > kMaxIterations) {
@@ -22,13 +30,40 @@ void CDescribedBodyEngine::Init(TConfigurationNode& tree) {
   }
 }
 
+// The user's model of an entity that does not describe its body; null if there is none.
+std::unique_ptr<CRecordedBody> CDescribedBodyEngine::Record(CEntity& root) {
+  auto* const composable = dynamic_cast<CComposableEntity*>(&root);
+  if (composable == nullptr || !composable->HasComponent("body")) {
+    return nullptr;
+  }
+  auto& body = composable->GetComponent<CEmbodiedEntity>("body");
+  const SBodyDescription* const description = body.GetBodyDescription();
+  if (description != nullptr && !description->IsRecorded) {
+    return nullptr;
+  }
+  if (m_recorders.empty()) {
+    for (const std::string& label : CFactory<CBodyRecorder>::GetLabels()) {
+      m_recorders.emplace_back(CFactory<CBodyRecorder>::New(label));
+    }
+  }
+  for (const auto& recorder : m_recorders) {
+    if (std::unique_ptr<CRecordedBody> recorded = recorder->Record(*this, root)) {
+      body.SetBodyDescription(recorded->GetDescription());
+      return recorded;
+    }
+  }
+  return nullptr;
+}
+
 bool CDescribedBodyEngine::AddEntity(CEntity& entity) {
+  std::unique_ptr<CRecordedBody> recorded = Record(entity);
   CEmbodiedEntity* const body = FindDescribedBody(entity);
   if (body == nullptr || !Accepts(*body)) {
     return false;
   }
   CheckBody(*body);
-  std::unique_ptr<CDescribedBodyModel> model = CreateModel(*body);
+  std::unique_ptr<CDescribedBodyModel> model = CreateModel(*body, recorded.get());
+  model->m_recordedBody = std::move(recorded);
   body->AddPhysicsModel(GetId(), *model);
   AddModel(std::move(model));
   return true;
@@ -58,6 +93,9 @@ CDescribedBodyModel* CDescribedBodyEngine::FindModel(const CEmbodiedEntity& body
 void CDescribedBodyEngine::AddModel(std::unique_ptr<CDescribedBodyModel> model) {
   model->m_number = m_models.size();
   m_models.push_back(std::move(model));
+  if (m_models.back()->m_recordedBody != nullptr) {
+    m_recorded.push_back(m_models.back().get());
+  }
   Enter(*m_models.back());
 }
 
@@ -65,6 +103,9 @@ void CDescribedBodyEngine::AddModel(std::unique_ptr<CDescribedBodyModel> model) 
 std::unique_ptr<CDescribedBodyModel> CDescribedBodyEngine::TakeOut(CDescribedBodyModel& model) {
   ForgetDisplaced(model);
   Leave(model);
+  if (model.m_recordedBody != nullptr) {
+    std::erase(m_recorded, &model);
+  }
   const size_t number = model.m_number;
   std::swap(m_models[number], m_models.back());
   m_models[number]->m_number = number;
@@ -75,7 +116,29 @@ std::unique_ptr<CDescribedBodyModel> CDescribedBodyEngine::TakeOut(CDescribedBod
 
 void CDescribedBodyEngine::DestroyModels() {
   m_displaced.clear();
+  m_recorded.clear();
   m_models.clear();
+  m_recorders.clear();
+}
+
+void CDescribedBodyEngine::ResetRecordedBodies() {
+  for (CDescribedBodyModel* model : m_recorded) {
+    model->m_recordedBody->Reset();
+  }
+}
+
+void CDescribedBodyEngine::StartRecordedBodies() {
+  const Real tick = GetPhysicsClockTick() * GetIterations();
+  for (CDescribedBodyModel* model : m_recorded) {
+    model->m_recordedBody->StartTick(tick);
+  }
+}
+
+void CDescribedBodyEngine::FinishRecordedBodies() {
+  const Real tick = GetPhysicsClockTick() * GetIterations();
+  for (CDescribedBodyModel* model : m_recorded) {
+    model->m_recordedBody->FinishTick(tick);
+  }
 }
 
 std::vector<CDescribedBodyModel*> CDescribedBodyEngine::ListModelsForWorld() {

@@ -9,6 +9,8 @@
 
 namespace argos {
 
+class CBodyRecorder;
+
 /** A grip that is transferred with its bodies from one engine to another of its type. */
 struct SGripTransfer {
   CEmbodiedEntity* Holder;
@@ -30,6 +32,9 @@ struct SGripTransfer {
  */
 class CDescribedBodyEngine : public CPhysicsEngine {
  public:
+  CDescribedBodyEngine();
+  ~CDescribedBodyEngine() override;
+
   /** Maximum number of substeps of a tick; with more, a tick would practically never end. */
   static constexpr UInt32 kMaxIterations = 10000;
 
@@ -37,8 +42,9 @@ class CDescribedBodyEngine : public CPhysicsEngine {
   void Init(TConfigurationNode& tree) override;
   size_t GetNumPhysicsModels() override { return m_models.size(); }
   /**
-   * Adds the body of a root entity if it has a description that Accepts() accepts.
-   * @throws CARGoSException if CheckBody() does.
+   * Adds the body of a root entity if it has a description that Accepts() accepts. If the entity
+   * does not describe its body, a user's model may (CBodyRecorder).
+   * @throws CARGoSException if CheckBody() does, or if a user's model cannot be described.
    */
   bool AddEntity(CEntity& entity) override;
   bool RemoveEntity(CEntity& entity) override;
@@ -54,13 +60,22 @@ class CDescribedBodyEngine : public CPhysicsEngine {
  protected:
   using TBodies = std::vector<CEmbodiedEntity*>;
 
+  /** For Reset(): resets users' models. */
+  void ResetRecordedBodies();
+  /** At the start of Update(): users' models command their drives. */
+  void StartRecordedBodies();
+  /** At the end of Update(): users' models follow their bodies. */
+  void FinishRecordedBodies();
+
   /** @return false while there is no world: bodies enter it when it is built. */
   virtual bool HasWorld() const = 0;
   /** @return true if AddEntity() accepts a body that has a description. */
   virtual bool Accepts(const CEmbodiedEntity& body) const = 0;
   /** @throws CARGoSException if the description or the pose is invalid for this engine. */
   virtual void CheckBody(CEmbodiedEntity& body) const = 0;
-  virtual std::unique_ptr<CDescribedBodyModel> CreateModel(CEmbodiedEntity& body) = 0;
+  /** @param recorded  the user's model that describes and commands the body; null if none does. */
+  virtual std::unique_ptr<CDescribedBodyModel> CreateModel(CEmbodiedEntity& body,
+                                                           const CRecordedBody* recorded) = 0;
   /** A model was added to this engine: adds its body to the world, if there is one. */
   virtual void Enter(CDescribedBodyModel& model) = 0;
   /** A model is about to leave this engine: removes its body from the world, if there is one. */
@@ -123,9 +138,12 @@ class CDescribedBodyEngine : public CPhysicsEngine {
   void AddModel(std::unique_ptr<CDescribedBodyModel> model);
   std::unique_ptr<CDescribedBodyModel> TakeOut(CDescribedBodyModel& model);
   CDescribedBodyEngine* FindNextOfSameType(const CEmbodiedEntity& body) const;
+  std::unique_ptr<CRecordedBody> Record(CEntity& root);
 
   std::vector<std::unique_ptr<CDescribedBodyModel>> m_models;  // by number
   std::vector<CDescribedBodyModel*> m_displaced;
+  std::vector<std::unique_ptr<CBodyRecorder>> m_recorders;  // one of each registered class
+  std::vector<CDescribedBodyModel*> m_recorded;  // models with a recorded body
   // scratch of transfers
   TBodies m_cluster;
   std::vector<SGripTransfer> m_grips;

@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/physics_engine/described_body_engine.h>
+#include <argos3/core/simulator/physics_engine/recorded_body.h>
 
 #include <cmath>
 
@@ -24,6 +25,8 @@ CEmbodiedEntity* FindDescribedBody(CEntity& root) {
 CDescribedBodyModel::CDescribedBodyModel(CDescribedBodyEngine& engine, CEmbodiedEntity& entity)
     : CPhysicsModel(engine, entity), m_root(entity.GetRootEntity()) {}
 
+CDescribedBodyModel::~CDescribedBodyModel() = default;
+
 CDescribedBodyEngine& CDescribedBodyModel::GetDescribedBodyEngine() {
   return static_cast<CDescribedBodyEngine&>(GetEngine());
 }
@@ -37,6 +40,9 @@ void CDescribedBodyModel::MoveTo(const CVector3& position, const CQuaternion& or
   GetDescribedBodyEngine().NoticeMove(*this);
   CalculateAnchors();
   CalculateBoundingBox();
+  if (m_recordedBody != nullptr) {
+    m_recordedBody->MoveTo(position, orientation);
+  }
 }
 
 void CDescribedBodyModel::ConfirmMove() {
@@ -45,15 +51,16 @@ void CDescribedBodyModel::ConfirmMove() {
 
 void CDescribedBodyModel::CalculateBoundingBox() {
   const SAnchor& origin = m_cEmbodiedEntity.GetOriginAnchor();
-  m_sBoundingBox = m_cEmbodiedEntity.GetBodyDescription()->ComputeBoundingBox(origin.Position,
-                                                                              origin.Orientation);
+  m_sBoundingBox = m_cEmbodiedEntity.GetBodyDescription()->ComputeBoundingBox(
+      origin.Position, origin.Orientation, m_cEmbodiedEntity.GetLinkPoses());
 }
 
 bool CDescribedBodyModel::IsCollidingWithSomething() const {
   const SAnchor& origin = m_cEmbodiedEntity.GetOriginAnchor();
   return GetEngine().GetContext().Index->FindOverlap(
              *m_cEmbodiedEntity.GetBodyDescription(), origin.Position, origin.Orientation,
-             m_cEmbodiedEntity.GetBodyNumber()) != CBodyIndex::kNoBody;
+             m_cEmbodiedEntity.GetBodyNumber(),
+             m_cEmbodiedEntity.GetLinkPoses()) != CBodyIndex::kNoBody;
 }
 
 }  // namespace argos

@@ -3,10 +3,13 @@
 
 #include <argos3/core/simulator/entity/physics_model.h>
 
+#include <memory>
+
 namespace argos {
 
 class CDescribedBodyEngine;
 class CEntity;
+class CRecordedBody;
 
 /** The body of a root entity, if it has an SBodyDescription with shapes; else null. */
 CEmbodiedEntity* FindDescribedBody(CEntity& root);
@@ -20,6 +23,7 @@ CEmbodiedEntity* FindDescribedBody(CEntity& root);
 class CDescribedBodyModel : public CPhysicsModel {
  public:
   CDescribedBodyModel(CDescribedBodyEngine& engine, CEmbodiedEntity& entity);
+  ~CDescribedBodyModel() override;
 
   /** Does nothing: the engine reads actuated components where they keep their values. */
   void UpdateFromEntityStatus() override {}
@@ -33,6 +37,9 @@ class CDescribedBodyModel : public CPhysicsModel {
   /** @return true if a solid of this body overlaps one of another body by more than a rounding. */
   bool IsCollidingWithSomething() const override;
 
+  /** The user's model that describes and commands the body; null if the entity describes it. */
+  CRecordedBody* GetRecordedBody() const { return m_recordedBody.get(); }
+
  protected:
   CEntity& m_root;  // of the body
 
@@ -44,6 +51,7 @@ class CDescribedBodyModel : public CPhysicsModel {
 
   size_t m_number = 0;  // in the engine's list of models
   bool m_isDisplaced = false;  // in the engine's list of displaced models
+  std::unique_ptr<CRecordedBody> m_recordedBody;
 };
 
 }  // namespace argos

@@ -3,11 +3,13 @@
 
 #include <argos3/core/simulator/entity/physics_model.h>
 #include <argos3/core/simulator/geometry/volume.h>
+#include <argos3/core/simulator/physics_engine/planar_motion.h>
 #include <argos3/core/simulator/physics_engine/ray_queries.h>
 #include <argos3/core/utility/configuration/base_configurable_resource.h>
 #include <argos3/core/utility/plugins/factory.h>
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +27,7 @@ struct SSimulationContext;
 struct SBodyMotion {
   CVector3 Velocity; /**< of the origin anchor, m/s */
   CVector3 Rotation; /**< about the origin anchor, rad/s */
+  std::optional<SDriveCommand> Command; /**< the last one of its drive, for engines that know it */
 };
 
 /**
@@ -125,6 +128,12 @@ class CPhysicsEngine : public CBaseConfigurableResource {
   }
   /** Sets the motion of a body that was just transferred; engines without momentum ignore it. */
   virtual void SetMotion(CEmbodiedEntity& /*body*/, const SBodyMotion& /*motion*/) {}
+
+  /**
+   * Time until a new command of a drive takes effect, as a share of a tick, in [0, 1]; until then
+   * the robot follows the command of the tick before.
+   */
+  virtual Real GetVelocityLag() const { return 0.0; }
 
   /** @return true if the engine stops bodies at walls of the region (SVolume::DescribeWalls()). */
   virtual bool StopsAtWalls() const { return false; }
@@ -235,5 +244,9 @@ class CPhysicsEngine : public CBaseConfigurableResource {
                                 LONG_DESCRIPTION, STATUS)                               \
   REGISTER_SYMBOL(CPhysicsEngine, CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION, \
                   LONG_DESCRIPTION, STATUS)
+
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/utility/logging/argos_log.h>
+#endif
 
 #endif

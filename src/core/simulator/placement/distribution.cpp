@@ -100,7 +100,7 @@ void CDistribution::Place() {
 // creates one entity of the type, without a controller, to get its body description
 void CDistribution::Probe() {
   const CProbing probing(m_space);
-  const std::unique_ptr<CEntity> probe(CFactory<CEntity>::New(m_template->Value()));
+  const std::unique_ptr<CEntity> probe = m_space.MakeEntity(m_template->Value());
   // an entity without a body has its pose in attributes of its own element
   m_poseNode = m_template;
   if (dynamic_cast<CPositionalEntity*>(probe.get()) == nullptr) {

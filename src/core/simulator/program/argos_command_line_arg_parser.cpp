@@ -122,6 +122,9 @@ void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOp
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
       ->group(run);
+  app.add_flag("--lenient", options.Lenient,
+               "read malformed numbers as ARGoS 3 does, with a warning, instead of refusing them")
+      ->group(run);
   app.add_flag("--digest", options.Digest,
                "print a digest of the final state; equal runs, equal digests")
       ->group(run);
@@ -273,7 +276,7 @@ void CheckFiles(const CLI::App& app, const CARGoSCommandLineArgParser::SOptions&
 }
 
 void CheckNeedsRun(const CLI::App& app, CProblems& problems) {
-  for (const char* name : {"--seed", "--threads", "--length", "--set", "--digest"}) {
+  for (const char* name : {"--seed", "--threads", "--length", "--set", "--lenient", "--digest"}) {
     if (app.count(name) > 0) {
       problems.Add(std::string(name) + " can only be used with -c FILE");
     }

@@ -29,6 +29,7 @@ class CARGoSCommandLineArgParser {
     bool NoColor = false;
     bool NoVisualization = false;
     bool Digest = false;
+    bool Lenient = false;
     std::string LogFile; /**< empty: the standard output */
     std::string LogErrFile; /**< empty: the standard error */
     std::optional<UInt32> Seed;

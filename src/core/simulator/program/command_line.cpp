@@ -8,7 +8,6 @@
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/dynamic_loading.h>
-#include <argos3/core/utility/plugins/registration.h>
 
 #include <fmt/format.h>
 
@@ -164,19 +163,14 @@ class CSilence {
   std::streambuf* m_previous = nullptr;
 };
 
-void LoadLibraries() {
-  ThrowRegistrationProblems("the libraries linked to the program are not compatible");
-  CDynamicLoading::LoadAllLibraries();
-}
-
 // a query does not print which libraries were loaded
 void LoadLibrariesSilently() {
   const CSilence silence;
-  LoadLibraries();
+  CDynamicLoading::LoadAllLibraries();
 }
 
 void LoadExperiment(CSimulator& simulator, const SOptions& options) {
-  LoadLibraries();
+  CDynamicLoading::LoadAllLibraries();
   simulator.SetExperimentFileName(options.ExperimentFile);
   if (options.Seed == UInt32(0)) {
     // a seed of 0 in the file selects a seed from the clock
@@ -189,6 +183,9 @@ void LoadExperiment(CSimulator& simulator, const SOptions& options) {
   }
   if (options.Length) {
     simulator.SetLength(*options.Length);
+  }
+  if (options.Lenient) {
+    simulator.AddOverride("framework/experiment/@lenient", "true");
   }
   for (const auto& [path, value] : options.Overrides) {
     simulator.AddOverride(path, value);

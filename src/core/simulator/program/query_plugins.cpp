@@ -3,6 +3,7 @@
 #include <argos3/core/control_interface/ci_controller.h>
 #include <argos3/core/simulator/entity/actuator.h>
 #include <argos3/core/simulator/entity/entity.h>
+#include <argos3/core/simulator/entity/entity_type.h>
 #include <argos3/core/simulator/entity/sensor.h>
 #include <argos3/core/simulator/medium/medium.h>
 #include <argos3/core/simulator/physics_engine/space_partition.h>
@@ -64,6 +65,7 @@ std::vector<SKind> ListAll() {
       {"media", "AVAILABLE MEDIA", ListPlugins<CMedium>()},
       {"visualizations", "AVAILABLE VISUALIZATIONS", ListPlugins<CVisualization>()},
       {"entities", "AVAILABLE ENTITIES", ListPlugins<CEntity>()},
+      {"robot_types", "AVAILABLE ROBOT TYPES", ListPlugins<CEntityType>()},
       {"controllers", "AVAILABLE CONTROLLERS", ListPlugins<CCI_Controller>()},
       {"loop_functions", "AVAILABLE LOOP FUNCTIONS", ListPlugins<CLoopFunctions>()}};
   for (const auto& [word, kind] : CopyAddedKinds()) {

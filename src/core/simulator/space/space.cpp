@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/entity/entity_type.h>
 #include <argos3/core/simulator/entity/floor_entity.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/medium/medium.h>
@@ -11,6 +12,7 @@
 #include <argos3/core/simulator/space/entity_views.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/core/utility/logging/log_order.h>
+#include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 
 #include <algorithm>
@@ -89,10 +91,41 @@ void CSpace::Adopt(std::unique_ptr<CEntity> entity) {
   }
 }
 
+void CSpace::AddEntityType(const std::string& tag, std::unique_ptr<CEntityType> type) {
+  if (HasEntityType(tag) || tag == "distribute") {
+    THROW_ARGOSEXCEPTION("there are already entities <" << tag << ">: another id is needed");
+  }
+  m_entityTypes[tag] = std::move(type);
+}
+
+bool CSpace::HasEntityType(const std::string& tag) const {
+  return m_entityTypes.count(tag) > 0 || CFactory<CEntity>::Exists(tag);
+}
+
+std::vector<std::string> CSpace::GetEntityTypes() const {
+  std::vector<std::string> tags = CFactory<CEntity>::GetLabels();
+  for (const auto& [tag, type] : m_entityTypes) {
+    tags.push_back(tag);
+  }
+  return tags;
+}
+
+std::unique_ptr<CEntity> CSpace::MakeEntity(const std::string& tag) const {
+  const auto found = m_entityTypes.find(tag);
+  if (found != m_entityTypes.end()) {
+    return found->second->New();
+  }
+  if (!m_entityTypes.empty() && !CFactory<CEntity>::Exists(tag)) {
+    THROW_ARGOSEXCEPTION("there are no entities <" << tag << ">"
+                                                   << DidYouMean(tag, GetEntityTypes()));
+  }
+  return std::unique_ptr<CEntity>(CFactory<CEntity>::New(tag));
+}
+
 CEntity& CSpace::CreateEntity(TConfigurationNode& node) {
   std::unique_ptr<CEntity> entity;
   try {
-    entity.reset(CFactory<CEntity>::New(node.Value()));
+    entity = MakeEntity(node.Value());
     entity->Init(node);
     CEntity& added = *entity;
     Adopt(std::move(entity));
@@ -185,6 +218,7 @@ void CSpace::Destroy() {
   m_views = std::make_unique<CEntityViews>(m_roots);
   *m_bodyIndex = CBodyIndex();
   m_extensions.clear();
+  m_entityTypes.clear();
   m_rng = nullptr;
   m_nextIndex = 0;
   m_simulationClock = 0;

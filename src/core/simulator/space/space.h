@@ -21,6 +21,7 @@ namespace argos {
 class CBodyIndex;
 class CControllableEntity;
 class CEmbodiedEntity;
+class CEntityType;
 class CEntityViews;
 class CFloorEntity;
 class CSimulator;
@@ -157,6 +158,21 @@ class CSpace : public CBaseConfigurableResource {
   CRandom::CRNG& GetRNG();
   /** Adds a root entity; deletes it if that fails. @throws CARGoSException */
   void Adopt(std::unique_ptr<CEntity> entity);
+  /**
+   * Adds a type of entities that the experiment file describes.
+   * @param tag  of such entities.
+   * @throws CARGoSException if there are already entities of that tag.
+   */
+  void AddEntityType(const std::string& tag, std::unique_ptr<CEntityType> type);
+  /** @return true if a plug-in or the experiment file describes entities of that tag. */
+  bool HasEntityType(const std::string& tag) const;
+  /** The tags of all entities that may be created. */
+  std::vector<std::string> GetEntityTypes() const;
+  /**
+   * Creates an entity by its tag, neither initialised nor added.
+   * @throws CARGoSException with the nearest tags if there is none.
+   */
+  std::unique_ptr<CEntity> MakeEntity(const std::string& tag) const;
   /** Creates and adds the entity that an XML element describes. @throws CARGoSException */
   CEntity& CreateEntity(TConfigurationNode& node);
   /** 64-bit digest of the state of every entity and medium, in order. */
@@ -191,6 +207,7 @@ class CSpace : public CBaseConfigurableResource {
   CFloorEntity* m_floor = nullptr;
   CRandom::CRNG* m_rng = nullptr;  // owned by its category
 
+  std::map<std::string, std::unique_ptr<CEntityType>> m_entityTypes;  // by tag; outlive entities
   CEntity::TVector m_roots;  // in order of addition
   std::unordered_map<std::string, std::unique_ptr<CEntity>> m_rootById;  // never iterated
   std::vector<CControllableEntity*> m_robots;  // in order of addition
@@ -206,5 +223,11 @@ class CSpace : public CBaseConfigurableResource {
 }  // namespace argos
 
 #include <argos3/core/simulator/space/space_operations.h>
+
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/medium/medium.h>
+#endif
 
 #endif

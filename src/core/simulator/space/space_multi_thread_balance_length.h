@@ -10,4 +10,8 @@ using CSpaceMultiThreadBalanceLength = CSpace;
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/simulator/space/space_multi_thread.h>
+#endif
+
 #endif

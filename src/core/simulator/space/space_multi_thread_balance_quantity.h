@@ -11,4 +11,8 @@ using CSpaceMultiThreadBalanceQuantity = CSpace;
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/simulator/space/space_multi_thread.h>
+#endif
+
 #endif

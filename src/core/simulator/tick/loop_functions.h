@@ -30,6 +30,7 @@
 
 namespace argos {
 
+class CDrawing;
 class CSimulator;
 
 /**
@@ -56,6 +57,11 @@ class CLoopFunctions : public CBaseConfigurableResource, public CFloorPainter {
   virtual void PostExperiment() {}
   /** Colour of the floor with `<floor source="loop_functions">`; @p positionOnFloor in m. */
   CColor GetFloorColor(const CVector2& positionOnFloor) override;
+
+  /** Adds shapes to each picture that a view draws; must not change the experiment. */
+  virtual void DrawInWorld(CDrawing&) {}
+  /** The same, over the picture, in pixels, see CDrawing::SetOverlay(). */
+  virtual void DrawInOverlay(CDrawing&) {}
 
   CSimulator& GetSimulator() { return m_cSimulator; }
   CSpace& GetSpace() { return m_cSpace; }

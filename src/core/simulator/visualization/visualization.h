@@ -41,4 +41,8 @@ class CVisualization : public CBaseConfigurableResource {
   REGISTER_SYMBOL(CVisualization, CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION, \
                   LONG_DESCRIPTION, STATUS)
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/simulator/simulator.h>
+#endif
+
 #endif

@@ -55,9 +55,15 @@ class CConfigurationAttribute {
   void Convert(const std::string& text, T& value) const {
     std::string reason;
     if (!detail::ParseText(text.c_str(), value, reason)) {
-      ThrowUnparsable(text, detail::ExpectedText(static_cast<const T*>(nullptr)), reason);
+      const std::string expected = detail::ExpectedText(static_cast<const T*>(nullptr));
+      if (!IsLenient() || !detail::ParseLoosely(text.c_str(), value)) {
+        ThrowUnparsable(text, expected, reason);
+      }
+      WarnOfLooseText(text, expected);
     }
   }
+  bool IsLenient() const;
+  void WarnOfLooseText(const std::string& text, const std::string& expected) const;
   [[noreturn]] void ThrowUnparsable(const std::string& text, const std::string& expected,
                                     const std::string& reason) const;
   const tinyxml2::XMLAttribute& Checked() const;

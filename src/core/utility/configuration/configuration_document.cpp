@@ -1,5 +1,6 @@
 #include <argos3/core/utility/configuration/configuration_document.h>
 
+#include <argos3/core/utility/configuration/configuration_error.h>
 #include <argos3/core/utility/configuration/configuration_path.h>
 #include <argos3/core/utility/configuration/configuration_store.h>
 
@@ -61,7 +62,7 @@ std::string Describe(tinyxml2::XMLError error) {
 }
 
 [[noreturn]] void ThrowMalformed(const std::string& name, int line, const std::string& what) {
-  THROW_ARGOSEXCEPTION(LocationText(name, line) << ": not well-formed XML: " << what);
+  THROW_CONFIGURATION_ERROR(LocationText(name, line) << ": not well-formed XML: " << what);
 }
 
 // the parser accepts several root elements and text outside the root element
@@ -88,8 +89,8 @@ void CConfigurationDocument::Parse(const std::string& xml, const std::string& na
   tinyxml2::XMLDocument& document = store->GetXml();
   const std::size_t nul = xml.find('\0');
   if (nul != std::string::npos) {
-    THROW_ARGOSEXCEPTION(name << ": not well-formed XML: zero byte at offset " << nul
-                              << "; is it a text file?");
+    THROW_CONFIGURATION_ERROR(name << ": not well-formed XML: zero byte at offset " << nul
+                                   << "; is it a text file?");
   }
   const tinyxml2::XMLError error = document.Parse(xml.data(), xml.size());
   if (error != tinyxml2::XML_SUCCESS) {
@@ -102,11 +103,12 @@ void CConfigurationDocument::Parse(const std::string& xml, const std::string& na
 void CConfigurationDocument::LoadFile(const std::string& path) {
   struct stat information {};
   if (stat(path.c_str(), &information) != 0) {
-    THROW_ARGOSEXCEPTION("Cannot read the experiment file \"" << path
-                                                              << "\": " << std::strerror(errno));
+    THROW_CONFIGURATION_ERROR("Cannot read the experiment file \""
+                              << path << "\": " << std::strerror(errno));
   }
   if (S_ISDIR(information.st_mode)) {
-    THROW_ARGOSEXCEPTION("Cannot read the experiment file \"" << path << "\": it is a directory");
+    THROW_CONFIGURATION_ERROR("Cannot read the experiment file \"" << path
+                                                                   << "\": it is a directory");
   }
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
@@ -114,15 +116,15 @@ void CConfigurationDocument::LoadFile(const std::string& path) {
     text << file.rdbuf();
   }
   if (!file) {
-    THROW_ARGOSEXCEPTION("Cannot read the experiment file \"" << path
-                                                              << "\": " << std::strerror(errno));
+    THROW_CONFIGURATION_ERROR("Cannot read the experiment file \""
+                              << path << "\": " << std::strerror(errno));
   }
   Parse(text.str(), path);
 }
 
 void CConfigurationDocument::SaveFile(const std::string& path) const {
   if (m_store->GetXml().RootElement() == nullptr) {
-    THROW_ARGOSEXCEPTION("Cannot save to \"" << path << "\": the document is empty");
+    THROW_CONFIGURATION_ERROR("Cannot save to \"" << path << "\": the document is empty");
   }
   tinyxml2::XMLPrinter printer;
   m_store->GetXml().Print(&printer);
@@ -130,14 +132,18 @@ void CConfigurationDocument::SaveFile(const std::string& path) const {
   file << printer.CStr();
   file.close();
   if (!file) {
-    THROW_ARGOSEXCEPTION("Cannot write the file \"" << path << "\": " << std::strerror(errno));
+    THROW_CONFIGURATION_ERROR("Cannot write the file \"" << path << "\": " << std::strerror(errno));
   }
+}
+
+void CConfigurationDocument::SetLenient() {
+  m_store->SetLenient();
 }
 
 CConfigurationNode& CConfigurationDocument::GetRoot() {
   CConfigurationNode* root = m_store->HandleOf(m_store->GetXml().RootElement());
   if (root == nullptr) {
-    THROW_ARGOSEXCEPTION("GetRoot() was called on a document that was not loaded");
+    THROW_CONFIGURATION_ERROR("GetRoot() was called on a document that was not loaded");
   }
   return *root;
 }
@@ -153,7 +159,7 @@ const std::string& CConfigurationDocument::GetName() const {
 std::string CConfigurationDocument::SetByPath(const std::string& path, const std::string& value) {
   tinyxml2::XMLElement* root = m_store->GetXml().RootElement();
   if (root == nullptr) {
-    THROW_ARGOSEXCEPTION("Cannot set \"" << path << "\": the document is empty");
+    THROW_CONFIGURATION_ERROR("Cannot set \"" << path << "\": the document is empty");
   }
   const CConfigurationPath parsed(path);
   std::string report;

@@ -1,8 +1,10 @@
 #include <argos3/core/utility/configuration/configuration_node.h>
 
 #include <argos3/core/utility/configuration/configuration_document.h>
+#include <argos3/core/utility/configuration/configuration_error.h>
 #include <argos3/core/utility/configuration/configuration_iterator.h>
 #include <argos3/core/utility/configuration/configuration_store.h>
+#include <argos3/core/utility/logging/argos_log.h>
 
 #include <cstring>
 #include <iterator>
@@ -62,11 +64,13 @@ CConfigurationNode::~CConfigurationNode() = default;
 
 SConfigurationRecord& CConfigurationNode::Record() const {
   if (m_record == nullptr) {
-    THROW_ARGOSEXCEPTION("An empty configuration node was used: assign an element to it first");
+    THROW_CONFIGURATION_ERROR(
+        "An empty configuration node was used: assign an element to it first");
   }
   if (m_record->Element == nullptr) {
-    THROW_ARGOSEXCEPTION(LocationText(*m_record->File, m_record->Line)
-                         << ": a configuration node was used after it was removed from its parent");
+    THROW_CONFIGURATION_ERROR(
+        LocationText(*m_record->File, m_record->Line)
+        << ": a configuration node was used after it was removed from its parent");
   }
   return *m_record;
 }
@@ -97,15 +101,41 @@ std::string CConfigurationNode::GetLocation() const {
 /****************************************/
 
 void CConfigurationNode::ThrowMissingAttribute(const std::string& name) const {
-  THROW_ARGOSEXCEPTION(GetLocation()
-                       << ": <" << Value() << ">: attribute \"" << name << "\" is missing"
-                       << DidYouMean(name, AttributeNames(*Record().Element)));
+  THROW_CONFIGURATION_ERROR(GetLocation()
+                            << ": <" << Value() << ">: attribute \"" << name << "\" is missing"
+                            << DidYouMean(name, AttributeNames(*Record().Element)));
 }
 
 void CConfigurationNode::ThrowMissingChild(const std::string& tag) const {
-  THROW_ARGOSEXCEPTION(GetLocation()
-                       << ": <" << Value() << ">: element <" << tag << "> is missing inside it"
-                       << DidYouMean(tag, ChildTags(*Record().Element)));
+  THROW_CONFIGURATION_ERROR(GetLocation()
+                            << ": <" << Value() << ">: element <" << tag << "> is missing inside it"
+                            << DidYouMean(tag, ChildTags(*Record().Element)));
+}
+
+std::string CConfigurationNode::GetAttributeOrDefault(const std::string& name,
+                                                      const std::string& dflt) const {
+  const char* text = FindAttribute(name);
+  return text != nullptr ? text : dflt;
+}
+
+std::string CConfigurationNode::GetTextOrDefault(const std::string& dflt) const {
+  const char* text = FindText(false);
+  return text != nullptr ? text : dflt;
+}
+
+bool CConfigurationNode::IsLenient() const {
+  const SConfigurationRecord& record = Record();
+  return record.Store->LeniencyOf(record) != nullptr;
+}
+
+void CConfigurationNode::WarnOfLooseText(const std::string& what, const char* text,
+                                         const std::string& expected) const {
+  const SConfigurationRecord& record = Record();
+  const std::string warning = GetLocation() + ": <" + Value() + ">: " + what + ": found \"" + text +
+                              "\", expected " + expected;
+  if (record.Store->LeniencyOf(record)->Reported.insert(warning).second) {
+    LOGERR << "[WARNING] " << warning << "; read as ARGoS 3 reads it" << std::endl;
+  }
 }
 
 void CConfigurationNode::ThrowUnparsable(const std::string& what, const char* text,
@@ -114,9 +144,9 @@ void CConfigurationNode::ThrowUnparsable(const std::string& what, const char* te
   std::string details = reason;
   // the reason may be the text of another exception, with its own prefix
   Replace(details, "[FATAL] ", "");
-  THROW_ARGOSEXCEPTION(GetLocation() << ": <" << Value() << ">: " << what << ": found \"" << text
-                                     << "\", expected " << expected
-                                     << (details.empty() ? "" : " (" + details + ")"));
+  THROW_CONFIGURATION_ERROR(GetLocation() << ": <" << Value() << ">: " << what << ": found \""
+                                          << text << "\", expected " << expected
+                                          << (details.empty() ? "" : " (" + details + ")"));
 }
 
 /****************************************/
@@ -127,7 +157,7 @@ CConfigurationNode* CConfigurationNode::Parent(bool throwIfMissing) const {
   tinyxml2::XMLNode* parent = Record().Element->Parent();
   tinyxml2::XMLElement* element = parent != nullptr ? parent->ToElement() : nullptr;
   if (element == nullptr && throwIfMissing) {
-    THROW_ARGOSEXCEPTION(GetLocation() << ": <" << Value() << "> has no parent element");
+    THROW_CONFIGURATION_ERROR(GetLocation() << ": <" << Value() << "> has no parent element");
   }
   return m_record->Store->HandleOf(element);
 }
@@ -135,7 +165,7 @@ CConfigurationNode* CConfigurationNode::Parent(bool throwIfMissing) const {
 CConfigurationNode* CConfigurationNode::FirstChildElement(bool throwIfMissing) const {
   tinyxml2::XMLElement* element = Record().Element->FirstChildElement();
   if (element == nullptr && throwIfMissing) {
-    THROW_ARGOSEXCEPTION(GetLocation() << ": <" << Value() << "> contains no element");
+    THROW_CONFIGURATION_ERROR(GetLocation() << ": <" << Value() << "> contains no element");
   }
   return m_record->Store->HandleOf(element);
 }
@@ -157,7 +187,7 @@ CConfigurationNode* CConfigurationNode::FirstChildElement(const std::string& tag
 CConfigurationNode* CConfigurationNode::LastChildElement(bool throwIfMissing) const {
   tinyxml2::XMLElement* element = Record().Element->LastChildElement();
   if (element == nullptr && throwIfMissing) {
-    THROW_ARGOSEXCEPTION(GetLocation() << ": <" << Value() << "> contains no element");
+    THROW_CONFIGURATION_ERROR(GetLocation() << ": <" << Value() << "> contains no element");
   }
   return m_record->Store->HandleOf(element);
 }
@@ -174,7 +204,7 @@ CConfigurationNode* CConfigurationNode::LastChildElement(const std::string& tag,
 CConfigurationNode* CConfigurationNode::NextSiblingElement(bool throwIfMissing) const {
   tinyxml2::XMLElement* element = Record().Element->NextSiblingElement();
   if (element == nullptr && throwIfMissing) {
-    THROW_ARGOSEXCEPTION(GetLocation() << ": no element follows <" << Value() << ">");
+    THROW_CONFIGURATION_ERROR(GetLocation() << ": no element follows <" << Value() << ">");
   }
   return m_record->Store->HandleOf(element);
 }
@@ -183,8 +213,8 @@ CConfigurationNode* CConfigurationNode::NextSiblingElement(const char* tag,
                                                            bool throwIfMissing) const {
   tinyxml2::XMLElement* element = Record().Element->NextSiblingElement(tag);
   if (element == nullptr && throwIfMissing) {
-    THROW_ARGOSEXCEPTION(GetLocation()
-                         << ": no element <" << tag << "> follows <" << Value() << ">");
+    THROW_CONFIGURATION_ERROR(GetLocation()
+                              << ": no element <" << tag << "> follows <" << Value() << ">");
   }
   return m_record->Store->HandleOf(element);
 }
@@ -197,7 +227,7 @@ CConfigurationNode* CConfigurationNode::NextSiblingElement(const std::string& ta
 CConfigurationNode* CConfigurationNode::PreviousSiblingElement(bool throwIfMissing) const {
   tinyxml2::XMLElement* element = Record().Element->PreviousSiblingElement();
   if (element == nullptr && throwIfMissing) {
-    THROW_ARGOSEXCEPTION(GetLocation() << ": no element precedes <" << Value() << ">");
+    THROW_CONFIGURATION_ERROR(GetLocation() << ": no element precedes <" << Value() << ">");
   }
   return m_record->Store->HandleOf(element);
 }
@@ -206,8 +236,8 @@ CConfigurationNode* CConfigurationNode::PreviousSiblingElement(const std::string
                                                                bool throwIfMissing) const {
   tinyxml2::XMLElement* element = Record().Element->PreviousSiblingElement(tag.c_str());
   if (element == nullptr && throwIfMissing) {
-    THROW_ARGOSEXCEPTION(GetLocation()
-                         << ": no element <" << tag << "> precedes <" << Value() << ">");
+    THROW_CONFIGURATION_ERROR(GetLocation()
+                              << ": no element <" << tag << "> precedes <" << Value() << ">");
   }
   return m_record->Store->HandleOf(element);
 }
@@ -247,8 +277,8 @@ CConfigurationNode* CConfigurationNode::InsertAfterChild(const CConfigurationNod
                                                          const CConfigurationNode& child) {
   tinyxml2::XMLElement* neighbour = before.Record().Element;
   if (neighbour->Parent() != Record().Element) {
-    THROW_ARGOSEXCEPTION(GetLocation() << ": <" << before.Value() << "> is not a child of <"
-                                       << Value() << ">, so nothing can be inserted after it");
+    THROW_CONFIGURATION_ERROR(GetLocation() << ": <" << before.Value() << "> is not a child of <"
+                                            << Value() << ">, so nothing can be inserted after it");
   }
   CConfigurationStore& store = *m_record->Store;
   tinyxml2::XMLElement& copy = store.CopyOf(*child.Record().Element);
@@ -260,8 +290,9 @@ CConfigurationNode* CConfigurationNode::InsertBeforeChild(const CConfigurationNo
                                                           const CConfigurationNode& child) {
   tinyxml2::XMLElement* neighbour = after.Record().Element;
   if (neighbour->Parent() != Record().Element) {
-    THROW_ARGOSEXCEPTION(GetLocation() << ": <" << after.Value() << "> is not a child of <"
-                                       << Value() << ">, so nothing can be inserted before it");
+    THROW_CONFIGURATION_ERROR(GetLocation()
+                              << ": <" << after.Value() << "> is not a child of <" << Value()
+                              << ">, so nothing can be inserted before it");
   }
   CConfigurationStore& store = *m_record->Store;
   tinyxml2::XMLElement& copy = store.CopyOf(*child.Record().Element);
@@ -289,8 +320,8 @@ CConfigurationNode* CConfigurationNode::ReplaceChild(CConfigurationNode* child,
 void CConfigurationNode::RemoveChild(CConfigurationNode* child) {
   tinyxml2::XMLElement* element = child->Record().Element;
   if (element->Parent() != Record().Element) {
-    THROW_ARGOSEXCEPTION(GetLocation() << ": <" << child->Value() << "> is not a child of <"
-                                       << Value() << ">, so it cannot be removed from it");
+    THROW_CONFIGURATION_ERROR(GetLocation() << ": <" << child->Value() << "> is not a child of <"
+                                            << Value() << ">, so it cannot be removed from it");
   }
   m_record->Store->Delete(*element);
 }
@@ -363,7 +394,7 @@ CConfigurationAttribute* CConfigurationNode::FirstAttribute(bool throwIfMissing)
   const tinyxml2::XMLAttribute* attribute = Record().Element->FirstAttribute();
   if (attribute == nullptr) {
     if (throwIfMissing) {
-      THROW_ARGOSEXCEPTION(GetLocation() << ": <" << Value() << "> has no attributes");
+      THROW_CONFIGURATION_ERROR(GetLocation() << ": <" << Value() << "> has no attributes");
     }
     return nullptr;
   }
@@ -378,7 +409,7 @@ std::vector<std::string> CConfigurationNode::GetAttributeNames() const {
 const char* CConfigurationNode::FindText(bool throwIfMissing) const {
   const char* text = Record().Element->GetText();
   if (text == nullptr && throwIfMissing) {
-    THROW_ARGOSEXCEPTION(GetLocation() << ": <" << Value() << "> contains no text");
+    THROW_CONFIGURATION_ERROR(GetLocation() << ": <" << Value() << "> contains no text");
   }
   return text;
 }
@@ -430,7 +461,7 @@ CConfigurationAttribute::CConfigurationAttribute(SConfigurationRecord* record,
 
 const tinyxml2::XMLAttribute& CConfigurationAttribute::Checked() const {
   if (m_attribute == nullptr) {
-    THROW_ARGOSEXCEPTION("A configuration attribute that does not exist was used");
+    THROW_CONFIGURATION_ERROR("A configuration attribute that does not exist was used");
   }
   return *m_attribute;
 }
@@ -459,12 +490,22 @@ CConfigurationAttribute* CConfigurationAttribute::Next(bool throwIfMissing) cons
   const CConfigurationAttribute next = Successor();
   if (next.m_attribute == nullptr) {
     if (throwIfMissing) {
-      THROW_ARGOSEXCEPTION(LocationText(*m_record->File, m_record->Line)
-                           << ": no attribute follows \"" << Name() << "\"");
+      THROW_CONFIGURATION_ERROR(LocationText(*m_record->File, m_record->Line)
+                                << ": no attribute follows \"" << Name() << "\"");
     }
     return nullptr;
   }
   return m_record->Store->KeepAttribute(next);
+}
+
+bool CConfigurationAttribute::IsLenient() const {
+  return m_record->Store->HandleOf(m_record->Element)->IsLenient();
+}
+
+void CConfigurationAttribute::WarnOfLooseText(const std::string& text,
+                                              const std::string& expected) const {
+  m_record->Store->HandleOf(m_record->Element)
+      ->WarnOfLooseText("attribute \"" + Name() + '"', text.c_str(), expected);
 }
 
 void CConfigurationAttribute::ThrowUnparsable(const std::string& text, const std::string& expected,

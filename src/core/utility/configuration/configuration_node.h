@@ -153,10 +153,7 @@ class CConfigurationNode {
 
   /** Returns the value, or an empty string if there is no such attribute. */
   std::string GetAttribute(const std::string& name) const;
-  std::string GetAttributeOrDefault(const std::string& name, const std::string& dflt) const {
-    const char* text = FindAttribute(name);
-    return text != nullptr ? text : dflt;
-  }
+  std::string GetAttributeOrDefault(const std::string& name, const std::string& dflt) const;
 
   /**
    * Reads an attribute; configuration_parsing.h describes the accepted text.
@@ -172,7 +169,10 @@ class CConfigurationNode {
       }
       return false;
     }
-    ConvertAttribute(name, text, *value);
+    std::string reason;
+    if (!detail::ParseText(text, *value, reason)) {
+      ConvertLoosely("attribute \"" + name + '"', text, *value, reason);
+    }
     return true;
   }
   template <typename T>
@@ -220,10 +220,7 @@ class CConfigurationNode {
       *value = dflt;
     }
   }
-  std::string GetTextOrDefault(const std::string& dflt) const {
-    const char* text = FindText(false);
-    return text != nullptr ? text : dflt;
-  }
+  std::string GetTextOrDefault(const std::string& dflt) const;
   template <typename T>
   void SetText(const T& value) {
     SetTextContent(detail::FormatText(value));
@@ -248,20 +245,25 @@ class CConfigurationNode {
   friend std::istream& operator>>(std::istream& stream, CConfigurationNode& node);
 
   template <typename T>
-  void ConvertAttribute(const std::string& name, const char* text, T& value) const {
-    std::string reason;
-    if (!detail::ParseText(text, value, reason)) {
-      ThrowUnparsable("attribute \"" + name + '"', text,
-                      detail::ExpectedText(static_cast<const T*>(nullptr)), reason);
-    }
-  }
-  template <typename T>
   void Convert(const char* text, const char* what, T& value) const {
     std::string reason;
     if (!detail::ParseText(text, value, reason)) {
-      ThrowUnparsable(what, text, detail::ExpectedText(static_cast<const T*>(nullptr)), reason);
+      ConvertLoosely(what, text, value, reason);
     }
   }
+  // a text that is not valid: accepted with a warning if the document is lenient
+  template <typename T>
+  void ConvertLoosely(const std::string& what, const char* text, T& value,
+                      const std::string& reason) const {
+    const std::string expected = detail::ExpectedText(static_cast<const T*>(nullptr));
+    if (!IsLenient() || !detail::ParseLoosely(text, value)) {
+      ThrowUnparsable(what, text, expected, reason);
+    }
+    WarnOfLooseText(what, text, expected);
+  }
+  bool IsLenient() const;
+  void WarnOfLooseText(const std::string& what, const char* text,
+                       const std::string& expected) const;
   [[noreturn]] void ThrowUnparsable(const std::string& what, const char* text,
                                     const std::string& expected, const std::string& reason) const;
 

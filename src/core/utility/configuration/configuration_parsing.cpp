@@ -13,8 +13,12 @@ CTextReader::CBuffer::CBuffer(const char* text) {
   setg(begin, begin, begin + std::strlen(text));
 }
 
-CTextReader::CTextReader(const char* text) : m_buffer(text), m_stream(&m_buffer) {
-  SetStrictParsing(m_stream, true);
+CTextReader::CTextReader(const char* text, bool strict) : m_buffer(text), m_stream(&m_buffer) {
+  if (strict) {
+    SetStrictParsing(m_stream, true);
+  } else {
+    SetLooseParsing(m_stream);
+  }
   m_stream >> std::boolalpha;
 }
 

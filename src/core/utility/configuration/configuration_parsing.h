@@ -10,6 +10,9 @@
  *   bool             exactly "true" or "false"
  *   std::string      the text as it is, blanks included
  *   any other type   what its operator>> reads; lists of numbers are checked field by field
+ *
+ * A lenient document (CConfigurationDocument::SetLenient()) also accepts what ARGoS 3 accepts, with
+ * a warning: see ParseLoosely().
  */
 
 #include <argos3/core/utility/datatypes/datatypes.h>
@@ -85,10 +88,10 @@ bool IsValidValue(const CRange<T>& range) {
   return !(range.GetMin() > range.GetMax());
 }
 
-/** A strict input stream over a text that is not copied. */
+/** An input stream over a text that is not copied; strict, or loose (SetLooseParsing()). */
 class CTextReader {
  public:
-  explicit CTextReader(const char* text);
+  explicit CTextReader(const char* text, bool strict = true);
   ~CTextReader();
   CTextReader(const CTextReader&) = delete;
   CTextReader& operator=(const CTextReader&) = delete;
@@ -128,6 +131,8 @@ bool ParseText(const char* text, T& value, std::string& reason) {
       reason = "text follows the number";
     } else if (outcome == ENumberParsing::OutOfRange) {
       reason = "the number is out of range";
+    } else if (outcome == ENumberParsing::NotWhole) {
+      reason = "the number is not whole";
     }
     return outcome == ENumberParsing::Ok;
   } else {
@@ -137,6 +142,32 @@ bool ParseText(const char* text, T& value, std::string& reason) {
       return reader.Finish() && IsValidValue(value);
     } catch (CARGoSException& ex) {
       reason = ex.what();
+      return false;
+    }
+  }
+}
+
+/**
+ * Converts a text that ParseText() refuses as ARGoS 3 does: what follows a number is ignored, as
+ * are further fields of a list; a field that is not a number is 0.
+ * @return false if it is an error there, too.
+ */
+template <typename T>
+bool ParseLoosely(const char* text, T& value) {
+  if constexpr (std::is_same_v<T, bool>) {
+    return false;
+  } else {
+    try {
+      CTextReader reader(text, false);
+      if constexpr (std::is_integral_v<T> && sizeof(T) == 1) {
+        int number = 0;  // the stream would read a character
+        reader.Stream() >> number;
+        value = static_cast<T>(number);
+      } else {
+        reader.Stream() >> value;
+      }
+      return !reader.Stream().fail();
+    } catch (CARGoSException&) {
       return false;
     }
   }

@@ -1,5 +1,6 @@
 #include <argos3/core/utility/configuration/configuration_path.h>
 
+#include <argos3/core/utility/configuration/configuration_error.h>
 #include <argos3/core/utility/configuration/configuration_store.h>
 
 #include <algorithm>
@@ -13,9 +14,9 @@ namespace argos {
 /****************************************/
 
 void CConfigurationPath::ThrowMalformed(const std::string& why) const {
-  THROW_ARGOSEXCEPTION("\"" << m_path << "\" is not a path to an attribute: " << why
-                            << "; expected a form like framework/experiment/@length or "
-                               "//foot-bot[@id='fb0']/body/@position");
+  THROW_CONFIGURATION_ERROR("\"" << m_path << "\" is not a path to an attribute: " << why
+                                 << "; expected a form like framework/experiment/@length or "
+                                    "//foot-bot[@id='fb0']/body/@position");
 }
 
 CConfigurationPath::CConfigurationPath(const std::string& path) : m_path(path) {
@@ -188,9 +189,10 @@ CConfigurationPath::TElements CConfigurationPath::Find(tinyxml2::XMLElement& roo
     for (const tinyxml2::XMLElement* element : found) {
       lines += (lines.empty() ? "" : ", ") + std::to_string(element->GetLineNum());
     }
-    THROW_ARGOSEXCEPTION("\"" << m_path << "\" matches " << found.size() << " elements, in lines "
-                              << lines << ": select one, as in \"" << m_steps.back().Text
-                              << "[1]\" or with [@id='...'], or begin with \"//\" for all");
+    THROW_CONFIGURATION_ERROR("\"" << m_path << "\" matches " << found.size()
+                                   << " elements, in lines " << lines << ": select one, as in \""
+                                   << m_steps.back().Text
+                                   << "[1]\" or with [@id='...'], or begin with \"//\" for all");
   }
   return found;
 }
@@ -214,7 +216,7 @@ void CConfigurationPath::ThrowNothingFound(const SStep& step, const TElements& p
   for (const tinyxml2::XMLElement* parent : parents) {
     addTags(*parent, addTags);
   }
-  THROW_ARGOSEXCEPTION(
+  THROW_CONFIGURATION_ERROR(
       "\"" << m_path << "\": nothing matches the step \"" << step.Text << "\" inside <"
            << parents.front()->Value() << "> (line " << parents.front()->GetLineNum() << ")"
            << (sameTag > 0 ? "; elements <" + step.Tag + "> there: " + std::to_string(sameTag)

@@ -1,5 +1,7 @@
 #include <argos3/core/utility/configuration/configuration_store.h>
 
+#include <argos3/core/utility/configuration/configuration_error.h>
+
 #include <algorithm>
 #include <cctype>
 
@@ -58,13 +60,16 @@ void CConfigurationStore::InheritOrigin(tinyxml2::XMLElement& copy,
   const auto* originalRecord = static_cast<const SConfigurationRecord*>(original.GetUserData());
   if (originalRecord != nullptr) {
     record.File = originalRecord->File;
+    record.Leniency = originalRecord->Store->LeniencyOf(*originalRecord);
     record.Line = originalRecord->Line;
   } else {
     // all ancestors of the original have records, which give its file
     record.Line = original.GetLineNum();
     for (auto* parent = original.Parent(); parent != nullptr; parent = parent->Parent()) {
       if (parent->GetUserData() != nullptr) {
-        record.File = static_cast<const SConfigurationRecord*>(parent->GetUserData())->File;
+        const auto* ancestor = static_cast<const SConfigurationRecord*>(parent->GetUserData());
+        record.File = ancestor->File;
+        record.Leniency = ancestor->Store->LeniencyOf(*ancestor);
         break;
       }
     }
@@ -140,7 +145,8 @@ void CheckXmlName(const std::string& name) {
   if (name.empty() || !isStart(static_cast<unsigned char>(name[0])) ||
       !std::all_of(name.begin(), name.end(),
                    [&isPart](char c) { return isPart(static_cast<unsigned char>(c)); })) {
-    THROW_ARGOSEXCEPTION("\"" << name << "\" cannot be the name of an XML element or attribute: "
+    THROW_CONFIGURATION_ERROR("\""
+                              << name << "\" cannot be the name of an XML element or attribute: "
                               << "expected a letter, then letters, digits, '-', '_', '.' or ':'");
   }
 }

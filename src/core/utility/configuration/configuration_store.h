@@ -10,9 +10,15 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 
 namespace argos {
+
+/** Exists if a document is lenient. */
+struct SLeniency {
+  std::set<std::string> Reported;  // warnings: copies of an element repeat them
+};
 
 /** Data about an element besides its XML. */
 struct SConfigurationRecord {
@@ -26,6 +32,8 @@ struct SConfigurationRecord {
   int Line = 0;
   // shared with the document from which the element was copied, which may have been destroyed
   std::shared_ptr<const std::string> File;
+  // of the document from which the element was copied, likewise; null unless that is lenient
+  std::shared_ptr<SLeniency> Leniency;
 };
 
 /** One XML document with a record per element; addresses of records and handles are stable. */
@@ -41,6 +49,12 @@ class CConfigurationStore : public std::enable_shared_from_this<CConfigurationSt
   /** Returns the element's handle, owned by the store; marks the element as visited. */
   CConfigurationNode* HandleOf(tinyxml2::XMLElement* element);
 
+  void SetLenient() { m_leniency = std::make_shared<SLeniency>(); }
+  /** Null if texts that are no valid values are errors. */
+  const std::shared_ptr<SLeniency>& LeniencyOf(const SConfigurationRecord& record) const {
+    return record.Leniency != nullptr ? record.Leniency : m_leniency;
+  }
+
   CConfigurationAttribute* KeepAttribute(const CConfigurationAttribute& attribute);
 
   /** Copies an element of any store into this one, without parent, with file and line. */
@@ -55,6 +69,7 @@ class CConfigurationStore : public std::enable_shared_from_this<CConfigurationSt
 
   std::shared_ptr<const std::string> m_name;
   tinyxml2::XMLDocument m_xml;
+  std::shared_ptr<SLeniency> m_leniency;  // null: it is strict
   std::deque<SConfigurationRecord> m_records;
   std::deque<CConfigurationNode> m_handles;
   std::deque<CConfigurationAttribute> m_attributes;

@@ -103,4 +103,8 @@ std::istream& operator>>(std::istream& stream, CColor& color);
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/utility/string_utilities.h>
+#endif
+
 #endif

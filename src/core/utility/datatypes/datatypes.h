@@ -48,6 +48,10 @@ std::ostream& operator<<(std::ostream& stream, const SInt8 value);
 std::ostream& operator<<(std::ostream& stream, const UInt8 value);
 
 }  // namespace argos
+
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/utility/datatypes/standard_headers.h>
+#endif
 #endif
 
 #endif

@@ -1,6 +1,8 @@
 #ifndef ARGOS3_CORE_UTILITY_DATATYPES_SET_H
 #define ARGOS3_CORE_UTILITY_DATATYPES_SET_H
 
+#include <argos3/core/config.h>  // checks the language level
+
 #include <algorithm>
 #include <cstddef>
 #include <functional>

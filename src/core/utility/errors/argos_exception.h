@@ -1,6 +1,8 @@
 #ifndef ARGOS3_CORE_UTILITY_ERRORS_ARGOS_EXCEPTION_H
 #define ARGOS3_CORE_UTILITY_ERRORS_ARGOS_EXCEPTION_H
 
+#include <argos3/core/config.h>  // checks the language level
+
 #include <cstring>
 #include <exception>
 #include <iostream>

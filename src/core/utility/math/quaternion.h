@@ -158,4 +158,8 @@ std::istream& operator>>(std::istream& is, CQuaternion& quaternion);
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/utility/math/matrix/rotationmatrix3.h>
+#endif
+
 #endif

@@ -1,6 +1,7 @@
 #include <argos3/core/utility/math/text_input.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
 #include <cctype>
 #include <vector>
@@ -38,6 +39,10 @@ std::string QuoteInput(std::istream& is, std::streampos start) {
 }
 
 void ReadNumbers(std::istream& is, Real* buffer, UInt32 count, const std::string& what) {
+  if (IsLooseParsing(is)) {
+    ParseValues(is, count, buffer, ',');
+    return;
+  }
   const std::streampos start = is.tellg();
   const auto reject = [&](const std::string& reason) {
     THROW_ARGOSEXCEPTION(QuoteInput(is, start)

@@ -16,6 +16,8 @@ std::string QuoteInput(std::istream& is, std::streampos start);
 /**
  * Reads exactly count numbers separated by commas, with blanks allowed around each.
  *
+ * After SetLooseParsing() fields that are no numbers are 0 and further fields are ignored.
+ *
  * Reading stops directly after the last number, so several lists may follow one another, separated
  * by blanks.
  *

@@ -167,4 +167,8 @@ std::istream& operator>>(std::istream& is, CVector2& vector);
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/utility/math/matrix/matrix.h>
+#endif
+
 #endif

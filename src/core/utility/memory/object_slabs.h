@@ -1,6 +1,8 @@
 #ifndef ARGOS3_CORE_UTILITY_MEMORY_OBJECT_SLABS_H
 #define ARGOS3_CORE_UTILITY_MEMORY_OBJECT_SLABS_H
 
+#include <argos3/core/config.h>  // checks the language level
+
 #include <cstddef>
 #include <memory>
 #include <new>

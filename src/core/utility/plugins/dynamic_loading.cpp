@@ -33,6 +33,17 @@ std::map<std::string, SLoadedLibrary>& LoadedLibraries() {
   return libraries;
 }
 
+// when a factory lacks a label; guarded by the loading mutex
+struct SLoadingOnDemand {
+  bool IsEnabled = false;
+  bool IsDone = false;
+};
+
+SLoadingOnDemand& LoadingOnDemand() {
+  static SLoadingOnDemand state;
+  return state;
+}
+
 fs::path Resolved(const fs::path& path) {
   std::error_code error;
   const fs::path resolved = fs::canonical(path, error);
@@ -209,6 +220,9 @@ void CDynamicLoading::UnloadLibrary(const std::string& lib) {
 
 void CDynamicLoading::LoadAllLibraries() {
   const std::lock_guard<std::recursive_mutex> lock(detail::GetLoadingMutex());
+  // before the first library, because libraries may look labels up while they are loaded
+  LoadingOnDemand().IsDone = true;
+  ThrowRegistrationProblems("the libraries linked to the program are not compatible");
   std::vector<std::string> directories = UserDirectories();
   directories.push_back(PluginDirectory());
   std::set<std::string> seen = {CoreLibrary().filename().string()};
@@ -224,6 +238,25 @@ void CDynamicLoading::LoadAllLibraries() {
         LoadLibrary(fs::absolute(file).string());
       }
     }
+  }
+}
+
+void CDynamicLoading::LoadAllLibrariesOnDemand() {
+  const std::lock_guard<std::recursive_mutex> lock(detail::GetLoadingMutex());
+  LoadingOnDemand().IsEnabled = true;
+}
+
+void detail::LoadPluginsFor(const std::string& label) {
+  const std::lock_guard<std::recursive_mutex> lock(GetLoadingMutex());
+  if (!LoadingOnDemand().IsEnabled || LoadingOnDemand().IsDone) {
+    return;
+  }
+  LOG << "[INFO] Loading all plug-ins, because \"" << label << "\" is not registered" << std::endl;
+  try {
+    CDynamicLoading::LoadAllLibraries();
+  } catch (CARGoSException& error) {
+    THROW_ARGOSEXCEPTION_NESTED(
+        "\"" << label << "\" is not registered, and not all plug-ins can be loaded", error);
   }
 }
 

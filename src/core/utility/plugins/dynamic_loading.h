@@ -45,14 +45,26 @@ class CDynamicLoading {
    * Loads every library in the directories of ARGOS_PLUGIN_PATH, then in the default directories,
    * by name within each. Skips a library whose file name was found in an earlier directory. Warns
    * of a directory that cannot be read.
-   * @throws CARGoSException if a library does not load.
+   * @throws CARGoSException if a library does not load, or if the process has incompatible ones.
    */
   static void LoadAllLibraries();
+
+  /**
+   * From here on the first label that no factory knows calls LoadAllLibraries(), once per process
+   * and not if it was called already. For programs that embed the simulator: loading an experiment
+   * calls this function, so that a program needs to link no plug-in.
+   */
+  static void LoadAllLibrariesOnDemand();
 
   /** Marks all libraries as not loaded. */
   static void UnloadAllLibraries();
 };
 
 }  // namespace argos
+
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/logging/argos_log.h>
+#endif
 
 #endif

@@ -133,8 +133,17 @@ class CFactory {
     ~SOwner() { Clear(Types); }
   };
 
-  // null if there is none
+  // null if there is none; may load plug-ins
   static TCreator* FindCreator(const std::string& label) {
+    TCreator* const creator = FindRegistered(label);
+    if (creator != nullptr) {
+      return creator;
+    }
+    detail::LoadPluginsFor(label);
+    return FindRegistered(label);
+  }
+
+  static TCreator* FindRegistered(const std::string& label) {
     const detail::CLookUpLock lock;
     const TTypeMap& types = GetTypeMap();
     const auto type = types.find(label);
@@ -207,5 +216,10 @@ class CSymbolRegistrar {
                                        LONG_DESCRIPTION, STATUS,                                  \
                                        []() -> BASECLASS* { return new CLASSNAME; });             \
   });
+
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/utility/datatypes/standard_headers.h>
+#include <argos3/core/utility/plugins/factory_impl.h>
+#endif
 
 #endif

@@ -75,9 +75,17 @@ void ThrowRegistrationProblems(const std::string& context);
 std::vector<std::string> GetPluginSearchPaths();
 
 namespace detail {
+
+/**
+ * Loads all plug-ins if CDynamicLoading::LoadAllLibrariesOnDemand() was called and they were not
+ * loaded before. Called for a label that is not registered; waits while another thread loads.
+ * @throws CARGoSException if a plug-in does not load.
+ */
+void LoadPluginsFor(const std::string& label);
+
 [[noreturn]] void ThrowUnknownLabel(const std::string& kind, const std::string& label,
                                     const std::vector<std::string>& registered);
-}
+}  // namespace detail
 
 }  // namespace argos
 

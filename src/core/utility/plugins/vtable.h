@@ -8,6 +8,7 @@
  * The core library stores tags and tables, so that all shared libraries agree on them.
  */
 
+#include <argos3/core/config.h>  // checks the language level
 #include <argos3/core/utility/plugins/process_wide.h>
 
 #include <atomic>
@@ -161,5 +162,9 @@ CVTable<CONTEXT, BASE, FUNCTION>& GetVTable() {
  */
 #define INIT_VTABLE_FOR(BASE) \
   [[maybe_unused]] static const std::size_t argosRootTagOf##BASE = ::argos::GetTag<BASE, BASE>();
+
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/utility/logging/argos_log.h>
+#endif
 
 #endif

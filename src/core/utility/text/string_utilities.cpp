@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <memory>
 #include <numeric>
 
@@ -61,8 +63,32 @@ ENumberParsing ParseReal(std::string_view text, T& value) {
   return ENumberParsing::Ok;
 }
 
+// an integer that is written as a real number: with a decimal point or an exponent
+template <typename T>
+ENumberParsing ParseWhole(std::string_view text, T& value) {
+  long double real = 0.0L;
+  const ENumberParsing outcome = ParseReal(text, real);
+  if (outcome != ENumberParsing::Ok) {
+    return outcome;
+  }
+  if (real != std::floor(real)) {
+    return ENumberParsing::NotWhole;
+  }
+  // the first number above the range is a power of two, which every real type represents
+  const long double end = std::ldexp(1.0L, std::numeric_limits<T>::digits);
+  const long double least = std::is_unsigned_v<T> ? 0.0L : -end;
+  if (!(real >= least && real < end)) {
+    return ENumberParsing::OutOfRange;
+  }
+  value = static_cast<T>(real);
+  return ENumberParsing::Ok;
+}
+
 template <typename T>
 ENumberParsing ParseInteger(std::string_view text, T& value) {
+  if (text.find_first_of(".eE") != std::string_view::npos) {
+    return ParseWhole(text, value);
+  }
   text = WithoutPlus(Trim(text));
   const bool negativeUnsigned = std::is_unsigned_v<T> && text.size() > 1 && text[0] == '-';
   if (negativeUnsigned) {
@@ -131,10 +157,12 @@ ENumberParsing ParseNumber(std::string_view text, unsigned long long& value) {
 
 namespace {
 
-// index of the stream flag (xalloc) for strict parsing
-int StrictParsingSlot() {
+enum EParsingMode : long { kOrdinary, kStrict, kLoose };
+
+// the mode of a stream
+long& ParsingModeOf(std::istream& stream) {
   static const int slot = std::ios_base::xalloc();
-  return slot;
+  return stream.iword(slot);
 }
 
 std::string Quoted(char delimiter) {
@@ -148,11 +176,19 @@ std::string NumberOfValues(std::uint32_t n) {
 }  // namespace
 
 void SetStrictParsing(std::istream& stream, bool strict) {
-  stream.iword(StrictParsingSlot()) = strict ? 1 : 0;
+  ParsingModeOf(stream) = strict ? kStrict : kOrdinary;
 }
 
 bool IsStrictParsing(std::istream& stream) {
-  return stream.iword(StrictParsingSlot()) != 0;
+  return ParsingModeOf(stream) == kStrict;
+}
+
+void SetLooseParsing(std::istream& stream) {
+  ParsingModeOf(stream) = kLoose;
+}
+
+bool IsLooseParsing(std::istream& stream) {
+  return ParsingModeOf(stream) == kLoose;
 }
 
 namespace detail {

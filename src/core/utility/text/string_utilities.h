@@ -1,6 +1,7 @@
 #ifndef ARGOS3_CORE_UTILITY_TEXT_STRING_UTILITIES_H
 #define ARGOS3_CORE_UTILITY_TEXT_STRING_UTILITIES_H
 
+#include <argos3/core/config.h>  // checks the language level
 #include <argos3/core/utility/errors/argos_exception.h>
 
 #include <cstdint>
@@ -45,15 +46,17 @@ enum class ENumberParsing {
   /** Text other than blanks follows the number. */
   TrailingText,
   /** A well-formed number outside the range of the type. */
-  OutOfRange
+  OutOfRange,
+  /** A real number that is not whole, for an integer. */
+  NotWhole
 };
 
 /**
  * Parses a number that fills the whole text, except for blanks around it.
  *
  * The decimal point is '.', whatever the locale; a leading '+' is allowed. Real numbers may have an
- * exponent; "inf" and "nan" are not numbers here. An integer has no decimal point, and a negative
- * one is out of range for an unsigned type.
+ * exponent; "inf" and "nan" are not numbers here. An integer may be written as a real number,
+ * "25.0" or "1e3"; a negative one is out of range for an unsigned type.
  * @param value  set only if the result is Ok.
  */
 ENumberParsing ParseNumber(std::string_view text, float& value);
@@ -83,6 +86,9 @@ inline constexpr bool kIsParsableNumber =
  */
 void SetStrictParsing(std::istream& stream, bool strict);
 bool IsStrictParsing(std::istream& stream);
+/** Makes the lists of vectors and quaternions, which are strict by default, unchecked, too. */
+void SetLooseParsing(std::istream& stream);
+bool IsLooseParsing(std::istream& stream);
 
 namespace detail {
 

@@ -143,7 +143,7 @@ void CLuaController::ReadSensors(lua_State* state) const {
   lua_rawgetp(state, LUA_REGISTRYINDEX, &kLuaRobotKey);
   const int robot = lua_gettop(state);
   for (CCI_Sensor* const sensor : m_sensors) {
-    if (sensor->IsEnabled()) {
+    if (sensor->IsSwitchedOn()) {
       sensor->ReadingsToLuaState(state);
       lua_settop(state, robot);
     }

@@ -10,23 +10,17 @@
 #include <argos3/core/utility/math/rng.h>
 #include <argos3/core/utility/math/vector2.h>
 #include <argos3/core/utility/math/vector3.h>
+#include <argos3/core/wrappers/lua/lua_headers.h>
 
 #include <string>
-
-extern "C" {
-#include <lauxlib.h>
-#include <lua.h>
-#include <lualib.h>
-}
 
 namespace argos {
 
 /**
  * Exposes the control interfaces of plug-ins to Lua; as published with ARGoS 3.
  *
- * This is the only header that includes Lua's own. Our devices are bound with lua_table.h, which is
- * shorter, checks the arguments of every function, and works even if a script changes the global
- * "robot"; use that for new code.
+ * Our devices are bound with lua_table.h, which is shorter, checks the arguments of every function,
+ * and works even if a script changes the global "robot"; use that for new code.
  *
  * Unless said otherwise, "the table" is the one on top of the stack, functions leave the stack
  * unchanged, and keys that are numbers count from 1, as in Lua.

@@ -129,9 +129,9 @@ SLuaResults PushList(CSpace& space, CLuaArguments& arguments, PUSH push) {
       lua_rawseti(state, -2, ++count);
     }
   }
-  if (count == 0 && !all && !CFactory<CEntity>::Exists(type)) {
+  if (count == 0 && !all && !space.HasEntityType(type)) {
     THROW_ARGOSEXCEPTION("there is no type of entity \""
-                         << type << '"' << DidYouMean(type, CFactory<CEntity>::GetLabels()));
+                         << type << '"' << DidYouMean(type, space.GetEntityTypes()));
   }
   return {1};
 }

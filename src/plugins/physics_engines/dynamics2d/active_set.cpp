@@ -3,7 +3,6 @@
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_shapes.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/wheel_motion.h>
 
 #include <algorithm>
 #include <cmath>
@@ -125,8 +124,10 @@ void CActiveSet::StartTick(SActiveBody& active) {
   const SPlanarSettings& settings = m_store.GetSettings();
   const SDrivenBody& body = GetRobot(active);
   b2Body& box2dBody = *active.Body;
-  const SWheelMotion commanded = ReadWheels(body, settings.Tick);
-  const SArc arc = FollowArc(body.Pose, commanded.Speed, commanded.YawRate, settings.Tick);
+  const Real lag = settings.VelocityLag;
+  const SArc arc = FollowArcs(body.Pose, body.Command, body.NextCommand, settings.Tick, lag);
+  const Real turn =
+      (lag * body.Command.YawRate + (1.0 - lag) * body.NextCommand.YawRate) * settings.Tick;
 
   if (std::abs(box2dBody.GetAngle()) > kMaxAngle) {
     box2dBody.SetTransform(box2dBody.GetPosition(), static_cast<float>(body.Pose.ComputeYaw()));
@@ -138,8 +139,7 @@ void CActiveSet::StartTick(SActiveBody& active) {
       startAngle + std::remainder(body.Pose.ComputeYaw() - startAngle, 2.0 * ARGOS_PI);
   active.StepX = static_cast<float>(arc.End.X * settings.UnitsPerMetre - position.x);
   active.StepY = static_cast<float>(arc.End.Y * settings.UnitsPerMetre - position.y);
-  active.StepAngle =
-      static_cast<float>(active.StartYaw + commanded.YawRate * settings.Tick - startAngle);
+  active.StepAngle = static_cast<float>(active.StartYaw + turn - startAngle);
   active.SpentImpulse = 0.0F;
   active.SpentAngularImpulse = 0.0F;
 }

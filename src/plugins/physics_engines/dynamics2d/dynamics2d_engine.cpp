@@ -4,11 +4,12 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/drive_motion.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/dynamics2d_body.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/dynamics2d_model.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_shapes.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_world.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/wheel_motion.h>
 #include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
 #include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>
 #include <argos3/plugins/simulator/physics_engines/robot_bodies/engine_manual.h>
@@ -31,6 +32,7 @@ void CDynamics2DEngine::Init(TConfigurationNode& tree) {
   ReadNotNegative(tree, "gripping_rigidity", m_grippingRigidity);
   ReadGroundFriction(tree, m_settings->BoxFriction, m_settings->CylinderFriction);
   m_settings->Tick = m_cSimulator.GetTickLength();
+  m_settings->VelocityLag = GetVelocityLag();
   m_settings->Substeps = GetIterations();
   m_settings->GrippingRigidity = m_grippingRigidity;
   // an explicit number of substeps is not refined
@@ -39,6 +41,7 @@ void CDynamics2DEngine::Init(TConfigurationNode& tree) {
 
 // The next tick builds a new world from the entities, without any state of the run so far.
 void CDynamics2DEngine::Reset() {
+  ResetRecordedBodies();
   m_world.reset();
   ForgetDisplaced();
 }
@@ -48,46 +51,37 @@ void CDynamics2DEngine::Destroy() {
   DestroyModels();
 }
 
-std::unique_ptr<CDescribedBodyModel> CDynamics2DEngine::CreateModel(CEmbodiedEntity& body) {
-  return std::make_unique<CDynamics2DModel>(*this, body, FindWheels(body));
+std::unique_ptr<CDescribedBodyModel> CDynamics2DEngine::CreateModel(CEmbodiedEntity& body,
+                                                                    const CRecordedBody* recorded) {
+  return std::make_unique<CDynamics2DBody>(*this, body, FindDrive(body, recorded));
 }
 
-CDynamics2DModel& CDynamics2DEngine::GetModel(const CEmbodiedEntity& body) const {
-  return static_cast<CDynamics2DModel&>(*FindModel(body));
+CDynamics2DBody& CDynamics2DEngine::GetModel(const CEmbodiedEntity& body) const {
+  return static_cast<CDynamics2DBody&>(*FindModel(body));
 }
 
 void CDynamics2DEngine::Enter(CDescribedBodyModel& model) {
   if (m_world != nullptr) {
-    AddToWorld(static_cast<CDynamics2DModel&>(model));
+    AddToWorld(static_cast<CDynamics2DBody&>(model));
   }
 }
 
 void CDynamics2DEngine::Leave(CDescribedBodyModel& model) {
   if (m_world != nullptr) {
-    m_world->Remove(static_cast<CDynamics2DModel&>(model).m_handle);
+    m_world->Remove(static_cast<CDynamics2DBody&>(model).m_handle);
   }
 }
 
 void CDynamics2DEngine::Reposition(CDescribedBodyModel& model) {
-  auto& displaced = static_cast<CDynamics2DModel&>(model);
+  auto& displaced = static_cast<CDynamics2DBody&>(model);
   m_world->Remove(displaced.m_handle);
   AddToWorld(displaced);
 }
 
 bool CDynamics2DEngine::IsAtLastPose(const CDescribedBodyModel& model) const {
   const SAnchor& origin = model.GetEmbodiedEntity().GetOriginAnchor();
-  return m_world->IsAt(static_cast<const CDynamics2DModel&>(model).m_handle,
+  return m_world->IsAt(static_cast<const CDynamics2DBody&>(model).m_handle,
                        MakePlanarPose(origin.Position, origin.Orientation));
-}
-
-void CDynamics2DEngine::Adopt(CDescribedBodyModel& model) {
-  const CEmbodiedEntity& body = model.GetEmbodiedEntity();
-  SBodyMotion motion;
-  const bool hasMotion = model.GetEngine().GetMotion(body, motion);
-  CPlanarEngine::Adopt(model);
-  if (hasMotion) {
-    SetMotion(model.GetEmbodiedEntity(), motion);
-  }
 }
 
 void CDynamics2DEngine::FindCluster(CEmbodiedEntity& body, TBodies& cluster) const {
@@ -116,21 +110,26 @@ bool CDynamics2DEngine::GetMotion(const CEmbodiedEntity& body, SBodyMotion& moti
   if (m_world == nullptr) {
     return false;
   }
-  const SPlanarVelocity velocity = m_world->GetVelocity(GetModel(body).m_handle);
-  motion = {CVector3(velocity.X, velocity.Y, 0.0), CVector3(0.0, 0.0, velocity.W)};
+  const SPlanarHandle& handle = GetModel(body).m_handle;
+  const SPlanarVelocity velocity = m_world->GetVelocity(handle);
+  motion.Velocity = CVector3(velocity.X, velocity.Y, 0.0);
+  motion.Rotation = CVector3(0.0, 0.0, velocity.W);
+  motion.Command = m_world->GetLastCommand(handle);
   return true;
 }
 
 void CDynamics2DEngine::SetMotion(CEmbodiedEntity& body, const SBodyMotion& motion) {
   if (m_world != nullptr) {
-    m_world->SetVelocity(GetModel(body).m_handle,
+    const SPlanarHandle& handle = GetModel(body).m_handle;
+    m_world->SetVelocity(handle,
                          {motion.Velocity.GetX(), motion.Velocity.GetY(), motion.Rotation.GetZ()});
+    m_world->SetLastCommand(handle, FindCommand(motion, body));
   }
 }
 
 void CDynamics2DEngine::UpdateManipulator(CPlanarModel& model) {
   if (m_world != nullptr) {
-    auto& robot = static_cast<CDynamics2DModel&>(model);
+    auto& robot = static_cast<CDynamics2DBody&>(model);
     m_world->GetGrips().SetManipulator({&robot, &robot.m_cEmbodiedEntity, &robot.m_handle},
                                        *robot.m_cEmbodiedEntity.GetBodyDescription(),
                                        robot.m_gripper, robot.m_turret);
@@ -144,15 +143,15 @@ void CDynamics2DEngine::Build() {
   const auto count = [&models](bool movable, bool driven) {
     return static_cast<size_t>(
         std::count_if(models.begin(), models.end(), [=](const CDescribedBodyModel* model) {
-          const auto& body = static_cast<const CDynamics2DModel&>(*model);
+          const auto& body = static_cast<const CDynamics2DBody&>(*model);
           return body.m_cEmbodiedEntity.IsMovable() == movable &&
-                 (body.m_wheels != nullptr) == driven;
+                 static_cast<bool>(body.m_drive) == driven;
         }));
   };
   m_world->Reserve(count(false, false), AddSpareCapacity(count(true, false)),
                    AddSpareCapacity(count(true, true)));
   for (CDescribedBodyModel* model : models) {
-    AddToWorld(static_cast<CDynamics2DModel&>(*model));
+    AddToWorld(static_cast<CDynamics2DBody&>(*model));
   }
   // faces of the region that are walls
   const std::vector<SWallSlab> walls = GetVolume().DescribeWalls();
@@ -180,7 +179,7 @@ Real CDynamics2DEngine::ChooseScale() const {
   return smallest > 0.0 ? kSmallestRadiusInUnits / smallest : kDefaultUnitsPerMetre;
 }
 
-void CDynamics2DEngine::AddToWorld(CDynamics2DModel& model) {
+void CDynamics2DEngine::AddToWorld(CDynamics2DBody& model) {
   const CEmbodiedEntity& body = model.GetEmbodiedEntity();
   const SBodyDescription& description = *body.GetBodyDescription();
   const SAnchor& origin = body.GetOriginAnchor();
@@ -188,8 +187,8 @@ void CDynamics2DEngine::AddToWorld(CDynamics2DModel& model) {
   const SPlanarOwner owner{&model, &model.GetEmbodiedEntity(), &model.m_handle};
   if (!body.IsMovable()) {
     m_world->AddImmovable(owner, description, pose);
-  } else if (model.m_wheels != nullptr) {
-    m_world->AddDriven(owner, description, pose, model.m_wheels);
+  } else if (model.m_drive) {
+    m_world->AddDriven(owner, description, pose, model.m_drive);
     m_world->GetGrips().SetManipulator(owner, description, model.m_gripper, model.m_turret);
   } else {
     m_world->AddPassive(owner, description, pose);
@@ -197,6 +196,7 @@ void CDynamics2DEngine::AddToWorld(CDynamics2DModel& model) {
 }
 
 void CDynamics2DEngine::Update() {
+  StartRecordedBodies();
   if (m_world == nullptr) {
     Build();
   }
@@ -206,10 +206,8 @@ void CDynamics2DEngine::Update() {
   }
   try {
     m_world->Advance();
-  } catch (const SBadWheelSpeed& bad) {
-    THROW_ARGOSEXCEPTION("robot \"" << bad.Owner->GetEmbodiedEntity().GetRootEntity().GetId()
-                                    << "\": wheel speeds must be finite numbers, found left = "
-                                    << bad.Left << " m/s, right = " << bad.Right << " m/s");
+  } catch (const SBadDriveCommand& bad) {
+    ThrowBadCommand(bad);
   }
   m_world->CommitDriven(
       [this](const SDrivenBody& body) { WriteBack(*body.Owner.Model, body.Pose); });
@@ -218,9 +216,10 @@ void CDynamics2DEngine::Update() {
       WriteBack(*body.Owner.Model, body.Pose);
     }
   });
+  FinishRecordedBodies();
 }
 
-void CDynamics2DEngine::WriteBack(CDynamics2DModel& model, const SPlanarPose& pose) {
+void CDynamics2DEngine::WriteBack(CDynamics2DBody& model, const SPlanarPose& pose) {
   CEmbodiedEntity& body = model.m_cEmbodiedEntity;
   body.SetOriginPose(CVector3(pose.X, pose.Y, GetElevation()),
                      CQuaternion(pose.HalfCos, 0.0, 0.0, pose.HalfSin));
@@ -241,10 +240,11 @@ REGISTER_PHYSICS_ENGINE(
     CDynamics2DEngine, "dynamics2d", "the authors of this project", "1.0",
     "Rigid bodies on a plane, on Box2D.",
     R"(Robots and objects on a horizontal plane: they push, slide, stall and slip. Only the yaw of a body is
-kept. Robots that touch nothing follow the exact arc of their wheel speeds.
+kept. Robots that touch nothing follow the exact arcs of their wheel speeds.
 )" + RequiredEngineXML(R"(<dynamics2d id="dyn2d" />)") +
         OptionalEngineXML("dynamics2d",
-                          R"(id="dyn2d" iterations="2" elevation="0" gripping_rigidity="10000")",
+                          R"(id="dyn2d" iterations="2" velocity_lag="0.1" elevation="0"
+                gripping_rigidity="10000")",
                           PlanarFrictionXML(), std::string()) +
         R"(
 ATTRIBUTES
@@ -254,7 +254,8 @@ ATTRIBUTES
                              so deep that robots would overlap. In any case more, up to 64, while a
                              body moves by more than half its radius in a substep. 64 substeps also
                              bound speeds: a robot moves at most 32 radii in a tick.
-  elevation                  m, default 0: height of the plane; bodies must stand on it, to 1e-4 m.
+)" + VelocityLagManual() +
+        R"(  elevation                  m, default 0: height of the plane; bodies must stand on it, to 1e-4 m.
   gripping_rigidity          N/m, >= 0, default 10000: stiffness of grips, along the arm from the robot's
                              centre to the point that is gripped; 0: grippers hold nothing.
   box_linear_friction        N, >= 0, default 1.49: greatest friction force on a movable box.

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_BODIES_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_BODIES_H
 
+#include <argos3/core/simulator/physics_engine/drive_source.h>
 #include <argos3/core/simulator/physics_engine/planar_motion.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_handle.h>
 #include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
@@ -12,12 +13,12 @@ class b2Body;
 
 namespace argos {
 
-class CDynamics2DModel;
+class CDynamics2DBody;
 class CEmbodiedEntity;
 
 /** The engine's references to a body: Model and Body are null for a wall of the region. */
 struct SPlanarOwner {
-  CDynamics2DModel* Model = nullptr;
+  CDynamics2DBody* Model = nullptr;
   CEmbodiedEntity* Body = nullptr;
   SPlanarHandle* Handle = nullptr;  // receives the slot of the body
 };
@@ -44,7 +45,7 @@ struct SPassiveBody {
 };
 
 /**
- * A robot on two wheels.
+ * A robot with a drive.
  *
  * A disc that cannot touch anything in a tick has no Box2D body: it moves exactly as planned. The
  * others are active: see CActiveSet.
@@ -55,13 +56,14 @@ struct SDrivenBody {
   // state at the end of the last tick
   SPlanarPose Pose;
   SPlanarVelocity Velocity;
+  SDriveCommand Command;  // of the last tick
   // state at the end of this tick: as planned, then corrected by Box2D if the body is active
   SPlanarPose NextPose;
   SPlanarVelocity NextVelocity;
+  SDriveCommand NextCommand;
 
   // constant
-  const Real* Wheels = nullptr;  // m/s, (left, right), of the robot's wheels; not owned
-  Real InverseInterwheel = 0.0;  // 1/m
+  CDriveSource Drive;
   Real MaxSpeedChange = 0.0;  // m/s in a tick: limited by the drive's force
   Real MaxYawRateChange = 0.0;  // rad/s in a tick: limited by the drive's torque
   Real MaxSpeed = 0.0;  // m/s: limited by the number of substeps

@@ -22,7 +22,12 @@ class CPlanarGhosts {
       : m_store(store), m_active(active), m_filter(store) {}
 
   /** Allocates memory for so many Box2D bodies. */
-  void Reserve(size_t bodies) { m_filter.Reserve(bodies); }
+  void Reserve(size_t bodies) {
+    m_filter.Reserve(bodies);
+    // at most all of them are ghosts' in a tick
+    m_bodies.reserve(bodies);
+    m_meetings.reserve(bodies);
+  }
   /** Sets the ghosts of the next tick. */
   void Set(const std::vector<SGhostDisc>& ghosts) { m_ghosts.assign(ghosts.begin(), ghosts.end()); }
 

@@ -8,6 +8,7 @@ namespace argos {
 /** The parameters of a planar world. */
 struct SPlanarSettings {
   Real Tick = 0.1;  // s
+  Real VelocityLag = 0.0;  // of drives, as a share of a tick
   UInt32 Substeps = 1;  // least number in a tick; more if a body is very fast
   bool RefineInCrowds = true;  // more substeps also while overlaps remain
   Real UnitsPerMetre = 10.0;  // Box2D's unit of length

@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_shapes.h>
 
+#include <argos3/core/simulator/geometry/convex_polygon.h>
 #include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
 
 #include <box2d/box2d.h>
@@ -27,7 +28,7 @@ b2CircleShape MakeDisc(const CVector3& offset, Real radius, Real unitsPerMetre) 
   return disc;
 }
 
-b2PolygonShape MakePolygon(const SShapeDescription& shape, Real unitsPerMetre) {
+b2PolygonShape MakeRectangle(const SShapeDescription& shape, Real unitsPerMetre) {
   b2PolygonShape polygon;
   if (IsUpright(shape)) {
     const Real yaw = ComputeYaw(shape);
@@ -57,29 +58,40 @@ b2PolygonShape MakePolygon(const SShapeDescription& shape, Real unitsPerMetre) {
   return polygon;
 }
 
-Real ComputeVolume(const SShapeDescription& shape) {
-  switch (shape.Kind) {
-    case EKind::Box:
-      return shape.Size.GetX() * shape.Size.GetY() * shape.Size.GetZ();
-    case EKind::Cylinder:
-      return ARGOS_PI * shape.Radius * shape.Radius * shape.Size.GetZ();
-    case EKind::Sphere:
-      break;
-  }
-  return 4.0 / 3.0 * ARGOS_PI * shape.Radius * shape.Radius * shape.Radius;
+void AddFixture(b2Body& body, b2FixtureDef& definition, const b2Shape& shape) {
+  definition.shape = &shape;
+  body.CreateFixture(&definition);
 }
 
-CVector3 ComputeCentreOfMass(const SBodyDescription& description) {
-  Real volume = 0.0;
-  CVector3 weighted;
-  for (const SShapeDescription& shape : description.Shapes) {
-    const Real shapeVolume = ComputeVolume(shape);
-    CVector3 centroid(0.0, 0.0, 0.5 * shape.Size.GetZ());
-    centroid.Rotate(shape.Orientation);
-    weighted += (shape.Offset + centroid) * shapeVolume;
-    volume += shapeVolume;
+// Adds the polygons of a fan around the first corner of a prism's base. b2PolygonShape::Set() is
+// not used: it merges corners that are half a slop apart.
+void AddPrism(b2Body& body, b2FixtureDef& definition, const SShapeDescription& prism,
+              Real unitsPerMetre) {
+  constexpr size_t kMost = b2_maxPolygonVertices;
+  std::vector<CVector2> corners = *prism.Vertices;
+  for (CVector2& corner : corners) {
+    corner.Rotate(CRadians(ComputeYaw(prism)));
   }
-  return volume > 0.0 ? weighted * (1.0 / volume) : CVector3();
+  for (size_t first = 1; first + 1 < corners.size(); first += kMost - 2) {
+    const size_t last = std::min(first + kMost - 2, corners.size() - 1);
+    std::vector<CVector2> piece = {corners[0]};
+    piece.insert(piece.end(), corners.begin() + static_cast<std::ptrdiff_t>(first),
+                 corners.begin() + static_cast<std::ptrdiff_t>(last) + 1);
+    const auto place = [&](const CVector2& point) {
+      return ToUnits(prism.Offset + CVector3(point.GetX(), point.GetY(), 0.0), unitsPerMetre);
+    };
+    b2PolygonShape polygon;
+    polygon.m_count = static_cast<int32>(piece.size());
+    polygon.m_radius = kShapeMargin;
+    polygon.m_centroid = place(ComputeMoments(piece).Centroid);
+    for (size_t i = 0; i < piece.size(); ++i) {
+      const CVector2 normal = ComputeSideNormal(piece, i);
+      polygon.m_vertices[i] = place(piece[i]);
+      polygon.m_normals[i].Set(static_cast<float>(normal.GetX()),
+                               static_cast<float>(normal.GetY()));
+    }
+    AddFixture(body, definition, polygon);
+  }
 }
 
 b2FixtureDef DefineFixture(Real friction) {
@@ -93,10 +105,8 @@ b2FixtureDef DefineFixture(Real friction) {
 }  // namespace
 
 void AddDisc(b2Body& body, Real radius, Real unitsPerMetre, Real friction) {
-  const b2CircleShape disc = MakeDisc(CVector3(), radius, unitsPerMetre);
   b2FixtureDef definition = DefineFixture(friction);
-  definition.shape = &disc;
-  body.CreateFixture(&definition);
+  AddFixture(body, definition, MakeDisc(CVector3(), radius, unitsPerMetre));
 }
 
 void AddFixtures(b2Body& body, const SBodyDescription& description, Real unitsPerMetre,
@@ -104,19 +114,17 @@ void AddFixtures(b2Body& body, const SBodyDescription& description, Real unitsPe
   b2FixtureDef definition = DefineFixture(friction);
   for (const SShapeDescription& shape : description.Shapes) {
     if (IsDisc(shape)) {
-      const b2CircleShape disc = MakeDisc(shape.Offset, shape.Radius, unitsPerMetre);
-      definition.shape = &disc;
-      body.CreateFixture(&definition);
+      AddFixture(body, definition, MakeDisc(shape.Offset, shape.Radius, unitsPerMetre));
+    } else if (shape.Kind == EKind::Prism && IsUpright(shape)) {
+      AddPrism(body, definition, shape, unitsPerMetre);
     } else {
-      const b2PolygonShape polygon = MakePolygon(shape, unitsPerMetre);
-      definition.shape = &polygon;
-      body.CreateFixture(&definition);
+      AddFixture(body, definition, MakeRectangle(shape, unitsPerMetre));
     }
   }
 }
 
 void SetMass(b2Body& body, const SBodyDescription& description, Real unitsPerMetre) {
-  const CVector3 centre = ComputeCentreOfMass(description);
+  const CVector3 centre = description.ComputeCentreOfMass();
   const Real offsetInertia =
       description.Mass * (centre.GetX() * centre.GetX() + centre.GetY() * centre.GetY());
   Real inertia =

@@ -138,12 +138,8 @@ void CPlanarStore::AddPassive(const SPlanarOwner& owner, const SBodyDescription&
 }
 
 void CPlanarStore::AddGroundFriction(b2Body& body, const SBodyDescription& description) {
-  using EClass = SGroundFrictionDescription::EClass;
-  SGroundFriction friction = {0.0, 0.0};
-  if (description.GroundFriction) {
-    friction = description.GroundFriction->Class == EClass::Box ? m_settings.BoxFriction
-                                                                : m_settings.CylinderFriction;
-  }
+  const SGroundFriction friction =
+      ChooseGroundFriction(description, m_settings.BoxFriction, m_settings.CylinderFriction);
   // Box2D would freeze a slow body even if no friction stops it
   body.SetSleepingAllowed(friction.Force > 0.0 && friction.Torque > 0.0);
   if (friction.Force > 0.0 || friction.Torque > 0.0) {
@@ -157,19 +153,18 @@ void CPlanarStore::AddGroundFriction(b2Body& body, const SBodyDescription& descr
 }
 
 void CPlanarStore::AddDriven(const SPlanarOwner& owner, const SBodyDescription& description,
-                             const SPlanarPose& pose, const Real* wheels) {
-  const SDifferentialDriveDescription& drive = *description.Drive;
+                             const SPlanarPose& pose, const CDriveSource& drive) {
+  const SPlanarDriveDescription limits = description.GetDriveLimits();
   *owner.Handle = MakeHandle(EPlanarKind::Driven, m_driven.size());
   SDrivenBody& body = m_driven.emplace_back();
   body.Owner = owner;
   body.Pose = body.NextPose = pose;
-  body.Wheels = wheels;
+  body.Drive = drive;
   body.Mass = description.Mass;
   body.Inertia =
       description.PlanarInertia ? *description.PlanarInertia : description.ComputePlanarInertia();
-  body.InverseInterwheel = 1.0 / drive.InterwheelDistance;
-  body.MaxSpeedChange = drive.MaxForce * m_settings.Tick / body.Mass;
-  body.MaxYawRateChange = drive.MaxTorque * m_settings.Tick / body.Inertia;
+  body.MaxSpeedChange = limits.MaxForce * m_settings.Tick / body.Mass;
+  body.MaxYawRateChange = limits.MaxTorque * m_settings.Tick / body.Inertia;
   body.BoundingRadius = description.ComputeBoundingRadius();
   m_widestMovable = std::max(m_widestMovable, body.BoundingRadius);
   body.NarrowestHalf = ComputeNarrowestHalf(description);

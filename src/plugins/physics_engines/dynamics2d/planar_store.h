@@ -36,12 +36,9 @@ class CPlanarStore {
                     const SPlanarPose& pose);
   void AddPassive(const SPlanarOwner& owner, const SBodyDescription& description,
                   const SPlanarPose& pose);
-  /**
-   * Adds a robot without a Box2D body.
-   * @param wheels  speeds of its wheels, m/s, which must stay valid.
-   */
+  /** Adds a robot without a Box2D body. */
   void AddDriven(const SPlanarOwner& owner, const SBodyDescription& description,
-                 const SPlanarPose& pose, const Real* wheels);
+                 const SPlanarPose& pose, const CDriveSource& drive);
   /** Removes a body, which is not active; the last body of its kind gets its slot. */
   void Remove(const SPlanarHandle& handle);
 

@@ -1,8 +1,8 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_world.h>
 
 #include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/drive_motion.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/wheel_motion.h>
 #include <argos3/plugins/simulator/physics_engines/robot_bodies/robot_components.h>
 
 #include <algorithm>
@@ -20,8 +20,8 @@ CPlanarWorld::CPlanarWorld(const SPlanarSettings& settings)
 }
 
 void CPlanarWorld::AddDriven(const SPlanarOwner& owner, const SBodyDescription& description,
-                             const SPlanarPose& pose, const Real* wheels) {
-  m_store.AddDriven(owner, description, pose, wheels);
+                             const SPlanarPose& pose, const CDriveSource& drive) {
+  m_store.AddDriven(owner, description, pose, drive);
   if (!m_store.GetDriven().back().IsDisc) {
     m_active.Activate(owner.Handle->Slot, &description);
   }
@@ -137,15 +137,21 @@ void CPlanarWorld::PlanDriven() {
 
 void CPlanarWorld::Plan(SDrivenBody& body, UInt32 slot) {
   const Real tick = GetTick();
-  const SWheelMotion commanded = ReadWheels(body, tick);
+  const Real lag = m_store.GetSettings().VelocityLag;
+  body.NextCommand = ReadCommand(body, tick);
+  SDriveCommand command = body.NextCommand;
+  SDriveCommand last = body.Command;
 
   // the torque bounds the change of the yaw rate, the force that of the velocity
-  const Real yawRate = body.Velocity.W + std::clamp(commanded.YawRate - body.Velocity.W,
-                                                    -body.MaxYawRateChange, body.MaxYawRateChange);
-  const SArc arc = FollowArc(body.Pose, commanded.Speed, yawRate, tick);
+  Real yawRate = command.YawRate + lag * (last.YawRate - command.YawRate);  // in the mean
+  if (std::abs(yawRate - body.Velocity.W) > body.MaxYawRateChange) {
+    yawRate = body.Velocity.W + std::copysign(body.MaxYawRateChange, yawRate - body.Velocity.W);
+    command.YawRate = last.YawRate = yawRate;
+  }
+  const SArc arc = FollowArcs(body.Pose, last, command, tick, lag);
   Real velocityX = arc.DX / tick;
   Real velocityY = arc.DY / tick;
-  Real path = std::abs(commanded.Speed) * tick;
+  Real path = (lag * last.ComputeSpeed() + (1.0 - lag) * command.ComputeSpeed()) * tick;
   body.NextPose = arc.End;
   const Real changeX = velocityX - body.Velocity.X;
   const Real changeY = velocityY - body.Velocity.Y;

@@ -41,9 +41,8 @@ class CPlanarWorld {
                   const SPlanarPose& pose) {
     m_store.AddPassive(owner, description, pose);
   }
-  /** @param wheels  speeds of the wheels, m/s, which must stay valid. */
   void AddDriven(const SPlanarOwner& owner, const SBodyDescription& description,
-                 const SPlanarPose& pose, const Real* wheels);
+                 const SPlanarPose& pose, const CDriveSource& drive);
   /** Removes a body; another one may get its slot. */
   void Remove(const SPlanarHandle& handle);
   /** At the end of the last tick; 0 for an immovable body. */
@@ -53,6 +52,15 @@ class CPlanarWorld {
   /** Sets the velocity of a movable body. */
   void SetVelocity(const SPlanarHandle& handle, const SPlanarVelocity& velocity) {
     m_active.SetVelocity(handle, velocity);
+  }
+  /** What a robot was told in the last tick; at rest if the body has no drive. */
+  SDriveCommand GetLastCommand(const SPlanarHandle& handle) const {
+    return handle.Kind == EPlanarKind::Driven ? m_store.GetDriven(handle).Command : SDriveCommand();
+  }
+  void SetLastCommand(const SPlanarHandle& handle, const SDriveCommand& command) {
+    if (handle.Kind == EPlanarKind::Driven) {
+      m_store.GetDriven(handle).Command = command;
+    }
   }
   /** See CPlanarStore::IsAt(). */
   bool IsAt(const SPlanarHandle& handle, const SPlanarPose& pose) const {
@@ -69,7 +77,7 @@ class CPlanarWorld {
   /** Greatest distance from the border at which a ghost matters in the next tick, m. */
   Real ComputeGhostReach() const;
 
-  /** Moves all bodies by one tick. @throws SBadWheelSpeed */
+  /** Moves all bodies by one tick. @throws SBadDriveCommand */
   void Advance();
 
   /**
@@ -81,6 +89,7 @@ class CPlanarWorld {
     for (SDrivenBody& body : m_store.GetDriven()) {
       body.Pose = body.NextPose;
       body.Velocity = body.NextVelocity;
+      body.Command = body.NextCommand;
       visit(static_cast<const SDrivenBody&>(body));
     }
   }

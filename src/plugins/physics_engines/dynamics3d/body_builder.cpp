@@ -1,8 +1,13 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
 
+#include <argos3/core/simulator/geometry/articulation.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/physics_engine/physics_model.h>
+#include <argos3/core/simulator/physics_engine/planar_motion.h>
 #include <argos3/core/utility/math/angles.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/articulated_body.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/hull_geom.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/prism_geom.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
 
 #include <algorithm>
@@ -19,23 +24,6 @@ bool IsPositive(Real value) {
   return value > 0.0 && std::isfinite(value);
 }
 
-CVector3 Centroid(const SShapeDescription& shape) {
-  return shape.Offset + Rotated(CVector3(0.0, 0.0, 0.5 * shape.Size.GetZ()), shape.Orientation);
-}
-
-Real Volume(const SShapeDescription& shape) {
-  const Real radius = shape.Radius;
-  switch (shape.Kind) {
-    case EKind::Box:
-      return shape.Size.GetX() * shape.Size.GetY() * shape.Size.GetZ();
-    case EKind::Cylinder:
-      return ARGOS_PI * radius * radius * shape.Size.GetZ();
-    case EKind::Sphere:
-      break;
-  }
-  return 4.0 / 3.0 * ARGOS_PI * radius * radius * radius;
-}
-
 // in the frame of the solid's centroid
 dMass MakeMass(const SShapeDescription& shape, Real mass) {
   dMass result;
@@ -49,12 +37,19 @@ dMass MakeMass(const SShapeDescription& shape, Real mass) {
     case EKind::Sphere:
       dMassSetSphereTotal(&result, mass, shape.Radius);
       break;
+    case EKind::Prism:
+    case EKind::Hull: {
+      const SUnitInertia unit = ComputeUnitInertia(shape);
+      dMassSetParameters(&result, mass, 0.0, 0.0, 0.0, mass * unit.XX, mass * unit.YY,
+                         mass * unit.ZZ, -mass * unit.XY, -mass * unit.XZ, -mass * unit.YZ);
+      break;
+    }
   }
   return result;
 }
 
 Real NarrowestSide(const SShapeDescription& shape) {
-  return std::min({shape.Size.GetX(), shape.Size.GetY(), shape.Size.GetZ()});
+  return std::min(shape.ComputeBaseWidth(), shape.Size.GetZ());
 }
 
 void ToODE(const CQuaternion& quaternion, dQuaternion result) {
@@ -65,26 +60,40 @@ void ToODE(const CQuaternion& quaternion, dQuaternion result) {
   result[3] = quaternion.GetZ() / length;
 }
 
-// mass and inertia of homogeneous solids about the origin of the body
-dMass AddUpSolids(const SBodyDescription& description, Real mass) {
-  Real volume = 0.0;
-  for (const SShapeDescription& shape : description.Shapes) {
-    volume += Volume(shape);
+// mass and inertia of the solids of a link about the origin of the body, whose mass is @p mass
+dMass AddUpSolids(const SBodyDescription& description, Real mass, UInt32 link) {
+  const std::vector<Real> weights = description.ComputeWeights();
+  Real total = 0.0;
+  for (const Real weight : weights) {
+    total += weight;
   }
   dMass sum;
   dMassSetZero(&sum);
-  for (const SShapeDescription& shape : description.Shapes) {
-    dMass part = MakeMass(shape, mass * Volume(shape) / volume);
+  for (size_t i = 0; i < weights.size(); ++i) {
+    const SShapeDescription& shape = description.Shapes[i];
+    if (shape.Link != link) {
+      continue;
+    }
+    dMass part = MakeMass(shape, mass * weights[i] / total);
     dQuaternion orientation;
     dMatrix3 rotation;
     ToODE(shape.Orientation, orientation);
     dRfromQ(rotation, orientation);
     dMassRotate(&part, rotation);
-    const CVector3 centre = Centroid(shape);
+    const CVector3 centre = shape.ComputeCentroid();
     dMassTranslate(&part, centre.GetX(), centre.GetY(), centre.GetZ());
     dMassAdd(&sum, &part);
   }
   return sum;
+}
+
+// moves the frame of a mass to its centre, which is returned
+CVector3 CentreMass(dMass& mass) {
+  const CVector3 centre(mass.c[0], mass.c[1], mass.c[2]);
+  dMassTranslate(&mass, -mass.c[0], -mass.c[1], -mass.c[2]);
+  // rounding errors of zero
+  mass.c[0] = mass.c[1] = mass.c[2] = 0.0;
+  return centre;
 }
 
 // Scales to the described moment about the vertical. Moments about the horizontal axes are raised
@@ -109,15 +118,12 @@ void SetMass(SRigidBody& body) {
   const SBodyDescription& description = *body.Source.Description;
   const Real chassis =
       description.Mass - (body.HasWheels() ? 2.0 * GetWheelMass(description) : 0.0);
-  dMass mass = AddUpSolids(description, chassis);
-  body.CentreOfMass = CVector3(mass.c[0], mass.c[1], mass.c[2]);
-  dMassTranslate(&mass, -mass.c[0], -mass.c[1], -mass.c[2]);
-  if (body.HasWheels()) {
+  dMass mass = AddUpSolids(description, chassis, 0);
+  body.CentreOfMass = CentreMass(mass);
+  if (body.HasDrive()) {
     // motors and batteries are near the ground
     body.CentreOfMass.SetZ(std::min(body.CentreOfMass.GetZ(), body.WheelRadius));
   }
-  // rounding errors of zero
-  mass.c[0] = mass.c[1] = mass.c[2] = 0.0;
   if (description.PlanarInertia) {
     const CVector3& centre = body.CentreOfMass;
     Real inertia = *description.PlanarInertia -
@@ -139,6 +145,25 @@ void SetMass(SRigidBody& body) {
   }
 }
 
+bool HasFixedBase(const SRigidBody& body) {
+  const auto& articulation = body.Source.Description->Articulation;
+  return articulation != nullptr && articulation->HasFixedBase;
+}
+
+void AddLinks(SRigidBody& body, dWorldID world) {
+  const SBodyDescription& description = *body.Source.Description;
+  for (UInt32 link = 1; link < description.Articulation->GetNumLinks(); ++link) {
+    SRigidLink& added = body.Links.emplace_back();
+    added.Part = dBodyCreate(world);
+    dMass mass = AddUpSolids(description, description.Mass, link);
+    added.CentreOfMass = CentreMass(mass);
+    dBodySetMass(added.Part, &mass);
+  }
+  if (HasFixedBase(body)) {
+    dBodySetKinematic(body.Body);
+  }
+}
+
 // the part of a solid of a robot on wheels that is above its clearance
 SShapeDescription Lift(SShapeDescription shape, Real clearance) {
   const Real missing = clearance - shape.Offset.GetZ();
@@ -154,38 +179,57 @@ SShapeDescription Lift(SShapeDescription shape, Real clearance) {
 }
 
 // in no ODE space: CBroadPhase finds the pairs that may touch
-dGeomID MakeGeom(const SShapeDescription& shape) {
+dGeomID MakeGeom(SRigidBody& body, const SShapeDescription& shape) {
   switch (shape.Kind) {
     case EKind::Box:
       return dCreateBox(nullptr, shape.Size.GetX(), shape.Size.GetY(), shape.Size.GetZ());
     case EKind::Cylinder:
       return dCreateCylinder(nullptr, shape.Radius, shape.Size.GetZ());
+    case EKind::Hull:
+      body.Hulls.push_back(std::make_shared<SHullArrays>());
+      return MakeHullGeom(*shape.Solid, *body.Hulls.back());
+    case EKind::Prism:
+      return CreatePrism(*shape.Vertices, shape.Size.GetZ());
     case EKind::Sphere:
       break;
   }
   return dCreateSphere(nullptr, shape.Radius);
 }
 
+// the origin of a geom, in the frame of the body
+CVector3 CentreOfGeom(const SShapeDescription& shape) {
+  return shape.Kind == SShapeDescription::EKind::Hull ? shape.ComputeCentroid()
+                                                      : shape.ComputeMiddle();
+}
+
+// puts a solid without a part of its own at its place on a fixed body
+void PutFixedSolid(dGeomID solid, const SShapeDescription& shape, const SRigidPose& pose) {
+  const CVector3 place = pose.Position + Rotated(CentreOfGeom(shape), pose.Orientation);
+  dQuaternion orientation;
+  ToODE(pose.Orientation * shape.Orientation, orientation);
+  dGeomSetPosition(solid, place.GetX(), place.GetY(), place.GetZ());
+  dGeomSetQuaternion(solid, orientation);
+}
+
 void AddSolids(SRigidBody& body, const SRigidPose& pose) {
   const SBodyDescription& description = *body.Source.Description;
   for (const SShapeDescription& described : description.Shapes) {
     const SShapeDescription shape =
-        body.HasWheels() ? Lift(described, kClearance * body.WheelRadius) : described;
-    const dGeomID geom = MakeGeom(shape);
+        body.HasDrive() ? Lift(described, kClearance * body.WheelRadius) : described;
+    const dGeomID geom = MakeGeom(body, shape);
     body.Solids.push_back(geom);
-    dQuaternion orientation;
-    if (body.IsMovable()) {
-      dGeomSetBody(geom, body.Body);
-      const CVector3 place = Centroid(shape) - body.CentreOfMass;
-      dGeomSetOffsetPosition(geom, place.GetX(), place.GetY(), place.GetZ());
-      ToODE(shape.Orientation, orientation);
-      dGeomSetOffsetQuaternion(geom, orientation);
+    const SRigidLink* const link = shape.Link > 0 ? &body.Links[shape.Link - 1] : nullptr;
+    if (!body.IsMovable() || (link == nullptr && HasFixedBase(body))) {
+      PutFixedSolid(geom, shape, pose);
       continue;
     }
-    const CVector3 place = pose.Position + Rotated(Centroid(shape), pose.Orientation);
-    dGeomSetPosition(geom, place.GetX(), place.GetY(), place.GetZ());
-    ToODE(pose.Orientation * shape.Orientation, orientation);
-    dGeomSetQuaternion(geom, orientation);
+    dGeomSetBody(geom, link != nullptr ? link->Part : body.Body);
+    const CVector3 place =
+        CentreOfGeom(shape) - (link != nullptr ? link->CentreOfMass : body.CentreOfMass);
+    dGeomSetOffsetPosition(geom, place.GetX(), place.GetY(), place.GetZ());
+    dQuaternion orientation;
+    ToODE(shape.Orientation, orientation);
+    dGeomSetOffsetQuaternion(geom, orientation);
   }
 }
 
@@ -197,13 +241,14 @@ CVector3 GetWheelOffset(const SRigidBody& body, size_t wheel) {
 void AddRollers(SRigidBody& body) {
   const SBoundingBox box = body.Source.Description->ComputeBoundingBox(CVector3(), CQuaternion());
   const Real radius = kCasterRadius * body.WheelRadius;
-  const std::array<CVector3, 6> centres = {GetWheelOffset(body, 0),
-                                           GetWheelOffset(body, 1),
+  const CVector3 unused;
+  const std::array<CVector3, 6> centres = {body.HasWheels() ? GetWheelOffset(body, 0) : unused,
+                                           body.HasWheels() ? GetWheelOffset(body, 1) : unused,
                                            CVector3(box.MaxCorner.GetX() - radius, 0.0, radius),
                                            CVector3(box.MinCorner.GetX() + radius, 0.0, radius),
                                            CVector3(0.0, box.MaxCorner.GetY() - radius, radius),
                                            CVector3(0.0, box.MinCorner.GetY() + radius, radius)};
-  for (size_t i = 0; i < centres.size(); ++i) {
+  for (size_t i = body.GetFirstRoller(); i < centres.size(); ++i) {
     SRoller& roller = body.Rollers[i];
     roller.Offset = centres[i] - body.CentreOfMass;
     roller.Radius = i < body.Wheels.size() ? (1.0 + kWheelTravel) * body.WheelRadius : radius;
@@ -233,6 +278,24 @@ void MountWheels(SRigidBody& body, const SRigidPose& pose, dWorldID world) {
     dJointSetHingeParam(axle, dParamFMax, force * body.WheelRadius);
     body.Axles[i] = axle;
   }
+}
+
+// Force acts along two axes, of which SetPlanarMotor() turns the first to where it is needed.
+void MountPlanarMotors(SRigidBody& body, dWorldID world) {
+  body.PlanarMotor = dJointCreateLMotor(world, nullptr);
+  dJointAttach(body.PlanarMotor, body.Body, nullptr);
+  dJointSetLMotorNumAxes(body.PlanarMotor, 2);
+  body.YawMotor = dJointCreateAMotor(world, nullptr);
+  dJointAttach(body.YawMotor, body.Body, nullptr);
+  dJointSetAMotorMode(body.YawMotor, dAMotorUser);
+  dJointSetAMotorNumAxes(body.YawMotor, 1);
+  dJointSetAMotorAxis(body.YawMotor, 0, 0, 0.0, 0.0, 1.0);
+  // ODE's faster rotations lose (w dt)^2 / 12 of the angle
+  dBodySetFiniteRotationMode(body.Body, 1);
+  // hard, so that speeds are exact: forces are bounded
+  dJointSetLMotorParam(body.PlanarMotor, dParamCFM, kMotorSoftness);
+  dJointSetLMotorParam(body.PlanarMotor, dParamCFM2, kMotorSoftness);
+  dJointSetAMotorParam(body.YawMotor, dParamCFM, kMotorSoftness);
 }
 
 void PutPart(dBodyID part, const CVector3& position, const CQuaternion& orientation,
@@ -268,6 +331,16 @@ std::string FindFlawOfDrive(const SBodyDescription& description) {
   return "";
 }
 
+std::string FindFlawOfPlanarDrive(const SBodyDescription& description) {
+  const SPlanarDriveDescription& drive = *description.PlanarDrive;
+  if (!IsPositive(drive.MaxForce) || !IsPositive(drive.MaxTorque)) {
+    return "the greatest force (N) and torque (N m) of the drive must be numbers > 0";
+  }
+  return IsPositive(description.AssumeWheelRadius())
+             ? ""
+             : "its solids must reach to all four sides of its origin, where its casters are";
+}
+
 std::string FindFlawOfPropellers(const SPropellersDescription& propellers) {
   for (const SControlGains* gains : {&propellers.Position, &propellers.Yaw}) {
     // without a derivative gain, a loop on position has no damping
@@ -284,6 +357,34 @@ std::string FindFlawOfPropellers(const SPropellersDescription& propellers) {
     return "the greatest force (N) and torque (N m) of the propellers must be numbers > 0";
   }
   return "";
+}
+
+// Links are at their present poses; without motion, they move rigidly with the body.
+void PlaceLinks(const SRigidBody& body, const SRigidPose& pose, const SRigidMotion& motion) {
+  const CVector3 centre = pose.Position + Rotated(body.CentreOfMass, pose.Orientation);
+  for (size_t i = 0; i < body.Links.size(); ++i) {
+    const SRigidLink& link = body.Links[i];
+    const SBodyPose frame =
+        Compose({pose.Position, pose.Orientation}, body.Source.LinkPoses[i + 1]);
+    const CVector3 place = frame.Position + Rotated(link.CentreOfMass, frame.Orientation);
+    const SLinkMotion own =
+        i < motion.Links.size()
+            ? motion.Links[i]
+            : SLinkMotion{motion.Velocity + Cross(motion.AngularVelocity, place - centre),
+                          motion.AngularVelocity};
+    PutPart(link.Part, place, frame.Orientation, own.Velocity, own.AngularVelocity);
+  }
+}
+
+// joints take the poses of their links when they are made as coordinate 0
+void MountLinksAtStart(SRigidBody& body, const SRigidPose& pose, dWorldID world) {
+  const SBodyPose* const present = body.Source.LinkPoses;
+  const std::vector<SBodyPose> start(body.Links.size() + 1);
+  body.Source.LinkPoses = start.data();
+  PlaceLinks(body, pose, {});
+  MountLinks(body, pose, world);
+  body.Source.LinkPoses = present;
+  PlaceLinks(body, pose, {});
 }
 
 }  // namespace
@@ -307,6 +408,12 @@ std::string FindFlaw(const SBodyDescription& description, bool movable) {
   if (description.Drive) {
     return FindFlawOfDrive(description);
   }
+  if (description.PlanarDrive) {
+    return FindFlawOfPlanarDrive(description);
+  }
+  if (description.Articulation != nullptr) {
+    return FindFlawOfJoints(description);
+  }
   return description.Propellers ? FindFlawOfPropellers(*description.Propellers) : "";
 }
 
@@ -320,7 +427,10 @@ void BuildRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidSettin
   }
   if (body.Source.Movable) {
     body.Body = dBodyCreate(world);
-    if (body.Source.Wheels != nullptr) {
+    if (body.Source.Drive && !body.Source.Drive.HasWheels()) {
+      body.WheelRadius = description.AssumeWheelRadius();
+      MountPlanarMotors(body, world);
+    } else if (body.Source.Drive) {
       body.WheelRadius = description.Drive->WheelRadius;
       dMass mass;
       dMassSetSphereTotal(&mass, GetWheelMass(description), body.WheelRadius);
@@ -332,11 +442,20 @@ void BuildRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidSettin
       }
     }
     SetMass(body);
+    if (description.Articulation != nullptr) {
+      AddLinks(body, world);
+    }
     PlaceRigidBody(body, pose, {});
   }
   AddSolids(body, pose);
-  if (body.HasWheels()) {
+  if (body.IsArticulated()) {
+    ListSelfPairs(body);
+    MountLinksAtStart(body, pose, world);
+  }
+  if (body.HasDrive()) {
     AddRollers(body);
+  }
+  if (body.HasWheels()) {
     MountWheels(body, pose, world);
   }
 }
@@ -355,14 +474,54 @@ void TuneWheels(SRigidBody& body, Real gravity, Real substep) {
   body.WheelCfm = 1.0 / (substep * stiffness + damping);
 }
 
+void SetPlanarMotor(SRigidBody& body, Real substep) {
+  const SPlanarDriveDescription& drive = *body.Source.Description->PlanarDrive;
+  const SDriveCommand command = body.Source.Drive.Read();
+  const SRigidPose pose = GetRigidPose(body);
+  const SPlanarPose start = MakePlanarPose(pose.Position, pose.Orientation);
+  const SArc arc = FollowArc(start, command, substep);
+  // ODE moves the centre of mass
+  const auto locate = [&body](const SPlanarPose& of) {
+    const CVector3 centre(body.CentreOfMass.GetX(), body.CentreOfMass.GetY(), 0.0);
+    return Rotated(centre, CQuaternion(of.HalfCos, 0.0, 0.0, of.HalfSin));
+  };
+  const CVector3 target =
+      (CVector3(arc.DX, arc.DY, 0.0) + locate(arc.End) - locate(start)) / substep;
+  const CVector3 velocity = FromODE(dBodyGetLinearVel(body.Body));
+  // the limit of the force holds along the direction in which it acts
+  CVector3 change(target.GetX() - velocity.GetX(), target.GetY() - velocity.GetY(), 0.0);
+  const Real length = change.Length();
+  const CVector3 axis = length > 0.0 ? change / length : CVector3::X;
+  const CVector3 across(-axis.GetY(), axis.GetX(), 0.0);
+  dJointSetLMotorAxis(body.PlanarMotor, 0, 0, axis.GetX(), axis.GetY(), 0.0);
+  dJointSetLMotorAxis(body.PlanarMotor, 1, 0, across.GetX(), across.GetY(), 0.0);
+  dJointSetLMotorParam(body.PlanarMotor, dParamVel, target.DotProduct(axis));
+  dJointSetLMotorParam(body.PlanarMotor, dParamVel2, target.DotProduct(across));
+  const Real force = body.HasGroundContact ? drive.MaxForce : 0.0;
+  dJointSetLMotorParam(body.PlanarMotor, dParamFMax, force);
+  dJointSetLMotorParam(body.PlanarMotor, dParamFMax2, force);
+  dJointSetAMotorParam(body.YawMotor, dParamVel, command.YawRate);
+  dJointSetAMotorParam(body.YawMotor, dParamFMax, body.HasGroundContact ? drive.MaxTorque : 0.0);
+}
+
 void DestroyRigidBody(SRigidBody& body) {
   for (const dGeomID geom : body.Solids) {
     dGeomDestroy(geom);
   }
   body.Solids.clear();
+  body.Hulls.clear();
+  for (const SRigidLink& link : body.Links) {
+    dJointDestroy(link.Joint);
+    dBodyDestroy(link.Part);
+  }
+  body.Links.clear();
   for (size_t i = 0; body.HasWheels() && i < body.Wheels.size(); ++i) {
     dJointDestroy(body.Axles[i]);
     dBodyDestroy(body.Wheels[i]);
+  }
+  if (body.HasPlanarDrive()) {
+    dJointDestroy(body.PlanarMotor);
+    dJointDestroy(body.YawMotor);
   }
   if (body.Body != nullptr) {
     dBodyDestroy(body.Body);
@@ -371,19 +530,17 @@ void DestroyRigidBody(SRigidBody& body) {
 
 void PlaceRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidMotion& motion) {
   const CQuaternion& orientation = pose.Orientation;
-  if (!body.IsMovable()) {
-    for (size_t i = 0; i < body.Solids.size(); ++i) {
-      const SShapeDescription& shape = body.Source.Description->Shapes[i];
-      const CVector3 place = pose.Position + Rotated(Centroid(shape), orientation);
-      dQuaternion quaternion;
-      ToODE(orientation * shape.Orientation, quaternion);
-      dGeomSetPosition(body.Solids[i], place.GetX(), place.GetY(), place.GetZ());
-      dGeomSetQuaternion(body.Solids[i], quaternion);
+  for (size_t i = 0; i < body.Solids.size(); ++i) {
+    if (dGeomGetBody(body.Solids[i]) == nullptr) {
+      PutFixedSolid(body.Solids[i], body.Source.Description->Shapes[i], pose);
     }
+  }
+  if (!body.IsMovable()) {
     return;
   }
   const CVector3 centre = Rotated(body.CentreOfMass, orientation);
   PutPart(body.Body, pose.Position + centre, orientation, motion.Velocity, motion.AngularVelocity);
+  PlaceLinks(body, pose, motion);
   const CVector3 axis = Rotated(CVector3::Y, orientation);
   for (size_t i = 0; body.HasWheels() && i < body.Wheels.size(); ++i) {
     const CVector3 offset = Rotated(GetWheelOffset(body, i), orientation);
@@ -424,6 +581,10 @@ SRigidMotion GetRigidMotion(const SRigidBody& body) {
   motion.AngularVelocity = FromODE(dBodyGetAngularVel(body.Body));
   for (size_t i = 0; body.HasWheels() && i < body.Wheels.size(); ++i) {
     motion.WheelSpins[i] = dJointGetHingeAngleRate(body.Axles[i]);
+  }
+  for (const SRigidLink& link : body.Links) {
+    motion.Links.push_back(
+        {FromODE(dBodyGetLinearVel(link.Part)), FromODE(dBodyGetAngularVel(link.Part))});
   }
   motion.FlightErrors = body.FlightErrors;
   return motion;

@@ -12,6 +12,7 @@ namespace argos {
  *
  * All solids have the same density. A drive becomes two sprung wheels on hinges with motors, and
  * four casters without friction, one on each side; solids have a small clearance from the ground.
+ * A planar drive becomes four such casters, and motors of bounded force and torque.
  */
 void BuildRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidSettings& settings,
                     dWorldID world);
@@ -20,6 +21,11 @@ void BuildRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidSettin
  * @param gravity m/s^2. @param substep s.
  */
 void TuneWheels(SRigidBody& body, Real gravity, Real substep);
+/**
+ * Sets the targets of the motors of a planar drive for the next substep (s): the chord of the arc
+ * of its command. Without contact with the ground, they exert no force.
+ */
+void SetPlanarMotor(SRigidBody& body, Real substep);
 /** Undoes BuildRigidBody(). */
 void DestroyRigidBody(SRigidBody& body);
 

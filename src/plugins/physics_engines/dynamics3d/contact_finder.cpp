@@ -21,6 +21,10 @@ constexpr Real kSlidingSpeed = 1e-4;
 constexpr Real kForesight = 1.5;
 // rows of the two hinges with motors of a robot
 constexpr UInt32 kAxleRows = 12;
+// rows of the motors of a planar drive
+constexpr UInt32 kPlanarDriveRows = 3;
+// rows of a hinge or a slider with its motor, and more than those of a ball joint
+constexpr UInt32 kJointRows = 6;
 // rows of a turret's pivot with its motor, and of the ball joint on its arm
 constexpr UInt32 kGripRows = 9;
 
@@ -90,6 +94,10 @@ void CContactFinder::Find(const std::vector<SRigidBody*>& movables,
   const std::vector<SRigidPair>& pairs = m_broadPhase.FindPairs(movables, fixed);
   WakeNeighbours(pairs, grips);
   for (SRigidBody* body : movables) {
+    body->HasGroundContact = false;
+    if (!body->Asleep) {
+      TouchItself(*body);
+    }
     for (size_t i = 0; !body->Asleep && i < planes.size(); ++i) {
       if (body->Low.GetZ() <= planes[i]->High.GetZ() &&
           body->High.GetZ() >= planes[i]->Low.GetZ()) {
@@ -144,10 +152,10 @@ void CContactFinder::Unite(const SRigidBody& first, const SRigidBody& second) {
 void CContactFinder::Touch(SRigidBody& first, SRigidBody& second) {
   const UInt32 before = m_numContacts;
   TouchSolids(first, second);
-  if (first.HasWheels()) {
+  if (first.HasDrive()) {
     Roll(first, second);
   }
-  if (second.HasWheels()) {
+  if (second.HasDrive()) {
     Roll(second, first);
   }
   if (m_numContacts == before) {
@@ -162,7 +170,7 @@ void CContactFinder::Touch(SRigidBody& first, SRigidBody& second) {
 
 // the distance below which two robots may touch in the substep, m
 Real CContactFinder::ComputeReach(const SRigidBody& first, const SRigidBody& second) const {
-  if (!first.HasWheels() || !second.HasWheels()) {
+  if (!first.HasDrive() || !second.HasDrive()) {
     return 0.0;
   }
   const CVector3 speed =
@@ -174,23 +182,36 @@ void CContactFinder::TouchSolids(const SRigidBody& first, const SRigidBody& seco
   const Real reach = ComputeReach(first, second);
   for (const dGeomID a : first.Solids) {
     for (const dGeomID b : second.Solids) {
-      if (!DoBoundsOverlap(a, b, reach)) {
-        continue;
-      }
-      dContact contacts[kMaxContacts];
-      const int count =
-          FindContacts(a, b, kMaxContacts, &contacts[0].geom, sizeof(dContact), reach);
-      for (int i = 0; i < count; ++i) {
-        AddSolidContact(contacts[i], first, second);
-      }
+      TouchPair(first, a, second, b, reach);
     }
   }
 }
 
-void CContactFinder::Roll(const SRigidBody& robot, const SRigidBody& ground) {
+void CContactFinder::TouchPair(const SRigidBody& first, dGeomID a, const SRigidBody& second,
+                               dGeomID b, Real reach) {
+  // the base of an articulated body may be fixed
+  const bool isFixed = dGeomGetBody(a) == nullptr && dGeomGetBody(b) == nullptr;
+  if (isFixed || !DoBoundsOverlap(a, b, reach)) {
+    return;
+  }
+  dContact contacts[kMaxContacts];
+  const int count = FindContacts(a, b, kMaxContacts, &contacts[0].geom, sizeof(dContact), reach);
+  for (int i = 0; i < count; ++i) {
+    AddSolidContact(contacts[i], first, second);
+  }
+}
+
+// the links of an articulated body
+void CContactFinder::TouchItself(const SRigidBody& body) {
+  for (const auto& [first, second] : body.SelfPairs) {
+    TouchPair(body, body.Solids[first], body, body.Solids[second], 0.0);
+  }
+}
+
+void CContactFinder::Roll(SRigidBody& robot, const SRigidBody& ground) {
   const dReal* const rotation = dBodyGetRotation(robot.Body);
   const CVector3 up(rotation[2], rotation[6], rotation[10]);
-  for (size_t i = 0; i < robot.Rollers.size(); ++i) {
+  for (size_t i = robot.GetFirstRoller(); i < robot.Rollers.size(); ++i) {
     // wheels without load have no grip
     if (i < robot.Wheels.size() && robot.WheelCfm == 0.0) {
       continue;
@@ -201,6 +222,7 @@ void CContactFinder::Roll(const SRigidBody& robot, const SRigidBody& ground) {
       if (FindRollerContact(robot.Rollers[i], centre, ground, solid, contact.geom) &&
           up.DotProduct(FromODE(contact.geom.normal)) >= kRollerSupport) {
         AddRollerContact(contact, robot, i, ground);
+        robot.HasGroundContact = true;
       }
     }
   }
@@ -232,7 +254,7 @@ bool CContactFinder::FindRollerContact(const SRoller& roller, const CVector3& ce
   }
   dGeomSphereSetRadius(m_probe, roller.Radius);
   dGeomSetPosition(m_probe, centre.GetX(), centre.GetY(), centre.GetZ());
-  return dCollide(m_probe, solid, 1, &contact, sizeof(dContact)) > 0;
+  return FindContacts(m_probe, solid, 1, &contact, sizeof(dContact)) > 0;
 }
 
 // Casters slide without friction. A wheel has friction along its axle, and rolls across it. Its
@@ -336,6 +358,9 @@ void CContactFinder::CountRows(const std::vector<SRigidBody*>& movables) {
   for (UInt32 i = 0; i < movables.size(); ++i) {
     SIsland& own = m_islands[i];
     own.Rows += movables[i]->HasWheels() ? kAxleRows : 0;
+    own.Rows += movables[i]->HasPlanarDrive() ? kPlanarDriveRows : 0;
+    own.Rows += static_cast<UInt32>(kJointRows * movables[i]->Links.size());
+    own.Supported = own.Supported || dBodyIsKinematic(movables[i]->Body) != 0;
     const UInt32 root = FindRoot(i);
     if (root != i) {
       m_islands[root].Rows += own.Rows;

@@ -62,7 +62,10 @@ class CContactFinder {
   void Unite(const SRigidBody& first, const SRigidBody& second);
   void Touch(SRigidBody& first, SRigidBody& second);
   void TouchSolids(const SRigidBody& first, const SRigidBody& second);
-  void Roll(const SRigidBody& robot, const SRigidBody& ground);
+  void TouchPair(const SRigidBody& first, dGeomID a, const SRigidBody& second, dGeomID b,
+                 Real reach);
+  void TouchItself(const SRigidBody& body);
+  void Roll(SRigidBody& robot, const SRigidBody& ground);
   bool FindRollerContact(const SRoller& roller, const CVector3& centre, const SRigidBody& ground,
                          dGeomID solid, dContactGeom& contact) const;
   void AddRollerContact(dContact& contact, const SRigidBody& robot, size_t roller,

@@ -1,5 +1,9 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/cylinder_contacts.h>
 
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/contact_spread.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/hull_geom.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/prism_contacts.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/prism_geom.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
 
 #include <algorithm>
@@ -9,9 +13,6 @@
 namespace argos {
 
 namespace {
-
-// cosine of the greatest angle between the axes of cylinders that stand side by side: 2 degrees
-constexpr Real kParallel = 0.9994;
 
 struct SUpright {
   CVector3 Centre;  // m, world frame
@@ -67,61 +68,10 @@ Real MeasureDepth(const SUpright& first, const SUpright& second, Real height, CV
 // For a cylinder on a box, ODE returns points all around its rim, as many as the array can store.
 constexpr int kMostOfBox = 16;
 
-CVector3 PointOf(const dContactGeom& contact) {
-  return FromODE(contact.pos);
-}
-
-// the contact for which measure(contact) is greatest; of equals, the first
-template <typename MEASURE>
-int FindGreatest(const dContactGeom* contacts, int count, MEASURE&& measure) {
-  int best = 0;
-  Real greatest = -HUGE_VAL;
-  for (int i = 0; i < count; ++i) {
-    const Real value = measure(contacts[i]);
-    if (value > greatest) {
-      best = i;
-      greatest = value;
-    }
-  }
-  return best;
-}
-
-// Selects four contacts that support the body as all of them do: the deepest one, the one farthest
-// from it, and the ones farthest from their line on both sides.
-std::array<int, 4> ChooseSpread(const dContactGeom* contacts, int count) {
-  const int deepest =
-      FindGreatest(contacts, count, [](const dContactGeom& each) { return each.depth; });
-  const CVector3 start = PointOf(contacts[deepest]);
-  const int farthest = FindGreatest(contacts, count, [&start](const dContactGeom& each) {
-    return (PointOf(each) - start).SquareLength();
-  });
-  const CVector3 across =
-      Cross(PointOf(contacts[farthest]) - start, FromODE(contacts[deepest].normal));
-  const auto measureSide = [&](Real side) {
-    return FindGreatest(contacts, count, [&](const dContactGeom& each) {
-      return side * across.DotProduct(PointOf(each) - start);
-    });
-  };
-  return {deepest, farthest, measureSide(1.0), measureSide(-1.0)};
-}
-
 int FindContactsWithBox(dGeomID first, dGeomID second, int most, dContactGeom* contacts, int skip) {
   std::array<dContactGeom, kMostOfBox> all;
   const int count = dCollide(first, second, kMostOfBox, all.data(), sizeof(dContactGeom));
-  std::array<int, 4> chosen = {0, 1, 2, 3};
-  if (count > most) {
-    chosen = ChooseSpread(all.data(), count);
-  }
-  int kept = 0;
-  for (int i = 0; i < std::min({count, most, 4}); ++i) {
-    // if they are in a line, one may be selected twice
-    if (std::find(chosen.begin(), chosen.begin() + i, chosen[i]) != chosen.begin() + i) {
-      continue;
-    }
-    *reinterpret_cast<dContactGeom*>(reinterpret_cast<char*>(contacts) +
-                                     static_cast<size_t>(kept++) * skip) = all[chosen[i]];
-  }
-  return kept;
+  return KeepSpread(all.data(), count, most, contacts, skip);
 }
 
 }  // namespace
@@ -131,6 +81,18 @@ int FindContacts(dGeomID first, dGeomID second, int most, dContactGeom* contacts
   const auto areA = [first, second](int a, int b) {
     return dGeomGetClass(first) == a && dGeomGetClass(second) == b;
   };
+  const auto isUpright = [](dGeomID geom) {
+    return IsPrism(geom) || dGeomGetClass(geom) == dCylinderClass;
+  };
+  if (dGeomGetClass(first) == dConvexClass && isUpright(second)) {
+    return FindHullContacts(first, second, most, contacts, skip);
+  }
+  if (isUpright(first) && dGeomGetClass(second) == dConvexClass) {
+    return FindHullContacts(second, first, most, contacts, skip);
+  }
+  if (IsPrism(first) || IsPrism(second)) {
+    return FindPrismContacts(first, second, most, contacts, skip, reach);
+  }
   if (areA(dCylinderClass, dBoxClass) || areA(dBoxClass, dCylinderClass)) {
     return FindContactsWithBox(first, second, most, contacts, skip);
   }
@@ -156,8 +118,7 @@ int FindContacts(dGeomID first, dGeomID second, int most, dContactGeom* contacts
     if (inside < -reach || count == most) {
       continue;
     }
-    auto& contact = *reinterpret_cast<dContactGeom*>(reinterpret_cast<char*>(contacts) +
-                                                     static_cast<size_t>(count) * skip);
+    dContactGeom& contact = ContactAt(contacts, count, skip);
     const CVector3 point = a.Centre + a.Axis * height - direction * (a.Radius - 0.5 * inside);
     for (UInt32 i = 0; i < 3; ++i) {
       contact.pos[i] = point[i];

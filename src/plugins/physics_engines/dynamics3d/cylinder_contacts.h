@@ -5,13 +5,16 @@
 
 namespace argos {
 
+// cosine of the greatest angle between the axes of solids that stand side by side: 2 degrees
+constexpr dReal kParallel = 0.9994;
+
 /**
  * dCollide(), except for two upright cylinders side by side, the most frequent contact of robots:
  * exact contacts at both ends of the line on which they touch. For a cylinder and a box, at most
- * four contacts, which are far apart.
+ * four contacts, which are far apart. For prisms, FindPrismContacts().
  * @param skip   bytes from one contact to the next.
- * @param reach  m: cylinders side by side at up to this distance have a contact, too, with a depth
- *               below 0.
+ * @param reach  m: cylinders side by side, and prisms, at up to this distance have a contact, too,
+ *               with a depth below 0.
  * @return the number of contacts, at most @p most.
  */
 int FindContacts(dGeomID first, dGeomID second, int most, dContactGeom* contacts, int skip,

@@ -9,6 +9,7 @@
 #include <argos3/core/utility/string_utilities.h>
 #include <argos3/plugins/simulator/entities/turret_entity.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/articulated_body.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_model.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/engine_poses.h>
@@ -114,6 +115,7 @@ void CDynamics3DEngine::SetDefaults() {
 
 // The next tick builds a new world from the entities, without any state of the run so far.
 void CDynamics3DEngine::Reset() {
+  ResetRecordedBodies();
   m_world.reset();
   for (const auto& model : GetModels()) {
     static_cast<CDynamics3DModel&>(*model).m_body = nullptr;
@@ -137,12 +139,12 @@ void CDynamics3DEngine::PostSpaceInit() {
   if (m_hasDefaults) {
     LogDefaults();
   }
-  const auto hasWheels = [](const auto& model) {
-    return static_cast<const CDynamics3DModel&>(*model).m_wheels != nullptr;
+  const auto hasDrive = [](const auto& model) {
+    return static_cast<bool>(static_cast<const CDynamics3DModel&>(*model).m_drive);
   };
-  if (m_gravity == CVector3() && std::any_of(GetModels().begin(), GetModels().end(), hasWheels)) {
+  if (m_gravity == CVector3() && std::any_of(GetModels().begin(), GetModels().end(), hasDrive)) {
     LOGERR << "[WARNING] the engine \"" << GetId()
-           << "\" has no gravity, so the wheels of its robots have no grip: it needs the children "
+           << "\" has no gravity, so the drives of its robots have no grip: it needs the children "
               "<gravity g=\"9.81\" /> and <floor />, or none at all"
            << std::endl;
   }
@@ -203,12 +205,14 @@ void CDynamics3DEngine::CheckBody(CEmbodiedEntity& body) const {
     THROW_ARGOSEXCEPTION(NameOf(body) << " cannot be a rigid body: " << flaw);
   }
   // throw if the components are missing
-  FindWheels(body);
+  FindDrive(body);
   FindQuadrotor(body);
+  FindJoints(body);
 }
 
-std::unique_ptr<CDescribedBodyModel> CDynamics3DEngine::CreateModel(CEmbodiedEntity& body) {
-  return std::make_unique<CDynamics3DModel>(*this, body, FindWheels(body));
+std::unique_ptr<CDescribedBodyModel> CDynamics3DEngine::CreateModel(CEmbodiedEntity& body,
+                                                                    const CRecordedBody* recorded) {
+  return std::make_unique<CDynamics3DModel>(*this, body, FindDrive(body, recorded));
 }
 
 void CDynamics3DEngine::Enter(CDescribedBodyModel& model) {
@@ -284,8 +288,10 @@ void CDynamics3DEngine::AddToWorld(CDynamics3DModel& model) {
   source.Owner = &model;
   source.Description = body.GetBodyDescription();
   source.Movable = body.IsMovable();
-  source.Wheels = model.m_wheels;
+  source.Drive = model.m_drive;
   source.Quadrotor = FindQuadrotor(body);
+  source.Joints = FindJoints(body);
+  source.LinkPoses = body.GetLinkPoses();
   const SRigidPose pose = PoseOf(body);
   model.m_body = &m_world->Add(source, pose);
   if (source.Movable) {
@@ -303,6 +309,7 @@ void CDynamics3DEngine::UpdatePlugins() {
 }
 
 void CDynamics3DEngine::Update() {
+  StartRecordedBodies();
   UseODEInThisThread();
   if (m_world == nullptr) {
     Build();
@@ -311,11 +318,16 @@ void CDynamics3DEngine::Update() {
   if (FeelsGhosts()) {
     UpdateGhosts();
   }
-  m_world->Advance();
+  try {
+    m_world->Advance();
+  } catch (const SBadDriveCommand& bad) {
+    ThrowBadCommand(bad);
+  }
   ReportFailures();
   for (const SRigidBody* body : m_world->GetMovables()) {
     WriteBack(*body->Source.Owner);
   }
+  FinishRecordedBodies();
 }
 
 // Warns if the user has chosen the direct solver only and it fails.
@@ -342,6 +354,10 @@ void CDynamics3DEngine::WriteBack(CDynamics3DModel& model) {
                               "is a force on it too great?");
     }
     entity.SetOriginPose(pose.Position, pose.Orientation);
+    const SBodyPose toOrigin = Invert({pose.Position, pose.Orientation});
+    for (UInt32 link = 1; link <= model.GetBody().Links.size(); ++link) {
+      entity.SetLinkPose(link, Compose(toOrigin, GetLinkFrame(model.GetBody(), link)));
+    }
     model.m_lastPosition = pose.Position;
     model.m_lastOrientation = pose.Orientation;
     model.CalculateBoundingBox();
@@ -367,7 +383,8 @@ REGISTER_PHYSICS_ENGINE(
     CDynamics3DEngine, "dynamics3d", "the authors of this project", "1.0",
     "Rigid bodies in three dimensions, on ODE.",
     R"(Robots and objects in space: they fall, slide, roll, stack and topple. Robots with a differential drive roll
-on two sprung wheels with motors, and four casters without friction; robots with propellers fly by their own
+on two sprung wheels with motors, and four casters without friction; those with a planar drive stand on such casters,
+and motors of bounded force and torque move them while one touches the ground; robots with propellers fly by their own
 controllers; grippers hold bodies, and turrets move the held bodies.
 Gravity, floor and magnetism are add-ons. An engine without add-ons has gravity of 9.81 m/s^2 and a floor at z = 0;
 an engine with any add-on has only those that are listed. <gravity g="0" /> alone is weightless.

@@ -71,7 +71,8 @@ class CDynamics3DEngine : public CDescribedBodyEngine {
   bool HasWorld() const override { return m_world != nullptr; }
   bool Accepts(const CEmbodiedEntity&) const override { return true; }
   void CheckBody(CEmbodiedEntity& body) const override;
-  std::unique_ptr<CDescribedBodyModel> CreateModel(CEmbodiedEntity& body) override;
+  std::unique_ptr<CDescribedBodyModel> CreateModel(CEmbodiedEntity& body,
+                                                   const CRecordedBody* recorded) override;
   void Enter(CDescribedBodyModel& model) override;
   void Leave(CDescribedBodyModel& model) override;
   void Reposition(CDescribedBodyModel& model) override;
@@ -114,5 +115,9 @@ class CDynamics3DEngine : public CDescribedBodyEngine {
 };
 
 }  // namespace argos
+
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#endif
 
 #endif

@@ -83,7 +83,7 @@ void CDynamics3DEngine::UpdateGhosts() {
   m_ghostCylinders.clear();
   for (const SGhost& ghost : GetGhosts()) {
     const SBodyDescription& description = *ghost.Body->GetBodyDescription();
-    if (description.Drive || description.Propellers) {
+    if (description.HasDrive() || description.Propellers) {
       m_ghostCylinders.push_back(EncloseRobot(description, {ghost.Position, ghost.Orientation}));
     }
   }
@@ -115,7 +115,7 @@ bool CDynamics3DEngine::PrepareTransfer(CDescribedBodyModel& leaving) {
     if (!plane) {
       return true;
     }
-    if (body.GetBodyDescription()->Propellers) {
+    if (body.GetBodyDescription()->Propellers || body.GetBodyDescription()->Articulation) {
       return false;
     }
     if (std::abs(pose.Position.GetZ() - *plane) > kStepOntoPlane ||
@@ -159,7 +159,8 @@ bool CDynamics3DEngine::GetMotion(const CEmbodiedEntity& body, SBodyMotion& moti
   }
   const SRigidMotion rigid = GetRigidMotion(model->GetBody());
   // of the centre of mass; upright bodies rotate about the vertical axis through it and the origin
-  motion = {rigid.Velocity, rigid.AngularVelocity};
+  motion.Velocity = rigid.Velocity;
+  motion.Rotation = rigid.AngularVelocity;
   return true;
 }
 

@@ -1,6 +1,9 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_model.h>
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/geometry/articulation.h>
+#include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/articulated_body.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_engine.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
@@ -8,8 +11,8 @@
 namespace argos {
 
 CDynamics3DModel::CDynamics3DModel(CDynamics3DEngine& engine, CEmbodiedEntity& entity,
-                                   const Real* wheels)
-    : CRobotBodyModel(engine, entity, wheels) {}
+                                   const CDriveSource& drive)
+    : CRobotBodyModel(engine, entity, drive) {}
 
 SRigidBody& CDynamics3DModel::GetBody() const {
   ARGOS_ASSERT(m_body != nullptr && m_body->Source.Owner == this,
@@ -47,21 +50,43 @@ CVector3 CDynamics3DModel::GetOriginPosition() const {
                                                     : m_cEmbodiedEntity.GetOriginAnchor().Position;
 }
 
-void CDynamics3DModel::AddForce(const CVector3& force, const CVector3& point) {
-  if (m_body == nullptr || !GetBody().IsMovable() || force == CVector3()) {
-    return;
+dxBody* CDynamics3DModel::WakeLink(const CVector3& push, UInt32 link) {
+  if (m_body == nullptr || !GetBody().IsMovable() || push == CVector3()) {
+    return nullptr;
   }
   WakeRigidBody(GetBody());
-  dBodyAddForceAtPos(GetBody().Body, force.GetX(), force.GetY(), force.GetZ(), point.GetX(),
-                     point.GetY(), point.GetZ());
+  return link == 0 ? GetBody().Body : GetBody().Links[link - 1].Part;
 }
 
-void CDynamics3DModel::AddTorque(const CVector3& torque) {
-  if (m_body == nullptr || !GetBody().IsMovable() || torque == CVector3()) {
-    return;
+void CDynamics3DModel::AddForce(const CVector3& force, const CVector3& point, UInt32 link) {
+  if (const dBodyID part = WakeLink(force, link)) {
+    dBodyAddForceAtPos(part, force.GetX(), force.GetY(), force.GetZ(), point.GetX(), point.GetY(),
+                       point.GetZ());
   }
-  WakeRigidBody(GetBody());
-  dBodyAddTorque(GetBody().Body, torque.GetX(), torque.GetY(), torque.GetZ());
+}
+
+void CDynamics3DModel::AddTorque(const CVector3& torque, UInt32 link) {
+  if (const dBodyID part = WakeLink(torque, link)) {
+    dBodyAddTorque(part, torque.GetX(), torque.GetY(), torque.GetZ());
+  }
+}
+
+UInt32 CDynamics3DModel::FindLink(const SAnchor& anchor) const {
+  const auto& articulation = m_cEmbodiedEntity.GetBodyDescription()->Articulation;
+  if (articulation == nullptr) {
+    return 0;
+  }
+  const auto found = articulation->Anchors.find(anchor.Id);
+  return found != articulation->Anchors.end() ? found->second : 0;
+}
+
+SBodyPose CDynamics3DModel::ComputePose(const SAnchor& anchor, UInt32 link) const {
+  SBodyPose frame{GetOriginPosition(), GetOrientation()};
+  if (link > 0 && m_body != nullptr) {
+    // the offset of an anchor on a link is that of the last tick
+    frame = Compose(GetLinkFrame(GetBody(), link), Invert(m_cEmbodiedEntity.GetLinkPoses()[link]));
+  }
+  return Compose(frame, {anchor.OffsetPosition, anchor.OffsetOrientation});
 }
 
 }  // namespace argos

@@ -43,4 +43,9 @@ class CDynamics3DPlugin : public CBaseConfigurableResource {
   REGISTER_SYMBOL(CDynamics3DPlugin, CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION, \
                   LONG_DESCRIPTION, STATUS)
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_engine.h>
+#endif
+
 #endif

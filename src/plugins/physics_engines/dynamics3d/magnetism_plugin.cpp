@@ -86,6 +86,7 @@ class CDynamics3DMagnetismPlugin : public CDynamics3DPlugin {
   };
   struct SDipole {
     CDynamics3DModel* Model;
+    UInt32 Link;
     CVector3 Position;  // m, world frame
     CVector3 Moment;  // units of field, world axes
   };
@@ -94,15 +95,12 @@ class CDynamics3DMagnetismPlugin : public CDynamics3DPlugin {
   void Locate() {
     m_dipoles.clear();
     for (const SCarrier& carrier : m_carriers) {
-      const CVector3 origin = carrier.Model->GetOriginPosition();
-      const CQuaternion orientation = carrier.Model->GetOrientation();
       for (const CMagnetEquippedEntity::SInstance& instance : carrier.Magnets->GetInstances()) {
-        const SAnchor& anchor = instance.Anchor;
-        const CQuaternion turn = orientation * anchor.OffsetOrientation;
-        m_dipoles.push_back(
-            {carrier.Model,
-             origin + Rotated(anchor.OffsetPosition, orientation) + Rotated(instance.Offset, turn),
-             Rotated(instance.Magnet.GetField(), turn)});
+        const UInt32 link = carrier.Model->FindLink(instance.Anchor);
+        const SBodyPose anchor = carrier.Model->ComputePose(instance.Anchor, link);
+        m_dipoles.push_back({carrier.Model, link,
+                             anchor.Position + Rotated(instance.Offset, anchor.Orientation),
+                             Rotated(instance.Magnet.GetField(), anchor.Orientation)});
       }
     }
   }
@@ -121,10 +119,10 @@ class CDynamics3DMagnetismPlugin : public CDynamics3DPlugin {
     const CVector3 force = (m2 * m1n + m1 * m2n + n * (m1.DotProduct(m2) - 5.0 * m1n * m2n)) *
                            (m_forceConstant / (r * r * r * r));
     const Real perVolume = m_forceConstant / (3.0 * r * r * r);
-    second.Model->AddForce(force, second.Position);
-    first.Model->AddForce(-force, first.Position);
-    second.Model->AddTorque(Cross(m2, n * (3.0 * m1n) - m1) * perVolume);
-    first.Model->AddTorque(Cross(m1, n * (3.0 * m2n) - m2) * perVolume);
+    second.Model->AddForce(force, second.Position, second.Link);
+    first.Model->AddForce(-force, first.Position, first.Link);
+    second.Model->AddTorque(Cross(m2, n * (3.0 * m1n) - m1) * perVolume, second.Link);
+    first.Model->AddTorque(Cross(m1, n * (3.0 * m2n) - m2) * perVolume, first.Link);
   }
 
   Real m_forceConstant = kForceConstant;

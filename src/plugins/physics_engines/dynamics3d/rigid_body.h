@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_RIGID_BODY_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_RIGID_BODY_H
 
+#include <argos3/core/simulator/physics_engine/drive_source.h>
 #include <argos3/core/utility/math/quaternion.h>
 #include <argos3/core/utility/math/vector3.h>
 
@@ -8,15 +9,20 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace argos {
 
 class CDynamics3DModel;
 class CGripperEquippedEntity;
+class CJointEquippedEntity;
 class CQuadRotorEntity;
 class CTurretEntity;
 struct SBodyDescription;
+struct SBodyPose;
+struct SHullArrays;
 struct SRigidSettings;
 
 inline CVector3 FromODE(const dReal* vector) {
@@ -29,12 +35,19 @@ struct SRigidPose {
   CQuaternion Orientation;
 };
 
+/** The motion of a link besides the first one. */
+struct SLinkMotion {
+  CVector3 Velocity;  // of its centre of mass, m/s
+  CVector3 AngularVelocity;  // rad/s, world frame
+};
+
 /** The motion of a body: its state besides the pose, to continue in another engine. */
 struct SRigidMotion {
   CVector3 Velocity;  // of the centre of mass, m/s
   CVector3 AngularVelocity;  // rad/s, world frame
   std::array<Real, 2> WheelSpins{};  // rad/s about the axle, positive forward
   std::array<Real, 4> FlightErrors{};  // of the last substep: x, y, z (m) and yaw (rad)
+  std::vector<SLinkMotion> Links;  // from link 1 on; empty: they move rigidly with the body
 };
 
 /**
@@ -51,30 +64,50 @@ struct SRigidSource {
   CDynamics3DModel* Owner = nullptr;  // not owned
   const SBodyDescription* Description = nullptr;  // outlives the body
   bool Movable = true;
-  const Real* Wheels = nullptr;  // speeds of the left and right rim, m/s; null without a drive
+  CDriveSource Drive;
   const CQuadRotorEntity* Quadrotor = nullptr;  // null without propellers
+  CJointEquippedEntity* Joints = nullptr;  // null without an articulation
+  const SBodyPose* LinkPoses = nullptr;  // of the entity, by link; null without an articulation
 };
 
-/** A body in ODE: one rigid part, or a chassis with two wheels on hinges; or fixed geoms only. */
+/** A link of an articulated body besides the first one. */
+struct SRigidLink {
+  dBodyID Part = nullptr;
+  CVector3 CentreOfMass;  // in the frame of the origin at the start, m
+  dJointID Joint = nullptr;  // to a link with a lower number
+};
+
+/**
+ * A body in ODE: one rigid part, perhaps with a planar drive; or a chassis with two wheels on
+ * hinges; or links on joints; or fixed geoms only.
+ */
 struct SRigidBody {
   SRigidSource Source;
   dBodyID Body = nullptr;  // null: fixed
-  std::array<dBodyID, 2> Wheels{};  // left, right; null without a drive
+  std::array<dBodyID, 2> Wheels{};  // left, right; null without wheels
   std::array<dJointID, 2> Axles{};
+  // of a planar drive: motors that move and rotate the body over the ground; else null
+  dJointID PlanarMotor = nullptr;
+  dJointID YawMotor = nullptr;
+  bool HasGroundContact = false;  // of a caster, in this substep
   // of the robot; null if it has none; not owned
   CGripperEquippedEntity* Gripper = nullptr;
   CTurretEntity* Turret = nullptr;
   bool HasManipulator = false;  // true if CRigidGrips tracks it
   dBodyID TurretBody = nullptr;  // while its gripper holds a body, see CRigidGrips
-  std::vector<dGeomID> Solids;
-  std::array<SRoller, 6> Rollers;  // the wheels, then four casters; unused without a drive
+  std::vector<dGeomID> Solids;  // by number of SBodyDescription::Shapes
+  std::vector<std::shared_ptr<SHullArrays>> Hulls;  // what convex solids refer to
+  std::vector<SRigidLink> Links;  // from link 1 on
+  std::vector<std::pair<UInt32, UInt32>> SelfPairs;  // solids that collide with each other
+  bool AreMotorsSet = false;  // false: the joints in ODE have no commands yet
+  std::array<SRoller, 6> Rollers;  // the wheels, then four casters; see GetFirstRoller()
 
   CVector3 Low;  // m, world frame; bounds of all parts
   CVector3 High;
   Real RollerMargin = 0.0;  // m; how far rollers reach beyond the bounds of the solids
 
   CVector3 CentreOfMass;  // of Body, in the frame of the origin, m
-  Real WheelRadius = 0.0;  // m
+  Real WheelRadius = 0.0;  // m; of a planar drive: of wheels of which only casters are modelled
   Real Narrowest = 0.0;  // m, of the narrowest solid
   Real Friction = 1.0;
   Real Margin = 0.0;  // m; distance of its solids from the surface of its geoms
@@ -96,6 +129,11 @@ struct SRigidBody {
   /** @return true for a plane that bounds all bodies from above. */
   bool IsCeiling() const { return IsPlane() && High.GetZ() == HUGE_VAL; }
   bool HasWheels() const { return Wheels[0] != nullptr; }
+  bool HasPlanarDrive() const { return PlanarMotor != nullptr; }
+  bool HasDrive() const { return HasWheels() || HasPlanarDrive(); }
+  /** With a drive: the number of the first roller in use. */
+  size_t GetFirstRoller() const { return HasWheels() ? 0 : Wheels.size(); }
+  bool IsArticulated() const { return !Links.empty(); }
 };
 
 /** Position of the centre of a roller of a robot, m, world frame. */
@@ -115,6 +153,9 @@ inline CVector3 LocateRoller(const SRigidBody& robot, size_t roller) {
 template <typename VISIT>
 void ForEachPart(const SRigidBody& body, VISIT&& visit) {
   visit(body.Body);
+  for (const SRigidLink& link : body.Links) {
+    visit(link.Part);
+  }
   if (body.HasWheels()) {
     visit(body.Wheels[0]);
     visit(body.Wheels[1]);

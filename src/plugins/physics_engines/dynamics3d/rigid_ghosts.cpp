@@ -21,7 +21,7 @@ constexpr Real kStands = 0.94;
 constexpr Real kRestingDepth = 1e-4;
 
 bool IsRobot(const SRigidBody& body) {
-  return body.HasWheels() || body.Source.Quadrotor != nullptr;
+  return body.HasDrive() || body.Source.Quadrotor != nullptr;
 }
 
 // horizontal gap, m

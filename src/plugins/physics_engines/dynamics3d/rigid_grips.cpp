@@ -5,6 +5,7 @@
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/turret_entity.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/cylinder_contacts.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_model.h>
 
 #include <algorithm>
@@ -164,7 +165,7 @@ void CRigidGrips::Seek(SManipulator& manipulator, const std::vector<SRigidBody*>
     }
     for (const dGeomID solid : body->Solids) {
       dContactGeom contacts[kMostContacts];
-      const int count = dCollide(m_probe, solid, kMostContacts, contacts, sizeof(dContactGeom));
+      const int count = FindContacts(m_probe, solid, kMostContacts, contacts, sizeof(dContactGeom));
       for (int i = 0; i < count; ++i) {
         const bool isBetter =
             best == nullptr || contacts[i].depth > depth ||

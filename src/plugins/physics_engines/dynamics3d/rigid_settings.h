@@ -43,6 +43,9 @@ constexpr Real kClearance = 0.5;
 // the rest, and keep the robot upright.
 constexpr Real kWheelLoad = 0.8;
 constexpr Real kWheelTravel = 0.5;
+// softness of the motors of a planar drive, as ODE's constraints have it, m/s per N and rad/s per
+// N m
+constexpr Real kMotorSoftness = 1e-10;
 // cosine of the greatest angle from straight below of contacts of wheels and casters, 60 degrees;
 // the solids handle contacts from the side
 constexpr Real kRollerSupport = 0.5;

@@ -2,7 +2,9 @@
 
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/physics_engine/flight_loop.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/articulated_body.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_model.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/ode_session.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_flight.h>
 #include <argos3/plugins/simulator/physics_engines/robot_bodies/robot_components.h>
@@ -29,16 +31,38 @@ void TakeOut(std::vector<SRigidBody*>& bodies, const SRigidBody& body) {
   bodies.pop_back();
 }
 
+// the greatest speed that is commanded to a wheel, or to a planar drive, m/s
+Real GetOrderedSpeed(const SRigidBody& body) {
+  if (body.HasPlanarDrive()) {
+    return body.Source.Drive.Read().ComputeSpeed();
+  }
+  const Real* const wheels = body.Source.Drive.GetWheels();
+  return std::max(std::abs(wheels[0]), std::abs(wheels[1]));
+}
+
+// of the fastest link, m/s
+Real ComputeSpeed(const SRigidBody& body) {
+  Real fastest = FromODE(dBodyGetLinearVel(body.Body)).Length();
+  for (const SRigidLink& link : body.Links) {
+    fastest = std::max(fastest, FromODE(dBodyGetLinearVel(link.Part)).Length());
+  }
+  return fastest;
+}
+
+bool IsSlow(dBodyID part) {
+  return FromODE(dBodyGetLinearVel(part)).Length() < kQuietSpeed &&
+         FromODE(dBodyGetAngularVel(part)).Length() < kQuietTurn;
+}
+
 // the speed that a body may reach in a tick by its own drive, m/s
 Real ForeseeSpeed(const SRigidBody& body, Real tick) {
-  const Real speed = FromODE(dBodyGetLinearVel(body.Body)).Length();
-  if (!body.HasWheels()) {
+  const Real speed = ComputeSpeed(body);
+  if (!body.HasDrive()) {
     return speed;
   }
-  const Real ordered = std::max(std::abs(body.Source.Wheels[0]), std::abs(body.Source.Wheels[1]));
   const SBodyDescription& description = *body.Source.Description;
-  return std::max(speed,
-                  std::min(ordered, speed + description.Drive->MaxForce / description.Mass * tick));
+  const Real gain = description.GetDriveLimits().MaxForce / description.Mass * tick;
+  return std::max(speed, std::min(GetOrderedSpeed(body), speed + gain));
 }
 
 }  // namespace
@@ -133,6 +157,9 @@ SRigidBody& CRigidWorld::Add(const SRigidSource& source, const SRigidPose& pose)
   if (source.Quadrotor != nullptr) {
     m_flying.push_back(&body);
   }
+  if (body.IsArticulated()) {
+    m_articulated.push_back(&body);
+  }
   return body;
 }
 
@@ -158,6 +185,8 @@ void CRigidWorld::Remove(SRigidBody& body) {
   if (body.Source.Quadrotor != nullptr) {
     m_flying.erase(std::find(m_flying.begin(), m_flying.end(), &body));
   }
+  m_articulated.erase(std::remove(m_articulated.begin(), m_articulated.end(), &body),
+                      m_articulated.end());
   const UInt32 owned = body.Owned;
   m_owned.back()->Owned = owned;
   std::swap(m_owned[owned], m_owned.back());
@@ -188,10 +217,17 @@ void CRigidWorld::Advance() {
     for (SRigidBody* body : m_flying) {
       PushFlyingBody(*body, m_gravity, m_substep);
     }
+    for (const SRigidBody* body : m_articulated) {
+      DriveJoints(*body, m_substep);
+    }
     m_contacts->Find(m_movables, m_fixed, m_planes, *m_grips, m_ghosts, m_gravity, m_substep);
+    SetPlanarMotors();
     Step();
     m_contacts->Clear();
     m_grips->BreakOverloadedGrips();
+    for (SRigidBody* body : m_articulated) {
+      ReadJoints(*body);
+    }
   }
   m_grips->EndTick(m_settings.Tick);
   if (m_settings.Sleep) {
@@ -199,14 +235,32 @@ void CRigidWorld::Advance() {
   }
 }
 
+// Drives get their targets in each substep, when it is known whether they touch the ground.
+void CRigidWorld::SetPlanarMotors() {
+  for (SRigidBody* body : m_movables) {
+    if (body->HasPlanarDrive() && !body->Asleep) {
+      SetPlanarMotor(*body, m_substep);
+    }
+  }
+}
+
 // Sets the speeds of wheels.
 void CRigidWorld::StartTick() {
+  for (SRigidBody* body : m_articulated) {
+    StartJointTick(*body, m_settings.Tick / m_settings.Substeps);
+  }
   for (SRigidBody* body : m_movables) {
+    if (body->HasDrive() && !body->Source.Drive.Read().IsFinite()) {
+      throw SBadDriveCommand{&body->Source.Owner->GetEmbodiedEntity(), body->Source.Drive};
+    }
+    if (body->HasPlanarDrive() && !(body->Source.Drive.Read() == SDriveCommand())) {
+      WakeRigidBody(*body);
+    }
     if (!body->HasWheels()) {
       continue;
     }
     for (size_t i = 0; i < body->Axles.size(); ++i) {
-      const Real speed = body->Source.Wheels[i];
+      const Real speed = body->Source.Drive.GetWheels()[i];
       dJointSetHingeParam(body->Axles[i], dParamVel, speed / body->WheelRadius);
       if (speed != 0.0) {
         WakeRigidBody(*body);
@@ -229,10 +283,9 @@ Real CRigidWorld::FindFastest() const {
     if (body->Asleep) {
       continue;
     }
-    fastest = std::max(fastest, FromODE(dBodyGetLinearVel(body->Body)).Length());
-    if (body->HasWheels()) {
-      fastest =
-          std::max({fastest, std::abs(body->Source.Wheels[0]), std::abs(body->Source.Wheels[1])});
+    fastest = std::max(fastest, ComputeSpeed(*body));
+    if (body->HasDrive()) {
+      fastest = std::max(fastest, GetOrderedSpeed(*body));
     }
   }
   return fastest;
@@ -351,9 +404,9 @@ void CRigidWorld::UpdateSleep() {
     if (body->Asleep) {
       continue;
     }
-    const bool slow = body->Source.Quadrotor == nullptr &&
-                      FromODE(dBodyGetLinearVel(body->Body)).Length() < kQuietSpeed &&
-                      FromODE(dBodyGetAngularVel(body->Body)).Length() < kQuietTurn;
+    const bool slow = body->Source.Quadrotor == nullptr && IsSlow(body->Body) &&
+                      std::all_of(body->Links.begin(), body->Links.end(),
+                                  [](const SRigidLink& link) { return IsSlow(link.Part); });
     body->QuietTime = slow ? body->QuietTime + m_settings.Tick : 0.0;
     if (body->QuietTime < kQuietTime) {
       m_contacts->GetIsland(*body).Quiet = false;

@@ -76,6 +76,7 @@ class CRigidWorld {
   SRigidBody& MakePlane(const SGroundPlane& plane);
   void WakeAll();
   void StartTick();
+  void SetPlanarMotors();
   Real FindFastest() const;
   Real ComputeLongestPath(Real fastest) const;
   UInt32 CountSubsteps() const;
@@ -100,6 +101,7 @@ class CRigidWorld {
   std::vector<SRigidBody*> m_fixed;  // by number
   std::vector<SRigidBody*> m_movables;  // by number
   std::vector<SRigidBody*> m_flying;
+  std::vector<SRigidBody*> m_articulated;
   std::vector<SRigidBody*> m_large;  // in islands that are solved iteratively
   Real m_widest = 0.0;  // m; greatest bounding radius of all movable bodies that ever were here
   Real m_substep = 0.0;  // s

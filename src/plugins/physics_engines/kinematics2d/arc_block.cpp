@@ -42,6 +42,10 @@ inline void Turn(Real& halfCos, Real& halfSin, Real cosine, Real sine) {
 }  // namespace
 
 void SArcBlock::Drive(size_t count) {
+  for (size_t i = count; i < kSize; ++i) {
+    Path[i] = Quarter[i] = HalfSin[i] = 0.0;
+    HalfCos[i] = 1.0;
+  }
   // angles beyond the range of the series are handled separately
   Real ratio[kSize];  // sin(quarter) / quarter
   Real cosine[kSize];

@@ -22,8 +22,8 @@ struct SArcBlock {
   Real StepY[kSize];
 
   /**
-   * Follows the first @p count arcs; exact except for rounding errors. The result of a robot does
-   * not depend on the others.
+   * Follows the first @p count arcs, and overwrites the others; exact except for rounding errors.
+   * The result of a robot does not depend on the others.
    *
    * Source: as for FollowArc() of core/simulator/physics_engine/planar_motion.h.
    */

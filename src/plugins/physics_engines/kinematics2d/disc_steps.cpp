@@ -57,7 +57,8 @@ Real CDiscSwarm::ComputeGhostReach(Real tick, UInt32 substeps) const {
   Real farthest = 0.0;
   for (size_t slot = 0; slot < GetSize(); ++slot) {
     const Real radius = m_radius[slot];
-    const Real planned = std::abs(0.5 * (m_wheels[slot][0] + m_wheels[slot][1]) * tick);
+    const Real speed = m_drives[slot].Read().ComputeSpeed();
+    const Real planned = std::fmax(speed, ReadLastCommand(slot).ComputeSpeed()) * tick;
     // Plan() reports speeds that are not numbers
     const Real path = std::fmin(planned, substeps * kMaxStep * radius);
     farthest =

@@ -8,6 +8,7 @@
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_limits.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace argos {
@@ -41,15 +42,93 @@ void TakeLast(std::vector<T>& values, UInt32 slot) {
   values.pop_back();
 }
 
+// The robots of a block that do not move along their headings: the chord of an arc makes the same
+// angle with the heading half-way as the velocity with the heading.
+class CSidewaysRobots {
+ public:
+  void Clear() { m_count = 0; }
+  // Notes a robot if necessary. @return its speed along its path, m/s, negative backwards.
+  Real Add(size_t number, const SDriveCommand& command) {
+    if (command.Left == 0.0) {
+      return command.Ahead;
+    }
+    const Real speed = command.ComputeSpeed();
+    m_robots[m_count++] = {number, command.Ahead / speed, command.Left / speed};
+    return speed;
+  }
+  void RotateChords(SArcBlock& block) const {
+    for (size_t i = 0; i < m_count; ++i) {
+      const auto& [number, cosine, sine] = m_robots[i];
+      const Real x = block.StepX[number];
+      const Real y = block.StepY[number];
+      block.StepX[number] = cosine * x - sine * y;
+      block.StepY[number] = sine * x + cosine * y;
+    }
+  }
+
+ private:
+  struct SRobot {
+    size_t Number;
+    Real Cos, Sin;
+  };
+
+  std::array<SRobot, SArcBlock::kSize> m_robots;
+  size_t m_count = 0;
+};
+
+/** The robots of a block whose command has changed: their arcs until the new one takes effect. */
+class CLateArcs {
+ public:
+  void Clear() {
+    m_count = 0;
+    m_sideways.Clear();
+  }
+  /** @param number  of the robot in the block. @param time  s. */
+  void Add(size_t number, const SDriveCommand& last, Real halfCos, Real halfSin, Real time) {
+    m_arcs.Path[m_count] = m_sideways.Add(m_count, last) * time;
+    m_arcs.Quarter[m_count] = 0.25 * last.YawRate * time;
+    m_arcs.HalfCos[m_count] = halfCos;
+    m_arcs.HalfSin[m_count] = halfSin;
+    m_numbers[m_count++] = number;
+  }
+  /** Follows the arcs; those of @p block start with the headings at their ends. */
+  void DriveBefore(SArcBlock& block) {
+    if (m_count == 0) {
+      return;
+    }
+    m_arcs.Drive(m_count);
+    m_sideways.RotateChords(m_arcs);
+    for (size_t k = 0; k < m_count; ++k) {
+      block.HalfCos[m_numbers[k]] = m_arcs.HalfCos[k];
+      block.HalfSin[m_numbers[k]] = m_arcs.HalfSin[k];
+    }
+  }
+  /** Adds the steps and the lengths of the arcs to those of @p block. */
+  void AddSteps(SArcBlock& block) const {
+    for (size_t k = 0; k < m_count; ++k) {
+      const size_t i = m_numbers[k];
+      block.StepX[i] += m_arcs.StepX[k];
+      block.StepY[i] += m_arcs.StepY[k];
+      block.Path[i] = std::abs(block.Path[i]) + std::abs(m_arcs.Path[k]);
+    }
+  }
+
+ private:
+  SArcBlock m_arcs;
+  CSidewaysRobots m_sideways;
+  std::array<size_t, SArcBlock::kSize> m_numbers;
+  size_t m_count = 0;
+};
+
 }  // namespace
 
 void CDiscSwarm::Reserve(size_t discs) {
-  for (auto* values :
-       {&m_x, &m_y, &m_halfCos, &m_halfSin, &m_allowance, &m_inverseInterwheel, &m_radius,
-        &m_maxForce, &m_stepX, &m_stepY, &m_nextX, &m_nextY, &m_nextHalfCos, &m_nextHalfSin}) {
+  for (auto* values : {&m_x, &m_y, &m_halfCos, &m_halfSin, &m_allowance, &m_lastSpeed, &m_lastLeft,
+                       &m_lastYawRate, &m_radius, &m_maxForce, &m_stepX, &m_stepY, &m_nextX,
+                       &m_nextY, &m_nextHalfCos, &m_nextHalfSin}) {
     values->reserve(discs);
   }
-  m_wheels.reserve(discs);
+  m_drives.reserve(discs);
   m_owner.reserve(discs);
   m_generations.Reserve(discs);
   m_reach.reserve(discs);
@@ -62,18 +141,18 @@ void CDiscSwarm::Reserve(size_t discs) {
 }
 
 void CDiscSwarm::Add(const SKinematicOwner& owner, const SBodyDescription& description,
-                     const SPlanarPose& pose, const Real* wheels) {
+                     const SPlanarPose& pose, const CDriveSource& drive) {
   const UInt32 slot = static_cast<UInt32>(m_x.size());
   *owner.Handle = {EKinematicKind::Disc, slot, m_generations.Add()};
-  for (auto* values : {&m_x, &m_y, &m_halfCos, &m_halfSin, &m_allowance, &m_stepX, &m_stepY,
-                       &m_nextX, &m_nextY, &m_nextHalfCos, &m_nextHalfSin}) {
+  for (auto* values :
+       {&m_x, &m_y, &m_halfCos, &m_halfSin, &m_allowance, &m_lastSpeed, &m_lastLeft, &m_lastYawRate,
+        &m_stepX, &m_stepY, &m_nextX, &m_nextY, &m_nextHalfCos, &m_nextHalfSin}) {
     values->push_back(0.0);
   }
   m_reach.push_back(0.0F);
-  m_wheels.push_back(wheels);
-  m_inverseInterwheel.push_back(1.0 / description.Drive->InterwheelDistance);
+  m_drives.push_back(drive);
   m_radius.push_back(description.Shapes.front().Radius);
-  m_maxForce.push_back(description.Drive->MaxForce);
+  m_maxForce.push_back(description.GetDriveLimits().MaxForce);
   m_owner.push_back(owner);
   m_maxRadius = std::max(m_maxRadius, m_radius.back());
   PutAt(slot, pose);
@@ -82,13 +161,13 @@ void CDiscSwarm::Add(const SKinematicOwner& owner, const SBodyDescription& descr
 void CDiscSwarm::Remove(const SKinematicHandle& handle) {
   m_generations.Check(handle);
   const UInt32 slot = handle.Slot;
-  for (auto* values :
-       {&m_x, &m_y, &m_halfCos, &m_halfSin, &m_allowance, &m_inverseInterwheel, &m_radius,
-        &m_maxForce, &m_stepX, &m_stepY, &m_nextX, &m_nextY, &m_nextHalfCos, &m_nextHalfSin}) {
+  for (auto* values : {&m_x, &m_y, &m_halfCos, &m_halfSin, &m_allowance, &m_lastSpeed, &m_lastLeft,
+                       &m_lastYawRate, &m_radius, &m_maxForce, &m_stepX, &m_stepY, &m_nextX,
+                       &m_nextY, &m_nextHalfCos, &m_nextHalfSin}) {
     TakeLast(*values, slot);
   }
   *m_owner[slot].Handle = SKinematicHandle();
-  TakeLast(m_wheels, slot);
+  TakeLast(m_drives, slot);
   TakeLast(m_owner, slot);
   TakeLast(m_reach, slot);
   const UInt32 generation = m_generations.Remove(slot);
@@ -108,11 +187,24 @@ void CDiscSwarm::PutAt(UInt32 slot, const SPlanarPose& pose) {
   m_y[slot] = m_nextY[slot] = pose.Y;
   m_halfCos[slot] = m_nextHalfCos[slot] = pose.HalfCos;
   m_halfSin[slot] = m_nextHalfSin[slot] = pose.HalfSin;
+  m_lastSpeed[slot] = m_lastLeft[slot] = m_lastYawRate[slot] = 0.0;
   // the new pose may overlap other bodies
   m_allowance[slot] = m_radius[slot];
 }
 
-void CDiscSwarm::Plan(CThreadPool& pool, Real duration) {
+void CDiscSwarm::SetLastCommand(const SKinematicHandle& handle, const SDriveCommand& command) {
+  m_generations.Check(handle);
+  m_lastSpeed[handle.Slot] = command.Ahead;
+  m_lastLeft[handle.Slot] = command.Left;
+  m_lastYawRate[handle.Slot] = command.YawRate;
+}
+
+SDriveCommand CDiscSwarm::GetLastCommand(const SKinematicHandle& handle) const {
+  m_generations.Check(handle);
+  return ReadLastCommand(handle.Slot);
+}
+
+void CDiscSwarm::Plan(CThreadPool& pool, const SSubstep& substep) {
   const size_t size = GetSize();
   if (size == 0) {
     m_places.clear();
@@ -129,12 +221,12 @@ void CDiscSwarm::Plan(CThreadPool& pool, Real duration) {
   m_firstBad.store(std::numeric_limits<UInt32>::max(), std::memory_order_relaxed);
   const bool alone = pool.GetNumThreads() == 1;
   pool.ParallelFor(size, kDiscGrain, [&](size_t begin, size_t end, UInt32) {
-    PlanRun(begin, end, duration);
+    PlanRun(begin, end, substep);
     Bin(begin, end, alone);
   });
   const UInt32 bad = m_firstBad.load(std::memory_order_relaxed);
   if (bad < size) {
-    throw SBadKinematicWheels{m_owner[bad].Model, m_wheels[bad][0], m_wheels[bad][1]};
+    throw SBadDriveCommand{m_owner[bad].Body, m_drives[bad]};
   }
   const Real reach = static_cast<Real>(m_maxReach.load(std::memory_order_relaxed));
   if (2.0 * reach > m_grid.GetX().Edge) {
@@ -147,46 +239,68 @@ void CDiscSwarm::Plan(CThreadPool& pool, Real duration) {
 }
 
 // Plans the steps of robots [begin, end).
-void CDiscSwarm::PlanRun(size_t begin, size_t end, Real duration) {
+void CDiscSwarm::PlanRun(size_t begin, size_t end, const SSubstep& substep) {
+  const Real lateTime = substep.LateShare * substep.Duration;
+  CLateArcs late;
   SArcBlock block;
+  CSidewaysRobots sideways;
   float maxReach = 0.0F;
   for (size_t first = begin; first < end; first += SArcBlock::kSize) {
     const size_t count = std::min(SArcBlock::kSize, end - first);
+    late.Clear();
+    sideways.Clear();
     for (size_t i = 0; i < count; ++i) {
       const size_t slot = first + i;
-      const Real left = m_wheels[slot][0];
-      const Real right = m_wheels[slot][1];
-      const Real farthest = kMaxStep * m_radius[slot];
-      block.Path[i] = std::clamp(0.5 * (left + right) * duration, -farthest, farthest);
-      block.Quarter[i] = 0.25 * (right - left) * m_inverseInterwheel[slot] * duration;
-      // the difference of an infinite or undefined number and itself is not 0
-      if (!(left - left + (block.Quarter[i] - block.Quarter[i]) == 0.0)) {
+      const SDriveCommand ordered = m_drives[slot].Read();
+      if (!ordered.IsFinite()) {
         LowerTo(m_firstBad, static_cast<UInt32>(slot));
       }
+      const SDriveCommand command = ordered.Limited(kMaxStep * m_radius[slot] / substep.Duration);
+      const SDriveCommand last = ReadLastCommand(slot);
+      Real time = substep.Duration;
+      if (lateTime > 0.0 && !(command == last)) {
+        time -= lateTime;
+        late.Add(i, last, m_halfCos[slot], m_halfSin[slot], lateTime);
+      }
+      if (substep.IsLast) {
+        m_lastSpeed[slot] = command.Ahead;
+        m_lastYawRate[slot] = command.YawRate;
+        if (!m_drives[slot].HasWheels()) {
+          m_lastLeft[slot] = command.Left;
+        }
+      }
+      block.Path[i] = sideways.Add(i, command) * time;
+      block.Quarter[i] = 0.25 * command.YawRate * time;
       block.HalfCos[i] = m_halfCos[slot];
       block.HalfSin[i] = m_halfSin[slot];
     }
-    for (size_t i = count; i < SArcBlock::kSize; ++i) {
-      block.Path[i] = block.Quarter[i] = block.HalfSin[i] = 0.0;
-      block.HalfCos[i] = 1.0;
-    }
+    late.DriveBefore(block);
     block.Drive(count);
-    for (size_t i = 0; i < count; ++i) {
-      const size_t slot = first + i;
-      m_stepX[slot] = block.StepX[i];
-      m_stepY[slot] = block.StepY[i];
-      m_nextX[slot] = m_x[slot] + block.StepX[i];
-      m_nextY[slot] = m_y[slot] + block.StepY[i];
-      m_nextHalfCos[slot] = block.HalfCos[i];
-      m_nextHalfSin[slot] = block.HalfSin[i];
-      m_reach[slot] = static_cast<float>(m_radius[slot] + std::abs(block.Path[i]) +
-                                         m_allowance[slot] + kMaxRounding) *
-                      kRoundUp;
-      m_allowance[slot] = 0.0;
-      maxReach = std::max(maxReach, m_reach[slot]);
-    }
+    sideways.RotateChords(block);
+    late.AddSteps(block);
+    maxReach = std::max(maxReach, TakeSteps(block, first, count));
   }
   RaiseTo(m_maxReach, maxReach);
+}
+
+// Sets the planned steps of robots from slot @p first on. @return their greatest reach, m.
+float CDiscSwarm::TakeSteps(const SArcBlock& block, size_t first, size_t count) {
+  float maxReach = 0.0F;
+  for (size_t i = 0; i < count; ++i) {
+    const size_t slot = first + i;
+    m_stepX[slot] = block.StepX[i];
+    m_stepY[slot] = block.StepY[i];
+    m_nextX[slot] = m_x[slot] + block.StepX[i];
+    m_nextY[slot] = m_y[slot] + block.StepY[i];
+    m_nextHalfCos[slot] = block.HalfCos[i];
+    m_nextHalfSin[slot] = block.HalfSin[i];
+    m_reach[slot] = static_cast<float>(m_radius[slot] + std::abs(block.Path[i]) +
+                                       m_allowance[slot] + kMaxRounding) *
+                    kRoundUp;
+    m_allowance[slot] = 0.0;
+    maxReach = std::max(maxReach, m_reach[slot]);
+  }
+  return maxReach;
 }
 
 // Sets the cells of robots [begin, end).

@@ -1,11 +1,13 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_DISC_SWARM_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_DISC_SWARM_H
 
+#include <argos3/core/simulator/physics_engine/drive_source.h>
 #include <argos3/core/simulator/physics_engine/planar_motion.h>
 #include <argos3/core/utility/spatial/counting_sort.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/ghost_lines.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/half_planes.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_handle.h>
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/substep.h>
 #include <argos3/plugins/simulator/physics_engines/planar/cell_lists.h>
 #include <argos3/plugins/simulator/physics_engines/robot_bodies/slot_generations.h>
 
@@ -18,18 +20,13 @@
 namespace argos {
 
 class CThreadPool;
+struct SArcBlock;
 struct SBodyDescription;
-
-/** Thrown if a wheel speed is not a number; nothing has moved then. */
-struct SBadKinematicWheels {
-  CKinematics2DModel* Owner;
-  Real Left, Right;  // m/s
-};
 
 /**
  * The robots of an engine that are discs: nearly all of most swarms.
  *
- * Their state is in arrays by slot. In a tick, Plan() computes where the wheels move each robot,
+ * Their state is in arrays by slot. In a tick, Plan() computes where the drive moves each robot,
  * and sorts the robots by cells of a grid; then Step() finds the active discs, which may touch
  * something, and moves them as far as there is space. Both use the threads of a pool. All other
  * discs reach exactly the end of their arcs.
@@ -44,9 +41,8 @@ class CDiscSwarm {
   /** Allocates what ghosts need. */
   void ReserveForGhosts(size_t discs) { m_ghostLines.Reserve(discs); }
   size_t GetSize() const { return m_x.size(); }
-  /** @param wheels  speeds of the left and right wheel, m/s; must stay valid. */
   void Add(const SKinematicOwner& owner, const SBodyDescription& description,
-           const SPlanarPose& pose, const Real* wheels);
+           const SPlanarPose& pose, const CDriveSource& drive);
   /** Removes a robot; the last one gets its slot. */
   void Remove(const SKinematicHandle& handle);
   void SetPose(const SKinematicHandle& handle, const SPlanarPose& pose);
@@ -55,8 +51,12 @@ class CDiscSwarm {
     return m_generations.IsCurrent(handle.Slot, handle.Generation);
   }
 
-  /** Computes the steps that wheels command in a time, s. @throws SBadKinematicWheels */
-  void Plan(CThreadPool& pool, Real duration);
+  /** Sets what a robot was told in the last tick. */
+  void SetLastCommand(const SKinematicHandle& handle, const SDriveCommand& command);
+  SDriveCommand GetLastCommand(const SKinematicHandle& handle) const;
+
+  /** Computes the steps that drives command. @throws SBadDriveCommand */
+  void Plan(CThreadPool& pool, const SSubstep& substep);
   /** The grid in which Plan() has sorted the discs; their reach is at most half an edge. */
   const CFramedGrid& GetGrid() const { return m_grid; }
   /** See CKinematicWorld::ComputeGhostReach(). */
@@ -82,7 +82,7 @@ class CDiscSwarm {
     CheckSlot(slot);
     return m_radius[slot];
   }
-  /** The step of this tick that the wheels command, m. */
+  /** The step of this substep that the drive commands, m. */
   SStep GetPlannedStep(UInt32 slot) const {
     CheckSlot(slot);
     return {m_stepX[slot], m_stepY[slot]};
@@ -135,8 +135,13 @@ class CDiscSwarm {
     CheckSlot(m_places[active.Place].Slot);
     return m_places[active.Place];
   }
+  SDriveCommand ReadLastCommand(size_t slot) const {
+    const Real left = m_drives[slot].HasWheels() ? 0.0 : m_lastLeft[slot];
+    return {m_lastSpeed[slot], left, m_lastYawRate[slot]};
+  }
   void PutAt(UInt32 slot, const SPlanarPose& pose);
-  void PlanRun(size_t begin, size_t end, Real duration);
+  void PlanRun(size_t begin, size_t end, const SSubstep& substep);
+  float TakeSteps(const SArcBlock& block, size_t first, size_t count);
   void Bin(size_t begin, size_t end, bool alone);
   bool IsGridBad() const;
   Real GetGreatestReach() const {
@@ -165,9 +170,12 @@ class CDiscSwarm {
   // by slot; state
   std::vector<Real> m_x, m_y, m_halfCos, m_halfSin;  // m; of half the heading
   std::vector<Real> m_allowance;  // m; how far an overlapping disc may be pushed in the next tick
+  // of the command of the last tick
+  std::vector<Real> m_lastSpeed;  // m/s, ahead
+  std::vector<Real> m_lastLeft;  // m/s; of a robot on wheels 0, and not read
+  std::vector<Real> m_lastYawRate;  // rad/s
   // fixed
-  std::vector<const Real*> m_wheels;  // m/s, (left, right), of the robot's wheels; not owned
-  std::vector<Real> m_inverseInterwheel;  // 1/m
+  std::vector<CDriveSource> m_drives;
   std::vector<Real> m_radius;  // m
   std::vector<Real> m_maxForce;  // N
   std::vector<SKinematicOwner> m_owner;

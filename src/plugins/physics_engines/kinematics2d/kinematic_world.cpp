@@ -29,12 +29,12 @@ void CKinematicWorld::AddWall(const SBodyDescription& description, const SPlanar
 }
 
 void CKinematicWorld::AddMovable(const SKinematicOwner& owner, const SBodyDescription& description,
-                                 const SPlanarPose& pose, const Real* wheels,
+                                 const SPlanarPose& pose, const CDriveSource& drive,
                                  const SGroundFriction& friction) {
-  if (wheels != nullptr && IsCentredDisc(description)) {
-    m_discs.Add(owner, description, pose, wheels);
+  if (drive && IsCentredDisc(description)) {
+    m_discs.Add(owner, description, pose, drive);
   } else {
-    m_solids.Add(owner, description, pose, wheels, friction);
+    m_solids.Add(owner, description, pose, drive, friction);
   }
 }
 
@@ -115,9 +115,22 @@ Real CKinematicWorld::ComputeGhostReach(Real tick, UInt32 substeps) const {
   return m_solids.GetSize() > 0 ? discs + m_solids.ComputeGhostReach(tick) : discs;
 }
 
-void CKinematicWorld::Advance(CThreadPool& pool, Real duration) {
-  m_solids.Plan(duration);
-  m_discs.Plan(pool, duration);
+void CKinematicWorld::SetLastCommand(const SKinematicHandle& handle, const SDriveCommand& command) {
+  if (handle.Kind == EKinematicKind::Disc) {
+    m_discs.SetLastCommand(handle, command);
+  } else if (handle.Kind == EKinematicKind::Solid) {
+    m_solids.SetLastCommand(handle, command);
+  }
+}
+
+SDriveCommand CKinematicWorld::GetLastCommand(const SKinematicHandle& handle) {
+  return handle.Kind == EKinematicKind::Disc ? m_discs.GetLastCommand(handle)
+                                             : m_solids.GetLastCommand(handle);
+}
+
+void CKinematicWorld::Advance(CThreadPool& pool, const SSubstep& substep) {
+  m_solids.Plan(substep);
+  m_discs.Plan(pool, substep);
   if (m_ghostSubsteps > 0) {
     m_discs.FindGhosts(m_ghosts, m_ghostSubsteps);
     m_ghostSubsteps = 0;

@@ -32,9 +32,9 @@ class CKinematicWorld {
                     const SPlanarPose& pose);
   /** Adds a wall of the region, which has no owner. */
   void AddWall(const SBodyDescription& description, const SPlanarPose& pose);
-  /** @param wheels  speeds of a robot's wheels, which must stay valid; null: it has no drive. */
   void AddMovable(const SKinematicOwner& owner, const SBodyDescription& description,
-                  const SPlanarPose& pose, const Real* wheels, const SGroundFriction& friction);
+                  const SPlanarPose& pose, const CDriveSource& drive,
+                  const SGroundFriction& friction);
   /** Removes a body; another one may get its slot. */
   void Remove(const SKinematicHandle& handle);
   /** Sets the pose of a movable body. */
@@ -52,11 +52,14 @@ class CKinematicWorld {
    * m; to be called between ticks.
    */
   Real ComputeGhostReach(Real tick, UInt32 substeps) const;
+  /** Sets what a robot was told in the last tick. */
+  void SetLastCommand(const SKinematicHandle& handle, const SDriveCommand& command);
+  SDriveCommand GetLastCommand(const SKinematicHandle& handle);
   /**
-   * Moves all bodies by a time, s. GetDiscs().Commit() of each disc then updates its pose.
-   * @throws SBadKinematicWheels
+   * Moves all bodies. GetDiscs().Commit() of each disc then updates its pose.
+   * @throws SBadDriveCommand
    */
-  void Advance(CThreadPool& pool, Real duration);
+  void Advance(CThreadPool& pool, const SSubstep& substep);
   /** @return true if the body of the handle is still in its slot. */
   bool IsCurrent(const SKinematicHandle& handle) const;
   CDiscSwarm& GetDiscs() { return m_discs; }

@@ -53,6 +53,7 @@ void CKinematics2DEngine::Init(TConfigurationNode& tree) {
 
 // The next tick builds a new world from the entities, without any state of the run so far.
 void CKinematics2DEngine::Reset() {
+  ResetRecordedBodies();
   m_world.reset();
 }
 
@@ -62,8 +63,9 @@ void CKinematics2DEngine::Destroy() {
   DestroyModels();
 }
 
-std::unique_ptr<CDescribedBodyModel> CKinematics2DEngine::CreateModel(CEmbodiedEntity& body) {
-  return std::make_unique<CKinematics2DModel>(*this, body, FindWheels(body));
+std::unique_ptr<CDescribedBodyModel> CKinematics2DEngine::CreateModel(
+    CEmbodiedEntity& body, const CRecordedBody* recorded) {
+  return std::make_unique<CKinematics2DModel>(*this, body, FindDrive(body, recorded));
 }
 
 void CKinematics2DEngine::Enter(CDescribedBodyModel& model) {
@@ -87,16 +89,24 @@ void CKinematics2DEngine::Leave(CDescribedBodyModel& model) {
 
 bool CKinematics2DEngine::GetMotion(const CEmbodiedEntity& body, SBodyMotion& motion) const {
   const auto& model = static_cast<const CKinematics2DModel&>(body.GetPhysicsModel(size_t(0)));
-  if (model.m_wheels == nullptr) {
+  if (!model.m_drive) {
     return false;
   }
-  const Real left = model.m_wheels[0];
-  const Real right = model.m_wheels[1];
-  const Real distance = body.GetBodyDescription()->Drive->InterwheelDistance;
-  motion = {CVector3(0.5 * (left + right), 0.0, 0.0),
-            CVector3(0.0, 0.0, (right - left) / distance)};
+  const SDriveCommand command = model.m_drive.Read();
+  motion.Velocity = CVector3(command.Ahead, command.Left, 0.0);
+  motion.Rotation = CVector3(0.0, 0.0, command.YawRate);
   motion.Velocity.Rotate(body.GetOriginAnchor().Orientation);
+  if (m_world != nullptr) {
+    motion.Command = m_world->GetLastCommand(model.m_handle);
+  }
   return true;
+}
+
+void CKinematics2DEngine::SetMotion(CEmbodiedEntity& body, const SBodyMotion& motion) {
+  const auto& model = static_cast<const CKinematics2DModel&>(body.GetPhysicsModel(size_t(0)));
+  if (m_world != nullptr && model.m_drive) {
+    m_world->SetLastCommand(model.m_handle, FindCommand(motion, body));
+  }
 }
 
 void CKinematics2DEngine::Reposition(CDescribedBodyModel& model) {
@@ -127,7 +137,7 @@ void CKinematics2DEngine::Build() {
   for (CDescribedBodyModel* model : models) {
     const auto& body = static_cast<const CKinematics2DModel&>(*model);
     numImmovable += body.m_cEmbodiedEntity.IsMovable() ? 0 : 1;
-    numDriven += body.m_wheels != nullptr ? 1 : 0;
+    numDriven += body.m_drive ? 1 : 0;
   }
   m_manipulators.reserve(AddSpareCapacity(m_manipulators.size()));
   m_hasLeft.reserve(AddSpareCapacity(numDriven));
@@ -152,7 +162,6 @@ Real CKinematics2DEngine::GetGhostReach() const {
 }
 
 void CKinematics2DEngine::AddToWorld(CKinematics2DModel& model) {
-  using EClass = SGroundFrictionDescription::EClass;
   const CEmbodiedEntity& body = model.GetEmbodiedEntity();
   const SBodyDescription& description = *body.GetBodyDescription();
   const SPlanarPose pose = ReadPose(body);
@@ -161,15 +170,12 @@ void CKinematics2DEngine::AddToWorld(CKinematics2DModel& model) {
     m_world->AddImmovable(owner, description, pose);
     return;
   }
-  SGroundFriction friction = {0.0, 0.0};
-  if (description.GroundFriction) {
-    friction =
-        description.GroundFriction->Class == EClass::Box ? *m_boxFriction : *m_cylinderFriction;
-  }
-  m_world->AddMovable(owner, description, pose, model.m_wheels, friction);
+  m_world->AddMovable(owner, description, pose, model.m_drive,
+                      ChooseGroundFriction(description, *m_boxFriction, *m_cylinderFriction));
 }
 
 void CKinematics2DEngine::Update() {
+  StartRecordedBodies();
   if (m_world == nullptr) {
     Build();
   }
@@ -180,6 +186,7 @@ void CKinematics2DEngine::Update() {
   UpdateManipulators();
   WriteBackDiscs();
   WriteBackSolids();
+  FinishRecordedBodies();
 }
 
 void CKinematics2DEngine::Advance() {
@@ -192,11 +199,11 @@ void CKinematics2DEngine::Advance() {
       }
     }
     try {
-      m_world->Advance(pool, GetPhysicsClockTick());
-    } catch (const SBadKinematicWheels& bad) {
-      THROW_ARGOSEXCEPTION("robot \"" << bad.Owner->GetEmbodiedEntity().GetRootEntity().GetId()
-                                      << "\": wheel speeds must be finite numbers, found left = "
-                                      << bad.Left << " m/s, right = " << bad.Right << " m/s");
+      const Real lateShare = std::clamp(GetVelocityLag() * GetIterations() - substep, 0.0, 1.0);
+      const bool isLast = substep + 1 == GetIterations();
+      m_world->Advance(pool, {GetPhysicsClockTick(), lateShare, isLast});
+    } catch (const SBadDriveCommand& bad) {
+      ThrowBadCommand(bad);
     }
   }
 }
@@ -296,7 +303,8 @@ slide along obstacles, and push objects against their friction on the ground. No
 pushed stand still. Robots do not push robots. A tick uses all threads of <system threads>; its result does not depend on
 them. Gripping is an error that names the robot: only dynamics2d and dynamics3d support it.
 )" + RequiredEngineXML(R"(<kinematics2d id="kin2d" />)") +
-        OptionalEngineXML("kinematics2d", R"(id="kin2d" iterations="1" elevation="0")",
+        OptionalEngineXML("kinematics2d",
+                          R"(id="kin2d" iterations="1" velocity_lag="0.1" elevation="0")",
                           PlanarFrictionXML(), std::string()) +
         R"(
 ATTRIBUTES
@@ -305,7 +313,8 @@ ATTRIBUTES
   iterations                 integer >= 1, default 1: substeps of a tick. No bodies overlap or pass through
                              each other with any number; robots that may touch something move straight in
                              a substep.
-  elevation                  m, default 0: height of the plane; bodies must stand on it, to 1e-4 m.
+)" + VelocityLagManual() +
+        R"(  elevation                  m, default 0: height of the plane; bodies must stand on it, to 1e-4 m.
   box_linear_friction        N, >= 0, default 1.49: force that is necessary to push a movable box.
   box_angular_friction       N m, >= 0, default 1.49: torque that is necessary to turn it.
   cylinder_linear_friction   N, >= 0, default 1.49: the same for a movable cylinder.

@@ -31,15 +31,18 @@ class CKinematics2DEngine : public CPlanarEngine {
   void Update() override;
   bool UsesThreadPool() const override { return true; }
 
-  /** Only for robots: the motion that their wheels command. */
+  /** Only for robots: the motion that their drives command. */
   bool GetMotion(const CEmbodiedEntity& body, SBodyMotion& motion) const override;
+  /** Only of robots: the last command. */
+  void SetMotion(CEmbodiedEntity& body, const SBodyMotion& motion) override;
   Real GetGhostReach() const override;
 
   void UpdateManipulator(CPlanarModel& model) override;
 
  private:
   bool HasWorld() const override { return m_world != nullptr; }
-  std::unique_ptr<CDescribedBodyModel> CreateModel(CEmbodiedEntity& body) override;
+  std::unique_ptr<CDescribedBodyModel> CreateModel(CEmbodiedEntity& body,
+                                                   const CRecordedBody* recorded) override;
   void Enter(CDescribedBodyModel& model) override;
   void Leave(CDescribedBodyModel& model) override;
   void Reposition(CDescribedBodyModel& model) override;

@@ -5,7 +5,7 @@
 namespace argos {
 
 CKinematics2DModel::CKinematics2DModel(CKinematics2DEngine& engine, CEmbodiedEntity& entity,
-                                       const Real* wheels)
-    : CPlanarModel(engine, entity, wheels) {}
+                                       const CDriveSource& drive)
+    : CPlanarModel(engine, entity, drive) {}
 
 }  // namespace argos

@@ -11,8 +11,8 @@ class CKinematics2DEngine;
 /** One body of a kinematics2d engine, for the public API: its state is in the engine's arrays. */
 class CKinematics2DModel : public CPlanarModel {
  public:
-  /** @param wheels  speeds of the left and the right wheel, m/s, if the body has a drive. */
-  CKinematics2DModel(CKinematics2DEngine& engine, CEmbodiedEntity& entity, const Real* wheels);
+  CKinematics2DModel(CKinematics2DEngine& engine, CEmbodiedEntity& entity,
+                     const CDriveSource& drive);
 
  private:
   friend class CKinematics2DEngine;

@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/separation.h>
 
+#include <argos3/core/simulator/geometry/convex_polygon.h>
 #include <argos3/core/utility/math/ray_span.h>
 
 #include <algorithm>
@@ -8,31 +9,69 @@ namespace argos {
 
 namespace {
 
-/** An axis-aligned rectangle around the origin, and a disc with a planned step. */
-struct SDiscAtBox {
-  Real HalfX, HalfY;
-  Real X, Y, Radius;
-  SStep Step;
-};
-
-/** A point of the rectangle and the position of the disc's centre when that point is nearest. */
+/** A point of the shape and the position of the disc's centre when that point is nearest. */
 struct SNearest {
   Real PointX, PointY;
   Real X, Y;
   Real SquaredDistance;
 };
 
-SNearest FindNearestAt(const SDiscAtBox& scene, Real share) {
-  SNearest nearest;
-  nearest.X = scene.X + share * scene.Step.X;
-  nearest.Y = scene.Y + share * scene.Step.Y;
-  nearest.PointX = std::clamp(nearest.X, -scene.HalfX, scene.HalfX);
-  nearest.PointY = std::clamp(nearest.Y, -scene.HalfY, scene.HalfY);
-  const Real dx = nearest.PointX - nearest.X;
-  const Real dy = nearest.PointY - nearest.Y;
-  nearest.SquaredDistance = dx * dx + dy * dy;
-  return nearest;
-}
+/** A disc with a planned step, in the frame of a shape. */
+struct SDiscAtShape {
+  Real X, Y, Radius;
+  SStep Step;
+
+  // to a point of the shape, if that is nearest to the disc after a share of the step
+  SNearest MeasureTo(Real pointX, Real pointY, Real share) const {
+    SNearest nearest{pointX, pointY, X + share * Step.X, Y + share * Step.Y, 0.0};
+    const Real dx = nearest.PointX - nearest.X;
+    const Real dy = nearest.PointY - nearest.Y;
+    nearest.SquaredDistance = dx * dx + dy * dy;
+    return nearest;
+  }
+};
+
+/** An axis-aligned rectangle around the origin, and a disc. */
+struct SDiscAtBox : SDiscAtShape {
+  Real HalfX, HalfY;
+
+  SNearest FindNearestAt(Real share) const {
+    return MeasureTo(std::clamp(X + share * Step.X, -HalfX, HalfX),
+                     std::clamp(Y + share * Step.Y, -HalfY, HalfY), share);
+  }
+  template <typename VISIT>
+  void ForCorners(VISIT&& visit) const {
+    for (const Real signX : {-1.0, 1.0}) {
+      for (const Real signY : {-1.0, 1.0}) {
+        visit(signX * HalfX, signY * HalfY);
+      }
+    }
+  }
+};
+
+/** A convex polygon, and a disc. */
+struct SDiscAtPolygon : SDiscAtShape {
+  const std::vector<CVector2>& Corners;
+
+  SPolygonNearest FindNearestOfCentre(Real share) const {
+    return FindNearest(Corners, CVector2(X + share * Step.X, Y + share * Step.Y));
+  }
+  SNearest FindNearestAt(Real share) const {
+    // m; a centre that is less outside counts as on the border, like in a polygon's own numbers
+    constexpr Real kOnBorder = 1e-12;
+    const SPolygonNearest nearest = FindNearestOfCentre(share);
+    if (nearest.Distance <= kOnBorder) {
+      return MeasureTo(X + share * Step.X, Y + share * Step.Y, share);
+    }
+    return MeasureTo(nearest.Point.GetX(), nearest.Point.GetY(), share);
+  }
+  template <typename VISIT>
+  void ForCorners(VISIT&& visit) const {
+    for (const CVector2& corner : Corners) {
+      visit(corner.GetX(), corner.GetY());
+    }
+  }
+};
 
 // The share of a step after which a point enters a rectangle; kNoHit: not in this step.
 Real EnterBox(Real x, Real y, const SStep& step, Real halfX, Real halfY) {
@@ -52,51 +91,64 @@ Real EnterCircle(Real x, Real y, const SStep& step, Real radius) {
   return approach < 0.0 && inside.First < inside.Last ? std::max(0.0, inside.First) : kNoHit;
 }
 
-// The share of its step after which the disc first touches the rectangle; > 1: not in this step.
-Real FindFirstTouch(const SDiscAtBox& scene) {
-  Real share =
-      std::min(EnterBox(scene.X, scene.Y, scene.Step, scene.HalfX + scene.Radius, scene.HalfY),
-               EnterBox(scene.X, scene.Y, scene.Step, scene.HalfX, scene.HalfY + scene.Radius));
-  for (const Real signX : {-1.0, 1.0}) {
-    for (const Real signY : {-1.0, 1.0}) {
-      share = std::min(share, EnterCircle(scene.X - signX * scene.HalfX,
-                                          scene.Y - signY * scene.HalfY, scene.Step, scene.Radius));
+// The share of its step after which the disc first touches a side, other than at a corner; kNoHit:
+// it touches none.
+Real EnterSides(const SDiscAtBox& scene) {
+  return std::min(EnterBox(scene.X, scene.Y, scene.Step, scene.HalfX + scene.Radius, scene.HalfY),
+                  EnterBox(scene.X, scene.Y, scene.Step, scene.HalfX, scene.HalfY + scene.Radius));
+}
+
+Real EnterSides(const SDiscAtPolygon& scene) {
+  Real share = kNoHit;
+  const CVector2 centre(scene.X, scene.Y);
+  const CVector2 step(scene.Step.X, scene.Step.Y);
+  for (size_t i = 0; i < scene.Corners.size(); ++i) {
+    const CVector2 normal = ComputeSideNormal(scene.Corners, i);
+    const Real gap = normal.DotProduct(centre - scene.Corners[i]) - scene.Radius;
+    const Real approach = -normal.DotProduct(step);
+    if (gap < 0.0 || approach <= 0.0 || gap >= share * approach) {
+      continue;
+    }
+    const CVector2 side = NextCorner(scene.Corners, i) - scene.Corners[i];
+    const Real along = side.DotProduct(centre + step * (gap / approach) - scene.Corners[i]);
+    if (along >= 0.0 && along <= side.SquareLength()) {
+      share = gap / approach;
     }
   }
   return share;
 }
 
-// The nearest points of a step and a rectangle that it does not cross.
-SNearest FindNearestOnWay(const SDiscAtBox& scene) {
-  SNearest nearest = FindNearestAt(scene, 0.0);
-  const SNearest atEnd = FindNearestAt(scene, 1.0);
+// The share of its step after which the disc first touches the shape; > 1: not in this step.
+template <typename SCENE>
+Real FindFirstTouch(const SCENE& scene) {
+  Real share = EnterSides(scene);
+  scene.ForCorners([&](Real x, Real y) {
+    share = std::min(share, EnterCircle(scene.X - x, scene.Y - y, scene.Step, scene.Radius));
+  });
+  return share;
+}
+
+// The nearest points of a step and a shape that it does not cross.
+template <typename SCENE>
+SNearest FindNearestOnWay(const SCENE& scene) {
+  SNearest nearest = scene.FindNearestAt(0.0);
+  const SNearest atEnd = scene.FindNearestAt(1.0);
   if (atEnd.SquaredDistance < nearest.SquaredDistance) {
     nearest = atEnd;
   }
   const Real squaredPath = scene.Step.X * scene.Step.X + scene.Step.Y * scene.Step.Y;
-  for (const Real signX : {-1.0, 1.0}) {
-    for (const Real signY : {-1.0, 1.0}) {
-      SNearest corner;
-      corner.PointX = signX * scene.HalfX;
-      corner.PointY = signY * scene.HalfY;
-      const Real share = std::clamp(
-          ((corner.PointX - scene.X) * scene.Step.X + (corner.PointY - scene.Y) * scene.Step.Y) /
-              squaredPath,
-          0.0, 1.0);
-      corner.X = scene.X + share * scene.Step.X;
-      corner.Y = scene.Y + share * scene.Step.Y;
-      const Real dx = corner.PointX - corner.X;
-      const Real dy = corner.PointY - corner.Y;
-      corner.SquaredDistance = dx * dx + dy * dy;
-      if (corner.SquaredDistance < nearest.SquaredDistance) {
-        nearest = corner;
-      }
+  scene.ForCorners([&](Real x, Real y) {
+    const Real share = std::clamp(
+        ((x - scene.X) * scene.Step.X + (y - scene.Y) * scene.Step.Y) / squaredPath, 0.0, 1.0);
+    const SNearest corner = scene.MeasureTo(x, y, share);
+    if (corner.SquaredDistance < nearest.SquaredDistance) {
+      nearest = corner;
     }
-  }
+  });
   return nearest;
 }
 
-// For a disc with its centre inside the rectangle, or on its border: along the shortest way out.
+// For a disc with its centre inside the shape, or on its border: along the shortest way out.
 SSeparation SeparateFromInside(const SDiscAtBox& scene) {
   SSeparation separation;
   const Real depthX = scene.HalfX - std::abs(scene.X);
@@ -115,8 +167,15 @@ SSeparation SeparateFromInside(const SDiscAtBox& scene) {
   return separation;
 }
 
-SSeparation SeparateFromBox(const SDiscAtBox& scene) {
-  SNearest nearest = FindNearestAt(scene, 0.0);
+SSeparation SeparateFromInside(const SDiscAtPolygon& scene) {
+  const SPolygonNearest nearest = scene.FindNearestOfCentre(0.0);
+  return {-nearest.Normal.GetX(), -nearest.Normal.GetY(), nearest.Distance - scene.Radius,
+          nearest.Point.GetX(), nearest.Point.GetY()};
+}
+
+template <typename SCENE>
+SSeparation SeparateFromShape(const SCENE& scene) {
+  SNearest nearest = scene.FindNearestAt(0.0);
   if (nearest.SquaredDistance == 0.0) {
     return SeparateFromInside(scene);
   }
@@ -124,7 +183,7 @@ SSeparation SeparateFromBox(const SDiscAtBox& scene) {
   const Real gap = std::sqrt(nearest.SquaredDistance) - scene.Radius;
   if (gap > 0.0 && gap * gap < squaredPath) {
     const Real touch = FindFirstTouch(scene);
-    const SNearest better = touch <= 1.0 ? FindNearestAt(scene, touch) : FindNearestOnWay(scene);
+    const SNearest better = touch <= 1.0 ? scene.FindNearestAt(touch) : FindNearestOnWay(scene);
     if (better.SquaredDistance > 0.0) {
       nearest = better;
     }
@@ -140,11 +199,15 @@ SSeparation SeparateFromBox(const SDiscAtBox& scene) {
   return separation;
 }
 
-/** Two rectangles, seen along a side of the first. */
+// Of gaps that differ by less, m, the first one counts.
+constexpr Real kSameGap = 1e-12;
+
+/** Two shapes with corners, seen along a side of one of them. */
 struct SSide {
-  bool IsFirst = true;  // true for a side of the first rectangle
+  bool IsFirst = true;  // true for a side of the first shape
+  Real X = 0.0, Y = 0.0;  // a point on the line across the middle of the side
   Real NormalX = 0.0, NormalY = 0.0;  // outwards
-  Real Half = 0.0;  // from the rectangle's centre to the side
+  Real Half = 0.0;  // from that point to the side
   Real HalfAlong = 0.0;  // half of the side's length
   Real Gap = -HUGE_VAL;
 };
@@ -159,23 +222,98 @@ void ConsiderSides(const SFootprint& a, const SFootprint& b, bool isFirst, SSide
     const Real half = axis == 0 ? a.HalfX : a.HalfY;
     const Real along = dx * axisX + dy * axisY;
     const Real gap = std::abs(along) - half - ComputeHalfWidth(b, axisX, axisY);
-    // of sides that are equal except for rounding: the first
-    if (gap > best.Gap + 1e-12) {
+    if (gap > best.Gap + kSameGap) {
       const Real sign = along < 0.0 ? -1.0 : 1.0;
-      best = {isFirst, sign * axisX, sign * axisY, half, axis == 0 ? a.HalfY : a.HalfX, gap};
+      best = {isFirst, a.X, a.Y, sign * axisX, sign * axisY, half, axis == 0 ? a.HalfY : a.HalfX,
+              gap};
+    }
+  }
+}
+
+/** The corners of a rectangle or polygon, world frame, counter-clockwise. */
+class CCorners {
+ public:
+  explicit CCorners(const SFootprint& shape) : m_shape(shape) {}
+  size_t GetSize() const { return m_shape.Polygon != nullptr ? m_shape.Polygon->size() : 4; }
+  size_t GetNext(size_t corner) const { return corner + 1 < GetSize() ? corner + 1 : 0; }
+  // in the frame of the shape
+  CVector2 GetLocal(size_t corner) const {
+    if (m_shape.Polygon != nullptr) {
+      return (*m_shape.Polygon)[corner];
+    }
+    return CVector2(corner == 0 || corner == 3 ? m_shape.HalfX : -m_shape.HalfX,
+                    corner < 2 ? m_shape.HalfY : -m_shape.HalfY);
+  }
+  CVector2 Get(size_t corner) const {
+    const CVector2 local = GetLocal(corner);
+    const SPlanarVector offset = RotateOutOfFrame(m_shape, local.GetX(), local.GetY());
+    return CVector2(m_shape.X + offset.X, m_shape.Y + offset.Y);
+  }
+
+ private:
+  const SFootprint& m_shape;
+};
+
+// the same for any shapes with corners
+void ConsiderSides(const CCorners& a, const CCorners& b, bool isFirst, SSide& best) {
+  for (size_t i = 0; i < a.GetSize(); ++i) {
+    const CVector2 start = a.Get(i);
+    const CVector2 side = a.Get(a.GetNext(i)) - start;
+    const Real length = side.Length();
+    const CVector2 normal = CVector2(side.GetY(), -side.GetX()) / length;
+    Real gap = HUGE_VAL;
+    for (size_t j = 0; j < b.GetSize() && gap > best.Gap + kSameGap; ++j) {
+      gap = std::min(gap, normal.DotProduct(b.Get(j) - start));
+    }
+    if (gap > best.Gap + kSameGap) {
+      const CVector2 middle = start + side * 0.5;
+      best = {isFirst,       middle.GetX(), middle.GetY(), normal.GetX(),
+              normal.GetY(), 0.0,           0.5 * length,  gap};
     }
   }
 }
 
 SSide FindBestSide(const SFootprint& a, const SFootprint& b) {
   SSide best;
-  ConsiderSides(a, b, true, best);
-  ConsiderSides(b, a, false, best);
+  if (a.Polygon != nullptr || b.Polygon != nullptr) {
+    ConsiderSides(CCorners(a), CCorners(b), true, best);
+    ConsiderSides(CCorners(b), CCorners(a), false, best);
+  } else {
+    ConsiderSides(a, b, true, best);
+    ConsiderSides(b, a, false, best);
+  }
   return best;
 }
 
-// The ends of the side of a rectangle that faces a direction most directly.
+// The ends of the side of a polygon that faces a direction most directly; first the one with the
+// greater coordinate in its frame, as of a rectangle.
+void FindIncidentSide(const CCorners& polygon, const CVector2& direction, SStep (&ends)[2]) {
+  Real least = HUGE_VAL;
+  size_t incident = 0;
+  for (size_t i = 0; i < polygon.GetSize(); ++i) {
+    const CVector2 side = polygon.Get(polygon.GetNext(i)) - polygon.Get(i);
+    const Real along = direction.CrossProduct(side) / side.Length();
+    if (along < least) {
+      least = along;
+      incident = i;
+    }
+  }
+  size_t first = incident;
+  size_t second = polygon.GetNext(incident);
+  const CVector2 side = polygon.GetLocal(second) - polygon.GetLocal(first);
+  if ((std::abs(side.GetX()) > std::abs(side.GetY()) ? side.GetX() : side.GetY()) > 0.0) {
+    std::swap(first, second);
+  }
+  ends[0] = {polygon.Get(first).GetX(), polygon.Get(first).GetY()};
+  ends[1] = {polygon.Get(second).GetX(), polygon.Get(second).GetY()};
+}
+
+// The ends of the side of a shape that faces a direction most directly.
 void FindIncidentSide(const SFootprint& box, Real x, Real y, SStep (&ends)[2]) {
+  if (box.Polygon != nullptr) {
+    FindIncidentSide(CCorners(box), CVector2(x, y), ends);
+    return;
+  }
   const Real alongX = box.Cos * x + box.Sin * y;
   const Real alongY = box.Cos * y - box.Sin * x;
   Real localX[2] = {box.HalfX, -box.HalfX};
@@ -191,13 +329,16 @@ void FindIncidentSide(const SFootprint& box, Real x, Real y, SStep (&ends)[2]) {
   }
 }
 
-// Clips a line to the points within half of the centre along the tangent. @return false if none is.
-bool Clip(SStep (&ends)[2], const SFootprint& box, Real tangentX, Real tangentY, Real half) {
+// Clips a line to the points beside a side. @return false if none is.
+bool Clip(SStep (&ends)[2], const SSide& side) {
+  const Real tangentX = -side.NormalY;
+  const Real tangentY = side.NormalX;
   const auto along = [&](const SStep& end) {
-    return (end.X - box.X) * tangentX + (end.Y - box.Y) * tangentY;
+    return (end.X - side.X) * tangentX + (end.Y - side.Y) * tangentY;
   };
   for (const Real sign : {-1.0, 1.0}) {
-    const Real beyond[2] = {sign * along(ends[0]) - half, sign * along(ends[1]) - half};
+    const Real beyond[2] = {sign * along(ends[0]) - side.HalfAlong,
+                            sign * along(ends[1]) - side.HalfAlong};
     if (beyond[0] > 0.0 && beyond[1] > 0.0) {
       return false;
     }
@@ -212,17 +353,16 @@ bool Clip(SStep (&ends)[2], const SFootprint& box, Real tangentX, Real tangentY,
   return true;
 }
 
-int FindContactsOfBoxes(const SFootprint& a, const SFootprint& b, SSeparation* contacts) {
+int FindContactsOfSides(const SFootprint& a, const SFootprint& b, SSeparation* contacts) {
   const SSide side = FindBestSide(a, b);
-  const SFootprint& reference = side.IsFirst ? a : b;
   SStep ends[2];
   FindIncidentSide(side.IsFirst ? b : a, side.NormalX, side.NormalY, ends);
   const SStep whole[2] = {ends[0], ends[1]};
-  const auto gapOf = [&](const SStep& end) {
-    return (end.X - reference.X) * side.NormalX + (end.Y - reference.Y) * side.NormalY - side.Half;
+  const auto gapOf = [&side](const SStep& end) {
+    return (end.X - side.X) * side.NormalX + (end.Y - side.Y) * side.NormalY - side.Half;
   };
   int count = 2;
-  if (!Clip(ends, reference, -side.NormalY, side.NormalX, side.HalfAlong)) {
+  if (!Clip(ends, side)) {
     // corner to corner
     ends[0] = gapOf(whole[0]) < gapOf(whole[1]) ? whole[0] : whole[1];
     count = 1;
@@ -247,13 +387,14 @@ SSeparation SeparateFromFootprint(Real x, Real y, Real radius, const SStep& step
   }
   const Real cosine = footprint.Cos;
   const Real sine = footprint.Sin;
-  const SDiscAtBox scene = {footprint.HalfX,
-                            footprint.HalfY,
-                            -cosine * offset.X - sine * offset.Y,
-                            sine * offset.X - cosine * offset.Y,
-                            radius,
-                            {cosine * step.X + sine * step.Y, cosine * step.Y - sine * step.X}};
-  const SSeparation local = SeparateFromBox(scene);
+  const SDiscAtShape disc = {-cosine * offset.X - sine * offset.Y,
+                             sine * offset.X - cosine * offset.Y,
+                             radius,
+                             {cosine * step.X + sine * step.Y, cosine * step.Y - sine * step.X}};
+  const SSeparation local =
+      footprint.Polygon != nullptr
+          ? SeparateFromShape(SDiscAtPolygon{disc, *footprint.Polygon})
+          : SeparateFromShape(SDiscAtBox{disc, footprint.HalfX, footprint.HalfY});
   return {cosine * local.NormalX - sine * local.NormalY,
           sine * local.NormalX + cosine * local.NormalY, local.Gap,
           footprint.X + cosine * local.PointX - sine * local.PointY,
@@ -270,7 +411,7 @@ int FindContacts(const SFootprint& a, const SFootprint& b, SSeparation* contacts
     contacts[0] = {-back.NormalX, -back.NormalY, back.Gap, back.PointX, back.PointY};
     return 1;
   }
-  return FindContactsOfBoxes(a, b, contacts);
+  return FindContactsOfSides(a, b, contacts);
 }
 
 Real ComputeGap(const SFootprint& a, const SFootprint& b) {

@@ -11,9 +11,9 @@ namespace argos {
 
 namespace {
 
-// the path that wheels command in a time (s), m
+// the path that a drive commands in a time (s), m
 Real ComputePath(const SSolid& solid, Real duration) {
-  return solid.IsPassive() ? 0.0 : std::abs(0.5 * (solid.Wheels[0] + solid.Wheels[1]) * duration);
+  return solid.IsPassive() ? 0.0 : solid.Drive.Read().ComputeSpeed() * duration;
 }
 
 }  // namespace

@@ -61,6 +61,19 @@ SFootprint MakeDisc(const SPlanarPose& pose, Real radius) {
   return {pose.X, pose.Y, 1.0, 0.0, 0.0, 0.0, radius};
 }
 
+// radius of the circle around the origin of a body that contains a footprint in its frame, m
+Real ComputeReach(const SFootprint& footprint) {
+  if (footprint.Polygon == nullptr) {
+    return std::hypot(footprint.X, footprint.Y) + ComputeExtent(footprint);
+  }
+  Real reach = 0.0;
+  for (const CVector2& corner : *footprint.Polygon) {
+    const SPlanarVector place = RotateOutOfFrame(footprint, corner.GetX(), corner.GetY());
+    reach = std::max(reach, std::hypot(footprint.X + place.X, footprint.Y + place.Y));
+  }
+  return reach;
+}
+
 bool IsNear(const SSolid& solid, const SFootprint& footprint, Real margin) {
   const Real reach = solid.BoundingRadius + ComputeExtent(footprint) + margin;
   const Real dx = footprint.X - solid.Pose.X;
@@ -85,7 +98,8 @@ void CSolids::Reserve(size_t solids) {
 }
 
 void CSolids::Add(const SKinematicOwner& owner, const SBodyDescription& description,
-                  const SPlanarPose& pose, const Real* wheels, const SGroundFriction& friction) {
+                  const SPlanarPose& pose, const CDriveSource& drive,
+                  const SGroundFriction& friction) {
   *owner.Handle = {EKinematicKind::Solid, static_cast<UInt32>(m_solids.size()),
                    m_generations.Add()};
   SSolid& solid = m_solids.emplace_back();
@@ -96,16 +110,14 @@ void CSolids::Add(const SKinematicOwner& owner, const SBodyDescription& descript
   m_footprints.resize(m_shapes.size());
   m_slotOf.resize(m_shapes.size(), owner.Handle->Slot);
   for (size_t i = solid.FirstFootprint; i < m_shapes.size(); ++i) {
-    solid.BoundingRadius = std::max(solid.BoundingRadius, std::hypot(m_shapes[i].X, m_shapes[i].Y) +
-                                                              ComputeExtent(m_shapes[i]));
+    solid.BoundingRadius = std::max(solid.BoundingRadius, ComputeReach(m_shapes[i]));
   }
   solid.NarrowestHalf = ComputeNarrowestHalf(description);
   solid.SquaredGyration = description.GetPlanarInertia() / description.Mass;
   solid.Friction = friction;
-  if (wheels != nullptr) {
-    solid.Wheels = wheels;
-    solid.InverseInterwheel = 1.0 / description.Drive->InterwheelDistance;
-    solid.MaxForce = description.Drive->MaxForce;
+  if (drive) {
+    solid.Drive = drive;
+    solid.MaxForce = description.GetDriveLimits().MaxForce;
     ++m_numDriven;
   }
   Place(solid, pose);
@@ -155,23 +167,26 @@ void CSolids::Place(SSolid& solid, const SPlanarPose& pose) {
   ++m_generation;
 }
 
-void CSolids::Plan(Real duration) {
+void CSolids::Plan(const SSubstep& substep) {
   for (SSolid& solid : m_solids) {
     solid.Twist = STwist();
     if (solid.IsPassive()) {
       continue;
     }
-    const Real left = solid.Wheels[0];
-    const Real right = solid.Wheels[1];
-    const Real farthest = kMaxStep * solid.NarrowestHalf / duration;
-    const Real speed = std::clamp(0.5 * (left + right), -farthest, farthest);
-    const Real yawRate = (right - left) * solid.InverseInterwheel;
-    if (!std::isfinite(0.5 * (left + right)) || !std::isfinite(yawRate)) {
-      throw SBadKinematicWheels{solid.Owner.Model, left, right};
+    const SDriveCommand ordered = solid.Drive.Read();
+    if (!ordered.IsFinite()) {
+      throw SBadDriveCommand{solid.Owner.Body, solid.Drive};
     }
-    const SArc arc = FollowArc(solid.Pose, speed, yawRate, duration);
+    const SDriveCommand command =
+        ordered.Limited(kMaxStep * solid.NarrowestHalf / substep.Duration);
+    const SDriveCommand& last = solid.LastCommand;
+    const SArc arc = FollowArcs(solid.Pose, last, command, substep.Duration, substep.LateShare);
     solid.Arc = arc.End;
-    solid.Twist = {arc.DX, arc.DY, yawRate * duration};
+    const Real meanYawRate = command.YawRate + substep.LateShare * (last.YawRate - command.YawRate);
+    solid.Twist = {arc.DX, arc.DY, meanYawRate * substep.Duration};
+    if (substep.IsLast) {
+      solid.LastCommand = command;
+    }
   }
 }
 
@@ -429,7 +444,7 @@ void CSolids::AddContact(const SSolid& solid, const SSeparation& contact, Real n
                        ComputeLever(solid, contact), need, cap, least});
 }
 
-// A robot that is not a disc follows its wheels, slides along obstacles, or stops.
+// A robot that is not a disc follows its drive, slides along obstacles, or stops.
 void CSolids::StepDriven(SSolid& solid, const CDiscSwarm& discs) {
   const Real length = ComputeLength(solid, solid.Twist);
   if (length == 0.0 && !solid.IsFresh) {

@@ -1,10 +1,12 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_SOLIDS_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_SOLIDS_H
 
+#include <argos3/core/simulator/physics_engine/drive_source.h>
 #include <argos3/core/simulator/physics_engine/planar_motion.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_handle.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/push_solver.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/separation.h>
+#include <argos3/plugins/simulator/physics_engines/kinematics2d/substep.h>
 #include <argos3/plugins/simulator/physics_engines/planar/cell_lists.h>
 #include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
 #include <argos3/plugins/simulator/physics_engines/planar/ghost_discs.h>
@@ -29,17 +31,17 @@ struct SSolid {
   Real SquaredGyration = 0.0;  // moment of inertia over mass, m^2
   SGroundFriction Friction = {0.0, 0.0};
   // of a robot
-  const Real* Wheels = nullptr;  // m/s, (left, right); not owned; null: it has no drive
-  Real InverseInterwheel = 0.0;  // 1/m
+  CDriveSource Drive;
   Real MaxForce = 0.0;  // N
+  SDriveCommand LastCommand;  // of the last tick
   // of a tick
   STwist Twist;
-  SPlanarPose Arc;  // the end of the arc that a robot's wheels command
+  SPlanarPose Arc;  // the end of the arc that a robot's drive commands
   UInt32 Number = CPushSolver::kNone;  // in the solver
   bool IsFresh = true;  // was placed since the last tick, so it may overlap others
   bool HasMoved = false;  // since its pose was last written to the entity
 
-  bool IsPassive() const { return Wheels == nullptr; }
+  bool IsPassive() const { return !Drive; }
 };
 
 /**
@@ -53,9 +55,8 @@ class CSolids {
  public:
   void Reserve(size_t solids);
   size_t GetSize() const { return m_solids.size(); }
-  /** @param wheels  speeds of a robot's wheels, m/s, which must stay valid; or null. */
   void Add(const SKinematicOwner& owner, const SBodyDescription& description,
-           const SPlanarPose& pose, const Real* wheels, const SGroundFriction& friction);
+           const SPlanarPose& pose, const CDriveSource& drive, const SGroundFriction& friction);
   /** Removes a body; the last one gets its slot. */
   void Remove(const SKinematicHandle& handle);
   void SetPose(const SKinematicHandle& handle, const SPlanarPose& pose);
@@ -64,8 +65,14 @@ class CSolids {
     return m_generations.IsCurrent(handle.Slot, handle.Generation);
   }
 
-  /** Computes the steps that wheels command in a time, s. @throws SBadKinematicWheels */
-  void Plan(Real duration);
+  /** Sets what a robot was told in the last tick. */
+  void SetLastCommand(const SKinematicHandle& handle, const SDriveCommand& command) {
+    Get(handle).LastCommand = command;
+  }
+  SDriveCommand GetLastCommand(const SKinematicHandle& handle) { return Get(handle).LastCommand; }
+
+  /** Computes the steps that drives command. @throws SBadDriveCommand */
+  void Plan(const SSubstep& substep);
   /** Sets the walls before the next Step(); they must stay valid. */
   void SetWalls(std::span<const SFootprint> walls);
   /**

@@ -38,6 +38,7 @@ void AppendFootprints(const SBodyDescription& description, const SPlanarPose& po
       footprint.Sin = std::sin(yaw);
       footprint.HalfX = 0.5 * shape.Size.GetX();
       footprint.HalfY = 0.5 * shape.Size.GetY();
+      footprint.Polygon = shape.Vertices.get();
     } else {
       footprint.Radius = shape.Size.Length();
     }
@@ -64,7 +65,7 @@ Real ComputeNarrowestHalf(const SBodyDescription& description) {
     if (IsDisc(shape)) {
       narrowest = std::min(narrowest, shape.Radius);
     } else {
-      narrowest = std::min({narrowest, 0.5 * shape.Size.GetX(), 0.5 * shape.Size.GetY()});
+      narrowest = std::min(narrowest, 0.5 * shape.ComputeBaseWidth());
       if (!IsUpright(shape)) {
         narrowest = std::min(narrowest, 0.5 * shape.Size.GetZ());
       }

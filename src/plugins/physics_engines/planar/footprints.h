@@ -3,6 +3,7 @@
 
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/physics_engine/planar_motion.h>
+#include <argos3/core/utility/math/vector2.h>
 #include <argos3/core/utility/spatial/rectangle.h>
 
 #include <algorithm>
@@ -11,15 +12,23 @@
 
 namespace argos {
 
-/** The projection of a solid on the ground: a disc or an oriented rectangle; m, world frame. */
+/**
+ * The projection of a solid on the ground: a disc, an oriented rectangle or a convex polygon; m,
+ * world frame.
+ */
 struct SFootprint {
   Real X, Y;
-  Real Cos, Sin;  // of the yaw of a rectangle
-  Real HalfX, HalfY;  // of a rectangle; both 0 for a disc
-  Real Radius;  // of a disc; 0 for a rectangle
+  Real Cos, Sin;  // of the yaw of a rectangle or polygon
+  Real HalfX, HalfY;  // of a rectangle, or of that around a polygon; both 0 for a disc
+  Real Radius;  // of a disc; else 0
+  // of a polygon, in its frame; of the description, which must stay valid; else null
+  const std::vector<CVector2>* Polygon = nullptr;
 };
 
-/** Distance of a point from a footprint, m; 0 inside. */
+/**
+ * Distance of a point from a footprint, m; 0 inside. Of a polygon: from the rectangle around it,
+ * which is no farther.
+ */
 inline Real ComputeDistance(const SFootprint& footprint, Real x, Real y) {
   return std::max(0.0, std::sqrt(ComputeSquareDistance(footprint, x, y)) - footprint.Radius);
 }

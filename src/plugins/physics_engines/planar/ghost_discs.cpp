@@ -19,7 +19,7 @@ void ListGhostDiscs(const CPhysicsEngine& engine, Real elevation, std::vector<SG
   discs.clear();
   for (const SGhost& ghost : engine.GetGhosts()) {
     const SBodyDescription& description = *ghost.Body->GetBodyDescription();
-    if (description.Drive && std::abs(ghost.Position.GetZ() - elevation) <= kGhostTolerance) {
+    if (description.HasDrive() && std::abs(ghost.Position.GetZ() - elevation) <= kGhostTolerance) {
       discs.push_back(
           {ghost.Position.GetX(), ghost.Position.GetY(), description.ComputeBoundingRadius()});
     }

@@ -4,6 +4,8 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/physics_engine/described_body_model.h>
+#include <argos3/core/utility/spatial/planar_grid.h>
+#include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,22 +27,33 @@ void RequirePositive(const CEmbodiedEntity& body, const char* what, Real value) 
   }
 }
 
-// half extents, m, of the axis-aligned box around a rotated solid
-CVector2 ComputeHalfExtents(const SShapeDescription& shape, const SPlanarPose& pose) {
+// the axis-aligned rectangle around a rotated solid, m, from the centre of its base
+SPlanarArea ComputeExtents(const SShapeDescription& shape, const SPlanarPose& pose) {
+  const auto around = [](Real x, Real y) { return SPlanarArea{-x, -y, x, y}; };
   const CQuaternion& turn = shape.Orientation;
   if (turn.GetX() != 0.0 || turn.GetY() != 0.0) {
     // tilted: no point is farther from the centre of the base
     const Real reach = shape.Size.Length();
-    return CVector2(reach, reach);
+    return around(reach, reach);
   }
-  if (shape.Kind != SShapeDescription::EKind::Box) {
-    return CVector2(shape.Radius, shape.Radius);
+  if (IsDisc(shape)) {
+    return around(shape.Radius, shape.Radius);
   }
-  const Real yaw = pose.ComputeYaw() + 2.0 * std::atan2(turn.GetZ(), turn.GetW());
-  const Real cosine = std::abs(std::cos(yaw));
-  const Real sine = std::abs(std::sin(yaw));
-  return CVector2(0.5 * (cosine * shape.Size.GetX() + sine * shape.Size.GetY()),
-                  0.5 * (sine * shape.Size.GetX() + cosine * shape.Size.GetY()));
+  const Real yaw = pose.ComputeYaw() + ComputeYaw(shape);
+  const Real cosine = std::cos(yaw);
+  const Real sine = std::sin(yaw);
+  if (shape.Kind == SShapeDescription::EKind::Prism) {
+    SPlanarArea area = SPlanarArea::Empty();
+    for (const CVector2& corner : *shape.Vertices) {
+      area.Include(cosine * corner.GetX() - sine * corner.GetY(),
+                   sine * corner.GetX() + cosine * corner.GetY());
+    }
+    return area;
+  }
+  const Real width = std::abs(cosine);
+  const Real depth = std::abs(sine);
+  return around(0.5 * (width * shape.Size.GetX() + depth * shape.Size.GetY()),
+                0.5 * (depth * shape.Size.GetX() + width * shape.Size.GetY()));
 }
 
 }  // namespace
@@ -65,6 +78,28 @@ Real ReadElevation(TConfigurationNode& engine) {
   return elevation;
 }
 
+Real ReadVelocityLag(TConfigurationNode& engine, UInt32 iterations) {
+  constexpr Real kDefaultLag = 0.1;
+  const bool hasIterations = NodeAttributeExists(engine, "iterations");
+  Real lag = hasIterations ? 1.0 / iterations : kDefaultLag;
+  GetNodeAttributeOrDefault(engine, "velocity_lag", lag, lag);
+  if (!(lag >= 0.0 && lag <= 1.0)) {
+    THROW_ARGOSEXCEPTION(engine.GetLocation()
+                         << ": \"velocity_lag\" must be a share of a tick, from 0 to 1, found "
+                         << lag);
+  }
+  return lag;
+}
+
+SDriveCommand FindCommand(const SBodyMotion& motion, const CEmbodiedEntity& body) {
+  if (motion.Command) {
+    return *motion.Command;
+  }
+  CVector3 velocity = motion.Velocity;
+  velocity.Rotate(body.GetOriginAnchor().Orientation.Inverse());
+  return {velocity.GetX(), velocity.GetY(), motion.Rotation.GetZ()};
+}
+
 void ReadGroundFriction(TConfigurationNode& engine, SGroundFriction& box,
                         SGroundFriction& cylinder) {
   if (!NodeExists(engine, "friction")) {
@@ -75,6 +110,18 @@ void ReadGroundFriction(TConfigurationNode& engine, SGroundFriction& box,
   ReadNotNegative(node, "box_angular_friction", box.Torque);
   ReadNotNegative(node, "cylinder_linear_friction", cylinder.Force);
   ReadNotNegative(node, "cylinder_angular_friction", cylinder.Torque);
+}
+
+SGroundFriction ChooseGroundFriction(const SBodyDescription& description,
+                                     const SGroundFriction& box, const SGroundFriction& cylinder) {
+  if (!description.GroundFriction) {
+    return {0.0, 0.0};
+  }
+  const SGroundFrictionDescription& described = *description.GroundFriction;
+  const bool isBox = described.Class == SGroundFrictionDescription::EClass::Box;
+  const SGroundFriction& ofEngine = isBox ? box : cylinder;
+  return {described.MaxForce.value_or(ofEngine.Force),
+          described.MaxTorque.value_or(ofEngine.Torque)};
 }
 
 void CheckPlanarBody(const CEmbodiedEntity& body) {
@@ -97,8 +144,11 @@ void CheckPlanarBody(const CEmbodiedEntity& body) {
   }
   if (description.Drive) {
     RequirePositive(body, "distance between the wheels (m)", description.Drive->InterwheelDistance);
-    RequirePositive(body, "greatest force of the drive (N)", description.Drive->MaxForce);
-    RequirePositive(body, "greatest torque of the drive (N m)", description.Drive->MaxTorque);
+  }
+  if (description.HasDrive()) {
+    const SPlanarDriveDescription limits = description.GetDriveLimits();
+    RequirePositive(body, "greatest force of the drive (N)", limits.MaxForce);
+    RequirePositive(body, "greatest torque of the drive (N m)", limits.MaxTorque);
   }
 }
 
@@ -115,6 +165,10 @@ std::string ExplainPlanarRefusal(CEntity& entity, Real elevation) {
   if (body->GetBodyDescription()->Propellers) {
     return "is two-dimensional, but a <" + entity.GetTypeDescription() +
            "> flies: add an engine for flying robots, such as <pointmass3d>";
+  }
+  if (body->GetBodyDescription()->Articulation != nullptr) {
+    return "is two-dimensional, but a <" + entity.GetTypeDescription() +
+           "> with joints moves in space: add an engine for jointed bodies, such as <dynamics3d>";
   }
   std::ostringstream reason;
   const Real z = body->GetOriginAnchor().Position.GetZ();
@@ -135,12 +189,12 @@ SBoundingBox ComputePlanarBounds(const CEmbodiedEntity& body, const SPlanarPose&
   SBoundingBox bounds;
   bool first = true;
   for (const SShapeDescription& shape : body.GetBodyDescription()->Shapes) {
-    const CVector2 half = ComputeHalfExtents(shape, pose);
+    const SPlanarArea extents = ComputeExtents(shape, pose);
     const CVector3 base(pose.X + cosine * shape.Offset.GetX() - sine * shape.Offset.GetY(),
                         pose.Y + sine * shape.Offset.GetX() + cosine * shape.Offset.GetY(),
                         elevation + shape.Offset.GetZ());
-    const CVector3 low = base - CVector3(half.GetX(), half.GetY(), 0.0);
-    const CVector3 high = base + CVector3(half.GetX(), half.GetY(), shape.Size.GetZ());
+    const CVector3 low = base + CVector3(extents.MinX, extents.MinY, 0.0);
+    const CVector3 high = base + CVector3(extents.MaxX, extents.MaxY, shape.Size.GetZ());
     if (first) {
       bounds.MinCorner = low;
       bounds.MaxCorner = high;

@@ -20,9 +20,26 @@ struct SGroundFriction {
 void ReadNotNegative(TConfigurationNode& node, const std::string& attribute, Real& value);
 /** Reads `elevation`, default 0. @return m. @throws CARGoSException if it is not finite. */
 Real ReadElevation(TConfigurationNode& engine);
+/**
+ * Reads `velocity_lag`, in [0, 1]. Default: one substep of those that the file asks for with
+ * `iterations`, else 0.1, as in ARGoS 3, whose bodies move in a substep before their velocities
+ * change, and whose tick has ten substeps by default.
+ * @param iterations  substeps of a tick.
+ * @return the lag, as a share of a tick. @throws CARGoSException if it is out of range.
+ */
+Real ReadVelocityLag(TConfigurationNode& engine, UInt32 iterations);
+/**
+ * The last command of the drive of a body that another engine has moved, or, if that does not know,
+ * the one that would have moved it so.
+ */
+SDriveCommand FindCommand(const SBodyMotion& motion, const CEmbodiedEntity& body);
 /** Reads the optional `<friction>`. @throws CARGoSException if a number is below 0. */
 void ReadGroundFriction(TConfigurationNode& engine, SGroundFriction& box,
                         SGroundFriction& cylinder);
+
+/** Friction of a movable body; 0 without a description of it. */
+SGroundFriction ChooseGroundFriction(const SBodyDescription& description,
+                                     const SGroundFriction& box, const SGroundFriction& cylinder);
 
 /** @throws CARGoSException if the description is impossible, or the body too large or too far. */
 void CheckPlanarBody(const CEmbodiedEntity& body);

@@ -9,6 +9,7 @@ namespace argos {
 void CPlanarEngine::Init(TConfigurationNode& tree) {
   CDescribedBodyEngine::Init(tree);
   m_elevation = ReadElevation(tree);
+  m_velocityLag = ReadVelocityLag(tree, GetIterations());
   if (NodeExists(tree, "spatial_hash")) {
     // tunes a broad phase that these engines do not have
     MarkSubtreeRead(GetNode(tree, "spatial_hash"));
@@ -20,11 +21,22 @@ std::string CPlanarEngine::ExplainRefusal(CEntity& entity) const {
 }
 
 bool CPlanarEngine::Accepts(const CEmbodiedEntity& body) const {
-  return !body.GetBodyDescription()->Propellers && IsOnPlane(body, m_elevation);
+  const SBodyDescription& description = *body.GetBodyDescription();
+  return !description.Propellers && !description.Articulation && IsOnPlane(body, m_elevation);
 }
 
 void CPlanarEngine::CheckBody(CEmbodiedEntity& body) const {
   CheckPlanarBody(body);
+}
+
+void CPlanarEngine::Adopt(CDescribedBodyModel& model) {
+  const CEmbodiedEntity& body = model.GetEmbodiedEntity();
+  SBodyMotion motion;
+  const bool hasMotion = model.GetEngine().GetMotion(body, motion);
+  CDescribedBodyEngine::Adopt(model);
+  if (hasMotion) {
+    SetMotion(model.GetEmbodiedEntity(), motion);
+  }
 }
 
 const std::vector<SGhostDisc>& CPlanarEngine::ListGhosts() {

@@ -19,7 +19,9 @@ namespace argos {
  */
 class CPlanarEngine : public CDescribedBodyEngine {
  public:
-  /** Reads the parameters of all 2D engines: `iterations`, `elevation`; ignores `<spatial_hash>`.
+  /**
+   * Reads the parameters of all 2D engines: `iterations`, `elevation`, `velocity_lag`; ignores
+   * `<spatial_hash>`.
    */
   void Init(TConfigurationNode& tree) override;
 
@@ -32,6 +34,7 @@ class CPlanarEngine : public CDescribedBodyEngine {
 
   /** Height of the plane, m. */
   Real GetElevation() const { return m_elevation; }
+  Real GetVelocityLag() const override { return m_velocityLag; }
 
   /** For models: the gripper or the turret of their robot was added or removed. */
   virtual void UpdateManipulator(CPlanarModel& model) = 0;
@@ -40,11 +43,14 @@ class CPlanarEngine : public CDescribedBodyEngine {
   /** Only bodies without propellers at the height of the plane. */
   bool Accepts(const CEmbodiedEntity& body) const override;
   void CheckBody(CEmbodiedEntity& body) const override;
+  /** Transfers the state of motion, too. */
+  void Adopt(CDescribedBodyModel& model) override;
   /** Lists the ghosts of this tick. */
   const std::vector<SGhostDisc>& ListGhosts();
 
  private:
   Real m_elevation = 0.0;  // m
+  Real m_velocityLag = 0.0;  // share of a tick
   std::vector<SGhostDisc> m_ghostDiscs;  // of this tick
 };
 

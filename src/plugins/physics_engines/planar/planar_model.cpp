@@ -5,8 +5,9 @@
 
 namespace argos {
 
-CPlanarModel::CPlanarModel(CPlanarEngine& engine, CEmbodiedEntity& entity, const Real* wheels)
-    : CRobotBodyModel(engine, entity, wheels) {}
+CPlanarModel::CPlanarModel(CPlanarEngine& engine, CEmbodiedEntity& entity,
+                           const CDriveSource& drive)
+    : CRobotBodyModel(engine, entity, drive) {}
 
 void CPlanarModel::ManipulatorChanged() {
   static_cast<CPlanarEngine&>(GetEngine()).UpdateManipulator(*this);

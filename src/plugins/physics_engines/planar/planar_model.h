@@ -14,8 +14,7 @@ class CPlanarEngine;
  */
 class CPlanarModel : public CRobotBodyModel {
  public:
-  /** @param wheels  speeds of the left and the right wheel, m/s, if the body has a drive. */
-  CPlanarModel(CPlanarEngine& engine, CEmbodiedEntity& entity, const Real* wheels);
+  CPlanarModel(CPlanarEngine& engine, CEmbodiedEntity& entity, const CDriveSource& drive);
 
   /** For bodies that only turn about the vertical: faster than for any orientation. */
   void CalculateBoundingBox() override;

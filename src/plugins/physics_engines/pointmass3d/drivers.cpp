@@ -17,12 +17,11 @@ void FillPlace(std::vector<T>& values, UInt32 number) {
 
 }  // namespace
 
-SPointMassHandle CDrivers::Add(CPointMass3DBody& owner, const Real* wheels, Real interwheelDistance,
+SPointMassHandle CDrivers::Add(CPointMass3DBody& owner, const CDriveSource& drive,
                                const SPlanarPose& pose, Real height) {
   m_poses.push_back(pose);
   m_heights.push_back(height);
-  m_perInterwheel.push_back(1.0 / interwheelDistance);
-  m_wheels.push_back(wheels);
+  m_drives.push_back(drive);
   m_owners.push_back(&owner);
   return {static_cast<UInt32>(m_poses.size() - 1), m_generations.Add()};
 }
@@ -32,8 +31,7 @@ CPointMass3DBody* CDrivers::Remove(const SPointMassHandle& handle) {
   m_generations.Remove(number);
   FillPlace(m_poses, number);
   FillPlace(m_heights, number);
-  FillPlace(m_perInterwheel, number);
-  FillPlace(m_wheels, number);
+  FillPlace(m_drives, number);
   FillPlace(m_owners, number);
   return number < m_owners.size() ? m_owners[number] : nullptr;
 }
@@ -41,8 +39,7 @@ CPointMass3DBody* CDrivers::Remove(const SPointMassHandle& handle) {
 void CDrivers::Clear() {
   m_poses.clear();
   m_heights.clear();
-  m_perInterwheel.clear();
-  m_wheels.clear();
+  m_drives.clear();
   m_owners.clear();
   m_generations.Clear();
 }
@@ -54,14 +51,13 @@ void CDrivers::Place(UInt32 number, const SPlanarPose& pose, Real height) {
 
 void CDrivers::Advance(Real tick) {
   for (size_t i = 0; i < m_poses.size(); ++i) {
-    const UInt32 number = static_cast<UInt32>(i);
-    const SArc arc = FollowArc(m_poses[i], GetSpeed(number), GetYawRate(number), tick);
+    const SArc arc = FollowArc(m_poses[i], m_drives[i].Read(), tick);
     // written so that NaN fails too
     if (!(std::abs(arc.End.X) + std::abs(arc.End.Y) + std::abs(arc.End.HalfCos) <= kFarthest)) {
-      THROW_ARGOSEXCEPTION("robot \"" << m_owners[i]->GetEmbodiedEntity().GetRootEntity().GetId()
-                                      << "\": wheel speeds of left = " << m_wheels[i][0]
-                                      << " m/s, right = " << m_wheels[i][1] << " m/s lead beyond "
-                                      << kFarthest << " m");
+      THROW_ARGOSEXCEPTION(
+          "robot \"" << m_owners[i]->GetEmbodiedEntity().GetRootEntity().GetId()
+                     << "\": " << (m_drives[i].HasWheels() ? "wheel speeds" : "drive commands")
+                     << " of " << m_drives[i].Describe() << " lead beyond " << kFarthest << " m");
     }
     m_poses[i] = arc.End;
   }

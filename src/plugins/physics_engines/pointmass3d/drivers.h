@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_POINTMASS3D_DRIVERS_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_POINTMASS3D_DRIVERS_H
 
+#include <argos3/core/simulator/physics_engine/drive_source.h>
 #include <argos3/core/simulator/physics_engine/planar_motion.h>
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/point_mass_handle.h>
 
@@ -14,8 +15,8 @@ class CPointMass3DBody;
 constexpr Real kFarthest = 1e9;
 
 /**
- * The bodies of an engine that roll on two wheels, and their motion: the exact arc of their wheel
- * speeds, at the height where they were placed, without contacts.
+ * The bodies of an engine that have a drive, and their motion: the exact arc of its command, at the
+ * height where they were placed, without contacts.
  *
  * Numbers of bodies are dense; removing one moves the last one into its place. A handle holds the
  * number of a body until then.
@@ -25,12 +26,11 @@ class CDrivers : public CPointMassHandles {
   size_t GetCount() const { return m_poses.size(); }
   /**
    * Adds a body.
-   * @param wheels             speeds of the left and the right wheel, m/s; read in every tick.
-   * @param interwheelDistance m, > 0.
+   * @param drive  read in every tick.
    * @return its handle, with the number GetCount() before the call.
    */
-  SPointMassHandle Add(CPointMass3DBody& owner, const Real* wheels, Real interwheelDistance,
-                       const SPlanarPose& pose, Real height);
+  SPointMassHandle Add(CPointMass3DBody& owner, const CDriveSource& drive, const SPlanarPose& pose,
+                       Real height);
   /** Removes a body. @return the body that now has its number, if any. */
   CPointMass3DBody* Remove(const SPointMassHandle& handle);
   void Clear();
@@ -40,21 +40,12 @@ class CDrivers : public CPointMassHandles {
   /** m. */
   Real GetHeight(UInt32 number) const { return m_heights[Checked(number)]; }
   CPointMass3DBody& GetOwner(UInt32 number) const { return *m_owners[Checked(number)]; }
-  /** Speed of a body's origin that its wheels command, m/s. */
-  Real GetSpeed(UInt32 number) const {
-    const Real* const wheels = m_wheels[Checked(number)];
-    return 0.5 * (wheels[0] + wheels[1]);
-  }
-  /** rad/s. */
-  Real GetYawRate(UInt32 number) const {
-    const Real* const wheels = m_wheels[Checked(number)];
-    return (wheels[1] - wheels[0]) * m_perInterwheel[number];
-  }
+  SDriveCommand GetCommand(UInt32 number) const { return m_drives[Checked(number)].Read(); }
 
   /**
    * Moves all bodies by a tick.
    * @param tick  s.
-   * @throws CARGoSException that names the robot if its wheel speeds lead beyond kFarthest.
+   * @throws CARGoSException that names the robot if its command leads beyond kFarthest.
    */
   void Advance(Real tick);
 
@@ -67,8 +58,7 @@ class CDrivers : public CPointMassHandles {
   // all (bodies)
   std::vector<SPlanarPose> m_poses;  // world frame; written by Advance()
   std::vector<Real> m_heights;  // m
-  std::vector<Real> m_perInterwheel;  // 1/m
-  std::vector<const Real*> m_wheels;  // m/s: left, right; not owned
+  std::vector<CDriveSource> m_drives;
   std::vector<CPointMass3DBody*> m_owners;
 };
 

@@ -42,8 +42,8 @@ SPointMassHandle CFlyers::Add(const SSettings& settings, const SFlightPose& pose
   robot.Quadrotor = settings.Quadrotor;
   robot.Position = propellers.Position;
   robot.Yaw = propellers.Yaw;
-  robot.Velocity = ComputeSpeedGain(propellers.Velocity, body.Mass);
-  robot.YawRate = ComputeSpeedGain(propellers.YawRate, yawInertia);
+  robot.Velocity = ChooseSpeedGains(propellers.Velocity, body.Mass);
+  robot.YawRate = ChooseSpeedGains(propellers.YawRate, yawInertia);
   robot.Bound = ComputeFlightBound(body);
 
   const size_t lane = number % kLanes;
@@ -144,34 +144,46 @@ Real CFlyers::ComputeStableSubstep() const {
   return bound;
 }
 
+SControlGains CFlyers::ChooseSpeedGains(const SControlGains& gains, Real inertia) const {
+  return m_law == EFlightLaw::Argos3 ? gains : SControlGains{ComputeSpeedGain(gains, inertia), 0.0};
+}
+
 // Reads the command of the robot for this tick.
 void CFlyers::ReadCommand(UInt32 number, Real perSubstep) {
   const SRobot& robot = m_robots[number];
   const size_t lane = number % kLanes;
-  const auto order = [&](size_t i, Real target, bool onPlace, Real proportional, Real derivative) {
+  const auto order = [&](size_t i, Real target, bool onPlace, const SControlGains& gains) {
     SAxis& axis = GetAxis(number, i);
     axis.Target[lane] = target;
     axis.IsOnPlace[lane] = onPlace ? 1.0 : 0.0;
-    axis.Proportional[lane] = proportional;
-    axis.Derivative[lane] = derivative * perSubstep;
+    axis.Proportional[lane] = gains.Proportional;
+    axis.Derivative[lane] = gains.Derivative * perSubstep;
   };
   if (robot.Quadrotor->GetControlMethod() == CQuadRotorEntity::POSITION_CONTROL) {
     const auto& data = robot.Quadrotor->GetPositionControlData();
     for (size_t i = 0; i < kYaw; ++i) {
-      order(i, data.Position[i], true, robot.Position.Proportional, robot.Position.Derivative);
+      order(i, data.Position[i], true, robot.Position);
     }
-    order(kYaw, WrapTurn(data.Yaw.GetValue()), true, robot.Yaw.Proportional, robot.Yaw.Derivative);
+    order(kYaw, WrapTurn(data.Yaw.GetValue()), true, robot.Yaw);
   } else {
     const auto& data = robot.Quadrotor->GetSpeedControlData();
     for (size_t i = 0; i < kYaw; ++i) {
-      order(i, data.Velocity[i], false, robot.Velocity, 0.0);
+      order(i, data.Velocity[i], false, robot.Velocity);
     }
-    order(kYaw, data.RotSpeed.GetValue(), false, robot.YawRate, 0.0);
+    order(kYaw, data.RotSpeed.GetValue(), false, robot.YawRate);
   }
 }
 
-void CFlyers::Advance(Real tick, UInt32 substeps) {
-  const Real substep = tick / substeps;
+void CFlyers::Advance(Real substep, UInt32 substeps) {
+  if (m_law == EFlightLaw::Argos3) {
+    AdvanceAll<EFlightLaw::Argos3>(substep, substeps);
+  } else {
+    AdvanceAll<EFlightLaw::Stable>(substep, substeps);
+  }
+}
+
+template <EFlightLaw LAW>
+void CFlyers::AdvanceAll(Real substep, UInt32 substeps) {
   const UInt32 count = static_cast<UInt32>(m_robots.size());
   for (UInt32 first = 0; first < count; first += kLanes) {
     for (UInt32 number = first; number < std::min<UInt32>(first + kLanes, count); ++number) {
@@ -179,15 +191,15 @@ void CFlyers::Advance(Real tick, UInt32 substeps) {
     }
     SBlock& block = m_blocks[first / kLanes];
     for (size_t i = 0; i < kYaw; ++i) {
-      AdvanceAxis<false>(block.Axes[i], substep, substeps);
+      AdvanceAxis<LAW, false>(block.Axes[i], substep, substeps);
     }
-    AdvanceAxis<true>(block.Axes[kYaw], substep, substeps);
+    AdvanceAxis<LAW, true>(block.Axes[kYaw], substep, substeps);
   }
 }
 
 // A substep: the speed changes the position, the thrust of the previous substep changes the speed,
 // and the controller computes the thrust of the next one from the result.
-template <bool IS_ANGLE>
+template <EFlightLaw LAW, bool IS_ANGLE>
 void CFlyers::AdvanceAxis(SAxis& axis, Real substep, UInt32 substeps) {
   for (UInt32 i = 0; i < substeps; ++i) {
     for (size_t lane = 0; lane < kLanes; ++lane) {
@@ -195,8 +207,10 @@ void CFlyers::AdvanceAxis(SAxis& axis, Real substep, UInt32 substeps) {
       Real speed = axis.Speed[lane];
       if constexpr (!IS_ANGLE) {
         const Real held = std::min(std::max(place, axis.Lowest[lane]), axis.Highest[lane]);
-        // a wall stops the motion into it
-        speed = held == place ? speed : 0.0;
+        if constexpr (LAW == EFlightLaw::Stable) {
+          // a wall stops the motion into it
+          speed = held == place ? speed : 0.0;
+        }
         place = held;
       }
       axis.Place[lane] = place;
@@ -212,14 +226,14 @@ void CFlyers::AdvanceAxis(SAxis& axis, Real substep, UInt32 substeps) {
         error = onPlace ? WrapDifference(error) : error;
       }
       Real change = error - axis.LastError[lane];
-      if constexpr (IS_ANGLE) {
+      if constexpr (LAW == EFlightLaw::Stable && IS_ANGLE) {
         change = WrapDifference(change);
       }
       const Real weight = axis.Weight[lane];
       axis.Thrust[lane] = ComputeThrust(axis.Proportional[lane], axis.Derivative[lane], error,
                                         change, weight, axis.MaxThrust[lane]) +
                           weight;
-      axis.LastError[lane] = onPlace ? error : 0.0;
+      axis.LastError[lane] = LAW == EFlightLaw::Argos3 || onPlace ? error : 0.0;
     }
   }
 }

@@ -24,10 +24,17 @@ struct SAxisState {
   Real Place = 0.0; /**< m or rad */
   Real Speed = 0.0; /**< per s */
   Real Thrust = 0.0; /**< N or N m, weight included; acts in the next substep */
-  Real LastError = 0.0; /**< of the loop on position, in the last substep; else 0 */
+  Real LastError = 0.0; /**< of the last substep, for loops with a derivative; else 0 */
 };
 /** x, y, z, yaw. */
 using SFlightState = std::array<SAxisState, 4>;
+
+/** How flying bodies are controlled. */
+enum class EFlightLaw : UInt8 {
+  Stable, /**< as the README of this folder says */
+  Argos3 /**< as ARGoS 3.0.0-beta59: the derivative of a speed's error is that of the last substep
+          */
+};
 
 /**
  * The flying bodies of an engine, and their motion.
@@ -69,8 +76,10 @@ class CFlyers : public CPointMassHandles {
   /** The smallest bound of any loop of any body, s; infinite without bodies. */
   Real ComputeStableSubstep() const;
 
-  /** Moves all bodies by a tick of @p substeps substeps. @param tick s. */
-  void Advance(Real tick, UInt32 substeps);
+  /** Selects the law of motion; to be called while there are no bodies. */
+  void SetLaw(EFlightLaw law) { m_law = law; }
+  /** Moves all bodies by @p substeps substeps. @param substep s. */
+  void Advance(Real substep, UInt32 substeps);
 
  private:
   static constexpr size_t kLanes = 8;
@@ -96,8 +105,7 @@ class CFlyers : public CPointMassHandles {
   struct SRobot {
     CPointMass3DBody* Owner = nullptr;
     const CQuadRotorEntity* Quadrotor = nullptr;
-    SControlGains Position, Yaw;
-    Real Velocity = 0.0, YawRate = 0.0;  // gains on speeds, see ComputeSpeedGain()
+    SControlGains Position, Yaw, Velocity, YawRate;  // of this law
     Real Bound = 0.0;  // s
   };
 
@@ -111,14 +119,18 @@ class CFlyers : public CPointMassHandles {
   const SAxis& GetAxis(UInt32 number, size_t axis) const {
     return m_blocks[Checked(number) / kLanes].Axes[axis];
   }
+  SControlGains ChooseSpeedGains(const SControlGains& gains, Real inertia) const;
   void ReadCommand(UInt32 number, Real perSubstep);
+  template <EFlightLaw LAW>
+  void AdvanceAll(Real substep, UInt32 substeps);
   void Copy(UInt32 from, UInt32 to);
-  template <bool IS_ANGLE>
+  template <EFlightLaw LAW, bool IS_ANGLE>
   static void AdvanceAxis(SAxis& axis, Real substep, UInt32 substeps);
   static void WrapPlaces(SAxis& axis);
 
   std::vector<SBlock> m_blocks;
   std::vector<SRobot> m_robots;
+  EFlightLaw m_law = EFlightLaw::Stable;
 };
 
 }  // namespace argos

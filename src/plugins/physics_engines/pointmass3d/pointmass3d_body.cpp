@@ -5,7 +5,7 @@
 namespace argos {
 
 CPointMass3DBody::CPointMass3DBody(CPointMass3DEngine& engine, CEmbodiedEntity& entity, EKind kind,
-                                   const Real* wheels)
-    : CRobotBodyModel(engine, entity, wheels), m_kind(kind) {}
+                                   const CDriveSource& drive)
+    : CRobotBodyModel(engine, entity, drive), m_kind(kind) {}
 
 }  // namespace argos

@@ -14,9 +14,8 @@ class CPointMass3DBody final : public CRobotBodyModel {
   /** What moves it; each kind has its own arrays. */
   enum class EKind : UInt8 { Still, Driver, Flyer };
 
-  /** @param wheels  speeds of the left and the right wheel, m/s, of a driver; else null. */
   CPointMass3DBody(CPointMass3DEngine& engine, CEmbodiedEntity& entity, EKind kind,
-                   const Real* wheels);
+                   const CDriveSource& drive);
 
  protected:
   /** Does nothing: the engine reads the turret in every tick, and has no grips. */

@@ -34,7 +34,7 @@ EKind GetKind(const CEmbodiedEntity& body) {
   if (body.IsMovable() && description.Propellers) {
     return EKind::Flyer;
   }
-  return body.IsMovable() && description.Drive ? EKind::Driver : EKind::Still;
+  return body.IsMovable() && description.HasDrive() ? EKind::Driver : EKind::Still;
 }
 
 void CheckGains(const std::string& owner, const std::string& loop, const SControlGains& gains,
@@ -57,7 +57,7 @@ void CheckDescription(const CEmbodiedEntity& body, EKind kind) {
                                << " m from the origin: positions would no longer be accurate");
   }
   const SBodyDescription& description = *body.GetBodyDescription();
-  if (kind == EKind::Driver) {
+  if (kind == EKind::Driver && description.Drive) {
     RequirePositive(description.Drive->InterwheelDistance, owner,
                     "distance between the wheels (m)");
   } else if (kind == EKind::Flyer) {
@@ -100,6 +100,14 @@ CPointMass3DEngine::~CPointMass3DEngine() = default;
 void CPointMass3DEngine::Init(TConfigurationNode& tree) {
   CDescribedBodyEngine::Init(tree);
   GetNodeAttributeOrDefault(tree, "gravity", m_gravity, m_gravity);
+  std::string motion = "exact";
+  GetNodeAttributeOrDefault(tree, "motion", motion, motion);
+  if (motion != "exact" && motion != "argos3") {
+    THROW_ARGOSEXCEPTION(GetOrigin() << ": \"motion\" must be \"exact\" or \"argos3\", found \""
+                                     << motion << '"');
+  }
+  m_moveAsArgos3 = motion == "argos3";
+  m_flyers->SetLaw(m_moveAsArgos3 ? EFlightLaw::Argos3 : EFlightLaw::Stable);
 }
 
 void CPointMass3DEngine::Destroy() {
@@ -113,6 +121,7 @@ void CPointMass3DEngine::Destroy() {
 
 // The entities have been reset to their initial poses.
 void CPointMass3DEngine::Reset() {
+  ResetRecordedBodies();
   for (const auto& model : GetModels()) {
     Reposition(*model);
   }
@@ -129,7 +138,16 @@ bool CPointMass3DEngine::AddEntity(CEntity& entity) {
   return CDescribedBodyEngine::AddEntity(entity);
 }
 
+bool CPointMass3DEngine::Accepts(const CEmbodiedEntity& body) const {
+  return body.GetBodyDescription()->Articulation == nullptr;
+}
+
 std::string CPointMass3DEngine::ExplainRefusal(CEntity& entity) const {
+  const CEmbodiedEntity* const body = FindDescribedBody(entity);
+  if (body != nullptr && !Accepts(*body)) {
+    return "moves points, but a <" + entity.GetTypeDescription() +
+           "> with joints has links: add an engine for jointed bodies, such as <dynamics3d>";
+  }
   return "accepts only bodies with an SBodyDescription or with a model that a user has registered, "
          "and <" +
          entity.GetTypeDescription() + "> has neither";
@@ -139,7 +157,7 @@ void CPointMass3DEngine::CheckBody(CEmbodiedEntity& body) const {
   const EKind kind = GetKind(body);
   CheckDescription(body, kind);
   // throw if the components are missing
-  FindWheels(body);
+  FindDrive(body);
   FindQuadrotor(body);
   if (kind == EKind::Flyer) {
     CheckFlyer(body);
@@ -149,7 +167,7 @@ void CPointMass3DEngine::CheckBody(CEmbodiedEntity& body) const {
 void CPointMass3DEngine::CheckFlyer(const CEmbodiedEntity& body) const {
   const SBodyDescription& description = *body.GetBodyDescription();
   const Real bound = ComputeFlightBound(description);
-  if (CountSubsteps(m_cSimulator.GetTickLength(), bound) > kMaxIterations) {
+  if (!m_moveAsArgos3 && CountSubsteps(m_cSimulator.GetTickLength(), bound) > kMaxIterations) {
     THROW_ARGOSEXCEPTION("the controllers of "
                          << NameOf(body) << " are stable only in substeps of less than " << bound
                          << " s: a tick of " << m_cSimulator.GetTickLength()
@@ -178,8 +196,9 @@ std::pair<CVector3, CVector3> CPointMass3DEngine::ComputeFlightSpace(
           arena.GetMax() - CVector3(radius, radius, box.MaxCorner.GetZ())};
 }
 
-std::unique_ptr<CDescribedBodyModel> CPointMass3DEngine::CreateModel(CEmbodiedEntity& body) {
-  return std::make_unique<CPointMass3DBody>(*this, body, GetKind(body), FindWheels(body));
+std::unique_ptr<CDescribedBodyModel> CPointMass3DEngine::CreateModel(
+    CEmbodiedEntity& body, const CRecordedBody* recorded) {
+  return std::make_unique<CPointMass3DBody>(*this, body, GetKind(body), FindDrive(body, recorded));
 }
 
 void CPointMass3DEngine::Enter(CDescribedBodyModel& model) {
@@ -196,9 +215,8 @@ void CPointMass3DEngine::Enter(CDescribedBodyModel& model) {
     entering.m_handle = m_flyers->Add(settings, GetFlightPose(body));
     m_substeps = 0;
   } else if (entering.m_kind == EKind::Driver) {
-    entering.m_handle =
-        m_drivers->Add(entering, entering.m_wheels, description.Drive->InterwheelDistance,
-                       GetPlanarPose(body), body.GetOriginAnchor().Position.GetZ());
+    entering.m_handle = m_drivers->Add(entering, entering.m_drive, GetPlanarPose(body),
+                                       body.GetOriginAnchor().Position.GetZ());
   }
 }
 
@@ -272,12 +290,12 @@ bool CPointMass3DEngine::GetMotion(const CEmbodiedEntity& body, SBodyMotion& mot
   }
   if (model->m_kind == EKind::Flyer) {
     const SFlightState state = m_flyers->GetState(m_flyers->GetNumber(model->m_handle));
-    motion = {CVector3(state[0].Speed, state[1].Speed, state[2].Speed),
-              CVector3(0.0, 0.0, state[3].Speed)};
+    motion.Velocity = CVector3(state[0].Speed, state[1].Speed, state[2].Speed);
+    motion.Rotation = CVector3(0.0, 0.0, state[3].Speed);
   } else {
-    const UInt32 number = m_drivers->GetNumber(model->m_handle);
-    motion = {CVector3(m_drivers->GetSpeed(number), 0.0, 0.0),
-              CVector3(0.0, 0.0, m_drivers->GetYawRate(number))};
+    const SDriveCommand command = m_drivers->GetCommand(m_drivers->GetNumber(model->m_handle));
+    motion.Velocity = CVector3(command.Ahead, command.Left, 0.0);
+    motion.Rotation = CVector3(0.0, 0.0, command.YawRate);
     motion.Velocity.Rotate(body.GetOriginAnchor().Orientation);
   }
   return true;
@@ -306,9 +324,16 @@ UInt32 CPointMass3DEngine::GetSubsteps() {
 }
 
 void CPointMass3DEngine::Update() {
+  StartRecordedBodies();
   const Real tick = m_cSimulator.GetTickLength();
-  m_drivers->Advance(tick);
-  m_flyers->Advance(tick, GetSubsteps());
+  if (m_moveAsArgos3) {
+    // one substep of a tick's iterations
+    m_drivers->Advance(GetPhysicsClockTick());
+    m_flyers->Advance(GetPhysicsClockTick(), 1);
+  } else {
+    m_drivers->Advance(tick);
+    m_flyers->Advance(tick / GetSubsteps(), GetSubsteps());
+  }
   if (GetVolume().HasWalls()) {
     HoldInsideWalls();
   }
@@ -329,6 +354,7 @@ void CPointMass3DEngine::Update() {
   if (!m_userModels.empty()) {
     UpdateUserModels();
   }
+  FinishRecordedBodies();
 }
 
 void CPointMass3DEngine::HoldInsideWalls() {
@@ -381,7 +407,8 @@ void CPointMass3DEngine::WriteBack(CPointMass3DBody& model, const CVector3& posi
 void CPointMass3DEngine::UpdateUserModels() {
   for (const SUserModel& user : m_userModels) {
     user.Model->UpdateFromEntityStatus();
-    for (UInt32 i = 0; i < GetIterations(); ++i) {
+    const UInt32 substeps = m_moveAsArgos3 ? 1 : GetIterations();
+    for (UInt32 i = 0; i < substeps; ++i) {
       user.Model->Step();
     }
     user.Model->UpdateEntityStatus();
@@ -438,11 +465,12 @@ REGISTER_PHYSICS_ENGINE(
 that never meet obstacles.
 
 A robot with propellers is a mass under gravity with controllers along x, y and z and about the vertical; only its
-yaw is kept. It stays within the limits of the arena, whose borders stop it. A robot on two wheels follows the exact arc
-of its wheel speeds, at the height where it was put. Objects, movable or not, stay where they are put; sensors see all of
+yaw is kept. It stays within the limits of the arena, whose borders stop it. A robot with a drive follows the exact arc
+of its command, at the height where it was put. Objects, movable or not, stay where they are put; sensors see all of
 them. Bodies are not placed where they would overlap others.
 )" + RequiredEngineXML(R"(<pointmass3d id="pm3d" />)") +
-        OptionalEngineXML("pointmass3d", R"(id="pm3d" iterations="10" gravity="-9.81")",
+        OptionalEngineXML("pointmass3d",
+                          R"(id="pm3d" iterations="10" motion="exact" gravity="-9.81")",
                           std::string(), R"(        <top height="5" />
         <bottom height="0" />
 )") + R"(
@@ -452,6 +480,10 @@ ATTRIBUTES
   iterations  integer in [1,10000], default 10: least number of substeps of a tick; in each, the controllers of
               flying robots run once. There are more if the controllers of a robot would not be stable by a factor
               of two: an eye-bot takes substeps of at most 1/30 s, so 3 in a tick of 0.1 s.
+  motion      exact (default) or argos3: as in version 3.0.0-beta59 of ARGoS, to repeat its experiments. A tick is
+              then one substep of the length of a tick divided by iterations, so that with the default of 10
+              everything moves at a tenth of its speed; the loops on velocity and yaw rate are those of
+              ARGoS, which oscillate up to the limits of thrust; and a robot at a border keeps its velocity.
   gravity     m/s^2, default -9.81: acceleration along z, negative is down.
   boundaries  the region of the engine, default everything: top@height and bottom@height, in m, and
               sides/vertex@point, in m, at least three, counter-clockwise, convex. A body that leaves it is

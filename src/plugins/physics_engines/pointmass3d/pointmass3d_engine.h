@@ -86,9 +86,10 @@ class CPointMass3DEngine : public CDescribedBodyEngine {
   };
 
   bool HasWorld() const override { return true; }
-  bool Accepts(const CEmbodiedEntity&) const override { return true; }
+  bool Accepts(const CEmbodiedEntity& body) const override;
   void CheckBody(CEmbodiedEntity& body) const override;
-  std::unique_ptr<CDescribedBodyModel> CreateModel(CEmbodiedEntity& body) override;
+  std::unique_ptr<CDescribedBodyModel> CreateModel(CEmbodiedEntity& body,
+                                                   const CRecordedBody* recorded) override;
   void Enter(CDescribedBodyModel& model) override;
   void Leave(CDescribedBodyModel& model) override;
   void Reposition(CDescribedBodyModel& model) override;
@@ -103,6 +104,7 @@ class CPointMass3DEngine : public CDescribedBodyEngine {
   void WriteBack(CPointMass3DBody& body, const CVector3& position, Real halfCos, Real halfSin);
 
   Real m_gravity = -9.81;  // m/s^2
+  bool m_moveAsArgos3 = false;  // with its defects, to repeat experiments
   std::unique_ptr<CFlyers> m_flyers;
   std::unique_ptr<CDrivers> m_drivers;
   std::vector<SUserModel> m_userModels;

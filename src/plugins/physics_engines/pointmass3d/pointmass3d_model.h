@@ -63,4 +63,8 @@ class CPointMass3DModel : public CPhysicsModel {
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/plugins/simulator/physics_engines/pointmass3d/pointmass3d_engine.h>
+#endif
+
 #endif

@@ -23,6 +23,13 @@ std::string PlanarFrictionXML() {
 )";
 }
 
+std::string VelocityLagManual() {
+  return R"(  velocity_lag               share of a tick, 0 to 1, default 1 / iterations if the file gives these, else
+                             0.1: time until new wheel speeds take effect. Until then robots move as in
+                             the tick before, or stand if they were just placed. ARGoS 3 had this lag.
+)";
+}
+
 std::string PlanarBoundariesManual() {
   return R"(  boundaries                 the region of the engine, default everything: sides/vertex@point, in m, at
                              least three, counter-clockwise, convex. A vertex may have wall="true", which

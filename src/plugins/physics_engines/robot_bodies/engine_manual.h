@@ -26,6 +26,8 @@ std::string OptionalEngineXML(const std::string& tag, const std::string& attribu
  * a blank one before them.
  */
 std::string PlanarBoundariesManual();
+/** The attribute `velocity_lag` of an engine of a plane: lines as of PlanarBoundariesManual(). */
+std::string VelocityLagManual();
 /** `<friction>` of an engine of a plane: lines without a blank one before them. */
 std::string PlanarFrictionXML();
 

@@ -8,8 +8,8 @@
 namespace argos {
 
 CRobotBodyModel::CRobotBodyModel(CDescribedBodyEngine& engine, CEmbodiedEntity& entity,
-                                 const Real* wheels)
-    : CDescribedBodyModel(engine, entity), m_wheels(wheels) {
+                                 const CDriveSource& drive)
+    : CDescribedBodyModel(engine, entity), m_drive(drive) {
   // ComponentAdded() reports components that are created later
   if (const auto* const robot = dynamic_cast<CComposableEntity*>(&m_root)) {
     for (CEntity* component : robot->GetExistingComponents()) {

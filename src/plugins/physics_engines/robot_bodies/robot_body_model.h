@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_ROBOT_BODIES_ROBOT_BODY_MODEL_H
 
 #include <argos3/core/simulator/physics_engine/described_body_model.h>
+#include <argos3/core/simulator/physics_engine/drive_source.h>
 
 namespace argos {
 
@@ -11,8 +12,7 @@ class CTurretEntity;
 /** A described body with the components of its robot that engines act upon. */
 class CRobotBodyModel : public CDescribedBodyModel {
  public:
-  /** @param wheels  speeds of the left and the right wheel, m/s, if the body has a drive. */
-  CRobotBodyModel(CDescribedBodyEngine& engine, CEmbodiedEntity& entity, const Real* wheels);
+  CRobotBodyModel(CDescribedBodyEngine& engine, CEmbodiedEntity& entity, const CDriveSource& drive);
 
   /** Handles grippers and turrets. */
   void ComponentAdded(CEntity& component) override;
@@ -22,7 +22,7 @@ class CRobotBodyModel : public CDescribedBodyModel {
   /** Informs the engine that the gripper or the turret was added or removed. */
   virtual void ManipulatorChanged() = 0;
 
-  const Real* m_wheels;  // m/s, (left, right); null unless the body has a drive; not owned
+  CDriveSource m_drive;  // see FindDrive()
   CGripperEquippedEntity* m_gripper = nullptr;  // of the robot; null if it has none
   CTurretEntity* m_turret = nullptr;  // of the robot; null if it has none
 

@@ -2,15 +2,19 @@
 
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/core/simulator/view_drawing.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/drawing_to_scene.h>
 
 #include <sstream>
 
 namespace argos {
 
-CFrameRecorder::CFrameRecorder(const SRecordingSettings& settings, const CCameraTimeline& timeline)
+CFrameRecorder::CFrameRecorder(const SRecordingSettings& settings, const CCameraTimeline& timeline,
+                               CViewDrawing& drawing)
     : m_settings(settings),
       m_timeline(timeline),
+      m_drawing(drawing),
       m_writer(settings.File),
       m_builder(settings.ShowRays) {
   m_scene.ShowGrid = settings.ShowGrid;
@@ -56,6 +60,10 @@ void CFrameRecorder::WriteFrame(CSimulator& simulator) {
   CSpace& space = simulator.GetSpace();
   const UInt32 tick = space.GetSimulationClock();
   m_builder.Build(space, m_scene);
+  const SRenderSettings& render = m_settings.Render;
+  AddDrawing(m_drawing.Draw(simulator, static_cast<UInt32>(render.Width),
+                            static_cast<UInt32>(render.Height)),
+             m_scene);
   m_renderer->Render(m_scene, m_timeline.ComputeAt(tick), m_picture);
   m_writer.Write(m_picture, tick);
 }

@@ -14,6 +14,7 @@
 namespace argos {
 
 class CSimulator;
+class CViewDrawing;
 
 /** Selects the frames, their appearance and their files. */
 struct SRecordingSettings {
@@ -36,8 +37,12 @@ struct SRecordingSettings {
  */
 class CFrameRecorder {
  public:
-  /** @throws CARGoSException as CFrameWriter. */
-  CFrameRecorder(const SRecordingSettings& settings, const CCameraTimeline& timeline);
+  /**
+   * @param drawing  what users' code draws; must outlive the recorder.
+   * @throws CARGoSException as CFrameWriter.
+   */
+  CFrameRecorder(const SRecordingSettings& settings, const CCameraTimeline& timeline,
+                 CViewDrawing& drawing);
 
   /**
    * Steps the simulator until the experiment is finished, and writes a frame of the state before
@@ -52,6 +57,7 @@ class CFrameRecorder {
 
   SRecordingSettings m_settings;
   CCameraTimeline m_timeline;
+  CViewDrawing& m_drawing;
   CFrameWriter m_writer;
   CSceneBuilder m_builder;
   std::optional<CRenderer> m_renderer;

@@ -1,60 +1,6 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/offscreen_visualization.h>
 
-#include <argos3/core/simulator/entity/embodied_entity.h>
-#include <argos3/core/simulator/geometry/body_description.h>
-#include <argos3/core/simulator/loop_functions.h>
-#include <argos3/core/simulator/physics_engine/described_body_model.h>
-#include <argos3/core/simulator/simulator.h>
-#include <argos3/core/simulator/space/space.h>
-#include <argos3/core/utility/math/eigen_bridge.h>
-#include <argos3/plugins/simulator/visualizations/offscreen/camera_xml.h>
-#include <argos3/plugins/simulator/visualizations/offscreen/frame_recorder.h>
-#include <argos3/plugins/simulator/visualizations/offscreen/recording_xml.h>
-
-#include <algorithm>
-
 namespace argos {
-
-namespace {
-
-// height above the ground that the picture must show, m: the whole arena if something flies
-double ComputeTop(CSpace& space) {
-  for (CEntity* root : space.GetRootEntityVector()) {
-    const CEmbodiedEntity* const body = FindDescribedBody(*root);
-    if (body != nullptr && body->GetBodyDescription()->Propellers) {
-      return std::max(0.0, space.GetArenaLimits().GetMax().GetZ());
-    }
-  }
-  return 0.0;
-}
-
-}  // namespace
-
-COffscreenVisualization::COffscreenVisualization() = default;
-COffscreenVisualization::~COffscreenVisualization() = default;
-
-void COffscreenVisualization::Init(TConfigurationNode& tree) {
-  const SRecordingSettings settings = ReadOffscreenSettings(tree);
-  const SArenaBox arena{ToEigen(m_cSpace.GetArenaCenter()), ToEigen(m_cSpace.GetArenaSize())};
-  CCameraTimeline timeline(MakeDefaultPlacements(arena));
-  const double aspectRatio = static_cast<double>(settings.Render.Width) / settings.Render.Height;
-  timeline.SetPlacement(0, MakeFramingPlacement(arena, aspectRatio, ComputeTop(m_cSpace)));
-  ReadCamera(tree, timeline);
-  try {
-    m_recorder = std::make_unique<CFrameRecorder>(settings, timeline);
-  } catch (CARGoSException& ex) {
-    THROW_ARGOSEXCEPTION_NESTED(tree.GetLocation() << ": <offscreen> cannot draw frames", ex);
-  }
-}
-
-void COffscreenVisualization::Destroy() {
-  m_recorder.reset();
-}
-
-void COffscreenVisualization::Execute() {
-  m_recorder->Run(m_cSimulator);
-  m_cSimulator.GetLoopFunctions().PostExperiment();
-}
 
 REGISTER_VISUALIZATION(
     COffscreenVisualization, "offscreen", "the authors of this project", "1.0",
@@ -89,6 +35,7 @@ OPTIONAL XML CONFIGURATION
           <interpolate />
         </timeline>
       </camera>
+      <user_functions label="my_drawing" library="path/to/library" />
     </offscreen>
   </visualization>
 
@@ -124,6 +71,10 @@ The timeline: from tick "step" on, the camera is at "placement"; steps must not 
 With <interpolate /> between two keyframes, it glides from one to the next. "loop" (ticks,
 0 = none, the default) is the period after which the timeline begins again; no step may
 exceed it, and <interpolate /> after the last keyframe leads back to the first one.
+
+<user_functions> (any number) adds what users' code draws, see doc/drawing.md:
+  label    string; as in REGISTER_QTOPENGL_USER_FUNCTIONS or REGISTER_DRAWING_FUNCTIONS
+  library  path; may be absent if a loaded library has registered the label
 )",
     "Usable")
 

@@ -139,12 +139,13 @@ SQtOpenGlRequest ReadQtOpenGlRequest(TConfigurationNode& node) {
   if (NodeExists(node, "frame_grabbing")) {
     ReadFrameGrabbing(GetNode(node, "frame_grabbing"), request);
   }
-  if (NodeExists(node, "user_functions")) {
-    TConfigurationNode& functions = GetNode(node, "user_functions");
-    std::string library;
+  // checked also if no frames are requested, so that nothing draws
+  TConfigurationNodeIterator it("user_functions");
+  for (it = it.begin(&node); it != it.end(); ++it) {
+    std::string text;
     request.HasUserFunctions = true;
-    GetNodeAttribute(functions, "label", request.UserFunctions);
-    GetNodeAttributeOrDefault(functions, "library", library, library);
+    GetNodeAttribute(*it, "label", text);
+    GetNodeAttributeOrDefault(*it, "library", text, text);
   }
   return request;
 }

@@ -4,8 +4,6 @@
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/frame_recorder.h>
 
-#include <string>
-
 namespace argos {
 
 /**
@@ -18,7 +16,6 @@ SRecordingSettings ReadOffscreenSettings(TConfigurationNode& node);
 struct SQtOpenGlRequest {
   bool WantsFrames = false;
   bool HasUserFunctions = false;
-  std::string UserFunctions; /**< their label */
   SRecordingSettings Recording;
 };
 

@@ -47,9 +47,15 @@ CRenderer::CRenderer(const SRenderSettings& settings)
       m_contactProgram(m_gl, kContactShadowShader),
       m_glowProgram(m_gl, kGlowShader),
       m_lineProgram(m_gl, kLineShader),
+      m_annotations(m_gl),
+      m_meshArray(CreateMeshes()),
+      m_meshInstances(m_gl, sizeof(SMeshInstance), CInstanceBuffer::EAdvance::PerInstance,
+                      m_meshArray),
+      m_contactInstances(m_gl, sizeof(SContactShadow)),
+      m_glowInstances(m_gl, sizeof(SGlow)),
+      m_lineInstances(m_gl, sizeof(SLine)),
       m_toSun(m_settings.ToSun) {
-  CreateMeshes();
-  CreateVertexArrays();
+  DescribeInstances();
   m_gl.GenTextures(1, &m_floorTexture);
   m_gl.DepthFunc(GL_LEQUAL);
   m_gl.BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
@@ -67,7 +73,7 @@ std::string CRenderer::DescribeDriver() const {
   return description.str();
 }
 
-void CRenderer::CreateMeshes() {
+GLuint CRenderer::CreateMeshes() {
   SMesh all;
   for (size_t kind = 0; kind < kNumMeshKinds; ++kind) {
     for (size_t level = 0; level < kNumLevels; ++level) {
@@ -80,8 +86,9 @@ void CRenderer::CreateMeshes() {
       }
     }
   }
-  m_gl.GenVertexArrays(1, &m_meshArray);
-  m_gl.BindVertexArray(m_meshArray);
+  GLuint array = 0;
+  m_gl.GenVertexArrays(1, &array);
+  m_gl.BindVertexArray(array);
   GLuint buffers[2] = {0, 0};
   m_gl.GenBuffers(2, buffers);
   m_gl.BindBuffer(GL_ARRAY_BUFFER, buffers[0]);
@@ -100,57 +107,34 @@ void CRenderer::CreateMeshes() {
     m_gl.VertexAttribPointer(attribute, sizes[attribute], GL_FLOAT, GL_FALSE, sizeof(SMeshVertex),
                              Offset(offsets[attribute]));
   }
+  return array;
 }
 
-void CRenderer::CreateVertexArrays() {
-  // attributes that advance once per instance
-  GLsizei stride = 0;
-  const auto add = [&](GLuint attribute, GLint size, GLenum type, size_t offset) {
-    m_gl.EnableVertexAttribArray(attribute);
-    const GLboolean isColor = type == GL_UNSIGNED_BYTE ? GL_TRUE : GL_FALSE;
-    m_gl.VertexAttribPointer(attribute, size, type, isColor, stride, Offset(offset));
-    m_gl.VertexAttribDivisor(attribute, 1);
-  };
-  const auto begin = [&](GLuint& array, GLuint& buffer, size_t size) {
-    if (array == 0) {
-      m_gl.GenVertexArrays(1, &array);
-    }
-    m_gl.BindVertexArray(array);
-    m_gl.GenBuffers(1, &buffer);
-    m_gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
-    stride = static_cast<GLsizei>(size);
-  };
-  begin(m_meshArray, m_meshInstances, sizeof(SMeshInstance));
+void CRenderer::DescribeInstances() {
   for (GLuint row = 0; row < 3; ++row) {
-    add(3 + row, 4, GL_FLOAT, offsetof(SMeshInstance, ToWorld) + row * 4 * sizeof(float));
+    m_meshInstances.AddFloats(3 + row, 4,
+                              offsetof(SMeshInstance, ToWorld) + row * 4 * sizeof(float));
   }
-  add(6, 4, GL_UNSIGNED_BYTE, offsetof(SMeshInstance, Color));
-  add(7, 1, GL_FLOAT, offsetof(SMeshInstance, Param));
+  m_meshInstances.AddColor(6, offsetof(SMeshInstance, Color));
+  m_meshInstances.AddFloats(7, 1, offsetof(SMeshInstance, Param));
 
-  begin(m_contactArray, m_contactInstances, sizeof(SContactShadow));
-  add(0, 2, GL_FLOAT, offsetof(SContactShadow, Center));
-  add(1, 2, GL_FLOAT, offsetof(SContactShadow, AxisX));
-  add(2, 2, GL_FLOAT, offsetof(SContactShadow, HalfExtent));
-  add(3, 2, GL_FLOAT, offsetof(SContactShadow, CornerRadius));
+  m_contactInstances.AddFloats(0, 2, offsetof(SContactShadow, Center));
+  m_contactInstances.AddFloats(1, 2, offsetof(SContactShadow, AxisX));
+  m_contactInstances.AddFloats(2, 2, offsetof(SContactShadow, HalfExtent));
+  m_contactInstances.AddFloats(3, 2, offsetof(SContactShadow, CornerRadius));
 
-  begin(m_glowArray, m_glowInstances, sizeof(SGlow));
-  add(0, 3, GL_FLOAT, offsetof(SGlow, Position));
-  add(1, 1, GL_FLOAT, offsetof(SGlow, Radius));
-  add(2, 4, GL_UNSIGNED_BYTE, offsetof(SGlow, Color));
-  add(3, 1, GL_FLOAT, offsetof(SGlow, HaloScale));
+  m_glowInstances.AddFloats(0, 3, offsetof(SGlow, Position));
+  m_glowInstances.AddFloats(1, 1, offsetof(SGlow, Radius));
+  m_glowInstances.AddColor(2, offsetof(SGlow, Color));
+  m_glowInstances.AddFloats(3, 1, offsetof(SGlow, HaloScale));
+  m_glowInstances.AddFloats(4, 1, offsetof(SGlow, Pixels));
 
-  begin(m_lineArray, m_lineInstances, sizeof(SLine));
-  add(0, 3, GL_FLOAT, offsetof(SLine, Start));
-  add(1, 3, GL_FLOAT, offsetof(SLine, End));
-  add(2, 4, GL_UNSIGNED_BYTE, offsetof(SLine, Color));
-  add(3, 1, GL_FLOAT, offsetof(SLine, Width));
+  m_lineInstances.AddFloats(0, 3, offsetof(SLine, Start));
+  m_lineInstances.AddFloats(1, 3, offsetof(SLine, End));
+  m_lineInstances.AddColor(2, offsetof(SLine, Color));
+  m_lineInstances.AddFloats(3, 1, offsetof(SLine, Width));
 
   m_gl.GenVertexArrays(1, &m_emptyArray);
-}
-
-void CRenderer::Upload(GLuint buffer, const void* data, size_t size) const {
-  m_gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
-  m_gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(size), data, GL_STREAM_DRAW);
 }
 
 void CRenderer::UploadFloor(const SFloorImage& floor) {
@@ -191,10 +175,15 @@ void CRenderer::ComputeMatrices(const SScene& scene, const CCamera& camera) {
     const double depth = camera.ComputeDepth(Eigen::Vector3d(xy.x(), xy.y(), 0.0));
     depths.extend(Eigen::Matrix<double, 1, 1>(depth));
   }
-  // rays and lights in the air may be nearer than any solid
+  // rays, areas and lights in the air may be nearer than any solid
   for (const SLine& line : scene.Lines) {
     for (const std::array<float, 3>& end : {line.Start, line.End}) {
       depths.extend(Eigen::Matrix<double, 1, 1>(camera.ComputeDepth(ToVector(end))));
+    }
+  }
+  for (const std::vector<SFlatVertex>* flats : {&scene.Flats, &scene.TranslucentFlats}) {
+    for (const SFlatVertex& corner : *flats) {
+      depths.extend(Eigen::Matrix<double, 1, 1>(camera.ComputeDepth(ToVector(corner.Position))));
     }
   }
   for (const SGlow& glow : scene.Glows) {
@@ -235,8 +224,10 @@ void CRenderer::Render(const SScene& scene, const SCameraPlacement& placement, S
   DrawGround(scene);
   DrawContactShadows(scene);
   DrawMeshes();
+  m_annotations.DrawFlats(scene, m_view, m_projection);
   DrawLines(scene);
   DrawGlows(scene);
+  m_annotations.DrawInFront(scene, camera, m_target);
   m_target.Read(picture);
 
   const GLenum error = m_gl.GetError();
@@ -308,9 +299,7 @@ void CRenderer::DrawContactShadows(const SScene& scene) {
   m_contactProgram.Use();
   m_contactProgram.Set("uViewProjection", m_viewProjection);
   m_contactProgram.Set("uContactDarkening", m_settings.Look.ContactDarkening);
-  m_gl.BindVertexArray(m_contactArray);
-  Upload(m_contactInstances, scene.ContactShadows.data(),
-         scene.ContactShadows.size() * sizeof(SContactShadow));
+  m_contactInstances.Fill(scene.ContactShadows);
   m_gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4,
                            static_cast<GLsizei>(scene.ContactShadows.size()));
   m_gl.Disable(GL_BLEND);
@@ -368,8 +357,7 @@ void CRenderer::DrawBatches(const CInstanceBatches::TBatches& batches, const CGl
 void CRenderer::DrawInstances(EMeshKind kind, size_t level, const SMeshInstance* instances,
                               size_t count) {
   const SMeshRange& range = m_meshes[static_cast<size_t>(kind)][level];
-  m_gl.BindVertexArray(m_meshArray);
-  Upload(m_meshInstances, instances, count * sizeof(SMeshInstance));
+  m_meshInstances.Fill(instances, count);
   m_gl.DrawElementsInstanced(GL_TRIANGLES, range.NumIndices, GL_UNSIGNED_INT,
                              Offset(range.FirstIndex * sizeof(std::uint32_t)),
                              static_cast<GLsizei>(count));
@@ -388,8 +376,7 @@ void CRenderer::DrawLines(const SScene& scene) {
   m_lineProgram.Set("uPictureSize", Eigen::Vector2f(static_cast<float>(m_target.GetDrawnWidth()),
                                                     static_cast<float>(m_target.GetDrawnHeight())));
   m_lineProgram.Set("uPixelScale", static_cast<float>(m_target.GetScale()));
-  m_gl.BindVertexArray(m_lineArray);
-  Upload(m_lineInstances, scene.Lines.data(), scene.Lines.size() * sizeof(SLine));
+  m_lineInstances.Fill(scene.Lines);
   m_gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(scene.Lines.size()));
   m_gl.DepthMask(GL_TRUE);
   m_gl.Disable(GL_BLEND);
@@ -411,8 +398,7 @@ void CRenderer::DrawGlows(const SScene& scene) {
   m_glowProgram.Set("uToSunInView", toSunInView);
   m_glowProgram.Set("uHaloStrength", look.HaloStrength);
   m_glowProgram.Set("uHaloOpacity", look.HaloOpacity);
-  m_gl.BindVertexArray(m_glowArray);
-  Upload(m_glowInstances, scene.Glows.data(), scene.Glows.size() * sizeof(SGlow));
+  m_glowInstances.Fill(scene.Glows);
   m_gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(scene.Glows.size()));
   m_gl.DepthMask(GL_TRUE);
   m_gl.Disable(GL_BLEND);

@@ -1,10 +1,12 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_RENDERER_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_RENDERER_H
 
+#include <argos3/plugins/simulator/visualizations/offscreen/annotation_renderer.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/camera.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/gl_context.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/gl_program.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/instance_batches.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/instance_buffer.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/look.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/picture.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/render_target.h>
@@ -33,7 +35,8 @@ struct SRenderSettings {
  *
  * It depends on solids, lines and lights, but on no robot, entity or simulator. Each frame is a
  * pass for the shadow map, one for the ground and its decals, one for the solids (one draw call per
- * mesh and level of detail), and one for translucent solids. Buffers are reused for the next frame.
+ * mesh and level of detail), one for translucent solids, and those for flat areas, lines, lights
+ * and text. Buffers are reused for the next frame.
  *
  * One renderer belongs to one thread at a time.
  */
@@ -60,10 +63,10 @@ class CRenderer {
     size_t FirstIndex = 0;
   };
 
-  void CreateMeshes();
-  void CreateVertexArrays();
+  /** Returns the vertex array. */
+  GLuint CreateMeshes();
+  void DescribeInstances();
   void UploadFloor(const SFloorImage& floor);
-  void Upload(GLuint buffer, const void* data, size_t size) const;
 
   void DrawShadowMap();
   void DrawGround(const SScene& scene);
@@ -90,15 +93,14 @@ class CRenderer {
   CGlProgram m_lineProgram;
   CInstanceBatches m_batches;
 
+  CAnnotationRenderer m_annotations;
+
   std::array<std::array<SMeshRange, kNumLevels>, kNumMeshKinds> m_meshes;
-  GLuint m_meshArray = 0;
-  GLuint m_meshInstances = 0;
-  GLuint m_contactArray = 0;
-  GLuint m_contactInstances = 0;
-  GLuint m_glowArray = 0;
-  GLuint m_glowInstances = 0;
-  GLuint m_lineArray = 0;
-  GLuint m_lineInstances = 0;
+  GLuint m_meshArray;
+  CInstanceBuffer m_meshInstances;
+  CInstanceBuffer m_contactInstances;
+  CInstanceBuffer m_glowInstances;
+  CInstanceBuffer m_lineInstances;
   GLuint m_emptyArray = 0;
   GLuint m_floorTexture = 0;
   std::uint64_t m_floorVersion = 0;

@@ -9,6 +9,11 @@ void SScene::ClearContents() {
   Glows.clear();
   Lines.clear();
   ContactShadows.clear();
+  Flats.clear();
+  TranslucentFlats.clear();
+  Labels.clear();
+  OverlayFlats.clear();
+  OverlayLabels.clear();
 }
 
 }  // namespace argos

@@ -1,11 +1,14 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_SCENE_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_SCENE_H
 
+#include <argos3/core/simulator/visualization/drawing.h>
+
 #include <Eigen/Core>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace argos {
@@ -50,6 +53,8 @@ struct SGlow {
   float Radius = 0.0f; /**< of the disc, m; never drawn smaller than a pixel and a half */
   SRgba Color;
   float HaloScale = 0.0f; /**< radius of the halo over that of the disc; 0 = no halo */
+  /** > 0: diameter on the picture, pixels, instead of Radius; the disc is then of even colour. */
+  float Pixels = 0.0f;
 };
 
 /** A straight line, of even width on the picture. */
@@ -58,6 +63,22 @@ struct SLine {
   std::array<float, 3> End; /**< world frame, m */
   SRgba Color;
   float Width = 1.5f; /**< pixels */
+};
+
+/** A corner of a triangle of even colour, which no light changes and which casts no shadow. */
+struct SFlatVertex {
+  std::array<float, 3> Position; /**< world frame, m; over the picture: x, y in pixels */
+  SRgba Color;
+  /** Share of its distance by which it counts as nearer: what lies in one plane covers in order. */
+  float Nearer = 0.0f;
+};
+
+/** A text that faces the camera, in front of everything, with a contour of contrasting shade. */
+struct SLabel {
+  std::array<float, 3> Position; /**< world frame, m; over the picture: x, y in pixels */
+  SRgba Color;
+  std::string Text; /**< UTF-8; line feeds separate lines */
+  STextStyle Style;
 };
 
 /** Soft darkening of the ground under a solid, which blocks the skylight. */
@@ -89,6 +110,12 @@ struct SScene {
   std::vector<SGlow> Glows;
   std::vector<SLine> Lines;
   std::vector<SContactShadow> ContactShadows;
+  std::vector<SFlatVertex> Flats; /**< opaque ones; three per triangle */
+  std::vector<SFlatVertex> TranslucentFlats; /**< drawn in order */
+  std::vector<SLabel> Labels;
+  /** Over the picture, in pixels from its upper left corner, drawn in order; texts last. */
+  std::vector<SFlatVertex> OverlayFlats;
+  std::vector<SLabel> OverlayLabels;
 
   /** Removes the contents of the arena; keeps the memory, the floor and the settings. */
   void ClearContents();

@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/entity/existing_component.h>
 #include <argos3/core/simulator/entity/floor_entity.h>
 #include <argos3/core/simulator/entity/positional_entity.h>
 #include <argos3/core/simulator/space/space.h>
@@ -32,19 +33,6 @@ constexpr double kDetailShare = 0.35;  // of the volume of an entity's largest p
 constexpr double kUpright = 0.999;  // cosine of the angle between a part's axis and the vertical
 constexpr int kMaxFloorSide = 8192;  // pixels, of the texture
 
-SRgba ToRgba(const CColor& color) {
-  return {color.GetRed(), color.GetGreen(), color.GetBlue(), color.GetAlpha()};
-}
-
-std::array<float, 3> ToFloats(const Eigen::Vector3d& vector) {
-  return {static_cast<float>(vector.x()), static_cast<float>(vector.y()),
-          static_cast<float>(vector.z())};
-}
-
-SPose ToPose(const CVector3& position, const CQuaternion& orientation) {
-  return {ToEigen(orientation).toRotationMatrix(), ToEigen(position)};
-}
-
 // the frame of a part; an anchor that is not enabled keeps its place on the body
 SPose ComputeAnchorPose(const SVisualPart& part, CEmbodiedEntity* body, const SPose& origin) {
   if (body == nullptr || part.Anchor == kOriginAnchor) {
@@ -71,16 +59,7 @@ double ComputeVolume(const SVisualPart& part) {
 
 void AddSolid(EMeshKind kind, const SPose& pose, const Eigen::Vector3d& scale, float param,
               const CColor& color, bool isDetail, SScene& scene) {
-  SMeshInstance instance;
-  for (int row = 0; row < 3; ++row) {
-    std::array<float, 4>& entries = instance.ToWorld[static_cast<std::size_t>(row)];
-    for (int column = 0; column < 3; ++column) {
-      entries[static_cast<std::size_t>(column)] =
-          static_cast<float>(pose.Rotation(row, column) * scale[column]);
-    }
-    entries[3] = static_cast<float>(pose.Translation[row]);
-  }
-  instance.Color = ToRgba(color);
+  SMeshInstance instance = MakeSolid(pose, scale, color);
   instance.Param = param;
   instance.IsDetail = isDetail ? 1.0f : 0.0f;
   scene.OfKind(kind).push_back(instance);
@@ -157,14 +136,11 @@ void CSceneBuilder::AddEntity(CEntity& entity, SScene& scene) const {
   }
   SSubject subject;
   if (auto* composable = dynamic_cast<CComposableEntity*>(&entity)) {
-    for (CEntity* component : composable->GetExistingComponents()) {
-      if (auto* body = dynamic_cast<CEmbodiedEntity*>(component)) {
-        subject.Body = body;
-        const SAnchor& origin = body->GetOriginAnchor();
-        subject.Pose = ToPose(origin.Position, origin.Orientation);
-      } else if (auto* leds = dynamic_cast<CLEDEquippedEntity*>(component)) {
-        subject.LEDs = leds;
-      }
+    subject.Body = FindExistingComponent<CEmbodiedEntity>(*composable);
+    subject.LEDs = FindExistingComponent<CLEDEquippedEntity>(*composable);
+    if (subject.Body != nullptr) {
+      const SAnchor& origin = subject.Body->GetOriginAnchor();
+      subject.Pose = ToPose(origin.Position, origin.Orientation);
     }
   } else if (auto* positional = dynamic_cast<CPositionalEntity*>(&entity)) {
     subject.Pose = ToPose(positional->GetPosition(), positional->GetOrientation());

@@ -1,9 +1,7 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_SCENE_BUILDER_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_SCENE_BUILDER_H
 
-#include <argos3/plugins/simulator/visualizations/offscreen/scene.h>
-
-#include <Eigen/Core>
+#include <argos3/plugins/simulator/visualizations/offscreen/scene_parts.h>
 
 namespace argos {
 
@@ -16,17 +14,6 @@ class CLEDEquippedEntity;
 class CSpace;
 struct SAppearance;
 struct SVisualPart;
-
-/** A rigid pose in the world frame, m. */
-struct SPose {
-  Eigen::Matrix3d Rotation = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d Translation = Eigen::Vector3d::Zero();
-
-  /** A pose given in this pose's frame, in the world frame. */
-  SPose operator*(const SPose& inner) const {
-    return {Rotation * inner.Rotation, Translation + Rotation * inner.Translation};
-  }
-};
 
 /**
  * Converts the contents of the arena to a scene.

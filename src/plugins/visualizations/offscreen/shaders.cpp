@@ -273,6 +273,7 @@ layout(location = 0) in vec3 inPosition;
 layout(location = 1) in float inRadius;
 layout(location = 2) in vec4 inColor;
 layout(location = 3) in float inHaloScale;
+layout(location = 4) in float inPixels;
 
 uniform mat4 uView;
 uniform mat4 uProjection;
@@ -283,12 +284,14 @@ out vec2 vOffset;
 flat out vec4 vColor;
 flat out float vHalo;
 flat out float vPixels;
+flat out int vIsLit;
 
 void main() {
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
   vec4 center = uView * vec4(inPosition, 1.0);
   float depth = max(-center.z, 1e-4);
-  float truePixels = inRadius * uPixelsPerTangent / depth;
+  float truePixels = inPixels > 0.0 ? 0.5 * inPixels * uPixelScale
+                                    : inRadius * uPixelsPerTangent / depth;
   float pixels = max(truePixels, 1.2 * uPixelScale);
   float radius = pixels * depth / uPixelsPerTangent;
   vHalo = inHaloScale > 0.0 ? max(inHaloScale * truePixels / pixels, 1.001) : 0.0;
@@ -297,9 +300,11 @@ void main() {
   // discs smaller than a pixel fade, but less than their area says: a swarm's colours stay visible
   vColor = vec4(FromSrgb(inColor.rgb), inColor.a * min(truePixels / pixels, 1.0));
   vPixels = pixels;
+  vIsLit = inPixels > 0.0 ? 0 : 1;
   gl_Position = uProjection * (center + vec4(vOffset * radius, 0.0, 0.0));
   // the disc stands for a ball: its depth is that of the ball's nearest point
-  vec4 front = uProjection * vec4(0.0, 0.0, -max(depth - 1.3 * inRadius, 0.5 * depth), 1.0);
+  float nearest = inPixels > 0.0 ? 0.997 * depth : max(depth - 1.3 * inRadius, 0.5 * depth);
+  vec4 front = uProjection * vec4(0.0, 0.0, -nearest, 1.0);
   gl_Position.z = front.z / front.w * gl_Position.w;
 }
 )glsl";
@@ -309,6 +314,7 @@ in vec2 vOffset;
 flat in vec4 vColor;
 flat in float vHalo;
 flat in float vPixels;
+flat in int vIsLit;
 
 uniform vec3 uToSunInView;
 uniform float uHaloStrength;
@@ -326,7 +332,7 @@ void main() {
     color = mix(color, vec3(1.0), 0.45 * pow(max(1.0 - distance, 0.0), 1.5));
     float share = clamp((distance - 1.0) / max(vHalo - 1.0, 1e-3), 0.0, 1.0);
     halo = uHaloStrength * pow(1.0 - share, 2.5) * (1.0 - disc) * vColor.a;
-  } else {
+  } else if (vIsLit != 0) {
     vec3 normal = vec3(vOffset, sqrt(max(1.0 - distance * distance, 0.0)));
     color *= 0.45 + 0.75 * max(dot(normal, uToSunInView), 0.0);
   }
@@ -372,6 +378,9 @@ void main() {
   vHalfWidth = 0.5 * inWidth * uPixelScale;
   vAcross = side * (vHalfWidth + 0.5);
   clip.xy += across * vAcross * 2.0 / uPictureSize * clip.w;
+  // a line that lies on a surface is in front of it
+  vec4 nearer = uProjection * vec4(0.997 * ((gl_VertexID >> 1) == 0 ? start : end), 1.0);
+  clip.z = nearer.z / nearer.w * clip.w;
   gl_Position = clip;
   vColor = vec4(FromSrgb(inColor.rgb), inColor.a);
 }
@@ -390,6 +399,68 @@ void main() {
 }
 )glsl";
 
+constexpr const char* kFlatVertexText = R"glsl(
+layout(location = 0) in vec3 inPosition;
+layout(location = 1) in vec4 inColor;
+layout(location = 2) in float inNearer;
+
+uniform mat4 uView;
+uniform mat4 uProjection;
+
+out vec4 vColor;
+
+void main() {
+  vec4 inCamera = uView * vec4(inPosition, 1.0);
+  gl_Position = uProjection * inCamera;
+  vec4 nearer = uProjection * vec4((1.0 - inNearer) * inCamera.xyz, 1.0);
+  gl_Position.z = nearer.z / nearer.w * gl_Position.w;
+  vColor = vec4(FromSrgb(inColor.rgb), inColor.a);
+}
+)glsl";
+
+constexpr const char* kFlatFragmentText = R"glsl(
+in vec4 vColor;
+
+layout(location = 0) out vec4 outColor;
+
+void main() {
+  outColor = vec4(vColor.rgb * vColor.a, vColor.a);
+}
+)glsl";
+
+constexpr const char* kTextVertexText = R"glsl(
+layout(location = 0) in vec4 inArea;
+layout(location = 1) in vec2 inTexel;
+layout(location = 2) in vec4 inColor;
+
+uniform vec2 uPictureSize;
+
+out vec2 vTexel;
+flat out vec4 vColor;
+
+void main() {
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+  vec2 position = (inArea.xy + corner * inArea.zw) / uPictureSize;
+  vTexel = inTexel + corner * inArea.zw;
+  vColor = vec4(FromSrgb(inColor.rgb), inColor.a);
+  gl_Position = vec4(2.0 * position.x - 1.0, 1.0 - 2.0 * position.y, 0.0, 1.0);
+}
+)glsl";
+
+constexpr const char* kTextFragmentText = R"glsl(
+in vec2 vTexel;
+flat in vec4 vColor;
+
+uniform sampler2D uAtlas;
+
+layout(location = 0) out vec4 outColor;
+
+void main() {
+  float alpha = vColor.a * texelFetch(uAtlas, ivec2(vTexel), 0).r;
+  outColor = vec4(vColor.rgb * alpha, alpha);
+}
+)glsl";
+
 }  // namespace
 
 const SShaderSource kMeshShader = {"mesh", kMeshVertexText, kMeshFragmentText};
@@ -399,5 +470,7 @@ const SShaderSource kContactShadowShader = {"contact shadow", kContactShadowVert
                                             kContactShadowFragmentText};
 const SShaderSource kGlowShader = {"glow", kGlowVertexText, kGlowFragmentText};
 const SShaderSource kLineShader = {"line", kLineVertexText, kLineFragmentText};
+const SShaderSource kFlatShader = {"flat", kFlatVertexText, kFlatFragmentText};
+const SShaderSource kTextShader = {"text", kTextVertexText, kTextFragmentText};
 
 }  // namespace argos

@@ -19,6 +19,8 @@ extern const SShaderSource kGroundShader; /**< floor, grid, boundary */
 extern const SShaderSource kContactShadowShader; /**< SContactShadow, instanced */
 extern const SShaderSource kGlowShader; /**< SGlow, instanced */
 extern const SShaderSource kLineShader; /**< SLine, instanced */
+extern const SShaderSource kFlatShader; /**< triangles of SFlatVertex */
+extern const SShaderSource kTextShader; /**< SGlyphInstance, instanced */
 
 }  // namespace argos
 

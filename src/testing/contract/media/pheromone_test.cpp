@@ -127,7 +127,7 @@ TEST_CASE("pheromone: is deposited before the robot's motion and read after it",
   const std::string tag = GENERATE("foot-bot", "e-puck");
   SRobotExperiment experiment =
       WithPheromones(Robot(tag, "r", "position=\"0.525,0.025,0\" orientation=\"0,0,0\""));
-  experiment.Engine = "<dynamics2d id=\"engine\"/>";
+  experiment.Engine = "<dynamics2d id=\"engine\" velocity_lag=\"0\"/>";
   experiment.Actuators += "<differential_steering implementation=\"default\"/>";
   CRobotWorld world(experiment);
   world.GetActuator<CCI_DifferentialSteeringActuator>("r", "differential_steering")

@@ -182,7 +182,9 @@ TEST_CASE("crowd: at the greatest depth, against a wall or another crowd, robots
   if (columns.FaceToFace && columns.Depth < 10) {
     return;  // shallow crowds pass through each other
   }
-  // the crowd has formed: columns in line have the length of all diameters, others use gaps as well
+  // The crowd has formed: columns in line have the length of all diameters, others use gaps as
+  // well. Two crowds face to face buckle sooner or later; robots at their sides then push others
+  // back.
   const CVector2 ahead = columns.Turn(1.0, 0.0);
   Real rearmost = SColumns::kAhead;
   for (int i = 0; i < columns.Depth * columns.Width; ++i) {
@@ -190,7 +192,7 @@ TEST_CASE("crowd: at the greatest depth, against a wall or another crowd, robots
     rearmost = std::min(rearmost, position.GetX() * ahead.GetX() + position.GetY() * ahead.GetY());
   }
   const Real front = columns.FaceToFace ? 0.0 : SColumns::kAhead;
-  CHECK(front - rearmost <= 1.02 * columns.Depth * 2.0 * kEPuckRadius);
+  CHECK(front - rearmost <= (columns.FaceToFace ? 1.1 : 1.02) * columns.Depth * 2.0 * kEPuckRadius);
 }
 
 TEST_CASE("crowd: overlapping robots are separated, and no coordinate becomes NaN",

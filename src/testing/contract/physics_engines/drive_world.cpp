@@ -87,9 +87,21 @@ SBodyMotion CDriveWorld::Motion(const std::string& id) {
 }
 
 void CDriveWorld::Launch(const std::string& id, const CVector3& velocity) {
-  Body(id).GetPhysicsModel(0).GetEngine().SetMotion(Body(id), {velocity, CVector3()});
+  SBodyMotion motion;
+  motion.Velocity = velocity;
+  Body(id).GetPhysicsModel(0).GetEngine().SetMotion(Body(id), motion);
 }
 
 REGISTER_CONTROLLER(CContractDriver, "contract_driver")
+
+void CDriveWorld::Reshape(const std::string& id, const SShapeDescription& shape) {
+  CEmbodiedEntity& body = Body(id);
+  auto description = std::make_shared<SBodyDescription>(*body.GetBodyDescription());
+  description->Shapes = {shape};
+  description->PlanarInertia.reset();
+  GetSpace().RemoveEntityFromPhysicsEngines(body);
+  body.SetBodyDescription(std::move(description));
+  GetSpace().AddEntityToPhysicsEngine(body);
+}
 
 }  // namespace argos

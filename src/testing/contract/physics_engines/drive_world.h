@@ -3,6 +3,7 @@
 
 #include <argos3/core/control_interface/ci_controller.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
 #include <argos3/testing/support/experiment.h>
@@ -50,6 +51,8 @@ class CDriveWorld : public CTestWorld {
    * their bodies in the first.
    */
   void Launch(const std::string& id, const CVector3& velocity);
+  /** Replaces a body's solids by one. The description of its drive is kept. */
+  void Reshape(const std::string& id, const SShapeDescription& shape);
 
  private:
   CSimulator::CScope m_scope;

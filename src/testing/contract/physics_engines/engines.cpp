@@ -19,7 +19,7 @@ std::string SEngineType::ToXml(const std::string& id, const std::string& attribu
          ">";
 }
 
-std::string SEngineType::ToTwoXml(double x) const {
+std::string SEngineType::ToTwoXml(double x, const std::string& attributes) const {
   const auto region = [](double from, double to) {
     std::ostringstream xml;
     xml << "<boundaries><sides><vertex point='" << from << ",-10'/><vertex point='" << to
@@ -27,7 +27,7 @@ std::string SEngineType::ToTwoXml(double x) const {
         << ",10'/></sides></boundaries>";
     return xml.str();
   };
-  return ToXml("west", "", region(-10, x)) + ToXml("east", "", region(x, 10));
+  return ToXml("west", attributes, region(-10, x)) + ToXml("east", attributes, region(x, 10));
 }
 
 std::string SEngineType::ToBrakingXml(Real deceleration, Real mass, const std::string& id,

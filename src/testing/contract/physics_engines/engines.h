@@ -36,20 +36,31 @@ struct SEngineType {
   Real Lateness = 0.0;
   /** greatest number of robots in a column that overlap within the limits */
   int DeepestCrowd = 40;
+  bool HasLag = false; /**< has the attribute `velocity_lag` */
   /** XML elements of solvers that must all give equal results. */
   std::vector<std::string> Solvers = {""};
 
   /** XML of an engine of this type. @param children  such as `<boundaries>`. */
   std::string ToXml(const std::string& id = "e", const std::string& attributes = "",
                     const std::string& children = "") const;
+  /** XML of an engine in which commands act at once, so that paths are those of one command. */
+  std::string ToPromptXml(const std::string& id = "e", const std::string& children = "") const {
+    return ToXml(id, GetPromptness(), children);
+  }
+  /** The attributes for that. */
+  std::string GetPromptness() const { return HasLag ? "velocity_lag='0'" : ""; }
   /** XML of two engines, "west" and "east", with a border at x. @param x m. */
-  std::string ToTwoXml(double x) const;
+  std::string ToTwoXml(double x, const std::string& attributes = "") const;
   /**
    * XML of an engine with friction on the ground.
    * @param deceleration  m/s^2, of a sliding body of mass @p mass (kg).
    */
   std::string ToBrakingXml(Real deceleration, Real mass, const std::string& id = "e",
                            const std::string& children = "") const;
+  /** Time until a command takes effect, in ticks. @param iterations  as in the file; 0: absent. */
+  Real GetLag(UInt32 iterations = 0) const {
+    return HasLag ? (iterations > 0 ? 1.0 / iterations : 0.1) : 0.0;
+  }
   /** Greatest friction force on a resting box of this mass (kg) with the default XML, N. */
   Real GetHold(Real mass) const;
 };
@@ -69,6 +80,7 @@ inline const SEngineType kDynamics2D{
     .GripRigidity = 1e4,
     // single precision
     .Precision = 1e-5,
+    .HasLag = true,
 };
 inline const SEngineType kDynamics3D{
     .Tag = "dynamics3d",
@@ -90,6 +102,7 @@ inline const SEngineType kKinematics2D{
     .HasMomentum = false,
     .IsPlane = true,
     .Ground = EGround::Force,
+    .HasLag = true,
 };
 inline const SEngineType kPointMass3D{
     .Tag = "pointmass3d",

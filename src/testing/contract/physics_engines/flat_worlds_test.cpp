@@ -119,7 +119,7 @@ TEST_CASE("flat worlds: a free robot takes the same path in every engine", "[con
   std::vector<std::vector<CVector3>> accurate;  // from engines without slip
   for (const SEngineType& engine : kEnginesWithWheels) {
     CAPTURE(engine);
-    const std::vector<CVector3> places = Drive(engine.ToXml(), schedule);
+    const std::vector<CVector3> places = Drive(engine.ToPromptXml(), schedule);
     REQUIRE(places.size() == exact.size());
     Real worst = 0.0;
     for (size_t i = 0; i < places.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <argos3/testing/contract/physics_engines/drive_world.h>
 #include <argos3/testing/contract/physics_engines/regions.h>
 #include <argos3/testing/support/overlap.h>
+#include <argos3/testing/support/polygons.h>
 #include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/robot_world.h>
 
@@ -232,9 +233,12 @@ TEST_CASE("ghosts: robots that start from rest towards each other stop half-way"
   }
 }
 
-TEST_CASE("ghosts: box-shaped robots and objects collide with robots across a border",
+TEST_CASE("ghosts: robots that are not round and objects collide with robots across a border",
           "[contract][engine][partition][kinematics]") {
   constexpr Real kHalf = 0.1;  // m
+  const SShapeDescription shape =
+      GENERATE(SShapeDescription::Box(CVector3(2 * kHalf, 2 * kHalf, 0.1)),
+               SShapeDescription::Prism(RegularPolygon(6, kHalf), 0.1));
   CDriveWorld world(Halves(kKinematics2D),
                     DriverXml("foot-bot", "box", -0.5, 0, 0, 10, 10) +
                         DriverXml("foot-bot", "other", 0.5, 0, 180, 10, 10) +
@@ -242,24 +246,17 @@ TEST_CASE("ghosts: box-shaped robots and objects collide with robots across a bo
                         DriverXml("e-puck", "pusher", 0.2, 2, 180, 40, 40) +
                         "<box id='thin' size='0.01,0.3,0.1' movable='true' mass='0.3'><body "
                         "position='-0.006,2,0'/></box>");
-  CEmbodiedEntity& body = world.Body("box");
-  auto description = std::make_shared<SBodyDescription>(*body.GetBodyDescription());
-  description->Shapes = {SShapeDescription::Box(CVector3(2 * kHalf, 2 * kHalf, 0.1))};
-  description->PlanarInertia.reset();
-  world.GetSpace().RemoveEntityFromPhysicsEngines(body);
-  body.SetBodyDescription(std::move(description));
-  world.GetSpace().AddEntityToPhysicsEngine(body);
+  world.Reshape("box", shape);
   for (int tick = 0; tick < 60; ++tick) {
     world.Step();
-    // circumscribed circle of the box; solids may overlap by 1e-5 of half a narrowest side
-    const Real reach = kFootBotRadius + std::sqrt(2.0) * kHalf;
+    // circumscribed circle; solids may overlap by 1e-5 of half a narrowest side
+    const Real reach = kFootBotRadius + shape.Radius;
     REQUIRE(Distance(world.Position("box"), world.Position("other")) >= reach - 1e-5 * kHalf);
     // an object yields in the tick after the contact
     const Real gap = world.Position("pusher").GetX() - world.Position("thin").GetX();
     REQUIRE(gap >= kEPuckRadius + 0.005 - 0.04 - 1e-6);
   }
-  CHECK_THAT(world.Position("box").GetX(),
-             WithinAbs(-0.5 * std::sqrt(2.0) * kHalf - 0.5 * 0.085, 0.01));
+  CHECK_THAT(world.Position("box").GetX(), WithinAbs(-0.5 * (shape.Radius + kFootBotRadius), 0.01));
   CHECK(world.Position("pusher").GetX() < -1.0);
 }
 

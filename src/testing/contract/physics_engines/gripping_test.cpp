@@ -1,5 +1,6 @@
 // Compares the forces of grippers with closed forms.
 
+#include <argos3/testing/contract/physics_engines/engines.h>
 #include <argos3/testing/contract/physics_engines/grip_world.h>
 #include <argos3/testing/support/closed_form/differential_drive.h>
 #include <argos3/testing/support/robot_sizes.h>
@@ -165,7 +166,8 @@ TEST_CASE("grip: without a body in reach a locked gripper has no effect",
   for (int tick = 1; tick <= 50; ++tick) {
     world.Step();
     REQUIRE(world.HeldBy("r").empty());
-    const SPose exact = IntegrateDifferentialDrive({}, -0.06, -0.05, 0.14, kTick * tick);
+    const Real time = kTick * (tick - kDynamics2D.GetLag());
+    const SPose exact = IntegrateDifferentialDrive({}, -0.06, -0.05, 0.14, time);
     REQUIRE_THAT(world.Position("r").GetX(), WithinAbs(exact.X, 1e-9));
     REQUIRE_THAT(world.Position("r").GetY(), WithinAbs(exact.Y, 1e-9));
   }

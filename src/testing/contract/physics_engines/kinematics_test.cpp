@@ -34,7 +34,7 @@ namespace {
 // m; tolerance for a few roundings of coordinates below 10 m in each of some hundred ticks
 constexpr Real kRoundings = 1e-12;
 
-const std::string kEngine = kKinematics2D.ToXml();
+const std::string kEngine = kKinematics2D.ToPromptXml();
 
 std::string WallXml(const std::string& id, const std::string& size, Real x, Real y,
                     Real yaw = 0.0) {
@@ -54,22 +54,11 @@ std::string BoxXml(const std::string& id, Real x, Real y, Real yaw = 0.0,
 }
 
 std::string WithFriction(const std::string& friction) {
-  return kKinematics2D.ToXml("e", "", "<friction " + friction + "/>");
+  return kKinematics2D.ToPromptXml("e", "<friction " + friction + "/>");
 }
 
 std::string Id(int number) {
   return "r" + std::to_string(number);
-}
-
-// replaces a robot's solids by one shape; the description of its drive is kept
-void Reshape(CDriveWorld& world, const std::string& id, const SShapeDescription& shape) {
-  CEmbodiedEntity& body = world.Body(id);
-  auto description = std::make_shared<SBodyDescription>(*body.GetBodyDescription());
-  description->Shapes = {shape};
-  description->PlanarInertia.reset();
-  world.GetSpace().RemoveEntityFromPhysicsEngines(body);
-  body.SetBodyDescription(std::move(description));
-  world.GetSpace().AddEntityToPhysicsEngine(body);
 }
 
 }  // namespace
@@ -365,7 +354,7 @@ TEST_CASE("kinematics: a box-shaped robot follows its arc, slides, and pushes wi
                                  "mass='1'><body position='0.3,0,0'/></cylinder>");
   const SShapeDescription box = SShapeDescription::Box(CVector3(2.0 * kHalfLength, 0.15, 0.1));
   for (const char* id : {"free", "pusher", "slider"}) {
-    Reshape(world, id, box);
+    world.Reshape(id, box);
   }
   world.Step();
   const SPose start{3, 3, 30.0 / 180.0 * ARGOS_PI};
@@ -486,10 +475,10 @@ TEST_CASE("kinematics: bodies and orders that it does not support are refused wi
 TEST_CASE("kinematics: bodies of other engines are transferred with their motion",
           "[contract][engine][kinematics]") {
   const auto part = [](const SEngineType& engine, const std::string& from, const std::string& to) {
-    return engine.ToXml(engine.Tag, "",
-                        "<boundaries><sides><vertex point='" + from + ",-10'/><vertex point='" +
-                            to + ",-10'/><vertex point='" + to + ",10'/><vertex point='" + from +
-                            ",10'/></sides></boundaries>");
+    return engine.ToPromptXml(
+        engine.Tag, "<boundaries><sides><vertex point='" + from + ",-10'/><vertex point='" + to +
+                        ",-10'/><vertex point='" + to + ",10'/><vertex point='" + from +
+                        ",10'/></sides></boundaries>");
   };
   CDriveWorld world(part(kDynamics2D, "-10", "0") + part(kKinematics2D, "0", "10"),
                     DriverXml("foot-bot", "there", -0.5, 0, 0, 10, 10) +

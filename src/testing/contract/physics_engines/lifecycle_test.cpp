@@ -32,7 +32,7 @@ TEST_CASE("lifecycle: a robot added during a run drives, and is gone after its r
           "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
-  CDriveWorld world(engine.ToXml(), Square());
+  CDriveWorld world(engine.ToPromptXml(), Square());
   world.Step(5);
   CLoopFunctions& functions = world.GetSimulator().GetLoopFunctions();
   functions.AddEntity(
@@ -70,7 +70,7 @@ TEST_CASE("lifecycle: a robot can be moved to free places only", "[contract][eng
 TEST_CASE("lifecycle: a moved robot drives on from its new pose", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
-  CDriveWorld world(engine.ToXml(), DriverXml("foot-bot", "r", 0, 0, 0, 10, 10));
+  CDriveWorld world(engine.ToPromptXml(), DriverXml("foot-bot", "r", 0, 0, 0, 10, 10));
   world.Step(11);
   CHECK_THAT(world.Position("r").GetX(), WithinAbs(0.1, 1e-9 + engine.Slack));
   // a quarter turn to the left
@@ -107,7 +107,8 @@ TEST_CASE("lifecycle: a body that leaves its engine's region is transferred to t
           "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
-  CDriveWorld world(engine.ToTwoXml(0.0), DriverXml("foot-bot", "r", -0.5, 0, 0, 10, 10));
+  CDriveWorld world(engine.ToTwoXml(0.0, engine.GetPromptness()),
+                    DriverXml("foot-bot", "r", -0.5, 0, 0, 10, 10));
   CHECK(world.EngineOf("r") == "west");
   world.Step(101);
   CHECK(world.EngineOf("r") == "east");

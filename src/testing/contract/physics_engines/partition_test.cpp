@@ -217,7 +217,7 @@ TEST_CASE("borders: a robot that crosses borders keeps the path of one without b
   // crosses it twice per turn.
   const std::string robot = DriverXml("e-puck", "r", -0.005, 0.1, 200, 60, 80);
   CDriveWorld split(engines, robot);
-  CDriveWorld whole(west.ToXml(), robot);
+  CDriveWorld whole(west.ToPromptXml(), robot);
   int crossings = 0;
   std::string last = split.EngineOf("r");
   for (int tick = 0; tick < 200; ++tick) {
@@ -361,7 +361,10 @@ TEST_CASE("borders: an object that slides across them and back keeps its velocit
   world.Step();
   const CVector3 velocity(isBack ? -0.2 : 0.2, 0.1, 0.0);
   CEmbodiedEntity& body = world.Body("b");
-  body.GetPhysicsModel(0).GetEngine().SetMotion(body, {velocity, CVector3(0.0, 0.0, 0.3)});
+  SBodyMotion motion;
+  motion.Velocity = velocity;
+  motion.Rotation = CVector3(0.0, 0.0, 0.3);
+  body.GetPhysicsModel(0).GetEngine().SetMotion(body, motion);
   const CVector3 start = world.Position("b");
   world.Step(50);
   CHECK(world.EngineOf("b") == (isBack ? "west" : "east"));

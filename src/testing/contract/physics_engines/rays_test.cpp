@@ -64,7 +64,7 @@ TEST_CASE("rays: hit fixed and movable objects, and robots", "[contract][engine]
 TEST_CASE("rays: follow a robot that drives", "[contract][engine]") {
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
-  CDriveWorld world(engine.ToXml(), DriverXml("foot-bot", "robot", 2, 0, 180, 10, 10));
+  CDriveWorld world(engine.ToPromptXml(), DriverXml("foot-bot", "robot", 2, 0, 180, 10, 10));
   world.Step();
   for (int tick = 1; tick <= 20; ++tick) {
     world.Step();

@@ -44,11 +44,11 @@ inline std::string Boundaries(const std::vector<SCorner>& corners,
   return xml.str();
 }
 
-/** XML of an engine with that region. */
+/** XML of an engine with that region; commands act at once, so that a path is one arc. */
 inline std::string RegionXml(const SEngineType& engine, const std::string& id,
                              const std::vector<SCorner>& corners,
                              const std::string& attributes = "") {
-  return engine.ToXml(id, attributes, Boundaries(corners));
+  return engine.ToXml(id, engine.GetPromptness() + " " + attributes, Boundaries(corners));
 }
 
 }  // namespace argos

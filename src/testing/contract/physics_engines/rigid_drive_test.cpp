@@ -37,7 +37,7 @@ std::string OnSlope(const std::string& tag, Real degrees, Real left, Real right)
 
 TEST_CASE("rigid drive: without gravity the wheels have no traction", "[contract][engine][rigid]") {
   CRigidScene world(RigidEngine("", "<floor/>"), DriverXml("foot-bot", "r", 0, 0, 0, 10, 10));
-  CHECK_THAT(TakeLogErr(), Catch::Matchers::Contains("\"e\" has no gravity, so the wheels"));
+  CHECK_THAT(TakeLogErr(), Catch::Matchers::Contains("\"e\" has no gravity, so the drives"));
   world.Step(50);
   // the reaction to the start of the wheels turns the robot slightly backwards
   CHECK(world.Position("r").Length() < 0.01);

@@ -28,7 +28,7 @@ SRobotExperiment Drifting(const std::string& attributes = "", const std::string&
   SRobotExperiment experiment;
   experiment.Actuators =
       "<differential_steering implementation=\"dead_reckoning\" " + attributes + "/>";
-  experiment.Engine = "<dynamics2d id=\"dyn2d\"/>";
+  experiment.Engine = "<dynamics2d id=\"dyn2d\" velocity_lag=\"0\"/>";
   experiment.Arena = Robot(tag, "r", PoseText(CVector3()));
   return experiment;
 }

@@ -36,7 +36,7 @@ SRobotExperiment With(const std::string& actuators, const std::string& sensors =
   SRobotExperiment experiment;
   experiment.Actuators = actuators;
   experiment.Sensors = sensors;
-  experiment.Engine = "<dynamics2d id=\"dyn2d\"/>";
+  experiment.Engine = "<dynamics2d id=\"dyn2d\" velocity_lag=\"0\"/>";
   experiment.Arena = Robot("foot-bot", "r", "");
   return experiment;
 }

@@ -30,7 +30,7 @@ SRobotExperiment WithBattery(const std::string& battery, const std::string& tag 
   SRobotExperiment experiment;
   experiment.Actuators = "<differential_steering implementation=\"default\"/>";
   experiment.Sensors = "<battery implementation=\"default\"/>";
-  experiment.Engine = "<dynamics2d id=\"dyn2d\"/>";
+  experiment.Engine = "<dynamics2d id=\"dyn2d\" velocity_lag=\"0\"/>";
   experiment.Arena = "<" + tag + " id=\"r\"><body " + pose + "/><controller config=\"c\"/>" +
                      battery + "</" + tag + ">";
   return experiment;

@@ -1,11 +1,13 @@
 // Compares proximity sensors with distances computed by hand, in worlds without motion.
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/plugins/robots/e-puck/control_interface/ci_epuck_proximity_sensor.h>
 #include <argos3/plugins/robots/eye-bot/control_interface/ci_eyebot_proximity_sensor.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_proximity_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_proximity_sensor.h>
+#include <argos3/testing/support/polygons.h>
 #include <argos3/testing/support/robot_sizes.h>
 #include <argos3/testing/support/robot_world.h>
 
@@ -154,7 +156,8 @@ TEST_CASE("proximity: distances to a wall are its distance over the cosine of th
   const Real facing = GENERATE(0.0, 20.0, 45.0, 137.0, -90.0);  // degrees, towards the wall
   const Real yaw = GENERATE(0.0, 33.0, 180.0);  // degrees, of the robot
   const Real gap = 0.03;  // m, from the body to the wall
-  CAPTURE(ring.Tag, facing, yaw);
+  const bool isPrism = GENERATE(false, true);
+  CAPTURE(ring.Tag, facing, yaw, isPrism);
   // a wall one metre thick and eight metres long that faces the robot
   const Real center = ring.Radius + gap + 0.5;
   const Real towards = facing * M_PI / 180.0;
@@ -162,6 +165,13 @@ TEST_CASE("proximity: distances to a wall are its distance over the cosine of th
       Robot(ring.Tag, "r", Pose(1.0, -2.0, 0.0, yaw)) +
       Box("wall", CVector3(1.0, 8.0, 1.0),
           Pose(1.0 + center * std::cos(towards), -2.0 + center * std::sin(towards), 0.0, facing))));
+  if (isPrism) {
+    auto description = std::make_shared<SBodyDescription>();
+    description->Shapes = {SShapeDescription::Prism(RectanglePolygon(1.0, 8.0), 1.0)};
+    dynamic_cast<CComposableEntity&>(world.GetSpace().GetEntity("wall"))
+        .GetComponent<CEmbodiedEntity>("body")
+        .SetBodyDescription(std::move(description));
+  }
   world.Step();
   std::vector<Real> expected;
   for (const Real angle : ring.Angles) {

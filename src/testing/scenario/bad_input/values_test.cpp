@@ -105,6 +105,42 @@ TEST_CASE("bad input: errors on malformed values give attribute, text and expect
   CHECK_THAT(LoadError(experiment), Contains("position") && Contains("1;0;0") && Contains("x,y,z"));
 }
 
+TEST_CASE("bad input: whole numbers may be written as real numbers", "[bad_input]") {
+  SExperimentText experiment;
+  experiment.Framework = Framework("ticks_per_second=\"10.0\" length=\"1\" random_seed=\"1e2\"");
+  experiment.Media = "<media><led id=\"l\" index=\"grid\" grid_size=\"2,2,1.0\"/></media>";
+  experiment.Robot =
+      "<distribute><position method=\"uniform\" min=\"-2,-2,0\" max=\"0,2,0\"/>"
+      "<orientation method=\"constant\" values=\"0,0,0\"/>"
+      "<entity quantity=\"12.0\" max_trials=\"1e3\"><e-puck id=\"ep\"><controller config=\"c\"/>"
+      "</e-puck></entity></distribute>";
+  CHECK(LoadWarnings(experiment).empty());
+}
+
+TEST_CASE("bad input: a lenient experiment reads malformed numbers as ARGoS 3 does",
+          "[bad_input]") {
+  SExperimentText experiment;
+  experiment.Framework =
+      Framework("ticks_per_second=\"10\" length=\"1s\" random_seed=\"1\" lenient=\"true\"");
+  experiment.Box =
+      "<box id=\"b\" size=\"0.2,0.2,0.2,9\" movable=\"false\"><body position=\"1,,0\"/></box>";
+  experiment.Robot =
+      "<distribute><position method=\"uniform\" min=\"-2,-2,0\" max=\"0,2,0\"/>"
+      "<orientation method=\"constant\" values=\"0,0,0\"/>"
+      "<entity quantity=\"3 robots\" max_trials=\"100\"><e-puck id=\"ep\" rab_range=\"0.5m\">"
+      "<controller config=\"c\"/></e-puck></entity></distribute>";
+  const std::string warnings = LoadWarnings(experiment);
+  CHECK_THAT(warnings, Contains(At(SExperimentText::kFrameworkLine)) && Contains("\"1s\""));
+  CHECK_THAT(warnings, Contains("\"0.2,0.2,0.2,9\"") && Contains("\"1,,0\""));
+  CHECK_THAT(warnings, Contains("\"3 robots\""));
+  // once, not once for each robot
+  const size_t first = warnings.find("\"0.5m\"");
+  REQUIRE(first != std::string::npos);
+  CHECK(warnings.find("\"0.5m\"", first + 1) == std::string::npos);
+  experiment.Framework = Framework("ticks_per_second=\"10\" length=\"1s\" random_seed=\"1\"");
+  CHECK_THAT(LoadError(experiment), Contains("found \"1s\""));
+}
+
 TEST_CASE("bad input: robots outside every engine", "[bad_input]") {
   SExperimentText experiment;
   experiment.Engines =

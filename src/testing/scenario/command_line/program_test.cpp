@@ -142,6 +142,19 @@ TEST_CASE("argos3: --length, --threads, --seed and --set change the run", "[comm
                           Contains("Using random seed = 77") && Contains("Using 2 threads"));
 }
 
+TEST_CASE("argos3: --lenient accepts malformed numbers with warnings", "[command_line]") {
+  const CTestFolder folder;
+  std::string xml = Experiment();
+  xml.replace(xml.find("quantity=\"3\""), 12, "quantity=\"3x\"");
+  folder.Write("e.argos", xml);
+  const SProgramRun strict = folder.Run({"-c", "e.argos"});
+  CHECK(strict.Status == 1);
+  CHECK_THAT(strict.Err, Contains("e.argos:6") && Contains("found \"3x\""));
+  const SProgramRun lenient = folder.Run({"-c", "e.argos", "--lenient"});
+  CHECK(lenient.Status == 0);
+  CHECK_THAT(lenient.Err, Contains("[WARNING] e.argos:6") && Contains("found \"3x\""));
+}
+
 TEST_CASE("argos3: --set without a match is an error", "[command_line]") {
   const CTestFolder folder;
   folder.Write("e.argos", Experiment());

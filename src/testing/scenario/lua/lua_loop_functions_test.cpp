@@ -396,7 +396,7 @@ TEST_CASE("lua loop functions: data can be written with the standard io library"
   CLuaWorld world(experiment);
   world.Step(3);
   world.Destroy();
-  CHECK(folder.Read("data.csv") == "1,0.000\n2,0.010\n3,0.020\n");
+  CHECK(folder.Read("data.csv") == "1,0.000\n2,0.009\n3,0.019\n");
 }
 
 TEST_CASE("lua loop functions: variables of robots can be read and written",

@@ -137,7 +137,7 @@ TEST_CASE("lua devices: the encoders of the foot-bot are in cm", "[lua][devices]
   CLuaWorld world(With(Device("footbot_encoder"), Device("differential_steering")));
   CHECK_THAT(GetNumber(world, "robot.encoder.axis_length"), WithinAbs(14.0, kRounding));
   world.Do("robot.wheels.set_velocity(3, -7)");
-  world.Step();
+  world.Step(2);
   CHECK_THAT(GetNumber(world, "robot.encoder.distance_left"), WithinAbs(0.3, 1e-11));
   CHECK_THAT(GetNumber(world, "robot.encoder.distance_right"), WithinAbs(-0.7, 1e-11));
 }

@@ -42,6 +42,10 @@ class CAbstractSpaceHash {
   }
   /** Lowest corner of a cell, m. */
   void HashTableToSpace(CVector3& position, SInt32 i, SInt32 j, SInt32 k) const;
+  /** The same along one axis. @param axis 0 to 2. */
+  Real HashTableToSpace(SInt32 number, UInt32 axis) const {
+    return number * m_lattice.CellSize[axis];
+  }
 
   /** Lists an entity in a cell. */
   void UpdateCell(SInt32 i, SInt32 j, SInt32 k, ENTITY& element);
@@ -101,5 +105,9 @@ class CSpaceHash : public CAbstractSpaceHash<ENTITY> {
 }  // namespace argos
 
 #include <argos3/core/simulator/space/positional_indices/space_hash_native.h>
+
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/simulator/space/positional_indices/positional_index.h>
+#endif
 
 #endif

@@ -42,7 +42,7 @@ void CAbstractSpaceHash<ENTITY>::SpaceToHashTable(SInt32& i, SInt32& j, SInt32& 
 template <class ENTITY>
 void CAbstractSpaceHash<ENTITY>::HashTableToSpace(CVector3& position, SInt32 i, SInt32 j,
                                                   SInt32 k) const {
-  position.Set(i * m_cellSize.GetX(), j * m_cellSize.GetY(), k * m_cellSize.GetZ());
+  position.Set(HashTableToSpace(i, 0), HashTableToSpace(j, 1), HashTableToSpace(k, 2));
 }
 
 template <class ENTITY>

@@ -157,4 +157,8 @@ std::ostream& operator<<(std::ostream& os, const CMatrix<ROWS, COLS>& matrix) {
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/utility/math/angles.h>
+#endif
+
 #endif

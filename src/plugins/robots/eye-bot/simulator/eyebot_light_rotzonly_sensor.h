@@ -11,4 +11,8 @@ class CEyeBotLightRotZOnlySensor : public CAngularLightSensor<CCI_EyeBotLightSen
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/simulator/space/space.h>
+#endif
+
 #endif

@@ -26,4 +26,8 @@ class CCI_FootBotTurretEncoderSensor : public CVirtualTableSensor {
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/utility/math/vector2.h>
+#endif
+
 #endif

@@ -43,4 +43,8 @@ class CFootBotDistanceScannerDefaultActuator : public CSimulatedActuator,
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
+#endif
+
 #endif

@@ -35,4 +35,8 @@ class CFootBotDistanceScannerRotZOnlySensor
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_distance_scanner_equipped_entity.h>
+#endif
+
 #endif

@@ -11,4 +11,8 @@ class CFootBotLightRotZOnlySensor : public CAngularLightSensor<CCI_FootBotLightS
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/simulator/space/space.h>
+#endif
+
 #endif

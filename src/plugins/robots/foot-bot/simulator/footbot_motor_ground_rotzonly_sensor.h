@@ -14,4 +14,8 @@ class CFootBotMotorGroundRotZOnlySensor
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/simulator/space/space.h>
+#endif
+
 #endif

@@ -12,4 +12,8 @@ class CFootBotProximityDefaultSensor
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/plugins/robots/generic/simulator/proximity_default_sensor.h>
+#endif
+
 #endif

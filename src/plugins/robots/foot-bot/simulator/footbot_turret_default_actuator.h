@@ -36,4 +36,9 @@ class CFootBotTurretDefaultActuator : public CSimulatedActuator, public CCI_Foot
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_turret_entity.h>
+#endif
+
 #endif

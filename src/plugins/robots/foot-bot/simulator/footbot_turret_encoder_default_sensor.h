@@ -23,4 +23,8 @@ class CFootBotTurretEncoderDefaultSensor : public CNoisySensor<CCI_FootBotTurret
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_turret_entity.h>
+#endif
+
 #endif

@@ -18,4 +18,8 @@ class CCI_CameraSensorAlgorithm {
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/utility/configuration/base_configurable_resource.h>
+#endif
+
 #endif

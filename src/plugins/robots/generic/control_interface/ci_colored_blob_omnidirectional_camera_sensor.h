@@ -28,4 +28,8 @@ class CCI_ColoredBlobOmnidirectionalCameraSensor : public CColoredBlobs<SOmnidir
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/utility/logging/argos_log.h>
+#endif
+
 #endif

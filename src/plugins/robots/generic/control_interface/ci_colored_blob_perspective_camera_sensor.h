@@ -25,4 +25,9 @@ class CCI_ColoredBlobPerspectiveCameraSensor : public CColoredBlobs<SPerspective
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/math/angles.h>
+#endif
+
 #endif

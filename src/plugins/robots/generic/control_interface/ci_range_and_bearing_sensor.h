@@ -38,4 +38,8 @@ class CCI_RangeAndBearingSensor : public CTableSensor {
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/utility/math/quaternion.h>
+#endif
+
 #endif

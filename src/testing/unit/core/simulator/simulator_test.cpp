@@ -424,6 +424,31 @@ TEST_CASE("simulator: a profile counts every phase of every tick", "[core][simul
   }
 }
 
+TEST_CASE("simulator: an engine that does not exist is replaced with one warning",
+          "[core][simulator]") {
+  CTestWorld world(Experiment());
+  CSimulator& simulator = world.GetSimulator();
+  CHECK(&simulator.GetPhysicsEngine("toi") == simulator.GetPhysicsEngines().front());
+  CHECK_THAT(TakeLogErr(), Contains("GetPhysicsEngine(\"toi\")") &&
+                               Contains("did you mean \"toy\"") && Contains("is used instead"));
+  simulator.GetPhysicsEngine("toi");
+  CHECK(TakeLogErr().empty());
+}
+
+TEST_CASE("simulator: before engines exist, one stands in that knows the clock",
+          "[core][simulator]") {
+  CSimulator simulator;
+  const CPhysicsEngine& engine = simulator.GetPhysicsEngine("dyn2d");
+  CHECK_THAT(TakeLogErr(), Contains("GetPhysicsEngine(\"dyn2d\")") && Contains("do not exist yet"));
+  CHECK(engine.GetId() == "dyn2d");
+  CHECK(engine.GetIterations() == 10);
+  const CSimulator::CScope scope(simulator);
+  CPhysicsEngine::SetSimulationClockTick(0.25);
+  CHECK(engine.GetInverseSimulationClockTick() == 4.0);
+  CHECK(&simulator.GetPhysicsEngine("other") == &engine);
+  CHECK_THAT(TakeLogErr(), Contains("\"other\""));
+}
+
 TEST_CASE("simulator: access to parts that do not exist is an error", "[core][simulator]") {
   CSimulator simulator;
   CHECK_THROWS_AS(simulator.GetLoopFunctions(), CARGoSException);
@@ -431,8 +456,6 @@ TEST_CASE("simulator: access to parts that do not exist is an error", "[core][si
   CHECK_THROWS_AS(simulator.GetConfigurationRoot(), CARGoSException);
   CHECK_THROWS_AS(simulator.Reset(), CARGoSException);
   CTestWorld world(Experiment());
-  CHECK_THROWS_WITH(world.GetSimulator().GetPhysicsEngine("toi"),
-                    Contains("toi") && Contains("toy"));
   CHECK_THROWS_WITH(world.GetSimulator().GetMedium<CToyMedium>("fire"),
                     Contains("fire") && Contains("air"));
   CHECK_THROWS_WITH(world.GetSimulator().GetConfigForController("d"), Contains("\"d\""));

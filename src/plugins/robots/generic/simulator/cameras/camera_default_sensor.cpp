@@ -17,6 +17,7 @@ void CCameraDefaultSensor::SetRobot(CComposableEntity& robot) {
 
 void CCameraDefaultSensor::Init(TConfigurationNode& tree) {
   CCI_CameraSensor::Init(tree);
+  CCI_CameraSensor::Disable();  // until the controller enables it
   GetNodeAttributeOrDefault(tree, "show_frustum", m_showFrustum, false);
   TConfigurationNodeIterator camera("camera");
   for (camera = camera.begin(&tree); camera != camera.end(); ++camera) {
@@ -74,7 +75,10 @@ void CCameraDefaultSensor::Update() {
   for (SCamera& camera : m_cameras) {
     camera.Camera.Update();
     for (const auto& algorithm : camera.Algorithms) {
-      algorithm->Update(camera.Camera);
+      algorithm->Process(camera.Camera);
+      for (const auto& [isObstructed, ray] : algorithm->GetCheckedRays()) {
+        m_controller->AddCheckedRay(isObstructed, ray);
+      }
     }
     if (m_showFrustum) {
       ShowFrustum(camera.Camera);

@@ -51,4 +51,8 @@ class CCameraDefaultSensor : public CSimulatedSensor, public CCI_CameraSensor {
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/simulator/space/space.h>
+#endif
+
 #endif

@@ -22,7 +22,7 @@ class CCameraDetector : public CCameraSensorSimulatedAlgorithm, public INTERFACE
  public:
   void SetCamera(CComposableEntity& robot, const std::string& camera) override {
     m_robot = &robot.GetComponent<CControllableEntity>("controller");
-    m_camera = camera;
+    m_cameraId = camera;
     m_sight.SetRobot(robot);
   }
   /**
@@ -32,7 +32,7 @@ class CCameraDetector : public CCameraSensorSimulatedAlgorithm, public INTERFACE
   void Init(TConfigurationNode& tree) override {
     m_medium = &ReadMedium<MEDIUM>(tree, m_robot->GetSimulator(), GetMediumKind());
     GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, false);
-    m_noise.Init(tree, *m_robot, {"x", "y"}, {}, " of camera " + m_camera);
+    m_noise.Init(tree, *m_robot, {"x", "y"}, {}, " of camera " + m_cameraId);
   }
   void Reset() override {
     m_noise.Reset();
@@ -82,7 +82,7 @@ class CCameraDetector : public CCameraSensorSimulatedAlgorithm, public INTERFACE
 
  private:
   CControllableEntity* m_robot = nullptr;
-  std::string m_camera;  // its id
+  std::string m_cameraId;
   MEDIUM* m_medium = nullptr;
   bool m_showRays = false;
   CDeviceNoise m_noise;

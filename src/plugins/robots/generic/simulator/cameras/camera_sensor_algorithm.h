@@ -2,10 +2,13 @@
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_CAMERAS_CAMERA_SENSOR_ALGORITHM_H
 
 #include <argos3/core/utility/configuration/base_configurable_resource.h>
+#include <argos3/core/utility/math/ray3.h>
 #include <argos3/core/utility/plugins/factory.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_camera_sensor_algorithm.h>
 
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace argos {
 
@@ -29,6 +32,27 @@ class CCameraSensorSimulatedAlgorithm : public CBaseConfigurableResource {
   virtual void Update(const CPinholeCamera& camera) = 0;
   /** @return this object as the interface for controllers. */
   virtual CCI_CameraSensorAlgorithm& GetCIAlgorithm() = 0;
+
+  /** Calls Update() for a camera whose pose is current. */
+  void Process(const CPinholeCamera& camera) {
+    m_vecCheckedRays.clear();
+    m_camera = &camera;
+    Update(camera);
+  }
+  /** The rays of the last Update(), which visualizations show; true: obstructed. */
+  const std::vector<std::pair<bool, CRay3>>& GetCheckedRays() const { return m_vecCheckedRays; }
+
+ protected:
+  /**
+   * In Update(): @return true if the point (m, world frame) is in the image, obstructed or not.
+   */
+  bool IsPointInsideFrustum(const CVector3& point) const;
+
+  // Update() may append to them; cleared before
+  std::vector<std::pair<bool, CRay3>> m_vecCheckedRays;
+
+ private:
+  const CPinholeCamera* m_camera = nullptr;  // of the current Update()
 };
 
 }  // namespace argos
@@ -37,5 +61,11 @@ class CCameraSensorSimulatedAlgorithm : public CBaseConfigurableResource {
                                          LONG_DESCRIPTION, STATUS)                             \
   REGISTER_SYMBOL(CCameraSensorSimulatedAlgorithm, CLASSNAME, LABEL, AUTHOR, VERSION,          \
                   BRIEF_DESCRIPTION, LONG_DESCRIPTION, STATUS)
+
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/simulator/entity/positional_entity.h>
+#include <argos3/core/utility/math/matrix/transformationmatrix3.h>
+#include <argos3/core/utility/math/plane.h>
+#endif
 
 #endif

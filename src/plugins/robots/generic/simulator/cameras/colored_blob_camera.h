@@ -58,6 +58,7 @@ class CColoredBlobCamera : public CSimulatedSensor, public INTERFACE {
   void InitCamera(TConfigurationNode& tree, const std::vector<std::string>& quantities,
                   const char* shiftPurpose) {
     INTERFACE::Init(tree);
+    INTERFACE::Disable();  // until the controller enables it
     m_medium = &ReadMedium<CLEDMedium>(tree, m_robot->GetSimulator(), "an LED medium");
     GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, false);
     GetNodeAttributeOrDefault(tree, "noise_std_dev", m_noiseStdDev, 0.0);

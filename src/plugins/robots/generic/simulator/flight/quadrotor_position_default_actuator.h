@@ -26,4 +26,8 @@ class CQuadRotorPositionDefaultActuator
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/simulator/entity/composable_entity.h>
+#endif
+
 #endif

@@ -23,4 +23,8 @@ class CQuadRotorSpeedDefaultActuator
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/simulator/entity/composable_entity.h>
+#endif
+
 #endif

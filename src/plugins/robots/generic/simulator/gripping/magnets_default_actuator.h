@@ -29,4 +29,8 @@ class CMagnetsDefaultActuator : public CSimulatedActuator, public CCI_MagnetsAct
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/plugins/simulator/entities/magnet_equipped_entity.h>
+#endif
+
 #endif

@@ -21,16 +21,22 @@ constexpr Real kThreshold = 0.5;  // between black and white
 
 void CFloorReader::SetRobot(CComposableEntity& robot) {
   m_sensors = &robot.GetComponent<CGroundSensorEquippedEntity>("ground_sensors");
-  m_robot = &robot.GetComponent<CControllableEntity>("controller");
+  m_space = &robot.GetComponent<CControllableEntity>("controller").GetSpace();
   m_sensors->Enable();
 }
 
+CControllableEntity& CFloorReader::GetRobot() const {
+  return m_sensors->GetParent().GetComponent<CControllableEntity>("controller");
+}
+
 void CFloorReader::Init(TConfigurationNode& tree) {
-  m_noise.Init(tree, *m_robot, {"reading"}, {ReadNoiseLevel(tree)});
-  CSpace& space = m_robot->GetSpace();
+  const CControllableEntity& robot = GetRobot();
+  m_noise.Init(tree, robot, {"reading"},
+               {m_readsNoiseLevel ? ReadNoiseLevel(tree) : CRange<Real>()});
+  CSpace& space = *m_space;
   if (!space.HasFloorEntity()) {
     // the floor may follow the robot in the file, or be created by the loop functions
-    m_robot->GetSimulator().CheckWhenLoaded([&space, owner = OwnerOf(tree)] {
+    robot.GetSimulator().CheckWhenLoaded([&space, owner = OwnerOf(tree)] {
       if (!space.HasFloorEntity()) {
         THROW_ARGOSEXCEPTION(owner << " needs a floor: add a <floor> element to <arena>");
       }
@@ -43,17 +49,17 @@ size_t CFloorReader::GetNumSensors() const {
 }
 
 CFloorReader::CView CFloorReader::ViewFloor() {
-  return CView(*this, m_sensors->GetLayout(), m_robot->GetSpace().GetFloorEntity());
+  return CView(*this, m_sensors->GetLayout(), m_space->GetFloorEntity());
 }
 
-Real CFloorReader::CView::Read(size_t sensor) {
+Real CFloorReader::CView::Read(size_t sensor, Real error) {
   const SGroundSensorPlace& place = m_layout.Places[sensor];
   const SAnchor& anchor = *m_reader.m_sensors->GetAnchors()[place.Anchor];
   CVector3 position(place.Offset.GetX(), place.Offset.GetY(), 0.0);
   position.Rotate(anchor.Orientation);
   position += anchor.Position;
   const CColor color = m_floor.GetColorAtPoint(position.GetX(), position.GetY());
-  const Real reading = m_reader.m_noise.Apply(0, color.ToGrayScale() / kWhite);
+  const Real reading = m_reader.m_noise.Apply(0, color.ToGrayScale() / kWhite) + error;
   if (place.Type == SGroundSensorPlace::TYPE_BLACK_WHITE) {
     return reading < kThreshold ? 0.0 : 1.0;
   }

@@ -12,6 +12,7 @@ class CComposableEntity;
 class CControllableEntity;
 class CFloorEntity;
 class CGroundSensorEquippedEntity;
+class CSpace;
 struct SGroundSensorLayout;
 
 /**
@@ -37,7 +38,13 @@ class CFloorReader {
   /** Restarts the noise. */
   void Reset() { m_noise.Reset(); }
 
+  /** Before Init(): the sensor reads `noise_level` itself. */
+  void LeaveNoiseLevel() { m_readsNoiseLevel = false; }
+
   size_t GetNumSensors() const;
+  /** For sensors whose derived classes find the robot's parts themselves. */
+  CGroundSensorEquippedEntity*& AccessSensors() { return m_sensors; }
+  void SetSpace(CSpace& space) { m_space = &space; }
 
   /** @return a view of the current floor. @throws CARGoSException if there is none. */
   class CView;
@@ -51,9 +58,12 @@ class CFloorReader {
   void Read(READINGS& readings, size_t first);
 
  private:
+  CControllableEntity& GetRobot() const;
+
   CGroundSensorEquippedEntity* m_sensors = nullptr;  // of the robot
-  CControllableEntity* m_robot = nullptr;
+  CSpace* m_space = nullptr;
   CDeviceNoise m_noise;
+  bool m_readsNoiseLevel = true;
 };
 
 /** The floor below the sensors of a robot in one tick. */
@@ -62,8 +72,12 @@ class CFloorReader::CView {
   CView(CFloorReader& reader, const SGroundSensorLayout& layout, CFloorEntity& floor)
       : m_reader(reader), m_layout(layout), m_floor(floor) {}
 
-  /** @return the reading with noise, in [0,1]; 0 or 1 for a black-and-white sensor. */
-  Real Read(size_t sensor);
+  /**
+   * @param error  is added to the grey level.
+   * @return the reading with noise, in [0,1]; 0 or 1 for a black-and-white sensor.
+   */
+  Real Read(size_t sensor, Real error = 0.0);
+  CFloorEntity& GetFloor() const { return m_floor; }
 
  private:
   CFloorReader& m_reader;

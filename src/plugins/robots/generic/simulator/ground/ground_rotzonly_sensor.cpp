@@ -1,14 +1,44 @@
 #include <argos3/plugins/robots/generic/simulator/ground_rotzonly_sensor.h>
 
+#include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/space/space.h>
 #include <argos3/plugins/robots/generic/simulator/offset_ground_sensor.h>
+
+#include <typeinfo>
 
 namespace argos {
 
+CGroundRotZOnlySensor::CGroundRotZOnlySensor()
+    : m_pcGroundSensorEntity(m_reader.AccessSensors()), m_cSpace(CurrentSpace()) {
+  m_reader.SetSpace(m_cSpace);
+}
+
+void CGroundRotZOnlySensor::SetRobot(CComposableEntity& robot) {
+  CPlainReadingsSensor::SetRobot(robot);
+  if (robot.HasComponent("body")) {
+    m_pcEmbodiedEntity = &robot.GetComponent<CEmbodiedEntity>("body");
+  }
+  if (m_cSpace.HasFloorEntity()) {
+    m_pcFloorEntity = &m_cSpace.GetFloorEntity();
+  }
+}
+
+void CGroundRotZOnlySensor::Init(TConfigurationNode& tree) {
+  if (typeid(*this) != typeid(CGroundRotZOnlySensor)) {
+    m_reader.LeaveNoiseLevel();
+    InitNoise(tree);
+  }
+  CPlainReadingsSensor::Init(tree);
+}
+
 void CGroundRotZOnlySensor::Update() {
   CFloorReader::CView view = m_reader.ViewFloor();
+  m_pcFloorEntity = &view.GetFloor();
   m_tReadings.resize(m_reader.GetNumSensors());
   for (size_t i = 0; i < m_tReadings.size(); ++i) {
-    m_tReadings[i] = view.Read(i);
+    m_tReadings[i] = m_bAddNoise ? view.Read(i, DrawNoise()) : view.Read(i);
   }
 }
 

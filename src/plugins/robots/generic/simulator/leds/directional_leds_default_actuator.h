@@ -24,4 +24,8 @@ class CDirectionalLEDsDefaultActuator : public CSimulatedActuator,
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/plugins/simulator/entities/directional_led_equipped_entity.h>
+#endif
+
 #endif

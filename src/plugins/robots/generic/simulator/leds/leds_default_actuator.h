@@ -26,4 +26,8 @@ class CLEDsDefaultActuator : public CSimulatedActuator, public CCI_LEDsActuator 
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/plugins/simulator/entities/led_equipped_entity.h>
+#endif
+
 #endif

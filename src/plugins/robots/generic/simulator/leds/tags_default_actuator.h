@@ -24,4 +24,8 @@ class CTagsDefaultActuator : public CSimulatedActuator, public CCI_TagsActuator 
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/plugins/simulator/entities/tag_equipped_entity.h>
+#endif
+
 #endif

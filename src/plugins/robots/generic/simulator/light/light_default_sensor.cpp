@@ -1,5 +1,6 @@
 #include <argos3/plugins/robots/generic/simulator/light_default_sensor.h>
 
+#include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/space/space.h>
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <typeinfo>
 
 namespace argos {
 
@@ -109,28 +111,45 @@ CLightDefaultSensor::SEyeBatch::SEyeBatch(const SRayLayout& layout, const SAncho
   }
 }
 
+CLightDefaultSensor::CLightDefaultSensor()
+    : m_lights(&CurrentSpace().GetExtension<CLights>()),
+      m_pcEmbodiedEntity(m_caster.AccessBody()),
+      m_pcControllableEntity(m_caster.AccessRobot()),
+      m_cSpace(CurrentSpace()) {
+  m_caster.SetSpace(m_cSpace);
+}
+
 void CLightDefaultSensor::FindParts(CComposableEntity& robot) {
-  m_sensors = &robot.GetComponent<CLightSensorEquippedEntity>("light_sensors");
+  m_pcLightEntity = &robot.GetComponent<CLightSensorEquippedEntity>("light_sensors");
   m_caster.SetRobot(robot);
-  m_lights = &m_caster.GetSpace().GetExtension<CLights>();
-  m_sensors->Enable();
+  m_pcLightEntity->Enable();
 }
 
 void CLightDefaultSensor::Configure(TConfigurationNode& tree) {
-  GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, false);
-  m_noise.Init(tree, *m_robot, {"reading"}, {ReadNoiseLevel(tree)});
-  m_tReadings.assign(m_sensors->GetNumSensors(), 0.0);
+  GetNodeAttributeOrDefault(tree, "show_rays", m_bShowRays, m_bShowRays);
+  if (typeid(*this) == typeid(CLightDefaultSensor)) {
+    m_noise.Init(tree, *m_pcControllableEntity, {"reading"}, {ReadNoiseLevel(tree)});
+  } else {
+    m_noise.Init(tree, *m_pcControllableEntity, {"reading"});
+    InitNoise(tree);
+  }
+  m_tReadings.assign(m_pcLightEntity->GetNumSensors(), 0.0);
 }
 
 void CLightDefaultSensor::Update() {
-  const SRayLayout& layout = m_sensors->GetLayout();
+  const SRayLayout& layout = m_pcLightEntity->GetLayout();
   m_tReadings.assign(layout.Rays.size(), 0.0);
   if (!m_lights->Get().empty()) {
     for (size_t first = 0; first < m_tReadings.size(); first += kBatch) {
-      SEyeBatch eyes(layout, m_sensors->GetAnchors(), first,
+      SEyeBatch eyes(layout, m_pcLightEntity->GetAnchors(), first,
                      std::min(kBatch, m_tReadings.size() - first));
       AddLights(eyes);
       std::copy_n(eyes.Readings, eyes.Count, m_tReadings.begin() + static_cast<ptrdiff_t>(first));
+    }
+  }
+  if (m_bAddNoise) {
+    for (Real& reading : m_tReadings) {
+      reading += DrawNoise();
     }
   }
   for (Real& reading : m_tReadings) {
@@ -148,7 +167,7 @@ void CLightDefaultSensor::AddLights(SEyeBatch& eyes) {
       continue;
     }
     FindOccluded(light->GetPosition(), eyes);
-    if (m_showRays) {
+    if (m_bShowRays) {
       Show(light->GetPosition(), eyes);
     }
     for (size_t i = 0; i < eyes.Count; ++i) {
@@ -210,7 +229,7 @@ void CLightDefaultSensor::Show(const CVector3& light, const SEyeBatch& eyes) con
 }
 
 void CLightDefaultSensor::ResetReading() {
-  m_tReadings.assign(m_sensors->GetNumSensors(), 0.0);
+  m_tReadings.assign(m_pcLightEntity->GetNumSensors(), 0.0);
 }
 
 Real CLightDefaultSensor::CalculateReading(Real distance, Real intensity) {

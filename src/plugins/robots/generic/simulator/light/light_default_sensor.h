@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_LIGHT_LIGHT_DEFAULT_SENSOR_H
 
 #include <argos3/plugins/robots/generic/control_interface/ci_light_sensor.h>
+#include <argos3/plugins/robots/generic/simulator/inherited_noise.h>
 #include <argos3/plugins/robots/generic/simulator/noisy_sensor.h>
 #include <argos3/plugins/robots/generic/simulator/ray_caster.h>
 
@@ -12,14 +13,17 @@ class CLights;
 class CLightSensorEquippedEntity;
 
 /**
- * Light sensors of any robot. A derived class may define another response.
+ * Light sensors of any robot. A derived class may define another response, and may set the
+ * protected members itself in its SetRobot() and Init().
  *
  * A light of intensity > 0 is visible to a sensor unless another body is between the two, or the
  * light is behind the plane through the sensor that is normal to its direction: the robot's own
  * body is then assumed to occlude it.
  */
-class CLightDefaultSensor : public CNoisySensor<CCI_LightSensor> {
+class CLightDefaultSensor : public CNoisySensor<CCI_LightSensor>, protected CInheritedNoise {
  public:
+  CLightDefaultSensor();
+
   void Update() override;
 
   /**
@@ -42,10 +46,16 @@ class CLightDefaultSensor : public CNoisySensor<CCI_LightSensor> {
   void FindOccluded(const CVector3& light, SEyeBatch& eyes) const;
   void Show(const CVector3& light, const SEyeBatch& eyes) const;
 
-  CLightSensorEquippedEntity* m_sensors = nullptr;  // of the robot
   CRayCaster m_caster;
-  const CLights* m_lights = nullptr;  // of the space
-  bool m_showRays = false;
+  const CLights* m_lights;  // of the space
+
+ protected:
+  // of the robot; the first two refer to what the rays use
+  CEmbodiedEntity*& m_pcEmbodiedEntity;
+  CControllableEntity*& m_pcControllableEntity;
+  CLightSensorEquippedEntity* m_pcLightEntity = nullptr;
+  bool m_bShowRays = false;
+  CSpace& m_cSpace;
 };
 
 }  // namespace argos

@@ -1,15 +1,40 @@
 #include <argos3/plugins/robots/generic/simulator/proximity_default_sensor.h>
 
+#include <argos3/core/simulator/context/current.h>
 #include <argos3/plugins/robots/generic/simulator/device_manual.h>
 
 #include <cmath>
+#include <typeinfo>
 
 namespace argos {
 
+CProximityDefaultSensor::CProximityDefaultSensor()
+    : m_pcEmbodiedEntity(m_reader.GetCaster().AccessBody()),
+      m_pcProximityEntity(m_reader.AccessSensors()),
+      m_pcControllableEntity(m_reader.GetCaster().AccessRobot()),
+      m_bShowRays(m_reader.AccessShowRays()),
+      m_cSpace(CurrentSpace()) {
+  m_reader.GetCaster().SetSpace(m_cSpace);
+}
+
+void CProximityDefaultSensor::Init(TConfigurationNode& tree) {
+  if (typeid(*this) != typeid(CProximityDefaultSensor)) {
+    m_reader.LeaveNoiseLevel();
+    InitNoise(tree);
+  }
+  CPlainReadingsSensor::Init(tree);
+}
+
 void CProximityDefaultSensor::Update() {
   m_tReadings.resize(m_reader.GetNumSensors());
-  m_reader.Read([this](Real distance) { return CalculateReading(distance); },
-                [this](size_t ray, Real reading) { m_tReadings[ray] = reading; });
+  const auto calculate = [this](Real distance) { return CalculateReading(distance); };
+  const auto store = [this](size_t ray, Real reading) { m_tReadings[ray] = reading; };
+  if (m_bAddNoise) {
+    m_reader.Read(
+        calculate, [this](Real reading) { return reading + DrawNoise(); }, store);
+  } else {
+    m_reader.Read(calculate, store);
+  }
 }
 
 Real CProximityDefaultSensor::CalculateReading(Real distance) {

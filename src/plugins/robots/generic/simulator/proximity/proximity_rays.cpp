@@ -13,8 +13,9 @@ void CProximityRays::SetRobot(CComposableEntity& robot) {
 }
 
 void CProximityRays::Init(TConfigurationNode& tree) {
-  GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, false);
-  m_noise.Init(tree, m_caster.GetRobot(), {"reading"}, {ReadNoiseLevel(tree)});
+  GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, m_showRays);
+  m_noise.Init(tree, m_caster.GetRobot(), {"reading"},
+               {m_readsNoiseLevel ? ReadNoiseLevel(tree) : CRange<Real>()});
 }
 
 void CProximityRays::Cast(size_t first, size_t count, Real* fractions) {

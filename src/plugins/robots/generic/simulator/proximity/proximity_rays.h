@@ -30,10 +30,17 @@ class CProximityRays {
    * @throws CARGoSException if the level is < 0.
    */
   void Init(TConfigurationNode& tree);
+  /** Before Init(): the sensor reads `noise_level` itself. */
+  void LeaveNoiseLevel() { m_readsNoiseLevel = false; }
   /** Restarts the noise. */
   void Reset() { m_noise.Reset(); }
 
   size_t GetNumSensors() const { return m_sensors->GetNumSensors(); }
+
+  /** For sensors whose derived classes find the robot's parts themselves. */
+  CRayCaster& GetCaster() { return m_caster; }
+  CProximitySensorEquippedEntity*& AccessSensors() { return m_sensors; }
+  bool& AccessShowRays() { return m_showRays; }
 
   /**
    * Casts all rays.
@@ -43,6 +50,12 @@ class CProximityRays {
    */
   template <typename CALCULATE, typename STORE>
   void Read(CALCULATE&& calculate, STORE&& store) {
+    Read(
+        calculate, [](Real reading) { return reading; }, store);
+  }
+  /** @param addNoise  Real(Real reading): the reading of each ray with further noise. */
+  template <typename CALCULATE, typename ADD_NOISE, typename STORE>
+  void Read(CALCULATE&& calculate, ADD_NOISE&& addNoise, STORE&& store) {
     const size_t num = GetNumSensors();
     for (size_t first = 0; first < num; first += CRayCaster::kMaxRays) {
       const size_t count = std::min(CRayCaster::kMaxRays, num - first);
@@ -51,7 +64,7 @@ class CProximityRays {
       for (size_t i = 0; i < count; ++i) {
         const Real reading =
             fractions[i] <= 1.0 ? calculate(fractions[i] * ComputeLength(first + i)) : 0.0;
-        store(first + i, std::clamp(m_noise.Apply(0, reading), 0.0, 1.0));
+        store(first + i, std::clamp(addNoise(m_noise.Apply(0, reading)), 0.0, 1.0));
       }
     }
   }
@@ -69,6 +82,7 @@ class CProximityRays {
   const SAnchor* m_anchor = nullptr;  // of the first ray
   CRayCaster m_caster;
   CDeviceNoise m_noise;
+  bool m_readsNoiseLevel = true;
   bool m_showRays = false;
 };
 

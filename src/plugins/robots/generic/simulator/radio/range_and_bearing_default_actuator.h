@@ -33,4 +33,8 @@ class CRangeAndBearingDefaultActuator : public CSimulatedActuator,
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
+#endif
+
 #endif

@@ -1,5 +1,6 @@
 #include <argos3/plugins/robots/generic/simulator/range_and_bearing_medium_sensor.h>
 
+#include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/robots/generic/simulator/medium_attribute.h>
@@ -9,46 +10,52 @@
 
 #include <algorithm>
 #include <cmath>
+#include <typeinfo>
 
 namespace argos {
 
+CRangeAndBearingMediumSensor::CRangeAndBearingMediumSensor()
+    : m_pcControllableEntity(m_robot), m_cSpace(CurrentSpace()) {}
+
 void CRangeAndBearingMediumSensor::FindParts(CComposableEntity& robot) {
-  m_rab = &robot.GetComponent<CRABEquippedEntity>("rab");
+  m_pcRangeAndBearingEquippedEntity = &robot.GetComponent<CRABEquippedEntity>("rab");
 }
 
 void CRangeAndBearingMediumSensor::Configure(TConfigurationNode& tree) {
-  const CSimulator& simulator = m_robot->GetSimulator();
   m_medium = &ReadMedium<CRABMedium>(tree, m_robot->GetSimulator(), "a range and bearing medium");
-  GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, m_showRays);
-  GetNodeAttributeOrDefault(tree, "noise_std_dev", m_noiseDeviation, m_noiseDeviation);
-  RequireNotNegative(m_noiseDeviation, OwnerOf(tree), "attribute \"noise_std_dev\" (m)");
-  GetNodeAttributeOrDefault(tree, "packet_drop_prob", m_dropProbability, m_dropProbability);
-  if (!(m_dropProbability >= 0.0 && m_dropProbability <= 1.0)) {
+  GetNodeAttributeOrDefault(tree, "show_rays", m_bShowRays, m_bShowRays);
+  GetNodeAttributeOrDefault(tree, "noise_std_dev", m_fDistanceNoiseStdDev, m_fDistanceNoiseStdDev);
+  RequireNotNegative(m_fDistanceNoiseStdDev, OwnerOf(tree), "attribute \"noise_std_dev\" (m)");
+  GetNodeAttributeOrDefault(tree, "packet_drop_prob", m_fPacketDropProb, m_fPacketDropProb);
+  if (!(m_fPacketDropProb >= 0.0 && m_fPacketDropProb <= 1.0)) {
     THROW_ARGOSEXCEPTION(OwnerOf(tree) << ": attribute \"packet_drop_prob\" must be in [0,1], got "
-                                       << m_dropProbability);
+                                       << m_fPacketDropProb);
   }
-  if (m_noiseDeviation > 0.0 || m_dropProbability > 0.0) {
-    m_stream = std::make_unique<CRandomStream>(simulator.GetRandomSeed(), "argos",
-                                               m_robot->GetRootEntity().GetId(),
-                                               "range and bearing sensor");
+  if (m_fDistanceNoiseStdDev > 0.0 || m_fPacketDropProb > 0.0) {
+    GetStream();
+    if (typeid(*this) != typeid(CRangeAndBearingMediumSensor)) {
+      m_pcRNG = CRandom::CreateRNG("argos");
+    }
   }
   m_noise.Init(tree, *m_robot, {"range", "horizontal_bearing", "vertical_bearing"});
-  m_rab->SetMedium(*m_medium);
-  m_rab->Enable();
+  m_pcRangeAndBearingEquippedEntity->SetMedium(*m_medium);
+  m_pcRangeAndBearingEquippedEntity->Enable();
 }
 
 void CRangeAndBearingMediumSensor::Update() {
-  const CRABMedium::SNumbers senders = m_medium->GetSenders(*m_rab);
+  const CRABMedium::SNumbers senders = m_medium->GetSenders(*m_pcRangeAndBearingEquippedEntity);
   // packets of the last tick are overwritten: their bytes remain allocated
   size_t numPackets = 0;
   for (const UInt32 number : senders) {
     const CRABEquippedEntity* const sender = m_medium->GetDevice(number);
-    if (sender == nullptr || (m_dropProbability > 0.0 && m_stream->Bernoulli(m_dropProbability))) {
+    if (sender == nullptr ||
+        (m_fPacketDropProb > 0.0 && GetStream().Bernoulli(m_fPacketDropProb))) {
       continue;
     }
     if (numPackets == m_tReadings.size()) {
-      m_spare.Append(m_tReadings,
-                     [this](SPacket& packet) { packet.Data.Resize(m_rab->GetMsgSize()); });
+      m_spare.Append(m_tReadings, [this](SPacket& packet) {
+        packet.Data.Resize(m_pcRangeAndBearingEquippedEntity->GetMsgSize());
+      });
     }
     ReadFrom(*sender, m_tReadings[numPackets++]);
   }
@@ -57,14 +64,15 @@ void CRangeAndBearingMediumSensor::Update() {
 
 void CRangeAndBearingMediumSensor::ReadFrom(const CRABEquippedEntity& sender, SPacket& packet) {
   packet.Data = sender.GetData();
-  CVector3 way = sender.GetPosition() - m_rab->GetPosition();
-  if (m_showRays) {
-    m_robot->AddCheckedRay(false, CRay3(sender.GetPosition(), m_rab->GetPosition()));
+  CVector3 way = sender.GetPosition() - m_pcRangeAndBearingEquippedEntity->GetPosition();
+  if (m_bShowRays) {
+    m_robot->AddCheckedRay(
+        false, CRay3(sender.GetPosition(), m_pcRangeAndBearingEquippedEntity->GetPosition()));
   }
-  if (m_noiseDeviation > 0.0) {
+  if (m_fDistanceNoiseStdDev > 0.0) {
     way += DrawError();
   }
-  way.Rotate(m_rab->GetOrientation().Inverse());
+  way.Rotate(m_pcRangeAndBearingEquippedEntity->GetOrientation().Inverse());
   packet.Range = way.Length() * kCentimetersPerMeter;
   packet.HorizontalBearing = ATan2(way.GetY(), way.GetX());
   const Real horizontal = std::sqrt(way.GetX() * way.GetX() + way.GetY() * way.GetY());
@@ -77,9 +85,10 @@ void CRangeAndBearingMediumSensor::ReadFrom(const CRABEquippedEntity& sender, SP
 
 // a vector of random length and direction, m
 CVector3 CRangeAndBearingMediumSensor::DrawError() {
-  const Real length = m_stream->Gaussian(m_noiseDeviation);
-  const CRadians inclination(m_stream->Uniform(0.0, ARGOS_PI));
-  const CRadians azimuth(m_stream->Uniform(0.0, 2.0 * ARGOS_PI));
+  CRandomStream& stream = GetStream();
+  const Real length = stream.Gaussian(m_fDistanceNoiseStdDev);
+  const CRadians inclination(stream.Uniform(0.0, ARGOS_PI));
+  const CRadians azimuth(stream.Uniform(0.0, 2.0 * ARGOS_PI));
   CVector3 error;
   error.FromSphericalCoords(length, inclination, azimuth);
   return error;
@@ -97,10 +106,18 @@ void CRangeAndBearingMediumSensor::AddNoise(SPacket& packet) {
 void CRangeAndBearingMediumSensor::ResetReading() {
   m_spare.Shrink(m_tReadings, 0);
   if (m_stream != nullptr) {
+    m_stream.reset();
+    GetStream();
+  }
+}
+
+CRandomStream& CRangeAndBearingMediumSensor::GetStream() {
+  if (m_stream == nullptr) {
     m_stream = std::make_unique<CRandomStream>(m_robot->GetSimulator().GetRandomSeed(), "argos",
                                                m_robot->GetRootEntity().GetId(),
                                                "range and bearing sensor");
   }
+  return *m_stream;
 }
 
 REGISTER_SENSOR(

@@ -3,6 +3,7 @@
 
 #include <argos3/core/utility/datatypes/spare_elements.h>
 #include <argos3/core/utility/math/random_stream.h>
+#include <argos3/core/utility/math/rng.h>
 #include <argos3/core/utility/math/vector3.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_sensor.h>
 #include <argos3/plugins/robots/generic/simulator/noisy_sensor.h>
@@ -14,9 +15,14 @@ namespace argos {
 class CRABEquippedEntity;
 class CRABMedium;
 
-/** Reads the messages that the robot's range-and-bearing device receives through its medium. */
+/**
+ * Reads the messages that the robot's range-and-bearing device receives through its medium. A
+ * derived class may set the protected members itself in its SetRobot() and Init().
+ */
 class CRangeAndBearingMediumSensor : public CNoisySensor<CCI_RangeAndBearingSensor> {
  public:
+  CRangeAndBearingMediumSensor();
+
   void Update() override;
 
  private:
@@ -33,14 +39,20 @@ class CRangeAndBearingMediumSensor : public CNoisySensor<CCI_RangeAndBearingSens
   void ReadFrom(const CRABEquippedEntity& sender, SPacket& packet);
   void AddNoise(SPacket& packet);
   CVector3 DrawError();
+  CRandomStream& GetStream();
 
-  CRABEquippedEntity* m_rab = nullptr;  // of the robot
   CRABMedium* m_medium = nullptr;
-  bool m_showRays = false;
-  Real m_noiseDeviation = 0.0;  // m
-  Real m_dropProbability = 0.0;
-  std::unique_ptr<CRandomStream> m_stream;  // only with noise or loss
+  std::unique_ptr<CRandomStream> m_stream;  // with noise or loss
   CSpareElements<SPacket> m_spare;
+
+ protected:
+  CRABEquippedEntity* m_pcRangeAndBearingEquippedEntity = nullptr;  // of the robot
+  CControllableEntity*& m_pcControllableEntity;  // of the robot
+  CSpace& m_cSpace;
+  bool m_bShowRays = false;
+  Real m_fDistanceNoiseStdDev = 0.0;  // m
+  Real m_fPacketDropProb = 0.0;
+  CRandom::CRNG* m_pcRNG = nullptr;  // for a derived class, with noise or loss in the file
 };
 
 }  // namespace argos

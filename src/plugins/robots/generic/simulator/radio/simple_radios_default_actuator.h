@@ -23,4 +23,9 @@ class CSimpleRadiosDefaultActuator : public CSimulatedActuator, public CCI_Simpl
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/plugins/simulator/entities/simple_radio_equipped_entity.h>
+#include <argos3/plugins/simulator/media/simple_radio_medium.h>
+#endif
+
 #endif

@@ -27,4 +27,8 @@ class CSimpleRadiosDefaultSensor : public CSimulatedSensor, public CCI_SimpleRad
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/plugins/simulator/entities/simple_radio_equipped_entity.h>
+#endif
+
 #endif

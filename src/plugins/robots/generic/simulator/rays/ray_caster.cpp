@@ -85,7 +85,7 @@ void CRayCaster::CastUpright(const SRayBundle& bundle, Real* fractions) const {
         continue;
       }
       const Real fraction =
-          shape.Kind == SIndexedShape::EKind::Tilted
+          shape.Kind == SIndexedShape::EKind::Bounds
               ? index.Intersect(shape, CRay3(CVector3(rays.X[i], rays.Y[i], rays.Z[i]),
                                              CVector3(rays.X[i] + rays.DX[i],
                                                       rays.Y[i] + rays.DY[i], rays.Z[i])))

@@ -38,6 +38,14 @@ class CRayCaster {
   CSpace& GetSpace() const { return *m_space; }
 
   /**
+   * For sensors whose derived classes find the robot's parts themselves: the pointers that
+   * SetRobot() sets. All three must be set before rays are cast.
+   */
+  CControllableEntity*& AccessRobot() { return m_robot; }
+  CEmbodiedEntity*& AccessBody() { return m_body; }
+  void SetSpace(CSpace& space) { m_space = &space; }
+
+  /**
    * Casts all rays with one query of the index.
    * @param fractions  (Count) fraction of its length at which each ray hits a body, in [0,1]; > 1
    *                   without a hit.

@@ -60,4 +60,9 @@ class CDifferentialSteeringDefaultActuator : public CSimulatedActuator,
 
 }  // namespace argos
 
+#ifndef ARGOS_WITHOUT_COMPANIONS
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/plugins/simulator/entities/wheeled_entity.h>
+#endif
+
 #endif

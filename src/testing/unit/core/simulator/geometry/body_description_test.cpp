@@ -4,6 +4,7 @@
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/core/utility/math/random_stream.h>
+#include <argos3/testing/support/polygons.h>
 #include <argos3/testing/support/solid_reference.h>
 
 #include <catch2/catch.hpp>
@@ -180,5 +181,107 @@ TEST_CASE("body description: the bounding box holds every point of the surface",
         }
       }
     }
+  }
+}
+
+TEST_CASE("shape description: a prism is centred on the bounding rectangle of its base",
+          "[core][body]") {
+  // clockwise, and far from the point to which the corners are relative
+  const auto prism = SShapeDescription::Prism(
+      {CVector2(1.0, 1.0), CVector2(1.0, 1.4), CVector2(1.8, 1.0)}, 0.5, CVector3(0.1, 0.2, 0.3));
+  CHECK(prism.Kind == SShapeDescription::EKind::Prism);
+  CHECK_THAT(Distance(prism.Offset, CVector3(1.5, 1.4, 0.3)), WithinAbs(0.0, kRounding));
+  CHECK_THAT(Distance(prism.Size, CVector3(0.8, 0.4, 0.5)), WithinAbs(0.0, kRounding));
+  CHECK_THAT(prism.Radius, WithinRel(std::hypot(0.4, 0.2), kRounding));
+  REQUIRE(prism.Vertices->size() == 3);
+  const auto& corners = *prism.Vertices;
+  CHECK((corners[1] - corners[0]).CrossProduct(corners[2] - corners[0]) > 0.0);
+  CHECK_THAT(Distance(prism.ComputeMiddle(), CVector3(1.5, 1.4, 0.55)), WithinAbs(0.0, kRounding));
+  CHECK_THAT(Distance(prism.ComputeCentroid(), CVector3(0.1 + 3.8 / 3.0, 0.2 + 3.4 / 3.0, 0.55)),
+             WithinAbs(0.0, kRounding));
+  CHECK_THAT(prism.ComputeVolume(), WithinRel(0.08, 10 * kRounding));
+  CHECK_THROWS_AS(SShapeDescription::Prism({CVector2(0, 0), CVector2(1, 0), CVector2(0, 1)}, 0.0),
+                  CARGoSException);
+  CHECK_THROWS_AS(SShapeDescription::Prism({CVector2(0, 0), CVector2(1, 0)}, 1.0), CARGoSException);
+}
+
+TEST_CASE("body description: a rectangle as a prism has the numbers of the box", "[core][body]") {
+  CRandomStream random(3, "test", "prism", "boxes");
+  for (int i = 0; i < 100; ++i) {
+    const CVector3 size(random.Uniform(0.05, 1), random.Uniform(0.05, 1), random.Uniform(0.05, 1));
+    const CVector3 offset(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1));
+    auto box = SShapeDescription::Box(size, offset);
+    auto prism =
+        SShapeDescription::Prism(RectanglePolygon(size.GetX(), size.GetY()), size.GetZ(), offset);
+    const CQuaternion turn = CQuaternion(random.Uniform(-1, 1), random.Uniform(-1, 1),
+                                         random.Uniform(-1, 1), random.Uniform(-1, 1))
+                                 .Normalize();
+    box.Orientation = prism.Orientation = i % 2 == 0 ? CQuaternion() : turn;
+    const SBodyDescription a = Body({box}, 2.0);
+    const SBodyDescription b = Body({prism}, 2.0);
+    REQUIRE_THAT(b.ComputeBoundingRadius(), WithinRel(a.ComputeBoundingRadius(), 1e-12));
+    REQUIRE_THAT(b.ComputePlanarInertia(), WithinRel(a.ComputePlanarInertia(), 1e-12));
+    REQUIRE(Distance(a.ComputeCentreOfMass(), b.ComputeCentreOfMass()) < 1e-12);
+    REQUIRE_THAT(prism.ComputeBaseWidth(), WithinRel(box.ComputeBaseWidth(), 1e-12));
+    const SBoundingBox boxA = a.ComputeBoundingBox(offset, turn);
+    const SBoundingBox boxB = b.ComputeBoundingBox(offset, turn);
+    REQUIRE(Distance(boxA.MinCorner, boxB.MinCorner) < 1e-12);
+    REQUIRE(Distance(boxA.MaxCorner, boxB.MaxCorner) < 1e-12);
+  }
+}
+
+TEST_CASE("body description: inertia of prisms of other shapes", "[core][body]") {
+  // the right triangle with legs a and b about its centroid: m (a^2 + b^2) / 18
+  const auto triangle = SShapeDescription::Prism(
+      {CVector2(-0.2, -0.1), CVector2(0.4, -0.1), CVector2(-0.2, 0.2)}, 0.1);
+  CHECK_THAT(Body({triangle}, 2.0).ComputePlanarInertia(),
+             WithinRel(2.0 * (0.36 + 0.09) / 18.0, 10 * kRounding));
+  // a hexagon with a circumscribed circle of radius r: 5 m r^2 / 12
+  CHECK_THAT(
+      Body({SShapeDescription::Prism(RegularPolygon(6, 0.3), 0.2)}, 2.0).ComputePlanarInertia(),
+      WithinRel(2.0 * 5.0 * 0.09 / 12.0, 10 * kRounding));
+  // two halves along a diagonal make a box, in any orientation: the products of inertia matter
+  const CQuaternion turn = CQuaternion(0.3, -0.5, 0.7, 0.2).Normalize();
+  const auto turned = [&](std::vector<CVector2> corners) {
+    auto half = SShapeDescription::Prism(std::move(corners), 0.5);
+    half.Orientation = turn;
+    half.Offset.Rotate(turn);
+    return half;
+  };
+  auto box = SShapeDescription::Box(CVector3(0.4, 0.8, 0.5));
+  box.Orientation = turn;
+  const SBodyDescription whole = Body({box}, 3.0);
+  const SBodyDescription halves =
+      Body({turned({CVector2(-0.2, -0.4), CVector2(0.2, -0.4), CVector2(0.2, 0.4)}),
+            turned({CVector2(-0.2, -0.4), CVector2(0.2, 0.4), CVector2(-0.2, 0.4)})},
+           3.0);
+  CHECK_THAT(halves.ComputePlanarInertia(), WithinRel(whole.ComputePlanarInertia(), 1e-12));
+}
+
+TEST_CASE("body description: the bounds of prisms are those of their corners", "[core][body]") {
+  CRandomStream random(5, "test", "prism", "bounds");
+  const auto uniform = [&](Real low, Real high) { return random.Uniform(low, high); };
+  for (int i = 0; i < 200; ++i) {
+    auto prism = SShapeDescription::Prism(RandomPolygon(0.3, uniform), uniform(0.1, 0.5),
+                                          CVector3(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)));
+    prism.Orientation =
+        CQuaternion(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)).Normalize();
+    const SBodyDescription body = Body({prism});
+    const SReferenceBody reference{&body, CVector3(), CQuaternion()};
+    SBoundingBox expected;
+    expected.MinCorner.Set(HUGE_VAL, HUGE_VAL, HUGE_VAL);
+    expected.MaxCorner = -expected.MinCorner;
+    Real reach = 0.0;
+    for (const CVector3& point : SurfacePoints(reference, 0)) {
+      reach = std::max(reach, std::hypot(point.GetX(), point.GetY()));
+      for (UInt32 axis = 0; axis < 3; ++axis) {
+        expected.MinCorner[axis] = std::min(expected.MinCorner[axis], point[axis]);
+        expected.MaxCorner[axis] = std::max(expected.MaxCorner[axis], point[axis]);
+      }
+    }
+    const SBoundingBox box = body.ComputeBoundingBox(CVector3(), CQuaternion());
+    REQUIRE(Distance(box.MinCorner, expected.MinCorner) < 1e-12);
+    REQUIRE(Distance(box.MaxCorner, expected.MaxCorner) < 1e-12);
+    REQUIRE_THAT(body.ComputeBoundingRadius(), WithinRel(reach, 1e-12));
   }
 }

@@ -5,6 +5,7 @@
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/testing/support/invariants.h>
+#include <argos3/testing/support/polygons.h>
 #include <argos3/testing/support/solid_reference.h>
 
 #include <catch2/catch.hpp>
@@ -62,7 +63,8 @@ SKind RandomKind(CRandomNumbers& random) {
   const auto upright = [&] {
     return SShapeDescription::Cylinder(random.In(0.02, 0.15), random.In(0.05, 0.3));
   };
-  switch (random.Below(8)) {
+  const auto uniform = [&](Real low, Real high) { return random.In(low, high); };
+  switch (random.Below(11)) {
     case 0:
     case 1:
       return {Describe({upright()}), true, false};
@@ -82,6 +84,18 @@ SKind RandomKind(CRandomNumbers& random) {
     case 6:  // larger than the discs above
       return {Describe({SShapeDescription::Cylinder(random.In(0.4, 1.0), random.In(0.1, 0.5))}),
               true, false};
+    case 7:
+      return {Describe({SShapeDescription::Prism(RandomPolygon(0.15, uniform), random.In(0.05, 0.3),
+                                                 random.Point(0.1))}),
+              true, false};
+    case 8:  // tilted
+      return {Describe({SShapeDescription::Prism(RandomPolygon(0.15, uniform), random.In(0.05, 0.5),
+                                                 random.Point(0.1))}),
+              true, true};
+    case 9:  // a building
+      return {
+          Describe({SShapeDescription::Prism(RandomPolygon(3.0, uniform), random.In(0.1, 0.5))}),
+          false, false};
     default: {
       SShapeDescription arm = SShapeDescription::Box(
           CVector3(random.In(0.05, 0.2), random.In(0.02, 0.1), random.In(0.02, 0.2)),

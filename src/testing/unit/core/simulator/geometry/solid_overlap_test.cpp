@@ -1,6 +1,7 @@
 #include <argos3/core/simulator/geometry/solid_overlap.h>
 
 #include <argos3/core/utility/math/angles.h>
+#include <argos3/testing/support/polygons.h>
 
 #include <catch2/catch.hpp>
 
@@ -26,13 +27,16 @@ class CRandomNumbers {
     return q.Normalize();
   }
   SShapeDescription Solid() {
-    const Real kind = In(0.0, 3.0);
+    const Real kind = In(0.0, 4.0);
     SShapeDescription solid = SShapeDescription::Sphere(In(0.05, 0.3), Point(0.1));
     if (kind < 1.0) {
       solid =
           SShapeDescription::Box(CVector3(In(0.02, 0.5), In(0.02, 0.5), In(0.02, 0.5)), Point(0.1));
     } else if (kind < 2.0) {
       solid = SShapeDescription::Cylinder(In(0.02, 0.3), In(0.02, 0.5), Point(0.1));
+    } else if (kind < 3.0) {
+      const auto uniform = [this](Real low, Real high) { return In(low, high); };
+      solid = SShapeDescription::Prism(RandomPolygon(0.3, uniform), In(0.02, 0.5), Point(0.1));
     }
     solid.Orientation = Rotation();
     return solid;
@@ -66,6 +70,16 @@ Real DepthOf(const SPlacedSolid& solid, const CVector3& world) {
   if (shape.Kind == EKind::Cylinder) {
     return std::min(up, shape.Radius - std::hypot(p.GetX(), p.GetY()));
   }
+  if (shape.Kind == EKind::Prism) {
+    Real depth = up;
+    const auto& base = *shape.Vertices;
+    for (size_t i = 0; i < base.size(); ++i) {
+      const CVector2 side = base[(i + 1) % base.size()] - base[i];
+      const CVector2 offset = CVector2(p.GetX(), p.GetY()) - base[i];
+      depth = std::min(depth, side.CrossProduct(offset) / side.Length());
+    }
+    return depth;
+  }
   return std::min({up, 0.5 * shape.Size.GetX() - std::abs(p.GetX()),
                    0.5 * shape.Size.GetY() - std::abs(p.GetY())});
 }
@@ -77,6 +91,17 @@ CVector3 RandomPoint(const SShapeDescription& shape, CRandomNumbers& random) {
   if (shape.Kind == EKind::Box) {
     return CVector3(random.In(-0.5, 0.5) * shape.Size.GetX(),
                     random.In(-0.5, 0.5) * shape.Size.GetY(), height);
+  }
+  if (shape.Kind == EKind::Prism) {
+    // a mean of its corners
+    CVector2 sum;
+    Real weights = 0.0;
+    for (const CVector2& corner : *shape.Vertices) {
+      const Real weight = -std::log(random.In(1e-9, 1.0));
+      sum += corner * weight;
+      weights += weight;
+    }
+    return CVector3(sum.GetX() / weights, sum.GetY() / weights, height);
   }
   Real radius = shape.Radius;
   if (shape.Kind == EKind::Sphere) {
@@ -105,6 +130,16 @@ std::pair<Real, Real> ComputeProjection(const SPlacedSolid& solid, const CVector
   }
   const Real centre =
       direction.DotProduct(ToWorld(solid, CVector3(0.0, 0.0, 0.5 * shape.Size.GetZ())));
+  if (shape.Kind == EKind::Prism) {
+    std::pair<Real, Real> projection(HUGE_VAL, -HUGE_VAL);
+    for (const CVector2& corner : *shape.Vertices) {
+      const Real along = centre + x * corner.GetX() + y * corner.GetY();
+      projection.first = std::min(projection.first, along);
+      projection.second = std::max(projection.second, along);
+    }
+    const Real up = 0.5 * std::abs(z) * shape.Size.GetZ();
+    return {projection.first - up, projection.second + up};
+  }
   return {centre - half, centre + half};
 }
 
@@ -115,7 +150,7 @@ TEST_CASE("solid overlap: solids with a common point overlap, solids separated b
   CRandomNumbers random(5);
   int overlapping = 0;
   int apart = 0;
-  for (int trial = 0; trial < 4000; ++trial) {
+  for (int trial = 0; trial < 5000; ++trial) {
     const SShapeDescription first = random.Solid();
     const SShapeDescription second = random.Solid();
     const SPlacedSolid a{&first, random.Point(0.3), random.Rotation()};
@@ -151,6 +186,11 @@ TEST_CASE("solid overlap: touching solids do not overlap, solids a micrometre de
   const SShapeDescription box = SShapeDescription::Box(CVector3(0.2, 0.3, 0.4));
   const SShapeDescription cylinder = SShapeDescription::Cylinder(0.1, 0.5);
   const SShapeDescription sphere = SShapeDescription::Sphere(0.15);
+  // the corner of the hexagon is on the x axis; the triangle's base is on it, its tip along y
+  const SShapeDescription hexagon = SShapeDescription::Prism(RegularPolygon(6, 0.1), 0.3);
+  const SShapeDescription triangle = SShapeDescription::Prism(
+      {CVector2(-0.1, 0.0), CVector2(0.1, 0.0), CVector2(0.0, 0.2)}, 0.2, CVector3(0.0, -0.1, 0.0));
+  const Real apothem = 0.1 * std::sqrt(0.75);
   struct SPair {
     const SShapeDescription* First;
     const SShapeDescription* Second;
@@ -164,7 +204,12 @@ TEST_CASE("solid overlap: touching solids do not overlap, solids a micrometre de
         SPair{&cylinder, &cylinder, CVector3(diagonal, diagonal, 0.0), 0.2},
         SPair{&cylinder, &cylinder, CVector3::Z, 0.5}, SPair{&sphere, &box, CVector3::X, 0.25},
         SPair{&sphere, &sphere, CVector3(0.0, diagonal, diagonal), 0.3},
-        SPair{&cylinder, &sphere, CVector3::Z, 0.5},
+        SPair{&hexagon, &box, CVector3::X, 0.2}, SPair{&hexagon, &box, CVector3::Y, 0.15 + apothem},
+        SPair{&hexagon, &hexagon, CVector3::X, 0.2}, SPair{&hexagon, &hexagon, CVector3::Z, 0.3},
+        SPair{&hexagon, &cylinder, CVector3::Y, 0.1 + apothem},
+        SPair{&hexagon, &sphere, CVector3::Y, 0.15 + apothem},
+        SPair{&triangle, &triangle, CVector3::Y, 0.2}, SPair{&triangle, &hexagon, CVector3::Z, 0.2},
+        SPair{&triangle, &cylinder, CVector3::Y, 0.2}, SPair{&cylinder, &sphere, CVector3::Z, 0.5},
         SPair{&sphere, &cylinder, CVector3::Y, 0.25}}) {
     for (int turn = 0; turn < 50; ++turn) {
       const CQuaternion rotation = random.Rotation();

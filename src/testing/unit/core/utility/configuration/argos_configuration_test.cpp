@@ -7,9 +7,11 @@
 #include <argos3/core/utility/math/range.h>
 #include <argos3/core/utility/math/vector2.h>
 #include <argos3/core/utility/math/vector3.h>
+#include <argos3/testing/support/captured_logs.h>
 
 #include <catch2/catch.hpp>
 
+#include <memory>
 #include <sstream>
 
 using namespace argos;
@@ -127,6 +129,52 @@ TEST_CASE("configuration: errors on malformed values give the text found and the
   CHECK_THAT(bad("word", CRadians()), Contains("an angle in radians, a real number"));
   CHECK_THAT(bad("real", CDegrees()), Contains("an angle in degrees, a real number"));
   CHECK_THAT(bad("real", std::string()), Catch::Equals("accepted"));
+}
+
+TEST_CASE("configuration: a lenient document reads what ARGoS 3 reads, with one warning each",
+          "[core][configuration]") {
+  CConfigurationDocument document;
+  document.Parse(
+      "<root unsigned='10.5' negative='-1' byte='12x' v3='-5,,0' v2='1,2,3' range='3:1' real='1.5 "
+      "m' "
+      "word='abc' bool='yes' few='1,2' color='pinkish'><child v3='1,x,2'/></root>",
+      "old.argos");
+  document.SetLenient();
+  CConfigurationNode& root = document.GetRoot();
+  UInt32 number = 0;
+  GetNodeAttribute(root, "unsigned", number);
+  CHECK(number == 10);
+  CHECK_THAT(TakeLogErr(),
+             Contains("[WARNING] old.argos:1: <root>: attribute \"unsigned\": found \"10.5\", "
+                      "expected an integer from 0 to 4294967295; read as ARGoS 3 reads it"));
+  GetNodeAttribute(root, "unsigned", number);
+  CHECK(TakeLogErr().empty());
+  GetNodeAttribute(root, "negative", number);
+  CHECK(number == 4294967295U);
+  UInt8 byte = 0;
+  GetNodeAttribute(root, "byte", byte);
+  CHECK(byte == 12);
+  CVector3 v3;
+  GetNodeAttribute(root, "v3", v3);
+  CHECK(v3 == CVector3(-5, 0, 0));
+  CVector2 v2;
+  GetNodeAttribute(root, "v2", v2);
+  CHECK(v2 == CVector2(1, 2));
+  Real real = 0.0;
+  GetNodeAttribute(root, "real", real);
+  CHECK(real == 1.5);
+  CConfigurationNode copy = root;
+  const std::unique_ptr<CConfigurationNode> clone = GetNode(root, "child").Clone();
+  GetNodeAttribute(*clone, "v3", v3);
+  CHECK(v3 == CVector3(1, 0, 2));
+  CHECK_THAT(TakeLogErr(), Contains("<child>: attribute \"v3\""));
+  // errors there, too
+  bool flag = false;
+  CHECK_THROWS_AS(GetNodeAttribute(root, "word", real), CARGoSException);
+  CHECK_THROWS_AS(GetNodeAttribute(root, "bool", flag), CARGoSException);
+  CHECK_THROWS_AS(GetNodeAttribute(root, "few", v3), CARGoSException);
+  CColor color;
+  CHECK_THROWS_AS(GetNodeAttribute(root, "color", color), CARGoSException);
 }
 
 TEST_CASE("configuration: a default replaces missing attributes only", "[core][configuration]") {

@@ -113,7 +113,10 @@ TEST_CASE("numbers: the whole text must be the number", "[core][strings]") {
 TEST_CASE("numbers: fractions and values out of range are refused for integers",
           "[core][strings]") {
   UInt32 number = 7;
-  CHECK(ParseNumber("10.5", number) == ENumberParsing::TrailingText);
+  CHECK(ParseNumber("10.5", number) == ENumberParsing::NotWhole);
+  CHECK(ParseNumber("1e-1", number) == ENumberParsing::NotWhole);
+  CHECK(ParseNumber("1.0.0", number) == ENumberParsing::TrailingText);
+  CHECK(ParseNumber("e", number) == ENumberParsing::NotANumber);
   CHECK(ParseNumber("-1", number) == ENumberParsing::OutOfRange);
   CHECK(ParseNumber("4294967296", number) == ENumberParsing::OutOfRange);
   CHECK(ParseNumber("", number) == ENumberParsing::NotANumber);
@@ -126,6 +129,34 @@ TEST_CASE("numbers: fractions and values out of range are refused for integers",
   CHECK(ParseNumber("-128", small) == ENumberParsing::Ok);
   CHECK(small == -128);
   CHECK(ParseNumber("128", small) == ENumberParsing::OutOfRange);
+}
+
+TEST_CASE("numbers: whole real numbers are integers", "[core][strings]") {
+  UInt32 number = 0;
+  CHECK(ParseNumber("25.0", number) == ENumberParsing::Ok);
+  CHECK(number == 25);
+  CHECK(ParseNumber(" +1e3 ", number) == ENumberParsing::Ok);
+  CHECK(number == 1000);
+  CHECK(ParseNumber("1.25E2", number) == ENumberParsing::Ok);
+  CHECK(number == 125);
+  CHECK(ParseNumber("-0.0", number) == ENumberParsing::Ok);
+  CHECK(number == 0);
+  CHECK(ParseNumber("4294967295.0", number) == ENumberParsing::Ok);
+  CHECK(number == 4294967295U);
+  CHECK(ParseNumber("4294967296.0", number) == ENumberParsing::OutOfRange);
+  CHECK(ParseNumber("-1.0", number) == ENumberParsing::OutOfRange);
+  SInt8 small = 0;
+  CHECK(ParseNumber("-128.0", small) == ENumberParsing::Ok);
+  CHECK(small == -128);
+  CHECK(ParseNumber("-129.0", small) == ENumberParsing::OutOfRange);
+  CHECK(ParseNumber("128.", small) == ENumberParsing::OutOfRange);
+  UInt64 large = 0;
+  CHECK(ParseNumber("1.8446744073709551616e19", large) == ENumberParsing::OutOfRange);
+  CHECK(ParseNumber("9007199254740993.0", large) == ENumberParsing::Ok);
+  CHECK(large == 9007199254740993U);
+  UInt32 size[3];
+  ParseValues<UInt32>("2,2.0,1e0", 3, size, ',');
+  CHECK(size[2] == 1);
 }
 
 template <typename T>

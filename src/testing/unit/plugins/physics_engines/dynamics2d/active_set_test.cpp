@@ -94,7 +94,8 @@ TEST_CASE("active set: a robot that nothing pushes ends exactly at its planned p
   const auto& robot = scene.AddRobot(0.3, 0.1, 0.10, 0.08);
   scene.Active.Activate(robot.Handle.Slot);
   const Real yawRate = (0.08 - 0.10) * (1.0 / 0.08);
-  const SArc arc = FollowArc(scene.GetDriven(robot).Pose, 0.09, yawRate, CPlanarScene::kTick);
+  const SArc arc =
+      FollowArc(scene.GetDriven(robot).Pose, {0.09, 0.0, yawRate}, CPlanarScene::kTick);
   scene.Drive(3);
   const SDrivenBody& body = scene.GetDriven(robot);
   CHECK(body.NextPose.X == arc.End.X);
@@ -133,6 +134,7 @@ TEST_CASE("active set: the needed substeps grow with the speed", "[dynamics2d]")
   CPlanarScene scene;
   const auto& robot = scene.AddRobot(0.0, 0.0, 0.5, 0.5);
   scene.Active.Activate(robot.Handle.Slot);
+  scene.GetDriven(robot).NextCommand = {0.5, 0.0, 0.0};
   scene.Active.StartTick();
   // 5 cm in a tick, at most half a radius in a substep
   CHECK(scene.Active.ComputeNeededSubsteps() == Approx(2.0));

@@ -57,7 +57,9 @@ class CPlanarScene {
   SBody& AddRobot(Real x, Real y, Real left = 0.0, Real right = 0.0) {
     SBody& body = Bodies.emplace_back("robot");
     body.Wheels = {left, right};
-    Store.AddDriven(body.GetOwner(), DescribeRobot(), PoseAt(x, y), body.Wheels.data());
+    const SBodyDescription description = DescribeRobot();
+    Store.AddDriven(body.GetOwner(), description, PoseAt(x, y),
+                    CDriveSource(body.Wheels.data(), description.Drive->InterwheelDistance));
     return body;
   }
 
@@ -84,11 +86,10 @@ class CPlanarScene {
   void Drive(UInt32 substeps) {
     for (const SActiveBody& active : Active.GetBodies()) {
       SDrivenBody& body = Store.GetDriven()[active.Slot];
-      const Real speed = 0.5 * (body.Wheels[0] + body.Wheels[1]);
-      const Real yawRate = (body.Wheels[1] - body.Wheels[0]) * body.InverseInterwheel;
-      const SArc arc = FollowArc(body.Pose, speed, yawRate, kTick);
+      body.Command = body.NextCommand = body.Drive.Read();
+      const SArc arc = FollowArc(body.Pose, body.Command, kTick);
       body.NextPose = arc.End;
-      body.NextVelocity = {arc.DX / kTick, arc.DY / kTick, yawRate};
+      body.NextVelocity = {arc.DX / kTick, arc.DY / kTick, body.Command.YawRate};
     }
     Active.StartTick();
     for (UInt32 substep = 0; substep < substeps; ++substep) {

@@ -88,7 +88,7 @@ TEST_CASE("planar world: a stale handle is noticed", "[dynamics2d][invariants]")
   const auto add = [&](Real x) -> CPlanarScene::SBody& {
     CPlanarScene::SBody& body = scene.Bodies.emplace_back("robot");
     world.AddDriven(body.GetOwner(), CPlanarScene::DescribeRobot(), CPlanarScene::PoseAt(x, 0.0),
-                    wheels.data());
+                    CDriveSource(wheels.data(), 0.08));
     return body;
   };
   const SPlanarHandle stale = add(0.0).Handle;

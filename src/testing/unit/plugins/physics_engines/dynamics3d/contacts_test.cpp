@@ -1,11 +1,14 @@
-// Pairs of bodies from the broad phase, and contact points of cylinders.
+// Pairs of bodies from the broad phase, and contact points of cylinders and prisms.
 
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/broad_phase.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/cylinder_contacts.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/ode_session.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/prism_geom.h>
 
+#include <argos3/core/simulator/geometry/solid_overlap.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/core/utility/math/random_stream.h>
+#include <argos3/testing/support/polygons.h>
 
 #include <catch2/catch.hpp>
 
@@ -85,6 +88,40 @@ dGeomID Cylinder(Real radius, Real length, const CVector3& centre, Real tilt = 0
   dGeomSetRotation(geom, rotation);
   return geom;
 }
+
+// a solid, and its geom at a pose
+struct SPlacedGeom {
+  SShapeDescription Shape;
+  CVector3 Position;
+  CQuaternion Orientation;
+  dGeomID Geom;
+
+  SPlacedGeom(SShapeDescription shape, const CVector3& position, const CQuaternion& orientation)
+      : Shape(std::move(shape)), Position(position), Orientation(orientation) {
+    using EKind = SShapeDescription::EKind;
+    const Real height = Shape.Size.GetZ();
+    Geom = Shape.Kind == EKind::Box
+               ? dCreateBox(nullptr, Shape.Size.GetX(), Shape.Size.GetY(), height)
+           : Shape.Kind == EKind::Cylinder ? dCreateCylinder(nullptr, Shape.Radius, height)
+           : Shape.Kind == EKind::Sphere   ? dCreateSphere(nullptr, Shape.Radius)
+                                           : CreatePrism(*Shape.Vertices, height);
+    CVector3 middle = Shape.ComputeMiddle();
+    middle.Rotate(orientation);
+    middle += position;
+    dGeomSetPosition(Geom, middle.GetX(), middle.GetY(), middle.GetZ());
+    const dQuaternion quaternion = {orientation.GetW(), orientation.GetX(), orientation.GetY(),
+                                    orientation.GetZ()};
+    dGeomSetQuaternion(Geom, quaternion);
+  }
+  SPlacedGeom(const SPlacedGeom&) = delete;
+  SPlacedGeom& operator=(const SPlacedGeom&) = delete;
+  ~SPlacedGeom() { dGeomDestroy(Geom); }
+
+  bool Overlaps(const SPlacedGeom& other, const CVector3& shift = CVector3()) const {
+    return SolidsOverlap({&Shape, Position + shift, Orientation},
+                         {&other.Shape, other.Position, other.Orientation});
+  }
+};
 
 }  // namespace
 
@@ -194,4 +231,135 @@ TEST_CASE("ODE session: the random numbers of a sequence are those that ODE woul
   StepODEIteratively(empty.World, 0.01, sequence + 1U);
   CHECK(dRand() != first);
   dlclose(handle);
+}
+
+TEST_CASE("prism contacts: their greatest depth along the normal separates the solids",
+          "[dynamics3d]") {
+  UseODEInThisThread();
+  CRandomStream random(4, "test", "prisms", "contacts");
+  const auto uniform = [&](Real low, Real high) { return random.Uniform(low, high); };
+  const auto point = [&](Real half) {
+    return CVector3(uniform(-half, half), uniform(-half, half), uniform(-half, half));
+  };
+  const int kind = GENERATE(0, 1, 2, 3);
+  const bool upright = GENERATE(false, true);
+  CAPTURE(kind, upright);
+  const auto turn = [&] {
+    return upright ? CQuaternion(CRadians(uniform(-3, 3)), CVector3::Z)
+                   : CQuaternion(uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), uniform(-1, 1))
+                         .Normalize();
+  };
+  int touching = 0;
+  int apart = 0;
+  int tooShallow = 0;
+  for (int scene = 0; scene < 1000; ++scene) {
+    const SPlacedGeom prism(
+        SShapeDescription::Prism(RandomPolygon(0.3, uniform), uniform(0.1, 0.5)), point(0.2),
+        turn());
+    SShapeDescription shape = SShapeDescription::Sphere(uniform(0.05, 0.2));
+    if (kind == 0) {
+      shape = SShapeDescription::Prism(RandomPolygon(0.3, uniform), uniform(0.1, 0.5));
+    } else if (kind == 1) {
+      shape = SShapeDescription::Box(CVector3(uniform(0.1, 0.5), uniform(0.1, 0.5), 0.3));
+    } else if (kind == 2) {
+      shape = SShapeDescription::Cylinder(uniform(0.05, 0.2), uniform(0.1, 0.5));
+    }
+    const SPlacedGeom other(shape, point(0.3), turn());
+    // a skew cylinder is replaced by one with 24 sides
+    const Real error = kind == 2 ? 0.02 * shape.Radius : 1e-6;
+    dContactGeom contacts[4];
+    const int count = FindContacts(prism.Geom, other.Geom, 4, contacts, sizeof(dContactGeom));
+    REQUIRE(count <= 4);
+    CAPTURE(scene, count);
+    if (count == 0) {
+      ++apart;
+      // overlaps of a rounding are missed
+      if (kind != 2) {
+        REQUIRE_FALSE(prism.Overlaps(other));
+      }
+      continue;
+    }
+    const auto findDeepest = [](const dContactGeom* all, int number) {
+      return *std::max_element(all, all + number, [](const auto& one, const auto& next) {
+        return one.depth < next.depth;
+      });
+    };
+    const dContactGeom deepest = findDeepest(contacts, count);
+    const Real depth = deepest.depth;
+    const CVector3 normal = FromODE(deepest.normal);
+    REQUIRE_THAT(normal.Length(), WithinAbs(1.0, 1e-9));
+    // the same in the other order
+    dContactGeom reverse[4];
+    const int back = FindContacts(other.Geom, prism.Geom, 4, reverse, sizeof(dContactGeom));
+    REQUIRE(back > 0);
+    REQUIRE_THAT(findDeepest(reverse, back).depth, WithinAbs(depth, 1e-4));
+    REQUIRE(reverse[0].g1 == other.Geom);
+    ++touching;
+    if (prism.Overlaps(other, normal * (depth + error))) {
+      // deep inside each other, the deepest point may be outside of the faces that touch
+      ++tooShallow;
+      REQUIRE_FALSE(prism.Overlaps(other, normal * (1.3 * depth)));
+      continue;
+    }
+    if (depth > 2.0 * error) {
+      REQUIRE(prism.Overlaps(other, normal * (0.9 * depth - error)));
+    }
+  }
+  CHECK(touching > 200);
+  CHECK(500 * tooShallow <= touching);
+  CHECK(apart > 50);
+}
+
+TEST_CASE("prism contacts: at rest on a plane or a table there is one at each of four corners",
+          "[dynamics3d]") {
+  UseODEInThisThread();
+  const SPlacedGeom prism(SShapeDescription::Prism(RegularPolygon(8, 0.2), 0.1),
+                          CVector3(0.3, 0.1, -0.001), CQuaternion(CRadians(0.4), CVector3::Z));
+  const dGeomID plane = dCreatePlane(nullptr, 0.0, 0.0, 1.0, 0.0);
+  const SPlacedGeom table(SShapeDescription::Box(CVector3(1, 1, 0.5)), CVector3(0, 0, -0.5),
+                          CQuaternion());
+  const SPlacedGeom prismatic(SShapeDescription::Prism(RegularPolygon(3, 2.0), 0.5),
+                              CVector3(0, 0, -0.5), CQuaternion());
+  const SPlacedGeom drum(SShapeDescription::Cylinder(1.0, 0.5), CVector3(0, 0, -0.5),
+                         CQuaternion());
+  for (const dGeomID ground : {plane, table.Geom, prismatic.Geom, drum.Geom}) {
+    CAPTURE(dGeomGetClass(ground));
+    dContactGeom contacts[4];
+    REQUIRE(FindContacts(prism.Geom, ground, 4, contacts, sizeof(dContactGeom)) == 4);
+    CVector3 sum;
+    for (const dContactGeom& contact : contacts) {
+      CHECK_THAT(contact.depth, WithinAbs(0.001, 1e-9));
+      CHECK_THAT(contact.normal[2], WithinAbs(1.0, 1e-12));
+      const Real radius = std::hypot(contact.pos[0] - 0.3, contact.pos[1] - 0.1);
+      CHECK_THAT(radius, WithinAbs(0.2, 1e-9));
+      sum += FromODE(contact.pos);
+    }
+    // they surround the centre
+    CHECK(std::hypot(0.25 * sum.GetX() - 0.3, 0.25 * sum.GetY() - 0.1) < 0.1);
+  }
+  dGeomDestroy(plane);
+}
+
+TEST_CASE("prism contacts: a prism and a cylinder side by side touch along a line",
+          "[dynamics3d]") {
+  UseODEInThisThread();
+  // the side of the hexagon faces along y, at 0.1 sqrt(3) / 2; the cylinder is higher than it
+  const Real apothem = 0.1 * std::sqrt(0.75);
+  const SPlacedGeom hexagon(SShapeDescription::Prism(RegularPolygon(6, 0.1), 0.3), CVector3(),
+                            CQuaternion());
+  const Real depth = GENERATE(0.001, -0.001);
+  CAPTURE(depth);
+  const dGeomID cylinder = Cylinder(0.05, 0.6, CVector3(0.01, apothem + 0.05 - depth, 0.2));
+  dContactGeom contacts[4];
+  CHECK(FindContacts(hexagon.Geom, cylinder, 4, contacts, sizeof(dContactGeom)) ==
+        (depth > 0.0 ? 2 : 0));
+  REQUIRE(FindContacts(hexagon.Geom, cylinder, 4, contacts, sizeof(dContactGeom), 0.002) == 2);
+  for (int i = 0; i < 2; ++i) {
+    CHECK_THAT(contacts[i].depth, WithinAbs(depth, 1e-12));
+    CHECK_THAT(contacts[i].normal[1], WithinAbs(-1.0, 1e-12));
+    CHECK_THAT(contacts[i].pos[0], WithinAbs(0.01, 1e-12));
+    CHECK_THAT(contacts[i].pos[1], WithinAbs(apothem - 0.5 * depth, 1e-12));
+    CHECK_THAT(contacts[i].pos[2], WithinAbs(i == 0 ? 0.0 : 0.3, 1e-12));
+  }
+  dGeomDestroy(cylinder);
 }

@@ -1,8 +1,10 @@
-// Compares lines that separate discs and rectangles with sampled points of both.
+// Compares lines that separate discs, rectangles and polygons with sampled points of both.
 
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/separation.h>
 
+#include <argos3/core/simulator/geometry/convex_polygon.h>
 #include <argos3/core/utility/math/random_stream.h>
+#include <argos3/testing/support/polygons.h>
 
 #include <catch2/catch.hpp>
 
@@ -23,10 +25,65 @@ SFootprint MakeBox(Real x, Real y, Real yaw, Real halfX, Real halfY) {
   return {x, y, std::cos(yaw), std::sin(yaw), halfX, halfY, 0.0};
 }
 
-// distance from a point to a rectangle, m; 0 inside
+// polygons whose memory lives as long as their footprints
+class CPolygons {
+ public:
+  explicit CPolygons(const char* name) : m_random(1, "test", "separation", name) {}
+
+  Real Uniform(Real low, Real high) { return m_random.Uniform(low, high); }
+  SFootprint Make(Real spread, Real size) {
+    const auto uniform = [this](Real low, Real high) { return Uniform(low, high); };
+    m_shapes.push_back(SShapeDescription::Prism(RandomPolygon(size, uniform), 1.0));
+    SFootprint footprint = Shape(m_shapes.back());
+    footprint.X = Uniform(-spread, spread);
+    footprint.Y = Uniform(-spread, spread);
+    const Real yaw = Uniform(-std::numbers::pi, std::numbers::pi);
+    footprint.Cos = std::cos(yaw);
+    footprint.Sin = std::sin(yaw);
+    return footprint;
+  }
+  static SFootprint Shape(const SShapeDescription& prism) {
+    return {0.0,
+            0.0,
+            1.0,
+            0.0,
+            0.5 * prism.Size.GetX(),
+            0.5 * prism.Size.GetY(),
+            0.0,
+            prism.Vertices.get()};
+  }
+
+ private:
+  CRandomStream m_random;
+  std::vector<SShapeDescription> m_shapes;
+};
+
+// a rectangle as a polygon
+SFootprint AsPolygon(const SFootprint& box, std::vector<CVector2>& corners) {
+  corners = RectanglePolygon(2.0 * box.HalfX, 2.0 * box.HalfY);
+  SFootprint polygon = box;
+  polygon.Polygon = &corners;
+  return polygon;
+}
+
+std::vector<CVector2> ListCorners(const SFootprint& shape) {
+  std::vector<CVector2> corners = shape.Polygon != nullptr
+                                      ? *shape.Polygon
+                                      : RectanglePolygon(2.0 * shape.HalfX, 2.0 * shape.HalfY);
+  for (CVector2& corner : corners) {
+    const SPlanarVector place = RotateOutOfFrame(shape, corner.GetX(), corner.GetY());
+    corner.Set(shape.X + place.X, shape.Y + place.Y);
+  }
+  return corners;
+}
+
+// distance from a point to a shape, m; 0 inside
 Real DistanceTo(const SFootprint& box, Real x, Real y) {
   const Real dx = x - box.X;
   const Real dy = y - box.Y;
+  if (box.Polygon != nullptr) {
+    return std::max(0.0, FindNearest(ListCorners(box), CVector2(x, y)).Distance);
+  }
   const Real outX = std::max(0.0, std::abs(box.Cos * dx + box.Sin * dy) - box.HalfX);
   const Real outY = std::max(0.0, std::abs(box.Cos * dy - box.Sin * dx) - box.HalfY);
   return std::hypot(outX, outY);
@@ -73,16 +130,19 @@ TEST_CASE("separation: the line between discs that miss each other allows the wh
   CHECK(missed > 1000);
 }
 
-TEST_CASE("separation: disc and rectangle are on opposite sides of the line",
-          "[unit][kinematics2d]") {
-  CRandomStream random(1, "test", "separation", "boxes");
+TEST_CASE("separation: disc and shape are on opposite sides of the line", "[unit][kinematics2d]") {
+  const bool isPolygon = GENERATE(false, true);
+  CAPTURE(isPolygon);
+  CPolygons random("boxes");
   constexpr Real kRadius = 0.15;
   int missed = 0;
   int met = 0;
   for (int scene = 0; scene < 1500; ++scene) {
-    const SFootprint box = MakeBox(random.Uniform(-1, 1), random.Uniform(-1, 1),
-                                   random.Uniform(-std::numbers::pi, std::numbers::pi),
-                                   random.Uniform(0.01, 0.5), random.Uniform(0.01, 0.5));
+    const SFootprint box = isPolygon
+                               ? random.Make(1.0, 0.5)
+                               : MakeBox(random.Uniform(-1, 1), random.Uniform(-1, 1),
+                                         random.Uniform(-std::numbers::pi, std::numbers::pi),
+                                         random.Uniform(0.01, 0.5), random.Uniform(0.01, 0.5));
     const SStep step = {random.Uniform(-2, 2), random.Uniform(-2, 2)};
     const Real start = DistanceTo(box, 0.0, 0.0);
     if (start <= kRadius) {
@@ -93,11 +153,8 @@ TEST_CASE("separation: disc and rectangle are on opposite sides of the line",
     REQUIRE_THAT(std::hypot(line.NormalX, line.NormalY), WithinAbs(1.0, kRounding));
     REQUIRE(line.Gap >= -kRounding);
     // all corners are beyond the line, whose distance from the disc's centre is radius plus gap
-    for (int corner = 0; corner < 4; ++corner) {
-      const Real x = corner & 1 ? box.HalfX : -box.HalfX;
-      const Real y = corner & 2 ? box.HalfY : -box.HalfY;
-      const Real along = line.NormalX * (box.X + box.Cos * x - box.Sin * y) +
-                         line.NormalY * (box.Y + box.Sin * x + box.Cos * y);
+    for (const CVector2& corner : ListCorners(box)) {
+      const Real along = line.NormalX * corner.GetX() + line.NormalY * corner.GetY();
       REQUIRE(along >= kRadius + line.Gap - kRounding);
     }
     REQUIRE_THAT(DistanceTo(box, line.PointX, line.PointY), WithinAbs(0.0, kRounding));
@@ -144,6 +201,93 @@ TEST_CASE("separation: boxes face to face touch in two points", "[unit][kinemati
       WithinAbs(0.3, kRounding));
   CHECK_THAT(ComputeGap(a, b), WithinAbs(0.25, kRounding));
   CHECK_THAT(ComputeGap(b, a), WithinAbs(0.25, kRounding));
+}
+
+TEST_CASE("separation: a rectangle as a polygon is separated as the rectangle",
+          "[unit][kinematics2d]") {
+  CRandomStream random(1, "test", "separation", "same");
+  std::vector<CVector2> cornersA, cornersB;
+  const auto check = [](const SSeparation& one, const SSeparation& other) {
+    REQUIRE_THAT(one.NormalX, WithinAbs(other.NormalX, kRounding));
+    REQUIRE_THAT(one.NormalY, WithinAbs(other.NormalY, kRounding));
+    REQUIRE_THAT(one.Gap, WithinAbs(other.Gap, kRounding));
+    REQUIRE_THAT(one.PointX, WithinAbs(other.PointX, kRounding));
+    REQUIRE_THAT(one.PointY, WithinAbs(other.PointY, kRounding));
+  };
+  for (int scene = 0; scene < 2000; ++scene) {
+    const auto make = [&] {
+      return MakeBox(random.Uniform(-0.7, 0.7), random.Uniform(-0.7, 0.7), random.Uniform(-4, 4),
+                     random.Uniform(0.05, 0.5), random.Uniform(0.05, 0.5));
+    };
+    const SFootprint a = make();
+    const SFootprint b = make();
+    const SFootprint sameA = AsPolygon(a, cornersA);
+    const SFootprint sameB = AsPolygon(b, cornersB);
+    CAPTURE(scene);
+    const SStep step = {random.Uniform(-1, 1), random.Uniform(-1, 1)};
+    check(SeparateFromFootprint(0.1, 0.2, 0.1, step, sameA),
+          SeparateFromFootprint(0.1, 0.2, 0.1, step, a));
+    SSeparation boxes[2], mixed[2], polygons[2];
+    const int count = FindContacts(a, b, boxes);
+    REQUIRE(FindContacts(sameA, b, mixed) == count);
+    REQUIRE(FindContacts(sameA, sameB, polygons) == count);
+    for (const SSeparation* contacts : {mixed, polygons}) {
+      // the two ends of a side may be exchanged
+      const Real aside =
+          std::hypot(contacts[0].PointX - boxes[0].PointX, contacts[0].PointY - boxes[0].PointY);
+      const int first = aside < 1e-9 ? 0 : count - 1;
+      for (int i = 0; i < count; ++i) {
+        check(contacts[i], boxes[first == 0 ? i : first - i]);
+      }
+    }
+    REQUIRE_THAT(ComputeGap(sameA, sameB), WithinAbs(ComputeGap(a, b), kRounding));
+  }
+}
+
+TEST_CASE("separation: the gap of two polygons is below their distance, and their depth is exact",
+          "[unit][kinematics2d]") {
+  CPolygons random("polygons");
+  int apart = 0;
+  int overlapping = 0;
+  for (int scene = 0; scene < 2000; ++scene) {
+    const SFootprint a = random.Make(0.5, 0.5);
+    const SFootprint b =
+        scene % 4 == 0 ? MakeBox(0.1, 0.2, 0.01 * scene, 0.3, 0.1) : random.Make(0.5, 0.5);
+    CAPTURE(scene);
+    const std::vector<CVector2> cornersA = ListCorners(a);
+    const std::vector<CVector2> cornersB = ListCorners(b);
+    Real distance = HUGE_VAL;  // between convex shapes that are apart: from a corner of either
+    for (const CVector2& corner : cornersB) {
+      distance = std::min(distance, FindNearest(cornersA, corner).Distance);
+    }
+    for (const CVector2& corner : cornersA) {
+      distance = std::min(distance, FindNearest(cornersB, corner).Distance);
+    }
+    const Real gap = ComputeGap(a, b);
+    REQUIRE_THAT(ComputeGap(b, a), WithinAbs(gap, kRounding));
+    SSeparation contacts[2];
+    const int count = FindContacts(a, b, contacts);
+    REQUIRE((count == 1 || count == 2));
+    if (gap > 0.0) {
+      ++apart;
+      REQUIRE(gap <= distance + kRounding);
+      continue;
+    }
+    ++overlapping;
+    const SSeparation& deepest =
+        count == 2 && contacts[1].Gap < contacts[0].Gap ? contacts[1] : contacts[0];
+    REQUIRE_THAT(deepest.Gap, WithinAbs(gap, 1e-9));
+    // moved along the normal by the depth they touch, and by less they overlap
+    SFootprint moved = b;
+    moved.X -= gap * deepest.NormalX;
+    moved.Y -= gap * deepest.NormalY;
+    REQUIRE_THAT(ComputeGap(a, moved), WithinAbs(0.0, 1e-9));
+    moved.X += 0.1 * gap * deepest.NormalX;
+    moved.Y += 0.1 * gap * deepest.NormalY;
+    REQUIRE(ComputeGap(a, moved) < 1e-9);
+  }
+  CHECK(apart > 500);
+  CHECK(overlapping > 500);
 }
 
 }  // namespace argos

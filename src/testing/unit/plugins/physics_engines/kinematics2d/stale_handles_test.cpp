@@ -33,11 +33,11 @@ struct SScene {
     if (kind == EKinematicKind::Disc) {
       description.Shapes.push_back(SShapeDescription::Cylinder(0.05, 0.1));
       description.Drive = SDifferentialDriveDescription{0.08, 0.02, 1.0, 1.0};
-      World.AddMovable(owner, description, pose, Wheels.data(), {0.0, 0.0});
+      World.AddMovable(owner, description, pose, CDriveSource(Wheels.data(), 0.08), {0.0, 0.0});
     } else {
       description.Shapes.push_back(SShapeDescription::Box(CVector3(0.1, 0.1, 0.1)));
       if (kind == EKinematicKind::Solid) {
-        World.AddMovable(owner, description, pose, nullptr, {1.0, 1.0});
+        World.AddMovable(owner, description, pose, CDriveSource(), {1.0, 1.0});
       } else {
         World.AddImmovable(owner, description, pose);
       }
@@ -74,7 +74,7 @@ TEST_CASE("kinematic world: the handle of a removed body is stale, also after it
     }
   }
   scene.World.Remove(second);
-  CHECK_NOTHROW(scene.World.Advance(scene.Pool, 0.1));
+  CHECK_NOTHROW(scene.World.Advance(scene.Pool, {0.1, 0.0, true}));
 }
 
 TEST_CASE("kinematic world: the pose of an immovable body is not set",
@@ -89,7 +89,7 @@ TEST_CASE("disc swarm: slots and places from before a removal are noticed",
   SScene scene;
   const SKinematicHandle& first = scene.Add(EKinematicKind::Disc, 0.0);
   scene.Add(EKinematicKind::Disc, 1.0);
-  scene.World.Advance(scene.Pool, 0.1);
+  scene.World.Advance(scene.Pool, {0.1, 0.0, true});
   CDiscSwarm& discs = scene.World.GetDiscs();
   const auto visitAll = [&] { discs.ForDiscsNear(0.0, 0.0, 1.0, [](UInt32) {}); };
   CHECK_NOTHROW(visitAll());

@@ -18,7 +18,7 @@ namespace {
 struct SOwner {
   CPointMass3DEngine Engine;
   CEmbodiedEntity Entity{nullptr, "body"};
-  CPointMass3DBody Body{Engine, Entity, CPointMass3DBody::EKind::Driver, nullptr};
+  CPointMass3DBody Body{Engine, Entity, CPointMass3DBody::EKind::Driver, CDriveSource()};
 };
 
 // three bodies, of which the first is removed, so that the third gets its number; then a fourth
@@ -57,7 +57,9 @@ TEST_CASE("drivers: the handle of a removed body is stale, also after its number
   SOwner owner;
   const Real wheels[2] = {0.0, 0.0};
   CDrivers drivers;
-  CheckHandles(drivers, [&] { return drivers.Add(owner.Body, wheels, 0.1, SPlanarPose(), 0.0); });
+  CheckHandles(drivers, [&] {
+    return drivers.Add(owner.Body, CDriveSource(wheels, 0.1), SPlanarPose(), 0.0);
+  });
 }
 
 TEST_CASE("flyers: the handle of a removed body is stale, also after its number is used again",

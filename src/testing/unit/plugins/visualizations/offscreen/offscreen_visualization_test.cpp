@@ -145,6 +145,12 @@ TEST_CASE("offscreen: errors are reported while loading, with their place",
   CHECK_THROWS_WITH(CExperiment("<offscreen directory='/dev/null'/>"),
                     Contains("\"/dev/null\": it is not a directory"));
   CHECK_THROWS_WITH(CExperiment("<offscreen size='1x1'/>"), Contains("out of range"));
+  const CTemporaryFolder folder;
+  CHECK_THROWS_WITH(
+      CExperiment("<offscreen directory='" + folder.GetPath() +
+                  "'><user_functions label='nobody' library='/no/such/lib.so'/>"
+                  "</offscreen>"),
+      Contains("test.argos:5: <user_functions label=\"nobody\">") && Contains("/no/such/lib.so"));
 }
 
 TEST_CASE(
@@ -157,6 +163,18 @@ TEST_CASE(
   experiment.GetSimulator().Execute();
   CHECK(experiment.GetSimulator().GetSpace().GetSimulationClock() == 10);
   CHECK_THAT(log.GetText(), Contains("<qt-opengl>") && Contains("headless"));
+}
+
+TEST_CASE("qt-opengl: user functions are loaded only for frames", "[visualizations][offscreen]") {
+  const std::string functions = "<user_functions label='nobody'/>";
+  CLogCapture log;
+  CHECK_NOTHROW(CExperiment("<qt-opengl>" + functions + "</qt-opengl>"));
+  CHECK_THAT(log.GetText(), Contains("headless, without its user functions"));
+  const CTemporaryFolder folder;
+  CHECK_THROWS_WITH(CExperiment("<qt-opengl>" + functions + "<frame_grabbing directory='" +
+                                folder.GetPath() + "'/></qt-opengl>"),
+                    Contains("test.argos:5: <user_functions label=\"nobody\">") &&
+                        Contains("No CDrawingFunctions is registered"));
 }
 
 TEST_CASE("qt-opengl: a file with frame grabbing writes every n-th frame",

@@ -143,7 +143,6 @@ TEST_CASE("qt-opengl: user functions are reported, malformed values are errors",
           "[visualizations][offscreen][xml]") {
   const SQtOpenGlRequest request = ReadQt("<user_functions label='trails' library='lib/x'/>");
   CHECK(request.HasUserFunctions);
-  CHECK(request.UserFunctions == "trails");
   CHECK_THROWS_WITH(ReadQt("<user_functions/>"), Contains("label"));
   CHECK_THROWS_WITH(ReadQt("", "autoplay='yes'"), Contains("autoplay"));
   CHECK_THROWS_WITH(ReadQt("<frame_grabbing headless_frame_rate='0'/>"),

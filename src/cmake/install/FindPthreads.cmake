@@ -1,0 +1,13 @@
+# Finds POSIX threads. Sets PTHREADS_FOUND, PTHREADS_INCLUDE_DIR, PTHREADS_INCLUDE_DIRS, PTHREADS_LIBRARY,
+# PTHREADS_LIBRARIES and PTHREADS_DEFINITIONS; the libraries are empty where the C library has these functions.
+cmake_policy(VERSION 3.22)
+set(THREADS_PREFER_PTHREAD_FLAG OFF)
+find_package(Threads QUIET)
+find_path(PTHREADS_INCLUDE_DIR pthread.h)
+mark_as_advanced(PTHREADS_INCLUDE_DIR)
+set(PTHREADS_INCLUDE_DIRS "${PTHREADS_INCLUDE_DIR}")
+set(PTHREADS_LIBRARY "${CMAKE_THREAD_LIBS_INIT}")
+set(PTHREADS_LIBRARIES "${CMAKE_THREAD_LIBS_INIT}")
+set(PTHREADS_DEFINITIONS "")
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(Pthreads REQUIRED_VARS PTHREADS_INCLUDE_DIR Threads_FOUND)

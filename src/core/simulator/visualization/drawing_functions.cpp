@@ -1,0 +1,87 @@
+#include <argos3/core/simulator/visualization/drawing_functions.h>
+
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/entity/existing_component.h>
+#include <argos3/core/simulator/entity/positional_entity.h>
+
+namespace argos {
+
+namespace {
+
+void SetFrameOf(CEntity& entity, CDrawing& drawing) {
+  if (auto* composable = dynamic_cast<CComposableEntity*>(&entity)) {
+    if (auto* body = FindExistingComponent<CEmbodiedEntity>(*composable)) {
+      const SAnchor& origin = body->GetOriginAnchor();
+      drawing.SetFrame(origin.Position, origin.Orientation);
+      return;
+    }
+  } else if (auto* positional = dynamic_cast<CPositionalEntity*>(&entity)) {
+    drawing.SetFrame(positional->GetPosition(), positional->GetOrientation());
+    return;
+  }
+  drawing.SetWorldFrame();
+}
+
+// points to a drawing during its lifetime
+class CDrawingScope {
+ public:
+  CDrawingScope(CDrawing*& pointer, CDrawing& drawing) : m_pointer(pointer) {
+    m_pointer = &drawing;
+  }
+  ~CDrawingScope() { m_pointer = nullptr; }
+  CDrawingScope(const CDrawingScope&) = delete;
+  CDrawingScope& operator=(const CDrawingScope&) = delete;
+
+ private:
+  CDrawing*& m_pointer;
+};
+
+}  // namespace
+
+CDrawingFunctions::CDrawingFunctions() = default;
+CDrawingFunctions::~CDrawingFunctions() = default;
+
+void CDrawingFunctions::Register(size_t tag, TFunction function) {
+  if (m_functions.size() <= tag) {
+    m_functions.resize(tag + 1);
+  }
+  m_functions[tag] = std::move(function);
+}
+
+bool CDrawingFunctions::HasFunctionFor(CEntity& entity) const {
+  const size_t tag = entity.GetTag();
+  return tag < m_functions.size() && m_functions[tag] != nullptr;
+}
+
+void CDrawingFunctions::Call(CEntity& entity) {
+  if (HasFunctionFor(entity)) {
+    m_functions[entity.GetTag()](entity);
+  }
+}
+
+CDrawing& CDrawingFunctions::GetDrawing() {
+  if (m_drawing == nullptr) {
+    THROW_ARGOSEXCEPTION(
+        "Functions that draw can be called only in hooks that draw: in a function registered for a "
+        "class of entities, in DrawInWorld(), and in that of the overlay");
+  }
+  return *m_drawing;
+}
+
+void CDrawingFunctions::DrawAll(CDrawing& drawing, const CEntity::TVector& roots) {
+  const CDrawingScope scope(m_drawing, drawing);
+  if (!m_functions.empty()) {
+    for (CEntity* root : roots) {
+      if (HasFunctionFor(*root)) {
+        SetFrameOf(*root, drawing);
+        Call(*root);
+      }
+    }
+  }
+  drawing.SetWorldFrame();
+  DrawInWorld();
+  drawing.SetOverlay();
+  DrawInOverlay();
+}
+
+}  // namespace argos

@@ -1,0 +1,87 @@
+#include <argos3/plugins/simulator/visualizations/qt-opengl/qtopengl_user_functions.h>
+
+#include <argos3/plugins/simulator/visualizations/qt-opengl/qt_conversions.h>
+
+namespace argos {
+
+namespace {
+
+// the default of vertices: a circle that was meant to be round
+constexpr GLuint kRoundVertices = 20;
+
+}  // namespace
+
+CQTOpenGLUserFunctions::CQTOpenGLUserFunctions()
+    : m_ownMainWindow(*this), m_mainWindow(&m_ownMainWindow) {
+  RegisterUserFunction<CQTOpenGLUserFunctions, CFloorEntity>(&CQTOpenGLUserFunctions::Draw);
+}
+
+void CQTOpenGLUserFunctions::KeyPressed(QKeyEvent* event) {
+  GetQTOpenGLWidget().KeyPressed(event);
+}
+
+void CQTOpenGLUserFunctions::KeyReleased(QKeyEvent* event) {
+  GetQTOpenGLWidget().KeyReleased(event);
+}
+
+CEntity* CQTOpenGLUserFunctions::GetSelectedEntity() {
+  return GetQTOpenGLWidget().GetSelectedEntity();
+}
+
+void CQTOpenGLUserFunctions::SelectEntity(CEntity& entity) {
+  GetQTOpenGLWidget().SelectEntity(entity);
+}
+
+void CQTOpenGLUserFunctions::DeselectEntity() {
+  GetQTOpenGLWidget().DeselectEntity();
+}
+
+void CQTOpenGLUserFunctions::DrawInOverlay() {
+  QPainter painter(GetDrawing());
+  DrawOverlay(painter);
+}
+
+void CQTOpenGLUserFunctions::DrawPoint(const CVector3& position, const CColor& color,
+                                       Real diameter) {
+  GetDrawing().DrawPoint(position, color, diameter);
+}
+
+void CQTOpenGLUserFunctions::DrawTriangle(const CVector3& position, const CQuaternion& orientation,
+                                          Real base, Real height, const CColor& color, bool fill) {
+  GetDrawing().DrawTriangle(position, orientation, base, height, color, fill);
+}
+
+void CQTOpenGLUserFunctions::DrawPolygon(const CVector3& position, const CQuaternion& orientation,
+                                         const std::vector<CVector2>& corners, const CColor& color,
+                                         bool fill) {
+  GetDrawing().DrawPolygon(position, orientation, corners, color, fill);
+}
+
+void CQTOpenGLUserFunctions::DrawCircle(const CVector3& position, const CQuaternion& orientation,
+                                        Real radius, const CColor& color, bool fill,
+                                        GLuint vertices) {
+  GetDrawing().DrawCircle(position, orientation, radius, color, fill,
+                          vertices < kRoundVertices ? vertices : 0);
+}
+
+void CQTOpenGLUserFunctions::DrawCylinder(const CVector3& position, const CQuaternion& orientation,
+                                          Real radius, Real height, const CColor& color,
+                                          GLuint /*vertices*/) {
+  GetDrawing().DrawCylinder(position, orientation, radius, height, color);
+}
+
+void CQTOpenGLUserFunctions::DrawBox(const CVector3& position, const CQuaternion& orientation,
+                                     const CVector3& size, const CColor& color) {
+  GetDrawing().DrawBox(position, orientation, size, color);
+}
+
+void CQTOpenGLUserFunctions::DrawRay(const CRay3& ray, const CColor& color, Real width) {
+  GetDrawing().DrawLine(ray.GetStart(), ray.GetEnd(), color, width);
+}
+
+void CQTOpenGLUserFunctions::DrawText(const CVector3& position, const std::string& text,
+                                      const CColor& color, const QFont& font) {
+  GetDrawing().DrawText(position, text, color, ToTextStyle(font));
+}
+
+}  // namespace argos

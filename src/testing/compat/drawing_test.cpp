@@ -1,0 +1,158 @@
+// Drawing functions in code of users.
+
+#include "user_drawing.h"
+
+#include <argos3/testing/support/experiment.h>
+
+#include <catch2/catch.hpp>
+
+#include <stdlib.h>
+
+#include <filesystem>
+
+typedef std::vector<std::string> TEvents;
+
+static SExperiment MakeExperiment() {
+  return SExperiment{.Length = 0.3,
+                     .Controllers =
+                         "<toy_controller id='idle'><actuators /><sensors />"
+                         "<params /></toy_controller>",
+                     .LoopFunctions = "",
+                     .Engines = "<dynamics2d id='dyn2d' />",
+                     .Arena =
+                         "<floor id='floor' source='loop_functions' pixels_per_meter='10' />"
+                         "<foot-bot id='fb1'><body position='1,2,0' orientation='90,0,0' />"
+                         "<controller config='idle' /></foot-bot>"
+                         "<foot-bot id='fb0'><body position='-1,0,0' orientation='0,0,0' />"
+                         "<controller config='idle' /></foot-bot>"};
+}
+
+TEST_CASE("compat: user functions draw all shapes, in the frames of ARGoS 3", "[compat]") {
+  CTestWorld world(MakeExperiment());
+  const CSimulator::CScope scope(world.GetSimulator());
+  CUserDrawing functions;
+  CDrawing drawing;
+  drawing.Begin(320, 240);
+  functions.DrawAll(drawing, world.GetSpace().GetRootEntityVector());
+  CHECK(functions.m_vecEvents == TEvents{"floor floor"});
+  typedef SDrawnShape::EKind EKind;
+  std::vector<EKind> kinds;
+  for (const SDrawnShape& shape : drawing.GetShapes()) {
+    kinds.push_back(shape.Kind);
+  }
+  CHECK(kinds == std::vector<EKind>{EKind::Point, EKind::Text, EKind::Text, EKind::Text,
+                                    EKind::Text, EKind::Point, EKind::Polygon, EKind::Polygon,
+                                    EKind::Polygon, EKind::Polygon, EKind::Circle, EKind::Circle,
+                                    EKind::Cylinder, EKind::Cylinder, EKind::Box, EKind::Box,
+                                    EKind::Line, EKind::Line, EKind::Text});
+  const std::vector<SDrawnShape>& shapes = drawing.GetShapes();
+  CHECK(drawing.GetText(shapes[1]) == "fb1");
+  CHECK(drawing.GetText(shapes[3]) == "fb0");
+  // 1e-12: roundings of the rotation
+  CHECK(Distance(shapes[1].Position, CVector3(1.0, 2.0, 0.3)) < 1e-12);
+  CHECK(Distance(shapes[3].Position, CVector3(-1.0, 0.0, 0.3)) < 1e-12);
+  const STextStyle& style = drawing.GetStyles()[shapes[2].Style];
+  CHECK(style.Family == "Helvetica");
+  CHECK(style.Size == 24.0);
+  CHECK(style.IsBold);
+  CHECK(shapes[2].Color == CColor::RED);
+  // defaults
+  CHECK(shapes[1].Color == CColor::BLACK);
+  CHECK(shapes[10].Color == CColor::RED);
+  CHECK(shapes[10].Count == 0);
+  CHECK(shapes[11].Count == 5);
+  CHECK_FALSE(shapes[11].IsFilled);
+  CHECK(shapes[16].Pixels == 1.0);
+  CHECK(shapes[17].Pixels == 3.0);
+  // the overlay
+  CHECK(shapes[18].Space == SDrawnShape::ESpace::Overlay);
+  CHECK(shapes[18].Position == CVector3(5.0, 235.0, 0.0));
+  CHECK(shapes[18].Color == CColor(10, 20, 30));
+}
+
+TEST_CASE("compat: hooks of keys, of the mouse and of the selection are called", "[compat]") {
+  CTestWorld world(MakeExperiment());
+  const CSimulator::CScope scope(world.GetSimulator());
+  CUserDrawing functions;
+  CEntity& robot = world.GetSpace().GetEntity("fb0");
+  CEntity& floor = world.GetSpace().GetEntity("floor");
+  CHECK(functions.GetSelectedEntity() == NULL);
+  functions.SelectEntity(robot);
+  CHECK(functions.GetSelectedEntity() == &robot);
+  functions.SelectEntity(robot);
+  functions.SelectEntity(floor);
+  functions.DeselectEntity();
+  functions.DeselectEntity();
+  CHECK(functions.GetSelectedEntity() == NULL);
+  QMouseEvent mouse(3, 4, Qt::LeftButton);
+  functions.MouseKeyPressed(&mouse);
+  functions.MouseMoved(&mouse);
+  functions.MouseKeyReleased(&mouse);
+  CHECK(functions.m_vecEvents == TEvents{"selected fb0", "deselected fb0", "selected floor (other)",
+                                         "deselected floor", "left", "mouse at 7"});
+  QKeyEvent key(Qt::Key_W, "w");
+  functions.KeyPressed(&key);
+  CHECK(functions.m_punKeys[0] == 1);
+  functions.KeyReleased(&key);
+  CHECK(functions.m_punKeys[0] == 0);
+  QKeyEvent other(Qt::Key_Escape);
+  functions.KeyPressed(&other);
+  functions.KeyReleased(&other);
+  functions.EntityMoved(robot, CVector3(), CVector3());
+  functions.EntityRotated(robot, CQuaternion(), CQuaternion());
+  CHECK(&functions.GetMainWindow().GetOpenGLWidget() == &functions.GetQTOpenGLWidget());
+  CQTOpenGLMainWindow window(functions);
+  functions.SetMainWindow(window);
+  CHECK(&functions.GetQTOpenGLWidget() == &window.GetOpenGLWidget());
+}
+
+TEST_CASE("compat: user functions draw into the frames of qt-opengl and of offscreen", "[compat]") {
+  std::string pattern = (std::filesystem::temp_directory_path() / "drawing_XXXXXX").string();
+  REQUIRE(mkdtemp(pattern.data()) != NULL);
+  const std::string functions = "<user_functions label='user_drawing' title='x' />";
+  const std::string views[] = {"<qt-opengl>" + functions + "<frame_grabbing directory='" + pattern +
+                                   "' base_name='qt_' headless_frame_size='64x48' /></qt-opengl>",
+                               "<offscreen directory='" + pattern +
+                                   "' base_name='os_' size='64x48'>" + functions + "</offscreen>"};
+  std::string xml = MakeExperiment().ToXml();
+  const size_t end = xml.find("</argos-configuration>");
+  REQUIRE(end != std::string::npos);
+  for (const std::string& view : views) {
+    CConfigurationDocument document;
+    std::string withView = xml;
+    document.Parse(withView.insert(end, "<visualization>" + view + "</visualization>"));
+    CSimulator simulator;
+    const CSimulator::CScope scope(simulator);
+    simulator.Load(document);
+    simulator.Execute();
+  }
+  CHECK(std::filesystem::exists(pattern + "/qt_0000000003.png"));
+  CHECK(std::filesystem::exists(pattern + "/os_0000000003.png"));
+  std::filesystem::remove_all(pattern);
+}
+
+TEST_CASE("compat: QFont, QString and QColor have what users call", "[compat]") {
+  QFont font;
+  CHECK(font.pointSize() == 12);
+  CHECK(font.pixelSize() == 16);
+  CHECK_FALSE(font.bold());
+  font.setFamily("Times");
+  font.setPixelSize(20);
+  font.setBold(true);
+  font.setItalic(true);
+  CHECK(font.family() == "Times");
+  CHECK(font.pointSize() == 15);
+  CHECK(font.weight() == QFont::Bold);
+  CHECK(font.italic());
+  font.setWeight(QFont::Light);
+  CHECK_FALSE(font.bold());
+  QFont hinted;
+  hinted.setStyleHint(QFont::Monospace);
+  CHECK(hinted.family() == "monospace");
+  CHECK(QString::number(12) == "12");
+  CHECK(QString::number(1.5) == "1.5");
+  CHECK(QString::number(2.0) == "2");
+  CHECK(QColor(Qt::red).red() == 255);
+  CHECK(QColor(Qt::darkGreen).green() == 128);
+  CHECK(QColor(1, 2, 3).alpha() == 255);
+}

@@ -1,0 +1,3 @@
+int GetLevelOfC(void) {
+  return 1;
+}

@@ -1,0 +1,120 @@
+#include <argos3/plugins/simulator/visualizations/offscreen/glyph_atlas.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <string>
+
+using namespace argos;
+
+namespace {
+
+SLabel MakeLabel(const std::string& text, const STextStyle& style = STextStyle()) {
+  SLabel label;
+  label.Text = text;
+  label.Style = style;
+  return label;
+}
+
+std::vector<SGlyphInstance> Set(CGlyphAtlas& atlas, const SLabel& label, double x = 100.0,
+                                double y = 50.0, double scale = 1.0) {
+  std::vector<SGlyphInstance> instances;
+  atlas.Append(label, x, y, scale, instances);
+  return instances;
+}
+
+float RightEnd(const std::vector<SGlyphInstance>& instances) {
+  float end = -1e9f;
+  for (const SGlyphInstance& instance : instances) {
+    end = std::max(end, instance.Area[0] + instance.Area[2]);
+  }
+  return end;
+}
+
+}  // namespace
+
+TEST_CASE("glyph atlas: a text is its contours, then its letters, from left to right",
+          "[visualizations][offscreen][text]") {
+  CGlyphAtlas atlas;
+  const std::vector<SGlyphInstance> instances = Set(atlas, MakeLabel("a b"));
+  // the blank has no picture
+  REQUIRE(instances.size() == 4);
+  CHECK(instances[0].Color.R == 255);
+  CHECK(instances[2].Color.R == 0);
+  CHECK(instances[2].Area[0] < instances[3].Area[0]);
+  // the letter stands on the base line, within the contour
+  CHECK(instances[2].Area[1] + instances[2].Area[3] <= 51.0f);
+  CHECK(instances[2].Area[1] > 50.0f - 16.0f);
+  CHECK(instances[0].Area[0] < instances[2].Area[0]);
+  CHECK(instances[0].Area[2] > instances[2].Area[2]);
+}
+
+TEST_CASE("glyph atlas: letters that are drawn again are not stored again",
+          "[visualizations][offscreen][text]") {
+  CGlyphAtlas atlas;
+  Set(atlas, MakeLabel("fb10"));
+  const std::uint64_t version = atlas.GetVersion();
+  Set(atlas, MakeLabel("01fb"));
+  CHECK(atlas.GetVersion() == version);
+  Set(atlas, MakeLabel("2"));
+  CHECK(atlas.GetVersion() != version);
+}
+
+TEST_CASE("glyph atlas: texts are aligned at their position", "[visualizations][offscreen][text]") {
+  CGlyphAtlas atlas;
+  STextStyle style;
+  const float left = Set(atlas, MakeLabel("swarm", style))[5].Area[0];
+  const float width = RightEnd(Set(atlas, MakeLabel("swarm", style))) - left;
+  style.Alignment = STextStyle::EAlignment::Center;
+  const float centered = Set(atlas, MakeLabel("swarm", style))[5].Area[0];
+  style.Alignment = STextStyle::EAlignment::Right;
+  const float right = Set(atlas, MakeLabel("swarm", style))[5].Area[0];
+  // letters begin at whole pixels, and a letter's picture is narrower than its room
+  CHECK(std::abs(left - 100.0f) <= 2.0f);
+  CHECK(std::abs(left - centered - 0.5f * width) <= 3.0f);
+  CHECK(std::abs(left - right - width) <= 4.0f);
+}
+
+TEST_CASE("glyph atlas: size, weight and family change the letters",
+          "[visualizations][offscreen][text]") {
+  CGlyphAtlas atlas;
+  const float plain = RightEnd(Set(atlas, MakeLabel("illiw")));
+  STextStyle large;
+  large.Size = 32.0;
+  // twice the size, twice the width, up to rounding to pixels
+  CHECK(std::abs(RightEnd(Set(atlas, MakeLabel("illiw", large))) - 100.0f -
+                 2.0f * (plain - 100.0f)) < 6.0f);
+  STextStyle bold;
+  bold.IsBold = true;
+  CHECK(RightEnd(Set(atlas, MakeLabel("illiw", bold))) > plain);
+  // of a monospaced font all letters are equally wide
+  STextStyle mono;
+  mono.Family = "Courier New";
+  const std::vector<SGlyphInstance> narrow = Set(atlas, MakeLabel("iii|", mono));
+  const std::vector<SGlyphInstance> wide = Set(atlas, MakeLabel("www|", mono));
+  CHECK(narrow.back().Area[0] == wide.back().Area[0]);
+  CHECK(Set(atlas, MakeLabel("iii|")).back().Area[0] <
+        Set(atlas, MakeLabel("www|")).back().Area[0]);
+}
+
+TEST_CASE("glyph atlas: line feeds begin a line below, malformed UTF-8 is replaced",
+          "[visualizations][offscreen][text]") {
+  CGlyphAtlas atlas;
+  const std::vector<SGlyphInstance> lines = Set(atlas, MakeLabel("a\na"));
+  REQUIRE(lines.size() == 4);
+  CHECK(lines[2].Area[0] == lines[3].Area[0]);
+  CHECK(lines[3].Area[1] - lines[2].Area[1] > 16.0f);
+  // one character in two bytes
+  CHECK(Set(atlas, MakeLabel("\xC3\xBC")).size() == 2);
+  CHECK(Set(atlas, MakeLabel("\xFF\xC3")).size() == 4);
+  CHECK(Set(atlas, MakeLabel("")).empty());
+}
+
+TEST_CASE("glyph atlas: bright text has a dark contour", "[visualizations][offscreen][text]") {
+  CGlyphAtlas atlas;
+  SLabel label = MakeLabel("x");
+  label.Color = {255, 255, 0, 255};
+  CHECK(Set(atlas, label)[0].Color.R < 50);
+  label.Color = {0, 0, 160, 255};
+  CHECK(Set(atlas, label)[0].Color.R > 200);
+}
