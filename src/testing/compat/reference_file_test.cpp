@@ -17,7 +17,7 @@ using namespace argos;
 
 namespace {
 
-/* reads its parameters, as a warning tells that nobody else does */
+/* reads its own parameters: an attribute that is not read gives a warning */
 class CReferenceController : public CCI_Controller {
  public:
   virtual void Init(TConfigurationNode& t_tree) {
@@ -86,6 +86,14 @@ std::string CFolder::Fill(std::string strXml) const {
   Replace(strXml, "$FOOTBOT", kFootBotController);
   Replace(strXml, "$EPUCK", kEPuckController);
   return strXml;
+}
+
+/* Loads an experiment and runs it for some ticks; neither may give a warning. */
+void CheckRunsWithoutWarning(const std::string& strXml, int nTicks) {
+  CTestWorld cWorld(strXml);
+  CHECK(TakeLogErr() == "");
+  cWorld.Step(nTicks);
+  CHECK(TakeLogErr() == "");
 }
 
 }  // namespace
@@ -198,15 +206,12 @@ TEST_CASE("compat: every element and attribute of a file for dynamics3d loads wi
   <media> <led id="leds" /> </media>
   <visualization />
 </argos-configuration>)");
-  CTestWorld cWorld(strXml);
-  CHECK(TakeLogErr() == "");
-  cWorld.Step(5);
-  CHECK(TakeLogErr() == "");
+  CheckRunsWithoutWarning(strXml, 5);
 }
 
 TEST_CASE("compat: every element and attribute of a file for pointmass3d loads without a warning",
           "[compat]") {
-  CTestWorld cWorld(R"(<argos-configuration>
+  CheckRunsWithoutWarning(R"(<argos-configuration>
   <framework> <experiment length="1" ticks_per_second="10" random_seed="1" /> </framework>
   <controllers>
     <reference_controller id="fly">
@@ -229,15 +234,13 @@ TEST_CASE("compat: every element and attribute of a file for pointmass3d loads w
     </pointmass3d>
   </physics_engines>
   <media> <led id="leds" index="grid" /> <range_and_bearing id="rab" /> </media>
-</argos-configuration>)");
-  CHECK(TakeLogErr() == "");
-  cWorld.Step(5);
-  CHECK(TakeLogErr() == "");
+</argos-configuration>)",
+                          5);
 }
 
 TEST_CASE("compat: every element and attribute of a prototype loads without a warning",
           "[compat]") {
-  CTestWorld cWorld(R"(<argos-configuration>
+  CheckRunsWithoutWarning(R"(<argos-configuration>
   <framework> <experiment length="1" ticks_per_second="10" random_seed="1" /> </framework>
   <controllers>
     <reference_controller id="arm">
@@ -291,8 +294,6 @@ TEST_CASE("compat: every element and attribute of a prototype loads without a wa
   </arena>
   <physics_engines> <dynamics3d id="dyn3d"> <floor /> <gravity g="9.81" /> <magnetism /> </dynamics3d> </physics_engines>
   <media> <led id="leds" /> <directional_led id="directional" /> <tag id="tags" /> <simple_radio id="radios" /> </media>
-</argos-configuration>)");
-  CHECK(TakeLogErr() == "");
-  cWorld.Step(5);
-  CHECK(TakeLogErr() == "");
+</argos-configuration>)",
+                          5);
 }

@@ -70,7 +70,7 @@ TEST_CASE("view drawing: functions draw in the order of the file, loop functions
   CHECK(drawing.GetWidth() == 320);
   CHECK(drawing.GetTexts() == "baloopoverlay");
   CHECK(drawing.GetShapes().back().Space == SDrawnShape::ESpace::Overlay);
-  // the list is made anew each time
+  // the list is cleared and filled for each frame
   CHECK((*view).Draw(world.GetSimulator(), 320, 240).GetShapes().size() == 4);
 }
 

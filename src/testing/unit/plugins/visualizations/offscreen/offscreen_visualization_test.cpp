@@ -148,9 +148,9 @@ TEST_CASE("offscreen: errors are reported while loading, with their place",
   const CTemporaryFolder folder;
   CHECK_THROWS_WITH(
       CExperiment("<offscreen directory='" + folder.GetPath() +
-                  "'><user_functions label='nobody' library='/no/such/lib.so'/>"
+                  "'><user_functions label='unknown' library='/no/such/lib.so'/>"
                   "</offscreen>"),
-      Contains("test.argos:5: <user_functions label=\"nobody\">") && Contains("/no/such/lib.so"));
+      Contains("test.argos:5: <user_functions label=\"unknown\">") && Contains("/no/such/lib.so"));
 }
 
 TEST_CASE(
@@ -166,14 +166,14 @@ TEST_CASE(
 }
 
 TEST_CASE("qt-opengl: user functions are loaded only for frames", "[visualizations][offscreen]") {
-  const std::string functions = "<user_functions label='nobody'/>";
+  const std::string functions = "<user_functions label='unknown'/>";
   CLogCapture log;
   CHECK_NOTHROW(CExperiment("<qt-opengl>" + functions + "</qt-opengl>"));
   CHECK_THAT(log.GetText(), Contains("headless, without its user functions"));
   const CTemporaryFolder folder;
   CHECK_THROWS_WITH(CExperiment("<qt-opengl>" + functions + "<frame_grabbing directory='" +
                                 folder.GetPath() + "'/></qt-opengl>"),
-                    Contains("test.argos:5: <user_functions label=\"nobody\">") &&
+                    Contains("test.argos:5: <user_functions label=\"unknown\">") &&
                         Contains("No CDrawingFunctions is registered"));
 }
 
