@@ -66,12 +66,12 @@ std::string SRoomsWorld::ToXML() const {
   std::ostringstream xml;
   xml << "<argos-configuration><framework><system threads=\"" << Threads << "\" method=\"" << Method
       << "\"/><experiment length=\"0\" ticks_per_second=\"10\" random_seed=\"" << Seed
-      << "\"/></framework>\n<controllers><epuck_diffusion_controller id=\"diffusion\">"
+      << "\"/></framework>\n<controllers><" << Controller << " id=\"diffusion\">"
       << "<actuators><differential_steering implementation=\"default\"/>" << Actuators
       << "</actuators><sensors><epuck_proximity implementation=\"default\"/>" << Sensors
       << "</sensors><params/>"
-      << "</epuck_diffusion_controller></controllers>\n<arena size=\"" << Side + 1.0 << ","
-      << Side + 1.0 << ",1\">\n";
+      << "</" << Controller << "></controllers>\n<arena size=\"" << Side + 1.0 << "," << Side + 1.0
+      << ",1\">\n";
   AddRooms(xml, Side, RoomsPerSide);
   xml << "<distribute><position method=\"uniform\" min=\"" << -reach << "," << -reach
       << ",0\" max=\"" << reach << "," << reach << ",0\"/>"

@@ -18,6 +18,7 @@ struct SRoomsWorld {
   std::string Engine = "dynamics2d";
   std::string EngineAttributes; /**< such as `iterations="4"` */
   std::string EngineChildren; /**< XML elements */
+  std::string Controller = "epuck_diffusion_controller"; /**< label */
   std::string Actuators, Sensors; /**< XML elements in addition to wheels and proximity sensors */
   std::string Media; /**< XML elements */
 

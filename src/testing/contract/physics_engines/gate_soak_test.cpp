@@ -1,6 +1,6 @@
 // A thousand robots in sixteen engines with a gate in every border, for ten minutes.
 
-#include <argos3/testing/contract/physics_engines/regions.h>
+#include <argos3/testing/contract/physics_engines/board.h>
 #include <argos3/testing/support/experiment.h>
 #include <argos3/testing/support/rooms.h>
 
@@ -23,65 +23,11 @@ using testing::SRoomsWorld;
 namespace {
 
 constexpr UInt32 kRobots = 1000;
-constexpr int kPerSide = 4;  // engines
 constexpr UInt32 kMinutes = 10;
 // m: a robot within this distance of its place for a minute counts as stuck; it drives 10 cm/s
 constexpr Real kStuck = 0.01;
 // m: an engine keeps a lying or tilted robot up to this distance beyond a border
 constexpr Real kBeyond = 0.2;
-
-/** Assignment of engine types to the squares of the board. */
-struct SBoard {
-  std::string Name;
-  std::vector<SSharingEngine> Types;  // in sequence, shifted by one in each row
-
-  const SSharingEngine& At(int column, int row) const {
-    return Types[static_cast<size_t>(column + row) % Types.size()];
-  }
-};
-
-std::vector<SBoard> ListBoards() {
-  std::vector<SBoard> boards;
-  for (const SSharingEngine& engine : kSharingEngines) {
-    boards.push_back({engine.Tag, {engine}});
-  }
-  boards.push_back({"all types", kSharingEngines});
-  return boards;
-}
-
-std::string IdAt(int column, int row) {
-  return "e" + std::to_string(column) + std::to_string(row);
-}
-
-// attribute of the face between a square and its neighbour
-std::string FaceTo(const SBoard& board, int column, int row, int toColumn, int toRow) {
-  const bool isInside = std::min(toColumn, toRow) >= 0 && std::max(toColumn, toRow) < kPerSide;
-  if (isInside) {
-    return "gate='" + IdAt(toColumn, toRow) + "'";
-  }
-  return board.At(column, row).HasWalls ? "wall='true'" : "";
-}
-
-std::string EnginesOf(const SBoard& board, Real side) {
-  // the outer faces coincide with the arena's walls
-  const auto edge = [side](int i) {
-    return (side - 0.1) * (static_cast<Real>(i) / kPerSide - 0.5);
-  };
-  std::string xml;
-  for (int row = 0; row < kPerSide; ++row) {
-    for (int column = 0; column < kPerSide; ++column) {
-      const auto face = [&](int right, int up) {
-        return FaceTo(board, column, row, column + right, row + up);
-      };
-      xml += RegionXml(board.At(column, row), IdAt(column, row),
-                       {{edge(column), edge(row), face(0, -1)},
-                        {edge(column + 1), edge(row), face(1, 0)},
-                        {edge(column + 1), edge(row + 1), face(0, 1)},
-                        {edge(column), edge(row + 1), face(-1, 0)}});
-    }
-  }
-  return xml;
-}
 
 std::string ExperimentOf(const SBoard& board) {
   SRoomsWorld rooms;
@@ -92,12 +38,7 @@ std::string ExperimentOf(const SBoard& board) {
                                          [](const SEngineType& type) { return type.HasContacts; });
   rooms.RoomsPerSide = areAllStopped ? 3 : 1;
   rooms.Threads = 2;
-  std::string xml = rooms.ToXML();
-  const std::string open = "<physics_engines>";
-  const size_t from = xml.find(open) + open.size();
-  const size_t to = xml.find("</physics_engines>");
-  REQUIRE(to != std::string::npos);
-  return xml.replace(from, to - from, EnginesOf(board, rooms.Side));
+  return board.ToXml(rooms);
 }
 
 /** Checks the robots every second. */
@@ -177,7 +118,8 @@ class CGateWatch {
 
 void Roam(const SBoard& board) {
   CTestWorld world(ExperimentOf(board));
-  REQUIRE(world.GetSimulator().GetPhysicsEngines().size() == kPerSide * kPerSide);
+  REQUIRE(world.GetSimulator().GetPhysicsEngines().size() ==
+          size_t(SBoard::kPerSide) * SBoard::kPerSide);
   CGateWatch watch(world);
   watch.CountStuck();
   for (UInt32 minute = 0; minute < kMinutes; ++minute) {
