@@ -9,50 +9,82 @@ namespace argos {
 
 namespace {
 
-constexpr char kElement[] = "user_functions";
-
-std::unique_ptr<CDrawingFunctions> CreateFunctions(TConfigurationNode& node) {
-  std::string label;
+// creates what an element describes; opening: the start of its tag, for errors
+template <typename PART>
+std::unique_ptr<PART> CreatePart(TConfigurationNode& node, const std::string& label,
+                                 const std::string& opening) {
   try {
-    GetNodeAttribute(node, "label", label);
     LoadLibraryOf(node);
-    std::unique_ptr<CDrawingFunctions> functions(CFactory<CDrawingFunctions>::New(label));
-    functions->Init(node);
-    return functions;
+    std::unique_ptr<PART> part(CFactory<PART>::New(label));
+    part->Init(node);
+    return part;
   } catch (std::exception& error) {
-    THROW_ARGOSEXCEPTION_NESTED(node.GetLocation() << ": <" << kElement << " label=\"" << label
-                                                   << "\">: nothing can be drawn by it",
-                                error);
+    THROW_ARGOSEXCEPTION_NESTED(
+        node.GetLocation() << ": <" << opening << ">: nothing can be drawn by it", error);
+  }
+}
+
+template <typename PART>
+void DestroyParts(std::vector<std::unique_ptr<PART>>& parts) {
+  while (!parts.empty()) {
+    const std::unique_ptr<PART> last = std::move(parts.back());
+    parts.pop_back();
+    last->Destroy();
   }
 }
 
 }  // namespace
 
 void CViewDrawing::Init(TConfigurationNode& view) {
-  TConfigurationNodeIterator it(kElement);
+  if (NodeExists(view, "overlays")) {
+    TConfigurationNodeIterator overlay;
+    for (overlay = overlay.begin(&GetNode(view, "overlays")); overlay != overlay.end(); ++overlay) {
+      m_overlays.push_back(CreatePart<COverlay>(*overlay, overlay->Value(), overlay->Value()));
+    }
+  }
+  TConfigurationNodeIterator it("user_functions");
   for (it = it.begin(&view); it != it.end(); ++it) {
-    m_functions.push_back(CreateFunctions(*it));
+    std::string label;
+    GetNodeAttribute(*it, "label", label);
+    m_functions.push_back(
+        CreatePart<CDrawingFunctions>(*it, label, it->Value() + " label=\"" + label + "\""));
   }
 }
 
 void CViewDrawing::Destroy() {
-  while (!m_functions.empty()) {
-    const std::unique_ptr<CDrawingFunctions> last = std::move(m_functions.back());
-    m_functions.pop_back();
-    last->Destroy();
+  DestroyParts(m_functions);
+  DestroyParts(m_overlays);
+}
+
+void CViewDrawing::NoticeReset(CSimulator& simulator) {
+  const UInt32 tick = simulator.GetSpace().GetSimulationClock();
+  if (tick < m_lastTick) {
+    for (const std::unique_ptr<COverlay>& overlay : m_overlays) {
+      overlay->Reset();
+    }
+    for (const std::unique_ptr<CDrawingFunctions>& functions : m_functions) {
+      functions->Reset();
+    }
+  }
+  m_lastTick = tick;
+}
+
+void CViewDrawing::Observe(CSimulator& simulator) {
+  NoticeReset(simulator);
+  for (const std::unique_ptr<COverlay>& overlay : m_overlays) {
+    overlay->Observe(simulator);
   }
 }
 
 const CDrawing& CViewDrawing::Draw(CSimulator& simulator, UInt32 width, UInt32 height) {
-  CSpace& space = simulator.GetSpace();
-  const bool hasBeenReset = space.GetSimulationClock() < m_lastTick;
-  m_lastTick = space.GetSimulationClock();
+  NoticeReset(simulator);
   m_drawing.Begin(width, height);
+  for (const std::unique_ptr<COverlay>& overlay : m_overlays) {
+    m_drawing.SetWorldFrame();
+    overlay->Draw(simulator, m_drawing);
+  }
   for (const std::unique_ptr<CDrawingFunctions>& functions : m_functions) {
-    if (hasBeenReset) {
-      functions->Reset();
-    }
-    functions->DrawAll(m_drawing, space.GetRootEntityVector());
+    functions->DrawAll(m_drawing, simulator.GetSpace().GetRootEntityVector());
   }
   CLoopFunctions& loopFunctions = simulator.GetLoopFunctions();
   m_drawing.SetWorldFrame();

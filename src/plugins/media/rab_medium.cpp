@@ -98,6 +98,10 @@ CRABMedium::SNumbers CRABMedium::GetSenders(const CRABEquippedEntity& entity) co
   return {senders.First, senders.Last};
 }
 
+UInt32 CRABMedium::GetNumDevices() const {
+  return static_cast<UInt32>(m_state->Members.GetSize());
+}
+
 const CRABEquippedEntity* CRABMedium::GetDevice(UInt32 number) const {
   return m_state->Members.Get(number);
 }

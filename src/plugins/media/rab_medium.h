@@ -58,6 +58,8 @@ class CRABMedium : public CMedium, public CRABEquippedEntity::CRegistry {
   };
   /** For sensors: the numbers of the devices from which @p entity receives; see GetDevice(). */
   SNumbers GetSenders(const CRABEquippedEntity& entity) const;
+  /** Number of devices at the last Update(). */
+  UInt32 GetNumDevices() const;
   /** Null if the device has left the medium since the last Update(). */
   const CRABEquippedEntity* GetDevice(UInt32 number) const;
 

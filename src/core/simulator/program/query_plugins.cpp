@@ -8,6 +8,7 @@
 #include <argos3/core/simulator/medium/medium.h>
 #include <argos3/core/simulator/physics_engine/space_partition.h>
 #include <argos3/core/simulator/tick/loop_functions.h>
+#include <argos3/core/simulator/visualization/overlay.h>
 #include <argos3/core/simulator/visualization/visualization.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/process_wide.h>
@@ -64,6 +65,7 @@ std::vector<SKind> ListAll() {
       {"physics_engines", "AVAILABLE PHYSICS ENGINES", ListEngines()},
       {"media", "AVAILABLE MEDIA", ListPlugins<CMedium>()},
       {"visualizations", "AVAILABLE VISUALIZATIONS", ListPlugins<CVisualization>()},
+      {"overlays", "AVAILABLE OVERLAYS", ListPlugins<COverlay>()},
       {"entities", "AVAILABLE ENTITIES", ListPlugins<CEntity>()},
       {"robot_types", "AVAILABLE ROBOT TYPES", ListPlugins<CEntityType>()},
       {"controllers", "AVAILABLE CONTROLLERS", ListPlugins<CCI_Controller>()},

@@ -42,10 +42,12 @@ void CFrameRecorder::Run(CSimulator& simulator) {
   }
   Announce();
   const CSpace& space = simulator.GetSpace();
+  m_drawing.Observe(simulator);
   WriteFrame(simulator);
   UInt32 lastTick = space.GetSimulationClock();
   while (!simulator.IsExperimentFinished()) {
     simulator.UpdateSpace();
+    m_drawing.Observe(simulator);
     if (space.GetSimulationClock() % m_settings.Every == 0) {
       WriteFrame(simulator);
       lastTick = space.GetSimulationClock();

@@ -35,6 +35,11 @@ OPTIONAL XML CONFIGURATION
           <interpolate />
         </timeline>
       </camera>
+      <overlays>
+        <clock />
+        <ids />
+        <trails duration="10" />
+      </overlays>
       <user_functions label="my_drawing" library="path/to/library" />
     </offscreen>
   </visualization>
@@ -71,6 +76,8 @@ The timeline: from tick "step" on, the camera is at "placement"; steps must not 
 With <interpolate /> between two keyframes, it glides from one to the next. "loop" (ticks,
 0 = none, the default) is the period after which the timeline begins again; no step may
 exceed it, and <interpolate /> after the last keyframe leads back to the first one.
+
+<overlays>: its children add clock, ids, trails and more; argos3 -q overlays lists them.
 
 <user_functions> (any number) adds what users' code draws, see doc/drawing.md:
   label    string; as in REGISTER_QTOPENGL_USER_FUNCTIONS or REGISTER_DRAWING_FUNCTIONS
