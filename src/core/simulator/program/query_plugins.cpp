@@ -109,7 +109,9 @@ void PrintMatches(std::ostream& stream, const std::string& query, const std::vec
       if (plugin.Label.find(query) == std::string::npos) {
         continue;
       }
-      matches << (found ? std::string(78, '=') + '\n' : std::string());
+      if (found) {
+        matches << std::string(78, '=') << '\n';
+      }
       PrintDocumentation(matches, plugin);
       PrintKindsOf(matches, plugin.Label, kinds);
       found = true;

@@ -27,13 +27,14 @@ class CAxesOverlay : public COverlay {
     const Real tick = kTick * std::min(size.GetX(), size.GetY());
     DrawAxis({corner, CVector3::X, -CVector3::Y, size.GetX(), corner.GetX(), step, tick, "x"},
              drawing);
-    DrawAxis({corner, CVector3::Y, -CVector3::X, size.GetY(), corner.GetY(), step, tick, "y"},
+    // inside, because pictures have least room to the left of the arena
+    DrawAxis({corner, CVector3::Y, CVector3::X, size.GetY(), corner.GetY(), step, tick, "y"},
              drawing);
   }
 
  private:
   struct SAxis {
-    CVector3 Start, Along, Outward;
+    CVector3 Start, Along, Across;
     Real Length;  // m
     Real First;  // coordinate at the start, m
     Real Step;  // between numbers, m
@@ -51,12 +52,14 @@ class CAxesOverlay : public COverlay {
     for (SInt64 i = first; i <= last; ++i) {
       const Real value = static_cast<Real>(i) * axis.Step;
       const CVector3 place = axis.Start + (value - axis.First) * axis.Along;
-      drawing.DrawLine(place, place + axis.Tick * axis.Outward, m_text.Color, m_width);
-      drawing.DrawText(place + kNumber * axis.Tick * axis.Outward, fmt::format("{:g}", value),
+      drawing.DrawLine(place, place + axis.Tick * axis.Across, m_text.Color, m_width);
+      drawing.DrawText(place + kNumber * axis.Tick * axis.Across, fmt::format("{:g}", value),
                        m_text.Color, style);
     }
-    drawing.DrawText(axis.Start + 0.5 * axis.Length * axis.Along + kName * axis.Tick * axis.Outward,
-                     axis.Name + " (m)", m_text.Color, style);
+    // between two numbers
+    const CVector3 name = axis.Start + 0.5 * (axis.Length + axis.Step) * axis.Along;
+    drawing.DrawText(name + kName * axis.Tick * axis.Across, axis.Name + " (m)", m_text.Color,
+                     style);
   }
 
   static constexpr Real kMostNumbers = 8.0;

@@ -1,3 +1,4 @@
+#include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/visualization/overlay.h>

@@ -1,3 +1,4 @@
+#include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/simulator.h>
@@ -44,7 +45,7 @@ class CTrailsOverlay : public COverlay {
   Real m_duration = 0.0;  // s; 0: all of the run
   UInt32 m_ticks = 0;  // of the duration
   Real m_width = 2.0;  // pixels
-  Real m_step = 0.01;  // m, between points
+  Real m_step = 0.005;  // m, between points
   bool m_fades = true;
   bool m_hasColor = false;
   CColor m_color;
@@ -140,7 +141,7 @@ REGISTER_OVERLAY(CTrailsOverlay, "trails", "the authors of this project", "1.0",
 
   <overlays> <trails /> </overlays>
 
-in the element of a view that draws pictures, such as <offscreen>. A path has a point wherever its robot has moved by 1 cm
+in the element of a view that draws pictures, such as <offscreen>. A path has a point wherever its robot has moved by 5 mm
 since the last one, and is interrupted where a robot was placed elsewhere.
 
 OPTIONAL XML CONFIGURATION

@@ -1,0 +1,292 @@
+// What the overlays add to a picture: shapes, places and texts.
+
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/loop_functions.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/view_drawing.h>
+#include <argos3/core/utility/configuration/configuration_document.h>
+#include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
+#include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
+#include <argos3/testing/support/experiment.h>
+
+#include <catch2/catch.hpp>
+
+#include <string>
+#include <vector>
+
+using namespace argos;
+using Catch::Matchers::Contains;
+
+namespace {
+
+using EKind = SDrawnShape::EKind;
+
+constexpr Real kTick = 0.1;  // s
+constexpr UInt32 kWidth = 640;  // pixels, of pictures
+constexpr UInt32 kHeight = 480;
+
+// Drives straight on at 10 cm/s and sends.
+class CDriver : public CCI_Controller {
+ public:
+  void Init(TConfigurationNode&) override {
+    if (HasActuator("range_and_bearing")) {
+      GetActuator<CCI_Actuator>("range_and_bearing");
+    }
+    GetActuator<CCI_DifferentialSteeringActuator>("differential_steering")
+        ->SetLinearVelocity(10.0, 10.0);
+  }
+};
+
+REGISTER_CONTROLLER(CDriver, "overlay_driver")
+
+// two e-pucks a metre apart that drive to the right and upwards, and a foot-bot that cannot hear
+// them
+CTestWorld MakeWorld() {
+  return CTestWorld(SExperiment{
+      .Controllers = "<overlay_driver id='drive'><actuators>"
+                     "<differential_steering implementation='default'/>"
+                     "<range_and_bearing implementation='default'/></actuators>"
+                     "<sensors><range_and_bearing implementation='medium' medium='rab'/></sensors>"
+                     "<params/></overlay_driver>",
+      .Engines = "<kinematics2d id='e' velocity_lag='0'/>",
+      .Media = "<range_and_bearing id='rab'/>",
+      .ArenaSize = "4,6,2",
+      .Arena = "<e-puck id='right' rab_range='2'><body position='0,0,0'/>"
+               "<controller config='drive'/></e-puck>"
+               "<e-puck id='up' rab_range='0.5'><body position='0,1,0' orientation='90,0,0'/>"
+               "<controller config='drive'/></e-puck>"
+               "<foot-bot id='deaf' rab_data_size='3'><body position='-1,-2,0'/>"
+               "<controller config='drive'/></foot-bot>"});
+}
+
+// the overlays of a view
+class COverlaysOf {
+ public:
+  COverlaysOf(CTestWorld& world, const std::string& overlays) : m_world(world) {
+    m_document.Parse("<view>\n<overlays>" + overlays + "</overlays></view>", "test.argos");
+    const CSimulator::CScope scope(world.GetSimulator());
+    m_view.Init(m_document.GetRoot());
+    m_view.Observe(world.GetSimulator());
+  }
+  void Step(int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+      m_world.Step();
+      m_view.Observe(m_world.GetSimulator());
+    }
+  }
+  const CDrawing& Draw() { return m_view.Draw(m_world.GetSimulator(), kWidth, kHeight); }
+  std::vector<SDrawnShape> DrawAll(EKind kind) {
+    std::vector<SDrawnShape> shapes;
+    for (const SDrawnShape& shape : Draw().GetShapes()) {
+      if (shape.Kind == kind) {
+        shapes.push_back(shape);
+      }
+    }
+    return shapes;
+  }
+  std::string DrawText(size_t number) {
+    const std::vector<SDrawnShape> texts = DrawAll(EKind::Text);
+    REQUIRE(texts.size() > number);
+    return std::string(Draw().GetText(texts[number]));
+  }
+
+ private:
+  CTestWorld& m_world;
+  CConfigurationDocument m_document;
+  CViewDrawing m_view;
+};
+
+bool IsAt(const CVector3& found, const CVector3& expected) {
+  return Distance(found, expected) < 1e-9;
+}
+
+std::string ErrorOf(const std::string& overlays) {
+  CTestWorld world = MakeWorld();
+  try {
+    COverlaysOf view(world, overlays);
+  } catch (CARGoSException& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("overlays: the clock says the time and the tick, in a corner", "[overlays]") {
+  CTestWorld world = MakeWorld();
+  COverlaysOf view(world, "<clock size='20'/><clock corner='bottom_right' tick='false'/>");
+  view.Step(12);
+  CHECK(view.DrawText(0) == "1.2 s   tick 12");
+  CHECK(view.DrawText(1) == "1.2 s");
+  const std::vector<SDrawnShape> texts = view.DrawAll(EKind::Text);
+  for (const SDrawnShape& text : texts) {
+    CHECK(text.Space == SDrawnShape::ESpace::Overlay);
+  }
+  // the first line is below the upper edge by the letters' size at least
+  CHECK(texts[0].Position.GetX() < 20.0);
+  CHECK(texts[0].Position.GetY() > 20.0);
+  CHECK(texts[0].Position.GetY() < 40.0);
+  CHECK(texts[1].Position.GetX() > kWidth - 20.0);
+  CHECK(texts[1].Position.GetY() > kHeight - 20.0);
+  CHECK(texts[1].Position.GetY() < kHeight);
+  const CDrawing& drawing = view.Draw();
+  CHECK(drawing.GetStyles()[texts[1].Style].Alignment == STextStyle::EAlignment::Right);
+  CHECK(drawing.GetStyles()[texts[0].Style].Size == 20.0);
+  // 2.5 % of 480 pixels
+  CHECK(drawing.GetStyles()[texts[1].Style].Size == 12.0);
+}
+
+TEST_CASE("overlays: title and legend", "[overlays]") {
+  CTestWorld world = MakeWorld();
+  COverlaysOf view(world,
+                   "<title text='Two robots' color='blue'/>"
+                   "<legend><entry color='red' text='lost'/><entry color='green' text='found'/>"
+                   "</legend>");
+  CHECK(view.DrawText(0) == "Two robots");
+  CHECK(view.DrawText(1) == "lost");
+  CHECK(view.DrawText(2) == "found");
+  const std::vector<SDrawnShape> texts = view.DrawAll(EKind::Text);
+  CHECK(texts[0].Position.GetX() == 0.5 * kWidth);
+  CHECK(texts[0].Color == CColor::BLUE);
+  CHECK(texts[1].Position.GetY() < texts[2].Position.GetY());
+  const std::vector<SDrawnShape> discs = view.DrawAll(EKind::Point);
+  REQUIRE(discs.size() == 2);
+  CHECK(discs[0].Color == CColor::RED);
+  CHECK(discs[1].Color == CColor::GREEN);
+  // the disc is beside its text, and inside the picture
+  CHECK(discs[0].Position.GetX() > texts[1].Position.GetX());
+  CHECK(discs[0].Position.GetX() + 0.5 * discs[0].Pixels < kWidth);
+}
+
+TEST_CASE("overlays: ids are above the robots, of the requested types", "[overlays]") {
+  CTestWorld world = MakeWorld();
+  COverlaysOf all(world, "<ids/>");
+  REQUIRE(all.DrawAll(EKind::Text).size() == 3);
+  CHECK(all.DrawText(0) == "right");
+  CHECK(all.DrawText(2) == "deaf");
+  const SDrawnShape text = all.DrawAll(EKind::Text)[0];
+  auto& robot = world.Get<CEPuckEntity>("right");
+  CHECK(text.Position.GetX() == robot.GetEmbodiedEntity().GetOriginAnchor().Position.GetX());
+  CHECK(text.Position.GetZ() > robot.GetEmbodiedEntity().GetBoundingBox().MaxCorner.GetZ());
+  COverlaysOf footBots(world, "<ids of='foot-bot'/>");
+  REQUIRE(footBots.DrawAll(EKind::Text).size() == 1);
+  CHECK(footBots.DrawText(0) == "deaf");
+}
+
+TEST_CASE("overlays: arrows point along the heading", "[overlays]") {
+  CTestWorld world = MakeWorld();
+  COverlaysOf view(world, "<headings of='e-puck' length='0.2' width='3'/>");
+  const std::vector<SDrawnShape> lines = view.DrawAll(EKind::Line);
+  REQUIRE(lines.size() == 2);
+  CHECK(lines[0].Pixels == 3.0);
+  // a line from the centre, and a tip that ends at the length; the second robot looks along y
+  CHECK(std::abs(lines[0].Size.GetY()) < 1e-12);
+  CHECK(lines[0].Size.GetX() > 0.1);
+  CHECK(std::abs(lines[1].Size.GetX()) < 1e-12);
+  CHECK(lines[1].Size.GetY() > 0.1);
+  CHECK(view.DrawAll(EKind::Polygon).size() == 2);
+}
+
+TEST_CASE("overlays: a trail is the path of the robot", "[overlays]") {
+  CTestWorld world = MakeWorld();
+  COverlaysOf view(world, "<trails of='e-puck' fade='false' color='red'/>");
+  CHECK(view.DrawAll(EKind::Line).size() == 2);
+  view.Step(50);
+  // 10 cm/s for 5 s: a point in each tick, and a line of no length to the robot
+  std::vector<SDrawnShape> lines = view.DrawAll(EKind::Line);
+  CHECK(lines.size() == 2 * 51);
+  Real length = 0.0;
+  for (size_t i = 0; i < 51; ++i) {
+    length += lines[i].Size.Length();
+    CHECK(lines[i].Color == CColor::RED);
+    if (i > 0) {
+      CHECK(IsAt(lines[i].Position, lines[i - 1].Position + lines[i - 1].Size));
+    }
+  }
+  CHECK(length == Approx(0.5));
+  SECTION("it is interrupted where the robot is placed elsewhere") {
+    const CSimulator::CScope scope(world.GetSimulator());
+    CEmbodiedEntity& body = world.Get<CEPuckEntity>("right").GetEmbodiedEntity();
+    REQUIRE(body.MoveTo(CVector3(-1.5, 1.5, 0.0), CQuaternion()));
+    view.Step(10);
+    lines = view.DrawAll(EKind::Line);
+    for (const SDrawnShape& line : lines) {
+      CHECK(line.Size.Length() < 0.02);
+    }
+    CHECK(lines.size() == 2 * 61 - 1);
+  }
+  SECTION("it begins again after a reset") {
+    world.GetSimulator().Reset();
+    view.Step(0);
+    CHECK(view.DrawAll(EKind::Line).empty());
+    view.Step(1);
+    CHECK(view.DrawAll(EKind::Line).size() <= 4);
+  }
+  SECTION("it goes with a removed robot") {
+    const CSimulator::CScope scope(world.GetSimulator());
+    world.GetSimulator().GetLoopFunctions().RemoveEntity("right");
+    view.Step(1);
+    CHECK(view.DrawAll(EKind::Line).size() == 52);
+  }
+}
+
+TEST_CASE("overlays: an old part of a trail fades and ends", "[overlays]") {
+  CTestWorld world = MakeWorld();
+  COverlaysOf view(world, "<trails of='foot-bot' duration='2'/>");
+  view.Step(100);
+  const std::vector<SDrawnShape> lines = view.DrawAll(EKind::Line);
+  // 2 s at 10 cm/s, at most a point more
+  REQUIRE(lines.size() >= 20);
+  CHECK(lines.size() <= 22);
+  for (size_t i = 1; i < lines.size(); ++i) {
+    CHECK(lines[i - 1].Color.GetAlpha() <= lines[i].Color.GetAlpha());
+  }
+  CHECK(lines.front().Color.GetAlpha() < 30);
+  CHECK(lines.back().Color.GetAlpha() == 255);
+}
+
+TEST_CASE("overlays: a link is drawn from each receiver half-way to the sender", "[overlays]") {
+  CTestWorld world = MakeWorld();
+  COverlaysOf view(world, "<links/>");
+  CHECK(view.DrawAll(EKind::Line).empty());
+  view.Step(1);
+  // "right" sends 2 m far, "up" half a metre, and the foot-bot has messages of another size
+  const std::vector<SDrawnShape> lines = view.DrawAll(EKind::Line);
+  REQUIRE(lines.size() == 1);
+  const auto placeOf = [&world](const std::string& id) {
+    return world.Get<CEPuckEntity>(id).GetRABEquippedEntity().GetPosition();
+  };
+  CHECK(IsAt(lines[0].Position, placeOf("up")));
+  CHECK(IsAt(lines[0].Position + lines[0].Size, 0.5 * (placeOf("up") + placeOf("right"))));
+  COverlaysOf other(world, "<links medium='other'/>");
+  CHECK(other.DrawAll(EKind::Line).empty());
+}
+
+TEST_CASE("overlays: bar and axes fit the arena", "[overlays]") {
+  CTestWorld world = MakeWorld();
+  COverlaysOf bar(world, "<scale_bar/>");
+  // the greatest of 1, 2, 5 times a power of ten below a quarter of 4 m
+  CHECK(bar.DrawText(0) == "1 m");
+  CHECK(bar.DrawAll(EKind::Line)[0].Size.Length() == Approx(1.0));
+  COverlaysOf small(world, "<scale_bar length='0.05'/>");
+  CHECK(small.DrawText(0) == "5 cm");
+  COverlaysOf axes(world, "<axes/>");
+  // at most 8 numbers along 6 m: every 0.5 m; -2 ... 2 and -3 ... 3, and two names
+  CHECK(axes.DrawAll(EKind::Text).size() == 9 + 13 + 2);
+  CHECK(axes.DrawText(0) == "-2");
+  CHECK(axes.DrawText(4) == "0");
+  CHECK(axes.DrawText(9) == "x (m)");
+}
+
+TEST_CASE("overlays: errors give the place in the file", "[overlays]") {
+  CHECK_THAT(ErrorOf("<trail/>"), Contains("test.argos:2: <trail>") && Contains("trails"));
+  CHECK_THAT(ErrorOf("<clock corner='left'/>"),
+             Contains("test.argos:2") && Contains("\"left\"") && Contains("bottom_left"));
+  CHECK_THAT(ErrorOf("<clock size='0'/>"), Contains("test.argos:2") && Contains("\"size\""));
+  CHECK_THAT(ErrorOf("<title/>"), Contains("test.argos:2") && Contains("\"text\""));
+  CHECK_THAT(ErrorOf("<legend/>"), Contains("<entry>"));
+  CHECK_THAT(ErrorOf("<trails duration='-1'/>"), Contains("\"duration\""));
+  CHECK_THAT(ErrorOf("<headings width='-2'/>"), Contains("\"width\""));
+  CHECK_THAT(ErrorOf("<ids of=' '/>"), Contains("names no type"));
+}
