@@ -15,13 +15,13 @@ void CPathLog::Reset() {
   Start();
 }
 
+void CPathLog::Destroy() {
+  // throws if not all could be written, as "<<" does
+  m_file.Close();
+}
+
 void CPathLog::Start() {
-  m_file.close();
-  m_file.clear();
-  m_file.open(m_fileName, std::ios::out | std::ios::trunc);
-  if (!m_file) {
-    THROW_ARGOSEXCEPTION("Cannot write \"" << m_fileName << "\"");
-  }
+  m_file.Open(m_fileName);
   m_file << "tick,robot,x,y,driven\n";
   m_paths.clear();
   for (const auto& [id, entity] : GetSpace().GetEntitiesByType("foot-bot")) {
@@ -43,7 +43,6 @@ void CPathLog::PostStep() {
 }
 
 void CPathLog::PostExperiment() {
-  m_file.flush();
   for (const auto& [id, path] : m_paths) {
     LOG << id << " drove " << path.Driven << " m" << std::endl;
   }

@@ -2,8 +2,8 @@
 #define USER_PROJECT_PATH_LOG_H
 
 #include <argos3/core/simulator/loop_functions.h>
+#include <argos3/core/utility/files/output_file.h>
 
-#include <fstream>
 #include <map>
 #include <string>
 
@@ -17,6 +17,7 @@ class CPathLog : public argos::CLoopFunctions {
  public:
   void Init(argos::TConfigurationNode& node) override;
   void Reset() override;
+  void Destroy() override;
   void PostStep() override;
   void PostExperiment() override;
 
@@ -29,7 +30,7 @@ class CPathLog : public argos::CLoopFunctions {
   void Start();
 
   std::string m_fileName;
-  std::ofstream m_file;
+  argos::COutputFile m_file;
   std::map<std::string, SPath> m_paths;  // by the robot's id
 };
 

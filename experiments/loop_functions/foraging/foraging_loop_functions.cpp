@@ -34,18 +34,14 @@ void CForagingLoopFunctions::Reset() {
 }
 
 void CForagingLoopFunctions::Destroy() {
-  m_data.close();
+  m_data.Close();
 }
 
 void CForagingLoopFunctions::OpenData() {
   if (m_fileName.empty()) {
     return;
   }
-  m_data.close();
-  m_data.open(m_fileName, std::ios::trunc);
-  if (!m_data) {
-    THROW_ARGOSEXCEPTION("cannot write the data file \"" << m_fileName << "\"");
-  }
+  m_data.Open(m_fileName);
   m_data << "tick,out,resting,delivered\n";
 }
 
@@ -104,7 +100,7 @@ void CForagingLoopFunctions::PreStep() {
   if (changed) {
     GetSpace().GetFloorEntity().SetChanged();
   }
-  if (m_data.is_open()) {
+  if (m_data.IsOpen()) {
     m_data << GetSpace().GetSimulationClock() << ',' << out << ',' << resting << ',' << m_delivered
            << '\n';
   }

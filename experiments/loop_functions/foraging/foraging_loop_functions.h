@@ -2,10 +2,10 @@
 #define FORAGING_LOOP_FUNCTIONS_H
 
 #include <argos3/core/simulator/loop_functions.h>
+#include <argos3/core/utility/files/output_file.h>
 #include <argos3/core/utility/math/range.h>
 #include <argos3/core/utility/math/rng.h>
 
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -42,7 +42,7 @@ class CForagingLoopFunctions : public argos::CLoopFunctions {
   argos::CRange<argos::Real> m_areaX{0.5, 2.0}, m_areaY{-1.5, 1.5};  // m
   std::vector<argos::CVector2> m_items;  // centres of the discs, m
   std::string m_fileName;
-  std::ofstream m_data;
+  argos::COutputFile m_data;
   argos::UInt64 m_delivered = 0;
 };
 

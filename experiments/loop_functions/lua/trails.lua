@@ -18,7 +18,7 @@ end
 function reset()
   destroy()
   file = assert(io.open(simulation.params.output, "w"))
-  file:write("tick,carrying,delivered,trail\n")
+  assert(file:write("tick,carrying,delivered,trail\n"))
 end
 
 function post_step()
@@ -28,14 +28,15 @@ function post_step()
     carrying = carrying + (simulation.get_variable(id, "has_food") and 1 or 0)
     delivered = delivered + simulation.get_variable(id, "delivered")
   end
-  file:write(string.format("%d,%d,%d,%g\n", simulation.clock(), carrying, delivered,
-    simulation.total_pheromone("scents", "trail")))
+  assert(file:write(string.format("%d,%d,%d,%g\n", simulation.clock(), carrying, delivered,
+    simulation.total_pheromone("scents", "trail"))))
 end
 
 function destroy()
   if file then
-    file:close()
+    local closed = file
     file = nil
+    assert(closed:close()) -- a full disk may be reported only here
   end
 end
 

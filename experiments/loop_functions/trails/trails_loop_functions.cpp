@@ -53,19 +53,16 @@ void CTrailsLoopFunctions::Init(TConfigurationNode& node) {
 }
 
 void CTrailsLoopFunctions::Reset() {
-  m_data.close();
+  m_data.Close();
   if (m_fileName.empty()) {
     return;
   }
-  m_data.open(m_fileName, std::ios::trunc);
-  if (!m_data) {
-    THROW_ARGOSEXCEPTION("cannot write the data file \"" << m_fileName << "\"");
-  }
+  m_data.Open(m_fileName);
   m_data << "tick,carrying,delivered,trail\n";
 }
 
 void CTrailsLoopFunctions::Destroy() {
-  m_data.close();
+  m_data.Close();
 }
 
 CColor CTrailsLoopFunctions::GetFloorColor(const CVector2& position) {
@@ -89,7 +86,7 @@ CColor CTrailsLoopFunctions::GetFloorColor(const CVector2& position) {
 
 void CTrailsLoopFunctions::PostStep() {
   GetSpace().GetFloorEntity().SetChanged();
-  if (!m_data.is_open()) {
+  if (!m_data.IsOpen()) {
     return;
   }
   UInt32 carrying = 0;

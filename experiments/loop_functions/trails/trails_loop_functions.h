@@ -2,9 +2,9 @@
 #define TRAILS_LOOP_FUNCTIONS_H
 
 #include <argos3/core/simulator/loop_functions.h>
+#include <argos3/core/utility/files/output_file.h>
 #include <argos3/core/utility/math/vector2.h>
 
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -47,7 +47,7 @@ class CTrailsLoopFunctions : public argos::CLoopFunctions {
   SDisc m_nest;
   std::vector<SDisc> m_food;
   std::string m_fileName;
-  std::ofstream m_data;
+  argos::COutputFile m_data;
 };
 
 #endif

@@ -5,6 +5,8 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
+#include <exception>
+
 namespace argos {
 
 namespace {
@@ -48,6 +50,18 @@ void AttachToRobot(SIMULATED& device, CComposableEntity& robot, const TConfigura
                                     << ": the " << kind << " <" << node.Value() << "> does not fit "
                                     << robot.GetTypeDescription() << " \"" << robot.GetId() << '"',
                                 error);
+  }
+}
+
+[[noreturn]] void ThrowFromDestroy(const std::string& id, const std::exception_ptr& failure) {
+  const std::string robot = "robot \"" + id + '"';
+  try {
+    std::rethrow_exception(failure);
+  } catch (std::exception& error) {
+    THROW_ARGOSEXCEPTION_NESTED(robot << ": Destroy() of its controller or a device threw", error);
+  } catch (...) {
+    THROW_ARGOSEXCEPTION(robot << ": Destroy() of its controller or a device threw an exception "
+                                  "that is not a std::exception");
   }
 }
 
@@ -125,12 +139,23 @@ void CControllableEntity::Destroy() {
   if (m_pcController == nullptr) {
     return;
   }
-  m_pcController->Destroy();
+  std::exception_ptr failure;
+  const auto destroy = [&failure](auto& part) {
+    try {
+      part.Destroy();
+    } catch (...) {
+      failure = failure == nullptr ? std::current_exception() : failure;
+    }
+  };
+  destroy(*m_pcController);
   for (const auto& entry : m_pcController->GetAllSensors()) {
-    entry.second->Destroy();
+    destroy(*entry.second);
   }
   for (const auto& entry : m_pcController->GetAllActuators()) {
-    entry.second->Destroy();
+    destroy(*entry.second);
+  }
+  if (failure != nullptr) {
+    ThrowFromDestroy(GetRootEntity().GetId(), failure);
   }
 }
 

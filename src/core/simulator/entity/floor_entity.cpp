@@ -3,6 +3,9 @@
 #include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/floor_painter.h>
+#include <argos3/core/simulator/images/image_encoding.h>
+#include <argos3/core/utility/files/file_replacement.h>
+#include <argos3/core/utility/files/input_file.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <FreeImage.h>
@@ -10,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
+#include <memory>
 #include <vector>
 
 namespace argos {
@@ -43,15 +46,24 @@ std::string ImageProblem() {
   return t_imageProblem.empty() ? "" : ": " + t_imageProblem;
 }
 
+struct SMemoryDeleter {
+  void operator()(FIMEMORY* memory) const { FreeImage_CloseMemory(memory); }
+};
+
 TBitmap ReadBitmap(const std::string& fileName) {
-  if (!std::ifstream(fileName, std::ios::binary)) {
-    THROW_ARGOSEXCEPTION("cannot open the floor image " << DescribePath(fileName)
-                                                        << "; relative paths start at the working "
-                                                           "directory");
+  std::string content;
+  std::string problem;
+  if (!ReadInputFile(fileName, content, problem)) {
+    THROW_ARGOSEXCEPTION("cannot open the floor image "
+                         << DescribePath(fileName) << ": " << problem
+                         << "; relative paths start at the working directory");
   }
   t_imageProblem.clear();
   FreeImage_SetOutputMessage(&NoteImageProblem);
-  FREE_IMAGE_FORMAT format = FreeImage_GetFileType(fileName.c_str(), 0);
+  // the library does not change the content, although the type allows it
+  const std::unique_ptr<FIMEMORY, SMemoryDeleter> memory(FreeImage_OpenMemory(
+      reinterpret_cast<BYTE*>(content.data()), static_cast<DWORD>(content.size())));
+  FREE_IMAGE_FORMAT format = FreeImage_GetFileTypeFromMemory(memory.get(), 0);
   if (format == FIF_UNKNOWN) {
     format = FreeImage_GetFIFFromFilename(fileName.c_str());
   }
@@ -60,7 +72,7 @@ TBitmap ReadBitmap(const std::string& fileName) {
                                             << " is in no image format that can be read, such as "
                                                "PNG, JPEG, BMP or TIFF");
   }
-  const TBitmap asStored(FreeImage_Load(format, fileName.c_str(), 0));
+  const TBitmap asStored(FreeImage_LoadFromMemory(format, memory.get(), 0));
   if (!asStored) {
     THROW_ARGOSEXCEPTION("cannot read the floor image " << DescribePath(fileName) << " as "
                                                         << FreeImage_GetFormatFromFIF(format)
@@ -79,9 +91,7 @@ TBitmap ReadBitmap(const std::string& fileName) {
   return bitmap;
 }
 
-void WriteBitmap(FIBITMAP* bitmap, const std::string& path) {
-  t_imageProblem.clear();
-  FreeImage_SetOutputMessage(&NoteImageProblem);
+void WriteBitmap(FIBITMAP& bitmap, const std::string& path) {
   const FREE_IMAGE_FORMAT format = FreeImage_GetFIFFromFilename(path.c_str());
   if (format == FIF_UNKNOWN || !FreeImage_FIFSupportsWriting(format) ||
       !FreeImage_FIFSupportsExportBPP(format, 24)) {
@@ -90,8 +100,9 @@ void WriteBitmap(FIBITMAP* bitmap, const std::string& path) {
                          << ": the extension must be one of an image format with 24-bit colours, "
                             "such as .png, .jpg, .bmp or .tif");
   }
-  if (!FreeImage_Save(format, bitmap, path.c_str(), 0)) {
-    THROW_ARGOSEXCEPTION("cannot write the floor to " << DescribePath(path) << ImageProblem());
+  std::string problem;
+  if (!ReplaceFile(path, EncodeImage(bitmap, format, 0), problem)) {
+    THROW_ARGOSEXCEPTION("cannot write the floor to " << DescribePath(path) << ": " << problem);
   }
 }
 
@@ -228,7 +239,7 @@ CColor CFloorEntity::GetColorAtPoint(Real x, Real y) {
 
 void CFloorEntity::SaveAsImage(const std::string& path) {
   if (m_source == FROM_IMAGE) {
-    WriteBitmap(m_image->ToBitmap().get(), path);
+    WriteBitmap(*m_image->ToBitmap(), path);
     return;
   }
   const CVector3& size = m_context.Arena.Size;
@@ -246,7 +257,7 @@ void CFloorEntity::SaveAsImage(const std::string& path) {
       image.At(column, row) = {color.GetRed(), color.GetGreen(), color.GetBlue()};
     }
   }
-  WriteBitmap(image.ToBitmap().get(), path);
+  WriteBitmap(*image.ToBitmap(), path);
 }
 
 REGISTER_ENTITY(

@@ -8,6 +8,7 @@
 #include <argos3/core/simulator/tick/tick_times.h>
 #include <argos3/core/simulator/visualization/visualization.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
+#include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/profiler/profiler.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 
@@ -15,22 +16,30 @@ namespace argos {
 
 namespace {
 
-// calls functions, and keeps the first exception
+// calls functions, keeps the first exception and prints the others
 class CFirstFailure {
  public:
   template <typename STEP>
   void Try(STEP&& step) {
     try {
       step();
+    } catch (const std::exception& error) {
+      Keep(error.what());
     } catch (...) {
-      if (m_failure == nullptr) {
-        m_failure = std::current_exception();
-      }
+      Keep("[FATAL] an exception that is not a std::exception was thrown");
     }
   }
   std::exception_ptr Get() const { return m_failure; }
 
  private:
+  void Keep(const char* text) {
+    if (m_failure == nullptr) {
+      m_failure = std::current_exception();
+    } else {
+      LOGERR << text << std::endl;
+    }
+  }
+
   std::exception_ptr m_failure;
 };
 

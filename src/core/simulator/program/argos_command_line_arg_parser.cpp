@@ -39,7 +39,8 @@ Environment:
   ARGOS_PLUGIN_PATH  folders, separated by colons, that are searched for libraries first
   NO_COLOR           if set, logs have no colours
 
-Exit status: 0 after a normal end, 1 after an error, 130 or 143 if stopped by SIGINT or SIGTERM.
+Exit status: 0 after a normal end, 1 after an error (also if an output cannot be written), 130 or
+143 if stopped by SIGINT or SIGTERM.
 )";
 
 std::string Title() {

@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/files/output_file.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/dynamic_loading.h>
 
@@ -13,13 +14,18 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace argos {
 
@@ -91,19 +97,59 @@ void FlushLogs() {
   LOGERR.Flush();
 }
 
-/* Reports a log that was written incompletely: a full disk, a closed output. */
-void CheckLogs() {
+std::string DescribeFailure(const std::string& stream) {
+  const std::string reason = errno == 0 ? "" : std::string(": ") + std::strerror(errno);
+  return stream + " cannot be written completely" + reason;
+}
+
+// @return one line for each output that could not be written, each line once
+std::string TakeFailedOutputs() {
+  std::vector<std::string> failures = TakeOutputFailures();
+  for (CARGoSLog* log : {&LOG, &LOGERR}) {
+    failures.push_back(log->TakeFailure());
+  }
+  std::string text;
+  for (const std::string& failure : failures) {
+    text += (text.empty() || failure.empty() ? "" : "\n") + failure;
+  }
+  return text;
+}
+
+/* Called after each tick: a run whose logs are lost ends. */
+void ThrowIfLogsFailed() {
+  if (LOG.HasFailed() || LOGERR.HasFailed()) {
+    THROW_ARGOSEXCEPTION(TakeFailedOutputs());
+  }
+}
+
+// what users' code has printed with C's functions; network file systems report some errors only
+// when a file is closed
+bool IsStreamWritten(std::FILE* stream) {
+  const int copy = dup(fileno(stream));
+  return std::fflush(stream) == 0 && std::ferror(stream) == 0 && (copy < 0 || close(copy) == 0);
+}
+
+/* Reports outputs that were written incompletely and not reported before. */
+void CheckOutputs() {
   FlushLogs();
   std::cout.flush();
-  const bool outLost = !std::cout || !LOG.GetStream();
-  std::cout.clear();
-  if (outLost) {
-    THROW_ARGOSEXCEPTION("the log could not be written completely; is the disk full?");
+  LOG.EndRedirection();
+  LOGERR.EndRedirection();
+  std::string text = TakeFailedOutputs();
+  errno = 0;
+  if (text.empty() && !LOG.HasFailed() && (!std::cout || !IsStreamWritten(stdout))) {
+    text = DescribeFailure("the standard output");
+  } else if (text.empty() && !LOGERR.HasFailed() && (!std::cerr || !IsStreamWritten(stderr))) {
+    text = DescribeFailure("the standard error");
+  }
+  if (!text.empty()) {
+    THROW_ARGOSEXCEPTION(text);
   }
 }
 
 void PrintError(const char* what) {
-  LOGERR << what << std::endl;
+  CARGoSLog& log = LOGERR.HasFailed() && !LOG.HasFailed() ? LOG : LOGERR;
+  log << what << std::endl;
   FlushLogs();
 }
 
@@ -192,12 +238,14 @@ void LoadExperiment(CSimulator& simulator, const SOptions& options) {
   }
   simulator.LoadExperiment(options.NoVisualization);
   FlushLogs();
+  ThrowIfLogsFailed();
 }
 
 /* Runs the experiment until it ends or is stopped by a signal. @return wall time, s. */
 Real Execute(CSimulator& simulator) {
   CProgressLine progress(simulator);
   simulator.SetTickObserver([&progress](CSimulator& running) {
+    ThrowIfLogsFailed();
     progress.Update();
     if (CStopSignals::WasStopped()) {
       running.Terminate();
@@ -228,7 +276,13 @@ void PrintSummary(CSimulator& simulator, Real wallSeconds, bool digest) {
       << std::endl;
   LOG.Flush();
   if (digest) {
-    std::cout << fmt::format("digest: {:016x}", space.ComputeDigest()) << std::endl;
+    const bool colored = LOG.IsColoredOutput();
+    LOG.DisableColoredOutput();
+    LOG << fmt::format("digest: {:016x}", space.ComputeDigest()) << std::endl;
+    LOG.Flush();
+    if (colored) {
+      LOG.EnableColoredOutput();
+    }
   }
 }
 
@@ -285,7 +339,7 @@ int RunCommandLine(int argc, const char* const* argv) noexcept {
       SetUpLogs(parser.GetOptions());
       status = Act(parser.GetOptions());
     });
-    status = Try(&CheckLogs) ? status : kFailure;
+    status = Try(&CheckOutputs) ? status : kFailure;
   } catch (...) {
     // printing the message failed
     status = kFailure;

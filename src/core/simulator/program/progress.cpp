@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/logging/argos_log.h>
 
 #include <fmt/format.h>
 
@@ -11,7 +12,6 @@
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <streambuf>
 #include <string_view>
@@ -41,9 +41,8 @@ bool IsTerminal(int file) {
   return isatty(file) != 0 && (kind == nullptr || std::string_view(kind) != "dumb");
 }
 
-// false for a log that was redirected to a file: its stream has that file's buffer
-bool GoesToTerminal(const std::ostream& stream, int file) {
-  return IsTerminal(file) && dynamic_cast<std::filebuf*>(stream.rdbuf()) == nullptr;
+bool GoesToTerminal(const CARGoSLog& log, int file) {
+  return IsTerminal(file) && !log.IsRedirected();
 }
 
 }  // namespace
@@ -168,10 +167,10 @@ CProgressLine::CProgressLine(CSimulator& simulator)
     return;
   }
   m_screen = std::make_unique<CScreen>();
-  if (GoesToTerminal(std::cout, STDOUT_FILENO)) {
+  if (GoesToTerminal(LOG, STDOUT_FILENO)) {
     m_outGuard = std::make_unique<CGuard>(std::cout, *m_screen);
   }
-  if (GoesToTerminal(std::cerr, STDERR_FILENO)) {
+  if (GoesToTerminal(LOGERR, STDERR_FILENO)) {
     m_errGuard = std::make_unique<CGuard>(std::cerr, *m_screen);
   }
 }

@@ -11,6 +11,7 @@
 #include <argos3/core/simulator/physics_engine/engine_assignment.h>
 #include <argos3/core/simulator/space/entity_views.h>
 #include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/logging/log_order.h>
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/core/utility/threads/thread_pool.h>
@@ -202,12 +203,14 @@ void CSpace::Destroy() {
   constexpr size_t kMostFailures = 1000;
   std::exception_ptr failure;
   size_t numFailures = 0;
+  size_t numMore = 0;
   while (!m_roots.empty()) {
     const size_t before = m_roots.size();
     try {
       RemoveLastRoot();
     } catch (...) {
       // the component whose Destroy() threw is gone; the next call removes the others
+      numMore += failure == nullptr ? 0 : 1;
       failure = failure == nullptr ? std::current_exception() : failure;
       numFailures = m_roots.size() == before ? numFailures + 1 : 0;
       if (numFailures == kMostFailures) {
@@ -222,6 +225,10 @@ void CSpace::Destroy() {
   m_rng = nullptr;
   m_nextIndex = 0;
   m_simulationClock = 0;
+  if (numMore > 0) {
+    LOGERR << "[WARNING] Destroy() of " << numMore << " more components of entities threw"
+           << std::endl;
+  }
   if (failure != nullptr) {
     std::rethrow_exception(failure);
   }

@@ -3,12 +3,9 @@
 #include <argos3/core/utility/configuration/configuration_error.h>
 #include <argos3/core/utility/configuration/configuration_path.h>
 #include <argos3/core/utility/configuration/configuration_store.h>
+#include <argos3/core/utility/files/file_replacement.h>
+#include <argos3/core/utility/files/input_file.h>
 
-#include <sys/stat.h>
-
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <sstream>
 
 namespace argos {
@@ -101,25 +98,12 @@ void CConfigurationDocument::Parse(const std::string& xml, const std::string& na
 }
 
 void CConfigurationDocument::LoadFile(const std::string& path) {
-  struct stat information {};
-  if (stat(path.c_str(), &information) != 0) {
-    THROW_CONFIGURATION_ERROR("Cannot read the experiment file \""
-                              << path << "\": " << std::strerror(errno));
+  std::string text;
+  std::string problem;
+  if (!ReadInputFile(path, text, problem)) {
+    THROW_CONFIGURATION_ERROR("Cannot read the experiment file \"" << path << "\": " << problem);
   }
-  if (S_ISDIR(information.st_mode)) {
-    THROW_CONFIGURATION_ERROR("Cannot read the experiment file \"" << path
-                                                                   << "\": it is a directory");
-  }
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (file) {
-    text << file.rdbuf();
-  }
-  if (!file) {
-    THROW_CONFIGURATION_ERROR("Cannot read the experiment file \""
-                              << path << "\": " << std::strerror(errno));
-  }
-  Parse(text.str(), path);
+  Parse(text, path);
 }
 
 void CConfigurationDocument::SaveFile(const std::string& path) const {
@@ -128,11 +112,9 @@ void CConfigurationDocument::SaveFile(const std::string& path) const {
   }
   tinyxml2::XMLPrinter printer;
   m_store->GetXml().Print(&printer);
-  std::ofstream file(path, std::ios::trunc);
-  file << printer.CStr();
-  file.close();
-  if (!file) {
-    THROW_CONFIGURATION_ERROR("Cannot write the file \"" << path << "\": " << std::strerror(errno));
+  std::string problem;
+  if (!ReplaceFile(path, printer.CStr(), problem)) {
+    THROW_CONFIGURATION_ERROR("Cannot write the file \"" << path << "\": " << problem);
   }
 }
 

@@ -1,5 +1,7 @@
 #include <argos3/core/utility/logging/argos_log.h>
 
+#include <argos3/core/utility/files/output_file.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
@@ -7,6 +9,7 @@
 #include <cstring>
 #include <mutex>
 #include <streambuf>
+#include <utility>
 #include <vector>
 
 namespace argos {
@@ -89,8 +92,12 @@ struct CARGoSLog::SState {
   // for messages that are logged during the destruction of a thread
   std::shared_ptr<SThreadBuffer> LateBuffer;
   std::string Prefix;
-  std::ofstream File;
+  // of RedirectToFile(); null: none
+  std::unique_ptr<COutputFile> File;
   std::streambuf* OriginalBuffer = nullptr;
+  std::atomic<bool> HasFailed{false};
+  // empty after TakeFailure()
+  std::string Failure;
 
   // the calling thread's buffers, by the id of the log; null if it has none
   struct SThreadTable {
@@ -123,25 +130,76 @@ CARGoSLog::CARGoSLog(std::ostream& stream, const SLogColor& color, bool colored)
 CARGoSLog::~CARGoSLog() {
   try {
     Flush();
+    EndRedirection();
   } catch (...) {
     // an exception at the end of the program cannot be reported
-  }
-  if (m_state->OriginalBuffer != nullptr) {
-    m_stream.rdbuf(m_state->OriginalBuffer);
+    return;
   }
 }
 
 void CARGoSLog::RedirectToFile(const std::string& name) {
-  std::ofstream file(name, std::ios::out | std::ios::trunc);
-  if (!file) {
-    THROW_ARGOSEXCEPTION("Cannot write the log file \"" << name << "\": " << std::strerror(errno));
+  EndRedirection();
+  auto file = std::make_unique<COutputFile>();
+  try {
+    file->Open(name);
+  } catch (const CARGoSException&) {
+    THROW_ARGOSEXCEPTION("Cannot write the log file \"" << name << "\": " << file->GetReason());
   }
   DisableColoredOutput();
   const std::lock_guard<std::mutex> lock(m_state->Mutex);
   m_state->File = std::move(file);
-  std::streambuf* previous = m_stream.rdbuf(m_state->File.rdbuf());
-  if (m_state->OriginalBuffer == nullptr) {
-    m_state->OriginalBuffer = previous;
+  m_state->OriginalBuffer = m_stream.rdbuf(m_state->File->rdbuf());
+}
+
+void CARGoSLog::EndRedirection() {
+  Flush();
+  const std::lock_guard<std::mutex> lock(m_state->Mutex);
+  if (m_state->File == nullptr) {
+    return;
+  }
+  const bool redirectedAgain = m_stream.rdbuf() != m_state->File->rdbuf();
+  try {
+    m_state->File->Close();
+  } catch (const CARGoSException&) {
+    // noted below
+  }
+  if (!m_state->File->GetFailure().empty()) {
+    NoteFailure(0);
+  }
+  if (!redirectedAgain) {
+    m_stream.rdbuf(m_state->OriginalBuffer);
+  }
+  m_state->File.reset();
+}
+
+bool CARGoSLog::IsRedirected() const {
+  return m_state->File != nullptr;
+}
+
+bool CARGoSLog::HasFailed() const {
+  return m_state->HasFailed;
+}
+
+std::string CARGoSLog::TakeFailure() {
+  const std::lock_guard<std::mutex> lock(m_state->Mutex);
+  return std::exchange(m_state->Failure, {});
+}
+
+// the first failure counts; the state must be locked
+void CARGoSLog::NoteFailure(int error) {
+  if (m_state->HasFailed.exchange(true)) {
+    return;
+  }
+  if (m_state->File != nullptr && !m_state->File->GetFailure().empty()) {
+    m_state->Failure = m_state->File->GetFailure();
+    return;
+  }
+  const bool isOut = &m_stream == &std::cout;
+  const bool isErr = &m_stream == &std::cerr;
+  m_state->Failure = isOut ? "the standard output" : isErr ? "the standard error" : "a log";
+  m_state->Failure += " cannot be written completely";
+  if (error != 0) {
+    m_state->Failure += std::string(": ") + std::strerror(error);
   }
 }
 
@@ -240,16 +298,24 @@ void CARGoSLog::Flush() {
     }
   }
   if (pieces.empty()) {
+    // others write to the stream, too
+    if (!m_stream) {
+      NoteFailure(0);
+    }
     return;
   }
   std::sort(pieces.begin(), pieces.end(), [](const SPiece& a, const SPiece& b) {
     return a.Key != b.Key ? a.Key < b.Key : a.Ticket < b.Ticket;
   });
+  errno = 0;
   for (const SPiece& piece : pieces) {
     m_stream.write(texts[piece.Text].data() + piece.Start,
                    static_cast<std::streamsize>(piece.End - piece.Start));
   }
   m_stream.flush();
+  if (!m_stream) {
+    NoteFailure(errno);
+  }
 }
 
 /****************************************/

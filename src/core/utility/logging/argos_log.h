@@ -51,8 +51,23 @@ class CARGoSLog {
    */
   void RedirectToFile(const std::string& name);
 
-  /** Writes the messages of all threads since the last call, and flushes the stream. */
+  /** Flushes, closes the file of RedirectToFile() and restores the stream. */
+  void EndRedirection();
+  bool IsRedirected() const;
+
+  /**
+   * Writes the messages of all threads since the last call, and flushes the stream.
+   *
+   * Throws nothing if the stream cannot be written, for example because a disk is full: see
+   * HasFailed().
+   */
   void Flush();
+
+  /** @return true if output was lost. */
+  bool HasFailed() const;
+
+  /** @return which output could not be written and why, once; empty if none, or none since. */
+  std::string TakeFailure();
 
   /**
    * Creates the calling thread's buffer now instead of at its first message. Optional.
@@ -100,6 +115,7 @@ class CARGoSLog {
   };
 
   SThreadBuffer& GetThreadBuffer();
+  void NoteFailure(int error);
 
   std::ostream& m_stream;
   SLogColor m_color;

@@ -1,6 +1,7 @@
 #include <argos3/core/utility/plugins/dynamic_loading.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/files/input_file.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/process_wide.h>
 #include <argos3/core/utility/plugins/registration.h>
@@ -156,8 +157,8 @@ CDynamicLoading::TDLHandle TryOpen(const std::string& path, std::string& reason)
     reason = "no such file";
     return nullptr;
   }
-  if (fs::is_directory(path, error)) {
-    reason = "it is a directory";
+  reason = FindInputProblem(path);
+  if (!reason.empty()) {
     return nullptr;
   }
   CDynamicLoading::TDLHandle handle = dlopen(path.c_str(), RTLD_LAZY | RTLD_GLOBAL);
@@ -173,9 +174,10 @@ std::vector<std::string> GetPluginSearchPaths() {
   // the first call uses the dynamic linker
   const std::lock_guard<std::recursive_mutex> lock(detail::GetLoadingMutex());
   std::vector<std::string> paths = UserDirectories();
-  paths.emplace_back(".");
   const std::vector<std::string> defaults = DefaultDirectories();
   paths.insert(paths.end(), defaults.begin(), defaults.end());
+  // last, so that a file in the working directory does not replace an installed library
+  paths.emplace_back(".");
   return paths;
 }
 

@@ -4,9 +4,6 @@
 
 #include <sys/resource.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <iomanip>
 #include <sstream>
 
@@ -30,11 +27,15 @@ CProfiler::CProfiler(const std::string& file, const std::string& format, bool tr
     THROW_ARGOSEXCEPTION("Profiler: format \"" << format
                                                << "\", expected \"human_readable\" or \"table\"");
   }
-  // report a file that cannot be written before the run, not after it
-  const std::ofstream stream(file, truncate ? std::ios::trunc : std::ios::app);
-  if (!stream) {
-    THROW_ARGOSEXCEPTION("Profiler: cannot write the file \"" << file
-                                                              << "\": " << std::strerror(errno));
+  // report a file that cannot be written before the run, not after it. A table to which several
+  // runs append is opened again at the end
+  try {
+    m_output.Open(file, truncate ? COutputFile::EStart::Truncate : COutputFile::EStart::Append);
+  } catch (const CARGoSException&) {
+    THROW_ARGOSEXCEPTION("Profiler: " << m_output.GetFailure());
+  }
+  if (!truncate) {
+    m_output.Close();
   }
 }
 
@@ -133,12 +134,14 @@ std::string CProfiler::FormatTable(bool withHeader) const {
 }
 
 void CProfiler::Flush() {
-  std::ofstream stream(m_file, std::ios::app | std::ios::ate);
-  stream << (m_isTable ? FormatTable(stream.tellp() == std::streampos(0)) : FormatReport());
-  stream.close();
-  if (!stream) {
-    THROW_ARGOSEXCEPTION("Profiler: cannot write the file \"" << m_file
-                                                              << "\": " << std::strerror(errno));
+  try {
+    if (!m_output.IsOpen()) {
+      m_output.Open(m_file, COutputFile::EStart::Append);
+    }
+    m_output << (m_isTable ? FormatTable(m_output.GetSize() == 0) : FormatReport());
+    m_output.Close();
+  } catch (const CARGoSException&) {
+    THROW_ARGOSEXCEPTION("Profiler: " << m_output.GetFailure());
   }
 }
 

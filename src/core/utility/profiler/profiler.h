@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_UTILITY_PROFILER_PROFILER_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/files/output_file.h>
 
 #include <chrono>
 #include <mutex>
@@ -75,6 +76,7 @@ class CProfiler {
   std::string FormatTable(bool withHeader) const;
 
   std::string m_file;
+  COutputFile m_output;  // open from the beginning if it was truncated
   bool m_isTable;
   TClock::time_point m_start{};
   TClock::time_point m_end{};

@@ -1,10 +1,10 @@
 #include <argos3/core/wrappers/lua/lua_script.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/files/input_file.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
 
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <map>
 #include <mutex>
@@ -46,6 +46,12 @@ std::string Absolute(const fs::path& path) {
   return fs::absolute(path, ignored).lexically_normal().string();
 }
 
+// for messages: a place where no script was found
+std::string DescribePlace(const fs::path& path) {
+  std::error_code ignored;
+  return '"' + Absolute(path) + '"' + (fs::is_directory(path, ignored) ? " (a directory)" : "");
+}
+
 bool IsFile(const fs::path& path) {
   std::error_code ignored;
   return fs::exists(path, ignored) && !fs::is_directory(path, ignored);
@@ -55,24 +61,24 @@ std::string Find(const std::string& name, const std::string& experimentFile) {
   if (IsFile(name)) {
     return name;
   }
-  std::string places = '"' + Absolute(name) + '"';
+  std::string places = DescribePlace(name);
   if (!experimentFile.empty() && fs::path(name).is_relative()) {
     const fs::path beside = fs::path(experimentFile).parent_path() / name;
     if (IsFile(beside)) {
       return beside.string();
     }
     if (Absolute(beside) != Absolute(name)) {
-      places += " and for \"" + Absolute(beside) + '"';
+      places += " and for " + DescribePlace(beside);
     }
   }
   THROW_ARGOSEXCEPTION("there is no Lua script \"" << name << "\"; looked for " << places);
 }
 
 std::string Read(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  if (!file) {
-    THROW_ARGOSEXCEPTION("cannot read the Lua script \"" << path << '"');
+  std::string text;
+  std::string problem;
+  if (!ReadInputFile(path, text, problem)) {
+    THROW_ARGOSEXCEPTION("cannot read the Lua script \"" << path << "\": " << problem);
   }
   // like the program lua: skip the byte order mark, and a first line for the shell
   if (text.rfind("\xEF\xBB\xBF", 0) == 0) {

@@ -1,6 +1,7 @@
 #include <argos3/core/wrappers/lua/lua_utility.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/files/input_file.h>
 #include <argos3/core/wrappers/lua/lua_keys.h>
 #include <argos3/core/wrappers/lua/lua_random.h>
 #include <argos3/core/wrappers/lua/lua_registry.h>
@@ -147,6 +148,12 @@ void CheckClaim(lua_State* state, const std::string& name) {
 }  // namespace
 
 bool CLuaUtility::LoadScript(lua_State* state, const std::string& filename) {
+  const std::string problem = FindInputProblem(filename);
+  if (!problem.empty()) {
+    lua_pushfstring(state, "cannot read the Lua script \"%s\": %s", filename.c_str(),
+                    problem.c_str());
+    return false;
+  }
   return luaL_loadfile(state, filename.c_str()) == LUA_OK && lua_pcall(state, 0, 0, 0) == LUA_OK;
 }
 

@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/view_drawing.h>
+#include <argos3/core/utility/files/lock_file.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/drawing_to_scene.h>
 
@@ -16,10 +17,13 @@ CFrameRecorder::CFrameRecorder(const SRecordingSettings& settings, const CCamera
       m_timeline(timeline),
       m_drawing(drawing),
       m_writer(settings.File),
+      m_lock(m_writer.LockFrames()),
       m_builder(settings.ShowRays) {
   m_scene.ShowGrid = settings.ShowGrid;
   m_scene.ShowBoundary = settings.ShowBoundary;
 }
+
+CFrameRecorder::~CFrameRecorder() = default;
 
 void CFrameRecorder::Announce() const {
   std::ostringstream text;

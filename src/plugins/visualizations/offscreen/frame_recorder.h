@@ -8,6 +8,7 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/scene_builder.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -39,10 +40,13 @@ class CFrameRecorder {
  public:
   /**
    * @param drawing  what users' code draws; must outlive the recorder.
-   * @throws CARGoSException as CFrameWriter.
+   * @throws CARGoSException as CFrameWriter and its LockFrames().
    */
   CFrameRecorder(const SRecordingSettings& settings, const CCameraTimeline& timeline,
                  CViewDrawing& drawing);
+  ~CFrameRecorder();
+  CFrameRecorder(const CFrameRecorder&) = delete;
+  CFrameRecorder& operator=(const CFrameRecorder&) = delete;
 
   /**
    * Steps the simulator until the experiment is finished, and writes a frame of the state before
@@ -59,6 +63,7 @@ class CFrameRecorder {
   CCameraTimeline m_timeline;
   CViewDrawing& m_drawing;
   CFrameWriter m_writer;
+  std::unique_ptr<CLockFile> m_lock;
   CSceneBuilder m_builder;
   std::optional<CRenderer> m_renderer;
   SScene m_scene;

@@ -1,12 +1,12 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/frame_writer.h>
 
-#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/simulator/images/image_encoding.h>
+#include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/files/file_replacement.h>
+#include <argos3/core/utility/files/lock_file.h>
 
 #include <FreeImage.h>
 
-#include <unistd.h>
-
-#include <cstdio>
 #include <filesystem>
 #include <iomanip>
 #include <memory>
@@ -83,15 +83,27 @@ std::unique_ptr<FIBITMAP, SBitmapDeleter> MakeBitmap(const SPicture& picture) {
 }  // namespace
 
 CFrameWriter::CFrameWriter(const SFrameFileSettings& settings) : m_settings(settings) {
+  CheckBaseName();
   CheckFormat();
   CheckQuality();
   CheckDirectory();
 }
 
+void CFrameWriter::CheckBaseName() const {
+  if (m_settings.BaseName.find('/') != std::string::npos) {
+    THROW_ARGOSEXCEPTION("The base name of frames is \""
+                         << m_settings.BaseName
+                         << "\"; it must not contain a \"/\": the folder is given by the attribute "
+                            "\"directory\"");
+  }
+}
+
 void CFrameWriter::CheckFormat() {
   const FREE_IMAGE_FORMAT format =
       FreeImage_GetFIFFromFilename(("frame." + m_settings.Format).c_str());
-  if (format == FIF_UNKNOWN || !CanWrite(format)) {
+  // FreeImage reads the part behind the last dot only
+  const bool isExtension = m_settings.Format.find_first_of("./") == std::string::npos;
+  if (!isExtension || format == FIF_UNKNOWN || !CanWrite(format)) {
     THROW_ARGOSEXCEPTION("Frames cannot be written in the format \""
                          << m_settings.Format << "\"; choose one of " << ListFormats());
   }
@@ -142,22 +154,27 @@ std::string CFrameWriter::MakeFileName(std::uint32_t tick) const {
 
 void CFrameWriter::Write(const SPicture& picture, std::uint32_t tick) const {
   const std::string fileName = MakeFileName(tick);
-  // the process id keeps runs apart that write to one directory
-  const std::string partName = fileName + "." + std::to_string(getpid()) + ".part";
-  const auto bitmap = MakeBitmap(picture);
-  if (FreeImage_Save(static_cast<FREE_IMAGE_FORMAT>(m_format), bitmap.get(), partName.c_str(),
-                     m_flags) == 0) {
-    std::remove(partName.c_str());
-    THROW_ARGOSEXCEPTION("The frame \""
-                         << fileName
-                         << "\" cannot be written; is the directory writable, is the disk full?");
+  const std::string content = EncodeImage(*MakeBitmap(picture), m_format, m_flags);
+  std::string problem;
+  if (!ReplaceFile(fileName, content, problem)) {
+    THROW_ARGOSEXCEPTION("The frame \"" << fileName << "\" cannot be written: " << problem);
   }
-  std::error_code error;
-  std::filesystem::rename(partName, fileName, error);
-  if (error) {
-    std::remove(partName.c_str());
-    THROW_ARGOSEXCEPTION("The frame \"" << fileName << "\" cannot be written: " << error.message());
+}
+
+std::unique_ptr<CLockFile> CFrameWriter::LockFrames() const {
+  const std::string path = m_settings.Directory + "/." + m_settings.BaseName + ".argos3.lock";
+  std::unique_ptr<CLockFile> lock;
+  try {
+    lock = std::make_unique<CLockFile>(path);
+  } catch (CARGoSException& error) {
+    THROW_ARGOSEXCEPTION_NESTED("Frames with the base name \""
+                                    << m_settings.BaseName << "\" cannot go to the directory \""
+                                    << m_settings.Directory << "\" now; choose another directory "
+                                    << "or base name",
+                                error);
   }
+  RemoveStaleParts(m_settings.Directory);
+  return lock;
 }
 
 }  // namespace argos

@@ -4,15 +4,18 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/picture.h>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 
 namespace argos {
+
+class CLockFile;
 
 /** Folder, names and format of the files of frames. */
 struct SFrameFileSettings {
   std::string Directory =
       "."; /**< relative to the working directory; a trailing slash is dropped */
-  std::string BaseName = "frame_";
+  std::string BaseName = "frame_"; /**< without a slash */
   std::string Format =
       "png"; /**< any that FreeImage writes 24-bit pictures in: png, jpg, bmp, ... */
   int Quality = -1; /**< 0 (smallest file) to 100 (best, or least packed); -1 = the format's own */
@@ -31,7 +34,7 @@ class CFrameWriter {
    * Checks the settings and creates the directory if asked to.
    * @throws CARGoSException if the directory does not exist and is not to be created, or cannot be
    *         created; if the format is unknown (listing those there are); if the quality is out of
-   *         range.
+   *         range; if the base name contains a slash.
    */
   explicit CFrameWriter(const SFrameFileSettings& settings);
 
@@ -44,7 +47,16 @@ class CFrameWriter {
    */
   void Write(const SPicture& picture, std::uint32_t tick) const;
 
+  /**
+   * Keeps other runs from writing frames of the same names, by a hidden file in the directory, and
+   * removes partial files of killed runs from it.
+   * @return to be kept during the run.
+   * @throws CARGoSException if another run writes such frames, naming directory and process.
+   */
+  std::unique_ptr<CLockFile> LockFrames() const;
+
  private:
+  void CheckBaseName() const;
   void CheckFormat();
   void CheckQuality();
   void CheckDirectory();

@@ -10,6 +10,10 @@ numbered image files: the state before the first tick, after every n-th tick, an
 final state. A file is <directory>/<base_name><tick, 10 digits>.<format>; it appears
 under that name only when it is complete. Drawing does not change the experiment.
 
+While it runs, no other run can write frames of the same base name into the directory:
+a hidden file there is locked, which is removed at the end. The next run removes files
+<name>.argos3.part, which killed runs may leave.
+
 REQUIRED XML CONFIGURATION
 
   <visualization>
@@ -46,7 +50,7 @@ OPTIONAL XML CONFIGURATION
 
 Attributes of <offscreen>:
   directory      path; folder of the files, created if missing. Default: out
-  base_name      string; prefix of their names. Default: frame_
+  base_name      string without a slash; prefix of their names. Default: frame_
   format         string; an image format FreeImage writes: png, jpg, bmp, tif, ...
                  Default: png
   quality        integer, 0 to 100, or -1 for the format's own. jpg, webp: higher is

@@ -8,6 +8,7 @@
 #include <argos3/core/simulator/entity/positional_entity.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/visualization/appearance.h>
+#include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/math/eigen_bridge.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/light_entity.h>
@@ -129,9 +130,22 @@ void CSceneBuilder::Build(CSpace& space, SScene& scene) {
   }
 }
 
-void CSceneBuilder::AddEntity(CEntity& entity, SScene& scene) const {
+void CSceneBuilder::WarnUnseen(const CEntity& entity) {
+  const std::string type = entity.GetTypeDescription();
+  // the floor has colours instead of a solid
+  if (dynamic_cast<const CFloorEntity*>(&entity) != nullptr || !m_unseenTypes.insert(type).second) {
+    return;
+  }
+  LOGERR << "[WARNING] pictures do not show \"" << entity.GetId() << "\" and other entities of its "
+         << "type, <" << type
+         << ">: its class has no GetAppearance(); only users' drawing functions "
+         << "can draw them" << std::endl;
+}
+
+void CSceneBuilder::AddEntity(CEntity& entity, SScene& scene) {
   const SAppearance* appearance = entity.GetAppearance();
   if (appearance == nullptr) {
+    WarnUnseen(entity);
     return;
   }
   SSubject subject;

@@ -3,6 +3,9 @@
 
 #include <argos3/plugins/simulator/visualizations/offscreen/scene_parts.h>
 
+#include <set>
+#include <string>
+
 namespace argos {
 
 class CComposableEntity;
@@ -28,7 +31,10 @@ class CSceneBuilder {
    */
   explicit CSceneBuilder(bool showRays) : m_showRays(showRays) {}
 
-  /** Refills @p scene; its settings (ShowGrid, ShowBoundary) and its memory are kept. */
+  /**
+   * Refills @p scene; its settings (ShowGrid, ShowBoundary) and its memory are kept. Warns once of
+   * each type of entities that have no appearance.
+   */
   void Build(CSpace& space, SScene& scene);
 
  private:
@@ -43,12 +49,14 @@ class CSceneBuilder {
     SContactShadow ContactShadow{};
   };
 
-  void AddEntity(CEntity& entity, SScene& scene) const;
+  void AddEntity(CEntity& entity, SScene& scene);
+  void WarnUnseen(const CEntity& entity);
   void AddPart(const SVisualPart& part, SSubject& subject, SScene& scene) const;
   void AddFloor(CSpace& space, SFloorImage& image) const;
   void AddRays(CControllableEntity& robot, SScene& scene) const;
 
   bool m_showRays;
+  std::set<std::string> m_unseenTypes;  // that were reported
 };
 
 }  // namespace argos

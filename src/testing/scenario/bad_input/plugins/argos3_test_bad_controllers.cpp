@@ -47,6 +47,11 @@ class CThrowsInStep : public CCI_Controller {
   std::ofstream m_file;
 };
 
+class CThrowsInDestroy : public CCI_Controller {
+ public:
+  void Destroy() override { throw std::runtime_error("no good end"); }
+};
+
 class CNotANumber : public CCI_Controller {
  public:
   void Init(TConfigurationNode&) override {
@@ -96,6 +101,7 @@ class CSendsMessage : public CCI_Controller {
 REGISTER_CONTROLLER(CIdle, "test_idle")
 REGISTER_CONTROLLER(CThrowsInInit, "test_throws_in_init")
 REGISTER_CONTROLLER(CThrowsInStep, "test_throws_in_step")
+REGISTER_CONTROLLER(CThrowsInDestroy, "test_throws_in_destroy")
 REGISTER_CONTROLLER(CNotANumber, "test_not_a_number")
 REGISTER_CONTROLLER(CAsksForDevice, "test_asks_for_device")
 REGISTER_CONTROLLER(CSendsMessage, "test_sends_message")

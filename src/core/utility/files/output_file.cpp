@@ -1,0 +1,231 @@
+#include <argos3/core/utility/files/output_file.h>
+
+#include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/files/lock_file.h>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <mutex>
+#include <streambuf>
+#include <utility>
+
+namespace argos {
+
+namespace {
+
+constexpr std::size_t kBufferSize = 1 << 15;  // bytes
+constexpr std::size_t kLongestLine = 1 << 20;  // bytes; longer lines are written in parts
+
+struct SOutputFailures {
+  std::mutex Mutex;
+  std::vector<std::string> Texts;
+};
+
+SOutputFailures& GetOutputFailures() {
+  // never deleted, because static output files may be destroyed later
+  static SOutputFailures& failures = *std::make_unique<SOutputFailures>().release();
+  return failures;
+}
+
+}  // namespace
+
+/* The text that was not written yet, and the file. */
+class COutputFile::CBuffer : public std::streambuf {
+ public:
+  ~CBuffer() override {
+    if (m_file >= 0) {
+      ::close(m_file);
+    }
+  }
+
+  void Open(const std::string& path, EStart start) {
+    const bool append = start == EStart::Append;
+    m_path = path;
+    m_reason.clear();
+    m_failure.clear();
+    m_isRegular = false;
+    m_pending.clear();
+    m_size = 0;
+    m_file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | (append ? O_APPEND : 0), 0666);
+    struct stat information {};
+    if (m_file < 0 || fstat(m_file, &information) != 0) {
+      Fail(std::strerror(errno));
+    }
+    m_isRegular = S_ISREG(information.st_mode);
+    if (m_isRegular && !TryToLock(m_file, append)) {
+      const std::string holder = DescribeLockHolder(m_file);
+      ::close(std::exchange(m_file, -1));
+      Fail(holder + " is writing it");
+    }
+    if (m_isRegular && !append && ftruncate(m_file, 0) != 0) {
+      Fail(std::strerror(errno));
+    }
+    if (m_isRegular && append && fstat(m_file, &information) == 0) {
+      m_size = static_cast<std::uint64_t>(information.st_size);
+    }
+    m_endOfLine = m_size;
+  }
+
+  void Close() {
+    if (m_file < 0) {
+      return;
+    }
+    const bool hadFailed = !m_failure.empty();
+    if (!hadFailed) {
+      Write(m_pending.size());
+    }
+    // some file systems report a full disk only here
+    if (::close(std::exchange(m_file, -1)) != 0 && errno != EINTR && !hadFailed) {
+      Fail(std::strerror(errno));
+    }
+  }
+
+  bool IsOpen() const { return m_file >= 0; }
+  std::uint64_t GetSize() const { return IsOpen() ? m_size + m_pending.size() : 0; }
+  const std::string& GetReason() const { return m_reason; }
+  const std::string& GetFailure() const { return m_failure; }
+
+ protected:
+  int_type overflow(int_type c) override {
+    if (traits_type::eq_int_type(c, traits_type::eof())) {
+      return traits_type::not_eof(c);
+    }
+    if (!IsOpen()) {
+      return traits_type::eof();
+    }
+    m_pending.push_back(traits_type::to_char_type(c));
+    WriteWholeLines();
+    return c;
+  }
+
+  std::streamsize xsputn(const char* text, std::streamsize length) override {
+    if (!IsOpen()) {
+      return 0;
+    }
+    m_pending.append(text, static_cast<std::size_t>(length));
+    WriteWholeLines();
+    return length;
+  }
+
+  int sync() override {
+    if (IsOpen()) {
+      Write(m_pending.size());
+    }
+    return 0;
+  }
+
+ private:
+  void WriteWholeLines() {
+    if (m_pending.size() < kBufferSize) {
+      return;
+    }
+    const std::size_t lastBreak = m_pending.rfind('\n');
+    if (lastBreak != std::string::npos) {
+      Write(lastBreak + 1);
+    } else if (m_pending.size() >= kLongestLine) {
+      Write(m_pending.size());
+    }
+  }
+
+  // writes the first part of the pending text
+  void Write(std::size_t length) {
+    std::size_t done = 0;
+    while (done < length) {
+      const ssize_t count = ::write(m_file, m_pending.data() + done, length - done);
+      if (count >= 0) {
+        done += static_cast<std::size_t>(count);
+      } else if (errno != EINTR) {
+        Fail(std::strerror(errno));
+      }
+    }
+    const std::size_t lastBreak =
+        length == 0 ? std::string::npos : m_pending.rfind('\n', length - 1);
+    if (lastBreak != std::string::npos) {
+      m_endOfLine = m_size + lastBreak + 1;
+    }
+    m_size += length;
+    m_pending.erase(0, length);
+  }
+
+  [[noreturn]] void Fail(const std::string& reason) {
+    m_reason = reason;
+    m_pending.clear();
+    if (m_file >= 0 && m_isRegular && ftruncate(m_file, static_cast<off_t>(m_endOfLine)) != 0) {
+      m_reason += "; its last line may be cut";
+    }
+    m_failure = "cannot write the file \"" + m_path + "\": " + m_reason;
+    THROW_ARGOSEXCEPTION(m_failure);
+  }
+
+  std::string m_path;
+  std::string m_reason;
+  std::string m_failure;
+  std::string m_pending;
+  int m_file = -1;
+  bool m_isRegular = false;
+  std::uint64_t m_size = 0;  // without what is pending, bytes
+  std::uint64_t m_endOfLine = 0;  // of the last whole line in the file, bytes
+};
+
+COutputFile::COutputFile() : std::ostream(nullptr), m_buffer(std::make_unique<CBuffer>()) {
+  rdbuf(m_buffer.get());
+  // rethrows what the buffer throws
+  exceptions(std::ios::badbit);
+}
+
+COutputFile::COutputFile(const std::string& path, EStart start) : COutputFile() {
+  m_buffer->Open(path, start);
+}
+
+COutputFile::~COutputFile() {
+  try {
+    Close();
+  } catch (const CARGoSException&) {
+    try {
+      SOutputFailures& failures = GetOutputFailures();
+      const std::lock_guard<std::mutex> lock(failures.Mutex);
+      failures.Texts.push_back(GetFailure());
+    } catch (...) {
+      // no memory for a message
+      return;
+    }
+  }
+}
+
+void COutputFile::Open(const std::string& path, EStart start) {
+  Close();
+  clear();
+  m_buffer->Open(path, start);
+}
+
+void COutputFile::Close() {
+  m_buffer->Close();
+}
+
+bool COutputFile::IsOpen() const {
+  return m_buffer->IsOpen();
+}
+
+std::uint64_t COutputFile::GetSize() const {
+  return m_buffer->GetSize();
+}
+
+const std::string& COutputFile::GetFailure() const {
+  return m_buffer->GetFailure();
+}
+
+const std::string& COutputFile::GetReason() const {
+  return m_buffer->GetReason();
+}
+
+std::vector<std::string> TakeOutputFailures() {
+  SOutputFailures& failures = GetOutputFailures();
+  const std::lock_guard<std::mutex> lock(failures.Mutex);
+  return std::exchange(failures.Texts, {});
+}
+
+}  // namespace argos
