@@ -269,6 +269,10 @@ void CSpace::IterateOverControllableEntities(const TControllableEntityIterCBType
   });
 }
 
+UInt32 SSimulationContext::GetClock() const {
+  return Space->GetSimulationClock();
+}
+
 void CSpace::Update() {
   m_context.RunTick();
 }

@@ -45,6 +45,7 @@ void ForRobots(const std::vector<CControllableEntity*>& robots, size_t begin, si
                UInt64 firstPlace, const char* phase, UInt32 tick, STEP&& step,
                LOOK_AHEAD&& lookAhead) {
   size_t current = begin;
+  CRandom::COwner::CScope randomOwner(nullptr, tick);
   const auto fail = [&](std::exception* error) {
     std::ostringstream message;
     message << "robot \"" << robots[current]->GetRootEntity().GetId() << "\": " << phase
@@ -56,6 +57,7 @@ void ForRobots(const std::vector<CControllableEntity*>& robots, size_t begin, si
       lookAhead(current);
       if (robots[current]->IsEnabled()) {
         CARGoSLog::SetSequence(firstPlace + current);
+        randomOwner.SetOwner(&robots[current]->GetRandomOwner());
         step(*robots[current]);
       }
     }
