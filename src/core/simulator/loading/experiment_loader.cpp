@@ -208,6 +208,17 @@ void CExperimentLoader::InitRandom(TConfigurationNode& experiment) {
     if (m_settings.IsSeedFromClock) {
       m_settings.DrawSeedFromClock();
     }
+    if (m_settings.IsSeedFromClock && NodeAttributeExists(experiment, "random_seed")) {
+      LOGERR
+          << "[WARNING] " << experiment.GetLocation()
+          << ": <experiment>: random_seed=\"0\" is not a seed: one is drawn from the clock, and "
+             "the run cannot be repeated without it. This run can be repeated with random_seed=\""
+          << m_settings.Seed << "\"" << std::endl;
+    }
+  } else if (m_settings.Seed == 0) {
+    LOGERR << "[WARNING] the seed 0 that the program or --seed sets is used as it is; "
+              "random_seed=\"0\" in an experiment file draws one from the clock"
+           << std::endl;
   }
   LOG << "[INFO] Using random seed = " << m_settings.Seed << std::endl;
   CRandom::CreateCategory("argos", m_settings.Seed);

@@ -11,6 +11,7 @@
 #include <argos3/core/simulator/physics_engine/engine_assignment.h>
 #include <argos3/core/simulator/space/entity_views.h>
 #include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/logging/log_order.h>
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/core/utility/threads/thread_pool.h>
@@ -43,8 +44,14 @@ void CSpace::Init(TConfigurationNode& tree) {
     }
   }
   // attributes of older versions of the file format: accepted, without effect
-  NodeAttributeExists(tree, "positional_index");
-  NodeAttributeExists(tree, "positional_grid_size");
+  for (const char* attribute : {"positional_index", "positional_grid_size"}) {
+    if (NodeAttributeExists(tree, attribute)) {
+      LOGERR << "[WARNING] " << tree.GetLocation() << ": <arena>: attribute \"" << attribute
+             << "\" has no effect: bodies have an index that needs no parameters, and each medium "
+                "has its own attributes \"index\" and \"grid_size\""
+             << std::endl;
+    }
+  }
   arena.Limits.Set(arena.Center - arena.Size * 0.5, arena.Center + arena.Size * 0.5);
   m_bodyIndex->SetArea(arena.Limits);
 }
