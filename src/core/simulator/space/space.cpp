@@ -266,13 +266,14 @@ void CSpace::RemoveEntityFromPhysicsEngines(CEmbodiedEntity& body) {
 
 void CSpace::IterateOverControllableEntities(const TControllableEntityIterCBType& callback) {
   InLogOrder(m_robots.size(), [&](UInt64 firstPlace) {
-    m_context.Pool->ParallelFor(m_robots.size(), kRobotsPerRun,
-                                [&](size_t begin, size_t end, UInt32) {
-                                  for (size_t i = begin; i < end; ++i) {
-                                    CARGoSLog::SetSequence(firstPlace + i);
-                                    callback(m_robots[i]);
-                                  }
-                                });
+    const size_t grain =
+        DivideIntoRuns(m_robots.size(), m_context.Pool->GetNumThreads(), kRobotsPerRun);
+    m_context.Pool->ParallelFor(m_robots.size(), grain, [&](size_t begin, size_t end, UInt32) {
+      for (size_t i = begin; i < end; ++i) {
+        CARGoSLog::SetSequence(firstPlace + i);
+        callback(m_robots[i]);
+      }
+    });
   });
 }
 
