@@ -1,15 +1,17 @@
 #!/usr/bin/env bash
 # Compares the digests of the experiments in src/testing/digests.txt with the pinned ones:
 #   scripts/digests.sh BUILD_FOLDER           fails if a digest differs
-#   scripts/digests.sh BUILD_FOLDER --pin     writes the digests of this build into the file
-# Digests are pinned for one compiler and build type, which the file names: another build is not compared, and is an
-# error in continuous integration (CI=true).
+#   scripts/digests.sh BUILD_FOLDER --pin         writes the digests of this build into the file
+#   scripts/digests.sh BUILD_FOLDER --any-build   compares those of another compiler, build type or level of optimization
+# Digests are pinned for one compiler and build type, which the file names: another build is compared only on request, and
+# is an error in continuous integration (CI=true).
 set -euo pipefail
-(($# > 0)) || { sed -n '2,6s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2; exit 2; }
+(($# > 0)) || { sed -n '2,7s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2; exit 2; }
 build="$(cd "$1" && pwd)"
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 mode="${2:-compare}"
-[[ "$mode" == compare || "$mode" == --pin ]] || die "unknown argument '$mode'; there is only --pin"
+[[ "$mode" == compare || "$mode" == --pin || "$mode" == --any-build ]] ||
+  die "unknown argument '$mode'; there are --pin and --any-build"
 cd "$repo"
 pinned="src/testing/digests.txt"
 export ARGOS_PLUGIN_PATH="$build/experiments"
@@ -65,9 +67,13 @@ done <"$pinned"
 if [[ "$mode" == --pin ]]; then
   cat "$new" >"$pinned"
   echo "digests: $pinned is pinned for '$this_build'; $differences changed"
+elif ((differences > 0)) && [[ "$mode" == --any-build ]]; then
+  die "$differences of the digests of '$this_build' differ from those pinned for '$pinned_build'"
 elif ((differences > 0)); then
   die "$differences of the pinned digests differ: the simulation behaves differently. If that is" \
     "intended, say why in the commit and run: scripts/digests.sh ${build#"$repo"/} --pin"
+elif [[ "$mode" == --any-build ]]; then
+  echo "digests: those of '$this_build' are equal to those pinned for '$pinned_build'"
 else
   echo "digests: as pinned for '$this_build'"
 fi

@@ -10,6 +10,7 @@
 
 namespace argos {
 
+class CEmbodiedEntity;
 class CLEDMedium;
 
 /**
@@ -45,11 +46,19 @@ class CLEDEntity : public CMediumMember<CLEDEntity, CLEDMedium> {
   virtual void SetColor(const CColor& color) { m_color = color; }
   void SetInitColor(const CColor& color) { m_initColor = color; }
 
+  /**
+   * The body that does not hide this LED from cameras below its base, because it is open there,
+   * such as the arms of a flying robot; null if there is none.
+   */
+  const CEmbodiedEntity* GetBodyOpenBeneath() const { return m_bodyOpenBeneath; }
+  void SetBodyOpenBeneath(const CEmbodiedEntity* body) { m_bodyOpenBeneath = body; }
+
   void UpdateDigest(CDigest& digest) const override;
 
  private:
   CColor m_color;
   CColor m_initColor;
+  const CEmbodiedEntity* m_bodyOpenBeneath = nullptr;  // not owned
 };
 
 /** Put an LED into its cell, unless it is black. */

@@ -146,6 +146,9 @@ CLEDEntity& CLEDEquippedEntity::MakeLED(size_t index) {
   if (m_medium != nullptr) {
     led.SetMedium(*m_medium);
   }
+  if (place.IsSeenFromBeneath) {
+    led.SetBodyOpenBeneath(&GetParent().GetComponent<CEmbodiedEntity>("body"));
+  }
   led.SetEnabled(IsEnabled());
   led.SetEnabledAtStart(IsEnabledAtStart());
   return led;

@@ -43,6 +43,7 @@ class CLEDEquippedEntity : public CComposableEntity, private CLazyComponents {
     CVector3 Offset; /**< in the anchor's frame, m */
     UInt32 Anchor = 0; /**< index of the anchor in the layout */
     CColor Color; /**< at the start and after Reset() */
+    bool IsSeenFromBeneath = false; /**< through the robot's own body, from below its base */
   };
   struct SLayout {
     std::vector<SPlace> Places;

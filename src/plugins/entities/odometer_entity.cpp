@@ -15,7 +15,9 @@ namespace argos {
 COdometerEntity::COdometerEntity(CComposableEntity* parent, const std::string& id)
     : CEntity(parent, id),
       m_wheels(&parent->GetComponent<CWheeledEntity>("wheels")),
-      m_distances(m_wheels->GetNumWheels(), 0.0) {
+      m_distances(m_wheels->GetNumWheels(), 0.0),
+      m_lastGround(m_wheels->GetNumWheels(), 0.0),
+      m_lastOrdered(m_wheels->GetNumWheels(), 0.0) {
   m_motion.SetBody(parent->GetComponent<CEmbodiedEntity>("body"));
   CEntity::SetEnabled(false);
 }
@@ -23,6 +25,8 @@ COdometerEntity::COdometerEntity(CComposableEntity* parent, const std::string& i
 void COdometerEntity::Reset() {
   CEntity::Reset();
   std::fill(m_distances.begin(), m_distances.end(), 0.0);
+  std::fill(m_lastGround.begin(), m_lastGround.end(), 0.0);
+  std::fill(m_lastOrdered.begin(), m_lastOrdered.end(), 0.0);
   m_motion.RememberStart();
   m_tick.Reset();
   m_lastCommand = SDriveCommand();
@@ -73,6 +77,25 @@ void COdometerEntity::Measure() {
   const CVector3* const wheels = m_wheels->GetWheelPositions();
   for (size_t i = 0; i < m_distances.size(); ++i) {
     m_distances[i] = way - 2.0 * halfAngle * wheels[i].GetY();
+  }
+  if (m_wheels->CanDrift()) {
+    SubtractDrift(lag);
+  }
+}
+
+// with a velocity lag, a part of the last tick's speeds is still in this one
+void COdometerEntity::SubtractDrift(Real lag) {
+  const Real* const ground = m_wheels->GetWheelVelocities();
+  const Real* const ordered = m_wheels->GetOrderedVelocities();
+  for (size_t i = 0; i < m_distances.size(); ++i) {
+    const Real rolled = (ground[i] + lag * (m_lastGround[i] - ground[i])) * m_tick.GetTickLength();
+    const Real turned =
+        (ordered[i] + lag * (m_lastOrdered[i] - ordered[i])) * m_tick.GetTickLength();
+    m_lastGround[i] = ground[i];
+    m_lastOrdered[i] = ordered[i];
+    if (rolled != 0.0) {
+      m_distances[i] -= (rolled - turned) * std::clamp(m_distances[i] / rolled, 0.0, 1.0);
+    }
   }
 }
 

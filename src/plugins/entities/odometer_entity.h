@@ -21,6 +21,10 @@ class CWheeledEntity;
  * vertical, in the whole tick; sideways motion turns no wheel. So the distances are exact on the
  * arcs of a differential drive, for less than half a turn per tick. Moves by command turn no wheel.
  *
+ * Where the wheels roll over the ground at other speeds than ordered (see CWheeledEntity), that
+ * difference is subtracted: the distances are those that the motors turned. A wheel that is held
+ * fast has none to subtract; one that rolls part of its way, in proportion.
+ *
  * Starts disabled; the sensor that uses it enables it.
  */
 class COdometerEntity : public CEntity {
@@ -40,6 +44,7 @@ class COdometerEntity : public CEntity {
 
  private:
   void Measure();
+  void SubtractDrift(Real lag);
   SDriveCommand ReadCommand() const;
 
   const CWheeledEntity* m_wheels;  // of the parent
@@ -47,6 +52,8 @@ class COdometerEntity : public CEntity {
   CTickWatch m_tick;
   SDriveCommand m_lastCommand;  // of the previous tick
   std::vector<Real> m_distances;  // m, (wheels)
+  // of the previous tick, m/s, (wheels): over the ground, and ordered
+  std::vector<Real> m_lastGround, m_lastOrdered;
 };
 
 }  // namespace argos

@@ -25,6 +25,16 @@ CWheeledEntity::CWheeledEntity(CComposableEntity* parent, const std::string& id,
 
 void CWheeledEntity::Reset() {
   std::fill_n(GetVelocities(), GetNumWheels(), 0.0);
+  if (m_ordered != nullptr) {
+    std::fill_n(m_ordered.get(), GetNumWheels(), 0.0);
+  }
+}
+
+void CWheeledEntity::EnableDrift() {
+  if (m_ordered == nullptr) {
+    m_ordered = std::make_unique<Real[]>(GetNumWheels());
+    std::copy_n(GetVelocities(), GetNumWheels(), m_ordered.get());
+  }
 }
 
 void CWheeledEntity::SetWheel(UInt32 index, const CVector3& position, Real radius) {
@@ -49,20 +59,38 @@ Real CWheeledEntity::GetWheelVelocity(size_t index) const {
   return GetWheelVelocities()[index];
 }
 
-void CWheeledEntity::SetVelocities(const Real* velocities) {
+void CWheeledEntity::RequireFinite(const Real* velocities) const {
   for (size_t i = 0; i < GetNumWheels(); ++i) {
     if (!std::isfinite(velocities[i])) {
       THROW_ARGOSEXCEPTION("wheels \"" << GetContext() << GetId() << "\": speed of wheel " << i
                                        << " must be finite, got " << velocities[i]);
     }
   }
+}
+
+void CWheeledEntity::SetVelocities(const Real* velocities) {
+  RequireFinite(velocities);
   std::copy_n(velocities, GetNumWheels(), GetVelocities());
+  if (m_ordered != nullptr) {
+    std::copy_n(velocities, GetNumWheels(), m_ordered.get());
+  }
+}
+
+void CWheeledEntity::SetDriftingVelocities(const Real* ordered, const Real* velocities) {
+  ARGOS_ASSERT(m_ordered != nullptr, "SetDriftingVelocities() needs EnableDrift().");
+  RequireFinite(ordered);
+  RequireFinite(velocities);
+  std::copy_n(velocities, GetNumWheels(), GetVelocities());
+  std::copy_n(ordered, GetNumWheels(), m_ordered.get());
 }
 
 void CWheeledEntity::UpdateDigest(CDigest& digest) const {
   CEntity::UpdateDigest(digest);
   for (size_t i = 0; i < GetNumWheels(); ++i) {
     digest.Add(GetWheelVelocities()[i]);
+    if (m_ordered != nullptr) {
+      digest.Add(m_ordered[i]);
+    }
   }
 }
 

@@ -10,7 +10,12 @@
 
 namespace argos {
 
-/** The wheels of a robot and their commanded speeds. */
+/**
+ * The wheels of a robot and their commanded speeds.
+ *
+ * The speed over the ground, which engines use, may differ from the ordered one, which the
+ * encoders of the motors read: then the robot drifts, and its sensors do not show it.
+ */
 class CWheeledEntity : public CEntity {
  public:
   ENABLE_VTABLE();
@@ -34,13 +39,21 @@ class CWheeledEntity : public CEntity {
   /** These throw CARGoSException if the index is out of range. */
   const CVector3& GetWheelPosition(size_t index) const;
   Real GetWheelRadius(size_t index) const;
-  /** Speed of the wheel's rim, m/s, positive forward. */
+  /** Speed of the wheel's rim over the ground, m/s, positive forward. */
   Real GetWheelVelocity(size_t index) const;
 
   /** Arrays of GetNumWheels() elements; the pointers stay valid as long as the entity. */
   const CVector3* GetWheelPositions() const { return m_positions.get(); }
   const Real* GetWheelRadia() const { return m_radiiAndVelocities.data(); }
   const Real* GetWheelVelocities() const { return m_radiiAndVelocities.data() + GetNumWheels(); }
+  /** The speeds that the encoders of the motors read: without drift those over the ground, m/s. */
+  const Real* GetOrderedVelocities() const {
+    return m_ordered != nullptr ? m_ordered.get() : GetWheelVelocities();
+  }
+  /** @return true if SetDriftingVelocities() may be called. */
+  bool CanDrift() const { return m_ordered != nullptr; }
+  /** Allocates what SetDriftingVelocities() needs. */
+  void EnableDrift();
 
   /**
    * Sets the speeds of all wheels, for the next physics phase.
@@ -48,16 +61,25 @@ class CWheeledEntity : public CEntity {
    * @throws CARGoSException if a speed is not finite; all speeds are then unchanged.
    */
   void SetVelocities(const Real* velocities);
+  /**
+   * The same for wheels that roll at other speeds than their motors turn them, which the encoders
+   * of the motors do not show. Needs EnableDrift().
+   * @param ordered     GetNumWheels() speeds that the encoders read, m/s.
+   * @param velocities  GetNumWheels() speeds over the ground, m/s.
+   */
+  void SetDriftingVelocities(const Real* ordered, const Real* velocities);
 
   void UpdateDigest(CDigest& digest) const override;
 
  private:
   Real* GetVelocities() { return m_radiiAndVelocities.data() + GetNumWheels(); }
   void CheckIndex(size_t index) const;
+  void RequireFinite(const Real* velocities) const;
 
   std::unique_ptr<CVector3[]> m_positions;  // frame of the origin anchor, m, (wheels)
   // radii, m, (wheels), then speeds, m/s, (wheels), which engines read in every tick
   std::vector<Real, CSlabAllocator<Real>> m_radiiAndVelocities;
+  std::unique_ptr<Real[]> m_ordered;  // m/s, (wheels); null: those over the ground
 };
 
 }  // namespace argos

@@ -9,6 +9,10 @@
 #include <argos3/plugins/simulator/media/medium_members.h>
 #include <argos3/plugins/simulator/media/rab_routing.h>
 
+#include <algorithm>
+#include <map>
+#include <sstream>
+
 namespace argos {
 
 namespace {
@@ -36,6 +40,35 @@ void CRABMedium::Init(TConfigurationNode& tree) {
   GetNodeAttributeOrDefault(tree, "check_occlusions", m_checkOcclusions, m_checkOcclusions);
   LOG << "[INFO] The range and bearing medium \"" << GetId() << "\" uses the index \""
       << m_state->Index.GetName() << "\"" << std::endl;
+}
+
+void CRABMedium::PostSpaceInit() {
+  struct SSize {
+    const CRABEquippedEntity* First;
+    size_t Count;
+  };
+  std::map<size_t, SSize> sizes;  // by bytes of a message
+  std::vector<CRABEquippedEntity*> devices = m_state->Members.ListAll();
+  std::sort(devices.begin(), devices.end(), SEntityComparator());
+  for (const CRABEquippedEntity* device : devices) {
+    ++sizes.try_emplace(device->GetMsgSize(), SSize{device, 0}).first->second.Count;
+  }
+  if (sizes.size() < 2) {
+    return;
+  }
+  std::ostringstream list;
+  for (const auto& [bytes, size] : sizes) {
+    const CEntity& robot = size.First->GetRootEntity();
+    list << (bytes == sizes.begin()->first ? "" : ", ") << bytes << " bytes of "
+         << robot.GetTypeDescription() << " \"" << robot.GetId() << "\"";
+    if (size.Count > 1) {
+      list << " and " << size.Count - 1 << " other device" << (size.Count > 2 ? "s" : "");
+    }
+  }
+  LOGERR
+      << "[WARNING] medium \"" << GetId()
+      << "\": robots whose messages differ in size do not hear each other; there are messages of "
+      << list.str() << ". Give them the same \"rab_data_size\"." << std::endl;
 }
 
 void CRABMedium::Reset() {
@@ -130,7 +163,8 @@ REGISTER_MEDIUM(
 also measure the distance and direction of the sender. In each tick, after the robots have
 moved, robot B receives the message of robot A if their messages have the same size, the distance is smaller than
 the range of A, and no body is between them. The robots' own bodies do not occlude; neither does a body that meets
-the line between the two devices only inside one of the two robots' bodies.
+the line between the two devices only inside one of the two robots' bodies. When an experiment is loaded, messages of
+different sizes in one medium cause a warning.
 )" + RequiredMediumXML(R"(<range_and_bearing id="rab" />)") +
         OptionalMediumXML(
             R"(<range_and_bearing id="rab" check_occlusions="false" index="grid" grid_size="20,20,1" />)") +

@@ -29,6 +29,9 @@ class CRABMedium : public CMedium, public CRABEquippedEntity::CRegistry {
    * @throws CARGoSException if a value is unknown or out of range.
    */
   void Init(TConfigurationNode& tree) override;
+  /** Warns if there are devices that never hear each other, because their messages differ in size.
+   */
+  void PostSpaceInit() override;
   /** Clears all routes until the next Update(). */
   void Reset() override;
   /** Removes all devices. */

@@ -19,6 +19,7 @@ class CLoadState {
   void Begin();
   /** Ends loading. */
   void End() { m_loading = false; }
+  bool IsLoading() const { return m_loading; }
 
   /** Adds the child of `<controllers>` with that id. @throws CARGoSException if the id is taken. */
   void AddController(const std::string& id, TConfigurationNode& node);

@@ -29,6 +29,9 @@ struct SSimulationContext {
   SSimulationContext(const SSimulationContext&) = delete;
   SSimulationContext& operator=(const SSimulationContext&) = delete;
 
+  /** The clock of the space, ticks; defined beside it. */
+  UInt32 GetClock() const;
+
   // valid during the lifetime of the simulator
   CSimulator& Simulator; /**< for users' code; the core uses the parts below */
   CSpace* Space = nullptr;

@@ -126,6 +126,7 @@ void CControllableEntity::Reset() {
   if (m_pcController == nullptr) {
     return;
   }
+  const CRandom::COwner::CScope scope(&m_randomOwner, GetBirth());
   for (const auto& entry : m_pcController->GetAllSensors()) {
     entry.second->Reset();
   }
@@ -139,6 +140,7 @@ void CControllableEntity::Destroy() {
   if (m_pcController == nullptr) {
     return;
   }
+  const CRandom::COwner::CScope scope(&m_randomOwner, GetBirth());
   std::exception_ptr failure;
   const auto destroy = [&failure](auto& part) {
     try {
@@ -190,6 +192,8 @@ void CControllableEntity::SetController(const std::string& controllerId,
   const std::string robot = GetRootEntity().GetId();
   Destroy();
   DropController();
+  m_randomOwner.SetId(GetContext() + GetId());
+  const CRandom::COwner::CScope scope(&m_randomOwner, GetBirth());
   try {
     m_controller.reset(CFactory<CCI_Controller>::New(node.Value()));
     m_pcController = m_controller.get();
@@ -222,6 +226,12 @@ void CControllableEntity::DropController() {
   m_mapSensors.clear();
   m_pcController = nullptr;
   m_controller.reset();
+  m_randomOwner.DestroyGenerators();
+}
+
+// of the random generators that are created now
+UInt64 CControllableEntity::GetBirth() const {
+  return m_context.Loading.IsLoading() ? CRandom::COwner::CScope::kLoading : m_context.GetClock();
 }
 
 void CControllableEntity::CreateActuators(TConfigurationNode& controllerNode) {

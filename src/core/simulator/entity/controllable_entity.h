@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/entity/entity.h>
 #include <argos3/core/simulator/entity/sensor.h>
 #include <argos3/core/utility/math/ray3.h>
+#include <argos3/core/utility/math/rng_owner.h>
 #include <argos3/core/utility/memory/object_slabs.h>
 
 #include <map>
@@ -76,6 +77,9 @@ class CControllableEntity : public CEntity {
   /** The simulator this robot belongs to, for its devices. */
   CSimulator& GetSimulator() const;
 
+  /** Of the generators that the controller and its devices create, which end with them. */
+  CRandom::COwner& GetRandomOwner() { return m_randomOwner; }
+
   /** The devices by XML tag; the maps are created at the first call. */
   const std::map<std::string, CSimulatedActuator*>& GetActuators() const;
   const std::map<std::string, CSimulatedSensor*>& GetSensors() const;
@@ -91,6 +95,7 @@ class CControllableEntity : public CEntity {
     CCI_Sensor* Interface;  // the same object
   };
 
+  UInt64 GetBirth() const;
   void CreateActuators(TConfigurationNode& controllerNode);
   void CreateSensors(TConfigurationNode& controllerNode);
   void ListDevices();
@@ -109,6 +114,7 @@ class CControllableEntity : public CEntity {
 
  private:
   SSimulationContext& m_context;
+  CRandom::COwner m_randomOwner;  // outlives the controller
   std::unique_ptr<CCI_Controller> m_controller;
 };
 

@@ -11,6 +11,7 @@
 #include <argos3/core/simulator/placement/arena_filling.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/tick/loop_functions.h>
+#include <argos3/core/simulator/tick/tick.h>
 #include <argos3/core/simulator/visualization/visualization.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/core/utility/logging/argos_log.h>
@@ -66,6 +67,27 @@ void CreateParts(TConfigurationNode& section, const char* kind, CLoadErrors& err
       markBroken(id);
     }
   }
+}
+
+// how many robots a thread handles in a row; 0: by measured cost
+size_t ReadGrain(TConfigurationNode& system) {
+  std::string grain = "auto";
+  GetNodeAttributeOrDefault(system, "grain", grain, grain);
+  if (grain == "auto") {
+    return 0;
+  }
+  try {
+    UInt32 robots = 0;
+    GetNodeAttribute(system, "grain", robots);
+    if (robots >= 1) {
+      return robots;
+    }
+  } catch (const CARGoSException&) {
+    // the message below says more
+  }
+  THROW_ARGOSEXCEPTION(system.GetLocation()
+                       << ": <system>: \"grain\" must be \"auto\" or a whole number >= 1, found \""
+                       << grain << "\"");
 }
 
 }  // namespace
@@ -140,8 +162,11 @@ void CExperimentLoader::InitSystem(TConfigurationNode& framework) {
   UInt32 threads = 0;
   std::string method = "balance_quantity";
   bool pinToCores = false;
+  size_t grain = 0;
   if (NodeExists(framework, "system")) {
     TConfigurationNode& system = GetNode(framework, "system");
+    LoadLibraryOf(system);
+    grain = ReadGrain(system);
     GetNodeAttributeOrDefault(system, "threads", threads, threads);
     GetNodeAttributeOrDefault(system, "method", method, method);
     GetNodeAttributeOrDefault(system, "pin_threads_to_cores", pinToCores, pinToCores);
@@ -158,6 +183,7 @@ void CExperimentLoader::InitSystem(TConfigurationNode& framework) {
     m_experiment.Pool = std::make_unique<CThreadPool>(m_settings.NumThreads, CreateSchedule(method),
                                                       pinToCores, m_startWorker);
     m_context.Pool = m_experiment.Pool.get();
+    m_tick.SetGrain(grain);
   } catch (std::exception& error) {
     const bool hasNode = NodeExists(framework, "system");
     THROW_ARGOSEXCEPTION_NESTED((hasNode ? GetNode(framework, "system") : framework).GetLocation()
@@ -166,7 +192,8 @@ void CExperimentLoader::InitSystem(TConfigurationNode& framework) {
                                 error);
   }
   if (m_settings.NumThreads > 0) {
-    LOG << "[INFO] Using " << m_settings.NumThreads << " threads (" << method << ")" << std::endl;
+    LOG << "[INFO] Using " << m_settings.NumThreads << " threads (" << method
+        << (grain > 0 ? ", grain " + ToString(grain) : std::string()) << ")" << std::endl;
   } else {
     LOG << "[INFO] Not using threads" << std::endl;
   }
@@ -208,6 +235,17 @@ void CExperimentLoader::InitRandom(TConfigurationNode& experiment) {
     if (m_settings.IsSeedFromClock) {
       m_settings.DrawSeedFromClock();
     }
+    if (m_settings.IsSeedFromClock && NodeAttributeExists(experiment, "random_seed")) {
+      LOGERR
+          << "[WARNING] " << experiment.GetLocation()
+          << ": <experiment>: random_seed=\"0\" is not a seed: one is drawn from the clock, and "
+             "the run cannot be repeated without it. This run can be repeated with random_seed=\""
+          << m_settings.Seed << "\"" << std::endl;
+    }
+  } else if (m_settings.Seed == 0) {
+    LOGERR << "[WARNING] the seed 0 that the program or --seed sets is used as it is; "
+              "random_seed=\"0\" in an experiment file draws one from the clock"
+           << std::endl;
   }
   LOG << "[INFO] Using random seed = " << m_settings.Seed << std::endl;
   CRandom::CreateCategory("argos", m_settings.Seed);

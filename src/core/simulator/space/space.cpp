@@ -44,8 +44,14 @@ void CSpace::Init(TConfigurationNode& tree) {
     }
   }
   // attributes of older versions of the file format: accepted, without effect
-  NodeAttributeExists(tree, "positional_index");
-  NodeAttributeExists(tree, "positional_grid_size");
+  for (const char* attribute : {"positional_index", "positional_grid_size"}) {
+    if (NodeAttributeExists(tree, attribute)) {
+      LOGERR << "[WARNING] " << tree.GetLocation() << ": <arena>: attribute \"" << attribute
+             << "\" has no effect: bodies have an index that needs no parameters, and each medium "
+                "has its own attributes \"index\" and \"grid_size\""
+             << std::endl;
+    }
+  }
   arena.Limits.Set(arena.Center - arena.Size * 0.5, arena.Center + arena.Size * 0.5);
   m_bodyIndex->SetArea(arena.Limits);
 }
@@ -266,14 +272,19 @@ void CSpace::RemoveEntityFromPhysicsEngines(CEmbodiedEntity& body) {
 
 void CSpace::IterateOverControllableEntities(const TControllableEntityIterCBType& callback) {
   InLogOrder(m_robots.size(), [&](UInt64 firstPlace) {
-    m_context.Pool->ParallelFor(m_robots.size(), kRobotsPerRun,
-                                [&](size_t begin, size_t end, UInt32) {
-                                  for (size_t i = begin; i < end; ++i) {
-                                    CARGoSLog::SetSequence(firstPlace + i);
-                                    callback(m_robots[i]);
-                                  }
-                                });
+    const size_t grain =
+        DivideIntoRuns(m_robots.size(), m_context.Pool->GetNumThreads(), kRobotsPerRun);
+    m_context.Pool->ParallelFor(m_robots.size(), grain, [&](size_t begin, size_t end, UInt32) {
+      for (size_t i = begin; i < end; ++i) {
+        CARGoSLog::SetSequence(firstPlace + i);
+        callback(m_robots[i]);
+      }
+    });
   });
+}
+
+UInt32 SSimulationContext::GetClock() const {
+  return Space->GetSimulationClock();
 }
 
 void CSpace::Update() {

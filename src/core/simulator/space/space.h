@@ -138,8 +138,8 @@ class CSpace : public CBaseConfigurableResource {
   /** Changes whenever that list changes. */
   UInt64 GetVersionOfControllableEntities() const { return m_robotsVersion; }
   /**
-   * Robots that one thread handles in a row: enough to pay for fetching the run, and few enough
-   * that the data that sensing has loaded is still in the cache for control.
+   * The most robots that sense in a row before they are controlled: few enough that the data that
+   * sensing has loaded is still in the cache for control.
    */
   static constexpr size_t kRobotsPerRun = 64;
   CSimulator& GetSimulator();

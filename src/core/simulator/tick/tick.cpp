@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <mutex>
 
 namespace argos {
@@ -45,6 +46,7 @@ void ForRobots(const std::vector<CControllableEntity*>& robots, size_t begin, si
                UInt64 firstPlace, const char* phase, UInt32 tick, STEP&& step,
                LOOK_AHEAD&& lookAhead) {
   size_t current = begin;
+  CRandom::COwner::CScope randomOwner(nullptr, tick);
   const auto fail = [&](std::exception* error) {
     std::ostringstream message;
     message << "robot \"" << robots[current]->GetRootEntity().GetId() << "\": " << phase
@@ -56,6 +58,7 @@ void ForRobots(const std::vector<CControllableEntity*>& robots, size_t begin, si
       lookAhead(current);
       if (robots[current]->IsEnabled()) {
         CARGoSLog::SetSequence(firstPlace + current);
+        randomOwner.SetOwner(&robots[current]->GetRandomOwner());
         step(*robots[current]);
       }
     }
@@ -69,7 +72,7 @@ void ForRobots(const std::vector<CControllableEntity*>& robots, size_t begin, si
 // updates engines or media: those that use the pool themselves one after the other, the rest in
 // parallel
 template <typename PART>
-void UpdateParts(const std::vector<PART*>& parts, CThreadPool& pool) {
+void UpdateParts(const std::vector<PART*>& parts, CThreadPool& pool, CPhaseCost& cost) {
   InLogOrder(parts.size(), [&](UInt64 firstPlace) {
     const auto update = [&](size_t begin, size_t end, bool onPool) {
       for (size_t i = begin; i < end; ++i) {
@@ -80,12 +83,25 @@ void UpdateParts(const std::vector<PART*>& parts, CThreadPool& pool) {
       }
     };
     update(0, parts.size(), true);
-    pool.ParallelFor(parts.size(), 1,
+    pool.ParallelFor(parts.size(), cost,
                      [&](size_t begin, size_t end, UInt32) { update(begin, end, false); });
   });
 }
 
 }  // namespace
+
+CTick::CTick(SSimulationContext& context)
+    : m_context(context),
+      m_actCost(CSpace::kRobotsPerRun),
+      m_senseCost(CSpace::kRobotsPerRun),
+      m_ghostCost(1),
+      m_engineCost(1),
+      m_mediumCost(1) {}
+
+void CTick::SetGrain(size_t robots) {
+  m_actCost.SetGrain(robots);
+  m_senseCost.SetGrain(robots);
+}
 
 void CTick::Run() {
   // runs a phase, and adds its time to the tick times if there are any
@@ -132,13 +148,12 @@ void CTick::Act() {
   const std::vector<CControllableEntity*>& robots = m_context.Space->GetControllableEntities();
   const UInt32 tick = m_context.Space->GetSimulationClock();
   InLogOrder(robots.size(), [&](UInt64 firstPlace) {
-    m_context.Pool->ParallelFor(robots.size(), CSpace::kRobotsPerRun,
-                                [&](size_t begin, size_t end, UInt32) {
-                                  ForRobots(
-                                      robots, begin, end, firstPlace, "an actuator", tick,
-                                      [](CControllableEntity& robot) { robot.Act(); },
-                                      [this](size_t robot) { m_lookAhead.BeforeAct(robot); });
-                                });
+    m_context.Pool->ParallelFor(robots.size(), m_actCost, [&](size_t begin, size_t end, UInt32) {
+      ForRobots(
+          robots, begin, end, firstPlace, "an actuator", tick,
+          [](CControllableEntity& robot) { robot.Act(); },
+          [this](size_t robot) { m_lookAhead.BeforeAct(robot); });
+    });
   });
   for (CMedium* medium : m_context.Media) {
     medium->TakeActs();
@@ -151,7 +166,7 @@ void CTick::CollectGhosts() {
                    [](const CPhysicsEngine* engine) { return engine->FeelsGhosts(); })) {
     return;
   }
-  m_context.Pool->ParallelFor(engines.size(), 1, [&](size_t begin, size_t end, UInt32) {
+  m_context.Pool->ParallelFor(engines.size(), m_ghostCost, [&](size_t begin, size_t end, UInt32) {
     for (size_t i = begin; i < end; ++i) {
       if (engines[i]->FeelsGhosts()) {
         engines[i]->CollectGhosts();
@@ -161,7 +176,7 @@ void CTick::CollectGhosts() {
 }
 
 void CTick::UpdatePhysics() {
-  UpdateParts(m_context.Engines, *m_context.Pool);
+  UpdateParts(m_context.Engines, *m_context.Pool, m_engineCost);
 }
 
 void CTick::TransferBodies() {
@@ -173,7 +188,7 @@ void CTick::TransferBodies() {
 }
 
 void CTick::UpdateMedia() {
-  UpdateParts(m_context.Media, *m_context.Pool);
+  UpdateParts(m_context.Media, *m_context.Pool, m_mediumCost);
 }
 
 void CTick::SenseAndControl() {
@@ -190,17 +205,32 @@ void CTick::SenseAndControl() {
   const auto senseAndControl = [&](size_t first, size_t last, UInt64 firstPlace) {
     Real sense = 0.0;
     Real control = 0.0;
+    // If a robot fails to sense, those before it are controlled nevertheless, because one of them
+    // may fail: the robot that is reported is the first in order, however they are dealt.
+    std::exception_ptr failure;
+    size_t sensed = first;
     Timed(m_times ? &sense : nullptr, [&] {
-      ForRobots(
-          robots, first, last, firstPlace, "a sensor", tick,
-          [](CControllableEntity& robot) { robot.Sense(); },
-          [this](size_t robot) { m_lookAhead.BeforeSense(robot, *m_context.Index); });
+      try {
+        ForRobots(
+            robots, first, last, firstPlace, "a sensor", tick,
+            [](CControllableEntity& robot) { robot.Sense(); },
+            [&](size_t robot) {
+              sensed = robot;
+              m_lookAhead.BeforeSense(robot, *m_context.Index);
+            });
+        sensed = last;
+      } catch (...) {
+        failure = std::current_exception();
+      }
     });
     Timed(m_times ? &control : nullptr, [&] {
       ForRobots(
-          robots, first, last, firstPlace, "ControlStep()", tick,
+          robots, first, sensed, firstPlace, "ControlStep()", tick,
           [](CControllableEntity& robot) { robot.ControlStep(); }, [](size_t) {});
     });
+    if (failure) {
+      std::rethrow_exception(failure);
+    }
     if (m_times != nullptr) {
       const std::lock_guard<std::mutex> lock(timesMutex);
       m_times->Sense += sense;
@@ -208,12 +238,11 @@ void CTick::SenseAndControl() {
     }
   };
   InLogOrder(robots.size(), [&](UInt64 firstPlace) {
-    m_context.Pool->ParallelFor(
-        robots.size(), CSpace::kRobotsPerRun, [&](size_t begin, size_t end, UInt32) {
-          for (size_t first = begin; first < end; first += CSpace::kRobotsPerRun) {
-            senseAndControl(first, std::min(end, first + CSpace::kRobotsPerRun), firstPlace);
-          }
-        });
+    m_context.Pool->ParallelFor(robots.size(), m_senseCost, [&](size_t begin, size_t end, UInt32) {
+      for (size_t first = begin; first < end; first += CSpace::kRobotsPerRun) {
+        senseAndControl(first, std::min(end, first + CSpace::kRobotsPerRun), firstPlace);
+      }
+    });
   });
 }
 

@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_SIMULATOR_TICK_TICK_H
 
 #include <argos3/core/simulator/tick/look_ahead.h>
+#include <argos3/core/utility/threads/phase_cost.h>
 
 namespace argos {
 
@@ -18,9 +19,13 @@ struct STickTimes;
  */
 class CTick {
  public:
-  explicit CTick(SSimulationContext& context) : m_context(context) {}
+  explicit CTick(SSimulationContext& context);
 
   void Run();
+  /**
+   * How many robots a thread handles in a row; 0 chooses a number by the measured cost.
+   */
+  void SetGrain(size_t robots);
   /** From now on adds the time of each phase to @p times (not owned); nullptr stops. */
   void SetTimes(STickTimes* times) { m_times = times; }
 
@@ -35,6 +40,8 @@ class CTick {
 
   SSimulationContext& m_context;
   STickTimes* m_times = nullptr;
+  CPhaseCost m_actCost, m_senseCost;  // of robots
+  CPhaseCost m_ghostCost, m_engineCost, m_mediumCost;
   CLookAhead m_lookAhead;
   UInt64 m_robotsOfLookAhead = ~UInt64(0);  // version of the list of robots that m_lookAhead has
 };

@@ -2,6 +2,8 @@
 
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/math/normal_quantile.h>
+#include <argos3/core/utility/math/random_stream.h>
+#include <argos3/core/utility/math/rng_owner.h>
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_rng.h>
@@ -9,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
 
 namespace argos {
 
@@ -84,6 +87,13 @@ CRandom::CRegistry& GetProcessRegistry() {
 }
 
 thread_local CRandom::CRegistry* currentRegistry = nullptr;
+
+// guards the lists of generators of all categories and owners: robots may create generators in a
+// phase of a tick
+std::mutex& GetGeneratorsMutex() {
+  static std::mutex mutex;
+  return mutex;
+}
 
 }  // namespace
 
@@ -204,28 +214,127 @@ Real CRandom::CRNG::Lognormal(Real sigma, Real mu) {
 CRandom::CCategory::CCategory(const std::string& id, UInt32 seed)
     : m_id(id), m_seed(seed), m_seeder(seed) {}
 
+CRandom::CCategory::~CCategory() {
+  const std::lock_guard<std::mutex> lock(GetGeneratorsMutex());
+  for (const auto& entry : m_generators) {
+    if (entry.second.Owner != nullptr) {
+      entry.second.Owner->Forget(*this);
+    }
+  }
+}
+
 UInt32 CRandom::CCategory::DrawSeed() {
-  return m_seeder.Uniform(CRange<UInt32>(1, std::numeric_limits<UInt32>::max()));
+  m_seeds.push_back(m_seeder.Uniform(CRange<UInt32>(1, std::numeric_limits<UInt32>::max())));
+  return m_seeds.back();
+}
+
+const size_t* CRandom::CCategory::FindOrdinal(const COwner& owner, UInt32 place) const {
+  const auto found = m_ordinalsAtStart.find({owner.GetId(), place});
+  return found != m_ordinalsAtStart.end() ? &found->second : nullptr;
+}
+
+// of a generator of an owner that did not exist at the start
+UInt32 CRandom::CCategory::ComputeSeed(const SGenerator& generator) const {
+  const std::string purpose = std::to_string(generator.Birth) + ' ' +
+                              std::to_string(generator.Place) + ' ' + std::to_string(m_round);
+  CRandomStream stream(m_seeder.GetSeed(), m_id, generator.Owner->GetId(), purpose);
+  return static_cast<UInt32>(
+      stream.UniformInteger(SInt64(1), SInt64(std::numeric_limits<UInt32>::max())));
 }
 
 CRandom::CRNG* CRandom::CCategory::CreateRNG() {
-  m_generators.push_back(std::make_unique<CRNG>(DrawSeed()));
-  return m_generators.back().get();
+  const std::lock_guard<std::mutex> lock(GetGeneratorsMutex());
+  const COwner::CScope::SCurrent& current = COwner::CScope::GetCurrent();
+  COwner* const owner = current.Owner;
+  SGenerator generator{nullptr, owner, 0, current.Birth, m_seeds.size()};
+  UInt32 seed = 0;
+  if (owner == nullptr) {
+    seed = DrawSeed();
+  } else {
+    generator.Place = owner->CountOf(*this);
+    const size_t* const ordinal = FindOrdinal(*owner, generator.Place);
+    if (current.Birth == COwner::CScope::kLoading) {
+      m_ordinalsAtStart[{owner->GetId(), generator.Place}] = m_seeds.size();
+      seed = DrawSeed();
+    } else {
+      seed = current.Birth == 0 && ordinal != nullptr ? m_seeds[*ordinal] : ComputeSeed(generator);
+    }
+    owner->m_generators.push_back({this, m_nextSerial});
+  }
+  generator.Generator = std::make_unique<CRNG>(seed);
+  CRNG* const created = generator.Generator.get();
+  m_generators.emplace_hint(m_generators.end(), m_nextSerial++, std::move(generator));
+  return created;
 }
 
 void CRandom::CCategory::ResetRNGs() {
   m_seeder.SetSeed(m_seed);
   m_seeder.Reset();
-  ReseedRNGs();
-  for (const auto& generator : m_generators) {
-    generator->Reset();
+  m_round = 0;
+  Reseed();
+  for (const auto& entry : m_generators) {
+    entry.second.Generator->Reset();
   }
 }
 
 void CRandom::CCategory::ReseedRNGs() {
-  for (const auto& generator : m_generators) {
-    generator->SetSeed(DrawSeed());
+  ++m_round;
+  Reseed();
+}
+
+// draws all seeds anew, those of destroyed generators included
+void CRandom::CCategory::Reseed() {
+  const size_t numSeeds = m_seeds.size();
+  m_seeds.clear();
+  for (size_t i = 0; i < numSeeds; ++i) {
+    DrawSeed();
   }
+  for (const auto& entry : m_generators) {
+    const SGenerator& generator = entry.second;
+    const size_t* ordinal = &generator.Ordinal;
+    if (generator.Owner != nullptr) {
+      ordinal = FindOrdinal(*generator.Owner, generator.Place);
+    }
+    generator.Generator->SetSeed(ordinal != nullptr ? m_seeds[*ordinal] : ComputeSeed(generator));
+  }
+}
+
+void CRandom::COwner::DestroyGenerators() {
+  if (m_generators.empty()) {
+    return;
+  }
+  const std::lock_guard<std::mutex> lock(GetGeneratorsMutex());
+  for (const SReference& reference : m_generators) {
+    reference.Category->m_generators.erase(reference.Serial);
+  }
+  m_generators.clear();
+}
+
+UInt32 CRandom::COwner::CountOf(const CCategory& category) const {
+  return static_cast<UInt32>(
+      std::count_if(m_generators.begin(), m_generators.end(),
+                    [&](const SReference& reference) { return reference.Category == &category; }));
+}
+
+void CRandom::COwner::Forget(const CCategory& category) {
+  m_generators.erase(
+      std::remove_if(m_generators.begin(), m_generators.end(),
+                     [&](const SReference& reference) { return reference.Category == &category; }),
+      m_generators.end());
+}
+
+CRandom::COwner::CScope::SCurrent& CRandom::COwner::CScope::GetCurrent() {
+  thread_local SCurrent current{nullptr, 0};
+  return current;
+}
+
+CRandom::COwner::CScope::CScope(COwner* owner, UInt64 birth)
+    : m_current(GetCurrent()), m_previous(m_current) {
+  m_current = {owner, birth};
+}
+
+CRandom::COwner::CScope::~CScope() {
+  m_current = m_previous;
 }
 
 CRandom::CRegistry::CRegistry() = default;

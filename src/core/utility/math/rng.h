@@ -20,14 +20,19 @@ namespace argos {
  * creates the category "argos" with the experiment's seed. (The simulator's own noise uses
  * CRandomStream, whose seeds do not depend on any order.)
  *
+ * A generator that a robot's controller or devices create is destroyed with them: see COwner in
+ * rng_owner.h, which also says how those of robots added during a run are seeded.
+ *
  * Categories belong to a registry. The static functions act on the current registry of the calling
  * thread: the one set with SetCurrentRegistry(), otherwise a process-wide one. A registry, its
- * categories and its generators may be used by one thread at a time.
+ * categories and its generators may be used by one thread at a time, except that CreateRNG() may be
+ * called by several threads.
  */
 class CRandom {
  public:
   class CRNG;
   class CCategory;
+  class COwner;
   class CRegistry;
 
   /** Does nothing and returns false if the category exists. */
@@ -42,8 +47,8 @@ class CRandom {
    * category. */
   static void RemoveCategory(const std::string& category);
 
-  /** Returns a new generator, owned by the category. @throws CARGoSException if there is no such
-   * category. */
+  /** Returns a new generator, owned by the category; it is destroyed earlier if its current owner
+   * is. @throws CARGoSException if there is no such category. */
   static CRNG* CreateRNG(const std::string& category);
 
   /** @throws CARGoSException if there is no such category. */
@@ -152,6 +157,11 @@ class CRandom::CRNG {
 class CRandom::CCategory {
  public:
   CCategory(const std::string& id, UInt32 seed);
+  /** Destroys the generators. */
+  ~CCategory();
+
+  CCategory(const CCategory&) = delete;
+  CCategory& operator=(const CCategory&) = delete;
 
   const std::string& GetId() const { return m_id; }
 
@@ -163,10 +173,13 @@ class CRandom::CCategory {
   /** Stores the seed; it takes effect at the next ResetRNGs(). */
   void SetSeed(UInt32 seed) { m_seed = seed; }
 
-  /** Returns a new generator, owned by the category, with the next seed, uniform in [1, 2^32-1]. */
+  /**
+   * Returns a new generator with the next seed, uniform in [1, 2^32-1]. It belongs to the category
+   * and to the thread's current COwner, if there is one. Safe on several threads at once.
+   */
   CRNG* CreateRNG();
 
-  /** Returns to the start: seeds every generator again, in the order of creation, and resets it. */
+  /** Returns to the start: seeds every generator as at the start, and resets it. */
   void ResetRNGs();
 
   /**
@@ -175,13 +188,35 @@ class CRandom::CCategory {
    */
   void ReseedRNGs();
 
+  /** The number of generators that exist. */
+  size_t GetNumRNGs() const { return m_generators.size(); }
+
  private:
+  friend class COwner;
+
+  struct SGenerator {
+    std::unique_ptr<CRNG> Generator;
+    COwner* Owner;  // null: lives as long as the category
+    UInt32 Place;  // how many generators of the category its owner had before
+    UInt64 Birth;  // see COwner::CScope
+    size_t Ordinal;  // index of its seed, if it has no owner
+  };
+
   UInt32 DrawSeed();
+  void Reseed();
+  UInt32 ComputeSeed(const SGenerator& generator) const;
+  /** The index of the seed of what the owner created while loading; null if there is none. */
+  const size_t* FindOrdinal(const COwner& owner, UInt32 place) const;
 
   std::string m_id;
   UInt32 m_seed;
   CRNG m_seeder;
-  std::vector<std::unique_ptr<CRNG> > m_generators;
+  std::vector<UInt32> m_seeds;  // drawn from the seeder, for destroyed generators, too
+  UInt64 m_round = 0;  // calls of ReseedRNGs() since the start
+  UInt64 m_nextSerial = 0;
+  std::map<UInt64, SGenerator> m_generators;  // by serial number: in the order of creation
+  // what owners created while loading, by id and place: the indices of the seeds
+  std::map<std::pair<std::string, UInt32>, size_t> m_ordinalsAtStart;
 };
 
 /** The categories of one simulation; see the functions of CRandom with the same names. */

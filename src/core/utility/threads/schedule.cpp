@@ -48,9 +48,13 @@ std::unique_ptr<CSchedule> CreateSchedule(const std::string& method) {
   if (method == "balance_length") {
     return std::make_unique<CBalanceLengthSchedule>();
   }
-  THROW_ARGOSEXCEPTION("unknown thread balancing method \""
-                       << method << "\""
-                       << DidYouMean(method, {"balance_quantity", "balance_length"}));
+  if (CFactory<CSchedule>::Exists(method)) {
+    return std::unique_ptr<CSchedule>(CFactory<CSchedule>::New(method));
+  }
+  std::vector<std::string> known = CFactory<CSchedule>::GetLabels();
+  known.insert(known.end(), {"balance_quantity", "balance_length"});
+  THROW_ARGOSEXCEPTION("unknown thread balancing method \"" << method << "\""
+                                                            << DidYouMean(method, known));
 }
 
 }  // namespace argos

@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_UTILITY_THREADS_SCHEDULE_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/plugins/factory.h>
 
 #include <atomic>
 #include <memory>
@@ -12,7 +13,8 @@ namespace argos {
 
 /**
  * Distributes the items 0..n-1 of a parallel phase over threads; has no effect on results. A new
- * schedule is one new class, named in CreateSchedule().
+ * schedule is one new class, in any library: REGISTER_SCHEDULE() gives it the label that an
+ * experiment file refers to as `<system method="...">`.
  */
 class CSchedule {
  public:
@@ -64,11 +66,17 @@ class CBalanceLengthSchedule : public CSchedule {
 };
 
 /**
- * Makes the schedule of that XML name.
+ * Makes the schedule of that XML name: one of the above, or one that a library has registered.
  * @throws CARGoSException that lists the known names, if there is none.
  */
 std::unique_ptr<CSchedule> CreateSchedule(const std::string& method);
 
 }  // namespace argos
+
+/** Makes a schedule known by a label; see REGISTER_SYMBOL(). */
+#define REGISTER_SCHEDULE(CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION, LONG_DESCRIPTION, \
+                          STATUS)                                                                 \
+  REGISTER_SYMBOL(CSchedule, CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION,                \
+                  LONG_DESCRIPTION, STATUS)
 
 #endif

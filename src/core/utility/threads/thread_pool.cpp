@@ -140,6 +140,8 @@ void CThreadPool::Run(size_t items, size_t grain, TCall call, void* context) {
   m_call = call;
   m_context = context;
   m_failure = nullptr;
+  m_items = items;
+  m_numDealt.store(0, std::memory_order_relaxed);
   m_schedule->Start(items, grain, m_numThreads);
   m_busy.store(m_numThreads - 1, std::memory_order_relaxed);
   m_phase.fetch_add(1, std::memory_order_release);
@@ -149,6 +151,17 @@ void CThreadPool::Run(size_t items, size_t grain, TCall call, void* context) {
   WaitForWorkers();
   if (m_failure) {
     std::rethrow_exception(m_failure);
+  }
+  RequireAllDealt();
+}
+
+// a schedule of a user's library may have errors, which would leave out robots in silence
+void CThreadPool::RequireAllDealt() const {
+  const size_t numDealt = m_numDealt.load(std::memory_order_relaxed);
+  if (numDealt != m_items) {
+    THROW_ARGOSEXCEPTION("the schedule of the threads (\"method\" of <system>) dealt "
+                         << numDealt << " of " << m_items
+                         << " items: Next() must deal each of them once");
   }
 }
 
@@ -164,15 +177,27 @@ void CThreadPool::WorkerLoop(UInt32 thread) {
 }
 
 void CThreadPool::DoShare(UInt32 thread) {
+  m_numDealt.fetch_add(DoRuns(thread), std::memory_order_relaxed);
+}
+
+// returns the number of items
+size_t CThreadPool::DoRuns(UInt32 thread) {
+  size_t numDone = 0;
   size_t begin = 0;
   size_t end = 0;
   while (m_schedule->Next(thread, begin, end)) {
     try {
+      if (begin > end || end > m_items) {
+        THROW_ARGOSEXCEPTION("the schedule of the threads (\"method\" of <system>) dealt the items "
+                             << begin << " to " << end << "; there are " << m_items);
+      }
+      numDone += end - begin;
       m_call(m_context, begin, end, thread);
     } catch (...) {
       NoteFailure(begin);
     }
   }
+  return numDone;
 }
 
 void CThreadPool::Pin(std::thread& worker, UInt32 thread) {

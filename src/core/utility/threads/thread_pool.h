@@ -2,9 +2,11 @@
 #define ARGOS3_CORE_UTILITY_THREADS_THREAD_POOL_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/threads/phase_cost.h>
 #include <argos3/core/utility/threads/schedule.h>
 
 #include <atomic>
+#include <chrono>
 #include <exception>
 #include <functional>
 #include <memory>
@@ -49,6 +51,8 @@ class CThreadPool {
    * Runs on several threads at once. If calls throw, the phase is completed and the exception of
    * the run with the lowest items is thrown here: the same one for every number of threads. Does
    * not allocate. Not to be called from inside a phase.
+   * @throws CARGoSException if the schedule deals other items than 0..items-1, as far as their
+   *         number shows it.
    * @param grain  items that should stay together, >= 1.
    */
   template <typename FUNCTION>
@@ -66,6 +70,33 @@ class CThreadPool {
     Run(items, grain, call, const_cast<void*>(static_cast<const void*>(&function)));
   }
 
+  /**
+   * The same with runs whose length follows from the measured cost of the phase, if it is not
+   * fixed. Measures what the calling thread does.
+   */
+  template <typename FUNCTION>
+  void ParallelFor(size_t items, CPhaseCost& cost, FUNCTION&& function) {
+    const size_t grain = cost.ChooseGrain(items, m_numThreads);
+    if (m_numThreads == 1 || !cost.IsMeasured()) {
+      ParallelFor(items, grain, function);
+      return;
+    }
+    using TClock = std::chrono::steady_clock;
+    size_t numDone = 0;
+    TClock::duration time{0};
+    ParallelFor(items, grain, [&](size_t begin, size_t end, UInt32 thread) {
+      if (thread != 0) {
+        function(begin, end, thread);
+        return;
+      }
+      const TClock::time_point start = TClock::now();
+      function(begin, end, thread);
+      time += TClock::now() - start;
+      numDone += end - begin;
+    });
+    cost.Add(numDone, std::chrono::duration<Real>(time).count());
+  }
+
  private:
   using TCall = void (*)(void* context, size_t begin, size_t end, UInt32 thread);
 
@@ -78,6 +109,8 @@ class CThreadPool {
   void NoteEnd();
   void NoteFailure(size_t begin);
   void DoShare(UInt32 thread);
+  size_t DoRuns(UInt32 thread);
+  void RequireAllDealt() const;
   void Pin(std::thread& worker, UInt32 thread);
 
   UInt32 m_numThreads;
@@ -88,6 +121,8 @@ class CThreadPool {
   // written by Run() before the phase number grows, read by the workers after
   TCall m_call = nullptr;
   void* m_context = nullptr;
+  size_t m_items = 0;
+  std::atomic<size_t> m_numDealt{0};  // items, of the schedule, in this phase
   std::atomic<UInt32> m_phase{0};
   std::atomic<UInt32> m_busy{0};  // workers that have not finished: their start, then a phase
   std::atomic<bool> m_stop{false};

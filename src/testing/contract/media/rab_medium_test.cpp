@@ -7,11 +7,13 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_sensor.h>
 #include <argos3/plugins/simulator/media/rab_medium.h>
+#include <argos3/testing/support/captured_logs.h>
 #include <argos3/testing/support/invariants.h>
 #include <argos3/testing/support/robot_world.h>
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace argos;
@@ -326,4 +328,23 @@ TEST_CASE("rab medium: the number of another device is noticed", "[contract][med
   }
   device.SetNumberInMedium(number);
   CheckCaught([&] { medium.GetDevice(2); }, "no entity with the number 2");
+}
+
+TEST_CASE("rab medium: messages of different sizes are reported once, with the robots",
+          "[contract][media][errors]") {
+  {
+    CRobotWorld same(WithRAB(EPuck("a", 0.0, 0.0, 1.0) + EPuck("b", 0.5, 0.0, 1.0)));
+    CHECK(TakeLogErr() == "");
+  }
+  CRobotWorld world(WithRAB(EPuck("a", 0.0, 0.0, 1.0, 4) + EPuck("b", 0.5, 0.0, 1.0, 2) +
+                            EPuck("c", 1.0, 0.0, 1.0, 2) + EPuck("d", 1.5, 0.0, 1.0, 2) +
+                            Robot("foot-bot", "fb", "position=\"2,0,0\"")));
+  const std::string warning = TakeLogErr();
+  CHECK_THAT(warning, Contains("[WARNING] medium \"rab\"") && Contains("do not hear each other") &&
+                          Contains("2 bytes of e-puck \"b\" and 2 other devices, 4 bytes of e-puck "
+                                   "\"a\", 10 bytes of foot-bot \"fb\"") &&
+                          Contains("rab_data_size"));
+  CHECK(std::count(warning.begin(), warning.end(), '\n') == 1);
+  world.Step(3);
+  CHECK(TakeLogErr() == "");
 }

@@ -1,8 +1,10 @@
 // Wheels whose right one is slightly faster: the drift of robots that navigate by dead reckoning.
 
+#include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_encoder_sensor.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_gripper_actuator.h>
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_sensor.h>
 #include <argos3/plugins/robots/generic/simulator/differential_steering_dead_reckoning_actuator.h>
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
@@ -83,16 +85,18 @@ TEST_CASE("dead reckoning: mu has a Rayleigh distribution", "[contract][robots][
         }) <= 1.0);
 }
 
-TEST_CASE("dead reckoning: the right wheel is faster, forwards and backwards",
+TEST_CASE("dead reckoning: the drift adds to the outer wheel of each direction",
           "[contract][robots]") {
-  CRobotWorld world(Drifting("sigma=\"0.1\""));
+  const bool isFaster = GENERATE(true, false);
+  CAPTURE(isFaster);
+  CRobotWorld world(Drifting(isFaster ? "sigma=\"0.1\"" : "sigma=\"0.1\" backward=\"slower\""));
   const Real mu = Actuator(world).GetDeviation();
   REQUIRE(mu > 0.0);
   const auto [left, right] = WheelsFor(world, 10.0, 10.0);
   CHECK(left == 0.1);
   CHECK_THAT(right, WithinAbs(0.1 * (1.0 + mu), 1e-16));
   const auto [leftBack, rightBack] = WheelsFor(world, -10.0, -10.0);
-  CHECK_THAT(leftBack, WithinAbs(-0.1 * (1.0 - mu), 1e-16));
+  CHECK_THAT(leftBack, WithinAbs(-0.1 * (isFaster ? 1.0 + mu : 1.0 - mu), 1e-16));
   CHECK(rightBack == -0.1);
   // on a curve, the deviation is proportional to the mean speed
   const auto [leftTurn, rightTurn] = WheelsFor(world, 4.0, 12.0);
@@ -110,30 +114,68 @@ TEST_CASE("dead reckoning: a robot with equal orders for both wheels follows the
     Real Axis;  // m
   };
   const SType type = GENERATE(SType{"foot-bot", 0.14}, SType{"e-puck", 0.053});
-  const bool ahead = GENERATE(true, false);
-  CAPTURE(type.Tag, ahead);
-  CRobotWorld world(Drifting("sigma=\"0.02\"", type.Tag));
+  // ahead, back, and back with the other sign of the drift
+  const int direction = GENERATE(1, -1, -2);
+  const bool ahead = direction > 0;
+  CAPTURE(type.Tag, direction);
+  CRobotWorld world(Drifting(
+      direction == -2 ? "sigma=\"0.02\" backward=\"slower\"" : "sigma=\"0.02\"", type.Tag));
   const Real mu = Actuator(world).GetDeviation();
   CAPTURE(mu);
+  // of the outer wheel's excess over the other one
+  const Real excess = direction == -2 ? -mu : mu;
   const Real speed = ahead ? 10.0 : -10.0;  // cm/s
   Actuator(world).SetLinearVelocity(speed, speed);
   constexpr int kTicks = 100;
   world.Step(kTicks);
   const auto& origin =
       world.Get<CComposableEntity>("r").GetComponent<CEmbodiedEntity>("body").GetOriginAnchor();
-  // the centre of the circle is to the left, at (0, radius)
-  const Real radius = type.Axis * (ahead ? 2.0 + mu : 2.0 - mu) / (2.0 * mu);
+  // the centre of the circle is at (0, radius): to the left, but for a robot that goes back on its
+  // faster left wheel
+  const Real radius = (direction == -1 ? -1.0 : 1.0) * type.Axis * (2.0 + excess) / (2.0 * mu);
   CHECK_THAT(std::hypot(origin.Position.GetX(), origin.Position.GetY() - radius),
-             WithinAbs(radius, 1e-12 * radius));
+             WithinAbs(std::abs(radius), 1e-12 * std::abs(radius)));
   // the length of the arc follows from the mean speed of the wheels
-  const Real way = 0.01 * speed * (ahead ? 1.0 + 0.5 * mu : 1.0 - 0.5 * mu) * kTicks * kTick;
-  const auto arc = testing::IntegrateDifferentialDrive({}, ahead ? 0.1 : -0.1 * (1.0 - mu),
+  const Real way = 0.01 * std::abs(speed) * (1.0 + 0.5 * excess) * kTicks * kTick;
+  const auto arc = testing::IntegrateDifferentialDrive({}, ahead ? 0.1 : -0.1 * (1.0 + excess),
                                                        ahead ? 0.1 * (1.0 + mu) : -0.1, type.Axis,
                                                        kTicks * kTick);
-  CHECK_THAT(origin.Position.GetX(), WithinAbs(radius * std::sin(way / radius), 1e-12));
+  CHECK_THAT(std::abs(origin.Position.GetX()),
+             WithinAbs(std::abs(radius) * std::sin(way / std::abs(radius)), 1e-12));
   CHECK_THAT(origin.Position.GetX(), WithinAbs(arc.X, 1e-12));
   CHECK_THAT(origin.Position.GetY(), WithinAbs(arc.Y, 1e-12));
-  CHECK((origin.Position.GetY() > 0.0));
+  CHECK((origin.Position.GetY() > 0.0) == (radius > 0.0));
+}
+
+TEST_CASE("dead reckoning: back and forth draws an S, or retraces its way", "[contract][robots]") {
+  const bool isFaster = GENERATE(true, false);
+  CAPTURE(isFaster);
+  CRobotWorld world(Drifting(isFaster ? "sigma=\"0.02\"" : "sigma=\"0.02\" backward=\"slower\""));
+  const Real mu = Actuator(world).GetDeviation();
+  constexpr Real kAxis = 0.14;  // m
+  constexpr int kTicks = 100;
+  constexpr Real kDuration = kTicks * kTick;
+  const auto& origin = world.Get<CFootBotEntity>("r").GetEmbodiedEntity().GetOriginAnchor();
+  Actuator(world).SetLinearVelocity(10.0, 10.0);
+  world.Step(kTicks);
+  Actuator(world).SetLinearVelocity(-10.0, -10.0);
+  world.Step(kTicks);
+  // out and back turn by mu v t / d each, and back turns the same way or returns
+  const Real turn = mu * 0.1 * kDuration / kAxis;
+  CRadians yaw, pitch, roll;
+  origin.Orientation.ToEulerAngles(yaw, pitch, roll);
+  CHECK_THAT(yaw.GetValue(), WithinAbs(isFaster ? 2.0 * turn : 0.0, 1e-12));
+  // Ahead the arc around (0,R), R = d (2 + mu) / (2 mu), through the angle a leads to
+  // (R sin a, R (1 - cos a)). Back on the same radius around a point on the right of the robot,
+  // through a: x = 2 R sin a - R sin 2a, y = R (1 - 2 cos a + cos 2a). Back on the radius R - d
+  // around a point on the left: x = d sin a, y = d (1 - cos a).
+  const Real radius = kAxis * (2.0 + mu) / (2.0 * mu);
+  const Real x =
+      isFaster ? radius * (2.0 * std::sin(turn) - std::sin(2.0 * turn)) : kAxis * std::sin(turn);
+  const Real y = isFaster ? radius * (1.0 - 2.0 * std::cos(turn) + std::cos(2.0 * turn))
+                          : kAxis * (1.0 - std::cos(turn));
+  CHECK_THAT(origin.Position.GetX(), WithinAbs(x, 1e-12));
+  CHECK_THAT(origin.Position.GetY(), WithinAbs(y, 1e-12));
 }
 
 TEST_CASE("dead reckoning: mu is drawn again when the robot grips something",
@@ -224,4 +266,79 @@ TEST_CASE("dead reckoning: sigma 0 means no drift, and negative values are refus
   CHECK_THAT(LoadError(Drifting("sigma=\"-0.1\"")),
              Contains("sigma") && Contains(">= 0") && Contains("-0.1"));
   CHECK_THAT(LoadError(Drifting("", "toy-robot")), Contains("wheels"));
+}
+
+TEST_CASE("dead reckoning: encoders read the ordered rotation, and odometry errs by the drift",
+          "[contract][robots][sensors]") {
+  const Real lag = GENERATE(0.0, 0.1);
+  CAPTURE(lag);
+  SRobotExperiment experiment = Drifting("sigma=\"0.05\"");
+  experiment.Engine = "<dynamics2d id=\"dyn2d\" velocity_lag=\"" + ToString(lag) + "\"/>";
+  experiment.Sensors =
+      "<differential_steering implementation=\"default\"/>"
+      "<footbot_encoder implementation=\"default\"/>";
+  CRobotWorld world(experiment);
+  const auto& steering =
+      world.GetSensor<CCI_DifferentialSteeringSensor>("r", "differential_steering").GetReading();
+  const auto& encoder =
+      world.GetSensor<CCI_FootBotEncoderSensor>("r", "footbot_encoder").GetReading();
+  const auto& origin = world.Get<CFootBotEntity>("r").GetEmbodiedEntity().GetOriginAnchor();
+  // orders in cm/s; each is the order of the tick that follows it
+  const std::vector<std::pair<Real, Real>> orders = {{10.0, 10.0}, {10.0, 10.0}, {-10.0, -10.0},
+                                                     {0.0, 8.0},   {3.0, -3.0},  {-6.0, -2.0},
+                                                     {0.0, 0.0}};
+  std::pair<Real, Real> last;
+  testing::SPose estimated;
+  for (int round = 0; round < 3; ++round) {
+    for (const auto& order : orders) {
+      Actuator(world).SetLinearVelocity(order.first, order.second);
+      world.Step();
+      CAPTURE(round, order.first, order.second);
+      CHECK(steering.VelocityLeftWheel == 100.0 * (0.01 * order.first));
+      CHECK(steering.VelocityRightWheel == 100.0 * (0.01 * order.second));
+      const auto turned = [lag](Real speed, Real before) {
+        return (speed + lag * (before - speed)) * kTick;
+      };
+      // several roundings of some cm
+      CHECK_THAT(encoder.CoveredDistanceLeftWheel,
+                 WithinAbs(turned(order.first, last.first), 1e-12));
+      CHECK_THAT(encoder.CoveredDistanceRightWheel,
+                 WithinAbs(turned(order.second, last.second), 1e-12));
+      last = order;
+    }
+  }
+  world.GetSimulator().Reset();
+  Actuator(world).SetLinearVelocity(10.0, 10.0);
+  for (int tick = 0; tick < 100; ++tick) {
+    world.Step();
+    estimated = testing::IntegrateDifferentialDrive(
+        estimated, 0.01 * encoder.CoveredDistanceLeftWheel / kTick,
+        0.01 * encoder.CoveredDistanceRightWheel / kTick, 0.14, kTick);
+  }
+  // the robot believes that it went straight, and is mu s^2 / (2 d) beside its line (leading term)
+  CHECK_THAT(estimated.Y, WithinAbs(0.0, 1e-12));
+  const Real way = origin.Position.GetX();
+  const Real offset = Actuator(world).GetDeviation() * way * way / (2.0 * 0.14);
+  CHECK_THAT(origin.Position.GetY(), WithinAbs(offset, 0.1 * offset));
+}
+
+TEST_CASE("dead reckoning: another actuator of the same wheels ends the drift",
+          "[contract][robots]") {
+  CRobotWorld world(Drifting("sigma=\"0.1\""));
+  WheelsFor(world, 10.0, 10.0);
+  auto& wheels = world.Get<CComposableEntity>("r").GetComponent<CWheeledEntity>("wheels");
+  CHECK(wheels.GetOrderedVelocities()[1] == 0.1);
+  CHECK(wheels.GetWheelVelocities()[1] > 0.1);
+  const Real speeds[2] = {0.2, 0.3};
+  wheels.SetVelocities(speeds);
+  CHECK(wheels.GetOrderedVelocities()[1] == 0.3);
+  CHECK(wheels.GetWheelVelocities()[1] == 0.3);
+  wheels.Reset();
+  CHECK(wheels.GetOrderedVelocities()[1] == 0.0);
+}
+
+TEST_CASE("dead reckoning: the direction of the drift backwards is one of two words",
+          "[contract][robots][errors]") {
+  CHECK_THAT(LoadError(Drifting("backward=\"left\"")),
+             Contains("backward") && Contains("\"faster\" or \"slower\"") && Contains("left"));
 }

@@ -9,11 +9,14 @@
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_light_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_colored_blob_perspective_camera_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_proximity_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_leds_actuator.h>
+#include <argos3/plugins/simulator/entities/led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/light_sensor_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/perspective_camera_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
 #include <argos3/testing/contract/sensors/scene.h>
 #include <argos3/testing/support/captured_logs.h>
+#include <argos3/testing/support/sight_reference.h>
 
 #include <catch2/catch.hpp>
 
@@ -239,6 +242,64 @@ TEST_CASE("eye-bot: its camera looks straight down and turns with the robot",
         static_cast<SInt32>(320.0 - pixelsPerTangent * 0.1 / 1.5));
   CHECK(camera.GetReadings().BlobList[0]->Y ==
         static_cast<SInt32>(240.0 - pixelsPerTangent * 0.2 / 1.5));
+}
+
+TEST_CASE("eye-bot: its lower LEDs are seen from beneath, through its own body only",
+          "[contract][robots][cameras]") {
+  const CVector3 eyeBot = GENERATE(CVector3(0.0, 0.0, 1.5), CVector3(0.2, -0.1, 1.2));
+  const bool tilted = GENERATE(false, true);
+  const bool hasWall = GENERATE(false, true);
+  CAPTURE(eyeBot, tilted, hasWall);
+  SRobotExperiment experiment;
+  experiment.Actuators = "<leds implementation=\"default\" medium=\"leds\"/>";
+  experiment.Sensors =
+      "<colored_blob_perspective_camera implementation=\"default\" medium=\"leds\"/>";
+  // a wide view straight up, above the middle of the foot-bot's front
+  experiment.Arena =
+      R"(<foot-bot id="fb" perspective_camera_front="false" perspective_camera_aperture="60"
+           perspective_camera_range="5"><body position="-0.085,0,0"/>
+         <controller config="c"/></foot-bot>)" +
+      Robot("eye-bot", "eb", PoseText(eyeBot, 30.0) /* the pose of the tilted one is set below */);
+  if (hasWall) {
+    // over the left half of the view
+    experiment.Arena += BoxText("ceiling", CVector3(4.0, 2.0, 0.1), CVector3(0.0, 1.0, 0.8));
+  }
+  CRobotWorld world(experiment);
+  if (tilted) {
+    EyeBot(world, "eb")
+        .GetEmbodiedEntity()
+        .SetOriginPose(eyeBot, CQuaternion(CRadians(0.2), CVector3::X));
+  }
+  auto& camera = world.GetSensor<CCI_ColoredBlobPerspectiveCameraSensor>(
+      "fb", "colored_blob_perspective_camera");
+  camera.Enable();
+  CLEDEquippedEntity& leds = EyeBot(world, "eb").GetLEDEquippedEntity();
+  // one after the other, so that a blob is of a known LED
+  const auto isSeen = [&](UInt32 led) {
+    auto& actuator = world.GetActuator<CCI_LEDsActuator>("eb", "leds");
+    actuator.SetAllColors(CColor::BLACK);
+    actuator.SetSingleColor(led, CColor::RED);
+    world.Step();
+    return camera.GetReadings().BlobList.size() == 1;
+  };
+  const CVector3 eye = world.Get<CComposableEntity>("fb")
+                           .GetComponent<CPerspectiveCameraEquippedEntity>("perspective_camera")
+                           .ComputePosition();
+  leds.UpdateComponents();
+  size_t numSeen = 0;
+  for (UInt32 led = 0; led < 33; ++led) {
+    const CVector3 position = leds.GetLED(led).GetPosition();
+    CAPTURE(led, position);
+    // only the ceiling hides the lower LEDs; all bodies hide the others
+    const bool isLower = led < 16 || led == 32;
+    const bool isClear = isLower ? !(hasWall && position.GetY() > eye.GetY())
+                                 : ReferenceInSight(world.GetSpace(), eye, position, "fb");
+    CHECK(isSeen(led) == isClear);
+    numSeen += isClear ? 1 : 0;
+  }
+  if (!hasWall) {
+    CHECK(numSeen >= 17);
+  }
 }
 
 TEST_CASE("eye-bot: programs create it by one call", "[contract][robots]") {

@@ -135,6 +135,26 @@ TEST_CASE("encoder: the wheels of a robot that stalls at a wall do not roll",
   CHECK_THAT(Reading(world).CoveredDistanceRightWheel, WithinAbs(0.0, 1e-3));
 }
 
+TEST_CASE("encoder: wheels that drift turn as far as ordered, in proportion to their way",
+          "[contract][sensors]") {
+  SCart cart;
+  cart.Odometer.Enable();
+  cart.Wheels.EnableDrift();
+  const Real ordered[2] = {0.1, 0.1};
+  const Real ground[2] = {0.1, 0.14};
+  cart.Wheels.SetDriftingVelocities(ordered, ground);
+  // the pose after one tick of the drive: 12 mm of an arc, with a turn of 0.004 m / 0.2 m
+  const Real turn = 0.02;
+  const Real radius = 0.012 / turn;
+  cart.Move(CVector3(radius * std::sin(turn), radius * (1.0 - std::cos(turn)), 0.0), Yaw(turn));
+  CHECK_THAT(cart.Odometer.GetRolledDistance(0), WithinAbs(0.01, 1e-15));
+  CHECK_THAT(cart.Odometer.GetRolledDistance(1), WithinAbs(0.01, 1e-15));
+  // a robot that is held fast: the wheels neither roll nor turn
+  cart.Move(cart.Body.GetOriginAnchor().Position, cart.Body.GetOriginAnchor().Orientation);
+  CHECK_THAT(cart.Odometer.GetRolledDistance(0), WithinAbs(0.0, 1e-15));
+  CHECK_THAT(cart.Odometer.GetRolledDistance(1), WithinAbs(0.0, 1e-15));
+}
+
 TEST_CASE("encoder: moves by a program do not roll the wheels", "[contract][sensors]") {
   CRobotWorld world(WithEncoder(Robot("foot-bot", "r", PoseText(CVector3()))));
   Drive(world, 10.0, 10.0);

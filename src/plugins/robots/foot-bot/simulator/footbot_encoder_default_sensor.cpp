@@ -48,7 +48,8 @@ REGISTER_SENSOR(
 the actual motion of the body: for a robot that pushes against a wall, or is pushed, it differs from the speeds set by
 the controller (which differential_steering reads). The sensor assumes constant speeds along the heading, sideways and
 about the vertical during a tick; sideways sliding rotates no wheel, and neither does a move by command. This is exact on
-the arcs of the drive, for less than half a turn in a tick. Also reads the distance between the wheels, in cm.
+the arcs of the drive, for less than half a turn in a tick. The drift of differential_steering (dead_reckoning) is not
+part of it: the encoder reads what the motors turned. Also reads the distance between the wheels, in cm.
 )" + RequiredSensorXML(R"(<footbot_encoder implementation="default" />)") +
         OptionalXML(R"(<footbot_encoder implementation="default">
     <noise on="distance_left" model="gaussian" std_dev="0.01" relative="true" />

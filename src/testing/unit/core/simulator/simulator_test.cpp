@@ -256,9 +256,32 @@ TEST_CASE("simulator: without a seed, one is taken from the clock and logged",
   CTestWorld world(experiment);
   const UInt32 seed = world.GetSimulator().GetRandomSeed();
   CHECK_THAT(TakeLog(), Contains("random seed = " + std::to_string(seed)));
+  // the file has random_seed="0", which looks like a seed
+  CHECK_THAT(TakeLogErr(), Contains("[WARNING] test.argos:") && Contains("random_seed=\"0\"") &&
+                               Contains("random_seed=\"" + std::to_string(seed) + "\""));
   std::this_thread::sleep_for(std::chrono::milliseconds(2));
   world.GetSimulator().Reset();
   CHECK(world.GetSimulator().GetRandomSeed() != seed);
+}
+
+TEST_CASE("simulator: the seed 0 warns if a program sets it, other seeds do not",
+          "[core][simulator]") {
+  const UInt32 seed = GENERATE(0U, 1U);
+  CTestWorld world(Experiment(), [seed](CSimulator& simulator) { simulator.SetRandomSeed(seed); });
+  CHECK(world.GetSimulator().GetRandomSeed() == seed);
+  const std::string warnings = TakeLogErr();
+  CHECK((warnings.find("the seed 0 ") != std::string::npos) == (seed == 0));
+  CHECK(warnings.empty() == (seed != 0));
+}
+
+TEST_CASE("simulator: attributes of the arena that have no effect are reported",
+          "[core][simulator]") {
+  std::string xml = Experiment().ToXml();
+  xml.replace(xml.find("<arena") + 6, 0, " positional_index='grid'");
+  CTestWorld world(xml);
+  CHECK_THAT(TakeLogErr(), Contains("[WARNING] test.argos:") &&
+                               Contains("\"positional_index\" has no effect") &&
+                               Contains("each medium"));
 }
 
 TEST_CASE("simulator: after Destroy() it loads the experiment again and repeats the run",

@@ -12,6 +12,20 @@
 
 namespace argos {
 
+namespace detail {
+
+/** The body that does not hide an entity from below; see CLEDEntity::GetBodyOpenBeneath(). */
+template <class ENTITY>
+auto FindBodyOpenBeneath(const ENTITY& entity, int) -> decltype(entity.GetBodyOpenBeneath()) {
+  return entity.GetBodyOpenBeneath();
+}
+template <class ENTITY>
+const CEmbodiedEntity* FindBodyOpenBeneath(const ENTITY&, long) {
+  return nullptr;
+}
+
+}  // namespace detail
+
 /**
  * Detects the entities of a medium, such as LEDs and tags, that are visible to a camera.
  *
@@ -47,7 +61,7 @@ class CEntitiesInSight {
     m_lines.Start(eye);
     for (const SCandidate& candidate : m_candidates) {
       for (const CVector3& point : candidate.Points) {
-        m_lines.Add(point);
+        m_lines.Add(point, detail::FindBodyOpenBeneath(*candidate.Entity, 0));
       }
     }
     m_lines.Trace();

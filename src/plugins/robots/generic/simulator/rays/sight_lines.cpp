@@ -18,11 +18,24 @@ void CSightLines::Start(const CVector3& eye) {
   m_maxZ = eye.GetZ();
 }
 
-void CSightLines::Add(const CVector3& point) {
+namespace {
+
+// true if a point, world frame, is below the plane of the body's base
+bool IsBelowBase(const CEmbodiedEntity& body, CVector3 point) {
+  const SAnchor& origin = body.GetOriginAnchor();
+  point -= origin.Position;
+  point.Rotate(origin.Orientation.Inverse());
+  return point.GetZ() < 0.0;
+}
+
+}  // namespace
+
+void CSightLines::Add(const CVector3& point, const CEmbodiedEntity* open) {
   const CVector3 toEnd = point - m_eye;
   const Real length = toEnd.Length();
   SLine line;
   line.End = point;
+  line.Open = open != nullptr && IsBelowBase(*open, m_eye) ? open : nullptr;
   line.DX = toEnd.GetX();
   line.DY = toEnd.GetY();
   line.SquareLengthXY = line.DX * line.DX + line.DY * line.DY;
@@ -94,16 +107,34 @@ void CSightLines::TraceShape(const CBodyIndex& index, const SIndexedShape& shape
                       shape.ZMin, shape.ZMax};
   for (SLine& line : m_lines) {
     // rejects most lines
-    if (disc.IntersectsPlanar(line) && disc.Intersects(line, m_eye.GetZ())) {
+    if (disc.IntersectsPlanar(line) && disc.Intersects(line, m_eye.GetZ()) &&
+        (line.Open == nullptr || line.Open->GetBodyNumber() != shape.Body)) {
       line.Hit = std::min(line.Hit, index.Intersect(shape, CRay3(m_eye, line.End)));
     }
   }
 }
 
+// the fraction of the ray at which it meets the first body besides the robot's own and another; 1
+// if there is none
+Real CSightLines::FindHitBesides(const CEmbodiedEntity& open, const CRay3& ray) const {
+  TEmbodiedEntityIntersectionData hits;
+  GetEmbodiedEntitiesIntersectedByRay(hits, ray);
+  Real first = 1.0;
+  for (const SEmbodiedEntityIntersectionItem& hit : hits) {
+    if (hit.IntersectedEntity != &open && hit.IntersectedEntity != &m_robot.GetBody()) {
+      first = std::min(first, hit.TOnRay);
+    }
+  }
+  return first;
+}
+
 void CSightLines::TraceOneByOne() {
   SEmbodiedEntityIntersectionItem hit;
   for (SLine& line : m_lines) {
-    if (GetClosestEmbodiedEntityIntersectedByRay(hit, CRay3(m_eye, line.End), m_robot.GetBody())) {
+    const CRay3 ray(m_eye, line.End);
+    if (line.Open != nullptr) {
+      line.Hit = FindHitBesides(*line.Open, ray);
+    } else if (GetClosestEmbodiedEntityIntersectedByRay(hit, ray, m_robot.GetBody())) {
       line.Hit = hit.TOnRay;
     }
   }

@@ -10,6 +10,7 @@ namespace argos {
 
 class CBodyIndex;
 class CComposableEntity;
+class CEmbodiedEntity;
 struct SIndexedShape;
 
 /**
@@ -33,8 +34,11 @@ class CSightLines {
   void Start(const CVector3& eye);
   /** Reserves memory for @p num points. */
   void Reserve(size_t num) { m_lines.reserve(num); }
-  /** @param point m, world frame. */
-  void Add(const CVector3& point);
+  /**
+   * @param point m, world frame.
+   * @param open  a body that does not occlude the point if the eye is below its base; may be null.
+   */
+  void Add(const CVector3& point, const CEmbodiedEntity* open = nullptr);
   /** Computes which points are occluded. */
   void Trace();
 
@@ -49,6 +53,7 @@ class CSightLines {
  private:
   struct SLine {
     CVector3 End;  // m, world frame
+    const CEmbodiedEntity* Open;  // does not occlude the end; null if all others do
     Real DX, DY;  // from the eye to the end, m
     Real SquareLengthXY;  // m^2
     Real Limit;  // fraction of the length from which on bodies do not occlude the end
@@ -59,6 +64,7 @@ class CSightLines {
 
   void TraceShape(const CBodyIndex& index, const SIndexedShape& shape);
   void TraceOneByOne();
+  Real FindHitBesides(const CEmbodiedEntity& open, const CRay3& ray) const;
 
   CRayCaster m_robot;  // for its body and its space
   CVector3 m_eye;  // m, world frame

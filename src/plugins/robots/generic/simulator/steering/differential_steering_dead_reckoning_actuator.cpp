@@ -20,6 +20,16 @@ void CDifferentialSteeringDeadReckoningActuator::Init(TConfigurationNode& tree) 
   CDifferentialSteeringDefaultActuator::Init(tree);
   GetNodeAttributeOrDefault(tree, "sigma", m_sigma, m_sigma);
   RequireNotNegative(m_sigma, OwnerOf(tree), "attribute \"sigma\"");
+  std::string backward = "faster";
+  GetNodeAttributeOrDefault(tree, "backward", backward, backward);
+  if (backward != "faster" && backward != "slower") {
+    THROW_ARGOSEXCEPTION(tree.GetLocation()
+                         << ": <" << tree.Value()
+                         << ">: attribute \"backward\" must be \"faster\" or \"slower\", found \""
+                         << backward << "\"");
+  }
+  m_backwardSign = backward == "faster" ? 1.0 : -1.0;
+  GetWheels().EnableDrift();
   Restart();
 }
 
@@ -62,9 +72,9 @@ void CDifferentialSteeringDeadReckoningActuator::Update() {
   if (drift > 0.0) {
     velocities[RIGHT] += drift;
   } else {
-    velocities[LEFT] -= drift;
+    velocities[LEFT] += m_backwardSign * drift;
   }
-  GetWheels().SetVelocities(velocities);
+  GetWheels().SetDriftingVelocities(m_fCurrentVelocity, velocities);
 }
 
 void CDifferentialSteeringDeadReckoningActuator::Reset() {
@@ -75,17 +85,21 @@ void CDifferentialSteeringDeadReckoningActuator::Reset() {
 REGISTER_ACTUATOR(
     CDifferentialSteeringDeadReckoningActuator, "differential_steering", "dead_reckoning",
     "the authors of this project", "1.0",
-    "Drives the two wheels of a robot, which drifts to its left.",
+    "Drives the two wheels of a robot, which drifts unnoticed by its encoders.",
     R"(Like differential_steering (default), with the same attributes, but the robot drifts, as robots do that navigate
-by dead reckoning. With v = the mean of the two commanded speeds, the right wheel rolls mu |v| faster while v > 0, and
-the left wheel mu |v| slower while v < 0. With equal speeds, a robot with the distance d between its wheels follows a
-circle of radius d (2 + mu) / (2 mu) ahead and d (2 - mu) / (2 mu) back, around a point on its left. mu is drawn from a
-Rayleigh distribution at the start, and again each time the gripper of the robot grips a body.
+by dead reckoning, and encoders read the commanded speeds. With v = the mean of the two commanded speeds, the right wheel
+rolls mu |v| faster while v > 0, and the left wheel mu |v| faster backwards while v < 0. With equal speeds, a robot with
+the distance d between its wheels follows a circle of radius d (2 + mu) / (2 mu): ahead around a point on its left, back
+around one on its right, so that going back and forth draws an S. mu is drawn from a Rayleigh distribution at the start,
+and again each time the gripper of the robot grips a body.
 )" + RequiredActuatorXML(R"(<differential_steering implementation="dead_reckoning" />)") +
         OptionalXML(
-            R"(<differential_steering implementation="dead_reckoning" sigma="0.00134" />)") +
+            R"(<differential_steering implementation="dead_reckoning" sigma="0.00134" backward="faster" />)") +
         R"(
-  sigma  real number >= 0, default 0.00134: of the Rayleigh distribution; the mean of mu is 1.2533 sigma.
+  sigma     real number >= 0, default 0.00134: of the Rayleigh distribution; the mean of mu is 1.2533 sigma.
+  backward  "faster" (default) or "slower": what the drift makes of the left wheel while v < 0. If it is slower by
+            mu |v|, the robot follows a circle of radius d (2 - mu) / (2 mu) around a point on its left, and retraces
+            its way ahead.
 
 The drift is applied after all attributes and <noise> children of differential_steering (default).
 )",

@@ -33,7 +33,7 @@ void CDifferentialSteeringDefaultSensor::Configure(TConfigurationNode& tree) {
 
 void CDifferentialSteeringDefaultSensor::Update() {
   const Real tick = m_robot->GetSimulator().GetTickLength();
-  const Real* const velocities = m_wheels->GetWheelVelocities();
+  const Real* const velocities = m_wheels->GetOrderedVelocities();
   const Real left = kCentimetersPerMeter * velocities[0];
   const Real right = kCentimetersPerMeter * velocities[1];
   m_sReading.VelocityLeftWheel = m_noise.Apply(VELOCITY_LEFT, left);
@@ -50,7 +50,8 @@ REGISTER_SENSOR(
     CDifferentialSteeringDefaultSensor, "differential_steering", "default",
     "the authors of this project", "1.0", "The encoders of the two wheels of a robot.",
     R"(Reads the speed of each wheel, in cm/s, and the distance that it rolled in the last tick, in cm, as set by the
-actuator including its noise, even if the robot moved differently. Also reads the distance between the wheels, in cm.
+actuator including its noise, even if the robot moved differently. The drift of differential_steering (dead_reckoning)
+is not part of it: no sensor of the wheels shows that. Also reads the distance between the wheels, in cm.
 )" + RequiredSensorXML(R"(<differential_steering implementation="default" />)") +
         OptionalXML(
             R"(<differential_steering implementation="default" vel_noise_range="-0.1:0.2" dist_noise_range="-10.5:13.7" />)") +

@@ -8,7 +8,10 @@ namespace argos {
 
 class CWheeledEntity;
 
-/** Wheel encoders: the rotation of the wheels, not the motion of a robot that slips or pushes. */
+/**
+ * Wheel encoders: the rotation of the wheels as ordered, not the motion of a robot that slips,
+ * pushes or drifts.
+ */
 class CDifferentialSteeringDefaultSensor : public CNoisySensor<CCI_DifferentialSteeringSensor> {
  public:
   void Update() override;

@@ -1,0 +1,176 @@
+#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/threads/phase_cost.h>
+#include <argos3/core/utility/threads/thread_pool.h>
+
+#include <catch2/catch.hpp>
+
+#include <chrono>
+#include <mutex>
+#include <set>
+#include <thread>
+#include <utility>
+#include <vector>
+
+using namespace argos;
+using Catch::Contains;
+
+namespace {
+
+using TRuns = std::set<std::pair<size_t, size_t>>;
+
+// the runs of a phase; the calling thread needs that time for each item
+TRuns RunsOf(CThreadPool& pool, CPhaseCost& cost, size_t items,
+             std::chrono::microseconds timeOfItem = std::chrono::microseconds(0)) {
+  TRuns runs;
+  std::mutex mutex;
+  pool.ParallelFor(items, cost, [&](size_t begin, size_t end, UInt32) {
+    std::this_thread::sleep_for(timeOfItem * static_cast<int>(end - begin));
+    const std::lock_guard<std::mutex> lock(mutex);
+    runs.emplace(begin, end);
+  });
+  return runs;
+}
+
+// runs of a length that together are all items
+TRuns RunsOfLength(size_t length, size_t items) {
+  TRuns runs;
+  for (size_t begin = 0; begin < items; begin += length) {
+    runs.emplace(begin, std::min(items, begin + length));
+  }
+  return runs;
+}
+
+/** One item at a time, in turns. "in_turns" */
+class CInTurnsSchedule : public CSchedule {
+ public:
+  void Start(size_t items, size_t, UInt32 threads) override {
+    m_items = items;
+    m_threads = threads;
+    m_next.resize(threads);
+    for (UInt32 thread = 0; thread < threads; ++thread) {
+      m_next[thread] = thread;
+    }
+  }
+  bool Next(UInt32 thread, size_t& begin, size_t& end) override {
+    begin = m_next[thread];
+    end = begin + 1;
+    m_next[thread] += m_threads;
+    return begin < m_items;
+  }
+
+ private:
+  size_t m_items = 0;
+  UInt32 m_threads = 1;
+  std::vector<size_t> m_next;
+};
+
+/** Leaves out the last item, or deals one too many. */
+template <int OFFSET>
+class CWrongSchedule : public CBalanceLengthSchedule {
+ public:
+  void Start(size_t items, size_t grain, UInt32 threads) override {
+    CBalanceLengthSchedule::Start(items + size_t(OFFSET), grain, threads);
+  }
+};
+
+REGISTER_SCHEDULE(CInTurnsSchedule, "in_turns", "a user", "1.0", "In turns.", "In turns.", "Test")
+
+}  // namespace
+
+TEST_CASE("phase cost: without a measurement, each thread gets four runs", "[core][threads]") {
+  CHECK(DivideIntoRuns(60, 2, 64) == 8);  // 60 items in 8 runs
+  CHECK(DivideIntoRuns(3, 2, 64) == 1);
+  CHECK(DivideIntoRuns(10000, 2, 64) == 64);
+  CHECK(DivideIntoRuns(0, 2, 64) == 1);
+  CHECK(CPhaseCost(64).ChooseGrain(60, 2) == 8);
+  CHECK(CPhaseCost(1).ChooseGrain(16, 2) == 1);
+}
+
+TEST_CASE("phase cost: a run contains 20 us of work, unless there would be too few runs",
+          "[core][threads]") {
+  CPhaseCost cost(64);
+  const auto withItemsOf = [](Real seconds) {
+    CPhaseCost measured(64);
+    measured.Add(10, 10.0 * seconds);
+    return measured;
+  };
+  // 60 items: at most 8 in a run for 2 threads
+  CHECK(withItemsOf(1e-3).ChooseGrain(60, 2) == 1);
+  CHECK(withItemsOf(15e-6).ChooseGrain(60, 2) == 1);
+  CHECK(withItemsOf(4.9e-6).ChooseGrain(60, 2) == 4);
+  CHECK(withItemsOf(1e-6).ChooseGrain(60, 2) == 8);
+  CHECK(withItemsOf(1e-6).ChooseGrain(10000, 2) == 20);
+  CHECK(withItemsOf(0.1e-6).ChooseGrain(10000, 2) == 64);
+  // less than 50 us in total: no other thread is woken
+  CHECK(withItemsOf(0.8e-6).ChooseGrain(60, 2) == 60);
+  CHECK(withItemsOf(2e-6).ChooseGrain(16, 2) == 16);
+}
+
+TEST_CASE("phase cost: measurements are averaged, and slow ones count less", "[core][threads]") {
+  CPhaseCost cost(64);
+  CHECK(cost.GetSecondsPerItem() == 0.0);
+  cost.Add(0, 1.0);
+  cost.Add(10, 0.0);
+  CHECK(cost.GetSecondsPerItem() == 0.0);
+  cost.Add(4, 4.0);
+  CHECK(cost.GetSecondsPerItem() == 1.0);
+  cost.Add(1, 0.5);
+  CHECK(cost.GetSecondsPerItem() == 0.75);
+  // a suspended thread: an eighth of three times the cost
+  cost.Add(1, 1e6);
+  CHECK(cost.GetSecondsPerItem() == 0.75 * (1.0 + 3.0 / 8.0));
+}
+
+TEST_CASE("phase cost: a fixed grain is used whatever the cost", "[core][threads]") {
+  CPhaseCost cost(64);
+  cost.SetGrain(100);
+  CHECK_FALSE(cost.IsMeasured());
+  cost.Add(10, 1e-9);
+  CHECK(cost.ChooseGrain(60, 2) == 100);
+  CHECK(cost.ChooseGrain(1000, 2) == 100);
+}
+
+TEST_CASE("thread pool: phases with a cost are dealt in the runs that it chooses",
+          "[core][threads]") {
+  CThreadPool pool(3, CreateSchedule("balance_length"));
+  CPhaseCost fixed(64);
+  fixed.SetGrain(7);
+  CHECK(RunsOf(pool, fixed, 100) == RunsOfLength(7, 100));
+  // all items in one run: on the calling thread
+  CHECK(RunsOf(pool, fixed, 7) == TRuns{{0, 7}});
+  CHECK(fixed.GetSecondsPerItem() == 0.0);
+
+  CPhaseCost measured(64);
+  CHECK(RunsOf(pool, measured, 48, std::chrono::microseconds(100)) == RunsOfLength(4, 48));
+  // sleeping takes at least its time
+  CHECK(measured.GetSecondsPerItem() >= 100e-6);
+  CHECK(RunsOf(pool, measured, 48, std::chrono::microseconds(100)) == RunsOfLength(1, 48));
+
+  CPhaseCost little(64);
+  little.Add(1000, 1e-6);
+  CHECK(RunsOf(pool, little, 1000) == TRuns{{0, 1000}});
+}
+
+TEST_CASE("schedule: one that a library registers is found by its label", "[core][threads]") {
+  const UInt32 threads = GENERATE(2U, 4U);
+  CThreadPool pool(threads, CreateSchedule("in_turns"));
+  std::vector<UInt32> threadOf(21, 99);
+  pool.ParallelFor(threadOf.size(), 1, [&](size_t begin, size_t end, UInt32 thread) {
+    REQUIRE(end == begin + 1);
+    threadOf[begin] = thread;
+  });
+  for (UInt32 i = 0; i < threadOf.size(); ++i) {
+    CHECK(threadOf[i] == i % threads);
+  }
+  CHECK_THROWS_WITH(CreateSchedule("in_turn"), Contains("in_turns"));
+}
+
+TEST_CASE("thread pool: a schedule that does not deal every item once is an error",
+          "[core][threads][errors]") {
+  const auto none = [](size_t, size_t, UInt32) {};
+  CThreadPool forgetful(2, std::make_unique<CWrongSchedule<-1>>());
+  CHECK_THROWS_WITH(forgetful.ParallelFor(10, 1, none), Contains("dealt 9 of 10 items"));
+  CThreadPool excessive(2, std::make_unique<CWrongSchedule<1>>());
+  CHECK_THROWS_WITH(excessive.ParallelFor(10, 1, none),
+                    Contains("items 10 to 11") && Contains("there are 10"));
+}
