@@ -7,6 +7,7 @@
 #include <argos3/core/simulator/entity/entity_type.h>
 #include <argos3/core/simulator/entity/floor_entity.h>
 #include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/geometry/pose_check.h>
 #include <argos3/core/simulator/medium/medium.h>
 #include <argos3/core/simulator/physics_engine/engine_assignment.h>
 #include <argos3/core/simulator/space/entity_views.h>
@@ -16,6 +17,7 @@
 #include <argos3/core/utility/threads/thread_pool.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 
 namespace argos {
@@ -36,10 +38,15 @@ void CSpace::Init(TConfigurationNode& tree) {
   GetNodeAttribute(tree, "size", arena.Size);
   GetNodeAttributeOrDefault(tree, "center", arena.Center, CVector3());
   for (UInt32 axis = 0; axis < 3; ++axis) {
-    if (!(arena.Size[axis] > 0.0)) {
+    if (!(arena.Size[axis] > 0.0 && arena.Size[axis] <= kMostDistant)) {
       THROW_ARGOSEXCEPTION(tree.GetLocation()
-                           << ": <arena>: \"size\" must be positive along every axis, found \""
-                           << arena.Size << "\"");
+                           << ": <arena>: \"size\" must be positive along every axis and at most "
+                           << kMostDistant << " m, found \"" << arena.Size << "\"");
+    }
+    if (!(std::abs(arena.Center[axis]) <= kMostDistant)) {
+      THROW_ARGOSEXCEPTION(tree.GetLocation()
+                           << ": <arena>: \"center\" must be at most " << kMostDistant
+                           << " m from the origin, found \"" << arena.Center << "\"");
     }
   }
   // attributes of older versions of the file format: accepted, without effect

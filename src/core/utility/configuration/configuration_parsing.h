@@ -88,6 +88,10 @@ bool IsValidValue(const CRange<T>& range) {
   return !(range.GetMin() > range.GetMax());
 }
 
+/** True for types whose text consists of real numbers, or may do so. */
+template <typename T>
+inline constexpr bool kHasRealNumbers = !std::is_integral_v<T> && !std::is_same_v<T, std::string>;
+
 /** An input stream over a text that is not copied; strict, or loose (SetLooseParsing()). */
 class CTextReader {
  public:
