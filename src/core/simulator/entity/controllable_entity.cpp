@@ -169,8 +169,10 @@ void CControllableEntity::SetController(const std::string& controllerId,
     m_controller.reset(CFactory<CCI_Controller>::New(node.Value()));
     m_pcController = m_controller.get();
     m_pcController->SetId(robot);
-    CreateActuators(node);
-    CreateSensors(node);
+    CLoadErrors errors;
+    CreateActuators(node, errors);
+    CreateSensors(node, errors);
+    errors.ThrowIfFailed("errors in its devices");
     m_pcController->Init(params);
     // afterwards, because controllers may add devices of their own, or replace some
     ListDevices();
@@ -199,31 +201,35 @@ void CControllableEntity::DropController() {
   m_controller.reset();
 }
 
-void CControllableEntity::CreateActuators(TConfigurationNode& controllerNode) {
+void CControllableEntity::CreateActuators(TConfigurationNode& controllerNode, CLoadErrors& errors) {
   TConfigurationNode* section = FindSection(controllerNode, "actuators");
   if (section == nullptr) {
     return;
   }
   TConfigurationNodeIterator it;
   for (it = it.begin(section); it != it.end(); ++it) {
-    auto [simulated, interface] = CreateDevice<CSimulatedActuator, CCI_Actuator>(*it, "actuator");
-    AttachToRobot(*simulated, GetParent(), *it, "actuator");
-    interface->Init(*it);
-    m_pcController->AddActuator(it->Value(), interface.release());
+    errors.Try("", [&] {
+      auto [simulated, interface] = CreateDevice<CSimulatedActuator, CCI_Actuator>(*it, "actuator");
+      AttachToRobot(*simulated, GetParent(), *it, "actuator");
+      interface->Init(*it);
+      m_pcController->AddActuator(it->Value(), interface.release());
+    });
   }
 }
 
-void CControllableEntity::CreateSensors(TConfigurationNode& controllerNode) {
+void CControllableEntity::CreateSensors(TConfigurationNode& controllerNode, CLoadErrors& errors) {
   TConfigurationNode* section = FindSection(controllerNode, "sensors");
   if (section == nullptr) {
     return;
   }
   TConfigurationNodeIterator it;
   for (it = it.begin(section); it != it.end(); ++it) {
-    auto [simulated, interface] = CreateDevice<CSimulatedSensor, CCI_Sensor>(*it, "sensor");
-    AttachToRobot(*simulated, GetParent(), *it, "sensor");
-    interface->Init(*it);
-    m_pcController->AddSensor(it->Value(), interface.release());
+    errors.Try("", [&] {
+      auto [simulated, interface] = CreateDevice<CSimulatedSensor, CCI_Sensor>(*it, "sensor");
+      AttachToRobot(*simulated, GetParent(), *it, "sensor");
+      interface->Init(*it);
+      m_pcController->AddSensor(it->Value(), interface.release());
+    });
   }
 }
 

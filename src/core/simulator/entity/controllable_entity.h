@@ -15,6 +15,7 @@
 
 namespace argos {
 
+class CLoadErrors;
 class CLookAhead;
 class CSimulator;
 class CSpace;
@@ -91,8 +92,8 @@ class CControllableEntity : public CEntity {
     CCI_Sensor* Interface;  // the same object
   };
 
-  void CreateActuators(TConfigurationNode& controllerNode);
-  void CreateSensors(TConfigurationNode& controllerNode);
+  void CreateActuators(TConfigurationNode& controllerNode, CLoadErrors& errors);
+  void CreateSensors(TConfigurationNode& controllerNode, CLoadErrors& errors);
   void ListDevices();
   void DropController();
 

@@ -16,7 +16,7 @@ namespace argos {
 namespace {
 
 // "fb0.body_0"; of an entity that is being constructed, its own id
-std::string NameOf(const CEntity& body) {
+std::string NameOfBody(const CEntity& body) {
   return "body \"" + body.GetContext() + body.GetId() + '"';
 }
 
@@ -29,7 +29,8 @@ CEmbodiedEntity::CEmbodiedEntity(CComposableEntity* parent, const std::string& i
                                  bool movable)
     : CEntity(parent, id),
       m_cInitOriginPosition(position),
-      m_cInitOriginOrientation(CheckPose([this] { return NameOf(*this); }, position, orientation)),
+      m_cInitOriginOrientation(
+          CheckPose([this] { return NameOfBody(*this); }, position, orientation)),
       m_bMovable(movable) {
   m_anchors.push_back(std::make_unique<SAnchor>(*this, "origin", 0, CVector3(), CQuaternion(),
                                                 position, m_cInitOriginOrientation));
@@ -232,7 +233,7 @@ void CEmbodiedEntity::MoveModelsTo(const CVector3& position, const CQuaternion& 
 bool CEmbodiedEntity::MoveTo(const CVector3& position, const CQuaternion& newOrientation,
                              bool checkOnly, bool ignoreCollisions) {
   const CQuaternion orientation =
-      CheckPose([this] { return "MoveTo() of " + NameOf(*this); }, position, newOrientation);
+      CheckPose([this] { return "MoveTo() of " + NameOfBody(*this); }, position, newOrientation);
   const CVector3 oldPosition = m_psOriginAnchor->Position;
   const CQuaternion oldOrientation = m_psOriginAnchor->Orientation;
   MoveModelsTo(position, orientation);
@@ -292,7 +293,7 @@ void CEmbodiedEntity::NotifyIndex() {
 void CEmbodiedEntity::ThrowNotFinite(const CVector3& position,
                                      const CQuaternion& orientation) const {
   std::ostringstream text;
-  text << NameOf(*this) << ": its pose is not finite any more: position (" << position
+  text << NameOfBody(*this) << ": its pose is not finite any more: position (" << position
        << "), orientation (w,x,y,z) = (" << orientation.GetW() << "," << orientation.GetX() << ","
        << orientation.GetY() << "," << orientation.GetZ() << ")";
   if (!m_tPhysicsModelMap.empty()) {

@@ -62,6 +62,7 @@ void CreateParts(TConfigurationNode& section, const char* kind, CLoadErrors& err
       take(std::move(part));
     });
     if (!good) {
+      errors.FindFurther([&] { CreatePart<BASE>(*it, kind); });
       std::string id;
       GetNodeAttributeOrDefault(*it, "id", id, id);
       markBroken(id);

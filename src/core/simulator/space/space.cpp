@@ -22,6 +22,15 @@
 
 namespace argos {
 
+namespace {
+
+[[noreturn]] void ThrowNotCreated(const TConfigurationNode& node, std::exception& error) {
+  THROW_ARGOSEXCEPTION_NESTED(
+      node.GetLocation() << ": <" << node.Value() << "> cannot be put into the arena", error);
+}
+
+}  // namespace
+
 CSpace::CSpace(SSimulationContext& context)
     : m_context(context),
       m_views(std::make_unique<CEntityViews>(m_roots)),
@@ -129,6 +138,23 @@ std::unique_ptr<CEntity> CSpace::MakeEntity(const std::string& tag) const {
   return std::unique_ptr<CEntity>(CFactory<CEntity>::New(tag));
 }
 
+void CSpace::TryEntity(TConfigurationNode& node) {
+  // initialises robots without their controllers
+  m_context.Loading.SetProbing(true);
+  try {
+    const std::unique_ptr<CEntity> entity = MakeEntity(node.Value());
+    entity->Init(node);
+    entity->Destroy();
+    m_context.Loading.SetProbing(false);
+  } catch (const CAlreadyReported&) {
+    m_context.Loading.SetProbing(false);
+    throw;
+  } catch (std::exception& error) {
+    m_context.Loading.SetProbing(false);
+    ThrowNotCreated(node, error);
+  }
+}
+
 CEntity& CSpace::CreateEntity(TConfigurationNode& node) {
   std::unique_ptr<CEntity> entity;
   try {
@@ -140,8 +166,7 @@ CEntity& CSpace::CreateEntity(TConfigurationNode& node) {
   } catch (const CAlreadyReported&) {
     throw;
   } catch (std::exception& error) {
-    THROW_ARGOSEXCEPTION_NESTED(
-        node.GetLocation() << ": <" << node.Value() << "> cannot be put into the arena", error);
+    ThrowNotCreated(node, error);
   }
 }
 

@@ -1,5 +1,6 @@
 #include <argos3/core/utility/configuration/configuration_node.h>
 
+#include <argos3/core/utility/configuration/attribute_repairs.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/core/utility/configuration/configuration_error.h>
 #include <argos3/core/utility/configuration/configuration_iterator.h>
@@ -126,6 +127,10 @@ std::string CConfigurationNode::GetAttributeOrDefault(const std::string& name,
 std::string CConfigurationNode::GetTextOrDefault(const std::string& dflt) const {
   const char* text = FindText(false);
   return text != nullptr ? text : dflt;
+}
+
+void CConfigurationNode::NoteRequest(const std::string& name, const char* sample) const {
+  CAttributeRepairs::Note(Record(), name, sample);
 }
 
 bool CConfigurationNode::IsLenient() const {

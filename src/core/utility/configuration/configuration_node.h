@@ -160,6 +160,7 @@ class CConfigurationNode {
    */
   template <typename T>
   bool GetAttribute(const std::string& name, T* value, bool throwIfMissing = true) const {
+    NoteRequest(name, detail::SampleText(static_cast<const T*>(nullptr)));
     const char* text = FindAttribute(name);
     if (text == nullptr && throwIfMissing) {
       ThrowMissingAttribute(name);
@@ -258,6 +259,7 @@ class CConfigurationNode {
   }
   // not of users' <params>, <loop_functions> and <user_functions>
   void ThrowIfHuge(const std::string& name, const char* text) const;
+  void NoteRequest(const std::string& name, const char* sample) const;
   bool IsLenient() const;
   void WarnOfLooseText(const std::string& what, const char* text,
                        const std::string& expected) const;

@@ -148,14 +148,14 @@ std::string Shortened(const std::string& text) {
 }
 
 // 'file:12: <tag>'
-std::string Describe(const SConfigurationRecord& record) {
+std::string DescribeElement(const SConfigurationRecord& record) {
   return LocationText(*record.File, record.Line) + ": <" + record.Element->Value() + ">";
 }
 
 std::string DescribeUnreadAttribute(const SConfigurationRecord& record, const std::string& name) {
   // without a similar name the list of all of them does not help
   const std::string near = NearestNames(name, UsedNames(record));
-  return Describe(record) + ": attribute \"" + name + "\" is not used by anything" +
+  return DescribeElement(record) + ": attribute \"" + name + "\" is not used by anything" +
          (near.empty() ? "" : "; did you mean \"" + near + "\"?");
 }
 
@@ -164,7 +164,7 @@ std::string DescribeUnreadText(const SConfigurationRecord& record, const std::st
   const std::size_t equals = text.find('=');
   const bool isMisplacedAttribute = equals != std::string::npos && equals > 0 &&
                                     text.find_first_of("'\"", equals) != std::string::npos;
-  return Describe(record) + ": the text '" + Shortened(text) +
+  return DescribeElement(record) + ": the text '" + Shortened(text) +
          "' inside it is not used by anything" +
          (isMisplacedAttribute
               ? "; attributes belong into the tag: <" + tag + ' ' + Shortened(text) + " />"
@@ -193,7 +193,7 @@ std::vector<std::string> CConfigurationStore::DescribeUnreadSettings() const {
     if (!isUsed) {
       lines.push_back("--set " + setting.Path + '=' + setting.Value + ": " +
                       (unread->IsVisited ? DescribeUnreadAttribute(*unread, setting.Attribute)
-                                         : Describe(*unread) +
+                                         : DescribeElement(*unread) +
                                                " is not used by anything, nor is its attribute \"" +
                                                setting.Attribute + '"'));
     }
@@ -205,7 +205,7 @@ void CConfigurationStore::DescribeUnread(tinyxml2::XMLElement& element,
                                          std::vector<std::string>& lines) {
   const SConfigurationRecord& record = RecordOf(element);
   if (!record.IsVisited) {
-    lines.push_back(Describe(record) + " is not used by anything");
+    lines.push_back(DescribeElement(record) + " is not used by anything");
     return;
   }
   std::size_t index = 0;
