@@ -1,6 +1,7 @@
 #ifndef ARGOS3_CORE_SIMULATOR_GEOMETRY_POSE_CHECK_H
 #define ARGOS3_CORE_SIMULATOR_GEOMETRY_POSE_CHECK_H
 
+#include <argos3/core/utility/configuration/value_range.h>
 #include <argos3/core/utility/math/quaternion.h>
 #include <argos3/core/utility/math/vector3.h>
 
@@ -10,10 +11,10 @@
 namespace argos {
 
 /**
- * Greatest coordinate of a pose, m. Numbers there are 1e-10 m apart, far below the tolerances of
- * contacts, and products of lengths and masses stay far from overflow.
+ * Greatest coordinate of a pose, m: the products of such numbers are far from overflow. Engines
+ * accept less, such as 1e5 m in the plane.
  */
-constexpr Real kMostDistant = 1e6;
+constexpr Real kMostDistant = kMostReal;
 
 /** @return true if no number of the pose is NaN or infinite. */
 inline bool IsFinitePose(const CVector3& position, const CQuaternion& orientation) {

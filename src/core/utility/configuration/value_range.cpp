@@ -8,8 +8,8 @@ namespace argos {
 
 const char* const kRangesDocumentation =
     R"(RANGES, where none is stated: real numbers from -1e12 to 1e12; those that must be > 0 from 1e-9 to 1e9; those that
-must be >= 0 up to 1e9; positions up to 1e6 m from the origin; extents of solids from 1e-5 to 1e5 m; masses of movable
-bodies from 1e-6 to 1e9 kg.
+must be >= 0 up to 1e9; extents of solids from 1e-5 to 1e5 m; masses of movable bodies from 1e-6 to 1e9 kg; positions
+in the plane up to 1e5 m from the origin.
 )";
 
 std::string ToText(const SValueRange& range) {
