@@ -6,16 +6,6 @@
 
 namespace argos {
 
-namespace {
-
-void RequirePositiveSize(const CVector3& size, const std::string& owner, const std::string& what) {
-  for (UInt32 axis = 0; axis < 3; ++axis) {
-    RequirePositive(size[axis], owner, what + ", component " + "xyz"[axis]);
-  }
-}
-
-}  // namespace
-
 CBoxEntity::CBoxEntity() = default;
 
 CBoxEntity::CBoxEntity(const std::string& id, const CVector3& position,
@@ -23,22 +13,22 @@ CBoxEntity::CBoxEntity(const std::string& id, const CVector3& position,
                        Real mass)
     : CPassiveBodyEntity(id, position, orientation, movable, mass), m_size(size) {
   const std::string owner = "box \"" + id + "\"";
-  RequirePositiveSize(size, owner, "size (m)");
+  RequireEachIn(kSolidLength, size, owner, "size");
   if (movable) {
-    RequirePositive(mass, owner, "mass (kg)");
+    RequireIn(kMass, mass, owner, "mass");
   }
   Describe();
 }
 
 void CBoxEntity::Init(TConfigurationNode& tree) {
   GetNodeAttribute(tree, "size", m_size);
-  RequirePositiveSize(m_size, OwnerOf(tree), "attribute \"size\" (m)");
+  RequireEachIn(kSolidLength, m_size, OwnerOf(tree), "attribute \"size\"");
   InitBody(tree);
   Describe();
 }
 
 void CBoxEntity::Resize(const CVector3& size) {
-  RequirePositiveSize(size, "box \"" + GetId() + "\"", "size (m)");
+  RequireEachIn(kSolidLength, size, "box \"" + GetId() + "\"", "size");
   m_size = size;
   Describe();
 }
@@ -71,7 +61,7 @@ REQUIRED XML
 ATTRIBUTES
 
   id                text, required: unique among the entities of the arena.
-  size              "x,y,z", m, required, each > 0: extents along the local axes.
+  size              "x,y,z", m, required, each from 1e-5 to 1e5: extents along the local axes.
 )" + PassiveBodyManual("box", R"(<box id="beacon" size="0.3,0.3,0.2" movable="false">)",
                        "0.15,0,0.1"),
     "Usable")

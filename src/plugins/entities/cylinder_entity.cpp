@@ -13,25 +13,25 @@ CCylinderEntity::CCylinderEntity(const std::string& id, const CVector3& position
                                  Real height, Real mass)
     : CPassiveBodyEntity(id, position, orientation, movable, mass) {
   const std::string owner = "cylinder \"" + id + "\"";
-  m_radius = RequirePositive(radius, owner, "radius (m)");
-  m_height = RequirePositive(height, owner, "height (m)");
+  m_radius = RequireIn(kSolidLength, radius, owner, "radius");
+  m_height = RequireIn(kSolidLength, height, owner, "height");
   if (movable) {
-    RequirePositive(mass, owner, "mass (kg)");
+    RequireIn(kMass, mass, owner, "mass");
   }
   Describe();
 }
 
 void CCylinderEntity::Init(TConfigurationNode& tree) {
-  ReadPositive(tree, "radius", "m", m_radius);
-  ReadPositive(tree, "height", "m", m_height);
+  ReadIn(kSolidLength, tree, "radius", m_radius);
+  ReadIn(kSolidLength, tree, "height", m_height);
   InitBody(tree);
   Describe();
 }
 
 void CCylinderEntity::Resize(Real radius, Real height) {
   const std::string owner = "cylinder \"" + GetId() + "\"";
-  RequirePositive(radius, owner, "radius (m)");
-  RequirePositive(height, owner, "height (m)");
+  RequireIn(kSolidLength, radius, owner, "radius");
+  RequireIn(kSolidLength, height, owner, "height");
   m_radius = radius;
   m_height = height;
   Describe();
@@ -66,7 +66,7 @@ REQUIRED XML
 ATTRIBUTES
 
   id                text, required: unique among the entities of the arena.
-  radius, height    m, required, > 0; the axis is vertical.
+  radius, height    m, required, from 1e-5 to 1e5; the axis is vertical.
 )" + PassiveBodyManual("cylinder",
                        R"(<cylinder id="beacon" radius="0.1" height="0.2" movable="false">)",
                        "0,0,0.2"),

@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/plugins/simulator/entities/value_checks.h>
 
 #include <cmath>
 
@@ -16,7 +17,9 @@ CMagnetEntity::CMagnetEntity(CComposableEntity* parent, const std::string& id,
 void CMagnetEntity::Init(TConfigurationNode& tree) {
   CEntity::Init(tree);
   GetNodeAttribute(tree, "passive_field", m_passiveField);
+  RequireEachIn(kField, m_passiveField, OwnerOf(tree), "attribute \"passive_field\"");
   GetNodeAttributeOrDefault(tree, "active_field", m_activeField, CVector3());
+  RequireEachIn(kField, m_activeField, OwnerOf(tree), "attribute \"active_field\"");
 }
 
 void CMagnetEntity::Reset() {

@@ -35,7 +35,7 @@ void CPassiveBodyEntity::InitBody(TConfigurationNode& tree) {
   bool movable = false;
   GetNodeAttribute(tree, "movable", movable);
   if (movable) {
-    ReadPositive(tree, "mass", "kg", m_mass);
+    ReadIn(kMass, tree, "mass", m_mass);
   } else {
     // read the attribute, which is allowed and ignored, so that it is not reported as unread
     NodeAttributeExists(tree, "mass");
@@ -85,7 +85,7 @@ void CPassiveBodyEntity::AddLED(const CVector3& offset, const CColor& color) {
 }
 
 void CPassiveBodyEntity::SetMass(Real mass) {
-  m_mass = RequirePositive(mass, GetTypeDescription() + " \"" + GetId() + "\"", "mass (kg)");
+  m_mass = RequireIn(kMass, mass, GetTypeDescription() + " \"" + GetId() + "\"", "mass");
   Describe();
 }
 

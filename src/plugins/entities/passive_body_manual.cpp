@@ -5,7 +5,7 @@ namespace argos {
 std::string PassiveBodyManual(const std::string& name, const std::string& start,
                               const std::string& ledOffset) {
   return R"(  movable           "true" or "false", required.
-  mass              kg, > 0: required if movable, ignored otherwise.
+  mass              kg, from 1e-6 to 1e9: required if movable, ignored otherwise.
   body@position     "x,y,z", m, default "0,0,0": the centre of the base, in the world frame.
   body@orientation  "z,y,x", degrees, default "0,0,0".
 

@@ -59,6 +59,8 @@ class CRABEquippedEntity : public CMediumMember<CRABEquippedEntity, CRABMedium> 
   const CEmbodiedEntity& GetEntityBody() const { return *m_pcEntityBody; }
   const SAnchor& GetAnchor() const { return *m_psAnchor; }
 
+  /** Greatest size of a message, bytes. */
+  static constexpr size_t kMostData = 65535;
   size_t GetMsgSize() const { return m_unMsgSize; }
   /** The message, GetMsgSize() bytes. */
   CByteArray& GetData() { return m_cData; }

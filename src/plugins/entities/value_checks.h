@@ -2,7 +2,9 @@
 #define ARGOS3_PLUGINS_ENTITIES_VALUE_CHECKS_H
 
 #include <argos3/core/utility/configuration/argos_configuration.h>
+#include <argos3/core/utility/configuration/value_range.h>
 #include <argos3/core/utility/math/angles.h>
+#include <argos3/core/utility/math/vector3.h>
 
 #include <cmath>
 #include <string>
@@ -16,20 +18,39 @@ namespace argos {
  * what:  name of the value, with its unit: "height (m)".
  */
 
-/** @throws CARGoSException unless @p value is finite and > 0. */
+/** @throws CARGoSException unless @p value is > 0 and in kPositive. */
 inline Real RequirePositive(Real value, const std::string& owner, const std::string& what) {
-  if (!std::isfinite(value) || value <= 0.0) {
-    THROW_ARGOSEXCEPTION(owner << ": " << what << " must be a number > 0, got " << value);
+  if (!IsIn(kPositive, value)) {
+    THROW_ARGOSEXCEPTION(owner << ": " << what << " must be a number > 0, from " << kPositive.Min
+                               << " to " << kPositive.Max << ", got " << value);
   }
   return value;
 }
 
-/** @throws CARGoSException unless @p value is finite and >= 0. */
+/** @throws CARGoSException unless @p value is >= 0 and in kNotNegative. */
 inline Real RequireNotNegative(Real value, const std::string& owner, const std::string& what) {
-  if (!std::isfinite(value) || value < 0.0) {
-    THROW_ARGOSEXCEPTION(owner << ": " << what << " must be a number >= 0, got " << value);
+  if (!IsIn(kNotNegative, value)) {
+    THROW_ARGOSEXCEPTION(owner << ": " << what << " must be a number >= 0, at most "
+                               << kNotNegative.Max << ", got " << value);
   }
   return value;
+}
+
+/** @throws CARGoSException unless each component of @p vector is in the range. */
+inline void RequireEachIn(const SValueRange& range, const CVector3& vector,
+                          const std::string& owner, const std::string& what) {
+  for (UInt32 axis = 0; axis < 3; ++axis) {
+    RequireIn(range, vector[axis], owner, what + ", component " + "xyz"[axis]);
+  }
+}
+
+/** @throws CARGoSException unless @p value is in [least,most]. */
+inline void RequireCount(UInt64 value, UInt64 least, UInt64 most, const std::string& owner,
+                         const std::string& what) {
+  if (value < least || value > most) {
+    THROW_ARGOSEXCEPTION(owner << ": " << what << " must be an integer from " << least << " to "
+                               << most << ", got " << value);
+  }
 }
 
 /** @throws CARGoSException unless the half angle @p aperture is in (0, PI/2). */
@@ -46,6 +67,13 @@ inline CRadians RequireAperture(const CRadians& aperture, const std::string& own
 /** 'file:line: <tag>', the owner of an attribute of that element. */
 inline std::string OwnerOf(const TConfigurationNode& node) {
   return node.GetLocation() + ": <" + node.Value() + ">";
+}
+
+/** Reads a required attribute. @throws CARGoSException if it is missing or not in the range. */
+inline void ReadIn(const SValueRange& range, TConfigurationNode& node, const std::string& attribute,
+                   Real& value) {
+  GetNodeAttribute(node, attribute, value);
+  RequireIn(range, value, OwnerOf(node), "attribute \"" + attribute + '"');
 }
 
 /** Reads a required attribute. @throws CARGoSException if it is missing or not > 0. */

@@ -1,5 +1,6 @@
 #include <argos3/core/simulator/context/load_errors.h>
 
+#include <argos3/core/utility/configuration/attribute_repairs.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 
 #include <algorithm>
@@ -7,6 +8,9 @@
 namespace argos {
 
 namespace {
+
+// more lines hide those printed first
+constexpr size_t kMostMessages = 50;
 
 constexpr char kFatal[] = "[FATAL] ";
 
@@ -38,17 +42,39 @@ std::string ReplaceLineBreaks(const std::string& text, const std::string& replac
 
 }  // namespace
 
-void CLoadErrors::Add(const std::string& context, const std::exception& error) {
+bool CLoadErrors::Add(const std::string& context, const std::exception& error) {
   std::string message = WithoutMarks(error.what());
   if (!context.empty()) {
     message = context + '\n' + message;
   }
-  if (std::find(m_messages.begin(), m_messages.end(), message) == m_messages.end()) {
-    m_messages.push_back(message);
+  if (std::find(m_messages.begin(), m_messages.end(), message) != m_messages.end()) {
+    return false;
+  }
+  m_messages.push_back(message);
+  return true;
+}
+
+void CLoadErrors::FindFurther(const std::function<void()>& read) {
+  // attributes of an element
+  constexpr int kMostAttempts = 20;
+  CAttributeRepairs repairs;
+  for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+    try {
+      read();
+      return;
+    } catch (const CAlreadyReported&) {
+      return;
+    } catch (const std::exception& error) {
+      // the first attempt repeats the error that is known
+      const bool isNew = Add("", error);
+      if ((attempt > 0 && !isNew) || !repairs.RepairLast()) {
+        return;
+      }
+    }
   }
 }
 
-void CLoadErrors::ThrowIfAny() const {
+void CLoadErrors::ThrowIfAny(const std::string& title) const {
   if (m_messages.empty()) {
     return;
   }
@@ -56,14 +82,26 @@ void CLoadErrors::ThrowIfAny() const {
   if (m_messages.size() == 1) {
     throw CARGoSException(ReplaceLineBreaks(m_messages.front(), std::string("\n") + kFatal));
   }
-  std::string text = std::to_string(m_messages.size()) + " errors in the experiment:";
-  for (size_t i = 0; i < m_messages.size(); ++i) {
+  std::string text = std::to_string(m_messages.size()) + ' ' + title + ':';
+  const size_t printed = std::min(m_messages.size(), kMostMessages);
+  for (size_t i = 0; i < printed; ++i) {
     const std::string number = std::to_string(i + 1) + ". ";
     text += std::string("\n") + kFatal + number +
             ReplaceLineBreaks(m_messages[i],
                               std::string("\n") + kFatal + std::string(number.size(), ' '));
   }
+  if (printed < m_messages.size()) {
+    text += std::string("\n") + kFatal + "... and " + std::to_string(m_messages.size() - printed) +
+            " errors more";
+  }
   throw CARGoSException(text);
+}
+
+void CLoadErrors::ThrowIfFailed(const std::string& title) const {
+  ThrowIfAny(title);
+  if (m_hasConsequences) {
+    throw CAlreadyReported(title);
+  }
 }
 
 }  // namespace argos

@@ -4,6 +4,7 @@
 #include <argos3/core/utility/errors/argos_exception.h>
 
 #include <exception>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ class CLoadErrors {
       step();
       return true;
     } catch (const CAlreadyReported&) {
+      m_hasConsequences = true;
       return false;
     } catch (const std::exception& error) {
       Add(context, error);
@@ -37,13 +39,27 @@ class CLoadErrors {
     }
   }
 
-  void Add(const std::string& context, const std::exception& error);
+  /** @return true if it is another message than those before. */
+  bool Add(const std::string& context, const std::exception& error);
+
+  /**
+   * Finds further errors after one of @p read: calls it again, as long as a refused attribute can
+   * be replaced by another value and the next error is another one.
+   * @param read  initialises a part, which is then discarded.
+   */
+  void FindFurther(const std::function<void()>& read);
   bool IsEmpty() const { return m_messages.empty(); }
-  /** @throws CARGoSException with all messages, numbered, if there are any. */
-  void ThrowIfAny() const;
+  /**
+   * @param title  follows the number of messages if there are several.
+   * @throws CARGoSException with all messages, numbered, if there are any.
+   */
+  void ThrowIfAny(const std::string& title = "errors in the experiment") const;
+  /** As ThrowIfAny(). @throws CAlreadyReported if there were only consequences of others. */
+  void ThrowIfFailed(const std::string& title) const;
 
  private:
   std::vector<std::string> m_messages;  // unique, in order
+  bool m_hasConsequences = false;
 };
 
 }  // namespace argos

@@ -198,8 +198,10 @@ void CControllableEntity::SetController(const std::string& controllerId,
     m_controller.reset(CFactory<CCI_Controller>::New(node.Value()));
     m_pcController = m_controller.get();
     m_pcController->SetId(robot);
-    CreateActuators(node);
-    CreateSensors(node);
+    CLoadErrors errors;
+    CreateActuators(node, errors);
+    CreateSensors(node, errors);
+    errors.ThrowIfFailed("errors in its devices");
     m_pcController->Init(params);
     // afterwards, because controllers may add devices of their own, or replace some
     ListDevices();
@@ -234,31 +236,35 @@ UInt64 CControllableEntity::GetBirth() const {
   return m_context.Loading.IsLoading() ? CRandom::COwner::CScope::kLoading : m_context.GetClock();
 }
 
-void CControllableEntity::CreateActuators(TConfigurationNode& controllerNode) {
+void CControllableEntity::CreateActuators(TConfigurationNode& controllerNode, CLoadErrors& errors) {
   TConfigurationNode* section = FindSection(controllerNode, "actuators");
   if (section == nullptr) {
     return;
   }
   TConfigurationNodeIterator it;
   for (it = it.begin(section); it != it.end(); ++it) {
-    auto [simulated, interface] = CreateDevice<CSimulatedActuator, CCI_Actuator>(*it, "actuator");
-    AttachToRobot(*simulated, GetParent(), *it, "actuator");
-    interface->Init(*it);
-    m_pcController->AddActuator(it->Value(), interface.release());
+    errors.Try("", [&] {
+      auto [simulated, interface] = CreateDevice<CSimulatedActuator, CCI_Actuator>(*it, "actuator");
+      AttachToRobot(*simulated, GetParent(), *it, "actuator");
+      interface->Init(*it);
+      m_pcController->AddActuator(it->Value(), interface.release());
+    });
   }
 }
 
-void CControllableEntity::CreateSensors(TConfigurationNode& controllerNode) {
+void CControllableEntity::CreateSensors(TConfigurationNode& controllerNode, CLoadErrors& errors) {
   TConfigurationNode* section = FindSection(controllerNode, "sensors");
   if (section == nullptr) {
     return;
   }
   TConfigurationNodeIterator it;
   for (it = it.begin(section); it != it.end(); ++it) {
-    auto [simulated, interface] = CreateDevice<CSimulatedSensor, CCI_Sensor>(*it, "sensor");
-    AttachToRobot(*simulated, GetParent(), *it, "sensor");
-    interface->Init(*it);
-    m_pcController->AddSensor(it->Value(), interface.release());
+    errors.Try("", [&] {
+      auto [simulated, interface] = CreateDevice<CSimulatedSensor, CCI_Sensor>(*it, "sensor");
+      AttachToRobot(*simulated, GetParent(), *it, "sensor");
+      interface->Init(*it);
+      m_pcController->AddSensor(it->Value(), interface.release());
+    });
   }
 }
 

@@ -16,6 +16,7 @@
 
 namespace argos {
 
+class CLoadErrors;
 class CLookAhead;
 class CSimulator;
 class CSpace;
@@ -96,8 +97,8 @@ class CControllableEntity : public CEntity {
   };
 
   UInt64 GetBirth() const;
-  void CreateActuators(TConfigurationNode& controllerNode);
-  void CreateSensors(TConfigurationNode& controllerNode);
+  void CreateActuators(TConfigurationNode& controllerNode, CLoadErrors& errors);
+  void CreateSensors(TConfigurationNode& controllerNode, CLoadErrors& errors);
   void ListDevices();
   void DropController();
 

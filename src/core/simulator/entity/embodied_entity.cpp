@@ -5,11 +5,22 @@
 #include <argos3/core/simulator/geometry/articulation.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/geometry/pose_check.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace argos {
+
+namespace {
+
+// "fb0.body_0"; of an entity that is being constructed, its own id
+std::string NameOfBody(const CEntity& body) {
+  return "body \"" + body.GetContext() + body.GetId() + '"';
+}
+
+}  // namespace
 
 CEmbodiedEntity::CEmbodiedEntity(CComposableEntity* parent) : CEmbodiedEntity(parent, "body_0") {}
 
@@ -18,10 +29,11 @@ CEmbodiedEntity::CEmbodiedEntity(CComposableEntity* parent, const std::string& i
                                  bool movable)
     : CEntity(parent, id),
       m_cInitOriginPosition(position),
-      m_cInitOriginOrientation(orientation),
+      m_cInitOriginOrientation(
+          CheckPose([this] { return NameOfBody(*this); }, position, orientation)),
       m_bMovable(movable) {
   m_anchors.push_back(std::make_unique<SAnchor>(*this, "origin", 0, CVector3(), CQuaternion(),
-                                                position, orientation));
+                                                position, m_cInitOriginOrientation));
   m_psOriginAnchor = m_anchors.front().get();
   m_mapAnchors[m_psOriginAnchor->Id] = m_psOriginAnchor;
   m_psOriginAnchor->Enable();
@@ -35,6 +47,8 @@ void CEmbodiedEntity::Init(TConfigurationNode& tree) {
   CEntity::Init(tree);
   GetNodeAttributeOrDefault(tree, "position", m_cInitOriginPosition, CVector3());
   GetNodeAttributeOrDefault(tree, "orientation", m_cInitOriginOrientation, CQuaternion());
+  CheckPose([&tree] { return tree.GetLocation() + ": <" + tree.Value() + '>'; },
+            m_cInitOriginPosition, m_cInitOriginOrientation);
   m_psOriginAnchor->Position = m_cInitOriginPosition;
   m_psOriginAnchor->Orientation = m_cInitOriginOrientation;
 }
@@ -216,8 +230,10 @@ void CEmbodiedEntity::MoveModelsTo(const CVector3& position, const CQuaternion& 
   }
 }
 
-bool CEmbodiedEntity::MoveTo(const CVector3& position, const CQuaternion& orientation,
+bool CEmbodiedEntity::MoveTo(const CVector3& position, const CQuaternion& newOrientation,
                              bool checkOnly, bool ignoreCollisions) {
+  const CQuaternion orientation =
+      CheckPose([this] { return "MoveTo() of " + NameOfBody(*this); }, position, newOrientation);
   const CVector3 oldPosition = m_psOriginAnchor->Position;
   const CQuaternion oldOrientation = m_psOriginAnchor->Orientation;
   MoveModelsTo(position, orientation);
@@ -273,7 +289,27 @@ void CEmbodiedEntity::NotifyIndex() {
   }
 }
 
+// reached only if an engine computes such a pose: poses from elsewhere are checked
+void CEmbodiedEntity::ThrowNotFinite(const CVector3& position,
+                                     const CQuaternion& orientation) const {
+  std::ostringstream text;
+  text << NameOfBody(*this) << ": its pose is not finite any more: position (" << position
+       << "), orientation (w,x,y,z) = (" << orientation.GetW() << "," << orientation.GetX() << ","
+       << orientation.GetY() << "," << orientation.GetZ() << ")";
+  if (!m_tPhysicsModelMap.empty()) {
+    text << ", computed by the physics engine \"" << m_tPhysicsModelMap.begin()->first << '"';
+  }
+  if (m_description != nullptr) {
+    text << "; its mass is " << m_description->Mass << " kg";
+  }
+  text << "; are its mass, its size, and the forces on it in proportion to those of other bodies?";
+  THROW_ARGOSEXCEPTION(text.str());
+}
+
 void CEmbodiedEntity::SetOriginPose(const CVector3& position, const CQuaternion& orientation) {
+  if (!IsFinitePose(position, orientation)) {
+    ThrowNotFinite(position, orientation);
+  }
   m_psOriginAnchor->Position = position;
   m_psOriginAnchor->Orientation = orientation;
   if (!m_bMovable && m_bodyIndex != nullptr) {
@@ -283,6 +319,9 @@ void CEmbodiedEntity::SetOriginPose(const CVector3& position, const CQuaternion&
 
 void CEmbodiedEntity::SetLinkPose(UInt32 link, const SBodyPose& pose) {
   ARGOS_ASSERT(m_links != nullptr && link < m_links->Poses.size(), "there is no link " << link);
+  if (!IsFinitePose(pose.Position, pose.Orientation)) {
+    ThrowNotFinite(pose.Position, pose.Orientation);
+  }
   m_links->Poses[link] = pose;
   for (const SLinks::SMounted& mounted : m_links->Anchors) {
     if (mounted.Link == link) {

@@ -153,6 +153,7 @@ class CEmbodiedEntity : public CEntity {
   CQuaternion m_cInitOriginOrientation;
 
  private:
+  [[noreturn]] void ThrowNotFinite(const CVector3& position, const CQuaternion& orientation) const;
   friend struct SAnchor;
   void MoveModelsTo(const CVector3& position, const CQuaternion& orientation);
   void NotifyIndex();

@@ -1,6 +1,7 @@
 #include <argos3/core/simulator/entity/positional_entity.h>
 
 #include <argos3/core/simulator/entity/pose_digest.h>
+#include <argos3/core/simulator/geometry/pose_check.h>
 
 namespace argos {
 
@@ -10,14 +11,16 @@ CPositionalEntity::CPositionalEntity(CComposableEntity* parent, const std::strin
                                      const CVector3& position, const CQuaternion& orientation)
     : CEntity(parent, id),
       m_cPosition(position),
-      m_cOrientation(orientation),
+      m_cOrientation(CheckPose([&id] { return "entity \"" + id + '"'; }, position, orientation)),
       m_cInitPosition(position),
-      m_cInitOrientation(orientation) {}
+      m_cInitOrientation(m_cOrientation) {}
 
 void CPositionalEntity::Init(TConfigurationNode& tree) {
   CEntity::Init(tree);
   GetNodeAttributeOrDefault(tree, "position", m_cInitPosition, CVector3());
   GetNodeAttributeOrDefault(tree, "orientation", m_cInitOrientation, CQuaternion());
+  CheckPose([&tree] { return tree.GetLocation() + ": <" + tree.Value() + '>'; }, m_cInitPosition,
+            m_cInitOrientation);
   m_cPosition = m_cInitPosition;
   m_cOrientation = m_cInitOrientation;
 }
@@ -29,8 +32,10 @@ void CPositionalEntity::Reset() {
 }
 
 void CPositionalEntity::MoveTo(const CVector3& position, const CQuaternion& orientation) {
+  m_cOrientation =
+      CheckPose([this] { return "MoveTo() of entity \"" + GetContext() + GetId() + '"'; }, position,
+                orientation);
   m_cPosition = position;
-  m_cOrientation = orientation;
 }
 
 void CPositionalEntity::UpdateDigest(CDigest& digest) const {

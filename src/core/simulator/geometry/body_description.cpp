@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/geometry/bounding_box.h>
 #include <argos3/core/simulator/geometry/convex_polygon.h>
 #include <argos3/core/simulator/geometry/convex_solid.h>
+#include <argos3/core/utility/configuration/value_range.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/math/angles.h>
 
@@ -15,9 +16,9 @@ namespace argos {
 namespace {
 
 void RequirePositive(Real value, const char* what) {
-  // written so that NaN fails too
-  if (!(value > 0.0 && std::isfinite(value))) {
-    THROW_ARGOSEXCEPTION("the " << what << " of a solid must be a positive number of metres, not "
+  if (!IsIn(kSolidLength, value)) {
+    THROW_ARGOSEXCEPTION("the " << what << " of a solid must be a positive number of metres, from "
+                                << kSolidLength.Min << " to " << kSolidLength.Max << ", not "
                                 << value);
   }
 }
@@ -177,6 +178,8 @@ SShapeDescription SShapeDescription::Prism(std::vector<CVector2> vertices, Real 
     low.Set(std::min(low.GetX(), vertex.GetX()), std::min(low.GetY(), vertex.GetY()));
     high.Set(std::max(high.GetX(), vertex.GetX()), std::max(high.GetY(), vertex.GetY()));
   }
+  RequirePositive(high.GetX() - low.GetX(), "length");
+  RequirePositive(high.GetY() - low.GetY(), "width");
   const CVector2 centre = (low + high) * 0.5;
   SShapeDescription shape;
   shape.Kind = EKind::Prism;
@@ -204,6 +207,9 @@ SShapeDescription SShapeDescription::Hull(std::vector<CVector3> points, const CV
       low[axis] = std::min(low[axis], point[axis]);
       high[axis] = std::max(high[axis], point[axis]);
     }
+  }
+  for (UInt32 axis = 0; axis < 3; ++axis) {
+    RequirePositive(high[axis] - low[axis], "extent");
   }
   const CVector3 base(0.5 * (low.GetX() + high.GetX()), 0.5 * (low.GetY() + high.GetY()),
                       low.GetZ());

@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/loading/experiment_parts.h>
 #include <argos3/core/simulator/loading/library_attribute.h>
+#include <argos3/core/simulator/loading/load_warnings.h>
 #include <argos3/core/simulator/loading/run_settings.h>
 #include <argos3/core/simulator/medium/medium.h>
 #include <argos3/core/simulator/physics_engine/space_partition.h>
@@ -62,6 +63,7 @@ void CreateParts(TConfigurationNode& section, const char* kind, CLoadErrors& err
       take(std::move(part));
     });
     if (!good) {
+      errors.FindFurther([&] { CreatePart<BASE>(*it, kind); });
       std::string id;
       GetNodeAttributeOrDefault(*it, "id", id, id);
       markBroken(id);
@@ -121,10 +123,11 @@ void CExperimentLoader::Load() {
   InitLoopFunctions(root, errors);
   PostSpaceInit(errors);
   InitVisualization(root, errors);
+  CheckOverrides(errors);
   errors.ThrowIfAny();
   m_context.Loading.End();
   m_context.Space->MarkStart();
-  WarnOfUnreadParts();
+  PrintWarnings(FindLoadWarnings(*m_experiment.Document, m_context));
   LOG.Flush();
   LOGERR.Flush();
 }
@@ -421,15 +424,15 @@ void CExperimentLoader::InitVisualization(TConfigurationNode& root, CLoadErrors&
   m_experiment.Visualization = m_makeDefaultVisualization();
 }
 
-void CExperimentLoader::WarnOfUnreadParts() const {
-  m_experiment.Document->ForEachUnread(
-      [](const CConfigurationNode& node, const std::string& attribute) {
-        LOGERR << "[WARNING] " << node.GetLocation() << ": <" << node.Value() << ">";
-        if (!attribute.empty()) {
-          LOGERR << ": attribute \"" << attribute << "\"";
-        }
-        LOGERR << " is not used by anything" << std::endl;
-      });
+// at the end, because parts and users' code read attributes until then
+void CExperimentLoader::CheckOverrides(CLoadErrors& errors) const {
+  // a part that could not be loaded has not read all its attributes
+  if (!errors.IsEmpty()) {
+    return;
+  }
+  for (const std::string& unread : m_experiment.Document->DescribeUnreadSettings()) {
+    errors.Add("", CARGoSException(unread));
+  }
 }
 
 }  // namespace argos

@@ -57,7 +57,7 @@ class CExperimentLoader {
   void InitLoopFunctions(TConfigurationNode& root, CLoadErrors& errors);
   void PostSpaceInit(CLoadErrors& errors);
   void InitVisualization(TConfigurationNode& root, CLoadErrors& errors);
-  void WarnOfUnreadParts() const;
+  void CheckOverrides(CLoadErrors& errors) const;
 
   SSimulationContext& m_context;
   CTick& m_tick;

@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/physics_engine/recorded_body.h>
+#include <argos3/core/utility/configuration/value_range.h>
 #include <argos3/core/utility/plugins/factory.h>
 
 #include <algorithm>
@@ -15,6 +16,14 @@ namespace {
 
 // spare capacity of an engine with borders, in addition to half of its initial number of bodies
 constexpr size_t kSpareBodies = 64;
+
+// of an articulated body the links have masses; engines may accept bodies without a mass
+void CheckMass(const CEmbodiedEntity& body) {
+  const Real mass = body.GetBodyDescription()->Mass;
+  if (body.IsMovable() && mass != 0.0) {
+    RequireIn(kMass, mass, '"' + body.GetRootEntity().GetId() + '"', "its mass");
+  }
+}
 
 }  // namespace
 
@@ -62,6 +71,7 @@ bool CDescribedBodyEngine::AddEntity(CEntity& entity) {
     return false;
   }
   CheckBody(*body);
+  CheckMass(*body);
   std::unique_ptr<CDescribedBodyModel> model = CreateModel(*body, recorded.get());
   model->m_recordedBody = std::move(recorded);
   body->AddPhysicsModel(GetId(), *model);

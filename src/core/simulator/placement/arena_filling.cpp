@@ -10,12 +10,17 @@ void FillArena(CSpace& space, TConfigurationNode& arena, CLoadErrors& errors) {
   TConfigurationNodeIterator it;
   for (it = it.begin(&arena); it != it.end(); ++it) {
     if (it->Value() != distribute) {
-      errors.Try("", [&] { space.CreateEntity(*it); });
+      if (!errors.Try("", [&] { space.CreateEntity(*it); })) {
+        errors.FindFurther([&] { space.TryEntity(*it); });
+      }
     }
   }
   for (it = it.begin(&arena); it != it.end(); ++it) {
     if (it->Value() == distribute) {
-      errors.Try("", [&] { CDistribution(space, *it).Place(); });
+      CDistribution distribution(space, *it, errors);
+      if (!errors.Try("", [&] { distribution.Place(); })) {
+        errors.FindFurther([&] { distribution.TryTemplate(); });
+      }
     }
   }
 }

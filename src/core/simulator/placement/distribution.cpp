@@ -7,6 +7,7 @@
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/space/space.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <sstream>
@@ -48,6 +49,20 @@ class CProbing {
   CSpace& m_space;
 };
 
+// more would not fit into the memory of any computer
+constexpr UInt64 kMostEntities = 10000000;
+// of one entity; without a free place they take some 10 s
+constexpr UInt64 kMostTrials = 10000000;
+
+// the area of the base of an upright solid, m^2; 0 for solids without a flat base
+Real ComputeBase(const SShapeDescription& solid) {
+  using EKind = SShapeDescription::EKind;
+  const bool hasBase =
+      solid.Kind == EKind::Box || solid.Kind == EKind::Cylinder || solid.Kind == EKind::Prism;
+  const bool isTilted = solid.Orientation.GetX() != 0.0 || solid.Orientation.GetY() != 0.0;
+  return hasBase && !isTilted ? solid.ComputeVolume() / solid.Size.GetZ() : 0.0;
+}
+
 CEmbodiedEntity* FindBody(CEntity& entity) {
   auto* composable = dynamic_cast<CComposableEntity*>(&entity);
   if (composable == nullptr || !composable->HasComponent("body")) {
@@ -58,13 +73,31 @@ CEmbodiedEntity* FindBody(CEntity& entity) {
 
 }  // namespace
 
-CDistribution::CDistribution(CSpace& space, TConfigurationNode& node)
+CDistribution::CDistribution(CSpace& space, TConfigurationNode& node, CLoadErrors& errors)
     : m_space(space), m_node(node) {
-  m_positions = CreateVectorGenerator(GetNode(node, "position"), space.GetRNG());
-  m_orientations = CreateVectorGenerator(GetNode(node, "orientation"), space.GetRNG());
-  TConfigurationNode& entity = GetNode(node, "entity");
-  GetNodeAttribute(entity, "quantity", m_quantity);
-  GetNodeAttribute(entity, "max_trials", m_maxTrials);
+  const auto read = [&](auto&& step) { m_isValid = errors.Try("", step) && m_isValid; };
+  read([&] { m_positions = CreateVectorGenerator(GetNode(m_node, "position"), m_space.GetRNG()); });
+  read([&] {
+    m_orientations = CreateVectorGenerator(GetNode(m_node, "orientation"), m_space.GetRNG());
+  });
+  const auto readCount = [&](const char* attribute, UInt64 most, UInt64& value) {
+    read([&] {
+      TConfigurationNode& entity = GetNode(m_node, "entity");
+      GetNodeAttribute(entity, attribute, value);
+      if (value > most) {
+        THROW_ARGOSEXCEPTION(entity.GetLocation()
+                             << ": <entity>: attribute \"" << attribute
+                             << "\" must be an integer from 0 to " << most << ", found " << value);
+      }
+    });
+  };
+  readCount("quantity", kMostEntities, m_quantity);
+  readCount("max_trials", kMostTrials, m_maxTrials);
+  read([&] { ReadEntity(); });
+}
+
+void CDistribution::ReadEntity() {
+  TConfigurationNode& entity = GetNode(m_node, "entity");
   GetNodeAttributeOrDefault(entity, "base_num", m_baseNumber, UInt64(0));
   TConfigurationNodeIterator it;
   it = it.begin(&entity);
@@ -77,14 +110,30 @@ CDistribution::CDistribution(CSpace& space, TConfigurationNode& node)
 }
 
 void CDistribution::Place() {
-  if (m_quantity == 0) {
+  // without a template that was reported, too
+  if (m_template == nullptr || (m_quantity == 0 && m_isValid)) {
     return;
   }
-  try {
+  CallStep([this] {
     Probe();
-    for (UInt64 i = 0; i < m_quantity; ++i) {
-      PlaceOne(i);
+    if (m_isValid) {
+      PlaceAll();
+    } else {
+      TryEntity();
     }
+  });
+}
+
+void CDistribution::TryTemplate() {
+  if (m_template != nullptr) {
+    CallStep([this] { Probe(); });
+  }
+}
+
+// restores the template, and adds the element to errors
+void CDistribution::CallStep(const std::function<void()>& step) {
+  try {
+    step();
   } catch (const CAlreadyReported&) {
     m_template->SetAttribute("id", m_baseId);
     throw;
@@ -95,6 +144,52 @@ void CDistribution::Place() {
                                 error);
   }
   m_template->SetAttribute("id", m_baseId);
+}
+
+void CDistribution::PlaceAll() {
+  m_positions->RequireCapacity(m_quantity);
+  CheckRoom();
+  for (UInt64 i = 0; i < m_quantity; ++i) {
+    PlaceOne(i);
+  }
+}
+
+// finds errors of its controller; it is not added to the space
+void CDistribution::TryEntity() {
+  const std::unique_ptr<CEntity> entity = m_space.MakeEntity(m_template->Value());
+  entity->Init(*m_template);
+  entity->Destroy();
+}
+
+// The bases of bodies that stand on one plane must not overlap, nor must their volumes. This finds
+// quantities that are too large by far, for which the trials would take minutes.
+void CDistribution::CheckRoom() const {
+  CVector3 min;
+  CVector3 max;
+  CVector3 minAngles;
+  CVector3 maxAngles;
+  if (m_body == nullptr || !m_positions->GetExtent(min, max)) {
+    return;
+  }
+  const bool isUpright = m_orientations->GetExtent(minAngles, maxAngles) &&
+                         minAngles.GetY() == 0.0 && maxAngles.GetY() == 0.0 &&
+                         minAngles.GetZ() == 0.0 && maxAngles.GetZ() == 0.0;
+  const bool isPlane = isUpright && min.GetZ() == max.GetZ();
+  Real needed = 0.0;
+  for (const SShapeDescription& solid : m_body->Shapes) {
+    const Real volume = solid.ComputeVolume();
+    needed = std::max(needed, isPlane ? ComputeBase(solid) : volume);
+  }
+  const Real reach = 2.0 * m_body->ComputeBoundingRadius();
+  const CVector3 room = max - min + CVector3(reach, reach, reach);
+  const Real available = room.GetX() * room.GetY() * (isPlane ? 1.0 : room.GetZ());
+  if (static_cast<Real>(m_quantity) * needed > available) {
+    const char* const unit = isPlane ? " m^2" : " m^3";
+    THROW_ARGOSEXCEPTION("there is no room for "
+                         << m_quantity << " bodies of at least " << needed << unit
+                         << ": positions are " << m_positions->Describe()
+                         << ", where bodies have at most " << available << unit);
+  }
 }
 
 // creates one entity of the type, without a controller, to get its body description

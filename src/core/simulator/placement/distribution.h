@@ -1,11 +1,13 @@
 #ifndef ARGOS3_CORE_SIMULATOR_PLACEMENT_DISTRIBUTION_H
 #define ARGOS3_CORE_SIMULATOR_PLACEMENT_DISTRIBUTION_H
 
+#include <argos3/core/simulator/context/load_errors.h>
 #include <argos3/core/simulator/entity/entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/placement/vector_generator.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -21,18 +23,26 @@ class CSpace;
  */
 class CDistribution {
  public:
-  /** Reads the element. @throws CARGoSException if something is missing or out of range. */
-  CDistribution(CSpace& space, TConfigurationNode& node);
+  /** Reads the element. @param errors  receives what is missing or out of range. */
+  CDistribution(CSpace& space, TConfigurationNode& node, CLoadErrors& errors);
 
   /**
-   * Places all entities.
-   * @throws CARGoSException if there is no free place for one: with its id, the area, and the
-   * number of trials.
+   * Places all entities; after an error of the constructor only creates one, to find errors of the
+   * entity, and destroys it.
+   * @throws CARGoSException if there is no room for all, or no free place for one: with its id, the
+   * area, and the number of trials.
    */
   void Place();
+  /** Initialises the entity without its controller. @throws CARGoSException if that fails. */
+  void TryTemplate();
 
  private:
+  void ReadEntity();
+  void CallStep(const std::function<void()>& step);
+  void PlaceAll();
   void Probe();
+  void TryEntity();
+  void CheckRoom() const;
   void PlaceOne(UInt64 number);
   bool IsFree(const CVector3& position, const CQuaternion& orientation);
   bool TryToCreate(const std::string& id);
@@ -50,6 +60,7 @@ class CDistribution {
   UInt64 m_baseNumber = 0;
   UInt64 m_quantity = 0;
   UInt64 m_maxTrials = 0;
+  bool m_isValid = true;  // the constructor has found no error
 
   // set by Probe()
   std::shared_ptr<const SBodyDescription> m_body;  // null: none, or one that its engine must test

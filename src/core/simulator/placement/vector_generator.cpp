@@ -2,6 +2,7 @@
 
 #include <argos3/core/utility/text/string_utilities.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace argos {
@@ -13,6 +14,9 @@ std::string Text(const CVector3& vector) {
   text << "(" << vector << ")";
   return text.str();
 }
+
+// places of a grid along an axis
+constexpr UInt64 kMostOnAxis = 1000000;
 
 class CUniformGenerator : public CVectorGenerator {
  public:
@@ -35,6 +39,12 @@ class CUniformGenerator : public CVectorGenerator {
       result[axis] = m_rng.Uniform(CRange<Real>(m_min[axis], m_max[axis]));
     }
     return result;
+  }
+
+  bool GetExtent(CVector3& min, CVector3& max) const override {
+    min = m_min;
+    max = m_max;
+    return true;
   }
 
   std::string Describe() const override {
@@ -62,6 +72,8 @@ class CGaussianGenerator : public CVectorGenerator {
     return result;
   }
 
+  bool GetExtent(CVector3&, CVector3&) const override { return false; }
+
   std::string Describe() const override {
     return "drawn from a normal distribution with mean " + Text(m_mean) +
            " and standard deviation " + Text(m_stdDev);
@@ -81,6 +93,10 @@ class CConstantGenerator : public CVectorGenerator {
 
   CVector3 Next(bool) override { return m_values; }
   bool CanRetry() const override { return false; }
+  bool GetExtent(CVector3& min, CVector3& max) const override {
+    min = max = m_values;
+    return true;
+  }
   std::string Describe() const override { return "constantly " + Text(m_values); }
 
  private:
@@ -101,11 +117,7 @@ class CGridGenerator : public CVectorGenerator {
   CVector3 Next(bool failed) override {
     // a rejected cell would be rejected again: a grid does not retry
     const UInt64 item = failed && m_next > 0 ? m_next - 1 : m_next++;
-    if (item >= m_layout[0] * m_layout[1] * m_layout[2]) {
-      THROW_ARGOSEXCEPTION("the grid has only " << m_layout[0] << " x " << m_layout[1] << " x "
-                                                << m_layout[2] << " places; item number "
-                                                << item + 1 << " has none");
-    }
+    RequireCapacity(item + 1);
     const UInt64 cell[3] = {item % m_layout[0], item / m_layout[0] % m_layout[1],
                             item / (m_layout[0] * m_layout[1])};
     CVector3 result;
@@ -117,6 +129,22 @@ class CGridGenerator : public CVectorGenerator {
   }
 
   bool CanRetry() const override { return false; }
+  bool GetExtent(CVector3& min, CVector3& max) const override {
+    for (UInt32 axis = 0; axis < 3; ++axis) {
+      const Real half = 0.5 * static_cast<Real>(m_layout[axis] - 1) * std::abs(m_distances[axis]);
+      min[axis] = m_center[axis] - half;
+      max[axis] = m_center[axis] + half;
+    }
+    return true;
+  }
+  void RequireCapacity(UInt64 quantity) const override {
+    const UInt64 places = m_layout[0] * m_layout[1] * m_layout[2];
+    if (quantity > places) {
+      THROW_ARGOSEXCEPTION("the grid has only " << m_layout[0] << " x " << m_layout[1] << " x "
+                                                << m_layout[2] << " places; item number "
+                                                << places + 1 << " has none");
+    }
+  }
   std::string Describe() const override { return "on a grid around " + Text(m_center); }
 
  private:
@@ -125,14 +153,15 @@ class CGridGenerator : public CVectorGenerator {
     Tokenize(layout, fields, ", \t");
     bool good = fields.size() == 3;
     for (size_t axis = 0; good && axis < 3; ++axis) {
-      good = fields[axis].find_first_not_of("0123456789") == std::string::npos;
-      m_layout[axis] = good ? FromString<UInt64>(fields[axis]) : 0;
-      good = good && m_layout[axis] > 0;
+      // the product of three is a number of 64 bits
+      good = ParseNumber(fields[axis], m_layout[axis]) == ENumberParsing::Ok &&
+             m_layout[axis] > 0 && m_layout[axis] <= kMostOnAxis;
     }
     if (!good) {
       THROW_ARGOSEXCEPTION(node.GetLocation()
                            << ": <" << node.Value() << ">: \"layout\" must be three whole numbers "
-                           << "above 0, such as \"5,4,1\"; found \"" << layout << "\"");
+                           << "above 0, at most " << kMostOnAxis << ", such as \"5,4,1\"; found \""
+                           << layout << "\"");
     }
   }
 

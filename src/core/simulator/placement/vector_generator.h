@@ -18,6 +18,10 @@ class CVectorGenerator {
   virtual CVector3 Next(bool failed) = 0;
   /** @return false if every call gives the same triple, so that a second trial is useless. */
   virtual bool CanRetry() const { return true; }
+  /** @return true if all triples are within two corners, which are then set. */
+  virtual bool GetExtent(CVector3& min, CVector3& max) const = 0;
+  /** @throws CARGoSException if there are fewer than @p quantity triples. */
+  virtual void RequireCapacity(UInt64 quantity) const { (void)quantity; }
   /** For messages: "drawn uniformly from (...) to (...)". */
   virtual std::string Describe() const = 0;
 };

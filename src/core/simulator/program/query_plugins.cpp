@@ -10,6 +10,7 @@
 #include <argos3/core/simulator/tick/loop_functions.h>
 #include <argos3/core/simulator/visualization/overlay.h>
 #include <argos3/core/simulator/visualization/visualization.h>
+#include <argos3/core/utility/configuration/value_range.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/process_wide.h>
 #include <argos3/core/utility/text/string_utilities.h>
@@ -88,6 +89,9 @@ void PrintDocumentation(std::ostream& stream, const SPluginText& plugin) {
          << plugin.Brief << "\nby " << plugin.Author << "\nVersion: " << plugin.Version
          << "\nStatus: " << plugin.Status << "\n\n"
          << plugin.Long << '\n';
+  if (plugin.Long.find("ATTRIBUTES") != std::string::npos) {
+    stream << kRangesDocumentation << '\n';
+  }
 }
 
 void PrintKindsOf(std::ostream& stream, const std::string& label, const std::vector<SKind>& kinds) {

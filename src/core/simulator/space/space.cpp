@@ -7,6 +7,7 @@
 #include <argos3/core/simulator/entity/entity_type.h>
 #include <argos3/core/simulator/entity/floor_entity.h>
 #include <argos3/core/simulator/geometry/body_index.h>
+#include <argos3/core/simulator/geometry/pose_check.h>
 #include <argos3/core/simulator/medium/medium.h>
 #include <argos3/core/simulator/physics_engine/engine_assignment.h>
 #include <argos3/core/simulator/space/entity_views.h>
@@ -17,9 +18,19 @@
 #include <argos3/core/utility/threads/thread_pool.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 
 namespace argos {
+
+namespace {
+
+[[noreturn]] void ThrowNotCreated(const TConfigurationNode& node, std::exception& error) {
+  THROW_ARGOSEXCEPTION_NESTED(
+      node.GetLocation() << ": <" << node.Value() << "> cannot be put into the arena", error);
+}
+
+}  // namespace
 
 CSpace::CSpace(SSimulationContext& context)
     : m_context(context),
@@ -37,10 +48,15 @@ void CSpace::Init(TConfigurationNode& tree) {
   GetNodeAttribute(tree, "size", arena.Size);
   GetNodeAttributeOrDefault(tree, "center", arena.Center, CVector3());
   for (UInt32 axis = 0; axis < 3; ++axis) {
-    if (!(arena.Size[axis] > 0.0)) {
+    if (!(arena.Size[axis] > 0.0 && arena.Size[axis] <= kMostDistant)) {
       THROW_ARGOSEXCEPTION(tree.GetLocation()
-                           << ": <arena>: \"size\" must be positive along every axis, found \""
-                           << arena.Size << "\"");
+                           << ": <arena>: \"size\" must be positive along every axis and at most "
+                           << kMostDistant << " m, found \"" << arena.Size << "\"");
+    }
+    if (!(std::abs(arena.Center[axis]) <= kMostDistant)) {
+      THROW_ARGOSEXCEPTION(tree.GetLocation()
+                           << ": <arena>: \"center\" must be at most " << kMostDistant
+                           << " m from the origin, found \"" << arena.Center << "\"");
     }
   }
   // attributes of older versions of the file format: accepted, without effect
@@ -129,6 +145,23 @@ std::unique_ptr<CEntity> CSpace::MakeEntity(const std::string& tag) const {
   return std::unique_ptr<CEntity>(CFactory<CEntity>::New(tag));
 }
 
+void CSpace::TryEntity(TConfigurationNode& node) {
+  // initialises robots without their controllers
+  m_context.Loading.SetProbing(true);
+  try {
+    const std::unique_ptr<CEntity> entity = MakeEntity(node.Value());
+    entity->Init(node);
+    entity->Destroy();
+    m_context.Loading.SetProbing(false);
+  } catch (const CAlreadyReported&) {
+    m_context.Loading.SetProbing(false);
+    throw;
+  } catch (std::exception& error) {
+    m_context.Loading.SetProbing(false);
+    ThrowNotCreated(node, error);
+  }
+}
+
 CEntity& CSpace::CreateEntity(TConfigurationNode& node) {
   std::unique_ptr<CEntity> entity;
   try {
@@ -140,8 +173,7 @@ CEntity& CSpace::CreateEntity(TConfigurationNode& node) {
   } catch (const CAlreadyReported&) {
     throw;
   } catch (std::exception& error) {
-    THROW_ARGOSEXCEPTION_NESTED(
-        node.GetLocation() << ": <" << node.Value() << "> cannot be put into the arena", error);
+    ThrowNotCreated(node, error);
   }
 }
 

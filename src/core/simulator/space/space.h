@@ -175,6 +175,8 @@ class CSpace : public CBaseConfigurableResource {
   std::unique_ptr<CEntity> MakeEntity(const std::string& tag) const;
   /** Creates and adds the entity that an XML element describes. @throws CARGoSException */
   CEntity& CreateEntity(TConfigurationNode& node);
+  /** Creates the entity without its controller, and destroys it. @throws as CreateEntity() */
+  void TryEntity(TConfigurationNode& node);
   /** 64-bit digest of the state of every entity and medium, in order. */
   UInt64 ComputeDigest() const;
 

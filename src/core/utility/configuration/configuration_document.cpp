@@ -145,6 +145,7 @@ std::string CConfigurationDocument::SetByPath(const std::string& path, const std
   }
   const CConfigurationPath parsed(path);
   std::string report;
+  SConfigurationSetting setting{path, parsed.GetAttribute(), value, {}};
   for (tinyxml2::XMLElement* element : parsed.Find(*root)) {
     const char* previous = element->Attribute(parsed.GetAttribute().c_str());
     const SConfigurationRecord& record = m_store->RecordOf(*element);
@@ -155,13 +156,16 @@ std::string CConfigurationDocument::SetByPath(const std::string& path, const std
                                    : std::string("was not there")) +
               ')';
     element->SetAttribute(parsed.GetAttribute().c_str(), value.c_str());
+    setting.Elements.push_back(&record);
   }
+  m_store->AddSetting(std::move(setting));
   return report;
 }
 
 void CConfigurationDocument::ForEachUnread(
     const std::function<void(const CConfigurationNode&, const std::string&)>& report) const {
   const std::function<void(tinyxml2::XMLElement&)> visit = [&](tinyxml2::XMLElement& element) {
+    // a copy: the report may read the element
     const SConfigurationRecord record = m_store->RecordOf(element);
     CConfigurationNode node;
     node.m_record = &m_store->RecordOf(element);
@@ -169,12 +173,10 @@ void CConfigurationDocument::ForEachUnread(
       report(node, "");
       return;
     }
-    // the record has 64 bits
-    UInt64 bits = record.ReadAttributes;
-    int tracked = 64;
-    for (const auto* attribute = element.FirstAttribute(); attribute != nullptr && tracked > 0;
-         attribute = attribute->Next(), bits >>= 1, --tracked) {
-      if ((bits & 1) == 0) {
+    std::size_t index = 0;
+    for (const auto* attribute = element.FirstAttribute(); attribute != nullptr;
+         attribute = attribute->Next(), ++index) {
+      if (!IsAttributeRead(record, index)) {
         report(node, attribute->Name());
       }
     }
@@ -186,6 +188,18 @@ void CConfigurationDocument::ForEachUnread(
   if (m_store->GetXml().RootElement() != nullptr) {
     visit(*m_store->GetXml().RootElement());
   }
+}
+
+std::vector<std::string> CConfigurationDocument::DescribeUnread() const {
+  std::vector<std::string> lines;
+  if (m_store->GetXml().RootElement() != nullptr) {
+    m_store->DescribeUnread(*m_store->GetXml().RootElement(), lines);
+  }
+  return lines;
+}
+
+std::vector<std::string> CConfigurationDocument::DescribeUnreadSettings() const {
+  return m_store->DescribeUnreadSettings();
 }
 
 }  // namespace argos

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace argos {
 
@@ -74,6 +75,19 @@ class CConfigurationDocument {
    */
   void ForEachUnread(const std::function<void(const CConfigurationNode& node,
                                               const std::string& attribute)>& report) const;
+
+  /**
+   * Describes unread content, in the order of the file: what ForEachUnread() reports, and texts of
+   * elements that were not read. A line is
+   * 'file:12: <tag>: attribute "x" is not used by anything; did you mean "y"?'.
+   */
+  std::vector<std::string> DescribeUnread() const;
+
+  /**
+   * Describes the calls of SetByPath() that have no effect, because the attribute was read of none
+   * of the elements that were changed; with the nearest names that are read.
+   */
+  std::vector<std::string> DescribeUnreadSettings() const;
 
  private:
   std::shared_ptr<CConfigurationStore> m_store;

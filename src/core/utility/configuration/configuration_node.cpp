@@ -1,13 +1,19 @@
 #include <argos3/core/utility/configuration/configuration_node.h>
 
+#include <argos3/core/utility/configuration/attribute_repairs.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/core/utility/configuration/configuration_error.h>
 #include <argos3/core/utility/configuration/configuration_iterator.h>
 #include <argos3/core/utility/configuration/configuration_store.h>
+#include <argos3/core/utility/configuration/value_range.h>
 #include <argos3/core/utility/logging/argos_log.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <iterator>
+#include <sstream>
+#include <string_view>
 
 namespace argos {
 
@@ -123,6 +129,10 @@ std::string CConfigurationNode::GetTextOrDefault(const std::string& dflt) const 
   return text != nullptr ? text : dflt;
 }
 
+void CConfigurationNode::NoteRequest(const std::string& name, const char* sample) const {
+  CAttributeRepairs::Note(Record(), name, sample);
+}
+
 bool CConfigurationNode::IsLenient() const {
   const SConfigurationRecord& record = Record();
   return record.Store->LeniencyOf(record) != nullptr;
@@ -147,6 +157,54 @@ void CConfigurationNode::ThrowUnparsable(const std::string& what, const char* te
   THROW_CONFIGURATION_ERROR(GetLocation() << ": <" << Value() << ">: " << what << ": found \""
                                           << text << "\", expected " << expected
                                           << (details.empty() ? "" : " (" + details + ")"));
+}
+
+namespace {
+
+// users' code reads these elements and their contents
+bool IsOfUser(const tinyxml2::XMLElement& element) {
+  for (const tinyxml2::XMLNode* node = &element; node != nullptr; node = node->Parent()) {
+    const tinyxml2::XMLElement* const ancestor = node->ToElement();
+    for (const char* const tag : {"params", "loop_functions", "user_functions"}) {
+      if (ancestor != nullptr && std::strcmp(ancestor->Value(), tag) == 0) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+// true if one of the numbers in a text exceeds kMostReal
+bool HasHugeNumber(const std::string& text) {
+  constexpr const char* kSeparators = " \t\r\n,:;()";
+  std::size_t begin = text.find_first_not_of(kSeparators);
+  while (begin != std::string::npos) {
+    const std::size_t end = text.find_first_of(kSeparators, begin);
+    Real value = 0.0;
+    if (ParseNumber(std::string_view(text).substr(begin, end - begin), value) ==
+            ENumberParsing::Ok &&
+        std::abs(value) > kMostReal) {
+      return true;
+    }
+    begin = text.find_first_not_of(kSeparators, std::min(end, text.size()));
+  }
+  return false;
+}
+
+}  // namespace
+
+void CConfigurationNode::ThrowIfHuge(const std::string& name, const char* text) const {
+  // a shorter text without exponent cannot have such a number
+  constexpr std::size_t kDigits = 13;
+  const std::size_t length = std::strlen(text);
+  if (length < kDigits && std::strpbrk(text, "eE") == nullptr) {
+    return;
+  }
+  if (HasHugeNumber(text) && !IsOfUser(*Record().Element)) {
+    std::ostringstream expected;
+    expected << "real numbers from " << -kMostReal << " to " << kMostReal;
+    ThrowUnparsable("attribute \"" + name + '"', text, expected.str(), "");
+  }
 }
 
 /****************************************/
@@ -407,7 +465,9 @@ std::vector<std::string> CConfigurationNode::GetAttributeNames() const {
 }
 
 const char* CConfigurationNode::FindText(bool throwIfMissing) const {
-  const char* text = Record().Element->GetText();
+  SConfigurationRecord& record = Record();
+  record.IsTextRead = true;
+  const char* text = record.Element->GetText();
   if (text == nullptr && throwIfMissing) {
     THROW_CONFIGURATION_ERROR(GetLocation() << ": <" << Value() << "> contains no text");
   }
@@ -444,6 +504,7 @@ std::istream& operator>>(std::istream& stream, CConfigurationNode& node) {
 void MarkSubtreeRead(CConfigurationNode& node) {
   SConfigurationRecord& record = node.Record();
   record.IsVisited = true;
+  record.IsTextRead = true;
   record.ReadAttributes = ~UInt64(0);
   for (auto* child = node.FirstChildElement(false); child != nullptr;
        child = child->NextSiblingElement(false)) {

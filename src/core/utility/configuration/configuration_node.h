@@ -117,9 +117,7 @@ class CConfigurationNode {
   CConfigurationNode* PreviousSibling(const TAG& tag, bool throwIfMissing = true) const {
     return PreviousSiblingElement(tag, throwIfMissing);
   }
-  /**
-   * Returns the child after @p previous, or the first child if that is null; null after the last.
-   */
+  /** The child after @p previous, or the first child if that is null; null after the last. */
   CConfigurationNode* IterateChildren(CConfigurationNode* previous) const;
   CConfigurationNode* IterateChildren(const std::string& tag, CConfigurationNode* previous) const;
   /** Returns this node. */
@@ -162,18 +160,19 @@ class CConfigurationNode {
    */
   template <typename T>
   bool GetAttribute(const std::string& name, T* value, bool throwIfMissing = true) const {
+    NoteRequest(name, detail::SampleText(static_cast<const T*>(nullptr)));
     const char* text = FindAttribute(name);
-    if (text == nullptr) {
-      if (throwIfMissing) {
-        ThrowMissingAttribute(name);
-      }
-      return false;
+    if (text == nullptr && throwIfMissing) {
+      ThrowMissingAttribute(name);
     }
     std::string reason;
-    if (!detail::ParseText(text, *value, reason)) {
+    if (text != nullptr && !detail::ParseText(text, *value, reason)) {
       ConvertLoosely("attribute \"" + name + '"', text, *value, reason);
     }
-    return true;
+    if (text != nullptr && detail::kHasRealNumbers<T>) {
+      ThrowIfHuge(name, text);
+    }
+    return text != nullptr;
   }
   template <typename T>
   T GetAttribute(const std::string& name, bool throwIfMissing = true) const {
@@ -196,10 +195,7 @@ class CConfigurationNode {
   }
   /** Does nothing if there is no such attribute. */
   void RemoveAttribute(const std::string& name);
-  /**
-   * Returns the first attribute, owned by the document; null if there is none and throwIfMissing is
-   * false.
-   */
+  /** Owned by the document; null if there is none and throwIfMissing is false. */
   CConfigurationAttribute* FirstAttribute(bool throwIfMissing = true) const;
   std::vector<std::string> GetAttributeNames() const;
 
@@ -261,6 +257,9 @@ class CConfigurationNode {
     }
     WarnOfLooseText(what, text, expected);
   }
+  // not of users' <params>, <loop_functions> and <user_functions>
+  void ThrowIfHuge(const std::string& name, const char* text) const;
+  void NoteRequest(const std::string& name, const char* sample) const;
   bool IsLenient() const;
   void WarnOfLooseText(const std::string& what, const char* text,
                        const std::string& expected) const;

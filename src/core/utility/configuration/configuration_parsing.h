@@ -78,6 +78,37 @@ std::string ExpectedText(const T*) {
   }
 }
 
+/** A valid text, which few parts refuse: to find further errors. Null for texts of any form. */
+inline const char* SampleText(const CColor*) {
+  return "red";
+}
+inline const char* SampleText(const CDegrees*) {
+  return "1";
+}
+inline const char* SampleText(const CRadians*) {
+  return "1";
+}
+inline const char* SampleText(const CVector2*) {
+  return "1,1";
+}
+inline const char* SampleText(const CVector3*) {
+  return "1,1,1";
+}
+inline const char* SampleText(const CQuaternion*) {
+  return "0,0,0";
+}
+template <typename T>
+const char* SampleText(const CRange<T>*) {
+  return "0:1";
+}
+template <typename T>
+const char* SampleText(const T*) {
+  if constexpr (std::is_same_v<T, bool>) {
+    return "false";
+  }
+  return kIsParsableNumber<T> ? "1" : nullptr;
+}
+
 /** @return true if a value that was read without error is valid. */
 template <typename T>
 bool IsValidValue(const T&) {
@@ -87,6 +118,10 @@ template <typename T>
 bool IsValidValue(const CRange<T>& range) {
   return !(range.GetMin() > range.GetMax());
 }
+
+/** True for types whose text consists of real numbers, or may do so. */
+template <typename T>
+inline constexpr bool kHasRealNumbers = !std::is_integral_v<T> && !std::is_same_v<T, std::string>;
 
 /** An input stream over a text that is not copied; strict, or loose (SetLooseParsing()). */
 class CTextReader {

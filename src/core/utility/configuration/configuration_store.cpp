@@ -1,6 +1,7 @@
 #include <argos3/core/utility/configuration/configuration_store.h>
 
 #include <argos3/core/utility/configuration/configuration_error.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
 #include <algorithm>
 #include <cctype>
@@ -59,6 +60,7 @@ void CConfigurationStore::InheritOrigin(tinyxml2::XMLElement& copy,
   SConfigurationRecord& record = RecordOf(copy);
   const auto* originalRecord = static_cast<const SConfigurationRecord*>(original.GetUserData());
   if (originalRecord != nullptr) {
+    record.Origin = originalRecord->Origin;
     record.File = originalRecord->File;
     record.Leniency = originalRecord->Store->LeniencyOf(*originalRecord);
     record.Line = originalRecord->Line;
@@ -98,6 +100,131 @@ void CConfigurationStore::Delete(tinyxml2::XMLNode& node) {
     Forget(*node.ToElement());
   }
   m_xml.DeleteNode(&node);
+}
+
+/****************************************/
+// unread content
+/****************************************/
+
+namespace {
+
+// the attributes that the readers of an element use: those that they have found, or missed
+std::vector<std::string> UsedNames(const SConfigurationRecord& record) {
+  std::vector<std::string> names;
+  std::size_t index = 0;
+  for (const auto* attribute = record.Element->FirstAttribute(); attribute != nullptr;
+       attribute = attribute->Next(), ++index) {
+    if (IsAttributeRead(record, index)) {
+      names.emplace_back(attribute->Name());
+    }
+  }
+  names.insert(names.end(), record.MissedNames.begin(), record.MissedNames.end());
+  return names;
+}
+
+bool IsUnread(const SConfigurationRecord& record, const std::string& name) {
+  std::size_t index = 0;
+  for (const auto* attribute = record.Element->FirstAttribute(); attribute != nullptr;
+       attribute = attribute->Next(), ++index) {
+    if (name == attribute->Name()) {
+      return !IsAttributeRead(record, index);
+    }
+  }
+  return false;
+}
+
+std::string Trimmed(const char* text) {
+  constexpr const char* kBlanks = " \t\r\n";
+  const std::string whole(text);
+  const std::size_t first = whole.find_first_not_of(kBlanks);
+  return first == std::string::npos
+             ? std::string()
+             : whole.substr(first, whole.find_last_not_of(kBlanks) - first + 1);
+}
+
+std::string Shortened(const std::string& text) {
+  constexpr std::size_t kLongest = 60;
+  return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
+}
+
+// 'file:12: <tag>'
+std::string DescribeElement(const SConfigurationRecord& record) {
+  return LocationText(*record.File, record.Line) + ": <" + record.Element->Value() + ">";
+}
+
+std::string DescribeUnreadAttribute(const SConfigurationRecord& record, const std::string& name) {
+  // without a similar name the list of all of them does not help
+  const std::string near = NearestNames(name, UsedNames(record));
+  return DescribeElement(record) + ": attribute \"" + name + "\" is not used by anything" +
+         (near.empty() ? "" : "; did you mean \"" + near + "\"?");
+}
+
+std::string DescribeUnreadText(const SConfigurationRecord& record, const std::string& text) {
+  const std::string tag = record.Element->Value();
+  const std::size_t equals = text.find('=');
+  const bool isMisplacedAttribute = equals != std::string::npos && equals > 0 &&
+                                    text.find_first_of("'\"", equals) != std::string::npos;
+  return DescribeElement(record) + ": the text '" + Shortened(text) +
+         "' inside it is not used by anything" +
+         (isMisplacedAttribute
+              ? "; attributes belong into the tag: <" + tag + ' ' + Shortened(text) + " />"
+              : "");
+}
+
+}  // namespace
+
+std::vector<std::string> CConfigurationStore::DescribeUnreadSettings() const {
+  std::vector<std::string> lines;
+  for (const SConfigurationSetting& setting : m_settings) {
+    const SConfigurationRecord* unread = nullptr;
+    bool isUsed = false;
+    for (const SConfigurationRecord* origin : setting.Elements) {
+      // an element that was replaced by copies is read through these
+      bool isOriginUnread = false;
+      for (const SConfigurationRecord& record : m_records) {
+        if (record.Origin == origin && record.Element != nullptr &&
+            IsUnread(record, setting.Attribute)) {
+          isOriginUnread = true;
+          unread = &record;
+        }
+      }
+      isUsed = isUsed || !isOriginUnread;
+    }
+    if (!isUsed) {
+      lines.push_back("--set " + setting.Path + '=' + setting.Value + ": " +
+                      (unread->IsVisited ? DescribeUnreadAttribute(*unread, setting.Attribute)
+                                         : DescribeElement(*unread) +
+                                               " is not used by anything, nor is its attribute \"" +
+                                               setting.Attribute + '"'));
+    }
+  }
+  return lines;
+}
+
+void CConfigurationStore::DescribeUnread(tinyxml2::XMLElement& element,
+                                         std::vector<std::string>& lines) {
+  const SConfigurationRecord& record = RecordOf(element);
+  if (!record.IsVisited) {
+    lines.push_back(DescribeElement(record) + " is not used by anything");
+    return;
+  }
+  std::size_t index = 0;
+  for (const auto* attribute = element.FirstAttribute(); attribute != nullptr;
+       attribute = attribute->Next(), ++index) {
+    if (!IsAttributeRead(record, index)) {
+      lines.push_back(DescribeUnreadAttribute(record, attribute->Name()));
+    }
+  }
+  for (auto* child = element.FirstChild(); child != nullptr; child = child->NextSibling()) {
+    if (child->ToText() != nullptr && !record.IsTextRead) {
+      const std::string text = Trimmed(child->Value());
+      if (!text.empty()) {
+        lines.push_back(DescribeUnreadText(record, text));
+      }
+    } else if (child->ToElement() != nullptr) {
+      DescribeUnread(*child->ToElement(), lines);
+    }
+  }
 }
 
 /****************************************/

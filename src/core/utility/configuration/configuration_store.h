@@ -12,6 +12,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace argos {
 
@@ -28,12 +29,25 @@ struct SConfigurationRecord {
       nullptr;  // the handle that GetNode() gives; null until its first call
   // one bit per attribute, in the order of the file; attributes after the 64th count as read
   UInt64 ReadAttributes = 0;
+  // names that were looked up in vain, without duplicates: attributes that would be used
+  std::vector<std::string> MissedNames;
   bool IsVisited = false;
+  bool IsTextRead = false;
   int Line = 0;
+  // of the element of which it is a copy, or of itself
+  const SConfigurationRecord* Origin = this;
   // shared with the document from which the element was copied, which may have been destroyed
   std::shared_ptr<const std::string> File;
   // of the document from which the element was copied, likewise; null unless that is lenient
   std::shared_ptr<SLeniency> Leniency;
+};
+
+/** One call of CConfigurationDocument::SetByPath(). */
+struct SConfigurationSetting {
+  std::string Path;
+  std::string Attribute;
+  std::string Value;
+  std::vector<const SConfigurationRecord*> Elements;  // that were changed
 };
 
 /** One XML document with a record per element; addresses of records and handles are stable. */
@@ -57,6 +71,12 @@ class CConfigurationStore : public std::enable_shared_from_this<CConfigurationSt
 
   CConfigurationAttribute* KeepAttribute(const CConfigurationAttribute& attribute);
 
+  void AddSetting(SConfigurationSetting setting) { m_settings.push_back(std::move(setting)); }
+  /** Describes the settings of which no element has read the attribute. */
+  std::vector<std::string> DescribeUnreadSettings() const;
+  /** Describes what is unread in the element and its contents, in the order of the file. */
+  void DescribeUnread(tinyxml2::XMLElement& element, std::vector<std::string>& lines);
+
   /** Copies an element of any store into this one, without parent, with file and line. */
   tinyxml2::XMLElement& CopyOf(tinyxml2::XMLElement& original);
 
@@ -73,7 +93,14 @@ class CConfigurationStore : public std::enable_shared_from_this<CConfigurationSt
   std::deque<SConfigurationRecord> m_records;
   std::deque<CConfigurationNode> m_handles;
   std::deque<CConfigurationAttribute> m_attributes;
+  std::vector<SConfigurationSetting> m_settings;
 };
+
+/** @return true if the attribute with that number, in the order of the file, was read. */
+inline bool IsAttributeRead(const SConfigurationRecord& record, std::size_t index) {
+  constexpr std::size_t kTracked = 64;
+  return index >= kTracked || ((record.ReadAttributes >> index) & 1) != 0;
+}
 
 /** Existing names, for error messages: without duplicates, in the order of the file. */
 std::vector<std::string> ChildTags(const tinyxml2::XMLElement& element);

@@ -28,10 +28,7 @@ class CDynamics3DGravityPlugin : public CDynamics3DPlugin {
       GetNodeAttributeOrDefault(tree, "g", g, g);
       gravity.Set(0.0, 0.0, -g);
     }
-    if (!std::isfinite(gravity.Length())) {
-      THROW_ARGOSEXCEPTION(OwnerOf(tree)
-                           << ": gravity must be finite, found (" << gravity << ") m/s^2");
-    }
+    RequireEachIn(kAcceleration, gravity, OwnerOf(tree), "gravity");
     GetEngine().SetGravity(gravity);
   }
 };
@@ -45,7 +42,7 @@ without any add-on has 9.81 m/s^2.
         R"(
 ATTRIBUTES
 
-  g       m/s^2, default 10: downward.
+  g       m/s^2, default 10, from -1e4 to 1e4: downward.
   vector  "x,y,z", m/s^2, instead of g: in any direction.
 )",
     "Usable")

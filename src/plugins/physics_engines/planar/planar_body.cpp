@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/physics_engine/described_body_model.h>
+#include <argos3/core/utility/configuration/value_range.h>
 #include <argos3/core/utility/spatial/planar_grid.h>
 #include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
 
@@ -19,11 +20,14 @@ namespace {
 constexpr Real kElevationTolerance = 1e-4;
 // m; farther away, the resolution of the solvers' single precision is coarser than a robot
 constexpr Real kMaxExtent = 1e5;
+// moments of inertia, forces and torques; their inverses are numbers of single precision
+constexpr SValueRange kPlanarPositive = {1e-18, 1e18};
 
 void RequirePositive(const CEmbodiedEntity& body, const char* what, Real value) {
-  if (!(value > 0.0) || std::isinf(value)) {
+  if (!IsIn(kPlanarPositive, value)) {
     THROW_ARGOSEXCEPTION("the " << what << " of \"" << body.GetRootEntity().GetId()
-                                << "\" must be a number > 0, found " << value);
+                                << "\" must be a number > 0, from " << kPlanarPositive.Min << " to "
+                                << kPlanarPositive.Max << ", found " << value);
   }
 }
 
@@ -60,9 +64,10 @@ SPlanarArea ComputeExtents(const SShapeDescription& shape, const SPlanarPose& po
 
 void ReadNotNegative(TConfigurationNode& node, const std::string& attribute, Real& value) {
   GetNodeAttributeOrDefault(node, attribute, value, value);
-  if (!(value >= 0.0) || std::isinf(value)) {
+  if (!IsIn(kNotNegative, value)) {
     THROW_ARGOSEXCEPTION(node.GetLocation() << ": <" << node.Value() << ">: \"" << attribute
-                                            << "\" must be a number >= 0, found " << value);
+                                            << "\" must be a number >= 0, at most "
+                                            << kNotNegative.Max << ", found " << value);
   }
 }
 
@@ -138,7 +143,7 @@ void CheckPlanarBody(const CEmbodiedEntity& body) {
   if (!body.IsMovable()) {
     return;
   }
-  RequirePositive(body, "mass (kg)", description.Mass);
+  RequireIn(kMass, description.Mass, '"' + body.GetRootEntity().GetId() + '"', "its mass");
   if (description.PlanarInertia) {
     RequirePositive(body, "moment of inertia (kg m^2)", *description.PlanarInertia);
   }

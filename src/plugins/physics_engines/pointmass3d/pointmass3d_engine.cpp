@@ -100,6 +100,7 @@ CPointMass3DEngine::~CPointMass3DEngine() = default;
 void CPointMass3DEngine::Init(TConfigurationNode& tree) {
   CDescribedBodyEngine::Init(tree);
   GetNodeAttributeOrDefault(tree, "gravity", m_gravity, m_gravity);
+  RequireIn(kAcceleration, m_gravity, GetOrigin(), "attribute \"gravity\"");
   std::string motion = "exact";
   GetNodeAttributeOrDefault(tree, "motion", motion, motion);
   if (motion != "exact" && motion != "argos3") {

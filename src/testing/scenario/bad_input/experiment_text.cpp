@@ -105,7 +105,11 @@ std::string RunError(const SExperimentText& experiment) {
 }
 
 std::string LoadWarnings(const SExperimentText& experiment) {
-  const SOutcome outcome = Try(experiment.ToXml(), false);
+  return LoadWarningsOfXml(experiment.ToXml());
+}
+
+std::string LoadWarningsOfXml(const std::string& xml) {
+  const SOutcome outcome = Try(xml, false);
   return outcome.Error.empty() ? outcome.Warnings : "loading failed: " + outcome.Error;
 }
 

@@ -49,6 +49,8 @@ std::string LoadErrorOfXml(const std::string& xml);
 std::string RunError(const SExperimentText& experiment);
 /** Loads an experiment that must be valid. @return the output to LOGERR. */
 std::string LoadWarnings(const SExperimentText& experiment);
+/** Likewise of any XML. */
+std::string LoadWarningsOfXml(const std::string& xml);
 
 /** @return "test.argos:<line>:". */
 std::string At(int line);

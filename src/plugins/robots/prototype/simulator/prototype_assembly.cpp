@@ -105,7 +105,7 @@ class CAssembler {
       SLinkNode link;
       link.Node = &*child;
       link.Shape = ReadSolid(*child);
-      ReadPositive(*child, "mass", "kg", link.Shape.Mass);
+      ReadIn(kMass, *child, "mass", link.Shape.Mass);
       link.Described = ReadPose(*child);
       m_links.push_back(link);
       m_result.Links.push_back(placed);

@@ -23,6 +23,9 @@ std::vector<CVector3> ReadPoints(TConfigurationNode& node) {
   return points;
 }
 
+// LEDs or sensors
+constexpr UInt64 kMostInRing = 10000;
+
 SShapeDescription MakeSolid(TConfigurationNode& node, const std::string& geometry) {
   if (geometry == "box") {
     CVector3 size;
@@ -67,7 +70,7 @@ SDescribedRing::SDescribedRing(TConfigurationNode& node, const char* number) {
   GetNodeAttributeOrDefault(node, "start_angle", start, start);
   Start = ToRadians(start);
   GetNodeAttribute(node, number, Number);
-  RequirePositive(Number, OwnerOf(node), std::string("attribute \"") + number + "\"");
+  RequireCount(Number, 1, kMostInRing, OwnerOf(node), std::string("attribute \"") + number + "\"");
 }
 
 void ReadRays(TConfigurationNode& node,

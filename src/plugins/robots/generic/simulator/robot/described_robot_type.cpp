@@ -83,7 +83,7 @@ class CTypeReader {
  private:
   void ReadBody() {
     TConfigurationNode& body = GetNode(m_tree, "body");
-    ReadPositive(body, "mass", "kg", m_body.Mass);
+    ReadIn(kMass, body, "mass", m_body.Mass);
     if (NodeAttributeExists(body, "inertia")) {
       Real inertia = 0.0;
       ReadPositive(body, "inertia", "kg m^2", inertia);

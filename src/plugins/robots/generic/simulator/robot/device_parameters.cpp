@@ -1,6 +1,7 @@
 #include <argos3/plugins/robots/generic/simulator/device_parameters.h>
 
 #include <argos3/plugins/simulator/entities/battery_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 #include <argos3/plugins/simulator/entities/warn_once.h>
 
@@ -25,6 +26,7 @@ void SRABParameters::Read(TConfigurationNode& robot) {
 
 void SRABParameters::Check(const std::string& owner) const {
   RequireNotNegative(Range, owner, "rab_range (m)");
+  RequireCount(DataSize, 0, CRABEquippedEntity::kMostData, owner, "rab_data_size (bytes)");
 }
 
 void SOmnidirectionalCameraParameters::Read(TConfigurationNode& robot) {

@@ -162,7 +162,7 @@ TEST_CASE(
     "[core][space][distribute]") {
   const std::string error =
       LoadError(Experiment(Distribute("<position method='uniform' min='0,0,0' max='0.15,0.15,0' />",
-                                      kNoYaw, "quantity='50' max_trials='20'", kRobot)));
+                                      kNoYaw, "quantity='7' max_trials='20'", kRobot)));
   CAPTURE(error);
   // max_trials failures are tolerated: 21 trials in all
   CHECK_THAT(error, Contains("after 21 trials") && Contains("(0,0,0) to (0.15,0.15,0)") &&

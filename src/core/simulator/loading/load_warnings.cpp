@@ -1,0 +1,144 @@
+#include <argos3/core/simulator/loading/load_warnings.h>
+
+#include <argos3/core/simulator/context/simulation_context.h>
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/configuration/configuration_document.h>
+#include <argos3/core/utility/logging/argos_log.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+namespace argos {
+
+namespace {
+
+// more lines hide what was printed before them
+constexpr size_t kMostWarnings = 20;
+
+// for roundings of poses and of the arena's limits
+constexpr Real kArenaTolerance = 1e-6;  // m
+
+typedef std::vector<std::string> TLines;
+
+void CheckRootTag(TConfigurationNode& root, TLines& lines) {
+  const std::string expected = "argos-configuration";
+  if (root.Value() != expected) {
+    lines.push_back(root.GetLocation() + ": the root element is <" + root.Value() +
+                    ">, expected <" + expected + ">; is it an experiment file?");
+  }
+}
+
+void CheckIds(TConfigurationNode& section, TLines& lines) {
+  TConfigurationNodeIterator it;
+  for (it = it.begin(&section); it != it.end(); ++it) {
+    std::string id = "some";
+    GetNodeAttributeOrDefault(*it, "id", id, id);
+    if (id.empty()) {
+      lines.push_back(it->GetLocation() + ": <" + it->Value() + ">: attribute \"id\" is empty");
+    }
+  }
+}
+
+// the controllers use the last device of a tag, as those of ARGoS 3
+void CheckDevices(TConfigurationNode& section, TLines& lines) {
+  std::map<std::string, std::string> locations;
+  TConfigurationNodeIterator it;
+  for (it = it.begin(&section); it != it.end(); ++it) {
+    const auto [other, isNew] = locations.emplace(it->Value(), it->GetLocation());
+    if (!isNew) {
+      lines.push_back(it->GetLocation() + ": <" + it->Value() +
+                      "> is given twice; it replaces the one at " + other->second);
+      other->second = it->GetLocation();
+    }
+  }
+}
+
+void CheckControllers(TConfigurationNode& controllers, TLines& lines) {
+  TConfigurationNodeIterator it;
+  for (it = it.begin(&controllers); it != it.end(); ++it) {
+    for (const char* const section : {"actuators", "sensors"}) {
+      if (NodeExists(*it, section)) {
+        CheckDevices(GetNode(*it, section), lines);
+      }
+    }
+  }
+}
+
+// of walls the origin may be outside, of movable bodies not
+bool IsOutside(const CEmbodiedEntity& body, const CRange<CVector3>& limits) {
+  const CVector3& position = body.GetOriginAnchor().Position;
+  const Real reach = body.IsMovable() || body.GetBodyDescription() == nullptr
+                         ? 0.0
+                         : body.GetBodyDescription()->ComputeBoundingRadius();
+  for (UInt32 axis = 0; axis < 3; ++axis) {
+    if (position[axis] < limits.GetMin()[axis] - reach - kArenaTolerance ||
+        position[axis] > limits.GetMax()[axis] + reach + kArenaTolerance) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void CheckPlaces(const SSimulationContext& context, TLines& lines) {
+  size_t number = 0;
+  const CEmbodiedEntity* first = nullptr;
+  for (const CEntity* const root : context.Space->GetRootEntityVector()) {
+    const auto* const composable = dynamic_cast<const CComposableEntity*>(root);
+    if (composable == nullptr) {
+      continue;
+    }
+    for (const CEntity* const component : composable->GetExistingComponents()) {
+      const auto* const body = dynamic_cast<const CEmbodiedEntity*>(component);
+      if (body != nullptr && IsOutside(*body, context.Arena.Limits)) {
+        ++number;
+        first = first == nullptr ? body : first;
+      }
+    }
+  }
+  if (first == nullptr) {
+    return;
+  }
+  std::ostringstream line;
+  line << number << (number == 1 ? " body is" : " bodies are") << " outside of the arena, from ("
+       << context.Arena.Limits.GetMin() << ") to (" << context.Arena.Limits.GetMax() << "): \""
+       << first->GetRootEntity().GetId() << "\" at (" << first->GetOriginAnchor().Position << ")"
+       << (number == 1 ? "" : ", ...");
+  lines.push_back(line.str());
+}
+
+}  // namespace
+
+std::vector<std::string> FindLoadWarnings(CConfigurationDocument& document,
+                                          const SSimulationContext& context) {
+  TLines lines;
+  TConfigurationNode& root = document.GetRoot();
+  CheckRootTag(root, lines);
+  for (const char* const section : {"physics_engines", "media", "arena"}) {
+    if (NodeExists(root, section)) {
+      CheckIds(GetNode(root, section), lines);
+    }
+  }
+  if (NodeExists(root, "controllers")) {
+    CheckControllers(GetNode(root, "controllers"), lines);
+  }
+  CheckPlaces(context, lines);
+  const TLines unread = document.DescribeUnread();
+  lines.insert(lines.end(), unread.begin(), unread.end());
+  return lines;
+}
+
+void PrintWarnings(const std::vector<std::string>& lines) {
+  const size_t printed = std::min(lines.size(), kMostWarnings);
+  for (size_t i = 0; i < printed; ++i) {
+    LOGERR << "[WARNING] " << lines[i] << std::endl;
+  }
+  if (printed < lines.size()) {
+    LOGERR << "[WARNING] ... and " << lines.size() - printed << " warnings more" << std::endl;
+  }
+}
+
+}  // namespace argos

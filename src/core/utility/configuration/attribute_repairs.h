@@ -1,0 +1,56 @@
+#ifndef ARGOS3_CORE_UTILITY_CONFIGURATION_ATTRIBUTE_REPAIRS_H
+#define ARGOS3_CORE_UTILITY_CONFIGURATION_ATTRIBUTE_REPAIRS_H
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace argos {
+
+class CConfigurationStore;
+struct SConfigurationRecord;
+
+/**
+ * Finds further errors of an element: during its lifetime, an attribute that a reader has refused
+ * can be replaced by a value of its type, so that reading the element again gets to the next error.
+ *
+ * The destructor restores the attributes. At most one exists per thread.
+ */
+class CAttributeRepairs {
+ public:
+  CAttributeRepairs();
+  ~CAttributeRepairs();
+  CAttributeRepairs(const CAttributeRepairs&) = delete;
+  CAttributeRepairs& operator=(const CAttributeRepairs&) = delete;
+
+  /**
+   * Replaces the attribute that this thread has requested last, which may be missing.
+   * @return false if there is none, if it is a text, or if it was replaced before.
+   */
+  bool RepairLast();
+
+ private:
+  friend class CConfigurationNode;
+
+  struct SRequest {
+    std::weak_ptr<CConfigurationStore> Store;
+    SConfigurationRecord* Record = nullptr;
+    std::string Attribute;
+    const char* Sample = nullptr;  // a valid text of the requested type; null for strings
+  };
+  struct SRepaired {
+    SRequest Request;
+    bool WasThere;
+    std::string Text;
+  };
+
+  // for the element that requests an attribute
+  static void Note(SConfigurationRecord& record, const std::string& attribute, const char* sample);
+
+  SRequest m_last;
+  std::vector<SRepaired> m_repaired;
+};
+
+}  // namespace argos
+
+#endif

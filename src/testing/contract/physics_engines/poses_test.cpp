@@ -1,0 +1,99 @@
+// Poses from users' code: what is not a pose is an error in every engine.
+
+#include <argos3/testing/contract/physics_engines/drive_world.h>
+#include <argos3/testing/contract/physics_engines/engines.h>
+
+#include <argos3/core/simulator/loop_functions.h>
+#include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
+#include <argos3/plugins/simulator/entities/light_entity.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace argos {
+
+using Catch::Matchers::Contains;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+constexpr Real kNaN = std::numeric_limits<Real>::quiet_NaN();
+constexpr Real kInfinity = std::numeric_limits<Real>::infinity();
+
+struct SWrongPose {
+  CVector3 Position;
+  CQuaternion Orientation;
+  std::string Text;  // of the error
+};
+
+const std::vector<SWrongPose> kWrongPoses = {
+    {CVector3(), CQuaternion(0, 0, 0, 0), "a quaternion of length 1"},
+    {CVector3(), CQuaternion(2, 0, 0, 0), "a quaternion of length 1"},
+    {CVector3(), CQuaternion(0.5, 0, 0, 0.5), "a quaternion of length 1"},
+    {CVector3(), CQuaternion(kNaN, 0, 0, 0), "a quaternion of length 1"},
+    {CVector3(), CQuaternion(1, 0, 0, kInfinity), "a quaternion of length 1"},
+    {CVector3(kNaN, 0, 0), CQuaternion(), "the position must be"},
+    {CVector3(0, -kInfinity, 0), CQuaternion(), "the position must be"},
+    {CVector3(0, 0, 1e300), CQuaternion(), "the position must be"}};
+
+}  // namespace
+
+TEST_CASE("poses: moving a body to what is not a pose is an error, and leaves it where it is",
+          "[contract][engine]") {
+  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
+  CAPTURE(engine);
+  CDriveWorld world(engine.ToXml(), DriverXml("e-puck", "a", 1, 2, 0, 10, 10));
+  world.Step(2);
+  CLoopFunctions& functions = world.GetSimulator().GetLoopFunctions();
+  const CVector3 before = world.Position("a");
+  for (const SWrongPose& wrong : kWrongPoses) {
+    CAPTURE(wrong.Position, wrong.Orientation.GetW());
+    CHECK_THROWS_WITH(world.Body("a").MoveTo(wrong.Position, wrong.Orientation),
+                      Contains("\"a.body_0\"") && Contains(wrong.Text));
+    CHECK_THROWS_WITH(
+        functions.MoveEntity(world.Body("a"), wrong.Position, wrong.Orientation, true),
+        Contains(wrong.Text));
+    CHECK(world.Position("a") == before);
+  }
+  world.Step(2);
+  CHECK(std::isfinite(world.Position("a").Length()));
+}
+
+TEST_CASE("poses: a body that is made with what is not a pose is an error", "[contract][engine]") {
+  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
+  CAPTURE(engine);
+  CDriveWorld world(engine.ToXml(), DriverXml("e-puck", "a", 1, 2, 0, 10, 10));
+  const CSimulator::CScope scope(world.GetSimulator());
+  for (const SWrongPose& wrong : kWrongPoses) {
+    CHECK_THROWS_WITH(CEPuckEntity("b", "driver", wrong.Position, wrong.Orientation),
+                      Contains(wrong.Text));
+  }
+  CHECK(world.GetSpace().GetRootEntityVector().size() == 1);
+}
+
+TEST_CASE("poses: an orientation of few digits is scaled to length 1", "[contract][engine]") {
+  const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
+  CAPTURE(engine);
+  CDriveWorld world(engine.ToXml(), DriverXml("e-puck", "a", 1, 2, 0, 0, 0));
+  REQUIRE(world.Body("a").MoveTo(CVector3(2, 2, 0), CQuaternion(0.707, 0, 0, 0.707)));
+  // bodies of some engines have an angle of single precision
+  CHECK_THAT(world.Body("a").GetOriginAnchor().Orientation.Length(), WithinAbs(1.0, 1e-7));
+}
+
+TEST_CASE("poses: a place without a body must be a pose, too", "[contract][engine]") {
+  CTestWorld world(SExperiment{
+      .Engines = kDynamics2D.ToXml(),
+      .Media = "<led id='leds'/>",
+      .Arena = "<light id='l' position='0,0,1' color='red' intensity='1' medium='leds'/>"});
+  auto& light = world.Get<CLightEntity>("l");
+  CLoopFunctions& functions = world.GetSimulator().GetLoopFunctions();
+  for (const SWrongPose& wrong : kWrongPoses) {
+    CHECK_THROWS_WITH(functions.MoveEntity(light, wrong.Position, wrong.Orientation),
+                      Contains("\"l\"") && Contains(wrong.Text));
+  }
+  CHECK(light.GetPosition() == CVector3(0, 0, 1));
+}
+
+}  // namespace argos
