@@ -3,6 +3,7 @@
 #include <argos3/core/utility/configuration/configuration_error.h>
 #include <argos3/core/utility/configuration/configuration_path.h>
 #include <argos3/core/utility/configuration/configuration_store.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <sys/stat.h>
 
@@ -111,7 +112,7 @@ void CConfigurationDocument::LoadFile(const std::string& path) {
                                                                    << "\": it is a directory");
   }
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
+  CTextOutput text;
   if (file) {
     text << file.rdbuf();
   }

@@ -16,6 +16,10 @@ namespace {
 
 constexpr int kDeepestNesting = 32;
 
+// a table that is in several places is written several times: without a limit, a small graph of
+// tables could fill the memory
+constexpr std::size_t kMostBytes = std::size_t{16} << 20;
+
 // slots of Lua's stack for each level of nesting: the ordered keys, a key, its value, and those
 // that a test for a type needs
 constexpr int kStackPerLevel = kOrderedKeysStack + 4;
@@ -127,6 +131,10 @@ void AppendTable(lua_State* state, int index, CByteArray& data, int depth) {
     if (IsSerializable(state, -2) && IsSerializable(state, -1)) {
       AppendValue(state, keys + 1, data, depth);
       AppendValue(state, keys + 2, data, depth);
+    }
+    if (data.Size() > kMostBytes) {
+      THROW_ARGOSEXCEPTION("a table to be sent may take " << kMostBytes
+                                                          << " bytes; does it share parts?");
     }
     lua_settop(state, keys);
   }

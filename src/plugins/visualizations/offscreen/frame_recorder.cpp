@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/view_drawing.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/drawing_to_scene.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <sstream>
 
@@ -22,7 +23,7 @@ CFrameRecorder::CFrameRecorder(const SRecordingSettings& settings, const CCamera
 }
 
 void CFrameRecorder::Announce() const {
-  std::ostringstream text;
+  CTextOutput text;
   text << m_settings.Announcement << "drawing frames of " << m_settings.Render.Width << "x"
        << m_settings.Render.Height << " pixels, one every ";
   if (m_settings.Every == 1) {

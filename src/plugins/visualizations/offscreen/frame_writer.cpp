@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/frame_writer.h>
 
 #include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <FreeImage.h>
 
@@ -134,7 +135,7 @@ void CFrameWriter::CheckDirectory() {
 }
 
 std::string CFrameWriter::MakeFileName(std::uint32_t tick) const {
-  std::ostringstream name;
+  CTextOutput name;
   name << m_settings.Directory << '/' << m_settings.BaseName << std::setfill('0')
        << std::setw(kTickDigits) << tick << '.' << m_settings.Format;
   return name.str();
