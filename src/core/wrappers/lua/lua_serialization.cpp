@@ -153,9 +153,9 @@ void TakeString(lua_State* state, CByteArray& data) {
   if (length > data.Size()) {
     THROW_ARGOSEXCEPTION("a string of " << length << " bytes in " << data.Size());
   }
-  lua_pushlstring(state, reinterpret_cast<const char*>(data.ToCArray()), length);
-  CByteArray rest(data.ToCArray() + length, data.Size() - length);
-  data.Swap(rest);
+  luaL_Buffer text;
+  data.FetchBuffer(reinterpret_cast<UInt8*>(luaL_buffinitsize(state, &text, length)), length);
+  luaL_pushresultsize(&text, length);
 }
 
 /** Pushes the value whose tag was read; false for END. */
