@@ -32,6 +32,11 @@ if(ARGOS_SANITIZE)
   target_link_options(argos_options INTERFACE -fsanitize=${ARGOS_SANITIZE})
 endif()
 
+if(ARGOS_FUZZ)
+  # counts which branches an input reaches
+  target_compile_options(argos_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
 # No program references a symbol of a plug-in that only registers itself; a linker that drops unreferenced libraries by
 # default (Ubuntu) would leave it out.
 if(NOT APPLE)

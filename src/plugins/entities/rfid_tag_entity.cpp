@@ -6,6 +6,7 @@
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/core/utility/string_utilities.h>
 #include <argos3/plugins/simulator/entities/read_medium.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
 
@@ -44,7 +45,7 @@ CByteArray ReadData(TConfigurationNode& tree) {
   }
   std::vector<SInt32> numbers(1 + std::count(text.begin(), text.end(), ','));
   try {
-    std::istringstream stream(text);
+    CTextInput stream(text);
     SetStrictParsing(stream, true);
     ParseValues<SInt32>(stream, static_cast<UInt32>(numbers.size()), numbers.data(), ',');
     const auto [least, greatest] = std::minmax_element(numbers.begin(), numbers.end());

@@ -2,6 +2,7 @@
 
 #include <argos3/core/utility/string_utilities.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +37,7 @@ void SIndexChoice::Read(TConfigurationNode& medium, bool withDummy) {
   std::string text;
   GetNodeAttribute(medium, "grid_size", text);
   try {
-    std::istringstream stream(text);
+    CTextInput stream(text);
     SetStrictParsing(stream, true);
     ParseValues<SInt32>(stream, 3, GridSize, ',');
     if (*std::min_element(GridSize, GridSize + 3) < 1) {

@@ -1,5 +1,7 @@
 #include <argos3/core/simulator/geometry/region_geometry.h>
 
+#include <argos3/core/utility/text/classic_locale.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -119,7 +121,7 @@ std::optional<SCrossing> FindCrossing(const TPolygon& polygon) {
 }
 
 std::string ListCorners(const TPolygon& polygon) {
-  std::ostringstream text;
+  CTextOutput text;
   for (size_t i = 0; i < polygon.size(); ++i) {
     text << (i > 0 ? ", (" : "(") << polygon[i] << ')';
   }

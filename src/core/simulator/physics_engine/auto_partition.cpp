@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/context/load_errors.h>
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +52,7 @@ std::vector<Real> ComputeEdges(Real centre, Real size, UInt32 cells, Real beyond
 }
 
 std::string ToPoint(Real x, Real y) {
-  std::ostringstream text;
+  CTextOutput text;
   text.precision(17);
   text << x << ',' << y;
   return text.str();

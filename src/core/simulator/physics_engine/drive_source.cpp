@@ -1,13 +1,14 @@
 #include <argos3/core/simulator/physics_engine/drive_source.h>
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <sstream>
 
 namespace argos {
 
 std::string CDriveSource::Describe() const {
-  std::ostringstream text;
+  CTextOutput text;
   if (HasWheels()) {
     text << "left = " << GetWheels()[0] << " m/s, right = " << GetWheels()[1] << " m/s";
   } else {

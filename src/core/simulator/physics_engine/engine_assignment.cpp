@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/geometry/region_geometry.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
 #include <sstream>
@@ -20,7 +21,7 @@ std::string DescribeNearest(const CPhysicsEngine::TVector& engines, const CVecto
         return a->GetVolume().ComputeDistance(position) < b->GetVolume().ComputeDistance(position);
       });
   const SVolume& region = nearest->GetVolume();
-  std::ostringstream text;
+  CTextOutput text;
   text << (engines.size() > 1 ? "; the nearest is that of \"" + nearest->GetId() + "\"," : ",")
        << " " << region.ComputeDistance(position) << " m away";
   const TPolygon corners = region.GetCorners();

@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/context/load_errors.h>
 #include <argos3/core/simulator/geometry/region_geometry.h>
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +45,7 @@ SSpan IntersectHeights(const CPhysicsEngine& a, const CPhysicsEngine& b) {
 }
 
 std::string DescribeHeights(const SSpan& span) {
-  std::ostringstream text;
+  CTextOutput text;
   if (span.High - span.Low <= kSamePlane) {
     text << "at z = " << span.Low << " m";
   } else if (std::isinf(span.Low) && std::isinf(span.High)) {
@@ -70,7 +71,7 @@ void CheckPair(const CPhysicsEngine& a, const CPhysicsEngine& b) {
   }
   const TPolygon mine = a.GetVolume().GetCorners();
   const TPolygon other = b.GetVolume().GetCorners();
-  std::ostringstream what;
+  CTextOutput what;
   if (mine.empty() && other.empty()) {
     what << "everything " << DescribeHeights(heights);
   } else {
@@ -91,7 +92,7 @@ void CheckPair(const CPhysicsEngine& a, const CPhysicsEngine& b) {
 std::string DescribeMiss(const SVerticalFace& face, const CPhysicsEngine& from,
                          const CPhysicsEngine& to) {
   const TPolygon corners = to.GetVolume().GetCorners();
-  std::ostringstream text;
+  CTextOutput text;
   if (!IntersectHeights(from, to).IsShared) {
     const auto [low, high] = to.GetHeightSpan();
     text << "which is " << DescribeHeights({low, high, true});
@@ -114,7 +115,7 @@ std::string DescribeMiss(const SVerticalFace& face, const CPhysicsEngine& from,
 std::string DescribeMiss(const SHorizontalFace& face, const CPhysicsEngine& from,
                          const CPhysicsEngine& to) {
   const auto [low, high] = to.GetHeightSpan();
-  std::ostringstream text;
+  CTextOutput text;
   if (face.Height < low - kSamePlane || face.Height > high + kSamePlane) {
     text << "which is " << DescribeHeights({low, high, true});
     return text.str();

@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/entity/positional_entity.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
 #include <array>
@@ -269,7 +270,7 @@ void CDistribution::WriteIntoTemplate(const std::string& id, const CVector3& pos
 }
 
 void CDistribution::GiveUp(const std::string& id, UInt64 trials) const {
-  std::ostringstream message;
+  CTextOutput message;
   message << "no free place for \"" << id << "\" after " << trials
           << (trials == 1 ? " trial" : " trials") << "; positions are " << m_positions->Describe()
           << "; the last one, (" << m_lastPosition << "), is taken by \"" << m_lastObstacle

@@ -1,6 +1,7 @@
 #include <argos3/core/simulator/placement/vector_generator.h>
 
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <cmath>
 #include <sstream>
@@ -10,7 +11,7 @@ namespace argos {
 namespace {
 
 std::string Text(const CVector3& vector) {
-  std::ostringstream text;
+  CTextOutput text;
   text << "(" << vector << ")";
   return text.str();
 }

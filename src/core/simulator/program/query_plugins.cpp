@@ -14,6 +14,7 @@
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/process_wide.h>
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <map>
 #include <mutex>
@@ -105,7 +106,7 @@ void PrintKindsOf(std::ostream& stream, const std::string& label, const std::vec
 void PrintMatches(std::ostream& stream, const std::string& query, const std::vector<SKind>& kinds) {
   std::vector<std::string> names;
   bool found = false;
-  std::ostringstream matches;
+  CTextOutput matches;
   for (const SKind& kind : kinds) {
     names.push_back(kind.Word);
     for (const SPluginText& plugin : kind.Plugins) {
@@ -140,7 +141,7 @@ CPluginKind::CPluginKind(const std::string& word, const std::string& of, const s
 
 std::string DescribePlugins(const std::string& query) {
   const std::vector<SKind> kinds = ListAll();
-  std::ostringstream stream;
+  CTextOutput stream;
   bool isKind = false;
   for (const SKind& kind : kinds) {
     if (query == "all" || query == kind.Word) {

@@ -11,6 +11,7 @@
 #include <argos3/core/simulator/tick/tick_times.h>
 #include <argos3/core/utility/logging/log_order.h>
 #include <argos3/core/utility/threads/thread_pool.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
 #include <chrono>
@@ -48,7 +49,7 @@ void ForRobots(const std::vector<CControllableEntity*>& robots, size_t begin, si
   size_t current = begin;
   CRandom::COwner::CScope randomOwner(nullptr, tick);
   const auto fail = [&](std::exception* error) {
-    std::ostringstream message;
+    CTextOutput message;
     message << "robot \"" << robots[current]->GetRootEntity().GetId() << "\": " << phase
             << " threw in tick " << tick;
     throw CARGoSException(message.str(), error);

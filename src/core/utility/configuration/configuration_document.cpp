@@ -5,6 +5,7 @@
 #include <argos3/core/utility/configuration/configuration_store.h>
 #include <argos3/core/utility/files/file_replacement.h>
 #include <argos3/core/utility/files/input_file.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <sstream>
 

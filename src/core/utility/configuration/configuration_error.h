@@ -3,6 +3,7 @@
 
 #include <argos3/core/utility/errors/argos_exception.h>
 
+#include <locale>
 #include <sstream>
 #include <string>
 
@@ -22,6 +23,7 @@ class CConfigurationError : public CARGoSException {
 #define THROW_CONFIGURATION_ERROR(message)                    \
   {                                                           \
     std::ostringstream configurationErrorText_;               \
+    configurationErrorText_.imbue(std::locale::classic());    \
     configurationErrorText_ << message;                       \
     throw CConfigurationError(configurationErrorText_.str()); \
   }

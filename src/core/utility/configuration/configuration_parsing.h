@@ -17,6 +17,7 @@
 
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <istream>
 #include <limits>
@@ -220,7 +221,7 @@ std::string FormatText(const T& value) {
   if constexpr (std::is_same_v<T, float> || std::is_same_v<T, double>) {
     return FormatReal(value);
   } else {
-    std::ostringstream stream;
+    CTextOutput stream;
     stream.precision(std::numeric_limits<Real>::max_digits10);
     stream << std::boolalpha << value;
     return stream.str();

@@ -1,5 +1,6 @@
 #include <argos3/core/utility/datatypes/color.h>
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <array>
 #include <cctype>
@@ -76,7 +77,7 @@ void CColor::Set(const std::string& color) {
   const bool isList = color.find(',') != std::string::npos;
   std::array<UInt8, 4> channels{};
   try {
-    std::istringstream stream(color);
+    CTextInput stream(color);
     SetStrictParsing(stream, true);
     ParseValues<UInt8>(stream, 4, channels.data(), ',');
   } catch (CARGoSException&) {

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <exception>
 #include <iostream>
+#include <locale>
 #include <sstream>
 #include <string>
 
@@ -41,11 +42,12 @@ class CARGoSException : public std::exception {
  * Throws a CARGoSException whose message is a stream expression: THROW_ARGOSEXCEPTION("a" << b).
  * A brace block, so that it works after "else" and with or without a semicolon.
  */
-#define THROW_ARGOSEXCEPTION(message)                 \
-  {                                                   \
-    std::ostringstream argosExceptionText_;           \
-    argosExceptionText_ << message;                   \
-    throw CARGoSException(argosExceptionText_.str()); \
+#define THROW_ARGOSEXCEPTION(message)                  \
+  {                                                    \
+    std::ostringstream argosExceptionText_;            \
+    argosExceptionText_.imbue(std::locale::classic()); \
+    argosExceptionText_ << message;                    \
+    throw CARGoSException(argosExceptionText_.str());  \
   }
 
 /**
@@ -55,6 +57,7 @@ class CARGoSException : public std::exception {
 #define THROW_ARGOSEXCEPTION_NESTED(message, nested)           \
   {                                                            \
     std::ostringstream argosExceptionText_;                    \
+    argosExceptionText_.imbue(std::locale::classic());         \
     argosExceptionText_ << message;                            \
     throw CARGoSException(argosExceptionText_.str(), &nested); \
   }

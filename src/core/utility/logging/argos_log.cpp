@@ -1,6 +1,7 @@
 #include <argos3/core/utility/logging/argos_log.h>
 
 #include <argos3/core/utility/files/output_file.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
 #include <atomic>
@@ -66,6 +67,8 @@ struct CARGoSLog::SThreadBuffer {
   std::ostream Stream{&Appender};
   std::vector<SSegment> Segments;
 
+  SThreadBuffer() { Stream.imbue(std::locale::classic()); }
+
   // moves the contents out of the buffer
   void MoveTo(std::vector<std::string>& texts, std::vector<SPiece>& pieces) {
     const std::lock_guard<std::recursive_mutex> lock(Mutex);
@@ -122,7 +125,7 @@ CARGoSLog::SState::SThreadTable::~SThreadTable() {
 
 CARGoSLog::CARGoSLog(std::ostream& stream, const SLogColor& color, bool colored)
     : m_stream(stream), m_color(color), m_colored(colored), m_state(std::make_unique<SState>()) {
-  std::ostringstream prefix;
+  CTextOutput prefix;
   prefix << m_color;
   m_state->Prefix = prefix.str();
 }
@@ -328,6 +331,7 @@ CARGoSLog LOGERR(std::cerr, SLogColor(ARGOS_LOG_ATTRIBUTE_BRIGHT, ARGOS_LOG_COLO
 std::size_t DEBUG_INDENTATION = 0;
 
 void DebugPrint(const char* format, ...) {
+  const CClassicLocale locale;
   std::fprintf(stderr, "%*s", static_cast<int>(DEBUG_INDENTATION), "");
   va_list arguments;
   va_start(arguments, format);

@@ -4,6 +4,7 @@
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <cctype>
 #include <cmath>
@@ -261,7 +262,7 @@ std::istream& operator>>(std::istream& is, CRange<T>& range) {
 
   T min = T();
   T max = T();
-  std::istringstream minStream(minText);
+  CTextInput minStream(minText);
   if (!math_detail::ReadRangeBound(minStream, min) || !(minStream >> std::ws).eof()) {
     math_detail::RejectRange(is, start, "the minimum is not valid");
   }

@@ -8,6 +8,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -59,13 +60,15 @@ TAddresses Resolve(const char* host, SInt32 port, int flags, int family) {
 
 CTCPSocket::CTCPSocket(CTCPSocket&& other) noexcept
     : m_descriptor(std::exchange(other.m_descriptor, -1)),
-      m_address(std::exchange(other.m_address, std::string())) {}
+      m_address(std::exchange(other.m_address, std::string())),
+      m_maxMessageSize(other.m_maxMessageSize) {}
 
 CTCPSocket& CTCPSocket::operator=(CTCPSocket&& other) noexcept {
   if (this != &other) {
     Disconnect();
     m_descriptor = std::exchange(other.m_descriptor, -1);
     m_address = std::exchange(other.m_address, std::string());
+    m_maxMessageSize = other.m_maxMessageSize;
   }
   return *this;
 }
@@ -116,10 +119,10 @@ void CTCPSocket::Connect(const std::string& host, SInt32 port) {
                                                           << std::strerror(reason));
 }
 
-void CTCPSocket::Listen(SInt32 port, SInt32 queueLength) {
+void CTCPSocket::Listen(SInt32 port, SInt32 queueLength, const std::string& address) {
   CheckPort(port, 0);
   Disconnect();
-  const TAddresses addresses = Resolve(nullptr, port, AI_PASSIVE, AF_INET);
+  const TAddresses addresses = Resolve(address.c_str(), port, AI_PASSIVE, AF_UNSPEC);
   const int descriptor =
       socket(addresses->ai_family, addresses->ai_socktype | SOCK_CLOEXEC, addresses->ai_protocol);
   int reason = errno;
@@ -136,8 +139,8 @@ void CTCPSocket::Listen(SInt32 port, SInt32 queueLength) {
     reason = errno;
     close(descriptor);
   }
-  THROW_ARGOSEXCEPTION("TCP socket: cannot listen on port " << port << ": "
-                                                            << std::strerror(reason));
+  THROW_ARGOSEXCEPTION("TCP socket: cannot listen on \"" << address << "\", port " << port << ": "
+                                                         << std::strerror(reason));
 }
 
 void CTCPSocket::Accept(CTCPSocket& socket) {
@@ -237,9 +240,12 @@ void CTCPSocket::ReceiveBuffer(UInt8* buffer, std::size_t size) {
 }
 
 void CTCPSocket::SendByteArray(const CByteArray& array) {
-  if (array.Size() > std::numeric_limits<UInt32>::max()) {
-    THROW_ARGOSEXCEPTION("TCP socket: cannot send " << array.Size() << " bytes at once, expected at"
-                                                    << " most 4294967295");
+  const std::size_t most =
+      std::min<std::size_t>(m_maxMessageSize, std::numeric_limits<UInt32>::max());
+  if (array.Size() > most) {
+    THROW_ARGOSEXCEPTION("TCP socket: cannot send " << array.Size()
+                                                    << " bytes at once, expected at most " << most
+                                                    << "; see SetMaxMessageSize()");
   }
   CByteArray length;
   length << static_cast<UInt32>(array.Size());
@@ -250,8 +256,16 @@ void CTCPSocket::SendByteArray(const CByteArray& array) {
 void CTCPSocket::ReceiveByteArray(CByteArray& array) {
   CByteArray length(sizeof(UInt32));
   ReceiveBuffer(length.ToCArray(), length.Size());
+  const auto size = length.PopFront<UInt32>();
+  if (size > m_maxMessageSize) {
+    Disconnect();
+    THROW_ARGOSEXCEPTION("TCP socket: cannot receive a message of "
+                         << size << " bytes, expected at most " << m_maxMessageSize
+                         << "; is the other side no CTCPSocket? If it is, see "
+                         << "SetMaxMessageSize()");
+  }
   array.Clear();
-  array.Resize(length.PopFront<UInt32>());
+  array.Resize(size);
   ReceiveBuffer(array.ToCArray(), array.Size());
 }
 

@@ -43,11 +43,13 @@ class CTCPSocket {
   void Connect(const std::string& host, SInt32 port);
 
   /**
-   * Opens a port on all interfaces.
+   * Opens a port.
    * @param port         0: any free port, see GetPort().
    * @param queueLength  maximum number of connections that wait for Accept().
+   * @param address      of the interface: by default, only programs on this machine can connect;
+   * "0.0.0.0" is all IPv4 interfaces, and "::" all of both kinds.
    */
-  void Listen(SInt32 port, SInt32 queueLength = 10);
+  void Listen(SInt32 port, SInt32 queueLength = 10, const std::string& address = "127.0.0.1");
 
   /** Waits for a connection. @param socket  set to the connection; closed before. */
   void Accept(CTCPSocket& socket);
@@ -74,6 +76,13 @@ class CTCPSocket {
   void SendBuffer(const UInt8* buffer, std::size_t size);
   void ReceiveBuffer(UInt8* buffer, std::size_t size);
 
+  /**
+   * Bytes that one byte array or text may have; 64 MiB by default. The length comes from the peer:
+   * a longer one disconnects, and throws, before memory is allocated.
+   */
+  void SetMaxMessageSize(std::size_t bytes) { m_maxMessageSize = bytes; }
+  std::size_t GetMaxMessageSize() const { return m_maxMessageSize; }
+
   /** A 32-bit unsigned length in network byte order, then the bytes. */
   void SendByteArray(const CByteArray& array);
   void ReceiveByteArray(CByteArray& array);
@@ -87,6 +96,7 @@ class CTCPSocket {
 
   SInt32 m_descriptor = -1;
   std::string m_address;
+  std::size_t m_maxMessageSize = std::size_t{64} << 20;
 };
 
 }  // namespace argos

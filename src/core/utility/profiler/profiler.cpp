@@ -1,6 +1,7 @@
 #include <argos3/core/utility/profiler/profiler.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <sys/resource.h>
 
@@ -86,7 +87,7 @@ Real CProfiler::GetWallTime() const {
 /****************************************/
 
 std::string CProfiler::FormatReport() const {
-  std::ostringstream text;
+  CTextOutput text;
   text << std::fixed << std::setprecision(6);
   text << "wall time (s)                 " << GetWallTime() << '\n'
        << "user time (s)                 " << m_usage.UserTime << '\n'
@@ -113,7 +114,7 @@ std::string CProfiler::FormatReport() const {
 }
 
 std::string CProfiler::FormatTable(bool withHeader) const {
-  std::ostringstream text;
+  CTextOutput text;
   if (withHeader) {
     text << "wall_s\tuser_s\tsystem_s\tpeak_memory_kib\tminor_faults\tmajor_faults\t"
          << "voluntary_switches\tinvoluntary_switches";

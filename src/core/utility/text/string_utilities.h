@@ -3,6 +3,7 @@
 
 #include <argos3/core/config.h>  // checks the language level
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <cstdint>
 #include <istream>
@@ -18,7 +19,7 @@ namespace argos {
 /** Prints a value through its operator<<; booleans as "true" and "false". */
 template <typename T>
 std::string ToString(const T& value) {
-  std::ostringstream stream;
+  CTextOutput stream;
   stream << std::boolalpha << value;
   return stream.str();
 }
@@ -30,7 +31,7 @@ std::string ToString(const T& value) {
 template <typename T>
 T FromString(const std::string& value) {
   T result = T();
-  std::istringstream stream(value);
+  CTextInput stream(value);
   stream >> std::boolalpha >> result;
   return result;
 }
@@ -104,7 +105,7 @@ void ParseStrictField(const std::string& field, std::uint32_t index, T& value) {
       ThrowBadValue(field, index);
     }
   } else {
-    std::istringstream fieldStream(field);
+    CTextInput fieldStream(field);
     SetStrictParsing(fieldStream, true);
     fieldStream >> value;
     if (fieldStream.fail() || !(fieldStream.clear(), fieldStream >> std::ws).eof()) {
@@ -141,7 +142,7 @@ void ParseValues(std::istream& in, std::uint32_t n, T* buffer, const char delimi
       }
       detail::ParseStrictField(field, i, buffer[i]);
     } else {
-      std::istringstream fieldStream(field);
+      CTextInput fieldStream(field);
       T value = T();
       fieldStream >> value;
       buffer[i] = value;
@@ -154,7 +155,7 @@ void ParseValues(std::istream& in, std::uint32_t n, T* buffer, const char delimi
 template <typename T>
 void ParseValues(const std::string& in, const std::uint32_t n, T* buffer,
                  const char delimiter = '\n') {
-  std::istringstream stream(in);
+  CTextInput stream(in);
   ParseValues<T>(stream, n, buffer, delimiter);
 }
 

@@ -41,8 +41,7 @@ CLuaController::~CLuaController() = default;
 void CLuaController::Init(TConfigurationNode& params) {
   m_params = params;
   GetNodeAttributeOrDefault(params, "script", m_scriptName, std::string());
-  GetNodeAttributeOrDefault(params, "max_instructions", m_maxInstructions,
-                            CLuaState::kDefaultMaxInstructions);
+  m_limits = SLuaLimits::Read(params, {});
   m_endRunOnError = ReadsEndRun(params);
   Load();
 }
@@ -62,8 +61,8 @@ void CLuaController::Load() {
   }
   const char* running = "its top level";
   try {
-    m_script = SLuaScript::Load(m_scriptName, m_params.GetFileName());
-    m_state = std::make_unique<CLuaState>(m_maxInstructions);
+    m_script = SLuaScript::Load(m_scriptName, m_params.GetFileName(), m_limits.IsUnsafe);
+    m_state = std::make_unique<CLuaState>(m_limits);
     m_state->Run([this](lua_State* state) { FillRobotTable(state); });
     Seed(kStart);
     m_state->Execute(*m_script);
@@ -246,7 +245,8 @@ REQUIRED XML
 
 OPTIONAL XML
 
-  <params script="wander.lua" on_error="end_run" max_instructions="1000000" speed="12" />
+  <params script="wander.lua" on_error="end_run" max_instructions="1000000" max_memory="16"
+          unsafe="true" speed="12" />
 
   on_error          "stop_robot" (the default): a script that fails in step() or reset() is not called any
                     more, the robot keeps its last commands, and the run goes on. "end_run": the run
@@ -254,6 +254,11 @@ OPTIONAL XML
   max_instructions  whole number, default 100000000: how many instructions of Lua's virtual machine the
                     script may execute in one call before it is interrupted with an error. 0: no
                     limit, which makes scripts faster.
+  max_memory        whole number from 0 to 1048576, MiB, default 64: how much memory the script may use
+                    before it is interrupted with an error. 0: no limit.
+  unsafe            true or false, the default: whether the script may load libraries and bytecode, use all
+                    of Lua's library "debug", and define finalizers (__gc). Wrong use of these crashes
+                    the program.
   any other         a string in robot.params: robot.params.speed is "12".
 )",
     "Usable")

@@ -3,6 +3,7 @@
 
 #include <argos3/core/control_interface/ci_controller.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/wrappers/lua/lua_limits.h>
 #include <argos3/core/wrappers/lua/lua_random.h>
 
 #include <memory>
@@ -28,7 +29,7 @@ class CLuaController : public CCI_Controller {
 
   /**
    * Reads `script` (a file; without it the robot does nothing), `on_error` (stop_robot: a script
-   * that fails is stopped, and the run goes on; end_run) and `max_instructions` (0 = no limit);
+   * that fails is stopped, and the run goes on; end_run) and the limits of SLuaLimits;
    * every attribute is a string in robot.params. Runs the script and its init().
    * @throws CARGoSException if there is no such script, or if it fails: with file, line, traceback.
    */
@@ -67,7 +68,7 @@ class CLuaController : public CCI_Controller {
   std::optional<CLuaRandom> m_random;
   std::vector<CCI_Sensor*> m_sensors;
   std::string m_scriptName;
-  UInt64 m_maxInstructions = 0;
+  SLuaLimits m_limits;
   bool m_endRunOnError = false;
   std::string m_error;
 };

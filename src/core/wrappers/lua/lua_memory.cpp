@@ -2,44 +2,66 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <new>
+#include <utility>
 
 namespace argos {
 
-void* CLuaMemory::Reallocate(void* memory, void* block, std::size_t oldSize, std::size_t newSize) {
-  auto& self = *static_cast<CLuaMemory*>(memory);
+CLuaMemory::CLuaMemory(std::size_t limit)
+    : m_limit(limit > 0 ? limit : std::numeric_limits<std::size_t>::max()) {}
+
+void* CLuaMemory::Reallocate(void* block, std::size_t oldSize, std::size_t newSize) {
   if (block == nullptr) {
     // oldSize then holds the type of the object
-    return newSize > 0 ? self.Allocate(newSize) : nullptr;
+    return newSize > 0 ? Allocate(newSize) : nullptr;
   }
   if (newSize == 0) {
-    self.Free(block, oldSize);
+    Free(block, oldSize);
     return nullptr;
   }
   if (oldSize <= kLargestSmall && newSize <= kLargestSmall &&
       ClassOf(oldSize) == ClassOf(newSize)) {
     return block;
   }
-  void* const moved = self.Allocate(newSize);
+  // the two blocks exist side by side for a moment only, which does not count
+  const std::size_t returned = oldSize > kLargestSmall ? oldSize : 0;
+  m_used -= returned;
+  void* const moved = Allocate(newSize);
+  m_used += returned;
   if (moved != nullptr) {
     std::memcpy(moved, block, std::min(oldSize, newSize));
-    self.Free(block, oldSize);
+    Free(block, oldSize);
   }
   return moved;
 }
 
+std::size_t CLuaMemory::TakeWork() {
+  return std::exchange(m_work, 0);
+}
+
 void* CLuaMemory::Allocate(std::size_t size) {
-  return size > kLargestSmall ? ::operator new(size, std::nothrow) : AllocateSmall(ClassOf(size));
+  return size > kLargestSmall ? AllocateLarge(size) : AllocateSmall(ClassOf(size));
 }
 
 void CLuaMemory::Free(void* block, std::size_t size) {
   if (size > kLargestSmall) {
     ::operator delete(block);
+    m_used -= size;
     return;
   }
   SFree*& first = m_free[ClassOf(size)];
   first = std::construct_at(static_cast<SFree*>(block), SFree{first});
+}
+
+void* CLuaMemory::AllocateLarge(std::size_t size) {
+  void* const block = Fits(size) ? ::operator new(size, std::nothrow) : nullptr;
+  if (block != nullptr) {
+    m_used += size;
+    m_work += size;
+  }
+  return block;
 }
 
 void* CLuaMemory::AllocateSmall(std::size_t sizeClass) {
@@ -49,13 +71,17 @@ void* CLuaMemory::AllocateSmall(std::size_t sizeClass) {
   }
   const std::size_t size = (sizeClass + 1) * kGrain;
   if (size > m_left) {
+    if (!Fits(kChunkSize)) {
+      return nullptr;
+    }
     try {
       m_chunks.push_back(std::make_unique_for_overwrite<std::byte[]>(kChunkSize));
     } catch (const std::bad_alloc&) {
-      return nullptr;  // Lua collects its garbage, tries again, and raises an error
+      return nullptr;
     }
     m_next = m_chunks.back().get();
     m_left = kChunkSize;
+    m_used += kChunkSize;
   }
   void* const block = m_next;
   m_next += size;

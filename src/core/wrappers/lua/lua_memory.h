@@ -15,15 +15,29 @@ namespace argos {
  * A robot's state has about a thousand small objects that live as long as it does. On the common
  * heap each of them would have a header, and objects that are read together would be scattered. A
  * freed block is reused for others of its size; the destructor releases all memory.
+ *
+ * What is taken from the heap is counted and limited: chunks and large blocks. So a small block
+ * costs no count. Freed small blocks still count, because their chunk remains.
  */
 class CLuaMemory {
  public:
-  CLuaMemory() = default;
+  /** @param limit  bytes from the heap; 0 = no limit. */
+  explicit CLuaMemory(std::size_t limit = 0);
   CLuaMemory(const CLuaMemory&) = delete;
   CLuaMemory& operator=(const CLuaMemory&) = delete;
 
-  /** A lua_Alloc; @p memory is a CLuaMemory. */
-  static void* Reallocate(void* memory, void* block, std::size_t oldSize, std::size_t newSize);
+  /**
+   * As lua_Alloc.
+   * @return null if the limit or the heap is exhausted; Lua collects its garbage, tries again, and
+   * raises an error. A smaller block than before is never refused because of the limit.
+   */
+  void* Reallocate(void* block, std::size_t oldSize, std::size_t newSize);
+
+  std::size_t GetLimit() const { return m_limit; }
+  /** Bytes that are taken from the heap at the moment. */
+  std::size_t GetUsed() const { return m_used; }
+  /** Bytes in large blocks allocated since the last call; they cost time. */
+  std::size_t TakeWork();
 
  private:
   // sizes are rounded up to multiples of this, the alignment that Lua requires
@@ -40,11 +54,17 @@ class CLuaMemory {
   void* Allocate(std::size_t size);
   void Free(void* block, std::size_t size);
   void* AllocateSmall(std::size_t sizeClass);
+  void* AllocateLarge(std::size_t size);
+  /** True if the limit has room for more bytes. */
+  bool Fits(std::size_t size) const { return size <= m_limit && m_used <= m_limit - size; }
 
   std::array<SFree*, kLargestSmall / kGrain> m_free = {};  // by class
   std::vector<std::unique_ptr<std::byte[]>> m_chunks;
   std::byte* m_next = nullptr;  // unused part of the last chunk
   std::size_t m_left = 0;  // its size, bytes
+  std::size_t m_limit;
+  std::size_t m_used = 0;
+  std::size_t m_work = 0;
 };
 
 }  // namespace argos

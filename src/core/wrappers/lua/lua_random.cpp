@@ -27,6 +27,18 @@ void CheckOrder(T min, T max) {
   }
 }
 
+void CheckFinite(const char* name, Real value) {
+  if (!std::isfinite(value)) {
+    THROW_ARGOSEXCEPTION(name << " must be a finite number, got " << value);
+  }
+}
+
+void CheckNotNegative(const char* name, Real value) {
+  if (!(value >= 0.0) || !std::isfinite(value)) {
+    THROW_ARGOSEXCEPTION(name << " must be a finite number, 0 or more, got " << value);
+  }
+}
+
 }  // namespace
 
 void CLuaRandom::Register(lua_State* state, const std::string& path) {
@@ -58,7 +70,7 @@ bool CLuaRandom::Bernoulli(CLuaArguments& arguments) {
   const Real probability = arguments.HasNext() ? arguments.Next<Real>() : 0.5;
   arguments.Finish();
   if (!(probability >= 0.0 && probability <= 1.0)) {
-    THROW_ARGOSEXCEPTION("a probability must be in [0,1], got " << probability);
+    THROW_ARGOSEXCEPTION("argument 1, a probability, must be in [0,1], got " << probability);
   }
   return GetGenerator().Bernoulli(probability);
 }
@@ -74,7 +86,10 @@ Real CLuaRandom::Uniform(CLuaArguments& arguments) {
     }
   }
   arguments.Finish();
+  CheckFinite("the minimum", min);
+  CheckFinite("the maximum", max);
   CheckOrder(min, max);
+  CheckFinite("the distance from the minimum to the maximum", max - min);
   return min + GetGenerator().Uniform(CRange<Real>(0.0, 1.0)) * (max - min);
 }
 
@@ -95,6 +110,7 @@ Real CLuaRandom::UniformInt(CLuaArguments& arguments) {
 }
 
 Real CLuaRandom::Exponential(Real mean) {
+  CheckNotNegative("argument 1, the mean,", mean);
   return GetGenerator().Exponential(mean);
 }
 
@@ -106,6 +122,8 @@ Real CLuaRandom::Gaussian(CLuaArguments& arguments) {
   const Real deviation = arguments.Next<Real>();
   const Real mean = arguments.HasNext() ? arguments.Next<Real>() : 0.0;
   arguments.Finish();
+  CheckNotNegative("argument 1, the standard deviation,", deviation);
+  CheckFinite("argument 2, the mean,", mean);
   return GetGenerator().Gaussian(deviation, mean);
 }
 

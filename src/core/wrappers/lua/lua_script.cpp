@@ -2,6 +2,7 @@
 
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/files/input_file.h>
+#include <argos3/core/utility/text/classic_locale.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
 
 #include <filesystem>
@@ -95,7 +96,13 @@ int AppendBytes(lua_State*, const void* bytes, std::size_t size, void* bytecode)
   return 0;
 }
 
-std::string Compile(const std::string& text, const std::string& path) {
+std::string Compile(const std::string& text, const std::string& path, bool allowBytecode) {
+  if (!allowBytecode && text.rfind(LUA_SIGNATURE, 0) == 0) {
+    THROW_ARGOSEXCEPTION("the Lua script \""
+                         << path << "\" is precompiled, and wrong bytecode crashes the program; "
+                         << "use the source, or set unsafe=\"true\" in <params>");
+  }
+  const CClassicLocale locale;
   const std::unique_ptr<lua_State, SStateCloser> state(luaL_newstate());
   if (state == nullptr) {
     THROW_ARGOSEXCEPTION("not enough memory to compile the Lua script \"" << path << '"');
@@ -114,10 +121,11 @@ std::string Compile(const std::string& text, const std::string& path) {
 }  // namespace
 
 std::shared_ptr<const SLuaScript> SLuaScript::Load(const std::string& name,
-                                                   const std::string& experimentFile) {
+                                                   const std::string& experimentFile,
+                                                   bool allowBytecode) {
   const std::string path = Find(name, experimentFile);
   // the path as the user wrote it is part of the bytecode, for messages
-  const std::string key = path + '\n' + Absolute(path);
+  const std::string key = path + '\n' + Absolute(path) + (allowBytecode ? "\nb" : "");
   std::error_code ignored;
   const SVersion version{fs::last_write_time(path, ignored), fs::file_size(path, ignored)};
 
@@ -131,7 +139,7 @@ std::shared_ptr<const SLuaScript> SLuaScript::Load(const std::string& name,
   }
   const std::string folder = fs::path(path).parent_path().string();
   auto script = std::make_shared<const SLuaScript>(
-      SLuaScript{path, folder.empty() ? "." : folder, Compile(Read(path), path)});
+      SLuaScript{path, folder.empty() ? "." : folder, Compile(Read(path), path, allowBytecode)});
   for (auto entry = cache.begin(); entry != cache.end();) {
     entry = entry->second.Script.expired() ? cache.erase(entry) : std::next(entry);
   }

@@ -18,11 +18,13 @@ struct SLuaScript {
    * @param name            relative names start at the working directory or, if there is no such
    *                        file, at the folder of the experiment file.
    * @param experimentFile  may be empty.
+   * @param allowBytecode   the file may be precompiled, as by luac; wrong bytecode crashes Lua.
    * @throws CARGoSException if there is no such file, with the places that were searched, or if it
    * has a syntax error, with Lua's message.
    */
   static std::shared_ptr<const SLuaScript> Load(const std::string& name,
-                                                const std::string& experimentFile);
+                                                const std::string& experimentFile,
+                                                bool allowBytecode = false);
 };
 
 }  // namespace argos

@@ -16,6 +16,10 @@ namespace {
 
 constexpr int kDeepestNesting = 32;
 
+// a table that is in several places is written several times: without a limit, a small graph of
+// tables could fill the memory
+constexpr std::size_t kMostBytes = std::size_t{16} << 20;
+
 // slots of Lua's stack for each level of nesting: the ordered keys, a key, its value, and those
 // that a test for a type needs
 constexpr int kStackPerLevel = kOrderedKeysStack + 4;
@@ -128,6 +132,10 @@ void AppendTable(lua_State* state, int index, CByteArray& data, int depth) {
       AppendValue(state, keys + 1, data, depth);
       AppendValue(state, keys + 2, data, depth);
     }
+    if (data.Size() > kMostBytes) {
+      THROW_ARGOSEXCEPTION("a table to be sent may take " << kMostBytes
+                                                          << " bytes; does it share parts?");
+    }
     lua_settop(state, keys);
   }
   lua_settop(state, keys - 1);
@@ -145,9 +153,9 @@ void TakeString(lua_State* state, CByteArray& data) {
   if (length > data.Size()) {
     THROW_ARGOSEXCEPTION("a string of " << length << " bytes in " << data.Size());
   }
-  lua_pushlstring(state, reinterpret_cast<const char*>(data.ToCArray()), length);
-  CByteArray rest(data.ToCArray() + length, data.Size() - length);
-  data.Swap(rest);
+  luaL_Buffer text;
+  data.FetchBuffer(reinterpret_cast<UInt8*>(luaL_buffinitsize(state, &text, length)), length);
+  luaL_pushresultsize(&text, length);
 }
 
 /** Pushes the value whose tag was read; false for END. */

@@ -1,10 +1,14 @@
 #include <argos3/core/wrappers/lua/lua_state.h>
 
-#include <argos3/core/wrappers/lua/lua_keys.h>
+#include <argos3/core/utility/text/classic_locale.h>
+#include <argos3/core/wrappers/lua/lua_sandbox.h>
 #include <argos3/core/wrappers/lua/lua_script.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <string_view>
 
@@ -13,7 +17,10 @@ namespace argos {
 namespace {
 
 // instructions between two checks of the limit
-constexpr UInt64 kPeriod = 1000;
+constexpr UInt64 kPeriod = CLuaSandbox::kInstructionsOfCoroutine;
+
+// copying so much memory takes about as long as an instruction
+constexpr UInt64 kBytesPerInstruction = 64;
 
 /** Called for an error outside Run(), which none of our code raises. */
 int Panic(lua_State* state) {
@@ -37,75 +44,8 @@ int AddTraceback(lua_State* state) {
   return 1;
 }
 
-bool HasOnlyNumbers(lua_State* state, int table) {
-  for (lua_pushnil(state); lua_next(state, table) != 0; lua_pop(state, 1)) {
-    if (lua_type(state, -2) != LUA_TNUMBER) {
-      lua_pop(state, 2);
-      return false;
-    }
-  }
-  return true;
-}
-
-/** The iterator that pairs() returns: the next key of a list, and its value in the table. */
-int NextOrdered(lua_State* state) {
-  // upvalues: the keys, and the number of those returned so far
-  auto place = lua_tointeger(state, lua_upvalueindex(2));
-  lua_settop(state, 1);
-  while (true) {
-    lua_settop(state, 1);
-    if (lua_rawgeti(state, lua_upvalueindex(1), ++place) == LUA_TNIL) {
-      return 1;
-    }
-    lua_pushvalue(state, -1);
-    // skip keys that the loop itself has removed
-    if (lua_rawget(state, 1) != LUA_TNIL) {
-      lua_pushinteger(state, place);
-      lua_replace(state, lua_upvalueindex(2));
-      return 2;
-    }
-  }
-}
-
-/** pairs(); its upvalue is next(). */
-int Pairs(lua_State* state) {
-  luaL_checkany(state, 1);
-  if (luaL_getmetafield(state, 1, "__pairs") != LUA_TNIL) {
-    lua_pushvalue(state, 1);
-    lua_call(state, 1, 3);
-    return 3;
-  }
-  lua_settop(state, 1);
-  // for numbers, Lua's own order depends only on the history of the table
-  if (!lua_istable(state, 1) || HasOnlyNumbers(state, 1)) {
-    lua_pushvalue(state, lua_upvalueindex(1));
-    lua_pushvalue(state, 1);
-    return 2;
-  }
-  PushOrderedKeys(state, 1);
-  lua_pushinteger(state, 0);
-  lua_pushcclosure(state, NextOrdered, 2);
-  lua_pushvalue(state, 1);
-  return 2;
-}
-
 int FinishXpcall(lua_State* state, int, lua_KContext) {
   return lua_gettop(state);
-}
-
-/** Replaces a global function; the original becomes an upvalue of the replacement. */
-void Wrap(lua_State* state, const char* name, const char* original, lua_CFunction wrapper) {
-  lua_getglobal(state, original);
-  lua_pushcclosure(state, wrapper, 1);
-  lua_setglobal(state, name);
-}
-
-void SetUp(lua_State* state, lua_CFunction xpcall) {
-  luaL_openlibs(state);
-  Wrap(state, "pairs", "next", Pairs);
-  Wrap(state, "xpcall", "xpcall", xpcall);
-  CLuaUtility::RegisterLoggerWrapper(state);
-  CLuaUtility::RegisterTypes(state);
 }
 
 }  // namespace
@@ -116,9 +56,9 @@ struct CLuaState::SCall {
   std::exception_ptr Exception;
 };
 
-CLuaState::CLuaState(UInt64 maxInstructions)
-    : m_state(lua_newstate(&CLuaMemory::Reallocate, &m_memory)),
-      m_maxInstructions(maxInstructions) {
+CLuaState::CLuaState(const SLuaLimits& limits)
+    : m_limits(limits), m_memory(static_cast<std::size_t>(limits.MaxMemory)) {
+  m_state = lua_newstate(&CLuaState::Reallocate, this);
   if (m_state == nullptr) {
     THROW_ARGOSEXCEPTION("not enough memory for a Lua state");
   }
@@ -126,14 +66,25 @@ CLuaState::CLuaState(UInt64 maxInstructions)
   lua_setwarnf(m_state, Warn, this);
   // coroutines inherit the extra space and the hook
   *static_cast<CLuaState**>(lua_getextraspace(m_state)) = this;
-  SetHook(m_state, static_cast<int>(std::min(kPeriod, m_maxInstructions)));
+  SetUsualHook();
   try {
-    Run([](lua_State* state) { SetUp(state, Xpcall); });
+    Run([this](lua_State* state) {
+      luaL_openlibs(state);
+      CLuaUtility::RegisterLoggerWrapper(state);
+      CLuaUtility::RegisterTypes(state);
+      lua_getglobal(state, "xpcall");
+      lua_pushcclosure(state, Xpcall, 1);
+      lua_setglobal(state, "xpcall");
+      CLuaSandbox::Install(state, m_limits);
+    });
   } catch (...) {
     lua_close(m_state);
     throw;
   }
 }
+
+CLuaState::CLuaState(UInt64 maxInstructions)
+    : CLuaState(SLuaLimits{.MaxInstructions = maxInstructions}) {}
 
 CLuaState::~CLuaState() {
   lua_close(m_state);
@@ -180,10 +131,14 @@ std::size_t CLuaState::GetMemory() const {
 }
 
 void CLuaState::RunBody(TCall call, const void* body) {
-  m_instructionsLeft = m_maxInstructions;
+  // an embedding program may have set a locale with a decimal comma
+  const CClassicLocale locale;
+  m_instructionsLeft = m_limits.MaxInstructions;
+  m_textLeft = m_memory.GetLimit();
+  m_refusal.Size = 0;
   if (m_wasInterrupted) {
     m_wasInterrupted = false;
-    SetHook(m_state, static_cast<int>(std::min(kPeriod, m_maxInstructions)));
+    SetUsualHook();
   }
   SCall callAndBody{call, body, nullptr};
   lua_settop(m_state, 0);
@@ -199,6 +154,12 @@ void CLuaState::RunBody(TCall call, const void* body) {
   lua_settop(m_state, 0);
   if (callAndBody.Exception != nullptr) {
     std::rethrow_exception(callAndBody.Exception);
+  }
+  if (status == LUA_ERRMEM) {
+    message = DescribeRefusal();
+  } else if (m_refusal.Size > 0 && message.find("not enough memory") != std::string::npos) {
+    // the script has passed the error on
+    message = DescribeRefusal() + '\n' + message;
   }
   if (status != LUA_OK) {
     throw CLuaError(message);
@@ -217,10 +178,53 @@ int CLuaState::CallBody(lua_State* state) {
   return 0;
 }
 
+void* CLuaState::Reallocate(void* self, void* block, std::size_t oldSize, std::size_t newSize) {
+  auto& state = *static_cast<CLuaState*>(self);
+  void* const result = state.m_memory.Reallocate(block, oldSize, newSize);
+  if (result == nullptr && newSize > 0) {
+    state.NoteRefusal(newSize);
+  }
+  return result;
+}
+
+// Lua's error for lack of memory is a text without a place: a message would need memory
+void CLuaState::NoteRefusal(std::size_t size) {
+  m_refusal.Size = size;
+  m_refusal.Line = 0;
+  lua_Debug activation;
+  for (int level = 0; m_state != nullptr && lua_getstack(m_state, level, &activation) != 0;
+       ++level) {
+    lua_getinfo(m_state, "Sl", &activation);
+    if (activation.currentline > 0) {
+      m_refusal.Line = activation.currentline;
+      std::snprintf(m_refusal.Source.data(), m_refusal.Source.size(), "%s", activation.short_src);
+      return;
+    }
+  }
+}
+
+std::string CLuaState::DescribeRefusal() const {
+  std::string text = m_refusal.Line > 0 ? fmt::format("{}:{}: not enough memory",
+                                                      m_refusal.Source.data(), m_refusal.Line)
+                                        : std::string("not enough memory");
+  if (m_limits.MaxMemory == 0) {
+    return text;
+  }
+  return text +
+         fmt::format(
+             ": the limit is {} MiB, of which {} bytes are taken, and {} bytes more were needed; "
+             "does a table grow for ever? If not, raise \"max_memory\" in <params>",
+             m_limits.MaxMemory / SLuaLimits::kMebi, m_memory.GetUsed(), m_refusal.Size);
+}
+
 void CLuaState::SetHook(lua_State* state, int period) {
-  if (m_maxInstructions > 0) {
+  if (m_limits.MaxInstructions > 0) {
     lua_sethook(state, CountInstructions, LUA_MASKCOUNT, period);
   }
+}
+
+void CLuaState::SetUsualHook() {
+  SetHook(m_state, static_cast<int>(std::min(kPeriod, m_limits.MaxInstructions)));
 }
 
 CLuaState& CLuaState::Of(lua_State* state) {
@@ -271,21 +275,48 @@ int CLuaState::Xpcall(lua_State* state) {
 
 void CLuaState::CountInstructions(lua_State* state, lua_Debug*) {
   CLuaState& self = Of(state);
-  if (self.m_instructionsLeft > kPeriod) {
-    self.m_instructionsLeft -= kPeriod;
+  self.CountWork(state, kPeriod + self.m_memory.TakeWork() / kBytesPerInstruction);
+}
+
+void CLuaState::CountWork(lua_State* state, UInt64 instructions) {
+  if (m_limits.MaxInstructions == 0) {
     return;
   }
+  if (m_instructionsLeft > instructions) {
+    m_instructionsLeft -= instructions;
+    return;
+  }
+  Interrupt(state);
+}
+
+void CLuaState::Interrupt(lua_State* state) {
   // a script that catches this error is interrupted again at its next instruction
-  self.m_instructionsLeft = 0;
-  self.m_wasInterrupted = true;
-  self.SetHook(state, 1);
+  m_instructionsLeft = 0;
+  m_wasInterrupted = true;
+  SetHook(state, 1);
+  SetHook(m_state, 1);
   luaL_where(state, 0);
+  if (lua_rawlen(state, -1) == 0) {
+    // a C function
+    lua_pop(state, 1);
+    luaL_where(state, 1);
+  }
   lua_pushfstring(state,
                   "interrupted after %I instructions; is there an endless loop? If not, raise "
                   "\"max_instructions\" in <params>",
-                  static_cast<LUAI_UACINT>(self.m_maxInstructions));
+                  static_cast<LUAI_UACINT>(m_limits.MaxInstructions));
   lua_concat(state, 2);
   lua_error(state);
+}
+
+void CLuaState::CountText(lua_State* state, std::size_t bytes) {
+  if (bytes > m_textLeft) {
+    luaL_error(state,
+               "one call has logged more text than the %I MiB of its limit of memory; raise "
+               "\"max_memory\" in <params>",
+               static_cast<LUAI_UACINT>(m_limits.MaxMemory / SLuaLimits::kMebi));
+  }
+  m_textLeft -= bytes;
 }
 
 }  // namespace argos

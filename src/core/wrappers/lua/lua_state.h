@@ -3,8 +3,11 @@
 
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/wrappers/lua/lua_limits.h>
 #include <argos3/core/wrappers/lua/lua_memory.h>
 
+#include <array>
+#include <cstddef>
 #include <string>
 
 struct lua_Debug;
@@ -26,21 +29,21 @@ class CLuaError : public CARGoSException {
 };
 
 /**
- * A Lua state with all standard libraries, log(), logerr() and the vector types.
+ * A Lua state with the standard libraries, log(), logerr() and the vector types.
  *
  * So that runs can be repeated, pairs() visits numbers and strings in a fixed order, and the owner
- * of the state seeds math.random() with SeedMath().
+ * of the state seeds math.random() with SeedMath(). lua_sandbox.h lists what scripts cannot do.
  */
 class CLuaState {
  public:
-  static constexpr UInt64 kDefaultMaxInstructions = 100000000;
-
   /**
-   * @param maxInstructions  instructions of the virtual machine that one Run() may execute before
-   * an error interrupts it; 0 = no limit, which makes scripts faster.
+   * A script that exceeds a limit is interrupted with an error; MaxInstructions are those of one
+   * Run().
    * @throws CARGoSException if there is not enough memory.
    */
-  explicit CLuaState(UInt64 maxInstructions = kDefaultMaxInstructions);
+  explicit CLuaState(const SLuaLimits& limits = {});
+  /** With the usual limits, but for that of instructions. */
+  explicit CLuaState(UInt64 maxInstructions);
   ~CLuaState();
   CLuaState(const CLuaState&) = delete;
   CLuaState& operator=(const CLuaState&) = delete;
@@ -69,8 +72,22 @@ class CLuaState {
     RunBody([](const void* b, lua_State* state) { (*static_cast<const BODY*>(b))(state); }, &body);
   }
 
-  /** Bytes that the state occupies. */
+  /** Bytes of the objects of the state, without those that are free for reuse. */
   std::size_t GetMemory() const;
+
+  /** The object that a Lua state, or a coroutine of it, belongs to. */
+  static CLuaState& Of(lua_State* state);
+  /** Bytes that the limit of memory allows; the largest number if there is none. */
+  std::size_t GetLargestBlock() const { return m_memory.GetLimit(); }
+
+  // For library functions; the first two raise Lua errors.
+
+  /** Counts work that no instruction stands for. */
+  void CountWork(lua_State* state, UInt64 instructions);
+  /** Counts bytes that a call writes into the log, which occupy memory until the tick ends. */
+  void CountText(lua_State* state, std::size_t bytes);
+  /** True if the limit of instructions has interrupted this Run(). */
+  bool WasInterrupted() const { return m_wasInterrupted; }
 
  private:
   using TCall = void (*)(const void* body, lua_State* state);
@@ -78,18 +95,31 @@ class CLuaState {
 
   void RunBody(TCall call, const void* body);
   static int CallBody(lua_State* state);
-  /** The object that a Lua state, or a coroutine of it, belongs to. */
-  static CLuaState& Of(lua_State* state);
+  static void* Reallocate(void* self, void* block, std::size_t oldSize, std::size_t newSize);
   static void Warn(void* self, const char* message, int toBeContinued);
   static int HandleError(lua_State* state);
   static int Xpcall(lua_State* state);
   static void CountInstructions(lua_State* state, lua_Debug* activation);
   void SetHook(lua_State* state, int period);
+  void SetUsualHook();
+  /** Raises the error of the limit of instructions. */
+  void Interrupt(lua_State* state);
+  void NoteRefusal(std::size_t size);
+  std::string DescribeRefusal() const;
 
+  /** The last block that was refused in the current Run(). */
+  struct SRefusal {
+    std::size_t Size = 0;  // bytes; 0 = none
+    int Line = 0;
+    std::array<char, 64> Source = {};  // file of that line
+  };
+
+  SLuaLimits m_limits;
   CLuaMemory m_memory;  // of the state
-  lua_State* m_state;
-  UInt64 m_maxInstructions;
+  lua_State* m_state = nullptr;
   UInt64 m_instructionsLeft = 0;  // of the current Run()
+  std::size_t m_textLeft = 0;  // the same, bytes
+  SRefusal m_refusal;
   bool m_wasInterrupted = false;
   bool m_isWarning = false;  // the script has switched warn() on
   std::string m_warning;  // parts of the current warning so far

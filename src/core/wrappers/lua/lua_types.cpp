@@ -289,7 +289,12 @@ int Subtract(lua_State* state) {
 
 template <typename VALUE>
 int Negate(lua_State* state) {
-  CLuaType<VALUE>::Push(state, -*CLuaType<VALUE>::Test(state, 1));
+  const VALUE* const vector = CLuaType<VALUE>::Test(state, 1);
+  if (vector == nullptr) {
+    return luaL_error(state, "%s:__unm takes a %s, got %s", STraits<VALUE>::kName,
+                      STraits<VALUE>::kName, GetLuaTypeName(state, 1));
+  }
+  CLuaType<VALUE>::Push(state, -*vector);
   return 1;
 }
 

@@ -8,8 +8,9 @@
 #include <argos3/core/wrappers/lua/lua_types.h>
 #include <argos3/core/wrappers/lua/lua_value.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <string_view>
 
@@ -31,8 +32,8 @@ void AppendForLog(lua_State* state, luaL_Buffer& buffer, int index) {
     case LUA_TNUMBER: {
       // as a C++ stream prints it
       char text[32];
-      std::snprintf(text, sizeof text, "%.6g", lua_tonumber(state, index));
-      luaL_addstring(&buffer, text);
+      const auto end = fmt::format_to_n(text, sizeof text, "{:.6g}", lua_tonumber(state, index));
+      luaL_addlstring(&buffer, text, end.size);
       break;
     }
     case LUA_TBOOLEAN:

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/loop_functions/lua/lua_loop_functions.h>
 
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/core/wrappers/lua/lua_limits.h>
 #include <argos3/core/wrappers/lua/lua_script.h>
 #include <argos3/core/wrappers/lua/lua_state.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
@@ -13,6 +14,9 @@ namespace {
 // as for the scripts of robots, ticks draw the same numbers after init() as after reset()
 constexpr const char* kStart = "start";
 constexpr const char* kSteps = "steps";
+
+// there is one script for all robots, whose data it may collect
+constexpr UInt64 kDefaultMaxMemory = 1024 * SLuaLimits::kMebi;
 
 constexpr const char* kHooks[] = {"init",
                                   "reset",
@@ -77,14 +81,14 @@ void CLuaLoopFunctions::Init(TConfigurationNode& tree) {
 
 void CLuaLoopFunctions::Load() {
   std::string name;
-  UInt64 maxInstructions = 0;
   GetNodeAttribute(m_params, "script", name);
-  GetNodeAttributeOrDefault(m_params, "max_instructions", maxInstructions,
-                            CLuaState::kDefaultMaxInstructions);
+  SLuaLimits defaults;
+  defaults.MaxMemory = kDefaultMaxMemory;
+  const SLuaLimits limits = SLuaLimits::Read(m_params, defaults);
   m_state.reset();
-  m_script = SLuaScript::Load(name, m_params.GetFileName());
+  m_script = SLuaScript::Load(name, m_params.GetFileName(), limits.IsUnsafe);
   m_simulation = std::make_unique<CLuaSimulation>(*this);
-  m_state = std::make_unique<CLuaState>(maxInstructions);
+  m_state = std::make_unique<CLuaState>(limits);
   m_hasFailed = false;
   try {
     m_state->Run([this](lua_State* state) { m_simulation->Register(state, m_params); });
@@ -250,11 +254,16 @@ REQUIRED XML
 
 OPTIONAL XML
 
-  <params script="foraging.lua" max_instructions="0" items="20" />
+  <params script="foraging.lua" max_instructions="0" max_memory="2048" unsafe="false" items="20" />
 
   max_instructions  whole number, default 100000000: how many instructions of Lua's virtual machine the
                     script may execute in one call before it is interrupted with an error. 0: no
                     limit, which makes scripts faster.
+  max_memory        whole number from 0 to 1048576, MiB, default 1024: how much memory the script may use
+                    before it is interrupted with an error. 0: no limit.
+  unsafe            true or false, the default: whether the script may load libraries and bytecode, use all
+                    of Lua's library "debug", and define finalizers (__gc). Wrong use of these crashes
+                    the program.
   any other         a string in simulation.params: simulation.params.items is "20".
 )",
     "Usable")

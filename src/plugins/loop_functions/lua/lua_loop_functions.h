@@ -25,7 +25,7 @@ class CLuaLoopFunctions : public CLoopFunctions {
   ~CLuaLoopFunctions() override;
 
   /**
-   * Reads `<params>`: `script` and `max_instructions`; every attribute is a string in
+   * Reads `<params>`: `script` and the limits of SLuaLimits; every attribute is a string in
    * simulation.params. Runs the script and its init().
    * @throws CARGoSException with file, line and traceback, as all hooks do, if the script fails.
    */

@@ -9,6 +9,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/hull_geom.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/prism_geom.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
 #include <cmath>
@@ -323,7 +324,7 @@ std::string FindFlawOfDrive(const SBodyDescription& description) {
   const Real reach = std::min(
       {box.MaxCorner.GetX(), -box.MinCorner.GetX(), box.MaxCorner.GetY(), -box.MinCorner.GetY()});
   if (!(reach > caster)) {
-    std::ostringstream flaw;
+    CTextOutput flaw;
     flaw << "its solids must reach more than " << caster
          << " m to all four sides, where its casters are";
     return flaw.str();

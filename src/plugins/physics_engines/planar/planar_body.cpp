@@ -7,6 +7,7 @@
 #include <argos3/core/utility/configuration/value_range.h>
 #include <argos3/core/utility/spatial/planar_grid.h>
 #include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
 #include <cmath>
@@ -175,7 +176,7 @@ std::string ExplainPlanarRefusal(CEntity& entity, Real elevation) {
     return "is two-dimensional, but a <" + entity.GetTypeDescription() +
            "> with joints moves in space: add an engine for jointed bodies, such as <dynamics3d>";
   }
-  std::ostringstream reason;
+  CTextOutput reason;
   const Real z = body->GetOriginAnchor().Position.GetZ();
   reason << "has its plane at z = " << elevation << " m, but the base of the body is at z = " << z
          << " m: put the body there, or set elevation=\"" << z << "\" of an engine";

@@ -6,6 +6,7 @@
 #include <argos3/core/utility/files/lock_file.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/drawing_to_scene.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <sstream>
 
@@ -26,7 +27,7 @@ CFrameRecorder::CFrameRecorder(const SRecordingSettings& settings, const CCamera
 CFrameRecorder::~CFrameRecorder() = default;
 
 void CFrameRecorder::Announce() const {
-  std::ostringstream text;
+  CTextOutput text;
   text << m_settings.Announcement << "drawing frames of " << m_settings.Render.Width << "x"
        << m_settings.Render.Height << " pixels, one every ";
   if (m_settings.Every == 1) {

@@ -4,6 +4,7 @@
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/files/file_replacement.h>
 #include <argos3/core/utility/files/lock_file.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <FreeImage.h>
 
@@ -146,7 +147,7 @@ void CFrameWriter::CheckDirectory() {
 }
 
 std::string CFrameWriter::MakeFileName(std::uint32_t tick) const {
-  std::ostringstream name;
+  CTextOutput name;
   name << m_settings.Directory << '/' << m_settings.BaseName << std::setfill('0')
        << std::setw(kTickDigits) << tick << '.' << m_settings.Format;
   return name.str();

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/gl_context.h>
 
 #include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 // keeps the X11 headers, and their macros, out
 #define EGL_NO_X11
@@ -19,7 +20,7 @@ constexpr const char* kRemedy =
     "libgl1-mesa-dri), or build with -DARGOS_GL_CONTEXT=osmesa";
 
 [[noreturn]] void ThrowEglError(const char* what) {
-  std::ostringstream text;
+  CTextOutput text;
   text << what << " failed with EGL error 0x" << std::hex << eglGetError() << kRemedy;
   THROW_ARGOSEXCEPTION(text.str());
 }

@@ -3,6 +3,7 @@
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/mesh.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/shaders.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -67,7 +68,7 @@ std::string CRenderer::DescribeDriver() const {
     const GLubyte* value = m_gl.GetString(name);
     return value != nullptr ? reinterpret_cast<const char*>(value) : "unknown";
   };
-  std::ostringstream description;
+  CTextOutput description;
   description << m_context->GetKind() << ", " << text(GL_RENDERER) << ", OpenGL "
               << text(GL_VERSION);
   return description.str();

@@ -5,6 +5,7 @@
 #include <argos3/core/utility/configuration/configuration_error.h>
 #include <argos3/core/utility/configuration/configuration_iterator.h>
 #include <argos3/core/utility/configuration/configuration_node.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <sstream>
 #include <string>
@@ -91,7 +92,7 @@ class Document : public argos::CConfigurationDocument {
       throw Exception(GetName() + ": the document already has the root element <" +
                       GetRoot().Value() + ">");
     }
-    std::ostringstream text;
+    argos::CTextOutput text;
     text << root;
     Parse(text.str());
     return &GetRoot();

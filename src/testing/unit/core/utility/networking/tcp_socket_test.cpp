@@ -114,6 +114,43 @@ TEST_CASE("socket: moving transfers the connection", "[core][network]") {
   CHECK(message == "moved");
 }
 
+TEST_CASE("socket: a length of the peer beyond the limit allocates nothing", "[core][network]") {
+  SConnection connection;
+  CHECK(connection.Server.GetMaxMessageSize() == 64 * 1024 * 1024);
+  const UInt8 huge[] = {0xFF, 0xFF, 0xFF, 0xFF, 'G', 'E', 'T'};
+  connection.Client.SendBuffer(huge, sizeof huge);
+  CByteArray received;
+  CHECK_THROWS_WITH(connection.Server.ReceiveByteArray(received),
+                    Contains("cannot receive a message of 4294967295 bytes, expected at most "
+                             "67108864"));
+  CHECK_FALSE(connection.Server.IsConnected());
+  CHECK(received.Empty());
+}
+
+TEST_CASE("socket: the limit of a message can be set, for both directions", "[core][network]") {
+  SConnection connection;
+  connection.Client.SetMaxMessageSize(3);
+  CHECK_THROWS_WITH(connection.Client.SendMsg("four"), Contains("4 bytes at once"));
+  connection.Client.SendMsg("two");
+  std::string message;
+  connection.Server.RecvMsg(message);
+  CHECK(message == "two");
+  connection.Server.SendMsg("four");
+  CTCPSocket moved(std::move(connection.Client));
+  CHECK_THROWS_WITH(moved.RecvMsg(message), Contains("4 bytes, expected at most 3"));
+}
+
+TEST_CASE("socket: a port is open to this machine only unless an address is given",
+          "[core][network]") {
+  CTCPSocket listener;
+  listener.Listen(0);
+  CHECK(listener.GetAddress() == "127.0.0.1");
+  listener.Listen(0, 10, "0.0.0.0");
+  CHECK(listener.GetAddress() == "0.0.0.0");
+  CHECK_THROWS_WITH(listener.Listen(0, 10, "no.such.address.invalid"),
+                    Contains("cannot resolve \"no.such.address.invalid\""));
+}
+
 TEST_CASE("socket: failures are errors", "[core][network]") {
   CTCPSocket socket;
   UInt8 byte = 0;
