@@ -6,10 +6,10 @@
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/geometry/pose_check.h>
+#include <argos3/core/utility/text/classic_locale.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <algorithm>
-#include <sstream>
 
 namespace argos {
 
@@ -292,7 +292,7 @@ void CEmbodiedEntity::NotifyIndex() {
 // reached only if an engine computes such a pose: poses from elsewhere are checked
 void CEmbodiedEntity::ThrowNotFinite(const CVector3& position,
                                      const CQuaternion& orientation) const {
-  std::ostringstream text;
+  CTextOutput text;
   text << NameOfBody(*this) << ": its pose is not finite any more: position (" << position
        << "), orientation (w,x,y,z) = (" << orientation.GetW() << "," << orientation.GetX() << ","
        << orientation.GetY() << "," << orientation.GetZ() << ")";

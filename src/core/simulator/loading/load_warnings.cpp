@@ -7,10 +7,10 @@
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
 #include <map>
-#include <sstream>
 
 namespace argos {
 
@@ -102,7 +102,7 @@ void CheckPlaces(const SSimulationContext& context, TLines& lines) {
   if (first == nullptr) {
     return;
   }
-  std::ostringstream line;
+  CTextOutput line;
   line << number << (number == 1 ? " body is" : " bodies are") << " outside of the arena, from ("
        << context.Arena.Limits.GetMin() << ") to (" << context.Arena.Limits.GetMax() << "): \""
        << first->GetRootEntity().GetId() << "\" at (" << first->GetOriginAnchor().Position << ")"

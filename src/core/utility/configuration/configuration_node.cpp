@@ -7,12 +7,12 @@
 #include <argos3/core/utility/configuration/configuration_store.h>
 #include <argos3/core/utility/configuration/value_range.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <iterator>
-#include <sstream>
 #include <string_view>
 
 namespace argos {
@@ -201,7 +201,7 @@ void CConfigurationNode::ThrowIfHuge(const std::string& name, const char* text) 
     return;
   }
   if (HasHugeNumber(text) && !IsOfUser(*Record().Element)) {
-    std::ostringstream expected;
+    CTextOutput expected;
     expected << "real numbers from " << -kMostReal << " to " << kMostReal;
     ThrowUnparsable("attribute \"" + name + '"', text, expected.str(), "");
   }

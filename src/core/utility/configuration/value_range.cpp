@@ -1,8 +1,7 @@
 #include <argos3/core/utility/configuration/value_range.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
-
-#include <sstream>
+#include <argos3/core/utility/text/classic_locale.h>
 
 namespace argos {
 
@@ -13,7 +12,7 @@ in the plane up to 1e5 m from the origin.
 )";
 
 std::string ToText(const SValueRange& range) {
-  std::ostringstream text;
+  CTextOutput text;
   text << "a number from " << range.Min << " to " << range.Max;
   if (*range.Unit != '\0') {
     text << ' ' << range.Unit;

@@ -1,6 +1,7 @@
 #include <argos3/core/utility/files/lock_file.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/text/classic_locale.h>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -51,7 +52,7 @@ std::string DescribeLockHolder(int file) {
     return DescribeProcess(0);
   }
   // "1: FLOCK  ADVISORY  WRITE 708 00:2d:1234 0 EOF"; some file systems have devices of their own
-  std::ostringstream device;
+  CTextOutput device;
   device << std::hex << std::setfill('0') << std::setw(2) << major(information.st_dev) << ':'
          << std::setw(2) << minor(information.st_dev);
   long likely = 0;
