@@ -351,9 +351,9 @@ constexpr SReplacement kSafe[] = {{LUA_GNAME, "load", LoadText},
                                   {LUA_GNAME, "setmetatable", SetMetatable}};
 
 constexpr const char* kRefusedOfDebug[] = {
-    "debug", "getlocal",       "getmetatable", "getregistry",
-    "getupvalue",   "getuservalue", "setcstacklimit", "sethook",      "setlocal",
-    "setmetatable", "setupvalue",   "setuservalue",   "upvalueid",    "upvaluejoin"};
+    "debug",        "getlocal",       "getmetatable", "getregistry", "getupvalue",
+    "getuservalue", "setcstacklimit", "sethook",      "setlocal",    "setmetatable",
+    "setupvalue",   "setuservalue",   "upvalueid",    "upvaluejoin"};
 
 /** The library must be on top of the stack. */
 void Replace(lua_State* state, const char* name, const char* original, lua_CFunction function) {
