@@ -20,20 +20,18 @@ namespace argos {
 
 /** @throws CARGoSException unless @p value is > 0 and in kPositive. */
 inline Real RequirePositive(Real value, const std::string& owner, const std::string& what) {
-  if (!IsIn(kPositive, value)) {
-    THROW_ARGOSEXCEPTION(owner << ": " << what << " must be a number > 0, from " << kPositive.Min
-                               << " to " << kPositive.Max << ", got " << value);
+  if (!(value > 0.0)) {
+    THROW_ARGOSEXCEPTION(owner << ": " << what << " must be a number > 0, got " << value);
   }
-  return value;
+  return RequireIn(kPositive, value, owner, what);
 }
 
 /** @throws CARGoSException unless @p value is >= 0 and in kNotNegative. */
 inline Real RequireNotNegative(Real value, const std::string& owner, const std::string& what) {
-  if (!IsIn(kNotNegative, value)) {
-    THROW_ARGOSEXCEPTION(owner << ": " << what << " must be a number >= 0, at most "
-                               << kNotNegative.Max << ", got " << value);
+  if (!(value >= 0.0)) {
+    THROW_ARGOSEXCEPTION(owner << ": " << what << " must be a number >= 0, got " << value);
   }
-  return value;
+  return RequireIn(kNotNegative, value, owner, what);
 }
 
 /** @throws CARGoSException unless each component of @p vector is in the range. */

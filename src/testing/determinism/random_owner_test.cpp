@@ -164,6 +164,7 @@ TEST_CASE("random owners: the generators of removed robots and replaced controll
     REQUIRE(CountGenerators(world) == atStart + 2);
     RemoveDriver(world, id);
     REQUIRE(CountGenerators(world) == atStart);
+    const CSimulator::CScope scope(world.GetSimulator());
     world.Get<CToyRobotEntity>("r0").GetControllableEntity().SetController("c");
     REQUIRE(CountGenerators(world) == atStart - 1);
   }

@@ -208,9 +208,6 @@ SShapeDescription SShapeDescription::Hull(std::vector<CVector3> points, const CV
       high[axis] = std::max(high[axis], point[axis]);
     }
   }
-  for (UInt32 axis = 0; axis < 3; ++axis) {
-    RequirePositive(high[axis] - low[axis], "extent");
-  }
   const CVector3 base(0.5 * (low.GetX() + high.GetX()), 0.5 * (low.GetY() + high.GetY()),
                       low.GetZ());
   SShapeDescription shape;
@@ -222,6 +219,9 @@ SShapeDescription SShapeDescription::Hull(std::vector<CVector3> points, const CV
     shape.Radius = std::max(shape.Radius, HorizontalDistance(point));
   }
   shape.Solid = std::make_shared<const CConvexSolid>(points);
+  for (UInt32 axis = 0; axis < 3; ++axis) {
+    RequirePositive(shape.Size[axis], "extent");
+  }
   return shape;
 }
 

@@ -414,6 +414,10 @@ const char* CConfigurationNode::FindAttribute(const std::string& name) const {
       return attribute->Value();
     }
   }
+  std::vector<std::string>& missed = record.MissedNames;
+  if (std::find(missed.begin(), missed.end(), name) == missed.end()) {
+    missed.push_back(name);
+  }
   return nullptr;
 }
 

@@ -153,10 +153,11 @@ std::string DescribeElement(const SConfigurationRecord& record) {
 }
 
 std::string DescribeUnreadAttribute(const SConfigurationRecord& record, const std::string& name) {
+  const std::string hint = DidYouMean(name, UsedNames(record));
   // without a similar name the list of all of them does not help
-  const std::string near = NearestNames(name, UsedNames(record));
+  const bool hasSimilar = hint.rfind("; did", 0) == 0;
   return DescribeElement(record) + ": attribute \"" + name + "\" is not used by anything" +
-         (near.empty() ? "" : "; did you mean \"" + near + "\"?");
+         (hasSimilar ? hint : "");
 }
 
 std::string DescribeUnreadText(const SConfigurationRecord& record, const std::string& text) {

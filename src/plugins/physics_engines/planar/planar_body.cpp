@@ -25,11 +25,11 @@ constexpr Real kMaxExtent = 1e5;
 constexpr SValueRange kPlanarPositive = {1e-18, 1e18};
 
 void RequirePositive(const CEmbodiedEntity& body, const char* what, Real value) {
-  if (!IsIn(kPlanarPositive, value)) {
+  if (!(value > 0.0)) {
     THROW_ARGOSEXCEPTION("the " << what << " of \"" << body.GetRootEntity().GetId()
-                                << "\" must be a number > 0, from " << kPlanarPositive.Min << " to "
-                                << kPlanarPositive.Max << ", found " << value);
+                                << "\" must be a number > 0, found " << value);
   }
+  RequireIn(kPlanarPositive, value, '"' + body.GetRootEntity().GetId() + '"', what);
 }
 
 // the axis-aligned rectangle around a rotated solid, m, from the centre of its base
@@ -65,11 +65,12 @@ SPlanarArea ComputeExtents(const SShapeDescription& shape, const SPlanarPose& po
 
 void ReadNotNegative(TConfigurationNode& node, const std::string& attribute, Real& value) {
   GetNodeAttributeOrDefault(node, attribute, value, value);
-  if (!IsIn(kNotNegative, value)) {
+  if (!(value >= 0.0)) {
     THROW_ARGOSEXCEPTION(node.GetLocation() << ": <" << node.Value() << ">: \"" << attribute
-                                            << "\" must be a number >= 0, at most "
-                                            << kNotNegative.Max << ", found " << value);
+                                            << "\" must be a number >= 0, found " << value);
   }
+  RequireIn(kNotNegative, value, node.GetLocation() + ": <" + node.Value() + '>',
+            '"' + attribute + '"');
 }
 
 Real ReadElevation(TConfigurationNode& engine) {
@@ -144,7 +145,7 @@ void CheckPlanarBody(const CEmbodiedEntity& body) {
   if (!body.IsMovable()) {
     return;
   }
-  RequireIn(kMass, description.Mass, '"' + body.GetRootEntity().GetId() + '"', "its mass");
+  RequirePositive(body, "mass (kg)", description.Mass);
   if (description.PlanarInertia) {
     RequirePositive(body, "moment of inertia (kg m^2)", *description.PlanarInertia);
   }

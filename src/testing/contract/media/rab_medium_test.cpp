@@ -94,6 +94,7 @@ TEST_CASE("rab medium: a message reaches as far as the range of its sender", "[c
 TEST_CASE("rab medium: messages of another size are not received", "[contract][media]") {
   CRobotWorld world(WithRAB(EPuck("a", 0.0, 0.0, 2.0, 2) + EPuck("b", 0.5, 0.0, 2.0, 4) +
                             EPuck("c", 0.0, 0.5, 2.0, 2)));
+  CHECK_THAT(TakeLogErr(), Contains("differ in size"));
   world.Step();
   CHECK(HeardBy(world, "a") == TIds{"c"});
   CHECK(HeardBy(world, "b").empty());
