@@ -3,6 +3,10 @@
 #include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/core/utility/errors/exception_text.h>
+#include <argos3/core/utility/errors/running_code.h>
+#include <argos3/core/utility/errors/signal_safe_text.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <exception>
@@ -37,6 +41,20 @@ std::pair<SIMULATED*, std::unique_ptr<INTERFACE>> CreateDevice(TConfigurationNod
   return {simulated.release(), std::unique_ptr<INTERFACE>(interface)};
 }
 
+// calls a device's function while a robot is set up; what it throws gets the element if it is not a
+// std::exception, whose text usually has it
+template <typename CALL>
+void CallDevice(const TConfigurationNode& node, const char* kind, CALL&& call) {
+  try {
+    call();
+  } catch (const std::exception&) {
+    throw;
+  } catch (...) {
+    ThrowWithCause(node.GetLocation() + ": the " + kind + " <" + node.Value() +
+                   "> cannot be initialised");
+  }
+}
+
 // calls SetRobot() of a device
 template <typename SIMULATED>
 void AttachToRobot(SIMULATED& device, CComposableEntity& robot, const TConfigurationNode& node,
@@ -50,18 +68,6 @@ void AttachToRobot(SIMULATED& device, CComposableEntity& robot, const TConfigura
                                     << ": the " << kind << " <" << node.Value() << "> does not fit "
                                     << robot.GetTypeDescription() << " \"" << robot.GetId() << '"',
                                 error);
-  }
-}
-
-[[noreturn]] void ThrowFromDestroy(const std::string& id, const std::exception_ptr& failure) {
-  const std::string robot = "robot \"" + id + '"';
-  try {
-    std::rethrow_exception(failure);
-  } catch (std::exception& error) {
-    THROW_ARGOSEXCEPTION_NESTED(robot << ": Destroy() of its controller or a device threw", error);
-  } catch (...) {
-    THROW_ARGOSEXCEPTION(robot << ": Destroy() of its controller or a device threw an exception "
-                                  "that is not a std::exception");
   }
 }
 
@@ -101,6 +107,57 @@ void CControllableEntity::Init(TConfigurationNode& tree) {
   }
 }
 
+/****************************************/
+// errors of users' code
+/****************************************/
+
+void CControllableEntity::Describe(const void* robot, CSignalSafeText& text) {
+  const auto& self = *static_cast<const CControllableEntity*>(robot);
+  text.Append("robot \"").Append(self.GetRootEntity().GetId()).Append("\"");
+  if (self.m_setup != nullptr) {
+    text.Append(", controller \"").Append(self.m_setup->Id).Append("\"");
+  }
+}
+
+std::string CControllableEntity::DescribeForErrors() const {
+  return "robot \"" + GetRootEntity().GetId() + '"' +
+         (m_setup != nullptr ? ", controller \"" + m_setup->Id + '"' : std::string());
+}
+
+void CControllableEntity::Stop(bool byDevice, const std::string& context,
+                               const std::string& cause) {
+  m_isStopped = true;
+  m_haveDevicesFailed = m_haveDevicesFailed || byDevice;
+  m_context.RobotFailures.Note(GetRootEntity().GetId(), *m_context.Clock, context, cause);
+}
+
+// calls Reset() or Destroy() of the controller or of a device
+template <typename CALL>
+void CControllableEntity::CallUser(const char* call, CALL&& function) {
+  const CRunningCodeScope running({call, &CControllableEntity::Describe, this, nullptr});
+  try {
+    function();
+  } catch (...) {
+    const std::string context = DescribeForErrors() + ": " + call + " threw";
+    if (m_onError == EOnError::EndRun) {
+      ThrowWithCause(context);
+    }
+    Stop(false, context, DescribeCurrentException());
+  }
+}
+
+void CControllableEntity::UpdateDigest(CDigest& digest) const {
+  CEntity::UpdateDigest(digest);
+  if (m_isStopped) {
+    digest.Add(m_isStopped);
+    digest.Add(m_isQuarantined);
+  }
+}
+
+/****************************************/
+// start, reset, end
+/****************************************/
+
 void CControllableEntity::MarkStart() {
   CEntity::MarkStart();
   if (m_pcController != nullptr) {
@@ -123,17 +180,23 @@ void CControllableEntity::Reset() {
   CEntity::Reset();
   m_vecCheckedRays.clear();
   m_vecIntersectionPoints.clear();
+  m_isStopped = false;
+  m_haveDevicesFailed = false;
   if (m_pcController == nullptr) {
     return;
   }
   const CRandom::COwner::CScope scope(&m_randomOwner, GetBirth());
-  for (const auto& entry : m_pcController->GetAllSensors()) {
-    entry.second->Reset();
-  }
-  for (const auto& entry : m_pcController->GetAllActuators()) {
-    entry.second->Reset();
-  }
-  m_pcController->Reset();
+  CallUser("Reset() of a sensor", [this] {
+    for (const auto& entry : m_pcController->GetAllSensors()) {
+      entry.second->Reset();
+    }
+  });
+  CallUser("Reset() of an actuator", [this] {
+    for (const auto& entry : m_pcController->GetAllActuators()) {
+      entry.second->Reset();
+    }
+  });
+  CallUser("Reset()", [this] { m_pcController->Reset(); });
 }
 
 void CControllableEntity::Destroy() {
@@ -141,23 +204,24 @@ void CControllableEntity::Destroy() {
     return;
   }
   const CRandom::COwner::CScope scope(&m_randomOwner, GetBirth());
+  // an exception must not keep the other parts from being destroyed
   std::exception_ptr failure;
-  const auto destroy = [&failure](auto& part) {
+  const auto destroy = [&](const char* call, auto& part) {
     try {
-      part.Destroy();
+      CallUser(call, [&part] { part.Destroy(); });
     } catch (...) {
       failure = failure == nullptr ? std::current_exception() : failure;
     }
   };
-  destroy(*m_pcController);
+  destroy("Destroy()", *m_pcController);
   for (const auto& entry : m_pcController->GetAllSensors()) {
-    destroy(*entry.second);
+    destroy("Destroy() of a sensor", *entry.second);
   }
   for (const auto& entry : m_pcController->GetAllActuators()) {
-    destroy(*entry.second);
+    destroy("Destroy() of an actuator", *entry.second);
   }
   if (failure != nullptr) {
-    ThrowFromDestroy(GetRootEntity().GetId(), failure);
+    std::rethrow_exception(failure);
   }
 }
 
@@ -185,15 +249,39 @@ void CControllableEntity::SetController(const std::string& controllerId) {
 
 void CControllableEntity::SetController(const std::string& controllerId,
                                         TConfigurationNode& params) {
-  TConfigurationNode& node = m_context.Loading.GetController(controllerId);
+  const SControllerSetup& setup = m_context.Loading.GetSetup(controllerId);
   if (m_context.Loading.IsProbing()) {
     return;
   }
-  const std::string robot = GetRootEntity().GetId();
+  if (m_context.Run.IsInPhase()) {
+    if (GetIndex() >= 0) {
+      m_context.Run.CheckIsNotInPhase("SetController()",
+                                      "it is possible in PreStep() and PostStep()");
+    }
+    // users' random generators and the space are not to be touched by several threads
+    m_lateController = std::make_unique<SLateController>(SLateController{controllerId, &params});
+    return;
+  }
   Destroy();
   DropController();
+  CreateController(setup, params);
+}
+
+void CControllableEntity::SetLateController() {
+  if (m_lateController != nullptr) {
+    const std::unique_ptr<SLateController> late = std::move(m_lateController);
+    SetController(late->Id, *late->Params);
+  }
+}
+
+void CControllableEntity::CreateController(const SControllerSetup& setup,
+                                           TConfigurationNode& params) {
+  const std::string robot = GetRootEntity().GetId();
+  TConfigurationNode& node = *setup.Node;
   m_randomOwner.SetId(GetContext() + GetId());
   const CRandom::COwner::CScope scope(&m_randomOwner, GetBirth());
+  m_setup = &setup;
+  const CRunningCodeScope running({"Init()", &CControllableEntity::Describe, this, nullptr});
   try {
     m_controller.reset(CFactory<CCI_Controller>::New(node.Value()));
     m_pcController = m_controller.get();
@@ -203,6 +291,7 @@ void CControllableEntity::SetController(const std::string& controllerId,
     CreateSensors(node, errors);
     errors.ThrowIfFailed("errors in its devices");
     m_pcController->Init(params);
+    m_onError = m_pcController->ChooseOnError(setup.OnError);
     // afterwards, because controllers may add devices of their own, or replace some
     ListDevices();
     if (GetIndex() >= 0) {
@@ -210,13 +299,11 @@ void CControllableEntity::SetController(const std::string& controllerId,
     }
   } catch (const CAlreadyReported&) {
     throw;
-  } catch (std::exception& error) {
-    m_context.Loading.MarkBroken(controllerId);
+  } catch (...) {
+    m_context.Loading.MarkBroken(setup.Id);
     DropController();
-    THROW_ARGOSEXCEPTION_NESTED("robot \"" << robot << "\": its controller \"" << controllerId
-                                           << "\" (" << node.GetLocation() << ": <" << node.Value()
-                                           << ">) cannot be set up",
-                                error);
+    ThrowWithCause("robot \"" + robot + "\": its controller \"" + setup.Id + "\" (" +
+                   node.GetLocation() + ": <" + node.Value() + ">) cannot be set up");
   }
 }
 
@@ -229,6 +316,9 @@ void CControllableEntity::DropController() {
   m_pcController = nullptr;
   m_controller.reset();
   m_randomOwner.DestroyGenerators();
+  m_setup = nullptr;
+  m_isStopped = false;
+  m_haveDevicesFailed = false;
 }
 
 // of the random generators that are created now
@@ -245,8 +335,10 @@ void CControllableEntity::CreateActuators(TConfigurationNode& controllerNode, CL
   for (it = it.begin(section); it != it.end(); ++it) {
     errors.Try("", [&] {
       auto [simulated, interface] = CreateDevice<CSimulatedActuator, CCI_Actuator>(*it, "actuator");
-      AttachToRobot(*simulated, GetParent(), *it, "actuator");
-      interface->Init(*it);
+      CallDevice(*it, "actuator", [&, device = simulated, &face = interface] {
+        AttachToRobot(*device, GetParent(), *it, "actuator");
+        face->Init(*it);
+      });
       m_pcController->AddActuator(it->Value(), interface.release());
     });
   }
@@ -261,8 +353,10 @@ void CControllableEntity::CreateSensors(TConfigurationNode& controllerNode, CLoa
   for (it = it.begin(section); it != it.end(); ++it) {
     errors.Try("", [&] {
       auto [simulated, interface] = CreateDevice<CSimulatedSensor, CCI_Sensor>(*it, "sensor");
-      AttachToRobot(*simulated, GetParent(), *it, "sensor");
-      interface->Init(*it);
+      CallDevice(*it, "sensor", [&, device = simulated, &face = interface] {
+        AttachToRobot(*device, GetParent(), *it, "sensor");
+        face->Init(*it);
+      });
       m_pcController->AddSensor(it->Value(), interface.release());
     });
   }
@@ -308,6 +402,9 @@ const std::map<std::string, CSimulatedSensor*>& CControllableEntity::GetSensors(
 }
 
 void CControllableEntity::Act() {
+  if (m_haveDevicesFailed) {
+    return;
+  }
   for (CSimulatedActuator* actuator : m_actuators) {
     actuator->Update();
   }
@@ -316,6 +413,9 @@ void CControllableEntity::Act() {
 void CControllableEntity::Sense() {
   m_vecCheckedRays.clear();
   m_vecIntersectionPoints.clear();
+  if (m_haveDevicesFailed) {
+    return;
+  }
   for (const SSensorEntry& sensor : m_sensors) {
     if (sensor.Interface->IsSwitchedOn()) {
       sensor.Simulated->Update();
@@ -324,7 +424,7 @@ void CControllableEntity::Sense() {
 }
 
 void CControllableEntity::ControlStep() {
-  if (m_pcController != nullptr) {
+  if (m_pcController != nullptr && !m_isStopped) {
     m_pcController->ControlStep();
   }
 }

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <mutex>
 #include <streambuf>
+#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -318,6 +319,26 @@ void CARGoSLog::Flush() {
   m_stream.flush();
   if (!m_stream) {
     NoteFailure(errno);
+  }
+}
+
+void CARGoSLog::WriteAfterCrash(int file) noexcept {
+  const std::unique_lock<std::mutex> lock(m_state->Mutex, std::try_to_lock);
+  if (!lock.owns_lock()) {
+    return;
+  }
+  for (const std::shared_ptr<SThreadBuffer>& buffer : m_state->Buffers) {
+    const std::unique_lock<std::recursive_mutex> bufferLock(buffer->Mutex, std::try_to_lock);
+    if (bufferLock.owns_lock()) {
+      const std::string& text = buffer->Appender.Text;
+      for (std::size_t done = 0; done < text.size();) {
+        const ssize_t written = write(file, text.data() + done, text.size() - done);
+        if (written <= 0) {
+          break;
+        }
+        done += static_cast<std::size_t>(written);
+      }
+    }
   }
 }
 
