@@ -79,13 +79,14 @@ void CViewDrawing::Observe(CSimulator& simulator) {
 
 const CDrawing& CViewDrawing::Draw(CSimulator& simulator, UInt32 width, UInt32 height) {
   NoticeReset(simulator);
+  CSpace& space = simulator.GetSpace();
   m_drawing.Begin(width, height);
   for (const std::unique_ptr<COverlay>& overlay : m_overlays) {
     m_drawing.SetWorldFrame();
     overlay->Draw(simulator, m_drawing);
   }
   for (const std::unique_ptr<CDrawingFunctions>& functions : m_functions) {
-    functions->DrawAll(m_drawing, simulator.GetSpace().GetRootEntityVector());
+    functions->DrawAll(m_drawing, space.GetRootEntityVector());
   }
   CLoopFunctions& loopFunctions = simulator.GetLoopFunctions();
   m_drawing.SetWorldFrame();

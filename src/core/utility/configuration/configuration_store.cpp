@@ -144,7 +144,11 @@ std::string Trimmed(const char* text) {
 
 std::string Shortened(const std::string& text) {
   constexpr std::size_t kLongest = 60;
-  return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
+  std::string start = text.substr(0, kLongest);
+  if (text.size() > kLongest) {
+    start += "...";
+  }
+  return start;
 }
 
 // 'file:12: <tag>'
