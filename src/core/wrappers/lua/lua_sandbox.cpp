@@ -266,7 +266,7 @@ int RunTextFile(lua_State* state) {
   const char* const name = luaL_optstring(state, 1, nullptr);
   lua_settop(state, 1);
   if (luaL_loadfilex(state, name, kTextOnly) != LUA_OK) {
-    return lua_error(state);
+    return luaL_error(state, "dofile: %s", lua_tostring(state, -1));
   }
   lua_callk(state, 0, LUA_MULTRET, 0, FinishFile);
   return FinishFile(state, LUA_OK, 0);
@@ -351,9 +351,9 @@ constexpr SReplacement kSafe[] = {{LUA_GNAME, "load", LoadText},
                                   {LUA_GNAME, "setmetatable", SetMetatable}};
 
 constexpr const char* kRefusedOfDebug[] = {
-    "debug", "getlocal",       "getmetatable", "getregistry",
-    "getupvalue",   "getuservalue", "setcstacklimit", "sethook",      "setlocal",
-    "setmetatable", "setupvalue",   "setuservalue",   "upvalueid",    "upvaluejoin"};
+    "debug",        "getlocal",       "getmetatable", "getregistry", "getupvalue",
+    "getuservalue", "setcstacklimit", "sethook",      "setlocal",    "setmetatable",
+    "setupvalue",   "setuservalue",   "upvalueid",    "upvaluejoin"};
 
 /** The library must be on top of the stack. */
 void Replace(lua_State* state, const char* name, const char* original, lua_CFunction function) {
