@@ -23,13 +23,13 @@ void* CLuaMemory::Reallocate(void* block, std::size_t oldSize, std::size_t newSi
   }
   if (oldSize <= kLargestSmall && newSize <= kLargestSmall &&
       ClassOf(oldSize) == ClassOf(newSize)) {
+    m_used += newSize - oldSize;  // wraps around if the block shrinks
     return block;
   }
   // the two blocks exist side by side for a moment only, which does not count
-  const std::size_t returned = oldSize > kLargestSmall ? oldSize : 0;
-  m_used -= returned;
+  m_used -= oldSize;
   void* const moved = Allocate(newSize);
-  m_used += returned;
+  m_used += oldSize;
   if (moved != nullptr) {
     std::memcpy(moved, block, std::min(oldSize, newSize));
     Free(block, oldSize);
@@ -42,13 +42,21 @@ std::size_t CLuaMemory::TakeWork() {
 }
 
 void* CLuaMemory::Allocate(std::size_t size) {
-  return size > kLargestSmall ? AllocateLarge(size) : AllocateSmall(ClassOf(size));
+  if (!MayUse(size)) {
+    return nullptr;
+  }
+  void* const block = size > kLargestSmall ? AllocateLarge(size) : AllocateSmall(ClassOf(size));
+  if (block != nullptr) {
+    m_used += size;
+  }
+  return block;
 }
 
 void CLuaMemory::Free(void* block, std::size_t size) {
+  m_used -= size;
   if (size > kLargestSmall) {
     ::operator delete(block);
-    m_used -= size;
+    m_taken -= size;
     return;
   }
   SFree*& first = m_free[ClassOf(size)];
@@ -56,9 +64,9 @@ void CLuaMemory::Free(void* block, std::size_t size) {
 }
 
 void* CLuaMemory::AllocateLarge(std::size_t size) {
-  void* const block = Fits(size) ? ::operator new(size, std::nothrow) : nullptr;
+  void* const block = MayTake(size) ? ::operator new(size, std::nothrow) : nullptr;
   if (block != nullptr) {
-    m_used += size;
+    m_taken += size;
     m_work += size;
   }
   return block;
@@ -71,7 +79,7 @@ void* CLuaMemory::AllocateSmall(std::size_t sizeClass) {
   }
   const std::size_t size = (sizeClass + 1) * kGrain;
   if (size > m_left) {
-    if (!Fits(kChunkSize)) {
+    if (!MayTake(kChunkSize)) {
       return nullptr;
     }
     try {
@@ -81,7 +89,7 @@ void* CLuaMemory::AllocateSmall(std::size_t sizeClass) {
     }
     m_next = m_chunks.back().get();
     m_left = kChunkSize;
-    m_used += kChunkSize;
+    m_taken += kChunkSize;
   }
   void* const block = m_next;
   m_next += size;

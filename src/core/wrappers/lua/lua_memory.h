@@ -16,12 +16,12 @@ namespace argos {
  * heap each of them would have a header, and objects that are read together would be scattered. A
  * freed block is reused for others of its size; the destructor releases all memory.
  *
- * What is taken from the heap is counted and limited: chunks and large blocks. So a small block
- * costs no count. Freed small blocks still count, because their chunk remains.
+ * The bytes in use are counted and limited. What is taken from the heap may be twice as much,
+ * because chunks with free blocks of sizes that are not needed any more remain.
  */
 class CLuaMemory {
  public:
-  /** @param limit  bytes from the heap; 0 = no limit. */
+  /** @param limit  bytes in use; 0 = no limit. */
   explicit CLuaMemory(std::size_t limit = 0);
   CLuaMemory(const CLuaMemory&) = delete;
   CLuaMemory& operator=(const CLuaMemory&) = delete;
@@ -34,8 +34,10 @@ class CLuaMemory {
   void* Reallocate(void* block, std::size_t oldSize, std::size_t newSize);
 
   std::size_t GetLimit() const { return m_limit; }
-  /** Bytes that are taken from the heap at the moment. */
+  /** Bytes in use. */
   std::size_t GetUsed() const { return m_used; }
+  /** Bytes that are taken from the heap. */
+  std::size_t GetTaken() const { return m_taken; }
   /** Bytes in large blocks allocated since the last call; they cost time. */
   std::size_t TakeWork();
 
@@ -56,7 +58,8 @@ class CLuaMemory {
   void* AllocateSmall(std::size_t sizeClass);
   void* AllocateLarge(std::size_t size);
   /** True if the limit has room for more bytes. */
-  bool Fits(std::size_t size) const { return size <= m_limit && m_used <= m_limit - size; }
+  bool MayUse(std::size_t size) const { return size <= m_limit && m_used <= m_limit - size; }
+  bool MayTake(std::size_t size) const { return m_taken / 2 + size / 2 <= m_limit; }
 
   std::array<SFree*, kLargestSmall / kGrain> m_free = {};  // by class
   std::vector<std::unique_ptr<std::byte[]>> m_chunks;
@@ -64,6 +67,7 @@ class CLuaMemory {
   std::size_t m_left = 0;  // its size, bytes
   std::size_t m_limit;
   std::size_t m_used = 0;
+  std::size_t m_taken = 0;
   std::size_t m_work = 0;
 };
 

@@ -266,7 +266,7 @@ int RunTextFile(lua_State* state) {
   const char* const name = luaL_optstring(state, 1, nullptr);
   lua_settop(state, 1);
   if (luaL_loadfilex(state, name, kTextOnly) != LUA_OK) {
-    return lua_error(state);
+    return luaL_error(state, "dofile: %s", lua_tostring(state, -1));
   }
   lua_callk(state, 0, LUA_MULTRET, 0, FinishFile);
   return FinishFile(state, LUA_OK, 0);

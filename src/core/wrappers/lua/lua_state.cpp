@@ -212,7 +212,7 @@ std::string CLuaState::DescribeRefusal() const {
   }
   return text +
          fmt::format(
-             ": the limit is {} MiB, of which {} bytes are taken, and {} bytes more were needed; "
+             ": the limit is {} MiB, of which {} bytes are in use, and {} bytes more were needed; "
              "does a table grow for ever? If not, raise \"max_memory\" in <params>",
              m_limits.MaxMemory / SLuaLimits::kMebi, m_memory.GetUsed(), m_refusal.Size);
 }

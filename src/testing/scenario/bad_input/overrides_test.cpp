@@ -27,7 +27,7 @@ TEST_CASE("--set: a value that nothing reads is an error with the nearest name",
   CHECK_THAT(error, Contains("--set //e-puck/@rab_rage=0.5: test.argos:6: <e-puck>: attribute "
                              "\"rab_rage\" is not used by anything; did you mean \"rab_range\"?"));
   CHECK_THAT(SetError("physics_engines/dynamics2d/@iteration", "5"),
-             Contains("did you mean \"iterations\"?"));
+             Contains("did you mean \"iterations\" or "));
   CHECK_THAT(SetError("framework/experiment/@lenght", "5"), Contains("did you mean \"length\"?"));
   // without a similar name
   CHECK_THAT(SetError("arena/@zzz", "5"), Contains("\"zzz\" is not used by anything") &&

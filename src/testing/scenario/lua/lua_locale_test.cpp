@@ -2,6 +2,7 @@
 
 #include "lua_world.h"
 
+#include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
 #include <argos3/testing/support/captured_logs.h>
@@ -35,8 +36,10 @@ SResult RunText(const std::string& xml) {
   TakeLog();
   CTestWorld world(xml);
   world.Step(5);
-  auto& controller = dynamic_cast<CLuaController&>(
-      world.Get<CControllableEntity>("fb.controller").GetController());
+  auto& controller =
+      dynamic_cast<CLuaController&>(world.Get<CComposableEntity>("fb")
+                                        .GetComponent<CControllableEntity>("controller")
+                                        .GetController());
   SResult result{world.ComputeDigest(), "", "", TakeLog()};
   lua_State* const state = controller.GetLuaState();
   lua_getglobal(state, "text");
@@ -54,7 +57,7 @@ TEST_CASE("lua locale: a decimal comma of the process changes neither scripts no
   const CScriptFolder folder;
   SLuaExperiment experiment;
   experiment.Script = kScript;
-  experiment.Actuators = "<differential_steering implementation='default' noise_std_dev='0.25'/>";
+  experiment.Actuators = "<differential_steering implementation='default'/>";
   experiment.Arena =
       "<box id='b' size='0.25,1.5,0.5' movable='false'><body position='-2.5,1.25,0' "
       "orientation='22.5,0,0'/></box>"

@@ -109,7 +109,12 @@ class CCampaign {
  public:
   explicit CCampaign(std::uint64_t seed) : m_seed(seed), m_files(BaseFiles()) {
     setenv("ARGOS_PLUGIN_PATH", InBuildTree("experiments").c_str(), 1);
+    // as seen from the files of the experiments, and from the root of the source tree
     fs::create_directory_symlink(InSourceTree("experiments"), m_folder.Path("experiments"));
+    for (const char* const folder : {"controllers", "loop_functions"}) {
+      fs::create_directory_symlink(InSourceTree(std::string("experiments/") + folder),
+                                   m_folder.Path(folder));
+    }
     m_folder.Write("floor.ppm", "P3\n2 2\n255\n255 255 255 0 0 0 0 0 0 255 255 255\n");
   }
 

@@ -146,7 +146,8 @@ TEST_CASE("lua random: wrong arguments are errors", "[lua][random]") {
   CHECK_THAT(lua.GetError("r.uniform_int()"), Contains("argument 1 must be a whole number"));
   CHECK_THAT(lua.GetError("r.uniform_int(1.5)"), Contains("got 1.5"));
   CHECK_THAT(lua.GetError("r.uniform_int(3, 2)"), Contains("above the maximum"));
-  CHECK_THAT(lua.GetError("r.bernoulli(1.5)"), Contains("a probability must be in [0,1], got 1.5"));
+  CHECK_THAT(lua.GetError("r.bernoulli(1.5)"),
+             Contains("argument 1, a probability, must be in [0,1], got 1.5"));
   CHECK_THAT(lua.GetError("r.exponential()"), Contains("argument 1 must be a number, got nothing"));
   CHECK_THAT(lua.GetError("r.poisson(-1)"), Contains("robot.random.poisson") && Contains("-1"));
   CHECK_THAT(lua.GetError("r.gaussian()"), Contains("argument 1 must be a number"));
@@ -164,4 +165,26 @@ TEST_CASE("lua random: RegisterRNG draws from the given generator", "[lua][rando
   });
   CHECK(lua.GetNumber("robot.random.uniform()") == same.Uniform(CRange<Real>(0.0, 1.0)));
   CHECK(lua.GetNumber("robot.random.gaussian(2, 3)") == same.Gaussian(2.0, 3.0));
+}
+
+TEST_CASE("lua random: parameters that no distribution has are errors", "[lua][random]") {
+  CRandomTester lua;
+  const auto [call, message] = GENERATE(table<std::string, std::string>(
+      {{"uniform(0/0)", "the maximum must be a finite number"},
+       {"uniform(-math.huge, 1)", "the minimum must be a finite number, got -inf"},
+       {"uniform(-1e308, 1e308)", "the distance from the minimum to the maximum must be"},
+       {"uniform_int(math.huge)", "argument 1 must be a whole number"},
+       {"uniform_int()", "argument 1 must be a whole number"},
+       {"bernoulli(0/0)", "argument 1, a probability, must be in [0,1]"},
+       {"exponential(-1)", "argument 1, the mean, must be a finite number, 0 or more, got -1"},
+       {"exponential(math.huge)", "argument 1, the mean, must be a finite number"},
+       {"poisson(-1)", "The mean of a Poisson distribution is -1"},
+       {"poisson(1e300)", "The mean of a Poisson distribution is 1e+300"},
+       {"gaussian(-1)", "argument 1, the standard deviation, must be a finite number, 0 or more"},
+       {"gaussian(1, 0/0)", "argument 2, the mean, must be a finite number"},
+       {"gaussian()", "argument 1 must be a number, got nothing"},
+       {"gaussian(1, 2, 3)", "too many arguments"}}));
+  CAPTURE(call);
+  const std::string name = "robot.random." + call.substr(0, call.find('('));
+  CHECK_THAT(lua.GetError("r." + call), Contains("test:1: " + name + ": ") && Contains(message));
 }
