@@ -88,7 +88,6 @@ TEST_CASE("phase cost: without a measurement, each thread gets four runs", "[cor
 
 TEST_CASE("phase cost: a run contains 20 us of work, unless there would be too few runs",
           "[core][threads]") {
-  CPhaseCost cost(64);
   const auto withItemsOf = [](Real seconds) {
     CPhaseCost measured(64);
     measured.Add(10, 10.0 * seconds);
@@ -98,12 +97,13 @@ TEST_CASE("phase cost: a run contains 20 us of work, unless there would be too f
   CHECK(withItemsOf(1e-3).ChooseGrain(60, 2) == 1);
   CHECK(withItemsOf(15e-6).ChooseGrain(60, 2) == 1);
   CHECK(withItemsOf(4.9e-6).ChooseGrain(60, 2) == 4);
-  CHECK(withItemsOf(1e-6).ChooseGrain(60, 2) == 8);
+  CHECK(withItemsOf(2e-6).ChooseGrain(60, 2) == 8);
   CHECK(withItemsOf(1e-6).ChooseGrain(10000, 2) == 20);
   CHECK(withItemsOf(0.1e-6).ChooseGrain(10000, 2) == 64);
-  // less than 50 us in total: no other thread is woken
-  CHECK(withItemsOf(0.8e-6).ChooseGrain(60, 2) == 60);
-  CHECK(withItemsOf(2e-6).ChooseGrain(16, 2) == 16);
+  // less than 100 us in total: no other thread is woken
+  CHECK(withItemsOf(1.6e-6).ChooseGrain(60, 2) == 60);
+  CHECK(withItemsOf(6e-6).ChooseGrain(16, 2) == 16);
+  CHECK(withItemsOf(7e-6).ChooseGrain(16, 2) == 2);
 }
 
 TEST_CASE("phase cost: measurements are averaged, and slow ones count less", "[core][threads]") {
