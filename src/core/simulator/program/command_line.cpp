@@ -134,18 +134,16 @@ bool IsStreamWritten(std::FILE* stream) {
   return std::fflush(stream) == 0 && std::ferror(stream) == 0 && (copy < 0 || close(copy) == 0);
 }
 
-/* Reports outputs that were written incompletely and not reported before. */
-void CheckOutputs() {
-  FlushLogs();
-  std::cout.flush();
-  LOG.EndRedirection();
-  LOGERR.EndRedirection();
-  std::string text = TakeFailedOutputs();
+// throws failures that were not reported before. @param log  behind the standard stream
+void CheckStream(CARGoSLog& log, std::FILE* stream, const std::string& name) {
+  log.Flush();
+  log.GetStream().flush();
+  log.EndRedirection();
   errno = 0;
-  if (text.empty() && !LOG.HasFailed() && (!std::cout || !IsStreamWritten(stdout))) {
-    text = DescribeFailure("the standard output");
-  } else if (text.empty() && !LOGERR.HasFailed() && (!std::cerr || !IsStreamWritten(stderr))) {
-    text = DescribeFailure("the standard error");
+  const bool isWritten = log.GetStream() && IsStreamWritten(stream);
+  std::string text = TakeFailedOutputs();
+  if (text.empty() && !log.HasFailed() && !isWritten) {
+    text = DescribeFailure(name);
   }
   if (!text.empty()) {
     THROW_ARGOSEXCEPTION(text);
@@ -373,7 +371,10 @@ int RunCommandLine(int argc, const char* const* argv) noexcept {
       }
       status = Act(parser.GetOptions());
     });
-    status = Try(&CheckOutputs) ? status : kFailure;
+    // the error log comes last: it reports the other one
+    const bool isOutWritten = Try([] { CheckStream(LOG, stdout, "the standard output"); });
+    const bool isErrWritten = Try([] { CheckStream(LOGERR, stderr, "the standard error"); });
+    status = isOutWritten && isErrWritten ? status : kFailure;
   } catch (...) {
     // printing the message failed
     status = kFailure;

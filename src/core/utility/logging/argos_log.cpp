@@ -56,6 +56,38 @@ class CStringAppender : public std::streambuf {
   }
 };
 
+/* A file behind std::cout or std::cerr, which must not throw: the latter writes in destructors. */
+class CLogFile : public std::streambuf {
+ public:
+  COutputFile File;
+
+ protected:
+  int_type overflow(int_type c) override {
+    if (traits_type::eq_int_type(c, traits_type::eof())) {
+      return traits_type::not_eof(c);
+    }
+    return Try([&] { File.put(traits_type::to_char_type(c)); }) ? c : traits_type::eof();
+  }
+  std::streamsize xsputn(const char* text, std::streamsize length) override {
+    return Try([&] { File.write(text, length); }) ? length : 0;
+  }
+  int sync() override {
+    return Try([&] { File.flush(); }) ? 0 : -1;
+  }
+
+ private:
+  // the file keeps the reason of a failure
+  template <typename WRITING>
+  static bool Try(WRITING&& writing) {
+    try {
+      writing();
+      return true;
+    } catch (const std::exception&) {
+      return false;
+    }
+  }
+};
+
 std::atomic<UInt64> nextLogId{0};
 thread_local UInt64 sequenceKey = 0;
 
@@ -97,7 +129,7 @@ struct CARGoSLog::SState {
   std::shared_ptr<SThreadBuffer> LateBuffer;
   std::string Prefix;
   // of RedirectToFile(); null: none
-  std::unique_ptr<COutputFile> File;
+  std::unique_ptr<CLogFile> File;
   std::streambuf* OriginalBuffer = nullptr;
   std::atomic<bool> HasFailed{false};
   // empty after TakeFailure()
@@ -143,16 +175,17 @@ CARGoSLog::~CARGoSLog() {
 
 void CARGoSLog::RedirectToFile(const std::string& name) {
   EndRedirection();
-  auto file = std::make_unique<COutputFile>();
+  auto file = std::make_unique<CLogFile>();
   try {
-    file->Open(name);
+    file->File.Open(name);
   } catch (const CARGoSException&) {
-    THROW_ARGOSEXCEPTION("Cannot write the log file \"" << name << "\": " << file->GetReason());
+    THROW_ARGOSEXCEPTION("Cannot write the log file \"" << name
+                                                        << "\": " << file->File.GetReason());
   }
   DisableColoredOutput();
   const std::lock_guard<std::mutex> lock(m_state->Mutex);
   m_state->File = std::move(file);
-  m_state->OriginalBuffer = m_stream.rdbuf(m_state->File->rdbuf());
+  m_state->OriginalBuffer = m_stream.rdbuf(m_state->File.get());
 }
 
 void CARGoSLog::EndRedirection() {
@@ -161,13 +194,13 @@ void CARGoSLog::EndRedirection() {
   if (m_state->File == nullptr) {
     return;
   }
-  const bool redirectedAgain = m_stream.rdbuf() != m_state->File->rdbuf();
+  const bool redirectedAgain = m_stream.rdbuf() != m_state->File.get();
   try {
-    m_state->File->Close();
+    m_state->File->File.Close();
   } catch (const CARGoSException&) {
     // noted below
   }
-  if (!m_state->File->GetFailure().empty()) {
+  if (!m_state->File->File.GetFailure().empty()) {
     NoteFailure(0);
   }
   if (!redirectedAgain) {
@@ -194,8 +227,8 @@ void CARGoSLog::NoteFailure(int error) {
   if (m_state->HasFailed.exchange(true)) {
     return;
   }
-  if (m_state->File != nullptr && !m_state->File->GetFailure().empty()) {
-    m_state->Failure = m_state->File->GetFailure();
+  if (m_state->File != nullptr && !m_state->File->File.GetFailure().empty()) {
+    m_state->Failure = m_state->File->File.GetFailure();
     return;
   }
   const bool isOut = &m_stream == &std::cout;
