@@ -3,6 +3,7 @@
 
 #include <argos3/testing/fuzz/fuzz_support.h>
 
+#include <argos3/core/wrappers/lua/lua_closure.h>
 #include <argos3/core/wrappers/lua/lua_random.h>
 #include <argos3/core/wrappers/lua/lua_state.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>

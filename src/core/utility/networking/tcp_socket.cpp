@@ -139,8 +139,8 @@ void CTCPSocket::Listen(SInt32 port, SInt32 queueLength, const std::string& addr
     reason = errno;
     close(descriptor);
   }
-  THROW_ARGOSEXCEPTION("TCP socket: cannot listen on \"" << address << "\", port " << port << ": "
-                                                         << std::strerror(reason));
+  THROW_ARGOSEXCEPTION("TCP socket: cannot listen on port " << port << " of \"" << address
+                                                            << "\": " << std::strerror(reason));
 }
 
 void CTCPSocket::Accept(CTCPSocket& socket) {

@@ -217,16 +217,16 @@ TEST_CASE("lua mutation: mutated scripts end cleanly or with an error that names
 }
 
 TEST_CASE("lua mutation: functions of a robot take or refuse random arguments", "[lua][mutation]") {
-  RunCalls(0, kCases / 20);
+  RunCalls(0, kCases / 50);
 }
 
 TEST_CASE("lua mutation: functions of \"simulation\" take or refuse random arguments",
           "[lua][mutation]") {
-  RunLoopCalls(0, kCases / 20);
+  RunLoopCalls(0, kCases / 50);
 }
 
 TEST_CASE("lua mutation soak: many scripts and calls", "[.][soak][lua][mutation]") {
   RunMutations(kCases, kCases + kSoakCases);
-  RunCalls(kCases, kCases + kSoakCases / 20);
-  RunLoopCalls(kCases, kCases + kSoakCases / 20);
+  RunCalls(kCases, kCases + kSoakCases / 50);
+  RunLoopCalls(kCases, kCases + kSoakCases / 50);
 }
