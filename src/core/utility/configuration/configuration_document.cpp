@@ -7,6 +7,8 @@
 #include <argos3/core/utility/files/input_file.h>
 #include <argos3/core/utility/text/classic_locale.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <sstream>
 
 namespace argos {
@@ -87,8 +89,10 @@ void CConfigurationDocument::Parse(const std::string& xml, const std::string& na
   tinyxml2::XMLDocument& document = store->GetXml();
   const std::size_t nul = xml.find('\0');
   if (nul != std::string::npos) {
-    THROW_CONFIGURATION_ERROR(name << ": not well-formed XML: zero byte at offset " << nul
-                                   << "; is it a text file?");
+    const auto line =
+        1 + std::count(xml.begin(), xml.begin() + static_cast<std::ptrdiff_t>(nul), '\n');
+    ThrowMalformed(name, static_cast<int>(line),
+                   "zero byte at offset " + std::to_string(nul) + "; is it a text file?");
   }
   const tinyxml2::XMLError error = document.Parse(xml.data(), xml.size());
   if (error != tinyxml2::XML_SUCCESS) {

@@ -346,12 +346,19 @@ bool IsNear(const std::string& a, const std::string& b, std::size_t distance) {
   return shorter >= 3 && (a.find(b) != std::string::npos || b.find(a) != std::string::npos);
 }
 
+// characters; names are shorter
+constexpr std::size_t kLongestCompared = 200;
+
 std::vector<std::string> FindNearest(const std::string& given,
                                      const std::vector<std::string>& candidates, std::size_t most) {
   const std::string wanted = StringToLowerCase(given);
   std::vector<std::pair<std::size_t, std::string>> near;
   for (const std::string& candidate : candidates) {
     const std::string name = StringToLowerCase(candidate);
+    // the edit distance takes time in proportion to the product of the lengths
+    if (std::max(wanted.size(), name.size()) > kLongestCompared) {
+      continue;
+    }
     const std::size_t distance = EditDistance(wanted, name);
     if (!name.empty() && !wanted.empty() && IsNear(wanted, name, distance)) {
       near.emplace_back(distance, candidate);

@@ -12,12 +12,13 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <iterator>
 #include <map>
+#include <sstream>
 
 using namespace argos;
 namespace fs = std::filesystem;
@@ -135,6 +136,7 @@ class CCampaign {
           return GetCase(mutation, i, description);
         },
         GetFolder());
+    std::ostringstream report;
     std::map<EOutcome, std::size_t> counts;
     std::size_t failures = 0;
     for (std::size_t i = 0; i < results.size(); ++i) {
@@ -144,17 +146,19 @@ class CCampaign {
       if (!isAccepted || results[i].Outcome == EOutcome::ErrorWithoutPlace) {
         std::string description;
         GetCase(mutation, i, description);
-        std::cout << name << " case " << i << " of file " << i % m_files.size() << ", seed "
-                  << m_seed << ": " << ToText(results[i].Outcome) << "\n  " << description << "\n  "
-                  << results[i].Text << std::endl;
+        report << name << " case " << i << " of file " << i % m_files.size() << ", seed " << m_seed
+               << ": " << ToText(results[i].Outcome) << "\n  " << description << "\n  "
+               << results[i].Text << '\n';
       }
     }
-    std::cout << number << ' ' << name << " mutations of " << m_files.size() << " files, seed "
-              << m_seed << ':';
+    report << number << ' ' << name << " mutations of " << m_files.size() << " files, seed "
+           << m_seed << ':';
     for (const auto& [outcome, count] : counts) {
-      std::cout << ' ' << count << ' ' << ToText(outcome) << ',';
+      report << ' ' << count << ' ' << ToText(outcome) << ',';
     }
-    std::cout << " failures: " << failures << std::endl;
+    report << " failures: " << failures << '\n';
+    // std::cout belongs to the log, which is captured
+    std::fputs(report.str().c_str(), stdout);
     m_withoutPlace += counts[EOutcome::ErrorWithoutPlace];
     return failures;
   }
@@ -218,13 +222,13 @@ TEST_CASE("mutations: a crash, an endless case and a huge one are noticed", "[mu
   CHECK(ToText(results[3].Outcome) == std::string("error with file and line"));
 }
 
-TEST_CASE("mutations: 2,000 mutated files load, or give an error with file and line",
+TEST_CASE("mutations: 2000 mutated files load, or give an error with file and line",
           "[mutations]") {
   CheckMutations(1, 2000);
 }
 
 // the seed of another run: MUTATION_SEED=7 scenario_input_tests "[mutations][soak]"
-TEST_CASE("mutations: 20,000 mutated files load, or give an error with file and line",
+TEST_CASE("mutations: 20000 mutated files load, or give an error with file and line",
           "[.][soak][mutations]") {
   const char* const seed = std::getenv("MUTATION_SEED");
   CheckMutations(seed != nullptr ? std::strtoull(seed, nullptr, 10) : 2, 20000);
