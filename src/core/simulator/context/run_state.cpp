@@ -77,7 +77,7 @@ void CRunState::DeferRemoval(const void* entity, std::function<void()> change) {
   const std::string requester = SRunningCode::OfThread().ToText();
   const std::lock_guard<std::mutex> lock(m_mutex);
   const UInt64 place = CARGoSLog::GetSequence();
-  if (!m_removals.emplace(place, entity).second) {
+  if (!m_removals.emplace(std::hash<std::string>()(requester), entity).second) {
     THROW_ARGOSEXCEPTION((requester.empty() ? "" : requester + ": ")
                          << "the removal of an entity is requested twice; it is removed at the end "
                             "of the tick, not at once");

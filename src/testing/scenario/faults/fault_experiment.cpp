@@ -19,8 +19,7 @@ std::string SFaultExperiment::ToXml() const {
          ExperimentAttributes + "/></framework>\n<controllers>\n<test_misbehaves id='c'" + library +
          ControllerAttributes + "><actuators><differential_steering implementation='default'/>" +
          Actuators + "</actuators><sensors>" + Sensors + "</sensors><params " + Params +
-         "/></test_misbehaves>\n<test_stays_idle id='idle'><actuators/><sensors/><params/>"
-         "</test_stays_idle></controllers>\n" +
+         "/></test_misbehaves>\n<test_stays_idle id='idle'/></controllers>\n" +
          (Loop.empty() ? "" : "<loop_functions label='test_misbehaving_loop' " + Loop + "/>\n") +
          "<physics_engines>" + Engine + "</physics_engines>\n<media>" + Media +
          "</media>\n<arena size='20,20,2'><distribute><position method='grid' center='0,0,0' "
