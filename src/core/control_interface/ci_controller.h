@@ -4,6 +4,7 @@
 #include <argos3/core/config.h>
 #include <argos3/core/control_interface/ci_actuator.h>
 #include <argos3/core/control_interface/ci_sensor.h>
+#include <argos3/core/control_interface/on_error.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/core/utility/configuration/base_configurable_resource.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
@@ -18,6 +19,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -46,6 +48,14 @@ class CCI_Controller : public CBaseConfigurableResource, public CSlabObject {
   virtual void ControlStep();
   void Reset() override;
   void Destroy() override;
+
+  /**
+   * What follows when this robot's code throws in a run.
+   * @param configured  by the controller's element in <controllers>, or else by <experiment>.
+   */
+  virtual EOnError ChooseOnError(std::optional<EOnError> configured) const {
+    return configured.value_or(EOnError::EndRun);
+  }
 
   /** The id of the robot. */
   const std::string& GetId() const { return m_strId; }

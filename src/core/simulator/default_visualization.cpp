@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/tick/loop_functions.h>
+#include <argos3/core/simulator/tick/loop_hooks.h>
 #include <argos3/core/utility/logging/argos_log.h>
 
 #include <chrono>
@@ -16,7 +17,9 @@ void CDefaultVisualization::Execute() {
   } else {
     ExecuteAsFastAsPossible();
   }
-  m_cSimulator.GetLoopFunctions().PostExperiment();
+  CLoopFunctions& loopFunctions = m_cSimulator.GetLoopFunctions();
+  CallHook(m_cSimulator.GetSpace().GetContext(), "PostExperiment()",
+           [&loopFunctions] { loopFunctions.PostExperiment(); });
 }
 
 void CDefaultVisualization::ExecuteAsFastAsPossible() {

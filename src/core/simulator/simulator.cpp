@@ -7,6 +7,7 @@
 #include <argos3/core/simulator/loading/experiment_parts.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/tick/loop_functions.h>
+#include <argos3/core/simulator/tick/loop_hooks.h>
 #include <argos3/core/simulator/tick/tick.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/profiler/profiler.h>
@@ -160,6 +161,10 @@ bool CSimulator::IsProfiling() const {
   return m_experiment->Profiler != nullptr;
 }
 
+const CRobotFailures& CSimulator::GetRobotFailures() const {
+  return m_context.RobotFailures;
+}
+
 void CSimulator::SetTickTimes(STickTimes* times) {
   m_tick->SetTimes(times);
 }
@@ -180,6 +185,7 @@ CLoopFunctions& CSimulator::GetLoopFunctions() {
 }
 
 void CSimulator::SetLoopFunctions(CLoopFunctions& loopFunctions) {
+  m_context.Run.CheckIsIdle("CSimulator::SetLoopFunctions()");
   m_experiment->OwnLoopFunctions.reset();
   m_experiment->SetLoopFunctions(&loopFunctions);
 }
@@ -218,7 +224,8 @@ std::string CSimulator::GetInstallationDirectory() const {
 }
 
 void CSimulator::LoadExperiment(bool forceNoVisualization) {
-  // check before the document of a loaded experiment would be replaced
+  // checks before the document of a loaded experiment would be replaced
+  m_context.Run.CheckIsIdleAndNotExecuting("CSimulator::LoadExperiment()");
   ThrowIfLoaded();
   auto document = std::make_unique<CConfigurationDocument>();
   document->LoadFile(m_experimentFileName);
@@ -233,6 +240,7 @@ void CSimulator::ThrowIfLoaded() const {
 }
 
 void CSimulator::Load(CConfigurationDocument& document, bool forceNoVisualization) {
+  m_context.Run.CheckIsIdleAndNotExecuting("CSimulator::Load()");
   ThrowIfLoaded();
   m_experiment->Document = &document;
   m_settings.ForceNoVisualization = forceNoVisualization;
@@ -254,11 +262,16 @@ void CSimulator::Init() {
     CScope(*this).Keep();
   });
   loader.SetDefaultVisualization([] { return std::make_unique<CDefaultVisualization>(); });
+  m_context.RobotFailures.Clear();
+  const CRunState::CScope loading(m_context.Run, CRunState::EActivity::Loading);
   loader.Load();
 }
 
 void CSimulator::Reset() {
+  m_context.Run.CheckAllowsReset();
   const CScope scope(*this);
+  const CRunState::CScope resetting(m_context.Run, CRunState::EActivity::Resetting);
+  m_context.Run.DiscardChanges();
   m_terminated = false;
   if (m_settings.IsSeedFromClock) {
     m_settings.DrawSeedFromClock();
@@ -274,7 +287,7 @@ void CSimulator::Reset() {
   for (CMedium* medium : m_context.Media) {
     medium->Reset();
   }
-  GetLoopFunctions().Reset();
+  CallHook(m_context, "Reset()", [this] { GetLoopFunctions().Reset(); });
   m_space->GetBodyIndex().Rebuild(*m_context.Pool);
   LOG.Flush();
   LOGERR.Flush();
@@ -286,7 +299,9 @@ void CSimulator::Reset(UInt32 newRandomSeed) {
 }
 
 void CSimulator::Destroy() {
+  m_context.Run.CheckIsIdleAndNotExecuting("CSimulator::Destroy()");
   const CScope scope(*this);
+  const CRunState::CScope destroying(m_context.Run, CRunState::EActivity::Destroying);
   const std::exception_ptr failure = m_experiment->Destroy();
   m_experiment.reset();
   m_experiment = std::make_unique<SExperimentParts>(m_context);
@@ -300,7 +315,9 @@ void CSimulator::Destroy() {
 }
 
 void CSimulator::Execute() {
+  m_context.Run.CheckIsIdleAndNotExecuting("CSimulator::Execute()");
   const CScope scope(*this);
+  const CRunState::CExecution execution(m_context.Run);
   GetVisualization().Execute();
 }
 
@@ -315,7 +332,9 @@ void CSimulator::UpdateSpace() {
 bool CSimulator::IsExperimentFinished() const {
   return m_terminated ||
          (m_settings.MaxClock > 0 && m_space->GetSimulationClock() >= m_settings.MaxClock) ||
-         (m_context.LoopFunctions != nullptr && m_context.LoopFunctions->IsExperimentFinished());
+         (m_context.LoopFunctions != nullptr &&
+          CallHook(m_context, "IsExperimentFinished()",
+                   [this] { return m_context.LoopFunctions->IsExperimentFinished(); }));
 }
 
 }  // namespace argos

@@ -115,6 +115,9 @@ class CSimulator {
   /** From now on adds the time of each phase of a tick to @p times (not owned); nullptr stops. */
   void SetTickTimes(STickTimes* times);
 
+  /** The errors of robots that did not end the run, since the experiment was loaded. */
+  const CRobotFailures& GetRobotFailures() const;
+
   UInt32 GetRandomSeed() const { return m_settings.Seed; }
   /** Overrides the seed of the file; call it before loading. */
   void SetRandomSeed(UInt32 seed);
@@ -156,18 +159,23 @@ class CSimulator {
   void LoadExperiment(bool forceNoVisualization = false);
   /** Initialises from the loaded document; called by Load(). */
   void Init();
-  /** Restores the initial state: the run can be repeated exactly. */
+  /**
+   * Restores the initial state: the run can be repeated exactly.
+   * @throws CARGoSException if robots, engines or media call it (see CRunState).
+   */
   void Reset();
   /** The same with another seed. */
   void Reset(UInt32 newRandomSeed);
   /**
    * Destroys the experiment; another one may be loaded.
+   * @throws CARGoSException in a tick and during Execute(), with the calling robot or hook: nothing
+   *   is destroyed then.
    * @throws the first exception of users' Destroy() functions, after everything is destroyed.
    */
   void Destroy();
-  /** Runs the visualization until the experiment ends. */
+  /** Runs the visualization until the experiment ends. @throws CARGoSException in a tick. */
   void Execute();
-  /** One tick. */
+  /** One tick. @throws CARGoSException in a tick. */
   void UpdateSpace();
   bool IsExperimentFinished() const;
 

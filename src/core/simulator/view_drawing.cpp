@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/core/simulator/tick/loop_hooks.h>
 
 namespace argos {
 
@@ -56,9 +57,9 @@ const CDrawing& CViewDrawing::Draw(CSimulator& simulator, UInt32 width, UInt32 h
   }
   CLoopFunctions& loopFunctions = simulator.GetLoopFunctions();
   m_drawing.SetWorldFrame();
-  loopFunctions.DrawInWorld(m_drawing);
+  CallHook(space.GetContext(), "DrawInWorld()", [&] { loopFunctions.DrawInWorld(m_drawing); });
   m_drawing.SetOverlay();
-  loopFunctions.DrawInOverlay(m_drawing);
+  CallHook(space.GetContext(), "DrawInOverlay()", [&] { loopFunctions.DrawInOverlay(m_drawing); });
   return m_drawing;
 }
 

@@ -3,6 +3,7 @@
 #include <argos3/core/utility/errors/argos_exception.h>
 
 #include <algorithm>
+#include <new>
 
 namespace argos {
 
@@ -39,7 +40,8 @@ std::string ReplaceLineBreaks(const std::string& text, const std::string& replac
 }  // namespace
 
 void CLoadErrors::Add(const std::string& context, const std::exception& error) {
-  std::string message = WithoutMarks(error.what());
+  const bool isLackOfMemory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+  std::string message = isLackOfMemory ? "not enough memory" : WithoutMarks(error.what());
   if (!context.empty()) {
     message = context + '\n' + message;
   }

@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_SIMULATOR_CONTEXT_LOAD_ERRORS_H
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/errors/exception_text.h>
 
 #include <exception>
 #include <string>
@@ -33,6 +34,9 @@ class CLoadErrors {
       return false;
     } catch (const std::exception& error) {
       Add(context, error);
+      return false;
+    } catch (...) {
+      Add(context, CARGoSException(DescribeCurrentException()));
       return false;
     }
   }

@@ -10,15 +10,18 @@ void CLoadState::Begin() {
 }
 
 void CLoadState::AddController(const std::string& id, TConfigurationNode& node) {
-  const auto [other, inserted] = m_controllers.emplace(id, &node);
+  const auto [other, inserted] =
+      m_controllers.emplace(id, SControllerSetup{id, &node, std::nullopt});
   if (!inserted) {
     THROW_ARGOSEXCEPTION(node.GetLocation()
                          << ": there is already a controller with id \"" << id << "\" at "
-                         << other->second->GetLocation() << "; ids must be unique");
+                         << other->second.Node->GetLocation() << "; ids must be unique");
   }
+  const std::optional<EOnError> own = ReadOnError(node);
+  other->second.OnError = own ? own : m_onError;
 }
 
-TConfigurationNode& CLoadState::GetController(const std::string& id) const {
+const SControllerSetup& CLoadState::GetSetup(const std::string& id) const {
   ThrowIfBroken(id);
   const auto found = m_controllers.find(id);
   if (found == m_controllers.end()) {
@@ -29,7 +32,7 @@ TConfigurationNode& CLoadState::GetController(const std::string& id) const {
     THROW_ARGOSEXCEPTION("there is no controller with id \"" << id << "\" in <controllers>"
                                                              << DidYouMean(id, known));
   }
-  return *found->second;
+  return found->second;
 }
 
 void CLoadState::MarkBroken(const std::string& id) {

@@ -3,6 +3,8 @@
 
 #include <argos3/core/simulator/context/arena.h>
 #include <argos3/core/simulator/context/load_state.h>
+#include <argos3/core/simulator/context/robot_failures.h>
+#include <argos3/core/simulator/context/run_state.h>
 
 #include <functional>
 #include <vector>
@@ -36,8 +38,12 @@ struct SSimulationContext {
   std::function<void()> RunTick; /**< one tick; for CSpace::Update() */
   CThreadPool* Pool = nullptr; /**< on which phases run; without workers before loading */
 
+  const UInt32* Clock = nullptr; /**< of the space, ticks */
+  CRunState Run; /**< what the simulation is doing */
+
   // of the experiment that is loaded
   CLoadState Loading;
+  CRobotFailures RobotFailures;
   Real TickLength = 0.1; /**< s */
   SArena Arena;
   std::vector<CPhysicsEngine*> Engines; /**< in document order */

@@ -3,6 +3,10 @@
 #include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/core/utility/errors/exception_text.h>
+#include <argos3/core/utility/errors/running_code.h>
+#include <argos3/core/utility/errors/signal_safe_text.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 namespace argos {
@@ -33,6 +37,20 @@ std::pair<SIMULATED*, std::unique_ptr<INTERFACE>> CreateDevice(TConfigurationNod
                                  "use it");
   }
   return {simulated.release(), std::unique_ptr<INTERFACE>(interface)};
+}
+
+// calls a device's function while a robot is set up; what it throws gets the element if it is not a
+// std::exception, whose text usually has it
+template <typename CALL>
+void CallDevice(const TConfigurationNode& node, const char* kind, CALL&& call) {
+  try {
+    call();
+  } catch (const std::exception&) {
+    throw;
+  } catch (...) {
+    ThrowWithCause(node.GetLocation() + ": the " + kind + " <" + node.Value() +
+                   "> cannot be initialised");
+  }
 }
 
 // calls SetRobot() of a device
@@ -87,6 +105,57 @@ void CControllableEntity::Init(TConfigurationNode& tree) {
   }
 }
 
+/****************************************/
+// errors of users' code
+/****************************************/
+
+void CControllableEntity::Describe(const void* robot, CSignalSafeText& text) {
+  const auto& self = *static_cast<const CControllableEntity*>(robot);
+  text.Append("robot \"").Append(self.GetRootEntity().GetId()).Append("\"");
+  if (self.m_setup != nullptr) {
+    text.Append(", controller \"").Append(self.m_setup->Id).Append("\"");
+  }
+}
+
+std::string CControllableEntity::DescribeForErrors() const {
+  return "robot \"" + GetRootEntity().GetId() + '"' +
+         (m_setup != nullptr ? ", controller \"" + m_setup->Id + '"' : std::string());
+}
+
+void CControllableEntity::Stop(bool byDevice, const std::string& context,
+                               const std::string& cause) {
+  m_isStopped = true;
+  m_haveDevicesFailed = m_haveDevicesFailed || byDevice;
+  m_context.RobotFailures.Note(GetRootEntity().GetId(), *m_context.Clock, context, cause);
+}
+
+// calls Reset() or Destroy() of the controller or of a device
+template <typename CALL>
+void CControllableEntity::CallUser(const char* call, CALL&& function) {
+  const CRunningCodeScope running({call, &CControllableEntity::Describe, this, nullptr});
+  try {
+    function();
+  } catch (...) {
+    const std::string context = DescribeForErrors() + ": " + call + " threw";
+    if (m_onError == EOnError::EndRun) {
+      ThrowWithCause(context);
+    }
+    Stop(false, context, DescribeCurrentException());
+  }
+}
+
+void CControllableEntity::UpdateDigest(CDigest& digest) const {
+  CEntity::UpdateDigest(digest);
+  if (m_isStopped) {
+    digest.Add(m_isStopped);
+    digest.Add(m_isQuarantined);
+  }
+}
+
+/****************************************/
+// start, reset, end
+/****************************************/
+
 void CControllableEntity::MarkStart() {
   CEntity::MarkStart();
   if (m_pcController != nullptr) {
@@ -109,29 +178,39 @@ void CControllableEntity::Reset() {
   CEntity::Reset();
   m_vecCheckedRays.clear();
   m_vecIntersectionPoints.clear();
+  m_isStopped = false;
+  m_haveDevicesFailed = false;
   if (m_pcController == nullptr) {
     return;
   }
-  for (const auto& entry : m_pcController->GetAllSensors()) {
-    entry.second->Reset();
-  }
-  for (const auto& entry : m_pcController->GetAllActuators()) {
-    entry.second->Reset();
-  }
-  m_pcController->Reset();
+  CallUser("Reset() of a sensor", [this] {
+    for (const auto& entry : m_pcController->GetAllSensors()) {
+      entry.second->Reset();
+    }
+  });
+  CallUser("Reset() of an actuator", [this] {
+    for (const auto& entry : m_pcController->GetAllActuators()) {
+      entry.second->Reset();
+    }
+  });
+  CallUser("Reset()", [this] { m_pcController->Reset(); });
 }
 
 void CControllableEntity::Destroy() {
   if (m_pcController == nullptr) {
     return;
   }
-  m_pcController->Destroy();
-  for (const auto& entry : m_pcController->GetAllSensors()) {
-    entry.second->Destroy();
-  }
-  for (const auto& entry : m_pcController->GetAllActuators()) {
-    entry.second->Destroy();
-  }
+  CallUser("Destroy()", [this] { m_pcController->Destroy(); });
+  CallUser("Destroy() of a sensor", [this] {
+    for (const auto& entry : m_pcController->GetAllSensors()) {
+      entry.second->Destroy();
+    }
+  });
+  CallUser("Destroy() of an actuator", [this] {
+    for (const auto& entry : m_pcController->GetAllActuators()) {
+      entry.second->Destroy();
+    }
+  });
 }
 
 const CCI_Controller& CControllableEntity::GetController() const {
@@ -158,13 +237,37 @@ void CControllableEntity::SetController(const std::string& controllerId) {
 
 void CControllableEntity::SetController(const std::string& controllerId,
                                         TConfigurationNode& params) {
-  TConfigurationNode& node = m_context.Loading.GetController(controllerId);
+  const SControllerSetup& setup = m_context.Loading.GetSetup(controllerId);
   if (m_context.Loading.IsProbing()) {
     return;
   }
-  const std::string robot = GetRootEntity().GetId();
+  if (m_context.Run.IsInPhase()) {
+    if (GetIndex() >= 0) {
+      m_context.Run.CheckIsNotInPhase("SetController()",
+                                      "it is possible in PreStep() and PostStep()");
+    }
+    // users' random generators and the space are not to be touched by several threads
+    m_lateController = std::make_unique<SLateController>(SLateController{controllerId, &params});
+    return;
+  }
   Destroy();
   DropController();
+  CreateController(setup, params);
+}
+
+void CControllableEntity::SetLateController() {
+  if (m_lateController != nullptr) {
+    const std::unique_ptr<SLateController> late = std::move(m_lateController);
+    SetController(late->Id, *late->Params);
+  }
+}
+
+void CControllableEntity::CreateController(const SControllerSetup& setup,
+                                           TConfigurationNode& params) {
+  const std::string robot = GetRootEntity().GetId();
+  TConfigurationNode& node = *setup.Node;
+  m_setup = &setup;
+  const CRunningCodeScope running({"Init()", &CControllableEntity::Describe, this, nullptr});
   try {
     m_controller.reset(CFactory<CCI_Controller>::New(node.Value()));
     m_pcController = m_controller.get();
@@ -172,6 +275,7 @@ void CControllableEntity::SetController(const std::string& controllerId,
     CreateActuators(node);
     CreateSensors(node);
     m_pcController->Init(params);
+    m_onError = m_pcController->ChooseOnError(setup.OnError);
     // afterwards, because controllers may add devices of their own, or replace some
     ListDevices();
     if (GetIndex() >= 0) {
@@ -179,13 +283,11 @@ void CControllableEntity::SetController(const std::string& controllerId,
     }
   } catch (const CAlreadyReported&) {
     throw;
-  } catch (std::exception& error) {
-    m_context.Loading.MarkBroken(controllerId);
+  } catch (...) {
+    m_context.Loading.MarkBroken(setup.Id);
     DropController();
-    THROW_ARGOSEXCEPTION_NESTED("robot \"" << robot << "\": its controller \"" << controllerId
-                                           << "\" (" << node.GetLocation() << ": <" << node.Value()
-                                           << ">) cannot be set up",
-                                error);
+    ThrowWithCause("robot \"" + robot + "\": its controller \"" + setup.Id + "\" (" +
+                   node.GetLocation() + ": <" + node.Value() + ">) cannot be set up");
   }
 }
 
@@ -197,6 +299,9 @@ void CControllableEntity::DropController() {
   m_mapSensors.clear();
   m_pcController = nullptr;
   m_controller.reset();
+  m_setup = nullptr;
+  m_isStopped = false;
+  m_haveDevicesFailed = false;
 }
 
 void CControllableEntity::CreateActuators(TConfigurationNode& controllerNode) {
@@ -207,8 +312,10 @@ void CControllableEntity::CreateActuators(TConfigurationNode& controllerNode) {
   TConfigurationNodeIterator it;
   for (it = it.begin(section); it != it.end(); ++it) {
     auto [simulated, interface] = CreateDevice<CSimulatedActuator, CCI_Actuator>(*it, "actuator");
-    AttachToRobot(*simulated, GetParent(), *it, "actuator");
-    interface->Init(*it);
+    CallDevice(*it, "actuator", [&, device = simulated, &face = interface] {
+      AttachToRobot(*device, GetParent(), *it, "actuator");
+      face->Init(*it);
+    });
     m_pcController->AddActuator(it->Value(), interface.release());
   }
 }
@@ -221,8 +328,10 @@ void CControllableEntity::CreateSensors(TConfigurationNode& controllerNode) {
   TConfigurationNodeIterator it;
   for (it = it.begin(section); it != it.end(); ++it) {
     auto [simulated, interface] = CreateDevice<CSimulatedSensor, CCI_Sensor>(*it, "sensor");
-    AttachToRobot(*simulated, GetParent(), *it, "sensor");
-    interface->Init(*it);
+    CallDevice(*it, "sensor", [&, device = simulated, &face = interface] {
+      AttachToRobot(*device, GetParent(), *it, "sensor");
+      face->Init(*it);
+    });
     m_pcController->AddSensor(it->Value(), interface.release());
   }
 }
@@ -267,6 +376,9 @@ const std::map<std::string, CSimulatedSensor*>& CControllableEntity::GetSensors(
 }
 
 void CControllableEntity::Act() {
+  if (m_haveDevicesFailed) {
+    return;
+  }
   for (CSimulatedActuator* actuator : m_actuators) {
     actuator->Update();
   }
@@ -275,6 +387,9 @@ void CControllableEntity::Act() {
 void CControllableEntity::Sense() {
   m_vecCheckedRays.clear();
   m_vecIntersectionPoints.clear();
+  if (m_haveDevicesFailed) {
+    return;
+  }
   for (const SSensorEntry& sensor : m_sensors) {
     if (sensor.Interface->IsSwitchedOn()) {
       sensor.Simulated->Update();
@@ -283,7 +398,7 @@ void CControllableEntity::Sense() {
 }
 
 void CControllableEntity::ControlStep() {
-  if (m_pcController != nullptr) {
+  if (m_pcController != nullptr && !m_isStopped) {
     m_pcController->ControlStep();
   }
 }

@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_SIMULATOR_ENTITY_CONTROLLABLE_ENTITY_H
 
 #include <argos3/core/control_interface/ci_controller.h>
+#include <argos3/core/control_interface/on_error.h>
 #include <argos3/core/simulator/entity/actuator.h>
 #include <argos3/core/simulator/entity/entity.h>
 #include <argos3/core/simulator/entity/sensor.h>
@@ -16,8 +17,10 @@
 namespace argos {
 
 class CLookAhead;
+class CSignalSafeText;
 class CSimulator;
 class CSpace;
+struct SControllerSetup;
 struct SSimulationContext;
 
 /**
@@ -42,6 +45,7 @@ class CControllableEntity : public CEntity {
   void Reset() override;
   void Destroy() override;
   std::string GetTypeDescription() const override { return "controller"; }
+  void UpdateDigest(CDigest& digest) const override;
   /** Also notes which of the controller's sensors are enabled. */
   void MarkStart() override;
   void ReturnToStart() override;
@@ -53,17 +57,43 @@ class CControllableEntity : public CEntity {
    * Creates the controller with its devices, actuators first, and runs its Init(). The
    * previous controller is destroyed first. In a run, Reset() keeps the new one; the components
    * and devices that are enabled now are then also those enabled at the start.
+   *
+   * While robots act, sense or are controlled, a robot that is not in the space yet gets its
+   * controller when it is added, at the end of the tick.
    * @param controllerId  `id` of a child of `<controllers>`.
-   * @throws CARGoSException if the id, a device, or an implementation is unknown, with what exists.
+   * @throws CARGoSException if the id, a device, or an implementation is unknown, with what exists;
+   *   if robots act, sense or are controlled and this robot is in the space.
    */
   void SetController(const std::string& controllerId);
   void SetController(const std::string& controllerId, TConfigurationNode& params);
+
+  /** Creates the controller that SetController() has left for later, if there is one. */
+  void SetLateController();
 
   /** Updates the enabled sensors, in alphabetical order of their XML tags. */
   virtual void Sense();
   virtual void ControlStep();
   /** Applies the actuators, in alphabetical order of their XML tags. */
   virtual void Act();
+
+  /** What follows when the code of this robot throws in a run. */
+  EOnError GetOnError() const { return m_onError; }
+  /**
+   * Notes an error that does not end the run. The controller is not called any more, nor are the
+   * devices if one of them has failed; Reset() undoes this.
+   * @param byDevice  a sensor or an actuator threw.
+   * @param context, cause  see CRobotFailures::Note().
+   */
+  void Stop(bool byDevice, const std::string& context, const std::string& cause);
+  /** True after an error that did not end the run, until Reset(). */
+  bool IsStopped() const { return m_isStopped; }
+  /** True if the robot was also removed from physics and media (CSpace::Quarantine()). */
+  bool IsQuarantined() const { return m_isQuarantined; }
+  void SetQuarantined(bool quarantined) { m_isQuarantined = quarantined; }
+
+  /** Appends, as in: robot "ep", controller "c" (<lua_controller>). For signal handlers, too. */
+  static void Describe(const void* robot, CSignalSafeText& text);
+
   /** Records a ray that a sensor cast, to be drawn. Cleared at each Sense(). */
   void AddCheckedRay(bool obstructed, const CRay3& ray);
   /** Records the point at fraction @p tOnRay of @p ray. */
@@ -91,6 +121,16 @@ class CControllableEntity : public CEntity {
     CCI_Sensor* Interface;  // the same object
   };
 
+  // what SetController() was called with while robots were updated
+  struct SLateController {
+    std::string Id;
+    TConfigurationNode* Params;
+  };
+
+  template <typename CALL>
+  void CallUser(const char* call, CALL&& function);
+  std::string DescribeForErrors() const;
+  void CreateController(const SControllerSetup& setup, TConfigurationNode& params);
   void CreateActuators(TConfigurationNode& controllerNode);
   void CreateSensors(TConfigurationNode& controllerNode);
   void ListDevices();
@@ -110,6 +150,12 @@ class CControllableEntity : public CEntity {
  private:
   SSimulationContext& m_context;
   std::unique_ptr<CCI_Controller> m_controller;
+  const SControllerSetup* m_setup = nullptr;  // of the controller
+  std::unique_ptr<SLateController> m_lateController;
+  EOnError m_onError = EOnError::EndRun;
+  bool m_isStopped = false;
+  bool m_haveDevicesFailed = false;
+  bool m_isQuarantined = false;
 };
 
 }  // namespace argos

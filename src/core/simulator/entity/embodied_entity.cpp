@@ -142,6 +142,8 @@ void CEmbodiedEntity::AddPhysicsModel(const std::string& engineId, CPhysicsModel
                          << m_tPhysicsModelMap.begin()->first << "\"; it cannot also be in \""
                          << engineId << "\"");
   }
+  // before the model is known: it is deleted if there is not enough memory
+  m_tPhysicsModelVector.reserve(m_tPhysicsModelVector.size() + 1);
   m_tPhysicsModelMap[engineId] = &model;
   m_tPhysicsModelVector.push_back(&model);
   CalculateBoundingBox();

@@ -76,6 +76,14 @@ UInt32 CBodyIndex::Add(CEmbodiedEntity& body, const SBodyPose& origin,
   UInt32 number = 0;
   if (m_free.empty()) {
     number = static_cast<UInt32>(m_bodies.size());
+    if (m_bodies.size() == m_bodies.capacity() || m_released.capacity() < m_bodies.capacity()) {
+      // all three or none, also without enough memory; and Remove() must never fail
+      const size_t capacity = 2 * m_bodies.size() + 1;
+      m_poses.reserve(capacity);
+      m_released.reserve(capacity);
+      m_free.reserve(capacity);
+      m_bodies.reserve(capacity);
+    }
     m_bodies.emplace_back();
     m_poses.emplace_back();
   } else {

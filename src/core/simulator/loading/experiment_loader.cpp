@@ -11,8 +11,10 @@
 #include <argos3/core/simulator/placement/arena_filling.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/tick/loop_functions.h>
+#include <argos3/core/simulator/tick/loop_hooks.h>
 #include <argos3/core/simulator/visualization/visualization.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
+#include <argos3/core/utility/errors/exception_text.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/dynamic_loading.h>
 #include <argos3/core/utility/profiler/profiler.h>
@@ -35,10 +37,9 @@ std::unique_ptr<BASE> CreatePart(TConfigurationNode& node, const char* kind) {
     std::unique_ptr<BASE> part(CFactory<BASE>::New(node.Value()));
     part->Init(node);
     return part;
-  } catch (std::exception& error) {
-    THROW_ARGOSEXCEPTION_NESTED(node.GetLocation() << ": <" << node.Value() << ">: the " << kind
-                                                   << " cannot be initialised",
-                                error);
+  } catch (...) {
+    ThrowWithCause(node.GetLocation() + ": <" + node.Value() + ">: the " + kind +
+                   " cannot be initialised");
   }
 }
 
@@ -194,6 +195,7 @@ void CExperimentLoader::InitExperiment(TConfigurationNode& framework) {
                                 error);
   }
   GetNodeAttributeOrDefault(experiment, "real_time", m_settings.IsRealTime, m_settings.IsRealTime);
+  m_context.Loading.SetOnError(ReadOnError(experiment));
   InitRandom(experiment);
   LOG << "[INFO] Total experiment length in clock ticks = "
       << (m_settings.MaxClock > 0 ? ToString(m_settings.MaxClock) : "unlimited") << std::endl;
@@ -278,8 +280,8 @@ void CExperimentLoader::CreateLoopFunctions(TConfigurationNode& root, CLoadError
         GetNodeAttribute(node, "label", label);
         LoadLibraryOf(node);
         AdoptLoopFunctions(std::unique_ptr<CLoopFunctions>(CFactory<CLoopFunctions>::New(label)));
-      } catch (std::exception& error) {
-        THROW_ARGOSEXCEPTION_NESTED(node.GetLocation() << ": <loop_functions>", error);
+      } catch (...) {
+        ThrowWithCause(node.GetLocation() + ": <loop_functions>");
       }
     });
   }
@@ -340,9 +342,9 @@ void CExperimentLoader::InitLoopFunctions(TConfigurationNode& root, CLoadErrors&
     return;
   }
   TConfigurationNode& node = GetNode(root, "loop_functions");
-  m_experiment.AreLoopFunctionsReady =
-      errors.Try(node.GetLocation() + ": <loop_functions> cannot be initialised",
-                 [&] { m_context.LoopFunctions->Init(node); });
+  m_experiment.AreLoopFunctionsReady = errors.Try(
+      node.GetLocation() + ": <loop_functions> cannot be initialised",
+      [&] { CallHook(m_context, "Init()", [&] { m_context.LoopFunctions->Init(node); }); });
 }
 
 void CExperimentLoader::PostSpaceInit(CLoadErrors& errors) {

@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/tick/loop_functions.h>
+#include <argos3/core/simulator/tick/loop_hooks.h>
 #include <argos3/core/simulator/tick/tick.h>
 #include <argos3/core/simulator/tick/tick_times.h>
 #include <argos3/core/simulator/visualization/visualization.h>
@@ -50,7 +51,9 @@ std::exception_ptr SExperimentParts::Destroy() {
   // users' Destroy() may rely on their Init()
   if (AreLoopFunctionsReady) {
     AreLoopFunctionsReady = false;
-    failure.Try([this] { m_context.LoopFunctions->Destroy(); });
+    failure.Try([this] {
+      CallHook(m_context, "Destroy()", [this] { m_context.LoopFunctions->Destroy(); });
+    });
   }
   if (Visualization != nullptr) {
     failure.Try([this] { Visualization->Destroy(); });

@@ -64,6 +64,10 @@ bool CDescribedBodyEngine::AddEntity(CEntity& entity) {
   CheckBody(*body);
   std::unique_ptr<CDescribedBodyModel> model = CreateModel(*body, recorded.get());
   model->m_recordedBody = std::move(recorded);
+  // afterwards nothing deletes the model while the body refers to it
+  if (m_models.size() == m_models.capacity()) {
+    m_models.reserve(2 * m_models.size() + 1);
+  }
   body->AddPhysicsModel(GetId(), *model);
   AddModel(std::move(model));
   return true;

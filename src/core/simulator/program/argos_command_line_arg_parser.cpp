@@ -39,7 +39,8 @@ Environment:
   ARGOS_PLUGIN_PATH  folders, separated by colons, that are searched for libraries first
   NO_COLOR           if set, logs have no colours
 
-Exit status: 0 after a normal end, 1 after an error, 130 or 143 if stopped by SIGINT or SIGTERM.
+Exit status: 0 after a normal end, 1 after an error, 3 if the run ended normally but errors had
+stopped robots (on_error), 130 or 143 if stopped by SIGINT or SIGTERM.
 )";
 
 std::string Title() {
@@ -124,6 +125,9 @@ void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOp
       ->group(run);
   app.add_flag("--lenient", options.Lenient,
                "read malformed numbers as ARGoS 3 does, with a warning, instead of refusing them")
+      ->group(run);
+  app.add_flag("--no-crash-handler", options.NoCrashHandler,
+               "do not report crashes: for a debugger, or handlers of the user's code")
       ->group(run);
   app.add_flag("--digest", options.Digest,
                "print a digest of the final state; equal runs, equal digests")

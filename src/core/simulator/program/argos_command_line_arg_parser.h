@@ -30,6 +30,7 @@ class CARGoSCommandLineArgParser {
     bool NoVisualization = false;
     bool Digest = false;
     bool Lenient = false;
+    bool NoCrashHandler = false;
     std::string LogFile; /**< empty: the standard output */
     std::string LogErrFile; /**< empty: the standard error */
     std::optional<UInt32> Seed;

@@ -1,6 +1,9 @@
 #include <argos3/core/simulator/program/command_line.h>
 
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/program/argos_command_line_arg_parser.h>
+#include <argos3/core/simulator/program/crash_handler.h>
 #include <argos3/core/simulator/program/progress.h>
 #include <argos3/core/simulator/program/query_plugins.h>
 #include <argos3/core/simulator/simulator.h>
@@ -28,6 +31,8 @@ namespace {
 using SOptions = CARGoSCommandLineArgParser::SOptions;
 
 constexpr int kFailure = 1;
+// the run ended normally, but errors stopped robots
+constexpr int kRobotsStopped = 3;
 // exit status of a program terminated by a signal, by the convention of shells: 128 + its number
 constexpr int kSignalStatus = 128;
 
@@ -216,6 +221,26 @@ Real Execute(CSimulator& simulator) {
   return wall.count();
 }
 
+/* Prints how many robots errors have stopped, and each of the errors once. */
+void PrintFailedRobots(CSimulator& simulator) {
+  if (simulator.GetRobotFailures().IsEmpty()) {
+    return;
+  }
+  const std::vector<CControllableEntity*>& robots = simulator.GetSpace().GetControllableEntities();
+  size_t stopped = 0;
+  size_t quarantined = 0;
+  for (const CControllableEntity* robot : robots) {
+    stopped += robot->IsStopped() ? 1 : 0;
+    quarantined += robot->IsQuarantined() ? 1 : 0;
+  }
+  LOGERR << fmt::format("[FATAL] {} of {} robots are stopped because of errors", stopped,
+                        robots.size())
+         << (quarantined > 0 ? fmt::format(", {} of them in quarantine", quarantined) : "")
+         << "; all errors of robots in this run:\n"
+         << simulator.GetRobotFailures().Summarize();
+  LOGERR.Flush();
+}
+
 void PrintSummary(CSimulator& simulator, Real wallSeconds, bool digest) {
   CSpace& space = simulator.GetSpace();
   const Real simulated = space.GetSimulationClock() * simulator.GetTickLength();
@@ -227,6 +252,7 @@ void PrintSummary(CSimulator& simulator, Real wallSeconds, bool digest) {
              robots == 1 ? "" : "s")
       << std::endl;
   LOG.Flush();
+  PrintFailedRobots(simulator);
   if (digest) {
     std::cout << fmt::format("digest: {:016x}", space.ComputeDigest()) << std::endl;
   }
@@ -249,7 +275,11 @@ int RunExperiment(const SOptions& options) {
                         });
   // after an error, too: loop functions close their files in Destroy()
   const bool destroyed = Try([&] { simulator.Destroy(); });
-  return executed && destroyed ? status : kFailure;
+  if (!executed || !destroyed) {
+    return kFailure;
+  }
+  // robots that have failed in Destroy() are among them
+  return status == 0 && !simulator.GetRobotFailures().IsEmpty() ? kRobotsStopped : status;
 }
 
 int Act(const SOptions& options) {
@@ -283,6 +313,10 @@ int RunCommandLine(int argc, const char* const* argv) noexcept {
       parser.Parse(argc, argv);
       ChooseColors(parser.GetOptions().NoColor);
       SetUpLogs(parser.GetOptions());
+      if (!parser.GetOptions().NoCrashHandler) {
+        CCrashHandler::Install();
+        CCrashHandler::SetLogFiles(parser.GetOptions().LogFile, parser.GetOptions().LogErrFile);
+      }
       status = Act(parser.GetOptions());
     });
     status = Try(&CheckLogs) ? status : kFailure;

@@ -9,9 +9,10 @@ namespace argos {
  * Never throws: errors are printed on LOGERR. Runs on CSimulator::GetInstance().
  *
  * @param argc, argv  arguments of main().
- * @return the exit status: 0 after a normal end, 1 after an error; 130 or 143 if SIGINT or SIGTERM
- *   stopped the run. A stopped run ends normally after the current tick; if this takes longer than
- *   30 s, or on a second signal, the process is killed.
+ * @return the exit status: 0 after a normal end; 1 after an error; 3 after a normal end of a run in
+ *   which errors stopped robots (EOnError); 130 or 143 if SIGINT or SIGTERM stopped the run. A
+ * stopped run ends normally after the current tick; if this takes longer than 30 s, or on a second
+ * signal, the process is killed.
  */
 int RunCommandLine(int argc, const char* const* argv) noexcept;
 

@@ -11,12 +11,15 @@
 #include <argos3/core/simulator/physics_engine/engine_assignment.h>
 #include <argos3/core/simulator/space/entity_views.h>
 #include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/core/utility/errors/exception_text.h>
 #include <argos3/core/utility/logging/log_order.h>
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 
 #include <algorithm>
 #include <exception>
+#include <optional>
+#include <utility>
 
 namespace argos {
 
@@ -25,6 +28,7 @@ CSpace::CSpace(SSimulationContext& context)
       m_views(std::make_unique<CEntityViews>(m_roots)),
       m_bodyIndex(std::make_unique<CBodyIndex>()) {
   m_context.Index = m_bodyIndex.get();
+  m_context.Clock = &m_simulationClock;
 }
 
 CSpace::~CSpace() = default;
@@ -73,24 +77,6 @@ CSimulator& CSpace::GetSimulator() {
   return m_context.Simulator;
 }
 
-void CSpace::Adopt(std::unique_ptr<CEntity> entity) {
-  // from here on the operations own it
-  CEntity& added = *entity.release();
-  try {
-    CallEntityOperation<CSpaceOperationAddEntity, CSpace, void>(*this, added);
-  } catch (...) {
-    // the removal tolerates a partly added entity, and deletes it
-    CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(*this, added);
-    throw;
-  }
-  if (added.GetIndex() < 0) {
-    entity.reset(&added);
-    THROW_ARGOSEXCEPTION("the class of \"" << added.GetId() << "\" (<" << added.GetTypeDescription()
-                                           << ">) has no space operations; its source needs a "
-                                              "REGISTER_STANDARD_SPACE_OPERATIONS_ON_... line");
-  }
-}
-
 void CSpace::AddEntityType(const std::string& tag, std::unique_ptr<CEntityType> type) {
   if (HasEntityType(tag) || tag == "distribute") {
     THROW_ARGOSEXCEPTION("there are already entities <" << tag << ">: another id is needed");
@@ -132,14 +118,18 @@ CEntity& CSpace::CreateEntity(TConfigurationNode& node) {
     return added;
   } catch (const CAlreadyReported&) {
     throw;
-  } catch (std::exception& error) {
-    THROW_ARGOSEXCEPTION_NESTED(
-        node.GetLocation() << ": <" << node.Value() << "> cannot be put into the arena", error);
+  } catch (...) {
+    ThrowWithCause(node.GetLocation() + ": <" + node.Value() + "> cannot be put into the arena");
   }
 }
 
 void CSpace::InsertEntity(CEntity& entity) {
   if (!entity.HasParent()) {
+    CheckMayChange();
+    // before the id is taken: what follows must not fail for lack of memory
+    if (m_roots.size() == m_roots.capacity()) {
+      m_roots.reserve(2 * m_roots.size() + 1);
+    }
     const auto [found, inserted] = m_rootById.try_emplace(entity.GetId(), nullptr);
     if (!inserted) {
       TConfigurationNode* other = found->second->GetConfigurationNode();
@@ -158,6 +148,7 @@ void CSpace::InsertEntity(CEntity& entity) {
 }
 
 void CSpace::EraseEntity(CEntity& entity) {
+  CheckMayChange();
   m_views->Remove(entity);
   std::unique_ptr<CEntity> owned;
   const auto byId = m_rootById.find(entity.GetId());
@@ -186,18 +177,31 @@ void CSpace::MarkStart() {
 }
 
 void CSpace::Reset() {
+  m_context.Run.CheckIsNotInPhase("CSpace::Reset()",
+                                  "CSimulator::Reset() is possible between ticks");
   m_simulationClock = 0;
   for (CEntity* root : m_roots) {
     root->ReturnToStart();
   }
-  for (CEntity* root : m_roots) {
-    root->Reset();
+  {
+    // Reset() of users' controllers
+    const CRunState::CScope scope(m_context.Run, CRunState::EActivity::Phase);
+    for (CEntity* root : m_roots) {
+      CARGoSLog::SetSequence(CARGoSLog::GetSequence() + 1);
+      root->Reset();
+    }
   }
+  m_context.Run.ApplyChanges();
+  m_context.RobotFailures.Report();
+  TakeBackQuarantined();
   CEngineAssignment(m_context).ReturnAll();
   m_bodyIndex->Rebuild(*m_context.Pool);
 }
 
 void CSpace::Destroy() {
+  m_context.Run.CheckIsNotInPhase("CSpace::Destroy()",
+                                  "CSimulator::Terminate() ends the run after this tick");
+  const CRunState::CScope scope(m_context.Run, CRunState::EActivity::Destroying);
   // of one root; a removal that has failed this often never succeeds
   constexpr size_t kMostFailures = 1000;
   std::exception_ptr failure;
@@ -215,6 +219,8 @@ void CSpace::Destroy() {
       }
     }
   }
+  m_context.Run.DiscardChanges();
+  m_context.RobotFailures.Report();
   m_views = std::make_unique<CEntityViews>(m_roots);
   *m_bodyIndex = CBodyIndex();
   m_extensions.clear();
@@ -237,11 +243,13 @@ void CSpace::RemoveLastRoot() {
 }
 
 void CSpace::AddControllableEntity(CControllableEntity& entity) {
+  CheckMayChange();
   m_robots.push_back(&entity);
   ++m_robotsVersion;
 }
 
 void CSpace::RemoveControllableEntity(CControllableEntity& entity) {
+  CheckMayChange();
   const auto found = std::find(m_robots.rbegin(), m_robots.rend(), &entity);
   if (found != m_robots.rend()) {
     m_robots.erase(std::prev(found.base()));
@@ -250,14 +258,20 @@ void CSpace::RemoveControllableEntity(CControllableEntity& entity) {
 }
 
 void CSpace::AddEntityToPhysicsEngine(CEmbodiedEntity& body) {
+  CheckMayChange();
   CEngineAssignment(m_context).Add(body);
 }
 
 void CSpace::RemoveEntityFromPhysicsEngines(CEmbodiedEntity& body) {
+  CheckMayChange();
   CEngineAssignment(m_context).Remove(body);
 }
 
 void CSpace::IterateOverControllableEntities(const TControllableEntityIterCBType& callback) {
+  m_context.Run.CheckIsNotInPhase("IterateOverControllableEntities()",
+                                  "it is possible in PreStep() and PostStep()");
+  const bool isOutermost = !m_context.Run.DefersChanges();
+  std::optional<CRunState::CScope> scope(std::in_place, m_context.Run, CRunState::EActivity::Phase);
   InLogOrder(m_robots.size(), [&](UInt64 firstPlace) {
     m_context.Pool->ParallelFor(m_robots.size(), kRobotsPerRun,
                                 [&](size_t begin, size_t end, UInt32) {
@@ -267,6 +281,10 @@ void CSpace::IterateOverControllableEntities(const TControllableEntityIterCBType
                                   }
                                 });
   });
+  scope.reset();
+  if (isOutermost) {
+    m_context.Run.ApplyChanges();
+  }
 }
 
 void CSpace::Update() {

@@ -94,7 +94,10 @@ class CSpace : public CBaseConfigurableResource {
   /** One tick of the simulation (tick/tick.h). */
   virtual void Update();
 
-  /** Adds a root entity, which the space then owns, or a component; used by space operations. */
+  /**
+   * Adds a root entity, which the space then owns, or a component; used by space operations.
+   * @throws CARGoSException while robots, engines or media are updated; Adopt() is possible then.
+   */
   template <typename ENTITY>
   void AddEntity(ENTITY& entity) {
     static_cast<void>(SEntityCast<ENTITY>::kIsRegistered);
@@ -102,7 +105,10 @@ class CSpace : public CBaseConfigurableResource {
   }
   /** Reserves indices in the order of entities, for components that are created later. */
   void SkipIndices(size_t count) { m_nextIndex += static_cast<ssize_t>(count); }
-  /** Removes an entity, calls its Destroy() and deletes it; used by space operations. */
+  /**
+   * Removes an entity, calls its Destroy() and deletes it; used by space operations.
+   * @throws CARGoSException while robots, engines or media are updated; Remove() is possible then.
+   */
   template <typename ENTITY>
   void RemoveEntity(ENTITY& entity) {
     EraseEntity(entity);
@@ -156,8 +162,23 @@ class CSpace : public CBaseConfigurableResource {
   void SetBodiesOutsideIndex(bool exist) { m_areBodiesOutsideIndex = exist; }
   /** Own random generator, for placement. */
   CRandom::CRNG& GetRNG();
-  /** Adds a root entity; deletes it if that fails. @throws CARGoSException */
+  /**
+   * Adds a root entity; deletes it if that fails. While robots, engines or media are updated it is
+   * added at the end of the tick, with its controller (CRunState). @throws CARGoSException
+   */
   void Adopt(std::unique_ptr<CEntity> entity);
+  /**
+   * Removes and deletes a root entity; at the end of the tick while robots, engines or media are
+   * updated. @throws CARGoSException if one robot requests it twice in a tick.
+   */
+  void Remove(CEntity& root);
+  /** @throws CARGoSException while robots, engines or media are updated. */
+  void CheckMayChange() const;
+  /**
+   * Notes, on any thread, that a root entity is to be disabled and to leave its engines and media
+   * at the end of the tick; it keeps its place in the lists. Reset() takes it back.
+   */
+  void QuarantineLater(CEntity& root);
   /**
    * Adds a type of entities that the experiment file describes.
    * @param tag  of such entities.
@@ -173,7 +194,9 @@ class CSpace : public CBaseConfigurableResource {
    * @throws CARGoSException with the nearest tags if there is none.
    */
   std::unique_ptr<CEntity> MakeEntity(const std::string& tag) const;
-  /** Creates and adds the entity that an XML element describes. @throws CARGoSException */
+  /** Creates and adds the entity that an XML element describes, see Adopt(). @throws
+   * CARGoSException
+   */
   CEntity& CreateEntity(TConfigurationNode& node);
   /** 64-bit digest of the state of every entity and medium, in order. */
   UInt64 ComputeDigest() const;
@@ -199,8 +222,13 @@ class CSpace : public CBaseConfigurableResource {
  private:
   void InsertEntity(CEntity& entity);
   void EraseEntity(CEntity& entity);
+  void AdoptNow(std::unique_ptr<CEntity> entity);
+  void RemoveNow(CEntity& root);
+  void QuarantineNow(CEntity& root);
+  void TakeBackQuarantined();
   void RemoveLastRoot();
   CEntity* TryGetEntity(const std::string& id);
+  CEntity* TryGetRoot(const std::string& id, ssize_t index) const;
 
   SSimulationContext& m_context;
   UInt32 m_simulationClock = 0;

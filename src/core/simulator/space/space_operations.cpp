@@ -20,6 +20,7 @@ void AddComponentsToSpace(CSpace& space, CComposableEntity& entity) {
 }
 
 void RemoveComponentsFromSpace(CSpace& space, CComposableEntity& entity) {
+  space.CheckMayChange();
   while (!entity.GetExistingComponents().empty()) {
     CEntity* const last = entity.GetExistingComponents().back();
     // the space detaches it from the entity; a type without operations is deleted here

@@ -36,7 +36,7 @@ void CLoopFunctions::RemoveEntity(CEntity& entity) {
                               << entity.GetRootEntity().GetId()
                               << "\": only root entities can be removed");
   }
-  CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(m_cSpace, entity);
+  m_cSpace.Remove(entity);
 }
 
 void CLoopFunctions::IterateOverControllableEntities(

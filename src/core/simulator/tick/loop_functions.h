@@ -76,14 +76,25 @@ class CLoopFunctions : public CBaseConfigurableResource, public CFloorPainter {
   /**
    * Adds a root entity allocated with new; the space takes ownership, and deletes it if it cannot
    * be added. A body keeps its pose, without a check for collisions.
+   *
+   * In hooks at once. In code of robots, engines and media, such as ControlStep(), at the end of
+   * the tick, in the order of the robots that request it; a new robot gets its controller then.
    * @throws CARGoSException if the id is taken, or if no physics engine accepts the body.
    */
   virtual void AddEntity(CEntity& entity);
-  /** Removes and deletes a root entity. @throws CARGoSException if the id is unknown. */
+  /**
+   * Removes and deletes a root entity: in hooks at once, otherwise at the end of the tick, as
+   * AddEntity().
+   * @throws CARGoSException if the id is unknown; if a robot removes the same entity twice in a
+   *   tick.
+   */
   virtual void RemoveEntity(const std::string& id);
   virtual void RemoveEntity(CEntity& entity);
 
-  /** Calls the callback for each robot, possibly on several threads at once. */
+  /**
+   * Calls the callback for each robot, possibly on several threads at once. What it adds and
+   * removes is added and removed when all calls have returned. Not to be called by robots.
+   */
   void IterateOverControllableEntities(const CSpace::TControllableEntityIterCBType& callback) const;
 
  private:

@@ -8,13 +8,18 @@
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/tick/loop_functions.h>
+#include <argos3/core/simulator/tick/loop_hooks.h>
 #include <argos3/core/simulator/tick/tick_times.h>
+#include <argos3/core/utility/errors/exception_text.h>
+#include <argos3/core/utility/errors/running_code.h>
 #include <argos3/core/utility/logging/log_order.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 
 #include <algorithm>
 #include <chrono>
 #include <mutex>
+#include <string>
+#include <type_traits>
 
 namespace argos {
 
@@ -38,77 +43,125 @@ void Timed(Real* seconds, PHASE&& phase) {
   *seconds += SecondsSince(start);
 }
 
-// calls step for robots [begin, end); a failure names the robot, its phase and the tick
+// a part of the work of a phase: robots [Begin, End)
+struct SRobotsOfPhase {
+  const std::vector<CControllableEntity*>& Robots;
+  size_t Begin;
+  size_t End;
+  UInt64 FirstPlace;  // of robot 0 in the log
+  const char* Call;  // such as "ControlStep()"
+  bool IsDevice;
+};
+
+// in a catch block: ends the run, or stops the robot
+void HandleFailure(SSimulationContext& context, const SRobotsOfPhase& phase,
+                   CControllableEntity& robot) {
+  const std::string where = "robot \"" + robot.GetRootEntity().GetId() + "\": " + phase.Call +
+                            " threw in tick " + std::to_string(*context.Clock);
+  if (robot.GetOnError() == EOnError::EndRun) {
+    ThrowWithCause(where);
+  }
+  robot.Stop(phase.IsDevice, where, DescribeCurrentException());
+  if (robot.GetOnError() == EOnError::Quarantine) {
+    context.Space->QuarantineLater(robot.GetRootEntity());
+  }
+}
+
+// calls step for the robots
 // @param lookAhead  void(size_t): called before each robot is visited, with its number
 template <typename STEP, typename LOOK_AHEAD>
-void ForRobots(const std::vector<CControllableEntity*>& robots, size_t begin, size_t end,
-               UInt64 firstPlace, const char* phase, UInt32 tick, STEP&& step,
+void ForRobots(SSimulationContext& context, const SRobotsOfPhase& phase, STEP&& step,
                LOOK_AHEAD&& lookAhead) {
-  size_t current = begin;
-  const auto fail = [&](std::exception* error) {
-    std::ostringstream message;
-    message << "robot \"" << robots[current]->GetRootEntity().GetId() << "\": " << phase
-            << " threw in tick " << tick;
-    throw CARGoSException(message.str(), error);
-  };
-  try {
-    for (; current < end; ++current) {
-      lookAhead(current);
-      if (robots[current]->IsEnabled()) {
-        CARGoSLog::SetSequence(firstPlace + current);
-        step(*robots[current]);
+  CRunningCodeScope running({phase.Call, &CControllableEntity::Describe, nullptr, context.Clock});
+  for (size_t current = phase.Begin; current < phase.End; ++current) {
+    try {
+      for (; current < phase.End; ++current) {
+        lookAhead(current);
+        CControllableEntity& robot = *phase.Robots[current];
+        if (robot.IsEnabled()) {
+          CARGoSLog::SetSequence(phase.FirstPlace + current);
+          running.SetSubject(&robot);
+          step(robot);
+        }
       }
+    } catch (...) {
+      HandleFailure(context, phase, *phase.Robots[current]);
     }
-  } catch (std::exception& error) {
-    fail(&error);
+  }
+}
+
+// for the report of a crash
+template <typename PART>
+void DescribePart(const void* part, CSignalSafeText& text) {
+  text.Append(std::is_same_v<PART, CMedium> ? "medium \"" : "physics engine \"")
+      .Append(static_cast<const PART*>(part)->GetId())
+      .Append("\"");
+}
+
+// updates an engine or a medium; a failure names it and the tick
+template <typename PART>
+void UpdatePart(PART& part, SSimulationContext& context) {
+  const CRunningCodeScope running({"Update()", &DescribePart<PART>, &part, context.Clock});
+  try {
+    part.Update();
   } catch (...) {
-    fail(nullptr);
+    ThrowWithCause(SRunningCode::OfThread().ToText() + " threw");
   }
 }
 
 // updates engines or media: those that use the pool themselves one after the other, the rest in
 // parallel
 template <typename PART>
-void UpdateParts(const std::vector<PART*>& parts, CThreadPool& pool) {
+void UpdateParts(const std::vector<PART*>& parts, SSimulationContext& context) {
   InLogOrder(parts.size(), [&](UInt64 firstPlace) {
     const auto update = [&](size_t begin, size_t end, bool onPool) {
       for (size_t i = begin; i < end; ++i) {
         if (parts[i]->UsesThreadPool() == onPool) {
           CARGoSLog::SetSequence(firstPlace + i);
-          parts[i]->Update();
+          UpdatePart(*parts[i], context);
         }
       }
     };
     update(0, parts.size(), true);
-    pool.ParallelFor(parts.size(), 1,
-                     [&](size_t begin, size_t end, UInt32) { update(begin, end, false); });
+    context.Pool->ParallelFor(parts.size(), 1,
+                              [&](size_t begin, size_t end, UInt32) { update(begin, end, false); });
   });
 }
 
 }  // namespace
 
 void CTick::Run() {
+  using EActivity = CRunState::EActivity;
   // runs a phase, and adds its time to the tick times if there are any
-  const auto phase = [this](Real STickTimes::*time, auto&& run) {
+  const auto phase = [this](EActivity activity, Real STickTimes::*time, auto&& run) {
+    const CRunState::CScope scope(m_context.Run, activity);
     Timed(m_times != nullptr ? &(m_times->*time) : nullptr, run);
+    m_context.RobotFailures.Report();
   };
 
   if (m_context.LoopFunctions == nullptr) {
     THROW_ARGOSEXCEPTION("no experiment is loaded: there is nothing to run");
   }
+  m_context.Run.CheckIsIdle("CSimulator::UpdateSpace()");
+  // after a tick that ended with an error
+  m_context.Run.DiscardChanges();
   CARGoSLog::SetSequence(0);
   m_context.Space->IncreaseSimulationClock();
-  phase(&STickTimes::Act, [&] { Act(); });
-  phase(&STickTimes::Physics, [&] {
+  phase(EActivity::Phase, &STickTimes::Act, [&] { Act(); });
+  phase(EActivity::Phase, &STickTimes::Physics, [&] {
     CollectGhosts();
     UpdatePhysics();
     TransferBodies();
   });
-  phase(&STickTimes::Index, [&] { m_context.Index->Rebuild(*m_context.Pool); });
-  phase(&STickTimes::Media, [&] { UpdateMedia(); });
-  phase(&STickTimes::PreStep, [&] { m_context.LoopFunctions->PreStep(); });
-  phase(&STickTimes::SenseAndControl, [&] { SenseAndControl(); });
-  phase(&STickTimes::PostStep, [&] { m_context.LoopFunctions->PostStep(); });
+  phase(EActivity::Phase, &STickTimes::Index, [&] { m_context.Index->Rebuild(*m_context.Pool); });
+  phase(EActivity::Phase, &STickTimes::Media, [&] { UpdateMedia(); });
+  phase(EActivity::Hook, &STickTimes::PreStep,
+        [&] { CallHook(m_context, "PreStep()", [&] { m_context.LoopFunctions->PreStep(); }); });
+  phase(EActivity::Phase, &STickTimes::SenseAndControl, [&] { SenseAndControl(); });
+  phase(EActivity::Hook, &STickTimes::PostStep,
+        [&] { CallHook(m_context, "PostStep()", [&] { m_context.LoopFunctions->PostStep(); }); });
+  m_context.Run.ApplyChanges();
+  m_context.RobotFailures.Report();
 
   LOG.Flush();
   LOGERR.Flush();
@@ -130,15 +183,14 @@ void CTick::UpdateLookAhead() {
 void CTick::Act() {
   UpdateLookAhead();
   const std::vector<CControllableEntity*>& robots = m_context.Space->GetControllableEntities();
-  const UInt32 tick = m_context.Space->GetSimulationClock();
   InLogOrder(robots.size(), [&](UInt64 firstPlace) {
-    m_context.Pool->ParallelFor(robots.size(), CSpace::kRobotsPerRun,
-                                [&](size_t begin, size_t end, UInt32) {
-                                  ForRobots(
-                                      robots, begin, end, firstPlace, "an actuator", tick,
-                                      [](CControllableEntity& robot) { robot.Act(); },
-                                      [this](size_t robot) { m_lookAhead.BeforeAct(robot); });
-                                });
+    m_context.Pool->ParallelFor(
+        robots.size(), CSpace::kRobotsPerRun, [&](size_t begin, size_t end, UInt32) {
+          ForRobots(
+              m_context, {robots, begin, end, firstPlace, "an actuator", true},
+              [](CControllableEntity& robot) { robot.Act(); },
+              [this](size_t robot) { m_lookAhead.BeforeAct(robot); });
+        });
   });
   for (CMedium* medium : m_context.Media) {
     medium->TakeActs();
@@ -161,7 +213,7 @@ void CTick::CollectGhosts() {
 }
 
 void CTick::UpdatePhysics() {
-  UpdateParts(m_context.Engines, *m_context.Pool);
+  UpdateParts(m_context.Engines, m_context);
 }
 
 void CTick::TransferBodies() {
@@ -173,7 +225,7 @@ void CTick::TransferBodies() {
 }
 
 void CTick::UpdateMedia() {
-  UpdateParts(m_context.Media, *m_context.Pool);
+  UpdateParts(m_context.Media, m_context);
 }
 
 void CTick::SenseAndControl() {
@@ -183,7 +235,6 @@ void CTick::SenseAndControl() {
       std::any_of(engines.begin(), engines.end(),
                   [](const CPhysicsEngine* engine) { return engine->HasBodiesOutsideIndex(); }));
   const std::vector<CControllableEntity*>& robots = m_context.Space->GetControllableEntities();
-  const UInt32 tick = m_context.Space->GetSimulationClock();
   // a controller writes only into its own robot's actuators, which no sensor reads in this phase:
   // so all robots of a run may sense before the first of them is controlled
   std::mutex timesMutex;
@@ -192,13 +243,13 @@ void CTick::SenseAndControl() {
     Real control = 0.0;
     Timed(m_times ? &sense : nullptr, [&] {
       ForRobots(
-          robots, first, last, firstPlace, "a sensor", tick,
+          m_context, {robots, first, last, firstPlace, "a sensor", true},
           [](CControllableEntity& robot) { robot.Sense(); },
           [this](size_t robot) { m_lookAhead.BeforeSense(robot, *m_context.Index); });
     });
     Timed(m_times ? &control : nullptr, [&] {
       ForRobots(
-          robots, first, last, firstPlace, "ControlStep()", tick,
+          m_context, {robots, first, last, firstPlace, "ControlStep()", false},
           [](CControllableEntity& robot) { robot.ControlStep(); }, [](size_t) {});
     });
     if (m_times != nullptr) {

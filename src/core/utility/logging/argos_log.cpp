@@ -1,5 +1,7 @@
 #include <argos3/core/utility/logging/argos_log.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
@@ -250,6 +252,26 @@ void CARGoSLog::Flush() {
                    static_cast<std::streamsize>(piece.End - piece.Start));
   }
   m_stream.flush();
+}
+
+void CARGoSLog::WriteAfterCrash(int file) noexcept {
+  const std::unique_lock<std::mutex> lock(m_state->Mutex, std::try_to_lock);
+  if (!lock.owns_lock()) {
+    return;
+  }
+  for (const std::shared_ptr<SThreadBuffer>& buffer : m_state->Buffers) {
+    const std::unique_lock<std::recursive_mutex> bufferLock(buffer->Mutex, std::try_to_lock);
+    if (bufferLock.owns_lock()) {
+      const std::string& text = buffer->Appender.Text;
+      for (std::size_t done = 0; done < text.size();) {
+        const ssize_t written = write(file, text.data() + done, text.size() - done);
+        if (written <= 0) {
+          break;
+        }
+        done += static_cast<std::size_t>(written);
+      }
+    }
+  }
 }
 
 /****************************************/

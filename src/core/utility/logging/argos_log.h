@@ -55,6 +55,12 @@ class CARGoSLog {
   void Flush();
 
   /**
+   * Writes what has not been flushed to a file descriptor, for the report of a crash: in no order,
+   * and without the messages of threads that are logging. May be called in a signal handler.
+   */
+  void WriteAfterCrash(int file) noexcept;
+
+  /**
    * Creates the calling thread's buffer now instead of at its first message. Optional.
    */
   void AddThreadSafeBuffer();

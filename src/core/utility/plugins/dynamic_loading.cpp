@@ -1,17 +1,22 @@
 #include <argos3/core/utility/plugins/dynamic_loading.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/errors/exception_text.h>
+#include <argos3/core/utility/errors/running_code.h>
+#include <argos3/core/utility/errors/signal_safe_text.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/process_wide.h>
 #include <argos3/core/utility/plugins/registration.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
+#include <cxxabi.h>
 #include <dlfcn.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <set>
 #include <system_error>
 
@@ -149,6 +154,27 @@ std::vector<std::string> Candidates(const std::string& lib) {
   return candidates;
 }
 
+// for the report of a crash
+void DescribeLibrary(const void* path, CSignalSafeText& text) {
+  text.Append("library \"").Append(*static_cast<const std::string*>(path)).Append("\"");
+}
+
+// demangles the C++ symbols in a message of the dynamic linker
+std::string WithReadableSymbols(const std::string& message) {
+  constexpr char kNameCharacters[] =
+      "_$.0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
+  const size_t start = message.find("_Z");
+  if (start == std::string::npos) {
+    return message;
+  }
+  const size_t end = std::min(message.find_first_not_of(kNameCharacters, start), message.size());
+  int status = 0;
+  const std::unique_ptr<char, void (*)(void*)> name(
+      abi::__cxa_demangle(message.substr(start, end - start).c_str(), nullptr, nullptr, &status),
+      &std::free);
+  return status == 0 ? message.substr(0, start) + name.get() + message.substr(end) : message;
+}
+
 // opens a library; returns null and sets the reason on failure
 CDynamicLoading::TDLHandle TryOpen(const std::string& path, std::string& reason) {
   std::error_code error;
@@ -160,11 +186,21 @@ CDynamicLoading::TDLHandle TryOpen(const std::string& path, std::string& reason)
     reason = "it is a directory";
     return nullptr;
   }
-  CDynamicLoading::TDLHandle handle = dlopen(path.c_str(), RTLD_LAZY | RTLD_GLOBAL);
-  if (handle == nullptr) {
-    reason = dlerror();
+  // the library's constructors of static objects run now
+  const CRunningCodeScope running(
+      {"its static objects are being constructed", &DescribeLibrary, &path, nullptr});
+  try {
+    // all symbols are bound now: a missing one is an error here and not in the middle of a run
+    CDynamicLoading::TDLHandle handle = dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL);
+    if (handle == nullptr) {
+      reason = WithReadableSymbols(dlerror());
+    }
+    return handle;
+  } catch (...) {
+    ThrowWithCause("The library \"" + path +
+                   "\" cannot be used: the construction of one of its "
+                   "static objects threw");
   }
-  return handle;
 }
 
 }  // namespace

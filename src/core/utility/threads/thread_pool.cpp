@@ -2,6 +2,7 @@
 
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/threads/signal_stack.h>
 
 #if defined(__x86_64__) || defined(__i386__)
 #include <immintrin.h>
@@ -122,6 +123,7 @@ void CThreadPool::NoteFailure(size_t begin) {
 bool CThreadPool::PrepareWorker(const std::function<void()>& startWorker) {
   bool good = false;
   try {
+    CSignalStack::Use();
     if (startWorker) {
       startWorker();
     }

@@ -21,17 +21,6 @@ constexpr const char* kCategory = "argos";
 constexpr const char* kStart = "start";
 constexpr const char* kSteps = "steps";
 
-bool ReadsEndRun(TConfigurationNode& params) {
-  std::string onError = "stop_robot";
-  GetNodeAttributeOrDefault(params, "on_error", onError, onError);
-  if (onError != "stop_robot" && onError != "end_run") {
-    THROW_ARGOSEXCEPTION(params.GetLocation()
-                         << ": <params>: \"on_error\" must be \"stop_robot\" or \"end_run\", got \""
-                         << onError << '"');
-  }
-  return onError == "end_run";
-}
-
 }  // namespace
 
 CLuaController::CLuaController() = default;
@@ -43,7 +32,7 @@ void CLuaController::Init(TConfigurationNode& params) {
   GetNodeAttributeOrDefault(params, "script", m_scriptName, std::string());
   GetNodeAttributeOrDefault(params, "max_instructions", m_maxInstructions,
                             CLuaState::kDefaultMaxInstructions);
-  m_endRunOnError = ReadsEndRun(params);
+  m_onError = ReadOnError(params);
   Load();
 }
 
@@ -167,14 +156,7 @@ void CLuaController::ControlStep() {
 
 void CLuaController::Reset() {
   if (!IsOK()) {
-    try {
-      Load();
-    } catch (const CARGoSException&) {
-      if (m_endRunOnError) {
-        throw;
-      }
-      LOGERR << "[FATAL] " << m_error << std::endl;
-    }
+    Load();
     return;
   }
   if (m_state == nullptr) {
@@ -193,15 +175,19 @@ void CLuaController::Reset() {
 }
 
 void CLuaController::Destroy() {
-  if (m_state != nullptr && IsOK()) {
-    try {
-      m_state->Run([](lua_State* state) { CLuaState::CallGlobal(state, "destroy"); });
-    } catch (const CLuaError& error) {
-      m_error = DescribeFailure("destroy()", error.GetMessage());
-      LOGERR << "[FATAL] " << m_error << std::endl;
-    }
+  const std::unique_ptr<CLuaState> state = std::move(m_state);
+  if (state == nullptr || !IsOK()) {
+    return;
   }
-  m_state.reset();
+  try {
+    state->Run([](lua_State* stack) { CLuaState::CallGlobal(stack, "destroy"); });
+  } catch (const CLuaError& error) {
+    Fail("destroy()", error.GetMessage());
+  }
+}
+
+EOnError CLuaController::ChooseOnError(std::optional<EOnError> configured) const {
+  return m_onError ? *m_onError : configured.value_or(EOnError::StopRobot);
 }
 
 lua_State* CLuaController::GetLuaState() const {
@@ -210,10 +196,7 @@ lua_State* CLuaController::GetLuaState() const {
 
 void CLuaController::Fail(const char* function, const std::string& message) {
   m_error = DescribeFailure(function, message);
-  if (m_endRunOnError) {
-    throw CARGoSException(m_error);
-  }
-  LOGERR << "[FATAL] " + m_error << std::endl;
+  throw CARGoSException(m_error);
 }
 
 std::string CLuaController::DescribeFailure(const char* function,
@@ -250,7 +233,8 @@ OPTIONAL XML
 
   on_error          "stop_robot" (the default): a script that fails in step() or reset() is not called any
                     more, the robot keeps its last commands, and the run goes on. "end_run": the run
-                    ends with an error.
+                    ends with an error. "quarantine": as stop_robot, and the robot leaves physics and
+                    media. Before the attribute of the same name of <lua_controller> and <experiment>.
   max_instructions  whole number, default 100000000: how many instructions of Lua's virtual machine the
                     script may execute in one call before it is interrupted with an error. 0: no
                     limit, which makes scripts faster.

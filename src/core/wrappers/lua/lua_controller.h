@@ -27,17 +27,20 @@ class CLuaController : public CCI_Controller {
   ~CLuaController() override;
 
   /**
-   * Reads `script` (a file; without it the robot does nothing), `on_error` (stop_robot: a script
-   * that fails is stopped, and the run goes on; end_run) and `max_instructions` (0 = no limit);
-   * every attribute is a string in robot.params. Runs the script and its init().
+   * Reads `script` (a file; without it the robot does nothing), `on_error` (see EOnError; before
+   * that of the controller's element) and `max_instructions` (0 = no limit); every attribute is a
+   * string in robot.params. Runs the script and its init().
    * @throws CARGoSException if there is no such script, or if it fails: with file, line, traceback.
    */
   void Init(TConfigurationNode& params) override;
-  /** @throws CARGoSException if the script fails and on_error is end_run. */
+  /** Does nothing after an error. @throws CARGoSException if the script fails. */
   void ControlStep() override;
-  /** After an error, loads the script again. @throws CARGoSException as ControlStep() */
+  /** After an error, loads the script again. @throws CARGoSException if the script fails. */
   void Reset() override;
+  /** @throws CARGoSException if the script fails. */
   void Destroy() override;
+  /** By default a robot whose script fails is stopped. */
+  EOnError ChooseOnError(std::optional<EOnError> configured) const override;
 
   /** Gives the robot another script and runs it with its init(). @throws CARGoSException as Init()
    */
@@ -58,7 +61,7 @@ class CLuaController : public CCI_Controller {
   void AddDevices(lua_State* state);
   void ReadSensors(lua_State* state) const;
   void Seed(const char* phase);
-  void Fail(const char* function, const std::string& message);
+  [[noreturn]] void Fail(const char* function, const std::string& message);
   std::string DescribeFailure(const char* function, const std::string& message) const;
 
   TConfigurationNode m_params;
@@ -68,7 +71,7 @@ class CLuaController : public CCI_Controller {
   std::vector<CCI_Sensor*> m_sensors;
   std::string m_scriptName;
   UInt64 m_maxInstructions = 0;
-  bool m_endRunOnError = false;
+  std::optional<EOnError> m_onError;  // of <params>
   std::string m_error;
 };
 

@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/physics_engine/described_body_model.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/core/simulator/tick/loop_hooks.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/math/eigen_bridge.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/camera_xml.h>
@@ -82,7 +83,9 @@ void CFrameVisualization::Execute() {
     return;
   }
   m_recorder->Run(m_cSimulator);
-  m_cSimulator.GetLoopFunctions().PostExperiment();
+  CLoopFunctions& loopFunctions = m_cSimulator.GetLoopFunctions();
+  CallHook(m_cSimulator.GetSpace().GetContext(), "PostExperiment()",
+           [&loopFunctions] { loopFunctions.PostExperiment(); });
 }
 
 }  // namespace argos

@@ -31,6 +31,7 @@ constexpr float kHitPointRadius = 0.004f;  // m
 constexpr double kHighestFoot = 0.045;  // m; parts that begin above it hardly darken the ground
 constexpr double kDetailShare = 0.35;  // of the volume of an entity's largest part
 constexpr double kUpright = 0.999;  // cosine of the angle between a part's axis and the vertical
+constexpr int kLeastGray = 160;  // of robots in quarantine
 constexpr int kMaxFloorSide = 8192;  // pixels, of the texture
 
 // the frame of a part; an anchor that is not enabled keeps its place on the body
@@ -47,6 +48,13 @@ SPose ComputeAnchorPose(const SVisualPart& part, CEmbodiedEntity* body, const SP
     return ToPose(anchor.Position, anchor.Orientation);
   }
   return origin * ToPose(anchor.OffsetPosition, anchor.OffsetOrientation);
+}
+
+// of the solids of robots in quarantine: differences of brightness are left, but none of colour
+CColor PaleGray(const CColor& color) {
+  const int brightness = (color.GetRed() + color.GetGreen() + color.GetBlue()) / 3;
+  const auto gray = static_cast<UInt8>(kLeastGray + brightness / 4);
+  return CColor(gray, gray, gray, color.GetAlpha());
 }
 
 // of the box around a part, m^3; LEDs are not solids
@@ -137,7 +145,11 @@ void CSceneBuilder::AddEntity(CEntity& entity, SScene& scene) const {
   SSubject subject;
   if (auto* composable = dynamic_cast<CComposableEntity*>(&entity)) {
     subject.Body = FindExistingComponent<CEmbodiedEntity>(*composable);
-    subject.LEDs = FindExistingComponent<CLEDEquippedEntity>(*composable);
+    const auto* const robot = FindExistingComponent<CControllableEntity>(*composable);
+    subject.IsQuarantined = robot != nullptr && robot->IsQuarantined();
+    if (!subject.IsQuarantined) {
+      subject.LEDs = FindExistingComponent<CLEDEquippedEntity>(*composable);
+    }
     if (subject.Body != nullptr) {
       const SAnchor& origin = subject.Body->GetOriginAnchor();
       subject.Pose = ToPose(origin.Position, origin.Orientation);
@@ -167,23 +179,24 @@ void CSceneBuilder::AddPart(const SVisualPart& part, SSubject& subject, SScene& 
         {ToFloats(pose.Translation), radius, ToRgba(part.Color), kLightHaloScale});
     return;
   }
+  const CColor color = subject.IsQuarantined ? PaleGray(part.Color) : part.Color;
   const bool isDetail = ComputeVolume(part) < kDetailShare * subject.LargestVolume;
   switch (part.Kind) {
     case SVisualPart::EKind::Box:
-      AddSolid(EMeshKind::Box, pose, size, 1.0f, part.Color, isDetail, scene);
+      AddSolid(EMeshKind::Box, pose, size, 1.0f, color, isDetail, scene);
       break;
     case SVisualPart::EKind::Cylinder:
-      AddSolid(EMeshKind::Cylinder, pose, size, 1.0f, part.Color, isDetail, scene);
+      AddSolid(EMeshKind::Cylinder, pose, size, 1.0f, color, isDetail, scene);
       break;
     case SVisualPart::EKind::Cone:
-      AddSolid(EMeshKind::Cylinder, pose, size, 0.0f, part.Color, isDetail, scene);
+      AddSolid(EMeshKind::Cylinder, pose, size, 0.0f, color, isDetail, scene);
       break;
     case SVisualPart::EKind::Sphere:
-      AddSolid(EMeshKind::Sphere, pose, size, 1.0f, part.Color, isDetail, scene);
+      AddSolid(EMeshKind::Sphere, pose, size, 1.0f, color, isDetail, scene);
       break;
     case SVisualPart::EKind::Ring:
       AddSolid(EMeshKind::Ring, pose, Eigen::Vector3d(size.x(), size.y(), size.x()),
-               static_cast<float>(size.z() / size.x()), part.Color, isDetail, scene);
+               static_cast<float>(size.z() / size.x()), color, isDetail, scene);
       break;
     case SVisualPart::EKind::LED:
       AddLED(part, pose, subject.LEDs, scene);

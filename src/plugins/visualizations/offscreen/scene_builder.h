@@ -36,8 +36,9 @@ class CSceneBuilder {
   struct SSubject {
     SPose Pose;
     CEmbodiedEntity* Body = nullptr;  // null: the entity has none
-    CLEDEquippedEntity* LEDs = nullptr;  // null: the entity has none
+    CLEDEquippedEntity* LEDs = nullptr;  // null: the entity has none, or they are dark
     bool IsLight = false;  // its solids glow
+    bool IsQuarantined = false;  // a robot that errors have stopped (CSpace::QuarantineLater())
     double LargestVolume = 0.0;  // of the boxes around its parts, m^3
     double FootprintArea = 0.0;  // of ContactShadow, m^2; 0: nothing touches the ground
     SContactShadow ContactShadow{};

@@ -1,0 +1,122 @@
+#include <argos3/core/simulator/context/robot_failures.h>
+
+#include <argos3/core/utility/logging/argos_log.h>
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+namespace argos {
+
+namespace {
+
+constexpr char kFatalMark[] = "[FATAL] ";
+// in errors of Lua scripts
+constexpr char kTraceback[] = "stack traceback:";
+// named in the summary; more of them are only counted
+constexpr size_t kMostNames = 10;
+
+bool IsPartOfName(char character) {
+  return std::isalnum(static_cast<unsigned char>(character)) != 0 || character == '_';
+}
+
+// equal for equal errors of different robots; ids that are numbers are not looked for
+std::string WithoutId(std::string text, const std::string& robot) {
+  const bool hasLetter = std::any_of(robot.begin(), robot.end(), [](char character) {
+    return std::isalpha(static_cast<unsigned char>(character)) != 0;
+  });
+  const std::string wanted = hasLetter ? robot : '"' + robot + '"';
+  for (size_t at = text.find(wanted); at != std::string::npos; at = text.find(wanted, at)) {
+    const size_t end = at + wanted.size();
+    const bool isWord = (at == 0 || !IsPartOfName(text[at - 1])) &&
+                        (end == text.size() || !IsPartOfName(text[end]));
+    if (isWord) {
+      text.erase(at, wanted.size());
+    } else {
+      at = end;
+    }
+  }
+  return text;
+}
+
+// errors of Lua scripts name the robot themselves
+std::string WithContext(const std::string& robot, const std::string& context,
+                        const std::string& cause) {
+  const bool hasContext = cause.rfind(kFatalMark + ("robot \"" + robot + '"'), 0) == 0;
+  return hasContext ? cause : kFatalMark + context + '\n' + cause;
+}
+
+// the lines of a text, each with one mark, the first without; a traceback is left out
+std::string Shorten(const std::string& text) {
+  const size_t markLength = sizeof(kFatalMark) - 1;
+  std::istringstream lines(text);
+  std::string result;
+  std::string line;
+  while (std::getline(lines, line) && line != kTraceback) {
+    if (line.rfind(kFatalMark, 0) == 0) {
+      line.erase(0, markLength);
+    }
+    result += (result.empty() ? "" : '\n' + (kFatalMark + std::string("  "))) + line;
+  }
+  return result;
+}
+
+std::string ListRobots(const std::vector<std::string>& robots) {
+  std::string list;
+  for (size_t i = 0; i < std::min(robots.size(), kMostNames); ++i) {
+    list += (i > 0 ? ", \"" : "\"") + robots[i] + '"';
+  }
+  if (robots.size() > kMostNames) {
+    list += " and " + std::to_string(robots.size() - kMostNames) + " more";
+  }
+  return list;
+}
+
+}  // namespace
+
+void CRobotFailures::Note(const std::string& robot, UInt32 tick, const std::string& context,
+                          const std::string& cause) {
+  SNote note{CARGoSLog::GetSequence(), robot, tick, WithContext(robot, context, cause),
+             WithoutId(cause, robot)};
+  const std::lock_guard<std::mutex> lock(m_mutex);
+  m_notes.push_back(std::move(note));
+}
+
+void CRobotFailures::Report() {
+  if (m_notes.empty()) {
+    return;
+  }
+  std::stable_sort(m_notes.begin(), m_notes.end(),
+                   [](const SNote& a, const SNote& b) { return a.Place < b.Place; });
+  for (SNote& note : m_notes) {
+    auto error = std::find_if(m_errors.begin(), m_errors.end(),
+                              [&note](const SError& known) { return known.Key == note.Key; });
+    if (error == m_errors.end()) {
+      LOGERR << note.Text << std::endl;
+      m_errors.push_back({note.Text, note.Key, 0, note.Tick, {}});
+      error = m_errors.end() - 1;
+    }
+    ++error->Count;
+    if (std::find(error->Robots.begin(), error->Robots.end(), note.Robot) == error->Robots.end()) {
+      error->Robots.push_back(note.Robot);
+    }
+  }
+  m_notes.clear();
+}
+
+void CRobotFailures::Clear() {
+  m_notes.clear();
+  m_errors.clear();
+}
+
+std::string CRobotFailures::Summarize() const {
+  std::ostringstream text;
+  for (const SError& error : m_errors) {
+    text << kFatalMark << (error.Count == 1 ? "once" : std::to_string(error.Count) + " times")
+         << ", first in tick " << error.FirstTick << ", of " << ListRobots(error.Robots) << ": "
+         << Shorten(error.Text) << '\n';
+  }
+  return text.str();
+}
+
+}  // namespace argos

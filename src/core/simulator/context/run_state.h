@@ -1,0 +1,129 @@
+#ifndef ARGOS3_CORE_SIMULATOR_CONTEXT_RUN_STATE_H
+#define ARGOS3_CORE_SIMULATOR_CONTEXT_RUN_STATE_H
+
+#include <argos3/core/utility/datatypes/datatypes.h>
+
+#include <functional>
+#include <mutex>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace argos {
+
+/**
+ * What a simulation is doing, and therefore what users' code may do meanwhile.
+ *
+ * | While ...                                | entities are added, removed | Reset() | Destroy()
+ * etc. |
+ * |------------------------------------------|-----------------------------|---------|----------------|
+ * | nothing runs, between ticks              | at once                     | yes     | yes | | a
+ * hook of the loop functions runs        | at once                     | yes     | error          |
+ * | robots act, sense or are controlled;     | at the end of the tick      | error   | error | |
+ * engines and media are updated            |                             |         | | | Reset() of
+ * robots, a removal             | when it is complete         | error   | error          | | the
+ * experiment is loaded                 | at once                     | error   | error          |
+ *
+ * "Destroy() etc." are also Execute(), UpdateSpace() and the loading of an experiment. Destroy() is
+ * an error during Execute(), too.
+ */
+class CRunState {
+ public:
+  enum class EActivity : UInt8 {
+    None,
+    Loading,
+    Hook, /**< of the loop functions, in a tick */
+    Phase, /**< of a tick, or a loop over robots: several threads may run users' code */
+    Changing, /**< entities are added and removed that were requested earlier */
+    Resetting,
+    Destroying
+  };
+
+  CRunState() = default;
+  CRunState(const CRunState&) = delete;
+  CRunState& operator=(const CRunState&) = delete;
+
+  /** Sets the activity during its lifetime. Main thread, outside of phases. */
+  class CScope {
+   public:
+    CScope(CRunState& state, EActivity activity)
+        : m_state(state), m_previous(std::exchange(state.m_activity, activity)) {}
+    ~CScope() { m_state.m_activity = m_previous; }
+    CScope(const CScope&) = delete;
+    CScope& operator=(const CScope&) = delete;
+
+   private:
+    CRunState& m_state;
+    EActivity m_previous;
+  };
+
+  /** The visualization runs during its lifetime. */
+  class CExecution {
+   public:
+    explicit CExecution(CRunState& state) : m_state(state) { state.m_isExecuting = true; }
+    ~CExecution() { m_state.m_isExecuting = false; }
+    CExecution(const CExecution&) = delete;
+    CExecution& operator=(const CExecution&) = delete;
+
+   private:
+    CRunState& m_state;
+  };
+
+  bool IsInPhase() const { return m_activity == EActivity::Phase; }
+  /** True if Defer() must be used: entities must be neither added nor removed now. */
+  bool DefersChanges() const {
+    return IsInPhase() || m_activity == EActivity::Changing || m_activity == EActivity::Destroying;
+  }
+
+  /** @throws CARGoSException unless nothing runs. @param call  as in "CSimulator::Destroy()". */
+  void CheckIsIdle(const char* call) const;
+  /** The same, and Execute() must not be running. */
+  void CheckIsIdleAndNotExecuting(const char* call) const;
+  /** @throws CARGoSException unless nothing or a hook of the loop functions runs. */
+  void CheckAllowsReset() const;
+  /** @throws CARGoSException if a phase runs. @param hint  what is possible instead. */
+  void CheckIsNotInPhase(const char* call, const char* hint) const;
+
+  /**
+   * Notes a change for the end of the tick. Any thread. Changes are applied in the order of the
+   * robots that request them, and those of one robot in the order of the requests: the order does
+   * not depend on threads.
+   */
+  void Defer(std::function<void()> change);
+  /**
+   * The same for the removal of @p entity, which is only compared.
+   * @throws CARGoSException if the robot that runs now has already requested it in this tick: code
+   *   that removes until nothing is left would never end.
+   */
+  void DeferRemoval(const void* entity, std::function<void()> change);
+  /**
+   * Applies the noted changes, and those that they cause. Main thread, outside of phases. Does
+   * nothing if the changes are already being applied.
+   * @throws the exception of the first change that fails, with the requester; later ones are
+   *   dropped.
+   */
+  void ApplyChanges();
+  /** Drops the noted changes: after an error, or when everything is destroyed. */
+  void DiscardChanges();
+
+ private:
+  struct SChange {
+    UInt64 Place;  // of the robot in the order of the tick
+    std::string Requester;
+    std::function<void()> Apply;
+  };
+
+  [[noreturn]] void Refuse(const char* call, const char* hint) const;
+  bool TakeChanges(std::vector<SChange>& changes);
+
+  EActivity m_activity = EActivity::None;
+  bool m_isExecuting = false;
+  std::mutex m_mutex;  // guards what follows; locked only by code that changes the space
+  std::vector<SChange> m_changes;
+  std::set<std::pair<UInt64, const void*>> m_removals;  // robots' places and entities
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,34 @@
+#ifndef ARGOS3_CORE_UTILITY_THREADS_SIGNAL_STACK_H
+#define ARGOS3_CORE_UTILITY_THREADS_SIGNAL_STACK_H
+
+#include <cstddef>
+
+namespace argos {
+
+/**
+ * The stack of the calling thread on which signal handlers run that request it, so that they also
+ * work when the thread's own stack has overflowed.
+ */
+class CSignalStack {
+ public:
+  /** From now on Use() gives each thread a stack. Before threads are started. */
+  static void Enable();
+  /**
+   * Gives the calling thread a stack until it ends, if stacks are enabled and it has none: a stack
+   * that a sanitizer or the user has set is kept. Does nothing if there is no memory for it.
+   */
+  static void Use();
+
+  ~CSignalStack();
+  CSignalStack(const CSignalStack&) = delete;
+  CSignalStack& operator=(const CSignalStack&) = delete;
+
+ private:
+  CSignalStack();
+
+  void* m_memory = nullptr;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,93 @@
+#include "failing_allocation.h"
+
+#include <cstdlib>
+#include <new>
+
+// what a failed allocation leaves behind is not looked for: only what it destroys
+#if defined(__SANITIZE_ADDRESS__)
+#define ARGOS_TEST_FINDS_LEAKS 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define ARGOS_TEST_FINDS_LEAKS 1
+#endif
+#endif
+#ifdef ARGOS_TEST_FINDS_LEAKS
+#include <sanitizer/lsan_interface.h>
+#endif
+
+namespace argos {
+
+namespace {
+
+struct SFailure {
+  bool IsActive = false;
+  std::size_t Count = 0;
+  std::size_t First = 0;
+  std::size_t End = 0;
+};
+
+thread_local SFailure failure;
+
+}  // namespace
+
+CFailingAllocation::CFailingAllocation(std::size_t first, std::size_t number) {
+#ifdef ARGOS_TEST_FINDS_LEAKS
+  __lsan_disable();
+#endif
+  failure = {true, 0, first, first + number};
+}
+
+CFailingAllocation::~CFailingAllocation() {
+  failure.IsActive = false;
+#ifdef ARGOS_TEST_FINDS_LEAKS
+  __lsan_enable();
+#endif
+}
+
+std::size_t CFailingAllocation::GetCount() const {
+  return failure.Count;
+}
+
+namespace {
+
+bool Fails() {
+  if (!failure.IsActive) {
+    return false;
+  }
+  const std::size_t number = failure.Count++;
+  return number >= failure.First && number < failure.End;
+}
+
+}  // namespace
+
+}  // namespace argos
+
+// NOLINTBEGIN(cppcoreguidelines-no-malloc): this is the allocator
+void* operator new(std::size_t bytes) {
+  void* const memory = argos::Fails() ? nullptr : std::malloc(bytes > 0 ? bytes : 1);
+  if (memory == nullptr) {
+    throw std::bad_alloc();
+  }
+  return memory;
+}
+
+void* operator new[](std::size_t bytes) {
+  return operator new(bytes);
+}
+
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+
+void operator delete[](void* memory) noexcept {
+  std::free(memory);
+}
+
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+
+void operator delete[](void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+// NOLINTEND(cppcoreguidelines-no-malloc)
