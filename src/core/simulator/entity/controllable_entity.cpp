@@ -226,6 +226,16 @@ CCI_Controller& CControllableEntity::GetController() {
 }
 
 void CControllableEntity::SetController(const std::string& controllerId) {
+  if (m_context.Run.IsInPhase()) {
+    if (GetIndex() >= 0) {
+      m_context.Run.CheckIsNotInPhase("SetController()",
+                                      "it is possible in PreStep() and PostStep()");
+    }
+    // users' random generators and the configuration must not be changed by several threads
+    m_context.Loading.GetSetup(controllerId);
+    m_lateController = std::make_unique<SLateController>(SLateController{controllerId, nullptr});
+    return;
+  }
   TConfigurationNode& node = m_context.Loading.GetController(controllerId);
   if (!NodeExists(node, "params")) {
     // adds an empty element: controllers may keep a reference to their parameters
@@ -242,12 +252,8 @@ void CControllableEntity::SetController(const std::string& controllerId,
     return;
   }
   if (m_context.Run.IsInPhase()) {
-    if (GetIndex() >= 0) {
-      m_context.Run.CheckIsNotInPhase("SetController()",
-                                      "it is possible in PreStep() and PostStep()");
-    }
-    // users' random generators and the space are not to be touched by several threads
-    m_lateController = std::make_unique<SLateController>(SLateController{controllerId, &params});
+    SetController(controllerId);
+    m_lateController->Params = &params;
     return;
   }
   Destroy();
@@ -256,9 +262,14 @@ void CControllableEntity::SetController(const std::string& controllerId,
 }
 
 void CControllableEntity::SetLateController() {
-  if (m_lateController != nullptr) {
-    const std::unique_ptr<SLateController> late = std::move(m_lateController);
+  if (m_lateController == nullptr) {
+    return;
+  }
+  const std::unique_ptr<SLateController> late = std::move(m_lateController);
+  if (late->Params != nullptr) {
     SetController(late->Id, *late->Params);
+  } else {
+    SetController(late->Id);
   }
 }
 

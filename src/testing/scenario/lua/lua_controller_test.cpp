@@ -274,7 +274,8 @@ TEST_CASE("lua controller: on_error end_run ends the run", "[lua][controller][er
   CHECK_THROWS_WITH(world.Step(), Contains("robot \"fb\": ControlStep() threw in tick 1") &&
                                       Contains("robot.lua:3: enough"));
   CHECK_THAT(LoadError(Running(functions, "on_error='ignore'")),
-             Contains("\"on_error\" must be \"stop_robot\" or \"end_run\", got \"ignore\""));
+             Contains("\"on_error\" must be \"end_run\", \"stop_robot\" or \"quarantine\", got "
+                      "\"ignore\""));
 }
 
 TEST_CASE("lua controller: after an error a reset loads the script again",

@@ -93,14 +93,22 @@ TEST_CASE("lua program: an error in step() ends the run only on request", "[lua]
                "function reset() end\nfunction destroy() end\n");
   folder.Write("e.argos", Experiment("script='bad.lua'"));
   const SProgramRun goesOn = folder.Run({"-c", "e.argos"});
-  CHECK(goesOn.Status == 0);
-  CHECK(goesOn.Err ==
-        "[FATAL] robot \"fb\": the Lua script \"bad.lua\" failed in step()\n"
-        "[FATAL] bad.lua:2: robot.wheels.set_velocity: argument 2 must be a number, got nil\n"
-        "stack traceback:\n"
-        "\t[C]: in field 'set_velocity'\n"
-        "\tbad.lua:2: in function 'step'\n"
-        "\t[C]: in ?\n");
+  CHECK(goesOn.Status == 3);
+  const std::string once =
+      "[FATAL] robot \"fb\": the Lua script \"bad.lua\" failed in step()\n"
+      "[FATAL] bad.lua:2: robot.wheels.set_velocity: argument 2 must be a number, got nil\n"
+      "stack traceback:\n"
+      "\t[C]: in field 'set_velocity'\n"
+      "\tbad.lua:2: in function 'step'\n"
+      "\t[C]: in ?\n";
+  CHECK(
+      goesOn.Err ==
+      once +
+          "[FATAL] 1 of 1 robots are stopped because of errors; all errors of robots in this "
+          "run:\n"
+          "[FATAL] once, first in tick 1, of \"fb\": robot \"fb\": the Lua script \"bad.lua\" "
+          "failed in step()\n"
+          "[FATAL]   bad.lua:2: robot.wheels.set_velocity: argument 2 must be a number, got nil\n");
   CHECK_THAT(goesOn.Out, Contains("simulated 1 s"));
   folder.Write("e.argos", Experiment("script='bad.lua' on_error='end_run'"));
   const SProgramRun ends = folder.Run({"-c", "e.argos"});
