@@ -76,7 +76,12 @@ class COutputFile::CBuffer : public std::streambuf {
     }
     const bool hadFailed = !m_failure.empty();
     if (!hadFailed) {
-      Write(m_pending.size());
+      try {
+        Write(m_pending.size());
+      } catch (const CARGoSException&) {
+        ::close(std::exchange(m_file, -1));
+        throw;
+      }
     }
     // some file systems report a full disk only here
     if (::close(std::exchange(m_file, -1)) != 0 && errno != EINTR && !hadFailed) {
@@ -139,9 +144,16 @@ class COutputFile::CBuffer : public std::streambuf {
       if (count >= 0) {
         done += static_cast<std::size_t>(count);
       } else if (errno != EINTR) {
-        Fail(std::strerror(errno));
+        const std::string reason = std::strerror(errno);
+        NoteWritten(done);
+        Fail(reason);
       }
     }
+    NoteWritten(length);
+  }
+
+  // moves the ends of the file and of its last line
+  void NoteWritten(std::size_t length) {
     const std::size_t lastBreak =
         length == 0 ? std::string::npos : m_pending.rfind('\n', length - 1);
     if (lastBreak != std::string::npos) {

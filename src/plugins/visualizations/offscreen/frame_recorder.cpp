@@ -8,6 +8,7 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/drawing_to_scene.h>
 #include <argos3/core/utility/text/classic_locale.h>
 
+#include <memory>
 #include <sstream>
 
 namespace argos {
@@ -18,13 +19,10 @@ CFrameRecorder::CFrameRecorder(const SRecordingSettings& settings, const CCamera
       m_timeline(timeline),
       m_drawing(drawing),
       m_writer(settings.File),
-      m_lock(m_writer.LockFrames()),
       m_builder(settings.ShowRays) {
   m_scene.ShowGrid = settings.ShowGrid;
   m_scene.ShowBoundary = settings.ShowBoundary;
 }
-
-CFrameRecorder::~CFrameRecorder() = default;
 
 void CFrameRecorder::Announce() const {
   CTextOutput text;
@@ -42,6 +40,7 @@ void CFrameRecorder::Announce() const {
 }
 
 void CFrameRecorder::Run(CSimulator& simulator) {
+  const std::unique_ptr<CLockFile> lock = m_writer.LockFrames();
   if (!m_renderer.has_value()) {
     m_renderer.emplace(m_settings.Render);
   }

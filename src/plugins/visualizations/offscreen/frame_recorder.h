@@ -8,7 +8,6 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/scene_builder.h>
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -40,18 +39,16 @@ class CFrameRecorder {
  public:
   /**
    * @param drawing  what users' code draws; must outlive the recorder.
-   * @throws CARGoSException as CFrameWriter and its LockFrames().
+   * @throws CARGoSException as CFrameWriter.
    */
   CFrameRecorder(const SRecordingSettings& settings, const CCameraTimeline& timeline,
                  CViewDrawing& drawing);
-  ~CFrameRecorder();
-  CFrameRecorder(const CFrameRecorder&) = delete;
-  CFrameRecorder& operator=(const CFrameRecorder&) = delete;
 
   /**
    * Steps the simulator until the experiment is finished, and writes a frame of the state before
    * the first tick, after every n-th one, and perhaps of the final state.
-   * @throws CARGoSException if a frame cannot be drawn or written.
+   * @throws CARGoSException if a frame cannot be drawn or written; if another run writes frames of
+   *   the same names, as CFrameWriter::LockFrames().
    */
   void Run(CSimulator& simulator);
 
@@ -63,7 +60,6 @@ class CFrameRecorder {
   CCameraTimeline m_timeline;
   CViewDrawing& m_drawing;
   CFrameWriter m_writer;
-  std::unique_ptr<CLockFile> m_lock;
   CSceneBuilder m_builder;
   std::optional<CRenderer> m_renderer;
   SScene m_scene;

@@ -5,17 +5,20 @@
 #include <argos3/core/simulator/entity/positional_entity.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/core/simulator/visualization/appearance.h>
 #include <argos3/plugins/simulator/entities/box_entity.h>
 #include <argos3/plugins/simulator/entities/cylinder_entity.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/light_entity.h>
+#include <argos3/testing/support/captured_logs.h>
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
 
 using namespace argos;
+using Catch::Contains;
 using Catch::WithinAbs;
 
 namespace {
@@ -60,7 +63,35 @@ void CheckRow(const std::array<float, 4>& row, const std::array<double, 4>& expe
   }
 }
 
+// has a place but no appearance
+class CUnseenEntity : public CPositionalEntity {
+ public:
+  ENABLE_VTABLE();
+  explicit CUnseenEntity(const std::string& id)
+      : CPositionalEntity(nullptr, id, CVector3(), CQuaternion()) {}
+  std::string GetTypeDescription() const override { return "unseen"; }
+};
+
+REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CUnseenEntity)
+
 }  // namespace
+
+TEST_CASE("scene builder: a type of entities without an appearance is named once",
+          "[visualizations][offscreen][scene]") {
+  CWorld world;
+  world.Add(new CFloorEntity("floor", 10));
+  world.Add(new CUnseenEntity("ghost"));
+  world.Add(new CUnseenEntity("spirit"));
+  CSceneBuilder builder(true);
+  SScene scene;
+  TakeLogErr();
+  builder.Build(world.GetSpace(), scene);
+  const std::string warning = TakeLogErr();
+  CHECK_THAT(warning, Contains("[WARNING]") && Contains("\"ghost\"") && Contains("<unseen>") &&
+                          !Contains("spirit") && !Contains("floor"));
+  builder.Build(world.GetSpace(), scene);
+  CHECK(TakeLogErr().empty());
+}
 
 TEST_CASE("scene builder: the arena follows the file", "[visualizations][offscreen][scene]") {
   CWorld world;
