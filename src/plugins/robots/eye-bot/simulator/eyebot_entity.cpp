@@ -105,7 +105,8 @@ std::string MakeManual() {
   manual.Summary =
       R"(A flying robot, 50 cm across, with 24 proximity sensors of 3 m range, and 33 LEDs: a ring of 16 (0 to
 15, counter-clockwise from 11.25 degrees in steps of 22.5), another above it (16 to 31), and one under the arm at 135
-degrees (32). The lower ring and the LED under the arm are seen from below the robot, through its own body. The actuators quadrotor_position and quadrotor_speed control its propellers; with neither, it hovers. It
+degrees (32). The lower ring and the LED under the arm are seen from below the robot, through its own body. The actuators
+quadrotor_position and quadrotor_speed control its propellers; with neither, it hovers. It
 needs a physics engine in which robots fly, and stays within the limits of the arena: its base is between the lowest
 height of the arena and 0.566 m below the highest.
 )";
