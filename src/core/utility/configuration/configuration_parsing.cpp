@@ -4,6 +4,7 @@
 #include <cctype>
 #include <charconv>
 #include <cstring>
+#include <locale>
 
 namespace argos::detail {
 
@@ -14,6 +15,7 @@ CTextReader::CBuffer::CBuffer(const char* text) {
 }
 
 CTextReader::CTextReader(const char* text, bool strict) : m_buffer(text), m_stream(&m_buffer) {
+  m_stream.imbue(std::locale::classic());
   if (strict) {
     SetStrictParsing(m_stream, true);
   } else {
