@@ -114,6 +114,8 @@ void CheckPlaces(const SSimulationContext& context, TLines& lines) {
 
 std::vector<std::string> FindLoadWarnings(CConfigurationDocument& document,
                                           const SSimulationContext& context) {
+  // before the checks below visit elements
+  const TLines unread = document.DescribeUnread();
   TLines lines;
   TConfigurationNode& root = document.GetRoot();
   CheckRootTag(root, lines);
@@ -126,7 +128,6 @@ std::vector<std::string> FindLoadWarnings(CConfigurationDocument& document,
     CheckControllers(GetNode(root, "controllers"), lines);
   }
   CheckPlaces(context, lines);
-  const TLines unread = document.DescribeUnread();
   lines.insert(lines.end(), unread.begin(), unread.end());
   return lines;
 }

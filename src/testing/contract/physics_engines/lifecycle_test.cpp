@@ -297,7 +297,8 @@ TEST_CASE(
     return;
   }
   CHECK_THROWS_WITH(
-      CDriveWorld(engine.ToXml(), "<box id='b' size='1e30,1,1' movable='false'><body/></box>"),
+      CDriveWorld(engine.ToXml(),
+                  "<box id='b' size='1e5,1,1' movable='false'><body position='9e4,0,0'/></box>"),
       Contains("\"b\" is too large or too far away"));
 }
 

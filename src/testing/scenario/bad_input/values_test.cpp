@@ -160,7 +160,7 @@ TEST_CASE("bad input: more robots than fit into the area", "[bad_input]") {
   experiment.Robot =
       "<distribute><position method=\"uniform\" min=\"0,0,0\" max=\"0.1,0.1,0\"/>"
       "<orientation method=\"constant\" values=\"0,0,0\"/>"
-      "<entity quantity=\"50\" max_trials=\"20\"><e-puck id=\"ep\"><controller config=\"c\"/>"
+      "<entity quantity=\"7\" max_trials=\"20\"><e-puck id=\"ep\"><controller config=\"c\"/>"
       "</e-puck></entity></distribute>";
   CHECK_THAT(LoadError(experiment), Contains("ep") && Contains("21"));
 }
