@@ -121,7 +121,7 @@ class CRunState {
   bool m_isExecuting = false;
   std::mutex m_mutex;  // guards what follows; locked only by code that changes the space
   std::vector<SChange> m_changes;
-  std::set<std::pair<UInt64, const void*>> m_removals;  // robots' places and entities
+  std::set<std::pair<UInt64, const void*>> m_removals;  // hashes of requesters, and entities
 };
 
 }  // namespace argos

@@ -124,7 +124,7 @@ class CControllableEntity : public CEntity {
   // what SetController() was called with while robots were updated
   struct SLateController {
     std::string Id;
-    TConfigurationNode* Params;
+    TConfigurationNode* Params;  // null: those of the controller's element
   };
 
   template <typename CALL>

@@ -35,8 +35,8 @@ constexpr SCrashSignal kCrashSignals[] = {{SIGSEGV, "SIGSEGV: invalid memory acc
                                           {SIGILL, "SIGILL: invalid instruction"},
                                           {SIGABRT, "SIGABRT: the program was aborted"}};
 
-// s; for each step of the report
-constexpr unsigned int kPatience = 5;
+// s; for each step of the report, of which the first look at symbols may read large files
+constexpr unsigned int kPatience = 30;
 constexpr int kMostFrames = 40;
 constexpr int kMostOwnFrames = 20;  // of the handler
 // bytes beside the end of a stack that an overflow touches first

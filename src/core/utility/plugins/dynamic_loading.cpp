@@ -190,8 +190,10 @@ CDynamicLoading::TDLHandle TryOpen(const std::string& path, std::string& reason)
   const CRunningCodeScope running(
       {"its static objects are being constructed", &DescribeLibrary, &path, nullptr});
   try {
-    // all symbols are bound now: a missing one is an error here and not in the middle of a run
-    CDynamicLoading::TDLHandle handle = dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL);
+    // all symbols are bound now: a missing one is an error here and not in the middle of a run. Its
+    // declaration says that dlopen() never throws, which constructors do
+    void* (*const volatile open)(const char*, int) = &dlopen;
+    CDynamicLoading::TDLHandle handle = open(path.c_str(), RTLD_NOW | RTLD_GLOBAL);
     if (handle == nullptr) {
       reason = WithReadableSymbols(dlerror());
     }
