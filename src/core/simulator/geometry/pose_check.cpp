@@ -6,7 +6,7 @@ namespace argos::detail {
 
 CQuaternion RepairPose(const std::string& owner, const CVector3& position,
                        const CQuaternion& orientation) {
-  constexpr Real kFewDigits = 1e-3;  // such as 0.707 for sin(45 degrees)
+  constexpr Real kFewDigits = 0.05;  // such as 0.7 for sin(45 degrees)
   for (UInt32 axis = 0; axis < 3; ++axis) {
     if (!(std::abs(position[axis]) <= kMostDistant)) {
       THROW_ARGOSEXCEPTION(owner << ": the position must be three numbers from " << -kMostDistant

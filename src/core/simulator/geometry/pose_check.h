@@ -33,7 +33,7 @@ CQuaternion RepairPose(const std::string& owner, const CVector3& position,
 /**
  * Checks a pose from users' code or from a file.
  * @param getOwner  returns the owner of the pose, for the message.
- * @return the orientation. If its length differs from 1 by no more than 1e-3, as that of numbers
+ * @return the orientation. If its length differs from 1 by no more than 0.05, as that of numbers
  *   with few digits does, it is scaled to length 1.
  * @throws CARGoSException if a number is not finite, a coordinate exceeds kMostDistant, or the
  *   orientation has another length.

@@ -77,7 +77,7 @@ TEST_CASE("poses: an orientation of few digits is scaled to length 1", "[contrac
   const SEngineType engine = GENERATE(from_range(kEnginesWithWheels));
   CAPTURE(engine);
   CDriveWorld world(engine.ToXml(), DriverXml("e-puck", "a", 1, 2, 0, 0, 0));
-  REQUIRE(world.Body("a").MoveTo(CVector3(2, 2, 0), CQuaternion(0.707, 0, 0, 0.707)));
+  REQUIRE(world.Body("a").MoveTo(CVector3(2, 2, 0), CQuaternion(0.7, 0, 0, 0.7)));
   // bodies of some engines have an angle of single precision
   CHECK_THAT(world.Body("a").GetOriginAnchor().Orientation.Length(), WithinAbs(1.0, 1e-7));
 }
