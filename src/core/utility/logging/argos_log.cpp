@@ -228,7 +228,7 @@ void CARGoSLog::NoteFailure(int error) {
     return;
   }
   if (m_state->File != nullptr && !m_state->File->File.GetFailure().empty()) {
-    m_state->Failure = m_state->File->File.GetFailure();
+    m_state->Failure = "the log could not be written: " + m_state->File->File.GetFailure();
     return;
   }
   const bool isOut = &m_stream == &std::cout;
