@@ -3,6 +3,7 @@
 #include "../command_line/program_run.h"
 #include "fault_experiment.h"
 
+#include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/testing/support/captured_logs.h>
