@@ -310,8 +310,9 @@ void CEmbodiedEntity::ResetLinks() {
 void CEmbodiedEntity::EnterIndex(CBodyIndex& index) {
   ARGOS_ASSERT(m_bodyIndex == nullptr && m_description != nullptr,
                "a body enters an index with a description, and one index only");
-  m_bodyIndex = &index;
   m_bodyNumber = index.Add(*this, *m_psOriginAnchor, *m_description, m_bMovable, GetLinkPoses());
+  // afterwards: without enough memory the body is in no index
+  m_bodyIndex = &index;
 }
 
 void CEmbodiedEntity::LeaveIndex() {

@@ -63,7 +63,8 @@ size_t TryStep(size_t first, size_t number, const std::function<void()>& step) {
     count = failing.GetCount();
   }
   if (error) {
-    CHECK_THAT(*error, Contains("memory"));
+    // streams of the standard library turn a lack of memory into a malformed text
+    CHECK_THAT(*error, Contains("memory") || Contains("expected"));
   }
   return count;
 }
