@@ -4,6 +4,7 @@
 #include "fault_experiment.h"
 
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/testing/support/captured_logs.h>
@@ -159,12 +160,12 @@ TEST_CASE("on_error: a quarantined robot is in no engine, no index and no medium
   const CVector3 place = body.GetOriginAnchor().Position;
   const CRay3 ray(place + CVector3(0.1, 0, 0.02), place + CVector3(-0.1, 0, 0.02));
   SEmbodiedEntityIntersectionItem hit;
-  REQUIRE(GetClosestEmbodiedEntityIntersectedByRay(hit, ray));
+  REQUIRE(world.GetSpace().GetBodyIndex().FindClosestHit(hit, ray));
   world.Step(1);
   CHECK(Stopped(world) == std::vector<std::string>{"ep1"});
   CHECK(body.GetPhysicsModelsNum() == 0);
   world.Step(5);
-  CHECK_FALSE(GetClosestEmbodiedEntityIntersectedByRay(hit, ray));
+  CHECK_FALSE(world.GetSpace().GetBodyIndex().FindClosestHit(hit, ray));
   // all its components have left their media
   for (CEntity* component : world.Get<CComposableEntity>("ep1").GetExistingComponents()) {
     CHECK_FALSE(component->IsEnabled());

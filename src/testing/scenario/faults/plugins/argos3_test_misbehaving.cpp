@@ -79,7 +79,7 @@ const std::map<std::string, TDeed>& Deeds() {
        }},
       {"add_box",
        [](const std::string& robot) {
-         Loop().AddEntity(*new CBoxEntity("box_of_" + robot, CVector3(0, 0, 5), CQuaternion(),
+         Loop().AddEntity(*new CBoxEntity("box_of_" + robot, CVector3(8, 8, 0), CQuaternion(),
                                           false, CVector3(0.1, 0.1, 0.1)));
        }},
       {"add_robot",
