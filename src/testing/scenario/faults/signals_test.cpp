@@ -39,10 +39,11 @@ TEST_CASE("signals: a run that is stopped in any tick ends in order", "[faults][
   experiment.Length = "0";
   // post-experiment hooks run, too
   experiment.Loop = "where='post_experiment' what='add_box'";
-  const CTestFolder folder;
-  folder.Write("e.argos", experiment.ToXml());
   std::mt19937 random(13);
   for (int run = 0; run < kRuns; ++run) {
+    // a new folder: the output of the run before has the text that triggers the signal
+    const CTestFolder folder;
+    folder.Write("e.argos", experiment.ToXml());
     const bool isInterrupt = run % 2 == 0;
     const std::string threads = std::to_string(run % 3);
     // the signal is sent when this many lines were written
