@@ -262,7 +262,8 @@ void CSpace::Destroy() {
   m_nextIndex = 0;
   m_simulationClock = 0;
   if (numMore > 0) {
-    LOGERR << "[WARNING] Destroy() of " << numMore << " more components of entities threw"
+    LOGERR << "[WARNING] Destroy() of " << numMore
+           << (numMore == 1 ? " more component" : " more components") << " of entities threw"
            << std::endl;
   }
   if (failure != nullptr) {

@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/core/utility/math/rng.h>
@@ -187,7 +188,7 @@ class CTurnover {
 
   CTestWorld& m_world;
   CSimulator::CScope m_scope;
-  CRandomStream m_random{1};
+  CRandomStream m_random{1, "test", "turnover", "places"};
   Real m_reach;  // m, of places in x and y
   std::vector<std::string> m_ids;
   size_t m_fixed = 0;  // models of bodies that are no robots

@@ -116,6 +116,7 @@ TEST_CASE("simulator: controllers that throw in Destroy() are errors, and everyt
   }
   // entities are destroyed last to first
   CHECK_THROWS_WITH(simulator.Destroy(), Contains("the controller of r2 cannot be destroyed"));
+  CHECK_THAT(TakeLogErr(), Contains("Destroy() of 1 more component of entities threw"));
   CHECK(CToyController::NumAlive == alive - 2);
   CHECK(simulator.GetPhysicsEngines().empty());
   CHECK(simulator.GetSpace().GetRootEntityVector().empty());

@@ -264,15 +264,16 @@ TEST_CASE("positional index: all entities are visited in order of addition", "[c
 TEST_CASE("positional index: entities at a place are returned as a set", "[core][space]") {
   const std::string kind = GENERATE("grid", "hash");
   SIndexed world(kind);
-  CPositionalEntity& far = world.Add(CVector3(1e12, -1e300, 0.0));
-  CPositionalEntity& lost = world.Add(CVector3(std::numeric_limits<Real>::quiet_NaN(), 0.0, 0.0));
+  CPositionalEntity& far = world.Add(CVector3(1e12, -1e12, 0.0));
+  CPositionalEntity& lost = world.Add(CVector3());
+  lost.SetPosition(CVector3(std::numeric_limits<Real>::quiet_NaN(), 0.0, 0.0));
   CPositionalEntity& here = world.Add(CVector3(1.0, 1.0, 0.5));
   world.Index->Update();
   CSet<CPositionalEntity*, SEntityComparator> found;
   world.Index->GetEntitiesAt(found, CVector3(1.0, 1.0, 0.5));
   CHECK(found.size() == 1);
   CHECK(found.exists(&here));
-  world.Index->GetEntitiesAt(found, CVector3(1e12, -1e300, 0.0));
+  world.Index->GetEntitiesAt(found, CVector3(1e12, -1e12, 0.0));
   CHECK(found.exists(&far));
   CHECK_FALSE(found.exists(&here));
   CCollect all;

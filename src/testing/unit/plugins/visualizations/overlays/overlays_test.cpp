@@ -56,7 +56,7 @@ CTestWorld MakeWorld() {
                "<controller config='drive'/></e-puck>"
                "<e-puck id='up' rab_range='0.5'><body position='0,1,0' orientation='90,0,0'/>"
                "<controller config='drive'/></e-puck>"
-               "<foot-bot id='deaf' rab_data_size='3'><body position='-1,-2,0'/>"
+               "<foot-bot id='deaf' rab_range='0.1' rab_data_size='2'><body position='-1,-2,0'/>"
                "<controller config='drive'/></foot-bot>"});
 }
 
@@ -251,7 +251,7 @@ TEST_CASE("overlays: a link is drawn from each receiver half-way to the sender",
   COverlaysOf view(world, "<links/>");
   CHECK(view.DrawAll(EKind::Line).empty());
   view.Step(1);
-  // "right" sends 2 m far, "up" half a metre, and the foot-bot has messages of another size
+  // "right" sends 2 m far, "up" half a metre, the foot-bot 0.1 m, and it is farther from the others
   const std::vector<SDrawnShape> lines = view.DrawAll(EKind::Line);
   REQUIRE(lines.size() == 1);
   const auto placeOf = [&world](const std::string& id) {
