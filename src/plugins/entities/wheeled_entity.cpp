@@ -88,7 +88,7 @@ void CWheeledEntity::UpdateDigest(CDigest& digest) const {
   CEntity::UpdateDigest(digest);
   for (size_t i = 0; i < GetNumWheels(); ++i) {
     digest.Add(GetWheelVelocities()[i]);
-    if (m_ordered != nullptr) {
+    if (m_ordered != nullptr && m_ordered[i] != GetWheelVelocities()[i]) {
       digest.Add(m_ordered[i]);
     }
   }

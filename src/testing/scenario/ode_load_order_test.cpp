@@ -49,6 +49,7 @@ SExperiment Heaps() {
   };
   SExperiment experiment;
   experiment.Length = 2.0;
+  experiment.ArenaSize = "10,10,4";
   experiment.Engines = engine("west", {{-5, -5}, {0, -5}, {0, 5}, {-5, 5}}) +
                        engine("east", {{0, -5}, {5, -5}, {5, 5}, {0, 5}});
   for (const char* const heap : {"-2", "2"}) {

@@ -346,7 +346,8 @@ TEST_CASE("prototype: mistakes are reported with their line", "[contract][engine
   const auto mistake = GENERATE_COPY(
       SMistake{"<link id='base' geometry='cube' size='1,1,1' mass='1'/>", "",
                "unknown geometry \"cube\""},
-      SMistake{"<link id='base' geometry='box' size='1,1,1' mass='0'/>", "", "\"mass\" (kg)"},
+      SMistake{"<link id='base' geometry='box' size='1,1,1' mass='0'/>", "",
+               "\"mass\" must be a number from"},
       SMistake{"<link id='base' geometry='convex_hull' mass='1'>(0,0,0)(1,0,0)(0,1,0)</link>", "",
                "needs at least 4 points"},
       SMistake{kBase + kBase, "", "there is already a link \"base\""},

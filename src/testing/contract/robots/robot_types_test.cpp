@@ -218,7 +218,8 @@ TEST_CASE("robot types: mistakes are reported with file and line", "[contract][r
        {"<robot-type id='x'>" + kDrive + "</robot-type>", "<body>"},
        {"<robot-type id='x'><body mass='0.4'/>" + kDrive + "</robot-type>",
         "needs at least one child <solid>"},
-       {"<robot-type id='x'><body mass='-1'/>" + kDrive + "</robot-type>", "\"mass\" (kg)"},
+       {"<robot-type id='x'><body mass='-1'/>" + kDrive + "</robot-type>",
+        "\"mass\" must be a number from"},
        {"<robot-type id='x'>" + kBody + "</robot-type>", "<differential_drive>"},
        {"<robot-type id='x'>" + kBody + kDrive +
             "<proximity_sensors><rings/></proximity_sensors></robot-type>",

@@ -295,7 +295,9 @@ TEST_CASE("lua controller: after an error a reset loads the script again",
   world.Step();
   CHECK(world.Get("t") == "1");
   world.Step();
-  CHECK_THAT(TakeLogErr(), Contains("tired"));
+  // an error that is equal to an earlier one is counted, and not logged again
+  CHECK(TakeLogErr() == "");
+  CHECK_FALSE(world.GetController().IsOK());
   // from the present content of the file
   functions.Step = "t = 100";
   world.Folder().Write("robot.lua", functions.ToScript());

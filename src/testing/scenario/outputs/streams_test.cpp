@@ -66,8 +66,8 @@ TEST_CASE("streams: a controller's Destroy() that throws leaves nothing undestro
   folder.Write("e.argos", text);
   const SProgramRun run = RunProgramUnder(folder, {"-c", "e.argos"}, {});
   CHECK(run.Status == 1);
-  CHECK_THAT(run.Err, Contains("[FATAL] robot \"b\": Destroy()") && Contains("no good end") &&
-                          Contains("[WARNING] Destroy() of 1 more"));
+  CHECK_THAT(run.Err, Contains("[FATAL] robot \"b\", controller \"bad\": Destroy()") &&
+                          Contains("no good end") && Contains("[WARNING] Destroy() of 1 more"));
   CHECK_THAT(folder.Read("profile.txt"), Contains("phase \"post-step\""));
   // the visualization has removed its lock
   CheckOutputsAreReadable(folder);
