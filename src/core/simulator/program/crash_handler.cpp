@@ -108,6 +108,7 @@ void AppendFunction(const char* mangled, bool demangle, CSignalSafeText& text) {
   int status = -1;
   char* const name = demangle ? abi::__cxa_demangle(mangled, nullptr, nullptr, &status) : nullptr;
   text.Append(status == 0 ? name : mangled);
+  // NOLINTNEXTLINE(cppcoreguidelines-no-malloc): the C library allocated it
   std::free(name);
 }
 

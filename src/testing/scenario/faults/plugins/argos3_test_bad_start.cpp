@@ -18,6 +18,6 @@ struct SBadStart {
   }
 };
 
-const SBadStart badStart;
+const SBadStart kBadStart;
 
 }  // namespace
