@@ -48,7 +48,7 @@ class CFailing : public CCI_Controller {
     std::string failure;
     GetNodeAttribute(params, "in", failure);
     m_failsInControl = failure == "control";
-    auto sensor = std::make_unique<CSensor>();
+    auto sensor = std::make_unique<SSensor>();
     sensor->Fails = failure == "sense";
     AddSensor("failing", sensor.release());
   }
@@ -59,7 +59,7 @@ class CFailing : public CCI_Controller {
   }
 
  private:
-  struct CSensor : CSimulatedSensor, CCI_Sensor {
+  struct SSensor : CSimulatedSensor, CCI_Sensor {
     void SetRobot(CComposableEntity&) override {}
     void Update() override {
       if (Fails) {

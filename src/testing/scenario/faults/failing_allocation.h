@@ -7,7 +7,8 @@ namespace argos {
 
 /**
  * During its lifetime some calls of operator new throw std::bad_alloc in the thread that made it. A
- * program that links failing_allocation.cpp has its own operator new.
+ * program that links failing_allocation.cpp has its own operator new, unless a sanitizer has one:
+ * then no call fails.
  */
 class CFailingAllocation {
  public:
