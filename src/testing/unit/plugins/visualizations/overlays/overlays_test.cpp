@@ -22,7 +22,6 @@ namespace {
 
 using EKind = SDrawnShape::EKind;
 
-constexpr Real kTick = 0.1;  // s
 constexpr UInt32 kWidth = 640;  // pixels, of pictures
 constexpr UInt32 kHeight = 480;
 
