@@ -15,15 +15,15 @@ namespace argos {
 /**
  * What a simulation is doing, and therefore what users' code may do meanwhile.
  *
- * | While ...                                | entities are added, removed | Reset() | Destroy()
- * etc. |
- * |------------------------------------------|-----------------------------|---------|----------------|
- * | nothing runs, between ticks              | at once                     | yes     | yes | | a
- * hook of the loop functions runs        | at once                     | yes     | error          |
- * | robots act, sense or are controlled;     | at the end of the tick      | error   | error | |
- * engines and media are updated            |                             |         | | | Reset() of
- * robots, a removal             | when it is complete         | error   | error          | | the
- * experiment is loaded                 | at once                     | error   | error          |
+ * - Nothing runs, between ticks: everything is possible, at once.
+ * - A hook of the loop functions runs: entities are added and removed at once, and Reset() is
+ *   possible; Destroy() etc. are errors.
+ * - Robots act, sense or are controlled, or engines and media are updated: entities are added and
+ *   removed at the end of the tick; Reset(), Destroy() etc. are errors.
+ * - Robots are reset, or an entity is removed: entities are added and removed when that is
+ * complete; Reset(), Destroy() etc. are errors.
+ * - The experiment is loaded: entities are added and removed at once; Reset(), Destroy() etc. are
+ *   errors.
  *
  * "Destroy() etc." are also Execute(), UpdateSpace() and the loading of an experiment. Destroy() is
  * an error during Execute(), too.

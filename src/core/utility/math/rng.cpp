@@ -282,7 +282,7 @@ void CRandom::CCategory::ReseedRNGs() {
   Reseed();
 }
 
-// draws all seeds anew, those of destroyed generators included
+// draws all seeds again, also those of destroyed generators
 void CRandom::CCategory::Reseed() {
   const size_t numSeeds = m_seeds.size();
   m_seeds.clear();
