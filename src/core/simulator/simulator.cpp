@@ -16,6 +16,7 @@
 
 #include <dlfcn.h>
 
+#include <cstdio>
 #include <exception>
 
 namespace argos {
@@ -52,12 +53,16 @@ CSimulator::CSimulator(std::unique_ptr<CRandom::CRegistry> registry)
 }
 
 CSimulator::~CSimulator() {
+  // a user's Destroy() may throw, a destructor must not; not even if there is no memory for a line
   try {
-    Destroy();
-  } catch (const std::exception& error) {
-    // a user's Destroy() may throw, a destructor must not
-    LOGERR << error.what() << std::endl;
-    LOGERR.Flush();
+    try {
+      Destroy();
+    } catch (const std::exception& error) {
+      LOGERR << error.what() << std::endl;
+      LOGERR.Flush();
+    }
+  } catch (...) {
+    static_cast<void>(std::fputs("[FATAL] a simulation was not destroyed in full\n", stderr));
   }
 }
 
@@ -313,8 +318,9 @@ void CSimulator::Destroy() {
   const CScope scope(*this);
   const CRunState::CScope destroying(m_context.Run, CRunState::EActivity::Destroying);
   const std::exception_ptr failure = m_experiment->Destroy();
-  m_experiment.reset();
-  m_experiment = std::make_unique<SExperimentParts>(m_context);
+  // without memory for it, what is destroyed stays and can be destroyed again
+  auto next = std::make_unique<SExperimentParts>(m_context);
+  m_experiment = std::move(next);
   m_settings.ForgetWhatWasSet();
   m_terminated = false;
   LOG.Flush();

@@ -55,16 +55,15 @@ class CMediumMember : public CPositionalEntity {
   }
 
   void SetEnabled(bool enabled) override {
-    const bool changed = enabled != IsEnabled();
+    if (enabled != IsEnabled() && m_medium != nullptr) {
+      // first: if the medium has no memory for it, the entity remains disabled
+      if (enabled) {
+        m_medium->AddEntity(AsEntity());
+      } else {
+        m_medium->RemoveEntity(AsEntity());
+      }
+    }
     CPositionalEntity::SetEnabled(enabled);
-    if (!changed || m_medium == nullptr) {
-      return;
-    }
-    if (enabled) {
-      m_medium->AddEntity(AsEntity());
-    } else {
-      m_medium->RemoveEntity(AsEntity());
-    }
   }
 
   /** @return true if cameras and devices find it in the cells of its medium while it is enabled. */
@@ -84,10 +83,10 @@ class CMediumMember : public CPositionalEntity {
       return;
     }
     ClearMedium();
-    m_medium = &medium;
     if (IsEnabled()) {
-      m_medium->AddEntity(AsEntity());
+      medium.AddEntity(AsEntity());
     }
+    m_medium = &medium;
   }
   /** Removes the entity from its medium, if any. */
   void ClearMedium() {

@@ -31,6 +31,7 @@ CQuadRotorEntity::CQuadRotorEntity(CComposableEntity* parent, const std::string&
 void CQuadRotorEntity::Reset() {
   m_position = SPositionControlData();
   m_speed = SSpeedControlData();
+  m_isAttached = false;
 }
 
 void CQuadRotorEntity::MarkStart() {
@@ -78,6 +79,10 @@ void CQuadRotorEntity::UpdateDigest(CDigest& digest) const {
   digest.Add(m_method);
   Add(digest, m_position.Position, m_position.Yaw);
   Add(digest, m_speed.Velocity, m_speed.RotSpeed);
+  // only then, so that digests of other runs are those of versions without it
+  if (m_isAttached) {
+    digest.Add(m_isAttached);
+  }
 }
 
 REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CQuadRotorEntity)

@@ -36,7 +36,7 @@ class CQuadRotorEntity : public CEntity {
   explicit CQuadRotorEntity(CComposableEntity* parent);
   CQuadRotorEntity(CComposableEntity* parent, const std::string& id);
 
-  /** Sets both targets to zero. */
+  /** Sets both targets to zero, and detaches the robot. */
   void Reset() override;
   /** Includes the control method. */
   void MarkStart() override;
@@ -55,6 +55,13 @@ class CQuadRotorEntity : public CEntity {
   const SSpeedControlData& GetSpeedControlData() const { return m_speed; }
   void SetSpeedControlData(const SSpeedControlData& data);
 
+  /**
+   * True: the robot holds on to the ceiling. Engines keep its pose then, at rest; the targets have
+   * no effect. Detached, it continues from rest.
+   */
+  bool IsAttached() const { return m_isAttached; }
+  void SetAttached(bool attached) { m_isAttached = attached; }
+
   /** @throws CARGoSException that names the robot if a value is not finite or above 1e9. */
   void Check(const SPositionControlData& data) const;
   void Check(const SSpeedControlData& data) const;
@@ -68,6 +75,7 @@ class CQuadRotorEntity : public CEntity {
   EControlMethod m_methodAtStart = NO_CONTROL;
   SPositionControlData m_position;
   SSpeedControlData m_speed;
+  bool m_isAttached = false;
 };
 
 }  // namespace argos

@@ -76,8 +76,8 @@ class CSensorEquippedEntity : public CEntity {
     for (size_t i = m_sensors->List.size(); i < GetNumSensors(); ++i) {
       const auto& place = m_layout->GetPlaces()[i];
       auto sensor = std::make_unique<SENSOR>(place, *m_anchors[place.Anchor]);
-      m_sensors->List.push_back(sensor.get());
       m_sensors->Owned.push_back(std::move(sensor));
+      m_sensors->List.push_back(m_sensors->Owned.back().get());
     }
     return m_sensors->List;
   }

@@ -23,8 +23,8 @@ class CMediumMembers {
   static constexpr UInt32 kWaiting = ~UInt32(0);  // of entities without a number
 
   void Add(ENTITY& entity) {
-    entity.SetNumberInMedium(kWaiting);
     m_waiting.push_back(&entity);
+    entity.SetNumberInMedium(kWaiting);
   }
   void Remove(ENTITY& entity) {
     if (entity.GetNumberInMedium() == kWaiting) {
@@ -45,6 +45,8 @@ class CMediumMembers {
     if (waiting == m_waiting.end() && !m_anyRemoved) {
       return false;
     }
+    // first: numbers become stale
+    m_members.reserve(m_members.size() + static_cast<size_t>(m_waiting.end() - waiting));
     m_members.erase(std::remove(m_members.begin(), m_members.end(), nullptr), m_members.end());
     m_members.insert(m_members.end(), waiting, m_waiting.end());
     m_waiting.erase(waiting, m_waiting.end());

@@ -15,6 +15,7 @@
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_proximity_sensor.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_turret_actuator.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_turret_encoder_sensor.h>
+#include <argos3/plugins/robots/generic/control_interface/ci_ceiling_attachment_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_altitude_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_battery_sensor.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_camera_sensor.h>
@@ -355,6 +356,9 @@ void CDeviceUser::UseMotors() {
 }
 
 void CDeviceUser::UseGrips() {
+  Order<CCI_CeilingAttachmentActuator>("ceiling_attachment", [this](auto& actuator) {
+    m_signal > -0.5 ? actuator.Attach() : actuator.Detach();
+  });
   Order<CCI_FootBotGripperActuator>("footbot_gripper", [this](auto& actuator) {
     m_signal > -0.5 ? actuator.LockPositive() : actuator.Unlock();
   });

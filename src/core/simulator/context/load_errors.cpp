@@ -13,6 +13,9 @@ namespace {
 // more lines hide those printed first
 constexpr size_t kMostMessages = 50;
 
+// the text to which exceptions that wrap a std::bad_alloc turn it
+constexpr char kLackOfMemory[] = "not enough memory";
+
 constexpr char kFatal[] = "[FATAL] ";
 
 // a chain of exceptions, outermost first, without the prefix of each line
@@ -44,8 +47,9 @@ std::string ReplaceLineBreaks(const std::string& text, const std::string& replac
 }  // namespace
 
 bool CLoadErrors::Add(const std::string& context, const std::exception& error) {
-  const bool isLackOfMemory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
-  std::string message = isLackOfMemory ? "not enough memory" : WithoutMarks(error.what());
+  const bool isBadAlloc = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+  std::string message = isBadAlloc ? kLackOfMemory : WithoutMarks(error.what());
+  m_lacksMemory = m_lacksMemory || message.find(kLackOfMemory) != std::string::npos;
   if (!context.empty()) {
     message = context + '\n' + message;
   }
@@ -60,7 +64,7 @@ void CLoadErrors::FindFurther(const std::function<void()>& read) {
   // attributes of an element
   constexpr int kMostAttempts = 20;
   CAttributeRepairs repairs;
-  for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+  for (int attempt = 0; attempt < kMostAttempts && !m_lacksMemory; ++attempt) {
     try {
       read();
       return;

@@ -21,13 +21,18 @@ class CAlreadyReported : public CARGoSException {
  * Collects the errors of an experiment, so that one run reports all of them.
  *
  * A failed part is recorded and loading continues with the next; failures that are only a
- * consequence of others are not reported.
+ * consequence of others are not reported. After a lack of memory nothing is loaded: what it has
+ * interrupted, such as an XML document, may be in no state to be read.
  */
 class CLoadErrors {
  public:
-  /** Calls @p step; records its exception under @p context. @return true if it did not throw. */
+  /** Calls @p step, unless memory has run out; records its exception under @p context. @return true
+   * if it did not throw. */
   template <typename STEP>
   bool Try(const std::string& context, STEP&& step) {
+    if (m_lacksMemory) {
+      return false;
+    }
     try {
       step();
       return true;
@@ -64,6 +69,7 @@ class CLoadErrors {
  private:
   std::vector<std::string> m_messages;  // unique, in order
   bool m_hasConsequences = false;
+  bool m_lacksMemory = false;
 };
 
 }  // namespace argos

@@ -71,6 +71,35 @@ void AttachToRobot(SIMULATED& device, CComposableEntity& robot, const TConfigura
   }
 }
 
+// makes a device and initialises it for a robot
+template <typename SIMULATED, typename INTERFACE>
+std::unique_ptr<INTERFACE> MakeDevice(TConfigurationNode& node, const char* kind,
+                                      CComposableEntity& robot) {
+  auto [simulated, interface] = CreateDevice<SIMULATED, INTERFACE>(node, kind);
+  CallDevice(node, kind, [&, device = simulated, &face = interface] {
+    AttachToRobot(*device, robot, node, kind);
+    face->Init(node);
+  });
+  return std::move(interface);
+}
+
+// makes the devices that a controller's element lists; kind: "sensor" for those in <sensors>
+template <typename SIMULATED, typename INTERFACE, typename ADD>
+void MakeDevices(TConfigurationNode& controllerNode, const std::string& kind,
+                 CComposableEntity& robot, CLoadErrors& errors, ADD&& add) {
+  TConfigurationNode* const section = FindSection(controllerNode, (kind + "s").c_str());
+  if (section == nullptr) {
+    return;
+  }
+  TConfigurationNodeIterator it;
+  for (it = it.begin(section); it != it.end(); ++it) {
+    const auto make = [&] { return MakeDevice<SIMULATED, INTERFACE>(*it, kind.c_str(), robot); };
+    if (!errors.Try("", [&] { add(it->Value(), make()); })) {
+      errors.FindFurther(make);
+    }
+  }
+}
+
 }  // namespace
 
 CControllableEntity::CControllableEntity(CComposableEntity* parent)
@@ -338,39 +367,19 @@ UInt64 CControllableEntity::GetBirth() const {
 }
 
 void CControllableEntity::CreateActuators(TConfigurationNode& controllerNode, CLoadErrors& errors) {
-  TConfigurationNode* section = FindSection(controllerNode, "actuators");
-  if (section == nullptr) {
-    return;
-  }
-  TConfigurationNodeIterator it;
-  for (it = it.begin(section); it != it.end(); ++it) {
-    errors.Try("", [&] {
-      auto [simulated, interface] = CreateDevice<CSimulatedActuator, CCI_Actuator>(*it, "actuator");
-      CallDevice(*it, "actuator", [&, device = simulated, &face = interface] {
-        AttachToRobot(*device, GetParent(), *it, "actuator");
-        face->Init(*it);
+  MakeDevices<CSimulatedActuator, CCI_Actuator>(
+      controllerNode, "actuator", GetParent(), errors,
+      [this](const std::string& tag, std::unique_ptr<CCI_Actuator> device) {
+        m_pcController->AddActuator(tag, device.release());
       });
-      m_pcController->AddActuator(it->Value(), interface.release());
-    });
-  }
 }
 
 void CControllableEntity::CreateSensors(TConfigurationNode& controllerNode, CLoadErrors& errors) {
-  TConfigurationNode* section = FindSection(controllerNode, "sensors");
-  if (section == nullptr) {
-    return;
-  }
-  TConfigurationNodeIterator it;
-  for (it = it.begin(section); it != it.end(); ++it) {
-    errors.Try("", [&] {
-      auto [simulated, interface] = CreateDevice<CSimulatedSensor, CCI_Sensor>(*it, "sensor");
-      CallDevice(*it, "sensor", [&, device = simulated, &face = interface] {
-        AttachToRobot(*device, GetParent(), *it, "sensor");
-        face->Init(*it);
+  MakeDevices<CSimulatedSensor, CCI_Sensor>(
+      controllerNode, "sensor", GetParent(), errors,
+      [this](const std::string& tag, std::unique_ptr<CCI_Sensor> device) {
+        m_pcController->AddSensor(tag, device.release());
       });
-      m_pcController->AddSensor(it->Value(), interface.release());
-    });
-  }
 }
 
 // the lists have the order of the controller's maps, by tag; devices that the controller added

@@ -160,9 +160,14 @@ void CEmbodiedEntity::AddPhysicsModel(const std::string& engineId, CPhysicsModel
   m_tPhysicsModelVector.reserve(m_tPhysicsModelVector.size() + 1);
   m_tPhysicsModelMap[engineId] = &model;
   m_tPhysicsModelVector.push_back(&model);
-  CalculateBoundingBox();
-  // the body may have been placed after its anchors were made
-  model.CalculateAnchors();
+  try {
+    CalculateBoundingBox();
+    // the body may have been placed after its anchors were made
+    model.CalculateAnchors();
+  } catch (...) {
+    RemovePhysicsModel(engineId);
+    throw;
+  }
 }
 
 void CEmbodiedEntity::RemovePhysicsModel(const std::string& engineId) {

@@ -92,9 +92,14 @@ UInt32 CBodyIndex::Add(CEmbodiedEntity& body, const SBodyPose& origin,
   }
   m_bodies[number] = {&body, &origin, &description, links, 0.0, 0.0, kNoBody, 0, movable, false};
   ++m_numAlive;
-  Describe(number);
-  ReadPose(number);
-  PutInOverlay(number);
+  try {
+    Describe(number);
+    ReadPose(number);
+    PutInOverlay(number);
+  } catch (...) {
+    Remove(number);
+    throw;
+  }
   return number;
 }
 

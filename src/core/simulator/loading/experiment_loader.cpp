@@ -286,7 +286,11 @@ void CExperimentLoader::InitProfiling(TConfigurationNode& node) {
   GetNodeAttribute(node, "file", file);
   GetNodeAttribute(node, "format", format);
   GetNodeAttributeOrDefault(node, "truncate_file", truncate, truncate);
-  m_experiment.StartProfiling(std::make_unique<CProfiler>(file, format, truncate), m_tick);
+  try {
+    m_experiment.StartProfiling(std::make_unique<CProfiler>(file, format, truncate), m_tick);
+  } catch (std::exception& error) {
+    THROW_ARGOSEXCEPTION_NESTED(node.GetLocation() << ": <profiling> cannot be used", error);
+  }
 }
 
 void CExperimentLoader::InitRobotTypes(TConfigurationNode& section, CLoadErrors& errors) {
@@ -377,8 +381,9 @@ void CExperimentLoader::InitPhysics(TConfigurationNode& section, CLoadErrors& er
         LOG << "[INFO] The physics engine \"" << engine->GetId() << "\" will perform "
             << engine->GetIterations()
             << " iterations per tick (dt = " << engine->GetPhysicsClockTick() << " s)" << std::endl;
-        m_context.Engines.push_back(engine.get());
+        // owned first: the context must not list what a lack of memory destroys
         m_experiment.Engines.push_back(std::move(engine));
+        m_context.Engines.push_back(m_experiment.Engines.back().get());
       },
       [this](const std::string&) { m_context.Loading.MarkBroken("physics_engines"); });
   CheckPartition(m_context.Engines, errors);
@@ -388,8 +393,8 @@ void CExperimentLoader::InitMedia(TConfigurationNode& section, CLoadErrors& erro
   CreateParts<CMedium>(
       section, "medium", errors,
       [this](std::unique_ptr<CMedium> medium) {
-        m_context.Media.push_back(medium.get());
         m_experiment.Media.push_back(std::move(medium));
+        m_context.Media.push_back(m_experiment.Media.back().get());
       },
       [this](const std::string& id) { m_context.Loading.MarkBroken(id); });
 }

@@ -86,6 +86,7 @@ std::exception_ptr SExperimentParts::Destroy() {
   Engines.clear();
   failure.Try([this] { FinishProfiling(); });
   if (Rng != nullptr) {
+    Rng = nullptr;
     CRandom::RemoveCategory("argos");
   }
   m_context.Loading = CLoadState();

@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/physics_engine/recorded_body.h>
+#include <argos3/core/utility/memory/room.h>
 #include <argos3/core/utility/configuration/value_range.h>
 #include <argos3/core/utility/plugins/factory.h>
 
@@ -75,12 +76,29 @@ bool CDescribedBodyEngine::AddEntity(CEntity& entity) {
   std::unique_ptr<CDescribedBodyModel> model = CreateModel(*body, recorded.get());
   model->m_recordedBody = std::move(recorded);
   // afterwards nothing deletes the model while the body refers to it
-  if (m_models.size() == m_models.capacity()) {
-    m_models.reserve(2 * m_models.size() + 1);
+  ReserveOneMore(m_models);
+  CDescribedBodyModel& added = *model;
+  body->AddPhysicsModel(GetId(), added);
+  try {
+    AddModel(std::move(model));
+  } catch (...) {
+    // it may have entered the engine's world in part
+    DropWorld();
+    body->RemovePhysicsModel(GetId());
+    std::erase(m_recorded, &added);
+    m_models.pop_back();
+    throw;
   }
-  body->AddPhysicsModel(GetId(), *model);
-  AddModel(std::move(model));
   return true;
+}
+
+void CDescribedBodyEngine::Update() {
+  try {
+    UpdateWorld();
+  } catch (...) {
+    DropWorld();
+    throw;
+  }
 }
 
 bool CDescribedBodyEngine::RemoveEntity(CEntity& entity) {

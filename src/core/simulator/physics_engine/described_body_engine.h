@@ -41,6 +41,8 @@ class CDescribedBodyEngine : public CPhysicsEngine {
   /** @throws CARGoSException if CPhysicsEngine does, or for more than kMaxIterations substeps. */
   void Init(TConfigurationNode& tree) override;
   size_t GetNumPhysicsModels() override { return m_models.size(); }
+  /** Calls UpdateWorld(). */
+  void Update() override;
   /**
    * Adds the body of a root entity if it has a description that Accepts() accepts. If the entity
    * does not describe its body, a user's model may (CBodyRecorder).
@@ -60,11 +62,18 @@ class CDescribedBodyEngine : public CPhysicsEngine {
  protected:
   using TBodies = std::vector<CEmbodiedEntity*>;
 
+  /** One tick. After an exception, there is no world. */
+  virtual void UpdateWorld() = 0;
+  /**
+   * Deletes the world, which an error may have left incomplete; the next tick builds a new one from
+   * the entities.
+   */
+  virtual void DropWorld() = 0;
   /** For Reset(): resets users' models. */
   void ResetRecordedBodies();
-  /** At the start of Update(): users' models command their drives. */
+  /** At the start of UpdateWorld(): users' models command their drives. */
   void StartRecordedBodies();
-  /** At the end of Update(): users' models follow their bodies. */
+  /** At the end of UpdateWorld(): users' models follow their bodies. */
   void FinishRecordedBodies();
 
   /** @return false while there is no world: bodies enter it when it is built. */

@@ -5,6 +5,7 @@
 #include <argos3/core/wrappers/lua/lua_script.h>
 #include <argos3/core/wrappers/lua/lua_state.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
+#include <argos3/plugins/simulator/loop_functions/lua/lua_drawing.h>
 #include <argos3/plugins/simulator/loop_functions/lua/lua_simulation.h>
 
 namespace argos {
@@ -25,7 +26,9 @@ constexpr const char* kHooks[] = {"init",
                                   "post_step",
                                   "post_experiment",
                                   "is_experiment_finished",
-                                  "floor_color"};
+                                  "floor_color",
+                                  "draw_in_world",
+                                  "draw_in_overlay"};
 
 /** Keeps a flag set for its lifetime. */
 class CFlag {
@@ -88,10 +91,14 @@ void CLuaLoopFunctions::Load() {
   m_state.reset();
   m_script = SLuaScript::Load(name, m_params.GetFileName(), limits.IsUnsafe);
   m_simulation = std::make_unique<CLuaSimulation>(*this);
+  m_drawing = std::make_unique<CLuaDrawing>();
   m_state = std::make_unique<CLuaState>(limits);
   m_hasFailed = false;
   try {
-    m_state->Run([this](lua_State* state) { m_simulation->Register(state, m_params); });
+    m_state->Run([this](lua_State* state) {
+      m_simulation->Register(state, m_params);
+      m_drawing->Register(state);
+    });
     Seed(kStart);
     const CFlag running(m_isRunning);
     m_state->Execute(*m_script);
@@ -179,6 +186,20 @@ void CLuaLoopFunctions::PostStep() {
   CallHook("post_step");
 }
 
+void CLuaLoopFunctions::DrawInWorld(CDrawing& drawing) {
+  if (m_drawing != nullptr) {
+    const CLuaDrawing::CScope scope(*m_drawing, drawing);
+    CallHook("draw_in_world");
+  }
+}
+
+void CLuaLoopFunctions::DrawInOverlay(CDrawing& drawing) {
+  if (m_drawing != nullptr) {
+    const CLuaDrawing::CScope scope(*m_drawing, drawing);
+    CallHook("draw_in_overlay");
+  }
+}
+
 bool CLuaLoopFunctions::IsExperimentFinished() {
   if (m_state == nullptr || m_hasFailed) {
     return false;
@@ -239,6 +260,8 @@ arguments, on the main thread, in one Lua 5.4 state:
   destroy()                 at the end of everything
   floor_color(x, y)         the color of the floor at a place, m, if <floor source="loop_functions"/>:
                             a name, "r,g,b,a", or three numbers from 0 to 255
+  draw_in_world(), draw_in_overlay()
+                            for each picture of a view; the table "draw" adds shapes to it
 
 The table "simulation" reads the clock, finds, moves, adds and removes entities, sets colors and
 lights, and ends the experiment; doc/lua.md describes it. An error in the script ends the run.

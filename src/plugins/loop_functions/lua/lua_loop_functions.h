@@ -11,6 +11,7 @@ struct lua_State;
 
 namespace argos {
 
+class CLuaDrawing;
 class CLuaSimulation;
 class CLuaState;
 struct SLuaScript;
@@ -38,6 +39,10 @@ class CLuaLoopFunctions : public CLoopFunctions {
   void PostExperiment() override;
   /** Safe on any thread: one thread at a time runs the script. White without floor_color(). */
   CColor GetFloorColor(const CVector2& positionOnFloor) override;
+  /** Calls draw_in_world(). */
+  void DrawInWorld(CDrawing& drawing) override;
+  /** Calls draw_in_overlay(). */
+  void DrawInOverlay(CDrawing& drawing) override;
 
  private:
   void Load();
@@ -49,7 +54,9 @@ class CLuaLoopFunctions : public CLoopFunctions {
 
   TConfigurationNode m_params;
   std::shared_ptr<const SLuaScript> m_script;
-  std::unique_ptr<CLuaSimulation> m_simulation;  // before the state, which refers to it
+  // before the state, which refers to them
+  std::unique_ptr<CLuaSimulation> m_simulation;
+  std::unique_ptr<CLuaDrawing> m_drawing;
   std::unique_ptr<CLuaState> m_state;
   std::mutex m_floorMutex;
   bool m_isRunning = false;  // a hook is running, on the main thread

@@ -42,8 +42,12 @@ void CDynamics2DEngine::Init(TConfigurationNode& tree) {
 // The next tick builds a new world from the entities, without any state of the run so far.
 void CDynamics2DEngine::Reset() {
   ResetRecordedBodies();
-  m_world.reset();
+  DropWorld();
   ForgetDisplaced();
+}
+
+void CDynamics2DEngine::DropWorld() {
+  m_world.reset();
 }
 
 void CDynamics2DEngine::Destroy() {
@@ -195,7 +199,7 @@ void CDynamics2DEngine::AddToWorld(CDynamics2DBody& model) {
   }
 }
 
-void CDynamics2DEngine::Update() {
+void CDynamics2DEngine::UpdateWorld() {
   StartRecordedBodies();
   if (m_world == nullptr) {
     Build();

@@ -35,7 +35,6 @@ class CDynamics2DEngine : public CPlanarEngine {
   void Init(TConfigurationNode& tree) override;
   void Reset() override;
   void Destroy() override;
-  void Update() override;
 
   bool GetMotion(const CEmbodiedEntity& body, SBodyMotion& motion) const override;
   void SetMotion(CEmbodiedEntity& body, const SBodyMotion& motion) override;
@@ -84,6 +83,8 @@ class CDynamics2DEngine : public CPlanarEngine {
   std::unique_ptr<CDynamics2DModel> MakeUserModel(CEntity& root);
 
  private:
+  void UpdateWorld() override;
+  void DropWorld() override;
   bool HasWorld() const override { return m_world != nullptr; }
   std::unique_ptr<CDescribedBodyModel> CreateModel(CEmbodiedEntity& body,
                                                    const CRecordedBody* recorded) override;

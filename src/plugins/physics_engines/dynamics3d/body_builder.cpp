@@ -360,6 +360,35 @@ std::string FindFlawOfPropellers(const SPropellersDescription& propellers) {
   return "";
 }
 
+std::string FindFlawOfMotion(const SBodyDescription& description) {
+  if (description.Drive) {
+    return FindFlawOfDrive(description);
+  }
+  if (description.PlanarDrive) {
+    return FindFlawOfPlanarDrive(description);
+  }
+  if (description.Articulation != nullptr) {
+    return FindFlawOfJoints(description);
+  }
+  return description.Propellers ? FindFlawOfPropellers(*description.Propellers) : "";
+}
+
+// ODE aborts if a moment of inertia is not positive, which rounding makes of one that is small
+// compared to that about the origin.
+std::string FindFlawOfMasses(const SBodyDescription& description) {
+  const UInt32 links =
+      description.Articulation != nullptr ? description.Articulation->GetNumLinks() : 1;
+  for (UInt32 link = 0; link < links; ++link) {
+    dMass mass = AddUpSolids(description, description.Mass, link);
+    CentreMass(mass);
+    if (dMassCheck(&mass) == 0) {
+      return "its solids are too far from its origin, or from each other, to compute with their "
+             "moments of inertia";
+    }
+  }
+  return "";
+}
+
 // Links are at their present poses; without motion, they move rigidly with the body.
 void PlaceLinks(const SRigidBody& body, const SRigidPose& pose, const SRigidMotion& motion) {
   const CVector3 centre = pose.Position + Rotated(body.CentreOfMass, pose.Orientation);
@@ -406,16 +435,8 @@ std::string FindFlaw(const SBodyDescription& description, bool movable) {
   if (description.PlanarInertia && !IsPositive(*description.PlanarInertia)) {
     return "the moment of inertia must be a number > 0 (kg m^2)";
   }
-  if (description.Drive) {
-    return FindFlawOfDrive(description);
-  }
-  if (description.PlanarDrive) {
-    return FindFlawOfPlanarDrive(description);
-  }
-  if (description.Articulation != nullptr) {
-    return FindFlawOfJoints(description);
-  }
-  return description.Propellers ? FindFlawOfPropellers(*description.Propellers) : "";
+  const std::string flaw = FindFlawOfMotion(description);
+  return flaw.empty() ? FindFlawOfMasses(description) : flaw;
 }
 
 void BuildRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidSettings& settings,
@@ -511,22 +532,29 @@ void DestroyRigidBody(SRigidBody& body) {
   }
   body.Solids.clear();
   body.Hulls.clear();
+  // parts are missing if the building was interrupted
+  const auto destroyJoint = [](dJointID joint) {
+    if (joint != nullptr) {
+      dJointDestroy(joint);
+    }
+  };
+  const auto destroyPart = [](dBodyID part) {
+    if (part != nullptr) {
+      dBodyDestroy(part);
+    }
+  };
   for (const SRigidLink& link : body.Links) {
-    dJointDestroy(link.Joint);
-    dBodyDestroy(link.Part);
+    destroyJoint(link.Joint);
+    destroyPart(link.Part);
   }
   body.Links.clear();
-  for (size_t i = 0; body.HasWheels() && i < body.Wheels.size(); ++i) {
-    dJointDestroy(body.Axles[i]);
-    dBodyDestroy(body.Wheels[i]);
+  for (size_t i = 0; i < body.Wheels.size(); ++i) {
+    destroyJoint(body.Axles[i]);
+    destroyPart(body.Wheels[i]);
   }
-  if (body.HasPlanarDrive()) {
-    dJointDestroy(body.PlanarMotor);
-    dJointDestroy(body.YawMotor);
-  }
-  if (body.Body != nullptr) {
-    dBodyDestroy(body.Body);
-  }
+  destroyJoint(body.PlanarMotor);
+  destroyJoint(body.YawMotor);
+  destroyPart(body.Body);
 }
 
 void PlaceRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidMotion& motion) {

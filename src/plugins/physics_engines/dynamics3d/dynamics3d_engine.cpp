@@ -116,13 +116,17 @@ void CDynamics3DEngine::SetDefaults() {
 // The next tick builds a new world from the entities, without any state of the run so far.
 void CDynamics3DEngine::Reset() {
   ResetRecordedBodies();
-  m_world.reset();
-  for (const auto& model : GetModels()) {
-    static_cast<CDynamics3DModel&>(*model).m_body = nullptr;
-  }
+  DropWorld();
   ForgetDisplaced();
   for (const auto& plugin : m_plugins) {
     plugin->Reset();
+  }
+}
+
+void CDynamics3DEngine::DropWorld() {
+  m_world.reset();
+  for (const auto& model : GetModels()) {
+    static_cast<CDynamics3DModel&>(*model).m_body = nullptr;
   }
 }
 
@@ -308,7 +312,7 @@ void CDynamics3DEngine::UpdatePlugins() {
   }
 }
 
-void CDynamics3DEngine::Update() {
+void CDynamics3DEngine::UpdateWorld() {
   StartRecordedBodies();
   UseODEInThisThread();
   if (m_world == nullptr) {

@@ -34,7 +34,6 @@ class CDynamics3DEngine : public CDescribedBodyEngine {
   void Init(TConfigurationNode& tree) override;
   void Reset() override;
   void Destroy() override;
-  void Update() override;
   /**
    * Warns of robots on wheels without gravity, and logs that gravity and a floor were added by
    * default.
@@ -67,6 +66,8 @@ class CDynamics3DEngine : public CDescribedBodyEngine {
   void UpdateManipulator(CDynamics3DModel& model);
 
  private:
+  void UpdateWorld() override;
+  void DropWorld() override;
   void InitPlugins(TConfigurationNode& tree);
   bool HasWorld() const override { return m_world != nullptr; }
   bool Accepts(const CEmbodiedEntity&) const override { return true; }

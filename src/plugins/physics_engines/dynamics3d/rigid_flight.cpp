@@ -58,12 +58,27 @@ CVector3 ComputeRightingTorque(const SRigidBody& body, const CQuaternion& orient
   return length > most ? torque * (most / length) : torque;
 }
 
+// A kinematic body keeps its velocity whatever pushes it.
+void Hold(SRigidBody& body) {
+  dBodySetKinematic(body.Body);
+  dBodySetLinearVel(body.Body, 0.0, 0.0, 0.0);
+  dBodySetAngularVel(body.Body, 0.0, 0.0, 0.0);
+  body.FlightErrors = {};
+}
+
 }  // namespace
 
 void PushFlyingBody(SRigidBody& body, const CVector3& gravity, Real substep) {
   const SBodyDescription& description = *body.Source.Description;
   const SPropellersDescription& propellers = *description.Propellers;
   const CQuadRotorEntity& quadrotor = *body.Source.Quadrotor;
+  if (quadrotor.IsAttached()) {
+    Hold(body);
+    return;
+  }
+  if (dBodyIsKinematic(body.Body) != 0) {
+    dBodySetDynamic(body.Body);
+  }
   const SRigidPose pose = GetRigidPose(body);
   const CVector3 velocity = FromODE(dBodyGetLinearVel(body.Body));
   const CVector3 turn = FromODE(dBodyGetAngularVel(body.Body));

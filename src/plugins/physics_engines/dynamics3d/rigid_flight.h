@@ -6,8 +6,9 @@
 namespace argos {
 
 /**
- * Applies the forces of a body's propellers for the next substep: of its controllers on position or
- * velocity and on the yaw (SPropellersDescription), and of one that keeps it upright.
+ * Holds an attached body where it is, as if its mass were infinite; otherwise applies the forces of
+ * a body's propellers for the next substep: of its controllers on position or velocity and on the
+ * yaw (SPropellersDescription), and of one that keeps it upright.
  * @param gravity  m/s^2: the weight that the propellers counter.
  * @param substep  s.
  */

@@ -54,6 +54,10 @@ void CKinematics2DEngine::Init(TConfigurationNode& tree) {
 // The next tick builds a new world from the entities, without any state of the run so far.
 void CKinematics2DEngine::Reset() {
   ResetRecordedBodies();
+  DropWorld();
+}
+
+void CKinematics2DEngine::DropWorld() {
   m_world.reset();
 }
 
@@ -174,7 +178,7 @@ void CKinematics2DEngine::AddToWorld(CKinematics2DModel& model) {
                       ChooseGroundFriction(description, *m_boxFriction, *m_cylinderFriction));
 }
 
-void CKinematics2DEngine::Update() {
+void CKinematics2DEngine::UpdateWorld() {
   StartRecordedBodies();
   if (m_world == nullptr) {
     Build();

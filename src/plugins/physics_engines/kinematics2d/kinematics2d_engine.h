@@ -28,7 +28,6 @@ class CKinematics2DEngine : public CPlanarEngine {
   void Reset() override;
   void Destroy() override;
   /** @throws CARGoSException if a wheel speed is not a number, or a gripper is locked. */
-  void Update() override;
   bool UsesThreadPool() const override { return true; }
 
   /** Only for robots: the motion that their drives command. */
@@ -40,6 +39,8 @@ class CKinematics2DEngine : public CPlanarEngine {
   void UpdateManipulator(CPlanarModel& model) override;
 
  private:
+  void UpdateWorld() override;
+  void DropWorld() override;
   bool HasWorld() const override { return m_world != nullptr; }
   std::unique_ptr<CDescribedBodyModel> CreateModel(CEmbodiedEntity& body,
                                                    const CRecordedBody* recorded) override;

@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/memory/room.h>
 #include <argos3/plugins/simulator/physics_engines/pointmass3d/pointmass3d_body.h>
 
 namespace argos {
@@ -19,11 +20,16 @@ void FillPlace(std::vector<T>& values, UInt32 number) {
 
 SPointMassHandle CDrivers::Add(CPointMass3DBody& owner, const CDriveSource& drive,
                                const SPlanarPose& pose, Real height) {
+  ReserveOneMore(m_poses);
+  ReserveOneMore(m_heights);
+  ReserveOneMore(m_drives);
+  ReserveOneMore(m_owners);
+  const SPointMassHandle handle = {static_cast<UInt32>(m_poses.size()), m_generations.Add()};
   m_poses.push_back(pose);
   m_heights.push_back(height);
   m_drives.push_back(drive);
   m_owners.push_back(&owner);
-  return {static_cast<UInt32>(m_poses.size() - 1), m_generations.Add()};
+  return handle;
 }
 
 CPointMass3DBody* CDrivers::Remove(const SPointMassHandle& handle) {

@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/physics_engine/flight_loop.h>
 #include <argos3/core/utility/math/angles.h>
+#include <argos3/core/utility/memory/room.h>
 #include <argos3/plugins/simulator/entities/quadrotor_entity.h>
 
 #include <algorithm>
@@ -30,6 +31,9 @@ Real WrapDifference(Real angle) {
 
 SPointMassHandle CFlyers::Add(const SSettings& settings, const SFlightPose& pose) {
   const UInt32 number = static_cast<UInt32>(m_robots.size());
+  ReserveOneMore(m_blocks);
+  ReserveOneMore(m_robots);
+  const SPointMassHandle handle = {number, m_generations.Add()};
   if (number % kLanes == 0) {
     m_blocks.emplace_back();
   }
@@ -60,7 +64,7 @@ SPointMassHandle CFlyers::Add(const SSettings& settings, const SFlightPose& pose
   yaw.MaxThrust[lane] = propellers.MaxTorque;
   yaw.Weight[lane] = 0.0;
   Place(number, pose);
-  return {number, m_generations.Add()};
+  return handle;
 }
 
 CPointMass3DBody* CFlyers::Remove(const SPointMassHandle& handle) {
@@ -186,14 +190,24 @@ template <EFlightLaw LAW>
 void CFlyers::AdvanceAll(Real substep, UInt32 substeps) {
   const UInt32 count = static_cast<UInt32>(m_robots.size());
   for (UInt32 first = 0; first < count; first += kLanes) {
-    for (UInt32 number = first; number < std::min<UInt32>(first + kLanes, count); ++number) {
+    const UInt32 end = std::min<UInt32>(first + kLanes, count);
+    std::array<SFlightPose, kLanes> held;  // of the attached ones
+    for (UInt32 number = first; number < end; ++number) {
       ReadCommand(number, 1.0 / substep);
+      if (m_robots[number].Quadrotor->IsAttached()) {
+        held[number - first] = GetPose(number);
+      }
     }
     SBlock& block = m_blocks[first / kLanes];
     for (size_t i = 0; i < kYaw; ++i) {
       AdvanceAxis<LAW, false>(block.Axes[i], substep, substeps);
     }
     AdvanceAxis<LAW, true>(block.Axes[kYaw], substep, substeps);
+    for (UInt32 number = first; number < end; ++number) {
+      if (m_robots[number].Quadrotor->IsAttached()) {
+        Place(number, held[number - first]);
+      }
+    }
   }
 }
 

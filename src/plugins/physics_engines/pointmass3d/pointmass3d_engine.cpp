@@ -324,7 +324,7 @@ UInt32 CPointMass3DEngine::GetSubsteps() {
   return m_substeps;
 }
 
-void CPointMass3DEngine::Update() {
+void CPointMass3DEngine::UpdateWorld() {
   StartRecordedBodies();
   const Real tick = m_cSimulator.GetTickLength();
   if (m_moveAsArgos3) {

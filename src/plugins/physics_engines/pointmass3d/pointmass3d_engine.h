@@ -34,7 +34,6 @@ class CPointMass3DEngine : public CDescribedBodyEngine {
   void Init(TConfigurationNode& tree) override;
   void Reset() override;
   void Destroy() override;
-  void Update() override;
 
   size_t GetNumPhysicsModels() override {
     return CDescribedBodyEngine::GetNumPhysicsModels() + m_userModels.size();
@@ -80,6 +79,9 @@ class CPointMass3DEngine : public CDescribedBodyEngine {
   bool HasOverlap(const CPhysicsModel& model) const;
 
  private:
+  void UpdateWorld() override;
+  /** Does nothing: the arrays of bodies are complete at any time. */
+  void DropWorld() override {}
   struct SUserModel {
     std::string Id;
     std::unique_ptr<CPointMass3DModel> Model;

@@ -16,7 +16,7 @@ SExperiment SFlightExperiment::ToExperiment() const {
     const std::string device =
         Actuator.empty() ? "" : "<" + Actuator + " implementation='default'/>";
     experiment.Controllers = "<robot_world_controller id='pilot'><actuators>" + device +
-                             "</actuators><sensors/></robot_world_controller>";
+                             MoreActuators + "</actuators><sensors/></robot_world_controller>";
   }
   experiment.Engines = Engines;
   experiment.ArenaSize = ArenaSize;

@@ -14,6 +14,7 @@ namespace argos {
 /** Parameters of a world of eye-bots; the defaults run. */
 struct SFlightExperiment {
   std::string Actuator = "quadrotor_position"; /**< of the controller "pilot"; empty: none */
+  std::string MoreActuators = ""; /**< elements */
   std::string Engines = "<pointmass3d id='e'/>";
   std::string Arena; /**< children of `<arena>` */
   std::string ArenaSize = "40,40,40";

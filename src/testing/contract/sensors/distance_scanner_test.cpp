@@ -106,6 +106,27 @@ TEST_CASE("distance scanner: it is off until it is switched on, then at angle 0"
   CHECK(Sensor(world).GetReadingsMap().empty());
 }
 
+TEST_CASE("distance scanner: on an eye-bot, beams begin at its arms, 16.35 cm above its base",
+          "[contract][sensors]") {
+  // the plate ahead is in the beam, the one to the left just below it
+  const Real gap = 0.2;
+  const Real center = 0.25 + gap + 0.5;
+  SRobotExperiment experiment =
+      WithScanner(Robot("eye-bot", "r", PoseText(CVector3(0, 0, 1))) +
+                  BoxText("ahead", CVector3(1.0, 1.0, 0.02), CVector3(center, 0.0, 1.1535), 0.0) +
+                  BoxText("left", CVector3(1.0, 1.0, 0.02), CVector3(0.0, center, 1.1434), 0.0));
+  experiment.Engine = "<pointmass3d id=\"engine\"/>";
+  CRobotWorld world(experiment);
+  Motor(world).SetAngle(CRadians::ZERO);
+  world.Step();
+  CHECK_THAT(At(Sensor(world).GetShortReadingsMap(), 0.0), WithinAbs(100.0 * gap, 1e-9));
+  CHECK(At(Sensor(world).GetShortReadingsMap(), M_PI) == -2.0);
+  CHECK(At(Sensor(world).GetLongReadingsMap(), 0.5 * M_PI) == -2.0);
+  Motor(world).SetAngle(CRadians::PI_OVER_TWO);
+  world.Step();
+  CHECK_THAT(At(Sensor(world).GetLongReadingsMap(), 0.0), WithinAbs(100.0 * gap, 1e-9));
+}
+
 TEST_CASE(
     "distance scanner: distances are measured from the surface of the body, within each range",
     "[contract][sensors]") {

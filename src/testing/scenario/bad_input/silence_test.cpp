@@ -137,6 +137,18 @@ TEST_CASE("errors: faults of several devices are reported at once", "[bad_input]
                                         Contains("defautl") && Contains("-1"));
 }
 
+TEST_CASE("errors: several faults of a device are reported at once", "[bad_input][silence]") {
+  SExperimentText experiment;
+  experiment.Controllers =
+      "<controllers>" +
+      SExperimentText::Controller("test_idle", "<params/>",
+                                  "<sensors><proximity implementation=\"default\" "
+                                  "noise_level=\"loud\" show_rays=\"perhaps\"/></sensors>") +
+      "</controllers>";
+  CHECK_THAT(LoadError(experiment), Contains("2 errors in its devices") && Contains("\"loud\"") &&
+                                        Contains("\"perhaps\""));
+}
+
 TEST_CASE("errors: faults of <distribute> and of what follows are reported at once",
           "[bad_input][silence]") {
   SExperimentText experiment;

@@ -170,6 +170,8 @@ std::vector<SLuaDevice> LuaActuators() {
        "quadrotor",
        "{set_linear_velocity() set_rotational_speed()}",
        {TakesPlace("set_linear_velocity"), TakesNumber("set_rotational_speed")}},
+      {"actuators", "ceiling_attachment", "ceiling", "{attach() detach() is_attached()}",
+       WithoutArguments({"attach", "detach", "is_attached"})},
       {"actuators",
        "simple_radios",
        "simple_radios",

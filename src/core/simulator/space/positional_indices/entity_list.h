@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_SIMULATOR_SPACE_POSITIONAL_INDICES_ENTITY_LIST_H
 
 #include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/core/utility/memory/room.h>
 
 #include <unordered_map>
 #include <vector>
@@ -22,6 +23,8 @@ class CEntityList {
   /** @return false if it is in the list already. */
   bool Add(ENTITY& entity) {
     const UInt32 slot = static_cast<UInt32>(m_entities.size());
+    // room first: after the entity has got a slot, nothing fails
+    ReserveOneMore(m_entities);
     if (!m_slots.emplace(&entity, slot).second) {
       return false;
     }

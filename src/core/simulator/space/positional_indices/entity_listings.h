@@ -54,7 +54,9 @@ class CEntityListings {
 
   /** Removes all listings, and allocates for one listing of each entity. */
   void Clear() {
+    // both before memory is needed: entities must not refer to listings that are gone
     m_listings.clear();
+    m_firstOfEntity.clear();
     if (m_listings.capacity() < m_entities.GetNumEntities()) {
       m_listings.reserve(std::max(m_entities.GetNumEntities(), 2 * m_listings.capacity()));
     }
@@ -65,13 +67,17 @@ class CEntityListings {
   /** Calls list(ENTITY&), which calls List(), for every entity in order of addition. */
   template <typename LIST>
   void ListAll(LIST&& list) {
+    // also if list() throws
+    struct SEnd {
+      UInt32& Slot;
+      ~SEnd() { Slot = kNone; }
+    } const end{m_listedSlot};
     for (UInt32 slot = 0; slot < m_entities.GetNumSlots(); ++slot) {
       if (m_entities[slot] != nullptr) {
         m_listedSlot = slot;
         list(*m_entities[slot]);
       }
     }
-    m_listedSlot = kNone;
   }
   /**
    * Adds a listing, which the owner has to chain. Within ListAll(), of the entity that it visits.

@@ -39,10 +39,11 @@ void CGrid<ENTITY>::RemoveEntity(ENTITY& entity) {
 
 template <class ENTITY>
 void CGrid<ENTITY>::Update() {
-  m_pool.Compact();
-  m_pool.Clear();
+  // the cells are empty from here on
   ++m_timestamp;
   m_pool.Stamp = static_cast<UInt32>(m_timestamp);
+  m_pool.Compact();
+  m_pool.Clear();
   if (m_updateOperation == nullptr && m_pool.GetEntities().GetNumEntities() > 0) {
     THROW_ARGOSEXCEPTION("a grid with entities needs SetUpdateEntityOperation() before Update()");
   }

@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/plugins/robots/eye-bot/simulator/eyebot_appearance.h>
 #include <argos3/plugins/robots/eye-bot/simulator/eyebot_measures.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_distance_scanner_equipped_entity.h>
 #include <argos3/plugins/robots/generic/simulator/device_parameters.h>
 #include <argos3/plugins/robots/generic/simulator/robot_components.h>
 #include <argos3/plugins/robots/generic/simulator/robot_manual.h>
@@ -82,6 +83,12 @@ struct SEyeBotType : SRobotType {
   std::shared_ptr<const SBodyDescription> Body;
 };
 
+CEntity& MakeDistanceScanner(CRobotEntity& robot) {
+  auto& scanner = robot.MakeOnDemand<CFootBotDistanceScannerEquippedEntity>("distance_scanner_0");
+  scanner.SetMount({eyebot::kBodyRadius, eyebot::kDistanceScannerElevation});
+  return scanner;
+}
+
 SEyeBotType MakeType() {
   SEyeBotType type;
   type.Body = MakeBody();
@@ -89,6 +96,7 @@ SEyeBotType MakeType() {
   type.Proximity = MakeProximity();
   type.Appearance = MakeEyeBotAppearance();
   type.OnDemand.push_back({"battery", &MakeBattery});
+  type.OnDemand.push_back({"distance_scanner", &MakeDistanceScanner});
   type.OnDemand.push_back({"light_sensors", &MakeLightRing});
   type.OnDemand.push_back({"perspective_camera", &MakeCamera});
   type.OnDemand.push_back({"rab", &MakeRAB});
@@ -106,7 +114,8 @@ std::string MakeManual() {
       R"(A flying robot, 50 cm across, with 24 proximity sensors of 3 m range, and 33 LEDs: a ring of 16 (0 to
 15, counter-clockwise from 11.25 degrees in steps of 22.5), another above it (16 to 31), and one under the arm at 135
 degrees (32). The lower ring and the LED under the arm are seen from below the robot, through its own body. The actuators
-quadrotor_position and quadrotor_speed control its propellers; with neither, it hovers. It
+quadrotor_position and quadrotor_speed control its propellers; with neither, it hovers. The actuator ceiling_attachment
+holds it to the ceiling; footbot_distance_scanner works on it, too. It
 needs a physics engine in which robots fly, and stays within the limits of the arena: its base is between the lowest
 height of the arena and 0.566 m below the highest.
 )";
@@ -168,6 +177,10 @@ void CEyeBotEntity::Init(TConfigurationNode& tree) {
 
 CBatteryEquippedEntity& CEyeBotEntity::GetBatterySensorEquippedEntity() {
   return GetOrCreate<CBatteryEquippedEntity>("battery");
+}
+
+CFootBotDistanceScannerEquippedEntity& CEyeBotEntity::GetDistanceScannerEquippedEntity() {
+  return GetOrCreate<CFootBotDistanceScannerEquippedEntity>("distance_scanner");
 }
 
 CLightSensorEquippedEntity& CEyeBotEntity::GetLightSensorEquippedEntity() {

@@ -9,6 +9,7 @@
 namespace argos {
 
 class CBatteryEquippedEntity;
+class CFootBotDistanceScannerEquippedEntity;
 class CLightSensorEquippedEntity;
 class CPerspectiveCameraEquippedEntity;
 class CRABEquippedEntity;
@@ -53,6 +54,7 @@ class CEyeBotEntity : public CRobotEntity {
 
   /** Components that are created on the first call; see CRobotEntity. */
   CBatteryEquippedEntity& GetBatterySensorEquippedEntity();
+  CFootBotDistanceScannerEquippedEntity& GetDistanceScannerEquippedEntity();
   CLightSensorEquippedEntity& GetLightSensorEquippedEntity();
   CPerspectiveCameraEquippedEntity& GetPerspectiveCameraEquippedEntity();
   CRABEquippedEntity& GetRABEquippedEntity();

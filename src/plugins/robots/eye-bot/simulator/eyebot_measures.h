@@ -46,6 +46,9 @@ constexpr Real kProximityRingRadius = kBodyRadius + 0.005;
 constexpr Real kProximityRange = 3.0;
 constexpr Real kProximityStartAngle = 7.5;
 
+// distance scanner, of the foot-bot's type; assumed: at the height of the proximity sensors
+constexpr Real kDistanceScannerElevation = kProximityRingElevation;
+
 }  // namespace eyebot
 }  // namespace argos
 

@@ -73,7 +73,8 @@ void CFootBotDistanceScannerDefaultActuator::Reset() {
 
 REGISTER_ACTUATOR(
     CFootBotDistanceScannerDefaultActuator, "footbot_distance_scanner", "default",
-    "the authors of this project", "1.0", "The motor of the foot-bot's distance scanner.",
+    "the authors of this project", "1.0",
+    "The motor of the distance scanner of foot-bots and eye-bots.",
     R"(The scanner is off at the start and after a reset. The controller rotates it to an angle, which it reaches at
 once and keeps; or sets a rotational speed, in turns per minute; or switches it on, so that it holds its angle, or off. A
 command takes effect in the next tick.

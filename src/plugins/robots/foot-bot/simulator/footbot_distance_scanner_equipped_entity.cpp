@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space_operations.h>
 #include <argos3/core/utility/datatypes/digest.h>
+#include <argos3/plugins/robots/foot-bot/simulator/footbot_measures.h>
 #include <argos3/plugins/simulator/entities/anchor_use.h>
 
 #include <cmath>
@@ -26,7 +27,7 @@ CFootBotDistanceScannerEquippedEntity::CFootBotDistanceScannerEquippedEntity(
 
 CFootBotDistanceScannerEquippedEntity::CFootBotDistanceScannerEquippedEntity(
     CComposableEntity* parent, const std::string& id)
-    : CEntity(parent, id) {
+    : CEntity(parent, id), m_mount{footbot::kBodyRadius, footbot::kDistanceScannerElevation} {
   CEntity::SetEnabled(false);
 }
 

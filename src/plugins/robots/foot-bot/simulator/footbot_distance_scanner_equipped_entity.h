@@ -8,7 +8,7 @@
 namespace argos {
 
 /**
- * The distance scanner of a foot-bot: its rotation on the body.
+ * A distance scanner, as foot-bots have it: where it is on the body, and its rotation.
  *
  * Starts disabled, off, and at the angle 0. Devices enable it.
  */
@@ -18,8 +18,18 @@ class CFootBotDistanceScannerEquippedEntity : public CEntity {
 
   enum EMode { MODE_OFF, MODE_POSITION_CONTROL, MODE_SPEED_CONTROL };
 
+  /** Where beams begin: on a circle around the vertical axis of the body. */
+  struct SMount {
+    Real Radius = 0.0; /**< m, of the body there */
+    Real Elevation = 0.0; /**< m, above the base */
+  };
+
+  /** On a foot-bot. */
   explicit CFootBotDistanceScannerEquippedEntity(CComposableEntity* parent);
   CFootBotDistanceScannerEquippedEntity(CComposableEntity* parent, const std::string& id);
+
+  const SMount& GetMount() const { return m_mount; }
+  void SetMount(const SMount& mount) { m_mount = mount; }
 
   void Reset() override;
   /** Advances the rotation in speed control, once per tick. */
@@ -43,6 +53,7 @@ class CFootBotDistanceScannerEquippedEntity : public CEntity {
   void UpdateDigest(CDigest& digest) const override;
 
  private:
+  SMount m_mount;
   EMode m_mode = MODE_OFF;
   CRadians m_rotation;
   CRadians m_current;  // at the end of the last tick

@@ -30,11 +30,11 @@ Real ComputeSweep(const CFootBotDistanceScannerEquippedEntity& scanner) {
   return scanner.GetRotationSpeed() < 0.0 ? -WrapTurn(-difference) : WrapTurn(difference);
 }
 
-SSensorRay MakeBeam(const CRadians& angle, Real range) {
+SSensorRay MakeBeam(const CFootBotDistanceScannerEquippedEntity::SMount& mount,
+                    const CRadians& angle, Real range) {
   const CVector3 outward(Cos(angle), Sin(angle), 0.0);
   SSensorRay beam;
-  beam.Offset =
-      outward * footbot::kBodyRadius + CVector3(0.0, 0.0, footbot::kDistanceScannerElevation);
+  beam.Offset = outward * mount.Radius + CVector3(0.0, 0.0, mount.Elevation);
   beam.Direction = outward * range;
   return beam;
 }
@@ -87,16 +87,17 @@ void CFootBotDistanceScannerRotZOnlySensor::Cast() {
   if (m_shortReadings.empty()) {
     return;
   }
+  const CFootBotDistanceScannerEquippedEntity::SMount& mount = m_scanner->GetMount();
   SSensorRay beams[kMaxBeams];
   size_t count = 0;
   for (const SReading& reading : m_shortReadings) {
-    beams[count++] = MakeBeam(reading.Angle, footbot::kDistanceScannerShortMax);
+    beams[count++] = MakeBeam(mount, reading.Angle, footbot::kDistanceScannerShortMax);
   }
   for (const SReading& reading : m_longReadings) {
-    beams[count++] = MakeBeam(reading.Angle, footbot::kDistanceScannerLongMax);
+    beams[count++] = MakeBeam(mount, reading.Angle, footbot::kDistanceScannerLongMax);
   }
   SRayBounds bounds;
-  bounds.Reach = footbot::kBodyRadius + footbot::kDistanceScannerLongMax;
+  bounds.Reach = mount.Radius + footbot::kDistanceScannerLongMax;
   const SAnchor* const origin = &m_caster.GetBody().GetOriginAnchor();
   const SRayBundle bundle{beams, count, bounds, &origin, *origin};
   Real fractions[kMaxBeams];
@@ -132,8 +133,9 @@ void CFootBotDistanceScannerRotZOnlySensor::ResetReading() {
 
 REGISTER_SENSOR(
     CFootBotDistanceScannerRotZOnlySensor, "footbot_distance_scanner", "rot_z_only",
-    "the authors of this project", "1.0", "The distance scanner of the foot-bot.",
-    R"(Four heads rotate on the robot at a height of 12.32 cm and look horizontally from the surface of its body: two for
+    "the authors of this project", "1.0",
+    "The distance scanner of the foot-bot, which the eye-bot may carry, too.",
+    R"(Four heads rotate on the robot at a height of 12.32 cm (eye-bot: 16.35 cm) and look horizontally from the surface of its body: two for
 short range, up to 26 cm, at the scanner's angle and opposite to it, and two for long range, from 12 to 142 cm, at right
 angles to them. A reading is the distance to the first body on the beam, in cm from the surface of the robot's own body;
 -2 if there is none in range; -1 if it is too close (long range: up to 12 cm; short range: 0). Readings are listed by the

@@ -35,7 +35,7 @@ TEST_CASE("query: all prints the lists in their order", "[core][query]") {
   size_t previous = 0;
   for (const char* header :
        {"AVAILABLE ACTUATORS\n", "AVAILABLE SENSORS\n", "AVAILABLE PHYSICS ENGINES\n",
-        "AVAILABLE MEDIA\n", "AVAILABLE VISUALIZATIONS\n", "AVAILABLE ENTITIES\n",
+        "AVAILABLE MEDIA\n", "AVAILABLE VISUALIZATIONS AND OTHER OUTPUTS\n", "AVAILABLE ENTITIES\n",
         "AVAILABLE CONTROLLERS\n", "AVAILABLE LOOP FUNCTIONS\n"}) {
     CAPTURE(header);
     const size_t position = text.find(header);
