@@ -10,6 +10,21 @@
 namespace argos {
 
 /**
+ * Calls ClearMedium() of the entities of a list, which may remove them from it; afterwards the list
+ * is empty. Needs no memory.
+ */
+template <typename ENTITY>
+void ClearMediumOfAll(std::vector<ENTITY*>& entities) {
+  while (!entities.empty()) {
+    ENTITY* const last = entities.back();
+    last->ClearMedium();
+    if (!entities.empty() && entities.back() == last) {
+      entities.pop_back();
+    }
+  }
+}
+
+/**
  * The entities of a medium, numbered in the order of their insertion into the space; for the
  * sources of media.
  *
@@ -75,6 +90,15 @@ class CMediumMembers {
                : number < m_members.size() && m_members[number] == &entity;
   }
 
+  /** Calls ClearMedium() of all entities, which calls Remove(). Needs no memory. */
+  void Clear() {
+    ClearMediumOfAll(m_waiting);
+    for (size_t number = 0; number < m_members.size(); ++number) {
+      if (m_members[number] != nullptr) {
+        m_members[number]->ClearMedium();
+      }
+    }
+  }
   /** All entities, including the waiting ones. */
   std::vector<ENTITY*> ListAll() const {
     std::vector<ENTITY*> all = m_waiting;

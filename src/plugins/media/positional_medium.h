@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/space/positional_indices/hash_index.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/plugins/simulator/media/index_choice.h>
+#include <argos3/plugins/simulator/media/medium_members.h>
 
 #include <algorithm>
 #include <memory>
@@ -92,10 +93,19 @@ class CPositionalMedium : public CMedium, public ENTITY::CRegistry {
     return m_index != nullptr ? all.Entities : m_waiting;
   }
 
+  // without a list of them: there may be no memory for one
   void RemoveAll() {
-    for (ENTITY* entity : ListAll()) {
-      entity->ClearMedium();
+    class CClear : public CPositionalIndex<ENTITY>::COperation {
+     public:
+      bool operator()(ENTITY& entity) override {
+        entity.ClearMedium();
+        return true;
+      }
+    } clear;
+    if (m_index != nullptr) {
+      m_index->ForAllEntities(clear);
     }
+    ClearMediumOfAll(m_waiting);
   }
 
   // Disabling and enabling moves an entity to the end of the list; this restores the same order at

@@ -77,9 +77,7 @@ void CRABMedium::Reset() {
 }
 
 void CRABMedium::Destroy() {
-  for (CRABEquippedEntity* entity : m_state->Members.ListAll()) {
-    entity->ClearMedium();
-  }
+  m_state->Members.Clear();
 }
 
 void CRABMedium::AddEntity(CRABEquippedEntity& entity) {

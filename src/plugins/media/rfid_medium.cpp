@@ -48,9 +48,7 @@ void CRFIDMedium::Reset() {
 }
 
 void CRFIDMedium::Destroy() {
-  for (CRFIDTagEntity* tag : m_state->Tags.ListAll()) {
-    tag->ClearMedium();
-  }
+  m_state->Tags.Clear();
   m_state->Users.RemoveAll();
 }
 

@@ -26,7 +26,12 @@ CSimpleRadioMedium::~CSimpleRadioMedium() {
 
 void CSimpleRadioMedium::AddEntity(CSimpleRadioEntity& radio) {
   CPositionalMedium::AddEntity(radio);
-  m_state->Members.Add(radio);
+  try {
+    m_state->Members.Add(radio);
+  } catch (...) {
+    CPositionalMedium::RemoveEntity(radio);
+    throw;
+  }
 }
 
 void CSimpleRadioMedium::RemoveEntity(CSimpleRadioEntity& radio) {

@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 
 #include <algorithm>
+#include <new>
 
 namespace argos {
 
@@ -12,22 +13,39 @@ void CEntityViews::Add(CEntity& entity) {
   }
 }
 
+// removal must succeed without memory, too
 void CEntityViews::Remove(CEntity& entity) {
-  if (!m_isOpen) {
-    m_goneTypes.insert(entity.GetTypeDescription());
+  if (m_isOpen) {
+    RemoveFromLists(entity);
     return;
   }
+  try {
+    m_goneTypes.insert(entity.GetTypeDescription());
+  } catch (const std::bad_alloc&) {
+    // a request for this type alone will be an error instead of an empty list
+  }
+}
+
+void CEntityViews::RemoveFromLists(CEntity& entity) {
   const auto pending = std::find(m_pending.begin(), m_pending.end(), &entity);
   if (pending != m_pending.end()) {
     m_pending.erase(pending);
   }
-  const std::string id = entity.GetContext() + entity.GetId();
-  const auto found = m_perId.find(id);
+  auto found = m_perId.end();
+  try {
+    found = m_perId.find(entity.GetContext() + entity.GetId());
+  } catch (const std::bad_alloc&) {
+    found = std::find_if(m_perId.begin(), m_perId.end(),
+                         [&entity](const auto& entry) { return entry.second == &entity; });
+  }
   if (found == m_perId.end() || found->second != &entity) {
     return;
   }
+  // ids are unique, so the others do not contain it
+  for (auto& entry : m_perType) {
+    entry.second.erase(found->first);
+  }
   m_perId.erase(found);
-  m_perType[entity.GetTypeDescription()].erase(id);
   m_isAllStale = true;
 }
 

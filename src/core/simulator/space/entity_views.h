@@ -40,6 +40,7 @@ class CEntityViews {
   CEntityViews& Complete();
   void Open();
   void List(CEntity& entity);
+  void RemoveFromLists(CEntity& entity);
   void ListWithComponents(CEntity& entity, const std::string& type);
   void ListPending();
 

@@ -74,7 +74,7 @@ size_t TryStep(size_t first, size_t number, const std::function<void()>& step) {
 // hidden until all places that it finds are mended: the first are the grid of the LED medium, and
 // bodies whose model an engine has deleted
 TEST_CASE("memory: an allocation that fails at the n-th call while loading, running or resetting",
-          "[.][faults][memory]") {
+          "[faults][memory]") {
   const std::string engine = GENERATE("dynamics2d", "kinematics2d", "dynamics3d", "pointmass3d");
   // one call, or all calls of some time
   const size_t number = GENERATE(1, 30);
