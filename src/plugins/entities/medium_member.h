@@ -57,11 +57,7 @@ class CMediumMember : public CPositionalEntity {
   void SetEnabled(bool enabled) override {
     if (enabled != IsEnabled() && m_medium != nullptr) {
       // first: if the medium has no memory for it, the entity remains disabled
-      if (enabled) {
-        m_medium->AddEntity(AsEntity());
-      } else {
-        m_medium->RemoveEntity(AsEntity());
-      }
+      enabled ? Join() : Leave();
     }
     CPositionalEntity::SetEnabled(enabled);
   }
@@ -83,22 +79,31 @@ class CMediumMember : public CPositionalEntity {
       return;
     }
     ClearMedium();
-    if (IsEnabled()) {
-      medium.AddEntity(AsEntity());
-    }
     m_medium = &medium;
+    if (IsEnabled()) {
+      Join();
+    }
   }
   /** Removes the entity from its medium, if any. */
   void ClearMedium() {
-    if (m_medium != nullptr && IsEnabled()) {
-      m_medium->RemoveEntity(AsEntity());
-    }
+    Leave();
     m_medium = nullptr;
   }
 
  private:
+  void Join() {
+    m_medium->AddEntity(AsEntity());
+    m_isMember = true;
+  }
+  void Leave() {
+    if (m_isMember) {
+      m_isMember = false;
+      m_medium->RemoveEntity(AsEntity());
+    }
+  }
   ENTITY& AsEntity() { return static_cast<ENTITY&>(*this); }
 
+  bool m_isMember = false;  // contained in the medium
   CRegistry* m_medium = nullptr;  // both sides are unlinked when either is destroyed
 };
 

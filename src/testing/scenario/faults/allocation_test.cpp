@@ -71,8 +71,6 @@ size_t TryStep(size_t first, size_t number, const std::function<void()>& step) {
 
 }  // namespace
 
-// hidden until all places that it finds are mended: the first are the grid of the LED medium, and
-// bodies whose model an engine has deleted
 TEST_CASE("memory: an allocation that fails at the n-th call while loading, running or resetting",
           "[faults][memory]") {
   const std::string engine = GENERATE("dynamics2d", "kinematics2d", "dynamics3d", "pointmass3d");

@@ -46,9 +46,8 @@ constexpr rlim_t kMegabyte = 1024 * 1024;
 
 }  // namespace
 
-// hidden until bodies are mended whose model an engine has deleted (CEngineAssignment::Remove())
 TEST_CASE("memory: placing robots without enough memory ends with a message",
-          "[.][faults][memory][command_line]") {
+          "[faults][memory][command_line]") {
   if (!kLimitsMemory) {
     return;
   }
