@@ -55,8 +55,8 @@ struct SFieldRow {
 };
 
 /**
- * Reads a field of one entity; created when the entity is added to a table, and destroyed before
- * the entity is used no more.
+ * Reads a field of one entity; created when the entity is added to a table. It may be destroyed
+ * after the entity, which its destructor must not use.
  *
  * Called on the main thread, between ticks. Must not change the simulation.
  */
