@@ -22,7 +22,7 @@ namespace argos {
 
 namespace {
 
-constexpr hsize_t kChunk = 8192;  // rows that are stored together
+constexpr hsize_t kChunk = 2048;  // rows that are stored together
 // for what the library stores beside the rows, bytes
 constexpr std::uint64_t kMargin = 1 << 20;
 constexpr std::size_t kShortestText = 32;  // bytes of an element in a column of texts
@@ -73,7 +73,7 @@ CHandle MakeTextType(std::size_t length) {
   CHandle type(H5Tcopy(H5T_C_S1), H5Tclose);
   Check(H5Tset_size(type.Get(), length));
   Check(H5Tset_strpad(type.Get(), H5T_STR_NULLPAD));
-  Check(H5Tset_cset(type.Get(), H5T_CSET_UTF8));
+  // Octave reads no texts that are marked as UTF-8
   return type;
 }
 
@@ -218,16 +218,23 @@ class CHDF5Format : public CTableFormat {
       return;
     }
     const int descriptor = std::exchange(m_descriptor, -1);
-    Guard([this, descriptor] {
-      close(descriptor);
-      if (m_file == nullptr) {
-        return;
+    bool isWhole = true;
+    Guard([&] {
+      hsize_t size = 0;
+      if (m_file != nullptr) {
+        m_seeds.reset();
+        m_columns.clear();
+        m_own.clear();
+        isWhole = H5Fflush(m_file->Get(), H5F_SCOPE_GLOBAL) >= 0 &&
+                  H5Fget_filesize(m_file->Get(), &size) >= 0;
+        m_file.reset();
+        // gives back what was reserved
+        isWhole = isWhole && ftruncate(descriptor, static_cast<off_t>(size)) == 0;
       }
-      m_seeds.reset();
-      m_columns.clear();
-      m_own.clear();
-      const std::unique_ptr<CHandle> file = std::move(m_file);
-      Check(H5Fflush(file->Get(), H5F_SCOPE_GLOBAL));
+      isWhole = close(descriptor) == 0 && isWhole;
+      if (!isWhole) {
+        THROW_ARGOSEXCEPTION("not all rows are written");
+      }
     });
   }
 

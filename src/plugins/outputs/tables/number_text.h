@@ -14,7 +14,8 @@ constexpr std::size_t kLongestNumber = 32;
 /**
  * Writes a number as decimal text; nothing for NaN.
  * @param to      has room for kLongestNumber characters.
- * @param digits  significant ones, from 1 to 17; 0: the fewest that read back to the same number.
+ * @param digits  significant ones, from 1 to 17, of numbers that are not whole; 0: the fewest that
+ *   read back to the same number.
  * @return the end of the text.
  */
 inline char* WriteNumber(char* to, double number, int digits) {
@@ -22,11 +23,10 @@ inline char* WriteNumber(char* to, double number, int digits) {
     return to;
   }
   char* const end = to + kLongestNumber;
-  // the same text as below, faster
+  // whole numbers have all their digits: they may be colors, or numbers of something
   constexpr double kLargest = 1e15;
-  const bool isInteger = std::abs(number) < kLargest && number == std::trunc(number);
-  if (digits == 0 && isInteger && !(number == 0.0 && std::signbit(number)) &&
-      std::abs(number) < 1e5) {
+  const bool isWhole = std::abs(number) < kLargest && number == std::trunc(number);
+  if (isWhole && !(number == 0.0 && std::signbit(number))) {
     return std::to_chars(to, end, static_cast<std::int64_t>(number)).ptr;
   }
   if (digits == 0) {
