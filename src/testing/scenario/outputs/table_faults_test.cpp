@@ -106,13 +106,13 @@ TEST_CASE("tables: --csv writes robots and metrics into a folder that it creates
   const CTestFolder folder;
   LuaExperiment(folder, "");
   const SProgramRun run =
-      folder.Run({"-n", "-c", "e.argos", "--csv", "out/1", "--set", "arena/foot-bot[1]/@id=first"});
+      folder.Run({"-n", "-c", "e.argos", "--csv", "out/1", "--set", "arena/foot-bot[1]/@id=f3"});
   CAPTURE(run.Err);
   REQUIRE(run.Status == 0);
   CHECK(ReadCSV(folder.Read("out/1/robots.csv")).GetNumRows() == 8);
   CHECK(ReadCSV(folder.Read("out/1/metrics.csv")).GetNumRows() == 4);
   CHECK_THAT(folder.Read("out/1/robots.csv"),
-             Contains("# experiment: e.argos\n# set: arena/foot-bot[1]/@id=first\n"));
+             Contains("# experiment: e.argos\n# set: arena/foot-bot[1]/@id=f3\n"));
   CHECK(folder.Run({"-n", "-c", "e.argos", "--csv", ""}).Status == 1);
   CHECK(folder.Run({"-q", "all", "--csv", "out"}).Status == 1);
 }
