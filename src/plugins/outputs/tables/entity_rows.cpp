@@ -156,9 +156,9 @@ CEntityRows::SCell CEntityRows::BindCell(SPart& part, CEntity& entity) {
   }
   bool isSame = true;
   for (std::size_t i = 0; i < bound.Columns.size(); ++i) {
-    const auto found = std::find_if(
-        part.Columns.begin(), part.Columns.end(),
-        [&](const SColumn& column) { return column.Name == bound.Columns[i].Name; });
+    const auto found =
+        std::find_if(part.Columns.begin(), part.Columns.end(),
+                     [&](const SColumn& column) { return column.Name == bound.Columns[i].Name; });
     if (found == part.Columns.end()) {
       NoteExtraColumn(part, entity, bound.Columns[i].Name);
     }
@@ -207,13 +207,12 @@ void CEntityRows::CheckFields(const std::vector<CEntity*>& entities, CSpace& /*s
       empty += (empty.empty() ? "\"" : ", \"") + part.Name.Name + '"';
       continue;
     }
-    const bool isUnset = std::any_of(
-        m_entities.begin(), m_entities.end(),
-        [i](const SEntityRows& rows) { return rows.Cells[i].Reader != nullptr; });
+    const bool isUnset =
+        std::any_of(m_entities.begin(), m_entities.end(),
+                    [i](const SEntityRows& rows) { return rows.Cells[i].Reader != nullptr; });
     THROW_ARGOSEXCEPTION(
-        m_location << ": no " << (m_types.empty() ? "robot" : "such entity")
-                   << " has the field \"" << part.Name.Name << '"'
-                   << (isUnset ? " with a value at the start" : "")
+        m_location << ": no " << (m_types.empty() ? "robot" : "such entity") << " has the field \""
+                   << part.Name.Name << '"' << (isUnset ? " with a value at the start" : "")
                    << DidYouMean(part.Name.Name, ListFieldNames(ChooseOneOfEachType(entities))));
   }
   if (!empty.empty()) {

@@ -96,8 +96,7 @@ class CColumn {
 
   /** Bytes that the file grows by if @p count elements are appended, at most. */
   std::uint64_t ComputeGrowth(hsize_t count) const {
-    const hsize_t chunks =
-        (m_size + count + kChunk - 1) / kChunk - (m_size + kChunk - 1) / kChunk;
+    const hsize_t chunks = (m_size + count + kChunk - 1) / kChunk - (m_size + kChunk - 1) / kChunk;
     return chunks * kChunk * GetElementSize();
   }
 
@@ -175,8 +174,7 @@ class CColumn {
       const CHandle place(H5Dget_space(old.Get()), H5Sclose);
       Check(H5Sselect_hyperslab(place.Get(), H5S_SELECT_SET, &first, nullptr, &count, nullptr));
       const CHandle memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
-      Check(H5Dread(old.Get(), m_type.Get(), memory.Get(), place.Get(), H5P_DEFAULT,
-                    bytes.data()));
+      Check(H5Dread(old.Get(), m_type.Get(), memory.Get(), place.Get(), H5P_DEFAULT, bytes.data()));
       Append(bytes.data(), count, m_type.Get());
     }
     Check(H5Ldelete(m_file, m_name.c_str(), H5P_DEFAULT));
@@ -282,11 +280,10 @@ class CHDF5Format : public CTableFormat {
     add("time", "s", H5T_IEEE_F64LE);
     if (m_schema.HasRobots) {
       add("robot", "", H5T_STD_I32LE);
-      m_own.push_back(
-          std::make_unique<CColumn>(file, "robots", "", MakeTextType(kShortestText)));
+      m_own.push_back(std::make_unique<CColumn>(file, "robots", "", MakeTextType(kShortestText)));
     }
-    m_seeds = std::make_unique<CColumn>(file, "seeds", "",
-                                        CHandle(H5Tcopy(H5T_STD_I64LE), H5Tclose));
+    m_seeds =
+        std::make_unique<CColumn>(file, "seeds", "", CHandle(H5Tcopy(H5T_STD_I64LE), H5Tclose));
     for (const SColumn& column : m_schema.Columns) {
       m_columns.push_back(std::make_unique<CColumn>(
           file, column.Name, column.Unit,
@@ -300,8 +297,9 @@ class CHDF5Format : public CTableFormat {
   void WriteHeader(hid_t file) {
     std::vector<std::pair<std::string, std::string>> merged;
     for (const auto& [key, value] : m_schema.Header) {
-      const auto known = std::find_if(merged.begin(), merged.end(),
-                                      [&key = key](const auto& entry) { return entry.first == key; });
+      const auto known =
+          std::find_if(merged.begin(), merged.end(),
+                       [&key = key](const auto& entry) { return entry.first == key; });
       if (known == merged.end()) {
         merged.emplace_back(key, value);
       } else {
@@ -322,8 +320,7 @@ class CHDF5Format : public CTableFormat {
   void Reserve(std::uint64_t growth) {
     hsize_t size = 0;
     Check(H5Fget_filesize(m_file->Get(), &size));
-    const int error =
-        posix_fallocate(m_descriptor, 0, static_cast<off_t>(size + growth + kMargin));
+    const int error = posix_fallocate(m_descriptor, 0, static_cast<off_t>(size + growth + kMargin));
     if (error != 0) {
       m_reason = std::strerror(error);
       THROW_ARGOSEXCEPTION(m_reason);

@@ -33,11 +33,12 @@ class CMetricsOutput : public CTableBase {
     }
     for (; m_numReported < metrics.GetAll().size(); ++m_numReported) {
       const std::string& name = metrics.GetAll()[m_numReported].Name;
-      LOGERR << "[WARNING] " << GetLocation() << ": the metric \"" << name
-             << "\" was first set in tick " << simulator.GetSpace().GetSimulationClock()
-             << ", when the table had begun: it is left out. Set it in Init() or in the first tick, "
-                "to any value"
-             << std::endl;
+      LOGERR
+          << "[WARNING] " << GetLocation() << ": the metric \"" << name
+          << "\" was first set in tick " << simulator.GetSpace().GetSimulationClock()
+          << ", when the table had begun: it is left out. Set it in Init() or in the first tick, "
+             "to any value"
+          << std::endl;
     }
     return true;
   }
@@ -59,8 +60,7 @@ class CMetricsOutput : public CTableBase {
         std::count_if(robots.begin(), robots.end(),
                       [](const CControllableEntity* robot) { return robot->IsStopped(); })));
     const std::vector<CMetrics::SMetric>& metrics = space.GetExtension<CMetrics>().GetAll();
-    const std::size_t numMetrics =
-        m_areColumnsKnown ? m_columns.size() - kNumOwn : metrics.size();
+    const std::size_t numMetrics = m_areColumnsKnown ? m_columns.size() - kNumOwn : metrics.size();
     for (std::size_t i = 0; i < numMetrics; ++i) {
       block.Numbers.push_back(metrics[i].Value);
     }

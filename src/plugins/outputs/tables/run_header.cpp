@@ -39,8 +39,8 @@ void DescribeShape(const SShapeDescription& shape, const SAnchor& origin, THeade
   using EKind = SShapeDescription::EKind;
   if (shape.Kind == EKind::Cylinder || shape.Kind == EKind::Sphere) {
     const CVector3 center = toWorld(CVector3());
-    header.emplace_back("circle", fmt::format("{:.6g},{:.6g},{:.6g}", center.GetX(), center.GetY(),
-                                              shape.Radius));
+    header.emplace_back(
+        "circle", fmt::format("{:.6g},{:.6g},{:.6g}", center.GetX(), center.GetY(), shape.Radius));
     return;
   }
   std::string corners;

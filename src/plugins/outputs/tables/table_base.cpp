@@ -48,8 +48,8 @@ void CheckCanBeWritten(const std::string& path) {
     fs::create_directories(parent, error);
   }
   if (error) {
-    THROW_ARGOSEXCEPTION("the folder of the file \"" << path
-                                                     << "\" cannot be created: " << error.message());
+    THROW_ARGOSEXCEPTION("the folder of the file \""
+                         << path << "\" cannot be created: " << error.message());
   }
   const bool exists = fs::exists(path, error);
   if (exists && fs::is_directory(path, error)) {
@@ -71,7 +71,8 @@ void CTableBase::Init(TConfigurationNode& tree) {
   GetNodeAttribute(tree, "file", m_path);
   GetNodeAttributeOrDefault(tree, "every", m_every, m_every);
   if (m_every == 0) {
-    THROW_ARGOSEXCEPTION(m_location << ": \"every\" must be a number of ticks, at least 1, found 0");
+    THROW_ARGOSEXCEPTION(m_location
+                         << ": \"every\" must be a number of ticks, at least 1, found 0");
   }
   if (NodeAttributeExists(tree, "digits")) {
     GetNodeAttribute(tree, "digits", m_digits);

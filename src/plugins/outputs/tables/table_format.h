@@ -28,8 +28,8 @@ class CTableFormat {
 
 }  // namespace argos
 
-#define REGISTER_TABLE_FORMAT(CLASSNAME, LABEL, BRIEF_DESCRIPTION)                               \
-  REGISTER_SYMBOL(CTableFormat, CLASSNAME, LABEL, "the authors of this project", "1.0",          \
+#define REGISTER_TABLE_FORMAT(CLASSNAME, LABEL, BRIEF_DESCRIPTION)                      \
+  REGISTER_SYMBOL(CTableFormat, CLASSNAME, LABEL, "the authors of this project", "1.0", \
                   BRIEF_DESCRIPTION, "See doc/get_data_out.md.", "Usable")
 
 #endif

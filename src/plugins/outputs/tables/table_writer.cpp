@@ -9,7 +9,11 @@ namespace argos {
 CTableWriter::CTableWriter(std::string path, std::unique_ptr<CTableFormat> format)
     : m_path(std::move(path)),
       m_format(std::move(format)),
-      m_current(std::make_unique<SRowBlock>()) {}
+      m_current(std::make_unique<SRowBlock>()) {
+  // one is written, one takes rows
+  m_waiting.reserve(kMostWaiting);
+  m_free.reserve(kMostWaiting + 2);
+}
 
 CTableWriter::~CTableWriter() {
   try {
@@ -47,8 +51,8 @@ void CTableWriter::Push() {
   if (m_free.empty()) {
     m_current = std::make_unique<SRowBlock>();
   } else {
-    m_current = std::move(m_free.front());
-    m_free.pop_front();
+    m_current = std::move(m_free.back());
+    m_free.pop_back();
   }
   lock.unlock();
   m_changed.notify_all();
@@ -104,7 +108,7 @@ void CTableWriter::Work() {
       return;
     }
     TBlock block = std::move(m_waiting.front());
-    m_waiting.pop_front();
+    m_waiting.erase(m_waiting.begin());
     m_isWriting = true;
     const bool hasFailed = m_failure != nullptr;
     lock.unlock();

@@ -7,12 +7,12 @@
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
-#include <deque>
 #include <exception>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace argos {
 
@@ -68,8 +68,8 @@ class CTableWriter {
 
   std::mutex m_mutex;  // of all below
   std::condition_variable m_changed;
-  std::deque<TBlock> m_waiting;
-  std::deque<TBlock> m_free;
+  std::vector<TBlock> m_waiting;  // the next one first
+  std::vector<TBlock> m_free;
   bool m_isWriting = false;
   bool m_isEnding = false;
   std::exception_ptr m_failure;

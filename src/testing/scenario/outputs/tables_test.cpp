@@ -8,6 +8,7 @@
 #include <argos3/plugins/robots/e-puck/simulator/epuck_entity.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
 #include <argos3/plugins/simulator/entities/wheeled_entity.h>
+#include <argos3/testing/support/allocation_count.h>
 #include <argos3/testing/support/captured_logs.h>
 #include <argos3/testing/support/robot_world.h>
 
@@ -251,6 +252,24 @@ TEST_CASE("tables: they do not change the run", "[outputs][tables]") {
   CRunningWorld alone(STableWorld{});
   alone.Get().Step(20);
   CHECK(alone.Get().ComputeDigest() == digest);
+}
+
+TEST_CASE("tables: a settled run allocates nothing", "[outputs][tables]") {
+  if (!CAllocationCount::IsAvailable()) {
+    return;
+  }
+  const CTestFolder folder;
+  STableWorld table;
+  table.Outputs = {
+      {"table", {{"file", folder.Path("t.csv")}, {"fields", "pose,wheels,leds,stopped"}}}};
+  CRunningWorld world(table);
+  // enough for a block of rows to be handed over, and for another one to take its place
+  world.Get().Step(3 * 8192 / 2);
+  const CAllocationCount count;
+  world.Get().Step(100);
+  const std::size_t allocations = count.GetCount();
+  CAPTURE(count.DescribeFirst());
+  CHECK(allocations == 0);
 }
 
 TEST_CASE("tables: wrong attributes are errors", "[outputs][tables]") {
