@@ -294,8 +294,8 @@ void CheckFolder(const CLI::App& app, const CARGoSCommandLineArgParser::SOptions
 }
 
 void CheckNeedsRun(const CLI::App& app, CProblems& problems) {
-  for (const char* name : {"--seed", "--threads", "--length", "--set", "--lenient", "--digest",
-                           "--csv"}) {
+  for (const char* name :
+       {"--seed", "--threads", "--length", "--set", "--lenient", "--digest", "--csv"}) {
     if (app.count(name) > 0) {
       problems.Add(std::string(name) + " can only be used with -c FILE");
     }
