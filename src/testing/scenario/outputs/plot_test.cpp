@@ -84,6 +84,7 @@ TEST_CASE("plots: mistakes are errors that say what would be right", "[outputs][
       {{"", "trajectories or metrics"},
        {"ways robots.csv -o p.png", "known: trajectories, metrics"},
        {"trajectories robots.csv", "-o PICTURE is missing"},
+       {"trajectories robots.csv -o none/p.png", "\"none/p.png\" cannot be written"},
        {"trajectories robots.csv -o p.gif", ".svg, .png or .pdf"},
        {"trajectories none.csv -o p.png", "there is no file \"none.csv\""},
        {"trajectories 1.csv -o p.png", "no column \"x\""},
