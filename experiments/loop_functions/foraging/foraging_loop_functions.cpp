@@ -97,6 +97,9 @@ void CForagingLoopFunctions::PreStep() {
     changed = TakeOrDeliver(controller, CVector2(position.GetX(), position.GetY())) || changed;
     ++(controller.GetState() == CFootBotForaging::EState::Resting ? resting : out);
   }
+  SetMetric("delivered", static_cast<Real>(m_delivered));
+  SetMetric("out", out);
+  SetMetric("resting", resting);
   if (changed) {
     GetSpace().GetFloorEntity().SetChanged();
   }

@@ -28,6 +28,8 @@ function post_step()
     carrying = carrying + (simulation.get_variable(id, "has_food") and 1 or 0)
     delivered = delivered + simulation.get_variable(id, "delivered")
   end
+  simulation.metric("carrying", carrying)
+  simulation.metric("delivered", delivered)
   assert(file:write(string.format("%d,%d,%d,%g\n", simulation.clock(), carrying, delivered,
     simulation.total_pheromone("scents", "trail"))))
 end

@@ -4,8 +4,8 @@ _argos3() {
   local current="${COMP_WORDS[COMP_CWORD]}"
   local previous="${COMP_WORDS[COMP_CWORD - 1]}"
   local options="--config-file --query --help --version --no-color --no-visualization --log-file --logerr-file
-    --seed --threads --length --set --digest"
-  local queries="actuators sensors physics_engines media visualizations entities controllers
+    --seed --threads --length --set --csv --digest"
+  local queries="actuators sensors physics_engines media visualizations outputs fields entities controllers
     loop_functions all"
   COMPREPLY=()
   case "$previous" in
@@ -20,6 +20,10 @@ _argos3() {
       ;;
     -q | --query)
       mapfile -t COMPREPLY < <(compgen -W "$queries" -- "$current")
+      ;;
+    --csv)
+      mapfile -t COMPREPLY < <(compgen -d -- "$current")
+      compopt -o filenames 2>/dev/null
       ;;
     -l | --log-file | -e | --logerr-file)
       mapfile -t COMPREPLY < <(compgen -f -- "$current")

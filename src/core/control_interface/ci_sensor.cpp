@@ -1,5 +1,7 @@
 #include <argos3/core/control_interface/ci_sensor.h>
 
+#include <algorithm>
+
 namespace argos {
 
 CCI_Sensor::~CCI_Sensor() = default;
@@ -37,5 +39,25 @@ void CCI_Sensor::ReturnToStart() {
 void CCI_Sensor::CreateLuaState(lua_State*) {}
 
 void CCI_Sensor::ReadingsToLuaState(lua_State*) {}
+
+std::vector<CCI_Sensor::SColumn> CCI_Sensor::GetReadingColumns() const {
+  return {};
+}
+
+void CCI_Sensor::CopyReadings(Real* /*numbers*/, std::size_t /*count*/) const {}
+
+std::vector<CCI_Sensor::SColumn> CCI_Sensor::MakeNumberedColumns(std::size_t count,
+                                                                 const std::string& unit) {
+  std::vector<SColumn> columns;
+  columns.reserve(count);
+  for (std::size_t i = 1; i <= count; ++i) {
+    columns.push_back({std::to_string(i), unit});
+  }
+  return columns;
+}
+
+void CCI_Sensor::CopyNumbers(std::initializer_list<Real> from, Real* numbers, std::size_t count) {
+  std::copy_n(from.begin(), std::min(count, from.size()), numbers);
+}
 
 }  // namespace argos

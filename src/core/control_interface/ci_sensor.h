@@ -3,10 +3,14 @@
 
 #include <argos3/core/config.h>
 #include <argos3/core/utility/configuration/base_configurable_resource.h>
+#include <argos3/core/utility/datatypes/datatypes.h>
 
+#include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <map>
 #include <string>
+#include <vector>
 
 struct lua_State;
 
@@ -46,6 +50,30 @@ class CCI_Sensor : public CBaseConfigurableResource {
 
   /** For Lua controllers: copies the readings into the table that CreateLuaState() created. */
   virtual void ReadingsToLuaState(lua_State* state);
+
+  /** One number of the readings, in tables of results. */
+  struct SColumn {
+    std::string Name; /**< letters, digits and '_': "1", "2", ... or "velocity_left" */
+    std::string Unit; /**< as controllers see it, such as "cm"; "" for none */
+  };
+
+  /**
+   * The numbers that CopyReadings() copies. Without an override, tables of results cannot contain
+   * the readings of this sensor.
+   */
+  virtual std::vector<SColumn> GetReadingColumns() const;
+
+  /**
+   * For tables of results: copies the current readings.
+   * @param numbers  one for each of the first columns, NaN before the call.
+   * @param count    how many; at most as many are written.
+   */
+  virtual void CopyReadings(Real* numbers, std::size_t count) const;
+
+  /** Columns "1" to "<count>" with one unit, for overrides of GetReadingColumns(). */
+  static std::vector<SColumn> MakeNumberedColumns(std::size_t count, const std::string& unit = "");
+  /** Copies the first @p count of @p from, for overrides of CopyReadings(). */
+  static void CopyNumbers(std::initializer_list<Real> from, Real* numbers, std::size_t count);
 
  protected:
   bool m_bEnabled = false;

@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/loading/experiment_loader.h>
 #include <argos3/core/simulator/loading/experiment_parts.h>
+#include <argos3/core/simulator/space/metrics.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/tick/loop_functions.h>
 #include <argos3/core/simulator/tick/loop_hooks.h>
@@ -220,6 +221,10 @@ void CSimulator::AddOutput(const std::string& tag,
   m_settings.Outputs.push_back({tag, attributes});
 }
 
+const std::vector<std::pair<std::string, std::string>>& CSimulator::GetOverrides() const {
+  return m_settings.Overrides;
+}
+
 const CRunOutputs& CSimulator::GetOutputs() const {
   return m_experiment->Outputs;
 }
@@ -302,6 +307,7 @@ void CSimulator::Reset() {
   for (CMedium* medium : m_context.Media) {
     medium->Reset();
   }
+  m_space->GetExtension<CMetrics>().ForgetValues();
   CallHook(m_context, "Reset()", [this] { GetLoopFunctions().Reset(); });
   m_space->GetBodyIndex().Rebuild(*m_context.Pool);
   LOG.Flush();

@@ -145,6 +145,8 @@ class CSimulator {
   Real GetTickLength() const { return m_context.TickLength; }
   /** Overrides an attribute of the file (`--set`); call it before loading. */
   void AddOverride(const std::string& path, const std::string& value);
+  /** Path and value of each, in order. */
+  const std::vector<std::pair<std::string, std::string>>& GetOverrides() const;
   /**
    * Adds an element to `<outputs>`, as options of the command line do; call it before loading.
    * @param tag  label of a CRunOutput. @param attributes  names and values.

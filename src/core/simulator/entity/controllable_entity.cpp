@@ -349,6 +349,7 @@ void CControllableEntity::CreateController(const SControllerSetup& setup,
 
 // no function of a controller that was replaced, or whose Init() failed, is called any more
 void CControllableEntity::DropController() {
+  ++m_numControllers;
   m_actuators.clear();
   m_sensors.clear();
   m_mapActuators.clear();

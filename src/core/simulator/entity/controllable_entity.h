@@ -52,6 +52,10 @@ class CControllableEntity : public CEntity {
   void MarkStart() override;
   void ReturnToStart() override;
 
+  /** False for a robot of a replay, and while a controller is created. */
+  bool HasController() const { return m_pcController != nullptr; }
+  /** How many controllers the robot has had: what refers to one, or to its devices, is then old. */
+  UInt32 GetNumControllers() const { return m_numControllers; }
   /** @throws CARGoSException if the robot has no controller. */
   const CCI_Controller& GetController() const;
   CCI_Controller& GetController();
@@ -159,6 +163,7 @@ class CControllableEntity : public CEntity {
   std::unique_ptr<CCI_Controller> m_controller;
   const SControllerSetup* m_setup = nullptr;  // of the controller
   std::unique_ptr<SLateController> m_lateController;
+  UInt32 m_numControllers = 0;
   EOnError m_onError = EOnError::EndRun;
   bool m_isStopped = false;
   bool m_haveDevicesFailed = false;

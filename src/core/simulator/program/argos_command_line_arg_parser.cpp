@@ -21,14 +21,15 @@ Examples:
                                               another seed, four threads, 60 simulated seconds
   argos3 -c experiment.argos --set "//distribute/entity/@quantity=500"
                                               change an attribute of the file for this run
+  argos3 -c experiment.argos --csv out        poses and metrics, as tables in the folder out
   argos3 -n -l log.txt -e errors.txt -c experiment.argos
                                               write the two logs to files
   argos3 -q sensors                           list all sensors
   argos3 -q footbot_proximity                 describe every plug-in whose name contains the word
 
 Words for --query:
-  actuators, sensors, physics_engines, media, visualizations (or outputs), entities,
-  controllers, loop_functions: a list of that kind; libraries can add kinds, such as dynamics3d_add_ons
+  actuators, sensors, physics_engines, media, visualizations (or outputs), fields,
+  entities, controllers, loop_functions: a list of that kind; libraries can add kinds, such as dynamics3d_add_ons
   all: all the lists
   other words: the full documentation of the plug-ins whose name contains the word
 
@@ -129,6 +130,11 @@ void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOp
       ->group(run);
   app.add_flag("--no-crash-handler", options.NoCrashHandler,
                "do not report crashes: for a debugger, or handlers of the user's code")
+      ->group(run);
+  AddSingle(app, "--csv", options.CSVFolder,
+            "write the robots' poses and the metrics of each tick to DIR/robots.csv and "
+            "DIR/metrics.csv")
+      ->type_name("DIR")
       ->group(run);
   app.add_flag("--digest", options.Digest,
                "print a digest of the final state; equal runs, equal digests")
@@ -280,8 +286,16 @@ void CheckFiles(const CLI::App& app, const CARGoSCommandLineArgParser::SOptions&
   }
 }
 
+void CheckFolder(const CLI::App& app, const CARGoSCommandLineArgParser::SOptions& options,
+                 CProblems& problems) {
+  if (app.count("--csv") > 0 && options.CSVFolder.empty()) {
+    problems.Add("--csv needs the name of a folder, not an empty text; . is the current one");
+  }
+}
+
 void CheckNeedsRun(const CLI::App& app, CProblems& problems) {
-  for (const char* name : {"--seed", "--threads", "--length", "--set", "--lenient", "--digest"}) {
+  for (const char* name :
+       {"--seed", "--threads", "--length", "--set", "--lenient", "--digest", "--csv"}) {
     if (app.count(name) > 0) {
       problems.Add(std::string(name) + " can only be used with -c FILE");
     }
@@ -314,6 +328,7 @@ void CARGoSCommandLineArgParser::Parse(SInt32 argc, const char* const* argv) {
              problems);
   ReadOverrides(raw.Overrides, m_options.Overrides, problems);
   CheckFiles(app, m_options, problems);
+  CheckFolder(app, m_options, problems);
   if (m_options.Action == ACTION_QUERY_PLUGINS || m_options.Action == ACTION_SHOW_HELP ||
       m_options.Action == ACTION_SHOW_VERSION) {
     CheckNeedsRun(app, problems);

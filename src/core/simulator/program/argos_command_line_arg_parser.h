@@ -33,6 +33,7 @@ class CARGoSCommandLineArgParser {
     bool NoCrashHandler = false;
     std::string LogFile; /**< empty: the standard output */
     std::string LogErrFile; /**< empty: the standard error */
+    std::string CSVFolder; /**< empty: no tables besides those of the file */
     std::optional<UInt32> Seed;
     std::optional<UInt32> Threads;
     std::optional<Real> Length; /**< s, >= 0; 0 = unlimited */

@@ -239,6 +239,10 @@ void LoadExperiment(CSimulator& simulator, const SOptions& options) {
   for (const auto& [path, value] : options.Overrides) {
     simulator.AddOverride(path, value);
   }
+  if (!options.CSVFolder.empty()) {
+    simulator.AddOutput("table", {{"file", options.CSVFolder + "/robots.csv"}});
+    simulator.AddOutput("metrics", {{"file", options.CSVFolder + "/metrics.csv"}});
+  }
   simulator.LoadExperiment(options.NoVisualization);
   FlushLogs();
   ThrowIfLogsFailed();

@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/entity/entity_type.h>
 #include <argos3/core/simulator/entity/sensor.h>
 #include <argos3/core/simulator/medium/medium.h>
+#include <argos3/core/simulator/outputs/field.h>
 #include <argos3/core/simulator/outputs/run_output.h>
 #include <argos3/core/simulator/physics_engine/space_partition.h>
 #include <argos3/core/simulator/tick/loop_functions.h>
@@ -81,6 +82,7 @@ std::vector<SKind> ListAll() {
       {"overlays", "AVAILABLE OVERLAYS", ListPlugins<COverlay>()},
       {"entities", "AVAILABLE ENTITIES", ListPlugins<CEntity>()},
       {"robot_types", "AVAILABLE ROBOT TYPES", ListPlugins<CEntityType>()},
+      {"fields", "AVAILABLE FIELDS", ListPlugins<CField>()},
       {"controllers", "AVAILABLE CONTROLLERS", ListPlugins<CCI_Controller>()},
       {"loop_functions", "AVAILABLE LOOP FUNCTIONS", ListPlugins<CLoopFunctions>()}};
   for (const auto& [word, kind] : CopyAddedKinds()) {

@@ -1,6 +1,8 @@
 #include <argos3/core/simulator/tick/loop_functions.h>
 
 #include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/context/simulation_context.h>
+#include <argos3/core/simulator/space/metrics.h>
 
 namespace argos {
 
@@ -9,6 +11,11 @@ CLoopFunctions::CLoopFunctions() : m_cSimulator(CurrentSimulator()), m_cSpace(Cu
 
 CColor CLoopFunctions::GetFloorColor(const CVector2&) {
   return CColor::WHITE;
+}
+
+void CLoopFunctions::SetMetric(const std::string& name, Real value, const std::string& unit) {
+  m_cSpace.GetContext().Run.CheckIsNotInPhase("SetMetric()", "it is possible in hooks");
+  m_cSpace.GetExtension<CMetrics>().Set(name, value, unit);
 }
 
 void CLoopFunctions::MoveEntity(CPositionalEntity& entity, const CVector3& position,

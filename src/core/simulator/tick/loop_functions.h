@@ -63,6 +63,14 @@ class CLoopFunctions : public CBaseConfigurableResource, public CFloorPainter {
   /** The same, over the picture, in pixels, see CDrawing::SetOverlay(). */
   virtual void DrawInOverlay(CDrawing&) {}
 
+  /**
+   * Sets a metric of the run, which <metrics file="..."/> and `--csv` write once a tick; see
+   * CMetrics::Set(). In hooks only. The table has a column for each metric that was set before its
+   * second row is written; one that is set for the first time later is left out, with a warning.
+   * @throws CARGoSException if the name or the unit is wrong.
+   */
+  void SetMetric(const std::string& name, Real value, const std::string& unit = "");
+
   CSimulator& GetSimulator() { return m_cSimulator; }
   CSpace& GetSpace() { return m_cSpace; }
   const CSpace& GetSpace() const { return m_cSpace; }

@@ -89,6 +89,25 @@ class COutputFile::CBuffer : public std::streambuf {
     }
   }
 
+  void WriteRecord(std::string_view record) {
+    Write(m_pending.size());
+    if (!IsOpen()) {
+      return;
+    }
+    m_endOfLine = m_size;
+    std::size_t done = 0;
+    while (done < record.size()) {
+      const ssize_t count = ::write(m_file, record.data() + done, record.size() - done);
+      if (count >= 0) {
+        done += static_cast<std::size_t>(count);
+      } else if (errno != EINTR) {
+        Fail(std::strerror(errno));
+      }
+    }
+    m_size += done;
+    m_endOfLine = m_size;
+  }
+
   bool IsOpen() const { return m_file >= 0; }
   std::uint64_t GetSize() const { return IsOpen() ? m_size + m_pending.size() : 0; }
   const std::string& GetReason() const { return m_reason; }
@@ -212,6 +231,13 @@ void COutputFile::Open(const std::string& path, EStart start) {
   Close();
   clear();
   m_buffer->Open(path, start);
+}
+
+void COutputFile::WriteRecord(std::string_view record) {
+  if (!GetFailure().empty()) {
+    THROW_ARGOSEXCEPTION(GetFailure());
+  }
+  m_buffer->WriteRecord(record);
 }
 
 void COutputFile::Close() {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace argos {
@@ -45,6 +46,13 @@ class COutputFile : public std::ostream {
    * @throws CARGoSException with the file's name and the reason.
    */
   void Open(const std::string& path, EStart start = EStart::Truncate);
+
+  /**
+   * Writes what is buffered, and then a record: text that consists of whole lines, or any bytes. If
+   * that fails, nothing of the record stays in the file.
+   * @throws CARGoSException with the file's name and the reason.
+   */
+  void WriteRecord(std::string_view record);
 
   /**
    * Writes what is buffered, and closes the file. Does nothing if none is open.

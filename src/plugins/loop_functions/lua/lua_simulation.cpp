@@ -260,6 +260,7 @@ void CLuaSimulation::AddFunctions(lua_State* state) {
   AddMethod<&CLuaSimulation::GetPheromone>(state, "pheromone", *this);
   AddMethod<&CLuaSimulation::GetTotalPheromone>(state, "total_pheromone", *this);
   AddMethod<&CLuaSimulation::LayPheromone>(state, "lay_pheromone", *this);
+  AddMethod<&CLuaSimulation::SetMetric>(state, "metric", *this);
   AddMethod<&CLuaSimulation::FloorChanged>(state, "floor_changed", *this);
   AddMethod<&CLuaSimulation::Finish>(state, "finish", *this);
 }
@@ -457,6 +458,14 @@ void CLuaSimulation::LayPheromone(CLuaArguments& arguments) {
   const Real amount = arguments.Next<Real>();
   arguments.Finish();
   place.Medium.Deposit(place.Layer, place.Point, amount);
+}
+
+void CLuaSimulation::SetMetric(CLuaArguments& arguments) {
+  const auto name = arguments.Next<std::string>();
+  const auto value = arguments.Next<Real>();
+  const auto unit = arguments.HasNext() ? arguments.Next<std::string>() : std::string();
+  arguments.Finish();
+  m_loopFunctions.SetMetric(name, value, unit);
 }
 
 void CLuaSimulation::FloorChanged() {

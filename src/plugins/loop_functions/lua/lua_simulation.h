@@ -61,6 +61,7 @@ class CLuaSimulation {
   Real GetPheromone(CLuaArguments& arguments);
   Real GetTotalPheromone(const std::string& medium, const std::string& layer);
   void LayPheromone(CLuaArguments& arguments);
+  void SetMetric(CLuaArguments& arguments);
   void FloorChanged();
   void Finish();
 

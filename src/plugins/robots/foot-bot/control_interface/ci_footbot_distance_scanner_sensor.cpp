@@ -67,4 +67,14 @@ void CCI_FootBotDistanceScannerSensor::WriteReadings(CLuaTable& table) const {
   WriteRange(table.MakeTable("long_range"), m_tLongReadingsMap);
 }
 
+std::vector<CCI_Sensor::SColumn> CCI_FootBotDistanceScannerSensor::GetReadingColumns() const {
+  return {{"short_count", ""}, {"long_count", ""}};
+}
+
+void CCI_FootBotDistanceScannerSensor::CopyReadings(Real* numbers, std::size_t count) const {
+  CopyNumbers(
+      {static_cast<Real>(m_tShortReadingsMap.size()), static_cast<Real>(m_tLongReadingsMap.size())},
+      numbers, count);
+}
+
 }  // namespace argos

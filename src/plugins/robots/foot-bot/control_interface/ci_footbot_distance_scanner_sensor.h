@@ -42,6 +42,9 @@ class CCI_FootBotDistanceScannerSensor : public CTableSensor {
   const TReadingsMap& GetShortReadingsMap() { return m_tShortReadingsMap; }
   const TReadingsMap& GetLongReadingsMap() { return m_tLongReadingsMap; }
 
+  std::vector<SColumn> GetReadingColumns() const override;
+  void CopyReadings(Real* numbers, std::size_t count) const override;
+
  protected:
   /** Replaces all readings; allocates memory only if there are more than in any earlier call. */
   void SetReadings(const TReadings& shortRange, const TReadings& longRange);

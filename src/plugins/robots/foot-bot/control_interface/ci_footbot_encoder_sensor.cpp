@@ -13,4 +13,13 @@ void CCI_FootBotEncoderSensor::WriteReadings(CLuaTable& table) const {
   table.Set("distance_right", m_sReading.CoveredDistanceRightWheel);
 }
 
+std::vector<CCI_Sensor::SColumn> CCI_FootBotEncoderSensor::GetReadingColumns() const {
+  return {{"distance_left", "cm"}, {"distance_right", "cm"}};
+}
+
+void CCI_FootBotEncoderSensor::CopyReadings(Real* numbers, std::size_t count) const {
+  CopyNumbers({m_sReading.CoveredDistanceLeftWheel, m_sReading.CoveredDistanceRightWheel}, numbers,
+              count);
+}
+
 }  // namespace argos

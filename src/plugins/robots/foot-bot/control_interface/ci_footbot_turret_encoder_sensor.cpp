@@ -10,4 +10,12 @@ void CCI_FootBotTurretEncoderSensor::WriteReadings(CLuaTable& table) const {
   table.Set("rotation", m_cRotation);
 }
 
+std::vector<CCI_Sensor::SColumn> CCI_FootBotTurretEncoderSensor::GetReadingColumns() const {
+  return {{"rotation", "rad"}};
+}
+
+void CCI_FootBotTurretEncoderSensor::CopyReadings(Real* numbers, std::size_t count) const {
+  CopyNumbers({m_cRotation.GetValue()}, numbers, count);
+}
+
 }  // namespace argos

@@ -9,4 +9,12 @@ void CCI_BatterySensor::WriteReadings(CLuaTable& table) const {
   table.Set("time_left", m_sReading.TimeLeft);
 }
 
+std::vector<CCI_Sensor::SColumn> CCI_BatterySensor::GetReadingColumns() const {
+  return {{"available_charge", ""}, {"time_left", "s"}};
+}
+
+void CCI_BatterySensor::CopyReadings(Real* numbers, std::size_t count) const {
+  CopyNumbers({m_sReading.AvailableCharge, m_sReading.TimeLeft}, numbers, count);
+}
+
 }  // namespace argos

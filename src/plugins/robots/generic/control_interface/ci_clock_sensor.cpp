@@ -9,4 +9,12 @@ void CCI_ClockSensor::WriteReadings(CLuaTable& table) const {
   table.Set("time", m_sReading.Time);
 }
 
+std::vector<CCI_Sensor::SColumn> CCI_ClockSensor::GetReadingColumns() const {
+  return {{"tick", "ticks"}, {"time", "s"}};
+}
+
+void CCI_ClockSensor::CopyReadings(Real* numbers, std::size_t count) const {
+  CopyNumbers({static_cast<Real>(m_sReading.Tick), m_sReading.Time}, numbers, count);
+}
+
 }  // namespace argos

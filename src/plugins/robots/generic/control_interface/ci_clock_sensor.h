@@ -16,6 +16,9 @@ class CCI_ClockSensor : public CTableSensor {
 
   const SReading& GetReading() const { return m_sReading; }
 
+  std::vector<SColumn> GetReadingColumns() const override;
+  void CopyReadings(Real* numbers, std::size_t count) const override;
+
  protected:
   SReading m_sReading;
 

@@ -15,4 +15,17 @@ void CCI_DifferentialSteeringSensor::WriteReadings(CLuaTable& table) const {
   table.Set("distance_right", m_sReading.CoveredDistanceRightWheel);
 }
 
+std::vector<CCI_Sensor::SColumn> CCI_DifferentialSteeringSensor::GetReadingColumns() const {
+  return {{"velocity_left", "cm/s"},
+          {"velocity_right", "cm/s"},
+          {"distance_left", "cm"},
+          {"distance_right", "cm"}};
+}
+
+void CCI_DifferentialSteeringSensor::CopyReadings(Real* numbers, std::size_t count) const {
+  CopyNumbers({m_sReading.VelocityLeftWheel, m_sReading.VelocityRightWheel,
+               m_sReading.CoveredDistanceLeftWheel, m_sReading.CoveredDistanceRightWheel},
+              numbers, count);
+}
+
 }  // namespace argos

@@ -31,4 +31,25 @@ void CCI_PheromoneSensor::WriteReadings(CLuaTable& table) const {
   }
 }
 
+std::vector<CCI_Sensor::SColumn> CCI_PheromoneSensor::GetReadingColumns() const {
+  std::vector<SColumn> columns;
+  for (const SInterface& interface : m_vecInterfaces) {
+    for (const SColumn& column : MakeNumberedColumns(interface.Readings.size())) {
+      columns.push_back({interface.Layer + '_' + column.Name, "1/m^2"});
+    }
+  }
+  return columns;
+}
+
+void CCI_PheromoneSensor::CopyReadings(Real* numbers, std::size_t count) const {
+  std::size_t next = 0;
+  for (const SInterface& interface : m_vecInterfaces) {
+    for (const SReading& reading : interface.Readings) {
+      if (next < count) {
+        numbers[next++] = reading.Value;
+      }
+    }
+  }
+}
+
 }  // namespace argos

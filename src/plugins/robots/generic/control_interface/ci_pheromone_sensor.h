@@ -38,6 +38,9 @@ class CCI_PheromoneSensor : public CTableSensor {
    */
   const TReadings& GetReadings(const std::string& layer) const;
 
+  std::vector<SColumn> GetReadingColumns() const override;
+  void CopyReadings(Real* numbers, std::size_t count) const override;
+
  protected:
   SInterface::TVector m_vecInterfaces;
 

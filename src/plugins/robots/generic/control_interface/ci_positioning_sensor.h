@@ -23,6 +23,9 @@ class CCI_PositioningSensor : public CTableSensor {
 
   const SReading& GetReading() const { return m_sReading; }
 
+  std::vector<SColumn> GetReadingColumns() const override;
+  void CopyReadings(Real* numbers, std::size_t count) const override;
+
  protected:
   SReading m_sReading;
   CRadians m_cAngle;  // the orientation is a rotation by this angle, with noise

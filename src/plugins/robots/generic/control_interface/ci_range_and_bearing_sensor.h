@@ -27,6 +27,9 @@ class CCI_RangeAndBearingSensor : public CTableSensor {
   /** @return the last packets, in the order in which the senders were added to the arena. */
   const TReadings& GetReadings() const { return m_tReadings; }
 
+  std::vector<SColumn> GetReadingColumns() const override;
+  void CopyReadings(Real* numbers, std::size_t count) const override;
+
  protected:
   TReadings m_tReadings;
 

@@ -25,6 +25,9 @@ class CCI_RFIDSensor : public CTableSensor {
   /** @return the readings, in the order in which the tags were added to the arena. */
   const TReadings& GetReadings() const { return m_tReadings; }
 
+  std::vector<SColumn> GetReadingColumns() const override;
+  void CopyReadings(Real* numbers, std::size_t count) const override;
+
  protected:
   TReadings m_tReadings;
 

@@ -3,6 +3,8 @@
 #include <argos3/core/wrappers/lua/lua_table.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
 
+#include <algorithm>
+
 namespace argos {
 
 void CCI_SimpleRadiosSensor::WriteReadings(CLuaTable& table) const {
@@ -18,6 +20,20 @@ void CCI_SimpleRadiosSensor::WriteReadings(CLuaTable& table) const {
       }
     }
     received.Truncate(static_cast<std::size_t>(count));
+  }
+}
+
+std::vector<CCI_Sensor::SColumn> CCI_SimpleRadiosSensor::GetReadingColumns() const {
+  std::vector<SColumn> columns;
+  for (const SInterface& interface : m_vecInterfaces) {
+    columns.push_back({interface.Id + "_count", ""});
+  }
+  return columns;
+}
+
+void CCI_SimpleRadiosSensor::CopyReadings(Real* numbers, std::size_t count) const {
+  for (std::size_t i = 0; i < std::min(count, m_vecInterfaces.size()); ++i) {
+    numbers[i] = static_cast<Real>(m_vecInterfaces[i].Messages.size());
   }
 }
 

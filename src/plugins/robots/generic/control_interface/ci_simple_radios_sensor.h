@@ -26,6 +26,9 @@ class CCI_SimpleRadiosSensor : public CVirtualTableSensor {
   /** One interface for each radio, in order. */
   const SInterface::TVector& GetInterfaces() const { return m_vecInterfaces; }
 
+  std::vector<SColumn> GetReadingColumns() const override;
+  void CopyReadings(Real* numbers, std::size_t count) const override;
+
  protected:
   SInterface::TVector m_vecInterfaces;
 

@@ -34,6 +34,11 @@ class CColoredBlobs : public CSwitchedTableSensor {
 
   const SReadings& GetReadings() const { return m_sReadings; }
 
+  std::vector<CCI_Sensor::SColumn> GetReadingColumns() const override { return {{"count", ""}}; }
+  void CopyReadings(Real* numbers, std::size_t count) const override {
+    CopyNumbers({static_cast<Real>(m_sReadings.BlobList.size())}, numbers, count);
+  }
+
  protected:
   SReadings m_sReadings;
 };

@@ -96,6 +96,10 @@ struct SSensorPlaces {
  */
 template <class READINGS, class BASE = CTableSensor>
 class CPlacedSensors : public BASE, public READINGS {
+ public:
+  std::vector<CCI_Sensor::SColumn> GetReadingColumns() const override;
+  void CopyReadings(Real* numbers, std::size_t count) const override;
+
  protected:
   /** All values are 0. */
   CPlacedSensors();

@@ -4,6 +4,8 @@
 #include <argos3/core/wrappers/lua/lua_table.h>
 #include <argos3/plugins/robots/generic/control_interface/placed_readings.h>
 
+#include <algorithm>
+
 /*
  * Definitions of the members of CPlacedSensors, for the sources of control interfaces: each source
  * instantiates the template explicitly.
@@ -41,6 +43,19 @@ void CPlacedSensors<READINGS, BASE>::WriteReadings(CLuaTable& table) const {
                        record.Set(READINGS::kLuaPlace, READINGS::GetPlace(reading));
                      }
                    });
+}
+
+template <class READINGS, class BASE>
+std::vector<CCI_Sensor::SColumn> CPlacedSensors<READINGS, BASE>::GetReadingColumns() const {
+  return CCI_Sensor::MakeNumberedColumns(this->m_tReadings.size());
+}
+
+template <class READINGS, class BASE>
+void CPlacedSensors<READINGS, BASE>::CopyReadings(Real* numbers, std::size_t count) const {
+  const std::size_t num = std::min(count, this->m_tReadings.size());
+  for (std::size_t i = 0; i < num; ++i) {
+    numbers[i] = this->m_tReadings[i].Value;
+  }
 }
 
 template <class READINGS, class BASE>

@@ -13,6 +13,9 @@ class CPlainReadings : public CTableSensor {
  public:
   const std::vector<Real>& GetReadings() const { return m_tReadings; }
 
+  std::vector<SColumn> GetReadingColumns() const override;
+  void CopyReadings(Real* numbers, std::size_t count) const override;
+
  protected:
   std::vector<Real> m_tReadings;
 

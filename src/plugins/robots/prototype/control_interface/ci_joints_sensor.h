@@ -27,6 +27,9 @@ class CCI_JointsSensor : public CVirtualTableSensor {
   /** One interface for each joint that is listed, in order. */
   const SInterface::TVector& GetInterfaces() const;
 
+  std::vector<SColumn> GetReadingColumns() const override;
+  void CopyReadings(Real* numbers, std::size_t count) const override;
+
  protected:
   SInterface::TVector m_vecInterfaces;
 

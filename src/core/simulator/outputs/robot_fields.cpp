@@ -1,0 +1,159 @@
+// Fields of robots that need no plug-in: readings of their sensors, and whether errors have stopped
+// them.
+
+#include <argos3/core/control_interface/ci_controller.h>
+#include <argos3/core/control_interface/ci_sensor.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/outputs/field.h>
+#include <argos3/core/simulator/outputs/root_components.h>
+
+#include <map>
+#include <utility>
+
+namespace argos {
+
+namespace {
+
+using TSensors = CCI_Sensor::TMap;
+
+// null if the robot has no controller
+const TSensors* GetSensors(CControllableEntity& robot) {
+  return robot.HasController() ? &robot.GetController().GetAllSensors() : nullptr;
+}
+
+CCI_Sensor* FindSensor(CControllableEntity& robot, const std::string& label) {
+  const TSensors* const sensors = GetSensors(robot);
+  if (sensors == nullptr) {
+    return nullptr;
+  }
+  const auto found = sensors->find(label);
+  return found == sensors->end() ? nullptr : found->second;
+}
+
+/* Reads the numbers of a sensor. */
+class CReadingsReader : public CFieldReader {
+ public:
+  CReadingsReader(CControllableEntity& robot, std::string label, std::size_t numColumns)
+      : m_robot(robot), m_label(std::move(label)), m_numColumns(numColumns) {
+    Resolve();
+  }
+
+  void Read(std::size_t /*index*/, SFieldRow row) override {
+    if (m_numControllers != m_robot.GetNumControllers()) {
+      Resolve();
+    }
+    if (m_sensor != nullptr) {
+      m_sensor->CopyReadings(row.Numbers, m_numColumns);
+    }
+  }
+
+ private:
+  void Resolve() {
+    m_numControllers = m_robot.GetNumControllers();
+    m_sensor = FindSensor(m_robot, m_label);
+  }
+
+  CControllableEntity& m_robot;
+  std::string m_label;
+  std::size_t m_numColumns;
+  CCI_Sensor* m_sensor = nullptr;  // of the current controller; null: it has none of that label
+  UInt32 m_numControllers = 0;
+};
+
+class CReadingsField : public CField {
+ public:
+  bool NeedsArgument() const override { return true; }
+  bool NeedsController() const override { return true; }
+
+  SBoundField Bind(CEntity& root, const std::string& argument) const override {
+    SBoundField bound;
+    auto* const robot = FindExisting<CControllableEntity>(root);
+    const CCI_Sensor* const sensor = robot != nullptr ? FindSensor(*robot, argument) : nullptr;
+    if (sensor == nullptr) {
+      return bound;
+    }
+    for (CCI_Sensor::SColumn& column : sensor->GetReadingColumns()) {
+      bound.Columns.push_back({ToColumnName(argument + '_' + column.Name), column.Unit});
+    }
+    if (!bound.Columns.empty()) {
+      bound.Reader = std::make_unique<CReadingsReader>(*robot, argument, bound.Columns.size());
+    }
+    return bound;
+  }
+
+  void ListNames(CEntity& root, const std::string& label,
+                 std::vector<std::string>& names) const override {
+    auto* const robot = FindExisting<CControllableEntity>(root);
+    const TSensors* const sensors = robot != nullptr ? GetSensors(*robot) : nullptr;
+    if (sensors == nullptr) {
+      return;
+    }
+    for (const auto& [sensorLabel, sensor] : *sensors) {
+      if (!sensor->GetReadingColumns().empty()) {
+        names.push_back(label + ':' + sensorLabel);
+      }
+    }
+  }
+};
+
+/* Reads a property of a robot that is true or false. */
+class CFlagReader : public CFieldReader {
+ public:
+  using TFlag = bool (CControllableEntity::*)() const;
+
+  CFlagReader(const CControllableEntity& robot, TFlag flag) : m_robot(robot), m_flag(flag) {}
+
+  void Read(std::size_t /*index*/, SFieldRow row) override {
+    row.Numbers[0] = (m_robot.*m_flag)() ? 1.0 : 0.0;
+  }
+
+ private:
+  const CControllableEntity& m_robot;
+  TFlag m_flag;
+};
+
+SBoundField BindFlag(CEntity& root, const char* name, CFlagReader::TFlag flag) {
+  SBoundField bound;
+  if (auto* const robot = FindExisting<CControllableEntity>(root)) {
+    bound.Reader = std::make_unique<CFlagReader>(*robot, flag);
+    bound.Columns = {{name, ""}};
+  }
+  return bound;
+}
+
+class CStoppedField : public CField {
+ public:
+  SBoundField Bind(CEntity& root, const std::string& /*argument*/) const override {
+    return BindFlag(root, "stopped", &CControllableEntity::IsStopped);
+  }
+};
+
+class CQuarantinedField : public CField {
+ public:
+  SBoundField Bind(CEntity& root, const std::string& /*argument*/) const override {
+    return BindFlag(root, "quarantined", &CControllableEntity::IsQuarantined);
+  }
+};
+
+}  // namespace
+
+REGISTER_FIELD(
+    CReadingsField, "readings", "the authors of this project", "1.0",
+    "The readings of a sensor: readings:LABEL.",
+    R"(LABEL is the tag of the sensor in <sensors>, as in readings:footbot_proximity. Columns
+LABEL_1, LABEL_2, ..., one for each number, or LABEL_<name> where the readings have names, in the
+units that controllers see. Sensors whose readings are a list give its length, LABEL_count. Sensors
+of users' code have columns if they override GetReadingColumns() and CopyReadings().
+)",
+    "Usable")
+REGISTER_FIELD(
+    CStoppedField, "stopped", "the authors of this project", "1.0",
+    "1 if an error has stopped the robot (on_error), else 0.",
+    "Column stopped: 1 from the tick on in which the robot's code has failed, 0 before.\n",
+    "Usable")
+REGISTER_FIELD(CQuarantinedField, "quarantined", "the authors of this project", "1.0",
+               "1 if an error has removed the robot from physics (on_error), else 0.",
+               "Column quarantined: 1 if the robot was stopped with on_error=\"quarantine\".\n",
+               "Usable")
+
+}  // namespace argos

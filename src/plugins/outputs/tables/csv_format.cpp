@@ -1,0 +1,190 @@
+// Tables as text: comma-separated values, also compressed.
+
+#include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/files/output_file.h>
+#include <argos3/plugins/simulator/outputs/tables/number_text.h>
+#include <argos3/plugins/simulator/outputs/tables/table_format.h>
+
+#include <zlib.h>
+
+#include <cstring>
+#include <string_view>
+#include <vector>
+
+namespace argos {
+
+namespace {
+
+/* A text that a program reads as one value. */
+std::string Quote(std::string_view text) {
+  if (text.find_first_of(",\"\n\r#") == std::string_view::npos) {
+    return std::string(text);
+  }
+  std::string quoted = "\"";
+  for (const char c : text) {
+    quoted += c == '"' ? "\"\"" : std::string(1, c);
+  }
+  return quoted + '"';
+}
+
+/* A text that grows by pieces whose greatest length is known before. */
+class CGrowingText {
+ public:
+  char* Reserve(std::size_t length) {
+    if (m_text.size() < m_length + length) {
+      m_text.resize(2 * (m_length + length));
+    }
+    return m_text.data() + m_length;
+  }
+  void SetEnd(const char* end) { m_length = static_cast<std::size_t>(end - m_text.data()); }
+  void Append(std::string_view text) {
+    std::memcpy(Reserve(text.size()), text.data(), text.size());
+    m_length += text.size();
+  }
+  void Clear() { m_length = 0; }
+  std::string_view Get() const { return {m_text.data(), m_length}; }
+
+ private:
+  std::vector<char> m_text;
+  std::size_t m_length = 0;
+};
+
+class CCSVFormat : public CTableFormat {
+ public:
+  void Open(const std::string& path, const STableSchema& schema) override {
+    m_schema = schema;
+    m_file.Open(path);
+    m_text.Clear();
+    m_text.Append("# argos3 " + schema.Version + " table\n");
+    for (const auto& [key, value] : schema.Header) {
+      std::string line = "# " + key + ": " + value;
+      for (char& c : line) {
+        c = c == '\n' || c == '\r' ? ' ' : c;
+      }
+      m_text.Append(line + '\n');
+    }
+    std::string units = "# units: time [s]";
+    std::string names = schema.HasRobots ? "run,tick,time,robot" : "run,tick,time";
+    for (const SColumn& column : schema.Columns) {
+      names += ',' + column.Name;
+      if (!column.Unit.empty()) {
+        units += ", " + column.Name + " [" + column.Unit + ']';
+      }
+    }
+    m_text.Append(units + '\n' + names + '\n');
+    WriteText(m_file, m_text.Get());
+  }
+
+  void Write(const SRowBlock& block) override {
+    for (const std::string& id : block.NewRobots) {
+      m_robots.push_back(Quote(id) + ',');
+    }
+    m_text.Clear();
+    std::size_t row = 0;
+    for (const SRowBlock::STick& tick : block.Ticks) {
+      if (tick.Run != m_run) {
+        m_run = tick.Run;
+        m_text.Append("# run " + std::to_string(tick.Run) + ": seed " + std::to_string(tick.Seed) +
+                      '\n');
+      }
+      WriteRows(block, tick, row);
+      row += tick.NumRows;
+    }
+    WriteText(m_file, m_text.Get());
+  }
+
+  void Close() override { m_file.Close(); }
+
+ protected:
+  virtual void WriteText(COutputFile& file, std::string_view text) { file.WriteRecord(text); }
+
+ private:
+  void WriteRows(const SRowBlock& block, const SRowBlock::STick& tick, std::size_t first) {
+    char start[4 * kLongestNumber];
+    char* end = WriteNumber(start, tick.Run, 0);
+    *end++ = ',';
+    end = WriteNumber(end, tick.Tick, 0);
+    *end++ = ',';
+    end = WriteNumber(end, tick.Time, 0);
+    *end++ = ',';
+    const std::string_view prefix(start, static_cast<std::size_t>(end - start));
+    for (std::size_t row = first; row < first + tick.NumRows; ++row) {
+      const std::string_view robot =
+          m_schema.HasRobots ? std::string_view(m_robots[block.Robots[row]]) : std::string_view();
+      const std::size_t longest =
+          prefix.size() + robot.size() + (m_schema.Columns.size() + 1) * (kLongestNumber + 1);
+      char* to = m_text.Reserve(longest);
+      std::memcpy(to, prefix.data(), prefix.size());
+      to += prefix.size();
+      std::memcpy(to, robot.data(), robot.size());
+      to = WriteValues(block, row, to + robot.size());
+      // in place of the comma after the last value
+      to[-1] = '\n';
+      m_text.SetEnd(to);
+    }
+  }
+
+  char* WriteValues(const SRowBlock& block, std::size_t row, char* to) {
+    const double* const numbers = block.Numbers.data() + row * m_schema.NumNumbers;
+    for (std::size_t i = 0; i < m_schema.Columns.size(); ++i) {
+      const double number = numbers[m_schema.Places[i]];
+      if (m_schema.Columns[i].Kind == EColumnKind::Text) {
+        m_text.SetEnd(to);
+        m_text.Append(Quote(block.Texts.Get(number)));
+        to = m_text.Reserve((m_schema.Columns.size() - i + 1) * (kLongestNumber + 1));
+      } else {
+        to = WriteNumber(to, number, m_schema.Digits);
+      }
+      *to++ = ',';
+    }
+    return to;
+  }
+
+  STableSchema m_schema;
+  COutputFile m_file;
+  CGrowingText m_text;
+  std::vector<std::string> m_robots;  // ids, each with the comma after it
+  UInt32 m_run = 0;
+};
+
+/* Each piece of text is a member of the gzip file, so that the file can be read at any time. */
+class CGzipCSVFormat : public CCSVFormat {
+ public:
+  CGzipCSVFormat() {
+    // 16: with a gzip header
+    if (deflateInit2(&m_stream, kLevel, Z_DEFLATED, MAX_WBITS + 16, 9, Z_DEFAULT_STRATEGY) !=
+        Z_OK) {
+      THROW_ARGOSEXCEPTION("there is no memory for compression");
+    }
+  }
+  ~CGzipCSVFormat() override { deflateEnd(&m_stream); }
+  CGzipCSVFormat(const CGzipCSVFormat&) = delete;
+  CGzipCSVFormat& operator=(const CGzipCSVFormat&) = delete;
+
+ protected:
+  void WriteText(COutputFile& file, std::string_view text) override {
+    deflateReset(&m_stream);
+    m_packed.resize(deflateBound(&m_stream, text.size()));
+    m_stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
+    m_stream.avail_in = static_cast<uInt>(text.size());
+    m_stream.next_out = reinterpret_cast<Bytef*>(m_packed.data());
+    m_stream.avail_out = static_cast<uInt>(m_packed.size());
+    if (deflate(&m_stream, Z_FINISH) != Z_STREAM_END) {
+      THROW_ARGOSEXCEPTION("a part of a table cannot be compressed");
+    }
+    file.WriteRecord({m_packed.data(), m_packed.size() - m_stream.avail_out});
+  }
+
+ private:
+  static constexpr int kLevel = 1;  // the fastest: higher levels save a tenth of the size
+
+  z_stream m_stream{};
+  std::vector<char> m_packed;
+};
+
+}  // namespace
+
+REGISTER_TABLE_FORMAT(CCSVFormat, "csv", "Comma-separated values.")
+REGISTER_TABLE_FORMAT(CGzipCSVFormat, "csv.gz", "Comma-separated values, compressed.")
+
+}  // namespace argos

@@ -1,0 +1,107 @@
+#ifndef ARGOS3_PLUGINS_OUTPUTS_TABLES_ENTITY_ROWS_H
+#define ARGOS3_PLUGINS_OUTPUTS_TABLES_ENTITY_ROWS_H
+
+#include <argos3/core/simulator/entity/entity.h>
+#include <argos3/core/simulator/outputs/field.h>
+#include <argos3/plugins/simulator/outputs/tables/row_block.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace argos {
+
+class CSpace;
+
+/**
+ * The rows of a table with fields of robots, or of other root entities: follows which entities
+ * there are, and copies their fields.
+ */
+class CEntityRows {
+ public:
+  /**
+   * @param location  of the element, for messages: "file:line: <table>".
+   * @param fields    not empty.
+   * @param types     of entities, such as "foot-bot"; empty: all robots.
+   * @throws CARGoSException if two fields are equal, or if two of them are lists.
+   */
+  CEntityRows(std::string location, std::vector<SFieldName> fields, std::vector<std::string> types);
+
+  /**
+   * Resolves the fields of the entities there are.
+   * @throws CARGoSException with the nearest names if no entity has a field; if two fields have a
+   *   column of the same name.
+   */
+  void Resolve(CSpace& space);
+  /** Follows entities that were added and removed. @throws CARGoSException as Resolve(). */
+  void Update(CSpace& space);
+  /** True as soon as there was an entity, which has fixed the columns. */
+  bool AreColumnsKnown() const { return m_areColumnsKnown; }
+  /** Sets the columns, in a table that has them or, without any entity ever, none. */
+  void Describe(STableSchema& schema) const;
+  /** Appends the rows of now. @return their number. */
+  std::size_t Read(SRowBlock& block);
+  /** Adds all robots anew to the blocks from here on: a new file begins. */
+  void Restart();
+
+ private:
+  /** A field of the table. */
+  struct SPart {
+    SFieldName Name;
+    std::vector<SColumn> Columns;  // of all entities, in order of their first appearance
+    std::size_t Start = 0;  // of its numbers in a row
+    std::size_t NumNumbers = 0;
+    bool WasExtraColumnReported = false;
+  };
+
+  /** A field of an entity. */
+  struct SCell {
+    std::unique_ptr<CFieldReader> Reader;  // null: no values
+    std::vector<std::size_t> Places;  // of its columns among those of the part; empty: the same
+  };
+
+  struct SEntityRows {
+    CEntity* Entity;
+    ssize_t Index;  // of the entity, which tells it from a later one at the same address
+    UInt32 Number;  // of this entity in the file
+    std::vector<SCell> Cells;  // by part
+  };
+
+  struct SRoot {
+    CEntity* Entity;
+    ssize_t Index;
+    bool operator==(const SRoot& other) const {
+      return Entity == other.Entity && Index == other.Index;
+    }
+  };
+
+  bool HaveEntitiesChanged(CSpace& space);
+  std::vector<CEntity*> ListEntities(CSpace& space) const;
+  SEntityRows Bind(CEntity& entity);
+  SCell BindCell(SPart& part, CEntity& entity);
+  void AddColumns(SPart& part, const SBoundField& bound);
+  void NoteExtraColumn(SPart& part, const CEntity& entity, const std::string& column) const;
+  void CheckFields(const std::vector<CEntity*>& entities, CSpace& space);
+  void CheckColumns() const;
+  void PlaceColumns();
+  void ReadRow(SEntityRows& entity, std::size_t item, SRowBlock& block);
+
+  std::string m_location;
+  std::vector<std::string> m_types;
+  std::vector<SPart> m_parts;
+  SPart* m_list = nullptr;  // the field that is a list; null: none is
+  std::size_t m_listIndex = 0;
+  std::size_t m_numNumbers = 0;
+  bool m_areColumnsKnown = false;
+  std::vector<SEntityRows> m_entities;
+  std::vector<SRoot> m_roots;  // of the space at the last change
+  UInt64 m_robotsVersion = 0;
+  bool m_wereEntitiesListed = false;
+  std::vector<std::string> m_newIds;  // not in a block yet
+  UInt32 m_nextNumber = 0;
+  std::vector<double> m_scratch;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,105 @@
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/plugins/simulator/outputs/tables/entity_rows.h>
+#include <argos3/plugins/simulator/outputs/tables/table_base.h>
+
+#include <optional>
+
+namespace argos {
+
+namespace {
+
+// the items of a list with commas, without the spaces around them
+std::vector<std::string> SplitList(const std::string& text) {
+  std::vector<std::string> items;
+  Tokenize(text, items, ",");
+  for (std::string& item : items) {
+    const std::size_t first = item.find_first_not_of(" \t\n");
+    const std::size_t last = item.find_last_not_of(" \t\n");
+    item = first == std::string::npos ? "" : item.substr(first, last - first + 1);
+  }
+  std::erase(items, "");
+  return items;
+}
+
+}  // namespace
+
+/* <table>: fields of robots and other entities, a row for each entity and tick. */
+class CTableOutput : public CTableBase {
+ public:
+  void Init(TConfigurationNode& tree) override {
+    CTableBase::Init(tree);
+    std::string fields = "pose";
+    std::string types;
+    GetNodeAttributeOrDefault(tree, "fields", fields, fields);
+    GetNodeAttributeOrDefault(tree, "of", types, types);
+    std::vector<SFieldName> names;
+    for (const std::string& name : SplitList(fields)) {
+      try {
+        names.emplace_back(name);
+      } catch (std::exception& error) {
+        THROW_ARGOSEXCEPTION_NESTED(GetLocation() << ": \"fields\"", error);
+      }
+    }
+    if (names.empty()) {
+      THROW_ARGOSEXCEPTION(GetLocation() << ": \"fields\" lists no field; argos3 -q fields lists "
+                                            "those that there are");
+    }
+    m_rows.emplace(GetLocation(), std::move(names), SplitList(types));
+    m_rows->Resolve(CurrentSpace());
+  }
+
+ private:
+  bool Update(CSimulator& simulator, SRowBlock& /*block*/, bool /*isLast*/) override {
+    m_rows->Update(simulator.GetSpace());
+    return m_rows->AreColumnsKnown();
+  }
+
+  void Describe(STableSchema& schema) const override { m_rows->Describe(schema); }
+
+  std::size_t Read(CSimulator& /*simulator*/, SRowBlock& block) override {
+    return m_rows->Read(block);
+  }
+
+  const char* ExplainEmptyTable() const override {
+    return "there never was an entity that it lists";
+  }
+
+  std::optional<CEntityRows> m_rows;
+};
+
+REGISTER_RUN_OUTPUT(
+    CTableOutput, "table", "the authors of this project", "1.0",
+    "A table of fields of robots: poses, wheels, LEDs, readings, messages, Lua variables.",
+    R"(Writes a row for each robot and tick, on a thread of its own. doc/get_data_out.md shows how to load
+and plot the files. `argos3 -q fields` lists the fields.
+
+REQUIRED XML
+
+  <outputs>
+    <table file="poses.csv" />
+  </outputs>
+
+  file    ends in .csv, .csv.gz (compressed) or .h5 (HDF5, which Octave, MATLAB and Python load). Its
+          folder is created. An existing file is replaced when the run begins.
+
+OPTIONAL XML
+
+  <table file="poses.csv" every="10" fields="pose,wheels,readings:proximity" of="foot-bot,e-puck"
+         digits="6" />
+
+  every   whole number >= 1, default 1: rows of the ticks 0, every, 2 every, ...
+  fields  list, default "pose".
+  of      list of tags: the entities that have rows; also boxes and lights. Default: all robots.
+  digits  from 1 to 17: significant digits of numbers in texts. Default: as many as needed to read the
+          same number back.
+
+Columns: run (the number of resets before), tick, time (s), robot (its id), and those of the fields. A
+robot has rows while it is in the arena. What it does not have is empty (CSV) or NaN (HDF5). After a
+reset the rows of the next run follow in the same file.
+)",
+    "Usable")
+
+}  // namespace argos
