@@ -24,6 +24,8 @@ CFrameRecorder::CFrameRecorder(const SRecordingSettings& settings, const CCamera
   m_scene.ShowBoundary = settings.ShowBoundary;
 }
 
+CFrameRecorder::~CFrameRecorder() = default;
+
 void CFrameRecorder::Announce() const {
   CTextOutput text;
   text << m_settings.Announcement << "drawing frames of " << m_settings.Render.Width << "x"
@@ -39,27 +41,34 @@ void CFrameRecorder::Announce() const {
   LOG.Flush();
 }
 
-void CFrameRecorder::Run(CSimulator& simulator) {
-  const std::unique_ptr<CLockFile> lock = m_writer.LockFrames();
+void CFrameRecorder::Begin() {
+  m_lock = m_writer.LockFrames();
   if (!m_renderer.has_value()) {
     m_renderer.emplace(m_settings.Render);
   }
   Announce();
-  const CSpace& space = simulator.GetSpace();
-  m_drawing.Observe(simulator);
-  WriteFrame(simulator);
-  UInt32 lastTick = space.GetSimulationClock();
-  while (!simulator.IsExperimentFinished()) {
-    simulator.UpdateSpace();
-    m_drawing.Observe(simulator);
-    if (space.GetSimulationClock() % m_settings.Every == 0) {
-      WriteFrame(simulator);
-      lastTick = space.GetSimulationClock();
-    }
+}
+
+void CFrameRecorder::Observe(CSimulator& simulator) {
+  if (m_lock == nullptr) {
+    Begin();
   }
-  if (m_settings.KeepLastFrame && space.GetSimulationClock() != lastTick) {
+  m_drawing.Observe(simulator);
+  if (!m_lastTick.has_value() ||
+      simulator.GetSpace().GetSimulationClock() % m_settings.Every == 0) {
     WriteFrame(simulator);
   }
+}
+
+void CFrameRecorder::Finish(CSimulator& simulator) {
+  if (m_settings.KeepLastFrame && m_lastTick != simulator.GetSpace().GetSimulationClock()) {
+    WriteFrame(simulator);
+  }
+  m_lock.reset();
+}
+
+void CFrameRecorder::Reset() {
+  m_lastTick.reset();
 }
 
 void CFrameRecorder::WriteFrame(CSimulator& simulator) {
@@ -72,6 +81,7 @@ void CFrameRecorder::WriteFrame(CSimulator& simulator) {
              m_scene);
   m_renderer->Render(m_scene, m_timeline.ComputeAt(tick), m_picture);
   m_writer.Write(m_picture, tick);
+  m_lastTick = tick;
 }
 
 }  // namespace argos

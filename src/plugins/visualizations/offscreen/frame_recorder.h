@@ -8,11 +8,13 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/scene_builder.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
 namespace argos {
 
+class CLockFile;
 class CSimulator;
 class CViewDrawing;
 
@@ -30,10 +32,11 @@ struct SRecordingSettings {
 };
 
 /**
- * Runs an experiment and writes pictures of it.
+ * Writes pictures of a run: of the state before the first tick, after every n-th one, and perhaps
+ * of the final state.
  *
- * The constructor checks the settings. The thread that runs the experiment creates the OpenGL
- * context, which belongs to one thread.
+ * The constructor checks the settings. The first call of Observe() creates the OpenGL context,
+ * which belongs to that thread.
  */
 class CFrameRecorder {
  public:
@@ -43,16 +46,23 @@ class CFrameRecorder {
    */
   CFrameRecorder(const SRecordingSettings& settings, const CCameraTimeline& timeline,
                  CViewDrawing& drawing);
+  ~CFrameRecorder();
+  CFrameRecorder(const CFrameRecorder&) = delete;
+  CFrameRecorder& operator=(const CFrameRecorder&) = delete;
 
   /**
-   * Steps the simulator until the experiment is finished, and writes a frame of the state before
-   * the first tick, after every n-th one, and perhaps of the final state.
+   * Called with the first state and after each tick.
    * @throws CARGoSException if a frame cannot be drawn or written; if another run writes frames of
    *   the same names, as CFrameWriter::LockFrames().
    */
-  void Run(CSimulator& simulator);
+  void Observe(CSimulator& simulator);
+  /** Writes the final state if it has no frame yet. @throws CARGoSException as Observe(). */
+  void Finish(CSimulator& simulator);
+  /** The next state begins another run, whose files replace those of the same names. */
+  void Reset();
 
  private:
+  void Begin();
   void Announce() const;
   void WriteFrame(CSimulator& simulator);
 
@@ -60,6 +70,8 @@ class CFrameRecorder {
   CCameraTimeline m_timeline;
   CViewDrawing& m_drawing;
   CFrameWriter m_writer;
+  std::unique_ptr<CLockFile> m_lock;  // from the first frame to the last
+  std::optional<std::uint32_t> m_lastTick;  // with a frame, in this run
   CSceneBuilder m_builder;
   std::optional<CRenderer> m_renderer;
   SScene m_scene;

@@ -1,12 +1,10 @@
-#include <argos3/plugins/simulator/visualizations/offscreen/frame_visualization.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/frame_output.h>
 
+#include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
-#include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/physics_engine/described_body_model.h>
-#include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
-#include <argos3/core/simulator/tick/loop_hooks.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/math/eigen_bridge.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/camera_xml.h>
@@ -36,22 +34,22 @@ SArenaBox GetArenaBox(const CSpace& space) {
 
 }  // namespace
 
-CFrameVisualization::CFrameVisualization() = default;
-CFrameVisualization::~CFrameVisualization() = default;
+CFrameOutput::CFrameOutput() = default;
+CFrameOutput::~CFrameOutput() = default;
 
-void CFrameVisualization::InitAsOffscreen(TConfigurationNode& tree) {
+void CFrameOutput::InitAsOffscreen(TConfigurationNode& tree) {
   const SRecordingSettings settings = ReadOffscreenSettings(tree);
-  const SArenaBox arena = GetArenaBox(m_cSpace);
+  const SArenaBox arena = GetArenaBox(CurrentSpace());
   CCameraTimeline timeline(MakeDefaultPlacements(arena));
   const double aspectRatio = static_cast<double>(settings.Render.Width) / settings.Render.Height;
-  timeline.SetPlacement(0, MakeFramingPlacement(arena, aspectRatio, ComputeTop(m_cSpace)));
+  timeline.SetPlacement(0, MakeFramingPlacement(arena, aspectRatio, ComputeTop(CurrentSpace())));
   ReadCamera(tree, timeline);
   InitFrames(tree, settings, timeline);
 }
 
-void CFrameVisualization::InitAsQtOpenGl(TConfigurationNode& tree) {
+void CFrameOutput::InitAsQtOpenGl(TConfigurationNode& tree) {
   const SQtOpenGlRequest request = ReadQtOpenGlRequest(tree);
-  CCameraTimeline timeline(MakeDefaultPlacements(GetArenaBox(m_cSpace)));
+  CCameraTimeline timeline(MakeDefaultPlacements(GetArenaBox(CurrentSpace())));
   ReadCamera(tree, timeline);
   if (request.WantsFrames) {
     InitFrames(tree, request.Recording, timeline);
@@ -61,8 +59,8 @@ void CFrameVisualization::InitAsQtOpenGl(TConfigurationNode& tree) {
       << (request.HasUserFunctions ? ", without its user functions" : "") << std::endl;
 }
 
-void CFrameVisualization::InitFrames(TConfigurationNode& tree, const SRecordingSettings& settings,
-                                     const CCameraTimeline& timeline) {
+void CFrameOutput::InitFrames(TConfigurationNode& tree, const SRecordingSettings& settings,
+                              const CCameraTimeline& timeline) {
   try {
     m_recorder = std::make_unique<CFrameRecorder>(settings, timeline, m_drawing);
   } catch (CARGoSException& ex) {
@@ -72,20 +70,27 @@ void CFrameVisualization::InitFrames(TConfigurationNode& tree, const SRecordingS
   m_drawing.Init(tree);
 }
 
-void CFrameVisualization::Destroy() {
+void CFrameOutput::Destroy() {
   m_recorder.reset();
   m_drawing.Destroy();
 }
 
-void CFrameVisualization::Execute() {
-  if (m_recorder == nullptr) {
-    CDefaultVisualization::Execute();
-    return;
+void CFrameOutput::Reset() {
+  if (m_recorder != nullptr) {
+    m_recorder->Reset();
   }
-  m_recorder->Run(m_cSimulator);
-  CLoopFunctions& loopFunctions = m_cSimulator.GetLoopFunctions();
-  CallHook(m_cSimulator.GetSpace().GetContext(), "PostExperiment()",
-           [&loopFunctions] { loopFunctions.PostExperiment(); });
+}
+
+void CFrameOutput::Observe(CSimulator& simulator) {
+  if (m_recorder != nullptr) {
+    m_recorder->Observe(simulator);
+  }
+}
+
+void CFrameOutput::Finish(CSimulator& simulator) {
+  if (m_recorder != nullptr) {
+    m_recorder->Finish(simulator);
+  }
 }
 
 }  // namespace argos
