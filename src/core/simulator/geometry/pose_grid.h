@@ -23,8 +23,7 @@ constexpr Real kLargestOnPoseGrid = 0x1p42;
  * are unchanged. */
 inline Real SnapToPoseGrid(Real value) {
   const Real units = value / kPoseGrid;
-  return std::abs(units) < kLargestOnPoseGrid ? (std::nearbyint(units) + 0.0) * kPoseGrid
-                                               : value;
+  return std::abs(units) < kLargestOnPoseGrid ? (std::nearbyint(units) + 0.0) * kPoseGrid : value;
 }
 
 inline CVector3 SnapToPoseGrid(const CVector3& v) {

@@ -55,8 +55,7 @@ void CPredictedColumn::Decode(std::span<SInt64> values, CByteReader& in) {
   ARGOS_ASSERT(values.size() == GetSize(), "a column of another number of values");
   CSparseReader sparse(in);
   for (size_t i = 0; i < values.size(); ++i) {
-    const UInt64 value =
-        Predict(i) + static_cast<UInt64>(CByteReader::UnfoldSign(sparse.Read()));
+    const UInt64 value = Predict(i) + static_cast<UInt64>(CByteReader::UnfoldSign(sparse.Read()));
     Note(i, value);
     values[i] = static_cast<SInt64>(value);
   }

@@ -71,13 +71,13 @@ void CFrameEncoder::EncodeWords(const std::vector<UInt32>& words, CByteWriter& o
   m_words.assign(words.begin(), words.end());
 }
 
-void CFrameEncoder::Encode(SFrameUpdate&& update, bool isKey, std::string& bytes) {
+void CFrameEncoder::Encode(SFrameUpdate& update, bool isKey, std::string& bytes) {
   m_body.clear();
   CByteWriter body(m_body);
   body.WriteNumber(update.Tick);
   body.WriteByte(isKey ? 1 : 0);
-  const bool hasChanges = update.IsRestart || !update.NewTypes.empty() ||
-                          !update.Removed.empty() || !update.Added.empty();
+  const bool hasChanges = update.IsRestart || !update.NewTypes.empty() || !update.Removed.empty() ||
+                          !update.Added.empty();
   if (!isKey && hasChanges) {
     AddSection(SECTION_ENTITIES,
                [&](CByteWriter& out) { CEntityTable::WriteChanges(update, out); });
@@ -250,8 +250,7 @@ void CNamedColumns::Encode(const std::vector<SRecordedColumn>& columns, CByteWri
 
 void CNamedColumns::Decode(std::vector<SRecordedColumn>& columns, size_t numEntities,
                            CByteReader& in) {
-  const size_t count =
-      in.ReadNumberUpTo(kMostValues / (numEntities + 1), "number of columns");
+  const size_t count = in.ReadNumberUpTo(kMostValues / (numEntities + 1), "number of columns");
   for (size_t i = 0; i < count; ++i) {
     SRecordedColumn& column = columns.emplace_back();
     column.Name = in.ReadText();

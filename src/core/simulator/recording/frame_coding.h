@@ -39,10 +39,10 @@ class CFrameEncoder {
   explicit CFrameEncoder(EPrecision precision) : m_poses(precision), m_rays(precision) {}
 
   /**
-   * Appends a frame.
+   * Appends a frame, and takes new types and entities out of the update.
    * @param isKey  must be true of the first one, and if size or existence of the floor has changed.
    */
-  void Encode(SFrameUpdate&& update, bool isKey, std::string& bytes);
+  void Encode(SFrameUpdate& update, bool isKey, std::string& bytes);
   const CEntityTable& GetTable() const { return m_table; }
 
  private:

@@ -40,8 +40,7 @@ class CDescriptor {
 
 }  // namespace
 
-void CGrowingFile::Create(const std::string& path, std::string_view magic,
-                          std::string_view start) {
+void CGrowingFile::Create(const std::string& path, std::string_view magic, std::string_view start) {
   struct stat information {};
   const bool exists = stat(path.c_str(), &information) == 0;
   if (exists && S_ISDIR(information.st_mode)) {

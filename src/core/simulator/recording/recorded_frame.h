@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_SIMULATOR_RECORDING_RECORDED_FRAME_H
 
 #include <argos3/core/simulator/geometry/body_pose.h>
+#include <argos3/core/simulator/geometry/bounding_box.h>
 #include <argos3/core/simulator/visualization/appearance.h>
 
 #include <memory>
@@ -9,13 +10,6 @@
 #include <vector>
 
 namespace argos {
-
-/** A named frame of a body, besides its origin, whose pose is recorded. */
-struct SRecordedAnchor {
-  std::string Id;
-  CVector3 OffsetPosition; /**< in the frame of the origin at the start, m */
-  CQuaternion OffsetOrientation;
-};
 
 /** What the recorded entities of a type have in common: all that is needed to draw them. */
 struct SRecordedType {
@@ -35,8 +29,9 @@ struct SRecordedType {
   bool HasAppearance = false;
   UInt64 Parameter = 0; /**< see Kind */
   UInt32 NumLEDs = 0;
+  SBoundingBox Box; /**< around the body at the origin, not turned, m; no extent: unknown */
   SAppearance Appearance;
-  std::vector<SRecordedAnchor> Anchors;
+  std::vector<std::string> Anchors; /**< ids of those, besides the origin, whose poses are recorded */
 
   /** Poses of an entity: its own, and one for each anchor. */
   size_t GetNumPoses() const {

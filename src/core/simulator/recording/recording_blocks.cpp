@@ -76,14 +76,13 @@ CBlockPacker::~CBlockPacker() {
 
 std::string_view CBlockPacker::Pack(const SBlockHeader& header, std::string_view content) {
   if (content.size() > kLargestBlock) {
-    THROW_ARGOSEXCEPTION("the state of one tick takes " << content.size()
-                                                        << " bytes, more than the possible "
-                                                        << kLargestBlock);
+    THROW_ARGOSEXCEPTION("the state of one tick takes "
+                         << content.size() << " bytes, more than the possible " << kLargestBlock);
   }
   m_block.resize(kBlockHeaderSize + ZSTD_compressBound(content.size()));
-  const size_t size = ZSTD_compressCCtx(
-      static_cast<ZSTD_CCtx*>(m_context), m_block.data() + kBlockHeaderSize,
-      m_block.size() - kBlockHeaderSize, content.data(), content.size(), m_level);
+  const size_t size =
+      ZSTD_compressCCtx(static_cast<ZSTD_CCtx*>(m_context), m_block.data() + kBlockHeaderSize,
+                        m_block.size() - kBlockHeaderSize, content.data(), content.size(), m_level);
   if (ZSTD_isError(size) != 0) {
     THROW_ARGOSEXCEPTION("it cannot be compressed: " << ZSTD_getErrorName(size));
   }
@@ -124,8 +123,7 @@ void UnpackBlock(const SBlockHeader& header, std::string_view packed, std::strin
     THROW_ARGOSEXCEPTION("its checksum is wrong");
   }
   content.resize(header.Size);
-  const size_t size =
-      ZSTD_decompress(content.data(), content.size(), packed.data(), packed.size());
+  const size_t size = ZSTD_decompress(content.data(), content.size(), packed.data(), packed.size());
   if (ZSTD_isError(size) != 0 || size != header.Size) {
     THROW_ARGOSEXCEPTION("it cannot be decompressed"
                          << (ZSTD_isError(size) != 0 ? ": " : "")

@@ -37,7 +37,7 @@ class CRecordingWriter::CBlocks {
 
   bool IsEmpty() const { return m_numFrames == 0; }
 
-  void Add(SFrameUpdate&& update) {
+  void Add(SFrameUpdate& update) {
     const bool isFull = m_numFrames >= kFramesPerBlock || m_frames.size() >= kBytesPerBlock;
     if (isFull || !HasSameSize(update.Floor.get(), m_lastFloor.get())) {
       Flush();
@@ -49,7 +49,7 @@ class CRecordingWriter::CBlocks {
     }
     m_header.LastTick = update.Tick;
     m_lastFloor = update.Floor;
-    m_encoder.Encode(std::move(update), isKey, m_frames);
+    m_encoder.Encode(update, isKey, m_frames);
     ++m_numFrames;
   }
 
@@ -155,8 +155,7 @@ SFrameUpdate CRecordingWriter::TakeUpdate() {
 
 void CRecordingWriter::Add(SFrameUpdate&& update) {
   std::unique_lock<std::mutex> lock(m_mutex);
-  m_isChanged.wait(lock,
-                   [this] { return m_queuedBytes < kMostQueuedBytes || !m_failure.empty(); });
+  m_isChanged.wait(lock, [this] { return m_queuedBytes < kMostQueuedBytes || !m_failure.empty(); });
   if (!m_failure.empty()) {
     lock.unlock();
     ThrowIfFailed();
@@ -188,7 +187,11 @@ UInt64 CRecordingWriter::GetNumWrittenBytes() const {
   return m_blocks->GetSize();
 }
 
-void CRecordingWriter::Fail(const std::string& reason) {
+void CRecordingWriter::Fail(std::string reason) {
+  constexpr std::string_view kPrefix = "[FATAL] ";
+  if (reason.rfind(kPrefix, 0) == 0) {
+    reason.erase(0, kPrefix.size());
+  }
   const std::lock_guard<std::mutex> lock(m_mutex);
   m_failure = "cannot write the recording \"" + m_path + "\": " + reason;
 }
@@ -225,7 +228,7 @@ void CRecordingWriter::Run() {
       m_queuedBytes -= update.ComputeSize();
       lock.unlock();
       m_isChanged.notify_all();
-      m_blocks->Add(std::move(update));
+      m_blocks->Add(update);
       update.Clear();
       lock.lock();
       if (m_free.size() < kMostFreeUpdates) {

@@ -58,7 +58,7 @@ class CRecordingWriter {
 
   void Run();
   void ThrowIfFailed();
-  void Fail(const std::string& reason);
+  void Fail(std::string reason);
 
   std::string m_path;
   std::unique_ptr<CBlocks> m_blocks;  // used by the thread while it runs

@@ -70,15 +70,15 @@ void WriteType(const SRecordedType& type, CByteWriter& out) {
                                    (type.HasAppearance ? HAS_APPEARANCE : 0)));
   out.WriteNumber(type.Parameter);
   out.WriteNumber(type.NumLEDs);
+  WriteVector(type.Box.MinCorner, out);
+  WriteVector(type.Box.MaxCorner, out);
   out.WriteNumber(type.Appearance.Parts.size());
   for (const SVisualPart& part : type.Appearance.Parts) {
     WritePart(part, out);
   }
   out.WriteNumber(type.Anchors.size());
-  for (const SRecordedAnchor& anchor : type.Anchors) {
-    out.WriteText(anchor.Id);
-    WriteVector(anchor.OffsetPosition, out);
-    WriteQuaternion(anchor.OffsetOrientation, out);
+  for (const std::string& anchor : type.Anchors) {
+    out.WriteText(anchor);
   }
 }
 
@@ -94,15 +94,13 @@ SRecordedType ReadType(CByteReader& in) {
   type.HasAppearance = (flags & HAS_APPEARANCE) != 0;
   type.Parameter = in.ReadNumber();
   type.NumLEDs = static_cast<UInt32>(in.ReadNumberUpTo(kMostLEDs, "number of LEDs"));
+  type.Box.MinCorner = ReadVector(in);
+  type.Box.MaxCorner = ReadVector(in);
   for (size_t parts = in.ReadCount("number of parts"); parts > 0; --parts) {
     type.Appearance.Parts.push_back(ReadPart(in));
   }
   for (size_t anchors = in.ReadCount("number of anchors"); anchors > 0; --anchors) {
-    SRecordedAnchor anchor;
-    anchor.Id = in.ReadText();
-    anchor.OffsetPosition = ReadVector(in);
-    anchor.OffsetOrientation = ReadQuaternion(in);
-    type.Anchors.push_back(std::move(anchor));
+    type.Anchors.emplace_back(in.ReadText());
   }
   return type;
 }
