@@ -402,8 +402,7 @@ void CSimulator::UpdateSpace() {
 }
 
 bool CSimulator::IsExperimentFinished() const {
-  return m_terminated ||
-         (m_experiment->Replay != nullptr && m_experiment->Replay->IsAtEnd()) ||
+  return m_terminated || (m_experiment->Replay != nullptr && m_experiment->Replay->IsAtEnd()) ||
          (m_settings.MaxClock > 0 && m_space->GetSimulationClock() >= m_settings.MaxClock) ||
          (m_context.LoopFunctions != nullptr &&
           CallHook(m_context, "IsExperimentFinished()",

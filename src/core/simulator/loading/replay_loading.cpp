@@ -1,4 +1,5 @@
-// Loading of a recording in place of an experiment: arena, views and outputs, and nothing that acts.
+// Loading of a recording in place of an experiment: arena, views and outputs, and nothing that
+// acts.
 
 #include <argos3/core/simulator/context/load_errors.h>
 #include <argos3/core/simulator/loading/experiment_loader.h>

@@ -249,11 +249,10 @@ void ReadTime(const CLI::App& app, const std::string& name, const std::string& t
   SReplayTime read;
   read.IsInSeconds = !text.empty() && text.back() == 's';
   UInt32 tick = 0;
-  const bool isOk =
-      read.IsInSeconds
-          ? ParseNumber(text.substr(0, text.size() - 1), read.Value) == ENumberParsing::Ok &&
-                read.Value >= 0.0
-          : ParseNumber(text, tick) == ENumberParsing::Ok;
+  const bool isOk = read.IsInSeconds ? ParseNumber(text.substr(0, text.size() - 1), read.Value) ==
+                                               ENumberParsing::Ok &&
+                                           read.Value >= 0.0
+                                     : ParseNumber(text, tick) == ENumberParsing::Ok;
   if (!isOk) {
     problems.Add(name + " " + text +
                  ": expected a tick, such as 100, or a time in seconds, such as 12.5s");

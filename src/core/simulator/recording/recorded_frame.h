@@ -31,7 +31,8 @@ struct SRecordedType {
   UInt32 NumLEDs = 0;
   SBoundingBox Box; /**< around the body at the origin, not turned, m; no extent: unknown */
   SAppearance Appearance;
-  std::vector<std::string> Anchors; /**< ids of those, besides the origin, whose poses are recorded */
+  std::vector<std::string>
+      Anchors; /**< ids of those, besides the origin, whose poses are recorded */
 
   /** Poses of an entity: its own, and one for each anchor. */
   size_t GetNumPoses() const {

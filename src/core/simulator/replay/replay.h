@@ -59,9 +59,9 @@ class CReplay {
 
 }  // namespace argos
 
-#define REGISTER_REPLAY(CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION, LONG_DESCRIPTION, \
-                        STATUS)                                                                 \
-  REGISTER_SYMBOL(CReplay, CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION,                \
-                  LONG_DESCRIPTION, STATUS)
+#define REGISTER_REPLAY(CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION, LONG_DESCRIPTION,    \
+                        STATUS)                                                                    \
+  REGISTER_SYMBOL(CReplay, CLASSNAME, LABEL, AUTHOR, VERSION, BRIEF_DESCRIPTION, LONG_DESCRIPTION, \
+                  STATUS)
 
 #endif

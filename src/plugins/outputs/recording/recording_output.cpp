@@ -108,11 +108,11 @@ void CRecordingOutput::Finish(CSimulator& simulator) {
                                : 0.0;
   };
   LOG << "[INFO] "
-      << fmt::format("Recorded {} states to {}: {} bytes, {:.3g} for each robot and state, {:.3g} "
-                     "before compression",
-                     m_numFrames, MakeFileName(), m_writer->GetNumWrittenBytes(),
-                     perRobot(m_writer->GetNumWrittenBytes()),
-                     perRobot(m_writer->GetNumCodedBytes()))
+      << fmt::format(
+             "Recorded {} states to {}: {} bytes, {:.3g} for each robot and state, {:.3g} "
+             "before compression",
+             m_numFrames, MakeFileName(), m_writer->GetNumWrittenBytes(),
+             perRobot(m_writer->GetNumWrittenBytes()), perRobot(m_writer->GetNumCodedBytes()))
       << std::endl;
   m_writer.reset();
 }

@@ -82,11 +82,11 @@ void CRecordingReplay::SelectPart(const SReplayRequest& request) {
   const UInt32 from = request.From ? ToTick(*request.From) : first;
   const UInt32 to = request.To ? ToTick(*request.To) : last;
   if (from > last || to < first || from > to) {
-    THROW_ARGOSEXCEPTION("the recording \""
-                         << request.File << "\" has no state from tick " << from << " to tick "
-                         << to << ": it has ticks " << first << " to " << last << ", that is "
-                         << first * m_reader->GetInfo().TickLength << " s to "
-                         << last * m_reader->GetInfo().TickLength << " s");
+    THROW_ARGOSEXCEPTION("the recording \"" << request.File << "\" has no state from tick " << from
+                                            << " to tick " << to << ": it has ticks " << first
+                                            << " to " << last << ", that is "
+                                            << first * m_reader->GetInfo().TickLength << " s to "
+                                            << last * m_reader->GetInfo().TickLength << " s");
   }
   m_lastTick = m_reader->FindLastTickUpTo(to);
   m_firstTick = from;

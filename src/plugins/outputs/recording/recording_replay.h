@@ -3,7 +3,7 @@
 
 #include <argos3/core/simulator/recording/recording_reader.h>
 #include <argos3/core/simulator/replay/replay.h>
-#include <argos3/plugins/simulator/outputs/recording/recorded_entities.h>
+#include <argos3/plugins/simulator/outputs/recording/stand_ins.h>
 
 #include <memory>
 #include <optional>

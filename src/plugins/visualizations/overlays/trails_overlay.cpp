@@ -130,8 +130,7 @@ void CTrailsOverlay::Draw(CSimulator& simulator, CDrawing& drawing) {
     }
     DrawTrail(found->second, space.GetSimulationClock(), drawing);
     const CVector3& last = found->second.Points.back().Position;
-    drawing.DrawLine(last, robot.Pose.Position, ComputeColor(found->second, 0),
-                     m_width);
+    drawing.DrawLine(last, robot.Pose.Position, ComputeColor(found->second, 0), m_width);
   }
 }
 

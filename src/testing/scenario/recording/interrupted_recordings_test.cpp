@@ -22,8 +22,7 @@ using Catch::Contains;
 namespace {
 
 std::vector<std::string> Arguments(const std::string& length, const std::string& file) {
-  return {"-zc",    InSourceTree("experiments/flocking.argos"), "--length", length,
-          "--record", file};
+  return {"-zc", InSourceTree("experiments/flocking.argos"), "--length", length, "--record", file};
 }
 
 }  // namespace

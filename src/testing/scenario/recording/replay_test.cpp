@@ -60,7 +60,8 @@ std::vector<std::string> Into(const std::string& directory) {
 
 // of what an experiment file of this project needs
 std::vector<std::string> LiveFlocking() {
-  return {"-c", InSourceTree("experiments/flocking.argos"), "--length", "15", "--record", "run.rec"};
+  return {"-c",     InSourceTree("experiments/flocking.argos"), "--length", "15", "--record",
+          "run.rec"};
 }
 
 // Everything that comes, goes and changes: boxes that are added and removed, lamps, a painted
@@ -115,7 +116,8 @@ end
 )";
 
 // a binary PPM: 2 x 2 pixels of four colours
-const std::string kFloor = std::string("P6\n2 2\n255\n") + "\x80\x10\x10\x10\x80\x10\x10\x10\x80\x70\x70\x10";
+const std::string kFloor =
+    std::string("P6\n2 2\n255\n") + "\x80\x10\x10\x10\x80\x10\x10\x10\x80\x70\x70\x10";
 
 }  // namespace
 
@@ -123,8 +125,8 @@ TEST_CASE("replay: flocking gives the frames of the run, pixel for pixel",
           "[scenario][recording]") {
   const CTestFolder folder;
   CheckSuccess(folder.Run(LiveFlocking() + kSmall + Into("live")));
-  CheckSuccess(folder.Run(
-      std::vector<std::string>{"--replay", "run.rec"} + kSmall + Into("replayed")));
+  CheckSuccess(
+      folder.Run(std::vector<std::string>{"--replay", "run.rec"} + kSmall + Into("replayed")));
   CheckSameFrames(folder, "live", "replayed", 4);
 }
 
@@ -147,8 +149,8 @@ TEST_CASE("replay: exact recordings give the same pictures", "[scenario][recordi
   const CTestFolder folder;
   CheckSuccess(folder.Run(LiveFlocking() + kSmall + Into("live") +
                           std::vector<std::string>{"--set", "//recording/@precision=exact"}));
-  CheckSuccess(folder.Run(
-      std::vector<std::string>{"--replay", "run.rec"} + kSmall + Into("replayed")));
+  CheckSuccess(
+      folder.Run(std::vector<std::string>{"--replay", "run.rec"} + kSmall + Into("replayed")));
   CheckSameFrames(folder, "live", "replayed", 4);
 }
 
@@ -159,8 +161,8 @@ TEST_CASE("replay: a part, with another step, in the views of another file",
   folder.Write("views.argos",
                "<argos-configuration><visualization><offscreen directory='views' size='64x64' />"
                "</visualization></argos-configuration>");
-  const SProgramRun run = folder.Run({"--replay", "run.rec", "-c", "views.argos", "--from", "2s",
-                                      "--to", "55", "--every", "10"});
+  const SProgramRun run = folder.Run(
+      {"--replay", "run.rec", "-c", "views.argos", "--from", "2s", "--to", "55", "--every", "10"});
   CheckSuccess(run);
   CHECK_THAT(run.Out, Contains("Replaying ticks 20 to 55") && Contains("random seed 124"));
   CHECK(ListFrames(folder, "views") ==
@@ -203,15 +205,14 @@ TEST_CASE("replay: impossible parts and options are errors", "[scenario][recordi
 
 TEST_CASE("recording: the digest of a run does not change", "[scenario][recording]") {
   const CTestFolder folder;
-  const std::vector<std::string> arguments = {
-      "-zc", InSourceTree("experiments/flocking.argos"), "--length", "5", "--digest"};
+  const std::vector<std::string> arguments = {"-zc", InSourceTree("experiments/flocking.argos"),
+                                              "--length", "5", "--digest"};
   const auto digest = [](const SProgramRun& run) {
     return run.Out.substr(run.Out.find("digest: "), 24);
   };
   const SProgramRun without = folder.Run(arguments);
   CheckSuccess(without);
-  const SProgramRun with =
-      folder.Run(arguments + std::vector<std::string>{"--record", "run.rec"});
+  const SProgramRun with = folder.Run(arguments + std::vector<std::string>{"--record", "run.rec"});
   CheckSuccess(with);
   CHECK(digest(with) == digest(without));
 }

@@ -81,8 +81,8 @@ TEST_CASE("pose grid: what is no number is recorded as such", "[core][recording]
 }
 
 TEST_CASE("exact precision: all bits of a number are kept", "[core][recording]") {
-  const Real value = GENERATE(0.0, -0.0, 1.0, -1.0 / 3.0, 1e-310, 1e308,
-                              std::numeric_limits<Real>::infinity());
+  const Real value =
+      GENERATE(0.0, -0.0, 1.0, -1.0 / 3.0, 1e-310, 1e308, std::numeric_limits<Real>::infinity());
   CHECK(HasSameBits(FromRecorded(ToRecorded(value, EPrecision::Exact), EPrecision::Exact), value));
 }
 
@@ -100,8 +100,8 @@ TEST_CASE("predicted column: any numbers are decoded as they were", "[core][reco
       value = static_cast<SInt64>(random() >> (random() % 64));
       value = random() % 2 == 0 ? value : -value;
     }
-    values[0] = frame % 2 == 0 ? std::numeric_limits<SInt64>::min()
-                               : std::numeric_limits<SInt64>::max();
+    values[0] =
+        frame % 2 == 0 ? std::numeric_limits<SInt64>::min() : std::numeric_limits<SInt64>::max();
     frames.push_back(values);
     encoder.Encode(values, out);
   }
@@ -116,7 +116,8 @@ TEST_CASE("predicted column: any numbers are decoded as they were", "[core][reco
   CHECK(in.IsAtEnd());
 }
 
-TEST_CASE("predicted column: steady motion and rest take three bytes for all", "[core][recording]") {
+TEST_CASE("predicted column: steady motion and rest take three bytes for all",
+          "[core][recording]") {
   std::vector<SInt64> values(1000);
   CPredictedColumn column;
   column.Restart(values.size());

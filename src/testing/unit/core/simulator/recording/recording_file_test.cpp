@@ -195,8 +195,8 @@ TEST_CASE("recording: a changed byte is noticed", "[core][recording]") {
 
 TEST_CASE("recording: other files are refused", "[core][recording]") {
   const CFile file;
-  CHECK_THROWS_WITH(CRecordingReader(file.GetPath()), Contains("cannot open the recording") &&
-                                                          Contains("No such file"));
+  CHECK_THROWS_WITH(CRecordingReader(file.GetPath()),
+                    Contains("cannot open the recording") && Contains("No such file"));
   file.Write("");
   CHECK_THAT(ErrorOf(file), Contains("is no recording: it is empty"));
   file.Write("<argos-configuration/>");

@@ -1,4 +1,4 @@
-#include <argos3/plugins/simulator/outputs/recording/recorded_entities.h>
+#include <argos3/plugins/simulator/outputs/recording/stand_ins.h>
 
 #include <argos3/core/simulator/entity/anchor.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
@@ -43,7 +43,7 @@ void SetPose(const SBodyPose& pose, SAnchor& anchor) {
 // bodies
 /****************************************/
 
-CReplayedBody::CReplayedBody(CComposableEntity* parent, const SRecordedType& type)
+CStandInBody::CStandInBody(CComposableEntity* parent, const SRecordedType& type)
     : CEmbodiedEntity(parent, "body_0", CVector3(), CQuaternion(), type.IsMovable),
       m_boxAtOrigin(type.Box),
       m_box(type.Box) {
@@ -51,19 +51,19 @@ CReplayedBody::CReplayedBody(CComposableEntity* parent, const SRecordedType& typ
   SetRootFollows(false);
 }
 
-void CReplayedBody::SetPose(const SBodyPose& pose) {
+void CStandInBody::SetPose(const SBodyPose& pose) {
   argos::SetPose(pose, GetOriginAnchor());
   m_box.MinCorner = pose.Position + m_boxAtOrigin.MinCorner;
   m_box.MaxCorner = pose.Position + m_boxAtOrigin.MaxCorner;
 }
 
-CRecordedBody::CRecordedBody(const std::string& id, std::shared_ptr<const SRecordedType> type)
+CStandInEntity::CStandInEntity(const std::string& id, std::shared_ptr<const SRecordedType> type)
     : CComposableEntity(nullptr, id), m_type(std::move(type)) {
   AddParts();
 }
 
-void CRecordedBody::AddParts() {
-  auto body = std::make_unique<CReplayedBody>(this, *m_type);
+void CStandInEntity::AddParts() {
+  auto body = std::make_unique<CStandInBody>(this, *m_type);
   m_body = body.get();
   AddComponent(*body.release());
   m_body->SetBodyDescription(DescribeBody(*m_type));
@@ -86,11 +86,11 @@ void CRecordedBody::AddParts() {
   }
 }
 
-const SAppearance* CRecordedBody::GetAppearance() const {
+const SAppearance* CStandInEntity::GetAppearance() const {
   return m_type->HasAppearance ? &m_type->Appearance : nullptr;
 }
 
-void CRecordedBody::SetState(const SRecordedState& state) {
+void CStandInEntity::SetState(const SRecordedState& state) {
   m_body->SetPose(state.Poses[0]);
   for (size_t i = 0; i < m_anchors.size(); ++i) {
     SetPose(state.Poses[i + 1], *m_anchors[i]);
@@ -109,14 +109,14 @@ void CRecordedBody::SetState(const SRecordedState& state) {
 // places
 /****************************************/
 
-CRecordedPlace::CRecordedPlace(const std::string& id, std::shared_ptr<const SRecordedType> type)
+CStandInPlace::CStandInPlace(const std::string& id, std::shared_ptr<const SRecordedType> type)
     : CPositionalEntity(nullptr, id), m_type(std::move(type)) {}
 
-const SAppearance* CRecordedPlace::GetAppearance() const {
+const SAppearance* CStandInPlace::GetAppearance() const {
   return m_type->HasAppearance ? &m_type->Appearance : nullptr;
 }
 
-void CRecordedPlace::SetState(const SRecordedState& state) {
+void CStandInPlace::SetState(const SRecordedState& state) {
   if (!state.Poses.empty()) {
     SetPosition(state.Poses[0].Position);
     SetOrientation(state.Poses[0].Orientation);
@@ -142,7 +142,7 @@ std::unique_ptr<CEntity> CReplayedEntity::Make(const std::string& id) {
   };
   switch (m_type->Kind) {
     case SRecordedType::EKind::Body:
-      return keep(std::make_unique<CRecordedBody>(id, m_type), m_body);
+      return keep(std::make_unique<CStandInEntity>(id, m_type), m_body);
     case SRecordedType::EKind::Light:
       return keep(std::make_unique<CLightEntity>(id, CVector3(), CColor(), 0.0), m_light);
     case SRecordedType::EKind::Floor: {
@@ -151,7 +151,7 @@ std::unique_ptr<CEntity> CReplayedEntity::Make(const std::string& id) {
       return keep(std::make_unique<CFloorEntity>(id, static_cast<UInt32>(pixels)), m_floor);
     }
     default:
-      return keep(std::make_unique<CRecordedPlace>(id, m_type), m_place);
+      return keep(std::make_unique<CStandInPlace>(id, m_type), m_place);
   }
 }
 
@@ -177,9 +177,9 @@ void CReplayedEntity::SetState(const SRecordedState& state) const {
 namespace {
 
 // bodies enter no engine
-class CSpaceOperationAddCRecordedBody : public CSpaceOperationAddEntity {
+class CSpaceOperationAddCStandInEntity : public CSpaceOperationAddEntity {
  public:
-  void ApplyTo(CSpace& space, CRecordedBody& entity) {
+  void ApplyTo(CSpace& space, CStandInEntity& entity) {
     space.AddEntity(entity);
     space.AddEntity<CEmbodiedEntity>(entity.GetBody());
     if (entity.GetLEDs() != nullptr) {
@@ -193,8 +193,8 @@ class CSpaceOperationAddCRecordedBody : public CSpaceOperationAddEntity {
 
 }  // namespace
 
-REGISTER_SPACE_OPERATION(CSpaceOperationAddEntity, CSpaceOperationAddCRecordedBody, CRecordedBody)
-REGISTER_STANDARD_SPACE_OPERATION_REMOVE_COMPOSABLE(CRecordedBody)
-REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CRecordedPlace)
+REGISTER_SPACE_OPERATION(CSpaceOperationAddEntity, CSpaceOperationAddCStandInEntity, CStandInEntity)
+REGISTER_STANDARD_SPACE_OPERATION_REMOVE_COMPOSABLE(CStandInEntity)
+REGISTER_STANDARD_SPACE_OPERATIONS_ON_ENTITY(CStandInPlace)
 
 }  // namespace argos

@@ -1,5 +1,5 @@
-#ifndef ARGOS3_PLUGINS_OUTPUTS_RECORDING_RECORDED_ENTITIES_H
-#define ARGOS3_PLUGINS_OUTPUTS_RECORDING_RECORDED_ENTITIES_H
+#ifndef ARGOS3_PLUGINS_OUTPUTS_RECORDING_STAND_INS_H
+#define ARGOS3_PLUGINS_OUTPUTS_RECORDING_STAND_INS_H
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
@@ -26,10 +26,10 @@ struct SRecordedState {
   std::span<const UInt32> Words; /**< see SRecordedType::GetNumWords() */
 };
 
-/** The body of a CRecordedBody: in no engine, but with a bounding box. */
-class CReplayedBody : public CEmbodiedEntity {
+/** The body of a CStandInEntity: in no engine, but with a bounding box. */
+class CStandInBody : public CEmbodiedEntity {
  public:
-  CReplayedBody(CComposableEntity* parent, const SRecordedType& type);
+  CStandInBody(CComposableEntity* parent, const SRecordedType& type);
   void SetPose(const SBodyPose& pose);
 
  private:
@@ -41,18 +41,18 @@ class CReplayedBody : public CEmbodiedEntity {
  * A body of a recording: stands for an entity of any class in a replay, with its type, id and
  * appearance, but without controller, devices, and the code of that class. It is in no engine.
  */
-class CRecordedBody : public CComposableEntity {
+class CStandInEntity : public CComposableEntity {
  public:
   ENABLE_VTABLE();
 
-  CRecordedBody(const std::string& id, std::shared_ptr<const SRecordedType> type);
+  CStandInEntity(const std::string& id, std::shared_ptr<const SRecordedType> type);
 
   std::string GetTypeDescription() const override { return m_type->Tag; }
   const SAppearance* GetAppearance() const override;
 
   /** Null if it is no robot. */
   CControllableEntity* GetRobot() const { return m_robot; }
-  CReplayedBody& GetBody() const { return *m_body; }
+  CStandInBody& GetBody() const { return *m_body; }
   CLEDEquippedEntity* GetLEDs() const { return m_leds; }
 
   void SetState(const SRecordedState& state);
@@ -61,18 +61,18 @@ class CRecordedBody : public CComposableEntity {
   void AddParts();
 
   std::shared_ptr<const SRecordedType> m_type;  // shared by its entities
-  CReplayedBody* m_body = nullptr;  // components, which the base owns
+  CStandInBody* m_body = nullptr;  // components, which the base owns
   CControllableEntity* m_robot = nullptr;
   CLEDEquippedEntity* m_leds = nullptr;
   std::vector<SAnchor*> m_anchors;  // as in the type
 };
 
 /** The same for an entity with a pose and without a body, or with neither. */
-class CRecordedPlace : public CPositionalEntity {
+class CStandInPlace : public CPositionalEntity {
  public:
   ENABLE_VTABLE();
 
-  CRecordedPlace(const std::string& id, std::shared_ptr<const SRecordedType> type);
+  CStandInPlace(const std::string& id, std::shared_ptr<const SRecordedType> type);
 
   std::string GetTypeDescription() const override { return m_type->Tag; }
   const SAppearance* GetAppearance() const override;
@@ -105,8 +105,8 @@ class CReplayedEntity {
   std::shared_ptr<const SRecordedType> m_type;
   CEntity* m_entity = nullptr;
   // the same entity by its class; null: another class
-  CRecordedBody* m_body = nullptr;
-  CRecordedPlace* m_place = nullptr;
+  CStandInEntity* m_body = nullptr;
+  CStandInPlace* m_place = nullptr;
   CLightEntity* m_light = nullptr;
   CFloorEntity* m_floor = nullptr;
 };
