@@ -202,6 +202,7 @@ TEST_CASE("recording: other files are refused", "[core][recording]") {
   file.Write("<argos-configuration/>");
   CHECK_THAT(ErrorOf(file), Contains("is no recording: it does not begin with \"ARGOSREC\"") &&
                                 Contains("an experiment file goes after -c"));
+  file.Write("");
   Record(file);
   std::string newer = file.Read();
   newer[8] = 2;
