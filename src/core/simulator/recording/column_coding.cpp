@@ -7,14 +7,16 @@ namespace argos {
 void CPredictedColumn::Restart(size_t size) {
   m_last.assign(size, 0);
   m_beforeLast.assign(size, 0);
-  m_isNew.assign(size, true);
+  m_isNew.assign(size, 1);
+  m_hasNew = size > 0;
 }
 
 void CPredictedColumn::Append(size_t count) {
   const size_t size = GetSize() + count;
   m_last.resize(size, 0);
   m_beforeLast.resize(size, 0);
-  m_isNew.resize(size, true);
+  m_isNew.resize(size, 1);
+  m_hasNew = m_hasNew || count > 0;
 }
 
 void CPredictedColumn::Remove(const std::vector<bool>& isRemoved) {
@@ -33,11 +35,15 @@ void CPredictedColumn::Remove(const std::vector<bool>& isRemoved) {
   m_isNew.resize(kept);
 }
 
-void CPredictedColumn::Note(size_t i, UInt64 value) {
-  // after its first value, it is predicted to rest
-  m_beforeLast[i] = m_isNew[i] ? value : m_last[i];
-  m_last[i] = value;
-  m_isNew[i] = false;
+// new values are predicted to rest after their first one
+void CPredictedColumn::FinishNew() {
+  for (size_t i = 0; m_hasNew && i < m_last.size(); ++i) {
+    if (m_isNew[i] != 0) {
+      m_beforeLast[i] = m_last[i];
+      m_isNew[i] = 0;
+    }
+  }
+  m_hasNew = false;
 }
 
 void CPredictedColumn::Encode(std::span<const SInt64> values, CByteWriter& out) {
@@ -46,9 +52,11 @@ void CPredictedColumn::Encode(std::span<const SInt64> values, CByteWriter& out) 
   for (size_t i = 0; i < values.size(); ++i) {
     const auto value = static_cast<UInt64>(values[i]);
     sparse.Write(CByteWriter::FoldSign(static_cast<SInt64>(value - Predict(i))));
-    Note(i, value);
+    m_beforeLast[i] = m_last[i];
+    m_last[i] = value;
   }
   sparse.Flush();
+  FinishNew();
 }
 
 void CPredictedColumn::Decode(std::span<SInt64> values, CByteReader& in) {
@@ -56,9 +64,11 @@ void CPredictedColumn::Decode(std::span<SInt64> values, CByteReader& in) {
   CSparseReader sparse(in);
   for (size_t i = 0; i < values.size(); ++i) {
     const UInt64 value = Predict(i) + static_cast<UInt64>(CByteReader::UnfoldSign(sparse.Read()));
-    Note(i, value);
+    m_beforeLast[i] = m_last[i];
+    m_last[i] = value;
     values[i] = static_cast<SInt64>(value);
   }
+  FinishNew();
 }
 
 }  // namespace argos

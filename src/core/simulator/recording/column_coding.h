@@ -32,11 +32,12 @@ class CPredictedColumn {
 
  private:
   UInt64 Predict(size_t i) const { return 2 * m_last[i] - m_beforeLast[i]; }
-  void Note(size_t i, UInt64 value);
+  void FinishNew();
 
   std::vector<UInt64> m_last;
   std::vector<UInt64> m_beforeLast;
-  std::vector<bool> m_isNew;  // predicted as 0
+  std::vector<UInt8> m_isNew;  // 1: predicted as 0
+  bool m_hasNew = false;  // any of them
 };
 
 /** Writes numbers of which many are 0: these are counted, not listed. */
