@@ -120,8 +120,14 @@ void CTrackedEntity::AppendPoses(std::vector<SBodyPose>& poses) const {
 void CTrackedEntity::AppendWords(std::vector<UInt32>& words) const {
   const bool isQuarantined = m_robot != nullptr && m_robot->IsQuarantined();
   words.push_back(isQuarantined ? UInt32(ENTITY_IS_QUARANTINED) : 0);
-  for (size_t i = 0; i < m_numLEDs; ++i) {
-    words.push_back(PackColor(m_leds->GetLEDColor(i)));
+  if (m_leds != nullptr && !m_leds->GetLazyColors().empty()) {
+    for (const CColor& color : m_leds->GetLazyColors()) {
+      words.push_back(PackColor(color));
+    }
+  } else {
+    for (size_t i = 0; i < m_numLEDs; ++i) {
+      words.push_back(PackColor(m_leds->GetLEDColor(i)));
+    }
   }
   if (m_light != nullptr) {
     const UInt64 intensity = std::bit_cast<UInt64>(m_light->GetIntensity());
