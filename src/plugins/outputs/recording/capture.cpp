@@ -34,8 +34,12 @@ void CCapture::Take(CSpace& space, SFrameUpdate& update) {
   update.IsRestart = m_isRestart;
   m_isRestart = false;
   TakeEntities(space, update);
+  constexpr UInt32 kAhead = 8;  // entities
   UInt32 number = 0;
   for (const CTrackedEntity& entity : m_entities) {
+    if (number + kAhead < m_entities.size()) {
+      m_entities[number + kAhead].LoadAhead();
+    }
     entity.AppendPoses(update.Poses);
     entity.AppendWords(update.Words);
     entity.AppendRays(number++, update.Rays);

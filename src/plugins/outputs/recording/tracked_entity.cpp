@@ -106,6 +106,16 @@ SRecordedType CTrackedEntity::MakeType() const {
   return type;
 }
 
+void CTrackedEntity::LoadAhead() const {
+  // prefetching a null pointer does nothing
+  __builtin_prefetch(m_origin);
+  __builtin_prefetch(m_robot);
+  __builtin_prefetch(m_leds);
+  if (m_leds != nullptr) {
+    __builtin_prefetch(&m_leds->GetLazyColors());
+  }
+}
+
 void CTrackedEntity::AppendPoses(std::vector<SBodyPose>& poses) const {
   if (m_origin != nullptr) {
     poses.push_back(*m_origin);

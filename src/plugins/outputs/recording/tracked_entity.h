@@ -35,6 +35,8 @@ class CTrackedEntity {
   UInt32 GetType() const { return m_type; }
   void SetType(UInt32 type) { m_type = type; }
 
+  /** Prefetches what the other functions read. */
+  void LoadAhead() const;
   void AppendPoses(std::vector<SBodyPose>& poses) const;
   void AppendWords(std::vector<UInt32>& words) const;
   /** @param number  of the entity. */
