@@ -7,6 +7,7 @@
 #include <argos3/core/simulator/entity/floor_entity.h>
 #include <argos3/core/simulator/entity/positional_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/utility/memory/load_ahead.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/light_entity.h>
 
@@ -106,14 +107,12 @@ SRecordedType CTrackedEntity::MakeType() const {
   return type;
 }
 
-void CTrackedEntity::LoadAhead() const {
+void CTrackedEntity::Prefetch() const {
+  constexpr size_t kLine = 64;  // bytes
   // prefetching a null pointer does nothing
-  __builtin_prefetch(m_origin);
-  __builtin_prefetch(m_robot);
-  __builtin_prefetch(m_leds);
-  if (m_leds != nullptr) {
-    __builtin_prefetch(&m_leds->GetLazyColors());
-  }
+  LoadAhead(m_origin, kLine);
+  LoadAhead(m_robot, kLine);
+  LoadAhead(m_leds, kLine);
 }
 
 void CTrackedEntity::AppendPoses(std::vector<SBodyPose>& poses) const {
