@@ -38,7 +38,7 @@ void CCapture::Take(CSpace& space, SFrameUpdate& update) {
   UInt32 number = 0;
   for (const CTrackedEntity& entity : m_entities) {
     if (number + kAhead < m_entities.size()) {
-      m_entities[number + kAhead].Prefetch();
+      m_entities[number + kAhead].PrepareRead();
     }
     entity.AppendPoses(update.Poses);
     entity.AppendWords(update.Words);

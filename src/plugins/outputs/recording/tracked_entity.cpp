@@ -107,7 +107,7 @@ SRecordedType CTrackedEntity::MakeType() const {
   return type;
 }
 
-void CTrackedEntity::Prefetch() const {
+void CTrackedEntity::PrepareRead() const {
   constexpr size_t kLine = 64;  // bytes
   // prefetching a null pointer does nothing
   LoadAhead(m_origin, kLine);

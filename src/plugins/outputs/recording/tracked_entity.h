@@ -36,7 +36,7 @@ class CTrackedEntity {
   void SetType(UInt32 type) { m_type = type; }
 
   /** Prefetches what the other functions read. */
-  void Prefetch() const;
+  void PrepareRead() const;
   void AppendPoses(std::vector<SBodyPose>& poses) const;
   void AppendWords(std::vector<UInt32>& words) const;
   /** @param number  of the entity. */
