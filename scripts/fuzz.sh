@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Builds the fuzz targets in build-fuzz/ and runs them:
 #   scripts/fuzz.sh [target [seconds]]      by default each target for 60 s
-#     target   experiment, set, byte_array, lua, or all
+#     target   experiment, set, byte_array, lua, recording, or all
 # The seeds and the dictionaries are in src/testing/fuzz/; new inputs go to build-fuzz/corpus/, which grows from run to
 # run. An input that fails is written to build-fuzz/, and the script ends with status 1. An hour for each target:
 #   scripts/fuzz.sh all 3600
@@ -12,7 +12,7 @@ if [[ "${1:-}" == -h || "${1:-}" == --help ]]; then
   exit 0
 fi
 cd "$repo"
-all=(byte_array set lua experiment)
+all=(byte_array set lua recording experiment)
 targets=("${1:-all}")
 seconds="${2:-60}"
 if [[ "${targets[0]}" == all ]]; then

@@ -5,12 +5,15 @@
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/loading/experiment_loader.h>
 #include <argos3/core/simulator/loading/experiment_parts.h>
+#include <argos3/core/simulator/replay/replay.h>
 #include <argos3/core/simulator/space/metrics.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/tick/loop_functions.h>
 #include <argos3/core/simulator/tick/loop_hooks.h>
 #include <argos3/core/simulator/tick/tick.h>
+#include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/plugins/dynamic_loading.h>
 #include <argos3/core/utility/profiler/profiler.h>
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/core/utility/threads/thread_pool.h>
@@ -50,7 +53,13 @@ CSimulator::CSimulator(std::unique_ptr<CRandom::CRegistry> registry)
       m_tick(std::make_unique<CTick>(m_context)),
       m_experiment(std::make_unique<SExperimentParts>(m_context)) {
   m_context.Space = m_space.get();
-  m_context.RunTick = [this] { m_tick->Run(); };
+  m_context.RunTick = [this] {
+    if (m_experiment->Replay != nullptr) {
+      m_experiment->Replay->Advance(*m_space);
+    } else {
+      m_tick->Run();
+    }
+  };
 }
 
 CSimulator::~CSimulator() {
@@ -221,8 +230,11 @@ void CSimulator::AddOutput(const std::string& tag,
   m_settings.Outputs.push_back({tag, attributes});
 }
 
-const std::vector<std::pair<std::string, std::string>>& CSimulator::GetOverrides() const {
-  return m_settings.Overrides;
+std::string CSimulator::GetExperimentText() const {
+  if (m_experiment->Document == nullptr) {
+    THROW_ARGOSEXCEPTION("no experiment is loaded: there is no text of it");
+  }
+  return m_experiment->Document->ToText();
 }
 
 const CRunOutputs& CSimulator::GetOutputs() const {
@@ -249,6 +261,28 @@ void CSimulator::LoadExperiment(bool forceNoVisualization) {
   auto document = std::make_unique<CConfigurationDocument>();
   document->LoadFile(m_experimentFileName);
   m_experiment->OwnDocument = std::move(document);
+  Load(*m_experiment->OwnDocument, forceNoVisualization);
+}
+
+void CSimulator::LoadReplay(const SReplayRequest& request, bool forceNoVisualization) {
+  m_context.Run.CheckIsIdleAndNotExecuting("CSimulator::LoadReplay()");
+  ThrowIfLoaded();
+  const CScope scope(*this);
+  CDynamicLoading::LoadAllLibrariesOnDemand();
+  std::unique_ptr<CReplay> replay(CFactory<CReplay>::New("recording"));
+  replay->Open(request);
+  auto document = std::make_unique<CConfigurationDocument>();
+  document->Parse(replay->GetExperiment(), request.File);
+  std::unique_ptr<CConfigurationDocument> views;
+  if (!request.ViewsFile.empty()) {
+    views = std::make_unique<CConfigurationDocument>();
+    views->LoadFile(request.ViewsFile);
+  }
+  m_experimentFileName = replay->GetExperimentFile();
+  m_experiment->Replay = std::move(replay);
+  m_experiment->OwnDocument = std::move(document);
+  m_experiment->ViewsDocument = std::move(views);
+  SetRandomSeed(m_experiment->Replay->GetSeed());
   Load(*m_experiment->OwnDocument, forceNoVisualization);
 }
 
@@ -283,7 +317,11 @@ void CSimulator::Init() {
   loader.SetDefaultVisualization([] { return std::make_unique<CDefaultVisualization>(); });
   m_context.RobotFailures.Clear();
   const CRunState::CScope loading(m_context.Run, CRunState::EActivity::Loading);
-  loader.Load();
+  if (m_experiment->Replay != nullptr) {
+    loader.LoadReplay();
+  } else {
+    loader.Load();
+  }
 }
 
 void CSimulator::Reset() {
@@ -309,6 +347,9 @@ void CSimulator::Reset() {
   }
   m_space->GetExtension<CMetrics>().ForgetValues();
   CallHook(m_context, "Reset()", [this] { GetLoopFunctions().Reset(); });
+  if (m_experiment->Replay != nullptr) {
+    m_experiment->Replay->Begin(*m_space);
+  }
   m_space->GetBodyIndex().Rebuild(*m_context.Pool);
   LOG.Flush();
   LOGERR.Flush();
@@ -369,7 +410,7 @@ void CSimulator::UpdateSpace() {
 }
 
 bool CSimulator::IsExperimentFinished() const {
-  return m_terminated ||
+  return m_terminated || (m_experiment->Replay != nullptr && m_experiment->Replay->IsAtEnd()) ||
          (m_settings.MaxClock > 0 && m_space->GetSimulationClock() >= m_settings.MaxClock) ||
          (m_context.LoopFunctions != nullptr &&
           CallHook(m_context, "IsExperimentFinished()",

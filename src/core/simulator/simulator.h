@@ -30,6 +30,7 @@ class CThreadPool;
 class CTick;
 class CVisualization;
 struct SExperimentParts;
+struct SReplayRequest;
 struct STickTimes;
 
 /**
@@ -145,14 +146,18 @@ class CSimulator {
   Real GetTickLength() const { return m_context.TickLength; }
   /** Overrides an attribute of the file (`--set`); call it before loading. */
   void AddOverride(const std::string& path, const std::string& value);
-  /** Path and value of each, in order. */
-  const std::vector<std::pair<std::string, std::string>>& GetOverrides() const;
   /**
    * Adds an element to `<outputs>`, as options of the command line do; call it before loading.
    * @param tag  label of a CRunOutput. @param attributes  names and values.
    */
   void AddOutput(const std::string& tag,
                  const std::vector<std::pair<std::string, std::string>>& attributes);
+  /** Paths and values of AddOverride(), of the experiment that is loaded. */
+  const std::vector<std::pair<std::string, std::string>>& GetOverrides() const {
+    return m_settings.Overrides;
+  }
+  /** The experiment as XML, with overrides. @throws CARGoSException if none is loaded. */
+  std::string GetExperimentText() const;
   /** What watches the run; empty without an experiment. */
   const CRunOutputs& GetOutputs() const;
 
@@ -169,6 +174,13 @@ class CSimulator {
    * @throws CARGoSException that reports all errors that can be found without running.
    */
   void LoadExperiment(bool forceNoVisualization = false);
+  /**
+   * Loads a recording instead of an experiment: the run then shows what was recorded, and ticks
+   * advance to the next recorded state. Views and outputs are those of the recording's experiment,
+   * or of another file.
+   * @throws CARGoSException as LoadExperiment().
+   */
+  void LoadReplay(const SReplayRequest& request, bool forceNoVisualization = false);
   /** Initialises from the loaded document; called by Load(). */
   void Init();
   /**

@@ -1,10 +1,13 @@
 #include <argos3/core/simulator/view_drawing.h>
 
+#include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/loading/library_attribute.h>
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/tick/loop_hooks.h>
+#include <argos3/core/utility/logging/argos_log.h>
 
 namespace argos {
 
@@ -42,6 +45,13 @@ void CViewDrawing::Init(TConfigurationNode& view) {
     for (overlay = overlay.begin(&GetNode(view, "overlays")); overlay != overlay.end(); ++overlay) {
       m_overlays.push_back(CreatePart<COverlay>(*overlay, overlay->Value(), overlay->Value()));
     }
+  }
+  if (CurrentContext().IsReplay && NodeExists(view, "user_functions")) {
+    LOGERR << "[WARNING] " << view.GetLocation() << ": <" << view.Value()
+           << ">: <user_functions> draw nothing in a replay, which has none of users' code"
+           << std::endl;
+    MarkSubtreeRead(view);
+    return;
   }
   TConfigurationNodeIterator it("user_functions");
   for (it = it.begin(&view); it != it.end(); ++it) {

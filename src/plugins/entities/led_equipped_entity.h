@@ -89,6 +89,9 @@ class CLEDEquippedEntity : public CComposableEntity, private CLazyComponents {
   size_t GetNumLEDs() const { return m_layout->Places.size(); }
   /** These throw CARGoSException if the index is out of range. */
   const CColor& GetLEDColor(size_t index) const;
+  /** All colours while the LEDs are no entities, empty otherwise: for those who read all of them.
+   */
+  const std::vector<CColor>& GetLazyColors() const { return m_colors; }
   CLEDEntity& GetLED(UInt32 index);
   /** One element per LED, owned by this entity. */
   SActuator::TList& GetLEDs();

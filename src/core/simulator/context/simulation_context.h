@@ -45,6 +45,7 @@ struct SSimulationContext {
   CRunState Run; /**< what the simulation is doing */
 
   // of the experiment that is loaded
+  bool IsReplay = false; /**< there are no controllers, engines, media and loop functions */
   CLoadState Loading;
   CRobotFailures RobotFailures;
   Real TickLength = 0.1; /**< s */

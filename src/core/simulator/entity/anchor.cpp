@@ -63,4 +63,11 @@ void SAnchor::FollowOrigin() {
   Orientation = origin.Orientation * OffsetOrientation;
 }
 
+SBodyPose ComputeVisiblePose(const SAnchor& anchor) {
+  if (anchor.InUseCount > 0) {
+    return anchor;
+  }
+  return Compose(anchor.Body.GetOriginAnchor(), {anchor.OffsetPosition, anchor.OffsetOrientation});
+}
+
 }  // namespace argos

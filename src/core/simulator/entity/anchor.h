@@ -43,6 +43,10 @@ struct SAnchor : SBodyPose, CSlabObject {
   void FollowOrigin();
 };
 
+/** Where views draw what is mounted on an anchor: an anchor that is not enabled keeps its place on
+ * the body. */
+SBodyPose ComputeVisiblePose(const SAnchor& anchor);
+
 }  // namespace argos
 
 #endif

@@ -200,7 +200,7 @@ void CFloorEntity::Init(TConfigurationNode& tree) {
 }
 
 void CFloorEntity::Reset() {
-  m_changed = true;
+  SetChanged();
 }
 
 void CFloorEntity::LoadImage(const std::string& fileName) {

@@ -48,8 +48,13 @@ class CFloorEntity : public CEntity {
   UInt32 GetPixelsPerMeter() const { return m_pixelsPerMeter; }
   /** True after SetChanged() until ClearChanged(): viewers redraw their texture. */
   bool HasChanged() const { return m_changed; }
-  void SetChanged() { m_changed = true; }
+  void SetChanged() {
+    m_changed = true;
+    ++m_version;
+  }
   void ClearChanged() { m_changed = false; }
+  /** Changes whenever SetChanged() is called: for outputs that do not show the floor alone. */
+  UInt64 GetVersion() const { return m_version; }
 
   /** Writes the floor as an image; the format follows the extension. @throws CARGoSException */
   void SaveAsImage(const std::string& path);
@@ -62,6 +67,7 @@ class CFloorEntity : public CEntity {
   EColorSource m_source = UNSET;
   UInt32 m_pixelsPerMeter = 0;
   bool m_changed = true;
+  UInt64 m_version = 0;
   std::unique_ptr<CImage> m_image;
   const SSimulationContext& m_context;
 };

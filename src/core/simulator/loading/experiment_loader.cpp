@@ -140,7 +140,7 @@ void CExperimentLoader::Load() {
 void CExperimentLoader::AddOutputElements(CLoadErrors& errors) {
   for (const SRunSettings::SOutput& output : m_settings.Outputs) {
     errors.Try("<" + output.Tag + ">", [&] {
-      TConfigurationNode& root = m_experiment.Document->GetRoot();
+      TConfigurationNode& root = GetViewsDocument().GetRoot();
       if (!NodeExists(root, "outputs")) {
         TConfigurationNode section("outputs");
         AddChildNode(root, section);
@@ -157,7 +157,7 @@ void CExperimentLoader::AddOutputElements(CLoadErrors& errors) {
 void CExperimentLoader::ApplyOverrides(CLoadErrors& errors) {
   for (const auto& [path, value] : m_settings.Overrides) {
     errors.Try("--set " + path + "=" + value, [&, &path = path, &value = value] {
-      const std::string done = m_experiment.Document->SetByPath(path, value);
+      const std::string done = GetViewsDocument().SetByPath(path, value);
       LOG << "[INFO] " << done << std::endl;
     });
   }
@@ -490,7 +490,7 @@ void CExperimentLoader::CheckOverrides(CLoadErrors& errors) const {
   if (!errors.IsEmpty()) {
     return;
   }
-  for (const std::string& unread : m_experiment.Document->DescribeUnreadSettings()) {
+  for (const std::string& unread : GetViewsDocument().DescribeUnreadSettings()) {
     errors.Add("", CARGoSException(unread));
   }
 }

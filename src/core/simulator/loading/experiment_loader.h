@@ -9,6 +9,7 @@
 
 namespace argos {
 
+class CConfigurationDocument;
 class CLoopFunctions;
 class CTick;
 class CVisualization;
@@ -37,9 +38,17 @@ class CExperimentLoader {
 
   /** @throws CARGoSException that reports all errors that can be found without running. */
   void Load();
+  /**
+   * The same for a replay: of the recorded experiment, only arena, length of a tick and views; the
+   * replay adds the entities. @throws CARGoSException
+   */
+  void LoadReplay();
 
  private:
+  CConfigurationDocument& GetViewsDocument() const;
   void ApplyOverrides(CLoadErrors& errors);
+  void InitReplay(TConfigurationNode& root, CLoadErrors& errors);
+  void SkipRecordedOutputs(TConfigurationNode& root) const;
   void ReadLeniency(TConfigurationNode& root);
   void InitFramework(TConfigurationNode& node, CLoadErrors& errors);
   void InitSystem(TConfigurationNode& framework);

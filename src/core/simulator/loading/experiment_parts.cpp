@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/medium/medium.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/simulator/replay/replay.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/tick/loop_functions.h>
 #include <argos3/core/simulator/tick/loop_hooks.h>
@@ -90,6 +91,7 @@ std::exception_ptr SExperimentParts::Destroy() {
     CRandom::RemoveCategory("argos");
   }
   m_context.Loading = CLoadState();
+  m_context.IsReplay = false;
   // joins the workers, so that none is left at the end of the program
   m_context.Pool = nullptr;
   Pool.reset();

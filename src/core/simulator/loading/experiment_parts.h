@@ -15,6 +15,7 @@ namespace argos {
 class CConfigurationDocument;
 class CLoopFunctions;
 class CProfiler;
+class CReplay;
 class CThreadPool;
 class CTick;
 class CVisualization;
@@ -47,6 +48,9 @@ struct SExperimentParts {
 
   std::unique_ptr<CConfigurationDocument> OwnDocument; /**< null if the program owns it */
   CConfigurationDocument* Document = nullptr;
+  /** In a replay, the file that has views and outputs; null: that of the experiment. */
+  std::unique_ptr<CConfigurationDocument> ViewsDocument;
+  std::unique_ptr<CReplay> Replay; /**< null: the run is simulated */
   CRandom::CRNG* Rng = nullptr; /**< the first of the category "argos", which owns it */
   std::unique_ptr<CThreadPool> Pool; /**< without workers until an experiment is loaded */
   std::unique_ptr<CProfiler> Profiler; /**< null: no profiling */

@@ -22,6 +22,10 @@ Examples:
   argos3 -c experiment.argos --set "//distribute/entity/@quantity=500"
                                               change an attribute of the file for this run
   argos3 -c experiment.argos --csv out        poses and metrics, as tables in the folder out
+  argos3 -zc experiment.argos --record run.rec
+                                              record a run
+  argos3 --replay run.rec --from 10s --to 20s --every 5 -c other_cameras.argos
+                                              show a part of it, every 5 ticks, in other views
   argos3 -n -l log.txt -e errors.txt -c experiment.argos
                                               write the two logs to files
   argos3 -q sensors                           list all sensors
@@ -57,6 +61,9 @@ struct SRawOptions {
   std::string Seed;
   std::string Threads;
   std::string Length;
+  std::string From;
+  std::string To;
+  std::string Every;
   std::vector<std::string> Overrides;
 };
 
@@ -64,7 +71,7 @@ class CHelpFormatter : public CLI::Formatter {
  public:
   CHelpFormatter() { column_width(32); }
   std::string make_usage(const CLI::App*, std::string) const override {
-    return "Usage: argos3 (-c FILE | -q WORD | -h | -v) [options]\n";
+    return "Usage: argos3 (-c FILE | --replay FILE [-c FILE] | -q WORD | -h | -v) [options]\n";
   }
 };
 
@@ -75,6 +82,19 @@ CLI::Option* AddSingle(CLI::App& app, const std::string& names, std::string& val
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 
+void DefineReplay(CLI::App& app, SRawOptions& raw) {
+  const std::string replay = "For a replay";
+  AddSingle(app, "--from", raw.From, "begin with this tick, or time: 100, 12.5s")
+      ->type_name("TICK|TIMEs")
+      ->group(replay);
+  AddSingle(app, "--to", raw.To, "end with this tick, or time")
+      ->type_name("TICK|TIMEs")
+      ->group(replay);
+  AddSingle(app, "--every", raw.Every, "ticks from state to state: 10 is ten times as fast")
+      ->type_name("N")
+      ->group(replay);
+}
+
 void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOptions& raw) {
   app.set_help_flag();
   app.allow_extras();
@@ -83,6 +103,10 @@ void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOp
 
   const std::string actions = "Exactly one of";
   AddSingle(app, "-c,--config-file", options.ExperimentFile, "run the experiment in this file")
+      ->type_name("FILE")
+      ->group(actions);
+  AddSingle(app, "--replay", options.Replay.File,
+            "show a recording; with -c, in the views and outputs of that file")
       ->type_name("FILE")
       ->group(actions);
   AddSingle(app, "-q,--query", options.Query, "list or describe plug-ins, see below")
@@ -104,6 +128,12 @@ void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOp
       ->type_name("FILE")
       ->group(output);
 
+  AddSingle(app, "--record", options.RecordFile,
+            "record the run to this file, for --replay; adds <recording> to <outputs>")
+      ->type_name("FILE")
+      ->group(output);
+
+  DefineReplay(app, raw);
   const std::string run = "For the run (with -c)";
   app.add_flag("-z,--no-visualization", options.NoVisualization,
                "ignore the <visualization> of the file")
@@ -216,6 +246,37 @@ void ReadNumber(const CLI::App& app, const std::string& name, const std::string&
   value = number;
 }
 
+// "100" is a tick, "12.5s" a time
+void ReadTime(const CLI::App& app, const std::string& name, const std::string& text,
+              std::optional<SReplayTime>& time, CProblems& problems) {
+  if (app.count(name) == 0) {
+    return;
+  }
+  SReplayTime read;
+  read.IsInSeconds = !text.empty() && text.back() == 's';
+  UInt32 tick = 0;
+  const bool isOk = read.IsInSeconds ? ParseNumber(text.substr(0, text.size() - 1), read.Value) ==
+                                               ENumberParsing::Ok &&
+                                           read.Value >= 0.0
+                                     : ParseNumber(text, tick) == ENumberParsing::Ok;
+  if (!isOk) {
+    problems.Add(name + " " + text +
+                 ": expected a tick, such as 100, or a time in seconds, such as 12.5s");
+    return;
+  }
+  read.Value = read.IsInSeconds ? read.Value : tick;
+  time = read;
+}
+
+void ReadStep(const CLI::App& app, const std::string& text, UInt32& every, CProblems& problems) {
+  std::optional<UInt32> step;
+  ReadNumber(app, "--every", text, ~UInt32(0), "a number of ticks, at least 1", step, problems);
+  if (step == UInt32(0)) {
+    problems.Add("--every 0: expected a number of ticks, at least 1");
+  }
+  every = step.value_or(1);
+}
+
 void ReadOverrides(const std::vector<std::string>& texts,
                    std::vector<std::pair<std::string, std::string>>& overrides,
                    CProblems& problems) {
@@ -238,6 +299,7 @@ CARGoSCommandLineArgParser::EAction ChooseAction(const CLI::App& app, CProblems&
   using EAction = CARGoSCommandLineArgParser::EAction;
   const std::pair<const char*, EAction> choices[] = {
       {"--config-file", EAction::ACTION_RUN_EXPERIMENT},
+      {"--replay", EAction::ACTION_REPLAY},
       {"--query", EAction::ACTION_QUERY_PLUGINS},
       {"--help", EAction::ACTION_SHOW_HELP},
       {"--version", EAction::ACTION_SHOW_VERSION}};
@@ -245,15 +307,17 @@ CARGoSCommandLineArgParser::EAction ChooseAction(const CLI::App& app, CProblems&
   std::string given;
   size_t count = 0;
   for (const auto& [name, choice] : choices) {
-    if (app.count(name) > 0) {
+    // with --replay, -c names the file of the views
+    const bool isForViews = choice == EAction::ACTION_RUN_EXPERIMENT && app.count("--replay") > 0;
+    if (app.count(name) > 0 && !isForViews) {
       action = choice;
       given += (count++ == 0 ? "" : ", ") + std::string(name);
     }
   }
   if (count == 0) {
-    problems.Add("one of -c FILE, -q WORD, -h, -v must be given");
+    problems.Add("one of -c FILE, --replay FILE, -q WORD, -h, -v must be given");
   } else if (count > 1) {
-    problems.Add("only one of -c, -q, -h, -v may be given, not " + given);
+    problems.Add("only one of -c, --replay, -q, -h, -v may be given, not " + given);
   }
   return action;
 }
@@ -267,6 +331,8 @@ void CheckFiles(const CLI::App& app, const CARGoSCommandLineArgParser::SOptions&
                 CProblems& problems) {
   const std::pair<const char*, const std::string*> files[] = {
       {"--config-file", &options.ExperimentFile},
+      {"--replay", &options.Replay.File},
+      {"--record", &options.RecordFile},
       {"--log-file", &options.LogFile},
       {"--logerr-file", &options.LogErrFile}};
   for (size_t i = 0; i < std::size(files); ++i) {
@@ -295,9 +361,27 @@ void CheckFolder(const CLI::App& app, const CARGoSCommandLineArgParser::SOptions
 
 void CheckNeedsRun(const CLI::App& app, CProblems& problems) {
   for (const char* name :
-       {"--seed", "--threads", "--length", "--set", "--lenient", "--digest", "--csv"}) {
+       {"--seed", "--threads", "--length", "--set", "--lenient", "--digest", "--csv", "--record"}) {
     if (app.count(name) > 0) {
       problems.Add(std::string(name) + " can only be used with -c FILE");
+    }
+  }
+}
+
+void CheckFitsReplay(const CLI::App& app, bool isReplay, CProblems& problems) {
+  if (!isReplay) {
+    for (const char* name : {"--from", "--to", "--every"}) {
+      if (app.count(name) > 0) {
+        problems.Add(std::string(name) + " can only be used with --replay FILE");
+      }
+    }
+    return;
+  }
+  for (const char* name : {"--seed", "--threads", "--length", "--lenient", "--digest"}) {
+    if (app.count(name) > 0) {
+      problems.Add(std::string(name) +
+                   " cannot be used with --replay, which simulates nothing: it shows what was "
+                   "recorded");
     }
   }
 }
@@ -329,6 +413,11 @@ void CARGoSCommandLineArgParser::Parse(SInt32 argc, const char* const* argv) {
   ReadOverrides(raw.Overrides, m_options.Overrides, problems);
   CheckFiles(app, m_options, problems);
   CheckFolder(app, m_options, problems);
+  ReadTime(app, "--from", raw.From, m_options.Replay.From, problems);
+  ReadTime(app, "--to", raw.To, m_options.Replay.To, problems);
+  ReadStep(app, raw.Every, m_options.Replay.Every, problems);
+  m_options.Replay.ViewsFile = m_options.ExperimentFile;
+  CheckFitsReplay(app, app.count("--replay") > 0, problems);
   if (m_options.Action == ACTION_QUERY_PLUGINS || m_options.Action == ACTION_SHOW_HELP ||
       m_options.Action == ACTION_SHOW_VERSION) {
     CheckNeedsRun(app, problems);

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_CORE_SIMULATOR_PROGRAM_ARGOS_COMMAND_LINE_ARG_PARSER_H
 #define ARGOS3_CORE_SIMULATOR_PROGRAM_ARGOS_COMMAND_LINE_ARG_PARSER_H
 
+#include <argos3/core/simulator/replay/replay.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/logging/argos_log.h>
 
@@ -17,6 +18,7 @@ class CARGoSCommandLineArgParser {
   enum EAction {
     ACTION_UNKNOWN = 0,
     ACTION_RUN_EXPERIMENT,
+    ACTION_REPLAY,
     ACTION_QUERY_PLUGINS,
     ACTION_SHOW_HELP,
     ACTION_SHOW_VERSION
@@ -25,6 +27,8 @@ class CARGoSCommandLineArgParser {
   struct SOptions {
     EAction Action = ACTION_UNKNOWN;
     std::string ExperimentFile; /**< of ACTION_RUN_EXPERIMENT */
+    SReplayRequest Replay; /**< of ACTION_REPLAY */
+    std::string RecordFile; /**< empty: the run is not recorded */
     std::string Query; /**< of ACTION_QUERY_PLUGINS */
     bool NoColor = false;
     bool NoVisualization = false;

@@ -218,9 +218,7 @@ void LoadLibrariesSilently() {
   CDynamicLoading::LoadAllLibraries();
 }
 
-void LoadExperiment(CSimulator& simulator, const SOptions& options) {
-  CDynamicLoading::LoadAllLibraries();
-  simulator.SetExperimentFileName(options.ExperimentFile);
+void ApplyRunOptions(CSimulator& simulator, const SOptions& options) {
   if (options.Seed == UInt32(0)) {
     // a seed of 0 in the file selects a seed from the clock
     simulator.AddOverride("framework/experiment/@random_seed", "0");
@@ -236,6 +234,14 @@ void LoadExperiment(CSimulator& simulator, const SOptions& options) {
   if (options.Lenient) {
     simulator.AddOverride("framework/experiment/@lenient", "true");
   }
+}
+
+void LoadExperiment(CSimulator& simulator, const SOptions& options) {
+  CDynamicLoading::LoadAllLibraries();
+  ApplyRunOptions(simulator, options);
+  if (!options.RecordFile.empty()) {
+    simulator.AddOutput("recording", {{"file", options.RecordFile}});
+  }
   for (const auto& [path, value] : options.Overrides) {
     simulator.AddOverride(path, value);
   }
@@ -243,7 +249,12 @@ void LoadExperiment(CSimulator& simulator, const SOptions& options) {
     simulator.AddOutput("table", {{"file", options.CSVFolder + "/robots.csv"}});
     simulator.AddOutput("metrics", {{"file", options.CSVFolder + "/metrics.csv"}});
   }
-  simulator.LoadExperiment(options.NoVisualization);
+  if (options.Action == CARGoSCommandLineArgParser::ACTION_REPLAY) {
+    simulator.LoadReplay(options.Replay, options.NoVisualization);
+  } else {
+    simulator.SetExperimentFileName(options.ExperimentFile);
+    simulator.LoadExperiment(options.NoVisualization);
+  }
   FlushLogs();
   ThrowIfLogsFailed();
 }

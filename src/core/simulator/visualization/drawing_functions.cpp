@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/existing_component.h>
 #include <argos3/core/simulator/entity/positional_entity.h>
+#include <argos3/core/simulator/geometry/pose_grid.h>
 
 namespace argos {
 
@@ -11,12 +12,13 @@ namespace {
 void SetFrameOf(CEntity& entity, CDrawing& drawing) {
   if (auto* composable = dynamic_cast<CComposableEntity*>(&entity)) {
     if (auto* body = FindExistingComponent<CEmbodiedEntity>(*composable)) {
-      const SAnchor& origin = body->GetOriginAnchor();
+      const SBodyPose origin = SnapToPoseGrid(body->GetOriginAnchor());
       drawing.SetFrame(origin.Position, origin.Orientation);
       return;
     }
   } else if (auto* positional = dynamic_cast<CPositionalEntity*>(&entity)) {
-    drawing.SetFrame(positional->GetPosition(), positional->GetOrientation());
+    drawing.SetFrame(SnapToPoseGrid(positional->GetPosition()),
+                     SnapToPoseGrid(positional->GetOrientation()));
     return;
   }
   drawing.SetWorldFrame();

@@ -111,14 +111,21 @@ void CConfigurationDocument::LoadFile(const std::string& path) {
   Parse(text, path);
 }
 
+std::string CConfigurationDocument::ToText() const {
+  if (m_store->GetXml().RootElement() == nullptr) {
+    THROW_CONFIGURATION_ERROR("the document is empty: it has no text");
+  }
+  tinyxml2::XMLPrinter printer;
+  m_store->GetXml().Print(&printer);
+  return printer.CStr();
+}
+
 void CConfigurationDocument::SaveFile(const std::string& path) const {
   if (m_store->GetXml().RootElement() == nullptr) {
     THROW_CONFIGURATION_ERROR("Cannot save to \"" << path << "\": the document is empty");
   }
-  tinyxml2::XMLPrinter printer;
-  m_store->GetXml().Print(&printer);
   std::string problem;
-  if (!ReplaceFile(path, printer.CStr(), problem)) {
+  if (!ReplaceFile(path, ToText(), problem)) {
     THROW_CONFIGURATION_ERROR("Cannot write the file \"" << path << "\": " << problem);
   }
 }

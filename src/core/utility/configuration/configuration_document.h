@@ -37,6 +37,9 @@ class CConfigurationDocument {
   /** @throws CARGoSException if the file cannot be written, or if the document is empty. */
   void SaveFile(const std::string& path) const;
 
+  /** The document as XML, with its changes. @throws CARGoSException if the document is empty. */
+  std::string ToText() const;
+
   /**
    * From now on, text that is no valid value is read as ARGoS 3 reads it, with a warning, instead
    * of being an error: of elements of this document, and of copies made from now on.

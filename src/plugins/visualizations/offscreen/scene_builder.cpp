@@ -1,11 +1,13 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/scene_builder.h>
 
+#include <argos3/core/simulator/entity/anchor.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/existing_component.h>
 #include <argos3/core/simulator/entity/floor_entity.h>
 #include <argos3/core/simulator/entity/positional_entity.h>
+#include <argos3/core/simulator/geometry/pose_grid.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/visualization/appearance.h>
 #include <argos3/core/utility/logging/argos_log.h>
@@ -35,20 +37,20 @@ constexpr double kUpright = 0.999;  // cosine of the angle between a part's axis
 constexpr int kLeastGray = 160;  // of robots in quarantine
 constexpr int kMaxFloorSide = 8192;  // pixels, of the texture
 
-// the frame of a part; an anchor that is not enabled keeps its place on the body
+// on the grid, so that a replay of a recording draws the same
+SPose ToVisiblePose(const SBodyPose& pose) {
+  const SBodyPose snapped = SnapToPoseGrid(pose);
+  return ToPose(snapped.Position, snapped.Orientation);
+}
+
+// the frame of a part
 SPose ComputeAnchorPose(const SVisualPart& part, CEmbodiedEntity* body, const SPose& origin) {
   if (body == nullptr || part.Anchor == kOriginAnchor) {
     return origin;
   }
   const auto found = body->GetAnchors().find(part.Anchor);
-  if (found == body->GetAnchors().end()) {
-    return origin;
-  }
-  const SAnchor& anchor = *found->second;
-  if (anchor.InUseCount > 0) {
-    return ToPose(anchor.Position, anchor.Orientation);
-  }
-  return origin * ToPose(anchor.OffsetPosition, anchor.OffsetOrientation);
+  return found == body->GetAnchors().end() ? origin
+                                           : ToVisiblePose(ComputeVisiblePose(*found->second));
 }
 
 // of the solids of robots in quarantine: differences of brightness are left, but none of colour
@@ -165,11 +167,10 @@ void CSceneBuilder::AddEntity(CEntity& entity, SScene& scene) {
       subject.LEDs = FindExistingComponent<CLEDEquippedEntity>(*composable);
     }
     if (subject.Body != nullptr) {
-      const SAnchor& origin = subject.Body->GetOriginAnchor();
-      subject.Pose = ToPose(origin.Position, origin.Orientation);
+      subject.Pose = ToVisiblePose(subject.Body->GetOriginAnchor());
     }
   } else if (auto* positional = dynamic_cast<CPositionalEntity*>(&entity)) {
-    subject.Pose = ToPose(positional->GetPosition(), positional->GetOrientation());
+    subject.Pose = ToVisiblePose({positional->GetPosition(), positional->GetOrientation()});
     subject.IsLight = dynamic_cast<CLightEntity*>(&entity) != nullptr;
   }
   for (const SVisualPart& part : appearance->Parts) {
@@ -258,15 +259,15 @@ void CSceneBuilder::AddFloor(CSpace& space, SFloorImage& image) const {
 void CSceneBuilder::AddRays(CControllableEntity& robot, SScene& scene) const {
   for (const auto& [obstructed, ray] : robot.GetCheckedRays()) {
     SLine line;
-    line.Start = ToFloats(ToEigen(ray.GetStart()));
-    line.End = ToFloats(ToEigen(ray.GetEnd()));
+    line.Start = ToFloats(ToEigen(SnapToPoseGrid(ray.GetStart())));
+    line.End = ToFloats(ToEigen(SnapToPoseGrid(ray.GetEnd())));
     line.Color = obstructed ? kObstructedRay : kFreeRay;
     line.Width = kRayWidth;
     scene.Lines.push_back(line);
   }
   for (const CVector3& point : robot.GetIntersectionPoints()) {
     SGlow dot;
-    dot.Position = ToFloats(ToEigen(point));
+    dot.Position = ToFloats(ToEigen(SnapToPoseGrid(point)));
     dot.Radius = kHitPointRadius;
     dot.Color = kHitPoint;
     scene.Glows.push_back(dot);

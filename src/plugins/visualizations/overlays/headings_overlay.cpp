@@ -23,14 +23,11 @@ class CHeadingsOverlay : public COverlay {
 
   void Draw(CSimulator& simulator, CDrawing& drawing) override {
     for (const CRobotsInView::SRobot& robot : m_robots.List(simulator.GetSpace())) {
-      const SAnchor& origin = robot.Body->GetOriginAnchor();
-      const SBoundingBox& box = robot.Body->GetBoundingBox();
-      const CVector3 size = box.MaxCorner - box.MinCorner;
+      const CVector3 size = robot.Box.MaxCorner - robot.Box.MinCorner;
       // by default an arrow ends one radius in front of the robot
       const Real length = m_length > 0.0 ? m_length : std::max(size.GetX(), size.GetY());
-      CVector3 start = origin.Position;
-      start.SetZ(box.MaxCorner.GetZ() + kGap);
-      drawing.SetFrame(start, origin.Orientation);
+      const CVector3 above(0.0, 0.0, robot.Box.MaxCorner.GetZ() + kGap);
+      drawing.SetFrame(robot.Pose.Position + above, robot.Pose.Orientation);
       const Real tip = kTip * length;
       drawing.DrawLine(CVector3(), CVector3(length - tip, 0.0, 0.0), m_color, m_width);
       drawing.DrawTriangle(CVector3(length - 0.5 * tip, 0.0, 0.0), CQuaternion(), 0.7 * tip, tip,

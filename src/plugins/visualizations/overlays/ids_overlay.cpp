@@ -18,9 +18,8 @@ class CIdsOverlay : public COverlay {
   void Draw(CSimulator& simulator, CDrawing& drawing) override {
     const STextStyle style = m_text.MakeStyle(drawing, STextStyle::EAlignment::Center);
     for (const CRobotsInView::SRobot& robot : m_robots.List(simulator.GetSpace())) {
-      CVector3 place = robot.Body->GetOriginAnchor().Position;
-      place.SetZ(robot.Body->GetBoundingBox().MaxCorner.GetZ() + kGap);
-      drawing.DrawText(place, robot.Root->GetId(), m_text.Color, style);
+      const CVector3 above(0.0, 0.0, robot.Box.MaxCorner.GetZ() + kGap);
+      drawing.DrawText(robot.Pose.Position + above, robot.Root->GetId(), m_text.Color, style);
     }
   }
 

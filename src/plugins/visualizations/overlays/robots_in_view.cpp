@@ -3,6 +3,8 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/existing_component.h>
+#include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/simulator/geometry/pose_grid.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
@@ -11,6 +13,19 @@
 #include <array>
 
 namespace argos {
+
+namespace {
+
+SBoundingBox GetBox(const CEmbodiedEntity& body) {
+  const SBodyDescription* const description = body.GetBodyDescription();
+  if (description == nullptr || description->Shapes.empty()) {
+    return {};
+  }
+  const SBoundingBox box = description->ComputeBoundingBox(CVector3(), CQuaternion());
+  return {SnapToPoseGrid(box.MinCorner), SnapToPoseGrid(box.MaxCorner)};
+}
+
+}  // namespace
 
 void CRobotsInView::Init(TConfigurationNode& node) {
   std::string types;
@@ -30,7 +45,7 @@ const std::vector<CRobotsInView::SRobot>& CRobotsInView::List(CSpace& space) {
       continue;
     }
     if (auto* body = FindExistingComponent<CEmbodiedEntity>(root)) {
-      m_robots.push_back({&root, body});
+      m_robots.push_back({&root, SnapToPoseGrid(body->GetOriginAnchor()), GetBox(*body)});
     }
   }
   return m_robots;

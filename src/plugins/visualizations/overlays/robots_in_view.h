@@ -1,6 +1,8 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OVERLAYS_ROBOTS_IN_VIEW_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OVERLAYS_ROBOTS_IN_VIEW_H
 
+#include <argos3/core/simulator/geometry/body_pose.h>
+#include <argos3/core/simulator/geometry/bounding_box.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/core/utility/datatypes/color.h>
 
@@ -10,7 +12,6 @@
 namespace argos {
 
 class CComposableEntity;
-class CEmbodiedEntity;
 class CSpace;
 
 /** The robots to which an overlay applies: all, or those of the types in the attribute `of`. */
@@ -18,7 +19,8 @@ class CRobotsInView {
  public:
   struct SRobot {
     CComposableEntity* Root;
-    CEmbodiedEntity* Body;
+    SBodyPose Pose; /**< of its origin, rounded as all that views draw */
+    SBoundingBox Box; /**< around its body as described, at the origin and not turned, m */
   };
 
   /** @throws CARGoSException if a type is not that of an entity, listing the nearest ones. */

@@ -93,7 +93,7 @@ void CTrailsOverlay::Observe(CSimulator& simulator) {
     if (isNew) {
       trail.Color = m_hasColor ? m_color : GetPaletteColor(m_numSeen++);
     }
-    Append(trail, robot.Body->GetOriginAnchor().Position, tick);
+    Append(trail, robot.Pose.Position, tick);
     trail.LastSeen = tick;
   }
   // trails of removed robots
@@ -130,8 +130,7 @@ void CTrailsOverlay::Draw(CSimulator& simulator, CDrawing& drawing) {
     }
     DrawTrail(found->second, space.GetSimulationClock(), drawing);
     const CVector3& last = found->second.Points.back().Position;
-    drawing.DrawLine(last, robot.Body->GetOriginAnchor().Position, ComputeColor(found->second, 0),
-                     m_width);
+    drawing.DrawLine(last, robot.Pose.Position, ComputeColor(found->second, 0), m_width);
   }
 }
 

@@ -1,0 +1,132 @@
+#ifndef ARGOS3_CORE_SIMULATOR_RECORDING_RECORDED_FRAME_H
+#define ARGOS3_CORE_SIMULATOR_RECORDING_RECORDED_FRAME_H
+
+#include <argos3/core/simulator/geometry/body_pose.h>
+#include <argos3/core/simulator/geometry/bounding_box.h>
+#include <argos3/core/simulator/visualization/appearance.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace argos {
+
+/** What the recorded entities of a type have in common: all that is needed to draw them. */
+struct SRecordedType {
+  enum class EKind : UInt8 {
+    Body, /**< a body with anchors, perhaps a robot */
+    Place, /**< has a pose, but no body */
+    Light, /**< a lamp: words are its colour and its intensity */
+    Floor, /**< the coloured ground; Parameter = pixels per metre */
+    Other /**< neither pose nor appearance: only listed */
+  };
+
+  EKind Kind = EKind::Other;
+  std::string Tag; /**< as in XML: "foot-bot", "box", ... */
+  bool IsRobot = false; /**< has a controller */
+  bool IsMovable = false;
+  bool Flies = false; /**< has propellers: views then show the height of the arena */
+  bool HasAppearance = false;
+  UInt64 Parameter = 0; /**< see Kind */
+  UInt32 NumLEDs = 0;
+  SBoundingBox Box; /**< around the body at the origin, not turned, m; no extent: unknown */
+  SAppearance Appearance;
+  std::vector<std::string>
+      Anchors; /**< ids of those, besides the origin, whose poses are recorded */
+
+  /** Poses of an entity: its own, and one for each anchor. */
+  size_t GetNumPoses() const {
+    return Kind == EKind::Floor || Kind == EKind::Other ? 0 : 1 + Anchors.size();
+  }
+  /** Words of an entity: flags (see EEntityFlags), then a colour for each LED, or see Light. */
+  size_t GetNumWords() const { return Kind == EKind::Light ? 4 : 1 + NumLEDs; }
+};
+
+/** Bits of the first word of an entity. */
+enum EEntityFlags : UInt32 {
+  ENTITY_IS_QUARANTINED = 1 /**< an error has stopped the robot, and it was taken out */
+};
+
+/** A recorded entity; its number is its place in the list of all. */
+struct SRecordedEntity {
+  std::string Id;
+  UInt32 Type = 0; /**< place in the list of types */
+};
+
+/** A ray of a sensor that pictures show, or a point (start = end). */
+struct SRecordedRay {
+  enum class EKind : UInt8 { Free, Obstructed, HitPoint };
+
+  UInt32 Robot = 0; /**< number of the entity; rays are sorted by it */
+  EKind Kind = EKind::Free;
+  CVector3 Start; /**< m, world frame */
+  CVector3 End;
+};
+
+/** Colours of the ground, three bytes a pixel, the row of the lowest y first. */
+struct SRecordedFloor {
+  UInt32 Width = 0; /**< pixels; 0: there is no floor */
+  UInt32 Height = 0;
+  std::string Pixels; /**< red, green, blue of each; (Height, Width, 3) */
+
+  bool operator==(const SRecordedFloor& other) const = default;
+};
+
+/** A value that users choose to record, such as a reading or a metric, in addition. */
+struct SRecordedColumn {
+  std::string Name; /**< such as "battery" */
+  std::vector<Real> Values; /**< one for each entity; NaN where an entity has none */
+};
+
+/**
+ * All that a view shows of one tick, as a difference to the last one in the list of entities: first
+ * entities are removed, then others are added at the end.
+ */
+struct SFrameUpdate {
+  UInt32 Tick = 0;
+  bool IsRestart = false; /**< all entities and types of the last frame are forgotten */
+  std::vector<SRecordedType> NewTypes; /**< added to the list of types */
+  std::vector<UInt32> Removed; /**< numbers in the last frame, ascending */
+  std::vector<SRecordedEntity> Added;
+
+  std::vector<SBodyPose> Poses; /**< of all entities, in their order, see GetNumPoses() */
+  std::vector<UInt32> Words; /**< the same, see GetNumWords() */
+  std::vector<SRecordedRay> Rays;
+  std::shared_ptr<const SRecordedFloor> Floor; /**< null: none; another object if it changed */
+  std::vector<SRecordedColumn> Columns;
+  std::string Drawing; /**< what users' code draws, in a form that the caller knows */
+
+  /** Ready for the next tick; keeps memory. */
+  void Clear();
+  /** Memory in use, bytes. */
+  size_t ComputeSize() const;
+};
+
+/** All that a view shows of one tick. */
+struct SRecordedFrame {
+  UInt32 Tick = 0;
+  std::vector<SRecordedType> Types;
+  std::vector<SRecordedEntity> Entities; /**< in the order of the space */
+  UInt64 EntitiesVersion = 0; /**< changes with Entities and Types */
+  std::vector<SBodyPose> Poses; /**< as in SFrameUpdate, and the following */
+  std::vector<UInt32> Words;
+  std::vector<SRecordedRay> Rays;
+  std::shared_ptr<const SRecordedFloor> Floor;
+  std::vector<SRecordedColumn> Columns;
+  std::string Drawing;
+};
+
+/** Colour as a word. */
+inline UInt32 PackColor(const CColor& color) {
+  return color.GetRed() | UInt32(color.GetGreen()) << 8 | UInt32(color.GetBlue()) << 16 |
+         UInt32(color.GetAlpha()) << 24;
+}
+
+inline CColor UnpackColor(UInt32 word) {
+  return CColor(static_cast<UInt8>(word), static_cast<UInt8>(word >> 8),
+                static_cast<UInt8>(word >> 16), static_cast<UInt8>(word >> 24));
+}
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,108 @@
+#include <argos3/core/simulator/recording/type_coding.h>
+
+#include <argos3/core/utility/errors/argos_exception.h>
+
+namespace argos {
+
+namespace {
+
+constexpr UInt32 kMostLEDs = 1 << 16;  // of an entity
+
+enum ETypeFlags : UInt8 { IS_ROBOT = 1, IS_MOVABLE = 2, FLIES = 4, HAS_APPEARANCE = 8 };
+
+UInt8 ReadKind(CByteReader& in, UInt8 last, const char* what) {
+  return static_cast<UInt8>(in.ReadNumberUpTo(last, what));
+}
+
+void WritePart(const SVisualPart& part, CByteWriter& out) {
+  out.WriteByte(static_cast<UInt8>(part.Kind));
+  WriteVector(part.Position, out);
+  WriteQuaternion(part.Orientation, out);
+  WriteVector(part.Size, out);
+  out.WriteFixed32(PackColor(part.Color));
+  out.WriteText(part.Anchor);
+  out.WriteNumber(part.LED);
+}
+
+SVisualPart ReadPart(CByteReader& in) {
+  SVisualPart part;
+  part.Kind = static_cast<SVisualPart::EKind>(
+      ReadKind(in, static_cast<UInt8>(SVisualPart::EKind::LED), "kind of a part"));
+  part.Position = ReadVector(in);
+  part.Orientation = ReadQuaternion(in);
+  part.Size = ReadVector(in);
+  part.Color = UnpackColor(in.ReadFixed32());
+  part.Anchor = in.ReadText();
+  part.LED = static_cast<UInt32>(in.ReadNumberUpTo(kMostLEDs, "number of an LED"));
+  return part;
+}
+
+}  // namespace
+
+void WriteVector(const CVector3& vector, CByteWriter& out) {
+  out.WriteReal(vector.GetX());
+  out.WriteReal(vector.GetY());
+  out.WriteReal(vector.GetZ());
+}
+
+CVector3 ReadVector(CByteReader& in) {
+  const Real x = in.ReadReal();
+  const Real y = in.ReadReal();
+  return CVector3(x, y, in.ReadReal());
+}
+
+void WriteQuaternion(const CQuaternion& quaternion, CByteWriter& out) {
+  out.WriteReal(quaternion.GetW());
+  WriteVector(CVector3(quaternion.GetX(), quaternion.GetY(), quaternion.GetZ()), out);
+}
+
+CQuaternion ReadQuaternion(CByteReader& in) {
+  const Real w = in.ReadReal();
+  const CVector3 axis = ReadVector(in);
+  return CQuaternion(w, axis.GetX(), axis.GetY(), axis.GetZ());
+}
+
+void WriteType(const SRecordedType& type, CByteWriter& out) {
+  out.WriteByte(static_cast<UInt8>(type.Kind));
+  out.WriteText(type.Tag);
+  out.WriteByte(static_cast<UInt8>((type.IsRobot ? IS_ROBOT : 0) |
+                                   (type.IsMovable ? IS_MOVABLE : 0) | (type.Flies ? FLIES : 0) |
+                                   (type.HasAppearance ? HAS_APPEARANCE : 0)));
+  out.WriteNumber(type.Parameter);
+  out.WriteNumber(type.NumLEDs);
+  WriteVector(type.Box.MinCorner, out);
+  WriteVector(type.Box.MaxCorner, out);
+  out.WriteNumber(type.Appearance.Parts.size());
+  for (const SVisualPart& part : type.Appearance.Parts) {
+    WritePart(part, out);
+  }
+  out.WriteNumber(type.Anchors.size());
+  for (const std::string& anchor : type.Anchors) {
+    out.WriteText(anchor);
+  }
+}
+
+SRecordedType ReadType(CByteReader& in) {
+  SRecordedType type;
+  type.Kind = static_cast<SRecordedType::EKind>(
+      ReadKind(in, static_cast<UInt8>(SRecordedType::EKind::Other), "kind of a type"));
+  type.Tag = in.ReadText();
+  const UInt8 flags = in.ReadByte();
+  type.IsRobot = (flags & IS_ROBOT) != 0;
+  type.IsMovable = (flags & IS_MOVABLE) != 0;
+  type.Flies = (flags & FLIES) != 0;
+  type.HasAppearance = (flags & HAS_APPEARANCE) != 0;
+  type.Parameter = in.ReadNumber();
+  type.NumLEDs = static_cast<UInt32>(in.ReadNumberUpTo(kMostLEDs, "number of LEDs"));
+  type.Box.MinCorner = ReadVector(in);
+  type.Box.MaxCorner = ReadVector(in);
+  for (size_t parts = in.ReadCount("number of parts"); parts > 0; --parts) {
+    type.Appearance.Parts.push_back(ReadPart(in));
+  }
+  for (size_t anchors = in.ReadCount("number of anchors"); anchors > 0; --anchors) {
+    type.Anchors.emplace_back(in.ReadText());
+  }
+  return type;
+}
+
+}  // namespace argos

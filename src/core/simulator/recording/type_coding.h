@@ -1,0 +1,21 @@
+#ifndef ARGOS3_CORE_SIMULATOR_RECORDING_TYPE_CODING_H
+#define ARGOS3_CORE_SIMULATOR_RECORDING_TYPE_CODING_H
+
+#include <argos3/core/simulator/recording/byte_stream.h>
+#include <argos3/core/simulator/recording/recorded_frame.h>
+
+namespace argos {
+
+/** Writes all of a type. Equal types give equal bytes. */
+void WriteType(const SRecordedType& type, CByteWriter& out);
+/** @throws CARGoSException if the bytes describe no type. */
+SRecordedType ReadType(CByteReader& in);
+
+void WriteVector(const CVector3& vector, CByteWriter& out);
+CVector3 ReadVector(CByteReader& in);
+void WriteQuaternion(const CQuaternion& quaternion, CByteWriter& out);
+CQuaternion ReadQuaternion(CByteReader& in);
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,137 @@
+#include <argos3/plugins/simulator/outputs/recording/capture.h>
+
+#include <argos3/core/simulator/entity/floor_entity.h>
+#include <argos3/core/simulator/recording/type_coding.h>
+#include <argos3/core/simulator/space/space.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+constexpr Real kMaxFloorSide = 8192;  // pixels; views draw no finer floor either
+
+// as views: so that a replay gives them the very colours that they show of the floor
+UInt32 ComputeFloorSide(Real length, UInt32 pixelsPerMeter) {
+  const Real pixels = std::ceil(length * std::max<UInt32>(pixelsPerMeter, 1) - 1e-6);
+  return static_cast<UInt32>(std::clamp<Real>(pixels, 1.0, kMaxFloorSide));
+}
+
+}  // namespace
+
+void CCapture::Restart() {
+  m_entities.clear();
+  m_types.clear();
+  m_isRestart = true;
+  m_floor.reset();
+  m_floorEntity = nullptr;
+}
+
+void CCapture::Take(CSpace& space, SFrameUpdate& update) {
+  update.Tick = space.GetSimulationClock();
+  update.IsRestart = m_isRestart;
+  m_isRestart = false;
+  TakeEntities(space, update);
+  constexpr UInt32 kAhead = 8;  // entities
+  UInt32 number = 0;
+  for (const CTrackedEntity& entity : m_entities) {
+    if (number + kAhead < m_entities.size()) {
+      m_entities[number + kAhead].PrepareRead();
+    }
+    entity.AppendPoses(update.Poses);
+    entity.AppendWords(update.Words);
+    entity.AppendRays(number++, update.Rays);
+  }
+  TakeFloor(space, update);
+}
+
+void CCapture::RemoveGone(CSpace& space, SFrameUpdate& update) {
+  const std::vector<CEntity*>& roots = space.GetRootEntityVector();
+  size_t kept = 0;
+  for (size_t i = 0; i < m_entities.size(); ++i) {
+    if (kept < roots.size() && m_entities[i].Is(*roots[kept])) {
+      if (kept != i) {
+        m_entities[kept] = std::move(m_entities[i]);
+      }
+      ++kept;
+    } else {
+      update.Removed.push_back(static_cast<UInt32>(i));
+    }
+  }
+  m_entities.erase(m_entities.begin() + static_cast<std::ptrdiff_t>(kept), m_entities.end());
+}
+
+void CCapture::TakeEntities(CSpace& space, SFrameUpdate& update) {
+  RemoveGone(space, update);
+  if (std::any_of(m_entities.begin(), m_entities.end(),
+                  [](const CTrackedEntity& entity) { return entity.HasNewParts(); })) {
+    Restart();
+    m_isRestart = false;
+    update.Removed.clear();
+    update.IsRestart = true;
+  }
+  const std::vector<CEntity*>& roots = space.GetRootEntityVector();
+  m_entities.reserve(roots.size());
+  for (size_t i = m_entities.size(); i < roots.size(); ++i) {
+    CTrackedEntity entity(*roots[i]);
+    const bool isLikeLast = i > 0 && entity.IsLike(m_entities.back());
+    entity.SetType(isLikeLast ? m_entities.back().GetType() : FindType(entity, update));
+    update.Added.push_back({roots[i]->GetId(), entity.GetType()});
+    m_entities.push_back(std::move(entity));
+  }
+}
+
+UInt32 CCapture::FindType(const CTrackedEntity& entity, SFrameUpdate& update) {
+  SRecordedType type = entity.MakeType();
+  std::string bytes;
+  CByteWriter out(bytes);
+  WriteType(type, out);
+  const auto [found, isNew] = m_types.try_emplace(bytes, static_cast<UInt32>(m_types.size()));
+  if (isNew) {
+    update.NewTypes.push_back(std::move(type));
+  }
+  return found->second;
+}
+
+void CCapture::TakeFloor(CSpace& space, SFrameUpdate& update) {
+  if (!space.HasFloorEntity()) {
+    m_floor.reset();
+    m_floorEntity = nullptr;
+    return;
+  }
+  CFloorEntity& floor = space.GetFloorEntity();
+  if (m_floorEntity != &floor || m_floorVersion != floor.GetVersion()) {
+    auto now = ReadFloor(space, floor);
+    if (m_floor == nullptr || *m_floor != *now) {
+      m_floor = std::move(now);
+    }
+    m_floorEntity = &floor;
+    m_floorVersion = floor.GetVersion();
+  }
+  update.Floor = m_floor;
+}
+
+std::shared_ptr<const SRecordedFloor> CCapture::ReadFloor(CSpace& space,
+                                                          CFloorEntity& floor) const {
+  const CVector3& size = space.GetArenaSize();
+  const CVector3 corner = space.GetArenaCenter() - size * 0.5;
+  auto image = std::make_shared<SRecordedFloor>();
+  image->Width = ComputeFloorSide(size.GetX(), floor.GetPixelsPerMeter());
+  image->Height = ComputeFloorSide(size.GetY(), floor.GetPixelsPerMeter());
+  image->Pixels.reserve(size_t(3) * image->Width * image->Height);
+  for (UInt32 row = 0; row < image->Height; ++row) {
+    const Real y = corner.GetY() + (row + 0.5) * size.GetY() / image->Height;
+    for (UInt32 column = 0; column < image->Width; ++column) {
+      const Real x = corner.GetX() + (column + 0.5) * size.GetX() / image->Width;
+      const CColor color = floor.GetColorAtPoint(x, y);
+      image->Pixels.push_back(static_cast<char>(color.GetRed()));
+      image->Pixels.push_back(static_cast<char>(color.GetGreen()));
+      image->Pixels.push_back(static_cast<char>(color.GetBlue()));
+    }
+  }
+  return image;
+}
+
+}  // namespace argos

@@ -1,0 +1,173 @@
+#include <argos3/plugins/simulator/outputs/recording/recording_output.h>
+
+#include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/text/string_utilities.h>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <ctime>
+#include <filesystem>
+
+namespace argos {
+
+CRecordingOutput::CRecordingOutput() = default;
+CRecordingOutput::~CRecordingOutput() = default;
+
+void CRecordingOutput::Init(TConfigurationNode& tree) {
+  GetNodeAttribute(tree, "file", m_file);
+  if (m_file.empty()) {
+    THROW_ARGOSEXCEPTION(tree.GetLocation() << ": <" << tree.Value()
+                                            << ">: attribute \"file\" is empty; it must be the "
+                                               "name of the recording, such as \"run.rec\"");
+  }
+  GetNodeAttributeOrDefault(tree, "every", m_every, m_every);
+  if (m_every == 0) {
+    THROW_ARGOSEXCEPTION(tree.GetLocation()
+                         << ": <" << tree.Value()
+                         << ">: attribute \"every\" (ticks) must be at least 1, found 0");
+  }
+  std::string precision = "grid";
+  GetNodeAttributeOrDefault(tree, "precision", precision, precision);
+  if (precision != "grid" && precision != "exact") {
+    THROW_ARGOSEXCEPTION(tree.GetLocation()
+                         << ": <" << tree.Value() << ">: attribute \"precision\" must be \"grid\" "
+                         << "or \"exact\", found \"" << precision << '"'
+                         << DidYouMean(precision, {"grid", "exact"}));
+  }
+  m_precision = precision == "exact" ? EPrecision::Exact : EPrecision::Grid;
+  try {
+    Open();
+  } catch (std::exception& error) {
+    THROW_ARGOSEXCEPTION_NESTED(
+        tree.GetLocation() << ": <" << tree.Value() << ">: the run cannot be recorded", error);
+  }
+}
+
+std::string CRecordingOutput::MakeFileName() const {
+  if (m_run == 1) {
+    return m_file;
+  }
+  const std::filesystem::path path(m_file);
+  std::filesystem::path name = path.stem();
+  name += ".";
+  name += std::to_string(m_run);
+  name += path.extension();
+  return (path.parent_path() / name).string();
+}
+
+SRecordingInfo CRecordingOutput::MakeInfo() const {
+  CSimulator& simulator = CurrentSimulator();
+  SRecordingInfo info;
+  info.ExperimentFile = simulator.GetExperimentFileName();
+  info.Experiment = simulator.GetExperimentText();
+  info.Overrides = simulator.GetOverrides();
+  info.Seed = simulator.GetRandomSeed();
+  info.Version = ARGOS_VERSION "-" ARGOS_RELEASE;
+  info.Build = ARGOS_BUILD_FLAGS;
+  info.Date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+  info.TickLength = simulator.GetTickLength();
+  info.Every = m_every;
+  info.Precision = m_precision;
+  return info;
+}
+
+void CRecordingOutput::Open() {
+  m_writer = std::make_unique<CRecordingWriter>(MakeFileName(), MakeInfo());
+}
+
+void CRecordingOutput::Observe(CSimulator& simulator) {
+  if (!m_lastTick || simulator.GetSpace().GetSimulationClock() % m_every == 0) {
+    Record(simulator);
+  }
+}
+
+void CRecordingOutput::Record(CSimulator& simulator) {
+  if (m_writer == nullptr) {
+    Open();
+  }
+  CSpace& space = simulator.GetSpace();
+  SFrameUpdate update = m_writer->TakeUpdate();
+  m_capture.Take(space, update);
+  m_writer->Add(std::move(update));
+  m_lastTick = space.GetSimulationClock();
+  ++m_numFrames;
+  m_numRobotTicks += space.GetControllableEntities().size();
+}
+
+void CRecordingOutput::Finish(CSimulator& simulator) {
+  if (m_lastTick != simulator.GetSpace().GetSimulationClock()) {
+    Record(simulator);
+  }
+  m_writer->Close();
+  const auto perRobot = [this](UInt64 bytes) {
+    return m_numRobotTicks > 0 ? static_cast<Real>(bytes) / static_cast<Real>(m_numRobotTicks)
+                               : 0.0;
+  };
+  LOG << "[INFO] "
+      << fmt::format(
+             "Recorded {} states to {}: {} bytes, {:.3g} for each robot and state, {:.3g} "
+             "before compression",
+             m_numFrames, MakeFileName(), m_writer->GetNumWrittenBytes(),
+             perRobot(m_writer->GetNumWrittenBytes()), perRobot(m_writer->GetNumCodedBytes()))
+      << std::endl;
+  m_writer.reset();
+}
+
+void CRecordingOutput::Reset() {
+  m_writer.reset();
+  m_capture.Restart();
+  m_lastTick.reset();
+  m_numFrames = 0;
+  m_numRobotTicks = 0;
+  ++m_run;
+}
+
+void CRecordingOutput::Destroy() {
+  // after an error: what was recorded until then is written
+  if (m_writer != nullptr) {
+    m_writer->Close();
+  }
+  m_writer.reset();
+}
+
+REGISTER_RUN_OUTPUT(
+    CRecordingOutput, "recording", "the authors of this project", "1.0",
+    "Records a run into a file, from which it can be replayed.",
+    R"(Writes what pictures show of each tick: poses, colours of LEDs, lamps, rays of sensors, the
+colours of the floor, robots in quarantine, and which entities come and go; besides, the
+experiment as it is run, with overrides, seed, version and date. argos3 --replay FILE
+shows it in any view, without controllers and physics: see doc/recording.md.
+
+Files are compressed, and written on a thread of their own. A recording of a killed run
+can be replayed up to about a second before its end. A file that is no recording is not
+overwritten. If the experiment is reset, the next run goes to another file: run.2.rec,
+run.3.rec, ... Recording does not change the experiment.
+
+On the command line: --record FILE.
+
+REQUIRED XML CONFIGURATION
+
+  <outputs>
+    <recording file="run.rec" />
+  </outputs>
+
+OPTIONAL XML CONFIGURATION
+
+  <outputs>
+    <recording file="run.rec" every="1" precision="grid" />
+  </outputs>
+
+Attributes of <recording>:
+  file       path; an older recording of that name is replaced
+  every      integer, at least 1, ticks; record every n-th tick, and the last one.
+             Default: 1
+  precision  grid: poses rounded to 2^-20 m (about a micrometre), as views draw them.
+             exact: all bits, for files several times as large. Default: grid
+)",
+    "Usable")
+
+}  // namespace argos

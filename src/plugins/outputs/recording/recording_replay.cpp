@@ -1,0 +1,220 @@
+#include <argos3/plugins/simulator/outputs/recording/recording_replay.h>
+
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/floor_entity.h>
+#include <argos3/core/simulator/loop_functions.h>
+#include <argos3/core/simulator/recording/type_coding.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/logging/argos_log.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+/* Colours the floor as it was recorded. */
+class CReplayLoopFunctions : public CLoopFunctions {
+ public:
+  explicit CReplayLoopFunctions(const CRecordingReplay& replay) : m_replay(replay) {}
+
+  CColor GetFloorColor(const CVector2& positionOnFloor) override {
+    const SRecordedFloor* const floor = m_replay.GetFloor();
+    if (floor == nullptr || floor->Pixels.empty()) {
+      return CColor::WHITE;
+    }
+    const CVector3& size = GetSpace().GetArenaSize();
+    const CVector3 corner = GetSpace().GetArenaCenter() - size * 0.5;
+    const size_t column =
+        ToPixel((positionOnFloor.GetX() - corner.GetX()) / size.GetX(), floor->Width);
+    const size_t row =
+        ToPixel((positionOnFloor.GetY() - corner.GetY()) / size.GetY(), floor->Height);
+    const char* const pixel = &floor->Pixels[3 * (row * floor->Width + column)];
+    return CColor(static_cast<UInt8>(pixel[0]), static_cast<UInt8>(pixel[1]),
+                  static_cast<UInt8>(pixel[2]));
+  }
+
+ private:
+  // beyond the edges their colours continue; NaN gives the first pixel
+  static size_t ToPixel(Real share, UInt32 pixels) {
+    const Real pixel = share * pixels;
+    return pixel > 0.0 ? static_cast<size_t>(std::min<Real>(pixel, pixels - 1)) : 0;
+  }
+
+  const CRecordingReplay& m_replay;
+};
+
+}  // namespace
+
+CRecordingReplay::CRecordingReplay() = default;
+CRecordingReplay::~CRecordingReplay() = default;
+
+void CRecordingReplay::Open(const SReplayRequest& request) {
+  m_reader = std::make_unique<CRecordingReader>(request.File);
+  if (!m_reader->GetWarning().empty()) {
+    LOGERR << "[WARNING] " << m_reader->GetWarning() << std::endl;
+  }
+  const SRecordingInfo& info = m_reader->GetInfo();
+  m_experimentFile = info.ExperimentFile;
+  m_every = std::max<UInt32>(request.Every, 1);
+  SelectPart(request);
+  LOG << "[INFO] Replaying ticks " << m_firstTick << " to " << m_lastTick << " of \""
+      << request.File << "\", recorded " << info.Date << " by argos3 " << info.Version << " from \""
+      << info.ExperimentFile << "\" with random seed " << info.Seed << std::endl;
+  for (const auto& [path, value] : info.Overrides) {
+    LOG << "[INFO] The run was set to " << path << "=" << value << std::endl;
+  }
+}
+
+UInt32 CRecordingReplay::ToTick(const SReplayTime& time) const {
+  constexpr Real kTolerance = 1e-6;  // ticks: of a division that should give a whole number
+  const Real tick = time.IsInSeconds
+                        ? std::ceil(time.Value / m_reader->GetInfo().TickLength - kTolerance)
+                        : time.Value;
+  return static_cast<UInt32>(std::clamp<Real>(tick, 0.0, ~UInt32(0)));
+}
+
+void CRecordingReplay::SelectPart(const SReplayRequest& request) {
+  const UInt32 first = m_reader->GetFirstTick();
+  const UInt32 last = m_reader->GetLastTick();
+  const UInt32 from = request.From ? ToTick(*request.From) : first;
+  const UInt32 to = request.To ? ToTick(*request.To) : last;
+  if (from > last || to < first || from > to) {
+    THROW_ARGOSEXCEPTION("the recording \"" << request.File << "\" has no state from tick " << from
+                                            << " to tick " << to << ": it has ticks " << first
+                                            << " to " << last << ", that is "
+                                            << first * m_reader->GetInfo().TickLength << " s to "
+                                            << last * m_reader->GetInfo().TickLength << " s");
+  }
+  m_lastTick = m_reader->FindLastTickUpTo(to);
+  m_firstTick = from;
+  if (m_lastTick < from) {
+    THROW_ARGOSEXCEPTION("the recording \"" << request.File << "\" has no state from tick " << from
+                                            << " to tick " << to << ": it has one every "
+                                            << m_reader->GetInfo().Every << " ticks");
+  }
+}
+
+const std::string& CRecordingReplay::GetExperiment() const {
+  return m_reader->GetInfo().Experiment;
+}
+
+UInt32 CRecordingReplay::GetSeed() const {
+  return m_reader->GetInfo().Seed;
+}
+
+std::unique_ptr<CLoopFunctions> CRecordingReplay::MakeLoopFunctions() {
+  return std::make_unique<CReplayLoopFunctions>(*this);
+}
+
+void CRecordingReplay::Begin(CSpace& space) {
+  m_reader->Seek(m_firstTick);
+  m_nextTick = m_firstTick;
+  m_hasEnded = false;
+  Advance(space);
+}
+
+void CRecordingReplay::Advance(CSpace& space) {
+  if (m_hasEnded) {
+    return;
+  }
+  const SRecordedFrame* const frame = ReadFrame();
+  if (frame == nullptr) {
+    m_hasEnded = true;
+    return;
+  }
+  Show(*frame, space);
+  m_hasEnded = frame->Tick >= m_lastTick;
+  m_nextTick = m_every > ~UInt32(0) - frame->Tick ? ~UInt32(0) : frame->Tick + m_every;
+}
+
+// of the part's last state, whatever the step is
+const SRecordedFrame* CRecordingReplay::ReadFrame() {
+  const SRecordedFrame* frame = m_reader->ReadNext();
+  while (frame != nullptr && frame->Tick < m_nextTick && frame->Tick < m_lastTick) {
+    frame = m_reader->ReadNext();
+  }
+  return frame;
+}
+
+void CRecordingReplay::Show(const SRecordedFrame& frame, CSpace& space) {
+  if (m_entities.empty() || frame.EntitiesVersion != m_entitiesVersion) {
+    UpdateTypes(frame);
+    UpdateEntities(frame, space);
+    m_entitiesVersion = frame.EntitiesVersion;
+  }
+  space.SetSimulationClock(frame.Tick);
+  const bool hasFloorChanged = m_floor != frame.Floor;
+  m_floor = frame.Floor;
+  std::span<const SBodyPose> poses(frame.Poses);
+  std::span<const UInt32> words(frame.Words);
+  for (const CReplayedEntity& entity : m_entities) {
+    const SRecordedType& type = *entity.GetType();
+    entity.SetState({poses.first(type.GetNumPoses()), words.first(type.GetNumWords())});
+    poses = poses.subspan(type.GetNumPoses());
+    words = words.subspan(type.GetNumWords());
+    if (hasFloorChanged && entity.GetFloor() != nullptr) {
+      entity.GetFloor()->SetChanged();
+    }
+  }
+  ShowRays(frame);
+}
+
+// those that are as before stay the same objects
+void CRecordingReplay::UpdateTypes(const SRecordedFrame& frame) {
+  m_types.resize(frame.Types.size());
+  m_typeBytes.resize(frame.Types.size());
+  for (size_t i = 0; i < frame.Types.size(); ++i) {
+    std::string bytes;
+    CByteWriter out(bytes);
+    WriteType(frame.Types[i], out);
+    if (m_types[i] == nullptr || bytes != m_typeBytes[i]) {
+      m_types[i] = std::make_shared<const SRecordedType>(frame.Types[i]);
+      m_typeBytes[i] = std::move(bytes);
+    }
+  }
+}
+
+bool CRecordingReplay::IsSame(const CReplayedEntity& entity,
+                              const SRecordedEntity& recorded) const {
+  return entity.GetType() == m_types[recorded.Type] && entity.GetId() == recorded.Id;
+}
+
+// new ones are at the end of both lists, so what differs before was removed
+void CRecordingReplay::UpdateEntities(const SRecordedFrame& frame, CSpace& space) {
+  std::vector<CReplayedEntity> kept;
+  kept.reserve(frame.Entities.size());
+  for (const CReplayedEntity& entity : m_entities) {
+    if (kept.size() < frame.Entities.size() && IsSame(entity, frame.Entities[kept.size()])) {
+      kept.push_back(entity);
+    } else {
+      space.Remove(entity.GetEntity());
+    }
+  }
+  m_entities = std::move(kept);
+  for (size_t i = m_entities.size(); i < frame.Entities.size(); ++i) {
+    const SRecordedEntity& entity = frame.Entities[i];
+    m_entities.emplace_back(space, entity, m_types[entity.Type]);
+  }
+}
+
+void CRecordingReplay::ShowRays(const SRecordedFrame& frame) const {
+  for (const SRecordedRay& ray : frame.Rays) {
+    CControllableEntity* const robot = m_entities[ray.Robot].GetRobot();
+    if (robot == nullptr) {
+      continue;
+    }
+    if (ray.Kind == SRecordedRay::EKind::HitPoint) {
+      robot->GetIntersectionPoints().push_back(ray.Start);
+    } else {
+      robot->AddCheckedRay(ray.Kind == SRecordedRay::EKind::Obstructed, CRay3(ray.Start, ray.End));
+    }
+  }
+}
+
+REGISTER_REPLAY(CRecordingReplay, "recording", "the authors of this project", "1.0",
+                "Replays recordings.", "See <recording>, and doc/recording.md.", "Usable")
+
+}  // namespace argos

@@ -1,0 +1,218 @@
+// Recordings replay to the pictures of the run that was recorded, without any of its code.
+
+#include "../command_line/program_run.h"
+
+#include <argos3/testing/support/paths.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+using namespace argos;
+using Catch::Contains;
+
+namespace {
+
+std::vector<std::string> ListFrames(const CTestFolder& folder, const std::string& directory) {
+  std::vector<std::string> names;
+  if (std::filesystem::exists(folder.Path(directory))) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder.Path(directory))) {
+      if (entry.path().extension() == ".png") {
+        names.push_back(entry.path().filename().string());
+      }
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+// every file has the same bytes: PNG files of equal pixels do
+void CheckSameFrames(const CTestFolder& folder, const std::string& live,
+                     const std::string& replayed, size_t number) {
+  const std::vector<std::string> names = ListFrames(folder, live);
+  REQUIRE(names.size() == number);
+  REQUIRE(ListFrames(folder, replayed) == names);
+  for (const std::string& name : names) {
+    CAPTURE(name);
+    CHECK(folder.Read(live + "/" + name) == folder.Read(replayed + "/" + name));
+  }
+}
+
+void CheckSuccess(const SProgramRun& run) {
+  CAPTURE(run.Out, run.Err);
+  REQUIRE(run.Status == 0);
+}
+
+std::vector<std::string> operator+(std::vector<std::string> all,
+                                   const std::vector<std::string>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+const std::vector<std::string> kSmall = {"--set", "//offscreen/@size=320x240"};
+
+std::vector<std::string> Into(const std::string& directory) {
+  return {"--set", "//offscreen/@directory=" + directory};
+}
+
+// of what an experiment file of this project needs
+std::vector<std::string> LiveFlocking() {
+  return {"-c",     InSourceTree("experiments/flocking.argos"), "--length", "15", "--record",
+          "run.rec"};
+}
+
+// Everything that comes, goes and changes: boxes that are added and removed, lamps, a painted
+// floor, LEDs, rays, and overlays that need the past. In Lua, so that nothing else is to be built.
+constexpr char kLively[] = R"(
+<argos-configuration>
+  <framework><experiment length="6" ticks_per_second="10" random_seed="3" /></framework>
+  <controllers>
+    <lua_controller id="lua">
+      <actuators>
+        <differential_steering implementation="default" />
+        <leds implementation="default" medium="leds" />
+      </actuators>
+      <sensors><footbot_proximity implementation="default" show_rays="true" /></sensors>
+      <params script="robot.lua" />
+    </lua_controller>
+  </controllers>
+  <arena size="4,4,1">
+    <floor id="floor" source="image" path="floor.png" />
+    <light id="lamp" position="1,1,0.5" color="yellow" intensity="1" medium="leds" />
+    <box id="wall" size="1,0.1,0.3" movable="false"><body position="0,1.5,0" /></box>
+    <box id="crate" size="0.3,0.2,0.2" movable="true" mass="0.5"><body position="0.5,0,0" /></box>
+    <cylinder id="drum" radius="0.1" height="0.2" movable="true" mass="0.5">
+      <body position="-0.5,0.3,0" />
+    </cylinder>
+    <distribute>
+      <position method="uniform" min="-1.5,-1.5,0" max="1.5,1,0" />
+      <orientation method="uniform" min="0,0,0" max="360,0,0" />
+      <entity quantity="5" max_trials="100"><foot-bot id="fb"><controller config="lua" /></foot-bot></entity>
+    </distribute>
+  </arena>
+  <physics_engines><dynamics2d id="dyn2d" /></physics_engines>
+  <media><led id="leds" /></media>
+  <visualization>
+    <offscreen directory="out" size="320x240" every="10">
+      <overlays><ids /><headings /><trails /><clock /></overlays>
+    </offscreen>
+  </visualization>
+</argos-configuration>
+)";
+
+constexpr char kRobotScript[] = R"(
+ticks = 0
+function init() end
+function reset() end
+function destroy() end
+function step()
+  ticks = ticks + 1
+  robot.wheels.set_velocity(ticks % 20, 10)
+  robot.leds.set_all_colors(ticks % 3 == 0 and "red" or "blue")
+end
+)";
+
+// a binary PPM: 2 x 2 pixels of four colours
+const std::string kFloor =
+    std::string("P6\n2 2\n255\n") + "\x80\x10\x10\x10\x80\x10\x10\x10\x80\x70\x70\x10";
+
+}  // namespace
+
+TEST_CASE("replay: flocking gives the frames of the run, pixel for pixel",
+          "[scenario][recording]") {
+  const CTestFolder folder;
+  CheckSuccess(folder.Run(LiveFlocking() + kSmall + Into("live")));
+  CheckSuccess(
+      folder.Run(std::vector<std::string>{"--replay", "run.rec"} + kSmall + Into("replayed")));
+  CheckSameFrames(folder, "live", "replayed", 4);
+}
+
+TEST_CASE("replay: rays, LEDs, floor and overlays are as in the run, and nothing of it is needed",
+          "[scenario][recording]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", kLively);
+  folder.Write("robot.lua", kRobotScript);
+  folder.Write("floor.png", kFloor);
+  const SProgramRun live = folder.Run({"-c", "e.argos", "--record", "run.rec"});
+  CheckSuccess(live);
+  std::filesystem::remove(folder.Path("e.argos"));
+  std::filesystem::remove(folder.Path("robot.lua"));
+  std::filesystem::remove(folder.Path("floor.png"));
+  CheckSuccess(folder.Run(std::vector<std::string>{"--replay", "run.rec"} + Into("replayed")));
+  CheckSameFrames(folder, "out", "replayed", 7);
+}
+
+TEST_CASE("replay: exact recordings give the same pictures", "[scenario][recording]") {
+  const CTestFolder folder;
+  CheckSuccess(folder.Run(LiveFlocking() + kSmall + Into("live") +
+                          std::vector<std::string>{"--set", "//recording/@precision=exact"}));
+  CheckSuccess(
+      folder.Run(std::vector<std::string>{"--replay", "run.rec"} + kSmall + Into("replayed")));
+  CheckSameFrames(folder, "live", "replayed", 4);
+}
+
+TEST_CASE("replay: a part, with another step, in the views of another file",
+          "[scenario][recording]") {
+  const CTestFolder folder;
+  CheckSuccess(folder.Run(LiveFlocking() + std::vector<std::string>{"-z"}));
+  folder.Write("views.argos",
+               "<argos-configuration><visualization><offscreen directory='views' size='64x64' />"
+               "</visualization></argos-configuration>");
+  const SProgramRun run = folder.Run(
+      {"--replay", "run.rec", "-c", "views.argos", "--from", "2s", "--to", "55", "--every", "10"});
+  CheckSuccess(run);
+  CHECK_THAT(run.Out, Contains("Replaying ticks 20 to 55") && Contains("random seed 124"));
+  CHECK(ListFrames(folder, "views") ==
+        std::vector<std::string>{"frame_0000000020.png", "frame_0000000030.png",
+                                 "frame_0000000040.png", "frame_0000000050.png",
+                                 "frame_0000000055.png"});
+}
+
+TEST_CASE("replay: a replay can be recorded, without overwriting what it reads",
+          "[scenario][recording]") {
+  const CTestFolder folder;
+  CheckSuccess(folder.Run(LiveFlocking() + std::vector<std::string>{"-z"}));
+  CheckSuccess(folder.Run({"-z", "--replay", "run.rec", "--from", "100", "--record", "part.rec"}));
+  const SProgramRun run = folder.Run({"-z", "--replay", "part.rec"});
+  CheckSuccess(run);
+  CHECK_THAT(run.Out, Contains("Replaying ticks 100 to 150"));
+  const SProgramRun same = folder.Run({"-z", "--replay", "run.rec", "--record", "run.rec"});
+  CHECK(same.Status == 1);
+  CHECK_THAT(same.Err, Contains("--replay and --record are the same file, run.rec"));
+}
+
+TEST_CASE("replay: impossible parts and options are errors", "[scenario][recording]") {
+  const CTestFolder folder;
+  CheckSuccess(folder.Run({"-c", InSourceTree("experiments/flocking.argos"), "--length", "2", "-z",
+                           "--record", "run.rec"}));
+  const auto error = [&folder](const std::vector<std::string>& arguments) {
+    const SProgramRun run =
+        folder.Run(std::vector<std::string>{"-z", "--replay", "run.rec"} + arguments);
+    CHECK(run.Status == 1);
+    return run.Err;
+  };
+  CHECK_THAT(error({"--from", "30"}), Contains("has no state from tick 30 to tick 20: it has ticks "
+                                               "0 to 20, that is 0 s to 2 s"));
+  CHECK_THAT(error({"--from", "x"}), Contains("--from x: expected a tick, such as 100, or a time"));
+  CHECK_THAT(error({"--every", "0"}), Contains("--every 0: expected a number of ticks"));
+  CHECK_THAT(error({"--seed", "1"}), Contains("--seed cannot be used with --replay"));
+  CHECK_THAT(error({"--digest"}), Contains("--digest cannot be used with --replay"));
+  CHECK(folder.Run({"-c", "x", "--from", "1"}).Status == 1);
+}
+
+TEST_CASE("recording: the digest of a run does not change", "[scenario][recording]") {
+  const CTestFolder folder;
+  const std::vector<std::string> arguments = {"-zc", InSourceTree("experiments/flocking.argos"),
+                                              "--length", "5", "--digest"};
+  const auto digest = [](const SProgramRun& run) {
+    return run.Out.substr(run.Out.find("digest: "), 24);
+  };
+  const SProgramRun without = folder.Run(arguments);
+  CheckSuccess(without);
+  const SProgramRun with = folder.Run(arguments + std::vector<std::string>{"--record", "run.rec"});
+  CheckSuccess(with);
+  CHECK(digest(with) == digest(without));
+}
