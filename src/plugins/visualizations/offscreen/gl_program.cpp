@@ -70,6 +70,10 @@ void CGlProgram::Set(const char* name, const Eigen::Vector3f& value) const {
   m_gl.Uniform3f(Locate(name), value.x(), value.y(), value.z());
 }
 
+void CGlProgram::Set(const char* name, const Eigen::Vector4f& value) const {
+  m_gl.Uniform4f(Locate(name), value.x(), value.y(), value.z(), value.w());
+}
+
 void CGlProgram::Set(const char* name, const Eigen::Matrix4f& value) const {
   m_gl.UniformMatrix4fv(Locate(name), 1, GL_FALSE, value.data());
 }

@@ -6,6 +6,7 @@
 #include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <sstream>
 
@@ -16,6 +17,10 @@ namespace {
 constexpr GLint kShadowUnit = 0;
 constexpr GLint kFloorUnit = 1;
 constexpr size_t kTranslucentLevel = 2;
+// diameters of the discs that stand for robots too small to be seen, in pixels of the picture
+constexpr double kMarkerPixels = 5.0;  // if the picture is 960 pixels high
+constexpr double kSmallestMarkerPixels = 2.0;
+constexpr double kMarkerShare = 0.05;  // of the picture that all discs cover at most
 constexpr double kSmallestNear = 0.002;  // m
 constexpr double kNearOverFar = 2e-5;  // a 32-bit depth buffer still separates millimetres
 constexpr GLfloat kDepthSlope = 1.5f;  // shadow bias, in depth steps per unit of slope
@@ -129,6 +134,7 @@ void CRenderer::DescribeInstances() {
   m_glowInstances.AddColor(2, offsetof(SGlow, Color));
   m_glowInstances.AddFloats(3, 1, offsetof(SGlow, HaloScale));
   m_glowInstances.AddFloats(4, 1, offsetof(SGlow, Pixels));
+  m_glowInstances.AddFloats(5, 1, offsetof(SGlow, IsSignal));
 
   m_lineInstances.AddFloats(0, 3, offsetof(SLine, Start));
   m_lineInstances.AddFloats(1, 3, offsetof(SLine, End));
@@ -141,7 +147,7 @@ void CRenderer::DescribeInstances() {
 void CRenderer::UploadFloor(const SFloorImage& floor) {
   m_gl.ActiveTexture(GL_TEXTURE0 + kFloorUnit);
   m_gl.BindTexture(GL_TEXTURE_2D, m_floorTexture);
-  const bool wanted = floor.Width > 0 && floor.Height > 0;
+  const bool wanted = floor.Pixels != nullptr;
   if (!wanted || (m_hasFloor && floor.Version == m_floorVersion)) {
     m_hasFloor = wanted;
     return;
@@ -155,7 +161,7 @@ void CRenderer::UploadFloor(const SFloorImage& floor) {
   }
   m_gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
   m_gl.TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, floor.Width, floor.Height, 0, GL_RGBA,
-                  GL_UNSIGNED_BYTE, floor.Pixels.data());
+                  GL_UNSIGNED_BYTE, floor.Pixels->data());
   m_gl.GenerateMipmap(GL_TEXTURE_2D);
   m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -198,12 +204,14 @@ void CRenderer::ComputeMatrices(const SScene& scene, const CCamera& camera) {
   const Eigen::Matrix4d view = camera.ComputeViewMatrix();
   const Eigen::Matrix4d projection = camera.ComputeProjectionMatrix(nearPlane, farPlane);
   m_near = static_cast<float>(nearPlane);
-  m_eye = camera.GetPosition().cast<float>();
+  m_eye.head<3>() =
+      (camera.IsOrthographic() ? -camera.GetForward() : camera.GetPosition()).cast<float>();
+  m_eye.w() = camera.IsOrthographic() ? 0.0f : 1.0f;
   m_view = view.cast<float>();
   m_projection = projection.cast<float>();
   m_viewProjection = (projection * view).cast<float>();
-  m_pixelsPerTangent =
-      static_cast<float>(0.5 * m_target.GetDrawnHeight() / camera.GetHalfExtentTangents().y());
+  m_pixelsPerUnit =
+      static_cast<float>(0.5 * m_target.GetDrawnHeight() / camera.GetHalfExtents().y());
 }
 
 void CRenderer::Render(const SScene& scene, const SCameraPlacement& placement, SPicture& picture) {
@@ -285,6 +293,7 @@ void CRenderer::DrawGround(const SScene& scene) {
   m_groundProgram.Set("uHasFloor", m_hasFloor ? 1 : 0);
   m_groundProgram.Set("uFloorSize", Eigen::Vector2f(static_cast<float>(scene.Floor.Width),
                                                     static_cast<float>(scene.Floor.Height)));
+  m_groundProgram.Set("uIsFloorSmooth", scene.Floor.IsSmooth ? 1 : 0);
   m_groundProgram.Set("uFloor", kFloorUnit);
   m_gl.BindVertexArray(m_emptyArray);
   m_gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, 1);
@@ -383,8 +392,31 @@ void CRenderer::DrawLines(const SScene& scene) {
   m_gl.Disable(GL_BLEND);
 }
 
+void CRenderer::AddMarkers(const SScene& scene) {
+  const double area = static_cast<double>(m_settings.Width) * m_settings.Height;
+  const double crowded = std::sqrt(kMarkerShare * area / std::max<double>(1, scene.Markers.size()));
+  const double largest = kMarkerPixels * m_settings.Height / 960.0;
+  const auto pixels =
+      static_cast<float>(std::max(std::min(crowded, largest), kSmallestMarkerPixels));
+  for (const SMarker& marker : scene.Markers) {
+    const Eigen::Vector3f position(marker.Position.data());
+    const float w = (m_viewProjection * position.homogeneous()).w();
+    const float diameter = 2.0f * marker.Radius * m_pixelsPerUnit / m_target.GetScale();
+    if (w > 0.0f && diameter < pixels * w) {
+      SGlow disc;
+      disc.Position = marker.Position;
+      disc.Color = m_settings.Look.Marker;
+      disc.Pixels = pixels;
+      m_glows.push_back(disc);
+    }
+  }
+}
+
 void CRenderer::DrawGlows(const SScene& scene) {
-  if (scene.Glows.empty()) {
+  m_glows.clear();
+  AddMarkers(scene);
+  m_glows.insert(m_glows.end(), scene.Glows.begin(), scene.Glows.end());
+  if (m_glows.empty()) {
     return;
   }
   const SLook& look = m_settings.Look;
@@ -394,13 +426,15 @@ void CRenderer::DrawGlows(const SScene& scene) {
   m_glowProgram.Use();
   m_glowProgram.Set("uView", m_view);
   m_glowProgram.Set("uProjection", m_projection);
-  m_glowProgram.Set("uPixelsPerTangent", m_pixelsPerTangent);
+  m_glowProgram.Set("uPixelsPerUnit", m_pixelsPerUnit);
   m_glowProgram.Set("uPixelScale", static_cast<float>(m_target.GetScale()));
   m_glowProgram.Set("uToSunInView", toSunInView);
   m_glowProgram.Set("uHaloStrength", look.HaloStrength);
   m_glowProgram.Set("uHaloOpacity", look.HaloOpacity);
-  m_glowInstances.Fill(scene.Glows);
-  m_gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(scene.Glows.size()));
+  m_glowProgram.Set("uSignalPixels",
+                    kSignalPixels * std::max(m_settings.Height / 960.0f, 2.0f / kSignalPixels));
+  m_glowInstances.Fill(m_glows);
+  m_gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(m_glows.size()));
   m_gl.DepthMask(GL_TRUE);
   m_gl.Disable(GL_BLEND);
 }

@@ -74,6 +74,7 @@ class CRenderer {
   void DrawMeshes();
   void DrawTranslucentMeshes(const CGlProgram& program);
   void DrawLines(const SScene& scene);
+  void AddMarkers(const SScene& scene);
   void DrawGlows(const SScene& scene);
   void DrawBatches(const CInstanceBatches::TBatches& batches, const CGlProgram& program);
   void DrawInstances(EMeshKind kind, size_t level, const SMeshInstance* instances, size_t count);
@@ -101,6 +102,7 @@ class CRenderer {
   CInstanceBuffer m_contactInstances;
   CInstanceBuffer m_glowInstances;
   CInstanceBuffer m_lineInstances;
+  std::vector<SGlow> m_glows;  // the scene's, and the discs of robots too small to be seen
   GLuint m_emptyArray = 0;
   GLuint m_floorTexture = 0;
   std::uint64_t m_floorVersion = 0;
@@ -108,12 +110,12 @@ class CRenderer {
 
   // of the frame being drawn; float is enough once the matrices are multiplied in double
   Eigen::Vector3d m_toSun;
-  Eigen::Vector3f m_eye;
+  Eigen::Vector4f m_eye;  // w = 1: the eye; w = 0: direction to it, orthographic
   Eigen::Matrix4f m_view;
   Eigen::Matrix4f m_projection;
   Eigen::Matrix4f m_viewProjection;
   float m_near = 0.1f;
-  float m_pixelsPerTangent = 1.0f;
+  float m_pixelsPerUnit = 1.0f;  // drawn pixels per m at w = 1 in clip space
   double m_groundReach = 1.0;  // width of the ground around the arena, m
 };
 

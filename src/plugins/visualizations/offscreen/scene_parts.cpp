@@ -1,11 +1,33 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/scene_parts.h>
 
+#include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/utility/math/eigen_bridge.h>
 
 namespace argos {
 
+namespace {
+
+constexpr char kOriginAnchor[] = "origin";
+
+}  // namespace
+
 SPose ToPose(const CVector3& position, const CQuaternion& orientation) {
   return {ToEigen(orientation).toRotationMatrix(), ToEigen(position)};
+}
+
+SPose ComputeAnchorPose(const SAnchor& anchor, const SPose& origin) {
+  if (anchor.InUseCount > 0) {
+    return ToPose(anchor.Position, anchor.Orientation);
+  }
+  return origin * ToPose(anchor.OffsetPosition, anchor.OffsetOrientation);
+}
+
+SPose ComputeAnchorPose(const std::string& anchor, CEmbodiedEntity* body, const SPose& origin) {
+  if (body == nullptr || anchor == kOriginAnchor) {
+    return origin;
+  }
+  const auto found = body->GetAnchors().find(anchor);
+  return found == body->GetAnchors().end() ? origin : ComputeAnchorPose(*found->second, origin);
 }
 
 SRgba ToRgba(const CColor& color) {
