@@ -210,6 +210,15 @@ void CSimulator::AddOverride(const std::string& path, const std::string& value) 
   m_settings.Overrides.emplace_back(path, value);
 }
 
+void CSimulator::AddOutput(const std::string& tag,
+                           const std::vector<std::pair<std::string, std::string>>& attributes) {
+  m_settings.Outputs.push_back({tag, attributes});
+}
+
+const CRunOutputs& CSimulator::GetOutputs() const {
+  return m_experiment->Outputs;
+}
+
 std::string CSimulator::GetInstallationDirectory() const {
   // <prefix>/lib/argos3/libargos3core_simulator.so
   Dl_info info;
@@ -270,6 +279,7 @@ void CSimulator::Init() {
 void CSimulator::Reset() {
   m_context.Run.CheckAllowsReset();
   const CScope scope(*this);
+  m_experiment->Outputs.Reset(*this);
   const CRunState::CScope resetting(m_context.Run, CRunState::EActivity::Resetting);
   m_context.Run.DiscardChanges();
   m_terminated = false;
@@ -318,12 +328,29 @@ void CSimulator::Execute() {
   m_context.Run.CheckIsIdleAndNotExecuting("CSimulator::Execute()");
   const CScope scope(*this);
   const CRunState::CExecution execution(m_context.Run);
-  GetVisualization().Execute();
+  CRunOutputs& outputs = m_experiment->Outputs;
+  try {
+    outputs.Begin(*this);
+    GetVisualization().Execute();
+    outputs.Finish(*this);
+  } catch (...) {
+    outputs.Abandon();
+    throw;
+  }
 }
 
 void CSimulator::UpdateSpace() {
+  m_context.Run.CheckIsIdle("CSimulator::UpdateSpace()");
   const CScope scope(*this);
-  m_space->Update();
+  CRunOutputs& outputs = m_experiment->Outputs;
+  try {
+    outputs.Begin(*this);
+    m_space->Update();
+    outputs.Observe(*this);
+  } catch (...) {
+    outputs.Abandon();
+    throw;
+  }
   if (m_tickObserver) {
     m_tickObserver(*this);
   }

@@ -17,12 +17,14 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace argos {
 
 class CLoopFunctions;
 class CProfiler;
+class CRunOutputs;
 class CSpace;
 class CThreadPool;
 class CTick;
@@ -143,6 +145,14 @@ class CSimulator {
   Real GetTickLength() const { return m_context.TickLength; }
   /** Overrides an attribute of the file (`--set`); call it before loading. */
   void AddOverride(const std::string& path, const std::string& value);
+  /**
+   * Adds an element to `<outputs>`, as options of the command line do; call it before loading.
+   * @param tag  label of a CRunOutput. @param attributes  names and values.
+   */
+  void AddOutput(const std::string& tag,
+                 const std::vector<std::pair<std::string, std::string>>& attributes);
+  /** What watches the run; empty without an experiment. */
+  const CRunOutputs& GetOutputs() const;
 
   /** Ends the experiment at the next check of IsExperimentFinished(). */
   void Terminate() { m_terminated = true; }
@@ -173,9 +183,12 @@ class CSimulator {
    * @throws the first exception of users' Destroy() functions, after everything is destroyed.
    */
   void Destroy();
-  /** Runs the visualization until the experiment ends. @throws CARGoSException in a tick. */
+  /**
+   * Runs the visualization until the experiment ends, and finishes its outputs.
+   * @throws CARGoSException in a tick.
+   */
   void Execute();
-  /** One tick. @throws CARGoSException in a tick. */
+  /** One tick, and its outputs. @throws CARGoSException in a tick. */
   void UpdateSpace();
   bool IsExperimentFinished() const;
 

@@ -8,6 +8,7 @@
 #include <argos3/core/simulator/loading/load_warnings.h>
 #include <argos3/core/simulator/loading/run_settings.h>
 #include <argos3/core/simulator/medium/medium.h>
+#include <argos3/core/simulator/outputs/run_output.h>
 #include <argos3/core/simulator/physics_engine/space_partition.h>
 #include <argos3/core/simulator/placement/arena_filling.h>
 #include <argos3/core/simulator/space/space.h>
@@ -99,6 +100,7 @@ void CExperimentLoader::Load() {
   CLoadErrors errors;
   CDynamicLoading::LoadAllLibrariesOnDemand();
   m_context.Loading.Begin();
+  AddOutputElements(errors);
   ApplyOverrides(errors);
   TConfigurationNode& root = m_experiment.Document->GetRoot();
   errors.Try("", [&] { ReadLeniency(root); });
@@ -123,7 +125,8 @@ void CExperimentLoader::Load() {
   section("arena", [&](TConfigurationNode& node) { InitArena(node, errors); });
   InitLoopFunctions(root, errors);
   PostSpaceInit(errors);
-  InitVisualization(root, errors);
+  InitViews(root, errors);
+  InitOutputs(root, errors);
   CheckOverrides(errors);
   errors.ThrowIfAny();
   m_context.Loading.End();
@@ -131,6 +134,24 @@ void CExperimentLoader::Load() {
   PrintWarnings(FindLoadWarnings(*m_experiment.Document, m_context));
   LOG.Flush();
   LOGERR.Flush();
+}
+
+// before overrides, which may change them
+void CExperimentLoader::AddOutputElements(CLoadErrors& errors) {
+  for (const SRunSettings::SOutput& output : m_settings.Outputs) {
+    errors.Try("<" + output.Tag + ">", [&] {
+      TConfigurationNode& root = m_experiment.Document->GetRoot();
+      if (!NodeExists(root, "outputs")) {
+        TConfigurationNode section("outputs");
+        AddChildNode(root, section);
+      }
+      TConfigurationNode element(output.Tag);
+      for (const auto& [name, value] : output.Attributes) {
+        element.SetAttribute(name, value);
+      }
+      AddChildNode(GetNode(root, "outputs"), element);
+    });
+  }
 }
 
 void CExperimentLoader::ApplyOverrides(CLoadErrors& errors) {
@@ -402,28 +423,60 @@ void CExperimentLoader::PostSpaceInit(CLoadErrors& errors) {
   m_context.Loading.RunChecks(errors);
 }
 
-void CExperimentLoader::InitVisualization(TConfigurationNode& root, CLoadErrors& errors) {
-  TConfigurationNodeIterator it;
+void CExperimentLoader::InitViews(TConfigurationNode& root, CLoadErrors& errors) {
   if (NodeExists(root, "visualization")) {
     TConfigurationNode& section = GetNode(root, "visualization");
     if (m_settings.ForceNoVisualization) {
       MarkSubtreeRead(section);
     } else {
-      it = it.begin(&section);
+      TConfigurationNodeIterator it;
+      for (it = it.begin(&section); it != it.end(); ++it) {
+        errors.Try("", [&] { InitView(*it); });
+      }
     }
   }
-  if (it != it.end() && !CFactory<CVisualization>::Exists(it->Value())) {
-    LOGERR << "[WARNING] " << it->GetLocation() << ": there is no visualization <" << it->Value()
-           << ">" << DidYouMean(it->Value(), CFactory<CVisualization>::GetLabels())
-           << "; running without one" << std::endl;
-    MarkSubtreeRead(*it);
-  } else if (it != it.end()) {
-    errors.Try(
-        "", [&] { m_experiment.Visualization = CreatePart<CVisualization>(*it, "visualization"); });
+  if (m_experiment.Visualization == nullptr) {
+    if (m_experiment.Outputs.IsEmpty()) {
+      LOG << "[INFO] Running without visualization" << std::endl;
+    }
+    m_experiment.Visualization = m_makeDefaultVisualization();
+  }
+}
+
+// a child of <visualization>: an output, or what runs the experiment
+void CExperimentLoader::InitView(TConfigurationNode& node) {
+  LoadLibraryOf(node);
+  if (CFactory<CRunOutput>::Exists(node.Value())) {
+    m_experiment.Outputs.Add(CreatePart<CRunOutput>(node, "visualization"));
+  } else if (!CFactory<CVisualization>::Exists(node.Value())) {
+    std::vector<std::string> labels = CFactory<CVisualization>::GetLabels();
+    for (const std::string& label : CFactory<CRunOutput>::GetLabels()) {
+      labels.push_back(label);
+    }
+    LOGERR << "[WARNING] " << node.GetLocation() << ": there is no visualization <" << node.Value()
+           << ">" << DidYouMean(node.Value(), labels) << "; running without it" << std::endl;
+    MarkSubtreeRead(node);
+  } else if (m_experiment.Visualization != nullptr) {
+    THROW_ARGOSEXCEPTION(node.GetLocation()
+                         << ": <" << node.Value()
+                         << "> runs the experiment itself, as another visualization does that "
+                            "<visualization> has before it; only one such is possible");
+  } else {
+    m_experiment.Visualization = CreatePart<CVisualization>(node, "visualization");
+  }
+}
+
+void CExperimentLoader::InitOutputs(TConfigurationNode& root, CLoadErrors& errors) {
+  if (!NodeExists(root, "outputs")) {
     return;
   }
-  LOG << "[INFO] Running without visualization" << std::endl;
-  m_experiment.Visualization = m_makeDefaultVisualization();
+  TConfigurationNodeIterator it;
+  for (it = it.begin(&GetNode(root, "outputs")); it != it.end(); ++it) {
+    errors.Try("", [&] {
+      LoadLibraryOf(*it);
+      m_experiment.Outputs.Add(CreatePart<CRunOutput>(*it, "output"));
+    });
+  }
 }
 
 // at the end, because parts and users' code read attributes until then

@@ -56,7 +56,10 @@ class CExperimentLoader {
   void InitArena(TConfigurationNode& node, CLoadErrors& errors);
   void InitLoopFunctions(TConfigurationNode& root, CLoadErrors& errors);
   void PostSpaceInit(CLoadErrors& errors);
-  void InitVisualization(TConfigurationNode& root, CLoadErrors& errors);
+  void AddOutputElements(CLoadErrors& errors);
+  void InitViews(TConfigurationNode& root, CLoadErrors& errors);
+  void InitView(TConfigurationNode& node);
+  void InitOutputs(TConfigurationNode& root, CLoadErrors& errors);
   void CheckOverrides(CLoadErrors& errors) const;
 
   SSimulationContext& m_context;

@@ -57,6 +57,7 @@ SExperimentParts::~SExperimentParts() = default;
 
 std::exception_ptr SExperimentParts::Destroy() {
   CFirstFailure failure;
+  failure.Try([this] { Outputs.Finish(m_context.Simulator); });
   // users' Destroy() may rely on their Init()
   if (AreLoopFunctionsReady) {
     AreLoopFunctionsReady = false;
@@ -64,6 +65,7 @@ std::exception_ptr SExperimentParts::Destroy() {
       CallHook(m_context, "Destroy()", [this] { m_context.LoopFunctions->Destroy(); });
     });
   }
+  Outputs.Destroy([&failure](const std::function<void()>& step) { failure.Try(step); });
   if (Visualization != nullptr) {
     failure.Try([this] { Visualization->Destroy(); });
   }

@@ -2,6 +2,7 @@
 #define ARGOS3_CORE_SIMULATOR_LOADING_EXPERIMENT_PARTS_H
 
 #include <argos3/core/simulator/context/simulation_context.h>
+#include <argos3/core/simulator/outputs/run_outputs.h>
 #include <argos3/core/simulator/physics_engine/engine_lookup.h>
 #include <argos3/core/utility/math/rng.h>
 
@@ -36,9 +37,10 @@ struct SExperimentParts {
   /** Starts the profiler, which measures @p tick. */
   void StartProfiling(std::unique_ptr<CProfiler> profiler, CTick& tick);
   /**
-   * Calls the loop functions' Destroy() if their Init() was called, and then destroys the
-   * visualization, the entities, the loop functions, media, engines, the profiler, random numbers
-   * and threads, in this order. A Destroy() of users' code that throws does not stop the others.
+   * Finishes the outputs, calls the loop functions' Destroy() if their Init() was called, and then
+   * destroys the outputs, the visualization, the entities, the loop functions, media, engines, the
+   * profiler, random numbers and threads, in this order. A Destroy() of users' code that throws
+   * does not stop the others.
    * @return the first exception, or null.
    */
   std::exception_ptr Destroy();
@@ -55,6 +57,7 @@ struct SExperimentParts {
   std::unique_ptr<CLoopFunctions> OwnLoopFunctions; /**< null if the program owns them */
   bool AreLoopFunctionsReady = false; /**< initialised and not destroyed */
   std::unique_ptr<CVisualization> Visualization;
+  CRunOutputs Outputs;
   CEngineLookup EngineLookup;
 
  private:

@@ -30,6 +30,7 @@ void SRunSettings::DrawSeedFromClock() {
 
 void SRunSettings::ForgetWhatWasSet() {
   Overrides.clear();
+  Outputs.clear();
   IsSeedSet = AreThreadsSet = IsLengthSet = false;
   IsSeedFromClock = true;
   IsRealTime = false;

@@ -12,7 +12,14 @@ namespace argos {
 /** How an experiment is run: from its file, unless the program that runs it has set something else.
  */
 struct SRunSettings {
+  /** An element of `<outputs>`. */
+  struct SOutput {
+    std::string Tag;
+    std::vector<std::pair<std::string, std::string>> Attributes;
+  };
+
   std::vector<std::pair<std::string, std::string>> Overrides; /**< `--set`: path and value */
+  std::vector<SOutput> Outputs; /**< added to those of the file */
   bool ForceNoVisualization = false;
 
   bool IsSeedSet = false; /**< by the program */

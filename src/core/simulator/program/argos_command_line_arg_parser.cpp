@@ -27,8 +27,8 @@ Examples:
   argos3 -q footbot_proximity                 describe every plug-in whose name contains the word
 
 Words for --query:
-  actuators, sensors, physics_engines, media, visualizations, entities, controllers,
-  loop_functions: a list of that kind; libraries can add kinds, such as dynamics3d_add_ons
+  actuators, sensors, physics_engines, media, visualizations (or outputs), entities,
+  controllers, loop_functions: a list of that kind; libraries can add kinds, such as dynamics3d_add_ons
   all: all the lists
   other words: the full documentation of the plug-ins whose name contains the word
 

@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/entity/entity_type.h>
 #include <argos3/core/simulator/entity/sensor.h>
 #include <argos3/core/simulator/medium/medium.h>
+#include <argos3/core/simulator/outputs/run_output.h>
 #include <argos3/core/simulator/physics_engine/space_partition.h>
 #include <argos3/core/simulator/tick/loop_functions.h>
 #include <argos3/core/simulator/visualization/overlay.h>
@@ -24,6 +25,8 @@
 namespace argos {
 
 namespace {
+
+constexpr const char* kViews = "visualizations";
 
 struct SKind {
   std::string Word;  // argument of -q
@@ -60,13 +63,21 @@ std::vector<SPluginText> ListEngines() {
   return plugins;
 }
 
+// both may be children of <visualization>
+std::vector<SPluginText> ListViewsAndOutputs() {
+  std::vector<SPluginText> plugins = ListPlugins<CRunOutput>();
+  const std::vector<SPluginText> views = ListPlugins<CVisualization>();
+  plugins.insert(plugins.end(), views.begin(), views.end());
+  return plugins;
+}
+
 std::vector<SKind> ListAll() {
   std::vector<SKind> all = {
       {"actuators", "AVAILABLE ACTUATORS", ListPlugins<CSimulatedActuator>()},
       {"sensors", "AVAILABLE SENSORS", ListPlugins<CSimulatedSensor>()},
       {"physics_engines", "AVAILABLE PHYSICS ENGINES", ListEngines()},
       {"media", "AVAILABLE MEDIA", ListPlugins<CMedium>()},
-      {"visualizations", "AVAILABLE VISUALIZATIONS", ListPlugins<CVisualization>()},
+      {kViews, "AVAILABLE VISUALIZATIONS AND OTHER OUTPUTS", ListViewsAndOutputs()},
       {"overlays", "AVAILABLE OVERLAYS", ListPlugins<COverlay>()},
       {"entities", "AVAILABLE ENTITIES", ListPlugins<CEntity>()},
       {"robot_types", "AVAILABLE ROBOT TYPES", ListPlugins<CEntityType>()},
@@ -144,7 +155,7 @@ std::string DescribePlugins(const std::string& query) {
   CTextOutput stream;
   bool isKind = false;
   for (const SKind& kind : kinds) {
-    if (query == "all" || query == kind.Word) {
+    if (query == "all" || query == kind.Word || (query == "outputs" && kind.Word == kViews)) {
       PrintList(stream, kind);
       isKind = true;
     }

@@ -13,16 +13,15 @@
 
 namespace argos {
 
-CFrameRecorder::CFrameRecorder(const SRecordingSettings& settings, const CCameraTimeline& timeline,
+CFrameRecorder::CFrameRecorder(const SRecordingSettings& settings, const SCameraSettings& camera,
                                CViewDrawing& drawing)
     : m_settings(settings),
-      m_timeline(timeline),
+      m_camera(camera, static_cast<double>(settings.Render.Width) / settings.Render.Height),
       m_drawing(drawing),
       m_writer(settings.File),
-      m_builder(settings.ShowRays) {
-  m_scene.ShowGrid = settings.ShowGrid;
-  m_scene.ShowBoundary = settings.ShowBoundary;
-}
+      m_builder(settings.ShowRays) {}
+
+CFrameRecorder::~CFrameRecorder() = default;
 
 void CFrameRecorder::Announce() const {
   CTextOutput text;
@@ -33,45 +32,63 @@ void CFrameRecorder::Announce() const {
   } else {
     text << m_settings.Every << " ticks";
   }
-  text << ", to " << m_writer.MakeFileName(0) << " and following (" << m_renderer->DescribeDriver()
+  text << ", to " << m_writer.MakeFileName(0) << " and following (" << m_pipeline->DescribeDriver()
        << ")";
   LOG << "[INFO] " << text.str() << std::endl;
   LOG.Flush();
 }
 
-void CFrameRecorder::Run(CSimulator& simulator) {
-  const std::unique_ptr<CLockFile> lock = m_writer.LockFrames();
-  if (!m_renderer.has_value()) {
-    m_renderer.emplace(m_settings.Render);
+void CFrameRecorder::Begin() {
+  m_lock = m_writer.LockFrames();
+  if (!m_pipeline.has_value()) {
+    m_pipeline.emplace(m_settings.Render, [this](const SPicture& picture, std::uint32_t tick) {
+      m_writer.Write(picture, tick);
+    });
   }
   Announce();
-  const CSpace& space = simulator.GetSpace();
-  m_drawing.Observe(simulator);
-  WriteFrame(simulator);
-  UInt32 lastTick = space.GetSimulationClock();
-  while (!simulator.IsExperimentFinished()) {
-    simulator.UpdateSpace();
-    m_drawing.Observe(simulator);
-    if (space.GetSimulationClock() % m_settings.Every == 0) {
-      WriteFrame(simulator);
-      lastTick = space.GetSimulationClock();
-    }
+}
+
+void CFrameRecorder::Observe(CSimulator& simulator) {
+  if (m_lock == nullptr) {
+    Begin();
   }
-  if (m_settings.KeepLastFrame && space.GetSimulationClock() != lastTick) {
+  m_drawing.Observe(simulator);
+  if (!m_lastTick.has_value() ||
+      simulator.GetSpace().GetSimulationClock() % m_settings.Every == 0) {
     WriteFrame(simulator);
   }
+}
+
+void CFrameRecorder::Finish(CSimulator& simulator) {
+  if (m_settings.KeepLastFrame && m_lastTick != simulator.GetSpace().GetSimulationClock()) {
+    WriteFrame(simulator);
+  }
+  if (m_pipeline.has_value()) {
+    m_pipeline->Finish();
+  }
+  m_lock.reset();
+}
+
+void CFrameRecorder::Reset() {
+  m_lastTick.reset();
+  m_camera.Reset();
 }
 
 void CFrameRecorder::WriteFrame(CSimulator& simulator) {
   CSpace& space = simulator.GetSpace();
   const UInt32 tick = space.GetSimulationClock();
-  m_builder.Build(space, m_scene);
+  CFramePipeline::SFrame& frame = m_pipeline->Acquire();
+  frame.Tick = tick;
+  frame.Scene.ShowGrid = m_settings.ShowGrid;
+  frame.Scene.ShowBoundary = m_settings.ShowBoundary;
+  m_builder.Build(space, frame.Scene);
   const SRenderSettings& render = m_settings.Render;
   AddDrawing(m_drawing.Draw(simulator, static_cast<UInt32>(render.Width),
                             static_cast<UInt32>(render.Height)),
-             m_scene);
-  m_renderer->Render(m_scene, m_timeline.ComputeAt(tick), m_picture);
-  m_writer.Write(m_picture, tick);
+             frame.Scene);
+  frame.Placement = m_camera.ComputeAt(space, tick);
+  m_pipeline->Submit();
+  m_lastTick = tick;
 }
 
 }  // namespace argos

@@ -1,18 +1,20 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_RECORDER_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_RECORDER_H
 
-#include <argos3/plugins/simulator/visualizations/offscreen/camera_timeline.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/camera_plan.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/frame_pipeline.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/frame_writer.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/renderer.h>
-#include <argos3/plugins/simulator/visualizations/offscreen/scene.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/scene_builder.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
 namespace argos {
 
+class CLockFile;
 class CSimulator;
 class CViewDrawing;
 
@@ -30,10 +32,11 @@ struct SRecordingSettings {
 };
 
 /**
- * Runs an experiment and writes pictures of it.
+ * Writes pictures of a run: of the state before the first tick, after every n-th one, and perhaps
+ * of the final state.
  *
- * The constructor checks the settings. The thread that runs the experiment creates the OpenGL
- * context, which belongs to one thread.
+ * The constructor checks the settings. The first call of Observe() starts the threads that draw
+ * and write, see CFramePipeline; scenes are built, and users' code draws, in Observe().
  */
 class CFrameRecorder {
  public:
@@ -41,29 +44,37 @@ class CFrameRecorder {
    * @param drawing  what users' code draws; must outlive the recorder.
    * @throws CARGoSException as CFrameWriter.
    */
-  CFrameRecorder(const SRecordingSettings& settings, const CCameraTimeline& timeline,
+  CFrameRecorder(const SRecordingSettings& settings, const SCameraSettings& camera,
                  CViewDrawing& drawing);
+  ~CFrameRecorder();
+  CFrameRecorder(const CFrameRecorder&) = delete;
+  CFrameRecorder& operator=(const CFrameRecorder&) = delete;
 
   /**
-   * Steps the simulator until the experiment is finished, and writes a frame of the state before
-   * the first tick, after every n-th one, and perhaps of the final state.
-   * @throws CARGoSException if a frame cannot be drawn or written; if another run writes frames of
-   *   the same names, as CFrameWriter::LockFrames().
+   * Called with the first state and after each tick.
+   * @throws CARGoSException if an earlier frame cannot be drawn or written; if another run writes
+   * frames of the same names, as CFrameWriter::LockFrames().
    */
-  void Run(CSimulator& simulator);
+  void Observe(CSimulator& simulator);
+  /** Writes the final state if it has no frame yet, and waits for all frames. @throws
+   * CARGoSException as Observe(). */
+  void Finish(CSimulator& simulator);
+  /** The next state begins another run, whose files replace those of the same names. */
+  void Reset();
 
  private:
+  void Begin();
   void Announce() const;
   void WriteFrame(CSimulator& simulator);
 
   SRecordingSettings m_settings;
-  CCameraTimeline m_timeline;
+  CCameraPlan m_camera;
   CViewDrawing& m_drawing;
   CFrameWriter m_writer;
+  std::unique_ptr<CLockFile> m_lock;  // from the first frame to the last
+  std::optional<std::uint32_t> m_lastTick;  // with a frame, in this run
   CSceneBuilder m_builder;
-  std::optional<CRenderer> m_renderer;
-  SScene m_scene;
-  SPicture m_picture;
+  std::optional<CFramePipeline> m_pipeline;  // the last member: its threads use the others
 };
 
 }  // namespace argos

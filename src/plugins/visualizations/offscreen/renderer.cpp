@@ -46,10 +46,11 @@ CRenderer::CRenderer(const SRenderSettings& settings)
       m_context(CGlContext::Create()),
       m_gl(m_context->GetFunctions()),
       m_target(m_gl, settings.Width, settings.Height, settings.Samples),
-      m_shadowMap(m_gl),
+      m_shadowMap(m_gl, std::max(settings.Width, settings.Height)),
       m_meshProgram(m_gl, kMeshShader),
       m_depthProgram(m_gl, kDepthShader),
       m_groundProgram(m_gl, kGroundShader),
+      m_litGroundProgram(m_gl, kLitGroundShader),
       m_contactProgram(m_gl, kContactShadowShader),
       m_glowProgram(m_gl, kGlowShader),
       m_lineProgram(m_gl, kLineShader),
@@ -57,6 +58,7 @@ CRenderer::CRenderer(const SRenderSettings& settings)
       m_meshArray(CreateMeshes()),
       m_meshInstances(m_gl, sizeof(SMeshInstance), CInstanceBuffer::EAdvance::PerInstance,
                       m_meshArray),
+      m_groundInstances(m_gl, sizeof(TGroundCell)),
       m_contactInstances(m_gl, sizeof(SContactShadow)),
       m_glowInstances(m_gl, sizeof(SGlow)),
       m_lineInstances(m_gl, sizeof(SLine)),
@@ -124,6 +126,8 @@ void CRenderer::DescribeInstances() {
   m_meshInstances.AddColor(6, offsetof(SMeshInstance, Color));
   m_meshInstances.AddFloats(7, 1, offsetof(SMeshInstance, Param));
 
+  m_groundInstances.AddFloats(0, 2, 0);
+
   m_contactInstances.AddFloats(0, 2, offsetof(SContactShadow, Center));
   m_contactInstances.AddFloats(1, 2, offsetof(SContactShadow, AxisX));
   m_contactInstances.AddFloats(2, 2, offsetof(SContactShadow, HalfExtent));
@@ -140,8 +144,6 @@ void CRenderer::DescribeInstances() {
   m_lineInstances.AddFloats(1, 3, offsetof(SLine, End));
   m_lineInstances.AddColor(2, offsetof(SLine, Color));
   m_lineInstances.AddFloats(3, 1, offsetof(SLine, Width));
-
-  m_gl.GenVertexArrays(1, &m_emptyArray);
 }
 
 void CRenderer::UploadFloor(const SFloorImage& floor) {
@@ -273,30 +275,43 @@ void CRenderer::DrawShadowMap() {
 }
 
 void CRenderer::DrawGround(const SScene& scene) {
+  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(m_groundReach);
+  const Eigen::AlignedBox2d ground(scene.ArenaMin - reach, scene.ArenaMax + reach);
+  m_groundCells.Fill(ground, m_batches.GetCasters(), m_toSun, 4.0 * m_shadowMap.GetTexelSize());
+  DrawGroundCells(scene, m_groundProgram, m_groundCells.GetShaded());
+  DrawGroundCells(scene, m_litGroundProgram, m_groundCells.GetLit());
+}
+
+void CRenderer::DrawGroundCells(const SScene& scene, const CGlProgram& program,
+                                const std::vector<TGroundCell>& cells) {
+  if (cells.empty()) {
+    return;
+  }
   const SLook& look = m_settings.Look;
   const Eigen::Vector2d reach = Eigen::Vector2d::Constant(m_groundReach);
-  m_groundProgram.Use();
-  SetLighting(m_groundProgram);
-  m_groundProgram.Set("uViewProjection", m_viewProjection);
-  m_groundProgram.Set("uMin", Eigen::Vector2f((scene.ArenaMin - reach).cast<float>()));
-  m_groundProgram.Set("uMax", Eigen::Vector2f((scene.ArenaMax + reach).cast<float>()));
-  m_groundProgram.Set("uArenaMin", Eigen::Vector2f(scene.ArenaMin.cast<float>()));
-  m_groundProgram.Set("uArenaMax", Eigen::Vector2f(scene.ArenaMax.cast<float>()));
-  m_groundProgram.Set("uFadeLength", static_cast<float>(m_groundReach));
-  m_groundProgram.Set("uBackground", look.Background);
-  m_groundProgram.Set("uGround", look.Ground);
-  m_groundProgram.Set("uGroundOutside", look.GroundOutside);
-  m_groundProgram.Set("uGridLine", look.GridLine);
-  m_groundProgram.Set("uBoundary", look.Boundary);
-  m_groundProgram.Set("uShowGrid", scene.ShowGrid ? 1 : 0);
-  m_groundProgram.Set("uShowBoundary", scene.ShowBoundary ? 1 : 0);
-  m_groundProgram.Set("uHasFloor", m_hasFloor ? 1 : 0);
-  m_groundProgram.Set("uFloorSize", Eigen::Vector2f(static_cast<float>(scene.Floor.Width),
-                                                    static_cast<float>(scene.Floor.Height)));
-  m_groundProgram.Set("uIsFloorSmooth", scene.Floor.IsSmooth ? 1 : 0);
-  m_groundProgram.Set("uFloor", kFloorUnit);
-  m_gl.BindVertexArray(m_emptyArray);
-  m_gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, 1);
+  program.Use();
+  SetLighting(program);
+  program.Set("uViewProjection", m_viewProjection);
+  program.Set("uMin", Eigen::Vector2f((scene.ArenaMin - reach).cast<float>()));
+  program.Set("uMax", Eigen::Vector2f((scene.ArenaMax + reach).cast<float>()));
+  program.Set("uArenaMin", Eigen::Vector2f(scene.ArenaMin.cast<float>()));
+  program.Set("uArenaMax", Eigen::Vector2f(scene.ArenaMax.cast<float>()));
+  program.Set("uFadeLength", static_cast<float>(m_groundReach));
+  program.Set("uBackground", look.Background);
+  program.Set("uGround", look.Ground);
+  program.Set("uGroundOutside", look.GroundOutside);
+  program.Set("uGridLine", look.GridLine);
+  program.Set("uBoundary", look.Boundary);
+  program.Set("uShowGrid", scene.ShowGrid ? 1 : 0);
+  program.Set("uShowBoundary", scene.ShowBoundary ? 1 : 0);
+  program.Set("uHasFloor", m_hasFloor ? 1 : 0);
+  program.Set("uFloorSize", Eigen::Vector2f(static_cast<float>(scene.Floor.Width),
+                                            static_cast<float>(scene.Floor.Height)));
+  program.Set("uIsFloorSmooth", scene.Floor.IsSmooth ? 1 : 0);
+  program.Set("uFloor", kFloorUnit);
+  program.Set("uNumCells", static_cast<float>(kGroundCells));
+  m_groundInstances.Fill(cells);
+  m_gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(cells.size()));
 }
 
 void CRenderer::DrawContactShadows(const SScene& scene) {

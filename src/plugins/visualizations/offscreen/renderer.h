@@ -5,6 +5,7 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/camera.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/gl_context.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/gl_program.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/ground_cells.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/instance_batches.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/instance_buffer.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/look.h>
@@ -70,6 +71,8 @@ class CRenderer {
 
   void DrawShadowMap();
   void DrawGround(const SScene& scene);
+  void DrawGroundCells(const SScene& scene, const CGlProgram& program,
+                       const std::vector<TGroundCell>& cells);
   void DrawContactShadows(const SScene& scene);
   void DrawMeshes();
   void DrawTranslucentMeshes(const CGlProgram& program);
@@ -89,21 +92,23 @@ class CRenderer {
   CGlProgram m_meshProgram;
   CGlProgram m_depthProgram;
   CGlProgram m_groundProgram;
+  CGlProgram m_litGroundProgram;
   CGlProgram m_contactProgram;
   CGlProgram m_glowProgram;
   CGlProgram m_lineProgram;
   CInstanceBatches m_batches;
+  CGroundCells m_groundCells;
 
   CAnnotationRenderer m_annotations;
 
   std::array<std::array<SMeshRange, kNumLevels>, kNumMeshKinds> m_meshes;
   GLuint m_meshArray;
   CInstanceBuffer m_meshInstances;
+  CInstanceBuffer m_groundInstances;
   CInstanceBuffer m_contactInstances;
   CInstanceBuffer m_glowInstances;
   CInstanceBuffer m_lineInstances;
   std::vector<SGlow> m_glows;  // the scene's, and the discs of robots too small to be seen
-  GLuint m_emptyArray = 0;
   GLuint m_floorTexture = 0;
   std::uint64_t m_floorVersion = 0;
   bool m_hasFloor = false;

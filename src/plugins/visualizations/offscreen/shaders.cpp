@@ -4,13 +4,15 @@ namespace argos {
 
 // All colours in the shaders are linear light; the framebuffer encodes them as sRGB when it stores
 // them. Inputs that come from image files are decoded with FromSrgb() or by the texture unit.
-const char* const kShaderPreamble = R"glsl(#version 330 core
+const char* const kShaderVersion = "#version 330 core\n";
 
+const char* const kShaderPreamble = R"glsl(
 vec3 FromSrgb(vec3 c) {
   return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c));
 }
 
-// Share of the sun that reaches a point: percentage-closer filtering, 3 x 3 bilinear lookups.
+// Share of the sun that reaches a point: percentage-closer filtering, 2 x 2 bilinear lookups 1.5
+// texels apart, which together cover 3.5 x 3.5 texels.
 // Reeves, Salesin, Cook, Rendering Antialiased Shadows with Depth Maps (SIGGRAPH 1987).
 float SunShare(sampler2DShadow map, vec3 coordinates, float texel) {
   if (any(lessThan(coordinates.xy, vec2(0.0))) || any(greaterThan(coordinates.xy, vec2(1.0)))) {
@@ -19,12 +21,11 @@ float SunShare(sampler2DShadow map, vec3 coordinates, float texel) {
   // points behind all casters have them all in front; an empty texel is at depth 1
   float depth = min(coordinates.z, 0.9999);
   float sum = 0.0;
-  for (int y = -1; y <= 1; ++y) {
-    for (int x = -1; x <= 1; ++x) {
-      sum += texture(map, vec3(coordinates.xy + vec2(x, y) * texel, depth));
-    }
+  for (int i = 0; i < 4; ++i) {
+    vec2 offset = vec2(i & 1, i >> 1) * 1.5 - 0.75;
+    sum += texture(map, vec3(coordinates.xy + offset * texel, depth));
   }
-  return sum / 9.0;
+  return 0.25 * sum;
 }
 )glsl";
 
@@ -133,15 +134,18 @@ void main() {}
 )glsl";
 
 constexpr const char* kGroundVertexText = R"glsl(
+layout(location = 0) in vec2 inCell;
+
 uniform mat4 uViewProjection;
 uniform vec2 uMin;
 uniform vec2 uMax;
+uniform float uNumCells;
 
 out vec2 vPosition;
 
 void main() {
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
-  vPosition = mix(uMin, uMax, corner);
+  vPosition = mix(uMin, uMax, (inCell + corner) / uNumCells);
   gl_Position = uViewProjection * vec4(vPosition, 0.0, 1.0);
 }
 )glsl";
@@ -230,12 +234,15 @@ void main() {
     base = mix(base, Contrasting(uBoundary.rgb, base), max(lines.x, lines.y));
   }
 
+  // full light leaves the ground's colours as they were chosen
+  vec3 color = base;
+#ifndef WITHOUT_SHADOWS
   vec4 inShadow = uWorldToShadow * vec4(vPosition, 0.0, 1.0);
   float sun = SunShare(uShadowMap, inShadow.xyz, uShadowTexel);
   vec3 lit = uSunIntensity * uToSun.z + uSkyLight.rgb * uAmbientIntensity;
   vec3 light = uSunIntensity * uToSun.z * sun + uSkyLight.rgb * uAmbientIntensity;
-  // full light leaves the ground's colours as they were chosen
-  vec3 color = base * light / lit;
+  color *= light / lit;
+#endif
   float fade = smoothstep(0.0, 1.0, outside / uFadeLength);
   outColor = vec4(mix(color, uBackground.rgb, fade), 1.0);
 }
@@ -485,6 +492,8 @@ void main() {
 const SShaderSource kMeshShader = {"mesh", kMeshVertexText, kMeshFragmentText};
 const SShaderSource kDepthShader = {"depth", kMeshVertexText, kDepthFragmentText};
 const SShaderSource kGroundShader = {"ground", kGroundVertexText, kGroundFragmentText};
+const SShaderSource kLitGroundShader = {"lit ground", kGroundVertexText, kGroundFragmentText,
+                                        "#define WITHOUT_SHADOWS\n"};
 const SShaderSource kContactShadowShader = {"contact shadow", kContactShadowVertexText,
                                             kContactShadowFragmentText};
 const SShaderSource kGlowShader = {"glow", kGlowVertexText, kGlowFragmentText};

@@ -1,9 +1,9 @@
-#include <argos3/plugins/simulator/visualizations/offscreen/offscreen_visualization.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/offscreen_output.h>
 
 namespace argos {
 
-REGISTER_VISUALIZATION(
-    COffscreenVisualization, "offscreen", "the authors of this project", "1.0",
+REGISTER_RUN_OUTPUT(
+    COffscreenOutput, "offscreen", "the authors of this project", "1.0",
     "Draws the arena into image files, without a display.",
     R"(Renders the arena with OpenGL in software, needing neither display nor GPU, and writes
 numbered image files: the state before the first tick, after every n-th tick, and the

@@ -1,9 +1,9 @@
-#include <argos3/plugins/simulator/visualizations/qt-opengl/qtopengl_visualization.h>
+#include <argos3/plugins/simulator/visualizations/qt-opengl/qtopengl_output.h>
 
 namespace argos {
 
-REGISTER_VISUALIZATION(
-    CQtOpenGlVisualization, "qt-opengl", "the authors of this project", "1.0",
+REGISTER_RUN_OUTPUT(
+    CQtOpenGlOutput, "qt-opengl", "the authors of this project", "1.0",
     "Runs experiments written for the Qt-OpenGL window: headless, or to frames.",
     R"(There is no window. An experiment file that requests it runs headless, at full speed; if
 it has a <frame_grabbing> element whose headless_grabbing is not "false", frames are drawn

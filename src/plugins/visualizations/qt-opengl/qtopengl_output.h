@@ -1,7 +1,7 @@
-#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_QT_OPENGL_QTOPENGL_VISUALIZATION_H
-#define ARGOS3_PLUGINS_VISUALIZATIONS_QT_OPENGL_QTOPENGL_VISUALIZATION_H
+#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_QT_OPENGL_QTOPENGL_OUTPUT_H
+#define ARGOS3_PLUGINS_VISUALIZATIONS_QT_OPENGL_QTOPENGL_OUTPUT_H
 
-#include <argos3/plugins/simulator/visualizations/offscreen/frame_visualization.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/frame_output.h>
 
 namespace argos {
 
@@ -9,7 +9,7 @@ namespace argos {
  * Runs experiments whose file requests the window `<qt-opengl>`, which this simulator does not
  * have: headless, or with frames drawn off-screen if the file requests frame grabbing.
  */
-class CQtOpenGlVisualization : public CFrameVisualization {
+class CQtOpenGlOutput : public CFrameOutput {
  public:
   /** Reads the attributes that the plug-in's description lists. @throws CARGoSException with file
    * and line. */

@@ -1,30 +1,32 @@
-#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_VISUALIZATION_H
-#define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_VISUALIZATION_H
+#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_OUTPUT_H
+#define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_OUTPUT_H
 
-#include <argos3/core/simulator/default_visualization.h>
+#include <argos3/core/simulator/outputs/run_output.h>
 #include <argos3/core/simulator/view_drawing.h>
 
 #include <memory>
 
 namespace argos {
 
-class CCameraTimeline;
 class CFrameRecorder;
+struct SCameraSettings;
 struct SRecordingSettings;
 
 /**
- * Base of the visualizations that draw frames into image files; headless if none are requested.
+ * Base of the views that draw frames into image files; draws nothing if none are requested.
  *
  * What `<user_functions>` in its element and the loop functions draw is part of the frames.
  */
-class CFrameVisualization : public CDefaultVisualization {
+class CFrameOutput : public CRunOutput {
  public:
-  CFrameVisualization();
-  ~CFrameVisualization() override;
+  CFrameOutput();
+  ~CFrameOutput() override;
 
+  void Reset() override;
   void Destroy() override;
-  /** @throws CARGoSException also if a frame cannot be drawn or written. */
-  void Execute() override;
+  /** @throws CARGoSException if a frame cannot be drawn or written. */
+  void Observe(CSimulator& simulator) override;
+  void Finish(CSimulator& simulator) override;
 
  protected:
   /** Prepares frames as the attributes of `<offscreen>` say. @throws CARGoSException with file and
@@ -35,7 +37,7 @@ class CFrameVisualization : public CDefaultVisualization {
 
  private:
   void InitFrames(TConfigurationNode& tree, const SRecordingSettings& settings,
-                  const CCameraTimeline& timeline);
+                  const SCameraSettings& camera);
 
   CViewDrawing m_drawing;
   std::unique_ptr<CFrameRecorder> m_recorder;  // null: headless

@@ -1,6 +1,6 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
-#include <argos3/core/simulator/visualization/visualization.h>
+#include <argos3/core/simulator/outputs/run_output.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/factory.h>
 
@@ -199,8 +199,8 @@ TEST_CASE("offscreen: both visualizations are registered and describe their XML"
           "[visualizations][offscreen]") {
   for (const std::string label : {"offscreen", "qt-opengl"}) {
     CAPTURE(label);
-    REQUIRE(CFactory<CVisualization>::Exists(label));
-    const auto& info = *CFactory<CVisualization>::GetTypeMap().find(label)->second;
+    REQUIRE(CFactory<CRunOutput>::Exists(label));
+    const auto& info = *CFactory<CRunOutput>::GetTypeMap().find(label)->second;
     CHECK_THAT(info.LongDescription, Contains("<" + label));
     CHECK_FALSE(info.BriefDescription.empty());
   }

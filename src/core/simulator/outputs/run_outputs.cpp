@@ -1,0 +1,77 @@
+#include <argos3/core/simulator/outputs/run_outputs.h>
+
+#include <chrono>
+#include <utility>
+
+namespace argos {
+
+namespace {
+
+// adds the time of its lifetime
+class CStopwatch {
+ public:
+  explicit CStopwatch(double& seconds) : m_seconds(seconds) {}
+  ~CStopwatch() { m_seconds += std::chrono::duration<double>(TClock::now() - m_start).count(); }
+  CStopwatch(const CStopwatch&) = delete;
+  CStopwatch& operator=(const CStopwatch&) = delete;
+
+ private:
+  using TClock = std::chrono::steady_clock;
+
+  double& m_seconds;
+  TClock::time_point m_start = TClock::now();
+};
+
+}  // namespace
+
+void CRunOutputs::Show(CSimulator& simulator) {
+  const CStopwatch stopwatch(m_seconds);
+  for (const std::unique_ptr<CRunOutput>& output : m_outputs) {
+    output->Observe(simulator);
+  }
+}
+
+void CRunOutputs::Begin(CSimulator& simulator) {
+  if (m_stage == EStage::NotBegun && !IsEmpty()) {
+    m_stage = EStage::Running;
+    Show(simulator);
+  }
+}
+
+void CRunOutputs::Observe(CSimulator& simulator) {
+  if (m_stage == EStage::Running) {
+    Show(simulator);
+  } else {
+    Begin(simulator);
+  }
+}
+
+void CRunOutputs::Finish(CSimulator& simulator) {
+  if (m_stage != EStage::Running) {
+    return;
+  }
+  m_stage = EStage::Over;
+  const CStopwatch stopwatch(m_seconds);
+  for (const std::unique_ptr<CRunOutput>& output : m_outputs) {
+    output->Finish(simulator);
+  }
+}
+
+void CRunOutputs::Reset(CSimulator& simulator) {
+  Finish(simulator);
+  m_stage = EStage::NotBegun;
+  for (const std::unique_ptr<CRunOutput>& output : m_outputs) {
+    output->Reset();
+  }
+}
+
+void CRunOutputs::Destroy(const std::function<void(const std::function<void()>&)>& guard) {
+  while (!m_outputs.empty()) {
+    const std::unique_ptr<CRunOutput> last = std::move(m_outputs.back());
+    m_outputs.pop_back();
+    guard([&] { last->Destroy(); });
+  }
+  m_stage = EStage::NotBegun;
+}
+
+}  // namespace argos

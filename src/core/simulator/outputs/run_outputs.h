@@ -1,0 +1,50 @@
+#ifndef ARGOS3_CORE_SIMULATOR_OUTPUTS_RUN_OUTPUTS_H
+#define ARGOS3_CORE_SIMULATOR_OUTPUTS_RUN_OUTPUTS_H
+
+#include <argos3/core/simulator/outputs/run_output.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace argos {
+
+/** The outputs of one experiment, in the order of the file; says which of their functions is due.
+ */
+class CRunOutputs {
+ public:
+  bool IsEmpty() const { return m_outputs.empty(); }
+  void Add(std::unique_ptr<CRunOutput> output) { m_outputs.push_back(std::move(output)); }
+
+  /** Shows the first state, if that has not been done since the start or the last Reset(). */
+  void Begin(CSimulator& simulator);
+  /** Shows the state after a tick; if the experiment was reset in it, this is the first state. */
+  void Observe(CSimulator& simulator);
+  /** Ends the run, unless it has not begun, has ended or has failed. */
+  void Finish(CSimulator& simulator);
+  /** An error has ended the run: outputs are not called again before Reset() or Destroy(). */
+  void Abandon() { m_stage = EStage::Over; }
+  /** Ends the run as Finish(), and prepares for another one. */
+  void Reset(CSimulator& simulator);
+  /**
+   * Destroys all outputs, the last one first.
+   * @param guard  calls the function that it gets, and keeps its exception.
+   */
+  void Destroy(const std::function<void(const std::function<void()>&)>& guard);
+
+  /** Wall time since the experiment was loaded that outputs have taken, s. */
+  double GetSeconds() const { return m_seconds; }
+
+ private:
+  enum class EStage { NotBegun, Running, Over };
+
+  void Show(CSimulator& simulator);
+
+  std::vector<std::unique_ptr<CRunOutput>> m_outputs;
+  EStage m_stage = EStage::NotBegun;
+  double m_seconds = 0.0;
+};
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,77 @@
+#include <argos3/plugins/simulator/visualizations/offscreen/frame_output.h>
+
+#include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/math/eigen_bridge.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/camera_xml.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/frame_recorder.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/recording_xml.h>
+
+namespace argos {
+
+namespace {
+
+SArenaBox GetArenaBox(const CSpace& space) {
+  return {ToEigen(space.GetArenaCenter()), ToEigen(space.GetArenaSize())};
+}
+
+}  // namespace
+
+CFrameOutput::CFrameOutput() = default;
+CFrameOutput::~CFrameOutput() = default;
+
+void CFrameOutput::InitAsOffscreen(TConfigurationNode& tree) {
+  const SRecordingSettings settings = ReadOffscreenSettings(tree);
+  SCameraSettings camera(CCameraTimeline(MakeDefaultPlacements(GetArenaBox(CurrentSpace()))));
+  ReadCameraSettings(tree, CurrentSpace(), camera);
+  InitFrames(tree, settings, camera);
+}
+
+void CFrameOutput::InitAsQtOpenGl(TConfigurationNode& tree) {
+  const SQtOpenGlRequest request = ReadQtOpenGlRequest(tree);
+  SCameraSettings camera(CCameraTimeline(MakeDefaultPlacements(GetArenaBox(CurrentSpace()))));
+  ReadCamera(tree, camera.Timeline);
+  if (request.WantsFrames) {
+    InitFrames(tree, request.Recording, camera);
+    return;
+  }
+  LOG << "[INFO] <qt-opengl> has no window here and requests no frames: running headless"
+      << (request.HasUserFunctions ? ", without its user functions" : "") << std::endl;
+}
+
+void CFrameOutput::InitFrames(TConfigurationNode& tree, const SRecordingSettings& settings,
+                              const SCameraSettings& camera) {
+  try {
+    m_recorder = std::make_unique<CFrameRecorder>(settings, camera, m_drawing);
+  } catch (CARGoSException& ex) {
+    THROW_ARGOSEXCEPTION_NESTED(
+        tree.GetLocation() << ": <" << tree.Value() << "> cannot draw frames", ex);
+  }
+  m_drawing.Init(tree);
+}
+
+void CFrameOutput::Destroy() {
+  m_recorder.reset();
+  m_drawing.Destroy();
+}
+
+void CFrameOutput::Reset() {
+  if (m_recorder != nullptr) {
+    m_recorder->Reset();
+  }
+}
+
+void CFrameOutput::Observe(CSimulator& simulator) {
+  if (m_recorder != nullptr) {
+    m_recorder->Observe(simulator);
+  }
+}
+
+void CFrameOutput::Finish(CSimulator& simulator) {
+  if (m_recorder != nullptr) {
+    m_recorder->Finish(simulator);
+  }
+}
+
+}  // namespace argos
