@@ -30,14 +30,27 @@ std::optional<Eigen::Vector3d> FindPosition(CEntity& entity) {
   return std::nullopt;
 }
 
-void ExtendToContents(CSpace& space, CCameraFraming& framing) {
+void ExtendToBody(CEntity& entity, CEmbodiedEntity& body, CDrawnExtents& extents,
+                  CCameraFraming& framing) {
+  const SAnchor& anchor = body.GetOriginAnchor();
+  const SPose origin = ToPose(anchor.Position, anchor.Orientation);
+  const SAppearance* const appearance = entity.GetAppearance();
+  if (appearance == nullptr) {
+    framing.Extend(origin.Translation);
+    return;
+  }
+  const Eigen::AlignedBox3d& box = extents.Get(*appearance, &body, origin);
+  for (int corner = 0; corner < 8 && !box.isEmpty(); ++corner) {
+    framing.Extend(origin * box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner)));
+  }
+}
+
+void ExtendToContents(CSpace& space, CDrawnExtents& extents, CCameraFraming& framing) {
   const Eigen::Vector3d center = ToEigen(space.GetArenaCenter());
   const Eigen::Vector3d half = 0.5 * ToEigen(space.GetArenaSize());
   for (CEntity* root : space.GetRootEntityVector()) {
-    const CEmbodiedEntity* const body = FindBody(*root);
-    if (body != nullptr && body->GetPhysicsModelsNum() > 0) {
-      const SBoundingBox& box = body->GetBoundingBox();
-      framing.Extend(ToEigen(box.MinCorner), ToEigen(box.MaxCorner));
+    if (CEmbodiedEntity* const body = FindBody(*root)) {
+      ExtendToBody(*root, *body, extents, framing);
     } else if (const auto position = FindPosition(*root)) {
       // lamps far away stand for the sun
       const Eigen::Vector3d offset = (*position - center).cwiseAbs();
@@ -113,7 +126,7 @@ void CCameraPlan::UpdateView(CSpace& space) {
     if (m_settings.Fit == SCameraSettings::EFit::Arena) {
       ExtendToGround(space, *m_framing);
     }
-    ExtendToContents(space, *m_framing);
+    ExtendToContents(space, m_extents, *m_framing);
   }
   m_settings.Timeline.SetPlacement(0, m_framing->ComputePlacement());
 }

@@ -3,6 +3,7 @@
 
 #include <argos3/plugins/simulator/visualizations/offscreen/camera_framing.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/camera_timeline.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/drawn_extents.h>
 
 #include <Eigen/Core>
 
@@ -60,6 +61,7 @@ class CCameraPlan {
   SCameraSettings m_settings;
   double m_aspectRatio;
   std::optional<CCameraFraming> m_framing;
+  CDrawnExtents m_extents;
   Eigen::Vector3d m_followed = Eigen::Vector3d::Zero();  // position, world frame, m
   bool m_hasLostFollowed = false;
   bool m_hasWarnedOfInside = false;

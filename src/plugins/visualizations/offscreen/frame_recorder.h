@@ -11,6 +11,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace argos {
 
@@ -23,6 +25,8 @@ struct SRecordingSettings {
   SRenderSettings Render;
   SFrameFileSettings File;
   std::uint32_t Every = 1; /**< ticks from frame to frame, > 0 */
+  /** First and last tick of each part of the run that has frames; none: the whole run. */
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> Ticks;
   bool KeepLastFrame =
       true; /**< draw the final state even if its tick is not a multiple of Every */
   bool ShowGrid = true;
@@ -65,6 +69,7 @@ class CFrameRecorder {
  private:
   void Begin();
   void Announce() const;
+  bool IsWanted(std::uint32_t tick) const;
   void WriteFrame(CSimulator& simulator);
 
   SRecordingSettings m_settings;
