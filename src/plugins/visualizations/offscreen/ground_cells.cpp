@@ -44,14 +44,37 @@ void CGroundCells::Fill(const Eigen::AlignedBox2d& ground,
       }
     }
   }
-  m_lit.clear();
   m_shaded.clear();
   for (int row = 0; row < kGroundCells; ++row) {
-    for (int column = 0; column < kGroundCells; ++column) {
-      const bool isShaded = m_isShaded[static_cast<std::size_t>(row * kGroundCells + column)] != 0;
-      (isShaded ? m_shaded : m_lit)
-          .push_back({static_cast<float>(column), static_cast<float>(row)});
+    AddRuns(row);
+  }
+}
+
+// each run of shaded cells continues the rectangle below it if that has the same columns
+void CGroundCells::AddRuns(int row) {
+  const auto isShaded = [&](int column) {
+    return m_isShaded[static_cast<std::size_t>(row * kGroundCells + column)] != 0;
+  };
+  const auto y = static_cast<float>(row);
+  for (int first = 0; first < kGroundCells; ++first) {
+    if (!isShaded(first)) {
+      continue;
     }
+    int end = first;
+    while (end < kGroundCells && isShaded(end)) {
+      ++end;
+    }
+    const auto left = static_cast<float>(first);
+    const auto right = static_cast<float>(end);
+    const auto below = std::find_if(m_shaded.begin(), m_shaded.end(), [&](const TGroundArea& area) {
+      return area[0] == left && area[2] == right && area[3] == y;
+    });
+    if (below != m_shaded.end()) {
+      (*below)[3] = y + 1.0f;
+    } else {
+      m_shaded.push_back({left, y, right, y + 1.0f});
+    }
+    first = end;
   }
 }
 

@@ -14,12 +14,12 @@ namespace argos {
 
 constexpr int kGroundCells = 64;  // along each side of the ground
 
-/** Column and row of a cell of the ground. */
-typedef std::array<float, 2> TGroundCell;
+/** A rectangle of cells: first column, first row, and those after the last ones. */
+typedef std::array<float, 4> TGroundArea;
 
 /**
- * Separates the parts of the ground on which shadows may fall from those that are surely lit: the
- * look-ups in the shadow map are the most expensive part of drawing the ground.
+ * Finds the parts of the ground on which shadows may fall: the look-ups in the shadow map are the
+ * most expensive part of drawing the ground.
  */
 class CGroundCells {
  public:
@@ -32,17 +32,16 @@ class CGroundCells {
   void Fill(const Eigen::AlignedBox2d& ground, const CInstanceBatches::TBatches& casters,
             const Eigen::Vector3d& toSun, double blur);
 
-  const std::vector<TGroundCell>& GetLit() const { return m_lit; }
-  /** Cells that contain shadows, or may. */
-  const std::vector<TGroundCell>& GetShaded() const { return m_shaded; }
+  /** Rectangles that do not overlap and contain all shadows. */
+  const std::vector<TGroundArea>& GetShaded() const { return m_shaded; }
 
  private:
   void Mark(const Eigen::AlignedBox2d& area);
+  void AddRuns(int row);
 
   Eigen::AlignedBox2d m_ground;
   std::array<std::uint8_t, kGroundCells * kGroundCells> m_isShaded{};
-  std::vector<TGroundCell> m_lit;
-  std::vector<TGroundCell> m_shaded;
+  std::vector<TGroundArea> m_shaded;
 };
 
 }  // namespace argos

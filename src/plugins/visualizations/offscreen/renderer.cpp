@@ -58,7 +58,7 @@ CRenderer::CRenderer(const SRenderSettings& settings)
       m_meshArray(CreateMeshes()),
       m_meshInstances(m_gl, sizeof(SMeshInstance), CInstanceBuffer::EAdvance::PerInstance,
                       m_meshArray),
-      m_groundInstances(m_gl, sizeof(TGroundCell)),
+      m_groundInstances(m_gl, sizeof(TGroundArea)),
       m_contactInstances(m_gl, sizeof(SContactShadow)),
       m_glowInstances(m_gl, sizeof(SGlow)),
       m_lineInstances(m_gl, sizeof(SLine)),
@@ -126,7 +126,7 @@ void CRenderer::DescribeInstances() {
   m_meshInstances.AddColor(6, offsetof(SMeshInstance, Color));
   m_meshInstances.AddFloats(7, 1, offsetof(SMeshInstance, Param));
 
-  m_groundInstances.AddFloats(0, 2, 0);
+  m_groundInstances.AddFloats(0, 4, 0);
 
   m_contactInstances.AddFloats(0, 2, offsetof(SContactShadow, Center));
   m_contactInstances.AddFloats(1, 2, offsetof(SContactShadow, AxisX));
@@ -278,13 +278,17 @@ void CRenderer::DrawGround(const SScene& scene) {
   const Eigen::Vector2d reach = Eigen::Vector2d::Constant(m_groundReach);
   const Eigen::AlignedBox2d ground(scene.ArenaMin - reach, scene.ArenaMax + reach);
   m_groundCells.Fill(ground, m_batches.GetCasters(), m_toSun, 4.0 * m_shadowMap.GetTexelSize());
-  DrawGroundCells(scene, m_groundProgram, m_groundCells.GetShaded());
-  DrawGroundCells(scene, m_litGroundProgram, m_groundCells.GetLit());
+  const auto end = static_cast<float>(kGroundCells);
+  DrawGroundAreas(scene, m_litGroundProgram, {{0.0f, 0.0f, end, end}});
+  // nothing else is drawn yet: parts with shadows replace those without
+  m_gl.Disable(GL_DEPTH_TEST);
+  DrawGroundAreas(scene, m_groundProgram, m_groundCells.GetShaded());
+  m_gl.Enable(GL_DEPTH_TEST);
 }
 
-void CRenderer::DrawGroundCells(const SScene& scene, const CGlProgram& program,
-                                const std::vector<TGroundCell>& cells) {
-  if (cells.empty()) {
+void CRenderer::DrawGroundAreas(const SScene& scene, const CGlProgram& program,
+                                const std::vector<TGroundArea>& areas) {
+  if (areas.empty()) {
     return;
   }
   const SLook& look = m_settings.Look;
@@ -310,8 +314,8 @@ void CRenderer::DrawGroundCells(const SScene& scene, const CGlProgram& program,
   program.Set("uIsFloorSmooth", scene.Floor.IsSmooth ? 1 : 0);
   program.Set("uFloor", kFloorUnit);
   program.Set("uNumCells", static_cast<float>(kGroundCells));
-  m_groundInstances.Fill(cells);
-  m_gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(cells.size()));
+  m_groundInstances.Fill(areas);
+  m_gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(areas.size()));
 }
 
 void CRenderer::DrawContactShadows(const SScene& scene) {

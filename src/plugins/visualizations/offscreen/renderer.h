@@ -71,8 +71,8 @@ class CRenderer {
 
   void DrawShadowMap();
   void DrawGround(const SScene& scene);
-  void DrawGroundCells(const SScene& scene, const CGlProgram& program,
-                       const std::vector<TGroundCell>& cells);
+  void DrawGroundAreas(const SScene& scene, const CGlProgram& program,
+                       const std::vector<TGroundArea>& areas);
   void DrawContactShadows(const SScene& scene);
   void DrawMeshes();
   void DrawTranslucentMeshes(const CGlProgram& program);

@@ -134,7 +134,7 @@ void main() {}
 )glsl";
 
 constexpr const char* kGroundVertexText = R"glsl(
-layout(location = 0) in vec2 inCell;
+layout(location = 0) in vec4 inArea;
 
 uniform mat4 uViewProjection;
 uniform vec2 uMin;
@@ -145,7 +145,7 @@ out vec2 vPosition;
 
 void main() {
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
-  vPosition = mix(uMin, uMax, (inCell + corner) / uNumCells);
+  vPosition = mix(uMin, uMax, mix(inArea.xy, inArea.zw, corner) / uNumCells);
   gl_Position = uViewProjection * vec4(vPosition, 0.0, 1.0);
 }
 )glsl";

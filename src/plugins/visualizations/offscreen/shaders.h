@@ -18,8 +18,8 @@ extern const char* const kShaderPreamble;
 
 extern const SShaderSource kMeshShader; /**< lit solids, instanced */
 extern const SShaderSource kDepthShader; /**< solids seen from the sun */
-extern const SShaderSource kGroundShader; /**< floor, grid, boundary; cells with shadows */
-extern const SShaderSource kLitGroundShader; /**< the same for cells without shadows */
+extern const SShaderSource kGroundShader; /**< floor, grid, boundary, with shadows */
+extern const SShaderSource kLitGroundShader; /**< the same without shadows */
 extern const SShaderSource kContactShadowShader; /**< SContactShadow, instanced */
 extern const SShaderSource kGlowShader; /**< SGlow, instanced */
 extern const SShaderSource kLineShader; /**< SLine, instanced */
