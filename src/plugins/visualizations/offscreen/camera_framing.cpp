@@ -40,8 +40,8 @@ SView SView::FromName(const std::string& name) {
     view.ToEye = Eigen::Vector3d(-1.0, -1.0, 1.0).normalized();
   } else {
     THROW_ARGOSEXCEPTION("There is no view \"" << name
-                                              << "\"; there are oblique, top, side, front, corner"
-                                              << DidYouMean(name, GetViewNames()));
+                                               << "\"; there are oblique, top, side, front, corner"
+                                               << DidYouMean(name, GetViewNames()));
   }
   return view;
 }
@@ -57,9 +57,8 @@ CCameraFraming::CCameraFraming(const SView& view, double aspectRatio, double mar
                                                   camera.GetUp(), -camera.GetUp()};
   for (std::size_t i = 0; i < m_sides.size(); ++i) {
     m_sides[i].Outward = outward[i];
-    m_sides[i].Slope = view.IsOrthographic
-                           ? 0.0
-                           : camera.GetHalfExtents()[i < 2 ? 0 : 1] / (1.0 + margin);
+    m_sides[i].Slope =
+        view.IsOrthographic ? 0.0 : camera.GetHalfExtents()[i < 2 ? 0 : 1] / (1.0 + margin);
     m_sides[i].Supports.fill(-std::numeric_limits<double>::infinity());
     m_sides[i].Points.fill(Eigen::Vector3d::Zero());
   }

@@ -18,9 +18,9 @@ struct SView {
   bool IsOrthographic = false;
 
   /**
-   * @param name  "oblique" (from negative y, 52 degrees above the horizon), "top" (x to the right, y
-   *              upwards), "side" (from negative y, horizontally), "front" (from positive x,
-   *              horizontally) or "corner" (from negative x and y; isometric if orthographic).
+   * @param name  "oblique" (from negative y, 52 degrees above the horizon), "top" (x to the right,
+   * y upwards), "side" (from negative y, horizontally), "front" (from positive x, horizontally) or
+   * "corner" (from negative x and y; isometric if orthographic).
    * @throws CARGoSException listing the names, with the nearest.
    */
   static SView FromName(const std::string& name);
@@ -30,9 +30,9 @@ struct SView {
  * Finds the camera of a given direction that just contains points: the nearest one in perspective,
  * the largest scale in orthographic projection.
  *
- * Closed form: with right r, up u, forward f and the tangents t of the half angles of view, a point p
- * is seen from e if |r(p - e)| <= t f(p - e). So the greatest values of +-rp - t fp over all points,
- * and the same for u, give the nearest f e, and then the interval of r e.
+ * Closed form: with right r, up u, forward f and the tangents t of the half angles of view, a point
+ * p is seen from e if |r(p - e)| <= t f(p - e). So the greatest values of +-rp - t fp over all
+ * points, and the same for u, give the nearest f e, and then the interval of r e.
  */
 class CCameraFraming {
  public:
@@ -51,7 +51,8 @@ class CCameraFraming {
   SCameraPlacement ComputePlacement() const;
 
  private:
-  // a side of the picture, and its points that are farthest out at three slopes of the line of sight
+  // a side of the picture, and its points that are farthest out at three slopes of the line of
+  // sight
   struct SSide {
     Eigen::Vector3d Outward;  // across the line of sight, unit vector
     double Slope;  // tangent of half the angle of view, with the margin; 0: orthographic

@@ -114,8 +114,8 @@ void CFloorImage::Update(CSpace& space) {
   m_image.Width = ComputeSide(space.GetArenaSize().GetX(), floor.GetPixelsPerMeter());
   m_image.Height = ComputeSide(space.GetArenaSize().GetY(), floor.GetPixelsPerMeter());
   m_image.IsSmooth = floor.GetColorSource() == CFloorEntity::FROM_LOOP_FUNCTIONS;
-  m_image.Pixels = std::make_shared<const std::vector<std::uint8_t>>(
-      CSampler(floor, space, m_image).Sample());
+  m_image.Pixels =
+      std::make_shared<const std::vector<std::uint8_t>>(CSampler(floor, space, m_image).Sample());
   ++m_image.Version;
   floor.ClearChanged();
 }

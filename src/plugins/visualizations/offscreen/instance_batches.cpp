@@ -124,8 +124,8 @@ void CInstanceBatches::Add(EMeshKind kind, const SMeshInstance& instance) {
   if (toView > sphere.Radius + toGround) {
     return;
   }
-  const double pixels = 2.0 * sphere.Radius * m_pixelsPerUnit /
-                        (isParallel ? 1.0 : std::max(depth, sphere.Radius));
+  const double pixels =
+      2.0 * sphere.Radius * m_pixelsPerUnit / (isParallel ? 1.0 : std::max(depth, sphere.Radius));
   if (pixels < (instance.IsDetail > 0.0f ? kSmallestDetail : kSmallestDrawn)) {
     return;
   }

@@ -155,9 +155,8 @@ void CSceneBuilder::AddEntity(CEntity& entity, SScene& scene) {
 }
 
 void CSceneBuilder::AddPart(const SVisualPart& part, SSubject& subject, SScene& scene) const {
-  const SPose pose =
-      ComputeAnchorPose(part.Anchor, subject.Body, subject.Pose) *
-      ToPose(part.Position, part.Orientation);
+  const SPose pose = ComputeAnchorPose(part.Anchor, subject.Body, subject.Pose) *
+                     ToPose(part.Position, part.Orientation);
   const Eigen::Vector3d size = ToEigen(part.Size);
   if (subject.IsLight) {
     const float radius = static_cast<float>(0.5 * size.x());

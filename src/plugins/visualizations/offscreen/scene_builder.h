@@ -21,9 +21,9 @@ struct SVisualPart;
 /**
  * Converts the contents of the arena to a scene.
  *
- * It reads only descriptions that every entity provides (SAppearance, poses, places and colours of LEDs, rays
- * recorded by sensors), and depends on no robot. It resets the floor's mark that it has changed;
- * apart from that it changes nothing in the space, and creates no entity.
+ * It reads only descriptions that every entity provides (SAppearance, poses, places and colours of
+ * LEDs, rays recorded by sensors), and depends on no robot. It resets the floor's mark that it has
+ * changed; apart from that it changes nothing in the space, and creates no entity.
  */
 class CSceneBuilder {
  public:

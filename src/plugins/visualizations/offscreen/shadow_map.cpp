@@ -20,7 +20,7 @@ constexpr double kSmallestExtent = 0.05;  // m
 }  // namespace
 
 CShadowMap::CShadowMap(const SGlFunctions& gl, int pictureSide)
-    : m_gl(gl), m_side(std::clamp(pictureSide, kLeastSide, kLargestSide)) {
+    : m_gl(gl), m_side(std::clamp(3 * pictureSide / 2, kLeastSide, kLargestSide)) {
   gl.GenTextures(1, &m_texture);
   gl.BindTexture(GL_TEXTURE_2D, m_texture);
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, m_side, m_side, 0, GL_DEPTH_COMPONENT,

@@ -15,7 +15,7 @@ namespace argos {
  */
 class CShadowMap {
  public:
-  /** @param pictureSide  the longer one, pixels: texels need not be smaller than pixels. */
+  /** @param pictureSide  the longer one, pixels: texels need not be much smaller than pixels. */
   CShadowMap(const SGlFunctions& gl, int pictureSide);
 
   /**
