@@ -197,6 +197,12 @@ const CVector3& CLEDEquippedEntity::GetLEDOffset(size_t index) const {
   return m_entities != nullptr ? m_entities->List[index]->Offset : m_layout->Places[index].Offset;
 }
 
+const SAnchor& CLEDEquippedEntity::GetLEDAnchor(size_t index) const {
+  CheckIndex(index);
+  return m_entities != nullptr ? m_entities->List[index]->Anchor
+                               : *m_anchors[m_layout->Places[index].Anchor];
+}
+
 void CLEDEquippedEntity::SetLEDOffset(UInt32 index, const CVector3& offset) {
   CheckIndex(index);
   auto layout = std::make_shared<SLayout>(*m_layout);

@@ -96,6 +96,8 @@ class CLEDEquippedEntity : public CComposableEntity, private CLazyComponents {
   /** One element per LED, owned by this entity. */
   SActuator::TList& GetLEDs();
   const CVector3& GetLEDOffset(size_t index) const;
+  /** The anchor in whose frame the offset is. */
+  const SAnchor& GetLEDAnchor(size_t index) const;
   void SetLEDOffset(UInt32 index, const CVector3& offset);
   void SetLEDColor(UInt32 index, const CColor& color);
   void SetAllLEDsColors(const CColor& color);

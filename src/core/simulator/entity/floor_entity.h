@@ -44,6 +44,10 @@ class CFloorEntity : public CEntity {
   CColor GetColorAtPoint(Real x, Real y);
 
   EColorSource GetColorSource() const { return m_source; }
+  /** True if views keep its pixels; otherwise they blend them. */
+  bool IsPixelated() const { return m_isPixelated || m_source == FROM_IMAGE; }
+  /** Of a floor that loop functions paint: they paint an image. */
+  void SetPixelated() { m_isPixelated = true; }
   /** Resolution for drawing, pixels per metre. */
   UInt32 GetPixelsPerMeter() const { return m_pixelsPerMeter; }
   /** True after SetChanged() until ClearChanged(): viewers redraw their texture. */
@@ -66,6 +70,7 @@ class CFloorEntity : public CEntity {
 
   EColorSource m_source = UNSET;
   UInt32 m_pixelsPerMeter = 0;
+  bool m_isPixelated = false;
   bool m_changed = true;
   UInt64 m_version = 0;
   std::unique_ptr<CImage> m_image;

@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/program/crash_handler.h>
 #include <argos3/core/simulator/program/progress.h>
 #include <argos3/core/simulator/program/query_plugins.h>
+#include <argos3/core/simulator/outputs/run_outputs.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/errors/argos_exception.h>
@@ -302,6 +303,14 @@ void PrintFailedRobots(CSimulator& simulator) {
   LOGERR.Flush();
 }
 
+/* How the wall time divides into the simulation and the outputs, if there are any. */
+std::string DescribeOutputTime(const CRunOutputs& outputs, Real wallSeconds) {
+  return outputs.IsEmpty()
+             ? std::string()
+             : fmt::format(": {:.3g} s for the simulation, {:.3g} s for its outputs",
+                           std::max(0.0, wallSeconds - outputs.GetSeconds()), outputs.GetSeconds());
+}
+
 void PrintSummary(CSimulator& simulator, Real wallSeconds, bool digest) {
   CSpace& space = simulator.GetSpace();
   const Real simulated = space.GetSimulationClock() * simulator.GetTickLength();
@@ -311,7 +320,7 @@ void PrintSummary(CSimulator& simulator, Real wallSeconds, bool digest) {
              "robot{})",
              simulated, wallSeconds, wallSeconds > 0.0 ? simulated / wallSeconds : 0.0, robots,
              robots == 1 ? "" : "s")
-      << std::endl;
+      << DescribeOutputTime(simulator.GetOutputs(), wallSeconds) << std::endl;
   LOG.Flush();
   PrintFailedRobots(simulator);
   if (digest) {

@@ -17,7 +17,7 @@ struct SRecordedType {
     Body, /**< a body with anchors, perhaps a robot */
     Place, /**< has a pose, but no body */
     Light, /**< a lamp: words are its colour and its intensity */
-    Floor, /**< the coloured ground; Parameter = pixels per metre */
+    Floor, /**< the coloured ground; Parameter = pixels per metre, perhaps + kPixelated */
     Other /**< neither pose nor appearance: only listed */
   };
 
@@ -27,6 +27,8 @@ struct SRecordedType {
   bool IsMovable = false;
   bool Flies = false; /**< has propellers: views then show the height of the arena */
   bool HasAppearance = false;
+  /** Added to the parameter of a floor: views do not blend its pixels. */
+  static constexpr UInt64 kPixelated = UInt64(1) << 32;
   UInt64 Parameter = 0; /**< see Kind */
   UInt32 NumLEDs = 0;
   SBoundingBox Box; /**< around the body at the origin, not turned, m; no extent: unknown */

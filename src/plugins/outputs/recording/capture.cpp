@@ -3,23 +3,9 @@
 #include <argos3/core/simulator/entity/floor_entity.h>
 #include <argos3/core/simulator/recording/type_coding.h>
 #include <argos3/core/simulator/space/space.h>
-
-#include <algorithm>
-#include <cmath>
+#include <argos3/core/simulator/visualization/floor_samples.h>
 
 namespace argos {
-
-namespace {
-
-constexpr Real kMaxFloorSide = 8192;  // pixels; views draw no finer floor either
-
-// as views: so that a replay gives them the very colours that they show of the floor
-UInt32 ComputeFloorSide(Real length, UInt32 pixelsPerMeter) {
-  const Real pixels = std::ceil(length * std::max<UInt32>(pixelsPerMeter, 1) - 1e-6);
-  return static_cast<UInt32>(std::clamp<Real>(pixels, 1.0, kMaxFloorSide));
-}
-
-}  // namespace
 
 void CCapture::Restart() {
   m_entities.clear();
@@ -115,20 +101,14 @@ void CCapture::TakeFloor(CSpace& space, SFrameUpdate& update) {
 
 std::shared_ptr<const SRecordedFloor> CCapture::ReadFloor(CSpace& space,
                                                           CFloorEntity& floor) const {
-  const CVector3& size = space.GetArenaSize();
-  const CVector3 corner = space.GetArenaCenter() - size * 0.5;
+  const SFloorSamples samples = SampleFloor(floor, space.GetArenaCenter(), space.GetArenaSize());
   auto image = std::make_shared<SRecordedFloor>();
-  image->Width = ComputeFloorSide(size.GetX(), floor.GetPixelsPerMeter());
-  image->Height = ComputeFloorSide(size.GetY(), floor.GetPixelsPerMeter());
+  image->Width = static_cast<UInt32>(samples.Width);
+  image->Height = static_cast<UInt32>(samples.Height);
   image->Pixels.reserve(size_t(3) * image->Width * image->Height);
-  for (UInt32 row = 0; row < image->Height; ++row) {
-    const Real y = corner.GetY() + (row + 0.5) * size.GetY() / image->Height;
-    for (UInt32 column = 0; column < image->Width; ++column) {
-      const Real x = corner.GetX() + (column + 0.5) * size.GetX() / image->Width;
-      const CColor color = floor.GetColorAtPoint(x, y);
-      image->Pixels.push_back(static_cast<char>(color.GetRed()));
-      image->Pixels.push_back(static_cast<char>(color.GetGreen()));
-      image->Pixels.push_back(static_cast<char>(color.GetBlue()));
+  for (size_t i = 0; i < samples.Pixels.size(); i += 4) {
+    for (size_t color = 0; color < 3; ++color) {
+      image->Pixels.push_back(static_cast<char>(samples.Pixels[i + color]));
     }
   }
   return image;

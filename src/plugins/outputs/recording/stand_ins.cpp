@@ -147,8 +147,13 @@ std::unique_ptr<CEntity> CReplayedEntity::Make(const std::string& id) {
       return keep(std::make_unique<CLightEntity>(id, CVector3(), CColor(), 0.0), m_light);
     case SRecordedType::EKind::Floor: {
       constexpr UInt64 kMostPixelsPerMeter = 1000000;
-      const UInt64 pixels = std::clamp<UInt64>(m_type->Parameter, 1, kMostPixelsPerMeter);
-      return keep(std::make_unique<CFloorEntity>(id, static_cast<UInt32>(pixels)), m_floor);
+      const UInt64 pixels = std::clamp<UInt64>(m_type->Parameter & ~SRecordedType::kPixelated, 1,
+                                               kMostPixelsPerMeter);
+      auto floor = std::make_unique<CFloorEntity>(id, static_cast<UInt32>(pixels));
+      if ((m_type->Parameter & SRecordedType::kPixelated) != 0) {
+        floor->SetPixelated();
+      }
+      return keep(std::move(floor), m_floor);
     }
     default:
       return keep(std::make_unique<CStandInPlace>(id, m_type), m_place);

@@ -102,7 +102,9 @@ SRecordedType CTrackedEntity::MakeType() const {
     }
   }
   if (m_kind == SRecordedType::EKind::Floor) {
-    type.Parameter = static_cast<const CFloorEntity*>(m_root)->GetPixelsPerMeter();
+    const auto& floor = static_cast<const CFloorEntity&>(*m_root);
+    type.Parameter =
+        floor.GetPixelsPerMeter() + (floor.IsPixelated() ? SRecordedType::kPixelated : 0);
   }
   return type;
 }

@@ -15,9 +15,6 @@ namespace {
 
 constexpr double kHalfPictureHeight = 13.5;  // mm; the reference's 27 mm high picture
 constexpr double kVerticalShare = 1e-9;  // far below any meaningful difference in aim
-constexpr double kFramingFocalLength = 50.0;  // mm; a long lens keeps parallels nearly parallel
-constexpr double kFramingElevation = 52.0;  // degrees above the horizon
-constexpr double kFramingMargin = 1.04;  // the arena fills 1 / 1.04 of the picture
 
 }  // namespace
 
@@ -52,51 +49,6 @@ std::array<SCameraPlacement, kNumPlacements> MakeDefaultPlacements(const SArenaB
   return placements;
 }
 
-SCameraPlacement MakeFramingPlacement(const SArenaBox& arena, double aspectRatio, double top) {
-  const double elevation = kFramingElevation * std::numbers::pi / 180.0;
-  const Eigen::Vector3d toEye(0.0, -std::cos(elevation), std::sin(elevation));
-  SCameraPlacement placement;
-  placement.FocalLength = kFramingFocalLength;
-  placement.LookAt = Eigen::Vector3d(arena.Center.x(), arena.Center.y(), 0.0);
-  placement.Position = placement.LookAt + toEye;
-
-  const CCamera camera(placement, aspectRatio);
-  const Eigen::Vector3d& up = camera.GetUp();
-  const Eigen::Vector3d& forward = camera.GetForward();
-  const Eigen::Vector2d tangents = camera.GetHalfExtentTangents() / kFramingMargin;
-  const Eigen::Vector2d half = 0.5 * arena.Size.head<2>();
-
-  // the target moves along y until the lowest and the highest corner are equally far from the
-  // picture's centre; both depend on the distance, but weakly, so that a fixed-point iteration
-  // converges
-  double shift = 0.0;
-  double distance = 0.0;
-  for (int iteration = 0; iteration < 20; ++iteration) {
-    std::array<Eigen::Vector2d, 4> corners;  // along the line of sight, and up
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const double edge = (i % 2 == 0 ? -half.y() : half.y()) - shift;
-      const double z = i < 2 ? 0.0 : top;
-      corners[i] = {forward.y() * edge + forward.z() * z, up.y() * edge + up.z() * z};
-    }
-    distance = 0.0;
-    for (const Eigen::Vector2d& corner : corners) {
-      distance = std::max({distance, half.x() / tangents.x() - corner.x(),
-                           std::abs(corner.y()) / tangents.y() - corner.x()});
-    }
-    double lowest = std::numeric_limits<double>::infinity();
-    double highest = -lowest;
-    for (const Eigen::Vector2d& corner : corners) {
-      const double tangent = corner.y() / (distance + corner.x());
-      lowest = std::min(lowest, tangent);
-      highest = std::max(highest, tangent);
-    }
-    shift += 0.5 * (lowest + highest) * distance;
-  }
-  placement.LookAt.y() += shift;
-  placement.Position = placement.LookAt + distance * toEye;
-  return placement;
-}
-
 SCameraPlacement Interpolate(const SCameraPlacement& from, const SCameraPlacement& to,
                              double share) {
   SCameraPlacement blend;
@@ -104,11 +56,15 @@ SCameraPlacement Interpolate(const SCameraPlacement& from, const SCameraPlacemen
   blend.LookAt = from.LookAt + share * (to.LookAt - from.LookAt);
   blend.Up = from.Up + share * (to.Up - from.Up);
   blend.FocalLength = from.FocalLength + share * (to.FocalLength - from.FocalLength);
+  blend.OrthographicHeight =
+      from.OrthographicHeight + share * (to.OrthographicHeight - from.OrthographicHeight);
   return blend;
 }
 
 CCamera::CCamera(const SCameraPlacement& placement, double aspectRatio)
-    : m_position(placement.Position), m_forward(placement.LookAt - placement.Position) {
+    : m_position(placement.Position),
+      m_forward(placement.LookAt - placement.Position),
+      m_isOrthographic(placement.OrthographicHeight != 0.0) {
   const double distance = m_forward.norm();
   if (!(distance > 0.0)) {
     THROW_ARGOSEXCEPTION("The camera's position and look_at are the same point ("
@@ -119,6 +75,11 @@ CCamera::CCamera(const SCameraPlacement& placement, double aspectRatio)
     THROW_ARGOSEXCEPTION("The camera's lens_focal_length is " << placement.FocalLength
                                                               << " mm; it must be positive");
   }
+  if (!(placement.OrthographicHeight >= 0.0)) {
+    THROW_ARGOSEXCEPTION("The camera's orthographic_height is "
+                         << placement.OrthographicHeight
+                         << " m; it must be positive, or 0 for a perspective view");
+  }
   m_forward /= distance;
   m_right = m_forward.cross(placement.Up);
   // an upward direction along the line of sight is of no use: fall back on the derived one
@@ -127,8 +88,9 @@ CCamera::CCamera(const SCameraPlacement& placement, double aspectRatio)
   }
   m_right.normalize();
   m_up = m_right.cross(m_forward);
-  const double halfHeight = kHalfPictureHeight / placement.FocalLength;
-  m_tangents = Eigen::Vector2d(halfHeight * aspectRatio, halfHeight);
+  const double halfHeight = m_isOrthographic ? 0.5 * placement.OrthographicHeight
+                                             : kHalfPictureHeight / placement.FocalLength;
+  m_halfExtents = Eigen::Vector2d(halfHeight * aspectRatio, halfHeight);
 }
 
 Eigen::Matrix4d CCamera::ComputeViewMatrix() const {
@@ -142,8 +104,14 @@ Eigen::Matrix4d CCamera::ComputeViewMatrix() const {
 
 Eigen::Matrix4d CCamera::ComputeProjectionMatrix(double nearPlane, double farPlane) const {
   Eigen::Matrix4d projection = Eigen::Matrix4d::Zero();
-  projection(0, 0) = 1.0 / m_tangents.x();
-  projection(1, 1) = 1.0 / m_tangents.y();
+  projection(0, 0) = 1.0 / m_halfExtents.x();
+  projection(1, 1) = 1.0 / m_halfExtents.y();
+  if (m_isOrthographic) {
+    projection(2, 2) = 2.0 / (nearPlane - farPlane);
+    projection(2, 3) = (nearPlane + farPlane) / (nearPlane - farPlane);
+    projection(3, 3) = 1.0;
+    return projection;
+  }
   projection(2, 2) = (nearPlane + farPlane) / (nearPlane - farPlane);
   projection(2, 3) = 2.0 * nearPlane * farPlane / (nearPlane - farPlane);
   projection(3, 2) = -1.0;
@@ -160,8 +128,9 @@ Eigen::Vector2d CCamera::Project(const Eigen::Vector3d& point) const {
     return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
   }
   const Eigen::Vector3d offset = point - m_position;
-  return Eigen::Vector2d(0.5 + 0.5 * m_right.dot(offset) / (depth * m_tangents.x()),
-                         0.5 - 0.5 * m_up.dot(offset) / (depth * m_tangents.y()));
+  const double scale = m_isOrthographic ? 1.0 : depth;
+  return Eigen::Vector2d(0.5 + 0.5 * m_right.dot(offset) / (scale * m_halfExtents.x()),
+                         0.5 - 0.5 * m_up.dot(offset) / (scale * m_halfExtents.y()));
 }
 
 }  // namespace argos

@@ -17,6 +17,8 @@ struct SCameraPlacement {
   /** Roughly upwards on the picture: only its part across the line of sight counts. */
   Eigen::Vector3d Up = Eigen::Vector3d::UnitZ();
   double FocalLength = 20.0; /**< mm, > 0, of a 36 mm x 27 mm picture */
+  /** Height of what the picture shows, m, in orthographic projection; 0: perspective. */
+  double OrthographicHeight = 0.0;
 
   /** Height of the field of view, rad: 2 atan(13.5 mm / FocalLength). */
   double ComputeVerticalFieldOfView() const;
@@ -45,19 +47,14 @@ bool IsVertical(const Eigen::Vector3d& forward);
 std::array<SCameraPlacement, kNumPlacements> MakeDefaultPlacements(const SArenaBox& arena);
 
 /**
- * An oblique view from the side of negative y that just contains the whole arena: x grows to the
- * right of the picture, y away from the viewer.
- * @param aspectRatio  width of the picture over its height, > 0.
- * @param top          up to which height above the ground, m, >= 0.
+ * Blends eye, target, up and lens linearly. @param share 0 gives @p from, 1 @p to.
+ * Both must have the same projection.
  */
-SCameraPlacement MakeFramingPlacement(const SArenaBox& arena, double aspectRatio, double top = 0.0);
-
-/** Blends eye, target, up and focal length linearly. @param share 0 gives @p from, 1 @p to. */
 SCameraPlacement Interpolate(const SCameraPlacement& from, const SCameraPlacement& to,
                              double share);
 
 /**
- * A camera ready to draw: its frame and its projection.
+ * A camera ready to draw: its frame and its projection, perspective or orthographic.
  *
  * The camera frame is OpenGL's: x right, y up, -z ahead.
  */
@@ -65,7 +62,8 @@ class CCamera {
  public:
   /**
    * @param aspectRatio  width of the picture over its height, > 0.
-   * @throws CARGoSException if the eye and the target coincide or the focal length is not > 0.
+   * @throws CARGoSException if the eye and the target coincide or the focal length is not > 0,
+   *         or if the orthographic height is negative.
    */
   CCamera(const SCameraPlacement& placement, double aspectRatio);
 
@@ -73,8 +71,12 @@ class CCamera {
   const Eigen::Vector3d& GetRight() const { return m_right; }
   const Eigen::Vector3d& GetUp() const { return m_up; }
   const Eigen::Vector3d& GetForward() const { return m_forward; }
-  /** Tangents of half the horizontal and half the vertical field of view. */
-  const Eigen::Vector2d& GetHalfExtentTangents() const { return m_tangents; }
+  bool IsOrthographic() const { return m_isOrthographic; }
+  /**
+   * Half the width and half the height of what the picture shows: at depth 1 in perspective, which
+   * are the tangents of half the angles of view; at any depth, m, in orthographic projection.
+   */
+  const Eigen::Vector2d& GetHalfExtents() const { return m_halfExtents; }
 
   /** World to camera frame. */
   Eigen::Matrix4d ComputeViewMatrix() const;
@@ -96,7 +98,8 @@ class CCamera {
   Eigen::Vector3d m_right;
   Eigen::Vector3d m_up;
   Eigen::Vector3d m_forward;
-  Eigen::Vector2d m_tangents;
+  Eigen::Vector2d m_halfExtents;
+  bool m_isOrthographic;
 };
 
 }  // namespace argos

@@ -18,6 +18,7 @@ void CheckSlot(std::size_t slot) {
 void CCameraTimeline::SetPlacement(std::size_t slot, const SCameraPlacement& placement) {
   CheckSlot(slot);
   m_placements[slot] = placement;
+  m_isSet[slot] = true;
 }
 
 void CCameraTimeline::AddKeyframe(const SKeyframe& keyframe) {
@@ -45,6 +46,22 @@ void CCameraTimeline::InterpolateFromLastKeyframe() {
         "The camera's timeline has two <interpolate> in a row; put a <keyframe> between them");
   }
   m_keyframes.back().Interpolate = true;
+}
+
+void CCameraTimeline::CheckGlides() const {
+  for (std::size_t i = 0; i < m_keyframes.size(); ++i) {
+    const SKeyframe& from = m_keyframes[i];
+    const SKeyframe& to = m_keyframes[(i + 1) % m_keyframes.size()];
+    const bool isParallel = m_placements[from.Placement].OrthographicHeight > 0.0;
+    const bool endsParallel = m_placements[to.Placement].OrthographicHeight > 0.0;
+    const bool hasSuccessor = m_loop > 0 || i + 1 < m_keyframes.size();
+    if (from.Interpolate && hasSuccessor && isParallel != endsParallel) {
+      THROW_ARGOSEXCEPTION("The camera glides from placement "
+                           << from.Placement << " to placement " << to.Placement
+                           << ", of which only one is orthographic; give both the same projection, "
+                              "or leave out <interpolate> between them");
+    }
+  }
 }
 
 SCameraPlacement CCameraTimeline::ComputeAt(std::uint32_t tick) const {

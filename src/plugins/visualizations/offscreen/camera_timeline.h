@@ -29,6 +29,8 @@ class CCameraTimeline {
 
   const SCameraPlacement& GetPlacement(std::size_t slot) const { return m_placements[slot]; }
   void SetPlacement(std::size_t slot, const SCameraPlacement& placement);
+  /** True after SetPlacement() of that slot. */
+  bool IsSet(std::size_t slot) const { return m_isSet[slot]; }
 
   /** @param loop  period in ticks; 0 = the timeline runs once. */
   void SetLoop(std::uint32_t loop) { m_loop = loop; }
@@ -46,11 +48,16 @@ class CCameraTimeline {
    */
   void InterpolateFromLastKeyframe();
 
+  /** @throws CARGoSException if the camera glides between a perspective and an orthographic view.
+   */
+  void CheckGlides() const;
+
   /** The camera at a tick; slot 0 before the first keyframe of a timeline that runs once. */
   SCameraPlacement ComputeAt(std::uint32_t tick) const;
 
  private:
   std::array<SCameraPlacement, kNumPlacements> m_placements;
+  std::array<bool, kNumPlacements> m_isSet{};
   std::vector<SKeyframe> m_keyframes;  // steps do not decrease
   std::uint32_t m_loop = 0;
 };

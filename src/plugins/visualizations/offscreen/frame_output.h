@@ -8,8 +8,8 @@
 
 namespace argos {
 
-class CCameraTimeline;
 class CFrameRecorder;
+struct SCameraSettings;
 struct SRecordingSettings;
 
 /**
@@ -37,7 +37,7 @@ class CFrameOutput : public CRunOutput {
 
  private:
   void InitFrames(TConfigurationNode& tree, const SRecordingSettings& settings,
-                  const CCameraTimeline& timeline);
+                  const SCameraSettings& camera);
 
   CViewDrawing m_drawing;
   std::unique_ptr<CFrameRecorder> m_recorder;  // null: headless

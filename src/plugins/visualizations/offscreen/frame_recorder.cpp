@@ -8,21 +8,19 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/drawing_to_scene.h>
 #include <argos3/core/utility/text/classic_locale.h>
 
+#include <algorithm>
 #include <memory>
 #include <sstream>
 
 namespace argos {
 
-CFrameRecorder::CFrameRecorder(const SRecordingSettings& settings, const CCameraTimeline& timeline,
+CFrameRecorder::CFrameRecorder(const SRecordingSettings& settings, const SCameraSettings& camera,
                                CViewDrawing& drawing)
     : m_settings(settings),
-      m_timeline(timeline),
+      m_camera(camera, static_cast<double>(settings.Render.Width) / settings.Render.Height),
       m_drawing(drawing),
       m_writer(settings.File),
-      m_builder(settings.ShowRays) {
-  m_scene.ShowGrid = settings.ShowGrid;
-  m_scene.ShowBoundary = settings.ShowBoundary;
-}
+      m_builder(settings.ShowRays) {}
 
 CFrameRecorder::~CFrameRecorder() = default;
 
@@ -35,7 +33,7 @@ void CFrameRecorder::Announce() const {
   } else {
     text << m_settings.Every << " ticks";
   }
-  text << ", to " << m_writer.MakeFileName(0) << " and following (" << m_renderer->DescribeDriver()
+  text << ", to " << m_writer.MakeFileName(0) << " and following (" << m_pipeline->DescribeDriver()
        << ")";
   LOG << "[INFO] " << text.str() << std::endl;
   LOG.Flush();
@@ -43,8 +41,10 @@ void CFrameRecorder::Announce() const {
 
 void CFrameRecorder::Begin() {
   m_lock = m_writer.LockFrames();
-  if (!m_renderer.has_value()) {
-    m_renderer.emplace(m_settings.Render);
+  if (!m_pipeline.has_value()) {
+    m_pipeline.emplace(m_settings.Render, [this](const SPicture& picture, std::uint32_t tick) {
+      m_writer.Write(picture, tick);
+    });
   }
   Announce();
 }
@@ -54,33 +54,51 @@ void CFrameRecorder::Observe(CSimulator& simulator) {
     Begin();
   }
   m_drawing.Observe(simulator);
-  if (!m_lastTick.has_value() ||
-      simulator.GetSpace().GetSimulationClock() % m_settings.Every == 0) {
+  if (IsWanted(simulator.GetSpace().GetSimulationClock())) {
     WriteFrame(simulator);
   }
 }
 
+bool CFrameRecorder::IsWanted(std::uint32_t tick) const {
+  if (m_settings.Ticks.empty()) {
+    return !m_lastTick.has_value() || tick % m_settings.Every == 0;
+  }
+  return tick % m_settings.Every == 0 &&
+         std::any_of(m_settings.Ticks.begin(), m_settings.Ticks.end(), [tick](const auto& part) {
+           return tick >= part.first && tick <= part.second;
+         });
+}
+
 void CFrameRecorder::Finish(CSimulator& simulator) {
-  if (m_settings.KeepLastFrame && m_lastTick != simulator.GetSpace().GetSimulationClock()) {
+  if (m_settings.KeepLastFrame && m_settings.Ticks.empty() &&
+      m_lastTick != simulator.GetSpace().GetSimulationClock()) {
     WriteFrame(simulator);
+  }
+  if (m_pipeline.has_value()) {
+    m_pipeline->Finish();
   }
   m_lock.reset();
 }
 
 void CFrameRecorder::Reset() {
   m_lastTick.reset();
+  m_camera.Reset();
 }
 
 void CFrameRecorder::WriteFrame(CSimulator& simulator) {
   CSpace& space = simulator.GetSpace();
   const UInt32 tick = space.GetSimulationClock();
-  m_builder.Build(space, m_scene);
+  CFramePipeline::SFrame& frame = m_pipeline->Acquire();
+  frame.Tick = tick;
+  frame.Scene.ShowGrid = m_settings.ShowGrid;
+  frame.Scene.ShowBoundary = m_settings.ShowBoundary;
+  m_builder.Build(space, frame.Scene);
   const SRenderSettings& render = m_settings.Render;
   AddDrawing(m_drawing.Draw(simulator, static_cast<UInt32>(render.Width),
                             static_cast<UInt32>(render.Height)),
-             m_scene);
-  m_renderer->Render(m_scene, m_timeline.ComputeAt(tick), m_picture);
-  m_writer.Write(m_picture, tick);
+             frame.Scene);
+  frame.Placement = m_camera.ComputeAt(space, tick);
+  m_pipeline->Submit();
   m_lastTick = tick;
 }
 

@@ -1,16 +1,18 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_RECORDER_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_RECORDER_H
 
-#include <argos3/plugins/simulator/visualizations/offscreen/camera_timeline.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/camera_plan.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/frame_pipeline.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/frame_writer.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/renderer.h>
-#include <argos3/plugins/simulator/visualizations/offscreen/scene.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/scene_builder.h>
 
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace argos {
 
@@ -23,6 +25,8 @@ struct SRecordingSettings {
   SRenderSettings Render;
   SFrameFileSettings File;
   std::uint32_t Every = 1; /**< ticks from frame to frame, > 0 */
+  /** First and last tick of each part of the run that has frames; none: the whole run. */
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> Ticks;
   bool KeepLastFrame =
       true; /**< draw the final state even if its tick is not a multiple of Every */
   bool ShowGrid = true;
@@ -35,8 +39,8 @@ struct SRecordingSettings {
  * Writes pictures of a run: of the state before the first tick, after every n-th one, and perhaps
  * of the final state.
  *
- * The constructor checks the settings. The first call of Observe() creates the OpenGL context,
- * which belongs to that thread.
+ * The constructor checks the settings. The first call of Observe() starts the threads that draw
+ * and write, see CFramePipeline; scenes are built, and users' code draws, in Observe().
  */
 class CFrameRecorder {
  public:
@@ -44,7 +48,7 @@ class CFrameRecorder {
    * @param drawing  what users' code draws; must outlive the recorder.
    * @throws CARGoSException as CFrameWriter.
    */
-  CFrameRecorder(const SRecordingSettings& settings, const CCameraTimeline& timeline,
+  CFrameRecorder(const SRecordingSettings& settings, const SCameraSettings& camera,
                  CViewDrawing& drawing);
   ~CFrameRecorder();
   CFrameRecorder(const CFrameRecorder&) = delete;
@@ -52,11 +56,12 @@ class CFrameRecorder {
 
   /**
    * Called with the first state and after each tick.
-   * @throws CARGoSException if a frame cannot be drawn or written; if another run writes frames of
-   *   the same names, as CFrameWriter::LockFrames().
+   * @throws CARGoSException if an earlier frame cannot be drawn or written; if another run writes
+   * frames of the same names, as CFrameWriter::LockFrames().
    */
   void Observe(CSimulator& simulator);
-  /** Writes the final state if it has no frame yet. @throws CARGoSException as Observe(). */
+  /** Writes the final state if it has no frame yet, and waits for all frames. @throws
+   * CARGoSException as Observe(). */
   void Finish(CSimulator& simulator);
   /** The next state begins another run, whose files replace those of the same names. */
   void Reset();
@@ -64,18 +69,17 @@ class CFrameRecorder {
  private:
   void Begin();
   void Announce() const;
+  bool IsWanted(std::uint32_t tick) const;
   void WriteFrame(CSimulator& simulator);
 
   SRecordingSettings m_settings;
-  CCameraTimeline m_timeline;
+  CCameraPlan m_camera;
   CViewDrawing& m_drawing;
   CFrameWriter m_writer;
   std::unique_ptr<CLockFile> m_lock;  // from the first frame to the last
   std::optional<std::uint32_t> m_lastTick;  // with a frame, in this run
   CSceneBuilder m_builder;
-  std::optional<CRenderer> m_renderer;
-  SScene m_scene;
-  SPicture m_picture;
+  std::optional<CFramePipeline> m_pipeline;  // the last member: its threads use the others
 };
 
 }  // namespace argos

@@ -21,6 +21,9 @@ namespace {
 constexpr int kTickDigits = 10;
 constexpr int kBitsPerPixel = 24;
 constexpr int kBestQuality = 100;
+// of zlib's 1 to 9: takes a quarter to a half less time than 6, libpng's own, for files up to a
+// fifth larger
+constexpr int kPngLevel = 3;
 
 bool CanWrite(FREE_IMAGE_FORMAT format) {
   return FreeImage_FIFSupportsWriting(format) != 0 &&
@@ -41,7 +44,7 @@ std::string ListFormats() {
 // for PNG a higher quality means less compression; for lossy formats it means less loss
 int ComputeFlags(FREE_IMAGE_FORMAT format, int quality) {
   if (quality < 0) {
-    return 0;
+    return format == FIF_PNG ? kPngLevel : 0;
   }
   switch (format) {
     case FIF_PNG: {

@@ -38,8 +38,9 @@ CGlProgram::CGlProgram(const SGlFunctions& gl, const SShaderSource& source)
 
 GLuint CGlProgram::Compile(GLenum stage, const SShaderSource& source) const {
   const GLuint shader = m_gl.CreateShader(stage);
-  const std::array<const char*, 2> texts = {
-      kShaderPreamble, stage == GL_VERTEX_SHADER ? source.Vertex : source.Fragment};
+  const std::array<const char*, 4> texts = {
+      kShaderVersion, source.Defines, kShaderPreamble,
+      stage == GL_VERTEX_SHADER ? source.Vertex : source.Fragment};
   m_gl.ShaderSource(shader, static_cast<GLsizei>(texts.size()), texts.data(), nullptr);
   m_gl.CompileShader(shader);
   GLint compiled = GL_FALSE;
@@ -68,6 +69,10 @@ void CGlProgram::Set(const char* name, const Eigen::Vector2f& value) const {
 
 void CGlProgram::Set(const char* name, const Eigen::Vector3f& value) const {
   m_gl.Uniform3f(Locate(name), value.x(), value.y(), value.z());
+}
+
+void CGlProgram::Set(const char* name, const Eigen::Vector4f& value) const {
+  m_gl.Uniform4f(Locate(name), value.x(), value.y(), value.z(), value.w());
 }
 
 void CGlProgram::Set(const char* name, const Eigen::Matrix4f& value) const {

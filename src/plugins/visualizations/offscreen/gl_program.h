@@ -26,6 +26,7 @@ class CGlProgram {
   void Set(const char* name, float value) const;
   void Set(const char* name, const Eigen::Vector2f& value) const;
   void Set(const char* name, const Eigen::Vector3f& value) const;
+  void Set(const char* name, const Eigen::Vector4f& value) const;
   void Set(const char* name, const Eigen::Matrix4f& value) const;
   /** The colour in linear light, alpha unchanged. */
   void Set(const char* name, const SRgba& color) const;

@@ -74,9 +74,12 @@ void CInstanceBatches::Fill(const SScene& scene, const CCamera& camera, int pict
   m_depths.setEmpty();
   m_camera = &camera;
   m_sunFrame = MakeSunFrame(toSun);
-  const Eigen::Vector2d& tangents = camera.GetHalfExtentTangents();
-  m_pixelsPerTangent = 0.5 * pictureHeight / tangents.y();
-  m_sideNorms = (tangents.array().square() + 1.0).sqrt();
+  const Eigen::Vector2d& extents = camera.GetHalfExtents();
+  m_pixelsPerUnit = 0.5 * pictureHeight / extents.y();
+  m_sideNorms = Eigen::Vector2d::Ones();
+  if (!camera.IsOrthographic()) {
+    m_sideNorms = (extents.array().square() + 1.0).sqrt();
+  }
   for (std::size_t kind = 0; kind < kNumMeshKinds; ++kind) {
     for (const SMeshInstance& instance : scene.Meshes[kind]) {
       Add(static_cast<EMeshKind>(kind), instance);
@@ -110,9 +113,10 @@ void CInstanceBatches::Add(EMeshKind kind, const SMeshInstance& instance) {
   const Eigen::Vector2d across(std::abs(m_camera->GetRight().dot(offset)),
                                std::abs(m_camera->GetUp().dot(offset)));
 
-  // distance of the centre from the pyramid of view, 0 inside
+  // distance of the centre from the pyramid, or prism, of view, 0 inside
+  const bool isParallel = m_camera->IsOrthographic();
   const Eigen::Vector2d toSides =
-      (across - depth * m_camera->GetHalfExtentTangents()).cwiseQuotient(m_sideNorms);
+      (across - (isParallel ? 1.0 : depth) * m_camera->GetHalfExtents()).cwiseQuotient(m_sideNorms);
   const double toView = std::max({toSides.x(), toSides.y(), -depth});
   // from the solid to the end of its shadow on the ground
   const double toGround =
@@ -120,7 +124,8 @@ void CInstanceBatches::Add(EMeshKind kind, const SMeshInstance& instance) {
   if (toView > sphere.Radius + toGround) {
     return;
   }
-  const double pixels = 2.0 * sphere.Radius * m_pixelsPerTangent / std::max(depth, sphere.Radius);
+  const double pixels =
+      2.0 * sphere.Radius * m_pixelsPerUnit / (isParallel ? 1.0 : std::max(depth, sphere.Radius));
   if (pixels < (instance.IsDetail > 0.0f ? kSmallestDetail : kSmallestDrawn)) {
     return;
   }

@@ -78,7 +78,7 @@ class CInstanceBatches {
   // of the picture being prepared
   const CCamera* m_camera = nullptr;
   Eigen::Matrix3d m_sunFrame;
-  double m_pixelsPerTangent = 1.0;
+  double m_pixelsPerUnit = 1.0;  // per m, at depth 1 in perspective
   Eigen::Vector2d
       m_sideNorms;  // lengths of the normals of the side and the upper planes of the view
 

@@ -13,6 +13,7 @@ SLook MakeLightLook() {
   look.GroundOutside = {247, 247, 248, 255};
   look.GridLine = {150, 156, 164, 255};
   look.Boundary = {72, 78, 88, 255};
+  look.Marker = {28, 84, 150, 255};
   look.SunIntensity = 0.78f;
   look.SkyLight = {236, 242, 255, 255};
   look.BounceLight = {190, 186, 180, 255};
@@ -32,6 +33,7 @@ SLook MakeDarkLook() {
   look.GroundOutside = {26, 28, 33, 255};
   look.GridLine = {104, 112, 124, 255};
   look.Boundary = {176, 184, 196, 255};
+  look.Marker = {122, 190, 255, 255};
   look.SunIntensity = 0.72f;
   look.SkyLight = {214, 226, 255, 255};
   look.BounceLight = {120, 124, 136, 255};

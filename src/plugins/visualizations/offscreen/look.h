@@ -18,6 +18,7 @@ struct SLook {
   SRgba GroundOutside; /**< around the arena, fading into the background */
   SRgba GridLine;
   SRgba Boundary;
+  SRgba Marker; /**< robots too small to be seen */
   float SunIntensity = 0.0f;
   SRgba SkyLight; /**< diffuse light on upward faces */
   SRgba BounceLight; /**< diffuse light on downward faces */

@@ -7,7 +7,7 @@ REGISTER_RUN_OUTPUT(
     "Draws the arena into image files, without a display.",
     R"(Renders the arena with OpenGL in software, needing neither display nor GPU, and writes
 numbered image files: the state before the first tick, after every n-th tick, and the
-final state. A file is <directory>/<base_name><tick, 10 digits>.<format>; it appears
+final state. Drawing and writing have threads of their own; at most four frames are under way. A file is <directory>/<base_name><tick, 10 digits>.<format>; it appears
 under that name only when it is complete. Drawing does not change the experiment.
 
 While it runs, no other run can write frames of the same base name into the directory:
@@ -24,11 +24,12 @@ OPTIONAL XML CONFIGURATION
 
   <visualization>
     <offscreen directory="out" base_name="frame_" format="png" quality="-1"
-               size="1280x960" every="1" samples="4" look="light"
+               size="1280x960" every="1" ticks="0-50,550-600" samples="4" look="light"
                show_grid="true" show_boundary="true" show_rays="true">
-      <camera>
+      <camera view="oblique" fit="arena" projection="perspective" margin="0.04"
+              lens_focal_length="50">
         <placements>
-          <placement index="0" position="0,-3,3" look_at="0,0,0" />
+          <placement index="2" position="0,-3,3" look_at="0,0,0" />
           <placement index="1" position="2,2,1" look_at="0,0,0" up="0,0,1"
                      lens_focal_length="30" />
         </placements>
@@ -55,16 +56,19 @@ Attributes of <offscreen>:
                  Default: png
   quality        integer, 0 to 100, or -1 for the format's own. jpg, webp: higher is
                  better; png, tif: higher is faster and larger. Default: -1
+                 (png: 67)
   size           WxH, pixels, each from 16 to 16384. Default: 1280x960
   width, height  the same as two attributes, pixels
   every          integer, at least 1, ticks; draw every n-th tick. Default: 1
+  ticks          ticks and ranges of ticks, increasing, separated by commas: only their
+                 frames are drawn, of these every n-th tick. Default: the whole run
   samples        1, 2, 4, 8 or 16 per pixel, for smooth edges. Default: 4
   look           light (for print) or dark (for slides). Default: light
   show_grid      bool; lines on the ground every 0.1, 1 and 10 m, as far as they can be
-                 told apart. Default: true
+                 told apart, also on floors and outside the arena. Default: true
   show_boundary  bool; the outline of the arena. Default: true
   show_rays      bool; the rays of sensors that have show_rays="true", and their
-                 hits. Default: true
+                 hits, where obstructed rays end. Default: true
 
 Attributes of <placement>:
   index              integer, 0 to 11; idx is accepted, too
@@ -72,9 +76,32 @@ Attributes of <placement>:
   up                 x,y,z; upwards on the picture. Default: as upright as possible
   lens_focal_length  mm, positive; the picture's height is seen under the angle
                      2 atan(13.5 mm / lens_focal_length). Default: 20
+  orthographic_height  m, positive: height of what the picture shows, in parallel
+                     projection; lengths across the line of sight are true to scale.
+                     Default: 0, perspective
 
-Placement 0 is in use if there is no timeline; by default it shows the whole arena from
-the side of negative y, obliquely: its ground, and if a robot flies, all of its height. The others stand in a circle around the arena.
+Placement 0 is in use if there is no timeline. Unless it is given, attributes of <camera>
+describe it; the others stand in a circle around the arena:
+  view               oblique: from the side of negative y, 52 degrees above the horizon;
+                     top: from above, +x to the right and +y upwards; side: from negative
+                     y, horizontally; front: from positive x, horizontally; corner: from
+                     negative x and y, isometric if orthographic. Default: oblique
+  fit                arena: just contains the arena's ground and all entities; contents:
+                     just contains entities (lamps only above the arena). What it shows
+                     may grow in the run, but never shrinks. Default: arena
+  projection         perspective or orthographic. Default: perspective
+  margin             share of the picture that stays free, at least 0. Default: 0.04
+  lens_focal_length  mm, positive; longer: from farther away. Default: 50
+  follow             id of an entity in the arena: all placements are relative to its
+                     position, and the view shows its surroundings. Default: none
+  reach              m, positive: how far around the followed entity the view shows.
+                     Default: 1
+A <placement> that looks straight down has +x upwards; up="0,1,0" puts +x to the right.
+A camera inside of an entity is reported, and shows it from within.
+
+LEDs that are lit are drawn at least 4.4 pixels wide, and robots smaller than 5 pixels as discs
+(in pictures 960 pixels high; in others in proportion; smaller if many). LEDs of the component
+"leds" that a robot's appearance does not contain are drawn 1 cm wide at their places.
 
 The timeline: from tick "step" on, the camera is at "placement"; steps must not decrease.
 With <interpolate /> between two keyframes, it glides from one to the next. "loop" (ticks,

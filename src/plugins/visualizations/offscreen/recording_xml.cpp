@@ -88,6 +88,38 @@ void ReadLook(TConfigurationNode& node, SRenderSettings& render) {
   }
 }
 
+// "a-b,c,d-e", each part after the one before
+void ReadTicks(TConfigurationNode& node, SRecordingSettings& settings) {
+  std::string text;
+  GetNodeAttributeOrDefault(node, "ticks", text, text);
+  std::vector<std::string> parts;
+  if (NodeAttributeExists(node, "ticks")) {
+    Tokenize(text, parts, ",");
+  }
+  for (const std::string& part : parts) {
+    const size_t dash = part.find('-');
+    const std::string_view view(part);
+    UInt32 first = 0;
+    UInt32 last = 0;
+    const bool isValid = ParseNumber(view.substr(0, dash), first) == ENumberParsing::Ok &&
+                         ParseNumber(dash == std::string::npos ? view : view.substr(dash + 1),
+                                     last) == ENumberParsing::Ok &&
+                         last >= first &&
+                         (settings.Ticks.empty() || first > settings.Ticks.back().second);
+    if (!isValid) {
+      THROW_ARGOSEXCEPTION(node.GetLocation()
+                           << ": <" << node.Value() << ">: attribute \"ticks\": \"" << part
+                           << "\" in \"" << text << "\" is not valid; write ticks, or first and "
+                           << "last ticks, in increasing order, such as \"0-50,100,550-600\"");
+    }
+    settings.Ticks.emplace_back(first, last);
+  }
+  if (parts.empty() && NodeAttributeExists(node, "ticks")) {
+    THROW_ARGOSEXCEPTION(node.GetLocation()
+                         << ": <" << node.Value() << ">: attribute \"ticks\" is empty");
+  }
+}
+
 void ReadFile(TConfigurationNode& node, SFrameFileSettings& file) {
   GetNodeAttributeOrDefault(node, "directory", file.Directory, file.Directory);
   GetNodeAttributeOrDefault(node, "base_name", file.BaseName, file.BaseName);
@@ -121,6 +153,7 @@ SRecordingSettings ReadOffscreenSettings(TConfigurationNode& node) {
   ReadSamples(node, settings.Render);
   ReadLook(node, settings.Render);
   ReadPositive(node, "every", settings.Every);
+  ReadTicks(node, settings);
   GetNodeAttributeOrDefault(node, "show_grid", settings.ShowGrid, true);
   GetNodeAttributeOrDefault(node, "show_boundary", settings.ShowBoundary, true);
   GetNodeAttributeOrDefault(node, "show_rays", settings.ShowRays, true);

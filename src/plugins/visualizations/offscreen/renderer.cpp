@@ -6,6 +6,7 @@
 #include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <sstream>
 
@@ -16,6 +17,10 @@ namespace {
 constexpr GLint kShadowUnit = 0;
 constexpr GLint kFloorUnit = 1;
 constexpr size_t kTranslucentLevel = 2;
+// diameters of the discs that stand for robots too small to be seen, in pixels of the picture
+constexpr double kMarkerPixels = 5.0;  // if the picture is 960 pixels high
+constexpr double kSmallestMarkerPixels = 2.0;
+constexpr double kMarkerShare = 0.05;  // of the picture that all discs cover at most
 constexpr double kSmallestNear = 0.002;  // m
 constexpr double kNearOverFar = 2e-5;  // a 32-bit depth buffer still separates millimetres
 constexpr GLfloat kDepthSlope = 1.5f;  // shadow bias, in depth steps per unit of slope
@@ -41,10 +46,11 @@ CRenderer::CRenderer(const SRenderSettings& settings)
       m_context(CGlContext::Create()),
       m_gl(m_context->GetFunctions()),
       m_target(m_gl, settings.Width, settings.Height, settings.Samples),
-      m_shadowMap(m_gl),
+      m_shadowMap(m_gl, std::max(settings.Width, settings.Height)),
       m_meshProgram(m_gl, kMeshShader),
       m_depthProgram(m_gl, kDepthShader),
       m_groundProgram(m_gl, kGroundShader),
+      m_litGroundProgram(m_gl, kLitGroundShader),
       m_contactProgram(m_gl, kContactShadowShader),
       m_glowProgram(m_gl, kGlowShader),
       m_lineProgram(m_gl, kLineShader),
@@ -52,6 +58,7 @@ CRenderer::CRenderer(const SRenderSettings& settings)
       m_meshArray(CreateMeshes()),
       m_meshInstances(m_gl, sizeof(SMeshInstance), CInstanceBuffer::EAdvance::PerInstance,
                       m_meshArray),
+      m_groundInstances(m_gl, sizeof(TGroundArea)),
       m_contactInstances(m_gl, sizeof(SContactShadow)),
       m_glowInstances(m_gl, sizeof(SGlow)),
       m_lineInstances(m_gl, sizeof(SLine)),
@@ -119,6 +126,8 @@ void CRenderer::DescribeInstances() {
   m_meshInstances.AddColor(6, offsetof(SMeshInstance, Color));
   m_meshInstances.AddFloats(7, 1, offsetof(SMeshInstance, Param));
 
+  m_groundInstances.AddFloats(0, 4, 0);
+
   m_contactInstances.AddFloats(0, 2, offsetof(SContactShadow, Center));
   m_contactInstances.AddFloats(1, 2, offsetof(SContactShadow, AxisX));
   m_contactInstances.AddFloats(2, 2, offsetof(SContactShadow, HalfExtent));
@@ -129,19 +138,18 @@ void CRenderer::DescribeInstances() {
   m_glowInstances.AddColor(2, offsetof(SGlow, Color));
   m_glowInstances.AddFloats(3, 1, offsetof(SGlow, HaloScale));
   m_glowInstances.AddFloats(4, 1, offsetof(SGlow, Pixels));
+  m_glowInstances.AddFloats(5, 1, offsetof(SGlow, IsSignal));
 
   m_lineInstances.AddFloats(0, 3, offsetof(SLine, Start));
   m_lineInstances.AddFloats(1, 3, offsetof(SLine, End));
   m_lineInstances.AddColor(2, offsetof(SLine, Color));
   m_lineInstances.AddFloats(3, 1, offsetof(SLine, Width));
-
-  m_gl.GenVertexArrays(1, &m_emptyArray);
 }
 
 void CRenderer::UploadFloor(const SFloorImage& floor) {
   m_gl.ActiveTexture(GL_TEXTURE0 + kFloorUnit);
   m_gl.BindTexture(GL_TEXTURE_2D, m_floorTexture);
-  const bool wanted = floor.Width > 0 && floor.Height > 0;
+  const bool wanted = floor.Pixels != nullptr;
   if (!wanted || (m_hasFloor && floor.Version == m_floorVersion)) {
     m_hasFloor = wanted;
     return;
@@ -155,7 +163,7 @@ void CRenderer::UploadFloor(const SFloorImage& floor) {
   }
   m_gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
   m_gl.TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, floor.Width, floor.Height, 0, GL_RGBA,
-                  GL_UNSIGNED_BYTE, floor.Pixels.data());
+                  GL_UNSIGNED_BYTE, floor.Pixels->data());
   m_gl.GenerateMipmap(GL_TEXTURE_2D);
   m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -198,12 +206,14 @@ void CRenderer::ComputeMatrices(const SScene& scene, const CCamera& camera) {
   const Eigen::Matrix4d view = camera.ComputeViewMatrix();
   const Eigen::Matrix4d projection = camera.ComputeProjectionMatrix(nearPlane, farPlane);
   m_near = static_cast<float>(nearPlane);
-  m_eye = camera.GetPosition().cast<float>();
+  m_eye.head<3>() =
+      (camera.IsOrthographic() ? -camera.GetForward() : camera.GetPosition()).cast<float>();
+  m_eye.w() = camera.IsOrthographic() ? 0.0f : 1.0f;
   m_view = view.cast<float>();
   m_projection = projection.cast<float>();
   m_viewProjection = (projection * view).cast<float>();
-  m_pixelsPerTangent =
-      static_cast<float>(0.5 * m_target.GetDrawnHeight() / camera.GetHalfExtentTangents().y());
+  m_pixelsPerUnit =
+      static_cast<float>(0.5 * m_target.GetDrawnHeight() / camera.GetHalfExtents().y());
 }
 
 void CRenderer::Render(const SScene& scene, const SCameraPlacement& placement, SPicture& picture) {
@@ -265,29 +275,47 @@ void CRenderer::DrawShadowMap() {
 }
 
 void CRenderer::DrawGround(const SScene& scene) {
+  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(m_groundReach);
+  const Eigen::AlignedBox2d ground(scene.ArenaMin - reach, scene.ArenaMax + reach);
+  m_groundCells.Fill(ground, m_batches.GetCasters(), m_toSun, 4.0 * m_shadowMap.GetTexelSize());
+  const auto end = static_cast<float>(kGroundCells);
+  DrawGroundAreas(scene, m_litGroundProgram, {{0.0f, 0.0f, end, end}});
+  // nothing else is drawn yet: parts with shadows replace those without
+  m_gl.Disable(GL_DEPTH_TEST);
+  DrawGroundAreas(scene, m_groundProgram, m_groundCells.GetShaded());
+  m_gl.Enable(GL_DEPTH_TEST);
+}
+
+void CRenderer::DrawGroundAreas(const SScene& scene, const CGlProgram& program,
+                                const std::vector<TGroundArea>& areas) {
+  if (areas.empty()) {
+    return;
+  }
   const SLook& look = m_settings.Look;
   const Eigen::Vector2d reach = Eigen::Vector2d::Constant(m_groundReach);
-  m_groundProgram.Use();
-  SetLighting(m_groundProgram);
-  m_groundProgram.Set("uViewProjection", m_viewProjection);
-  m_groundProgram.Set("uMin", Eigen::Vector2f((scene.ArenaMin - reach).cast<float>()));
-  m_groundProgram.Set("uMax", Eigen::Vector2f((scene.ArenaMax + reach).cast<float>()));
-  m_groundProgram.Set("uArenaMin", Eigen::Vector2f(scene.ArenaMin.cast<float>()));
-  m_groundProgram.Set("uArenaMax", Eigen::Vector2f(scene.ArenaMax.cast<float>()));
-  m_groundProgram.Set("uFadeLength", static_cast<float>(m_groundReach));
-  m_groundProgram.Set("uBackground", look.Background);
-  m_groundProgram.Set("uGround", look.Ground);
-  m_groundProgram.Set("uGroundOutside", look.GroundOutside);
-  m_groundProgram.Set("uGridLine", look.GridLine);
-  m_groundProgram.Set("uBoundary", look.Boundary);
-  m_groundProgram.Set("uShowGrid", scene.ShowGrid ? 1 : 0);
-  m_groundProgram.Set("uShowBoundary", scene.ShowBoundary ? 1 : 0);
-  m_groundProgram.Set("uHasFloor", m_hasFloor ? 1 : 0);
-  m_groundProgram.Set("uFloorSize", Eigen::Vector2f(static_cast<float>(scene.Floor.Width),
-                                                    static_cast<float>(scene.Floor.Height)));
-  m_groundProgram.Set("uFloor", kFloorUnit);
-  m_gl.BindVertexArray(m_emptyArray);
-  m_gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, 1);
+  program.Use();
+  SetLighting(program);
+  program.Set("uViewProjection", m_viewProjection);
+  program.Set("uMin", Eigen::Vector2f((scene.ArenaMin - reach).cast<float>()));
+  program.Set("uMax", Eigen::Vector2f((scene.ArenaMax + reach).cast<float>()));
+  program.Set("uArenaMin", Eigen::Vector2f(scene.ArenaMin.cast<float>()));
+  program.Set("uArenaMax", Eigen::Vector2f(scene.ArenaMax.cast<float>()));
+  program.Set("uFadeLength", static_cast<float>(m_groundReach));
+  program.Set("uBackground", look.Background);
+  program.Set("uGround", look.Ground);
+  program.Set("uGroundOutside", look.GroundOutside);
+  program.Set("uGridLine", look.GridLine);
+  program.Set("uBoundary", look.Boundary);
+  program.Set("uShowGrid", scene.ShowGrid ? 1 : 0);
+  program.Set("uShowBoundary", scene.ShowBoundary ? 1 : 0);
+  program.Set("uHasFloor", m_hasFloor ? 1 : 0);
+  program.Set("uFloorSize", Eigen::Vector2f(static_cast<float>(scene.Floor.Width),
+                                            static_cast<float>(scene.Floor.Height)));
+  program.Set("uIsFloorSmooth", scene.Floor.IsSmooth ? 1 : 0);
+  program.Set("uFloor", kFloorUnit);
+  program.Set("uNumCells", static_cast<float>(kGroundCells));
+  m_groundInstances.Fill(areas);
+  m_gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(areas.size()));
 }
 
 void CRenderer::DrawContactShadows(const SScene& scene) {
@@ -383,8 +411,31 @@ void CRenderer::DrawLines(const SScene& scene) {
   m_gl.Disable(GL_BLEND);
 }
 
+void CRenderer::AddMarkers(const SScene& scene) {
+  const double area = static_cast<double>(m_settings.Width) * m_settings.Height;
+  const double crowded = std::sqrt(kMarkerShare * area / std::max<double>(1, scene.Markers.size()));
+  const double largest = kMarkerPixels * m_settings.Height / 960.0;
+  const auto pixels =
+      static_cast<float>(std::max(std::min(crowded, largest), kSmallestMarkerPixels));
+  for (const SMarker& marker : scene.Markers) {
+    const Eigen::Vector3f position(marker.Position.data());
+    const float w = (m_viewProjection * position.homogeneous()).w();
+    const float diameter = 2.0f * marker.Radius * m_pixelsPerUnit / m_target.GetScale();
+    if (w > 0.0f && diameter < pixels * w) {
+      SGlow disc;
+      disc.Position = marker.Position;
+      disc.Color = m_settings.Look.Marker;
+      disc.Pixels = pixels;
+      m_glows.push_back(disc);
+    }
+  }
+}
+
 void CRenderer::DrawGlows(const SScene& scene) {
-  if (scene.Glows.empty()) {
+  m_glows.clear();
+  AddMarkers(scene);
+  m_glows.insert(m_glows.end(), scene.Glows.begin(), scene.Glows.end());
+  if (m_glows.empty()) {
     return;
   }
   const SLook& look = m_settings.Look;
@@ -394,13 +445,15 @@ void CRenderer::DrawGlows(const SScene& scene) {
   m_glowProgram.Use();
   m_glowProgram.Set("uView", m_view);
   m_glowProgram.Set("uProjection", m_projection);
-  m_glowProgram.Set("uPixelsPerTangent", m_pixelsPerTangent);
+  m_glowProgram.Set("uPixelsPerUnit", m_pixelsPerUnit);
   m_glowProgram.Set("uPixelScale", static_cast<float>(m_target.GetScale()));
   m_glowProgram.Set("uToSunInView", toSunInView);
   m_glowProgram.Set("uHaloStrength", look.HaloStrength);
   m_glowProgram.Set("uHaloOpacity", look.HaloOpacity);
-  m_glowInstances.Fill(scene.Glows);
-  m_gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(scene.Glows.size()));
+  m_glowProgram.Set("uSignalPixels",
+                    kSignalPixels * std::max(m_settings.Height / 960.0f, 2.0f / kSignalPixels));
+  m_glowInstances.Fill(m_glows);
+  m_gl.DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(m_glows.size()));
   m_gl.DepthMask(GL_TRUE);
   m_gl.Disable(GL_BLEND);
 }

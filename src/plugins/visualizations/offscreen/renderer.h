@@ -5,6 +5,7 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/camera.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/gl_context.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/gl_program.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/ground_cells.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/instance_batches.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/instance_buffer.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/look.h>
@@ -70,10 +71,13 @@ class CRenderer {
 
   void DrawShadowMap();
   void DrawGround(const SScene& scene);
+  void DrawGroundAreas(const SScene& scene, const CGlProgram& program,
+                       const std::vector<TGroundArea>& areas);
   void DrawContactShadows(const SScene& scene);
   void DrawMeshes();
   void DrawTranslucentMeshes(const CGlProgram& program);
   void DrawLines(const SScene& scene);
+  void AddMarkers(const SScene& scene);
   void DrawGlows(const SScene& scene);
   void DrawBatches(const CInstanceBatches::TBatches& batches, const CGlProgram& program);
   void DrawInstances(EMeshKind kind, size_t level, const SMeshInstance* instances, size_t count);
@@ -88,32 +92,35 @@ class CRenderer {
   CGlProgram m_meshProgram;
   CGlProgram m_depthProgram;
   CGlProgram m_groundProgram;
+  CGlProgram m_litGroundProgram;
   CGlProgram m_contactProgram;
   CGlProgram m_glowProgram;
   CGlProgram m_lineProgram;
   CInstanceBatches m_batches;
+  CGroundCells m_groundCells;
 
   CAnnotationRenderer m_annotations;
 
   std::array<std::array<SMeshRange, kNumLevels>, kNumMeshKinds> m_meshes;
   GLuint m_meshArray;
   CInstanceBuffer m_meshInstances;
+  CInstanceBuffer m_groundInstances;
   CInstanceBuffer m_contactInstances;
   CInstanceBuffer m_glowInstances;
   CInstanceBuffer m_lineInstances;
-  GLuint m_emptyArray = 0;
+  std::vector<SGlow> m_glows;  // the scene's, and the discs of robots too small to be seen
   GLuint m_floorTexture = 0;
   std::uint64_t m_floorVersion = 0;
   bool m_hasFloor = false;
 
   // of the frame being drawn; float is enough once the matrices are multiplied in double
   Eigen::Vector3d m_toSun;
-  Eigen::Vector3f m_eye;
+  Eigen::Vector4f m_eye;  // w = 1: the eye; w = 0: direction to it, orthographic
   Eigen::Matrix4f m_view;
   Eigen::Matrix4f m_projection;
   Eigen::Matrix4f m_viewProjection;
   float m_near = 0.1f;
-  float m_pixelsPerTangent = 1.0f;
+  float m_pixelsPerUnit = 1.0f;  // drawn pixels per m at w = 1 in clip space
   double m_groundReach = 1.0;  // width of the ground around the arena, m
 };
 

@@ -7,6 +7,7 @@ void SScene::ClearContents() {
     instances.clear();
   }
   Glows.clear();
+  Markers.clear();
   Lines.clear();
   ContactShadows.clear();
   Flats.clear();

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,17 @@ struct SGlow {
   float HaloScale = 0.0f; /**< radius of the halo over that of the disc; 0 = no halo */
   /** > 0: diameter on the picture, pixels, instead of Radius; the disc is then of even colour. */
   float Pixels = 0.0f;
+  /** 1: a signal, which stays readable from afar: never drawn smaller than kSignalPixels. */
+  float IsSignal = 0.0f;
+};
+
+/** Least diameter of a signal in a picture 960 pixels high; in others in proportion, but >= 2. */
+constexpr float kSignalPixels = 4.4f;
+
+/** A robot, which is drawn as a disc of even colour where it would be smaller than a few pixels. */
+struct SMarker {
+  std::array<float, 3> Position; /**< world frame, m */
+  float Radius = 0.0f; /**< of the robot, m */
 };
 
 /** A straight line, of even width on the picture. */
@@ -90,11 +102,13 @@ struct SContactShadow {
   float Blur = 0.0f; /**< reach of the darkening, m */
 };
 
-/** The image on the floor. Row 0 is at the lowest y, as the ground sensors see it. */
+/** The image on the floor, shared by the scenes that show it. Row 0 is at the lowest y. */
 struct SFloorImage {
   int Width = 0; /**< pixels; 0 = no image */
   int Height = 0; /**< pixels */
-  std::vector<std::uint8_t> Pixels; /**< R, G, B, A per pixel, sRGB (Height, Width, 4) */
+  /** R, G, B, A per pixel, sRGB (Height, Width, 4); null = no image. */
+  std::shared_ptr<const std::vector<std::uint8_t>> Pixels;
+  bool IsSmooth = false; /**< blend between pixels instead of showing them as squares */
   std::uint64_t Version = 0; /**< changes when the pixels change */
 };
 
@@ -108,6 +122,7 @@ struct SScene {
 
   std::array<std::vector<SMeshInstance>, kNumMeshKinds> Meshes; /**< by EMeshKind */
   std::vector<SGlow> Glows;
+  std::vector<SMarker> Markers;
   std::vector<SLine> Lines;
   std::vector<SContactShadow> ContactShadows;
   std::vector<SFlatVertex> Flats; /**< opaque ones; three per triangle */

@@ -14,6 +14,8 @@
 #include <argos3/core/utility/math/eigen_bridge.h>
 #include <argos3/plugins/simulator/entities/led_equipped_entity.h>
 #include <argos3/plugins/simulator/entities/light_entity.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/led_glows.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/ray_lines.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,36 +24,11 @@ namespace argos {
 
 namespace {
 
-constexpr char kOriginAnchor[] = "origin";
-constexpr float kLEDHaloScale = 3.6f;  // radii
 constexpr float kLightHaloScale = 4.5f;  // radii
-constexpr SRgba kDarkLED = {46, 48, 54, 255};
-constexpr SRgba kFreeRay = {36, 122, 196, 170};
-constexpr SRgba kObstructedRay = {214, 52, 58, 230};
-constexpr SRgba kHitPoint = {232, 40, 34, 255};
-constexpr float kRayWidth = 1.4f;  // pixels
-constexpr float kHitPointRadius = 0.004f;  // m
 constexpr double kHighestFoot = 0.045;  // m; parts that begin above it hardly darken the ground
 constexpr double kDetailShare = 0.35;  // of the volume of an entity's largest part
 constexpr double kUpright = 0.999;  // cosine of the angle between a part's axis and the vertical
 constexpr int kLeastGray = 160;  // of robots in quarantine
-constexpr int kMaxFloorSide = 8192;  // pixels, of the texture
-
-// on the grid, so that a replay of a recording draws the same
-SPose ToVisiblePose(const SBodyPose& pose) {
-  const SBodyPose snapped = SnapToPoseGrid(pose);
-  return ToPose(snapped.Position, snapped.Orientation);
-}
-
-// the frame of a part
-SPose ComputeAnchorPose(const SVisualPart& part, CEmbodiedEntity* body, const SPose& origin) {
-  if (body == nullptr || part.Anchor == kOriginAnchor) {
-    return origin;
-  }
-  const auto found = body->GetAnchors().find(part.Anchor);
-  return found == body->GetAnchors().end() ? origin
-                                           : ToVisiblePose(ComputeVisiblePose(*found->second));
-}
 
 // of the solids of robots in quarantine: differences of brightness are left, but none of colour
 CColor PaleGray(const CColor& color) {
@@ -74,22 +51,6 @@ void AddSolid(EMeshKind kind, const SPose& pose, const Eigen::Vector3d& scale, f
   instance.Param = param;
   instance.IsDetail = isDetail ? 1.0f : 0.0f;
   scene.OfKind(kind).push_back(instance);
-}
-
-void AddLED(const SVisualPart& part, const SPose& pose, const CLEDEquippedEntity* leds,
-            SScene& scene) {
-  SGlow glow;
-  glow.Position = ToFloats(pose.Translation);
-  glow.Radius = static_cast<float>(0.5 * part.Size.GetX());
-  glow.Color = kDarkLED;
-  if (leds != nullptr && part.LED < leds->GetNumLEDs()) {
-    const CColor& color = leds->GetLEDColor(part.LED);
-    if (color != CColor()) {
-      glow.Color = ToRgba(color);
-      glow.HaloScale = kLEDHaloScale;
-    }
-  }
-  scene.Glows.push_back(glow);
 }
 
 SContactShadow MakeContactShadow(const SVisualPart& part, const SPose& pose) {
@@ -116,11 +77,6 @@ bool StandsOnGround(const SVisualPart& part, const SPose& pose) {
          std::abs(pose.Translation.z()) < kHighestFoot;
 }
 
-int ComputeFloorSide(double length, UInt32 pixelsPerMeter) {
-  const double pixels = std::ceil(length * std::max<UInt32>(pixelsPerMeter, 1) - 1e-6);
-  return static_cast<int>(std::clamp<double>(pixels, 1.0, kMaxFloorSide));
-}
-
 }  // namespace
 
 void CSceneBuilder::Build(CSpace& space, SScene& scene) {
@@ -129,13 +85,14 @@ void CSceneBuilder::Build(CSpace& space, SScene& scene) {
   const Eigen::Vector3d half = 0.5 * ToEigen(space.GetArenaSize());
   scene.ArenaMin = (center - half).head<2>();
   scene.ArenaMax = (center + half).head<2>();
-  AddFloor(space, scene.Floor);
+  m_floor.Update(space);
+  scene.Floor = m_floor.GetImage();
   for (CEntity* entity : space.GetRootEntityVector()) {
     AddEntity(*entity, scene);
   }
   if (m_showRays) {
     for (CControllableEntity* robot : space.GetControllableEntities()) {
-      AddRays(*robot, scene);
+      AddRayLines(*robot, scene);
     }
   }
 }
@@ -153,15 +110,17 @@ void CSceneBuilder::WarnUnseen(const CEntity& entity) {
 }
 
 void CSceneBuilder::AddEntity(CEntity& entity, SScene& scene) {
+  static const SAppearance kNone;
   const SAppearance* appearance = entity.GetAppearance();
   if (appearance == nullptr) {
     WarnUnseen(entity);
-    return;
+    appearance = &kNone;
   }
   SSubject subject;
   if (auto* composable = dynamic_cast<CComposableEntity*>(&entity)) {
     subject.Body = FindExistingComponent<CEmbodiedEntity>(*composable);
     const auto* const robot = FindExistingComponent<CControllableEntity>(*composable);
+    subject.IsRobot = robot != nullptr;
     subject.IsQuarantined = robot != nullptr && robot->IsQuarantined();
     if (!subject.IsQuarantined) {
       subject.LEDs = FindExistingComponent<CLEDEquippedEntity>(*composable);
@@ -174,19 +133,31 @@ void CSceneBuilder::AddEntity(CEntity& entity, SScene& scene) {
     subject.IsLight = dynamic_cast<CLightEntity*>(&entity) != nullptr;
   }
   for (const SVisualPart& part : appearance->Parts) {
-    subject.LargestVolume = std::max(subject.LargestVolume, ComputeVolume(part));
+    const double volume = ComputeVolume(part);
+    if (volume > subject.LargestVolume) {
+      subject.LargestVolume = volume;
+      subject.LargestSize = ToEigen(part.Size);
+    }
   }
   for (const SVisualPart& part : appearance->Parts) {
     AddPart(part, subject, scene);
   }
+  if (subject.LEDs != nullptr) {
+    AddUndeclaredLEDs(*appearance, *subject.LEDs, scene);
+  }
   if (subject.FootprintArea > 0.0) {
     scene.ContactShadows.push_back(subject.ContactShadow);
+  }
+  if (subject.IsRobot && subject.LargestVolume > 0.0) {
+    scene.Markers.push_back(
+        {ToFloats(subject.Pose * Eigen::Vector3d(0.0, 0.0, 0.5 * subject.LargestSize.z())),
+         static_cast<float>(0.5 * subject.LargestSize.head<2>().maxCoeff())});
   }
 }
 
 void CSceneBuilder::AddPart(const SVisualPart& part, SSubject& subject, SScene& scene) const {
-  const SPose pose =
-      ComputeAnchorPose(part, subject.Body, subject.Pose) * ToPose(part.Position, part.Orientation);
+  const SPose pose = ComputeAnchorPose(part.Anchor, subject.Body, subject.Pose) *
+                     ToPose(part.Position, part.Orientation);
   const Eigen::Vector3d size = ToEigen(part.Size);
   if (subject.IsLight) {
     const float radius = static_cast<float>(0.5 * size.x());
@@ -214,63 +185,14 @@ void CSceneBuilder::AddPart(const SVisualPart& part, SSubject& subject, SScene& 
                static_cast<float>(size.z() / size.x()), color, isDetail, scene);
       break;
     case SVisualPart::EKind::LED:
-      AddLED(part, pose, subject.LEDs, scene);
+      scene.Glows.push_back(
+          MakeLEDGlow(pose, part.Size.GetX(), GetLEDColorOrBlack(subject.LEDs, part.LED)));
       break;
   }
   const double area = size.x() * size.y();
   if (area > subject.FootprintArea && StandsOnGround(part, pose)) {
     subject.FootprintArea = area;
     subject.ContactShadow = MakeContactShadow(part, pose);
-  }
-}
-
-void CSceneBuilder::AddFloor(CSpace& space, SFloorImage& image) const {
-  if (!space.HasFloorEntity()) {
-    image.Width = 0;
-    image.Height = 0;
-    return;
-  }
-  CFloorEntity& floor = space.GetFloorEntity();
-  if (image.Width > 0 && !floor.HasChanged()) {
-    return;
-  }
-  const CVector3& size = space.GetArenaSize();
-  const CVector3 corner = space.GetArenaCenter() - size * 0.5;
-  image.Width = ComputeFloorSide(size.GetX(), floor.GetPixelsPerMeter());
-  image.Height = ComputeFloorSide(size.GetY(), floor.GetPixelsPerMeter());
-  image.Pixels.resize(4 * static_cast<std::size_t>(image.Width) *
-                      static_cast<std::size_t>(image.Height));
-  std::uint8_t* pixel = image.Pixels.data();
-  for (int row = 0; row < image.Height; ++row) {
-    const Real y = corner.GetY() + (row + 0.5) * size.GetY() / image.Height;
-    for (int column = 0; column < image.Width; ++column, pixel += 4) {
-      const Real x = corner.GetX() + (column + 0.5) * size.GetX() / image.Width;
-      const CColor color = floor.GetColorAtPoint(x, y);
-      pixel[0] = color.GetRed();
-      pixel[1] = color.GetGreen();
-      pixel[2] = color.GetBlue();
-      pixel[3] = 255;
-    }
-  }
-  ++image.Version;
-  floor.ClearChanged();
-}
-
-void CSceneBuilder::AddRays(CControllableEntity& robot, SScene& scene) const {
-  for (const auto& [obstructed, ray] : robot.GetCheckedRays()) {
-    SLine line;
-    line.Start = ToFloats(ToEigen(SnapToPoseGrid(ray.GetStart())));
-    line.End = ToFloats(ToEigen(SnapToPoseGrid(ray.GetEnd())));
-    line.Color = obstructed ? kObstructedRay : kFreeRay;
-    line.Width = kRayWidth;
-    scene.Lines.push_back(line);
-  }
-  for (const CVector3& point : robot.GetIntersectionPoints()) {
-    SGlow dot;
-    dot.Position = ToFloats(ToEigen(SnapToPoseGrid(point)));
-    dot.Radius = kHitPointRadius;
-    dot.Color = kHitPoint;
-    scene.Glows.push_back(dot);
   }
 }
 

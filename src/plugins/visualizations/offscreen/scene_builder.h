@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_SCENE_BUILDER_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_SCENE_BUILDER_H
 
+#include <argos3/plugins/simulator/visualizations/offscreen/floor_image.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/scene_parts.h>
 
 #include <set>
@@ -12,7 +13,6 @@ class CComposableEntity;
 class CControllableEntity;
 class CEmbodiedEntity;
 class CEntity;
-class CFloorEntity;
 class CLEDEquippedEntity;
 class CSpace;
 struct SAppearance;
@@ -21,9 +21,9 @@ struct SVisualPart;
 /**
  * Converts the contents of the arena to a scene.
  *
- * It reads only descriptions that every entity provides (SAppearance, poses, colours of LEDs, rays
- * recorded by sensors), and depends on no robot. It resets the floor's mark that it has changed;
- * apart from that it changes nothing in the space, and creates no entity.
+ * It reads only descriptions that every entity provides (SAppearance, poses, places and colours of
+ * LEDs, rays recorded by sensors), and depends on no robot. It resets the floor's mark that it has
+ * changed; apart from that it changes nothing in the space, and creates no entity.
  */
 class CSceneBuilder {
  public:
@@ -44,8 +44,10 @@ class CSceneBuilder {
     CEmbodiedEntity* Body = nullptr;  // null: the entity has none
     CLEDEquippedEntity* LEDs = nullptr;  // null: the entity has none, or they are dark
     bool IsLight = false;  // its solids glow
+    bool IsRobot = false;
     bool IsQuarantined = false;  // a robot that errors have stopped (CSpace::QuarantineLater())
     double LargestVolume = 0.0;  // of the boxes around its parts, m^3
+    Eigen::Vector3d LargestSize = Eigen::Vector3d::Zero();  // of the part of that volume, m
     double FootprintArea = 0.0;  // of ContactShadow, m^2; 0: nothing touches the ground
     SContactShadow ContactShadow{};
   };
@@ -53,10 +55,9 @@ class CSceneBuilder {
   void AddEntity(CEntity& entity, SScene& scene);
   void WarnUnseen(const CEntity& entity);
   void AddPart(const SVisualPart& part, SSubject& subject, SScene& scene) const;
-  void AddFloor(CSpace& space, SFloorImage& image) const;
-  void AddRays(CControllableEntity& robot, SScene& scene) const;
 
   bool m_showRays;
+  CFloorImage m_floor;
   std::set<std::string> m_unseenTypes;  // that were reported
 };
 

@@ -1,11 +1,37 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/scene_parts.h>
 
+#include <argos3/core/simulator/entity/anchor.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/geometry/pose_grid.h>
 #include <argos3/core/utility/math/eigen_bridge.h>
 
 namespace argos {
 
+namespace {
+
+constexpr char kOriginAnchor[] = "origin";
+
+}  // namespace
+
 SPose ToPose(const CVector3& position, const CQuaternion& orientation) {
   return {ToEigen(orientation).toRotationMatrix(), ToEigen(position)};
+}
+
+SPose ToVisiblePose(const SBodyPose& pose) {
+  const SBodyPose snapped = SnapToPoseGrid(pose);
+  return ToPose(snapped.Position, snapped.Orientation);
+}
+
+SPose ComputeAnchorPose(const SAnchor& anchor) {
+  return ToVisiblePose(ComputeVisiblePose(anchor));
+}
+
+SPose ComputeAnchorPose(const std::string& anchor, CEmbodiedEntity* body, const SPose& origin) {
+  if (body == nullptr || anchor == kOriginAnchor) {
+    return origin;
+  }
+  const auto found = body->GetAnchors().find(anchor);
+  return found == body->GetAnchors().end() ? origin : ComputeAnchorPose(*found->second);
 }
 
 SRgba ToRgba(const CColor& color) {

@@ -7,6 +7,9 @@
 
 namespace argos {
 
+class CEmbodiedEntity;
+struct SAnchor;
+
 /** A rigid pose in the world frame, m. */
 struct SPose {
   Eigen::Matrix3d Rotation = Eigen::Matrix3d::Identity();
@@ -23,6 +26,15 @@ struct SPose {
 };
 
 SPose ToPose(const CVector3& position, const CQuaternion& orientation);
+
+/** Rounded to the grid of all that views draw, so that a replay draws the same. */
+SPose ToVisiblePose(const SBodyPose& pose);
+
+/** Visible pose of an anchor; if not enabled, it keeps its place on the body. */
+SPose ComputeAnchorPose(const SAnchor& anchor);
+/** The same by its id; @p origin if the body is null or has no such anchor. */
+SPose ComputeAnchorPose(const std::string& anchor, CEmbodiedEntity* body, const SPose& origin);
+
 SRgba ToRgba(const CColor& color);
 std::array<float, 3> ToFloats(const Eigen::Vector3d& vector);
 

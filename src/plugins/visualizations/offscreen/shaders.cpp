@@ -4,13 +4,15 @@ namespace argos {
 
 // All colours in the shaders are linear light; the framebuffer encodes them as sRGB when it stores
 // them. Inputs that come from image files are decoded with FromSrgb() or by the texture unit.
-const char* const kShaderPreamble = R"glsl(#version 330 core
+const char* const kShaderVersion = "#version 330 core\n";
 
+const char* const kShaderPreamble = R"glsl(
 vec3 FromSrgb(vec3 c) {
   return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), step(0.04045, c));
 }
 
-// Share of the sun that reaches a point: percentage-closer filtering, 3 x 3 bilinear lookups.
+// Share of the sun that reaches a point: percentage-closer filtering, 2 x 2 bilinear lookups 1.5
+// texels apart, which together cover 3.5 x 3.5 texels.
 // Reeves, Salesin, Cook, Rendering Antialiased Shadows with Depth Maps (SIGGRAPH 1987).
 float SunShare(sampler2DShadow map, vec3 coordinates, float texel) {
   if (any(lessThan(coordinates.xy, vec2(0.0))) || any(greaterThan(coordinates.xy, vec2(1.0)))) {
@@ -19,12 +21,11 @@ float SunShare(sampler2DShadow map, vec3 coordinates, float texel) {
   // points behind all casters have them all in front; an empty texel is at depth 1
   float depth = min(coordinates.z, 0.9999);
   float sum = 0.0;
-  for (int y = -1; y <= 1; ++y) {
-    for (int x = -1; x <= 1; ++x) {
-      sum += texture(map, vec3(coordinates.xy + vec2(x, y) * texel, depth));
-    }
+  for (int i = 0; i < 4; ++i) {
+    vec2 offset = vec2(i & 1, i >> 1) * 1.5 - 0.75;
+    sum += texture(map, vec3(coordinates.xy + offset * texel, depth));
   }
-  return sum / 9.0;
+  return 0.25 * sum;
 }
 )glsl";
 
@@ -78,7 +79,7 @@ in vec3 vNormal;
 in vec2 vEdge;
 flat in vec4 vColor;
 
-uniform vec3 uEye;
+uniform vec4 uEye;  // w = 1: the eye; w = 0: the direction to it
 uniform vec3 uToSun;
 uniform float uSunIntensity;
 uniform vec4 uSkyLight;
@@ -97,7 +98,7 @@ layout(location = 0) out vec4 outColor;
 
 void main() {
   vec3 normal = normalize(vNormal);
-  vec3 toEye = normalize(uEye - vPosition);
+  vec3 toEye = normalize(uEye.xyz - uEye.w * vPosition);
   float cosSun = dot(normal, uToSun);
   float sun = 0.0;
   if (cosSun > 0.0) {
@@ -133,15 +134,18 @@ void main() {}
 )glsl";
 
 constexpr const char* kGroundVertexText = R"glsl(
+layout(location = 0) in vec4 inArea;
+
 uniform mat4 uViewProjection;
 uniform vec2 uMin;
 uniform vec2 uMax;
+uniform float uNumCells;
 
 out vec2 vPosition;
 
 void main() {
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
-  vPosition = mix(uMin, uMax, corner);
+  vPosition = mix(uMin, uMax, mix(inArea.xy, inArea.zw, corner) / uNumCells);
   gl_Position = uViewProjection * vec4(vPosition, 0.0, 1.0);
 }
 )glsl";
@@ -161,6 +165,7 @@ uniform int uShowGrid;
 uniform int uShowBoundary;
 uniform int uHasFloor;
 uniform vec2 uFloorSize;
+uniform int uIsFloorSmooth;
 uniform sampler2D uFloor;
 uniform vec3 uToSun;
 uniform float uSunIntensity;
@@ -183,14 +188,25 @@ float GridCoverage(vec2 pixel, float spacing) {
   return max(lines.x, lines.y);
 }
 
-// pixels of the image stay sharp squares, but their borders are antialiased
+// pixels of an image file stay sharp squares, but their borders are antialiased
 vec3 FloorColor(vec2 share) {
   vec2 position = share * uFloorSize;
   vec2 footprint = max(fwidth(position), vec2(1e-6));
   vec2 seam = floor(position + 0.5);
   vec2 sharp = seam + clamp((position - seam) / footprint, -0.5, 0.5);
-  vec2 coordinates = mix(sharp, position, step(1.0, footprint)) / uFloorSize;
+  vec2 coordinates =
+      (uIsFloorSmooth != 0 ? position : mix(sharp, position, step(1.0, footprint))) / uFloorSize;
   return textureGrad(uFloor, coordinates, dFdx(share), dFdy(share)).rgb;
+}
+
+// a line's colour, or its counterpart where the ground is as dark or as light as the line
+vec3 Contrasting(vec3 line, vec3 ground) {
+  const vec3 kLuminance = vec3(0.2126, 0.7152, 0.0722);
+  float own = dot(line, kLuminance);
+  float other = dot(ground, kLuminance);
+  float ratio = (max(own, other) + 0.05) / (min(own, other) + 0.05);
+  vec3 counterpart = other > 0.18 ? line * 0.35 : mix(line, vec3(0.6), 0.8);
+  return mix(counterpart, line, smoothstep(1.3, 1.9, ratio));
 }
 
 void main() {
@@ -208,22 +224,25 @@ void main() {
   if (uShowGrid != 0) {
     float grid = max(max(GridCoverage(pixel, 0.1), GridCoverage(pixel, 1.0)),
                      GridCoverage(pixel, 10.0));
-    float visibility = uHasFloor != 0 ? 0.45 * inArena : mix(0.55, 1.0, inArena);
-    base = mix(base, uGridLine.rgb, grid * visibility);
+    float visibility = mix(0.55, uHasFloor != 0 ? 0.6 : 1.0, inArena);
+    base = mix(base, Contrasting(uGridLine.rgb, base), grid * visibility);
   }
   if (uShowBoundary != 0) {
     vec2 toSide = min(abs(vPosition - uArenaMin), abs(vPosition - uArenaMax)) / pixel;
     vec2 along = step(beyond.yx, pixel.yx);
     vec2 lines = (1.0 - smoothstep(0.5, 1.5, toSide)) * along;
-    base = mix(base, uBoundary.rgb, max(lines.x, lines.y));
+    base = mix(base, Contrasting(uBoundary.rgb, base), max(lines.x, lines.y));
   }
 
+  // full light leaves the ground's colours as they were chosen
+  vec3 color = base;
+#ifndef WITHOUT_SHADOWS
   vec4 inShadow = uWorldToShadow * vec4(vPosition, 0.0, 1.0);
   float sun = SunShare(uShadowMap, inShadow.xyz, uShadowTexel);
   vec3 lit = uSunIntensity * uToSun.z + uSkyLight.rgb * uAmbientIntensity;
   vec3 light = uSunIntensity * uToSun.z * sun + uSkyLight.rgb * uAmbientIntensity;
-  // full light leaves the ground's colours as they were chosen
-  vec3 color = base * light / lit;
+  color *= light / lit;
+#endif
   float fade = smoothstep(0.0, 1.0, outside / uFadeLength);
   outColor = vec4(mix(color, uBackground.rgb, fade), 1.0);
 }
@@ -274,10 +293,12 @@ layout(location = 1) in float inRadius;
 layout(location = 2) in vec4 inColor;
 layout(location = 3) in float inHaloScale;
 layout(location = 4) in float inPixels;
+layout(location = 5) in float inIsSignal;
 
 uniform mat4 uView;
 uniform mat4 uProjection;
-uniform float uPixelsPerTangent;  // pixels per unit of the tangent of the angle off the axis
+uniform float uPixelsPerUnit;  // pixels per m at w = 1 in clip space
+uniform float uSignalPixels;
 uniform float uPixelScale;
 
 out vec2 vOffset;
@@ -290,15 +311,20 @@ void main() {
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
   vec4 center = uView * vec4(inPosition, 1.0);
   float depth = max(-center.z, 1e-4);
+  // w is the depth in perspective, and 1 in orthographic projection
+  float w = max((uProjection * center).w, 1e-4);
   float truePixels = inPixels > 0.0 ? 0.5 * inPixels * uPixelScale
-                                    : inRadius * uPixelsPerTangent / depth;
-  float pixels = max(truePixels, 1.2 * uPixelScale);
-  float radius = pixels * depth / uPixelsPerTangent;
-  vHalo = inHaloScale > 0.0 ? max(inHaloScale * truePixels / pixels, 1.001) : 0.0;
+                                    : inRadius * uPixelsPerUnit / w;
+  float least = inIsSignal > 0.0 ? 0.5 * uSignalPixels : 1.2;
+  float pixels = max(truePixels, least * uPixelScale);
+  float radius = pixels * w / uPixelsPerUnit;
+  float haloPixels = inIsSignal > 0.0 ? pixels : truePixels;
+  vHalo = inHaloScale > 0.0 ? max(inHaloScale * haloPixels / pixels, 1.001) : 0.0;
   float reach = max(vHalo, 1.0) + 0.7 / pixels;
   vOffset = corner * reach;
   // discs smaller than a pixel fade, but less than their area says: a swarm's colours stay visible
-  vColor = vec4(FromSrgb(inColor.rgb), inColor.a * min(truePixels / pixels, 1.0));
+  float cover = inIsSignal > 0.0 ? 1.0 : min(truePixels / pixels, 1.0);
+  vColor = vec4(FromSrgb(inColor.rgb), inColor.a * cover);
   vPixels = pixels;
   vIsLit = inPixels > 0.0 ? 0 : 1;
   gl_Position = uProjection * (center + vec4(vOffset * radius, 0.0, 0.0));
@@ -466,6 +492,8 @@ void main() {
 const SShaderSource kMeshShader = {"mesh", kMeshVertexText, kMeshFragmentText};
 const SShaderSource kDepthShader = {"depth", kMeshVertexText, kDepthFragmentText};
 const SShaderSource kGroundShader = {"ground", kGroundVertexText, kGroundFragmentText};
+const SShaderSource kLitGroundShader = {"lit ground", kGroundVertexText, kGroundFragmentText,
+                                        "#define WITHOUT_SHADOWS\n"};
 const SShaderSource kContactShadowShader = {"contact shadow", kContactShadowVertexText,
                                             kContactShadowFragmentText};
 const SShaderSource kGlowShader = {"glow", kGlowVertexText, kGlowFragmentText};

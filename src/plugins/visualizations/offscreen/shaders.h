@@ -8,14 +8,18 @@ struct SShaderSource {
   const char* Name;
   const char* Vertex;
   const char* Fragment;
+  const char* Defines = ""; /**< inserted before the functions that shaders share */
 };
 
-/** Precedes every shader: the language version, and functions that several shaders use. */
+/** First line of every shader: the language version. */
+extern const char* const kShaderVersion;
+/** Functions that several shaders use. */
 extern const char* const kShaderPreamble;
 
 extern const SShaderSource kMeshShader; /**< lit solids, instanced */
 extern const SShaderSource kDepthShader; /**< solids seen from the sun */
-extern const SShaderSource kGroundShader; /**< floor, grid, boundary */
+extern const SShaderSource kGroundShader; /**< floor, grid, boundary, with shadows */
+extern const SShaderSource kLitGroundShader; /**< the same without shadows */
 extern const SShaderSource kContactShadowShader; /**< SContactShadow, instanced */
 extern const SShaderSource kGlowShader; /**< SGlow, instanced */
 extern const SShaderSource kLineShader; /**< SLine, instanced */

@@ -10,7 +10,8 @@ namespace argos {
 
 namespace {
 
-constexpr int kMapSide = 2048;  // texels; 2 cm each in an arena of 40 m
+constexpr int kLeastSide = 512;  // texels
+constexpr int kLargestSide = 2048;
 // smaller texels would only sharpen the shadows, whose borders are about three texels wide
 constexpr double kSmallestTexel = 0.0018;  // m
 constexpr double kBorderTexels = 4.0;  // the filter reads a few texels around a point
@@ -18,10 +19,11 @@ constexpr double kSmallestExtent = 0.05;  // m
 
 }  // namespace
 
-CShadowMap::CShadowMap(const SGlFunctions& gl) : m_gl(gl) {
+CShadowMap::CShadowMap(const SGlFunctions& gl, int pictureSide)
+    : m_gl(gl), m_side(std::clamp(3 * pictureSide / 2, kLeastSide, kLargestSide)) {
   gl.GenTextures(1, &m_texture);
   gl.BindTexture(GL_TEXTURE_2D, m_texture);
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, kMapSide, kMapSide, 0, GL_DEPTH_COMPONENT,
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, m_side, m_side, 0, GL_DEPTH_COMPONENT,
                 GL_FLOAT, nullptr);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -39,7 +41,7 @@ CShadowMap::CShadowMap(const SGlFunctions& gl) : m_gl(gl) {
   const GLenum status = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status != GL_FRAMEBUFFER_COMPLETE) {
     THROW_ARGOSEXCEPTION("The OpenGL driver cannot make a shadow map of "
-                         << kMapSide << "x" << kMapSide << " texels (status " << status << ")");
+                         << m_side << "x" << m_side << " texels (status " << status << ")");
   }
 }
 
@@ -50,10 +52,10 @@ void CShadowMap::Fit(const Eigen::Matrix3d& sunFrame, const Eigen::AlignedBox3d&
   }
   // the ground below receives shadows beyond the casters' far side: depths past it are clamped
   const Eigen::Vector2d size =
-      box.sizes().head<2>().cwiseMax(kSmallestExtent) * (1.0 + 2.0 * kBorderTexels / kMapSide);
+      box.sizes().head<2>().cwiseMax(kSmallestExtent) * (1.0 + 2.0 * kBorderTexels / m_side);
   const double depth = std::max(box.sizes().z(), kSmallestExtent);
   const double wantedSide = std::ceil(size.maxCoeff() / kSmallestTexel);
-  m_usedSide = static_cast<int>(std::min<double>(wantedSide, kMapSide));
+  m_usedSide = static_cast<int>(std::min<double>(wantedSide, m_side));
   m_texelSize = static_cast<float>(size.maxCoeff() / m_usedSide);
 
   Eigen::Matrix4d toClip = Eigen::Matrix4d::Identity();
@@ -65,7 +67,7 @@ void CShadowMap::Fit(const Eigen::Matrix3d& sunFrame, const Eigen::AlignedBox3d&
   rotation.block<3, 3>(0, 0) = sunFrame;
   const Eigen::Matrix4d viewProjection = toClip * rotation;
   // only the lower left corner of the texture may be in use
-  const double half = 0.5 * m_usedSide / kMapSide;
+  const double half = 0.5 * m_usedSide / m_side;
   Eigen::Matrix4d toUnit = Eigen::Vector4d(half, half, 0.5, 1.0).asDiagonal();
   toUnit.col(3) = Eigen::Vector4d(half, half, 0.5, 1.0);
   m_viewProjection = viewProjection.cast<float>();
@@ -84,7 +86,7 @@ void CShadowMap::BindTexture(GLenum unit) const {
 }
 
 float CShadowMap::GetTexelShare() const {
-  return 1.0f / static_cast<float>(kMapSide);
+  return 1.0f / static_cast<float>(m_side);
 }
 
 }  // namespace argos

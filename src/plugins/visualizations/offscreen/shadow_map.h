@@ -15,7 +15,8 @@ namespace argos {
  */
 class CShadowMap {
  public:
-  explicit CShadowMap(const SGlFunctions& gl);
+  /** @param pictureSide  the longer one, pixels: texels need not be much smaller than pixels. */
+  CShadowMap(const SGlFunctions& gl, int pictureSide);
 
   /**
    * Aims the map at the shadow casters.
@@ -42,6 +43,7 @@ class CShadowMap {
   const SGlFunctions& m_gl;
   GLuint m_framebuffer = 0;
   GLuint m_texture = 0;
+  int m_side;  // texels
   int m_usedSide = 1;  // texels
   float m_texelSize = 1.0f;
   Eigen::Matrix4f m_viewProjection = Eigen::Matrix4f::Identity();

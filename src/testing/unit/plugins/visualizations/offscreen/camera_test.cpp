@@ -1,4 +1,5 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/camera.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/camera_framing.h>
 
 #include <argos3/core/utility/configuration/argos_exception.h>
 
@@ -145,33 +146,81 @@ TEST_CASE("camera: default placements form a circle around the arena",
   CHECK_THAT(placements[3].FocalLength, WithinAbs(65.0, kRounding));
 }
 
-TEST_CASE("camera: the framing placement contains the arena tightly and centred",
+TEST_CASE("camera framing: a view contains its points tightly and centred",
           "[visualizations][offscreen][camera]") {
+  const std::string name = GENERATE("oblique", "top", "side", "front", "corner");
+  const bool isOrthographic = GENERATE(false, true);
   const double aspectRatio = GENERATE(0.75, 4.0 / 3.0, 3.0);
   const Eigen::Vector3d size =
-      GENERATE(Eigen::Vector3d(5.0, 5.0, 1.0), Eigen::Vector3d(40.0, 10.0, 2.0),
+      GENERATE(Eigen::Vector3d(5.0, 5.0, 0.3), Eigen::Vector3d(40.0, 10.0, 6.0),
                Eigen::Vector3d(0.5, 8.0, 1.0));
-  const double top = GENERATE(0.0, 1.0, 6.0);  // m, height of the top above the ground
-  CAPTURE(aspectRatio, size, top);
-  const SArenaBox arena{{1.5, -2.0, 0.5}, size};
-  const CCamera camera(MakeFramingPlacement(arena, aspectRatio, top), aspectRatio);
+  CAPTURE(name, isOrthographic, aspectRatio, size);
+  const Eigen::Vector3d corner(-1.0, -6.0, 0.0);
+  SView view = SView::FromName(name);
+  view.IsOrthographic = isOrthographic;
+  CCameraFraming framing(view, aspectRatio, 0.04);
+  framing.Extend(corner, corner + size);
+  const CCamera camera(framing.ComputePlacement(), aspectRatio);
+  CHECK(camera.IsOrthographic() == isOrthographic);
   Eigen::AlignedBox2d frame;
-  for (const double signX : {-0.5, 0.5}) {
-    for (const double signY : {-0.5, 0.5}) {
-      for (const double z : {0.0, top}) {
-        frame.extend(camera.Project({1.5 + signX * size.x(), -2.0 + signY * size.y(), z}));
-      }
-    }
+  for (int i = 0; i < 8; ++i) {
+    const Eigen::Vector3d share(i & 1, (i >> 1) & 1, i >> 2);
+    frame.extend(camera.Project(corner + size.cwiseProduct(share)));
   }
   CHECK(frame.min().minCoeff() > 0.0);
   CHECK(frame.max().maxCoeff() < 1.0);
-  CHECK(frame.sizes().maxCoeff() > 0.9);
-  CHECK_THAT(frame.center().x(), WithinAbs(0.5, kRounding));
-  // the fixed-point iteration stops at about a thousandth of the picture
-  CHECK_THAT(frame.center().y(), WithinAbs(0.5, 2e-3));
-  // x to the right, y upwards
-  CHECK(camera.Project({2.0, -2.0, 0.0}).x() > camera.Project({1.0, -2.0, 0.0}).x());
-  CHECK(camera.Project({1.5, -1.9, 0.0}).y() < camera.Project({1.5, -2.1, 0.0}).y());
+  // one of the two directions is filled but for the margin: 1 / 1.04; both sides of it are touched
+  // exactly where no point is nearer than the others
+  CHECK_THAT(frame.sizes().maxCoeff(), WithinAbs(1.0 / 1.04, 1e-9));
+  // the other one is centred by an iteration over the outermost points
+  CHECK_THAT(frame.center().x(), WithinAbs(0.5, 0.02));
+  CHECK_THAT(frame.center().y(), WithinAbs(0.5, 0.02));
+}
+
+TEST_CASE("camera framing: from above, x is to the right and y upwards",
+          "[visualizations][offscreen][camera]") {
+  CCameraFraming framing(SView::FromName("top"), 4.0 / 3.0, 0.0);
+  framing.Extend({-1.0, -1.0, 0.0}, {1.0, 1.0, 0.0});
+  const CCamera camera(framing.ComputePlacement(), 4.0 / 3.0);
+  CheckVector(camera.GetRight(), {1.0, 0.0, 0.0});
+  CheckVector(camera.GetUp(), {0.0, 1.0, 0.0});
+}
+
+TEST_CASE("camera framing: an orthographic view has the scale that its height gives",
+          "[visualizations][offscreen][camera]") {
+  SView view = SView::FromName("top");
+  view.IsOrthographic = true;
+  CCameraFraming framing(view, 2.0, 0.1);
+  framing.Extend({-1.0, 2.0, 0.0}, {1.0, 5.0, 4.0});
+  const SCameraPlacement placement = framing.ComputePlacement();
+  // 3 m high and a tenth of it
+  CHECK_THAT(placement.OrthographicHeight, WithinAbs(3.3, kRounding));
+  const CCamera camera(placement, 2.0);
+  const Eigen::Vector2d at = camera.Project({0.33, 3.5, 1.0});
+  CHECK_THAT(at.x(), WithinAbs(0.5 + 0.33 / 6.6, kRounding));
+  CHECK_THAT(at.y(), WithinAbs(0.5, kRounding));
+}
+
+TEST_CASE("camera framing: an unknown view is an error that names the known ones",
+          "[visualizations][offscreen][camera]") {
+  CHECK_THROWS_WITH(SView::FromName("tpo"),
+                    Contains("\"tpo\"") && Contains("corner") && Contains("did you mean \"top\""));
+}
+
+TEST_CASE("camera: an orthographic matrix agrees with the projection of points",
+          "[visualizations][offscreen][camera]") {
+  SCameraPlacement placement = Make({1.0, -2.0, 1.5}, {0.2, 0.1, 0.0});
+  placement.OrthographicHeight = 3.0;
+  const CCamera camera(placement, 4.0 / 3.0);
+  const Eigen::Vector3d point(0.5, 0.4, 0.2);
+  const Eigen::Vector4d clip =
+      camera.ComputeProjectionMatrix(0.1, 10.0) * camera.ComputeViewMatrix() * point.homogeneous();
+  CHECK_THAT(clip.w(), WithinAbs(1.0, kRounding));
+  const Eigen::Vector2d share = camera.Project(point);
+  CHECK_THAT(0.5 + 0.5 * clip.x(), WithinAbs(share.x(), kRounding));
+  CHECK_THAT(0.5 - 0.5 * clip.y(), WithinAbs(share.y(), kRounding));
+  placement.OrthographicHeight = -1.0;
+  CHECK_THROWS_WITH(CCamera(placement, 1.0), Contains("orthographic_height is -1 m"));
 }
 
 TEST_CASE("camera: an eye at its target and a zero focal length are errors",

@@ -205,3 +205,12 @@ TEST_CASE("offscreen: both visualizations are registered and describe their XML"
     CHECK_FALSE(info.BriefDescription.empty());
   }
 }
+
+TEST_CASE("offscreen: only the ticks that are asked for have frames",
+          "[visualizations][offscreen]") {
+  const CTemporaryFolder folder;
+  CExperiment experiment("<offscreen directory='" + folder.GetPath() +
+                         "' size='64x48' every='2' ticks='3-6,9'/>");
+  experiment.GetSimulator().Execute();
+  CHECK(folder.ListFiles() == std::set<std::string>{Frame("4"), Frame("6")});
+}

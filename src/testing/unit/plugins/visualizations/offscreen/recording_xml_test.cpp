@@ -211,3 +211,14 @@ TEST_CASE("camera in a file: invalid values are errors with their place",
   CHECK_THROWS_WITH(ReadCameraText(text),
                     StartsWith("[FATAL] test.argos:1:") && Contains(complaint));
 }
+
+TEST_CASE("offscreen settings: parts of the run are ticks and ranges of ticks",
+          "[visualizations][offscreen][xml]") {
+  typedef std::vector<std::pair<std::uint32_t, std::uint32_t>> TTicks;
+  CHECK(ReadOffscreen("").Ticks.empty());
+  CHECK(ReadOffscreen("ticks='0-50,100,550-600'").Ticks == TTicks{{0, 50}, {100, 100}, {550, 600}});
+  const std::string text = GENERATE("", "5-3", "1,1", "10-20,15", "a", "-5", "5-", "1-2-3", ",");
+  CAPTURE(text);
+  CHECK_THROWS_WITH(ReadOffscreen("ticks='" + text + "'"),
+                    Contains("test.argos:1: <offscreen>: attribute \"ticks\""));
+}

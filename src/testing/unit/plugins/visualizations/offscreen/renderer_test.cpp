@@ -12,6 +12,31 @@
 using namespace argos;
 using Catch::Matchers::Contains;
 
+namespace {
+
+std::shared_ptr<const std::vector<std::uint8_t>> MakePixels(std::vector<std::uint8_t> values) {
+  return std::make_shared<const std::vector<std::uint8_t>>(std::move(values));
+}
+
+SCameraPlacement ParallelViewFromAbove(double height) {
+  SCameraPlacement placement = ViewFromAbove(3.0);
+  placement.OrthographicHeight = height;
+  return placement;
+}
+
+// number of reddish pixels
+int CountReddish(const SPicture& picture) {
+  int count = 0;
+  for (int y = 0; y < picture.Height; ++y) {
+    for (int x = 0; x < picture.Width; ++x) {
+      count += IsReddish(picture.At(x, y)) ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
 TEST_CASE("renderer: a red box is red where the camera projects it, and nowhere else",
           "[visualizations][offscreen][renderer]") {
   const std::string look = GENERATE("light", "dark");
@@ -190,7 +215,8 @@ TEST_CASE("renderer: row 0 of the floor image is at the lowest y",
   scene.Floor.Height = 2;
   scene.Floor.Version = 1;
   // lower left red, lower right green, upper left black, upper right white
-  scene.Floor.Pixels = {220, 30, 30, 255, 30, 200, 30, 255, 0, 0, 0, 255, 255, 255, 255, 255};
+  scene.Floor.Pixels =
+      MakePixels({220, 30, 30, 255, 30, 200, 30, 255, 0, 0, 0, 255, 255, 255, 255, 255});
   const SCameraPlacement above = ViewFromAbove(5.0);
   SPicture picture;
   renderer.Render(scene, above, picture);
@@ -204,7 +230,7 @@ TEST_CASE("renderer: row 0 of the floor image is at the lowest y",
   CHECK(std::abs(red[1] - 30) <= 3);
 
   // a floor image of a new version replaces the old one
-  std::fill(scene.Floor.Pixels.begin(), scene.Floor.Pixels.end(), std::uint8_t{255});
+  scene.Floor.Pixels = MakePixels(std::vector<std::uint8_t>(16, 255));
   ++scene.Floor.Version;
   renderer.Render(scene, above, picture);
   CHECK(IsGreyish(PixelOf(picture, above, {-0.5, -0.5, 0.0})));
@@ -290,4 +316,78 @@ TEST_CASE("look: an unknown name is an error that lists the known ones",
           "[visualizations][offscreen][look]") {
   CHECK_THROWS_WITH(SLook::FromName("sepia"),
                     Contains("\"sepia\"") && Contains("\"light\" or \"dark\""));
+}
+
+TEST_CASE("renderer: in an orthographic view size does not depend on the height",
+          "[visualizations][offscreen][renderer]") {
+  CRenderer renderer(SmallPicture());
+  SPicture picture;
+  // 2 m are 120 pixels: half a metre is 30 pixels, whether at the ground or 1.5 m above it
+  const double height = GENERATE(0.0, 1.5);
+  CAPTURE(height);
+  SScene scene = MakeEmptyScene();
+  scene.OfKind(EMeshKind::Box).push_back(MakeInstance({0.3, 0.2, height}, {0.5, 0.5, 0.1}, kRed));
+  const SCameraPlacement above = ParallelViewFromAbove(2.0);
+  renderer.Render(scene, above, picture);
+  // the border is antialiased: half a pixel on each side
+  CHECK(std::abs(CountReddish(picture) - 30 * 30) <= 2 * 30);
+  CHECK(IsReddish(PixelOf(picture, above, {0.06, 0.2, 0.0})));
+  CHECK(IsGreyish(PixelOf(picture, above, {0.03, 0.2, 0.0})));
+  // no walls are seen
+  CHECK(IsReddish(PixelOf(picture, above, {0.54, 0.44, 0.0})));
+  CHECK(IsGreyish(PixelOf(picture, above, {0.57, 0.47, 0.0})));
+}
+
+TEST_CASE("renderer: a lit LED is seen from any distance, a dark one is not",
+          "[visualizations][offscreen][renderer]") {
+  CRenderer renderer(SmallPicture());
+  SPicture picture;
+  SGlow led;
+  led.Position = {0.0f, 0.0f, 0.1f};
+  led.Radius = 0.004f;
+  led.Color = kRed;
+  led.HaloScale = 3.6f;
+  led.IsSignal = GENERATE(0.0f, 1.0f);
+  CAPTURE(led.IsSignal);
+  SScene scene = MakeEmptyScene();
+  scene.Glows.push_back(led);
+  // 8 mm from 60 m: a fortieth of a pixel
+  const SCameraPlacement far = ViewFromAbove(60.0);
+  renderer.Render(scene, far, picture);
+  CHECK(IsReddish(PixelOf(picture, far, {0.0, 0.0, 0.1})) == (led.IsSignal > 0.0f));
+}
+
+TEST_CASE("renderer: robots too small to be seen are discs",
+          "[visualizations][offscreen][renderer]") {
+  CRenderer renderer(SmallPicture());
+  SPicture with;
+  SPicture without;
+  SScene scene = MakeEmptyScene();
+  const double height = GENERATE(1.0, 60.0);
+  CAPTURE(height);
+  const SCameraPlacement above = ViewFromAbove(height);
+  renderer.Render(scene, above, without);
+  scene.Markers.push_back({{0.0f, 0.0f, 0.05f}, 0.035f});
+  renderer.Render(scene, above, with);
+  // 7 cm are 19 pixels wide from 1 m, and a third of a pixel from 60 m
+  CHECK((with.Pixels != without.Pixels) == (height > 10.0));
+}
+
+TEST_CASE("renderer: the parts of the ground that are drawn without shadows have none",
+          "[visualizations][offscreen][renderer]") {
+  // a solid whose shadow is everywhere makes the renderer look up all shadows
+  CRenderer renderer(SmallPicture());
+  SPicture some;
+  SPicture all;
+  SScene scene = MakeEmptyScene();
+  scene.OfKind(EMeshKind::Box).push_back(MakeInstance({0.5, 0.2, 0.0}, {0.3, 0.3, 0.6}, kRed));
+  renderer.Render(scene, ObliqueView(), some);
+  // under the ground it is neither seen nor throws a shadow on it
+  scene.OfKind(EMeshKind::Box).push_back(MakeInstance({0.0, 0.0, -0.2}, {12.0, 12.0, 0.1}, kGreen));
+  renderer.Render(scene, ObliqueView(), all);
+  // far from the solid, where the shadow map's resolution, which differs, does not matter
+  for (const auto& [x, y] : {std::pair{10, 110}, {150, 110}, {20, 60}, {80, 112}}) {
+    CAPTURE(x, y);
+    CHECK(std::abs(Brightness(some.At(x, y)) - Brightness(all.At(x, y))) <= 3);
+  }
 }

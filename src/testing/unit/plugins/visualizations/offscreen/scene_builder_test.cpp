@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/floor_entity.h>
 #include <argos3/core/simulator/entity/positional_entity.h>
+#include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/space/space_operations.h>
@@ -37,6 +38,7 @@ class CWorld {
     m_simulator.Load(m_document);
   }
 
+  CSimulator& GetSimulator() { return m_simulator; }
   CSpace& GetSpace() { return m_simulator.GetSpace(); }
 
   template <typename ENTITY>
@@ -46,7 +48,7 @@ class CWorld {
   }
 
   SScene& Build(bool showRays = true) {
-    CSceneBuilder(showRays).Build(GetSpace(), m_scene);
+    (showRays ? m_builder : m_builderWithoutRays).Build(GetSpace(), m_scene);
     return m_scene;
   }
 
@@ -55,6 +57,8 @@ class CWorld {
   CSimulator m_simulator;
   CSimulator::CScope m_scope;
   SScene m_scene;
+  CSceneBuilder m_builder{true};
+  CSceneBuilder m_builderWithoutRays{false};
 };
 
 void CheckRow(const std::array<float, 4>& row, const std::array<double, 4>& expected) {
@@ -178,9 +182,11 @@ TEST_CASE("scene builder: the floor is sampled at its resolution, again after a 
   SScene& scene = world.Build();
   CHECK(scene.Floor.Width == 40);
   CHECK(scene.Floor.Height == 20);
-  REQUIRE(scene.Floor.Pixels.size() == 4 * 40 * 20);
+  REQUIRE(scene.Floor.Pixels != nullptr);
+  REQUIRE(scene.Floor.Pixels->size() == 4 * 40 * 20);
   // default loop functions colour the floor white
-  CHECK(scene.Floor.Pixels[0] == 255);
+  CHECK(scene.Floor.Pixels->front() == 255);
+  CHECK(scene.Floor.IsSmooth);
   const auto version = scene.Floor.Version;
   world.Build();
   CHECK(scene.Floor.Version == version);
@@ -189,7 +195,7 @@ TEST_CASE("scene builder: the floor is sampled at its resolution, again after a 
   CHECK(scene.Floor.Version != version);
 }
 
-TEST_CASE("scene builder: recorded rays are drawn on request, hits in another colour",
+TEST_CASE("scene builder: recorded rays end at their hits, in another colour",
           "[visualizations][offscreen][scene]") {
   CWorld world;
   CControllableEntity robot(nullptr, "robot");
@@ -203,6 +209,8 @@ TEST_CASE("scene builder: recorded rays are drawn on request, hits in another co
   REQUIRE(scene.Lines.size() == 2);
   CHECK(scene.Lines[0].Start == std::array<float, 3>{0.0f, 0.0f, 0.5f});
   CHECK(scene.Lines[0].End == std::array<float, 3>{0.25f, 0.0f, 0.5f});
+  // the obstructed one is half as long as the ray
+  CHECK(scene.Lines[1].End == std::array<float, 3>{0.0f, 0.25f, 0.5f});
   CHECK(scene.Lines[1].Color.R > 2 * scene.Lines[1].Color.B);
   CHECK(scene.Lines[0].Color.B > 2 * scene.Lines[0].Color.R);
   REQUIRE(scene.Glows.size() == 1);
@@ -211,6 +219,100 @@ TEST_CASE("scene builder: recorded rays are drawn on request, hits in another co
   CHECK(scene.Lines.empty());
   CHECK(scene.Glows.empty());
   world.GetSpace().RemoveControllableEntity(robot);
+}
+
+TEST_CASE("scene builder: an obstructed ray without a recorded hit keeps its length",
+          "[visualizations][offscreen][scene]") {
+  CWorld world;
+  CControllableEntity robot(nullptr, "robot");
+  world.GetSpace().AddControllableEntity(robot);
+  // a light sensor records no hit; the proximity sensor after it does
+  const CRay3 toLight(CVector3(0.0, 0.0, 0.5), CVector3(1.0, 0.0, 0.5));
+  const CRay3 near(CVector3(0.0, 0.0, 0.5), CVector3(0.0, 0.5, 0.5));
+  robot.AddCheckedRay(true, toLight);
+  robot.AddCheckedRay(true, near);
+  robot.AddIntersectionPoint(near, 0.5);
+  SScene& scene = world.Build();
+  REQUIRE(scene.Lines.size() == 2);
+  CHECK(scene.Lines[0].End == std::array<float, 3>{1.0f, 0.0f, 0.5f});
+  CHECK(scene.Lines[1].End == std::array<float, 3>{0.0f, 0.25f, 0.5f});
+  world.GetSpace().RemoveControllableEntity(robot);
+}
+
+TEST_CASE("scene builder: LEDs that the appearance does not contain are drawn at their places",
+          "[visualizations][offscreen][scene]") {
+  // a user's robot: an appearance, or none, and LEDs that only its layout knows
+  class CUsersRobot : public CComposableEntity {
+   public:
+    explicit CUsersRobot(bool isSeen) : CComposableEntity(nullptr, "mine"), m_isSeen(isSeen) {
+      m_body = new CEmbodiedEntity(this, "body", CVector3(1.0, 0.5, 0.0),
+                                   CQuaternion(CRadians::PI_OVER_TWO, CVector3::Z), false);
+      AddComponent(*m_body);
+      m_leds = new CLEDEquippedEntity(this, "leds");
+      AddComponent(*m_leds);
+      m_leds->AddLED(CVector3(0.25, 0.0, 0.125), m_body->GetOriginAnchor(), CColor::RED);
+      m_leds->AddLED(CVector3(0.0, 0.0, 0.25), m_body->GetOriginAnchor(), CColor::BLACK);
+      SVisualPart part;
+      part.Kind = SVisualPart::EKind::LED;
+      part.LED = 1;
+      part.Size = CVector3(0.5, 0.5, 0.5);
+      m_appearance.Parts.push_back(part);
+    }
+    const SAppearance* GetAppearance() const override { return m_isSeen ? &m_appearance : nullptr; }
+    std::string GetTypeDescription() const override { return "mine"; }
+
+   private:
+    bool m_isSeen;
+    CEmbodiedEntity* m_body;
+    CLEDEquippedEntity* m_leds;
+    SAppearance m_appearance;
+  };
+  const bool isSeen = GENERATE(true, false);
+  CAPTURE(isSeen);
+  CWorld world;
+  CUsersRobot robot(isSeen);
+  world.GetSpace().GetRootEntityVector().push_back(&robot);
+  TakeLogErr();
+  SScene& scene = world.Build();
+  REQUIRE(scene.Glows.size() == 2);
+  const SGlow& lit = isSeen ? scene.Glows[1] : scene.Glows[0];
+  CHECK(lit.Color.R == 255);
+  CHECK(lit.IsSignal == 1.0f);
+  // 0.25 m along the robot's x, which is the world's y
+  CHECK_THAT(static_cast<double>(lit.Position[0]), WithinAbs(1.0, kFloatRounding));
+  CHECK_THAT(static_cast<double>(lit.Position[1]), WithinAbs(0.75, kFloatRounding));
+  CHECK_THAT(static_cast<double>(lit.Position[2]), WithinAbs(0.125, kFloatRounding));
+  const SGlow& dark = isSeen ? scene.Glows[0] : scene.Glows[1];
+  CHECK(dark.IsSignal == 0.0f);
+  // the declared one has the size of its part
+  CHECK((dark.Radius == 0.25f) == isSeen);
+  TakeLogErr();
+  world.GetSpace().GetRootEntityVector().pop_back();
+}
+
+TEST_CASE("floor image: edges that loop functions paint are filtered, areas are exact",
+          "[visualizations][offscreen][scene]") {
+  class CHalves : public CLoopFunctions {
+   public:
+    CColor GetFloorColor(const CVector2& point) override {
+      return point.GetX() < 1.04 ? CColor(200, 0, 0) : CColor(0, 0, 200);
+    }
+  };
+  CWorld world;
+  CHalves halves;
+  world.GetSimulator().SetLoopFunctions(halves);
+  auto* floor = new CFloorEntity("floor", 10);
+  world.Add(floor);
+  world.GetSpace().SetFloorEntity(*floor);
+  const SScene& scene = world.Build();
+  REQUIRE(scene.Floor.Width == 40);
+  const auto red = [&scene](std::size_t column) { return (*scene.Floor.Pixels)[4 * column]; };
+  // the arena begins at x = -1: pixel 20 covers 1.0 to 1.1, and half of its samples, at 1.025, are
+  // left of the border
+  CHECK(red(18) == 200);
+  CHECK(red(19) == 200);
+  CHECK(red(20) == 100);
+  CHECK(red(21) == 0);
 }
 
 TEST_CASE("scene builder: small parts of an entity are marked as details",

@@ -1,0 +1,189 @@
+// Compares small pictures of every entity, robot and overlay with those in golden/pictures.
+//
+// After an intended change of the looks, ARGOS_RENEW_GOLDEN=1 scenario_golden_tests replaces them;
+// look at each of them before they are committed.
+
+#include "picture_difference.h"
+
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/utility/configuration/configuration_document.h>
+#include <argos3/testing/support/paths.h>
+
+#include <catch2/catch.hpp>
+
+#include <stdlib.h>
+
+#include <filesystem>
+#include <string>
+
+using namespace argos;
+
+namespace {
+
+// Limits of SPictureDifference. The same build gives 0; other versions of Mesa round otherwise
+// along edges. "a picture in which little has changed" below shows that these notice one LED.
+constexpr double kMean = 0.3;
+constexpr double kMost = 6.0;
+
+// the controllers that an arena refers to
+std::string MakeControllers(const std::string& arena) {
+  const std::string folder = InSourceTree("src/testing/scenario/golden/");
+  std::string controllers;
+  if (arena.find("config='driver'") != std::string::npos) {
+    controllers +=
+        "<lua_controller id='driver'><actuators>"
+        "<leds implementation='default' medium='leds'/>"
+        "<range_and_bearing implementation='default'/>"
+        "<differential_steering implementation='default'/></actuators>"
+        "<sensors><range_and_bearing implementation='medium' medium='rab'/></sensors>"
+        "<params script='" +
+        folder + "drive.lua'/></lua_controller>";
+  }
+  if (arena.find("config='idler'") != std::string::npos) {
+    controllers += "<lua_controller id='idler'><actuators/><sensors/><params script='" + folder +
+                   "stand.lua'/></lua_controller>";
+  }
+  return controllers;
+}
+
+struct SSubject {
+  std::string Name;
+  std::string Arena;  // children of <arena>
+  double Size = 1.0;  // m, of the arena
+};
+
+// a temporary folder, removed by the destructor
+class CTemporaryFolder {
+ public:
+  CTemporaryFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "golden_XXXXXX").string();
+    REQUIRE(mkdtemp(pattern.data()) != nullptr);
+    m_path = pattern;
+  }
+  ~CTemporaryFolder() { std::filesystem::remove_all(m_path); }
+  const std::string& GetPath() const { return m_path; }
+
+ private:
+  std::string m_path;
+};
+
+std::string GoldenFile(const std::string& name) {
+  return InSourceTree("src/testing/scenario/golden/pictures/" + name + ".png");
+}
+
+// the last picture of a run of some ticks; it becomes the golden one on request, if it has a name
+SPicture Draw(const SSubject& subject, const std::string& offscreen, const std::string& children,
+              double length = 0.2) {
+  const CTemporaryFolder folder;
+  const std::string size = std::to_string(subject.Size);
+  CConfigurationDocument document;
+  document.Parse("<argos-configuration><framework><experiment length='" + std::to_string(length) +
+                     "' ticks_per_second='10' random_seed='1'/></framework><controllers>" +
+                     MakeControllers(subject.Arena) + "</controllers><arena size='" + size + "," +
+                     size + ",2'>" + subject.Arena +
+                     "</arena><physics_engines><dynamics3d id='d'/></physics_engines>"
+                     "<media><led id='leds'/><range_and_bearing id='rab'/><rfid id='tags'/></media>"
+                     "<visualization><offscreen size='160x120' every='1000' directory='" +
+                     folder.GetPath() + "' " + offscreen + ">" + children +
+                     "</offscreen></visualization></argos-configuration>",
+                 "golden.argos");
+  CSimulator simulator;
+  const CSimulator::CScope scope(simulator);
+  simulator.Load(document);
+  simulator.Execute();
+  std::string last;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.GetPath())) {
+    last = std::max(last, entry.path().string());
+  }
+  REQUIRE_FALSE(last.empty());
+  if (getenv("ARGOS_RENEW_GOLDEN") != nullptr && !subject.Name.empty()) {
+    std::filesystem::copy_file(last, GoldenFile(subject.Name),
+                               std::filesystem::copy_options::overwrite_existing);
+  }
+  return ReadPicture(last);
+}
+
+void CheckLike(const std::string& name, const SPicture& picture) {
+  const SPictureDifference difference = ComputeDifference(picture, ReadPicture(GoldenFile(name)));
+  CHECK(difference.Mean <= kMean);
+  CHECK(difference.Most <= kMost);
+}
+
+std::string Robot(const std::string& type, const std::string& id, const std::string& attributes,
+                  const std::string& position) {
+  return "<" + type + " id='" + id + "' " + attributes + "><body position='" + position +
+         "' orientation='30,0,0'/><controller config='idler'/></" + type + ">";
+}
+
+}  // namespace
+
+TEST_CASE("golden pictures: entities and robots from three sides", "[golden][visualizations]") {
+  const auto subject = GENERATE(
+      SSubject{"box",
+               "<box id='b' size='0.4,0.3,0.2' movable='true' mass='1'>"
+               "<body position='0,0,0' orientation='30,0,0'/>"
+               "<leds medium='leds'><led offset='0.15,0,0.2' anchor='origin' color='red'/>"
+               "</leds></box>"},
+      SSubject{"cylinder",
+               "<cylinder id='c' radius='0.2' height='0.3' movable='false'>"
+               "<body position='0,0,0'/></cylinder>"},
+      SSubject{"light",
+               "<light id='l' position='0,0,0.3' color='yellow' intensity='1' "
+               "medium='leds'/>"},
+      SSubject{"rfid_tag", "<rfid_tag id='t' position='0,0,0.01' medium='tags'/>", 0.2},
+      SSubject{"foot-bot", Robot("foot-bot", "f", "", "0,0,0"), 0.4},
+      SSubject{"e-puck", Robot("e-puck", "e", "", "0,0,0"), 0.2},
+      SSubject{"eye-bot", Robot("eye-bot", "y", "", "0,0,0"), 0.8},
+      SSubject{"prototype",
+               "<prototype id='p' movable='true'><body position='0,0,0' orientation='30,0,0'/>"
+               "<links ref='base'><link id='base' geometry='box' size='0.3,0.2,0.1' mass='1'/>"
+               "<link id='ball' geometry='sphere' radius='0.06' mass='0.1' position='0,0,0.1'/>"
+               "</links><joints><joint id='glue' type='fixed'><parent link='base' "
+               "position='0,0,0.1'/><child link='ball'/></joint></joints></prototype>",
+               0.6});
+  const std::string view = GENERATE("oblique", "top", "corner");
+  CAPTURE(subject.Name, view);
+  const SSubject named{subject.Name + "_" + view, subject.Arena, subject.Size};
+  CheckLike(named.Name,
+            Draw(named, view == "top" ? "look='dark'" : "", "<camera view='" + view + "'/>"));
+}
+
+TEST_CASE("golden pictures: overlays", "[golden][visualizations]") {
+  const auto [name, overlay] =
+      GENERATE(std::pair<std::string, std::string>{"axes", "<axes size='9'/>"},
+               std::pair<std::string, std::string>{"clock", "<clock size='12'/>"},
+               std::pair<std::string, std::string>{"headings", "<headings/>"},
+               std::pair<std::string, std::string>{"ids", "<ids size='12'/>"},
+               std::pair<std::string, std::string>{
+                   "legend", "<legend size='12'><entry color='red' text='driving'/></legend>"},
+               std::pair<std::string, std::string>{"links", "<links width='2'/>"},
+               std::pair<std::string, std::string>{"scale_bar", "<scale_bar size='12'/>"},
+               std::pair<std::string, std::string>{"title", "<title text='Golden' size='14'/>"},
+               std::pair<std::string, std::string>{"trails", "<trails/>"});
+  CAPTURE(name);
+  const std::string robots =
+      "<foot-bot id='one'><body position='-0.3,-0.2,0'/><controller config='driver'/></foot-bot>"
+      "<foot-bot id='two'><body position='-0.2,0.2,0' orientation='20,0,0'/>"
+      "<controller config='driver'/></foot-bot>";
+  const SSubject named{"overlay_" + name, robots, 1.0};
+  CheckLike(named.Name, Draw(named, "", "<overlays>" + overlay + "</overlays>", 2.0));
+}
+
+TEST_CASE("golden pictures: a picture in which little has changed is noticed",
+          "[golden][visualizations]") {
+  const auto draw = [](const std::string& color, const std::string& position) {
+    return Draw(
+        SSubject{"", "<box id='b' size='0.4,0.3,0.2' movable='false'><body position='" + position +
+                         "'/><leds medium='leds'><led offset='0,0,0.2' "
+                         "anchor='origin' color='" +
+                         color + "'/></leds></box>"},
+        "", "");
+  };
+  const SPicture picture = draw("red", "0,0,0");
+  const SPictureDifference same = ComputeDifference(picture, draw("red", "0,0,0"));
+  CHECK(same.Mean == 0.0);
+  CHECK(same.Most == 0.0);
+  CHECK(ComputeDifference(picture, draw("magenta", "0,0,0")).Most > 2.0 * kMost);
+  // by a pixel and a half
+  CHECK(ComputeDifference(picture, draw("red", "0.015,0,0")).Most > kMost);
+}
