@@ -37,8 +37,8 @@ void CMetrics::Set(const std::string& name, Real value, const std::string& unit)
   if (!IsName(name)) {
     THROW_ARGOSEXCEPTION(
         "the name of a metric consists of letters, digits and '_', and begins with a letter; found "
-        "\"" << name
-             << '"');
+        "\""
+        << name << '"');
   }
   m_metrics.push_back({name, unit, value});
 }

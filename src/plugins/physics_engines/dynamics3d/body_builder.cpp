@@ -8,6 +8,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/articulated_body.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/hull_geom.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/prism_geom.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_mass.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
 #include <argos3/core/utility/text/classic_locale.h>
 
@@ -25,76 +26,8 @@ bool IsPositive(Real value) {
   return value > 0.0 && std::isfinite(value);
 }
 
-// in the frame of the solid's centroid
-dMass MakeMass(const SShapeDescription& shape, Real mass) {
-  dMass result;
-  switch (shape.Kind) {
-    case EKind::Box:
-      dMassSetBoxTotal(&result, mass, shape.Size.GetX(), shape.Size.GetY(), shape.Size.GetZ());
-      break;
-    case EKind::Cylinder:
-      dMassSetCylinderTotal(&result, mass, 3, shape.Radius, shape.Size.GetZ());
-      break;
-    case EKind::Sphere:
-      dMassSetSphereTotal(&result, mass, shape.Radius);
-      break;
-    case EKind::Prism:
-    case EKind::Hull: {
-      const SUnitInertia unit = ComputeUnitInertia(shape);
-      dMassSetParameters(&result, mass, 0.0, 0.0, 0.0, mass * unit.XX, mass * unit.YY,
-                         mass * unit.ZZ, -mass * unit.XY, -mass * unit.XZ, -mass * unit.YZ);
-      break;
-    }
-  }
-  return result;
-}
-
 Real NarrowestSide(const SShapeDescription& shape) {
   return std::min(shape.ComputeBaseWidth(), shape.Size.GetZ());
-}
-
-void ToODE(const CQuaternion& quaternion, dQuaternion result) {
-  const Real length = quaternion.Length();
-  result[0] = quaternion.GetW() / length;
-  result[1] = quaternion.GetX() / length;
-  result[2] = quaternion.GetY() / length;
-  result[3] = quaternion.GetZ() / length;
-}
-
-// mass and inertia of the solids of a link about the origin of the body, whose mass is @p mass
-dMass AddUpSolids(const SBodyDescription& description, Real mass, UInt32 link) {
-  const std::vector<Real> weights = description.ComputeWeights();
-  Real total = 0.0;
-  for (const Real weight : weights) {
-    total += weight;
-  }
-  dMass sum;
-  dMassSetZero(&sum);
-  for (size_t i = 0; i < weights.size(); ++i) {
-    const SShapeDescription& shape = description.Shapes[i];
-    if (shape.Link != link) {
-      continue;
-    }
-    dMass part = MakeMass(shape, mass * weights[i] / total);
-    dQuaternion orientation;
-    dMatrix3 rotation;
-    ToODE(shape.Orientation, orientation);
-    dRfromQ(rotation, orientation);
-    dMassRotate(&part, rotation);
-    const CVector3 centre = shape.ComputeCentroid();
-    dMassTranslate(&part, centre.GetX(), centre.GetY(), centre.GetZ());
-    dMassAdd(&sum, &part);
-  }
-  return sum;
-}
-
-// moves the frame of a mass to its centre, which is returned
-CVector3 CentreMass(dMass& mass) {
-  const CVector3 centre(mass.c[0], mass.c[1], mass.c[2]);
-  dMassTranslate(&mass, -mass.c[0], -mass.c[1], -mass.c[2]);
-  // rounding errors of zero
-  mass.c[0] = mass.c[1] = mass.c[2] = 0.0;
-  return centre;
 }
 
 // Scales to the described moment about the vertical. Moments about the horizontal axes are raised

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_SCENE_PARTS_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_SCENE_PARTS_H
 
+#include <argos3/core/simulator/geometry/body_pose.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/scene.h>
 
 #include <Eigen/Core>
