@@ -127,20 +127,23 @@ class CPositionalMedium : public CMedium, public ENTITY::CRegistry {
     const SIndexChoice::SCells cells = m_choice.MakeCells(GetSpace().GetArenaSize());
     const SInt32* const number = cells.Number;
     const CVector3& extent = cells.Extent;
+    std::unique_ptr<CPositionalIndex<ENTITY>> index;
     if (m_choice.Kind == SIndexChoice::EKind::Grid) {
       const CVector3& center = GetSpace().GetArenaCenter();
       auto grid = std::make_unique<CGrid<ENTITY>>(center - extent * 0.5, center + extent * 0.5,
                                                   number[0], number[1], number[2]);
       m_gridUpdater = std::make_unique<GRID_UPDATER>(*grid);
       grid->SetUpdateEntityOperation(m_gridUpdater.get());
-      m_index = std::move(grid);
+      index = std::move(grid);
     } else {
-      m_index = std::make_unique<CHashIndex<ENTITY, HASH_UPDATER>>(CVector3(
+      index = std::make_unique<CHashIndex<ENTITY, HASH_UPDATER>>(CVector3(
           extent.GetX() / number[0], extent.GetY() / number[1], extent.GetZ() / number[2]));
     }
     for (ENTITY* entity : m_waiting) {
-      m_index->AddEntity(*entity);
+      index->AddEntity(*entity);
     }
+    // complete: an entity is in one of the two, whatever fails before
+    m_index = std::move(index);
     m_waiting.clear();
   }
 

@@ -48,9 +48,9 @@ TEST_CASE("compat: user functions draw all shapes, in the frames of ARGoS 3", "[
   const std::vector<SDrawnShape>& shapes = drawing.GetShapes();
   CHECK(drawing.GetText(shapes[1]) == "fb1");
   CHECK(drawing.GetText(shapes[3]) == "fb0");
-  // 1e-12: roundings of the rotation
-  CHECK(Distance(shapes[1].Position, CVector3(1.0, 2.0, 0.3)) < 1e-12);
-  CHECK(Distance(shapes[3].Position, CVector3(-1.0, 0.0, 0.3)) < 1e-12);
+  // 2e-6 m: views round poses to 2^-20
+  CHECK(Distance(shapes[1].Position, CVector3(1.0, 2.0, 0.3)) < 2e-6);
+  CHECK(Distance(shapes[3].Position, CVector3(-1.0, 0.0, 0.3)) < 2e-6);
   const STextStyle& style = drawing.GetStyles()[shapes[2].Style];
   CHECK(style.Family == "Helvetica");
   CHECK(style.Size == 24.0);

@@ -80,8 +80,8 @@ std::string NoiseAttributes(const SListedDevice& device) {
 }
 
 bool TakesNoise(const SListedDevice& device) {
-  static const std::set<std::string> without = {"directional_leds", "leds", "simple_radios",
-                                                "tags"};
+  static const std::set<std::string> without = {"ceiling_attachment", "directional_leds", "leds",
+                                                "simple_radios", "tags"};
   return without.count(device.Tag) == 0 && device.Label() != "range_and_bearing (default)" &&
          !(device.Tag == "rfid" && device.Section == "actuators");
 }

@@ -72,6 +72,10 @@ std::exception_ptr SExperimentParts::Destroy() {
   }
   Visualization.reset();
   failure.Try([this] { m_context.Space->Destroy(); });
+  if (!m_context.Space->GetRootEntityVector().empty()) {
+    // there was not even the memory to remove them: they refer to engines and media, which stay
+    return failure.Get();
+  }
   // after the entities, which may still request the floor's colour
   OwnLoopFunctions.reset();
   SetLoopFunctions(nullptr);

@@ -147,10 +147,6 @@ std::unique_ptr<CDescribedBodyModel> CDescribedBodyEngine::TakeOut(CDescribedBod
 }
 
 void CDescribedBodyEngine::DestroyModels() {
-  // bodies that could not be removed from the space must not refer to them
-  for (const auto& model : m_models) {
-    model->GetEmbodiedEntity().RemovePhysicsModel(GetId());
-  }
   m_displaced.clear();
   m_recorded.clear();
   m_models.clear();

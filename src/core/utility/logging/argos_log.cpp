@@ -9,6 +9,7 @@
 #include <cstdarg>
 #include <cstring>
 #include <mutex>
+#include <new>
 #include <streambuf>
 #include <unistd.h>
 #include <utility>
@@ -283,7 +284,7 @@ void CARGoSLog::AddThreadSafeBuffer() {
 /****************************************/
 
 CARGoSLog::CEntry::CEntry(CARGoSLog& log, bool colored) : m_buffer(log.GetThreadBuffer()) {
-  m_buffer.Mutex.lock();
+  std::unique_lock lock(m_buffer.Mutex);
   std::string& text = m_buffer.Appender.Text;
   if (m_buffer.Segments.empty() || m_buffer.Segments.back().Key != sequenceKey) {
     m_buffer.Segments.push_back({sequenceKey, log.m_state->NextTicket++, text.size()});
@@ -293,6 +294,10 @@ CARGoSLog::CEntry::CEntry(CARGoSLog& log, bool colored) : m_buffer(log.GetThread
     text += log.m_state->Prefix;
   }
   m_prefixLength = text.size() - m_start;
+  // a lack of memory, or a value that could not be printed, ends with its item
+  m_buffer.Stream.clear();
+  // until the destructor
+  lock.release();
 }
 
 CARGoSLog::CEntry::~CEntry() {
@@ -302,7 +307,11 @@ CARGoSLog::CEntry::~CEntry() {
     if (text.size() == m_start + m_prefixLength) {
       text.resize(m_start);
     } else {
-      text += kColorReset;
+      try {
+        text += kColorReset;
+      } catch (const std::bad_alloc&) {
+        // without memory the colour goes on
+      }
     }
   }
   m_buffer.Mutex.unlock();

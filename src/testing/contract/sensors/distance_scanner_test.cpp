@@ -112,9 +112,9 @@ TEST_CASE("distance scanner: on an eye-bot, beams begin at its arms, 16.35 cm ab
   const Real gap = 0.2;
   const Real center = 0.25 + gap + 0.5;
   SRobotExperiment experiment =
-      WithScanner(Robot("eye-bot", "r", PoseText(CVector3(0, 0, 1))) +
-                  BoxText("ahead", CVector3(1.0, 1.0, 0.02), CVector3(center, 0.0, 1.1535), 0.0) +
-                  BoxText("left", CVector3(1.0, 1.0, 0.02), CVector3(0.0, center, 1.1434), 0.0));
+      WithScanner(Robot("eye-bot", "r", PoseText(CVector3())) +
+                  BoxText("ahead", CVector3(1.0, 1.0, 0.02), CVector3(center, 0.0, 0.1535), 0.0) +
+                  BoxText("left", CVector3(1.0, 1.0, 0.02), CVector3(0.0, center, 0.1434), 0.0));
   experiment.Engine = "<pointmass3d id=\"engine\"/>";
   CRobotWorld world(experiment);
   Motor(world).SetAngle(CRadians::ZERO);

@@ -100,7 +100,7 @@ TEST_CASE("command line: --set splits at the first '=' outside brackets", "[comm
 }
 
 TEST_CASE("command line: there must be exactly one action", "[command_line]") {
-  CHECK_THAT(ErrorOf({}), Contains("one of -c FILE, -q WORD, -h, -v must be given"));
+  CHECK_THAT(ErrorOf({}), Contains("one of -c FILE, --replay FILE, -q WORD, -h, -v must be given"));
   CHECK_THAT(ErrorOf({"-n"}), Contains("must be given"));
   CHECK_THAT(ErrorOf({"-c", "a", "-q", "b"}), Contains("only one of") && Contains("--query"));
   CHECK_THAT(ErrorOf({"-h", "-v"}), Contains("only one of"));

@@ -144,7 +144,7 @@ TEST_CASE("lua drawing: the overlay is in pixels", "[lua][drawing]") {
 TEST_CASE("lua drawing: wrong calls are errors with function and line", "[lua][drawing][errors]") {
   CHECK_THAT(ErrorOf("draw.point(1, 2)"),
              Contains("failed in draw_in_world()") && Contains("loop.lua:2:") &&
-                 Contains("draw.point: argument 1 must be a vector3, got number 1"));
+                 Contains("draw.point: argument 1 must be a vector3, got 1"));
   CHECK_THAT(ErrorOf("draw.point(vector3(0,0,0))"), Contains("argument 2 must be the name of a "));
   CHECK_THAT(ErrorOf("draw.point(vector3(0,0,0), 'red', 5, 6)"), Contains("too many arguments"));
   CHECK_THAT(ErrorOf("draw.circle(vector3(0,0,0), -1, 'red')"),

@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -28,6 +29,10 @@ std::vector<std::string> ListFrames(const CTestFolder& folder, const std::string
   std::sort(names.begin(), names.end());
   return names;
 }
+
+// for all test cases of this program: where the libraries of the experiments are
+[[maybe_unused]] const int kPluginPath =
+    setenv("ARGOS_PLUGIN_PATH", InBuildTree("experiments").c_str(), 1);
 
 // every file has the same bytes: PNG files of equal pixels do
 void CheckSameFrames(const CTestFolder& folder, const std::string& live,
