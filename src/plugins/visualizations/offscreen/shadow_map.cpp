@@ -10,8 +10,8 @@ namespace argos {
 
 namespace {
 
-constexpr int kLeastSide = 512;  // texels
-constexpr int kLargestSide = 2048;
+constexpr int kLeastMapSide = 512;  // texels
+constexpr int kLargestMapSide = 2048;
 // smaller texels would only sharpen the shadows, whose borders are about three texels wide
 constexpr double kSmallestTexel = 0.0018;  // m
 constexpr double kBorderTexels = 4.0;  // the filter reads a few texels around a point
@@ -20,7 +20,7 @@ constexpr double kSmallestExtent = 0.05;  // m
 }  // namespace
 
 CShadowMap::CShadowMap(const SGlFunctions& gl, int pictureSide)
-    : m_gl(gl), m_side(std::clamp(3 * pictureSide / 2, kLeastSide, kLargestSide)) {
+    : m_gl(gl), m_side(std::clamp(3 * pictureSide / 2, kLeastMapSide, kLargestMapSide)) {
   gl.GenTextures(1, &m_texture);
   gl.BindTexture(GL_TEXTURE_2D, m_texture);
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, m_side, m_side, 0, GL_DEPTH_COMPONENT,
