@@ -38,7 +38,7 @@ class CGrowingText {
   }
   void SetEnd(const char* end) { m_length = static_cast<std::size_t>(end - m_text.data()); }
   void Append(std::string_view text) {
-    std::memcpy(Reserve(text.size()), text.data(), text.size());
+    text.copy(Reserve(text.size()), text.size());
     m_length += text.size();
   }
   void Clear() { m_length = 0; }
@@ -116,8 +116,8 @@ class CCSVFormat : public CTableFormat {
       char* to = m_text.Reserve(longest);
       std::memcpy(to, prefix.data(), prefix.size());
       to += prefix.size();
-      std::memcpy(to, robot.data(), robot.size());
-      to = WriteValues(block, row, to + robot.size());
+      to += robot.copy(to, robot.size());
+      to = WriteValues(block, row, to);
       // in place of the comma after the last value
       to[-1] = '\n';
       m_text.SetEnd(to);

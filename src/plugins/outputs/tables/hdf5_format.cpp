@@ -125,7 +125,7 @@ class CColumn {
     const std::size_t length = GetElementSize();
     m_bytes.assign(texts.size() * length, '\0');
     for (std::size_t i = 0; i < texts.size(); ++i) {
-      std::memcpy(m_bytes.data() + i * length, texts[i].data(), texts[i].size());
+      texts[i].copy(m_bytes.data() + i * length, texts[i].size());
     }
     Append(m_bytes.data(), texts.size(), m_type.Get());
   }

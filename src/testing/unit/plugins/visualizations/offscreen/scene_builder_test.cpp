@@ -313,6 +313,8 @@ TEST_CASE("floor image: edges that loop functions paint are filtered, areas are 
   CHECK(red(19) == 200);
   CHECK(red(20) == 100);
   CHECK(red(21) == 0);
+  // before the loop functions end
+  world.GetSimulator().Destroy();
 }
 
 TEST_CASE("scene builder: small parts of an entity are marked as details",
