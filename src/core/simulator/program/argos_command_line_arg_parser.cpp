@@ -95,27 +95,7 @@ void DefineReplay(CLI::App& app, SRawOptions& raw) {
       ->group(replay);
 }
 
-void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOptions& raw) {
-  app.set_help_flag();
-  app.allow_extras();
-  app.footer(kFooter);
-  app.formatter(std::make_shared<CHelpFormatter>());
-
-  const std::string actions = "Exactly one of";
-  AddSingle(app, "-c,--config-file", options.ExperimentFile, "run the experiment in this file")
-      ->type_name("FILE")
-      ->group(actions);
-  AddSingle(app, "--replay", options.Replay.File,
-            "show a recording; with -c, in the views and outputs of that file")
-      ->type_name("FILE")
-      ->group(actions);
-  AddSingle(app, "-q,--query", options.Query, "list or describe plug-ins, see below")
-      ->type_name("WORD")
-      ->group(actions);
-  app.add_flag("-h,--help", raw.Help, "print this text")->group(actions);
-  app.add_flag("-v,--version", raw.Version, "print the version and how it was built")
-      ->group(actions);
-
+void DefineOutput(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options) {
   const std::string output = "Output";
   app.add_flag("-n,--no-color", options.NoColor,
                "no colours in the logs; only terminals get colours")
@@ -127,13 +107,13 @@ void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOp
             "write the error log to this file; it is truncated")
       ->type_name("FILE")
       ->group(output);
-
   AddSingle(app, "--record", options.RecordFile,
             "record the run to this file, for --replay; adds <recording> to <outputs>")
       ->type_name("FILE")
       ->group(output);
+}
 
-  DefineReplay(app, raw);
+void DefineRun(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOptions& raw) {
   const std::string run = "For the run (with -c)";
   app.add_flag("-z,--no-visualization", options.NoVisualization,
                "ignore the <visualization> of the file")
@@ -169,6 +149,32 @@ void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOp
   app.add_flag("--digest", options.Digest,
                "print a digest of the final state; equal runs, equal digests")
       ->group(run);
+}
+
+void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOptions& raw) {
+  app.set_help_flag();
+  app.allow_extras();
+  app.footer(kFooter);
+  app.formatter(std::make_shared<CHelpFormatter>());
+
+  const std::string actions = "Exactly one of";
+  AddSingle(app, "-c,--config-file", options.ExperimentFile, "run the experiment in this file")
+      ->type_name("FILE")
+      ->group(actions);
+  AddSingle(app, "--replay", options.Replay.File,
+            "show a recording; with -c, in the views and outputs of that file")
+      ->type_name("FILE")
+      ->group(actions);
+  AddSingle(app, "-q,--query", options.Query, "list or describe plug-ins, see below")
+      ->type_name("WORD")
+      ->group(actions);
+  app.add_flag("-h,--help", raw.Help, "print this text")->group(actions);
+  app.add_flag("-v,--version", raw.Version, "print the version and how it was built")
+      ->group(actions);
+
+  DefineOutput(app, options);
+  DefineReplay(app, raw);
+  DefineRun(app, options, raw);
 }
 
 // collects problems, so that all of them are reported together
