@@ -53,7 +53,8 @@ void CGroundCells::Fill(const Eigen::AlignedBox2d& ground,
 // each run of shaded cells continues the rectangle below it if that has the same columns
 void CGroundCells::AddRuns(int row) {
   const auto isShaded = [&](int column) {
-    return m_isShaded[static_cast<std::size_t>(row * kGroundCells + column)] != 0;
+    return m_isShaded[static_cast<std::size_t>(row) * kGroundCells +
+                      static_cast<std::size_t>(column)] != 0;
   };
   const auto y = static_cast<float>(row);
   for (int first = 0; first < kGroundCells; ++first) {
@@ -88,7 +89,8 @@ void CGroundCells::Mark(const Eigen::AlignedBox2d& area) {
   const Eigen::Vector2i last = toCells(area.max()).cwiseMin(kGroundCells - 1);
   for (int row = first.y(); row <= last.y(); ++row) {
     for (int column = first.x(); column <= last.x(); ++column) {
-      m_isShaded[static_cast<std::size_t>(row * kGroundCells + column)] = 1;
+      m_isShaded[static_cast<std::size_t>(row) * kGroundCells + static_cast<std::size_t>(column)] =
+          1;
     }
   }
 }
