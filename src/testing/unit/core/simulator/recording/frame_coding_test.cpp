@@ -4,8 +4,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <random>
 
@@ -34,7 +34,7 @@ SBodyPose MakePose(Real x, Real y, Real angle) {
 }
 
 bool HasSameBits(Real a, Real b) {
-  return std::memcmp(&a, &b, sizeof(a)) == 0;
+  return std::bit_cast<UInt64>(a) == std::bit_cast<UInt64>(b);
 }
 
 // one robot with an anchor and two LEDs at each of several places
