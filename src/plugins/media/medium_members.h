@@ -3,26 +3,12 @@
 
 #include <argos3/core/simulator/entity/entity.h>
 #include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/plugins/simulator/media/clear_medium.h>
 
 #include <algorithm>
 #include <vector>
 
 namespace argos {
-
-/**
- * Calls ClearMedium() of the entities of a list, which may remove them from it; afterwards the list
- * is empty. Needs no memory.
- */
-template <typename ENTITY>
-void ClearMediumOfAll(std::vector<ENTITY*>& entities) {
-  while (!entities.empty()) {
-    ENTITY* const last = entities.back();
-    last->ClearMedium();
-    if (!entities.empty() && entities.back() == last) {
-      entities.pop_back();
-    }
-  }
-}
 
 /**
  * The entities of a medium, numbered in the order of their insertion into the space; for the

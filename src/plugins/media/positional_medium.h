@@ -5,8 +5,8 @@
 #include <argos3/core/simulator/space/positional_indices/grid.h>
 #include <argos3/core/simulator/space/positional_indices/hash_index.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/plugins/simulator/media/clear_medium.h>
 #include <argos3/plugins/simulator/media/index_choice.h>
-#include <argos3/plugins/simulator/media/medium_members.h>
 
 #include <algorithm>
 #include <memory>
