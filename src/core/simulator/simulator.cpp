@@ -365,9 +365,11 @@ void CSimulator::Destroy() {
   const CScope scope(*this);
   const CRunState::CScope destroying(m_context.Run, CRunState::EActivity::Destroying);
   const std::exception_ptr failure = m_experiment->Destroy();
-  // without memory for it, what is destroyed stays and can be destroyed again
-  auto next = std::make_unique<SExperimentParts>(m_context);
-  m_experiment = std::move(next);
+  if (m_space->GetRootEntityVector().empty()) {
+    // without memory for it, what is destroyed stays and can be destroyed again
+    auto next = std::make_unique<SExperimentParts>(m_context);
+    m_experiment = std::move(next);
+  }
   m_settings.ForgetWhatWasSet();
   m_terminated = false;
   LOG.Flush();

@@ -24,7 +24,7 @@ class CTrackedEntity {
 
   /** @return true if it is this entity, and not another one at the same place in memory. */
   bool Is(const CEntity& root) const;
-  /** @return true if components or LEDs were added: it is then to be tracked anew. */
+  /** @return true if components or LEDs were added: a new CTrackedEntity must then replace it. */
   bool HasNewParts() const;
   /** What recordings keep once for all entities that have it in common. */
   SRecordedType MakeType() const;

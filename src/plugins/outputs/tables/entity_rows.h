@@ -41,7 +41,7 @@ class CEntityRows {
   void Describe(STableSchema& schema) const;
   /** Appends the rows of now. @return their number. */
   std::size_t Read(SRowBlock& block);
-  /** Adds all robots anew to the blocks from here on: a new file begins. */
+  /** A new file begins: blocks from here on list all robots again. */
   void Restart();
 
  private:

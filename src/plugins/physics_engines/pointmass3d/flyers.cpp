@@ -192,10 +192,12 @@ void CFlyers::AdvanceAll(Real substep, UInt32 substeps) {
   for (UInt32 first = 0; first < count; first += kLanes) {
     const UInt32 end = std::min<UInt32>(first + kLanes, count);
     std::array<SFlightPose, kLanes> held;  // of the attached ones
+    bool isAnyHeld = false;
     for (UInt32 number = first; number < end; ++number) {
       ReadCommand(number, 1.0 / substep);
       if (m_robots[number].Quadrotor->IsAttached()) {
         held[number - first] = GetPose(number);
+        isAnyHeld = true;
       }
     }
     SBlock& block = m_blocks[first / kLanes];
@@ -203,7 +205,7 @@ void CFlyers::AdvanceAll(Real substep, UInt32 substeps) {
       AdvanceAxis<LAW, false>(block.Axes[i], substep, substeps);
     }
     AdvanceAxis<LAW, true>(block.Axes[kYaw], substep, substeps);
-    for (UInt32 number = first; number < end; ++number) {
+    for (UInt32 number = first; isAnyHeld && number < end; ++number) {
       if (m_robots[number].Quadrotor->IsAttached()) {
         Place(number, held[number - first]);
       }
