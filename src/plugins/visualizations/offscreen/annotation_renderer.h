@@ -1,11 +1,11 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_ANNOTATION_RENDERER_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_ANNOTATION_RENDERER_H
 
-#include <argos3/plugins/simulator/visualizations/offscreen/camera.h>
+#include <argos3/plugins/simulator/visualizations/scene/camera.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/gl_program.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/glyph_atlas.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/instance_buffer.h>
-#include <argos3/plugins/simulator/visualizations/offscreen/scene.h>
+#include <argos3/plugins/simulator/visualizations/scene/scene.h>
 
 #include <Eigen/Core>
 

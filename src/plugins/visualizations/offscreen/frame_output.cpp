@@ -4,7 +4,7 @@
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/math/eigen_bridge.h>
-#include <argos3/plugins/simulator/visualizations/offscreen/camera_xml.h>
+#include <argos3/plugins/simulator/visualizations/scene/camera_xml.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/frame_recorder.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/recording_xml.h>
 

@@ -1,10 +1,10 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_PIPELINE_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_PIPELINE_H
 
-#include <argos3/plugins/simulator/visualizations/offscreen/camera.h>
+#include <argos3/plugins/simulator/visualizations/scene/camera.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/picture.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/renderer.h>
-#include <argos3/plugins/simulator/visualizations/offscreen/scene.h>
+#include <argos3/plugins/simulator/visualizations/scene/scene.h>
 
 #include <array>
 #include <atomic>

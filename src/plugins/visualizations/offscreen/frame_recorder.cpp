@@ -5,7 +5,7 @@
 #include <argos3/core/simulator/view_drawing.h>
 #include <argos3/core/utility/files/lock_file.h>
 #include <argos3/core/utility/logging/argos_log.h>
-#include <argos3/plugins/simulator/visualizations/offscreen/drawing_to_scene.h>
+#include <argos3/plugins/simulator/visualizations/scene/drawing_to_scene.h>
 #include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>

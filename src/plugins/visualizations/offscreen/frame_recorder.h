@@ -1,11 +1,11 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_RECORDER_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_RECORDER_H
 
-#include <argos3/plugins/simulator/visualizations/offscreen/camera_plan.h>
+#include <argos3/plugins/simulator/visualizations/scene/camera_plan.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/frame_pipeline.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/frame_writer.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/renderer.h>
-#include <argos3/plugins/simulator/visualizations/offscreen/scene_builder.h>
+#include <argos3/plugins/simulator/visualizations/scene/scene_builder.h>
 
 #include <cstdint>
 #include <memory>

@@ -2,7 +2,7 @@
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_GL_PROGRAM_H
 
 #include <argos3/plugins/simulator/visualizations/offscreen/gl_functions.h>
-#include <argos3/plugins/simulator/visualizations/offscreen/scene.h>
+#include <argos3/plugins/simulator/visualizations/scene/scene.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/shaders.h>
 
 #include <Eigen/Core>

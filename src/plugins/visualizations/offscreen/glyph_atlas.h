@@ -1,7 +1,7 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_GLYPH_ATLAS_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_GLYPH_ATLAS_H
 
-#include <argos3/plugins/simulator/visualizations/offscreen/scene.h>
+#include <argos3/plugins/simulator/visualizations/scene/scene.h>
 
 #include <cstddef>
 #include <cstdint>

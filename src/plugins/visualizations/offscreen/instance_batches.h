@@ -1,8 +1,8 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_INSTANCE_BATCHES_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_INSTANCE_BATCHES_H
 
-#include <argos3/plugins/simulator/visualizations/offscreen/camera.h>
-#include <argos3/plugins/simulator/visualizations/offscreen/scene.h>
+#include <argos3/plugins/simulator/visualizations/scene/camera.h>
+#include <argos3/plugins/simulator/visualizations/scene/scene.h>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -1,7 +1,7 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_LOOK_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_LOOK_H
 
-#include <argos3/plugins/simulator/visualizations/offscreen/scene.h>
+#include <argos3/plugins/simulator/visualizations/scene/scene.h>
 
 #include <string>
 

@@ -2,7 +2,7 @@
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_RENDERER_H
 
 #include <argos3/plugins/simulator/visualizations/offscreen/annotation_renderer.h>
-#include <argos3/plugins/simulator/visualizations/offscreen/camera.h>
+#include <argos3/plugins/simulator/visualizations/scene/camera.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/gl_context.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/gl_program.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/ground_cells.h>
@@ -11,7 +11,7 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/look.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/picture.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/render_target.h>
-#include <argos3/plugins/simulator/visualizations/offscreen/scene.h>
+#include <argos3/plugins/simulator/visualizations/scene/scene.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/shadow_map.h>
 
 #include <Eigen/Core>

@@ -1,6 +1,6 @@
 // From what users' code draws to the pixels of a picture.
 #include <argos3/core/simulator/visualization/drawing.h>
-#include <argos3/plugins/simulator/visualizations/offscreen/drawing_to_scene.h>
+#include <argos3/plugins/simulator/visualizations/scene/drawing_to_scene.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/gl_program.h>
 #include <argos3/testing/support/pictures.h>
 

@@ -1,4 +1,4 @@
-#include <argos3/plugins/simulator/visualizations/offscreen/camera_xml.h>
+#include <argos3/plugins/simulator/visualizations/scene/camera_xml.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/recording_xml.h>
 
 #include <catch2/catch.hpp>

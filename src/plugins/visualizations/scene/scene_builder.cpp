@@ -1,0 +1,199 @@
+#include <argos3/plugins/simulator/visualizations/scene/scene_builder.h>
+
+#include <argos3/core/simulator/entity/anchor.h>
+#include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/entity/existing_component.h>
+#include <argos3/core/simulator/entity/floor_entity.h>
+#include <argos3/core/simulator/entity/positional_entity.h>
+#include <argos3/core/simulator/geometry/pose_grid.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/simulator/visualization/appearance.h>
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/math/eigen_bridge.h>
+#include <argos3/plugins/simulator/entities/led_equipped_entity.h>
+#include <argos3/plugins/simulator/entities/light_entity.h>
+#include <argos3/plugins/simulator/visualizations/scene/led_glows.h>
+#include <argos3/plugins/simulator/visualizations/scene/ray_lines.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+constexpr float kLightHaloScale = 4.5f;  // radii
+constexpr double kHighestFoot = 0.045;  // m; parts that begin above it hardly darken the ground
+constexpr double kDetailShare = 0.35;  // of the volume of an entity's largest part
+constexpr double kUpright = 0.999;  // cosine of the angle between a part's axis and the vertical
+constexpr int kLeastGray = 160;  // of robots in quarantine
+
+// of the solids of robots in quarantine: differences of brightness are left, but none of colour
+CColor PaleGray(const CColor& color) {
+  const int brightness = (color.GetRed() + color.GetGreen() + color.GetBlue()) / 3;
+  const auto gray = static_cast<UInt8>(kLeastGray + brightness / 4);
+  return CColor(gray, gray, gray, color.GetAlpha());
+}
+
+// of the box around a part, m^3; LEDs are not solids
+double ComputeVolume(const SVisualPart& part) {
+  if (part.Kind == SVisualPart::EKind::LED) {
+    return 0.0;
+  }
+  return part.Size.GetX() * part.Size.GetY() * part.Size.GetZ();
+}
+
+void AddSolid(EMeshKind kind, const SPose& pose, const Eigen::Vector3d& scale, float param,
+              const CColor& color, bool isDetail, SScene& scene) {
+  SMeshInstance instance = MakeSolid(pose, scale, color);
+  instance.Param = param;
+  instance.IsDetail = isDetail ? 1.0f : 0.0f;
+  scene.OfKind(kind).push_back(instance);
+}
+
+SContactShadow MakeContactShadow(const SVisualPart& part, const SPose& pose) {
+  SContactShadow shadow{};
+  const double halfX = 0.5 * part.Size.GetX();
+  const double halfY = 0.5 * part.Size.GetY();
+  const double smaller = std::min(halfX, halfY);
+  shadow.Center = {static_cast<float>(pose.Translation.x()),
+                   static_cast<float>(pose.Translation.y())};
+  shadow.AxisX = {static_cast<float>(pose.Rotation(0, 0)), static_cast<float>(pose.Rotation(1, 0))};
+  shadow.HalfExtent = {static_cast<float>(halfX), static_cast<float>(halfY)};
+  shadow.CornerRadius = part.Kind == SVisualPart::EKind::Box ? 0.0f : static_cast<float>(smaller);
+  // the darkening reaches about as far as the solid is high or wide
+  shadow.Blur =
+      static_cast<float>(std::clamp(0.6 * std::min(part.Size.GetZ(), 2.0 * smaller), 0.01, 0.1));
+  return shadow;
+}
+
+bool StandsOnGround(const SVisualPart& part, const SPose& pose) {
+  const bool standing = part.Kind == SVisualPart::EKind::Box ||
+                        part.Kind == SVisualPart::EKind::Cylinder ||
+                        part.Kind == SVisualPart::EKind::Cone;
+  return standing && pose.Rotation(2, 2) > kUpright &&
+         std::abs(pose.Translation.z()) < kHighestFoot;
+}
+
+}  // namespace
+
+void CSceneBuilder::Build(CSpace& space, SScene& scene) {
+  scene.ClearContents();
+  const Eigen::Vector3d center = ToEigen(space.GetArenaCenter());
+  const Eigen::Vector3d half = 0.5 * ToEigen(space.GetArenaSize());
+  scene.ArenaMin = (center - half).head<2>();
+  scene.ArenaMax = (center + half).head<2>();
+  m_floor.Update(space);
+  scene.Floor = m_floor.GetImage();
+  for (CEntity* entity : space.GetRootEntityVector()) {
+    AddEntity(*entity, scene);
+  }
+  if (m_showRays) {
+    for (CControllableEntity* robot : space.GetControllableEntities()) {
+      AddRayLines(*robot, scene);
+    }
+  }
+}
+
+void CSceneBuilder::WarnUnseen(const CEntity& entity) {
+  const std::string type = entity.GetTypeDescription();
+  // the floor has colours instead of a solid
+  if (dynamic_cast<const CFloorEntity*>(&entity) != nullptr || !m_unseenTypes.insert(type).second) {
+    return;
+  }
+  LOGERR << "[WARNING] pictures do not show \"" << entity.GetId() << "\" and other entities of its "
+         << "type, <" << type
+         << ">: its class has no GetAppearance(); only users' drawing functions "
+         << "can draw them" << std::endl;
+}
+
+void CSceneBuilder::AddEntity(CEntity& entity, SScene& scene) {
+  static const SAppearance kNone;
+  const SAppearance* appearance = entity.GetAppearance();
+  if (appearance == nullptr) {
+    WarnUnseen(entity);
+    appearance = &kNone;
+  }
+  SSubject subject;
+  if (auto* composable = dynamic_cast<CComposableEntity*>(&entity)) {
+    subject.Body = FindExistingComponent<CEmbodiedEntity>(*composable);
+    const auto* const robot = FindExistingComponent<CControllableEntity>(*composable);
+    subject.IsRobot = robot != nullptr;
+    subject.IsQuarantined = robot != nullptr && robot->IsQuarantined();
+    if (!subject.IsQuarantined) {
+      subject.LEDs = FindExistingComponent<CLEDEquippedEntity>(*composable);
+    }
+    if (subject.Body != nullptr) {
+      subject.Pose = ToVisiblePose(subject.Body->GetOriginAnchor());
+    }
+  } else if (auto* positional = dynamic_cast<CPositionalEntity*>(&entity)) {
+    subject.Pose = ToVisiblePose({positional->GetPosition(), positional->GetOrientation()});
+    subject.IsLight = dynamic_cast<CLightEntity*>(&entity) != nullptr;
+  }
+  for (const SVisualPart& part : appearance->Parts) {
+    const double volume = ComputeVolume(part);
+    if (volume > subject.LargestVolume) {
+      subject.LargestVolume = volume;
+      subject.LargestSize = ToEigen(part.Size);
+    }
+  }
+  for (const SVisualPart& part : appearance->Parts) {
+    AddPart(part, subject, scene);
+  }
+  if (subject.LEDs != nullptr) {
+    AddUndeclaredLEDs(*appearance, *subject.LEDs, scene);
+  }
+  if (subject.FootprintArea > 0.0) {
+    scene.ContactShadows.push_back(subject.ContactShadow);
+  }
+  if (subject.IsRobot && subject.LargestVolume > 0.0) {
+    scene.Markers.push_back(
+        {ToFloats(subject.Pose * Eigen::Vector3d(0.0, 0.0, 0.5 * subject.LargestSize.z())),
+         static_cast<float>(0.5 * subject.LargestSize.head<2>().maxCoeff())});
+  }
+}
+
+void CSceneBuilder::AddPart(const SVisualPart& part, SSubject& subject, SScene& scene) const {
+  const SPose pose = ComputeAnchorPose(part.Anchor, subject.Body, subject.Pose) *
+                     ToPose(part.Position, part.Orientation);
+  const Eigen::Vector3d size = ToEigen(part.Size);
+  if (subject.IsLight) {
+    const float radius = static_cast<float>(0.5 * size.x());
+    scene.Glows.push_back(
+        {ToFloats(pose.Translation), radius, ToRgba(part.Color), kLightHaloScale});
+    return;
+  }
+  const CColor color = subject.IsQuarantined ? PaleGray(part.Color) : part.Color;
+  const bool isDetail = ComputeVolume(part) < kDetailShare * subject.LargestVolume;
+  switch (part.Kind) {
+    case SVisualPart::EKind::Box:
+      AddSolid(EMeshKind::Box, pose, size, 1.0f, color, isDetail, scene);
+      break;
+    case SVisualPart::EKind::Cylinder:
+      AddSolid(EMeshKind::Cylinder, pose, size, 1.0f, color, isDetail, scene);
+      break;
+    case SVisualPart::EKind::Cone:
+      AddSolid(EMeshKind::Cylinder, pose, size, 0.0f, color, isDetail, scene);
+      break;
+    case SVisualPart::EKind::Sphere:
+      AddSolid(EMeshKind::Sphere, pose, size, 1.0f, color, isDetail, scene);
+      break;
+    case SVisualPart::EKind::Ring:
+      AddSolid(EMeshKind::Ring, pose, Eigen::Vector3d(size.x(), size.y(), size.x()),
+               static_cast<float>(size.z() / size.x()), color, isDetail, scene);
+      break;
+    case SVisualPart::EKind::LED:
+      scene.Glows.push_back(
+          MakeLEDGlow(pose, part.Size.GetX(), GetLEDColorOrBlack(subject.LEDs, part.LED)));
+      break;
+  }
+  const double area = size.x() * size.y();
+  if (area > subject.FootprintArea && StandsOnGround(part, pose)) {
+    subject.FootprintArea = area;
+    subject.ContactShadow = MakeContactShadow(part, pose);
+  }
+}
+
+}  // namespace argos

@@ -1,0 +1,66 @@
+#ifndef ARGOS3_PLUGINS_VISUALIZATIONS_SCENE_SCENE_BUILDER_H
+#define ARGOS3_PLUGINS_VISUALIZATIONS_SCENE_SCENE_BUILDER_H
+
+#include <argos3/plugins/simulator/visualizations/scene/floor_image.h>
+#include <argos3/plugins/simulator/visualizations/scene/scene_parts.h>
+
+#include <set>
+#include <string>
+
+namespace argos {
+
+class CComposableEntity;
+class CControllableEntity;
+class CEmbodiedEntity;
+class CEntity;
+class CLEDEquippedEntity;
+class CSpace;
+struct SAppearance;
+struct SVisualPart;
+
+/**
+ * Converts the contents of the arena to a scene.
+ *
+ * It reads only descriptions that every entity provides (SAppearance, poses, places and colours of
+ * LEDs, rays recorded by sensors), and depends on no robot. It resets the floor's mark that it has
+ * changed; apart from that it changes nothing in the space, and creates no entity.
+ */
+class CSceneBuilder {
+ public:
+  /** @param showRays  true: draw the rays that sensors record because of their show_rays attribute
+   */
+  explicit CSceneBuilder(bool showRays) : m_showRays(showRays) {}
+
+  /**
+   * Refills @p scene; its settings (ShowGrid, ShowBoundary) and its memory are kept. Warns once of
+   * each type of entities that have no appearance.
+   */
+  void Build(CSpace& space, SScene& scene);
+
+ private:
+  // a root entity while it is converted to a part of the scene
+  struct SSubject {
+    SPose Pose;
+    CEmbodiedEntity* Body = nullptr;  // null: the entity has none
+    CLEDEquippedEntity* LEDs = nullptr;  // null: the entity has none, or they are dark
+    bool IsLight = false;  // its solids glow
+    bool IsRobot = false;
+    bool IsQuarantined = false;  // a robot that errors have stopped (CSpace::QuarantineLater())
+    double LargestVolume = 0.0;  // of the boxes around its parts, m^3
+    Eigen::Vector3d LargestSize = Eigen::Vector3d::Zero();  // of the part of that volume, m
+    double FootprintArea = 0.0;  // of ContactShadow, m^2; 0: nothing touches the ground
+    SContactShadow ContactShadow{};
+  };
+
+  void AddEntity(CEntity& entity, SScene& scene);
+  void WarnUnseen(const CEntity& entity);
+  void AddPart(const SVisualPart& part, SSubject& subject, SScene& scene) const;
+
+  bool m_showRays;
+  CFloorImage m_floor;
+  std::set<std::string> m_unseenTypes;  // that were reported
+};
+
+}  // namespace argos
+
+#endif

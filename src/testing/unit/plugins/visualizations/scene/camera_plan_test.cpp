@@ -1,0 +1,180 @@
+#include <argos3/plugins/simulator/visualizations/scene/camera_plan.h>
+#include <argos3/plugins/simulator/visualizations/scene/camera_xml.h>
+
+#include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/plugins/simulator/entities/box_entity.h>
+#include <argos3/testing/support/captured_logs.h>
+
+#include <catch2/catch.hpp>
+
+using namespace argos;
+using Catch::WithinAbs;
+using Catch::Matchers::Contains;
+
+namespace {
+
+constexpr double kAspectRatio = 4.0 / 3.0;
+constexpr double kRounding = 1e-9;  // m
+
+// an arena of 4 m x 2 m with a crate of 0.2 m at (1, 0.5)
+class CWorld {
+ public:
+  CWorld() : m_scope(m_simulator) {
+    m_document.Parse(R"(<argos-configuration>
+      <framework><experiment length="1" ticks_per_second="10" random_seed="1"/></framework>
+      <controllers/><arena size="4,2,1" center="0,0,0.5">
+        <floor id="floor" source="loop_functions" pixels_per_meter="5"/>
+        <box id="crate" size="0.2,0.2,0.2" movable="false"><body position="1,0.5,0"/></box>
+      </arena><physics_engines><dynamics2d id="d"/></physics_engines><media/>
+      </argos-configuration>)");
+    m_simulator.Load(m_document);
+  }
+
+  CSpace& GetSpace() { return m_simulator.GetSpace(); }
+  void MoveCrate(const CVector3& position) {
+    auto& crate = dynamic_cast<CBoxEntity&>(GetSpace().GetEntity("crate"));
+    crate.GetEmbodiedEntity().MoveTo(position, CQuaternion(), false, true);
+  }
+
+  CCameraPlan Plan(const std::string& attributes, const std::string& children = "") {
+    CConfigurationDocument document;
+    document.Parse("<offscreen>\n<camera " + attributes + ">" + children + "</camera></offscreen>",
+                   "test.argos");
+    SCameraSettings settings((CCameraTimeline(MakeDefaultPlacements(SArenaBox()))));
+    ReadCameraSettings(document.GetRoot(), GetSpace(), settings);
+    return CCameraPlan(settings, kAspectRatio);
+  }
+
+ private:
+  CConfigurationDocument m_document;
+  CSimulator m_simulator;
+  CSimulator::CScope m_scope;
+};
+
+Eigen::Vector2d Project(const SCameraPlacement& placement, const Eigen::Vector3d& point) {
+  return CCamera(placement, kAspectRatio).Project(point);
+}
+
+bool IsSeen(const SCameraPlacement& placement, const Eigen::Vector3d& point) {
+  const Eigen::Array2d share = Project(placement, point);
+  return (share >= 0.0).all() && (share <= 1.0).all();
+}
+
+}  // namespace
+
+TEST_CASE("camera plan: a view of the arena shows its ground and what stands across its border",
+          "[visualizations][offscreen][camera]") {
+  CWorld world;
+  world.MoveCrate(CVector3(2.5, 0.0, 0.0));
+  const std::string view = GENERATE("oblique", "top", "corner");
+  CAPTURE(view);
+  CCameraPlan plan = world.Plan("view='" + view + "'");
+  const SCameraPlacement placement = plan.ComputeAt(world.GetSpace(), 0);
+  CHECK(IsSeen(placement, {-2.0, -1.0, 0.0}));
+  CHECK(IsSeen(placement, {-2.0, 1.0, 0.0}));
+  CHECK(IsSeen(placement, {2.6, 0.1, 0.2}));
+}
+
+TEST_CASE("camera plan: a view of the contents leaves out empty ground, and only grows",
+          "[visualizations][offscreen][camera]") {
+  CWorld world;
+  CCameraPlan plan = world.Plan("view='top' projection='orthographic' fit='contents' margin='0'");
+  const SCameraPlacement atStart = plan.ComputeAt(world.GetSpace(), 0);
+  // the crate is 0.2 m wide
+  CHECK_THAT(atStart.OrthographicHeight, WithinAbs(0.2, kRounding));
+  CHECK_FALSE(IsSeen(atStart, {-2.0, -1.0, 0.0}));
+  world.MoveCrate(CVector3(1.0, -0.5, 0.0));
+  const SCameraPlacement later = plan.ComputeAt(world.GetSpace(), 1);
+  CHECK_THAT(later.OrthographicHeight, WithinAbs(1.2, kRounding));
+  world.MoveCrate(CVector3(1.0, 0.0, 0.0));
+  CHECK_THAT(plan.ComputeAt(world.GetSpace(), 2).OrthographicHeight, WithinAbs(1.2, kRounding));
+  plan.Reset();
+  CHECK_THAT(plan.ComputeAt(world.GetSpace(), 0).OrthographicHeight, WithinAbs(0.2, kRounding));
+}
+
+TEST_CASE("camera plan: a camera that follows keeps the entity at the same place of the picture",
+          "[visualizations][offscreen][camera]") {
+  CWorld world;
+  const bool isPlaced = GENERATE(false, true);
+  CCameraPlan plan = isPlaced ? world.Plan("follow='crate'",
+                                           "<placements><placement index='0' position='0,-3,2' "
+                                           "look_at='0,0,0.1'/></placements>")
+                              : world.Plan("follow='crate' reach='0.5'");
+  const Eigen::Vector2d before =
+      Project(plan.ComputeAt(world.GetSpace(), 0), Eigen::Vector3d(1.0, 0.5, 0.0));
+  world.MoveCrate(CVector3(-1.5, 0.25, 0.0));
+  const SCameraPlacement later = plan.ComputeAt(world.GetSpace(), 1);
+  const Eigen::Vector2d after = Project(later, Eigen::Vector3d(-1.5, 0.25, 0.0));
+  CHECK_THAT((after - before).norm(), WithinAbs(0.0, kRounding));
+  if (isPlaced) {
+    CHECK_THAT((later.Position - Eigen::Vector3d(-1.5, -2.75, 2.0)).norm(),
+               WithinAbs(0.0, kRounding));
+  } else {
+    CHECK(IsSeen(later, {-2.0, 0.25, 0.0}));
+    CHECK_FALSE(IsSeen(later, {0.0, 0.25, 0.0}));
+  }
+}
+
+TEST_CASE(
+    "camera plan: when the followed entity is removed, the camera stays and a warning tells it",
+    "[visualizations][offscreen][camera]") {
+  CWorld world;
+  CCameraPlan plan = world.Plan("follow='crate'");
+  const SCameraPlacement before = plan.ComputeAt(world.GetSpace(), 0);
+  world.GetSpace().RemoveEntity(dynamic_cast<CBoxEntity&>(world.GetSpace().GetEntity("crate")));
+  TakeLogErr();
+  const SCameraPlacement after = plan.ComputeAt(world.GetSpace(), 1);
+  CHECK(after.Position == before.Position);
+  CHECK_THAT(TakeLogErr(), Contains("[WARNING]") && Contains("\"crate\""));
+  plan.ComputeAt(world.GetSpace(), 2);
+  CHECK(TakeLogErr().empty());
+}
+
+TEST_CASE("camera plan: a camera inside of an entity is reported once",
+          "[visualizations][offscreen][camera]") {
+  CWorld world;
+  const std::string place = GENERATE("1.05,0.45,0.1", "1.2,0.5,0.1");
+  CAPTURE(place);
+  CCameraPlan plan = world.Plan("", "<placements><placement index='0' position='" + place +
+                                        "' look_at='0,0,0'/></placements>");
+  TakeLogErr();
+  plan.ComputeAt(world.GetSpace(), 0);
+  plan.ComputeAt(world.GetSpace(), 1);
+  const std::string warning = TakeLogErr();
+  if (place == "1.2,0.5,0.1") {
+    CHECK(warning.empty());
+  } else {
+    CHECK_THAT(warning, Contains("[WARNING]") && Contains("inside of \"crate\"") &&
+                            Contains("(1.05,0.45,0.1)"));
+    CHECK(warning.find("inside") == warning.rfind("inside"));
+  }
+}
+
+TEST_CASE("camera plan: errors name file, line, attribute and what would be right",
+          "[visualizations][offscreen][camera]") {
+  CWorld world;
+  const std::string placed =
+      "<placements><placement index='0' position='0,-3,2' look_at='0,0,0'/></placements>";
+  CHECK_THROWS_WITH(world.Plan("follow='crane'"),
+                    Contains("test.argos:2: <camera>: attribute \"follow\": there is no entity "
+                             "\"crane\"") &&
+                        Contains("did you mean \"crate\""));
+  CHECK_THROWS_WITH(world.Plan("follow='floor'"), Contains("this entity has no position"));
+  CHECK_THROWS_WITH(world.Plan("view='tpo'"),
+                    Contains("test.argos:2:") && Contains("did you mean \"top\""));
+  CHECK_THROWS_WITH(world.Plan("fit='content'"), Contains("did you mean \"contents\""));
+  CHECK_THROWS_WITH(world.Plan("projection='isometric'"), Contains("\"orthographic\""));
+  CHECK_THROWS_WITH(world.Plan("margin='-1'"), Contains("must not be negative"));
+  CHECK_THROWS_WITH(world.Plan("margin='nan'"), Contains("test.argos:2:"));
+  CHECK_THROWS_WITH(world.Plan("reach='2'"), Contains("needs \"follow\""));
+  CHECK_THROWS_WITH(world.Plan("follow='crate' reach='0'"), Contains("must be positive"));
+  CHECK_THROWS_WITH(world.Plan("view='top'", placed), Contains("also given as a <placement>"));
+  CHECK_THROWS_WITH(
+      world.Plan("view='top' projection='orthographic'",
+                 "<placements><placement index='1' position='0,-3,2' look_at='0,0,0'/></placements>"
+                 "<timeline><keyframe placement='0' step='0'/><interpolate/>"
+                 "<keyframe placement='1' step='10'/></timeline>"),
+      Contains("test.argos:2:") && Contains("only one is orthographic"));
+}
