@@ -7,6 +7,13 @@
 
 namespace argos {
 
+namespace {
+
+// prefetched entities; their data is scattered in memory
+constexpr UInt32 kAhead = 8;
+
+}  // namespace
+
 void CCapture::Restart() {
   m_entities.clear();
   m_types.clear();
@@ -20,11 +27,11 @@ void CCapture::Take(CSpace& space, SFrameUpdate& update) {
   update.IsRestart = m_isRestart;
   m_isRestart = false;
   TakeEntities(space, update);
-  constexpr UInt32 kAhead = 8;  // entities
   UInt32 number = 0;
   for (const CTrackedEntity& entity : m_entities) {
-    if (number + kAhead < m_entities.size()) {
-      m_entities[number + kAhead].PrepareRead();
+    if (number + 2 * kAhead < m_entities.size()) {
+      m_entities[number + 2 * kAhead].PrepareRead();
+      m_entities[number + kAhead].PrepareColors();
     }
     entity.AppendPoses(update.Poses);
     entity.AppendWords(update.Words);
@@ -33,26 +40,30 @@ void CCapture::Take(CSpace& space, SFrameUpdate& update) {
   TakeFloor(space, update);
 }
 
-void CCapture::RemoveGone(CSpace& space, SFrameUpdate& update) {
+bool CCapture::RemoveGone(CSpace& space, SFrameUpdate& update) {
   const std::vector<CEntity*>& roots = space.GetRootEntityVector();
   size_t kept = 0;
+  bool hasNewParts = false;
   for (size_t i = 0; i < m_entities.size(); ++i) {
+    if (i + kAhead < m_entities.size()) {
+      m_entities[i + kAhead].PrepareCheck();
+    }
     if (kept < roots.size() && m_entities[i].Is(*roots[kept])) {
       if (kept != i) {
         m_entities[kept] = std::move(m_entities[i]);
       }
+      hasNewParts = hasNewParts || m_entities[kept].HasNewParts();
       ++kept;
     } else {
       update.Removed.push_back(static_cast<UInt32>(i));
     }
   }
   m_entities.erase(m_entities.begin() + static_cast<std::ptrdiff_t>(kept), m_entities.end());
+  return hasNewParts;
 }
 
 void CCapture::TakeEntities(CSpace& space, SFrameUpdate& update) {
-  RemoveGone(space, update);
-  if (std::any_of(m_entities.begin(), m_entities.end(),
-                  [](const CTrackedEntity& entity) { return entity.HasNewParts(); })) {
+  if (RemoveGone(space, update)) {
     Restart();
     m_isRestart = false;
     update.Removed.clear();

@@ -24,7 +24,8 @@ class CCapture {
 
  private:
   void TakeEntities(CSpace& space, SFrameUpdate& update);
-  void RemoveGone(CSpace& space, SFrameUpdate& update);
+  // @return true if entities that are left have new parts
+  bool RemoveGone(CSpace& space, SFrameUpdate& update);
   UInt32 FindType(const CTrackedEntity& entity, SFrameUpdate& update);
   void TakeFloor(CSpace& space, SFrameUpdate& update);
   std::shared_ptr<const SRecordedFloor> ReadFloor(CSpace& space, CFloorEntity& floor) const;

@@ -109,12 +109,28 @@ SRecordedType CTrackedEntity::MakeType() const {
   return type;
 }
 
+void CTrackedEntity::PrepareCheck() const {
+  LoadAhead(*m_root);
+  LoadAhead(m_composable, sizeof(CComposableEntity));
+}
+
 void CTrackedEntity::PrepareRead() const {
-  constexpr size_t kLine = 64;  // bytes
   // prefetching a null pointer does nothing
-  LoadAhead(m_origin, kLine);
-  LoadAhead(m_robot, kLine);
-  LoadAhead(m_leds, kLine);
+  LoadAhead(m_origin, sizeof(SBodyPose));
+  LoadAhead(m_leds, sizeof(CLEDEquippedEntity));
+  if (m_robot != nullptr) {
+    LoadAhead(&m_robot->GetCheckedRays(), sizeof(m_robot->GetCheckedRays()));
+    LoadAhead(&m_robot->GetIntersectionPoints(), sizeof(m_robot->GetIntersectionPoints()));
+    // its flags are its last members
+    LoadAhead(reinterpret_cast<const char*>(m_robot + 1) - 1, 1);
+  }
+}
+
+void CTrackedEntity::PrepareColors() const {
+  if (m_leds != nullptr) {
+    const std::vector<CColor>& colors = m_leds->GetLazyColors();
+    LoadAhead(colors.data(), colors.size() * sizeof(CColor));
+  }
 }
 
 void CTrackedEntity::AppendPoses(std::vector<SBodyPose>& poses) const {
@@ -132,9 +148,11 @@ void CTrackedEntity::AppendWords(std::vector<UInt32>& words) const {
   const bool isQuarantined = m_robot != nullptr && m_robot->IsQuarantined();
   words.push_back(isQuarantined ? UInt32(ENTITY_IS_QUARANTINED) : 0);
   if (m_leds != nullptr && !m_leds->GetLazyColors().empty()) {
-    for (const CColor& color : m_leds->GetLazyColors()) {
-      words.push_back(PackColor(color));
-    }
+    const std::vector<CColor>& colors = m_leds->GetLazyColors();
+    const size_t start = words.size();
+    words.resize(start + colors.size());
+    std::transform(colors.begin(), colors.end(),
+                   words.begin() + static_cast<std::ptrdiff_t>(start), PackColor);
   } else {
     for (size_t i = 0; i < m_numLEDs; ++i) {
       words.push_back(PackColor(m_leds->GetLEDColor(i)));

@@ -35,8 +35,11 @@ class CTrackedEntity {
   UInt32 GetType() const { return m_type; }
   void SetType(UInt32 type) { m_type = type; }
 
-  /** Prefetches what the other functions read. */
+  /** Prefetches what Is() and HasNewParts() read; PrepareRead(), what the functions below read. */
+  void PrepareCheck() const;
   void PrepareRead() const;
+  /** Prefetches the colours of LEDs. The entity itself must be there, after PrepareRead(). */
+  void PrepareColors() const;
   void AppendPoses(std::vector<SBodyPose>& poses) const;
   void AppendWords(std::vector<UInt32>& words) const;
   /** @param number  of the entity. */
