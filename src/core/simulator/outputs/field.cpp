@@ -1,5 +1,6 @@
 #include <argos3/core/simulator/outputs/field.h>
 
+#include <argos3/core/simulator/entity/entity.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
@@ -76,16 +77,37 @@ SFieldName::SFieldName(const std::string& name)
   }
 }
 
+SBoundField SFieldName::Bind(CEntity& root) const {
+  const auto* const source = dynamic_cast<const CFieldSource*>(&root);
+  if (source != nullptr && Field->GetNumRaw() == 0) {
+    SBoundField bound = source->BindField(Name);
+    if (bound.Reader != nullptr) {
+      return bound;
+    }
+  }
+  return Field->Bind(root, Argument);
+}
+
 std::vector<std::string> ListFieldNames(const std::vector<CEntity*>& roots) {
   std::vector<std::string> all;
   std::set<std::string> known;
+  const auto add = [&](const std::vector<std::string>& names) {
+    std::copy_if(names.begin(), names.end(), std::back_inserter(all),
+                 [&known](const std::string& name) { return known.insert(name).second; });
+  };
   for (const std::string& label : CFactory<CField>::GetLabels()) {
     const std::unique_ptr<CField> field(CFactory<CField>::New(label));
     for (CEntity* root : roots) {
       std::vector<std::string> names;
       field->ListNames(*root, label, names);
-      std::copy_if(names.begin(), names.end(), std::back_inserter(all),
-                   [&known](const std::string& name) { return known.insert(name).second; });
+      add(names);
+    }
+  }
+  for (const CEntity* root : roots) {
+    if (const auto* const source = dynamic_cast<const CFieldSource*>(root)) {
+      std::vector<std::string> names;
+      source->ListFields(names);
+      add(names);
     }
   }
   return all;

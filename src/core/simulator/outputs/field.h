@@ -118,6 +118,17 @@ class CField {
   virtual void Derive(double* numbers) const;
 };
 
+/** A root entity that has values of fields itself: in a replay, those that were recorded. */
+class CFieldSource {
+ public:
+  virtual ~CFieldSource() = default;
+
+  /** @param name  as in an experiment file. The reader is null if there are no such values. */
+  virtual SBoundField BindField(const std::string& name) const = 0;
+  /** Adds the names of the fields that it has. */
+  virtual void ListFields(std::vector<std::string>& names) const = 0;
+};
+
 /** The name of a field in an experiment file, and the field. */
 struct SFieldName {
   /**
@@ -125,6 +136,9 @@ struct SFieldName {
    *   missing or too many. The text does not contain file and line.
    */
   explicit SFieldName(const std::string& name);
+
+  /** As CField::Bind(); values of a CFieldSource come first, unless they are to be derived. */
+  SBoundField Bind(CEntity& root) const;
 
   std::string Name;
   std::string Label; /**< before ':' */

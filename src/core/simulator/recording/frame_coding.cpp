@@ -17,12 +17,46 @@ enum ESection : int {
   SECTION_RAYS = 4,
   SECTION_FLOOR = 5,
   SECTION_COLUMNS = 6,
-  SECTION_DRAWING = 7
+  SECTION_DRAWING = 7,
+  SECTION_METRICS = 8
 };
 
 constexpr UInt32 kMostPixels = 1 << 14;  // along one side of the floor
 constexpr size_t kBytesPerPixel = 3;
 constexpr size_t kMostValues = size_t(1) << 24;  // of all columns
+
+void WriteMetrics(const std::vector<SRecordedMetric>& metrics, CByteWriter& out) {
+  out.WriteNumber(metrics.size());
+  for (const SRecordedMetric& metric : metrics) {
+    out.WriteText(metric.Name);
+    out.WriteText(metric.Unit);
+    out.WriteReal(metric.Value);
+  }
+}
+
+void ReadMetrics(std::vector<SRecordedMetric>& metrics, CByteReader& in) {
+  const size_t count = in.ReadCount("number of metrics");
+  for (size_t i = 0; i < count; ++i) {
+    SRecordedMetric& metric = metrics.emplace_back();
+    metric.Name = in.ReadText();
+    metric.Unit = in.ReadText();
+    metric.Value = in.ReadReal();
+  }
+}
+
+void WriteTexts(const std::vector<std::string>& texts, CByteWriter& out) {
+  out.WriteNumber(texts.size());
+  for (const std::string& text : texts) {
+    out.WriteText(text);
+  }
+}
+
+void ReadTexts(std::vector<std::string>& texts, CByteReader& in) {
+  const size_t count = in.ReadCount("number of texts");
+  for (size_t i = 0; i < count; ++i) {
+    texts.emplace_back(in.ReadText());
+  }
+}
 
 }  // namespace
 
@@ -108,7 +142,10 @@ void CFrameEncoder::Encode(SFrameUpdate& update, bool isKey, std::string& bytes)
   if (!update.Columns.empty()) {
     AddSection(SECTION_COLUMNS, [&](CByteWriter& out) { m_columns.Encode(update.Columns, out); });
   }
-  if (update.Drawing != m_drawing) {
+  if (!update.Metrics.empty()) {
+    AddSection(SECTION_METRICS, [&](CByteWriter& out) { WriteMetrics(update.Metrics, out); });
+  }
+  if (update.Drawing != m_drawing || (isKey && !update.Drawing.empty())) {
     m_drawing = update.Drawing;
     AddSection(SECTION_DRAWING, [&](CByteWriter& out) { out.WriteText(m_drawing); });
   }
@@ -133,6 +170,7 @@ const SRecordedFrame& CFrameDecoder::Decode(CByteReader& in, bool isKey) {
   }
   m_frame.Rays.clear();
   m_frame.Columns.clear();
+  m_frame.Metrics.clear();
   if (isKey) {
     m_table = CEntityTable();
     m_poses.Restart(0);
@@ -176,6 +214,9 @@ void CFrameDecoder::DecodeSection(UInt64 number, CByteReader& in) {
       break;
     case SECTION_COLUMNS:
       m_columns.Decode(m_frame.Columns, m_table.GetEntities().size(), in);
+      break;
+    case SECTION_METRICS:
+      ReadMetrics(m_frame.Metrics, in);
       break;
     case SECTION_DRAWING:
       m_frame.Drawing = in.ReadText();
@@ -239,9 +280,16 @@ CPredictedColumn& CNamedColumns::Get(size_t number, size_t size) {
 void CNamedColumns::Encode(const std::vector<SRecordedColumn>& columns, CByteWriter& out) {
   out.WriteNumber(columns.size());
   for (size_t i = 0; i < columns.size(); ++i) {
-    out.WriteText(columns[i].Name);
+    const SRecordedColumn& column = columns[i];
+    out.WriteText(column.Field);
+    out.WriteText(column.Name);
+    out.WriteText(column.Unit);
+    out.WriteByte(column.IsText ? 1 : 0);
+    if (column.IsText) {
+      WriteTexts(column.Texts, out);
+    }
     m_values.clear();
-    for (const Real value : columns[i].Values) {
+    for (const Real value : column.Values) {
       m_values.push_back(ToRecorded(value, EPrecision::Exact));
     }
     Get(i, m_values.size()).Encode(m_values, out);
@@ -253,7 +301,13 @@ void CNamedColumns::Decode(std::vector<SRecordedColumn>& columns, size_t numEnti
   const size_t count = in.ReadNumberUpTo(kMostValues / (numEntities + 1), "number of columns");
   for (size_t i = 0; i < count; ++i) {
     SRecordedColumn& column = columns.emplace_back();
+    column.Field = in.ReadText();
     column.Name = in.ReadText();
+    column.Unit = in.ReadText();
+    column.IsText = in.ReadByte() != 0;
+    if (column.IsText) {
+      ReadTexts(column.Texts, in);
+    }
     m_values.resize(numEntities);
     Get(i, numEntities).Decode(m_values, in);
     for (const SInt64 value : m_values) {

@@ -12,6 +12,7 @@ void SFrameUpdate::Clear() {
   Rays.clear();
   Floor.reset();
   Columns.clear();
+  Metrics.clear();
   Drawing.clear();
 }
 
@@ -21,7 +22,7 @@ size_t SFrameUpdate::ComputeSize() const {
                 Added.capacity() * sizeof(SRecordedEntity) + Drawing.capacity() +
                 (Floor != nullptr ? Floor->Pixels.size() : 0);
   for (const SRecordedColumn& column : Columns) {
-    size += column.Values.capacity() * sizeof(Real);
+    size += column.Values.capacity() * sizeof(Real) + column.Texts.capacity() * sizeof(std::string);
   }
   return size;
 }

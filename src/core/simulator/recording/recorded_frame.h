@@ -74,10 +74,23 @@ struct SRecordedFloor {
   bool operator==(const SRecordedFloor& other) const = default;
 };
 
-/** A value that users choose to record, such as a reading or a metric, in addition. */
+/** A column of a field that users choose to record in addition, such as a reading. */
 struct SRecordedColumn {
-  std::string Name; /**< such as "battery" */
+  std::string Field; /**< as users name it, such as "readings:proximity" */
+  std::string Name; /**< of the column, such as "proximity_1" */
+  std::string Unit;
+  bool IsText = false; /**< values are places in Texts */
   std::vector<Real> Values; /**< one for each entity; NaN where an entity has none */
+  std::vector<std::string> Texts;
+};
+
+/** A number of the whole run. */
+struct SRecordedMetric {
+  std::string Name;
+  std::string Unit;
+  Real Value = 0.0; /**< NaN: none yet */
+
+  bool operator==(const SRecordedMetric& other) const = default;
 };
 
 /**
@@ -96,6 +109,7 @@ struct SFrameUpdate {
   std::vector<SRecordedRay> Rays;
   std::shared_ptr<const SRecordedFloor> Floor; /**< null: none; another object if it changed */
   std::vector<SRecordedColumn> Columns;
+  std::vector<SRecordedMetric> Metrics;
   std::string Drawing; /**< what users' code draws, in a form that the caller knows */
 
   /** Ready for the next tick; keeps memory. */
@@ -115,6 +129,7 @@ struct SRecordedFrame {
   std::vector<SRecordedRay> Rays;
   std::shared_ptr<const SRecordedFloor> Floor;
   std::vector<SRecordedColumn> Columns;
+  std::vector<SRecordedMetric> Metrics;
   std::string Drawing;
 };
 

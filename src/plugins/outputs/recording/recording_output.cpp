@@ -2,15 +2,18 @@
 
 #include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/metrics.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <ctime>
 #include <filesystem>
+#include <set>
 
 namespace argos {
 
@@ -18,6 +21,10 @@ CRecordingOutput::CRecordingOutput() = default;
 CRecordingOutput::~CRecordingOutput() = default;
 
 void CRecordingOutput::Init(TConfigurationNode& tree) {
+  m_location = tree.GetLocation();
+  m_location += ": <";
+  m_location += tree.Value();
+  m_location += '>';
   GetNodeAttribute(tree, "file", m_file);
   if (m_file.empty()) {
     THROW_ARGOSEXCEPTION(tree.GetLocation() << ": <" << tree.Value()
@@ -39,6 +46,11 @@ void CRecordingOutput::Init(TConfigurationNode& tree) {
                          << DidYouMean(precision, {"grid", "exact"}));
   }
   m_precision = precision == "exact" ? EPrecision::Exact : EPrecision::Grid;
+  if (NodeAttributeExists(tree, "fields")) {
+    std::string fields;
+    GetNodeAttribute(tree, "fields", fields);
+    m_fields.emplace(m_location, fields, CurrentSpace());
+  }
   try {
     Open();
   } catch (std::exception& error) {
@@ -90,12 +102,36 @@ void CRecordingOutput::Record(CSimulator& simulator) {
     Open();
   }
   CSpace& space = simulator.GetSpace();
+  if (!m_lastTick && !m_fields) {
+    KeepReplayedFields(space);
+  }
   SFrameUpdate update = m_writer->TakeUpdate();
   m_capture.Take(space, update);
+  if (m_fields) {
+    m_fields->Take(space, update);
+  }
+  for (const CMetrics::SMetric& metric : space.GetExtension<CMetrics>().GetAll()) {
+    update.Metrics.push_back({metric.Name, metric.Unit, metric.Value});
+  }
   m_writer->Add(std::move(update));
   m_lastTick = space.GetSimulationClock();
   ++m_numFrames;
   m_numRobotTicks += space.GetControllableEntities().size();
+}
+
+// a recording of a replay has all that the replay has
+void CRecordingOutput::KeepReplayedFields(CSpace& space) {
+  std::set<std::string> names;
+  for (const CEntity* root : space.GetRootEntityVector()) {
+    if (const auto* const source = dynamic_cast<const CFieldSource*>(root)) {
+      std::vector<std::string> listed;
+      source->ListFields(listed);
+      names.insert(listed.begin(), listed.end());
+    }
+  }
+  if (!names.empty()) {
+    m_fields.emplace(m_location, fmt::format("{}", fmt::join(names, ",")), space);
+  }
 }
 
 void CRecordingOutput::Finish(CSimulator& simulator) {
@@ -132,13 +168,14 @@ void CRecordingOutput::Destroy() {
     m_writer->Close();
   }
   m_writer.reset();
+  m_fields.reset();
 }
 
 REGISTER_RUN_OUTPUT(
     CRecordingOutput, "recording", "the authors of this project", "1.0",
     "Records a run into a file, from which it can be replayed.",
     R"(Writes what pictures show of each tick: poses, colours of LEDs, lamps, rays of sensors, the
-colours of the floor, robots in quarantine, and which entities come and go; besides, the
+colours of the floor, robots in quarantine, which entities come and go, and metrics; besides, the
 experiment as it is run, with overrides, seed, version and date. argos3 --replay FILE
 shows it in any view, without controllers and physics: see doc/recording.md.
 
@@ -158,7 +195,8 @@ REQUIRED XML CONFIGURATION
 OPTIONAL XML CONFIGURATION
 
   <outputs>
-    <recording file="run.rec" every="1" precision="grid" />
+    <recording file="run.rec" every="1" precision="grid"
+               fields="battery,readings:footbot_proximity,lua:state" />
   </outputs>
 
 Attributes of <recording>:
@@ -167,6 +205,9 @@ Attributes of <recording>:
              Default: 1
   precision  grid: poses rounded to 2^-20 m (about a micrometre), as views draw them.
              exact: all bits, for files several times as large. Default: grid
+  fields     list: fields of robots to be recorded besides, which tables of a replay then
+             have; argos3 -q fields lists them. Neither poses, which are there anyway, nor
+             messages, of which a robot may have several. Default: none
 )",
     "Usable")
 

@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/outputs/run_output.h>
 #include <argos3/core/simulator/recording/recording_writer.h>
 #include <argos3/plugins/simulator/outputs/recording/capture.h>
+#include <argos3/plugins/simulator/outputs/recording/recorded_fields.h>
 
 #include <memory>
 #include <optional>
@@ -28,14 +29,17 @@ class CRecordingOutput : public CRunOutput {
  private:
   void Open();
   void Record(CSimulator& simulator);
+  void KeepReplayedFields(CSpace& space);
   std::string MakeFileName() const;
   SRecordingInfo MakeInfo() const;
 
+  std::string m_location;  // of the element
   std::string m_file;  // as given
   UInt32 m_every = 1;
   EPrecision m_precision = EPrecision::Grid;
   UInt32 m_run = 1;  // since loading
   CCapture m_capture;
+  std::optional<CRecordedFields> m_fields;  // none: no fields
   std::unique_ptr<CRecordingWriter> m_writer;  // null: closed
   std::optional<UInt32> m_lastTick;  // recorded
   UInt32 m_numFrames = 0;

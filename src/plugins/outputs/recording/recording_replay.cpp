@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/entity/floor_entity.h>
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/recording/type_coding.h>
+#include <argos3/core/simulator/space/metrics.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/logging/argos_log.h>
@@ -160,6 +161,7 @@ void CRecordingReplay::Show(const SRecordedFrame& frame, CSpace& space) {
     }
   }
   ShowRays(frame);
+  ShowFields(frame, space);
 }
 
 // those that are as before stay the same objects
@@ -198,6 +200,12 @@ void CRecordingReplay::UpdateEntities(const SRecordedFrame& frame, CSpace& space
     const SRecordedEntity& entity = frame.Entities[i];
     m_entities.emplace_back(space, entity, m_types[entity.Type]);
   }
+  for (size_t i = 0; i < m_entities.size(); ++i) {
+    if (CReplayedFields* const fields = m_entities[i].GetFields()) {
+      fields->Set(m_columns);
+      fields->SetRow(i);
+    }
+  }
 }
 
 void CRecordingReplay::ShowRays(const SRecordedFrame& frame) const {
@@ -211,6 +219,13 @@ void CRecordingReplay::ShowRays(const SRecordedFrame& frame) const {
     } else {
       robot->AddCheckedRay(ray.Kind == SRecordedRay::EKind::Obstructed, CRay3(ray.Start, ray.End));
     }
+  }
+}
+
+void CRecordingReplay::ShowFields(const SRecordedFrame& frame, CSpace& space) {
+  m_columns->Columns = frame.Columns;
+  for (const SRecordedMetric& metric : frame.Metrics) {
+    space.GetExtension<CMetrics>().Set(metric.Name, metric.Value, metric.Unit);
   }
 }
 

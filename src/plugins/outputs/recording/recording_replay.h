@@ -40,6 +40,7 @@ class CRecordingReplay : public CReplay {
   void UpdateEntities(const SRecordedFrame& frame, CSpace& space);
   bool IsSame(const CReplayedEntity& entity, const SRecordedEntity& recorded) const;
   void ShowRays(const SRecordedFrame& frame) const;
+  void ShowFields(const SRecordedFrame& frame, CSpace& space);
 
   std::unique_ptr<CRecordingReader> m_reader;
   std::string m_experimentFile;
@@ -54,6 +55,7 @@ class CRecordingReplay : public CReplay {
   std::vector<CReplayedEntity> m_entities;  // in the order of the space
   UInt64 m_entitiesVersion = 0;  // of m_entities
   std::shared_ptr<const SRecordedFloor> m_floor;
+  std::shared_ptr<SReplayedColumns> m_columns = std::make_shared<SReplayedColumns>();
 };
 
 }  // namespace argos

@@ -164,6 +164,10 @@ CControllableEntity* CReplayedEntity::GetRobot() const {
   return m_body != nullptr ? m_body->GetRobot() : nullptr;
 }
 
+CReplayedFields* CReplayedEntity::GetFields() const {
+  return m_body != nullptr ? &m_body->GetFields() : nullptr;
+}
+
 void CReplayedEntity::SetState(const SRecordedState& state) const {
   if (m_body != nullptr) {
     m_body->SetState(state);

@@ -5,6 +5,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/entity/positional_entity.h>
 #include <argos3/core/simulator/recording/recorded_frame.h>
+#include <argos3/plugins/simulator/outputs/recording/replayed_fields.h>
 
 #include <memory>
 #include <span>
@@ -41,7 +42,7 @@ class CStandInBody : public CEmbodiedEntity {
  * A body of a recording: stands for an entity of any class in a replay, with its type, id and
  * appearance, but without controller, devices, and the code of that class. It is in no engine.
  */
-class CStandInEntity : public CComposableEntity {
+class CStandInEntity : public CComposableEntity, public CFieldSource {
  public:
   ENABLE_VTABLE();
 
@@ -57,6 +58,10 @@ class CStandInEntity : public CComposableEntity {
 
   void SetState(const SRecordedState& state);
 
+  CReplayedFields& GetFields() { return m_fields; }
+  SBoundField BindField(const std::string& name) const override { return m_fields.Bind(name); }
+  void ListFields(std::vector<std::string>& names) const override { m_fields.List(names); }
+
  private:
   void AddParts();
 
@@ -65,6 +70,7 @@ class CStandInEntity : public CComposableEntity {
   CControllableEntity* m_robot = nullptr;
   CLEDEquippedEntity* m_leds = nullptr;
   std::vector<SAnchor*> m_anchors;  // as in the type
+  CReplayedFields m_fields;
 };
 
 /** The same for an entity with a pose and without a body, or with neither. */
@@ -95,6 +101,8 @@ class CReplayedEntity {
   CEntity& GetEntity() const { return *m_entity; }
   /** Null if it is no robot. */
   CControllableEntity* GetRobot() const;
+  /** Null if it can have none. */
+  CReplayedFields* GetFields() const;
   /** Null if it is no floor. */
   CFloorEntity* GetFloor() const { return m_floor; }
   void SetState(const SRecordedState& state) const;

@@ -151,8 +151,8 @@ void CTrackedEntity::AppendWords(std::vector<UInt32>& words) const {
     const std::vector<CColor>& colors = m_leds->GetLazyColors();
     const size_t start = words.size();
     words.resize(start + colors.size());
-    std::transform(colors.begin(), colors.end(),
-                   words.begin() + static_cast<std::ptrdiff_t>(start), PackColor);
+    std::transform(colors.begin(), colors.end(), words.begin() + static_cast<std::ptrdiff_t>(start),
+                   PackColor);
   } else {
     for (size_t i = 0; i < m_numLEDs; ++i) {
       words.push_back(PackColor(m_leds->GetLEDColor(i)));

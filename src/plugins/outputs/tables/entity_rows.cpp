@@ -37,6 +37,34 @@ bool HasController(CEntity& entity) {
 
 }  // namespace
 
+std::vector<std::string> SplitAtCommas(const std::string& text) {
+  std::vector<std::string> items;
+  Tokenize(text, items, ",");
+  for (std::string& item : items) {
+    const std::size_t first = item.find_first_not_of(" \t\n");
+    const std::size_t last = item.find_last_not_of(" \t\n");
+    item = first == std::string::npos ? "" : item.substr(first, last - first + 1);
+  }
+  std::erase(items, "");
+  return items;
+}
+
+std::vector<SFieldName> ReadFieldNames(const std::string& location, const std::string& fields) {
+  std::vector<SFieldName> names;
+  for (const std::string& name : SplitAtCommas(fields)) {
+    try {
+      names.emplace_back(name);
+    } catch (std::exception& error) {
+      THROW_ARGOSEXCEPTION_NESTED(location << ": \"fields\"", error);
+    }
+  }
+  if (names.empty()) {
+    THROW_ARGOSEXCEPTION(location << ": \"fields\" lists no field; argos3 -q fields lists those "
+                                     "that there are");
+  }
+  return names;
+}
+
 CEntityRows::CEntityRows(std::string location, std::vector<SFieldName> fields,
                          std::vector<std::string> types)
     : m_location(std::move(location)), m_types(std::move(types)) {
@@ -145,7 +173,7 @@ CEntityRows::SEntityRows CEntityRows::Bind(CEntity& entity) {
 }
 
 CEntityRows::SCell CEntityRows::BindCell(SPart& part, CEntity& entity) {
-  SBoundField bound = part.Name.Field->Bind(entity, part.Name.Argument);
+  SBoundField bound = part.Name.Bind(entity);
   SCell cell;
   if (bound.Reader == nullptr) {
     return cell;
@@ -267,6 +295,16 @@ void CEntityRows::Describe(STableSchema& schema) const {
       schema.Derivations.push_back({part.Name.Field.get(), part.Start});
     }
   }
+}
+
+std::vector<std::pair<std::string, SColumn>> CEntityRows::ListColumns() const {
+  std::vector<std::pair<std::string, SColumn>> columns;
+  for (const SPart& part : m_parts) {
+    for (const SColumn& column : part.Columns) {
+      columns.emplace_back(part.Name.Name, column);
+    }
+  }
+  return columns;
 }
 
 std::size_t CEntityRows::Read(SRowBlock& block) {

@@ -7,11 +7,22 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace argos {
 
 class CSpace;
+
+/** @return the items of a list with commas, without the spaces around them, and no empty ones. */
+std::vector<std::string> SplitAtCommas(const std::string& text);
+
+/**
+ * @param location  of the element, for messages.
+ * @param fields    names with commas, such as "pose,readings:proximity".
+ * @throws CARGoSException if one is no field, or if there is none.
+ */
+std::vector<SFieldName> ReadFieldNames(const std::string& location, const std::string& fields);
 
 /**
  * The rows of a table with fields of robots, or of other root entities: follows which entities
@@ -39,6 +50,11 @@ class CEntityRows {
   bool AreColumnsKnown() const { return m_areColumnsKnown; }
   /** Sets the columns, in a table that has them or, without any entity ever, none. */
   void Describe(STableSchema& schema) const;
+  /** The columns in the order of the table, each with the name of its field. */
+  std::vector<std::pair<std::string, SColumn>> ListColumns() const;
+  /** Those with rows, in the order in which Read() appends them. */
+  std::size_t GetNumEntities() const { return m_entities.size(); }
+  const CEntity& GetEntity(std::size_t number) const { return *m_entities[number].Entity; }
   /** Appends the rows of now. @return their number. */
   std::size_t Read(SRowBlock& block);
   /** A new file begins: blocks from here on list all robots again. */

@@ -1,30 +1,11 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
-#include <argos3/core/utility/errors/argos_exception.h>
-#include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/plugins/simulator/outputs/tables/entity_rows.h>
 #include <argos3/plugins/simulator/outputs/tables/table_base.h>
 
 #include <optional>
 
 namespace argos {
-
-namespace {
-
-// the items of a list with commas, without the spaces around them
-std::vector<std::string> SplitList(const std::string& text) {
-  std::vector<std::string> items;
-  Tokenize(text, items, ",");
-  for (std::string& item : items) {
-    const std::size_t first = item.find_first_not_of(" \t\n");
-    const std::size_t last = item.find_last_not_of(" \t\n");
-    item = first == std::string::npos ? "" : item.substr(first, last - first + 1);
-  }
-  std::erase(items, "");
-  return items;
-}
-
-}  // namespace
 
 /* <table>: fields of robots and other entities, a row for each entity and tick. */
 class CTableOutput : public CTableBase {
@@ -35,19 +16,7 @@ class CTableOutput : public CTableBase {
     std::string types;
     GetNodeAttributeOrDefault(tree, "fields", fields, fields);
     GetNodeAttributeOrDefault(tree, "of", types, types);
-    std::vector<SFieldName> names;
-    for (const std::string& name : SplitList(fields)) {
-      try {
-        names.emplace_back(name);
-      } catch (std::exception& error) {
-        THROW_ARGOSEXCEPTION_NESTED(GetLocation() << ": \"fields\"", error);
-      }
-    }
-    if (names.empty()) {
-      THROW_ARGOSEXCEPTION(GetLocation() << ": \"fields\" lists no field; argos3 -q fields lists "
-                                            "those that there are");
-    }
-    m_rows.emplace(GetLocation(), std::move(names), SplitList(types));
+    m_rows.emplace(GetLocation(), ReadFieldNames(GetLocation(), fields), SplitAtCommas(types));
     m_rows->Resolve(CurrentSpace());
   }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -187,6 +188,98 @@ TEST_CASE("replay: a replay can be recorded, without overwriting what it reads",
   const SProgramRun same = folder.Run({"-z", "--replay", "run.rec", "--record", "run.rec"});
   CHECK(same.Status == 1);
   CHECK_THAT(same.Err, Contains("--replay and --record are the same file, run.rec"));
+}
+
+namespace {
+
+// what the tables of a run and of its replay must have in common
+constexpr char kOutputs[] =
+    "<table file='robots.csv' fields='pose,lua:mood,lua:ticks,readings:footbot_proximity,leds'/>"
+    "<metrics file='metrics.csv'/>";
+
+constexpr char kMoods[] = R"(
+ticks = 0
+mood = "still"
+function init() end
+function reset() end
+function destroy() end
+function step()
+  ticks = ticks + 1
+  mood = ticks % 7 < 3 and "eager" or robot.id
+  robot.wheels.set_velocity(ticks % 20, 10)
+  robot.leds.set_all_colors(ticks % 3 == 0 and "red" or "blue")
+end
+)";
+
+constexpr char kLoop[] = R"(
+function init() simulation.metric("food", 0) end
+function post_step()
+  simulation.metric("food", simulation.clock() % 5)
+  simulation.metric("spread", 0.1 * simulation.clock(), "m")
+end
+)";
+
+// without the lines about the run
+std::string ReadRows(const CTestFolder& folder, const std::string& name) {
+  std::istringstream in(folder.Read(name));
+  std::string rows;
+  for (std::string line; std::getline(in, line);) {
+    if (line[0] != '#') {
+      rows += line + '\n';
+    }
+  }
+  return rows;
+}
+
+}  // namespace
+
+TEST_CASE("replay: tables have the recorded fields and metrics, also from a recorded replay",
+          "[scenario][recording]") {
+  const CTestFolder folder;
+  std::string experiment = kLively;
+  const std::string fields = "lua:mood, lua:ticks,readings:footbot_proximity";
+  const std::string end = "</argos-configuration>";
+  experiment.replace(experiment.find(end), end.size(),
+                     "<loop_functions label='lua'><params script='loop.lua'/></loop_functions>"
+                     "<outputs>" +
+                         std::string(kOutputs) +
+                         "<recording file='run.rec' precision='exact' fields='" + fields +
+                         "'/></outputs>" + end);
+  folder.Write("e.argos", experiment);
+  folder.Write("robot.lua", kMoods);
+  folder.Write("loop.lua", kLoop);
+  folder.Write("floor.png", kFloor);
+  CheckSuccess(folder.Run({"-zc", "e.argos"}));
+  const std::string robots = ReadRows(folder, "robots.csv");
+  const std::string metrics = ReadRows(folder, "metrics.csv");
+  CHECK_THAT(robots, Contains("lua_mood") && Contains("eager") && Contains("fb3,"));
+  CHECK_THAT(metrics, Contains("food,spread"));
+  folder.Write("tables.argos",
+               "<argos-configuration><outputs>" + std::string(kOutputs) + "</outputs>" + end);
+  CheckSuccess(folder.Run({"-z", "--replay", "run.rec", "-c", "tables.argos"}));
+  CHECK(ReadRows(folder, "robots.csv") == robots);
+  CHECK(ReadRows(folder, "metrics.csv") == metrics);
+  CheckSuccess(folder.Run({"-z", "--replay", "run.rec", "--record", "copy.rec", "--set",
+                           "//recording/@precision=exact"}));
+  CheckSuccess(folder.Run({"-z", "--replay", "copy.rec", "-c", "tables.argos"}));
+  CHECK(ReadRows(folder, "robots.csv") == robots);
+  CHECK(ReadRows(folder, "metrics.csv") == metrics);
+}
+
+TEST_CASE("recording: fields that cannot be recorded are errors", "[scenario][recording]") {
+  const CTestFolder folder;
+  const auto error = [&folder](const std::string& fields) {
+    const SProgramRun run =
+        folder.Run({"-zc", InSourceTree("experiments/flocking.argos"), "--record", "run.rec",
+                    "--set", "//recording/@fields=" + fields});
+    CHECK(run.Status == 1);
+    return run.Err;
+  };
+  CHECK_THAT(error("batery"), Contains("did you mean \"battery\""));
+  CHECK_THAT(error("messages"), Contains("a list of rows") && Contains("<table>"));
+  CHECK_THAT(error("pose"), Contains("needs no recording"));
+  CHECK_THAT(error("readings:foo"), Contains("no robot has the field \"readings:foo\""));
+  CHECK_THAT(error(","), Contains("lists no field"));
 }
 
 TEST_CASE("replay: impossible parts and options are errors", "[scenario][recording]") {

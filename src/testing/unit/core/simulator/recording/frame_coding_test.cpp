@@ -215,7 +215,9 @@ TEST_CASE("frames: rays, floor, columns and drawings are decoded as they were",
   using EKind = SRecordedRay::EKind;
   second.Rays = {{0, EKind::Obstructed, CVector3(1, 2, 3), CVector3(4, 5, 6)},
                  {0, EKind::HitPoint, CVector3(7, 8, 9), CVector3(7, 8, 9)}};
-  second.Columns = {{"battery", {0.75}}};
+  second.Columns = {{"battery", "battery_charge", "J", false, {0.75}, {}},
+                    {"lua:state", "lua_state", "", true, {1.0}, {"walk", "rest"}}};
+  second.Metrics = {{"food", "", 3.0}, {"spread", "m", 0.5}};
   second.Drawing = "shapes";
   encoder.Encode(second, false, bytes);
 
@@ -231,9 +233,17 @@ TEST_CASE("frames: rays, floor, columns and drawings are decoded as they were",
   CHECK(frame.Rays[0].End == CVector3(4, 5, 6));
   CHECK(frame.Rays[1].Kind == EKind::HitPoint);
   CHECK(frame.Rays[1].Start == CVector3(7, 8, 9));
-  REQUIRE(frame.Columns.size() == 1);
-  CHECK(frame.Columns[0].Name == "battery");
+  REQUIRE(frame.Columns.size() == 2);
+  CHECK(frame.Columns[0].Field == "battery");
+  CHECK(frame.Columns[0].Name == "battery_charge");
+  CHECK(frame.Columns[0].Unit == "J");
+  CHECK_FALSE(frame.Columns[0].IsText);
   CHECK(frame.Columns[0].Values == std::vector<Real>{0.75});
+  CHECK(frame.Columns[1].Field == "lua:state");
+  CHECK(frame.Columns[1].IsText);
+  CHECK(frame.Columns[1].Values == std::vector<Real>{1.0});
+  CHECK(frame.Columns[1].Texts == std::vector<std::string>{"walk", "rest"});
+  CHECK(frame.Metrics == second.Metrics);
   CHECK(frame.Drawing == "shapes");
 }
 
