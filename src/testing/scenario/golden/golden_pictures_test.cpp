@@ -14,6 +14,8 @@
 #include <stdlib.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 using namespace argos;
@@ -50,7 +52,19 @@ struct SSubject {
   std::string Name;
   std::string Arena;  // children of <arena>
   double Size = 1.0;  // m, of the arena
+  std::string RobotTypes = "";  // <robot_types>, or empty
 };
+
+// "<robot_types>...</robot_types>" of one of this project's experiments
+std::string RobotTypesOf(const std::string& experiment) {
+  std::ifstream in(InSourceTree("experiments/" + experiment + ".argos"));
+  const std::string text((std::istreambuf_iterator<char>(in)), {});
+  const std::string end = "</robot_types>";
+  const size_t first = text.find("<robot_types>");
+  const size_t last = text.find(end);
+  REQUIRE(last != std::string::npos);
+  return text.substr(first, last + end.size() - first);
+}
 
 // a temporary folder, removed by the destructor
 class CTemporaryFolder {
@@ -78,9 +92,9 @@ SPicture Draw(const SSubject& subject, const std::string& offscreen, const std::
   const std::string size = std::to_string(subject.Size);
   CConfigurationDocument document;
   document.Parse("<argos-configuration><framework><experiment length='" + std::to_string(length) +
-                     "' ticks_per_second='10' random_seed='1'/></framework><controllers>" +
-                     MakeControllers(subject.Arena) + "</controllers><arena size='" + size + "," +
-                     size + ",2'>" + subject.Arena +
+                     "' ticks_per_second='10' random_seed='1'/></framework>" + subject.RobotTypes +
+                     "<controllers>" + MakeControllers(subject.Arena) +
+                     "</controllers><arena size='" + size + "," + size + ",2'>" + subject.Arena +
                      "</arena><physics_engines><dynamics3d id='d'/></physics_engines>"
                      "<media><led id='leds'/><range_and_bearing id='rab'/><rfid id='tags'/></media>"
                      "<visualization><offscreen size='160x120' every='1000' directory='" +
@@ -140,10 +154,14 @@ TEST_CASE("golden pictures: entities and robots from three sides", "[golden][vis
                "<link id='ball' geometry='sphere' radius='0.06' mass='0.1' position='0,0,0.1'/>"
                "</links><joints><joint id='glue' type='fixed'><parent link='base' "
                "position='0,0,0.1'/><child link='ball'/></joint></joints></prototype>",
-               0.6});
+               0.6},
+      SSubject{"khepera-iv", Robot("khepera-iv", "k", "", "0,0,0"), 0.3,
+               RobotTypesOf("khepera_lua")},
+      SSubject{"kilobot", Robot("kilobot", "k", "", "0,0,0"), 0.08, RobotTypesOf("kilobots_lua")},
+      SSubject{"thymio", Robot("thymio", "t", "", "0,0,0"), 0.3, RobotTypesOf("thymio_lua")});
   const std::string view = GENERATE("oblique", "top", "corner");
   CAPTURE(subject.Name, view);
-  const SSubject named{subject.Name + "_" + view, subject.Arena, subject.Size};
+  const SSubject named{subject.Name + "_" + view, subject.Arena, subject.Size, subject.RobotTypes};
   CheckLike(named.Name,
             Draw(named, view == "top" ? "look='dark'" : "", "<camera view='" + view + "'/>"));
 }
