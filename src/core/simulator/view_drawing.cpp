@@ -48,8 +48,9 @@ void CViewDrawing::Init(TConfigurationNode& view) {
   }
   if (CurrentContext().IsReplay && NodeExists(view, "user_functions")) {
     LOGERR << "[WARNING] " << view.GetLocation() << ": <" << view.Value()
-           << ">: <user_functions> draw nothing in a replay, which has none of users' code"
-           << std::endl;
+           << ">: <user_functions> draw nothing in a replay, which has none of users' code; "
+              "<recording "
+           << "drawing=\"true\"> records what they draw" << std::endl;
     MarkSubtreeRead(view);
     return;
   }

@@ -1,6 +1,8 @@
 #include <argos3/plugins/simulator/outputs/recording/recording_output.h>
 
 #include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/context/simulation_context.h>
+#include <argos3/core/simulator/recording/drawing_coding.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/metrics.h>
 #include <argos3/core/simulator/space/space.h>
@@ -16,6 +18,14 @@
 #include <set>
 
 namespace argos {
+
+namespace {
+
+// of the picture for which users' code draws
+constexpr UInt32 kDefaultWidth = 1280;  // pixels
+constexpr UInt32 kDefaultHeight = 960;
+
+}  // namespace
 
 CRecordingOutput::CRecordingOutput() = default;
 CRecordingOutput::~CRecordingOutput() = default;
@@ -46,6 +56,17 @@ void CRecordingOutput::Init(TConfigurationNode& tree) {
                          << DidYouMean(precision, {"grid", "exact"}));
   }
   m_precision = precision == "exact" ? EPrecision::Exact : EPrecision::Grid;
+  GetNodeAttributeOrDefault(tree, "drawing", m_hasDrawing, CurrentContext().IsReplay);
+  m_width = kDefaultWidth;
+  m_height = kDefaultHeight;
+  GetNodeAttributeOrDefault(tree, "drawing_width", m_width, m_width);
+  GetNodeAttributeOrDefault(tree, "drawing_height", m_height, m_height);
+  if (m_hasDrawing) {
+    m_drawing.Init(tree);
+  } else if (NodeExists(tree, "user_functions")) {
+    THROW_ARGOSEXCEPTION(m_location << " has <user_functions>, but drawing=\"true\" is missing: "
+                                       "what they draw would not be recorded");
+  }
   if (NodeAttributeExists(tree, "fields")) {
     std::string fields;
     GetNodeAttribute(tree, "fields", fields);
@@ -92,6 +113,7 @@ void CRecordingOutput::Open() {
 }
 
 void CRecordingOutput::Observe(CSimulator& simulator) {
+  m_drawing.Observe(simulator);
   if (!m_lastTick || simulator.GetSpace().GetSimulationClock() % m_every == 0) {
     Record(simulator);
   }
@@ -109,6 +131,10 @@ void CRecordingOutput::Record(CSimulator& simulator) {
   m_capture.Take(space, update);
   if (m_fields) {
     m_fields->Take(space, update);
+  }
+  if (m_hasDrawing) {
+    CByteWriter out(update.Drawing);
+    WriteDrawing(m_drawing.Draw(simulator, m_width, m_height), out);
   }
   for (const CMetrics::SMetric& metric : space.GetExtension<CMetrics>().GetAll()) {
     update.Metrics.push_back({metric.Name, metric.Unit, metric.Value});
@@ -169,6 +195,7 @@ void CRecordingOutput::Destroy() {
   }
   m_writer.reset();
   m_fields.reset();
+  m_drawing.Destroy();
 }
 
 REGISTER_RUN_OUTPUT(
@@ -196,7 +223,9 @@ OPTIONAL XML CONFIGURATION
 
   <outputs>
     <recording file="run.rec" every="1" precision="grid"
-               fields="battery,readings:footbot_proximity,lua:state" />
+               fields="battery,readings:footbot_proximity,lua:state" drawing="true">
+      <user_functions label="ids" library="build/libids" />
+    </recording>
   </outputs>
 
 Attributes of <recording>:
@@ -208,6 +237,10 @@ Attributes of <recording>:
   fields     list: fields of robots to be recorded besides, which tables of a replay then
              have; argos3 -q fields lists them. Neither poses, which are there anyway, nor
              messages, of which a robot may have several. Default: none
+  drawing    bool; record what the loop functions and the children <user_functions> draw,
+             which every view of a replay then shows. Default: false
+  drawing_width, drawing_height
+             pixels; size of the picture for code that draws over it. Default: 1280, 960
 )",
     "Usable")
 

@@ -3,6 +3,7 @@
 
 #include <argos3/core/simulator/outputs/run_output.h>
 #include <argos3/core/simulator/recording/recording_writer.h>
+#include <argos3/core/simulator/view_drawing.h>
 #include <argos3/plugins/simulator/outputs/recording/capture.h>
 #include <argos3/plugins/simulator/outputs/recording/recorded_fields.h>
 
@@ -40,6 +41,10 @@ class CRecordingOutput : public CRunOutput {
   UInt32 m_run = 1;  // since loading
   CCapture m_capture;
   std::optional<CRecordedFields> m_fields;  // none: no fields
+  CViewDrawing m_drawing;
+  bool m_hasDrawing = false;  // it is recorded
+  UInt32 m_width = 0;  // pixels, of the picture for which code draws
+  UInt32 m_height = 0;
   std::unique_ptr<CRecordingWriter> m_writer;  // null: closed
   std::optional<UInt32> m_lastTick;  // recorded
   UInt32 m_numFrames = 0;

@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/floor_entity.h>
 #include <argos3/core/simulator/loop_functions.h>
+#include <argos3/core/simulator/recording/drawing_coding.h>
 #include <argos3/core/simulator/recording/type_coding.h>
 #include <argos3/core/simulator/space/metrics.h>
 #include <argos3/core/simulator/space/space.h>
@@ -16,7 +17,7 @@ namespace argos {
 
 namespace {
 
-/* Colours the floor as it was recorded. */
+/* Colours the floor, and draws, as it was recorded. */
 class CReplayLoopFunctions : public CLoopFunctions {
  public:
   explicit CReplayLoopFunctions(const CRecordingReplay& replay) : m_replay(replay) {}
@@ -37,7 +38,17 @@ class CReplayLoopFunctions : public CLoopFunctions {
                   static_cast<UInt8>(pixel[2]));
   }
 
+  void DrawInWorld(CDrawing& drawing) override { Draw(SDrawnShape::ESpace::World, drawing); }
+  void DrawInOverlay(CDrawing& drawing) override { Draw(SDrawnShape::ESpace::Overlay, drawing); }
+
  private:
+  void Draw(SDrawnShape::ESpace space, CDrawing& drawing) const {
+    if (!m_replay.GetDrawing().empty()) {
+      CByteReader in(m_replay.GetDrawing());
+      DrawAgain(in, space, drawing);
+    }
+  }
+
   // beyond the edges their colours continue; NaN gives the first pixel
   static size_t ToPixel(Real share, UInt32 pixels) {
     const Real pixel = share * pixels;
@@ -161,7 +172,7 @@ void CRecordingReplay::Show(const SRecordedFrame& frame, CSpace& space) {
     }
   }
   ShowRays(frame);
-  ShowFields(frame, space);
+  ShowFieldsAndDrawing(frame, space);
 }
 
 // those that are as before stay the same objects
@@ -222,8 +233,9 @@ void CRecordingReplay::ShowRays(const SRecordedFrame& frame) const {
   }
 }
 
-void CRecordingReplay::ShowFields(const SRecordedFrame& frame, CSpace& space) {
+void CRecordingReplay::ShowFieldsAndDrawing(const SRecordedFrame& frame, CSpace& space) {
   m_columns->Columns = frame.Columns;
+  m_drawing = frame.Drawing;
   for (const SRecordedMetric& metric : frame.Metrics) {
     space.GetExtension<CMetrics>().Set(metric.Name, metric.Value, metric.Unit);
   }

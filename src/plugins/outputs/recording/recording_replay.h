@@ -28,6 +28,8 @@ class CRecordingReplay : public CReplay {
   void Advance(CSpace& space) override;
   bool IsAtEnd() const override { return m_hasEnded; }
 
+  /** What users' code drew in the present state, see DrawAgain(); empty if it is not recorded. */
+  const std::string& GetDrawing() const { return m_drawing; }
   /** The floor of the present state; null if there is none. */
   const SRecordedFloor* GetFloor() const { return m_floor.get(); }
 
@@ -40,7 +42,7 @@ class CRecordingReplay : public CReplay {
   void UpdateEntities(const SRecordedFrame& frame, CSpace& space);
   bool IsSame(const CReplayedEntity& entity, const SRecordedEntity& recorded) const;
   void ShowRays(const SRecordedFrame& frame) const;
-  void ShowFields(const SRecordedFrame& frame, CSpace& space);
+  void ShowFieldsAndDrawing(const SRecordedFrame& frame, CSpace& space);
 
   std::unique_ptr<CRecordingReader> m_reader;
   std::string m_experimentFile;
@@ -55,6 +57,7 @@ class CRecordingReplay : public CReplay {
   std::vector<CReplayedEntity> m_entities;  // in the order of the space
   UInt64 m_entitiesVersion = 0;  // of m_entities
   std::shared_ptr<const SRecordedFloor> m_floor;
+  std::string m_drawing;
   std::shared_ptr<SReplayedColumns> m_columns = std::make_shared<SReplayedColumns>();
 };
 

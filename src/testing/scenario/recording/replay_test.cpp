@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -264,6 +266,32 @@ TEST_CASE("replay: tables have the recorded fields and metrics, also from a reco
   CheckSuccess(folder.Run({"-z", "--replay", "copy.rec", "-c", "tables.argos"}));
   CHECK(ReadRows(folder, "robots.csv") == robots);
   CHECK(ReadRows(folder, "metrics.csv") == metrics);
+}
+
+TEST_CASE("replay: recorded drawings of user functions and loop functions are in the pictures",
+          "[scenario][recording]") {
+  const CTestFolder folder;
+  std::ifstream in(InSourceTree("experiments/trajectories.argos"));
+  std::string experiment((std::istreambuf_iterator<char>(in)), {});
+  const std::string functions = "<user_functions label=\"trajectory_user_functions\" />";
+  const std::string end = "</argos-configuration>";
+  REQUIRE(experiment.find(functions) != std::string::npos);
+  experiment.replace(experiment.find(end), end.size(),
+                     "<outputs><recording file='run.rec' drawing='true'>" + functions +
+                         "</recording></outputs>" + end);
+  folder.Write("e.argos", experiment);
+  CheckSuccess(folder.Run(std::vector<std::string>{"-c", "e.argos", "--length", "10"} + kSmall +
+                          Into("live")));
+  const SProgramRun replay =
+      folder.Run(std::vector<std::string>{"--replay", "run.rec"} + kSmall + Into("replayed"));
+  CheckSuccess(replay);
+  CHECK_THAT(replay.Err, Contains("<user_functions> draw nothing in a replay"));
+  const std::vector<std::string> names = ListFrames(folder, "live");
+  CheckSameFrames(folder, "live", "replayed", names.size());
+  const SProgramRun off =
+      folder.Run({"-zc", "e.argos", "--length", "10", "--set", "//recording/@drawing=false"});
+  CHECK(off.Status == 1);
+  CHECK_THAT(off.Err, Contains("<user_functions>, but drawing=\"true\" is missing"));
 }
 
 TEST_CASE("recording: fields that cannot be recorded are errors", "[scenario][recording]") {

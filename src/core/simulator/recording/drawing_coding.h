@@ -1,0 +1,20 @@
+#ifndef ARGOS3_CORE_SIMULATOR_RECORDING_DRAWING_CODING_H
+#define ARGOS3_CORE_SIMULATOR_RECORDING_DRAWING_CODING_H
+
+#include <argos3/core/simulator/recording/byte_stream.h>
+#include <argos3/core/simulator/visualization/drawing.h>
+
+namespace argos {
+
+/** Writes the shapes that users' code has drawn. */
+void WriteDrawing(const CDrawing& drawing, CByteWriter& out);
+
+/**
+ * Draws the shapes of a space again, in the order in which they were drawn.
+ * @throws CARGoSException if the bytes are no drawing.
+ */
+void DrawAgain(CByteReader& in, SDrawnShape::ESpace space, CDrawing& drawing);
+
+}  // namespace argos
+
+#endif
