@@ -3,16 +3,15 @@
 #include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/floor_painter.h>
+#include <argos3/core/simulator/images/image_decoding.h>
 #include <argos3/core/simulator/images/image_encoding.h>
 #include <argos3/core/utility/files/file_replacement.h>
-#include <argos3/core/utility/files/input_file.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <FreeImage.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <vector>
 
@@ -28,68 +27,6 @@ struct SBitmapDeleter {
   void operator()(FIBITMAP* bitmap) const { FreeImage_Unload(bitmap); }
 };
 using TBitmap = std::unique_ptr<FIBITMAP, SBitmapDeleter>;
-
-std::string DescribePath(const std::string& path) {
-  std::error_code ignored;
-  const std::string resolved = std::filesystem::absolute(path, ignored).lexically_normal().string();
-  return resolved == path ? '"' + path + '"' : '"' + path + "\" (that is, \"" + resolved + "\")";
-}
-
-// the library prints what is wrong with an image through a callback without context
-thread_local std::string t_imageProblem;
-
-void NoteImageProblem(FREE_IMAGE_FORMAT, const char* message) {
-  t_imageProblem = message;
-}
-
-std::string ImageProblem() {
-  return t_imageProblem.empty() ? "" : ": " + t_imageProblem;
-}
-
-struct SMemoryDeleter {
-  void operator()(FIMEMORY* memory) const { FreeImage_CloseMemory(memory); }
-};
-
-TBitmap ReadBitmap(const std::string& fileName) {
-  std::string content;
-  std::string problem;
-  if (!ReadInputFile(fileName, content, problem)) {
-    THROW_ARGOSEXCEPTION("cannot open the floor image "
-                         << DescribePath(fileName) << ": " << problem
-                         << "; relative paths start at the working directory");
-  }
-  t_imageProblem.clear();
-  FreeImage_SetOutputMessage(&NoteImageProblem);
-  // the library does not change the content, although the type allows it
-  const std::unique_ptr<FIMEMORY, SMemoryDeleter> memory(FreeImage_OpenMemory(
-      reinterpret_cast<BYTE*>(content.data()), static_cast<DWORD>(content.size())));
-  FREE_IMAGE_FORMAT format = FreeImage_GetFileTypeFromMemory(memory.get(), 0);
-  if (format == FIF_UNKNOWN) {
-    format = FreeImage_GetFIFFromFilename(fileName.c_str());
-  }
-  if (format == FIF_UNKNOWN || !FreeImage_FIFSupportsReading(format)) {
-    THROW_ARGOSEXCEPTION("the floor image " << DescribePath(fileName)
-                                            << " is in no image format that can be read, such as "
-                                               "PNG, JPEG, BMP or TIFF");
-  }
-  const TBitmap asStored(FreeImage_LoadFromMemory(format, memory.get(), 0));
-  if (!asStored) {
-    THROW_ARGOSEXCEPTION("cannot read the floor image " << DescribePath(fileName) << " as "
-                                                        << FreeImage_GetFormatFromFIF(format)
-                                                        << ImageProblem());
-  }
-  TBitmap bitmap(FreeImage_ConvertTo24Bits(asStored.get()));
-  if (!bitmap) {
-    // single-channel images of other depths
-    const TBitmap standard(FreeImage_ConvertToStandardType(asStored.get(), 1));
-    bitmap.reset(standard ? FreeImage_ConvertTo24Bits(standard.get()) : nullptr);
-  }
-  if (!bitmap || FreeImage_GetWidth(bitmap.get()) == 0 || FreeImage_GetHeight(bitmap.get()) == 0) {
-    THROW_ARGOSEXCEPTION("the floor image " << DescribePath(fileName)
-                                            << " has no pixels that can be turned into colours");
-  }
-  return bitmap;
-}
 
 void WriteBitmap(FIBITMAP& bitmap, const std::string& path) {
   const FREE_IMAGE_FORMAT format = FreeImage_GetFIFFromFilename(path.c_str());
@@ -113,14 +50,11 @@ class CFloorEntity::CImage {
  public:
   CImage(size_t width, size_t height) : m_width(width), m_pixels(width * height) {}
 
-  explicit CImage(FIBITMAP* bitmap)
-      : CImage(FreeImage_GetWidth(bitmap), FreeImage_GetHeight(bitmap)) {
-    // the library, too, counts rows from the bottom
-    for (size_t row = 0; row < GetHeight(); ++row) {
-      const BYTE* line = FreeImage_GetScanLine(bitmap, static_cast<int>(row));
-      for (size_t column = 0; column < m_width; ++column, line += 3) {
-        At(column, row) = {line[FI_RGBA_RED], line[FI_RGBA_GREEN], line[FI_RGBA_BLUE]};
-      }
+  explicit CImage(const SImage& image) : CImage(image.Width, image.Height) {
+    const UInt8* next = image.Pixels.data();
+    for (SPixel& pixel : m_pixels) {
+      pixel = {next[0], next[1], next[2]};
+      next += 3;
     }
   }
 
@@ -204,7 +138,7 @@ void CFloorEntity::Reset() {
 }
 
 void CFloorEntity::LoadImage(const std::string& fileName) {
-  m_image = std::make_unique<CImage>(ReadBitmap(fileName).get());
+  m_image = std::make_unique<CImage>(ReadImage(fileName, "floor image"));
   const CVector3& size = m_context.Arena.Size;
   if (size.GetX() > 0.0 && size.GetY() > 0.0) {
     // the resolution of the image along its finer axis

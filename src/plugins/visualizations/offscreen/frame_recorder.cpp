@@ -93,6 +93,9 @@ void CFrameRecorder::WriteFrame(CSimulator& simulator) {
   frame.Scene.ShowGrid = m_settings.ShowGrid;
   frame.Scene.ShowBoundary = m_settings.ShowBoundary;
   m_builder.Build(space, frame.Scene);
+  if (frame.Scene.Floor.Pixels == nullptr) {
+    frame.Scene.Floor = m_settings.Ground;
+  }
   const SRenderSettings& render = m_settings.Render;
   AddDrawing(m_drawing.Draw(simulator, static_cast<UInt32>(render.Width),
                             static_cast<UInt32>(render.Height)),

@@ -29,6 +29,7 @@ struct SRecordingSettings {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> Ticks;
   bool KeepLastFrame =
       true; /**< draw the final state even if its tick is not a multiple of Every */
+  SFloorImage Ground; /**< texture of the ground where the arena has no floor */
   bool ShowGrid = true;
   bool ShowBoundary = true;
   bool ShowRays = true;

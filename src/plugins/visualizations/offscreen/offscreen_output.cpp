@@ -25,7 +25,8 @@ OPTIONAL XML CONFIGURATION
   <visualization>
     <offscreen directory="out" base_name="frame_" format="png" quality="-1"
                size="1280x960" every="1" ticks="0-50,550-600" samples="4" look="light"
-               show_grid="true" show_boundary="true" show_rays="true">
+               show_grid="true" show_boundary="true" show_rays="true"
+               ground_texture="carpet.jpg" ground_texture_size="1">
       <camera view="oblique" fit="arena" projection="perspective" margin="0.04"
               lens_focal_length="50">
         <placements>
@@ -69,6 +70,13 @@ Attributes of <offscreen>:
   show_boundary  bool; the outline of the arena. Default: true
   show_rays      bool; the rays of sensors that have show_rays="true", and their
                  hits, where obstructed rays end. Default: true
+
+  ground_texture path of an image file, which covers the ground of an arena that has no
+                 <floor>. Only views show it: sensors see the ground as without it.
+                 Default: none
+  ground_texture_size
+                 m, positive: width of one image, which is repeated from the lower left
+                 corner of the arena. Default: one image covers the arena
 
 Attributes of <placement>:
   index              integer, 0 to 11; idx is accepted, too

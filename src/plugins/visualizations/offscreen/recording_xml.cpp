@@ -1,5 +1,7 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/recording_xml.h>
 
+#include <argos3/plugins/simulator/visualizations/scene/ground_texture.h>
+
 #include <algorithm>
 #include <array>
 
@@ -154,6 +156,7 @@ SRecordingSettings ReadOffscreenSettings(TConfigurationNode& node) {
   ReadLook(node, settings.Render);
   ReadPositive(node, "every", settings.Every);
   ReadTicks(node, settings);
+  settings.Ground = ReadGroundTexture(node);
   GetNodeAttributeOrDefault(node, "show_grid", settings.ShowGrid, true);
   GetNodeAttributeOrDefault(node, "show_boundary", settings.ShowBoundary, true);
   GetNodeAttributeOrDefault(node, "show_rays", settings.ShowRays, true);

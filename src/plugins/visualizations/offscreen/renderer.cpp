@@ -167,8 +167,9 @@ void CRenderer::UploadFloor(const SFloorImage& floor) {
   m_gl.GenerateMipmap(GL_TEXTURE_2D);
   m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  const GLint wrap = floor.TileSize[0] > 0.0f ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+  m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
+  m_gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
   m_floorVersion = floor.Version;
   m_hasFloor = true;
 }
@@ -311,6 +312,11 @@ void CRenderer::DrawGroundAreas(const SScene& scene, const CGlProgram& program,
   program.Set("uHasFloor", m_hasFloor ? 1 : 0);
   program.Set("uFloorSize", Eigen::Vector2f(static_cast<float>(scene.Floor.Width),
                                             static_cast<float>(scene.Floor.Height)));
+  const Eigen::Vector2f tile(scene.Floor.TileSize[0], scene.Floor.TileSize[1]);
+  program.Set("uFloorExtent",
+              tile.minCoeff() > 0.0f
+                  ? tile
+                  : Eigen::Vector2f((scene.ArenaMax - scene.ArenaMin).cast<float>()));
   program.Set("uIsFloorSmooth", scene.Floor.IsSmooth ? 1 : 0);
   program.Set("uFloor", kFloorUnit);
   program.Set("uNumCells", static_cast<float>(kGroundCells));

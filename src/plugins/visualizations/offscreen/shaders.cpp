@@ -165,6 +165,7 @@ uniform int uShowGrid;
 uniform int uShowBoundary;
 uniform int uHasFloor;
 uniform vec2 uFloorSize;
+uniform vec2 uFloorExtent;
 uniform int uIsFloorSmooth;
 uniform sampler2D uFloor;
 uniform vec3 uToSun;
@@ -218,7 +219,7 @@ void main() {
 
   vec3 base = uGround.rgb;
   if (uHasFloor != 0) {
-    base = FloorColor((vPosition - uArenaMin) / (uArenaMax - uArenaMin));
+    base = FloorColor((vPosition - uArenaMin) / uFloorExtent);
   }
   base = mix(uGroundOutside.rgb, base, inArena);
   if (uShowGrid != 0) {

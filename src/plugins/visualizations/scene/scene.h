@@ -110,6 +110,9 @@ struct SFloorImage {
   std::shared_ptr<const std::vector<std::uint8_t>> Pixels;
   bool IsSmooth = false; /**< blend between pixels instead of showing them as squares */
   std::uint64_t Version = 0; /**< changes when the pixels change */
+  /** Sides of one image, which is repeated from the arena's lower left corner, m; 0: it covers the
+   * arena. */
+  std::array<float, 2> TileSize = {0.0f, 0.0f};
 };
 
 /** Everything on one picture but the camera. Plain arrays, to be refilled for every frame. */

@@ -1,0 +1,101 @@
+#include <argos3/core/simulator/images/image_decoding.h>
+
+#include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/files/input_file.h>
+
+#include <FreeImage.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace argos {
+
+namespace {
+
+struct SBitmapDeleter {
+  void operator()(FIBITMAP* bitmap) const { FreeImage_Unload(bitmap); }
+};
+using TBitmap = std::unique_ptr<FIBITMAP, SBitmapDeleter>;
+
+// the library prints what is wrong with an image through a callback without context
+thread_local std::string t_imageProblem;
+
+void NoteImageProblem(FREE_IMAGE_FORMAT, const char* message) {
+  t_imageProblem = message;
+}
+
+std::string ImageProblem() {
+  return t_imageProblem.empty() ? "" : ": " + t_imageProblem;
+}
+
+struct SMemoryDeleter {
+  void operator()(FIMEMORY* memory) const { FreeImage_CloseMemory(memory); }
+};
+
+TBitmap ReadBitmap(const std::string& fileName, const std::string& what) {
+  std::string content;
+  std::string problem;
+  if (!ReadInputFile(fileName, content, problem)) {
+    THROW_ARGOSEXCEPTION("cannot open the " << what << " " << DescribePath(fileName) << ": "
+                                            << problem
+                                            << "; relative paths start at the working directory");
+  }
+  t_imageProblem.clear();
+  FreeImage_SetOutputMessage(&NoteImageProblem);
+  // the library does not change the content, although the type allows it
+  const std::unique_ptr<FIMEMORY, SMemoryDeleter> memory(FreeImage_OpenMemory(
+      reinterpret_cast<BYTE*>(content.data()), static_cast<DWORD>(content.size())));
+  FREE_IMAGE_FORMAT format = FreeImage_GetFileTypeFromMemory(memory.get(), 0);
+  if (format == FIF_UNKNOWN) {
+    format = FreeImage_GetFIFFromFilename(fileName.c_str());
+  }
+  if (format == FIF_UNKNOWN || !FreeImage_FIFSupportsReading(format)) {
+    THROW_ARGOSEXCEPTION("the " << what << " " << DescribePath(fileName)
+                                << " is in no image format that can be read, such as "
+                                   "PNG, JPEG, BMP or TIFF");
+  }
+  const TBitmap asStored(FreeImage_LoadFromMemory(format, memory.get(), 0));
+  if (!asStored) {
+    THROW_ARGOSEXCEPTION("cannot read the " << what << " " << DescribePath(fileName) << " as "
+                                            << FreeImage_GetFormatFromFIF(format)
+                                            << ImageProblem());
+  }
+  TBitmap bitmap(FreeImage_ConvertTo24Bits(asStored.get()));
+  if (!bitmap) {
+    // single-channel images of other depths
+    const TBitmap standard(FreeImage_ConvertToStandardType(asStored.get(), 1));
+    bitmap.reset(standard ? FreeImage_ConvertTo24Bits(standard.get()) : nullptr);
+  }
+  if (!bitmap || FreeImage_GetWidth(bitmap.get()) == 0 || FreeImage_GetHeight(bitmap.get()) == 0) {
+    THROW_ARGOSEXCEPTION("the " << what << " " << DescribePath(fileName)
+                                << " has no pixels that can be turned into colours");
+  }
+  return bitmap;
+}
+
+}  // namespace
+
+std::string DescribePath(const std::string& path) {
+  std::error_code ignored;
+  const std::string resolved = std::filesystem::absolute(path, ignored).lexically_normal().string();
+  return resolved == path ? '"' + path + '"' : '"' + path + "\" (that is, \"" + resolved + "\")";
+}
+
+SImage ReadImage(const std::string& path, const std::string& what) {
+  const TBitmap bitmap = ReadBitmap(path, what);
+  SImage image;
+  image.Width = FreeImage_GetWidth(bitmap.get());
+  image.Height = FreeImage_GetHeight(bitmap.get());
+  image.Pixels.reserve(3 * image.Width * image.Height);
+  // the library, too, counts rows from the bottom
+  for (size_t row = 0; row < image.Height; ++row) {
+    const BYTE* pixel = FreeImage_GetScanLine(bitmap.get(), static_cast<int>(row));
+    for (size_t column = 0; column < image.Width; ++column, pixel += 3) {
+      image.Pixels.insert(image.Pixels.end(),
+                          {pixel[FI_RGBA_RED], pixel[FI_RGBA_GREEN], pixel[FI_RGBA_BLUE]});
+    }
+  }
+  return image;
+}
+
+}  // namespace argos

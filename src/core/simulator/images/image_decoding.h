@@ -1,0 +1,30 @@
+#ifndef ARGOS3_CORE_SIMULATOR_IMAGES_IMAGE_DECODING_H
+#define ARGOS3_CORE_SIMULATOR_IMAGES_IMAGE_DECODING_H
+
+#include <argos3/core/utility/datatypes/datatypes.h>
+
+#include <string>
+#include <vector>
+
+namespace argos {
+
+/** The pixels of an image file. */
+struct SImage {
+  size_t Width = 0; /**< pixels */
+  size_t Height = 0; /**< pixels */
+  std::vector<UInt8> Pixels; /**< red, green, blue, sRGB (Height, Width, 3); lowest row first */
+};
+
+/** The path in quotes, with what it resolves to if that differs; for messages. */
+std::string DescribePath(const std::string& path);
+
+/**
+ * Reads an image file of any format that FreeImage knows.
+ * @param what  for errors, such as "floor image".
+ * @throws CARGoSException if the file cannot be opened, or is no image.
+ */
+SImage ReadImage(const std::string& path, const std::string& what);
+
+}  // namespace argos
+
+#endif
