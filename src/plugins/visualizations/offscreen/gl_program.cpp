@@ -39,7 +39,7 @@ CGlProgram::CGlProgram(const SGlFunctions& gl, const SShaderSource& source)
 GLuint CGlProgram::Compile(GLenum stage, const SShaderSource& source) const {
   const GLuint shader = m_gl.CreateShader(stage);
   const std::array<const char*, 4> texts = {
-      kShaderVersion, source.Defines, kShaderPreamble,
+      kShaderVersion, source.Defines.c_str(), kShaderPreamble,
       stage == GL_VERTEX_SHADER ? source.Vertex : source.Fragment};
   m_gl.ShaderSource(shader, static_cast<GLsizei>(texts.size()), texts.data(), nullptr);
   m_gl.CompileShader(shader);

@@ -49,8 +49,6 @@ CRenderer::CRenderer(const SRenderSettings& settings)
       m_shadowMap(m_gl, std::max(settings.Width, settings.Height)),
       m_meshProgram(m_gl, kMeshShader),
       m_depthProgram(m_gl, kDepthShader),
-      m_groundProgram(m_gl, kGroundShader),
-      m_litGroundProgram(m_gl, kLitGroundShader),
       m_contactProgram(m_gl, kContactShadowShader),
       m_glowProgram(m_gl, kGlowShader),
       m_lineProgram(m_gl, kLineShader),
@@ -280,18 +278,25 @@ void CRenderer::DrawGround(const SScene& scene) {
   const Eigen::AlignedBox2d ground(scene.ArenaMin - reach, scene.ArenaMax + reach);
   m_groundCells.Fill(ground, m_batches.GetCasters(), m_toSun, 4.0 * m_shadowMap.GetTexelSize());
   const auto end = static_cast<float>(kGroundCells);
-  DrawGroundAreas(scene, m_litGroundProgram, {{0.0f, 0.0f, end, end}});
+  const unsigned parts = (m_hasFloor ? GROUND_HAS_FLOOR : 0U) |
+                         (scene.ShowGrid ? GROUND_HAS_GRID : 0U) |
+                         (scene.ShowBoundary ? GROUND_HAS_BOUNDARY : 0U);
+  DrawGroundAreas(scene, parts, {{0.0f, 0.0f, end, end}});
   // nothing else is drawn yet: parts with shadows replace those without
   m_gl.Disable(GL_DEPTH_TEST);
-  DrawGroundAreas(scene, m_groundProgram, m_groundCells.GetShaded());
+  DrawGroundAreas(scene, parts | GROUND_HAS_SHADOWS, m_groundCells.GetShaded());
   m_gl.Enable(GL_DEPTH_TEST);
 }
 
-void CRenderer::DrawGroundAreas(const SScene& scene, const CGlProgram& program,
+void CRenderer::DrawGroundAreas(const SScene& scene, unsigned parts,
                                 const std::vector<TGroundArea>& areas) {
   if (areas.empty()) {
     return;
   }
+  if (m_groundPrograms.count(parts) == 0) {
+    m_groundPrograms.try_emplace(parts, m_gl, MakeGroundShader(parts));
+  }
+  const CGlProgram& program = m_groundPrograms.at(parts);
   const SLook& look = m_settings.Look;
   const Eigen::Vector2d reach = Eigen::Vector2d::Constant(m_groundReach);
   program.Use();
@@ -307,9 +312,6 @@ void CRenderer::DrawGroundAreas(const SScene& scene, const CGlProgram& program,
   program.Set("uGroundOutside", look.GroundOutside);
   program.Set("uGridLine", look.GridLine);
   program.Set("uBoundary", look.Boundary);
-  program.Set("uShowGrid", scene.ShowGrid ? 1 : 0);
-  program.Set("uShowBoundary", scene.ShowBoundary ? 1 : 0);
-  program.Set("uHasFloor", m_hasFloor ? 1 : 0);
   program.Set("uFloorSize", Eigen::Vector2f(static_cast<float>(scene.Floor.Width),
                                             static_cast<float>(scene.Floor.Height)));
   const Eigen::Vector2f tile(scene.Floor.TileSize[0], scene.Floor.TileSize[1]);

@@ -16,6 +16,7 @@
 
 #include <Eigen/Core>
 
+#include <map>
 #include <memory>
 
 namespace argos {
@@ -71,8 +72,8 @@ class CRenderer {
 
   void DrawShadowMap();
   void DrawGround(const SScene& scene);
-  void DrawGroundAreas(const SScene& scene, const CGlProgram& program,
-                       const std::vector<TGroundArea>& areas);
+  // parts: bits of EGroundParts
+  void DrawGroundAreas(const SScene& scene, unsigned parts, const std::vector<TGroundArea>& areas);
   void DrawContactShadows(const SScene& scene);
   void DrawMeshes();
   void DrawTranslucentMeshes(const CGlProgram& program);
@@ -91,8 +92,7 @@ class CRenderer {
   CShadowMap m_shadowMap;
   CGlProgram m_meshProgram;
   CGlProgram m_depthProgram;
-  CGlProgram m_groundProgram;
-  CGlProgram m_litGroundProgram;
+  std::map<unsigned, CGlProgram> m_groundPrograms;  // by bits of EGroundParts
   CGlProgram m_contactProgram;
   CGlProgram m_glowProgram;
   CGlProgram m_lineProgram;

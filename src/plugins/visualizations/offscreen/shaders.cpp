@@ -1,5 +1,7 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/shaders.h>
 
+#include <utility>
+
 namespace argos {
 
 // All colours in the shaders are linear light; the framebuffer encodes them as sRGB when it stores
@@ -96,6 +98,10 @@ uniform sampler2DShadow uShadowMap;
 
 layout(location = 0) out vec4 outColor;
 
+float Square(float x) {
+  return x * x;
+}
+
 void main() {
   vec3 normal = normalize(vNormal);
   vec3 toEye = normalize(uEye.xyz - uEye.w * vPosition);
@@ -112,9 +118,11 @@ void main() {
 
   // Blinn-Phong highlight with Schlick's Fresnel factor
   vec3 halfway = normalize(toEye + uToSun);
-  float fresnel = 0.3 + 0.7 * pow(1.0 - max(dot(toEye, halfway), 0.0), 5.0);
-  float highlight = pow(max(dot(normal, halfway), 0.0), 48.0) * sun * fresnel;
-  float rim = pow(1.0 - max(dot(normal, toEye), 0.0), 4.0) * 0.12;
+  float grazing = 1.0 - max(dot(toEye, halfway), 0.0);
+  float fresnel = 0.3 + 0.7 * Square(Square(grazing)) * grazing;
+  float gloss = Square(Square(Square(Square(max(dot(normal, halfway), 0.0)))));
+  float highlight = gloss * gloss * gloss * sun * fresnel;  // to the power of 48
+  float rim = Square(Square(1.0 - max(dot(normal, toEye), 0.0))) * 0.12;
 
   vec2 toEdge = min(vEdge, 1.0 - vEdge) / max(fwidth(vEdge), vec2(1e-6)) / uPixelScale;
   // an edge line is drawn only where the face is large enough to bear it
@@ -161,9 +169,6 @@ uniform vec4 uGround;
 uniform vec4 uGroundOutside;
 uniform vec4 uGridLine;
 uniform vec4 uBoundary;
-uniform int uShowGrid;
-uniform int uShowBoundary;
-uniform int uHasFloor;
 uniform vec2 uFloorSize;
 uniform vec2 uFloorExtent;
 uniform int uIsFloorSmooth;
@@ -217,27 +222,30 @@ void main() {
   vec2 inward = min(vPosition - uArenaMin, uArenaMax - vPosition) / pixel;
   float inArena = clamp(min(inward.x, inward.y) + 0.5, 0.0, 1.0);
 
+#ifdef HAS_FLOOR
+  vec3 base = FloorColor((vPosition - uArenaMin) / uFloorExtent);
+  float gridVisibility = 0.6;
+#else
   vec3 base = uGround.rgb;
-  if (uHasFloor != 0) {
-    base = FloorColor((vPosition - uArenaMin) / uFloorExtent);
-  }
+  float gridVisibility = 1.0;
+#endif
   base = mix(uGroundOutside.rgb, base, inArena);
-  if (uShowGrid != 0) {
-    float grid = max(max(GridCoverage(pixel, 0.1), GridCoverage(pixel, 1.0)),
-                     GridCoverage(pixel, 10.0));
-    float visibility = mix(0.55, uHasFloor != 0 ? 0.6 : 1.0, inArena);
-    base = mix(base, Contrasting(uGridLine.rgb, base), grid * visibility);
-  }
-  if (uShowBoundary != 0) {
-    vec2 toSide = min(abs(vPosition - uArenaMin), abs(vPosition - uArenaMax)) / pixel;
-    vec2 along = step(beyond.yx, pixel.yx);
-    vec2 lines = (1.0 - smoothstep(0.5, 1.5, toSide)) * along;
-    base = mix(base, Contrasting(uBoundary.rgb, base), max(lines.x, lines.y));
-  }
+#ifdef HAS_GRID
+  float grid = max(max(GridCoverage(pixel, 0.1), GridCoverage(pixel, 1.0)),
+                   GridCoverage(pixel, 10.0));
+  float visibility = mix(0.55, gridVisibility, inArena);
+  base = mix(base, Contrasting(uGridLine.rgb, base), grid * visibility);
+#endif
+#ifdef HAS_BOUNDARY
+  vec2 toSide = min(abs(vPosition - uArenaMin), abs(vPosition - uArenaMax)) / pixel;
+  vec2 along = step(beyond.yx, pixel.yx);
+  vec2 lines = (1.0 - smoothstep(0.5, 1.5, toSide)) * along;
+  base = mix(base, Contrasting(uBoundary.rgb, base), max(lines.x, lines.y));
+#endif
 
   // full light leaves the ground's colours as they were chosen
   vec3 color = base;
-#ifndef WITHOUT_SHADOWS
+#ifdef HAS_SHADOWS
   vec4 inShadow = uWorldToShadow * vec4(vPosition, 0.0, 1.0);
   float sun = SunShare(uShadowMap, inShadow.xyz, uShadowTexel);
   vec3 lit = uSunIntensity * uToSun.z + uSkyLight.rgb * uAmbientIntensity;
@@ -492,14 +500,25 @@ void main() {
 
 const SShaderSource kMeshShader = {"mesh", kMeshVertexText, kMeshFragmentText};
 const SShaderSource kDepthShader = {"depth", kMeshVertexText, kDepthFragmentText};
-const SShaderSource kGroundShader = {"ground", kGroundVertexText, kGroundFragmentText};
-const SShaderSource kLitGroundShader = {"lit ground", kGroundVertexText, kGroundFragmentText,
-                                        "#define WITHOUT_SHADOWS\n"};
 const SShaderSource kContactShadowShader = {"contact shadow", kContactShadowVertexText,
                                             kContactShadowFragmentText};
 const SShaderSource kGlowShader = {"glow", kGlowVertexText, kGlowFragmentText};
 const SShaderSource kLineShader = {"line", kLineVertexText, kLineFragmentText};
 const SShaderSource kFlatShader = {"flat", kFlatVertexText, kFlatFragmentText};
 const SShaderSource kTextShader = {"text", kTextVertexText, kTextFragmentText};
+
+SShaderSource MakeGroundShader(unsigned parts) {
+  SShaderSource source = {"ground", kGroundVertexText, kGroundFragmentText};
+  const std::pair<EGroundParts, const char*> names[] = {{GROUND_HAS_FLOOR, "HAS_FLOOR"},
+                                                        {GROUND_HAS_GRID, "HAS_GRID"},
+                                                        {GROUND_HAS_BOUNDARY, "HAS_BOUNDARY"},
+                                                        {GROUND_HAS_SHADOWS, "HAS_SHADOWS"}};
+  for (const auto& [part, name] : names) {
+    if ((parts & part) != 0) {
+      source.Defines += std::string("#define ") + name + '\n';
+    }
+  }
+  return source;
+}
 
 }  // namespace argos

@@ -1,6 +1,8 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_SHADERS_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_SHADERS_H
 
+#include <string>
+
 namespace argos {
 
 /** The two texts of a shader program, without the preamble. */
@@ -8,8 +10,19 @@ struct SShaderSource {
   const char* Name;
   const char* Vertex;
   const char* Fragment;
-  const char* Defines = ""; /**< inserted before the functions that shaders share */
+  std::string Defines = ""; /**< inserted before the functions that shaders share */
 };
+
+/** What a part of the ground shows; software OpenGL pays for all that a shader contains. */
+enum EGroundParts : unsigned {
+  GROUND_HAS_FLOOR = 1,
+  GROUND_HAS_GRID = 2,
+  GROUND_HAS_BOUNDARY = 4,
+  GROUND_HAS_SHADOWS = 8
+};
+
+/** The shader that draws these and nothing else. @param parts  bits of EGroundParts. */
+SShaderSource MakeGroundShader(unsigned parts);
 
 /** First line of every shader: the language version. */
 extern const char* const kShaderVersion;
@@ -18,8 +31,6 @@ extern const char* const kShaderPreamble;
 
 extern const SShaderSource kMeshShader; /**< lit solids, instanced */
 extern const SShaderSource kDepthShader; /**< solids seen from the sun */
-extern const SShaderSource kGroundShader; /**< floor, grid, boundary, with shadows */
-extern const SShaderSource kLitGroundShader; /**< the same without shadows */
 extern const SShaderSource kContactShadowShader; /**< SContactShadow, instanced */
 extern const SShaderSource kGlowShader; /**< SGlow, instanced */
 extern const SShaderSource kLineShader; /**< SLine, instanced */
