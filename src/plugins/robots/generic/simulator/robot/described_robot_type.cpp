@@ -101,6 +101,7 @@ class CTypeReader {
       solid.Offset += offset;
       m_body.Shapes.push_back(solid);
       m_type.Appearance.Parts.push_back(MakeSolidPart(solid, color));
+      m_type.Appearance.Parts.back().Material = ReadMaterial(*child);
     }
     if (m_body.Shapes.empty()) {
       THROW_ARGOSEXCEPTION(OwnerOf(body) << " needs at least one child <solid>");
@@ -121,7 +122,7 @@ class CTypeReader {
       // rotates the axis of the cylinder from z to y
       AddPart(m_type.Appearance, SVisualPart::EKind::Cylinder,
               CVector3(0.0, side * 0.5 * drive.InterwheelDistance + 0.5 * width, drive.WheelRadius),
-              CVector3(diameter, diameter, width), kWheelColor)
+              CVector3(diameter, diameter, width), kWheelColor, EMaterial::Matte)
           .Orientation.FromAngleAxis(CRadians::PI_OVER_TWO, CVector3::X);
     }
   }
