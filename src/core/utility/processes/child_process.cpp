@@ -15,6 +15,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <sstream>
 
 extern char** environ;
@@ -112,7 +113,8 @@ std::string FindProgram(const std::string& name) {
   return "";
 }
 
-CChildProcess::CChildProcess(const std::vector<std::string>& arguments) {
+CChildProcess::CChildProcess(const std::vector<std::string>& arguments,
+                             const std::string& directory) {
   int sockets[2] = {-1, -1};
   int pipes[2] = {-1, -1};
   if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0 ||
@@ -129,7 +131,7 @@ CChildProcess::CChildProcess(const std::vector<std::string>& arguments) {
   int childErrors = MoveUp(pipes[1]);
   fcntl(m_errors, F_SETFL, O_NONBLOCK);
   try {
-    Start(arguments, childInput, childErrors);
+    Start(arguments, directory, childInput, childErrors);
   } catch (...) {
     for (int* file : {&m_input, &m_errors, &childInput, &childErrors}) {
       Close(*file);
@@ -140,8 +142,9 @@ CChildProcess::CChildProcess(const std::vector<std::string>& arguments) {
   Close(childErrors);
 }
 
-void CChildProcess::Start(const std::vector<std::string>& arguments, int input, int errors) {
-  const std::string program = FindProgram(arguments.at(0));
+void CChildProcess::Start(const std::vector<std::string>& arguments, const std::string& directory,
+                          int input, int errors) {
+  std::string program = FindProgram(arguments.at(0));
   if (program.empty()) {
     THROW_ARGOSEXCEPTION("The program \"" << arguments[0] << "\" cannot be started: "
                                           << "there is no such executable file");
@@ -153,6 +156,11 @@ void CChildProcess::Start(const std::vector<std::string>& arguments, int input, 
   }
   pointers.push_back(nullptr);
   CSpawnPlan plan(input, errors);
+  if (!directory.empty()) {
+    // a relative path of the program counts from the working directory of this process
+    program = std::filesystem::absolute(program).string();
+    posix_spawn_file_actions_addchdir_np(&plan.Actions, directory.c_str());
+  }
   const int error = posix_spawn(&m_id, program.c_str(), &plan.Actions, &plan.Attributes,
                                 pointers.data(), environ);
   if (error != 0) {

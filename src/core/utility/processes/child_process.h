@@ -39,9 +39,11 @@ class CChildProcess {
   /**
    * Starts the program.
    * @param arguments  the program, searched as by FindProgram(), and its arguments.
+   * @param directory  its working directory; empty: that of this process.
    * @throws CARGoSException naming the program and the system's reason, if it cannot be started.
    */
-  explicit CChildProcess(const std::vector<std::string>& arguments);
+  explicit CChildProcess(const std::vector<std::string>& arguments,
+                         const std::string& directory = std::string());
   /** Kills a child that Finish() was not called for, and waits for its end. */
   ~CChildProcess();
   CChildProcess(const CChildProcess&) = delete;
@@ -69,7 +71,8 @@ class CChildProcess {
   pid_t GetId() const { return m_id; }
 
  private:
-  void Start(const std::vector<std::string>& arguments, int input, int errors);
+  void Start(const std::vector<std::string>& arguments, const std::string& directory, int input,
+             int errors);
   // reads what is there. @return false at the end
   bool ReadErrors();
   void ReadErrorsUntilEnd();
