@@ -16,7 +16,7 @@ namespace {
 
 const Eigen::Vector3d kToSun = Eigen::Vector3d(-0.42, -0.38, 0.95).normalized();  // as off-screen
 constexpr double kSunDistance = 3.0;  // diagonals of the arena
-constexpr double kSunSize = 0.30;  // of its distance: width of the area that emits
+constexpr double kSunSize = 0.16;  // of its distance: width of the area that emits
 constexpr double kGlowFade = 0.03;  // m at which an LED's light is as bright as its colour
 constexpr double kBulbFilter = 0.95;
 constexpr double kLeastSignal = 4.4 / 960.0;  // diameter over the picture's height, as off-screen
@@ -33,8 +33,8 @@ struct SLighting {
   double SoftBox; /**< brightness of the area that metal and glass reflect */
 };
 constexpr SLighting kLight = {
-    0.78, 0.16, 0.5,
-    0.55, 0.5,  "[0 srgb <0.97,0.97,0.97>] [0.12 srgb <0.80,0.85,0.91>] [1 srgb <0.50,0.60,0.72>]",
+    1.0, 0.16, 0.5,
+    0.6, 0.5,  "[0 srgb <0.97,0.97,0.97>] [0.12 srgb <0.80,0.85,0.91>] [1 srgb <0.50,0.60,0.72>]",
     1.6};
 constexpr SLighting kDark = {
     0.26, 0.05, 1.1,
@@ -81,6 +81,9 @@ void AddSun(SSceneText& file) {
   file.Text += fmt::format("light_source {{ {} srgb <1,0.985,0.95>*{}{} }}\n", ToSdl(position),
                            lighting.Sun, area);
   // light of the sky from the other side
+  if (file.Settings.Quality != EPovrayQuality::Draft) {
+    return;  // radiosity lights from all sides
+  }
   const Eigen::Vector3d fill =
       position - 2.0 * distance * Eigen::Vector3d(kToSun.x(), kToSun.y(), 0.0);
   file.Text += fmt::format("light_source {{ {} srgb <0.9,0.95,1>*{} shadowless }}\n", ToSdl(fill),
@@ -147,8 +150,8 @@ void AddLamp(const SGlow& lamp, bool isSource, SSceneText& file) {
         "light_source {{ {} color {}*{} fade_distance {} fade_power 2{} }}\n", ToSdl(position),
         ToSdl(lamp.Color), LightingOf(file).Lamp, std::max(0.8 * position.z(), 0.3),
         isDraft ? ""
-                : fmt::format(" area_light {0}*x, {0}*y, 4, 4 adaptive 1 jitter circular orient",
-                              2.5 * radius));
+                : fmt::format(" area_light {0}*x, {0}*y, 3, 3 adaptive 1 jitter circular orient",
+                              2.0 * radius));
   }
 }
 

@@ -125,7 +125,8 @@ void CPovrayRenderer::Run() {
 
 void CPovrayRenderer::Render(const std::string& scene) const {
   const std::string picture = scene.substr(0, scene.rfind('.')) + ".png";
-  const std::string part = picture + kPartSuffix;
+  // POV-Ray appends .png to other endings
+  const std::string part = picture + kPartSuffix + ".png";
   std::vector<std::string> arguments = MakePovrayArguments(m_job, scene, part);
   arguments.insert(arguments.begin(), GetPovrayProgram());
   CChildProcess povray(arguments, m_job.Directory);

@@ -12,11 +12,12 @@ const char* MakeRadiosity(EPovrayQuality quality) {
     case EPovrayQuality::Draft:
       return "";
     case EPovrayQuality::Good:
-      return "  radiosity { pretrace_start 0.08 pretrace_end 0.02 count 50 nearest_count 6\n"
-             "    error_bound 0.7 low_error_factor 0.6 recursion_limit 1 gray_threshold 0.4 }\n";
+      return "  radiosity { pretrace_start 0.08 pretrace_end 0.04 count 50 nearest_count 6\n"
+             "    error_bound 0.9 recursion_limit 1 gray_threshold 0.4 brightness 0.5 }\n";
     case EPovrayQuality::Best:
       return "  radiosity { pretrace_start 0.08 pretrace_end 0.01 count 180 nearest_count 10\n"
-             "    error_bound 0.35 low_error_factor 0.5 recursion_limit 2 gray_threshold 0.2 }\n";
+             "    error_bound 0.35 low_error_factor 0.5 recursion_limit 2 gray_threshold 0.2 "
+             "brightness 0.5 }\n";
   }
   return "";
 }
