@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace argos {
@@ -12,6 +13,7 @@ namespace {
 constexpr double kLeastCell = 14.0;  // pixels; finer grids are left out
 constexpr double kGridPixels = 1.3;  // width of its lines
 constexpr double kBoundaryPixels = 2.6;
+constexpr double kOutsideStep = 1.0;  // m between lines around the arena, at least
 constexpr double kOutsideDepth = 0.0004;  // m that the ground around the arena lies lower
 
 // m between lines, and their opacity, 0 to 255
@@ -34,11 +36,12 @@ std::string MakeStripes(const SRgba& color, const SGridLevel& level, double widt
       0.5 * width, axis);
 }
 
-std::string MakeGrid(const SSceneText& file, double pixel) {
+// leastStep: m; finer grids are left out
+std::string MakeGrid(const SSceneText& file, double pixel, double leastStep) {
   std::string text;
   if (file.Scene.ShowGrid) {
     for (const SGridLevel& level : kGrid) {
-      if (level.Step >= kLeastCell * pixel) {
+      if (level.Step >= std::max(kLeastCell * pixel, leastStep)) {
         for (const char axis : {'x', 'y'}) {
           text += MakeStripes(file.Settings.Look.GridLine, level, kGridPixels * pixel, axis);
         }
@@ -86,10 +89,10 @@ void AddGround(const std::string& floorFile, SSceneText& file) {
   const Eigen::Vector2d center = 0.5 * (scene.ArenaMin + scene.ArenaMax);
   const double pixel = file.ComputePixelSizeAt(
       {static_cast<float>(center.x()), static_cast<float>(center.y()), 0.0f});
-  const std::string grid = MakeGrid(file, pixel);
+  const std::string grid = MakeGrid(file, pixel, 0.0);
   file.Text += fmt::format(
       "plane {{ z, -{}\n  texture {{ pigment {{ color {} }} finish {{ diffuse 0.85 }} }}\n{}}}\n",
-      kOutsideDepth, ToSdl(file.Settings.Look.GroundOutside), grid);
+      kOutsideDepth, ToSdl(file.Settings.Look.GroundOutside), MakeGrid(file, pixel, kOutsideStep));
   file.Text += fmt::format("box {{ <{},{},-0.0008>, <{},{},0>\n{}{}}}\n", scene.ArenaMin.x(),
                            scene.ArenaMin.y(), scene.ArenaMax.x(), scene.ArenaMax.y(),
                            MakeBase(floorFile, file), grid);

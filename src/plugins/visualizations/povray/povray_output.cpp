@@ -68,7 +68,7 @@ OPTIONAL XML CONFIGURATION
 
   <visualization>
     <povray directory="out" base_name="scene_" size="1280x960" every="1" ticks="0-50,100"
-            quality="good" look="light" render="auto" threads="0" max_lights="32"
+            quality="good" look="light" render="auto" threads="0" max_lights="8"
             show_grid="true" show_boundary="true" show_rays="true" models="true">
       <camera view="oblique" fit="arena" />
       <overlays>
@@ -96,7 +96,7 @@ Attributes of <povray>:
   threads        integer, at most 512; of POV-Ray; 0: one per core. Default: 0
   max_lights     integer, at most 1000; light sources for LEDs, and as many for lamps.
                  Others glow without lighting anything; the light of LEDs is shared out.
-                 Default: 32
+                 Default: 8
   show_grid      bool; lines on the ground every 0.1, 1 and 10 m. Default: true
   show_boundary  bool; the outline of the arena. Default: true
   show_rays      bool; the rays of sensors that have show_rays="true". Default: true

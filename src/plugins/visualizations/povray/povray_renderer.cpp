@@ -34,7 +34,7 @@ std::vector<std::string> MakePovrayArguments(const SPovrayJob& job, const std::s
       arguments.insert(arguments.end(), {"+A0.3", "+AM1", "+R2"});
       break;
     case EPovrayQuality::Good:
-      arguments.insert(arguments.end(), {"+A0.1", "+AM2", "+R2"});
+      arguments.insert(arguments.end(), {"+A0.15", "+AM2", "+R2"});
       break;
     case EPovrayQuality::Best:
       arguments.insert(arguments.end(), {"+A0.04", "+AM2", "+R3"});

@@ -21,7 +21,7 @@ struct SPovraySettings {
   EPovrayQuality Quality = EPovrayQuality::Good;
   bool IsDark = false; /**< the look; see Look */
   SLook Look = SLook::FromName("light");
-  std::uint32_t MostLights = 16; /**< light sources for LEDs, and for lamps, at most */
+  std::uint32_t MostLights = 8; /**< light sources for LEDs, and for lamps, at most */
 };
 
 /** The text of a scene file while it is written. */
