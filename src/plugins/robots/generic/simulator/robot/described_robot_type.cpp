@@ -294,6 +294,7 @@ ATTRIBUTES AND CHILDREN
   solid@offset          "x,y,z", m, default "0,0,0": centre of its base in the robot's frame.
   solid@orientation     "z,y,x", degrees, default "0,0,0".
   solid@color           a colour, for drawing only.
+  solid@material        plastic, matte, metal or glass, for the view <povray>. Default: plastic.
   differential_drive    wheel_distance, wheel_radius: m, > 0. max_force (N), max_torque (N m): > 0, the greatest force and
                         torque with which the wheels push and turn the robot. All required.
   proximity_sensors, light_sensors  rays that start on a ring and point outward (ring), and single ones (sensor):
