@@ -13,6 +13,7 @@ namespace {
 constexpr double kLeastCell = 14.0;  // pixels; finer grids are left out
 constexpr double kGridPixels = 1.3;  // width of its lines
 constexpr double kBoundaryPixels = 2.6;
+constexpr double kReach = 2.5;  // of the ground around the arena, diagonals of it
 constexpr double kOutsideStep = 1.0;  // m between lines around the arena, at least
 constexpr double kOutsideDepth = 0.0004;  // m that the ground around the arena lies lower
 
@@ -67,6 +68,18 @@ std::string MakeBase(const std::string& floorFile, const SSceneText& file) {
       scene.ArenaMin.x(), scene.ArenaMin.y());
 }
 
+// fades into the horizon, where nothing is lit by the sun any more
+void AddSurroundings(const Eigen::Vector2d& center, const std::string& grid, SSceneText& file) {
+  const double reach = kReach * (file.Scene.ArenaMax - file.Scene.ArenaMin).norm();
+  const SRgba color = file.Settings.Look.GroundOutside;
+  SRgba clear = color;
+  clear.A = 0;
+  file.Text += fmt::format(
+      "disc {{ <{0},{1},-{2}>, z, {3}\n  texture {{ pigment {{ spherical color_map {{ [0 {4}] [0.6 "
+      "{5}] [1 {5}] }} scale {3} translate <{0},{1},0> }} finish {{ diffuse 0.85 }} }}\n{6}}}\n",
+      center.x(), center.y(), kOutsideDepth, reach, ToSdl(clear), ToSdl(color), grid);
+}
+
 void AddBoundary(SSceneText& file, double width) {
   const Eigen::Vector2d least = file.Scene.ArenaMin;
   const Eigen::Vector2d most = file.Scene.ArenaMax;
@@ -90,9 +103,7 @@ void AddGround(const std::string& floorFile, SSceneText& file) {
   const double pixel = file.ComputePixelSizeAt(
       {static_cast<float>(center.x()), static_cast<float>(center.y()), 0.0f});
   const std::string grid = MakeGrid(file, pixel, 0.0);
-  file.Text += fmt::format(
-      "plane {{ z, -{}\n  texture {{ pigment {{ color {} }} finish {{ diffuse 0.85 }} }}\n{}}}\n",
-      kOutsideDepth, ToSdl(file.Settings.Look.GroundOutside), MakeGrid(file, pixel, kOutsideStep));
+  AddSurroundings(center, MakeGrid(file, pixel, kOutsideStep), file);
   file.Text += fmt::format("box {{ <{},{},-0.0008>, <{},{},0>\n{}{}}}\n", scene.ArenaMin.x(),
                            scene.ArenaMin.y(), scene.ArenaMax.x(), scene.ArenaMax.y(),
                            MakeBase(floorFile, file), grid);

@@ -54,7 +54,7 @@ void AddSky(SSceneText& file) {
   const SLighting& lighting = LightingOf(file);
   const Eigen::Vector3d panel = Eigen::Vector3d(0.55, -0.45, 0.7).normalized();
   file.Text += fmt::format(
-      "sky_sphere {{\n  pigment {{ gradient z color_map {{ {0} }} }}\n"
+      "sky_sphere {{\n  pigment {{ function {{ min(1, max(0, z)) }} color_map {{ {0} }} }}\n"
       "  pigment {{ function {{ max(0, {2}*x + {3}*y + {4}*z) }} color_map {{ [0.86 srgbt "
       "<1,1,1,1>] [0.90 rgbt <{1},{1},{1},0>] [1 rgbt <{1},{1},{1},0>] }} }}\n}}\n"
       "background {{ color {5} }}\n",
