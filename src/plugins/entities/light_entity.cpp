@@ -53,6 +53,7 @@ void CLightEntity::MakeAppearance() {
   SVisualPart& bulb = m_appearance.Parts.front();
   bulb.Kind = SVisualPart::EKind::Sphere;
   bulb.Size = CVector3(kBulbDiameter, kBulbDiameter, kBulbDiameter);
+  bulb.Material = EMaterial::Glass;
   bulb.Color = GetColor();
 }
 

@@ -21,7 +21,9 @@ void WritePart(const SVisualPart& part, CByteWriter& out) {
   WriteVector(part.Size, out);
   out.WriteFixed32(PackColor(part.Color));
   out.WriteText(part.Anchor);
-  out.WriteNumber(part.LED);
+  // a number that older readers read and ignore: only LEDs have numbers
+  out.WriteNumber(part.Kind == SVisualPart::EKind::LED ? part.LED
+                                                       : static_cast<UInt32>(part.Material));
 }
 
 SVisualPart ReadPart(CByteReader& in) {
@@ -33,7 +35,12 @@ SVisualPart ReadPart(CByteReader& in) {
   part.Size = ReadVector(in);
   part.Color = UnpackColor(in.ReadFixed32());
   part.Anchor = in.ReadText();
-  part.LED = static_cast<UInt32>(in.ReadNumberUpTo(kMostLEDs, "number of an LED"));
+  const auto number = static_cast<UInt32>(in.ReadNumberUpTo(kMostLEDs, "number of an LED"));
+  if (part.Kind == SVisualPart::EKind::LED) {
+    part.LED = number;
+  } else if (number < static_cast<UInt32>(EMaterial::Count)) {
+    part.Material = static_cast<EMaterial>(number);
+  }
   return part;
 }
 

@@ -6,9 +6,24 @@
 #include <argos3/core/utility/math/vector3.h>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace argos {
+
+/** What a solid is made of, for views that show it, such as `<povray>`. */
+enum class EMaterial : UInt8 {
+  Plastic, /**< hard, with soft highlights */
+  Matte, /**< rubber, wood, paint: no highlights */
+  Metal, /**< reflects its surroundings in its colour */
+  Glass, /**< clear: transmits and bends light; the colour tints it */
+  Count
+};
+
+/** Lower case, as in XML: "plastic", "matte", "metal", "glass". */
+std::string_view ToText(EMaterial material);
+/** @throws CARGoSException listing the names, with the nearest. */
+EMaterial MaterialFromText(std::string_view text);
 
 /** One drawable solid of an entity, in the frame of one of its anchors. */
 struct SVisualPart {
@@ -30,6 +45,7 @@ struct SVisualPart {
       "origin"; /**< the part moves with this anchor if enabled, else with the origin */
   /** Kind LED: which LED of the entity's "leds" component gives the colour, 0-based. */
   UInt32 LED = 0;
+  EMaterial Material = EMaterial::Plastic; /**< not of kind LED, which are glass */
 };
 
 /**

@@ -8,7 +8,6 @@
 #include <argos3/plugins/simulator/visualizations/scene/drawing_to_scene.h>
 #include <argos3/core/utility/text/classic_locale.h>
 
-#include <algorithm>
 #include <memory>
 #include <sstream>
 
@@ -54,24 +53,13 @@ void CFrameRecorder::Observe(CSimulator& simulator) {
     Begin();
   }
   m_drawing.Observe(simulator);
-  if (IsWanted(simulator.GetSpace().GetSimulationClock())) {
+  if (m_settings.IsWanted(simulator.GetSpace().GetSimulationClock(), !m_lastTick.has_value())) {
     WriteFrame(simulator);
   }
 }
 
-bool CFrameRecorder::IsWanted(std::uint32_t tick) const {
-  if (m_settings.Ticks.empty()) {
-    return !m_lastTick.has_value() || tick % m_settings.Every == 0;
-  }
-  return tick % m_settings.Every == 0 &&
-         std::any_of(m_settings.Ticks.begin(), m_settings.Ticks.end(), [tick](const auto& part) {
-           return tick >= part.first && tick <= part.second;
-         });
-}
-
 void CFrameRecorder::Finish(CSimulator& simulator) {
-  if (m_settings.KeepLastFrame && m_settings.Ticks.empty() &&
-      m_lastTick != simulator.GetSpace().GetSimulationClock()) {
+  if (m_settings.IsLastWanted() && m_lastTick != simulator.GetSpace().GetSimulationClock()) {
     WriteFrame(simulator);
   }
   if (m_pipeline.has_value()) {

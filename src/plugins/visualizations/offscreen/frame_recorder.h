@@ -5,14 +5,13 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/frame_pipeline.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/frame_writer.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/renderer.h>
+#include <argos3/plugins/simulator/visualizations/scene/frame_choice.h>
 #include <argos3/plugins/simulator/visualizations/scene/scene_builder.h>
 
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace argos {
 
@@ -21,14 +20,9 @@ class CSimulator;
 class CViewDrawing;
 
 /** Selects the frames, their appearance and their files. */
-struct SRecordingSettings {
+struct SRecordingSettings : SFrameChoice {
   SRenderSettings Render;
   SFrameFileSettings File;
-  std::uint32_t Every = 1; /**< ticks from frame to frame, > 0 */
-  /** First and last tick of each part of the run that has frames; none: the whole run. */
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> Ticks;
-  bool KeepLastFrame =
-      true; /**< draw the final state even if its tick is not a multiple of Every */
   SFloorImage Ground; /**< texture of the ground where the arena has no floor */
   bool ShowGrid = true;
   bool ShowBoundary = true;
@@ -70,7 +64,6 @@ class CFrameRecorder {
  private:
   void Begin();
   void Announce() const;
-  bool IsWanted(std::uint32_t tick) const;
   void WriteFrame(CSimulator& simulator);
 
   SRecordingSettings m_settings;

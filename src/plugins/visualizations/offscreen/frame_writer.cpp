@@ -4,21 +4,16 @@
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/files/file_replacement.h>
 #include <argos3/core/utility/files/lock_file.h>
-#include <argos3/core/utility/text/classic_locale.h>
 
 #include <FreeImage.h>
 
-#include <filesystem>
-#include <iomanip>
 #include <memory>
 #include <sstream>
-#include <system_error>
 
 namespace argos {
 
 namespace {
 
-constexpr int kTickDigits = 10;
 constexpr int kBitsPerPixel = 24;
 constexpr int kBestQuality = 100;
 // of zlib's 1 to 9: takes a quarter to a half less time than 6, libpng's own, for files up to a
@@ -87,19 +82,9 @@ std::unique_ptr<FIBITMAP, SBitmapDeleter> MakeBitmap(const SPicture& picture) {
 }  // namespace
 
 CFrameWriter::CFrameWriter(const SFrameFileSettings& settings) : m_settings(settings) {
-  CheckBaseName();
   CheckFormat();
   CheckQuality();
-  CheckDirectory();
-}
-
-void CFrameWriter::CheckBaseName() const {
-  if (m_settings.BaseName.find('/') != std::string::npos) {
-    THROW_ARGOSEXCEPTION("The base name of frames is \""
-                         << m_settings.BaseName
-                         << "\"; it must not contain a \"/\": the folder is given by the attribute "
-                            "\"directory\"");
-  }
+  m_files.emplace(settings.Directory, settings.BaseName, settings.CreateDirectory);
 }
 
 void CFrameWriter::CheckFormat() {
@@ -123,37 +108,8 @@ void CFrameWriter::CheckQuality() {
   m_flags = ComputeFlags(static_cast<FREE_IMAGE_FORMAT>(m_format), m_settings.Quality);
 }
 
-void CFrameWriter::CheckDirectory() {
-  std::string& directory = m_settings.Directory;
-  while (directory.size() > 1 && directory.back() == '/') {
-    directory.pop_back();
-  }
-  if (directory.empty()) {
-    directory.assign(1, '.');
-  }
-  std::error_code error;
-  if (std::filesystem::is_directory(directory, error)) {
-    return;
-  }
-  if (std::filesystem::exists(directory, error)) {
-    THROW_ARGOSEXCEPTION("Frames cannot go to \"" << directory << "\": it is not a directory");
-  }
-  if (!m_settings.CreateDirectory) {
-    THROW_ARGOSEXCEPTION("Frames cannot go to \""
-                         << directory << "\": there is no such directory; create it first");
-  }
-  std::filesystem::create_directories(directory, error);
-  if (error) {
-    THROW_ARGOSEXCEPTION("The directory \""
-                         << directory << "\" for frames cannot be created: " << error.message());
-  }
-}
-
 std::string CFrameWriter::MakeFileName(std::uint32_t tick) const {
-  CTextOutput name;
-  name << m_settings.Directory << '/' << m_settings.BaseName << std::setfill('0')
-       << std::setw(kTickDigits) << tick << '.' << m_settings.Format;
-  return name.str();
+  return m_files->MakeFileName(tick, m_settings.Format);
 }
 
 void CFrameWriter::Write(const SPicture& picture, std::uint32_t tick) const {
@@ -166,19 +122,7 @@ void CFrameWriter::Write(const SPicture& picture, std::uint32_t tick) const {
 }
 
 std::unique_ptr<CLockFile> CFrameWriter::LockFrames() const {
-  const std::string path = m_settings.Directory + "/." + m_settings.BaseName + ".argos3.lock";
-  std::unique_ptr<CLockFile> lock;
-  try {
-    lock = std::make_unique<CLockFile>(path);
-  } catch (CARGoSException& error) {
-    THROW_ARGOSEXCEPTION_NESTED("Frames with the base name \""
-                                    << m_settings.BaseName << "\" cannot go to the directory \""
-                                    << m_settings.Directory << "\" now; choose another directory "
-                                    << "or base name",
-                                error);
-  }
-  RemoveStaleParts(m_settings.Directory);
-  return lock;
+  return m_files->Lock();
 }
 
 }  // namespace argos

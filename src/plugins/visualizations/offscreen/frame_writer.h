@@ -2,9 +2,11 @@
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_WRITER_H
 
 #include <argos3/plugins/simulator/visualizations/offscreen/picture.h>
+#include <argos3/plugins/simulator/visualizations/scene/frame_files.h>
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace argos {
@@ -56,12 +58,11 @@ class CFrameWriter {
   std::unique_ptr<CLockFile> LockFrames() const;
 
  private:
-  void CheckBaseName() const;
   void CheckFormat();
   void CheckQuality();
-  void CheckDirectory();
 
   SFrameFileSettings m_settings;
+  std::optional<CFrameFiles> m_files;  // set by the constructor
   int m_format = -1;  // FreeImage's number
   int m_flags = 0;  // FreeImage's
 };

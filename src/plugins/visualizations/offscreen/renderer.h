@@ -8,7 +8,7 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/ground_cells.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/instance_batches.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/instance_buffer.h>
-#include <argos3/plugins/simulator/visualizations/offscreen/look.h>
+#include <argos3/plugins/simulator/visualizations/scene/look.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/picture.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/render_target.h>
 #include <argos3/plugins/simulator/visualizations/scene/scene.h>

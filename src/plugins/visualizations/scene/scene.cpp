@@ -6,6 +6,7 @@ void SScene::ClearContents() {
   for (std::vector<SMeshInstance>& instances : Meshes) {
     instances.clear();
   }
+  Models.clear();
   Glows.clear();
   Markers.clear();
   Lines.clear();

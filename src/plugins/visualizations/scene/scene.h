@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_SCENE_SCENE_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_SCENE_SCENE_H
 
+#include <argos3/core/simulator/visualization/appearance.h>
 #include <argos3/core/simulator/visualization/drawing.h>
 
 #include <Eigen/Core>
@@ -46,6 +47,14 @@ struct SMeshInstance {
   float Param = 1.0f; /**< see EMeshKind */
   /** 1: a small part of something larger, left out where it would cover only a few pixels. */
   float IsDetail = 0.0f;
+  EMaterial Material = EMaterial::Plastic;
+};
+
+/** The finer model that a renderer has for the solids of an entity on one of its anchors. */
+struct SModelInstance {
+  std::size_t Model = 0; /**< number that the renderer gave */
+  /** Rows of the 3 x 4 matrix from the anchor's frame to the world frame, m. */
+  std::array<std::array<float, 4>, 3> ToWorld;
 };
 
 /** A luminous point: a disc that always faces the camera, with a soft halo around it. */
@@ -58,6 +67,7 @@ struct SGlow {
   float Pixels = 0.0f;
   /** 1: a signal, which stays readable from afar: never drawn smaller than kSignalPixels. */
   float IsSignal = 0.0f;
+  bool IsLamp = false; /**< lights its surroundings */
 };
 
 /** Least diameter of a signal in a picture 960 pixels high; in others in proportion, but >= 2. */
@@ -124,6 +134,7 @@ struct SScene {
   SFloorImage Floor;
 
   std::array<std::vector<SMeshInstance>, kNumMeshKinds> Meshes; /**< by EMeshKind */
+  std::vector<SModelInstance> Models; /**< instead of meshes, if the renderer has models */
   std::vector<SGlow> Glows;
   std::vector<SMarker> Markers;
   std::vector<SLine> Lines;

@@ -46,8 +46,9 @@ double ComputeVolume(const SVisualPart& part) {
 }
 
 void AddSolid(EMeshKind kind, const SPose& pose, const Eigen::Vector3d& scale, float param,
-              const CColor& color, bool isDetail, SScene& scene) {
+              const CColor& color, EMaterial material, bool isDetail, SScene& scene) {
   SMeshInstance instance = MakeSolid(pose, scale, color);
+  instance.Material = material;
   instance.Param = param;
   instance.IsDetail = isDetail ? 1.0f : 0.0f;
   scene.OfKind(kind).push_back(instance);
@@ -139,6 +140,7 @@ void CSceneBuilder::AddEntity(CEntity& entity, SScene& scene) {
       subject.LargestSize = ToEigen(part.Size);
     }
   }
+  AddModels(entity, subject, scene);
   for (const SVisualPart& part : appearance->Parts) {
     AddPart(part, subject, scene);
   }
@@ -155,6 +157,24 @@ void CSceneBuilder::AddEntity(CEntity& entity, SScene& scene) {
   }
 }
 
+bool CSceneBuilder::HasModel(const SSubject& subject, const std::string& anchor) {
+  return subject.Models != nullptr &&
+         std::any_of(subject.Models->begin(), subject.Models->end(),
+                     [&anchor](const auto& model) { return model.first == anchor; });
+}
+
+void CSceneBuilder::AddModels(CEntity& entity, SSubject& subject, SScene& scene) const {
+  // robots in quarantine lose their colours, which models have built in
+  if (!m_findModels || subject.IsQuarantined) {
+    return;
+  }
+  subject.Models = &m_findModels(entity.GetTypeDescription());
+  for (const auto& [anchor, model] : *subject.Models) {
+    const SPose pose = ComputeAnchorPose(anchor, subject.Body, subject.Pose);
+    scene.Models.push_back({model, ToRows(pose, Eigen::Vector3d::Ones())});
+  }
+}
+
 void CSceneBuilder::AddPart(const SVisualPart& part, SSubject& subject, SScene& scene) const {
   const SPose pose = ComputeAnchorPose(part.Anchor, subject.Body, subject.Pose) *
                      ToPose(part.Position, part.Orientation);
@@ -163,26 +183,30 @@ void CSceneBuilder::AddPart(const SVisualPart& part, SSubject& subject, SScene& 
     const float radius = static_cast<float>(0.5 * size.x());
     scene.Glows.push_back(
         {ToFloats(pose.Translation), radius, ToRgba(part.Color), kLightHaloScale});
+    scene.Glows.back().IsLamp = true;
     return;
   }
   const CColor color = subject.IsQuarantined ? PaleGray(part.Color) : part.Color;
   const bool isDetail = ComputeVolume(part) < kDetailShare * subject.LargestVolume;
+  if (part.Kind != SVisualPart::EKind::LED && HasModel(subject, part.Anchor)) {
+    return;
+  }
   switch (part.Kind) {
     case SVisualPart::EKind::Box:
-      AddSolid(EMeshKind::Box, pose, size, 1.0f, color, isDetail, scene);
+      AddSolid(EMeshKind::Box, pose, size, 1.0f, color, part.Material, isDetail, scene);
       break;
     case SVisualPart::EKind::Cylinder:
-      AddSolid(EMeshKind::Cylinder, pose, size, 1.0f, color, isDetail, scene);
+      AddSolid(EMeshKind::Cylinder, pose, size, 1.0f, color, part.Material, isDetail, scene);
       break;
     case SVisualPart::EKind::Cone:
-      AddSolid(EMeshKind::Cylinder, pose, size, 0.0f, color, isDetail, scene);
+      AddSolid(EMeshKind::Cylinder, pose, size, 0.0f, color, part.Material, isDetail, scene);
       break;
     case SVisualPart::EKind::Sphere:
-      AddSolid(EMeshKind::Sphere, pose, size, 1.0f, color, isDetail, scene);
+      AddSolid(EMeshKind::Sphere, pose, size, 1.0f, color, part.Material, isDetail, scene);
       break;
     case SVisualPart::EKind::Ring:
       AddSolid(EMeshKind::Ring, pose, Eigen::Vector3d(size.x(), size.y(), size.x()),
-               static_cast<float>(size.z() / size.x()), color, isDetail, scene);
+               static_cast<float>(size.z() / size.x()), color, part.Material, isDetail, scene);
       break;
     case SVisualPart::EKind::LED:
       scene.Glows.push_back(

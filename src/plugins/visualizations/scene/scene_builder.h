@@ -4,8 +4,13 @@
 #include <argos3/plugins/simulator/visualizations/scene/floor_image.h>
 #include <argos3/plugins/simulator/visualizations/scene/scene_parts.h>
 
+#include <cstddef>
+#include <functional>
+#include <optional>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace argos {
 
@@ -32,6 +37,16 @@ class CSceneBuilder {
   explicit CSceneBuilder(bool showRays) : m_showRays(showRays) {}
 
   /**
+   * Numbers of a renderer's models for a type of entities, each with the anchor whose solids it
+   * replaces; empty: none.
+   */
+  typedef std::vector<std::pair<std::string, std::size_t>> TModels;
+  typedef std::function<const TModels&(const std::string& type)> TFindModels;
+
+  /** Entities whose type has models appear as such instead of as solids. */
+  void SetModels(const TFindModels& find) { m_findModels = find; }
+
+  /**
    * Refills @p scene; its settings (ShowGrid, ShowBoundary) and its memory are kept. Warns once of
    * each type of entities that have no appearance.
    */
@@ -44,6 +59,7 @@ class CSceneBuilder {
     CEmbodiedEntity* Body = nullptr;  // null: the entity has none
     CLEDEquippedEntity* LEDs = nullptr;  // null: the entity has none, or they are dark
     bool IsLight = false;  // its solids glow
+    const TModels* Models = nullptr;  // null: it has solids only
     bool IsRobot = false;
     bool IsQuarantined = false;  // a robot that errors have stopped (CSpace::QuarantineLater())
     double LargestVolume = 0.0;  // of the boxes around its parts, m^3
@@ -56,7 +72,11 @@ class CSceneBuilder {
   void WarnUnseen(const CEntity& entity);
   void AddPart(const SVisualPart& part, SSubject& subject, SScene& scene) const;
 
+  static bool HasModel(const SSubject& subject, const std::string& anchor);
+  void AddModels(CEntity& entity, SSubject& subject, SScene& scene) const;
+
   bool m_showRays;
+  TFindModels m_findModels;  // may be empty
   CFloorImage m_floor;
   std::set<std::string> m_unseenTypes;  // that were reported
 };

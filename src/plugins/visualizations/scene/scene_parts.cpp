@@ -43,16 +43,22 @@ std::array<float, 3> ToFloats(const Eigen::Vector3d& vector) {
           static_cast<float>(vector.z())};
 }
 
-SMeshInstance MakeSolid(const SPose& pose, const Eigen::Vector3d& scale, const CColor& color) {
-  SMeshInstance instance;
+std::array<std::array<float, 4>, 3> ToRows(const SPose& pose, const Eigen::Vector3d& scale) {
+  std::array<std::array<float, 4>, 3> rows;
   for (int row = 0; row < 3; ++row) {
-    std::array<float, 4>& entries = instance.ToWorld[static_cast<std::size_t>(row)];
+    std::array<float, 4>& entries = rows[static_cast<std::size_t>(row)];
     for (int column = 0; column < 3; ++column) {
       entries[static_cast<std::size_t>(column)] =
           static_cast<float>(pose.Rotation(row, column) * scale[column]);
     }
     entries[3] = static_cast<float>(pose.Translation[row]);
   }
+  return rows;
+}
+
+SMeshInstance MakeSolid(const SPose& pose, const Eigen::Vector3d& scale, const CColor& color) {
+  SMeshInstance instance;
+  instance.ToWorld = ToRows(pose, scale);
   instance.Color = ToRgba(color);
   return instance;
 }

@@ -39,6 +39,9 @@ SPose ComputeAnchorPose(const std::string& anchor, CEmbodiedEntity* body, const 
 SRgba ToRgba(const CColor& color);
 std::array<float, 3> ToFloats(const Eigen::Vector3d& vector);
 
+/** Rows of the 3 x 4 matrix of a pose. @param scale  along the axes of its frame. */
+std::array<std::array<float, 4>, 3> ToRows(const SPose& pose, const Eigen::Vector3d& scale);
+
 /** A solid of the scene. @param scale  of the unit mesh, along its axes, m. */
 SMeshInstance MakeSolid(const SPose& pose, const Eigen::Vector3d& scale, const CColor& color);
 

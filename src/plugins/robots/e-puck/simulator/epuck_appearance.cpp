@@ -22,16 +22,17 @@ constexpr CColor kLED(214, 216, 220);
 
 // side: 1 left, -1 right
 void AddWheel(SAppearance& robot, Real side) {
-  const auto addDisc = [&robot, side](Real radius, Real width, const CColor& color) {
+  const auto addDisc = [&robot, side](Real radius, Real width, const CColor& color,
+                                      EMaterial material) {
     // rotates the axis of the cylinder from z to y
     AddPart(
         robot, SVisualPart::EKind::Cylinder,
         CVector3(0.0, side * 0.5 * epuck::kInterwheelDistance + 0.5 * width, epuck::kWheelRadius),
-        CVector3(2.0 * radius, 2.0 * radius, width), color)
+        CVector3(2.0 * radius, 2.0 * radius, width), color, material)
         .Orientation.FromAngleAxis(CRadians::PI_OVER_TWO, CVector3::X);
   };
-  addDisc(epuck::kWheelRadius, 0.004, kWheel);
-  addDisc(0.4 * epuck::kWheelRadius, 0.006, kHub);
+  addDisc(epuck::kWheelRadius, 0.004, kWheel, EMaterial::Matte);
+  addDisc(0.4 * epuck::kWheelRadius, 0.006, kHub, EMaterial::Metal);
 }
 
 // a ring on four struts that carries the LEDs
@@ -66,7 +67,7 @@ SAppearance MakeEPuckAppearance() {
           kTranslucentBody);
   // main board with its ring of contacts, spacers, extension board, speaker
   AddDisc(robot, kBodyRadius, 0.042, 0.046, kCircuitBoard);
-  AddDisc(robot, kBodyRadius - 0.002, 0.046, 0.0475, kGold);
+  AddDisc(robot, kBodyRadius - 0.002, 0.046, 0.0475, kGold, CVector3(), EMaterial::Metal);
   AddDisc(robot, kBodyRadius - 0.006, 0.0475, 0.056, kTranslucentBody);
   AddDisc(robot, 0.022, 0.0475, 0.068, kBattery);
   AddDisc(robot, kBodyRadius - 0.001, 0.068, 0.072, kTopBoard);

@@ -43,7 +43,7 @@ void AddRotor(SAppearance& robot, const CVector3& axis, Real height, const CRadi
   const CVector3 centre = axis + CVector3(0.0, 0.0, height);
   AddPart(robot, EKind::Box, centre, CVector3(1.94 * kRotorRadius, 0.016, kThickness), kBlade)
       .Orientation.FromAngleAxis(blades, CVector3::Z);
-  AddDisc(robot, 0.011, height - 0.004, height + 0.008, kMetal, axis);
+  AddDisc(robot, 0.011, height - 0.004, height + 0.008, kMetal, axis, EMaterial::Metal);
   AddDisc(robot, kRotorRadius, height + 0.0005, height + 0.002, kSweptDisc, axis);
 }
 
@@ -90,9 +90,11 @@ SAppearance MakeEyeBotAppearance() {
   SAppearance robot;
   // core: camera below, electronics, mark of the heading
   AddDisc(robot, 0.024, 0.066, 0.09, kCarbon);
-  AddPart(robot, EKind::Sphere, CVector3(0.0, 0.0, 0.068), CVector3(0.032, 0.032, 0.032), kLens);
+  AddPart(robot, EKind::Sphere, CVector3(0.0, 0.0, 0.068), CVector3(0.032, 0.032, 0.032), kLens,
+          EMaterial::Glass);
   AddDisc(robot, kCoreRadius, 0.09, kCoreTop, kElectronics);
-  AddDisc(robot, kCoreRadius + 0.003, kHoopElevation - 0.01, kHoopElevation + 0.01, kMetal);
+  AddDisc(robot, kCoreRadius + 0.003, kHoopElevation - 0.01, kHoopElevation + 0.01, kMetal,
+          CVector3(), EMaterial::Metal);
   AddPart(robot, EKind::Box, CVector3(0.025, 0.0, kCoreTop), CVector3(0.04, 0.016, 0.005),
           kHeadingMark);
   AddPart(robot, EKind::Box,
@@ -101,7 +103,7 @@ SAppearance MakeEyeBotAppearance() {
   // mast, and the device for attaching to a ceiling
   AddDisc(robot, 0.009, kCoreTop, 0.535, kCarbon);
   AddDisc(robot, 0.02, 0.51, 0.54, kElectronics);
-  AddDisc(robot, 0.05, 0.54, eyebot::kBodyHeight, kMetal);
+  AddDisc(robot, 0.05, 0.54, eyebot::kBodyHeight, kMetal, CVector3(), EMaterial::Metal);
   for (UInt32 i = 0; i < 4; ++i) {
     AddArm(robot, ToRadians(CDegrees(45.0 + 90.0 * i)));
     AddLeg(robot, ToRadians(CDegrees(90.0 * i)));

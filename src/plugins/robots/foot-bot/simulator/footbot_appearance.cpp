@@ -27,11 +27,11 @@ void AddTrackAndWheel(SAppearance& robot, Real side) {
   constexpr Real kWheelWidth = 0.012;
   const Real wheelY = 0.5 * footbot::kInterwheelDistance;
   AddPart(robot, SVisualPart::EKind::Box, CVector3(0.0, side * (wheelY - 0.03), 0.002),
-          CVector3(kTrackLength, kTrackWidth, 0.04), kTrack);
+          CVector3(kTrackLength, kTrackWidth, 0.04), kTrack, EMaterial::Matte);
   // rotates the axis of the cylinder from z to y
   AddPart(robot, SVisualPart::EKind::Cylinder,
           CVector3(0.0, side * wheelY + 0.5 * kWheelWidth, kWheelRadius),
-          CVector3(2.0 * kWheelRadius, 2.0 * kWheelRadius, kWheelWidth), kTrack)
+          CVector3(2.0 * kWheelRadius, 2.0 * kWheelRadius, kWheelWidth), kTrack, EMaterial::Matte)
       .Orientation.FromAngleAxis(CRadians::PI_OVER_TWO, CVector3::X);
 }
 
@@ -65,15 +65,17 @@ SAppearance MakeFootBotAppearance() {
   AddDisc(robot, footbot::kBodyRadius - 0.006, 0.07, 0.077, kBlackPlastic);
   AddTurret(robot);
   AddDisc(robot, footbot::kBodyRadius - 0.012, 0.093, 0.128, kBlackPlastic);
-  AddDisc(robot, footbot::kBodyRadius - 0.006, 0.128, 0.132, kMetal);
+  AddDisc(robot, footbot::kBodyRadius - 0.006, 0.128, 0.132, kMetal, CVector3(), EMaterial::Metal);
   AddDisc(robot, footbot::kBodyRadius - 0.02, 0.132, footbot::kBodyHeight, kBlackPlastic);
   // mark of the heading
   AddPart(robot, SVisualPart::EKind::Box, CVector3(0.047, 0.0, footbot::kBodyHeight),
           CVector3(0.05, 0.016, 0.004), kHeadingMark);
   // camera: a tube with a mirror on top
   constexpr Real kTubeRadius = 0.016;
-  AddDisc(robot, kTubeRadius + 0.006, footbot::kBodyHeight, 0.156, kMetal);
-  AddDisc(robot, kTubeRadius, 0.156, footbot::kOmnidirectionalCameraElevation - 0.02, kCameraTube);
+  AddDisc(robot, kTubeRadius + 0.006, footbot::kBodyHeight, 0.156, kMetal, CVector3(),
+          EMaterial::Metal);
+  AddDisc(robot, kTubeRadius, 0.156, footbot::kOmnidirectionalCameraElevation - 0.02, kCameraTube,
+          CVector3(), EMaterial::Glass);
   AddDisc(robot, kTubeRadius + 0.004, footbot::kOmnidirectionalCameraElevation - 0.02,
           footbot::kOmnidirectionalCameraElevation, kBlackPlastic);
   return robot;

@@ -104,6 +104,16 @@ void ReadRays(TConfigurationNode& node,
   }
 }
 
+EMaterial ReadMaterial(TConfigurationNode& node) {
+  std::string material(ToText(EMaterial::Plastic));
+  GetNodeAttributeOrDefault(node, "material", material, material);
+  try {
+    return MaterialFromText(material);
+  } catch (CARGoSException& error) {
+    THROW_ARGOSEXCEPTION_NESTED(OwnerOf(node) << ": wrong attribute \"material\"", error);
+  }
+}
+
 SVisualPart MakeSolidPart(const SShapeDescription& shape, const CColor& color) {
   using EKind = SVisualPart::EKind;
   SVisualPart part;

@@ -40,6 +40,9 @@ struct SDescribedRing {
   SDescribedRing(TConfigurationNode& node, const char* number);
 };
 
+/** The attribute `material`, see EMaterial; plastic by default. */
+EMaterial ReadMaterial(TConfigurationNode& node);
+
 /** What a solid looks like, in the frame in which it is described. A hull is drawn as its box. */
 SVisualPart MakeSolidPart(const SShapeDescription& shape, const CColor& color);
 

@@ -101,6 +101,7 @@ class CTypeReader {
       solid.Offset += offset;
       m_body.Shapes.push_back(solid);
       m_type.Appearance.Parts.push_back(MakeSolidPart(solid, color));
+      m_type.Appearance.Parts.back().Material = ReadMaterial(*child);
     }
     if (m_body.Shapes.empty()) {
       THROW_ARGOSEXCEPTION(OwnerOf(body) << " needs at least one child <solid>");
@@ -121,7 +122,7 @@ class CTypeReader {
       // rotates the axis of the cylinder from z to y
       AddPart(m_type.Appearance, SVisualPart::EKind::Cylinder,
               CVector3(0.0, side * 0.5 * drive.InterwheelDistance + 0.5 * width, drive.WheelRadius),
-              CVector3(diameter, diameter, width), kWheelColor)
+              CVector3(diameter, diameter, width), kWheelColor, EMaterial::Matte)
           .Orientation.FromAngleAxis(CRadians::PI_OVER_TWO, CVector3::X);
     }
   }
@@ -293,6 +294,7 @@ ATTRIBUTES AND CHILDREN
   solid@offset          "x,y,z", m, default "0,0,0": centre of its base in the robot's frame.
   solid@orientation     "z,y,x", degrees, default "0,0,0".
   solid@color           a colour, for drawing only.
+  solid@material        plastic, matte, metal or glass, for the view <povray>. Default: plastic.
   differential_drive    wheel_distance, wheel_radius: m, > 0. max_force (N), max_torque (N m): > 0, the greatest force and
                         torque with which the wheels push and turn the robot. All required.
   proximity_sensors, light_sensors  rays that start on a ring and point outward (ring), and single ones (sensor):

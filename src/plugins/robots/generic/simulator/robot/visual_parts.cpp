@@ -5,19 +5,20 @@
 namespace argos {
 
 SVisualPart& AddPart(SAppearance& robot, SVisualPart::EKind kind, const CVector3& position,
-                     const CVector3& size, const CColor& color) {
+                     const CVector3& size, const CColor& color, EMaterial material) {
   SVisualPart& part = robot.Parts.emplace_back();
   part.Kind = kind;
   part.Position = position;
   part.Size = size;
   part.Color = color;
+  part.Material = material;
   return part;
 }
 
 void AddDisc(SAppearance& robot, Real radius, Real bottom, Real top, const CColor& color,
-             const CVector3& axis) {
+             const CVector3& axis, EMaterial material) {
   AddPart(robot, SVisualPart::EKind::Cylinder, axis + CVector3(0.0, 0.0, bottom),
-          CVector3(2.0 * radius, 2.0 * radius, top - bottom), color);
+          CVector3(2.0 * radius, 2.0 * radius, top - bottom), color, material);
 }
 
 void AddLED(SAppearance& robot, UInt32 number, const CVector3& position, Real diameter,

@@ -11,10 +11,11 @@ namespace argos {
 
 /** @return the new part; valid until the next one is added. */
 SVisualPart& AddPart(SAppearance& robot, SVisualPart::EKind kind, const CVector3& position,
-                     const CVector3& size, const CColor& color);
+                     const CVector3& size, const CColor& color,
+                     EMaterial material = EMaterial::Plastic);
 /** Adds an upright cylinder. @param axis  intersection of its axis with the xy plane. */
 void AddDisc(SAppearance& robot, Real radius, Real bottom, Real top, const CColor& color,
-             const CVector3& axis = CVector3());
+             const CVector3& axis = CVector3(), EMaterial material = EMaterial::Plastic);
 /** @param number of the LED. @param color of its glass. */
 void AddLED(SAppearance& robot, UInt32 number, const CVector3& position, Real diameter,
             const CColor& color);

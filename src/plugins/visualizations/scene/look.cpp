@@ -1,4 +1,4 @@
-#include <argos3/plugins/simulator/visualizations/offscreen/look.h>
+#include <argos3/plugins/simulator/visualizations/scene/look.h>
 
 #include <argos3/core/utility/configuration/argos_exception.h>
 

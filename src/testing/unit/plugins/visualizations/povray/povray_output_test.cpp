@@ -1,0 +1,187 @@
+#include <argos3/core/simulator/outputs/run_output.h>
+#include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/plugins/factory.h>
+
+#include <catch2/catch.hpp>
+
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+using namespace argos;
+using Catch::Matchers::Contains;
+
+namespace {
+
+class CFolder {
+ public:
+  CFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "povray_XXXXXX").string();
+    REQUIRE(mkdtemp(pattern.data()) != nullptr);
+    m_path = pattern;
+  }
+  ~CFolder() { std::filesystem::remove_all(m_path); }
+  const std::string& GetPath() const { return m_path; }
+
+  std::set<std::string> ListFiles() const {
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(m_path)) {
+      names.insert(entry.path().filename().string());
+    }
+    return names;
+  }
+
+ private:
+  std::string m_path;
+};
+
+// collects log output during its lifetime
+class CLogCapture {
+ public:
+  CLogCapture() : m_previous(LOG.GetStream().rdbuf(m_text.rdbuf())) { LOG.DisableColoredOutput(); }
+  ~CLogCapture() {
+    LOG.Flush();
+    LOG.GetStream().rdbuf(m_previous);
+    LOG.EnableColoredOutput();
+  }
+  std::string GetText() {
+    LOG.Flush();
+    return m_text.str();
+  }
+
+ private:
+  std::ostringstream m_text;
+  std::streambuf* m_previous;
+};
+
+// makes a shell script the program that renders
+class CFakePovray {
+ public:
+  explicit CFakePovray(const std::string& script) {
+    const std::string path = m_folder.GetPath() + "/fake";
+    std::ofstream(path) << "#!/bin/sh\n" << script;
+    std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+    setenv("ARGOS_POVRAY", path.c_str(), 1);
+  }
+  ~CFakePovray() { unsetenv("ARGOS_POVRAY"); }
+  const CFolder& GetFolder() const { return m_folder; }
+
+ private:
+  CFolder m_folder;
+};
+
+// ten ticks in an empty arena
+class CExperiment {
+ public:
+  explicit CExperiment(const std::string& visualization) : m_scope(m_simulator) {
+    m_document.Parse(R"(<argos-configuration>
+      <framework><experiment length="1" ticks_per_second="10" random_seed="1"/></framework>
+      <controllers/><arena size="2,2,1"/><physics_engines/>
+      <media/>
+      <visualization>)" + visualization +
+                         "</visualization></argos-configuration>",
+                     "test.argos");
+    m_simulator.Load(m_document);
+  }
+  void Run() { m_simulator.Execute(); }
+
+ private:
+  CConfigurationDocument m_document;
+  CSimulator m_simulator;
+  CSimulator::CScope m_scope;
+};
+
+std::string In(const CFolder& folder, const std::string& attributes) {
+  return "<povray size='16x16' directory='" + folder.GetPath() + "' " + attributes + "/>";
+}
+
+}  // namespace
+
+TEST_CASE("povray: writes scene files of the ticks that are chosen", "[povray]") {
+  const CFolder folder;
+  const CLogCapture log;
+  CExperiment(In(folder, "every='4' render='false'")).Run();
+  CHECK(folder.ListFiles() == std::set<std::string>{"scene_0000000000.pov", "scene_0000000004.pov",
+                                                    "scene_0000000008.pov",
+                                                    "scene_0000000010.pov"});
+}
+
+TEST_CASE("povray: runs the program in the folder of the scenes", "[povray]") {
+  const CFolder folder;
+  const CLogCapture log;
+  // writes its working directory and its arguments as the picture
+  const CFakePovray povray(
+      "for i; do case $i in +O*) out=${i#+O};; esac; done\n(pwd; echo \"$@\") >\"$out\"\n");
+  CExperiment(In(folder, "ticks='0' threads='1' render='true'")).Run();
+  CHECK(folder.ListFiles() ==
+        std::set<std::string>{"scene_0000000000.pov", "scene_0000000000.png"});
+  std::ifstream picture(folder.GetPath() + "/scene_0000000000.png");
+  std::string directory;
+  std::string arguments;
+  std::getline(picture, directory);
+  std::getline(picture, arguments);
+  CHECK(std::filesystem::equivalent(directory, folder.GetPath()));
+  CHECK_THAT(arguments,
+             Contains("+Iscene_0000000000.pov") && Contains("+W16 +H16 -D") && Contains("+WT1"));
+}
+
+TEST_CASE("povray: tells why a scene cannot be rendered", "[povray]") {
+  const CFolder folder;
+  const CLogCapture log;
+  const CFakePovray povray(
+      "echo \"File 'scene.pov' line 7: Parse Error: No matching }\" >&2\nexit 3\n");
+  CExperiment experiment(In(folder, "every='5' render='true'"));
+  CHECK_THROWS_WITH(experiment.Run(), Contains("scene_0000000000.pov") && Contains("status 3") &&
+                                          Contains("line 7: Parse Error: No matching }"));
+}
+
+TEST_CASE("povray: a program that writes no picture is an error", "[povray]") {
+  const CFolder folder;
+  const CLogCapture log;
+  const CFakePovray povray("exit 0\n");
+  CExperiment experiment(In(folder, "ticks='0' render='true'"));
+  CHECK_THROWS_WITH(experiment.Run(), Contains("cannot render") && Contains("No such file"));
+}
+
+TEST_CASE("povray: without POV-Ray, says once how to render", "[povray]") {
+  const CFolder folder;
+  setenv("ARGOS_POVRAY", "no_such_povray", 1);
+  CLogCapture log;
+  CExperiment(In(folder, "every='5'")).Run();
+  CHECK(folder.ListFiles().count("scene_0000000005.pov") == 1);
+  const std::string text = log.GetText();
+  CHECK_THAT(text, Contains("\"no_such_povray\" is not installed. Where it is: cd " +
+                            folder.GetPath() + " && no_such_povray +Iscene_0000000000.pov"));
+  CHECK(text.find("is not installed") == text.rfind("is not installed"));
+  CHECK_THROWS_WITH(CExperiment(In(folder, "render='true'")),
+                    Contains("test.argos:5") && Contains("no_such_povray"));
+  unsetenv("ARGOS_POVRAY");
+}
+
+TEST_CASE("povray: names file and line of wrong attributes", "[povray]") {
+  const CFolder folder;
+  const auto [attributes, message] = GENERATE(table<std::string, std::string>({
+      {"quality='god'", "did you mean \"good\"?"},
+      {"render='maybe'", "\"maybe\" is not valid"},
+      {"look='lihgt'", "did you mean \"light\"?"},
+      {"every='0'", "it must be at least 1"},
+      {"ticks='5-1'", "is not valid"},
+      {"threads='513'", "at most 512"},
+      {"max_lights='1001'", "at most 1000"},
+      {"base_name='a/b'", "must not contain"},
+  }));
+  CHECK_THROWS_WITH(CExperiment(In(folder, attributes)),
+                    Contains("test.argos:5") && Contains(message));
+}
+
+TEST_CASE("povray: names a folder that cannot be written to", "[povray]") {
+  CHECK_THROWS_WITH(CExperiment("<povray directory='/proc/no_such_folder' render='false'/>"),
+                    Contains("test.argos:5") && Contains("/proc/no_such_folder"));
+}

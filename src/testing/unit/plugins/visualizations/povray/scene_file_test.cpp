@@ -1,0 +1,271 @@
+#include <argos3/plugins/simulator/visualizations/povray/scene_file.h>
+
+#include <argos3/core/simulator/visualization/povray_model.h>
+#include <argos3/core/utility/files/file_replacement.h>
+#include <argos3/core/utility/processes/child_process.h>
+#include <argos3/plugins/simulator/visualizations/povray/povray_renderer.h>
+#include <argos3/testing/support/pictures.h>
+
+#include <FreeImage.h>
+
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <memory>
+
+using namespace argos;
+
+namespace {
+
+constexpr SRgba kBlue = {40, 40, 225, 255};
+
+class CFolder {
+ public:
+  CFolder() {
+    std::string pattern = (std::filesystem::temp_directory_path() / "povray_XXXXXX").string();
+    REQUIRE(mkdtemp(pattern.data()) != nullptr);
+    m_path = pattern;
+  }
+  ~CFolder() { std::filesystem::remove_all(m_path); }
+  const std::string& GetPath() const { return m_path; }
+
+ private:
+  std::string m_path;
+};
+
+bool HasPovray() {
+  return !FindProgram(GetPovrayProgram()).empty();
+}
+
+SPovraySettings Small(int width = 160, int height = 120) {
+  SPovraySettings settings;
+  settings.Width = width;
+  settings.Height = height;
+  settings.Quality = EPovrayQuality::Draft;
+  return settings;
+}
+
+SPicture Load(const std::string& path) {
+  const std::unique_ptr<FIBITMAP, decltype(&FreeImage_Unload)> bitmap(
+      FreeImage_Load(FIF_PNG, path.c_str(), 0), &FreeImage_Unload);
+  REQUIRE(bitmap != nullptr);
+  SPicture picture;
+  picture.Width = static_cast<int>(FreeImage_GetWidth(bitmap.get()));
+  picture.Height = static_cast<int>(FreeImage_GetHeight(bitmap.get()));
+  for (int row = 0; row < picture.Height; ++row) {
+    for (int column = 0; column < picture.Width; ++column) {
+      RGBQUAD color;
+      REQUIRE(FreeImage_GetPixelColor(bitmap.get(), static_cast<unsigned>(column),
+                                      static_cast<unsigned>(picture.Height - 1 - row), &color));
+      picture.Pixels.insert(picture.Pixels.end(),
+                            {color.rgbRed, color.rgbGreen, color.rgbBlue, 255});
+    }
+  }
+  return picture;
+}
+
+// throws if POV-Ray does not accept the scene
+SPicture RenderWithPovray(const SScene& scene, const SCameraPlacement& placement,
+                          const SPovraySettings& settings, const SSceneExtras& extras = {}) {
+  const CFolder folder;
+  std::size_t numSkipped = 0;
+  std::string problem;
+  REQUIRE(ReplaceFile(folder.GetPath() + "/scene.pov",
+                      MakeSceneFile(scene, placement, settings, extras, numSkipped), problem));
+  SPovrayJob job;
+  job.Width = settings.Width;
+  job.Height = settings.Height;
+  job.Quality = EPovrayQuality::Draft;
+  job.Directory = folder.GetPath();
+  CPovrayRenderer renderer(job);
+  renderer.Submit("scene.pov");
+  renderer.Finish();
+  return Load(folder.GetPath() + "/scene.png");
+}
+
+// the pixels of one colour: how many, their middle and their bounds
+struct SSilhouette {
+  int Count = 0;
+  Eigen::Vector2d Center = Eigen::Vector2d::Zero();
+  Eigen::Array2i Least = Eigen::Array2i::Constant(100000);
+  Eigen::Array2i Most = Eigen::Array2i::Constant(-1);
+};
+
+SSilhouette FindSilhouette(const SPicture& picture, std::size_t channel) {
+  SSilhouette found;
+  for (int row = 0; row < picture.Height; ++row) {
+    for (int column = 0; column < picture.Width; ++column) {
+      const std::uint8_t* const pixel = picture.At(column, row);
+      const int other = std::max(pixel[(channel + 1) % 3], pixel[(channel + 2) % 3]);
+      if (pixel[channel] > 60 && 10 * pixel[channel] > 17 * other) {
+        ++found.Count;
+        found.Center += Eigen::Vector2d(column, row);
+        found.Least = found.Least.min(Eigen::Array2i(column, row));
+        found.Most = found.Most.max(Eigen::Array2i(column, row));
+      }
+    }
+  }
+  found.Center /= std::max(found.Count, 1);
+  return found;
+}
+
+// no two of them alike: a mirrored or turned picture would show
+SScene MakeColoredScene() {
+  SScene scene = MakeEmptyScene();
+  scene.ShowGrid = false;
+  scene.OfKind(EMeshKind::Box).push_back(MakeInstance({-0.6, 0.3, 0.0}, {0.3, 0.6, 0.4}, kRed));
+  scene.OfKind(EMeshKind::Sphere).push_back(MakeInstance({0.6, 0.4, 0.3}, {0.5, 0.5, 0.5}, kGreen));
+  scene.OfKind(EMeshKind::Cylinder)
+      .push_back(MakeInstance({0.3, -0.5, 0.1}, {0.3, 0.3, 0.5}, kBlue));
+  for (std::vector<SMeshInstance>& solids : scene.Meshes) {
+    for (SMeshInstance& solid : solids) {
+      solid.Material = EMaterial::Matte;
+    }
+  }
+  return scene;
+}
+
+std::array<SCameraPlacement, 3> MakeViews() {
+  SCameraPlacement tilted;
+  tilted.Position = Eigen::Vector3d(2.2, 1.5, 1.4);
+  tilted.LookAt = Eigen::Vector3d(0.1, 0.0, 0.1);
+  tilted.Up = Eigen::Vector3d(0.5, 0.2, 1.0);
+  tilted.FocalLength = 22.0;
+  SCameraPlacement parallel = ObliqueView();
+  parallel.OrthographicHeight = 2.4;
+  return {ObliqueView(), tilted, parallel};
+}
+
+// every kind of thing that a scene can hold
+SScene MakeFullScene() {
+  SScene scene = MakeColoredScene();
+  scene.ShowGrid = true;
+  scene.OfKind(EMeshKind::Ring).push_back(MakeInstance({0.0, 0.0, 0.4}, {0.5, 0.5, 0.5}, kRed));
+  scene.OfKind(EMeshKind::Ring).back().Param = 0.1f;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(EMaterial::Count); ++i) {
+    for (std::size_t kind = 0; kind < kNumMeshKinds; ++kind) {
+      SMeshInstance solid = MakeInstance(
+          {-1.5 + 0.3 * static_cast<double>(i), 1.0 + 0.2 * static_cast<double>(kind), 0.2},
+          {0.15, 0.1, 0.12}, kGreen);
+      solid.Material = static_cast<EMaterial>(i);
+      solid.Param = kind == static_cast<std::size_t>(EMeshKind::Cylinder) ? 0.0f : 0.3f;
+      solid.Color.A = i % 2 == 0 ? 255 : 100;
+      scene.Meshes[kind].push_back(solid);
+    }
+  }
+  SGlow led{{0.0f, -0.5f, 0.1f}, 0.01f, kRed, 3.6f, 0.0f, 1.0f};
+  SGlow lamp{{0.5f, -0.5f, 0.6f}, 0.03f, kGreen, 4.5f};
+  lamp.IsLamp = true;
+  const SGlow off{{0.1f, -0.5f, 0.1f}, 0.01f, {46, 48, 54, 255}};
+  const SGlow point{{0.2f, -0.5f, 0.1f}, 0.0f, kBlue, 0.0f, 5.0f};
+  scene.Glows = {led, lamp, off, point};
+  scene.Markers.push_back({{0.0f, -0.5f, 0.1f}, 0.001f});
+  scene.Lines.push_back({{0.0f, 0.0f, 0.5f}, {1.0f, 0.0f, 0.5f}, {200, 0, 0, 120}, 2.0f});
+  scene.Lines.push_back({{0.0f, 0.0f, 0.5f}, {0.0f, 0.0f, 0.5f}, kRed, 2.0f});  // no length
+  for (const std::array<float, 3>& corner :
+       {std::array<float, 3>{0.0f, 0.0f, 0.0f}, {0.5f, 0.0f, 0.0f}, {0.0f, 0.5f, 0.0f}}) {
+    scene.Flats.push_back({corner, kRed, 1e-3f});
+    scene.TranslucentFlats.push_back({corner, {0, 0, 200, 90}, 1e-3f});
+    scene.OverlayFlats.push_back(
+        {{40.0f * corner[0] + 3.0f, 40.0f * corner[1] + 3.0f, 0.0f}, kGreen, 0.0f});
+  }
+  STextStyle style;
+  style.Family = "monospace";
+  style.Alignment = STextStyle::EAlignment::Center;
+  scene.Labels.push_back({{0.0f, 0.0f, 0.3f}, kRed, "id\"}\\ #declare\n\n  \n\xC3\xA4", style});
+  scene.OverlayLabels.push_back({{5.0f, 20.0f, 0.0f}, {0, 0, 0, 255}, "\\", {}});
+  scene.OverlayLabels.push_back({{5.0f, 20.0f, 0.0f}, {0, 0, 0, 255}, "", {}});
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("povray scene: silhouettes are those of the off-screen view", "[povray]") {
+  if (!HasPovray()) {
+    WARN("POV-Ray is not installed: not tested");
+    return;
+  }
+  const SScene scene = MakeColoredScene();
+  const std::array<SCameraPlacement, 3> views = MakeViews();
+  for (std::size_t view = 0; view < views.size(); ++view) {
+    SPicture offscreen;
+    CRenderer(SmallPicture()).Render(scene, views[view], offscreen);
+    const SPicture traced = RenderWithPovray(scene, views[view], Small());
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      CAPTURE(view, channel);
+      const SSilhouette expected = FindSilhouette(offscreen, channel);
+      const SSilhouette found = FindSilhouette(traced, channel);
+      REQUIRE(expected.Count > 100);
+      // pixels at the edge are blends of two colours: about one around the silhouette
+      CHECK((found.Center - expected.Center).norm() < 1.5);
+      CHECK((found.Least - expected.Least).abs().maxCoeff() <= 2);
+      CHECK((found.Most - expected.Most).abs().maxCoeff() <= 2);
+      CHECK(std::abs(found.Count - expected.Count) < 0.15 * expected.Count);
+    }
+  }
+}
+
+TEST_CASE("povray scene: POV-Ray accepts everything that a scene can hold", "[povray]") {
+  if (!HasPovray()) {
+    WARN("POV-Ray is not installed: not tested");
+    return;
+  }
+  const EPovrayQuality quality =
+      GENERATE(EPovrayQuality::Draft, EPovrayQuality::Good, EPovrayQuality::Best);
+  SPovraySettings settings = Small(32, 24);
+  settings.Quality = quality;
+  settings.IsDark = quality == EPovrayQuality::Best;
+  CHECK_NOTHROW(RenderWithPovray(MakeFullScene(), ObliqueView(), settings));
+}
+
+TEST_CASE("povray scene: a model appears at its place", "[povray]") {
+  if (!HasPovray()) {
+    WARN("POV-Ray is not installed: not tested");
+    return;
+  }
+  SScene scene = MakeEmptyScene();
+  scene.ShowGrid = false;
+  SMeshInstance place = MakeInstance({0.5, 0.0, 0.0}, {1.0, 1.0, 1.0}, kRed);
+  scene.Models.push_back({1, place.ToWorld});
+  const std::vector<std::string> models = {"not used, and not valid",
+                                           "sphere { 0, 0.3 Argos_Matte(srgb <0.86, 0.1, 0.1>) }"};
+  SSceneExtras extras;
+  extras.Models = models;
+  const SPicture picture = RenderWithPovray(scene, ViewFromAbove(3.0), Small(), extras);
+  CHECK(IsReddish(PixelOf(picture, ViewFromAbove(3.0), {0.5, 0.0, 0.3})));
+  CHECK_FALSE(IsReddish(PixelOf(picture, ViewFromAbove(3.0), {-0.5, 0.0, 0.0})));
+}
+
+TEST_CASE("povray scene: numbers that are not finite are left out and counted", "[povray]") {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  SScene scene = MakeColoredScene();
+  const SPovraySettings settings = Small();
+  std::size_t numSkipped = 1;
+  MakeSceneFile(scene, ObliqueView(), settings, {}, numSkipped);
+  CHECK(numSkipped == 0);
+  scene.OfKind(EMeshKind::Box).front().ToWorld[0][3] = nan;
+  scene.Glows.push_back({{nan, 0.0f, 0.0f}, 0.01f, kRed});
+  scene.Lines.push_back({{0.0f, 0.0f, nan}, {1.0f, 0.0f, 0.5f}, kRed, 2.0f});
+  const std::string file = MakeSceneFile(scene, ObliqueView(), settings, {}, numSkipped);
+  CHECK(numSkipped == 3);
+  CHECK(file.find("nan") == std::string::npos);
+  CHECK(file.find("inf") == std::string::npos);
+}
+
+TEST_CASE("povray scene: the floor's image has its highest row first", "[povray]") {
+  SFloorImage floor;
+  floor.Width = 1;
+  floor.Height = 2;
+  floor.Pixels = std::make_shared<const std::vector<std::uint8_t>>(
+      std::vector<std::uint8_t>{'a', 'b', 'c', 255, 'x', 'y', 'z', 255});
+  CHECK(MakeFloorFile(floor) == "P6\n1 2\n255\nxyzabc");
+}
+
+TEST_CASE("povray scene: finds the lines that tell the error", "[povray]") {
+  CHECK(FindPovrayErrors("povray: cannot open the user configuration file\nFile 'a.pov' line 3: "
+                         "Parse Error: Undeclared\nFatal error in parser\nCPU time") ==
+        "File 'a.pov' line 3: Parse Error: Undeclared\nFatal error in parser");
+  CHECK(FindPovrayErrors("something else") == "something else");
+}
