@@ -1,0 +1,266 @@
+#include <argos3/core/utility/processes/child_process.h>
+
+#include <argos3/core/utility/errors/argos_exception.h>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <sstream>
+
+extern char** environ;
+
+namespace argos {
+
+namespace {
+
+// used by glibc, too, if PATH is not set
+constexpr char kDefaultPath[] = "/bin:/usr/bin";
+constexpr int kEndCheckPeriod = 20;  // ms
+
+bool IsProgram(const std::string& path) {
+  struct stat information {};
+  return stat(path.c_str(), &information) == 0 && S_ISREG(information.st_mode) &&
+         access(path.c_str(), X_OK) == 0;
+}
+
+void Close(int& file) {
+  if (file >= 0) {
+    close(file);
+  }
+  file = -1;
+}
+
+// moves a file away from the standard streams, which may be closed in this process
+int MoveUp(int file) {
+  if (file < 0 || file > STDERR_FILENO) {
+    return file;
+  }
+  const int moved = fcntl(file, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  close(file);
+  return moved;
+}
+
+SProcessEnd DescribeEnd(int status) {
+  if (WIFEXITED(status)) {
+    return {WEXITSTATUS(status) == 0, "exit status " + std::to_string(WEXITSTATUS(status))};
+  }
+  const int signal = WTERMSIG(status);
+  return {false, "signal " + std::to_string(signal) + " (" + strsignal(signal) + ")"};
+}
+
+// what posix_spawn() does in the child, freed by the destructor
+class CSpawnPlan {
+ public:
+  CSpawnPlan(int input, int errors) {
+    posix_spawn_file_actions_init(&Actions);
+    posix_spawnattr_init(&Attributes);
+    posix_spawn_file_actions_adddup2(&Actions, input, STDIN_FILENO);
+    posix_spawn_file_actions_addopen(&Actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_adddup2(&Actions, errors, STDERR_FILENO);
+    // users' code may have opened files without O_CLOEXEC
+    posix_spawn_file_actions_addclosefrom_np(&Actions, STDERR_FILENO + 1);
+    sigset_t signals;
+    sigemptyset(&signals);
+    posix_spawnattr_setsigmask(&Attributes, &signals);
+    for (const int signal : {SIGPIPE, SIGINT, SIGTERM, SIGQUIT, SIGHUP, SIGALRM}) {
+      sigaddset(&signals, signal);
+    }
+    posix_spawnattr_setsigdefault(&Attributes, &signals);
+    posix_spawnattr_setpgroup(&Attributes, 0);
+    posix_spawnattr_setflags(
+        &Attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
+  }
+  ~CSpawnPlan() {
+    posix_spawn_file_actions_destroy(&Actions);
+    posix_spawnattr_destroy(&Attributes);
+  }
+  CSpawnPlan(const CSpawnPlan&) = delete;
+  CSpawnPlan& operator=(const CSpawnPlan&) = delete;
+
+  posix_spawn_file_actions_t Actions;
+  posix_spawnattr_t Attributes;
+};
+
+}  // namespace
+
+std::string FindProgram(const std::string& name) {
+  if (name.empty()) {
+    return "";
+  }
+  if (name.find('/') != std::string::npos) {
+    return IsProgram(name) ? name : "";
+  }
+  const char* const path = std::getenv("PATH");
+  std::istringstream folders(path != nullptr ? path : kDefaultPath);
+  std::string folder;
+  while (std::getline(folders, folder, ':')) {
+    const std::string candidate = (folder.empty() ? "." : folder) + "/" + name;
+    if (IsProgram(candidate)) {
+      return candidate;
+    }
+  }
+  return "";
+}
+
+CChildProcess::CChildProcess(const std::vector<std::string>& arguments) {
+  int sockets[2] = {-1, -1};
+  int pipes[2] = {-1, -1};
+  if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets) != 0 ||
+      pipe2(pipes, O_CLOEXEC) != 0) {
+    const int error = errno;
+    Close(sockets[0]);
+    Close(sockets[1]);
+    THROW_ARGOSEXCEPTION("The program \"" << arguments.at(0)
+                                          << "\" cannot be started: " << std::strerror(error));
+  }
+  m_input = MoveUp(sockets[0]);
+  m_errors = MoveUp(pipes[0]);
+  int childInput = MoveUp(sockets[1]);
+  int childErrors = MoveUp(pipes[1]);
+  fcntl(m_errors, F_SETFL, O_NONBLOCK);
+  try {
+    Start(arguments, childInput, childErrors);
+  } catch (...) {
+    for (int* file : {&m_input, &m_errors, &childInput, &childErrors}) {
+      Close(*file);
+    }
+    throw;
+  }
+  Close(childInput);
+  Close(childErrors);
+}
+
+void CChildProcess::Start(const std::vector<std::string>& arguments, int input, int errors) {
+  const std::string program = FindProgram(arguments.at(0));
+  if (program.empty()) {
+    THROW_ARGOSEXCEPTION("The program \"" << arguments[0] << "\" cannot be started: "
+                                          << "there is no such executable file");
+  }
+  std::vector<std::string> copies = arguments;  // posix_spawn() takes them as not constant
+  std::vector<char*> pointers;
+  for (std::string& copy : copies) {
+    pointers.push_back(copy.data());
+  }
+  pointers.push_back(nullptr);
+  CSpawnPlan plan(input, errors);
+  const int error = posix_spawn(&m_id, program.c_str(), &plan.Actions, &plan.Attributes,
+                                pointers.data(), environ);
+  if (error != 0) {
+    THROW_ARGOSEXCEPTION("The program \"" << program
+                                          << "\" cannot be started: " << std::strerror(error));
+  }
+  m_isRunning = true;
+}
+
+CChildProcess::~CChildProcess() {
+  Kill();
+  Close(m_input);
+  Close(m_errors);
+}
+
+void CChildProcess::Kill() {
+  if (m_isRunning) {
+    kill(m_id, SIGKILL);
+    Finish();
+  }
+}
+
+bool CChildProcess::Write(const void* data, std::size_t size) {
+  const char* from = static_cast<const char*>(data);
+  while (size > 0 && m_input >= 0) {
+    // a child whose messages are not read would wait, and not read its input
+    std::array<pollfd, 2> files = {pollfd{m_input, POLLOUT, 0}, pollfd{m_errors, POLLIN, 0}};
+    if (poll(files.data(), files.size(), -1) < 0) {
+      if (errno != EINTR) {
+        return false;
+      }
+      continue;
+    }
+    if (files[1].revents != 0 && !ReadErrors()) {
+      Close(m_errors);  // poll() ignores negative numbers
+    }
+    if (files[0].revents != 0) {
+      const ssize_t count = send(m_input, from, size, MSG_NOSIGNAL | MSG_DONTWAIT);
+      if (count >= 0) {
+        from += count;
+        size -= static_cast<std::size_t>(count);
+      } else if (errno != EAGAIN && errno != EINTR) {
+        return false;
+      }
+    }
+  }
+  return size == 0;
+}
+
+SProcessEnd CChildProcess::Finish() {
+  if (!m_isRunning) {
+    return m_end;
+  }
+  Close(m_input);
+  ReadErrorsUntilEnd();
+  int status = 0;
+  pid_t ended = 0;
+  do {
+    ended = waitpid(m_id, &status, 0);
+  } while (ended < 0 && errno == EINTR);
+  m_isRunning = false;
+  // users' code may wait for all children, or ignore SIGCHLD
+  m_end = ended == m_id ? DescribeEnd(status) : SProcessEnd{false, "unknown exit status"};
+  return m_end;
+}
+
+// until the child closes its standard error or ends: its own children may keep the stream open
+void CChildProcess::ReadErrorsUntilEnd() {
+  while (m_errors >= 0) {
+    pollfd file = {m_errors, POLLIN, 0};
+    const int count = poll(&file, 1, kEndCheckPeriod);
+    siginfo_t information{};
+    const bool hasEnded =
+        waitid(P_PID, static_cast<id_t>(m_id), &information, WEXITED | WNOHANG | WNOWAIT) != 0 ||
+        information.si_pid == m_id;
+    if ((count > 0 && !ReadErrors()) || (hasEnded && count == 0)) {
+      Close(m_errors);
+    }
+  }
+}
+
+bool CChildProcess::ReadErrors() {
+  std::array<char, 4096> buffer{};
+  const ssize_t count = read(m_errors, buffer.data(), buffer.size());
+  if (count <= 0) {
+    return count < 0 && (errno == EAGAIN || errno == EINTR);
+  }
+  m_errorText.append(buffer.data(), static_cast<std::size_t>(count));
+  if (m_errorText.size() > 2 * kErrorTextSize) {
+    m_errorText.erase(0, m_errorText.size() - kErrorTextSize);
+    m_isErrorTextCut = true;
+  }
+  return true;
+}
+
+std::string CChildProcess::GetErrorText() const {
+  std::string text = m_errorText;
+  bool isCut = m_isErrorTextCut;
+  if (text.size() > kErrorTextSize) {
+    text.erase(0, text.size() - kErrorTextSize);
+    isCut = true;
+  }
+  const std::size_t end = text.find('\n');
+  if (isCut && end != std::string::npos && end + 1 < text.size()) {
+    text.erase(0, end + 1);
+  }
+  text.erase(text.find_last_not_of(" \t\r\n") + 1);
+  return text;
+}
+
+}  // namespace argos
