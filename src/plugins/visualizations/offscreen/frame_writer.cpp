@@ -93,6 +93,8 @@ CFrameWriter::CFrameWriter(const SFrameFileSettings& settings) : m_settings(sett
   CheckDirectory();
 }
 
+CFrameWriter::~CFrameWriter() = default;
+
 void CFrameWriter::CheckBaseName() const {
   if (m_settings.BaseName.find('/') != std::string::npos) {
     THROW_ARGOSEXCEPTION("The base name of frames is \""
@@ -156,7 +158,28 @@ std::string CFrameWriter::MakeFileName(std::uint32_t tick) const {
   return name.str();
 }
 
-void CFrameWriter::Write(const SPicture& picture, std::uint32_t tick) const {
+void CFrameWriter::Begin() {
+  m_lock.reset();  // of a run that failed
+  m_lock = LockFrames();
+}
+
+void CFrameWriter::Finish() {
+  m_lock.reset();
+}
+
+std::string CFrameWriter::Describe(int width, int height, std::uint32_t every) const {
+  CTextOutput text;
+  text << "drawing frames of " << width << "x" << height << " pixels, one every ";
+  if (every == 1) {
+    text << "tick";
+  } else {
+    text << every << " ticks";
+  }
+  text << ", to " << MakeFileName(0) << " and following";
+  return text.str();
+}
+
+void CFrameWriter::Write(const SPicture& picture, std::uint32_t tick) {
   const std::string fileName = MakeFileName(tick);
   const std::string content = EncodeImage(*MakeBitmap(picture), m_format, m_flags);
   std::string problem;
