@@ -99,6 +99,12 @@ std::string Quote(const std::string& word) {
   return quoted + "'";
 }
 
+// a name may look like an option or a protocol, and patterns have no protocol
+std::string ToArgument(const std::string& path) {
+  const bool isPlain = path[0] == '/' || (path[0] != '-' && path.find(':') == std::string::npos);
+  return isPlain ? path : "./" + path;
+}
+
 std::string EscapePattern(const std::string& path) {
   std::string escaped;
   for (const char c : path) {
@@ -202,10 +208,10 @@ std::string MakeFilmCommand(const SFilmSettings& settings, const SFrameRate& rat
                             const std::string& folder, const std::string& file) {
   std::vector<std::string> words = {
       "ffmpeg",        "-y",   "-framerate", rate.ToText(),
-      "-pattern_type", "glob", "-i",         "file:" + EscapePattern(folder) + "/*.png"};
+      "-pattern_type", "glob", "-i",         EscapePattern(ToArgument(folder)) + "/*.png"};
   const std::vector<std::string> output = MakeOutputArguments(settings, rate);
   words.insert(words.end(), output.begin(), output.end());
-  words.push_back("file:" + file);
+  words.push_back(ToArgument(file));
   std::string command;
   for (const std::string& word : words) {
     command += command.empty() ? "" : " ";

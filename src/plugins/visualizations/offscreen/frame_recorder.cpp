@@ -71,8 +71,8 @@ void CFrameRecorder::Observe(CSimulator& simulator) {
 bool CFrameRecorder::IsWanted(std::uint32_t tick) const {
   if (m_settings.Ticks.empty()) {
     if (m_settings.Film) {
-      // a replay may begin at any tick, and show every n-th one
-      return !m_lastTick.has_value() || tick - *m_lastTick >= m_settings.Every;
+      // a replay may begin at any tick, show every n-th one, and then the last one
+      return !m_lastTick.has_value() || tick - *m_lastTick >= m_distance.value_or(m_settings.Every);
     }
     return !m_lastTick.has_value() || tick % m_settings.Every == 0;
   }
@@ -109,6 +109,7 @@ void CFrameRecorder::Close() {
 void CFrameRecorder::Reset() {
   Close();
   m_lastTick.reset();
+  m_distance.reset();
   m_camera.Reset();
 }
 
@@ -126,6 +127,9 @@ void CFrameRecorder::WriteFrame(CSimulator& simulator) {
              frame.Scene);
   frame.Placement = m_camera.ComputeAt(space, tick);
   m_pipeline->Submit();
+  if (m_lastTick.has_value() && !m_distance.has_value()) {
+    m_distance = tick - *m_lastTick;
+  }
   m_lastTick = tick;
 }
 

@@ -84,6 +84,7 @@ class CFrameRecorder {
   std::unique_ptr<CPictureSink> m_sink;
   bool m_hasBegun = false;  // a run, whose output is not complete
   std::optional<std::uint32_t> m_lastTick;  // with a frame, in this run
+  std::optional<std::uint32_t> m_distance;  // ticks between the first two frames of this run
   CSceneBuilder m_builder;
   std::optional<CFramePipeline> m_pipeline;  // the last member: its threads use the others
 };

@@ -97,8 +97,8 @@ TEST_CASE("film encoding: the command for a shell quotes what a shell would chan
   const std::string command =
       MakeFilmCommand(SFilmSettings(), {25, 2}, "it's [1].frames", "it's.mp4");
   CHECK_THAT(command, Contains("-framerate 25/2 -pattern_type glob "
-                               "-i 'file:it'\\''s \\[1\\].frames/*.png' ") &&
-                          Catch::EndsWith(" 'file:it'\\''s.mp4'"));
+                               "-i 'it'\\''s \\[1\\].frames/*.png' ") &&
+                          Catch::EndsWith(" 'it'\\''s.mp4'"));
 }
 
 TEST_CASE("film encoding: files of further runs are numbered",
