@@ -33,7 +33,7 @@ cd "$repo"
 # name -> simulated seconds, and simulated seconds in a second of the film. By default 60 and 5.
 declare -A plan=(
   [diffusion_1]="60 5" [diffusion_1_lua]="60 5" [epuck_obstacleavoidance]="60 5"
-  [synchronization]="40 2" [synchronization_lua]="40 2"
+  [synchronization]="66 3" [synchronization_lua]="66 3"
   [flocking]="150 10" [flocking_lua]="150 10" [trajectories]="120 8"
   [gripping]="40 3" [foraging]="120 8" [pheromone]="150 10" [pheromone_lua]="150 10"
   [eyebot_circle]="40 3" [eyebot_flocking]="40 3" [ramp_3d]="20 2"
