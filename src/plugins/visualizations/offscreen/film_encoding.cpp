@@ -208,7 +208,7 @@ std::string MakeFilmCommand(const SFilmSettings& settings, const SFrameRate& rat
                             const std::string& folder, const std::string& file) {
   std::vector<std::string> words = {
       "ffmpeg",        "-y",   "-framerate", rate.ToText(),
-      "-pattern_type", "glob", "-i",         EscapePattern(ToArgument(folder)) + "/*.png"};
+      "-pattern_type", "glob", "-i",         EscapePattern(ToArgument(folder)) + "/frame_*.png"};
   const std::vector<std::string> output = MakeOutputArguments(settings, rate);
   words.insert(words.end(), output.begin(), output.end());
   words.push_back(ToArgument(file));

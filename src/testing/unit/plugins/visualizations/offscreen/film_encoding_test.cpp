@@ -97,7 +97,7 @@ TEST_CASE("film encoding: the command for a shell quotes what a shell would chan
   const std::string command =
       MakeFilmCommand(SFilmSettings(), {25, 2}, "it's [1].frames", "it's.mp4");
   CHECK_THAT(command, Contains("-framerate 25/2 -pattern_type glob "
-                               "-i 'it'\\''s \\[1\\].frames/*.png' ") &&
+                               "-i 'it'\\''s \\[1\\].frames/frame_*.png' ") &&
                           Catch::EndsWith(" 'it'\\''s.mp4'"));
 }
 
