@@ -4,7 +4,7 @@ _argos3() {
   local current="${COMP_WORDS[COMP_CWORD]}"
   local previous="${COMP_WORDS[COMP_CWORD - 1]}"
   local options="--config-file --query --help --version --no-color --no-visualization --log-file --logerr-file
-    --seed --threads --length --set --csv --digest"
+    --seed --threads --length --set --csv --record --video --speed --replay --from --to --every --digest"
   local queries="actuators sensors physics_engines media visualizations outputs fields entities controllers
     loop_functions all"
   COMPREPLY=()
@@ -25,7 +25,7 @@ _argos3() {
       mapfile -t COMPREPLY < <(compgen -d -- "$current")
       compopt -o filenames 2>/dev/null
       ;;
-    -l | --log-file | -e | --logerr-file)
+    -l | --log-file | -e | --logerr-file | --record | --video | --replay)
       mapfile -t COMPREPLY < <(compgen -f -- "$current")
       compopt -o filenames 2>/dev/null
       ;;

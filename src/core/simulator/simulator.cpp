@@ -227,7 +227,20 @@ void CSimulator::AddOverride(const std::string& path, const std::string& value) 
 
 void CSimulator::AddOutput(const std::string& tag,
                            const std::vector<std::pair<std::string, std::string>>& attributes) {
-  m_settings.Outputs.push_back({tag, attributes});
+  m_settings.Outputs.push_back({tag, attributes, false, {}});
+}
+
+void CSimulator::AddVideo(const std::string& file, const std::string& speed) {
+  SRunSettings::SOutput output;
+  output.Tag = "offscreen";
+  output.Attributes = {{"file", file}};
+  if (!speed.empty()) {
+    output.Attributes.emplace_back("speed", speed);
+  }
+  output.IsCopy = true;
+  // which frames are drawn, and their files, suit pictures
+  output.NotCopied = {"directory", "base_name", "format", "quality", "every", "ticks"};
+  m_settings.Outputs.push_back(output);
 }
 
 std::string CSimulator::GetExperimentText() const {

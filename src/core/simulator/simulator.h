@@ -152,6 +152,13 @@ class CSimulator {
    */
   void AddOutput(const std::string& tag,
                  const std::vector<std::pair<std::string, std::string>>& attributes);
+  /**
+   * Adds a film of the run to `<outputs>` (`--video`), in the view of the first `<offscreen>` in
+   * `<visualization>`, if there is one; call it before loading.
+   * @param file  its extension chooses the format: .mp4, .webm or .gif.
+   * @param speed  the attribute "speed"; empty: that of the element, by default 1.
+   */
+  void AddVideo(const std::string& file, const std::string& speed = "");
   /** Paths and values of AddOverride(), of the experiment that is loaded. */
   const std::vector<std::pair<std::string, std::string>>& GetOverrides() const {
     return m_settings.Overrides;

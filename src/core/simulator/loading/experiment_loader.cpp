@@ -136,6 +136,26 @@ void CExperimentLoader::Load() {
   LOGERR.Flush();
 }
 
+namespace {
+
+TConfigurationNode MakeOutputElement(const SRunSettings::SOutput& output,
+                                     TConfigurationNode& root) {
+  TConfigurationNode element(output.Tag);
+  if (output.IsCopy && NodeExists(root, "visualization") &&
+      NodeExists(GetNode(root, "visualization"), output.Tag)) {
+    element = *GetNode(GetNode(root, "visualization"), output.Tag).Clone();
+  }
+  for (const std::string& name : output.NotCopied) {
+    element.RemoveAttribute(name);
+  }
+  for (const auto& [name, value] : output.Attributes) {
+    element.SetAttribute(name, value);
+  }
+  return element;
+}
+
+}  // namespace
+
 // before overrides, which may change them
 void CExperimentLoader::AddOutputElements(CLoadErrors& errors) {
   for (const SRunSettings::SOutput& output : m_settings.Outputs) {
@@ -145,10 +165,7 @@ void CExperimentLoader::AddOutputElements(CLoadErrors& errors) {
         TConfigurationNode section("outputs");
         AddChildNode(root, section);
       }
-      TConfigurationNode element(output.Tag);
-      for (const auto& [name, value] : output.Attributes) {
-        element.SetAttribute(name, value);
-      }
+      TConfigurationNode element = MakeOutputElement(output, root);
       AddChildNode(GetNode(root, "outputs"), element);
     });
   }

@@ -62,8 +62,9 @@ void CExperimentLoader::SkipRecordedOutputs(TConfigurationNode& root) const {
   if (!NodeExists(root, "outputs")) {
     return;
   }
-  LOG << "[INFO] The outputs of the recorded run are not written again; --record, or <outputs> of "
-         "another file (-c), add some to the replay"
+  LOG << "[INFO] The outputs of the recorded run are not written again; --record, --video, or "
+         "<outputs> "
+         "of another file (-c), add some to the replay"
       << std::endl;
   root.RemoveChild(&GetNode(root, "outputs"));
 }

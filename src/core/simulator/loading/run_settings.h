@@ -16,6 +16,8 @@ struct SRunSettings {
   struct SOutput {
     std::string Tag;
     std::vector<std::pair<std::string, std::string>> Attributes;
+    bool IsCopy = false; /**< of the first element of this tag in `<visualization>`, if any */
+    std::vector<std::string> NotCopied; /**< attributes that the copy does not have */
   };
 
   std::vector<std::pair<std::string, std::string>> Overrides; /**< `--set`: path and value */

@@ -24,6 +24,8 @@ Examples:
   argos3 -c experiment.argos --csv out        poses and metrics, as tables in the folder out
   argos3 -zc experiment.argos --record run.rec
                                               record a run
+  argos3 -zc experiment.argos --video run.mp4 --speed 2
+                                              a film of a run, twice as fast as real time
   argos3 --replay run.rec --from 10s --to 20s --every 5 -c other_cameras.argos
                                               show a part of it, every 5 ticks, in other views
   argos3 -n -l log.txt -e errors.txt -c experiment.argos
@@ -41,6 +43,7 @@ Paths for --set use XPath notation: /argos-configuration/framework/experiment/@l
 arena/distribute[2]/entity/@quantity, //foot-bot[@id='fb0']/body/@position.
 
 Environment:
+  ARGOS_FFMPEG       the program that encodes films, by default the ffmpeg in PATH
   ARGOS_PLUGIN_PATH  folders, separated by colons, that are searched for libraries first
   NO_COLOR           if set, logs have no colours
 
@@ -110,6 +113,14 @@ void DefineOutput(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options) 
   AddSingle(app, "--record", options.RecordFile,
             "record the run to this file, for --replay; adds <recording> to <outputs>")
       ->type_name("FILE")
+      ->group(output);
+  AddSingle(app, "--video", options.VideoFile,
+            "make a film, also with -z: .mp4, .webm or .gif; in the view of the file's <offscreen>")
+      ->type_name("FILE")
+      ->group(output);
+  AddSingle(app, "--speed", options.VideoSpeed,
+            "simulated seconds in a second of the film; 1, the default, is real time")
+      ->type_name("X")
       ->group(output);
 }
 
@@ -252,6 +263,18 @@ void ReadNumber(const CLI::App& app, const std::string& name, const std::string&
   value = number;
 }
 
+void CheckVideoSpeed(const CLI::App& app, const std::string& text, CProblems& problems) {
+  constexpr Real kLargestSpeed = 10000.0;
+  std::optional<Real> speed;
+  ReadNumber(app, "--speed", text, kLargestSpeed, "a number from 0.0001 to 10000", speed, problems);
+  if (speed && *speed < 1.0 / kLargestSpeed) {
+    problems.Add("--speed " + text + ": expected a number from 0.0001 to 10000");
+  }
+  if (app.count("--speed") > 0 && app.count("--video") == 0) {
+    problems.Add("--speed can only be used with --video FILE");
+  }
+}
+
 // "100" is a tick, "12.5s" a time
 void ReadTime(const CLI::App& app, const std::string& name, const std::string& text,
               std::optional<SReplayTime>& time, CProblems& problems) {
@@ -336,11 +359,9 @@ bool SameFile(const std::string& first, const std::string& second) {
 void CheckFiles(const CLI::App& app, const CARGoSCommandLineArgParser::SOptions& options,
                 CProblems& problems) {
   const std::pair<const char*, const std::string*> files[] = {
-      {"--config-file", &options.ExperimentFile},
-      {"--replay", &options.Replay.File},
-      {"--record", &options.RecordFile},
-      {"--log-file", &options.LogFile},
-      {"--logerr-file", &options.LogErrFile}};
+      {"--config-file", &options.ExperimentFile}, {"--replay", &options.Replay.File},
+      {"--record", &options.RecordFile},          {"--video", &options.VideoFile},
+      {"--log-file", &options.LogFile},           {"--logerr-file", &options.LogErrFile}};
   for (size_t i = 0; i < std::size(files); ++i) {
     if (app.count(files[i].first) == 0) {
       continue;
@@ -366,8 +387,8 @@ void CheckFolder(const CLI::App& app, const CARGoSCommandLineArgParser::SOptions
 }
 
 void CheckNeedsRun(const CLI::App& app, CProblems& problems) {
-  for (const char* name :
-       {"--seed", "--threads", "--length", "--set", "--lenient", "--digest", "--csv", "--record"}) {
+  for (const char* name : {"--seed", "--threads", "--length", "--set", "--lenient", "--digest",
+                           "--csv", "--record", "--video"}) {
     if (app.count(name) > 0) {
       problems.Add(std::string(name) + " can only be used with -c FILE");
     }
@@ -419,6 +440,7 @@ void CARGoSCommandLineArgParser::Parse(SInt32 argc, const char* const* argv) {
   ReadOverrides(raw.Overrides, m_options.Overrides, problems);
   CheckFiles(app, m_options, problems);
   CheckFolder(app, m_options, problems);
+  CheckVideoSpeed(app, m_options.VideoSpeed, problems);
   ReadTime(app, "--from", raw.From, m_options.Replay.From, problems);
   ReadTime(app, "--to", raw.To, m_options.Replay.To, problems);
   ReadStep(app, raw.Every, m_options.Replay.Every, problems);

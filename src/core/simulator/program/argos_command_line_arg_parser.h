@@ -29,6 +29,8 @@ class CARGoSCommandLineArgParser {
     std::string ExperimentFile; /**< of ACTION_RUN_EXPERIMENT */
     SReplayRequest Replay; /**< of ACTION_REPLAY */
     std::string RecordFile; /**< empty: the run is not recorded */
+    std::string VideoFile; /**< empty: no film besides those of the file */
+    std::string VideoSpeed; /**< a positive number; empty: that of the file */
     std::string Query; /**< of ACTION_QUERY_PLUGINS */
     bool NoColor = false;
     bool NoVisualization = false;

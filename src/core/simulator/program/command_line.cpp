@@ -243,6 +243,9 @@ void LoadExperiment(CSimulator& simulator, const SOptions& options) {
   if (!options.RecordFile.empty()) {
     simulator.AddOutput("recording", {{"file", options.RecordFile}});
   }
+  if (!options.VideoFile.empty()) {
+    simulator.AddVideo(options.VideoFile, options.VideoSpeed);
+  }
   for (const auto& [path, value] : options.Overrides) {
     simulator.AddOverride(path, value);
   }

@@ -105,7 +105,7 @@ std::string FindProgram(const std::string& name) {
   std::istringstream folders(path != nullptr ? path : kDefaultPath);
   std::string folder;
   while (std::getline(folders, folder, ':')) {
-    const std::string candidate = (folder.empty() ? "." : folder) + "/" + name;
+    std::string candidate = (folder.empty() ? "." : folder) + "/" + name;
     if (IsProgram(candidate)) {
       return candidate;
     }

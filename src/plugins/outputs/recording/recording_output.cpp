@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/metrics.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/files/numbered_file.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
@@ -14,7 +15,6 @@
 #include <fmt/ranges.h>
 
 #include <ctime>
-#include <filesystem>
 #include <set>
 
 namespace argos {
@@ -80,18 +80,6 @@ void CRecordingOutput::Init(TConfigurationNode& tree) {
   }
 }
 
-std::string CRecordingOutput::MakeFileName() const {
-  if (m_run == 1) {
-    return m_file;
-  }
-  const std::filesystem::path path(m_file);
-  std::filesystem::path name = path.stem();
-  name += ".";
-  name += std::to_string(m_run);
-  name += path.extension();
-  return (path.parent_path() / name).string();
-}
-
 SRecordingInfo CRecordingOutput::MakeInfo() const {
   CSimulator& simulator = CurrentSimulator();
   SRecordingInfo info;
@@ -109,7 +97,8 @@ SRecordingInfo CRecordingOutput::MakeInfo() const {
 }
 
 void CRecordingOutput::Open() {
-  m_writer = std::make_unique<CRecordingWriter>(MakeFileName(), MakeInfo());
+  m_writer =
+      std::make_unique<CRecordingWriter>(NumberFile(m_file, static_cast<int>(m_run)), MakeInfo());
 }
 
 void CRecordingOutput::Observe(CSimulator& simulator) {
@@ -173,8 +162,9 @@ void CRecordingOutput::Finish(CSimulator& simulator) {
       << fmt::format(
              "Recorded {} states to {}: {} bytes, {:.3g} for each robot and state, {:.3g} "
              "before compression",
-             m_numFrames, MakeFileName(), m_writer->GetNumWrittenBytes(),
-             perRobot(m_writer->GetNumWrittenBytes()), perRobot(m_writer->GetNumCodedBytes()))
+             m_numFrames, NumberFile(m_file, static_cast<int>(m_run)),
+             m_writer->GetNumWrittenBytes(), perRobot(m_writer->GetNumWrittenBytes()),
+             perRobot(m_writer->GetNumCodedBytes()))
       << std::endl;
   m_writer.reset();
 }

@@ -31,7 +31,6 @@ class CRecordingOutput : public CRunOutput {
   void Open();
   void Record(CSimulator& simulator);
   void KeepReplayedFields(CSpace& space);
-  std::string MakeFileName() const;
   SRecordingInfo MakeInfo() const;
 
   std::string m_location;  // of the element

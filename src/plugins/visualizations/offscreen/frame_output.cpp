@@ -1,12 +1,16 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/frame_output.h>
 
 #include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/math/eigen_bridge.h>
 #include <argos3/plugins/simulator/visualizations/scene/camera_xml.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/frame_recorder.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/recording_xml.h>
+
+#include <cmath>
+#include <utility>
 
 namespace argos {
 
@@ -22,7 +26,9 @@ CFrameOutput::CFrameOutput() = default;
 CFrameOutput::~CFrameOutput() = default;
 
 void CFrameOutput::InitAsOffscreen(TConfigurationNode& tree) {
-  const SRecordingSettings settings = ReadOffscreenSettings(tree);
+  SRecordingSettings settings = ReadOffscreenSettings(tree);
+  CompleteFilmSettings(settings,
+                       static_cast<UInt32>(std::lround(1.0 / CurrentSimulator().GetTickLength())));
   SCameraSettings camera(CCameraTimeline(MakeDefaultPlacements(GetArenaBox(CurrentSpace()))));
   ReadCameraSettings(tree, CurrentSpace(), camera);
   InitFrames(tree, settings, camera);
@@ -52,7 +58,15 @@ void CFrameOutput::InitFrames(TConfigurationNode& tree, const SRecordingSettings
 }
 
 void CFrameOutput::Destroy() {
-  m_recorder.reset();
+  const std::unique_ptr<CFrameRecorder> recorder = std::move(m_recorder);
+  try {
+    if (recorder != nullptr) {
+      recorder->Close();
+    }
+  } catch (...) {
+    m_drawing.Destroy();
+    throw;
+  }
   m_drawing.Destroy();
 }
 

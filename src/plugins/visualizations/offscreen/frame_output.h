@@ -13,7 +13,8 @@ struct SCameraSettings;
 struct SRecordingSettings;
 
 /**
- * Base of the views that draw frames into image files; draws nothing if none are requested.
+ * Base of the views that draw frames into image files or films; draws nothing if none are
+ * requested.
  *
  * What `<user_functions>` in its element and the loop functions draw is part of the frames.
  */
@@ -23,8 +24,9 @@ class CFrameOutput : public CRunOutput {
   ~CFrameOutput() override;
 
   void Reset() override;
+  /** @throws CARGoSException if what an unfinished run has left cannot be completed. */
   void Destroy() override;
-  /** @throws CARGoSException if a frame cannot be drawn or written. */
+  /** @throws CARGoSException if a frame or a film cannot be drawn or written. */
   void Observe(CSimulator& simulator) override;
   void Finish(CSimulator& simulator) override;
 

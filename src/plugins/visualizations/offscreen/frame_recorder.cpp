@@ -3,73 +3,105 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/view_drawing.h>
-#include <argos3/core/utility/files/lock_file.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/film_frames.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/film_writer.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/frame_writer.h>
 #include <argos3/plugins/simulator/visualizations/scene/drawing_to_scene.h>
-#include <argos3/core/utility/text/classic_locale.h>
 
 #include <memory>
-#include <sstream>
 
 namespace argos {
+
+namespace {
+
+std::unique_ptr<CPictureSink> MakeSink(const SRecordingSettings& settings) {
+  if (!settings.Film) {
+    return std::make_unique<CFrameWriter>(settings.File);
+  }
+  const std::string ffmpeg = FindFfmpeg();
+  if (ffmpeg.empty()) {
+    return std::make_unique<CFilmFrames>(*settings.Film);
+  }
+  return std::make_unique<CFilmWriter>(*settings.Film, ffmpeg);
+}
+
+}  // namespace
 
 CFrameRecorder::CFrameRecorder(const SRecordingSettings& settings, const SCameraSettings& camera,
                                CViewDrawing& drawing)
     : m_settings(settings),
       m_camera(camera, static_cast<double>(settings.Render.Width) / settings.Render.Height),
       m_drawing(drawing),
-      m_writer(settings.File),
+      m_sink(MakeSink(settings)),
       m_builder(settings.ShowRays) {}
 
 CFrameRecorder::~CFrameRecorder() = default;
 
 void CFrameRecorder::Announce() const {
-  CTextOutput text;
-  text << m_settings.Announcement << "drawing frames of " << m_settings.Render.Width << "x"
-       << m_settings.Render.Height << " pixels, one every ";
-  if (m_settings.Every == 1) {
-    text << "tick";
-  } else {
-    text << m_settings.Every << " ticks";
-  }
-  text << ", to " << m_writer.MakeFileName(0) << " and following (" << m_pipeline->DescribeDriver()
-       << ")";
-  LOG << "[INFO] " << text.str() << std::endl;
+  const SRenderSettings& render = m_settings.Render;
+  LOG << "[INFO] " << m_settings.Announcement
+      << m_sink->Describe(render.Width, render.Height, m_settings.Every) << " ("
+      << m_pipeline->DescribeDriver() << ")" << std::endl;
   LOG.Flush();
 }
 
 void CFrameRecorder::Begin() {
-  m_lock = m_writer.LockFrames();
+  m_sink->Begin();
+  m_hasBegun = true;
   if (!m_pipeline.has_value()) {
     m_pipeline.emplace(m_settings.Render, [this](const SPicture& picture, std::uint32_t tick) {
-      m_writer.Write(picture, tick);
+      m_sink->Write(picture, tick);
     });
   }
   Announce();
 }
 
 void CFrameRecorder::Observe(CSimulator& simulator) {
-  if (m_lock == nullptr) {
+  if (!m_hasBegun) {
     Begin();
   }
   m_drawing.Observe(simulator);
-  if (m_settings.IsWanted(simulator.GetSpace().GetSimulationClock(), !m_lastTick.has_value())) {
+  if (IsWanted(simulator.GetSpace().GetSimulationClock())) {
     WriteFrame(simulator);
   }
+}
+
+bool CFrameRecorder::IsWanted(std::uint32_t tick) const {
+  if (m_settings.Film && m_settings.Ticks.empty() && m_lastTick.has_value()) {
+    // a replay may begin at any tick, show every n-th one, and then the last one
+    return tick - *m_lastTick >= m_distance.value_or(m_settings.Every);
+  }
+  return m_settings.IsWanted(tick, !m_lastTick.has_value());
 }
 
 void CFrameRecorder::Finish(CSimulator& simulator) {
   if (m_settings.IsLastWanted() && m_lastTick != simulator.GetSpace().GetSimulationClock()) {
     WriteFrame(simulator);
   }
-  if (m_pipeline.has_value()) {
-    m_pipeline->Finish();
+  Close();
+}
+
+void CFrameRecorder::Close() {
+  if (!m_hasBegun) {
+    return;
   }
-  m_lock.reset();
+  m_hasBegun = false;
+  try {
+    if (m_pipeline.has_value()) {
+      m_pipeline->Finish();
+    }
+  } catch (...) {
+    m_sink->Finish();
+    throw;
+  }
+  m_sink->Finish();
 }
 
 void CFrameRecorder::Reset() {
+  Close();
   m_lastTick.reset();
+  m_distance.reset();
   m_camera.Reset();
 }
 
@@ -90,6 +122,9 @@ void CFrameRecorder::WriteFrame(CSimulator& simulator) {
              frame.Scene);
   frame.Placement = m_camera.ComputeAt(space, tick);
   m_pipeline->Submit();
+  if (m_lastTick.has_value() && !m_distance.has_value()) {
+    m_distance = tick - *m_lastTick;
+  }
   m_lastTick = tick;
 }
 

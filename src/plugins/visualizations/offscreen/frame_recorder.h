@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_RECORDER_H
 
 #include <argos3/plugins/simulator/visualizations/scene/camera_plan.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/film_encoding.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/frame_pipeline.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/frame_writer.h>
 #include <argos3/plugins/simulator/visualizations/offscreen/renderer.h>
@@ -15,14 +16,16 @@
 
 namespace argos {
 
-class CLockFile;
+class CPictureSink;
 class CSimulator;
 class CViewDrawing;
 
-/** Selects the frames, their appearance and their files. */
+/** Selects the frames, their appearance and their files, or their film. */
 struct SRecordingSettings : SFrameChoice {
   SRenderSettings Render;
   SFrameFileSettings File;
+  std::optional<SFilmSettings> Film; /**< if set, a film is written instead of files */
+  bool ChoosesEvery = false; /**< of a film: ChooseEvery() sets Every */
   SFloorImage Ground; /**< texture of the ground where the arena has no floor */
   bool ShowGrid = true;
   bool ShowBoundary = true;
@@ -32,7 +35,7 @@ struct SRecordingSettings : SFrameChoice {
 
 /**
  * Writes pictures of a run: of the state before the first tick, after every n-th one, and perhaps
- * of the final state.
+ * of the final state. Pictures of a film have the same distance in ticks.
  *
  * The constructor checks the settings. The first call of Observe() starts the threads that draw
  * and write, see CFramePipeline; scenes are built, and users' code draws, in Observe().
@@ -41,7 +44,7 @@ class CFrameRecorder {
  public:
   /**
    * @param drawing  what users' code draws; must outlive the recorder.
-   * @throws CARGoSException as CFrameWriter.
+   * @throws CARGoSException as CFrameWriter and CFilmWriter.
    */
   CFrameRecorder(const SRecordingSettings& settings, const SCameraSettings& camera,
                  CViewDrawing& drawing);
@@ -52,14 +55,17 @@ class CFrameRecorder {
   /**
    * Called with the first state and after each tick.
    * @throws CARGoSException if an earlier frame cannot be drawn or written; if another run writes
-   * frames of the same names, as CFrameWriter::LockFrames().
+   * the same files, as CPictureSink::Begin().
    */
   void Observe(CSimulator& simulator);
   /** Writes the final state if it has no frame yet, and waits for all frames. @throws
    * CARGoSException as Observe(). */
   void Finish(CSimulator& simulator);
-  /** The next state begins another run, whose files replace those of the same names. */
+  /** The next state begins another run, whose frames replace those of the same names. */
   void Reset();
+  /** Completes the output of a run that has not ended in order. @throws CARGoSException as
+   * Finish(). */
+  void Close();
 
  private:
   void Begin();
@@ -69,9 +75,10 @@ class CFrameRecorder {
   SRecordingSettings m_settings;
   CCameraPlan m_camera;
   CViewDrawing& m_drawing;
-  CFrameWriter m_writer;
-  std::unique_ptr<CLockFile> m_lock;  // from the first frame to the last
+  std::unique_ptr<CPictureSink> m_sink;
+  bool m_hasBegun = false;  // a run, whose output is not complete
   std::optional<std::uint32_t> m_lastTick;  // with a frame, in this run
+  std::optional<std::uint32_t> m_distance;  // ticks between the first two frames of this run
   CSceneBuilder m_builder;
   std::optional<CFramePipeline> m_pipeline;  // the last member: its threads use the others
 };

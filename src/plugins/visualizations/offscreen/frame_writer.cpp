@@ -87,6 +87,8 @@ CFrameWriter::CFrameWriter(const SFrameFileSettings& settings) : m_settings(sett
   m_files.emplace(settings.Directory, settings.BaseName, settings.CreateDirectory);
 }
 
+CFrameWriter::~CFrameWriter() = default;
+
 void CFrameWriter::CheckFormat() {
   const FREE_IMAGE_FORMAT format =
       FreeImage_GetFIFFromFilename(("frame." + m_settings.Format).c_str());
@@ -112,7 +114,28 @@ std::string CFrameWriter::MakeFileName(std::uint32_t tick) const {
   return m_files->MakeFileName(tick, m_settings.Format);
 }
 
-void CFrameWriter::Write(const SPicture& picture, std::uint32_t tick) const {
+void CFrameWriter::Begin() {
+  m_lock.reset();  // of a run that failed
+  m_lock = LockFrames();
+}
+
+void CFrameWriter::Finish() {
+  m_lock.reset();
+}
+
+std::string CFrameWriter::Describe(int width, int height, std::uint32_t every) const {
+  CTextOutput text;
+  text << "drawing frames of " << width << "x" << height << " pixels, one every ";
+  if (every == 1) {
+    text << "tick";
+  } else {
+    text << every << " ticks";
+  }
+  text << ", to " << MakeFileName(0) << " and following";
+  return text.str();
+}
+
+void CFrameWriter::Write(const SPicture& picture, std::uint32_t tick) {
   const std::string fileName = MakeFileName(tick);
   const std::string content = EncodeImage(*MakeBitmap(picture), m_format, m_flags);
   std::string problem;

@@ -1,7 +1,7 @@
 #ifndef ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_WRITER_H
 #define ARGOS3_PLUGINS_VISUALIZATIONS_OFFSCREEN_FRAME_WRITER_H
 
-#include <argos3/plugins/simulator/visualizations/offscreen/picture.h>
+#include <argos3/plugins/simulator/visualizations/offscreen/picture_sink.h>
 #include <argos3/plugins/simulator/visualizations/scene/frame_files.h>
 
 #include <cstdint>
@@ -30,7 +30,7 @@ struct SFrameFileSettings {
  * A file appears under its name only when it is complete: it is written under a temporary name in
  * the same directory, and renamed.
  */
-class CFrameWriter {
+class CFrameWriter : public CPictureSink {
  public:
   /**
    * Checks the settings and creates the directory if asked to.
@@ -39,6 +39,10 @@ class CFrameWriter {
    *         range; if the base name contains a slash.
    */
   explicit CFrameWriter(const SFrameFileSettings& settings);
+  ~CFrameWriter() override;
+
+  /** Locks the frames until Finish(). @throws CARGoSException as LockFrames(). */
+  void Begin() override;
 
   /** Directory, base name, tick padded with zeros to 10 digits, a dot, format. */
   std::string MakeFileName(std::uint32_t tick) const;
@@ -47,7 +51,9 @@ class CFrameWriter {
    * Writes one frame; replaces one of the same tick.
    * @throws CARGoSException naming the file, if it cannot be written; no part of it stays behind.
    */
-  void Write(const SPicture& picture, std::uint32_t tick) const;
+  void Write(const SPicture& picture, std::uint32_t tick) override;
+  void Finish() override;
+  std::string Describe(int width, int height, std::uint32_t every) const override;
 
   /**
    * Keeps other runs from writing frames of the same names, by a hidden file in the directory, and
@@ -65,6 +71,7 @@ class CFrameWriter {
   std::optional<CFrameFiles> m_files;  // set by the constructor
   int m_format = -1;  // FreeImage's number
   int m_flags = 0;  // FreeImage's
+  std::unique_ptr<CLockFile> m_lock;  // during a run
 };
 
 }  // namespace argos

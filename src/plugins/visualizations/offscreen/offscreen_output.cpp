@@ -4,11 +4,16 @@ namespace argos {
 
 REGISTER_RUN_OUTPUT(
     COffscreenOutput, "offscreen", "the authors of this project", "1.0",
-    "Draws the arena into image files, without a display.",
+    "Draws the arena into image files or films, without a display.",
     R"(Renders the arena with OpenGL in software, needing neither display nor GPU, and writes
 numbered image files: the state before the first tick, after every n-th tick, and the
 final state. Drawing and writing have threads of their own; at most four frames are under way. A file is <directory>/<base_name><tick, 10 digits>.<format>; it appears
 under that name only when it is complete. Drawing does not change the experiment.
+
+With file="film.mp4", or a format mp4, webm or gif, it writes a film instead, with the
+program ffmpeg (ARGOS_FFMPEG, or in PATH); doc/make_a_film.md describes films. argos3
+--video FILE adds a film in the view of the file's <offscreen>. Without ffmpeg, frames are
+written to the folder FILE.frames, and the command that makes the film is printed.
 
 While it runs, no other run can write frames of the same base name into the directory:
 a hidden file there is locked, which is removed at the end. The next run removes files
@@ -23,6 +28,7 @@ REQUIRED XML CONFIGURATION
 OPTIONAL XML CONFIGURATION
 
   <visualization>
+    <offscreen file="film.mp4" speed="1" fps="30" />
     <offscreen directory="out" base_name="frame_" format="png" quality="-1"
                size="1280x960" every="1" ticks="0-50,550-600" samples="4" look="light"
                show_grid="true" show_boundary="true" show_rays="true"
@@ -53,14 +59,25 @@ OPTIONAL XML CONFIGURATION
 Attributes of <offscreen>:
   directory      path; folder of the files, created if missing. Default: out
   base_name      string without a slash; prefix of their names. Default: frame_
-  format         string; an image format FreeImage writes: png, jpg, bmp, tif, ...
-                 Default: png
+  format         string; an image format FreeImage writes: png, jpg, bmp, tif, ...; or
+                 mp4, webm or gif: a film <directory>/<base_name>.<format>, whose
+                 default base_name is film. Default: png
+  file           path of a film, .mp4, .webm or .gif, in place of directory, base_name
+                 and format. A further run after a reset: film.2.mp4, film.3.mp4, ...
+  speed          of a film: simulated seconds in one of its seconds, from 0.0001 to 10000,
+                 four decimals. Frames a second = speed * ticks_per_second / every.
+                 Default: 1, real time
+  fps            of a film: frames a second of the file, from 1 to 240 (gif: 50), for
+                 which frames are repeated or left out. Default: as drawn, but from 1 to
+                 60 (gif: 30)
   quality        integer, 0 to 100, or -1 for the format's own. jpg, webp: higher is
                  better; png, tif: higher is faster and larger. Default: -1
-                 (png: 67)
-  size           WxH, pixels, each from 16 to 16384. Default: 1280x960
+                 (png: 67). Of films, higher is better; gif: more colours
+  size           WxH, pixels, each from 16 to 16384; of mp4 and webm, odd ones are made
+                 even by one more pixel. Default: 1280x960
   width, height  the same as two attributes, pixels
-  every          integer, at least 1, ticks; draw every n-th tick. Default: 1
+  every          integer, at least 1, ticks; draw every n-th tick. Default: 1; of
+                 films, what gives at most 30 frames a second (at least fps, if given)
   ticks          ticks and ranges of ticks, increasing, separated by commas: only their
                  frames are drawn, of these every n-th tick. Default: the whole run
   samples        1, 2, 4, 8 or 16 per pixel, for smooth edges. Default: 4

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <optional>
 
 namespace argos {
 
@@ -39,6 +41,112 @@ void ReadFile(TConfigurationNode& node, SFrameFileSettings& file) {
   GetNodeAttributeOrDefault(node, "quality", file.Quality, file.Quality);
 }
 
+// a real number that the text gives with at most four decimals
+void ReadFilmNumber(TConfigurationNode& node, const std::string& attribute, double highest,
+                    double& value) {
+  GetNodeAttribute(node, attribute, value);
+  constexpr double kSteps = 1e4;
+  if (!(value >= 1.0 / kSteps) || !(value <= highest)) {
+    THROW_ARGOSEXCEPTION(node.GetLocation()
+                         << ": <" << node.Value() << ">: attribute \"" << attribute << "\" is "
+                         << value << "; it must be from 0.0001 to " << highest);
+  }
+  value = std::round(value * kSteps) / kSteps;
+}
+
+void ReadFilmRate(TConfigurationNode& node, SFilmSettings& film) {
+  constexpr double kLargestSpeed = 10000.0;
+  constexpr double kSmallestRate = 1.0;
+  if (NodeAttributeExists(node, "speed")) {
+    ReadFilmNumber(node, "speed", kLargestSpeed, film.Speed);
+  }
+  if (NodeAttributeExists(node, "fps")) {
+    const double highest = film.Format == EFilmFormat::Gif ? 50.0 : 240.0;
+    double rate = 0.0;
+    ReadFilmNumber(node, "fps", highest, rate);
+    if (rate < kSmallestRate) {
+      THROW_ARGOSEXCEPTION(node.GetLocation() << ": <" << node.Value() << ">: attribute \"fps\" is "
+                                              << rate << "; it must be at least " << kSmallestRate
+                                              << ", frames of long duration are repeated");
+    }
+    film.FramesPerSecond = rate;
+  }
+}
+
+void CheckFilmQuality(const TConfigurationNode& node, int quality) {
+  if (quality < -1 || quality > 100) {
+    THROW_ARGOSEXCEPTION(node.GetLocation()
+                         << ": <" << node.Value() << ">: attribute \"quality\" is " << quality
+                         << "; it must be from 0 to 100, or -1 for the format's own");
+  }
+}
+
+EFilmFormat FindFormatOfFilm(const TConfigurationNode& node, const std::string& file) {
+  const std::optional<EFilmFormat> format = FindFilmFormatOfFile(file);
+  if (!format) {
+    THROW_ARGOSEXCEPTION(node.GetLocation()
+                         << ": <" << node.Value() << ">: a film cannot be written to \"" << file
+                         << "\": its name must end in " << kFilmExtensions);
+  }
+  return *format;
+}
+
+// "file", or "format" with the format of a film
+std::optional<SFilmSettings> ReadFilm(TConfigurationNode& node) {
+  SFilmSettings film;
+  std::string format;
+  GetNodeAttributeOrDefault(node, "format", format, format);
+  if (NodeAttributeExists(node, "file")) {
+    for (const char* other : {"directory", "base_name", "format"}) {
+      if (NodeAttributeExists(node, other)) {
+        THROW_ARGOSEXCEPTION(node.GetLocation()
+                             << ": <" << node.Value() << "> has both \"file\" and \"" << other
+                             << "\"; \"file\" is the path of a film");
+      }
+    }
+    GetNodeAttribute(node, "file", film.File);
+  } else if (FindFilmFormat(format)) {
+    SFrameFileSettings file;
+    file.Directory = "out";
+    file.BaseName = "film";
+    ReadFile(node, file);
+    film.File = file.Directory + '/' + file.BaseName + '.' + format;
+  } else {
+    for (const char* attribute : {"speed", "fps"}) {
+      if (NodeAttributeExists(node, attribute)) {
+        THROW_ARGOSEXCEPTION(node.GetLocation()
+                             << ": <" << node.Value() << ">: attribute \"" << attribute
+                             << "\" is of films only; add file=\"film.mp4\"");
+      }
+    }
+    return std::nullopt;
+  }
+  film.Format = FindFormatOfFilm(node, film.File);
+  GetNodeAttributeOrDefault(node, "quality", film.Quality, film.Quality);
+  CheckFilmQuality(node, film.Quality);
+  ReadFilmRate(node, film);
+  return film;
+}
+
+void ReadOutput(TConfigurationNode& node, SRecordingSettings& settings) {
+  settings.Film = ReadFilm(node);
+  if (!settings.Film) {
+    settings.File.Directory = "out";
+    ReadFile(node, settings.File);
+    return;
+  }
+  settings.KeepLastFrame = false;
+  settings.ChoosesEvery = !NodeAttributeExists(node, "every");
+}
+
+// the usual coding of colours in films has one sample for each square of four pixels
+void MakeSidesEven(SRecordingSettings& settings) {
+  if (settings.Film && settings.Film->Format != EFilmFormat::Gif) {
+    settings.Render.Width += settings.Render.Width % 2;
+    settings.Render.Height += settings.Render.Height % 2;
+  }
+}
+
 void ReadFrameGrabbing(TConfigurationNode& node, SQtOpenGlRequest& request) {
   SRecordingSettings& recording = request.Recording;
   recording.File.CreateDirectory = false;
@@ -59,9 +167,9 @@ void ReadFrameGrabbing(TConfigurationNode& node, SQtOpenGlRequest& request) {
 
 SRecordingSettings ReadOffscreenSettings(TConfigurationNode& node) {
   SRecordingSettings settings;
-  settings.File.Directory = "out";
-  ReadFile(node, settings.File);
+  ReadOutput(node, settings);
   ReadFrameSize(node, settings.Render.Width, settings.Render.Height);
+  MakeSidesEven(settings);
   ReadSamples(node, settings.Render);
   ReadLook(node, settings.Render);
   ReadFrameChoice(node, settings);
@@ -70,6 +178,19 @@ SRecordingSettings ReadOffscreenSettings(TConfigurationNode& node) {
   GetNodeAttributeOrDefault(node, "show_boundary", settings.ShowBoundary, true);
   GetNodeAttributeOrDefault(node, "show_rays", settings.ShowRays, true);
   return settings;
+}
+
+void CompleteFilmSettings(SRecordingSettings& settings, UInt32 ticksPerSecond) {
+  if (!settings.Film) {
+    return;
+  }
+  SFilmSettings& film = *settings.Film;
+  film.TicksPerSecond = ticksPerSecond;
+  film.IsInParts = !settings.Ticks.empty();
+  if (settings.ChoosesEvery) {
+    settings.Every = ChooseEvery(film);
+  }
+  film.Every = settings.Every;
 }
 
 SQtOpenGlRequest ReadQtOpenGlRequest(TConfigurationNode& node) {

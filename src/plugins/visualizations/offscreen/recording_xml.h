@@ -12,6 +12,9 @@ namespace argos {
  */
 SRecordingSettings ReadOffscreenSettings(TConfigurationNode& node);
 
+/** Sets what depends on the experiment: of a film, the time of a tick, and a default of "every". */
+void CompleteFilmSettings(SRecordingSettings& settings, UInt32 ticksPerSecond);
+
 /** The settings in the elements and attributes of `<qt-opengl>`. */
 struct SQtOpenGlRequest {
   bool WantsFrames = false;

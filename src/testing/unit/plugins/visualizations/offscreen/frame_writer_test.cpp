@@ -66,7 +66,7 @@ TEST_CASE("frame writer: file names consist of base, tick with ten digits, and f
   SFrameFileSettings settings = In(folder.GetPath() + "/");
   settings.BaseName = "shot-";
   settings.Format = "bmp";
-  const CFrameWriter writer(settings);
+  CFrameWriter writer(settings);
   CHECK(writer.MakeFileName(0) == folder.GetPath() + "/shot-0000000000.bmp");
   CHECK(writer.MakeFileName(1234567) == folder.GetPath() + "/shot-0001234567.bmp");
   CHECK(writer.MakeFileName(4294967295u) == folder.GetPath() + "/shot-4294967295.bmp");
@@ -78,7 +78,7 @@ TEST_CASE("frame writer: a picture read from its file equals the original",
   SFrameFileSettings settings = In(folder.GetPath());
   settings.Quality = GENERATE(-1, 0, 50, 100);
   CAPTURE(settings.Quality);
-  const CFrameWriter writer(settings);
+  CFrameWriter writer(settings);
   const SPicture picture = MakePicture();
   writer.Write(picture, 3);
   CHECK(folder.ListFiles() == std::vector<std::string>{"frame_0000000003.png"});
@@ -117,11 +117,11 @@ TEST_CASE("frame writer: a lower quality gives smaller files",
   SFrameFileSettings settings = In(folder.GetPath());
   settings.Format = format;
   settings.Quality = 0;
-  const CFrameWriter small(settings);
+  CFrameWriter small(settings);
   small.Write(picture, 0);
   const auto smallSize = std::filesystem::file_size(small.MakeFileName(0));
   settings.Quality = 100;
-  const CFrameWriter large(settings);
+  CFrameWriter large(settings);
   large.Write(picture, 1);
   CHECK(smallSize < std::filesystem::file_size(large.MakeFileName(1)));
 }
@@ -134,7 +134,7 @@ TEST_CASE("frame writer: a missing directory is created, or an error if it must 
   CHECK_THROWS_WITH(CFrameWriter(settings),
                     Contains("/a/b\"") && Contains("there is no such directory"));
   settings.CreateDirectory = true;
-  const CFrameWriter writer(settings);
+  CFrameWriter writer(settings);
   CHECK(std::filesystem::is_directory(folder.GetPath() + "/a/b"));
 }
 
@@ -164,7 +164,7 @@ TEST_CASE("frame writer: unknown formats and qualities out of range are errors",
 TEST_CASE("frame writer: an error on a frame names its file, and no partial file is left",
           "[visualizations][offscreen][frames]") {
   const CTemporaryFolder folder;
-  const CFrameWriter writer(In(folder.GetPath()));
+  CFrameWriter writer(In(folder.GetPath()));
   // a folder that is not empty cannot be replaced by a file
   std::filesystem::create_directories(writer.MakeFileName(8) + "/inside");
   CHECK_THROWS_WITH(writer.Write(MakePicture(), 8), Contains("frame_0000000008.png\""));

@@ -78,6 +78,28 @@ TEST_CASE("offscreen settings: every attribute is read", "[visualizations][offsc
   CHECK(sides.Render.Height == 480);
 }
 
+TEST_CASE("offscreen settings: a file, or the format of one, means a film",
+          "[visualizations][offscreen][films][xml]") {
+  SRecordingSettings settings =
+      ReadOffscreen("file='a/b.webm' size='321x240' speed='2.5' fps='25' quality='70'");
+  CompleteFilmSettings(settings, 100);
+  REQUIRE(settings.Film.has_value());
+  CHECK(settings.Film->File == "a/b.webm");
+  CHECK(settings.Film->Format == EFilmFormat::Webm);
+  CHECK(settings.Film->Speed == 2.5);
+  CHECK(settings.Film->FramesPerSecond == 25.0);
+  CHECK(settings.Film->Quality == 70);
+  CHECK(settings.Render.Width == 322);
+  CHECK(settings.Every == 10);
+  CHECK_FALSE(settings.KeepLastFrame);
+  CHECK(ReadOffscreen("format='gif' size='321x240'").Film->File == "out/film.gif");
+  CHECK(ReadOffscreen("format='gif' size='321x240'").Render.Width == 321);
+  CHECK(ReadOffscreen("format='mp4' directory='d' base_name='b'").Film->File == "d/b.mp4");
+  SRecordingSettings given = ReadOffscreen("file='a.mp4' every='7'");
+  CompleteFilmSettings(given, 100);
+  CHECK(given.Every == 7);
+}
+
 TEST_CASE("offscreen settings: values out of range are errors with their place",
           "[visualizations][offscreen][xml]") {
   const auto [attributes, complaint] = GENERATE(table<std::string, std::string>({
@@ -95,6 +117,16 @@ TEST_CASE("offscreen settings: values out of range are errors with their place",
       {"look='pretty'", "\"light\" or \"dark\""},
       {"show_grid='1'", "show_grid"},
       {"quality='best'", "quality"},
+      {"file='a.avi'", "its name must end in .mp4, .webm or .gif"},
+      {"file=''", "its name must end in"},
+      {"file='a.mp4' directory='out'", "has both \"file\" and \"directory\""},
+      {"file='a.mp4' format='gif'", "has both \"file\" and \"format\""},
+      {"file='a.mp4' speed='0'", "\"speed\" is 0; it must be from 0.0001 to 10000"},
+      {"file='a.mp4' speed='-1'", "speed"},
+      {"file='a.mp4' fps='0.5'", "\"fps\" is 0.5; it must be at least 1"},
+      {"file='a.gif' fps='60'", "to 50"},
+      {"file='a.mp4' quality='101'", "it must be from 0 to 100"},
+      {"speed='2'", "is of films only"},
   }));
   CAPTURE(attributes);
   CHECK_THROWS_WITH(ReadOffscreen(attributes),

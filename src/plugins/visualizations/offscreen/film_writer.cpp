@@ -1,0 +1,215 @@
+#include <argos3/plugins/simulator/visualizations/offscreen/film_writer.h>
+
+#include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/files/file_replacement.h>
+#include <argos3/core/utility/files/lock_file.h>
+#include <argos3/core/utility/files/numbered_file.h>
+#include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/processes/child_process.h>
+#include <argos3/core/utility/text/string_utilities.h>
+
+#include <fmt/format.h>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+namespace argos {
+
+namespace fs = std::filesystem;
+
+/* The file that ffmpeg writes, locked so that others neither write nor remove it. */
+class CPartFile {
+ public:
+  explicit CPartFile(const std::string& file) : m_path(file + kPartSuffix) {
+    m_lock = open(m_path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    if (m_lock < 0) {
+      THROW_ARGOSEXCEPTION("The film \"" << file << "\" cannot be written: \"" << m_path
+                                         << "\": " << std::strerror(errno));
+    }
+    if (!TryToLock(m_lock)) {
+      const std::string holder = DescribeLockHolder(m_lock);
+      close(m_lock);
+      THROW_ARGOSEXCEPTION("The film \"" << file << "\" cannot be written now: " << holder
+                                         << " is writing it");
+    }
+  }
+  ~CPartFile() {
+    if (!m_isRenamed) {
+      unlink(m_path.c_str());
+    }
+    close(m_lock);
+  }
+  CPartFile(const CPartFile&) = delete;
+  CPartFile& operator=(const CPartFile&) = delete;
+
+  const std::string& GetPath() const { return m_path; }
+
+  bool Rename(const std::string& file) {
+    m_isRenamed = std::rename(m_path.c_str(), file.c_str()) == 0;
+    return m_isRenamed;
+  }
+
+ private:
+  std::string m_path;
+  int m_lock = -1;
+  bool m_isRenamed = false;
+};
+
+namespace {
+
+constexpr double kBytesPerMegabyte = 1e6;
+
+std::string FolderOf(const std::string& file) {
+  const std::string folder = fs::path(file).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+std::string Indent(std::string text) {
+  Replace(text, "\n", "\n  ");
+  return "\n  " + text;
+}
+
+}  // namespace
+
+std::string FindFfmpeg() {
+  const char* const chosen = std::getenv("ARGOS_FFMPEG");
+  return FindProgram(chosen != nullptr ? chosen : "ffmpeg");
+}
+
+void PrepareFilmFile(const std::string& file) {
+  const std::string folder = FolderOf(file);
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error && !fs::is_directory(folder)) {
+    THROW_ARGOSEXCEPTION("The folder \"" << folder << "\" of the film \"" << file
+                                         << "\" cannot be created: " << error.message());
+  }
+  if (access(folder.c_str(), W_OK | X_OK) != 0) {
+    THROW_ARGOSEXCEPTION("The film \"" << file << "\" cannot be written into the folder \""
+                                       << folder << "\": " << std::strerror(errno));
+  }
+  if (fs::exists(file, error) && !fs::is_regular_file(file, error)) {
+    THROW_ARGOSEXCEPTION("The film \"" << file
+                                       << "\" cannot be written: there is something of this name "
+                                          "that is no file");
+  }
+}
+
+CFilmWriter::CFilmWriter(const SFilmSettings& settings, const std::string& ffmpeg)
+    : m_settings(settings), m_ffmpeg(ffmpeg) {
+  PrepareFilmFile(settings.File);
+}
+
+CFilmWriter::~CFilmWriter() = default;
+
+void CFilmWriter::Begin() {
+  m_file = NumberFile(m_settings.File, ++m_run);
+  RemoveStaleParts(FolderOf(m_file));
+  m_part = std::make_unique<CPartFile>(m_file);
+}
+
+void CFilmWriter::Write(const SPicture& picture, std::uint32_t tick) {
+  if (m_part == nullptr) {
+    return;
+  }
+  ++m_numPictures;
+  if (!m_firstTick) {
+    m_first = picture;
+    m_firstTick = tick;
+    return;
+  }
+  if (m_encoder == nullptr) {
+    StartEncoder(m_settings.IsInParts ? m_settings.Every : tick - *m_firstTick);
+  }
+  Encode(picture);
+}
+
+void CFilmWriter::StartEncoder(std::uint32_t ticks) {
+  m_rate = ComputeFrameRate(m_settings.TicksPerSecond, m_settings.Speed, ticks);
+  std::vector<std::string> arguments = {m_ffmpeg};
+  for (std::string& argument :
+       MakeFilmArguments(m_settings, m_rate, m_first.Width, m_first.Height, m_part->GetPath())) {
+    arguments.push_back(std::move(argument));
+  }
+  try {
+    m_encoder = std::make_unique<CChildProcess>(arguments);
+  } catch (CARGoSException& error) {
+    DropRun();
+    THROW_ARGOSEXCEPTION_NESTED("The film \"" << m_file << "\" cannot be written", error);
+  }
+  Encode(m_first);
+  m_first = SPicture();
+}
+
+void CFilmWriter::Encode(const SPicture& picture) {
+  if (!m_encoder->Write(picture.Pixels.data(), picture.Pixels.size())) {
+    ThrowFailure();
+  }
+}
+
+// ffmpeg reads no more
+void CFilmWriter::ThrowFailure() {
+  const SProcessEnd end = m_encoder->Finish();
+  const std::string messages = m_encoder->GetErrorText();
+  DropRun();
+  THROW_ARGOSEXCEPTION("The film \""
+                       << m_file << "\" cannot be written: \"" << m_ffmpeg << "\" ended with "
+                       << end.Description << " before the film was complete"
+                       << (messages.empty() ? std::string(", without a message")
+                                            : "; its last messages:" + Indent(messages)));
+}
+
+void CFilmWriter::DropRun() {
+  m_encoder.reset();
+  m_part.reset();
+  m_first = SPicture();
+  m_firstTick.reset();
+  m_numPictures = 0;
+}
+
+void CFilmWriter::Finish() {
+  if (m_part == nullptr) {
+    return;
+  }
+  if (!m_firstTick) {
+    DropRun();
+    LOGERR << "[WARNING] The film " << m_file << " is not written: it has no pictures" << std::endl;
+    return;
+  }
+  if (m_encoder == nullptr) {
+    StartEncoder(m_settings.Every);
+  }
+  if (!m_encoder->Finish().IsSuccess) {
+    ThrowFailure();
+  }
+  if (!m_part->Rename(m_file)) {
+    const int error = errno;
+    DropRun();
+    THROW_ARGOSEXCEPTION("The film \"" << m_file
+                                       << "\" cannot be renamed: " << std::strerror(error));
+  }
+  std::error_code ignored;
+  LOG << fmt::format("[INFO] The film {} is complete: {} picture{}, {:.4g} s, {}, {:.3g} MB",
+                     m_file, m_numPictures, m_numPictures == 1 ? "" : "s",
+                     static_cast<double>(m_numPictures) / m_rate.Get(),
+                     DescribeSpeed(m_settings.Speed),
+                     static_cast<double>(fs::file_size(m_file, ignored)) / kBytesPerMegabyte)
+      << std::endl;
+  DropRun();
+}
+
+std::string CFilmWriter::Describe(int width, int height, std::uint32_t every) const {
+  const SFrameRate rate = ComputeFrameRate(m_settings.TicksPerSecond, m_settings.Speed, every);
+  return fmt::format("writing a film to {}, {}x{} pixels, {:.4g} frames a second, {}", m_file,
+                     width, height, ChooseFileRate(m_settings, rate).Get(),
+                     DescribeSpeed(m_settings.Speed));
+}
+
+}  // namespace argos
