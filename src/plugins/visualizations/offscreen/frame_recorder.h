@@ -70,6 +70,7 @@ class CFrameRecorder {
  private:
   void Begin();
   void Announce() const;
+  bool IsWanted(std::uint32_t tick) const;
   void WriteFrame(CSimulator& simulator);
 
   SRecordingSettings m_settings;

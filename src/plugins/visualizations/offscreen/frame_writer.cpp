@@ -5,6 +5,8 @@
 #include <argos3/core/utility/files/file_replacement.h>
 #include <argos3/core/utility/files/lock_file.h>
 
+#include <argos3/core/utility/text/classic_locale.h>
+
 #include <FreeImage.h>
 
 #include <memory>
