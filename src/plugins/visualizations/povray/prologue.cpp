@@ -105,7 +105,7 @@ std::string MakePrologue(const SPovraySettings& settings) {
       "global_settings {{\n  assumed_gamma 1.0\n  charset utf8\n  max_trace_level 12\n{}}}\n"
       "#default {{ finish {{ ambient {} }} }}\n{}\n",
       settings.Width, settings.Height, MakeRadiosity(settings.Quality),
-      isDraft ? (settings.IsDark ? 0.16 : 0.4) : 0.0, kMacros);
+      isDraft ? (settings.IsDark ? 0.1 : 0.22) : 0.0, kMacros);
 }
 
 }  // namespace argos

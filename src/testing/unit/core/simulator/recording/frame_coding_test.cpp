@@ -24,6 +24,7 @@ SRecordedType MakeRobotType(UInt32 leds) {
   part.Kind = SVisualPart::EKind::Cylinder;
   part.Anchor = "turret";
   part.Color = CColor(1, 2, 3, 4);
+  part.Material = EMaterial::Metal;
   type.Appearance.Parts.push_back(part);
   type.Anchors = {"turret"};
   return type;
@@ -164,6 +165,7 @@ TEST_CASE("frames: poses, colours and ticks are decoded as they were", "[core][r
     CHECK(frame.Types[0].Tag == "foot-bot");
     CHECK(frame.Types[0].Anchors == std::vector<std::string>{"turret"});
     CHECK(frame.Types[0].Appearance.Parts[0].Color == CColor(1, 2, 3, 4));
+    CHECK(frame.Types[0].Appearance.Parts[0].Material == EMaterial::Metal);
     CHECK(frame.Types[0].Box.MaxCorner == CVector3(0.085, 0.085, 0.146));
   }
   CHECK(in.IsAtEnd());
