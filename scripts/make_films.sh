@@ -35,7 +35,8 @@ declare -A plan=(
   [diffusion_1]="60 5" [diffusion_1_lua]="60 5" [epuck_obstacleavoidance]="60 5"
   [synchronization]="66 3" [synchronization_lua]="66 3"
   [flocking]="150 10" [flocking_lua]="150 10" [trajectories]="120 8"
-  [gripping]="40 3" [foraging]="120 8" [pheromone]="150 10" [pheromone_lua]="150 10"
+  [gripping]="40 3" [foraging]="120 8" [pheromone]="300 40" [pheromone_lua]="300 40" [kilobots_lua]="30 2.5"
+  [rab_chat]="10 1" [rab_chat_lua]="10 1"
   [eyebot_circle]="40 3" [eyebot_flocking]="40 3" [ramp_3d]="20 2"
   [rooms]="10 2" [rooms_16_engines]="10 2" [crawler_lua]="40 2" [crowd_lua]="4 1" [flock_above_rooms]="40 4"
 )
