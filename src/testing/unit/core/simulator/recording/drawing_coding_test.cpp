@@ -1,6 +1,7 @@
 #include <argos3/core/simulator/recording/drawing_coding.h>
 
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/testing/support/captured_logs.h>
 
 #include <catch2/catch.hpp>
 
@@ -104,4 +105,6 @@ TEST_CASE("drawings: cut and changed bytes give exceptions or drawings, nothing 
       read(changed);
     }
   }
+  // shapes that are no longer finite are left out
+  CHECK_THAT(TakeLogErr(), Catch::Contains("is not drawn: its position or size"));
 }
