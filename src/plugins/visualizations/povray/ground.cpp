@@ -60,12 +60,16 @@ std::string MakeBase(const std::string& floorFile, const SSceneText& file) {
         "}}\n",
         ToSdl(file.Settings.Look.Ground));
   }
-  const Eigen::Vector2d size = scene.ArenaMax - scene.ArenaMin;
+  const std::array<float, 2>& tile = scene.Floor.TileSize;
+  const bool isRepeated = tile[0] > 0.0f;
+  const Eigen::Vector2d size = isRepeated ? Eigen::Vector2d(tile[0], tile[1])
+                                          : Eigen::Vector2d(scene.ArenaMax - scene.ArenaMin);
   return fmt::format(
-      "  texture {{ pigment {{ image_map {{ ppm {} gamma srgb once{} }} scale <{},{},1> translate "
+      "  texture {{ pigment {{ image_map {{ ppm {} gamma srgb{}{} }} scale <{},{},1> translate "
       "<{},{},0> }} finish {{ diffuse 0.8 specular 0.06 roughness 0.06 }} }}\n",
-      ToSdlString(floorFile), scene.Floor.IsSmooth ? " interpolate 2" : "", size.x(), size.y(),
-      scene.ArenaMin.x(), scene.ArenaMin.y());
+      ToSdlString(floorFile), isRepeated ? "" : " once",
+      scene.Floor.IsSmooth ? " interpolate 2" : "", size.x(), size.y(), scene.ArenaMin.x(),
+      scene.ArenaMin.y());
 }
 
 // fades into the horizon, where nothing is lit by the sun any more

@@ -97,6 +97,8 @@ Attributes of <povray>:
   max_lights     integer, at most 1000; light sources for LEDs, and as many for lamps.
                  Others glow without lighting anything; the light of LEDs is shared out.
                  Default: 8
+  ground_texture, ground_texture_size
+                 path, m; as in <offscreen>. Default: none
   show_grid      bool; lines on the ground every 0.1, 1 and 10 m. Default: true
   show_boundary  bool; the outline of the arena. Default: true
   show_rays      bool; the rays of sensors that have show_rays="true". Default: true

@@ -140,6 +140,9 @@ void CPovrayRecorder::WriteScene(CSimulator& simulator) {
   m_scene.ShowGrid = m_settings.ShowGrid;
   m_scene.ShowBoundary = m_settings.ShowBoundary;
   m_builder.Build(space, m_scene);
+  if (m_scene.Floor.Pixels == nullptr) {
+    m_scene.Floor = m_settings.Ground;
+  }
   AddDrawing(m_drawing.Draw(simulator, static_cast<UInt32>(settings.Width),
                             static_cast<UInt32>(settings.Height)),
              m_scene);

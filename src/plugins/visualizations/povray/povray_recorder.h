@@ -29,6 +29,7 @@ struct SPovrayRecording : SFrameChoice {
   std::string BaseName = "scene_";
   ERender Render = ERender::IfInstalled;
   std::uint32_t Threads = 0; /**< of POV-Ray; 0: one per core */
+  SFloorImage Ground; /**< texture of the ground where the arena has no floor */
   bool ShowGrid = true;
   bool ShowBoundary = true;
   bool ShowRays = true;

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/visualizations/povray/povray_xml.h>
 
 #include <argos3/core/utility/text/string_utilities.h>
+#include <argos3/plugins/simulator/visualizations/scene/ground_texture.h>
 
 #include <algorithm>
 #include <array>
@@ -70,6 +71,7 @@ SPovrayRecording ReadPovraySettings(TConfigurationNode& node) {
   scene.Look = SLook::FromName(scene.IsDark ? "dark" : "light");
   ReadUpTo(node, "max_lights", kMostLights, scene.MostLights);
   ReadUpTo(node, "threads", kMostThreads, settings.Threads);
+  settings.Ground = ReadGroundTexture(node);
   GetNodeAttributeOrDefault(node, "show_grid", settings.ShowGrid, true);
   GetNodeAttributeOrDefault(node, "show_boundary", settings.ShowBoundary, true);
   GetNodeAttributeOrDefault(node, "show_rays", settings.ShowRays, true);

@@ -19,7 +19,7 @@ constexpr float kLeastSize = 1e-6f;  // m
 constexpr double kGlassFilter = 0.93;  // share of the light that crosses a surface of glass
 constexpr float kGlassShare = 0.998f;  // of its length, so that it does not touch what holds it
 
-constexpr std::array<const char*, static_cast<std::size_t>(EMaterial::Count)> kMacros = {
+constexpr std::array<const char*, static_cast<std::size_t>(EMaterial::Count)> kMaterialMacros = {
     "Argos_Plastic", "Argos_Matte", "Argos_Metal", "Argos_Glass"};
 
 // splits the matrix of an instance into sizes along its axes and a rigid motion
@@ -100,7 +100,7 @@ void AddSolid(EMeshKind kind, const SMeshInstance& instance, SSceneText& file) {
                           : 0.0;
   file.Text += fmt::format(
       "{} {}({}) {} }}\n", MakeShape(kind, size, instance.Param, edge),
-      kMacros[static_cast<std::size_t>(instance.Material)],
+      kMaterialMacros[static_cast<std::size_t>(instance.Material)],
       isGlass ? ToSdlFilter(instance.Color, kGlassFilter) : ToSdl(instance.Color), ToSdl(rows));
 }
 

@@ -58,6 +58,7 @@ SFloorImage ReadGroundTexture(TConfigurationNode& view) {
         view.GetLocation() << ": <" << view.Value() << ">: attribute \"ground_texture\"", ex);
   }
   ground.IsSmooth = true;
+  ground.Version = 1;
   return ground;
 }
 
