@@ -119,8 +119,8 @@ void CTrackedEntity::PrepareRead() const {
   LoadAhead(m_origin, sizeof(SBodyPose));
   LoadAhead(m_leds, sizeof(CLEDEquippedEntity));
   if (m_robot != nullptr) {
-    LoadAhead(&m_robot->GetCheckedRays(), sizeof(m_robot->GetCheckedRays()));
-    LoadAhead(&m_robot->GetIntersectionPoints(), sizeof(m_robot->GetIntersectionPoints()));
+    LoadAhead(&m_robot->GetCheckedRays(), sizeof(std::vector<CRay3>));
+    LoadAhead(&m_robot->GetIntersectionPoints(), sizeof(std::vector<CVector3>));
     // its flags are its last members
     LoadAhead(reinterpret_cast<const char*>(m_robot + 1) - 1, 1);
   }
