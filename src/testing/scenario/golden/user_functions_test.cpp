@@ -31,19 +31,19 @@ class CFiveIds : public CQTOpenGLUserFunctions {
  public:
   CFiveIds() { RegisterUserFunction<CFiveIds, CFootBotEntity>(&CFiveIds::Draw); }
   using CQTOpenGLUserFunctions::Draw;
-  void Draw(CFootBotEntity& c_entity) {
+  void Draw(CFootBotEntity& entity) {
     QFont cFont("Helvetica", 20);
-    DrawText(CVector3(0.0, 0.0, 0.3), c_entity.GetId(), CColor::RED, cFont);
+    DrawText(CVector3(0.0, 0.0, 0.3), entity.GetId(), CColor::RED, cFont);
   }
 };
 
 class CFiveTrails : public CQTOpenGLUserFunctions {
  public:
   CFiveTrails() { RegisterUserFunction<CFiveTrails, CFootBotEntity>(&CFiveTrails::Remember); }
-  void Remember(CFootBotEntity& c_entity) {
-    m_tPlaces[c_entity.GetId()].push_back(c_entity.GetEmbodiedEntity().GetOriginAnchor().Position);
+  void Remember(CFootBotEntity& entity) {
+    m_tPlaces[entity.GetId()].push_back(entity.GetEmbodiedEntity().GetOriginAnchor().Position);
   }
-  virtual void DrawInWorld() {
+  void DrawInWorld() override {
     for (TPlaces::iterator it = m_tPlaces.begin(); it != m_tPlaces.end(); ++it) {
       for (size_t i = 1; i < it->second.size(); ++i) {
         DrawRay(CRay3(it->second[i - 1], it->second[i]), CColor::RED, 4.0);
@@ -58,7 +58,7 @@ class CFiveTrails : public CQTOpenGLUserFunctions {
 
 class CFiveLinks : public CQTOpenGLUserFunctions {
  public:
-  virtual void DrawInWorld() {
+  void DrawInWorld() override {
     CSpace::TMapPerType& cRobots =
         CSimulator::GetInstance().GetSpace().GetEntitiesByType("foot-bot");
     std::vector<CVector3> vecPlaces;
@@ -73,7 +73,7 @@ class CFiveLinks : public CQTOpenGLUserFunctions {
 
 class CFivePath : public CQTOpenGLUserFunctions {
  public:
-  virtual void DrawInWorld() {
+  void DrawInWorld() override {
     DrawCircle(CVector3(0.0, -0.8, 0.01), CQuaternion(), 0.2, CColor::RED, true, 30);
     DrawPoint(CVector3(0.5, -0.8, 0.01), CColor::RED, 8.0);
     DrawRay(CRay3(CVector3(0.0, -0.8, 0.01), CVector3(0.5, -0.8, 0.01)), CColor::RED, 3.0);
@@ -82,10 +82,10 @@ class CFivePath : public CQTOpenGLUserFunctions {
 
 class CFiveOverlay : public CQTOpenGLUserFunctions {
  public:
-  virtual void DrawOverlay(QPainter& c_painter) {
-    c_painter.setPen(QColor(255, 0, 0));
-    c_painter.setFont(QFont("Helvetica", 18, QFont::Bold));
-    c_painter.drawText(10, 25, "score 7");
+  void DrawOverlay(QPainter& painter) override {
+    painter.setPen(QColor(255, 0, 0));
+    painter.setFont(QFont("Helvetica", 18, QFont::Bold));
+    painter.drawText(10, 25, "score 7");
   }
 };
 
