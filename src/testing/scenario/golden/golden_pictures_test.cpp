@@ -144,6 +144,8 @@ TEST_CASE("golden pictures: entities and robots from three sides", "[golden][vis
       SSubject{"light",
                "<light id='l' position='0,0,0.3' color='yellow' intensity='1' "
                "medium='leds'/>"},
+      SSubject{"floor", "<floor id='g' source='image' path='" +
+                            InSourceTree("src/testing/scenario/golden/floor.ppm") + "'/>"},
       SSubject{"rfid_tag", "<rfid_tag id='t' position='0,0,0.01' medium='tags'/>", 0.2},
       SSubject{"foot-bot", Robot("foot-bot", "f", "", "0,0,0"), 0.4},
       SSubject{"e-puck", Robot("e-puck", "e", "", "0,0,0"), 0.2},
