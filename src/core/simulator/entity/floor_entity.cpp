@@ -139,6 +139,7 @@ void CFloorEntity::Reset() {
 
 void CFloorEntity::LoadImage(const std::string& fileName) {
   m_image = std::make_unique<CImage>(ReadImage(fileName, "floor image"));
+  SetImageSize(static_cast<UInt32>(m_image->GetWidth()), static_cast<UInt32>(m_image->GetHeight()));
   const CVector3& size = m_context.Arena.Size;
   if (size.GetX() > 0.0 && size.GetY() > 0.0) {
     // the resolution of the image along its finer axis

@@ -45,9 +45,16 @@ class CFloorEntity : public CEntity {
 
   EColorSource GetColorSource() const { return m_source; }
   /** True if views keep its pixels; otherwise they blend them. */
-  bool IsPixelated() const { return m_isPixelated || m_source == FROM_IMAGE; }
-  /** Of a floor that loop functions paint: they paint an image. */
-  void SetPixelated() { m_isPixelated = true; }
+  bool IsPixelated() const { return m_imageWidth > 0; }
+  /** Columns of its image, which cover the arena's x; 0 if it has none. */
+  UInt32 GetImageWidth() const { return m_imageWidth; }
+  /** Rows of its image, which cover the arena's y; 0 if it has none. */
+  UInt32 GetImageHeight() const { return m_imageHeight; }
+  /** Of a floor that loop functions paint: they paint an image of so many pixels. */
+  void SetImageSize(UInt32 width, UInt32 height) {
+    m_imageWidth = width;
+    m_imageHeight = height;
+  }
   /** Resolution for drawing, pixels per metre. */
   UInt32 GetPixelsPerMeter() const { return m_pixelsPerMeter; }
   /** True after SetChanged() until ClearChanged(): viewers redraw their texture. */
@@ -70,7 +77,8 @@ class CFloorEntity : public CEntity {
 
   EColorSource m_source = UNSET;
   UInt32 m_pixelsPerMeter = 0;
-  bool m_isPixelated = false;
+  UInt32 m_imageWidth = 0;  // pixels
+  UInt32 m_imageHeight = 0;  // pixels
   bool m_changed = true;
   UInt64 m_version = 0;
   std::unique_ptr<CImage> m_image;

@@ -17,7 +17,8 @@ struct SRecordedType {
     Body, /**< a body with anchors, perhaps a robot */
     Place, /**< has a pose, but no body */
     Light, /**< a lamp: words are its colour and its intensity */
-    Floor, /**< the coloured ground; Parameter = pixels per metre, perhaps + kPixelated */
+    Floor, /**< the coloured ground; Parameter = pixels per metre; of an image
+                width + (height << kHeightShift), pixels */
     Other /**< neither pose nor appearance: only listed */
   };
 
@@ -27,8 +28,8 @@ struct SRecordedType {
   bool IsMovable = false;
   bool Flies = false; /**< has propellers: views then show the height of the arena */
   bool HasAppearance = false;
-  /** Added to the parameter of a floor: views do not blend its pixels. */
-  static constexpr UInt64 kPixelated = UInt64(1) << 32;
+  /** Bits of the parameter of a floor's image below its height. */
+  static constexpr unsigned kHeightShift = 32;
   UInt64 Parameter = 0; /**< see Kind */
   UInt32 NumLEDs = 0;
   SBoundingBox Box; /**< around the body at the origin, not turned, m; no extent: unknown */

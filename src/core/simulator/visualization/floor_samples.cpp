@@ -15,7 +15,10 @@ namespace {
 constexpr int kMaxSide = 8192;  // pixels
 constexpr int kEdge = 48;  // of 255: neighbours that differ by more are on two sides of an edge
 
-int ComputeSide(double length, UInt32 pixelsPerMeter) {
+int ComputeSide(UInt32 imageSide, double length, UInt32 pixelsPerMeter) {
+  if (imageSide > 0) {
+    return static_cast<int>(std::min<UInt32>(imageSide, kMaxSide));
+  }
   const double pixels = std::ceil(length * std::max<UInt32>(pixelsPerMeter, 1) - 1e-6);
   return static_cast<int>(std::clamp<double>(pixels, 1.0, kMaxSide));
 }
@@ -104,8 +107,8 @@ class CSampler {
 
 SFloorSamples SampleFloor(CFloorEntity& floor, const CVector3& center, const CVector3& size) {
   SFloorSamples samples;
-  samples.Width = ComputeSide(size.GetX(), floor.GetPixelsPerMeter());
-  samples.Height = ComputeSide(size.GetY(), floor.GetPixelsPerMeter());
+  samples.Width = ComputeSide(floor.GetImageWidth(), size.GetX(), floor.GetPixelsPerMeter());
+  samples.Height = ComputeSide(floor.GetImageHeight(), size.GetY(), floor.GetPixelsPerMeter());
   samples.Pixels = CSampler(floor, center, size, samples.Width, samples.Height).Sample();
   return samples;
 }

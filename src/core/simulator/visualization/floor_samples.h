@@ -18,11 +18,11 @@ struct SFloorSamples {
 };
 
 /**
- * Samples a floor at its pixels per metre, at most 8192 along each side.
+ * Samples a floor, at most 8192 pixels along each side.
  *
- * A floor that loop functions paint is filtered: a pixel in which the colour changes is the mean of
- * 2 x 2 samples. An image keeps its pixels. Sampling what was sampled at the same resolution gives
- * the same again.
+ * A floor that loop functions paint is sampled at its pixels per metre and filtered: a pixel in
+ * which the colour changes is the mean of 2 x 2 samples. An image keeps its pixels. Sampling what
+ * was sampled at the same resolution gives the same again.
  * @param center, size  of the arena, m.
  */
 SFloorSamples SampleFloor(CFloorEntity& floor, const CVector3& center, const CVector3& size);

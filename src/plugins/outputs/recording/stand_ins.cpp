@@ -147,11 +147,11 @@ std::unique_ptr<CEntity> CReplayedEntity::Make(const std::string& id) {
       return keep(std::make_unique<CLightEntity>(id, CVector3(), CColor(), 0.0), m_light);
     case SRecordedType::EKind::Floor: {
       constexpr UInt64 kMostPixelsPerMeter = 1000000;
-      const UInt64 pixels = std::clamp<UInt64>(m_type->Parameter & ~SRecordedType::kPixelated, 1,
-                                               kMostPixelsPerMeter);
+      const UInt64 height = m_type->Parameter >> SRecordedType::kHeightShift;
+      const UInt64 pixels = std::clamp<UInt64>(m_type->Parameter, 1, kMostPixelsPerMeter);
       auto floor = std::make_unique<CFloorEntity>(id, static_cast<UInt32>(pixels));
-      if ((m_type->Parameter & SRecordedType::kPixelated) != 0) {
-        floor->SetPixelated();
+      if (height > 0) {
+        floor->SetImageSize(static_cast<UInt32>(m_type->Parameter), static_cast<UInt32>(height));
       }
       return keep(std::move(floor), m_floor);
     }

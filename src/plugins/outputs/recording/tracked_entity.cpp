@@ -103,8 +103,10 @@ SRecordedType CTrackedEntity::MakeType() const {
   }
   if (m_kind == SRecordedType::EKind::Floor) {
     const auto& floor = static_cast<const CFloorEntity&>(*m_root);
-    type.Parameter =
-        floor.GetPixelsPerMeter() + (floor.IsPixelated() ? SRecordedType::kPixelated : 0);
+    type.Parameter = floor.IsPixelated()
+                         ? floor.GetImageWidth() + (static_cast<UInt64>(floor.GetImageHeight())
+                                                    << SRecordedType::kHeightShift)
+                         : floor.GetPixelsPerMeter();
   }
   return type;
 }

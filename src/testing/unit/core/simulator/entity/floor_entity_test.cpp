@@ -3,6 +3,7 @@
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/core/simulator/visualization/floor_samples.h>
 
 #include <catch2/catch.hpp>
 
@@ -223,6 +224,27 @@ TEST_CASE("floor: pixels are in the right places for every row order of the imag
   check("from_top.tga", Tga(EOrder::BGR, true));
   check("transparent.tga", Tga(EOrder::BGRA, true));
   check("grey.tga", Tga(EOrder::Grey, false), true);
+}
+
+TEST_CASE("floor: views take each pixel of an image once", "[core][floor]") {
+  const CFolder folder;
+  WriteFile(folder.File("image.ppm"), Pnm(false));
+  CWorld world(ImageFloor(folder.File("image.ppm")));
+  CFloorEntity& floor = world.Floor();
+  // although a pixel is 0.8 m wide and 0.67 m high
+  CHECK(floor.GetImageWidth() == kWidth);
+  CHECK(floor.GetImageHeight() == kHeight);
+  const SFloorSamples samples =
+      SampleFloor(floor, world.Space().GetArenaCenter(), world.Space().GetArenaSize());
+  REQUIRE(samples.Width == kWidth);
+  REQUIRE(samples.Height == kHeight);
+  for (size_t row = 0; row < kHeight; ++row) {
+    for (size_t column = 0; column < kWidth; ++column) {
+      CAPTURE(row, column);
+      const UInt8* const pixel = &samples.Pixels[4 * (row * kWidth + column)];
+      CHECK(CColor(pixel[0], pixel[1], pixel[2]) == ColorOf(column, row));
+    }
+  }
 }
 
 TEST_CASE("floor: a saved image has its top row at the greatest y", "[core][floor]") {
