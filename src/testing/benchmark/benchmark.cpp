@@ -1,6 +1,6 @@
-// Measures the cost of a robot-tick in the arena of rooms, or in a crowd that presses against a
-// wall, and prints it as CSV. Every line is measured in a process of its own, so that the memory
-// is that of one swarm.
+// Measures the cost of a robot-tick in an arena of rooms, where robots roam or press, or of robots
+// that all press against a wall, and prints it as CSV. Every line is measured in a process of its
+// own, so that the memory is that of one swarm.
 //
 //   argos3_benchmark [--scene rooms] [--robots 100,1000,10000,100000] [--threads 0] [--ticks 600]
 //                    [--side M] [--engine dynamics2d] [--engine-attributes 'iterations="4"']
@@ -42,7 +42,7 @@ struct SOptions {
   std::vector<UInt32> Threads = {0};
   UInt32 Ticks = 600;
   UInt32 WarmUp = 20;
-  Real Side = 0.0;  // of the rooms, m; 0: the density of 10,000 robots in 40 m x 40 m
+  Real Side = 0.0;  // of the rooms, m; 0: by scene
   std::string Engine = "dynamics2d";
   std::string EngineAttributes;
 };
@@ -54,11 +54,26 @@ size_t ResidentBytes() {
   return resident * static_cast<size_t>(sysconf(_SC_PAGESIZE));
 }
 
+// of the crowd, m: a quarter of the ground is covered from 100,000 robots on
+Real SideOfCrowd(UInt32 robots) {
+  constexpr Real kSide = 40.0;
+  constexpr Real kRobots = 100000.0;
+  return kSide * std::sqrt(std::max(1.0, robots / kRobots));
+}
+
 std::string MakeRooms(const SOptions& options, UInt32 robots, UInt32 threads) {
   SRoomsWorld world;
   world.Robots = robots;
   world.Threads = threads;
-  world.Side = options.Side > 0.0 ? options.Side : SRoomsWorld::SideAtSameDensity(robots);
+  world.Side = SRoomsWorld::SideAtSameDensity(robots);
+  if (options.Scene == "crowd") {
+    world.Side = SideOfCrowd(robots);
+    world.DoorWidth = 2.0;
+    world.Controller = "epuck_vector_diffusion_controller";
+  }
+  if (options.Side > 0.0) {
+    world.Side = options.Side;
+  }
   world.RoomsPerSide = SRoomsWorld::RoomsAlong(world.Side);
   world.Engine = options.Engine;
   world.EngineAttributes = options.EngineAttributes;
@@ -66,7 +81,7 @@ std::string MakeRooms(const SOptions& options, UInt32 robots, UInt32 threads) {
 }
 
 // robots that have the sensors of those in the rooms
-std::string MakeCrowd(const SOptions& options, UInt32 robots, UInt32 threads) {
+std::string MakeWall(const SOptions& options, UInt32 robots, UInt32 threads) {
   SExperiment experiment;
   experiment.Threads = threads;
   experiment.Controllers =
@@ -80,8 +95,8 @@ std::string MakeCrowd(const SOptions& options, UInt32 robots, UInt32 threads) {
 }
 
 std::string MakeWorld(const SOptions& options, UInt32 robots, UInt32 threads) {
-  return options.Scene == "crowd" ? MakeCrowd(options, robots, threads)
-                                  : MakeRooms(options, robots, threads);
+  return options.Scene == "wall" ? MakeWall(options, robots, threads)
+                                 : MakeRooms(options, robots, threads);
 }
 
 void Report(const SOptions& options, UInt32 robots, UInt32 threads) {
@@ -141,12 +156,14 @@ int main(int argc, char** argv) {
   SOptions options;
   CLI::App app("Measures what a robot-tick costs; prints CSV.");
   app.add_option("--scene", options.Scene,
-                 "rooms: robots that roam; crowd: robots that all press against a wall")
-      ->check(CLI::IsMember({"rooms", "crowd"}));
+                 "rooms: robots that keep apart; crowd: robots that press, in rooms; wall: robots "
+                 "that all press against a wall")
+      ->check(CLI::IsMember({"rooms", "crowd", "wall"}));
   app.add_option("--robots", options.Robots, "numbers of robots")->delimiter(',');
   app.add_option("--threads", options.Threads, "numbers of threads")->delimiter(',');
   app.add_option("--ticks", options.Ticks, "ticks of 0.1 s that are measured");
-  app.add_option("--side", options.Side, "side of the rooms in m; 0: always the same density");
+  app.add_option("--side", options.Side,
+                 "side of the rooms in m; 0: always the same density (rooms), 40 (crowd)");
   app.add_option("--engine", options.Engine, "physics engine");
   app.add_option("--engine-attributes", options.EngineAttributes, "its XML attributes");
   CLI11_PARSE(app, argc, argv);

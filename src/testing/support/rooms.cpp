@@ -10,7 +10,6 @@ namespace {
 
 constexpr Real kWallThickness = 0.1;  // m
 constexpr Real kWallHeight = 0.5;  // m
-constexpr Real kDoorWidth = 1.0;  // m
 
 class CWalls {
  public:
@@ -31,11 +30,11 @@ class CWalls {
   UInt32 m_count = 0;
 };
 
-void AddRooms(std::ostringstream& xml, Real side, UInt32 rooms) {
+void AddRooms(std::ostringstream& xml, Real side, UInt32 rooms, Real doorWidth) {
   CWalls walls(xml);
   const Real half = 0.5 * side;
   const Real room = side / rooms;
-  const Real door = std::min(kDoorWidth, 0.3 * room);
+  const Real door = std::min(doorWidth, 0.3 * room);
   for (const bool alongX : {true, false}) {
     walls.Add(alongX, -half, half, -half);
     walls.Add(alongX, -half, half, half);
@@ -72,7 +71,7 @@ std::string SRoomsWorld::ToXML() const {
       << "</sensors><params/>"
       << "</" << Controller << "></controllers>\n<arena size=\"" << Side + 1.0 << "," << Side + 1.0
       << ",1\">\n";
-  AddRooms(xml, Side, RoomsPerSide);
+  AddRooms(xml, Side, RoomsPerSide, DoorWidth);
   xml << "<distribute><position method=\"uniform\" min=\"" << -reach << "," << -reach
       << ",0\" max=\"" << reach << "," << reach << ",0\"/>"
       << "<orientation method=\"uniform\" min=\"0,0,0\" max=\"360,0,0\"/>"

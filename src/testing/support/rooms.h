@@ -12,6 +12,7 @@ struct SRoomsWorld {
   UInt32 Robots = 1000;
   Real Side = 40.0; /**< of the arena, m */
   UInt32 RoomsPerSide = 4; /**< 4 x 4 = 16 rooms */
+  Real DoorWidth = 1.0; /**< m; at most 0.3 of a room */
   UInt32 Threads = 0;
   std::string Method = "balance_quantity";
   UInt32 Seed = 1;
