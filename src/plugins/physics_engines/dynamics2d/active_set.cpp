@@ -68,18 +68,22 @@ void CActiveSet::Deactivate(UInt32 slot) {
   m_bodies.pop_back();
 }
 
-void CActiveSet::Select(const CProximityFilter& marks) {
+void CActiveSet::Select(const CProximityFilter& filter, CCrowd& crowd) {
   const std::vector<SDrivenBody>& driven = m_store.GetDriven();
+  m_isWanted.assign(driven.size(), 0);
+  const std::vector<CProximityFilter::SDisc>& discs = filter.GetDiscs();
+  for (UInt32 place = 0; place < discs.size(); ++place) {
+    m_isWanted[discs[place].Number] = crowd.IsExcluded(place) ? 1 : 0;
+  }
   // backwards, because the last one takes the place of a deactivated one
   for (size_t i = m_bodies.size(); i-- > 0;) {
     const UInt32 slot = m_bodies[i].Slot;
-    const SDrivenBody& body = driven[slot];
-    if (body.IsDisc && body.NumGrips == 0 && marks.GetMark(slot) == CProximityFilter::Free) {
+    if (driven[slot].IsDisc && m_isWanted[slot] == 0) {
       Deactivate(slot);
     }
   }
   for (UInt32 slot = 0; slot < driven.size(); ++slot) {
-    if (marks.GetMark(slot) == CProximityFilter::Active && !driven[slot].IsActive()) {
+    if (m_isWanted[slot] != 0 && !driven[slot].IsActive()) {
       Activate(slot);
     }
   }

@@ -1,8 +1,8 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_ACTIVE_SET_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_ACTIVE_SET_H
 
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_store.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/proximity_filter.h>
 
 #include <vector>
 
@@ -44,8 +44,8 @@ class CActiveSet {
   void Activate(UInt32 slot, const SBodyDescription* description = nullptr);
   /** Removes the Box2D body of an active robot. */
   void Deactivate(UInt32 slot);
-  /** Activates discs marked Near, and deactivates discs marked Alone that are not in a grip. */
-  void Select(const CProximityFilter& marks);
+  /** Activates the discs of excluded clusters, and deactivates the others. */
+  void Select(const CProximityFilter& filter, CCrowd& crowd);
   /** To be called if another robot has got the slot of a removed one. */
   void UpdateSlot(UInt32 slot);
   /** The robot of one of GetBodies(). */
@@ -85,6 +85,7 @@ class CActiveSet {
 
   CPlanarStore& m_store;
   std::vector<SActiveBody> m_bodies;
+  std::vector<UInt8> m_isWanted;  // by slot; scratch of Select()
 };
 
 }  // namespace argos

@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/drive_motion.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/dynamics2d_body.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/dynamics2d_model.h>
@@ -21,7 +22,16 @@
 
 namespace argos {
 
-CDynamics2DEngine::CDynamics2DEngine() : m_settings(std::make_unique<SPlanarSettings>()) {
+namespace {
+
+// bodies that a thread writes back in a run
+constexpr size_t kWriteGrain = 512;
+
+}  // namespace
+
+CDynamics2DEngine::CDynamics2DEngine()
+    : m_settings(std::make_unique<SPlanarSettings>()),
+      m_alone(std::make_unique<CThreadPool>(0, std::make_unique<CBalanceQuantitySchedule>())) {
   SetIterations(kDefaultSubsteps);
 }
 
@@ -208,22 +218,51 @@ void CDynamics2DEngine::UpdateWorld() {
   if (FeelsGhosts()) {
     m_world->SetGhosts(ListGhosts());
   }
+  CThreadPool& pool = UsesThreadPool() ? m_cSimulator.GetThreadPool() : *m_alone;
   try {
-    m_world->Advance();
+    m_world->Advance(pool);
   } catch (const SBadDriveCommand& bad) {
     ThrowBadCommand(bad);
   }
-  m_world->CommitDriven(
-      [this](const SDrivenBody& body) { WriteBack(*body.Owner.Model, body.Pose); });
+  WriteBackDriven(pool);
   m_world->ForEachPassive([this](const SPassiveBody& body) {
-    if (body.Moved) {
-      WriteBack(*body.Owner.Model, body.Pose);
+    if (body.Moved && WriteBack(*body.Owner.Model, body.Pose)) {
+      ScheduleIfLeading(*body.Owner.Body);
     }
   });
   FinishRecordedBodies();
 }
 
-void CDynamics2DEngine::WriteBack(CDynamics2DBody& model, const SPlanarPose& pose) {
+// Several engines share the threads better than the parts of each do.
+bool CDynamics2DEngine::UsesThreadPool() const {
+  return m_cSimulator.GetPhysicsEngines().size() < 2 * m_cSimulator.GetThreadPool().GetNumThreads();
+}
+
+void CDynamics2DEngine::WriteBackDriven(CThreadPool& pool) {
+  m_hasLeft.resize(m_world->GetNumDriven());
+  pool.ParallelFor(m_world->GetNumDriven(), kWriteGrain, [this](size_t begin, size_t end, UInt32) {
+    m_world->CommitDriven(begin, end, [this](const SDrivenBody& body, size_t slot) {
+      m_hasLeft[slot] = WriteBack(*body.Owner.Model, body.Pose) ? 1 : 0;
+    });
+  });
+  if (IsEntityTransferActive()) {
+    for (UInt32 slot = 0; slot < m_hasLeft.size(); ++slot) {
+      if (m_hasLeft[slot] != 0) {
+        ScheduleIfLeading(*m_world->GetDriven(slot).Owner.Body);
+      }
+    }
+  }
+}
+
+// Bodies that are connected by grips are transferred together.
+void CDynamics2DEngine::ScheduleIfLeading(CEmbodiedEntity& body) {
+  if (LeadsCluster(body)) {
+    ScheduleEntityForTransfer(body);
+  }
+}
+
+// @return true if the body has left the region.
+bool CDynamics2DEngine::WriteBack(CDynamics2DBody& model, const SPlanarPose& pose) {
   CEmbodiedEntity& body = model.m_cEmbodiedEntity;
   body.SetOriginPose(CVector3(pose.X, pose.Y, GetElevation()),
                      CQuaternion(pose.HalfCos, 0.0, 0.0, pose.HalfSin));
@@ -234,10 +273,7 @@ void CDynamics2DEngine::WriteBack(CDynamics2DBody& model, const SPlanarPose& pos
   if (body.HasFollowers()) {
     model.m_root.Update();
   }
-  if (IsEntityTransferActive() && !IsPointContained(body.GetOriginAnchor().Position) &&
-      LeadsCluster(body)) {
-    ScheduleEntityForTransfer(body);
-  }
+  return IsEntityTransferActive() && !IsPointContained(body.GetOriginAnchor().Position);
 }
 
 REGISTER_PHYSICS_ENGINE(

@@ -16,6 +16,7 @@ namespace argos {
 class CDynamics2DBody;
 class CDynamics2DModel;
 class CPlanarWorld;
+class CThreadPool;
 struct SPlanarPose;
 struct SPlanarSettings;
 
@@ -36,6 +37,7 @@ class CDynamics2DEngine : public CPlanarEngine {
   void Reset() override;
   void Destroy() override;
 
+  bool UsesThreadPool() const override;
   bool GetMotion(const CEmbodiedEntity& body, SBodyMotion& motion) const override;
   void SetMotion(CEmbodiedEntity& body, const SBodyMotion& motion) override;
   Real GetGhostReach() const override;
@@ -101,10 +103,14 @@ class CDynamics2DEngine : public CPlanarEngine {
   void Build();
   Real ChooseScale() const;
   void AddToWorld(CDynamics2DBody& model);
-  void WriteBack(CDynamics2DBody& model, const SPlanarPose& pose);
+  bool WriteBack(CDynamics2DBody& model, const SPlanarPose& pose);
+  void WriteBackDriven(CThreadPool& pool);
+  void ScheduleIfLeading(CEmbodiedEntity& body);
 
   Real m_grippingRigidity = 10000.0;  // N/m
   std::unique_ptr<SPlanarSettings> m_settings;
+  std::unique_ptr<CThreadPool> m_alone;  // of one thread: where engines share the simulator's
+  std::vector<UInt8> m_hasLeft;  // by slot of driven bodies
   std::unique_ptr<CPlanarWorld> m_world;  // null: to be built from the models in the next tick
   std::vector<SPlanarHandle> m_walls;  // of the region
   // for users' models

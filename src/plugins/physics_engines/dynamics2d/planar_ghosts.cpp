@@ -35,37 +35,46 @@ class CWaker : public b2QueryCallback {
 
 }  // namespace
 
-void CPlanarGhosts::FindMeetings(CProximityFilter& marks, Real longestPath) {
-  m_meetings.clear();
-  const Real slack = kProximitySlack * m_store.GetMetresPerUnit();
-  for (UInt32 ghost = 0; ghost < m_ghosts.size(); ++ghost) {
-    const SGhostDisc& disc = m_ghosts[ghost];
-    // a robot's own reach includes its path, and it may use half of the gap
-    const Real reach = disc.Radius + longestPath + slack;
+void CPlanarGhosts::Place(CProximityFilter& filter, CCrowd& crowd, Real reach, Real longestPath) {
+  for (const SGhostDisc& ghost : m_ghosts) {
     m_nearGhost.clear();
-    marks.MarkNear(disc.X, disc.Y, reach, &m_nearGhost);
-    for (const SActiveBody& active : m_active.GetBodies()) {
-      const SDrivenBody& body = m_active.GetRobot(active);
-      if (!body.IsDisc && std::hypot(body.Pose.X - disc.X, body.Pose.Y - disc.Y) <=
-                              reach + body.BoundingRadius + longestPath) {
-        m_nearGhost.push_back(active.Slot);
+    filter.ForNear(ghost.X, ghost.Y, ghost.Radius + reach,
+                   [this](UInt32 place) { m_nearGhost.push_back(place); });
+    for (const UInt32 place : m_nearGhost) {
+      const SDrivenBody& body = m_store.GetDriven(filter.GetDiscs()[place].Number);
+      if (body.IsActive()) {
+        PlaceFace(ghost, body, longestPath);
+      } else {
+        PlaceLine(ghost, place, filter, crowd);
       }
     }
-    for (const UInt32 slot : m_nearGhost) {
-      m_meetings.push_back({ghost, *m_store.GetDriven(slot).Owner.Handle});
+    for (const SActiveBody& active : m_active.GetBodies()) {
+      const SDrivenBody& body = m_active.GetRobot(active);
+      if (!body.IsDisc && std::hypot(body.Pose.X - ghost.X, body.Pose.Y - ghost.Y) <=
+                              ghost.Radius + body.BoundingRadius + 2.0 * reach) {
+        PlaceFace(ghost, body, longestPath);
+      }
+    }
+    if (!m_store.GetPassive().empty()) {
+      PlaceDisc(ghost, longestPath);
     }
   }
 }
 
-void CPlanarGhosts::Place(Real longestPath) {
-  for (const SMeeting& meeting : m_meetings) {
-    PlaceFace(m_ghosts[meeting.Ghost], m_store.GetDriven(meeting.Robot), longestPath);
+// half-way between the ghost and the robot, across the line between their centres
+void CPlanarGhosts::PlaceLine(const SGhostDisc& ghost, UInt32 place, CProximityFilter& filter,
+                              CCrowd& crowd) {
+  const CProximityFilter::SDisc& disc = filter.GetDiscs()[place];
+  const Real dx = ghost.X - disc.X;
+  const Real dy = ghost.Y - disc.Y;
+  const Real distance = std::hypot(dx, dy);
+  if (!(distance > 0.0)) {
+    return;
   }
-  if (!m_store.GetPassive().empty()) {
-    for (const SGhostDisc& ghost : m_ghosts) {
-      PlaceDisc(ghost, longestPath);
-    }
-  }
+  const Real gap = distance - ghost.Radius - disc.Radius;
+  const Real share = (disc.Radius + 0.5 * gap) / distance;
+  crowd.AddLine(filter, place,
+                {dx / distance, dy / distance, disc.X + share * dx, disc.Y + share * dy});
 }
 
 b2Body& CPlanarGhosts::CreateGhostBody(const SPlanarPose& pose, UInt32 partner) {

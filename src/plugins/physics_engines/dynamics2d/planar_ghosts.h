@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_GHOSTS_H
 
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/active_set.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/ghost_filter.h>
 #include <argos3/plugins/simulator/physics_engines/planar/ghost_discs.h>
 
@@ -14,7 +15,8 @@ namespace argos {
  *
  * A robot of this world and one of another must not both use the gap between them. So for each
  * robot that may touch a ghost, a face is placed half-way between the two, with which only this
- * robot collides. Passive bodies, which other worlds do not see, collide with the ghost itself.
+ * robot collides: a line, where the crowd solves it. Passive bodies, which other worlds do not see,
+ * collide with the ghost itself.
  */
 class CPlanarGhosts {
  public:
@@ -26,29 +28,22 @@ class CPlanarGhosts {
     m_filter.Reserve(bodies);
     // at most all of them are ghosts' in a tick
     m_bodies.reserve(bodies);
-    m_meetings.reserve(bodies);
   }
   /** Sets the ghosts of the next tick. */
   void Set(const std::vector<SGhostDisc>& ghosts) { m_ghosts.assign(ghosts.begin(), ghosts.end()); }
 
   /**
-   * After all other discs are marked: finds, and marks, the robots that may come half-way to a
-   * ghost.
+   * After the active robots are selected: adds faces and ghosts to the Box2D world, and lines to
+   * the crowd.
+   * @param reach        of discs in the tick, m.
    * @param longestPath  of any movable body in the tick, m.
    */
-  void FindMeetings(CProximityFilter& marks, Real longestPath);
-  /** After the active robots are selected: adds faces and ghosts to the Box2D world. */
-  void Place(Real longestPath);
+  void Place(CProximityFilter& filter, CCrowd& crowd, Real reach, Real longestPath);
   /** After the tick: removes them. */
   void Remove();
 
  private:
-  /** A robot that may touch a ghost in this tick. */
-  struct SMeeting {
-    UInt32 Ghost;  // in m_ghosts
-    SPlanarHandle Robot;
-  };
-
+  void PlaceLine(const SGhostDisc& ghost, UInt32 place, CProximityFilter& filter, CCrowd& crowd);
   void PlaceFace(const SGhostDisc& ghost, const SDrivenBody& body, Real longestPath);
   void PlaceDisc(const SGhostDisc& ghost, Real longestPath);
   b2Body& CreateGhostBody(const SPlanarPose& pose, UInt32 partner);
@@ -57,9 +52,8 @@ class CPlanarGhosts {
   CActiveSet& m_active;
   CGhostFilter m_filter;
   std::vector<SGhostDisc> m_ghosts;  // of this tick
-  std::vector<SMeeting> m_meetings;  // of this tick
   std::vector<b2Body*> m_bodies;  // between Place() and Remove()
-  std::vector<UInt32> m_nearGhost;  // slots; scratch of FindMeetings()
+  std::vector<UInt32> m_nearGhost;  // places; scratch of Place()
 };
 
 }  // namespace argos

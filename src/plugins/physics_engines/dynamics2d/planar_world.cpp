@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_world.h>
 
 #include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/drive_motion.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
 #include <argos3/plugins/simulator/physics_engines/robot_bodies/robot_components.h>
@@ -10,18 +11,25 @@
 
 namespace argos {
 
+namespace {
+
+// robots that a thread plans in a run
+constexpr size_t kPlanGrain = 512;
+
+}  // namespace
+
 CPlanarWorld::CPlanarWorld(const SPlanarSettings& settings)
     : m_store(settings),
       m_active(m_store),
       m_grips(m_store, m_active),
       m_ghosts(m_store, m_active),
-      m_substepPolicy(settings) {
-  m_proximityFilter.SetMargin(kGuardMargin * m_store.GetMetresPerUnit());
-}
+      m_substepPolicy(settings),
+      m_crowd(m_store) {}
 
 void CPlanarWorld::AddDriven(const SPlanarOwner& owner, const SBodyDescription& description,
                              const SPlanarPose& pose, const CDriveSource& drive) {
   m_store.AddDriven(owner, description, pose, drive);
+  m_crowd.ExpectOverlaps();
   if (!m_store.GetDriven().back().IsDisc) {
     m_active.Activate(owner.Handle->Slot, &description);
   }
@@ -37,6 +45,8 @@ void CPlanarWorld::Remove(const SPlanarHandle& handle) {
   if (m_store.GetDriven(handle).IsActive()) {
     m_active.Deactivate(slot);
   }
+  m_crowd.Forget(slot);
+  m_crowd.Forget(static_cast<UInt32>(m_store.GetDriven().size() - 1));
   m_store.Remove(handle);
   m_active.UpdateSlot(slot);
 }
@@ -91,6 +101,8 @@ void CPlanarWorld::ReserveForTick() {
   m_store.ReserveNumbers(numActive);
   m_ghosts.Reserve(m_store.GetGrippable().capacity());
   m_proximityFilter.Reserve(m_store.GetDriven().capacity());
+  m_crowd.Reserve(m_store.GetDriven().capacity());
+  m_longestOfRun.reserve(m_store.GetDriven().capacity() / kPlanGrain + 1);
 }
 
 // the slack of the proximity filter, m
@@ -105,14 +117,14 @@ Real CPlanarWorld::ComputeGhostReach() const {
          std::max(2.0 * m_longestPath, kStartSpeed * GetTick());
 }
 
-void CPlanarWorld::Advance() {
+void CPlanarWorld::Advance(CThreadPool& pool) {
   m_grips.StartTick();
-  PlanDriven();
-  MarkDiscs();
-  m_ghosts.FindMeetings(m_proximityFilter, m_longestPath);
-  m_active.Select(m_proximityFilter);
+  PlanDriven(pool);
+  FindMeetings(pool);
+  m_active.Select(m_proximityFilter, m_crowd);
   m_grips.MakeGrips();
-  m_ghosts.Place(m_longestPath);
+  m_ghosts.Place(m_proximityFilter, m_crowd, GetReach(), m_longestPath);
+  m_crowd.Advance(pool, m_proximityFilter, m_longestPath, GetReach());
   UInt32 substeps = 1;
   if (IsAnyAwake()) {
     m_active.StartTick();
@@ -126,16 +138,33 @@ void CPlanarWorld::Advance() {
 }
 
 // Computes the state of each robot at the end of the tick if nothing is in its way.
-void CPlanarWorld::PlanDriven() {
+void CPlanarWorld::PlanDriven(CThreadPool& pool) {
+  const size_t count = m_store.GetDriven().size();
+  m_proximityFilter.Start(count);
+  m_longestOfRun.assign((count + kPlanGrain - 1) / kPlanGrain, 0.0);
+  pool.ParallelFor(m_longestOfRun.size(), 1, [&](size_t begin, size_t end, UInt32) {
+    for (size_t run = begin; run < end; ++run) {
+      m_longestOfRun[run] = PlanRun(run * kPlanGrain, std::min(count, (run + 1) * kPlanGrain));
+    }
+  });
   m_longestPath = 0.0;
-  std::vector<SDrivenBody>& driven = m_store.GetDriven();
-  m_proximityFilter.Clear(driven.size());
-  for (UInt32 slot = 0; slot < driven.size(); ++slot) {
-    Plan(driven[slot], slot);
+  for (const Real longest : m_longestOfRun) {
+    m_longestPath = std::max(m_longestPath, longest);
   }
 }
 
-void CPlanarWorld::Plan(SDrivenBody& body, UInt32 slot) {
+// @return the longest path of robots [begin, end), m.
+Real CPlanarWorld::PlanRun(size_t begin, size_t end) {
+  std::vector<SDrivenBody>& driven = m_store.GetDriven();
+  Real longest = 0.0;
+  for (size_t slot = begin; slot < end; ++slot) {
+    longest = std::max(longest, Plan(driven[slot], static_cast<UInt32>(slot)));
+  }
+  return longest;
+}
+
+// @return the length of the path, or of that at the present speed if it is longer, m.
+Real CPlanarWorld::Plan(SDrivenBody& body, UInt32 slot) {
   const Real tick = GetTick();
   const Real lag = m_store.GetSettings().VelocityLag;
   body.NextCommand = ReadCommand(body, tick);
@@ -166,46 +195,61 @@ void CPlanarWorld::Plan(SDrivenBody& body, UInt32 slot) {
   }
   body.NextVelocity = {velocityX, velocityY, yawRate};
 
-  m_longestPath = std::max(m_longestPath, path);
   if (body.IsDisc) {
-    m_proximityFilter.Place(slot, body.Pose.X, body.Pose.Y,
-                            body.BoundingRadius + path + GetSlack());
+    m_proximityFilter.Place(slot, body.Pose.X, body.Pose.Y, body.BoundingRadius);
+  } else {
+    m_proximityFilter.LeaveOut(slot);
   }
+  const Real speed =
+      std::sqrt(body.Velocity.X * body.Velocity.X + body.Velocity.Y * body.Velocity.Y);
+  return std::max(path, speed * tick);
 }
 
-// Marks the discs that may touch something. Active ones may be pushed, so that they reach as far as
-// the fastest body moves.
-void CPlanarWorld::MarkDiscs() {
+// Finds the discs that may touch something. Those that may touch more than discs and immovable
+// bodies, or are connected with such a disc, are left to Box2D.
+void CPlanarWorld::FindMeetings(CThreadPool& pool) {
   if (m_store.HaveObstaclesChanged()) {
     m_proximityFilter.SetObstacles(m_store.ListObstacles());
+    m_crowd.ForgetObstacles();
   }
   ExtendLongestPath();
-  const Real slack = GetSlack();
-  for (const SActiveBody& active : m_active.GetBodies()) {
-    const SDrivenBody& body = m_active.GetRobot(active);
-    if (body.IsDisc) {
-      m_proximityFilter.SetReach(active.Slot, body.BoundingRadius + m_longestPath + slack);
-    }
-  }
-  // a robot whose gripper seeks a body reaches as far as the gripper
-  m_grips.ForEachSeekingDisc(
-      [this](UInt32 slot, Real reach) { m_proximityFilter.Extend(slot, reach); });
-  m_proximityFilter.MarkAll();
+  m_proximityFilter.Find(pool, GetReach());
+  m_crowd.Start(m_proximityFilter);
+  const Real reach = GetReach();
   for (const SActiveBody& active : m_active.GetBodies()) {
     const SDrivenBody& body = m_active.GetRobot(active);
     if (!body.IsDisc) {
       const Real seek = body.HasManipulator ? m_grips.GetSeekReach() : 0.0;
-      m_proximityFilter.MarkNear(body.Pose.X, body.Pose.Y,
-                                 body.BoundingRadius + m_longestPath + slack + seek);
+      ExcludeNear(body.Pose, body.BoundingRadius + reach + seek);
+    } else if (body.NumGrips > 0) {
+      ExcludeNear(body.Pose, 0.0);
     }
   }
+  // a robot whose gripper seeks a body reaches as far as the gripper
+  m_grips.ForEachSeekingDisc([&](UInt32 slot, Real seek) {
+    const SDrivenBody& body = m_store.GetDriven(slot);
+    ExcludeNear(body.Pose, body.BoundingRadius + reach + seek);
+  });
   for (const SPassiveBody& body : m_store.GetPassive()) {
-    m_proximityFilter.MarkNear(body.Pose.X, body.Pose.Y,
-                               body.BoundingRadius + m_longestPath + slack);
+    ExcludeNear(body.Pose, body.BoundingRadius + reach);
   }
 }
 
-// by the present speeds of bodies, and by what turrets move
+// A disc that has a body in Box2D keeps it a little longer.
+void CPlanarWorld::ExcludeNear(const SPlanarPose& pose, Real radius) {
+  const Real margin = kGuardMargin * m_store.GetMetresPerUnit();
+  m_proximityFilter.ForNear(pose.X, pose.Y, radius + margin, [&](UInt32 place) {
+    const CProximityFilter::SDisc& disc = m_proximityFilter.GetDiscs()[place];
+    const Real dx = disc.X - pose.X;
+    const Real dy = disc.Y - pose.Y;
+    const Real near = radius + disc.Radius + GetReach();
+    if (dx * dx + dy * dy <= near * near || m_store.GetDriven(disc.Number).IsActive()) {
+      m_crowd.Exclude(place);
+    }
+  });
+}
+
+// by the present speeds of bodies that turn or have no drive, and by what turrets move
 void CPlanarWorld::ExtendLongestPath() {
   for (const SActiveBody& active : m_active.GetBodies()) {
     const SDrivenBody& body = m_active.GetRobot(active);

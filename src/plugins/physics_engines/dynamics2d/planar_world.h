@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PLANAR_WORLD_H
 
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/active_set.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_ghosts.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_grips.h>
@@ -13,14 +14,17 @@
 
 namespace argos {
 
+class CThreadPool;
+
 /**
  * The bodies of one engine, and their motion, on Box2D.
  *
  * A robot that is a disc and cannot touch anything during a tick needs no solver: its exact arc is
- * computed in double precision, and it has no body in Box2D. Each tick determines these robots
- * (CProximityFilter); the others are active (CActiveSet).
+ * computed in double precision. Each tick finds what discs can meet (CProximityFilter). Those that
+ * can meet only each other and immovable things are solved together (CCrowd); the others have
+ * bodies in Box2D (CActiveSet), like everything that is no disc or has no drive.
  *
- * Everything is a function of the order of adding, removing and Advance().
+ * Everything is a function of the order of adding, removing and Advance(), and of no thread.
  */
 class CPlanarWorld {
  public:
@@ -78,21 +82,24 @@ class CPlanarWorld {
   Real ComputeGhostReach() const;
 
   /** Moves all bodies by one tick. @throws SBadDriveCommand */
-  void Advance();
+  void Advance(CThreadPool& pool);
 
   /**
-   * After Advance(): makes the planned state of driven bodies their state, calling
-   * visit(const SDrivenBody&) for each.
+   * After Advance(): makes the planned state of driven bodies [begin, end) their state, calling
+   * visit(const SDrivenBody&, size_t slot) for each; safe on several threads for different bodies.
    */
   template <typename VISIT>
-  void CommitDriven(VISIT&& visit) {
-    for (SDrivenBody& body : m_store.GetDriven()) {
+  void CommitDriven(size_t begin, size_t end, VISIT&& visit) {
+    for (size_t slot = begin; slot < end; ++slot) {
+      SDrivenBody& body = m_store.GetDriven()[slot];
       body.Pose = body.NextPose;
       body.Velocity = body.NextVelocity;
       body.Command = body.NextCommand;
-      visit(static_cast<const SDrivenBody&>(body));
+      visit(static_cast<const SDrivenBody&>(body), slot);
     }
   }
+  const SDrivenBody& GetDriven(UInt32 slot) { return m_store.GetDriven(slot); }
+  size_t GetNumDriven() const { return m_store.GetDriven().size(); }
   /** After Advance(): calls visit(const SPassiveBody&) for each passive body; see Moved. */
   template <typename VISIT>
   void ForEachPassive(VISIT&& visit) const {
@@ -103,9 +110,11 @@ class CPlanarWorld {
 
  private:
   // phases of Advance(), in order
-  void PlanDriven();
-  void Plan(SDrivenBody& body, UInt32 slot);
-  void MarkDiscs();
+  void PlanDriven(CThreadPool& pool);
+  Real PlanRun(size_t begin, size_t end);
+  Real Plan(SDrivenBody& body, UInt32 slot);
+  void FindMeetings(CThreadPool& pool);
+  void ExcludeNear(const SPlanarPose& pose, Real radius);
   void ExtendLongestPath();
   bool IsAnyAwake() const;
   UInt32 ChooseSubsteps() const;
@@ -113,6 +122,8 @@ class CPlanarWorld {
   void StepBox2D(UInt32 substeps);
   void FinishPassive();
 
+  /** How far a disc may move in the tick, m. */
+  Real GetReach() const { return m_longestPath + m_crowd.GetAllowance() + GetSlack(); }
   Real GetSlack() const;
   Real GetTick() const { return m_store.GetSettings().Tick; }
 
@@ -122,6 +133,8 @@ class CPlanarWorld {
   CPlanarGhosts m_ghosts;
   CSubstepPolicy m_substepPolicy;
   CProximityFilter m_proximityFilter;
+  CCrowd m_crowd;
+  std::vector<Real> m_longestOfRun;  // m; scratch of PlanDriven()
   COverlapSolver m_overlaps;
   Real m_longestPath = 0.0;  // m, of any movable body in this tick, at most
 };

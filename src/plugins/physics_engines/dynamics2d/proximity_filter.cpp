@@ -1,6 +1,9 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/proximity_filter.h>
 
+#include <argos3/core/utility/threads/thread_pool.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace argos {
@@ -9,6 +12,17 @@ namespace {
 
 // m; least edge of the cells in which obstacles are listed
 constexpr Real kMinObstacleCell = 0.25;
+// discs in a run of a thread
+constexpr size_t kDiscGrain = 1024;
+// discs in a part, about; and most parts
+constexpr size_t kDiscsOfPart = 1024;
+constexpr size_t kMaxParts = 64;
+// pairs for which a part has memory from the start, besides one for each of its discs
+constexpr size_t kSparePairs = 256;
+
+size_t CountParts(size_t discs) {
+  return std::clamp<size_t>(discs / kDiscsOfPart, 1, kMaxParts);
+}
 
 }  // namespace
 
@@ -28,112 +42,167 @@ void CProximityFilter::SetObstacles(const std::vector<SFootprint>& obstacles) {
 
 void CProximityFilter::Reserve(size_t numDiscs) {
   m_discs.reserve(numDiscs);
-  m_marks.reserve(numDiscs);
-  m_placeOf.reserve(numDiscs);
+  m_extents.reserve(numDiscs / kDiscGrain + 1);
   m_sort.Reserve(numDiscs, CFramedGrid::MaxCells(numDiscs));
   m_sorted.reserve(numDiscs);
+  m_isNear.reserve(numDiscs);
+  m_parts.resize(CountParts(numDiscs) + 1);
+  m_firstCell.reserve(kMaxParts + 1);
+  for (SPart& part : m_parts) {
+    const size_t pairs = numDiscs / m_parts.size() + kSparePairs;
+    part.Pairs.reserve(pairs);
+    part.ObstaclePairs.reserve(pairs);
+  }
 }
 
-void CProximityFilter::Clear(size_t numDiscs) {
-  m_discs.clear();
-  m_marks.assign(numDiscs, Free);
-  m_placeOf.resize(numDiscs);
+void CProximityFilter::Start(size_t count) {
+  m_discs.resize(count);
 }
 
-void CProximityFilter::MarkAll() {
-  Sort();
-  MarkPairs();
-  if (!m_obstacles.empty()) {
-    for (const SDisc& disc : m_sorted) {
-      MarkAtObstacles(disc);
+void CProximityFilter::Find(CThreadPool& pool, Real reach) {
+  m_reach = reach;
+  CoverDiscs(pool);
+  Sort(pool);
+  Divide();
+  m_isNear.assign(m_sorted.size(), 0);
+  pool.ParallelFor(m_parts.size() - 1, 1, [this](size_t begin, size_t end, UInt32) {
+    for (size_t part = begin; part < end; ++part) {
+      FindPairs(part);
+    }
+  });
+}
+
+void CProximityFilter::CoverDiscs(CThreadPool& pool) {
+  const size_t numRuns = (m_discs.size() + kDiscGrain - 1) / kDiscGrain;
+  m_extents.resize(numRuns);
+  pool.ParallelFor(numRuns, 1, [this](size_t begin, size_t end, UInt32) {
+    for (size_t run = begin; run < end; ++run) {
+      SExtent extent = {SPlanarArea::Empty(), 0.0};
+      const size_t last = std::min(m_discs.size(), (run + 1) * kDiscGrain);
+      for (size_t i = run * kDiscGrain; i < last; ++i) {
+        if (m_discs[i].Radius != kLeftOut) {
+          extent.Area.Include(m_discs[i].X, m_discs[i].Y);
+          extent.MaxRadius = std::max(extent.MaxRadius, m_discs[i].Radius);
+        }
+      }
+      m_extents[run] = extent;
+    }
+  });
+  SPlanarArea area = SPlanarArea::Empty();
+  m_maxRadius = 0.0;
+  for (const SExtent& extent : m_extents) {
+    area = {std::min(area.MinX, extent.Area.MinX), std::min(area.MinY, extent.Area.MinY),
+            std::max(area.MaxX, extent.Area.MaxX), std::max(area.MaxY, extent.Area.MaxY)};
+    m_maxRadius = std::max(m_maxRadius, extent.MaxRadius);
+  }
+  if (area.MinX > area.MaxX) {
+    area = SPlanarArea();
+  }
+  m_grid.Cover(area, std::max(2.0 * (m_maxRadius + m_reach), 1e-6),
+               CFramedGrid::AimedCells(m_discs.size()));
+}
+
+void CProximityFilter::Sort(CThreadPool& pool) {
+  const size_t count = m_discs.size();
+  const bool alone = pool.GetNumThreads() == 1;
+  m_sort.Start(count, m_grid.GetNumCells());
+  pool.ParallelFor(count, kDiscGrain, [&](size_t begin, size_t end, UInt32) {
+    for (size_t i = begin; i < end; ++i) {
+      const SDisc& disc = m_discs[i];
+      if (disc.Radius == kLeftOut) {
+        m_sort.LeaveOut(i);
+      } else if (alone) {
+        m_sort.SetKey(i, m_grid.CellAt(disc.X, disc.Y));
+      } else {
+        m_sort.SetKeyOnThread(i, m_grid.CellAt(disc.X, disc.Y));
+      }
+    }
+  });
+  m_sorted.resize(m_sort.Finish());
+  pool.ParallelFor(count, kDiscGrain, [this](size_t begin, size_t end, UInt32) {
+    for (size_t i = begin; i < end; ++i) {
+      if (!m_sort.IsLeftOut(i)) {
+        m_sorted[m_sort.GetPlace(i)] = m_discs[i];
+      }
+    }
+  });
+  if (!alone) {
+    m_sort.SortRuns(pool, m_sorted, [](const SDisc& disc) { return disc.Number; });
+  }
+}
+
+// Gives each part cells with about as many discs.
+void CProximityFilter::Divide() {
+  const size_t count = CountParts(m_discs.size());
+  m_parts.resize(count + 1);
+  m_parts.back().ObstaclePairs.clear();
+  m_firstCell.resize(count + 1);
+  const UInt32 numCells = static_cast<UInt32>(m_grid.GetNumCells());
+  const UInt32 lastCell = numCells - m_grid.GetStride();  // of the frame from here on
+  UInt32 cell = m_grid.GetStride();
+  for (size_t part = 0; part < count; ++part) {
+    m_firstCell[part] = cell;
+    const size_t before = (part + 1) * m_sorted.size() / count;
+    while (cell < lastCell && m_sort.End(cell) <= before) {
+      ++cell;
     }
   }
+  m_firstCell[count] = lastCell;
 }
 
-void CProximityFilter::Sort() {
-  SPlanarArea area = m_discs.empty() ? SPlanarArea() : SPlanarArea::Empty();
-  m_maxReach = 0.0;
-  for (const SDisc& disc : m_discs) {
-    area.Include(disc.X, disc.Y);
-    m_maxReach = std::max(m_maxReach, disc.Reach);
-  }
-  const size_t numDiscs = m_discs.size();
-  m_grid.Cover(area, 2.0 * m_maxReach + m_margin, CFramedGrid::AimedCells(numDiscs));
-  m_sort.Start(numDiscs, m_grid.GetNumCells());
-  for (size_t i = 0; i < numDiscs; ++i) {
-    m_sort.SetKey(i, m_grid.CellAt(m_discs[i].X, m_discs[i].Y));
-  }
-  m_sorted.resize(m_sort.Finish());
-  for (size_t i = 0; i < numDiscs; ++i) {
-    m_sorted[m_sort.GetPlace(i)] = m_discs[i];
-  }
+void CProximityFilter::MarkNear(UInt32 place) {
+  // several threads may do this at once
+  std::atomic_ref<UInt8>(m_isNear[place]).store(1, std::memory_order_relaxed);
 }
 
 // Each pair once: a disc, and those after it in its row's cells or in the three cells of the next
 // row. The cells of the frame are empty.
-void CProximityFilter::MarkPairs() {
-  const SGridAxis& x = m_grid.GetX();
-  const SGridAxis& y = m_grid.GetY();
-  m_grid.ForCells({0, x.Count - 1, 0, y.Count - 1}, [this](UInt32 cell) {
+void CProximityFilter::FindPairs(size_t number) {
+  SPart& part = m_parts[number];
+  part.Pairs.clear();
+  part.ObstaclePairs.clear();
+  const auto check = [&](UInt32 a, UInt32 b) {
+    const Real dx = m_sorted[b].X - m_sorted[a].X;
+    const Real dy = m_sorted[b].Y - m_sorted[a].Y;
+    const Real near = m_sorted[a].Radius + m_sorted[b].Radius + 2.0 * m_reach;
+    if (dx * dx + dy * dy <= near * near) {
+      part.Pairs.push_back({a, b});
+      MarkNear(a);
+      MarkNear(b);
+    }
+  };
+  for (UInt32 cell = m_firstCell[number]; cell < m_firstCell[number + 1]; ++cell) {
+    const UInt32 begin = m_sort.Begin(cell);
     const UInt32 end = m_sort.End(cell);
+    if (begin == end) {
+      continue;
+    }
     const UInt32 rowEnd = m_sort.End(cell + 1);
     const UInt32 next = cell + m_grid.GetStride();
-    for (UInt32 a = m_sort.Begin(cell); a < end; ++a) {
+    const UInt32 nextBegin = m_sort.Begin(next - 1);
+    const UInt32 nextEnd = m_sort.End(next + 1);
+    for (UInt32 a = begin; a < end; ++a) {
       for (UInt32 b = a + 1; b < rowEnd; ++b) {
-        MarkPair(m_sorted[a], m_sorted[b]);
+        check(a, b);
       }
-      const UInt32 nextEnd = m_sort.End(next + 1);
-      for (UInt32 b = m_sort.Begin(next - 1); b < nextEnd; ++b) {
-        MarkPair(m_sorted[a], m_sorted[b]);
+      for (UInt32 b = nextBegin; b < nextEnd; ++b) {
+        check(a, b);
       }
+      FindObstacles(a, part);
     }
-  });
-}
-
-void CProximityFilter::MarkPair(const SDisc& a, const SDisc& b) {
-  const Real dx = b.X - a.X;
-  const Real dy = b.Y - a.Y;
-  const Real squared = dx * dx + dy * dy;
-  const Real near = a.Reach + b.Reach;
-  const Real guarded = near + m_margin;
-  if (squared <= guarded * guarded) {
-    const EMark mark = squared <= near * near ? Active : Guarded;
-    Raise(a.Number, mark);
-    Raise(b.Number, mark);
   }
 }
 
-void CProximityFilter::MarkAtObstacles(const SDisc& disc) {
-  const Real reach = disc.Reach + m_margin;
+void CProximityFilter::FindObstacles(UInt32 place, SPart& part) {
+  const SDisc& disc = m_sorted[place];
+  const Real reach = disc.Radius + m_reach;
+  const size_t first = part.ObstaclePairs.size();
   m_obstacleCells.ForNear(m_obstacleGrid, disc.X, disc.Y, reach, [&](UInt32 number) {
-    if (GetMark(disc.Number) == Active) {
-      return;
-    }
-    const Real distance = ComputeDistance(m_obstacles[number], disc.X, disc.Y);
-    if (distance <= reach) {
-      Raise(disc.Number, distance <= disc.Reach ? Active : Guarded);
-    }
-  });
-}
-
-void CProximityFilter::MarkNear(Real x, Real y, Real reach, std::vector<UInt32>* met) {
-  const Real widest = reach + m_maxReach + m_margin;
-  m_grid.ForRows(m_grid.CellsAround(x, y, widest), [&](UInt32 first, UInt32 last) {
-    const UInt32 end = m_sort.End(last);
-    for (UInt32 k = m_sort.Begin(first); k < end; ++k) {
-      const SDisc& disc = m_sorted[k];
-      const Real dx = disc.X - x;
-      const Real dy = disc.Y - y;
-      const Real squared = dx * dx + dy * dy;
-      const Real near = reach + disc.Reach;
-      if (squared <= near * near) {
-        Raise(disc.Number, Active);
-        if (met != nullptr) {
-          met->push_back(disc.Number);
-        }
-      } else if (squared <= (near + m_margin) * (near + m_margin)) {
-        Raise(disc.Number, Guarded);
-      }
+    const auto isSame = [number](const SObstaclePair& pair) { return pair.Obstacle == number; };
+    if (std::none_of(part.ObstaclePairs.begin() + first, part.ObstaclePairs.end(), isSame) &&
+        ComputeDistance(m_obstacles[number], disc.X, disc.Y) <= reach) {
+      part.ObstaclePairs.push_back({place, number});
+      MarkNear(place);
     }
   });
 }

@@ -10,83 +10,117 @@
 
 namespace argos {
 
+class CThreadPool;
+
 /**
- * Broad phase for discs: finds the discs that can meet something during a tick.
+ * Broad phase for discs: finds the discs that can meet each other or an obstacle during a tick.
  *
- * The reach of a disc is the radius of a circle, around its centre at the start of the tick, that
- * it does not leave in the tick. Discs whose circles are apart cannot meet.
+ * A disc does not leave the circle of its radius + the reach around its centre at the start of the
+ * tick. Discs whose circles are apart cannot meet.
  *
  * Pairs are found in a grid that is filled each tick by counting sort. It has about two cells for
  * each disc, which are so wide that two discs that can meet are in the same or in adjoining cells.
+ * The place of a disc is its number in the order of the cells, row by row.
  */
 class CProximityFilter {
  public:
-  /** Whether a disc can meet nothing; nothing, but something is within the margin; something. */
-  enum EMark : UInt8 { Free, Guarded, Active };
+  struct SDisc {
+    Real X, Y, Radius;  // m
+    UInt32 Number;
+  };
+  /** Two discs that can meet, by place; A < B. */
+  struct SPair {
+    UInt32 A, B;
+  };
+  /** A disc, by place, and an obstacle that it can meet, by number. */
+  struct SObstaclePair {
+    UInt32 Disc, Obstacle;
+  };
+  /** The pairs of a part of the cells. Parts depend on the number of discs, not on threads. */
+  struct SPart {
+    std::vector<SPair> Pairs;
+    std::vector<SObstaclePair> ObstaclePairs;
+  };
 
-  /** Sets up to which distance from a meeting discs are marked Guarded, m. */
-  void SetMargin(Real margin) { m_margin = margin; }
   void SetObstacles(const std::vector<SFootprint>& obstacles);
+  const SFootprint& GetObstacle(UInt32 number) const { return m_obstacles[number]; }
 
   /** Allocates for a number of discs. */
   void Reserve(size_t numDiscs);
-  /** Starts a tick: no disc is placed, all are marked Free. */
-  void Clear(size_t numDiscs);
-  /** @param number < numDiscs of Clear(). */
-  void Place(UInt32 number, Real x, Real y, Real reach) {
+  /** Starts a tick: numbers below @p count are to be placed or left out. */
+  void Start(size_t count);
+  /** Safe on several threads for different numbers. */
+  void Place(UInt32 number, Real x, Real y, Real radius) {
     CheckNumber(number);
-    m_placeOf[number] = static_cast<UInt32>(m_discs.size());
-    m_discs.push_back({x, y, reach, number});
+    m_discs[number] = {x, y, radius, number};
   }
-  /** Changes the reach of a disc that was placed; before MarkAll(). */
-  void SetReach(UInt32 number, Real reach) { GetDisc(number).Reach = reach; }
-  /** Adds to the reach of a disc that was placed; before MarkAll(). */
-  void Extend(UInt32 number, Real reach) { GetDisc(number).Reach += reach; }
-  /** Marks every disc that may meet a disc or an obstacle. */
-  void MarkAll();
-  /** After MarkAll(): marks every disc that may meet another body, given as a circle. */
-  void MarkNear(Real x, Real y, Real reach) { MarkNear(x, y, reach, nullptr); }
-  /** The same. @param met  receives the numbers of the discs that may meet it, unless null. */
-  void MarkNear(Real x, Real y, Real reach, std::vector<UInt32>* met);
-  EMark GetMark(UInt32 number) const {
+  void LeaveOut(UInt32 number) {
     CheckNumber(number);
-    return static_cast<EMark>(m_marks[number]);
+    m_discs[number].Radius = kLeftOut;
+  }
+  /** Finds all pairs. @param reach of every disc, m. */
+  void Find(CThreadPool& pool, Real reach);
+
+  /** After Find(): the discs, by place. */
+  const std::vector<SDisc>& GetDiscs() const { return m_sorted; }
+  const std::vector<SPart>& GetParts() const { return m_parts; }
+  /** After Find(): adds an obstacle that a disc can meet. One thread. */
+  void AddObstaclePair(UInt32 place, UInt32 obstacle) {
+    m_parts.back().ObstaclePairs.push_back({place, obstacle});
+    m_isNear[place] = 1;
+  }
+  /** After Find(): can the disc meet another one or an obstacle? */
+  bool IsNear(UInt32 place) const { return m_isNear[place] != 0; }
+  /**
+   * After Find(): calls visit(place) for every disc whose circle meets another one. One thread.
+   * @param radius  of that circle, its reach included, m.
+   */
+  template <typename VISIT>
+  void ForNear(Real x, Real y, Real radius, VISIT&& visit) const {
+    const Real widest = radius + m_maxRadius + m_reach;
+    m_grid.ForRows(m_grid.CellsAround(x, y, widest), [&](UInt32 first, UInt32 last) {
+      const UInt32 end = m_sort.End(last);
+      for (UInt32 place = m_sort.Begin(first); place < end; ++place) {
+        const SDisc& disc = m_sorted[place];
+        const Real dx = disc.X - x;
+        const Real dy = disc.Y - y;
+        const Real near = radius + disc.Radius + m_reach;
+        if (dx * dx + dy * dy <= near * near) {
+          visit(place);
+        }
+      }
+    });
   }
 
  private:
-  struct SDisc {
-    Real X, Y, Reach;  // m
-    UInt32 Number;
-  };
+  static constexpr Real kLeftOut = -1.0;
 
   void CheckNumber([[maybe_unused]] UInt32 number) const {
-    ARGOS_ASSERT(number < m_marks.size(), "there is no disc with the number " << number);
+    ARGOS_ASSERT(number < m_discs.size(), "there is no disc with the number " << number);
   }
-  SDisc& GetDisc(UInt32 number) {
-    CheckNumber(number);
-    const UInt32 place = m_placeOf[number];
-    ARGOS_ASSERT(place < m_discs.size() && m_discs[place].Number == number,
-                 "disc " << number << " was not placed in this tick");
-    return m_discs[place];
-  }
-  void Sort();
-  void MarkPairs();
-  void MarkPair(const SDisc& a, const SDisc& b);
-  void MarkAtObstacles(const SDisc& disc);
-  void Raise(UInt32 number, EMark mark) {
-    if (m_marks[number] < mark) {
-      m_marks[number] = mark;
-    }
-  }
+  void CoverDiscs(CThreadPool& pool);
+  void Sort(CThreadPool& pool);
+  void Divide();
+  void FindPairs(size_t part);
+  void FindObstacles(UInt32 place, SPart& part);
+  void MarkNear(UInt32 place);
 
-  Real m_margin = 0.0;  // m
-  Real m_maxReach = 0.0;  // m, of the discs
-  std::vector<SDisc> m_discs;  // as placed
-  std::vector<UInt32> m_placeOf;  // in m_discs, by number
-  std::vector<UInt8> m_marks;  // EMark, by number
+  /** What a run of discs extends over. */
+  struct SExtent {
+    SPlanarArea Area;
+    Real MaxRadius;
+  };
+
+  Real m_reach = 0.0;  // m
+  Real m_maxRadius = 0.0;  // m, of the discs
+  std::vector<SDisc> m_discs;  // by number
+  std::vector<SExtent> m_extents;  // of the runs of discs
   CFramedGrid m_grid;
   CCountingSort m_sort;  // of the discs by cell
-  std::vector<SDisc> m_sorted;  // in order of cells
+  std::vector<SDisc> m_sorted;  // by place
+  std::vector<UInt8> m_isNear;  // by place
+  std::vector<SPart> m_parts;  // the last one: what was added
+  std::vector<UInt32> m_firstCell;  // of each part, and the end of the last one
 
   std::vector<SFootprint> m_obstacles;
   CFramedGrid m_obstacleGrid;

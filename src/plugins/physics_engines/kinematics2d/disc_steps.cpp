@@ -4,7 +4,7 @@
 
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_limits.h>
-#include <argos3/plugins/simulator/physics_engines/kinematics2d/separation.h>
+#include <argos3/plugins/simulator/physics_engines/planar/separation.h>
 
 #include <algorithm>
 #include <array>

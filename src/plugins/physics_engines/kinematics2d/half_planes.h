@@ -1,17 +1,11 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_HALF_PLANES_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_HALF_PLANES_H
 
-#include <argos3/core/utility/datatypes/datatypes.h>
+#include <argos3/plugins/simulator/physics_engines/planar/separation.h>
 
 #include <array>
 
 namespace argos {
-
-/** A step in the plane, m. */
-struct SStep {
-  Real X = 0.0;
-  Real Y = 0.0;
-};
 
 /** The steps s with Normal * s <= Limit. */
 struct SHalfPlane {

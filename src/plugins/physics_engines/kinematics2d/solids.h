@@ -5,7 +5,7 @@
 #include <argos3/core/simulator/physics_engine/planar_motion.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_handle.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/push_solver.h>
-#include <argos3/plugins/simulator/physics_engines/kinematics2d/separation.h>
+#include <argos3/plugins/simulator/physics_engines/planar/separation.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/substep.h>
 #include <argos3/plugins/simulator/physics_engines/planar/cell_lists.h>
 #include <argos3/plugins/simulator/physics_engines/planar/footprints.h>

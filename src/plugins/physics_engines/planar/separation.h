@@ -1,12 +1,17 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_SEPARATION_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_KINEMATICS2D_SEPARATION_H
 
-#include <argos3/plugins/simulator/physics_engines/kinematics2d/half_planes.h>
 #include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
 
 #include <cmath>
 
 namespace argos {
+
+/** A step in the plane, m. */
+struct SStep {
+  Real X = 0.0;
+  Real Y = 0.0;
+};
 
 /**
  * A separating line of two convex shapes, or their contact if they touch or overlap.

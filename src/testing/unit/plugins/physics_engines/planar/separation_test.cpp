@@ -1,6 +1,6 @@
 // Compares lines that separate discs, rectangles and polygons with sampled points of both.
 
-#include <argos3/plugins/simulator/physics_engines/kinematics2d/separation.h>
+#include <argos3/plugins/simulator/physics_engines/planar/separation.h>
 
 #include <argos3/core/simulator/geometry/convex_polygon.h>
 #include <argos3/core/utility/math/random_stream.h>

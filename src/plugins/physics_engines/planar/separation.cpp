@@ -1,4 +1,4 @@
-#include <argos3/plugins/simulator/physics_engines/kinematics2d/separation.h>
+#include <argos3/plugins/simulator/physics_engines/planar/separation.h>
 
 #include <argos3/core/simulator/geometry/convex_polygon.h>
 #include <argos3/core/utility/math/ray_span.h>
