@@ -3,6 +3,7 @@
 
 #include <argos3/core/utility/spatial/counting_sort.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace argos {
@@ -11,6 +12,18 @@ namespace argos {
 struct SContactForce {
   float Normal = 0.0F;
   float Tangent = 0.0F;
+  /**
+   * The smaller one of the last two normal forces, from which a solver starts: the force of an
+   * impact acts in one substep only.
+   */
+  float Steady = 0.0F;
+
+  /** Sets the forces of a substep. */
+  void Take(float normal, float tangent) {
+    Steady = std::min(Normal, normal);
+    Normal = normal;
+    Tangent = tangent;
+  }
 };
 
 /**

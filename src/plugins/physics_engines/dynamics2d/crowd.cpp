@@ -46,6 +46,7 @@ void CCrowd::Advance(CThreadPool& pool, const CProximityFilter& filter, Real lon
   SCrowdTick tick;
   tick.Duration = m_store.GetSettings().Tick;
   tick.LeastSubsteps = m_store.GetSettings().Substeps;
+  tick.RefineInCrowds = m_store.GetSettings().RefineInCrowds;
   tick.SmallestRadius = kSmallestRadiusInUnits * m_store.GetMetresPerUnit();
   tick.LongestPath = longestPath + m_allowance;
   m_solver.Start(tick, count);

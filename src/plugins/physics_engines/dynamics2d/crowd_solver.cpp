@@ -16,14 +16,22 @@ namespace {
 constexpr size_t kClusterGrain = 64;
 constexpr size_t kMemberGrain = 2048;
 // Sweeps of a substep, at most.
-constexpr UInt32 kMaxSweeps = 60;
+constexpr UInt32 kMaxSweeps = 300;
 // Velocities are solved when a sweep changes none by more than this share of a radius in the
 // substep.
 constexpr Real kTolerance = 0.001;
-// Share of an overlap that a substep corrects, and the greatest correction as a share of the
-// smallest radius.
+// In a crowd the forces of drives add up. A tick has a substep for each such multiple of the force
+// of a drive in the greatest force of a contact.
+constexpr float kDrivesOfSubstep = 8.0F;
+// Share of an overlap that is corrected in a tick, by the speed at which the discs must part, and
+// the greatest correction as a share of the smallest radius. The speed does not depend on the
+// number of substeps: what moves the discs apart in a short substep would hurl them.
 constexpr Real kCorrection = 0.6;
 constexpr Real kMaxCorrection = 0.25;
+// At the end of a tick, overlaps deeper than this share of the smallest radius are reduced, in at
+// most so many sweeps.
+constexpr Real kDeepEnough = 0.005;
+constexpr UInt32 kMaxPushes = 12;
 // Gaps up to this share of the smallest radius count as touching.
 constexpr Real kTouchingGap = 0.005;
 // slightly more than the change of velocity takes, for rounding errors
@@ -31,6 +39,10 @@ constexpr float kAmple = 1.01F;
 
 constexpr float kDiscFriction = static_cast<float>(kMovableFriction * kMovableFriction);
 constexpr float kWallFriction = static_cast<float>(kMovableFriction * kImmovableFriction);
+
+float LimitFriction(float tangent, float most) {
+  return std::clamp(tangent, -most, most);
+}
 
 void RaiseFlag(UInt8& flag) {
   // several threads may do this at once
@@ -55,6 +67,7 @@ void CCrowdSolver::Reserve(size_t discs) {
 void CCrowdSolver::Start(const SCrowdTick& tick, size_t discs) {
   m_tick = tick;
   m_tolerance = static_cast<float>(kTolerance * tick.SmallestRadius);
+  m_deepEnough = static_cast<float>(kDeepEnough * tick.SmallestRadius);
   m_discs.resize(discs);
   m_drives.resize(discs);
   m_positions.resize(discs);
@@ -100,10 +113,12 @@ void CCrowdSolver::Solve(CThreadPool& pool, const CCrowdClusters& clusters,
   }
 }
 
-// Substeps of a tick in which no disc moves or turns too far in one.
+// Substeps of a tick in which no disc moves or turns too far in one, and in which a force that
+// lasts a substep too long moves none far.
 UInt32 CCrowdSolver::CountSubsteps(const SCrowdPatch& patch) const {
   const float tick = static_cast<float>(m_tick.Duration);
   float needed = static_cast<float>(m_tick.LeastSubsteps);
+  float weakest = HUGE_VALF;  // drive, N s in the tick
   for (UInt32 i = patch.FirstDisc; i < patch.EndDisc; ++i) {
     const SCrowdDrive& drive = m_drives[i];
     const SCrowdDisc& disc = m_discs[i];
@@ -112,6 +127,14 @@ UInt32 CCrowdSolver::CountSubsteps(const SCrowdPatch& patch) const {
     needed = std::max(
         {needed, std::sqrt(fastest) * tick / (static_cast<float>(kMaxStepShare) * disc.Radius),
          std::abs(drive.TargetW) * tick / static_cast<float>(kMaxStepTurn)});
+    weakest = std::min(weakest, drive.InTick);
+  }
+  if (m_tick.RefineInCrowds) {
+    float greatest = 0.0F;  // force, N
+    for (UInt32 i = patch.FirstPair; i < patch.EndBorder; ++i) {
+      greatest = std::max(greatest, m_pairForces[i].Normal);
+    }
+    needed = std::max(needed, greatest * tick / (kDrivesOfSubstep * weakest));
   }
   const auto most = static_cast<float>(std::max(kMaxSubsteps, m_tick.LeastSubsteps));
   return static_cast<UInt32>(std::ceil(std::min(needed, most)));
@@ -131,6 +154,12 @@ void CCrowdSolver::SolveSmall(UInt32 number) {
     for (UInt32 sweep = 0; sweep < kMaxSweeps && SweepPatch(number, sweep) > tolerance; ++sweep) {
     }
     Finish(number, substep);
+  }
+  for (UInt32 push = 0; push < kMaxPushes; ++push) {
+    PushApart(number);
+    if (m_states[number].Deepest <= m_deepEnough) {
+      break;
+    }
   }
 }
 
@@ -195,6 +224,31 @@ void CCrowdSolver::SolveLarge(CThreadPool& pool, const SCrowdCluster& cluster) {
     }
     forPatches([&](UInt32 number) { Finish(number, substep); });
   }
+  bool isDeep = true;
+  for (UInt32 push = 0; push < kMaxPushes && isDeep; ++push) {
+    float before = 0.0F;  // on the border with the patch before
+    for (UInt32 number = cluster.FirstPatch; number < cluster.EndPatch; ++number) {
+      SPatchState& state = m_states[number];
+      state.IsDue =
+          push == 0 || std::max({before, state.Deepest, state.BorderDeepest}) > m_deepEnough;
+      before = state.BorderDeepest;
+    }
+    forPatches([&](UInt32 number) {
+      if (m_states[number].IsDue) {
+        PushApart(number);
+      }
+    });
+    forBorders([&](UInt32 number) {
+      SPatchState& state = m_states[number];
+      if (state.IsDue || m_states[number + 1].IsDue) {
+        state.BorderDeepest = PushContactsApart(patches[number].FirstBorder, state.NumBorder);
+      }
+    });
+    isDeep = std::any_of(m_states.begin() + cluster.FirstPatch, m_states.begin() + cluster.EndPatch,
+                         [this](const SPatchState& state) {
+                           return std::max(state.Deepest, state.BorderDeepest) > m_deepEnough;
+                         });
+  }
 }
 
 float CCrowdSolver::SweepPatch(UInt32 number, UInt32 sweep) {
@@ -253,21 +307,40 @@ UInt32 CCrowdSolver::FindContacts(UInt32 first, UInt32 end, const SSubstep& subs
     Real room = separation.Gap;
     if (room < 0.0) {
       state.Deepest = std::max(state.Deepest, static_cast<float>(-room));
-      room = std::max(kCorrection * room, -mostCorrection);
+      room = std::max(kCorrection * room, -mostCorrection) / substep.Count;
     }
     contact.Approach = static_cast<float>(room / duration);
     const float inverseMass = discA.InverseMass + discB.InverseMass;
     contact.Mass = 1.0F / inverseMass;
     contact.TangentMass = 1.0F / (inverseMass + discA.InverseInertia * discA.Radius * discA.Radius +
                                   discB.InverseInertia * discB.Radius * discB.Radius);
-    contact.Normal = m_pairForces[i].Normal * substep.Duration;
-    contact.Tangent = m_pairForces[i].Tangent * substep.Duration;
+    contact.Normal = m_pairForces[i].Steady * substep.Duration;
+    contact.Tangent =
+        LimitFriction(m_pairForces[i].Tangent, kDiscFriction * m_pairForces[i].Steady) *
+        substep.Duration;
     if (contact.Normal > 0.0F || separation.Gap < touchingGap) {
       RaiseFlag(m_isTouching[pair.A]);
       RaiseFlag(m_isTouching[pair.B]);
     }
   }
   return next - first;
+}
+
+SSeparation CCrowdSolver::SeparateFromWall(const CCrowdClusters::SWall& wall,
+                                           const SStep& step) const {
+  const SCrowdPosition& position = m_positions[wall.Disc];
+  const Real radius = static_cast<Real>(m_discs[wall.Disc].Radius);
+  if (wall.Obstacle < kFirstLine) {
+    return SeparateFromFootprint(position.X, position.Y, radius, step,
+                                 m_filter->GetObstacle(wall.Obstacle));
+  }
+  const SCrowdLine& line = (*m_lines)[wall.Obstacle - kFirstLine];
+  SSeparation separation;
+  separation.NormalX = line.NormalX;
+  separation.NormalY = line.NormalY;
+  separation.Gap =
+      line.NormalX * (line.X - position.X) + line.NormalY * (line.Y - position.Y) - radius;
+  return separation;
 }
 
 void CCrowdSolver::FindWalls(UInt32 number, const SSubstep& substep) {
@@ -279,23 +352,10 @@ void CCrowdSolver::FindWalls(UInt32 number, const SSubstep& substep) {
   UInt32 next = patch.FirstWall;
   for (UInt32 i = patch.FirstWall; i < patch.EndWall; ++i) {
     const auto& wall = m_clusters->GetWalls()[i];
-    const SCrowdPosition& position = m_positions[wall.Disc];
     const SCrowdDisc& disc = m_discs[wall.Disc];
-    SSeparation separation;
-    float friction = 0.0F;
-    if (wall.Obstacle >= kFirstLine) {
-      const SCrowdLine& line = (*m_lines)[wall.Obstacle - kFirstLine];
-      separation.NormalX = line.NormalX;
-      separation.NormalY = line.NormalY;
-      separation.Gap = line.NormalX * (line.X - position.X) + line.NormalY * (line.Y - position.Y) -
-                       static_cast<Real>(disc.Radius);
-    } else {
-      const SStep step = {static_cast<Real>(disc.VX) * duration,
-                          static_cast<Real>(disc.VY) * duration};
-      separation = SeparateFromFootprint(position.X, position.Y, static_cast<Real>(disc.Radius),
-                                         step, m_filter->GetObstacle(wall.Obstacle));
-      friction = kWallFriction;
-    }
+    const SStep step = {static_cast<Real>(disc.VX) * duration,
+                        static_cast<Real>(disc.VY) * duration};
+    const SSeparation separation = SeparateFromWall(wall, step);
     Real room = separation.Gap;
     if (room > m_tick.LongestPath / substep.Count) {
       m_wallForces[i] = SContactForce();
@@ -303,7 +363,7 @@ void CCrowdSolver::FindWalls(UInt32 number, const SSubstep& substep) {
     }
     if (room < 0.0) {
       state.Deepest = std::max(state.Deepest, static_cast<float>(-room));
-      room = std::max(room, -mostCorrection);
+      room = std::max(room, -mostCorrection) / substep.Count;
     }
     SWallContact& contact = m_wallContacts[next++];
     contact.Disc = wall.Disc;
@@ -311,9 +371,11 @@ void CCrowdSolver::FindWalls(UInt32 number, const SSubstep& substep) {
     contact.NX = static_cast<float>(separation.NormalX);
     contact.NY = static_cast<float>(separation.NormalY);
     contact.Approach = static_cast<float>(room / duration);
-    contact.Friction = friction;
-    contact.Normal = m_wallForces[i].Normal * substep.Duration;
-    contact.Tangent = m_wallForces[i].Tangent * substep.Duration;
+    contact.Friction = wall.Obstacle < kFirstLine ? kWallFriction : 0.0F;
+    contact.Normal = m_wallForces[i].Steady * substep.Duration;
+    contact.Tangent =
+        LimitFriction(m_wallForces[i].Tangent, contact.Friction * m_wallForces[i].Steady) *
+        substep.Duration;
     if (contact.Normal > 0.0F || separation.Gap < touchingGap) {
       RaiseFlag(m_isTouching[wall.Disc]);
     }
@@ -490,7 +552,7 @@ void CCrowdSolver::Finish(UInt32 number, const SSubstep& substep) {
                                      std::pair(patch.FirstBorder, state.NumBorder)}) {
     for (UInt32 i = first; i < first + count; ++i) {
       const SContact& contact = m_contacts[i];
-      m_pairForces[contact.Pair] = {contact.Normal * perSecond, contact.Tangent * perSecond};
+      m_pairForces[contact.Pair].Take(contact.Normal * perSecond, contact.Tangent * perSecond);
       if (contact.Normal > 0.0F) {
         RaiseFlag(m_isPushed[contact.A]);
         RaiseFlag(m_isPushed[contact.B]);
@@ -499,7 +561,7 @@ void CCrowdSolver::Finish(UInt32 number, const SSubstep& substep) {
   }
   for (UInt32 i = patch.FirstWall; i < patch.FirstWall + state.NumWalls; ++i) {
     const SWallContact& contact = m_wallContacts[i];
-    m_wallForces[contact.Wall] = {contact.Normal * perSecond, contact.Tangent * perSecond};
+    m_wallForces[contact.Wall].Take(contact.Normal * perSecond, contact.Tangent * perSecond);
     if (contact.Normal > 0.0F) {
       RaiseFlag(m_isPushed[contact.Disc]);
     }
@@ -522,6 +584,68 @@ void CCrowdSolver::Finish(UInt32 number, const SSubstep& substep) {
     drive.Spent += std::sqrt(drive.X * drive.X + drive.Y * drive.Y);
     drive.AngularSpent += std::abs(drive.Angular);
   }
+}
+
+/****************************************/
+// end of the tick: positions only
+/****************************************/
+
+// One sweep over a patch, walls last.
+void CCrowdSolver::PushApart(UInt32 number) {
+  const SCrowdPatch& patch = m_clusters->GetPatches()[number];
+  SPatchState& state = m_states[number];
+  state.Deepest = PushContactsApart(patch.FirstPair, state.NumContacts);
+  state.Deepest = std::max(state.Deepest, PushOutOfWalls(patch.FirstWall, state.NumWalls));
+}
+
+// @return the depth of the deepest overlap that was found, m.
+float CCrowdSolver::PushContactsApart(UInt32 first, UInt32 count) {
+  float deepest = 0.0F;
+  for (UInt32 i = first; i < first + count; ++i) {
+    const SContact& contact = m_contacts[i];
+    const SCrowdPosition& a = m_positions[contact.A];
+    const SCrowdPosition& b = m_positions[contact.B];
+    const SCrowdDisc& discA = m_discs[contact.A];
+    const SCrowdDisc& discB = m_discs[contact.B];
+    const Real reach = static_cast<Real>(discA.Radius) + static_cast<Real>(discB.Radius);
+    const Real limit = reach - static_cast<Real>(m_tolerance);
+    const Real x = b.X - a.X;
+    const Real y = b.Y - a.Y;
+    const Real squared = x * x + y * y;
+    if (squared >= limit * limit || squared == 0.0) {
+      continue;
+    }
+    const Real distance = std::sqrt(squared);
+    const Real depth = reach - distance;
+    deepest = std::max(deepest, static_cast<float>(depth));
+    const Real share = std::min(depth, kMaxCorrection * m_tick.SmallestRadius) /
+                       (distance * static_cast<Real>(discA.InverseMass + discB.InverseMass));
+    const Real shareA = share * static_cast<Real>(discA.InverseMass);
+    const Real shareB = share * static_cast<Real>(discB.InverseMass);
+    Push(contact.A, -shareA * x, -shareA * y);
+    Push(contact.B, shareB * x, shareB * y);
+  }
+  return deepest;
+}
+
+float CCrowdSolver::PushOutOfWalls(UInt32 first, UInt32 count) {
+  float deepest = 0.0F;
+  for (UInt32 i = first; i < first + count; ++i) {
+    const auto& wall = m_clusters->GetWalls()[m_wallContacts[i].Wall];
+    const SSeparation separation = SeparateFromWall(wall, SStep());
+    if (separation.Gap < -static_cast<Real>(m_tolerance)) {
+      deepest = std::max(deepest, static_cast<float>(-separation.Gap));
+      const Real push = std::max(separation.Gap, -kMaxCorrection * m_tick.SmallestRadius);
+      Push(wall.Disc, push * separation.NormalX, push * separation.NormalY);
+    }
+  }
+  return deepest;
+}
+
+void CCrowdSolver::Push(UInt32 disc, Real x, Real y) {
+  m_positions[disc].X += x;
+  m_positions[disc].Y += y;
+  RaiseFlag(m_isPushed[disc]);
 }
 
 void CCrowdSolver::Remember(const CCrowdClusters& clusters, size_t slots,

@@ -3,6 +3,7 @@
 
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/contact_memory.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd_clusters.h>
+#include <argos3/plugins/simulator/physics_engines/planar/separation.h>
 
 #include <vector>
 
@@ -46,6 +47,7 @@ constexpr UInt32 kFirstLine = UInt32(1) << 31;
 struct SCrowdTick {
   Real Duration = 0.1;  // s
   UInt32 LeastSubsteps = 1;
+  bool RefineInCrowds = true;  // more substeps where forces add up
   Real SmallestRadius = 0.0;  // m
   /** No disc moves farther in the tick, m: those farther apart than twice this cannot meet. */
   Real LongestPath = 0.0;
@@ -114,7 +116,7 @@ class CCrowdSolver {
     UInt32 NumContacts = 0, NumBorder = 0, NumWalls = 0;
     float Change = 0.0F;  // greatest change of a velocity in the last sweep, m/s
     float BorderChange = 0.0F;
-    float Deepest = 0.0F;  // overlap, m
+    float Deepest = 0.0F, BorderDeepest = 0.0F;  // overlap, m
     bool IsDue = false;  // in the next sweep
   };
 
@@ -124,6 +126,7 @@ class CCrowdSolver {
   void FindContacts(UInt32 patch, const SSubstep& substep);
   UInt32 FindContacts(UInt32 first, UInt32 end, const SSubstep& substep, SPatchState& state);
   void FindWalls(UInt32 patch, const SSubstep& substep);
+  SSeparation SeparateFromWall(const CCrowdClusters::SWall& wall, const SStep& step) const;
   void StartDrives(UInt32 patch, const SSubstep& substep);
   void WarmStart(UInt32 first, UInt32 count);
   void WarmStartWalls(UInt32 first, UInt32 count);
@@ -133,10 +136,14 @@ class CCrowdSolver {
   float SolveContact(SContact& contact);
   float SweepPatch(UInt32 patch, UInt32 sweep);
   void Finish(UInt32 patch, const SSubstep& substep);
-  float GetTolerance(const SSubstep& substep) const { return m_tolerance / substep.Duration; }
+  void PushApart(UInt32 patch);
+  float PushContactsApart(UInt32 first, UInt32 count);
+  float PushOutOfWalls(UInt32 first, UInt32 count);
+  void Push(UInt32 disc, Real x, Real y);
 
   SCrowdTick m_tick;
   float m_tolerance = 0.0F;  // m in a substep
+  float m_deepEnough = 0.0F;  // m
   const CCrowdClusters* m_clusters = nullptr;
   const CProximityFilter* m_filter = nullptr;
   const std::vector<SCrowdLine>* m_lines = nullptr;

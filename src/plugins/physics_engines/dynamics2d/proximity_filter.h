@@ -43,7 +43,10 @@ class CProximityFilter {
   };
 
   void SetObstacles(const std::vector<SFootprint>& obstacles);
-  const SFootprint& GetObstacle(UInt32 number) const { return m_obstacles[number]; }
+  const SFootprint& GetObstacle(UInt32 number) const {
+    ARGOS_ASSERT(number < m_obstacles.size(), "there is no obstacle " << number);
+    return m_obstacles[number];
+  }
 
   /** Allocates for a number of discs. */
   void Reserve(size_t numDiscs);
@@ -70,7 +73,10 @@ class CProximityFilter {
     m_isNear[place] = 1;
   }
   /** After Find(): can the disc meet another one or an obstacle? */
-  bool IsNear(UInt32 place) const { return m_isNear[place] != 0; }
+  bool IsNear(UInt32 place) const {
+    ARGOS_ASSERT(place < m_isNear.size(), "there is no disc at place " << place);
+    return m_isNear[place] != 0;
+  }
   /**
    * After Find(): calls visit(place) for every disc whose circle meets another one. One thread.
    * @param radius  of that circle, its reach included, m.

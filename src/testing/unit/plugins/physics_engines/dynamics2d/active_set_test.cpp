@@ -56,34 +56,30 @@ TEST_CASE("active set: the last robot takes the number of a deactivated one", "[
   CheckNumbers(scene);
 }
 
-TEST_CASE("active set: discs are selected by their marks", "[dynamics2d]") {
+TEST_CASE("active set: the discs of excluded clusters are active", "[dynamics2d]") {
   CPlanarScene scene;
-  scene.AddRobot(0.0, 0.0);  // touches the next one
+  scene.AddRobot(0.0, 0.0);  // can meet the next one, which is excluded
   scene.AddRobot(0.1, 0.0);
-  scene.AddRobot(2.0, 0.0);  // alone, but active
-  scene.AddRobot(4.0, 0.0);  // alone, active, and in a grip
-  scene.AddRobot(6.0, 0.0);  // has the next one within the margin
-  scene.AddRobot(6.15, 0.0);
-  for (const UInt32 slot : {2U, 3U, 4U}) {
-    scene.Active.Activate(slot);
+  scene.AddRobot(2.0, 0.0);  // excluded, and alone
+  scene.AddRobot(4.0, 0.0);  // active, but not excluded
+  scene.AddRobot(6.0, 0.0);  // can meet the next one; neither is excluded
+  scene.AddRobot(6.1, 0.0);
+  scene.Active.Activate(3);
+  CThreadPool pool(0, std::make_unique<CBalanceQuantitySchedule>());
+  CProximityFilter filter;
+  CCrowd crowd(scene.Store);
+  scene.FindPairs(pool, filter, 0.01);
+  crowd.Start(filter);
+  for (const Real x : {0.1, 2.0}) {
+    filter.ForNear(x, 0.0, -0.055, [&crowd](UInt32 place) { crowd.Exclude(place); });
   }
-  scene.Store.GetDriven()[3].NumGrips = 1;
-
-  CProximityFilter marks;
-  marks.SetMargin(0.1);
-  marks.Clear(scene.Store.GetDriven().size());
-  for (UInt32 slot = 0; slot < scene.Store.GetDriven().size(); ++slot) {
-    const SPlanarPose& pose = scene.Store.GetDriven()[slot].Pose;
-    marks.Place(slot, pose.X, pose.Y, 0.06);
-  }
-  marks.MarkAll();
-  scene.Active.Select(marks);
+  scene.Active.Select(filter, crowd);
 
   CHECK(scene.Store.GetDriven()[0].IsActive());
   CHECK(scene.Store.GetDriven()[1].IsActive());
-  CHECK_FALSE(scene.Store.GetDriven()[2].IsActive());
-  CHECK(scene.Store.GetDriven()[3].IsActive());
-  CHECK(scene.Store.GetDriven()[4].IsActive());
+  CHECK(scene.Store.GetDriven()[2].IsActive());
+  CHECK_FALSE(scene.Store.GetDriven()[3].IsActive());
+  CHECK_FALSE(scene.Store.GetDriven()[4].IsActive());
   CHECK_FALSE(scene.Store.GetDriven()[5].IsActive());
   CheckNumbers(scene);
 }

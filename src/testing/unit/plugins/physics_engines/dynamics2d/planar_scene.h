@@ -3,6 +3,7 @@
 
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/active_set.h>
 
 #include <array>
@@ -81,6 +82,16 @@ class CPlanarScene {
 
   SDrivenBody& GetDriven(const SBody& body) { return Store.GetDriven()[body.Handle.Slot]; }
   SPassiveBody& GetPassive(const SBody& body) { return Store.GetPassive()[body.Handle.Slot]; }
+
+  /** Finds the discs that can meet within @p reach, m. */
+  void FindPairs(CThreadPool& pool, CProximityFilter& filter, Real reach) {
+    filter.Start(Store.GetDriven().size());
+    for (UInt32 slot = 0; slot < Store.GetDriven().size(); ++slot) {
+      const SDrivenBody& body = Store.GetDriven()[slot];
+      filter.Place(slot, body.Pose.X, body.Pose.Y, body.BoundingRadius);
+    }
+    filter.Find(pool, reach);
+  }
 
   /** Plans the arcs of active robots, and steps the Box2D world. */
   void Drive(UInt32 substeps) {

@@ -1,5 +1,6 @@
-// The grid finds the same discs that comparing each with each does.
+// The grid finds the same pairs that comparing each with each does.
 
+#include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/proximity_filter.h>
 
 #include <catch2/catch.hpp>
@@ -13,8 +14,10 @@ namespace argos {
 
 namespace {
 
+using TPairs = std::vector<std::pair<UInt32, UInt32>>;
+
 struct SDisc {
-  Real X, Y, Reach;
+  Real X, Y, Radius;
 };
 
 Real DistanceTo(const SFootprint& obstacle, Real x, Real y) {
@@ -26,49 +29,88 @@ Real DistanceTo(const SFootprint& obstacle, Real x, Real y) {
   return std::max(outside - obstacle.Radius, 0.0);
 }
 
-CProximityFilter::EMark MarkOf(Real gap, Real margin) {
-  if (gap <= 0.0) {
-    return CProximityFilter::Active;
-  }
-  return gap <= margin ? CProximityFilter::Guarded : CProximityFilter::Free;
-}
-
-std::vector<CProximityFilter::EMark> MarkEachWithEach(const std::vector<SDisc>& discs,
-                                                      const std::vector<SFootprint>& obstacles,
-                                                      Real margin) {
-  std::vector<CProximityFilter::EMark> marks(discs.size(), CProximityFilter::Free);
-  for (size_t i = 0; i < discs.size(); ++i) {
-    for (size_t j = 0; j < discs.size(); ++j) {
-      if (i != j) {
-        const Real gap = std::hypot(discs[i].X - discs[j].X, discs[i].Y - discs[j].Y) -
-                         discs[i].Reach - discs[j].Reach;
-        marks[i] = std::max(marks[i], MarkOf(gap, margin));
+// by number of disc, the lower one first
+TPairs PairEachWithEach(const std::vector<SDisc>& discs, Real reach) {
+  TPairs pairs;
+  for (UInt32 i = 0; i < discs.size(); ++i) {
+    for (UInt32 j = i + 1; j < discs.size(); ++j) {
+      if (std::hypot(discs[i].X - discs[j].X, discs[i].Y - discs[j].Y) <=
+          discs[i].Radius + discs[j].Radius + 2.0 * reach) {
+        pairs.emplace_back(i, j);
       }
     }
-    for (const SFootprint& obstacle : obstacles) {
-      const Real gap = DistanceTo(obstacle, discs[i].X, discs[i].Y) - discs[i].Reach;
-      marks[i] = std::max(marks[i], MarkOf(gap, margin));
+  }
+  return pairs;
+}
+
+TPairs FindObstacles(const std::vector<SDisc>& discs, const std::vector<SFootprint>& obstacles,
+                     Real reach) {
+  TPairs pairs;
+  for (UInt32 i = 0; i < discs.size(); ++i) {
+    for (UInt32 j = 0; j < obstacles.size(); ++j) {
+      if (DistanceTo(obstacles[j], discs[i].X, discs[i].Y) <= discs[i].Radius + reach) {
+        pairs.emplace_back(i, j);
+      }
     }
   }
-  return marks;
+  return pairs;
+}
+
+void Place(CProximityFilter& filter, const std::vector<SDisc>& discs) {
+  filter.Start(discs.size());
+  for (UInt32 i = 0; i < discs.size(); ++i) {
+    filter.Place(i, discs[i].X, discs[i].Y, discs[i].Radius);
+  }
+}
+
+// as found, in the order of the parts
+TPairs ListPairs(const CProximityFilter& filter) {
+  TPairs pairs;
+  for (const CProximityFilter::SPart& part : filter.GetParts()) {
+    for (const CProximityFilter::SPair& pair : part.Pairs) {
+      const UInt32 a = filter.GetDiscs()[pair.A].Number;
+      const UInt32 b = filter.GetDiscs()[pair.B].Number;
+      pairs.emplace_back(std::min(a, b), std::max(a, b));
+    }
+  }
+  return pairs;
+}
+
+TPairs ListObstaclePairs(const CProximityFilter& filter) {
+  TPairs pairs;
+  for (const CProximityFilter::SPart& part : filter.GetParts()) {
+    for (const CProximityFilter::SObstaclePair& pair : part.ObstaclePairs) {
+      pairs.emplace_back(filter.GetDiscs()[pair.Disc].Number, pair.Obstacle);
+    }
+  }
+  return pairs;
+}
+
+TPairs Sorted(TPairs pairs) {
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
 }
 
 }  // namespace
 
 TEST_CASE("proximity filter: the grid finds what comparing each with each finds", "[dynamics2d]") {
-  const int numDiscs = GENERATE(1, 2, 30, 400);
+  const int numDiscs = GENERATE(1, 2, 30, 400, 5000);
   const Real side = GENERATE(0.5, 5.0, 60.0);
-  const unsigned seed = GENERATE(1U, 2U, 3U);
-  CAPTURE(numDiscs, side, seed);
-  constexpr Real kMargin = 0.02;
+  const unsigned seed = GENERATE(1U, 2U);
+  const UInt32 threads = GENERATE(0U, 3U);
+  if (numDiscs == 5000 && side < 1.0) {
+    return;  // millions of pairs
+  }
+  CAPTURE(numDiscs, side, seed, threads);
+  constexpr Real kReach = 0.02;
   std::mt19937 generator(seed);
   std::uniform_real_distribution<Real> position(-0.5 * side, 0.5 * side);
-  std::uniform_real_distribution<Real> reach(0.03, 0.12);
+  std::uniform_real_distribution<Real> radius(0.03, 0.12);
   std::uniform_real_distribution<Real> angle(0.0, 6.28);
 
   std::vector<SDisc> discs;
   for (int i = 0; i < numDiscs; ++i) {
-    discs.push_back({position(generator), position(generator), reach(generator)});
+    discs.push_back({position(generator), position(generator), radius(generator)});
   }
   std::vector<SFootprint> obstacles;
   for (int i = 0; i < 10; ++i) {
@@ -76,58 +118,57 @@ TEST_CASE("proximity filter: the grid finds what comparing each with each finds"
     const bool disc = i % 3 == 0;
     obstacles.push_back({position(generator), position(generator), disc ? 1.0 : std::cos(yaw),
                          disc ? 0.0 : std::sin(yaw), disc ? 0.0 : 0.1 * side, disc ? 0.0 : 0.01,
-                         disc ? reach(generator) : 0.0});
+                         disc ? radius(generator) : 0.0});
   }
 
+  CThreadPool pool(threads, std::make_unique<CBalanceQuantitySchedule>());
   CProximityFilter filter;
-  filter.SetMargin(kMargin);
   filter.SetObstacles(obstacles);
-  filter.Clear(discs.size());
-  for (UInt32 i = 0; i < discs.size(); ++i) {
-    filter.Place(i, discs[i].X, discs[i].Y, discs[i].Reach);
+  Place(filter, discs);
+  filter.Find(pool, kReach);
+  const TPairs pairs = PairEachWithEach(discs, kReach);
+  const TPairs obstaclePairs = FindObstacles(discs, obstacles, kReach);
+  REQUIRE(Sorted(ListPairs(filter)) == pairs);
+  REQUIRE(Sorted(ListObstaclePairs(filter)) == obstaclePairs);
+  std::vector<bool> isNear(discs.size(), false);
+  for (const auto& [a, b] : pairs) {
+    isNear[a] = isNear[b] = true;
   }
-  filter.MarkAll();
-  const std::vector<CProximityFilter::EMark> expected = MarkEachWithEach(discs, obstacles, kMargin);
-  for (UInt32 i = 0; i < discs.size(); ++i) {
-    CAPTURE(i, discs[i].X, discs[i].Y, discs[i].Reach);
-    REQUIRE(filter.GetMark(i) == expected[i]);
+  for (const auto& pair : obstaclePairs) {
+    isNear[pair.first] = true;
   }
+  for (UInt32 place = 0; place < discs.size(); ++place) {
+    REQUIRE(filter.IsNear(place) == isNear[filter.GetDiscs()[place].Number]);
+  }
+
+  // the order of places and of pairs does not depend on threads
+  CThreadPool alone(0, std::make_unique<CBalanceQuantitySchedule>());
+  CProximityFilter other;
+  other.SetObstacles(obstacles);
+  Place(other, discs);
+  other.Find(alone, kReach);
+  CHECK(ListPairs(other) == ListPairs(filter));
+  CHECK(ListObstaclePairs(other) == ListObstaclePairs(filter));
 }
 
-TEST_CASE("proximity filter: a body that is no disc marks the discs that it may meet",
+TEST_CASE("proximity filter: a circle meets the discs within its radius and their reach",
           "[dynamics2d]") {
+  CThreadPool pool(0, std::make_unique<CBalanceQuantitySchedule>());
   CProximityFilter filter;
-  filter.SetMargin(0.1);
-  filter.Clear(4);
-  filter.Place(0, 0.0, 0.0, 0.1);
-  filter.Place(1, 2.0, 0.0, 0.1);
-  filter.Place(3, -1.25, 0.0, 0.1);
-  filter.MarkAll();
-  filter.MarkNear(1.0, 0.0, 0.95);
-  CHECK(filter.GetMark(0) == CProximityFilter::Active);
-  CHECK(filter.GetMark(1) == CProximityFilter::Active);
-  // never placed
-  CHECK(filter.GetMark(2) == CProximityFilter::Free);
-  CHECK(filter.GetMark(3) == CProximityFilter::Free);
-  // 0.05 m are missing, less than the margin
-  filter.MarkNear(-2.0, 0.0, 0.6);
-  CHECK(filter.GetMark(3) == CProximityFilter::Guarded);
-}
-
-TEST_CASE("proximity filter: a disc may reach farther than others do", "[dynamics2d]") {
-  // two that are far apart, in a row of small ones
-  CProximityFilter filter;
-  filter.SetMargin(0.01);
-  filter.Clear(102);
-  for (UInt32 i = 0; i < 100; ++i) {
-    filter.Place(i, 0.5 * i, 10.0, 0.05);
-  }
-  filter.Place(100, 0.0, 0.0, 3.0);
-  filter.Place(101, 5.0, 0.0, 2.5);
-  filter.MarkAll();
-  CHECK(filter.GetMark(0) == CProximityFilter::Free);
-  CHECK(filter.GetMark(100) == CProximityFilter::Active);
-  CHECK(filter.GetMark(101) == CProximityFilter::Active);
+  Place(filter, {{0.0, 0.0, 0.1}, {2.0, 0.0, 0.1}, {0.0, 0.0, 0.1}, {-1.25, 0.0, 0.1}});
+  filter.LeaveOut(2);
+  filter.Find(pool, 0.01);
+  CHECK(filter.GetDiscs().size() == 3);
+  const auto list = [&filter](Real x, Real radius) {
+    std::vector<UInt32> numbers;
+    filter.ForNear(x, 0.0, radius,
+                   [&](UInt32 place) { numbers.push_back(filter.GetDiscs()[place].Number); });
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
+  };
+  CHECK(list(1.0, 0.9) == std::vector<UInt32>{0, 1});
+  CHECK(list(1.0, 0.88).empty());
+  CHECK(list(-2.0, 0.65) == std::vector<UInt32>{3});
 }
 
 }  // namespace argos

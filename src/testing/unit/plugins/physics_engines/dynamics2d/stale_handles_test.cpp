@@ -4,7 +4,6 @@
 
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_ghosts.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_grips.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_world.h>
 #include <argos3/testing/support/invariants.h>
@@ -98,7 +97,8 @@ TEST_CASE("planar world: a stale handle is noticed", "[dynamics2d][invariants]")
   CheckCaught([&] { world.Remove(stale); }, kStale);
   CheckCaught([&] { world.SetVelocity(stale, SPlanarVelocity()); }, kStale);
   CheckCaught([&] { static_cast<void>(world.GetVelocity(stale)); }, kStale);
-  world.Advance();
+  CThreadPool pool(0, std::make_unique<CBalanceQuantitySchedule>());
+  world.Advance(pool);
 }
 
 TEST_CASE("active set: a robot that has left its slot is noticed", "[dynamics2d][invariants]") {
@@ -120,25 +120,6 @@ TEST_CASE("active set: a robot that has left its slot is noticed", "[dynamics2d]
   CheckCaught([&] { scene.Active.Deactivate(0); }, "not the active one");
   scene.Active.UpdateSlot(0);
   CHECK_NOTHROW(scene.Active.StartTick());
-}
-
-TEST_CASE("planar ghosts: a robot that was removed after it met a ghost is noticed",
-          "[dynamics2d][invariants]") {
-  CPlanarScene scene;
-  CPlanarGhosts ghosts(scene.Store, scene.Active);
-  scene.AddRobot(0.0, 0.0);
-  scene.AddRobot(1.0, 0.0);
-  CProximityFilter marks;
-  marks.Clear(2);
-  marks.Place(0, 0.0, 0.0, 0.1);
-  marks.Place(1, 1.0, 0.0, 0.1);
-  marks.MarkAll();
-  ghosts.Set({{0.12, 0.0, CPlanarScene::kRadius}});
-  ghosts.FindMeetings(marks, 0.03);
-  scene.Store.Remove(scene.Bodies[0].Handle);
-  // another robot has the slot now
-  REQUIRE(scene.Bodies[1].Handle.Slot == 0);
-  CheckCaught([&] { ghosts.Place(0.03); }, kStale);
 }
 
 TEST_CASE("planar grips: a holder and a held body that have left are noticed",
@@ -176,14 +157,18 @@ TEST_CASE("planar grips: a holder and a held body that have left are noticed",
 
 TEST_CASE("proximity filter: the numbers of a former tick are noticed",
           "[dynamics2d][invariants]") {
-  CProximityFilter marks;
-  marks.Clear(2);
-  marks.Place(0, 0.0, 0.0, 0.1);
-  marks.Place(1, 1.0, 0.0, 0.1);
-  marks.Clear(1);
-  CheckCaught([&] { marks.SetReach(0, 0.2); }, "disc 0 was not placed in this tick");
-  CheckCaught([&] { marks.Extend(1, 0.2); }, "no disc with the number 1");
-  CheckCaught([&] { static_cast<void>(marks.GetMark(1)); }, "no disc with the number 1");
+  CThreadPool pool(0, std::make_unique<CBalanceQuantitySchedule>());
+  CProximityFilter filter;
+  filter.Start(2);
+  filter.Place(0, 0.0, 0.0, 0.1);
+  filter.Place(1, 1.0, 0.0, 0.1);
+  filter.Find(pool, 0.01);
+  filter.Start(1);
+  CheckCaught([&] { filter.Place(1, 0.0, 0.0, 0.1); }, "no disc with the number 1");
+  filter.Place(0, 0.0, 0.0, 0.1);
+  filter.Find(pool, 0.01);
+  CheckCaught([&] { static_cast<void>(filter.IsNear(1)); }, "no disc at place 1");
+  CheckCaught([&] { static_cast<void>(filter.GetObstacle(0)); }, "no obstacle 0");
 }
 
 }  // namespace argos
