@@ -2,7 +2,7 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_ACTIVE_SET_H
 
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_store.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/proximity_filter.h>
+#include <argos3/plugins/simulator/physics_engines/planar/proximity_filter.h>
 
 #include <vector>
 

@@ -6,7 +6,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_ghosts.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_grips.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_store.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/proximity_filter.h>
+#include <argos3/plugins/simulator/physics_engines/planar/proximity_filter.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/substep_policy.h>
 
 #include <vector>

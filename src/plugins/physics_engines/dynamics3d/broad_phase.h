@@ -26,7 +26,7 @@ class CBroadPhase {
 
   /**
    * Finds the pairs at the current positions.
-   * @param movables, fixed  all bodies with bounds, by SRigidBody::Number.
+   * @param movables, fixed  all bodies with bounds, in the order of their numbers.
    */
   const std::vector<SRigidPair>& FindPairs(const std::vector<SRigidBody*>& movables,
                                            const std::vector<SRigidBody*>& fixed);

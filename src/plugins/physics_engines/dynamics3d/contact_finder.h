@@ -37,7 +37,8 @@ class CContactFinder {
   void MarkChanged() { m_broadPhase.MarkChanged(); }
   /**
    * Wakes bodies near awake ones, and creates the contacts of the next substep.
-   * @param movables, fixed  by SRigidBody::Number. @param planes  that bound everything.
+   * @param movables  the active ones, by SRigidBody::ActiveNumber. @param fixed  by
+   * SRigidBody::Number. @param planes  that bound everything.
    * @param grips    of the world. @param ghosts  of other engines.
    * @param gravity  m/s^2: the direction of friction in contacts that do not slide.
    * @param substep  s: the length of the next substep.
@@ -48,7 +49,7 @@ class CContactFinder {
   void Clear();
 
   /** After Find(): the island of an awake body. */
-  SIsland& GetIsland(const SRigidBody& body) { return IslandOf(FindRoot(body.Number)); }
+  SIsland& GetIsland(const SRigidBody& body) { return IslandOf(FindRoot(body.ActiveNumber)); }
   /** After Find(): the greatest number of rows of an island. */
   UInt32 GetMostRows() const { return m_mostRows; }
   UInt32 GetNumContacts() const { return m_numContacts; }

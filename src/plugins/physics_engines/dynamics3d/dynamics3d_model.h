@@ -47,6 +47,8 @@ class CDynamics3DModel : public CRobotBodyModel {
 
   // The body in the engine's world, while there is one. ARGOS_ASSERT notices that it is another's.
   SRigidBody& GetBody() const;
+  // @return true if the body is in the engine's world, and movable
+  bool IsMoved() const;
   // to push a link of a movable body with a force or torque; null if there is nothing to push
   dxBody* WakeLink(const CVector3& push, UInt32 link);
 

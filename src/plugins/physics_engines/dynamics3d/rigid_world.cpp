@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/physics_engine/flight_loop.h>
+#include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/articulated_body.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_model.h>
@@ -22,6 +23,8 @@ namespace {
 constexpr Real kStartFlightSpeed = 6.0;
 // factor for what other bodies that push add to the path of the fastest body
 constexpr Real kPathMargin = 1.5;
+// free robots that a thread moves together
+constexpr size_t kRollGrain = 128;
 
 // removes a body from a list by its number, which the last one gets
 void TakeOut(std::vector<SRigidBody*>& bodies, const SRigidBody& body) {
@@ -42,6 +45,9 @@ Real GetOrderedSpeed(const SRigidBody& body) {
 
 // of the fastest link, m/s
 Real ComputeSpeed(const SRigidBody& body) {
+  if (body.IsFree) {
+    return body.Roll.Motion.ComputeSpeed();
+  }
   Real fastest = FromODE(dBodyGetLinearVel(body.Body)).Length();
   for (const SRigidLink& link : body.Links) {
     fastest = std::max(fastest, FromODE(dBodyGetLinearVel(link.Part)).Length());
@@ -71,7 +77,8 @@ CRigidWorld::CRigidWorld(const SRigidSettings& settings, std::function<void()> b
     : m_settings(settings),
       m_beforeSubstep(std::move(beforeSubstep)),
       m_world(dWorldCreate()),
-      m_threading(dThreadingAllocateSelfThreadedImplementation()) {
+      m_threading(dThreadingAllocateSelfThreadedImplementation()),
+      m_free(m_settings) {
   dWorldSetStepThreadingImplementation(m_world, dThreadingImplementationGetFunctions(m_threading),
                                        m_threading);
   dWorldSetERP(m_world, m_settings.ErrorReduction);
@@ -91,6 +98,7 @@ CRigidWorld::~CRigidWorld() {
   for (const auto& body : m_owned) {
     DestroyRigidBody(*body);
   }
+  m_spares.Clear();
   m_contacts.reset();
   dWorldDestroy(m_world);
   dThreadingFreeImplementation(m_threading);
@@ -99,7 +107,28 @@ CRigidWorld::~CRigidWorld() {
 void CRigidWorld::SetGravity(const CVector3& gravity) {
   m_gravity = gravity;
   dWorldSetGravity(m_world, gravity.GetX(), gravity.GetY(), gravity.GetZ());
+  SetGround();
   WakeAll();
+}
+
+// Robots may be free on the highest floor, if gravity is vertical and no ceiling is near.
+void CRigidWorld::SetGround() {
+  SRollGround ground{-HUGE_VAL, 0.0, -m_gravity.GetZ()};
+  bool isRoofed = false;
+  for (const SRigidBody* plane : m_planes) {
+    isRoofed = isRoofed || plane->IsCeiling();
+    if (!plane->IsCeiling() && plane->High.GetZ() > ground.Height) {
+      ground.Height = plane->High.GetZ();
+      ground.Friction = plane->Friction;
+    }
+  }
+  const bool isDownward =
+      m_gravity.GetX() == 0.0 && m_gravity.GetY() == 0.0 && ground.Gravity > 0.0;
+  if (m_settings.FreeRobots && isDownward && !isRoofed && ground.Height > -HUGE_VAL) {
+    m_free.SetGround(ground);
+  } else {
+    m_free.SetGround(std::nullopt);
+  }
 }
 
 SRigidBody& CRigidWorld::MakePlane(const SGroundPlane& plane) {
@@ -117,6 +146,7 @@ void CRigidWorld::AddPlane(const SGroundPlane& plane) {
   body.High.SetZ(plane.Height);
   const dGeomID geom = dCreatePlane(nullptr, 0.0, 0.0, 1.0, plane.Height);
   body.Solids.push_back(geom);
+  SetGround();
 }
 
 void CRigidWorld::AddCeiling(const SGroundPlane& plane) {
@@ -126,6 +156,7 @@ void CRigidWorld::AddCeiling(const SGroundPlane& plane) {
   body.High.SetZ(HUGE_VAL);
   const dGeomID geom = dCreatePlane(nullptr, 0.0, 0.0, -1.0, kFaceMargin - plane.Height);
   body.Solids.push_back(geom);
+  SetGround();
 }
 
 void CRigidWorld::AddWall(const SBodyDescription& wall, SRigidPose pose) {
@@ -149,8 +180,23 @@ SRigidBody& CRigidWorld::Add(const SRigidSource& source, const SRigidPose& pose)
   auto& list = source.Movable ? m_movables : m_fixed;
   body.Number = static_cast<UInt32>(list.size());
   list.push_back(&body);
-  BuildRigidBody(body, pose, m_settings, m_world);
-  UpdateBounds(body);
+  body.IsFree = m_free.MayStartFree(source, pose);
+  if (body.IsFree) {
+    DescribeRigidBody(body, m_settings);
+    body.Roll = {MakePlanarPose(pose.Position, pose.Orientation), pose.Position.GetZ(), {}};
+  } else {
+    BuildRigidBody(body, pose, m_settings, m_world);
+    UpdateBounds(body);
+  }
+  if (!source.Movable) {
+    m_free.MarkFixedChanged();
+  } else if (!body.IsFree) {
+    body.ActiveNumber = static_cast<UInt32>(m_active.size());
+    m_active.push_back(&body);
+  }
+  if (body.HasDrive()) {
+    m_free.NoteRobot(body);
+  }
   if (source.Movable) {
     m_widest = std::max(m_widest, source.Description->ComputeBoundingRadius());
   }
@@ -180,6 +226,11 @@ void CRigidWorld::Remove(SRigidBody& body) {
   body.Gripper = nullptr;
   body.Turret = nullptr;
   m_grips->SetManipulator(body);
+  if (!body.Source.Movable) {
+    m_free.MarkFixedChanged();
+  } else if (!body.IsFree) {
+    TakeFromActive(body);
+  }
   DestroyRigidBody(body);
   TakeOut(list, body);
   if (body.Source.Quadrotor != nullptr) {
@@ -197,6 +248,12 @@ void CRigidWorld::Place(SRigidBody& body, const SRigidPose& pose, const SRigidMo
   ARGOS_ASSERT(Has(body), "a rigid body is placed that is not in the world");
   WakeAll();
   m_grips->ReleaseAllOf(body);
+  if (body.IsFree) {
+    Activate(body);
+  }
+  if (!body.Source.Movable) {
+    m_free.MarkFixedChanged();
+  }
   PlaceRigidBody(body, pose, motion);
   UpdateBounds(body);
 }
@@ -204,14 +261,128 @@ void CRigidWorld::Place(SRigidBody& body, const SRigidPose& pose, const SRigidMo
 // Called by all functions that change the world between ticks.
 void CRigidWorld::WakeAll() {
   m_contacts->MarkChanged();
-  for (SRigidBody* body : m_movables) {
+  for (SRigidBody* body : m_active) {
     WakeRigidBody(*body);
   }
 }
 
-void CRigidWorld::Advance() {
-  StartTick();
-  m_grips->StartTick(m_movables, m_settings.Tick);
+void CRigidWorld::TakeFromActive(const SRigidBody& body) {
+  m_contacts->MarkChanged();
+  const UInt32 number = body.ActiveNumber;
+  m_active[number] = m_active.back();
+  m_active[number]->ActiveNumber = number;
+  m_active.pop_back();
+}
+
+// It keeps pose and motion.
+void CRigidWorld::Activate(SRigidBody& body) {
+  ARGOS_ASSERT(body.IsFree, "a rigid body is activated that is active already");
+  const SRigidPose pose = GetRigidPose(body);
+  const SRigidMotion motion = GetRigidMotion(body);
+  body.IsFree = false;
+  if (!m_spares.Take(body)) {
+    BuildRigidBody(body, pose, m_settings, m_world);
+  }
+  PlaceRigidBody(body, pose, motion);
+  body.Asleep = false;
+  body.QuietTime = 0.0;
+  UpdateBounds(body);
+  m_contacts->MarkChanged();
+  body.ActiveNumber = static_cast<UInt32>(m_active.size());
+  m_active.push_back(&body);
+}
+
+// Its state as a free robot is set.
+void CRigidWorld::Deactivate(SRigidBody& body) {
+  TakeFromActive(body);
+  m_spares.Return(body, m_active.size() + kFewSpareParts);
+  body.IsFree = true;
+  body.Asleep = false;
+}
+
+// The robots that touch nothing in the tick become free, those that may touch something active.
+void CRigidWorld::SelectFree(CThreadPool* pool) {
+  for (SRigidBody* body : m_active) {
+    if (!body->Asleep) {
+      UpdateBounds(*body);
+    }
+  }
+  m_free.StartTick({m_movables, m_active, m_fixed, *m_grips, m_ghosts.Get()}, FindFastest(m_active),
+                   m_settings.Tick, pool);
+  // backwards, because the last one takes the place of a deactivated one
+  for (size_t i = m_active.size(); i-- > 0;) {
+    if (m_active[i]->HasDrive() && m_free.MayFree(*m_active[i])) {
+      Deactivate(*m_active[i]);
+    }
+  }
+  for (SRigidBody* body : m_movables) {
+    if (body->IsFree && m_free.MustActivate(*body)) {
+      Activate(*body);
+    }
+  }
+  for (SRigidBody* body : m_active) {
+    m_free.Claim(*body);
+  }
+}
+
+// After a number of substeps: activates the free robots near bodies that move farther than expected.
+void CRigidWorld::ActivateStruck(UInt32 substeps) {
+  const Real rest = (m_numSubsteps - substeps) * m_substep;
+  // those that are activated may be added to the list
+  for (size_t i = 0; m_free.GetGround() && i < m_active.size(); ++i) {
+    m_struck.clear();
+    if (m_active[i]->Asleep || !m_free.ExtendClaim(*m_active[i], m_substep, rest, m_struck)) {
+      continue;
+    }
+    for (const UInt32 number : m_struck) {
+      if (m_movables[number]->IsFree) {
+        ActivateAt(*m_movables[number], substeps);
+      }
+    }
+  }
+}
+
+// Activates a free robot within a tick.
+void CRigidWorld::ActivateAt(SRigidBody& body, UInt32 substeps) {
+  body.Roll = ::argos::Roll(body, body.Roll, body.Source.Drive.Read(), *m_free.GetGround(),
+                            m_substep, substeps);
+  Activate(body);
+  m_free.Claim(body);
+  StartRobotTick(body);
+  if (body.HasWheels()) {
+    TuneWheels(body, m_gravity.Length(), m_substep);
+  }
+}
+
+// Moves the free robots by the tick.
+void CRigidWorld::RollFree(CThreadPool* pool) {
+  if (!m_free.GetGround()) {
+    return;
+  }
+  const SRollGround& ground = *m_free.GetGround();
+  const auto roll = [&](size_t begin, size_t end, UInt32) {
+    for (size_t i = begin; i < end; ++i) {
+      SRigidBody& body = *m_movables[i];
+      if (body.IsFree) {
+        const SDriveCommand command = body.Source.Drive.Read();
+        body.Asleep = command == SDriveCommand() && body.Roll.Motion == SDriveCommand();
+        if (!body.Asleep) {
+          body.Roll =
+              ::argos::Roll(body, body.Roll, command, ground, m_substep, m_numSubsteps);
+        }
+      }
+    }
+  };
+  if (pool != nullptr) {
+    pool->ParallelFor(m_movables.size(), kRollGrain, roll);
+  } else {
+    roll(0, m_movables.size(), 0);
+  }
+}
+
+void CRigidWorld::Advance(CThreadPool* pool) {
+  StartTick(pool);
+  m_grips->StartTick(m_active, m_settings.Tick);
   for (UInt32 i = 0; i < m_numSubsteps; ++i) {
     m_beforeSubstep();
     for (SRigidBody* body : m_flying) {
@@ -220,55 +391,46 @@ void CRigidWorld::Advance() {
     for (const SRigidBody* body : m_articulated) {
       DriveJoints(*body, m_substep);
     }
-    m_contacts->Find(m_movables, m_fixed, m_planes, *m_grips, m_ghosts, m_gravity, m_substep);
-    SetPlanarMotors();
-    Step();
-    m_contacts->Clear();
-    m_grips->BreakOverloadedGrips();
+    if (!m_active.empty()) {
+      m_contacts->Find(m_active, m_fixed, m_planes, *m_grips, m_ghosts, m_gravity, m_substep);
+      SetPlanarMotors();
+      Step();
+      m_contacts->Clear();
+      m_grips->BreakOverloadedGrips();
+      if (i + 1 < m_numSubsteps) {
+        ActivateStruck(i + 1);
+      }
+    }
     for (SRigidBody* body : m_articulated) {
       ReadJoints(*body);
     }
   }
   m_grips->EndTick(m_settings.Tick);
-  if (m_settings.Sleep) {
+  if (m_settings.Sleep && !m_active.empty()) {
     UpdateSleep();
   }
+  RollFree(pool);
 }
 
 // Drives get their targets in each substep, when it is known whether they touch the ground.
 void CRigidWorld::SetPlanarMotors() {
-  for (SRigidBody* body : m_movables) {
+  for (SRigidBody* body : m_active) {
     if (body->HasPlanarDrive() && !body->Asleep) {
       SetPlanarMotor(*body, m_substep);
     }
   }
 }
 
-// Sets the speeds of wheels.
-void CRigidWorld::StartTick() {
+void CRigidWorld::StartTick(CThreadPool* pool) {
+  SelectFree(pool);
   for (SRigidBody* body : m_articulated) {
     StartJointTick(*body, m_settings.Tick / m_settings.Substeps);
   }
-  for (SRigidBody* body : m_movables) {
-    if (body->HasDrive() && !body->Source.Drive.Read().IsFinite()) {
-      throw SBadDriveCommand{&body->Source.Owner->GetEmbodiedEntity(), body->Source.Drive};
-    }
-    if (body->HasPlanarDrive() && !(body->Source.Drive.Read() == SDriveCommand())) {
-      WakeRigidBody(*body);
-    }
-    if (!body->HasWheels()) {
-      continue;
-    }
-    for (size_t i = 0; i < body->Axles.size(); ++i) {
-      const Real speed = body->Source.Drive.GetWheels()[i];
-      dJointSetHingeParam(body->Axles[i], dParamVel, speed / body->WheelRadius);
-      if (speed != 0.0) {
-        WakeRigidBody(*body);
-      }
-    }
+  for (SRigidBody* body : m_active) {
+    StartRobotTick(*body);
   }
   if (!m_ghosts.IsEmpty()) {
-    m_ghosts.FindMeetings(m_movables, ComputeLongestPath(FindFastest()),
+    m_ghosts.FindMeetings(m_active, ComputeLongestPath(FindFastest(m_movables)),
                           ComputeLongestPath(kStartFlightSpeed));
   }
   m_mostDirectRows = m_settings.MaxDirectRows;
@@ -276,10 +438,27 @@ void CRigidWorld::StartTick() {
   SetSubstep(m_settings.Tick / m_numSubsteps);
 }
 
-// Greatest speed of all bodies and wheels, m/s.
-Real CRigidWorld::FindFastest() const {
+// Sets the speeds of wheels.
+void CRigidWorld::StartRobotTick(SRigidBody& body) {
+  if (body.HasPlanarDrive() && !(body.Source.Drive.Read() == SDriveCommand())) {
+    WakeRigidBody(body);
+  }
+  if (!body.HasWheels()) {
+    return;
+  }
+  for (size_t i = 0; i < body.Axles.size(); ++i) {
+    const Real speed = body.Source.Drive.GetWheels()[i];
+    dJointSetHingeParam(body.Axles[i], dParamVel, speed / body.WheelRadius);
+    if (speed != 0.0) {
+      WakeRigidBody(body);
+    }
+  }
+}
+
+// Greatest speed of these bodies and their wheels, m/s.
+Real CRigidWorld::FindFastest(const std::vector<SRigidBody*>& bodies) {
   Real fastest = 0.0;
-  for (const SRigidBody* body : m_movables) {
+  for (const SRigidBody* body : bodies) {
     if (body->Asleep) {
       continue;
     }
@@ -299,7 +478,7 @@ Real CRigidWorld::ComputeLongestPath(Real fastest) const {
 Real CRigidWorld::ComputeGhostReach() const {
   // a robot and the robot that approaches it may both move by the longest path
   const Real start = m_flying.empty() ? kStartSpeed : kStartFlightSpeed;
-  return m_widest + 2.0 * ComputeLongestPath(std::max(FindFastest(), start));
+  return m_widest + 2.0 * ComputeLongestPath(std::max(FindFastest(m_movables), start));
 }
 
 // ODE finds contacts only at the end of a substep, so that no body may pass through another in one;
@@ -312,7 +491,7 @@ UInt32 CRigidWorld::CountSubsteps() const {
     thinnest = std::min(thinnest, body->Narrowest);
   }
   Real strides = 0.0;
-  for (const SRigidBody* body : m_movables) {
+  for (const SRigidBody* body : m_active) {
     if (!body->Asleep) {
       const Real speed = ForeseeSpeed(*body, m_settings.Tick);
       const Real most = speed + (body->Source.Quadrotor == nullptr ? gain : 0.0);
@@ -332,7 +511,7 @@ UInt32 CRigidWorld::CountSubsteps() const {
 
 void CRigidWorld::SetSubstep(Real substep) {
   m_substep = substep;
-  for (SRigidBody* body : m_movables) {
+  for (SRigidBody* body : m_active) {
     if (body->HasWheels()) {
       TuneWheels(*body, m_gravity.Length(), substep);
     }
@@ -370,14 +549,14 @@ void CRigidWorld::StepByIslands() {
     return m_contacts->GetIsland(body).Rows > m_mostDirectRows;
   };
   m_large.clear();
-  for (SRigidBody* body : m_movables) {
+  for (SRigidBody* body : m_active) {
     if (!body->Asleep && isLarge(*body)) {
       m_large.push_back(body);
       ForEachPart(*body, disable);
     }
   }
   StepDirectly();
-  for (SRigidBody* body : m_movables) {
+  for (SRigidBody* body : m_active) {
     if (!body->Asleep) {
       ForEachPart(*body, disable);
     }
@@ -386,7 +565,7 @@ void CRigidWorld::StepByIslands() {
     ForEachPart(*body, enable);
   }
   StepIteratively();
-  for (SRigidBody* body : m_movables) {
+  for (SRigidBody* body : m_active) {
     if (!body->Asleep) {
       ForEachPart(*body, enable);
     }
@@ -400,7 +579,7 @@ void CRigidWorld::StepIteratively() {
 
 // Uses the islands of the last substep. An island without contact to a fixed body never sleeps.
 void CRigidWorld::UpdateSleep() {
-  for (SRigidBody* body : m_movables) {
+  for (SRigidBody* body : m_active) {
     if (body->Asleep) {
       continue;
     }
@@ -412,7 +591,7 @@ void CRigidWorld::UpdateSleep() {
       m_contacts->GetIsland(*body).Quiet = false;
     }
   }
-  for (SRigidBody* body : m_movables) {
+  for (SRigidBody* body : m_active) {
     if (!body->Asleep) {
       const CContactFinder::SIsland& island = m_contacts->GetIsland(*body);
       if (island.Quiet && island.Supported) {

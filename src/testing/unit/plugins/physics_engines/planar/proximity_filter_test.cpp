@@ -1,6 +1,6 @@
 // The grid finds the same discs that comparing each with each does.
 
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/proximity_filter.h>
+#include <argos3/plugins/simulator/physics_engines/planar/proximity_filter.h>
 
 #include <catch2/catch.hpp>
 

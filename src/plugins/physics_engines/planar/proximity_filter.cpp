@@ -1,4 +1,4 @@
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/proximity_filter.h>
+#include <argos3/plugins/simulator/physics_engines/planar/proximity_filter.h>
 
 #include <algorithm>
 #include <cmath>
