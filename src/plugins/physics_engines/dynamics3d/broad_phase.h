@@ -21,6 +21,8 @@ struct SRigidPair {
  */
 class CBroadPhase {
  public:
+  /** Allocates for a number of bodies. */
+  void Reserve(size_t bodies) { m_entries.reserve(bodies); }
   /** To be called after bodies were added, removed or placed. */
   void MarkChanged() { m_isChanged = true; }
 

@@ -75,6 +75,12 @@ CContactFinder::~CContactFinder() {
   dJointGroupDestroy(m_contacts);
 }
 
+void CContactFinder::Reserve(size_t movables, size_t fixed) {
+  m_parents.reserve(movables);
+  m_islands.reserve(movables);
+  m_broadPhase.Reserve(movables + fixed);
+}
+
 void CContactFinder::Clear() {
   dJointGroupEmpty(m_contacts);
 }

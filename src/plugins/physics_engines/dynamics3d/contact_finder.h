@@ -33,6 +33,8 @@ class CContactFinder {
   CContactFinder(const CContactFinder&) = delete;
   CContactFinder& operator=(const CContactFinder&) = delete;
 
+  /** Allocates for numbers of bodies. */
+  void Reserve(size_t movables, size_t fixed);
   /** To be called after bodies were added, removed or placed. */
   void MarkChanged() { m_broadPhase.MarkChanged(); }
   /**

@@ -77,6 +77,10 @@ void CDynamics3DModel::AddTorque(const CVector3& torque, UInt32 link) {
   }
 }
 
+bool CDynamics3DModel::IsFree() const {
+  return m_body != nullptr && GetBody().IsFree;
+}
+
 UInt32 CDynamics3DModel::FindLink(const SAnchor& anchor) const {
   const auto& articulation = m_cEmbodiedEntity.GetBodyDescription()->Articulation;
   if (articulation == nullptr) {

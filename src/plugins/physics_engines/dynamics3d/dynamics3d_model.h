@@ -34,6 +34,8 @@ class CDynamics3DModel : public CRobotBodyModel {
   /** @param torque N m. */
   void AddTorque(const CVector3& torque, UInt32 link = 0);
 
+  /** @return true if the body is a free robot, which is not stepped by ODE: see the README. */
+  bool IsFree() const;
   /** The link of an articulated body that carries an anchor; 0 for other bodies. */
   UInt32 FindLink(const SAnchor& anchor) const;
   /** The pose of an anchor in this substep. @param link  FindLink(anchor). */

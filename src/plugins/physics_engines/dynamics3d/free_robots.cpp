@@ -55,6 +55,11 @@ CFreeRobots::CFreeRobots(const SRigidSettings& settings) : m_settings(settings) 
   m_filter.SetMargin(kFreeMargin);
 }
 
+void CFreeRobots::Reserve(size_t movables) {
+  m_filter.Reserve(movables);
+  m_plans.reserve(movables);
+}
+
 void CFreeRobots::SetGround(const std::optional<SRollGround>& ground) {
   m_ground = ground;
   m_haveFixedChanged = true;

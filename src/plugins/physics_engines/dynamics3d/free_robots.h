@@ -36,6 +36,8 @@ class CFreeRobots {
 
   explicit CFreeRobots(const SRigidSettings& settings);
 
+  /** Allocates for a number of movable bodies. */
+  void Reserve(size_t movables);
   /** @param ground  on which robots may be free; unset: none may. */
   void SetGround(const std::optional<SRollGround>& ground);
   const std::optional<SRollGround>& GetGround() const { return m_ground; }

@@ -197,6 +197,7 @@ SRigidBody& CRigidWorld::Add(const SRigidSource& source, const SRigidPose& pose)
   if (body.HasDrive()) {
     m_free.NoteRobot(body);
   }
+  Reserve();
   if (source.Movable) {
     m_widest = std::max(m_widest, source.Description->ComputeBoundingRadius());
   }
@@ -207,6 +208,15 @@ SRigidBody& CRigidWorld::Add(const SRigidSource& source, const SRigidPose& pose)
     m_articulated.push_back(&body);
   }
   return body;
+}
+
+// Any number of the robots may be active in a tick.
+void CRigidWorld::Reserve() {
+  m_active.reserve(m_movables.capacity());
+  m_large.reserve(m_movables.capacity());
+  m_struck.reserve(m_movables.capacity());
+  m_free.Reserve(m_movables.capacity());
+  m_contacts->Reserve(m_movables.capacity(), m_fixed.capacity());
 }
 
 bool CRigidWorld::Has(const SRigidBody& body) const {

@@ -84,6 +84,7 @@ class CRigidWorld {
   SRigidBody& MakeBody();
   SRigidBody& MakePlane(const SGroundPlane& plane);
   void WakeAll();
+  void Reserve();
   void SetGround();
   void StartTick(CThreadPool* pool);
   void StartRobotTick(SRigidBody& body);
