@@ -42,6 +42,13 @@ bool IsUpright(const CQuaternion& orientation) {
   return orientation.GetX() == 0.0 && orientation.GetY() == 0.0;
 }
 
+bool HasHull(const SBodyDescription& description) {
+  return std::any_of(description.Shapes.begin(), description.Shapes.end(),
+                     [](const SShapeDescription& shape) {
+                       return shape.Kind == SShapeDescription::EKind::Hull;
+                     });
+}
+
 // how far from its origin a robot may seek a body to grip, m
 Real GetSeekReach(const SRigidBody& robot) {
   const CVector3& offset = robot.Gripper->GetOffset();
@@ -96,7 +103,7 @@ void CFreeRobots::ListObstacles(const std::vector<SRigidBody*>& fixed) {
     if (!IsAtHeight(body->Low.GetZ(), body->High.GetZ())) {
       continue;
     }
-    if (IsUpright(body->Fixed.Orientation)) {
+    if (IsUpright(body->Fixed.Orientation) && !HasHull(*body->Source.Description)) {
       AppendFootprints(*body->Source.Description,
                        MakePlanarPose(body->Fixed.Position, body->Fixed.Orientation), obstacles);
       continue;
