@@ -571,8 +571,7 @@ CVector3 GetRigidVelocity(const SRigidBody& body) {
 }
 
 CVector3 GetRigidAngularVelocity(const SRigidBody& body) {
-  return body.IsFree ? GetRollMotion(body).AngularVelocity
-                     : FromODE(dBodyGetAngularVel(body.Body));
+  return body.IsFree ? GetRollMotion(body).AngularVelocity : FromODE(dBodyGetAngularVel(body.Body));
 }
 
 SRigidMotion GetRigidMotion(const SRigidBody& body) {

@@ -105,10 +105,9 @@ void CDynamics3DEngine::InitPlugins(TConfigurationNode& tree) {
     SetDefaults();
   }
   // others may push any body
-  m_settings->FreeRobots =
-      m_settings->FreeRobots &&
-      std::all_of(m_plugins.begin(), m_plugins.end(),
-                  [](const auto& plugin) { return plugin->IgnoresModels(); });
+  m_settings->FreeRobots = m_settings->FreeRobots &&
+                           std::all_of(m_plugins.begin(), m_plugins.end(),
+                                       [](const auto& plugin) { return plugin->IgnoresModels(); });
 }
 
 // No add-on listed: gravity and a floor by default.
@@ -360,8 +359,8 @@ void CDynamics3DEngine::WriteBack() {
     for (size_t i = begin; i < end; ++i) {
       CDynamics3DModel& model = *bodies[i]->Source.Owner;
       WriteBack(model);
-      m_haveLeft[i] = IsEntityTransferActive() &&
-                      HasLeft(model.m_cEmbodiedEntity.GetOriginAnchor().Position);
+      m_haveLeft[i] =
+          IsEntityTransferActive() && HasLeft(model.m_cEmbodiedEntity.GetOriginAnchor().Position);
     }
   };
   if (UsesThreadPool()) {

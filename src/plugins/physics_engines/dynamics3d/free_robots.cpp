@@ -43,17 +43,15 @@ bool IsUpright(const CQuaternion& orientation) {
 }
 
 bool HasHull(const SBodyDescription& description) {
-  return std::any_of(description.Shapes.begin(), description.Shapes.end(),
-                     [](const SShapeDescription& shape) {
-                       return shape.Kind == SShapeDescription::EKind::Hull;
-                     });
+  return std::any_of(
+      description.Shapes.begin(), description.Shapes.end(),
+      [](const SShapeDescription& shape) { return shape.Kind == SShapeDescription::EKind::Hull; });
 }
 
 // how far from its origin a robot may seek a body to grip, m
 Real GetSeekReach(const SRigidBody& robot) {
   const CVector3& offset = robot.Gripper->GetOffset();
-  return std::hypot(offset.GetX(), offset.GetY()) +
-         robot.Source.Description->Gripper->SensorRadius;
+  return std::hypot(offset.GetX(), offset.GetY()) + robot.Source.Description->Gripper->SensorRadius;
 }
 
 }  // namespace
@@ -73,8 +71,7 @@ void CFreeRobots::SetGround(const std::optional<SRollGround>& ground) {
 }
 
 void CFreeRobots::NoteRobot(const SRigidBody& robot) {
-  const SBoundingBox box =
-      robot.Source.Description->ComputeBoundingBox(CVector3(), CQuaternion());
+  const SBoundingBox box = robot.Source.Description->ComputeBoundingBox(CVector3(), CQuaternion());
   if (box.MaxCorner.GetZ() > m_height) {
     m_height = box.MaxCorner.GetZ();
     m_haveFixedChanged = true;
@@ -138,9 +135,8 @@ void CFreeRobots::StartTick(const SBodies& bodies, Real fastest, Real tick, CThr
   for (SRigidBody* body : bodies.Active) {
     body->IsGripped = body->TurretBody != nullptr;
   }
-  bodies.Grips.ForEachGrip([](SRigidBody& holder, SRigidBody& held) {
-    holder.IsGripped = held.IsGripped = true;
-  });
+  bodies.Grips.ForEachGrip(
+      [](SRigidBody& holder, SRigidBody& held) { holder.IsGripped = held.IsGripped = true; });
   const std::vector<SRigidBody*>& movables = bodies.Movables;
   m_plans.resize(movables.size());
   const auto plan = [&](size_t begin, size_t end, UInt32) {
@@ -170,9 +166,9 @@ void CFreeRobots::StartTick(const SBodies& bodies, Real fastest, Real tick, CThr
     if (m_plans[i].MayRoll) {
       const SRigidBody& robot = *movables[i];
       const SPlanarPose& pose = m_plans[i].State.Pose;
-      m_filter.Place(i, pose.X, pose.Y,
-                     robot.BoundingRadius +
-                         (robot.IsFree ? m_plans[i].Path + kFreeSlack : m_reach));
+      m_filter.Place(
+          i, pose.X, pose.Y,
+          robot.BoundingRadius + (robot.IsFree ? m_plans[i].Path + kFreeSlack : m_reach));
     }
   }
   m_filter.MarkAll();
@@ -223,8 +219,7 @@ void CFreeRobots::Claim(SRigidBody& body) const {
   body.ClaimHigh = body.High + around;
 }
 
-bool CFreeRobots::ExtendClaim(SRigidBody& body, Real substep, Real rest,
-                              std::vector<UInt32>& met) {
+bool CFreeRobots::ExtendClaim(SRigidBody& body, Real substep, Real rest, std::vector<UInt32>& met) {
   // bounds are those at the start of the substep
   const Real speed = FromODE(dBodyGetLinearVel(body.Body)).Length();
   const Real next = kClaimedSubsteps * speed * substep;

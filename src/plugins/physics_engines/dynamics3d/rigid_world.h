@@ -49,7 +49,8 @@ class CRigidWorld {
    */
   void AddWall(const SBodyDescription& wall, SRigidPose pose);
 
-  /** Adds a body at rest, and wakes all bodies; an upright robot on the floor is free. The reference stays valid until Remove(). */
+  /** Adds a body at rest, and wakes all bodies; an upright robot on the floor is free. The
+   * reference stays valid until Remove(). */
   SRigidBody& Add(const SRigidSource& source, const SRigidPose& pose);
   void Remove(SRigidBody& body);
   /** @return true if the body was not removed. Takes time in proportion to the bodies. */

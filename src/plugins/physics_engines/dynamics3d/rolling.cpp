@@ -54,8 +54,8 @@ std::array<Real, 2> LimitChange(const SRigidBody& robot, const std::array<Real, 
   const size_t better = 1 - worse;
   const Real determinant = own * own - other * other;
   impulse[worse] = std::clamp(impulse[worse], -most, most);
-  impulse[better] = std::clamp((wanted[better] * determinant + other * impulse[worse]) / own,
-                               -most, most);
+  impulse[better] =
+      std::clamp((wanted[better] * determinant + other * impulse[worse]) / own, -most, most);
   return {(own * impulse[0] - other * impulse[1]) / determinant,
           (own * impulse[1] - other * impulse[0]) / determinant};
 }
@@ -123,16 +123,15 @@ SRollState ReadRollState(const SRigidBody& robot) {
   state.Pose = MakePlanarPose(pose.Position, pose.Orientation);
   state.Height = pose.Position.GetZ();
   state.Motion.YawRate = dBodyGetAngularVel(robot.Body)[2];
-  const CVector3 velocity = FromODE(dBodyGetLinearVel(robot.Body)) -
-                            Cross(CVector3(0.0, 0.0, state.Motion.YawRate),
-                                  GetCentreAcross(robot, state.Pose));
+  const CVector3 velocity =
+      FromODE(dBodyGetLinearVel(robot.Body)) -
+      Cross(CVector3(0.0, 0.0, state.Motion.YawRate), GetCentreAcross(robot, state.Pose));
   const SPlanarPose& at = state.Pose;
   const Real cosine = at.HalfCos * at.HalfCos - at.HalfSin * at.HalfSin;
   const Real sine = 2.0 * at.HalfCos * at.HalfSin;
   state.Motion.Ahead = cosine * velocity.GetX() + sine * velocity.GetY();
   // wheels do not slide sideways
-  state.Motion.Left =
-      robot.HasWheels() ? 0.0 : cosine * velocity.GetY() - sine * velocity.GetX();
+  state.Motion.Left = robot.HasWheels() ? 0.0 : cosine * velocity.GetY() - sine * velocity.GetX();
   return state;
 }
 
@@ -174,8 +173,8 @@ bool RollsFreely(const SRigidBody& robot, const SRollState& state, const SRollGr
 
 bool HoldsArc(const SRigidBody& robot, const SDriveCommand& command, const SRollGround& ground) {
   const SBodyDescription& description = *robot.Source.Description;
-  const Real limit = robot.HasWheels() ? ComputeGrip(robot, ground)
-                                       : description.PlanarDrive->MaxForce;
+  const Real limit =
+      robot.HasWheels() ? ComputeGrip(robot, ground) : description.PlanarDrive->MaxForce;
   const Real turn = std::abs(command.YawRate);
   const Real offset = std::hypot(robot.CentreOfMass.GetX(), robot.CentreOfMass.GetY());
   const Real speed = command.ComputeSpeed() + offset * turn;

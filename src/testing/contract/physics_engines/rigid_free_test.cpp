@@ -169,7 +169,8 @@ TEST_CASE("rigid free robots: becoming active and free keeps pose and speed",
     // rolling without slip: the softness of contacts allows 0.1 % of 0.1 m/s
     CHECK_THAT(now.Velocity.Length(), WithinAbs(motion.Velocity.Length(), 2e-4));
     CHECK_THAT(now.Rotation.GetZ(), WithinAbs(motion.Rotation.GetZ(), 2e-3));
-    CHECK_THAT(Distance(world.Position("r"), last), WithinAbs(0.005 * (left + right) * kTick, 2e-5));
+    CHECK_THAT(Distance(world.Position("r"), last),
+               WithinAbs(0.005 * (left + right) * kTick, 2e-5));
     CHECK_THAT(world.Yaw("r") - lastYaw, WithinAbs(0.01 * (right - left) / axis * kTick, 2e-4));
     CHECK_THAT(world.Position("r").GetZ(), WithinAbs(0.0, 1e-4));
     changes += IsFree(world, "r") != wasFree ? 1 : 0;
@@ -301,10 +302,11 @@ TEST_CASE("rigid free robots: never with a closed gripper, or near one",
 TEST_CASE("rigid free robots: none with other add-ons, or without gravity on a floor",
           "[contract][engine][rigid]") {
   const std::string grounded = "<floor/><gravity g='9.81'/>";
-  const std::string children = GENERATE_COPY(
-      grounded + "<magnetism/>", grounded + KickXml("r", CVector3(0, 0, 0)), std::string("<floor/>"),
-      std::string("<gravity g='9.81'/>"), std::string("<floor/><gravity vector='0,0.1,-9.8'/>"),
-      std::string("<floor friction='0'/><gravity g='9.81'/>"));
+  const std::string children =
+      GENERATE_COPY(grounded + "<magnetism/>", grounded + KickXml("r", CVector3(0, 0, 0)),
+                    std::string("<floor/>"), std::string("<gravity g='9.81'/>"),
+                    std::string("<floor/><gravity vector='0,0.1,-9.8'/>"),
+                    std::string("<floor friction='0'/><gravity g='9.81'/>"));
   CAPTURE(children);
   CRigidScene world(RigidEngine("", children), DriverXml("foot-bot", "r", 0, 0, 0, 0, 0));
   TakeLogErr();
@@ -347,9 +349,8 @@ TEST_CASE("rigid free robots: equal for any number of threads and schedule, and 
 
 TEST_CASE("rigid free robots: a tick in which robots become active and free allocates nothing",
           "[contract][engine][rigid]") {
-  CRigidScene world(GroundedEngine(),
-                    WallXml(CVector3(0.1, 0.1, 0.3), CVector3(1, 0, 0)) +
-                        DriverXml("foot-bot", "r", 1, 0.4, 0, 0, 0));
+  CRigidScene world(GroundedEngine(), WallXml(CVector3(0.1, 0.1, 0.3), CVector3(1, 0, 0)) +
+                                          DriverXml("foot-bot", "r", 1, 0.4, 0, 0, 0));
   REQUIRE(world.Body("r").MoveTo(CVector3(0.6, 0.145, 0), CQuaternion()));
   CContractDriver& driver = world.Driver("r");
   const CDynamics3DModel& model = ModelOf(world, "r");
