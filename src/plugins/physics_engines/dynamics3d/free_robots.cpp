@@ -4,7 +4,6 @@
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/entities/gripper_equipped_entity.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics3d/body_builder.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_model.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_ghosts.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_grips.h>
