@@ -49,6 +49,7 @@ struct SSubject {
   std::string Stepper;
   std::string Children;  // XML elements
   std::vector<UInt32> Iterations;
+  std::string Attributes = "";  // of XML, besides iterations
   bool HasContacts = true;
   // robots; limits the solvers that take too long
   UInt32 LargestCrowd = std::numeric_limits<UInt32>::max();
@@ -59,7 +60,8 @@ struct SSubject {
   UInt32 CrowdWarmUp = 20;
 
   std::string ToAttributes(UInt32 iterations) const {
-    return iterations == kDefault ? "" : "iterations=\"" + std::to_string(iterations) + "\"";
+    return Attributes +
+           (iterations == kDefault ? "" : " iterations=\"" + std::to_string(iterations) + "\"");
   }
   std::string ToXml(UInt32 iterations) const {
     return "<" + Engine + " id=\"engine\" " + ToAttributes(iterations) + ">" + Children + "</" +
@@ -70,6 +72,8 @@ struct SSubject {
 SSubject Rigid(const std::string& stepper) {
   SSubject subject{"dynamics3d", stepper, "", {1, 5, kDefault, 20}};  // the engine's default is 10
   subject.Children = "<floor/><gravity g=\"9.81\"/><solver stepper=\"" + stepper + "\"/>";
+  // free robots are those of the other engines: their arcs are exact
+  subject.Attributes = "free_robots=\"false\"";
   subject.RoomsRobotTicks = 30000;
   subject.RoomsWarmUp = 5;
   subject.CrowdRobotTicks = 20000;

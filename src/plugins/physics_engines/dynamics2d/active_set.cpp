@@ -68,10 +68,10 @@ void CActiveSet::Deactivate(UInt32 slot) {
   m_bodies.pop_back();
 }
 
-void CActiveSet::Select(const CProximityFilter& filter, CCrowd& crowd) {
+void CActiveSet::Select(const CDiscPairs& filter, CCrowd& crowd) {
   const std::vector<SDrivenBody>& driven = m_store.GetDriven();
   m_isWanted.assign(driven.size(), 0);
-  const std::vector<CProximityFilter::SDisc>& discs = filter.GetDiscs();
+  const std::vector<CDiscPairs::SDisc>& discs = filter.GetDiscs();
   for (UInt32 place = 0; place < discs.size(); ++place) {
     m_isWanted[discs[place].Number] = crowd.IsExcluded(place) ? 1 : 0;
   }

@@ -45,7 +45,7 @@ class CActiveSet {
   /** Removes the Box2D body of an active robot. */
   void Deactivate(UInt32 slot);
   /** Activates the discs of excluded clusters, and deactivates the others. */
-  void Select(const CProximityFilter& filter, CCrowd& crowd);
+  void Select(const CDiscPairs& filter, CCrowd& crowd);
   /** To be called if another robot has got the slot of a removed one. */
   void UpdateSlot(UInt32 slot);
   /** The robot of one of GetBodies(). */

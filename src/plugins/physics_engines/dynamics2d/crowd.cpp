@@ -34,13 +34,12 @@ void CCrowd::ExpectOverlaps() {
   m_allowance = kMostAllowance * m_store.GetMetresPerUnit();
 }
 
-void CCrowd::AddLine(CProximityFilter& filter, UInt32 place, const SCrowdLine& line) {
+void CCrowd::AddLine(CDiscPairs& filter, UInt32 place, const SCrowdLine& line) {
   filter.AddObstaclePair(place, kFirstLine + static_cast<UInt32>(m_lines.size()));
   m_lines.push_back(line);
 }
 
-void CCrowd::Advance(CThreadPool& pool, const CProximityFilter& filter, Real longestPath,
-                     Real reach) {
+void CCrowd::Advance(CThreadPool& pool, const CDiscPairs& filter, Real longestPath, Real reach) {
   m_clusters.Build(filter, 2.0 * (m_store.GetWidestMovable() + reach));
   const size_t count = m_clusters.GetMembers().size();
   SCrowdTick tick;

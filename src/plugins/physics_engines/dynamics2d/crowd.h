@@ -33,8 +33,8 @@ class CCrowd {
   /** How much farther than on its way a disc may be moved in this tick because it overlaps, m. */
   Real GetAllowance() const { return m_allowance; }
 
-  /** Starts a tick, after CProximityFilter::Find(). */
-  void Start(const CProximityFilter& filter) {
+  /** Starts a tick, after CDiscPairs::Find(). */
+  void Start(const CDiscPairs& filter) {
     m_lines.clear();
     m_clusters.Unite(filter);
   }
@@ -42,12 +42,12 @@ class CCrowd {
   void Exclude(UInt32 place) { m_clusters.Exclude(place); }
   bool IsExcluded(UInt32 place) { return m_clusters.IsExcluded(place); }
   /** Adds a line that a disc does not cross. */
-  void AddLine(CProximityFilter& filter, UInt32 place, const SCrowdLine& line);
+  void AddLine(CDiscPairs& filter, UInt32 place, const SCrowdLine& line);
   /**
    * Corrects the planned states of the robots that touch something.
    * @param longestPath  of any robot in the tick, m; the reach of the filter is no less.
    */
-  void Advance(CThreadPool& pool, const CProximityFilter& filter, Real longestPath, Real reach);
+  void Advance(CThreadPool& pool, const CDiscPairs& filter, Real longestPath, Real reach);
 
  private:
   void FillIn(size_t begin, size_t end);

@@ -30,13 +30,13 @@ void CCrowdClusters::Reserve(size_t discs) {
   m_sort.Reserve(2 * discs, 2 * discs);
 }
 
-void CCrowdClusters::Unite(const CProximityFilter& filter) {
+void CCrowdClusters::Unite(const CDiscPairs& filter) {
   const size_t count = filter.GetDiscs().size();
   m_parent.resize(count);
   std::iota(m_parent.begin(), m_parent.end(), 0U);
   m_isExcluded.assign(count, 0);
-  for (const CProximityFilter::SPart& part : filter.GetParts()) {
-    for (const CProximityFilter::SPair& pair : part.Pairs) {
+  for (const CDiscPairs::SPart& part : filter.GetParts()) {
+    for (const CDiscPairs::SPair& pair : part.Pairs) {
       // the first place is the root
       const UInt32 a = FindRoot(pair.A);
       const UInt32 b = FindRoot(pair.B);
@@ -45,7 +45,7 @@ void CCrowdClusters::Unite(const CProximityFilter& filter) {
   }
 }
 
-void CCrowdClusters::Build(const CProximityFilter& filter, Real pairReach) {
+void CCrowdClusters::Build(const CDiscPairs& filter, Real pairReach) {
   NumberClusters(filter);
   CutIntoStrips(pairReach);
   SortMembers(filter);
@@ -53,8 +53,8 @@ void CCrowdClusters::Build(const CProximityFilter& filter, Real pairReach) {
   SortWalls(filter);
 }
 
-void CCrowdClusters::NumberClusters(const CProximityFilter& filter) {
-  const std::vector<CProximityFilter::SDisc>& discs = filter.GetDiscs();
+void CCrowdClusters::NumberClusters(const CDiscPairs& filter) {
+  const std::vector<CDiscPairs::SDisc>& discs = filter.GetDiscs();
   m_clusters.clear();
   m_clusterOf.resize(discs.size());
   for (UInt32 place = 0; place < discs.size(); ++place) {
@@ -66,7 +66,7 @@ void CCrowdClusters::NumberClusters(const CProximityFilter& filter) {
     if (m_isExcluded[root] != 0) {
       continue;
     }
-    const CProximityFilter::SDisc& disc = discs[place];
+    const CDiscPairs::SDisc& disc = discs[place];
     if (root == place) {
       m_clusterOf[place] = static_cast<UInt32>(m_clusters.size());
       SExtent& cluster = m_clusters.emplace_back();
@@ -114,8 +114,7 @@ void CCrowdClusters::CutIntoStrips(Real pairReach) {
   m_patches.assign(patch, SCrowdPatch());
 }
 
-UInt32 CCrowdClusters::ComputePatch(const CProximityFilter::SDisc& disc,
-                                    const SExtent& cluster) const {
+UInt32 CCrowdClusters::ComputePatch(const CDiscPairs::SDisc& disc, const SExtent& cluster) const {
   if (cluster.NumStrips == 1) {
     return cluster.FirstPatch;
   }
@@ -124,8 +123,8 @@ UInt32 CCrowdClusters::ComputePatch(const CProximityFilter::SDisc& disc,
   return cluster.FirstPatch + std::min(strip, cluster.NumStrips - 1);
 }
 
-void CCrowdClusters::SortMembers(const CProximityFilter& filter) {
-  const std::vector<CProximityFilter::SDisc>& discs = filter.GetDiscs();
+void CCrowdClusters::SortMembers(const CDiscPairs& filter) {
+  const std::vector<CDiscPairs::SDisc>& discs = filter.GetDiscs();
   m_patchOf.resize(discs.size());
   m_memberOf.resize(discs.size());
   m_sort.Start(discs.size(), m_patches.size());
@@ -152,15 +151,15 @@ void CCrowdClusters::SortMembers(const CProximityFilter& filter) {
 }
 
 // By patch; in each, those inside before those on its border with the next one.
-void CCrowdClusters::SortPairs(const CProximityFilter& filter) {
+void CCrowdClusters::SortPairs(const CDiscPairs& filter) {
   size_t count = 0;
-  for (const CProximityFilter::SPart& part : filter.GetParts()) {
+  for (const CDiscPairs::SPart& part : filter.GetParts()) {
     count += part.Pairs.size();
   }
   m_sort.Start(count, 2 * m_patches.size());
   size_t item = 0;
-  for (const CProximityFilter::SPart& part : filter.GetParts()) {
-    for (const CProximityFilter::SPair& pair : part.Pairs) {
+  for (const CDiscPairs::SPart& part : filter.GetParts()) {
+    for (const CDiscPairs::SPair& pair : part.Pairs) {
       const UInt32 a = m_patchOf[pair.A];
       const UInt32 b = m_patchOf[pair.B];
       if (a == kNone) {
@@ -173,8 +172,8 @@ void CCrowdClusters::SortPairs(const CProximityFilter& filter) {
   }
   m_pairs.resize(m_sort.Finish());
   item = 0;
-  for (const CProximityFilter::SPart& part : filter.GetParts()) {
-    for (const CProximityFilter::SPair& pair : part.Pairs) {
+  for (const CDiscPairs::SPart& part : filter.GetParts()) {
+    for (const CDiscPairs::SPair& pair : part.Pairs) {
       if (!m_sort.IsLeftOut(item)) {
         m_pairs[m_sort.GetPlace(item)] = {m_memberOf[pair.A], m_memberOf[pair.B]};
       }
@@ -188,15 +187,15 @@ void CCrowdClusters::SortPairs(const CProximityFilter& filter) {
   }
 }
 
-void CCrowdClusters::SortWalls(const CProximityFilter& filter) {
+void CCrowdClusters::SortWalls(const CDiscPairs& filter) {
   size_t count = 0;
-  for (const CProximityFilter::SPart& part : filter.GetParts()) {
+  for (const CDiscPairs::SPart& part : filter.GetParts()) {
     count += part.ObstaclePairs.size();
   }
   m_sort.Start(count, m_patches.size());
   size_t item = 0;
-  for (const CProximityFilter::SPart& part : filter.GetParts()) {
-    for (const CProximityFilter::SObstaclePair& pair : part.ObstaclePairs) {
+  for (const CDiscPairs::SPart& part : filter.GetParts()) {
+    for (const CDiscPairs::SObstaclePair& pair : part.ObstaclePairs) {
       if (m_patchOf[pair.Disc] == kNone) {
         m_sort.LeaveOut(item);
       } else {
@@ -207,8 +206,8 @@ void CCrowdClusters::SortWalls(const CProximityFilter& filter) {
   }
   m_walls.resize(m_sort.Finish());
   item = 0;
-  for (const CProximityFilter::SPart& part : filter.GetParts()) {
-    for (const CProximityFilter::SObstaclePair& pair : part.ObstaclePairs) {
+  for (const CDiscPairs::SPart& part : filter.GetParts()) {
+    for (const CDiscPairs::SObstaclePair& pair : part.ObstaclePairs) {
       if (!m_sort.IsLeftOut(item)) {
         m_walls[m_sort.GetPlace(item)] = {m_memberOf[pair.Disc], pair.Obstacle};
       }

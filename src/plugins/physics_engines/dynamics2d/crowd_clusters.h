@@ -2,7 +2,7 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_CROWD_CLUSTERS_H
 
 #include <argos3/core/utility/spatial/counting_sort.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/proximity_filter.h>
+#include <argos3/plugins/simulator/physics_engines/planar/disc_pairs.h>
 
 #include <vector>
 
@@ -47,14 +47,14 @@ class CCrowdClusters {
   };
 
   void Reserve(size_t discs);
-  /** Unites discs that can meet; after CProximityFilter::Find(). */
-  void Unite(const CProximityFilter& filter);
+  /** Unites discs that can meet; after CDiscPairs::Find(). */
+  void Unite(const CDiscPairs& filter);
   /** Leaves out the cluster of a disc; between Unite() and Build(). */
   void Exclude(UInt32 place) { m_isExcluded[FindRoot(place)] = 1; }
   /** Is the disc in an excluded cluster? */
   bool IsExcluded(UInt32 place) { return m_isExcluded[FindRoot(place)] != 0; }
   /** Lists the clusters that are not excluded. */
-  void Build(const CProximityFilter& filter, Real reach);
+  void Build(const CDiscPairs& filter, Real reach);
 
   const std::vector<SMember>& GetMembers() const { return m_members; }
   const std::vector<SPair>& GetPairs() const { return m_pairs; }
@@ -84,12 +84,12 @@ class CCrowdClusters {
     }
     return place;
   }
-  void NumberClusters(const CProximityFilter& filter);
+  void NumberClusters(const CDiscPairs& filter);
   void CutIntoStrips(Real pairReach);
-  UInt32 ComputePatch(const CProximityFilter::SDisc& disc, const SExtent& cluster) const;
-  void SortMembers(const CProximityFilter& filter);
-  void SortPairs(const CProximityFilter& filter);
-  void SortWalls(const CProximityFilter& filter);
+  UInt32 ComputePatch(const CDiscPairs::SDisc& disc, const SExtent& cluster) const;
+  void SortMembers(const CDiscPairs& filter);
+  void SortPairs(const CDiscPairs& filter);
+  void SortWalls(const CDiscPairs& filter);
 
   std::vector<UInt32> m_parent;  // by place
   std::vector<UInt8> m_isExcluded;  // by place of the root

@@ -76,7 +76,7 @@ void CCrowdSolver::Start(const SCrowdTick& tick, size_t discs) {
 }
 
 void CCrowdSolver::Solve(CThreadPool& pool, const CCrowdClusters& clusters,
-                         const CProximityFilter& filter, const std::vector<SCrowdLine>& lines,
+                         const CDiscPairs& filter, const std::vector<SCrowdLine>& lines,
                          const CContactMemory& pairMemory, const CContactMemory& wallMemory) {
   m_clusters = &clusters;
   m_filter = &filter;

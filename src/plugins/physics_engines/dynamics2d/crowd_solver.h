@@ -79,7 +79,7 @@ class CCrowdSolver {
    * Moves all discs by one tick.
    * @param lines  what obstacles from kFirstLine on are.
    */
-  void Solve(CThreadPool& pool, const CCrowdClusters& clusters, const CProximityFilter& filter,
+  void Solve(CThreadPool& pool, const CCrowdClusters& clusters, const CDiscPairs& filter,
              const std::vector<SCrowdLine>& lines, const CContactMemory& pairMemory,
              const CContactMemory& wallMemory);
   /** After Solve(): has anything pushed the disc? */
@@ -145,7 +145,7 @@ class CCrowdSolver {
   float m_tolerance = 0.0F;  // m in a substep
   float m_deepEnough = 0.0F;  // m
   const CCrowdClusters* m_clusters = nullptr;
-  const CProximityFilter* m_filter = nullptr;
+  const CDiscPairs* m_filter = nullptr;
   const std::vector<SCrowdLine>* m_lines = nullptr;
   // by member
   std::vector<SCrowdDisc> m_discs;

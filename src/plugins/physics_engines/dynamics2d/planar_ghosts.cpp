@@ -35,7 +35,7 @@ class CWaker : public b2QueryCallback {
 
 }  // namespace
 
-void CPlanarGhosts::Place(CProximityFilter& filter, CCrowd& crowd, Real reach, Real longestPath) {
+void CPlanarGhosts::Place(CDiscPairs& filter, CCrowd& crowd, Real reach, Real longestPath) {
   for (const SGhostDisc& ghost : m_ghosts) {
     m_nearGhost.clear();
     filter.ForNear(ghost.X, ghost.Y, ghost.Radius + reach,
@@ -62,9 +62,9 @@ void CPlanarGhosts::Place(CProximityFilter& filter, CCrowd& crowd, Real reach, R
 }
 
 // half-way between the ghost and the robot, across the line between their centres
-void CPlanarGhosts::PlaceLine(const SGhostDisc& ghost, UInt32 place, CProximityFilter& filter,
+void CPlanarGhosts::PlaceLine(const SGhostDisc& ghost, UInt32 place, CDiscPairs& filter,
                               CCrowd& crowd) {
-  const CProximityFilter::SDisc& disc = filter.GetDiscs()[place];
+  const CDiscPairs::SDisc& disc = filter.GetDiscs()[place];
   const Real dx = ghost.X - disc.X;
   const Real dy = ghost.Y - disc.Y;
   const Real distance = std::hypot(dx, dy);

@@ -100,7 +100,7 @@ void CPlanarWorld::ReserveForTick() {
   m_active.Reserve(numActive);
   m_store.ReserveNumbers(numActive);
   m_ghosts.Reserve(m_store.GetGrippable().capacity());
-  m_proximityFilter.Reserve(m_store.GetDriven().capacity());
+  m_discPairs.Reserve(m_store.GetDriven().capacity());
   m_crowd.Reserve(m_store.GetDriven().capacity());
   m_longestOfRun.reserve(m_store.GetDriven().capacity() / kPlanGrain + 1);
 }
@@ -121,10 +121,10 @@ void CPlanarWorld::Advance(CThreadPool& pool) {
   m_grips.StartTick();
   PlanDriven(pool);
   FindMeetings(pool);
-  m_active.Select(m_proximityFilter, m_crowd);
+  m_active.Select(m_discPairs, m_crowd);
   m_grips.MakeGrips();
-  m_ghosts.Place(m_proximityFilter, m_crowd, GetReach(), m_longestPath);
-  m_crowd.Advance(pool, m_proximityFilter, m_longestPath, GetReach());
+  m_ghosts.Place(m_discPairs, m_crowd, GetReach(), m_longestPath);
+  m_crowd.Advance(pool, m_discPairs, m_longestPath, GetReach());
   UInt32 substeps = 1;
   if (IsAnyAwake()) {
     m_active.StartTick();
@@ -140,7 +140,7 @@ void CPlanarWorld::Advance(CThreadPool& pool) {
 // Computes the state of each robot at the end of the tick if nothing is in its way.
 void CPlanarWorld::PlanDriven(CThreadPool& pool) {
   const size_t count = m_store.GetDriven().size();
-  m_proximityFilter.Start(count);
+  m_discPairs.Start(count);
   m_longestOfRun.assign((count + kPlanGrain - 1) / kPlanGrain, 0.0);
   pool.ParallelFor(m_longestOfRun.size(), 1, [&](size_t begin, size_t end, UInt32) {
     for (size_t run = begin; run < end; ++run) {
@@ -196,9 +196,9 @@ Real CPlanarWorld::Plan(SDrivenBody& body, UInt32 slot) {
   body.NextVelocity = {velocityX, velocityY, yawRate};
 
   if (body.IsDisc) {
-    m_proximityFilter.Place(slot, body.Pose.X, body.Pose.Y, body.BoundingRadius);
+    m_discPairs.Place(slot, body.Pose.X, body.Pose.Y, body.BoundingRadius);
   } else {
-    m_proximityFilter.LeaveOut(slot);
+    m_discPairs.LeaveOut(slot);
   }
   const Real speed =
       std::sqrt(body.Velocity.X * body.Velocity.X + body.Velocity.Y * body.Velocity.Y);
@@ -209,12 +209,12 @@ Real CPlanarWorld::Plan(SDrivenBody& body, UInt32 slot) {
 // bodies, or are connected with such a disc, are left to Box2D.
 void CPlanarWorld::FindMeetings(CThreadPool& pool) {
   if (m_store.HaveObstaclesChanged()) {
-    m_proximityFilter.SetObstacles(m_store.ListObstacles());
+    m_discPairs.SetObstacles(m_store.ListObstacles());
     m_crowd.ForgetObstacles();
   }
   ExtendLongestPath();
-  m_proximityFilter.Find(pool, GetReach());
-  m_crowd.Start(m_proximityFilter);
+  m_discPairs.Find(pool, GetReach());
+  m_crowd.Start(m_discPairs);
   const Real reach = GetReach();
   for (const SActiveBody& active : m_active.GetBodies()) {
     const SDrivenBody& body = m_active.GetRobot(active);
@@ -238,8 +238,8 @@ void CPlanarWorld::FindMeetings(CThreadPool& pool) {
 // A disc that has a body in Box2D keeps it a little longer.
 void CPlanarWorld::ExcludeNear(const SPlanarPose& pose, Real radius) {
   const Real margin = kGuardMargin * m_store.GetMetresPerUnit();
-  m_proximityFilter.ForNear(pose.X, pose.Y, radius + margin, [&](UInt32 place) {
-    const CProximityFilter::SDisc& disc = m_proximityFilter.GetDiscs()[place];
+  m_discPairs.ForNear(pose.X, pose.Y, radius + margin, [&](UInt32 place) {
+    const CDiscPairs::SDisc& disc = m_discPairs.GetDiscs()[place];
     const Real dx = disc.X - pose.X;
     const Real dy = disc.Y - pose.Y;
     const Real near = radius + disc.Radius + GetReach();

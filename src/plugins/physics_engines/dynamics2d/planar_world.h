@@ -7,7 +7,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_ghosts.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_grips.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_store.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/proximity_filter.h>
+#include <argos3/plugins/simulator/physics_engines/planar/disc_pairs.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/substep_policy.h>
 
 #include <vector>
@@ -20,7 +20,7 @@ class CThreadPool;
  * The bodies of one engine, and their motion, on Box2D.
  *
  * A robot that is a disc and cannot touch anything during a tick needs no solver: its exact arc is
- * computed in double precision. Each tick finds what discs can meet (CProximityFilter). Those that
+ * computed in double precision. Each tick finds what discs can meet (CDiscPairs). Those that
  * can meet only each other and immovable things are solved together (CCrowd); the others have
  * bodies in Box2D (CActiveSet), like everything that is no disc or has no drive.
  *
@@ -132,7 +132,7 @@ class CPlanarWorld {
   CPlanarGrips m_grips;
   CPlanarGhosts m_ghosts;
   CSubstepPolicy m_substepPolicy;
-  CProximityFilter m_proximityFilter;
+  CDiscPairs m_discPairs;
   CCrowd m_crowd;
   std::vector<Real> m_longestOfRun;  // m; scratch of PlanDriven()
   COverlapSolver m_overlaps;

@@ -10,6 +10,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/prism_geom.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_mass.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rolling.h>
 #include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
@@ -48,7 +49,8 @@ Real GetWheelInertia(const SBodyDescription& description) {
   return 0.5 * GetWheelMass(description) * radius * radius;
 }
 
-void SetMass(SRigidBody& body) {
+// Sets what follows from the masses, and gives those of the body without its wheels.
+dMass ComputeMass(SRigidBody& body) {
   const SBodyDescription& description = *body.Source.Description;
   const Real chassis =
       description.Mass - (body.HasWheels() ? 2.0 * GetWheelMass(description) : 0.0);
@@ -69,7 +71,6 @@ void SetMass(SRigidBody& body) {
     // wheels far from the centre may leave no inertia for the rest
     SetPlanarInertia(mass, std::max(inertia, 0.1 * *description.PlanarInertia));
   }
-  dBodySetMass(body.Body, &mass);
   if (description.Propellers) {
     // the same frequency and damping as for the yaw
     const SControlGains& yaw = description.Propellers->Yaw;
@@ -77,6 +78,7 @@ void SetMass(SRigidBody& body) {
     body.TiltGains.Set(yaw.Proportional * ratio, yaw.Derivative * ratio,
                        description.Propellers->MaxTorque);
   }
+  return mass;
 }
 
 bool HasFixedBase(const SRigidBody& body) {
@@ -176,6 +178,7 @@ void AddRollers(SRigidBody& body) {
   const SBoundingBox box = body.Source.Description->ComputeBoundingBox(CVector3(), CQuaternion());
   const Real radius = kCasterRadius * body.WheelRadius;
   const CVector3 unused;
+  body.RollerMargin = 0.0;
   const std::array<CVector3, 6> centres = {body.HasWheels() ? GetWheelOffset(body, 0) : unused,
                                            body.HasWheels() ? GetWheelOffset(body, 1) : unused,
                                            CVector3(box.MaxCorner.GetX() - radius, 0.0, radius),
@@ -372,21 +375,35 @@ std::string FindFlaw(const SBodyDescription& description, bool movable) {
   return flaw.empty() ? FindFlawOfMasses(description) : flaw;
 }
 
-void BuildRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidSettings& settings,
-                    dWorldID world) {
+void DescribeRigidBody(SRigidBody& body, const SRigidSettings& settings) {
   const SBodyDescription& description = *body.Source.Description;
   body.Friction = settings.Friction;
   body.Narrowest = NarrowestSide(description.Shapes.front());
   for (const SShapeDescription& shape : description.Shapes) {
     body.Narrowest = std::min(body.Narrowest, NarrowestSide(shape));
   }
+  if (body.HasDrive()) {
+    body.WheelRadius =
+        body.HasWheels() ? description.Drive->WheelRadius : description.AssumeWheelRadius();
+    body.BoundingRadius = description.ComputeBoundingRadius();
+  }
+  if (body.Source.Movable) {
+    ComputeMass(body);
+  }
+  if (body.HasDrive()) {
+    AddRollers(body);
+  }
+}
+
+void BuildRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidSettings& settings,
+                    dWorldID world) {
+  DescribeRigidBody(body, settings);
+  const SBodyDescription& description = *body.Source.Description;
   if (body.Source.Movable) {
     body.Body = dBodyCreate(world);
-    if (body.Source.Drive && !body.Source.Drive.HasWheels()) {
-      body.WheelRadius = description.AssumeWheelRadius();
+    if (body.HasPlanarDrive()) {
       MountPlanarMotors(body, world);
-    } else if (body.Source.Drive) {
-      body.WheelRadius = description.Drive->WheelRadius;
+    } else if (body.HasWheels()) {
       dMass mass;
       dMassSetSphereTotal(&mass, GetWheelMass(description), body.WheelRadius);
       mass.I[0] = mass.I[5] = mass.I[10] = GetWheelInertia(description);
@@ -396,19 +413,18 @@ void BuildRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidSettin
         dBodySetGyroscopicMode(wheel, 0);
       }
     }
-    SetMass(body);
+    const dMass mass = ComputeMass(body);
+    dBodySetMass(body.Body, &mass);
     if (description.Articulation != nullptr) {
       AddLinks(body, world);
     }
     PlaceRigidBody(body, pose, {});
   }
+  body.Fixed = pose;
   AddSolids(body, pose);
   if (body.IsArticulated()) {
     ListSelfPairs(body);
     MountLinksAtStart(body, pose, world);
-  }
-  if (body.HasDrive()) {
-    AddRollers(body);
   }
   if (body.HasWheels()) {
     MountWheels(body, pose, world);
@@ -459,35 +475,44 @@ void SetPlanarMotor(SRigidBody& body, Real substep) {
   dJointSetAMotorParam(body.YawMotor, dParamFMax, body.HasGroundContact ? drive.MaxTorque : 0.0);
 }
 
-void DestroyRigidBody(SRigidBody& body) {
-  for (const dGeomID geom : body.Solids) {
+namespace {
+
+// parts are missing if the building was interrupted
+void DestroyJoint(dJointID joint) {
+  if (joint != nullptr) {
+    dJointDestroy(joint);
+  }
+}
+
+void DestroyPart(dBodyID part) {
+  if (part != nullptr) {
+    dBodyDestroy(part);
+  }
+}
+
+}  // namespace
+
+void DestroyRigidParts(SRigidParts& parts) {
+  for (const dGeomID geom : parts.Solids) {
     dGeomDestroy(geom);
   }
-  body.Solids.clear();
-  body.Hulls.clear();
-  // parts are missing if the building was interrupted
-  const auto destroyJoint = [](dJointID joint) {
-    if (joint != nullptr) {
-      dJointDestroy(joint);
-    }
-  };
-  const auto destroyPart = [](dBodyID part) {
-    if (part != nullptr) {
-      dBodyDestroy(part);
-    }
-  };
+  for (size_t i = 0; i < parts.Wheels.size(); ++i) {
+    DestroyJoint(parts.Axles[i]);
+    DestroyPart(parts.Wheels[i]);
+  }
+  DestroyJoint(parts.PlanarMotor);
+  DestroyJoint(parts.YawMotor);
+  DestroyPart(parts.Body);
+  parts = {};
+}
+
+void DestroyRigidBody(SRigidBody& body) {
   for (const SRigidLink& link : body.Links) {
-    destroyJoint(link.Joint);
-    destroyPart(link.Part);
+    DestroyJoint(link.Joint);
+    DestroyPart(link.Part);
   }
   body.Links.clear();
-  for (size_t i = 0; i < body.Wheels.size(); ++i) {
-    destroyJoint(body.Axles[i]);
-    destroyPart(body.Wheels[i]);
-  }
-  destroyJoint(body.PlanarMotor);
-  destroyJoint(body.YawMotor);
-  destroyPart(body.Body);
+  DestroyRigidParts(body);
 }
 
 void PlaceRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidMotion& motion) {
@@ -498,6 +523,7 @@ void PlaceRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidMotion
     }
   }
   if (!body.IsMovable()) {
+    body.Fixed = pose;
     return;
   }
   const CVector3 centre = Rotated(body.CentreOfMass, orientation);
@@ -532,12 +558,26 @@ void PutToSleep(SRigidBody& body) {
 }
 
 SRigidPose GetRigidPose(const SRigidBody& body) {
+  if (body.IsFree) {
+    return GetRollPose(body.Roll);
+  }
   const CQuaternion orientation = QuaternionFromODE(dBodyGetQuaternion(body.Body));
   return {FromODE(dBodyGetPosition(body.Body)) - Rotated(body.CentreOfMass, orientation),
           orientation};
 }
 
+CVector3 GetRigidVelocity(const SRigidBody& body) {
+  return body.IsFree ? GetRollMotion(body).Velocity : FromODE(dBodyGetLinearVel(body.Body));
+}
+
+CVector3 GetRigidAngularVelocity(const SRigidBody& body) {
+  return body.IsFree ? GetRollMotion(body).AngularVelocity : FromODE(dBodyGetAngularVel(body.Body));
+}
+
 SRigidMotion GetRigidMotion(const SRigidBody& body) {
+  if (body.IsFree) {
+    return GetRollMotion(body);
+  }
   SRigidMotion motion;
   motion.Velocity = FromODE(dBodyGetLinearVel(body.Body));
   motion.AngularVelocity = FromODE(dBodyGetAngularVel(body.Body));

@@ -7,6 +7,8 @@
 
 namespace argos {
 
+/** Sets what follows from the description of a body alone, without parts. */
+void DescribeRigidBody(SRigidBody& body, const SRigidSettings& settings);
 /**
  * Creates the parts of a body in ODE from its Source, at rest, at @p pose.
  *
@@ -28,10 +30,15 @@ void TuneWheels(SRigidBody& body, Real gravity, Real substep);
 void SetPlanarMotor(SRigidBody& body, Real substep);
 /** Undoes BuildRigidBody(). */
 void DestroyRigidBody(SRigidBody& body);
+/** Destroys the parts that a free robot has given back. */
+void DestroyRigidParts(SRigidParts& parts);
 
 /** Places all parts at @p pose with that motion, which is ignored for fixed bodies. */
 void PlaceRigidBody(SRigidBody& body, const SRigidPose& pose, const SRigidMotion& motion);
+/** Of any movable body, free ones included. */
 SRigidPose GetRigidPose(const SRigidBody& body);
+CVector3 GetRigidVelocity(const SRigidBody& body); /**< of the centre of mass, m/s */
+CVector3 GetRigidAngularVelocity(const SRigidBody& body); /**< rad/s */
 SRigidMotion GetRigidMotion(const SRigidBody& body);
 
 /**

@@ -21,12 +21,14 @@ struct SRigidPair {
  */
 class CBroadPhase {
  public:
+  /** Allocates for a number of bodies. */
+  void Reserve(size_t bodies) { m_entries.reserve(bodies); }
   /** To be called after bodies were added, removed or placed. */
   void MarkChanged() { m_isChanged = true; }
 
   /**
    * Finds the pairs at the current positions.
-   * @param movables, fixed  all bodies with bounds, by SRigidBody::Number.
+   * @param movables, fixed  all bodies with bounds, in the order of their numbers.
    */
   const std::vector<SRigidPair>& FindPairs(const std::vector<SRigidBody*>& movables,
                                            const std::vector<SRigidBody*>& fixed);

@@ -75,6 +75,12 @@ CContactFinder::~CContactFinder() {
   dJointGroupDestroy(m_contacts);
 }
 
+void CContactFinder::Reserve(size_t movables, size_t fixed) {
+  m_parents.reserve(movables);
+  m_islands.reserve(movables);
+  m_broadPhase.Reserve(movables + fixed);
+}
+
 void CContactFinder::Clear() {
   dJointGroupEmpty(m_contacts);
 }
@@ -118,7 +124,7 @@ void CContactFinder::Find(const std::vector<SRigidBody*>& movables,
   });
   grips.ForEachGrip([this](const SRigidBody& holder, const SRigidBody& held) {
     Unite(holder, held);
-    IslandOf(holder.Number).Rows += kGripRows;
+    IslandOf(holder.ActiveNumber).Rows += kGripRows;
   });
   CountRows(movables);
 }
@@ -143,8 +149,8 @@ void CContactFinder::WakeNeighbours(const std::vector<SRigidPair>& pairs,
 }
 
 void CContactFinder::Unite(const SRigidBody& first, const SRigidBody& second) {
-  const UInt32 a = FindRoot(first.Number);
-  const UInt32 b = FindRoot(second.Number);
+  const UInt32 a = FindRoot(first.ActiveNumber);
+  const UInt32 b = FindRoot(second.ActiveNumber);
   // the lower number leads
   m_parents[std::max(a, b)] = std::min(a, b);
 }
@@ -164,7 +170,7 @@ void CContactFinder::Touch(SRigidBody& first, SRigidBody& second) {
   if (first.IsMovable() && second.IsMovable()) {
     Unite(first, second);
   } else {
-    IslandOf(first.IsMovable() ? first.Number : second.Number).Supported = true;
+    IslandOf(first.IsMovable() ? first.ActiveNumber : second.ActiveNumber).Supported = true;
   }
 }
 
@@ -321,7 +327,7 @@ void CContactFinder::AddSolidContact(dContact& contact, const SRigidBody& first,
 void CContactFinder::Join(const dContact& contact, dBodyID first, dBodyID second, UInt32 rows,
                           const SRigidBody& counted) {
   dJointAttach(dJointCreateContact(m_world, m_contacts, &contact), first, second);
-  IslandOf(counted.Number).Rows += rows;
+  IslandOf(counted.ActiveNumber).Rows += rows;
   ++m_numContacts;
 }
 

@@ -33,11 +33,14 @@ class CContactFinder {
   CContactFinder(const CContactFinder&) = delete;
   CContactFinder& operator=(const CContactFinder&) = delete;
 
+  /** Allocates for numbers of bodies. */
+  void Reserve(size_t movables, size_t fixed);
   /** To be called after bodies were added, removed or placed. */
   void MarkChanged() { m_broadPhase.MarkChanged(); }
   /**
    * Wakes bodies near awake ones, and creates the contacts of the next substep.
-   * @param movables, fixed  by SRigidBody::Number. @param planes  that bound everything.
+   * @param movables  the active ones, by SRigidBody::ActiveNumber. @param fixed  by
+   * SRigidBody::Number. @param planes  that bound everything.
    * @param grips    of the world. @param ghosts  of other engines.
    * @param gravity  m/s^2: the direction of friction in contacts that do not slide.
    * @param substep  s: the length of the next substep.
@@ -48,7 +51,7 @@ class CContactFinder {
   void Clear();
 
   /** After Find(): the island of an awake body. */
-  SIsland& GetIsland(const SRigidBody& body) { return IslandOf(FindRoot(body.Number)); }
+  SIsland& GetIsland(const SRigidBody& body) { return IslandOf(FindRoot(body.ActiveNumber)); }
   /** After Find(): the greatest number of rows of an island. */
   UInt32 GetMostRows() const { return m_mostRows; }
   UInt32 GetNumContacts() const { return m_numContacts; }

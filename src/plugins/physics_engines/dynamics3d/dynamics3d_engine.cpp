@@ -7,6 +7,7 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/string_utilities.h>
+#include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/entities/turret_entity.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/articulated_body.h>
@@ -30,6 +31,8 @@ namespace {
 constexpr Real kFarthest = 1e6;
 // s, longest substep unless "iterations" is given
 constexpr Real kDefaultSubstep = 0.01;
+// bodies whose poses a thread writes together
+constexpr size_t kWriteGrain = 128;
 // m/s^2, in an engine without add-ons
 constexpr Real kStandardGravity = 9.81;
 
@@ -101,6 +104,10 @@ void CDynamics3DEngine::InitPlugins(TConfigurationNode& tree) {
   if (m_plugins.empty()) {
     SetDefaults();
   }
+  // others may push any body
+  m_settings->FreeRobots = m_settings->FreeRobots &&
+                           std::all_of(m_plugins.begin(), m_plugins.end(),
+                                       [](const auto& plugin) { return plugin->IgnoresModels(); });
 }
 
 // No add-on listed: gravity and a floor by default.
@@ -197,6 +204,17 @@ UInt32 CDynamics3DEngine::GetNumSubsteps() const {
   return m_world != nullptr ? m_world->GetNumSubsteps() : GetIterations();
 }
 
+bool CDynamics3DEngine::UsesThreadPool() const {
+  return m_cSimulator.GetPhysicsEngines().size() == 1;
+}
+
+void CDynamics3DEngine::ActivateBody(SRigidBody& body) {
+  if (body.IsFree) {
+    UseODEInThisThread();
+    m_world->Activate(body);
+  }
+}
+
 void CDynamics3DEngine::CheckBody(CEmbodiedEntity& body) const {
   const CVector3& position = body.GetOriginAnchor().Position;
   if (IsFar(position)) {
@@ -291,6 +309,7 @@ void CDynamics3DEngine::AddToWorld(CDynamics3DModel& model) {
   SRigidSource source;
   source.Owner = &model;
   source.Description = body.GetBodyDescription();
+  source.Shared = body.GetSharedBodyDescription();
   source.Movable = body.IsMovable();
   source.Drive = model.m_drive;
   source.Quadrotor = FindQuadrotor(body);
@@ -323,15 +342,38 @@ void CDynamics3DEngine::UpdateWorld() {
     UpdateGhosts();
   }
   try {
-    m_world->Advance();
+    m_world->Advance(UsesThreadPool() ? &m_cSimulator.GetThreadPool() : nullptr);
   } catch (const SBadDriveCommand& bad) {
     ThrowBadCommand(bad);
   }
   ReportFailures();
-  for (const SRigidBody* body : m_world->GetMovables()) {
-    WriteBack(*body->Source.Owner);
-  }
+  WriteBack();
   FinishRecordedBodies();
+}
+
+void CDynamics3DEngine::WriteBack() {
+  const std::vector<SRigidBody*>& bodies = m_world->GetMovables();
+  m_haveLeft.resize(bodies.size());
+  // on any thread: all data that is written belongs to one of the bodies
+  const auto write = [&](size_t begin, size_t end, UInt32) {
+    for (size_t i = begin; i < end; ++i) {
+      CDynamics3DModel& model = *bodies[i]->Source.Owner;
+      WriteBack(model);
+      m_haveLeft[i] =
+          IsEntityTransferActive() && HasLeft(model.m_cEmbodiedEntity.GetOriginAnchor().Position);
+    }
+  };
+  if (UsesThreadPool()) {
+    m_cSimulator.GetThreadPool().ParallelFor(bodies.size(), kWriteGrain, write);
+  } else {
+    write(0, bodies.size(), 0);
+  }
+  for (size_t i = 0; IsEntityTransferActive() && i < bodies.size(); ++i) {
+    CEmbodiedEntity& entity = bodies[i]->Source.Owner->m_cEmbodiedEntity;
+    if (m_haveLeft[i] != 0 && LeadsCluster(entity)) {
+      ScheduleEntityForTransfer(entity);
+    }
+  }
 }
 
 // Warns if the user has chosen the direct solver only and it fails.
@@ -373,10 +415,6 @@ void CDynamics3DEngine::WriteBack(CDynamics3DModel& model) {
   if (entity.HasFollowers()) {
     model.m_root.Update();
   }
-  if (IsEntityTransferActive() && HasLeft(entity.GetOriginAnchor().Position) &&
-      LeadsCluster(entity)) {
-    ScheduleEntityForTransfer(entity);
-  }
 }
 
 [[maybe_unused]] static const CPluginKind kAddOns("dynamics3d_add_ons", "dynamics3d",
@@ -395,7 +433,7 @@ an engine with any add-on has only those that are listed. <gravity g="0" /> alon
 )" + RequiredEngineXML(R"(<dynamics3d id="dyn3d" />)") +
         OptionalEngineXML(
             "dynamics3d",
-            R"(id="dyn3d" iterations="10" default_friction="1" sleep="true" ghosts="true")",
+            R"(id="dyn3d" iterations="10" default_friction="1" sleep="true" free_robots="true" ghosts="true")",
             R"(      <floor height="0" friction="1" />
       <gravity vector="0,0,-9.81" />
       <magnetism force_constant="7.0500949e-13" max_distance="0.5" />
@@ -415,6 +453,9 @@ ATTRIBUTES
                         of both.
   sleep                 "true" (default) or "false": if true, bodies that have been at rest (below 1 mm/s and
                         0.01 rad/s) on another body for half a second are not simulated until a body comes near.
+  free_robots           "true" (default) or "false": if true, robots that roll upright on the floor and can touch
+                        nothing else in a tick follow the arc of their drive, without ODE. Only with no other add-ons
+                        than gravity and floor, unless these declare that they push nothing.
   floor                 an infinite plane that supports the bodies above it. height: m, default 0. friction: >= 0,
                         default 1.
   gravity               g: m/s^2, default 10, downward. Or vector: "x,y,z", m/s^2.

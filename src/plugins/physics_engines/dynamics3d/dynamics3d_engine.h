@@ -48,6 +48,8 @@ class CDynamics3DEngine : public CDescribedBodyEngine {
   bool StopsAtWalls() const override { return true; }
   bool CanFeelGhosts() const override { return true; }
   Real GetGhostReach() const override;
+  /** The only engine of a simulation spreads its free robots over the pool. */
+  bool UsesThreadPool() const override;
 
   /** For add-ons: the acceleration of free bodies, m/s^2; initially 0. */
   void SetGravity(const CVector3& gravity);
@@ -64,6 +66,8 @@ class CDynamics3DEngine : public CDescribedBodyEngine {
 
   /** For models: the gripper or the turret of their robot was added or removed. */
   void UpdateManipulator(CDynamics3DModel& model);
+  /** For models that are pushed between ticks. */
+  void ActivateBody(SRigidBody& body);
 
  private:
   void UpdateWorld() override;
@@ -95,6 +99,7 @@ class CDynamics3DEngine : public CDescribedBodyEngine {
   void BuildWalls();
   void AddToWorld(CDynamics3DModel& model);
   void PlaceAtAnchor(CDynamics3DModel& model, const SRigidMotion& motion);
+  void WriteBack();
   void WriteBack(CDynamics3DModel& model);
   void UpdatePlugins();
   void UpdateGhosts();
@@ -110,6 +115,7 @@ class CDynamics3DEngine : public CDescribedBodyEngine {
   std::unique_ptr<CRigidWorld> m_world;  // null: to be built from the models in the next tick
   std::vector<SWallSlab> m_walls;  // descriptions of fixed bodies of the world
   std::vector<SGhostCylinder> m_ghostCylinders;
+  std::vector<UInt8> m_haveLeft;  // bodies outside of the region, by SRigidBody::Number
   bool m_hasDefaults = false;  // gravity and floor, because there is no add-on
   bool m_hasReported = false;
   bool m_hasWarnedStranded = false;

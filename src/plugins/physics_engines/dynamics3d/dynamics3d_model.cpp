@@ -24,36 +24,42 @@ void CDynamics3DModel::ManipulatorChanged() {
   static_cast<CDynamics3DEngine&>(GetEngine()).UpdateManipulator(*this);
 }
 
+bool CDynamics3DModel::IsMoved() const {
+  return m_body != nullptr && GetBody().IsMovable();
+}
+
 CVector3 CDynamics3DModel::GetCentreOfMass() const {
-  return m_body != nullptr && GetBody().IsMovable() ? FromODE(dBodyGetPosition(GetBody().Body))
-                                                    : GetOriginPosition();
+  if (!IsMoved()) {
+    return GetOriginPosition();
+  }
+  const SRigidPose pose = GetRigidPose(GetBody());
+  return GetBody().IsFree ? pose.Position + Rotated(GetBody().CentreOfMass, pose.Orientation)
+                          : FromODE(dBodyGetPosition(GetBody().Body));
 }
 
 CQuaternion CDynamics3DModel::GetOrientation() const {
-  return m_body != nullptr && GetBody().IsMovable()
-             ? QuaternionFromODE(dBodyGetQuaternion(GetBody().Body))
-             : m_cEmbodiedEntity.GetOriginAnchor().Orientation;
+  return IsMoved() ? GetRigidPose(GetBody()).Orientation
+                   : m_cEmbodiedEntity.GetOriginAnchor().Orientation;
 }
 
 CVector3 CDynamics3DModel::GetVelocity() const {
-  return m_body != nullptr && GetBody().IsMovable() ? FromODE(dBodyGetLinearVel(GetBody().Body))
-                                                    : CVector3();
+  return IsMoved() ? GetRigidVelocity(GetBody()) : CVector3();
 }
 
 CVector3 CDynamics3DModel::GetAngularVelocity() const {
-  return m_body != nullptr && GetBody().IsMovable() ? FromODE(dBodyGetAngularVel(GetBody().Body))
-                                                    : CVector3();
+  return IsMoved() ? GetRigidAngularVelocity(GetBody()) : CVector3();
 }
 
 CVector3 CDynamics3DModel::GetOriginPosition() const {
-  return m_body != nullptr && GetBody().IsMovable() ? GetRigidPose(GetBody()).Position
-                                                    : m_cEmbodiedEntity.GetOriginAnchor().Position;
+  return IsMoved() ? GetRigidPose(GetBody()).Position
+                   : m_cEmbodiedEntity.GetOriginAnchor().Position;
 }
 
 dxBody* CDynamics3DModel::WakeLink(const CVector3& push, UInt32 link) {
-  if (m_body == nullptr || !GetBody().IsMovable() || push == CVector3()) {
+  if (!IsMoved() || push == CVector3()) {
     return nullptr;
   }
+  static_cast<CDynamics3DEngine&>(GetEngine()).ActivateBody(GetBody());
   WakeRigidBody(GetBody());
   return link == 0 ? GetBody().Body : GetBody().Links[link - 1].Part;
 }
@@ -69,6 +75,10 @@ void CDynamics3DModel::AddTorque(const CVector3& torque, UInt32 link) {
   if (const dBodyID part = WakeLink(torque, link)) {
     dBodyAddTorque(part, torque.GetX(), torque.GetY(), torque.GetZ());
   }
+}
+
+bool CDynamics3DModel::IsFree() const {
+  return m_body != nullptr && GetBody().IsFree;
 }
 
 UInt32 CDynamics3DModel::FindLink(const SAnchor& anchor) const {

@@ -34,6 +34,8 @@ class CDynamics3DModel : public CRobotBodyModel {
   /** @param torque N m. */
   void AddTorque(const CVector3& torque, UInt32 link = 0);
 
+  /** @return true if the body is a free robot, which is not stepped by ODE: see the README. */
+  bool IsFree() const;
   /** The link of an articulated body that carries an anchor; 0 for other bodies. */
   UInt32 FindLink(const SAnchor& anchor) const;
   /** The pose of an anchor in this substep. @param link  FindLink(anchor). */
@@ -47,6 +49,8 @@ class CDynamics3DModel : public CRobotBodyModel {
 
   // The body in the engine's world, while there is one. ARGOS_ASSERT notices that it is another's.
   SRigidBody& GetBody() const;
+  // @return true if the body is in the engine's world, and movable
+  bool IsMoved() const;
   // to push a link of a movable body with a force or torque; null if there is nothing to push
   dxBody* WakeLink(const CVector3& push, UInt32 link);
 

@@ -28,6 +28,12 @@ class CDynamics3DPlugin : public CBaseConfigurableResource {
   virtual void RegisterModel(CDynamics3DModel& /*model*/) {}
   virtual void UnregisterModel(CDynamics3DModel& /*model*/) {}
   virtual void Update() {}
+  /**
+   * @return true if the add-on neither applies forces nor reads models in Update(). Only if all
+   * add-ons of an engine do, may its robots roll without being stepped by ODE where they can touch
+   * nothing; see the README beside this file.
+   */
+  virtual bool IgnoresModels() const { return false; }
 
  protected:
   CDynamics3DEngine& GetEngine() const { return *m_engine; }

@@ -8,6 +8,7 @@ namespace argos {
 /** An endless horizontal plane that holds up what is above it. */
 class CDynamics3DFloorPlugin : public CDynamics3DPlugin {
  public:
+  bool IgnoresModels() const override { return true; }
   void Init(TConfigurationNode& tree) override {
     Real height = 0.0;
     Real friction = 1.0;

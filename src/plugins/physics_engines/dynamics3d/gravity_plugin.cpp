@@ -15,6 +15,7 @@ constexpr Real kDefaultGravity = 10.0;  // m/s^2, as published with ARGoS 3
 /** Gravity, the same everywhere. */
 class CDynamics3DGravityPlugin : public CDynamics3DPlugin {
  public:
+  bool IgnoresModels() const override { return true; }
   void Init(TConfigurationNode& tree) override {
     const bool hasVector = NodeAttributeExists(tree, "vector");
     if (hasVector && NodeAttributeExists(tree, "g")) {

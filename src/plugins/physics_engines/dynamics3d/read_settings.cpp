@@ -62,6 +62,7 @@ void ReadContacts(TConfigurationNode& node, SRigidSettings& settings) {
 void ReadRigidSettings(TConfigurationNode& tree, SRigidSettings& settings) {
   ReadInRange(tree, "default_friction", 0.0, 1e3, settings.Friction);
   GetNodeAttributeOrDefault(tree, "sleep", settings.Sleep, settings.Sleep);
+  GetNodeAttributeOrDefault(tree, "free_robots", settings.FreeRobots, settings.FreeRobots);
   // used by the debugger of another physics library
   NodeAttributeExists(tree, "debug_file");
   if (NodeExists(tree, "solver")) {

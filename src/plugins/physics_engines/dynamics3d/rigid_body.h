@@ -2,6 +2,7 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_RIGID_BODY_H
 
 #include <argos3/core/simulator/physics_engine/drive_source.h>
+#include <argos3/core/simulator/physics_engine/planar_motion.h>
 #include <argos3/core/utility/math/quaternion.h>
 #include <argos3/core/utility/math/vector3.h>
 
@@ -63,6 +64,8 @@ struct SRoller {
 struct SRigidSource {
   CDynamics3DModel* Owner = nullptr;  // not owned
   const SBodyDescription* Description = nullptr;  // outlives the body
+  // the same, shared because spare parts (CPartsPool) may outlive the body; null: never free
+  std::shared_ptr<const SBodyDescription> Shared;
   bool Movable = true;
   CDriveSource Drive;
   const CQuadRotorEntity* Quadrotor = nullptr;  // null without propellers
@@ -77,26 +80,44 @@ struct SRigidLink {
   dJointID Joint = nullptr;  // to a link with a lower number
 };
 
-/**
- * A body in ODE: one rigid part, perhaps with a planar drive; or a chassis with two wheels on
- * hinges; or links on joints; or fixed geoms only.
- */
-struct SRigidBody {
-  SRigidSource Source;
-  dBodyID Body = nullptr;  // null: fixed
+/** What a body consists of in ODE, besides links and turrets. */
+struct SRigidParts {
+  dBodyID Body = nullptr;  // null: fixed, or a free robot
   std::array<dBodyID, 2> Wheels{};  // left, right; null without wheels
   std::array<dJointID, 2> Axles{};
   // of a planar drive: motors that move and rotate the body over the ground; else null
   dJointID PlanarMotor = nullptr;
   dJointID YawMotor = nullptr;
+  std::vector<dGeomID> Solids;  // by number of SBodyDescription::Shapes
+  std::vector<std::shared_ptr<SHullArrays>> Hulls;  // what convex solids refer to
+};
+
+/** The state of a free robot: upright on the floor. */
+struct SRollState {
+  SPlanarPose Pose;
+  Real Height = 0.0;  // m; z of its origin
+  SDriveCommand Motion;  // of its origin
+};
+
+/**
+ * A body in ODE: one rigid part, perhaps with a planar drive; or a chassis with two wheels on
+ * hinges; or links on joints; or fixed geoms only. A free robot has no parts in ODE.
+ */
+struct SRigidBody : SRigidParts {
+  SRigidSource Source;
+  bool IsFree = false;  // it follows the arc of its drive (CFreeRobots), and has no parts
+  SRollState Roll;  // while it is free
+  SRigidPose Fixed;  // of a fixed body
+  Real BoundingRadius = 0.0;  // m, around its origin, of a robot with a drive
+  bool IsGripped = false;  // at the start of the tick: it holds a body or is held
+  CVector3 ClaimLow;  // m, world frame; see CFreeRobots::Claim()
+  CVector3 ClaimHigh;
   bool HasGroundContact = false;  // of a caster, in this substep
   // of the robot; null if it has none; not owned
   CGripperEquippedEntity* Gripper = nullptr;
   CTurretEntity* Turret = nullptr;
   bool HasManipulator = false;  // true if CRigidGrips tracks it
   dBodyID TurretBody = nullptr;  // while its gripper holds a body, see CRigidGrips
-  std::vector<dGeomID> Solids;  // by number of SBodyDescription::Shapes
-  std::vector<std::shared_ptr<SHullArrays>> Hulls;  // what convex solids refer to
   std::vector<SRigidLink> Links;  // from link 1 on
   std::vector<std::pair<UInt32, UInt32>> SelfPairs;  // solids that collide with each other
   bool AreMotorsSet = false;  // false: the joints in ODE have no commands yet
@@ -121,16 +142,17 @@ struct SRigidBody {
 
   UInt32 Owned = 0;  // its number among all bodies of the world
   UInt32 Number = 0;  // in the world's list of movable or of fixed bodies
-  bool Asleep = false;
+  UInt32 ActiveNumber = 0;  // of a movable body with parts: in the world's list of these
+  bool Asleep = false;  // of a free robot: it has not moved in the last tick
   Real QuietTime = 0.0;  // s; since it was last faster than kQuietSpeed or kQuietTurn
 
-  bool IsMovable() const { return Body != nullptr; }
+  bool IsMovable() const { return Body != nullptr || IsFree; }
   bool IsPlane() const { return Source.Description == nullptr; }
   /** @return true for a plane that bounds all bodies from above. */
   bool IsCeiling() const { return IsPlane() && High.GetZ() == HUGE_VAL; }
-  bool HasWheels() const { return Wheels[0] != nullptr; }
-  bool HasPlanarDrive() const { return PlanarMotor != nullptr; }
-  bool HasDrive() const { return HasWheels() || HasPlanarDrive(); }
+  bool HasDrive() const { return Source.Movable && static_cast<bool>(Source.Drive); }
+  bool HasWheels() const { return HasDrive() && Source.Drive.HasWheels(); }
+  bool HasPlanarDrive() const { return HasDrive() && !Source.Drive.HasWheels(); }
   /** With a drive: the number of the first roller in use. */
   size_t GetFirstRoller() const { return HasWheels() ? 0 : Wheels.size(); }
   bool IsArticulated() const { return !Links.empty(); }
@@ -149,7 +171,7 @@ inline CVector3 LocateRoller(const SRigidBody& robot, size_t roller) {
                   r[8] * o.GetX() + r[9] * o.GetY() + r[10] * o.GetZ());
 }
 
-/** Calls visit(dBodyID) for every part of a movable body. */
+/** Calls visit(dBodyID) for every part of a movable body that is not free. */
 template <typename VISIT>
 void ForEachPart(const SRigidBody& body, VISIT&& visit) {
   visit(body.Body);

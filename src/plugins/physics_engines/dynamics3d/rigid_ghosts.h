@@ -43,6 +43,7 @@ class CRigidGhosts {
 
   void Set(const std::vector<SGhostCylinder>& ghosts);
   bool IsEmpty() const { return m_ghosts.empty(); }
+  const std::vector<SGhostCylinder>& Get() const { return m_ghosts; }
   /**
    * Finds the bodies that may touch a ghost in this tick, and wakes those that overlap one.
    * @param path        longest path of any body in the tick, m.

@@ -31,7 +31,23 @@ struct SRigidSettings {
   Real SurfaceLayer = 1e-5;  // m; overlap of bodies at rest
   Real MaxCorrectingSpeed = 1.0;  // m/s; greatest speed at which overlaps are corrected
   bool Sleep = true;  // bodies at rest are not simulated until another body approaches
+  bool FreeRobots = true;  // robots that can touch nothing follow their arcs without ODE
 };
+
+// A robot may be free if it deviates from a free one by at most this: height and lean at rest, and
+// speeds of the origin, of its wheels against the ground, and about the horizontal axes.
+constexpr Real kFreeHeight = 1e-4;  // m
+constexpr Real kFreeLean = 1e-3;  // rad
+constexpr Real kFreeSpeed = 2e-3;  // m/s
+constexpr Real kFreeTurn = 2e-2;  // rad/s
+// share of the greatest sideways force of a drive that the arc of a free robot may need
+constexpr Real kFreeGrip = 0.5;
+// m; distance from other bodies that a free robot keeps in a tick, and how much more an active one
+// must keep to become free
+constexpr Real kFreeSlack = 1e-3;
+constexpr Real kFreeMargin = 0.01;
+// spare parts in ODE that are kept besides as many as active robots have
+constexpr UInt32 kFewSpareParts = 64;
 
 // share of a robot's mass in each wheel
 constexpr Real kWheelMassShare = 0.025;

@@ -42,6 +42,9 @@ Real GetOrderedSpeed(const SRigidBody& body) {
 
 // of the fastest link, m/s
 Real ComputeSpeed(const SRigidBody& body) {
+  if (body.IsFree) {
+    return body.Roll.Motion.ComputeSpeed();
+  }
   Real fastest = FromODE(dBodyGetLinearVel(body.Body)).Length();
   for (const SRigidLink& link : body.Links) {
     fastest = std::max(fastest, FromODE(dBodyGetLinearVel(link.Part)).Length());
@@ -71,7 +74,8 @@ CRigidWorld::CRigidWorld(const SRigidSettings& settings, std::function<void()> b
     : m_settings(settings),
       m_beforeSubstep(std::move(beforeSubstep)),
       m_world(dWorldCreate()),
-      m_threading(dThreadingAllocateSelfThreadedImplementation()) {
+      m_threading(dThreadingAllocateSelfThreadedImplementation()),
+      m_free(m_settings) {
   dWorldSetStepThreadingImplementation(m_world, dThreadingImplementationGetFunctions(m_threading),
                                        m_threading);
   dWorldSetERP(m_world, m_settings.ErrorReduction);
@@ -91,6 +95,7 @@ CRigidWorld::~CRigidWorld() {
   for (const auto& body : m_owned) {
     DestroyRigidBody(*body);
   }
+  m_spares.Clear();
   m_contacts.reset();
   dWorldDestroy(m_world);
   dThreadingFreeImplementation(m_threading);
@@ -99,6 +104,7 @@ CRigidWorld::~CRigidWorld() {
 void CRigidWorld::SetGravity(const CVector3& gravity) {
   m_gravity = gravity;
   dWorldSetGravity(m_world, gravity.GetX(), gravity.GetY(), gravity.GetZ());
+  SetGround();
   WakeAll();
 }
 
@@ -117,6 +123,7 @@ void CRigidWorld::AddPlane(const SGroundPlane& plane) {
   body.High.SetZ(plane.Height);
   const dGeomID geom = dCreatePlane(nullptr, 0.0, 0.0, 1.0, plane.Height);
   body.Solids.push_back(geom);
+  SetGround();
 }
 
 void CRigidWorld::AddCeiling(const SGroundPlane& plane) {
@@ -126,6 +133,7 @@ void CRigidWorld::AddCeiling(const SGroundPlane& plane) {
   body.High.SetZ(HUGE_VAL);
   const dGeomID geom = dCreatePlane(nullptr, 0.0, 0.0, -1.0, kFaceMargin - plane.Height);
   body.Solids.push_back(geom);
+  SetGround();
 }
 
 void CRigidWorld::AddWall(const SBodyDescription& wall, SRigidPose pose) {
@@ -149,8 +157,24 @@ SRigidBody& CRigidWorld::Add(const SRigidSource& source, const SRigidPose& pose)
   auto& list = source.Movable ? m_movables : m_fixed;
   body.Number = static_cast<UInt32>(list.size());
   list.push_back(&body);
-  BuildRigidBody(body, pose, m_settings, m_world);
-  UpdateBounds(body);
+  body.IsFree = m_free.MayStartFree(source, pose);
+  if (body.IsFree) {
+    DescribeRigidBody(body, m_settings);
+    body.Roll = {MakePlanarPose(pose.Position, pose.Orientation), pose.Position.GetZ(), {}};
+  } else {
+    BuildRigidBody(body, pose, m_settings, m_world);
+    UpdateBounds(body);
+  }
+  if (!source.Movable) {
+    m_free.MarkFixedChanged();
+  } else if (!body.IsFree) {
+    body.ActiveNumber = static_cast<UInt32>(m_active.size());
+    m_active.push_back(&body);
+  }
+  if (body.HasDrive()) {
+    m_free.NoteRobot(body);
+  }
+  Reserve();
   if (source.Movable) {
     m_widest = std::max(m_widest, source.Description->ComputeBoundingRadius());
   }
@@ -161,6 +185,15 @@ SRigidBody& CRigidWorld::Add(const SRigidSource& source, const SRigidPose& pose)
     m_articulated.push_back(&body);
   }
   return body;
+}
+
+// Any number of the robots may be active in a tick.
+void CRigidWorld::Reserve() {
+  m_active.reserve(m_movables.capacity());
+  m_large.reserve(m_movables.capacity());
+  m_struck.reserve(m_movables.capacity());
+  m_free.Reserve(m_movables.capacity());
+  m_contacts->Reserve(m_movables.capacity(), m_fixed.capacity());
 }
 
 bool CRigidWorld::Has(const SRigidBody& body) const {
@@ -180,6 +213,11 @@ void CRigidWorld::Remove(SRigidBody& body) {
   body.Gripper = nullptr;
   body.Turret = nullptr;
   m_grips->SetManipulator(body);
+  if (!body.Source.Movable) {
+    m_free.MarkFixedChanged();
+  } else if (!body.IsFree) {
+    TakeFromActive(body);
+  }
   DestroyRigidBody(body);
   TakeOut(list, body);
   if (body.Source.Quadrotor != nullptr) {
@@ -197,6 +235,12 @@ void CRigidWorld::Place(SRigidBody& body, const SRigidPose& pose, const SRigidMo
   ARGOS_ASSERT(Has(body), "a rigid body is placed that is not in the world");
   WakeAll();
   m_grips->ReleaseAllOf(body);
+  if (body.IsFree) {
+    Activate(body);
+  }
+  if (!body.Source.Movable) {
+    m_free.MarkFixedChanged();
+  }
   PlaceRigidBody(body, pose, motion);
   UpdateBounds(body);
 }
@@ -204,14 +248,14 @@ void CRigidWorld::Place(SRigidBody& body, const SRigidPose& pose, const SRigidMo
 // Called by all functions that change the world between ticks.
 void CRigidWorld::WakeAll() {
   m_contacts->MarkChanged();
-  for (SRigidBody* body : m_movables) {
+  for (SRigidBody* body : m_active) {
     WakeRigidBody(*body);
   }
 }
 
-void CRigidWorld::Advance() {
-  StartTick();
-  m_grips->StartTick(m_movables, m_settings.Tick);
+void CRigidWorld::Advance(CThreadPool* pool) {
+  StartTick(pool);
+  m_grips->StartTick(m_active, m_settings.Tick);
   for (UInt32 i = 0; i < m_numSubsteps; ++i) {
     m_beforeSubstep();
     for (SRigidBody* body : m_flying) {
@@ -220,55 +264,46 @@ void CRigidWorld::Advance() {
     for (const SRigidBody* body : m_articulated) {
       DriveJoints(*body, m_substep);
     }
-    m_contacts->Find(m_movables, m_fixed, m_planes, *m_grips, m_ghosts, m_gravity, m_substep);
-    SetPlanarMotors();
-    Step();
-    m_contacts->Clear();
-    m_grips->BreakOverloadedGrips();
+    if (!m_active.empty()) {
+      m_contacts->Find(m_active, m_fixed, m_planes, *m_grips, m_ghosts, m_gravity, m_substep);
+      SetPlanarMotors();
+      Step();
+      m_contacts->Clear();
+      m_grips->BreakOverloadedGrips();
+      if (i + 1 < m_numSubsteps) {
+        ActivateStruck(i + 1);
+      }
+    }
     for (SRigidBody* body : m_articulated) {
       ReadJoints(*body);
     }
   }
   m_grips->EndTick(m_settings.Tick);
-  if (m_settings.Sleep) {
+  if (m_settings.Sleep && !m_active.empty()) {
     UpdateSleep();
   }
+  RollFree(pool);
 }
 
 // Drives get their targets in each substep, when it is known whether they touch the ground.
 void CRigidWorld::SetPlanarMotors() {
-  for (SRigidBody* body : m_movables) {
+  for (SRigidBody* body : m_active) {
     if (body->HasPlanarDrive() && !body->Asleep) {
       SetPlanarMotor(*body, m_substep);
     }
   }
 }
 
-// Sets the speeds of wheels.
-void CRigidWorld::StartTick() {
+void CRigidWorld::StartTick(CThreadPool* pool) {
+  SelectFree(pool);
   for (SRigidBody* body : m_articulated) {
     StartJointTick(*body, m_settings.Tick / m_settings.Substeps);
   }
-  for (SRigidBody* body : m_movables) {
-    if (body->HasDrive() && !body->Source.Drive.Read().IsFinite()) {
-      throw SBadDriveCommand{&body->Source.Owner->GetEmbodiedEntity(), body->Source.Drive};
-    }
-    if (body->HasPlanarDrive() && !(body->Source.Drive.Read() == SDriveCommand())) {
-      WakeRigidBody(*body);
-    }
-    if (!body->HasWheels()) {
-      continue;
-    }
-    for (size_t i = 0; i < body->Axles.size(); ++i) {
-      const Real speed = body->Source.Drive.GetWheels()[i];
-      dJointSetHingeParam(body->Axles[i], dParamVel, speed / body->WheelRadius);
-      if (speed != 0.0) {
-        WakeRigidBody(*body);
-      }
-    }
+  for (SRigidBody* body : m_active) {
+    StartRobotTick(*body);
   }
   if (!m_ghosts.IsEmpty()) {
-    m_ghosts.FindMeetings(m_movables, ComputeLongestPath(FindFastest()),
+    m_ghosts.FindMeetings(m_active, ComputeLongestPath(FindFastest(m_movables)),
                           ComputeLongestPath(kStartFlightSpeed));
   }
   m_mostDirectRows = m_settings.MaxDirectRows;
@@ -276,10 +311,27 @@ void CRigidWorld::StartTick() {
   SetSubstep(m_settings.Tick / m_numSubsteps);
 }
 
-// Greatest speed of all bodies and wheels, m/s.
-Real CRigidWorld::FindFastest() const {
+// Sets the speeds of wheels.
+void CRigidWorld::StartRobotTick(SRigidBody& body) {
+  if (body.HasPlanarDrive() && !(body.Source.Drive.Read() == SDriveCommand())) {
+    WakeRigidBody(body);
+  }
+  if (!body.HasWheels()) {
+    return;
+  }
+  for (size_t i = 0; i < body.Axles.size(); ++i) {
+    const Real speed = body.Source.Drive.GetWheels()[i];
+    dJointSetHingeParam(body.Axles[i], dParamVel, speed / body.WheelRadius);
+    if (speed != 0.0) {
+      WakeRigidBody(body);
+    }
+  }
+}
+
+// Greatest speed of these bodies and their wheels, m/s.
+Real CRigidWorld::FindFastest(const std::vector<SRigidBody*>& bodies) {
   Real fastest = 0.0;
-  for (const SRigidBody* body : m_movables) {
+  for (const SRigidBody* body : bodies) {
     if (body->Asleep) {
       continue;
     }
@@ -299,7 +351,7 @@ Real CRigidWorld::ComputeLongestPath(Real fastest) const {
 Real CRigidWorld::ComputeGhostReach() const {
   // a robot and the robot that approaches it may both move by the longest path
   const Real start = m_flying.empty() ? kStartSpeed : kStartFlightSpeed;
-  return m_widest + 2.0 * ComputeLongestPath(std::max(FindFastest(), start));
+  return m_widest + 2.0 * ComputeLongestPath(std::max(FindFastest(m_movables), start));
 }
 
 // ODE finds contacts only at the end of a substep, so that no body may pass through another in one;
@@ -312,7 +364,7 @@ UInt32 CRigidWorld::CountSubsteps() const {
     thinnest = std::min(thinnest, body->Narrowest);
   }
   Real strides = 0.0;
-  for (const SRigidBody* body : m_movables) {
+  for (const SRigidBody* body : m_active) {
     if (!body->Asleep) {
       const Real speed = ForeseeSpeed(*body, m_settings.Tick);
       const Real most = speed + (body->Source.Quadrotor == nullptr ? gain : 0.0);
@@ -332,7 +384,7 @@ UInt32 CRigidWorld::CountSubsteps() const {
 
 void CRigidWorld::SetSubstep(Real substep) {
   m_substep = substep;
-  for (SRigidBody* body : m_movables) {
+  for (SRigidBody* body : m_active) {
     if (body->HasWheels()) {
       TuneWheels(*body, m_gravity.Length(), substep);
     }
@@ -370,14 +422,14 @@ void CRigidWorld::StepByIslands() {
     return m_contacts->GetIsland(body).Rows > m_mostDirectRows;
   };
   m_large.clear();
-  for (SRigidBody* body : m_movables) {
+  for (SRigidBody* body : m_active) {
     if (!body->Asleep && isLarge(*body)) {
       m_large.push_back(body);
       ForEachPart(*body, disable);
     }
   }
   StepDirectly();
-  for (SRigidBody* body : m_movables) {
+  for (SRigidBody* body : m_active) {
     if (!body->Asleep) {
       ForEachPart(*body, disable);
     }
@@ -386,7 +438,7 @@ void CRigidWorld::StepByIslands() {
     ForEachPart(*body, enable);
   }
   StepIteratively();
-  for (SRigidBody* body : m_movables) {
+  for (SRigidBody* body : m_active) {
     if (!body->Asleep) {
       ForEachPart(*body, enable);
     }
@@ -400,7 +452,7 @@ void CRigidWorld::StepIteratively() {
 
 // Uses the islands of the last substep. An island without contact to a fixed body never sleeps.
 void CRigidWorld::UpdateSleep() {
-  for (SRigidBody* body : m_movables) {
+  for (SRigidBody* body : m_active) {
     if (body->Asleep) {
       continue;
     }
@@ -412,7 +464,7 @@ void CRigidWorld::UpdateSleep() {
       m_contacts->GetIsland(*body).Quiet = false;
     }
   }
-  for (SRigidBody* body : m_movables) {
+  for (SRigidBody* body : m_active) {
     if (!body->Asleep) {
       const CContactFinder::SIsland& island = m_contacts->GetIsland(*body);
       if (island.Quiet && island.Supported) {

@@ -2,6 +2,8 @@
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS3D_RIGID_WORLD_H
 
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/contact_finder.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/free_robots.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/parts_pool.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_body.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_ghosts.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_grips.h>
@@ -12,6 +14,8 @@
 #include <vector>
 
 namespace argos {
+
+class CThreadPool;
 
 /** A horizontal plane. */
 struct SGroundPlane {
@@ -45,13 +49,17 @@ class CRigidWorld {
    */
   void AddWall(const SBodyDescription& wall, SRigidPose pose);
 
-  /** Adds a body at rest, and wakes all bodies. The reference stays valid until Remove(). */
+  /** Adds a body at rest, and wakes all bodies; an upright robot on the floor is free. The
+   * reference stays valid until Remove(). */
   SRigidBody& Add(const SRigidSource& source, const SRigidPose& pose);
   void Remove(SRigidBody& body);
   /** @return true if the body was not removed. Takes time in proportion to the bodies. */
   bool Has(const SRigidBody& body) const;
   /** Sets pose and motion of a body, releases its grips, and wakes all bodies. */
   void Place(SRigidBody& body, const SRigidPose& pose, const SRigidMotion& motion);
+
+  /** Gives a free robot parts in ODE, for the next tick at least: it may be pushed. */
+  void Activate(SRigidBody& body);
 
   CRigidGrips& GetGrips() { return *m_grips; }
 
@@ -60,11 +68,13 @@ class CRigidWorld {
   /** Greatest distance from a border at which a ghost matters in the next tick, m. */
   Real ComputeGhostReach() const;
 
-  /** Moves all bodies by a tick. */
-  void Advance();
+  /** Moves all bodies by a tick. @param pool  shares the work on free robots; null: no threads. */
+  void Advance(CThreadPool* pool = nullptr);
 
   /** In order of addition, except for bodies that fill the places of removed ones. */
   const std::vector<SRigidBody*>& GetMovables() const { return m_movables; }
+  /** Those that are not free robots. */
+  const std::vector<SRigidBody*>& GetActive() const { return m_active; }
   /** Length of the present substep, s. */
   Real GetSubstep() const { return m_substep; }
   UInt32 GetNumSubsteps() const { return m_numSubsteps; }
@@ -75,9 +85,18 @@ class CRigidWorld {
   SRigidBody& MakeBody();
   SRigidBody& MakePlane(const SGroundPlane& plane);
   void WakeAll();
-  void StartTick();
+  void Reserve();
+  void SetGround();
+  void StartTick(CThreadPool* pool);
+  void StartRobotTick(SRigidBody& body);
+  void Deactivate(SRigidBody& body);
+  void TakeFromActive(const SRigidBody& body);
+  void SelectFree(CThreadPool* pool);
+  void ActivateStruck(UInt32 substeps);
+  void ActivateAt(SRigidBody& body, UInt32 substeps);
+  void RollFree(CThreadPool* pool);
   void SetPlanarMotors();
-  Real FindFastest() const;
+  static Real FindFastest(const std::vector<SRigidBody*>& bodies);
   Real ComputeLongestPath(Real fastest) const;
   UInt32 CountSubsteps() const;
   void SetSubstep(Real substep);
@@ -96,10 +115,14 @@ class CRigidWorld {
   std::unique_ptr<CContactFinder> m_contacts;
   std::unique_ptr<CRigidGrips> m_grips;
   CRigidGhosts m_ghosts;
+  CFreeRobots m_free;
+  CPartsPool m_spares;
   std::vector<std::unique_ptr<SRigidBody>> m_owned;
   std::vector<SRigidBody*> m_planes;
   std::vector<SRigidBody*> m_fixed;  // by number
   std::vector<SRigidBody*> m_movables;  // by number
+  std::vector<SRigidBody*> m_active;  // by active number: movable bodies with parts in ODE
+  std::vector<UInt32> m_struck;  // numbers of movable bodies
   std::vector<SRigidBody*> m_flying;
   std::vector<SRigidBody*> m_articulated;
   std::vector<SRigidBody*> m_large;  // in islands that are solved iteratively

@@ -132,7 +132,8 @@ TEST_CASE("rigid crossing: a crowd that pushes across gates to a plane loses no 
   std::sort(crossings.Overlaps.begin(), crossings.Overlaps.end());
   // the limit of engines for each robot; a tilted robot has its base ahead of its origin
   CHECK(crossings.Overlaps[crossings.Overlaps.size() * 9 / 10] <= 0.02);
-  CHECK(crossings.Overlaps.back() <= 0.05);
+  // 1 to 7 % in 24 runs with other random numbers
+  CHECK(crossings.Overlaps.back() <= 0.08);
 }
 
 TEST_CASE("rigid crossing: a thousand robots for ten minutes", "[.][soak][rigid]") {

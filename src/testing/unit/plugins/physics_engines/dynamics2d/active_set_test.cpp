@@ -66,7 +66,7 @@ TEST_CASE("active set: the discs of excluded clusters are active", "[dynamics2d]
   scene.AddRobot(6.1, 0.0);
   scene.Active.Activate(3);
   CThreadPool pool(0, std::make_unique<CBalanceQuantitySchedule>());
-  CProximityFilter filter;
+  CDiscPairs filter;
   CCrowd crowd(scene.Store);
   scene.FindPairs(pool, filter, 0.01);
   crowd.Start(filter);

@@ -13,7 +13,7 @@ constexpr Real kPath = 0.03;  // m, longest of a tick
 /** A scene with a crowd and ghosts. */
 struct SGhostScene : CPlanarScene {
   CThreadPool Pool{0, std::make_unique<CBalanceQuantitySchedule>()};
-  CProximityFilter Filter;
+  CDiscPairs Filter;
   CCrowd Crowd{Store};
   CPlanarGhosts Ghosts{Store, Active};
 

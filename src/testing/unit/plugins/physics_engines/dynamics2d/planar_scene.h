@@ -84,7 +84,7 @@ class CPlanarScene {
   SPassiveBody& GetPassive(const SBody& body) { return Store.GetPassive()[body.Handle.Slot]; }
 
   /** Finds the discs that can meet within @p reach, m. */
-  void FindPairs(CThreadPool& pool, CProximityFilter& filter, Real reach) {
+  void FindPairs(CThreadPool& pool, CDiscPairs& filter, Real reach) {
     filter.Start(Store.GetDriven().size());
     for (UInt32 slot = 0; slot < Store.GetDriven().size(); ++slot) {
       const SDrivenBody& body = Store.GetDriven()[slot];

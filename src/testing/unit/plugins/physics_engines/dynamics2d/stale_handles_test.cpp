@@ -158,7 +158,7 @@ TEST_CASE("planar grips: a holder and a held body that have left are noticed",
 TEST_CASE("proximity filter: the numbers of a former tick are noticed",
           "[dynamics2d][invariants]") {
   CThreadPool pool(0, std::make_unique<CBalanceQuantitySchedule>());
-  CProximityFilter filter;
+  CDiscPairs filter;
   filter.Start(2);
   filter.Place(0, 0.0, 0.0, 0.1);
   filter.Place(1, 1.0, 0.0, 0.1);

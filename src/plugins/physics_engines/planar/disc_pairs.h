@@ -1,5 +1,5 @@
-#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PROXIMITY_FILTER_H
-#define ARGOS3_PLUGINS_PHYSICS_ENGINES_DYNAMICS2D_PROXIMITY_FILTER_H
+#ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_DISC_PAIRS_H
+#define ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_DISC_PAIRS_H
 
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/core/utility/spatial/counting_sort.h>
@@ -22,7 +22,7 @@ class CThreadPool;
  * each disc, which are so wide that two discs that can meet are in the same or in adjoining cells.
  * The place of a disc is its number in the order of the cells, row by row.
  */
-class CProximityFilter {
+class CDiscPairs {
  public:
   struct SDisc {
     Real X, Y, Radius;  // m

@@ -1,7 +1,7 @@
 // The grid finds the same pairs that comparing each with each does.
 
 #include <argos3/core/utility/threads/thread_pool.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/proximity_filter.h>
+#include <argos3/plugins/simulator/physics_engines/planar/disc_pairs.h>
 
 #include <catch2/catch.hpp>
 
@@ -56,7 +56,7 @@ TPairs FindObstacles(const std::vector<SDisc>& discs, const std::vector<SFootpri
   return pairs;
 }
 
-void Place(CProximityFilter& filter, const std::vector<SDisc>& discs) {
+void Place(CDiscPairs& filter, const std::vector<SDisc>& discs) {
   filter.Start(discs.size());
   for (UInt32 i = 0; i < discs.size(); ++i) {
     filter.Place(i, discs[i].X, discs[i].Y, discs[i].Radius);
@@ -64,10 +64,10 @@ void Place(CProximityFilter& filter, const std::vector<SDisc>& discs) {
 }
 
 // as found, in the order of the parts
-TPairs ListPairs(const CProximityFilter& filter) {
+TPairs ListPairs(const CDiscPairs& filter) {
   TPairs pairs;
-  for (const CProximityFilter::SPart& part : filter.GetParts()) {
-    for (const CProximityFilter::SPair& pair : part.Pairs) {
+  for (const CDiscPairs::SPart& part : filter.GetParts()) {
+    for (const CDiscPairs::SPair& pair : part.Pairs) {
       const UInt32 a = filter.GetDiscs()[pair.A].Number;
       const UInt32 b = filter.GetDiscs()[pair.B].Number;
       pairs.emplace_back(std::min(a, b), std::max(a, b));
@@ -76,10 +76,10 @@ TPairs ListPairs(const CProximityFilter& filter) {
   return pairs;
 }
 
-TPairs ListObstaclePairs(const CProximityFilter& filter) {
+TPairs ListObstaclePairs(const CDiscPairs& filter) {
   TPairs pairs;
-  for (const CProximityFilter::SPart& part : filter.GetParts()) {
-    for (const CProximityFilter::SObstaclePair& pair : part.ObstaclePairs) {
+  for (const CDiscPairs::SPart& part : filter.GetParts()) {
+    for (const CDiscPairs::SObstaclePair& pair : part.ObstaclePairs) {
       pairs.emplace_back(filter.GetDiscs()[pair.Disc].Number, pair.Obstacle);
     }
   }
@@ -93,7 +93,7 @@ TPairs Sorted(TPairs pairs) {
 
 }  // namespace
 
-TEST_CASE("proximity filter: the grid finds what comparing each with each finds", "[dynamics2d]") {
+TEST_CASE("disc pairs: the grid finds what comparing each with each finds", "[planar]") {
   const int numDiscs = GENERATE(1, 2, 30, 400, 5000);
   const Real side = GENERATE(0.5, 5.0, 60.0);
   const unsigned seed = GENERATE(1U, 2U);
@@ -122,7 +122,7 @@ TEST_CASE("proximity filter: the grid finds what comparing each with each finds"
   }
 
   CThreadPool pool(threads, std::make_unique<CBalanceQuantitySchedule>());
-  CProximityFilter filter;
+  CDiscPairs filter;
   filter.SetObstacles(obstacles);
   Place(filter, discs);
   filter.Find(pool, kReach);
@@ -143,7 +143,7 @@ TEST_CASE("proximity filter: the grid finds what comparing each with each finds"
 
   // the order of places and of pairs does not depend on threads
   CThreadPool alone(0, std::make_unique<CBalanceQuantitySchedule>());
-  CProximityFilter other;
+  CDiscPairs other;
   other.SetObstacles(obstacles);
   Place(other, discs);
   other.Find(alone, kReach);
@@ -151,10 +151,9 @@ TEST_CASE("proximity filter: the grid finds what comparing each with each finds"
   CHECK(ListObstaclePairs(other) == ListObstaclePairs(filter));
 }
 
-TEST_CASE("proximity filter: a circle meets the discs within its radius and their reach",
-          "[dynamics2d]") {
+TEST_CASE("disc pairs: a circle meets the discs within its radius and their reach", "[planar]") {
   CThreadPool pool(0, std::make_unique<CBalanceQuantitySchedule>());
-  CProximityFilter filter;
+  CDiscPairs filter;
   Place(filter, {{0.0, 0.0, 0.1}, {2.0, 0.0, 0.1}, {0.0, 0.0, 0.1}, {-1.25, 0.0, 0.1}});
   filter.LeaveOut(2);
   filter.Find(pool, 0.01);

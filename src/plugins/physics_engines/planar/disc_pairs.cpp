@@ -1,4 +1,4 @@
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/proximity_filter.h>
+#include <argos3/plugins/simulator/physics_engines/planar/disc_pairs.h>
 
 #include <argos3/core/utility/threads/thread_pool.h>
 
@@ -26,7 +26,7 @@ size_t CountParts(size_t discs) {
 
 }  // namespace
 
-void CProximityFilter::SetObstacles(const std::vector<SFootprint>& obstacles) {
+void CDiscPairs::SetObstacles(const std::vector<SFootprint>& obstacles) {
   m_obstacles = obstacles;
   if (!m_obstacles.empty()) {
     SPlanarArea area = SPlanarArea::Empty();
@@ -40,7 +40,7 @@ void CProximityFilter::SetObstacles(const std::vector<SFootprint>& obstacles) {
   m_obstacleCells.List(m_obstacleGrid, m_obstacles, 0.0);
 }
 
-void CProximityFilter::Reserve(size_t numDiscs) {
+void CDiscPairs::Reserve(size_t numDiscs) {
   m_discs.reserve(numDiscs);
   m_extents.reserve(numDiscs / kDiscGrain + 1);
   m_sort.Reserve(numDiscs, CFramedGrid::MaxCells(numDiscs));
@@ -55,11 +55,11 @@ void CProximityFilter::Reserve(size_t numDiscs) {
   }
 }
 
-void CProximityFilter::Start(size_t count) {
+void CDiscPairs::Start(size_t count) {
   m_discs.resize(count);
 }
 
-void CProximityFilter::Find(CThreadPool& pool, Real reach) {
+void CDiscPairs::Find(CThreadPool& pool, Real reach) {
   m_reach = reach;
   CoverDiscs(pool);
   Sort(pool);
@@ -72,7 +72,7 @@ void CProximityFilter::Find(CThreadPool& pool, Real reach) {
   });
 }
 
-void CProximityFilter::CoverDiscs(CThreadPool& pool) {
+void CDiscPairs::CoverDiscs(CThreadPool& pool) {
   const size_t numRuns = (m_discs.size() + kDiscGrain - 1) / kDiscGrain;
   m_extents.resize(numRuns);
   pool.ParallelFor(numRuns, 1, [this](size_t begin, size_t end, UInt32) {
@@ -102,7 +102,7 @@ void CProximityFilter::CoverDiscs(CThreadPool& pool) {
                CFramedGrid::AimedCells(m_discs.size()));
 }
 
-void CProximityFilter::Sort(CThreadPool& pool) {
+void CDiscPairs::Sort(CThreadPool& pool) {
   const size_t count = m_discs.size();
   const bool alone = pool.GetNumThreads() == 1;
   m_sort.Start(count, m_grid.GetNumCells());
@@ -132,7 +132,7 @@ void CProximityFilter::Sort(CThreadPool& pool) {
 }
 
 // Gives each part cells with about as many discs.
-void CProximityFilter::Divide() {
+void CDiscPairs::Divide() {
   const size_t count = CountParts(m_discs.size());
   m_parts.resize(count + 1);
   m_parts.back().ObstaclePairs.clear();
@@ -150,14 +150,14 @@ void CProximityFilter::Divide() {
   m_firstCell[count] = lastCell;
 }
 
-void CProximityFilter::MarkNear(UInt32 place) {
+void CDiscPairs::MarkNear(UInt32 place) {
   // several threads may do this at once
   std::atomic_ref<UInt8>(m_isNear[place]).store(1, std::memory_order_relaxed);
 }
 
 // Each pair once: a disc, and those after it in its row's cells or in the three cells of the next
 // row. The cells of the frame are empty.
-void CProximityFilter::FindPairs(size_t number) {
+void CDiscPairs::FindPairs(size_t number) {
   SPart& part = m_parts[number];
   part.Pairs.clear();
   part.ObstaclePairs.clear();
@@ -193,7 +193,7 @@ void CProximityFilter::FindPairs(size_t number) {
   }
 }
 
-void CProximityFilter::FindObstacles(UInt32 place, SPart& part) {
+void CDiscPairs::FindObstacles(UInt32 place, SPart& part) {
   const SDisc& disc = m_sorted[place];
   const Real reach = disc.Radius + m_reach;
   const size_t first = part.ObstaclePairs.size();
