@@ -7,12 +7,14 @@
 #include <argos3/core/simulator/geometry/ray_hit.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/math/range.h>
+#include <argos3/core/utility/math/ray_span.h>
 #include <argos3/core/utility/spatial/cell_chains.h>
 #include <argos3/core/utility/spatial/cell_items.h>
 #include <argos3/core/utility/spatial/counting_sort.h>
 #include <argos3/core/utility/spatial/planar_grid.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace argos {
@@ -63,6 +65,8 @@ class CBodyIndex {
   /** Makes queries see a changed description or movability. */
   void Redescribe(UInt32 body, const SBodyDescription& description, bool movable,
                   const SBodyPose* links = nullptr);
+  /** @return true if bodies were added, or moved by RefreshNow(), since Rebuild(). */
+  bool HasMovedBodies() const { return m_numStale > 0; }
   /** Sorts all solids by their current poses; once a tick, after physics. */
   void Rebuild(CThreadPool& pool) { Rebuild(&pool); }
 
@@ -87,15 +91,24 @@ class CBodyIndex {
    */
   template <typename VISIT>
   void ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const;
+  /** How near to a point of a ray a solid has to come, m. */
+  struct SRayReach {
+    Real Across; /**< seen from above */
+    Real Vertical; /**< from the point's height to the solid's span of heights */
+
+    SRayReach(Real across, Real vertical = HUGE_VAL) : Across(across), Vertical(vertical) {}
+  };
   /**
-   * Calls visit(const SIndexedShape&) for every solid whose footprint comes within @p reach (m) of
-   * @p ray as seen from above, and perhaps for others; wide solids perhaps repeatedly.
+   * Calls visit(const SIndexedShape&) for every solid that comes within @p reach of a point of
+   * @p ray, and perhaps for others; wide solids perhaps repeatedly. Ignores the part of the ray
+   * that is above or below all solids.
    * @param isDone  bool(): called before each row of cells; true ends the query.
    */
   template <typename VISIT, typename DONE>
-  void ForShapesAlongRay(const CRay3& ray, Real reach, VISIT&& visit, DONE&& isDone) const;
+  void ForShapesAlongRay(const CRay3& ray, const SRayReach& reach, VISIT&& visit,
+                         DONE&& isDone) const;
   template <typename VISIT>
-  void ForShapesAlongRay(const CRay3& ray, Real reach, VISIT&& visit) const {
+  void ForShapesAlongRay(const CRay3& ray, const SRayReach& reach, VISIT&& visit) const {
     ForShapesAlongRay(ray, reach, visit, [] { return false; });
   }
 
@@ -152,6 +165,19 @@ class CBodyIndex {
   struct SWideShape {
     SIndexedShape Shape;
     SPlanarCell FirstCell;  // in which it is listed
+  };
+
+  // of several solids, m, world frame
+  struct SHeights {
+    Real Min = HUGE_VAL, Max = -HUGE_VAL;
+
+    void Include(Real min, Real max) {
+      Min = std::min(Min, min);
+      Max = std::max(Max, max);
+    }
+    // the part of a line, between fractions of the ray, that is at these heights or farther than
+    // the reach from them by less than a rounding; empty without solids
+    SRaySpan FindPart(const CRay3& ray, Real reach) const;
   };
 
   // where invariants are checked: that it is the number of a body that is in the index
@@ -219,7 +245,9 @@ class CBodyIndex {
   CCountingSort m_sort;  // of small bodies by cell
   std::vector<SEntry> m_entries;  // (solids of small bodies) in cell order
   std::vector<SIndexedShape> m_shapes;  // of small bodies, in cell order
+  SHeights m_smallHeights;  // of m_shapes
   std::vector<SWideShape> m_wide;  // of all other bodies
+  SHeights m_wideHeights;  // of m_wide
   CCellItems m_wideCells;  // numbers into m_wide
   bool m_wideDirty = true;
 
