@@ -91,6 +91,12 @@ class CBodyIndex {
    */
   template <typename VISIT>
   void ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const;
+  /**
+   * Calls visit(const SIndexedShape&) for every solid whose footprint touches @p area, and perhaps
+   * for others. Each solid once. Vertical position is ignored.
+   */
+  template <typename VISIT>
+  void ForShapesInArea(const SPlanarArea& area, VISIT&& visit) const;
   /** How near to a point of a ray a solid has to come, m. */
   struct SRayReach {
     Real Across; /**< seen from above */
@@ -214,6 +220,14 @@ class CBodyIndex {
 
   Real SmallReach() const { return std::max(m_maxSmallReach, m_tiltedReach); }
   bool IsStale(UInt32 body) const { return m_numStale > 0 && m_bodies[body].Stale; }
+  // cells no farther than the margin, m, from an area
+  SCellRange CellsAround(const SPlanarArea& area, Real margin) const {
+    return m_grid.CellsAround(0.5 * (area.MinX + area.MaxX), 0.5 * (area.MinY + area.MaxY),
+                              0.5 * (area.MaxX - area.MinX) + margin,
+                              0.5 * (area.MaxY - area.MinY) + margin);
+  }
+  template <typename VISIT>
+  void VisitNear(const SCellRange& small, const SCellRange& wide, VISIT&& visit) const;
   template <typename VISIT>
   void VisitSmall(const SCellRange& cells, VISIT&& visit) const;
   template <typename VISIT>

@@ -63,29 +63,48 @@ void CBodyIndex::VisitWide(const SCellRange& cells, VISIT&& visit) const {
   });
 }
 
+// the solids in two ranges of cells: of those sorted by cell, and of those listed in cells
 template <typename VISIT>
-void CBodyIndex::ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const {
-  const auto visitIfNear = [&](const SIndexedShape& shape) {
-    const Real dx = shape.X - x;
-    const Real dy = shape.Y - y;
-    const Real far = reach + shape.Radius;
-    if (dx * dx + dy * dy <= far * far) {
-      visit(shape);
-    }
-  };
-  const SCellRange cells = m_grid.CellsAround(x, y, reach + SmallReach());
+void CBodyIndex::VisitNear(const SCellRange& small, const SCellRange& wide, VISIT&& visit) const {
   if (!m_shapes.empty()) {
-    VisitSmall(cells, visitIfNear);
+    VisitSmall(small, visit);
   }
   if (!m_overlay.IsEmpty()) {
-    VisitOverlay(cells, visitIfNear);
+    VisitOverlay(small, visit);
   }
   if (!m_overlayWide.empty()) {
-    VisitOverlayWide(m_grid.CellsAround(x, y, reach), visitIfNear);
+    VisitOverlayWide(wide, visit);
   }
   if (!m_wide.empty()) {
-    VisitWide(m_grid.CellsAround(x, y, reach), visitIfNear);
+    VisitWide(wide, visit);
   }
+}
+
+template <typename VISIT>
+void CBodyIndex::ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const {
+  VisitNear(m_grid.CellsAround(x, y, reach + SmallReach()), m_grid.CellsAround(x, y, reach),
+            [&](const SIndexedShape& shape) {
+              const Real dx = shape.X - x;
+              const Real dy = shape.Y - y;
+              const Real far = reach + shape.Radius;
+              if (dx * dx + dy * dy <= far * far) {
+                visit(shape);
+              }
+            });
+}
+
+template <typename VISIT>
+void CBodyIndex::ForShapesInArea(const SPlanarArea& area, VISIT&& visit) const {
+  // more by a rounding, so that a touched border counts
+  const Real rounded = 1e-9;
+  VisitNear(CellsAround(area, SmallReach() + rounded), CellsAround(area, rounded),
+            [&](const SIndexedShape& shape) {
+              const Real radius = shape.Radius + rounded;
+              if (shape.X + radius >= area.MinX && shape.X - radius <= area.MaxX &&
+                  shape.Y + radius >= area.MinY && shape.Y - radius <= area.MaxY) {
+                visit(shape);
+              }
+            });
 }
 
 inline SRaySpan CBodyIndex::SHeights::FindPart(const CRay3& ray, Real reach) const {

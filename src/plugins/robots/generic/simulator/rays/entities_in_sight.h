@@ -151,11 +151,13 @@ class CEntitiesInSight {
     }
     void Finish() {
       for (size_t i = 0; i < m_size; ++i) {
-        m_candidate.Entity = m_batch[i];
-        if (m_locate(*m_batch[i], m_candidate.Points.data())) {
+        SCandidate& candidate = m_scratch.Candidates.emplace_back();
+        candidate.Entity = m_batch[i];
+        if (m_locate(*m_batch[i], candidate.Points.data())) {
           // for the search for its root
           LoadAhead(m_batch[i], 1);
-          m_scratch.Candidates.push_back(m_candidate);
+        } else {
+          m_scratch.Candidates.pop_back();
         }
       }
       m_size = 0;
@@ -164,7 +166,6 @@ class CEntitiesInSight {
    private:
     SScratch& m_scratch;
     LOCATE& m_locate;
-    SCandidate m_candidate{};
     std::array<ENTITY*, kBatch> m_batch;
     size_t m_size = 0;  // of the batch
   };

@@ -118,26 +118,19 @@ void CSightLines::Trace(bool all) {
     TraceOneByOne();
     return;
   }
-  // a circle around the projections of all lines onto the ground
-  Real minX = m_eye.GetX();
-  Real maxX = minX;
-  Real minY = m_eye.GetY();
-  Real maxY = minY;
+  // around the projections of all lines onto the ground
+  SPlanarArea area = SPlanarArea::Empty();
+  area.Include(m_eye.GetX(), m_eye.GetY());
   for (const SLine& line : m_lines) {
-    minX = std::min(minX, line.End.GetX());
-    maxX = std::max(maxX, line.End.GetX());
-    minY = std::min(minY, line.End.GetY());
-    maxY = std::max(maxY, line.End.GetY());
+    area.Include(line.End.GetX(), line.End.GetY());
   }
-  const Real reach = 0.5 * std::hypot(maxX - minX, maxY - minY);
   const CBodyIndex& index = m_robot->GetSpace().GetBodyIndex();
   const UInt32 ownBody = m_robot->GetBody().GetBodyNumber();
-  index.ForShapesNear(0.5 * (minX + maxX), 0.5 * (minY + maxY), reach,
-                      [&](const SIndexedShape& shape) {
-                        if (shape.Body != ownBody && shape.ZMax >= m_minZ && shape.ZMin <= m_maxZ) {
-                          TraceShape(index, shape, all);
-                        }
-                      });
+  index.ForShapesInArea(area, [&](const SIndexedShape& shape) {
+    if (shape.Body != ownBody && shape.ZMax >= m_minZ && shape.ZMin <= m_maxZ) {
+      TraceShape(index, shape, all);
+    }
+  });
 }
 
 // the upright bounding cylinder of a solid, relative to the eye
