@@ -65,10 +65,9 @@ class CEntityPoints {
   /** Calls visit(const SPoint&) for every point in a box, m, and for others. Each point once. */
   template <typename VISIT>
   void ForPointsNear(const SBoundingBox& box, VISIT&& visit) const {
-    const SCellRange cells = {m_grid.GetX().CellOf(box.MinCorner.GetX()),
-                              m_grid.GetX().CellOf(box.MaxCorner.GetX()),
-                              m_grid.GetY().CellOf(box.MinCorner.GetY()),
-                              m_grid.GetY().CellOf(box.MaxCorner.GetY())};
+    const SCellRange cells = {
+        m_grid.GetX().CellOf(box.MinCorner.GetX()), m_grid.GetX().CellOf(box.MaxCorner.GetX()),
+        m_grid.GetY().CellOf(box.MinCorner.GetY()), m_grid.GetY().CellOf(box.MaxCorner.GetY())};
     m_grid.ForRows(cells, [&](UInt32 first, UInt32 last) {
       const UInt32 end = m_sort.End(last);
       for (UInt32 place = m_sort.Begin(first); place < end; ++place) {

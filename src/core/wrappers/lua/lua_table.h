@@ -208,9 +208,8 @@ class CLuaTable {
 
   // values that are userdata or tables in Lua
   template <typename T>
-  static constexpr bool kIsObject =
-      std::is_same_v<T, CVector2> || std::is_same_v<T, CVector3> ||
-      std::is_same_v<T, CQuaternion> || std::is_same_v<T, CColor>;
+  static constexpr bool kIsObject = std::is_same_v<T, CVector2> || std::is_same_v<T, CVector3> ||
+                                    std::is_same_v<T, CQuaternion> || std::is_same_v<T, CColor>;
 
   explicit CLuaTable(lua_State* state);
   /** Takes the table on top of the stack. */

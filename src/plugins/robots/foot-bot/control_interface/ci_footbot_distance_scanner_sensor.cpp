@@ -39,8 +39,8 @@ void CCI_FootBotDistanceScannerSensor::Fill(TReadingsMap& map, bool& isStale, bo
   while (!map.empty()) {
     m_spares.push_back(map.extract(map.begin()));
   }
-  for (const TReadings* const readings : {withShort ? &m_short : nullptr,
-                                          withLong ? &m_long : nullptr}) {
+  for (const TReadings* const readings :
+       {withShort ? &m_short : nullptr, withLong ? &m_long : nullptr}) {
     for (size_t i = 0; readings != nullptr && i < readings->size(); ++i) {
       Put(map, (*readings)[i]);
     }

@@ -50,8 +50,8 @@ class CCI_FootBotDistanceScannerSensor : public CTableSensor {
 
  protected:
   /**
-   * Replaces all readings. A map is filled when it is read first after that, because few controllers
-   * read all of them; this allocates only if there are more readings than ever before.
+   * Replaces all readings. A map is filled when it is read first after that, because few
+   * controllers read all of them; this allocates only if there are more readings than ever before.
    */
   void SetReadings(const TReadings& shortRange, const TReadings& longRange);
 

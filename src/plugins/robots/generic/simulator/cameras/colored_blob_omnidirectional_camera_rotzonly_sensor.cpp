@@ -56,7 +56,8 @@ void CColoredBlobOmnidirectionalCameraRotZOnlySensor::Update() {
           const CVector3 toLED = led.GetPosition() - c;
           point->Position = led.GetPosition();
           return led.IsLit() && std::abs(toLED.GetX()) < eye.HalfSide &&
-                 std::abs(toLED.GetY()) < eye.HalfSide && std::abs(point->Position.GetZ()) <= c.GetZ();
+                 std::abs(toLED.GetY()) < eye.HalfSide &&
+                 std::abs(point->Position.GetZ()) <= c.GetZ();
         },
         [&](const CLEDEntity& led, const SSightPoint*) { AddBlob(eye, led); }, m_showRays);
   }

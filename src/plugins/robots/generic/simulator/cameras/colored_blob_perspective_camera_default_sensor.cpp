@@ -42,8 +42,8 @@ class CColoredBlobPerspectiveCameraDefaultSensor::CEye {
     SBoundingBox field;
     for (UInt32 axis = 0; axis < 3; ++axis) {
       // of the disc at the end of the cone, whose normal is the direction
-      const Real extent = m_range * m_tanAperture *
-                          std::sqrt(std::max(0.0, 1.0 - m_ahead[axis] * m_ahead[axis]));
+      const Real extent =
+          m_range * m_tanAperture * std::sqrt(std::max(0.0, 1.0 - m_ahead[axis] * m_ahead[axis]));
       field.MinCorner[axis] = std::min(m_position[axis], end[axis] - extent);
       field.MaxCorner[axis] = std::max(m_position[axis], end[axis] + extent);
     }

@@ -106,8 +106,8 @@ CLightDefaultSensor::SEyeBatch::SEyeBatch(const SRayLayout& layout, const SAncho
   Real squareReach = 0.0;
   for (size_t i = 0; i < Count; ++i) {
     const CVector3 offset = Positions[i] - Center;
-    squareReach = std::max(
-        squareReach, offset.GetX() * offset.GetX() + offset.GetY() * offset.GetY());
+    squareReach =
+        std::max(squareReach, offset.GetX() * offset.GetX() + offset.GetY() * offset.GetY());
     MinZ = std::min(MinZ, Positions[i].GetZ());
     MaxZ = std::max(MaxZ, Positions[i].GetZ());
   }
