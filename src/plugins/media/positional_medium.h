@@ -70,7 +70,7 @@ class CPositionalMedium : public CMedium, public ENTITY::CRegistry {
     }
   }
   void RemoveEntity(ENTITY& entity) override {
-    --m_numEntities;
+    m_numEntities -= m_numEntities > 0 ? 1 : 0;
     m_points.Invalidate();
     if (m_index != nullptr) {
       m_index->RemoveEntity(entity);
@@ -191,7 +191,7 @@ class CPositionalMedium : public CMedium, public ENTITY::CRegistry {
   std::vector<ENTITY*> m_waiting;  // added before the index was made; not owned
   std::unique_ptr<CPositionalIndex<ENTITY>> m_index;  // null until the arena is known
   std::unique_ptr<CUpdater> m_gridUpdater;  // for a grid
-  size_t m_numEntities = 0;
+  size_t m_numEntities = 0;  // or more: how many points there may be
   bool m_keepsPoints = false;
   CEntityPoints<ENTITY> m_points;
 };
