@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/space/positional_indices/hash_index.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/plugins/simulator/media/clear_medium.h>
+#include <argos3/plugins/simulator/media/entity_points.h>
 #include <argos3/plugins/simulator/media/index_choice.h>
 
 #include <algorithm>
@@ -47,10 +48,21 @@ class CPositionalMedium : public CMedium, public ENTITY::CRegistry {
     SortByEntityIndex();
     CPositionalMedium::Update();
   }
-  void Update() override { GetIndex().Update(); }
+  void Update() override {
+    CPositionalIndex<ENTITY>& index = GetIndex();
+    m_points.Invalidate();
+    if (!m_keepsPoints || m_choice.Kind != SIndexChoice::EKind::Grid) {
+      index.Update();
+      return;
+    }
+    m_points.Start(m_numEntities);
+    index.Update();
+    m_points.Finish();
+  }
 
   /** Called by entities when they are enabled and disabled. */
   void AddEntity(ENTITY& entity) override {
+    ++m_numEntities;
     if (m_index != nullptr) {
       m_index->AddEntity(entity);
     } else {
@@ -58,6 +70,8 @@ class CPositionalMedium : public CMedium, public ENTITY::CRegistry {
     }
   }
   void RemoveEntity(ENTITY& entity) override {
+    m_numEntities -= m_numEntities > 0 ? 1 : 0;
+    m_points.Invalidate();
     if (m_index != nullptr) {
       m_index->RemoveEntity(entity);
     } else {
@@ -73,10 +87,36 @@ class CPositionalMedium : public CMedium, public ENTITY::CRegistry {
     return *m_index;
   }
 
+  /** Makes each Update() from the next one on fill GetPoints(), if the index is a grid. */
+  void KeepPoints() { m_keepsPoints = true; }
+  /**
+   * The entities that the index contains, with their positions at the last Update().
+   * @return null if there are none, or an entity was removed since.
+   */
+  const CEntityPoints<ENTITY>* GetPoints() const {
+    return m_points.IsComplete() ? &m_points : nullptr;
+  }
+
  protected:
   const SIndexChoice& GetIndexChoice() const { return m_choice; }
 
  private:
+  // puts an entity into its cell, and into the points while these are filled
+  class CUpdater : public CPositionalIndex<ENTITY>::COperation {
+   public:
+    CUpdater(CPositionalMedium& medium, CGrid<ENTITY>& grid) : m_medium(medium), m_cells(grid) {}
+    bool operator()(ENTITY& entity) override {
+      if (m_medium.m_keepsPoints && entity.IsInCells()) {
+        m_medium.m_points.Add(entity);
+      }
+      return m_cells(entity);
+    }
+
+   private:
+    CPositionalMedium& m_medium;
+    GRID_UPDATER m_cells;
+  };
+
   // all entities, in the order of their addition
   std::vector<ENTITY*> ListAll() {
     class CCollect : public CPositionalIndex<ENTITY>::COperation {
@@ -132,7 +172,7 @@ class CPositionalMedium : public CMedium, public ENTITY::CRegistry {
       const CVector3& center = GetSpace().GetArenaCenter();
       auto grid = std::make_unique<CGrid<ENTITY>>(center - extent * 0.5, center + extent * 0.5,
                                                   number[0], number[1], number[2]);
-      m_gridUpdater = std::make_unique<GRID_UPDATER>(*grid);
+      m_gridUpdater = std::make_unique<CUpdater>(*this, *grid);
       grid->SetUpdateEntityOperation(m_gridUpdater.get());
       index = std::move(grid);
     } else {
@@ -150,7 +190,10 @@ class CPositionalMedium : public CMedium, public ENTITY::CRegistry {
   SIndexChoice m_choice;
   std::vector<ENTITY*> m_waiting;  // added before the index was made; not owned
   std::unique_ptr<CPositionalIndex<ENTITY>> m_index;  // null until the arena is known
-  std::unique_ptr<GRID_UPDATER> m_gridUpdater;  // for a grid
+  std::unique_ptr<CUpdater> m_gridUpdater;  // for a grid
+  size_t m_numEntities = 0;  // or more: how many points there may be
+  bool m_keepsPoints = false;
+  CEntityPoints<ENTITY> m_points;
 };
 
 }  // namespace argos

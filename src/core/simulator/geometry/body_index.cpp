@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <functional>
 
 namespace argos {
 
@@ -47,6 +48,15 @@ void ForRange(CThreadPool* pool, size_t items, FUNCTION&& function) {
                       [&](size_t begin, size_t end, UInt32) { function(begin, end); });
   } else {
     function(size_t(0), items);
+  }
+}
+
+// the result of several calls does not depend on their order
+template <typename BETTER>
+void ReplaceIf(std::atomic<Real>& value, Real candidate, BETTER isBetter) {
+  Real old = value.load(std::memory_order_relaxed);
+  while (isBetter(candidate, old) &&
+         !value.compare_exchange_weak(old, candidate, std::memory_order_relaxed)) {
   }
 }
 
@@ -338,7 +348,10 @@ void CBodyIndex::SortSmall(CThreadPool* pool) {
 }
 
 void CBodyIndex::PackSmall(CThreadPool* pool) {
-  ForRange(pool, m_entries.size(), [this](size_t begin, size_t end) {
+  std::atomic<Real> lowest{HUGE_VAL};
+  std::atomic<Real> highest{-HUGE_VAL};
+  ForRange(pool, m_entries.size(), [&](size_t begin, size_t end) {
+    SHeights heights;
     for (size_t k = begin; k < end; ++k) {
       if (k + kEntriesAhead < end) {
         const UInt32 later = m_entries[k + kEntriesAhead].Body;
@@ -346,12 +359,17 @@ void CBodyIndex::PackSmall(CThreadPool* pool) {
         LoadAhead(m_bodies[later]);
       }
       m_shapes[k] = Pack(m_entries[k].Body, m_entries[k].Shape);
+      heights.Include(m_shapes[k].ZMin, m_shapes[k].ZMax);
     }
+    ReplaceIf(lowest, heights.Min, std::less<>());
+    ReplaceIf(highest, heights.Max, std::greater<>());
   });
+  m_smallHeights = {lowest, highest};
 }
 
 void CBodyIndex::ListWide() {
   m_wide.clear();
+  m_wideHeights = SHeights();
   bool anyMovable = false;
   for (size_t b = 0; b < m_bodies.size(); ++b) {
     const SBody& body = m_bodies[b];
@@ -363,6 +381,7 @@ void CBodyIndex::ListWide() {
     for (UInt16 shape = 0; shape < body.NumShapes; ++shape) {
       const SIndexedShape packed = Pack(static_cast<UInt32>(b), shape);
       m_wide.push_back({packed, CellsOf(packed).GetFirst()});
+      m_wideHeights.Include(packed.ZMin, packed.ZMax);
     }
   }
   m_wideCells.List(m_wide.size(), m_grid.GetNumCells(), [this](UInt32 wide, auto&& list) {

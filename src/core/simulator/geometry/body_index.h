@@ -7,12 +7,14 @@
 #include <argos3/core/simulator/geometry/ray_hit.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/math/range.h>
+#include <argos3/core/utility/math/ray_span.h>
 #include <argos3/core/utility/spatial/cell_chains.h>
 #include <argos3/core/utility/spatial/cell_items.h>
 #include <argos3/core/utility/spatial/counting_sort.h>
 #include <argos3/core/utility/spatial/planar_grid.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace argos {
@@ -63,6 +65,8 @@ class CBodyIndex {
   /** Makes queries see a changed description or movability. */
   void Redescribe(UInt32 body, const SBodyDescription& description, bool movable,
                   const SBodyPose* links = nullptr);
+  /** @return true if bodies were added, or moved by RefreshNow(), since Rebuild(). */
+  bool HasMovedBodies() const { return m_numStale > 0; }
   /** Sorts all solids by their current poses; once a tick, after physics. */
   void Rebuild(CThreadPool& pool) { Rebuild(&pool); }
 
@@ -88,14 +92,29 @@ class CBodyIndex {
   template <typename VISIT>
   void ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const;
   /**
-   * Calls visit(const SIndexedShape&) for every solid whose footprint comes within @p reach (m) of
-   * @p ray as seen from above, and perhaps for others; wide solids perhaps repeatedly.
+   * Calls visit(const SIndexedShape&) for every solid whose footprint touches @p area, and perhaps
+   * for others. Each solid once. Vertical position is ignored.
+   */
+  template <typename VISIT>
+  void ForShapesInArea(const SPlanarArea& area, VISIT&& visit) const;
+  /** How near to a point of a ray a solid has to come, m. */
+  struct SRayReach {
+    Real Across; /**< seen from above */
+    Real Vertical; /**< from the point's height to the solid's span of heights */
+
+    SRayReach(Real across, Real vertical = HUGE_VAL) : Across(across), Vertical(vertical) {}
+  };
+  /**
+   * Calls visit(const SIndexedShape&) for every solid that comes within @p reach of a point of
+   * @p ray, and perhaps for others; wide solids perhaps repeatedly. Ignores the part of the ray
+   * that is above or below all solids.
    * @param isDone  bool(): called before each row of cells; true ends the query.
    */
   template <typename VISIT, typename DONE>
-  void ForShapesAlongRay(const CRay3& ray, Real reach, VISIT&& visit, DONE&& isDone) const;
+  void ForShapesAlongRay(const CRay3& ray, const SRayReach& reach, VISIT&& visit,
+                         DONE&& isDone) const;
   template <typename VISIT>
-  void ForShapesAlongRay(const CRay3& ray, Real reach, VISIT&& visit) const {
+  void ForShapesAlongRay(const CRay3& ray, const SRayReach& reach, VISIT&& visit) const {
     ForShapesAlongRay(ray, reach, visit, [] { return false; });
   }
 
@@ -154,6 +173,19 @@ class CBodyIndex {
     SPlanarCell FirstCell;  // in which it is listed
   };
 
+  // of several solids, m, world frame
+  struct SHeights {
+    Real Min = HUGE_VAL, Max = -HUGE_VAL;
+
+    void Include(Real min, Real max) {
+      Min = std::min(Min, min);
+      Max = std::max(Max, max);
+    }
+    // the part of a line, between fractions of the ray, that is at these heights or farther than
+    // the reach from them by less than a rounding; empty without solids
+    SRaySpan FindPart(const CRay3& ray, Real reach) const;
+  };
+
   // where invariants are checked: that it is the number of a body that is in the index
   void CheckNumber([[maybe_unused]] UInt32 body) const {
     ARGOS_ASSERT(body < m_bodies.size() && m_bodies[body].Entity != nullptr,
@@ -188,6 +220,14 @@ class CBodyIndex {
 
   Real SmallReach() const { return std::max(m_maxSmallReach, m_tiltedReach); }
   bool IsStale(UInt32 body) const { return m_numStale > 0 && m_bodies[body].Stale; }
+  // cells no farther than the margin, m, from an area
+  SCellRange CellsAround(const SPlanarArea& area, Real margin) const {
+    return m_grid.CellsAround(0.5 * (area.MinX + area.MaxX), 0.5 * (area.MinY + area.MaxY),
+                              0.5 * (area.MaxX - area.MinX) + margin,
+                              0.5 * (area.MaxY - area.MinY) + margin);
+  }
+  template <typename VISIT>
+  void VisitNear(const SCellRange& small, const SCellRange& wide, VISIT&& visit) const;
   template <typename VISIT>
   void VisitSmall(const SCellRange& cells, VISIT&& visit) const;
   template <typename VISIT>
@@ -219,7 +259,9 @@ class CBodyIndex {
   CCountingSort m_sort;  // of small bodies by cell
   std::vector<SEntry> m_entries;  // (solids of small bodies) in cell order
   std::vector<SIndexedShape> m_shapes;  // of small bodies, in cell order
+  SHeights m_smallHeights;  // of m_shapes
   std::vector<SWideShape> m_wide;  // of all other bodies
+  SHeights m_wideHeights;  // of m_wide
   CCellItems m_wideCells;  // numbers into m_wide
   bool m_wideDirty = true;
 

@@ -63,55 +63,92 @@ void CBodyIndex::VisitWide(const SCellRange& cells, VISIT&& visit) const {
   });
 }
 
+// the solids in two ranges of cells: of those sorted by cell, and of those listed in cells
 template <typename VISIT>
-void CBodyIndex::ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const {
-  const auto visitIfNear = [&](const SIndexedShape& shape) {
-    const Real dx = shape.X - x;
-    const Real dy = shape.Y - y;
-    const Real far = reach + shape.Radius;
-    if (dx * dx + dy * dy <= far * far) {
-      visit(shape);
-    }
-  };
-  const SCellRange cells = m_grid.CellsAround(x, y, reach + SmallReach());
+void CBodyIndex::VisitNear(const SCellRange& small, const SCellRange& wide, VISIT&& visit) const {
   if (!m_shapes.empty()) {
-    VisitSmall(cells, visitIfNear);
+    VisitSmall(small, visit);
   }
   if (!m_overlay.IsEmpty()) {
-    VisitOverlay(cells, visitIfNear);
+    VisitOverlay(small, visit);
   }
   if (!m_overlayWide.empty()) {
-    VisitOverlayWide(m_grid.CellsAround(x, y, reach), visitIfNear);
+    VisitOverlayWide(wide, visit);
   }
   if (!m_wide.empty()) {
-    VisitWide(m_grid.CellsAround(x, y, reach), visitIfNear);
+    VisitWide(wide, visit);
   }
 }
 
+template <typename VISIT>
+void CBodyIndex::ForShapesNear(Real x, Real y, Real reach, VISIT&& visit) const {
+  VisitNear(m_grid.CellsAround(x, y, reach + SmallReach()), m_grid.CellsAround(x, y, reach),
+            [&](const SIndexedShape& shape) {
+              const Real dx = shape.X - x;
+              const Real dy = shape.Y - y;
+              const Real far = reach + shape.Radius;
+              if (dx * dx + dy * dy <= far * far) {
+                visit(shape);
+              }
+            });
+}
+
+template <typename VISIT>
+void CBodyIndex::ForShapesInArea(const SPlanarArea& area, VISIT&& visit) const {
+  // more by a rounding, so that a touched border counts
+  const Real rounded = 1e-9;
+  VisitNear(CellsAround(area, SmallReach() + rounded), CellsAround(area, rounded),
+            [&](const SIndexedShape& shape) {
+              const Real radius = shape.Radius + rounded;
+              if (shape.X + radius >= area.MinX && shape.X - radius <= area.MaxX &&
+                  shape.Y + radius >= area.MinY && shape.Y - radius <= area.MaxY) {
+                visit(shape);
+              }
+            });
+}
+
+inline SRaySpan CBodyIndex::SHeights::FindPart(const CRay3& ray, Real reach) const {
+  if (Min > Max) {
+    return SRaySpan::None();
+  }
+  const Real rounded = reach + 1e-9;
+  const Real z = ray.GetStart().GetZ();
+  SRaySpan part{0.0, 1.0};
+  part.ClipToSlab(z, ray.GetEnd().GetZ() - z, Min - rounded, Max + rounded);
+  return part;
+}
+
 template <typename VISIT, typename DONE>
-void CBodyIndex::ForShapesAlongRay(const CRay3& ray, Real reach, VISIT&& visit,
+void CBodyIndex::ForShapesAlongRay(const CRay3& ray, const SRayReach& reach, VISIT&& visit,
                                    DONE&& isDone) const {
   const Real x = ray.GetStart().GetX();
   const Real y = ray.GetStart().GetY();
   const Real dx = ray.GetEnd().GetX() - x;
   const Real dy = ray.GetEnd().GetY() - y;
-  const auto forRows = [&](Real margin, auto&& visitRow) {
-    m_grid.ForRowsAlongSegment(x, y, dx, dy, margin, visitRow, isDone);
+  const auto forRows = [&](const SRaySpan& part, Real margin, auto&& visitRow) {
+    const Real length = part.Last - part.First;
+    if (length >= 0.0) {
+      m_grid.ForRowsAlongSegment(x + part.First * dx, y + part.First * dy, length * dx, length * dy,
+                                 margin, visitRow, isDone);
+    }
   };
+  const SRaySpan whole{0.0, 1.0};
   // more than the reach by a rounding, so that a touched border counts
-  const Real rounded = reach + 1e-9;
+  const Real rounded = reach.Across + 1e-9;
   const Real margin = SmallReach() + rounded;
   if (!m_shapes.empty()) {
-    forRows(margin, [&](const SCellRange& row) { VisitSmall(row, visit); });
+    forRows(m_smallHeights.FindPart(ray, reach.Vertical), margin,
+            [&](const SCellRange& row) { VisitSmall(row, visit); });
   }
   if (!m_overlay.IsEmpty()) {
-    forRows(margin, [&](const SCellRange& row) { VisitOverlay(row, visit); });
+    forRows(whole, margin, [&](const SCellRange& row) { VisitOverlay(row, visit); });
   }
   if (!m_overlayWide.empty()) {
-    forRows(rounded, [&](const SCellRange& row) { VisitOverlayWide(row, visit); });
+    forRows(whole, rounded, [&](const SCellRange& row) { VisitOverlayWide(row, visit); });
   }
   if (!m_wide.empty()) {
-    forRows(rounded, [&](const SCellRange& row) { VisitWide(row, visit); });
+    forRows(m_wideHeights.FindPart(ray, reach.Vertical), rounded,
+            [&](const SCellRange& row) { VisitWide(row, visit); });
   }
 }
 

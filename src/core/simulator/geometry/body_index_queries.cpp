@@ -70,7 +70,7 @@ bool CBodyIndex::FindClosestHit(SEmbodiedEntityIntersectionItem& item, const CRa
   item = SEmbodiedEntityIntersectionItem();
   Real closest = std::numeric_limits<Real>::infinity();
   UInt32 closestBody = kNoBody;
-  ForShapesAlongRay(ray, 0.0, [&](const SIndexedShape& shape) {
+  ForShapesAlongRay(ray, SRayReach(0.0, 0.0), [&](const SIndexedShape& shape) {
     const Real t = Intersect(shape, ray);
     if (t > 1.0 || t > closest || (t == closest && shape.Body >= closestBody) ||
         m_bodies[shape.Body].Entity == ignored) {
@@ -88,7 +88,7 @@ bool CBodyIndex::FindClosestHit(SEmbodiedEntityIntersectionItem& item, const CRa
 }
 
 void CBodyIndex::FindAllHits(TEmbodiedEntityIntersectionData& data, const CRay3& ray) const {
-  ForShapesAlongRay(ray, 0.0, [&](const SIndexedShape& shape) {
+  ForShapesAlongRay(ray, SRayReach(0.0, 0.0), [&](const SIndexedShape& shape) {
     const Real t = Intersect(shape, ray);
     if (t > 1.0) {
       return;
@@ -116,7 +116,7 @@ bool CBodyIndex::FindOccluder(SIndexedShape& found, const CRay3& segment, UInt32
   const Real squareLength = (dx * dx + dy * dy) * (1.0 + 1e-9);
   bool isFound = false;
   ForShapesAlongRay(
-      segment, 0.0,
+      segment, SRayReach(0.0, 0.0),
       [&](const SIndexedShape& shape) {
         const bool isNear = IsCircleOnLine(shape.X - x, shape.Y - y, dx, dy,
                                            shape.Radius * shape.Radius, squareLength);

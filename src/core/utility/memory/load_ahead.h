@@ -6,8 +6,8 @@
 namespace argos {
 
 /**
- * Prefetches cache lines that will be read soon; has no effect on results. Private to the core: for
- * loops over objects that are scattered in memory.
+ * Prefetches cache lines that will be read soon; has no effect on results. For loops
+ * over objects that are scattered in memory.
  */
 inline void LoadAhead(const void* start, size_t bytes) {
   constexpr size_t kLine = 64;

@@ -5,6 +5,7 @@
 #include <argos3/core/wrappers/lua/lua_registry.h>
 #include <argos3/core/wrappers/lua/lua_script.h>
 #include <argos3/core/wrappers/lua/lua_state.h>
+#include <argos3/core/wrappers/lua/lua_table.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
 #include <argos3/core/wrappers/lua/lua_value.h>
 
@@ -31,6 +32,7 @@ void CLuaController::Init(TConfigurationNode& params) {
   m_params = params;
   GetNodeAttributeOrDefault(params, "script", m_scriptName, std::string());
   m_limits = SLuaLimits::Read(params, {});
+  GetNodeAttributeOrDefault(params, "reuse_readings", m_reusesReadings, m_reusesReadings);
   m_onError = ReadOnError(params);
   Load();
 }
@@ -52,7 +54,12 @@ void CLuaController::Load() {
   try {
     m_script = SLuaScript::Load(m_scriptName, m_params.GetFileName(), m_limits.IsUnsafe);
     m_state = std::make_unique<CLuaState>(m_limits);
-    m_state->Run([this](lua_State* state) { FillRobotTable(state); });
+    m_state->Run([this](lua_State* state) {
+      if (m_reusesReadings) {
+        CLuaTable::ReuseReadings(state);
+      }
+      FillRobotTable(state);
+    });
     Seed(kStart);
     m_state->Execute(*m_script);
     running = "init()";
@@ -229,7 +236,7 @@ REQUIRED XML
 OPTIONAL XML
 
   <params script="wander.lua" on_error="end_run" max_instructions="1000000" max_memory="16"
-          unsafe="true" speed="12" />
+          unsafe="true" reuse_readings="true" speed="12" />
 
   on_error          "stop_robot" (the default): a script that fails in step() or reset() is not called any
                     more, the robot keeps its last commands, and the run goes on. "end_run": the run
@@ -243,6 +250,8 @@ OPTIONAL XML
   unsafe            true or false, the default: whether the script may load libraries and bytecode, use all
                     of Lua's library "debug", and define finalizers (__gc). Wrong use of these crashes
                     the program.
+  reuse_readings    true or false, the default: whether the entries of lists such as messages and blobs are the
+                    same tables in each tick, which saves time; otherwise a script may keep them.
   any other         a string in robot.params: robot.params.speed is "12".
 )",
     "Usable")

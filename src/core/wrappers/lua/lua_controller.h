@@ -72,6 +72,7 @@ class CLuaController : public CCI_Controller {
   std::vector<CCI_Sensor*> m_sensors;
   std::string m_scriptName;
   SLuaLimits m_limits;
+  bool m_reusesReadings = false;  // see CLuaTable::ReuseReadings()
   std::optional<EOnError> m_onError;  // of <params>
   std::string m_error;
 };

@@ -9,6 +9,9 @@ namespace argos {
 inline constexpr char kLuaRobotKey = 0;  // the table "robot"
 inline constexpr char kLuaDeviceKey = 0;  // SLuaDevice*: the current device
 inline constexpr char kLuaClaimsKey = 0;  // table: "actuator wheels" -> the label of that actuator
+// table: list of readings -> the tables of its entries, also of those that are not in use now; only
+// if readings are reused
+inline constexpr char kLuaReusedKey = 0;
 
 /** The device whose CreateLuaState() is running. */
 struct SLuaDevice {

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 struct lua_State;
@@ -86,8 +87,19 @@ class CLuaTable {
   CLuaTable GetTable(const char* key);
   /** @param index  from 1. */
   CLuaTable GetTable(std::size_t index);
-  /** A new table under a key. A table that was there stays as it is: a script may have kept it. */
-  CLuaTable MakeTable(const char* key);
+  /**
+   * A new table under a key. A table that was there stays as it is: a script may have kept it. If
+   * readings are reused, it is returned instead.
+   * @param numItems, numFields  that will be set, so that this does not enlarge the table.
+   */
+  CLuaTable MakeTable(const char* key, std::size_t numItems = 0, std::size_t numFields = 2);
+
+  /**
+   * Makes lists of variable length reuse the tables, vectors and colours of their entries, so that
+   * readings make no garbage; but then entries that a script has kept change in the next tick. For
+   * the tables that are opened after that.
+   */
+  static void ReuseReadings(lua_State* state);
 
   /**
    * Adds a function that calls a method of the device.
@@ -115,12 +127,28 @@ class CLuaTable {
   /** table[key] = value. Numbers become floats, colours tables { red, green, blue }. */
   template <typename T>
   void Set(const char* key, const T& value) {
+    if constexpr (kIsObject<T>) {
+      if (m_isReused) {
+        PushField(key);
+        if (CLuaValue::Overwrite(m_state, value)) {
+          return;
+        }
+      }
+    }
     CLuaValue::Push(m_state, value);
     SetField(key);
   }
   /** @param index  from 1. */
   template <typename T>
   void Set(std::size_t index, const T& value) {
+    if constexpr (kIsObject<T>) {
+      if (m_isReused) {
+        PushIndex(index);
+        if (CLuaValue::Overwrite(m_state, value)) {
+          return;
+        }
+      }
+    }
     CLuaValue::Push(m_state, value);
     SetIndex(index);
   }
@@ -148,10 +176,22 @@ class CLuaTable {
     Truncate(index);
   }
 
-  /** The same with a new table for each record, so that a script may keep the old ones. */
+  /**
+   * The same with a new table for each record, so that a script may keep the old ones; unless
+   * readings are reused.
+   */
   template <typename RECORDS, typename WRITE>
   void SetNewRecords(const RECORDS& records, WRITE write) {
     std::size_t index = 0;
+    if (m_isReused) {
+      const CLuaTable spares = FindSpares();
+      for (const auto& record : records) {
+        CLuaTable table = UseSpare(spares, ++index);
+        write(table, record);
+      }
+      Truncate(index);
+      return;
+    }
     for (const auto& record : records) {
       CLuaTable table = MakeTable(++index, kRecordSizeHint);
       write(table, record);
@@ -166,9 +206,14 @@ class CLuaTable {
   static constexpr int kRecordSizeHint =
       4;  // fields, so that filling a new table seldom enlarges it
 
+  // values that are userdata or tables in Lua
+  template <typename T>
+  static constexpr bool kIsObject = std::is_same_v<T, CVector2> || std::is_same_v<T, CVector3> ||
+                                    std::is_same_v<T, CQuaternion> || std::is_same_v<T, CColor>;
+
   explicit CLuaTable(lua_State* state);
   /** Takes the table on top of the stack. */
-  CLuaTable(lua_State* state, bool isNew, std::string path);
+  CLuaTable(lua_State* state, bool isNew, bool isReused, std::string path);
 
   CLuaTable MakeTable(std::size_t index, int sizeHint);
   void OpenRobotTable(const void* device, const char* name);
@@ -177,9 +222,17 @@ class CLuaTable {
   void SetField(const char* key);
   void SetIndex(std::size_t index);
 
+  void PushField(const char* key) const;
+  void PushIndex(std::size_t index) const;
+
+  // if readings are reused:
+  CLuaTable FindSpares() const;
+  CLuaTable UseSpare(const CLuaTable& spares, std::size_t index);
+
   lua_State* m_state;
   int m_index = 0;  // on the stack, from its bottom
   bool m_isNew = false;
+  bool m_isReused = false;  // readings are, see ReuseReadings()
   std::string m_path;  // "robot.wheels"; only in CreateLuaState()
 };
 

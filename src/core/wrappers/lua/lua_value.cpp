@@ -5,6 +5,30 @@
 
 namespace argos {
 
+namespace {
+
+template <typename VALUE>
+bool OverwriteUserdata(lua_State* state, const VALUE& value) {
+  VALUE* const old = CLuaType<VALUE>::Test(state, -1);
+  if (old != nullptr) {
+    *old = value;
+  }
+  lua_pop(state, 1);
+  return old != nullptr;
+}
+
+// fields of the table on top of the stack
+void SetColor(lua_State* state, const CColor& color) {
+  lua_pushnumber(state, color.GetRed());
+  lua_setfield(state, -2, "red");
+  lua_pushnumber(state, color.GetGreen());
+  lua_setfield(state, -2, "green");
+  lua_pushnumber(state, color.GetBlue());
+  lua_setfield(state, -2, "blue");
+}
+
+}  // namespace
+
 void CLuaValue::Push(lua_State* state, bool value) {
   lua_pushboolean(state, value ? 1 : 0);
 }
@@ -43,12 +67,28 @@ void CLuaValue::Push(lua_State* state, const CQuaternion& value) {
 
 void CLuaValue::Push(lua_State* state, const CColor& value) {
   lua_createtable(state, 0, 3);
-  lua_pushnumber(state, value.GetRed());
-  lua_setfield(state, -2, "red");
-  lua_pushnumber(state, value.GetGreen());
-  lua_setfield(state, -2, "green");
-  lua_pushnumber(state, value.GetBlue());
-  lua_setfield(state, -2, "blue");
+  SetColor(state, value);
+}
+
+bool CLuaValue::Overwrite(lua_State* state, const CVector2& value) {
+  return OverwriteUserdata(state, value);
+}
+
+bool CLuaValue::Overwrite(lua_State* state, const CVector3& value) {
+  return OverwriteUserdata(state, value);
+}
+
+bool CLuaValue::Overwrite(lua_State* state, const CQuaternion& value) {
+  return OverwriteUserdata(state, value);
+}
+
+bool CLuaValue::Overwrite(lua_State* state, const CColor& value) {
+  const bool isTable = lua_istable(state, -1);
+  if (isTable) {
+    SetColor(state, value);
+  }
+  lua_pop(state, 1);
+  return isTable;
 }
 
 }  // namespace argos

@@ -41,6 +41,15 @@ class CLuaValue {
   /** A table { red, green, blue }, each from 0 to 255. */
   static void Push(lua_State* state, const CColor& value);
 
+  /**
+   * Pops the value on top of the stack, and writes @p value into it if it has that type.
+   * @return false if it has not.
+   */
+  static bool Overwrite(lua_State* state, const CVector2& value);
+  static bool Overwrite(lua_State* state, const CVector3& value);
+  static bool Overwrite(lua_State* state, const CQuaternion& value);
+  static bool Overwrite(lua_State* state, const CColor& value);
+
   /** Every number becomes a float. */
   template <typename T>
   static std::enable_if_t<std::is_arithmetic_v<T> > Push(lua_State* state, T value) {

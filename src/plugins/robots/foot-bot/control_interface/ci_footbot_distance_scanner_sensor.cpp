@@ -24,26 +24,31 @@ CCI_FootBotDistanceScannerSensor::CCI_FootBotDistanceScannerSensor() {
 
 void CCI_FootBotDistanceScannerSensor::SetReadings(const TReadings& shortRange,
                                                    const TReadings& longRange) {
-  Empty(m_tReadingsMap);
-  Empty(m_tShortReadingsMap);
-  Empty(m_tLongReadingsMap);
-  for (const SReading& reading : shortRange) {
-    Put(m_tShortReadingsMap, reading);
-    Put(m_tReadingsMap, reading);
-  }
-  for (const SReading& reading : longRange) {
-    Put(m_tLongReadingsMap, reading);
-    Put(m_tReadingsMap, reading);
-  }
+  m_short = shortRange;
+  m_long = longRange;
+  m_isBothStale = true;
+  m_isShortStale = true;
+  m_isLongStale = true;
 }
 
-void CCI_FootBotDistanceScannerSensor::Empty(TReadingsMap& map) {
+void CCI_FootBotDistanceScannerSensor::Fill(TReadingsMap& map, bool& isStale, bool withShort,
+                                            bool withLong) const {
+  if (!isStale) {
+    return;
+  }
   while (!map.empty()) {
     m_spares.push_back(map.extract(map.begin()));
   }
+  for (const TReadings* const readings :
+       {withShort ? &m_short : nullptr, withLong ? &m_long : nullptr}) {
+    for (size_t i = 0; readings != nullptr && i < readings->size(); ++i) {
+      Put(map, (*readings)[i]);
+    }
+  }
+  isStale = false;
 }
 
-void CCI_FootBotDistanceScannerSensor::Put(TReadingsMap& map, const SReading& reading) {
+void CCI_FootBotDistanceScannerSensor::Put(TReadingsMap& map, const SReading& reading) const {
   if (m_spares.empty()) {
     TReadingsMap made;
     made.emplace(reading.Angle, reading.Distance);
@@ -63,8 +68,8 @@ void CCI_FootBotDistanceScannerSensor::Put(TReadingsMap& map, const SReading& re
 }
 
 void CCI_FootBotDistanceScannerSensor::WriteReadings(CLuaTable& table) const {
-  WriteRange(table.MakeTable("short_range"), m_tShortReadingsMap);
-  WriteRange(table.MakeTable("long_range"), m_tLongReadingsMap);
+  WriteRange(table.MakeTable("short_range"), FillShort());
+  WriteRange(table.MakeTable("long_range"), FillLong());
 }
 
 std::vector<CCI_Sensor::SColumn> CCI_FootBotDistanceScannerSensor::GetReadingColumns() const {
@@ -72,9 +77,8 @@ std::vector<CCI_Sensor::SColumn> CCI_FootBotDistanceScannerSensor::GetReadingCol
 }
 
 void CCI_FootBotDistanceScannerSensor::CopyReadings(Real* numbers, std::size_t count) const {
-  CopyNumbers(
-      {static_cast<Real>(m_tShortReadingsMap.size()), static_cast<Real>(m_tLongReadingsMap.size())},
-      numbers, count);
+  CopyNumbers({static_cast<Real>(FillShort().size()), static_cast<Real>(FillLong().size())},
+              numbers, count);
 }
 
 }  // namespace argos

@@ -38,29 +38,50 @@ class CCI_FootBotDistanceScannerSensor : public CTableSensor {
   CCI_FootBotDistanceScannerSensor();
 
   /** Both ranges; of two beams with the same angle, the one that hits a body. */
-  const TReadingsMap& GetReadingsMap() { return m_tReadingsMap; }
-  const TReadingsMap& GetShortReadingsMap() { return m_tShortReadingsMap; }
-  const TReadingsMap& GetLongReadingsMap() { return m_tLongReadingsMap; }
+  const TReadingsMap& GetReadingsMap() {
+    Fill(m_tReadingsMap, m_isBothStale, true, true);
+    return m_tReadingsMap;
+  }
+  const TReadingsMap& GetShortReadingsMap() { return FillShort(); }
+  const TReadingsMap& GetLongReadingsMap() { return FillLong(); }
 
   std::vector<SColumn> GetReadingColumns() const override;
   void CopyReadings(Real* numbers, std::size_t count) const override;
 
  protected:
-  /** Replaces all readings; allocates memory only if there are more than in any earlier call. */
+  /**
+   * Replaces all readings. A map is filled when it is read first after that, because few
+   * controllers read all of them; this allocates only if there are more readings than ever before.
+   */
   void SetReadings(const TReadings& shortRange, const TReadings& longRange);
 
-  TReadingsMap m_tReadingsMap;
-  TReadingsMap m_tShortReadingsMap;
-  TReadingsMap m_tLongReadingsMap;
+  // after SetReadings(), as of the last call of their functions
+  mutable TReadingsMap m_tReadingsMap;
+  mutable TReadingsMap m_tShortReadingsMap;
+  mutable TReadingsMap m_tLongReadingsMap;
 
  private:
   const char* GetLuaName() const override { return "distance_scanner"; }
   /** robot.distance_scanner.short_range[i], .long_range[i] = { angle, distance } */
   void WriteReadings(CLuaTable& table) const override;
-  void Empty(TReadingsMap& map);
-  void Put(TReadingsMap& map, const SReading& reading);
+  const TReadingsMap& FillShort() const {
+    Fill(m_tShortReadingsMap, m_isShortStale, true, false);
+    return m_tShortReadingsMap;
+  }
+  const TReadingsMap& FillLong() const {
+    Fill(m_tLongReadingsMap, m_isLongStale, false, true);
+    return m_tLongReadingsMap;
+  }
+  void Fill(TReadingsMap& map, bool& isStale, bool withShort, bool withLong) const;
+  void Put(TReadingsMap& map, const SReading& reading) const;
 
-  std::vector<TReadingsMap::node_type> m_spares;  // unused nodes
+  // of the last SetReadings()
+  TReadings m_short;
+  TReadings m_long;
+  mutable bool m_isBothStale = false;
+  mutable bool m_isShortStale = false;
+  mutable bool m_isLongStale = false;
+  mutable std::vector<TReadingsMap::node_type> m_spares;  // unused nodes
 };
 
 }  // namespace argos

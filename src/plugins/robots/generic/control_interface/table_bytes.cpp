@@ -6,9 +6,12 @@
 namespace argos {
 
 void SetBytes(CLuaTable& table, const char* field, const CByteArray& bytes) {
-  CLuaTable list = table.GetTable(field);
+  CLuaTable list = table.MakeTable(field, bytes.Size(), 0);
   for (size_t i = 0; i < bytes.Size(); ++i) {
     list.Set(i + 1, static_cast<Real>(bytes.ToCArray()[i]));
+  }
+  if (!list.IsNew()) {
+    list.Truncate(bytes.Size());
   }
 }
 

@@ -6,7 +6,7 @@ namespace argos {
 class CByteArray;
 class CLuaTable;
 
-/** Sets the existing table @p field of a table to bytes, as numbers from index 1 on. */
+/** Sets @p field of a table to a list of bytes, as numbers. */
 void SetBytes(CLuaTable& table, const char* field, const CByteArray& bytes);
 
 }  // namespace argos

@@ -31,6 +31,7 @@ class CCameraDetector : public CCameraSensorSimulatedAlgorithm, public INTERFACE
    */
   void Init(TConfigurationNode& tree) override {
     m_medium = &ReadMedium<MEDIUM>(tree, m_robot->GetSimulator(), GetMediumKind());
+    m_medium->KeepPoints();
     GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, false);
     m_noise.Init(tree, *m_robot, {"x", "y"}, {}, " of camera " + m_cameraId);
   }
@@ -48,9 +49,9 @@ class CCameraDetector : public CCameraSensorSimulatedAlgorithm, public INTERFACE
   /**
    * Clears the readings, and calls @p see for every visible entity. The entity's position is the
    * first of its points.
-   * @param locate  bool(const ENTITY&, CVector3* points): false if the entity cannot be visible to
-   *                this camera; else writes its other points, m, world frame. Called only if the
-   *                first point is in the image.
+   * @param locate  bool(const ENTITY&, SSightPoint* points): false if the entity cannot be visible
+   *                to this camera; else writes the positions of its other points. Called only if
+   *                the first point is in the image.
    * @param see     void(const ENTITY&, const CVector2* pixels): called in order of creation, with
    * the pixels of the entity's points, including noise.
    */
@@ -58,22 +59,24 @@ class CCameraDetector : public CCameraSensorSimulatedAlgorithm, public INTERFACE
   void Detect(const CPinholeCamera& camera, LOCATE&& locate, SEE&& see) {
     ClearReadings();
     m_sight.Detect(
-        m_medium->GetIndex(), camera.GetPosition(), camera.ComputeField(),
-        [&](const ENTITY& entity, CVector3* points) {
-          points[0] = entity.GetPosition();
-          CVector2 pixel;
-          bool inImage = camera.Project(points[0], pixel) && locate(entity, points + 1);
+        *m_medium, camera.GetPosition(), camera.GetField(),
+        [&camera](const CVector3& point) {
+          return camera.IsNearView(point, CEntitiesInSight<ENTITY, NUM_POINTS>::kMargin);
+        },
+        [&](const ENTITY& entity, SSightPoint* points) {
+          points[0].Position = entity.GetPosition();
+          bool inImage =
+              camera.Project(points[0].Position, points[0].Pixel) && locate(entity, points + 1);
           for (size_t i = 1; inImage && i < NUM_POINTS; ++i) {
-            inImage = camera.Project(points[i], pixel);
+            inImage = camera.Project(points[i].Position, points[i].Pixel);
           }
           return inImage;
         },
-        [&](const ENTITY& entity, const CVector3* points) {
+        [&](const ENTITY& entity, const SSightPoint* points) {
           CVector2 pixels[NUM_POINTS];
           for (size_t i = 0; i < NUM_POINTS; ++i) {
-            camera.Project(points[i], pixels[i]);
-            pixels[i].SetX(m_noise.Apply(0, pixels[i].GetX()));
-            pixels[i].SetY(m_noise.Apply(1, pixels[i].GetY()));
+            pixels[i].SetX(m_noise.Apply(0, points[i].Pixel.GetX()));
+            pixels[i].SetY(m_noise.Apply(1, points[i].Pixel.GetY()));
           }
           see(entity, pixels);
         },

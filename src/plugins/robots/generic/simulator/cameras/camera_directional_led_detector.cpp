@@ -15,7 +15,7 @@ class CCameraDirectionalLEDDetector
   void Update(const CPinholeCamera& camera) override {
     Detect(
         camera,
-        [&camera](const CDirectionalLEDEntity& led, CVector3*) {
+        [&camera](const CDirectionalLEDEntity& led, SSightPoint*) {
           return led.IsLit() && led.ShinesOn(camera.GetPosition());
         },
         [this](const CDirectionalLEDEntity& led, const CVector2* pixel) {

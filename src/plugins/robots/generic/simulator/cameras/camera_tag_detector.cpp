@@ -35,12 +35,13 @@ class CCameraTagDetector
 void CCameraTagDetector::Update(const CPinholeCamera& camera) {
   Detect(
       camera,
-      [&camera](const CTagEntity& tag, CVector3* corners) {
+      [&camera](const CTagEntity& tag, SSightPoint* corners) {
         if (!tag.Faces(camera.GetPosition())) {
           return false;
         }
-        const std::array<CVector3, 4> all = tag.ComputeCorners();
-        std::copy(all.begin(), all.end(), corners);
+        for (const CVector3& corner : tag.ComputeCorners()) {
+          (corners++)->Position = corner;
+        }
         return true;
       },
       [this](const CTagEntity& tag, const CVector2* pixels) {

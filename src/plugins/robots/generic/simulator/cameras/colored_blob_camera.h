@@ -60,6 +60,7 @@ class CColoredBlobCamera : public CSimulatedSensor, public INTERFACE {
     INTERFACE::Init(tree);
     INTERFACE::Disable();  // until the controller enables it
     m_medium = &ReadMedium<CLEDMedium>(tree, m_robot->GetSimulator(), "an LED medium");
+    m_medium->KeepPoints();
     GetNodeAttributeOrDefault(tree, "show_rays", m_showRays, false);
     GetNodeAttributeOrDefault(tree, "noise_std_dev", m_noiseStdDev, 0.0);
     RequireNotNegative(m_noiseStdDev, OwnerOf(tree), "attribute \"noise_std_dev\"");

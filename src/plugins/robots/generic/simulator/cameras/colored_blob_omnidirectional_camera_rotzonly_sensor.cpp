@@ -46,14 +46,20 @@ void CColoredBlobOmnidirectionalCameraRotZOnlySensor::Update() {
                               CVector3(c.GetX() + eye.HalfSide, c.GetY() + eye.HalfSide, c.GetZ())};
   if (eye.HalfSide > 0.0) {
     m_sight.Detect(
-        m_medium->GetIndex(), c, field,
-        [&eye, &c](const CLEDEntity& led, CVector3* point) {
-          const CVector3 toLED = led.GetPosition() - c;
-          *point = led.GetPosition();
-          return led.IsLit() && std::abs(toLED.GetX()) < eye.HalfSide &&
-                 std::abs(toLED.GetY()) < eye.HalfSide && std::abs(point->GetZ()) <= c.GetZ();
+        *m_medium, c, field,
+        [&eye, &c](const CVector3& point) {
+          const Real reach = eye.HalfSide + CEntitiesInSight<CLEDEntity>::kMargin;
+          return std::abs(point.GetX() - c.GetX()) < reach &&
+                 std::abs(point.GetY() - c.GetY()) < reach;
         },
-        [&](const CLEDEntity& led, const CVector3*) { AddBlob(eye, led); }, m_showRays);
+        [&eye, &c](const CLEDEntity& led, SSightPoint* point) {
+          const CVector3 toLED = led.GetPosition() - c;
+          point->Position = led.GetPosition();
+          return led.IsLit() && std::abs(toLED.GetX()) < eye.HalfSide &&
+                 std::abs(toLED.GetY()) < eye.HalfSide &&
+                 std::abs(point->Position.GetZ()) <= c.GetZ();
+        },
+        [&](const CLEDEntity& led, const SSightPoint*) { AddBlob(eye, led); }, m_showRays);
   }
   EndImage();
 }

@@ -24,6 +24,7 @@ class CColoredBlobPerspectiveCameraDefaultSensor::CEye {
   explicit CEye(const CPerspectiveCameraEquippedEntity& camera)
       : m_position(camera.ComputePosition()),
         m_view(camera.ComputeView()),
+        m_ahead(CVector3(CVector3::X).Rotate(m_view)),
         m_toCamera(m_view.Inverse()),
         m_range(camera.GetRange()),
         m_tanAperture(Tan(camera.GetAperture())),
@@ -37,18 +38,25 @@ class CColoredBlobPerspectiveCameraDefaultSensor::CEye {
 
   // around the cone of view, world frame
   SBoundingBox GetField() const {
-    CVector3 direction = CVector3::X;
-    direction.Rotate(m_view);
-    const CVector3 end = m_position + direction * m_range;
+    const CVector3 end = m_position + m_ahead * m_range;
     SBoundingBox field;
     for (UInt32 axis = 0; axis < 3; ++axis) {
       // of the disc at the end of the cone, whose normal is the direction
-      const Real extent = m_range * m_tanAperture *
-                          std::sqrt(std::max(0.0, 1.0 - direction[axis] * direction[axis]));
+      const Real extent =
+          m_range * m_tanAperture * std::sqrt(std::max(0.0, 1.0 - m_ahead[axis] * m_ahead[axis]));
       field.MinCorner[axis] = std::min(m_position[axis], end[axis] - extent);
       field.MaxCorner[axis] = std::max(m_position[axis], end[axis] + extent);
     }
     return field;
+  }
+
+  // returns false if the point, world frame, is outside the cone of view by more than the margin, m
+  bool IsNearView(const CVector3& point, Real margin) const {
+    const CVector3 toPoint = point - m_position;
+    const Real ahead = m_ahead.DotProduct(toPoint);
+    const Real radius = (ahead + margin) * m_tanAperture + margin;
+    return ahead > -margin && ahead < m_range + margin &&
+           toPoint.SquareLength() - ahead * ahead <= radius * radius;
   }
 
   // returns false if the point, world frame, is not in the image; otherwise writes its pixel
@@ -73,6 +81,7 @@ class CColoredBlobPerspectiveCameraDefaultSensor::CEye {
  private:
   CVector3 m_position;  // m, world frame
   CQuaternion m_view;  // world frame
+  CVector3 m_ahead;  // direction of the view, world frame
   CQuaternion m_toCamera;  // its inverse
   Real m_range;  // m
   Real m_tanAperture;
@@ -94,14 +103,17 @@ void CColoredBlobPerspectiveCameraDefaultSensor::Update() {
   StartImage();
   const CEye eye(*m_camera);
   m_sight.Detect(
-      m_medium->GetIndex(), eye.GetPosition(), eye.GetField(),
-      [&eye](const CLEDEntity& led, CVector3* point) {
+      *m_medium, eye.GetPosition(), eye.GetField(),
+      [&eye](const CVector3& point) {
+        return eye.IsNearView(point, CEntitiesInSight<CLEDEntity>::kMargin);
+      },
+      [&eye](const CLEDEntity& led, SSightPoint* point) {
         Real x = 0.0;
         Real y = 0.0;
-        *point = led.GetPosition();
+        point->Position = led.GetPosition();
         return led.IsLit() && eye.Project(led.GetPosition(), x, y);
       },
-      [&](const CLEDEntity& led, const CVector3*) { AddBlob(eye, led); }, m_showRays);
+      [&](const CLEDEntity& led, const SSightPoint*) { AddBlob(eye, led); }, m_showRays);
   EndImage();
 }
 

@@ -64,18 +64,21 @@ void CPinholeCamera::Update() {
   m_down.Rotate(m_orientation);
   m_ahead = CVector3::Z;
   m_ahead.Rotate(m_orientation);
+  m_field = ComputeField();
+  ComputeSides();
 }
 
-bool CPinholeCamera::Project(const CVector3& point, CVector2& pixel) const {
-  const CVector3 toPoint = point - m_position;
-  const Real depth = m_ahead.DotProduct(toPoint);
-  if (depth <= 0.0 || depth < m_range.GetMin() || depth > m_range.GetMax()) {
-    return false;
-  }
-  pixel.Set(m_focalLength.GetX() * m_right.DotProduct(toPoint) / depth + m_principalPoint.GetX(),
-            m_focalLength.GetY() * m_down.DotProduct(toPoint) / depth + m_principalPoint.GetY());
-  return pixel.GetX() >= 0.0 && pixel.GetX() < m_resolution.GetX() && pixel.GetY() >= 0.0 &&
-         pixel.GetY() < m_resolution.GetY();
+// a side is the plane through the camera on which u, or v, is constant
+void CPinholeCamera::ComputeSides() {
+  const auto side = [this](const CVector3& axis, Real focalLength, Real fromCenter, Real sign) {
+    return (sign * (focalLength * axis - fromCenter * m_ahead)).Normalize();
+  };
+  const CVector2& center = m_principalPoint;
+  const CVector2 rest = m_resolution - center;
+  m_sides = {side(m_right, m_focalLength.GetX(), -center.GetX(), -1.0),
+             side(m_right, m_focalLength.GetX(), rest.GetX(), 1.0),
+             side(m_down, m_focalLength.GetY(), -center.GetY(), -1.0),
+             side(m_down, m_focalLength.GetY(), rest.GetY(), 1.0)};
 }
 
 std::array<CVector3, 8> CPinholeCamera::ComputeCorners() const {

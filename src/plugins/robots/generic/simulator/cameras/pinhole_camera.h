@@ -8,6 +8,7 @@
 #include <argos3/core/utility/math/vector2.h>
 #include <argos3/core/utility/math/vector3.h>
 
+#include <algorithm>
 #include <array>
 
 namespace argos {
@@ -44,9 +45,28 @@ class CPinholeCamera {
   const CVector3& GetPosition() const { return m_position; }
   const CQuaternion& GetOrientation() const { return m_orientation; }
   /** @return false if the point, m, world frame, is not in the image; else writes its pixel. */
-  bool Project(const CVector3& point, CVector2& pixel) const;
-  /** @return a box around the field of view, m, world frame. */
-  SBoundingBox ComputeField() const;
+  bool Project(const CVector3& point, CVector2& pixel) const {
+    const CVector3 toPoint = point - m_position;
+    const Real depth = m_ahead.DotProduct(toPoint);
+    if (depth <= 0.0 || depth < m_range.GetMin() || depth > m_range.GetMax()) {
+      return false;
+    }
+    pixel.Set(m_focalLength.GetX() * m_right.DotProduct(toPoint) / depth + m_principalPoint.GetX(),
+              m_focalLength.GetY() * m_down.DotProduct(toPoint) / depth + m_principalPoint.GetY());
+    return pixel.GetX() >= 0.0 && pixel.GetX() < m_resolution.GetX() && pixel.GetY() >= 0.0 &&
+           pixel.GetY() < m_resolution.GetY();
+  }
+  /** @return false if a point is outside the view by more than @p margin, m. */
+  bool IsNearView(const CVector3& point, Real margin) const {
+    const CVector3 toPoint = point - m_position;
+    const Real depth = m_ahead.DotProduct(toPoint);
+    return depth > m_range.GetMin() - margin && depth < m_range.GetMax() + margin &&
+           std::all_of(m_sides.begin(), m_sides.end(), [&](const CVector3& outward) {
+             return outward.DotProduct(toPoint) < margin;
+           });
+  }
+  /** A box around the field of view, m, world frame; as of Update(). */
+  const SBoundingBox& GetField() const { return m_field; }
   /**
    * The corners of the view, m, world frame: the four at the near end of the range, around the
    * image from pixel (0,0) along u first, then the four at the far end.
@@ -54,6 +74,9 @@ class CPinholeCamera {
   std::array<CVector3, 8> ComputeCorners() const;
 
  private:
+  SBoundingBox ComputeField() const;
+  void ComputeSides();
+
   SAnchor* m_anchor;
   bool m_inUse = false;
   CVector3 m_offset;  // anchor's frame, m
@@ -66,6 +89,8 @@ class CPinholeCamera {
   CVector3 m_position;  // m, world frame
   CQuaternion m_orientation;  // world frame
   CVector3 m_right, m_down, m_ahead;  // its axes x, y and z, world frame
+  SBoundingBox m_field;  // m, world frame
+  std::array<CVector3, 4> m_sides;  // outward normals of the planes around the view, of length 1
 };
 
 }  // namespace argos

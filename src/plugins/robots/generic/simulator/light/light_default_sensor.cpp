@@ -103,12 +103,16 @@ CLightDefaultSensor::SEyeBatch::SEyeBatch(const SRayLayout& layout, const SAncho
     Readings[i] = 0.0;
   }
   Center /= static_cast<Real>(Count);
+  Real squareReach = 0.0;
   for (size_t i = 0; i < Count; ++i) {
-    Reach = std::max(Reach, std::hypot(Positions[i].GetX() - Center.GetX(),
-                                       Positions[i].GetY() - Center.GetY()));
+    const CVector3 offset = Positions[i] - Center;
+    squareReach =
+        std::max(squareReach, offset.GetX() * offset.GetX() + offset.GetY() * offset.GetY());
     MinZ = std::min(MinZ, Positions[i].GetZ());
     MaxZ = std::max(MaxZ, Positions[i].GetZ());
   }
+  Reach = std::sqrt(squareReach);
+  Lines.SetCenter(Center.GetX(), Center.GetY());
 }
 
 CLightDefaultSensor::CLightDefaultSensor()
@@ -204,19 +208,25 @@ void CLightDefaultSensor::FindOccluded(const CVector3& light, SEyeBatch& eyes) c
   const CBodyIndex& index = m_caster.GetSpace().GetBodyIndex();
   const UInt32 ownBody = m_caster.GetBody().GetBodyNumber();
   const SBeam beam = {eyes.Center, light, eyes.Reach, eyes.MinZ, eyes.MaxZ};
-  index.ForShapesAlongRay(CRay3(eyes.Center, light), eyes.Reach, [&](const SIndexedShape& shape) {
+  const CBodyIndex::SRayReach reach(
+      eyes.Reach, std::max(eyes.MaxZ - eyes.Center.GetZ(), eyes.Center.GetZ() - eyes.MinZ));
+  auto numClear = std::count(eyes.Sights, eyes.Sights + eyes.Count, SEyeBatch::ESight::Clear);
+  const auto test = [&](const SIndexedShape& shape) {
     if (shape.Body == ownBody || !beam.MayIntersect(shape)) {
       return;
     }
-    Real near[kBatch];
+    float near[kBatch];
     eyes.Lines.ComputeNearness(shape, eyes.Count, near);
     for (size_t i = 0; i < eyes.Count; ++i) {
-      if (eyes.Sights[i] == SEyeBatch::ESight::Clear && !(near[i] < 0.0) &&
+      if (!(near[i] < 0.0F) && eyes.Sights[i] == SEyeBatch::ESight::Clear &&
           index.Intersect(shape, CRay3(eyes.Positions[i], light)) <= 1.0) {
         eyes.Sights[i] = SEyeBatch::ESight::Blocked;
+        --numClear;
       }
     }
-  });
+  };
+  index.ForShapesAlongRay(CRay3(eyes.Center, light), reach, test,
+                          [&numClear] { return numClear == 0; });
 }
 
 void CLightDefaultSensor::Show(const CVector3& light, const SEyeBatch& eyes) const {

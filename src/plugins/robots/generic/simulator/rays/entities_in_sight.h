@@ -2,9 +2,14 @@
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_RAYS_ENTITIES_IN_SIGHT_H
 
 #include <argos3/core/simulator/entity/composable_entity.h>
+#include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/physics_engine/physics_model.h>
 #include <argos3/core/simulator/space/positional_indices/positional_index.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/math/vector2.h>
+#include <argos3/core/utility/memory/load_ahead.h>
 #include <argos3/plugins/robots/generic/simulator/sight_lines.h>
+#include <argos3/plugins/simulator/media/entity_points.h>
 
 #include <algorithm>
 #include <array>
@@ -26,105 +31,201 @@ const CEmbodiedEntity* FindBodyOpenBeneath(const ENTITY&, long) {
 
 }  // namespace detail
 
+/** A point of an entity. */
+struct SSightPoint {
+  CVector3 Position; /**< m, world frame */
+  CVector2 Pixel; /**< for the caller: its place in the image */
+};
+
 /**
  * Detects the entities of a medium, such as LEDs and tags, that are visible to a camera.
  *
- * Ignores entities of the camera's own robot. Keeps its memory allocated between images.
+ * Ignores entities of the camera's own robot. All cameras of a thread use the same scratch memory,
+ * which stays in the processor's caches and remains allocated.
  * @tparam NUM_POINTS  number of points of an entity that must all be visible.
  */
 template <class ENTITY, size_t NUM_POINTS = 1>
 class CEntitiesInSight {
  public:
+  /**
+   * m; user code may have moved an entity since the update of the medium by up to so much without
+   * its body, and it is still found.
+   */
+  static constexpr Real kMargin = 0.1;
+
   /** @throws CARGoSException if the robot has no "body" or "controller". */
   void SetRobot(CComposableEntity& robot) {
-    m_robot = &robot.GetRootEntity();
-    m_lines.SetRobot(robot);
-    m_lines.Reserve(kInitialCapacity * NUM_POINTS);
-    m_candidates.reserve(kInitialCapacity);
+    m_root = &robot.GetRootEntity();
+    m_robot.SetRobot(robot);
   }
 
   /**
    * Processes one image.
-   * @param index  of the medium.
+   * @param medium a CPositionalMedium that has KeepPoints().
    * @param eye    position of the camera, m, world frame.
    * @param field  a box around the field of view, m, world frame.
-   * @param locate bool(ENTITY&, CVector3* points): false if the entity is not in the field of view;
-   *               else writes its NUM_POINTS points, m, world frame.
-   * @param see    void(ENTITY&, const CVector3* points): called for every visible entity, in order
-   *               of creation.
+   * @param mayContain  bool(const CVector3&): false if a point, m, world frame, is outside the
+   *               field of view by more than kMargin.
+   * @param locate bool(ENTITY&, SSightPoint*): false if the entity is not in the field of view;
+   *               else writes its NUM_POINTS points.
+   * @param see    void(ENTITY&, const SSightPoint*): called for every visible entity, in order of
+   *               creation.
    * @param show   true: records the lines of sight for visualizations.
    */
-  template <typename LOCATE, typename SEE>
-  void Detect(CPositionalIndex<ENTITY>& index, const CVector3& eye, const SBoundingBox& field,
-              LOCATE&& locate, SEE&& see, bool show = false) {
-    Collect(index, field, locate);
-    m_lines.Start(eye);
-    for (const SCandidate& candidate : m_candidates) {
-      for (const CVector3& point : candidate.Points) {
-        m_lines.Add(point, detail::FindBodyOpenBeneath(*candidate.Entity, 0));
+  template <class MEDIUM, typename MAY_CONTAIN, typename LOCATE, typename SEE>
+  void Detect(MEDIUM& medium, const CVector3& eye, const SBoundingBox& field,
+              MAY_CONTAIN&& mayContain, LOCATE&& locate, SEE&& see, bool show = false) {
+    SScratch& scratch = GetScratch();
+    CSightLines& lines = scratch.Lines;
+    Collect(scratch, medium, field, mayContain, locate);
+    scratch.RemoveOwn(*m_root);
+    scratch.Sort();
+    lines.Start(m_robot, eye, NUM_POINTS);
+    for (const SPlace& place : scratch.Order) {
+      const SCandidate& candidate = scratch.Candidates[place.Candidate];
+      for (const SSightPoint& point : candidate.Points) {
+        lines.Add(point.Position, detail::FindBodyOpenBeneath(*candidate.Entity, 0));
       }
     }
-    m_lines.Trace();
-    for (size_t i = 0; show && i < m_lines.GetNumPoints(); ++i) {
-      m_lines.Show(i);
+    lines.Trace(show);
+    for (size_t i = 0; show && i < lines.GetNumPoints(); ++i) {
+      lines.Show(i);
     }
-    for (size_t i = 0; i < m_candidates.size(); ++i) {
-      bool clear = true;
-      for (size_t point = 0; point < NUM_POINTS; ++point) {
-        clear = clear && m_lines.IsClear(i * NUM_POINTS + point);
-      }
-      if (clear) {
-        see(*m_candidates[i].Entity, m_candidates[i].Points.data());
+    for (size_t i = 0; i < scratch.Order.size(); ++i) {
+      if (lines.IsGroupClear(i)) {
+        const SCandidate& candidate = scratch.Candidates[scratch.Order[i].Candidate];
+        see(*candidate.Entity, candidate.Points.data());
       }
     }
   }
 
  private:
   static constexpr size_t kInitialCapacity = 64;  // entities in the field of view
+  // entities whose positions are prefetched together
+  static constexpr size_t kBatch = 16;
 
   // an entity in the field of view
   struct SCandidate {
-    ssize_t Index;  // of the entity
     ENTITY* Entity;
-    std::array<CVector3, NUM_POINTS> Points;  // m, world frame
+    const CEntity* Parent;  // null: none
+    std::array<SSightPoint, NUM_POINTS> Points;
+  };
+  // where a candidate comes in the order of creation
+  struct SPlace {
+    ssize_t Index;  // of the entity
+    UInt32 Candidate;  // number
   };
 
-  // collects the entities in the field of view, in order of creation: the index visits them in
-  // another order, and may visit one twice
-  template <typename LOCATE>
-  void Collect(CPositionalIndex<ENTITY>& index, const SBoundingBox& field, LOCATE&& locate) {
-    class CCollect : public CPositionalIndex<ENTITY>::COperation {
-     public:
-      CCollect(CEntitiesInSight& sight, LOCATE& locate) : m_sight(sight), m_locate(locate) {}
-      bool operator()(ENTITY& entity) override {
-        SCandidate candidate{entity.GetIndex(), &entity, {}};
-        if (m_locate(entity, candidate.Points.data()) &&
-            &entity.GetRootEntity() != m_sight.m_robot) {
-          m_sight.m_candidates.push_back(candidate);
-        }
-        return true;
-      }
+  // of one image
+  struct SScratch {
+    CSightLines Lines;
+    std::vector<SCandidate> Candidates;  // entities are not owned
+    std::vector<SPlace> Order;  // of the candidates
 
-     private:
-      CEntitiesInSight& m_sight;
-      LOCATE& m_locate;
-    };
-    m_candidates.clear();
-    CCollect collect(*this, locate);
-    index.ForEntitiesInBoxRange((field.MinCorner + field.MaxCorner) * 0.5,
-                                (field.MaxCorner - field.MinCorner) * 0.5, collect);
-    std::sort(m_candidates.begin(), m_candidates.end(),
-              [](const SCandidate& a, const SCandidate& b) { return a.Index < b.Index; });
-    m_candidates.erase(
-        std::unique(m_candidates.begin(), m_candidates.end(),
-                    [](const SCandidate& a, const SCandidate& b) { return a.Entity == b.Entity; }),
-        m_candidates.end());
+    SScratch() {
+      Lines.Reserve(kInitialCapacity, NUM_POINTS);
+      Candidates.reserve(kInitialCapacity);
+      Order.reserve(kInitialCapacity);
+    }
+    void RemoveOwn(const CEntity& root);
+    void Sort();
+  };
+
+  static SScratch& GetScratch() {
+    static thread_local SScratch scratch;
+    return scratch;
   }
 
-  const CEntity* m_robot = nullptr;  // the root
-  CSightLines m_lines;
-  std::vector<SCandidate> m_candidates;  // entities are not owned; valid within Detect()
+  // the entities near the camera are scattered in memory: gathers some, to prefetch their positions
+  template <typename LOCATE>
+  class CCollect : public CPositionalIndex<ENTITY>::COperation {
+   public:
+    CCollect(SScratch& scratch, LOCATE& locate) : m_scratch(scratch), m_locate(locate) {}
+    bool operator()(ENTITY& entity) override {
+      LoadAhead(entity.GetPosition());
+      m_batch[m_size++] = &entity;
+      if (m_size == kBatch) {
+        Finish();
+      }
+      return true;
+    }
+    void Finish() {
+      for (size_t i = 0; i < m_size; ++i) {
+        SCandidate& candidate = m_scratch.Candidates.emplace_back();
+        candidate.Entity = m_batch[i];
+        if (m_locate(*m_batch[i], candidate.Points.data())) {
+          // for the search for its root
+          LoadAhead(m_batch[i], 1);
+        } else {
+          m_scratch.Candidates.pop_back();
+        }
+      }
+      m_size = 0;
+    }
+
+   private:
+    SScratch& m_scratch;
+    LOCATE& m_locate;
+    std::array<ENTITY*, kBatch> m_batch;
+    size_t m_size = 0;  // of the batch
+  };
+
+  template <class MEDIUM, typename MAY_CONTAIN, typename LOCATE>
+  void Collect(SScratch& scratch, MEDIUM& medium, const SBoundingBox& field,
+               MAY_CONTAIN&& mayContain, LOCATE&& locate) const {
+    scratch.Candidates.clear();
+    CCollect<LOCATE> collect(scratch, locate);
+    const CEntityPoints<ENTITY>* const points = medium.GetPoints();
+    if (points == nullptr || m_robot.GetSpace().GetBodyIndex().HasMovedBodies()) {
+      medium.GetIndex().ForEntitiesInBoxRange((field.MinCorner + field.MaxCorner) * 0.5,
+                                              (field.MaxCorner - field.MinCorner) * 0.5, collect);
+    } else {
+      const CVector3 margin(kMargin, kMargin, kMargin);
+      const SBoundingBox wide = {field.MinCorner - margin, field.MaxCorner + margin};
+      points->ForPointsNear(wide, [&](const typename CEntityPoints<ENTITY>::SPoint& point) {
+        if (mayContain(point.Position)) {
+          collect(*point.Entity);
+        }
+      });
+    }
+    collect.Finish();
+  }
+
+  const CEntity* m_root = nullptr;  // of the robot
+  CRayCaster m_robot;
 };
+
+// removes the candidates that belong to the robot
+template <class ENTITY, size_t NUM_POINTS>
+void CEntitiesInSight<ENTITY, NUM_POINTS>::SScratch::RemoveOwn(const CEntity& root) {
+  for (SCandidate& candidate : Candidates) {
+    const ENTITY& entity = *candidate.Entity;
+    candidate.Parent = entity.HasParent() ? &entity.GetParent() : nullptr;
+    LoadAhead(candidate.Parent, 1);
+  }
+  Candidates.erase(std::remove_if(Candidates.begin(), Candidates.end(),
+                                  [&root](const SCandidate& candidate) {
+                                    return candidate.Parent != nullptr &&
+                                           &candidate.Parent->GetRootEntity() == &root;
+                                  }),
+                   Candidates.end());
+}
+
+// the index visits entities in another order than that of creation, and may visit one twice
+template <class ENTITY, size_t NUM_POINTS>
+void CEntitiesInSight<ENTITY, NUM_POINTS>::SScratch::Sort() {
+  Order.clear();
+  for (const SCandidate& candidate : Candidates) {
+    Order.push_back({candidate.Entity->GetIndex(), static_cast<UInt32>(Order.size())});
+  }
+  std::sort(Order.begin(), Order.end(),
+            [](const SPlace& a, const SPlace& b) { return a.Index < b.Index; });
+  Order.erase(std::unique(Order.begin(), Order.end(),
+                          [this](const SPlace& a, const SPlace& b) {
+                            return Candidates[a.Candidate].Entity == Candidates[b.Candidate].Entity;
+                          }),
+              Order.end());
+}
 
 }  // namespace argos
 

@@ -37,6 +37,7 @@ struct CRayCaster::SWorldRays : SPlanarRays<kMaxRays> {
   Real MinZ = HUGE_VAL, MaxZ = -HUGE_VAL;
 
   SWorldRays(const SRayBundle& bundle, const CVector3& position, Real cosine, Real sine) {
+    SetCenter(position.GetX(), position.GetY());
     for (size_t i = 0; i < bundle.Count; ++i) {
       const CVector3& offset = bundle.Rays[i].Offset;
       const CVector3& direction = bundle.Rays[i].Direction;
@@ -78,10 +79,10 @@ void CRayCaster::CastUpright(const SRayBundle& bundle, Real* fractions) const {
     if (!rays.ReachHeightOf(shape)) {
       return;
     }
-    Real near[kMaxRays];
+    float near[kMaxRays];
     rays.ComputeNearness(shape, bundle.Count, near);
     for (size_t i = 0; i < bundle.Count; ++i) {
-      if (near[i] < 0.0) {
+      if (near[i] < 0.0F) {
         continue;
       }
       const Real fraction =

@@ -14,38 +14,47 @@ class CEmbodiedEntity;
 struct SIndexedShape;
 
 /**
- * Computes which of many points are visible from one point, the eye.
+ * Computes which of many points are visible from the eye of a robot.
  *
  * All lines share one query of the index. They ignore the robot's own body. A body does not occlude
  * points on its surface, to within kTouch, that are on the side of the eye: LEDs and tags may be
  * mounted flush.
  *
- * Keeps its memory allocated between uses.
+ * Points that are close together, such as those of a tag, are a group: one cheap test in single
+ * precision rejects a solid for all of them. Keeps its memory allocated between uses.
  */
 class CSightLines {
  public:
   static constexpr Real kTouch =
       1e-9;  // m; much larger than rounding errors, much smaller than any body
 
-  /** @throws CARGoSException if the robot has no "body" or "controller". */
-  void SetRobot(CComposableEntity& robot) { m_robot.SetRobot(robot); }
-
-  /** Removes all points. @param eye m, world frame. */
-  void Start(const CVector3& eye);
-  /** Reserves memory for @p num points. */
-  void Reserve(size_t num) { m_lines.reserve(num); }
   /**
+   * Removes all points.
+   * @param robot  must exist until the last call for these points.
+   * @param eye  m, world frame. @param groupSize  points of a group.
+   */
+  void Start(const CRayCaster& robot, const CVector3& eye, size_t groupSize = 1);
+  /** Reserves memory for @p num groups of @p groupSize points. */
+  void Reserve(size_t num, size_t groupSize = 1);
+  /**
+   * Adds a point, to the last group until that is complete.
    * @param point m, world frame.
    * @param open  a body that does not occlude the point if the eye is below its base; may be null.
    */
   void Add(const CVector3& point, const CEmbodiedEntity* open = nullptr);
-  /** Computes which points are occluded. */
-  void Trace();
+  /**
+   * Computes which groups have occluded points.
+   * @param all  true: which points are occluded; false: of a group with an occluded point, the
+   * others are perhaps not tested.
+   */
+  void Trace(bool all = true);
 
   size_t GetNumPoints() const { return m_lines.size(); }
   const CVector3& GetPoint(size_t number) const { return m_lines[number].End; }
   /** @return true if the point was visible in Trace(). */
-  bool IsClear(size_t number) const { return m_lines[number].Hit >= m_lines[number].Limit; }
+  bool IsClear(size_t number) const { return m_lines[number].IsClear(); }
+  /** @return true if all points of a group were visible. */
+  bool IsGroupClear(size_t group) const;
 
   /** Records line @p number for visualizations. */
   void Show(size_t number) const;
@@ -58,18 +67,39 @@ class CSightLines {
     Real SquareLengthXY;  // m^2
     Real Limit;  // fraction of the length from which on bodies do not occlude the end
     Real Hit;  // fraction at which the line hits the first body; 1 if none
+
+    bool IsClear() const { return Hit >= Limit; }
+  };
+  // of the groups, one array for each property, for a loop that the compiler can vectorize; the
+  // axis is the line to the first point
+  struct SGroups {
+    std::vector<float> DX, DY;  // of the axis, from the eye, m
+    std::vector<float> SquareLength;  // of the axis, m^2
+    std::vector<float> Spread;  // m, of the other points around the first, seen from above
+    std::vector<float> Near;  // scratch of ComputeNearness()
+
+    size_t GetSize() const { return DX.size(); }
+    void Clear();
+    void Reserve(size_t num);
+    void Add(Real dx, Real dy);
+    void Widen(Real dx, Real dy);
+    void ComputeNearness(Real x, Real y, Real radius);
   };
 
   struct SDisc;
 
-  void TraceShape(const CBodyIndex& index, const SIndexedShape& shape);
+  void TraceShape(const CBodyIndex& index, const SIndexedShape& shape, bool all);
+  void TraceGroup(const CBodyIndex& index, const SIndexedShape& shape, const SDisc& disc,
+                  size_t group);
   void TraceOneByOne();
   Real FindHitBesides(const CEmbodiedEntity& open, const CRay3& ray) const;
 
-  CRayCaster m_robot;  // for its body and its space
+  const CRayCaster* m_robot = nullptr;  // for its body and its space
   CVector3 m_eye;  // m, world frame
   Real m_minZ = 0.0, m_maxZ = 0.0;  // m, world frame, of the eye and all points
+  size_t m_groupSize = 1;
   std::vector<SLine> m_lines;
+  SGroups m_groups;
 };
 
 }  // namespace argos

@@ -10,6 +10,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <set>
@@ -154,5 +155,80 @@ TEST_CASE("body index: the solids along a ray are those within reach of it in th
         REQUIRE(visited.count(bodies[i]->GetBodyNumber()) == 1);
       }
     }
+  }
+}
+
+TEST_CASE("body index: queries of areas and of rays with heights find all solids in reach",
+          "[core][space]") {
+  CRandomStream random(1, "test", "body index", "heights");
+  CBodyIndex index;
+  index.SetArea(CRange<CVector3>(CVector3(-3.0, -3.0, 0.0), CVector3(3.0, 3.0, 3.0)));
+  CThreadPool pool(0, CreateSchedule("balance_quantity"));
+  constexpr Real kHeight = 0.3;  // m, of all solids
+  std::vector<std::unique_ptr<CEmbodiedEntity>> bodies;
+  std::vector<Real> radii;
+  for (int i = 0; i < 100; ++i) {
+    auto description = std::make_shared<SBodyDescription>();
+    radii.push_back(random.Uniform(0.02, 0.4));
+    description->Shapes = {SShapeDescription::Cylinder(radii.back(), kHeight)};
+    description->Mass = 1.0;
+    const CVector3 position(random.Uniform(-4.0, 4.0), random.Uniform(-4.0, 4.0),
+                            random.Uniform(0.5, 1.5));
+    bodies.push_back(std::make_unique<CEmbodiedEntity>(nullptr, "b", position, CQuaternion(),
+                                                       random.Bernoulli(0.8)));
+    bodies.back()->SetBodyDescription(description);
+    bodies.back()->EnterIndex(index);
+    if (i == 80) {
+      index.Rebuild(pool);
+    }
+  }
+  const auto place = [&](size_t i) { return bodies[i]->GetOriginAnchor().Position; };
+  const auto numberOf = [&](size_t i) { return bodies[i]->GetBodyNumber(); };
+  for (int trial = 0; trial < 100; ++trial) {
+    SPlanarArea area = SPlanarArea::Empty();
+    area.Include(random.Uniform(-4.0, 4.0), random.Uniform(-4.0, 4.0));
+    area.Include(random.Uniform(-4.0, 4.0), random.Uniform(-4.0, 4.0));
+    std::multiset<UInt32> inArea;
+    index.ForShapesInArea(area, [&](const SIndexedShape& shape) { inArea.insert(shape.Body); });
+
+    const CRay3 ray(
+        CVector3(random.Uniform(-4.0, 4.0), random.Uniform(-4.0, 4.0), random.Uniform(0.0, 2.5)),
+        CVector3(random.Uniform(-4.0, 4.0), random.Uniform(-4.0, 4.0), random.Uniform(0.0, 2.5)));
+    const CBodyIndex::SRayReach reach(random.Uniform(0.0, 0.3), random.Uniform(0.0, 0.2));
+    std::set<UInt32> alongRay;
+    index.ForShapesAlongRay(ray, reach,
+                            [&](const SIndexedShape& shape) { alongRay.insert(shape.Body); });
+    for (size_t i = 0; i < bodies.size(); ++i) {
+      CAPTURE(trial, i);
+      const CVector3 center = place(i);
+      const Real dx = center.GetX() - std::clamp(center.GetX(), area.MinX, area.MaxX);
+      const Real dy = center.GetY() - std::clamp(center.GetY(), area.MinY, area.MaxY);
+      if (std::hypot(dx, dy) <= radii[i]) {
+        REQUIRE(inArea.count(numberOf(i)) == 1);
+      }
+      constexpr int kSteps = 200;
+      for (int step = 0; step <= kSteps; ++step) {
+        CVector3 point;
+        ray.GetPoint(point, static_cast<Real>(step) / kSteps);
+        const bool isInReach =
+            std::hypot(point.GetX() - center.GetX(), point.GetY() - center.GetY()) <=
+                reach.Across + radii[i] &&
+            point.GetZ() >= center.GetZ() - reach.Vertical &&
+            point.GetZ() <= center.GetZ() + kHeight + reach.Vertical;
+        if (isInReach) {
+          REQUIRE(alongRay.count(numberOf(i)) == 1);
+          break;
+        }
+      }
+    }
+  }
+
+  // a ray above everything meets nothing sorted, and visits only what was added since
+  std::set<UInt32> above;
+  index.ForShapesAlongRay(CRay3(CVector3(-4.0, -4.0, 2.5), CVector3(4.0, 4.0, 2.5)),
+                          CBodyIndex::SRayReach(0.5, 0.0),
+                          [&](const SIndexedShape& shape) { above.insert(shape.Body); });
+  for (size_t i = 0; i <= 80; ++i) {
+    CHECK(above.count(numberOf(i)) == 0);
   }
 }
