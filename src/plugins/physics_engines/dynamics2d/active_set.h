@@ -34,7 +34,11 @@ class CActiveSet {
  public:
   explicit CActiveSet(CPlanarStore& store) : m_store(store) {}
 
-  void Reserve(size_t bodies) { m_bodies.reserve(bodies); }
+  /** Allocates for so many active robots among so many robots. */
+  void Reserve(size_t active, size_t robots) {
+    m_bodies.reserve(active);
+    m_isWanted.reserve(robots);
+  }
   const std::vector<SActiveBody>& GetBodies() const { return m_bodies; }
 
   /**

@@ -13,14 +13,16 @@ struct SContactForce {
   float Normal = 0.0F;
   float Tangent = 0.0F;
   /**
-   * The smaller one of the last two normal forces, from which a solver starts: the force of an
-   * impact acts in one substep only.
+   * The normal force from which a solver starts: the last one, unless it is far greater than that
+   * before. The force of an impact acts in one substep only.
    */
   float Steady = 0.0F;
 
+  static constexpr float kMaxGrowth = 1.5F;  // of a steady force in a substep
+
   /** Sets the forces of a substep. */
   void Take(float normal, float tangent) {
-    Steady = std::min(Normal, normal);
+    Steady = std::min(kMaxGrowth * Normal, normal);
     Normal = normal;
     Tangent = tangent;
   }

@@ -28,6 +28,8 @@ constexpr float kDrivesOfSubstep = 8.0F;
 // number of substeps: what moves the discs apart in a short substep would hurl them.
 constexpr Real kCorrection = 0.6;
 constexpr Real kMaxCorrection = 0.25;
+// Overlaps up to this share of the smallest radius are not corrected: at rest nothing moves.
+constexpr Real kSlop = 0.002;
 // At the end of a tick, overlaps deeper than this share of the smallest radius are reduced, in at
 // most so many sweeps.
 constexpr Real kDeepEnough = 0.005;
@@ -281,6 +283,7 @@ UInt32 CCrowdSolver::FindContacts(UInt32 first, UInt32 end, const SSubstep& subs
   const Real mostApproach = 2.0 * m_tick.LongestPath / substep.Count;
   const Real touchingGap = kTouchingGap * m_tick.SmallestRadius;
   const Real mostCorrection = kMaxCorrection * m_tick.SmallestRadius;
+  const Real slop = kSlop * m_tick.SmallestRadius;
   UInt32 next = first;
   for (UInt32 i = first; i < end; ++i) {
     const auto& pair = m_clusters->GetPairs()[i];
@@ -307,7 +310,7 @@ UInt32 CCrowdSolver::FindContacts(UInt32 first, UInt32 end, const SSubstep& subs
     Real room = separation.Gap;
     if (room < 0.0) {
       state.Deepest = std::max(state.Deepest, static_cast<float>(-room));
-      room = std::max(kCorrection * room, -mostCorrection) / substep.Count;
+      room = std::clamp(kCorrection * (room + slop), -mostCorrection, 0.0) / substep.Count;
     }
     contact.Approach = static_cast<float>(room / duration);
     const float inverseMass = discA.InverseMass + discB.InverseMass;
@@ -349,6 +352,7 @@ void CCrowdSolver::FindWalls(UInt32 number, const SSubstep& substep) {
   const Real duration = static_cast<Real>(substep.Duration);
   const Real touchingGap = kTouchingGap * m_tick.SmallestRadius;
   const Real mostCorrection = kMaxCorrection * m_tick.SmallestRadius;
+  const Real slop = kSlop * m_tick.SmallestRadius;
   UInt32 next = patch.FirstWall;
   for (UInt32 i = patch.FirstWall; i < patch.EndWall; ++i) {
     const auto& wall = m_clusters->GetWalls()[i];
@@ -363,7 +367,7 @@ void CCrowdSolver::FindWalls(UInt32 number, const SSubstep& substep) {
     }
     if (room < 0.0) {
       state.Deepest = std::max(state.Deepest, static_cast<float>(-room));
-      room = std::max(room, -mostCorrection) / substep.Count;
+      room = std::clamp(kCorrection * (room + slop), -mostCorrection, 0.0) / substep.Count;
     }
     SWallContact& contact = m_wallContacts[next++];
     contact.Disc = wall.Disc;

@@ -97,7 +97,7 @@ void CPlanarWorld::ReserveForTick() {
   }
   m_overlaps.Reserve(2 * (numActive + m_store.GetPassive().capacity()) +
                      m_store.GetImmovable().size());
-  m_active.Reserve(numActive);
+  m_active.Reserve(numActive, m_store.GetDriven().capacity());
   m_store.ReserveNumbers(numActive);
   m_ghosts.Reserve(m_store.GetGrippable().capacity());
   m_discPairs.Reserve(m_store.GetDriven().capacity());

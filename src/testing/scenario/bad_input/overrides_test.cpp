@@ -22,7 +22,7 @@ std::string SetError(const std::string& path, const std::string& value) {
 
 }  // namespace
 
-TEST_CASE("--set: a value that nothing reads is an error with the nearest name", "[bad_input]") {
+TEST_CASE("option --set: a value that nothing reads is an error with the nearest name", "[bad_input]") {
   const std::string error = SetError("//e-puck/@rab_rage", "0.5");
   CHECK_THAT(error, Contains("--set //e-puck/@rab_rage=0.5: test.argos:6: <e-puck>: attribute "
                              "\"rab_rage\" is not used by anything; did you mean \"rab_range\"?"));
@@ -34,7 +34,7 @@ TEST_CASE("--set: a value that nothing reads is an error with the nearest name",
                                               !Contains("did you mean") && Contains("[FATAL]"));
 }
 
-TEST_CASE("--set: values that are read late, or by some of the elements, are accepted",
+TEST_CASE("option --set: values that are read late, or by some of the elements, are accepted",
           "[bad_input]") {
   CHECK(SetError("//e-puck/@rab_range", "0.5").empty());
   CHECK(SetError("//box/@mass", "2").empty());

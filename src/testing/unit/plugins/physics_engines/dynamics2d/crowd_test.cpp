@@ -1,0 +1,234 @@
+// Discs that touch each other and immovable things, against the laws of mechanics.
+
+#include "planar_scene.h"
+
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+constexpr Real kPath = 0.05;  // m, longest of a tick
+
+/** Robots of 0.5 kg and radius 5 cm, with drives of 1 N and 1 N m unless they are weakened. */
+struct SCrowdScene : CPlanarScene {
+  CThreadPool Pool{0, std::make_unique<CBalanceQuantitySchedule>()};
+  CDiscPairs Pairs;
+  CCrowd Crowd{Store};
+  std::vector<SCrowdLine> Lines;  // for the first disc
+
+  /** Robots without a drive. */
+  void DisableDrives() {
+    for (SDrivenBody& body : Store.GetDriven()) {
+      body.MaxSpeedChange = body.MaxYawRateChange = 0.0;
+    }
+  }
+  void Tick() {
+    for (SDrivenBody& body : Store.GetDriven()) {
+      body.NextCommand = body.Drive.Read();
+      const SArc arc = FollowArc(body.Pose, body.NextCommand, kTick);
+      body.NextPose = arc.End;
+      body.NextVelocity = {arc.DX / kTick, arc.DY / kTick, body.NextCommand.YawRate};
+      if (body.MaxSpeedChange == 0.0) {
+        // without a drive
+        body.NextVelocity = body.Velocity;
+        body.NextPose = body.Pose;
+        body.NextPose.X += body.Velocity.X * kTick;
+        body.NextPose.Y += body.Velocity.Y * kTick;
+      }
+    }
+    if (Store.HaveObstaclesChanged()) {
+      Pairs.SetObstacles(Store.ListObstacles());
+      Crowd.ForgetObstacles();
+    }
+    FindPairs(Pool, Pairs, kPath);
+    Crowd.Start(Pairs);
+    Crowd.Advance(Pool, Pairs, kPath, kPath);
+    for (SDrivenBody& body : Store.GetDriven()) {
+      body.Pose = body.NextPose;
+      body.Velocity = body.NextVelocity;
+      body.Command = body.NextCommand;
+    }
+  }
+  SPlanarVelocity SumMomentum() {
+    SPlanarVelocity sum;
+    for (const SDrivenBody& body : Store.GetDriven()) {
+      sum.X += body.Mass * body.Velocity.X;
+      sum.Y += body.Mass * body.Velocity.Y;
+      sum.W += body.Inertia * body.Velocity.W +
+               body.Mass * (body.Pose.X * body.Velocity.Y - body.Pose.Y * body.Velocity.X);
+    }
+    return sum;
+  }
+  Real SumEnergy() {
+    Real sum = 0.0;
+    for (const SDrivenBody& body : Store.GetDriven()) {
+      sum += 0.5 * body.Mass *
+                 (body.Velocity.X * body.Velocity.X + body.Velocity.Y * body.Velocity.Y) +
+             0.5 * body.Inertia * body.Velocity.W * body.Velocity.W;
+    }
+    return sum;
+  }
+  Real GapBetween(size_t a, size_t b) {
+    const SPlanarPose& first = Store.GetDriven()[a].Pose;
+    const SPlanarPose& second = Store.GetDriven()[b].Pose;
+    return std::hypot(second.X - first.X, second.Y - first.Y) - 2.0 * kRadius;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("crowd: discs without drives keep their momentum and gain no energy",
+          "[dynamics2d][crowd]") {
+  SCrowdScene scene;
+  // hits two at rest, off their centres
+  scene.AddRobot(0.0, 0.0);
+  scene.AddRobot(0.11, 0.03);
+  scene.AddRobot(0.20, -0.02);
+  scene.DisableDrives();
+  scene.GetDriven(scene.Bodies[0]).Velocity = {0.4, 0.05, 1.0};
+  const SPlanarVelocity before = scene.SumMomentum();
+  Real energy = scene.SumEnergy();
+  for (int tick = 0; tick < 10; ++tick) {
+    scene.Tick();
+    const SPlanarVelocity after = scene.SumMomentum();
+    CHECK(after.X == Approx(before.X).margin(1e-6));
+    CHECK(after.Y == Approx(before.Y).margin(1e-6));
+    // a push acts at the point of contact at the start of a substep, 2 cm before it at most
+    CHECK(after.W == Approx(before.W).margin(1e-3));
+    CHECK(scene.SumEnergy() <= energy + 1e-7);
+    energy = scene.SumEnergy();
+  }
+  CHECK(scene.GetDriven(scene.Bodies[1]).Velocity.X > 0.05);
+  CHECK(std::abs(scene.GetDriven(scene.Bodies[1]).Velocity.W) > 0.01);
+}
+
+TEST_CASE("crowd: two discs that collide head-on go on together", "[dynamics2d][crowd]") {
+  SCrowdScene scene;
+  scene.AddRobot(0.0, 0.0);
+  scene.AddRobot(0.13, 0.0);
+  scene.DisableDrives();
+  scene.GetDriven(scene.Bodies[0]).Velocity = {0.4, 0.0, 0.0};
+  scene.GetDriven(scene.Bodies[1]).Velocity = {-0.1, 0.0, 0.0};
+  for (int tick = 0; tick < 4; ++tick) {
+    scene.Tick();
+    CHECK(scene.GapBetween(0, 1) >= -1e-4 * CPlanarScene::kRadius);
+  }
+  for (const auto& robot : scene.Bodies) {
+    CHECK(scene.GetDriven(robot).Velocity.X == Approx(0.15).margin(1e-4));
+    CHECK(scene.GetDriven(robot).Velocity.Y == 0.0);
+  }
+}
+
+TEST_CASE("crowd: robots that push against each other equally stand still", "[dynamics2d][crowd]") {
+  SCrowdScene scene;
+  scene.AddRobot(0.0, 0.0, 0.3, 0.3);
+  scene.AddRobot(0.11, 0.0, -0.3, -0.3);
+  for (int tick = 0; tick < 30; ++tick) {
+    scene.Tick();
+  }
+  CHECK(scene.GapBetween(0, 1) == Approx(0.0).margin(2e-3 * CPlanarScene::kRadius));
+  CHECK(scene.GetDriven(scene.Bodies[0]).Velocity.X == Approx(0.0).margin(1e-3));
+  // 1 N against 1 N: neither moves from the middle
+  CHECK(scene.GetDriven(scene.Bodies[0]).Pose.X == Approx(0.055 - 0.05).margin(1e-3));
+}
+
+TEST_CASE("crowd: a stronger robot pushes a weaker one at the speed of its wheels",
+          "[dynamics2d][crowd]") {
+  SCrowdScene scene;
+  scene.AddRobot(0.0, 0.0, 0.1, 0.1);
+  scene.AddRobot(0.11, 0.0);  // brakes
+  scene.GetDriven(scene.Bodies[1]).MaxSpeedChange *= 0.5;
+  for (int tick = 0; tick < 30; ++tick) {
+    scene.Tick();
+  }
+  CHECK(scene.GetDriven(scene.Bodies[0]).Velocity.X == Approx(0.1).margin(1e-3));
+  CHECK(scene.GetDriven(scene.Bodies[1]).Velocity.X == Approx(0.1).margin(1e-3));
+
+  // and not a robot whose brake is stronger than the drive
+  scene.GetDriven(scene.Bodies[1]).MaxSpeedChange *= 2.5;
+  const Real x = scene.GetDriven(scene.Bodies[1]).Pose.X;
+  for (int tick = 0; tick < 30; ++tick) {
+    scene.Tick();
+  }
+  CHECK(scene.GetDriven(scene.Bodies[1]).Pose.X - x < 0.02);
+  CHECK(scene.GetDriven(scene.Bodies[1]).Velocity.X == Approx(0.0).margin(1e-3));
+}
+
+TEST_CASE("crowd: a row presses on a wall, and the last does not move", "[dynamics2d][crowd]") {
+  SCrowdScene scene;
+  const int length = GENERATE(1, 5, 20);
+  CAPTURE(length);
+  scene.AddBox(0.0, 0.0, false);
+  for (int i = 0; i < length; ++i) {
+    scene.AddRobot(-0.1 - 0.105 * i, 0.0, 0.2, 0.2);
+  }
+  for (int tick = 0; tick < 20 + 10 * length; ++tick) {
+    scene.Tick();
+    CHECK(-0.05 - scene.Store.GetDriven()[0].Pose.X >= CPlanarScene::kRadius * (1.0 - 0.005));
+    for (int i = 1; i < length; ++i) {
+      REQUIRE(scene.GapBetween(i - 1, i) >= -0.02 * CPlanarScene::kRadius);
+    }
+  }
+  for (const SDrivenBody& body : scene.Store.GetDriven()) {
+    CHECK(std::abs(body.Velocity.X) < 5e-3);  // of 0.2
+  }
+}
+
+TEST_CASE("crowd: friction at a wall is 0.07 of the pressing force", "[dynamics2d][crowd]") {
+  // the heading of the robot is 45 degrees from the wall; friction shortens the step along it
+  SCrowdScene scene;
+  auto& robot = scene.AddRobot(-0.1, 0.0, 0.2, 0.2);
+  for (int i = -5; i <= 5; ++i) {
+    scene.AddBox(0.0, 0.1 * i, false);
+  }
+  scene.GetDriven(robot).Pose.SetYaw(0.25 * ARGOS_PI);
+  scene.GetDriven(robot).MaxYawRateChange = 1e3;  // keeps its heading
+  for (int tick = 0; tick < 20; ++tick) {
+    scene.Tick();
+  }
+  // The drive exerts its 1 N along the velocity that is missing, (target, target - v_y). This force
+  // is in balance with that of the wall, (f, 0.07 f).
+  const SDrivenBody& body = scene.GetDriven(robot);
+  const Real target = 0.2 * std::sqrt(0.5);
+  CHECK(body.Velocity.X == Approx(0.0).margin(1e-4));
+  CHECK(body.Velocity.Y < target);
+  CHECK(body.Velocity.Y == Approx(target * (1.0 - 0.07)).margin(2e-3));
+}
+
+TEST_CASE("crowd: robots that were placed into each other part without speed",
+          "[dynamics2d][crowd]") {
+  SCrowdScene scene;
+  scene.AddRobot(0.0, 0.0);
+  scene.AddRobot(0.05, 0.0);
+  scene.Crowd.ExpectOverlaps();
+  Real last = -1.0;
+  for (int tick = 0; tick < 20; ++tick) {
+    scene.Tick();
+    const Real gap = scene.GapBetween(0, 1);
+    CHECK(gap >= last);
+    last = gap;
+  }
+  CHECK(last == Approx(0.0).margin(0.006 * CPlanarScene::kRadius));
+  CHECK(std::abs(scene.GetDriven(scene.Bodies[0]).Velocity.X) < 1e-2);
+}
+
+TEST_CASE("crowd: a robot that nothing pushes ends exactly at its planned pose",
+          "[dynamics2d][crowd]") {
+  SCrowdScene scene;
+  scene.AddRobot(0.0, 0.0, 0.10, 0.08);
+  scene.AddRobot(0.0, 0.14, 0.2, 0.2);  // near, but passes
+  for (int tick = 0; tick < 3; ++tick) {
+    const SDrivenBody& body = scene.Store.GetDriven()[0];
+    const SArc arc = FollowArc(body.Pose, body.Drive.Read(), CPlanarScene::kTick);
+    scene.Tick();
+    CHECK(scene.Store.GetDriven()[0].Pose.X == arc.End.X);
+    CHECK(scene.Store.GetDriven()[0].Pose.HalfSin == arc.End.HalfSin);
+  }
+}
+
+}  // namespace argos
