@@ -18,7 +18,7 @@ constexpr size_t kMemberGrain = 2048;
 // Sweeps of a substep, at most.
 constexpr UInt32 kMaxSweeps = 300;
 // Velocities are solved when a sweep changes none by more than this share of a radius in the
-// substep.
+// substep. This and the depths below hold for two substeps in a tick: more are more accurate.
 constexpr Real kTolerance = 0.001;
 // In a crowd the forces of drives add up. A tick has a substep for each such multiple of the force
 // of a drive in the greatest force of a contact.
@@ -68,8 +68,10 @@ void CCrowdSolver::Reserve(size_t discs) {
 
 void CCrowdSolver::Start(const SCrowdTick& tick, size_t discs) {
   m_tick = tick;
-  m_tolerance = static_cast<float>(kTolerance * tick.SmallestRadius);
-  m_deepEnough = static_cast<float>(kDeepEnough * tick.SmallestRadius);
+  const Real scale = tick.SmallestRadius * kDefaultSubsteps / tick.LeastSubsteps;
+  m_tolerance = static_cast<float>(kTolerance * scale);
+  m_slop = kSlop * scale;
+  m_deepEnough = static_cast<float>(kDeepEnough * scale);
   m_discs.resize(discs);
   m_drives.resize(discs);
   m_positions.resize(discs);
@@ -283,7 +285,6 @@ UInt32 CCrowdSolver::FindContacts(UInt32 first, UInt32 end, const SSubstep& subs
   const Real mostApproach = 2.0 * m_tick.LongestPath / substep.Count;
   const Real touchingGap = kTouchingGap * m_tick.SmallestRadius;
   const Real mostCorrection = kMaxCorrection * m_tick.SmallestRadius;
-  const Real slop = kSlop * m_tick.SmallestRadius;
   UInt32 next = first;
   for (UInt32 i = first; i < end; ++i) {
     const auto& pair = m_clusters->GetPairs()[i];
@@ -310,7 +311,7 @@ UInt32 CCrowdSolver::FindContacts(UInt32 first, UInt32 end, const SSubstep& subs
     Real room = separation.Gap;
     if (room < 0.0) {
       state.Deepest = std::max(state.Deepest, static_cast<float>(-room));
-      room = std::clamp(kCorrection * (room + slop), -mostCorrection, 0.0) / substep.Count;
+      room = std::clamp(kCorrection * (room + m_slop), -mostCorrection, 0.0) / substep.Count;
     }
     contact.Approach = static_cast<float>(room / duration);
     const float inverseMass = discA.InverseMass + discB.InverseMass;
@@ -352,7 +353,6 @@ void CCrowdSolver::FindWalls(UInt32 number, const SSubstep& substep) {
   const Real duration = static_cast<Real>(substep.Duration);
   const Real touchingGap = kTouchingGap * m_tick.SmallestRadius;
   const Real mostCorrection = kMaxCorrection * m_tick.SmallestRadius;
-  const Real slop = kSlop * m_tick.SmallestRadius;
   UInt32 next = patch.FirstWall;
   for (UInt32 i = patch.FirstWall; i < patch.EndWall; ++i) {
     const auto& wall = m_clusters->GetWalls()[i];
@@ -367,7 +367,7 @@ void CCrowdSolver::FindWalls(UInt32 number, const SSubstep& substep) {
     }
     if (room < 0.0) {
       state.Deepest = std::max(state.Deepest, static_cast<float>(-room));
-      room = std::clamp(kCorrection * (room + slop), -mostCorrection, 0.0) / substep.Count;
+      room = std::clamp(kCorrection * (room + m_slop), -mostCorrection, 0.0) / substep.Count;
     }
     SWallContact& contact = m_wallContacts[next++];
     contact.Disc = wall.Disc;

@@ -144,6 +144,7 @@ class CCrowdSolver {
   SCrowdTick m_tick;
   float m_tolerance = 0.0F;  // m in a substep
   float m_deepEnough = 0.0F;  // m
+  Real m_slop = 0.0;  // m
   const CCrowdClusters* m_clusters = nullptr;
   const CDiscPairs* m_filter = nullptr;
   const std::vector<SCrowdLine>* m_lines = nullptr;

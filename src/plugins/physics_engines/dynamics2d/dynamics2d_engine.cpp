@@ -24,6 +24,8 @@ namespace argos {
 
 namespace {
 
+// with fewer robots, to wake threads takes longer than what they do
+constexpr size_t kRobotsForThreads = 2000;
 // bodies that a thread writes back in a run
 constexpr size_t kWriteGrain = 512;
 
@@ -218,7 +220,8 @@ void CDynamics2DEngine::UpdateWorld() {
   if (FeelsGhosts()) {
     m_world->SetGhosts(ListGhosts());
   }
-  CThreadPool& pool = UsesThreadPool() ? m_cSimulator.GetThreadPool() : *m_alone;
+  const bool isWorthThreads = UsesThreadPool() && m_world->GetNumDriven() >= kRobotsForThreads;
+  CThreadPool& pool = isWorthThreads ? m_cSimulator.GetThreadPool() : *m_alone;
   try {
     m_world->Advance(pool);
   } catch (const SBadDriveCommand& bad) {
