@@ -174,8 +174,10 @@ TEST_CASE("crowd: a row presses on a wall, and the last does not move", "[dynami
       REQUIRE(scene.GapBetween(i - 1, i) >= -0.02 * CPlanarScene::kRadius);
     }
   }
+  // The velocity of a contact is solved up to 0.1 % of a radius in a substep, 1 mm/s, and that of a
+  // robot is the sum over the contacts ahead of it; wheels turn at 200 mm/s.
   for (const SDrivenBody& body : scene.Store.GetDriven()) {
-    CHECK(std::abs(body.Velocity.X) < 5e-3);  // of 0.2
+    CHECK(std::abs(body.Velocity.X) < 1e-3 * length);
   }
 }
 

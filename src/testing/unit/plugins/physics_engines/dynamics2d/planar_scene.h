@@ -33,6 +33,7 @@ class CPlanarScene {
   static SPlanarSettings MakeSettings() {
     SPlanarSettings settings;
     settings.Tick = kTick;
+    settings.Substeps = 2;
     settings.UnitsPerMetre = 1.0 / kRadius;
     return settings;
   }
