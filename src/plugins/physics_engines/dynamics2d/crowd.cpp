@@ -64,7 +64,6 @@ void CCrowd::FillIn(size_t begin, size_t end) {
   for (size_t i = begin; i < end; ++i) {
     const UInt32 member = static_cast<UInt32>(i);
     const SDrivenBody& body = m_store.GetDriven(m_clusters.GetMembers()[i].Number);
-    const SArc arc = FollowArcs(body.Pose, body.Command, body.NextCommand, settings.Tick, lag);
     m_solver.GetPosition(member) = {body.Pose.X, body.Pose.Y, 0.0};
     SCrowdDisc& disc = m_solver.GetDisc(member);
     disc.VX = static_cast<float>(body.Velocity.X);
@@ -75,10 +74,15 @@ void CCrowd::FillIn(size_t begin, size_t end) {
     disc.Radius = static_cast<float>(body.BoundingRadius);
     SCrowdDrive& drive = m_solver.GetDrive(member);
     drive = SCrowdDrive();
-    drive.TargetX = static_cast<float>(arc.DX / settings.Tick);
-    drive.TargetY = static_cast<float>(arc.DY / settings.Tick);
-    drive.TargetW =
-        static_cast<float>(lag * body.Command.YawRate + (1.0 - lag) * body.NextCommand.YawRate);
+    SPlanarVelocity target = body.NextVelocity;
+    if (body.IsLimited) {
+      const SArc arc = FollowArcs(body.Pose, body.Command, body.NextCommand, settings.Tick, lag);
+      target = {arc.DX / settings.Tick, arc.DY / settings.Tick,
+                lag * body.Command.YawRate + (1.0 - lag) * body.NextCommand.YawRate};
+    }
+    drive.TargetX = static_cast<float>(target.X);
+    drive.TargetY = static_cast<float>(target.Y);
+    drive.TargetW = static_cast<float>(target.W);
     drive.InTick = static_cast<float>(body.Mass * body.MaxSpeedChange);
     drive.AngularInTick = static_cast<float>(body.Inertia * body.MaxYawRateChange);
   }

@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/core/utility/memory/load_ahead.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/drive_motion.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/dynamics2d_body.h>
@@ -28,6 +29,8 @@ namespace {
 constexpr size_t kRobotsForThreads = 2000;
 // bodies that a thread writes back in a run
 constexpr size_t kWriteGrain = 512;
+// bodies between prefetching and writing
+constexpr size_t kAhead = 8;
 
 }  // namespace
 
@@ -229,7 +232,7 @@ void CDynamics2DEngine::UpdateWorld() {
   }
   WriteBackDriven(pool);
   m_world->ForEachPassive([this](const SPassiveBody& body) {
-    if (body.Moved && WriteBack(*body.Owner.Model, body.Pose)) {
+    if (body.Moved && WriteBack(*body.Owner.Model, body.Pose, 0.0)) {
       ScheduleIfLeading(*body.Owner.Body);
     }
   });
@@ -245,7 +248,13 @@ void CDynamics2DEngine::WriteBackDriven(CThreadPool& pool) {
   m_hasLeft.resize(m_world->GetNumDriven());
   pool.ParallelFor(m_world->GetNumDriven(), kWriteGrain, [this](size_t begin, size_t end, UInt32) {
     m_world->CommitDriven(begin, end, [this](const SDrivenBody& body, size_t slot) {
-      m_hasLeft[slot] = WriteBack(*body.Owner.Model, body.Pose) ? 1 : 0;
+      if (slot + kAhead < m_hasLeft.size()) {
+        const SPlanarOwner& ahead = m_world->GetDriven(static_cast<UInt32>(slot + kAhead)).Owner;
+        LoadAhead(*ahead.Model);
+        LoadAhead(*ahead.Body);
+      }
+      m_hasLeft[slot] =
+          WriteBack(*body.Owner.Model, body.Pose, body.IsDisc ? body.BoundingRadius : 0.0) ? 1 : 0;
     });
   });
   if (IsEntityTransferActive()) {
@@ -264,15 +273,20 @@ void CDynamics2DEngine::ScheduleIfLeading(CEmbodiedEntity& body) {
   }
 }
 
+// @param radius  of a disc around the origin, m; 0 for another body.
 // @return true if the body has left the region.
-bool CDynamics2DEngine::WriteBack(CDynamics2DBody& model, const SPlanarPose& pose) {
+bool CDynamics2DEngine::WriteBack(CDynamics2DBody& model, const SPlanarPose& pose, Real radius) {
   CEmbodiedEntity& body = model.m_cEmbodiedEntity;
   body.SetOriginPose(CVector3(pose.X, pose.Y, GetElevation()),
                      CQuaternion(pose.HalfCos, 0.0, 0.0, pose.HalfSin));
   if (body.GetEnabledAnchors().size() > 1) {
     model.CalculateAnchors();
   }
-  model.m_sBoundingBox = ComputePlanarBounds(body, pose);
+  if (radius > 0.0) {
+    MoveDiscBounds(model.m_sBoundingBox, pose, radius);
+  } else {
+    model.m_sBoundingBox = ComputePlanarBounds(body, pose);
+  }
   if (body.HasFollowers()) {
     model.m_root.Update();
   }

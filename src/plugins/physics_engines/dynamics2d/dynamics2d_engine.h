@@ -103,7 +103,7 @@ class CDynamics2DEngine : public CPlanarEngine {
   void Build();
   Real ChooseScale() const;
   void AddToWorld(CDynamics2DBody& model);
-  bool WriteBack(CDynamics2DBody& model, const SPlanarPose& pose);
+  bool WriteBack(CDynamics2DBody& model, const SPlanarPose& pose, Real radius);
   void WriteBackDriven(CThreadPool& pool);
   void ScheduleIfLeading(CEmbodiedEntity& body);
 

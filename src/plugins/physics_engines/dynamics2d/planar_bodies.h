@@ -61,6 +61,7 @@ struct SDrivenBody {
   SPlanarPose NextPose;
   SPlanarVelocity NextVelocity;
   SDriveCommand NextCommand;
+  bool IsLimited = false;  // force or torque bound the plan: it is less than the command
 
   // constant
   CDriveSource Drive;

@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_world.h>
 
 #include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/utility/memory/load_ahead.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/drive_motion.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
@@ -15,6 +16,8 @@ namespace {
 
 // robots that a thread plans in a run
 constexpr size_t kPlanGrain = 512;
+// robots between prefetching and reading what is elsewhere in memory
+constexpr size_t kAhead = 8;
 
 }  // namespace
 
@@ -158,6 +161,9 @@ Real CPlanarWorld::PlanRun(size_t begin, size_t end) {
   std::vector<SDrivenBody>& driven = m_store.GetDriven();
   Real longest = 0.0;
   for (size_t slot = begin; slot < end; ++slot) {
+    if (slot + kAhead < driven.size() && driven[slot + kAhead].Drive.HasWheels()) {
+      LoadAhead(driven[slot + kAhead].Drive.GetWheels(), 2 * sizeof(Real));
+    }
     longest = std::max(longest, Plan(driven[slot], static_cast<UInt32>(slot)));
   }
   return longest;
@@ -168,6 +174,7 @@ Real CPlanarWorld::Plan(SDrivenBody& body, UInt32 slot) {
   const Real tick = GetTick();
   const Real lag = m_store.GetSettings().VelocityLag;
   body.NextCommand = ReadCommand(body, tick);
+  body.IsLimited = false;
   SDriveCommand command = body.NextCommand;
   SDriveCommand last = body.Command;
 
@@ -176,6 +183,7 @@ Real CPlanarWorld::Plan(SDrivenBody& body, UInt32 slot) {
   if (std::abs(yawRate - body.Velocity.W) > body.MaxYawRateChange) {
     yawRate = body.Velocity.W + std::copysign(body.MaxYawRateChange, yawRate - body.Velocity.W);
     command.YawRate = last.YawRate = yawRate;
+    body.IsLimited = true;
   }
   const SArc arc = FollowArcs(body.Pose, last, command, tick, lag);
   Real velocityX = arc.DX / tick;
@@ -192,6 +200,7 @@ Real CPlanarWorld::Plan(SDrivenBody& body, UInt32 slot) {
     path = std::sqrt(velocityX * velocityX + velocityY * velocityY) * tick;
     body.NextPose.X = body.Pose.X + velocityX * tick;
     body.NextPose.Y = body.Pose.Y + velocityY * tick;
+    body.IsLimited = true;
   }
   body.NextVelocity = {velocityX, velocityY, yawRate};
 

@@ -257,12 +257,7 @@ void CKinematics2DEngine::WriteBackDiscs(size_t begin, size_t end) {
     if (body.GetEnabledAnchors().size() > 1) {
       model.CalculateAnchors();
     }
-    // its z range does not change
-    SBoundingBox& box = model.m_sBoundingBox;
-    box.MinCorner.SetX(pose.X - radius);
-    box.MinCorner.SetY(pose.Y - radius);
-    box.MaxCorner.SetX(pose.X + radius);
-    box.MaxCorner.SetY(pose.Y + radius);
+    MoveDiscBounds(model.m_sBoundingBox, pose, radius);
     if (body.HasFollowers()) {
       discs.GetOwner(slot).Root->Update();
     }

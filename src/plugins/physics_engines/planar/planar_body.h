@@ -54,6 +54,14 @@ SBoundingBox ComputePlanarBounds(const CEmbodiedEntity& body);
 /** The same at @p pose, which the body's origin anchor already has. */
 SBoundingBox ComputePlanarBounds(const CEmbodiedEntity& body, const SPlanarPose& pose);
 
+/** Moves the box around an upright disc, whose z range does not change. @param radius m. */
+inline void MoveDiscBounds(SBoundingBox& box, const SPlanarPose& pose, Real radius) {
+  box.MinCorner.SetX(pose.X - radius);
+  box.MinCorner.SetY(pose.Y - radius);
+  box.MaxCorner.SetX(pose.X + radius);
+  box.MaxCorner.SetY(pose.Y + radius);
+}
+
 }  // namespace argos
 
 #endif
