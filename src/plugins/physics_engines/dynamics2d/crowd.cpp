@@ -21,6 +21,7 @@ constexpr Real kMostAllowance = 0.5;
 void CCrowd::Reserve(size_t discs) {
   m_clusters.Reserve(discs);
   m_solver.Reserve(discs);
+  m_lines.reserve(discs);
   m_pairMemory.Reserve(m_store.GetDriven().capacity(), 2 * discs);
   m_wallMemory.Reserve(m_store.GetDriven().capacity(), discs);
 }

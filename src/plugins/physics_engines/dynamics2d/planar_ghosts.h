@@ -28,6 +28,7 @@ class CPlanarGhosts {
     m_filter.Reserve(bodies);
     // at most all of them are ghosts' in a tick
     m_bodies.reserve(bodies);
+    m_nearGhost.reserve(bodies);
   }
   /** Sets the ghosts of the next tick. */
   void Set(const std::vector<SGhostDisc>& ghosts) { m_ghosts.assign(ghosts.begin(), ghosts.end()); }

@@ -30,6 +30,7 @@ struct SGhostScene : CPlanarScene {
       body.Command = body.NextCommand = body.Drive.Read();
       const SArc arc = FollowArc(body.Pose, body.Command, kTick);
       body.NextPose = arc.End;
+      body.NextVelocity = {arc.DX / kTick, arc.DY / kTick, body.NextCommand.YawRate};
     }
     Crowd.Advance(Pool, Filter, kPath, kPath);
   }
