@@ -16,7 +16,10 @@ void CEPuckVectorDiffusion::Init(TConfigurationNode& params) {
 void CEPuckVectorDiffusion::ControlStep() {
   CVector2 mean;
   for (const CCI_EPuckProximitySensor::SReading& reading : m_proximity->GetReadings()) {
-    mean += CVector2(reading.Value, reading.Angle);
+    // most sensors see nothing, and a sine and a cosine take longer than this test
+    if (reading.Value > 0.0) {
+      mean += CVector2(reading.Value, reading.Angle);
+    }
   }
   mean /= static_cast<Real>(m_proximity->GetReadings().size());
   const CRadians angle = mean.Angle();
