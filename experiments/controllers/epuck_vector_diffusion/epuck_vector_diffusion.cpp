@@ -16,6 +16,7 @@ void CEPuckVectorDiffusion::Init(TConfigurationNode& params) {
 void CEPuckVectorDiffusion::ControlStep() {
   CVector2 mean;
   for (const CCI_EPuckProximitySensor::SReading& reading : m_proximity->GetReadings()) {
+    // most sensors see nothing, and a sine and a cosine take longer than this test
     if (reading.Value > 0.0) {
       mean += CVector2(reading.Value, reading.Angle);
     }

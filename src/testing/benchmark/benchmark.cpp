@@ -4,6 +4,7 @@
 //
 //   argos3_benchmark [--scene rooms] [--robots 100,1000,10000,100000] [--threads 0] [--ticks 600]
 //                    [--side M] [--engine dynamics2d] [--engine-attributes 'iterations="4"']
+//                    [--bare-up-to 100000]
 
 #include <argos3/testing/benchmark/bare_box2d.h>
 #include <argos3/testing/benchmark/in_child.h>
@@ -22,6 +23,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <optional>
 
 using namespace argos;
 using argos::testing::CBareBox2D;
@@ -45,6 +47,8 @@ struct SOptions {
   Real Side = 0.0;  // of the rooms, m; 0: by scene
   std::string Engine = "dynamics2d";
   std::string EngineAttributes;
+  // robots; the bare world of Box2D of a larger swarm takes minutes
+  UInt32 BareUpTo = 100000;
 };
 
 size_t ResidentBytes() {
@@ -116,7 +120,10 @@ void Report(const SOptions& options, UInt32 robots, UInt32 threads) {
   const size_t memory = ResidentBytes() - memoryBefore;
 
   // the worlds alternate tick by tick, so that noise of the machine affects both equally
-  CBareBox2D bare(space, substeps, simulator.GetTickLength());
+  std::optional<CBareBox2D> bare;
+  if (robots <= options.BareUpTo) {
+    bare.emplace(space, substeps, simulator.GetTickLength());
+  }
   STickTimes times;
   simulator.SetTickTimes(&times);
   SOverlaps overlaps;
@@ -126,26 +133,32 @@ void Report(const SOptions& options, UInt32 robots, UInt32 threads) {
     TBenchmarkClock::time_point start = TBenchmarkClock::now();
     simulator.UpdateSpace();
     total += SecondsSince(start);
-    bare.TakeVelocities();
-    start = TBenchmarkClock::now();
-    bare.Tick();
-    bareTotal += SecondsSince(start);
+    if (bare.has_value()) {
+      bare->TakeVelocities();
+      start = TBenchmarkClock::now();
+      bare->Tick();
+      bareTotal += SecondsSince(start);
+    }
     if (tick % 20 == 0) {
       MeasureOverlaps(space, overlaps);
     }
   }
 
   const Real perRobotTick = 1e6 / (static_cast<Real>(robots) * options.Ticks);
-  std::printf(
-      "%s,%u,%u,%u,%u,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f,%.3f,%.0f,%.3f,%.3f,%.3f,%.3f,%.3f,%s\n",
-      options.Engine.c_str(), robots, threads, substeps, options.Ticks, total * perRobotTick,
-      times.Act * perRobotTick, times.Physics * perRobotTick, times.Index * perRobotTick,
-      times.Sense * perRobotTick, times.Control * perRobotTick, bareTotal * perRobotTick,
-      total / bareTotal, static_cast<Real>(memory) / robots, startUp,
-      100.0 * SOverlaps::Quantile(overlaps.WithRobots, 0.5),
-      100.0 * SOverlaps::Quantile(overlaps.WithRobots, 0.99),
-      100.0 * SOverlaps::Quantile(overlaps.WithRobots, 1.0),
-      100.0 * SOverlaps::Quantile(overlaps.WithWalls, 1.0), options.Scene.c_str());
+  std::printf("%s,%u,%u,%u,%u,%.4f,%.4f,%.4f,%.4f,%.4f,%.4f", options.Engine.c_str(), robots,
+              threads, substeps, options.Ticks, total * perRobotTick, times.Act * perRobotTick,
+              times.Physics * perRobotTick, times.Index * perRobotTick, times.Sense * perRobotTick,
+              times.Control * perRobotTick);
+  if (bare.has_value()) {
+    std::printf(",%.4f,%.3f", bareTotal * perRobotTick, total / bareTotal);
+  } else {
+    std::printf(",-,-");
+  }
+  std::printf(",%.0f,%.3f,%.3f,%.3f,%.3f,%.3f,%s\n", static_cast<Real>(memory) / robots, startUp,
+              100.0 * SOverlaps::Quantile(overlaps.WithRobots, 0.5),
+              100.0 * SOverlaps::Quantile(overlaps.WithRobots, 0.99),
+              100.0 * SOverlaps::Quantile(overlaps.WithRobots, 1.0),
+              100.0 * SOverlaps::Quantile(overlaps.WithWalls, 1.0), options.Scene.c_str());
   std::fflush(stdout);
   simulator.Destroy();
 }
@@ -166,6 +179,8 @@ int main(int argc, char** argv) {
                  "side of the rooms in m; 0: always the same density (rooms), 40 (crowd)");
   app.add_option("--engine", options.Engine, "physics engine");
   app.add_option("--engine-attributes", options.EngineAttributes, "its XML attributes");
+  app.add_option("--bare-up-to", options.BareUpTo,
+                 "most robots that are compared with a bare world of Box2D; 0: none");
   CLI11_PARSE(app, argc, argv);
 
   std::printf(

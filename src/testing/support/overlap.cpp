@@ -70,9 +70,10 @@ Real SOverlaps::Quantile(std::vector<Real>& sample, Real q) {
   if (sample.empty()) {
     return 0.0;
   }
-  std::sort(sample.begin(), sample.end());
   const auto last = static_cast<Real>(sample.size() - 1);
-  return sample[static_cast<size_t>(std::ceil(q * last))];
+  const auto quantile = sample.begin() + static_cast<SInt64>(std::ceil(q * last));
+  std::nth_element(sample.begin(), quantile, sample.end());
+  return *quantile;
 }
 
 void MeasureOverlaps(CSpace& space, SOverlaps& overlaps) {

@@ -19,7 +19,7 @@ struct SOverlaps {
 
   static constexpr Real kTouchingGap = 0.01; /**< in shares of the radius */
 
-  /** The q-quantile of a sample, q in [0,1]; sorts it. */
+  /** The q-quantile of a sample, q in [0,1]; reorders it. */
   static Real Quantile(std::vector<Real>& sample, Real q);
 };
 

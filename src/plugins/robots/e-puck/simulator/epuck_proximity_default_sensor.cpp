@@ -3,6 +3,7 @@
 #include <argos3/plugins/robots/generic/simulator/device_manual.h>
 
 #include <algorithm>
+#include <typeinfo>
 
 namespace argos {
 
@@ -15,6 +16,14 @@ constexpr Real kB = -36.8961;  // 1/m
 constexpr Real kC = 1.08212;
 
 }  // namespace
+
+void CEPuckProximityDefaultSensor::Init(TConfigurationNode& tree) {
+  CAngularProximitySensor::Init(tree);
+  // a derived class may have another response
+  if (typeid(*this) == typeid(CEPuckProximityDefaultSensor)) {
+    m_reader.SetRange(kReach);
+  }
+}
 
 Real CEPuckProximityDefaultSensor::CalculateReading(Real distance) {
   if (distance > kReach) {

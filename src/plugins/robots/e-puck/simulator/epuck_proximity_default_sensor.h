@@ -9,6 +9,7 @@ namespace argos {
 /** The proximity sensors of the e-puck. */
 class CEPuckProximityDefaultSensor : public CAngularProximitySensor<CCI_EPuckProximitySensor> {
  public:
+  void Init(TConfigurationNode& tree) override;
   /** Response of the real sensors: a parabola up to 5 cm, then 0. */
   Real CalculateReading(Real distance) override;
 };

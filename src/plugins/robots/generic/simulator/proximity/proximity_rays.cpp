@@ -18,6 +18,23 @@ void CProximityRays::Init(TConfigurationNode& tree) {
                {m_readsNoiseLevel ? ReadNoiseLevel(tree) : CRange<Real>()});
 }
 
+SRayBounds CProximityRays::ComputeBounds(size_t first, size_t count) const {
+  const SRayLayout& layout = m_sensors->GetLayout();
+  SRayBounds bounds = layout;
+  if (m_range == HUGE_VAL || m_showRays || !layout.Planar) {
+    return bounds;
+  }
+  Real square = 0.0;  // m^2; of the distance of the farthest start from the centre
+  for (size_t i = first; i < first + count; ++i) {
+    const Real x = layout.Rays[i].Offset.GetX() - layout.CenterX;
+    const Real y = layout.Rays[i].Offset.GetY() - layout.CenterY;
+    square = std::max(square, x * x + y * y);
+  }
+  constexpr Real kMore = 1.0 + 1e-9;  // tolerates rounding
+  bounds.Reach = std::min(layout.Reach, kMore * (std::sqrt(square) + m_range));
+  return bounds;
+}
+
 void CProximityRays::Cast(size_t first, size_t count, Real* fractions) {
   const SRayLayout& layout = m_sensors->GetLayout();
   const SAnchor* const* anchors = m_sensors->GetAnchors();
@@ -25,7 +42,8 @@ void CProximityRays::Cast(size_t first, size_t count, Real* fractions) {
     m_layout = &layout;
     m_anchor = anchors[layout.Rays.front().Anchor];
   }
-  const SRayBundle bundle{&layout.Rays[first], count, layout, anchors, *m_anchor};
+  const SRayBounds bounds = ComputeBounds(first, count);
+  const SRayBundle bundle{&layout.Rays[first], count, bounds, anchors, *m_anchor};
   m_caster.Cast(bundle, fractions);
   if (m_showRays) {
     m_caster.Show(bundle, fractions);

@@ -7,6 +7,7 @@
 #include <argos3/plugins/simulator/entities/proximity_sensor_equipped_entity.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace argos {
 
@@ -34,6 +35,12 @@ class CProximityRays {
   void LeaveNoiseLevel() { m_readsNoiseLevel = false; }
   /** Restarts the noise. */
   void Reset() { m_noise.Reset(); }
+
+  /**
+   * For sensors that read 0 of bodies farther than @p range (m) from the start of a ray: these are
+   * not searched for unless the rays are shown.
+   */
+  void SetRange(Real range) { m_range = range; }
 
   size_t GetNumSensors() const { return m_sensors->GetNumSensors(); }
 
@@ -72,6 +79,8 @@ class CProximityRays {
  private:
   /** @param fractions  (count) as CRayCaster::Cast() gives them. */
   void Cast(size_t first, size_t count, Real* fractions);
+  /** Of the part of the rays that is within the range. */
+  SRayBounds ComputeBounds(size_t first, size_t count) const;
   /** Of a ray, m. */
   Real ComputeLength(size_t ray) const {
     return m_sensors->GetLayout().Rays[ray].Direction.Length();
@@ -82,6 +91,7 @@ class CProximityRays {
   const SAnchor* m_anchor = nullptr;  // of the first ray
   CRayCaster m_caster;
   CDeviceNoise m_noise;
+  Real m_range = HUGE_VAL;  // m
   bool m_readsNoiseLevel = true;
   bool m_showRays = false;
 };

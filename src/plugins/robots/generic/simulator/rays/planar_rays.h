@@ -18,6 +18,7 @@ template <size_t MAX_RAYS>
 struct SPlanarRays {
   Real X[MAX_RAYS], Y[MAX_RAYS]; /**< start points */
   Real DX[MAX_RAYS], DY[MAX_RAYS]; /**< from start to end */
+  Real SquareLength[MAX_RAYS]; /**< m^2 */
 
   /** @param x, y  a place near the starts: the cheap test is sharpest for solids near it. */
   void SetCenter(Real x, Real y) {
@@ -38,7 +39,8 @@ struct SPlanarRays {
     m_y[ray] = static_cast<float>(startY);
     m_dx[ray] = static_cast<float>(dx);
     m_dy[ray] = static_cast<float>(dy);
-    m_squareLength[ray] = static_cast<float>(dx * dx + dy * dy);
+    SquareLength[ray] = dx * dx + dy * dy;
+    m_squareLength[ray] = static_cast<float>(SquareLength[ray]);
   }
 
   /**

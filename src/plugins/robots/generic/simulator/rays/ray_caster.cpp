@@ -6,11 +6,11 @@
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/plugins/robots/generic/simulator/disc_entries.h>
 #include <argos3/plugins/robots/generic/simulator/planar_rays.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace argos {
 
@@ -31,28 +31,59 @@ void CRayCaster::Cast(const SRayBundle& bundle, Real* fractions) const {
   }
 }
 
-// horizontal rays, m, world frame
+// horizontal rays, m, world frame; nothing is initialised before Set()
 struct CRayCaster::SWorldRays : SPlanarRays<kMaxRays> {
   Real Z[kMaxRays];
-  Real MinZ = HUGE_VAL, MaxZ = -HUGE_VAL;
+  Real MinZ, MaxZ;
+  bool HaveLengths;
 
-  SWorldRays(const SRayBundle& bundle, const CVector3& position, Real cosine, Real sine) {
+  void Set(const SRayBundle& bundle, const CVector3& position, Real cosine, Real sine) {
     SetCenter(position.GetX(), position.GetY());
+    MinZ = HUGE_VAL;
+    MaxZ = -HUGE_VAL;
+    HaveLengths = true;
     for (size_t i = 0; i < bundle.Count; ++i) {
       const CVector3& offset = bundle.Rays[i].Offset;
       const CVector3& direction = bundle.Rays[i].Direction;
-      Set(i, position.GetX() + cosine * offset.GetX() - sine * offset.GetY(),
-          position.GetY() + sine * offset.GetX() + cosine * offset.GetY(),
-          cosine * direction.GetX() - sine * direction.GetY(),
-          sine * direction.GetX() + cosine * direction.GetY());
+      SPlanarRays::Set(i, position.GetX() + cosine * offset.GetX() - sine * offset.GetY(),
+                       position.GetY() + sine * offset.GetX() + cosine * offset.GetY(),
+                       cosine * direction.GetX() - sine * direction.GetY(),
+                       sine * direction.GetX() + cosine * direction.GetY());
       Z[i] = position.GetZ() + offset.GetZ();
       MinZ = std::min(MinZ, Z[i]);
       MaxZ = std::max(MaxZ, Z[i]);
+      HaveLengths = HaveLengths && SquareLength[i] > 0.0;
     }
   }
 
   bool ReachHeightOf(const SIndexedShape& shape) const {
     return shape.ZMin <= MaxZ && shape.ZMax >= MinZ;
+  }
+  // true if CDiscEntries can test the solid
+  bool CanEnter(const SIndexedShape& shape) const {
+    return shape.Kind == SIndexedShape::EKind::Disc && shape.ZMin <= MinZ && shape.ZMax >= MaxZ &&
+           HaveLengths;
+  }
+
+  // tests the rays one by one
+  void Meet(const SIndexedShape& shape, size_t count, const CBodyIndex& index,
+            Real* fractions) const {
+    if (!ReachHeightOf(shape)) {
+      return;
+    }
+    float near[kMaxRays];
+    ComputeNearness(shape, count, near);
+    for (size_t i = 0; i < count; ++i) {
+      if (near[i] < 0.0F) {
+        continue;
+      }
+      const Real fraction =
+          shape.Kind == SIndexedShape::EKind::Bounds
+              ? index.Intersect(shape, CRay3(CVector3(X[i], Y[i], Z[i]),
+                                             CVector3(X[i] + DX[i], Y[i] + DY[i], Z[i])))
+              : IntersectHorizontalRay(shape, X[i], Y[i], Z[i], DX[i], DY[i]);
+      fractions[i] = std::min(fractions[i], fraction);
+    }
   }
 };
 
@@ -66,39 +97,32 @@ void CRayCaster::CastUpright(const SRayBundle& bundle, Real* fractions) const {
   const Real sine = 2.0 * w * z;
   const CBodyIndex& index = m_space->GetBodyIndex();
   const UInt32 ownBody = m_body->GetBodyNumber();
-  // computed for the first solid
-  std::optional<SWorldRays> worldRays;
+  // computed for the first solid; no std::optional, which g++ 12 fills with zeros
+  SWorldRays rays;
+  CDiscEntries<kMaxRays> discs(rays);
+  bool isSet = false;
   const auto test = [&](const SIndexedShape& shape) {
     if (shape.Body == ownBody) {
       return;
     }
-    if (!worldRays.has_value()) {
-      worldRays.emplace(bundle, position, cosine, sine);
+    if (!isSet) {
+      rays.Set(bundle, position, cosine, sine);
+      discs.Start(bundle.Count);
+      isSet = true;
     }
-    const SWorldRays& rays = *worldRays;
-    if (!rays.ReachHeightOf(shape)) {
-      return;
-    }
-    float near[kMaxRays];
-    rays.ComputeNearness(shape, bundle.Count, near);
-    for (size_t i = 0; i < bundle.Count; ++i) {
-      if (near[i] < 0.0F) {
-        continue;
-      }
-      const Real fraction =
-          shape.Kind == SIndexedShape::EKind::Bounds
-              ? index.Intersect(shape, CRay3(CVector3(rays.X[i], rays.Y[i], rays.Z[i]),
-                                             CVector3(rays.X[i] + rays.DX[i],
-                                                      rays.Y[i] + rays.DY[i], rays.Z[i])))
-              : IntersectHorizontalRay(shape, rays.X[i], rays.Y[i], rays.Z[i], rays.DX[i],
-                                       rays.DY[i]);
-      fractions[i] = std::min(fractions[i], fraction);
+    if (rays.CanEnter(shape)) {
+      discs.Enter(shape);
+    } else {
+      rays.Meet(shape, bundle.Count, index, fractions);
     }
   };
   const SRayBounds& bounds = bundle.Bounds;
   index.ForShapesNear(position.GetX() + cosine * bounds.CenterX - sine * bounds.CenterY,
                       position.GetY() + sine * bounds.CenterX + cosine * bounds.CenterY,
                       bounds.Reach, test);
+  if (isSet) {
+    discs.Take(fractions);
+  }
 }
 
 void CRayCaster::CastOneByOne(const SRayBundle& bundle, Real* fractions) const {
