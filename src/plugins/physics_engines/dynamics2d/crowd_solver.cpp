@@ -15,43 +15,13 @@ namespace {
 // small clusters that a thread solves in a run
 constexpr size_t kClusterGrain = 64;
 constexpr size_t kMemberGrain = 2048;
-// Sweeps of a substep, at most.
-constexpr UInt32 kMaxSweeps = 300;
-// Velocities are solved when a sweep changes none by more than this share of a radius in the
-// substep. This and the depths below hold for two substeps in a tick: more are more accurate.
-constexpr Real kTolerance = 0.001;
-// In a crowd the forces of drives add up. A tick has a substep for each such multiple of the force
-// of a drive in the greatest force of a contact.
-constexpr float kDrivesOfSubstep = 8.0F;
-// Share of an overlap that is corrected in a tick, by the speed at which the discs must part, and
-// the greatest correction as a share of the smallest radius. The speed does not depend on the
-// number of substeps: what moves the discs apart in a short substep would hurl them.
-constexpr Real kCorrection = 0.6;
-constexpr Real kMaxCorrection = 0.25;
-// Overlaps up to this share of the smallest radius are not corrected: at rest nothing moves.
-constexpr Real kSlop = 0.002;
-// At the end of a tick, overlaps deeper than this share of the smallest radius are reduced, in at
-// most so many sweeps.
-constexpr Real kDeepEnough = 0.005;
-constexpr UInt32 kMaxPushes = 12;
-// Gaps up to this share of the smallest radius count as touching.
-constexpr Real kTouchingGap = 0.005;
-// slightly more than the change of velocity takes, for rounding errors
-constexpr float kAmple = 1.01F;
 
-constexpr float kDiscFriction = static_cast<float>(kMovableFriction * kMovableFriction);
-constexpr float kWallFriction = static_cast<float>(kMovableFriction * kImmovableFriction);
+}  // namespace
 
-float LimitFriction(float tangent, float most) {
-  return std::clamp(tangent, -most, most);
-}
-
-void RaiseFlag(UInt8& flag) {
+void CCrowdSolver::RaiseFlag(UInt8& flag) {
   // several threads may do this at once
   std::atomic_ref<UInt8>(flag).store(1, std::memory_order_relaxed);
 }
-
-}  // namespace
 
 void CCrowdSolver::Reserve(size_t discs) {
   m_discs.reserve(discs);
@@ -69,8 +39,8 @@ void CCrowdSolver::Reserve(size_t discs) {
 void CCrowdSolver::Start(const SCrowdTick& tick, size_t discs) {
   m_tick = tick;
   const Real scale = tick.SmallestRadius * kDefaultSubsteps / tick.LeastSubsteps;
-  m_tolerance = static_cast<float>(kTolerance * scale);
-  m_slop = kSlop * scale;
+  m_tolerance = static_cast<float>(kCrowdTolerance * scale);
+  m_slop = kCrowdSlop * scale;
   m_deepEnough = static_cast<float>(kDeepEnough * scale);
   m_discs.resize(discs);
   m_drives.resize(discs);
@@ -155,7 +125,8 @@ void CCrowdSolver::SolveSmall(UInt32 number) {
     WarmStart(patch.FirstPair, state.NumContacts);
     WarmStartWalls(patch.FirstWall, state.NumWalls);
     const float tolerance = m_tolerance / substep.Duration;
-    for (UInt32 sweep = 0; sweep < kMaxSweeps && SweepPatch(number, sweep) > tolerance; ++sweep) {
+    for (UInt32 sweep = 0; sweep < kMaxCrowdSweeps && SweepPatch(number, sweep) > tolerance;
+         ++sweep) {
     }
     Finish(number, substep);
   }
@@ -204,7 +175,7 @@ void CCrowdSolver::SolveLarge(CThreadPool& pool, const SCrowdCluster& cluster) {
     forBorders(
         [&](UInt32 number) { WarmStart(patches[number].FirstBorder, m_states[number].NumBorder); });
     bool isDue = true;
-    for (UInt32 sweep = 0; sweep < kMaxSweeps && isDue; ++sweep) {
+    for (UInt32 sweep = 0; sweep < kMaxCrowdSweeps && isDue; ++sweep) {
       forPatches([&](UInt32 number) {
         if (m_states[number].IsDue) {
           SweepPatch(number, sweep);
@@ -263,186 +234,6 @@ float CCrowdSolver::SweepPatch(UInt32 number, UInt32 sweep) {
   change = std::max(change, SweepWalls(patch.FirstWall, state.NumWalls));
   state.Change = change;
   return change;
-}
-
-/****************************************/
-// start of a substep
-/****************************************/
-
-void CCrowdSolver::FindContacts(UInt32 number, const SSubstep& substep) {
-  const SCrowdPatch& patch = m_clusters->GetPatches()[number];
-  SPatchState& state = m_states[number];
-  state.Deepest = 0.0F;
-  state.NumContacts = FindContacts(patch.FirstPair, patch.EndPair, substep, state);
-  state.NumBorder = FindContacts(patch.FirstBorder, patch.EndBorder, substep, state);
-  FindWalls(number, substep);
-}
-
-// @return the number of contacts, which begin at the number of the first pair.
-UInt32 CCrowdSolver::FindContacts(UInt32 first, UInt32 end, const SSubstep& substep,
-                                  SPatchState& state) {
-  const Real duration = static_cast<Real>(substep.Duration);
-  const Real mostApproach = 2.0 * m_tick.LongestPath / substep.Count;
-  const Real touchingGap = kTouchingGap * m_tick.SmallestRadius;
-  const Real mostCorrection = kMaxCorrection * m_tick.SmallestRadius;
-  UInt32 next = first;
-  for (UInt32 i = first; i < end; ++i) {
-    const auto& pair = m_clusters->GetPairs()[i];
-    const SCrowdPosition& a = m_positions[pair.A];
-    const SCrowdPosition& b = m_positions[pair.B];
-    const SCrowdDisc& discA = m_discs[pair.A];
-    const SCrowdDisc& discB = m_discs[pair.B];
-    const Real reach = static_cast<Real>(discA.Radius) + static_cast<Real>(discB.Radius);
-    const SStep offset = {b.X - a.X, b.Y - a.Y};
-    const Real farthest = reach + mostApproach;
-    if (offset.X * offset.X + offset.Y * offset.Y > farthest * farthest) {
-      m_pairForces[i] = SContactForce();
-      continue;
-    }
-    const SStep relative = {static_cast<Real>(discB.VX - discA.VX) * duration,
-                            static_cast<Real>(discB.VY - discA.VY) * duration};
-    const SSeparation separation = SeparateDiscs(offset, relative, reach);
-    SContact& contact = m_contacts[next++];
-    contact.A = pair.A;
-    contact.B = pair.B;
-    contact.Pair = i;
-    contact.NX = static_cast<float>(separation.NormalX);
-    contact.NY = static_cast<float>(separation.NormalY);
-    Real room = separation.Gap;
-    if (room < 0.0) {
-      state.Deepest = std::max(state.Deepest, static_cast<float>(-room));
-      room = std::clamp(kCorrection * (room + m_slop), -mostCorrection, 0.0) / substep.Count;
-    }
-    contact.Approach = static_cast<float>(room / duration);
-    const float inverseMass = discA.InverseMass + discB.InverseMass;
-    contact.Mass = 1.0F / inverseMass;
-    contact.TangentMass = 1.0F / (inverseMass + discA.InverseInertia * discA.Radius * discA.Radius +
-                                  discB.InverseInertia * discB.Radius * discB.Radius);
-    contact.Normal = m_pairForces[i].Steady * substep.Duration;
-    contact.Tangent =
-        LimitFriction(m_pairForces[i].Tangent, kDiscFriction * m_pairForces[i].Steady) *
-        substep.Duration;
-    if (contact.Normal > 0.0F || separation.Gap < touchingGap) {
-      RaiseFlag(m_isTouching[pair.A]);
-      RaiseFlag(m_isTouching[pair.B]);
-    }
-  }
-  return next - first;
-}
-
-SSeparation CCrowdSolver::SeparateFromWall(const CCrowdClusters::SWall& wall,
-                                           const SStep& step) const {
-  const SCrowdPosition& position = m_positions[wall.Disc];
-  const Real radius = static_cast<Real>(m_discs[wall.Disc].Radius);
-  if (wall.Obstacle < kFirstLine) {
-    return SeparateFromFootprint(position.X, position.Y, radius, step,
-                                 m_filter->GetObstacle(wall.Obstacle));
-  }
-  const SCrowdLine& line = (*m_lines)[wall.Obstacle - kFirstLine];
-  SSeparation separation;
-  separation.NormalX = line.NormalX;
-  separation.NormalY = line.NormalY;
-  separation.Gap =
-      line.NormalX * (line.X - position.X) + line.NormalY * (line.Y - position.Y) - radius;
-  return separation;
-}
-
-void CCrowdSolver::FindWalls(UInt32 number, const SSubstep& substep) {
-  const SCrowdPatch& patch = m_clusters->GetPatches()[number];
-  SPatchState& state = m_states[number];
-  const Real duration = static_cast<Real>(substep.Duration);
-  const Real touchingGap = kTouchingGap * m_tick.SmallestRadius;
-  const Real mostCorrection = kMaxCorrection * m_tick.SmallestRadius;
-  UInt32 next = patch.FirstWall;
-  for (UInt32 i = patch.FirstWall; i < patch.EndWall; ++i) {
-    const auto& wall = m_clusters->GetWalls()[i];
-    const SCrowdDisc& disc = m_discs[wall.Disc];
-    const SStep step = {static_cast<Real>(disc.VX) * duration,
-                        static_cast<Real>(disc.VY) * duration};
-    const SSeparation separation = SeparateFromWall(wall, step);
-    Real room = separation.Gap;
-    if (room > m_tick.LongestPath / substep.Count) {
-      m_wallForces[i] = SContactForce();
-      continue;
-    }
-    if (room < 0.0) {
-      state.Deepest = std::max(state.Deepest, static_cast<float>(-room));
-      room = std::clamp(kCorrection * (room + m_slop), -mostCorrection, 0.0) / substep.Count;
-    }
-    SWallContact& contact = m_wallContacts[next++];
-    contact.Disc = wall.Disc;
-    contact.Wall = i;
-    contact.NX = static_cast<float>(separation.NormalX);
-    contact.NY = static_cast<float>(separation.NormalY);
-    contact.Approach = static_cast<float>(room / duration);
-    contact.Friction = wall.Obstacle < kFirstLine ? kWallFriction : 0.0F;
-    contact.Normal = m_wallForces[i].Steady * substep.Duration;
-    contact.Tangent =
-        LimitFriction(m_wallForces[i].Tangent, contact.Friction * m_wallForces[i].Steady) *
-        substep.Duration;
-    if (contact.Normal > 0.0F || separation.Gap < touchingGap) {
-      RaiseFlag(m_isTouching[wall.Disc]);
-    }
-  }
-  state.NumWalls = next - patch.FirstWall;
-}
-
-// The drive bounds the impulse in the tick. It exerts an equal share in each substep. But a robot
-// that touches nothing may use as much of the bound as it takes to reach its speed at the start of
-// the tick: this makes its path an exact arc.
-void CCrowdSolver::StartDrives(UInt32 number, const SSubstep& substep) {
-  const SCrowdPatch& patch = m_clusters->GetPatches()[number];
-  const float elapsed = static_cast<float>(substep.Number + 1) / static_cast<float>(substep.Count);
-  for (UInt32 i = patch.FirstDisc; i < patch.EndDisc; ++i) {
-    SCrowdDrive& drive = m_drives[i];
-    const SCrowdDisc& disc = m_discs[i];
-    drive.Most = elapsed * drive.InTick - drive.Spent;
-    drive.AngularMost = elapsed * drive.AngularInTick - drive.AngularSpent;
-    if (m_isTouching[i] == 0) {
-      const float x = drive.TargetX - disc.VX;
-      const float y = drive.TargetY - disc.VY;
-      const float change = std::sqrt(x * x + y * y);
-      const float turn = std::abs(drive.TargetW - disc.W);
-      drive.Most = std::clamp(kAmple * change / disc.InverseMass, drive.Most,
-                              std::max(drive.Most, drive.InTick - drive.Spent));
-      drive.AngularMost =
-          std::clamp(kAmple * turn / disc.InverseInertia, drive.AngularMost,
-                     std::max(drive.AngularMost, drive.AngularInTick - drive.AngularSpent));
-    }
-    drive.Most = std::max(drive.Most, 0.0F);
-    drive.AngularMost = std::max(drive.AngularMost, 0.0F);
-    drive.X = drive.Y = drive.Angular = 0.0F;
-    m_isTouching[i] = 0;
-  }
-}
-
-void CCrowdSolver::WarmStart(UInt32 first, UInt32 count) {
-  for (UInt32 i = first; i < first + count; ++i) {
-    const SContact& contact = m_contacts[i];
-    if (contact.Normal == 0.0F) {
-      continue;
-    }
-    SCrowdDisc& a = m_discs[contact.A];
-    SCrowdDisc& b = m_discs[contact.B];
-    const float x = contact.Normal * contact.NX - contact.Tangent * contact.NY;
-    const float y = contact.Normal * contact.NY + contact.Tangent * contact.NX;
-    a.VX -= a.InverseMass * x;
-    a.VY -= a.InverseMass * y;
-    a.W -= a.InverseInertia * a.Radius * contact.Tangent;
-    b.VX += b.InverseMass * x;
-    b.VY += b.InverseMass * y;
-    b.W -= b.InverseInertia * b.Radius * contact.Tangent;
-  }
-}
-
-void CCrowdSolver::WarmStartWalls(UInt32 first, UInt32 count) {
-  for (UInt32 i = first; i < first + count; ++i) {
-    const SWallContact& contact = m_wallContacts[i];
-    SCrowdDisc& disc = m_discs[contact.Disc];
-    disc.VX -= disc.InverseMass * (contact.Normal * contact.NX - contact.Tangent * contact.NY);
-    disc.VY -= disc.InverseMass * (contact.Normal * contact.NY + contact.Tangent * contact.NX);
-    disc.W -= disc.InverseInertia * disc.Radius * contact.Tangent;
-  }
 }
 
 /****************************************/
@@ -622,7 +413,7 @@ float CCrowdSolver::PushContactsApart(UInt32 first, UInt32 count) {
     const Real distance = std::sqrt(squared);
     const Real depth = reach - distance;
     deepest = std::max(deepest, static_cast<float>(depth));
-    const Real share = std::min(depth, kMaxCorrection * m_tick.SmallestRadius) /
+    const Real share = std::min(depth, kMaxCrowdCorrection * m_tick.SmallestRadius) /
                        (distance * static_cast<Real>(discA.InverseMass + discB.InverseMass));
     const Real shareA = share * static_cast<Real>(discA.InverseMass);
     const Real shareB = share * static_cast<Real>(discB.InverseMass);
@@ -639,7 +430,7 @@ float CCrowdSolver::PushOutOfWalls(UInt32 first, UInt32 count) {
     const SSeparation separation = SeparateFromWall(wall, SStep());
     if (separation.Gap < -static_cast<Real>(m_tolerance)) {
       deepest = std::max(deepest, static_cast<float>(-separation.Gap));
-      const Real push = std::max(separation.Gap, -kMaxCorrection * m_tick.SmallestRadius);
+      const Real push = std::max(separation.Gap, -kMaxCrowdCorrection * m_tick.SmallestRadius);
       Push(wall.Disc, push * separation.NormalX, push * separation.NormalY);
     }
   }

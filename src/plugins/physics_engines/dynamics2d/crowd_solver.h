@@ -140,6 +140,7 @@ class CCrowdSolver {
   float PushContactsApart(UInt32 first, UInt32 count);
   float PushOutOfWalls(UInt32 first, UInt32 count);
   void Push(UInt32 disc, Real x, Real y);
+  static void RaiseFlag(UInt8& flag);
 
   SCrowdTick m_tick;
   float m_tolerance = 0.0F;  // m in a substep

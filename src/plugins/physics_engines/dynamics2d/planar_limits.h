@@ -76,6 +76,53 @@ constexpr Real kMaxStepTurn = 0.5;
 /** Most substeps that a tick gets for fast bodies. */
 constexpr UInt32 kMaxSubsteps = 64;
 
+/*
+ * The crowd: CCrowdSolver.
+ */
+/**
+ * Sweeps of a substep, at most.
+ */
+constexpr UInt32 kMaxCrowdSweeps = 300;
+/**
+ * Velocities are solved when a sweep changes none by more than this share of a radius in the
+ * substep. This and the depths below hold for two substeps in a tick: more are more accurate.
+ */
+constexpr Real kCrowdTolerance = 0.001;
+/**
+ * In a crowd the forces of drives add up. A tick has a substep for each such multiple of the force
+ * of a drive in the greatest force of a contact.
+ */
+constexpr float kDrivesOfSubstep = 8.0F;
+/**
+ * Share of an overlap that is corrected in a tick, by the speed at which the discs must part, and
+ * the greatest correction as a share of the smallest radius. The speed does not depend on the
+ * number of substeps: what moves the discs apart in a short substep would hurl them.
+ */
+constexpr Real kCrowdCorrection = 0.6;
+constexpr Real kMaxCrowdCorrection = 0.25;
+/**
+ * Overlaps up to this share of the smallest radius are not corrected: at rest nothing moves.
+ */
+constexpr Real kCrowdSlop = 0.002;
+/**
+ * At the end of a tick, overlaps deeper than this share of the smallest radius are reduced, in at
+ * most so many sweeps.
+ */
+constexpr Real kDeepEnough = 0.005;
+constexpr UInt32 kMaxPushes = 12;
+/**
+ * Gaps up to this share of the smallest radius count as touching.
+ */
+constexpr Real kTouchingGap = 0.005;
+/**
+ * Slightly more than the change of velocity takes, for rounding errors
+ */
+constexpr float kAmpleImpulse = 1.01F;
+
+/** Coefficients of friction between two robots, and between a robot and an immovable body. */
+constexpr float kDiscFriction = static_cast<float>(kMovableFriction * kMovableFriction);
+constexpr float kWallFriction = static_cast<float>(kMovableFriction * kImmovableFriction);
+
 }  // namespace argos
 
 #endif

@@ -22,7 +22,8 @@ std::string SetError(const std::string& path, const std::string& value) {
 
 }  // namespace
 
-TEST_CASE("option --set: a value that nothing reads is an error with the nearest name", "[bad_input]") {
+TEST_CASE("option --set: a value that nothing reads is an error with the nearest name",
+          "[bad_input]") {
   const std::string error = SetError("//e-puck/@rab_rage", "0.5");
   CHECK_THAT(error, Contains("--set //e-puck/@rab_rage=0.5: test.argos:6: <e-puck>: attribute "
                              "\"rab_rage\" is not used by anything; did you mean \"rab_range\"?"));

@@ -5,7 +5,6 @@
 #include <argos3/plugins/robots/generic/simulator/planar_rays.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 
@@ -41,7 +40,6 @@ class CDiscEntries {
     Real discriminant[MAX_RAYS];
     Real key[MAX_RAYS];
     const Real squareRadius = disc.HalfX * disc.HalfX;
-    UInt64 signs = ~UInt64(0);
     for (size_t i = 0; i < m_count; ++i) {
       const Real x = m_rays.X[i] - disc.X;
       const Real y = m_rays.Y[i] - disc.Y;
@@ -54,10 +52,11 @@ class CDiscEntries {
       const Real least = outside > 0.0 ? outside : 0.0;
       key[i] = discriminant[i] - kLess * (least * least);
     }
+    Real greatest = -1.0;
     for (size_t i = 0; i < m_count; ++i) {
-      signs &= std::bit_cast<UInt64>(key[i]);
+      greatest = key[i] > greatest ? key[i] : greatest;
     }
-    if ((signs >> 63) != 0) {
+    if (greatest < 0.0) {
       return;
     }
     for (size_t i = 0; i < m_count; ++i) {
