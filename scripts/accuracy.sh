@@ -33,7 +33,7 @@ common='
   # in crowds dynamics2d takes more than its minimum number of substeps
   function substeps(isInCrowd) {
     n = field("substeps")
-    if (isDefault() && field("engine") == "dynamics2d" && isInCrowd) n = n " to 64"
+    if (isDefault() && field("engine") == "dynamics2d" && isInCrowd) n = n " or more"
     return isDefault() ? "**" n "**" : n
   }
   function cell(text) { return text == "" ? "-" : text }

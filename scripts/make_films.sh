@@ -38,7 +38,7 @@ declare -A plan=(
   [gripping]="40 3" [foraging]="120 8" [pheromone]="300 40" [pheromone_lua]="300 40" [kilobots_lua]="30 2.5"
   [rab_chat]="10 1" [rab_chat_lua]="10 1"
   [eyebot_circle]="40 3" [eyebot_flocking]="40 3" [ramp_3d]="20 2"
-  [rooms]="10 2" [rooms_16_engines]="10 2" [crawler_lua]="40 2" [crowd_lua]="4 1" [flock_above_rooms]="40 4"
+  [rooms]="10 2" [rooms_16_engines]="10 2" [rooms_crowd]="10 2" [crawler_lua]="40 2" [crowd_lua]="4 1" [flock_above_rooms]="40 4"
 )
 
 make_film() {
