@@ -9,7 +9,7 @@
 
 #include <argos3/core/control_interface/ci_controller.h>
 #include <argos3/core/utility/plugins/dynamic_loading.h>
-#include <argos3/core/utility/string_utilities.h>
+#include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_gripper_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
 

@@ -138,92 +138,115 @@ void CCrowdSolver::SolveSmall(UInt32 number) {
   }
 }
 
-void CCrowdSolver::SolveLarge(CThreadPool& pool, const SCrowdCluster& cluster) {
-  const auto& patches = m_clusters->GetPatches();
+// Calls visit(patch) for the patches of a cluster, on all threads.
+template <typename VISIT>
+void CCrowdSolver::ForPatches(CThreadPool& pool, const SCrowdCluster& cluster, VISIT&& visit) {
+  pool.ParallelFor(cluster.EndPatch - cluster.FirstPatch, 1, [&](size_t begin, size_t end, UInt32) {
+    for (size_t i = begin; i < end; ++i) {
+      visit(cluster.FirstPatch + static_cast<UInt32>(i));
+    }
+  });
+}
+
+// Calls visit(patch) for the borders after patches 0, 2, ..., then after 1, 3, ...: no two have a
+// patch in common.
+template <typename VISIT>
+void CCrowdSolver::ForBorders(CThreadPool& pool, const SCrowdCluster& cluster, VISIT&& visit) {
   const UInt32 numPatches = cluster.EndPatch - cluster.FirstPatch;
-  const auto forPatches = [&](auto&& visit) {
-    pool.ParallelFor(numPatches, 1, [&](size_t begin, size_t end, UInt32) {
+  for (UInt32 parity = 0; parity < 2; ++parity) {
+    pool.ParallelFor((numPatches - parity) / 2, 1, [&](size_t begin, size_t end, UInt32) {
       for (size_t i = begin; i < end; ++i) {
-        visit(cluster.FirstPatch + static_cast<UInt32>(i));
+        visit(cluster.FirstPatch + parity + 2 * static_cast<UInt32>(i));
       }
     });
-  };
-  // the borders after patches 0, 2, ..., then after 1, 3, ...: no two have a patch in common
-  const auto forBorders = [&](auto&& visit) {
-    for (UInt32 parity = 0; parity < 2; ++parity) {
-      pool.ParallelFor((numPatches - parity) / 2, 1, [&](size_t begin, size_t end, UInt32) {
-        for (size_t i = begin; i < end; ++i) {
-          visit(cluster.FirstPatch + parity + 2 * static_cast<UInt32>(i));
-        }
-      });
-    }
-  };
+  }
+}
+
+void CCrowdSolver::SolveLarge(CThreadPool& pool, const SCrowdCluster& cluster) {
   UInt32 count = 0;
   for (UInt32 number = cluster.FirstPatch; number < cluster.EndPatch; ++number) {
-    count = std::max(count, CountSubsteps(patches[number]));
+    count = std::max(count, CountSubsteps(m_clusters->GetPatches()[number]));
   }
   SSubstep substep = {static_cast<float>(m_tick.Duration / count), 0, count};
-  const float tolerance = m_tolerance / substep.Duration;
   for (; substep.Number < count; ++substep.Number) {
-    forPatches([&](UInt32 number) { FindContacts(number, substep); });
-    forPatches([&](UInt32 number) {
-      StartDrives(number, substep);
-      WarmStart(patches[number].FirstPair, m_states[number].NumContacts);
-      WarmStartWalls(patches[number].FirstWall, m_states[number].NumWalls);
-      m_states[number].IsDue = true;
-    });
-    forBorders(
-        [&](UInt32 number) { WarmStart(patches[number].FirstBorder, m_states[number].NumBorder); });
+    StartSubstep(pool, cluster, substep);
     bool isDue = true;
     for (UInt32 sweep = 0; sweep < kMaxCrowdSweeps && isDue; ++sweep) {
-      forPatches([&](UInt32 number) {
-        if (m_states[number].IsDue) {
-          SweepPatch(number, sweep);
-        }
-      });
-      forBorders([&](UInt32 number) {
-        SPatchState& state = m_states[number];
-        if (state.IsDue || m_states[number + 1].IsDue) {
-          state.BorderChange =
-              SweepContacts(patches[number].FirstBorder, state.NumBorder, sweep % 2 != 0);
-        }
-      });
-      isDue = false;
-      float before = 0.0F;  // of the border with the patch before
-      for (UInt32 number = cluster.FirstPatch; number < cluster.EndPatch; ++number) {
-        SPatchState& state = m_states[number];
-        state.IsDue = std::max({before, state.BorderChange, state.Change}) > tolerance;
-        before = state.BorderChange;
-        isDue = isDue || state.IsDue;
-      }
+      isDue = SweepLarge(pool, cluster, sweep, m_tolerance / substep.Duration);
     }
-    forPatches([&](UInt32 number) { Finish(number, substep); });
+    ForPatches(pool, cluster, [&](UInt32 number) { Finish(number, substep); });
   }
   bool isDeep = true;
   for (UInt32 push = 0; push < kMaxPushes && isDeep; ++push) {
-    float before = 0.0F;  // on the border with the patch before
-    for (UInt32 number = cluster.FirstPatch; number < cluster.EndPatch; ++number) {
-      SPatchState& state = m_states[number];
-      state.IsDue =
-          push == 0 || std::max({before, state.Deepest, state.BorderDeepest}) > m_deepEnough;
-      before = state.BorderDeepest;
-    }
-    forPatches([&](UInt32 number) {
-      if (m_states[number].IsDue) {
-        PushApart(number);
-      }
-    });
-    forBorders([&](UInt32 number) {
-      SPatchState& state = m_states[number];
-      if (state.IsDue || m_states[number + 1].IsDue) {
-        state.BorderDeepest = PushContactsApart(patches[number].FirstBorder, state.NumBorder);
-      }
-    });
-    isDeep = std::any_of(m_states.begin() + cluster.FirstPatch, m_states.begin() + cluster.EndPatch,
-                         [this](const SPatchState& state) {
-                           return std::max(state.Deepest, state.BorderDeepest) > m_deepEnough;
-                         });
+    isDeep = PushLargeApart(pool, cluster, push == 0);
   }
+}
+
+void CCrowdSolver::StartSubstep(CThreadPool& pool, const SCrowdCluster& cluster,
+                                const SSubstep& substep) {
+  const auto& patches = m_clusters->GetPatches();
+  ForPatches(pool, cluster, [&](UInt32 number) { FindContacts(number, substep); });
+  ForPatches(pool, cluster, [&](UInt32 number) {
+    StartDrives(number, substep);
+    WarmStart(patches[number].FirstPair, m_states[number].NumContacts);
+    WarmStartWalls(patches[number].FirstWall, m_states[number].NumWalls);
+    m_states[number].IsDue = true;
+  });
+  ForBorders(pool, cluster, [&](UInt32 number) {
+    WarmStart(patches[number].FirstBorder, m_states[number].NumBorder);
+  });
+}
+
+// @return true if another sweep is due.
+bool CCrowdSolver::SweepLarge(CThreadPool& pool, const SCrowdCluster& cluster, UInt32 sweep,
+                              float tolerance) {
+  ForPatches(pool, cluster, [&](UInt32 number) {
+    if (m_states[number].IsDue) {
+      SweepPatch(number, sweep);
+    }
+  });
+  ForBorders(pool, cluster, [&](UInt32 number) {
+    SPatchState& state = m_states[number];
+    if (state.IsDue || m_states[number + 1].IsDue) {
+      state.BorderChange = SweepContacts(m_clusters->GetPatches()[number].FirstBorder,
+                                         state.NumBorder, sweep % 2 != 0);
+    }
+  });
+  bool isDue = false;
+  float before = 0.0F;  // on the border with the patch before
+  for (UInt32 number = cluster.FirstPatch; number < cluster.EndPatch; ++number) {
+    SPatchState& state = m_states[number];
+    state.IsDue = std::max({before, state.BorderChange, state.Change}) > tolerance;
+    before = state.BorderChange;
+    isDue = isDue || state.IsDue;
+  }
+  return isDue;
+}
+
+// @return true if an overlap that is too deep may be left.
+bool CCrowdSolver::PushLargeApart(CThreadPool& pool, const SCrowdCluster& cluster, bool isFirst) {
+  float before = 0.0F;  // on the border with the patch before
+  for (UInt32 number = cluster.FirstPatch; number < cluster.EndPatch; ++number) {
+    SPatchState& state = m_states[number];
+    state.IsDue = isFirst || std::max({before, state.Deepest, state.BorderDeepest}) > m_deepEnough;
+    before = state.BorderDeepest;
+  }
+  ForPatches(pool, cluster, [&](UInt32 number) {
+    if (m_states[number].IsDue) {
+      PushApart(number);
+    }
+  });
+  ForBorders(pool, cluster, [&](UInt32 number) {
+    SPatchState& state = m_states[number];
+    if (state.IsDue || m_states[number + 1].IsDue) {
+      state.BorderDeepest =
+          PushContactsApart(m_clusters->GetPatches()[number].FirstBorder, state.NumBorder);
+    }
+  });
+  return std::any_of(m_states.begin() + cluster.FirstPatch, m_states.begin() + cluster.EndPatch,
+                     [this](const SPatchState& state) {
+                       return std::max(state.Deepest, state.BorderDeepest) > m_deepEnough;
+                     });
 }
 
 float CCrowdSolver::SweepPatch(UInt32 number, UInt32 sweep) {

@@ -121,7 +121,14 @@ class CCrowdSolver {
   };
 
   void SolveSmall(UInt32 patch);
+  template <typename VISIT>
+  static void ForPatches(CThreadPool& pool, const SCrowdCluster& cluster, VISIT&& visit);
+  template <typename VISIT>
+  static void ForBorders(CThreadPool& pool, const SCrowdCluster& cluster, VISIT&& visit);
   void SolveLarge(CThreadPool& pool, const SCrowdCluster& cluster);
+  void StartSubstep(CThreadPool& pool, const SCrowdCluster& cluster, const SSubstep& substep);
+  bool SweepLarge(CThreadPool& pool, const SCrowdCluster& cluster, UInt32 sweep, float tolerance);
+  bool PushLargeApart(CThreadPool& pool, const SCrowdCluster& cluster, bool isFirst);
   UInt32 CountSubsteps(const SCrowdPatch& patch) const;
   void FindContacts(UInt32 patch, const SSubstep& substep);
   UInt32 FindContacts(UInt32 first, UInt32 end, const SSubstep& substep, SPatchState& state);

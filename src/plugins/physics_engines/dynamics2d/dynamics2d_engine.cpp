@@ -6,11 +6,9 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/memory/load_ahead.h>
 #include <argos3/core/utility/threads/thread_pool.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/drive_motion.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/dynamics2d_body.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/dynamics2d_model.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_shapes.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_world.h>
 #include <argos3/plugins/simulator/physics_engines/planar/footprints.h>
 #include <argos3/plugins/simulator/physics_engines/planar/planar_body.h>

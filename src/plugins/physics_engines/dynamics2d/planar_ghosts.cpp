@@ -1,7 +1,6 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_ghosts.h>
 
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/overlap_solver.h>
-#include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_limits.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/planar_shapes.h>
 
 #include <cmath>

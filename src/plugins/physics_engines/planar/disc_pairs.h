@@ -1,7 +1,7 @@
 #ifndef ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_DISC_PAIRS_H
 #define ARGOS3_PLUGINS_PHYSICS_ENGINES_PLANAR_DISC_PAIRS_H
 
-#include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/spatial/counting_sort.h>
 #include <argos3/core/utility/spatial/planar_grid.h>
 #include <argos3/plugins/simulator/physics_engines/planar/cell_lists.h>
