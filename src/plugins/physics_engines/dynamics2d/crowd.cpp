@@ -11,7 +11,7 @@ namespace argos {
 namespace {
 
 // discs in a run of a thread
-constexpr size_t kMemberGrain = 1024;
+constexpr size_t kRobotGrain = 1024;
 // Greatest way on which a disc is pushed out of an overlap in a tick, in radii of the smallest
 // movable body.
 constexpr Real kMostAllowance = 0.5;
@@ -50,10 +50,10 @@ void CCrowd::Advance(CThreadPool& pool, const CDiscPairs& filter, Real longestPa
   tick.SmallestRadius = kSmallestRadiusInUnits * m_store.GetMetresPerUnit();
   tick.LongestPath = longestPath + m_allowance;
   m_solver.Start(tick, count);
-  pool.ParallelFor(count, kMemberGrain,
+  pool.ParallelFor(count, kRobotGrain,
                    [this](size_t begin, size_t end, UInt32) { FillIn(begin, end); });
   m_solver.Solve(pool, m_clusters, filter, m_lines, m_pairMemory, m_wallMemory);
-  pool.ParallelFor(count, kMemberGrain,
+  pool.ParallelFor(count, kRobotGrain,
                    [this](size_t begin, size_t end, UInt32) { TakeResults(begin, end); });
   m_solver.Remember(m_clusters, m_store.GetDriven().size(), m_pairMemory, m_wallMemory);
   m_allowance = std::min(2.0 * m_solver.GetDeepest(), kMostAllowance * m_store.GetMetresPerUnit());

@@ -28,7 +28,7 @@ constexpr size_t kRobotsForThreads = 2000;
 // bodies that a thread writes back in a run
 constexpr size_t kWriteGrain = 512;
 // bodies between prefetching and writing
-constexpr size_t kAhead = 8;
+constexpr size_t kWriteAhead = 8;
 
 }  // namespace
 
@@ -246,8 +246,9 @@ void CDynamics2DEngine::WriteBackDriven(CThreadPool& pool) {
   m_hasLeft.resize(m_world->GetNumDriven());
   pool.ParallelFor(m_world->GetNumDriven(), kWriteGrain, [this](size_t begin, size_t end, UInt32) {
     m_world->CommitDriven(begin, end, [this](const SDrivenBody& body, size_t slot) {
-      if (slot + kAhead < m_hasLeft.size()) {
-        const SPlanarOwner& ahead = m_world->GetDriven(static_cast<UInt32>(slot + kAhead)).Owner;
+      if (slot + kWriteAhead < m_hasLeft.size()) {
+        const SPlanarOwner& ahead =
+            m_world->GetDriven(static_cast<UInt32>(slot + kWriteAhead)).Owner;
         LoadAhead(*ahead.Model);
         LoadAhead(*ahead.Body);
       }

@@ -17,7 +17,7 @@ namespace {
 // robots that a thread plans in a run
 constexpr size_t kPlanGrain = 512;
 // robots between prefetching and reading what is elsewhere in memory
-constexpr size_t kAhead = 8;
+constexpr size_t kPlanAhead = 8;
 
 }  // namespace
 
@@ -161,8 +161,8 @@ Real CPlanarWorld::PlanRun(size_t begin, size_t end) {
   std::vector<SDrivenBody>& driven = m_store.GetDriven();
   Real longest = 0.0;
   for (size_t slot = begin; slot < end; ++slot) {
-    if (slot + kAhead < driven.size() && driven[slot + kAhead].Drive.HasWheels()) {
-      LoadAhead(driven[slot + kAhead].Drive.GetWheels(), 2 * sizeof(Real));
+    if (slot + kPlanAhead < driven.size() && driven[slot + kPlanAhead].Drive.HasWheels()) {
+      LoadAhead(driven[slot + kPlanAhead].Drive.GetWheels(), 2 * sizeof(Real));
     }
     longest = std::max(longest, Plan(driven[slot], static_cast<UInt32>(slot)));
   }
