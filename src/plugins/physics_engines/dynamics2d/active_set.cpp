@@ -68,10 +68,13 @@ void CActiveSet::Deactivate(UInt32 slot) {
   m_bodies.pop_back();
 }
 
-void CActiveSet::Select(const CDiscPairs& filter, CCrowd& crowd) {
+void CActiveSet::Select(const CDiscPairs& discPairs, CCrowd& crowd) {
   const std::vector<SDrivenBody>& driven = m_store.GetDriven();
+  if (!crowd.HasExcluded() && m_bodies.empty()) {
+    return;
+  }
   m_isWanted.assign(driven.size(), 0);
-  const std::vector<CDiscPairs::SDisc>& discs = filter.GetDiscs();
+  const std::vector<CDiscPairs::SDisc>& discs = discPairs.GetDiscs();
   for (UInt32 place = 0; place < discs.size(); ++place) {
     m_isWanted[discs[place].Number] = crowd.IsExcluded(place) ? 1 : 0;
   }

@@ -24,11 +24,11 @@ struct SActiveBody {
 /**
  * The robots that have a body in Box2D.
  *
- * A robot that may touch something in a tick is active: a motor of bounded force drives its Box2D
- * body along the chord of its arc, and Box2D solves its contacts. A disc is deactivated when
- * nothing is near it; robots that are not discs are always active. If Box2D has moved a robot to
- * the end of its planned arc, within some roundings, then nothing pushed it, and it gets the exact
- * pose; else it gets Box2D's.
+ * A disc is active while it is in a cluster that CCrowd leaves to Box2D: one with a movable object,
+ * a robot that is no disc, or a grip. Robots that are not discs are always active. A motor of
+ * bounded force drives the Box2D body along the chord of the robot's arc. If Box2D has moved a
+ * robot to the end of its planned arc, within some roundings, then nothing pushed it, and it gets
+ * the exact pose; else it gets Box2D's.
  */
 class CActiveSet {
  public:
@@ -49,7 +49,7 @@ class CActiveSet {
   /** Removes the Box2D body of an active robot. */
   void Deactivate(UInt32 slot);
   /** Activates the discs of excluded clusters, and deactivates the others. */
-  void Select(const CDiscPairs& filter, CCrowd& crowd);
+  void Select(const CDiscPairs& discPairs, CCrowd& crowd);
   /** To be called if another robot has got the slot of a removed one. */
   void UpdateSlot(UInt32 slot);
   /** The robot of one of GetBodies(). */

@@ -35,13 +35,13 @@ void CCrowd::ExpectOverlaps() {
   m_allowance = kMostAllowance * m_store.GetMetresPerUnit();
 }
 
-void CCrowd::AddLine(CDiscPairs& filter, UInt32 place, const SCrowdLine& line) {
-  filter.AddObstaclePair(place, kFirstLine + static_cast<UInt32>(m_lines.size()));
+void CCrowd::AddLine(CDiscPairs& discPairs, UInt32 place, const SCrowdLine& line) {
+  discPairs.AddObstaclePair(place, kFirstLine + static_cast<UInt32>(m_lines.size()));
   m_lines.push_back(line);
 }
 
-void CCrowd::Advance(CThreadPool& pool, const CDiscPairs& filter, Real longestPath, Real reach) {
-  m_clusters.Build(filter, 2.0 * (m_store.GetWidestMovable() + reach));
+void CCrowd::Advance(CThreadPool& pool, const CDiscPairs& discPairs, Real longestPath, Real reach) {
+  m_clusters.Build(discPairs, 2.0 * (m_store.GetWidestMovable() + reach));
   const size_t count = m_clusters.GetMembers().size();
   SCrowdTick tick;
   tick.Duration = m_store.GetSettings().Tick;
@@ -52,7 +52,7 @@ void CCrowd::Advance(CThreadPool& pool, const CDiscPairs& filter, Real longestPa
   m_solver.Start(tick, count);
   pool.ParallelFor(count, kRobotGrain,
                    [this](size_t begin, size_t end, UInt32) { FillIn(begin, end); });
-  m_solver.Solve(pool, m_clusters, filter, m_lines, m_pairMemory, m_wallMemory);
+  m_solver.Solve(pool, m_clusters, discPairs, m_lines, m_pairMemory, m_wallMemory);
   pool.ParallelFor(count, kRobotGrain,
                    [this](size_t begin, size_t end, UInt32) { TakeResults(begin, end); });
   m_solver.Remember(m_clusters, m_store.GetDriven().size(), m_pairMemory, m_wallMemory);

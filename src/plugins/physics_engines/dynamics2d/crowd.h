@@ -34,20 +34,21 @@ class CCrowd {
   Real GetAllowance() const { return m_allowance; }
 
   /** Starts a tick, after CDiscPairs::Find(). */
-  void Start(const CDiscPairs& filter) {
+  void Start(const CDiscPairs& discPairs) {
     m_lines.clear();
-    m_clusters.Unite(filter);
+    m_clusters.Unite(discPairs);
   }
   /** Leaves the cluster of a disc to Box2D. */
   void Exclude(UInt32 place) { m_clusters.Exclude(place); }
   bool IsExcluded(UInt32 place) { return m_clusters.IsExcluded(place); }
+  bool HasExcluded() const { return m_clusters.HasExcluded(); }
   /** Adds a line that a disc does not cross. */
-  void AddLine(CDiscPairs& filter, UInt32 place, const SCrowdLine& line);
+  void AddLine(CDiscPairs& discPairs, UInt32 place, const SCrowdLine& line);
   /**
    * Corrects the planned states of the robots that touch something.
-   * @param longestPath  of any robot in the tick, m; the reach of the filter is no less.
+   * @param longestPath  of any robot in the tick, m; the reach of the pairs is no less.
    */
-  void Advance(CThreadPool& pool, const CDiscPairs& filter, Real longestPath, Real reach);
+  void Advance(CThreadPool& pool, const CDiscPairs& discPairs, Real longestPath, Real reach);
 
  private:
   void FillIn(size_t begin, size_t end);

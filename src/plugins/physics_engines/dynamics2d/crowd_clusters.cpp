@@ -30,12 +30,13 @@ void CCrowdClusters::Reserve(size_t discs) {
   m_sort.Reserve(2 * discs, 2 * discs);
 }
 
-void CCrowdClusters::Unite(const CDiscPairs& filter) {
-  const size_t count = filter.GetDiscs().size();
+void CCrowdClusters::Unite(const CDiscPairs& discPairs) {
+  const size_t count = discPairs.GetDiscs().size();
   m_parent.resize(count);
   std::iota(m_parent.begin(), m_parent.end(), 0U);
   m_isExcluded.assign(count, 0);
-  for (const CDiscPairs::SPart& part : filter.GetParts()) {
+  m_hasExcluded = false;
+  for (const CDiscPairs::SPart& part : discPairs.GetParts()) {
     for (const CDiscPairs::SPair& pair : part.Pairs) {
       // the first place is the root
       const UInt32 a = FindRoot(pair.A);
@@ -45,21 +46,21 @@ void CCrowdClusters::Unite(const CDiscPairs& filter) {
   }
 }
 
-void CCrowdClusters::Build(const CDiscPairs& filter, Real pairReach) {
-  NumberClusters(filter);
+void CCrowdClusters::Build(const CDiscPairs& discPairs, Real pairReach) {
+  NumberClusters(discPairs);
   CutIntoStrips(pairReach);
-  SortMembers(filter);
-  SortPairs(filter);
-  SortWalls(filter);
+  SortMembers(discPairs);
+  SortPairs(discPairs);
+  SortWalls(discPairs);
 }
 
-void CCrowdClusters::NumberClusters(const CDiscPairs& filter) {
-  const std::vector<CDiscPairs::SDisc>& discs = filter.GetDiscs();
+void CCrowdClusters::NumberClusters(const CDiscPairs& discPairs) {
+  const std::vector<CDiscPairs::SDisc>& discs = discPairs.GetDiscs();
   m_clusters.clear();
   m_clusterOf.resize(discs.size());
   for (UInt32 place = 0; place < discs.size(); ++place) {
     m_clusterOf[place] = kNone;
-    if (!filter.IsNear(place)) {
+    if (!discPairs.IsNear(place)) {
       continue;
     }
     const UInt32 root = FindRoot(place);
@@ -123,8 +124,8 @@ UInt32 CCrowdClusters::ComputePatch(const CDiscPairs::SDisc& disc, const SExtent
   return cluster.FirstPatch + std::min(strip, cluster.NumStrips - 1);
 }
 
-void CCrowdClusters::SortMembers(const CDiscPairs& filter) {
-  const std::vector<CDiscPairs::SDisc>& discs = filter.GetDiscs();
+void CCrowdClusters::SortMembers(const CDiscPairs& discPairs) {
+  const std::vector<CDiscPairs::SDisc>& discs = discPairs.GetDiscs();
   m_patchOf.resize(discs.size());
   m_memberOf.resize(discs.size());
   m_sort.Start(discs.size(), m_patches.size());
@@ -151,14 +152,14 @@ void CCrowdClusters::SortMembers(const CDiscPairs& filter) {
 }
 
 // By patch; in each, those inside before those on its border with the next one.
-void CCrowdClusters::SortPairs(const CDiscPairs& filter) {
+void CCrowdClusters::SortPairs(const CDiscPairs& discPairs) {
   size_t count = 0;
-  for (const CDiscPairs::SPart& part : filter.GetParts()) {
+  for (const CDiscPairs::SPart& part : discPairs.GetParts()) {
     count += part.Pairs.size();
   }
   m_sort.Start(count, 2 * m_patches.size());
   size_t item = 0;
-  for (const CDiscPairs::SPart& part : filter.GetParts()) {
+  for (const CDiscPairs::SPart& part : discPairs.GetParts()) {
     for (const CDiscPairs::SPair& pair : part.Pairs) {
       const UInt32 a = m_patchOf[pair.A];
       const UInt32 b = m_patchOf[pair.B];
@@ -172,7 +173,7 @@ void CCrowdClusters::SortPairs(const CDiscPairs& filter) {
   }
   m_pairs.resize(m_sort.Finish());
   item = 0;
-  for (const CDiscPairs::SPart& part : filter.GetParts()) {
+  for (const CDiscPairs::SPart& part : discPairs.GetParts()) {
     for (const CDiscPairs::SPair& pair : part.Pairs) {
       if (!m_sort.IsLeftOut(item)) {
         m_pairs[m_sort.GetPlace(item)] = {m_memberOf[pair.A], m_memberOf[pair.B]};
@@ -187,14 +188,14 @@ void CCrowdClusters::SortPairs(const CDiscPairs& filter) {
   }
 }
 
-void CCrowdClusters::SortWalls(const CDiscPairs& filter) {
+void CCrowdClusters::SortWalls(const CDiscPairs& discPairs) {
   size_t count = 0;
-  for (const CDiscPairs::SPart& part : filter.GetParts()) {
+  for (const CDiscPairs::SPart& part : discPairs.GetParts()) {
     count += part.ObstaclePairs.size();
   }
   m_sort.Start(count, m_patches.size());
   size_t item = 0;
-  for (const CDiscPairs::SPart& part : filter.GetParts()) {
+  for (const CDiscPairs::SPart& part : discPairs.GetParts()) {
     for (const CDiscPairs::SObstaclePair& pair : part.ObstaclePairs) {
       if (m_patchOf[pair.Disc] == kNone) {
         m_sort.LeaveOut(item);
@@ -206,7 +207,7 @@ void CCrowdClusters::SortWalls(const CDiscPairs& filter) {
   }
   m_walls.resize(m_sort.Finish());
   item = 0;
-  for (const CDiscPairs::SPart& part : filter.GetParts()) {
+  for (const CDiscPairs::SPart& part : discPairs.GetParts()) {
     for (const CDiscPairs::SObstaclePair& pair : part.ObstaclePairs) {
       if (!m_sort.IsLeftOut(item)) {
         m_walls[m_sort.GetPlace(item)] = {m_memberOf[pair.Disc], pair.Obstacle};

@@ -48,13 +48,17 @@ class CCrowdClusters {
 
   void Reserve(size_t discs);
   /** Unites discs that can meet; after CDiscPairs::Find(). */
-  void Unite(const CDiscPairs& filter);
+  void Unite(const CDiscPairs& discPairs);
   /** Leaves out the cluster of a disc; between Unite() and Build(). */
-  void Exclude(UInt32 place) { m_isExcluded[FindRoot(place)] = 1; }
+  void Exclude(UInt32 place) {
+    m_isExcluded[FindRoot(place)] = 1;
+    m_hasExcluded = true;
+  }
+  bool HasExcluded() const { return m_hasExcluded; }
   /** Is the disc in an excluded cluster? */
   bool IsExcluded(UInt32 place) { return m_isExcluded[FindRoot(place)] != 0; }
   /** Lists the clusters that are not excluded. */
-  void Build(const CDiscPairs& filter, Real reach);
+  void Build(const CDiscPairs& discPairs, Real reach);
 
   const std::vector<SMember>& GetMembers() const { return m_members; }
   const std::vector<SPair>& GetPairs() const { return m_pairs; }
@@ -84,15 +88,16 @@ class CCrowdClusters {
     }
     return place;
   }
-  void NumberClusters(const CDiscPairs& filter);
+  void NumberClusters(const CDiscPairs& discPairs);
   void CutIntoStrips(Real pairReach);
   UInt32 ComputePatch(const CDiscPairs::SDisc& disc, const SExtent& cluster) const;
-  void SortMembers(const CDiscPairs& filter);
-  void SortPairs(const CDiscPairs& filter);
-  void SortWalls(const CDiscPairs& filter);
+  void SortMembers(const CDiscPairs& discPairs);
+  void SortPairs(const CDiscPairs& discPairs);
+  void SortWalls(const CDiscPairs& discPairs);
 
   std::vector<UInt32> m_parent;  // by place
   std::vector<UInt8> m_isExcluded;  // by place of the root
+  bool m_hasExcluded = false;
   std::vector<UInt32> m_clusterOf;  // by place; kNone: in no cluster
   std::vector<SExtent> m_clusters;
   std::vector<UInt32> m_patchOf;  // by place; kNone: in no cluster

@@ -84,7 +84,7 @@ SSeparation CCrowdSolver::SeparateFromWall(const CCrowdClusters::SWall& wall,
   const Real radius = static_cast<Real>(m_discs[wall.Disc].Radius);
   if (wall.Obstacle < kFirstLine) {
     return SeparateFromFootprint(position.X, position.Y, radius, step,
-                                 m_filter->GetObstacle(wall.Obstacle));
+                                 m_discPairs->GetObstacle(wall.Obstacle));
   }
   const SCrowdLine& line = (*m_lines)[wall.Obstacle - kFirstLine];
   SSeparation separation;
@@ -166,30 +166,15 @@ void CCrowdSolver::StartDrives(UInt32 number, const SSubstep& substep) {
 
 void CCrowdSolver::WarmStart(UInt32 first, UInt32 count) {
   for (UInt32 i = first; i < first + count; ++i) {
-    const SContact& contact = m_contacts[i];
-    if (contact.Normal == 0.0F) {
-      continue;
+    if (m_contacts[i].Normal > 0.0F) {
+      ApplyImpulse(m_contacts[i], m_contacts[i].Normal, m_contacts[i].Tangent);
     }
-    SCrowdDisc& a = m_discs[contact.A];
-    SCrowdDisc& b = m_discs[contact.B];
-    const float x = contact.Normal * contact.NX - contact.Tangent * contact.NY;
-    const float y = contact.Normal * contact.NY + contact.Tangent * contact.NX;
-    a.VX -= a.InverseMass * x;
-    a.VY -= a.InverseMass * y;
-    a.W -= a.InverseInertia * a.Radius * contact.Tangent;
-    b.VX += b.InverseMass * x;
-    b.VY += b.InverseMass * y;
-    b.W -= b.InverseInertia * b.Radius * contact.Tangent;
   }
 }
 
 void CCrowdSolver::WarmStartWalls(UInt32 first, UInt32 count) {
   for (UInt32 i = first; i < first + count; ++i) {
-    const SWallContact& contact = m_wallContacts[i];
-    SCrowdDisc& disc = m_discs[contact.Disc];
-    disc.VX -= disc.InverseMass * (contact.Normal * contact.NX - contact.Tangent * contact.NY);
-    disc.VY -= disc.InverseMass * (contact.Normal * contact.NY + contact.Tangent * contact.NX);
-    disc.W -= disc.InverseInertia * disc.Radius * contact.Tangent;
+    ApplyImpulse(m_wallContacts[i], m_wallContacts[i].Normal, m_wallContacts[i].Tangent);
   }
 }
 

@@ -50,10 +50,10 @@ void CCrowdSolver::Start(const SCrowdTick& tick, size_t discs) {
 }
 
 void CCrowdSolver::Solve(CThreadPool& pool, const CCrowdClusters& clusters,
-                         const CDiscPairs& filter, const std::vector<SCrowdLine>& lines,
+                         const CDiscPairs& discPairs, const std::vector<SCrowdLine>& lines,
                          const CContactMemory& pairMemory, const CContactMemory& wallMemory) {
   m_clusters = &clusters;
-  m_filter = &filter;
+  m_discPairs = &discPairs;
   m_lines = &lines;
   const auto& members = clusters.GetMembers();
   const auto& pairs = clusters.GetPairs();
@@ -291,9 +291,21 @@ float CCrowdSolver::SweepDrives(UInt32 first, UInt32 end) {
   return greatest;
 }
 
+void CCrowdSolver::ApplyImpulse(const SContact& contact, float normal, float tangent) {
+  const float x = normal * contact.NX - tangent * contact.NY;
+  const float y = normal * contact.NY + tangent * contact.NX;
+  m_discs[contact.A].ApplyImpulse(-x, -y, -tangent);
+  m_discs[contact.B].ApplyImpulse(x, y, -tangent);
+}
+
+void CCrowdSolver::ApplyImpulse(const SWallContact& contact, float normal, float tangent) {
+  m_discs[contact.Disc].ApplyImpulse(-(normal * contact.NX - tangent * contact.NY),
+                                     -(normal * contact.NY + tangent * contact.NX), -tangent);
+}
+
 float CCrowdSolver::SolveContact(SContact& contact) {
-  SCrowdDisc& a = m_discs[contact.A];
-  SCrowdDisc& b = m_discs[contact.B];
+  const SCrowdDisc& a = m_discs[contact.A];
+  const SCrowdDisc& b = m_discs[contact.B];
   const float x = b.VX - a.VX;
   const float y = b.VY - a.VY;
   const float approach = -(x * contact.NX + y * contact.NY);
@@ -310,14 +322,7 @@ float CCrowdSolver::SolveContact(SContact& contact) {
   const float tangent = std::clamp(contact.Tangent - slip * contact.TangentMass, -most, most);
   const float changeT = tangent - contact.Tangent;
   contact.Tangent = tangent;
-  const float impulseX = changeN * contact.NX - changeT * contact.NY;
-  const float impulseY = changeN * contact.NY + changeT * contact.NX;
-  a.VX -= a.InverseMass * impulseX;
-  a.VY -= a.InverseMass * impulseY;
-  a.W -= a.InverseInertia * a.Radius * changeT;
-  b.VX += b.InverseMass * impulseX;
-  b.VY += b.InverseMass * impulseY;
-  b.W -= b.InverseInertia * b.Radius * changeT;
+  ApplyImpulse(contact, changeN, changeT);
   return std::abs(changeN) / contact.Mass;
 }
 
@@ -334,7 +339,7 @@ float CCrowdSolver::SweepWalls(UInt32 first, UInt32 count) {
   float greatest = 0.0F;
   for (UInt32 i = first; i < first + count; ++i) {
     SWallContact& contact = m_wallContacts[i];
-    SCrowdDisc& disc = m_discs[contact.Disc];
+    const SCrowdDisc& disc = m_discs[contact.Disc];
     const float mass = 1.0F / disc.InverseMass;
     const float approach = disc.VX * contact.NX + disc.VY * contact.NY;
     const float normal = std::max(0.0F, contact.Normal + (approach - contact.Approach) * mass);
@@ -348,9 +353,7 @@ float CCrowdSolver::SweepWalls(UInt32 first, UInt32 count) {
     const float tangent = std::clamp(contact.Tangent - slip * tangentMass, -most, most);
     const float changeT = tangent - contact.Tangent;
     contact.Tangent = tangent;
-    disc.VX -= disc.InverseMass * (changeN * contact.NX - changeT * contact.NY);
-    disc.VY -= disc.InverseMass * (changeN * contact.NY + changeT * contact.NX);
-    disc.W -= disc.InverseInertia * disc.Radius * changeT;
+    ApplyImpulse(contact, changeN, changeT);
     greatest = std::max(greatest, std::abs(changeN) * disc.InverseMass);
   }
   return greatest;

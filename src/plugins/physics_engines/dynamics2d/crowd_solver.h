@@ -18,6 +18,13 @@ struct SCrowdDisc {
   float InverseMass = 0.0F;  // 1/kg
   float InverseInertia = 0.0F;  // 1/(kg m^2)
   float Radius = 0.0F;  // m
+
+  /** @param x,y  impulse, N s. @param turn  impulse along the rim, anticlockwise, N s. */
+  void ApplyImpulse(float x, float y, float turn) {
+    VX += InverseMass * x;
+    VY += InverseMass * y;
+    W += InverseInertia * Radius * turn;
+  }
 };
 
 /** The drive of a disc: what it aims at, and the bounds of its impulses. */
@@ -79,7 +86,7 @@ class CCrowdSolver {
    * Moves all discs by one tick.
    * @param lines  what obstacles from kFirstLine on are.
    */
-  void Solve(CThreadPool& pool, const CCrowdClusters& clusters, const CDiscPairs& filter,
+  void Solve(CThreadPool& pool, const CCrowdClusters& clusters, const CDiscPairs& discPairs,
              const std::vector<SCrowdLine>& lines, const CContactMemory& pairMemory,
              const CContactMemory& wallMemory);
   /** After Solve(): has anything pushed the disc? */
@@ -137,6 +144,8 @@ class CCrowdSolver {
   void StartDrives(UInt32 patch, const SSubstep& substep);
   void WarmStart(UInt32 first, UInt32 count);
   void WarmStartWalls(UInt32 first, UInt32 count);
+  void ApplyImpulse(const SContact& contact, float normal, float tangent);
+  void ApplyImpulse(const SWallContact& contact, float normal, float tangent);
   float SweepDrives(UInt32 first, UInt32 end);
   float SweepContacts(UInt32 first, UInt32 count, bool backwards);
   float SweepWalls(UInt32 first, UInt32 count);
@@ -154,7 +163,7 @@ class CCrowdSolver {
   float m_deepEnough = 0.0F;  // m
   Real m_slop = 0.0;  // m
   const CCrowdClusters* m_clusters = nullptr;
-  const CDiscPairs* m_filter = nullptr;
+  const CDiscPairs* m_discPairs = nullptr;
   const std::vector<SCrowdLine>* m_lines = nullptr;
   // by member
   std::vector<SCrowdDisc> m_discs;

@@ -34,17 +34,17 @@ class CWaker : public b2QueryCallback {
 
 }  // namespace
 
-void CPlanarGhosts::Place(CDiscPairs& filter, CCrowd& crowd, Real reach, Real longestPath) {
+void CPlanarGhosts::Place(CDiscPairs& discPairs, CCrowd& crowd, Real reach, Real longestPath) {
   for (const SGhostDisc& ghost : m_ghosts) {
     m_nearGhost.clear();
-    filter.ForNear(ghost.X, ghost.Y, ghost.Radius + reach,
-                   [this](UInt32 place) { m_nearGhost.push_back(place); });
+    discPairs.ForNear(ghost.X, ghost.Y, ghost.Radius + reach,
+                      [this](UInt32 place) { m_nearGhost.push_back(place); });
     for (const UInt32 place : m_nearGhost) {
-      const SDrivenBody& body = m_store.GetDriven(filter.GetDiscs()[place].Number);
+      const SDrivenBody& body = m_store.GetDriven(discPairs.GetDiscs()[place].Number);
       if (body.IsActive()) {
         PlaceFace(ghost, body, longestPath);
       } else {
-        PlaceLine(ghost, place, filter, crowd);
+        PlaceLine(ghost, place, discPairs, crowd);
       }
     }
     for (const SActiveBody& active : m_active.GetBodies()) {
@@ -61,9 +61,9 @@ void CPlanarGhosts::Place(CDiscPairs& filter, CCrowd& crowd, Real reach, Real lo
 }
 
 // half-way between the ghost and the robot, across the line between their centres
-void CPlanarGhosts::PlaceLine(const SGhostDisc& ghost, UInt32 place, CDiscPairs& filter,
+void CPlanarGhosts::PlaceLine(const SGhostDisc& ghost, UInt32 place, CDiscPairs& discPairs,
                               CCrowd& crowd) {
-  const CDiscPairs::SDisc& disc = filter.GetDiscs()[place];
+  const CDiscPairs::SDisc& disc = discPairs.GetDiscs()[place];
   const Real dx = ghost.X - disc.X;
   const Real dy = ghost.Y - disc.Y;
   const Real distance = std::hypot(dx, dy);
@@ -72,7 +72,7 @@ void CPlanarGhosts::PlaceLine(const SGhostDisc& ghost, UInt32 place, CDiscPairs&
   }
   const Real gap = distance - ghost.Radius - disc.Radius;
   const Real share = (disc.Radius + 0.5 * gap) / distance;
-  crowd.AddLine(filter, place,
+  crowd.AddLine(discPairs, place,
                 {dx / distance, dy / distance, disc.X + share * dx, disc.Y + share * dy});
 }
 

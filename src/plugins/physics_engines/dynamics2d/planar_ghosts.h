@@ -39,12 +39,12 @@ class CPlanarGhosts {
    * @param reach        of discs in the tick, m.
    * @param longestPath  of any movable body in the tick, m.
    */
-  void Place(CDiscPairs& filter, CCrowd& crowd, Real reach, Real longestPath);
+  void Place(CDiscPairs& discPairs, CCrowd& crowd, Real reach, Real longestPath);
   /** After the tick: removes them. */
   void Remove();
 
  private:
-  void PlaceLine(const SGhostDisc& ghost, UInt32 place, CDiscPairs& filter, CCrowd& crowd);
+  void PlaceLine(const SGhostDisc& ghost, UInt32 place, CDiscPairs& discPairs, CCrowd& crowd);
   void PlaceFace(const SGhostDisc& ghost, const SDrivenBody& body, Real longestPath);
   void PlaceDisc(const SGhostDisc& ghost, Real longestPath);
   b2Body& CreateGhostBody(const SPlanarPose& pose, UInt32 partner);

@@ -68,6 +68,7 @@ class CPlanarGrips {
                       CGripperEquippedEntity* gripper, CTurretEntity* turret);
   /** Releases every grip of a body, and removes its gripper and turret. */
   void Remove(const SPlanarHandle& handle);
+  bool HasManipulators() const { return !m_manipulators.empty(); }
   /** Creates the bodies and joints that all grips need, for CPlanarWorld::ReserveForTick(). */
   void CreateSpares(std::vector<b2Body*>& spares);
 

@@ -46,9 +46,10 @@ constexpr UInt32 kFewSubsteps = 4;
 constexpr int kPositionIterations = 1;
 
 /**
- * A robot is activated if its distance to another body may fall below kProximitySlack in the tick,
- * and deactivated if it stays above kProximitySlack + kGuardMargin; both in radii of the smallest
- * movable body. The slack covers rounding errors, and the corrections of other robots' overlaps.
+ * Two bodies may meet in a tick if their distance may fall below kProximitySlack in it. A disc that
+ * has a body in Box2D keeps it while the distance to what Box2D must solve may fall below
+ * kProximitySlack + kGuardMargin. Both in radii of the smallest movable body. The slack covers
+ * rounding errors, and the corrections of other robots' overlaps.
  */
 constexpr Real kProximitySlack = 0.02;
 constexpr Real kGuardMargin = 0.3;
