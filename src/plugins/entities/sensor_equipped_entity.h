@@ -89,6 +89,8 @@ class CSensorEquippedEntity : public CEntity {
     }
     return *m_layout;
   }
+  /** Where GetLayout() begins to read, to prefetch it. */
+  const void* GetLayoutAddress() const { return &m_layout; }
   /** The anchors that the layout refers to by index. */
   const SAnchor* const* GetAnchors() const { return m_anchors.data(); }
 

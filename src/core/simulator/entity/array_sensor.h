@@ -3,9 +3,16 @@
 
 #include <argos3/core/simulator/entity/sensor.h>
 
+#include <vector>
+
 namespace argos {
 
-/** Base of simulated sensors whose readings are in an array apart from the sensor. */
+/**
+ * Base of simulated sensors that work on memory apart from the sensor, which the tick prefetches.
+ *
+ * The functions are called only after the robots of the space have changed, so an array that is
+ * reallocated later is not prefetched.
+ */
 class CArraySensor : public CSimulatedSensor {
  public:
   struct SArray {
@@ -13,11 +20,10 @@ class CArraySensor : public CSimulatedSensor {
     UInt32 Bytes;
   };
 
-  /**
-   * The array that Update() writes to, which the tick prefetches. Called only after the robots of
-   * the space have changed, so an array that is reallocated later is not prefetched.
-   */
+  /** The array that Update() writes to. */
   virtual SArray GetReadingsArray() const = 0;
+  /** Appends what else Update() reads for this robot only. */
+  virtual void ListInputs(std::vector<SArray>& /*inputs*/) const {}
 
  protected:
   template <typename CONTAINER>

@@ -146,9 +146,14 @@ class CControllableEntity : public CEntity {
   void ListDevices();
   void DropController();
 
-  // what the tick iterates over, in alphabetical order; filled once after creation
+  // What the tick reads is together, from m_pcController to the points below.
+  // the devices in alphabetical order; filled once after creation
   std::vector<CSimulatedActuator*, CSlabAllocator<CSimulatedActuator*>> m_actuators;
   std::vector<SSensorEntry, CSlabAllocator<SSensorEntry>> m_sensors;
+  EOnError m_onError = EOnError::EndRun;
+  bool m_isStopped = false;
+  bool m_haveDevicesFailed = false;
+  bool m_isQuarantined = false;
 
  protected:
   std::vector<std::pair<bool, CRay3>> m_vecCheckedRays;
@@ -164,10 +169,6 @@ class CControllableEntity : public CEntity {
   const SControllerSetup* m_setup = nullptr;  // of the controller
   std::unique_ptr<SLateController> m_lateController;
   UInt32 m_numControllers = 0;
-  EOnError m_onError = EOnError::EndRun;
-  bool m_isStopped = false;
-  bool m_haveDevicesFailed = false;
-  bool m_isQuarantined = false;
 };
 
 }  // namespace argos

@@ -13,6 +13,7 @@
 namespace argos {
 
 class CBodyIndex;
+class CLookAhead;
 struct SBodyDescription;
 
 /**
@@ -155,6 +156,7 @@ class CEmbodiedEntity : public CEntity {
  private:
   [[noreturn]] void ThrowNotFinite(const CVector3& position, const CQuaternion& orientation) const;
   friend struct SAnchor;
+  friend class CLookAhead;
   void MoveModelsTo(const CVector3& position, const CQuaternion& orientation);
   void NotifyIndex();
   void ResetLinks();

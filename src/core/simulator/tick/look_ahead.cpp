@@ -12,9 +12,11 @@ namespace {
 
 // robots between two stages: they take about as long as one access to memory
 constexpr size_t kStep = 8;
-// bytes from the beginning of a device or controller that most of them use in every tick
-constexpr size_t kDeviceBytes = 128;
-constexpr size_t kControllerBytes = sizeof(CCI_Controller) + 96;
+// bytes that most devices and controllers use in every tick, from their beginning; of a controller
+// also from the end of its base
+constexpr size_t kSensorBytes = 160;
+constexpr size_t kActuatorBytes = 80;
+constexpr size_t kControllerBytes = 96;
 // m; how far most sensors reach from the surface of the robot
 constexpr Real kReach = 0.1;
 // with fewer robots, what a tick reads of them fits into the second-level cache of most processors
@@ -24,12 +26,12 @@ void LoadBetween(const void* begin, const void* end) {
   LoadAhead(begin, static_cast<const char*>(end) - static_cast<const char*>(begin));
 }
 
-const SAnchor* FindOrigin(CControllableEntity& robot) {
+const CEmbodiedEntity* FindBody(CControllableEntity& robot) {
   auto* const root = dynamic_cast<CComposableEntity*>(&robot.GetRootEntity());
   if (root != nullptr) {
     for (CEntity* component : root->GetExistingComponents()) {
       if (auto* const body = dynamic_cast<CEmbodiedEntity*>(component)) {
-        return &body->GetOriginAnchor();
+        return body;
       }
     }
   }
@@ -51,20 +53,32 @@ void CLookAhead::SetRobots(const std::vector<CControllableEntity*>& robots) {
     for (const auto& sensor : robot->m_sensors) {
       if (const auto* const withArray = dynamic_cast<const CArraySensor*>(sensor.Simulated)) {
         m_arrays.push_back(withArray->GetReadingsArray());
+        withArray->ListInputs(m_arrays);
       }
     }
-    m_robots.push_back({FindOrigin(*robot), static_cast<UInt32>(m_arrays.size())});
+    if (const CEmbodiedEntity* const body = FindBody(*robot)) {
+      m_arrays.push_back({&body->m_bodyNumber, sizeof(UInt32)});
+      m_robots.push_back({&body->GetOriginAnchor(), static_cast<UInt32>(m_arrays.size())});
+    } else {
+      m_robots.push_back({nullptr, static_cast<UInt32>(m_arrays.size())});
+    }
   }
+}
+
+// what the tick reads of a robot
+void CLookAhead::LoadHead(const CControllableEntity& robot) {
+  LoadAhead(&robot, 1);  // its virtual functions
+  LoadBetween(&robot.m_pcController, &robot.m_vecIntersectionPoints + 1);
 }
 
 void CLookAhead::BeforeAct(size_t number) const {
   if (number + 3 * kStep >= m_robots.size()) {
     return;
   }
-  LoadAhead(&GetRobot(number + 3 * kStep), sizeof(CControllableEntity));
+  LoadHead(GetRobot(number + 3 * kStep));
   LoadAhead(GetRobot(number + 2 * kStep).m_actuators.data(), 1);
   for (const CSimulatedActuator* actuator : GetRobot(number + kStep).m_actuators) {
-    LoadAhead(actuator, kDeviceBytes);
+    LoadAhead(actuator, kActuatorBytes);
   }
 }
 
@@ -73,25 +87,26 @@ void CLookAhead::BeforeSense(size_t number, const CBodyIndex& index) const {
     return;
   }
   const SAnchor* const farOrigin = m_robots[number + 3 * kStep].Origin;
-  LoadAhead(&GetRobot(number + 3 * kStep), sizeof(CControllableEntity));
+  LoadHead(GetRobot(number + 3 * kStep));
   if (farOrigin != nullptr) {
-    LoadAhead(farOrigin, sizeof(SAnchor));
+    LoadAhead(farOrigin, sizeof(SBodyPose));
   }
 
   const CControllableEntity& middle = GetRobot(number + 2 * kStep);
   LoadAhead(middle.m_sensors.data(), 1);
   LoadAhead(middle.m_actuators.data(), 1);
   if (middle.m_pcController != nullptr) {
-    LoadAhead(middle.m_pcController, kControllerBytes);
+    LoadAhead(middle.m_pcController, 1);
+    LoadAhead(middle.m_pcController + 1, kControllerBytes);
   }
   LoadAround(m_robots[number + 2 * kStep], index, false);
 
   const CControllableEntity& near = GetRobot(number + kStep);
   for (const auto& sensor : near.m_sensors) {
-    LoadAhead(sensor.Simulated, kDeviceBytes);
+    LoadAhead(sensor.Simulated, kSensorBytes);
   }
   for (const CSimulatedActuator* actuator : near.m_actuators) {
-    LoadAhead(actuator, kDeviceBytes);
+    LoadAhead(actuator, kActuatorBytes);
   }
   LoadAround(m_robots[number + kStep], index, true);
   const UInt32 endOfArrays = m_robots[number + kStep].EndOfArrays;

@@ -39,13 +39,14 @@ class CLookAhead {
     const SAnchor* Origin;  // of its body; null if it has none
     UInt32 EndOfArrays;  // in m_arrays; they begin where those of the robot before end
   };
+  static void LoadHead(const CControllableEntity& robot);
   void LoadAround(const SRobot& robot, const CBodyIndex& index, bool lists) const;
 
   const CControllableEntity& GetRobot(size_t number) const { return *(*m_controllables)[number]; }
 
   const std::vector<CControllableEntity*>* m_controllables = nullptr;  // in the order of the loops
   std::vector<SRobot> m_robots;  // in the same order; empty if there are few
-  std::vector<CArraySensor::SArray> m_arrays;  // of the robots' sensors
+  std::vector<CArraySensor::SArray> m_arrays;  // that the robots' sensors read and write
 };
 
 }  // namespace argos

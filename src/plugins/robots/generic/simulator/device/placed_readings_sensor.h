@@ -48,6 +48,11 @@ class CPlacedReadingsSensor : public CArraySensor, public INTERFACE {
     m_reader.Reset();
   }
   CArraySensor::SArray GetReadingsArray() const override { return ArrayOf(this->m_tReadings); }
+  void ListInputs(std::vector<CArraySensor::SArray>& inputs) const override {
+    if constexpr (requires { m_reader.ListInputs(inputs); }) {
+      m_reader.ListInputs(inputs);
+    }
+  }
 
  protected:
   /** Number of sensors, of the reader's kind, that the robot must have. */
@@ -76,6 +81,11 @@ class CPlainReadingsSensor : public CArraySensor, public INTERFACE {
     m_reader.Reset();
   }
   CArraySensor::SArray GetReadingsArray() const override { return ArrayOf(this->m_tReadings); }
+  void ListInputs(std::vector<CArraySensor::SArray>& inputs) const override {
+    if constexpr (requires { m_reader.ListInputs(inputs); }) {
+      m_reader.ListInputs(inputs);
+    }
+  }
 
  protected:
   READER m_reader;

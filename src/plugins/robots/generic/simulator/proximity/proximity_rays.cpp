@@ -2,7 +2,6 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
-#include <argos3/core/simulator/entity/embodied_entity.h>
 
 namespace argos {
 
@@ -18,16 +17,16 @@ void CProximityRays::Init(TConfigurationNode& tree) {
                {m_readsNoiseLevel ? ReadNoiseLevel(tree) : CRange<Real>()});
 }
 
-SRayBounds CProximityRays::ComputeBounds(size_t first, size_t count) const {
+SRayBounds CProximityRays::ComputeBounds() const {
   const SRayLayout& layout = m_sensors->GetLayout();
   SRayBounds bounds = layout;
   if (m_range == HUGE_VAL || m_showRays || !layout.Planar) {
     return bounds;
   }
   Real square = 0.0;  // m^2; of the distance of the farthest start from the centre
-  for (size_t i = first; i < first + count; ++i) {
-    const Real x = layout.Rays[i].Offset.GetX() - layout.CenterX;
-    const Real y = layout.Rays[i].Offset.GetY() - layout.CenterY;
+  for (const auto& ray : layout.Rays) {
+    const Real x = ray.Offset.GetX() - layout.CenterX;
+    const Real y = ray.Offset.GetY() - layout.CenterY;
     square = std::max(square, x * x + y * y);
   }
   constexpr Real kMore = 1.0 + 1e-9;  // tolerates rounding
@@ -41,9 +40,9 @@ void CProximityRays::Cast(size_t first, size_t count, Real* fractions) {
   if (&layout != m_layout) {
     m_layout = &layout;
     m_anchor = anchors[layout.Rays.front().Anchor];
+    m_bounds = ComputeBounds();
   }
-  const SRayBounds bounds = ComputeBounds(first, count);
-  const SRayBundle bundle{&layout.Rays[first], count, bounds, anchors, *m_anchor};
+  const SRayBundle bundle{&layout.Rays[first], count, m_bounds, anchors, *m_anchor};
   m_caster.Cast(bundle, fractions);
   if (m_showRays) {
     m_caster.Show(bundle, fractions);

@@ -1,6 +1,7 @@
 #ifndef ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_PROXIMITY_PROXIMITY_RAYS_H
 #define ARGOS3_PLUGINS_ROBOTS_GENERIC_SIMULATOR_PROXIMITY_PROXIMITY_RAYS_H
 
+#include <argos3/core/simulator/entity/array_sensor.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
 #include <argos3/plugins/robots/generic/simulator/noise.h>
 #include <argos3/plugins/robots/generic/simulator/ray_caster.h>
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace argos {
 
@@ -43,6 +45,10 @@ class CProximityRays {
   void SetRange(Real range) { m_range = range; }
 
   size_t GetNumSensors() const { return m_sensors->GetNumSensors(); }
+  /** See CArraySensor::ListInputs(). */
+  void ListInputs(std::vector<CArraySensor::SArray>& inputs) const {
+    inputs.push_back({m_sensors->GetLayoutAddress(), sizeof(void*)});
+  }
 
   /** For sensors whose derived classes find the robot's parts themselves. */
   CRayCaster& GetCaster() { return m_caster; }
@@ -79,16 +85,17 @@ class CProximityRays {
  private:
   /** @param fractions  (count) as CRayCaster::Cast() gives them. */
   void Cast(size_t first, size_t count, Real* fractions);
-  /** Of the part of the rays that is within the range. */
-  SRayBounds ComputeBounds(size_t first, size_t count) const;
+  /** Of the parts of all rays that are within the range. */
+  SRayBounds ComputeBounds() const;
   /** Of a ray, m. */
   Real ComputeLength(size_t ray) const {
     return m_sensors->GetLayout().Rays[ray].Direction.Length();
   }
 
   CProximitySensorEquippedEntity* m_sensors = nullptr;  // of the robot
-  const SRayLayout* m_layout = nullptr;  // the layout for which m_anchor is valid
+  const SRayLayout* m_layout = nullptr;  // the layout for which the next two are valid
   const SAnchor* m_anchor = nullptr;  // of the first ray
+  SRayBounds m_bounds;
   CRayCaster m_caster;
   CDeviceNoise m_noise;
   Real m_range = HUGE_VAL;  // m
