@@ -65,15 +65,11 @@ TEST_CASE("active set: the discs of excluded clusters are active", "[dynamics2d]
   scene.AddRobot(6.0, 0.0);  // can meet the next one; neither is excluded
   scene.AddRobot(6.1, 0.0);
   scene.Active.Activate(3);
-  CThreadPool pool(0, std::make_unique<CBalanceQuantitySchedule>());
-  CDiscPairs filter;
-  CCrowd crowd(scene.Store);
-  scene.FindPairs(pool, filter, 0.01);
-  crowd.Start(filter);
+  scene.StartCrowd(0.01);
   for (const Real x : {0.1, 2.0}) {
-    filter.ForNear(x, 0.0, -0.055, [&crowd](UInt32 place) { crowd.Exclude(place); });
+    scene.Pairs.ForNear(x, 0.0, -0.055, [&scene](UInt32 place) { scene.Crowd.Exclude(place); });
   }
-  scene.Active.Select(filter, crowd);
+  scene.Active.Select(scene.Pairs, scene.Crowd);
 
   CHECK(scene.Store.GetDriven()[0].IsActive());
   CHECK(scene.Store.GetDriven()[1].IsActive());

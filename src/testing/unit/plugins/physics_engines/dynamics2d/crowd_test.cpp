@@ -16,11 +16,6 @@ constexpr Real kPath = 0.05;  // m, longest of a tick
 
 /** Robots of 0.5 kg and radius 5 cm, with drives of 1 N and 1 N m unless they are weakened. */
 struct SCrowdScene : CPlanarScene {
-  CThreadPool Pool{0, std::make_unique<CBalanceQuantitySchedule>()};
-  CDiscPairs Pairs;
-  CCrowd Crowd{Store};
-  std::vector<SCrowdLine> Lines;  // for the first disc
-
   /** Robots without a drive. */
   void DisableDrives() {
     for (SDrivenBody& body : Store.GetDriven()) {
@@ -29,10 +24,7 @@ struct SCrowdScene : CPlanarScene {
   }
   void Tick() {
     for (SDrivenBody& body : Store.GetDriven()) {
-      body.NextCommand = body.Drive.Read();
-      const SArc arc = FollowArc(body.Pose, body.NextCommand, kTick);
-      body.NextPose = arc.End;
-      body.NextVelocity = {arc.DX / kTick, arc.DY / kTick, body.NextCommand.YawRate};
+      Plan(body);
       if (body.MaxSpeedChange == 0.0) {
         // without a drive
         body.NextVelocity = body.Velocity;
@@ -45,8 +37,7 @@ struct SCrowdScene : CPlanarScene {
       Pairs.SetObstacles(Store.ListObstacles());
       Crowd.ForgetObstacles();
     }
-    FindPairs(Pool, Pairs, kPath);
-    Crowd.Start(Pairs);
+    StartCrowd(kPath);
     Crowd.Advance(Pool, Pairs, kPath, kPath);
     for (SDrivenBody& body : Store.GetDriven()) {
       body.Pose = body.NextPose;

@@ -10,29 +10,23 @@ namespace {
 
 constexpr Real kPath = 0.03;  // m, longest of a tick
 
-/** A scene with a crowd and ghosts. */
+/** A scene with ghosts. */
 struct SGhostScene : CPlanarScene {
-  CThreadPool Pool{0, std::make_unique<CBalanceQuantitySchedule>()};
-  CDiscPairs Filter;
-  CCrowd Crowd{Store};
   CPlanarGhosts Ghosts{Store, Active};
 
   /** Finds the robots that can meet something, and places the ghosts of a tick. */
   void Place(const std::vector<SGhostDisc>& discs) {
-    FindPairs(Pool, Filter, kPath);
-    Crowd.Start(Filter);
+    StartCrowd(kPath);
     Ghosts.Set(discs);
-    Ghosts.Place(Filter, Crowd, kPath, kPath);
+    Ghosts.Place(Pairs, Crowd, kPath, kPath);
   }
   /** One tick of the robots without a body in Box2D. */
   void Advance() {
     for (SDrivenBody& body : Store.GetDriven()) {
-      body.Command = body.NextCommand = body.Drive.Read();
-      const SArc arc = FollowArc(body.Pose, body.Command, kTick);
-      body.NextPose = arc.End;
-      body.NextVelocity = {arc.DX / kTick, arc.DY / kTick, body.NextCommand.YawRate};
+      Plan(body);
+      body.Command = body.NextCommand;
     }
-    Crowd.Advance(Pool, Filter, kPath, kPath);
+    Crowd.Advance(Pool, Pairs, kPath, kPath);
   }
 };
 

@@ -5,9 +5,12 @@
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics2d/active_set.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics2d/crowd.h>
+#include <argos3/plugins/simulator/physics_engines/planar/disc_pairs.h>
 
 #include <array>
 #include <deque>
+#include <memory>
 #include <string>
 
 namespace argos {
@@ -84,24 +87,31 @@ class CPlanarScene {
   SDrivenBody& GetDriven(const SBody& body) { return Store.GetDriven()[body.Handle.Slot]; }
   SPassiveBody& GetPassive(const SBody& body) { return Store.GetPassive()[body.Handle.Slot]; }
 
-  /** Finds the discs that can meet within @p reach, m. */
-  void FindPairs(CThreadPool& pool, CDiscPairs& filter, Real reach) {
-    filter.Start(Store.GetDriven().size());
+  /** Finds the discs that can meet within @p reach, m, and starts a tick of the crowd. */
+  void StartCrowd(Real reach) {
+    Pairs.Start(Store.GetDriven().size());
     for (UInt32 slot = 0; slot < Store.GetDriven().size(); ++slot) {
       const SDrivenBody& body = Store.GetDriven()[slot];
-      filter.Place(slot, body.Pose.X, body.Pose.Y, body.BoundingRadius);
+      Pairs.Place(slot, body.Pose.X, body.Pose.Y, body.BoundingRadius);
     }
-    filter.Find(pool, reach);
+    Pairs.Find(Pool, reach);
+    Crowd.Start(Pairs);
+  }
+
+  /** Plans a tick of a robot that meets nothing. */
+  static void Plan(SDrivenBody& body) {
+    body.NextCommand = body.Drive.Read();
+    const SArc arc = FollowArc(body.Pose, body.NextCommand, kTick);
+    body.NextPose = arc.End;
+    body.NextVelocity = {arc.DX / kTick, arc.DY / kTick, body.NextCommand.YawRate};
   }
 
   /** Plans the arcs of active robots, and steps the Box2D world. */
   void Drive(UInt32 substeps) {
     for (const SActiveBody& active : Active.GetBodies()) {
       SDrivenBody& body = Store.GetDriven()[active.Slot];
-      body.Command = body.NextCommand = body.Drive.Read();
-      const SArc arc = FollowArc(body.Pose, body.Command, kTick);
-      body.NextPose = arc.End;
-      body.NextVelocity = {arc.DX / kTick, arc.DY / kTick, body.Command.YawRate};
+      Plan(body);
+      body.Command = body.NextCommand;
     }
     Active.StartTick();
     for (UInt32 substep = 0; substep < substeps; ++substep) {
@@ -113,8 +123,11 @@ class CPlanarScene {
   }
 
   std::deque<SBody> Bodies;
+  CThreadPool Pool{0, std::make_unique<CBalanceQuantitySchedule>()};
   CPlanarStore Store;
   CActiveSet Active;
+  CDiscPairs Pairs;
+  CCrowd Crowd{Store};
 };
 
 }  // namespace argos

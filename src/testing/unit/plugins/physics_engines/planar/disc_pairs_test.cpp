@@ -1,5 +1,7 @@
 // The grid finds the same pairs that comparing each with each does.
 
+#include "random_scene.h"
+
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/physics_engines/planar/disc_pairs.h>
 
@@ -7,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <vector>
 
 namespace argos {
@@ -16,21 +17,10 @@ namespace {
 
 using TPairs = std::vector<std::pair<UInt32, UInt32>>;
 
-struct SDisc {
-  Real X, Y, Radius;
-};
-
-Real DistanceTo(const SFootprint& obstacle, Real x, Real y) {
-  const Real dx = x - obstacle.X;
-  const Real dy = y - obstacle.Y;
-  const Real along = std::abs(obstacle.Cos * dx + obstacle.Sin * dy) - obstacle.HalfX;
-  const Real across = std::abs(obstacle.Cos * dy - obstacle.Sin * dx) - obstacle.HalfY;
-  const Real outside = std::hypot(std::max(along, 0.0), std::max(across, 0.0));
-  return std::max(outside - obstacle.Radius, 0.0);
-}
+using TDiscs = std::vector<SRandomScene::SDisc>;
 
 // by number of disc, the lower one first
-TPairs PairEachWithEach(const std::vector<SDisc>& discs, Real reach) {
+TPairs PairEachWithEach(const TDiscs& discs, Real reach) {
   TPairs pairs;
   for (UInt32 i = 0; i < discs.size(); ++i) {
     for (UInt32 j = i + 1; j < discs.size(); ++j) {
@@ -43,8 +33,7 @@ TPairs PairEachWithEach(const std::vector<SDisc>& discs, Real reach) {
   return pairs;
 }
 
-TPairs FindObstacles(const std::vector<SDisc>& discs, const std::vector<SFootprint>& obstacles,
-                     Real reach) {
+TPairs FindObstacles(const TDiscs& discs, const std::vector<SFootprint>& obstacles, Real reach) {
   TPairs pairs;
   for (UInt32 i = 0; i < discs.size(); ++i) {
     for (UInt32 j = 0; j < obstacles.size(); ++j) {
@@ -56,31 +45,31 @@ TPairs FindObstacles(const std::vector<SDisc>& discs, const std::vector<SFootpri
   return pairs;
 }
 
-void Place(CDiscPairs& filter, const std::vector<SDisc>& discs) {
-  filter.Start(discs.size());
+void Place(CDiscPairs& found, const TDiscs& discs) {
+  found.Start(discs.size());
   for (UInt32 i = 0; i < discs.size(); ++i) {
-    filter.Place(i, discs[i].X, discs[i].Y, discs[i].Radius);
+    found.Place(i, discs[i].X, discs[i].Y, discs[i].Radius);
   }
 }
 
 // as found, in the order of the parts
-TPairs ListPairs(const CDiscPairs& filter) {
+TPairs ListPairs(const CDiscPairs& found) {
   TPairs pairs;
-  for (const CDiscPairs::SPart& part : filter.GetParts()) {
+  for (const CDiscPairs::SPart& part : found.GetParts()) {
     for (const CDiscPairs::SPair& pair : part.Pairs) {
-      const UInt32 a = filter.GetDiscs()[pair.A].Number;
-      const UInt32 b = filter.GetDiscs()[pair.B].Number;
+      const UInt32 a = found.GetDiscs()[pair.A].Number;
+      const UInt32 b = found.GetDiscs()[pair.B].Number;
       pairs.emplace_back(std::min(a, b), std::max(a, b));
     }
   }
   return pairs;
 }
 
-TPairs ListObstaclePairs(const CDiscPairs& filter) {
+TPairs ListObstaclePairs(const CDiscPairs& found) {
   TPairs pairs;
-  for (const CDiscPairs::SPart& part : filter.GetParts()) {
+  for (const CDiscPairs::SPart& part : found.GetParts()) {
     for (const CDiscPairs::SObstaclePair& pair : part.ObstaclePairs) {
-      pairs.emplace_back(filter.GetDiscs()[pair.Disc].Number, pair.Obstacle);
+      pairs.emplace_back(found.GetDiscs()[pair.Disc].Number, pair.Obstacle);
     }
   }
   return pairs;
@@ -103,33 +92,19 @@ TEST_CASE("disc pairs: the grid finds what comparing each with each finds", "[pl
   }
   CAPTURE(numDiscs, side, seed, threads);
   constexpr Real kReach = 0.02;
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<Real> position(-0.5 * side, 0.5 * side);
-  std::uniform_real_distribution<Real> radius(0.03, 0.12);
-  std::uniform_real_distribution<Real> angle(0.0, 6.28);
-
-  std::vector<SDisc> discs;
-  for (int i = 0; i < numDiscs; ++i) {
-    discs.push_back({position(generator), position(generator), radius(generator)});
-  }
-  std::vector<SFootprint> obstacles;
-  for (int i = 0; i < 10; ++i) {
-    const Real yaw = angle(generator);
-    const bool disc = i % 3 == 0;
-    obstacles.push_back({position(generator), position(generator), disc ? 1.0 : std::cos(yaw),
-                         disc ? 0.0 : std::sin(yaw), disc ? 0.0 : 0.1 * side, disc ? 0.0 : 0.01,
-                         disc ? radius(generator) : 0.0});
-  }
+  const SRandomScene scene(numDiscs, side, seed);
+  const TDiscs& discs = scene.Discs;
+  const std::vector<SFootprint>& obstacles = scene.Obstacles;
 
   CThreadPool pool(threads, std::make_unique<CBalanceQuantitySchedule>());
-  CDiscPairs filter;
-  filter.SetObstacles(obstacles);
-  Place(filter, discs);
-  filter.Find(pool, kReach);
+  CDiscPairs found;
+  found.SetObstacles(obstacles);
+  Place(found, discs);
+  found.Find(pool, kReach);
   const TPairs pairs = PairEachWithEach(discs, kReach);
   const TPairs obstaclePairs = FindObstacles(discs, obstacles, kReach);
-  REQUIRE(Sorted(ListPairs(filter)) == pairs);
-  REQUIRE(Sorted(ListObstaclePairs(filter)) == obstaclePairs);
+  REQUIRE(Sorted(ListPairs(found)) == pairs);
+  REQUIRE(Sorted(ListObstaclePairs(found)) == obstaclePairs);
   std::vector<bool> isNear(discs.size(), false);
   for (const auto& [a, b] : pairs) {
     isNear[a] = isNear[b] = true;
@@ -138,7 +113,7 @@ TEST_CASE("disc pairs: the grid finds what comparing each with each finds", "[pl
     isNear[pair.first] = true;
   }
   for (UInt32 place = 0; place < discs.size(); ++place) {
-    REQUIRE(filter.IsNear(place) == isNear[filter.GetDiscs()[place].Number]);
+    REQUIRE(found.IsNear(place) == isNear[found.GetDiscs()[place].Number]);
   }
 
   // the order of places and of pairs does not depend on threads
@@ -147,21 +122,21 @@ TEST_CASE("disc pairs: the grid finds what comparing each with each finds", "[pl
   other.SetObstacles(obstacles);
   Place(other, discs);
   other.Find(alone, kReach);
-  CHECK(ListPairs(other) == ListPairs(filter));
-  CHECK(ListObstaclePairs(other) == ListObstaclePairs(filter));
+  CHECK(ListPairs(other) == ListPairs(found));
+  CHECK(ListObstaclePairs(other) == ListObstaclePairs(found));
 }
 
 TEST_CASE("disc pairs: a circle meets the discs within its radius and their reach", "[planar]") {
   CThreadPool pool(0, std::make_unique<CBalanceQuantitySchedule>());
-  CDiscPairs filter;
-  Place(filter, {{0.0, 0.0, 0.1}, {2.0, 0.0, 0.1}, {0.0, 0.0, 0.1}, {-1.25, 0.0, 0.1}});
-  filter.LeaveOut(2);
-  filter.Find(pool, 0.01);
-  CHECK(filter.GetDiscs().size() == 3);
-  const auto list = [&filter](Real x, Real radius) {
+  CDiscPairs found;
+  Place(found, {{0.0, 0.0, 0.1}, {2.0, 0.0, 0.1}, {0.0, 0.0, 0.1}, {-1.25, 0.0, 0.1}});
+  found.LeaveOut(2);
+  found.Find(pool, 0.01);
+  CHECK(found.GetDiscs().size() == 3);
+  const auto list = [&found](Real x, Real radius) {
     std::vector<UInt32> numbers;
-    filter.ForNear(x, 0.0, radius,
-                   [&](UInt32 place) { numbers.push_back(filter.GetDiscs()[place].Number); });
+    found.ForNear(x, 0.0, radius,
+                  [&](UInt32 place) { numbers.push_back(found.GetDiscs()[place].Number); });
     std::sort(numbers.begin(), numbers.end());
     return numbers;
   };

@@ -1,5 +1,7 @@
 // The grid finds the same discs that comparing each with each does.
 
+#include "random_scene.h"
+
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/physics_engines/planar/proximity_filter.h>
 
@@ -7,25 +9,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <vector>
 
 namespace argos {
 
 namespace {
-
-struct SDisc {
-  Real X, Y, Reach;
-};
-
-Real DistanceTo(const SFootprint& obstacle, Real x, Real y) {
-  const Real dx = x - obstacle.X;
-  const Real dy = y - obstacle.Y;
-  const Real along = std::abs(obstacle.Cos * dx + obstacle.Sin * dy) - obstacle.HalfX;
-  const Real across = std::abs(obstacle.Cos * dy - obstacle.Sin * dx) - obstacle.HalfY;
-  const Real outside = std::hypot(std::max(along, 0.0), std::max(across, 0.0));
-  return std::max(outside - obstacle.Radius, 0.0);
-}
 
 CProximityFilter::EMark MarkOf(Real gap, Real margin) {
   if (gap <= 0.0) {
@@ -34,20 +22,19 @@ CProximityFilter::EMark MarkOf(Real gap, Real margin) {
   return gap <= margin ? CProximityFilter::Guarded : CProximityFilter::Free;
 }
 
-std::vector<CProximityFilter::EMark> MarkEachWithEach(const std::vector<SDisc>& discs,
-                                                      const std::vector<SFootprint>& obstacles,
-                                                      Real margin) {
+std::vector<CProximityFilter::EMark> MarkEachWithEach(const SRandomScene& scene, Real margin) {
+  const std::vector<SRandomScene::SDisc>& discs = scene.Discs;
   std::vector<CProximityFilter::EMark> marks(discs.size(), CProximityFilter::Free);
   for (size_t i = 0; i < discs.size(); ++i) {
     for (size_t j = 0; j < discs.size(); ++j) {
       if (i != j) {
         const Real gap = std::hypot(discs[i].X - discs[j].X, discs[i].Y - discs[j].Y) -
-                         discs[i].Reach - discs[j].Reach;
+                         discs[i].Radius - discs[j].Radius;
         marks[i] = std::max(marks[i], MarkOf(gap, margin));
       }
     }
-    for (const SFootprint& obstacle : obstacles) {
-      const Real gap = DistanceTo(obstacle, discs[i].X, discs[i].Y) - discs[i].Reach;
+    for (const SFootprint& obstacle : scene.Obstacles) {
+      const Real gap = DistanceTo(obstacle, discs[i].X, discs[i].Y) - discs[i].Radius;
       marks[i] = std::max(marks[i], MarkOf(gap, margin));
     }
   }
@@ -62,36 +49,21 @@ TEST_CASE("proximity filter: the grid finds what comparing each with each finds"
   const unsigned seed = GENERATE(1U, 2U, 3U);
   CAPTURE(numDiscs, side, seed);
   constexpr Real kMargin = 0.02;
-  std::mt19937 generator(seed);
-  std::uniform_real_distribution<Real> position(-0.5 * side, 0.5 * side);
-  std::uniform_real_distribution<Real> reach(0.03, 0.12);
-  std::uniform_real_distribution<Real> angle(0.0, 6.28);
-
-  std::vector<SDisc> discs;
-  for (int i = 0; i < numDiscs; ++i) {
-    discs.push_back({position(generator), position(generator), reach(generator)});
-  }
-  std::vector<SFootprint> obstacles;
-  for (int i = 0; i < 10; ++i) {
-    const Real yaw = angle(generator);
-    const bool disc = i % 3 == 0;
-    obstacles.push_back({position(generator), position(generator), disc ? 1.0 : std::cos(yaw),
-                         disc ? 0.0 : std::sin(yaw), disc ? 0.0 : 0.1 * side, disc ? 0.0 : 0.01,
-                         disc ? reach(generator) : 0.0});
-  }
+  const SRandomScene scene(numDiscs, side, seed);
+  const std::vector<SRandomScene::SDisc>& discs = scene.Discs;
 
   CThreadPool pool(0, std::make_unique<CBalanceQuantitySchedule>());
   CProximityFilter filter;
   filter.SetMargin(kMargin);
-  filter.SetObstacles(obstacles);
+  filter.SetObstacles(scene.Obstacles);
   filter.Clear(discs.size());
   for (UInt32 i = 0; i < discs.size(); ++i) {
-    filter.Place(i, discs[i].X, discs[i].Y, discs[i].Reach);
+    filter.Place(i, discs[i].X, discs[i].Y, discs[i].Radius);
   }
   filter.MarkAll(pool);
-  const std::vector<CProximityFilter::EMark> expected = MarkEachWithEach(discs, obstacles, kMargin);
+  const std::vector<CProximityFilter::EMark> expected = MarkEachWithEach(scene, kMargin);
   for (UInt32 i = 0; i < discs.size(); ++i) {
-    CAPTURE(i, discs[i].X, discs[i].Y, discs[i].Reach);
+    CAPTURE(i, discs[i].X, discs[i].Y, discs[i].Radius);
     REQUIRE(filter.GetMark(i) == expected[i]);
   }
 }
