@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/entity/positional_entity.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/configuration/attribute_text.h>
 #include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
@@ -264,9 +265,9 @@ bool CDistribution::TryToCreate(const std::string& id) {
 
 void CDistribution::WriteIntoTemplate(const std::string& id, const CVector3& position,
                                       const CVector3& anglesInDegrees) {
-  m_template->SetAttribute("id", id);
-  m_poseNode->SetAttribute("position", ExactText(position));
-  m_poseNode->SetAttribute("orientation", ExactText(anglesInDegrees));
+  SetAttributeText(*m_template, "id", id);
+  SetAttributeText(*m_poseNode, "position", ExactText(position));
+  SetAttributeText(*m_poseNode, "orientation", ExactText(anglesInDegrees));
 }
 
 void CDistribution::GiveUp(const std::string& id, UInt64 trials) const {

@@ -174,6 +174,25 @@ bool IsOfUser(const tinyxml2::XMLElement& element) {
   return false;
 }
 
+// false for most texts that have none: with no exponent and few digits before each decimal point
+bool MayHaveHugeNumber(const char* text) {
+  constexpr int kDigits = 13;
+  int digits = 0;
+  bool isFraction = false;
+  for (const char* next = text; *next != '\0'; ++next) {
+    if (*next == 'e' || *next == 'E') {
+      return true;
+    }
+    if (*next < '0' || *next > '9') {
+      isFraction = *next == '.';
+      digits = 0;
+    } else if (!isFraction && ++digits >= kDigits) {
+      return true;
+    }
+  }
+  return false;
+}
+
 // true if one of the numbers in a text exceeds kMostReal
 bool HasHugeNumber(const std::string& text) {
   constexpr const char* kSeparators = " \t\r\n,:;()";
@@ -194,13 +213,7 @@ bool HasHugeNumber(const std::string& text) {
 }  // namespace
 
 void CConfigurationNode::ThrowIfHuge(const std::string& name, const char* text) const {
-  // a shorter text without exponent cannot have such a number
-  constexpr std::size_t kDigits = 13;
-  const std::size_t length = std::strlen(text);
-  if (length < kDigits && std::strpbrk(text, "eE") == nullptr) {
-    return;
-  }
-  if (HasHugeNumber(text) && !IsOfUser(*Record().Element)) {
+  if (MayHaveHugeNumber(text) && HasHugeNumber(text) && !IsOfUser(*Record().Element)) {
     CTextOutput expected;
     expected << "real numbers from " << -kMostReal << " to " << kMostReal;
     ThrowUnparsable("attribute \"" + name + '"', text, expected.str(), "");

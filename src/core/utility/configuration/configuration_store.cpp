@@ -1,5 +1,6 @@
 #include <argos3/core/utility/configuration/configuration_store.h>
 
+#include <argos3/core/utility/configuration/attribute_text.h>
 #include <argos3/core/utility/configuration/configuration_error.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
@@ -48,6 +49,15 @@ CConfigurationAttribute* CConfigurationStore::KeepAttribute(
 /****************************************/
 // modification
 /****************************************/
+
+void CConfigurationStore::SetText(CConfigurationNode& node, const std::string& name,
+                                  const std::string& text) {
+  node.SetAttributeText(name, text);
+}
+
+void SetAttributeText(CConfigurationNode& node, const std::string& name, const std::string& text) {
+  CConfigurationStore::SetText(node, name, text);
+}
 
 tinyxml2::XMLElement& CConfigurationStore::CopyOf(tinyxml2::XMLElement& original) {
   tinyxml2::XMLElement& copy = *original.DeepClone(&m_xml)->ToElement();

@@ -69,6 +69,9 @@ class CConfigurationStore : public std::enable_shared_from_this<CConfigurationSt
     return record.Leniency != nullptr ? record.Leniency : m_leniency;
   }
 
+  /** See attribute_text.h. */
+  static void SetText(CConfigurationNode& node, const std::string& name, const std::string& text);
+
   CConfigurationAttribute* KeepAttribute(const CConfigurationAttribute& attribute);
 
   void AddSetting(SConfigurationSetting setting) { m_settings.push_back(std::move(setting)); }
