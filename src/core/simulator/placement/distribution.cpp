@@ -244,12 +244,8 @@ bool CDistribution::IsFree(const CVector3& position, const CQuaternion& orientat
     return true;
   }
   const CBodyIndex& index = m_space.GetBodyIndex();
-  const UInt32 obstacle = index.FindOverlap(*m_body, position, orientation, CBodyIndex::kNoBody);
-  if (obstacle == CBodyIndex::kNoBody) {
-    return true;
-  }
-  m_lastObstacle = index.GetBody(obstacle).GetRootEntity().GetId();
-  return false;
+  m_lastObstacle = index.FindOverlap(*m_body, position, orientation, CBodyIndex::kNoBody);
+  return m_lastObstacle == CBodyIndex::kNoBody;
 }
 
 bool CDistribution::TryToCreate(const std::string& id) {
@@ -258,7 +254,7 @@ bool CDistribution::TryToCreate(const std::string& id) {
   if (!m_hasBody || m_body != nullptr || !FindBody(entity)->IsCollidingWithSomething()) {
     return true;
   }
-  m_lastObstacle = "something in its engine";
+  m_lastObstacle = CBodyIndex::kNoBody;
   CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(m_space, m_space.GetEntity(id));
   return false;
 }
@@ -271,10 +267,14 @@ void CDistribution::WriteIntoTemplate(const std::string& id, const CVector3& pos
 }
 
 void CDistribution::GiveUp(const std::string& id, UInt64 trials) const {
+  const bool isKnown = m_lastObstacle != CBodyIndex::kNoBody;
+  const std::string obstacle =
+      isKnown ? m_space.GetBodyIndex().GetBody(m_lastObstacle).GetRootEntity().GetId()
+              : "something in its engine";
   CTextOutput message;
   message << "no free place for \"" << id << "\" after " << trials
           << (trials == 1 ? " trial" : " trials") << "; positions are " << m_positions->Describe()
-          << "; the last one, (" << m_lastPosition << "), is taken by \"" << m_lastObstacle
+          << "; the last one, (" << m_lastPosition << "), is taken by \"" << obstacle
           << "\"; make the area larger, the quantity smaller, or \"max_trials\" larger";
   THROW_ARGOSEXCEPTION(message.str());
 }

@@ -67,7 +67,7 @@ class CDistribution {
   bool m_hasBody = false;
   // of the last place that was taken
   CVector3 m_lastPosition;
-  std::string m_lastObstacle;
+  UInt32 m_lastObstacle = ~UInt32(0);  // number of a body; kNoBody: only an engine knows it
 };
 
 }  // namespace argos

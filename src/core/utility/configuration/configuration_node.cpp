@@ -10,10 +10,8 @@
 #include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <iterator>
-#include <string_view>
 
 namespace argos {
 
@@ -174,46 +172,10 @@ bool IsOfUser(const tinyxml2::XMLElement& element) {
   return false;
 }
 
-// false for most texts that have none: with no exponent and few digits before each decimal point
-bool MayHaveHugeNumber(const char* text) {
-  constexpr int kDigits = 13;
-  int digits = 0;
-  bool isFraction = false;
-  for (const char* next = text; *next != '\0'; ++next) {
-    if (*next == 'e' || *next == 'E') {
-      return true;
-    }
-    if (*next < '0' || *next > '9') {
-      isFraction = *next == '.';
-      digits = 0;
-    } else if (!isFraction && ++digits >= kDigits) {
-      return true;
-    }
-  }
-  return false;
-}
-
-// true if one of the numbers in a text exceeds kMostReal
-bool HasHugeNumber(const std::string& text) {
-  constexpr const char* kSeparators = " \t\r\n,:;()";
-  std::size_t begin = text.find_first_not_of(kSeparators);
-  while (begin != std::string::npos) {
-    const std::size_t end = text.find_first_of(kSeparators, begin);
-    Real value = 0.0;
-    if (ParseNumber(std::string_view(text).substr(begin, end - begin), value) ==
-            ENumberParsing::Ok &&
-        std::abs(value) > kMostReal) {
-      return true;
-    }
-    begin = text.find_first_not_of(kSeparators, std::min(end, text.size()));
-  }
-  return false;
-}
-
 }  // namespace
 
 void CConfigurationNode::ThrowIfHuge(const std::string& name, const char* text) const {
-  if (MayHaveHugeNumber(text) && HasHugeNumber(text) && !IsOfUser(*Record().Element)) {
+  if (HasHugeNumber(text) && !IsOfUser(*Record().Element)) {
     CTextOutput expected;
     expected << "real numbers from " << -kMostReal << " to " << kMostReal;
     ThrowUnparsable("attribute \"" + name + '"', text, expected.str(), "");

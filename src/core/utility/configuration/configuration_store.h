@@ -105,6 +105,9 @@ inline bool IsAttributeRead(const SConfigurationRecord& record, std::size_t inde
   return index >= kTracked || ((record.ReadAttributes >> index) & 1) != 0;
 }
 
+/** @return true if one of the numbers in a text exceeds kMostReal. */
+bool HasHugeNumber(const char* text);
+
 /** Existing names, for error messages: without duplicates, in the order of the file. */
 std::vector<std::string> ChildTags(const tinyxml2::XMLElement& element);
 std::vector<std::string> AttributeNames(const tinyxml2::XMLElement& element);

@@ -3,6 +3,7 @@
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
@@ -57,15 +58,19 @@ bool ReadPlainList(const char* begin, const char* end, Real* numbers, UInt32 cou
 // The same for a stream whose buffer contains the rest of its text: those with strict parsing.
 // @return false if nothing was read.
 bool ReadPlainList(std::istream& is, Real* numbers, UInt32 count) {
+  constexpr UInt32 kMostPlain = 4;
   std::array<char, 128> text;
   std::streambuf& buffer = *is.rdbuf();
   const std::streamsize length = buffer.in_avail();
-  if (!IsStrictParsing(is) || length <= 0 || length > std::streamsize(text.size()) ||
-      !is.good() || is.getloc() != std::locale::classic()) {
+  if (count > kMostPlain || !IsStrictParsing(is) || length <= 0 ||
+      length > std::streamsize(text.size()) || !is.good() ||
+      is.getloc() != std::locale::classic()) {
     return false;
   }
   buffer.sgetn(text.data(), length);
-  if (ReadPlainList(text.data(), text.data() + length, numbers, count)) {
+  std::array<Real, kMostPlain> read;
+  if (ReadPlainList(text.data(), text.data() + length, read.data(), count)) {
+    std::copy_n(read.begin(), count, numbers);
     return true;
   }
   for (std::streamsize i = 0; i < length; ++i) {
