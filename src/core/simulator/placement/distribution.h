@@ -2,7 +2,6 @@
 #define ARGOS3_CORE_SIMULATOR_PLACEMENT_DISTRIBUTION_H
 
 #include <argos3/core/simulator/context/load_errors.h>
-#include <argos3/core/simulator/entity/entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/placement/vector_generator.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
