@@ -39,8 +39,10 @@ void CWheeledEntity::EnableDrift() {
 
 void CWheeledEntity::SetWheel(UInt32 index, const CVector3& position, Real radius) {
   CheckIndex(index);
-  m_radiiAndVelocities[index] =
-      RequirePositive(radius, "wheels \"" + GetContext() + GetId() + "\"", "wheel radius (m)");
+  if (!IsIn(kPositive, radius)) {
+    RequirePositive(radius, "wheels \"" + GetContext() + GetId() + "\"", "wheel radius (m)");
+  }
+  m_radiiAndVelocities[index] = radius;
   m_positions[index] = position;
 }
 

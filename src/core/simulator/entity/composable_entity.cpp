@@ -40,6 +40,9 @@ bool Matches(const CEntity& component, const SStep& step) {
          component.GetTypeDescription() == step.Type;
 }
 
+// of most robots
+constexpr size_t kNumComponents = 5;
+
 }  // namespace
 
 CComposableEntity::CComposableEntity(CComposableEntity* parent) : CEntity(parent) {}
@@ -109,6 +112,9 @@ void CComposableEntity::ReturnToStart() {
 
 void CComposableEntity::AddComponent(CEntity& component) {
   component.SetParent(*this);
+  if (m_components.empty()) {
+    m_components.reserve(kNumComponents);
+  }
   m_components.push_back(&component);
   m_componentMap.reset();
 }
@@ -138,6 +144,14 @@ void CComposableEntity::CreateLazyComponents(const std::string& type) {
 }
 
 CEntity* CComposableEntity::TryGetComponent(const std::string& path) {
+  if (path.find_first_of(".[") == std::string::npos) {
+    // a type
+    CreateLazyComponents(path);
+    const auto found = std::find_if(
+        m_components.begin(), m_components.end(),
+        [&path](const CEntity* component) { return component->GetTypeDescription() == path; });
+    return found != m_components.end() ? *found : nullptr;
+  }
   std::string rest;
   const SStep step = TakeStep(path, rest);
   CreateLazyComponents(step.Type);

@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/geometry/shape_overlap.h>
 #include <argos3/core/utility/math/general.h>
+#include <argos3/core/utility/memory/huge_pages.h>
 #include <argos3/core/utility/memory/load_ahead.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 
@@ -89,10 +90,10 @@ UInt32 CBodyIndex::Add(CEmbodiedEntity& body, const SBodyPose& origin,
     if (m_bodies.size() == m_bodies.capacity() || m_released.capacity() < m_bodies.capacity()) {
       // all three or none, also without enough memory; and Remove() must never fail
       const size_t capacity = 2 * m_bodies.size() + 1;
-      m_poses.reserve(capacity);
+      ReserveInHugePages(m_poses, capacity);
       m_released.reserve(capacity);
       m_free.reserve(capacity);
-      m_bodies.reserve(capacity);
+      ReserveInHugePages(m_bodies, capacity);
     }
     m_bodies.emplace_back();
     m_poses.emplace_back();
@@ -293,6 +294,10 @@ void CBodyIndex::Rebuild(CThreadPool* pool) {
 void CBodyIndex::SortSmall(CThreadPool* pool) {
   const size_t numBodies = m_bodies.size();
   const bool isAlone = pool == nullptr || pool->GetNumThreads() == 1 || numBodies <= kGrain;
+  if (m_grid.GetNumCells() > m_sort.GetKeyCapacity()) {
+    m_sort.Reserve(numBodies, m_grid.GetNumCells());
+    AdviseHugePages(m_sort.GetStartAddress(0), m_grid.GetNumCells() * sizeof(UInt32));
+  }
   m_sort.Start(numBodies, m_grid.GetNumCells());
   std::atomic<bool> anyTilted{false};
   ForRange(pool, numBodies, [&](size_t begin, size_t end) {
@@ -327,6 +332,7 @@ void CBodyIndex::SortSmall(CThreadPool* pool) {
   // within a cell by body number, for any number of threads
   const UInt32 numShapes = m_sort.Finish();
   m_entries.resize(numShapes);
+  ReserveInHugePages(m_shapes, numShapes);
   m_shapes.resize(numShapes);
   ForRange(pool, numBodies, [this](size_t begin, size_t end) {
     for (size_t b = begin; b < end; ++b) {

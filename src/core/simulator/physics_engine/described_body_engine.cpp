@@ -21,7 +21,7 @@ constexpr size_t kSpareBodies = 64;
 // of an articulated body the links have masses; engines may accept bodies without a mass
 void CheckMass(const CEmbodiedEntity& body) {
   const Real mass = body.GetBodyDescription()->Mass;
-  if (body.IsMovable() && mass != 0.0) {
+  if (body.IsMovable() && mass != 0.0 && !IsIn(kMass, mass)) {
     RequireIn(kMass, mass, '"' + body.GetRootEntity().GetId() + '"', "its mass");
   }
 }

@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/entity/positional_entity.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/configuration/attribute_text.h>
 #include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
@@ -243,12 +244,8 @@ bool CDistribution::IsFree(const CVector3& position, const CQuaternion& orientat
     return true;
   }
   const CBodyIndex& index = m_space.GetBodyIndex();
-  const UInt32 obstacle = index.FindOverlap(*m_body, position, orientation, CBodyIndex::kNoBody);
-  if (obstacle == CBodyIndex::kNoBody) {
-    return true;
-  }
-  m_lastObstacle = index.GetBody(obstacle).GetRootEntity().GetId();
-  return false;
+  m_lastObstacle = index.FindOverlap(*m_body, position, orientation, CBodyIndex::kNoBody);
+  return m_lastObstacle == CBodyIndex::kNoBody;
 }
 
 bool CDistribution::TryToCreate(const std::string& id) {
@@ -257,23 +254,27 @@ bool CDistribution::TryToCreate(const std::string& id) {
   if (!m_hasBody || m_body != nullptr || !FindBody(entity)->IsCollidingWithSomething()) {
     return true;
   }
-  m_lastObstacle = "something in its engine";
+  m_lastObstacle = CBodyIndex::kNoBody;
   CallEntityOperation<CSpaceOperationRemoveEntity, CSpace, void>(m_space, m_space.GetEntity(id));
   return false;
 }
 
 void CDistribution::WriteIntoTemplate(const std::string& id, const CVector3& position,
                                       const CVector3& anglesInDegrees) {
-  m_template->SetAttribute("id", id);
-  m_poseNode->SetAttribute("position", ExactText(position));
-  m_poseNode->SetAttribute("orientation", ExactText(anglesInDegrees));
+  SetAttributeText(*m_template, "id", id);
+  SetAttributeText(*m_poseNode, "position", ExactText(position));
+  SetAttributeText(*m_poseNode, "orientation", ExactText(anglesInDegrees));
 }
 
 void CDistribution::GiveUp(const std::string& id, UInt64 trials) const {
+  const bool isKnown = m_lastObstacle != CBodyIndex::kNoBody;
+  const std::string obstacle =
+      isKnown ? m_space.GetBodyIndex().GetBody(m_lastObstacle).GetRootEntity().GetId()
+              : "something in its engine";
   CTextOutput message;
   message << "no free place for \"" << id << "\" after " << trials
           << (trials == 1 ? " trial" : " trials") << "; positions are " << m_positions->Describe()
-          << "; the last one, (" << m_lastPosition << "), is taken by \"" << m_lastObstacle
+          << "; the last one, (" << m_lastPosition << "), is taken by \"" << obstacle
           << "\"; make the area larger, the quantity smaller, or \"max_trials\" larger";
   THROW_ARGOSEXCEPTION(message.str());
 }

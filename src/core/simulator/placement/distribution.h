@@ -2,7 +2,6 @@
 #define ARGOS3_CORE_SIMULATOR_PLACEMENT_DISTRIBUTION_H
 
 #include <argos3/core/simulator/context/load_errors.h>
-#include <argos3/core/simulator/entity/entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/placement/vector_generator.h>
 #include <argos3/core/utility/configuration/argos_configuration.h>
@@ -67,7 +66,7 @@ class CDistribution {
   bool m_hasBody = false;
   // of the last place that was taken
   CVector3 m_lastPosition;
-  std::string m_lastObstacle;
+  UInt32 m_lastObstacle = ~UInt32(0);  // number of a body; kNoBody: only an engine knows it
 };
 
 }  // namespace argos

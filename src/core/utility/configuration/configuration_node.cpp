@@ -10,10 +10,8 @@
 #include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <iterator>
-#include <string_view>
 
 namespace argos {
 
@@ -174,32 +172,9 @@ bool IsOfUser(const tinyxml2::XMLElement& element) {
   return false;
 }
 
-// true if one of the numbers in a text exceeds kMostReal
-bool HasHugeNumber(const std::string& text) {
-  constexpr const char* kSeparators = " \t\r\n,:;()";
-  std::size_t begin = text.find_first_not_of(kSeparators);
-  while (begin != std::string::npos) {
-    const std::size_t end = text.find_first_of(kSeparators, begin);
-    Real value = 0.0;
-    if (ParseNumber(std::string_view(text).substr(begin, end - begin), value) ==
-            ENumberParsing::Ok &&
-        std::abs(value) > kMostReal) {
-      return true;
-    }
-    begin = text.find_first_not_of(kSeparators, std::min(end, text.size()));
-  }
-  return false;
-}
-
 }  // namespace
 
 void CConfigurationNode::ThrowIfHuge(const std::string& name, const char* text) const {
-  // a shorter text without exponent cannot have such a number
-  constexpr std::size_t kDigits = 13;
-  const std::size_t length = std::strlen(text);
-  if (length < kDigits && std::strpbrk(text, "eE") == nullptr) {
-    return;
-  }
   if (HasHugeNumber(text) && !IsOfUser(*Record().Element)) {
     CTextOutput expected;
     expected << "real numbers from " << -kMostReal << " to " << kMostReal;

@@ -15,7 +15,10 @@ CTextReader::CBuffer::CBuffer(const char* text) {
 }
 
 CTextReader::CTextReader(const char* text, bool strict) : m_buffer(text), m_stream(&m_buffer) {
-  m_stream.imbue(std::locale::classic());
+  // a new stream has the global locale, mostly this one
+  if (m_stream.getloc() != std::locale::classic()) {
+    m_stream.imbue(std::locale::classic());
+  }
   if (strict) {
     SetStrictParsing(m_stream, true);
   } else {

@@ -1,10 +1,14 @@
 #include <argos3/core/utility/configuration/configuration_store.h>
 
+#include <argos3/core/utility/configuration/attribute_text.h>
 #include <argos3/core/utility/configuration/configuration_error.h>
+#include <argos3/core/utility/configuration/value_range.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <string_view>
 
 namespace argos {
 
@@ -48,6 +52,15 @@ CConfigurationAttribute* CConfigurationStore::KeepAttribute(
 /****************************************/
 // modification
 /****************************************/
+
+void CConfigurationStore::SetText(CConfigurationNode& node, const std::string& name,
+                                  const std::string& text) {
+  node.SetAttributeText(name, text);
+}
+
+void SetAttributeText(CConfigurationNode& node, const std::string& name, const std::string& text) {
+  CConfigurationStore::SetText(node, name, text);
+}
 
 tinyxml2::XMLElement& CConfigurationStore::CopyOf(tinyxml2::XMLElement& original) {
   tinyxml2::XMLElement& copy = *original.DeepClone(&m_xml)->ToElement();
@@ -230,6 +243,52 @@ void CConfigurationStore::DescribeUnread(tinyxml2::XMLElement& element,
       DescribeUnread(*child->ToElement(), lines);
     }
   }
+}
+
+/****************************************/
+// large numbers
+/****************************************/
+
+namespace {
+
+// false for most texts that have none: with no exponent and few digits before each decimal point
+bool MayHaveHugeNumber(const char* text) {
+  constexpr int kDigits = 13;
+  int digits = 0;
+  bool isFraction = false;
+  for (const char* next = text; *next != '\0'; ++next) {
+    if (*next == 'e' || *next == 'E') {
+      return true;
+    }
+    if (*next < '0' || *next > '9') {
+      isFraction = *next == '.';
+      digits = 0;
+    } else if (!isFraction && ++digits >= kDigits) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool HasHugeNumber(const char* text) {
+  if (!MayHaveHugeNumber(text)) {
+    return false;
+  }
+  const std::string_view whole(text);
+  constexpr const char* kSeparators = " \t\r\n,:;()";
+  std::size_t begin = whole.find_first_not_of(kSeparators);
+  while (begin != std::string::npos) {
+    const std::size_t end = whole.find_first_of(kSeparators, begin);
+    Real value = 0.0;
+    if (ParseNumber(whole.substr(begin, end - begin), value) == ENumberParsing::Ok &&
+        std::abs(value) > kMostReal) {
+      return true;
+    }
+    begin = whole.find_first_not_of(kSeparators, std::min(end, whole.size()));
+  }
+  return false;
 }
 
 /****************************************/

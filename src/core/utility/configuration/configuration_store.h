@@ -69,6 +69,9 @@ class CConfigurationStore : public std::enable_shared_from_this<CConfigurationSt
     return record.Leniency != nullptr ? record.Leniency : m_leniency;
   }
 
+  /** See attribute_text.h. */
+  static void SetText(CConfigurationNode& node, const std::string& name, const std::string& text);
+
   CConfigurationAttribute* KeepAttribute(const CConfigurationAttribute& attribute);
 
   void AddSetting(SConfigurationSetting setting) { m_settings.push_back(std::move(setting)); }
@@ -101,6 +104,9 @@ inline bool IsAttributeRead(const SConfigurationRecord& record, std::size_t inde
   constexpr std::size_t kTracked = 64;
   return index >= kTracked || ((record.ReadAttributes >> index) & 1) != 0;
 }
+
+/** @return true if one of the numbers in a text exceeds kMostReal. */
+bool HasHugeNumber(const char* text);
 
 /** Existing names, for error messages: without duplicates, in the order of the file. */
 std::vector<std::string> ChildTags(const tinyxml2::XMLElement& element);

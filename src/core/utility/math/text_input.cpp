@@ -3,7 +3,11 @@
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
+#include <algorithm>
+#include <array>
 #include <cctype>
+#include <charconv>
+#include <locale>
 #include <vector>
 
 namespace argos {
@@ -25,6 +29,56 @@ int PeekPastBlanks(std::istream& is) {
   return next;
 }
 
+// Most lists are written "1,-2.5,3e-4": without blanks, and each number in its plain form. Reads
+// the numbers of such a list in [begin, end), the whole text, as a stream does.
+// @return false for a list of any other form.
+bool ReadPlainList(const char* begin, const char* end, Real* numbers, UInt32 count) {
+  const char* next = begin;
+  for (UInt32 i = 0; i < count; ++i) {
+    if (i > 0) {
+      if (next == end || *next != ',') {
+        return false;
+      }
+      ++next;
+    }
+    const char* const digits = next != end && *next == '-' ? next + 1 : next;
+    // from_chars() takes "inf" and "nan" as well
+    if (digits == end || (std::isdigit(static_cast<unsigned char>(*digits)) == 0)) {
+      return false;
+    }
+    const auto [last, error] = std::from_chars(next, end, numbers[i]);
+    if (error != std::errc()) {
+      return false;
+    }
+    next = last;
+  }
+  return next == end;
+}
+
+// The same for a stream whose buffer contains the rest of its text: those with strict parsing.
+// @return false if nothing was read.
+bool ReadPlainList(std::istream& is, Real* numbers, UInt32 count) {
+  constexpr UInt32 kMostPlain = 4;
+  std::array<char, 128> text;
+  std::streambuf& buffer = *is.rdbuf();
+  const std::streamsize length = buffer.in_avail();
+  if (count > kMostPlain || !IsStrictParsing(is) || length <= 0 ||
+      length > std::streamsize(text.size()) || !is.good() ||
+      is.getloc() != std::locale::classic()) {
+    return false;
+  }
+  buffer.sgetn(text.data(), length);
+  std::array<Real, kMostPlain> read;
+  if (ReadPlainList(text.data(), text.data() + length, read.data(), count)) {
+    std::copy_n(read.begin(), count, numbers);
+    return true;
+  }
+  for (std::streamsize i = 0; i < length; ++i) {
+    buffer.sungetc();
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string QuoteInput(std::istream& is, std::streampos start) {
@@ -41,6 +95,10 @@ std::string QuoteInput(std::istream& is, std::streampos start) {
 void ReadNumbers(std::istream& is, Real* buffer, UInt32 count, const std::string& what) {
   if (IsLooseParsing(is)) {
     ParseValues(is, count, buffer, ',');
+    return;
+  }
+  if (ReadPlainList(is, buffer, count)) {
+    is.peek();  // notices the end, as reading the last number does
     return;
   }
   const std::streampos start = is.tellg();

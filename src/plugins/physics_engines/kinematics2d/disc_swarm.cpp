@@ -3,6 +3,7 @@
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/disc_swarm.h>
 
 #include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/utility/memory/huge_pages.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/arc_block.h>
 #include <argos3/plugins/simulator/physics_engines/kinematics2d/kinematic_limits.h>
@@ -126,14 +127,15 @@ void CDiscSwarm::Reserve(size_t discs) {
   for (auto* values : {&m_x, &m_y, &m_halfCos, &m_halfSin, &m_allowance, &m_lastSpeed, &m_lastLeft,
                        &m_lastYawRate, &m_radius, &m_maxForce, &m_stepX, &m_stepY, &m_nextX,
                        &m_nextY, &m_nextHalfCos, &m_nextHalfSin}) {
-    values->reserve(discs);
+    ReserveInHugePages(*values, discs);
   }
   m_drives.reserve(discs);
-  m_owner.reserve(discs);
+  ReserveInHugePages(m_owner, discs);
   m_generations.Reserve(discs);
   m_reach.reserve(discs);
   m_sort.Reserve(discs, CFramedGrid::MaxCells(discs));
-  m_places.reserve(discs);
+  AdviseHugePages(m_sort.GetStartAddress(0), m_sort.GetKeyCapacity() * sizeof(UInt32));
+  ReserveInHugePages(m_places, discs);
   m_targets.reserve(discs);
   m_done.reserve(discs);
   m_next.reserve(discs);

@@ -1,5 +1,6 @@
 #include <argos3/plugins/simulator/physics_engines/planar/disc_pairs.h>
 
+#include <argos3/core/utility/memory/huge_pages.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 
 #include <algorithm>
@@ -44,7 +45,8 @@ void CDiscPairs::Reserve(size_t numDiscs) {
   m_discs.reserve(numDiscs);
   m_extents.reserve(numDiscs / kDiscGrain + 1);
   m_sort.Reserve(numDiscs, CFramedGrid::MaxCells(numDiscs));
-  m_sorted.reserve(numDiscs);
+  AdviseHugePages(m_sort.GetStartAddress(0), m_sort.GetKeyCapacity() * sizeof(UInt32));
+  ReserveInHugePages(m_sorted, numDiscs);
   m_isNear.reserve(numDiscs);
   m_parts.resize(CountParts(numDiscs) + 1);
   m_firstCell.reserve(kMaxParts + 1);

@@ -149,7 +149,9 @@ Real CDeviceNoise::ApplyState(size_t number, Real value) {
 CRange<Real> ReadNoiseLevel(TConfigurationNode& device) {
   Real level = 0.0;
   GetNodeAttributeOrDefault(device, "noise_level", level, level);
-  RequireNotNegative(level, OwnerOf(device), "attribute \"noise_level\"");
+  if (!IsIn(kNotNegative, level)) {
+    RequireNotNegative(level, OwnerOf(device), "attribute \"noise_level\"");
+  }
   return CRange<Real>(-level, level);
 }
 

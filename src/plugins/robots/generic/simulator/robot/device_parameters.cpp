@@ -21,7 +21,10 @@ void ReadAperture(TConfigurationNode& robot, const std::string& attribute, CRadi
 void SRABParameters::Read(TConfigurationNode& robot) {
   GetNodeAttributeOrDefault(robot, "rab_range", Range, Range);
   GetNodeAttributeOrDefault(robot, "rab_data_size", DataSize, DataSize);
-  Check(OwnerOf(robot));
+  // the text is made for each robot only if it is needed
+  if (!IsIn(kNotNegative, Range) || DataSize > CRABEquippedEntity::kMostData) {
+    Check(OwnerOf(robot));
+  }
 }
 
 void SRABParameters::Check(const std::string& owner) const {

@@ -14,21 +14,32 @@ namespace argos {
 namespace {
 
 constexpr Real kMetersPerCentimeter = 0.01;
-const char* const kWheelSuffix[2] = {"_left", "_right"};
 
-// reads the attribute for both wheels; the attribute with a suffix has precedence for its wheel
-bool ReadForWheels(TConfigurationNode& tree, const std::string& attribute, Real& left,
+// attributes for both wheels, the left and the right one
+struct SWheelAttributes {
+  std::string Both;
+  std::string Left = Both + "_left";
+  std::string Right = Both + "_right";
+};
+const SWheelAttributes kBiasAverage = {"bias_avg"};
+const SWheelAttributes kBiasDeviation = {"bias_stddev"};
+const SWheelAttributes kFactorAverage = {"factor_avg"};
+const SWheelAttributes kFactorDeviation = {"factor_stddev"};
+
+// the attribute of a wheel has precedence for it
+bool ReadForWheels(TConfigurationNode& tree, const SWheelAttributes& attributes, Real& left,
                    Real& right) {
-  Real* const values[2] = {&left, &right};
   bool present = false;
-  for (int wheel = 0; wheel < 2; ++wheel) {
-    for (const std::string& name : {attribute, attribute + kWheelSuffix[wheel]}) {
-      if (NodeAttributeExists(tree, name)) {
-        GetNodeAttribute(tree, name, *values[wheel]);
-        present = true;
-      }
+  const auto read = [&tree, &present](const std::string& attribute, Real& value) {
+    if (NodeAttributeExists(tree, attribute)) {
+      GetNodeAttribute(tree, attribute, value);
+      present = true;
     }
-  }
+  };
+  read(attributes.Both, left);
+  read(attributes.Left, left);
+  read(attributes.Both, right);
+  read(attributes.Right, right);
   return present;
 }
 
@@ -49,11 +60,11 @@ void CDifferentialSteeringDefaultActuator::Init(TConfigurationNode& tree) {
   m_noise.Init(tree, *m_robot, {"left", "right"});
   SWheelNoise left;
   SWheelNoise right;
-  bool noisy = ReadForWheels(tree, "bias_avg", left.BiasAverage, right.BiasAverage);
-  noisy = ReadForWheels(tree, "bias_stddev", left.BiasDeviation, right.BiasDeviation) || noisy;
-  noisy = ReadForWheels(tree, "factor_avg", left.FactorAverage, right.FactorAverage) || noisy;
+  bool noisy = ReadForWheels(tree, kBiasAverage, left.BiasAverage, right.BiasAverage);
+  noisy = ReadForWheels(tree, kBiasDeviation, left.BiasDeviation, right.BiasDeviation) || noisy;
+  noisy = ReadForWheels(tree, kFactorAverage, left.FactorAverage, right.FactorAverage) || noisy;
   noisy =
-      ReadForWheels(tree, "factor_stddev", left.FactorDeviation, right.FactorDeviation) || noisy;
+      ReadForWheels(tree, kFactorDeviation, left.FactorDeviation, right.FactorDeviation) || noisy;
   if (!noisy) {
     return;
   }

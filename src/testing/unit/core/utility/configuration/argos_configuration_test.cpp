@@ -1,5 +1,6 @@
 #include <argos3/core/utility/configuration/argos_configuration.h>
 
+#include <argos3/core/utility/configuration/attribute_text.h>
 #include <argos3/core/utility/configuration/base_configurable_resource.h>
 #include <argos3/core/utility/datatypes/color.h>
 #include <argos3/core/utility/math/angles.h>
@@ -129,6 +130,27 @@ TEST_CASE("configuration: errors on malformed values give the text found and the
   CHECK_THAT(bad("word", CRadians()), Contains("an angle in radians, a real number"));
   CHECK_THAT(bad("real", CDegrees()), Contains("an angle in degrees, a real number"));
   CHECK_THAT(bad("real", std::string()), Catch::Equals("accepted"));
+}
+
+TEST_CASE("configuration: numbers that are too large are errors, however they are written",
+          "[core][configuration]") {
+  const auto read = [](const std::string& text) {
+    CConfigurationDocument document;
+    document.Parse("<box size='" + text + "'/>", "test.argos");
+    CVector3 size;
+    GetNodeAttribute(document.GetRoot(), "size", size);
+    return size;
+  };
+  for (const char* const text : {"1e13,0,0", "0,-2E12,0", "0,0,1000000000001",
+                                 "0.25,12345678901234.5,0", "1.5,1.5,-99999999999999"}) {
+    CAPTURE(text);
+    CHECK_THROWS_WITH(read(text), Contains("expected real numbers from -1e+12 to 1e+12"));
+  }
+  for (const char* const text : {"1000000000000,0,0", "1e12,1e-300,0", "0.12345678901234567,0,0",
+                                 "3.1234567890123456,-2.1234567890123456,123456789012.5"}) {
+    CAPTURE(text);
+    CHECK_NOTHROW(read(text));
+  }
 }
 
 TEST_CASE("configuration: a lenient document reads what ARGoS 3 reads, with one warning each",
@@ -426,6 +448,15 @@ TEST_CASE("configuration: attributes and tags can be changed", "[core][configura
   CHECK_THROWS_WITH(node.SetValue("1 2"), Contains("\"1 2\" cannot be the name of an XML element"));
   CHECK_THROWS_WITH(node.SetAttribute("<", 1), Contains("cannot be the name"));
   CHECK_THROWS_WITH(TConfigurationNode(""), Contains("cannot be the name"));
+}
+
+TEST_CASE("configuration: a text that is written as it is can be read", "[core][configuration]") {
+  SWorld world;
+  SetAttributeText(world["empty"], "new", "1,2,3");
+  SetAttributeText(world["robot"], "speed", "2.5");
+  CHECK(world.Get<CVector3>("new", "empty") == CVector3(1.0, 2.0, 3.0));
+  CHECK(world.Get<Real>("speed") == 2.5);
+  CHECK_THROWS_WITH(SetAttributeText(world["empty"], "a b", "1"), Contains("cannot be the name"));
 }
 
 TEST_CASE("configuration: nodes print as XML and are read from it", "[core][configuration]") {
