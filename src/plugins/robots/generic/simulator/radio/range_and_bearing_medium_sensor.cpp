@@ -18,7 +18,7 @@ namespace argos {
 
 namespace {
 
-// how many packets ahead a sender is prefetched
+// how many packets ahead the data of a sender are loaded
 constexpr std::ptrdiff_t kSendersAhead = 12;
 
 }  // namespace
@@ -55,19 +55,19 @@ void CRangeAndBearingMediumSensor::Update() {
   const CRABMedium::SNumbers senders = m_medium->GetSenders(*m_pcRangeAndBearingEquippedEntity);
   const CRABEquippedEntity* const* const devices = m_medium->GetDevices();
   const CQuaternion toReceiver = m_pcRangeAndBearingEquippedEntity->GetOrientation().Inverse();
-  const auto prefetch = [&](UInt32 number) {
+  const auto loadAhead = [&](UInt32 number) {
     if (const CRABEquippedEntity* const sender = devices[number]) {
       LoadAhead(sender->GetPosition());
       LoadAhead(sender->GetData());
     }
   };
   const auto ahead = std::min<std::ptrdiff_t>(kSendersAhead, senders.Last - senders.First);
-  std::for_each(senders.First, senders.First + ahead, prefetch);
+  std::for_each(senders.First, senders.First + ahead, loadAhead);
   // packets of the last tick are overwritten: their bytes remain allocated
   size_t numPackets = 0;
   for (const UInt32* number = senders.First; number != senders.Last; ++number) {
     if (senders.Last - number > ahead) {
-      prefetch(number[ahead]);
+      loadAhead(number[ahead]);
     }
     const CRABEquippedEntity* const sender = devices[*number];
     if (sender == nullptr ||
