@@ -69,6 +69,8 @@ class CMediumMembers {
     ARGOS_ASSERT(number < m_members.size(), "a medium has no entity with the number " << number);
     return m_members[number];
   }
+  /** The same for all numbers, (GetSize()). */
+  ENTITY* const* GetAll() const { return m_members.data(); }
   bool Has(const ENTITY& entity) const {
     const UInt32 number = entity.GetNumberInMedium();
     return number == kWaiting

@@ -47,15 +47,21 @@ class CPointCells {
    */
   template <typename VISIT>
   void ForPlacesNear(Real x, Real y, Real reach, VISIT&& visit) const {
+    ForRunsNear(x, y, reach, [&visit](size_t begin, size_t end) {
+      for (size_t place = begin; place < end; ++place) {
+        visit(place);
+      }
+    });
+  }
+  /** The same with visit(size_t begin, size_t end) for runs of places, of which few are empty. */
+  template <typename VISIT>
+  void ForRunsNear(Real x, Real y, Real reach, VISIT&& visit) const {
     if (m_hashed) {
-      ForHashedPlacesNear(x, y, reach, visit);
+      ForHashedPlacesNear(x, y, reach, [&visit](size_t place) { visit(place, place + 1); });
       return;
     }
     m_grid.ForRows(m_grid.CellsAround(x, y, reach), [&](UInt32 first, UInt32 last) {
-      const UInt32 end = m_sort.End(last);
-      for (UInt32 place = m_sort.Begin(first); place < end; ++place) {
-        visit(place);
-      }
+      visit(size_t(m_sort.Begin(first)), size_t(m_sort.End(last)));
     });
   }
 

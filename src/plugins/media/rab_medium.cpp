@@ -95,13 +95,13 @@ void CRABMedium::RemoveEntity(CRABEquippedEntity& entity) {
 void CRABMedium::Update() {
   m_sets.clear();
   m_state->Members.Update();
-  TakePositions();
   m_state->Routing.SetOptions(m_state->Index, GetSpace().GetArenaLimits());
   const CLineOfSight sight(GetSpace());
+  TakePositions(sight);
   m_state->Routing.Route(m_cSimulator.GetThreadPool(), m_checkOcclusions ? &sight : nullptr);
 }
 
-void CRABMedium::TakePositions() {
+void CRABMedium::TakePositions(const CLineOfSight& sight) {
   const CMediumMembers<CRABEquippedEntity>& members = m_state->Members;
   CRABRouting::SDevices& devices = m_state->Routing.GetDevices();
   devices.Resize(members.GetSize());
@@ -116,6 +116,8 @@ void CRABMedium::TakePositions() {
           devices.Range[i] = device.GetRange();
           devices.MessageSize[i] = static_cast<UInt32>(device.GetMsgSize());
           devices.Bodies[i] = CLineOfSight::MakeEnd(device.GetEntityBody());
+          devices.Reach[i] =
+              CSightFan::ComputeReach(sight, devices.Bodies[i], devices.X[i], devices.Y[i]);
         }
       });
 }
@@ -135,6 +137,10 @@ UInt32 CRABMedium::GetNumDevices() const {
 
 const CRABEquippedEntity* CRABMedium::GetDevice(UInt32 number) const {
   return m_state->Members.Get(number);
+}
+
+const CRABEquippedEntity* const* CRABMedium::GetDevices() const {
+  return m_state->Members.GetAll();
 }
 
 const CRABMedium::TDevices& CRABMedium::GetRABsCommunicatingWith(CRABEquippedEntity& entity) const {

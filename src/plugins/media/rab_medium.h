@@ -10,6 +10,8 @@
 
 namespace argos {
 
+class CLineOfSight;
+
 /**
  * Routes the messages of range-and-bearing devices, once a tick after physics.
  *
@@ -65,11 +67,13 @@ class CRABMedium : public CMedium, public CRABEquippedEntity::CRegistry {
   UInt32 GetNumDevices() const;
   /** Null if the device has left the medium since the last Update(). */
   const CRABEquippedEntity* GetDevice(UInt32 number) const;
+  /** All devices by number, (GetNumDevices()), for loops; valid until the next Update(). */
+  const CRABEquippedEntity* const* GetDevices() const;
 
  private:
   struct SState;  // devices and routes
 
-  void TakePositions();
+  void TakePositions(const CLineOfSight& sight);
 
   bool m_checkOcclusions = true;
   std::unique_ptr<SState> m_state;

@@ -24,7 +24,7 @@ void ResizeWithSpare(std::vector<ELEMENT>& elements, size_t size) {
 }  // namespace
 
 void CRABRouting::SDevices::Resize(size_t size) {
-  for (std::vector<Real>* values : {&X, &Y, &Z, &Range}) {
+  for (std::vector<Real>* values : {&X, &Y, &Z, &Range, &Reach}) {
     values->resize(size);
   }
   MessageSize.resize(size);
@@ -38,13 +38,14 @@ void CRABRouting::Clear() {
 }
 
 void CRABRouting::Route(CThreadPool& pool, const CLineOfSight* sight) {
-  SortByCell();
+  SortByCell(pool);
   CountPairs(pool);
+  ReserveScratch(pool);
   ExaminePairs(pool, sight);
   CollectByReceiver(pool);
 }
 
-void CRABRouting::SortByCell() {
+void CRABRouting::SortByCell(CThreadPool& pool) {
   const size_t num = m_devices.GetSize();
   m_finite.clear();
   m_finite.reserve(num);
@@ -52,7 +53,9 @@ void CRABRouting::SortByCell() {
   m_x.reserve(num);
   m_y.clear();
   m_y.reserve(num);
+  m_placeOf.resize(num);
   Real reach = 0.0;
+  m_areRangesEqual = true;
   for (size_t device = 0; device < num; ++device) {
     const Real x = m_devices.X[device];
     const Real y = m_devices.Y[device];
@@ -61,38 +64,50 @@ void CRABRouting::SortByCell() {
       m_x.push_back(x);
       m_y.push_back(y);
       reach += m_devices.Range[device];
+      m_areRangesEqual =
+          m_areRangesEqual && m_devices.Range[device] == m_devices.Range[m_finite.front()];
     }
   }
   const size_t numPlaced = m_finite.size();
   m_cells.Sort(m_x.data(), m_y.data(), numPlaced,
                reach / static_cast<Real>(std::max<size_t>(1, numPlaced)));
   m_placed.resize(numPlaced);
-  for (size_t place = 0; place < numPlaced; ++place) {
-    const UInt32 device = m_finite[m_cells.GetPoint(place)];
-    m_placed[place] = {m_devices.X[device],          m_devices.Y[device],      m_devices.Z[device],
-                       m_devices.Range[device],      m_devices.Bodies[device], device,
-                       m_devices.MessageSize[device]};
-  }
+  m_placedX.resize(numPlaced);
+  m_placedY.resize(numPlaced);
+  m_rank.resize(numPlaced);
+  pool.ParallelFor(numPlaced, kPlacedPerTask, [this](size_t begin, size_t end, UInt32) {
+    for (size_t place = begin; place < end; ++place) {
+      const UInt32 device = m_finite[m_cells.GetPoint(place)];
+      m_placed[place] = {{m_devices.X[device], m_devices.Y[device], m_devices.Z[device],
+                          m_devices.Reach[device], m_devices.Bodies[device]},
+                         m_devices.Range[device],
+                         device,
+                         m_devices.MessageSize[device]};
+      m_placedX[place] = m_devices.X[device];
+      m_placedY[place] = m_devices.Y[device];
+      m_rank[place] = m_areRangesEqual ? static_cast<Real>(device) : -m_devices.Range[device];
+      m_placeOf[device] = static_cast<UInt32>(place);
+    }
+  });
 }
 
-// visits the pairs that a device has to examine: devices in its range with a shorter range; of two
-// with equal ranges the one with the lower number examines
+// Every pair is examined by the device with the longer range, or with the lower number if ranges
+// are equal. If all are, ranks are numbers and decide; else they are ranges, and those of a pair
+// may be equal.
 template <typename VISIT>
-void CRABRouting::ForPairsOf(const SPlaced& device, VISIT&& visit) const {
-  const Real squareRange = device.Range * device.Range;
-  m_cells.ForPlacesNear(device.X, device.Y, device.Range, [&](size_t place) {
-    const SPlaced& other = m_placed[place];
-    const Real dx = other.X - device.X;
-    const Real dy = other.Y - device.Y;
-    const Real dz = other.Z - device.Z;
-    const Real squareDistance = dx * dx + dy * dy + dz * dz;
-    if (squareDistance >= squareRange || other.MessageSize != device.MessageSize ||
-        other.Range > device.Range ||
-        (other.Range == device.Range && other.Device <= device.Device)) {
-      return;
-    }
-    visit(other, squareDistance);
-  });
+void CRABRouting::ForRunsNear(size_t place, VISIT&& visit) const {
+  const Real x = m_placedX[place];
+  const Real y = m_placedY[place];
+  const Real range = m_placed[place].Range;
+  const Real squareRange = range * range;
+  const Real rank = m_rank[place] + (m_areRangesEqual ? 0.5 : 0.0);
+  // true for every device in range, seen from above, of sufficient rank
+  const auto isPair = [=, this](size_t other) {
+    const Real dx = m_placedX[other] - x;
+    const Real dy = m_placedY[other] - y;
+    return (dx * dx + dy * dy < squareRange) & (m_rank[other] >= rank);
+  };
+  m_cells.ForRunsNear(x, y, range, [&](size_t begin, size_t end) { visit(begin, end, isPair); });
 }
 
 void CRABRouting::CountPairs(CThreadPool& pool) {
@@ -101,73 +116,133 @@ void CRABRouting::CountPairs(CThreadPool& pool) {
   pool.ParallelFor(m_placed.size(), kPlacedPerTask, [this](size_t begin, size_t end, UInt32) {
     for (size_t place = begin; place < end; ++place) {
       size_t count = 0;
-      ForPairsOf(m_placed[place], [&count](const SPlaced&, Real) { ++count; });
-      m_pairStart[place + 1] = 2 * count;
+      ForRunsNear(place, [&count](size_t first, size_t last, const auto& isPair) {
+        for (size_t other = first; other < last; ++other) {
+          count += isPair(other) ? 1 : 0;
+        }
+      });
+      m_pairStart[place + 1] = count;
     }
   });
+}
+
+void CRABRouting::ReserveScratch(CThreadPool& pool) {
+  size_t most = 0;
   for (size_t place = 0; place < m_placed.size(); ++place) {
+    most = std::max(most, m_pairStart[place + 1]);
     m_pairStart[place + 1] += m_pairStart[place];
   }
   ResizeWithSpare(m_hearings, m_pairStart.back());
   m_numHearings.resize(m_placed.size());
+  m_scratch.resize(std::max<size_t>(m_scratch.size(), pool.GetNumThreads()));
+  for (SScratch& scratch : m_scratch) {
+    // FindPairs() writes one beyond the last
+    if (scratch.Pairs.size() < most + 1) {
+      scratch.Pairs.resize(most + most / 2 + 1);
+      scratch.Fan.Reserve(scratch.Pairs.size());
+    }
+  }
+}
+
+// lists the places of the devices that one device has to examine; @return their number
+size_t CRABRouting::FindPairs(size_t place, std::vector<UInt32>& pairs) const {
+  size_t num = 0;
+  UInt32* const list = pairs.data();
+  ForRunsNear(place, [&num, list](size_t first, size_t last, const auto& isPair) {
+    for (size_t other = first; other < last; ++other) {
+      // a branch would be mispredicted often
+      list[num] = static_cast<UInt32>(other);
+      num += isPair(other) ? 1 : 0;
+    }
+  });
+  const SPlaced& device = m_placed[place];
+  const Real squareRange = device.Range * device.Range;
+  const auto isOut = [&](UInt32 number) {
+    const SPlaced& other = m_placed[number];
+    const Real dx = other.End.X - device.End.X;
+    const Real dy = other.End.Y - device.End.Y;
+    const Real dz = other.End.Z - device.End.Z;
+    return dx * dx + dy * dy + dz * dz >= squareRange || other.MessageSize != device.MessageSize ||
+           (other.Range == device.Range && other.Device <= device.Device);
+  };
+  return static_cast<size_t>(std::remove_if(list, list + num, isOut) - list);
+}
+
+void CRABRouting::ExaminePairsOf(size_t place, SScratch& scratch, const CLineOfSight* sight) {
+  const size_t num = FindPairs(place, scratch.Pairs);
+  const SPlaced& device = m_placed[place];
+  if (sight != nullptr) {
+    scratch.Fan.Start(device.End);
+    for (size_t pair = 0; pair < num; ++pair) {
+      const SPlaced& other = m_placed[scratch.Pairs[pair]];
+      // the direction does not depend on the examining device, so neither do the roundings
+      scratch.Fan.Add(other.End, device.Device < other.Device);
+    }
+    scratch.Fan.Trace(*sight);
+  }
+  THearing* const first = m_hearings.data() + m_pairStart[place];
+  THearing* next = first;
+  for (size_t pair = 0; pair < num; ++pair) {
+    if (sight != nullptr && !scratch.Fan.IsClear(pair)) {
+      continue;
+    }
+    const SPlaced& other = m_placed[scratch.Pairs[pair]];
+    const Real dx = other.End.X - device.End.X;
+    const Real dy = other.End.Y - device.End.Y;
+    const Real dz = other.End.Z - device.End.Z;
+    const bool isMutual = dx * dx + dy * dy + dz * dz < other.Range * other.Range;
+    *next++ = other.Device | (isMutual ? kMutual : 0);
+  }
+  std::sort(first, next, [](THearing a, THearing b) { return (a & ~kMutual) < (b & ~kMutual); });
+  m_numHearings[place] = static_cast<UInt32>(next - first);
+  ARGOS_ASSERT(m_pairStart[place] + m_numHearings[place] <= m_pairStart[place + 1],
+               "a device has more hearings than pairs: " << m_numHearings[place]);
 }
 
 void CRABRouting::ExaminePairs(CThreadPool& pool, const CLineOfSight* sight) {
-  const auto examine = [&](size_t place) {
-    const SPlaced& device = m_placed[place];
-    SHearing* const first = m_hearings.data() + m_pairStart[place];
-    SHearing* next = first;
-    ForPairsOf(device, [&](const SPlaced& other, Real squareDistance) {
-      // the direction does not depend on the examining device, so neither do the roundings
-      const bool forward = device.Device < other.Device;
-      const SPlaced& from = forward ? device : other;
-      const SPlaced& to = forward ? other : device;
-      if (sight != nullptr &&
-          !sight->IsClear(CRay3(CVector3(from.X, from.Y, from.Z), CVector3(to.X, to.Y, to.Z)),
-                          from.Body, to.Body)) {
-        return;
-      }
-      *next++ = {other.Device, device.Device};
-      if (squareDistance < other.Range * other.Range) {
-        *next++ = {device.Device, other.Device};
-      }
-    });
-    m_numHearings[place] = static_cast<UInt32>(next - first);
-    ARGOS_ASSERT(m_pairStart[place] + m_numHearings[place] <= m_pairStart[place + 1],
-                 "a device has more hearings than pairs: " << m_numHearings[place]);
-  };
-  pool.ParallelFor(m_placed.size(), kPlacedPerTask, [&](size_t begin, size_t end, UInt32) {
+  pool.ParallelFor(m_placed.size(), kPlacedPerTask, [&](size_t begin, size_t end, UInt32 thread) {
     for (size_t place = begin; place < end; ++place) {
-      examine(place);
+      ExaminePairsOf(place, m_scratch[thread], sight);
     }
   });
 }
 
+// calls visit(receiver, sender), by the number of the examining device, then by that of the other
+template <typename VISIT>
+void CRABRouting::ForHearings(VISIT&& visit) const {
+  for (const UInt32 device : m_finite) {
+    const UInt32 place = m_placeOf[device];
+    const THearing* const first = m_hearings.data() + m_pairStart[place];
+    std::for_each(first, first + m_numHearings[place], [&](THearing hearing) {
+      visit(hearing & ~kMutual, device);
+      if ((hearing & kMutual) != 0) {
+        visit(device, hearing & ~kMutual);
+      }
+    });
+  }
+}
+
 void CRABRouting::CollectByReceiver(CThreadPool& pool) {
   const size_t num = m_devices.GetSize();
-  const auto forHearings = [this](auto&& visit) {
-    for (size_t place = 0; place < m_placed.size(); ++place) {
-      const SHearing* const first = m_hearings.data() + m_pairStart[place];
-      std::for_each(first, first + m_numHearings[place], visit);
-    }
-  };
   m_senderStart.assign(num + 1, 0);
-  forHearings([this](const SHearing& hearing) { ++m_senderStart[hearing.Receiver + 1]; });
+  ForHearings([this](UInt32 receiver, UInt32) { ++m_senderStart[receiver + 1]; });
   m_cursor.resize(num);
   for (size_t device = 0; device < num; ++device) {
     m_senderStart[device + 1] += m_senderStart[device];
     m_cursor[device] = m_senderStart[device];
   }
   ResizeWithSpare(m_senders, m_senderStart.back());
-  forHearings([this](const SHearing& hearing) {
-    m_senders[m_cursor[hearing.Receiver]++] = hearing.Sender;
-  });
-  pool.ParallelFor(num, kPlacedPerTask, [this](size_t begin, size_t end, UInt32) {
-    for (size_t device = begin; device < end; ++device) {
-      std::sort(m_senders.begin() + m_senderStart[device],
-                m_senders.begin() + m_senderStart[device + 1]);
-    }
-  });
+  ForHearings([this](UInt32 receiver, UInt32 sender) { m_senders[m_cursor[receiver]++] = sender; });
+  // If all ranges are equal, the senders are ascending: first those with lower numbers, which
+  // examined, then those that the receiver examined itself.
+  if (!m_areRangesEqual) {
+    pool.ParallelFor(num, kPlacedPerTask, [this](size_t begin, size_t end, UInt32) {
+      for (size_t device = begin; device < end; ++device) {
+        std::sort(m_senders.begin() + m_senderStart[device],
+                  m_senders.begin() + m_senderStart[device + 1]);
+      }
+    });
+  }
 }
 
 }  // namespace argos

@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/space/line_of_sight.h>
 #include <argos3/core/utility/configuration/argos_exception.h>
 #include <argos3/plugins/simulator/media/point_cells.h>
+#include <argos3/plugins/simulator/media/sight_fan.h>
 
 #include <vector>
 
@@ -27,6 +28,7 @@ class CRABRouting {
                                   nor receives */
     std::vector<Real> Range; /**< m, >= 0 */
     std::vector<UInt32> MessageSize; /**< bytes */
+    std::vector<Real> Reach; /**< see CSightFan::SEnd; only for occlusion */
     std::vector<CLineOfSight::SEnd> Bodies;
 
     size_t GetSize() const { return X.size(); }
@@ -67,31 +69,47 @@ class CRABRouting {
  private:
   // data of a device, in cell order
   struct SPlaced {
-    Real X, Y, Z;
+    CSightFan::SEnd End;
     Real Range;
-    CLineOfSight::SEnd Body;
     UInt32 Device;
     UInt32 MessageSize;
   };
-  struct SHearing {
-    UInt32 Receiver, Sender;
+  // what each thread uses
+  struct SScratch {
+    std::vector<UInt32> Pairs;  // places of the other devices
+    CSightFan Fan;
   };
+  // A pair of which one device has the number, and the other one examines. The former receives; the
+  // latter, if kMutual is set.
+  typedef UInt32 THearing;
+  static constexpr THearing kMutual = THearing(1) << 31;
 
-  void SortByCell();
+  void SortByCell(CThreadPool& pool);
   template <typename VISIT>
-  void ForPairsOf(const SPlaced& device, VISIT&& visit) const;
+  void ForRunsNear(size_t place, VISIT&& visit) const;
   void CountPairs(CThreadPool& pool);
+  void ReserveScratch(CThreadPool& pool);
   void ExaminePairs(CThreadPool& pool, const CLineOfSight* sight);
+  void ExaminePairsOf(size_t place, SScratch& scratch, const CLineOfSight* sight);
+  size_t FindPairs(size_t place, std::vector<UInt32>& pairs) const;
+  template <typename VISIT>
+  void ForHearings(VISIT&& visit) const;
   void CollectByReceiver(CThreadPool& pool);
 
   SDevices m_devices;
   CPointCells m_cells;
-  std::vector<Real> m_x, m_y;  // (placed devices), m; for m_cells
-  std::vector<UInt32> m_finite;  // (placed devices), numbers
-  std::vector<SPlaced> m_placed;  // in cell order
+  std::vector<Real> m_x, m_y;  // (finite devices), m; for m_cells
+  std::vector<UInt32> m_finite;  // (finite devices), numbers
+  bool m_areRangesEqual = true;
+  std::vector<UInt32> m_placeOf;  // (devices), of finite ones
+  // (placed devices), in cell order
+  std::vector<SPlaced> m_placed;
+  std::vector<Real> m_placedX, m_placedY;  // m
+  std::vector<Real> m_rank;  // a device examines those of higher rank
   std::vector<size_t> m_pairStart;  // (placed devices + 1): ranges in m_hearings
   std::vector<UInt32> m_numHearings;  // (placed devices)
-  std::vector<SHearing> m_hearings;  // at most two per pair
+  std::vector<THearing> m_hearings;  // at most one per pair
+  std::vector<SScratch> m_scratch;  // (threads)
   std::vector<UInt32> m_senderStart;  // (devices + 1): ranges in m_senders
   std::vector<UInt32> m_cursor;  // (devices), scratch
   std::vector<UInt32> m_senders;  // by receiver, ascending

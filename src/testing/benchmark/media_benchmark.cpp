@@ -3,18 +3,20 @@
 // measured in a process of its own.
 //
 //   argos3_media_benchmark [--robots 10000] [--threads 0,2] [--ticks 100]
-//                          [--media none,pheromone,range_and_bearing]
+//                          [--media none,pheromone,range_and_bearing] [--range 0.8]
 
 #include <argos3/testing/benchmark/in_child.h>
 #include <argos3/testing/support/rooms.h>
 
 #include <argos3/core/control_interface/ci_controller.h>
+#include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/tick/tick_times.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_pheromone_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_sensor.h>
+#include <argos3/plugins/simulator/entities/rab_equipped_entity.h>
 
 #include <CLI/CLI.hpp>
 
@@ -72,6 +74,7 @@ struct SOptions {
   std::vector<UInt32> Threads = {0, 2};
   UInt32 Ticks = 100;
   UInt32 WarmUp = 20;
+  Real Range = 0.8;  // of messages, m
   std::vector<std::string> Media;
 };
 
@@ -90,6 +93,7 @@ void Report(const SOptions& options, const std::string& name, UInt32 robots, UIn
   simulator.Load(document);
   for (CControllableEntity* robot : simulator.GetSpace().GetControllableEntities()) {
     subject.Prepare(*robot);
+    robot->GetParent().GetComponent<CRABEquippedEntity>("rab").SetRange(options.Range);
   }
   for (UInt32 tick = 0; tick < options.WarmUp; ++tick) {
     simulator.UpdateSpace();
@@ -127,6 +131,7 @@ int main(int argc, char** argv) {
   app.add_option("--robots", options.Robots, "numbers of robots")->delimiter(',');
   app.add_option("--threads", options.Threads, "numbers of threads")->delimiter(',');
   app.add_option("--ticks", options.Ticks, "ticks of 0.1 s that are measured");
+  app.add_option("--range", options.Range, "of range-and-bearing messages, m");
   app.add_option("--media", options.Media, "which media")
       ->delimiter(',')
       ->check(CLI::IsMember(known));

@@ -131,6 +131,11 @@ class CBodyIndex {
    *                 or kNoBody.
    */
   bool IsBlocked(const CRay3& segment, UInt32 start, UInt32 end) const;
+  /**
+   * A bound of the distance from (@p x, @p y) to the solids of a body, seen from above, m: none is
+   * farther. Infinite for articulated bodies, 0 for kNoBody.
+   */
+  Real ComputeReach(UInt32 body, Real x, Real y) const;
   /** Appends every body that @p ray meets, once each. */
   void FindAllHits(TEmbodiedEntityIntersectionData& data, const CRay3& ray) const;
   /**

@@ -160,6 +160,20 @@ bool CBodyIndex::IsBlocked(const CRay3& segment, UInt32 start, UInt32 end) const
   return Intersect(occluder, between) <= 1.0 || FindOccluder(occluder, between, start, end);
 }
 
+Real CBodyIndex::ComputeReach(UInt32 number, Real x, Real y) const {
+  if (number == kNoBody || m_bodies[number].Entity == nullptr) {
+    return 0.0;
+  }
+  const SBody& body = m_bodies[number];
+  if (body.Links != nullptr) {
+    return HUGE_VAL;
+  }
+  const SPose& pose = m_poses[number];
+  const Real dx = pose.X - x;
+  const Real dy = pose.Y - y;
+  return std::sqrt(dx * dx + dy * dy) + (pose.Upright ? body.Reach : body.TiltedReach);
+}
+
 UInt32 CBodyIndex::FindOverlap(const SBodyDescription& description, const CVector3& position,
                                const CQuaternion& orientation, UInt32 ignored,
                                const SBodyPose* links) const {

@@ -40,6 +40,11 @@ class CLineOfSight {
   }
   static SEnd MakeEnd(const CEmbodiedEntity& body);
 
+  /** For callers that test many lines at once. */
+  const CBodyIndex& GetIndex() const { return m_index; }
+  /** @return true if bodies occlude that are not in the index. */
+  bool HasBodiesOutsideIndex() const { return !m_engines.empty(); }
+
  private:
   bool IsClearOutsideIndex(const CRay3& segment, const CEmbodiedEntity* start,
                            const CEmbodiedEntity* end) const;

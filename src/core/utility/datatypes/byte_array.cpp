@@ -12,9 +12,9 @@ namespace argos {
 // bytes
 /****************************************/
 
-CByteArray::CByteArray(const CByteArray& other)
-    : m_bytes(other.m_bytes.begin() + static_cast<std::ptrdiff_t>(other.m_front),
-              other.m_bytes.end()) {}
+CByteArray::CByteArray(const CByteArray& other) {
+  Assign(other);
+}
 
 CByteArray::CByteArray(CByteArray&& other) noexcept {
   Swap(other);
@@ -24,13 +24,14 @@ CByteArray::CByteArray(const UInt8* buffer, std::size_t size) {
   AddBuffer(buffer, size);
 }
 
-CByteArray::CByteArray(std::size_t size, UInt8 value) : m_bytes(size, value) {}
+CByteArray::CByteArray(std::size_t size, UInt8 value) {
+  Resize(size, value);
+}
 
-CByteArray& CByteArray::operator=(const CByteArray& other) {
+CByteArray& CByteArray::Assign(const CByteArray& other) {
   if (this != &other) {
-    m_bytes.assign(other.m_bytes.begin() + static_cast<std::ptrdiff_t>(other.m_front),
-                   other.m_bytes.end());
-    m_front = 0;
+    Clear();
+    AddBuffer(other.ToCArray(), other.Size());
   }
   return *this;
 }
@@ -40,22 +41,48 @@ CByteArray& CByteArray::operator=(CByteArray&& other) noexcept {
   return *this;
 }
 
+// makes space for that many bytes from index 0 on
+void CByteArray::Reserve(std::size_t bytes) {
+  if (bytes <= GetCapacity()) {
+    return;
+  }
+  const std::size_t capacity = std::max(bytes, 2 * m_end);
+  std::unique_ptr<UInt8[]> heap(new UInt8[capacity]);
+  std::copy_n(GetStorage(), m_end, heap.get());
+  m_heap = std::move(heap);
+  m_heapBytes = capacity;
+}
+
+// appends bytes without values; @return the first of them
+UInt8* CByteArray::Extend(std::size_t bytes) {
+  Reserve(m_end + bytes);
+  UInt8* const first = GetStorage() + m_end;
+  m_end += bytes;
+  return first;
+}
+
 void CByteArray::Resize(std::size_t size, UInt8 value) {
-  m_bytes.resize(m_front + size, value);
+  const std::size_t end = m_front + size;
+  if (end > m_end) {
+    const std::size_t more = end - m_end;
+    std::fill_n(Extend(more), more, value);
+  }
+  m_end = end;
 }
 
 void CByteArray::Swap(CByteArray& other) noexcept {
-  m_bytes.swap(other.m_bytes);
+  m_heap.swap(other.m_heap);
   std::swap(m_front, other.m_front);
+  std::swap(m_end, other.m_end);
+  std::swap(m_inline, other.m_inline);  // the number of allocated bytes, too
 }
 
 void CByteArray::Clear() {
-  m_bytes.clear();
-  m_front = 0;
+  m_front = m_end = 0;
 }
 
 void CByteArray::Zero() {
-  std::fill(m_bytes.begin(), m_bytes.end(), UInt8(0));
+  std::fill_n(GetStorage(), m_end, UInt8(0));
 }
 
 void CByteArray::CheckIndex(std::size_t index) const {
@@ -74,39 +101,40 @@ void CByteArray::CheckAvailable(std::size_t bytes) const {
 
 UInt8& CByteArray::operator[](std::size_t index) {
   CheckIndex(index);
-  return m_bytes[m_front + index];
+  return GetStorage()[m_front + index];
 }
 
 UInt8 CByteArray::operator[](std::size_t index) const {
   CheckIndex(index);
-  return m_bytes[m_front + index];
+  return GetStorage()[m_front + index];
 }
 
 bool CByteArray::operator==(const CByteArray& other) const {
-  return Size() == other.Size() &&
-         std::equal(m_bytes.begin() + static_cast<std::ptrdiff_t>(m_front), m_bytes.end(),
-                    other.m_bytes.begin() + static_cast<std::ptrdiff_t>(other.m_front));
+  return Size() == other.Size() && std::equal(GetStorage() + m_front, GetStorage() + m_end,
+                                              other.GetStorage() + other.m_front);
 }
 
 CByteArray& CByteArray::AddBuffer(const UInt8* buffer, std::size_t size) {
-  m_bytes.insert(m_bytes.end(), buffer, buffer + size);
+  std::copy_n(buffer, size, Extend(size));
   return *this;
 }
 
 CByteArray& CByteArray::FetchBuffer(UInt8* buffer, std::size_t size) {
   CheckAvailable(size);
-  std::copy_n(m_bytes.begin() + static_cast<std::ptrdiff_t>(m_front), size, buffer);
+  std::copy_n(GetStorage() + m_front, size, buffer);
   RemoveFront(size);
   return *this;
 }
 
 void CByteArray::RemoveFront(std::size_t bytes) {
   m_front += bytes;
-  if (m_front == m_bytes.size()) {
+  if (m_front == m_end) {
     Clear();
-  } else if (2 * m_front > m_bytes.size()) {
+  } else if (2 * m_front > m_end) {
     // amortised: the erased bytes have been read one by one
-    m_bytes.erase(m_bytes.begin(), m_bytes.begin() + static_cast<std::ptrdiff_t>(m_front));
+    UInt8* const storage = GetStorage();
+    std::copy(storage + m_front, storage + m_end, storage);
+    m_end -= m_front;
     m_front = 0;
   }
 }
@@ -118,10 +146,7 @@ CByteArray* CByteArray::operator()(std::size_t start, ssize_t end) {
                                                            << " is out of range, the size is "
                                                            << Size());
   }
-  auto* part = new CByteArray();
-  part->m_bytes.assign(m_bytes.begin() + static_cast<std::ptrdiff_t>(m_front + start),
-                       m_bytes.begin() + static_cast<std::ptrdiff_t>(m_front + last));
-  return part;
+  return new CByteArray(GetStorage() + m_front + start, last - start);
 }
 
 /****************************************/
@@ -131,8 +156,9 @@ CByteArray* CByteArray::operator()(std::size_t start, ssize_t end) {
 template <typename T>
 CByteArray& CByteArray::PutInteger(T value) {
   const auto bits = static_cast<std::make_unsigned_t<T>>(value);
-  for (std::size_t i = sizeof(T); i > 0; --i) {
-    m_bytes.push_back(static_cast<UInt8>((bits >> (8 * (i - 1))) & 0xFFU));
+  UInt8* const first = Extend(sizeof(T));
+  for (std::size_t i = 0; i < sizeof(T); ++i) {
+    first[i] = static_cast<UInt8>((bits >> (8 * (sizeof(T) - 1 - i))) & 0xFFU);
   }
   return *this;
 }
@@ -142,7 +168,7 @@ CByteArray& CByteArray::TakeInteger(T& value) {
   CheckAvailable(sizeof(T));
   unsigned long long bits = 0;
   for (std::size_t i = 0; i < sizeof(T); ++i) {
-    bits = (bits << 8) | m_bytes[m_front + i];
+    bits = (bits << 8) | GetStorage()[m_front + i];
   }
   value = static_cast<T>(static_cast<std::make_unsigned_t<T>>(bits));
   RemoveFront(sizeof(T));
@@ -267,15 +293,17 @@ CByteArray& CByteArray::operator>>(float& value) {
 
 CByteArray& CByteArray::operator<<(const std::string& value) {
   const std::size_t length = std::strlen(value.c_str());
-  m_bytes.insert(m_bytes.end(), value.begin(), value.begin() + static_cast<std::ptrdiff_t>(length));
-  m_bytes.push_back(0);
+  UInt8* const first = Extend(length + 1);
+  std::copy_n(value.begin(), length, first);
+  first[length] = 0;
   return *this;
 }
 
 CByteArray& CByteArray::operator>>(std::string& value) {
-  const auto begin = m_bytes.begin() + static_cast<std::ptrdiff_t>(m_front);
-  const auto end = std::find(begin, m_bytes.end(), UInt8(0));
-  if (end == m_bytes.end()) {
+  const UInt8* const begin = GetStorage() + m_front;
+  const UInt8* const last = GetStorage() + m_end;
+  const UInt8* const end = std::find(begin, last, UInt8(0));
+  if (end == last) {
     THROW_ARGOSEXCEPTION("Byte array: cannot read a string, none of the "
                          << Size() << " bytes is its terminating zero");
   }

@@ -7,7 +7,9 @@
 #include <sys/types.h>
 
 #include <cstddef>
+#include <cstring>
 #include <iostream>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,6 +28,9 @@ namespace argos {
  *
  * Every function that reads throws CARGoSException, and removes nothing, if there are too few
  * bytes.
+ *
+ * Up to 16 bytes, the common size of a message, are stored in the array itself; more are on the
+ * heap, in memory that assignments and Clear() keep.
  */
 class CByteArray {
  public:
@@ -34,11 +39,20 @@ class CByteArray {
   CByteArray(CByteArray&& other) noexcept;
   CByteArray(const UInt8* buffer, std::size_t size);
   CByteArray(std::size_t size, UInt8 value = 0);
-  CByteArray& operator=(const CByteArray& other);
+  CByteArray& operator=(const CByteArray& other) {
+    if (m_heap == nullptr && other.m_heap == nullptr && other.m_front == 0) {
+      // a fixed size is a few instructions, and correct for an assignment to itself
+      std::memmove(m_inline, other.m_inline, kInlineBytes);
+      m_end = other.m_end;
+      m_front = 0;
+      return *this;
+    }
+    return Assign(other);
+  }
   CByteArray& operator=(CByteArray&& other) noexcept;
   ~CByteArray() = default;
 
-  std::size_t Size() const { return m_bytes.size() - m_front; }
+  std::size_t Size() const { return m_end - m_front; }
 
   /** @param value  value of new bytes. */
   void Resize(std::size_t size, UInt8 value = 0);
@@ -47,8 +61,8 @@ class CByteArray {
   bool Empty() const { return Size() == 0; }
 
   /** Returns the bytes; null if the array is empty. Valid until the array is changed. */
-  const UInt8* ToCArray() const { return Empty() ? nullptr : m_bytes.data() + m_front; }
-  UInt8* ToCArray() { return Empty() ? nullptr : m_bytes.data() + m_front; }
+  const UInt8* ToCArray() const { return Empty() ? nullptr : GetStorage() + m_front; }
+  UInt8* ToCArray() { return Empty() ? nullptr : GetStorage() + m_front; }
 
   /** Removes all bytes. */
   void Clear();
@@ -111,6 +125,8 @@ class CByteArray {
   CByteArray& operator>>(std::string& value);
 
  private:
+  static constexpr std::size_t kInlineBytes = 16;
+
   template <typename T>
   CByteArray& PutInteger(T value);
   template <typename T>
@@ -118,10 +134,22 @@ class CByteArray {
   void CheckAvailable(std::size_t bytes) const;
   void CheckIndex(std::size_t index) const;
   void RemoveFront(std::size_t bytes);
+  CByteArray& Assign(const CByteArray& other);
+  UInt8* Extend(std::size_t bytes);
+  void Reserve(std::size_t bytes);
 
-  std::vector<UInt8> m_bytes;
+  const UInt8* GetStorage() const { return m_heap != nullptr ? m_heap.get() : m_inline; }
+  UInt8* GetStorage() { return m_heap != nullptr ? m_heap.get() : m_inline; }
+  std::size_t GetCapacity() const { return m_heap != nullptr ? m_heapBytes : kInlineBytes; }
+
+  std::unique_ptr<UInt8[]> m_heap;  // null: the bytes are in m_inline
   // bytes before this index have been read; erasing them one by one would be slow
   std::size_t m_front = 0;
+  std::size_t m_end = 0;  // index after the last byte
+  union {
+    UInt8 m_inline[kInlineBytes] = {};
+    std::size_t m_heapBytes;  // allocated
+  };
 };
 
 /** Prints "CByteArray [ b0 b1 ... ]" with decimal numbers, then a line break. */

@@ -88,6 +88,7 @@ TEST_CASE("rab routing: the range is exclusive, and only that of the sender coun
   devices.Y = devices.Z = {0.0, 0.0, 0.0};
   devices.Range = {2.0, 1.0, 1.5};
   devices.MessageSize = {4, 4, 4};
+  devices.Reach.assign(3, 0.0);
   devices.Bodies.assign(3, {nullptr, 0});
   routing.Route(pool, nullptr);
   const std::vector<std::vector<UInt32>> expected = {{}, {0, 2}, {}};

@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/core/utility/memory/load_ahead.h>
 #include <argos3/plugins/robots/generic/simulator/device_manual.h>
 #include <argos3/plugins/robots/generic/simulator/medium_attribute.h>
 #include <argos3/plugins/robots/generic/simulator/units.h>
@@ -10,9 +11,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <typeinfo>
 
 namespace argos {
+
+namespace {
+
+// how many packets ahead the data of a sender are loaded
+constexpr std::ptrdiff_t kSendersAhead = 12;
+
+}  // namespace
 
 CRangeAndBearingMediumSensor::CRangeAndBearingMediumSensor()
     : m_pcControllableEntity(m_robot), m_cSpace(CurrentSpace()) {}
@@ -44,10 +53,23 @@ void CRangeAndBearingMediumSensor::Configure(TConfigurationNode& tree) {
 
 void CRangeAndBearingMediumSensor::Update() {
   const CRABMedium::SNumbers senders = m_medium->GetSenders(*m_pcRangeAndBearingEquippedEntity);
+  const CRABEquippedEntity* const* const devices = m_medium->GetDevices();
+  const CQuaternion toReceiver = m_pcRangeAndBearingEquippedEntity->GetOrientation().Inverse();
+  const auto loadAhead = [&](UInt32 number) {
+    if (const CRABEquippedEntity* const sender = devices[number]) {
+      LoadAhead(sender->GetPosition());
+      LoadAhead(sender->GetData());
+    }
+  };
+  const auto ahead = std::min<std::ptrdiff_t>(kSendersAhead, senders.Last - senders.First);
+  std::for_each(senders.First, senders.First + ahead, loadAhead);
   // packets of the last tick are overwritten: their bytes remain allocated
   size_t numPackets = 0;
-  for (const UInt32 number : senders) {
-    const CRABEquippedEntity* const sender = m_medium->GetDevice(number);
+  for (const UInt32* number = senders.First; number != senders.Last; ++number) {
+    if (senders.Last - number > ahead) {
+      loadAhead(number[ahead]);
+    }
+    const CRABEquippedEntity* const sender = devices[*number];
     if (sender == nullptr ||
         (m_fPacketDropProb > 0.0 && GetStream().Bernoulli(m_fPacketDropProb))) {
       continue;
@@ -57,12 +79,13 @@ void CRangeAndBearingMediumSensor::Update() {
         packet.Data.Resize(m_pcRangeAndBearingEquippedEntity->GetMsgSize());
       });
     }
-    ReadFrom(*sender, m_tReadings[numPackets++]);
+    ReadFrom(*sender, toReceiver, m_tReadings[numPackets++]);
   }
   m_spare.Shrink(m_tReadings, numPackets);
 }
 
-void CRangeAndBearingMediumSensor::ReadFrom(const CRABEquippedEntity& sender, SPacket& packet) {
+void CRangeAndBearingMediumSensor::ReadFrom(const CRABEquippedEntity& sender,
+                                            const CQuaternion& toReceiver, SPacket& packet) {
   packet.Data = sender.GetData();
   CVector3 way = sender.GetPosition() - m_pcRangeAndBearingEquippedEntity->GetPosition();
   if (m_bShowRays) {
@@ -72,12 +95,14 @@ void CRangeAndBearingMediumSensor::ReadFrom(const CRABEquippedEntity& sender, SP
   if (m_fDistanceNoiseStdDev > 0.0) {
     way += DrawError();
   }
-  way.Rotate(m_pcRangeAndBearingEquippedEntity->GetOrientation().Inverse());
+  way.Rotate(toReceiver);
   packet.Range = way.Length() * kCentimetersPerMeter;
   packet.HorizontalBearing = ATan2(way.GetY(), way.GetX());
-  const Real horizontal = std::sqrt(way.GetX() * way.GetX() + way.GetY() * way.GetY());
   // common case: both robots are on the same plane
-  packet.VerticalBearing = way.GetZ() == 0.0 ? CRadians() : ATan2(way.GetZ(), horizontal);
+  packet.VerticalBearing =
+      way.GetZ() == 0.0
+          ? CRadians()
+          : ATan2(way.GetZ(), std::sqrt(way.GetX() * way.GetX() + way.GetY() * way.GetY()));
   if (m_noise.IsOn()) {
     AddNoise(packet);
   }

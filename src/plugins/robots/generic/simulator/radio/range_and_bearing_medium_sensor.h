@@ -4,6 +4,7 @@
 #include <argos3/core/utility/datatypes/spare_elements.h>
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/core/utility/math/rng.h>
+#include <argos3/core/utility/math/quaternion.h>
 #include <argos3/core/utility/math/vector3.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_range_and_bearing_sensor.h>
 #include <argos3/plugins/robots/generic/simulator/noisy_sensor.h>
@@ -36,7 +37,8 @@ class CRangeAndBearingMediumSensor : public CNoisySensor<CCI_RangeAndBearingSens
   void Configure(TConfigurationNode& tree) override;
   /** Clears the packets and restarts the noise. */
   void ResetReading() override;
-  void ReadFrom(const CRABEquippedEntity& sender, SPacket& packet);
+  /** @param toReceiver  rotates from the world frame into the frame of the robot's device. */
+  void ReadFrom(const CRABEquippedEntity& sender, const CQuaternion& toReceiver, SPacket& packet);
   void AddNoise(SPacket& packet);
   CVector3 DrawError();
   CRandomStream& GetStream();

@@ -6,6 +6,8 @@
 
 #include <limits>
 #include <memory>
+#include <utility>
+#include <vector>
 
 using namespace argos;
 using Catch::Contains;
@@ -210,6 +212,51 @@ TEST_CASE("byte array: prints its bytes", "[core][byte_array]") {
   const UInt8 buffer[] = {1, 0, 255};
   CHECK(ToString(CByteArray(buffer, 3)) == "CByteArray [ 1 0 255 ]\n");
   CHECK(ToString(CByteArray()) == "CByteArray [ ]\n");
+}
+
+TEST_CASE("byte array: short and long arrays are copied, moved and swapped alike",
+          "[core][byte_array]") {
+  // up to 16 bytes are stored inline
+  const size_t size = GENERATE(0U, 1U, 15U, 16U, 17U, 300U);
+  const size_t otherSize = GENERATE(0U, 3U, 16U, 40U);
+  const size_t numRead = GENERATE(0U, 1U);
+  CAPTURE(size, otherSize, numRead);
+  if (numRead > size) {
+    return;
+  }
+  const auto make = [](size_t bytes, UInt8 first) {
+    CByteArray array;
+    for (size_t i = 0; i < bytes; ++i) {
+      array << static_cast<UInt8>(first + i);
+    }
+    return array;
+  };
+  const auto list = [](const CByteArray& array) {
+    return std::vector<UInt8>(array.ToCArray(), array.ToCArray() + array.Size());
+  };
+  CByteArray array = make(size, 5);
+  for (size_t i = 0; i < numRead; ++i) {
+    CHECK(array.PopFront<UInt8>() == 5);
+  }
+  const std::vector<UInt8> bytes = list(make(size - numRead, static_cast<UInt8>(5 + numRead)));
+  CHECK(list(array) == bytes);
+  const CByteArray& same = array;
+  array = same;
+  CHECK(list(array) == bytes);
+  const CByteArray copy(array);
+  CHECK(list(copy) == bytes);
+  CHECK(copy == array);
+  CByteArray assigned = make(otherSize, 100);
+  assigned = array;
+  CHECK(list(assigned) == bytes);
+  assigned << UInt8(7);
+  CHECK(list(array) == bytes);
+  CByteArray other = make(otherSize, 100);
+  other.Swap(array);
+  CHECK(list(other) == bytes);
+  CHECK(list(array) == list(make(otherSize, 100)));
+  const CByteArray moved(std::move(other));
+  CHECK(list(moved) == bytes);
 }
 
 TEST_CASE("memento: a saved state can be restored", "[core][memento]") {

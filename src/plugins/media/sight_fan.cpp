@@ -1,0 +1,257 @@
+#include <argos3/plugins/simulator/media/sight_fan.h>
+
+#include <argos3/core/simulator/geometry/body_index.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+// relative; much larger than rounding errors
+constexpr Real kMore = 1.0 + 1e-6;
+constexpr Real kLess = 1.0 - 1e-6;
+constexpr Real kMargin = 1e-6;  // m, the same for places along a line
+constexpr Real kHeightMargin = 1e-9;  // m, and for heights
+constexpr UInt32 kMaxBuckets = 256;
+// with so few lines, all are compared with each solid
+constexpr size_t kFewLines = 8;
+
+// A number in [0,4] that grows with the angle from the x axis, by 0.5 to 1 for each radian: within
+// a quadrant, y / (x + y).
+Real DirectionOf(Real x, Real y) {
+  const Real sum = std::abs(x) + std::abs(y);
+  const Real part = sum > 0.0 ? y / sum : 0.0;
+  if (x < 0.0) {
+    return 2.0 - part;
+  }
+  return part < 0.0 ? 4.0 + part : part;
+}
+
+}  // namespace
+
+// the circle around the footprint of a solid, relative to the eye
+struct CSightFan::SCircle {
+  Real X, Y;  // m
+  Real SquareDistance;  // m^2
+  Real Outer, Inner;  // m^2, square of the radius with a margin
+
+  // false if the segment does not meet the circle, with a margin
+  bool IsNear(const SLine& line, Real squareCross, Real along) const {
+    if (squareCross > Outer * line.SquareLength) {
+      return false;
+    }
+    if (along <= 0.0) {
+      return SquareDistance <= Outer;
+    }
+    const Real toEndX = X - line.DX;
+    const Real toEndY = Y - line.DY;
+    return along < line.SquareLength || toEndX * toEndX + toEndY * toEndY <= Outer;
+  }
+};
+
+Real CSightFan::ComputeReach(const CLineOfSight& sight, const CLineOfSight::SEnd& body, Real x,
+                             Real y) {
+  return sight.GetIndex().ComputeReach(body.Number, x, y);
+}
+
+void CSightFan::Reserve(size_t num) {
+  m_added.reserve(num);
+  m_lines.reserve(num);
+  m_buckets.reserve(num);
+  m_isClear.reserve(num);
+  m_bucketStart.reserve(kMaxBuckets + 1);
+}
+
+void CSightFan::Start(const SEnd& eye) {
+  m_eye = &eye;
+  m_added.clear();
+}
+
+void CSightFan::Add(const SEnd& end, bool toEnd) {
+  m_added.push_back({&end, toEnd});
+}
+
+// Functions are defined before their callers, and inline: the innermost loops call them.
+
+inline UInt32 CSightFan::BucketOf(Real direction) const {
+  return std::min(static_cast<UInt32>(direction * m_bucketsPerQuadrant), m_numBuckets - 1);
+}
+
+void CSightFan::SortLines() {
+  const size_t num = m_added.size();
+  m_numBuckets = 1;
+  while (num > kFewLines && m_numBuckets < num && m_numBuckets < kMaxBuckets) {
+    m_numBuckets *= 2;
+  }
+  m_bucketsPerQuadrant = 0.25 * m_numBuckets;
+  m_bucketStart.assign(m_numBuckets + 1, 0);
+  m_buckets.resize(num);
+  for (size_t i = 0; i < num; ++i) {
+    const SEnd& end = *m_added[i].End;
+    m_buckets[i] =
+        m_numBuckets == 1 ? 0 : BucketOf(DirectionOf(end.X - m_eye->X, end.Y - m_eye->Y));
+    ++m_bucketStart[m_buckets[i]];
+  }
+  UInt32 sum = 0;
+  for (UInt32& start : m_bucketStart) {
+    sum += start;
+    start = sum;
+  }
+  m_lines.resize(num);
+  // backwards, so that each start is that of its bucket in the end
+  for (size_t i = num; i-- > 0;) {
+    const SEnd& end = *m_added[i].End;
+    SLine& line = m_lines[--m_bucketStart[m_buckets[i]]];
+    line.DX = end.X - m_eye->X;
+    line.DY = end.Y - m_eye->Y;
+    line.SquareLength = line.DX * line.DX + line.DY * line.DY;
+    const Real length = std::sqrt(line.SquareLength);
+    line.First = (m_eye->Reach + kMargin) * length;
+    line.Last = line.SquareLength - (end.Reach + kMargin) * length;
+    line.DZ = end.Z - m_eye->Z;
+    line.Body = end.Body.Number;
+    line.Number = static_cast<UInt32>(i);
+    line.State = EState::Clear;
+  }
+}
+
+// Clear if the part of the line between two fractions is above or below the solid; Blocked if the
+// line is at a height of the solid at the fraction inside, by more than a rounding.
+inline CSightFan::EState CSightFan::CheckHeights(const SIndexedShape& shape, const SLine& line,
+                                                 Real first, Real inside, Real last) const {
+  const Real z = m_eye->Z;
+  // level lines are at one height exactly
+  const Real margin = line.DZ == 0.0 ? 0.0 : kHeightMargin;
+  const Real atFirst = z + std::max(first, 0.0) * line.DZ;
+  const Real atLast = z + std::min(last, 1.0) * line.DZ;
+  if (std::max(atFirst, atLast) < shape.ZMin - margin ||
+      std::min(atFirst, atLast) > shape.ZMax + margin) {
+    return EState::Clear;
+  }
+  const Real at = z + inside * line.DZ;
+  return at >= shape.ZMin + margin && at <= shape.ZMax - margin ? EState::Blocked
+                                                                : EState::Doubtful;
+}
+
+CSightFan::EState CSightFan::TraceBox(const SIndexedShape& box, const SLine& line) const {
+  const auto intersect = [&](Real margin) {
+    SIndexedShape other = box;
+    other.HalfX += margin;
+    other.HalfY += margin;
+    return IntersectFootprint(other, m_eye->X, m_eye->Y, line.DX, line.DY);
+  };
+  SRaySpan outer = intersect(kMargin);
+  outer.Clip(0.0, 1.0);
+  if (outer.IsEmpty()) {
+    return EState::Clear;
+  }
+  SRaySpan inner = intersect(-kMargin);
+  inner.Clip(line.First / line.SquareLength, line.Last / line.SquareLength);
+  const bool isInside = line.First < line.Last && inner.First < inner.Last && box.HalfX > kMargin &&
+                        box.HalfY > kMargin;
+  const EState heights =
+      CheckHeights(box, line, outer.First, 0.5 * (inner.First + inner.Last), outer.Last);
+  return isInside ? heights : std::min(heights, EState::Doubtful);
+}
+
+inline CSightFan::EState CSightFan::TraceLine(const SIndexedShape& shape, const SCircle& circle,
+                                              const SLine& line) const {
+  const Real cross = circle.X * line.DY - circle.Y * line.DX;
+  const Real squareCross = cross * cross;
+  const Real along = circle.X * line.DX + circle.Y * line.DY;
+  // rejects most solids
+  if (!circle.IsNear(line, squareCross, along)) {
+    return EState::Clear;
+  }
+  if (line.SquareLength == 0.0 || shape.Kind == SIndexedShape::EKind::Bounds) {
+    return EState::Doubtful;
+  }
+  if (shape.Kind == SIndexedShape::EKind::Box) {
+    return TraceBox(shape, line);
+  }
+  // the point next to the axis, and a part that contains the chord
+  const Real middle = along / line.SquareLength;
+  const Real half = std::sqrt(circle.Outer / line.SquareLength);
+  const bool isInside =
+      squareCross <= circle.Inner * line.SquareLength && along > line.First && along < line.Last;
+  const EState heights = CheckHeights(shape, line, middle - half, middle, middle + half);
+  return isInside ? heights : std::min(heights, EState::Doubtful);
+}
+
+inline void CSightFan::TraceLines(const SIndexedShape& shape, const SCircle& circle, UInt32 first,
+                                  UInt32 last) {
+  for (UInt32 i = first; i < last; ++i) {
+    SLine& line = m_lines[i];
+    if (line.State == EState::Blocked || line.Body == shape.Body) {
+      continue;
+    }
+    const EState state = TraceLine(shape, circle, line);
+    line.State = std::max(line.State, state);
+    m_numOpen -= state == EState::Blocked ? 1 : 0;
+  }
+}
+
+inline void CSightFan::TraceDirections(const SIndexedShape& shape, const SCircle& circle, Real from,
+                                       Real to) {
+  TraceLines(shape, circle, m_bucketStart[BucketOf(from)], m_bucketStart[BucketOf(to) + 1]);
+}
+
+inline void CSightFan::TraceShape(const SIndexedShape& shape) {
+  const Real square = shape.Radius * shape.Radius;
+  SCircle circle{shape.X - m_eye->X, shape.Y - m_eye->Y, 0.0, square * kMore, square * kLess};
+  circle.SquareDistance = circle.X * circle.X + circle.Y * circle.Y;
+  if (m_numBuckets == 1 || circle.SquareDistance <= circle.Outer) {
+    TraceLines(shape, circle, 0, static_cast<UInt32>(m_lines.size()));
+    return;
+  }
+  // The tangents are at an angle of asin(sine) from the centre, which is at most this for every
+  // sine in [0,1]: the difference is 0 at both ends and has no other sign between them.
+  const Real sine = std::min(1.0, std::sqrt(circle.Outer / circle.SquareDistance));
+  const Real width = sine * (1.0 + (0.5 * ARGOS_PI - 1.0) * sine * sine) + kMargin;
+  const Real middle = DirectionOf(circle.X, circle.Y);
+  const Real from = middle - width;
+  const Real to = middle + width;
+  TraceDirections(shape, circle, std::max(0.0, from), std::min(4.0, to));
+  // across the x axis
+  if (from < 0.0) {
+    TraceDirections(shape, circle, from + 4.0, 4.0);
+  } else if (to > 4.0) {
+    TraceDirections(shape, circle, 0.0, to - 4.0);
+  }
+}
+
+void CSightFan::Trace(const CLineOfSight& sight) {
+  SortLines();
+  m_isClear.resize(m_lines.size());
+  m_numOpen = m_lines.size();
+  if (sight.HasBodiesOutsideIndex()) {
+    for (SLine& line : m_lines) {
+      line.State = EState::Doubtful;
+    }
+  } else {
+    Real squareReach = 0.0;
+    for (const SLine& line : m_lines) {
+      squareReach = std::max(squareReach, line.SquareLength);
+    }
+    sight.GetIndex().ForShapesNear(m_eye->X, m_eye->Y, std::sqrt(squareReach) * kMore + kMargin,
+                                   [this](const SIndexedShape& shape) {
+                                     if (shape.Body != m_eye->Body.Number && m_numOpen > 0) {
+                                       TraceShape(shape);
+                                     }
+                                   });
+  }
+  for (const SLine& line : m_lines) {
+    const SAdded& added = m_added[line.Number];
+    const SEnd& start = added.ToEnd ? *m_eye : *added.End;
+    const SEnd& end = added.ToEnd ? *added.End : *m_eye;
+    m_isClear[line.Number] =
+        line.State == EState::Clear || start.Body.Body == end.Body.Body ||
+        (line.State == EState::Doubtful &&
+         sight.IsClear(CRay3(CVector3(start.X, start.Y, start.Z), CVector3(end.X, end.Y, end.Z)),
+                       start.Body, end.Body));
+  }
+}
+
+}  // namespace argos
