@@ -19,6 +19,15 @@ class CComposableEntity;
 void RequireNumSensors(const CComposableEntity& robot, const char* device, const char* kind,
                        size_t needed, size_t num);
 
+/** CArraySensor::ListInputs() of a reader that has such a function. */
+template <class READER>
+auto ListInputsOf(const READER& reader, std::vector<CArraySensor::SArray>& inputs, int)
+    -> decltype(reader.ListInputs(inputs)) {
+  reader.ListInputs(inputs);
+}
+template <class READER>
+void ListInputsOf(const READER& /*reader*/, std::vector<CArraySensor::SArray>& /*inputs*/, long) {}
+
 /**
  * Base of sensors whose readings contain their places: everything except Update().
  *
@@ -49,9 +58,7 @@ class CPlacedReadingsSensor : public CArraySensor, public INTERFACE {
   }
   CArraySensor::SArray GetReadingsArray() const override { return ArrayOf(this->m_tReadings); }
   void ListInputs(std::vector<CArraySensor::SArray>& inputs) const override {
-    if constexpr (requires { m_reader.ListInputs(inputs); }) {
-      m_reader.ListInputs(inputs);
-    }
+    ListInputsOf(m_reader, inputs, 0);
   }
 
  protected:
@@ -82,9 +89,7 @@ class CPlainReadingsSensor : public CArraySensor, public INTERFACE {
   }
   CArraySensor::SArray GetReadingsArray() const override { return ArrayOf(this->m_tReadings); }
   void ListInputs(std::vector<CArraySensor::SArray>& inputs) const override {
-    if constexpr (requires { m_reader.ListInputs(inputs); }) {
-      m_reader.ListInputs(inputs);
-    }
+    ListInputsOf(m_reader, inputs, 0);
   }
 
  protected:
