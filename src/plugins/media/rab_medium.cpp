@@ -1,6 +1,5 @@
 #include <argos3/plugins/simulator/media/rab_medium.h>
 
-#include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/logging/argos_log.h>

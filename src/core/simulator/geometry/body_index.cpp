@@ -1,6 +1,5 @@
 #include <argos3/core/simulator/geometry/body_index.h>
 
-#include <argos3/core/simulator/geometry/shape_overlap.h>
 #include <argos3/core/utility/math/general.h>
 #include <argos3/core/utility/memory/huge_pages.h>
 #include <argos3/core/utility/memory/load_ahead.h>

@@ -1,10 +1,8 @@
 #include <argos3/plugins/robots/generic/simulator/noise.h>
 
-#include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/math/random_stream.h>
-#include <argos3/core/utility/string_utilities.h>
 #include <argos3/plugins/simulator/entities/value_checks.h>
 
 #include <algorithm>

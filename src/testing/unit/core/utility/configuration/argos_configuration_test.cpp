@@ -1,7 +1,6 @@
 #include <argos3/core/utility/configuration/argos_configuration.h>
 
 #include <argos3/core/utility/configuration/attribute_text.h>
-#include <argos3/core/utility/configuration/base_configurable_resource.h>
 #include <argos3/core/utility/datatypes/color.h>
 #include <argos3/core/utility/math/angles.h>
 #include <argos3/core/utility/math/quaternion.h>
