@@ -137,6 +137,8 @@ void CDiscPairs::Sort(CThreadPool& pool) {
 void CDiscPairs::Divide() {
   const size_t count = CountParts(m_discs.size());
   m_parts.resize(count + 1);
+  // before it shrank, it may have been the part of some cells
+  m_parts.back().Pairs.clear();
   m_parts.back().ObstaclePairs.clear();
   m_firstCell.resize(count + 1);
   const UInt32 numCells = static_cast<UInt32>(m_grid.GetNumCells());

@@ -82,6 +82,20 @@ TPairs Sorted(TPairs pairs) {
 
 }  // namespace
 
+TEST_CASE("disc pairs: nothing is left of a tick with more discs", "[planar]") {
+  CThreadPool pool(0, std::make_unique<CBalanceQuantitySchedule>());
+  CDiscPairs found;
+  constexpr Real kReach = 0.02;
+  // the parts become fewer
+  for (const int numDiscs : {5000, 3000, 1500, 700, 3}) {
+    CAPTURE(numDiscs);
+    const SRandomScene scene(numDiscs, 5.0, 1);
+    Place(found, scene.Discs);
+    found.Find(pool, kReach);
+    REQUIRE(Sorted(ListPairs(found)) == PairEachWithEach(scene.Discs, kReach));
+  }
+}
+
 TEST_CASE("disc pairs: the grid finds what comparing each with each finds", "[planar]") {
   const int numDiscs = GENERATE(1, 2, 30, 400, 5000);
   const Real side = GENERATE(0.5, 5.0, 60.0);
