@@ -1,5 +1,6 @@
 #include <argos3/core/simulator/simulator.h>
 
+#include <argos3/core/control_interface/metric_recorder.h>
 #include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/default_visualization.h>
 #include <argos3/core/simulator/geometry/body_index.h>
@@ -37,6 +38,13 @@ std::vector<std::string> Ids(const std::vector<CMedium*>& parts) {
   }
   return ids;
 }
+
+// for controllers that do not know the simulator, such as Lua scripts
+const bool kIsMetricRecorderSet =
+    (SetMetricRecorder([](std::string_view name, Real value, std::string_view unit) {
+       CurrentSimulator().GetMetrics().Record(name, value, unit);
+     }),
+     true);
 
 }  // namespace
 
@@ -174,6 +182,13 @@ CProfiler& CSimulator::GetProfiler() {
 
 bool CSimulator::IsProfiling() const {
   return m_experiment->Profiler != nullptr;
+}
+
+CMetrics& CSimulator::GetMetrics() {
+  if (m_context.Metrics == nullptr) {
+    THROW_ARGOSEXCEPTION("no experiment is loaded: there are no metrics");
+  }
+  return *m_context.Metrics;
 }
 
 const CRobotFailures& CSimulator::GetRobotFailures() const {
@@ -329,12 +344,15 @@ void CSimulator::Init() {
   });
   loader.SetDefaultVisualization([] { return std::make_unique<CDefaultVisualization>(); });
   m_context.RobotFailures.Clear();
+  m_context.Metrics = &m_space->GetExtension<CMetrics>();
+  m_context.Metrics->Attach(m_context);
   const CRunState::CScope loading(m_context.Run, CRunState::EActivity::Loading);
   if (m_experiment->Replay != nullptr) {
     loader.LoadReplay();
   } else {
     loader.Load();
   }
+  m_context.Metrics->UpdateBuiltIns();
 }
 
 void CSimulator::Reset() {
@@ -350,6 +368,9 @@ void CSimulator::Reset() {
   }
   CRandom::GetCategory("argos").SetSeed(m_settings.Seed);
   CRandom::GetCategory("argos").ResetRNGs();
+  if (m_context.Metrics != nullptr) {
+    m_context.Metrics->ForgetValues();
+  }
   m_space->Reset();
   for (CPhysicsEngine* engine : m_context.Engines) {
     engine->Reset();
@@ -358,12 +379,14 @@ void CSimulator::Reset() {
   for (CMedium* medium : m_context.Media) {
     medium->Reset();
   }
-  m_space->GetExtension<CMetrics>().ForgetValues();
   CallHook(m_context, "Reset()", [this] { GetLoopFunctions().Reset(); });
   if (m_experiment->Replay != nullptr) {
     m_experiment->Replay->Begin(*m_space);
   }
   m_space->GetBodyIndex().Rebuild(*m_context.Pool);
+  if (m_context.Metrics != nullptr) {
+    m_context.Metrics->UpdateBuiltIns();
+  }
   LOG.Flush();
   LOGERR.Flush();
 }

@@ -23,6 +23,7 @@
 namespace argos {
 
 class CLoopFunctions;
+class CMetrics;
 class CProfiler;
 class CRunOutputs;
 class CSpace;
@@ -117,6 +118,12 @@ class CSimulator {
   bool IsProfiling() const;
   /** From now on adds the time of each phase of a tick to @p times (not owned); nullptr stops. */
   void SetTickTimes(STickTimes* times);
+
+  /**
+   * The metrics of the run, which robots and loop functions record.
+   * @throws CARGoSException if no experiment is loaded.
+   */
+  CMetrics& GetMetrics();
 
   /** The errors of robots that did not end the run, since the experiment was loaded. */
   const CRobotFailures& GetRobotFailures() const;

@@ -32,7 +32,7 @@ void SRayLayout::AddSensorFan(const CVector3& center, Real radius, const CRadian
 
 void SRayLayout::ComputeBounds() {
   Planar = true;
-  CenterX = CenterY = Reach = 0.0;
+  CenterX = CenterY = Reach = FarthestStart = 0.0;
   for (const SSensorRay& ray : Rays) {
     Planar = Planar && ray.Direction.GetZ() == 0.0 && ray.Anchor == Rays.front().Anchor;
     CenterX += ray.Offset.GetX() / static_cast<Real>(Rays.size());
@@ -41,7 +41,8 @@ void SRayLayout::ComputeBounds() {
   for (const SSensorRay& ray : Rays) {
     const Real startX = ray.Offset.GetX() - CenterX;
     const Real startY = ray.Offset.GetY() - CenterY;
-    Reach = std::max({Reach, std::hypot(startX, startY),
+    FarthestStart = std::max(FarthestStart, std::hypot(startX, startY));
+    Reach = std::max({Reach, FarthestStart,
                       std::hypot(startX + ray.Direction.GetX(), startY + ray.Direction.GetY())});
   }
 }

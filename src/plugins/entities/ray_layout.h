@@ -41,6 +41,8 @@ struct SRayLayout : SRayBounds {
   typedef SSensorRay TPlace;
 
   std::vector<SSensorRay> Rays;
+  /** From the centre of the circle to the start that is farthest from it, m. */
+  Real FarthestStart = 0.0;
 
   std::vector<SSensorRay>& GetPlaces() { return Rays; }
   const std::vector<SSensorRay>& GetPlaces() const { return Rays; }
@@ -58,7 +60,7 @@ struct SRayLayout : SRayBounds {
    */
   void AddSensorFan(const CVector3& center, Real radius, const CRadians& startAngle,
                     const CRadians& endAngle, Real range, UInt32 num, UInt32 anchor = 0);
-  /** Recomputes the bounds. */
+  /** Recomputes the bounds, and the farthest start. */
   void ComputeBounds();
 };
 

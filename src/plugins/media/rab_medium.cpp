@@ -134,6 +134,10 @@ UInt32 CRABMedium::GetNumDevices() const {
   return static_cast<UInt32>(m_state->Members.GetSize());
 }
 
+UInt64 CRABMedium::GetNumDelivered() const {
+  return m_state->Routing.GetNumHearings();
+}
+
 const CRABEquippedEntity* CRABMedium::GetDevice(UInt32 number) const {
   return m_state->Members.Get(number);
 }

@@ -65,6 +65,8 @@ class CRABMedium : public CMedium, public CRABEquippedEntity::CRegistry {
   SNumbers GetSenders(const CRABEquippedEntity& entity) const;
   /** Number of devices at the last Update(). */
   UInt32 GetNumDevices() const;
+  /** Pairs of sender and receiver at the last Update(); 0 after Reset(). */
+  UInt64 GetNumDelivered() const;
   /** Null if the device has left the medium since the last Update(). */
   const CRABEquippedEntity* GetDevice(UInt32 number) const;
   /** All devices by number, (GetNumDevices()), for loops; valid until the next Update(). */

@@ -55,6 +55,9 @@ class CRABRouting {
   /** Removes all devices. */
   void Clear();
 
+  /** Pairs of sender and receiver at the last Route(). */
+  size_t GetNumHearings() const { return m_senderStart.empty() ? 0 : m_senderStart.back(); }
+
   /** The senders that a device receives from; empty if it was added after the last Route(). */
   SNumbers GetSenders(UInt32 device) const {
     if (device + size_t(1) >= m_senderStart.size()) {

@@ -15,6 +15,7 @@ struct CSimpleRadioMedium::SState {
   std::vector<UInt32> Finite;  // numbers of radios at finite positions
   std::vector<Real> X, Y;  // of these radios, m, world frame
   CPointCells Cells;
+  UInt64 NumDelivered = 0;  // in this tick
 };
 
 CSimpleRadioMedium::CSimpleRadioMedium() : m_state(std::make_unique<SState>()) {}
@@ -39,10 +40,20 @@ void CSimpleRadioMedium::RemoveEntity(CSimpleRadioEntity& radio) {
   m_state->Members.Remove(radio);
 }
 
+void CSimpleRadioMedium::Reset() {
+  CPositionalMedium::Reset();
+  m_state->NumDelivered = 0;
+}
+
+UInt64 CSimpleRadioMedium::GetNumDelivered() const {
+  return m_state->NumDelivered;
+}
+
 void CSimpleRadioMedium::TakeActs() {
   CMediumMembers<CSimpleRadioEntity>& members = m_state->Members;
   members.Update();
   m_state->Senders.clear();
+  m_state->NumDelivered = 0;
   for (size_t number = 0; number < members.GetSize(); ++number) {
     CSimpleRadioEntity& radio = *members.Get(number);
     radio.DropOldMessages();
@@ -94,6 +105,7 @@ void CSimpleRadioMedium::Deliver(CSimpleRadioEntity& sender) {
           return;
         }
         receiver.Deliver(sender.GetOutbox());
+        m_state->NumDelivered += sender.GetOutbox().size();
         receiver.NoteOrigin(place);
       });
 }

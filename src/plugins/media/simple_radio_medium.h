@@ -26,6 +26,10 @@ class CSimpleRadioMedium
   void AddEntity(CSimpleRadioEntity& radio) override;
   void RemoveEntity(CSimpleRadioEntity& radio) override;
   CSimpleRadioMedium& AsMedium() override { return *this; }
+  void Reset() override;
+
+  /** Messages delivered in the last tick, times their receivers. */
+  UInt64 GetNumDelivered() const;
 
  private:
   struct SState;  // radios and their cells

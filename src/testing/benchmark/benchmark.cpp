@@ -1,10 +1,10 @@
-// Measures the cost of a robot-tick in an arena of rooms, where robots roam or press, or of robots
-// that all press against a wall, and prints it as CSV. Every line is measured in a process of its
-// own, so that the memory is that of one swarm.
+// Measures the cost of a robot-tick in an arena of rooms, where robots roam or press, of robots
+// that all press against a wall, or of robots that stand and record a metric, and prints it as CSV.
+// Every line is measured in a process of its own, so that the memory is that of one swarm.
 //
 //   argos3_benchmark [--scene rooms] [--robots 100,1000,10000,100000] [--threads 0] [--ticks 600]
 //                    [--side M] [--engine dynamics2d] [--engine-attributes 'iterations="4"']
-//                    [--bare-up-to 100000]
+//                    [--bare-up-to 100000] [--records 10]
 
 #include <argos3/testing/benchmark/bare_box2d.h>
 #include <argos3/testing/benchmark/in_child.h>
@@ -21,6 +21,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <optional>
@@ -49,6 +50,7 @@ struct SOptions {
   std::string EngineAttributes;
   // robots; the bare world of Box2D of a larger swarm takes minutes
   UInt32 BareUpTo = 100000;
+  UInt32 Records = 10;  // calls of a robot in a tick, in the scene "records"
 };
 
 size_t ResidentBytes() {
@@ -98,9 +100,36 @@ std::string MakeWall(const SOptions& options, UInt32 robots, UInt32 threads) {
   return experiment.ToXml();
 }
 
+// robots in a square grid, without sensors and actuators
+std::string MakeRecorders(const SOptions& options, UInt32 robots, UInt32 threads) {
+  constexpr Real kDistance = 0.2;  // m
+  const auto rows = static_cast<UInt32>(std::ceil(std::sqrt(static_cast<Real>(robots))));
+  const std::string side = std::to_string(kDistance * rows + 1.0);
+  SExperiment experiment;
+  experiment.Threads = threads;
+  experiment.Controllers =
+      "<metric_recorder id='recorder'><actuators/><sensors/><params records='" +
+      std::to_string(options.Records) + "'/></metric_recorder>";
+  experiment.Engines = "<" + options.Engine + " id='engine' " + options.EngineAttributes + "/>";
+  experiment.ArenaSize = side + "," + side + ",2";
+  experiment.Arena =
+      "<distribute><position method='grid' center='0,0,0' distances='0.2,0.2,0' layout='" +
+      std::to_string(rows) + "," + std::to_string(rows) +
+      ",1'/><orientation method='constant' values='0,0,0'/><entity quantity='" +
+      std::to_string(robots) +
+      "' max_trials='1'><e-puck id='r'><controller config='recorder'/></e-puck></entity>"
+      "</distribute>";
+  return experiment.ToXml();
+}
+
 std::string MakeWorld(const SOptions& options, UInt32 robots, UInt32 threads) {
-  return options.Scene == "wall" ? MakeWall(options, robots, threads)
-                                 : MakeRooms(options, robots, threads);
+  if (options.Scene == "wall") {
+    return MakeWall(options, robots, threads);
+  }
+  if (options.Scene == "records") {
+    return MakeRecorders(options, robots, threads);
+  }
+  return MakeRooms(options, robots, threads);
 }
 
 void Report(const SOptions& options, UInt32 robots, UInt32 threads) {
@@ -170,8 +199,8 @@ int main(int argc, char** argv) {
   CLI::App app("Measures what a robot-tick costs; prints CSV.");
   app.add_option("--scene", options.Scene,
                  "rooms: robots that keep apart; crowd: robots that press, in rooms; wall: robots "
-                 "that all press against a wall")
-      ->check(CLI::IsMember({"rooms", "crowd", "wall"}));
+                 "that all press against a wall; records: robots that record a metric")
+      ->check(CLI::IsMember({"rooms", "crowd", "wall", "records"}));
   app.add_option("--robots", options.Robots, "numbers of robots")->delimiter(',');
   app.add_option("--threads", options.Threads, "numbers of threads")->delimiter(',');
   app.add_option("--ticks", options.Ticks, "ticks of 0.1 s that are measured");
@@ -181,6 +210,8 @@ int main(int argc, char** argv) {
   app.add_option("--engine-attributes", options.EngineAttributes, "its XML attributes");
   app.add_option("--bare-up-to", options.BareUpTo,
                  "most robots that are compared with a bare world of Box2D; 0: none");
+  app.add_option("--records", options.Records,
+                 "calls of CMetrics::Record() of a robot in a tick, in the scene records");
   CLI11_PARSE(app, argc, argv);
 
   std::printf(

@@ -3,10 +3,9 @@
 #include "user_drawing.h"
 
 #include <argos3/testing/support/experiment.h>
+#include <argos3/testing/support/temporary_folder.h>
 
 #include <catch2/catch.hpp>
-
-#include <stdlib.h>
 
 #include <filesystem>
 
@@ -107,12 +106,12 @@ TEST_CASE("compat: hooks of keys, of the mouse and of the selection are called",
 }
 
 TEST_CASE("compat: user functions draw into the frames of qt-opengl and of offscreen", "[compat]") {
-  std::string pattern = (std::filesystem::temp_directory_path() / "drawing_XXXXXX").string();
-  REQUIRE(mkdtemp(pattern.data()) != NULL);
+  const CTemporaryFolder folder;
   const std::string functions = "<user_functions label='user_drawing' title='x' />";
-  const std::string views[] = {"<qt-opengl>" + functions + "<frame_grabbing directory='" + pattern +
+  const std::string views[] = {"<qt-opengl>" + functions + "<frame_grabbing directory='" +
+                                   folder.GetPath() +
                                    "' base_name='qt_' headless_frame_size='64x48' /></qt-opengl>",
-                               "<offscreen directory='" + pattern +
+                               "<offscreen directory='" + folder.GetPath() +
                                    "' base_name='os_' size='64x48'>" + functions + "</offscreen>"};
   std::string xml = MakeExperiment().ToXml();
   const size_t end = xml.find("</argos-configuration>");
@@ -126,9 +125,8 @@ TEST_CASE("compat: user functions draw into the frames of qt-opengl and of offsc
     simulator.Load(document);
     simulator.Execute();
   }
-  CHECK(std::filesystem::exists(pattern + "/qt_0000000003.png"));
-  CHECK(std::filesystem::exists(pattern + "/os_0000000003.png"));
-  std::filesystem::remove_all(pattern);
+  CHECK(std::filesystem::exists(folder.Path("qt_0000000003.png")));
+  CHECK(std::filesystem::exists(folder.Path("os_0000000003.png")));
 }
 
 TEST_CASE("compat: QFont, QString and QColor have what users call", "[compat]") {

@@ -15,6 +15,7 @@ class CBodyIndex;
 class CFloorPainter;
 class CLoopFunctions;
 class CMedium;
+class CMetrics;
 class CPhysicsEngine;
 class CSimulator;
 class CSpace;
@@ -38,6 +39,7 @@ struct SSimulationContext {
   CSimulator& Simulator; /**< for users' code; the core uses the parts below */
   CSpace* Space = nullptr;
   CBodyIndex* Index = nullptr; /**< of all bodies in the space */
+  CMetrics* Metrics = nullptr; /**< of the run; null unless an experiment is loaded */
   std::function<void()> RunTick; /**< one tick; for CSpace::Update() */
   CThreadPool* Pool = nullptr; /**< on which phases run; without workers before loading */
 

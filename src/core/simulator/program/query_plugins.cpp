@@ -9,6 +9,7 @@
 #include <argos3/core/simulator/outputs/field.h>
 #include <argos3/core/simulator/outputs/run_output.h>
 #include <argos3/core/simulator/physics_engine/space_partition.h>
+#include <argos3/core/simulator/space/built_in_metric.h>
 #include <argos3/core/simulator/tick/loop_functions.h>
 #include <argos3/core/simulator/visualization/overlay.h>
 #include <argos3/core/simulator/visualization/visualization.h>
@@ -83,6 +84,7 @@ std::vector<SKind> ListAll() {
       {"entities", "AVAILABLE ENTITIES", ListPlugins<CEntity>()},
       {"robot_types", "AVAILABLE ROBOT TYPES", ListPlugins<CEntityType>()},
       {"fields", "AVAILABLE FIELDS", ListPlugins<CField>()},
+      {"built_in_metrics", "AVAILABLE BUILT-IN METRICS", ListPlugins<CBuiltInMetric>()},
       {"controllers", "AVAILABLE CONTROLLERS", ListPlugins<CCI_Controller>()},
       {"loop_functions", "AVAILABLE LOOP FUNCTIONS", ListPlugins<CLoopFunctions>()}};
   for (const auto& [word, kind] : CopyAddedKinds()) {

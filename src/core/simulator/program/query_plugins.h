@@ -49,9 +49,9 @@ class CPluginKind {
 /**
  * Describes registered plug-ins, for `argos3 -q`.
  * @param query  "actuators", "sensors", "physics_engines", "media", "visualizations", "entities",
- * "robot_types", "fields", "controllers" or "loop_functions", or the word of a CPluginKind: a list
- * of that kind; "all": all lists; otherwise: the documentation of every plug-in whose label
- * contains the query (case-sensitive), followed by its own plug-ins.
+ * "robot_types", "fields", "built_in_metrics", "controllers" or "loop_functions", or the word of a
+ * CPluginKind: a list of that kind; "all": all lists; otherwise: the documentation of every plug-in
+ * whose label contains the query (case-sensitive), followed by its own plug-ins.
  */
 std::string DescribePlugins(const std::string& query);
 

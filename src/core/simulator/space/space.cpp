@@ -11,6 +11,8 @@
 #include <argos3/core/simulator/medium/medium.h>
 #include <argos3/core/simulator/physics_engine/engine_assignment.h>
 #include <argos3/core/simulator/space/entity_views.h>
+#include <argos3/core/simulator/space/metrics.h>
+#include <argos3/core/simulator/space/robot_records.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/core/utility/errors/exception_text.h>
 #include <argos3/core/utility/logging/argos_log.h>
@@ -25,6 +27,22 @@
 #include <utility>
 
 namespace argos {
+
+namespace {
+
+// outside of ticks a record that cannot be used is an error of the caller
+void TakeRecords(CMetrics& metrics, const std::function<const CEntity&(size_t)>& getRobot) {
+  const std::vector<CMetrics::SFailure>& failures = metrics.TakeRobotRecords();
+  if (!failures.empty()) {
+    try {
+      std::rethrow_exception(failures.front().Error);
+    } catch (...) {
+      ThrowWithCause("robot \"" + getRobot(failures.front().Robot).GetId() + "\" failed");
+    }
+  }
+}
+
+}  // namespace
 
 CSpace::CSpace(SSimulationContext& context)
     : m_context(context),
@@ -217,10 +235,17 @@ void CSpace::Reset() {
   {
     // Reset() of users' controllers
     const CRunState::CScope scope(m_context.Run, CRunState::EActivity::Phase);
-    for (CEntity* root : m_roots) {
-      CARGoSLog::SetSequence(CARGoSLog::GetSequence() + 1);
-      root->Reset();
+    CMetrics& metrics = GetExtension<CMetrics>();
+    metrics.GetRobotRecords().Begin(m_roots.size(), 1);
+    {
+      CRobotRecords::CScope records(metrics.GetRobotRecords(), 0);
+      for (size_t i = 0; i < m_roots.size(); ++i) {
+        CARGoSLog::SetSequence(CARGoSLog::GetSequence() + 1);
+        records.SetRobot(i);
+        m_roots[i]->Reset();
+      }
     }
+    TakeRecords(metrics, [this](size_t root) -> const CEntity& { return *m_roots[root]; });
   }
   m_context.Run.ApplyChanges();
   m_context.RobotFailures.Report();
@@ -256,6 +281,7 @@ void CSpace::Destroy() {
   m_context.RobotFailures.Report();
   m_views = std::make_unique<CEntityViews>(m_roots);
   *m_bodyIndex = CBodyIndex();
+  m_context.Metrics = nullptr;
   m_extensions.clear();
   m_entityTypes.clear();
   m_rng = nullptr;
@@ -310,16 +336,23 @@ void CSpace::IterateOverControllableEntities(const TControllableEntityIterCBType
                                   "it is possible in PreStep() and PostStep()");
   const bool isOutermost = !m_context.Run.DefersChanges();
   std::optional<CRunState::CScope> scope(std::in_place, m_context.Run, CRunState::EActivity::Phase);
+  CMetrics& metrics = GetExtension<CMetrics>();
+  metrics.GetRobotRecords().Begin(m_robots.size(), m_context.Pool->GetNumThreads());
   InLogOrder(m_robots.size(), [&](UInt64 firstPlace) {
     const size_t grain =
         DivideIntoRuns(m_robots.size(), m_context.Pool->GetNumThreads(), kRobotsPerRun);
-    m_context.Pool->ParallelFor(m_robots.size(), grain, [&](size_t begin, size_t end, UInt32) {
-      for (size_t i = begin; i < end; ++i) {
-        CARGoSLog::SetSequence(firstPlace + i);
-        callback(m_robots[i]);
-      }
-    });
+    m_context.Pool->ParallelFor(m_robots.size(), grain,
+                                [&](size_t begin, size_t end, UInt32 thread) {
+                                  CRobotRecords::CScope records(metrics.GetRobotRecords(), thread);
+                                  for (size_t i = begin; i < end; ++i) {
+                                    CARGoSLog::SetSequence(firstPlace + i);
+                                    records.SetRobot(i);
+                                    callback(m_robots[i]);
+                                  }
+                                });
   });
+  TakeRecords(metrics,
+              [this](size_t robot) -> const CEntity& { return m_robots[robot]->GetRootEntity(); });
   scope.reset();
   if (isOutermost) {
     m_context.Run.ApplyChanges();

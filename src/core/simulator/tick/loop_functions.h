@@ -65,8 +65,9 @@ class CLoopFunctions : public CBaseConfigurableResource, public CFloorPainter {
 
   /**
    * Sets a metric of the run, which <metrics file="..."/> and `--csv` write once a tick; see
-   * CMetrics::Set(). In hooks only. The table has a column for each metric that was set before its
-   * second row is written; one that is set for the first time later is left out, with a warning.
+   * CMetrics::Set(). In hooks only; GetSimulator().GetMetrics().Record() is for robots, too. The
+   * table has a column for each metric that was set before its second row is written; one that is
+   * set for the first time later is left out, with a warning.
    * @throws CARGoSException if the name or the unit is wrong.
    */
   void SetMetric(const std::string& name, Real value, const std::string& unit = "");

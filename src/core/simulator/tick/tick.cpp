@@ -1,11 +1,12 @@
 #include <argos3/core/simulator/tick/tick.h>
 
 #include <argos3/core/simulator/context/simulation_context.h>
-#include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/medium/medium.h>
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
+#include <argos3/core/simulator/space/metrics.h>
+#include <argos3/core/simulator/space/robot_records.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/tick/loop_functions.h>
 #include <argos3/core/simulator/tick/loop_hooks.h>
@@ -14,7 +15,6 @@
 #include <argos3/core/utility/errors/running_code.h>
 #include <argos3/core/utility/logging/log_order.h>
 #include <argos3/core/utility/threads/thread_pool.h>
-#include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
 #include <chrono>
@@ -50,6 +50,7 @@ struct SRobotsOfPhase {
   const std::vector<CControllableEntity*>& Robots;
   size_t Begin;
   size_t End;
+  UInt32 Thread;  // that does it
   UInt64 FirstPlace;  // of robot 0 in the log
   const char* Call;  // such as "ControlStep()"
   bool IsDevice;
@@ -76,6 +77,7 @@ void ForRobots(SSimulationContext& context, const SRobotsOfPhase& phase, STEP&& 
                LOOK_AHEAD&& lookAhead) {
   CRunningCodeScope running({phase.Call, &CControllableEntity::Describe, nullptr, context.Clock});
   CRandom::COwner::CScope randomOwner(nullptr, *context.Clock);
+  CRobotRecords::CScope records(context.Metrics->GetRobotRecords(), phase.Thread);
   for (size_t current = phase.Begin; current < phase.End; ++current) {
     try {
       for (; current < phase.End; ++current) {
@@ -85,6 +87,7 @@ void ForRobots(SSimulationContext& context, const SRobotsOfPhase& phase, STEP&& 
           CARGoSLog::SetSequence(phase.FirstPlace + current);
           running.SetSubject(&robot);
           randomOwner.SetOwner(&robot.GetRandomOwner());
+          records.SetRobot(current);
           step(robot);
         }
       }
@@ -178,6 +181,10 @@ void CTick::Run() {
   phase(EActivity::Hook, &STickTimes::PostStep,
         [&] { CallHook(m_context, "PostStep()", [&] { m_context.LoopFunctions->PostStep(); }); });
   m_context.Run.ApplyChanges();
+  {
+    const CRunState::CScope scope(m_context.Run, EActivity::Phase);
+    m_context.Metrics->UpdateBuiltIns();
+  }
   m_context.RobotFailures.Report();
 
   LOG.Flush();
@@ -197,17 +204,38 @@ void CTick::UpdateLookAhead() {
   }
 }
 
+// before a loop over robots
+void CTick::BeginRecords() {
+  m_context.Metrics->GetRobotRecords().Begin(m_context.Space->GetControllableEntities().size(),
+                                             m_context.Pool->GetNumThreads());
+}
+
+// after it; robots that do not agree about the unit of a new metric fail
+void CTick::TakeRecords(const char* call, bool isDevice) {
+  const std::vector<CControllableEntity*>& robots = m_context.Space->GetControllableEntities();
+  for (const CMetrics::SFailure& failure : m_context.Metrics->TakeRobotRecords()) {
+    try {
+      std::rethrow_exception(failure.Error);
+    } catch (...) {
+      HandleFailure(m_context, {robots, 0, 0, 0, 0, call, isDevice}, *robots[failure.Robot]);
+    }
+  }
+}
+
 void CTick::Act() {
   UpdateLookAhead();
+  BeginRecords();
   const std::vector<CControllableEntity*>& robots = m_context.Space->GetControllableEntities();
   InLogOrder(robots.size(), [&](UInt64 firstPlace) {
-    m_context.Pool->ParallelFor(robots.size(), m_actCost, [&](size_t begin, size_t end, UInt32) {
-      ForRobots(
-          m_context, {robots, begin, end, firstPlace, "an actuator", true},
-          [](CControllableEntity& robot) { robot.Act(); },
-          [this](size_t robot) { m_lookAhead.BeforeAct(robot); });
-    });
+    m_context.Pool->ParallelFor(
+        robots.size(), m_actCost, [&](size_t begin, size_t end, UInt32 thread) {
+          ForRobots(
+              m_context, {robots, begin, end, thread, firstPlace, "an actuator", true},
+              [](CControllableEntity& robot) { robot.Act(); },
+              [this](size_t robot) { m_lookAhead.BeforeAct(robot); });
+        });
   });
+  TakeRecords("an actuator", true);
   for (CMedium* medium : m_context.Media) {
     medium->TakeActs();
   }
@@ -246,6 +274,7 @@ void CTick::UpdateMedia() {
 
 void CTick::SenseAndControl() {
   UpdateLookAhead();
+  BeginRecords();
   const CPhysicsEngine::TVector& engines = m_context.Engines;
   m_context.Space->SetBodiesOutsideIndex(
       std::any_of(engines.begin(), engines.end(),
@@ -254,7 +283,7 @@ void CTick::SenseAndControl() {
   // a controller writes only into its own robot's actuators, which no sensor reads in this phase:
   // so all robots of a run may sense before the first of them is controlled
   std::mutex timesMutex;
-  const auto senseAndControl = [&](size_t first, size_t last, UInt64 firstPlace) {
+  const auto senseAndControl = [&](size_t first, size_t last, UInt32 thread, UInt64 firstPlace) {
     Real sense = 0.0;
     Real control = 0.0;
     // If a robot fails to sense, those before it are controlled nevertheless, because one of them
@@ -264,7 +293,7 @@ void CTick::SenseAndControl() {
     Timed(m_times ? &sense : nullptr, [&] {
       try {
         ForRobots(
-            m_context, {robots, first, last, firstPlace, "a sensor", true},
+            m_context, {robots, first, last, thread, firstPlace, "a sensor", true},
             [](CControllableEntity& robot) { robot.Sense(); },
             [&](size_t robot) {
               sensed = robot;
@@ -277,7 +306,7 @@ void CTick::SenseAndControl() {
     });
     Timed(m_times ? &control : nullptr, [&] {
       ForRobots(
-          m_context, {robots, first, sensed, firstPlace, "ControlStep()", false},
+          m_context, {robots, first, sensed, thread, firstPlace, "ControlStep()", false},
           [](CControllableEntity& robot) { robot.ControlStep(); }, [](size_t) {});
     });
     if (failure) {
@@ -290,12 +319,15 @@ void CTick::SenseAndControl() {
     }
   };
   InLogOrder(robots.size(), [&](UInt64 firstPlace) {
-    m_context.Pool->ParallelFor(robots.size(), m_senseCost, [&](size_t begin, size_t end, UInt32) {
-      for (size_t first = begin; first < end; first += CSpace::kRobotsPerRun) {
-        senseAndControl(first, std::min(end, first + CSpace::kRobotsPerRun), firstPlace);
-      }
-    });
+    m_context.Pool->ParallelFor(
+        robots.size(), m_senseCost, [&](size_t begin, size_t end, UInt32 thread) {
+          for (size_t first = begin; first < end; first += CSpace::kRobotsPerRun) {
+            senseAndControl(first, std::min(end, first + CSpace::kRobotsPerRun), thread,
+                            firstPlace);
+          }
+        });
   });
+  TakeRecords("ControlStep()", false);
 }
 
 }  // namespace argos

@@ -37,6 +37,8 @@ class CTick {
   void TransferBodies();
   void UpdateMedia();
   void SenseAndControl();
+  void BeginRecords();
+  void TakeRecords(const char* call, bool isDevice);
 
   SSimulationContext& m_context;
   STickTimes* m_times = nullptr;

@@ -47,7 +47,7 @@ void CByteArray::Reserve(std::size_t bytes) {
     return;
   }
   const std::size_t capacity = std::max(bytes, 2 * m_end);
-  std::unique_ptr<UInt8[]> heap(new UInt8[capacity]);
+  auto heap = std::make_unique_for_overwrite<UInt8[]>(capacity);
   std::copy_n(GetStorage(), m_end, heap.get());
   m_heap = std::move(heap);
   m_heapBytes = capacity;

@@ -60,13 +60,17 @@ bool CLuaArguments::NextBoolean() {
   return lua_toboolean(m_state, m_next++) != 0;
 }
 
-std::string CLuaArguments::NextString() {
+std::string_view CLuaArguments::NextText() {
   if (!IsNextString()) {
     ThrowNextMustBe("a string");
   }
   std::size_t length = 0;
   const char* const text = lua_tolstring(m_state, m_next++, &length);
-  return std::string(text, length);
+  return {text, length};
+}
+
+std::string CLuaArguments::NextString() {
+  return std::string(NextText());
 }
 
 SInt64 CLuaArguments::NextInteger(SInt64 min, SInt64 max) {

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -71,6 +72,9 @@ class CLuaArguments {
       return NextQuaternion();
     }
   }
+
+  /** Reads a string without copying it: valid during the call. */
+  std::string_view NextText();
 
   /** Reads a whole number in [min,max]. */
   SInt64 NextInteger(SInt64 min, SInt64 max);

@@ -2,6 +2,7 @@
 
 #include <argos3/core/utility/math/random_stream.h>
 #include <argos3/core/utility/math/rng.h>
+#include <argos3/core/wrappers/lua/lua_metrics.h>
 #include <argos3/core/wrappers/lua/lua_registry.h>
 #include <argos3/core/wrappers/lua/lua_script.h>
 #include <argos3/core/wrappers/lua/lua_state.h>
@@ -59,6 +60,7 @@ void CLuaController::Load() {
         CLuaTable::ReuseReadings(state);
       }
       FillRobotTable(state);
+      CLuaMetrics::Register(state);
     });
     Seed(kStart);
     m_state->Execute(*m_script);

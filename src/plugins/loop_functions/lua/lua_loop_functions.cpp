@@ -2,6 +2,7 @@
 
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/wrappers/lua/lua_limits.h>
+#include <argos3/core/wrappers/lua/lua_metrics.h>
 #include <argos3/core/wrappers/lua/lua_script.h>
 #include <argos3/core/wrappers/lua/lua_state.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
@@ -98,6 +99,7 @@ void CLuaLoopFunctions::Load() {
     m_state->Run([this](lua_State* state) {
       m_simulation->Register(state, m_params);
       m_drawing->Register(state);
+      CLuaMetrics::Register(state);
     });
     Seed(kStart);
     const CFlag running(m_isRunning);

@@ -1,8 +1,10 @@
+#include <argos3/core/simulator/context/current.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/metrics.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/plugins/simulator/outputs/tables/entity_rows.h>
 #include <argos3/plugins/simulator/outputs/tables/table_base.h>
 
 #include <algorithm>
@@ -10,15 +12,29 @@
 
 namespace argos {
 
-/* <metrics>: the metrics that loop functions set, a row for each tick. */
+/* <metrics>: the metrics of the run, a row for each tick. */
 class CMetricsOutput : public CTableBase {
+ public:
+  void Init(TConfigurationNode& tree) override {
+    CTableBase::Init(tree);
+    std::string builtIns;
+    GetNodeAttributeOrDefault(tree, "builtin", builtIns, builtIns);
+    try {
+      for (const std::string& name : SplitAtCommas(builtIns)) {
+        CurrentSimulator().GetMetrics().EnableBuiltIn(name);
+      }
+    } catch (std::exception& error) {
+      THROW_ARGOSEXCEPTION_NESTED(GetLocation() << ": \"builtin\"", error);
+    }
+  }
+
  private:
   static constexpr std::size_t kNumOwn = 2;  // robots, stopped
   static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-  // the first row waits for the second: by then loop functions have set what they set in each tick
+  // the first row waits for the second: by then code has recorded what it records in each tick
   bool Update(CSimulator& simulator, SRowBlock& block, bool isLast) override {
-    const CMetrics& metrics = simulator.GetSpace().GetExtension<CMetrics>();
+    const CMetrics& metrics = simulator.GetMetrics();
     if (!m_areColumnsKnown && block.NumRows == 0 && !isLast) {
       return false;
     }
@@ -33,12 +49,12 @@ class CMetricsOutput : public CTableBase {
     }
     for (; m_numReported < metrics.GetAll().size(); ++m_numReported) {
       const std::string& name = metrics.GetAll()[m_numReported].Name;
-      LOGERR
-          << "[WARNING] " << GetLocation() << ": the metric \"" << name
-          << "\" was first set in tick " << simulator.GetSpace().GetSimulationClock()
-          << ", when the table had begun: it is left out. Set it in Init() or in the first tick, "
-             "to any value"
-          << std::endl;
+      LOGERR << "[WARNING] " << GetLocation() << ": the metric \"" << name
+             << "\" was first recorded in tick " << simulator.GetSpace().GetSimulationClock()
+             << ", when the table had begun: it is left out. Record it in Init() or in the first "
+                "tick, "
+                "to any value"
+             << std::endl;
     }
     return true;
   }
@@ -59,7 +75,7 @@ class CMetricsOutput : public CTableBase {
     block.Numbers.push_back(static_cast<double>(
         std::count_if(robots.begin(), robots.end(),
                       [](const CControllableEntity* robot) { return robot->IsStopped(); })));
-    const std::vector<CMetrics::SMetric>& metrics = space.GetExtension<CMetrics>().GetAll();
+    const std::vector<CMetrics::SMetric>& metrics = simulator.GetMetrics().GetAll();
     const std::size_t numMetrics = m_areColumnsKnown ? m_columns.size() - kNumOwn : metrics.size();
     for (std::size_t i = 0; i < numMetrics; ++i) {
       block.Numbers.push_back(metrics[i].Value);
@@ -77,9 +93,10 @@ class CMetricsOutput : public CTableBase {
 
 REGISTER_RUN_OUTPUT(
     CMetricsOutput, "metrics", "the authors of this project", "1.0",
-    "A table of the metrics that loop functions set.",
-    R"(Writes a row for each tick. Loop functions set metrics with SetMetric() (C++) or
-simulation.metric() (Lua); doc/get_data_out.md has examples.
+    "A table of the metrics that robots and loop functions record, and of built-in ones.",
+    R"(Writes a row for each tick. Robots and loop functions record metrics with GetMetrics().Record() (C++) or
+metrics.record() (Lua); doc/get_data_out.md has examples. `argos3 -q built_in_metrics` lists those
+that need no code.
 
 REQUIRED XML
 
@@ -91,14 +108,16 @@ REQUIRED XML
 
 OPTIONAL XML
 
-  <metrics file="metrics.csv" every="10" digits="6" />
+  <metrics file="metrics.csv" every="10" digits="6" builtin="dispersion, collisions" />
 
+  builtin names of built-in metrics, separated by commas: they are computed in this run, and recordings
+          have them, too. By default none.
   every   whole number >= 1, default 1: rows of the ticks 0, every, 2 every, ...
   digits  from 1 to 17: significant digits of numbers in texts. Default: as many as needed.
 
 Columns: run (the number of resets before), tick, time (s), robots (in the arena), stopped (those that
-errors have stopped), and the metrics in the order in which they were first set. A metric is a column
-if it was set before the second row is written.
+errors have stopped), and the metrics in the order in which they were first recorded. A metric is a
+column if it was recorded before the second row is written.
 )",
     "Usable")
 

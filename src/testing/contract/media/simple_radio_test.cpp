@@ -116,6 +116,10 @@ TEST_CASE("simple radio: the sender's range is exclusive, and bodies do not occl
   CHECK(Received(world, "short") == TTexts{"middle", "long"});
   CHECK(Received(world, "middle") == TTexts{"long"});
   CHECK(Received(world, "long") == TTexts{"middle"});
+  const auto& medium = world.GetSimulator().GetMedium<CSimpleRadioMedium>("radios");
+  CHECK(medium.GetNumDelivered() == 4);
+  world.Step();
+  CHECK(medium.GetNumDelivered() == 0);
 }
 
 TEST_CASE("simple radio: messages arrive in the order of the senders' creation",

@@ -9,13 +9,12 @@
 #include <argos3/plugins/robots/generic/control_interface/ci_ground_sensor.h>
 #include <argos3/plugins/simulator/entities/ground_sensor_equipped_entity.h>
 #include <argos3/testing/contract/sensors/scene.h>
+#include <argos3/testing/support/temporary_folder.h>
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <vector>
 
@@ -146,11 +145,10 @@ TEST_CASE("ground: every sensor reads the grey level at the point below it",
 }
 
 TEST_CASE("ground: the image is read at the robot's position", "[contract][sensors]") {
-  std::string folder = (std::filesystem::temp_directory_path() / "ground_test_XXXXXX").string();
-  REQUIRE(mkdtemp(folder.data()) != nullptr);
-  const std::string file = folder + "/floor.ppm";
+  const CTemporaryFolder folder;
   // the arena of 10 m x 10 m has four quarters; the upper row of the file is at y > 0
-  std::ofstream(file) << "P3 2 2 255\n255 0 0  0 255 0\n0 0 255  0 0 0\n";
+  const std::string file =
+      folder.Write("floor.ppm", "P3 2 2 255\n255 0 0  0 255 0\n0 0 255  0 0 0\n");
   const Real x = GENERATE(-1.0, 1.0);
   const Real y = GENERATE(-1.0, 1.0);
   CAPTURE(x, y);
@@ -158,13 +156,10 @@ TEST_CASE("ground: the image is read at the robot's position", "[contract][senso
   experiment.Sensors = "<ground implementation=\"rot_z_only\"/>";
   experiment.Arena = Robot("e-puck", "r", PoseText(CVector3(x, y, 0.0))) +
                      "<floor id=\"floor\" source=\"image\" path=\"" + file + "\"/>";
-  {
-    CRobotWorld world(experiment);
-    world.Step();
-    const Real expected = y > 0.0 ? (x < 0.0 ? 0.299 : 0.587) : (x < 0.0 ? 0.114 : 0.0);
-    CHECK_THAT(Readings(world)[1], WithinAbs(expected, 1e-15));
-  }
-  std::filesystem::remove_all(folder);
+  CRobotWorld world(experiment);
+  world.Step();
+  const Real expected = y > 0.0 ? (x < 0.0 ? 0.299 : 0.587) : (x < 0.0 ? 0.114 : 0.0);
+  CHECK_THAT(Readings(world)[1], WithinAbs(expected, 1e-15));
 }
 
 TEST_CASE("ground: current colours of the loop functions are read", "[contract][sensors]") {

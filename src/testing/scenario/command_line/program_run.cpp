@@ -10,8 +10,6 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <fstream>
-#include <sstream>
 #include <thread>
 
 namespace argos {
@@ -45,28 +43,6 @@ void RedirectTo(int file, const std::string& path) {
 
 }  // namespace
 
-CTestFolder::CTestFolder() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "argos_test_XXXXXX").string();
-  REQUIRE(mkdtemp(pattern.data()) != nullptr);
-  m_path = pattern;
-}
-
-CTestFolder::~CTestFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(m_path, ignored);
-}
-
-std::string CTestFolder::Write(const std::string& name, const std::string& content) const {
-  std::ofstream(Path(name)) << content;
-  return Path(name);
-}
-
-std::string CTestFolder::Read(const std::string& name) const {
-  std::ostringstream text;
-  text << std::ifstream(Path(name)).rdbuf();
-  return text.str();
-}
-
 SProgramRun CTestFolder::Run(const std::vector<std::string>& arguments, int signal,
                              const std::string& trigger) const {
   return RunProgram("argos3", arguments, signal, trigger);
@@ -79,7 +55,7 @@ SProgramRun CTestFolder::RunProgram(const std::string& name,
   const pid_t child = fork();
   REQUIRE(child >= 0);
   if (child == 0) {
-    Execute(program, arguments, m_path.string(), Path("stdout.txt"), Path("stderr.txt"));
+    Execute(program, arguments, GetPath(), Path("stdout.txt"), Path("stderr.txt"));
   }
 
   const auto deadline = std::chrono::steady_clock::now() + kPatience;

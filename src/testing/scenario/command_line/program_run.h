@@ -1,7 +1,8 @@
 #ifndef ARGOS3_TESTING_SCENARIO_COMMAND_LINE_PROGRAM_RUN_H
 #define ARGOS3_TESTING_SCENARIO_COMMAND_LINE_PROGRAM_RUN_H
 
-#include <filesystem>
+#include <argos3/testing/support/temporary_folder.h>
+
 #include <string>
 #include <vector>
 
@@ -14,19 +15,9 @@ struct SProgramRun {
   std::string Err;
 };
 
-/** A temporary folder for a test, removed with its content by the destructor. */
-class CTestFolder {
+/** A temporary folder in which programs run. */
+class CTestFolder : public CTemporaryFolder {
  public:
-  CTestFolder();
-  ~CTestFolder();
-  CTestFolder(const CTestFolder&) = delete;
-  CTestFolder& operator=(const CTestFolder&) = delete;
-
-  std::string Path(const std::string& name) const { return (m_path / name).string(); }
-  /** Writes a file. @return its path. */
-  std::string Write(const std::string& name, const std::string& content) const;
-  std::string Read(const std::string& name) const;
-
   /**
    * Runs argos3 in this folder and waits for its end.
    * @param signal  if not 0, sent once as soon as the standard output contains @p trigger.
@@ -36,9 +27,6 @@ class CTestFolder {
   /** Runs another program of this build. @param name  such as "argos3_benchmark". */
   SProgramRun RunProgram(const std::string& name, const std::vector<std::string>& arguments,
                          int signal = 0, const std::string& trigger = "") const;
-
- private:
-  std::filesystem::path m_path;
 };
 
 }  // namespace argos

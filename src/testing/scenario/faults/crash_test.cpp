@@ -4,6 +4,7 @@
 #include "fault_experiment.h"
 
 #include <argos3/testing/support/paths.h>
+#include <argos3/testing/support/sanitizers.h>
 
 #include <catch2/catch.hpp>
 
@@ -15,15 +16,7 @@ using Catch::Contains;
 namespace {
 
 // sanitizers handle these signals themselves
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-constexpr bool kHasSanitizer = true;
-#else
-constexpr bool kHasSanitizer = false;
-#endif
-#else
-constexpr bool kHasSanitizer = false;
-#endif
+constexpr bool kHasSanitizer = kHasAddressSanitizer || kHasThreadSanitizer;
 
 constexpr int kStatusOfSignal = 128;
 

@@ -1,15 +1,13 @@
 #include "failing_allocation.h"
 
+#include <argos3/testing/support/sanitizers.h>
+
 #include <cstdlib>
 #include <new>
 
 // a sanitizer has its own operator new, which must not be replaced by half
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define ARGOS_TEST_SANITIZER_ALLOCATES 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define ARGOS_TEST_SANITIZER_ALLOCATES 1
-#endif
+#if !ARGOS_TEST_ADDRESS_SANITIZER && !ARGOS_TEST_THREAD_SANITIZER
+#define ARGOS_TEST_REPLACES_NEW 1
 #endif
 
 namespace argos {
@@ -53,7 +51,7 @@ namespace {
 
 }  // namespace argos
 
-#ifndef ARGOS_TEST_SANITIZER_ALLOCATES
+#ifdef ARGOS_TEST_REPLACES_NEW
 // NOLINTBEGIN(cppcoreguidelines-no-malloc): this is the allocator
 void* operator new(std::size_t bytes) {
   void* const memory = argos::Fails() ? nullptr : std::malloc(bytes > 0 ? bytes : 1);

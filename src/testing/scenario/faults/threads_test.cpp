@@ -3,6 +3,8 @@
 #include "../command_line/program_run.h"
 #include "fault_experiment.h"
 
+#include <argos3/testing/support/sanitizers.h>
+
 #include <catch2/catch.hpp>
 
 #include <sys/resource.h>
@@ -11,19 +13,6 @@ using namespace argos;
 using Catch::Contains;
 
 namespace {
-
-// sanitizers reserve more address space than any limit allows
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-constexpr bool kLimitsMemory = false;
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-constexpr bool kLimitsMemory = false;
-#else
-constexpr bool kLimitsMemory = true;
-#endif
-#else
-constexpr bool kLimitsMemory = true;
-#endif
 
 // limits a resource of programs that are started during its lifetime
 class CLimit {
@@ -57,7 +46,7 @@ bool HasFailedInLibraryOfOthers(const std::string& errors) {
 
 TEST_CASE("memory: placing robots without enough memory ends with a message",
           "[faults][memory][command_line]") {
-  if (!kLimitsMemory) {
+  if (!kCanLimitMemory) {
     return;
   }
   SFaultExperiment experiment;
@@ -97,7 +86,7 @@ TEST_CASE("memory: placing robots without enough memory ends with a message",
 // starts, before any code of ours
 TEST_CASE("memory: threads without enough memory for their stacks are an error with status 1",
           "[.][faults][memory][command_line][threads]") {
-  if (!kLimitsMemory) {
+  if (!kCanLimitMemory) {
     return;
   }
   const CTestFolder folder;

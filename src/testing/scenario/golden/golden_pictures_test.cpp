@@ -8,6 +8,7 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/testing/support/paths.h>
+#include <argos3/testing/support/temporary_folder.h>
 
 #include <catch2/catch.hpp>
 
@@ -65,21 +66,6 @@ std::string RobotTypesOf(const std::string& experiment) {
   REQUIRE(last != std::string::npos);
   return text.substr(first, last + end.size() - first);
 }
-
-// a temporary folder, removed by the destructor
-class CTemporaryFolder {
- public:
-  CTemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "golden_XXXXXX").string();
-    REQUIRE(mkdtemp(pattern.data()) != nullptr);
-    m_path = pattern;
-  }
-  ~CTemporaryFolder() { std::filesystem::remove_all(m_path); }
-  const std::string& GetPath() const { return m_path; }
-
- private:
-  std::string m_path;
-};
 
 std::string GoldenFile(const std::string& name) {
   return InSourceTree("src/testing/scenario/golden/pictures/" + name + ".png");

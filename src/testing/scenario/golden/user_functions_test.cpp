@@ -8,16 +8,12 @@
 #include <argos3/plugins/robots/foot-bot/simulator/footbot_entity.h>
 #include <argos3/plugins/simulator/visualizations/qt-opengl/qtopengl_user_functions.h>
 #include <argos3/testing/support/experiment.h>
+#include <argos3/testing/support/temporary_folder.h>
 
 #include <QPainter>
 
 #include <catch2/catch.hpp>
 
-#include <stdlib.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
@@ -125,25 +121,25 @@ SRed FindRed(const SPicture& picture) {
 // Two robots drive 0.2 m along x, to (-0.3, 0.5) and (0.7, 0.5); the last frame shows 2 m x 2 m
 // from above, +x to the right.
 SRed DrawWith(const std::string& label) {
-  std::string folder = (std::filesystem::temp_directory_path() / "five_XXXXXX").string();
-  REQUIRE(mkdtemp(folder.data()) != nullptr);
-  std::ofstream(folder + "/drive.lua")
-      << "function init() robot.wheels.set_velocity(20, 20) end "
-         "function step() end function reset() end function destroy() end";
+  const CTemporaryFolder folder;
+  const std::string script =
+      folder.Write("drive.lua",
+                   "function init() robot.wheels.set_velocity(20, 20) end "
+                   "function step() end function reset() end function destroy() end");
   const std::string robot = "<controller config='drive'/></foot-bot>";
   SExperiment experiment;
   experiment.Length = 1.0;
   experiment.Controllers =
       "<lua_controller id='drive'><actuators><differential_steering implementation='default'/>"
       "</actuators><sensors/><params script='" +
-      folder + "/drive.lua'/></lua_controller>";
+      script + "'/></lua_controller>";
   experiment.LoopFunctions = "";
   experiment.Engines = "<dynamics2d id='dyn2d'/>";
   experiment.Arena = "<foot-bot id='one'><body position='-0.5,0.5,0'/>" + robot +
                      "<foot-bot id='two'><body position='0.5,0.5,0'/>" + robot;
   std::string xml = experiment.ToXml();
   xml.insert(xml.find("</argos-configuration>"),
-             "<visualization><offscreen size='240x240' directory='" + folder +
+             "<visualization><offscreen size='240x240' directory='" + folder.GetPath() +
                  "'><camera><placements><placement index='0' position='0,0,3' look_at='0,0,0' "
                  "up='0,1,0' orthographic_height='2'/></placements></camera>" +
                  (label.empty() ? "" : "<user_functions label='" + label + "'/>") +
@@ -154,8 +150,7 @@ SRed DrawWith(const std::string& label) {
   const CSimulator::CScope scope(simulator);
   simulator.Load(document);
   simulator.Execute();
-  const SPicture picture = ReadPicture(folder + "/frame_0000000010.png");
-  std::filesystem::remove_all(folder);
+  const SPicture picture = ReadPicture(folder.Path("frame_0000000010.png"));
   return FindRed(picture);
 }
 

@@ -91,7 +91,7 @@ TEST_CASE("lua controller: robot has id, params as strings, and the devices of t
   CHECK(world.Get("robot.params.speed") == "12");
   CHECK(world.Get("type(robot.params.speed)") == "string");
   CHECK(world.Get("robot.params.mode") == "fast");
-  CHECK(world.Get("robot.params.script") == world.Folder().GetPath("robot.lua"));
+  CHECK(world.Get("robot.params.script") == world.Folder().Path("robot.lua"));
   world.Do("names = {} for name in pairs(robot) do names[#names + 1] = name end");
   CHECK(world.Get("table.concat(names, ' ')") == "id params random wheels");
 }
@@ -99,7 +99,7 @@ TEST_CASE("lua controller: robot has id, params as strings, and the devices of t
 TEST_CASE("lua controller: params of a robot replace those of the controller",
           "[lua][controller]") {
   SLuaExperiment experiment = Running(kQuiet, "speed='12'");
-  CScriptFolder folder;
+  CTemporaryFolder folder;
   const std::string script = folder.Write("own.lua", kQuiet.ToScript());
   experiment.Robots +=
       "<foot-bot id='own'><body position='1,0,0'/><controller config='c'><params script='" +
@@ -232,7 +232,7 @@ TEST_CASE("lua controller: an error in step() stops the script, but neither the 
   SLuaExperiment experiment = Running(functions);
   experiment.Robots +=
       "<foot-bot id='b'><body position='0,1,0'/><controller config='c'><params script='";
-  CScriptFolder folder;
+  CTemporaryFolder folder;
   experiment.Robots +=
       folder.Write("b.lua", SFunctions{"", "t = 0", "t = t + 1", "", ""}.ToScript()) +
       "'/></controller></foot-bot>";

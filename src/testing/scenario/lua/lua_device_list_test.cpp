@@ -338,7 +338,7 @@ class CDeviceWorld {
            "' color='red' intensity='1' medium='leds'/>";
   }
 
-  CScriptFolder m_folder;
+  CTemporaryFolder m_folder;
   std::optional<CLuaWorld> m_world;
 };
 

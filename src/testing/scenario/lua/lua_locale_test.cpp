@@ -54,7 +54,7 @@ SResult RunText(const std::string& xml) {
 
 TEST_CASE("lua locale: a decimal comma of the process changes neither scripts nor digests",
           "[lua][locale]") {
-  const CScriptFolder folder;
+  const CTemporaryFolder folder;
   SLuaExperiment experiment;
   experiment.Script = kScript;
   experiment.Actuators = "<differential_steering implementation='default'/>";

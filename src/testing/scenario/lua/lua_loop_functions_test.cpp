@@ -381,7 +381,7 @@ TEST_CASE("lua loop functions: the script can end the experiment", "[lua][loop_f
 
 TEST_CASE("lua loop functions: data can be written with the standard io library",
           "[lua][loop_functions]") {
-  CScriptFolder folder;
+  CTemporaryFolder folder;
   SLuaExperiment experiment = With(
       "function init() file = io.open(simulation.params.data, 'w') end\n"
       "function post_step()\n"
@@ -392,7 +392,7 @@ TEST_CASE("lua loop functions: data can be written with the standard io library"
   experiment.Script =
       "function init() end function reset() end function destroy() end\n"
       "function step() robot.wheels.set_velocity(10, 10) end";
-  experiment.LoopParams = "data='" + folder.GetPath("data.csv") + "'";
+  experiment.LoopParams = "data='" + folder.Path("data.csv") + "'";
   CLuaWorld world(experiment);
   world.Step(3);
   world.Destroy();

@@ -6,6 +6,7 @@
 #include <argos3/testing/support/captured_logs.h>
 #include <argos3/testing/support/device_list.h>
 #include <argos3/testing/support/paths.h>
+#include <argos3/testing/support/sanitizers.h>
 #include <argos3/testing/support/script_mutator.h>
 
 #include <catch2/catch.hpp>
@@ -22,11 +23,7 @@ using Catch::Contains;
 
 namespace {
 
-#if defined(__SANITIZE_ADDRESS__) || (defined(__has_feature) && __has_feature(address_sanitizer))
-constexpr UInt32 kCases = 150;
-#else
-constexpr UInt32 kCases = 1000;
-#endif
+constexpr UInt32 kCases = kHasAddressSanitizer ? 150 : 1000;
 constexpr UInt32 kSoakCases = 20000;
 constexpr UInt32 kTicks = 3;
 

@@ -4,39 +4,11 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 namespace argos {
 
-CScriptFolder::CScriptFolder() {
-  std::string pattern = (std::filesystem::temp_directory_path() / "argos_lua_XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) {
-    throw std::runtime_error("cannot make " + pattern);
-  }
-  m_path = pattern;
-}
-
-CScriptFolder::~CScriptFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(m_path, ignored);
-}
-
-std::string CScriptFolder::Write(const std::string& name, const std::string& text) const {
-  std::ofstream(GetPath(name)) << text;
-  return GetPath(name);
-}
-
-std::string CScriptFolder::Read(const std::string& name) const {
-  std::ostringstream text;
-  text << std::ifstream(GetPath(name)).rdbuf();
-  return text.str();
-}
-
-std::string ToXml(const SLuaExperiment& lua, const CScriptFolder& folder) {
+std::string ToXml(const SLuaExperiment& lua, const CTemporaryFolder& folder) {
   SExperiment experiment;
   experiment.Seed = lua.Seed;
   experiment.Threads = lua.Threads;

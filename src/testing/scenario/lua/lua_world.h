@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/wrappers/lua/lua_controller.h>
 #include <argos3/testing/support/experiment.h>
+#include <argos3/testing/support/temporary_folder.h>
 
 #include <memory>
 #include <optional>
@@ -30,22 +31,6 @@ struct SLuaExperiment {
   UInt32 Threads = 0;
 };
 
-/** A temporary folder for scripts of a test, removed with its content by the destructor. */
-class CScriptFolder {
- public:
-  CScriptFolder();
-  ~CScriptFolder();
-  CScriptFolder(const CScriptFolder&) = delete;
-  CScriptFolder& operator=(const CScriptFolder&) = delete;
-
-  std::string GetPath(const std::string& name) const { return m_path + "/" + name; }
-  std::string Write(const std::string& name, const std::string& text) const;
-  std::string Read(const std::string& name) const;
-
- private:
-  std::string m_path;
-};
-
 /** Runs such an experiment. */
 class CLuaWorld {
  public:
@@ -53,7 +38,7 @@ class CLuaWorld {
   explicit CLuaWorld(const SLuaExperiment& experiment);
 
   CTestWorld& World() { return *m_world; }
-  const CScriptFolder& Folder() const { return m_folder; }
+  const CTemporaryFolder& Folder() const { return m_folder; }
   void Step(UInt32 ticks = 1) { m_world->Step(ticks); }
   CSimulator& GetSimulator() { return m_world->GetSimulator(); }
   CLuaController& GetController(const std::string& robot = "fb");
@@ -66,12 +51,12 @@ class CLuaWorld {
   void Destroy() { GetSimulator().Destroy(); }
 
  private:
-  CScriptFolder m_folder;
+  CTemporaryFolder m_folder;
   std::optional<CTestWorld> m_world;
 };
 
 /** The XML of such an experiment, with scripts in a folder. */
-std::string ToXml(const SLuaExperiment& experiment, const CScriptFolder& folder);
+std::string ToXml(const SLuaExperiment& experiment, const CTemporaryFolder& folder);
 
 /** The error on loading; empty if it loads. */
 std::string LoadError(const SLuaExperiment& experiment);

@@ -17,32 +17,23 @@ void CProximityRays::Init(TConfigurationNode& tree) {
                {m_readsNoiseLevel ? ReadNoiseLevel(tree) : CRange<Real>()});
 }
 
-SRayBounds CProximityRays::ComputeBounds() const {
-  const SRayLayout& layout = m_sensors->GetLayout();
+SRayBounds CProximityRays::ComputeBounds(const SRayLayout& layout) const {
   SRayBounds bounds = layout;
-  if (m_range == HUGE_VAL || m_showRays || !layout.Planar) {
-    return bounds;
+  if (m_range != HUGE_VAL && !m_showRays && layout.Planar) {
+    constexpr Real kMore = 1.0 + 1e-9;  // tolerates rounding
+    bounds.Reach = std::min(layout.Reach, kMore * (layout.FarthestStart + m_range));
   }
-  Real square = 0.0;  // m^2; of the distance of the farthest start from the centre
-  for (const auto& ray : layout.Rays) {
-    const Real x = ray.Offset.GetX() - layout.CenterX;
-    const Real y = ray.Offset.GetY() - layout.CenterY;
-    square = std::max(square, x * x + y * y);
-  }
-  constexpr Real kMore = 1.0 + 1e-9;  // tolerates rounding
-  bounds.Reach = std::min(layout.Reach, kMore * (std::sqrt(square) + m_range));
   return bounds;
 }
 
 void CProximityRays::Cast(size_t first, size_t count, Real* fractions) {
   const SRayLayout& layout = m_sensors->GetLayout();
   const SAnchor* const* anchors = m_sensors->GetAnchors();
-  if (&layout != m_layout) {
-    m_layout = &layout;
+  if (m_anchor == nullptr) {
     m_anchor = anchors[layout.Rays.front().Anchor];
-    m_bounds = ComputeBounds();
   }
-  const SRayBundle bundle{&layout.Rays[first], count, m_bounds, anchors, *m_anchor};
+  const SRayBounds bounds = ComputeBounds(layout);
+  const SRayBundle bundle{&layout.Rays[first], count, bounds, anchors, *m_anchor};
   m_caster.Cast(bundle, fractions);
   if (m_showRays) {
     m_caster.Show(bundle, fractions);

@@ -86,16 +86,14 @@ class CProximityRays {
   /** @param fractions  (count) as CRayCaster::Cast() gives them. */
   void Cast(size_t first, size_t count, Real* fractions);
   /** Of the parts of all rays that are within the range. */
-  SRayBounds ComputeBounds() const;
+  SRayBounds ComputeBounds(const SRayLayout& layout) const;
   /** Of a ray, m. */
   Real ComputeLength(size_t ray) const {
     return m_sensors->GetLayout().Rays[ray].Direction.Length();
   }
 
   CProximitySensorEquippedEntity* m_sensors = nullptr;  // of the robot
-  const SRayLayout* m_layout = nullptr;  // the layout for which the next two are valid
-  const SAnchor* m_anchor = nullptr;  // of the first ray
-  SRayBounds m_bounds;
+  const SAnchor* m_anchor = nullptr;  // of the first ray, which keeps it; null until the first tick
   CRayCaster m_caster;
   CDeviceNoise m_noise;
   Real m_range = HUGE_VAL;  // m

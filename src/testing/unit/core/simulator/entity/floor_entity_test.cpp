@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/simulator/visualization/floor_samples.h>
+#include <argos3/testing/support/temporary_folder.h>
 
 #include <catch2/catch.hpp>
 
@@ -27,25 +28,6 @@ class CFloorTestLoopFunctions : public CLoopFunctions {
   }
 };
 REGISTER_LOOP_FUNCTIONS(CFloorTestLoopFunctions, "floor_test_loop_functions")
-
-// a temporary folder, removed with its content by the destructor
-class CFolder {
- public:
-  CFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "floor_test_XXXXXX").string();
-    REQUIRE(mkdtemp(pattern.data()) != nullptr);
-    m_path = pattern;
-  }
-  ~CFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(m_path, ignored);
-  }
-  std::string File(const std::string& name) const { return (m_path / name).string(); }
-  std::string Path() const { return m_path.string(); }
-
- private:
-  std::filesystem::path m_path;
-};
 
 // 4 x 2 pixels. In the file, the upper row comes first.
 void WriteImage(const std::string& path) {
@@ -188,9 +170,9 @@ std::string ErrorOf(const std::string& floor) {
 
 TEST_CASE("floor: an image is stretched over the arena, its lowest row at the smallest y",
           "[core][floor]") {
-  const CFolder folder;
-  WriteImage(folder.File("image.ppm"));
-  CWorld world(ImageFloor(folder.File("image.ppm")));
+  const CTemporaryFolder folder;
+  WriteImage(folder.Path("image.ppm"));
+  CWorld world(ImageFloor(folder.Path("image.ppm")));
   CFloorEntity& floor = world.Floor();
   CHECK(floor.GetColorSource() == CFloorEntity::FROM_IMAGE);
   CHECK(floor.GetPixelsPerMeter() == 1);
@@ -205,12 +187,12 @@ TEST_CASE("floor: an image is stretched over the arena, its lowest row at the sm
 
 TEST_CASE("floor: pixels are in the right places for every row order of the image formats",
           "[core][floor]") {
-  const CFolder folder;
+  const CTemporaryFolder folder;
   CWorld world("");
   const auto check = [&](const std::string& name, const std::string& bytes, bool grey = false) {
     CAPTURE(name);
-    WriteFile(folder.File(name), bytes);
-    CFloorEntity floor("f", folder.File(name));
+    WriteFile(folder.Path(name), bytes);
+    CFloorEntity floor("f", folder.Path(name));
     CHECK(floor.GetColorSource() == CFloorEntity::FROM_IMAGE);
     // 5 pixels on 4 m, 3 on 2 m: the finer resolution is 1.5 pixels per metre, rounded up
     CHECK(floor.GetPixelsPerMeter() == 2);
@@ -227,9 +209,9 @@ TEST_CASE("floor: pixels are in the right places for every row order of the imag
 }
 
 TEST_CASE("floor: views take each pixel of an image once", "[core][floor]") {
-  const CFolder folder;
-  WriteFile(folder.File("image.ppm"), Pnm(false));
-  CWorld world(ImageFloor(folder.File("image.ppm")));
+  const CTemporaryFolder folder;
+  WriteFile(folder.Path("image.ppm"), Pnm(false));
+  CWorld world(ImageFloor(folder.Path("image.ppm")));
   CFloorEntity& floor = world.Floor();
   // although a pixel is 0.8 m wide and 0.67 m high
   CHECK(floor.GetImageWidth() == kWidth);
@@ -248,28 +230,28 @@ TEST_CASE("floor: views take each pixel of an image once", "[core][floor]") {
 }
 
 TEST_CASE("floor: a saved image has its top row at the greatest y", "[core][floor]") {
-  const CFolder folder;
-  WriteFile(folder.File("image.bmp"), Bmp(false));
+  const CTemporaryFolder folder;
+  WriteFile(folder.Path("image.bmp"), Bmp(false));
   CWorld world("", "<loop_functions label=\"floor_test_loop_functions\"/>");
-  CFloorEntity floor("f", folder.File("image.bmp"));
+  CFloorEntity floor("f", folder.Path("image.bmp"));
   // PPM is compared byte by byte; the other lossless formats are read back
-  floor.SaveAsImage(folder.File("copy.ppm"));
+  floor.SaveAsImage(folder.Path("copy.ppm"));
   std::ostringstream saved;
-  saved << std::ifstream(folder.File("copy.ppm"), std::ios::binary).rdbuf();
+  saved << std::ifstream(folder.Path("copy.ppm"), std::ios::binary).rdbuf();
   CHECK_THAT(saved.str(), Catch::EndsWith(Bytes(EOrder::RGB, true)));
   for (const char* const name : {"copy.png", "copy.bmp", "copy.tga"}) {
     CAPTURE(name);
-    floor.SaveAsImage(folder.File(name));
-    CFloorEntity copy("copy", folder.File(name));
+    floor.SaveAsImage(folder.Path(name));
+    CFloorEntity copy("copy", folder.Path(name));
     CheckEveryPixel(copy);
   }
 
   // The loop functions return black where x < 0. The arena so far lies at x > 0, so move it.
   world.Space().SetArenaCenter(CVector3(0.5, 0.0, 0.0));
   CFloorEntity painted("painted", 2);
-  painted.SaveAsImage(folder.File("painted.ppm"));
+  painted.SaveAsImage(folder.Path("painted.ppm"));
   std::ostringstream pixels;
-  pixels << std::ifstream(folder.File("painted.ppm"), std::ios::binary).rdbuf();
+  pixels << std::ifstream(folder.Path("painted.ppm"), std::ios::binary).rdbuf();
   // x from -1.5 to 2.5 in 8 pixels, y in 4: three of each row are black
   std::string expected;
   for (int row = 0; row < 4; ++row) {
@@ -287,9 +269,9 @@ TEST_CASE("floor: constructed by a program, wrong arguments are refused with the
 }
 
 TEST_CASE("floor: outside the arena it has the colour of the nearest edge", "[core][floor]") {
-  const CFolder folder;
-  WriteImage(folder.File("image.ppm"));
-  CWorld world(ImageFloor(folder.File("image.ppm")));
+  const CTemporaryFolder folder;
+  WriteImage(folder.Path("image.ppm"));
+  CWorld world(ImageFloor(folder.Path("image.ppm")));
   CFloorEntity& floor = world.Floor();
   CHECK(floor.GetColorAtPoint(12.0, 21.0) == CColor::WHITE);
   CHECK(floor.GetColorAtPoint(1e300, 1e300) == CColor::WHITE);
@@ -299,9 +281,9 @@ TEST_CASE("floor: outside the arena it has the colour of the nearest edge", "[co
 }
 
 TEST_CASE("floor: environment variables in the path are expanded", "[core][floor]") {
-  const CFolder folder;
-  WriteImage(folder.File("image.ppm"));
-  REQUIRE(setenv("ARGOS_FLOOR_TEST_FOLDER", folder.Path().c_str(), 1) == 0);
+  const CTemporaryFolder folder;
+  WriteImage(folder.Path("image.ppm"));
+  REQUIRE(setenv("ARGOS_FLOOR_TEST_FOLDER", folder.GetPath().c_str(), 1) == 0);
   CWorld world(ImageFloor("$ARGOS_FLOOR_TEST_FOLDER/image.ppm"));
   CHECK(world.Floor().GetColorAtPoint(9.5, 20.5) == CColor::GREEN);
 }
@@ -314,11 +296,11 @@ TEST_CASE("floor: the error on a missing image gives the path in the file and th
 }
 
 TEST_CASE("floor: a file that is not an image is refused", "[core][floor]") {
-  const CFolder folder;
-  std::ofstream(folder.File("text.txt")) << "this is no image";
-  CHECK_THAT(ErrorOf(ImageFloor(folder.File("text.txt"))), Contains("no image format"));
-  std::ofstream(folder.File("broken.png")) << "neither is this";
-  CHECK_THAT(ErrorOf(ImageFloor(folder.File("broken.png"))), Contains("broken.png"));
+  const CTemporaryFolder folder;
+  std::ofstream(folder.Path("text.txt")) << "this is no image";
+  CHECK_THAT(ErrorOf(ImageFloor(folder.Path("text.txt"))), Contains("no image format"));
+  std::ofstream(folder.Path("broken.png")) << "neither is this";
+  CHECK_THAT(ErrorOf(ImageFloor(folder.Path("broken.png"))), Contains("broken.png"));
 }
 
 TEST_CASE("floor: wrong attributes are refused", "[core][floor]") {
@@ -349,17 +331,17 @@ TEST_CASE("floor: in a space without a floor, access is an error", "[core][floor
 }
 
 TEST_CASE("floor: an image that was saved and read again has the same colours", "[core][floor]") {
-  const CFolder folder;
-  WriteImage(folder.File("image.ppm"));
+  const CTemporaryFolder folder;
+  WriteImage(folder.Path("image.ppm"));
   {
-    CWorld world(ImageFloor(folder.File("image.ppm")));
-    world.Floor().SaveAsImage(folder.File("copy.png"));
-    CHECK_THROWS_WITH(world.Floor().SaveAsImage(folder.File("copy.unknown")),
+    CWorld world(ImageFloor(folder.Path("image.ppm")));
+    world.Floor().SaveAsImage(folder.Path("copy.png"));
+    CHECK_THROWS_WITH(world.Floor().SaveAsImage(folder.Path("copy.unknown")),
                       Contains("extension"));
-    CHECK_THROWS_WITH(world.Floor().SaveAsImage(folder.File("no/folder/copy.png")),
+    CHECK_THROWS_WITH(world.Floor().SaveAsImage(folder.Path("no/folder/copy.png")),
                       Contains("cannot write"));
   }
-  CWorld copy(ImageFloor(folder.File("copy.png")));
+  CWorld copy(ImageFloor(folder.Path("copy.png")));
   CHECK(copy.Floor().GetColorAtPoint(8.5, 19.5) == CColor(10, 20, 30));
   CHECK(copy.Floor().GetColorAtPoint(11.5, 20.5) == CColor::WHITE);
 }

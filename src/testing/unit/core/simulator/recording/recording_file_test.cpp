@@ -1,15 +1,13 @@
 #include <argos3/core/simulator/recording/recording_reader.h>
 #include <argos3/core/simulator/recording/recording_writer.h>
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/testing/support/temporary_folder.h>
 
 #include <catch2/catch.hpp>
 
 #include <unistd.h>
 
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
 
 using namespace argos;
@@ -20,26 +18,12 @@ namespace {
 /* A file of its own, removed at the end. */
 class CFile {
  public:
-  CFile() {
-    std::string folder = (std::filesystem::temp_directory_path() / "argos_rec_XXXXXX").string();
-    REQUIRE(mkdtemp(folder.data()) != nullptr);
-    m_folder = folder;
-  }
-  ~CFile() { std::filesystem::remove_all(m_folder); }
-  CFile(const CFile&) = delete;
-  CFile& operator=(const CFile&) = delete;
-
-  std::string GetPath() const { return (m_folder / "run.rec").string(); }
-  std::string Read() const {
-    std::ifstream file(GetPath(), std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(file), {});
-  }
-  void Write(const std::string& content) const {
-    std::ofstream(GetPath(), std::ios::binary) << content;
-  }
+  std::string GetPath() const { return m_folder.Path("run.rec"); }
+  std::string Read() const { return m_folder.Read("run.rec"); }
+  void Write(const std::string& content) const { m_folder.Write("run.rec", content); }
 
  private:
-  std::filesystem::path m_folder;
+  CTemporaryFolder m_folder;
 };
 
 SRecordingInfo MakeInfo() {

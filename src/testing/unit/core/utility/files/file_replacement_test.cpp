@@ -1,4 +1,5 @@
 #include <argos3/core/utility/files/file_replacement.h>
+#include <argos3/testing/support/temporary_folder.h>
 
 #include <catch2/catch.hpp>
 
@@ -9,44 +10,15 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 
 using namespace argos;
 using Catch::Contains;
 namespace fs = std::filesystem;
 
-namespace {
-
-class CPartFolder {
- public:
-  CPartFolder() {
-    std::string pattern = (fs::temp_directory_path() / "argos_parts_XXXXXX").string();
-    REQUIRE(mkdtemp(pattern.data()) != nullptr);
-    m_path = pattern;
-  }
-  ~CPartFolder() { fs::remove_all(m_path); }
-  std::string Path(const std::string& name = "") const { return m_path + '/' + name; }
-  void Write(const std::string& name, const std::string& text) const {
-    std::ofstream(Path(name)) << text;
-  }
-  std::string Read(const std::string& name) const {
-    std::ostringstream text;
-    text << std::ifstream(Path(name)).rdbuf();
-    return text.str();
-  }
-
- private:
-  std::string m_path;
-};
-
-}  // namespace
-
 TEST_CASE("file replacement: a file has its content, and no part is left", "[core][files]") {
-  const CPartFolder folder;
+  const CTemporaryFolder folder;
   folder.Write("a", "a longer old content");
   std::string problem = "old";
   CHECK(ReplaceFile(folder.Path("a"), std::string("new\0text", 8), problem));
@@ -56,7 +28,7 @@ TEST_CASE("file replacement: a file has its content, and no part is left", "[cor
 }
 
 TEST_CASE("file replacement: a failed write leaves the earlier file", "[core][files]") {
-  const CPartFolder folder;
+  const CTemporaryFolder folder;
   folder.Write("a", "old");
   const pid_t child = fork();
   if (child == 0) {
@@ -75,7 +47,7 @@ TEST_CASE("file replacement: a failed write leaves the earlier file", "[core][fi
 }
 
 TEST_CASE("file replacement: links are followed, devices are kept", "[core][files]") {
-  const CPartFolder folder;
+  const CTemporaryFolder folder;
   fs::create_directory(folder.Path("sub"));
   folder.Write("sub/target", "old");
   fs::create_symlink("sub/target", folder.Path("link"));
@@ -93,7 +65,7 @@ TEST_CASE("file replacement: links are followed, devices are kept", "[core][file
 
 TEST_CASE("file replacement: a part of a killed process is replaced, a live one refused",
           "[core][files]") {
-  const CPartFolder folder;
+  const CTemporaryFolder folder;
   const std::string part = std::string("a") + kPartSuffix;
   folder.Write(part, "a part that is longer than the new content");
   std::string problem;
@@ -104,10 +76,10 @@ TEST_CASE("file replacement: a part of a killed process is replaced, a live one 
   REQUIRE(flock(live, LOCK_EX) == 0);
   CHECK_FALSE(ReplaceFile(folder.Path("a"), "newer", problem));
   CHECK_THAT(problem, Contains("process is writing it"));
-  RemoveStaleParts(folder.Path());
+  RemoveStaleParts(folder.GetPath());
   CHECK(folder.Read(part) == "half");
   close(live);
-  RemoveStaleParts(folder.Path());
+  RemoveStaleParts(folder.GetPath());
   CHECK_FALSE(fs::exists(folder.Path(part)));
   CHECK(folder.Read("a") == "new");
   RemoveStaleParts("/no/such/folder");

@@ -1,4 +1,5 @@
 #include <argos3/core/utility/memory/object_slabs.h>
+#include <argos3/testing/support/sanitizers.h>
 
 #include <catch2/catch.hpp>
 
@@ -14,13 +15,7 @@ using namespace argos;
 namespace {
 
 // AddressSanitizer takes the place of the slabs
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool kAreSlabsUsed = false;
-#elif defined(__has_feature)
-constexpr bool kAreSlabsUsed = !__has_feature(address_sanitizer);
-#else
-constexpr bool kAreSlabsUsed = true;
-#endif
+constexpr bool kAreSlabsUsed = !kHasAddressSanitizer;
 
 struct STracked : CSlabObject {
   explicit STracked(int& alive) : Alive(alive) { ++Alive; }

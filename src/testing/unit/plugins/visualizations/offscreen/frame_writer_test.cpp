@@ -1,6 +1,7 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/frame_writer.h>
 
 #include <argos3/core/utility/configuration/argos_exception.h>
+#include <argos3/testing/support/temporary_folder.h>
 
 #include <catch2/catch.hpp>
 
@@ -17,30 +18,6 @@ using namespace argos;
 using Catch::Matchers::Contains;
 
 namespace {
-
-// a temporary folder, removed by the destructor
-class CTemporaryFolder {
- public:
-  CTemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "frames_XXXXXX").string();
-    REQUIRE(mkdtemp(pattern.data()) != nullptr);
-    m_path = pattern;
-  }
-  ~CTemporaryFolder() { std::filesystem::remove_all(m_path); }
-
-  const std::string& GetPath() const { return m_path; }
-
-  std::vector<std::string> ListFiles() const {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(m_path)) {
-      names.push_back(entry.path().filename().string());
-    }
-    return names;
-  }
-
- private:
-  std::string m_path;
-};
 
 // 3 x 2 pixels: red, green, blue above white, black, grey
 SPicture MakePicture() {
@@ -81,7 +58,7 @@ TEST_CASE("frame writer: a picture read from its file equals the original",
   CFrameWriter writer(settings);
   const SPicture picture = MakePicture();
   writer.Write(picture, 3);
-  CHECK(folder.ListFiles() == std::vector<std::string>{"frame_0000000003.png"});
+  CHECK(folder.List() == std::vector<std::string>{"frame_0000000003.png"});
 
   FIBITMAP* bitmap = FreeImage_Load(FIF_PNG, writer.MakeFileName(3).c_str());
   REQUIRE(bitmap != nullptr);
@@ -168,5 +145,5 @@ TEST_CASE("frame writer: an error on a frame names its file, and no partial file
   // a folder that is not empty cannot be replaced by a file
   std::filesystem::create_directories(writer.MakeFileName(8) + "/inside");
   CHECK_THROWS_WITH(writer.Write(MakePicture(), 8), Contains("frame_0000000008.png\""));
-  CHECK(folder.ListFiles() == std::vector<std::string>{"frame_0000000008.png"});
+  CHECK(folder.List() == std::vector<std::string>{"frame_0000000008.png"});
 }

@@ -3,15 +3,13 @@
 #include <argos3/core/simulator/outputs/run_output.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/factory.h>
+#include <argos3/testing/support/temporary_folder.h>
 
 #include <catch2/catch.hpp>
 
 #include <FreeImage.h>
 
-#include <stdlib.h>
-
 #include <filesystem>
-#include <set>
 #include <sstream>
 #include <string>
 
@@ -19,30 +17,6 @@ using namespace argos;
 using Catch::Matchers::Contains;
 
 namespace {
-
-// a temporary folder, removed by the destructor
-class CTemporaryFolder {
- public:
-  CTemporaryFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "offscreen_XXXXXX").string();
-    REQUIRE(mkdtemp(pattern.data()) != nullptr);
-    m_path = pattern;
-  }
-  ~CTemporaryFolder() { std::filesystem::remove_all(m_path); }
-
-  const std::string& GetPath() const { return m_path; }
-
-  std::set<std::string> ListFiles(const std::string& subfolder = "") const {
-    std::set<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(m_path + "/" + subfolder)) {
-      names.insert(entry.path().filename().string());
-    }
-    return names;
-  }
-
- private:
-  std::string m_path;
-};
 
 // collects log output during its lifetime
 class CLogCapture {
@@ -99,8 +73,8 @@ TEST_CASE("offscreen: frames show the first state, every n-th tick, and the last
                          "/new' size='64x48' every='4'/>");
   experiment.GetSimulator().Execute();
   CHECK(experiment.GetSimulator().GetSpace().GetSimulationClock() == 10);
-  CHECK(folder.ListFiles("new") ==
-        std::set<std::string>{Frame("0"), Frame("4"), Frame("8"), Frame("10")});
+  CHECK(folder.List("new") ==
+        std::vector<std::string>{Frame("0"), Frame("4"), Frame("8"), Frame("10")});
   CHECK_THAT(log.GetText(), Contains("64x48") && Contains("every 4 ticks"));
 }
 
@@ -125,7 +99,7 @@ TEST_CASE("offscreen: after a reset the run writes the same frames",
   std::filesystem::remove(folder.GetPath() + "/" + Frame("5"));
   experiment.GetSimulator().Reset();
   experiment.GetSimulator().Execute();
-  CHECK(folder.ListFiles() == std::set<std::string>{Frame("0"), Frame("5"), Frame("10")});
+  CHECK(folder.List() == std::vector<std::string>{Frame("0"), Frame("5"), Frame("10")});
 }
 
 TEST_CASE("offscreen: drawing does not change the run", "[visualizations][offscreen]") {
@@ -185,7 +159,7 @@ TEST_CASE("qt-opengl: a file with frame grabbing writes every n-th frame",
                          "/' headless_grabbing='true' headless_frame_size='64x48'"
                          " headless_frame_rate='4'/></qt-opengl>");
   experiment.GetSimulator().Execute();
-  CHECK(folder.ListFiles() == std::set<std::string>{Frame("0"), Frame("4"), Frame("8")});
+  CHECK(folder.List() == std::vector<std::string>{Frame("0"), Frame("4"), Frame("8")});
   CHECK_THAT(log.GetText(), Contains("<qt-opengl>") && Contains("asks for frames"));
 }
 
@@ -212,5 +186,5 @@ TEST_CASE("offscreen: only the ticks that are asked for have frames",
   CExperiment experiment("<offscreen directory='" + folder.GetPath() +
                          "' size='64x48' every='2' ticks='3-6,9'/>");
   experiment.GetSimulator().Execute();
-  CHECK(folder.ListFiles() == std::set<std::string>{Frame("4"), Frame("6")});
+  CHECK(folder.List() == std::vector<std::string>{Frame("4"), Frame("6")});
 }

@@ -3,15 +3,14 @@
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/factory.h>
+#include <argos3/testing/support/temporary_folder.h>
 
 #include <catch2/catch.hpp>
 
 #include <stdlib.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
-#include <set>
 #include <sstream>
 #include <string>
 
@@ -19,28 +18,6 @@ using namespace argos;
 using Catch::Matchers::Contains;
 
 namespace {
-
-class CFolder {
- public:
-  CFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "povray_XXXXXX").string();
-    REQUIRE(mkdtemp(pattern.data()) != nullptr);
-    m_path = pattern;
-  }
-  ~CFolder() { std::filesystem::remove_all(m_path); }
-  const std::string& GetPath() const { return m_path; }
-
-  std::set<std::string> ListFiles() const {
-    std::set<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(m_path)) {
-      names.insert(entry.path().filename().string());
-    }
-    return names;
-  }
-
- private:
-  std::string m_path;
-};
 
 // collects log output during its lifetime
 class CLogCapture {
@@ -71,10 +48,10 @@ class CFakePovray {
     setenv("ARGOS_POVRAY", path.c_str(), 1);
   }
   ~CFakePovray() { unsetenv("ARGOS_POVRAY"); }
-  const CFolder& GetFolder() const { return m_folder; }
+  const CTemporaryFolder& GetFolder() const { return m_folder; }
 
  private:
-  CFolder m_folder;
+  CTemporaryFolder m_folder;
 };
 
 // ten ticks in an empty arena
@@ -98,30 +75,28 @@ class CExperiment {
   CSimulator::CScope m_scope;
 };
 
-std::string In(const CFolder& folder, const std::string& attributes) {
+std::string In(const CTemporaryFolder& folder, const std::string& attributes) {
   return "<povray size='16x16' directory='" + folder.GetPath() + "' " + attributes + "/>";
 }
 
 }  // namespace
 
 TEST_CASE("povray: writes scene files of the ticks that are chosen", "[povray]") {
-  const CFolder folder;
+  const CTemporaryFolder folder;
   const CLogCapture log;
   CExperiment(In(folder, "every='4' render='false'")).Run();
-  CHECK(folder.ListFiles() == std::set<std::string>{"scene_0000000000.pov", "scene_0000000004.pov",
-                                                    "scene_0000000008.pov",
-                                                    "scene_0000000010.pov"});
+  CHECK(folder.List() == std::vector<std::string>{"scene_0000000000.pov", "scene_0000000004.pov",
+                                                  "scene_0000000008.pov", "scene_0000000010.pov"});
 }
 
 TEST_CASE("povray: runs the program in the folder of the scenes", "[povray]") {
-  const CFolder folder;
+  const CTemporaryFolder folder;
   const CLogCapture log;
   // writes its working directory and its arguments as the picture
   const CFakePovray povray(
       "for i; do case $i in +O*) out=${i#+O};; esac; done\n(pwd; echo \"$@\") >\"$out\"\n");
   CExperiment(In(folder, "ticks='0' threads='1' render='true'")).Run();
-  CHECK(folder.ListFiles() ==
-        std::set<std::string>{"scene_0000000000.pov", "scene_0000000000.png"});
+  CHECK(folder.List() == std::vector<std::string>{"scene_0000000000.png", "scene_0000000000.pov"});
   std::ifstream picture(folder.GetPath() + "/scene_0000000000.png");
   std::string directory;
   std::string arguments;
@@ -133,7 +108,7 @@ TEST_CASE("povray: runs the program in the folder of the scenes", "[povray]") {
 }
 
 TEST_CASE("povray: tells why a scene cannot be rendered", "[povray]") {
-  const CFolder folder;
+  const CTemporaryFolder folder;
   const CLogCapture log;
   const CFakePovray povray(
       "echo \"File 'scene.pov' line 7: Parse Error: No matching }\" >&2\nexit 3\n");
@@ -143,7 +118,7 @@ TEST_CASE("povray: tells why a scene cannot be rendered", "[povray]") {
 }
 
 TEST_CASE("povray: a program that writes no picture is an error", "[povray]") {
-  const CFolder folder;
+  const CTemporaryFolder folder;
   const CLogCapture log;
   const CFakePovray povray("exit 0\n");
   CExperiment experiment(In(folder, "ticks='0' render='true'"));
@@ -151,11 +126,11 @@ TEST_CASE("povray: a program that writes no picture is an error", "[povray]") {
 }
 
 TEST_CASE("povray: without POV-Ray, says once how to render", "[povray]") {
-  const CFolder folder;
+  const CTemporaryFolder folder;
   setenv("ARGOS_POVRAY", "no_such_povray", 1);
   CLogCapture log;
   CExperiment(In(folder, "every='5'")).Run();
-  CHECK(folder.ListFiles().count("scene_0000000005.pov") == 1);
+  CHECK(std::filesystem::exists(folder.Path("scene_0000000005.pov")));
   const std::string text = log.GetText();
   CHECK_THAT(text, Contains("\"no_such_povray\" is not installed. Where it is: cd " +
                             folder.GetPath() + " && no_such_povray +Iscene_0000000000.pov"));
@@ -166,7 +141,7 @@ TEST_CASE("povray: without POV-Ray, says once how to render", "[povray]") {
 }
 
 TEST_CASE("povray: names file and line of wrong attributes", "[povray]") {
-  const CFolder folder;
+  const CTemporaryFolder folder;
   const auto [attributes, message] = GENERATE(table<std::string, std::string>({
       {"quality='god'", "did you mean \"good\"?"},
       {"render='maybe'", "\"maybe\" is not valid"},

@@ -5,13 +5,11 @@
 #include <argos3/core/utility/processes/child_process.h>
 #include <argos3/plugins/simulator/visualizations/povray/povray_renderer.h>
 #include <argos3/testing/support/pictures.h>
+#include <argos3/testing/support/temporary_folder.h>
 
 #include <FreeImage.h>
 
-#include <unistd.h>
-
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <memory>
 
@@ -20,20 +18,6 @@ using namespace argos;
 namespace {
 
 constexpr SRgba kBlue = {40, 40, 225, 255};
-
-class CFolder {
- public:
-  CFolder() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "povray_XXXXXX").string();
-    REQUIRE(mkdtemp(pattern.data()) != nullptr);
-    m_path = pattern;
-  }
-  ~CFolder() { std::filesystem::remove_all(m_path); }
-  const std::string& GetPath() const { return m_path; }
-
- private:
-  std::string m_path;
-};
 
 bool HasPovray() {
   return !FindProgram(GetPovrayProgram()).empty();
@@ -69,10 +53,10 @@ SPicture Load(const std::string& path) {
 // throws if POV-Ray does not accept the scene
 SPicture RenderWithPovray(const SScene& scene, const SCameraPlacement& placement,
                           const SPovraySettings& settings, const SSceneExtras& extras = {}) {
-  const CFolder folder;
+  const CTemporaryFolder folder;
   std::size_t numSkipped = 0;
   std::string problem;
-  REQUIRE(ReplaceFile(folder.GetPath() + "/scene.pov",
+  REQUIRE(ReplaceFile(folder.Path("scene.pov"),
                       MakeSceneFile(scene, placement, settings, extras, numSkipped), problem));
   SPovrayJob job;
   job.Width = settings.Width;
@@ -82,7 +66,7 @@ SPicture RenderWithPovray(const SScene& scene, const SCameraPlacement& placement
   CPovrayRenderer renderer(job);
   renderer.Submit("scene.pov");
   renderer.Finish();
-  return Load(folder.GetPath() + "/scene.png");
+  return Load(folder.Path("scene.png"));
 }
 
 // the pixels of one colour: how many, their middle and their bounds

@@ -1,13 +1,10 @@
 #include <argos3/plugins/simulator/visualizations/offscreen/renderer.h>
 #include <argos3/plugins/simulator/visualizations/scene/ground_texture.h>
 #include <argos3/testing/support/pictures.h>
+#include <argos3/testing/support/temporary_folder.h>
 
 #include <catch2/catch.hpp>
 
-#include <stdlib.h>
-
-#include <filesystem>
-#include <fstream>
 #include <string>
 
 using namespace argos;
@@ -15,21 +12,14 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-// a file in a temporary folder, removed by the destructor
 class CTemporaryFile {
  public:
-  CTemporaryFile(const std::string& name, const std::string& content) {
-    std::string pattern = (std::filesystem::temp_directory_path() / "texture_XXXXXX").string();
-    REQUIRE(mkdtemp(pattern.data()) != nullptr);
-    m_folder = pattern;
-    m_path = pattern + "/" + name;
-    std::ofstream(m_path, std::ios::binary) << content;
-  }
-  ~CTemporaryFile() { std::filesystem::remove_all(m_folder); }
+  CTemporaryFile(const std::string& name, const std::string& content)
+      : m_path(m_folder.Write(name, content)) {}
   const std::string& GetPath() const { return m_path; }
 
  private:
-  std::string m_folder;
+  CTemporaryFolder m_folder;
   std::string m_path;
 };
 

@@ -1,0 +1,238 @@
+// Built-in metrics of what the main loop costs: time, processors and memory.
+
+#include <argos3/core/simulator/context/simulation_context.h>
+#include <argos3/core/simulator/space/built_in_metric.h>
+#include <argos3/core/simulator/space/metrics.h>
+#include <argos3/core/simulator/space/space.h>
+#include <argos3/core/utility/errors/argos_exception.h>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <optional>
+
+namespace argos {
+
+namespace {
+
+using TClock = std::chrono::steady_clock;
+
+// user and system time of all threads of the process, s; as getrusage() has it, but in ns
+Real GetCPUTime() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<Real>(time.tv_sec) + 1e-9 * static_cast<Real>(time.tv_nsec);
+}
+
+/*
+ * The time that the loop has taken. It is measured for all metrics together, so that these fit.
+ * Reading the processor time takes about as long as half a tick of one robot, which would change
+ * the wall time: so several such ticks share a measurement.
+ */
+class CLoopMeter : public CSpaceExtension {
+ public:
+  struct SUse {
+    Real Simulated = 0.0, WallTime = 0.0, CPUTime = 0.0;  // s, since the start
+  };
+
+  void Attach(const SSimulationContext& context) { m_context = &context; }
+  // the last measurement before a tick is the start
+  void Reset() { m_isRunning = false; }
+
+  // the processor time of a single thread is at most the wall time: it is read inside of it
+  const SUse& Measure() {
+    const UInt32 tick = *m_context->Clock;
+    // while the metrics of the first state are computed, the loop has not begun
+    if (!m_isRunning || tick == m_firstTick) {
+      m_isRunning = true;
+      m_firstTick = tick;
+      m_use = {};
+      m_start = TClock::now();
+      m_startCPUTime = GetCPUTime();
+      m_next = m_start + kPause;
+    } else if (tick != m_tick && TClock::now() >= m_next) {
+      m_use.Simulated = (tick - m_firstTick) * m_context->TickLength;
+      m_use.CPUTime = GetCPUTime() - m_startCPUTime;
+      const TClock::time_point now = TClock::now();
+      m_use.WallTime = std::chrono::duration<Real>(now - m_start).count();
+      m_next = now + kPause;
+    }
+    m_tick = tick;
+    return m_use;
+  }
+
+ private:
+  static constexpr std::chrono::microseconds kPause{20};
+
+  const SSimulationContext* m_context = nullptr;
+  bool m_isRunning = false;
+  UInt32 m_firstTick = 0;
+  UInt32 m_tick = 0;  // of m_use
+  TClock::time_point m_start;
+  TClock::time_point m_next;  // no measurement before
+  Real m_startCPUTime = 0.0;
+  SUse m_use;
+};
+
+class CLoopMetric : public CBuiltInMetric {
+ public:
+  void Init(CSpace& space) override {
+    m_meter = &space.GetExtension<CLoopMeter>();
+    m_meter->Attach(space.GetContext());
+  }
+  void Reset() override { m_meter->Reset(); }
+  bool IsReproducible() const override { return false; }
+  Real Compute() override { return ComputeFrom(m_meter->Measure()); }
+
+ protected:
+  virtual Real ComputeFrom(const CLoopMeter::SUse& use) = 0;
+
+ private:
+  CLoopMeter* m_meter = nullptr;
+};
+
+class CRealTimeFactor : public CLoopMetric {
+ protected:
+  Real ComputeFrom(const CLoopMeter::SUse& use) override {
+    return use.Simulated > 0.0 ? use.Simulated / use.WallTime : CMetrics::kNone;
+  }
+};
+
+class CLoopWallTime : public CLoopMetric {
+ public:
+  std::string GetUnit() const override { return "s"; }
+
+ protected:
+  Real ComputeFrom(const CLoopMeter::SUse& use) override { return use.WallTime; }
+};
+
+class CLoopCPUTime : public CLoopMetric {
+ public:
+  std::string GetUnit() const override { return "s"; }
+
+ protected:
+  Real ComputeFrom(const CLoopMeter::SUse& use) override { return use.CPUTime; }
+};
+
+class CSpeedup : public CLoopMetric {
+ protected:
+  Real ComputeFrom(const CLoopMeter::SUse& use) override {
+    return use.WallTime > 0.0 ? use.CPUTime / use.WallTime : CMetrics::kNone;
+  }
+};
+
+constexpr const char* kMemoryFile = "/proc/self/statm";  // Linux: pages in all, resident, ...
+
+// MB; nothing if the system does not tell
+std::optional<Real> ReadResidentMemory() {
+  const int file = open(kMemoryFile, O_RDONLY | O_CLOEXEC);
+  if (file < 0) {
+    return std::nullopt;
+  }
+  std::array<char, 256> text{};
+  const ssize_t length = read(file, text.data(), text.size() - 1);
+  close(file);
+  unsigned long long pages = 0;
+  if (length <= 0 || std::sscanf(text.data(), "%*u %llu", &pages) != 1) {
+    return std::nullopt;
+  }
+  return static_cast<Real>(pages) * static_cast<Real>(sysconf(_SC_PAGESIZE)) / 1e6;
+}
+
+class CResidentMemory : public CBuiltInMetric {
+ public:
+  void Init(CSpace&) override {
+    if (!ReadResidentMemory()) {
+      THROW_ARGOSEXCEPTION("the system does not tell the memory of a process: \""
+                           << kMemoryFile << "\" cannot be read: " << std::strerror(errno));
+    }
+  }
+  void Reset() override { m_isRead = false; }
+  std::string GetUnit() const override { return "MB"; }
+  bool IsReproducible() const override { return false; }
+
+  Real Compute() override {
+    const TClock::time_point now = TClock::now();
+    if (!m_isRead || now >= m_next) {
+      m_value = ReadResidentMemory().value_or(CMetrics::kNone);
+      m_isRead = true;
+      m_next = now + kPause;
+    }
+    return m_value;
+  }
+
+ private:
+  // a reading takes longer than a tick of one robot, and would change what other metrics measure
+  static constexpr std::chrono::milliseconds kPause{1};
+
+  bool m_isRead = false;
+  Real m_value = CMetrics::kNone;
+  TClock::time_point m_next;
+};
+
+}  // namespace
+
+REGISTER_BUILT_IN_METRIC(
+    CRealTimeFactor, "real_time_factor", "the authors of this project", "1.0",
+    "Simulated time over wall time, since the start of the run.",
+    R"(Both times are over the span of loop_wall_time. There is no value before the first tick.
+
+This metric is not reproducible: another run of the same experiment has other values. So has its recording.
+
+  <metrics file="metrics.csv" builtin="real_time_factor" />
+)",
+    "Usable")
+REGISTER_BUILT_IN_METRIC(
+    CLoopWallTime, "loop_wall_time", "the authors of this project", "1.0",
+    "The wall time of the main loop so far, s.",
+    R"(It begins when the experiment is loaded or reset, or at the tick after which the first metric of the loop is enabled
+(loop_wall_time, loop_cpu_time, speedup, real_time_factor), and ends with the last tick. So loading and the end of the program
+are excluded; what outputs and the program do between ticks is included. It is measured at most every 20 us, so as not to slow
+short ticks down: so it may be that old.
+
+This metric is not reproducible: another run of the same experiment has other values. So has its recording.
+
+  <metrics file="metrics.csv" builtin="loop_wall_time" />
+)",
+    "Usable")
+REGISTER_BUILT_IN_METRIC(
+    CLoopCPUTime, "loop_cpu_time", "the authors of this project", "1.0",
+    "The processor time that the process used during the main loop so far, s.",
+    R"(User and system time of all threads of the process, over the same span as loop_wall_time. Threads of other simulations in
+the process and of outputs are included. So is the time in which threads of the pool spin while they wait for each other.
+
+This metric is not reproducible: another run of the same experiment has other values. So has its recording.
+
+  <metrics file="metrics.csv" builtin="loop_cpu_time" />
+)",
+    "Usable")
+REGISTER_BUILT_IN_METRIC(
+    CSpeedup, "speedup", "the authors of this project", "1.0",
+    "loop_cpu_time over loop_wall_time: the processors that were busy, on average.",
+    R"(The measure u of C. Pinciroli's thesis, chapter 5: at most 1 without threads. It tells how far processors were used, not how
+much faster the run was. There is no value before the first tick.
+
+This metric is not reproducible: another run of the same experiment has other values. So has its recording.
+
+  <metrics file="metrics.csv" builtin="loop_wall_time, loop_cpu_time, speedup" />
+)",
+    "Usable")
+REGISTER_BUILT_IN_METRIC(
+    CResidentMemory, "resident_memory", "the authors of this project", "1.0",
+    "The memory of the process that is in RAM, MB (10^6 bytes).",
+    R"(The resident set size, not its peak: of the program, its libraries, the experiment, and all else in the process. Linux only.
+It is read at most every millisecond, and may be that old.
+
+This metric is not reproducible: another run of the same experiment has other values. So has its recording.
+
+  <metrics file="metrics.csv" builtin="resident_memory" />
+)",
+    "Usable")
+
+}  // namespace argos
