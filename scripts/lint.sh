@@ -94,15 +94,19 @@ arrows_upward() {
     }' "${files[@]}"
 }
 report "no include leads upward (scripts/layers.txt)" "$(arrows_upward)"
+report "statistics include the utility of the core only" \
+  "$(includes '^src/campaign/statistics/' 'argos3/(core/(control_interface|simulator|wrappers)|plugins|campaign/[^s]|campaign/s[^t])')"
+report "reports of campaigns include design, store, statistics and the utility of the core only" \
+  "$(includes '^src/campaign/report/' 'argos3/(core/(control_interface|simulator|wrappers)|plugins|campaign/(execution|scheduling|slurm|program))')"
 report "the core includes no plug-in" "$(includes '^src/core/' 'argos3/plugins/')"
 report "a control interface includes no simulator" \
   "$(includes '^src/plugins/robots/[^/]*/control_interface/' 'argos3/(core/simulator|plugins/simulator|plugins/robots/[^/]*/simulator)/')"
 report "a robot includes no engine" "$(includes '^src/plugins/robots/' 'argos3/plugins/simulator/physics_engines/')"
 report "an engine includes no robot" "$(includes '^src/plugins/physics_engines/' 'argos3/plugins/robots/')"
 report "include by the public path, <argos3/...>" \
-  "$(includes '^src/(core|plugins)/' '\.\./')"
+  "$(includes '^src/(core|plugins|campaign)/' '\.\./')"
 
-mapfile -t ours < <(only '^src/(core|plugins)/')
+mapfile -t ours < <(only '^src/(core|plugins|campaign)/')
 # simulator.cpp defines it; command_line.cpp is the program that runs the thread's simulator, as users' programs do
 mapfile -t noInstance < <(printf '%s\n' "${ours[@]}" |
   grep -vE '^src/core/simulator/(simulator|program/command_line|program/main)\.cpp$')
@@ -120,7 +124,7 @@ report "never dlclose" "$(search '(^|[^A-Za-z_])dlclose *\(' "${ours[@]}")"
 #   memory/object_slabs.cpp                            the allocator itself
 # Tests use the API of users, including raw ownership.
 rawOwners='^src/core/(utility/plugins/(factory|process_wide)|control_interface/ci_controller\.|utility/datatypes/byte_array\.cpp|utility/memory/object_slabs\.cpp|simulator/simulator\.cpp)'
-mapfile -t owners < <(only '^(src/(core|plugins)|experiments)/' | grep -vE "$rawOwners")
+mapfile -t owners < <(only '^(src/(core|plugins|campaign)|experiments)/' | grep -vE "$rawOwners")
 report "no raw new: std::make_unique" \
   "$(search '(^|[^A-Za-z0-9_.>])new +[A-Za-z_:(]' "${owners[@]}" | grep -v 'operator new' || true)"
 report "no raw delete: std::unique_ptr" \
@@ -139,7 +143,7 @@ guards() {
     guard="ARGOS3_$(tr 'a-z/-' 'A-Z__' <<<"$guard")_H"
     grep -q "^#ifndef $guard\$" "$file" && grep -q "^#define $guard\$" "$file" ||
       echo "$file:1: the guard should be $guard"
-  done < <(only '^src/(core|plugins|testing)/.*\.h$' | grep -vE '^src/testing/compat/(user_|projects/)')
+  done < <(only '^src/(core|plugins|campaign|testing)/.*\.h$' | grep -vE '^src/testing/compat/(user_|projects/)')
 }
 report "include guards are paths" "$(guards)"
 
@@ -159,7 +163,7 @@ report "files are short" "$(lengths)"
 # Plug-ins share one namespace, and the linker merges template instances over different types with the same name.
 types_with_one_name() {
   local headers
-  mapfile -t headers < <(only '^src/(core|plugins)/.*\.h$')
+  mapfile -t headers < <(only '^src/(core|plugins|campaign)/.*\.h$')
   awk 'match($0, /^(struct|class|enum|union) [A-Za-z_0-9 ]+[^;]*$/) {
          line = $0
          sub(/^enum (class |struct )?/, "", line); sub(/^(struct|class|union) /, "", line)
@@ -171,6 +175,11 @@ types_with_one_name() {
        }' "${headers[@]}"
 }
 report "types of plug-ins have unique names" "$(types_with_one_name)"
+
+report "Python scripts compile" "$(git ls-files --cached --others --exclude-standard -- '*.py' | while IFS= read -r file; do
+  [[ ! -f "$file" ]] || python3 -c 'import sys; compile(open(sys.argv[1], encoding="utf-8").read(), sys.argv[1], "exec")' "$file" 2>&1 |
+    sed -n "\$s|^|$file:1: |p"
+done)"
 
 if ((violations > 0)); then
   echo "lint: $violations violation(s)"

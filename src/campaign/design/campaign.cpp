@@ -1,0 +1,29 @@
+#include <argos3/campaign/design/campaign.h>
+
+namespace argos {
+
+std::string SCombination::ComputeKey() const {
+  std::string key;
+  for (const SSetting& setting : Settings) {
+    key += setting.Path;
+    key += '=';
+    for (const char c : setting.Value) {
+      if (c == '\n') {
+        key += "&#10;";
+      } else {
+        key += c;
+      }
+    }
+    key += '\n';
+  }
+  return key;
+}
+
+const std::vector<std::string>& ListBuiltInMetrics() {
+  static const std::vector<std::string> kNames = {
+      "dispersion",     "collisions",    "messages", "real_time_factor",
+      "loop_wall_time", "loop_cpu_time", "speedup",  "resident_memory"};
+  return kNames;
+}
+
+}  // namespace argos

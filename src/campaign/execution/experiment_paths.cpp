@@ -1,0 +1,86 @@
+#include <argos3/campaign/execution/experiment_paths.h>
+
+#include <argos3/core/utility/text/string_utilities.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+
+namespace fs = std::filesystem;
+
+namespace argos {
+
+namespace {
+
+// of the core and the plug-ins: Lua scripts, images of floors, libraries
+constexpr const char* kInputAttributes[] = {"library", "path", "script"};
+
+void ForEachElement(CConfigurationNode& node,
+                    const std::function<void(CConfigurationNode&)>& handle) {
+  handle(node);
+  for (CConfigurationNode* child = node.FirstChildElement(false); child != nullptr;
+       child = child->NextSiblingElement(false)) {
+    ForEachElement(*child, handle);
+  }
+}
+
+bool IsFile(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
+std::string MakeAbsolute(const std::string& value, const std::string& startFolder) {
+  const fs::path path = fs::path(startFolder) / value;
+  const bool isInput = !value.empty() && fs::path(value).is_relative() &&
+                       (IsFile(path) || IsFile(path.string() + ".so"));
+  return isInput ? path.string() : value;
+}
+
+}  // namespace
+
+void MakeInputPathsAbsolute(CConfigurationDocument& document, const std::string& startFolder) {
+  ForEachElement(document.GetRoot(), [&](CConfigurationNode& node) {
+    for (const char* name : kInputAttributes) {
+      if (node.HasAttribute(name)) {
+        node.SetAttribute(name, MakeAbsolute(node.GetAttribute(name), startFolder));
+      }
+    }
+  });
+}
+
+std::string MakeInputPathAbsolute(const SSetting& setting, const std::string& startFolder) {
+  const std::string name = setting.Path.substr(setting.Path.rfind('@') + 1);
+  const bool isInput = std::find(std::begin(kInputAttributes), std::end(kInputAttributes), name) !=
+                       std::end(kInputAttributes);
+  return isInput ? MakeAbsolute(setting.Value, startFolder) : setting.Value;
+}
+
+std::vector<std::string> ListLibraries(CConfigurationDocument& document) {
+  std::vector<std::string> libraries;
+  ForEachElement(document.GetRoot(), [&](CConfigurationNode& node) {
+    const std::string library = node.GetAttribute("library");
+    if (!library.empty() &&
+        std::find(libraries.begin(), libraries.end(), library) == libraries.end()) {
+      libraries.push_back(library);
+    }
+  });
+  return libraries;
+}
+
+void MakePluginPathAbsolute() {
+  const char* const value = std::getenv("ARGOS_PLUGIN_PATH");
+  if (value == nullptr) {
+    return;
+  }
+  std::vector<std::string> folders;
+  Tokenize(value, folders, ":");
+  std::string path;
+  for (const std::string& folder : folders) {
+    path += path.empty() ? "" : ":";
+    path += fs::absolute(folder).string();
+  }
+  setenv("ARGOS_PLUGIN_PATH", path.c_str(), 1);
+}
+
+}  // namespace argos

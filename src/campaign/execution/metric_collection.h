@@ -1,0 +1,54 @@
+#ifndef ARGOS3_CAMPAIGN_EXECUTION_METRIC_COLLECTION_H
+#define ARGOS3_CAMPAIGN_EXECUTION_METRIC_COLLECTION_H
+
+#include <argos3/campaign/design/campaign.h>
+#include <argos3/campaign/execution/run_result.h>
+
+#include <string>
+#include <vector>
+
+namespace argos {
+
+class CSimulator;
+
+/**
+ * @return true if a metric is collected as one number of a run. A series of the same name then has
+ *   no number of its own; other series have their last value.
+ */
+bool IsCollectedAsNumber(const std::vector<SCollectedMetric>& metrics, const std::string& name);
+
+/** Collects the metrics of a run, but not those in files. */
+class CMetricCollection {
+ public:
+  /** @param metrics  must outlive this object; empty: the last values of all that the run sets. */
+  explicit CMetricCollection(const std::vector<SCollectedMetric>& metrics);
+
+  /**
+   * Call it when the experiment is loaded: built-in metrics are computed from now on.
+   * @throws CARGoSException if the experiment has not what one is computed from.
+   */
+  void Begin(CSimulator& simulator);
+  /** @return true if Observe() is needed: the last values are read after the run. */
+  bool IsObserver() const { return m_isObserver; }
+  /** Call it after each tick. */
+  void Observe(CSimulator& simulator);
+  /** Call it after the main loop. @param result  metrics and series are added. */
+  void Finish(CSimulator& simulator, SRunResult& result);
+
+ private:
+  struct SState {
+    UInt64 Count = 0;
+    Real Sum = 0.0, Min = 0.0, Max = 0.0;
+    SMetricSeries Series;
+  };
+
+  static Real Reduce(const SState& state, SCollectedMetric::EReduction reduction);
+
+  const std::vector<SCollectedMetric>& m_metrics;
+  std::vector<SState> m_states;  // (metrics)
+  bool m_isObserver = false;
+};
+
+}  // namespace argos
+
+#endif

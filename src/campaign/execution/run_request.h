@@ -1,0 +1,34 @@
+#ifndef ARGOS3_CAMPAIGN_EXECUTION_RUN_REQUEST_H
+#define ARGOS3_CAMPAIGN_EXECUTION_RUN_REQUEST_H
+
+#include <argos3/campaign/design/campaign.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace argos {
+
+/** What the runs of a campaign have in common. */
+struct SRunSetup {
+  std::string ExperimentFile; /**< absolute path: for messages and files beside it */
+  std::string ExperimentText; /**< XML */
+  std::string StartFolder; /**< absolute; relative paths of input files begin here, too */
+  std::optional<UInt32> Threads = 0; /**< of a run; none: as in the experiment */
+  std::vector<SCollectedMetric> Metrics; /**< empty: all that a run sets */
+  SRunLimits Limits;
+  EIsolation Isolation = EIsolation::Process;
+  EKeptFiles Kept = EKeptFiles::None;
+};
+
+/** One run. */
+struct SRunRequest {
+  UInt64 Id = 0; /**< chosen by the sender: the result carries it */
+  UInt32 Seed = 0;
+  std::vector<SSetting> Settings;
+  std::string Folder; /**< working directory of the run, created for it */
+};
+
+}  // namespace argos
+
+#endif

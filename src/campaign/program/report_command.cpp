@@ -1,0 +1,110 @@
+#include <argos3/campaign/program/command_options.h>
+#include <argos3/campaign/program/commands.h>
+#include <argos3/campaign/report/campaign_report.h>
+#include <argos3/campaign/report/figure_drawing.h>
+
+#include <argos3/core/utility/errors/argos_exception.h>
+
+#include <CLI/CLI.hpp>
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace argos {
+
+namespace {
+
+struct SReportOptions {
+  std::string File;
+  std::string Output; /**< folder of the report, or file of a figure */
+  SFigureRequest Figure; /**< Kind: empty for a report */
+};
+
+void RefuseFigureOptions(const SFigureRequest& figure) {
+  if (!figure.X.empty() || !figure.Y.empty() || !figure.Z.empty() || !figure.Group.empty() ||
+      !figure.Title.empty() || !figure.Where.empty() || figure.IsLogarithmic ||
+      figure.IsXLogarithmic || figure.Reference || figure.ShowsInterval) {
+    THROW_ARGOSEXCEPTION(
+        "--x, --y, --z, --group, --title, --where, --band, --log, --xlog and --reference describe "
+        "one figure: give --plot KIND, too");
+  }
+}
+
+int MakeReport(const SReportOptions& options) {
+  const SCampaign campaign = ReadCampaign(options.File);
+  ThrowUnlessHasResults(campaign);
+  const CResultStore store(campaign.ResultsFile, CResultStore::EMode::ReadOnly);
+  if (!options.Figure.Kind.empty()) {
+    if (options.Output.empty()) {
+      THROW_ARGOSEXCEPTION("--plot needs -o FILE.svg, FILE.png or FILE.pdf");
+    }
+    const SFigureRequest& figure = options.Figure;
+    if (figure.Kind != "means" && (figure.IsXLogarithmic || figure.Reference)) {
+      THROW_ARGOSEXCEPTION("--xlog and --reference belong to --plot means");
+    }
+    if (figure.Kind != "series" && figure.ShowsInterval) {
+      THROW_ARGOSEXCEPTION("--band belongs to --plot series");
+    }
+    DrawFigure(CReportData(campaign, store), figure, options.Output);
+    return CAMPAIGN_DONE;
+  }
+  RefuseFigureOptions(options.Figure);
+  const std::string folder =
+      options.Output.empty()
+          ? std::filesystem::path(campaign.File).replace_extension("report").string()
+          : options.Output;
+  const SReportFiles files = WriteReport(campaign, store, folder);
+  for (const std::string& problem : files.Problems) {
+    PrintWarnings(problem);
+  }
+  fmt::print("{} ({} figure{})\n", files.Page, files.NumFigures, files.NumFigures == 1 ? "" : "s");
+  return CAMPAIGN_DONE;
+}
+
+}  // namespace
+
+void AddReportCommand(CLI::App& app, TCampaignCommand& chosen) {
+  CLI::App& command = *app.add_subcommand(
+      "report", "make statistics, comparisons and figures, and a page that shows them");
+  const auto options = std::make_shared<SReportOptions>();
+  SFigureRequest& figure = options->Figure;
+  AddFile(command, options->File);
+  command
+      .add_option(
+          "-o,--output", options->Output,
+          "folder of the report, default: NAME.report beside the campaign file; with --plot "
+          "the file of the figure, whose ending .svg, .png or .pdf is the format")
+      ->type_name("PATH");
+  command
+      .add_option("--plot", figure.Kind,
+                  "draw one figure only: boxplot, series, means, scaling, heatmap")
+      ->type_name("KIND");
+  command.add_option("--x", figure.X, "factor; of means and scaling also a metric")
+      ->type_name("NAME");
+  command.add_option("--y", figure.Y, "metric; of series a time series; of heatmap a factor")
+      ->type_name("NAME");
+  command.add_option("--z", figure.Z, "metric of a heatmap")->type_name("NAME");
+  command.add_option("--group", figure.Group, "factor whose levels differ in colour")
+      ->type_name("FACTOR");
+  command.add_option("--title", figure.Title, "title of the figure")->type_name("TEXT");
+  command
+      .add_option("--where", figure.Where,
+                  "of those combinations only for which this Lua expression of the factors is true")
+      ->type_name("EXPRESSION");
+  command
+      .add_option_function<std::string>(
+          "--band",
+          [&figure](const std::string& band) { figure.ShowsInterval = band == "interval"; },
+          "of series: quartiles around medians (default), or interval: 95 % intervals of means")
+      ->type_name("KIND")
+      ->check(CLI::IsMember({"quartiles", "interval"}));
+  command.add_flag("--xlog", figure.IsXLogarithmic, "logarithmic axis of x, of means");
+  command.add_option("--reference", figure.Reference, "height of a dashed line, of means")
+      ->type_name("NUMBER");
+  command.add_flag("--log", figure.IsLogarithmic, "logarithmic axis of the metric");
+  command.callback([options, &chosen] { chosen = [options] { return MakeReport(*options); }; });
+}
+
+}  // namespace argos

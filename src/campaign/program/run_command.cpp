@@ -1,0 +1,113 @@
+#include <argos3/campaign/design/factor_values.h>
+#include <argos3/campaign/program/command_options.h>
+#include <argos3/campaign/program/commands.h>
+#include <argos3/campaign/scheduling/run_plan.h>
+
+#include <CLI/CLI.hpp>
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+namespace argos {
+
+namespace {
+
+struct SRunOptions {
+  SExecutionOptions Execution;
+  std::string Seeds; /**< empty: those of the file */
+  bool IsDryRun = false;
+  bool AcceptsChange = false;
+  bool IsResumed = false;
+};
+
+SCampaign Read(const SRunOptions& options) {
+  SCampaign campaign = ReadCampaign(options.Execution.File);
+  if (!options.Seeds.empty()) {
+    campaign.Stopping.Seeds = ParseSeeds(options.Seeds);
+    campaign.Stopping.Metric.clear();
+  }
+  return campaign;
+}
+
+void PrintPlan(const SCampaign& campaign, UInt64 open) {
+  for (size_t i = 0; i < campaign.Combinations.size(); ++i) {
+    fmt::print("{}:", i + 1);
+    for (size_t factor = 0; factor < campaign.Factors.size(); ++factor) {
+      fmt::print(" {}={}", campaign.Factors[factor].Name,
+                 campaign.Combinations[i].Values.at(factor));
+    }
+    fmt::print("\n");
+  }
+  const size_t count = campaign.Combinations.size();
+  fmt::print("{} combination{}, {} excluded\n", count, count == 1 ? "" : "s", campaign.NumExcluded);
+  if (campaign.Stopping.Metric.empty()) {
+    fmt::print("{} seeds: {} runs, {} of them to be executed\n", campaign.Stopping.Seeds.size(),
+               count * campaign.Stopping.Seeds.size(), open);
+  } else {
+    fmt::print(
+        "{} to {} runs of each, until the mean of {} is known: at least {} runs, {} of "
+        "them to be executed\n",
+        campaign.Stopping.MinRuns, campaign.Stopping.MaxRuns, campaign.Stopping.Metric,
+        count * campaign.Stopping.MinRuns, open);
+  }
+}
+
+// changes nothing, not even the database
+int PrintDryRun(const SCampaign& campaign) {
+  std::vector<SKnownRun> known;
+  if (HasResults(campaign)) {
+    const CResultStore store(campaign.ResultsFile, CResultStore::EMode::ReadOnly);
+    known = ListKnownRuns(campaign, store);
+  }
+  PrintPlan(campaign, CRunPlan::Create(campaign, known)->CountOpen());
+  return CAMPAIGN_DONE;
+}
+
+int Run(const SRunOptions& options) {
+  const SCampaign campaign = Read(options);
+  for (const std::string& warning : campaign.Warnings) {
+    PrintWarnings(warning);
+  }
+  if (options.IsResumed) {
+    ThrowUnlessHasResults(campaign);
+  }
+  if (options.IsDryRun) {
+    return PrintDryRun(campaign);
+  }
+  CResultStore store(campaign.ResultsFile, CResultStore::EMode::Write);
+  const std::string warning = store.Register(campaign, options.AcceptsChange);
+  PrintWarnings(warning);
+  const std::vector<SKnownRun> known = ListKnownRuns(campaign, store);
+  const std::unique_ptr<CRunPlan> plan = CRunPlan::Create(campaign, known);
+  return ExecutePlan(campaign, store, *plan, known.size(), options.Execution);
+}
+
+void AddCommand(CLI::App& app, TCampaignCommand& chosen, bool isResumed) {
+  CLI::App& command =
+      *app.add_subcommand(isResumed ? "resume" : "run",
+                          isResumed ? "go on with a campaign that was stopped: run what is missing"
+                                    : "run what is missing of a campaign");
+  const auto options = std::make_shared<SRunOptions>();
+  options->IsResumed = isResumed;
+  AddExecutionOptions(command, options->Execution);
+  command
+      .add_option("--seeds", options->Seeds,
+                  "seeds of each combination, such as 3,5,8:12, instead of those of the file")
+      ->type_name("LIST");
+  command.add_flag("--dry-run", options->IsDryRun,
+                   "list the combinations and the number of runs, and execute nothing");
+  command.add_flag("--accept-change", options->AcceptsChange,
+                   "the experiment has changed: begin a new generation of runs");
+  command.callback([options, &chosen] { chosen = [options] { return Run(*options); }; });
+}
+
+}  // namespace
+
+void AddRunCommands(CLI::App& app, TCampaignCommand& chosen) {
+  AddCommand(app, chosen, false);
+  AddCommand(app, chosen, true);
+}
+
+}  // namespace argos

@@ -1,0 +1,92 @@
+#include <argos3/campaign/program/command_options.h>
+#include <argos3/campaign/program/commands.h>
+#include <argos3/campaign/store/failed_runs.h>
+#include <argos3/campaign/slurm/job_scripts.h>
+#include <argos3/campaign/slurm/part_merging.h>
+#include <argos3/campaign/slurm/slurm_client.h>
+#include <argos3/campaign/slurm/submission.h>
+
+#include <argos3/core/utility/errors/argos_exception.h>
+
+#include <CLI/CLI.hpp>
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace argos {
+
+namespace {
+
+struct SSubmitOptions {
+  std::string File;
+  bool IsDryRun = false;
+  bool AcceptsChange = false;
+};
+
+// changes nothing, and needs no Slurm
+int PrintScripts(const SCampaign& campaign) {
+  std::vector<SKnownRun> known;
+  if (HasResults(campaign)) {
+    const CResultStore store(campaign.ResultsFile, CResultStore::EMode::ReadOnly);
+    known = ListKnownRuns(campaign, store);
+  }
+  const SSubmission submission = PrepareSubmission(campaign, known, campaign.Slurm.Resubmissions);
+  if (submission.Tasks.empty()) {
+    fmt::print("all runs are stored: nothing would be submitted\n");
+    return CAMPAIGN_DONE;
+  }
+  const SSubmissionPaths paths(campaign);
+  fmt::print("==> {} <==\n{}\n==> {} <==\n{}", GetRunsScriptPath(paths, submission.Number),
+             submission.RunsScript, GetMergingScriptPath(paths, submission.Number),
+             submission.MergingScript);
+  return CAMPAIGN_DONE;
+}
+
+int Submit(const SSubmitOptions& options) {
+  const SCampaign campaign = ReadCampaign(options.File);
+  for (const std::string& warning : campaign.Warnings) {
+    PrintWarnings(warning);
+  }
+  if (options.IsDryRun) {
+    return PrintScripts(campaign);
+  }
+  ThrowUnlessHasSlurm();
+  ThrowIfQueued(campaign);
+  CResultStore store(campaign.ResultsFile, CResultStore::EMode::WriteShared);
+  PrintWarnings(store.Register(campaign, options.AcceptsChange));
+  // of a submission that was cancelled before it was merged
+  const SMergedParts merged = MergeParts(campaign, store);
+  if (!merged.Problems.empty()) {
+    THROW_ARGOSEXCEPTION("a part of an earlier submission cannot be merged: "
+                         << merged.Problems.front() << "\nRemove it to have its runs repeated");
+  }
+  const SSubmission submission =
+      PrepareSubmission(campaign, ListKnownRuns(campaign, store), campaign.Slurm.Resubmissions);
+  if (submission.Tasks.empty()) {
+    fmt::print("all runs are stored: nothing is submitted\n");
+    return CAMPAIGN_DONE;
+  }
+  const SSubmittedJobs jobs = QueueSubmission(campaign, submission);
+  fmt::print(
+      "{} runs in {} tasks are submitted: array job {}, merging job {}\nscripts and logs: {}\n"
+      "`argos3-campaign status {}` shows how far they are\n",
+      submission.Runs, submission.Tasks.size(), jobs.Runs, jobs.Merging,
+      SSubmissionPaths(campaign).Folder, QuoteForShell(campaign.File));
+  return CAMPAIGN_DONE;
+}
+
+}  // namespace
+
+void AddSubmitCommand(CLI::App& app, TCampaignCommand& chosen) {
+  CLI::App& command = *app.add_subcommand(
+      "submit", "run what is missing of a campaign on a cluster, as an array job of Slurm");
+  const auto options = std::make_shared<SSubmitOptions>();
+  AddFile(command, options->File);
+  command.add_flag("--dry-run", options->IsDryRun, "print the job scripts, and submit nothing");
+  command.add_flag("--accept-change", options->AcceptsChange,
+                   "the experiment has changed: begin a new generation of runs");
+  command.callback([options, &chosen] { chosen = [options] { return Submit(*options); }; });
+}
+
+}  // namespace argos

@@ -1,0 +1,150 @@
+#include <argos3/campaign/report/figure_request.h>
+
+#include <argos3/campaign/report/gnuplot_text.h>
+#include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/text/string_utilities.h>
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+
+namespace argos {
+
+namespace {
+
+constexpr UInt32 kSmallestSide = 100;
+constexpr UInt32 kLargestSide = 4000;
+
+UInt32 ParseSide(const std::string& name, const std::string& text) {
+  UInt32 side = 0;
+  if (ParseNumber(text, side) != ENumberParsing::Ok || side < kSmallestSide ||
+      side > kLargestSide) {
+    THROW_ARGOSEXCEPTION("attribute \"" << name << "\": \"" << text
+                                        << "\" is no number of pixels from " << kSmallestSide
+                                        << " to " << kLargestSide);
+  }
+  return side;
+}
+
+bool ParseScale(const std::string& name, const std::string& text) {
+  if (text != "linear" && text != "log") {
+    THROW_ARGOSEXCEPTION("attribute \"" << name << "\": \"" << text
+                                        << "\" is neither linear nor log");
+  }
+  return text == "log";
+}
+
+bool ParseBars(const std::string& text) {
+  if (text != "interval" && text != "deviation") {
+    THROW_ARGOSEXCEPTION("attribute \"bars\": \"" << text
+                                                  << "\" is neither interval nor deviation");
+  }
+  return text == "deviation";
+}
+
+Real ParseReference(const std::string& text) {
+  Real reference = 0.0;
+  if (ParseNumber(text, reference) != ENumberParsing::Ok || !std::isfinite(reference)) {
+    THROW_ARGOSEXCEPTION("attribute \"reference\": \"" << text << "\" is no finite number");
+  }
+  return reference;
+}
+
+bool ParseBand(const std::string& text) {
+  if (text != "quartiles" && text != "interval") {
+    THROW_ARGOSEXCEPTION("attribute \"band\": \"" << text
+                                                  << "\" is neither quartiles nor interval");
+  }
+  return text == "interval";
+}
+
+void SetAttribute(const std::string& name, const std::string& value, SFigureRequest& request) {
+  const std::map<std::string, std::string*> texts = {{"x", &request.X},
+                                                     {"y", &request.Y},
+                                                     {"z", &request.Z},
+                                                     {"group", &request.Group},
+                                                     {"title", &request.Title},
+                                                     {"xlabel", &request.XLabel},
+                                                     {"ylabel", &request.YLabel},
+                                                     {"zlabel", &request.ZLabel},
+                                                     {"file", &request.File},
+                                                     {"where", &request.Where},
+                                                     {"reference_label", &request.ReferenceLabel}};
+  const auto text = texts.find(name);
+  if (text != texts.end()) {
+    *text->second = value;
+  } else if (name == "width") {
+    request.Width = ParseSide(name, value);
+  } else if (name == "height") {
+    request.Height = ParseSide(name, value);
+  } else if (name == "scale") {
+    request.IsLogarithmic = ParseScale(name, value);
+  } else if (name == "xscale") {
+    request.IsXLogarithmic = ParseScale(name, value);
+  } else if (name == "band") {
+    request.ShowsInterval = ParseBand(value);
+  } else if (name == "bars") {
+    request.HasDeviationBars = ParseBars(value);
+  } else if (name == "reference") {
+    request.Reference = ParseReference(value);
+  }
+}
+
+}  // namespace
+
+SFigureRequest MakeFigureRequest(const SCampaign& campaign, const SFigure& figure) {
+  SFigureRequest request;
+  request.Kind = figure.Kind;
+  try {
+    for (const auto& [name, value] : figure.Attributes) {
+      SetAttribute(name, value, request);
+    }
+  } catch (CARGoSException& error) {
+    THROW_ARGOSEXCEPTION_NESTED(campaign.File << ':' << figure.Line << ": <" << figure.Kind << '>',
+                                error);
+  }
+  return request;
+}
+
+std::vector<SFigureRequest> ListFigureRequests(const CReportData& data) {
+  const SCampaign& campaign = data.GetCampaign();
+  std::vector<SFigureRequest> requests;
+  for (const SFigure& figure : campaign.Figures) {
+    requests.push_back(MakeFigureRequest(campaign, figure));
+  }
+  if (!requests.empty()) {
+    return requests;
+  }
+  std::vector<std::string> varied;
+  for (size_t factor = 0; factor < campaign.Factors.size(); ++factor) {
+    if (data.GetLevels(factor).size() > 1) {
+      varied.push_back(campaign.Factors[factor].Name);
+    }
+  }
+  const auto findGroup = [&](size_t index) -> std::string {
+    return index < varied.size() &&
+                   data.GetLevels(data.FindFactor(varied[index])).size() <= kMostColors
+               ? varied[index]
+               : "";
+  };
+  const auto add = [&requests](const char* kind, const std::string& y, const std::string& x,
+                               const std::string& group) {
+    SFigureRequest& request = requests.emplace_back();
+    request.Kind = kind;
+    request.X = x;
+    request.Y = y;
+    request.Group = group;
+  };
+  for (const std::string& metric : data.GetStore().ListMetrics()) {
+    if (!varied.empty()) {
+      add("boxplot", metric, varied[0], findGroup(1));
+    }
+  }
+  for (const std::string& series : data.GetStore().ListSeries()) {
+    add("series", series, "", findGroup(0));
+  }
+  return requests;
+}
+
+}  // namespace argos

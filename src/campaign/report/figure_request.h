@@ -1,0 +1,39 @@
+#ifndef ARGOS3_CAMPAIGN_REPORT_FIGURE_REQUEST_H
+#define ARGOS3_CAMPAIGN_REPORT_FIGURE_REQUEST_H
+
+#include <argos3/campaign/report/report_data.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace argos {
+
+/** What a figure shows, and how it looks. */
+struct SFigureRequest {
+  std::string Kind; /**< boxplot, series, means, scaling, heatmap */
+  std::string X, Y, Z, Group; /**< names of metrics, series and factors; empty: not given */
+  std::string Where; /**< Lua expression of the factors; empty: all combinations */
+  std::string Title, XLabel, YLabel, ZLabel; /**< empty: made from the names */
+  std::string File; /**< name of the files, without ending; empty: made from the names */
+  bool IsLogarithmic = false; /**< the axis of the metric; scaling: both always are */
+  bool IsXLogarithmic = false; /**< of means */
+  bool HasDeviationBars = false; /**< of means: standard deviations instead of t intervals */
+  std::optional<Real> Reference; /**< of means: a horizontal line */
+  std::string ReferenceLabel; /**< empty: none */
+  bool ShowsInterval = false; /**< of series: means with intervals, not medians with quartiles */
+  UInt32 Width = 640, Height = 400; /**< pixels of the SVG file */
+};
+
+/** @throws CARGoSException if an attribute has a wrong value; the text has file and line. */
+SFigureRequest MakeFigureRequest(const SCampaign& campaign, const SFigure& figure);
+
+/**
+ * Those of the campaign file; if it has none: a boxplot of each metric, and the course of each
+ * series, by the first two factors that have several levels.
+ */
+std::vector<SFigureRequest> ListFigureRequests(const CReportData& data);
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,39 @@
+#ifndef ARGOS3_CAMPAIGN_REPORT_GNUPLOT_TEXT_H
+#define ARGOS3_CAMPAIGN_REPORT_GNUPLOT_TEXT_H
+
+// private: parts of scripts for gnuplot
+
+#include <argos3/core/utility/datatypes/datatypes.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace argos {
+
+/** Groups that differ in colour. */
+constexpr size_t kMostColors = 9;
+
+/** "#332288", ...: distinguishable with colour blindness. @param index  below kMostColors. */
+const char* GetColor(size_t index);
+
+/** Users' text as a string of gnuplot, which expands nothing in it. */
+std::string QuoteForGnuplot(const std::string& text);
+
+/** The look of all figures. */
+std::string MakeStyle(const std::string& title, const std::string& xLabel,
+                      const std::string& yLabel);
+
+/** Labelled places of an axis, "x" or "y"; labels that would not fit side by side are rotated. */
+std::string MakeTics(const std::string& axis,
+                     const std::vector<std::pair<Real, std::string>>& placesAndLabels);
+
+/** The commands that draw the figure a second time, for each format. */
+std::string MakeTerminal(const std::string& format, UInt32 width, UInt32 height);
+
+/** A number in data and scripts. */
+std::string FormatForGnuplot(Real value);
+
+}  // namespace argos
+
+#endif

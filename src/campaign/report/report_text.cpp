@@ -1,0 +1,157 @@
+#include <argos3/campaign/report/report_text.h>
+
+#include <argos3/core/utility/text/string_utilities.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace argos {
+
+namespace {
+
+constexpr const char* kReplacement = "\xEF\xBF\xBD";  // U+FFFD
+
+// the length of the UTF-8 character that begins at a place; 0 if there is none
+size_t GetCharacterLength(const std::string& text, size_t place) {
+  const auto byte = [&text](size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char lead = byte(place);
+  if (lead < 0x80) {
+    return 1;
+  }
+  const size_t length = lead >= 0xC2 && lead < 0xE0   ? 2
+                        : lead >= 0xE0 && lead < 0xF0 ? 3
+                        : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                      : 0;
+  if (length == 0 || place + length > text.size()) {
+    return 0;
+  }
+  for (size_t i = 1; i < length; ++i) {
+    if ((byte(place + i) & 0xC0) != 0x80) {
+      return 0;
+    }
+  }
+  // overlong forms, surrogates, and what is beyond Unicode
+  const unsigned char second = byte(place + 1);
+  const bool isRefused = (lead == 0xE0 && second < 0xA0) || (lead == 0xED && second > 0x9F) ||
+                         (lead == 0xF0 && second < 0x90) || (lead == 0xF4 && second > 0x8F);
+  return isRefused ? 0 : length;
+}
+
+template <typename TConvert>
+std::string ConvertText(const std::string& text, TConvert convert) {
+  std::string result;
+  for (size_t i = 0; i < text.size();) {
+    const size_t length = GetCharacterLength(text, i);
+    if (length == 0) {
+      result += kReplacement;
+    } else if (length == 1) {
+      result += convert(text[i]);
+    } else {
+      result.append(text, i, length);
+    }
+    i += std::max<size_t>(length, 1);
+  }
+  return result;
+}
+
+bool IsControl(char c) {
+  return static_cast<unsigned char>(c) < 0x20 || c == 0x7F;
+}
+
+}  // namespace
+
+std::string FormatNumber(Real value) {
+  if (std::isnan(value)) {
+    return "-";
+  }
+  // 10000, not 1e+04
+  const bool isReadable = std::abs(value) >= 9999.5 && std::abs(value) < 1e6;
+  return isReadable ? fmt::format("{:.0f}", value) : fmt::format("{:.4g}", value);
+}
+
+std::string FormatExactly(Real value) {
+  return std::isnan(value) ? "" : fmt::format("{}", value);
+}
+
+std::string FormatRange(Real lower, Real upper) {
+  return FormatNumber(lower) + " to " + FormatNumber(upper);
+}
+
+std::string FormatPValue(Real value) {
+  constexpr Real kSmallest = 0.001;
+  return value < kSmallest ? "p < 0.001" : fmt::format("p = {:.2g}", value);
+}
+
+std::string FormatDuration(Real seconds) {
+  constexpr Real kMinute = 60.0;
+  if (seconds < kMinute) {
+    return fmt::format("{:.3g} s", seconds);
+  }
+  const auto whole = static_cast<UInt64>(std::llround(seconds));
+  if (whole < 3600) {
+    return fmt::format("{} min {} s", whole / 60, whole % 60);
+  }
+  return fmt::format("{} h {} min", whole / 3600, whole % 3600 / 60);
+}
+
+std::string FormatLevel(Real level) {
+  return fmt::format("{:.3g} %", 100.0 * level);
+}
+
+std::string EscapeHTML(const std::string& text) {
+  return ConvertText(text, [](char c) -> std::string {
+    switch (c) {
+      case '&':
+        return "&amp;";
+      case '<':
+        return "&lt;";
+      case '>':
+        return "&gt;";
+      case '"':
+        return "&quot;";
+      case '\'':
+        return "&#39;";
+      case '\t':
+      case '\n':
+        return std::string(1, c);
+      default:
+        return IsControl(c) ? kReplacement : std::string(1, c);
+    }
+  });
+}
+
+std::string MakeLine(const std::string& text) {
+  return ConvertText(text, [](char c) { return std::string(1, IsControl(c) ? ' ' : c); });
+}
+
+std::string QuoteField(const std::string& text) {
+  std::string line = MakeLine(text);
+  if (line.find_first_of(",\"#") == std::string::npos) {
+    return line;
+  }
+  std::string quoted = "\"";
+  for (const char c : line) {
+    quoted += c == '"' ? "\"\"" : std::string(1, c);
+  }
+  return quoted + '"';
+}
+
+std::string MakeLabel(const std::string& name, const std::string& unit) {
+  std::string label = MakeLine(name);
+  std::replace(label.begin(), label.end(), '_', ' ');
+  return unit.empty() ? label : label + " (" + MakeLine(unit) + ")";
+}
+
+std::string DescribeProblem(const std::exception& error) {
+  std::string text = error.what();
+  Replace(text, "[FATAL] ", "");
+  return MakeLine(text);
+}
+
+std::string Count(size_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+}  // namespace argos

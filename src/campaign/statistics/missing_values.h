@@ -1,0 +1,37 @@
+#ifndef ARGOS3_CAMPAIGN_STATISTICS_MISSING_VALUES_H
+#define ARGOS3_CAMPAIGN_STATISTICS_MISSING_VALUES_H
+
+#include <argos3/core/utility/datatypes/datatypes.h>
+
+#include <span>
+#include <vector>
+
+namespace argos {
+
+/** The values of a sample that are there; NaN stands for a missing one. */
+struct SPresentValues {
+  std::vector<Real> Values;  // in the order of the sample
+  size_t NumMissing = 0;
+};
+
+/** The pairs of which both values are there. */
+struct SPresentPairs {
+  std::vector<Real> X;
+  std::vector<Real> Y;  // (X.size())
+  size_t NumMissing = 0;
+};
+
+/** Drops and counts NaN. Every other function of this folder but Summarize(), the bands of series
+ * and the stopping rule throws if it is given one. */
+SPresentValues RemoveMissing(std::span<const Real> values);
+
+/**
+ * Drops and counts pairs with a NaN.
+ *
+ * @throws CARGoSException unless both samples have the same length.
+ */
+SPresentPairs RemoveMissingPairs(std::span<const Real> x, std::span<const Real> y);
+
+}  // namespace argos
+
+#endif

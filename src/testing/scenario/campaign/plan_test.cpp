@@ -1,0 +1,210 @@
+// Which runs are executed, in which order, and when there are enough.
+
+#include <argos3/campaign/scheduling/campaign_progress.h>
+#include <argos3/campaign/scheduling/metric_watch.h>
+#include <argos3/campaign/scheduling/run_plan.h>
+#include <argos3/campaign/store/failed_runs.h>
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+using namespace argos;
+
+namespace {
+
+SCampaign MakeCampaign(size_t combinations) {
+  SCampaign campaign;
+  campaign.ExperimentFile = "my experiment.argos";
+  for (size_t i = 0; i < combinations; ++i) {
+    const std::string value = std::to_string(i);
+    campaign.Combinations.push_back({{value}, {{"//a/@b", value}}});
+  }
+  return campaign;
+}
+
+SCampaign MakeSequential(size_t combinations) {
+  SCampaign campaign = MakeCampaign(combinations);
+  campaign.Stopping.Metric = "m";
+  campaign.Stopping.Width = 2.0;
+  campaign.Stopping.MinRuns = 5;
+  campaign.Stopping.MaxRuns = 400;
+  campaign.Stopping.FirstSeed = 100;
+  return campaign;
+}
+
+// of a run: depends on nothing else
+SRunResult MakeResult(const SPlannedRun& run) {
+  std::mt19937 generator(run.Seed);
+  SRunResult result;
+  result.Status = run.Seed % 7 == 0 ? ERunStatus::Crashed : ERunStatus::Done;
+  const Real deviation = 1.0 + static_cast<Real>(run.Combination);
+  result.Metrics = {{"m", "", std::normal_distribution<Real>(5.0, deviation)(generator)}};
+  return result;
+}
+
+/* Executes a plan with a number of workers, whose runs end in random order. */
+std::vector<std::pair<size_t, UInt32>> Execute(CRunPlan& plan, size_t workers, unsigned seed,
+                                               size_t most = 1'000'000) {
+  std::mt19937 generator(seed);
+  std::vector<SPlannedRun> running;
+  std::vector<std::pair<size_t, UInt32>> stored;
+  for (;;) {
+    while (running.size() < workers && stored.size() < most) {
+      const auto run = plan.Next();
+      if (!run) {
+        break;
+      }
+      running.push_back(*run);
+    }
+    if (running.empty() || stored.size() >= most) {
+      break;
+    }
+    const size_t chosen = generator() % running.size();
+    const SPlannedRun run = running[chosen];
+    running.erase(running.begin() + static_cast<std::ptrdiff_t>(chosen));
+    if (generator() % 10 == 0) {
+      plan.Return(run);  // its worker has died
+      continue;
+    }
+    for (const TFinishedRun& finished : plan.Finish(run, MakeResult(run))) {
+      stored.emplace_back(finished.first.Combination, finished.first.Seed);
+    }
+  }
+  std::sort(stored.begin(), stored.end());
+  return stored;
+}
+
+}  // namespace
+
+TEST_CASE("plan: repetitions are interleaved, known runs left out", "[campaign][plan]") {
+  SCampaign campaign = MakeCampaign(3);
+  campaign.Stopping.Seeds = {4, 2};
+  const auto plan = CRunPlan::Create(campaign, {{1, 4, 0.0}});
+  CHECK(plan->CountOpen() == 5);
+  std::vector<std::pair<size_t, UInt32>> order;
+  while (const auto run = plan->Next()) {
+    order.emplace_back(run->Combination, run->Seed);
+  }
+  using TOrder = std::vector<std::pair<size_t, UInt32>>;
+  CHECK(order == TOrder{{0, 4}, {2, 4}, {0, 2}, {1, 2}, {2, 2}});
+  CHECK(plan->CountOpen() == 5);
+  CHECK(plan->CountCompleteCombinations() == 0);
+  CHECK(plan->Finish({1, 2}, SRunResult()).size() == 1);
+  CHECK(plan->CountOpen() == 4);
+  CHECK(plan->CountCompleteCombinations() == 1);
+}
+
+TEST_CASE("plan: a stopping rule stores the same runs for any number of workers",
+          "[campaign][plan]") {
+  const SCampaign campaign = MakeSequential(3);
+  const auto alone = CRunPlan::Create(campaign, {});
+  const auto expected = Execute(*alone, 1, 0);
+  CHECK(alone->CountOpen() == 0);
+  CHECK(alone->CountCompleteCombinations() == 3);
+  // the interval is 2 t s / sqrt(n) <= 2: about (1.96 s)^2 values of deviation s, and at least 5
+  for (size_t combination = 0; combination < 3; ++combination) {
+    const auto runs = std::count_if(expected.begin(), expected.end(),
+                                    [&](const auto& run) { return run.first == combination; });
+    const Real deviation = 1.0 + static_cast<Real>(combination);
+    const Real needed = std::max(5.0, std::pow(1.96 * deviation, 2.0));
+    CHECK(static_cast<Real>(runs) > 0.4 * needed);
+    CHECK(static_cast<Real>(runs) < 2.5 * needed);
+  }
+  for (const size_t workers : {1, 2, 3, 8, 64}) {
+    for (unsigned seed = 1; seed < 20; ++seed) {
+      CAPTURE(workers, seed);
+      REQUIRE(Execute(*CRunPlan::Create(campaign, {}), workers, seed) == expected);
+    }
+  }
+}
+
+TEST_CASE("plan: a stopping rule goes on where it was stopped", "[campaign][plan]") {
+  const SCampaign campaign = MakeSequential(3);
+  const auto expected = Execute(*CRunPlan::Create(campaign, {}), 1, 0);
+  for (unsigned seed = 1; seed < 30; ++seed) {
+    CAPTURE(seed);
+    std::vector<std::pair<size_t, UInt32>> stored =
+        Execute(*CRunPlan::Create(campaign, {}), 4, seed, seed);
+    std::vector<SKnownRun> known;
+    for (const auto& [combination, runSeed] : stored) {
+      const SRunResult result = MakeResult({combination, runSeed});
+      known.push_back({combination, runSeed,
+                       result.Status == ERunStatus::Done ? result.Metrics[0].Value
+                                                         : std::numeric_limits<Real>::quiet_NaN()});
+    }
+    const auto rest = Execute(*CRunPlan::Create(campaign, known), 3, seed);
+    stored.insert(stored.end(), rest.begin(), rest.end());
+    std::sort(stored.begin(), stored.end());
+    CHECK(stored == expected);
+  }
+}
+
+TEST_CASE("plan: a metric that is missing ends at the cap", "[campaign][plan]") {
+  SCampaign campaign = MakeSequential(1);
+  campaign.Stopping.Metric = "absent";
+  campaign.Stopping.MaxRuns = 40;
+  CHECK(Execute(*CRunPlan::Create(campaign, {}), 3, 1).size() == 40);
+}
+
+TEST_CASE("failed runs: the command is quoted for a shell", "[campaign][plan]") {
+  CHECK(QuoteForShell("plain/a-b_c.argos") == "plain/a-b_c.argos");
+  CHECK(QuoteForShell("") == "''");
+  CHECK(QuoteForShell("it's $HOME") == "'it'\\''s $HOME'");
+  CHECK(QuoteForShell("~") == "'~'");
+  SCampaign campaign = MakeCampaign(1);
+  campaign.Constants = {{"//c/@d", "1, 2"}};
+  CHECK(MakeRepeatCommand(campaign, campaign.Combinations[0], 9) ==
+        "argos3 -zc 'my experiment.argos' --seed 9 --set '//c/@d=1, 2' --set //a/@b=0");
+}
+
+TEST_CASE("progress of a campaign: text", "[campaign][plan]") {
+  SCampaignProgress progress;
+  progress.Combinations = 12;
+  progress.OpenRuns = 120;
+  CHECK(DescribeCampaignProgress(progress) == "0/120 runs (0 %), 0/12 combinations complete");
+  progress.CompleteCombinations = 3;
+  progress.KnownRuns = 20;
+  progress.Runs = 25;
+  progress.FailedRuns = 2;
+  progress.OpenRuns = 75;
+  progress.WallSeconds = 2.0;
+  CHECK(DescribeCampaignProgress(progress) ==
+        "45/120 runs (37 %), 2 failed, 0:06 left, 3/12 combinations complete, 12.5 runs/s");
+}
+
+TEST_CASE("metric watch: names metrics that no run has recorded, once", "[campaign][plan]") {
+  SCampaign campaign = MakeCampaign(1);
+  campaign.Stopping.Metric = "delivred";
+  for (const char* name : {"food", "delivred", "late"}) {
+    campaign.Metrics.emplace_back().Name = name;
+  }
+  SRunResult result;
+  result.Status = ERunStatus::Done;
+  const Real none = std::numeric_limits<Real>::quiet_NaN();
+  result.Metrics = {{"food", "", 1.0}, {"delivred", "", none}, {"late", "", none}};
+  CMetricWatch watch(campaign);
+  CHECK(watch.TakeWarning(true).empty());
+  SRunResult failed = result;
+  failed.Status = ERunStatus::Failed;
+  for (UInt64 i = 0; i + 1 < CMetricWatch::kPatience; ++i) {
+    watch.Note(result);
+    watch.Note(failed);
+    CHECK(watch.TakeWarning(false).empty());
+  }
+  result.Metrics[2].Value = 0.0;
+  watch.Note(result);
+  CHECK(watch.TakeWarning(false) ==
+        "10 runs are done, and none has recorded \"delivred\": check the name; `argos3 -zc 'my "
+        "experiment.argos' --csv FOLDER` writes all metrics to FOLDER/metrics.csv");
+  CHECK(watch.TakeWarning(true).empty());
+
+  CMetricWatch brief(campaign);
+  brief.Note(result);
+  CHECK(brief.TakeWarning(false).empty());
+  CHECK(brief.TakeWarning(true).rfind("1 run is done, and none has recorded \"delivred\": ", 0) ==
+        0);
+}

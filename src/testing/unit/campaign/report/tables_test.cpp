@@ -1,0 +1,187 @@
+#include "synthetic_campaign.h"
+
+#include <argos3/campaign/report/comparisons.h>
+#include <argos3/campaign/report/report_text.h>
+#include <argos3/campaign/report/summary_tables.h>
+#include <argos3/core/utility/errors/argos_exception.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+namespace argos {
+
+namespace {
+
+constexpr Real kNone = std::numeric_limits<Real>::quiet_NaN();
+using Catch::Contains;
+using Catch::WithinAbs;
+
+}  // namespace
+
+TEST_CASE("summary tables: numbers of each combination", "[campaign][report]") {
+  CSyntheticCampaign campaign({{"robots", {"10", "5"}}});
+  campaign.AddRuns(1, "food", {1, 2, 3, 4, 5}, "items");
+  campaign.AddRuns(0, "food", {11, kNone, 13}, "items");
+  const std::vector<SSummaryRow> rows = SummarizeMetric(campaign.Open(), "food");
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[1].Summary.Count == 5);
+  CHECK(rows[1].Summary.Mean == 3.0);
+  CHECK_THAT(rows[1].Summary.StandardDeviation, WithinAbs(std::sqrt(2.5), 1e-15));
+  CHECK(rows[1].Summary.LowerQuartile == 2.0);
+  // 3 -+ t(4, 0.975) sqrt(2.5 / 5), t = 2.776445 of published tables
+  CHECK_THAT(rows[1].MeanInterval->Lower, WithinAbs(3 - 2.776445 * std::sqrt(0.5), 1e-6));
+  CHECK_THAT(rows[1].MeanInterval->Upper, WithinAbs(3 + 2.776445 * std::sqrt(0.5), 1e-6));
+  CHECK(rows[1].BootstrapInterval->Lower > 1.0);
+  CHECK(rows[1].BootstrapInterval->Lower < 3.0);
+  CHECK(rows[0].Summary.Count == 2);
+  CHECK(rows[0].Summary.NumMissing == 1);
+  CHECK(rows[0].Summary.Median == 12.0);
+}
+
+TEST_CASE("summary tables: one value has no interval, an infinite one is named",
+          "[campaign][report]") {
+  CSyntheticCampaign campaign({{"robots", {"5", "10"}}});
+  campaign.AddRuns(0, "food", {4});
+  campaign.AddRuns(1, "food", {1, std::numeric_limits<Real>::infinity()});
+  const std::vector<SSummaryRow> rows = SummarizeMetric(campaign.Open(), "food");
+  CHECK(rows[0].Summary.Mean == 4.0);
+  CHECK_FALSE(rows[0].MeanInterval.has_value());
+  CHECK(rows[0].Problem.empty());
+  CHECK_THAT(rows[1].Problem, Contains("inf"));
+}
+
+TEST_CASE("summary tables: success rates have Wilson's intervals", "[campaign][report]") {
+  CSyntheticCampaign campaign({{"robots", {"5", "10"}}});
+  campaign.AddRuns(0, "food", {1, 2, 3, 4, 5, 6});
+  SStoredRun crash;
+  crash.Seed = 7;
+  crash.Result.Status = ERunStatus::Crashed;
+  campaign.AddRun(0, crash);
+  const std::vector<SRateRow> rows = ComputeSuccessRates(campaign.Open());
+  CHECK(rows[0].NumDone == 6);
+  CHECK(rows[0].NumRuns == 7);
+  // by hand from Wilson's formula with z = 1.959964
+  CHECK_THAT(rows[0].Interval->Lower, WithinAbs(0.48687, 1e-5));
+  CHECK_THAT(rows[0].Interval->Upper, WithinAbs(0.97432, 1e-5));
+  CHECK(rows[1].NumRuns == 0);
+  CHECK_FALSE(rows[1].Interval.has_value());
+}
+
+TEST_CASE("comparisons: two levels by ranks, for each level of another factor",
+          "[campaign][report]") {
+  CSyntheticCampaign campaign({{"speed", {"1", "2"}}, {"robots", {"5", "10"}}});
+  campaign.AddRuns(0, "food", {1, 2, 3, 4, 5}, "items");
+  campaign.AddRuns(1, "food", {11, 12, 13, 14, 15}, "items");
+  campaign.AddRuns(2, "food", {1, 2, 3});
+  campaign.AddRuns(3, "food", {1.5, 2.5, kNone, 3.5});
+  const SComparisonTable table = CompareLevels(campaign.Open(), {"food", "robots", false, 0});
+  REQUIRE(table.Results.size() == 2);
+  CHECK(table.Results[0].Context == "speed = 1");
+  REQUIRE(table.Results[0].Pairs.size() == 1);
+  const SPairComparison& pair = table.Results[0].Pairs[0];
+  CHECK(pair.First == "5");
+  CHECK(pair.Second == "10");
+  // of the 252 orders of 5 + 5 values, two are as extreme
+  CHECK_THAT(pair.PValue, WithinAbs(2.0 / 252.0, 1e-12));
+  CHECK_THAT(pair.Estimate, WithinAbs(10.0, 1e-12));
+  // the third of the sorted differences 6, 7, 7, 8, ...; 4 of 252 orders lie outside on each side
+  CHECK_THAT(pair.Interval.Lower, WithinAbs(7.0, 1e-12));
+  CHECK_THAT(pair.Interval.Upper, WithinAbs(13.0, 1e-12));
+  CHECK_THAT(pair.Interval.Level, WithinAbs(1.0 - 8.0 / 252.0, 1e-12));
+  CHECK(
+      DescribePair(table, pair) ==
+      "Values at robots = 10 are greater than at robots = 5 by 10 items (96.8 % interval 7 to 13, "
+      "p = 0.0079).");
+  CHECK(DescribeResult(table, table.Results[0]) ==
+        "food depends on robots (p = 0.0079, W = 25; Wilcoxon's rank-sum test).");
+  CHECK(table.Results[1].NumMissing == 1);
+  CHECK_THAT(DescribePair(table, table.Results[1].Pairs[0]),
+             Contains("No difference was found between robots = 5 and robots = 10"));
+}
+
+TEST_CASE("comparisons: pairs by seed", "[campaign][report]") {
+  CSyntheticCampaign campaign({{"robots", {"5", "10"}}});
+  // of the seeds 1 to 6; the last one lacks a value
+  campaign.AddRuns(0, "food", {100, 200, 300, 400, 500, 600});
+  campaign.AddRuns(1, "food", {101, 202, 303, 404, 505, kNone});
+  const SComparisonTable table = CompareLevels(campaign.Open(), {"food", "robots", true, 0});
+  REQUIRE(table.Results.size() == 1);
+  CHECK(table.Results[0].Test == "Wilcoxon's signed-rank test");
+  CHECK(table.Results[0].Statistic == "V = 15");
+  CHECK(table.Results[0].NumMissing == 1);
+  // two of 2^5 sign patterns are as extreme
+  CHECK_THAT(table.Results[0].PValue, WithinAbs(2.0 / 32.0, 1e-12));
+  CHECK_THAT(table.Results[0].Pairs[0].Estimate, WithinAbs(3.0, 1e-12));
+}
+
+TEST_CASE("comparisons: more levels by Kruskal and Wallis, and Dunn", "[campaign][report]") {
+  CSyntheticCampaign campaign({{"robots", {"5", "10", "20"}}});
+  campaign.AddRuns(0, "food", {1, 2, 3, 4, 5});
+  campaign.AddRuns(1, "food", {11, 12, 13, 14, 15});
+  campaign.AddRuns(2, "food", {21, 22, 23, 24, 25});
+  CReportData& data = campaign.Open();
+  const SComparisonTable table = CompareLevels(data, {"food", "robots", false, 0});
+  const SComparisonResult& result = table.Results.at(0);
+  // 12 / (15 16) (15^2 + 40^2 + 65^2) / 5 - 3 16 = 12.5; chi square with 2 degrees: exp(-H / 2)
+  CHECK(result.Statistic == "H = 12.5, 2 degrees of freedom");
+  CHECK_THAT(result.PValue, WithinAbs(std::exp(-6.25), 1e-12));
+  REQUIRE(result.Pairs.size() == 3);
+  // z = 5 / sqrt(8) and 10 / sqrt(8), two sides, times 2 and 3 by Holm's method
+  CHECK_THAT(result.Pairs[0].PValue,
+             WithinAbs(2 * std::erfc(5 / std::sqrt(8.0) / std::sqrt(2.0)), 1e-10));
+  CHECK_THAT(result.Pairs[1].PValue,
+             WithinAbs(3 * std::erfc(10 / std::sqrt(8.0) / std::sqrt(2.0)), 1e-10));
+  CHECK_THAT(result.Pairs[1].Estimate, WithinAbs(20.0, 1e-12));
+  // paired: all 5 seeds rank the levels equally, so that Friedman's statistic is 5 (3 - 1)
+  const SComparisonTable paired = CompareLevels(data, {"food", "robots", true, 0});
+  CHECK(paired.Results.at(0).Statistic == "chi square = 10, 2 degrees of freedom");
+}
+
+TEST_CASE("comparisons: errors name what is wrong", "[campaign][report]") {
+  CSyntheticCampaign campaign({{"robots", {"5", "10"}}, {"speed", {"1"}}});
+  campaign.AddRuns(0, "delivered", {1, 2});
+  CReportData& data = campaign.Open();
+  const auto messageOf = [&data](const SComparison& request) -> std::string {
+    try {
+      CompareLevels(data, request);
+    } catch (const CARGoSException& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK_THAT(messageOf({"deliverd", "robots", false, 0}),
+             Contains("no run has recorded the metric \"deliverd\"; did you mean \"delivered\"?"));
+  CHECK_THAT(messageOf({"delivered", "robot", false, 0}),
+             Contains("there is no factor \"robot\"; did you mean \"robots\"?"));
+  CHECK_THAT(messageOf({"delivered", "speed", false, 0}),
+             Contains("the factor \"speed\" has one level only"));
+  const SComparisonTable table = CompareLevels(data, {"delivered", "robots", false, 0});
+  CHECK(table.Results.at(0).Problem == "there is no value at the level 10");
+}
+
+TEST_CASE("report text: numbers below a million have no exponent", "[campaign][report]") {
+  CHECK(FormatNumber(0.123456) == "0.1235");
+  CHECK(FormatNumber(1000.0) == "1000");
+  CHECK(FormatNumber(9999.96) == "10000");
+  CHECK(FormatNumber(-12345.6) == "-12346");
+  CHECK(FormatNumber(2e6) == "2e+06");
+  CHECK(FormatNumber(std::nan("")) == "-");
+}
+
+TEST_CASE("report text: users' text is escaped", "[campaign][report]") {
+  CHECK(EscapeHTML("<a href='x'>&\"\x01\xff") ==
+        "&lt;a href=&#39;x&#39;&gt;&amp;&quot;\xEF\xBF\xBD\xEF\xBF\xBD");
+  CHECK(EscapeHTML("\xC3\xA9\xE2\x82\xAC") == "\xC3\xA9\xE2\x82\xAC");
+  // overlong, surrogate
+  CHECK(EscapeHTML("\xC0\xBC") == "\xEF\xBF\xBD\xEF\xBF\xBD");
+  CHECK(EscapeHTML("\xED\xA0\x80") == "\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD");
+  CHECK(MakeLine("a\nb\tc") == "a b c");
+  CHECK(QuoteField("a,\"b\"") == "\"a,\"\"b\"\"\"");
+  CHECK(FormatPValue(0.0123) == "p = 0.012");
+  CHECK(FormatPValue(1e-9) == "p < 0.001");
+  CHECK(FormatDuration(3725) == "1 h 2 min");
+}
+
+}  // namespace argos
