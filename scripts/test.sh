@@ -72,7 +72,7 @@ echo "as .clang-format says"
 
 began "Shell scripts (shellcheck)"
 shellcheck scripts/*.sh .ci/run
-shellcheck src/testing/compat/projects/*/check.sh
+shellcheck src/testing/compat/projects/*/check.sh studies/*/*.sh
 echo "nothing found"
 
 began "Project rules (lint)"
@@ -110,6 +110,10 @@ check_installed_headers "$work/prefix/include"
 build_user_project find_package -DCMAKE_PREFIX_PATH="$work/prefix"
 PKG_CONFIG_PATH="$work/prefix/lib/pkgconfig" build_user_project pkg_config -DUSE_PKG_CONFIG=ON
 "$repo/scripts/outside_projects.sh" "$work/prefix" "$work/projects"
+
+began "Examples of the first day, and the user's guide"
+"$repo/scripts/examples.sh" "$work/prefix"
+"$repo/scripts/check_guide.sh" "$work/prefix"
 
 if [[ "${CI:-}" == true ]]; then
   echo "clang-tidy follows in .ci/run"

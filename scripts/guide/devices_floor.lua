@@ -1,0 +1,1 @@
+function floor_color() return "white" end
