@@ -72,6 +72,7 @@ struct SCollectedMetric {
   EReduction Reduction = EReduction::Last; /**< over the ticks of a run */
   bool IsSeries = false;
   UInt32 Every = 1; /**< ticks */
+  std::string Library; /**< of a built-in metric of a plug-in; may be empty */
   std::string Pattern, TimeColumn, ValueColumn; /**< of a file */
 };
 
@@ -123,7 +124,7 @@ struct SCampaign {
   std::vector<std::string> Warnings; /**< "file:line: <tag>: ...", for the log */
 };
 
-/** The metrics that are computed without users' code. */
+/** The built-in metrics that need no library of a user. */
 const std::vector<std::string>& ListBuiltInMetrics();
 
 /**

@@ -104,9 +104,11 @@ SCollectedMetric ReadBuiltIn(TConfigurationNode& node) {
   SCollectedMetric metric = ReadMetric(node);
   metric.Source = SCollectedMetric::ESource::BuiltIn;
   const std::vector<std::string>& known = ListBuiltInMetrics();
-  if (std::find(known.begin(), known.end(), metric.Name) == known.end()) {
-    ThrowAt(node,
-            "there is no built-in metric \"" + metric.Name + '"' + DidYouMean(metric.Name, known));
+  metric.Library = ReadOptionalText(node, "library");
+  if (metric.Library.empty() && std::find(known.begin(), known.end(), metric.Name) == known.end()) {
+    ThrowAt(node, "there is no built-in metric \"" + metric.Name + '"' +
+                      DidYouMean(metric.Name, known) +
+                      "; one of a plug-in needs its library=\"...\"");
   }
   return metric;
 }

@@ -30,20 +30,20 @@ bool IsFile(const fs::path& path) {
   return fs::is_regular_file(path, error);
 }
 
-std::string MakeAbsolute(const std::string& value, const std::string& startFolder) {
-  const fs::path path = fs::path(startFolder) / value;
-  const bool isInput = !value.empty() && fs::path(value).is_relative() &&
-                       (IsFile(path) || IsFile(path.string() + ".so"));
-  return isInput ? path.string() : value;
-}
-
 }  // namespace
+
+std::string MakeInputPathAbsolute(const std::string& path, const std::string& startFolder) {
+  const fs::path whole = fs::path(startFolder) / path;
+  const bool isInput = !path.empty() && fs::path(path).is_relative() &&
+                       (IsFile(whole) || IsFile(whole.string() + ".so"));
+  return isInput ? whole.string() : path;
+}
 
 void MakeInputPathsAbsolute(CConfigurationDocument& document, const std::string& startFolder) {
   ForEachElement(document.GetRoot(), [&](CConfigurationNode& node) {
     for (const char* name : kInputAttributes) {
       if (node.HasAttribute(name)) {
-        node.SetAttribute(name, MakeAbsolute(node.GetAttribute(name), startFolder));
+        node.SetAttribute(name, MakeInputPathAbsolute(node.GetAttribute(name), startFolder));
       }
     }
   });
@@ -53,7 +53,7 @@ std::string MakeInputPathAbsolute(const SSetting& setting, const std::string& st
   const std::string name = setting.Path.substr(setting.Path.rfind('@') + 1);
   const bool isInput = std::find(std::begin(kInputAttributes), std::end(kInputAttributes), name) !=
                        std::end(kInputAttributes);
-  return isInput ? MakeAbsolute(setting.Value, startFolder) : setting.Value;
+  return isInput ? MakeInputPathAbsolute(setting.Value, startFolder) : setting.Value;
 }
 
 std::vector<std::string> ListLibraries(CConfigurationDocument& document) {

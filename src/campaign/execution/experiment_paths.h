@@ -16,6 +16,8 @@ namespace argos {
  * @p startFolder. Other values stay.
  */
 void MakeInputPathsAbsolute(CConfigurationDocument& document, const std::string& startFolder);
+/** @return @p path, absolute under the same conditions. */
+std::string MakeInputPathAbsolute(const std::string& path, const std::string& startFolder);
 /** @return the value of a setting, absolute under the same conditions. */
 std::string MakeInputPathAbsolute(const SSetting& setting, const std::string& startFolder);
 

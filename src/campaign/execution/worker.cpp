@@ -36,6 +36,11 @@ void LoadLibraries(const SRunSetup& setup) {
       LOG << "[INFO] \"" << library << "\" was not loaded" << std::endl;
     }
   }
+  for (const SCollectedMetric& metric : setup.Metrics) {
+    if (!metric.Library.empty()) {
+      CDynamicLoading::LoadLibrary(MakeInputPathAbsolute(metric.Library, setup.StartFolder));
+    }
+  }
 }
 
 // messages about libraries would appear once for each worker

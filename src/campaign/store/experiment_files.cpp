@@ -81,11 +81,13 @@ std::map<std::string, std::string> SplitDescriptions(const std::string& text) {
 }  // namespace
 
 std::string DescribeExperimentFiles(const std::string& experimentText,
-                                    const std::string& experimentFile) {
+                                    const std::string& experimentFile,
+                                    const std::vector<std::string>& furtherFiles) {
   CConfigurationDocument document;
   document.Parse(experimentText, experimentFile);
   std::vector<std::string> names;
   CollectNames(document.GetRoot(), names);
+  names.insert(names.end(), furtherFiles.begin(), furtherFiles.end());
   const std::vector<std::string> folders = ListFolders(experimentFile);
   std::string text;
   for (const std::string& name : names) {

@@ -2,16 +2,18 @@
 #define ARGOS3_CAMPAIGN_STORE_EXPERIMENT_FILES_H
 
 #include <string>
+#include <vector>
 
 namespace argos {
 
 /**
- * Describes the libraries and scripts that an experiment names: a line "name size digest" for each
- * that is found, in the order of the file. Names are searched as for runs: in ARGOS_PLUGIN_PATH,
- * then in the current folder; also beside the experiment.
+ * Describes the libraries and scripts that an experiment names, and @p furtherFiles: a line "name
+ * size digest" for each that is found, in the order of the file. Names are searched as for runs: in
+ * ARGOS_PLUGIN_PATH, then in the current folder; also beside the experiment.
  */
 std::string DescribeExperimentFiles(const std::string& experimentText,
-                                    const std::string& experimentFile);
+                                    const std::string& experimentFile,
+                                    const std::vector<std::string>& furtherFiles);
 
 /** @return the names whose lines differ, separated by ", "; empty if there is none. */
 std::string ListChangedFiles(const std::string& before, const std::string& now);

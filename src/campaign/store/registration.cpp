@@ -26,6 +26,16 @@ void SetText(CDatabase& database, const std::string& key, const std::string& val
       .Run();
 }
 
+std::vector<std::string> ListMetricLibraries(const SCampaign& campaign) {
+  std::vector<std::string> libraries;
+  for (const SCollectedMetric& metric : campaign.Metrics) {
+    if (!metric.Library.empty()) {
+      libraries.push_back(metric.Library);
+    }
+  }
+  return libraries;
+}
+
 // what the campaign collects, for comparison
 std::string DescribeCollected(const SCampaign& campaign) {
   std::string text;
@@ -145,8 +155,8 @@ void BeginGeneration(CDatabase& database, const SCampaign& campaign, const std::
 std::string CResultStore::Register(const SCampaign& campaign, bool acceptChange) {
   CDatabase& database = *m_database->File;
   const std::string digest = ComputeTextDigest(campaign.ExperimentText);
-  const std::string libraries =
-      DescribeExperimentFiles(campaign.ExperimentText, campaign.ExperimentFile);
+  const std::string libraries = DescribeExperimentFiles(
+      campaign.ExperimentText, campaign.ExperimentFile, ListMetricLibraries(campaign));
   CTransaction transaction(database);
   RegisterFactors(database, *this, campaign);
   const SGeneration newest = ReadNewestGeneration(database);

@@ -6,6 +6,7 @@
 #include <argos3/testing/determinism/population.h>
 #include <argos3/testing/support/device_world.h>
 #include <argos3/testing/support/robot_sizes.h>
+#include <argos3/testing/support/sanitizers.h>
 #include <argos3/testing/support/toy_world.h>
 
 #include <catch2/catch.hpp>
@@ -213,9 +214,9 @@ TEST_CASE("add and remove: all entities may be removed, and others added",
   CHECK(population.GetUser("eb_new").CountSeen() > 0);
 }
 
-TEST_CASE("add and remove: a hundred robots are removed and added in each of 200 ticks",
+TEST_CASE("add and remove: a hundred robots are removed and added in each tick",
           "[determinism][devices][space][threads]") {
-  constexpr UInt32 kTicks = 200;
+  constexpr UInt32 kTicks = FewerIfSanitized(200);
   constexpr UInt32 kEach = 100;
   const auto run = [&](UInt32 threads) {
     SExperiment experiment = Experiment(120, true);

@@ -12,6 +12,7 @@
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/plugins/robots/foot-bot/control_interface/ci_footbot_gripper_actuator.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
+#include <argos3/testing/support/sanitizers.h>
 
 #include <catch2/catch.hpp>
 
@@ -91,7 +92,7 @@ TEST_CASE("crowd determinism: every tick is equal for any number of threads, als
           "[determinism][threads][crowd]") {
   const bool withLoads = GENERATE(false, true);
   CAPTURE(withLoads);
-  constexpr UInt32 kTicks = 80;
+  constexpr UInt32 kTicks = FewerIfSanitized(80);
   CTestWorld alone(MakeCrowd(0, "balance_quantity", withLoads));
   const std::vector<UInt64> expected = Run(alone, kTicks);
   alone.GetSimulator().Reset();

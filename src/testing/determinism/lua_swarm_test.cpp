@@ -6,6 +6,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
+#include <argos3/testing/support/sanitizers.h>
 
 #include <catch2/catch.hpp>
 
@@ -129,7 +130,7 @@ TEST_CASE("determinism: Lua robots and loop functions give equal results for any
           "[determinism][lua][threads]") {
   const CScripts scripts;
   constexpr UInt32 kRobots = 200;
-  constexpr UInt32 kTicks = 60;
+  constexpr UInt32 kTicks = FewerIfSanitized(60);
   CTestWorld reference(Swarm(scripts, kRobots, 0));
   const std::vector<UInt64> expected = Run(reference, kTicks);
   // the digest changes in every tick

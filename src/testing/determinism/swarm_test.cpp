@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/physics_engine/physics_engine.h>
 #include <argos3/testing/determinism/swarm.h>
 #include <argos3/testing/support/paths.h>
+#include <argos3/testing/support/sanitizers.h>
 
 #include <catch2/catch.hpp>
 
@@ -25,14 +26,16 @@ struct SSize {
   std::string Engine = "dynamics2d";
 };
 
+constexpr UInt32 kManyTicks = FewerIfSanitized(200);
+constexpr UInt32 kFewTicks = FewerIfSanitized(50);
 // ten robots for a long time, a thousand for a short time, and both in four engines
-const std::vector<SSize> kSizes = {{10, 1, 200},
-                                   {1000, 1, 50},
-                                   {10, 2, 200},
-                                   {1000, 2, 50},
-                                   {10, 1, 200, "kinematics2d"},
-                                   {1000, 1, 50, "kinematics2d"},
-                                   {1000, 2, 50, "kinematics2d"}};
+const std::vector<SSize> kSizes = {{10, 1, kManyTicks},
+                                   {1000, 1, kFewTicks},
+                                   {10, 2, kManyTicks},
+                                   {1000, 2, kFewTicks},
+                                   {10, 1, kManyTicks, "kinematics2d"},
+                                   {1000, 1, kFewTicks, "kinematics2d"},
+                                   {1000, 2, kFewTicks, "kinematics2d"}};
 
 std::vector<UInt64> Run(CTestWorld& world, UInt32 ticks) {
   std::vector<UInt64> digests = {world.ComputeDigest()};

@@ -25,6 +25,14 @@ constexpr bool kHasThreadSanitizer = ARGOS_TEST_THREAD_SANITIZER == 1;
 /** Sanitizers reserve more addresses than any limit of memory leaves. */
 constexpr bool kCanLimitMemory = !kHasAddressSanitizer && !kHasThreadSanitizer;
 
+/**
+ * Of a number of repetitions, such as ticks: how many a test does. Sanitizers make each ten to
+ * forty times as long, and find their errors in any of them.
+ */
+constexpr unsigned FewerIfSanitized(unsigned number) {
+  return kHasAddressSanitizer || kHasThreadSanitizer ? number / 5 : number;
+}
+
 }  // namespace argos
 
 #endif

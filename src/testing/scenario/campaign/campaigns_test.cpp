@@ -315,3 +315,28 @@ TEST_CASE("campaign: a library that crashes while it is loaded ends the campaign
   CHECK(run.Status == 1);
   CHECK_THAT(run.Err, Contains("a worker cannot execute runs") && Contains("broken.so"));
 }
+
+TEST_CASE("campaign: built-in metrics of plug-ins", "[campaign][program]") {
+  SetPluginPath();
+  const CTestFolder folder;
+  const auto write = [&folder](const std::string& library) {
+    folder.Write("c.xml", "<argos-campaign experiment='" +
+                              InSourceTree("experiments/diffusion_10.argos") +
+                              "' results='results.sqlite'>\n"
+                              "  <set path='//experiment/@length' value='0.5' />\n"
+                              "  <runs seeds='2' />\n"
+                              "  <collect><builtin name='test_tick' of='mean' library='" +
+                              library + "' /></collect>\n</argos-campaign>\n");
+  };
+  write("libnowhere.so");
+  const SProgramRun missing = folder.RunProgram("argos3-campaign", {"run", "c.xml"});
+  CHECK(missing.Status != 0);
+  CHECK_THAT(missing.Err, Contains("libnowhere.so"));
+  write(InBuildTree("testing/plugins/libargos3_test_campaign.so"));
+  const SProgramRun run = folder.RunProgram("argos3-campaign", {"run", "c.xml"});
+  INFO(run.Out << run.Err);
+  REQUIRE(run.Status == 0);
+  REQUIRE(folder.RunProgram("argos3-campaign", {"export", "c.xml", "--csv", "csv"}).Status == 0);
+  // ticks 1 to 5
+  CHECK_THAT(folder.Read("csv/runs.csv"), Contains("test_tick") && Contains(",3\n"));
+}

@@ -4,6 +4,7 @@
 #include <argos3/core/control_interface/ci_controller.h>
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/simulator.h>
+#include <argos3/core/simulator/space/built_in_metric.h>
 #include <argos3/core/simulator/space/metrics.h>
 #include <argos3/plugins/robots/generic/control_interface/ci_differential_steering_actuator.h>
 
@@ -194,7 +195,19 @@ class CMeasures : public CLoopFunctions {
   std::vector<Real> m_table;
 };
 
+/* The number of the tick. */
+class CTickMetric : public CBuiltInMetric {
+ public:
+  void Init(CSpace& space) override { m_space = &space; }
+  Real Compute() override { return m_space->GetSimulationClock(); }
+  std::string GetUnit() const override { return "ticks"; }
+
+ private:
+  CSpace* m_space = nullptr;
+};
+
 }  // namespace
 
+REGISTER_BUILT_IN_METRIC(CTickMetric, "test_tick", "", "", "The number of the tick.", "", "");
 REGISTER_CONTROLLER(CMisbehavesOnce, "misbehaves_once");
 REGISTER_LOOP_FUNCTIONS(CMeasures, "measures");

@@ -6,6 +6,7 @@
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/testing/support/invariants.h>
 #include <argos3/testing/support/polygons.h>
+#include <argos3/testing/support/sanitizers.h>
 #include <argos3/testing/support/solid_reference.h>
 
 #include <catch2/catch.hpp>
@@ -334,7 +335,7 @@ TEST_CASE("body index: results equal those of brute force, for any area and afte
   bodies.CheckAll();
   bodies.Rebuild();
   bodies.CheckAll();
-  for (int change = 0; change < 150; ++change) {
+  for (int change = 0; change < static_cast<int>(FewerIfSanitized(150)); ++change) {
     CAPTURE(change);
     bodies.Change();
     bodies.CheckAll();
@@ -348,7 +349,7 @@ TEST_CASE("body index: bodies may be added, removed and moved in any number betw
   const int changes = GENERATE(40, 3000);
   CAPTURE(area, changes);
   CBodies bodies(3, area, 4.0);
-  for (int tick = 0; tick < 6000 / changes; ++tick) {
+  for (int tick = 0; tick < static_cast<int>(FewerIfSanitized(6000)) / changes + 1; ++tick) {
     CAPTURE(tick);
     for (int change = 0; change < changes; ++change) {
       bodies.Change(3);
