@@ -499,7 +499,9 @@ void CExperimentLoader::InitViews(TConfigurationNode& root, CLoadErrors& errors)
 // a child of <visualization>: an output, or what runs the experiment
 void CExperimentLoader::InitView(TConfigurationNode& node) {
   LoadLibraryOf(node);
-  if (CFactory<CRunOutput>::Exists(node.Value())) {
+  if (CLoadingCheck::IsActive() && CFactory<CRunOutput>::Exists(node.Value())) {
+    MarkSubtreeRead(node);
+  } else if (CFactory<CRunOutput>::Exists(node.Value())) {
     m_experiment.Outputs.Add(CreatePart<CRunOutput>(node, "visualization"));
   } else if (!CFactory<CVisualization>::Exists(node.Value())) {
     std::vector<std::string> labels = CFactory<CVisualization>::GetLabels();

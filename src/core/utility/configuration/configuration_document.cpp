@@ -123,7 +123,11 @@ std::string DescribeMismatch(const std::string& xml, long& line) {
       }
     }
   }
-  return Describe(tinyxml2::XML_ERROR_MISMATCHED_ELEMENT);
+  if (open.empty()) {
+    return Describe(tinyxml2::XML_ERROR_MISMATCHED_ELEMENT);
+  }
+  line = open.back().Line;
+  return '<' + open.back().Name + "> is still open at the end of the file";
 }
 
 [[noreturn]] void ThrowMalformed(const std::string& name, int line, const std::string& what) {

@@ -202,15 +202,20 @@ std::string DescribeSuffixes(const std::string& lib) {
 }
 
 // libraries with similar names in the places that were searched
-std::string DescribeSimilar(const std::vector<std::string>& places) {
-  std::vector<std::string> names;
+std::string DescribeSimilar(const std::string& lib, const std::vector<std::string>& places) {
+  std::set<std::string> folders;
   for (const std::string& place : places) {
+    folders.insert(fs::path(place).parent_path().string());
+    folders.insert(place.substr(0, place.size() - lib.size()));
+  }
+  std::vector<std::string> names;
+  for (const std::string& folder : folders) {
     std::error_code ignored;
-    for (const fs::path& file : ListLibraries(fs::path(place).parent_path().string(), ignored)) {
+    for (const fs::path& file : ListLibraries(folder, ignored)) {
       names.push_back(file.stem().string());
     }
   }
-  const std::string name = fs::path(places.front()).stem().string();
+  const std::string name = fs::path(lib).stem().string();
   return NearestNames(name, names).empty() ? "" : DidYouMean(name, names);
 }
 
@@ -308,21 +313,28 @@ std::vector<std::string> GetPluginSearchPaths() {
   return paths;
 }
 
+CDynamicLoading::TDLHandle CDynamicLoading::LoadLibrary(const std::string& lib) {
+  return LoadLibrary(lib, "");
+}
+
 CDynamicLoading::TDLHandle CDynamicLoading::LoadLibrary(const std::string& lib,
                                                         const std::string& experimentFile) {
   const std::lock_guard<std::recursive_mutex> lock(detail::GetLoadingMutex());
   const std::vector<std::string> places = Places(lib, experimentFile);
   std::string attempts;
+  bool isFound = false;
   for (const std::string& place : places) {
     std::string problems;
     const TDLHandle handle = TryPlace(lib, place, problems);
     if (handle != nullptr) {
       return handle;
     }
+    isFound = isFound || !problems.empty();
     attempts += problems.empty() ? "\n  " + place + DescribeSuffixes(lib) + ": no such file"
                                  : problems;
   }
-  THROW_ARGOSEXCEPTION("The library \"" << lib << "\" cannot be loaded" << DescribeSimilar(places)
+  THROW_ARGOSEXCEPTION("The library \"" << lib << "\" cannot be loaded"
+                                        << (isFound ? "" : DescribeSimilar(lib, places))
                                         << "; tried:" << attempts);
 }
 

@@ -33,13 +33,14 @@ class CDynamicLoading {
 
   /**
    * Loads a library, unless it is already loaded, under this name or another.
-   * @param experimentFile  the file that names the library; empty if none does.
    * @return the operating system's handle.
    * @throws CARGoSException if no attempt succeeds, with the reason of each; if the library was
    *   built against another version or with other options than the core; if it registers a label
    *   that another library has registered.
    */
-  static TDLHandle LoadLibrary(const std::string& lib, const std::string& experimentFile = "");
+  static TDLHandle LoadLibrary(const std::string& lib);
+  /** The same. @param experimentFile  the file that names the library. */
+  static TDLHandle LoadLibrary(const std::string& lib, const std::string& experimentFile);
 
   /**
    * Marks a library as not loaded. It stays in memory, because objects created by its code may

@@ -41,7 +41,7 @@ bool IsDeviceTable(lua_State* state, int index) {
 /** For the end of a message: robot.wheels:set_velocity() passes the table as the first argument. */
 std::string DescribeColon(lua_State* state, int index) {
   return index == 1 && IsDeviceTable(state, index)
-             ? "; call it with a dot instead of a colon, as in robot.wheels.set_velocity(1, 1)"
+             ? "; call it with a dot, not with a colon"
              : "";
 }
 

@@ -225,7 +225,8 @@ TEST_CASE(
   CHECK(error("set_speeds(1, 2, 3)") == at + "set_speeds: too many arguments: expected 2, got 3");
   CHECK(error("set_speeds('1', 2)") ==
         at + "set_speeds: argument 1 must be a number, got string \"1\"");
-  CHECK(error("set_speeds({}, 2)") == at + "set_speeds: argument 1 must be a number, got table");
+  CHECK(error("set_speeds({}, 2)") == at + "set_speeds: argument 1 must be a number, got table; call it with a dot, not with "
+             "a colon");
   // called with a colon instead of a dot
   CHECK(lua.GetError("robot.device:set_speeds(1, 2)") ==
         at + "set_speeds: argument 1 must be a number, got table");
