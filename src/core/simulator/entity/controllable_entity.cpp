@@ -41,10 +41,9 @@ std::string ReadImplementation(TConfigurationNode& node, const char* kind) {
   if (!NodeAttributeExists(node, "implementation")) {
     const std::string known = ListImplementations<SIMULATED>(node.Value());
     if (!known.empty()) {
-      THROW_ARGOSEXCEPTION(node.GetLocation()
-                           << ": <" << node.Value()
-                           << ">: attribute \"implementation\" is missing; the " << kind
-                           << " has: " << known);
+      THROW_ARGOSEXCEPTION(node.GetLocation() << ": <" << node.Value()
+                                              << ">: attribute \"implementation\" is missing; the "
+                                              << kind << " has: " << known);
     }
   }
   std::string implementation;
@@ -57,8 +56,7 @@ template <typename SIMULATED, typename INTERFACE>
 std::pair<SIMULATED*, std::unique_ptr<INTERFACE>> CreateDevice(TConfigurationNode& node,
                                                                const char* kind) {
   LoadLibraryOf(node);
-  const std::string label =
-      node.Value() + " (" + ReadImplementation<SIMULATED>(node, kind) + ")";
+  const std::string label = node.Value() + " (" + ReadImplementation<SIMULATED>(node, kind) + ")";
   if (!CFactory<SIMULATED>::Exists(label)) {
     THROW_ARGOSEXCEPTION(node.GetLocation()
                          << ": there is no " << kind << " \"" << label << "\""

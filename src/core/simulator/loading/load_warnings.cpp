@@ -112,18 +112,18 @@ void CheckOverlaps(const SSimulationContext& context, TLines& lines) {
       return;
     }
     const SAnchor& origin = body.GetOriginAnchor();
-    const UInt32 other = index.FindOverlap(*description, origin.Position, origin.Orientation,
-                                           body.GetBodyNumber());
+    const UInt32 other =
+        index.FindOverlap(*description, origin.Position, origin.Orientation, body.GetBodyNumber());
     if (other != CBodyIndex::kNoBody && number++ == 0) {
       CTextOutput text;
-      text << '"' << body.GetRootEntity().GetId() << "\" at (" << origin.Position
-           << ") overlaps \"" << index.GetBody(other).GetRootEntity().GetId() << '"';
+      text << '"' << body.GetRootEntity().GetId() << "\" at (" << origin.Position << ") overlaps \""
+           << index.GetBody(other).GetRootEntity().GetId() << '"';
       first = text.str();
     }
   });
   if (number > 0) {
     lines.push_back(first + " at the start" +
-                    (number == 1 ? "" : "; " + std::to_string(number - 1) + " more bodies overlap"));
+                    (number == 1 ? "" : ", and " + std::to_string(number - 1) + " more"));
   }
 }
 

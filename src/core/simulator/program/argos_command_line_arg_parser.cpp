@@ -334,8 +334,8 @@ void CheckUses(const CLI::App& app, CARGoSCommandLineArgParser::EAction action,
                CProblems& problems) {
   using TParser = CARGoSCommandLineArgParser;
   const bool isReplay = app.count("--replay") > 0;
-  const bool isRun = isReplay || action == TParser::ACTION_RUN_EXPERIMENT ||
-                     action == TParser::ACTION_UNKNOWN;
+  const bool isRun =
+      isReplay || action == TParser::ACTION_RUN_EXPERIMENT || action == TParser::ACTION_UNKNOWN;
   for (const SCommandLineOption& row : GetCommandLineOptions()) {
     const std::string name = row.GetLongName();
     if (app.count(name) == 0 || row.Use == EOptionUse::Always) {

@@ -74,7 +74,9 @@ const std::vector<SCommandLineOption>& GetCommandLineOptions() {
        EWords::Recording},
       {"-q,--query", "WORD", kActions, "list or describe plug-ins, see below", EUse::Always,
        EWords::Plugins},
-      {"--generate", "WORD", kActions,
+      {"--generate",
+       "WORD",
+       kActions,
        "print the man page (man), a completion of the shell (bash, zsh), or what completes: the "
        "names of plug-ins (plugins), the attributes of the experiment after -c (xpaths)",
        EUse::Always,
@@ -88,7 +90,8 @@ const std::vector<SCommandLineOption>& GetCommandLineOptions() {
       {"--log-level",
        "LEVEL",
        kOutput,
-       "least important lines in the logs: error, warning, info (the default), or debug, which adds "
+       "least important lines in the logs: error, warning, info (the default), or debug, which "
+       "adds "
        "the libraries that are loaded",
        EUse::Run,
        EWords::Listed,
@@ -112,16 +115,14 @@ const std::vector<SCommandLineOption>& GetCommandLineOptions() {
 
       {"--from", "TICK|TIMEs", kReplay, "begin with this tick, or time: 100, 12.5s", EUse::Replay},
       {"--to", "TICK|TIMEs", kReplay, "end with this tick, or time", EUse::Replay},
-      {"--every", "N", kReplay, "ticks from state to state: 10 is ten times as fast",
-       EUse::Replay},
+      {"--every", "N", kReplay, "ticks from state to state: 10 is ten times as fast", EUse::Replay},
 
       {"-z,--no-visualization", "", kRun, "ignore the <visualization> of the file"},
       {"--check", "", kRun,
        "load the experiment with its libraries, report all errors and warnings, and do not run it; "
        "its outputs are left as they are",
        EUse::Simulation},
-      {"--seed", "N", kRun, "random seed, overrides the file; 0: from the clock",
-       EUse::Simulation},
+      {"--seed", "N", kRun, "random seed, overrides the file; 0: from the clock", EUse::Simulation},
       {"--threads", "N", kRun,
        "number of threads, overrides the file; at most 1024; results do not change",
        EUse::Simulation},
@@ -161,7 +162,7 @@ const std::vector<SHelpSection>& GetHelpSections() {
 
 const std::vector<std::string>& GetQueryWords() {
   static const std::vector<std::string> words = {
-      "actuators", "all",    "controllers",    "entities", "fields",
+      "actuators",      "all",   "controllers",     "entities", "fields",
       "loop_functions", "media", "physics_engines", "sensors",  "visualizations"};
   return words;
 }

@@ -91,9 +91,8 @@ namespace {
 // in a group, such as -zc, the last short option takes the value
 std::string BashPattern(const SCommandLineOption& option) {
   const std::string name = option.GetShortName();
-  return name.empty()
-             ? option.GetLongName()
-             : fmt::format("{}|-[!-]*{}|{}", name, name.substr(1), option.GetLongName());
+  return name.empty() ? option.GetLongName()
+                      : fmt::format("{}|-[!-]*{}|{}", name, name.substr(1), option.GetLongName());
 }
 
 // the bash command that prints the words of a value
@@ -220,12 +219,11 @@ std::string ForZsh(std::string text) {
 std::string ZshArgument(const SCommandLineOption& option) {
   const std::string shortName = option.GetShortName();
   const std::string longName = option.GetLongName();
-  const std::string names =
-      shortName.empty() ? (option.IsRepeatable ? "'*'" : "") + longName
-                        : fmt::format("'({0} {1})'{{{0},{1}}}", shortName, longName);
+  const std::string names = shortName.empty()
+                                ? (option.IsRepeatable ? "'*'" : "") + longName
+                                : fmt::format("'({0} {1})'{{{0},{1}}}", shortName, longName);
   const std::string value =
-      option.Value.empty() ? ""
-                           : fmt::format(":{}:{}", ForZsh(option.Value), ZshAction(option));
+      option.Value.empty() ? "" : fmt::format(":{}:{}", ForZsh(option.Value), ZshAction(option));
   return fmt::format("  {}'[{}]{}' \\\n", names, ForZsh(option.Help), value);
 }
 
@@ -270,8 +268,7 @@ std::vector<std::string> ListPluginWords() {
   const std::string before = "   [ ";
   for (std::string line; std::getline(lines, line);) {
     if (line.rfind(before, 0) == 0) {
-      words.insert(
-          line.substr(before.size(), line.find(' ', before.size()) - before.size()));
+      words.insert(line.substr(before.size(), line.find(' ', before.size()) - before.size()));
     }
   }
   return {words.begin(), words.end()};

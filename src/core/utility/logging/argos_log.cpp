@@ -169,7 +169,10 @@ CARGoSLog::SState::SThreadTable::~SThreadTable() {
 /****************************************/
 
 CARGoSLog::CARGoSLog(std::ostream& stream, const SLogColor& color, bool colored)
-    : m_stream(stream), m_color(color), m_colored(colored), m_state(std::make_unique<SState>(stream)) {
+    : m_stream(stream),
+      m_color(color),
+      m_colored(colored),
+      m_state(std::make_unique<SState>(stream)) {
   CTextOutput prefix;
   prefix << m_color;
   m_state->Prefix = prefix.str();

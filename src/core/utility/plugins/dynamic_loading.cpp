@@ -330,8 +330,8 @@ CDynamicLoading::TDLHandle CDynamicLoading::LoadLibrary(const std::string& lib,
       return handle;
     }
     isFound = isFound || !problems.empty();
-    attempts += problems.empty() ? "\n  " + place + DescribeSuffixes(lib) + ": no such file"
-                                 : problems;
+    attempts +=
+        problems.empty() ? "\n  " + place + DescribeSuffixes(lib) + ": no such file" : problems;
   }
   THROW_ARGOSEXCEPTION("The library \"" << lib << "\" cannot be loaded"
                                         << (isFound ? "" : DescribeSimilar(lib, places))

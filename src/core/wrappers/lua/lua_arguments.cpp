@@ -40,9 +40,7 @@ bool IsDeviceTable(lua_State* state, int index) {
 
 /** For the end of a message: robot.wheels:set_velocity() passes the table as the first argument. */
 std::string DescribeColon(lua_State* state, int index) {
-  return index == 1 && IsDeviceTable(state, index)
-             ? "; call it with a dot, not with a colon"
-             : "";
+  return index == 1 && IsDeviceTable(state, index) ? "; call it with a dot, not with a colon" : "";
 }
 
 }  // namespace
@@ -177,16 +175,14 @@ std::vector<UInt8> CLuaArguments::NextBytes(std::size_t count) {
 
 void CLuaArguments::Finish() const {
   if (m_next <= m_count) {
-    THROW_ARGOSEXCEPTION("too many arguments: expected "
-                         << m_next - 1 << ", got " << m_count
-                         << DescribeColon(m_state, 1));
+    THROW_ARGOSEXCEPTION("too many arguments: expected " << m_next - 1 << ", got " << m_count
+                                                         << DescribeColon(m_state, 1));
   }
 }
 
 void CLuaArguments::ThrowNextMustBe(const std::string& expected) const {
   THROW_ARGOSEXCEPTION("argument " << m_next << " must be " << expected << ", got "
-                                   << Describe(m_state, m_next)
-                                   << DescribeColon(m_state, m_next));
+                                   << Describe(m_state, m_next) << DescribeColon(m_state, m_next));
 }
 
 }  // namespace argos

@@ -62,8 +62,8 @@ SChain ReadChain(std::string_view line, std::size_t& at) {
     chain.Names.push_back(ReadName(line, at));
   }
   const std::size_t next = SkipBlanks(line, at);
-  chain.IsAssigned = next < line.size() && line[next] == '=' &&
-                     (next + 1 == line.size() || line[next + 1] != '=');
+  chain.IsAssigned =
+      next < line.size() && line[next] == '=' && (next + 1 == line.size() || line[next + 1] != '=');
   return chain;
 }
 
@@ -217,8 +217,7 @@ class CExplainer {
     }
     // a name without a value may be a local variable
     return missing.Place > 0 &&
-           (isCertain ||
-            (chain.Names[0] == kRobot && !NearestNames(name, missing.Known).empty()));
+           (isCertain || (chain.Names[0] == kRobot && !NearestNames(name, missing.Known).empty()));
   }
 
   lua_State* m_state;

@@ -88,10 +88,10 @@ void CDynamics3DEngine::InitPlugins(TConfigurationNode& tree) {
     }
     LoadLibraryOf(*child);
     if (!CFactory<CDynamics3DPlugin>::Exists(label)) {
-      THROW_ARGOSEXCEPTION(
-          child->GetLocation()
-          << ": <dynamics3d> has no add-on <" << label << ">"
-          << DescribeUnknownLabel(label, CFactory<CDynamics3DPlugin>::GetLabels()));
+      THROW_ARGOSEXCEPTION(child->GetLocation()
+                           << ": <dynamics3d> has no add-on <" << label << ">"
+                           << DescribeUnknownLabel(label,
+                                                   CFactory<CDynamics3DPlugin>::GetLabels()));
     }
     try {
       std::unique_ptr<CDynamics3DPlugin> plugin(CFactory<CDynamics3DPlugin>::New(label));

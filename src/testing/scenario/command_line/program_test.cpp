@@ -323,8 +323,8 @@ TEST_CASE("argos3: a log that is no terminal gets lines about the progress", "[c
 TEST_CASE("argos3: experiments of the build tree run without a path to their libraries",
           "[command_line]") {
   const CTestFolder folder;
-  const SProgramRun run = folder.Run(
-      {InSourceTree("experiments/diffusion_10.argos"), "-z", "--length", "1"});
+  const SProgramRun run =
+      folder.Run({InSourceTree("experiments/diffusion_10.argos"), "-z", "--length", "1"});
   CAPTURE(run.Err);
   CHECK(run.Status == 0);
 }
@@ -336,7 +336,8 @@ TEST_CASE("argos3: every line of an error has its level", "[command_line]") {
   folder.Write("e.argos", xml);
   const SProgramRun run = folder.Run({"e.argos"});
   CHECK(run.Status == 1);
-  CHECK_THAT(run.Err, Contains("e.argos:3: <test_idle>: attribute \"library\"\n[FATAL] The library"));
+  CHECK_THAT(run.Err,
+             Contains("e.argos:3: <test_idle>: attribute \"library\"\n[FATAL] The library"));
   CHECK(std::regex_match(run.Err, std::regex("(\\[FATAL\\] [^\n]*\n)+")));
 }
 

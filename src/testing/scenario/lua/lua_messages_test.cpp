@@ -16,7 +16,7 @@ std::string Experiment() {
          "<framework><experiment ticks_per_second='10' length='1' random_seed='1'/></framework>\n"
          "<controllers><lua_controller id='c'><actuators>"
          "<differential_steering implementation='default'/>"
-         "<range_and_bearing implementation='medium' medium='rab'/></actuators><sensors>"
+         "<range_and_bearing implementation='default'/></actuators><sensors>"
          "<range_and_bearing implementation='medium' medium='rab'/></sensors>\n"
          "<params script='s.lua'/></lua_controller></controllers>\n"
          "<physics_engines><dynamics2d id='d'/></physics_engines>\n"
@@ -73,9 +73,9 @@ TEST_CASE("lua messages: a name without a value is explained by the nearest", "[
 }
 
 TEST_CASE("lua messages: errors that no name explains stay as they are", "[lua][program]") {
-  const std::string step = GENERATE(
-      as<std::string>{}, "error('robot.whels')", "local x = nil; log(x.y)",
-      "robot.state = nothing.of_this", "log(#robot.params.speed)", "log(1 + {})");
+  const std::string step =
+      GENERATE(as<std::string>{}, "error('robot.whels')", "local x = nil; log(x.y)",
+               "robot.state = nothing.of_this", "log(#robot.params.speed)", "log(1 + {})");
   CAPTURE(step);
   const std::string error = ErrorOf(step);
   CHECK_THAT(error, Contains("[FATAL] s.lua:3: "));

@@ -3,6 +3,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <unistd.h>
+
+#include <cstdlib>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -68,9 +71,8 @@ TEST_CASE("log control: a line without a mark on LOGERR is an error", "[core][lo
   std::vector<std::pair<ELogLevel, std::string>> lines;
   LOG.Flush();
   LOGERR.Flush();
-  CLogControl::SetLineReceiver([&lines](ELogLevel level, const std::string& line) {
-    lines.emplace_back(level, line);
-  });
+  CLogControl::SetLineReceiver(
+      [&lines](ELogLevel level, const std::string& line) { lines.emplace_back(level, line); });
   LOG << "out" << std::endl;
   LOGERR << "err" << std::endl;
   LOG.Flush();
@@ -84,10 +86,11 @@ TEST_CASE("log control: a receiver gets complete lines instead of the stream", "
   const SDefaults defaults;
   SLog log(true);
   std::vector<std::pair<ELogLevel, std::string>> lines;
-  CLogControl::SetLineReceiver([&lines](ELogLevel level, const std::string& line) {
-    lines.emplace_back(level, line);
-  });
-  log.Log << "[WARNING] two" << " items" << std::endl << "[INFO] beg";
+  CLogControl::SetLineReceiver(
+      [&lines](ELogLevel level, const std::string& line) { lines.emplace_back(level, line); });
+  log.Log << "[WARNING] two"
+          << " items" << std::endl
+          << "[INFO] beg";
   CHECK(log.Flushed() == "");
   REQUIRE(lines.size() == 1);
   // without colours
@@ -117,6 +120,13 @@ TEST_CASE("log control: the end of the redirection writes the start of a line", 
   CHECK(log.Flushed() == "");
   log.Log.EndRedirection();
   CHECK(log.Stream.str() == "[WARNING] unfinished");
+}
+
+TEST_CASE("log control: only terminals get colours, also in programs that embed the simulator",
+          "[core][log]") {
+  const bool noColor = std::getenv("NO_COLOR") != nullptr;
+  CHECK(LOG.IsColoredOutput() == (!noColor && isatty(STDOUT_FILENO) != 0));
+  CHECK(LOGERR.IsColoredOutput() == (!noColor && isatty(STDERR_FILENO) != 0));
 }
 
 TEST_CASE("log control: lines of threads with labels can be told apart", "[core][log]") {

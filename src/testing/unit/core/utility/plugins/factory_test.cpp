@@ -133,8 +133,9 @@ TEST_CASE("registration: of two classes with one label the first is kept and a p
   RegisterSymbol<COther>(ARGOS_BUILD_ID, "x", "a", "v", "first", "l", "s", create);
   RegisterSymbol<COther>(ARGOS_BUILD_ID, "x", "a", "v", "second", "l", "s", create);
   CHECK(CFactory<COther>::GetTypeMap()["x"]->BriefDescription == "first");
-  CHECK_THROWS_WITH(ThrowRegistrationProblems("context:"),
-                    Contains("context:\n[FATAL]   label \"x\" of ") && Contains("is registered twice by"));
+  CHECK_THROWS_WITH(
+      ThrowRegistrationProblems("context:"),
+      Contains("context:\n[FATAL]   label \"x\" of ") && Contains("is registered twice by"));
   // a problem is reported once
   CHECK_NOTHROW(ThrowRegistrationProblems("context:"));
 }
