@@ -321,21 +321,20 @@ CDynamicLoading::TDLHandle CDynamicLoading::LoadLibrary(const std::string& lib,
                                                         const std::string& experimentFile) {
   const std::lock_guard<std::recursive_mutex> lock(detail::GetLoadingMutex());
   const std::vector<std::string> places = Places(lib, experimentFile);
-  std::string attempts;
-  bool isFound = false;
+  std::string searched;
+  std::string problems;
   for (const std::string& place : places) {
-    std::string problems;
     const TDLHandle handle = TryPlace(lib, place, problems);
     if (handle != nullptr) {
       return handle;
     }
-    isFound = isFound || !problems.empty();
-    attempts +=
-        problems.empty() ? "\n  " + place + DescribeSuffixes(lib) + ": no such file" : problems;
+    searched += "\n  " + place + DescribeSuffixes(lib) + ": no such file";
   }
+  // a file that is there and does not load explains more than the places without one
   THROW_ARGOSEXCEPTION("The library \"" << lib << "\" cannot be loaded"
-                                        << (isFound ? "" : DescribeSimilar(lib, places))
-                                        << "; tried:" << attempts);
+                                        << (problems.empty() ? DescribeSimilar(lib, places) : "")
+                                        << "; tried:"
+                                        << (problems.empty() ? searched : problems));
 }
 
 void CDynamicLoading::UnloadLibrary(const std::string& lib) {
