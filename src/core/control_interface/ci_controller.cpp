@@ -68,7 +68,7 @@ std::string DescribeHeader(const std::type_info& type, const std::string& tag,
   const std::type_info* const interface = FindInterface(type);
   const std::string header = "ci_" + tag + '_' + kind;
   return interface != nullptr &&
-                 WithoutUnderscores(header) == WithoutUnderscores(DemangledName(*interface))
+                 WithoutUnderscores("c" + header) == WithoutUnderscores(DemangledName(*interface))
              ? ", whose header is " + header + ".h"
              : "";
 }
