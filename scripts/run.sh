@@ -2,10 +2,9 @@
 # Installs missing packages, builds the simulator and runs an experiment, without a display:
 #   scripts/run.sh [EXPERIMENT [ARGUMENTS OF argos3...]]
 # EXPERIMENT is an .argos file, by default experiments/diffusion_10.argos, searched in the current folder and in the
-# repository. The simulator runs in the repository's folder, so frames are written under its out/.
+# repository. The simulator runs in the current folder: frames are written under its out/.
 #   scripts/run.sh experiments/diffusion_10.argos --seed 7 --threads 2
 set -euo pipefail
-started_in="$PWD"
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
 experiment="experiments/diffusion_10.argos"
@@ -17,10 +16,8 @@ if (($# > 0)) && [[ "$1" != -* ]]; then
   experiment="$1"
   shift
 fi
-if [[ -f "$started_in/$experiment" ]]; then
-  experiment="$(cd "$(dirname "$started_in/$experiment")" && pwd)/$(basename "$experiment")"
-elif [[ ! -f "$experiment" ]]; then
-  [[ -f "$repo/$experiment" ]] || die "no file '$experiment', neither in $started_in nor in $repo; there are:" \
+if [[ ! -f "$experiment" ]]; then
+  [[ -f "$repo/$experiment" ]] || die "no file '$experiment', neither in $PWD nor in $repo; there are:" \
     "$(cd "$repo" && printf '%s ' experiments/*.argos)"
   experiment="$repo/$experiment"
 fi
@@ -32,14 +29,8 @@ say "Build (Release, in build/)"
 configure "$repo/build" -DCMAKE_BUILD_TYPE=Release -DARGOS_BUILD_TESTING=OFF
 build "$repo/build"
 
-say "Run ${experiment#"$repo"/}"
-cd "$repo"
+say "Run $experiment"
 mkdir -p out
-# argos3 loads every library in these folders, so they are set for the experiments of the repository
-# only: other libraries may have the same labels
-if [[ "$experiment" == experiments/* || "$experiment" == "$repo"/experiments/* ]]; then
-  export ARGOS_PLUGIN_PATH="$repo/build/experiments${ARGOS_PLUGIN_PATH:+:$ARGOS_PLUGIN_PATH}"
-fi
 before="$(mktemp)"
 trap 'rm -f "$before"' EXIT
 status=0
@@ -50,6 +41,6 @@ written="$(find out -type f -newer "$before" -printf '%h\n' | sort | uniq -c)"
 if [[ -n "$written" ]]; then
   say "Written"
   while read -r count folder; do
-    echo "$count file(s) in $repo/$folder"
+    echo "$count file(s) in $PWD/$folder"
   done <<<"$written"
 fi

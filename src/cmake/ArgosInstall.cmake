@@ -29,7 +29,6 @@ install(FILES "${argosGenerated}/argos3_${ARGOS_BUILD_FOR}.pc" DESTINATION lib/p
 
 if(ARGOS_BUILD_FOR_SIMULATOR)
   install(PROGRAMS scripts/argos3-plot DESTINATION "${CMAKE_INSTALL_BINDIR}")
-  install(FILES src/cmake/install/argos3_bash_completion.sh DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/argos3")
   install(FILES src/cmake/install/argos.xml DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/mime/packages")
 endif()
 if(ARGOS_INSTALL_LDSOCONF)

@@ -9,6 +9,7 @@
 #include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/errors/exception_text.h>
+#include <argos3/core/utility/errors/line_marks.h>
 #include <argos3/core/utility/files/output_file.h>
 #include <argos3/core/utility/logging/argos_log.h>
 
@@ -152,7 +153,7 @@ class CExecution {
     m_result.ExitStatus = kFailure;
     m_result.Status = m_setup.Limits.Memory > 0 && SaysOutOfMemory(text) ? ERunStatus::OutOfMemory
                                                                          : ERunStatus::Failed;
-    LOGERR << (text.rfind("[FATAL]", 0) == 0 ? "" : "[FATAL] ") << text << std::endl;
+    LOGERR << MarkLines(text) << std::endl;
     return false;
   }
 

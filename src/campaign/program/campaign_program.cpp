@@ -5,6 +5,7 @@
 #include <argos3/campaign/store/failed_runs.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/errors/exception_text.h>
+#include <argos3/core/utility/errors/line_marks.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <CLI/CLI.hpp>
@@ -134,9 +135,7 @@ int RunCampaignProgram(int argc, const char* const* argv) noexcept {
   try {
     return Act(argc, argv);
   } catch (...) {
-    // the texts of our own exceptions begin with [FATAL]
-    const std::string text = DescribeCurrentException();
-    std::fprintf(stderr, "%s%s\n", text.rfind("[FATAL]", 0) == 0 ? "" : "[FATAL] ", text.c_str());
+    std::fprintf(stderr, "%s\n", MarkLines(DescribeCurrentException()).c_str());
     return CAMPAIGN_ERROR;
   }
 }

@@ -28,10 +28,31 @@ std::string DescribeLevels(const SCampaign& campaign, const SCombination& combin
   return text;
 }
 
+namespace {
+
+// the last line of an error, without those that only add details to it: tracebacks and lists
+size_t FindLastError(const std::string& log) {
+  constexpr char kMark[] = "[FATAL] ";
+  constexpr size_t kMarkLength = sizeof(kMark) - 1;
+  size_t place = log.rfind(kMark);
+  while (place != std::string::npos && place > 0) {
+    const char first = place + kMarkLength < log.size() ? log[place + kMarkLength] : '\n';
+    const bool isDetail =
+        first == ' ' || first == '\t' || log.compare(place + kMarkLength, 6, "stack ") == 0;
+    if (!isDetail) {
+      break;
+    }
+    place = log.rfind(kMark, place - 1);
+  }
+  return place;
+}
+
+}  // namespace
+
 std::string FindErrorMessage(const std::string& log) {
   size_t place = log.rfind("[FATAL] crash");
   if (place == std::string::npos) {
-    place = log.rfind("[FATAL]");
+    place = FindLastError(log);
   }
   if (place == std::string::npos) {
     return "";

@@ -1,5 +1,10 @@
 #include <argos3/core/control_interface/ci_controller.h>
 
+#include <cxxabi.h>
+
+#include <algorithm>
+#include <typeinfo>
+
 namespace argos {
 
 CCI_Controller::~CCI_Controller() {
@@ -20,6 +25,54 @@ void CCI_Controller::Reset() {}
 void CCI_Controller::Destroy() {}
 
 namespace {
+
+// the class of a control interface from which a device derives; null if there is none
+const std::type_info* FindInterface(const std::type_info& type) {
+  const std::string name = DemangledName(type);
+  if (name == "CCI_Sensor" || name == "CCI_Actuator") {
+    return nullptr;
+  }
+  if (name.rfind("CCI_", 0) == 0) {
+    return &type;
+  }
+  if (const auto* const single = dynamic_cast<const abi::__si_class_type_info*>(&type)) {
+    return FindInterface(*single->__base_type);
+  }
+  if (const auto* const multiple = dynamic_cast<const abi::__vmi_class_type_info*>(&type)) {
+    for (unsigned int i = 0; i < multiple->__base_count; ++i) {
+      const std::type_info* const found = FindInterface(*multiple->__base_info[i].__base_type);
+      if (found != nullptr) {
+        return found;
+      }
+    }
+  }
+  return nullptr;
+}
+
+// CCI_FootBotProximitySensor (CFootBotProximityDefaultSensor)
+std::string DescribeClass(const std::type_info& type) {
+  const std::type_info* const interface = FindInterface(type);
+  const std::string name = DemangledName(type);
+  return interface == nullptr || *interface == type ? name
+                                                    : DemangledName(*interface) + " (" + name + ")";
+}
+
+std::string WithoutUnderscores(std::string name) {
+  name.erase(std::remove(name.begin(), name.end(), '_'), name.end());
+  return StringToLowerCase(name);
+}
+
+// the header of the interface, if its name follows from the tag, as for all devices of this project
+std::string DescribeHeader(const std::type_info& type, const std::string& tag,
+                           const std::string& kind) {
+  const std::type_info* const interface = FindInterface(type);
+  const std::string header = "ci_" + tag + '_' + kind;
+  return interface != nullptr &&
+                 WithoutUnderscores("c" + header) == WithoutUnderscores(DemangledName(*interface))
+             ? ", whose header is " + header + ".h"
+             : "";
+}
+
 template <typename MAP, typename DEVICE>
 void AddDevice(MAP& devices, const std::string& type, DEVICE* device) {
   DEVICE*& place = devices[type];
@@ -57,7 +110,8 @@ void CCI_Controller::ThrowDeviceOfOtherType(const std::string& kind, const std::
                                             const std::type_info& expected) const {
   THROW_ARGOSEXCEPTION("Robot \"" << m_strId << "\": its controller requests the " << kind << " \""
                                   << type << "\" as a " << DemangledName(expected)
-                                  << ", but the device in the XML is a " << DemangledName(found));
+                                  << ", but the device in the XML is a " << DescribeClass(found)
+                                  << DescribeHeader(found, type, kind));
 }
 
 }  // namespace argos

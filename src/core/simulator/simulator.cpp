@@ -13,7 +13,9 @@
 #include <argos3/core/simulator/tick/loop_hooks.h>
 #include <argos3/core/simulator/tick/tick.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
+#include <argos3/core/utility/errors/line_marks.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/logging/log_control.h>
 #include <argos3/core/utility/plugins/dynamic_loading.h>
 #include <argos3/core/utility/profiler/profiler.h>
 #include <argos3/core/utility/text/string_utilities.h>
@@ -76,7 +78,7 @@ CSimulator::~CSimulator() {
     try {
       Destroy();
     } catch (const std::exception& error) {
-      LOGERR << error.what() << std::endl;
+      LOGERR << MarkLines(error.what()) << std::endl;
       LOGERR.Flush();
     }
   } catch (...) {
@@ -338,7 +340,8 @@ void CSimulator::Init() {
   const CScope scope(*this);
   GetConfigurationRoot();
   CExperimentLoader loader(m_context, *m_tick, *m_experiment, m_settings);
-  loader.SetWorkerStart([this] {
+  loader.SetWorkerStart([this, label = CLogControl::GetThreadLabel()] {
+    CLogControl::SetThreadLabel(label);
     // workers serve this simulator during their lifetime
     CScope(*this).Keep();
   });

@@ -1,8 +1,8 @@
 #include <argos3/core/simulator/view_drawing.h>
 
 #include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/context/library_attribute.h>
 #include <argos3/core/simulator/context/simulation_context.h>
-#include <argos3/core/simulator/loading/library_attribute.h>
 #include <argos3/core/simulator/loop_functions.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>

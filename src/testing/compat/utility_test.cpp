@@ -73,7 +73,7 @@ TEST_CASE("compat: exceptions and their macros work", "[compat]") {
   CARGoSException cAlone("alone");
   CHECK(std::string(cAlone.what()) == "[FATAL] alone");
   std::runtime_error cStd("std");
-  CHECK(std::string(CARGoSException("with", &cStd).what()) == "[FATAL] with\nstd");
+  CHECK(std::string(CARGoSException("with", &cStd).what()) == "[FATAL] with\n[FATAL] std");
   const std::exception& cBase = cAlone;
   CHECK(std::string(cBase.what()) == "[FATAL] alone");
   ARGOS_ASSERT(1 + 1 == 2, "arithmetic fails: " << 1)

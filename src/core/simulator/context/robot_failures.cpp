@@ -1,5 +1,6 @@
 #include <argos3/core/simulator/context/robot_failures.h>
 
+#include <argos3/core/utility/errors/line_marks.h>
 #include <argos3/core/utility/logging/argos_log.h>
 
 #include <algorithm>
@@ -43,7 +44,7 @@ std::string WithoutId(std::string text, const std::string& robot) {
 std::string WithContext(const std::string& robot, const std::string& context,
                         const std::string& cause) {
   const bool hasContext = cause.rfind(kFatalMark + ("robot \"" + robot + '"'), 0) == 0;
-  return hasContext ? cause : kFatalMark + context + '\n' + cause;
+  return MarkLines(hasContext ? cause : context + '\n' + cause);
 }
 
 // the lines of a text, each with one mark, the first without; a traceback is left out
@@ -52,9 +53,12 @@ std::string Shorten(const std::string& text) {
   std::istringstream lines(text);
   std::string result;
   std::string line;
-  while (std::getline(lines, line) && line != kTraceback) {
+  while (std::getline(lines, line)) {
     if (line.rfind(kFatalMark, 0) == 0) {
       line.erase(0, markLength);
+    }
+    if (line == kTraceback) {
+      break;
     }
     result += (result.empty() ? "" : '\n' + (kFatalMark + std::string("  "))) + line;
   }

@@ -1,12 +1,14 @@
 #include <argos3/core/simulator/entity/controllable_entity.h>
 
 #include <argos3/core/simulator/context/current.h>
+#include <argos3/core/simulator/context/library_attribute.h>
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/utility/datatypes/digest.h>
 #include <argos3/core/utility/errors/exception_text.h>
 #include <argos3/core/utility/errors/running_code.h>
 #include <argos3/core/utility/errors/signal_safe_text.h>
+#include <argos3/core/utility/plugins/unknown_label.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <exception>
@@ -20,16 +22,45 @@ TConfigurationNode* FindSection(TConfigurationNode& controllerNode, const std::s
   return NodeExists(controllerNode, tag) ? &GetNode(controllerNode, tag) : nullptr;
 }
 
+// the implementations of a device; empty if there is no such device
+template <typename SIMULATED>
+std::string ListImplementations(const std::string& tag) {
+  const std::string before = tag + " (";
+  std::string list;
+  for (const std::string& label : CFactory<SIMULATED>::GetLabels()) {
+    if (label.rfind(before, 0) == 0) {
+      list += (list.empty() ? "\"" : ", \"") +
+              label.substr(before.size(), label.size() - before.size() - 1) + '"';
+    }
+  }
+  return list;
+}
+
+template <typename SIMULATED>
+std::string ReadImplementation(TConfigurationNode& node, const char* kind) {
+  if (!NodeAttributeExists(node, "implementation")) {
+    const std::string known = ListImplementations<SIMULATED>(node.Value());
+    if (!known.empty()) {
+      THROW_ARGOSEXCEPTION(node.GetLocation() << ": <" << node.Value()
+                                              << ">: attribute \"implementation\" is missing; the "
+                                              << kind << " has: " << known);
+    }
+  }
+  std::string implementation;
+  GetNodeAttribute(node, "implementation", implementation);
+  return implementation;
+}
+
 // makes the device of one XML element, as its simulated side and as its interface
 template <typename SIMULATED, typename INTERFACE>
 std::pair<SIMULATED*, std::unique_ptr<INTERFACE>> CreateDevice(TConfigurationNode& node,
                                                                const char* kind) {
-  std::string implementation;
-  GetNodeAttribute(node, "implementation", implementation);
-  const std::string label = node.Value() + " (" + implementation + ")";
+  LoadLibraryOf(node);
+  const std::string label = node.Value() + " (" + ReadImplementation<SIMULATED>(node, kind) + ")";
   if (!CFactory<SIMULATED>::Exists(label)) {
-    THROW_ARGOSEXCEPTION(node.GetLocation() << ": there is no " << kind << " \"" << label << "\""
-                                            << DidYouMean(label, CFactory<SIMULATED>::GetLabels()));
+    THROW_ARGOSEXCEPTION(node.GetLocation()
+                         << ": there is no " << kind << " \"" << label << "\""
+                         << DescribeUnknownLabel(label, CFactory<SIMULATED>::GetLabels()));
   }
   std::unique_ptr<SIMULATED> simulated(CFactory<SIMULATED>::New(label));
   auto* interface = dynamic_cast<INTERFACE*>(simulated.get());

@@ -1,11 +1,12 @@
 #include <argos3/core/simulator/loading/experiment_loader.h>
 
+#include <argos3/core/simulator/context/library_attribute.h>
 #include <argos3/core/simulator/context/load_errors.h>
 #include <argos3/core/simulator/entity/entity_type.h>
 #include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/loading/experiment_parts.h>
-#include <argos3/core/simulator/loading/library_attribute.h>
 #include <argos3/core/simulator/loading/load_warnings.h>
+#include <argos3/core/simulator/loading/loading_check.h>
 #include <argos3/core/simulator/loading/run_settings.h>
 #include <argos3/core/simulator/medium/medium.h>
 #include <argos3/core/simulator/outputs/run_output.h>
@@ -20,6 +21,7 @@
 #include <argos3/core/utility/errors/exception_text.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/plugins/dynamic_loading.h>
+#include <argos3/core/utility/plugins/unknown_label.h>
 #include <argos3/core/utility/profiler/profiler.h>
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/core/utility/threads/thread_pool.h>
@@ -28,14 +30,21 @@ namespace argos {
 
 namespace {
 
-// creates and initialises a part by the tag of its element
+// throws if no library has the part that an element names by its tag
 template <typename BASE>
-std::unique_ptr<BASE> CreatePart(TConfigurationNode& node, const char* kind) {
+void CheckPart(const TConfigurationNode& node, const char* kind) {
   if (!CFactory<BASE>::Exists(node.Value())) {
     THROW_ARGOSEXCEPTION(node.GetLocation()
                          << ": there is no " << kind << " of type <" << node.Value() << ">"
-                         << DidYouMean(node.Value(), CFactory<BASE>::GetLabels()));
+                         << DescribeUnknownLabel(node.Value(), CFactory<BASE>::GetLabels()));
   }
+}
+
+// creates and initialises a part by the tag of its element
+template <typename BASE>
+std::unique_ptr<BASE> CreatePart(TConfigurationNode& node, const char* kind) {
+  LoadLibraryOf(node);
+  CheckPart<BASE>(node, kind);
   try {
     std::unique_ptr<BASE> part(CFactory<BASE>::New(node.Value()));
     part->Init(node);
@@ -73,6 +82,15 @@ void CreateParts(TConfigurationNode& section, const char* kind, CLoadErrors& err
   }
 }
 
+void CheckRootTag(const TConfigurationNode& root) {
+  const std::string expected = "argos-configuration";
+  if (root.Value() != expected) {
+    THROW_ARGOSEXCEPTION(root.GetLocation()
+                         << ": the root element is <" << root.Value() << ">, expected <" << expected
+                         << ">; is it an experiment file?");
+  }
+}
+
 // how many robots a thread handles in a row; 0: by measured cost
 size_t ReadGrain(TConfigurationNode& system) {
   std::string grain = "auto";
@@ -103,6 +121,7 @@ void CExperimentLoader::Load() {
   AddOutputElements(errors);
   ApplyOverrides(errors);
   TConfigurationNode& root = m_experiment.Document->GetRoot();
+  errors.Try("", [&] { CheckRootTag(root); });
   errors.Try("", [&] { ReadLeniency(root); });
   // a missing or invalid section is one error; the others are still checked
   const auto section = [&](const std::string& tag, auto&& init) {
@@ -110,8 +129,9 @@ void CExperimentLoader::Load() {
   };
   section("framework", [&](TConfigurationNode& node) { InitFramework(node, errors); });
   if (!m_experiment.IsLoaded()) {
-    // nothing else can be checked without tick length and seed
-    errors.ThrowIfAny();
+    ReplaceFramework();
+  } else {
+    LogLength();
   }
   if (NodeExists(root, "robot_types")) {
     section("robot_types", [&](TConfigurationNode& node) { InitRobotTypes(node, errors); });
@@ -134,6 +154,21 @@ void CExperimentLoader::Load() {
   PrintWarnings(FindLoadWarnings(*m_experiment.Document, m_context));
   LOG.Flush();
   LOGERR.Flush();
+}
+
+// after an error in <framework>: what the checks of the other sections need
+void CExperimentLoader::ReplaceFramework() {
+  constexpr Real kTickLength = 0.1;  // s
+  if (!(m_context.TickLength > 0.0)) {
+    m_context.TickLength = kTickLength;
+  }
+  CRandom::CreateCategory("argos", 1);
+  m_experiment.Rng = CRandom::CreateRNG("argos");
+}
+
+void CExperimentLoader::LogLength() const {
+  LOG << "[INFO] Total experiment length in clock ticks = "
+      << (m_settings.MaxClock > 0 ? ToString(m_settings.MaxClock) : "unlimited") << std::endl;
 }
 
 namespace {
@@ -195,7 +230,7 @@ void CExperimentLoader::ReadLeniency(TConfigurationNode& root) {
 void CExperimentLoader::InitFramework(TConfigurationNode& node, CLoadErrors& errors) {
   errors.Try(node.GetLocation() + ": <framework>", [&] { InitSystem(node); });
   errors.Try("", [&] { InitExperiment(node); });
-  if (NodeExists(node, "profiling")) {
+  if (NodeExists(node, "profiling") && !CLoadingCheck::IsActive()) {
     errors.Try("", [&] { InitProfiling(GetNode(node, "profiling")); });
   }
 }
@@ -265,8 +300,6 @@ void CExperimentLoader::InitExperiment(TConfigurationNode& framework) {
   GetNodeAttributeOrDefault(experiment, "real_time", m_settings.IsRealTime, m_settings.IsRealTime);
   m_context.Loading.SetOnError(ReadOnError(experiment));
   InitRandom(experiment);
-  LOG << "[INFO] Total experiment length in clock ticks = "
-      << (m_settings.MaxClock > 0 ? ToString(m_settings.MaxClock) : "unlimited") << std::endl;
 }
 
 void CExperimentLoader::InitRandom(TConfigurationNode& experiment) {
@@ -316,7 +349,6 @@ void CExperimentLoader::InitRobotTypes(TConfigurationNode& section, CLoadErrors&
     errors.Try("", [&] {
       std::string id;
       GetNodeAttribute(*it, "id", id);
-      LoadLibraryOf(*it);
       try {
         m_context.Space->AddEntityType(id, CreatePart<CEntityType>(*it, "robot type"));
       } catch (std::exception& error) {
@@ -347,10 +379,9 @@ void CExperimentLoader::InitController(TConfigurationNode& node) {
   m_context.Loading.AddController(id, node);
   try {
     LoadLibraryOf(node);
-  } catch (std::exception& error) {
+  } catch (...) {
     m_context.Loading.MarkBroken(id);
-    THROW_ARGOSEXCEPTION_NESTED(
-        node.GetLocation() << ": <" << node.Value() << " id=\"" << id << "\">", error);
+    throw;
   }
 }
 
@@ -358,10 +389,10 @@ void CExperimentLoader::CreateLoopFunctions(TConfigurationNode& root, CLoadError
   if (NodeExists(root, "loop_functions")) {
     TConfigurationNode& node = GetNode(root, "loop_functions");
     errors.Try("", [&] {
+      std::string label;
+      GetNodeAttribute(node, "label", label);
+      LoadLibraryOf(node);
       try {
-        std::string label;
-        GetNodeAttribute(node, "label", label);
-        LoadLibraryOf(node);
         AdoptLoopFunctions(std::unique_ptr<CLoopFunctions>(CFactory<CLoopFunctions>::New(label)));
       } catch (...) {
         ThrowWithCause(node.GetLocation() + ": <loop_functions>");
@@ -380,7 +411,7 @@ void CExperimentLoader::AdoptLoopFunctions(std::unique_ptr<CLoopFunctions> loopF
 
 void CExperimentLoader::InitArena(TConfigurationNode& node, CLoadErrors& errors) {
   CSpace& space = *m_context.Space;
-  if (errors.Try("the arena", [&] { space.Init(node); })) {
+  if (errors.Try("", [&] { space.Init(node); })) {
     FillArena(space, node, errors);
   }
   space.GetBodyIndex().Rebuild(*m_context.Pool);
@@ -468,7 +499,9 @@ void CExperimentLoader::InitViews(TConfigurationNode& root, CLoadErrors& errors)
 // a child of <visualization>: an output, or what runs the experiment
 void CExperimentLoader::InitView(TConfigurationNode& node) {
   LoadLibraryOf(node);
-  if (CFactory<CRunOutput>::Exists(node.Value())) {
+  if (CLoadingCheck::IsActive() && CFactory<CRunOutput>::Exists(node.Value())) {
+    MarkSubtreeRead(node);
+  } else if (CFactory<CRunOutput>::Exists(node.Value())) {
     m_experiment.Outputs.Add(CreatePart<CRunOutput>(node, "visualization"));
   } else if (!CFactory<CVisualization>::Exists(node.Value())) {
     std::vector<std::string> labels = CFactory<CVisualization>::GetLabels();
@@ -495,8 +528,13 @@ void CExperimentLoader::InitOutputs(TConfigurationNode& root, CLoadErrors& error
   TConfigurationNodeIterator it;
   for (it = it.begin(&GetNode(root, "outputs")); it != it.end(); ++it) {
     errors.Try("", [&] {
-      LoadLibraryOf(*it);
-      m_experiment.Outputs.Add(CreatePart<CRunOutput>(*it, "output"));
+      if (CLoadingCheck::IsActive()) {
+        LoadLibraryOf(*it);
+        CheckPart<CRunOutput>(*it, "output");
+        MarkSubtreeRead(*it);
+      } else {
+        m_experiment.Outputs.Add(CreatePart<CRunOutput>(*it, "output"));
+      }
     });
   }
 }

@@ -54,6 +54,8 @@ class CExperimentLoader {
   void InitSystem(TConfigurationNode& framework);
   void InitExperiment(TConfigurationNode& framework);
   void InitProfiling(TConfigurationNode& framework);
+  void ReplaceFramework();
+  void LogLength() const;
   void InitRandom(TConfigurationNode& experiment);
   void InitRobotTypes(TConfigurationNode& section, CLoadErrors& errors);
   void InitControllers(TConfigurationNode& node, CLoadErrors& errors);

@@ -10,6 +10,7 @@
 #include <argos3/core/simulator/tick/tick_times.h>
 #include <argos3/core/simulator/visualization/visualization.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
+#include <argos3/core/utility/errors/line_marks.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/profiler/profiler.h>
 #include <argos3/core/utility/threads/thread_pool.h>
@@ -38,7 +39,7 @@ class CFirstFailure {
     if (m_failure == nullptr) {
       m_failure = std::current_exception();
     } else {
-      LOGERR << text << std::endl;
+      LOGERR << MarkLines(text) << std::endl;
     }
   }
 

@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
+#include <argos3/core/simulator/geometry/body_index.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
 #include <argos3/core/utility/logging/argos_log.h>
@@ -23,14 +24,6 @@ constexpr size_t kMostWarnings = 20;
 constexpr Real kArenaTolerance = 1e-6;  // m
 
 typedef std::vector<std::string> TLines;
-
-void CheckRootTag(TConfigurationNode& root, TLines& lines) {
-  const std::string expected = "argos-configuration";
-  if (root.Value() != expected) {
-    lines.push_back(root.GetLocation() + ": the root element is <" + root.Value() +
-                    ">, expected <" + expected + ">; is it an experiment file?");
-  }
-}
 
 void CheckIds(TConfigurationNode& section, TLines& lines) {
   TConfigurationNodeIterator it;
@@ -83,22 +76,66 @@ bool IsOutside(const CEmbodiedEntity& body, const CRange<CVector3>& limits) {
   return false;
 }
 
-void CheckPlaces(const SSimulationContext& context, TLines& lines) {
-  size_t number = 0;
-  const CEmbodiedEntity* first = nullptr;
+// calls visit(const CEmbodiedEntity&) for each body
+template <typename VISIT>
+void ForEachBody(const SSimulationContext& context, VISIT&& visit) {
   for (const CEntity* const root : context.Space->GetRootEntityVector()) {
     const auto* const composable = dynamic_cast<const CComposableEntity*>(root);
     if (composable == nullptr) {
       continue;
     }
     for (const CEntity* const component : composable->GetExistingComponents()) {
-      const auto* const body = dynamic_cast<const CEmbodiedEntity*>(component);
-      if (body != nullptr && IsOutside(*body, context.Arena.Limits)) {
-        ++number;
-        first = first == nullptr ? body : first;
+      if (const auto* const body = dynamic_cast<const CEmbodiedEntity*>(component)) {
+        visit(*body);
       }
     }
   }
+}
+
+// <distribute> has checked the bodies that it places
+bool IsPlacedByHand(const CEmbodiedEntity& body) {
+  CEntity& root = const_cast<CEmbodiedEntity&>(body).GetRootEntity();
+  TConfigurationNode* const node = root.GetConfigurationNode();
+  const TConfigurationNode* const parent = node != nullptr ? node->Parent(false) : nullptr;
+  return parent != nullptr && parent->Value() == "arena";
+}
+
+// bodies that begin inside another one are pushed out of it, perhaps on the wrong side
+void CheckOverlaps(const SSimulationContext& context, TLines& lines) {
+  const CBodyIndex& index = context.Space->GetBodyIndex();
+  size_t number = 0;
+  std::string first;
+  ForEachBody(context, [&](const CEmbodiedEntity& body) {
+    const SBodyDescription* const description = body.GetBodyDescription();
+    if (!body.IsMovable() || description == nullptr || description->Articulation != nullptr ||
+        body.GetBodyNumber() == CBodyIndex::kNoBody || !IsPlacedByHand(body)) {
+      return;
+    }
+    const SAnchor& origin = body.GetOriginAnchor();
+    const UInt32 other =
+        index.FindOverlap(*description, origin.Position, origin.Orientation, body.GetBodyNumber());
+    if (other != CBodyIndex::kNoBody && number++ == 0) {
+      CTextOutput text;
+      text << '"' << body.GetRootEntity().GetId() << "\" at (" << origin.Position << ") overlaps \""
+           << index.GetBody(other).GetRootEntity().GetId() << '"';
+      first = text.str();
+    }
+  });
+  if (number > 0) {
+    lines.push_back(first + " at the start" +
+                    (number == 1 ? "" : ", and " + std::to_string(number - 1) + " more"));
+  }
+}
+
+void CheckPlaces(const SSimulationContext& context, TLines& lines) {
+  size_t number = 0;
+  const CEmbodiedEntity* first = nullptr;
+  ForEachBody(context, [&](const CEmbodiedEntity& body) {
+    if (IsOutside(body, context.Arena.Limits)) {
+      ++number;
+      first = first == nullptr ? &body : first;
+    }
+  });
   if (first == nullptr) {
     return;
   }
@@ -118,7 +155,6 @@ std::vector<std::string> FindLoadWarnings(CConfigurationDocument& document,
   const TLines unread = document.DescribeUnread();
   TLines lines;
   TConfigurationNode& root = document.GetRoot();
-  CheckRootTag(root, lines);
   for (const char* const section : {"physics_engines", "media", "arena"}) {
     if (NodeExists(root, section)) {
       CheckIds(GetNode(root, section), lines);
@@ -128,6 +164,7 @@ std::vector<std::string> FindLoadWarnings(CConfigurationDocument& document,
     CheckControllers(GetNode(root, "controllers"), lines);
   }
   CheckPlaces(context, lines);
+  CheckOverlaps(context, lines);
   lines.insert(lines.end(), unread.begin(), unread.end());
   return lines;
 }

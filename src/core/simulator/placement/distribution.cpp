@@ -1,5 +1,6 @@
 #include <argos3/core/simulator/placement/distribution.h>
 
+#include <argos3/core/simulator/context/library_attribute.h>
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
@@ -197,6 +198,7 @@ void CDistribution::CheckRoom() const {
 // creates one entity of the type, without a controller, to get its body description
 void CDistribution::Probe() {
   const CProbing probing(m_space);
+  LoadLibraryOf(*m_template);
   const std::unique_ptr<CEntity> probe = m_space.MakeEntity(m_template->Value());
   // an entity without a body has its pose in attributes of its own element
   m_poseNode = m_template;

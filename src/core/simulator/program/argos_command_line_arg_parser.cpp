@@ -1,56 +1,21 @@
 #include <argos3/core/simulator/program/argos_command_line_arg_parser.h>
 
 #include <argos3/core/config.h>
+#include <argos3/core/simulator/program/option_table.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
+#include <variant>
 
 namespace argos {
 
 namespace {
-
-constexpr char kFooter[] = R"(
-Examples:
-  argos3 -c experiment.argos                  run an experiment
-  argos3 -zc experiment.argos                 the same, without its visualization
-  argos3 -c experiment.argos --seed 7 --threads 4 --length 60
-                                              another seed, four threads, 60 simulated seconds
-  argos3 -c experiment.argos --set "//distribute/entity/@quantity=500"
-                                              change an attribute of the file for this run
-  argos3 -c experiment.argos --csv out        poses and metrics, as tables in the folder out
-  argos3 -zc experiment.argos --record run.rec
-                                              record a run
-  argos3 -zc experiment.argos --video run.mp4 --speed 2
-                                              a film of a run, twice as fast as real time
-  argos3 --replay run.rec --from 10s --to 20s --every 5 -c other_cameras.argos
-                                              show a part of it, every 5 ticks, in other views
-  argos3 -n -l log.txt -e errors.txt -c experiment.argos
-                                              write the two logs to files
-  argos3 -q sensors                           list all sensors
-  argos3 -q footbot_proximity                 describe every plug-in whose name contains the word
-
-Words for --query:
-  actuators, sensors, physics_engines, media, visualizations (or outputs), fields,
-  entities, controllers, loop_functions: a list of that kind; libraries can add kinds, such as dynamics3d_add_ons
-  all: all the lists
-  other words: the full documentation of the plug-ins whose name contains the word
-
-Paths for --set use XPath notation: /argos-configuration/framework/experiment/@length,
-arena/distribute[2]/entity/@quantity, //foot-bot[@id='fb0']/body/@position.
-
-Environment:
-  ARGOS_FFMPEG       the program that encodes films, by default the ffmpeg in PATH
-  ARGOS_PLUGIN_PATH  folders, separated by colons, that are searched for libraries first
-  NO_COLOR           if set, logs have no colours
-
-Exit status: 0 after a normal end, 1 after an error (also if an output cannot be written), 3 if the
-run ended normally but errors had stopped robots (on_error), 130 or 143 if stopped by SIGINT or
-SIGTERM.
-)";
 
 std::string Title() {
   return std::string("argos3, a simulator for swarms of robots, version ") + ARGOS_VERSION + "-" +
@@ -61,6 +26,9 @@ std::string Title() {
 struct SRawOptions {
   bool Help = false;
   bool Version = false;
+  bool Quiet = false;
+  std::string LogLevel;
+  std::string Progress;
   std::string Seed;
   std::string Threads;
   std::string Length;
@@ -74,118 +42,73 @@ class CHelpFormatter : public CLI::Formatter {
  public:
   CHelpFormatter() { column_width(32); }
   std::string make_usage(const CLI::App*, std::string) const override {
-    return "Usage: argos3 (-c FILE | --replay FILE [-c FILE] | -q WORD | -h | -v) [options]\n";
+    return "Usage: " + GetUsageLine() + "\n";
   }
 };
 
-// an option with one value; if given repeatedly, the last value counts
-CLI::Option* AddSingle(CLI::App& app, const std::string& names, std::string& value,
-                       const std::string& description) {
-  return app.add_option(names, value, description)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-}
+// where the value of an option goes; as text, if it is checked further
+using TTarget = std::variant<bool*, std::string*, std::vector<std::string>*>;
 
-void DefineReplay(CLI::App& app, SRawOptions& raw) {
-  const std::string replay = "For a replay";
-  AddSingle(app, "--from", raw.From, "begin with this tick, or time: 100, 12.5s")
-      ->type_name("TICK|TIMEs")
-      ->group(replay);
-  AddSingle(app, "--to", raw.To, "end with this tick, or time")
-      ->type_name("TICK|TIMEs")
-      ->group(replay);
-  AddSingle(app, "--every", raw.Every, "ticks from state to state: 10 is ten times as fast")
-      ->type_name("N")
-      ->group(replay);
-}
-
-void DefineOutput(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options) {
-  const std::string output = "Output";
-  app.add_flag("-n,--no-color", options.NoColor,
-               "no colours in the logs; only terminals get colours")
-      ->group(output);
-  AddSingle(app, "-l,--log-file", options.LogFile, "write the log to this file; it is truncated")
-      ->type_name("FILE")
-      ->group(output);
-  AddSingle(app, "-e,--logerr-file", options.LogErrFile,
-            "write the error log to this file; it is truncated")
-      ->type_name("FILE")
-      ->group(output);
-  AddSingle(app, "--record", options.RecordFile,
-            "record the run to this file, for --replay; adds <recording> to <outputs>")
-      ->type_name("FILE")
-      ->group(output);
-  AddSingle(app, "--video", options.VideoFile,
-            "make a film, also with -z: .mp4, .webm or .gif; in the view of the file's <offscreen>")
-      ->type_name("FILE")
-      ->group(output);
-  AddSingle(app, "--speed", options.VideoSpeed,
-            "simulated seconds in a second of the film; 1, the default, is real time")
-      ->type_name("X")
-      ->group(output);
-}
-
-void DefineRun(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOptions& raw) {
-  const std::string run = "For the run (with -c)";
-  app.add_flag("-z,--no-visualization", options.NoVisualization,
-               "ignore the <visualization> of the file")
-      ->group(run);
-  AddSingle(app, "--seed", raw.Seed, "random seed, overrides the file; 0: from the clock")
-      ->type_name("N")
-      ->group(run);
-  AddSingle(app, "--threads", raw.Threads,
-            "number of threads, overrides the file; at most 1024; results do not change")
-      ->type_name("N")
-      ->group(run);
-  AddSingle(app, "--length", raw.Length,
-            "simulated seconds to run, overrides the file; 0: no limit")
-      ->type_name("S")
-      ->group(run);
-  app.add_option("--set", raw.Overrides,
-                 "set an attribute of the file before it is used; may be repeated")
-      ->type_name("XPATH=VALUE")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->group(run);
-  app.add_flag("--lenient", options.Lenient,
-               "read malformed numbers as ARGoS 3 does, with a warning, instead of refusing them")
-      ->group(run);
-  app.add_flag("--no-crash-handler", options.NoCrashHandler,
-               "do not report crashes: for a debugger, or handlers of the user's code")
-      ->group(run);
-  AddSingle(app, "--csv", options.CSVFolder,
-            "write the robots' poses and the metrics of each tick to DIR/robots.csv and "
-            "DIR/metrics.csv")
-      ->type_name("DIR")
-      ->group(run);
-  app.add_flag("--digest", options.Digest,
-               "print a digest of the final state; equal runs, equal digests")
-      ->group(run);
+std::map<std::string, TTarget> GetTargets(CARGoSCommandLineArgParser::SOptions& options,
+                                          SRawOptions& raw) {
+  return {{"--config-file", &options.ExperimentFile},
+          {"--replay", &options.Replay.File},
+          {"--query", &options.Query},
+          {"--generate", &options.Generate},
+          {"--help", &raw.Help},
+          {"--version", &raw.Version},
+          {"--no-color", &options.NoColor},
+          {"--quiet", &raw.Quiet},
+          {"--log-level", &raw.LogLevel},
+          {"--progress", &raw.Progress},
+          {"--log-file", &options.LogFile},
+          {"--logerr-file", &options.LogErrFile},
+          {"--record", &options.RecordFile},
+          {"--video", &options.VideoFile},
+          {"--speed", &options.VideoSpeed},
+          {"--from", &raw.From},
+          {"--to", &raw.To},
+          {"--every", &raw.Every},
+          {"--no-visualization", &options.NoVisualization},
+          {"--check", &options.Check},
+          {"--seed", &raw.Seed},
+          {"--threads", &raw.Threads},
+          {"--length", &raw.Length},
+          {"--set", &raw.Overrides},
+          {"--lenient", &options.Lenient},
+          {"--no-crash-handler", &options.NoCrashHandler},
+          {"--csv", &options.CSVFolder},
+          {"--digest", &options.Digest}};
 }
 
 void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOptions& raw) {
   app.set_help_flag();
   app.allow_extras();
-  app.footer(kFooter);
   app.formatter(std::make_shared<CHelpFormatter>());
-
-  const std::string actions = "Exactly one of";
-  AddSingle(app, "-c,--config-file", options.ExperimentFile, "run the experiment in this file")
-      ->type_name("FILE")
-      ->group(actions);
-  AddSingle(app, "--replay", options.Replay.File,
-            "show a recording; with -c, in the views and outputs of that file")
-      ->type_name("FILE")
-      ->group(actions);
-  AddSingle(app, "-q,--query", options.Query, "list or describe plug-ins, see below")
-      ->type_name("WORD")
-      ->group(actions);
-  app.add_flag("-h,--help", raw.Help, "print this text")->group(actions);
-  app.add_flag("-v,--version", raw.Version, "print the version and how it was built")
-      ->group(actions);
-
-  DefineOutput(app, options);
-  DefineReplay(app, raw);
-  DefineRun(app, options, raw);
+  std::string footer;
+  for (const SHelpSection& section : GetHelpSections()) {
+    footer += '\n' + section.Heading + ":\n" + section.Text;
+  }
+  app.footer(footer);
+  const std::map<std::string, TTarget> targets = GetTargets(options, raw);
+  for (const SCommandLineOption& row : GetCommandLineOptions()) {
+    const TTarget& target = targets.at(row.GetLongName());
+    CLI::Option* option = nullptr;
+    if (bool* const* const flag = std::get_if<bool*>(&target)) {
+      option = app.add_flag(row.Names, **flag, row.Help);
+    } else if (std::string* const* const text = std::get_if<std::string*>(&target)) {
+      // if given repeatedly, it is reported
+      option = app.add_option(row.Names, **text, row.Help)
+                   ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+                   ->type_name(row.Value);
+    } else {
+      option = app.add_option(row.Names, *std::get<std::vector<std::string>*>(target), row.Help)
+                   ->expected(1)
+                   ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+                   ->type_name(row.Value);
+    }
+    option->group(row.Group);
+  }
 }
 
 // collects problems, so that all of them are reported together
@@ -230,22 +153,38 @@ void CheckRepetitions(const CLI::App& app, CProblems& problems) {
   }
 }
 
-void CheckStrayWords(const CLI::App& app, CProblems& problems) {
+// -q and the like take no file
+bool TakesExperiment(const CLI::App& app) {
+  for (const char* const name : {"--query", "--generate", "--help", "--version"}) {
+    if (app.count(name) > 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// a word without an option is the experiment, if there is none
+void ReadStrayWords(const CLI::App& app, std::string& experimentFile, CProblems& problems) {
   bool afterUnknownOption = false;
+  bool isFileKnown = app.count("--config-file") > 0 || !TakesExperiment(app);
   for (const std::string& word : app.remaining()) {
     if (word.size() > 1 && word[0] == '-' && word != "--") {
       const std::string name = word.substr(0, word.find('='));
       problems.Add("unknown option " + name + DidYouMean(name, OptionNames(app)));
       afterUnknownOption = true;
-    } else {
-      // the word may be the value of the unknown option
-      if (!afterUnknownOption) {
-        problems.Add(
-            '"' + word + "\" belongs to no option" +
-            (word.find(".argos") != std::string::npos ? "; an experiment file goes after -c" : ""));
-      }
-      afterUnknownOption = false;
+      continue;
     }
+    if (!afterUnknownOption && word != "--") {
+      if (isFileKnown) {
+        problems.Add('"' + word + "\" belongs to no option" +
+                     (experimentFile.empty() ? "" : "; the experiment is " + experimentFile));
+      } else {
+        experimentFile = word;
+        isFileKnown = true;
+      }
+    }
+    // the word may have been the value of the unknown option
+    afterUnknownOption = false;
   }
 }
 
@@ -324,29 +263,33 @@ void ReadOverrides(const std::vector<std::string>& texts,
   }
 }
 
-CARGoSCommandLineArgParser::EAction ChooseAction(const CLI::App& app, CProblems& problems) {
+CARGoSCommandLineArgParser::EAction ChooseAction(const CLI::App& app, bool hasExperiment,
+                                                 CProblems& problems) {
   using EAction = CARGoSCommandLineArgParser::EAction;
   const std::pair<const char*, EAction> choices[] = {
       {"--config-file", EAction::ACTION_RUN_EXPERIMENT},
       {"--replay", EAction::ACTION_REPLAY},
       {"--query", EAction::ACTION_QUERY_PLUGINS},
+      {"--generate", EAction::ACTION_GENERATE},
       {"--help", EAction::ACTION_SHOW_HELP},
       {"--version", EAction::ACTION_SHOW_VERSION}};
   EAction action = EAction::ACTION_UNKNOWN;
   std::string given;
   size_t count = 0;
   for (const auto& [name, choice] : choices) {
-    // with --replay, -c names the file of the views
-    const bool isForViews = choice == EAction::ACTION_RUN_EXPERIMENT && app.count("--replay") > 0;
-    if (app.count(name) > 0 && !isForViews) {
+    // with --replay, -c names the file of the views, with --generate the file of the words
+    const bool isExperiment = choice == EAction::ACTION_RUN_EXPERIMENT;
+    const bool isForOther =
+        isExperiment && (app.count("--replay") > 0 || app.count("--generate") > 0);
+    if ((app.count(name) > 0 || (isExperiment && hasExperiment)) && !isForOther) {
       action = choice;
       given += (count++ == 0 ? "" : ", ") + std::string(name);
     }
   }
   if (count == 0) {
-    problems.Add("one of -c FILE, --replay FILE, -q WORD, -h, -v must be given");
+    problems.Add("one of FILE, --replay FILE, -q WORD, --generate WORD, -h, -v must be given");
   } else if (count > 1) {
-    problems.Add("only one of -c, --replay, -q, -h, -v may be given, not " + given);
+    problems.Add("only one of -c, --replay, -q, --generate, -h, -v may be given, not " + given);
   }
   return action;
 }
@@ -363,7 +306,7 @@ void CheckFiles(const CLI::App& app, const CARGoSCommandLineArgParser::SOptions&
       {"--record", &options.RecordFile},          {"--video", &options.VideoFile},
       {"--log-file", &options.LogFile},           {"--logerr-file", &options.LogErrFile}};
   for (size_t i = 0; i < std::size(files); ++i) {
-    if (app.count(files[i].first) == 0) {
+    if (app.count(files[i].first) == 0 && files[i].second->empty()) {
       continue;
     }
     if (files[i].second->empty()) {
@@ -371,7 +314,7 @@ void CheckFiles(const CLI::App& app, const CARGoSCommandLineArgParser::SOptions&
       continue;
     }
     for (size_t j = 0; j < i; ++j) {
-      if (app.count(files[j].first) > 0 && SameFile(*files[i].second, *files[j].second)) {
+      if (!files[j].second->empty() && SameFile(*files[i].second, *files[j].second)) {
         problems.Add(std::string(files[j].first) + " and " + files[i].first +
                      " are the same file, " + *files[i].second);
       }
@@ -386,30 +329,62 @@ void CheckFolder(const CLI::App& app, const CARGoSCommandLineArgParser::SOptions
   }
 }
 
-void CheckNeedsRun(const CLI::App& app, CProblems& problems) {
-  for (const char* name : {"--seed", "--threads", "--length", "--set", "--lenient", "--digest",
-                           "--csv", "--record", "--video"}) {
-    if (app.count(name) > 0) {
-      problems.Add(std::string(name) + " can only be used with -c FILE");
+// options that do not fit the action
+void CheckUses(const CLI::App& app, CARGoSCommandLineArgParser::EAction action,
+               CProblems& problems) {
+  using TParser = CARGoSCommandLineArgParser;
+  const bool isReplay = app.count("--replay") > 0;
+  const bool isRun =
+      isReplay || action == TParser::ACTION_RUN_EXPERIMENT || action == TParser::ACTION_UNKNOWN;
+  for (const SCommandLineOption& row : GetCommandLineOptions()) {
+    const std::string name = row.GetLongName();
+    if (app.count(name) == 0 || row.Use == EOptionUse::Always) {
+      continue;
+    }
+    if (row.Use == EOptionUse::Replay) {
+      if (!isReplay) {
+        problems.Add(name + " can only be used with --replay FILE");
+      }
+    } else if (!isRun) {
+      problems.Add(name + " can only be used with an experiment, -c FILE");
+    } else if (isReplay && row.Use == EOptionUse::Simulation) {
+      problems.Add(name +
+                   " cannot be used with --replay, which simulates nothing: it shows what was "
+                   "recorded");
     }
   }
 }
 
-void CheckFitsReplay(const CLI::App& app, bool isReplay, CProblems& problems) {
-  if (!isReplay) {
-    for (const char* name : {"--from", "--to", "--every"}) {
-      if (app.count(name) > 0) {
-        problems.Add(std::string(name) + " can only be used with --replay FILE");
-      }
+// values of options that allow only some
+void CheckChoices(const CLI::App& app, CProblems& problems) {
+  for (const SCommandLineOption& row : GetCommandLineOptions()) {
+    const std::string name = row.GetLongName();
+    if (row.Choices.empty() || app.count(name) == 0) {
+      continue;
     }
-    return;
+    const std::string value = app[name]->as<std::string>();
+    if (std::find(row.Choices.begin(), row.Choices.end(), value) == row.Choices.end()) {
+      problems.Add(name + ' ' + value + ": unknown" + DidYouMean(value, row.Choices));
+    }
   }
-  for (const char* name : {"--seed", "--threads", "--length", "--lenient", "--digest"}) {
-    if (app.count(name) > 0) {
-      problems.Add(std::string(name) +
-                   " cannot be used with --replay, which simulates nothing: it shows what was "
-                   "recorded");
-    }
+}
+
+ELogLevel ReadLogLevel(const CLI::App& app, const SRawOptions& raw, CProblems& problems) {
+  if (raw.Quiet && app.count("--log-level") > 0) {
+    problems.Add("only one of --quiet and --log-level may be given");
+  }
+  if (raw.LogLevel == "error") {
+    return ELogLevel::Error;
+  }
+  if (raw.Quiet || raw.LogLevel == "warning") {
+    return ELogLevel::Warning;
+  }
+  return raw.LogLevel == "debug" ? ELogLevel::Debug : ELogLevel::Info;
+}
+
+void CheckGenerate(const CARGoSCommandLineArgParser::SOptions& options, CProblems& problems) {
+  if (options.Generate == "xpaths" && options.ExperimentFile.empty()) {
+    problems.Add("--generate xpaths needs an experiment, -c FILE");
   }
 }
 
@@ -429,8 +404,14 @@ void CARGoSCommandLineArgParser::Parse(SInt32 argc, const char* const* argv) {
   }
 
   CheckRepetitions(app, problems);
-  CheckStrayWords(app, problems);
-  m_options.Action = ChooseAction(app, problems);
+  ReadStrayWords(app, m_options.ExperimentFile, problems);
+  m_options.Action = ChooseAction(app, !m_options.ExperimentFile.empty(), problems);
+  CheckChoices(app, problems);
+  m_options.LogLevel = ReadLogLevel(app, raw, problems);
+  CheckGenerate(m_options, problems);
+  constexpr Real kLongestPeriod = 1e9;  // s
+  ReadNumber(app, "--progress", raw.Progress, kLongestPeriod, "a number of seconds, at least 0",
+             m_options.ProgressPeriod, problems);
   ReadNumber(app, "--seed", raw.Seed, ~UInt32(0), "an integer from 0 to 4294967295", m_options.Seed,
              problems);
   ReadNumber(app, "--threads", raw.Threads, kMaxThreads, "an integer from 0 to 1024",
@@ -445,11 +426,7 @@ void CARGoSCommandLineArgParser::Parse(SInt32 argc, const char* const* argv) {
   ReadTime(app, "--to", raw.To, m_options.Replay.To, problems);
   ReadStep(app, raw.Every, m_options.Replay.Every, problems);
   m_options.Replay.ViewsFile = m_options.ExperimentFile;
-  CheckFitsReplay(app, app.count("--replay") > 0, problems);
-  if (m_options.Action == ACTION_QUERY_PLUGINS || m_options.Action == ACTION_SHOW_HELP ||
-      m_options.Action == ACTION_SHOW_VERSION) {
-    CheckNeedsRun(app, problems);
-  }
+  CheckUses(app, m_options.Action, problems);
   problems.ThrowIfAny();
 }
 

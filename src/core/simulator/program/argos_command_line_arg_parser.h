@@ -4,6 +4,7 @@
 #include <argos3/core/simulator/replay/replay.h>
 #include <argos3/core/utility/datatypes/datatypes.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/logging/log_control.h>
 
 #include <optional>
 #include <string>
@@ -20,6 +21,7 @@ class CARGoSCommandLineArgParser {
     ACTION_RUN_EXPERIMENT,
     ACTION_REPLAY,
     ACTION_QUERY_PLUGINS,
+    ACTION_GENERATE,
     ACTION_SHOW_HELP,
     ACTION_SHOW_VERSION
   };
@@ -32,11 +34,15 @@ class CARGoSCommandLineArgParser {
     std::string VideoFile; /**< empty: no film besides those of the file */
     std::string VideoSpeed; /**< a positive number; empty: that of the file */
     std::string Query; /**< of ACTION_QUERY_PLUGINS */
+    std::string Generate; /**< of ACTION_GENERATE */
     bool NoColor = false;
     bool NoVisualization = false;
     bool Digest = false;
     bool Lenient = false;
     bool NoCrashHandler = false;
+    bool Check = false; /**< load the experiment, and do not run it */
+    ELogLevel LogLevel = ELogLevel::Info;
+    std::optional<Real> ProgressPeriod; /**< s, of lines in the log; 0: none */
     std::string LogFile; /**< empty: the standard output */
     std::string LogErrFile; /**< empty: the standard error */
     std::string CSVFolder; /**< empty: no tables besides those of the file */

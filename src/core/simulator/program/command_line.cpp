@@ -2,16 +2,20 @@
 
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
+#include <argos3/core/simulator/loading/loading_check.h>
 #include <argos3/core/simulator/program/argos_command_line_arg_parser.h>
 #include <argos3/core/simulator/program/crash_handler.h>
 #include <argos3/core/simulator/program/progress.h>
 #include <argos3/core/simulator/program/query_plugins.h>
+#include <argos3/core/simulator/program/shell_documents.h>
 #include <argos3/core/simulator/outputs/run_outputs.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/simulator/space/space.h>
 #include <argos3/core/utility/errors/argos_exception.h>
+#include <argos3/core/utility/errors/line_marks.h>
 #include <argos3/core/utility/files/output_file.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/logging/log_control.h>
 #include <argos3/core/utility/plugins/dynamic_loading.h>
 
 #include <fmt/format.h>
@@ -22,12 +26,9 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <exception>
-#include <iostream>
 #include <new>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -151,7 +152,7 @@ void CheckStream(CARGoSLog& log, std::FILE* stream, const std::string& name) {
   }
 }
 
-void PrintError(const char* what) {
+void PrintError(const std::string& what) {
   CARGoSLog& log = LOGERR.HasFailed() && !LOG.HasFailed() ? LOG : LOGERR;
   log << what << std::endl;
   FlushLogs();
@@ -166,9 +167,7 @@ bool Try(STEP&& step) {
   } catch (const std::bad_alloc&) {
     PrintError("[FATAL] not enough memory");
   } catch (const std::exception& ex) {
-    // the texts of our own exceptions begin with [FATAL]
-    const std::string what = ex.what();
-    PrintError((what.rfind("[FATAL]", 0) == 0 ? what : "[FATAL] " + what).c_str());
+    PrintError(MarkLines(ex.what()));
   } catch (...) {
     PrintError("[FATAL] an exception that is not a std::exception was thrown");
   }
@@ -184,40 +183,23 @@ void SetUpLogs(const SOptions& options) {
   }
 }
 
-void ChooseColors(bool noColor) {
-  const bool unwanted = noColor || std::getenv("NO_COLOR") != nullptr;
-  if (unwanted || isatty(STDOUT_FILENO) == 0) {
-    LOG.DisableColoredOutput();
-  }
-  if (unwanted || isatty(STDERR_FILENO) == 0) {
-    LOGERR.DisableColoredOutput();
-  }
-}
-
-/* Discards messages on LOG during its lifetime. */
-class CSilence {
+/* Sets which lines reach the logs during its lifetime. */
+class CLogLevelScope {
  public:
-  CSilence() {
-    LOG.Flush();
-    m_previous = LOG.GetStream().rdbuf(&m_dropped);
+  explicit CLogLevelScope(ELogLevel level) {
+    FlushLogs();
+    CLogControl::SetLevel(level);
   }
-  ~CSilence() {
-    LOG.Flush();
-    LOG.GetStream().rdbuf(m_previous);
+  ~CLogLevelScope() {
+    FlushLogs();
+    CLogControl::SetLevel(m_previous);
   }
-  CSilence(const CSilence&) = delete;
-  CSilence& operator=(const CSilence&) = delete;
+  CLogLevelScope(const CLogLevelScope&) = delete;
+  CLogLevelScope& operator=(const CLogLevelScope&) = delete;
 
  private:
-  std::stringbuf m_dropped;
-  std::streambuf* m_previous = nullptr;
+  ELogLevel m_previous = CLogControl::GetLevel();
 };
-
-// a query does not print which libraries were loaded
-void LoadLibrariesSilently() {
-  const CSilence silence;
-  CDynamicLoading::LoadAllLibraries();
-}
 
 void ApplyRunOptions(CSimulator& simulator, const SOptions& options) {
   if (options.Seed == UInt32(0)) {
@@ -264,8 +246,8 @@ void LoadExperiment(CSimulator& simulator, const SOptions& options) {
 }
 
 /* Runs the experiment until it ends or is stopped by a signal. @return wall time, s. */
-Real Execute(CSimulator& simulator) {
-  CProgressLine progress(simulator);
+Real Execute(CSimulator& simulator, const SOptions& options) {
+  CProgressLine progress(simulator, options.ProgressPeriod);
   simulator.SetTickObserver([&progress](CSimulator& running) {
     ThrowIfLogsFailed();
     progress.Update();
@@ -327,6 +309,8 @@ void PrintSummary(CSimulator& simulator, Real wallSeconds, bool digest) {
   LOG.Flush();
   PrintFailedRobots(simulator);
   if (digest) {
+    // printed whatever the level, because it was asked for
+    const CLogLevelScope all(ELogLevel::Info);
     const bool colored = LOG.IsColoredOutput();
     LOG.DisableColoredOutput();
     LOG << fmt::format("digest: {:016x}", space.ComputeDigest()) << std::endl;
@@ -337,13 +321,30 @@ void PrintSummary(CSimulator& simulator, Real wallSeconds, bool digest) {
   }
 }
 
+/* Loads the experiment and destroys it. */
+int CheckExperiment(const SOptions& options) {
+  const CLogLevelScope level(options.LogLevel);
+  const CLoadingCheck check;
+  CSimulator& simulator = CSimulator::GetInstance();
+  const bool isGood = Try([&] {
+    LoadExperiment(simulator, options);
+    const size_t robots = simulator.GetSpace().GetControllableEntities().size();
+    LOG << fmt::format("[INFO] {}: no errors found; {} robot{}; it was not run",
+                       options.ExperimentFile, robots, robots == 1 ? "" : "s")
+        << std::endl;
+  });
+  const bool isDestroyed = Try([&] { simulator.Destroy(); });
+  return isGood && isDestroyed ? 0 : kFailure;
+}
+
 int RunExperiment(const SOptions& options) {
+  const CLogLevelScope level(options.LogLevel);
   CSimulator& simulator = CSimulator::GetInstance();
   int status = 0;
   const bool loaded = Try([&] { LoadExperiment(simulator, options); });
   const bool executed = loaded && Try([&] {
                           const CStopSignals stopSignals;
-                          const Real wallSeconds = Execute(simulator);
+                          const Real wallSeconds = Execute(simulator, options);
                           if (g_stopSignal != 0) {
                             status = kSignalStatus + g_stopSignal;
                             LOG << "[INFO] stopped by "
@@ -361,8 +362,32 @@ int RunExperiment(const SOptions& options) {
   return status == 0 && !simulator.GetRobotFailures().IsEmpty() ? kRobotsStopped : status;
 }
 
+std::string Generate(const SOptions& options) {
+  if (options.Generate == "man") {
+    return MakeManPage();
+  }
+  if (options.Generate == "bash") {
+    return MakeBashCompletion();
+  }
+  if (options.Generate == "zsh") {
+    return MakeZshCompletion();
+  }
+  std::vector<std::string> words;
+  if (options.Generate == "xpaths") {
+    words = ListAttributePaths(options.ExperimentFile);
+  } else {
+    CDynamicLoading::LoadAllLibraries();
+    words = ListPluginWords();
+  }
+  return fmt::format("{}\n", fmt::join(words, "\n"));
+}
+
 int Act(const SOptions& options) {
   switch (options.Action) {
+    case CARGoSCommandLineArgParser::ACTION_GENERATE:
+      LOG.DisableColoredOutput();
+      LOG << Generate(options);
+      break;
     case CARGoSCommandLineArgParser::ACTION_SHOW_HELP:
       LOG.DisableColoredOutput();
       LOG << CARGoSCommandLineArgParser::GetUsage();
@@ -372,11 +397,11 @@ int Act(const SOptions& options) {
       LOG << CARGoSCommandLineArgParser::GetVersion();
       break;
     case CARGoSCommandLineArgParser::ACTION_QUERY_PLUGINS:
-      LoadLibrariesSilently();
+      CDynamicLoading::LoadAllLibraries();
       QueryPlugins(options.Query);
       break;
     default:
-      return RunExperiment(options);
+      return options.Check ? CheckExperiment(options) : RunExperiment(options);
   }
   return 0;
 }
@@ -386,11 +411,13 @@ int Act(const SOptions& options) {
 int RunCommandLine(int argc, const char* const* argv) noexcept {
   int status = kFailure;
   try {
-    ChooseColors(false);
     Try([&] {
       CARGoSCommandLineArgParser parser;
       parser.Parse(argc, argv);
-      ChooseColors(parser.GetOptions().NoColor);
+      if (parser.GetOptions().NoColor) {
+        LOG.DisableColoredOutput();
+        LOGERR.DisableColoredOutput();
+      }
       SetUpLogs(parser.GetOptions());
       if (!parser.GetOptions().NoCrashHandler) {
         CCrashHandler::Install();

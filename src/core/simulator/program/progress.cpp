@@ -158,11 +158,13 @@ class CProgressLine::CGuard : public std::streambuf {
   CScreen& m_screen;
 };
 
-CProgressLine::CProgressLine(CSimulator& simulator)
+CProgressLine::CProgressLine(CSimulator& simulator, std::optional<Real> logPeriod)
     : m_simulator(simulator),
       m_start(TClock::now()),
       m_nextDrawing(m_start + kRefreshPeriod),
-      m_firstTick(simulator.GetSpace().GetSimulationClock()) {
+      m_firstTick(simulator.GetSpace().GetSimulationClock()),
+      m_logPeriod(logPeriod.value_or(GoesToTerminal(LOG, STDOUT_FILENO) ? 0.0 : kLogPeriod)),
+      m_nextLogLine(m_start + std::chrono::duration<Real>(m_logPeriod)) {
   if (!IsTerminal(STDERR_FILENO)) {
     return;
   }
@@ -182,21 +184,29 @@ CProgressLine::~CProgressLine() {
 }
 
 void CProgressLine::Update() {
-  if (!m_screen) {
+  if (!m_screen && m_logPeriod == 0.0) {
     return;
   }
   const TClock::time_point now = TClock::now();
-  if (now < m_nextDrawing) {
-    return;
+  if (m_logPeriod > 0.0 && now >= m_nextLogLine) {
+    m_nextLogLine = now + std::chrono::duration<Real>(m_logPeriod);
+    LOG << "[INFO] " << Describe(now) << std::endl;
+    LOG.Flush();
   }
-  m_nextDrawing = now + kRefreshPeriod;
+  if (m_screen && now >= m_nextDrawing) {
+    m_nextDrawing = now + kRefreshPeriod;
+    m_screen->Draw(Describe(now));
+  }
+}
+
+std::string CProgressLine::Describe(TClock::time_point now) const {
   SProgress progress;
   const UInt32 maxTicks = m_simulator.GetMaxSimulationClock();
   progress.Ticks = m_simulator.GetSpace().GetSimulationClock() - m_firstTick;
   progress.MaxTicks = maxTicks > m_firstTick ? maxTicks - m_firstTick : 0;
   progress.TickLength = m_simulator.GetTickLength();
   progress.WallSeconds = std::chrono::duration<Real>(now - m_start).count();
-  m_screen->Draw(DescribeProgress(progress));
+  return DescribeProgress(progress);
 }
 
 }  // namespace argos

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace argos {
@@ -26,15 +27,21 @@ struct SProgress {
 std::string DescribeProgress(const SProgress& progress);
 
 /**
- * A terminal line with the progress of the run, displayed during the lifetime of the object.
+ * Shows the progress of the run during the lifetime of the object.
  *
- * It is redrawn at most five times a second, and erased before other output to std::cout or
- * std::cerr. Does nothing if the standard error is not a terminal.
+ * On a terminal, a line is redrawn at most five times a second, and erased before other output to
+ * std::cout or std::cerr. If the log is not on a terminal, it gets a line from time to time.
  */
 class CProgressLine {
  public:
-  /** @param simulator  must outlive this object. */
-  explicit CProgressLine(CSimulator& simulator);
+  /** Of lines in a log that is not on a terminal, s of wall time. */
+  static constexpr Real kLogPeriod = 60.0;
+
+  /**
+   * @param simulator  must outlive this object.
+   * @param logPeriod  s, between lines in any log; 0: none. Not given: as kLogPeriod says.
+   */
+  explicit CProgressLine(CSimulator& simulator, std::optional<Real> logPeriod = std::nullopt);
   /** Erases the line. */
   ~CProgressLine();
   CProgressLine(const CProgressLine&) = delete;
@@ -45,13 +52,18 @@ class CProgressLine {
 
  private:
   using TClock = std::chrono::steady_clock;
+  using TTime = std::chrono::time_point<TClock, std::chrono::duration<Real>>;
   class CScreen;
   class CGuard;
+
+  std::string Describe(TClock::time_point now) const;
 
   CSimulator& m_simulator;
   TClock::time_point m_start;
   TClock::time_point m_nextDrawing;
   UInt32 m_firstTick;
+  Real m_logPeriod;  // s; 0: no lines
+  TTime m_nextLogLine;
   std::unique_ptr<CScreen> m_screen;  // null: no terminal
   std::unique_ptr<CGuard> m_outGuard;
   std::unique_ptr<CGuard> m_errGuard;

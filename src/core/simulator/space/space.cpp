@@ -1,5 +1,6 @@
 #include <argos3/core/simulator/space/space.h>
 
+#include <argos3/core/simulator/context/library_attribute.h>
 #include <argos3/core/simulator/context/simulation_context.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/controllable_entity.h>
@@ -17,6 +18,7 @@
 #include <argos3/core/utility/errors/exception_text.h>
 #include <argos3/core/utility/logging/argos_log.h>
 #include <argos3/core/utility/logging/log_order.h>
+#include <argos3/core/utility/plugins/unknown_label.h>
 #include <argos3/core/utility/text/string_utilities.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 
@@ -134,8 +136,8 @@ std::unique_ptr<CEntity> CSpace::MakeEntity(const std::string& tag) const {
     return found->second->New();
   }
   if (!m_entityTypes.empty() && !CFactory<CEntity>::Exists(tag)) {
-    THROW_ARGOSEXCEPTION("there are no entities <" << tag << ">"
-                                                   << DidYouMean(tag, GetEntityTypes()));
+    THROW_ARGOSEXCEPTION("there is no entity \"" << tag << '"'
+                                                 << DescribeUnknownLabel(tag, GetEntityTypes()));
   }
   return std::unique_ptr<CEntity>(CFactory<CEntity>::New(tag));
 }
@@ -144,6 +146,7 @@ void CSpace::TryEntity(TConfigurationNode& node) {
   // initialises robots without their controllers
   m_context.Loading.SetProbing(true);
   try {
+    LoadLibraryOf(node);
     const std::unique_ptr<CEntity> entity = MakeEntity(node.Value());
     entity->Init(node);
     entity->Destroy();
@@ -160,6 +163,7 @@ void CSpace::TryEntity(TConfigurationNode& node) {
 CEntity& CSpace::CreateEntity(TConfigurationNode& node) {
   std::unique_ptr<CEntity> entity;
   try {
+    LoadLibraryOf(node);
     entity = MakeEntity(node.Value());
     entity->Init(node);
     CEntity& added = *entity;

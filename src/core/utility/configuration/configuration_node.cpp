@@ -104,16 +104,33 @@ std::string CConfigurationNode::GetLocation() const {
 // errors
 /****************************************/
 
+namespace {
+
+// the end of a message about a missing name: similar names that are there are misspellings of it
+std::string DescribePresent(const std::string& missing, const std::vector<std::string>& present) {
+  const std::string near = NearestNames(missing, present, 1);
+  if (!near.empty()) {
+    return "; is \"" + near + "\" a misspelling of it?";
+  }
+  std::string list;
+  for (const std::string& name : present) {
+    list += (list.empty() ? "; it has: " : ", ") + name;
+  }
+  return list.empty() ? "; it has none" : list;
+}
+
+}  // namespace
+
 void CConfigurationNode::ThrowMissingAttribute(const std::string& name) const {
   THROW_CONFIGURATION_ERROR(GetLocation()
                             << ": <" << Value() << ">: attribute \"" << name << "\" is missing"
-                            << DidYouMean(name, AttributeNames(*Record().Element)));
+                            << DescribePresent(name, AttributeNames(*Record().Element)));
 }
 
 void CConfigurationNode::ThrowMissingChild(const std::string& tag) const {
   THROW_CONFIGURATION_ERROR(GetLocation()
                             << ": <" << Value() << ">: element <" << tag << "> is missing inside it"
-                            << DidYouMean(tag, ChildTags(*Record().Element)));
+                            << DescribePresent(tag, ChildTags(*Record().Element)));
 }
 
 std::string CConfigurationNode::GetAttributeOrDefault(const std::string& name,

@@ -1,16 +1,19 @@
 #include <argos3/core/utility/logging/argos_log.h>
 
 #include <argos3/core/utility/files/output_file.h>
+#include <argos3/core/utility/logging/log_lines.h>
 #include <argos3/core/utility/text/classic_locale.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstdarg>
+#include <cstdlib>
 #include <cstring>
 #include <mutex>
 #include <new>
 #include <streambuf>
+#include <string_view>
 #include <unistd.h>
 #include <utility>
 #include <vector>
@@ -27,6 +30,8 @@ struct SSegment {
   // orders segments with the same key: a phase that starts later has higher tickets
   UInt64 Ticket;
   std::size_t Start;
+  // of the thread at that time
+  std::shared_ptr<const std::string> Label;
 };
 
 // a segment that is being flushed
@@ -37,6 +42,7 @@ struct SPiece {
   std::size_t Text;
   std::size_t Start;
   std::size_t End;
+  std::shared_ptr<const std::string> Label;
 };
 
 // appends to a string that can be read and truncated without a copy
@@ -110,7 +116,8 @@ struct CARGoSLog::SThreadBuffer {
       for (std::size_t i = 0; i < Segments.size(); ++i) {
         const bool isLast = i + 1 == Segments.size();
         pieces.push_back({Segments[i].Key, Segments[i].Ticket, texts.size(), Segments[i].Start,
-                          isLast ? Appender.Text.size() : Segments[i + 1].Start});
+                          isLast ? Appender.Text.size() : Segments[i + 1].Start,
+                          std::move(Segments[i].Label)});
       }
       texts.push_back(std::move(Appender.Text));
       Appender.Text.clear();
@@ -120,6 +127,9 @@ struct CARGoSLog::SThreadBuffer {
 };
 
 struct CARGoSLog::SState {
+  explicit SState(std::ostream& stream)
+      : Lines(stream, &stream == &std::cerr ? ELogLevel::Error : ELogLevel::Info) {}
+
   const UInt64 Id = nextLogId++;
   std::atomic<UInt64> NextTicket{0};
   // guards the list, and writing to the stream
@@ -129,6 +139,7 @@ struct CARGoSLog::SState {
   // for messages that are logged during the destruction of a thread
   std::shared_ptr<SThreadBuffer> LateBuffer;
   std::string Prefix;
+  CLogLines Lines;
   // of RedirectToFile(); null: none
   std::unique_ptr<CLogFile> File;
   std::streambuf* OriginalBuffer = nullptr;
@@ -158,7 +169,10 @@ CARGoSLog::SState::SThreadTable::~SThreadTable() {
 /****************************************/
 
 CARGoSLog::CARGoSLog(std::ostream& stream, const SLogColor& color, bool colored)
-    : m_stream(stream), m_color(color), m_colored(colored), m_state(std::make_unique<SState>()) {
+    : m_stream(stream),
+      m_color(color),
+      m_colored(colored),
+      m_state(std::make_unique<SState>(stream)) {
   CTextOutput prefix;
   prefix << m_color;
   m_state->Prefix = prefix.str();
@@ -166,7 +180,6 @@ CARGoSLog::CARGoSLog(std::ostream& stream, const SLogColor& color, bool colored)
 
 CARGoSLog::~CARGoSLog() {
   try {
-    Flush();
     EndRedirection();
   } catch (...) {
     // an exception at the end of the program cannot be reported
@@ -192,6 +205,7 @@ void CARGoSLog::RedirectToFile(const std::string& name) {
 void CARGoSLog::EndRedirection() {
   Flush();
   const std::lock_guard<std::mutex> lock(m_state->Mutex);
+  m_state->Lines.Finish();
   if (m_state->File == nullptr) {
     return;
   }
@@ -286,8 +300,11 @@ void CARGoSLog::AddThreadSafeBuffer() {
 CARGoSLog::CEntry::CEntry(CARGoSLog& log, bool colored) : m_buffer(log.GetThreadBuffer()) {
   std::unique_lock lock(m_buffer.Mutex);
   std::string& text = m_buffer.Appender.Text;
-  if (m_buffer.Segments.empty() || m_buffer.Segments.back().Key != sequenceKey) {
-    m_buffer.Segments.push_back({sequenceKey, log.m_state->NextTicket++, text.size()});
+  std::shared_ptr<const std::string> label = GetThreadLabelOrNull();
+  if (m_buffer.Segments.empty() || m_buffer.Segments.back().Key != sequenceKey ||
+      m_buffer.Segments.back().Label != label) {
+    m_buffer.Segments.push_back(
+        {sequenceKey, log.m_state->NextTicket++, text.size(), std::move(label)});
   }
   m_start = text.size();
   if (colored) {
@@ -355,8 +372,8 @@ void CARGoSLog::Flush() {
   });
   errno = 0;
   for (const SPiece& piece : pieces) {
-    m_stream.write(texts[piece.Text].data() + piece.Start,
-                   static_cast<std::streamsize>(piece.End - piece.Start));
+    const std::string_view text = texts[piece.Text];
+    m_state->Lines.Write(text.substr(piece.Start, piece.End - piece.Start), piece.Label.get());
   }
   m_stream.flush();
   if (!m_stream) {
@@ -388,8 +405,19 @@ void CARGoSLog::WriteAfterCrash(int file) noexcept {
 // LOG and LOGERR, debugging
 /****************************************/
 
-CARGoSLog LOG(std::cout, SLogColor(ARGOS_LOG_ATTRIBUTE_BRIGHT, ARGOS_LOG_COLOR_GREEN));
-CARGoSLog LOGERR(std::cerr, SLogColor(ARGOS_LOG_ATTRIBUTE_BRIGHT, ARGOS_LOG_COLOR_RED));
+namespace {
+
+// files and pipes get no escape sequences; https://no-color.org
+bool WantsColors(int file) {
+  return isatty(file) != 0 && std::getenv("NO_COLOR") == nullptr;
+}
+
+}  // namespace
+
+CARGoSLog LOG(std::cout, SLogColor(ARGOS_LOG_ATTRIBUTE_BRIGHT, ARGOS_LOG_COLOR_GREEN),
+              WantsColors(STDOUT_FILENO));
+CARGoSLog LOGERR(std::cerr, SLogColor(ARGOS_LOG_ATTRIBUTE_BRIGHT, ARGOS_LOG_COLOR_RED),
+                 WantsColors(STDERR_FILENO));
 
 std::size_t DEBUG_INDENTATION = 0;
 

@@ -6,6 +6,7 @@
 #include <argos3/core/utility/errors/signal_safe_text.h>
 #include <argos3/core/utility/files/input_file.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/logging/log_control.h>
 #include <argos3/core/utility/plugins/process_wide.h>
 #include <argos3/core/utility/plugins/registration.h>
 #include <argos3/core/utility/text/string_utilities.h>
@@ -94,6 +95,33 @@ std::vector<std::string> DefaultDirectories() {
   return directories;
 }
 
+// beside the experiment file, and where projects are usually built
+std::vector<std::string> ExperimentDirectories(const std::string& lib,
+                                               const std::string& experimentFile) {
+  if (experimentFile.empty()) {
+    return {};
+  }
+  const fs::path folder = fs::path(experimentFile).parent_path();
+  const fs::path beside = folder.empty() ? "." : folder;
+  const fs::path above = beside == "." ? fs::path("..") : beside / "..";
+  std::vector<std::string> directories = {beside.string(), (beside / "build").string()};
+  if (lib.find('/') != std::string::npos) {
+    directories.push_back(above.string());
+  }
+  directories.push_back((above / "build").string());
+  return directories;
+}
+
+// if the core is in a build tree of this project: the libraries of its experiments/
+std::vector<std::string> BuildTreeExperiments() {
+  const fs::path root = CoreLibrary().parent_path().parent_path().parent_path();
+  std::error_code ignored;
+  const bool isBuildTree = fs::exists(root / "CMakeCache.txt", ignored) &&
+                           fs::is_directory(root / "experiments", ignored);
+  return isBuildTree ? std::vector<std::string>{(root / "experiments").string()}
+                     : std::vector<std::string>();
+}
+
 bool IsLibraryName(const fs::path& file) {
   const std::string extension = file.extension().string();
   return extension == "." ARGOS_SHARED_LIBRARY_EXTENSION ||
@@ -132,27 +160,63 @@ std::string PluginDirectory() {
 // loading
 /****************************************/
 
-// the possible paths of a library, in order
-std::vector<std::string> Candidates(const std::string& lib) {
-  std::vector<std::string> suffixes = {"", "." ARGOS_SHARED_LIBRARY_EXTENSION};
-  if (std::string(ARGOS_MODULE_LIBRARY_EXTENSION) != ARGOS_SHARED_LIBRARY_EXTENSION) {
-    suffixes.push_back("." ARGOS_MODULE_LIBRARY_EXTENSION);
+// what may follow the name of a library
+std::vector<std::string> Suffixes(const std::string& lib) {
+  std::vector<std::string> suffixes = {""};
+  if (!IsLibraryName(lib)) {
+    suffixes.emplace_back("." ARGOS_SHARED_LIBRARY_EXTENSION);
+    if (std::string(ARGOS_MODULE_LIBRARY_EXTENSION) != ARGOS_SHARED_LIBRARY_EXTENSION) {
+      suffixes.emplace_back("." ARGOS_MODULE_LIBRARY_EXTENSION);
+    }
   }
-  std::vector<std::string> directories;
+  return suffixes;
+}
+
+// the paths that a library may have, without suffixes, in order
+std::vector<std::string> Places(const std::string& lib, const std::string& experimentFile) {
   if (!lib.empty() && lib[0] == '/') {
-    directories.emplace_back("");
-  } else {
-    for (const std::string& directory : GetPluginSearchPaths()) {
-      directories.push_back(directory + '/');
-    }
+    return {lib};
   }
-  std::vector<std::string> candidates;
+  std::vector<std::string> directories = UserDirectories();
+  for (const auto& more : {ExperimentDirectories(lib, experimentFile), DefaultDirectories(),
+                           BuildTreeExperiments(), std::vector<std::string>{"."}}) {
+    directories.insert(directories.end(), more.begin(), more.end());
+  }
+  std::vector<std::string> places;
+  std::set<std::string> seen;
   for (const std::string& directory : directories) {
-    for (const std::string& suffix : suffixes) {
-      candidates.push_back(directory + lib + suffix);
+    if (seen.insert(Resolved(directory).string()).second) {
+      places.push_back(directory + '/' + lib);
     }
   }
-  return candidates;
+  return places;
+}
+
+// "[.so]", for messages
+std::string DescribeSuffixes(const std::string& lib) {
+  std::string text;
+  for (const std::string& suffix : Suffixes(lib)) {
+    text += suffix.empty() ? "" : '[' + suffix + ']';
+  }
+  return text;
+}
+
+// libraries with similar names in the places that were searched
+std::string DescribeSimilar(const std::string& lib, const std::vector<std::string>& places) {
+  std::set<std::string> folders;
+  for (const std::string& place : places) {
+    folders.insert(fs::path(place).parent_path().string());
+    folders.insert(place.substr(0, place.size() - lib.size()));
+  }
+  std::vector<std::string> names;
+  for (const std::string& folder : folders) {
+    std::error_code ignored;
+    for (const fs::path& file : ListLibraries(folder, ignored)) {
+      names.push_back(file.stem().string());
+    }
+  }
+  const std::string name = fs::path(lib).stem().string();
+  return NearestNames(name, names).empty() ? "" : DidYouMean(name, names);
 }
 
 // for the report of a crash
@@ -176,11 +240,13 @@ std::string WithReadableSymbols(const std::string& message) {
   return status == 0 ? message.substr(0, start) + name.get() + message.substr(end) : message;
 }
 
+constexpr char kNoSuchFile[] = "no such file";
+
 // opens a library; returns null and sets the reason on failure
 CDynamicLoading::TDLHandle TryOpen(const std::string& path, std::string& reason) {
   std::error_code error;
   if (!fs::exists(path, error)) {
-    reason = "no such file";
+    reason = kNoSuchFile;
     return nullptr;
   }
   reason = FindInputProblem(path);
@@ -206,23 +272,11 @@ CDynamicLoading::TDLHandle TryOpen(const std::string& path, std::string& reason)
   }
 }
 
-}  // namespace
-
-std::vector<std::string> GetPluginSearchPaths() {
-  // the first call uses the dynamic linker
-  const std::lock_guard<std::recursive_mutex> lock(detail::GetLoadingMutex());
-  std::vector<std::string> paths = UserDirectories();
-  const std::vector<std::string> defaults = DefaultDirectories();
-  paths.insert(paths.end(), defaults.begin(), defaults.end());
-  // last, so that a file in the working directory does not replace an installed library
-  paths.emplace_back(".");
-  return paths;
-}
-
-CDynamicLoading::TDLHandle CDynamicLoading::LoadLibrary(const std::string& lib) {
-  const std::lock_guard<std::recursive_mutex> lock(detail::GetLoadingMutex());
-  std::string attempts;
-  for (const std::string& candidate : Candidates(lib)) {
+// @param problems  of each file that is there
+CDynamicLoading::TDLHandle TryPlace(const std::string& lib, const std::string& place,
+                                    std::string& problems) {
+  for (const std::string& suffix : Suffixes(lib)) {
+    const std::string candidate = place + suffix;
     const std::string path = Resolved(candidate).string();
     const auto known = LoadedLibraries().find(path);
     if (known != LoadedLibraries().end()) {
@@ -230,17 +284,57 @@ CDynamicLoading::TDLHandle CDynamicLoading::LoadLibrary(const std::string& lib) 
       return known->second.Handle;
     }
     std::string reason;
-    const TDLHandle handle = TryOpen(candidate, reason);
+    const CDynamicLoading::TDLHandle handle = TryOpen(candidate, reason);
     // registrations may be invalid even if the library failed to load
     ThrowRegistrationProblems("The library \"" + candidate + "\" cannot be used:");
     if (handle != nullptr) {
       LoadedLibraries()[path] = SLoadedLibrary{handle, {lib}};
-      LOG << "[INFO] Loaded library \"" << candidate << "\"" << std::endl;
+      if (CLogControl::GetLevel() == ELogLevel::Debug) {
+        LOG << "[DEBUG] Loaded library \"" << candidate << "\"" << std::endl;
+      }
       return handle;
     }
-    attempts += "\n  " + candidate + ": " + reason;
+    if (reason != kNoSuchFile) {
+      problems += "\n  " + candidate + ": " + reason;
+    }
   }
-  THROW_ARGOSEXCEPTION("The library \"" << lib << "\" cannot be loaded; tried:" << attempts);
+  return nullptr;
+}
+
+}  // namespace
+
+std::vector<std::string> GetPluginSearchPaths() {
+  // the first call uses the dynamic linker
+  const std::lock_guard<std::recursive_mutex> lock(detail::GetLoadingMutex());
+  std::vector<std::string> paths;
+  for (const std::string& place : Places("", "")) {
+    paths.push_back(place.substr(0, place.size() - 1));
+  }
+  return paths;
+}
+
+CDynamicLoading::TDLHandle CDynamicLoading::LoadLibrary(const std::string& lib) {
+  return LoadLibrary(lib, "");
+}
+
+CDynamicLoading::TDLHandle CDynamicLoading::LoadLibrary(const std::string& lib,
+                                                        const std::string& experimentFile) {
+  const std::lock_guard<std::recursive_mutex> lock(detail::GetLoadingMutex());
+  const std::vector<std::string> places = Places(lib, experimentFile);
+  std::string searched;
+  std::string problems;
+  for (const std::string& place : places) {
+    const TDLHandle handle = TryPlace(lib, place, problems);
+    if (handle != nullptr) {
+      return handle;
+    }
+    searched += "\n  " + place + DescribeSuffixes(lib) + ": no such file";
+  }
+  // a file that is there and does not load explains more than the places without one
+  THROW_ARGOSEXCEPTION("The library \"" << lib << "\" cannot be loaded"
+                                        << (problems.empty() ? DescribeSimilar(lib, places) : "")
+                                        << "; tried:"
+                                        << (problems.empty() ? searched : problems));
 }
 
 void CDynamicLoading::UnloadLibrary(const std::string& lib) {

@@ -12,13 +12,18 @@ namespace argos {
  *
  * Search order of a library:
  *   1. a name that begins with '/': only that path;
- *   2. otherwise, in each directory of the environment variable ARGOS_PLUGIN_PATH (separated by
- * colons), then in the default directories: lib/argos3 of the installation of the running core
- * library, the folder of that library, and lib/argos3 below the configured installation prefix;
- * then in the current directory. It comes last so that a file there does not replace an installed
- * library. In each directory the name is tried as given, then with ".so" (the suffixes of
- * config.h). Symbols are bound lazily and are visible to libraries loaded later. A loaded library
- * stays in the process until its end.
+ *   2. otherwise, in these directories, in this order:
+ *      - those of the environment variable ARGOS_PLUGIN_PATH, separated by colons;
+ *      - the folder of the experiment file, if there is one, and its folder build/; for a name with
+ *        a slash also the folder above it, the root of many projects; the folder build/ there;
+ *      - the default directories: lib/argos3 of the installation of the running core library, the
+ *        folder of that library, and lib/argos3 below the configured installation prefix; in a
+ *        build tree also the libraries of its experiments;
+ *      - the current directory.
+ *
+ * In each directory the name is tried as given, then with ".so" (the suffixes of config.h). All
+ * symbols are bound when a library is loaded, and are visible to libraries loaded later. A loaded
+ * library stays in the process until its end.
  *
  * Thread safe; a thread waits while another one loads a library.
  */
@@ -34,6 +39,8 @@ class CDynamicLoading {
    *   that another library has registered.
    */
   static TDLHandle LoadLibrary(const std::string& lib);
+  /** The same. @param experimentFile  the file that names the library. */
+  static TDLHandle LoadLibrary(const std::string& lib, const std::string& experimentFile);
 
   /**
    * Marks a library as not loaded. It stays in memory, because objects created by its code may

@@ -2,11 +2,13 @@
 
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/plugins/process_wide.h>
+#include <argos3/core/utility/plugins/unknown_label.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <map>
 
 namespace argos {
 
@@ -40,6 +42,22 @@ std::string Difference(const std::string& id, const std::string& other) {
     }
   }
   return difference.empty() ? "nothing more" : difference;
+}
+
+// what users call the classes of a base class
+std::string NameOfKind(const std::string& baseClass) {
+  static const std::map<std::string, std::string> names = {
+      {"CCI_Controller", "controller"},
+      {"CEntity", "entity"},
+      {"CLoopFunctions", "class of loop functions"},
+      {"CMedium", "medium"},
+      {"CPhysicsEngine", "physics engine"},
+      {"CRunOutput", "output"},
+      {"CSimulatedActuator", "actuator"},
+      {"CSimulatedSensor", "sensor"},
+      {"CVisualization", "visualization"}};
+  const auto name = names.find(baseClass);
+  return name == names.end() ? baseClass : name->second;
 }
 
 }  // namespace
@@ -95,23 +113,24 @@ void ThrowRegistrationProblems(const std::string& context) {
   throw CARGoSException(text);
 }
 
+std::string DescribeUnknownLabel(const std::string& label,
+                                 const std::vector<std::string>& registered) {
+  std::string folders;
+  for (const std::string& folder : GetPluginSearchPaths()) {
+    folders += (folders.empty() ? "" : ", ") + folder;
+  }
+  return DidYouMean(label, registered) +
+         "\nIf a library of yours has it: name the library, with library=\"PATH\" in this element, "
+         "or put its folder into ARGOS_PLUGIN_PATH; searched in: " +
+         folders;
+}
+
 namespace detail {
 
 void ThrowUnknownLabel(const std::string& kind, const std::string& label,
                        const std::vector<std::string>& registered) {
-  std::string paths;
-  for (const std::string& path : GetPluginSearchPaths()) {
-    paths += (paths.empty() ? "" : ", ") + path;
-  }
-  std::string all;
-  for (const std::string& name : registered) {
-    all += (all.empty() ? "" : ", ") + name;
-  }
-  const std::string near = NearestNames(label, registered);
-  THROW_ARGOSEXCEPTION("No " << kind << " is registered under the label \"" << label << '"'
-                             << (near.empty() ? "" : DidYouMean(label, registered))
-                             << "; registered: " << (all.empty() ? "none" : all)
-                             << "; libraries are searched in: " << paths);
+  THROW_ARGOSEXCEPTION("there is no " << NameOfKind(kind) << " \"" << label << '"'
+                                      << DescribeUnknownLabel(label, registered));
 }
 
 }  // namespace detail

@@ -26,6 +26,23 @@ std::string Describe(lua_State* state, int index) {
   return type;
 }
 
+/** True if the table at an index has functions written in C++, as tables of devices have. */
+bool IsDeviceTable(lua_State* state, int index) {
+  if (!lua_istable(state, index) || lua_checkstack(state, 3) == 0) {
+    return false;
+  }
+  bool hasFunction = false;
+  for (lua_pushnil(state); !hasFunction && lua_next(state, index) != 0; lua_pop(state, 1)) {
+    hasFunction = lua_iscfunction(state, -1) != 0;
+  }
+  return hasFunction;
+}
+
+/** For the end of a message: robot.wheels:set_velocity() passes the table as the first argument. */
+std::string DescribeColon(lua_State* state, int index) {
+  return index == 1 && IsDeviceTable(state, index) ? "; call it with a dot, not with a colon" : "";
+}
+
 }  // namespace
 
 CLuaArguments::CLuaArguments(lua_State* state) : m_state(state), m_count(lua_gettop(state)) {}
@@ -137,7 +154,7 @@ std::vector<UInt8> CLuaArguments::NextBytes(std::size_t count) {
   const std::size_t size = lua_rawlen(m_state, m_next);
   if (size != count) {
     THROW_ARGOSEXCEPTION("argument " << m_next << " must be " << expected << ", got a table of "
-                                     << size);
+                                     << size << DescribeColon(m_state, m_next));
   }
   std::vector<UInt8> bytes(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -158,13 +175,14 @@ std::vector<UInt8> CLuaArguments::NextBytes(std::size_t count) {
 
 void CLuaArguments::Finish() const {
   if (m_next <= m_count) {
-    THROW_ARGOSEXCEPTION("too many arguments: expected " << m_next - 1 << ", got " << m_count);
+    THROW_ARGOSEXCEPTION("too many arguments: expected " << m_next - 1 << ", got " << m_count
+                                                         << DescribeColon(m_state, 1));
   }
 }
 
 void CLuaArguments::ThrowNextMustBe(const std::string& expected) const {
   THROW_ARGOSEXCEPTION("argument " << m_next << " must be " << expected << ", got "
-                                   << Describe(m_state, m_next));
+                                   << Describe(m_state, m_next) << DescribeColon(m_state, m_next));
 }
 
 }  // namespace argos

@@ -1,6 +1,7 @@
 #include <argos3/core/wrappers/lua/lua_state.h>
 
 #include <argos3/core/utility/text/classic_locale.h>
+#include <argos3/core/wrappers/lua/lua_missing_names.h>
 #include <argos3/core/wrappers/lua/lua_sandbox.h>
 #include <argos3/core/wrappers/lua/lua_script.h>
 #include <argos3/core/wrappers/lua/lua_utility.h>
@@ -8,9 +9,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <string_view>
+#include <utility>
 
 namespace argos {
 
@@ -30,7 +33,28 @@ int Panic(lua_State* state) {
   return 0;  // Lua aborts
 }
 
-/** Turns an error object into a message with a traceback. */
+constexpr char kTraceback[] = "\nstack traceback:";
+
+/** Where the innermost function in Lua was at the last error; read after the call has ended. */
+struct SErrorPlace {
+  int Line = 0;  // 0 = unknown
+  std::array<char, 1024> File = {};
+};
+
+thread_local SErrorPlace g_errorPlace;
+
+/** Finds the innermost function in Lua; false if there is none. */
+bool FindLuaFunction(lua_State* state, lua_Debug& activation) {
+  for (int level = 0; lua_getstack(state, level, &activation) != 0; ++level) {
+    lua_getinfo(state, "Sl", &activation);
+    if (activation.currentline > 0) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/** Turns an error object into a message with its place and a traceback. */
 int AddTraceback(lua_State* state) {
   const char* message = lua_tostring(state, 1);
   if (message == nullptr) {
@@ -40,8 +64,31 @@ int AddTraceback(lua_State* state) {
       message = lua_pushfstring(state, "(the error is a %s value)", luaL_typename(state, 1));
     }
   }
+  lua_Debug activation;
+  if (FindLuaFunction(state, activation)) {
+    g_errorPlace.Line = activation.currentline;
+    // "@" and the path of a file
+    std::snprintf(g_errorPlace.File.data(), g_errorPlace.File.size(), "%s",
+                  activation.source[0] == '@' ? activation.source + 1 : "");
+    // Lua gives errors of its own inside C functions, such as the iterator of ipairs(), no place
+    if (std::string_view(message).rfind("attempt to ", 0) == 0) {
+      message = lua_pushfstring(state, "%s:%d: %s", activation.short_src, activation.currentline,
+                                message);
+    }
+  }
   luaL_traceback(state, state, message, 1);
   return 1;
+}
+
+// adds which name was misspelt, if one was
+std::string Explain(lua_State* state, std::string message) {
+  if (g_errorPlace.Line == 0) {
+    return message;
+  }
+  const std::size_t end = std::min(message.find(kTraceback), message.size());
+  message.insert(end, ExplainMissingName(state, message.substr(0, end), g_errorPlace.File.data(),
+                                         g_errorPlace.Line));
+  return message;
 }
 
 int FinishXpcall(lua_State* state, int, lua_KContext) {
@@ -136,6 +183,7 @@ void CLuaState::RunBody(TCall call, const void* body) {
   m_instructionsLeft = m_limits.MaxInstructions;
   m_textLeft = m_memory.GetLimit();
   m_refusal.Size = 0;
+  g_errorPlace.Line = 0;
   if (m_wasInterrupted) {
     m_wasInterrupted = false;
     SetUsualHook();
@@ -162,7 +210,8 @@ void CLuaState::RunBody(TCall call, const void* body) {
     message = DescribeRefusal() + '\n' + message;
   }
   if (status != LUA_OK) {
-    throw CLuaError(message);
+    const bool isExplained = status == LUA_ERRRUN && !m_wasInterrupted;
+    throw CLuaError(isExplained ? Explain(m_state, std::move(message)) : message);
   }
 }
 
@@ -192,14 +241,9 @@ void CLuaState::NoteRefusal(std::size_t size) {
   m_refusal.Size = size;
   m_refusal.Line = 0;
   lua_Debug activation;
-  for (int level = 0; m_state != nullptr && lua_getstack(m_state, level, &activation) != 0;
-       ++level) {
-    lua_getinfo(m_state, "Sl", &activation);
-    if (activation.currentline > 0) {
-      m_refusal.Line = activation.currentline;
-      std::snprintf(m_refusal.Source.data(), m_refusal.Source.size(), "%s", activation.short_src);
-      return;
-    }
+  if (m_state != nullptr && FindLuaFunction(m_state, activation)) {
+    m_refusal.Line = activation.currentline;
+    std::snprintf(m_refusal.Source.data(), m_refusal.Source.size(), "%s", activation.short_src);
   }
 }
 

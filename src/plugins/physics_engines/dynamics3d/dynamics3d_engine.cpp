@@ -1,11 +1,13 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_engine.h>
 
+#include <argos3/core/simulator/context/library_attribute.h>
 #include <argos3/core/simulator/entity/composable_entity.h>
 #include <argos3/core/simulator/entity/embodied_entity.h>
 #include <argos3/core/simulator/geometry/body_description.h>
 #include <argos3/core/simulator/program/query_plugins.h>
 #include <argos3/core/simulator/simulator.h>
 #include <argos3/core/utility/logging/argos_log.h>
+#include <argos3/core/utility/plugins/unknown_label.h>
 #include <argos3/core/utility/string_utilities.h>
 #include <argos3/core/utility/threads/thread_pool.h>
 #include <argos3/plugins/simulator/entities/turret_entity.h>
@@ -33,8 +35,6 @@ constexpr Real kFarthest = 1e6;
 constexpr Real kDefaultSubstep = 0.01;
 // bodies whose poses a thread writes together
 constexpr size_t kWriteGrain = 128;
-// m/s^2, in an engine without add-ons
-constexpr Real kStandardGravity = 9.81;
 
 // Sine of half the greatest lean that is reported as upright: robots lean by less than 1e-3 rad
 // when they roll. Sensors and placement handle upright solids exactly and fast.
@@ -86,10 +86,12 @@ void CDynamics3DEngine::InitPlugins(TConfigurationNode& tree) {
     if (IsPartOfEngine(label) || IsPartOfOtherEngine(label)) {
       continue;
     }
+    LoadLibraryOf(*child);
     if (!CFactory<CDynamics3DPlugin>::Exists(label)) {
       THROW_ARGOSEXCEPTION(child->GetLocation()
                            << ": <dynamics3d> has no add-on <" << label << ">"
-                           << DidYouMean(label, CFactory<CDynamics3DPlugin>::GetLabels()));
+                           << DescribeUnknownLabel(label,
+                                                   CFactory<CDynamics3DPlugin>::GetLabels()));
     }
     try {
       std::unique_ptr<CDynamics3DPlugin> plugin(CFactory<CDynamics3DPlugin>::New(label));
@@ -458,7 +460,7 @@ ATTRIBUTES
                         than gravity and floor, unless these declare that they push nothing.
   floor                 an infinite plane that supports the bodies above it. height: m, default 0. friction: >= 0,
                         default 1.
-  gravity               g: m/s^2, default 10, downward. Or vector: "x,y,z", m/s^2.
+  gravity               g: m/s^2, default 9.81, downward. Or vector: "x,y,z", m/s^2.
   magnetism             forces between the magnets of robots (<magnets>), see its own description: force_constant,
                         default 7.0500949e-13; max_distance: m, default infinite.
   solver@stepper        "direct": ODE's dWorldStep, exact, for few bodies that touch. "iterative": dWorldQuickStep,

@@ -3,14 +3,9 @@
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/add_on_manual.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_engine.h>
 #include <argos3/plugins/simulator/physics_engines/dynamics3d/dynamics3d_plugin.h>
+#include <argos3/plugins/simulator/physics_engines/dynamics3d/rigid_settings.h>
 
 namespace argos {
-
-namespace {
-
-constexpr Real kDefaultGravity = 10.0;  // m/s^2, as published with ARGoS 3
-
-}  // namespace
 
 /** Gravity, the same everywhere. */
 class CDynamics3DGravityPlugin : public CDynamics3DPlugin {
@@ -25,7 +20,7 @@ class CDynamics3DGravityPlugin : public CDynamics3DPlugin {
     if (hasVector) {
       GetNodeAttribute(tree, "vector", gravity);
     } else {
-      Real g = kDefaultGravity;
+      Real g = kStandardGravity;
       GetNodeAttributeOrDefault(tree, "g", g, g);
       gravity.Set(0.0, 0.0, -g);
     }
@@ -43,7 +38,7 @@ without any add-on has 9.81 m/s^2.
         R"(
 ATTRIBUTES
 
-  g       m/s^2, default 10, from -1e4 to 1e4: downward.
+  g       m/s^2, default 9.81, from -1e4 to 1e4: downward.
   vector  "x,y,z", m/s^2, instead of g: in any direction.
 )",
     "Usable")

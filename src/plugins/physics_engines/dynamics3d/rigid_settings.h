@@ -5,6 +5,9 @@
 
 namespace argos {
 
+// m/s^2, downward: in an engine without add-ons, and of <gravity /> without attributes
+constexpr Real kStandardGravity = 9.81;
+
 /** Parameters of a rigid world, and all of its tuned numbers. */
 struct SRigidSettings {
   enum class EStepper {

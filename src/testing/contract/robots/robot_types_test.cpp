@@ -235,7 +235,7 @@ TEST_CASE("robot types: mistakes are reported with file and line", "[contract][r
   CHECK_THAT(TypeError(types), Contains(message) && Contains("test.argos:"));
   CHECK_THAT(TypeError("<robot-type id='wheely'>" + kBody + kDrive + "</robot-type>",
                        "<wheelly id='a'><body/></wheelly>"),
-             Contains("there are no entities <wheelly>") && Contains("wheely"));
+             Contains("there is no entity \"wheelly\"; did you mean \"wheely\"?"));
 }
 
 TEST_CASE("robot types: a device needs the part that the type may lack",

@@ -18,7 +18,7 @@ std::string Framework(const std::string& experimentAttributes, const std::string
 TEST_CASE("bad input: text that is not well-formed XML", "[bad_input]") {
   const std::string error =
       LoadErrorOfXml("<argos-configuration>\n<framework>\n</argos-configuration>\n");
-  CHECK_THAT(error, Contains("test.argos:2") && Contains("closing tag"));
+  CHECK_THAT(error, Contains("test.argos:3") && Contains("<framework> of line 2 is still open"));
   CHECK_THAT(LoadErrorOfXml(""), Contains("test.argos"));
   CHECK_THAT(LoadErrorOfXml("not xml at all"), Contains("test.argos"));
 }

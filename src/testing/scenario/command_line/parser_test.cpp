@@ -1,7 +1,10 @@
 // Parsing of the command line.
 
 #include <argos3/core/simulator/argos_command_line_arg_parser.h>
+#include <argos3/core/simulator/program/option_table.h>
 #include <argos3/core/simulator/program/progress.h>
+#include <argos3/core/simulator/program/shell_documents.h>
+#include <argos3/core/utility/text/string_utilities.h>
 
 #include <argos3/core/config.h>
 
@@ -42,6 +45,67 @@ TEST_CASE("command line: the four actions are recognised", "[command_line]") {
   CHECK(Parse({"--help"}).Action == TParser::ACTION_SHOW_HELP);
   CHECK(Parse({"-v"}).Action == TParser::ACTION_SHOW_VERSION);
   CHECK(Parse({"--version"}).Action == TParser::ACTION_SHOW_VERSION);
+}
+
+TEST_CASE("command line: an experiment needs no option", "[command_line]") {
+  const TParser::SOptions first = Parse({"a.argos", "--seed", "3", "-z"});
+  CHECK(first.Action == TParser::ACTION_RUN_EXPERIMENT);
+  CHECK(first.ExperimentFile == "a.argos");
+  CHECK(first.Seed == 3u);
+  CHECK(first.NoVisualization);
+  CHECK(Parse({"--threads", "2", "a.argos"}).ExperimentFile == "a.argos");
+  CHECK(Parse({"-z", "a.argos"}).ExperimentFile == "a.argos");
+  // in a replay it has the views
+  const TParser::SOptions replay = Parse({"--replay", "r.rec", "a.argos"});
+  CHECK(replay.Action == TParser::ACTION_REPLAY);
+  CHECK(replay.Replay.ViewsFile == "a.argos");
+  CHECK_THAT(ErrorOf({"a", "-l", "a"}), Contains("same file"));
+}
+
+TEST_CASE("command line: levels of logs, progress and checks", "[command_line]") {
+  CHECK(Parse({"a"}).LogLevel == ELogLevel::Info);
+  CHECK(Parse({"a", "--quiet"}).LogLevel == ELogLevel::Warning);
+  CHECK(Parse({"a", "--log-level", "error"}).LogLevel == ELogLevel::Error);
+  CHECK(Parse({"a", "--log-level", "warning"}).LogLevel == ELogLevel::Warning);
+  CHECK(Parse({"a", "--log-level", "debug"}).LogLevel == ELogLevel::Debug);
+  CHECK_THAT(ErrorOf({"a", "--log-level", "debg"}),
+             Contains("--log-level debg: unknown; did you mean \"debug\"?"));
+  CHECK_THAT(ErrorOf({"a", "--log-level", "info", "--quiet"}),
+             Contains("only one of --quiet and --log-level"));
+  CHECK_FALSE(Parse({"a"}).ProgressPeriod.has_value());
+  CHECK(Parse({"a", "--progress", "2.5"}).ProgressPeriod == 2.5);
+  CHECK_THAT(ErrorOf({"a", "--progress", "-1"}), Contains("--progress -1: expected a number"));
+  CHECK(Parse({"a", "--check"}).Check);
+  CHECK_THAT(ErrorOf({"--replay", "r", "--check"}), Contains("--check cannot be used with"));
+  CHECK_THAT(ErrorOf({"-q", "all", "--quiet"}), Contains("--quiet can only be used with an"));
+}
+
+TEST_CASE("command line: what can be generated", "[command_line]") {
+  CHECK(Parse({"--generate", "man"}).Action == TParser::ACTION_GENERATE);
+  CHECK(Parse({"--generate", "xpaths", "-c", "a"}).ExperimentFile == "a");
+  CHECK_THAT(ErrorOf({"--generate", "xpaths"}), Contains("needs an experiment"));
+  CHECK_THAT(ErrorOf({"--generate", "fish"}), Contains("known: man, bash, zsh, plugins, xpaths"));
+}
+
+TEST_CASE("command line: help, man page and completions have all options", "[command_line]") {
+  const std::string usage = TParser::GetUsage();
+  const std::string bash = MakeBashCompletion();
+  const std::string zsh = MakeZshCompletion();
+  std::string man = MakeManPage();
+  Replace(man, "\\-", "-");
+  REQUIRE(GetCommandLineOptions().size() >= 28);
+  for (const SCommandLineOption& option : GetCommandLineOptions()) {
+    const std::string name = option.GetLongName();
+    CAPTURE(name);
+    CHECK_THAT(usage, Contains(option.Names) && Contains(option.Help));
+    CHECK_THAT(man, Contains(name) && Contains(option.Help));
+    CHECK_THAT(bash, Contains(' ' + name) || Contains('|' + name) || Contains('\'' + name));
+    CHECK_THAT(zsh, Contains(name + "'[") || Contains(name + "}'["));
+  }
+  for (const SHelpSection& section : GetHelpSections()) {
+    CHECK_THAT(usage, Contains(section.Heading + ":\n" + section.Text));
+    CHECK_THAT(man, Contains(".SH " + StringToUpperCase(section.Heading)));
+  }
 }
 
 TEST_CASE("command line: options that are not given keep their defaults", "[command_line]") {
@@ -100,7 +164,8 @@ TEST_CASE("command line: --set splits at the first '=' outside brackets", "[comm
 }
 
 TEST_CASE("command line: there must be exactly one action", "[command_line]") {
-  CHECK_THAT(ErrorOf({}), Contains("one of -c FILE, --replay FILE, -q WORD, -h, -v must be given"));
+  CHECK_THAT(ErrorOf({}), Contains("one of FILE, --replay FILE, -q WORD, --generate WORD, -h, -v "
+                                   "must be given"));
   CHECK_THAT(ErrorOf({"-n"}), Contains("must be given"));
   CHECK_THAT(ErrorOf({"-c", "a", "-q", "b"}), Contains("only one of") && Contains("--query"));
   CHECK_THAT(ErrorOf({"-h", "-v"}), Contains("only one of"));
@@ -115,8 +180,10 @@ TEST_CASE("command line: the error on an unknown option names the nearest", "[co
 }
 
 TEST_CASE("command line: words without an option are errors", "[command_line]") {
-  CHECK_THAT(ErrorOf({"a.argos"}), Contains("\"a.argos\"") && Contains("after -c"));
-  CHECK_THAT(ErrorOf({"-c", "a.argos", "7"}), Contains("\"7\""));
+  CHECK_THAT(ErrorOf({"-c", "a.argos", "7"}),
+             Contains("\"7\" belongs to no option; the experiment is a.argos"));
+  CHECK_THAT(ErrorOf({"a.argos", "b.argos"}), Contains("\"b.argos\" belongs to no option"));
+  CHECK_THAT(ErrorOf({"-q", "all", "a.argos"}), Contains("\"a.argos\" belongs to no option"));
   CHECK_THAT(ErrorOf({"-c", "a.argos", "--", "b"}), Contains("\"b\""));
 }
 

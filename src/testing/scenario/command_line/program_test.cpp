@@ -8,7 +8,10 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstdlib>
+#include <filesystem>
 #include <regex>
+#include <sstream>
 #include <thread>
 
 using namespace argos;
@@ -261,4 +264,122 @@ TEST_CASE("argos3: a signal ends the run in order, with its own status", "[comma
                                      signal, "Total experiment length");
   CHECK(run.Status == status);
   CHECK_THAT(run.Out, Contains("stopped by SIG") && Contains("simulated ") && Contains("digest: "));
+}
+
+TEST_CASE("argos3: a file needs no -c, and --check runs nothing and writes nothing",
+          "[command_line]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", Experiment("test_idle",
+                                     "<visualization><offscreen directory=\"frames\"/>"
+                                     "</visualization><outputs><table file=\"t.csv\"/></outputs>"));
+  folder.Write("t.csv", "of an earlier run");
+  const SProgramRun check = folder.Run({"e.argos", "--check"});
+  CHECK(check.Status == 0);
+  CHECK(check.Err == "");
+  CHECK_THAT(check.Out, Contains("[INFO] e.argos: no errors found; 3 robots; it was not run\n") &&
+                            !Contains("simulated"));
+  CHECK(folder.Read("t.csv") == "of an earlier run");
+  CHECK_FALSE(std::filesystem::exists(folder.Path("frames")));
+  CHECK(folder.Run({"-z", "e.argos"}).Status == 0);
+
+  folder.Write("bad.argos", Experiment("test_idle", "<outputs><tabel file=\"t.csv\"/></outputs>"));
+  const SProgramRun bad = folder.Run({"bad.argos", "--check"});
+  CHECK(bad.Status == 1);
+  CHECK_THAT(bad.Err, Contains("there is no output of type <tabel>; did you mean \"table\"?") &&
+                          Contains("\n[FATAL] If a library of yours has it"));
+}
+
+TEST_CASE("argos3: --quiet and --log-level choose the lines of the logs", "[command_line]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", Experiment("test_idle", "<nobody_reads_me/>"));
+  const SProgramRun quiet = folder.Run({"e.argos", "--quiet", "--digest"});
+  CHECK(quiet.Status == 0);
+  // what was asked for is printed, and warnings are
+  CHECK(std::regex_match(quiet.Out, std::regex("digest: [0-9a-f]{16}\n")));
+  CHECK_THAT(quiet.Err, Contains("[WARNING]") && Contains("nobody_reads_me"));
+  const SProgramRun errors = folder.Run({"e.argos", "--log-level", "error"});
+  CHECK(errors.Out + errors.Err == "");
+  CHECK_THAT(folder.Run({"e.argos"}).Out, !Contains("Loaded library"));
+  CHECK_THAT(folder.Run({"e.argos", "--log-level", "debug"}).Out,
+             Contains("[DEBUG] Loaded library \"" + kBadControllers));
+  CHECK_THAT(folder.Run({"none.argos", "--log-level", "error"}).Err, Contains("[FATAL]"));
+}
+
+TEST_CASE("argos3: a log that is no terminal gets lines about the progress", "[command_line]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", Experiment());
+  const std::vector<std::string> run = {"e.argos", "-l", "log.txt", "--set",
+                                        "framework/experiment/@real_time=true"};
+  std::vector<std::string> withProgress = run;
+  withProgress.insert(withProgress.end(), {"--progress", "0.3"});
+  CHECK(folder.Run(withProgress).Status == 0);
+  CHECK(std::regex_search(
+      folder.Read("log.txt"),
+      std::regex("\\[INFO\\] tick [3-9]/10 \\([0-9]+ %\\), 0:0[01] left, [0-9.]+ x real time")));
+  CHECK(folder.Run(run).Status == 0);
+  CHECK_THAT(folder.Read("log.txt"), !Contains("[INFO] tick "));
+}
+
+TEST_CASE("argos3: experiments of the build tree run without a path to their libraries",
+          "[command_line]") {
+  const CTestFolder folder;
+  const SProgramRun run =
+      folder.Run({InSourceTree("experiments/diffusion_10.argos"), "-z", "--length", "1"});
+  CAPTURE(run.Err);
+  CHECK(run.Status == 0);
+}
+
+TEST_CASE("argos3: every line of an error has its level", "[command_line]") {
+  const CTestFolder folder;
+  std::string xml = Experiment();
+  xml.replace(xml.find("library=\""), 9, "library=\"none");
+  folder.Write("e.argos", xml);
+  const SProgramRun run = folder.Run({"e.argos"});
+  CHECK(run.Status == 1);
+  CHECK_THAT(run.Err,
+             Contains("e.argos:3: <test_idle>: attribute \"library\"\n[FATAL] The library"));
+  CHECK(std::regex_match(run.Err, std::regex("(\\[FATAL\\] [^\n]*\n)+")));
+}
+
+TEST_CASE("argos3: the completion of bash completes options, plug-ins, files and paths",
+          "[command_line]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", Experiment());
+  folder.Write("complete.sh",
+               "source <(\"$1\" --generate bash)\n"
+               "compopt() { :; }\n"
+               "COMP_LINE=\"$1 $2\" COMP_POINT=1000\n"
+               "_argos3\n"
+               "printf '%s\\n' \"${COMPREPLY[@]}\"\n");
+  const auto complete = [&](const std::string& line) {
+    const std::string command = "cd '" + folder.GetPath() + "' && bash complete.sh '" +
+                                InBuildTree("bin/argos3") + "' '" + line + "' >out.txt 2>&1";
+    CHECK(std::system(command.c_str()) == 0);
+    return folder.Read("out.txt");
+  };
+  CHECK(complete("--thr") == "--threads\n");
+  CHECK(complete("-zc e") == "e.argos\n");
+  CHECK(complete("e") == "e.argos\n");
+  CHECK(complete("-q footbot_prox") == "footbot_proximity\n");
+  CHECK(complete("--log-level w") == "warning\n");
+  CHECK(complete("e.argos --set framework/exp") ==
+        "framework/experiment/@ticks_per_second=\nframework/experiment/@length=\n"
+        "framework/experiment/@random_seed=\n");
+  // readline replaces only what follows '@'
+  CHECK(complete("e.argos --set framework/experiment/@len") == "length=\n");
+}
+
+TEST_CASE("argos3: the attributes of a file have paths that --set takes", "[command_line]") {
+  const CTestFolder folder;
+  folder.Write("e.argos", Experiment());
+  const std::string paths = folder.Run({"--generate", "xpaths", "-c", "e.argos"}).Out;
+  CHECK_THAT(paths, Contains("arena/distribute/entity/@quantity\n"));
+  std::istringstream lines(paths);
+  std::vector<std::string> arguments = {"e.argos", "--check", "--lenient"};
+  for (std::string path; std::getline(lines, path);) {
+    if (path.find("@quantity") != std::string::npos) {
+      arguments.insert(arguments.end(), {"--set", path + "=5"});
+    }
+  }
+  CHECK_THAT(folder.Run(arguments).Out, Contains("no errors found; 5 robots"));
 }

@@ -165,6 +165,6 @@ TEST_CASE("bad input: a function that no library defines is an error at load, wi
   folder.Write("e.argos", xml);
   const SProgramRun run = folder.Run({"-c", "e.argos"});
   CHECK(run.Status == 1);
-  CHECK_THAT(run.Err, Contains("e.argos:4: <test_misbehaves id=\"c\">") &&
+  CHECK_THAT(run.Err, Contains("e.argos:4: <test_misbehaves>: attribute \"library\"") &&
                           Contains("undefined symbol: argosTest::DefinedNowhere(int)"));
 }

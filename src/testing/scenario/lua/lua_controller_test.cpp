@@ -243,7 +243,7 @@ TEST_CASE("lua controller: an error in step() stops the script, but neither the 
   const std::string error = TakeLogErr();
   CHECK_THAT(error, StartsWith("[FATAL] robot \"fb\": the Lua script \"") &&
                         Contains("failed in step()\n[FATAL] ") &&
-                        Contains("robot.lua:3: tired\nstack traceback:\n"));
+                        Contains("robot.lua:3: tired\n[FATAL] stack traceback:\n"));
   CHECK(world.GetController().IsOK() == false);
   CHECK_THAT(world.GetController().GetErrorMessage(), Contains("tired"));
   world.Step(7);

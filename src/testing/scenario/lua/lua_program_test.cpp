@@ -97,10 +97,10 @@ TEST_CASE("lua program: an error in step() ends the run only on request", "[lua]
   const std::string once =
       "[FATAL] robot \"fb\": the Lua script \"bad.lua\" failed in step()\n"
       "[FATAL] bad.lua:2: robot.wheels.set_velocity: argument 2 must be a number, got nil\n"
-      "stack traceback:\n"
-      "\t[C]: in field 'set_velocity'\n"
-      "\tbad.lua:2: in function 'step'\n"
-      "\t[C]: in ?\n";
+      "[FATAL] stack traceback:\n"
+      "[FATAL] \t[C]: in field 'set_velocity'\n"
+      "[FATAL] \tbad.lua:2: in function 'step'\n"
+      "[FATAL] \t[C]: in ?\n";
   CHECK(
       goesOn.Err ==
       once +

@@ -187,9 +187,10 @@ TEST_CASE("films: an encoder that fails is an error with its last messages",
   const SProgramRun run = RunProgramUnder(folder, Flocking({"--video", "a.mp4", "--csv", "tables"}),
                                           WithFfmpeg("./fake.sh"));
   CHECK(run.Status == 1);
-  CHECK_THAT(run.Err, Contains("The film \"a.mp4\" cannot be written: \"./fake.sh\" ended with "
-                               "exit status 7 before the film was complete; its last messages:\n"
-                               "  no such encoder"));
+  CHECK_THAT(run.Err,
+             Contains("The film \"a.mp4\" cannot be written: \"./fake.sh\" ended with "
+                      "exit status 7 before the film was complete; its last messages:\n[FATAL] "
+                      "  no such encoder"));
   CHECK(std::filesystem::exists(folder.Path("tables/robots.csv")));
   CHECK(ListParts(folder).empty());
   CHECK_FALSE(std::filesystem::exists(folder.Path("a.mp4")));

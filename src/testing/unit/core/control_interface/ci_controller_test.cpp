@@ -7,6 +7,20 @@
 
 using Catch::Contains;
 
+// without a namespace, which would be part of its name in messages
+class CCI_TestNoseSensor : public argos::CCI_Sensor {};
+
+namespace argosTest {
+
+struct SSimulatedPart {
+  virtual ~SSimulatedPart() = default;
+};
+
+// two bases, as simulated devices have
+class CTestNose : public SSimulatedPart, public CCI_TestNoseSensor {};
+
+}  // namespace argosTest
+
 namespace {
 
 int numDeleted = 0;
@@ -172,4 +186,14 @@ TEST_CASE("devices: all hooks have empty defaults, and those for Lua can be over
   CCI_Sensor plain;
   plain.CreateLuaState(nullptr);
   plain.ReadingsToLuaState(nullptr);
+}
+
+TEST_CASE("controller: the error on a device of another type names its interface and header",
+          "[core][control_interface]") {
+  CCI_Controller controller;
+  controller.SetId("fb3");
+  controller.AddSensor("test_nose", new argosTest::CTestNose);
+  CHECK_THROWS_WITH(controller.GetSensor<CTestEyes>("test_nose"),
+                    Contains("but the device in the XML is a CCI_TestNoseSensor "
+                             "(argosTest::CTestNose), whose header is ci_test_nose_sensor.h"));
 }

@@ -110,7 +110,7 @@ TEST_CASE("loading in threads: experiments that load libraries run beside others
     do {
       failures.Try([&] {
         const std::string error = LoadError(SExperiment{.Arena = "<test-marker id='n' />"});
-        if (error.find("is registered under the label \"test-marker\"") == std::string::npos) {
+        if (error.find("there is no entity \"test-marker\"") == std::string::npos) {
           THROW_ARGOSEXCEPTION("another error was expected: " << error);
         }
         if (DescribePlugins("entities").find("[ toy-robot ]") == std::string::npos) {

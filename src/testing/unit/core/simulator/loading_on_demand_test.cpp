@@ -127,7 +127,7 @@ TEST_CASE("loading on demand: the first unknown label loads all plug-ins, once p
   fs::create_symlink(InBuildTree("testing/plugins/libargos3_test_numbered_2.so"),
                      folder.Path() / "libargos3_test_numbered_2.so");
   const std::string unknown = LoadError(Experiment("<test-marker-2 id='n' position='0,0,0' />"));
-  CHECK_THAT(unknown, Contains("registered under the label \"test-marker-2\"") &&
+  CHECK_THAT(unknown, Contains("there is no entity \"test-marker-2\"") &&
                           Contains("did you mean \"test-marker-1\"") &&
                           Contains(folder.Path().string()));
 }

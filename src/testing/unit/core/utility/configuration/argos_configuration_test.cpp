@@ -84,14 +84,16 @@ TEST_CASE("configuration: attributes of every type are read", "[core][configurat
   CHECK_THAT(quaternion.GetZ(), Catch::WithinAbs(0.70710678118654752, 1e-15));
 }
 
-TEST_CASE("configuration: the error on a missing attribute gives its place and the nearest name",
+TEST_CASE("configuration: the error on a missing attribute gives its place and what is there",
           "[core][configuration]") {
   SWorld world;
   CHECK_THROWS_WITH(world.Get<Real>("sped"),
-                    "[FATAL] test.argos:3: <robot>: attribute \"sped\" is missing; did you mean "
-                    "\"speed\"?");
+                    "[FATAL] test.argos:3: <robot>: attribute \"sped\" is missing; is \"speed\" a "
+                    "misspelling of it?");
+  CHECK_THROWS_WITH(world.Get<Real>("movable"),
+                    Contains("attribute \"movable\" is missing; it has: "));
   CHECK_THROWS_WITH(world.Get<Real>("x", "empty"),
-                    "[FATAL] test.argos:6: <empty>: attribute \"x\" is missing; known: none");
+                    "[FATAL] test.argos:6: <empty>: attribute \"x\" is missing; it has none");
 }
 
 TEST_CASE("configuration: errors on malformed values give the text found and the format expected",
@@ -286,14 +288,15 @@ TEST_CASE("configuration: the text of an element can be read", "[core][configura
 // elements
 /****************************************/
 
-TEST_CASE("configuration: the error on a missing element gives its place and the nearest name",
+TEST_CASE("configuration: the error on a missing element gives its place and what is there",
           "[core][configuration]") {
   SWorld world;
   CHECK_THROWS_WITH(
       world["rbot"],
-      "[FATAL] test.argos:1: <root>: element <rbot> is missing inside it; did you mean "
-      "\"robot\"?");
-  CHECK_THROWS_WITH(GetNode(world["group"], "xyz"), Contains("known: item, other"));
+      "[FATAL] test.argos:1: <root>: element <rbot> is missing inside it; is \"robot\" a "
+      "misspelling of it?");
+  CHECK_THROWS_WITH(GetNode(world["group"], "xyz"),
+                    Contains("<xyz> is missing inside it; it has: item, other"));
 }
 
 TEST_CASE("configuration: the iteration idiom visits children in order", "[core][configuration]") {

@@ -107,8 +107,15 @@ TEST_CASE("document: an empty document has no root", "[core][configuration]") {
 
 TEST_CASE("document: malformed XML is refused with its line", "[core][configuration]") {
   CHECK_THAT(ErrorOfParsing(""), Contains("x.argos: not well-formed XML: the document is empty"));
-  CHECK_THAT(ErrorOfParsing("<a>\n<b>\n</a>"), Contains("x.argos:2: not well-formed XML: this "
-                                                        "closing tag does not match"));
+  CHECK_THAT(ErrorOfParsing("<a>\n<b>\n</a>"),
+             Contains("x.argos:3: not well-formed XML: </a> is found where </b> must come first: "
+                      "<b> of line 2 is still open"));
+  // neither comments nor attributes nor CDATA count
+  CHECK_THAT(ErrorOfParsing("<?xml version='1.0'?>\n<a><!-- <x> -->\n<c y='>'/><d z='/'></d>\n"
+                            "<![CDATA[<e>]]></b></a>"),
+             Contains("x.argos:4: not well-formed XML: </b> is found where </a> must come first: "
+                      "<a> of line 2 is still open"));
+  CHECK_THAT(ErrorOfParsing("<a>\n<b></b>"), Contains("not well-formed XML"));
   CHECK_THAT(ErrorOfParsing("<a>\n<b x=1/></a>"),
              Contains("x.argos:2: not well-formed XML: an "
                       "attribute of this element is malformed"));

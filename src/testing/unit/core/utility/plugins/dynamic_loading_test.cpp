@@ -1,6 +1,7 @@
 // Uses the libraries of src/testing/support/plugins in <build>/testing/plugins. Each test case
 // loads the libraries that it needs, so that it can run in a process of its own or after others.
 
+#include <argos3/core/utility/logging/log_control.h>
 #include <argos3/core/utility/plugins/dynamic_loading.h>
 
 #include <argos3/core/control_interface/ci_controller.h>
@@ -115,15 +116,57 @@ TEST_CASE("dynamic loading: the error on a missing library lists every attempt",
   SetPluginPath("/a:/b");
   CHECK_THROWS_WITH(
       CDynamicLoading::LoadLibrary("libnone"),
-      Contains("The library \"libnone\" cannot be loaded; tried:\n  /a/libnone: no such "
-               "file\n  /a/libnone.so: no such file\n  /b/libnone: no such file") &&
-          Contains("\n  ./libnone: no such file"));
+      Contains("The library \"libnone\" cannot be loaded; tried:\n[FATAL]   /a/libnone[.so]: no "
+               "such file\n[FATAL]   /b/libnone[.so]: no such file\n") &&
+          Contains("\n[FATAL]   ./libnone[.so]: no such file"));
   // an absolute path is not searched for elsewhere
   CHECK_THROWS_WITH(CDynamicLoading::LoadLibrary("/x/libnone"),
-                    "[FATAL] The library \"/x/libnone\" cannot be loaded; tried:\n  /x/libnone: no "
-                    "such file\n  /x/libnone.so: no such file");
+                    "[FATAL] The library \"/x/libnone\" cannot be loaded; tried:\n[FATAL]   "
+                    "/x/libnone[.so]: no such file");
+  CHECK_THROWS_WITH(CDynamicLoading::LoadLibrary(kFolder + "/libargos3_test_goood.so"),
+                    Contains("cannot be loaded; did you mean \"libargos3_test_good\"") &&
+                        Contains("/libargos3_test_goood.so: no such file"));
   CHECK_THROWS_WITH(CDynamicLoading::LoadLibrary(kFolder),
                     Contains(kFolder + ": it is a directory"));
+}
+
+TEST_CASE("dynamic loading: libraries are searched beside the experiment, after the plug-in path",
+          "[core][plugins]") {
+  const CTemporaryFolder plugins("argos_dynamic_loading_path");
+  const CTemporaryFolder project("argos_dynamic_loading_project");
+  const std::string experiments = project.Path() + "/experiments";
+  fs::create_directories(experiments + "/build");
+  fs::create_directories(project.Path() + "/build");
+  SetPluginPath(plugins.Path());
+  // none of these loads, so that the error lists all of them in the order of the search
+  const std::vector<std::string> files = {
+      plugins.Path() + "/libplaced.so", experiments + "/libplaced.so",
+      experiments + "/build/libplaced.so", experiments + "/../build/libplaced.so"};
+  for (const std::string& file : files) {
+    std::ofstream(file) << "this is no library";
+  }
+  const auto errorOf = [&](const std::string& name) {
+    try {
+      CDynamicLoading::LoadLibrary(name, experiments + "/e.argos");
+    } catch (const CARGoSException& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string error = errorOf("libplaced");
+  CAPTURE(error);
+  size_t place = 0;
+  for (const std::string& file : files) {
+    const size_t found = error.find("\n[FATAL]   " + file + ": ");
+    CAPTURE(file);
+    CHECK(found != std::string::npos);
+    CHECK(found > place);
+    place = found;
+  }
+  // only a name with a slash is searched in the folder above, the root of a project
+  CHECK_THAT(error, !Contains("/../libplaced"));
+  CHECK_THAT(errorOf("build/libplaced"),
+             Contains("\n[FATAL]   " + experiments + "/../build/libplaced.so: "));
 }
 
 TEST_CASE("dynamic loading: the error on a library that does not load gives the reason",
@@ -166,11 +209,13 @@ TEST_CASE("dynamic loading: all libraries of the plug-in path are loaded, each n
   std::ofstream(first.Path() + "/notes.txt") << "not a library";
   SetPluginPath("/no/such/folder:" + first.Path() + ":" + second.Path());
   CCapturedLogs logs;
+  CLogControl::SetLevel(ELogLevel::Debug);
   CHECK_NOTHROW(CDynamicLoading::LoadAllLibraries());
   const std::string text = logs.Text();
+  CLogControl::SetLevel(ELogLevel::Info);
   CHECK_THAT(text, Contains("[WARNING] The plug-in directory \"/no/such/folder\" cannot be read"));
-  CHECK_THAT(text, Contains("[INFO] Loaded library \"" + first.Path()));
-  CHECK_THAT(text, !Contains("[INFO] Loaded library \"" + second.Path()));
+  CHECK_THAT(text, Contains("[DEBUG] Loaded library \"" + first.Path()));
+  CHECK_THAT(text, !Contains("Loaded library \"" + second.Path()));
   // the core library is not a plug-in
   CHECK_THAT(text, !Contains("libargos3core"));
   CHECK(CFactory<CCI_Controller>::Exists("test_one_of_all_controller"));

@@ -87,13 +87,14 @@ TEST_CASE("factory: the description of a class is stored with it", "[core][facto
 }
 
 TEST_CASE(
-    "factory: the error on an unknown label lists the nearest, all known ones and the libraries",
+    "factory: the error on an unknown label lists the nearest, or all, and where libraries are",
     "[core][factory]") {
   CHECK_THROWS_WITH(TShapes::New("discc"),
-                    Contains("No CTestShape is registered under the label \"discc\"; did you mean "
-                             "\"disc\"") &&
-                        Contains("; registered: disc, disk, global disc, square") &&
-                        Contains("; libraries are searched in: "));
+                    Contains("there is no CTestShape \"discc\"; did you mean \"disc\"") &&
+                        Contains("\n[FATAL] If a library of yours has it: name the library, with "
+                                 "library=\"PATH\" in this element") &&
+                        Contains("; searched in: /"));
+  CHECK_THROWS_WITH(TShapes::New("xyz"), Contains("; known: disc, disk, global disc, square\n"));
 }
 
 TEST_CASE("factory: registering at run time replaces the former class silently",
@@ -104,7 +105,7 @@ TEST_CASE("factory: registering at run time replaces the former class silently",
     int Value = 0;
   };
   typedef CFactory<CLocal> TLocals;
-  CHECK_THROWS_WITH(TLocals::New("x"), Contains("registered: none"));
+  CHECK_THROWS_WITH(TLocals::New("x"), Contains("known: none"));
   TLocals::Register("b", "a", "v", "second", "l", "s", [] { return new CLocal; });
   TLocals::Register("a", "a", "v", "old", "l", "s", [] { return new CLocal; });
   TLocals::Register("a", "a", "v", "first", "l", "s", [] {
@@ -132,8 +133,9 @@ TEST_CASE("registration: of two classes with one label the first is kept and a p
   RegisterSymbol<COther>(ARGOS_BUILD_ID, "x", "a", "v", "first", "l", "s", create);
   RegisterSymbol<COther>(ARGOS_BUILD_ID, "x", "a", "v", "second", "l", "s", create);
   CHECK(CFactory<COther>::GetTypeMap()["x"]->BriefDescription == "first");
-  CHECK_THROWS_WITH(ThrowRegistrationProblems("context:"),
-                    Contains("context:\n  label \"x\" of ") && Contains("is registered twice by"));
+  CHECK_THROWS_WITH(
+      ThrowRegistrationProblems("context:"),
+      Contains("context:\n[FATAL]   label \"x\" of ") && Contains("is registered twice by"));
   // a problem is reported once
   CHECK_NOTHROW(ThrowRegistrationProblems("context:"));
 }

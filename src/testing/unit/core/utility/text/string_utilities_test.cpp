@@ -59,7 +59,7 @@ TEST_CASE("exception: macros take stream expressions, with and without semicolon
       THROW_ARGOSEXCEPTION_NESTED("what " << 1, ex)
     }
   };
-  CHECK_THROWS_WITH(nest(), "[FATAL] what 1\nwhy");
+  CHECK_THROWS_WITH(nest(), "[FATAL] what 1\n[FATAL] why");
 }
 
 TEST_CASE("exception: assertions throw in builds that check invariants", "[core][exception]") {

@@ -228,7 +228,8 @@ TEST_CASE(
   CHECK(error("set_speeds({}, 2)") == at + "set_speeds: argument 1 must be a number, got table");
   // called with a colon instead of a dot
   CHECK(lua.GetError("robot.device:set_speeds(1, 2)") ==
-        at + "set_speeds: argument 1 must be a number, got table");
+        at + "set_speeds: argument 1 must be a number, got table; call it with a dot, not with "
+             "a colon");
   CHECK(error("switch(1)") == at + "switch: argument 1 must be true or false, got 1");
   CHECK(error("switch(nil)") == at + "switch: argument 1 must be true or false, got nil");
   CHECK(error("set_byte(256)") ==

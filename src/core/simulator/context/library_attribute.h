@@ -1,5 +1,5 @@
-#ifndef ARGOS3_CORE_SIMULATOR_LOADING_LIBRARY_ATTRIBUTE_H
-#define ARGOS3_CORE_SIMULATOR_LOADING_LIBRARY_ATTRIBUTE_H
+#ifndef ARGOS3_CORE_SIMULATOR_CONTEXT_LIBRARY_ATTRIBUTE_H
+#define ARGOS3_CORE_SIMULATOR_CONTEXT_LIBRARY_ATTRIBUTE_H
 
 #include <argos3/core/utility/configuration/argos_configuration.h>
 
@@ -7,7 +7,7 @@ namespace argos {
 
 /**
  * Loads the library that the attribute `library` of an element names, if it has one.
- * @throws CARGoSException as CDynamicLoading::LoadLibrary().
+ * @throws CARGoSException as CDynamicLoading::LoadLibrary(), with the element.
  */
 void LoadLibraryOf(TConfigurationNode& node);
 

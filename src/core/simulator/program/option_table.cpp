@@ -1,0 +1,174 @@
+#include <argos3/core/simulator/program/option_table.h>
+
+namespace argos {
+
+namespace {
+
+constexpr char kActions[] = "Exactly one of";
+constexpr char kOutput[] = "Output";
+constexpr char kReplay[] = "For a replay";
+constexpr char kRun[] = "For the run (with an experiment)";
+
+constexpr char kExamples[] = R"(  argos3 experiment.argos                     run an experiment
+  argos3 -z experiment.argos                  the same, without its visualization
+  argos3 experiment.argos --check             find its errors without running it
+  argos3 experiment.argos --seed 7 --threads 4 --length 60
+                                              another seed, four threads, 60 simulated seconds
+  argos3 experiment.argos --set "//distribute/entity/@quantity=500"
+                                              change an attribute of the file for this run
+  argos3 experiment.argos --csv out           poses and metrics, as tables in the folder out
+  argos3 -z experiment.argos --record run.rec
+                                              record a run
+  argos3 -z experiment.argos --video run.mp4 --speed 2
+                                              a film of a run, twice as fast as real time
+  argos3 --replay run.rec --from 10s --to 20s --every 5 -c other_cameras.argos
+                                              show a part of it, every 5 ticks, in other views
+  argos3 -n -l log.txt -e errors.txt -c experiment.argos
+                                              write the two logs to files
+  argos3 -q sensors                           list all sensors
+  argos3 -q footbot_proximity                 describe every plug-in whose name contains the word
+)";
+
+constexpr char kQuery[] =
+    R"(  actuators, sensors, physics_engines, media, visualizations (or outputs), fields,
+  entities, controllers, loop_functions: a list of that kind; libraries can add kinds, such as dynamics3d_add_ons
+  all: all the lists
+  other words: the full documentation of the plug-ins whose name contains the word
+)";
+
+constexpr char kPaths[] =
+    R"(  XPath notation: /argos-configuration/framework/experiment/@length,
+  arena/distribute[2]/entity/@quantity, //foot-bot[@id='fb0']/body/@position.
+)";
+
+constexpr char kEnvironment[] =
+    R"(  ARGOS_FFMPEG       the program that encodes films, by default the ffmpeg in PATH
+  ARGOS_PLUGIN_PATH  folders, separated by colons, that are searched for libraries first
+  NO_COLOR           if set, logs have no colours
+)";
+
+constexpr char kExitStatus[] =
+    R"(  0 after a normal end, 1 after an error (also if an output cannot be written), 3 if the
+  run ended normally but errors had stopped robots (on_error), 130 or 143 if stopped by SIGINT or
+  SIGTERM.
+)";
+
+}  // namespace
+
+std::string SCommandLineOption::GetLongName() const {
+  return Names.substr(Names.find("--"));
+}
+
+std::string SCommandLineOption::GetShortName() const {
+  return Names.rfind("--", 0) == 0 ? "" : Names.substr(0, Names.find(','));
+}
+
+const std::vector<SCommandLineOption>& GetCommandLineOptions() {
+  using EUse = EOptionUse;
+  using EWords = EOptionWords;
+  static const std::vector<SCommandLineOption> options = {
+      {"-c,--config-file", "FILE", kActions, "run the experiment in this file; -c may be left out",
+       EUse::Always, EWords::ExperimentFile},
+      {"--replay", "FILE", kActions,
+       "show a recording; with -c, in the views and outputs of that file", EUse::Always,
+       EWords::Recording},
+      {"-q,--query", "WORD", kActions, "list or describe plug-ins, see below", EUse::Always,
+       EWords::Plugins},
+      {"--generate",
+       "WORD",
+       kActions,
+       "print the man page (man), a completion of the shell (bash, zsh), or what completes: the "
+       "names of plug-ins (plugins), the attributes of the experiment after -c (xpaths)",
+       EUse::Always,
+       EWords::Listed,
+       {"man", "bash", "zsh", "plugins", "xpaths"}},
+      {"-h,--help", "", kActions, "print this text"},
+      {"-v,--version", "", kActions, "print the version and how it was built"},
+
+      {"-n,--no-color", "", kOutput, "no colours in the logs; only terminals get colours"},
+      {"--quiet", "", kOutput, "as --log-level warning", EUse::Run},
+      {"--log-level",
+       "LEVEL",
+       kOutput,
+       "least important lines in the logs: error, warning, info (the default), or debug, which "
+       "adds "
+       "the libraries that are loaded",
+       EUse::Run,
+       EWords::Listed,
+       {"error", "warning", "info", "debug"}},
+      {"--progress", "S", kOutput,
+       "write a line about the progress into the log every S seconds; by default 60 if the log is "
+       "not on a terminal; 0: never",
+       EUse::Run},
+      {"-l,--log-file", "FILE", kOutput, "write the log to this file; it is truncated",
+       EUse::Always, EWords::File},
+      {"-e,--logerr-file", "FILE", kOutput, "write the error log to this file; it is truncated",
+       EUse::Always, EWords::File},
+      {"--record", "FILE", kOutput,
+       "record the run to this file, for --replay; adds <recording> to <outputs>", EUse::Run,
+       EWords::File},
+      {"--video", "FILE", kOutput,
+       "make a film, also with -z: .mp4, .webm or .gif; in the view of the file's <offscreen>",
+       EUse::Run, EWords::File},
+      {"--speed", "X", kOutput,
+       "simulated seconds in a second of the film; 1, the default, is real time"},
+
+      {"--from", "TICK|TIMEs", kReplay, "begin with this tick, or time: 100, 12.5s", EUse::Replay},
+      {"--to", "TICK|TIMEs", kReplay, "end with this tick, or time", EUse::Replay},
+      {"--every", "N", kReplay, "ticks from state to state: 10 is ten times as fast", EUse::Replay},
+
+      {"-z,--no-visualization", "", kRun, "ignore the <visualization> of the file"},
+      {"--check", "", kRun,
+       "load the experiment with its libraries, report all errors and warnings, and do not run it; "
+       "its outputs are left as they are",
+       EUse::Simulation},
+      {"--seed", "N", kRun, "random seed, overrides the file; 0: from the clock", EUse::Simulation},
+      {"--threads", "N", kRun,
+       "number of threads, overrides the file; at most 1024; results do not change",
+       EUse::Simulation},
+      {"--length", "S", kRun, "simulated seconds to run, overrides the file; 0: no limit",
+       EUse::Simulation},
+      {"--set",
+       "XPATH=VALUE",
+       kRun,
+       "set an attribute of the file before it is used; may be repeated",
+       EUse::Run,
+       EWords::XPaths,
+       {},
+       true},
+      {"--lenient", "", kRun,
+       "read malformed numbers as ARGoS 3 does, with a warning, instead of refusing them",
+       EUse::Simulation},
+      {"--no-crash-handler", "", kRun,
+       "do not report crashes: for a debugger, or handlers of the user's code"},
+      {"--csv", "DIR", kRun,
+       "write the robots' poses and the metrics of each tick to DIR/robots.csv and "
+       "DIR/metrics.csv",
+       EUse::Run, EWords::Folder},
+      {"--digest", "", kRun, "print a digest of the final state; equal runs, equal digests",
+       EUse::Simulation},
+  };
+  return options;
+}
+
+const std::vector<SHelpSection>& GetHelpSections() {
+  static const std::vector<SHelpSection> sections = {{"Examples", kExamples},
+                                                     {"Words for --query", kQuery},
+                                                     {"Paths for --set", kPaths},
+                                                     {"Environment", kEnvironment},
+                                                     {"Exit status", kExitStatus}};
+  return sections;
+}
+
+const std::vector<std::string>& GetQueryWords() {
+  static const std::vector<std::string> words = {
+      "actuators",      "all",   "controllers",     "entities", "fields",
+      "loop_functions", "media", "physics_engines", "sensors",  "visualizations"};
+  return words;
+}
+
+std::string GetUsageLine() {
+  return "argos3 (FILE | --replay FILE [-c FILE] | -q WORD | --generate WORD | -h | -v) [options]";
+}
+
+}  // namespace argos

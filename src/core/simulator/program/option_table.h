@@ -1,0 +1,69 @@
+#ifndef ARGOS3_CORE_SIMULATOR_PROGRAM_OPTION_TABLE_H
+#define ARGOS3_CORE_SIMULATOR_PROGRAM_OPTION_TABLE_H
+
+#include <string>
+#include <vector>
+
+namespace argos {
+
+/** With which actions an option may be given. */
+enum class EOptionUse {
+  Always,
+  Run, /**< with an experiment or a replay */
+  Simulation, /**< with an experiment */
+  Replay
+};
+
+/** What completes the value of an option in a shell. */
+enum class EOptionWords {
+  Nothing,
+  File,
+  ExperimentFile,
+  Recording,
+  Folder,
+  Plugins, /**< names of plug-ins and kinds of plug-ins */
+  XPaths, /**< attributes of the experiment file */
+  Listed /**< SCommandLineOption::Choices */
+};
+
+/**
+ * An option of argos3. The parser, --help, the man page and the completions of shells are made from
+ * the table of these.
+ */
+struct SCommandLineOption {
+  std::string Names; /**< "-c,--config-file" or "--seed" */
+  std::string Value; /**< "FILE"; empty: a flag */
+  std::string Group; /**< heading in the help */
+  std::string Help;
+  EOptionUse Use = EOptionUse::Always;
+  EOptionWords Words = EOptionWords::Nothing;
+  std::vector<std::string> Choices = {};
+  bool IsRepeatable = false;
+
+  /** "--config-file". */
+  std::string GetLongName() const;
+  /** "-c"; empty if there is none. */
+  std::string GetShortName() const;
+};
+
+/** All options, in the order of the help. */
+const std::vector<SCommandLineOption>& GetCommandLineOptions();
+
+/** A part of the help after the options. */
+struct SHelpSection {
+  std::string Heading;
+  std::string Text; /**< lines, each ending with a line break */
+};
+
+/** Examples, words of --query, environment, exit status. */
+const std::vector<SHelpSection>& GetHelpSections();
+
+/** Kinds of plug-ins that --query lists. */
+const std::vector<std::string>& GetQueryWords();
+
+/** "argos3 [options] FILE ...". */
+std::string GetUsageLine();
+
+}  // namespace argos
+
+#endif

@@ -1,0 +1,51 @@
+#ifndef ARGOS3_CORE_UTILITY_LOGGING_LOG_CONTROL_H
+#define ARGOS3_CORE_UTILITY_LOGGING_LOG_CONTROL_H
+
+#include <functional>
+#include <string>
+
+namespace argos {
+
+/**
+ * Importance of a line of a log, by its mark: [FATAL] or [ERROR], [WARNING], [INFO]. Lines without
+ * a mark are Info on LOG, and Error on LOGERR.
+ */
+enum class ELogLevel { Error, Warning, Info, Debug };
+
+/**
+ * What becomes of the lines of all logs, LOG and LOGERR among them; for programs that embed the
+ * simulator.
+ *
+ * Takes effect when a log is flushed. The functions may be called at any time, on any thread.
+ */
+class CLogControl {
+ public:
+  /**
+   * Drops lines that are less important than the level. Info, the default, drops none. With Debug,
+   * there are also lines about the libraries that are loaded.
+   */
+  static void SetLevel(ELogLevel level);
+  static ELogLevel GetLevel();
+
+  /** @param line  with its mark, without colours and without the line break. */
+  using TLineReceiver = std::function<void(ELogLevel level, const std::string& line)>;
+
+  /**
+   * Passes complete lines to a function instead of writing them to the streams; an empty function
+   * ends that. The function is called by the thread that flushes, by one thread at a time, in the
+   * order of the log. It must not flush a log, nor throw.
+   */
+  static void SetLineReceiver(TLineReceiver receiver);
+
+  /**
+   * Puts "[label] " into each line that this thread logs from now on, after its mark: so that lines
+   * of simulations on several threads can be told apart. Threads of a simulation that this thread
+   * loads have the label, too. Empty: no label.
+   */
+  static void SetThreadLabel(const std::string& label);
+  static std::string GetThreadLabel();
+};
+
+}  // namespace argos
+
+#endif
