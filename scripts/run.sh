@@ -2,7 +2,8 @@
 # Installs missing packages, builds the simulator and runs an experiment, without a display:
 #   scripts/run.sh [EXPERIMENT [ARGUMENTS OF argos3...]]
 # EXPERIMENT is an .argos file, by default experiments/diffusion_10.argos, searched in the current folder and in the
-# repository. The simulator runs in the repository's folder, so frames are written under its out/.
+# repository. The simulator runs in the repository's folder, so frames are written under its out/. It is built in build/,
+# or where BUILD_DIR says, with warnings as errors on the compiler of Debian 12.
 #   scripts/run.sh experiments/diffusion_10.argos --seed 7 --threads 2
 set -euo pipefail
 started_in="$PWD"
@@ -10,7 +11,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
 experiment="experiments/diffusion_10.argos"
 if (($# > 0)) && [[ "$1" == -h || "$1" == --help ]]; then
-  sed -n '2,6s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+  sed -n '2,7s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
   exit 0
 fi
 if (($# > 0)) && [[ "$1" != -* ]]; then
@@ -26,11 +27,16 @@ elif [[ ! -f "$experiment" ]]; then
 fi
 
 say "Packages"
-"$repo/scripts/setup.sh"
+"$repo/scripts/setup.sh" run
 
-say "Build (Release, in build/)"
-configure "$repo/build" -DCMAKE_BUILD_TYPE=Release -DARGOS_BUILD_TESTING=OFF
-build "$repo/build"
+say "Build (Release, in ${release_build#"$repo"/}/)"
+if [[ "$(sed -n 's/^ARGOS_BUILD_TESTING:BOOL=//p' "$release_build/CMakeCache.txt" 2>/dev/null)" != ON ]]; then
+  # as test.sh with the compiler for which it is made; with others, a warning stops no run
+  werror=OFF
+  [[ "$(c++ --version 2>/dev/null | head -n 1)" != *"Debian 12."* ]] || werror=ON
+  configure_release "$release_build" -DARGOS_BUILD_TESTING=OFF -DARGOS_WERROR="$werror"
+fi
+build "$release_build" --target run
 
 say "Run ${experiment#"$repo"/}"
 cd "$repo"
@@ -38,12 +44,12 @@ mkdir -p out
 # argos3 loads every library in these folders, so they are set for the experiments of the repository
 # only: other libraries may have the same labels
 if [[ "$experiment" == experiments/* || "$experiment" == "$repo"/experiments/* ]]; then
-  export ARGOS_PLUGIN_PATH="$repo/build/experiments${ARGOS_PLUGIN_PATH:+:$ARGOS_PLUGIN_PATH}"
+  export ARGOS_PLUGIN_PATH="$release_build/experiments${ARGOS_PLUGIN_PATH:+:$ARGOS_PLUGIN_PATH}"
 fi
 before="$(mktemp)"
 trap 'rm -f "$before"' EXIT
 status=0
-"$repo/build/bin/argos3" -c "$experiment" "$@" || status=$?
+"$release_build/bin/argos3" -c "$experiment" "$@" || status=$?
 ((status == 0)) || die "argos3 ended with exit code $status"
 
 written="$(find out -type f -newer "$before" -printf '%h\n' | sort | uniq -c)"

@@ -145,6 +145,13 @@ std::vector<std::string> Candidates(const std::string& lib) {
     for (const std::string& directory : GetPluginSearchPaths()) {
       directories.push_back(directory + '/');
     }
+    // before the working directory, which is the last
+    for (const std::string& directory : DefaultDirectories()) {
+      std::error_code error;
+      if (fs::is_directory(directory + "/experiments", error)) {
+        directories.insert(directories.end() - 1, directory + "/experiments/");
+      }
+    }
   }
   std::vector<std::string> candidates;
   for (const std::string& directory : directories) {

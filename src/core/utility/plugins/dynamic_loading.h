@@ -15,10 +15,11 @@ namespace argos {
  *   2. otherwise, in each directory of the environment variable ARGOS_PLUGIN_PATH (separated by
  * colons), then in the default directories: lib/argos3 of the installation of the running core
  * library, the folder of that library, and lib/argos3 below the configured installation prefix;
- * then in the current directory. It comes last so that a file there does not replace an installed
- * library. In each directory the name is tried as given, then with ".so" (the suffixes of
- * config.h). Symbols are bound lazily and are visible to libraries loaded later. A loaded library
- * stays in the process until its end.
+ * then in their subfolder experiments, whose libraries only their names load; then in the current
+ * directory. It comes last so that a file there does not replace an installed library. In each
+ * directory the name is tried as given, then with ".so" (the suffixes of config.h). Symbols are
+ * bound lazily and are visible to libraries loaded later. A loaded library stays in the process
+ * until its end.
  *
  * Thread safe; a thread waits while another one loads a library.
  */
