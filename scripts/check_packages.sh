@@ -61,17 +61,14 @@ apt_install "/packages/$(basename "$packages"/argos3-sim-dev_*.deb)"
 # shellcheck disable=SC2016  # that shell expands it
 inside bash -euo pipefail -c '
   cp -r /usr/share/argos3/examples /root/examples
-  for project in user_project modern_project; do
-    cd /root/examples/$project
-    cmake -S . -B build >configure.log 2>&1 || { cat configure.log; exit 1; }
-    cmake --build build --parallel 2
-    argos3 -zc *.argos
-    test -s paths.csv
-    echo "$project: $(wc -l <paths.csv) lines of data"
-  done
   cd /root/examples/user_project
-  cmake -S . -B build-pc -DUSE_PKG_CONFIG=ON >configure.log 2>&1 || { cat configure.log; exit 1; }
-  cmake --build build-pc' || die "a project failed, see above"
+  for way in OFF ON; do
+    cmake -S . -B build -DUSE_PKG_CONFIG=$way >configure.log 2>&1 || { cat configure.log; exit 1; }
+    cmake --build build --clean-first --parallel 2 >build.log 2>&1 || { cat build.log; exit 1; }
+    rm -f paths.csv
+    argos3 -zc obstacle_avoidance.argos
+    echo "USE_PKG_CONFIG=$way: $(wc -l <paths.csv) lines of data"
+  done' || die "a project failed, see above"
 
 say "Remove all (after ${SECONDS} s)"
 inside dpkg --listfiles argos3-sim argos3-sim-dev argos3-sim-examples | sort -u >"$system/tmp/installed"
