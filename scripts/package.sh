@@ -32,6 +32,8 @@ if ((!has_build)); then
   configure_release "$build_dir" -DCMAKE_INSTALL_PREFIX=/usr -DARGOS_BUILD_TESTING=OFF
   build "$build_dir"
 fi
+# cpack does not do it
+cmake "$build_dir" >/dev/null
 work="$(mktemp -d)"
 trap 'rm -rf -- "$work"' EXIT
 touch "$work/begin"

@@ -1,13 +1,12 @@
 #!/usr/bin/env bash
 # Makes the site: the user's guide and the other pages with mkdocs, the API reference of the installed headers with
 # Doxygen, one search for both; a warning is an error:
-#   scripts/site.sh [OUT [PREFIX]]     OUT is site/ by default; PREFIX has an installed simulator, by default the one
-#                                      that run.sh or test.sh has built
+#   scripts/site.sh [OUT]     site/ by default; needs what run.sh or test.sh has built in build/, or in BUILD_DIR
 # To look at it: python3 -m http.server --directory site, then http://localhost:8000. The pages work as files, too, but
 # browsers let only those of a server search.
 set -euo pipefail
 if [[ "${1:-}" == -h || "${1:-}" == --help ]]; then
-  sed -n '2,7s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+  sed -n '2,6s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
   exit 0
 fi
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
@@ -19,14 +18,10 @@ awesome=/usr/share/doxygen-awesome-css
 [[ -d "$awesome" ]] || die "there is no $awesome; run: scripts/setup.sh site"
 work="$(mktemp -d)"
 trap 'rm -rf -- "$work"' EXIT
-if (($# > 1)); then
-  prefix="$(cd "$2" && pwd)"
-else
-  [[ -x "$release_build/bin/argos3" ]] || die "there is no $release_build/bin/argos3; build it with scripts/run.sh, or name a PREFIX"
-  build "$release_build" >/dev/null
-  prefix="$work/prefix"
-  cmake --install "$release_build" --prefix "$prefix" >/dev/null
-fi
+argos3="$release_build/bin/argos3"
+[[ -x "$argos3" ]] || die "there is no $argos3; build it with scripts/run.sh"
+prefix="$work/prefix"
+cmake --install "$release_build" --prefix "$prefix" --component dev >/dev/null
 [[ ! -e "$out" || -f "$out/search/search_index.json" ]] || die "$out exists and is no site; name another folder"
 
 # quiet COMMAND...: its output only if it fails
@@ -35,7 +30,7 @@ quiet() {
 }
 
 version="$(sed -n 's/^set(ARGOS_VERSION "\(.*\)")$/\1/p' "$prefix/share/argos3/cmake/ARGoSSettings.cmake")"
-quiet python3 "$repo/scripts/site/stage_pages.py" "$repo" "$prefix/bin/argos3" "$work/pages"
+quiet python3 "$repo/scripts/site/stage_pages.py" "$repo" "$argos3" "$work/pages"
 
 quiet python3 "$repo/scripts/site/stage_headers.py" "$prefix/include" "$work/include"
 # a tab that leads back to the pages

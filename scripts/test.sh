@@ -116,7 +116,7 @@ began "Debian packages and an archive"
 "$repo/scripts/package.sh" --build "$build_dir" "$work/packages" deb tgz
 
 began "The site: user's guide and API reference"
-"$repo/scripts/site.sh" "$work/site" "$work/prefix"
+BUILD_DIR="$build_dir" "$repo/scripts/site.sh" "$work/site"
 
 began "Examples of the first day, and the user's guide"
 "$repo/scripts/examples.sh" "$work/prefix"
