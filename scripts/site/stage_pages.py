@@ -106,21 +106,26 @@ def write_plugins(argos3, docs):
     """@return the lines of the navigation."""
     navigation = []
     (docs / "plugins").mkdir()
-    index = ["# Plug-ins", "", "What is provided, as `argos3 --query NAME` describes it.", "", "| | |", "|---|---|"]
+    index = ["# Plug-ins", "", "What is provided, as `argos3 --query NAME` describes it."]
     for kind, title in KINDS.items():
         entries = re.findall(r"^   \[ (.+) \]\n      (.*)", query(argos3, kind), re.M)
         if not entries:
             continue
         page = [f"# {title}", ""]
+        index += ["", f"## {title}", "", "| | |", "|---|---|"]
         for label, brief in entries:
             index.append(f"| [{label}]({kind}.md#{anchor(label)}) | {brief} |")
             # the description of this one among those whose names contain its name
             texts = re.split(r"^(?=\[ .+ \]$)", query(argos3, label.split(" ")[0]), flags=re.M)
-            text = next(t for t in texts if t.startswith(f"[ {label} ]\n"))
+            text = next((t for t in texts if t.startswith(f"[ {label} ]\n")), None)
+            if text is None:
+                sys.exit(f"argos3 --query {label.split(' ')[0]} does not describe [ {label} ], which --query {kind} lists")
             body = text.split("\n", 1)[1].strip("\n")
             page += [f"## {label} {{ #{anchor(label)} }}", "", "```text", body, "```", ""]
         (docs / "plugins" / f"{kind}.md").write_text("\n".join(page), encoding="utf-8")
         navigation.append(f"      - {title}: plugins/{kind}.md")
+    if len(navigation) < 5:
+        sys.exit("argos3 --query lists hardly any plug-ins; has its output changed?")
     (docs / "plugins" / "index.md").write_text("\n".join(index) + "\n", encoding="utf-8")
     return ["      - plugins/index.md", *navigation]
 
