@@ -31,6 +31,9 @@ install(FILES "${argosGenerated}/argos3_${ARGOS_BUILD_FOR}.pc" DESTINATION lib/p
 if(ARGOS_BUILD_FOR_SIMULATOR)
   install(PROGRAMS scripts/argos3-plot DESTINATION "${CMAKE_INSTALL_BINDIR}")
   install(FILES src/cmake/install/argos3_bash_completion.sh DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/argos3")
+  # where bash finds it by the name of the command
+  install(FILES src/cmake/install/argos3_bash_completion.sh RENAME argos3
+          DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/bash-completion/completions")
   install(FILES src/cmake/install/argos.xml DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/mime/packages")
 
   file(GLOB argosManPages CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/doc/man/*.1")
