@@ -4,7 +4,7 @@ repo="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 jobs="$(nproc)"
 # the build of run.sh and test.sh
 # shellcheck disable=SC2034  # they use it
-release_build="${BUILD_DIR:-$repo/build}"
+release_build="$(realpath -m -- "${BUILD_DIR:-$repo/build}")"
 
 # git that also works for root in a clone of another owner
 git() {
