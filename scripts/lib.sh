@@ -2,6 +2,9 @@
 # Shared by the scripts in this folder; sourced, not run.
 repo="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 jobs="$(nproc)"
+# the build of run.sh and test.sh
+# shellcheck disable=SC2034  # they use it
+release_build="$(realpath -m -- "${BUILD_DIR:-$repo/build}")"
 
 # git that also works for root in a clone of another owner
 git() {
@@ -37,6 +40,12 @@ configure() {
   fi
   cmake -S "$repo" -B "$build" "${generator[@]}" "$@" || return
   printf '%s' "$wanted" >"$stamp"
+}
+
+# configure_release <build folder> <cmake arguments...>: the build that run.sh and test.sh share, so that the second one
+# compiles only what the first one did not need. Units of several sources compile in a third of the time.
+configure_release() {
+  configure "$1" -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=8 "${@:2}"
 }
 
 build() {

@@ -2,14 +2,15 @@
 # Installs missing packages, builds the simulator and runs an experiment, without a display:
 #   scripts/run.sh [EXPERIMENT [ARGUMENTS OF argos3...]]
 # EXPERIMENT is an .argos file, by default experiments/diffusion_10.argos, searched in the current folder and in the
-# repository. The simulator runs in the current folder: frames are written under its out/.
+# repository. The simulator runs in the current folder: frames are written under its out/. It is built in build/ of the
+# repository, or where BUILD_DIR says, with warnings as errors on the compiler of Debian 12.
 #   scripts/run.sh experiments/diffusion_10.argos --seed 7 --threads 2
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
 experiment="experiments/diffusion_10.argos"
 if (($# > 0)) && [[ "$1" == -h || "$1" == --help ]]; then
-  sed -n '2,6s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+  sed -n '2,7s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
   exit 0
 fi
 if (($# > 0)) && [[ "$1" != -* ]]; then
@@ -23,18 +24,23 @@ if [[ ! -f "$experiment" ]]; then
 fi
 
 say "Packages"
-"$repo/scripts/setup.sh"
+"$repo/scripts/setup.sh" run
 
-say "Build (Release, in build/)"
-configure "$repo/build" -DCMAKE_BUILD_TYPE=Release -DARGOS_BUILD_TESTING=OFF
-build "$repo/build"
+say "Build (Release, in ${release_build#"$repo"/}/)"
+if [[ "$(sed -n 's/^ARGOS_BUILD_TESTING:BOOL=//p' "$release_build/CMakeCache.txt" 2>/dev/null)" != ON ]]; then
+  # as test.sh with the compiler for which it is made; with others, a warning stops no run
+  werror=OFF
+  [[ "$(c++ --version 2>/dev/null | head -n 1)" != *"Debian 12."* ]] || werror=ON
+  configure_release "$release_build" -DARGOS_BUILD_TESTING=OFF -DARGOS_WERROR="$werror"
+fi
+build "$release_build" --target run
 
 say "Run $experiment"
 mkdir -p out
 before="$(mktemp)"
 trap 'rm -f "$before"' EXIT
 status=0
-"$repo/build/bin/argos3" -c "$experiment" "$@" || status=$?
+"$release_build/bin/argos3" -c "$experiment" "$@" || status=$?
 ((status == 0)) || die "argos3 ended with exit code $status"
 
 written="$(find out -type f -newer "$before" -printf '%h\n' | sort | uniq -c)"

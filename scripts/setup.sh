@@ -1,16 +1,40 @@
 #!/usr/bin/env bash
 # Installs missing packages of packages.txt; if none is missing, does nothing and needs no network.
-#   scripts/setup.sh          run by run.sh and test.sh
+#   scripts/setup.sh [MARK]...           those with one of the marks run, test, site, package; by default run
+#   scripts/setup.sh --list [MARK]...    prints them instead
+# Run by run.sh and test.sh, and by those who build by hand.
 set -euo pipefail
 
 scripts="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 list="$scripts/packages.txt"
-mapfile -t wanted < <(sed -e 's/#.*//' -e 's/[[:space:]]//g' -e '/^$/d' "$list")
 
 fail() {
   printf 'setup: %s\n' "$@" >&2
   exit 1
 }
+
+if [[ "${1:-}" == -h || "${1:-}" == --help ]]; then
+  sed -n '2,5s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+  exit 0
+fi
+only_list=0
+if [[ "${1:-}" == --list ]]; then
+  only_list=1
+  shift
+fi
+(($# > 0)) || set -- run
+for mark in "$@"; do
+  [[ "$mark" =~ ^(run|test|site|package|runtime|dev|option)$ ]] || fail "'$mark' is no mark of $list"
+done
+mapfile -t wanted < <(awk -v marks="$*" '
+  /^[^#]/ {
+    for (i = 2; i <= NF; ++i)
+      if (index(" " marks " ", " " $i " ")) { print $1; next }
+  }' "$list")
+if ((only_list)); then
+  printf '%s\n' "${wanted[@]}"
+  exit 0
+fi
 
 is_installed() {
   [[ "$(dpkg-query --show --showformat='${db:Status-Status}' "$1" 2>/dev/null)" == installed ]]

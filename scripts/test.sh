@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs missing packages, builds everything with warnings as errors, and runs all checks and tests:
 #   scripts/test.sh [--quick]     --quick: only build and tests, neither clang-tidy nor the downstream builds
-# Tests that take many minutes have the label soak and are excluded; run them with: ctest --test-dir build-ci -L soak
+# The build is that of run.sh, in build/ or where BUILD_DIR says, with the tests added to it.
+# Tests that take many minutes have the label soak and are excluded; run them with: ctest --test-dir build -L soak
 # With CI=true it leaves clang-tidy to .ci/run, which runs it in a build where it is faster.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
@@ -9,11 +10,11 @@ quick=0
 case "${1:-}" in
   "") ;;
   --quick) quick=1 ;;
-  -h | --help) sed -n '2,6s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
+  -h | --help) sed -n '2,7s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
   *) die "unknown argument '$1'; there is only --quick" ;;
 esac
 cd "$repo"
-build_dir="$repo/build-ci"
+build_dir="$release_build"
 work="$(mktemp -d)"
 trap 'rm -rf -- "$work"' EXIT
 
@@ -64,7 +65,7 @@ build_user_project() { # build_user_project <name> <cmake arguments...>
 }
 
 began "Packages"
-"$repo/scripts/setup.sh"
+"$repo/scripts/setup.sh" run test site
 
 began "Layout of the sources (clang-format)"
 check_format
@@ -78,8 +79,8 @@ echo "nothing found"
 began "Project rules (lint)"
 "$repo/scripts/lint.sh"
 
-began "Build (Release, with tests, warnings are errors, in build-ci/)"
-configure "$build_dir" -DCMAKE_BUILD_TYPE=Release -DARGOS_BUILD_TESTING=ON -DARGOS_WERROR=ON
+began "Build (Release, with tests, warnings are errors, in ${build_dir#"$repo"/}/)"
+configure_release "$build_dir" -DARGOS_BUILD_TESTING=ON -DARGOS_WERROR=ON
 build "$build_dir"
 
 began "Tests"
@@ -110,6 +111,12 @@ check_installed_headers "$work/prefix/include"
 build_user_project find_package -DCMAKE_PREFIX_PATH="$work/prefix"
 PKG_CONFIG_PATH="$work/prefix/lib/pkgconfig" build_user_project pkg_config -DUSE_PKG_CONFIG=ON
 "$repo/scripts/outside_projects.sh" "$work/prefix" "$work/projects"
+
+began "Debian packages and an archive"
+"$repo/scripts/package.sh" --build "$build_dir" "$work/packages" deb tgz
+
+began "The site: user's guide and API reference"
+BUILD_DIR="$build_dir" "$repo/scripts/site.sh" "$work/site"
 
 began "Examples of the first day, and the user's guide"
 "$repo/scripts/examples.sh" "$work/prefix"

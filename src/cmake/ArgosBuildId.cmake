@@ -46,5 +46,6 @@ function(argos_add_build_id)
     "extern \"C\" __attribute__((visibility(\"hidden\"))) const char argosHeadersId[];
 #define ARGOS_HEADERS_ID ::argosHeadersId")
   configure_file("${template}" "${PROJECT_BINARY_DIR}/include/config/argos3/core/build_id.h" @ONLY)
-  install(FILES "${folder}/build_id.h" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/argos3/core")
+  install(FILES "${folder}/build_id.h" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/argos3/core"
+    COMPONENT dev)
 endfunction()

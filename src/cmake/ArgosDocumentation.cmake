@@ -1,20 +1,12 @@
-# The target documentation, a part of all: the reference of the public headers, made by Doxygen in <build>/doc/html.
-find_package(Doxygen)
-if(NOT DOXYGEN_FOUND)
-  message(FATAL_ERROR "ARGOS_DOCUMENTATION is ON, but there is no doxygen; install it, or set ARGOS_DOCUMENTATION to OFF")
+# The target documentation, a part of all: the site of guide and API reference, in <build>/site.
+find_program(ARGOS_DOXYGEN doxygen)
+find_program(ARGOS_MKDOCS mkdocs)
+if(NOT ARGOS_DOXYGEN OR NOT ARGOS_MKDOCS)
+  message(FATAL_ERROR "ARGOS_DOCUMENTATION is ON, but there is no doxygen or no mkdocs; run: scripts/setup.sh site, or set "
+                      "ARGOS_DOCUMENTATION to OFF")
 endif()
-get_property(headers GLOBAL PROPERTY ARGOS_PUBLIC_HEADERS)
-list(TRANSFORM headers REPLACE "^[^ ]+ [^ ]+ " "")
-set(DOXYGEN_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/doc")
-set(DOXYGEN_PROJECT_NUMBER "${PROJECT_VERSION}")
-set(DOXYGEN_USE_MDFILE_AS_MAINPAGE "${PROJECT_SOURCE_DIR}/README.md")
-set(DOXYGEN_STRIP_FROM_PATH "${PROJECT_SOURCE_DIR}/src")
-set(DOXYGEN_JAVADOC_AUTOBRIEF YES)
-set(DOXYGEN_QUIET YES)
-set(DOXYGEN_WARN_IF_UNDOCUMENTED NO)
-set(DOXYGEN_WARN_IF_INCOMPLETE_DOC NO)
-set(DOXYGEN_RECURSIVE YES)
-set(DOXYGEN_FILE_PATTERNS *.h *.md)
-set(DOXYGEN_GENERATE_LATEX NO)
-doxygen_add_docs(documentation "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/doc" ${headers} ALL
-  COMMENT "Writing the reference of the public headers")
+add_custom_target(documentation ALL
+  COMMAND "${CMAKE_COMMAND}" -E env "BUILD_DIR=${PROJECT_BINARY_DIR}" "${PROJECT_SOURCE_DIR}/scripts/site.sh"
+          "${PROJECT_BINARY_DIR}/site"
+  COMMENT "Writing the site of guide and API reference" VERBATIM USES_TERMINAL)
+add_dependencies(documentation run)

@@ -1,4 +1,5 @@
-# What users' projects need to find this build: the CMake package ARGoS, a pkg-config file, shell completion.
+# What is installed besides libraries, programs and headers: the CMake package ARGoS, a pkg-config file, shell completion,
+# manual pages, documentation, experiments and examples. Components: runtime, dev, examples; see ArgosPackages.cmake.
 include(CMakePackageConfigHelpers)
 set(argosCmakeDir "${CMAKE_INSTALL_DATAROOTDIR}/argos3/cmake")
 set(argosGenerated "${PROJECT_BINARY_DIR}/generated")
@@ -6,30 +7,44 @@ set(argosGenerated "${PROJECT_BINARY_DIR}/generated")
 configure_package_config_file(src/cmake/install/ARGoSConfig.cmake.in "${argosGenerated}/ARGoSConfig.cmake"
   INSTALL_DESTINATION "${argosCmakeDir}" PATH_VARS CMAKE_INSTALL_INCLUDEDIR ARGOS_LIBRARY_SUBDIR
   NO_CHECK_REQUIRED_COMPONENTS_MACRO)
-write_basic_package_version_file("${argosGenerated}/ARGoSConfigVersion.cmake" COMPATIBILITY SameMajorVersion)
-foreach(file ARGoSSettings.cmake FindARGoSQTOpenGL.cmake)
+foreach(file ARGoSConfigVersion.cmake ARGoSSettings.cmake FindARGoSQTOpenGL.cmake)
   configure_file(src/cmake/install/${file}.in "${argosGenerated}/${file}" @ONLY)
 endforeach()
 install(FILES "${argosGenerated}/ARGoSConfig.cmake" "${argosGenerated}/ARGoSConfigVersion.cmake"
               "${argosGenerated}/ARGoSSettings.cmake" "${argosGenerated}/FindARGoSQTOpenGL.cmake"
               src/cmake/FindFreeImage.cmake
-        DESTINATION "${argosCmakeDir}")
+        DESTINATION "${argosCmakeDir}" COMPONENT dev)
 # beside the package's own files, finders that users' projects count on
 foreach(file ARGoSCheckQTOpenGL ARGoSLanguageLevel ARGoSLua FindDLFCN FindGooglePerfTools FindLua51 FindLua52 FindLua53
              FindPthreads)
-  install(FILES src/cmake/install/${file}.cmake DESTINATION "${argosCmakeDir}")
+  install(FILES src/cmake/install/${file}.cmake DESTINATION "${argosCmakeDir}" COMPONENT dev)
 endforeach()
-install(EXPORT ARGoSTargets NAMESPACE ARGoS:: FILE ARGoSTargets-${ARGOS_BUILD_FOR}.cmake DESTINATION "${argosCmakeDir}")
+install(EXPORT ARGoSTargets NAMESPACE ARGoS:: FILE ARGoSTargets-${ARGOS_BUILD_FOR}.cmake DESTINATION "${argosCmakeDir}"
+        COMPONENT dev)
 
 install(FILES "${PROJECT_BINARY_DIR}/include/config/argos3/core/config.h"
-        DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/argos3/core")
+        DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/argos3/core" COMPONENT dev)
 
 configure_file(src/cmake/install/argos3.pc.in "${argosGenerated}/argos3_${ARGOS_BUILD_FOR}.pc" @ONLY)
-install(FILES "${argosGenerated}/argos3_${ARGOS_BUILD_FOR}.pc" DESTINATION lib/pkgconfig)
+install(FILES "${argosGenerated}/argos3_${ARGOS_BUILD_FOR}.pc" DESTINATION lib/pkgconfig COMPONENT dev)
 
 if(ARGOS_BUILD_FOR_SIMULATOR)
   install(PROGRAMS scripts/argos3-plot DESTINATION "${CMAKE_INSTALL_BINDIR}")
   install(FILES src/cmake/install/argos.xml DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/mime/packages")
+
+  # each package has its licence where Debian looks for it
+  set(argosDocDir "${CMAKE_INSTALL_DATAROOTDIR}/doc")
+  install(FILES LICENSE RENAME copyright DESTINATION "${argosDocDir}/argos3-sim")
+  install(FILES LICENSE RENAME copyright DESTINATION "${argosDocDir}/argos3-sim-dev" COMPONENT dev)
+  install(FILES LICENSE RENAME copyright DESTINATION "${argosDocDir}/argos3-sim-examples" COMPONENT examples)
+  install(FILES CHANGELOG.md CITATION.cff DESTINATION "${argosDocDir}/argos3-sim")
+  # pages and their pictures, with the same paths between them as in the sources
+  install(FILES README.md DESTINATION "${argosDocDir}/argos3-sim-examples" COMPONENT examples)
+  install(DIRECTORY doc DESTINATION "${argosDocDir}/argos3-sim-examples" COMPONENT examples)
+  install(DIRECTORY examples DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/argos3" COMPONENT examples
+          PATTERN "build*" EXCLUDE PATTERN "*.csv" EXCLUDE)
+  install(DIRECTORY experiments DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/argos3" COMPONENT examples
+          PATTERN "CMakeLists.txt" EXCLUDE PATTERN "*.sqlite*" EXCLUDE PATTERN "*.report" EXCLUDE PATTERN "*.runs" EXCLUDE)
 endif()
 if(ARGOS_INSTALL_LDSOCONF)
   file(CONFIGURE OUTPUT "${argosGenerated}/argos3.conf" CONTENT "@CMAKE_INSTALL_PREFIX@/lib/argos3\n" @ONLY)

@@ -13,6 +13,10 @@ set(argosWarnings -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloa
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   list(APPEND argosWarnings -Wno-restrict -Wno-stringop-overflow)
 endif()
+if(CMAKE_UNITY_BUILD AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # in a unit of several sources each source counts as a header, whose anonymous namespaces would be suspicious
+  list(APPEND argosWarnings -Wno-subobject-linkage)
+endif()
 if(ARGOS_WERROR)
   list(APPEND argosWarnings -Werror)
 endif()

@@ -4,8 +4,9 @@
 #   argos_add_core(PARTS ...)          the parts merged into libargos3core_<build-for>.so, alias argos3::core
 #   argos_add_plugin(media ...)        libargos3plugin_<build-for>_media.so, alias argos3::media; installed, the targets
 #                                      are ARGoS::core and ARGoS::media
-#   argos_add_module(name ...)         a library of controllers or loop functions, not installed
+#   argos_add_module(name ...)         a library of controllers or loop functions, installed with the examples
 #   argos_add_test(name ...)           a Catch2 program; ctest runs each of its test cases
+#   argos_add_run_target()             the target run: what experiments need, without tests, campaigns and benchmarks
 #
 # Each target has an include root of its own, made of links to the source folders, so it sees the headers of the
 # targets that it links and no others: an include against the direction of dependencies does not compile.
@@ -38,7 +39,8 @@ endfunction()
 function(argos_install_headers library prefix folder headersVariable includePathsVariable)
   foreach(header includePath IN ZIP_LISTS ${headersVariable} ${includePathsVariable})
     get_filename_component(subfolder "${includePath}" DIRECTORY)
-    install(FILES "${folder}/${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/argos3/${prefix}/${subfolder}")
+    install(FILES "${folder}/${header}" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/argos3/${prefix}/${subfolder}"
+      COMPONENT dev)
     argos_add_public_header(${library} "argos3/${prefix}/${includePath}" "${folder}/${header}")
   endforeach()
 endfunction()
@@ -142,6 +144,7 @@ function(argos_add_plugin name)
   argos_check_headers(${target} ${ARG_INCLUDE_PREFIX} "${root}" includePaths)
   argos_install_headers(${name} ${ARG_INCLUDE_PREFIX} "${CMAKE_CURRENT_SOURCE_DIR}" headers includePaths)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  set_property(GLOBAL APPEND PROPERTY ARGOS_RUN_TARGETS ${target})
   install(TARGETS ${target} EXPORT ARGoSTargets LIBRARY DESTINATION ${ARGOS_LIBRARY_SUBDIR})
 endfunction()
 
@@ -156,6 +159,18 @@ function(argos_add_module name)
   target_link_libraries(${name} PRIVATE argos_options argos3::core ${ARG_LINK})
   set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/${ARG_FOLDER}")
   argos_precompile(${name} library)
+  if(ARG_FOLDER STREQUAL "experiments")
+    set_property(GLOBAL APPEND PROPERTY ARGOS_RUN_TARGETS ${name})
+    set_target_properties(${name} PROPERTIES INSTALL_RPATH "$ORIGIN/..")
+    install(TARGETS ${name} LIBRARY DESTINATION ${ARGOS_LIBRARY_SUBDIR}/experiments COMPONENT examples)
+  endif()
+endfunction()
+
+function(argos_add_run_target)
+  get_property(targets GLOBAL PROPERTY ARGOS_RUN_TARGETS)
+  if(TARGET argos3)
+    add_custom_target(run DEPENDS argos3 ${targets})
+  endif()
 endfunction()
 
 # argos_add_test(<name> SOURCES ... [LINK ...] [LABEL <l>] [DEPENDS ...] [TIMEOUT <s>] [PROCESSORS <n>])

@@ -28,9 +28,9 @@ class CVectorGenerator {
 
 /**
  * Makes the generator of a `<position>` or `<orientation>` element.
- * @param method  its `method`: uniform (min, max), gaussian (mean, std_dev), constant (values) or
- *                grid (center, distances, layout).
- * @param rng     draws random triples; must outlive the generator.
+ * @param node  the element. Its `method` is uniform (min, max), gaussian (mean, std_dev), constant
+ *              (values) or grid (center, distances, layout).
+ * @param rng   draws random triples; must outlive the generator.
  * @throws CARGoSException if the method is unknown or a parameter missing or out of range.
  */
 std::unique_ptr<CVectorGenerator> CreateVectorGenerator(TConfigurationNode& node,

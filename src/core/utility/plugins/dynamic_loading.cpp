@@ -112,14 +112,25 @@ std::vector<std::string> ExperimentDirectories(const std::string& lib,
   return directories;
 }
 
-// if the core is in a build tree of this project: the libraries of its experiments/
-std::vector<std::string> BuildTreeExperiments() {
+// libraries of this project's experiments, which only their names load: installed ones, and those
+// of the build tree that has the core
+std::vector<std::string> OwnExperiments() {
+  std::vector<fs::path> candidates;
+  for (const std::string& directory : DefaultDirectories()) {
+    candidates.push_back(fs::path(directory) / "experiments");
+  }
   const fs::path root = CoreLibrary().parent_path().parent_path().parent_path();
   std::error_code ignored;
-  const bool isBuildTree = fs::exists(root / "CMakeCache.txt", ignored) &&
-                           fs::is_directory(root / "experiments", ignored);
-  return isBuildTree ? std::vector<std::string>{(root / "experiments").string()}
-                     : std::vector<std::string>();
+  if (fs::exists(root / "CMakeCache.txt", ignored)) {
+    candidates.push_back(root / "experiments");
+  }
+  std::vector<std::string> directories;
+  for (const fs::path& candidate : candidates) {
+    if (fs::is_directory(candidate, ignored)) {
+      directories.push_back(candidate.string());
+    }
+  }
+  return directories;
 }
 
 bool IsLibraryName(const fs::path& file) {
@@ -179,7 +190,7 @@ std::vector<std::string> Places(const std::string& lib, const std::string& exper
   }
   std::vector<std::string> directories = UserDirectories();
   for (const auto& more : {ExperimentDirectories(lib, experimentFile), DefaultDirectories(),
-                           BuildTreeExperiments(), std::vector<std::string>{"."}}) {
+                           OwnExperiments(), std::vector<std::string>{"."}}) {
     directories.insert(directories.end(), more.begin(), more.end());
   }
   std::vector<std::string> places;
@@ -333,8 +344,7 @@ CDynamicLoading::TDLHandle CDynamicLoading::LoadLibrary(const std::string& lib,
   // a file that is there and does not load explains more than the places without one
   THROW_ARGOSEXCEPTION("The library \"" << lib << "\" cannot be loaded"
                                         << (problems.empty() ? DescribeSimilar(lib, places) : "")
-                                        << "; tried:"
-                                        << (problems.empty() ? searched : problems));
+                                        << "; tried:" << (problems.empty() ? searched : problems));
 }
 
 void CDynamicLoading::UnloadLibrary(const std::string& lib) {

@@ -17,8 +17,9 @@ namespace argos {
  *      - the folder of the experiment file, if there is one, and its folder build/; for a name with
  *        a slash also the folder above it, the root of many projects; the folder build/ there;
  *      - the default directories: lib/argos3 of the installation of the running core library, the
- *        folder of that library, and lib/argos3 below the configured installation prefix; in a
- *        build tree also the libraries of its experiments;
+ *        folder of that library, and lib/argos3 below the configured installation prefix;
+ *        then those with the libraries of the installed experiments, or of the build tree's, which
+ *        only their names load;
  *      - the current directory.
  *
  * In each directory the name is tried as given, then with ".so" (the suffixes of config.h). All

@@ -28,7 +28,15 @@ bool EndsWith(const std::string& text, const std::string& end) {
 std::unique_ptr<CTableFormat> MakeFormat(const std::string& path) {
   if (EndsWith(path, ".h5")) {
     // libhdf5 brings 30 other libraries along, which only those load that use it
-    CDynamicLoading::LoadLibrary("on_demand/libargos3_hdf5_tables");
+    try {
+      CDynamicLoading::LoadLibrary("on_demand/libargos3_hdf5_tables");
+    } catch (CARGoSException& ex) {
+      THROW_ARGOSEXCEPTION_NESTED("\"" << path
+                                       << "\" cannot be written as HDF5: the library for it "
+                                       << "is built where HDF5 is installed (Debian: libhdf5-dev); "
+                                       << "\"file\" may end in .csv or .csv.gz instead",
+                                  ex);
+    }
   }
   for (const char* const ending : {"csv", "csv.gz", "h5"}) {
     if (EndsWith(path, std::string(".") + ending)) {
