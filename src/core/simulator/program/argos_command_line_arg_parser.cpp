@@ -1,6 +1,10 @@
 #include <argos3/core/simulator/program/argos_command_line_arg_parser.h>
 
 #include <argos3/core/config.h>
+#include <argos3/core/simulator/catalogue/plugin_kinds.h>
+#include <argos3/core/simulator/catalogue/schema.h>
+#include <argos3/core/simulator/catalogue/text_layout.h>
+#include <argos3/core/simulator/catalogue/version_text.h>
 #include <argos3/core/utility/errors/argos_exception.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
@@ -31,19 +35,23 @@ Examples:
   argos3 -n -l log.txt -e errors.txt -c experiment.argos
                                               write the two logs to files
   argos3 -q sensors                           list all sensors
-  argos3 -q footbot_proximity                 describe every plug-in whose name contains the word
+  argos3 -q footbot_proximity                 all facts about the plug-ins of that name
+  argos3 -q range_and_bearing --json          the same for programs
+  argos3 --schema rng > argos.rng             a schema for editors
 
 Words for --query:
-  actuators, sensors, physics_engines, media, visualizations (or outputs), fields,
-  entities, controllers, loop_functions: a list of that kind; libraries can add kinds, such as dynamics3d_add_ons
+  QUERY_WORDS      a list of that kind; libraries can add kinds, such as dynamics3d_add_ons
   all: all the lists
-  other words: the full documentation of the plug-ins whose name contains the word
+  other words: all facts about the plug-ins of that name, or whose name contains
+  the word: C++ and Lua interface, robots, XML. With -c, the libraries that the
+  experiment file names are known, too. Status 1 if nothing was found.
 
 Paths for --set use XPath notation: /argos-configuration/framework/experiment/@length,
 arena/distribute[2]/entity/@quantity, //foot-bot[@id='fb0']/body/@position.
 
 Environment:
   ARGOS_FFMPEG       the program that encodes films, by default the ffmpeg in PATH
+  ARGOS_INCLUDE_PATH folders, separated by colons, with headers of your control interfaces, for -q
   ARGOS_PLUGIN_PATH  folders, separated by colons, that are searched for libraries first
   NO_COLOR           if set, logs have no colours
 
@@ -74,7 +82,7 @@ class CHelpFormatter : public CLI::Formatter {
  public:
   CHelpFormatter() { column_width(32); }
   std::string make_usage(const CLI::App*, std::string) const override {
-    return "Usage: argos3 (-c FILE | --replay FILE [-c FILE] | -q WORD | -h | -v) [options]\n";
+    return "Usage: argos3 (-c FILE | --replay FILE [-c FILE] | -q WORD | --schema FORMAT | -h | -v) [options]\n";
   }
 };
 
@@ -100,6 +108,7 @@ void DefineReplay(CLI::App& app, SRawOptions& raw) {
 
 void DefineOutput(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options) {
   const std::string output = "Output";
+  app.add_flag("--json", options.Json, "the answer to --query as JSON")->group(output);
   app.add_flag("-n,--no-color", options.NoColor,
                "no colours in the logs; only terminals get colours")
       ->group(output);
@@ -178,6 +187,10 @@ void Define(CLI::App& app, CARGoSCommandLineArgParser::SOptions& options, SRawOp
       ->group(actions);
   AddSingle(app, "-q,--query", options.Query, "list or describe plug-ins, see below")
       ->type_name("WORD")
+      ->group(actions);
+  AddSingle(app, "--schema", options.SchemaFormat,
+            "print a schema of experiment files, for editors: rng (RELAX NG) or rnc (compact)")
+      ->type_name("FORMAT")
       ->group(actions);
   app.add_flag("-h,--help", raw.Help, "print this text")->group(actions);
   app.add_flag("-v,--version", raw.Version, "print the version and how it was built")
@@ -330,23 +343,25 @@ CARGoSCommandLineArgParser::EAction ChooseAction(const CLI::App& app, CProblems&
       {"--config-file", EAction::ACTION_RUN_EXPERIMENT},
       {"--replay", EAction::ACTION_REPLAY},
       {"--query", EAction::ACTION_QUERY_PLUGINS},
+      {"--schema", EAction::ACTION_MAKE_SCHEMA},
       {"--help", EAction::ACTION_SHOW_HELP},
       {"--version", EAction::ACTION_SHOW_VERSION}};
   EAction action = EAction::ACTION_UNKNOWN;
   std::string given;
   size_t count = 0;
   for (const auto& [name, choice] : choices) {
-    // with --replay, -c names the file of the views
-    const bool isForViews = choice == EAction::ACTION_RUN_EXPERIMENT && app.count("--replay") > 0;
-    if (app.count(name) > 0 && !isForViews) {
+    // with --replay, -c names the file of the views; with others, that of the libraries
+    const bool isForOthers = choice == EAction::ACTION_RUN_EXPERIMENT &&
+                             app.count("--replay") + app.count("--query") + app.count("--schema") > 0;
+    if (app.count(name) > 0 && !isForOthers) {
       action = choice;
       given += (count++ == 0 ? "" : ", ") + std::string(name);
     }
   }
   if (count == 0) {
-    problems.Add("one of -c FILE, --replay FILE, -q WORD, -h, -v must be given");
+    problems.Add("one of -c FILE, --replay FILE, -q WORD, --schema FORMAT, -h, -v must be given");
   } else if (count > 1) {
-    problems.Add("only one of -c, --replay, -q, -h, -v may be given, not " + given);
+    problems.Add("only one of -c, --replay, -q, --schema, -h, -v may be given, not " + given);
   }
   return action;
 }
@@ -392,6 +407,15 @@ void CheckNeedsRun(const CLI::App& app, CProblems& problems) {
     if (app.count(name) > 0) {
       problems.Add(std::string(name) + " can only be used with -c FILE");
     }
+  }
+}
+
+void CheckSchema(const CLI::App& app, const std::string& format, CProblems& problems) {
+  if (app.count("--schema") > 0 && !IsSchemaFormat(format)) {
+    problems.Add("--schema " + format + ": expected rng or rnc");
+  }
+  if (app.count("--json") > 0 && app.count("--query") == 0) {
+    problems.Add("--json can only be used with -q WORD");
   }
 }
 
@@ -446,12 +470,27 @@ void CARGoSCommandLineArgParser::Parse(SInt32 argc, const char* const* argv) {
   ReadStep(app, raw.Every, m_options.Replay.Every, problems);
   m_options.Replay.ViewsFile = m_options.ExperimentFile;
   CheckFitsReplay(app, app.count("--replay") > 0, problems);
-  if (m_options.Action == ACTION_QUERY_PLUGINS || m_options.Action == ACTION_SHOW_HELP ||
+  CheckSchema(app, m_options.SchemaFormat, problems);
+  if (m_options.Action == ACTION_QUERY_PLUGINS || m_options.Action == ACTION_MAKE_SCHEMA || m_options.Action == ACTION_SHOW_HELP ||
       m_options.Action == ACTION_SHOW_VERSION) {
     CheckNeedsRun(app, problems);
   }
   problems.ThrowIfAny();
 }
+
+namespace {
+
+// of the kinds that the core knows
+std::string JoinQueryWords() {
+  std::string words;
+  for (const SPluginKind& kind : ListPluginKinds()) {
+    words += !kind.Of.empty() ? "" : (words.empty() ? "" : ", ") + kind.Word;
+  }
+  Replace(words, "visualizations", "visualizations (or outputs)");
+  return Wrapped(words, 2).substr(2, std::string::npos);
+}
+
+}  // namespace
 
 std::string CARGoSCommandLineArgParser::GetUsage() {
   SOptions options;
@@ -459,6 +498,7 @@ std::string CARGoSCommandLineArgParser::GetUsage() {
   CLI::App app(Title(), "argos3");
   Define(app, options, raw);
   std::string usage = app.help();
+  Replace(usage, "QUERY_WORDS", JoinQueryWords());
   Replace(usage, "\n\n\n", "\n\n");
   return usage;
 }
@@ -468,19 +508,7 @@ void CARGoSCommandLineArgParser::PrintUsage(CARGoSLog& log) const {
 }
 
 std::string CARGoSCommandLineArgParser::GetVersion() {
-#ifdef ARGOS_USE_DOUBLE
-  constexpr char kUseDouble[] = "ON";
-#else
-  constexpr char kUseDouble[] = "OFF";
-#endif
-#ifdef ARGOS_WITH_LUA
-  constexpr char kWithLua[] = "ON";
-#else
-  constexpr char kWithLua[] = "OFF";
-#endif
-  return std::string("ARGOS_VERSION=") + ARGOS_VERSION + "-" + ARGOS_RELEASE +
-         "\nARGOS_INSTALL_PREFIX=" + ARGOS_INSTALL_PREFIX + "\nARGOS_USE_DOUBLE=" + kUseDouble +
-         "\nARGOS_WITH_LUA=" + kWithLua + "\nARGOS_BUILD_FLAGS=" + ARGOS_BUILD_FLAGS + "\n";
+  return DescribeVersion();
 }
 
 }  // namespace argos

@@ -5,6 +5,10 @@
 #include <argos3/core/simulator/program/argos_command_line_arg_parser.h>
 #include <argos3/core/simulator/program/crash_handler.h>
 #include <argos3/core/simulator/program/progress.h>
+#include <argos3/core/simulator/catalogue/libraries_of.h>
+#include <argos3/core/simulator/catalogue/log_silence.h>
+#include <argos3/core/simulator/catalogue/schema.h>
+#include <argos3/core/simulator/catalogue/version_text.h>
 #include <argos3/core/simulator/program/query_plugins.h>
 #include <argos3/core/simulator/outputs/run_outputs.h>
 #include <argos3/core/simulator/simulator.h>
@@ -194,29 +198,22 @@ void ChooseColors(bool noColor) {
   }
 }
 
-/* Discards messages on LOG during its lifetime. */
-class CSilence {
- public:
-  CSilence() {
-    LOG.Flush();
-    m_previous = LOG.GetStream().rdbuf(&m_dropped);
-  }
-  ~CSilence() {
-    LOG.Flush();
-    LOG.GetStream().rdbuf(m_previous);
-  }
-  CSilence(const CSilence&) = delete;
-  CSilence& operator=(const CSilence&) = delete;
-
- private:
-  std::stringbuf m_dropped;
-  std::streambuf* m_previous = nullptr;
-};
-
-// a query does not print which libraries were loaded
-void LoadLibrariesSilently() {
-  const CSilence silence;
+// messages about loaded libraries would be among the text that is asked for
+void LoadLibrariesSilently(const SOptions& options) {
+  const CLogSilence silence;
   CDynamicLoading::LoadAllLibraries();
+  if (!options.ExperimentFile.empty()) {
+    LoadLibrariesOf(options.ExperimentFile);
+  }
+}
+
+// the version is shown even if a library cannot be loaded; its engines are then left out
+void TryToLoadLibraries() {
+  try {
+    LoadLibrariesSilently({});
+  } catch (const std::exception& error) {
+    LOGERR << "[WARNING] " << error.what() << std::endl;
+  }
 }
 
 void ApplyRunOptions(CSimulator& simulator, const SOptions& options) {
@@ -368,12 +365,15 @@ int Act(const SOptions& options) {
       LOG << CARGoSCommandLineArgParser::GetUsage();
       break;
     case CARGoSCommandLineArgParser::ACTION_SHOW_VERSION:
-      LOG.DisableColoredOutput();
-      LOG << CARGoSCommandLineArgParser::GetVersion();
+      TryToLoadLibraries();
+      PrintPlain(DescribeVersion());
       break;
     case CARGoSCommandLineArgParser::ACTION_QUERY_PLUGINS:
-      LoadLibrariesSilently();
-      QueryPlugins(options.Query);
+      LoadLibrariesSilently(options);
+      return QueryPlugins(options.Query, options.Json) ? 0 : kFailure;
+    case CARGoSCommandLineArgParser::ACTION_MAKE_SCHEMA:
+      LoadLibrariesSilently(options);
+      PrintPlain(MakeSchema(options.SchemaFormat));
       break;
     default:
       return RunExperiment(options);

@@ -2,6 +2,7 @@
 
 #include <argos3/core/utility/configuration/attribute_text.h>
 #include <argos3/core/utility/configuration/configuration_error.h>
+#include <argos3/core/utility/configuration/request_recorder.h>
 #include <argos3/core/utility/configuration/value_range.h>
 #include <argos3/core/utility/text/string_utilities.h>
 
@@ -34,6 +35,9 @@ CConfigurationNode* CConfigurationStore::HandleOf(tinyxml2::XMLElement* element)
   }
   SConfigurationRecord& record = RecordOf(*element);
   record.IsVisited = true;
+  if (CRequestRecorder* const recorder = CRequestRecorder::Current()) {
+    recorder->NoteVisit(record);
+  }
   if (record.Handle == nullptr) {
     CConfigurationNode& handle = m_handles.emplace_back();
     handle.m_record = &record;
