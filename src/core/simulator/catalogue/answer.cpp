@@ -99,21 +99,13 @@ std::vector<std::string> Suggest(const std::string& query, const std::vector<SPl
     }
   };
   addContaining(wanted);
-  const auto split = [](const std::string& list) {
-    std::vector<std::string> parts;
-    for (const std::string& part : WordsOf(list)) {
-      // WordsOf() splits at underscores, too, which names of one word do not have
-      parts.push_back(part);
-    }
-    return parts;
-  };
   for (const std::string& name : names) {
     if (!NearestNames(query, {name}).empty()) {
       AddOnce(suggestions, name);
     }
   }
   // a misspelt part of a name
-  for (const std::string& word : split(NearestNames(query, words))) {
+  for (const std::string& word : WordsOf(NearestNames(query, words))) {
     addContaining(Lower(word));
   }
   if (suggestions.size() > kMostSuggestions) {
@@ -175,6 +167,13 @@ SAnswer FindAnswer(const std::string& query, const std::vector<SPluginKind>& kin
   } else {
     for (const SMatch& match : containing) {
       AddOnce(answer.Others, TagOf(match.Plugin->Label));
+    }
+  }
+  for (const SPluginKind& kind : kinds) {
+    for (const SPluginText& plugin : kind.Plugins) {
+      if (!answer.Matches.empty() && InitialsOf(TagOf(plugin.Label)) == Lower(query)) {
+        AddOnce(answer.Others, TagOf(plugin.Label));
+      }
     }
   }
   if (answer.Matches.empty()) {

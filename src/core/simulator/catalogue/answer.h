@@ -18,7 +18,7 @@ struct SMatch {
 struct SAnswer {
   std::vector<const SPluginKind*> Lists; /**< whole kinds */
   std::vector<SMatch> Matches; /**< plug-ins to describe */
-  std::vector<std::string> Others; /**< labels of others whose names contain the word */
+  std::vector<std::string> Others; /**< tags of others that may be meant */
   std::vector<std::string> Suggestions; /**< if nothing else was found */
 
   bool IsFound() const { return !Lists.empty() || !Matches.empty(); }

@@ -50,6 +50,7 @@ void AddDevice(CJsonWriter& json, const SDeviceFacts& facts) {
     json.EndObject();
   }
   json.EndArray();
+  json.Add("lua_text", facts.Class.Lua);
   json.BeginArray("robots");
   for (const SFit& fit : facts.Robots) {
     json.BeginObject();

@@ -4,6 +4,8 @@
 #include <argos3/core/simulator/catalogue/text_layout.h>
 #include <argos3/core/utility/configuration/value_range.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace argos {
@@ -80,10 +82,9 @@ std::string DescribeClass(const SDeviceFacts& facts) {
     text += DescribeDeclaration(method, kIndent);
   }
   for (const STypeText& type : facts.Class.Types) {
-    text += "\n  " + type.Name + '\n';
-    text += type.Text.empty() ? "" : Wrapped(type.Text, kTextIndent);
+    text += '\n' + Wrapped(type.Text.empty() ? type.Name : type.Name + ": " + type.Text, kIndent, 2);
     for (const SDeclaration& field : type.Fields) {
-      text += DescribeDeclaration(field, kIndent + 2);
+      text += DescribeDeclaration(field, kTextIndent);
     }
   }
   return text + '\n';
@@ -94,16 +95,16 @@ std::string DescribeLua(const SDeviceFacts& facts) {
   if (facts.Lua.empty()) {
     return text + "  Nothing.\n\n";
   }
+  size_t longest = 0;
   for (const SLuaEntry& entry : facts.Lua) {
-    const std::string line =
-        "  " + entry.Path + (entry.Type == "function" ? "()" : "");
-    text += line;
-    if (entry.Type != "function") {
-      text += std::string(std::max<size_t>(2, kUnitColumn - std::min(line.size(), kUnitColumn)), ' ') + entry.Type;
-    }
-    text += '\n';
+    longest = entry.Type == "function" ? longest : std::max(longest, entry.Path.size());
   }
-  return text + '\n';
+  for (const SLuaEntry& entry : facts.Lua) {
+    text += entry.Type == "function"
+                ? fmt::format("  {}()\n", entry.Path)
+                : fmt::format("  {:{}}  {}\n", entry.Path, longest, entry.Type);
+  }
+  return text + (facts.Class.Lua.empty() ? "" : '\n' + Wrapped(facts.Class.Lua, kIndent)) + '\n';
 }
 
 // "magnets" of a robot that needs that element

@@ -144,7 +144,13 @@ void CPublicHeaders::AddFolder(const std::string& folder, bool onlyInterfaces) {
     }
   }
   for (const fs::path& header : headers) {
-    AddHeader(header.lexically_relative(folder).string(), ReadFile(header));
+    // as users include it; a build has further folders above "argos3"
+    const std::string path = header.string();
+    const size_t start = path.rfind("/argos3/");
+    AddHeader(onlyInterfaces && start != std::string::npos
+                  ? path.substr(start + 1)
+                  : header.lexically_relative(folder).string(),
+              ReadFile(header));
   }
 }
 
@@ -177,6 +183,9 @@ void CPublicHeaders::AddMembers(const SDefinition& definition, SClassText& descr
     }
     const std::string& code = members.GetCode();
     SHead head;
+    if (members.GetComment().rfind("robot.", 0) == 0) {
+      description.Lua += members.GetComment() + '\n';
+    }
     if (!isPublic) {
       continue;
     }

@@ -24,6 +24,7 @@ struct STypeText {
 struct SClassText {
   std::string Header; /**< as in #include: "argos3/.../ci_leds_actuator.h"; "" if not found */
   std::string Text;
+  std::string Lua; /**< comments about what the class adds to the table "robot" */
   std::vector<SDeclaration> Methods; /**< public ones that controllers call */
   std::vector<STypeText> Types;
 };

@@ -3,7 +3,10 @@
 #include <argos3/core/simulator/catalogue/manual.h>
 #include <argos3/core/utility/configuration/configuration_document.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 
 namespace argos {
@@ -16,17 +19,12 @@ constexpr const char* kRoot = "argos-configuration";
 constexpr const char* kCoreFramework =
     R"(<system threads="0" /><experiment length="1" ticks_per_second="10" random_seed="1" />
 <profiling file="profile.txt" format="human_readable" />)";
-constexpr const char* kCoreArena = R"(
-<distribute>
-  <position method="uniform" min="-4,-4,0" max="4,4,0" />
-  <orientation method="gaussian" mean="0,0,0" std_dev="10,0,0" />
-  <entity quantity="1" max_trials="100" base_num="0">ENTITY</entity>
-</distribute>
-<distribute>
-  <position method="grid" center="0,0,0" distances="1,1,0" layout="1,1,1" />
-  <orientation method="constant" values="0,0,0" />
-  <entity quantity="1" max_trials="100">OTHER</entity>
-</distribute>)";
+// each with one entity
+constexpr const char* kMethods[] = {
+    "method=\"uniform\" min=\"-4,-4,0\" max=\"4,4,0\"",
+    "method=\"gaussian\" mean=\"0,0,0\" std_dev=\"1,1,0\"",
+    "method=\"constant\" values=\"6,0,0\"",
+    "method=\"grid\" center=\"-6,0,0\" distances=\"1,1,0\" layout=\"1,1,1\""};
 constexpr const char* kCoreLoopFunctions = R"(<loop_functions label="lua" />)";
 
 std::string KeyOf(TConfigurationNode& element) {
@@ -183,12 +181,12 @@ void CRecordedGrammar::RecordCore() {
   sample.Framework = kCoreFramework;
   sample.Media = m_catalogue.GetElements().GetMedia();
   const std::vector<std::string>& robots = m_catalogue.GetRobots();
-  std::string arena = kCoreArena;
-  if (!robots.empty()) {
-    const std::string body = "\"><controller config=\"c1\"><params /></controller></";
-    Replace(arena, "ENTITY", "<" + robots.front() + " id=\"a" + body + robots.front() + ">");
-    Replace(arena, "OTHER", "<" + robots.front() + " id=\"b" + body + robots.front() + ">");
-    sample.Arena = arena;
+  for (size_t i = 0; i < std::size(kMethods) && !robots.empty(); ++i) {
+    sample.Arena += fmt::format(
+        "<distribute><position {0} /><orientation {0} />"
+        "<entity quantity=\"1\" max_trials=\"1000\" base_num=\"{1}\"><{2} id=\"r\">"
+        "<controller config=\"c1\"><params /></controller></{2}></entity></distribute>",
+        kMethods[i], i, robots.front());
   }
   sample.Sections = kCoreLoopFunctions;
   RecordSample(sample);
@@ -216,7 +214,10 @@ void CRecordedGrammar::List(const SRequestedElement& element, const std::string&
                             const std::string& shown,
                             std::vector<SAttributeFacts>& facts) const {
   for (const auto& [name, attribute] : element.Attributes) {
-    facts.push_back({shown, name, TypeOf(attribute), IsRequired(path, name)});
+    // it is a part of the label
+    if (name != "implementation") {
+      facts.push_back({shown, name, TypeOf(attribute), IsRequired(path, name)});
+    }
   }
   for (const auto& [key, child] : element.Children) {
     List(*child, path + '/' + key, shown + '/' + key, facts);

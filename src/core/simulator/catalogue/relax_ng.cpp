@@ -11,7 +11,7 @@ namespace {
 using EKind = SSchemaPattern::EKind;
 
 constexpr const char* kOrigin =
-    "Made by \"argos3 --schema\" from what the plug-ins read; do not edit.";
+    "Made by argos3 from what the plug-ins read: the option \"schema\". Do not edit.";
 
 std::string Escaped(const std::string& text) {
   std::string escaped;

@@ -34,7 +34,7 @@ std::string WriteText(const std::string& query, const SAnswer& answer,
     for (const std::string& label : answer.Others) {
       others += (others.empty() ? "" : ", ") + label;
     }
-    text += Wrapped("Names that contain \"" + query + "\", too: " + others, 0, 2);
+    text += Wrapped("See also: " + others, 0, 2);
   }
   return text;
 }

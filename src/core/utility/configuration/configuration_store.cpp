@@ -76,6 +76,10 @@ void CConfigurationStore::InheritOrigin(tinyxml2::XMLElement& copy,
                                         tinyxml2::XMLElement& original) {
   SConfigurationRecord& record = RecordOf(copy);
   const auto* originalRecord = static_cast<const SConfigurationRecord*>(original.GetUserData());
+  if (CRequestRecorder::Current() != nullptr) {
+    record.OriginPath =
+        std::make_shared<const std::vector<std::string>>(CRequestRecorder::PathOf(original));
+  }
   if (originalRecord != nullptr) {
     record.Origin = originalRecord->Origin;
     record.File = originalRecord->File;

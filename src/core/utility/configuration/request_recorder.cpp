@@ -70,23 +70,34 @@ CRequestRecorder* CRequestRecorder::Current() {
   return currentRecorder;
 }
 
-SRequestedElement* CRequestRecorder::Find(const SConfigurationRecord& record) {
-  const tinyxml2::XMLElement* element = record.Element;
-  // a copy stands for its original while that exists: its place says what it is
-  if (record.Origin->Element != nullptr) {
-    element = record.Origin->Element;
+std::vector<std::string> CRequestRecorder::PathOf(const tinyxml2::XMLElement& element) {
+  const auto* const record = static_cast<const SConfigurationRecord*>(element.GetUserData());
+  if (record != nullptr && record->OriginPath != nullptr) {
+    return *record->OriginPath;
   }
-  std::vector<const tinyxml2::XMLElement*> path;
-  for (const tinyxml2::XMLNode* node = element; node != nullptr; node = node->Parent()) {
-    if (node->ToElement() != nullptr) {
-      path.push_back(node->ToElement());
-    } else if (node->ToDocument() == nullptr || node->Parent() != nullptr) {
-      return nullptr;
+  std::vector<std::string> path;
+  const tinyxml2::XMLNode* const parent = element.Parent();
+  if (parent == nullptr) {
+    return path;
+  }
+  if (parent->ToElement() != nullptr) {
+    path = PathOf(*parent->ToElement());
+    if (path.empty()) {
+      return path;
     }
   }
+  path.push_back(KeyOf(element));
+  return path;
+}
+
+SRequestedElement* CRequestRecorder::Find(const SConfigurationRecord& record) {
+  const std::vector<std::string> path = PathOf(*record.Element);
+  if (path.empty()) {
+    return nullptr;
+  }
   SRequestedElement* found = &m_requests;
-  for (auto part = path.rbegin(); part != path.rend(); ++part) {
-    found = &found->Child(KeyOf(**part));
+  for (const std::string& key : path) {
+    found = &found->Child(key);
   }
   found->IsVisited = true;
   return found;

@@ -4,10 +4,18 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace argos {
 
 struct SConfigurationRecord;
+}  // namespace argos
+
+namespace tinyxml2 {
+class XMLElement;
+}
+
+namespace argos {
 
 /** What was requested of an attribute. */
 struct SRequestedAttribute {
@@ -57,6 +65,9 @@ class CRequestRecorder {
 
   /** The one of this thread, or null. */
   static CRequestRecorder* Current();
+
+  /** Keys from the root of the document; of copies, those of the original; empty without root. */
+  static std::vector<std::string> PathOf(const tinyxml2::XMLElement& element);
 
   // called by the elements
   void NoteAttribute(const SConfigurationRecord& record, const std::string& name);
