@@ -141,19 +141,42 @@ void CDeviceCatalogue::TryOn(const std::string& robot, const std::vector<SSample
       return;
     }
   }
+  TryOnExamples(robot, error, device, facts);
+}
+
+// for robots whose parts depend on each other
+void CDeviceCatalogue::TryOnExamples(const std::string& robot, const std::string& error,
+                                     const SSampleElement& device, SDeviceFacts& facts) {
+  for (const std::string& example : m_elements.Of("arena", robot)) {
+    for (const auto& [tag, part] : m_elements.GetParts()) {
+      if (error.find('"' + tag + '"') != std::string::npos &&
+          example.find('<' + tag + '>') != std::string::npos &&
+          TryInArena(example, device, facts).empty()) {
+        facts.Robots.push_back({robot, tag});
+        facts.Example = example;
+        return;
+      }
+    }
+  }
 }
 
 std::string CDeviceCatalogue::TryWith(const std::string& robot, const std::string& parts,
                                       const SSampleElement& device, SDeviceFacts& facts) {
-  SSampleExperiment sample = m_elements.MakeSample(device);
   // two, so that there are messages to receive
-  sample.Arena = Robot(robot, "r0", "0,0,0", parts) + Robot(robot, "r1", "0.5,0,0", parts) + kFloor;
+  return TryInArena(Robot(robot, "r0", "0,0,0", parts) + Robot(robot, "r1", "0.5,0,0", parts),
+                    device, facts);
+}
+
+std::string CDeviceCatalogue::TryInArena(const std::string& arena, const SSampleElement& device,
+                                         SDeviceFacts& facts) {
+  SSampleExperiment sample = m_elements.MakeSample(device);
+  sample.Arena = arena + kFloor;
   return m_loader.Load(sample, [&facts](CSimulator& simulator) {
     if (facts.Lua.empty()) {
       simulator.UpdateSpace();
       simulator.UpdateSpace();
-      facts.Lua = ListLuaDevices(
-          simulator.GetSpace().GetControllableEntities().front()->GetController());
+      facts.Lua =
+          ListLuaDevices(simulator.GetSpace().GetControllableEntities().front()->GetController());
     }
   });
 }
@@ -161,12 +184,14 @@ std::string CDeviceCatalogue::TryWith(const std::string& robot, const std::strin
 SSampleExperiment CDeviceCatalogue::MakeSample(const SSampleElement& device) {
   const SDeviceFacts& facts = GetFacts(device.Section, device.Key);
   SSampleExperiment sample = m_elements.MakeSample(device);
-  if (!facts.Robots.empty()) {
+  if (!facts.Example.empty()) {
+    sample.Arena = facts.Example + kFloor;
+  } else if (!facts.Robots.empty()) {
     const SFit& fit = facts.Robots.front();
     const auto part = m_elements.GetParts().find(fit.Part);
-    sample.Arena = Robot(fit.Robot, "r0", "0,0,0",
-                         part == m_elements.GetParts().end() ? "" : part->second) +
-                   kFloor;
+    sample.Arena =
+        Robot(fit.Robot, "r0", "0,0,0", part == m_elements.GetParts().end() ? "" : part->second) +
+        kFloor;
   } else if (!GetRobots().empty()) {
     sample.Arena = Robot(GetRobots().front(), "r0", "0,0,0", "") + kFloor;
   }

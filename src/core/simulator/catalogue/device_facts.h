@@ -28,6 +28,7 @@ struct SDeviceFacts {
   SClassText Class;
   std::vector<SLuaEntry> Lua;
   std::vector<SFit> Robots;
+  std::string Example; /**< a robot that it fits, if that is not made of parts */
   std::string Problem; /**< why it fits no robot, if so */
 };
 
@@ -55,6 +56,10 @@ class CDeviceCatalogue {
              SDeviceFacts& facts);
   std::string TryWith(const std::string& robot, const std::string& parts,
                       const SSampleElement& device, SDeviceFacts& facts);
+  void TryOnExamples(const std::string& robot, const std::string& error,
+                     const SSampleElement& device, SDeviceFacts& facts);
+  std::string TryInArena(const std::string& arena, const SSampleElement& device,
+                         SDeviceFacts& facts);
   std::string Robot(const std::string& label, const std::string& id, const std::string& position,
                     const std::string& parts) const;
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace argos {
 
@@ -29,22 +30,21 @@ std::string BriefOf(const SPluginText& plugin) {
   return IsUnsaid(plugin.Brief) ? "(no description)" : plugin.Brief;
 }
 
-// what users' plug-ins say of themselves; those of the program have one author and one state
-std::string DescribeOrigin(const SPluginText& plugin) {
-  if (IsOwnAuthor(plugin.Author)) {
-    return "";
+// "A sensor.", or what users' plug-ins say of themselves: "A sensor by A. Author, version 1.5."
+std::string DescribeOrigin(const SMatch& match) {
+  const SPluginText& plugin = *match.Plugin;
+  const std::string& name = match.Kind->Name;
+  const bool isPlural = name.back() == 's';
+  const bool hasVowel = std::string("aeiou").find(name.front()) != std::string::npos;
+  std::string text = isPlural ? "" : hasVowel ? "An " : "A ";
+  text += name;
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  if (!IsOwnAuthor(plugin.Author)) {
+    text += IsUnsaid(plugin.Author) ? "" : " by " + plugin.Author;
+    text += IsUnsaid(plugin.Version) ? "" : ", version " + plugin.Version;
   }
-  std::vector<std::string> parts;
-  if (!IsUnsaid(plugin.Author)) {
-    parts.push_back("by " + plugin.Author);
-  }
-  if (!IsUnsaid(plugin.Version)) {
-    parts.push_back("version " + plugin.Version);
-  }
-  if (!IsUnsaid(plugin.Status)) {
-    parts.push_back("status: " + plugin.Status);
-  }
-  return parts.empty() ? "" : Joined(parts) + '\n';
+  text += IsUnsaid(plugin.Status) || plugin.Status == "Usable" ? "" : ", status: " + plugin.Status;
+  return text + ".\n";
 }
 
 std::string DescribeLibrary(const std::string& library) {
@@ -82,7 +82,8 @@ std::string DescribeClass(const SDeviceFacts& facts) {
     text += DescribeDeclaration(method, kIndent);
   }
   for (const STypeText& type : facts.Class.Types) {
-    text += '\n' + Wrapped(type.Text.empty() ? type.Name : type.Name + ": " + type.Text, kIndent, 2);
+    text +=
+        '\n' + Wrapped(type.Text.empty() ? type.Name : type.Name + ": " + type.Text, kIndent, 2);
     for (const SDeclaration& field : type.Fields) {
       text += DescribeDeclaration(field, kTextIndent);
     }
@@ -114,13 +115,12 @@ std::string DescribeRobots(const SDeviceFacts& facts) {
   std::vector<std::string> parts;
   for (const SFit& fit : facts.Robots) {
     robots.push_back(fit.Robot);
-    if (!fit.Part.empty() &&
-        std::find(parts.begin(), parts.end(), fit.Part) == parts.end()) {
+    if (!fit.Part.empty() && std::find(parts.begin(), parts.end(), fit.Part) == parts.end()) {
       parts.push_back(fit.Part);
     }
   }
   if (robots.empty()) {
-    return text + Wrapped("No robot of the loaded libraries as its example is.", kIndent) + '\n';
+    return text + Wrapped("None of the loaded libraries.", kIndent) + '\n';
   }
   text += Wrapped(Joined(robots), kIndent);
   for (const std::string& part : parts) {
@@ -178,8 +178,8 @@ std::string DescribePlugin(const SMatch& match, const std::vector<SPluginKind>& 
                            CDeviceCatalogue& catalogue) {
   const SPluginText& plugin = *match.Plugin;
   const std::string& word = match.Kind->Word;
-  std::string text = "[ " + plugin.Label + " ] " + match.Kind->Name + '\n' +
-                     Wrapped(BriefOf(plugin), 0) + DescribeOrigin(plugin) + '\n';
+  std::string text = "[ " + plugin.Label + " ]\n" + Wrapped(BriefOf(plugin), 0) + '\n' +
+                     Wrapped(DescribeOrigin(match), 0) + '\n';
   if (word == "sensors" || word == "actuators") {
     const SDeviceFacts& facts = catalogue.GetFacts(word, plugin.Label);
     text += DescribeClass(facts) + DescribeLua(facts) + DescribeRobots(facts);

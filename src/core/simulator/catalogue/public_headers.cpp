@@ -68,6 +68,7 @@ STypeText DescribeType(const std::string& name, const std::string& text, const s
       isPublic = members.GetLabel() == "public";
     } else if (isPublic && members.GetCode().find('(') == std::string::npos &&
                members.GetCode().rfind("typedef", 0) != 0 &&
+               members.GetCode().rfind("enum", 0) != 0 &&
                members.GetCode().rfind("using", 0) != 0) {
       std::string code = members.GetCode();
       code = code.substr(0, code.find(" ="));
@@ -79,7 +80,8 @@ STypeText DescribeType(const std::string& name, const std::string& text, const s
 
 STypeText DescribeEnum(const std::string& name, const std::string& text, const std::string& body) {
   STypeText type{name, text, {}};
-  static const std::regex kValue("(\\w+)\\s*(?:=[^,/]*)?,?[ ]*(?:/\\*\\*<\\s*((?:[^*]|\\*[^/])*)\\*/)?");
+  static const std::regex kValue(
+      "(\\w+)\\s*(?:=[^,/]*)?,?[ ]*(?:/\\*\\*<\\s*((?:[^*]|\\*[^/])*)\\*/)?");
   for (std::sregex_iterator it(body.begin(), body.end(), kValue), end; it != end; ++it) {
     type.Fields.push_back({(*it)[1], PlainComment((*it)[2])});
   }
@@ -163,9 +165,8 @@ void CPublicHeaders::AddHeader(const std::string& header, const std::string& tex
     }
     SHead head;
     if (!declarations.GetBody().empty() && ReadHead(declarations.GetCode(), head)) {
-      m_classes.try_emplace(head.Name,
-                            SDefinition{header, declarations.GetComment(), head.Bases,
-                                        declarations.GetBody(), head.IsStruct});
+      m_classes.try_emplace(head.Name, SDefinition{header, declarations.GetComment(), head.Bases,
+                                                   declarations.GetBody(), head.IsStruct});
     }
   }
 }
@@ -173,9 +174,8 @@ void CPublicHeaders::AddHeader(const std::string& header, const std::string& tex
 void CPublicHeaders::AddMembers(const SDefinition& definition, SClassText& description) const {
   CHeaderScanner members(definition.Body);
   bool isPublic = definition.IsStruct;
-  const auto self = std::find_if(m_classes.begin(), m_classes.end(), [&](const auto& known) {
-    return &known.second == &definition;
-  });
+  const auto self = std::find_if(m_classes.begin(), m_classes.end(),
+                                 [&](const auto& known) { return &known.second == &definition; });
   while (members.Next()) {
     if (!members.GetLabel().empty()) {
       isPublic = members.GetLabel() == "public";
@@ -190,8 +190,7 @@ void CPublicHeaders::AddMembers(const SDefinition& definition, SClassText& descr
       continue;
     }
     if (ReadHead(code, head) && !members.GetBody().empty()) {
-      description.Types.push_back(
-          DescribeType(head.Name, members.GetComment(), members.GetBody()));
+      description.Types.push_back(DescribeType(head.Name, members.GetComment(), members.GetBody()));
     } else if (code.rfind("enum ", 0) == 0 && !members.GetBody().empty()) {
       const std::string name = code.substr(code.find_last_of(' ') + 1);
       description.Types.push_back(DescribeEnum(name, members.GetComment(), members.GetBody()));

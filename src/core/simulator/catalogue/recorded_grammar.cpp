@@ -22,8 +22,7 @@ constexpr const char* kCoreFramework =
 // each with one entity
 constexpr const char* kMethods[] = {
     "method=\"uniform\" min=\"-4,-4,0\" max=\"4,4,0\"",
-    "method=\"gaussian\" mean=\"0,0,0\" std_dev=\"1,1,0\"",
-    "method=\"constant\" values=\"6,0,0\"",
+    "method=\"gaussian\" mean=\"0,0,0\" std_dev=\"1,1,0\"", "method=\"constant\" values=\"6,0,0\"",
     "method=\"grid\" center=\"-6,0,0\" distances=\"1,1,0\" layout=\"1,1,1\""};
 constexpr const char* kCoreLoopFunctions = R"(<loop_functions label="lua" />)";
 
@@ -46,9 +45,9 @@ void CollectElements(TConfigurationNode& element, std::vector<TConfigurationNode
 }  // namespace
 
 std::string TypeOf(const SRequestedAttribute& attribute) {
-  static const std::map<std::string, std::string> types = {
-      {"red", "colour"}, {"false", "boolean"}, {"1,1", "x,y"},
-      {"1,1,1", "x,y,z"}, {"0,0,0", "z,y,x"},  {"0:1", "min:max"}};
+  static const std::map<std::string, std::string> types = {{"red", "colour"},  {"false", "boolean"},
+                                                           {"1,1", "x,y"},     {"1,1,1", "x,y,z"},
+                                                           {"0,0,0", "z,y,x"}, {"0:1", "min:max"}};
   if (attribute.Sample == "1") {
     return attribute.Expected.rfind("an integer from 0", 0) == 0 ? "natural"
            : attribute.Expected.rfind("an integer", 0) == 0      ? "integer"
@@ -211,8 +210,7 @@ bool CRecordedGrammar::IsUnknown(const std::string& section, const std::string& 
 }
 
 void CRecordedGrammar::List(const SRequestedElement& element, const std::string& path,
-                            const std::string& shown,
-                            std::vector<SAttributeFacts>& facts) const {
+                            const std::string& shown, std::vector<SAttributeFacts>& facts) const {
   for (const auto& [name, attribute] : element.Attributes) {
     // it is a part of the label
     if (name != "implementation") {

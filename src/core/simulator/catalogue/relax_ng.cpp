@@ -83,15 +83,15 @@ class CXmlWriter {
   }
 
   void WriteNamed(const std::string& tag, const SSchemaPattern& pattern, size_t depth) {
-    Line(depth, '<' + tag +
-                    (pattern.Name.empty() ? "" : " name=\"" + Escaped(pattern.Name) + '"') + '>');
+    Line(depth,
+         '<' + tag + (pattern.Name.empty() ? "" : " name=\"" + Escaped(pattern.Name) + '"') + '>');
     if (pattern.Name.empty()) {
       std::string names;
       for (const std::string& name : pattern.Except) {
         names += "<name>" + Escaped(name) + "</name>";
       }
-      Line(depth + 1, names.empty() ? "<anyName/>"
-                                    : "<anyName><except>" + names + "</except></anyName>");
+      Line(depth + 1,
+           names.empty() ? "<anyName/>" : "<anyName><except>" + names + "</except></anyName>");
     }
     if (!pattern.Text.empty()) {
       Line(depth + 1, "<a:documentation>" + Escaped(pattern.Text) + "</a:documentation>");

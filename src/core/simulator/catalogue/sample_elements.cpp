@@ -14,10 +14,10 @@ namespace {
 // sections whose children are plug-ins, and the kinds of these
 const std::map<std::string, std::string>& SectionsByKind() {
   static const std::map<std::string, std::string> sections = {
-      {"actuators", "actuators"},   {"sensors", "sensors"},
-      {"entities", "arena"},        {"physics_engines", "physics_engines"},
-      {"media", "media"},           {"visualizations", "visualization"},
-      {"overlays", "overlays"},     {"robot_types", "robot_types"}};
+      {"actuators", "actuators"}, {"sensors", "sensors"},
+      {"entities", "arena"},      {"physics_engines", "physics_engines"},
+      {"media", "media"},         {"visualizations", "visualization"},
+      {"overlays", "overlays"},   {"robot_types", "robot_types"}};
   return sections;
 }
 
@@ -51,16 +51,25 @@ std::string CSampleElements::SectionOf(const SPluginKind& kind) {
 
 CSampleElements::CSampleElements(const std::vector<SPluginKind>& kinds) {
   NoteLabels(kinds);
-  for (const SPluginKind& kind : kinds) {
-    for (const SPluginText& plugin : kind.Plugins) {
-      const CManual manual(plugin.Long);
-      for (TConfigurationNode example : manual.GetExamples()) {
-        AddExample(SectionOf(kind), example);
+  // the examples of robots in their own manuals come first: those in others' are special
+  for (const bool isForEntities : {true, false}) {
+    for (const SPluginKind& kind : kinds) {
+      if ((kind.Word == "entities") == isForEntities) {
+        AddExamples(kind);
       }
     }
   }
   for (const SPluginKind& kind : kinds) {
     AddMissing(kind);
+  }
+}
+
+void CSampleElements::AddExamples(const SPluginKind& kind) {
+  for (const SPluginText& plugin : kind.Plugins) {
+    const CManual manual(plugin.Long);
+    for (TConfigurationNode example : manual.GetExamples()) {
+      AddExample(SectionOf(kind), example);
+    }
   }
 }
 
@@ -146,9 +155,9 @@ void CSampleElements::AddMissing(const SPluginKind& kind) {
     }
     const auto owner = m_sections.find(kind.Of);
     if (owner != m_sections.end()) {
-      m_elements.push_back({owner->second, kind.Of,
-                            "<" + kind.Of + " id=\"sample\"><" + plugin.Label + " /></" + kind.Of +
-                                ">"});
+      m_elements.push_back(
+          {owner->second, kind.Of,
+           "<" + kind.Of + " id=\"sample\"><" + plugin.Label + " /></" + kind.Of + ">"});
     }
   }
 }

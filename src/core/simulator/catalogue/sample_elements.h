@@ -40,6 +40,7 @@ class CSampleElements {
 
  private:
   void NoteLabels(const std::vector<SPluginKind>& kinds);
+  void AddExamples(const SPluginKind& kind);
   void AddExample(const std::string& ownSection, TConfigurationNode& root);
   void AddChildren(const std::string& section, TConfigurationNode& parent);
   void AddDevices(TConfigurationNode& controllers);

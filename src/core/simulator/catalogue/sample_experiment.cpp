@@ -44,9 +44,8 @@ std::string Controllers(const std::string& arena, const std::string& devices) {
 
 std::string SSampleExperiment::ToXml(const std::string& engines) const {
   const std::string framework =
-      Framework.empty()
-          ? "<experiment length=\"1\" ticks_per_second=\"10\" random_seed=\"1\" />"
-          : Framework;
+      Framework.empty() ? "<experiment length=\"1\" ticks_per_second=\"10\" random_seed=\"1\" />"
+                        : Framework;
   return "<argos-configuration>\n" + Section("framework", framework) +
          (RobotTypes.empty() ? "" : Section("robot_types", RobotTypes)) +
          Section("controllers", Controllers(Arena, Section("actuators", Actuators) +

@@ -68,16 +68,15 @@ void AddTypes(SSchema& schema) {
   schema.Definitions["boolean"] = {
       EKind::Choice, "", "", {{EKind::Value, "true"}, {EKind::Value, "false"}}};
   // what users' code reads
-  schema.Definitions["anything"] = {
-      EKind::ZeroOrMore,
-      "",
-      "",
-      {{EKind::Choice,
-        "",
-        "",
-        {{EKind::Attribute, "", "", {{EKind::Text}}},
-         {EKind::Element, "", "", {Reference("anything")}},
-         {EKind::Text}}}}};
+  schema.Definitions["anything"] = {EKind::ZeroOrMore,
+                                    "",
+                                    "",
+                                    {{EKind::Choice,
+                                      "",
+                                      "",
+                                      {{EKind::Attribute, "", "", {{EKind::Text}}},
+                                       {EKind::Element, "", "", {Reference("anything")}},
+                                       {EKind::Text}}}}};
 }
 
 /* Turns the recorded requests into definitions. */
@@ -126,9 +125,9 @@ CSchemaMaker::CSchemaMaker(CRecordedGrammar& grammar, const std::vector<SPluginK
     const std::string section = CSampleElements::SectionOf(kind);
     for (const SPluginText& plugin : kind.Plugins) {
       if (!section.empty()) {
-        m_described.emplace(section + '/' + plugin.Label,
-                            SDescribed{IsUnsaid(plugin.Brief) ? "" : plugin.Brief,
-                                       CManual(plugin.Long)});
+        m_described.emplace(
+            section + '/' + plugin.Label,
+            SDescribed{IsUnsaid(plugin.Brief) ? "" : plugin.Brief, CManual(plugin.Long)});
       }
     }
   }
@@ -201,8 +200,7 @@ bool CSchemaMaker::IsOpen(const std::string& path, const SRequestedElement& elem
 
 SSchemaPattern CSchemaMaker::Attribute(const std::string& tag, const std::string& name,
                                        const SRequestedAttribute& attribute,
-                                       const std::string& path,
-                                       const SDescribed* described) const {
+                                       const std::string& path, const SDescribed* described) const {
   SSchemaPattern pattern = {EKind::Attribute, name};
   pattern.Text = described == nullptr ? "" : described->Manual.TextOf(tag, name);
   pattern.Parts.push_back(OfType(TypeOf(attribute)));
@@ -322,13 +320,14 @@ SSchemaPattern CSchemaMaker::Controllers(const SRequestedElement& section) {
     controller.Parts.push_back(
         Attribute("", name, attribute, "controllers/lua_controller", nullptr));
   }
-  std::vector<SSchemaPattern> parts = {
-      {EKind::Element, "params", "Attributes and elements for the controller.",
-       {Reference("anything")}}};
+  std::vector<SSchemaPattern> parts = {{EKind::Element,
+                                        "params",
+                                        "Attributes and elements for the controller.",
+                                        {Reference("anything")}}};
   for (const char* const devices : {"actuators", "sensors"}) {
     SSchemaPattern list = {EKind::Element, devices};
-    list.Parts.push_back(AnyNumberOf(Plugins(all.Child(devices), devices,
-                                             std::string("controllers/lua_controller/") + devices)));
+    list.Parts.push_back(AnyNumberOf(Plugins(
+        all.Child(devices), devices, std::string("controllers/lua_controller/") + devices)));
     parts.push_back(std::move(list));
   }
   controller.Parts.push_back(AnyNumberOf(std::move(parts)));
@@ -344,10 +343,11 @@ SSchemaPattern CSchemaMaker::Arena(bool withTypes) {
   }
   m_schema.Definitions["entities"] = AnyNumberOf(choices);
   const SRequestedElement* const arena = m_grammar.GetRoot().Find("arena");
-  const SRequestedElement* const distribute = arena == nullptr ? nullptr : arena->Find("distribute");
+  const SRequestedElement* const distribute =
+      arena == nullptr ? nullptr : arena->Find("distribute");
   // the tag of a robot of <robot_types> is the id of its type
-  const SSchemaPattern typed = {EKind::Element, "", "A robot of a type in robot_types.",
-                                {Reference("anything")}, tags};
+  const SSchemaPattern typed = {
+      EKind::Element, "", "A robot of a type in robot_types.", {Reference("anything")}, tags};
   if (withTypes) {
     choices.push_back(typed);
     m_schema.Definitions["entities_and_robots"] = AnyNumberOf(choices);

@@ -20,7 +20,8 @@ std::size_t IndentOf(const std::string& line) {
 using TBlock = std::vector<std::string>;
 
 bool IsXml(const TBlock& block) {
-  return block.front().compare(IndentOf(block.front()), 1, "<") == 0;
+  const std::size_t indent = IndentOf(block.front());
+  return indent > 0 && block.front().compare(indent, 1, "<") == 0;
 }
 
 bool IsWide(const TBlock& block) {
@@ -84,7 +85,8 @@ void WrapParagraph(const TBlock& block, std::string& text) {
   finish();
 }
 
-void WrapBlock(const TBlock& block, std::string& text) {
+// all lines indented, or none
+void WrapRun(const TBlock& block, std::string& text) {
   if (IsXml(block) || !IsWide(block)) {
     for (const std::string& line : block) {
       text += line + '\n';
@@ -93,6 +95,18 @@ void WrapBlock(const TBlock& block, std::string& text) {
     WrapParagraph(block, text);
   } else {
     WrapTable(block, text);
+  }
+}
+
+void WrapBlock(const TBlock& block, std::string& text) {
+  const auto isIndented = [](const std::string& line) { return line.front() == ' '; };
+  auto begin = block.begin();
+  while (begin != block.end()) {
+    const bool first = isIndented(*begin);
+    const auto end = std::find_if(
+        begin, block.end(), [&](const std::string& line) { return isIndented(line) != first; });
+    WrapRun(TBlock(begin, end), text);
+    begin = end;
   }
 }
 

@@ -82,7 +82,8 @@ class CHelpFormatter : public CLI::Formatter {
  public:
   CHelpFormatter() { column_width(32); }
   std::string make_usage(const CLI::App*, std::string) const override {
-    return "Usage: argos3 (-c FILE | --replay FILE [-c FILE] | -q WORD | --schema FORMAT | -h | -v) [options]\n";
+    return "Usage: argos3 (-c FILE | --replay FILE [-c FILE] | -q WORD | --schema FORMAT | -h | "
+           "-v) [options]\n";
   }
 };
 
@@ -351,8 +352,9 @@ CARGoSCommandLineArgParser::EAction ChooseAction(const CLI::App& app, CProblems&
   size_t count = 0;
   for (const auto& [name, choice] : choices) {
     // with --replay, -c names the file of the views; with others, that of the libraries
-    const bool isForOthers = choice == EAction::ACTION_RUN_EXPERIMENT &&
-                             app.count("--replay") + app.count("--query") + app.count("--schema") > 0;
+    const bool isForOthers =
+        choice == EAction::ACTION_RUN_EXPERIMENT &&
+        app.count("--replay") + app.count("--query") + app.count("--schema") > 0;
     if (app.count(name) > 0 && !isForOthers) {
       action = choice;
       given += (count++ == 0 ? "" : ", ") + std::string(name);
@@ -471,8 +473,8 @@ void CARGoSCommandLineArgParser::Parse(SInt32 argc, const char* const* argv) {
   m_options.Replay.ViewsFile = m_options.ExperimentFile;
   CheckFitsReplay(app, app.count("--replay") > 0, problems);
   CheckSchema(app, m_options.SchemaFormat, problems);
-  if (m_options.Action == ACTION_QUERY_PLUGINS || m_options.Action == ACTION_MAKE_SCHEMA || m_options.Action == ACTION_SHOW_HELP ||
-      m_options.Action == ACTION_SHOW_VERSION) {
+  if (m_options.Action == ACTION_QUERY_PLUGINS || m_options.Action == ACTION_MAKE_SCHEMA ||
+      m_options.Action == ACTION_SHOW_HELP || m_options.Action == ACTION_SHOW_VERSION) {
     CheckNeedsRun(app, problems);
   }
   problems.ThrowIfAny();
