@@ -172,11 +172,14 @@ std::string CDeviceCatalogue::TryInArena(const std::string& arena, const SSample
   SSampleExperiment sample = m_elements.MakeSample(device);
   sample.Arena = arena + kFloor;
   return m_loader.Load(sample, [&facts](CSimulator& simulator) {
+    const auto& robots = simulator.GetSpace().GetControllableEntities();
+    if (robots.empty()) {
+      THROW_ARGOSEXCEPTION("there is no robot with a controller");
+    }
     if (facts.Lua.empty()) {
       simulator.UpdateSpace();
       simulator.UpdateSpace();
-      facts.Lua =
-          ListLuaDevices(simulator.GetSpace().GetControllableEntities().front()->GetController());
+      facts.Lua = ListLuaDevices(robots.front()->GetController());
     }
   });
 }

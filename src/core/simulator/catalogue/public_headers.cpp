@@ -126,7 +126,7 @@ CPublicHeaders::CPublicHeaders() {
   }
 }
 
-CPublicHeaders::CPublicHeaders(const std::map<std::string, std::string>& headers) {
+CPublicHeaders::CPublicHeaders(const THeaders& headers) {
   for (const auto& [header, text] : headers) {
     AddHeader(header, text);
   }

@@ -35,13 +35,15 @@ struct SClassText {
  */
 class CPublicHeaders {
  public:
+  /** Texts by the name of the header. */
+  using THeaders = std::map<std::string, std::string>;
+
   /**
    * Searches the folders named control_interface of the running installation, or of its build, and
    * all folders below those in the environment variable ARGOS_INCLUDE_PATH (separated by colons).
    */
   CPublicHeaders();
-  /** @param headers  texts by the name of the header. */
-  explicit CPublicHeaders(const std::map<std::string, std::string>& headers);
+  explicit CPublicHeaders(const THeaders& headers);
 
   /** Without methods if no header defines the class. @param name  "CCI_LEDsActuator" */
   SClassText Describe(const std::string& name) const;

@@ -67,7 +67,7 @@ class CCI_HeaterActuator : public CHeaterBase<Real> {
 
 TEST_CASE("public headers: methods of a class and of its bases, with their comments",
           "[core][catalogue]") {
-  const CPublicHeaders headers({{"argos3/ci_heater_actuator.h", kHeader}});
+  const CPublicHeaders headers(CPublicHeaders::THeaders{{"argos3/ci_heater_actuator.h", kHeader}});
   const SClassText heater = headers.Describe("CCI_HeaterActuator");
   CHECK(heater.Header == "argos3/ci_heater_actuator.h");
   CHECK(heater.Text == "Heats the robot.");
@@ -82,7 +82,7 @@ TEST_CASE("public headers: methods of a class and of its bases, with their comme
 }
 
 TEST_CASE("public headers: types in a class, with the units of their fields", "[core][catalogue]") {
-  const CPublicHeaders headers({{"argos3/ci_heater_actuator.h", kHeader}});
+  const CPublicHeaders headers(CPublicHeaders::THeaders{{"argos3/ci_heater_actuator.h", kHeader}});
   const SClassText heater = headers.Describe("CCI_HeaterActuator");
   REQUIRE(heater.Types.size() == 2);
   CHECK(heater.Types[0].Name == "SReading");
@@ -99,13 +99,13 @@ TEST_CASE("public headers: types in a class, with the units of their fields", "[
 }
 
 TEST_CASE("public headers: of an unknown class nothing is known", "[core][catalogue]") {
-  const CPublicHeaders headers(std::map<std::string, std::string>{});
+  const CPublicHeaders headers(CPublicHeaders::THeaders{});
   CHECK(headers.Describe("CCI_HeaterActuator").Header.empty());
 }
 
 TEST_CASE("public headers: broken text ends the reading", "[core][catalogue]") {
   for (const char* const text : {"class CCI_X {", "/** ", "class CCI_X { /* ", "\"", "#", "("}) {
     CAPTURE(text);
-    CHECK_NOTHROW(CPublicHeaders({{"x.h", text}}).Describe("CCI_X"));
+    CHECK_NOTHROW(CPublicHeaders(CPublicHeaders::THeaders{{"x.h", text}}).Describe("CCI_X"));
   }
 }
